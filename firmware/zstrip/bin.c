@@ -1,0 +1,442 @@
+/* The walk of the scene: cull, transform, reject, bin.
+ *
+ * The band. A walk starts with all strips from the current one down. When a pool is full, the band
+ * loses its lower half and the triangles that begin there; vertices that no triangle holds go too.
+ * When the band is one strip and a pool is still full, what is binned is drawn into that strip at
+ * once and the pools are emptied: least (key, scene order) wins in any number of sets. So any pool
+ * that holds one triangle takes any scene, in more passes.
+ *
+ * Vertices are transformed when a triangle first asks for them. vert_map[v] says where vertex v of the
+ * current mesh may lie in the pool; it is believed only if that place belongs to the current instance
+ * and vert_src says v, so it needs no clearing.
+ *
+ * SPDX-License-Identifier: MIT
+ */
+#include "pipeline.h"
+
+#define NO_SOURCE 65535u /* vert_src of a vertex made by clipping: meshes have at most 65535 */
+
+/* ---- Pools ----------------------------------------------------------------------------------------- */
+
+static uint32_t map_index(const struct zs_renderer *r, uint32_t v)
+{
+    return v < r->config.max_verts ? v : v % r->config.max_verts;
+}
+
+static void bins_clear(struct zs_renderer *r)
+{
+    for (uint32_t s = r->strip; s < r->n_strips; s++)
+        r->bin[s] = ZS_NIL;
+}
+
+static void pools_empty(struct zs_renderer *r)
+{
+    r->n_tris = r->n_verts = r->vert_base = 0;
+    r->active = ZS_NIL;
+    bins_clear(r);
+}
+
+static int32_t strip_of(const struct zs_renderer *r, int32_t row)
+{
+    return row / r->config.strip_h;
+}
+
+/* Rows [*y0, *y1) of the frame that hold samples of the triangle's box; empty: *y0 >= *y1. */
+static void frame_rows(const struct zs_renderer *r, const struct zs_vertex *a,
+                       const struct zs_vertex *b, const struct zs_vertex *c, int32_t *y0,
+                       int32_t *y1)
+{
+    *y0 = zs_max32(zs_first_sample(zs_min32(zs_min32(a->y, b->y), c->y)), 0);
+    *y1 = zs_min32(zs_first_sample(zs_max32(zs_max32(a->y, b->y), c->y)), r->config.height);
+}
+
+static void bin_insert(struct zs_renderer *r, uint32_t t, int32_t first_row)
+{
+    const int32_t s = zs_max32(strip_of(r, first_row), r->strip);
+    r->tri[t].next = r->bin[s];
+    r->bin[s] = (uint16_t)t;
+}
+
+/* Drop binned triangles that begin below the band; the rest moves up in order. */
+static void tris_compact(struct zs_renderer *r)
+{
+    uint32_t kept = 0;
+    bins_clear(r);
+    for (uint32_t t = 0; t < r->n_tris; t++) {
+        const struct zs_tri tri = r->tri[t];
+        int32_t y0, y1;
+        frame_rows(r, &r->vert[tri.v[0]], &r->vert[tri.v[1]], &r->vert[tri.v[2]], &y0, &y1);
+        if (strip_of(r, y0) >= r->band_end)
+            continue;
+        r->tri[kept] = tri;
+        bin_insert(r, kept, y0);
+        kept++;
+    }
+    r->n_tris = kept;
+}
+
+/* Drop vertices that no binned triangle holds. */
+static void verts_compact(struct zs_renderer *r)
+{
+    uint16_t *to = r->vert_map; /* its contents are rebuilt below */
+    const uint32_t attrs = r->config.attrs;
+    for (uint32_t v = 0; v < r->n_verts; v++)
+        to[v] = ZS_NIL;
+    for (uint32_t t = 0; t < r->n_tris; t++)
+        for (int k = 0; k < 3; k++)
+            to[r->tri[t].v[k]] = 0;
+    uint32_t kept = 0, base = 0;
+    for (uint32_t v = 0; v < r->n_verts; v++) {
+        if (v == r->vert_base)
+            base = kept;
+        if (to[v] == ZS_NIL)
+            continue;
+        to[v] = (uint16_t)kept;
+        r->vert[kept] = r->vert[v];
+        r->vert_src[kept] = r->vert_src[v];
+        for (uint32_t k = 0; k < attrs; k++)
+            r->attr[kept * attrs + k] = r->attr[v * attrs + k];
+        kept++;
+    }
+    if (r->vert_base >= r->n_verts)
+        base = kept;
+    for (uint32_t t = 0; t < r->n_tris; t++)
+        for (int k = 0; k < 3; k++)
+            r->tri[t].v[k] = to[r->tri[t].v[k]];
+    r->n_verts = kept;
+    r->vert_base = base;
+    for (uint32_t v = base; v < kept; v++)
+        if (r->vert_src[v] != NO_SOURCE)
+            r->vert_map[map_index(r, r->vert_src[v])] = (uint16_t)v;
+}
+
+static int roomy(const struct zs_renderer *r)
+{
+    const uint32_t tris = r->config.max_tris, verts = r->config.max_verts;
+    const uint32_t verts_wanted = verts / 4u + 3u < verts ? verts / 4u + 3u : verts;
+    return tris - r->n_tris >= tris / 4u + 1u && verts - r->n_verts >= verts_wanted;
+}
+
+static void high_water(struct zs_renderer *r)
+{
+    if (r->stats.max_tris_used < r->n_tris)
+        r->stats.max_tris_used = r->n_tris;
+    if (r->stats.max_verts_used < r->n_verts)
+        r->stats.max_verts_used = r->n_verts;
+}
+
+/* A pool is full: free at least a quarter of both. Slots change. */
+static void make_room(struct zs_renderer *r)
+{
+    high_water(r);
+    verts_compact(r);
+    while (!roomy(r)) {
+        if (r->band_end - r->strip > 1) {
+            r->band_end = (uint16_t)(r->strip + (r->band_end - r->strip) / 2);
+            tris_compact(r);
+            verts_compact(r);
+        } else {
+            zs_raster_strip(r);
+            pools_empty(r);
+            r->stats.passes++;
+            return;
+        }
+    }
+}
+
+/* ---- Vertices ---------------------------------------------------------------------------------------- */
+
+/* The pool's place of a vertex of the current mesh, transformed; ZS_NIL: the pool is full. */
+static uint32_t vertex_slot(struct zs_renderer *r, uint32_t v)
+{
+    const uint32_t at = map_index(r, v);
+    uint32_t slot = r->vert_map[at];
+    if (slot < r->n_verts && slot >= r->vert_base && r->vert_src[slot] == v &&
+        !(r->config.skip_off & ZS_SKIP_VCACHE))
+        return slot;
+    if (r->n_verts == r->config.max_verts)
+        return ZS_NIL;
+    slot = r->n_verts++;
+    r->vert_src[slot] = (uint16_t)v;
+    r->vert_map[at] = (uint16_t)slot;
+    r->stats.verts_transformed++;
+
+    struct zs_point p;
+    struct zs_vertex *out = &r->vert[slot];
+    const struct zs_xform *xf = &r->xform;
+    zs_xform_vertex(xf, v, &p);
+    const uint32_t code = xf->clip_depth | xf->clip_guard ? zs_xform_outcode(&r->view, &p) : 0u;
+    if (code) {
+        out->x = out->y = 0;
+        out->d = ZS_D_OUT | code;
+        return slot;
+    }
+    zs_xform_project(r, &p, out);
+    const struct zs_shader *shader = xf->instance->material->shader;
+    if (shader->vertex)
+        shader->vertex(r, v, &r->attr[slot * r->config.attrs]);
+    return slot;
+}
+
+/* ---- Triangles --------------------------------------------------------------------------------------- */
+
+enum fate { FATE_DRAWN, FATE_OFFSCREEN, FATE_FACING, FATE_ZERO, FATE_EMPTY, FATE_NEAR, FATE_FAR,
+            FATE_INDEX, FATES };
+
+static void count(struct zs_stats *s, const uint32_t fate[FATES])
+{
+    s->tris_drawn += fate[FATE_DRAWN];
+    s->tris_offscreen += fate[FATE_OFFSCREEN];
+    s->tris_facing += fate[FATE_FACING];
+    s->tris_zero += fate[FATE_ZERO];
+    s->tris_empty += fate[FATE_EMPTY];
+    s->tris_near += fate[FATE_NEAR];
+    s->tris_far += fate[FATE_FAR];
+    s->tris_index += fate[FATE_INDEX];
+}
+
+/* Twice the area, q_16 px^2; positive clockwise on the screen (y down). |.| < 2^45 */
+static int64_t signed_area(const struct zs_vertex *a, const struct zs_vertex *b,
+                           const struct zs_vertex *c)
+{
+    return (int64_t)(b->x - a->x) * (c->y - a->y) - (int64_t)(c->x - a->x) * (b->y - a->y);
+}
+
+static int faces_away(int64_t area, uint32_t cull)
+{
+    return (cull == ZS_CULL_BACK && area > 0) || (cull == ZS_CULL_FRONT && area < 0);
+}
+
+/* Whether the box of a projected triangle holds a sample of the frame, and its rows. */
+static enum fate box_fate(const struct zs_renderer *r, const struct zs_vertex *a,
+                          const struct zs_vertex *b, const struct zs_vertex *c, int32_t *y0,
+                          int32_t *y1)
+{
+    const int32_t x0 = zs_first_sample(zs_min32(zs_min32(a->x, b->x), c->x));
+    const int32_t x1 = zs_first_sample(zs_max32(zs_max32(a->x, b->x), c->x));
+    frame_rows(r, a, b, c, y0, y1);
+    if (x1 <= 0 || x0 >= r->config.width || *y1 <= 0 || *y0 >= r->config.height)
+        return FATE_OFFSCREEN;
+    if ((x0 >= x1 || *y0 >= *y1) && !(r->config.skip_off & ZS_SKIP_EMPTY))
+        return FATE_EMPTY;
+    return FATE_DRAWN;
+}
+
+static int in_band(const struct zs_renderer *r, int32_t y0, int32_t y1)
+{
+    return strip_of(r, y0) < r->band_end && strip_of(r, y1 - 1) >= r->strip;
+}
+
+static void bin_push(struct zs_renderer *r, const uint32_t slot[3], uint16_t paint, int32_t y0)
+{
+    struct zs_tri *t = &r->tri[r->n_tris];
+    for (int k = 0; k < 3; k++)
+        t->v[k] = (uint16_t)slot[k];
+    t->paint = paint;
+    t->instance = r->xform.number;
+    bin_insert(r, r->n_tris, y0);
+    r->n_tris++;
+}
+
+/* ---- Clipped triangles ----------------------------------------------------------------------------- */
+
+struct polygon {
+    struct zs_clip_vertex cv[ZS_CLIP_MAX];
+    struct zs_vertex v[ZS_CLIP_MAX]; /* snapped */
+    int n;
+};
+
+/* The snapped polygon's area, and the corner whose fan has no piece of the other sense: rounding can
+ * turn a corner of a sub-pixel inwards. */
+static int64_t fan_corner(const struct polygon *p, int *corner)
+{
+    int64_t area = 0;
+    for (int k = 1; k + 1 < p->n; k++)
+        area += signed_area(&p->v[0], &p->v[k], &p->v[k + 1]); /* |.| < 7 * 2^45 */
+    *corner = 0;
+    for (int first = 0; first < p->n; first++) {
+        int good = 1;
+        for (int k = 1; k + 1 < p->n; k++) {
+            const int64_t piece = signed_area(&p->v[first], &p->v[(first + k) % p->n],
+                                              &p->v[(first + k + 1) % p->n]);
+            good &= area > 0 ? piece >= 0 : piece <= 0;
+        }
+        if (good) {
+            *corner = first;
+            break;
+        }
+    }
+    return area;
+}
+
+static void polygon_project(struct zs_renderer *r, struct polygon *p)
+{
+    const int32_t reach = (int32_t)ZS_GUARD_SUBPX;
+    for (int k = 0; k < p->n; k++) {
+        struct zs_vertex *v = &p->v[k];
+        zs_xform_project(r, &p->cv[k].p, v);
+        /* rounding in camera units may leave a new vertex a little outside the guard band */
+        v->x = zs_min32(zs_max32(v->x, r->view.cx - reach), r->view.cx + reach);
+        v->y = zs_min32(zs_max32(v->y, r->view.cy - reach), r->view.cy + reach);
+    }
+}
+
+static void polygon_push(struct zs_renderer *r, const struct polygon *p, const int corner[3],
+                         uint16_t paint, int32_t y0)
+{
+    if (r->n_tris == r->config.max_tris || r->n_verts + 3u > r->config.max_verts)
+        make_room(r);
+    uint32_t slot[3];
+    for (int k = 0; k < 3; k++) {
+        slot[k] = r->n_verts++;
+        r->vert[slot[k]] = p->v[corner[k]];
+        r->vert_src[slot[k]] = NO_SOURCE;
+        for (uint32_t a = 0; a < r->xform.instance->material->shader->n_attrs; a++)
+            r->attr[slot[k] * r->config.attrs + a] = p->cv[corner[k]].attr[a];
+    }
+    bin_push(r, slot, paint, y0);
+}
+
+static enum fate polygon_bin(struct zs_renderer *r, const struct polygon *p, uint32_t t)
+{
+    const struct zs_material *material = r->xform.instance->material;
+    int corner;
+    const int64_t area = fan_corner(p, &corner);
+    if (area == 0)
+        return FATE_ZERO;
+    if (faces_away(area, material->cull))
+        return FATE_FACING;
+    enum fate all = FATE_EMPTY;
+    const uint16_t paint = material->shader->face(r, t);
+    for (int k = 1; k + 1 < p->n; k++) {
+        const int at[3] = { corner, (corner + k) % p->n, (corner + k + 1) % p->n };
+        const struct zs_vertex *v[3] = { &p->v[at[0]], &p->v[at[1]], &p->v[at[2]] };
+        int32_t y0, y1;
+        const int64_t piece = signed_area(v[0], v[1], v[2]);
+        if (piece == 0 || (piece > 0) != (area > 0))
+            continue;
+        const enum fate fate = box_fate(r, v[0], v[1], v[2], &y0, &y1);
+        if (fate != FATE_DRAWN) {
+            all = all == FATE_DRAWN ? FATE_DRAWN : fate;
+            continue;
+        }
+        all = FATE_DRAWN;
+        if (in_band(r, y0, y1))
+            polygon_push(r, p, at, paint, y0);
+    }
+    return all;
+}
+
+static enum fate triangle_clip(struct zs_renderer *r, uint32_t t)
+{
+    const struct zs_mesh *mesh = r->xform.instance->mesh;
+    const struct zs_shader *shader = r->xform.instance->material->shader;
+    struct polygon p;
+    uint32_t any = 0, all = ~0u, sides = 0;
+    for (int k = 0; k < 3; k++) {
+        const uint32_t v = mesh->tri[t][k];
+        zs_xform_vertex(&r->xform, v, &p.cv[k].p);
+        if (shader->vertex)
+            shader->vertex(r, v, p.cv[k].attr);
+        const uint32_t code = zs_xform_outcode(&r->view, &p.cv[k].p);
+        any |= code;
+        all &= code;
+    }
+    if (all & ZS_OUT_NEAR)
+        return FATE_NEAR;
+    if (all & ZS_OUT_FAR)
+        return FATE_FAR;
+    if (all)
+        return FATE_OFFSCREEN;
+    if (r->counting)
+        r->stats.tris_clipped++;
+    p.n = zs_clip_polygon(&r->view, p.cv, 3, any & (ZS_OUT_NEAR | ZS_OUT_FAR), shader->n_attrs);
+    for (int k = 0; k < p.n; k++) /* sides mean something only now */
+        sides |= zs_xform_outcode(&r->view, &p.cv[k].p) & ZS_OUT_SIDES;
+    if (p.n && sides) {
+        p.n = zs_clip_polygon(&r->view, p.cv, p.n, sides, shader->n_attrs);
+        if (!p.n)
+            return FATE_OFFSCREEN;
+    }
+    if (!p.n)
+        return any & ZS_OUT_NEAR ? FATE_NEAR : FATE_FAR;
+    polygon_project(r, &p);
+    return polygon_bin(r, &p, t);
+}
+
+/* ---- The walk -------------------------------------------------------------------------------------- */
+
+static enum fate triangle(struct zs_renderer *r, uint32_t t)
+{
+    const struct zs_xform *xf = &r->xform;
+    const struct zs_mesh *mesh = xf->instance->mesh;
+    const struct zs_material *material = xf->instance->material;
+    const uint16_t *index = mesh->tri[t];
+    for (int k = 0; k < 3; k++)
+        if (index[k] >= mesh->n_verts)
+            return FATE_INDEX;
+    for (;;) {
+        uint32_t slot[3];
+        for (int k = 0; k < 3; k++)
+            slot[k] = vertex_slot(r, index[k]);
+        if (slot[0] == ZS_NIL || slot[1] == ZS_NIL || slot[2] == ZS_NIL) {
+            make_room(r);
+            continue;
+        }
+        const struct zs_vertex *a = &r->vert[slot[0]], *b = &r->vert[slot[1]], *c = &r->vert[slot[2]];
+        if (a->d >= ZS_D_OUT || b->d >= ZS_D_OUT || c->d >= ZS_D_OUT)
+            return triangle_clip(r, t);
+        const int64_t area = signed_area(a, b, c);
+        if (area == 0)
+            return FATE_ZERO;
+        if (faces_away(area, material->cull))
+            return FATE_FACING;
+        int32_t y0, y1;
+        const enum fate fate = box_fate(r, a, b, c, &y0, &y1);
+        if (fate != FATE_DRAWN || !in_band(r, y0, y1))
+            return fate;
+        if (r->n_tris == r->config.max_tris) {
+            make_room(r); /* slots are stale: look the vertices up again */
+            continue;
+        }
+        bin_push(r, slot, material->shader->face(r, t), y0);
+        return FATE_DRAWN;
+    }
+}
+
+static void walk_instance(struct zs_renderer *r, uint32_t number)
+{
+    const struct zs_instance *in = &r->scene->instance[number];
+    struct zs_bounds b;
+    const int err = zs_cull_bounds(&b, in, &r->camera);
+    const int culled = err || zs_cull_sphere(&b, &r->camera, &r->view);
+    if (r->counting) {
+        r->stats.instances_in++;
+        r->stats.tris_in += in->mesh->n_tris;
+    }
+    if ((culled && !(r->config.skip_off & ZS_SKIP_FRUSTUM)) || err ||
+        !zs_xform_instance(r, number, &b)) {
+        if (r->counting) {
+            r->stats.instances_culled++;
+            r->stats.tris_frustum += in->mesh->n_tris;
+        }
+        return;
+    }
+    uint32_t fate[FATES] = { 0 };
+    r->vert_base = r->n_verts;
+    for (uint32_t t = 0; t < in->mesh->n_tris; t++)
+        fate[triangle(r, t)]++;
+    if (r->counting)
+        count(&r->stats, fate);
+}
+
+void zs_bin_walk(struct zs_renderer *r)
+{
+    pools_empty(r);
+    r->band_end = r->config.skip_off & ZS_SKIP_BINS ? (uint16_t)(r->strip + 1u) : r->n_strips;
+    r->stats.passes++;
+    for (uint32_t i = 0; i < r->scene->n_instances; i++)
+        walk_instance(r, i);
+    high_water(r);
+    r->counting = 0;
+}

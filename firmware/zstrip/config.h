@@ -1,0 +1,40 @@
+/* zstrip: sizes and budgets. Each can be set by the compiler's -D; the proofs in fx.h, project.c,
+ * plane.c and raster.c depend on them and are checked there when the library is built.
+ *
+ * SPDX-License-Identifier: MIT
+ */
+#ifndef ZS_CONFIG_H
+#define ZS_CONFIG_H
+
+#ifndef ZS_SIZE_MAX
+#define ZS_SIZE_MAX 4096 /* px, width and height of a frame */
+#endif
+
+#ifndef ZS_GUARD_PX
+#define ZS_GUARD_PX 8188 /* px from the frame's middle; triangles that reach further are clipped */
+#endif
+
+#ifndef ZS_ATTRS_MAX
+#define ZS_ATTRS_MAX 3 /* 16-bit attribute words a vertex */
+#endif
+
+#ifndef ZS_STATS
+#define ZS_STATS 0 /* 1: count written pixels too, which costs an instruction a pixel */
+#endif
+
+#ifndef ZS_ALIGNED
+#if defined(__GNUC__)
+#define ZS_ALIGNED __attribute__((aligned(32))) /* a Cortex-M7 cache line */
+#else
+#define ZS_ALIGNED
+#endif
+#endif
+
+/* Preconditions restated at run time: on in test builds, nothing on a target. */
+#ifndef ZS_ASSERT
+#define ZS_ASSERT(condition) ((void)0)
+#endif
+
+#define ZS_POOL_MAX 65534u /* records in a pool: 16-bit indices, one value for "none" */
+
+#endif

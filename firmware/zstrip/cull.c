@@ -1,0 +1,86 @@
+/* Instances: the sphere that holds a mesh, against the view.
+ *
+ * SPDX-License-Identifier: MIT
+ */
+#include "pipeline.h"
+#include "rotation.h"
+
+#define SCALE_MAX ((uint64_t)1 << 47) /* q32_32: 32768 steps are then 2^30 world units */
+
+static int64_t abs64(int64_t v)
+{
+    return v < 0 ? -v : v;
+}
+
+/* Row k of camera axes: right, down, distance. */
+static void axes(zs_q2_30 out[9], const struct zs_camera *camera)
+{
+    for (int k = 0; k < 3; k++) {
+        out[k] = camera->rot[k];
+        out[3 + k] = -camera->rot[3 + k];
+        out[6 + k] = -camera->rot[6 + k];
+    }
+}
+
+static int pose_ok(const struct zs_pose *pose)
+{
+    for (int k = 0; k < 3; k++)
+        if (pose->pos[k] > ZS_WORLD_MAX || pose->pos[k] < -ZS_WORLD_MAX)
+            return 0;
+    return pose->scale > 0 && zs_rotation_ok(pose->rot);
+}
+
+int zs_cull_bounds(struct zs_bounds *b, const struct zs_instance *in,
+                   const struct zs_camera *camera)
+{
+    const struct zs_mesh *mesh = in->mesh;
+    const uint64_t scale = (uint64_t)mesh->scale * in->pose.scale; /* q32_32 */
+    if (!pose_ok(&in->pose) || scale > SCALE_MAX)
+        return ZS_ERR_RANGE;
+    const uint32_t radius = mesh->radius + 1u;
+    b->r = (int64_t)(radius * scale >> 16) + 1; /* <= 2^17 * 2^47 */
+    if (b->r > (int64_t)ZS_WORLD_MAX * 65536)
+        return ZS_ERR_RANGE;
+    zs_q2_30 view[9], both[9];
+    axes(view, camera);
+    zs_rotation_mul(both, view, in->pose.rot);
+    b->reach = 0;
+    for (int k = 0; k < 3; k++) {
+        int64_t at = 0, off = 0;
+        for (int j = 0; j < 3; j++) {
+            at += (int64_t)view[3 * k + j] * (in->pose.pos[j] - camera->pos[j]); /* <= 2^60 each */
+            off += (int64_t)both[3 * k + j] * mesh->center[j];                   /* <= 2^45 each */
+        }
+        const int64_t origin = zs_round_shift(at, 14);        /* q48_16, <= 2^47.6 */
+        b->c[k] = origin + zs_mulshift_s64(off, scale, 46);   /* <= 2^46.6 * 2^47 / 2^46 */
+        const int64_t far_side = abs64(b->c[k]) + b->r;
+        if (b->reach < far_side)
+            b->reach = far_side;
+        if (b->reach < abs64(origin))
+            b->reach = abs64(origin);
+    }
+    b->slack = (b->reach >> 16) + 16; /* errors are below 2^-26 of reach, rotations' below 2^-20 */
+    return ZS_OK;
+}
+
+/* Distance inwards from a side plane, q48_16, nearest. lateral is x or y, mirrored to be >= 0. */
+static int64_t side_distance(const int32_t normal[2], int64_t lateral, int64_t z)
+{
+    return zs_mulshift_s64(z, (uint64_t)normal[1], 30) -
+           zs_mulshift_s64(lateral, (uint64_t)normal[0], 30);
+}
+
+int zs_cull_sphere(const struct zs_bounds *b, const struct zs_camera *camera,
+                   const struct zs_view *view)
+{
+    const int64_t r = b->r + b->slack;
+    if (b->c[2] + r < camera->z_near || b->c[2] - r > camera->z_far)
+        return 1;
+    if (view->perspective)
+        return side_distance(view->side_x, abs64(b->c[0]), b->c[2]) < -r ||
+               side_distance(view->side_y, abs64(b->c[1]), b->c[2]) < -r;
+    const int64_t half_h = camera->height / 2 + 1;
+    const int64_t half_w = (int64_t)zs_muldiv_u64((uint64_t)half_h, (uint64_t)view->cx,
+                                                  (uint64_t)view->cy) + 1;
+    return abs64(b->c[0]) - r > half_w || abs64(b->c[1]) - r > half_h;
+}

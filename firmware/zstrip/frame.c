@@ -1,0 +1,260 @@
+/* Renderers and frames: set-up, checks, the loop over strips.
+ *
+ * SPDX-License-Identifier: MIT
+ */
+#include "pipeline.h"
+
+static const char *const messages[] = {
+    "no error",
+    "a required pointer is NULL",
+    "frame, strip, pool or buffer count out of range",
+    "the arena is too small or not aligned to 4 bytes",
+    "depth bits outside 8 to 16, or a depth mapping that this camera cannot take",
+    "near, far, focal length, height or rotation of the camera out of range",
+    "a position, scale or extent that the integers cannot hold",
+    "a mesh lacks what its shader reads, or has too many vertices",
+    "frame functions called out of order",
+    "the shader needs more vertex attributes than config.attrs",
+    "a direction of length 0, or parallel directions"
+};
+
+const char *zs_strerror(int err)
+{
+    const unsigned n = err > 0 ? 0u : 0u - (unsigned)err;
+    return n < sizeof messages / sizeof messages[0] ? messages[n] : "unknown error";
+}
+
+/* ---- Set-up ------------------------------------------------------------------------------------------ */
+
+static int config_ok(const struct zs_config *c)
+{
+    return c->width >= 1 && c->width <= ZS_SIZE_MAX && c->height >= 1 &&
+           c->height <= ZS_SIZE_MAX && c->strip_h >= 1 && c->max_tris >= 1 &&
+           c->max_tris <= ZS_POOL_MAX && c->max_verts >= 3 && c->max_verts <= ZS_POOL_MAX &&
+           c->attrs <= ZS_ATTRS_MAX && (c->buffers == 1 || c->buffers == 2) &&
+           (c->subpixel_bits == 8 || c->subpixel_bits == 4);
+}
+
+static uint16_t strip_rows(const struct zs_config *c)
+{
+    return c->strip_h < c->height ? c->strip_h : c->height;
+}
+
+uint32_t zs_arena_bytes(const struct zs_config *c)
+{
+    if (!c || !config_ok(c))
+        return 0;
+    return ZS_ARENA_BYTES(c->width, c->height, strip_rows(c), c->max_tris, c->max_verts, c->attrs,
+                          c->buffers);
+}
+
+/* The next pool of the arena. */
+static void *take(uint8_t **at, uint32_t bytes)
+{
+    void *pool = *at;
+    *at += bytes;
+    return pool;
+}
+
+static void split(struct zs_renderer *r, uint8_t *at)
+{
+    const struct zs_config *c = &r->config;
+    const uint32_t color = ZS_COLOR_BYTES(c->width, c->strip_h, 1u);
+    const uint32_t half_words = ZS_ROUND4(c->max_verts * 2u);
+    r->color[0] = take(&at, color);
+    r->color[1] = c->buffers == 2 ? take(&at, color) : r->color[0];
+    r->depth = take(&at, ZS_DEPTH_BYTES(c->width, c->strip_h));
+    r->bin = take(&at, ZS_BIN_BYTES(c->height, c->strip_h));
+    r->tri = take(&at, ZS_TRI_BYTES(c->max_tris));
+    r->vert = take(&at, c->max_verts * 12u);
+    r->vert_src = take(&at, half_words);
+    r->vert_map = take(&at, half_words);
+    r->attr = take(&at, ZS_ROUND4((uint32_t)c->max_verts * c->attrs * 2u));
+}
+
+int zs_init(struct zs_renderer *r, const struct zs_config *config, void *arena, size_t bytes)
+{
+    if (!r || !config || !arena || !config->depth)
+        return ZS_ERR_NULL;
+    r->ready = 0;
+    r->scene = 0;
+    if (!config_ok(config))
+        return ZS_ERR_SIZE;
+    if (config->depth_bits < 8 || config->depth_bits > 16)
+        return ZS_ERR_DEPTH;
+    if (bytes < zs_arena_bytes(config) || ((uintptr_t)arena & 3u))
+        return ZS_ERR_ARENA;
+    r->config = *config;
+    r->config.strip_h = strip_rows(config);
+    r->n_strips = (uint16_t)((config->height + r->config.strip_h - 1) / r->config.strip_h);
+    split(r, arena);
+    for (uint32_t v = 0; v < config->max_verts; v++)
+        r->vert_map[v] = r->vert_src[v] = 0; /* any value will do; junk would be as good */
+    const struct zs_stats none = { 0 };
+    r->stats = none;
+    r->ready = 1;
+    return ZS_OK;
+}
+
+/* ---- Checks of a frame ----------------------------------------------------------------------------- */
+
+static int instance_check(const struct zs_renderer *r, const struct zs_instance *in)
+{
+    const struct zs_mesh *mesh = in->mesh;
+    const struct zs_material *material = in->material;
+    if (!mesh || !material || !material->shader)
+        return ZS_ERR_NULL;
+    if ((!mesh->pos && mesh->n_verts) || (!mesh->tri && mesh->n_tris) || mesh->n_verts > 65535u ||
+        mesh->scale == 0 || material->cull > ZS_CULL_NONE)
+        return ZS_ERR_MESH;
+    if (material->shader->n_attrs > r->config.attrs)
+        return ZS_ERR_ATTRS;
+    return material->shader->check ? material->shader->check(in, &r->config) : ZS_OK;
+}
+
+static int light_ok(const struct zs_light *light)
+{
+    const int32_t limit = ZS_Q30_ONE + (1 << 10);
+    for (int k = 0; k < 3; k++)
+        if (light->dir[k] > limit || light->dir[k] < -limit)
+            return 0;
+    return light->ambient <= ZS_Q16_ONE && light->diffuse <= ZS_Q16_ONE;
+}
+
+/* Check all instances and find how far what can be seen reaches. */
+static int scene_check(struct zs_renderer *r, const struct zs_scene *scene, int64_t *reach)
+{
+    if (scene->n_instances > 65535u)
+        return ZS_ERR_SIZE;
+    if (scene->n_instances && !scene->instance)
+        return ZS_ERR_NULL;
+    if (!light_ok(&scene->light))
+        return ZS_ERR_RANGE;
+    *reach = 1;
+    for (uint32_t i = 0; i < scene->n_instances; i++) {
+        struct zs_bounds b;
+        int err = instance_check(r, &scene->instance[i]);
+        if (!err)
+            err = zs_cull_bounds(&b, &scene->instance[i], &r->camera);
+        if (err)
+            return err;
+        if (!zs_cull_sphere(&b, &r->camera, &r->view) && *reach < b.reach + b.slack)
+            *reach = b.reach + b.slack;
+    }
+    return ZS_OK;
+}
+
+int zs_frame_begin(struct zs_renderer *r, const struct zs_scene *scene,
+                   const struct zs_camera *camera)
+{
+    if (!r || !scene || !camera)
+        return ZS_ERR_NULL;
+    r->scene = 0;
+    if (r->ready != 1)
+        return ZS_ERR_STATE;
+    int64_t reach;
+    r->camera = *camera;
+    int err = zs_view_camera(&r->view, &r->config, camera);
+    if (!err)
+        err = scene_check(r, scene, &reach);
+    if (!err)
+        err = zs_view_units(&r->view, &r->config, camera, reach);
+    if (!err)
+        err = r->config.depth->setup(&r->view, camera, r->config.depth_bits);
+    if (err)
+        return err;
+    const struct zs_stats none = { 0 };
+    r->stats = none;
+    r->strip = 0;
+    r->band_end = 0; /* the first strip begins a walk */
+    r->counting = 1;
+    r->scene = scene;
+    return ZS_OK;
+}
+
+/* ---- Strips -------------------------------------------------------------------------------------------- */
+
+static void strip_clear(struct zs_renderer *r)
+{
+    const uint32_t n = (uint32_t)r->config.width * r->config.strip_h;
+    const uint16_t background = zs_wire16(r->scene->background);
+    uint16_t *color = r->color[r->strip & 1];
+    for (uint32_t i = 0; i < n; i++)
+        color[i] = background;
+    for (uint32_t i = 0; i < n; i++)
+        r->depth[i] = ZS_DEPTH_CLEAR;
+}
+
+int zs_frame_strip(struct zs_renderer *r, struct zs_strip *out)
+{
+    if (!r || !out)
+        return ZS_ERR_NULL;
+    if (r->ready != 1 || !r->scene)
+        return ZS_ERR_STATE;
+    if (r->strip == r->n_strips)
+        return 0;
+    strip_clear(r);
+    if (r->strip >= r->band_end)
+        zs_bin_walk(r);
+    zs_raster_strip(r);
+
+    const uint32_t y0 = (uint32_t)r->strip * r->config.strip_h;
+    const uint32_t left = r->config.height - y0;
+    out->x = 0;
+    out->y = (uint16_t)y0;
+    out->w = r->config.width;
+    out->h = (uint16_t)(left < r->config.strip_h ? left : r->config.strip_h);
+    out->last = r->strip + 1u == r->n_strips;
+    out->px = (const uint8_t *)r->color[r->strip & 1];
+    out->n_bytes = (uint32_t)out->w * out->h * 2u;
+    out->depth = r->depth;
+    r->strip++;
+    r->stats.strips++;
+    return 1;
+}
+
+int zs_frame_end(struct zs_renderer *r)
+{
+    if (!r)
+        return ZS_ERR_NULL;
+    if (r->ready != 1 || !r->scene)
+        return ZS_ERR_STATE;
+    r->scene = 0;
+    return ZS_OK;
+}
+
+const struct zs_stats *zs_frame_stats(const struct zs_renderer *r)
+{
+    return &r->stats;
+}
+
+int zs_render(struct zs_renderer *r, const struct zs_scene *scene, const struct zs_camera *camera,
+              const struct zs_sink *sink)
+{
+    if (!sink || !sink->submit)
+        return ZS_ERR_NULL;
+    int err = zs_frame_begin(r, scene, camera);
+    if (err)
+        return err;
+    struct zs_strip strip;
+    int pending = 0, got;
+    while (!err && (got = zs_frame_strip(r, &strip)) > 0) {
+        if (pending && sink->wait) /* two buffers: the strip before is still in the sink's hands */
+            err = sink->wait(sink->ctx);
+        pending = 0;
+        if (err)
+            break;
+        err = sink->submit(sink->ctx, &strip);
+        pending = !err;
+        if (pending && sink->wait && r->config.buffers == 1) {
+            err = sink->wait(sink->ctx);
+            pending = 0;
+        }
+    }
+    if (pending && sink->wait) {
+        const int late = sink->wait(sink->ctx);
+        err = err ? err : late;
+    }
+    (void)zs_frame_end(r);
+    return err;
+}

@@ -1,0 +1,122 @@
+/* Fixed-point helpers: the only place where bits are meant to be lost.
+ *
+ * Formats: qI_F is signed, uqI_F unsigned, I counts the sign bit, I + F is the storage width.
+ * Rounding is in each name or comment: floor, nearest (halves up), trunc (towards zero).
+ *
+ * SPDX-License-Identifier: MIT
+ */
+#ifndef ZS_FX_H
+#define ZS_FX_H
+
+#include <stdint.h>
+
+#include "config.h"
+
+_Static_assert((-3 >> 1) == -2, "right shift of negative values must be arithmetic");
+_Static_assert(sizeof(int) >= 4, "int must hold 32 bits");
+
+#define ZS_SUBPX_BITS 8 /* of every coordinate kept; 4-bit profiles snap to multiples of 16 */
+#define ZS_SUBPX_ONE 256
+#define ZS_SUBPX_HALF 128
+#define ZS_GUARD_SUBPX ((int64_t)ZS_GUARD_PX * ZS_SUBPX_ONE)
+
+/* Extents of a binned triangle: 2 * guard. plane.c and raster.c rely on 2^22. */
+#define ZS_EXTENT_BITS 22
+_Static_assert(2 * (ZS_GUARD_SUBPX + 8) < ((int64_t)1 << ZS_EXTENT_BITS), "guard band too wide");
+_Static_assert(ZS_GUARD_PX >= ZS_SIZE_MAX, "the guard band must hold the frame");
+_Static_assert(ZS_SIZE_MAX <= 4096, "see the step count in plane.c and the strip division in bin.c");
+
+typedef int32_t q24_8; /* screen x, y, px */
+
+/* Leading zeros, v > 0. */
+static inline int zs_clz32(uint32_t v)
+{
+#if defined(__GNUC__)
+    return __builtin_clz(v);
+#else
+    int n = 0;
+    while (!(v & 0x80000000u)) {
+        v <<= 1;
+        n++;
+    }
+    return n;
+#endif
+}
+
+static inline int zs_clz64(uint64_t v)
+{
+    return v >> 32 ? zs_clz32((uint32_t)(v >> 32)) : 32 + zs_clz32((uint32_t)v);
+}
+
+/* High half of a 32 x 32 product, floor. */
+static inline uint32_t zs_umulh(uint32_t a, uint32_t b)
+{
+    return (uint32_t)((uint64_t)a * b >> 32);
+}
+
+static inline int32_t zs_abs32(int32_t v)
+{
+    return v < 0 ? -v : v;
+}
+
+static inline int32_t zs_min32(int32_t a, int32_t b)
+{
+    return a < b ? a : b;
+}
+
+static inline int32_t zs_max32(int32_t a, int32_t b)
+{
+    return a > b ? a : b;
+}
+
+/* v / 2^n, nearest. 0 <= n <= 62, |v| < 2^62. */
+static inline int64_t zs_round_shift(int64_t v, int n)
+{
+    return (v + (((int64_t)1 << n) >> 1)) >> n;
+}
+
+/* v * 2^n, n of either sign, nearest. |result| < 2^62. */
+static inline int64_t zs_scale2(int64_t v, int n)
+{
+    if (n >= 0)
+        return v * ((int64_t)1 << n);
+    return n < -62 ? 0 : zs_round_shift(v, -n);
+}
+
+/* Intended wrap: sums modulo 2^32, product's low half. */
+static inline uint32_t zs_wrap_mul(uint32_t a, int32_t b)
+{
+    return a * (uint32_t)b;
+}
+
+/* First sample (row or column) at or after a coordinate: ceil((c - 1/2 px) / 1 px). */
+static inline int32_t zs_first_sample(q24_8 c)
+{
+    return (c + (ZS_SUBPX_HALF - 1)) >> ZS_SUBPX_BITS;
+}
+
+/* The value of a 16-bit number as it lies in memory, most significant byte first. */
+static inline uint16_t zs_wire16(uint16_t v)
+{
+#if defined(__BYTE_ORDER__) && __BYTE_ORDER__ == __ORDER_BIG_ENDIAN__
+    return v;
+#else
+    return (uint16_t)(v << 8 | v >> 8);
+#endif
+}
+
+/* 2^63 / a, at most 2^32 - 1, within 2^-30 of it. a >= 2^31.
+ * Cost  one table look-up and four multiplications; no division.
+ * Exact tests/test_fx.c compares all 2^31 arguments in steps that hit every table entry. */
+uint32_t zs_recip(uint32_t a);
+
+/* floor(sqrt(v)). */
+uint32_t zs_isqrt64(uint64_t v);
+
+/* floor(a * b / d) with a 128-bit product. d > 0, result < 2^64. For set-up, not for loops. */
+uint64_t zs_muldiv_u64(uint64_t a, uint64_t b, uint64_t d);
+
+/* a * b / 2^n, floor of the magnitude, with a 128-bit product. 0 <= n <= 127, |result| < 2^63. */
+int64_t zs_mulshift_s64(int64_t a, uint64_t b, int n);
+
+#endif

@@ -1,0 +1,185 @@
+/* The stages and what they hand on. Internal to zstrip: one stage is one .c file, in the order of the
+ * data: frame -> cull -> xform -> clip -> project -> bin -> raster (plane) -> shade, depth.
+ *
+ * SPDX-License-Identifier: MIT
+ */
+#ifndef ZS_PIPELINE_H
+#define ZS_PIPELINE_H
+
+#include "fx.h"
+#include "zstrip.h"
+
+#define ZS_NIL 65535u
+_Static_assert(ZS_POOL_MAX < ZS_NIL, "16-bit indices need a value for none");
+_Static_assert(sizeof(struct zs_tri) == 12, "ZS_TRI_BYTES");
+_Static_assert(sizeof(struct zs_vertex) == 12, "ZS_VERT_BYTES");
+
+/* ---- Shaders and depth mappings ---------------------------------------------------------------- */
+
+struct zs_job;
+
+struct zs_shader {
+    /* Attributes of a vertex: out[n_attrs]. NULL: none. */
+    void (*vertex)(const struct zs_renderer *r, uint32_t v, uint16_t *out);
+    /* What zs_tri.paint becomes for a face of the current instance. */
+    uint16_t (*face)(const struct zs_renderer *r, uint32_t t);
+    /* Draw a triangle into its strip where keys are linear on the screen. */
+    void (*rows)(struct zs_job *job);
+    /* Colour pixels [r0, r1) of a span [x0, x1) of a row, already found nearest. start() once before. */
+    void (*start)(struct zs_job *job);
+    void (*run)(struct zs_job *job, int32_t row, int32_t x0, int32_t x1, int32_t r0, int32_t r1);
+    /* ZS_OK, or why this instance cannot be drawn with it. */
+    int (*check)(const struct zs_instance *instance, const struct zs_config *config);
+    uint8_t n_attrs;
+};
+
+struct zs_depth {
+    /* Constants of a frame into view->key_*. ZS_OK; ZS_ERR_DEPTH: not with this camera. */
+    int (*setup)(struct zs_view *view, const struct zs_camera *camera, uint32_t bits);
+    /* zs_vertex.d of a distance, near <= z <= far, camera units. */
+    uint32_t (*vertex)(const struct zs_view *view, int32_t z);
+    /* Draw a triangle where keys are not linear on the screen; NULL: they always are. */
+    void (*rows)(struct zs_job *job);
+    /* w ~ 1/z of a vertex for perspective-correct attributes, > 0, same scale for all vertices. */
+    uint64_t (*inverse)(const struct zs_view *view, uint32_t d);
+};
+
+/* ---- cull.c: instances --------------------------------------------------------------------------- */
+
+struct zs_bounds {
+    int64_t c[3];    /* q48_16 world units, camera axes (right, down, distance), sphere's centre */
+    int64_t r;       /* q48_16, rounded up */
+    int64_t reach;   /* q48_16: no vertex, centre or origin lies further along an axis */
+    int64_t slack;   /* q48_16: more than the error of c and r and of a transformed vertex */
+};
+
+/* The sphere of an instance in camera axes, unscaled. Return ZS_OK or ZS_ERR_RANGE. */
+int zs_cull_bounds(struct zs_bounds *b, const struct zs_instance *in,
+                   const struct zs_camera *camera);
+
+/* 1: no part of the sphere can be seen. Conservative. */
+int zs_cull_sphere(const struct zs_bounds *b, const struct zs_camera *camera,
+                   const struct zs_view *view);
+
+/* ---- view.c: the camera of a frame -------------------------------------------------------------- */
+
+/* Everything that does not depend on the scene. ZS_OK; ZS_ERR_CAMERA. */
+int zs_view_camera(struct zs_view *view, const struct zs_config *config,
+                   const struct zs_camera *camera);
+/* Choose camera units for a reach in q48_16 world units, and fill the rest. ZS_OK; ZS_ERR_RANGE. */
+int zs_view_units(struct zs_view *view, const struct zs_config *config,
+                  const struct zs_camera *camera, int64_t reach);
+
+/* ---- xform.c ---------------------------------------------------------------------------------------- */
+
+/* One vertex in camera units: x' to the right, y' down, z the distance. |.| < 2^30 + 2. */
+struct zs_point {
+    int32_t c[3];
+};
+
+enum zs_outcode {
+    ZS_OUT_NEAR = 1, ZS_OUT_FAR = 2, ZS_OUT_LEFT = 4, ZS_OUT_RIGHT = 8, ZS_OUT_TOP = 16,
+    ZS_OUT_BOTTOM = 32
+};
+#define ZS_OUT_SIDES (ZS_OUT_LEFT | ZS_OUT_RIGHT | ZS_OUT_TOP | ZS_OUT_BOTTOM)
+#define ZS_D_OUT 0xffffff00u /* zs_vertex.d at or above it carries an outcode */
+
+/* Fill r->xform for an instance. Return 0 where its vertices do not fit camera units (it cannot be
+ * seen then), else 1. */
+int zs_xform_instance(struct zs_renderer *r, uint32_t number, const struct zs_bounds *b);
+void zs_xform_vertex(const struct zs_xform *xf, uint32_t v, struct zs_point *out);
+/* enum zs_outcode, or-ed; 0: inside near, far and guard. */
+uint32_t zs_xform_outcode(const struct zs_view *view, const struct zs_point *p);
+/* Screen position and depth of a point whose outcode is 0. */
+void zs_xform_project(const struct zs_renderer *r, const struct zs_point *p,
+                      struct zs_vertex *out);
+
+/* ---- clip.c ----------------------------------------------------------------------------------------- */
+
+#define ZS_CLIP_MAX 9 /* a triangle and six planes */
+
+struct zs_clip_vertex {
+    struct zs_point p;
+    uint16_t attr[ZS_ATTRS_MAX ? ZS_ATTRS_MAX : 1];
+};
+
+/* Clip a convex polygon of n <= 3 vertices in place at the planes of the outcodes in `planes`.
+ * v has room for ZS_CLIP_MAX. Return the number of vertices left, 0 or 3 .. ZS_CLIP_MAX. */
+int zs_clip_polygon(const struct zs_view *view, struct zs_clip_vertex *v, int n, uint32_t planes,
+                    uint32_t n_attrs);
+
+/* ---- bin.c ------------------------------------------------------------------------------------------ */
+
+/* Walk the scene and bin what lies in strips [r->strip, r->band_end); the band shrinks where the
+ * pools are full, and a single strip's triangles are drawn in sets. */
+void zs_bin_walk(struct zs_renderer *r);
+
+/* ---- raster.c --------------------------------------------------------------------------------------- */
+
+/* Draw the strip r->strip's bin and the active list; leaves those that go on in r->active. */
+void zs_raster_strip(struct zs_renderer *r);
+
+/* An edge walked from row to row: column = first sample at or right of the edge. */
+struct zs_edge {
+    int32_t i;    /* column in the current row */
+    int32_t e;    /* i * span - exact position, [0, span) */
+    int32_t q, s; /* step a row: q columns and s / span */
+    int32_t span; /* 256 * dy, <= 2^30 */
+};
+
+/* A plane over the screen: value(i, j) = base + gx * (i - ia) + gy * (j - ja) modulo 2^32. */
+struct zs_plane {
+    uint32_t base, gx, gy; /* uq16_16 */
+};
+
+/* The same in 40.24 bits modulo 2^64. */
+struct zs_plane64 {
+    uint64_t base, gx, gy;
+};
+
+/* The snapped triangle as planes need it, area made positive. */
+struct zs_geom {
+    int32_t dx1, dy1, dx2, dy2; /* q24_8, of the second and third vertex from the first */
+    int64_t area;               /* q_16 px^2, twice the area, > 0 */
+    int32_t ia, ja;             /* anchor pixel ... */
+    int32_t ax, ay;             /* ... its sample minus the first vertex, q24_8 */
+    uint32_t rcp;               /* 2^63 / mantissa of area; 0: large, divide */
+    int32_t exp;                /* area ~ mantissa * 2^exp, mantissa in [2^31, 2^32) */
+};
+
+/* One triangle in one strip: the wide record, alive only while it is drawn. */
+struct zs_job {
+    struct zs_renderer *r;
+    const struct zs_tri *tri;
+    const struct zs_vertex *v[3]; /* by (y, x): top, middle, bottom ... */
+    uint16_t slot[3];             /* ... and in the pool; as geom wants them: area positive */
+    struct zs_geom geom;
+    struct zs_edge edge[3];       /* long, upper, lower; a span ends where its right edge's i is */
+    int32_t row, row_mid, row_end; /* rows in the frame */
+    uint8_t mid_right;            /* the middle vertex is to the right of the long edge */
+    struct zs_plane key;          /* screen-linear mappings; half a bucket added */
+    struct zs_plane c[3], w;      /* smooth: colour codes, or colour times w, and w */
+    uint32_t sub_log2;            /* smooth: log2 of the sub-span; 31: plain affine */
+    uint16_t *color, *depth;      /* the strip; row 0 is row y0 of the frame */
+    int32_t y0, width;
+};
+
+/* ---- plane.c ---------------------------------------------------------------------------------------- */
+
+void zs_plane_geom(struct zs_job *job);
+void zs_plane32(const struct zs_geom *g, uint32_t v0, uint32_t v1, uint32_t v2,
+                struct zs_plane *out);
+void zs_plane64(const struct zs_geom *g, uint64_t v0, uint64_t v1, uint64_t v2,
+                struct zs_plane64 *out);
+
+/* ---- light.c ---------------------------------------------------------------------------------------- */
+
+/* Intensity of a unit normal in mesh space, uq16_16, at most ZS_Q16_ONE. */
+uint32_t zs_light_intensity(const struct zs_renderer *r, const zs_q1_15 n[3]);
+/* A channel under an intensity: uq0_16 where 65535 is full. */
+static inline uint32_t zs_light_channel(uint8_t c, uint32_t intensity)
+{
+    return (c * 257u * intensity + 0x8000u) >> 16; /* <= 65535 * 65536 + 2^15 < 2^32 */
+}
+
+#endif

@@ -1,0 +1,82 @@
+/* The renderer's memory. Public in size, so that it can be a static object; its fields belong to the
+ * library. Included by zstrip.h; do not include it by itself.
+ *
+ * SPDX-License-Identifier: MIT
+ */
+#ifndef ZS_RENDERER_H
+#define ZS_RENDERER_H
+
+/* A transformed vertex, in the vertex pool. 12 bytes on every machine. */
+struct zs_vertex {
+    int32_t x, y; /* q24_8 px, right and down; |. - the frame's middle| <= guard */
+    uint32_t d;   /* depth: a key in uq16_16, or the distance z where the mapping says so;
+                     >= 0xffffff00: not projected, the low byte tells why (enum zs_outcode) */
+};
+
+/* A triangle that waits for its strip, in the triangle pool; the pool's order is scene order. */
+struct zs_tri {
+    uint16_t v[3];     /* in the vertex pool */
+    uint16_t next;     /* the next one in its strip's list, or ZS_NIL */
+    uint16_t paint;    /* what the shader's face function gave: for solid colours RGB565, wire order */
+    uint16_t instance; /* in the scene */
+};
+
+/* The camera of a frame, brought to camera units: 2^shift to a world unit, so that everything that
+ * can be seen is below 2^30. */
+struct zs_view {
+    int32_t rot[9];        /* q2_30: world to camera; rows x * ratio, -y * ratio, distance */
+    int32_t pos[3];        /* world units */
+    int32_t z_near, z_far; /* camera units */
+    int32_t cx, cy;        /* q24_8, the frame's middle */
+    int32_t shift;         /* log2 of camera units to a world unit */
+    int32_t scale_bits;    /* screen q24_8 = x' * 2^scale_bits / z; orthographic: x' / 2^scale_bits */
+    int32_t snap;          /* 8 - sub-pixel bits */
+    int32_t ratio;         /* q2_30, (0, 1]: focal length over 2^scale_bits */
+    int32_t side_x[2], side_y[2]; /* q2_30: unit normal of the side planes, (x or y, z) */
+    uint64_t guard;        /* |x'| << scale_bits beyond guard * z is outside the guard band */
+    uint32_t key_mul;      /* the mapping's factor, 31 or 32 bits ... */
+    int32_t key_shift;     /* ... and its shift */
+    uint64_t key_far;      /* recip: (B - 1) f / (f - n) in uq_16, the key of z at infinity */
+    uint32_t key_top;      /* (B - 1) in uq16_16 */
+    uint8_t perspective, screen_linear; /* flags: keys are linear on the screen */
+};
+
+/* One instance's way to camera units: c = (m * p + t) / 2^shift. */
+struct zs_xform {
+    const struct zs_instance *instance;
+    int64_t t[3];       /* camera units * 2^shift, |.| < 2^60 */
+    int32_t m[9];       /* |.| <= 2^30 */
+    int32_t light[3];   /* q18_14: the light's direction in mesh space */
+    uint8_t shift;      /* 0 .. 29 */
+    uint8_t clip_depth; /* 1: vertices may be before near or beyond far */
+    uint8_t clip_guard; /* 1: vertices may be outside the guard band */
+    uint16_t number;    /* in the scene */
+};
+
+struct zs_renderer {
+    struct zs_config config; /* strip_h <= height */
+    uint16_t *color[2];      /* [strip_h][width], wire order; [1] is [0] with one buffer */
+    uint16_t *depth;         /* [strip_h][width] */
+    uint16_t *bin;           /* [n_strips]: newest triangle that begins in the strip, or ZS_NIL */
+    struct zs_tri *tri;      /* [max_tris] */
+    struct zs_vertex *vert;  /* [max_verts] */
+    uint16_t *vert_src;      /* [max_verts]: the vertex's number in the current mesh */
+    uint16_t *vert_map;      /* [max_verts]: number modulo max_verts -> pool, unless stale */
+    uint16_t *attr;          /* [max_verts][attrs] */
+
+    const struct zs_scene *scene; /* borrowed from begin to end; NULL: no frame is open */
+    struct zs_camera camera;
+    struct zs_view view;
+    struct zs_xform xform;
+    struct zs_stats stats;
+
+    uint32_t n_tris, n_verts;   /* used of the pools */
+    uint32_t vert_base;         /* pool vertices below it belong to earlier instances */
+    uint16_t n_strips, strip;   /* strip: the next to be drawn */
+    uint16_t band_end;          /* bins are complete for strips below it */
+    uint16_t active;            /* list of triangles that went on from the strip before */
+    uint8_t counting;           /* 1 in the frame's first walk: triangles are counted once */
+    uint8_t ready;              /* zs_init succeeded */
+};
+
+#endif

@@ -1,0 +1,17 @@
+/* 3 x 3 rotations in q2_30, row-major. Internal.
+ *
+ * SPDX-License-Identifier: MIT
+ */
+#ifndef ZS_ROTATION_H
+#define ZS_ROTATION_H
+
+#include "zstrip.h"
+
+/* 1: rows are of length 1 and at right angles, to 2^-20. */
+int zs_rotation_ok(const zs_q2_30 m[9]);
+/* out = a * b, nearest. out is neither a nor b. */
+void zs_rotation_mul(zs_q2_30 out[9], const zs_q2_30 a[9], const zs_q2_30 b[9]);
+/* out = a x b for unit vectors, q2_30. out is neither. */
+void zs_cross(zs_q2_30 out[3], const zs_q2_30 a[3], const zs_q2_30 b[3]);
+
+#endif

@@ -1,0 +1,13 @@
+/* Kernels for a colour a face, shared by raw and flat shading. Internal.
+ *
+ * SPDX-License-Identifier: MIT
+ */
+#ifndef ZS_SHADE_SOLID_H
+#define ZS_SHADE_SOLID_H
+
+#include "pipeline.h"
+
+void zs_solid_rows(struct zs_job *job);
+void zs_solid_run(struct zs_job *job, int32_t row, int32_t x0, int32_t x1, int32_t r0, int32_t r1);
+
+#endif

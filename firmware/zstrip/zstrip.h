@@ -1,0 +1,356 @@
+/* zstrip: 3D scenes on microcontroller displays. Integers only, no heap, one strip at a time.
+ *
+ * SPDX-License-Identifier: MIT
+ *
+ * CONVENTIONS
+ *
+ * World     right-handed, +y up, column vectors; the camera looks down its own -z. Lengths are
+ *           int32 "world units" of the user's choice; take a unit small enough to be precise.
+ *           |coordinate| <= ZS_WORLD_MAX.
+ * Winding   counter-clockwise, seen from outside, is the front.
+ * Angles    16-bit turns: 65536 is one full turn, 16384 a right angle.
+ * Screen    x to the right, y down, pixel (i, j) is sampled at (i + 1/2, j + 1/2).
+ * Coverage  vertices are snapped to 8 sub-pixel bits (4 on request); of the snapped triangle
+ *           exactly the pixels of the top-left rule are drawn. Ends are half-open [y0, y1).
+ * Depth     unsigned 16-bit keys, 0 nearest. Keys saturate at 2^bits - 2; ZS_DEPTH_CLEAR is what
+ *           nothing writes. The least (key, scene order) wins: on equal keys the earlier triangle
+ *           of the earlier instance stays.
+ * Colour    light is linear in the given RGB values; the frame leaves as RGB565, most significant
+ *           byte first.
+ * Numbers   qI_F signed and uqI_F unsigned fixed point: I integer bits (sign included), F
+ *           fraction bits, I + F the storage width.
+ * Promise   the frame is a function of scene, camera and profile (frame size, sub-pixel bits, depth
+ *           mapping and bits). Strip height, pool sizes, buffers, skips, compiler and machine do
+ *           not change a bit of it.
+ * Not here  textures, blending, anti-aliasing, perspective shadows, more than one light, lighting of
+ *           back sides (a side that is turned away from the light gets ambient light alone),
+ *           non-uniform or negative scale, more than one thread in one renderer.
+ *
+ * A renderer holds no global state: two renderers can be used side by side. No function here may be
+ * called from an interrupt for a renderer that another function is working on.
+ */
+#ifndef ZSTRIP_H
+#define ZSTRIP_H
+
+#include <stddef.h>
+#include <stdint.h>
+
+#include "config.h"
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/* ---- Errors ------------------------------------------------------------------------------- */
+
+enum zs_err {
+    ZS_OK = 0,
+    ZS_ERR_NULL = -1,   /* a pointer that must be given is NULL */
+    ZS_ERR_SIZE = -2,   /* frame, strip, pool or buffer count outside its range */
+    ZS_ERR_ARENA = -3,  /* the arena is smaller than zs_arena_bytes() or not 4-byte aligned */
+    ZS_ERR_DEPTH = -4,  /* depth bits outside 8..16, or a mapping that this camera cannot take */
+    ZS_ERR_CAMERA = -5, /* near, far, focal length, height or rotation outside its range */
+    ZS_ERR_RANGE = -6,  /* a position, scale or extent that the integers cannot hold */
+    ZS_ERR_MESH = -7,   /* a mesh lacks what its shader reads, or has a zero scale or too many
+                           vertices */
+    ZS_ERR_STATE = -8,  /* begin, strip and end called out of order */
+    ZS_ERR_ATTRS = -9,  /* the shader needs more attributes a vertex than the arena was sized for */
+    ZS_ERR_VECTOR = -10 /* a direction of length 0, or two directions that are parallel */
+};
+
+/* One English clause for an enum zs_err, without a full stop; never NULL. Static storage. */
+const char *zs_strerror(int err);
+
+/* ---- Formats ------------------------------------------------------------------------------ */
+
+typedef int32_t zs_q2_30;    /* -2 .. 2 - 2^-30; rotations and unit vectors */
+typedef int16_t zs_q1_15;    /* -1 .. 1 - 2^-15; normals */
+typedef uint32_t zs_uq16_16; /* 0 .. 65536 - 2^-16; scales and light */
+typedef int64_t zs_q48_16;   /* lengths finer than a world unit */
+typedef uint64_t zs_uq32_32; /* focal lengths */
+typedef uint16_t zs_turn;    /* angles, 65536 to the turn */
+
+#define ZS_Q30_ONE ((zs_q2_30)1 << 30)
+#define ZS_Q16_ONE ((zs_uq16_16)1 << 16)
+#define ZS_WORLD_MAX ((int32_t)1 << 29) /* world units; also the largest extent of an instance */
+#define ZS_DEPTH_CLEAR 65535u
+
+struct zs_rgb {
+    uint8_t r, g, b; /* 255 is full; not gamma-corrected on the way */
+};
+
+/* The RGB565 value nearest to three 8-bit channels. */
+static inline uint16_t zs_rgb565(uint8_t r, uint8_t g, uint8_t b)
+{
+    return (uint16_t)((((uint32_t)r * 31u + 127u) / 255u) << 11 |
+                      (((uint32_t)g * 63u + 127u) / 255u) << 5 |
+                      (((uint32_t)b * 31u + 127u) / 255u));
+}
+
+/* ---- Scene: all of it const, all of it may lie in flash ------------------------------------- */
+
+/* Triangles over shared vertices. World position of a vertex before its instance's pose:
+ * pos * scale, or (pos + pos_lo / 256) * scale where pos_lo is given. */
+struct zs_mesh {
+    const int16_t (*pos)[3];         /* [n_verts], mesh steps */
+    const uint8_t (*pos_lo)[3];      /* [n_verts], 1/256 step added to pos; NULL: all zero */
+    const uint16_t (*tri)[3];        /* [n_tris], vertex numbers; one >= n_verts: not drawn */
+    const zs_q1_15 (*normal)[3];     /* [n_verts], unit; NULL unless smooth shading reads it */
+    const zs_q1_15 (*face_normal)[3]; /* [n_tris], unit; NULL: flat shading computes its own */
+    const struct zs_rgb *vertex_rgb; /* [n_verts], smooth shading; NULL: the material's colour */
+    const struct zs_rgb *face_rgb;   /* [n_tris], flat shading; NULL: the material's colour */
+    const uint16_t *face_raw;        /* [n_tris], RGB565 for raw shading; NULL: the material's */
+    uint32_t n_verts;                /* 0 .. 65535 */
+    uint32_t n_tris;                 /* any */
+    zs_uq16_16 scale;                /* world units to a step, > 0 */
+    int16_t center[3];               /* of a sphere around all vertices, steps */
+    uint16_t radius;                 /* of that sphere, steps, rounded up: too small loses parts */
+};
+
+struct zs_shader; /* how a triangle gets its colour: one of the three below */
+extern const struct zs_shader zs_shade_raw;    /* a colour a face, unlit */
+extern const struct zs_shader zs_shade_flat;   /* a colour a face, lit once for the face */
+extern const struct zs_shader zs_shade_smooth; /* lit at the vertices, interpolated (Gouraud),
+                                                  perspective-correct; needs mesh.normal and
+                                                  config.attrs >= ZS_ATTRS_SMOOTH */
+#define ZS_ATTRS_FLAT 0u   /* 16-bit words a vertex that raw and flat shading need */
+#define ZS_ATTRS_SMOOTH 3u /* the same for smooth shading */
+
+enum zs_cull {
+    ZS_CULL_BACK = 0,  /* triangles that turn clockwise on the screen are not drawn */
+    ZS_CULL_FRONT = 1, /* those that turn counter-clockwise are not drawn */
+    ZS_CULL_NONE = 2
+};
+
+struct zs_material {
+    const struct zs_shader *shader;
+    struct zs_rgb rgb; /* where the mesh gives no colour */
+    uint8_t cull;      /* enum zs_cull */
+};
+
+/* Where something stands: x_world = rot * (scale * x) + pos. */
+struct zs_pose {
+    zs_q2_30 rot[9];  /* row-major, orthonormal; see zs_pose_* */
+    int32_t pos[3];   /* world units, |.| <= ZS_WORLD_MAX */
+    zs_uq16_16 scale; /* > 0; ZS_Q16_ONE leaves the mesh at its own scale */
+};
+
+struct zs_instance {
+    const struct zs_mesh *mesh;
+    const struct zs_material *material;
+    struct zs_pose pose;
+};
+
+/* intensity = ambient + diffuse * max(0, normal . dir), at most 1, times the colour. */
+struct zs_light {
+    zs_q2_30 dir[3]; /* unit, world, from the surface towards the light */
+    zs_uq16_16 ambient, diffuse; /* 0 .. ZS_Q16_ONE */
+};
+
+struct zs_scene {
+    const struct zs_instance *instance; /* [n_instances], in scene order */
+    uint32_t n_instances;               /* 0 .. 65535 */
+    struct zs_light light;
+    uint16_t background; /* RGB565 */
+};
+
+enum zs_projection { ZS_PERSPECTIVE = 0, ZS_ORTHOGRAPHIC = 1 };
+
+struct zs_camera {
+    zs_q2_30 rot[9];     /* world to camera, row-major: rows are right, up, back; orthonormal */
+    int32_t pos[3];      /* the eye, world units, |.| <= ZS_WORLD_MAX */
+    uint8_t projection;  /* enum zs_projection */
+    zs_uq32_32 focal;    /* perspective: focal length in pixels, 2^-16 .. 2^23 */
+    zs_q48_16 height;    /* orthographic: world units that the frame's height spans, > 0 */
+    zs_q48_16 z_near, z_far; /* world units along the view axis, near < far <= ZS_WORLD_MAX, and
+                                perspective: near > 0, far - near >= far / 65536 */
+};
+
+/* ---- Renderer ----------------------------------------------------------------------------- */
+
+struct zs_depth; /* how a distance becomes a key, b bits, B = 2^b */
+extern const struct zs_depth zs_depth_recip;  /* (1/n - 1/z) / (1/n - 1/f) * (B - 1), perspective */
+extern const struct zs_depth zs_depth_linear; /* (z - n) / (f - n) * (B - 1), any camera; under
+                                                 perspective it takes a reciprocal a pixel */
+
+/* Work that is left out where it cannot change the picture. All are on unless named in
+ * config.skip_off; switching one off costs time and changes no bit of the frame. */
+enum zs_skip {
+    ZS_SKIP_FRUSTUM = 1,  /* instances whose sphere is outside the view */
+    ZS_SKIP_CLIPTEST = 2, /* clip tests of instances whose sphere is inside near, far and guard */
+    ZS_SKIP_EMPTY = 4,    /* triangles whose bounding box holds no sample */
+    ZS_SKIP_VCACHE = 8,   /* transforming a vertex again that is still in the pool */
+    ZS_SKIP_BINS = 16     /* walking the scene again for every strip */
+};
+
+struct zs_config {
+    uint16_t width, height; /* px, 1 .. ZS_SIZE_MAX */
+    uint16_t strip_h;       /* rows to a strip, >= 1; more than height means height */
+    uint16_t max_tris;      /* binned triangles, 1 .. ZS_POOL_MAX */
+    uint16_t max_verts;     /* transformed vertices, 3 .. ZS_POOL_MAX */
+    uint8_t attrs;          /* 16-bit words a vertex, 0 .. ZS_ATTRS_MAX: ZS_ATTRS_FLAT, _SMOOTH */
+    uint8_t buffers;        /* strip buffers, 1 or 2 */
+    uint8_t subpixel_bits;  /* 8 or 4 */
+    uint8_t depth_bits;     /* 8 .. 16 */
+    uint8_t skip_off;       /* enum zs_skip, or-ed; 0 in production */
+    const struct zs_depth *depth;
+};
+
+/* Bytes of arena for a configuration: the sum of its pools. The same number on every machine:
+ * indices and not pointers live in the arena. All arguments are constants or variables without side
+ * effects; strip_h <= height. */
+#define ZS_ROUND4(n) (((uint32_t)(n) + 3u) & ~(uint32_t)3u)
+#define ZS_COLOR_BYTES(width, strip_h, buffers) \
+    ((uint32_t)(buffers) * ZS_ROUND4((uint32_t)(width) * (uint32_t)(strip_h) * 2u))
+#define ZS_DEPTH_BYTES(width, strip_h) ZS_ROUND4((uint32_t)(width) * (uint32_t)(strip_h) * 2u)
+#define ZS_BIN_BYTES(height, strip_h) \
+    ZS_ROUND4((((uint32_t)(height) + (uint32_t)(strip_h) - 1u) / (uint32_t)(strip_h)) * 2u)
+#define ZS_TRI_BYTES(max_tris) ((uint32_t)(max_tris) * 12u)
+#define ZS_VERT_BYTES(max_verts, attrs) \
+    ((uint32_t)(max_verts) * 12u + 2u * ZS_ROUND4((uint32_t)(max_verts) * 2u) + \
+     ZS_ROUND4((uint32_t)(max_verts) * (uint32_t)(attrs) * 2u))
+#define ZS_ARENA_BYTES(width, height, strip_h, max_tris, max_verts, attrs, buffers) \
+    (ZS_COLOR_BYTES(width, strip_h, buffers) + ZS_DEPTH_BYTES(width, strip_h) + \
+     ZS_BIN_BYTES(height, strip_h) + ZS_TRI_BYTES(max_tris) + ZS_VERT_BYTES(max_verts, attrs))
+
+/* An arena as a static array, aligned for DMA and caches. */
+#define ZS_ARENA(name, bytes) static uint32_t name[((bytes) + 3u) / 4u] ZS_ALIGNED
+
+/* What a frame took. Counts of the frame that zs_frame_begin started, complete after
+ * zs_frame_end. Triangles are counted once, vertices and pixels as often as they are worked on.
+ * tris_in = tris_drawn + all tris_* below it but tris_clipped. */
+struct zs_stats {
+    uint32_t instances_in, instances_culled; /* culled: the sphere is outside the view */
+    uint32_t tris_in;         /* in all instances */
+    uint32_t tris_drawn;      /* binned, whole or in clipped pieces */
+    uint32_t tris_frustum;    /* in culled instances */
+    uint32_t tris_near;       /* wholly before near, or nothing left of them by it */
+    uint32_t tris_far;        /* wholly beyond far */
+    uint32_t tris_offscreen;  /* beside the frame or beyond the guard band */
+    uint32_t tris_facing;     /* the culled face */
+    uint32_t tris_zero;       /* no area after snapping */
+    uint32_t tris_empty;      /* no sample in the bounding box */
+    uint32_t tris_index;      /* a vertex number out of range */
+    uint32_t tris_clipped;    /* cut at near, far or guard; also in drawn or in a reject */
+    uint32_t verts_transformed;
+    uint32_t tris_setup;      /* wide set-ups: a triangle in a strip */
+    uint32_t pixels_tested;   /* compared with the depth buffer */
+    uint32_t pixels_written;  /* and nearer; 0 unless built with ZS_STATS = 1 */
+    uint32_t strips;          /* drawn so far */
+    uint32_t passes;          /* sets of triangles that the pools took the scene in */
+    uint32_t max_tris_used, max_verts_used; /* high-water marks of the pools */
+};
+
+/* One finished strip. The renderer owns the memory; it stays unchanged until the strip after it
+ * (with two buffers: the one after that) is asked for. */
+struct zs_strip {
+    uint16_t x, y, w, h;   /* px in the frame; x is 0 and w the frame's width */
+    uint16_t last;         /* 1 in the frame's last strip */
+    const uint8_t *px;     /* w * h pixels, row-major, dense: RGB565, most significant byte first */
+    uint32_t n_bytes;      /* w * h * 2 */
+    const uint16_t *depth; /* w * h keys of this strip, until the next strip is asked for */
+};
+
+/* Where zs_render sends strips. Either function may block. A return other than 0 ends the frame and
+ * is passed on; take values below -100 to tell them from enum zs_err. */
+struct zs_sink {
+    int (*submit)(void *ctx, const struct zs_strip *strip); /* borrows strip->px until wait */
+    int (*wait)(void *ctx); /* until the submitted strip is free again; NULL: submit blocks */
+    void *ctx;
+};
+
+#include "renderer.h" /* struct zs_renderer: its size is public, its fields are not */
+
+/* Set a renderer up over the caller's memory.
+ *
+ * r       any state; its former arena, if any, is simply forgotten.
+ * config  copied.
+ * arena   4-byte aligned (ZS_ARENA aligns it for DMA), at least zs_arena_bytes(config); the caller
+ *         keeps it alive and untouched while r is used. Its contents on entry do not matter.
+ * Return  ZS_OK; ZS_ERR_NULL, _SIZE, _DEPTH, _ARENA (r is then unusable, arena untouched). */
+int zs_init(struct zs_renderer *r, const struct zs_config *config, void *arena, size_t bytes);
+
+/* ZS_ARENA_BYTES of a configuration, strip_h cut to the height; 0 where a field is out of range. */
+uint32_t zs_arena_bytes(const struct zs_config *config);
+
+/* Draw a frame and send it, strip by strip from the top, through the sink. With two buffers a strip
+ * is drawn while the one before it is in the sink's hands.
+ *
+ * scene, camera  borrowed until the return; const data is read many times.
+ * Return  ZS_OK; a zs_frame_begin error, before anything was submitted; or the sink's own. Every
+ *         submitted strip has been waited for on every return. */
+int zs_render(struct zs_renderer *r, const struct zs_scene *scene, const struct zs_camera *camera,
+              const struct zs_sink *sink);
+
+/* The same loop for callers that own it (watchdogs, an RTOS, a GUI's flush callback):
+ * zs_frame_begin, then zs_frame_strip until it returns 0, then zs_frame_end.
+ *
+ * begin checks everything that a frame can be refused for, and draws nothing. scene and camera stay
+ * borrowed, and unchanged, until end. A begin in the middle of a frame drops that frame.
+ * Return  ZS_OK; ZS_ERR_NULL, _STATE (r is not set up), _SIZE, _CAMERA, _DEPTH, _RANGE, _MESH,
+ *         _ATTRS: no frame is open then. */
+int zs_frame_begin(struct zs_renderer *r, const struct zs_scene *scene,
+                   const struct zs_camera *camera);
+
+/* Draw the next strip. *out is filled on 1. The strip that was given out config.buffers calls ago
+ * is overwritten: it must be free.
+ * Cost    one strip; where the pools are smaller than the scene, a walk of the scene as well.
+ * Return  1; 0 when all strips have been given out; ZS_ERR_NULL, ZS_ERR_STATE. */
+int zs_frame_strip(struct zs_renderer *r, struct zs_strip *out);
+
+/* Close the frame, drawn to its end or not. Return ZS_OK; ZS_ERR_NULL; ZS_ERR_STATE: none open. */
+int zs_frame_end(struct zs_renderer *r);
+
+/* Counts of the frame begun last; never NULL. Valid as long as r. */
+const struct zs_stats *zs_frame_stats(const struct zs_renderer *r);
+
+/* ---- Integer helpers: angles, poses, cameras -------------------------------------------------- */
+
+/* sin and cos of an angle. Error <= 2^-28. No table. */
+zs_q2_30 zs_sin(zs_turn a);
+zs_q2_30 zs_cos(zs_turn a);
+
+/* v scaled to length 1. v any but 0. Error <= 2^-28 a component. v and out may be the same.
+ * Return ZS_OK; ZS_ERR_VECTOR (0 0 0: out untouched). */
+int zs_unit(zs_q2_30 out[3], const int32_t v[3]);
+
+/* No rotation, no shift, scale 1. */
+void zs_pose_identity(struct zs_pose *pose);
+
+/* Set pose->rot to Ry(yaw) * Rx(pitch) * Rz(roll): roll is applied first. pos and scale stay.
+ * Error <= 2^-27 an element. */
+void zs_pose_turn(struct zs_pose *pose, zs_turn yaw, zs_turn pitch, zs_turn roll);
+
+/* Turn an existing rotation further by a small or large turn about a world axis, and make it
+ * orthonormal again: composed any number of times, it stays a rotation to 2^-27.
+ * axis  any length but 0. Return ZS_OK; ZS_ERR_VECTOR (pose untouched). */
+int zs_pose_rotate(struct zs_pose *pose, const int32_t axis[3], zs_turn angle);
+
+/* A perspective camera at the origin that looks down -z. fov_y is the vertical angle over height
+ * px, 1 .. 32767 turns. near and far in world units.
+ * Return ZS_OK; ZS_ERR_CAMERA (fov, near or far out of range: camera untouched). */
+int zs_camera_perspective(struct zs_camera *camera, zs_turn fov_y, uint16_t height_px,
+                          int32_t z_near, int32_t z_far);
+
+/* An orthographic one: height world units fill the frame's height. */
+int zs_camera_orthographic(struct zs_camera *camera, int32_t height, int32_t z_near, int32_t z_far);
+
+/* Stand at eye and look at a point, or along a direction of any length but 0; up is the way that
+ * is upwards on the screen, any length, not parallel to the view. Only rot and pos change.
+ * |coordinate| <= ZS_WORLD_MAX. Error <= 2^-27 an element of rot.
+ * Return ZS_OK; ZS_ERR_RANGE; ZS_ERR_VECTOR (eye is at; up parallel to the view): untouched. */
+int zs_camera_look_at(struct zs_camera *camera, const int32_t eye[3], const int32_t at[3],
+                      const int32_t up[3]);
+int zs_camera_look_along(struct zs_camera *camera, const int32_t eye[3], const int32_t dir[3],
+                         const int32_t up[3]);
+
+/* Look at a point from a distance: yaw 0 stands on its +z side, yaw 16384 on its +x side; pitch
+ * -16383 .. 16383 (as a signed 16-bit turn) raises the eye. Errors as zs_camera_look_at. */
+int zs_camera_orbit(struct zs_camera *camera, const int32_t at[3], int32_t distance, zs_turn yaw,
+                    int16_t pitch);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif
