@@ -174,12 +174,13 @@ void zs_plane64(const struct zs_geom *g, uint64_t v0, uint64_t v1, uint64_t v2,
 
 /* ---- light.c ---------------------------------------------------------------------------------------- */
 
-/* Intensity of a unit normal in mesh space, uq16_16, at most ZS_Q16_ONE. */
+/* Intensity of a unit normal in mesh space, uq16_16, below 3. */
 uint32_t zs_light_intensity(const struct zs_renderer *r, const zs_q1_15 n[3]);
-/* A channel under an intensity: uq0_16 where 65535 is full. */
+/* A channel under an intensity, saturated: uq0_16 where 65535 is full. */
 static inline uint32_t zs_light_channel(uint8_t c, uint32_t intensity)
 {
-    return (c * 257u * intensity + 0x8000u) >> 16; /* <= 65535 * 65536 + 2^15 < 2^32 */
+    const uint64_t lit = ((uint64_t)(c * 257u) * intensity + 0x8000u) >> 16; /* < 2^18 */
+    return lit > 65535u ? 65535u : (uint32_t)lit;
 }
 
 #endif

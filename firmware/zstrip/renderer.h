@@ -46,7 +46,7 @@ struct zs_xform {
     const struct zs_instance *instance;
     int64_t t[3];       /* camera units * 2^shift, |.| < 2^60 */
     int32_t m[9];       /* |.| <= 2^30 */
-    int32_t light[3];   /* q18_14: the light's direction in mesh space */
+    int32_t light[3];   /* q2_30: the light's direction in mesh space */
     uint8_t shift;      /* 0 .. 29 */
     uint8_t clip_depth; /* 1: vertices may be before near or beyond far */
     uint8_t clip_guard; /* 1: vertices may be outside the guard band */

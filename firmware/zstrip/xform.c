@@ -46,7 +46,7 @@ static void light_direction(struct zs_xform *xf, const struct zs_light *light)
         int64_t sum = 0; /* transposed rotation: world to mesh */
         for (int j = 0; j < 3; j++)
             sum += (int64_t)rot[3 * j + k] * light->dir[j];
-        xf->light[k] = (int32_t)zs_round_shift(sum, 46);
+        xf->light[k] = (int32_t)zs_round_shift(sum, 30); /* <= 2^30 (1 + 2^-19) */
     }
 }
 

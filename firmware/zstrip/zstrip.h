@@ -141,7 +141,7 @@ struct zs_instance {
     struct zs_pose pose;
 };
 
-/* intensity = ambient + diffuse * max(0, normal . dir), at most 1, times the colour. */
+/* A colour channel becomes channel * (ambient + diffuse * max(0, normal . dir)), at most full. */
 struct zs_light {
     zs_q2_30 dir[3]; /* unit, world, from the surface towards the light */
     zs_uq16_16 ambient, diffuse; /* 0 .. ZS_Q16_ONE */

@@ -1,0 +1,167 @@
+/* The bench scenes: one still picture each, seen from the origin along -z through a pinhole with a
+ * focal length of the picture's width, near 128 and far 16384 bench units.
+ *
+ * SPDX-License-Identifier: MIT
+ */
+#include "bench.h"
+#include "meshes.h"
+#include "stage.h"
+
+#define LAYERS 8u
+
+static const struct zs_material raw = { &zs_shade_raw, { 255, 255, 255 }, ZS_CULL_BACK };
+static const struct zs_material flat = { &zs_shade_flat, { 255, 255, 255 }, ZS_CULL_BACK };
+
+static void open_bench(struct demo_frame *f, uint16_t w)
+{
+    static const struct zs_rgb black = { 0, 0, 0 };
+    stage_open(f, black);
+    struct zs_camera *c = &f->camera;
+    struct zs_pose none;
+    zs_pose_identity(&none);
+    for (int i = 0; i < 9; i++)
+        c->rot[i] = none.rot[i];
+    for (int i = 0; i < 3; i++)
+        c->pos[i] = 0;
+    c->projection = ZS_PERSPECTIVE;
+    c->focal = (zs_uq32_32)w << 32;
+    c->height = 0; /* not read */
+    c->z_near = (zs_q48_16)BENCH_NEAR * BENCH_UNIT * 65536;
+    c->z_far = (zs_q48_16)BENCH_FAR * BENCH_UNIT * 65536;
+}
+
+/* ---- mesh: 2,520 triangles, half of them turned away, about 26,000 samples ------------------- */
+
+static void put_bumpy(struct demo_frame *f, uint16_t w, const struct zs_material *material)
+{
+    open_bench(f, w);
+    zs_pose_turn(stage_put(f, &mesh_bumpy, material, 0, 0, -BENCH_BUMPY_Z * BENCH_UNIT, ZS_Q16_ONE),
+                 5000, 3500, 0);
+}
+
+static void pose_mesh(struct demo_frame *f, uint32_t t, uint16_t w, uint16_t h)
+{
+    (void)t;
+    (void)h;
+    put_bumpy(f, w, &raw);
+}
+
+static void pose_mesh_lit(struct demo_frame *f, uint32_t t, uint16_t w, uint16_t h)
+{
+    (void)t;
+    (void)h;
+    put_bumpy(f, w, &flat);
+    stage_light(f, -3, 4, 5, 22, 78);
+}
+
+/* ---- layers: 8 full-screen trapezoids, 614,400 samples of the same picture ------------------- */
+
+static void put_layers(struct demo_frame *f, uint16_t w, const uint8_t order[LAYERS])
+{
+    static const struct zs_material colors[LAYERS] = {
+        { &zs_shade_raw, { 230, 60, 60 }, ZS_CULL_BACK },
+        { &zs_shade_raw, { 230, 140, 40 }, ZS_CULL_BACK },
+        { &zs_shade_raw, { 220, 210, 50 }, ZS_CULL_BACK },
+        { &zs_shade_raw, { 70, 190, 80 }, ZS_CULL_BACK },
+        { &zs_shade_raw, { 50, 180, 190 }, ZS_CULL_BACK },
+        { &zs_shade_raw, { 60, 110, 220 }, ZS_CULL_BACK },
+        { &zs_shade_raw, { 130, 80, 210 }, ZS_CULL_BACK },
+        { &zs_shade_raw, { 200, 90, 180 }, ZS_CULL_BACK },
+    };
+    /* 1500 * 1.2^k bench units in uq16_16 of BENCH_LAYER_Z steps */
+    static const uint32_t power[LAYERS] = { /* 1.2^k * 5^7 */
+        78125u, 93750u, 112500u, 135000u, 162000u, 194400u, 233280u, 279936u,
+    };
+    open_bench(f, w);
+    for (uint32_t i = 0; i < LAYERS; i++) {
+        const uint32_t k = order[i];
+        const uint64_t z = (uint64_t)1500u * BENCH_UNIT * 65536u * power[k];
+        stage_put(f, &mesh_layer, &colors[k], 0, 0, 0,
+                  (zs_uq16_16)(z / ((uint64_t)BENCH_LAYER_Z * 78125u)));
+    }
+}
+
+static void pose_layers_ftb(struct demo_frame *f, uint32_t t, uint16_t w, uint16_t h)
+{
+    static const uint8_t order[LAYERS] = { 0, 1, 2, 3, 4, 5, 6, 7 };
+    (void)t;
+    (void)h;
+    put_layers(f, w, order);
+}
+
+static void pose_layers_btf(struct demo_frame *f, uint32_t t, uint16_t w, uint16_t h)
+{
+    static const uint8_t order[LAYERS] = { 7, 6, 5, 4, 3, 2, 1, 0 };
+    (void)t;
+    (void)h;
+    put_layers(f, w, order);
+}
+
+static void pose_layers_mixed(struct demo_frame *f, uint32_t t, uint16_t w, uint16_t h)
+{
+    static const uint8_t order[LAYERS] = { 3, 6, 0, 5, 7, 1, 4, 2 };
+    (void)t;
+    (void)h;
+    put_layers(f, w, order);
+}
+
+/* ---- sheet: 20,000 tiny triangles, 71,920 samples -------------------------------------------- */
+
+static void pose_sheet(struct demo_frame *f, uint32_t t, uint16_t w, uint16_t h)
+{
+    (void)t;
+    (void)h;
+    open_bench(f, w);
+    stage_put(f, &mesh_sheet, &raw, 0, 0, -6000 * BENCH_UNIT, ZS_Q16_ONE);
+}
+
+/* ---- corridor: its open end is behind the eye; five boxes run through each other -------------- */
+
+static void pose_corridor(struct demo_frame *f, uint32_t t, uint16_t w, uint16_t h)
+{
+    static const struct {
+        int16_t x, y, z, half; /* bench units */
+        zs_turn yaw, pitch, roll;
+    } boxes[5] = {
+        { -420, -330, -3000, 420, 5000, 2500, 1200 },
+        { -40, -80, -3250, 380, 9000, 6000, 3000 },
+        { 380, 160, -3500, 400, 2000, 12000, 7000 },
+        { 160, -420, -2850, 300, 14000, 4000, 9000 },
+        { 900, -500, -3900, 560, 6000, 1000, 500 },
+    };
+    (void)t;
+    (void)h;
+    open_bench(f, w);
+    stage_light(f, -2, 5, 6, 55, 50);
+    stage_put(f, &mesh_corridor, &flat, 0, 0, 0, ZS_Q16_ONE);
+    for (uint32_t i = 0; i < 5; i++) {
+        struct zs_pose *p = /* the cube's half edge is 8192 steps of one world unit */
+            stage_put(f, &mesh_cube, &flat, boxes[i].x * BENCH_UNIT, boxes[i].y * BENCH_UNIT,
+                      boxes[i].z * BENCH_UNIT,
+                      (zs_uq16_16)boxes[i].half * (BENCH_UNIT / 64u) * (65536u / 128u));
+        zs_pose_turn(p, boxes[i].yaw, boxes[i].pitch, boxes[i].roll);
+    }
+}
+
+/* ---- slivers: columns and rows from 0.05 to 2.5 px -------------------------------------------- */
+
+static void pose_slivers(struct demo_frame *f, uint32_t t, uint16_t w, uint16_t h)
+{
+    (void)t;
+    (void)h;
+    open_bench(f, w);
+    stage_put(f, &mesh_slivers, &raw, 0, 0, -BENCH_SLIVER_Z * BENCH_UNIT, ZS_Q16_ONE);
+}
+
+#define BENCH(id, what, pose) \
+    const struct demo demo_##id = { #id, what, 320, 240, 1, ZS_ATTRS_FLAT, 1, &zs_depth_recip, pose }
+
+BENCH(mesh, "A bumpy ball of 2,520 triangles over a third of the picture, unlit", pose_mesh);
+BENCH(mesh_lit, "The same ball, flat-shaded by its face normals", pose_mesh_lit);
+BENCH(layers_ftb, "Eight full-screen layers from front to back", pose_layers_ftb);
+BENCH(layers_btf, "Eight full-screen layers from back to front", pose_layers_btf);
+BENCH(layers_mixed, "Eight full-screen layers in mixed order", pose_layers_mixed);
+BENCH(sheet, "A jittered sheet of 20,000 tiny triangles", pose_sheet);
+BENCH(corridor, "A corridor through the near plane with five boxes that cross each other",
+      pose_corridor);
+BENCH(slivers, "A grid of slivers from a twentieth of a pixel to two and a half", pose_slivers);

@@ -1,0 +1,12 @@
+/* The table of all scenes: those to look at first, then the bench.
+ *
+ * SPDX-License-Identifier: MIT
+ */
+#include "scenes.h"
+
+const struct demo *const demos[] = {
+    &demo_teapot,     &demo_cubes,      &demo_knot,         &demo_flyover, &demo_city,
+    &demo_mesh,       &demo_mesh_lit,   &demo_layers_ftb,   &demo_layers_btf,
+    &demo_layers_mixed, &demo_sheet,    &demo_corridor,     &demo_slivers,
+};
+const uint32_t n_demos = sizeof demos / sizeof demos[0];

@@ -1,0 +1,159 @@
+/* The meshes of the bench scenes. Lengths are given for a picture of 320 x 240 px with a focal
+ * length of 320 px; ../bench.h says how many steps that is.
+ *
+ * SPDX-License-Identifier: MIT
+ */
+#include "gen.h"
+
+#include "../bench.h"
+
+/* Uniform, -n .. n. */
+static int64_t jitter(uint32_t a, uint32_t b, uint32_t seed, int64_t n)
+{
+    return (int64_t)(gen_hash(a, b, seed) % (uint32_t)(2 * n + 1)) - n;
+}
+
+static struct gen_rgb random_rgb(uint32_t a, uint32_t b, uint32_t seed)
+{
+    const uint32_t h = gen_hash(a, b, seed);
+    const struct gen_rgb c = { (uint8_t)(64u + (h & 127u)), (uint8_t)(64u + (h >> 8 & 127u)),
+                               (uint8_t)(64u + (h >> 16 & 127u)) };
+    return c;
+}
+
+/* A bumpy ball: 36 x 36 cells, 2520 triangles. */
+static void bumpy(void)
+{
+    const uint32_t n = 36;
+    struct gen_mesh *m = gen_begin("bumpy");
+    for (uint32_t j = 0; j <= n; j++) {
+        const int64_t polar = (int64_t)j * 32768 / n;
+        for (uint32_t i = 0; i < n; i++) {
+            const int64_t a = (int64_t)i * 65536 / n;
+            const int64_t s = gen_sin(polar), c = gen_cos(polar);
+            const int64_t wave = gen_div(gen_sin(5 * a) * gen_sin(4 * polar), GEN_Q30);
+            const int64_t r = 28000 + gen_div(gen_div(wave * s, GEN_Q30) * 2800, GEN_Q30);
+            const int64_t flat = gen_div(r * s, GEN_Q30);
+            gen_vert(m, gen_div(flat * gen_sin(a), GEN_Q30), gen_div(r * c, GEN_Q30),
+                     gen_div(flat * gen_cos(a), GEN_Q30));
+            if (j == 0 || j == n)
+                break;
+        }
+    }
+    for (uint32_t j = 0; j < n; j++) {
+        const uint32_t up = j ? 1 + (j - 1) * n : 0, low = 1 + j * n;
+        for (uint32_t i = 0; i < n; i++) {
+            const uint32_t k = (i + 1) % n;
+            const struct gen_rgb even = { 70, 160, 235 }, odd = { 250, 236, 210 };
+            const struct gen_rgb rgb = (i / 3 + j / 3) & 1u ? odd : even;
+            if (j == 0) {
+                gen_tri(m, up, low + i, low + k, rgb);
+            } else {
+                if (j < n - 1)
+                    gen_tri(m, up + i, low + i, low + k, rgb);
+                gen_tri(m, up + i, j < n - 1 ? low + k : low, up + k, rgb);
+            }
+        }
+    }
+    const int64_t light[3] = { -3, 4, 5 };
+    gen_bake(m, light, 56);
+    gen_write(m, GEN_FACE_NORMAL | GEN_FACE_RGB | GEN_FACE_RAW, BENCH_BUMPY_SCALE);
+}
+
+/* One layer at z = BENCH_LAYER_Z steps: 5 % over the frame on every side, z from -8 % at its left
+ * to +8 % at its right. The eye is at the origin, so that a larger scale only moves it away. */
+static void layer(void)
+{
+    struct gen_mesh *m = gen_begin("layer");
+    const struct gen_rgb white = { 255, 255, 255 };
+    for (int64_t side = -1; side <= 1; side += 2) {
+        const int64_t z = BENCH_LAYER_Z * (100 + 8 * side) / 100;
+        const int64_t x = side * gen_div(z * 105, 200), y = gen_div(z * 105 * 3, 800);
+        gen_vert(m, x, -y, -z);
+        gen_vert(m, x, y, -z);
+    }
+    gen_tri(m, 0, 2, 3, white);
+    gen_tri(m, 0, 3, 1, white);
+    gen_write(m, 0, 65536);
+}
+
+/* 100 x 100 cells over 310 x 232 px: 20,000 triangles that cover 71,920 samples. Moved about on the
+ * screen, then in depth along the rays, so that no cell turns over. The mesh's z is relative. */
+static void sheet(void)
+{
+    const uint32_t n = 100;
+    const int64_t w = 310 * BENCH_STEPS_PX, h = 232 * BENCH_STEPS_PX;
+    struct gen_mesh *m = gen_begin("sheet");
+    for (uint32_t j = 0; j <= n; j++) {
+        for (uint32_t i = 0; i <= n; i++) {
+            const int64_t dx = i % n ? jitter(i, j, 1, w / 500) : 0;
+            const int64_t dy = j % n ? jitter(i, j, 2, h / 500) : 0;
+            const int64_t dz = jitter(i, j, 3, BENCH_SHEET_Z / 200);
+            const int64_t x = gen_div((int64_t)i * w, n) - w / 2 + dx;
+            const int64_t y = h / 2 - gen_div((int64_t)j * h, n) + dy;
+            gen_vert(m, gen_div(x * (BENCH_SHEET_Z + dz), BENCH_SHEET_Z),
+                     gen_div(y * (BENCH_SHEET_Z + dz), BENCH_SHEET_Z), -dz);
+        }
+    }
+    for (uint32_t j = 0; j < n; j++) {
+        for (uint32_t i = 0; i < n; i++) {
+            const uint32_t a = j * (n + 1) + i, c = a + n + 1;
+            gen_tri(m, a, c, c + 1, random_rgb(i, j, 4));
+            gen_tri(m, a, c + 1, a + 1, random_rgb(i, j, 5));
+        }
+    }
+    gen_write(m, GEN_FACE_RAW, BENCH_SHEET_SCALE);
+}
+
+/* Five faces, seen from within; the open end is behind the eye. */
+static void corridor(void)
+{
+    static const struct gen_rgb floor = { 130, 120, 104 }, ceiling = { 210, 214, 220 };
+    static const struct gen_rgb left = { 176, 82, 74 }, right = { 72, 128, 168 };
+    static const struct gen_rgb end = { 226, 196, 110 };
+    const int64_t x = 1200, y = 800, z0 = 1000, z1 = -7000;
+    struct gen_mesh *m = gen_begin("corridor");
+    for (uint32_t i = 0; i < 8; i++)
+        gen_vert(m, i & 1u ? x : -x, i & 2u ? y : -y, i & 4u ? z0 : z1);
+    gen_quad(m, 4, 5, 1, 0, floor);
+    gen_quad(m, 2, 3, 7, 6, ceiling);
+    gen_quad(m, 4, 0, 2, 6, left);
+    gen_quad(m, 1, 5, 7, 3, right);
+    gen_quad(m, 0, 1, 3, 2, end);
+    gen_write(m, GEN_FACE_NORMAL | GEN_FACE_RGB, BENCH_UNIT * 65536u);
+}
+
+/* 40 x 30 cells in the plane z = 0, columns and rows from 0.05 to 2.5 px: the least and the
+ * greatest occur, the others are spread evenly. */
+static void slivers(void)
+{
+    enum { COLUMNS = 40, ROWS = 30 };
+    const int64_t least = BENCH_SLIVER_PX / 20, most = BENCH_SLIVER_PX * 5 / 2;
+    int64_t x[COLUMNS + 1] = { 0 }, y[ROWS + 1] = { 0 };
+    for (uint32_t i = 0; i < COLUMNS; i++)
+        x[i + 1] = x[i] + least + (most - least) * (i * 23 % COLUMNS) / (COLUMNS - 1);
+    for (uint32_t j = 0; j < ROWS; j++)
+        y[j + 1] = y[j] + least + (most - least) * (j * 17 % ROWS) / (ROWS - 1);
+
+    struct gen_mesh *m = gen_begin("slivers");
+    for (uint32_t j = 0; j <= ROWS; j++)
+        for (uint32_t i = 0; i <= COLUMNS; i++)
+            gen_vert(m, x[i] - x[COLUMNS] / 2, y[ROWS] / 2 - y[j], 0);
+    for (uint32_t j = 0; j < ROWS; j++) {
+        for (uint32_t i = 0; i < COLUMNS; i++) {
+            const uint32_t a = j * (COLUMNS + 1) + i, c = a + COLUMNS + 1;
+            gen_tri(m, a, c, c + 1, random_rgb(i, j, 6));
+            gen_tri(m, a, c + 1, a + 1, random_rgb(i, j, 7));
+        }
+    }
+    gen_write(m, GEN_FACE_RAW, BENCH_SLIVER_SCALE);
+}
+
+void gen_bench(void)
+{
+    bumpy();
+    layer();
+    sheet();
+    corridor();
+    slivers();
+}

@@ -1,0 +1,420 @@
+/* The mesh builder: arithmetic, checks and C output.
+ *
+ * SPDX-License-Identifier: MIT
+ */
+#include "gen.h"
+
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+static struct gen_mesh mesh;
+static const char *out_dir;
+static FILE *header;
+static uint32_t bytes_of_all;
+
+static void die(const char *what, const char *name)
+{
+    fprintf(stderr, "gen_meshes: %s: %s\n", name, what);
+    exit(1);
+}
+
+/* ---- Arithmetic ------------------------------------------------------------------------------ */
+
+int64_t gen_div(int64_t a, int64_t b)
+{
+    return a < 0 ? -((-a + b / 2) / b) : (a + b / 2) / b;
+}
+
+/* Taylor series on [0, pi/4]; the first term left out is below 2^-34. x in q30. */
+static int64_t sin_series(int64_t x)
+{
+    const int64_t x2 = gen_div(x * x, GEN_Q30);
+    int64_t s = GEN_Q30;
+    for (int64_t k = 10; k >= 2; k -= 2)
+        s = GEN_Q30 - gen_div(gen_div(x2 * s, GEN_Q30), k * (k + 1));
+    return gen_div(x * s, GEN_Q30);
+}
+
+static int64_t cos_series(int64_t x)
+{
+    const int64_t x2 = gen_div(x * x, GEN_Q30);
+    int64_t s = GEN_Q30;
+    for (int64_t k = 11; k >= 1; k -= 2)
+        s = GEN_Q30 - gen_div(gen_div(x2 * s, GEN_Q30), k * (k + 1));
+    return s;
+}
+
+int64_t gen_sin(int64_t turn)
+{
+    const int64_t pi_q30 = 3373259426;
+    const int64_t a = turn & 65535;
+    const int64_t in_quarter = (a & 16384) ? 16384 - (a & 16383) : a & 16383;
+    const int64_t x = in_quarter <= 8192 ? in_quarter : 16384 - in_quarter;
+    const int64_t x_q30 = gen_div(x * pi_q30, 32768);
+    const int64_t s = in_quarter <= 8192 ? sin_series(x_q30) : cos_series(x_q30);
+    return a & 32768 ? -s : s;
+}
+
+int64_t gen_cos(int64_t turn)
+{
+    return gen_sin(turn + 16384);
+}
+
+uint64_t gen_sqrt(uint64_t v)
+{
+    uint64_t root = 0;
+    for (uint64_t bit = (uint64_t)1 << 31; bit; bit >>= 1)
+        if ((root + bit) * (root + bit) <= v)
+            root += bit;
+    return root;
+}
+
+uint32_t gen_hash(uint32_t a, uint32_t b, uint32_t seed)
+{
+    uint32_t h = seed * 0x9e3779b9u ^ a * 0x85ebca6bu ^ b * 0xc2b2ae35u;
+    h = (h ^ h >> 16) * 0x7feb352du;
+    h = (h ^ h >> 15) * 0x846ca68bu;
+    return h ^ h >> 16;
+}
+
+void gen_cross(int64_t out[3], const int64_t a[3], const int64_t b[3])
+{
+    const int64_t r[3] = { a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2],
+                           a[0] * b[1] - a[1] * b[0] };
+    memcpy(out, r, sizeof r);
+}
+
+static int64_t largest(const int64_t v[3])
+{
+    int64_t most = 0;
+    for (int i = 0; i < 3; i++)
+        if (llabs(v[i]) > most)
+            most = llabs(v[i]);
+    return most;
+}
+
+void gen_fit(int64_t v[3], int64_t limit)
+{
+    const int64_t by = (largest(v) + limit - 1) / limit;
+    for (int i = 0; i < 3 && by > 1; i++)
+        v[i] = gen_div(v[i], by);
+}
+
+void gen_unit(int64_t v[3], int64_t one)
+{
+    /* As long as the squares' sum allows: short vectors lose least then. */
+    const int64_t limit = (int64_t)1 << 30;
+    gen_fit(v, limit);
+    const int64_t up = limit / largest(v);
+    uint64_t sum = 0;
+    for (int i = 0; i < 3; i++) {
+        v[i] *= up;
+        sum += (uint64_t)(v[i] * v[i]); /* <= 3 * 2^60 */
+    }
+    const int64_t length = (int64_t)gen_sqrt(sum);
+    for (int i = 0; i < 3; i++)
+        v[i] = gen_div(v[i] * one, length); /* |v| * one < 2^61 */
+}
+
+struct gen_rgb gen_mix(struct gen_rgb a, struct gen_rgb b, int64_t t, int64_t t_max)
+{
+    const struct gen_rgb c = { (uint8_t)gen_div(a.r * (t_max - t) + b.r * t, t_max),
+                               (uint8_t)gen_div(a.g * (t_max - t) + b.g * t, t_max),
+                               (uint8_t)gen_div(a.b * (t_max - t) + b.b * t, t_max) };
+    return c;
+}
+
+struct gen_rgb gen_hue(int64_t turn)
+{
+    uint8_t c[3];
+    for (int i = 0; i < 3; i++)
+        c[i] = (uint8_t)(150 + gen_div(104 * gen_cos(turn - i * 21845), GEN_Q30));
+    const struct gen_rgb rgb = { c[0], c[1], c[2] };
+    return rgb;
+}
+
+/* ---- Building -------------------------------------------------------------------------------- */
+
+struct gen_mesh *gen_begin(const char *name)
+{
+    memset(&mesh, 0, sizeof mesh);
+    mesh.name = name;
+    return &mesh;
+}
+
+uint32_t gen_vert(struct gen_mesh *m, int64_t x, int64_t y, int64_t z)
+{
+    if (m->n_verts == GEN_VERTS_MAX)
+        die("too many vertices", m->name);
+    const int64_t pos[3] = { x, y, z };
+    for (int i = 0; i < 3; i++)
+        if (pos[i] < -32768 || pos[i] > 32767)
+            die("a position that int16 cannot hold", m->name);
+    memcpy(m->pos[m->n_verts], pos, sizeof pos);
+    return m->n_verts++;
+}
+
+/* q1_15; -1 is not used, so that a normal and its opposite are exact mirror images. */
+static void to_q15(int16_t out[3], const int64_t v[3])
+{
+    int64_t n[3] = { v[0], v[1], v[2] };
+    gen_unit(n, 32768);
+    for (int i = 0; i < 3; i++)
+        out[i] = (int16_t)(n[i] > 32767 ? 32767 : n[i] < -32767 ? -32767 : n[i]);
+}
+
+uint32_t gen_vert_normal(struct gen_mesh *m, const int64_t pos[3], const int64_t normal[3],
+                         struct gen_rgb rgb)
+{
+    const uint32_t i = gen_vert(m, pos[0], pos[1], pos[2]);
+    if (largest(normal) == 0)
+        die("a normal of length 0", m->name);
+    to_q15(m->normal[i], normal);
+    m->vertex_rgb[i] = rgb;
+    return i;
+}
+
+static void face_cross(int64_t out[3], const struct gen_mesh *m, uint32_t t)
+{
+    const uint32_t *v = m->tri[t];
+    int64_t ab[3], ac[3];
+    for (int i = 0; i < 3; i++) {
+        ab[i] = m->pos[v[1]][i] - m->pos[v[0]][i];
+        ac[i] = m->pos[v[2]][i] - m->pos[v[0]][i];
+    }
+    gen_cross(out, ab, ac);
+}
+
+uint32_t gen_tri(struct gen_mesh *m, uint32_t a, uint32_t b, uint32_t c, struct gen_rgb rgb)
+{
+    if (m->n_tris == GEN_TRIS_MAX)
+        die("too many triangles", m->name);
+    if (a >= m->n_verts || b >= m->n_verts || c >= m->n_verts)
+        die("a vertex number out of range", m->name);
+    const uint32_t t = m->n_tris++;
+    m->tri[t][0] = a;
+    m->tri[t][1] = b;
+    m->tri[t][2] = c;
+    m->face_rgb[t] = m->face_raw[t] = rgb;
+    int64_t n[3];
+    face_cross(n, m, t);
+    if (largest(n) == 0)
+        die("a triangle without area", m->name);
+    return t;
+}
+
+void gen_quad(struct gen_mesh *m, uint32_t a, uint32_t b, uint32_t c, uint32_t d,
+              struct gen_rgb rgb)
+{
+    gen_tri(m, a, b, c, rgb);
+    gen_tri(m, a, c, d, rgb);
+}
+
+void gen_bake(struct gen_mesh *m, const int64_t dir[3], int64_t ambient)
+{
+    int64_t light[3] = { dir[0], dir[1], dir[2] };
+    gen_unit(light, 32768);
+    for (uint32_t t = 0; t < m->n_tris; t++) {
+        int64_t n[3];
+        face_cross(n, m, t);
+        gen_unit(n, 32768);
+        const int64_t cosine = n[0] * light[0] + n[1] * light[1] + n[2] * light[2]; /* q30 */
+        int64_t lit = ambient + gen_div((256 - ambient) * (cosine > 0 ? cosine : 0), GEN_Q30);
+        if (lit > 256)
+            lit = 256;
+        const struct gen_rgb black = { 0, 0, 0 };
+        m->face_raw[t] = gen_mix(black, m->face_rgb[t], lit, 256);
+    }
+}
+
+/* ---- Output ---------------------------------------------------------------------------------- */
+
+static FILE *create(const char *name, const char *ending)
+{
+    char path[4096];
+    if (snprintf(path, sizeof path, "%s/%s%s", out_dir, name, ending) >= (int)sizeof path)
+        die("the path is too long", name);
+    FILE *f = fopen(path, "w");
+    if (!f)
+        die("cannot be written", path);
+    fputs("/* Generated by gen_meshes (firmware/scenes/gen); do not edit. */\n", f);
+    return f;
+}
+
+static void finish(FILE *f, const char *name)
+{
+    if (ferror(f) | fclose(f))
+        die("cannot be written", name);
+}
+
+/* One array of int triples. */
+struct rows {
+    FILE *f;
+    int column;
+};
+
+static void row(struct rows *r, const char *text)
+{
+    const int length = (int)strlen(text);
+    if (r->column == 0 || r->column + 1 + length > 100)
+        r->column = fprintf(r->f, "\n   ") - 1;
+    r->column += fprintf(r->f, " %s", text);
+}
+
+static void row3(struct rows *r, int64_t a, int64_t b, int64_t c)
+{
+    char text[80];
+    snprintf(text, sizeof text, "{%lld, %lld, %lld},", (long long)a, (long long)b, (long long)c);
+    row(r, text);
+}
+
+static struct rows open_array(FILE *f, const char *type, const char *name, uint32_t n,
+                              const char *inner)
+{
+    fprintf(f, "\nstatic const %s %s[%lu]%s = {", type, name, (unsigned long)n, inner);
+    const struct rows r = { f, 0 };
+    return r;
+}
+
+static void close_array(const struct rows *r)
+{
+    fputs("\n};\n", r->f);
+}
+
+static uint16_t rgb565(struct gen_rgb c)
+{
+    return (uint16_t)(((c.r * 31 + 127) / 255) << 11 | ((c.g * 63 + 127) / 255) << 5 |
+                      ((c.b * 31 + 127) / 255));
+}
+
+static void write_arrays(FILE *f, const struct gen_mesh *m, unsigned parts)
+{
+    struct rows r = open_array(f, "int16_t", "pos", m->n_verts, "[3]");
+    for (uint32_t i = 0; i < m->n_verts; i++)
+        row3(&r, m->pos[i][0], m->pos[i][1], m->pos[i][2]);
+    close_array(&r);
+    r = open_array(f, "uint16_t", "tri", m->n_tris, "[3]");
+    for (uint32_t i = 0; i < m->n_tris; i++)
+        row3(&r, m->tri[i][0], m->tri[i][1], m->tri[i][2]);
+    close_array(&r);
+    if (parts & GEN_NORMAL) {
+        r = open_array(f, "zs_q1_15", "normal", m->n_verts, "[3]");
+        for (uint32_t i = 0; i < m->n_verts; i++)
+            row3(&r, m->normal[i][0], m->normal[i][1], m->normal[i][2]);
+        close_array(&r);
+    }
+    if (parts & GEN_FACE_NORMAL) {
+        r = open_array(f, "zs_q1_15", "face_normal", m->n_tris, "[3]");
+        for (uint32_t i = 0; i < m->n_tris; i++) {
+            int64_t n[3];
+            int16_t q[3];
+            face_cross(n, m, i);
+            to_q15(q, n);
+            row3(&r, q[0], q[1], q[2]);
+        }
+        close_array(&r);
+    }
+    if (parts & GEN_VERTEX_RGB) {
+        r = open_array(f, "struct zs_rgb", "vertex_rgb", m->n_verts, "");
+        for (uint32_t i = 0; i < m->n_verts; i++)
+            row3(&r, m->vertex_rgb[i].r, m->vertex_rgb[i].g, m->vertex_rgb[i].b);
+        close_array(&r);
+    }
+    if (parts & GEN_FACE_RGB) {
+        r = open_array(f, "struct zs_rgb", "face_rgb", m->n_tris, "");
+        for (uint32_t i = 0; i < m->n_tris; i++)
+            row3(&r, m->face_rgb[i].r, m->face_rgb[i].g, m->face_rgb[i].b);
+        close_array(&r);
+    }
+    if (parts & GEN_FACE_RAW) {
+        r = open_array(f, "uint16_t", "face_raw", m->n_tris, "");
+        for (uint32_t i = 0; i < m->n_tris; i++) {
+            char text[16];
+            snprintf(text, sizeof text, "0x%04x,", rgb565(m->face_raw[i]));
+            row(&r, text);
+        }
+        close_array(&r);
+    }
+}
+
+/* The middle of the box around all vertices, and the distance of the farthest one, rounded up. */
+static uint64_t sphere(const struct gen_mesh *m, int64_t center[3])
+{
+    for (int i = 0; i < 3; i++) {
+        int64_t least = INT16_MAX, most = INT16_MIN;
+        for (uint32_t v = 0; v < m->n_verts; v++) {
+            least = m->pos[v][i] < least ? m->pos[v][i] : least;
+            most = m->pos[v][i] > most ? m->pos[v][i] : most;
+        }
+        center[i] = gen_div(least + most, 2);
+    }
+    uint64_t far2 = 0;
+    for (uint32_t v = 0; v < m->n_verts; v++) {
+        uint64_t d2 = 0;
+        for (int i = 0; i < 3; i++) {
+            const int64_t d = m->pos[v][i] - center[i];
+            d2 += (uint64_t)(d * d);
+        }
+        far2 = d2 > far2 ? d2 : far2;
+    }
+    const uint64_t root = gen_sqrt(far2);
+    return root * root < far2 ? root + 1 : root;
+}
+
+void gen_write(const struct gen_mesh *m, unsigned parts, uint32_t scale)
+{
+    int64_t center[3];
+    const uint64_t radius = sphere(m, center);
+    if (radius > 65535)
+        die("the radius does not fit uint16", m->name);
+
+    const uint32_t bytes = m->n_verts * (6u + (parts & GEN_NORMAL ? 6u : 0) +
+                                         (parts & GEN_VERTEX_RGB ? 3u : 0)) +
+                           m->n_tris * (6u + (parts & GEN_FACE_NORMAL ? 6u : 0) +
+                                        (parts & GEN_FACE_RGB ? 3u : 0) +
+                                        (parts & GEN_FACE_RAW ? 2u : 0));
+    bytes_of_all += bytes;
+
+    char name[64];
+    snprintf(name, sizeof name, "mesh_%s", m->name);
+    FILE *f = create(name, ".c");
+    fprintf(f, "/* %lu vertices, %lu triangles, %lu bytes of flash. */\n#include \"meshes.h\"\n",
+            (unsigned long)m->n_verts, (unsigned long)m->n_tris, (unsigned long)bytes);
+    write_arrays(f, m, parts);
+    fprintf(f, "\nconst struct zs_mesh %s = {\n    .pos = pos,\n    .tri = tri,\n", name);
+    if (parts & GEN_NORMAL)
+        fputs("    .normal = normal,\n", f);
+    if (parts & GEN_FACE_NORMAL)
+        fputs("    .face_normal = face_normal,\n", f);
+    if (parts & GEN_VERTEX_RGB)
+        fputs("    .vertex_rgb = vertex_rgb,\n", f);
+    if (parts & GEN_FACE_RGB)
+        fputs("    .face_rgb = face_rgb,\n", f);
+    if (parts & GEN_FACE_RAW)
+        fputs("    .face_raw = face_raw,\n", f);
+    fprintf(f, "    .n_verts = %lu,\n    .n_tris = %lu,\n    .scale = %luu,\n",
+            (unsigned long)m->n_verts, (unsigned long)m->n_tris, (unsigned long)scale);
+    fprintf(f, "    .center = { %lld, %lld, %lld },\n    .radius = %llu,\n};\n",
+            (long long)center[0], (long long)center[1], (long long)center[2],
+            (unsigned long long)radius);
+    finish(f, name);
+    fprintf(header, "extern const struct zs_mesh %s; /* %lu triangles, %lu bytes */\n", name,
+            (unsigned long)m->n_tris, (unsigned long)bytes);
+    printf("%-14s %6lu vertices %6lu triangles %8lu bytes\n", m->name, (unsigned long)m->n_verts,
+           (unsigned long)m->n_tris, (unsigned long)bytes);
+}
+
+void gen_open(const char *dir)
+{
+    out_dir = dir;
+    header = create("meshes", ".h");
+    fputs("#ifndef MESHES_H\n#define MESHES_H\n\n#include \"zstrip.h\"\n\n", header);
+}
+
+void gen_close(void)
+{
+    fputs("\n#endif\n", header);
+    finish(header, "meshes.h");
+    printf("%-14s %41lu bytes\n", "all", (unsigned long)bytes_of_all);
+}

@@ -1,0 +1,26 @@
+/* gen_meshes OUTDIR: write every mesh of the scenes as C, OUTDIR/mesh_NAME.c, and OUTDIR/meshes.h.
+ *
+ * OUTDIR must exist. Integers only: the files are the same bytes on every machine. They are built,
+ * never committed.
+ *
+ * SPDX-License-Identifier: MIT
+ */
+#include "gen.h"
+
+#include <stdio.h>
+
+int main(int argc, char **argv)
+{
+    if (argc != 2) {
+        fputs("usage: gen_meshes OUTDIR\n", stderr);
+        return 2;
+    }
+    gen_open(argv[1]);
+    gen_teapot();
+    gen_shapes();
+    gen_terrain();
+    gen_city();
+    gen_bench();
+    gen_close();
+    return 0;
+}

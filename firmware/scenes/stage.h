@@ -1,0 +1,34 @@
+/* What every scene does to fill a struct demo_frame.
+ *
+ * SPDX-License-Identifier: MIT
+ */
+#ifndef STAGE_H
+#define STAGE_H
+
+#include "scenes.h"
+
+/* Begin: no instances, this background. */
+void stage_open(struct demo_frame *f, struct zs_rgb background);
+
+/* One parallel light from a direction of any length but 0; percent of full. */
+void stage_light(struct demo_frame *f, int32_t x, int32_t y, int32_t z, uint32_t ambient_percent,
+                 uint32_t diffuse_percent);
+
+/* Append an instance, unrotated; its rotation is the caller's to set. Never NULL: a scene has at
+ * most DEMO_INSTANCES_MAX. */
+struct zs_pose *stage_put(struct demo_frame *f, const struct zs_mesh *mesh,
+                          const struct zs_material *material, int32_t x, int32_t y, int32_t z,
+                          zs_uq16_16 scale);
+
+/* A perspective camera whose field of view spans the picture's shorter side. */
+void stage_lens(struct demo_frame *f, zs_turn fov, uint16_t w, uint16_t h, int32_t z_near,
+                int32_t z_far);
+
+/* The angle of frame t of n, turned a whole number of times, so that the animation closes. */
+zs_turn stage_turn(uint32_t t, uint32_t n, uint32_t times);
+
+/* radius * sin or cos, rounded to the nearest; |radius| <= 2^29. */
+int32_t stage_sin(int32_t radius, zs_turn a);
+int32_t stage_cos(int32_t radius, zs_turn a);
+
+#endif

@@ -1,0 +1,201 @@
+/*
+ * reference.h - what a triangle scene truly looks like, in double precision.
+ *
+ * The judge of the integer renderer: it shares no code with firmware/ and makes none of its
+ * compromises. Vertices are never snapped or quantised, every pixel is decided at its centre,
+ * visibility compares true distances, and only the last step (key, RGB565) rounds.
+ *
+ * World: right-handed, y up, any length unit. Camera: looks along its own -z; "z" in this file is
+ * always the distance along the viewing axis, positive in front. Screen: pixels, y down, pixel
+ * (i, j) sampled at (i + 0.5, j + 0.5):
+ *   pinhole       x = W/2 + focal * xc / z          y = H/2 - focal * yc / z
+ *   orthographic  x = W/2 + xc * H / height         y = H/2 - yc * H / height
+ * Front faces are counter-clockwise seen in a y-up view.
+ *
+ * Exactness: projection rounds each vertex to doubles (about 1e-13 px); from there coverage and
+ * facing are exact, the top-left rule included, so triangles which share bit-identical vertices
+ * share out the samples without gap or overlap, even a sample on a vertex. Whether a sample meant
+ * to lie on an edge does lie on it hangs on that rounding; it surely does where the inputs make the
+ * projection exact (for example an orthographic view of small dyadic coordinates). z and colours
+ * are interpolated in plain doubles: relative errors of about 1e-14, worse (1e-10) only on
+ * triangles thousands of times larger than their distance. Coordinates and sizes below about 1e-60
+ * (but not 0) may underflow.
+ *
+ * Threads: no global state; calls on different images may run at once.
+ */
+#ifndef ZSTRIP_SIM_REFERENCE_H
+#define ZSTRIP_SIM_REFERENCE_H
+
+#include <stddef.h>
+#include <stdint.h>
+
+#define REF_KEY_NOTHING 65535u /* key of a pixel on which nothing was drawn, whatever the bits */
+#define REF_MAX_SIDE 32768     /* greatest image width and height, pixels */
+
+enum ref_status {
+    REF_OK = 0,
+    REF_BAD_ARGUMENT = -1, /* an argument out of the range given at its declaration */
+    REF_NO_MEMORY = -2     /* scratch memory (at most 16 bytes a pixel) could not be had */
+};
+
+enum ref_shade {
+    REF_SHADE_RAW = 0,   /* triangle's `raw`, unlit */
+    REF_SHADE_FLAT = 1,  /* rgb[0], lit once with the face normal */
+    REF_SHADE_SMOOTH = 2 /* rgb[k] lit with n[k] at each vertex, then interpolated in space */
+};
+
+enum ref_cull { REF_CULL_BACK = 0, REF_CULL_FRONT = 1, REF_CULL_NONE = 2 };
+
+enum ref_mapping {
+    REF_DEPTH_RECIP = 0, /* (1/n - 1/z) / (1/n - 1/f) * (2^bits - 1) */
+    REF_DEPTH_LINEAR = 1 /* (z - n) / (f - n) * (2^bits - 1) */
+};
+
+/*
+ * One triangle. Coordinates are finite, magnitude at most 1e60. Normals are used as given: they
+ * should be of unit length and are not turned towards the viewer, so a back side lit through
+ * REF_CULL_NONE gets what its normal says (lighting is one-sided). Base colours are 0..1 by
+ * channel. Fields a shade mode does not name above are ignored.
+ */
+struct ref_triangle {
+    double p[3][3];   /* vertices, world */
+    double n[3][3];   /* vertex normals, world, unit (smooth) */
+    double rgb[3][3]; /* base colour by vertex (smooth); rgb[0] is the whole face's (flat) */
+    double face_n[3]; /* face normal, world, unit (flat), if has_face_n */
+    int has_face_n;   /* 0: flat uses the geometric normal of the counter-clockwise winding */
+    uint16_t raw;     /* RGB565 (raw) */
+    uint32_t id;      /* not 0 if the image asks for ids; need not be unique */
+    int shade;        /* enum ref_shade */
+    int cull;         /* enum ref_cull: which side is not drawn */
+};
+
+/*
+ * A camera. right, up, back: orthonormal, right-handed, world. Only geometry with
+ * near_z <= z <= far_z is seen, decided at each sample. near_z < far_z, both finite; near_z > 0
+ * with a pinhole or with REF_DEPTH_RECIP.
+ */
+struct ref_camera {
+    double eye[3];   /* world; in an orthographic view the point z is measured from */
+    double right[3]; /* screen +x */
+    double up[3];    /* screen -y */
+    double back[3];  /* against the viewing direction */
+    int orthographic;
+    double focal;  /* pinhole: pixels, > 0; unused when orthographic */
+    double height; /* orthographic: world height of the image, > 0; unused with a pinhole */
+    double near_z; /* world */
+    double far_z;  /* world */
+};
+
+/* One light at infinity. intensity = ambient + diffuse * max(0, n . dir); colour * intensity is
+ * clamped to 0..1 by channel, at the vertex or face, before any interpolation. */
+struct ref_light {
+    double dir[3]; /* unit, world, from the surface towards the light */
+    double ambient;
+    double diffuse;
+};
+
+/* How z becomes a key; near and far are the camera's. */
+struct ref_depth {
+    int mapping; /* enum ref_mapping */
+    int bits;    /* 8..16 */
+};
+
+/*
+ * An image: buffers owned by the caller, each NULL if not wanted, else width * height entries (rgb:
+ * three times that), rows top to bottom, no padding. Contents need not be initialised.
+ */
+struct ref_image {
+    uint16_t *rgb565;  /* round(c * 31), round(c * 63), round(c * 31); background where nothing */
+    uint16_t *key;     /* exact_key rounded to nearest, in 0..2^bits - 2; REF_KEY_NOTHING */
+    uint32_t *id;      /* id of the visible triangle; 0 where nothing */
+    double *z;         /* true distance along the axis, world; INFINITY where nothing */
+    double *exact_key; /* key before rounding and saturation; INFINITY where nothing */
+    double *rgb;       /* r, g, b before rounding, 0..1; raw and background: code / 31 or / 63 */
+};
+
+/* Called now and then with the number of triangles done, lastly with done == total. */
+typedef void (*ref_progress)(void *user, size_t done, size_t total);
+
+/*
+ * Fills the camera's eye and axes; leaves its other fields alone. eye, at, up: world; up need not
+ * be unit nor square to the view. REF_BAD_ARGUMENT (camera untouched) if eye == at, if up is
+ * parallel to the view or zero (sine below 1e-12), or if any is not finite.
+ */
+int ref_camera_look_at(struct ref_camera *camera, const double eye[3], const double at[3],
+                       const double up[3]);
+
+/* Focal length in pixels of a vertical field of view (radians, 0 < fov_y < pi). */
+double ref_focal(double fov_y, int height);
+
+/* Unrounded key of a distance z, by the camera's near and far; not saturated. */
+double ref_exact_key(const struct ref_depth *depth, const struct ref_camera *camera, double z);
+
+/* An unrounded key to nearest (halves up), saturated to 0..2^bits - 2. */
+uint16_t ref_round_key(const struct ref_depth *depth, double exact_key);
+
+/* The distance whose unrounded key is `key`: inverse of ref_exact_key. */
+double ref_key_to_z(const struct ref_depth *depth, const struct ref_camera *camera, double key);
+
+/*
+ * Draws n triangles into the image. The least z wins a pixel; at exactly equal z (bitwise, which
+ * holds for a repeated triangle and for faces square to the axis at one distance; other coplanar
+ * faces differ by rounding) the earlier triangle. Triangles may lie anywhere, behind and through
+ * the eye included; those whose projected area is exactly 0 draw nothing.
+ *
+ * width, height: 1..REF_MAX_SIDE. background: RGB565. light: may be NULL if every triangle is raw.
+ * progress: may be NULL. Time: about the projected area of all triangles in pixels, plus n.
+ * Returns an enum ref_status; on an error the buffers hold nothing of use.
+ */
+int ref_render(const struct ref_triangle *triangles, size_t n, const struct ref_camera *camera,
+               const struct ref_light *light, const struct ref_depth *depth, uint16_t background,
+               int width, int height, struct ref_image *image, ref_progress progress, void *user);
+
+/*
+ * What separates a picture (ours) from the reference. A pixel is "drawn" where its id is not 0; it
+ * "agrees" where both are drawn with the same id. Should either image lack ids, drawn means
+ * key != REF_KEY_NOTHING and any pixel drawn in both agrees; without keys too, all pixels agree.
+ * Figures whose buffers are absent, or which were compared nowhere, are 0 (psnr_db: INFINITY).
+ */
+struct ref_diff {
+    size_t pixels;    /* width * height */
+    size_t ref_drawn; /* drawn in the reference */
+    size_t agree;     /* drawn in both, same id */
+    size_t id_differ; /* drawn in both, different ids */
+    size_t missing;   /* drawn in the reference only */
+    size_t extra;     /* drawn in ours only */
+
+    /* where they agree, both keys present */
+    size_t key_compared;
+    size_t key_off;       /* keys further apart than 1 */
+    int key_max_diff;     /* greatest |ours - reference|, key units */
+    double key_max_error; /* greatest |ours - reference's exact_key|, key units; an ideal renderer
+                             has at most 0.5, or 1 where the key saturates; needs exact_key */
+
+    /* where they agree: |z of our key - true z| / |true z|. The true z is the reference's z, else
+     * from its exact_key, else from its key. Our key's own rounding is part of the error. Pixels
+     * with our key REF_KEY_NOTHING or a true z of 0 are left out. */
+    size_t z_compared;
+    double z_mean_rel;
+    double z_max_rel;
+
+    /* where they agree, both rgb565 present: channel values in their own 5 or 6 bit codes */
+    size_t channels;         /* channel values compared: 3 a pixel */
+    size_t channel_off;      /* apart by more than 1 code */
+    size_t channel_off_one;  /* apart by exactly 1 code */
+    double off_one_fraction; /* channel_off_one / channels */
+    int channel_max_diff;    /* greatest difference, codes */
+
+    double psnr_db; /* all pixels, background too: 10 log10(255^2 / mean square error) over R, G, B
+                       expanded to 8 bits by bit replication; INFINITY if equal */
+};
+
+/*
+ * Compares ours with the reference. Both images: width * height, buffers as in ref_image; read
+ * only. depth and camera: those both were drawn with; only mapping, bits, near and far are used.
+ * ours: only id, key and rgb565 are read. Returns REF_OK, or REF_BAD_ARGUMENT with *diff untouched.
+ */
+int ref_compare(const struct ref_image *ours, const struct ref_image *reference,
+                const struct ref_depth *depth, const struct ref_camera *camera, int width,
+                int height, struct ref_diff *diff);
+
+#endif

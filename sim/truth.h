@@ -1,0 +1,19 @@
+/* A zstrip scene as the double-precision reference sees it.
+ *
+ * SPDX-License-Identifier: MIT
+ */
+#ifndef SIM_TRUTH_H
+#define SIM_TRUTH_H
+
+#include "reference.h"
+#include "zstrip.h"
+
+/* All triangles of a scene in scene order, in world units; ids count from 1. An id is what
+ * sim_truth_ids draws. Return malloc'ed memory (free it), *n triangles. */
+struct ref_triangle *sim_truth_triangles(const struct zs_scene *scene, size_t *n);
+
+/* The camera of a frame of height px, and the light. */
+void sim_truth_camera(struct ref_camera *out, const struct zs_camera *camera);
+void sim_truth_light(struct ref_light *out, const struct zs_light *light);
+
+#endif
