@@ -1,26 +1,26 @@
 # zstrip. Everything lands in build/. `make help` lists the targets.
 CC = gcc
-ARM = arm-none-eabi-
 B = build
+CFLAGS = -O2 -g
 WARN = -Wall -Wextra -Werror -Wconversion -Wshadow -Wvla -Wstrict-prototypes \
        -Wmissing-prototypes -Wdouble-promotion
-INC = -Ifirmware/zstrip -Ifirmware/scenes -I$(B)/gen -Isim -Isim/reference
-CFLAGS = -O2 -g
-HOST = $(CC) -std=gnu11 $(CFLAGS) $(WARN) $(INC) -MMD -MP
+INC = -Ifirmware/zstrip -Ifirmware/scenes -Ihal -I$(B)/gen -Isim -Isim/reference
 CORE = $(wildcard firmware/zstrip/*.c)
 SCENES = $(wildcard firmware/scenes/*.c)
 SIM = $(wildcard sim/*.c sim/reference/*.c)
 GEN = $(wildcard firmware/scenes/gen/*.c)
-HEADERS = $(wildcard firmware/*/*.h firmware/scenes/gen/*.h hal/*.h sim/*.h sim/reference/*.h tests/*.h)
-obj = $(patsubst %.c,$(B)/$(1)/%.o,$(2))
+HEADERS = $(wildcard firmware/*/*.h firmware/scenes/gen/*.h hal/*.h sim/*.h sim/*/*.h tests/*.h)
+LIBS = -lassimp -lpng -lm
 
+# Debian packages: what the simulator is built from, and what the tests need besides
 PKG_SIM = gcc libc6-dev libassimp-dev libpng-dev
-PKG_TEST = $(PKG_SIM) g++ clang libcmocka-dev gcc-arm-none-eabi libnewlib-arm-none-eabi \
-           qemu-system-arm
+PKG_TEST = $(PKG_SIM) g++ clang binutils libcmocka-dev gcc-arm-none-eabi \
+           libnewlib-arm-none-eabi qemu-system-arm
 
-## all: the simulator
+## all: the simulator, build/zsim
 all: sim
 .DEFAULT_GOAL := all
+.DELETE_ON_ERROR:
 
 ## demo: set up, draw the demo scenes as a board would into build/demo/, print what they took
 demo: sim
@@ -28,22 +28,24 @@ demo: sim
 
 ## test: set up and run every test
 test: $(B)/.setup-test
-	@$(MAKE) --no-print-directory sim
+	@$(MAKE) --no-print-directory -j2 $(B)/zsim test-programs
 	@sh tests/run.sh $(B)
 
-## bench: instructions a frame on a Cortex-M3 (QEMU counts; needs no board)
-bench: $(B)/.setup-test
+## bench: instructions a frame on a Cortex-M3 (counted by QEMU; needs no board)
+bench: $(B)/.setup-test $(B)/gen/meshes.h
 	@sh tests/bench.sh $(B)
 
 ## sim: build/zsim
 sim: $(B)/.setup-sim
-	@$(MAKE) --no-print-directory $(B)/zsim
+	@$(MAKE) --no-print-directory -j2 $(B)/zsim
 
-## pictures: the README's pictures
+## pictures: the README's pictures, drawn again
 pictures: sim
-	sh sim/pictures/make.sh $(B)
+	@sh sim/pictures/make.sh $(B)
 
-## size, stack, check: flash and RAM, worst-case stack, rules on the Cortex-M objects
+## size: flash of the renderer and RAM by pool
+## stack: worst-case stack
+## check: rules on the Cortex-M objects, on includes and on the stack
 size stack: $(B)/.setup-test
 	@sh tests/checks/$@.sh
 check: $(B)/.setup-test
@@ -55,15 +57,29 @@ clean:
 
 ## help: this list
 help:
-	@sed -n 's/^## /  /p' Makefile
+	@sed -n 's/^## /    /p' Makefile
+.PHONY: all demo test bench sim pictures size stack check clean help test-programs
 
-$(B)/.setup-sim $(B)/.setup-test:
+$(B)/.setup-sim:
+	@mkdir -p $(B) && .ci/setup $(PKG_SIM) && touch $@
+$(B)/.setup-test:
+	@mkdir -p $(B) && .ci/setup $(PKG_TEST) && touch $@ $(B)/.setup-sim
+
+# Meshes: written by a generator, built into one archive
+$(B)/gen_meshes: $(GEN) $(CORE) $(HEADERS)
 	@mkdir -p $(B)
-	@.ci/setup $(if $(findstring test,$@),$(PKG_TEST),$(PKG_SIM))
-	@touch $@
+	$(CC) -std=c11 $(CFLAGS) $(WARN) $(INC) $(GEN) $(CORE) -o $@
+$(B)/gen/meshes.h: $(B)/gen_meshes
+	@mkdir -p $(B)/gen
+	$< $(B)/gen >$(B)/gen/meshes.txt
+$(B)/libmeshes.a: $(B)/gen/meshes.h
+	@cd $(B)/gen && $(CC) -std=c11 -O1 -I../../firmware/zstrip -c mesh_*.c
+	@rm -f $@ && ar rcs $@ $(B)/gen/mesh_*.o
 
-$(B)/sim/%.o: %.c $(HEADERS) | $(B)/gen/meshes.h
+$(B)/sim/%.o: %.c $(HEADERS) $(B)/gen/meshes.h
 	@mkdir -p $(@D)
-	$(HOST) -DZS_STATS=1 -c $< -o $@
-$(B)/zsim: $(call obj,sim,$(CORE) $(SCENES) $(SIM)) $(B)/gen/.built
-	$(CC) $(CFLAGS) $(filter %.o,$^) $(B)/gen/*.o -o $@ -lassimp -lpng -lm
+	$(CC) -std=gnu11 $(CFLAGS) $(WARN) $(INC) -DZS_STATS=1 -c $< -o $@
+$(B)/zsim: $(patsubst %.c,$(B)/sim/%.o,$(CORE) $(SCENES) $(SIM)) $(B)/libmeshes.a
+	$(CC) $(CFLAGS) $^ $(LIBS) -o $@
+
+include tests/tests.mk

@@ -177,12 +177,8 @@ int zs_frame_begin(struct zs_renderer *r, const struct zs_scene *scene,
 static void strip_clear(struct zs_renderer *r)
 {
     const uint32_t n = (uint32_t)r->config.width * r->config.strip_h;
-    const uint16_t background = zs_wire16(r->scene->background);
-    uint16_t *color = r->color[r->strip & 1];
-    for (uint32_t i = 0; i < n; i++)
-        color[i] = background;
-    for (uint32_t i = 0; i < n; i++)
-        r->depth[i] = ZS_DEPTH_CLEAR;
+    zs_fill16(r->color[r->strip & 1], zs_wire16(r->scene->background), n);
+    zs_fill16(r->depth, ZS_DEPTH_CLEAR, n);
 }
 
 int zs_frame_strip(struct zs_renderer *r, struct zs_strip *out)

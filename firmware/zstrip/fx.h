@@ -28,6 +28,25 @@ _Static_assert(ZS_SIZE_MAX <= 4096, "see the step count in plane.c and the strip
 
 typedef int32_t q24_8; /* screen x, y, px */
 
+/* Two 16-bit values at a time, in memory that is otherwise used as uint16_t. */
+#if defined(__GNUC__)
+typedef uint32_t __attribute__((may_alias)) zs_pair;
+#define ZS_PAIR 2u
+#else
+typedef uint16_t zs_pair;
+#define ZS_PAIR 1u
+#endif
+
+/* Fill n 16-bit values, and the one after them where n is odd (pools are rounded up to 4 bytes).
+ * out is 4-byte aligned. */
+static inline void zs_fill16(uint16_t *out, uint16_t value, uint32_t n)
+{
+    const zs_pair pair = (zs_pair)((uint32_t)value << 16 | value);
+    zs_pair *at = (zs_pair *)(void *)out, *const end = at + (n + ZS_PAIR - 1u) / ZS_PAIR;
+    while (at < end)
+        *at++ = pair;
+}
+
 /* Leading zeros, v > 0. */
 static inline int zs_clz32(uint32_t v)
 {

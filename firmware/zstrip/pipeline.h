@@ -167,8 +167,12 @@ struct zs_job {
 /* ---- plane.c ---------------------------------------------------------------------------------------- */
 
 void zs_plane_geom(struct zs_job *job);
+enum zs_plane_kind {
+    ZS_PLANE_KEY, /* buckets or codes, uq16_16: error below 0.005 of one */
+    ZS_PLANE_WIDE /* 31 significant bits: error below 2^-20 of the largest */
+};
 void zs_plane32(const struct zs_geom *g, uint32_t v0, uint32_t v1, uint32_t v2,
-                struct zs_plane *out);
+                enum zs_plane_kind kind, struct zs_plane *out);
 void zs_plane64(const struct zs_geom *g, uint64_t v0, uint64_t v1, uint64_t v2,
                 struct zs_plane64 *out);
 

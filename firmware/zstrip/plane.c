@@ -16,6 +16,8 @@
  *         2^-1.4 ulp, and rounded: e <= 0.88 ulp. The anchor is the first vertex's own pixel, at most
  *         half a pixel away each way: 0.88 + 0.5. Anywhere in the triangle, 256 steps at the most:
  *         <= 0.88 * 256 + 1.4 < 227 ulp of 2^-16 bucket = 0.0035 bucket.
+ *         Values of 31 significant bits (ZS_PLANE_WIDE: w, colour times w) take gradients up to 2^30 this
+ *         way: e <= 2^1.6 + 1/2 ulp of 2^-31, 2^-21 over 256 steps.
  * large   64-bit division with remainder, gradients rounded to nearest: e <= 1/2 ulp. The anchor is
  *         the pixel of the frame next to the first vertex, computed from N / A with 32 fraction bits
  *         (error < 2^-32 * 2^22 * 2 + 1/2). Anywhere in the frame: <= (W + H - 2) / 2 + 0.51 ulp
@@ -55,8 +57,8 @@ void zs_plane_geom(struct zs_job *job)
     g->ay = g->ja * ZS_SUBPX_ONE + ZS_SUBPX_HALF - a->y;
 }
 
-/* 256 * n / area of a small triangle, nearly nearest; 0 in *ok where it is too steep. */
-static int32_t small_gradient(const struct zs_geom *g, int64_t n, int *ok)
+/* 256 * n / area of a small triangle, nearly nearest; 0 in *ok where it is 2^(32 - least_shift) or more. */
+static int32_t small_gradient(const struct zs_geom *g, int64_t n, int32_t least_shift, int *ok)
 {
     if (n == 0)
         return 0;
@@ -66,12 +68,12 @@ static int32_t small_gradient(const struct zs_geom *g, int64_t n, int *ok)
     const uint32_t p = zs_umulh(m, g->rcp); /* [2^30, 2^32): m * 2^63 / area mantissa / 2^32 */
     /* n = m 2^(32 - lz), area = a 2^exp: 256 n / area = p 2^(32 + 8 + 32 - lz - 63 - exp) */
     const int32_t shift = lz + g->exp - 9;
-    if (shift < 5) {
+    if (shift < least_shift) {
         *ok = 0;
         return 0;
     }
     const uint32_t q = shift > 33 ? 0u : (uint32_t)(((uint64_t)p + ((uint64_t)1 << (shift - 1))) >> shift);
-    return n < 0 ? -(int32_t)q : (int32_t)q; /* q <= 2^27 */
+    return n < 0 ? -(int32_t)q : (int32_t)q; /* q <= 2^30 */
 }
 
 /* n / d with 32 fraction bits: floor in *whole, fraction returned. d < 2^45. */
@@ -112,7 +114,7 @@ static void large_plane(const struct zs_geom *g, uint32_t v0, int64_t dv1, int64
 }
 
 void zs_plane32(const struct zs_geom *g, uint32_t v0, uint32_t v1, uint32_t v2,
-                struct zs_plane *out)
+                enum zs_plane_kind kind, struct zs_plane *out)
 {
     const int64_t dv1 = (int64_t)v1 - v0, dv2 = (int64_t)v2 - v0;
     if (v0 == v1 && v0 == v2) {
@@ -123,9 +125,10 @@ void zs_plane32(const struct zs_geom *g, uint32_t v0, uint32_t v1, uint32_t v2,
     int ok = g->rcp != 0 && dv1 == (int32_t)dv1 && dv2 == (int32_t)dv2;
     if (ok) {
         /* |dv| <= 2^31, |d| <= 2^16: |.| <= 2^48 */
-        const int32_t gx = small_gradient(g, dv1 * g->dy2 - dv2 * g->dy1, &ok);
-        const int32_t gy = small_gradient(g, dv2 * g->dx1 - dv1 * g->dx2, &ok);
-        const int64_t step = (int64_t)gx * g->ax + (int64_t)gy * g->ay; /* |.| <= 2^35 */
+        const int32_t least = kind == ZS_PLANE_WIDE ? 2 : 5;
+        const int32_t gx = small_gradient(g, dv1 * g->dy2 - dv2 * g->dy1, least, &ok);
+        const int32_t gy = small_gradient(g, dv2 * g->dx1 - dv1 * g->dx2, least, &ok);
+        const int64_t step = (int64_t)gx * g->ax + (int64_t)gy * g->ay; /* |.| <= 2^38 */
         out->gx = (uint32_t)gx;
         out->gy = (uint32_t)gy;
         out->base = v0 + (uint32_t)zs_round_shift(step, 8);

@@ -4,7 +4,7 @@
  *
  * Plain affine interpolation of a value that changes by du over a span whose w = 1/z changes by the
  * ratio rho is wrong by at most du (sqrt rho - 1) / (sqrt rho + 1) <= du (rho - 1) / 4 (Heckbert). Where
- * that is at most 1/16 code over the whole triangle, colours are affine. Otherwise colour * w and w are
+ * that is at most 1/8 code over the whole triangle, colours are affine. Otherwise colour * w and w are
  * linear on the screen; they are divided at the ends of sub-spans of 2^k pixels, k the largest, up
  * to 4, for which the same bound holds over 2^k pixels anywhere in the triangle. Sub-spans count from the
  * row's first covered pixel, on the screen or not, and the last one ends at the row's last covered pixel:
@@ -73,10 +73,10 @@ static uint32_t color_range(uint16_t *const a[3])
     return range;
 }
 
-/* range / 65536 * 63 codes * (change / least) / 4 <= 1/16 code; 63 taken as 64. */
+/* range / 65536 * 63 codes * (change / least) / 4 <= 1/8 code; 63 taken as 64. */
 static int affine_enough(uint32_t range, uint32_t change, uint32_t least)
 {
-    return (uint64_t)range * change <= (uint64_t)least * 256u; /* < 2^16 * 2^31 */
+    return (uint64_t)range * change <= (uint64_t)least * 512u; /* < 2^16 * 2^31 */
 }
 
 static uint32_t sub_span(const struct zs_plane *w, uint32_t range, uint32_t least)
@@ -104,7 +104,7 @@ static void smooth_start(struct zs_job *job)
     }
     job->sub_log2 = AFFINE;
     if (!affine_enough(range, most - least, least)) {
-        zs_plane32(&job->geom, w[0], w[1], w[2], &job->w);
+        zs_plane32(&job->geom, w[0], w[1], w[2], ZS_PLANE_WIDE, &job->w);
         job->sub_log2 = sub_span(&job->w, range, least);
     }
     for (int c = 0; c < 3; c++) {
@@ -112,7 +112,8 @@ static void smooth_start(struct zs_job *job)
         for (int k = 0; k < 3; k++)
             v[k] = job->sub_log2 == AFFINE ? zs_umulh((uint32_t)a[k][c] << 16, code_scale[c])
                                            : zs_umulh((uint32_t)a[k][c] << 16, w[k]);
-        zs_plane32(&job->geom, v[0], v[1], v[2], &job->c[c]);
+        zs_plane32(&job->geom, v[0], v[1], v[2],
+                   job->sub_log2 == AFFINE ? ZS_PLANE_KEY : ZS_PLANE_WIDE, &job->c[c]);
         if (job->sub_log2 == AFFINE)
             job->c[c].base += 0x8000u; /* nearest */
     }

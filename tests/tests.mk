@@ -1,0 +1,27 @@
+# The test programs: every tests/test_*.c, with the helpers beside it, the core and the scenes, under
+# ASan and UBSan and with the kernels' preconditions checked. zsim is built like that too.
+SAN = -fsanitize=address,undefined -fno-sanitize-recover=all
+TEST_CC = $(CC) -std=gnu11 -O1 -g $(SAN) -Wall -Wextra -Werror -Wshadow $(INC) -Itests \
+          -DZS_STATS=1 '-DZS_ASSERT(c)=((c)?(void)0:__builtin_trap())'
+TESTS = $(wildcard tests/test_*.c)
+TEST_HELP = $(filter-out $(TESTS) tests/checksum.c,$(wildcard tests/*.c))
+t = $(patsubst %.c,$(B)/test/%.o,$(1))
+
+test-programs: $(patsubst tests/%.c,$(B)/test/%,$(TESTS)) $(B)/test/zsim checksum-programs
+
+$(B)/test/%.o: %.c $(HEADERS) $(B)/gen/meshes.h
+	@mkdir -p $(@D)
+	$(TEST_CC) -c $< -o $@
+$(B)/test/libtest.a: $(call t,$(CORE) $(SCENES) $(TEST_HELP))
+	@rm -f $@ && ar rcs $@ $^
+$(B)/test/test_%: $(B)/test/tests/test_%.o $(B)/test/libtest.a $(B)/libmeshes.a
+	$(CC) $(SAN) $^ -lcmocka -lm -o $@
+$(B)/test/zsim: $(call t,$(SIM)) $(B)/test/libtest.a $(B)/libmeshes.a
+	$(CC) $(SAN) $^ $(LIBS) -o $@
+
+# One program, four compilers: its checksums must be the same
+CHECKSUMS = $(foreach c,gcc clang,$(foreach o,O0 O3,$(B)/test/checksum-$(c)-$(o)))
+checksum-programs: $(CHECKSUMS)
+$(CHECKSUMS): tests/checksum.c $(CORE) $(HEADERS)
+	@mkdir -p $(@D)
+	$(word 2,$(subst -, ,$(@F))) -std=c11 -$(word 3,$(subst -, ,$(@F))) $(INC) $(filter %.c,$^) -o $@
