@@ -56,12 +56,7 @@ static uint64_t linear_inverse(const struct zs_view *view, uint32_t d)
     return view->perspective ? ((uint64_t)1 << 62) / d : (uint64_t)1 << 32;
 }
 
-struct linear {
-    struct zs_plane64 w;
-    int32_t scale; /* z = reciprocal of w's top 32 bits * 2^(leading zeros of w - scale) */
-};
-
-static void linear_planes(struct linear *l, const struct zs_job *job)
+static void linear_planes(struct zs_job *job)
 {
     uint64_t w[3], most = 0;
     for (int k = 0; k < 3; k++) {
@@ -74,8 +69,8 @@ static void linear_planes(struct linear *l, const struct zs_job *job)
         cut++;
     for (int k = 0; k < 3; k++)
         w[k] = (uint64_t)zs_round_shift((int64_t)w[k], cut);
-    zs_plane64(&job->geom, w[0], w[1], w[2], &l->w);
-    l->scale = 9 + cut;
+    zs_plane64(&job->geom, w[0], w[1], w[2], &job->w64);
+    job->w64_scale = 9 + cut; /* z = reciprocal of w's top 32 bits * 2^(leading zeros - scale) */
 }
 
 /* The key of a pixel from w in 40.24 bits. */
@@ -98,47 +93,35 @@ static uint32_t pixel_key(const struct zs_view *view, uint64_t w, int32_t scale)
     return key > top ? top : (uint32_t)key;
 }
 
-struct linear_walk {
-    struct zs_job *job;
-    const struct zs_shader *shader;
-    struct linear planes;
-};
-
-static inline void linear_span(void *ctx, int32_t row, int32_t x0, int32_t x1)
+ZS_ALWAYS_INLINE void linear_span(struct zs_job *job, const struct zs_row *row)
 {
-    struct linear_walk *lw = ctx;
-    struct zs_job *job = lw->job;
     const struct zs_view *view = &job->r->view;
-    const int32_t i0 = zs_max32(x0, 0), i1 = zs_min32(x1, job->width);
-    uint16_t *depth = job->depth + (row - job->y0) * job->width;
-    uint64_t w = lw->planes.w.base + lw->planes.w.gx * (uint64_t)(int64_t)(i0 - job->geom.ia) +
-                 lw->planes.w.gy * (uint64_t)(int64_t)(row - job->geom.ja);
-    int32_t from = -1; /* first pixel of the current visible run */
-    for (int32_t i = i0; i < i1; i++, w += lw->planes.w.gx) {
-        const uint32_t key = pixel_key(view, w, lw->planes.scale);
+    const struct zs_shader *shader = job->shader;
+    const uint64_t gx = job->w64.gx;
+    uint16_t *depth = job->depth + row->at;
+    uint64_t w = job->w64.base + gx * (uint64_t)(int64_t)(row->i0 - job->geom.ia) +
+                 job->w64.gy * (uint64_t)(int64_t)(row->y - job->geom.ja);
+    int32_t from = -1; /* first pixel of the current run */
+    for (int32_t i = row->i0; i < row->i1; i++, w += gx) {
+        const uint32_t key = pixel_key(view, w, job->w64_scale);
         if (key < depth[i]) {
             depth[i] = (uint16_t)key;
             if (from < 0)
                 from = i;
-        } else if (from >= 0) {
-            zs_rows_run(job, lw->shader, row, x0, x1, from, i);
+        } else {
+            zs_rows_run(job, shader, row, from, i);
             from = -1;
         }
     }
-    if (from >= 0)
-        zs_rows_run(job, lw->shader, row, x0, x1, from, i1);
-    zs_rows_tested(job, i1 - i0);
+    zs_rows_run(job, shader, row, from, row->i1);
 }
 
 static void linear_rows(struct zs_job *job)
 {
-    struct linear_walk lw;
-    lw.job = job;
-    lw.shader = job->r->scene->instance[job->tri->instance].material->shader;
-    linear_planes(&lw.planes, job);
-    if (lw.shader->start)
-        lw.shader->start(job);
-    zs_rows_walk(job, linear_span, &lw);
+    linear_planes(job);
+    if (job->shader->start)
+        job->shader->start(job);
+    zs_rows_walk(job, linear_span);
 }
 
 const struct zs_depth zs_depth_linear = { linear_setup, linear_vertex, linear_rows,

@@ -17,6 +17,7 @@ _Static_assert(sizeof(struct zs_vertex) == 12, "ZS_VERT_BYTES");
 /* ---- Shaders and depth mappings ---------------------------------------------------------------- */
 
 struct zs_job;
+struct zs_row;
 
 struct zs_shader {
     /* Attributes of a vertex: out[n_attrs]. NULL: none. */
@@ -25,9 +26,9 @@ struct zs_shader {
     uint16_t (*face)(const struct zs_renderer *r, uint32_t t);
     /* Draw a triangle into its strip where keys are linear on the screen. */
     void (*rows)(struct zs_job *job);
-    /* Colour pixels [r0, r1) of a span [x0, x1) of a row, already found nearest. start() once before. */
+    /* Colour pixels [from, to) of a row, already found nearest. start(), if any, once before. */
     void (*start)(struct zs_job *job);
-    void (*run)(struct zs_job *job, int32_t row, int32_t x0, int32_t x1, int32_t r0, int32_t r1);
+    void (*run)(struct zs_job *job, const struct zs_row *row, int32_t from, int32_t to);
     /* ZS_OK, or why this instance cannot be drawn with it. */
     int (*check)(const struct zs_instance *instance, const struct zs_config *config);
     uint8_t n_attrs;
@@ -151,6 +152,7 @@ struct zs_geom {
 struct zs_job {
     struct zs_renderer *r;
     const struct zs_tri *tri;
+    const struct zs_shader *shader;
     const struct zs_vertex *v[3]; /* by (y, x): top, middle, bottom ... */
     uint16_t slot[3];             /* ... and in the pool; as geom wants them: area positive */
     struct zs_geom geom;
@@ -159,6 +161,8 @@ struct zs_job {
     uint8_t mid_right;            /* the middle vertex is to the right of the long edge */
     struct zs_plane key;          /* screen-linear mappings; half a bucket added */
     struct zs_plane c[3], w;      /* smooth: colour codes, or colour times w, and w */
+    struct zs_plane64 w64;        /* linear under perspective: 1/z ... */
+    int32_t w64_scale;            /* ... and its scale */
     uint32_t sub_log2;            /* smooth: log2 of the sub-span; 31: plain affine */
     uint16_t *color, *depth;      /* the strip; row 0 is row y0 of the frame */
     int32_t y0, width;

@@ -128,13 +128,15 @@ static void draw(struct zs_job *job, const struct zs_tri *tri, int32_t y0, int32
     if (!job_setup(job, y0, y1))
         return;
     r->stats.tris_setup++;
+    job->shader = r->scene->instance[tri->instance].material->shader;
     if (!r->view.screen_linear) {
+        job->key.base = job->key.gx = job->key.gy = 0;
         r->config.depth->rows(job);
         return;
     }
     zs_plane32(&job->geom, job->v[0]->d, job->v[1]->d, job->v[2]->d, ZS_PLANE_KEY, &job->key);
     job->key.base += 0x8000u; /* nearest: half a bucket; keys stay below 2^32 - 2^15 (plane.c) */
-    r->scene->instance[tri->instance].material->shader->rows(job);
+    job->shader->rows(job);
 }
 
 /* ---- Lists ------------------------------------------------------------------------------------------- */

@@ -15,8 +15,16 @@
 #define ZS_ALWAYS_INLINE static inline
 #endif
 
-/* Pixels [x0, x1) of a row, x0 < x1, may reach beyond the frame's sides; some of them are in it. */
-typedef void zs_span_fn(void *ctx, int32_t row, int32_t x0, int32_t x1);
+/* One row of a triangle in its strip. */
+struct zs_row {
+    int32_t y;      /* in the frame */
+    int32_t at;     /* of its first pixel in the strip's buffers */
+    uint32_t key;   /* job->key at column 0, modulo 2^32; nonsense where keys are not screen-linear */
+    int32_t x0, x1; /* the span, first sample to one beyond the last; may reach beyond the frame */
+    int32_t i0, i1; /* the part of it that is in the frame, i0 < i1 */
+};
+
+typedef void zs_span_fn(struct zs_job *job, const struct zs_row *row);
 
 ZS_ALWAYS_INLINE void zs_edge_step(struct zs_edge *e)
 {
@@ -28,38 +36,46 @@ ZS_ALWAYS_INLINE void zs_edge_step(struct zs_edge *e)
     }
 }
 
-ZS_ALWAYS_INLINE void zs_rows_part(const struct zs_job *job, struct zs_edge *left,
-                                   struct zs_edge *right, int32_t row, int32_t end,
-                                   zs_span_fn *span, void *ctx)
+ZS_ALWAYS_INLINE void zs_rows_part(struct zs_job *job, struct zs_edge *left, struct zs_edge *right,
+                                   int32_t from, int32_t end, zs_span_fn *span)
 {
     struct zs_edge l = *left, r = *right;
     const int32_t width = job->width;
-    for (; row < end; row++) {
-        if (l.i < r.i && l.i < width && r.i > 0)
-            span(ctx, row, l.i, r.i);
+    uint32_t tested = 0;
+    struct zs_row row;
+    row.y = from;
+    row.at = (from - job->y0) * width; /* < 2^24 */
+    row.key = job->key.base - zs_wrap_mul(job->key.gx, job->geom.ia) +
+              zs_wrap_mul(job->key.gy, from - job->geom.ja);
+    for (; row.y < end; row.y++) {
+        row.x0 = l.i;
+        row.x1 = r.i;
+        row.i0 = zs_max32(l.i, 0);
+        row.i1 = zs_min32(r.i, width);
+        if (row.i0 < row.i1) {
+            tested += (uint32_t)(row.i1 - row.i0);
+            span(job, &row);
+        }
+        row.key += job->key.gy;
+        row.at += width;
         zs_edge_step(&l);
         zs_edge_step(&r);
     }
     *left = l;
     *right = r;
+    job->r->stats.pixels_tested += tested;
 }
 
-ZS_ALWAYS_INLINE void zs_rows_walk(struct zs_job *job, zs_span_fn *span, void *ctx)
+ZS_ALWAYS_INLINE void zs_rows_walk(struct zs_job *job, zs_span_fn *span)
 {
     struct zs_edge *whole = &job->edge[0];
     for (int part = 0; part < 2; part++) {
         struct zs_edge *piece = &job->edge[1 + part];
         const int32_t from = part ? job->row_mid : job->row, to = part ? job->row_end : job->row_mid;
-        if (from >= to)
-            continue;
-        zs_rows_part(job, job->mid_right ? whole : piece, job->mid_right ? piece : whole, from, to,
-                     span, ctx);
+        if (from < to)
+            zs_rows_part(job, job->mid_right ? whole : piece, job->mid_right ? piece : whole, from,
+                         to, span);
     }
-}
-
-ZS_ALWAYS_INLINE void zs_rows_tested(struct zs_job *job, int32_t n)
-{
-    job->r->stats.pixels_tested += (uint32_t)n;
 }
 
 ZS_ALWAYS_INLINE void zs_rows_written(struct zs_job *job, int32_t n)
@@ -76,12 +92,14 @@ ZS_ALWAYS_INLINE int zs_keys_may_saturate(const struct zs_job *job)
     return job->v[0]->d >= limit || job->v[1]->d >= limit || job->v[2]->d >= limit;
 }
 
-/* Colour a run of pixels that the depth test let through. */
-ZS_ALWAYS_INLINE void zs_rows_run(struct zs_job *job, const struct zs_shader *shader, int32_t row,
-                                  int32_t x0, int32_t x1, int32_t r0, int32_t r1)
+/* The end of a run of pixels that pass the depth test: colour it. from < 0: there is none. */
+ZS_ALWAYS_INLINE void zs_rows_run(struct zs_job *job, const struct zs_shader *shader,
+                                  const struct zs_row *row, int32_t from, int32_t to)
 {
-    zs_rows_written(job, r1 - r0);
-    shader->run(job, row, x0, x1, r0, r1);
+    if (from < 0)
+        return;
+    zs_rows_written(job, to - from);
+    shader->run(job, row, from, to);
 }
 
 #endif

@@ -169,26 +169,25 @@ static const uint32_t one_over[17] = {
     4369, 4096
 };
 
-static void smooth_run(struct zs_job *job, int32_t row, int32_t x0, int32_t x1, int32_t r0,
-                       int32_t r1)
+static void smooth_run(struct zs_job *job, const struct zs_row *row, int32_t r0, int32_t r1)
 {
-    uint16_t *color = job->color + (row - job->y0) * job->width;
+    uint16_t *color = job->color + row->at;
     uint32_t c[3], next[3], step[3];
     if (job->sub_log2 == AFFINE) {
         for (int k = 0; k < 3; k++) {
-            c[k] = plane_at(job, &job->c[k], r0, row);
+            c[k] = plane_at(job, &job->c[k], r0, row->y);
             step[k] = job->c[k].gx;
         }
         fill_linear(color + r0, r1 - r0, c, step);
         return;
     }
     const int32_t length = 1 << job->sub_log2;
-    for (int32_t from = x0 + (r0 - x0) / length * length; from < r1; from += length) {
-        const int32_t to = zs_min32(from + length, x1 - 1); /* the sub-span's far end, covered */
-        color_at(job, from, row, c);
+    for (int32_t from = row->x0 + ((r0 - row->x0) & -length); from < r1; from += length) {
+        const int32_t to = zs_min32(from + length, row->x1 - 1); /* its far end, covered */
+        color_at(job, from, row->y, c);
         step[0] = step[1] = step[2] = 0;
         if (to > from) {
-            color_at(job, to, row, next);
+            color_at(job, to, row->y, next);
             for (int k = 0; k < 3; k++) { /* |difference| < 2^22, times 2^16 */
                 const int64_t part = ((int64_t)next[k] - c[k]) * one_over[to - from];
                 step[k] = (uint32_t)(int32_t)(part >> 16);
@@ -203,15 +202,13 @@ static void smooth_run(struct zs_job *job, int32_t row, int32_t x0, int32_t x1, 
 
 /* ---- Rows where keys are linear on the screen ------------------------------------------------- */
 
-static inline void smooth_span(void *ctx, int32_t row, int32_t x0, int32_t x1)
+ZS_ALWAYS_INLINE void smooth_span(struct zs_job *job, const struct zs_row *row)
 {
-    struct zs_job *job = ctx;
-    const int32_t i0 = zs_max32(x0, 0), i1 = zs_min32(x1, job->width);
     const uint32_t gx = job->key.gx, top = (job->r->view.key_top >> 16) - 1u;
-    uint32_t sum = plane_at(job, &job->key, i0, row);
-    uint16_t *depth = job->depth + (row - job->y0) * job->width;
-    int32_t from = -1; /* first pixel of the current visible run */
-    for (int32_t i = i0; i < i1; i++, sum += gx) {
+    uint32_t sum = row->key + zs_wrap_mul(gx, row->i0);
+    uint16_t *depth = job->depth + row->at;
+    int32_t from = -1; /* first pixel of the current run */
+    for (int32_t i = row->i0; i < row->i1; i++, sum += gx) {
         uint32_t key = sum >> 16;
         if (key > top)
             key = top;
@@ -219,20 +216,18 @@ static inline void smooth_span(void *ctx, int32_t row, int32_t x0, int32_t x1)
             depth[i] = (uint16_t)key;
             if (from < 0)
                 from = i;
-        } else if (from >= 0) {
-            zs_rows_run(job, &zs_shade_smooth, row, x0, x1, from, i);
+        } else {
+            zs_rows_run(job, &zs_shade_smooth, row, from, i);
             from = -1;
         }
     }
-    if (from >= 0)
-        zs_rows_run(job, &zs_shade_smooth, row, x0, x1, from, i1);
-    zs_rows_tested(job, i1 - i0);
+    zs_rows_run(job, &zs_shade_smooth, row, from, row->i1);
 }
 
 static void smooth_rows(struct zs_job *job)
 {
     smooth_start(job);
-    zs_rows_walk(job, smooth_span, job);
+    zs_rows_walk(job, smooth_span);
 }
 
 const struct zs_shader zs_shade_smooth = { smooth_vertex, smooth_face, smooth_rows, smooth_start,

@@ -8,6 +8,6 @@
 #include "pipeline.h"
 
 void zs_solid_rows(struct zs_job *job);
-void zs_solid_run(struct zs_job *job, int32_t row, int32_t x0, int32_t x1, int32_t r0, int32_t r1);
+void zs_solid_run(struct zs_job *job, const struct zs_row *row, int32_t from, int32_t to);
 
 #endif
