@@ -33,7 +33,7 @@ test: $(B)/.setup-test
 
 ## bench: instructions a frame on a Cortex-M3 (counted by QEMU; needs no board)
 bench: $(B)/.setup-test $(B)/gen/meshes.h
-	@sh tests/bench.sh $(B)
+	@sh tests/checks/bench.sh $(B)
 
 ## sim: build/zsim
 sim: $(B)/.setup-sim
@@ -45,11 +45,11 @@ pictures: sim
 
 ## size: flash of the renderer and RAM by pool
 ## stack: worst-case stack
-## check: rules on the Cortex-M objects, on includes and on the stack
+## check: rules on the Cortex-M objects, linking, includes, C++ and the stack
 size stack: $(B)/.setup-test
-	@sh tests/checks/$@.sh
+	@sh tests/checks/$@.sh $(B)
 check: $(B)/.setup-test
-	@for c in objects includes stack; do sh tests/checks/$$c.sh || exit 1; done
+	@for c in objects kernels includes cplusplus stack; do sh tests/checks/$$c.sh $(B) || exit 1; done
 
 ## clean: remove build/
 clean:

@@ -18,9 +18,23 @@
 
 /* ---- Pools ----------------------------------------------------------------------------------------- */
 
+/* Kept apart: where division is a call, only vertices beyond the pool's size pay for it. */
+static ZS_NOINLINE uint32_t fold(uint32_t v, uint32_t n)
+{
+    return v % n;
+}
+
+/* Where vert_map looks for vertex v. */
 static uint32_t map_index(const struct zs_renderer *r, uint32_t v)
 {
-    return v < r->config.max_verts ? v : v % r->config.max_verts;
+    const uint32_t n = r->config.max_verts;
+    return v < n ? v : fold(v, n);
+}
+
+/* Vertices below base are not the current instance's; without a cache none ever is. */
+static void set_base(struct zs_renderer *r, uint32_t base)
+{
+    r->vert_base = r->config.skip_off & ZS_SKIP_VCACHE ? UINT32_MAX : base;
 }
 
 static void bins_clear(struct zs_renderer *r)
@@ -31,7 +45,8 @@ static void bins_clear(struct zs_renderer *r)
 
 static void pools_empty(struct zs_renderer *r)
 {
-    r->n_tris = r->n_verts = r->vert_base = 0;
+    r->n_tris = r->n_verts = 0;
+    set_base(r, 0);
     r->active = ZS_NIL;
     bins_clear(r);
 }
@@ -104,7 +119,7 @@ static void verts_compact(struct zs_renderer *r)
         for (int k = 0; k < 3; k++)
             r->tri[t].v[k] = to[r->tri[t].v[k]];
     r->n_verts = kept;
-    r->vert_base = base;
+    set_base(r, base);
     for (uint32_t v = base; v < kept; v++)
         if (r->vert_src[v] != NO_SOURCE)
             r->vert_map[map_index(r, r->vert_src[v])] = (uint16_t)v;
@@ -151,8 +166,7 @@ static uint32_t vertex_slot(struct zs_renderer *r, uint32_t v)
 {
     const uint32_t at = map_index(r, v);
     uint32_t slot = r->vert_map[at];
-    if (slot < r->n_verts && slot >= r->vert_base && r->vert_src[slot] == v &&
-        !(r->config.skip_off & ZS_SKIP_VCACHE))
+    if (slot < r->n_verts && slot >= r->vert_base && r->vert_src[slot] == v)
         return slot;
     if (r->n_verts == r->config.max_verts)
         return ZS_NIL;
@@ -423,7 +437,7 @@ static void walk_instance(struct zs_renderer *r, uint32_t number)
         return;
     }
     uint32_t fate[FATES] = { 0 };
-    r->vert_base = r->n_verts;
+    set_base(r, r->n_verts);
     for (uint32_t t = 0; t < in->mesh->n_tris; t++)
         fate[triangle(r, t)]++;
     if (r->counting)

@@ -44,8 +44,10 @@ static uint32_t linear_key(const struct zs_view *view, uint32_t above)
     return key > view->key_top ? view->key_top : (uint32_t)key;
 }
 
-static uint32_t linear_vertex(const struct zs_view *view, int32_t z)
+static uint32_t linear_vertex(const struct zs_view *view, int32_t z, uint32_t rcp, int32_t lz)
 {
+    (void)rcp;
+    (void)lz;
     if (view->perspective)
         return (uint32_t)z;
     return linear_key(view, (uint32_t)(z - view->z_near));

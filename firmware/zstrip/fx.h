@@ -28,6 +28,14 @@ _Static_assert(ZS_SIZE_MAX <= 4096, "see the step count in plane.c and the strip
 
 typedef int32_t q24_8; /* screen x, y, px */
 
+#if defined(__GNUC__)
+#define ZS_ALWAYS_INLINE static inline __attribute__((always_inline))
+#define ZS_NOINLINE __attribute__((noinline))
+#else
+#define ZS_ALWAYS_INLINE static inline
+#define ZS_NOINLINE
+#endif
+
 /* Two 16-bit values at a time, in memory that is otherwise used as uint16_t. */
 #if defined(__GNUC__)
 typedef uint32_t __attribute__((may_alias)) zs_pair;
@@ -43,6 +51,10 @@ static inline void zs_fill16(uint16_t *out, uint16_t value, uint32_t n)
 {
     const zs_pair pair = (zs_pair)((uint32_t)value << 16 | value);
     zs_pair *at = (zs_pair *)(void *)out, *const end = at + (n + ZS_PAIR - 1u) / ZS_PAIR;
+    for (; end - at >= 8; at += 8) {
+        at[0] = at[1] = at[2] = at[3] = pair;
+        at[4] = at[5] = at[6] = at[7] = pair;
+    }
     while (at < end)
         *at++ = pair;
 }

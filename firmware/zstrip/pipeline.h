@@ -37,8 +37,9 @@ struct zs_shader {
 struct zs_depth {
     /* Constants of a frame into view->key_*. ZS_OK; ZS_ERR_DEPTH: not with this camera. */
     int (*setup)(struct zs_view *view, const struct zs_camera *camera, uint32_t bits);
-    /* zs_vertex.d of a distance, near <= z <= far, camera units. */
-    uint32_t (*vertex)(const struct zs_view *view, int32_t z);
+    /* zs_vertex.d of a distance, near <= z <= far, camera units. Under perspective rcp is
+     * 2^(63 - lz) / z with lz the leading zeros of z; orthographic: 0. */
+    uint32_t (*vertex)(const struct zs_view *view, int32_t z, uint32_t rcp, int32_t lz);
     /* Draw a triangle where keys are not linear on the screen; NULL: they always are. */
     void (*rows)(struct zs_job *job);
     /* w ~ 1/z of a vertex for perspective-correct attributes, > 0, same scale for all vertices. */
@@ -153,11 +154,11 @@ struct zs_job {
     struct zs_renderer *r;
     const struct zs_tri *tri;
     const struct zs_shader *shader;
-    const struct zs_vertex *v[3]; /* by (y, x): top, middle, bottom ... */
-    uint16_t slot[3];             /* ... and in the pool; as geom wants them: area positive */
+    const struct zs_vertex *v[3]; /* the top one, then the others so that the area is positive */
     struct zs_geom geom;
     struct zs_edge edge[3];       /* long, upper, lower; a span ends where its right edge's i is */
-    int32_t row, row_mid, row_end; /* rows in the frame */
+    int32_t row, row_mid, row_end; /* rows in the frame, cut to the strip */
+    int32_t row_last;             /* one beyond the triangle's last row, in the strip or below it */
     uint8_t mid_right;            /* the middle vertex is to the right of the long edge */
     struct zs_plane key;          /* screen-linear mappings; half a bucket added */
     struct zs_plane c[3], w;      /* smooth: colour codes, or colour times w, and w */
@@ -170,6 +171,7 @@ struct zs_job {
 
 /* ---- plane.c ---------------------------------------------------------------------------------------- */
 
+/* Fill job->geom from job->v; its area is there already. */
 void zs_plane_geom(struct zs_job *job);
 enum zs_plane_kind {
     ZS_PLANE_KEY, /* buckets or codes, uq16_16: error below 0.005 of one */

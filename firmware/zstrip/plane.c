@@ -37,8 +37,7 @@ void zs_plane_geom(struct zs_job *job)
     g->dy1 = job->v[1]->y - a->y;
     g->dx2 = job->v[2]->x - a->x;
     g->dy2 = job->v[2]->y - a->y;
-    g->area = (int64_t)g->dx1 * g->dy2 - (int64_t)g->dx2 * g->dy1; /* |.| < 2^45 */
-    ZS_ASSERT(g->area > 0);
+    ZS_ASSERT(g->area == (int64_t)g->dx1 * g->dy2 - (int64_t)g->dx2 * g->dy1 && g->area > 0);
     const int32_t width = zs_max32(zs_max32(g->dx1, g->dx2), 0) -
                           zs_min32(zs_min32(g->dx1, g->dx2), 0);
     const int32_t height = zs_max32(zs_abs32(g->dy1), zs_abs32(g->dy2)); /* a is the top */
@@ -72,7 +71,7 @@ static int32_t small_gradient(const struct zs_geom *g, int64_t n, int32_t least_
         *ok = 0;
         return 0;
     }
-    const uint32_t q = shift > 33 ? 0u : (uint32_t)(((uint64_t)p + ((uint64_t)1 << (shift - 1))) >> shift);
+    const uint32_t q = shift > 32 ? 0u : ((p >> (shift - 1)) + 1u) >> 1;
     return n < 0 ? -(int32_t)q : (int32_t)q; /* q <= 2^30 */
 }
 
@@ -113,28 +112,35 @@ static void large_plane(const struct zs_geom *g, uint32_t v0, int64_t dv1, int64
     out->base = (uint32_t)(base >> 24);
 }
 
+/* The small way. Return 0 where the triangle or its values are not for it. */
+static int small_plane(const struct zs_geom *g, uint32_t v0, int32_t dv1, int32_t dv2,
+                       enum zs_plane_kind kind, struct zs_plane *out)
+{
+    const int32_t least = kind == ZS_PLANE_WIDE ? 2 : 5;
+    int ok = 1;
+    /* |dv| <= 2^31, |d| <= 2^16: |.| <= 2^48 */
+    const int32_t gx = small_gradient(g, (int64_t)dv1 * g->dy2 - (int64_t)dv2 * g->dy1, least, &ok);
+    const int32_t gy = small_gradient(g, (int64_t)dv2 * g->dx1 - (int64_t)dv1 * g->dx2, least, &ok);
+    const int64_t step = (int64_t)gx * g->ax + (int64_t)gy * g->ay; /* |.| <= 2^38 */
+    out->gx = (uint32_t)gx;
+    out->gy = (uint32_t)gy;
+    out->base = v0 + (uint32_t)zs_round_shift(step, 8);
+    return ok;
+}
+
 void zs_plane32(const struct zs_geom *g, uint32_t v0, uint32_t v1, uint32_t v2,
                 enum zs_plane_kind kind, struct zs_plane *out)
 {
-    const int64_t dv1 = (int64_t)v1 - v0, dv2 = (int64_t)v2 - v0;
     if (v0 == v1 && v0 == v2) {
         out->base = v0;
         out->gx = out->gy = 0;
         return;
     }
-    int ok = g->rcp != 0 && dv1 == (int32_t)dv1 && dv2 == (int32_t)dv2;
-    if (ok) {
-        /* |dv| <= 2^31, |d| <= 2^16: |.| <= 2^48 */
-        const int32_t least = kind == ZS_PLANE_WIDE ? 2 : 5;
-        const int32_t gx = small_gradient(g, dv1 * g->dy2 - dv2 * g->dy1, least, &ok);
-        const int32_t gy = small_gradient(g, dv2 * g->dx1 - dv1 * g->dx2, least, &ok);
-        const int64_t step = (int64_t)gx * g->ax + (int64_t)gy * g->ay; /* |.| <= 2^38 */
-        out->gx = (uint32_t)gx;
-        out->gy = (uint32_t)gy;
-        out->base = v0 + (uint32_t)zs_round_shift(step, 8);
-    }
-    if (!ok)
-        large_plane(g, v0, dv1, dv2, out);
+    /* differences that fit 32 bits: the borrow and the sign bit agree */
+    const int32_t dv1 = (int32_t)(v1 - v0), dv2 = (int32_t)(v2 - v0);
+    if (g->rcp == 0 || (dv1 < 0) != (v1 < v0) || (dv2 < 0) != (v2 < v0) ||
+        !small_plane(g, v0, dv1, dv2, kind, out))
+        large_plane(g, v0, (int64_t)v1 - v0, (int64_t)v2 - v0, out);
 }
 
 void zs_plane64(const struct zs_geom *g, uint64_t v0, uint64_t v1, uint64_t v2,

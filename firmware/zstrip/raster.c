@@ -74,36 +74,30 @@ static int before(const struct zs_vertex *a, const struct zs_vertex *b)
     return a->y != b->y ? a->y < b->y : a->x < b->x;
 }
 
-static void swap_slots(uint16_t *a, uint16_t *b)
+static void swap(const struct zs_vertex **a, const struct zs_vertex **b)
 {
-    const uint16_t t = *a;
+    const struct zs_vertex *t = *a;
     *a = *b;
     *b = t;
-}
-
-/* By (y, x), so that the order in which a triangle names its vertices does not matter. */
-static void sort_vertices(const struct zs_vertex *pool, uint16_t s[3])
-{
-    if (before(&pool[s[1]], &pool[s[0]]))
-        swap_slots(&s[0], &s[1]);
-    if (before(&pool[s[2]], &pool[s[1]])) {
-        swap_slots(&s[1], &s[2]);
-        if (before(&pool[s[1]], &pool[s[0]]))
-            swap_slots(&s[0], &s[1]);
-    }
 }
 
 /* Fill job for a triangle in rows [y0, y1). Return 0 where none of them is its own. */
 static int job_setup(struct zs_job *job, int32_t y0, int32_t y1)
 {
     const struct zs_vertex *pool = job->r->vert;
-    uint16_t *s = job->slot;
-    for (int k = 0; k < 3; k++)
-        s[k] = job->tri->v[k];
-    sort_vertices(pool, s);
-    const struct zs_vertex *top = &pool[s[0]], *mid = &pool[s[1]], *bottom = &pool[s[2]];
+    const struct zs_vertex *top = &pool[job->tri->v[0]], *mid = &pool[job->tri->v[1]],
+                           *bottom = &pool[job->tri->v[2]];
+    /* by (y, x), so that the order in which a triangle names its vertices does not matter */
+    if (before(mid, top))
+        swap(&mid, &top);
+    if (before(bottom, mid)) {
+        swap(&bottom, &mid);
+        if (before(mid, top))
+            swap(&mid, &top);
+    }
     job->row = zs_max32(zs_first_sample(top->y), y0);
-    job->row_end = zs_min32(zs_first_sample(bottom->y), y1);
+    job->row_last = zs_first_sample(bottom->y);
+    job->row_end = zs_min32(job->row_last, y1);
     job->row_mid = zs_min32(zs_max32(zs_first_sample(mid->y), job->row), job->row_end);
     if (job->row >= job->row_end)
         return 0;
@@ -113,10 +107,10 @@ static int job_setup(struct zs_job *job, int32_t y0, int32_t y1)
         return 0;
     job->mid_right = cross > 0;
     job_edges(job, top, mid, bottom);
-    if (!job->mid_right)
-        swap_slots(&s[1], &s[2]); /* planes want a positive area */
-    for (int k = 0; k < 3; k++)
-        job->v[k] = &pool[s[k]];
+    job->v[0] = top; /* planes want a positive area */
+    job->v[1] = cross > 0 ? mid : bottom;
+    job->v[2] = cross > 0 ? bottom : mid;
+    job->geom.area = cross > 0 ? cross : -cross;
     zs_plane_geom(job);
     return 1;
 }
@@ -167,12 +161,6 @@ static uint16_t merged(struct zs_tri *tri, uint16_t a, uint16_t b)
     return head;
 }
 
-static int32_t last_row_end(const struct zs_renderer *r, const struct zs_tri *t)
-{
-    const int32_t y = zs_max32(zs_max32(r->vert[t->v[0]].y, r->vert[t->v[1]].y), r->vert[t->v[2]].y);
-    return zs_first_sample(y);
-}
-
 void zs_raster_strip(struct zs_renderer *r)
 {
     const int32_t y0 = r->strip * r->config.strip_h;
@@ -191,7 +179,7 @@ void zs_raster_strip(struct zs_renderer *r)
     while (list != ZS_NIL) {
         struct zs_tri *t = &r->tri[list];
         draw(&job, t, y0, y1);
-        if (goes_on && last_row_end(r, t) > y1) {
+        if (goes_on && job.row_last > y1) {
             *keep = list;
             keep = &t->next;
         }

@@ -9,12 +9,6 @@
 
 #include "pipeline.h"
 
-#if defined(__GNUC__)
-#define ZS_ALWAYS_INLINE static inline __attribute__((always_inline))
-#else
-#define ZS_ALWAYS_INLINE static inline
-#endif
-
 /* One row of a triangle in its strip. */
 struct zs_row {
     int32_t y;      /* in the frame */
@@ -61,8 +55,10 @@ ZS_ALWAYS_INLINE void zs_rows_part(struct zs_job *job, struct zs_edge *left, str
         zs_edge_step(&l);
         zs_edge_step(&r);
     }
-    *left = l;
-    *right = r;
+    left->i = l.i; /* the rest does not change */
+    left->e = l.e;
+    right->i = r.i;
+    right->e = r.e;
     job->r->stats.pixels_tested += tested;
 }
 

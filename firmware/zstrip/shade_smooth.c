@@ -93,7 +93,7 @@ static void smooth_start(struct zs_job *job)
     uint16_t *a[3];
     uint32_t w[3] = { 1u << 30, 1u << 30, 1u << 30 };
     for (int k = 0; k < 3; k++)
-        a[k] = job->r->attr + (uint32_t)job->slot[k] * job->r->config.attrs;
+        a[k] = job->r->attr + (uint32_t)(job->v[k] - job->r->vert) * job->r->config.attrs;
     if (job->r->view.perspective)
         vertex_w(job, w);
     const uint32_t range = color_range(a);

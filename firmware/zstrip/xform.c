@@ -131,10 +131,15 @@ uint32_t zs_xform_outcode(const struct zs_view *view, const struct zs_point *p)
     return code;
 }
 
-/* Magnitude first, so that a mirrored scene snaps to mirrored places. */
+static uint32_t magnitude(int32_t v)
+{
+    return v < 0 ? 0u - (uint32_t)v : (uint32_t)v;
+}
+
+/* Magnitude first, so that a mirrored scene snaps to mirrored places. mag < 2^63, shift > 0. */
 static int32_t snap(uint64_t mag, int32_t shift, int32_t coarse, int32_t sign)
 {
-    const uint64_t half = ((uint64_t)1 << (shift + coarse)) >> 1;
+    const uint64_t half = (uint64_t)1 << (shift + coarse - 1);
     const int32_t v = (int32_t)((mag + half) >> (shift + coarse)) << coarse;
     return sign < 0 ? -v : v;
 }
@@ -143,17 +148,19 @@ void zs_xform_project(const struct zs_renderer *r, const struct zs_point *p, str
 {
     const struct zs_view *view = &r->view;
     const int32_t x = p->c[0], y = p->c[1], z = p->c[2];
-    const uint32_t x_mag = (uint32_t)zs_abs32(x), y_mag = (uint32_t)zs_abs32(y);
+    uint32_t rcp = 0;
+    int32_t lz = 0;
     if (view->perspective) {
         ZS_ASSERT(z >= view->z_near && z <= view->z_far);
-        const int s = zs_clz32((uint32_t)z);                      /* 1 .. 23: z in [2^8, 2^30] */
-        const uint32_t rcp = zs_recip((uint32_t)z << s);          /* 2^(63 - s) / z */
-        const int32_t shift = 63 - s - view->scale_bits;          /* 9 .. 54 */
-        out->x = view->cx + snap((uint64_t)x_mag * rcp, shift, view->snap, x); /* < 2^63 */
-        out->y = view->cy + snap((uint64_t)y_mag * rcp, shift, view->snap, y);
-    } else {
-        out->x = view->cx + snap(x_mag, view->scale_bits, view->snap, x);
-        out->y = view->cy + snap(y_mag, view->scale_bits, view->snap, y);
+        lz = zs_clz32((uint32_t)z);                               /* 1 .. 23: z in [2^8, 2^30] */
+        rcp = zs_recip((uint32_t)z << lz);                        /* 2^(63 - lz) / z */
+        const int32_t shift = 63 - lz - view->scale_bits;         /* 9 .. 54 */
+        out->x = view->cx + snap((uint64_t)magnitude(x) * rcp, shift, view->snap, x);
+        out->y = view->cy + snap((uint64_t)magnitude(y) * rcp, shift, view->snap, y);
+    } else { /* one more bit: the shift may be 0 */
+        const int32_t shift = view->scale_bits + 1;
+        out->x = view->cx + snap((uint64_t)magnitude(x) << 1, shift, view->snap, x);
+        out->y = view->cy + snap((uint64_t)magnitude(y) << 1, shift, view->snap, y);
     }
-    out->d = r->config.depth->vertex(view, z);
+    out->d = r->config.depth->vertex(view, z, rcp, lz);
 }

@@ -1,0 +1,306 @@
+/* The bench: every scene of demos[], frame 0, in four configurations, one line of CSV each.
+ *
+ *   one-pass  strips of 24 rows, one buffer, pools of just the size that takes the scene in one pass
+ *   64k-24, 64k-16, 64k-8   two strip buffers of so many rows, and pools that are filled up to what fits
+ *             into 64 KB together with everything else: renderer, scene state, stack
+ *
+ * The checksum is FNV-1a, 64 bits, over the frame's bytes as they leave. All four of a scene must agree,
+ * and so must every machine's. Pools are chosen from counts alone, so that all machines draw the same
+ * configurations.
+ *
+ * SPDX-License-Identifier: MIT
+ */
+#include "hal.h"
+#include "scenes.h"
+#include "zstrip.h"
+
+#define RUNS 3
+#define RAM_BAR 65536u
+#define RESERVE 4096u /* of it, for renderer, scene state and stack; checked where the stack is known */
+#define ARENA_BYTES (3u << 20)
+
+ZS_ARENA(arena, ARENA_BYTES);
+static struct zs_renderer renderer;
+static struct demo_frame frame;
+
+struct result {
+    struct zs_stats stats;
+    uint64_t instructions; /* median of RUNS; 0: this machine does not count them */
+    uint64_t spread;       /* most minus least of the runs, instructions */
+    uint64_t checksum;
+    uint32_t stack;        /* bytes from the stack's top; 0: unknown */
+    int err;
+};
+
+/* ---- Text ---------------------------------------------------------------------------------- */
+
+static void put_number(uint64_t v)
+{
+    char digits[21];
+    char *at = digits + sizeof digits - 1;
+    *at = '\0';
+    do {
+        *--at = (char)('0' + (char)(v % 10u));
+        v /= 10u;
+    } while (v);
+    hal_write(at);
+}
+
+static void put_hex(uint64_t v)
+{
+    char digits[17];
+    for (int i = 15; i >= 0; i--, v >>= 4)
+        digits[i] = "0123456789abcdef"[v & 15u];
+    digits[16] = '\0';
+    hal_write(digits);
+}
+
+static void put_field(uint64_t v)
+{
+    hal_write(",");
+    put_number(v);
+}
+
+/* n / d with one digit after the point, nearest. */
+static void put_ratio(uint64_t n, uint64_t d)
+{
+    const uint64_t tenths = d ? (n * 10u + d / 2u) / d : 0u;
+    put_field(tenths / 10u);
+    hal_write(".");
+    put_number(tenths % 10u);
+}
+
+/* ---- Sinks --------------------------------------------------------------------------------- */
+
+static int send(void *ctx, const struct zs_strip *s)
+{
+    const struct hal_strip strip = { s->x, s->y, s->w, s->h, s->last, s->px, s->n_bytes };
+    (void)ctx;
+    return hal_strip_send(&strip);
+}
+
+static int wait(void *ctx)
+{
+    (void)ctx;
+    return hal_strip_wait();
+}
+
+static int hash(void *ctx, const struct zs_strip *s)
+{
+    uint64_t *sum = ctx;
+    uint64_t h = *sum;
+    for (uint32_t i = 0; i < s->n_bytes; i++)
+        h = (h ^ s->px[i]) * 0x100000001b3u;
+    *sum = h;
+    return 0;
+}
+
+/* ---- Runs ---------------------------------------------------------------------------------- */
+
+static int configure(struct zs_config *c, const struct demo *d, uint16_t rows, uint8_t buffers,
+                     uint32_t tris, uint32_t verts)
+{
+    c->width = d->width;
+    c->height = d->height;
+    c->strip_h = rows;
+    c->max_tris = (uint16_t)(tris < 1u ? 1u : tris > ZS_POOL_MAX ? ZS_POOL_MAX : tris);
+    c->max_verts = (uint16_t)(verts < 3u ? 3u : verts > ZS_POOL_MAX ? ZS_POOL_MAX : verts);
+    c->attrs = (uint8_t)d->attrs;
+    c->buffers = buffers;
+    c->subpixel_bits = 8;
+    c->depth_bits = 16;
+    c->skip_off = 0;
+    c->depth = d->depth;
+    return zs_init(&renderer, c, arena, sizeof arena);
+}
+
+/* One frame to nowhere; its statistics stay in the renderer. */
+static int draw(void)
+{
+    const struct zs_sink sink = { send, wait, 0 };
+    return zs_render(&renderer, &frame.scene, &frame.camera, &sink);
+}
+
+static uint64_t measure(int *err)
+{
+    const uint64_t start = hal_ticks();
+    *err = draw();
+    return (hal_ticks() - start) * hal_tick_instructions();
+}
+
+static void sort3(uint64_t v[RUNS])
+{
+    for (int i = 0; i + 1 < RUNS; i++)
+        for (int j = 0; j + 1 < RUNS - i; j++)
+            if (v[j] > v[j + 1]) {
+                const uint64_t t = v[j];
+                v[j] = v[j + 1];
+                v[j + 1] = t;
+            }
+}
+
+static void run(struct result *out)
+{
+    uint64_t n[RUNS];
+    out->checksum = 0xcbf29ce484222325u;
+    const struct zs_sink sink = { hash, 0, &out->checksum };
+    out->err = zs_render(&renderer, &frame.scene, &frame.camera, &sink);
+    for (int i = 0; i < RUNS && !out->err; i++)
+        n[i] = measure(&out->err);
+    if (out->err)
+        return;
+    sort3(n);
+    out->instructions = n[RUNS / 2];
+    out->spread = n[RUNS - 1] - n[0];
+    hal_stack_paint();
+    out->err = draw();
+    out->stack = hal_stack_used();
+    out->stats = *zs_frame_stats(&renderer);
+}
+
+/* ---- Lines --------------------------------------------------------------------------------- */
+
+static uint32_t statics(void)
+{
+    return (uint32_t)(sizeof renderer + sizeof frame);
+}
+
+static void line(const struct demo *d, const char *variant, const struct zs_config *c,
+                 const struct result *r)
+{
+    const uint32_t bytes = zs_arena_bytes(c);
+    hal_write(d->name);
+    hal_write(",");
+    hal_write(variant);
+    if (r->err) {
+        hal_write(",error: ");
+        hal_write(zs_strerror(r->err));
+        hal_write("\n");
+        return;
+    }
+    put_field(c->max_tris);
+    put_field(c->max_verts);
+    put_field(r->stats.passes);
+    put_field(r->stats.tris_in);
+    put_field(r->stats.tris_drawn);
+    put_field(r->stats.tris_setup);
+    put_field(r->stats.verts_transformed);
+    put_field(r->stats.pixels_tested);
+    put_field(bytes);
+    hal_write(",");
+    put_hex(r->checksum);
+    put_field(r->instructions);
+    put_ratio(r->instructions, r->stats.tris_in);
+    put_ratio(r->instructions, r->stats.pixels_tested);
+    put_field(r->stack);
+    put_field(bytes + statics() + r->stack);
+    hal_write("\n");
+}
+
+/* Everything that a scene can put into the pools; clipping adds some. */
+static void ample(uint32_t *tris, uint32_t *verts)
+{
+    *tris = *verts = 256u;
+    for (uint32_t i = 0; i < frame.scene.n_instances; i++) {
+        *tris += frame.scene.instance[i].mesh->n_tris;
+        *verts += frame.scene.instance[i].mesh->n_verts;
+    }
+}
+
+/* Find the least pools that take the scene in one pass. Return 0, or an error. */
+static int one_pass(struct zs_config *c, const struct demo *d)
+{
+    uint32_t tris, verts;
+    ample(&tris, &verts);
+    int err = configure(c, d, 24, 1, tris, verts);
+    if (!err)
+        err = draw();
+    if (err)
+        return err;
+    const struct zs_stats s = *zs_frame_stats(&renderer);
+    /* fewer places than the meshes have vertices may evict one that comes again: grow until none does */
+    for (uint32_t v = s.max_verts_used; v < verts; v += v / 16u + 1u) {
+        err = configure(c, d, 24, 1, s.max_tris_used, v);
+        if (!err)
+            err = draw();
+        if (err || zs_frame_stats(&renderer)->passes == 1u)
+            return err;
+    }
+    return configure(c, d, 24, 1, tris, verts);
+}
+
+/* Every run of every configuration must agree. Return 1 and say so where one does not. */
+static int disagrees(const struct result *r, uint64_t checksum)
+{
+    const char *why = 0;
+    if (r->err)
+        why = "error";
+    else if (r->checksum != checksum)
+        why = "its checksum differs from the one-pass frame's";
+    else if (r->spread > hal_tick_instructions()) /* a run begins at any instruction of a tick */
+        why = "its runs took different numbers of instructions";
+    else if (statics() + r->stack > RESERVE)
+        why = "renderer, scene state and stack exceed their reserve";
+    if (!why)
+        return 0;
+    hal_write("# FAILED, the line above: ");
+    hal_write(why);
+    hal_write("\n");
+    return 1;
+}
+
+/* Return the number of configurations that failed. */
+static int bench(const struct demo *d)
+{
+    static const struct {
+        uint16_t rows;
+        const char *name;
+    } small[] = { { 24, "64k-24" }, { 16, "64k-16" }, { 8, "64k-8" } };
+    struct zs_config most, c;
+    struct result r = { 0 };
+    int failed = 0;
+    d->pose(&frame, 0, d->width, d->height);
+    r.err = one_pass(&most, d);
+    if (!r.err)
+        run(&r);
+    line(d, "one-pass", &most, &r);
+    const uint64_t checksum = r.checksum;
+    failed += disagrees(&r, checksum);
+    if (r.err)
+        return failed;
+    const uint32_t whole = ZS_TRI_BYTES(most.max_tris) + ZS_VERT_BYTES(most.max_verts, most.attrs);
+    for (uint32_t i = 0; i < sizeof small / sizeof small[0]; i++) {
+        const uint32_t strips = ZS_ARENA_BYTES(d->width, d->height, small[i].rows, 0, 0, 0, 2);
+        if (strips + RESERVE + 256u > RAM_BAR) {
+            hal_write("# ");
+            hal_write(d->name);
+            hal_write(" does not fit 64 KB in strips as high as ");
+            hal_write(small[i].name);
+            hal_write("\n");
+            continue;
+        }
+        const uint32_t left = RAM_BAR - RESERVE - strips - 8u; /* 8: pools are rounded up */
+        const uint32_t part = left < whole ? left : whole;
+        r.err = configure(&c, d, small[i].rows, 2,
+                          (uint32_t)((uint64_t)most.max_tris * part / whole),
+                          (uint32_t)((uint64_t)most.max_verts * part / whole));
+        if (!r.err)
+            run(&r);
+        line(d, small[i].name, &c, &r);
+        failed += disagrees(&r, checksum);
+    }
+    return failed;
+}
+
+int main(void)
+{
+    int failed = 0;
+    if (hal_init())
+        hal_exit(1);
+    hal_write("scene,variant,max_tris,max_verts,passes,tris_in,drawn,setups,verts,fragments,arena,"
+              "checksum,instructions,per_tri,per_fragment,stack,ram\n");
+    for (uint32_t i = 0; i < n_demos; i++)
+        failed += bench(demos[i]);
+    hal_write(failed ? "# failed\n" : "# ok: checksums, counts and RAM agree\n");
+    hal_exit(failed != 0);
+}

@@ -1,0 +1,53 @@
+/* mps2-an385: vectors and the way to main.
+ *
+ * SPDX-License-Identifier: MIT
+ */
+#include <stdint.h>
+
+#define PAINT 0xa5a5a5a5u
+
+/* From mps2.ld. */
+extern uint32_t __data_load[], __data_start[], __data_end[], __bss_start[], __bss_end[];
+extern uint32_t __stack_limit[], __stack_top[];
+
+int main(void);
+void Reset_Handler(void);
+void Default_Handler(void);
+
+/* Weak: the HAL defines those that it uses. */
+#define WEAK __attribute__((weak, alias("Default_Handler")))
+void NMI_Handler(void) WEAK;
+void HardFault_Handler(void) WEAK; /* the other faults are not enabled and end here too */
+void SVC_Handler(void) WEAK;
+void PendSV_Handler(void) WEAK;
+void SysTick_Handler(void) WEAK;
+
+typedef void (*vector)(void);
+
+/* Exceptions 0 to 15; no device interrupt is used. */
+__attribute__((section(".vectors"), used)) static const vector vectors[16] = {
+    (vector)(uintptr_t)__stack_top, Reset_Handler, NMI_Handler, HardFault_Handler,
+    0, 0, 0, 0, 0, 0, 0, SVC_Handler, 0, 0, PendSV_Handler, SysTick_Handler
+};
+
+void Default_Handler(void)
+{
+    for (;;) {
+    }
+}
+
+/* Naked of locals on purpose: everything below the stack pointer is painted. */
+void Reset_Handler(void)
+{
+    const uint32_t *from = __data_load;
+    for (uint32_t *at = __data_start; at < __data_end; at++)
+        *at = *from++;
+    for (uint32_t *at = __bss_start; at < __bss_end; at++)
+        *at = 0;
+    uint32_t *sp;
+    __asm__ volatile("mov %0, sp" : "=r"(sp));
+    for (volatile uint32_t *at = __stack_limit; at < sp; at++)
+        *at = PAINT;
+    (void)main();
+    Default_Handler();
+}

@@ -1,0 +1,88 @@
+# Shared by the checks; sourced, not run. Each check may be given a build directory (build).
+#
+# SPDX-License-Identifier: MIT
+set -u
+cd "$(dirname "$0")/../.." || exit 2
+B=${1:-build}/checks
+ARM=${ARM:-arm-none-eabi-}
+CPUS="cortex-m0plus cortex-m3"
+OPT="-O2 -ffunction-sections -fdata-sections"
+WARN="-Wall -Wextra -Werror -Wconversion -Wshadow -Wvla -Wstrict-prototypes -Wmissing-prototypes
+      -Wdouble-promotion"
+failed=0
+mkdir -p "$B"
+
+ok() { echo "ok $*"; }
+bad() { # NAME REASON
+    echo "FAILED $1: $2"
+    failed=1
+}
+# NAME LIST: fails where the list is not empty, and shows it on one line.
+none() {
+    if [ -z "$2" ]; then ok "$1"; else bad "$1" "$(echo "$2" | sort -u | tr '\n' ' ')"; fi
+}
+
+# CPU DIR [FLAGS...]: firmware/zstrip as objects. Everything is compiled anew: it takes a second.
+core() {
+    cpu=$1 dir=$2
+    shift 2
+    rm -rf "$dir"
+    mkdir -p "$dir"
+    for src in firmware/zstrip/*.c; do
+        # shellcheck disable=SC2086
+        ${ARM}gcc -std=c11 -mcpu="$cpu" -mthumb $OPT $WARN "$@" -c "$src" \
+            -o "$dir/$(basename "$src" .c).o" || return 1
+    done
+}
+
+# A firmware of the least kind: FILE SHADER DEPTH [EXTRA STATEMENTS]
+minimal() {
+    cat >"$1" <<END
+#include "zstrip.h"
+struct zs_renderer renderer;
+ZS_ARENA(arena, ZS_ARENA_BYTES(240, 240, 24, 500, 500, 3, 1));
+struct zs_camera camera;
+struct zs_material material = { &zs_shade_$2, { 255, 255, 255 }, ZS_CULL_BACK };
+struct zs_mesh mesh;
+struct zs_instance instance = { &mesh, &material, { { 0 }, { 0 }, 0 } };
+struct zs_scene scene = { &instance, 1, { { 0 }, 0, 0 }, 0 };
+struct zs_sink sink;
+extern uint32_t anything[];
+uint32_t anything[16];
+int main(void)
+{
+    const struct zs_config config = { 240, 240, 24, 500, 500, 3, 1, 8, 16, 0, &zs_depth_$3 };
+    if (zs_init(&renderer, &config, arena, sizeof arena))
+        return 1;
+    ${4:-}
+    return zs_render(&renderer, &scene, &camera, &sink);
+}
+END
+}
+# What a firmware that uses all of it would also call.
+EVERYTHING='extern struct zs_material other[2];
+    const struct zs_depth *volatile depth = &zs_depth_linear;
+    const int32_t *v = (const int32_t *)anything;
+    struct zs_pose *pose = &instance.pose;
+    anything[0] = depth != 0;
+    anything[1] = (uint32_t)zs_strerror((int)anything[2])[0];
+    zs_pose_identity(pose);
+    zs_pose_turn(pose, 1, 2, 3);
+    (void)zs_pose_rotate(pose, v, 5);
+    (void)zs_camera_perspective(&camera, 8192, 240, 1, 100);
+    (void)zs_camera_orthographic(&camera, 10, 1, 100);
+    (void)zs_camera_look_at(&camera, v, v + 3, v + 6);
+    (void)zs_camera_look_along(&camera, v, v + 3, v + 6);
+    (void)zs_camera_orbit(&camera, v, 10, 20, 30);
+    anything[3] = zs_frame_stats(&renderer)->passes;
+    material = other[anything[4]];'
+OTHERS='struct zs_material other[2] = { { &zs_shade_raw, { 0, 0, 0 }, 0 }, { &zs_shade_smooth, { 0, 0, 0 }, 0 } };'
+
+# CPU OBJECTS_DIR MAIN.c OUT.elf [FLAGS...]: link as a board would, unused sections dropped.
+link() {
+    cpu=$1 dir=$2 main=$3 out=$4
+    shift 4
+    # shellcheck disable=SC2086
+    ${ARM}gcc -std=c11 -mcpu="$cpu" -mthumb $OPT -Ifirmware/zstrip "$main" "$dir"/*.o -nostartfiles \
+        -Wl,--gc-sections,-e,main "$@" -o "$out"
+}

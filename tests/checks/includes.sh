@@ -1,0 +1,62 @@
+#!/bin/sh
+# Includes point one way: sim, tests -> firmware/app -> firmware/zstrip, hal/hal.h. hal never includes
+# firmware, zstrip never includes hal, sim/reference knows neither.
+#
+# SPDX-License-Identifier: MIT
+. "$(dirname "$0")/common.sh"
+
+STD='<(stdint|stddef)\.h>'
+HOSTED='<[a-z0-9/]+\.h>'
+
+# FILES...: "file: include" for each #include line. A macro as argument stays visible and matches nothing.
+includes() {
+    grep -nE '^[[:space:]]*(#|\?\?=|%:)[[:space:]]*(include|import)' "$@" /dev/null |
+        sed -E 's/^([^:]*):[0-9]+:[^i]*i[a-z_]+[[:space:]]*/\1: /; s,[[:space:]]*(/\*.*|//.*)?$,,'
+}
+# NAME ALLOWED FILES...: every include must match the pattern as a whole.
+only() {
+    name=$1 allowed=$2
+    shift 2
+    if [ ! -e "$1" ]; then
+        bad "$name" "no files: $1"
+        return
+    fi
+    none "$name" "$(includes "$@" | grep -vE ": ($allowed)\$" | tr -d ' ')"
+}
+# "a.h" or "b.h": the headers of some folders, as a pattern.
+headers() {
+    for dir in "$@"; do
+        for h in "$dir"/*.h; do [ -e "$h" ] && basename "$h"; done
+    done | sed 's/\./\\./' | tr '\n' '|' | sed -E 's/\|$//; s/^(.*)$/"(\1)"/'
+}
+# NAME FORBIDDEN FILES...: no file may reach a forbidden path through any number of headers.
+reach() {
+    name=$1 forbidden=$2
+    shift 2
+    found= broken=
+    for f in "$@"; do
+        deps=$(gcc -MM -Ifirmware/zstrip -Ifirmware/scenes -Ihal -Isim -Isim/reference "$f" 2>"$B/reach.txt") ||
+            broken="$broken $f"
+        found="$found
+$(echo "$deps" | tr ' \\' '\n\n' | grep -E "$forbidden" | sed "s|^|$f->|")"
+    done
+    none "$name" "$(printf '%s\n' "$found$broken" | sed '/^$/d')"
+}
+
+only "zstrip includes its own headers, stdint and stddef" "$(headers firmware/zstrip)|$STD" firmware/zstrip/*.[ch]
+reach "zstrip reaches nothing else" '^(hal|sim|tests|firmware/[^z])' firmware/zstrip/*.c
+only "hal includes hal.h and standard headers" "\"hal\\.h\"|$HOSTED" hal/*.h hal/*/*.[ch]
+reach "hal reaches nothing of firmware" '^(firmware|sim|tests)' hal/*.h hal/*/*.c
+only "app sees zstrip.h, scenes.h and hal.h" "\"(zstrip|scenes|hal)\\.h\"|$STD" firmware/app/*.[ch]
+only "scenes see zstrip.h and their own" "\"(zstrip|meshes)\\.h\"|$(headers firmware/scenes)|$STD" firmware/scenes/*.[ch]
+only "mesh generators see their own" "$(headers firmware/scenes | sed 's|"(|"\\.\\./(|')|$(headers firmware/scenes/gen)|$HOSTED" firmware/scenes/gen/*.[ch]
+only "boards see nothing of ours" "$STD" firmware/boards/*/*.c
+only "reference includes its own and standard headers" "$(headers sim/reference)|$HOSTED" sim/reference/*.[ch]
+reach "reference reaches nothing of firmware" '^(firmware|hal)' sim/reference/*.c
+twins=$(for h in sim/reference/*.h; do ls firmware/*/"$(basename "$h")" hal/"$(basename "$h")" 2>/dev/null; done)
+none "reference's header names are its own" "$twins"
+names=$(for f in sim/reference/*.[ch]; do
+    gcc -fpreprocessed -dD -E -P "$f" 2>/dev/null | grep -oE '\<(zs|ZS|hal|HAL)_[A-Za-z0-9_]+' | sed "s|^|$(basename "$f"):|"
+done)
+none "reference uses no name of firmware's" "$names"
+exit $failed

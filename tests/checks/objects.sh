@@ -1,0 +1,62 @@
+#!/bin/sh
+# Promise 1 on the Cortex-M objects, not by eye: no float, no allocator, no global state, nothing
+# called that is not named here.
+#
+# SPDX-License-Identifier: MIT
+. "$(dirname "$0")/common.sh"
+
+# Soft-float helpers: the Arm ABI's names and libgcc's own.
+FLOAT='^(__aeabi_(f|d|cf|cd|h)[a-z0-9]+|__aeabi_(i|ui|l|ul)2[fd]|__(add|sub|mul|div|neg|cmp|eq|ne|lt|le|gt|ge|unord|pow)[sdtx]f[0-9]*|__(float|fix|extend|trunc)[a-z0-9]+|(sqrt|sin|cos|tan|atan2?|floor|ceil|fabs|pow|exp|log|fmod|round)f?)$'
+HEAP='^_?(malloc|calloc|realloc|free|memalign|aligned_alloc|alloca|sbrk|_sbrk|malloc_r|free_r)(_r)?$'
+# What may stay undefined: integer division and multiplication, counting zeros, switch tables (M0+),
+# block moves.
+ALLOWED='^(__aeabi_u?idiv(mod)?|__aeabi_u?ldivmod|__aeabi_lmul|__aeabi_l(ls|sr|asr)l?|__clz[sd]i2|__gnu_thumb1_case_(u?qi|u?hi|si)|mem(set|cpy|move))$'
+
+for c in $CPUS; do
+    dir=$B/objects-$c
+    if ! core "$c" "$dir"; then
+        bad "$c compiles" "see above"
+        continue
+    fi
+    ${ARM}ld -r "$dir"/*.o -o "$dir/zstrip.rel" || bad "$c partial link" "see above"
+    undefined=$(${ARM}nm -u "$dir/zstrip.rel" | awk '{ print $NF }')
+    none "$c no soft-float helper" "$(echo "$undefined" | grep -E "$FLOAT")"
+    none "$c no allocator" "$(echo "$undefined" | grep -E "$HEAP")"
+    none "$c no other undefined symbol" \
+        "$(echo "$undefined" | grep -Ev "$ALLOWED" | grep -Ev "$FLOAT" | grep -Ev "$HEAP")"
+    none "$c no writable global" "$(${ARM}nm "$dir/zstrip.rel" | awk '$2 ~ /^[bBdDC]$/ { print $3 }')"
+
+    minimal "$dir/main.c" flat recip "$EVERYTHING"
+    echo "$OTHERS" >>"$dir/main.c"
+    if ! link "$c" "$dir" "$dir/main.c" "$dir/all.elf"; then
+        bad "$c links" "see above"
+        continue
+    fi
+    none "$c linked: no FPU instruction" "$(${ARM}objdump -d --no-show-raw-insn "$dir/all.elf" |
+        awk '/>:$/ { f = $2 } $2 ~ /^(v[a-z]|f(add|sub|mul|div|cpy|ld|st|cmp|to|sito|uito))/ { print f $2 }')"
+    linked=$(${ARM}nm "$dir/all.elf" | awk '{ print $NF }')
+    none "$c linked: no soft float" "$(echo "$linked" | grep -E "$FLOAT")"
+    none "$c linked: no allocator" "$(echo "$linked" | grep -E "$HEAP")"
+done
+
+# The same source for a core that has an FPU. There GCC moves and saves 64-bit integers through FPU
+# registers (vldr, vpush, vmov); arithmetic, comparison and conversion would be float in the source.
+dir=$B/objects-fpu
+if core cortex-m4 "$dir" -mfloat-abi=hard -mfpu=fpv4-sp-d16; then
+    fpu=$(for o in "$dir"/*.o; do
+        ${ARM}objdump -d --no-show-raw-insn "$o" |
+            awk -v o="$(basename "$o")" '/>:$/ { f = $2 } $2 ~ /^v[a-z]+/ && $2 !~ /^v(ldr|str|push|pop|mov|ldm|stm)/ { print o f $2 }'
+    done)
+    none "cortex-m4f no FPU arithmetic" "$fpu"
+else
+    bad "cortex-m4f compiles" "see above"
+fi
+
+# And as written: the words themselves, comments aside.
+words=$(for f in firmware/zstrip/*.[ch]; do
+    ${ARM}gcc -fpreprocessed -dD -E -P "$f" 2>/dev/null |
+        grep -nE '(^|[^A-Za-z0-9_])(float|double|malloc|calloc|realloc|alloca)([^A-Za-z0-9_]|$)|[0-9]\.[0-9]*f?([^A-Za-z0-9_"]|$)' |
+        grep -vE '"[^"]*[0-9]\.[^"]*"' | sed "s|^|$(basename "$f"):|; s| |_|g"
+done)
+none "source: no float, no allocator" "$words"
+exit $failed

@@ -1,0 +1,103 @@
+#!/bin/sh
+# Flash of the renderer by what a firmware uses of it, and RAM by pool for some configurations. Figures to
+# read in review; a budget that is exceeded fails.
+#
+# SPDX-License-Identifier: MIT
+. "$(dirname "$0")/common.sh"
+
+FLASH_MAX=${FLASH_MAX:-24576}           # everything, Cortex-M3
+FLASH_FLAT_MAX=${FLASH_FLAT_MAX:-18432} # flat and recip alone, Cortex-M3
+
+# MAP PATTERN: bytes that the link took from objects whose path matches.
+taken() {
+    awk -v want="$2" '
+        /^Linker script and memory map/ { on = 1 }
+        !on || /^ \*fill\*/ { next }
+        /^ \.(text|rodata|data)[^ ]*$/ { wrapped = 1; next }         # a long name: the rest follows
+        wrapped || /^ \.(text|rodata|data)/ {
+            wrapped = 0
+            for (i = 1; i < NF; i++)
+                if ($i ~ /^0x/ && $(i + 1) ~ /^0x/) {
+                    if ($(i + 2) ~ want) print substr($(i + 1), 3)
+                    break } }' "$1" | { sum=0; while read -r hex; do sum=$((sum + 0x$hex)); done; echo $sum; }
+}
+# LABEL SHADER DEPTH [STATEMENTS [DECLARATIONS]]
+flash() {
+    minimal "$dir/main.c" "$2" "$3" "${4:-}"
+    echo "${5:-}" >>"$dir/main.c"
+    if ! link "$c" "$dir" "$dir/main.c" "$dir/size.elf" -Wl,-Map,"$dir/size.map"; then
+        bad "$c $1" "does not link"
+        return
+    fi
+    core_bytes=$(taken "$dir/size.map" "$dir/")
+    lib_bytes=$(taken "$dir/size.map" 'lib(gcc|c|c_nano)\\.a')
+    printf '  %-34s %8d %8d\n' "$1" "$core_bytes" "$lib_bytes"
+}
+
+for c in $CPUS; do
+    dir=$B/size-$c
+    core "$c" "$dir" || { bad "$c compiles" "see above"; continue; }
+    printf '%-36s %8s %8s\n' "Flash, bytes, $c -O2" zstrip "libgcc+c"
+    flash "raw, recip" raw recip
+    flash "flat, recip" flat recip
+    flat=$core_bytes
+    flash "flat, linear" flat linear
+    flash "smooth, recip" smooth recip
+    flash "smooth, linear" smooth linear
+    flash "flat, recip, turn and look at" flat recip \
+        'zs_pose_turn(&instance.pose, 1, 2, 3);
+         (void)zs_camera_look_at(&camera, (int32_t *)anything, (int32_t *)anything + 3, (int32_t *)anything + 6);'
+    flash "everything" flat recip "$EVERYTHING" "$OTHERS"
+    if [ "$c" = cortex-m3 ]; then
+        if [ "$flat" -le "$FLASH_FLAT_MAX" ]; then ok "$c flat alone within $FLASH_FLAT_MAX bytes: $flat"
+        else bad "$c flat alone within $FLASH_FLAT_MAX bytes" "$flat"; fi
+        if [ "$core_bytes" -le "$FLASH_MAX" ]; then ok "$c everything within $FLASH_MAX bytes: $core_bytes"
+        else bad "$c everything within $FLASH_MAX bytes" "$core_bytes"; fi
+    fi
+done
+
+# RAM: the macros give the same on every machine; the renderer itself holds pointers, so ask the M3.
+echo '#include "zstrip.h"
+char renderer_bytes[sizeof(struct zs_renderer)];' >"$B/probe.c"
+${ARM}gcc -std=c11 -mcpu=cortex-m3 -mthumb -Ifirmware/zstrip -c "$B/probe.c" -o "$B/probe.o"
+renderer=$((0x$(${ARM}nm -S "$B/probe.o" | awk '/renderer_bytes/ { print $2 }')))
+cat >"$B/ram.c" <<'END'
+#include "zstrip.h"
+#include <stdio.h>
+#include <stdlib.h>
+int main(int argc, char **argv)
+{
+    static const struct { const char *name; uint16_t w, h, rows, tris, verts; uint8_t attrs, buffers; } t[] = {
+        { "240x240x24, 2 buffers, flat", 240, 240, 24, 500, 400, 0, 2 },
+        { "240x240x16, 2 buffers, smooth", 240, 240, 16, 600, 400, 3, 2 },
+        { "240x240x8, 1 buffer, flat", 240, 240, 8, 250, 200, 0, 1 },
+        { "320x240x24, 2 buffers, flat", 320, 240, 24, 500, 400, 0, 2 },
+        { "320x240x16, 2 buffers, flat", 320, 240, 16, 820, 1270, 0, 2 },
+        { "320x240x16, 2 buffers, smooth", 320, 240, 16, 800, 700, 3, 2 },
+        { "320x240x24, 1 buffer, sheet whole", 320, 240, 24, 20000, 10201, 0, 1 },
+        { "128x64x8, 1 buffer, flat", 128, 64, 8, 200, 150, 0, 1 },
+    };
+    const unsigned renderer = argc > 1 ? (unsigned)atoi(argv[1]) : 0u;
+    int wrong = 0;
+    printf("%-36s %6s %6s %7s %7s %5s %7s %7s %8s\n", "RAM, bytes", "tris", "verts", "color", "depth", "bins",
+           "tris", "verts", "arena");
+    for (unsigned i = 0; i < sizeof t / sizeof t[0]; i++) {
+        const struct zs_config c = { t[i].w, t[i].h, t[i].rows, t[i].tris, t[i].verts, t[i].attrs,
+                                     t[i].buffers, 8, 16, 0, &zs_depth_recip };
+        const unsigned arena = ZS_ARENA_BYTES(t[i].w, t[i].h, t[i].rows, t[i].tris, t[i].verts, t[i].attrs, t[i].buffers);
+        printf("  %-34s %6u %6u %7u %7u %5u %7u %7u %8u\n", t[i].name, t[i].tris, t[i].verts,
+               (unsigned)ZS_COLOR_BYTES(t[i].w, t[i].rows, t[i].buffers), (unsigned)ZS_DEPTH_BYTES(t[i].w, t[i].rows),
+               (unsigned)ZS_BIN_BYTES(t[i].h, t[i].rows), (unsigned)ZS_TRI_BYTES(t[i].tris),
+               (unsigned)ZS_VERT_BYTES(t[i].verts, t[i].attrs), arena);
+        wrong |= arena != zs_arena_bytes(&c);
+    }
+    printf("  and %u bytes of struct zs_renderer (Cortex-M), and the stack\n", renderer);
+    return wrong;
+}
+END
+if gcc -std=c11 -Ifirmware/zstrip "$B/ram.c" firmware/zstrip/*.c -o "$B/ram" && "$B/ram" "$renderer"; then
+    ok "ZS_ARENA_BYTES equals zs_arena_bytes"
+else
+    bad "ZS_ARENA_BYTES equals zs_arena_bytes" "see above"
+fi
+exit $failed

@@ -1,0 +1,144 @@
+#!/bin/sh
+# The worst case of the stack, from the compiler's own numbers: no recursion, no VLA, a bound for each
+# public function on Cortex-M0+ and M3.
+#
+# Frames are those of -fcallgraph-info=su. Calls are the compiler's call graph and, so that calls which
+# it adds later (division, counting zeros, block moves) are in too, the relocations of each function's
+# section. Helpers of libgcc and newlib are measured on the linked image: every push and subtraction from
+# sp in them, summed, and the deepest callee.
+#
+# Calls through pointers. The compiler gives the place of each; the source line there must read
+# shader->FIELD(, depth->FIELD( or sink->FIELD(. The first two may reach every function that stands in that
+# FIELD of any zs_shader or zs_depth table (from the tables' relocations); sink functions are the caller's:
+# their stack, and interrupts', comes on top. Any other pointer call fails.
+#
+# SPDX-License-Identifier: MIT
+. "$(dirname "$0")/common.sh"
+
+LIMIT=${STACK_LIMIT:-2048} # bytes, any public function
+
+# Fields of a struct of function pointers in pipeline.h, in order: STRUCT
+fields() {
+    awk -v s="struct $1 {" 'index($0, s) == 1 { on = 1 } on && /^};/ { exit }
+        on && match($0, /\(\*[a-z]+\)/) { print substr($0, RSTART + 2, RLENGTH - 3) }' \
+        firmware/zstrip/pipeline.h
+}
+
+# One line a fact: frame FN BYTES KIND | call FN FN | pointer FN FILE:LINE | slot TABLE FIELD FN
+facts() { # CPU DIR
+    for o in "$2"/*.o; do
+        unit=$(basename "$o" .o)
+        # static functions are UNIT:NAME, as two units may have one of a name
+        awk -v u="$unit" '
+            function name(s) { n = split(s, p, ":"); return n > 1 ? u ":" p[n] : s }
+            /^node:/ && / bytes \(/ {
+                match($0, /title: "[^"]*"/); t = substr($0, RSTART + 8, RLENGTH - 9)
+                match($0, /[0-9]+ bytes \([a-z,]*\)/); b = substr($0, RSTART, RLENGTH)
+                split(b, q, " "); print "frame", name(t), q[1], q[3] }
+            /^edge:/ {
+                split($0, q, "\""); s = name(q[2]); d = q[4]
+                if (d == "__indirect_call") { split(q[6], w, ":"); print "pointer", s, w[1] ":" w[2] }
+                else print "call", s, name(d) }' "$2/$unit.ci"
+        ${ARM}nm "$o" | awk '$2 == "t" { print "local", $3 }' >"$2/$unit.locals"
+        ${ARM}objdump -r "$o" | awk -v u="$unit" '
+            $1 == "local" { l[$2] = 1; next }
+            function name(s) { sub(/[+-]0x.*/, "", s); return s in l ? u ":" s : s }
+            /^RELOCATION RECORDS FOR/ { s = $4; gsub(/\[|\]|:/, "", s)
+                fn = s ~ /^\.text\./ ? name(substr(s, 7)) : ""; table = s ~ /\.zs_(shade|depth)_/ ? s : "" }
+            fn != "" && $2 ~ /^R_ARM_THM_(CALL|JUMP)/ && $3 !~ /^\./ { print "call", fn, name($3) }
+            table != "" && $2 == "R_ARM_ABS32" { print "slot", table, $1, name($3) }' "$2/$unit.locals" - |
+            while read -r kind table offset fn; do
+                if [ "$kind" = slot ]; then
+                    case $table in *zs_shade_*) kind=shader ;; *) kind=depth ;; esac
+                    index=$((0x$offset / 4 + 1))
+                    echo "slot $kind $(fields zs_$kind | sed -n "${index}p") $fn"
+                else
+                    echo "$kind $table $offset"
+                fi
+            done
+    done
+}
+
+# What the linked image takes of libraries: helper NAME BYTES, for every function outside zstrip.
+helpers() { # ELF
+    { ${ARM}nm "$1" | awk '$2 ~ /[tTwW]/ { print "at", $1, $3 }'
+        ${ARM}objdump -d --no-show-raw-insn "$1"; } | awk '
+        $1 == "at" { names[$2] = names[$2] " " $3; next } # __aeabi_idiv and __divsi3 are one place
+        function count(s, n, i, p, a, b, w) { # registers in {r4, r5-r7}
+            sub(/.*\{/, "", s); sub(/\}.*/, "", s); n = split(s, p, ","); w = 0
+            for (i = 1; i <= n; i++) w += 1
+            return w }
+        />:$/ { f = $2; gsub(/<|>|:/, "", f); seen[f] = $1; next }
+        $2 ~ /^(push|stmdb|stmfd)/ && ($2 ~ /^push/ || $3 ~ /^sp!/) { own[f] += 4 * count($0) }
+        $2 ~ /^sub/ && $3 == "sp," { s = $0; sub(/;.*/, "", s); sub(/@.*/, "", s)
+            if (match(s, /#[0-9]+/)) own[f] += substr(s, RSTART + 1, RLENGTH - 1) }
+        match($0, /\[sp, #-[0-9]+\]!/) { s = substr($0, RSTART, RLENGTH); gsub(/[^0-9]/, "", s); own[f] += s }
+        $2 ~ /^b/ && match($0, /<[^>+]+>/) { g = substr($0, RSTART + 1, RLENGTH - 2); if (g != f) callee[f] = callee[f] " " g }
+        function deep(f, level, i, n, p, m, d) {
+            if (level > 20) return 100000
+            m = 0; n = split(callee[f], p, " ")
+            for (i = 1; i <= n; i++) { d = deep(p[i], level + 1); if (d > m) m = d }
+            return own[f] + m }
+        END { for (f in seen) {
+                n = split(names[seen[f]], alias, " "); d = deep(f, 0)
+                for (i = 1; i <= n; i++) if (alias[i] !~ /^zs_|^main$/) print "helper", alias[i], d } }'
+}
+
+bound() { # CPU FACTS: prints public functions with their bound, then problems
+    awk -v cpu="$1" -v limit="$LIMIT" '
+        function fail(name, why) { print "FAILED " cpu " " name ": " why; failed = 1 }
+        $1 == "frame" { own[$2] = $3; if ($4 != "(static)") fail("fixed frames", $2 " " $4); next }
+        $1 == "helper" { helper[$2] = $3; next }
+        $1 == "slot" { key = $2 "->" $3; if (index(" " to[key] " ", " " $4 " ") == 0) to[key] = to[key] " " $4; next }
+        $1 == "call" { edge($2, $3); next }
+        $1 == "pointer" { n_pointer++; from[n_pointer] = $2; where[n_pointer] = $3; next }
+        function edge(a, b) { if (!((a, b) in have)) { have[a, b] = 1; out[a] = out[a] " " b } }
+        function resolve(k, p, line, i, text, key, n, q) {
+            split(where[k], p, ":"); i = 0
+            while ((getline text < p[1]) > 0) if (++i == p[2]) line = text
+            close(p[1])
+            if (!match(line, /(shader|depth|sink)->[a-z]+\(/)) {
+                fail("pointer calls", where[k] " is not shader->, depth-> or sink->"); return }
+            key = substr(line, RSTART, RLENGTH - 1)
+            if (key ~ /^sink/) { sinks[from[k]] = 1; return }
+            if (!(key in to)) { fail("pointer calls", where[k] ": no table fills " key); return }
+            n = split(to[key], q, " ")
+            for (i = 1; i <= n; i++) edge(from[k], q[i])
+            resolved++ }
+        function deep(f, i, n, p, m, d) {
+            if (f in bound) return bound[f]
+            if (f in open) { fail("no recursion", f " calls itself, perhaps through others"); return 0 }
+            if (!(f in own)) {
+                if (f in helper) return bound[f] = helper[f]
+                fail("known calls", f " has no known frame"); return 0 }
+            open[f] = 1; m = 0; n = split(out[f], p, " "); next_of[f] = ""
+            for (i = 1; i <= n; i++) { d = deep(p[i]); if (d > m) { m = d; next_of[f] = p[i] } }
+            delete open[f]
+            return bound[f] = own[f] + m }
+        END {
+            for (k = 1; k <= n_pointer; k++) resolve(k)
+            for (f in own) { d = deep(f); if (f ~ /^zs_/ && d > most) { most = d; worst = f } }
+            for (f in own) if (f ~ /^zs_(init|render|frame_begin|frame_strip|frame_end|pose_|camera_|unit)/)
+                print "note " cpu " " f ": " bound[f] " bytes" (f in sinks ? ", and what the sink takes" : "") | "sort"
+            close("sort")
+            path = "zs_render(" own["zs_render"] ")"
+            for (f = next_of["zs_render"]; f != ""; f = next_of[f]) path = path " " f "(" (f in own ? own[f] : helper[f]) ")"
+            print "note " cpu " deepest: " path
+            if (!failed) print "ok " cpu " no recursion, fixed frames, " n_pointer " pointer calls accounted for"
+            if (bound["zs_render"] == 0) fail("bound", "zs_render not found")
+            else if (most > limit) fail("stack within " limit " bytes", worst " takes " most)
+            else print "ok " cpu " stack within " limit " bytes: zs_render " bound["zs_render"]
+            exit failed }' "$2"
+}
+
+for c in $CPUS; do
+    dir=$B/stack-$c
+    core "$c" "$dir" -fstack-usage -fcallgraph-info=su || { bad "$c compiles (-Wvla -Werror)" "see above"; continue; }
+    ok "$c no VLA, no alloca: $(cat "$dir"/*.su | wc -l) frames, $(cat "$dir"/*.su | grep -c dynamic) dynamic"
+    minimal "$dir/main.c" flat recip "$EVERYTHING"
+    echo "$OTHERS" >>"$dir/main.c"
+    link "$c" "$dir" "$dir/main.c" "$dir/all.elf" || { bad "$c links" "see above"; continue; }
+    { helpers "$dir/all.elf"; facts "$c" "$dir"; } >"$dir/facts.txt"
+    bound "$c" "$dir/facts.txt" || failed=1
+done
+exit $failed
