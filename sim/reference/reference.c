@@ -577,7 +577,7 @@ static void put_colour(struct ref_image *image, size_t pixel, const double rgb[3
 static void put_depth(const struct job *job, struct ref_image *image, size_t pixel)
 {
     int drawn = job->winner[pixel] != NO_TRIANGLE;
-    double key = drawn ? ref_exact_key(job->depth, job->camera, job->z[pixel]) : INFINITY;
+    double key = drawn ? ref_exact_key(job->depth, job->camera, job->z[pixel]) : (double)INFINITY;
 
     if (image->exact_key)
         image->exact_key[pixel] = key;
@@ -802,7 +802,7 @@ static void conclude(const struct contest *c, struct ref_diff *d)
         d->z_mean_rel = c->z_sum / (double)d->z_compared;
     if (d->channels)
         d->off_one_fraction = (double)d->channel_off_one / (double)d->channels;
-    d->psnr_db = mean_square > 0 ? 10 * log10(255.0 * 255.0 / mean_square) : INFINITY;
+    d->psnr_db = mean_square > 0 ? 10 * log10(255.0 * 255.0 / mean_square) : (double)INFINITY;
 }
 
 int ref_compare(const struct ref_image *ours, const struct ref_image *reference,

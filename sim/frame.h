@@ -1,0 +1,43 @@
+/* A whole frame from the renderer, the way a board gets it: strips through a sink.
+ *
+ * SPDX-License-Identifier: MIT
+ */
+#ifndef SIM_FRAME_H
+#define SIM_FRAME_H
+
+#include "zstrip.h"
+
+struct sim_frame {
+    uint16_t width, height;
+    uint16_t *rgb565;      /* [height][width], values in the host's byte order */
+    uint16_t *key;         /* [height][width], depth keys; ZS_DEPTH_CLEAR: nothing drawn */
+    struct zs_stats stats; /* of the frame */
+    uint32_t arena_bytes;
+};
+
+/* A sound configuration: strips of 16 rows, two buffers, 8 sub-pixel bits, 16-bit reciprocal depth,
+ * and pools that are as large as they may be. attrs: ZS_ATTRS_FLAT or ZS_ATTRS_SMOOTH. */
+void sim_frame_config(struct zs_config *config, uint16_t width, uint16_t height, uint8_t attrs);
+
+/* Draw a frame through zs_render into buffers of its own. frame: any state; on ZS_OK it owns memory
+ * (sim_frame_free), else it is empty. The arena is filled with rubbish first, colours are fetched as
+ * late as the sink's contract allows, and a strip that changes before that is an error.
+ * what: names the job to sim_progress, or NULL for silence.
+ * Return ZS_OK, an enum zs_err, or SIM_FRAME_BROKEN. */
+int sim_frame_render(struct sim_frame *frame, const struct zs_scene *scene,
+                     const struct zs_camera *camera, const struct zs_config *config,
+                     const char *what);
+void sim_frame_free(struct sim_frame *frame);
+
+#define SIM_FRAME_BROKEN (-101) /* strips came out of order, too early or with holes */
+
+/* The number + 1 of the triangle that is seen at every pixel, counted through the scene's instances in
+ * order; 0 where there is none. id: [height][width]. Two frames in raw colours (one up to 65,535
+ * triangles) with the same geometry, camera and profile. Return as sim_frame_render. */
+int sim_frame_ids(uint32_t *id, const struct zs_scene *scene, const struct zs_camera *camera,
+                  const struct zs_config *config);
+
+/* Pixels of a frame that something was drawn on. */
+uint32_t sim_frame_visible(const struct sim_frame *frame);
+
+#endif

@@ -1,0 +1,42 @@
+/* zsim: the host's side of zstrip.
+ *
+ * SPDX-License-Identifier: MIT
+ */
+#include <stdio.h>
+#include <string.h>
+
+#include "demo.h"
+#include "render.h"
+#include "sim.h"
+
+static const struct {
+    const char *name, *what;
+    int (*run)(int argc, char **argv); /* the arguments after the name */
+} commands[] = {
+    { "render", "a model file to a frame", sim_render },
+    { "demo", "the demo scenes to numbered frames and a table", sim_demo },
+};
+
+#define N_COMMANDS (sizeof commands / sizeof commands[0])
+
+static void help(void)
+{
+    (void)puts("usage: zsim COMMAND [options]");
+    for (size_t i = 0; i < N_COMMANDS; i++)
+        (void)printf("  %-8s %s\n", commands[i].name, commands[i].what);
+    (void)puts("zsim COMMAND --help tells more.");
+}
+
+int main(int argc, char **argv)
+{
+    if (argc < 2)
+        return sim_usage("a command is missing");
+    if (strcmp(argv[1], "--help") == 0 || strcmp(argv[1], "-h") == 0 || strcmp(argv[1], "help") == 0) {
+        help();
+        return SIM_OK;
+    }
+    for (size_t i = 0; i < N_COMMANDS; i++)
+        if (strcmp(argv[1], commands[i].name) == 0)
+            return commands[i].run(argc - 2, argv + 2);
+    return sim_usage("unknown command '%s'", argv[1]);
+}

@@ -1,0 +1,627 @@
+/* Loading. assimp reads the file without post-processing; this file checks what it gives, puts nodes
+ * in their places, fans polygons from their first corner and welds equal positions.
+ *
+ * OBJ: assimp is handed the text that sim_obj_scan cleaned. Positions and the order of faces are the
+ * scan's own (double precision); colours and normals are assimp's, after a check that both agree face
+ * by face.
+ *
+ * SPDX-License-Identifier: MIT
+ */
+#include "model.h"
+
+#include <assimp/cfileio.h>
+#include <assimp/cimport.h>
+#include <assimp/material.h>
+#include <assimp/scene.h>
+#include <errno.h>
+#include <stdlib.h>
+#include <string.h>
+#include <strings.h>
+#include <sys/stat.h>
+
+#include "scan.h"
+#include "sim.h"
+#include "vec.h"
+
+#define COORD_MAX 1e30  /* products of three lengths fit a double */
+#define EXTENT_MIN 1e-30
+#define DEPTH_MAX 256   /* of nodes below nodes */
+
+enum family { FAMILY_OBJ, FAMILY_PLY, FAMILY_STL, FAMILY_OFF, FAMILY_OTHER };
+
+/* The file, and what is known while it is loaded. */
+struct load {
+    struct sim_model *model;
+    const char *file;
+    enum family family;
+    char *text; /* the whole file, '\0' behind it; NULL where assimp reads it itself */
+    size_t bytes;
+    struct sim_obj obj;
+    int has_materials;           /* OBJ: a material file was read */
+    const struct zs_rgb *color;  /* of everything, or NULL */
+    const struct aiScene *scene;
+    char complaint[200];         /* of assimp's about indices; else empty */
+    uint32_t *slot, slot_mask;   /* hash of points */
+    size_t face, corner;         /* OBJ: next of the scan */
+};
+
+/* ---- Reading ----------------------------------------------------------------------------------- */
+
+static enum family family_of(const char *file)
+{
+    static const struct {
+        const char *end;
+        enum family family;
+    } known[] = { { ".obj", FAMILY_OBJ }, { ".ply", FAMILY_PLY }, { ".stl", FAMILY_STL },
+                  { ".off", FAMILY_OFF } };
+    const size_t n = strlen(file);
+    for (size_t i = 0; i < sizeof known / sizeof known[0]; i++)
+        if (n >= 4 && strcasecmp(file + n - 4, known[i].end) == 0)
+            return known[i].family;
+    return FAMILY_OTHER;
+}
+
+static int read_file(struct load *l)
+{
+    struct stat st;
+    if (stat(l->file, &st) != 0)
+        return sim_refuse(l->file, 0, "cannot be read: %s", strerror(errno));
+    if (S_ISDIR(st.st_mode))
+        return sim_refuse(l->file, 0, "is a directory; name a model file in it");
+    if (!S_ISREG(st.st_mode))
+        return sim_refuse(l->file, 0, "is not a regular file; copy the model to one");
+    if (st.st_size == 0)
+        return sim_refuse(l->file, 0, "is empty; get the model again");
+    FILE *f = fopen(l->file, "rb");
+    if (f == NULL)
+        return sim_refuse(l->file, 0, "cannot be read: %s", strerror(errno));
+    l->bytes = (size_t)st.st_size;
+    l->text = sim_grow(NULL, l->bytes + 1, 1);
+    const size_t got = fread(l->text, 1, l->bytes, f);
+    const int bad = ferror(f);
+    (void)fclose(f);
+    if (bad || got != l->bytes)
+        return sim_refuse(l->file, 0, "cannot be read: %s", bad ? strerror(errno) : "it got shorter");
+    l->text[got] = '\0';
+    return SIM_OK;
+}
+
+/* ---- Files for assimp: the cleaned text in place of the model, others from the disk ------------- */
+
+struct stream {
+    struct aiFile file;
+    const char *text; /* NULL: disk */
+    size_t at, bytes;
+    FILE *disk;
+};
+
+static size_t stream_read(struct aiFile *file, char *out, size_t size, size_t n)
+{
+    struct stream *s = (struct stream *)file->UserData;
+    if (s->text == NULL)
+        return fread(out, size, n, s->disk);
+    const size_t left = size > 0 ? (s->bytes - s->at) / size : 0;
+    n = n < left ? n : left;
+    memcpy(out, s->text + s->at, n * size);
+    s->at += n * size;
+    return n;
+}
+
+static size_t stream_write(struct aiFile *file, const char *in, size_t size, size_t n)
+{
+    (void)file;
+    (void)in;
+    (void)size;
+    (void)n;
+    return 0;
+}
+
+static size_t stream_tell(struct aiFile *file)
+{
+    struct stream *s = (struct stream *)file->UserData;
+    return s->text != NULL ? s->at : (size_t)ftell(s->disk);
+}
+
+static size_t stream_size(struct aiFile *file)
+{
+    return ((struct stream *)file->UserData)->bytes;
+}
+
+static enum aiReturn stream_seek(struct aiFile *file, size_t offset, enum aiOrigin origin)
+{
+    struct stream *s = (struct stream *)file->UserData;
+    const size_t base = origin == aiOrigin_SET ? 0 : origin == aiOrigin_END ? s->bytes : stream_tell(file);
+    const size_t to = base + offset; /* an offset below 0 wraps, and so does the sum */
+    if (to > s->bytes || (s->text == NULL && fseek(s->disk, (long)to, SEEK_SET) != 0))
+        return aiReturn_FAILURE;
+    s->at = to;
+    return aiReturn_SUCCESS;
+}
+
+static void stream_flush(struct aiFile *file)
+{
+    (void)file;
+}
+
+static struct aiFile *stream_open(struct aiFileIO *io, const char *name, const char *mode)
+{
+    struct load *l = (struct load *)io->UserData;
+    if (mode[0] != 'r')
+        return NULL;
+    struct stream s = { .bytes = l->obj.text_bytes };
+    if (strcmp(name, l->file) == 0) {
+        s.text = l->obj.text;
+    } else {
+        struct stat st;
+        if (stat(name, &st) != 0 || !S_ISREG(st.st_mode) || (s.disk = fopen(name, "rb")) == NULL)
+            return NULL;
+        s.bytes = (size_t)st.st_size;
+        l->has_materials = 1;
+    }
+    struct stream *kept = sim_alloc(1, sizeof *kept);
+    *kept = s;
+    kept->file = (struct aiFile){ stream_read, stream_write, stream_tell, stream_size,
+                                  stream_seek, stream_flush, (aiUserData)kept };
+    return &kept->file;
+}
+
+static void stream_close(struct aiFileIO *io, struct aiFile *file)
+{
+    (void)io;
+    struct stream *s = (struct stream *)file->UserData;
+    if (s->disk != NULL)
+        (void)fclose(s->disk);
+    free(s);
+}
+
+/* ---- Checks ------------------------------------------------------------------------------------ */
+
+/* assimp drops or bends faces whose indices are wrong (glTF, OFF and others) and only logs it. */
+static void hear(const char *message, char *user)
+{
+    static const char *const alarms[] = { "out of range", "out-of-range", "nvalid vertex index",
+                                          "nvalid face index", "nvalid triangle index" };
+    struct load *l = (struct load *)user;
+    const char *text = strstr(message, "T0: ");
+    if (l->complaint[0] != '\0' || (strncmp(message, "Warn", 4) && strncmp(message, "Error", 5)))
+        return;
+    for (size_t i = 0; i < sizeof alarms / sizeof alarms[0]; i++)
+        if (strstr(message, alarms[i]) != NULL)
+            (void)snprintf(l->complaint, sizeof l->complaint, "%.*s",
+                           (int)strcspn(text != NULL ? text + 4 : message, "\n"),
+                           text != NULL ? text + 4 : message);
+}
+
+static int import(struct load *l)
+{
+    struct aiFileIO io = { stream_open, stream_close, (aiUserData)l };
+    struct aiLogStream log = { hear, (char *)l };
+    sim_progress("loading", 0, 1);
+    if (l->family != FAMILY_OBJ) /* the scan has seen its indices */
+        aiAttachLogStream(&log);
+    l->scene = aiImportFileEx(l->file, 0, l->family == FAMILY_OBJ ? &io : NULL);
+    if (l->family != FAMILY_OBJ)
+        (void)aiDetachLogStream(&log);
+    if (l->scene == NULL) {
+        const char *why = aiGetErrorString();
+        return sim_refuse(l->file, 0, "cannot be loaded: %s; the file may be damaged or cut off",
+                          why != NULL && why[0] != '\0' ? why : "unknown format");
+    }
+    if (l->complaint[0] != '\0')
+        return sim_refuse(l->file, 0, "is not sound: %s; export the model again", l->complaint);
+    if (l->scene->mRootNode == NULL || l->scene->mNumMeshes == 0)
+        return sim_refuse(l->file, 0, "no faces in it; zsim draws polygons");
+    return SIM_OK;
+}
+
+/* A mesh's faces: enough corners, indices in range. Points and lines are left out where the format
+ * has such elements. */
+static int check_mesh(const struct load *l, const struct aiMesh *mesh)
+{
+    for (unsigned v = 0; v < mesh->mNumVertices; v++) {
+        const struct aiVector3D *p = &mesh->mVertices[v];
+        if (l->family != FAMILY_OBJ && !(isfinite(p->x) && isfinite(p->y) && isfinite(p->z)))
+            return sim_refuse(l->file, 0,
+                              "vertex %u of mesh '%s' has a coordinate that is not finite; export the "
+                              "model again", v + 1, mesh->mName.data);
+    }
+    for (unsigned f = 0; f < mesh->mNumFaces; f++) {
+        const struct aiFace *face = &mesh->mFaces[f];
+        if (face->mNumIndices < 3 && l->family != FAMILY_OTHER)
+            return sim_refuse(l->file, 0, "face %u has %u vertices; it needs at least 3", f + 1,
+                              face->mNumIndices);
+        for (unsigned k = 0; k < face->mNumIndices; k++)
+            if (face->mIndices[k] >= mesh->mNumVertices)
+                return sim_refuse(l->file, 0,
+                                  "vertex index %u of face %u in mesh '%s' is out of range: %u exist",
+                                  face->mIndices[k], f + 1, mesh->mName.data, mesh->mNumVertices);
+    }
+    return SIM_OK;
+}
+
+/* ---- Triangles --------------------------------------------------------------------------------- */
+
+/* Called for a mesh in its place. m: to the model's space. */
+typedef int (*visit)(struct load *l, const struct aiMesh *mesh, const double m[12]);
+
+static void place(double out[12], const double parent[12], const struct aiMatrix4x4 *t)
+{
+    const double c[12] = { (double)t->a1, (double)t->a2, (double)t->a3, (double)t->a4,
+                           (double)t->b1, (double)t->b2, (double)t->b3, (double)t->b4,
+                           (double)t->c1, (double)t->c2, (double)t->c3, (double)t->c4 };
+    for (int i = 0; i < 3; i++)
+        for (int j = 0; j < 4; j++)
+            out[4 * i + j] = parent[4 * i] * c[j] + parent[4 * i + 1] * c[4 + j] +
+                             parent[4 * i + 2] * c[8 + j] + (j == 3 ? parent[4 * i + 3] : 0.0);
+}
+
+/* All meshes of all nodes, parents first, children in order. The stack stands in for recursion. */
+static int walk(struct load *l, visit call)
+{
+    struct {
+        const struct aiNode *node;
+        unsigned child;
+        double m[12];
+    } stack[DEPTH_MAX];
+    static const double identity[12] = { 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0 };
+    int depth = 0;
+    const struct aiNode *node = l->scene->mRootNode;
+    const double *parent = identity;
+    for (;;) {
+        if (depth == DEPTH_MAX)
+            return sim_refuse(l->file, 0, "nodes stand more than %d deep; flatten the model", DEPTH_MAX);
+        stack[depth].node = node;
+        stack[depth].child = 0;
+        place(stack[depth].m, parent, &node->mTransformation);
+        for (unsigned i = 0; i < node->mNumMeshes; i++) {
+            const int status = call(l, l->scene->mMeshes[node->mMeshes[i]], stack[depth].m);
+            if (status != SIM_OK)
+                return status;
+        }
+        depth++;
+        while (depth > 0 && stack[depth - 1].child == stack[depth - 1].node->mNumChildren)
+            depth--;
+        if (depth == 0)
+            return SIM_OK;
+        parent = stack[depth - 1].m;
+        node = stack[depth - 1].node->mChildren[stack[depth - 1].child++];
+    }
+}
+
+static int count_mesh(struct load *l, const struct aiMesh *mesh, const double m[12])
+{
+    (void)m;
+    const int status = check_mesh(l, mesh);
+    uint64_t n = l->model->n_tris;
+    for (unsigned f = 0; status == SIM_OK && f < mesh->mNumFaces; f++)
+        n += mesh->mFaces[f].mNumIndices < 3 ? 0u : mesh->mFaces[f].mNumIndices - 2u;
+    if (n > UINT32_MAX / 3u)
+        return sim_refuse(l->file, 0, "more than %u triangles; split the model", UINT32_MAX / 3u);
+    l->model->n_tris = (uint32_t)n;
+    return status;
+}
+
+static uint8_t to_byte(float c)
+{
+    return c >= 1.0f ? 255 : c > 0.0f ? (uint8_t)(c * 255.0f + 0.5f) : 0; /* NaN: 0 */
+}
+
+static struct zs_rgb to_rgb(const struct aiColor4D *c)
+{
+    return (struct zs_rgb){ to_byte(c->r), to_byte(c->g), to_byte(c->b) };
+}
+
+static struct zs_rgb material_rgb(const struct load *l, const struct aiMesh *mesh)
+{
+    const struct zs_rgb plain = { 204, 204, 204 };
+    struct aiColor4D c;
+    if (l->color != NULL)
+        return *l->color;
+    if ((l->family == FAMILY_OBJ && !l->has_materials) || l->family == FAMILY_PLY ||
+        l->family == FAMILY_STL || l->family == FAMILY_OFF) /* assimp makes one up: 0.6 or 1 */
+        return plain;
+    const struct aiMaterial *material = l->scene->mMaterials[mesh->mMaterialIndex];
+    struct aiString name;
+    if (aiGetMaterialString(material, AI_MATKEY_NAME, &name) == aiReturn_SUCCESS &&
+        strcmp(name.data, AI_DEFAULT_MATERIAL_NAME) == 0)
+        return plain;
+    if (aiGetMaterialColor(material, AI_MATKEY_COLOR_DIFFUSE, &c) != aiReturn_SUCCESS)
+        return plain;
+    return to_rgb(&c);
+}
+
+/* The number of a point, the same for equal positions. */
+static uint32_t weld(struct load *l, const double p[3])
+{
+    struct sim_model *model = l->model;
+    double key[3];
+    uint64_t bits[3], h = 0;
+    for (int k = 0; k < 3; k++)
+        key[k] = p[k] + 0.0; /* -0 becomes 0 */
+    memcpy(bits, key, sizeof bits);
+    for (int k = 0; k < 3; k++) {
+        h = (h ^ bits[k]) * 0x9e3779b97f4a7c15u;
+        h ^= h >> 29;
+    }
+    uint32_t i = (uint32_t)(h >> 16) & l->slot_mask;
+    while (l->slot[i] != 0) {
+        if (memcmp(model->point[l->slot[i] - 1], key, sizeof key) == 0)
+            return l->slot[i] - 1;
+        i = (i + 1) & l->slot_mask;
+    }
+    memcpy(model->point[model->n_points++], key, sizeof key);
+    l->slot[i] = model->n_points;
+    return model->n_points - 1;
+}
+
+/* One corner of a face, as it will be stored. */
+struct corner {
+    uint32_t point;
+    float normal[3];
+    struct zs_rgb rgb;
+};
+
+static void take_normal(float out[3], const struct aiMesh *mesh, unsigned v, const double inverse[9])
+{
+    double n[3] = { 0.0, 0.0, 0.0 };
+    const double in[3] = { (double)mesh->mNormals[v].x, (double)mesh->mNormals[v].y,
+                           (double)mesh->mNormals[v].z };
+    for (int k = 0; k < 3; k++)
+        n[k] = sim_dot(inverse + 3 * k, in);
+    if (!isfinite(n[0]) || !isfinite(n[1]) || !isfinite(n[2]) || !(sim_unit(n) > 0.0))
+        return; /* 0 0 0: found from the faces later */
+    for (int k = 0; k < 3; k++)
+        out[k] = (float)n[k];
+}
+
+/* How normals go with a placement: its cofactors, with the sign that keeps outside outside. */
+static double cofactors(double out[9], const double m[12])
+{
+    for (int i = 0; i < 3; i++)
+        for (int j = 0; j < 3; j++) {
+            const int a = (i + 1) % 3, b = (i + 2) % 3, c = (j + 1) % 3, d = (j + 2) % 3;
+            out[3 * i + j] = m[4 * a + c] * m[4 * b + d] - m[4 * a + d] * m[4 * b + c];
+        }
+    const double det = m[0] * out[0] + m[1] * out[1] + m[2] * out[2];
+    for (int k = 0; k < 9 && det < 0.0; k++)
+        out[k] = -out[k];
+    return det;
+}
+
+/* The position of a corner. OBJ: the scan's, *ok cleared where assimp's is another one. */
+static void take_position(struct load *l, const struct aiVector3D *v, const double m[12], double out[3],
+                          int *ok)
+{
+    const double in[3] = { (double)v->x, (double)v->y, (double)v->z };
+    if (l->family != FAMILY_OBJ) {
+        for (int k = 0; k < 3; k++)
+            out[k] = m[4 * k] * in[0] + m[4 * k + 1] * in[1] + m[4 * k + 2] * in[2] + m[4 * k + 3];
+        return;
+    }
+    memcpy(out, l->obj.point[l->obj.corner[l->corner++]], 3 * sizeof(double));
+    for (int k = 0; k < 3; k++)
+        if (fabs(out[k]) < 1e37 && fabs(in[k] - out[k]) > 1e-5 * fabs(out[k]) + 1e-36)
+            *ok = 0;
+}
+
+static int add_face(struct load *l, const struct aiMesh *mesh, const struct aiFace *face,
+                    const double m[12], const double normals[9], int mirrored, struct zs_rgb rgb)
+{
+    struct sim_model *model = l->model;
+    const int colored = mesh->mColors[0] != NULL && l->color == NULL;
+    struct corner first = { 0 }, last = { 0 };
+    int ok = l->family != FAMILY_OBJ || (l->face < l->obj.n_faces &&
+                                         l->obj.count[l->face++] == face->mNumIndices);
+    for (unsigned k = 0; ok && k < face->mNumIndices; k++) {
+        const unsigned v = face->mIndices[k];
+        struct corner now = { .rgb = colored ? to_rgb(&mesh->mColors[0][v]) : rgb };
+        double p[3];
+        take_position(l, &mesh->mVertices[v], m, p, &ok);
+        for (int i = 0; i < 3; i++)
+            if (!(fabs(p[i]) <= COORD_MAX))
+                return sim_refuse(l->file, 0, "coordinate %g is beyond %g; scale the model down", p[i],
+                                  COORD_MAX);
+        now.point = weld(l, p);
+        if (model->normal != NULL && mesh->mNormals != NULL && l->family != FAMILY_STL)
+            take_normal(now.normal, mesh, v, normals);
+        if (k >= 2) {
+            const struct corner *c[3] = { &first, mirrored ? &now : &last, mirrored ? &last : &now };
+            const uint32_t t = model->n_tris++;
+            for (int i = 0; i < 3; i++) {
+                model->tri[t][i] = c[i]->point;
+                model->rgb[t][i] = c[i]->rgb;
+                if (model->normal != NULL)
+                    memcpy(model->normal[t][i], c[i]->normal, sizeof c[i]->normal);
+            }
+        }
+        if (k == 0)
+            first = now;
+        last = now;
+    }
+    return ok ? SIM_OK
+              : sim_refuse(l->file, 0, "the loader gave other faces than the file holds, from face %zu on; "
+                                       "please report this file", l->face);
+}
+
+static int fill_mesh(struct load *l, const struct aiMesh *mesh, const double m[12])
+{
+    double normals[9];
+    const int mirrored = cofactors(normals, m) < 0.0;
+    const struct zs_rgb rgb = material_rgb(l, mesh);
+    int status = SIM_OK;
+    for (unsigned f = 0; status == SIM_OK && f < mesh->mNumFaces; f++) {
+        if (mesh->mFaces[f].mNumIndices >= 3)
+            status = add_face(l, mesh, &mesh->mFaces[f], m, normals, mirrored, rgb);
+        if (f % 4096 == 0)
+            sim_progress("building", f, mesh->mNumFaces);
+    }
+    return status;
+}
+
+/* ---- Normals and bounds ------------------------------------------------------------------------ */
+
+void sim_model_face_normal(const struct sim_model *model, uint32_t tri, double out[3])
+{
+    const uint32_t *v = model->tri[tri];
+    double a[3], b[3];
+    sim_sub(a, model->point[v[1]], model->point[v[0]]);
+    sim_sub(b, model->point[v[2]], model->point[v[0]]);
+    (void)sim_unit(a); /* directions are enough, and keep the product of tiny edges above 0 */
+    (void)sim_unit(b);
+    sim_cross(out, a, b);
+    (void)sim_unit(out);
+}
+
+struct zs_rgb sim_model_face_rgb(const struct sim_model *model, uint32_t tri)
+{
+    const struct zs_rgb *c = model->rgb[tri];
+    return (struct zs_rgb){ (uint8_t)((c[0].r + c[1].r + c[2].r + 1) / 3),
+                            (uint8_t)((c[0].g + c[1].g + c[2].g + 1) / 3),
+                            (uint8_t)((c[0].b + c[1].b + c[2].b + 1) / 3) };
+}
+
+static double corner_angle(const struct sim_model *model, uint32_t tri, int k)
+{
+    const double *p = model->point[model->tri[tri][k]];
+    double a[3], b[3], c[3];
+    sim_sub(a, model->point[model->tri[tri][(k + 1) % 3]], p);
+    sim_sub(b, model->point[model->tri[tri][(k + 2) % 3]], p);
+    (void)sim_unit(a);
+    (void)sim_unit(b);
+    sim_cross(c, a, b);
+    return atan2(sqrt(sim_dot(c, c)), sim_dot(a, b));
+}
+
+/* Corners without a normal get the mean of the faces around their point, weighted by angle
+ * (Thuermer and Wuethrich, Journal of Graphics Tools 3(1), 1998). */
+static void fill_normals(struct sim_model *model)
+{
+    double(*sum)[3] = sim_alloc(model->n_points, sizeof *sum);
+    for (uint32_t t = 0; t < model->n_tris; t++) {
+        double n[3];
+        sim_model_face_normal(model, t, n);
+        for (int k = 0; k < 3; k++) {
+            const double angle = corner_angle(model, t, k);
+            for (int i = 0; i < 3; i++)
+                sum[model->tri[t][k]][i] += angle * n[i];
+        }
+    }
+    for (uint32_t t = 0; t < model->n_tris; t++)
+        for (int k = 0; k < 3; k++) {
+            float *out = model->normal[t][k];
+            double n[3];
+            if (out[0] != 0.0f || out[1] != 0.0f || out[2] != 0.0f)
+                continue;
+            memcpy(n, sum[model->tri[t][k]], sizeof n);
+            if (!(sim_unit(n) > 1e-9)) /* faces that cancel out: the face's own */
+                sim_model_face_normal(model, t, n);
+            if (sim_dot(n, n) < 0.5)
+                n[2] = 1.0;
+            for (int i = 0; i < 3; i++)
+                out[i] = (float)n[i];
+        }
+    free(sum);
+}
+
+static int fill_bounds(struct sim_model *model)
+{
+    double extent = 0.0, squared = 0.0;
+    for (int k = 0; k < 3; k++) {
+        model->lo[k] = model->hi[k] = model->point[0][k];
+        for (uint32_t i = 1; i < model->n_points; i++) {
+            model->lo[k] = fmin(model->lo[k], model->point[i][k]);
+            model->hi[k] = fmax(model->hi[k], model->point[i][k]);
+        }
+        model->center[k] = model->lo[k] + (model->hi[k] - model->lo[k]) / 2.0;
+        extent = fmax(extent, model->hi[k] - model->lo[k]);
+    }
+    if (extent == 0.0)
+        return sim_refuse(model->file, 0, "all its vertices lie at one point: it has no extent");
+    if (extent < EXTENT_MIN)
+        return sim_refuse(model->file, 0, "an extent of %g is below %g; scale the model up", extent,
+                          EXTENT_MIN);
+    for (uint32_t i = 0; i < model->n_points; i++) {
+        double d[3];
+        sim_sub(d, model->point[i], model->center);
+        squared = fmax(squared, sim_dot(d, d));
+    }
+    model->radius = sqrt(squared) * (1.0 + 1e-12);
+    return SIM_OK;
+}
+
+/* ---- Load -------------------------------------------------------------------------------------- */
+
+static int look_through(struct load *l)
+{
+    int status = read_file(l);
+    if (status == SIM_OK && l->family == FAMILY_OBJ)
+        status = sim_obj_scan(&l->obj, l->file, l->text, l->bytes);
+    if (status == SIM_OK && l->family == FAMILY_PLY)
+        status = sim_ply_check(l->file, l->text, l->bytes);
+    if (status == SIM_OK && l->family == FAMILY_STL)
+        status = sim_stl_check(l->file, l->text, l->bytes);
+    free(l->text);
+    l->text = NULL;
+    return status;
+}
+
+static int build(struct load *l, int want_normals)
+{
+    struct sim_model *model = l->model;
+    int status = walk(l, count_mesh);
+    if (status == SIM_OK && model->n_tris == 0)
+        status = sim_refuse(l->file, 0, "no faces in it; zsim draws polygons");
+    if (status != SIM_OK)
+        return status;
+    const size_t n = model->n_tris, corners = 3 * n;
+    uint32_t slots = 16;
+    while (slots < 2 * corners && slots < 1u << 31)
+        slots *= 2;
+    l->slot = sim_alloc(slots, sizeof *l->slot);
+    l->slot_mask = slots - 1;
+    model->point = sim_alloc(corners, sizeof *model->point);
+    model->tri = sim_alloc(n, sizeof *model->tri);
+    model->rgb = sim_alloc(n, sizeof *model->rgb);
+    model->normal = want_normals ? sim_alloc(n, sizeof *model->normal) : NULL;
+    model->n_tris = 0;
+    status = walk(l, fill_mesh);
+    free(l->slot);
+    if (status == SIM_OK && l->family == FAMILY_OBJ && l->face != l->obj.n_faces)
+        status = sim_refuse(l->file, 0, "the loader gave %zu of %zu faces; please report this file",
+                            l->face, l->obj.n_faces);
+    model->point = sim_grow(model->point, model->n_points, sizeof *model->point);
+    if (status == SIM_OK)
+        status = fill_bounds(model);
+    if (status == SIM_OK && want_normals)
+        fill_normals(model);
+    return status;
+}
+
+int sim_model_load(struct sim_model *model, const char *file, int want_normals,
+                   const struct zs_rgb *color)
+{
+    memset(model, 0, sizeof *model);
+    struct load l = { .model = model, .file = file, .family = family_of(file), .color = color };
+    model->file = file;
+    model->single = l.family != FAMILY_OBJ;
+    int status = look_through(&l);
+    if (status == SIM_OK)
+        status = import(&l);
+    if (status == SIM_OK)
+        status = build(&l, want_normals);
+    if (l.scene != NULL)
+        aiReleaseImport(l.scene);
+    sim_obj_free(&l.obj);
+    if (status != SIM_OK)
+        sim_model_free(model);
+    return status;
+}
+
+void sim_model_free(struct sim_model *model)
+{
+    free(model->point);
+    free(model->tri);
+    free(model->normal);
+    free(model->rgb);
+    memset(model, 0, sizeof *model);
+}

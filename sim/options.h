@@ -1,0 +1,41 @@
+/* The command line of `zsim render`.
+ *
+ * SPDX-License-Identifier: MIT
+ */
+#ifndef SIM_OPTIONS_H
+#define SIM_OPTIONS_H
+
+#include "zstrip.h"
+
+enum sim_shade { SIM_SHADE_ID, SIM_SHADE_FLAT, SIM_SHADE_SMOOTH };
+enum sim_depth { SIM_DEPTH_DEFAULT, SIM_DEPTH_RECIP, SIM_DEPTH_LINEAR };
+
+/* has_* is 0 where the user said nothing and the simulator chooses. Strings point into argv. */
+struct sim_options {
+    const char *model, *out, *depth_out, *id_out, *stats; /* files; NULL: not wanted */
+    long size[2], strip;                                  /* px: width, height, rows */
+    long tris, verts;                                     /* pool sizes; 0: ample */
+    long depth_bits, subpixel, buffers, skip_off;         /* as in struct zs_config */
+    double eye[3], at[3], up[3];                          /* model units */
+    double fov;                                           /* degrees, vertical */
+    double near_z, far_z;                                 /* model units */
+    double light[3];                                      /* towards the light, any length but 0 */
+    double ambient, diffuse;                              /* 0 .. 1 */
+    enum zs_projection projection;
+    enum sim_depth depth;
+    enum sim_shade shade;
+    enum zs_cull cull;
+    struct zs_rgb background, color;
+    int has_eye, has_at, has_near, has_far, has_light, has_color; /* flags */
+    int reference, compare, help;                                 /* flags */
+};
+
+/* Fill *o from the arguments after "render". SIM_USAGE where they make no sense, SIM_REFUSED where a
+ * value is outside what zsim can do; *o is only complete on SIM_OK. With o->help nothing else
+ * counts. */
+int sim_options_parse(struct sim_options *o, int argc, char **argv);
+
+/* The help text of `zsim render`. */
+extern const char sim_options_help[];
+
+#endif

@@ -1,0 +1,25 @@
+/* A model as the double-precision reference draws it: the file's own positions, never quantised.
+ *
+ * SPDX-License-Identifier: MIT
+ */
+#ifndef SIM_ORIGINAL_H
+#define SIM_ORIGINAL_H
+
+#include "model.h"
+#include "options.h"
+#include "reference.h"
+#include "view.h"
+
+/* The reference's frame, and what it was drawn with. */
+struct sim_original {
+    struct ref_image image; /* rgb565, key, id, z and exact_key; memory of its own */
+    struct ref_camera camera;
+    struct ref_depth depth;
+};
+
+/* Draw it with the same camera, colours and light. SIM_OK; SIM_REFUSED, said why, *out empty. */
+int sim_original_render(struct sim_original *out, const struct sim_model *model,
+                        const struct sim_view *view, const struct sim_options *o);
+void sim_original_free(struct sim_original *original);
+
+#endif

@@ -1,0 +1,317 @@
+/* Options, model, view, scene, frame, files, in this order. Files come last, so that whatever is
+ * refused leaves none.
+ *
+ * SPDX-License-Identifier: MIT
+ */
+#include "render.h"
+
+#include <stdlib.h>
+#include <string.h>
+#include <sys/stat.h>
+
+#include "frame.h"
+#include "image.h"
+#include "model.h"
+#include "options.h"
+#include "original.h"
+#include "output.h"
+#include "quantise.h"
+#include "sim.h"
+#include "stats.h"
+#include "vec.h"
+#include "view.h"
+
+#define N_OUTPUTS 4
+#define GUARD_PX (ZS_GUARD_PX - 64.0) /* safely inside the guard band */
+#define PIECES 7u     /* triangles that clipping can make of one */
+#define NEW_VERTS 9u  /* vertices of what it makes */
+
+/* One command, from its options to its frame. Whatever is not set is all zero. */
+struct job {
+    struct sim_options options;
+    struct sim_model model;
+    struct sim_view view;
+    struct sim_scene scene;
+    struct zs_config config;
+    struct sim_frame frame;
+    uint32_t *id; /* of the frame; NULL: not wanted */
+    struct sim_original original;
+    struct ref_diff diff; /* with --compare */
+};
+
+/* ---- Frame ------------------------------------------------------------------------------------- */
+
+/* Could any triangle need clipping? By the model's sphere. */
+static int may_clip(const struct sim_view *v, const struct sim_model *model)
+{
+    double to[3];
+    sim_sub(to, model->center, v->eye);
+    const double z = -sim_dot(to, v->back), r = model->radius;
+    const double x = fabs(sim_dot(to, v->right)) + r, y = fabs(sim_dot(to, v->up)) + r;
+    if (z - r <= v->near_z || z + r >= v->far_z)
+        return 1;
+    const double px = v->orthographic ? v->height / v->span : v->focal / (z - r);
+    return fmax(x, y) * px > GUARD_PX;
+}
+
+static uint16_t pool_size(long wanted, uint64_t ample, uint64_t least)
+{
+    const uint64_t n = wanted > 0 ? (uint64_t)wanted : ample < least ? least : ample;
+    return (uint16_t)(n < ZS_POOL_MAX ? n : ZS_POOL_MAX);
+}
+
+static void set_config(struct job *job)
+{
+    const struct sim_options *o = &job->options;
+    struct zs_config *c = &job->config;
+    const uint64_t n = job->model.n_tris;
+    const int clips = may_clip(&job->view, &job->model);
+    sim_frame_config(c, (uint16_t)o->size[0], (uint16_t)o->size[1],
+                     o->shade == SIM_SHADE_SMOOTH ? ZS_ATTRS_SMOOTH : ZS_ATTRS_FLAT);
+    c->strip_h = (uint16_t)(o->strip < o->size[1] ? o->strip : o->size[1]);
+    c->max_tris = pool_size(o->tris, clips ? n * PIECES : n, 1);
+    c->max_verts = pool_size(o->verts, job->scene.n_verts + (clips ? n * NEW_VERTS : 0), 3);
+    c->buffers = (uint8_t)o->buffers;
+    c->subpixel_bits = (uint8_t)o->subpixel;
+    c->depth_bits = (uint8_t)o->depth_bits;
+    c->skip_off = (uint8_t)o->skip_off;
+    if (o->depth == SIM_DEPTH_LINEAR || o->projection == ZS_ORTHOGRAPHIC)
+        c->depth = &zs_depth_linear;
+}
+
+static int refuse_frame(const struct job *job, int err)
+{
+    const struct sim_view *v = &job->view;
+    const double far_most = job->scene.unit * ZS_WORLD_MAX;
+    if (err == SIM_FRAME_BROKEN)
+        return sim_refuse(job->model.file, 0, "the renderer broke its sink's contract");
+    return sim_refuse(job->model.file, 0,
+                      "the renderer cannot hold this view (%s): near %.9g, far %.9g, at most %.9g",
+                      zs_strerror(err), v->near_z, v->far_z, far_most);
+}
+
+static int draw_frame(struct job *job)
+{
+    const struct sim_options *o = &job->options;
+    const size_t pixels = (size_t)o->size[0] * (size_t)o->size[1];
+    int status = sim_scene_build(&job->scene, &job->model, &job->view, o);
+    if (status != SIM_OK)
+        return status;
+    set_config(job);
+    int err = sim_frame_render(&job->frame, &job->scene.scene, &job->scene.camera, &job->config,
+                               "drawing");
+    if (err == ZS_OK && (o->id_out != NULL || o->compare)) {
+        job->id = sim_alloc(pixels, sizeof *job->id);
+        err = sim_frame_ids(job->id, &job->scene.scene, &job->scene.camera, &job->config);
+    }
+    return err == ZS_OK ? SIM_OK : refuse_frame(job, err);
+}
+
+static int draw(struct job *job)
+{
+    const struct sim_options *o = &job->options;
+    int status = sim_model_load(&job->model, o->model, o->shade == SIM_SHADE_SMOOTH,
+                                o->has_color ? &o->color : NULL);
+    if (status == SIM_OK)
+        status = sim_view_plan(&job->view, o, &job->model);
+    if (status == SIM_OK && !o->reference)
+        status = draw_frame(job);
+    if (status == SIM_OK && (o->reference || o->compare))
+        status = sim_original_render(&job->original, &job->model, &job->view, o);
+    if (status == SIM_OK && o->compare) {
+        const struct ref_image ours = { .rgb565 = job->frame.rgb565, .key = job->frame.key,
+                                        .id = job->id };
+        if (ref_compare(&ours, &job->original.image, &job->original.depth, &job->original.camera,
+                        job->view.width, job->view.height, &job->diff) != REF_OK)
+            status = sim_refuse(o->model, 0, "the reference cannot compare these frames");
+    }
+    sim_progress_end();
+    return status;
+}
+
+/* ---- Files ------------------------------------------------------------------------------------- */
+
+static void stats_reference(struct sim_json *json, const struct job *job)
+{
+    const size_t n = (size_t)job->view.width * (size_t)job->view.height;
+    double visible = 0.0;
+    for (size_t i = 0; i < n; i++)
+        visible += job->original.image.key[i] != ZS_DEPTH_CLEAR;
+    sim_json_number(json, "triangles_in", (double)job->model.n_tris);
+    sim_json_number(json, "pixels_visible", visible);
+}
+
+static void stats_view(struct sim_json *json, const struct job *job)
+{
+    const struct sim_view *v = &job->view;
+    sim_json_number(json, "width", v->width);
+    sim_json_number(json, "height", v->height);
+    sim_json_vector(json, "eye", v->eye);
+    sim_json_vector(json, "at", v->at);
+    sim_json_vector(json, "up", v->up);
+    sim_json_vector(json, "light", v->light);
+    sim_json_number(json, "near", v->near_z);
+    sim_json_number(json, "far", v->far_z);
+    sim_json_number(json, "focal_px", v->orthographic ? 0.0 : v->focal);
+    sim_json_number(json, "view_height", v->orthographic ? v->span : 0.0);
+}
+
+static void stats_diff(struct sim_json *json, const struct ref_diff *d)
+{
+    const double n = (double)d->pixels;
+    sim_json_number(json, "compare_missing", (double)d->missing);
+    sim_json_number(json, "compare_extra", (double)d->extra);
+    sim_json_number(json, "compare_wrong_triangle", (double)d->id_differ);
+    sim_json_number(json, "compare_wrong_fraction",
+                    (double)(d->missing + d->extra + d->id_differ) / n);
+    sim_json_number(json, "compare_key_max_diff", d->key_max_diff);
+    sim_json_number(json, "compare_key_max_error", d->key_max_error);
+    sim_json_number(json, "compare_key_off", (double)d->key_off);
+    sim_json_number(json, "compare_z_mean_relative", d->z_mean_rel);
+    sim_json_number(json, "compare_z_max_relative", d->z_max_rel);
+    sim_json_number(json, "compare_channel_max_diff", d->channel_max_diff);
+    sim_json_number(json, "compare_channel_off_one_fraction", d->off_one_fraction);
+    sim_json_number(json, "compare_channel_off", (double)d->channel_off);
+    sim_json_number(json, "compare_psnr_db", fmin(d->psnr_db, 999.0));
+}
+
+static void write_stats(FILE *f, const struct job *job)
+{
+    const struct sim_options *o = &job->options;
+    struct sim_json json;
+    sim_json_begin(&json, f);
+    sim_json_number(&json, "reference", o->reference);
+    if (o->reference)
+        stats_reference(&json, job);
+    else
+        sim_stats_frame(&json, &job->frame, &job->config);
+    stats_view(&json, job);
+    if (!o->reference) {
+        sim_json_number(&json, "strip_rows", job->config.strip_h);
+        sim_json_number(&json, "parts", (double)job->scene.n_parts);
+        sim_json_number(&json, "vertices_in", (double)job->scene.n_verts);
+        sim_json_number(&json, "quantisation_step", job->scene.step);
+        sim_json_number(&json, "quantisation_error", job->scene.error);
+        sim_json_number(&json, "world_unit", job->scene.unit);
+    }
+    if (o->compare)
+        stats_diff(&json, &job->diff);
+    sim_json_end(&json);
+}
+
+static const char *const *names(const struct sim_options *o, const char *name[N_OUTPUTS])
+{
+    name[0] = o->out;
+    name[1] = o->depth_out;
+    name[2] = o->id_out;
+    name[3] = o->stats;
+    return name;
+}
+
+/* One file of the four. */
+static int write_one(FILE *f, const struct job *job, int which, const char *name)
+{
+    const int is_reference = job->options.reference;
+    const struct ref_image *ref = &job->original.image;
+    const uint32_t w = (uint32_t)job->view.width, h = (uint32_t)job->view.height;
+    const size_t n = (size_t)w * h;
+    if (which == 0) {
+        uint8_t *rgb = sim_rgb565_to_rgb8(is_reference ? ref->rgb565 : job->frame.rgb565, n);
+        const int status = sim_png_write(f, name, w, h, rgb);
+        free(rgb);
+        return status;
+    }
+    if (which == 1)
+        sim_pgm_write(f, w, h, is_reference ? ref->key : job->frame.key);
+    else if (which == 2)
+        sim_u32_write(f, is_reference ? ref->id : job->id, n);
+    else
+        write_stats(f, job);
+    return SIM_OK;
+}
+
+static int write_files(const struct job *job)
+{
+    const char *name[N_OUTPUTS];
+    struct sim_output out[N_OUTPUTS];
+    size_t n = 0;
+    int status = SIM_OK;
+    (void)names(&job->options, name);
+    for (int i = 0; status == SIM_OK && i < N_OUTPUTS; i++) {
+        if (name[i] == NULL)
+            continue;
+        status = sim_output_open(&out[n], name[i]);
+        if (status == SIM_OK)
+            status = write_one(out[n++].file, job, i, name[i]);
+    }
+    if (status == SIM_OK)
+        return sim_output_commit(out, n);
+    while (n > 0)
+        sim_output_abort(&out[--n]);
+    return status;
+}
+
+static int same_file(const char *a, const char *b)
+{
+    struct stat sa, sb;
+    if (strcmp(a, b) == 0)
+        return stat(a, &sa) != 0 || S_ISREG(sa.st_mode);
+    return stat(a, &sa) == 0 && stat(b, &sb) == 0 && S_ISREG(sa.st_mode) &&
+           sa.st_dev == sb.st_dev && sa.st_ino == sb.st_ino;
+}
+
+/* Before the work, what can be known about the files. */
+static int check_files(const struct sim_options *o)
+{
+    const char *name[N_OUTPUTS];
+    (void)names(o, name);
+    for (int i = 0; i < N_OUTPUTS; i++) {
+        if (name[i] == NULL)
+            continue;
+        for (int k = 0; k < i; k++)
+            if (name[k] != NULL && same_file(name[i], name[k]))
+                return sim_refuse(name[i], 0, "is named for two outputs; give each its own");
+        const int status = sim_output_check(name[i], o->model);
+        if (status != SIM_OK)
+            return status;
+    }
+    return SIM_OK;
+}
+
+/* ---- Command ----------------------------------------------------------------------------------- */
+
+static void print_diff(const struct ref_diff *d)
+{
+    (void)printf("%zu of %zu pixels drawn in the reference; missing %zu, extra %zu, another triangle "
+                 "%zu. Depth: at most %.3f keys from the exact one, %zu of %zu more than 1 apart, mean "
+                 "relative error of z %.2g. Colour: %.2f %% of channel values one code off, %zu more "
+                 "than one (at most %d), PSNR %.1f dB.\n",
+                 d->ref_drawn, d->pixels, d->missing, d->extra, d->id_differ, d->key_max_error,
+                 d->key_off, d->key_compared, d->z_mean_rel, 100.0 * d->off_one_fraction,
+                 d->channel_off, d->channel_max_diff, d->psnr_db);
+}
+
+int sim_render(int argc, char **argv)
+{
+    struct job *job = sim_alloc(1, sizeof *job);
+    int status = sim_options_parse(&job->options, argc, argv);
+    if (status == SIM_OK && job->options.help) {
+        (void)fputs(sim_options_help, stdout);
+    } else {
+        if (status == SIM_OK)
+            status = check_files(&job->options);
+        if (status == SIM_OK)
+            status = draw(job);
+        if (status == SIM_OK)
+            status = write_files(job);
+        if (status == SIM_OK && job->options.compare)
+            print_diff(&job->diff);
+    }
+    sim_original_free(&job->original);
+    free(job->id);
+    sim_frame_free(&job->frame);
+    sim_scene_free(&job->scene);
+    sim_model_free(&job->model);
+    free(job);
+    return status;
+}

@@ -1,0 +1,35 @@
+/* What assimp does not check: text and headers of model files, looked through before it reads them.
+ *
+ * assimp 5.2.5 lets NaN, two-vertex faces and missing indices pass, repeats the last line of a PLY
+ * that was cut off, names no lines, and keeps single-precision positions.
+ *
+ * SPDX-License-Identifier: MIT
+ */
+#ifndef SIM_SCAN_H
+#define SIM_SCAN_H
+
+#include <stddef.h>
+#include <stdint.h>
+
+#define SIM_NONE UINT32_MAX
+
+/* An OBJ file's points and faces, exactly as written, and the same file cleaned up for assimp. */
+struct sim_obj {
+    double (*point)[3]; /* [n_points], every `v` */
+    uint32_t *corner;   /* [n_corners], point of a face's corner */
+    uint32_t *count;    /* [n_faces], corners of a face, >= 3 */
+    size_t n_points, n_corners, n_faces;
+    char *text; /* absolute indices, no groups, no elements but faces: assimp keeps its order */
+    size_t text_bytes;
+};
+
+/* Look through the text of an OBJ file, which ends in a '\0' at text[bytes].
+ * Return SIM_OK; SIM_REFUSED, said why, *obj empty. sim_obj_free in either case. */
+int sim_obj_scan(struct sim_obj *obj, const char *file, const char *text, size_t bytes);
+void sim_obj_free(struct sim_obj *obj);
+
+/* Refuse a PLY or STL file that is cut off, or in which a face is wrong. Text as above. */
+int sim_ply_check(const char *file, const char *text, size_t bytes);
+int sim_stl_check(const char *file, const char *text, size_t bytes);
+
+#endif

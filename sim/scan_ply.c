@@ -1,0 +1,297 @@
+/* PLY: the header's promises against the body, text or binary.
+ *
+ * SPDX-License-Identifier: MIT
+ */
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "scan.h"
+#include "sim.h"
+
+#define ELEMENTS_MAX 16
+#define PROPERTIES_MAX 64
+
+enum format { FORMAT_NONE, FORMAT_ASCII, FORMAT_LITTLE, FORMAT_BIG };
+enum role { ROLE_OTHER, ROLE_POSITION, ROLE_INDICES };
+
+struct type {
+    const char *name[2];
+    uint8_t bytes;
+    char kind; /* i signed, u unsigned, f floating */
+};
+
+static const struct type types[] = {
+    { { "char", "int8" }, 1, 'i' },    { { "uchar", "uint8" }, 1, 'u' },
+    { { "short", "int16" }, 2, 'i' },  { { "ushort", "uint16" }, 2, 'u' },
+    { { "int", "int32" }, 4, 'i' },    { { "uint", "uint32" }, 4, 'u' },
+    { { "float", "float32" }, 4, 'f' }, { { "double", "float64" }, 8, 'f' },
+};
+
+struct property {
+    const struct type *count; /* NULL unless a list */
+    const struct type *type;
+    enum role role;
+};
+
+struct element {
+    char name[32];
+    unsigned long long n;
+    struct property property[PROPERTIES_MAX];
+    int n_properties;
+};
+
+struct ply {
+    const char *file;
+    const char *p, *end;
+    unsigned long line;
+    enum format format;
+    struct element element[ELEMENTS_MAX];
+    int n_elements;
+    unsigned long long n_vertices, n_faces;
+};
+
+static int cut_off(const struct ply *s, const struct element *e, unsigned long long i)
+{
+    return sim_refuse(s->file, s->format == FORMAT_ASCII ? s->line : 0,
+                      "cut off: it ends in %s %llu of %llu; get the whole file", e->name, i + 1, e->n);
+}
+
+/* ---- Header ------------------------------------------------------------------------------------ */
+
+/* The next line's words, at most n, into one buffer. -1 at the end of the file. */
+static int take_words(struct ply *s, char text[256], char *word[], int n)
+{
+    if (s->p >= s->end)
+        return -1;
+    size_t length = 0;
+    for (; s->p < s->end && *s->p != '\n' && *s->p != '\r'; s->p++)
+        if (length < 255)
+            text[length++] = *s->p;
+    text[length] = '\0';
+    if (s->p < s->end && *s->p == '\r')
+        s->p++;
+    if (s->p < s->end && *s->p == '\n')
+        s->p++;
+    s->line++;
+    int count = 0;
+    for (char *w = strtok(text, " \t"); w != NULL && count < n; w = strtok(NULL, " \t"))
+        word[count++] = w;
+    return count;
+}
+
+static const struct type *find_type(const char *name)
+{
+    for (size_t i = 0; i < sizeof types / sizeof types[0]; i++)
+        if (strcmp(types[i].name[0], name) == 0 || strcmp(types[i].name[1], name) == 0)
+            return &types[i];
+    return NULL;
+}
+
+static int take_property(struct ply *s, char *word[], int n)
+{
+    const int is_list = n == 5 && strcmp(word[1], "list") == 0;
+    if (s->n_elements == 0 || (!is_list && n != 3) ||
+        s->element[s->n_elements - 1].n_properties == PROPERTIES_MAX)
+        return sim_refuse(s->file, s->line - 1, "a property that makes no sense here");
+    struct element *e = &s->element[s->n_elements - 1];
+    struct property *p = &e->property[e->n_properties++];
+    const char *name = word[n - 1];
+    p->count = is_list ? find_type(word[2]) : NULL;
+    p->type = find_type(word[n - 2]);
+    if (p->type == NULL || (is_list && (p->count == NULL || p->count->kind == 'f')))
+        return sim_refuse(s->file, s->line - 1, "a property of unknown type");
+    p->role = ROLE_OTHER;
+    if (strcmp(e->name, "vertex") == 0 && !is_list && strlen(name) == 1 && strchr("xyz", name[0]))
+        p->role = ROLE_POSITION;
+    if (strcmp(e->name, "face") == 0 && is_list && strncmp(name, "vertex_ind", 10) == 0)
+        p->role = ROLE_INDICES;
+    return SIM_OK;
+}
+
+static int take_element(struct ply *s, char *word[], int n)
+{
+    char *end = NULL;
+    if (n != 3 || s->n_elements == ELEMENTS_MAX || strlen(word[1]) > 31 || word[2][0] == '-')
+        return sim_refuse(s->file, s->line - 1, "an element that makes no sense");
+    struct element *e = &s->element[s->n_elements++];
+    e->n_properties = 0;
+    e->n = strtoull(word[2], &end, 10);
+    if (*end != '\0')
+        return sim_refuse(s->file, s->line - 1, "'%s' is not a count", word[2]);
+    memcpy(e->name, word[1], strlen(word[1]) + 1);
+    if (strcmp(e->name, "vertex") == 0)
+        s->n_vertices = e->n;
+    if (strcmp(e->name, "face") == 0)
+        s->n_faces = e->n;
+    return SIM_OK;
+}
+
+static int take_format(struct ply *s, const char *name)
+{
+    s->format = strcmp(name, "ascii") == 0                  ? FORMAT_ASCII
+                : strcmp(name, "binary_little_endian") == 0 ? FORMAT_LITTLE
+                : strcmp(name, "binary_big_endian") == 0    ? FORMAT_BIG
+                                                            : FORMAT_NONE;
+    return s->format != FORMAT_NONE ? SIM_OK
+                                    : sim_refuse(s->file, s->line - 1, "unknown format '%s'", name);
+}
+
+static int take_header(struct ply *s)
+{
+    char text[256], *word[6];
+    int n = take_words(s, text, word, 6);
+    if (n != 1 || strcmp(word[0], "ply") != 0)
+        return sim_refuse(s->file, 1, "not a PLY file: its first line is not `ply`");
+    while ((n = take_words(s, text, word, 6)) >= 0) {
+        int status = SIM_OK;
+        if (n == 0 || strcmp(word[0], "comment") == 0 || strcmp(word[0], "obj_info") == 0)
+            continue;
+        if (strcmp(word[0], "end_header") == 0)
+            return s->format != FORMAT_NONE ? SIM_OK
+                                            : sim_refuse(s->file, 0, "a header without a format");
+        if (strcmp(word[0], "format") == 0 && n >= 2)
+            status = take_format(s, word[1]);
+        else if (strcmp(word[0], "element") == 0)
+            status = take_element(s, word, n);
+        else if (strcmp(word[0], "property") == 0)
+            status = take_property(s, word, n);
+        else
+            status = sim_refuse(s->file, s->line - 1, "'%s' does not belong in a header", word[0]);
+        if (status != SIM_OK)
+            return status;
+    }
+    return sim_refuse(s->file, s->line, "cut off: its header has no end; get the whole file");
+}
+
+/* ---- Body -------------------------------------------------------------------------------------- */
+
+/* A number of the body: 1; 0 at the end of the line or file; -1 not a number. */
+static int take_ascii(struct ply *s, double *out)
+{
+    while (s->p < s->end && (*s->p == ' ' || *s->p == '\t'))
+        s->p++;
+    if (s->p >= s->end || *s->p == '\n' || *s->p == '\r')
+        return 0;
+    char *end;
+    *out = strtod(s->p, &end);
+    if (end == s->p || !(*end == '\0' || strchr(" \t\r\n", *end)))
+        return -1;
+    s->p = end;
+    return 1;
+}
+
+static int take_binary(struct ply *s, const struct type *t, double *out)
+{
+    unsigned char b[8];
+    if ((size_t)(s->end - s->p) < t->bytes)
+        return 0;
+    for (int i = 0; i < t->bytes; i++) /* to little-endian */
+        b[i] = (unsigned char)s->p[s->format == FORMAT_LITTLE ? i : t->bytes - 1 - i];
+    s->p += t->bytes;
+    uint64_t u = 0;
+    for (int i = 0; i < t->bytes; i++)
+        u |= (uint64_t)b[i] << (8 * i);
+    if (t->kind == 'f' && t->bytes == 4) {
+        const uint32_t u32 = (uint32_t)u;
+        float f;
+        memcpy(&f, &u32, sizeof f);
+        *out = (double)f;
+    } else if (t->kind == 'f') {
+        memcpy(out, &u, sizeof *out);
+    } else if (t->kind == 'i' && u >> (8 * t->bytes - 1)) {
+        *out = (double)u - ldexp(1.0, 8 * t->bytes);
+    } else {
+        *out = (double)u;
+    }
+    return 1;
+}
+
+static int take_value(struct ply *s, const struct type *t, const struct element *e,
+                      unsigned long long i, double *out)
+{
+    const int got = s->format == FORMAT_ASCII ? take_ascii(s, out) : take_binary(s, t, out);
+    if (got < 0)
+        return sim_refuse(s->file, s->line, "%s %llu holds something that is not a number", e->name,
+                          i + 1);
+    return got > 0 ? SIM_OK : cut_off(s, e, i);
+}
+
+static int take_list(struct ply *s, const struct property *p, const struct element *e,
+                     unsigned long long i)
+{
+    const unsigned long line = s->format == FORMAT_ASCII ? s->line : 0;
+    double n, v;
+    int status = take_value(s, p->count, e, i, &n);
+    if (status != SIM_OK)
+        return status;
+    if (!(n >= 0.0 && n <= 1e9) || n != floor(n))
+        return sim_refuse(s->file, line, "%s %llu is a list of %g", e->name, i + 1, n);
+    if (p->role == ROLE_INDICES && n < 3.0)
+        return sim_refuse(s->file, line, "face %llu has %g vertices; it needs at least 3", i + 1, n);
+    for (long k = 0; k < (long)n; k++) {
+        status = take_value(s, p->type, e, i, &v);
+        if (status != SIM_OK)
+            return status;
+        if (p->role == ROLE_INDICES && !(v >= 0.0 && v < (double)s->n_vertices && v == floor(v)))
+            return sim_refuse(s->file, line,
+                              "vertex index %g of face %llu is out of range: 0 to %llu exist", v,
+                              i + 1, s->n_vertices - 1);
+    }
+    return SIM_OK;
+}
+
+static int take_record(struct ply *s, const struct element *e, unsigned long long i)
+{
+    for (int k = 0; k < e->n_properties; k++) {
+        const struct property *p = &e->property[k];
+        double v = 0.0;
+        const int status = p->count != NULL ? take_list(s, p, e, i) : take_value(s, p->type, e, i, &v);
+        if (status != SIM_OK)
+            return status;
+        if (p->role == ROLE_POSITION && !isfinite(v))
+            return sim_refuse(s->file, s->format == FORMAT_ASCII ? s->line : 0,
+                              "vertex %llu has a coordinate that is not finite; export the model again",
+                              i + 1);
+    }
+    return SIM_OK;
+}
+
+/* Text: skip empty lines before a record and the rest of the line after it. */
+static void skip_lines(struct ply *s, int rest)
+{
+    if (s->format != FORMAT_ASCII)
+        return;
+    while (rest && s->p < s->end && *s->p != '\n')
+        s->p++;
+    while (s->p < s->end && strchr(" \t\r\n", *s->p) && *s->p != '\0') {
+        if (*s->p == '\n')
+            s->line++;
+        s->p++;
+    }
+}
+
+int sim_ply_check(const char *file, const char *text, size_t bytes)
+{
+    struct ply *s = sim_alloc(1, sizeof *s);
+    s->file = file;
+    s->p = text;
+    s->end = text + bytes;
+    s->line = 1;
+    int status = take_header(s);
+    if (status == SIM_OK && s->n_faces == 0)
+        status = sim_refuse(file, 0, "no faces in it; zsim draws polygons");
+    skip_lines(s, 0);
+    for (int k = 0; status == SIM_OK && k < s->n_elements; k++) {
+        const struct element *e = &s->element[k];
+        for (unsigned long long i = 0; status == SIM_OK && i < e->n && e->n_properties > 0; i++) {
+            status = take_record(s, e, i);
+            if (status == SIM_OK)
+                skip_lines(s, 1);
+            if (i % 4096 == 0)
+                sim_progress("checking", (size_t)(s->p - text), bytes);
+        }
+    }
+    free(s);
+    return status;
+}

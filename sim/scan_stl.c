@@ -1,0 +1,52 @@
+/* STL: is it all there? Text ends in `endsolid`; binary says how long it is.
+ *
+ * SPDX-License-Identifier: MIT
+ */
+#include <string.h>
+
+#include "scan.h"
+#include "sim.h"
+
+static uint32_t u32(const char *p)
+{
+    const unsigned char *b = (const unsigned char *)p;
+    return (uint32_t)b[0] | (uint32_t)b[1] << 8 | (uint32_t)b[2] << 16 | (uint32_t)b[3] << 24;
+}
+
+static int is_text(const char *text, size_t bytes)
+{
+    size_t i = 0;
+    while (i < bytes && strchr(" \t\r\n", text[i]) && text[i] != '\0')
+        i++;
+    return bytes - i >= 5 && memcmp(text + i, "solid", 5) == 0 &&
+           memchr(text, '\0', bytes < 1024 ? bytes : 1024) == NULL;
+}
+
+int sim_stl_check(const char *file, const char *text, size_t bytes)
+{
+    const uint64_t n = bytes >= 84 ? u32(text + 80) : 0;
+    if (bytes >= 84 && bytes == 84 + 50 * n)
+        return n > 0 ? SIM_OK : sim_refuse(file, 0, "no faces in it");
+    if (!is_text(text, bytes)) {
+        if (bytes < 84)
+            return sim_refuse(file, 0, "cut off: %zu bytes are no STL file; get the whole file", bytes);
+        if (bytes < 84 + 50 * n)
+            return sim_refuse(file, 0,
+                              "cut off: %llu faces take %llu bytes, it has %zu; get the whole file",
+                              (unsigned long long)n, (unsigned long long)(84 + 50 * n), bytes);
+        return SIM_OK; /* longer than it says: the loader decides */
+    }
+    size_t end = bytes;
+    while (end > 0 && strchr(" \t\r\n", text[end - 1]) && text[end - 1] != '\0')
+        end--;
+    size_t from = end;
+    while (from > 0 && text[from - 1] != '\n' && text[from - 1] != '\r')
+        from--;
+    while (from < end && (text[from] == ' ' || text[from] == '\t'))
+        from++;
+    if (end - from < 8 || memcmp(text + from, "endsolid", 8) != 0)
+        return sim_refuse(file, 0, "cut off: its last line is not `endsolid`; get the whole file");
+    if (strstr(text, "facet") == NULL)
+        return sim_refuse(file, 0, "no faces in it");
+    return SIM_OK;
+}

@@ -1,0 +1,109 @@
+/* Messages, memory, progress.
+ *
+ * SPDX-License-Identifier: MIT
+ */
+#include "sim.h"
+
+#include <stdarg.h>
+#include <stdint.h>
+#include <stdlib.h>
+#include <string.h>
+#include <time.h>
+#include <unistd.h>
+
+static int progress_shown;
+
+/* One line: what would break it becomes a question mark. */
+static void print_line(char *text)
+{
+    for (char *p = text; *p != '\0'; p++)
+        if ((unsigned char)*p < 0x20 || *p == 0x7f)
+            *p = '?';
+    sim_progress_end();
+    (void)fflush(stdout);
+    (void)fprintf(stderr, "%s\n", text);
+}
+
+int sim_refuse(const char *file, unsigned long line, const char *format, ...)
+{
+    char text[6144];
+    int n = snprintf(text, sizeof text, "zsim: ");
+    if (file != NULL && line != 0)
+        n += snprintf(text + n, 4200, "%s:%lu: ", file, line);
+    else if (file != NULL)
+        n += snprintf(text + n, 4200, "%s: ", file);
+    if (n > 4200)
+        n = 4200; /* a longer name was cut */
+    va_list args;
+    va_start(args, format);
+    (void)vsnprintf(text + n, sizeof text - (size_t)n, format, args);
+    va_end(args);
+    print_line(text);
+    return SIM_REFUSED;
+}
+
+int sim_usage(const char *format, ...)
+{
+    char text[1024];
+    va_list args;
+    va_start(args, format);
+    (void)vsnprintf(text, sizeof text, format, args);
+    va_end(args);
+    char line[1152];
+    (void)snprintf(line, sizeof line, "zsim: %s; see zsim --help", text);
+    print_line(line);
+    return SIM_USAGE;
+}
+
+void *sim_grow(void *block, size_t n, size_t size)
+{
+    void *p = size != 0 && n > SIZE_MAX / size ? NULL : realloc(block, n * size + 1);
+    if (p == NULL) {
+        (void)sim_refuse(NULL, 0, "out of memory: %zu x %zu bytes more were needed", n, size);
+        exit(SIM_REFUSED);
+    }
+    return p;
+}
+
+void *sim_alloc(size_t n, size_t size)
+{
+    void *p = sim_grow(NULL, n, size);
+    memset(p, 0, n * size);
+    return p;
+}
+
+static double now_s(void)
+{
+    struct timespec t;
+    (void)clock_gettime(CLOCK_MONOTONIC, &t);
+    return (double)t.tv_sec + 1e-9 * (double)t.tv_nsec;
+}
+
+void sim_progress(const char *what, size_t done, size_t total)
+{
+    static int terminal = -1;
+    static double due_s;
+    static const char *job;
+    if (terminal < 0)
+        terminal = isatty(STDERR_FILENO);
+    if (!terminal)
+        return;
+    if (job != what) {
+        job = what;
+        due_s = now_s() + 0.5;
+    }
+    if (now_s() < due_s)
+        return;
+    due_s = now_s() + 0.1;
+    const double percent = total > 0 ? 100.0 * (double)done / (double)total : 0.0;
+    (void)fprintf(stderr, "\rzsim: %s %3.0f %%\033[K", what, percent);
+    (void)fflush(stderr);
+    progress_shown = 1;
+}
+
+void sim_progress_end(void)
+{
+    if (progress_shown)
+        (void)fprintf(stderr, "\r\033[K");
+    progress_shown = 0;
+}

@@ -1,0 +1,35 @@
+/* Random cases by seed.
+ *
+ * SPDX-License-Identifier: MIT
+ */
+#include "cases.h"
+
+#include <string.h>
+
+const char *cases_program = "?";
+
+int case_wrong(const char *format, ...)
+{
+    va_list args;
+    va_start(args, format);
+    fprintf(stderr, "wrong: ");
+    vfprintf(stderr, format, args);
+    fputc('\n', stderr);
+    va_end(args);
+    return 0;
+}
+
+void cases_run(const char *test, case_fn *fn, uint64_t n)
+{
+    const char *only = getenv("ZS_SEED");
+    uint64_t first = 1, last = n;
+    if (only && *only)
+        first = last = strtoull(only, NULL, 0);
+    for (uint64_t seed = first; seed <= last; seed++) {
+        if (fn(seed))
+            continue;
+        fprintf(stderr, "replay: ZS_SEED=%llu %s '%s'\n", (unsigned long long)seed, cases_program,
+                test);
+        fail();
+    }
+}

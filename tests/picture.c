@@ -1,0 +1,169 @@
+/* Whole frames through the public interface: see picture.h.
+ *
+ * SPDX-License-Identifier: MIT
+ */
+#include "picture.h"
+
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+struct zs_config picture_config(int32_t w, int32_t h, const struct zs_depth *depth)
+{
+    const struct zs_config c = { (uint16_t)w, (uint16_t)h, (uint16_t)h, 4000, 4000,
+                                 ZS_ATTRS_SMOOTH, 1, 8, 16, 0, depth };
+    return c;
+}
+
+struct copy {
+    struct picture *to;
+    int32_t rows;    /* arrived */
+    int busy;        /* strips lent and not waited for */
+    uint32_t before; /* checksum of a lent strip */
+    struct zs_strip lent;
+};
+
+static uint32_t sum(const struct zs_strip *s)
+{
+    uint32_t h = 2166136261u;
+    for (uint32_t i = 0; i < s->n_bytes; i++)
+        h = (h ^ s->px[i]) * 16777619u;
+    return h;
+}
+
+static int copy_submit(void *ctx, const struct zs_strip *s)
+{
+    struct copy *c = ctx;
+    struct picture *p = c->to;
+    if (c->busy || s->y != c->rows || s->x != 0 || s->w != p->w || s->y + s->h > p->h ||
+        s->n_bytes != (uint32_t)s->w * s->h * 2u || s->last != (s->y + s->h == p->h))
+        return -1000;
+    for (int32_t i = 0; i < s->w * s->h; i++) {
+        p->color[s->y * p->w + i] = (uint16_t)(s->px[2 * i] << 8 | s->px[2 * i + 1]);
+        p->key[s->y * p->w + i] = s->depth[i];
+        p->covered += s->depth[i] != ZS_DEPTH_CLEAR;
+    }
+    c->rows += s->h;
+    c->busy = 1;
+    c->before = sum(s);
+    c->lent = *s;
+    return 0;
+}
+
+static int copy_wait(void *ctx)
+{
+    struct copy *c = ctx;
+    if (!c->busy || sum(&c->lent) != c->before)
+        return -1001; /* somebody drew into a strip that was lent */
+    c->busy = 0;
+    return 0;
+}
+
+struct picture picture_draw(const struct zs_config *config, const struct zs_scene *scene,
+                            const struct zs_camera *camera)
+{
+    struct picture p = { .w = config->width, .h = config->height };
+    const uint32_t bytes = zs_arena_bytes(config);
+    uint8_t *arena = malloc(bytes ? bytes : 4);
+    struct zs_renderer *r = malloc(sizeof *r);
+    const size_t px = (size_t)p.w * (size_t)p.h;
+    p.color = calloc(px ? px : 1, 2);
+    p.key = calloc(px ? px : 1, 2);
+    if (!arena || !r || !p.color || !p.key)
+        abort();
+    memset(r, 0xa5, sizeof *r);
+    for (uint32_t i = 0; i < bytes; i++)
+        arena[i] = (uint8_t)(i * 2654435761u >> 13);
+    p.err = zs_init(r, config, arena, bytes);
+    if (!p.err) {
+        struct copy c = { .to = &p };
+        const struct zs_sink sink = { copy_submit, copy_wait, &c };
+        p.err = zs_render(r, scene, camera, &sink);
+        if (!p.err && (c.rows != p.h || c.busy))
+            p.err = -1002;
+        p.stats = *zs_frame_stats(r);
+    }
+    free(r);
+    free(arena);
+    return p;
+}
+
+void picture_free(struct picture *p)
+{
+    free(p->color);
+    free(p->key);
+    p->color = p->key = NULL;
+}
+
+int picture_same(const struct picture *a, const struct picture *b, const char *name)
+{
+    if (a->err || b->err || a->w != b->w || a->h != b->h) {
+        fprintf(stderr, "wrong: %s: errors %d and %d, %dx%d and %dx%d\n", name, a->err, b->err, a->w,
+                a->h, b->w, b->h);
+        return 0;
+    }
+    for (int32_t i = 0; i < a->w * a->h; i++)
+        if (a->color[i] != b->color[i] || a->key[i] != b->key[i]) {
+            fprintf(stderr, "wrong: %s: (%d, %d) is colour %04x key %u, and %04x %u\n", name,
+                    i % a->w, i / a->w, a->color[i], a->key[i], b->color[i], b->key[i]);
+            return 0;
+        }
+    return 1;
+}
+
+int stats_add_up(const struct zs_stats *s)
+{
+    return s->tris_in == s->tris_drawn + s->tris_frustum + s->tris_near + s->tris_far +
+                             s->tris_offscreen + s->tris_facing + s->tris_zero + s->tris_empty +
+                             s->tris_index;
+}
+
+struct zs_config lone_config(int32_t w, int32_t h, const struct zs_depth *depth)
+{
+    struct zs_config c = picture_config(w, h, depth);
+    c.max_tris = 16;
+    c.max_verts = 40;
+    return c;
+}
+
+void lone_set(struct lone *l, const int16_t (*pos)[3], int n, zs_uq16_16 scale)
+{
+    static const uint16_t raw[7] = { 1, 2, 3, 4, 5, 6, 7 };
+    memset(l, 0, sizeof *l);
+    for (int v = 0; v < n; v++)
+        memcpy(l->pos[v], pos[v], sizeof l->pos[v]);
+    for (int t = 0; t + 2 < n; t++) {
+        l->tri[t][0] = 0;
+        l->tri[t][1] = (uint16_t)(t + 1);
+        l->tri[t][2] = (uint16_t)(t + 2);
+    }
+    l->mesh.pos = (const int16_t (*)[3])l->pos;
+    l->mesh.tri = (const uint16_t (*)[3])l->tri;
+    l->mesh.face_raw = raw;
+    l->mesh.n_verts = (uint32_t)n;
+    l->mesh.n_tris = (uint32_t)(n - 2);
+    l->mesh.scale = scale;
+    l->mesh.radius = 57000; /* more than sqrt(3) * 32768 */
+    l->material.shader = &zs_shade_raw;
+    l->material.cull = ZS_CULL_NONE;
+    l->instance.mesh = &l->mesh;
+    l->instance.material = &l->material;
+    zs_pose_identity(&l->instance.pose);
+    l->scene.instance = &l->instance;
+    l->scene.n_instances = 1;
+}
+
+struct zs_camera pixel_camera(int32_t height_px, int perspective)
+{
+    struct zs_camera c;
+    int err;
+    if (perspective) {
+        err = zs_camera_perspective(&c, 8192, (uint16_t)height_px, PIXEL_Z / 2, 2 * PIXEL_Z);
+        c.focal = (zs_uq32_32)(PIXEL_Z / 256) << 32;
+    } else {
+        err = zs_camera_orthographic(&c, height_px * 256, 1, 2 * PIXEL_Z);
+    }
+    if (err)
+        abort();
+    return c;
+}

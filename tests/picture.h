@@ -1,0 +1,54 @@
+/* Whole frames through the public interface, for comparing.
+ *
+ * Every arena is exactly zs_arena_bytes() long and filled with junk, so that the sanitizer sees a
+ * byte too many and nothing can rely on what lay there.
+ *
+ * SPDX-License-Identifier: MIT
+ */
+#ifndef TESTS_PICTURE_H
+#define TESTS_PICTURE_H
+
+#include <stdint.h>
+
+#include "zstrip.h"
+
+struct picture {
+    int err;         /* of zs_init or zs_render; the rest is empty then */
+    int32_t w, h;
+    uint16_t *color; /* [h][w], RGB565 */
+    uint16_t *key;   /* [h][w] */
+    uint32_t covered; /* pixels whose key is not ZS_DEPTH_CLEAR */
+    struct zs_stats stats;
+};
+
+/* Room for everything in one pass, one strip buffer, one strip. */
+struct zs_config picture_config(int32_t w, int32_t h, const struct zs_depth *depth);
+/* Draw a frame by zs_render. To be freed whatever err is. */
+struct picture picture_draw(const struct zs_config *config, const struct zs_scene *scene,
+                            const struct zs_camera *camera);
+void picture_free(struct picture *p);
+/* 1: same size, colours and keys. Else say where they differ first, with a name for the case. */
+int picture_same(const struct picture *a, const struct picture *b, const char *name);
+/* 1: tris_in is tris_drawn and all rejects. */
+int stats_add_up(const struct zs_stats *s);
+
+/* One triangle mesh in world units of `scale`, at the origin, seen by a camera there. */
+struct lone {
+    struct zs_mesh mesh;
+    struct zs_material material;
+    struct zs_instance instance;
+    struct zs_scene scene;
+    int16_t pos[9][3];
+    uint16_t tri[7][3];
+};
+/* A configuration for it: small pools. */
+struct zs_config lone_config(int32_t w, int32_t h, const struct zs_depth *depth);
+/* n <= 9 corners as a fan; raw colours 1 .. n - 2, no culling. pos in the mesh's steps. */
+void lone_set(struct lone *l, const int16_t (*pos)[3], int n, zs_uq16_16 scale);
+
+/* A camera at the origin for which one world unit is 1/256 px: at any distance (perspective 0), or
+ * at the distance PIXEL_Z. Near is 1, far 2 * PIXEL_Z. */
+#define PIXEL_Z 32768
+struct zs_camera pixel_camera(int32_t height_px, int perspective);
+
+#endif

@@ -1,0 +1,60 @@
+#!/bin/sh
+# Run every test that `make test` has built, show each by its name, and end with "N passed, N failed".
+# Usage: tests/run.sh BUILD [PATTERN]   only the programs and scripts whose name holds PATTERN
+set -u
+cd "$(dirname "$0")/.." || exit 1
+build=$1
+only=${2:-}
+logs=$build/test/logs
+passed=0
+failed=0
+mkdir -p "$logs"
+ASAN_OPTIONS=detect_leaks=1
+LSAN_OPTIONS=suppressions=tests/lsan.txt:print_suppressions=0
+export ASAN_OPTIONS LSAN_OPTIONS
+
+# Count lines of a log: ok and FAILED from scripts, [  OK ] and [ FAILED ] from cmocka. A program that
+# ends badly without having said so is a failure of its own.
+tally() { # NAME LOG STATUS
+    ok=$(grep -cE '^(ok |\[ +OK \])' "$2")
+    bad=$(grep -cE '^(FAILED |\[  FAILED  \] [a-z0-9_]+$)' "$2")
+    if [ "$3" -ne 0 ] && [ "$bad" -eq 0 ]; then
+        echo "FAILED $1: ended with status $3" >>"$2"
+        bad=1
+    fi
+    if [ "$3" -eq 0 ] && [ "$ok" -eq 0 ] && [ "$bad" -eq 0 ]; then
+        echo "FAILED $1: ran no test" >>"$2"
+        bad=1
+    fi
+    echo "== $1: $ok passed, $bad failed"
+    grep -E '^(ok |FAILED |\[ +OK \]|\[  FAILED  \] [a-z0-9_]+$)' "$2"
+    if [ "$bad" -ne 0 ]; then
+        echo "-- the end of $2:"
+        tail -n 40 "$2"
+    fi
+    passed=$((passed + ok))
+    failed=$((failed + bad))
+}
+
+run() { # NAME COMMAND...
+    name=$1
+    shift
+    case $name in *"$only"*) ;; *) return 0 ;; esac
+    "$@" >"$logs/$name.log" 2>&1
+    tally "$name" "$logs/$name.log" $?
+}
+
+for program in "$build"/test/test_*; do
+    case $program in *.o | *.d) continue ;; esac
+    [ -x "$program" ] && run "$(basename "$program")" "$program"
+done
+run readme sh tests/readme.sh "$build"
+run checksums sh tests/checksums.sh "$build"
+run cli sh tests/cli.sh "$build/test/zsim" "$build/test/cli"
+for check in objects kernels includes cplusplus stack size bench; do
+    run "$check" sh "tests/checks/$check.sh" "$build"
+done
+
+echo
+echo "$passed passed, $failed failed"
+[ "$failed" -eq 0 ]

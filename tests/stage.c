@@ -1,0 +1,115 @@
+/* A stage for the rasterizer alone: see stage.h.
+ *
+ * SPDX-License-Identifier: MIT
+ */
+#include "stage.h"
+
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "pipeline.h"
+
+struct stage stage_default(int32_t width, int32_t height)
+{
+    const struct stage s = { width, height, height, &zs_depth_recip, 16, 256, 1 << 20, 0 };
+    return s;
+}
+
+static void must(int ok, const char *what)
+{
+    if (!ok) {
+        fprintf(stderr, "stage: %s\n", what);
+        abort();
+    }
+}
+
+static void fill_pools(struct zs_renderer *r, const struct stage_tri *t, uint32_t n)
+{
+    for (uint32_t s = 0; s < r->n_strips; s++)
+        r->bin[s] = ZS_NIL;
+    for (uint32_t k = 0; k < n; k++) {
+        int32_t top = INT32_MAX;
+        for (uint32_t v = 0; v < 3; v++) {
+            struct zs_vertex *out = &r->vert[3 * k + v];
+            out->x = t[k].x[v];
+            out->y = t[k].y[v];
+            out->d = t[k].d[v];
+            top = out->y < top ? out->y : top;
+            r->tri[k].v[v] = (uint16_t)(3 * k + v);
+            for (uint32_t c = 0; c < r->config.attrs; c++)
+                r->attr[(3 * k + v) * r->config.attrs + c] = t[k].rgb[v][c];
+        }
+        int32_t row = (top + 127) >> 8; /* first row whose sample is not above the top */
+        row = row < 0 ? 0 : row;
+        if (row >= r->config.height)
+            continue;
+        const int32_t strip = row / r->config.strip_h;
+        r->tri[k].paint = zs_wire16((uint16_t)(k + 1));
+        r->tri[k].instance = 0;
+        r->tri[k].next = r->bin[strip];
+        r->bin[strip] = (uint16_t)k;
+    }
+    r->n_tris = n;
+    r->n_verts = 3 * n;
+    r->active = ZS_NIL;
+    r->band_end = r->n_strips; /* bins are complete: no walk */
+}
+
+void stage_draw(const struct stage *s, const struct stage_tri *t, uint32_t n,
+                struct stage_frame *out)
+{
+    struct zs_renderer r;
+    const struct zs_config config = {
+        (uint16_t)s->width, (uint16_t)s->height, (uint16_t)s->strip_h, (uint16_t)(n ? n : 1),
+        (uint16_t)(n ? 3 * n : 3), s->smooth ? ZS_ATTRS_SMOOTH : ZS_ATTRS_FLAT, 1, 8,
+        (uint8_t)s->depth_bits, 0, s->depth
+    };
+    const uint32_t bytes = zs_arena_bytes(&config);
+    void *arena = malloc(bytes);
+    must(arena && zs_init(&r, &config, arena, bytes) == ZS_OK, "zs_init");
+
+    static const zs_q1_15 normal[1][3] = { { 0, 0, 32767 } };
+    struct zs_mesh mesh = { .scale = ZS_Q16_ONE, .normal = normal, .radius = 1 };
+    const struct zs_material material = { s->smooth ? &zs_shade_smooth : &zs_shade_raw,
+                                          { 0, 0, 0 }, ZS_CULL_NONE };
+    struct zs_instance instance = { &mesh, &material, { { 0 }, { 0 }, 0 } };
+    struct zs_scene scene = { .instance = &instance, .n_instances = 1 };
+    struct zs_camera camera;
+    must(zs_camera_perspective(&camera, 8192, (uint16_t)s->height, s->z_near, s->z_far) == ZS_OK,
+         "camera");
+    zs_pose_identity(&instance.pose);
+    instance.pose.pos[2] = -s->z_far; /* in view: the camera unit reaches to the far plane */
+    must(zs_frame_begin(&r, &scene, &camera) == ZS_OK, "zs_frame_begin");
+    fill_pools(&r, t, n);
+
+    const size_t n_px = (size_t)s->width * (size_t)s->height;
+    out->color = malloc(n_px * 2);
+    out->key = malloc(n_px * 2);
+    must(out->color && out->key, "memory");
+    struct zs_strip strip;
+    size_t at = 0;
+    while (zs_frame_strip(&r, &strip) == 1) {
+        const size_t px = (size_t)strip.w * strip.h;
+        must(at + px <= n_px, "strips beyond the frame");
+        for (size_t i = 0; i < px; i++)
+            out->color[at + i] = (uint16_t)(strip.px[2 * i] << 8 | strip.px[2 * i + 1]);
+        memcpy(out->key + at, strip.depth, px * 2);
+        at += px;
+    }
+    must(at == n_px, "strips do not fill the frame");
+    out->tested = r.stats.pixels_tested;
+    out->written = r.stats.pixels_written;
+    out->unit_near = r.view.z_near;
+    out->shift = r.view.shift;
+    out->key_far = (double)r.view.key_far / 65536.0;
+    must(zs_frame_end(&r) == ZS_OK, "zs_frame_end");
+    free(arena);
+}
+
+void stage_free(struct stage_frame *f)
+{
+    free(f->color);
+    free(f->key);
+    f->color = f->key = NULL;
+}

@@ -1,0 +1,735 @@
+/* The rasterizer alone, on snapped triangles: coverage, depth and order against the oracle.
+ *
+ * SPDX-License-Identifier: MIT
+ */
+#include <math.h>
+#include <string.h>
+
+#include "cases.h"
+#include "oracle.h"
+#include "stage.h"
+
+#define GUARD (8188 * 256)
+
+static uint64_t pixels_compared; /* of the current test */
+static double worst_error;       /* in buckets; of frames of at most 640 px width + height ... */
+static double worst_big;         /* ... and of larger ones */
+
+/* ---- Random triangles --------------------------------------------------------------------------- */
+
+enum kind {
+    KIND_ANY,       /* around the frame */
+    KIND_TINY,      /* a few pixels */
+    KIND_SLIVER,    /* at most a sub-pixel or two wide */
+    KIND_HUGE,      /* up to the guard band */
+    KIND_CENTERS,   /* corners on samples */
+    KIND_BESIDE,    /* a sub-pixel beside samples */
+    KIND_STRAIGHT,  /* horizontal and vertical edges */
+    KIND_FLAT,      /* long, a few rows high */
+    KIND_STEEP,     /* a huge triangle of no width, at any angle */
+    KIND_SMALL,     /* up to 128 x 128 px: the short way of planes */
+    KIND_BORDER,    /* corners on the frame's border and on the guard band's */
+    KIND_DEGENERATE,
+    KINDS
+};
+
+struct frame_size {
+    int32_t w, h;
+};
+
+static const struct frame_size sizes[] = {
+    { 1, 1 }, { 64, 48 }, { 240, 240 }, { 320, 240 }, { 37, 61 }, { 127, 3 }, { 1024, 8 },
+    { 8, 1024 }, { 96, 96 }, { 200, 120 }, { 2, 5 }, { 255, 65 }
+};
+#define N_SIZES (sizeof sizes / sizeof sizes[0])
+
+static int64_t between(int64_t v, int64_t lo, int64_t hi)
+{
+    return v < lo ? lo : v > hi ? hi : v;
+}
+
+static int32_t clamp(int64_t v, int64_t lo, int64_t hi)
+{
+    return (int32_t)between(v, lo, hi);
+}
+
+static void random_corner(struct prng *p, enum kind kind, int k, int32_t size, int32_t reach,
+                          int32_t c[3])
+{
+    const int32_t px = size * 256, middle = size * 128;
+    const int32_t sample = prng_range(p, -2, size + 1) * 256 + 128;
+    switch (kind) {
+    case KIND_TINY:
+        c[k] = k ? c[0] + prng_range(p, -900, 900) : prng_range(p, -512, px + 512);
+        break;
+    case KIND_SMALL:
+        c[k] = k ? c[0] + prng_range(p, -16000, 16000) : prng_range(p, -8000, px + 8000);
+        break;
+    case KIND_HUGE:
+        c[k] = middle + prng_range(p, -reach, reach);
+        break;
+    case KIND_CENTERS:
+        c[k] = sample;
+        break;
+    case KIND_BESIDE:
+        c[k] = sample + prng_range(p, -1, 1);
+        break;
+    case KIND_BORDER:
+        switch (prng_pick(p, 6)) {
+        case 0: c[k] = 0; break;
+        case 1: c[k] = px; break;
+        case 2: c[k] = middle - reach; break;
+        case 3: c[k] = middle + reach; break;
+        case 4: c[k] = 128; break;
+        default: c[k] = px - 128; break;
+        }
+        break;
+    default:
+        c[k] = prng_range(p, -px / 2 - 300, px + px / 2 + 300);
+        break;
+    }
+}
+
+static void bend(struct prng *p, enum kind kind, struct stage_tri *t)
+{
+    const int a = (int)prng_pick(p, 3), b = (a + 1) % 3, c = (a + 2) % 3;
+    switch (kind) {
+    case KIND_SLIVER: /* c close to the line from a to b */
+    case KIND_STEEP: {
+        const int64_t s = prng_range(p, 0, 65536);
+        t->x[c] = t->x[a] + (int32_t)((t->x[b] - t->x[a]) * s / 65536) + prng_range(p, -1, 1);
+        t->y[c] = t->y[a] + (int32_t)((t->y[b] - t->y[a]) * s / 65536) + prng_range(p, -1, 1);
+        break;
+    }
+    case KIND_STRAIGHT:
+        t->x[b] = t->x[a];
+        if (prng_pick(p, 2))
+            t->y[c] = t->y[a];
+        break;
+    case KIND_FLAT:
+        t->y[b] = t->y[a] + prng_range(p, -400, 400);
+        t->y[c] = t->y[a] + prng_range(p, -400, 400);
+        break;
+    case KIND_DEGENERATE:
+        switch (prng_pick(p, 3)) {
+        case 0: /* a point twice */
+            t->x[b] = t->x[a];
+            t->y[b] = t->y[a];
+            break;
+        case 1: /* all on a line */
+            t->x[c] = 2 * t->x[b] - t->x[a];
+            t->y[c] = 2 * t->y[b] - t->y[a];
+            break;
+        default: /* one point */
+            t->x[b] = t->x[c] = t->x[a];
+            t->y[b] = t->y[c] = t->y[a];
+            break;
+        }
+        break;
+    default:
+        break;
+    }
+}
+
+static void random_tri(struct prng *p, enum kind kind, const struct stage *s, struct stage_tri *t)
+{
+    const enum kind corner = kind == KIND_STEEP ? KIND_HUGE : kind;
+    const int32_t reach = prng_pick(p, 2) ? GUARD : 256 << prng_pick(p, 13);
+    for (int k = 0; k < 3; k++) {
+        random_corner(p, corner, k, s->width, reach, t->x);
+        random_corner(p, corner, k, s->height, reach, t->y);
+    }
+    bend(p, kind, t);
+    for (int k = 0; k < 3; k++) {
+        t->x[k] = clamp(t->x[k], s->width * 128 - GUARD, s->width * 128 + GUARD);
+        t->y[k] = clamp(t->y[k], s->height * 128 - GUARD, s->height * 128 + GUARD);
+        memset(t->rgb[k], 0, sizeof t->rgb[k]);
+    }
+}
+
+/* Keys of three corners, uq16_16, at most B - 1. */
+static void random_keys(struct prng *p, uint32_t top, uint32_t d[3])
+{
+    const uint32_t how = prng_pick(p, 6);
+    for (int k = 0; k < 3; k++)
+        switch (how) {
+        case 0: /* the ends */
+            d[k] = prng_pick(p, 2) ? top : 0;
+            break;
+        case 1: /* beside the ends */
+            d[k] = prng_pick(p, 2) ? top - prng_pick(p, 200000) : prng_pick(p, 200000);
+            break;
+        case 2: /* nearly flat */
+            d[k] = k ? (uint32_t)between((int64_t)d[0] + prng_range(p, -70000, 70000), 0, top)
+                     : prng_pick(p, top);
+            break;
+        case 3: /* flat */
+            d[k] = k ? d[0] : prng_pick(p, top + 1u);
+            break;
+        default:
+            d[k] = prng_pick(p, top);
+            break;
+        }
+}
+
+static struct oracle_tri to_oracle(const struct stage_tri *t)
+{
+    const struct oracle_tri o = { { t->x[0], t->x[1], t->x[2] }, { t->y[0], t->y[1], t->y[2] } };
+    return o;
+}
+
+static int wrong_at(const struct stage *s, const struct stage_tri *t, int i, int j,
+                    const char *what, double value)
+{
+    return case_wrong("%s %g at (%d, %d) of %dx%d, strips of %d, %d bits: (%d %d %u) (%d %d %u) "
+                      "(%d %d %u)", what, value, i, j, s->width, s->height, s->strip_h,
+                      s->depth_bits, t->x[0], t->y[0], t->d[0], t->x[1], t->y[1], t->d[1], t->x[2],
+                      t->y[2], t->d[2]);
+}
+
+/* ---- One triangle: every pixel of the frame, its coverage and its key -------------------------------- */
+
+typedef int pixel_fn(const struct stage *s, const struct stage_tri *t, const struct stage_frame *f,
+                     int i, int j, uint32_t key);
+
+static int frame_right(const struct stage *s, const struct stage_tri *t,
+                       const struct stage_frame *f, pixel_fn *pixel)
+{
+    const struct oracle_tri o = to_oracle(t);
+    uint32_t covered = 0;
+    for (int j = 0; j < s->height; j++)
+        for (int i = 0; i < s->width; i++) {
+            const size_t at = (size_t)j * (size_t)s->width + (size_t)i;
+            const int want = oracle_covers(&o, i, j), got = f->color[at] == 1;
+            if (want != got)
+                return wrong_at(s, t, i, j, "coverage", got);
+            covered += (uint32_t)want;
+            if (!want && f->key[at] != 65535)
+                return wrong_at(s, t, i, j, "key where nothing is", f->key[at]);
+            if (want && !pixel(s, t, f, i, j, f->key[at]))
+                return 0;
+        }
+    pixels_compared += (uint64_t)s->width * (uint64_t)s->height;
+    if (f->tested != covered || f->written != covered)
+        return wrong_at(s, t, 0, 0, "pixels counted", f->tested);
+    return 1;
+}
+
+/* The promise: 0.505 bucket for width + height <= 640, else 0.5 + (W + H + 1) / 2^17. */
+static double key_bound(const struct stage *s)
+{
+    const int32_t extent = s->width + s->height;
+    return extent <= 640 ? 0.505 : 0.5 + (extent + 1) / 131072.0;
+}
+
+static void note_error(const struct stage *s, double error)
+{
+    double *worst = s->width + s->height <= 640 ? &worst_error : &worst_big;
+    *worst = error > *worst ? error : *worst;
+}
+
+static int plane_pixel(const struct stage *s, const struct stage_tri *t,
+                       const struct stage_frame *f, int i, int j, uint32_t key)
+{
+    (void)f;
+    const struct oracle_tri o = to_oracle(t);
+    const uint32_t most = (1u << s->depth_bits) - 2u;
+    const double error = fabs(oracle_key_error(&o, t->d, i, j, key, most));
+    note_error(s, error);
+    if (error > key_bound(s) || key > most)
+        return wrong_at(s, t, i, j, "key", key) + case_wrong("off by %.6f buckets", error);
+    return 1;
+}
+
+static struct stage random_stage(struct prng *p, size_t size)
+{
+    struct stage s = stage_default(sizes[size].w, sizes[size].h);
+    const int32_t strips[] = { 1, 2, 3, 5, 8, 16, 24, s.height };
+    s.strip_h = strips[prng_pick(p, 8)];
+    s.depth_bits = prng_pick(p, 2) ? 16 : prng_range(p, 8, 16);
+    return s;
+}
+
+static int one_triangle(uint64_t seed)
+{
+    struct prng p = { seed };
+    struct stage s = random_stage(&p, seed % N_SIZES);
+    struct stage_tri t;
+    random_tri(&p, (enum kind)(seed / N_SIZES % KINDS), &s, &t);
+    random_keys(&p, ((1u << s.depth_bits) - 1u) << 16, t.d);
+    struct stage_frame f;
+    stage_draw(&s, &t, 1, &f);
+    const int ok = frame_right(&s, &t, &f, plane_pixel);
+    stage_free(&f);
+    return ok;
+}
+
+static void coverage_and_keys_of_single_triangles(void **state)
+{
+    (void)state;
+    pixels_compared = 0;
+    worst_error = worst_big = 0;
+    CASES(one_triangle, 1500);
+    print_message("single triangles: %llu pixels compared, keys off by at most %.5f buckets, "
+                  "%.5f in frames of 1032 px width + height\n",
+                  (unsigned long long)pixels_compared, worst_error, worst_big);
+}
+
+/* Frames up to the library's limit: the key's bound grows with them. */
+static int big_frame(uint64_t seed)
+{
+    static const struct frame_size big[] = { { 4096, 2 }, { 3, 4096 }, { 640, 480 }, { 1000, 1000 } };
+    struct prng p = { seed };
+    struct stage s = stage_default(big[seed % 4].w, big[seed % 4].h);
+    s.strip_h = prng_range(&p, 1, 64);
+    struct stage_tri t;
+    random_tri(&p, seed % 3 ? KIND_HUGE : KIND_BORDER, &s, &t);
+    random_keys(&p, 65535u << 16, t.d);
+    struct stage_frame f;
+    stage_draw(&s, &t, 1, &f);
+    const int ok = frame_right(&s, &t, &f, plane_pixel);
+    stage_free(&f);
+    return ok;
+}
+
+static void coverage_and_keys_in_big_frames(void **state)
+{
+    (void)state;
+    worst_big = 0;
+    CASES(big_frame, 32);
+    print_message("frames up to 4096 px: keys off by at most %.5f buckets\n", worst_big);
+}
+
+/* ---- Keys that are linear in distance, under perspective ----------------------------------------------- */
+
+/* (z - n) / (f - n) * (B - 1) where 1/z is the plane through the corners' stored z. 64-bit mantissas:
+ * good to 1e-12 bucket. */
+static long double linear_exact(const struct stage *s, const struct stage_tri *t,
+                                const struct stage_frame *f, int i, int j)
+{
+    const struct oracle_tri o = to_oracle(t);
+    int64_t w[3];
+    oracle_weights(&o, i, j, w);
+    long double inverse = 0, area = fabsl((long double)oracle_area(&o));
+    for (int k = 0; k < 3; k++)
+        inverse += (long double)w[k] / t->d[k];
+    const long double z = area / inverse;
+    const long double range = ldexpl((long double)s->z_far - s->z_near, f->shift);
+    return (z - f->unit_near) / range * ((1 << s->depth_bits) - 1);
+}
+
+static int linear_pixel(const struct stage *s, const struct stage_tri *t,
+                        const struct stage_frame *f, int i, int j, uint32_t key)
+{
+    const uint32_t most = (1u << s->depth_bits) - 2u;
+    long double want = linear_exact(s, t, f, i, j);
+    want = want > most ? most : want;
+    const double error = (double)fabsl(key - want);
+    note_error(s, error);
+    if (error > key_bound(s) || key > most)
+        return wrong_at(s, t, i, j, "linear key", key) + case_wrong("off by %.6f buckets", error);
+    return 1;
+}
+
+static int linear_triangle(uint64_t seed)
+{
+    struct prng p = { seed };
+    struct stage s = random_stage(&p, 1 + seed % (N_SIZES - 1));
+    s.depth = &zs_depth_linear;
+    s.z_near = 1 + (int32_t)prng_pick(&p, 1u << prng_pick(&p, 14));
+    s.z_far = clamp((int64_t)s.z_near * prng_range(&p, 2, 1 << prng_range(&p, 2, 14)), 0, 1 << 28);
+    struct stage_tri t;
+    random_tri(&p, (enum kind)(seed / N_SIZES % KINDS), &s, &t);
+    /* the camera unit is not known before the frame is begun: an empty one tells it */
+    struct stage_frame f;
+    stage_draw(&s, &t, 0, &f);
+    stage_free(&f);
+    const int32_t z0 = f.unit_near;
+    const int32_t z1 = (int32_t)ldexp(s.z_far, f.shift);
+    const uint32_t how = prng_pick(&p, 3);
+    for (int k = 0; k < 3; k++) {
+        const double along = (double)prng_pick(&p, 65537) / 65536;
+        t.d[k] = (uint32_t)(how == 0   ? (prng_pick(&p, 2) ? z1 : z0)
+                            : how == 1 ? prng_range(&p, z0, z1)
+                                       : (int32_t)(z0 * pow((double)z1 / z0, along)));
+    }
+    stage_draw(&s, &t, 1, &f);
+    const int ok = frame_right(&s, &t, &f, linear_pixel);
+    stage_free(&f);
+    return ok;
+}
+
+static void linear_keys_under_perspective(void **state)
+{
+    (void)state;
+    worst_error = worst_big = 0;
+    CASES(linear_triangle, 700);
+    print_message("linear keys, far / near 2 to 16384: off by at most %.5f buckets\n",
+                  worst_error > worst_big ? worst_error : worst_big);
+}
+
+/* ---- Many triangles: the least (key, order) ------------------------------------------------------------- */
+
+#define CROWD 60
+
+static int crowd_case(uint64_t seed)
+{
+    struct prng p = { seed };
+    struct stage s = random_stage(&p, 1 + seed % (N_SIZES - 1));
+    struct stage_tri t[CROWD];
+    struct oracle_tri o[CROWD];
+    uint32_t key[CROWD];
+    const uint32_t most = (1u << s.depth_bits) - 2u, levels = 1u << prng_pick(&p, 5);
+    for (int k = 0; k < CROWD; k++) { /* flat: exactly known keys, and many ties */
+        random_tri(&p, (enum kind)prng_pick(&p, KINDS), &s, &t[k]);
+        const uint32_t d = prng_pick(&p, levels) * (most / levels) * 65536u + prng_pick(&p, 0x8000);
+        t[k].d[0] = t[k].d[1] = t[k].d[2] = d;
+        o[k] = to_oracle(&t[k]);
+        key[k] = (d + 0x8000u) >> 16;
+    }
+    struct stage_frame f;
+    stage_draw(&s, t, CROWD, &f);
+    uint32_t tested = 0;
+    int ok = 1;
+    for (int j = 0; j < s.height && ok; j++)
+        for (int i = 0; i < s.width && ok; i++) {
+            uint32_t least = 65535, owner = 0;
+            for (int k = 0; k < CROWD; k++) {
+                if (!oracle_covers(&o[k], i, j))
+                    continue;
+                tested++;
+                if (key[k] < least) {
+                    least = key[k];
+                    owner = (uint32_t)k + 1u;
+                }
+            }
+            const size_t at = (size_t)j * (size_t)s.width + (size_t)i;
+            if (f.color[at] != owner || f.key[at] != least)
+                ok = wrong_at(&s, &t[owner ? owner - 1 : 0], i, j, "owner", f.color[at]);
+        }
+    pixels_compared += (uint64_t)s.width * (uint64_t)s.height * CROWD;
+    if (ok && f.tested != tested)
+        ok = case_wrong("%u pixels tested, %u covered", f.tested, tested);
+    stage_free(&f);
+    return ok;
+}
+
+static void least_key_then_scene_order(void **state)
+{
+    (void)state;
+    pixels_compared = 0;
+    CASES(crowd_case, 60);
+    print_message("crowds: %llu pixels compared\n", (unsigned long long)pixels_compared);
+}
+
+/* ---- Shared edges ------------------------------------------------------------------------------------------ */
+
+#define MESH_MAX 4000
+
+struct partition { /* triangles that fill a rectangle exactly */
+    struct stage_tri t[MESH_MAX];
+    uint32_t n;
+};
+
+static void partition_add(struct partition *m, const int32_t a[2], const int32_t b[2],
+                          const int32_t c[2])
+{
+    struct stage_tri *t = &m->t[m->n++];
+    memset(t, 0, sizeof *t);
+    const int32_t *v[3] = { a, b, c };
+    for (int k = 0; k < 3; k++) {
+        t->x[k] = v[k][0];
+        t->y[k] = v[k][1];
+    }
+}
+
+/* A grid whose inner corners move by less than half a cell, cut along either diagonal. */
+static void grid(struct prng *p, struct partition *m, const int32_t box[4], int nx, int ny)
+{
+    static int32_t v[33][33][2];
+    const int32_t w = box[2] - box[0], h = box[3] - box[1];
+    const int32_t jx = w / nx * 49 / 100, jy = h / ny * 49 / 100;
+    for (int y = 0; y <= ny; y++)
+        for (int x = 0; x <= nx; x++) {
+            const int inner_x = x > 0 && x < nx, inner_y = y > 0 && y < ny;
+            v[y][x][0] = box[0] + (int32_t)((int64_t)w * x / nx) + (inner_x ? prng_range(p, -jx, jx) : 0);
+            v[y][x][1] = box[1] + (int32_t)((int64_t)h * y / ny) + (inner_y ? prng_range(p, -jy, jy) : 0);
+        }
+    for (int y = 0; y < ny; y++)
+        for (int x = 0; x < nx; x++) {
+            const int32_t *a = v[y][x], *b = v[y][x + 1], *c = v[y + 1][x], *d = v[y + 1][x + 1];
+            /* the diagonal that lies inside the quad */
+            const int64_t sb = (int64_t)(d[0] - a[0]) * (b[1] - a[1]) -
+                               (int64_t)(d[1] - a[1]) * (b[0] - a[0]);
+            const int64_t sc = (int64_t)(d[0] - a[0]) * (c[1] - a[1]) -
+                               (int64_t)(d[1] - a[1]) * (c[0] - a[0]);
+            if ((sb < 0) != (sc < 0)) {
+                partition_add(m, a, b, d);
+                partition_add(m, d, c, a);
+            } else {
+                partition_add(m, a, b, c);
+                partition_add(m, d, c, b);
+            }
+        }
+}
+
+/* Two triangles, then points dropped into them one after another: slivers without end. */
+static void dropped_points(struct prng *p, struct partition *m, const int32_t box[4], int n)
+{
+    const int32_t a[2] = { box[0], box[1] }, b[2] = { box[2], box[1] }, c[2] = { box[2], box[3] },
+                  d[2] = { box[0], box[3] };
+    partition_add(m, a, b, c);
+    partition_add(m, a, c, d);
+    while (n-- > 0) {
+        const uint32_t at = prng_pick(p, m->n);
+        const struct stage_tri t = m->t[at];
+        int32_t u = prng_range(p, 0, 65536), v = prng_range(p, 0, 65536);
+        if (u + v > 65536) {
+            u = 65536 - u;
+            v = 65536 - v;
+        }
+        const int32_t q[2] = {
+            t.x[0] + (int32_t)(((int64_t)(t.x[1] - t.x[0]) * u + (int64_t)(t.x[2] - t.x[0]) * v) / 65536),
+            t.y[0] + (int32_t)(((int64_t)(t.y[1] - t.y[0]) * u + (int64_t)(t.y[2] - t.y[0]) * v) / 65536)
+        };
+        /* rounded outside? then not here */
+        const struct oracle_tri whole = to_oracle(&t);
+        int64_t parts = 0;
+        for (int k = 0; k < 3; k++) {
+            struct oracle_tri o = whole;
+            o.x[k] = q[0];
+            o.y[k] = q[1];
+            const int64_t area = oracle_area(&o);
+            parts += area < 0 ? -area : area;
+        }
+        const int64_t area = oracle_area(&whole);
+        if (parts != (area < 0 ? -area : area))
+            continue;
+        const int32_t v0[2] = { t.x[0], t.y[0] }, v1[2] = { t.x[1], t.y[1] }, v2[2] = { t.x[2], t.y[2] };
+        m->t[at] = m->t[--m->n];
+        partition_add(m, v0, v1, q);
+        partition_add(m, v1, v2, q);
+        partition_add(m, v2, v0, q);
+    }
+}
+
+/* A fan around any point, its rim far outside or on the box. */
+static void fan(struct prng *p, struct partition *m, const int32_t box[4], int n)
+{
+    const int32_t hub[2] = { prng_range(p, box[0], box[2]), prng_range(p, box[1], box[3]) };
+    int32_t last[2] = { box[0], box[1] };
+    const int32_t corner[4][2] = { { box[2], box[1] }, { box[2], box[3] }, { box[0], box[3] },
+                                   { box[0], box[1] } };
+    for (int s = 0; s < 4; s++) { /* along each side in steps */
+        const int32_t from[2] = { last[0], last[1] };
+        for (int k = 1; k <= n; k++) {
+            int32_t q[2];
+            for (int c = 0; c < 2; c++)
+                q[c] = k == n ? corner[s][c]
+                              : from[c] + (int32_t)((int64_t)(corner[s][c] - from[c]) * k / n);
+            partition_add(m, hub, last, q);
+            last[0] = q[0];
+            last[1] = q[1];
+        }
+    }
+}
+
+static int shared_case(uint64_t seed)
+{
+    static struct partition m;
+    struct prng p = { seed };
+    struct stage s = stage_default(320, 240);
+    s.strip_h = prng_range(&p, 1, 240);
+    int32_t box[4] = { prng_range(&p, -3000, 20000), prng_range(&p, -3000, 20000),
+                       prng_range(&p, 60000, 320 * 256 + 3000), prng_range(&p, 40000, 64000) };
+    if (prng_pick(&p, 4) == 0) {
+        box[0] = 320 * 128 - GUARD;
+        box[1] = 240 * 128 - GUARD;
+        box[2] = 320 * 128 + GUARD;
+        box[3] = 240 * 128 + GUARD;
+    }
+    m.n = 0;
+    switch (seed % 3) {
+    case 0: grid(&p, &m, box, prng_range(&p, 1, 32), prng_range(&p, 1, 32)); break;
+    case 1: dropped_points(&p, &m, box, prng_range(&p, 1, 1000)); break;
+    default: fan(&p, &m, box, prng_range(&p, 1, 200)); break;
+    }
+    struct stage_frame f;
+    stage_draw(&s, m.t, m.n, &f);
+    uint32_t inside = 0;
+    int ok = 1;
+    for (int j = 0; j < s.height && ok; j++)
+        for (int i = 0; i < s.width && ok; i++) {
+            const int32_t x = i * 256 + 128, y = j * 256 + 128;
+            const int want = x >= box[0] && x < box[2] && y >= box[1] && y < box[3];
+            inside += (uint32_t)want;
+            if (want != (f.key[j * s.width + i] == 0))
+                ok = case_wrong("%s at (%d, %d)", want ? "a crack" : "a pixel outside", i, j);
+        }
+    if (ok && (f.tested != inside || f.written != inside)) /* all keys are equal: a second hit shows */
+        ok = case_wrong("%u pixels inside, %u hits", inside, f.tested);
+    pixels_compared += inside;
+    stage_free(&f);
+    return ok;
+}
+
+static void shared_edges_hit_every_pixel_once(void **state)
+{
+    (void)state;
+    pixels_compared = 0;
+    CASES(shared_case, 150);
+    print_message("shared edges: %llu pixels inside, each hit once\n",
+                  (unsigned long long)pixels_compared);
+}
+
+/* ---- Drawn by hand --------------------------------------------------------------------------------------------- */
+
+struct drawing {
+    int32_t x[3], y[3]; /* 1/256 px */
+    const char *rows[6];
+};
+
+#define PX(n) ((n) * 256)
+#define MID(n) ((n) * 256 + 128)
+
+static const struct drawing drawings[] = {
+    { { PX(1), PX(6), PX(1) }, { PX(1), PX(1), PX(6) }, /* samples on the slope are out */
+      { "........",
+        ".####...",
+        ".###....",
+        ".##.....",
+        ".#......",
+        "........" } },
+    { { PX(6), PX(6), PX(1) }, { PX(1), PX(6), PX(6) }, /* ... and belong to the other half */
+      { "........",
+        ".....#..",
+        "....##..",
+        "...###..",
+        "..####..",
+        ".#####.." } },
+    { { MID(1), MID(5), MID(1) }, { MID(1), MID(1), MID(5) }, /* corners on samples: top, left in */
+      { "........",
+        ".####...",
+        ".###....",
+        ".##.....",
+        ".#......",
+        "........" } },
+    { { MID(1) + 1, MID(5) + 1, MID(1) + 1 }, { MID(1), MID(1), MID(5) }, /* a sub-pixel right */
+      { "........",
+        "..####..",
+        "..###...",
+        "..##....",
+        "..#.....",
+        "........" } },
+    { { MID(1), MID(5), MID(1) }, { MID(1) + 1, MID(1) + 1, MID(5) + 1 }, /* and down */
+      { "........",
+        "........",
+        ".####...",
+        ".###....",
+        ".##.....",
+        ".#......" } },
+    { { PX(0), PX(8), PX(0) }, { MID(2), MID(2) + 1, MID(2) + 1 }, /* a sliver between two rows */
+      { "........",
+        "........",
+        "........",
+        "........",
+        "........",
+        "........" } },
+    { { PX(0), PX(8), PX(8) }, { MID(2), MID(2) - 1, MID(2) + 1 }, /* a sliver on a row */
+      { "........",
+        "........",
+        "########",
+        "........",
+        "........",
+        "........" } },
+    { { MID(4), MID(7), MID(1) }, { MID(0), MID(5), MID(5) }, /* a roof: its tip and its bottom edge are out */
+      { "........",
+        "....#...",
+        "...###..",
+        "...###..",
+        "..#####.",
+        "........" } },
+    { { MID(3), MID(3), MID(3) + 256 }, { MID(1), MID(4), MID(3) }, /* vertical left edge */
+      { "........",
+        "........",
+        "...#....",
+        "...#....",
+        "........",
+        "........" } },
+    { { MID(3), MID(3), MID(2) }, { MID(1), MID(4), MID(3) }, /* vertical right edge */
+      { "........",
+        "........",
+        "........",
+        "..#.....",
+        "........",
+        "........" } }
+};
+
+static void triangles_drawn_by_hand(void **state)
+{
+    (void)state;
+    for (size_t n = 0; n < sizeof drawings / sizeof drawings[0]; n++)
+        for (int turn = 0; turn < 6; turn++) { /* every order of the corners */
+            const struct drawing *d = &drawings[n];
+            static const int order[6][3] = { { 0, 1, 2 }, { 1, 2, 0 }, { 2, 0, 1 },
+                                             { 0, 2, 1 }, { 2, 1, 0 }, { 1, 0, 2 } };
+            struct stage_tri t = { .d = { 5 << 16, 5 << 16, 5 << 16 } };
+            for (int k = 0; k < 3; k++) {
+                t.x[k] = d->x[order[turn][k]];
+                t.y[k] = d->y[order[turn][k]];
+            }
+            struct stage s = stage_default(8, 6);
+            s.strip_h = 1 + turn;
+            struct stage_frame f;
+            stage_draw(&s, &t, 1, &f);
+            for (int j = 0; j < 6; j++) {
+                char row[9] = "........";
+                for (int i = 0; i < 8; i++)
+                    if (f.color[j * 8 + i])
+                        row[i] = '#';
+                if (strcmp(row, d->rows[j]))
+                    print_error("drawing %zu, row %d: drawn and expected\n", n, j);
+                assert_string_equal(row, d->rows[j]);
+            }
+            stage_free(&f);
+        }
+}
+
+/* ---- The ends of the keys ------------------------------------------------------------------------------------ */
+
+static void keys_saturate_and_never_wrap(void **state)
+{
+    (void)state;
+    for (int bits = 8; bits <= 16; bits++) {
+        struct stage s = stage_default(320, 240);
+        s.depth_bits = bits;
+        const uint32_t top = ((1u << bits) - 1u) << 16;
+        struct stage_tri t = { { -GUARD + 320 * 128, GUARD + 320 * 128, 320 * 128 },
+                               { 240 * 128 - 4000, 240 * 128, GUARD + 240 * 128 }, { 0 }, { { 0 } } };
+        for (int k = 0; k < 8; k++) { /* all ways of near and far corners */
+            for (int v = 0; v < 3; v++)
+                t.d[v] = k >> v & 1 ? top : 0;
+            struct stage_frame f;
+            stage_draw(&s, &t, 1, &f);
+            assert_true(frame_right(&s, &t, &f, plane_pixel));
+            for (int i = 0; i < 320 * 240; i++) {
+                assert_true(f.key[i] == ZS_DEPTH_CLEAR || f.key[i] <= (1u << bits) - 2u);
+                if (k == 0 || k == 7)
+                    assert_true(!f.color[i] || f.key[i] == (k ? (1u << bits) - 2u : 0u));
+            }
+            stage_free(&f);
+        }
+    }
+}
+
+static const struct CMUnitTest tests[] = {
+    cmocka_unit_test(triangles_drawn_by_hand),
+    cmocka_unit_test(coverage_and_keys_of_single_triangles),
+    cmocka_unit_test(coverage_and_keys_in_big_frames),
+    cmocka_unit_test(linear_keys_under_perspective),
+    cmocka_unit_test(keys_saturate_and_never_wrap),
+    cmocka_unit_test(least_key_then_scene_order),
+    cmocka_unit_test(shared_edges_hit_every_pixel_once)
+};
+
+CASES_MAIN(tests)
