@@ -20,16 +20,14 @@
 
 #define STRIP_ROWS 24
 #define SHEET_COLUMNS 4
-#define CELL_W 320
-#define CELL_H 240
 
 struct request {
-    const char *out, *scene; /* folder; a scene's name or NULL for all */
+    const char *out, *scenes; /* folder; names with commas between, or NULL for all */
     long frames;             /* at most so many of each scene; 0: all */
 };
 
 static const char usage[] =
-    "zsim demo [--out DIR=build/demo] [--scene NAME] [--frames N]\n"
+    "zsim demo [--out DIR=build/demo] [--scene NAME[,NAME...]] [--frames N]\n"
     "  Draws the demo scenes strip by strip as a board would: numbered PNG frames and a contact sheet in\n"
     "  DIR, and a table with the error against the double-precision reference.\n";
 
@@ -126,18 +124,19 @@ static int compare(struct tally *sum, const struct demo_frame *f, const struct d
 /* ---- Contact sheet ------------------------------------------------------------------------------------ */
 
 struct sheet {
-    uint8_t *rgb; /* [rows * CELL_H][SHEET_COLUMNS * CELL_W][3] */
-    uint32_t rows, next;
+    uint8_t *rgb; /* [rows * cell_h][SHEET_COLUMNS * cell_w][3] */
+    uint32_t cell_w, cell_h, rows, next;
 };
 
 static void sheet_add(struct sheet *s, const struct demo *demo, const uint16_t *px)
 {
-    const uint32_t x0 = s->next % SHEET_COLUMNS * CELL_W + (CELL_W - demo->width) / 2u;
-    const uint32_t y0 = s->next / SHEET_COLUMNS * CELL_H + (CELL_H - demo->height) / 2u;
+    const uint32_t width = SHEET_COLUMNS * s->cell_w;
+    const uint32_t x0 = s->next % SHEET_COLUMNS * s->cell_w + (s->cell_w - demo->width) / 2u;
+    const uint32_t y0 = s->next / SHEET_COLUMNS * s->cell_h + (s->cell_h - demo->height) / 2u;
     s->next++;
     for (uint32_t y = 0; y < demo->height; y++)
         for (uint32_t x = 0; x < demo->width; x++)
-            sim_rgb565_expand(s->rgb + ((size_t)(y0 + y) * SHEET_COLUMNS * CELL_W + x0 + x) * 3u,
+            sim_rgb565_expand(s->rgb + ((size_t)(y0 + y) * width + x0 + x) * 3u,
                               px[(size_t)y * demo->width + x]);
 }
 
@@ -230,7 +229,7 @@ static int parse(struct request *rq, int argc, char **argv)
         if (!strcmp(name, "--out")) {
             rq->out = value;
         } else if (!strcmp(name, "--scene")) {
-            rq->scene = value;
+            rq->scenes = value;
         } else {
             rq->frames = strtol(value, &end, 10);
             if (*end || end == value || rq->frames < 1)
@@ -257,7 +256,33 @@ static int make_folder(const char *path)
 
 static int wanted(const struct request *rq, const struct demo *demo)
 {
-    return !rq->scene || !strcmp(rq->scene, demo->name);
+    const size_t length = strlen(demo->name);
+    for (const char *at = rq->scenes; at; at = strchr(at, ',') ? strchr(at, ',') + 1 : NULL)
+        if (strcspn(at, ",") == length && !strncmp(at, demo->name, length))
+            return 1;
+    return !rq->scenes;
+}
+
+/* A sheet for the wanted scenes. Return SIM_REFUSED where a name is no scene's. */
+static int sheet_begin(struct sheet *sheet, const struct request *rq)
+{
+    uint32_t found = 0, asked = 1;
+    memset(sheet, 0, sizeof *sheet);
+    for (uint32_t i = 0; i < n_demos; i++)
+        if (wanted(rq, demos[i])) {
+            found++;
+            if (sheet->cell_w < demos[i]->width)
+                sheet->cell_w = demos[i]->width;
+            if (sheet->cell_h < demos[i]->height)
+                sheet->cell_h = demos[i]->height;
+        }
+    for (const char *at = rq->scenes; at && (at = strchr(at, ',')) != NULL; at++)
+        asked++;
+    if (rq->scenes && asked != found)
+        return sim_refuse(rq->scenes, 0, "--scene: not every name here is a scene's");
+    sheet->rows = (found + SHEET_COLUMNS - 1u) / SHEET_COLUMNS;
+    sheet->rgb = sim_alloc((size_t)sheet->rows * sheet->cell_h * SHEET_COLUMNS * sheet->cell_w, 3);
+    return SIM_OK;
 }
 
 int sim_demo(int argc, char **argv)
@@ -272,13 +297,10 @@ int sim_demo(int argc, char **argv)
         err = make_folder(rq.out);
     if (err)
         return err;
-    uint32_t n = 0;
-    for (uint32_t i = 0; i < n_demos; i++)
-        n += (uint32_t)wanted(&rq, demos[i]);
-    if (n == 0)
-        return sim_refuse(rq.scene, 0, "there is no scene of this name");
-    struct sheet sheet = { NULL, (n + SHEET_COLUMNS - 1u) / SHEET_COLUMNS, 0 };
-    sheet.rgb = sim_alloc((size_t)sheet.rows * CELL_H * SHEET_COLUMNS * CELL_W, 3);
+    struct sheet sheet;
+    err = sheet_begin(&sheet, &rq);
+    if (err)
+        return err;
     table_head();
     for (uint32_t i = 0; !err && i < n_demos; i++) {
         struct tally sum;
@@ -293,7 +315,8 @@ int sim_demo(int argc, char **argv)
     if (!err) {
         char path[4096];
         (void)snprintf(path, sizeof path, "%s/contact.png", rq.out);
-        err = sim_png_save(path, SHEET_COLUMNS * CELL_W, sheet.rows * CELL_H, sheet.rgb);
+        err = sim_png_save(path, SHEET_COLUMNS * sheet.cell_w, sheet.rows * sheet.cell_h,
+                           sheet.rgb);
         if (!err) {
             table_foot();
             printf("\n%s and %s/SCENE_NNN.png\n", path, rq.out);

@@ -19,11 +19,13 @@ struct sim_frame {
  * and pools that are as large as they may be. attrs: ZS_ATTRS_FLAT or ZS_ATTRS_SMOOTH. */
 void sim_frame_config(struct zs_config *config, uint16_t width, uint16_t height, uint8_t attrs);
 
-/* Draw a frame through zs_render into buffers of its own. frame: any state; on ZS_OK it owns memory
- * (sim_frame_free), else it is empty. The arena is filled with rubbish first, colours are fetched as
- * late as the sink's contract allows, and a strip that changes before that is an error.
- * what: names the job to sim_progress, or NULL for silence.
- * Return ZS_OK, an enum zs_err, or SIM_FRAME_BROKEN. */
+/* Draw a frame through zs_render into buffers of its own. The arena is filled with rubbish first,
+ * colours are fetched as late as the sink's contract allows, and a strip that changes before that
+ * is an error.
+ *
+ * frame   any state; on ZS_OK it owns memory (sim_frame_free), else it is empty.
+ * what    names the job to sim_progress, or NULL for silence.
+ * Return  ZS_OK, an enum zs_err, or SIM_FRAME_BROKEN. */
 int sim_frame_render(struct sim_frame *frame, const struct zs_scene *scene,
                      const struct zs_camera *camera, const struct zs_config *config,
                      const char *what);
@@ -31,8 +33,8 @@ void sim_frame_free(struct sim_frame *frame);
 
 #define SIM_FRAME_BROKEN (-101) /* strips came out of order, too early or with holes */
 
-/* The number + 1 of the triangle that is seen at every pixel, counted through the scene's instances in
- * order; 0 where there is none. id: [height][width]. Two frames in raw colours (one up to 65,535
+/* The number + 1 of the triangle that is seen at every pixel, counted through the scene's instances
+ * in order; 0 where there is none. id: [height][width]. Two frames in raw colours (one up to 65,535
  * triangles) with the same geometry, camera and profile. Return as sim_frame_render. */
 int sim_frame_ids(uint32_t *id, const struct zs_scene *scene, const struct zs_camera *camera,
                   const struct zs_config *config);

@@ -31,7 +31,8 @@ int main(int argc, char **argv)
 {
     if (argc < 2)
         return sim_usage("a command is missing");
-    if (strcmp(argv[1], "--help") == 0 || strcmp(argv[1], "-h") == 0 || strcmp(argv[1], "help") == 0) {
+    if (strcmp(argv[1], "--help") == 0 || strcmp(argv[1], "-h") == 0 ||
+        strcmp(argv[1], "help") == 0) {
         help();
         return SIM_OK;
     }

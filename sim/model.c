@@ -1,9 +1,9 @@
-/* Loading. assimp reads the file without post-processing; this file checks what it gives, puts nodes
- * in their places, fans polygons from their first corner and welds equal positions.
+/* Loading. assimp reads the file without post-processing; this file checks what it gives, puts
+ * nodes in their places, fans polygons from their first corner and welds equal positions.
  *
- * OBJ: assimp is handed the text that sim_obj_scan cleaned. Positions and the order of faces are the
- * scan's own (double precision); colours and normals are assimp's, after a check that both agree face
- * by face.
+ * OBJ: assimp is handed the text that sim_obj_scan cleaned. Positions and the order of faces are
+ * the scan's own (double precision); colours and normals are assimp's, after a check that both
+ * agree face by face.
  *
  * SPDX-License-Identifier: MIT
  */
@@ -45,7 +45,7 @@ struct load {
     size_t face, corner;         /* OBJ: next of the scan */
 };
 
-/* ---- Reading ----------------------------------------------------------------------------------- */
+/* ---- Reading --------------------------------------------------------------------------------- */
 
 static enum family family_of(const char *file)
 {
@@ -81,12 +81,13 @@ static int read_file(struct load *l)
     const int bad = ferror(f);
     (void)fclose(f);
     if (bad || got != l->bytes)
-        return sim_refuse(l->file, 0, "cannot be read: %s", bad ? strerror(errno) : "it got shorter");
+        return sim_refuse(l->file, 0, "cannot be read: %s",
+                          bad ? strerror(errno) : "it got shorter");
     l->text[got] = '\0';
     return SIM_OK;
 }
 
-/* ---- Files for assimp: the cleaned text in place of the model, others from the disk ------------- */
+/* ---- Files for assimp: the cleaned text in place of the m ------------------------------------ */
 
 struct stream {
     struct aiFile file;
@@ -130,7 +131,9 @@ static size_t stream_size(struct aiFile *file)
 static enum aiReturn stream_seek(struct aiFile *file, size_t offset, enum aiOrigin origin)
 {
     struct stream *s = (struct stream *)file->UserData;
-    const size_t base = origin == aiOrigin_SET ? 0 : origin == aiOrigin_END ? s->bytes : stream_tell(file);
+    const size_t base = origin == aiOrigin_SET   ? 0
+                        : origin == aiOrigin_END ? s->bytes
+                                                 : stream_tell(file);
     const size_t to = base + offset; /* an offset below 0 wraps, and so does the sum */
     if (to > s->bytes || (s->text == NULL && fseek(s->disk, (long)to, SEEK_SET) != 0))
         return aiReturn_FAILURE;
@@ -174,7 +177,7 @@ static void stream_close(struct aiFileIO *io, struct aiFile *file)
     free(s);
 }
 
-/* ---- Checks ------------------------------------------------------------------------------------ */
+/* ---- Checks ---------------------------------------------------------------------------------- */
 
 /* assimp drops or bends faces whose indices are wrong (glTF, OFF and others) and only logs it. */
 static void hear(const char *message, char *user)
@@ -221,9 +224,11 @@ static int check_mesh(const struct load *l, const struct aiMesh *mesh)
     for (unsigned v = 0; v < mesh->mNumVertices; v++) {
         const struct aiVector3D *p = &mesh->mVertices[v];
         if (l->family != FAMILY_OBJ && !(isfinite(p->x) && isfinite(p->y) && isfinite(p->z)))
-            return sim_refuse(l->file, 0,
-                              "vertex %u of mesh '%s' has a coordinate that is not finite; export the "
-                              "model again", v + 1, mesh->mName.data);
+            return sim_refuse(
+                l->file, 0,
+                "vertex %u of mesh '%s' has a coordinate that is not finite; export the "
+                "model again",
+                v + 1, mesh->mName.data);
     }
     for (unsigned f = 0; f < mesh->mNumFaces; f++) {
         const struct aiFace *face = &mesh->mFaces[f];
@@ -232,14 +237,14 @@ static int check_mesh(const struct load *l, const struct aiMesh *mesh)
                               face->mNumIndices);
         for (unsigned k = 0; k < face->mNumIndices; k++)
             if (face->mIndices[k] >= mesh->mNumVertices)
-                return sim_refuse(l->file, 0,
-                                  "vertex index %u of face %u in mesh '%s' is out of range: %u exist",
-                                  face->mIndices[k], f + 1, mesh->mName.data, mesh->mNumVertices);
+                return sim_refuse(
+                    l->file, 0, "vertex index %u of face %u in mesh '%s' is out of range: %u exist",
+                    face->mIndices[k], f + 1, mesh->mName.data, mesh->mNumVertices);
     }
     return SIM_OK;
 }
 
-/* ---- Triangles --------------------------------------------------------------------------------- */
+/* ---- Triangles ------------------------------------------------------------------------------- */
 
 /* Called for a mesh in its place. m: to the model's space. */
 typedef int (*visit)(struct load *l, const struct aiMesh *mesh, const double m[12]);
@@ -269,7 +274,8 @@ static int walk(struct load *l, visit call)
     const double *parent = identity;
     for (;;) {
         if (depth == DEPTH_MAX)
-            return sim_refuse(l->file, 0, "nodes stand more than %d deep; flatten the model", DEPTH_MAX);
+            return sim_refuse(l->file, 0, "nodes stand more than %d deep; flatten the model",
+                              DEPTH_MAX);
         stack[depth].node = node;
         stack[depth].child = 0;
         place(stack[depth].m, parent, &node->mTransformation);
@@ -361,7 +367,8 @@ struct corner {
     struct zs_rgb rgb;
 };
 
-static void take_normal(float out[3], const struct aiMesh *mesh, unsigned v, const double inverse[9])
+static void take_normal(float out[3], const struct aiMesh *mesh, unsigned v,
+                        const double inverse[9])
 {
     double n[3] = { 0.0, 0.0, 0.0 };
     const double in[3] = { (double)mesh->mNormals[v].x, (double)mesh->mNormals[v].y,
@@ -389,8 +396,8 @@ static double cofactors(double out[9], const double m[12])
 }
 
 /* The position of a corner. OBJ: the scan's, *ok cleared where assimp's is another one. */
-static void take_position(struct load *l, const struct aiVector3D *v, const double m[12], double out[3],
-                          int *ok)
+static void take_position(struct load *l, const struct aiVector3D *v, const double m[12],
+                          double out[3], int *ok)
 {
     const double in[3] = { (double)v->x, (double)v->y, (double)v->z };
     if (l->family != FAMILY_OBJ) {
@@ -419,13 +426,14 @@ static int add_face(struct load *l, const struct aiMesh *mesh, const struct aiFa
         take_position(l, &mesh->mVertices[v], m, p, &ok);
         for (int i = 0; i < 3; i++)
             if (!(fabs(p[i]) <= COORD_MAX))
-                return sim_refuse(l->file, 0, "coordinate %g is beyond %g; scale the model down", p[i],
-                                  COORD_MAX);
+                return sim_refuse(l->file, 0, "coordinate %g is beyond %g; scale the model down",
+                                  p[i], COORD_MAX);
         now.point = weld(l, p);
         if (model->normal != NULL && mesh->mNormals != NULL && l->family != FAMILY_STL)
             take_normal(now.normal, mesh, v, normals);
         if (k >= 2) {
-            const struct corner *c[3] = { &first, mirrored ? &now : &last, mirrored ? &last : &now };
+            const struct corner *c[3] = { &first, mirrored ? &now : &last,
+                                          mirrored ? &last : &now };
             const uint32_t t = model->n_tris++;
             for (int i = 0; i < 3; i++) {
                 model->tri[t][i] = c[i]->point;
@@ -439,8 +447,10 @@ static int add_face(struct load *l, const struct aiMesh *mesh, const struct aiFa
         last = now;
     }
     return ok ? SIM_OK
-              : sim_refuse(l->file, 0, "the loader gave other faces than the file holds, from face %zu on; "
-                                       "please report this file", l->face);
+              : sim_refuse(l->file, 0,
+                           "the loader gave other faces than the file holds, from face %zu on; "
+                           "please report this file",
+                           l->face);
 }
 
 static int fill_mesh(struct load *l, const struct aiMesh *mesh, const double m[12])
@@ -458,7 +468,7 @@ static int fill_mesh(struct load *l, const struct aiMesh *mesh, const double m[1
     return status;
 }
 
-/* ---- Normals and bounds ------------------------------------------------------------------------ */
+/* ---- Normals and bounds ---------------------------------------------------------------------- */
 
 void sim_model_face_normal(const struct sim_model *model, uint32_t tri, double out[3])
 {
@@ -549,7 +559,7 @@ static int fill_bounds(struct sim_model *model)
     return SIM_OK;
 }
 
-/* ---- Load -------------------------------------------------------------------------------------- */
+/* ---- Load ------------------------------------------------------------------------------------ */
 
 static int look_through(struct load *l)
 {

@@ -10,22 +10,23 @@
 #include "zstrip.h"
 
 struct sim_model {
-    const char *file;     /* borrowed: its name, for messages */
-    double (*point)[3];   /* [n_points], distinct positions that faces use, model units */
-    uint32_t (*tri)[3];   /* [n_tris], into point; file order, polygons fanned from their first corner */
-    float (*normal)[3][3]; /* [n_tris], unit, by corner; NULL: not asked for */
+    const char *file;        /* borrowed: its name, for messages */
+    double (*point)[3];      /* [n_points], distinct positions that faces use, model units */
+    uint32_t (*tri)[3];      /* [n_tris], into point; file order, polygons as fans */
+    float (*normal)[3][3];   /* [n_tris], unit, by corner; NULL: not asked for */
     struct zs_rgb (*rgb)[3]; /* [n_tris], by corner */
     uint32_t n_points, n_tris;
-    int single;           /* 1: positions came through single precision */
-    double lo[3], hi[3];  /* box around the points */
+    int single;              /* 1: positions came through single precision */
+    double lo[3], hi[3];     /* box around the points */
     double center[3], radius; /* of a sphere around the points, > 0 */
 };
 
-/* Load a model. file stays borrowed. want_normals: fill normal, from the file where it has them, else
- * from the faces around a point, weighted by their angles there.
+/* Load a model. file stays borrowed. want_normals: fill normal, from the file where it has them,
+ * else from the faces around a point, weighted by their angles there.
  *
- * Colours: color where it is not NULL, else vertex colours, else the material's diffuse colour, else
- * 204 204 204.
+ * Colours: color where it is not NULL, else vertex colours, else the material's diffuse colour,
+ * else 204 204 204.
+ *
  * Return  SIM_OK; SIM_REFUSED, said why, *model empty. sim_model_free in either case. */
 int sim_model_load(struct sim_model *model, const char *file, int want_normals,
                    const struct zs_rgb *color);

@@ -1,5 +1,5 @@
-/* Parsing: one table of options, one function for each kind of value. A value that is not of its kind
- * is a usage error; one that is, but lies outside its range, is refused.
+/* Parsing: one table of options, one function for each kind of value. A value that is not of its
+ * kind is a usage error; one that is, but lies outside its range, is refused.
  *
  * SPDX-License-Identifier: MIT
  */
@@ -16,12 +16,12 @@
 
 const char sim_options_help[] =
     "usage: zsim render MODEL --out FRAME.png [options]\n"
-    "Draws a model (OBJ, PLY, STL, glTF and what else assimp reads) strip by strip, as a board does.\n"
+    "Draws a model (OBJ, PLY, STL, glTF and what else assimp reads) strip by strip, as boards do.\n"
     "\n"
     "Output\n"
     "  --out F.png          the frame; its 8-bit channels are the RGB565 bits, repeated\n"
     "  --depth-out D.pgm    depth keys, 16-bit PGM; 65535: nothing drawn\n"
-    "  --id-out I.u32       little-endian uint32 a pixel: triangle number in file order + 1; 0: none\n"
+    "  --id-out I.u32       little-endian uint32 a pixel: triangle in file order + 1; 0: none\n"
     "  --stats S.json       what the frame took, an object of numbers\n"
     "  --reference          all of it from the double-precision reference instead\n"
     "  --compare            draw both, print how far the frame is from the reference\n"
@@ -36,7 +36,7 @@ const char sim_options_help[] =
     "  --skip-off BITS      switch skips off, enum zs_skip or-ed (0)\n"
     "Camera, in the model's units; what is not given frames the model\n"
     "  --eye x,y,z --at x,y,z --up x,y,z (0,1,0)\n"
-    "  --fov DEGREES        vertical (45); an orthographic view shows as much at the distance of --at\n"
+    "  --fov DEGREES        vertical (45); orthographic views show as much at --at\n"
     "  --near N --far F     distances along the view\n"
     "  --projection perspective|orthographic (perspective)\n"
     "Look\n"
@@ -192,18 +192,20 @@ static int check_range(const struct option *opt, const char *file)
     const double *v = opt->to;
     for (int k = 0; is_number || (is_vector && k < 3); k++) {
         if (!isfinite(v[k]))
-            return sim_refuse(file, 0, "%s holds a number that is not finite; give ordinary numbers",
-                              opt->name);
+            return sim_refuse(
+                file, 0, "%s holds a number that is not finite; give ordinary numbers", opt->name);
         if (fabs(v[k]) > COORD_MAX)
             return sim_refuse(file, 0, "%s %g is beyond %g; scale the scene down", opt->name, v[k],
                               COORD_MAX);
         if (is_number)
             break;
     }
-    const double value = is_number ? v[0] : opt->kind == KIND_COUNT ? (double)*(long *)opt->to : 0.0;
+    const double value = is_number                 ? v[0]
+                         : opt->kind == KIND_COUNT ? (double)*(long *)opt->to
+                                                   : 0.0;
     if (opt->lo < opt->hi && (value < opt->lo || value > opt->hi))
-        return sim_refuse(file, 0, "%s %g is outside its range, %g to %g", opt->name, value, opt->lo,
-                          opt->hi);
+        return sim_refuse(file, 0, "%s %g is outside its range, %g to %g", opt->name, value,
+                          opt->lo, opt->hi);
     return SIM_OK;
 }
 

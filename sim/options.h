@@ -30,8 +30,8 @@ struct sim_options {
     int reference, compare, help;                                 /* flags */
 };
 
-/* Fill *o from the arguments after "render". SIM_USAGE where they make no sense, SIM_REFUSED where a
- * value is outside what zsim can do; *o is only complete on SIM_OK. With o->help nothing else
+/* Fill *o from the arguments after "render". SIM_USAGE where they make no sense, SIM_REFUSED where
+ * a value is outside what zsim can do; *o is only complete on SIM_OK. With o->help nothing else
  * counts. */
 int sim_options_parse(struct sim_options *o, int argc, char **argv);
 

@@ -14,8 +14,8 @@ struct sim_output {
     const char *name; /* as given, for messages; borrowed */
 };
 
-/* Could this path be written, as far as one can tell without writing? SIM_OK; SIM_REFUSED, said why.
- * source: a file that must not be overwritten, or NULL. */
+/* Could this path be written, as far as one can tell without writing? SIM_OK; SIM_REFUSED, said
+ * why. source: a file that must not be overwritten, or NULL. */
 int sim_output_check(const char *name, const char *source);
 
 /* Open an output. Until sim_output_commit, what was at the path stays as it was.
@@ -26,8 +26,8 @@ int sim_output_open(struct sim_output *out, const char *name);
  * SIM_OK; SIM_REFUSED, said why. Outputs are closed and free in either case. */
 int sim_output_commit(struct sim_output *out, size_t n);
 
-/* Close and remove. Harmless on an output that is not open. Also done for every open output when zsim
- * exits or is interrupted. */
+/* Close and remove. Harmless on an output that is not open. Also done for every open output when
+ * zsim exits or is interrupted. */
 void sim_output_abort(struct sim_output *out);
 
 #endif

@@ -1,11 +1,11 @@
 /* Grid, world unit, parts, camera.
  *
- * The grid: if all positions are multiples of one power of two, or of one power of ten (as a modeller
- * that writes four decimals makes them), that fit 24 bits over the model's largest extent, then that is
- * the step and nothing is lost. Otherwise the extent is divided by 2^24 - 4.
+ * The grid: if all positions are multiples of one power of two, or of one power of ten (as a
+ * modeller that writes four decimals makes them), that fit 24 bits over the model's largest extent,
+ * then that is the step and nothing is lost. Otherwise the extent is divided by 2^24 - 4.
  *
- * The world unit: a mesh step (256 grid steps) is 2^k world units, with k as large as the eye, the far
- * plane and the model allow, so that they use 2^28 .. 2^29 of the world.
+ * The world unit: a mesh step (256 grid steps) is 2^k world units, with k as large as the eye, the
+ * far plane and the model allow, so that they use 2^28 .. 2^29 of the world.
  *
  * SPDX-License-Identifier: MIT
  */
@@ -24,7 +24,7 @@
 #define PART_VERTS_MAX 65535u
 #define SLOTS 262144u /* hash of a part's vertices */
 
-/* ---- Grid -------------------------------------------------------------------------------------- */
+/* ---- Grid ------------------------------------------------------------------------------------ */
 
 struct grid {
     double origin[3], step;
@@ -104,7 +104,7 @@ static void choose_grid(struct grid *g, const struct sim_model *model)
     }
 }
 
-/* ---- World and camera -------------------------------------------------------------------------- */
+/* ---- World and camera ------------------------------------------------------------------------ */
 
 static int choose_unit(struct sim_scene *s, int *units_log2, const struct sim_model *model,
                        const struct sim_view *v)
@@ -122,10 +122,11 @@ static int choose_unit(struct sim_scene *s, int *units_log2, const struct sim_mo
     if (!(k >= UNITS_LOG2_MIN)) {
         const double size = largest_extent(model);
         const double most = WORLD_USE * ZS_WORLD_MAX * exp2(-UNITS_LOG2_MIN) * mesh_step / size;
-        return sim_refuse(model->file, 0,
-                          "%s %g is %.3g times the model's size %g; the integers hold up to %.3g times",
-                          eye >= need ? "the eye's distance" : "the far plane's or the view's extent",
-                          need, need / size, size, most);
+        return sim_refuse(
+            model->file, 0,
+            "%s %g is %.3g times the model's size %g; the integers hold up to %.3g times",
+            eye >= need ? "the eye's distance" : "the far plane's or the view's extent", need,
+            need / size, size, most);
     }
     *units_log2 = k > UNITS_LOG2_MAX ? UNITS_LOG2_MAX : (int)k;
     s->unit = ldexp(mesh_step, -*units_log2);
@@ -158,7 +159,8 @@ static int build_camera(struct sim_scene *s, const struct sim_view *v, const cha
     if (err != ZS_OK)
         return sim_refuse(file, 0, "the camera was refused: %s", zs_strerror(err));
     if (!v->orthographic && c->z_near <= 0)
-        return sim_refuse(file, 0, "near %g is too small beside a world that reaches %g; enlarge it",
+        return sim_refuse(file, 0,
+                          "near %g is too small beside a world that reaches %g; enlarge it",
                           v->near_z, s->unit * ZS_WORLD_MAX);
     return SIM_OK;
 }
@@ -172,7 +174,7 @@ static void build_light(struct sim_scene *s, const struct sim_view *v, const str
     s->scene.background = zs_rgb565(o->background.r, o->background.g, o->background.b);
 }
 
-/* ---- Parts ------------------------------------------------------------------------------------- */
+/* ---- Parts ----------------------------------------------------------------------------------- */
 
 static zs_q1_15 to_q15(double v)
 {
@@ -380,8 +382,8 @@ static void build_instances(struct sim_scene *s)
     s->scene.n_instances = s->n_parts;
 }
 
-int sim_scene_build(struct sim_scene *out, const struct sim_model *model, const struct sim_view *view,
-                    const struct sim_options *o)
+int sim_scene_build(struct sim_scene *out, const struct sim_model *model,
+                    const struct sim_view *view, const struct sim_options *o)
 {
     struct grid grid;
     int units_log2 = 0;

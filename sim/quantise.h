@@ -36,8 +36,8 @@ struct sim_scene {
 
 /* Quantise for one view. The scene points into *out: do not move it.
  * Return  SIM_OK; SIM_REFUSED, said why, *out empty. sim_scene_free in either case. */
-int sim_scene_build(struct sim_scene *out, const struct sim_model *model, const struct sim_view *view,
-                    const struct sim_options *o);
+int sim_scene_build(struct sim_scene *out, const struct sim_model *model,
+                    const struct sim_view *view, const struct sim_options *o);
 void sim_scene_free(struct sim_scene *scene);
 
 #endif

@@ -39,7 +39,7 @@ struct job {
     struct ref_diff diff; /* with --compare */
 };
 
-/* ---- Frame ------------------------------------------------------------------------------------- */
+/* ---- Frame ----------------------------------------------------------------------------------- */
 
 /* Could any triangle need clipping? By the model's sphere. */
 static int may_clip(const struct sim_view *v, const struct sim_model *model)
@@ -129,7 +129,7 @@ static int draw(struct job *job)
     return status;
 }
 
-/* ---- Files ------------------------------------------------------------------------------------- */
+/* ---- Files ----------------------------------------------------------------------------------- */
 
 static void stats_reference(struct sim_json *json, const struct job *job)
 {
@@ -278,17 +278,18 @@ static int check_files(const struct sim_options *o)
     return SIM_OK;
 }
 
-/* ---- Command ----------------------------------------------------------------------------------- */
+/* ---- Command --------------------------------------------------------------------------------- */
 
 static void print_diff(const struct ref_diff *d)
 {
-    (void)printf("%zu of %zu pixels drawn in the reference; missing %zu, extra %zu, another triangle "
-                 "%zu. Depth: at most %.3f keys from the exact one, %zu of %zu more than 1 apart, mean "
-                 "relative error of z %.2g. Colour: %.2f %% of channel values one code off, %zu more "
-                 "than one (at most %d), PSNR %.1f dB.\n",
-                 d->ref_drawn, d->pixels, d->missing, d->extra, d->id_differ, d->key_max_error,
-                 d->key_off, d->key_compared, d->z_mean_rel, 100.0 * d->off_one_fraction,
-                 d->channel_off, d->channel_max_diff, d->psnr_db);
+    (void)printf(
+        "%zu of %zu pixels drawn in the reference; missing %zu, extra %zu, another triangle "
+        "%zu. Depth: at most %.3f keys from the exact one, %zu of %zu more than 1 apart, mean "
+        "relative error of z %.2g. Colour: %.2f %% of channel values one code off, %zu more "
+        "than one (at most %d), PSNR %.1f dB.\n",
+        d->ref_drawn, d->pixels, d->missing, d->extra, d->id_differ, d->key_max_error, d->key_off,
+        d->key_compared, d->z_mean_rel, 100.0 * d->off_one_fraction, d->channel_off,
+        d->channel_max_diff, d->psnr_db);
 }
 
 int sim_render(int argc, char **argv)

@@ -121,7 +121,8 @@ static int take_number(struct scan *s, const struct token *t, double *out)
         return sim_refuse(s->file, s->line, "'%s' is not a number", shown(t));
     if (!isfinite(*out))
         return sim_refuse(s->file, s->line,
-                          "'%s' is not a finite number; export the model again without it", shown(t));
+                          "'%s' is not a finite number; export the model again without it",
+                          shown(t));
     return SIM_OK;
 }
 
@@ -187,8 +188,8 @@ static int take_texture(struct scan *s)
     return status;
 }
 
-/* One index of a corner at *p: to 0 .. (not yet checked at the upper end), SIM_NONE where it is left
- * out. */
+/* One index of a corner at *p: to 0 .. (not yet checked at the upper end), SIM_NONE where it is
+ * left out. */
 static int take_index(struct scan *s, const struct token *t, const char **p, const char *what,
                       size_t so_far, uint32_t *out)
 {
@@ -202,7 +203,8 @@ static int take_index(struct scan *s, const struct token *t, const char **p, con
         return sim_refuse(s->file, s->line, "'%s' is not a corner of a face", shown(t));
     *p = stop;
     if (i == 0)
-        return sim_refuse(s->file, s->line, "%s index 0; indices count from 1, or back from -1", what);
+        return sim_refuse(s->file, s->line, "%s index 0; indices count from 1, or back from -1",
+                          what);
     if ((i < 0 && (unsigned long long)-(i + 1) >= so_far) || i >= (long long)SIM_NONE)
         return sim_refuse(s->file, s->line, "%s index %lld is out of range: there are %zu so far",
                           what, i, so_far);

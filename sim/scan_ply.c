@@ -54,10 +54,11 @@ struct ply {
 static int cut_off(const struct ply *s, const struct element *e, unsigned long long i)
 {
     return sim_refuse(s->file, s->format == FORMAT_ASCII ? s->line : 0,
-                      "cut off: it ends in %s %llu of %llu; get the whole file", e->name, i + 1, e->n);
+                      "cut off: it ends in %s %llu of %llu; get the whole file", e->name, i + 1,
+                      e->n);
 }
 
-/* ---- Header ------------------------------------------------------------------------------------ */
+/* ---- Header ---------------------------------------------------------------------------------- */
 
 /* The next line's words, at most n, into one buffer. -1 at the end of the file. */
 static int take_words(struct ply *s, char text[256], char *word[], int n)
@@ -164,7 +165,7 @@ static int take_header(struct ply *s)
     return sim_refuse(s->file, s->line, "cut off: its header has no end; get the whole file");
 }
 
-/* ---- Body -------------------------------------------------------------------------------------- */
+/* ---- Body ------------------------------------------------------------------------------------ */
 
 /* A number of the body: 1; 0 at the end of the line or file; -1 not a number. */
 static int take_ascii(struct ply *s, double *out)
@@ -228,7 +229,8 @@ static int take_list(struct ply *s, const struct property *p, const struct eleme
     if (!(n >= 0.0 && n <= 1e9) || n != floor(n))
         return sim_refuse(s->file, line, "%s %llu is a list of %g", e->name, i + 1, n);
     if (p->role == ROLE_INDICES && n < 3.0)
-        return sim_refuse(s->file, line, "face %llu has %g vertices; it needs at least 3", i + 1, n);
+        return sim_refuse(s->file, line, "face %llu has %g vertices; it needs at least 3", i + 1,
+                          n);
     for (long k = 0; k < (long)n; k++) {
         status = take_value(s, p->type, e, i, &v);
         if (status != SIM_OK)
@@ -246,13 +248,14 @@ static int take_record(struct ply *s, const struct element *e, unsigned long lon
     for (int k = 0; k < e->n_properties; k++) {
         const struct property *p = &e->property[k];
         double v = 0.0;
-        const int status = p->count != NULL ? take_list(s, p, e, i) : take_value(s, p->type, e, i, &v);
+        const int status =
+            p->count != NULL ? take_list(s, p, e, i) : take_value(s, p->type, e, i, &v);
         if (status != SIM_OK)
             return status;
         if (p->role == ROLE_POSITION && !isfinite(v))
-            return sim_refuse(s->file, s->format == FORMAT_ASCII ? s->line : 0,
-                              "vertex %llu has a coordinate that is not finite; export the model again",
-                              i + 1);
+            return sim_refuse(
+                s->file, s->format == FORMAT_ASCII ? s->line : 0,
+                "vertex %llu has a coordinate that is not finite; export the model again", i + 1);
     }
     return SIM_OK;
 }

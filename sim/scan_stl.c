@@ -29,7 +29,8 @@ int sim_stl_check(const char *file, const char *text, size_t bytes)
         return n > 0 ? SIM_OK : sim_refuse(file, 0, "no faces in it");
     if (!is_text(text, bytes)) {
         if (bytes < 84)
-            return sim_refuse(file, 0, "cut off: %zu bytes are no STL file; get the whole file", bytes);
+            return sim_refuse(file, 0, "cut off: %zu bytes are no STL file; get the whole file",
+                              bytes);
         if (bytes < 84 + 50 * n)
             return sim_refuse(file, 0,
                               "cut off: %llu faces take %llu bytes, it has %zu; get the whole file",

@@ -14,8 +14,8 @@ enum sim_status {
     SIM_USAGE = 2    /* the command line was not understood: one line on stderr said why */
 };
 
-/* Print "zsim: FILE:LINE: ..." to stderr, one line whatever the names and values hold. file NULL and
- * line 0 are left out. Return SIM_REFUSED. */
+/* Print "zsim: FILE:LINE: ..." to stderr, one line whatever the names and values hold. file NULL
+ * and line 0 are left out. Return SIM_REFUSED. */
 int sim_refuse(const char *file, unsigned long line, const char *format, ...)
     __attribute__((format(printf, 3, 4)));
 

@@ -9,7 +9,7 @@
 
 #include "frame.h"
 
-/* One object, written key by key; a value that is not finite becomes null. Errors show in ferror. */
+/* One object, written key by key; a value that is not finite becomes null. Errors: see ferror. */
 struct sim_json {
     FILE *file;
     int n; /* keys so far */

@@ -48,7 +48,8 @@ static int find_axes(struct sim_view *v, const struct sim_options *o, const char
     double up[3];
     sim_sub(v->back, v->eye, v->at);
     if (!(sim_unit(v->back) > 0.0))
-        return sim_refuse(file, 0, "the eye %g,%g,%g is the point that it looks at; move --eye or --at",
+        return sim_refuse(file, 0,
+                          "the eye %g,%g,%g is the point that it looks at; move --eye or --at",
                           v->eye[0], v->eye[1], v->eye[2]);
     memcpy(up, o->up, sizeof up);
     (void)sim_unit(up);
@@ -60,7 +61,8 @@ static int find_axes(struct sim_view *v, const struct sim_options *o, const char
     return SIM_OK;
 }
 
-static int find_depth(struct sim_view *v, const struct sim_options *o, const struct sim_model *model)
+static int find_depth(struct sim_view *v, const struct sim_options *o,
+                      const struct sim_model *model)
 {
     const char *file = model->file;
     double to[3];
@@ -83,7 +85,8 @@ static int find_depth(struct sim_view *v, const struct sim_options *o, const str
     if (o->has_far && !o->has_near && v->near_z >= v->far_z)
         v->near_z = v->orthographic ? v->far_z - 2.0 * half : v->far_z / INSIDE;
     if (!v->orthographic && (v->far_z - v->near_z) * 65536.0 < v->far_z)
-        return sim_refuse(file, 0, "near %.9g and far %.9g are closer than far / 65536; move them apart",
+        return sim_refuse(file, 0,
+                          "near %.9g and far %.9g are closer than far / 65536; move them apart",
                           v->near_z, v->far_z);
     return SIM_OK;
 }
@@ -99,8 +102,8 @@ int sim_view_plan(struct sim_view *view, const struct sim_options *o, const stru
     v->focal = v->height / 2.0 / tan(half_angle);
     if (!(v->focal >= FOCAL_MIN && v->focal <= FOCAL_MAX))
         return sim_refuse(model->file, 0,
-                          "--fov %g makes a focal length of %g px; the renderer holds %g to %g", o->fov,
-                          v->focal, FOCAL_MIN, FOCAL_MAX);
+                          "--fov %g makes a focal length of %g px; the renderer holds %g to %g",
+                          o->fov, v->focal, FOCAL_MIN, FOCAL_MAX);
     int status = place_eye(v, o, model, half_angle);
     if (status == SIM_OK)
         status = find_axes(v, o, model->file);
@@ -112,7 +115,8 @@ int sim_view_plan(struct sim_view *view, const struct sim_options *o, const stru
     sim_sub(to, v->eye, v->at);
     v->span = 2.0 * tan(half_angle) * sqrt(sim_dot(to, to));
     for (int k = 0; k < 3; k++)
-        v->light[k] = o->has_light ? o->light[k] : 0.6 * v->back[k] - 0.5 * v->right[k] + 0.9 * v->up[k];
+        v->light[k] =
+            o->has_light ? o->light[k] : 0.8 * v->back[k] - 0.5 * v->right[k] + 0.8 * v->up[k];
     (void)sim_unit(v->light);
     return SIM_OK;
 }

@@ -22,13 +22,14 @@ struct sim_view {
 /* Take what the user gave and choose the rest so that the model is seen whole:
  *
  *   at        the middle of the model's box
- *   eye       from at along (0.5, 0.35, 1), as far as the sphere around at that holds the model needs
- *             to fit the frame both ways, and 5 % more
- *   near, far just before and behind the sphere around the model, at most 1000 to 1 apart where the eye
- *             is inside it; one that is given pushes the other away
- *   light     over the camera's left shoulder: 0.6 back - 0.5 right + 0.9 up
+ *   eye       from at along (0.5, 0.35, 1), so far that the sphere around `at` that holds the model
+ *             fits the frame both ways with 5 % to spare
+ *   near, far just before and behind the sphere around the model, at most 1000 to 1 apart where the
+ *             eye is inside it; one that is given pushes the other away
+ *   light     over the camera's left shoulder: 0.8 back - 0.5 right + 0.8 up
  *
  * Return SIM_OK; SIM_REFUSED, said why. */
-int sim_view_plan(struct sim_view *view, const struct sim_options *o, const struct sim_model *model);
+int sim_view_plan(struct sim_view *view, const struct sim_options *o,
+                  const struct sim_model *model);
 
 #endif

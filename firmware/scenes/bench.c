@@ -115,7 +115,7 @@ static void pose_sheet(struct demo_frame *f, uint32_t t, uint16_t w, uint16_t h)
     stage_put(f, &mesh_sheet, &raw, 0, 0, -6000 * BENCH_UNIT, ZS_Q16_ONE);
 }
 
-/* ---- corridor: its open end is behind the eye; five boxes run through each other -------------- */
+/* ---- corridor: its open end is behind the eye; five boxes run through each other ------------- */
 
 static void pose_corridor(struct demo_frame *f, uint32_t t, uint16_t w, uint16_t h)
 {
@@ -143,7 +143,7 @@ static void pose_corridor(struct demo_frame *f, uint32_t t, uint16_t w, uint16_t
     }
 }
 
-/* ---- slivers: columns and rows from 0.05 to 2.5 px -------------------------------------------- */
+/* ---- slivers: columns and rows from 0.05 to 2.5 px ------------------------------------------- */
 
 static void pose_slivers(struct demo_frame *f, uint32_t t, uint16_t w, uint16_t h)
 {
@@ -154,7 +154,8 @@ static void pose_slivers(struct demo_frame *f, uint32_t t, uint16_t w, uint16_t 
 }
 
 #define BENCH(id, what, pose) \
-    const struct demo demo_##id = { #id, what, 320, 240, 1, ZS_ATTRS_FLAT, 1, &zs_depth_recip, pose }
+    const struct demo demo_##id = { #id, what, 320, 240, 1, ZS_ATTRS_FLAT, 1, &zs_depth_recip, \
+                                    pose }
 
 BENCH(mesh, "A bumpy ball of 2,520 triangles over a third of the picture, unlit", pose_mesh);
 BENCH(mesh_lit, "The same ball, flat-shaded by its face normals", pose_mesh_lit);

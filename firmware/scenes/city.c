@@ -15,8 +15,8 @@ static const struct zs_material cars[3] = {
     { &zs_shade_flat, { 240, 244, 250 }, ZS_CULL_BACK },
 };
 
-/* Once around the town in the animation, on the street between the blocks `street` - 1 and `street` from its
- * middle, which is a block. */
+/* Once around the town in the animation, in the street between the blocks `street` - 1 and `street`
+ * from its middle, which is a block. */
 static void drive(struct demo_frame *f, uint32_t t, uint32_t start, int32_t street,
                   const struct zs_material *paint)
 {

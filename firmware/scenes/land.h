@@ -6,6 +6,6 @@
 #define LAND_H
 
 #define LAND_PERIOD 26624 /* steps: the land repeats in x and z */
-#define LAND_RIVER 2600   /* steps: the river's middle is at x = LAND_RIVER * sin(z / LAND_PERIOD) */
+#define LAND_RIVER 2600   /* steps: its middle is at x = LAND_RIVER * sin(z / LAND_PERIOD) */
 
 #endif

@@ -87,8 +87,9 @@ static void building(struct gen_mesh *m, int64_t x, int64_t z, uint32_t dice, ui
 static void park(struct gen_mesh *m, int64_t x, int64_t z, uint32_t dice)
 {
     for (uint32_t k = 0; k < 5; k++) {
-        const int64_t at_x = x + (k & 1u ? 800 : -800) * (k < 4) + (int64_t)(dice >> k & 255u) - 128;
-        const int64_t at_z = z + (k & 2u ? 800 : -800) * (k < 4) + (int64_t)(dice >> (8 + k) & 255u);
+        const int64_t out = k < 4 ? 800 : 0; /* four at the corners, one in the middle */
+        const int64_t at_x = x + (k & 1u ? out : -out) + (int64_t)(dice >> k & 255u) - 128;
+        const int64_t at_z = z + (k & 2u ? out : -out) + (int64_t)(dice >> (8 + k) & 255u) - 128;
         const int64_t wide = 330 + (int64_t)(dice >> (2 * k) & 3u) * 50;
         const uint32_t foot = ring(m, at_x, TOWN_CURB + 60, at_z, wide, wide);
         const uint32_t tip = gen_vert(m, at_x, TOWN_CURB + 4 * wide, at_z);

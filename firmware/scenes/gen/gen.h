@@ -47,7 +47,7 @@ uint32_t gen_tri(struct gen_mesh *m, uint32_t a, uint32_t b, uint32_t c, struct 
 void gen_quad(struct gen_mesh *m, uint32_t a, uint32_t b, uint32_t c, uint32_t d,
               struct gen_rgb rgb);
 
-/* face_raw = face_rgb, lit from a direction of any length: ambient + (256 - ambient) cos, 8 bits. */
+/* face_raw = face_rgb lit from a direction of any length: (ambient + (256 - ambient) cos) / 256. */
 void gen_bake(struct gen_mesh *m, const int64_t dir[3], int64_t ambient);
 
 /* Check the mesh, write DIR/mesh_NAME.c and add its line to meshes.h. Ends the program on failure.

@@ -10,7 +10,7 @@
 #define CELLS 26
 #define WATER 260 /* steps above 0, the river's level; land below it is drawn flat */
 
-/* Smooth noise of a lattice with `cells` cells to the period, 0 .. 65535, at x, z in 0 .. PERIOD. */
+/* Smooth noise of a lattice with `cells` cells to the period, 0 .. 65535; x, z in 0 .. PERIOD. */
 static int64_t noise(int64_t x, int64_t z, int64_t cells, uint32_t seed)
 {
     const int64_t size = LAND_PERIOD / cells;

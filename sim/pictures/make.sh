@@ -1,0 +1,6 @@
+#!/bin/sh
+# Draw the README's pictures again. Usage: sim/pictures/make.sh BUILD
+set -eu
+cd "$(dirname "$0")/../.."
+"$1"/zsim demo --scene teapot,knot,flyover,city --frames 1 --out "$1/pictures"
+cp "$1/pictures/contact.png" sim/pictures/scenes.png
