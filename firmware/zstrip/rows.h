@@ -30,48 +30,45 @@ ZS_ALWAYS_INLINE void zs_edge_step(struct zs_edge *e)
     }
 }
 
-ZS_ALWAYS_INLINE void zs_rows_part(struct zs_job *job, struct zs_edge *left, struct zs_edge *right,
-                                   int32_t from, int32_t end, zs_span_fn *span)
-{
-    struct zs_edge l = *left, r = *right;
-    const int32_t width = job->width;
-    uint32_t tested = 0;
-    struct zs_row row;
-    row.y = from;
-    row.at = (from - job->y0) * width; /* < 2^24 */
-    row.key = job->key.base - zs_wrap_mul(job->key.gx, job->geom.ia) +
-              zs_wrap_mul(job->key.gy, from - job->geom.ja);
-    for (; row.y < end; row.y++) {
-        row.x0 = l.i;
-        row.x1 = r.i;
-        row.i0 = zs_max32(l.i, 0);
-        row.i1 = zs_min32(r.i, width);
-        if (row.i0 < row.i1) {
-            tested += (uint32_t)(row.i1 - row.i0);
-            span(job, &row);
-        }
-        row.key += job->key.gy;
-        row.at += width;
-        zs_edge_step(&l);
-        zs_edge_step(&r);
-    }
-    left->i = l.i; /* the rest does not change */
-    left->e = l.e;
-    right->i = r.i;
-    right->e = r.e;
-    job->r->stats.pixels_tested += tested;
-}
-
+/* The rows of a job: down to the middle vertex, then on with the lower short edge. */
 ZS_ALWAYS_INLINE void zs_rows_walk(struct zs_job *job, zs_span_fn *span)
 {
-    struct zs_edge *whole = &job->edge[0];
-    for (int part = 0; part < 2; part++) {
-        struct zs_edge *piece = &job->edge[1 + part];
-        const int32_t from = part ? job->row_mid : job->row, to = part ? job->row_end : job->row_mid;
-        if (from < to)
-            zs_rows_part(job, job->mid_right ? whole : piece, job->mid_right ? piece : whole, from,
-                         to, span);
+    const int upper = job->row < job->row_mid;
+    const struct zs_edge *piece = &job->edge[upper ? 1 : 2];
+    struct zs_edge l = *(job->mid_right ? &job->edge[0] : piece);
+    struct zs_edge r = *(job->mid_right ? piece : &job->edge[0]);
+    const int32_t width = job->width;
+    int32_t end = upper ? job->row_mid : job->row_end;
+    uint32_t tested = 0;
+    struct zs_row row;
+    row.y = job->row;
+    row.at = (row.y - job->y0) * width; /* < 2^24 */
+    row.key = job->key.base - zs_wrap_mul(job->key.gx, job->geom.ia) +
+              zs_wrap_mul(job->key.gy, row.y - job->geom.ja);
+    for (;;) {
+        for (; row.y < end; row.y++) {
+            row.x0 = l.i;
+            row.x1 = r.i;
+            row.i0 = zs_max32(l.i, 0);
+            row.i1 = zs_min32(r.i, width);
+            if (row.i0 < row.i1) {
+                tested += (uint32_t)(row.i1 - row.i0);
+                span(job, &row);
+            }
+            row.key += job->key.gy;
+            row.at += width;
+            zs_edge_step(&l);
+            zs_edge_step(&r);
+        }
+        if (row.y >= job->row_end)
+            break;
+        if (job->mid_right)
+            r = job->edge[2];
+        else
+            l = job->edge[2];
+        end = job->row_end;
     }
+    job->r->stats.pixels_tested += tested;
 }
 
 ZS_ALWAYS_INLINE void zs_rows_written(struct zs_job *job, int32_t n)
