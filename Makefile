@@ -68,18 +68,20 @@ $(B)/.setup-test:
 # Meshes: written by a generator, built into one archive
 $(B)/gen_meshes: $(GEN) $(CORE) $(HEADERS)
 	@mkdir -p $(B)
-	$(CC) -std=c11 $(CFLAGS) $(WARN) $(INC) $(GEN) $(CORE) -o $@
+	@$(CC) -std=c11 $(CFLAGS) $(WARN) $(INC) $(GEN) $(CORE) -o $@
 $(B)/gen/meshes.h: $(B)/gen_meshes
 	@mkdir -p $(B)/gen
-	$< $(B)/gen >$(B)/gen/meshes.txt
+	@echo 'meshes: $(B)/gen'
+	@$< $(B)/gen >$(B)/gen/meshes.txt
 $(B)/libmeshes.a: $(B)/gen/meshes.h
 	@cd $(B)/gen && $(CC) -std=c11 -O1 -I../../firmware/zstrip -c mesh_*.c
 	@rm -f $@ && ar rcs $@ $(B)/gen/mesh_*.o
 
 $(B)/sim/%.o: %.c $(HEADERS) $(B)/gen/meshes.h
 	@mkdir -p $(@D)
-	$(CC) -std=gnu11 $(CFLAGS) $(WARN) $(INC) -DZS_STATS=1 -c $< -o $@
+	@$(CC) -std=gnu11 $(CFLAGS) $(WARN) $(INC) -DZS_STATS=1 -c $< -o $@
 $(B)/zsim: $(patsubst %.c,$(B)/sim/%.o,$(CORE) $(SCENES) $(SIM)) $(B)/libmeshes.a
-	$(CC) $(CFLAGS) $^ $(LIBS) -o $@
+	@$(CC) $(CFLAGS) $^ $(LIBS) -o $@
+	@echo 'built $@'
 
 include tests/tests.mk

@@ -7,6 +7,7 @@
 
 #include <errno.h>
 #include <math.h>
+#include <stddef.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -61,14 +62,53 @@ enum kind {
     KIND_FLAG
 };
 
+/* Choices are written as the number of the word; the enums of struct sim_options count alike. */
 struct option {
     const char *name;
     enum kind kind;
-    void *to;          /* const char *, long, double, double[3], struct zs_rgb, enum, int */
-    int *has;          /* set to 1, or NULL */
-    double lo, hi;     /* range of a count or number, both ends inside */
-    const char *words; /* choices "a|b|c": number 0, 1, 2 */
+    size_t to;         /* offset of the value: const char *, long, double, struct zs_rgb, int ... */
+    size_t has;        /* offset of an int that becomes 1; 0: none */
+    double lo, hi;     /* range of a count or number, both ends inside; equal: none */
+    const char *words; /* "a|b|c": choices, or the only counts there are; else NULL */
 };
+
+#define AT(field) offsetof(struct sim_options, field)
+
+static const struct option table[] = {
+    { "--out", KIND_FILE, AT(out), 0, 0, 0, NULL },
+    { "--depth-out", KIND_FILE, AT(depth_out), 0, 0, 0, NULL },
+    { "--id-out", KIND_FILE, AT(id_out), 0, 0, 0, NULL },
+    { "--stats", KIND_FILE, AT(stats), 0, 0, 0, NULL },
+    { "--size", KIND_SIZE, AT(size), 0, 0, 0, NULL },
+    { "--strip", KIND_COUNT, AT(strip), 0, 0, 0, NULL },
+    { "--tris", KIND_COUNT, AT(tris), 0, 1, ZS_POOL_MAX, NULL },
+    { "--verts", KIND_COUNT, AT(verts), 0, 3, ZS_POOL_MAX, NULL },
+    { "--depth-bits", KIND_COUNT, AT(depth_bits), 0, 8, 16, NULL },
+    { "--skip-off", KIND_COUNT, AT(skip_off), 0, 0, 31, NULL },
+    { "--subpixel", KIND_COUNT, AT(subpixel), 0, 0, 0, "4|8" },
+    { "--buffers", KIND_COUNT, AT(buffers), 0, 0, 0, "1|2" },
+    { "--eye", KIND_VECTOR, AT(eye), AT(has_eye), 0, 0, NULL },
+    { "--at", KIND_VECTOR, AT(at), AT(has_at), 0, 0, NULL },
+    { "--up", KIND_VECTOR, AT(up), 0, 0, 0, NULL },
+    { "--light", KIND_VECTOR, AT(light), AT(has_light), 0, 0, NULL },
+    { "--fov", KIND_NUMBER, AT(fov), 0, 0, 0, NULL },
+    { "--near", KIND_NUMBER, AT(near_z), AT(has_near), 0, 0, NULL },
+    { "--far", KIND_NUMBER, AT(far_z), AT(has_far), 0, 0, NULL },
+    { "--ambient", KIND_NUMBER, AT(ambient), 0, 0, 1, NULL },
+    { "--diffuse", KIND_NUMBER, AT(diffuse), 0, 0, 1, NULL },
+    { "--background", KIND_RGB, AT(background), 0, 0, 0, NULL },
+    { "--color", KIND_RGB, AT(color), AT(has_color), 0, 0, NULL },
+    { "--projection", KIND_CHOICE, AT(projection), 0, 0, 0, "perspective|orthographic" },
+    { "--depth", KIND_CHOICE, AT(depth), 0, 0, 0, "recip|linear" },
+    { "--shade", KIND_CHOICE, AT(shade), 0, 0, 0, "id|flat|smooth" },
+    { "--cull", KIND_CHOICE, AT(cull), 0, 0, 0, "back|front|none" },
+    { "--reference", KIND_FLAG, AT(reference), 0, 0, 0, NULL },
+    { "--compare", KIND_FLAG, AT(compare), 0, 0, 0, NULL },
+    { "--help", KIND_FLAG, AT(help), 0, 0, 0, NULL },
+    { "-h", KIND_FLAG, AT(help), 0, 0, 0, NULL },
+};
+
+#define N_TABLE (sizeof table / sizeof table[0])
 
 /* A whole string that is an integer. */
 static int parse_long(const char *text, const char **end, long *out)
@@ -121,75 +161,72 @@ static int parse_choice(const char *text, const char *words)
     return -1;
 }
 
-static int take_size(const struct option *opt, const char *text)
+static int take_size(const char *text, long size[2])
 {
-    long *size = opt->to;
     const char *end;
-    if (!parse_long(text, &end, &size[0]) || (*end != 'x' && *end != 'X') ||
-        !parse_long(end + 1, &end, &size[1]) || *end != '\0')
-        return sim_usage("--size wants WIDTHxHEIGHT, not '%s'", text);
-    return SIM_OK;
+    return parse_long(text, &end, &size[0]) && (*end == 'x' || *end == 'X') &&
+           parse_long(end + 1, &end, &size[1]) && *end == '\0';
 }
 
-static int take_count(const struct option *opt, const char *text)
+static int take_vector(const char *text, double v[3])
 {
     const char *end;
-    if (!parse_long(text, &end, opt->to) || *end != '\0')
-        return sim_usage("%s wants a whole number, not '%s'", opt->name, text);
-    return SIM_OK;
+    return parse_double(text, ',', &end, &v[0]) && parse_double(end + 1, ',', &end, &v[1]) &&
+           parse_double(end + 1, '\0', &end, &v[2]);
 }
 
-static int take_vector(const struct option *opt, const char *text)
+static int take_count(const char *text, const char *words, long *count)
 {
-    double *v = opt->to;
     const char *end;
-    if (!parse_double(text, ',', &end, &v[0]) || !parse_double(end + 1, ',', &end, &v[1]) ||
-        !parse_double(end + 1, '\0', &end, &v[2]))
-        return sim_usage("%s wants three numbers x,y,z, not '%s'", opt->name, text);
-    return SIM_OK;
+    return (words == NULL || parse_choice(text, words) >= 0) && parse_long(text, &end, count) &&
+           *end == '\0';
 }
 
-static int take_value(const struct option *opt, const char *text)
+/* A value into its place; 0 where it is not of its option's kind. */
+static int take_value(const struct option *opt, const char *text, void *to)
 {
     const char *end;
-    int i;
-    if (opt->has != NULL)
-        *opt->has = 1;
+    int word;
     switch (opt->kind) {
     case KIND_FILE:
-        *(const char **)opt->to = text;
-        return text[0] != '\0' ? SIM_OK : sim_usage("%s wants a file name", opt->name);
+        *(const char **)to = text;
+        return text[0] != '\0';
     case KIND_SIZE:
-        return take_size(opt, text);
+        return take_size(text, to);
     case KIND_COUNT:
-        return take_count(opt, text);
+        return take_count(text, opt->words, to);
     case KIND_NUMBER:
-        if (!parse_double(text, '\0', &end, opt->to))
-            return sim_usage("%s wants a number, not '%s'", opt->name, text);
-        return SIM_OK;
+        return parse_double(text, '\0', &end, to);
     case KIND_VECTOR:
-        return take_vector(opt, text);
+        return take_vector(text, to);
     case KIND_RGB:
-        if (!parse_rgb(text, opt->to))
-            return sim_usage("%s wants a colour RRGGBB, not '%s'", opt->name, text);
-        return SIM_OK;
+        return parse_rgb(text, to);
     case KIND_CHOICE:
-        i = parse_choice(text, opt->words);
-        if (i < 0)
-            return sim_usage("%s wants %s, not '%s'", opt->name, opt->words, text);
-        *(int *)opt->to = i;
-        return SIM_OK;
+        word = parse_choice(text, opt->words);
+        *(int *)to = word >= 0 ? word : 0;
+        return word >= 0;
     case KIND_FLAG:
         break;
     }
-    return sim_usage("%s takes no value", opt->name);
+    return 0;
+}
+
+static const char *wanted(const struct option *opt)
+{
+    static const char *const names[] = {
+        [KIND_FILE] = "a file name",      [KIND_SIZE] = "WIDTHxHEIGHT",
+        [KIND_COUNT] = "a whole number",  [KIND_NUMBER] = "a number",
+        [KIND_VECTOR] = "numbers x,y,z",  [KIND_RGB] = "a colour RRGGBB",
+        [KIND_CHOICE] = "a word",         [KIND_FLAG] = "no value",
+    };
+    return opt->words != NULL ? opt->words : names[opt->kind];
 }
 
 /* What is understood and still cannot be done. file: the model, to name it. */
-static int check_range(const struct option *opt, const char *file)
+static int check_range(const struct option *opt, const void *at, const char *file)
 {
     const int is_number = opt->kind == KIND_NUMBER, is_vector = opt->kind == KIND_VECTOR;
-    const double *v = opt->to;
+    const double *v = at;
     for (int k = 0; is_number || (is_vector && k < 3); k++) {
         if (!isfinite(v[k]))
             return sim_refuse(
@@ -201,7 +238,7 @@ static int check_range(const struct option *opt, const char *file)
             break;
     }
     const double value = is_number                 ? v[0]
-                         : opt->kind == KIND_COUNT ? (double)*(long *)opt->to
+                         : opt->kind == KIND_COUNT ? (double)*(const long *)at
                                                    : 0.0;
     if (opt->lo < opt->hi && (value < opt->lo || value > opt->hi))
         return sim_refuse(file, 0, "%s %g is outside its range, %g to %g", opt->name, value,
@@ -253,101 +290,78 @@ static void set_defaults(struct sim_options *o)
     o->ambient = 0.25;
     o->diffuse = 0.75;
     o->shade = SIM_SHADE_FLAT;
+    o->depth = SIM_DEPTH_DEFAULT;
+    o->subpixel = 8;
+}
+
+static const struct option *find(const char *arg, size_t length)
+{
+    for (size_t k = 0; k < N_TABLE; k++)
+        if (strlen(table[k].name) == length && memcmp(table[k].name, arg, length) == 0)
+            return &table[k];
+    return NULL;
+}
+
+/* One option with its value, at argv[*i]. */
+static int take_option(struct sim_options *o, char seen[N_TABLE], int argc, char **argv, int *i)
+{
+    const char *arg = argv[*i];
+    const size_t length = strcspn(arg, "=");
+    const struct option *opt = find(arg, length);
+    if (opt == NULL)
+        return sim_usage("unknown option '%s'", arg);
+    char *base = (char *)o;
+    const char *value = arg[length] == '=' ? arg + length + 1 : NULL;
+    seen[opt - table] = 1;
+    if (opt->kind == KIND_FLAG && value == NULL) {
+        *(int *)(void *)(base + opt->to) = 1;
+        return SIM_OK;
+    }
+    if (value == NULL && *i + 1 >= argc)
+        return sim_usage("%s wants a value: %s", opt->name, wanted(opt));
+    if (value == NULL)
+        value = argv[++*i];
+    if (!take_value(opt, value, base + opt->to))
+        return sim_usage("%s wants %s, not '%s'", opt->name, wanted(opt), value);
+    if (opt->has != 0)
+        *(int *)(void *)(base + opt->has) = 1;
+    return SIM_OK;
+}
+
+static int take_arguments(struct sim_options *o, char seen[N_TABLE], int argc, char **argv)
+{
+    int only_names = 0;
+    for (int i = 0; i < argc; i++) {
+        int status = SIM_OK;
+        if (!only_names && strcmp(argv[i], "--") == 0)
+            only_names = 1;
+        else if (!only_names && argv[i][0] == '-' && argv[i][1] != '\0')
+            status = take_option(o, seen, argc, argv, &i);
+        else if (o->model != NULL)
+            status = sim_usage("one model at a time: '%s' is one too many", argv[i]);
+        else
+            o->model = argv[i];
+        if (status != SIM_OK)
+            return status;
+    }
+    return SIM_OK;
 }
 
 int sim_options_parse(struct sim_options *o, int argc, char **argv)
 {
-    int projection = 0, depth = -1, shade = SIM_SHADE_FLAT, cull = 0, subpixel = 1, buffers = 1;
-    int positional_only = 0;
+    char seen[N_TABLE] = { 0 };
     set_defaults(o);
-    const double pool = ZS_POOL_MAX;
-    const struct option table[] = {
-        { "--out", KIND_FILE, &o->out, NULL, 0, 0, NULL },
-        { "--depth-out", KIND_FILE, &o->depth_out, NULL, 0, 0, NULL },
-        { "--id-out", KIND_FILE, &o->id_out, NULL, 0, 0, NULL },
-        { "--stats", KIND_FILE, &o->stats, NULL, 0, 0, NULL },
-        { "--size", KIND_SIZE, o->size, NULL, 0, 0, NULL },
-        { "--strip", KIND_COUNT, &o->strip, NULL, 0, 0, NULL },
-        { "--tris", KIND_COUNT, &o->tris, &(int){ 0 }, 1, pool, NULL },
-        { "--verts", KIND_COUNT, &o->verts, &(int){ 0 }, 3, pool, NULL },
-        { "--depth-bits", KIND_COUNT, &o->depth_bits, NULL, 8, 16, NULL },
-        { "--skip-off", KIND_COUNT, &o->skip_off, NULL, 0, 31, NULL },
-        { "--eye", KIND_VECTOR, o->eye, &o->has_eye, 0, 0, NULL },
-        { "--at", KIND_VECTOR, o->at, &o->has_at, 0, 0, NULL },
-        { "--up", KIND_VECTOR, o->up, NULL, 0, 0, NULL },
-        { "--light", KIND_VECTOR, o->light, &o->has_light, 0, 0, NULL },
-        { "--fov", KIND_NUMBER, &o->fov, NULL, 0, 0, NULL },
-        { "--near", KIND_NUMBER, &o->near_z, &o->has_near, 0, 0, NULL },
-        { "--far", KIND_NUMBER, &o->far_z, &o->has_far, 0, 0, NULL },
-        { "--ambient", KIND_NUMBER, &o->ambient, NULL, 0, 1, NULL },
-        { "--diffuse", KIND_NUMBER, &o->diffuse, NULL, 0, 1, NULL },
-        { "--background", KIND_RGB, &o->background, NULL, 0, 0, NULL },
-        { "--color", KIND_RGB, &o->color, &o->has_color, 0, 0, NULL },
-        { "--projection", KIND_CHOICE, &projection, NULL, 0, 0, "perspective|orthographic" },
-        { "--depth", KIND_CHOICE, &depth, NULL, 0, 0, "recip|linear" },
-        { "--shade", KIND_CHOICE, &shade, NULL, 0, 0, "id|flat|smooth" },
-        { "--cull", KIND_CHOICE, &cull, NULL, 0, 0, "back|front|none" },
-        { "--subpixel", KIND_CHOICE, &subpixel, NULL, 0, 0, "4|8" },
-        { "--buffers", KIND_CHOICE, &buffers, NULL, 0, 0, "1|2" },
-        { "--reference", KIND_FLAG, &o->reference, NULL, 0, 0, NULL },
-        { "--compare", KIND_FLAG, &o->compare, NULL, 0, 0, NULL },
-        { "--help", KIND_FLAG, &o->help, NULL, 0, 0, NULL },
-    };
-    const size_t n_table = sizeof table / sizeof table[0];
-    int seen[sizeof table / sizeof table[0]] = { 0 };
-
-    for (int i = 0; i < argc; i++) {
-        const char *arg = argv[i];
-        if (!positional_only && strcmp(arg, "--") == 0) {
-            positional_only = 1;
-            continue;
-        }
-        if (positional_only || arg[0] != '-' || arg[1] == '\0') {
-            if (o->model != NULL)
-                return sim_usage("one model at a time: '%s' is one too many", arg);
-            o->model = arg;
-            continue;
-        }
-        const size_t length = strcspn(arg, "=");
-        size_t k = 0;
-        while (k < n_table &&
-               (strlen(table[k].name) != length || memcmp(table[k].name, arg, length) != 0))
-            k++;
-        if (strcmp(arg, "-h") == 0) {
-            o->help = 1;
-            continue;
-        }
-        if (k == n_table)
-            return sim_usage("unknown option '%s'", arg);
-        seen[k] = 1;
-        if (table[k].kind == KIND_FLAG && arg[length] == '\0') {
-            *(int *)table[k].to = 1;
-            continue;
-        }
-        if (arg[length] == '\0' && i + 1 >= argc)
-            return sim_usage("%s wants a value", table[k].name);
-        const int status = take_value(&table[k], arg[length] == '=' ? arg + length + 1 : argv[++i]);
-        if (status != SIM_OK)
-            return status;
-    }
-    if (o->help)
-        return SIM_OK;
+    int status = take_arguments(o, seen, argc, argv);
+    if (status != SIM_OK || o->help)
+        return status;
     if (o->model == NULL || o->model[0] == '\0')
         return sim_usage("a model is missing: zsim render MODEL --out FRAME.png");
     if (o->out == NULL)
         return sim_usage("--out is missing: zsim render MODEL --out FRAME.png");
     if (o->reference && o->compare)
         return sim_usage("--compare draws the reference too: leave --reference out");
-    o->projection = projection ? ZS_ORTHOGRAPHIC : ZS_PERSPECTIVE;
-    o->depth = (enum sim_depth)(depth + 1);
-    o->shade = (enum sim_shade)shade;
-    o->cull = (enum zs_cull)cull;
-    o->subpixel = subpixel ? 8 : 4;
-    o->buffers = buffers + 1;
-    for (size_t k = 0; k < n_table; k++) {
-        const int status = seen[k] ? check_range(&table[k], o->model) : SIM_OK;
-        if (status != SIM_OK)
-            return status;
-    }
-    return check_rest(o);
+    for (size_t k = 0; status == SIM_OK && k < N_TABLE; k++)
+        if (seen[k])
+            status = check_range(&table[k], (const char *)o + table[k].to, o->model);
+    return status == SIM_OK ? check_rest(o) : status;
 }

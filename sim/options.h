@@ -8,7 +8,7 @@
 #include "zstrip.h"
 
 enum sim_shade { SIM_SHADE_ID, SIM_SHADE_FLAT, SIM_SHADE_SMOOTH };
-enum sim_depth { SIM_DEPTH_DEFAULT, SIM_DEPTH_RECIP, SIM_DEPTH_LINEAR };
+enum sim_depth { SIM_DEPTH_RECIP, SIM_DEPTH_LINEAR, SIM_DEPTH_DEFAULT };
 
 /* has_* is 0 where the user said nothing and the simulator chooses. Strings point into argv. */
 struct sim_options {

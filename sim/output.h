@@ -8,9 +8,9 @@
 #include <stdio.h>
 
 struct sim_output {
-    FILE *file;     /* write here */
-    char *path;     /* where it will be; symbolic links followed */
-    char *temporary; /* where it is; NULL: a device or pipe, written directly */
+    FILE *file;       /* write here */
+    char *path;       /* where it will be; symbolic links followed */
+    char *temporary;  /* where it is; NULL: a device or pipe, written directly */
     const char *name; /* as given, for messages; borrowed */
 };
 

@@ -199,13 +199,12 @@ static void write_stats(FILE *f, const struct job *job)
     sim_json_end(&json);
 }
 
-static const char *const *names(const struct sim_options *o, const char *name[N_OUTPUTS])
+static void names(const struct sim_options *o, const char *name[N_OUTPUTS])
 {
     name[0] = o->out;
     name[1] = o->depth_out;
     name[2] = o->id_out;
     name[3] = o->stats;
-    return name;
 }
 
 /* One file of the four. */
@@ -236,7 +235,7 @@ static int write_files(const struct job *job)
     struct sim_output out[N_OUTPUTS];
     size_t n = 0;
     int status = SIM_OK;
-    (void)names(&job->options, name);
+    names(&job->options, name);
     for (int i = 0; status == SIM_OK && i < N_OUTPUTS; i++) {
         if (name[i] == NULL)
             continue;
@@ -264,7 +263,7 @@ static int same_file(const char *a, const char *b)
 static int check_files(const struct sim_options *o)
 {
     const char *name[N_OUTPUTS];
-    (void)names(o, name);
+    names(o, name);
     for (int i = 0; i < N_OUTPUTS; i++) {
         if (name[i] == NULL)
             continue;

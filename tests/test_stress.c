@@ -209,10 +209,10 @@ static struct oracle_view view_of(const struct zs_camera *c, int32_t w, int32_t 
     return v;
 }
 
-/* Camera units are at least 2^29 to the reach; corners are off by 3 of them at most (xform.c). */
+/* Camera units are at least 2^28 to the reach; corners are off by 3 of them at most (xform.c). */
 static double unit_of(double reach)
 {
-    return reach * 1.05 / 0x1p29;
+    return reach * 1.05 / 0x1p28;
 }
 
 static double pixel_slack(const struct oracle_view *v, double unit)

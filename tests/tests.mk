@@ -11,17 +11,17 @@ test-programs: $(patsubst tests/%.c,$(B)/test/%,$(TESTS)) $(B)/test/zsim checksu
 
 $(B)/test/%.o: %.c $(HEADERS) $(B)/gen/meshes.h
 	@mkdir -p $(@D)
-	$(TEST_CC) -c $< -o $@
+	@$(TEST_CC) -c $< -o $@
 $(B)/test/libtest.a: $(call t,$(CORE) $(SCENES) $(TEST_HELP))
 	@rm -f $@ && ar rcs $@ $^
 $(B)/test/test_%: $(B)/test/tests/test_%.o $(B)/test/libtest.a $(B)/libmeshes.a
-	$(CC) $(SAN) $^ -lcmocka -lm -o $@
+	@$(CC) $(SAN) $^ -lcmocka -lm -o $@
 $(B)/test/zsim: $(call t,$(SIM)) $(B)/test/libtest.a $(B)/libmeshes.a
-	$(CC) $(SAN) $^ $(LIBS) -o $@
+	@$(CC) $(SAN) $^ $(LIBS) -o $@
 
 # One program, four compilers: its checksums must be the same
 CHECKSUMS = $(foreach c,gcc clang,$(foreach o,O0 O3,$(B)/test/checksum-$(c)-$(o)))
 checksum-programs: $(CHECKSUMS)
 $(CHECKSUMS): tests/checksum.c $(CORE) $(HEADERS)
 	@mkdir -p $(@D)
-	$(word 2,$(subst -, ,$(@F))) -std=c11 -$(word 3,$(subst -, ,$(@F))) $(INC) $(filter %.c,$^) -o $@
+	@$(word 2,$(subst -, ,$(@F))) -std=c11 -$(word 3,$(subst -, ,$(@F))) $(INC) $(filter %.c,$^) -o $@
