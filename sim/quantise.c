@@ -4,8 +4,9 @@
  * modeller that writes four decimals makes them), that fit 24 bits over the model's largest extent,
  * then that is the step and nothing is lost. Otherwise the extent is divided by 2^24 - 4.
  *
- * The world unit: a mesh step (256 grid steps) is 2^k world units, with k as large as the eye, the
- * far plane and the model allow, so that they use 2^28 .. 2^29 of the world.
+ * The world unit: a mesh step (256 grid steps) is 2^k world units, with k as large as the eye and the
+ * model allow, so that they use 2^28 .. 2^29 of the world. The far plane may be 2^15 times farther. Where
+ * half a unit would be more than OFF_MAX_PX on the screen, the camera is refused: better than a wrong picture.
  *
  * SPDX-License-Identifier: MIT
  */
@@ -21,6 +22,7 @@
 #define WORLD_USE 0.98        /* of ZS_WORLD_MAX: room for bounding spheres rounded up */
 #define UNITS_LOG2_MAX 15     /* world units to a mesh step: mesh.scale is uq16_16 */
 #define UNITS_LOG2_MIN (-15) /* the model is then one world unit wide */
+#define OFF_MAX_PX (1.0 / 32.0)
 #define PART_VERTS_MAX 65535u
 #define SLOTS 262144u /* hash of a part's vertices */
 
@@ -106,6 +108,23 @@ static void choose_grid(struct grid *g, const struct sim_model *model)
 
 /* ---- World and camera ------------------------------------------------------------------------ */
 
+/* Rounding the eye to a unit moves the model by up to half of one. */
+static int check_unit(const struct sim_scene *s, const struct sim_model *model,
+                      const struct sim_view *v, double need)
+{
+    double d[3];
+    sim_sub(d, model->center, v->eye);
+    const double clear = sqrt(sim_dot(d, d)) - model->radius; /* from the eye to the model */
+    const double z = fmax(fmax(v->near_z, clear), model->radius / 16.0);
+    const double px = v->orthographic ? v->height / v->span : v->focal / z;
+    if (s->unit / 2.0 * px <= OFF_MAX_PX)
+        return SIM_OK;
+    return sim_refuse(model->file, 0,
+                      "the eye or the far plane is so far away, %g beside a model of %g, that the "
+                      "integers would move the model by %.2g px; bring it closer",
+                      fmax(need, v->far_z), largest_extent(model), s->unit / 2.0 * px);
+}
+
 static int choose_unit(struct sim_scene *s, int *units_log2, const struct sim_model *model,
                        const struct sim_view *v)
 {
@@ -114,7 +133,8 @@ static int choose_unit(struct sim_scene *s, int *units_log2, const struct sim_mo
     double need = model->radius + sqrt(sim_dot(d, d));
     for (int k = 0; k < 3; k++)
         eye = fmax(eye, fabs(v->eye[k] - s->origin[k]));
-    need = fmax(fmax(need, eye), fmax(fabs(v->near_z), fabs(v->far_z)));
+    need = fmax(fmax(need, eye), fabs(v->near_z));
+    need = fmax(need, fabs(v->far_z) * ZS_WORLD_MAX / (double)ZS_FAR_MAX); /* may be far outside */
     if (v->orthographic)
         need = fmax(need, v->span / 2.0);
     const double mesh_step = 256.0 * s->step;
@@ -130,7 +150,7 @@ static int choose_unit(struct sim_scene *s, int *units_log2, const struct sim_mo
     }
     *units_log2 = k > UNITS_LOG2_MAX ? UNITS_LOG2_MAX : (int)k;
     s->unit = ldexp(mesh_step, -*units_log2);
-    return SIM_OK;
+    return check_unit(s, model, v, need);
 }
 
 static void scaled(int32_t out[3], const double v[3])

@@ -20,8 +20,8 @@
 
 static int range_ok(const struct zs_camera *camera)
 {
-    if (camera->z_near >= camera->z_far || camera->z_far > WORLD_MAX_Q16 ||
-        camera->z_near < -WORLD_MAX_Q16)
+    if (camera->z_near >= camera->z_far || camera->z_far > (zs_q48_16)ZS_FAR_MAX * 65536 ||
+        camera->z_near > WORLD_MAX_Q16 || camera->z_near < -WORLD_MAX_Q16)
         return 0;
     if (camera->projection == ZS_ORTHOGRAPHIC)
         return camera->height > 0 && camera->height <= 2 * WORLD_MAX_Q16;

@@ -73,6 +73,7 @@ typedef uint16_t zs_turn;    /* angles, 65536 to the turn */
 #define ZS_Q30_ONE ((zs_q2_30)1 << 30)
 #define ZS_Q16_ONE ((zs_uq16_16)1 << 16)
 #define ZS_WORLD_MAX ((int32_t)1 << 29) /* world units; also the largest extent of an instance */
+#define ZS_FAR_MAX ((int64_t)1 << 44)   /* world units; a far plane may lie beyond the world */
 #define ZS_DEPTH_CLEAR 65535u
 
 struct zs_rgb {
@@ -162,8 +163,8 @@ struct zs_camera {
     uint8_t projection;  /* enum zs_projection */
     zs_uq32_32 focal;    /* perspective: focal length in pixels, 2^-16 .. 2^23 */
     zs_q48_16 height;    /* orthographic: world units that the frame's height spans, > 0 */
-    zs_q48_16 z_near, z_far; /* world units along the view axis, near < far <= ZS_WORLD_MAX, and
-                                perspective: near > 0, far - near >= far / 65536 */
+    zs_q48_16 z_near, z_far; /* world units along the view axis, |near| <= ZS_WORLD_MAX, near < far <=
+                                ZS_FAR_MAX, and perspective: near > 0, far - near >= far / 65536 */
 };
 
 /* ---- Renderer ----------------------------------------------------------------------------- */
