@@ -161,18 +161,14 @@ static void make_room(struct zs_renderer *r)
 
 /* ---- Vertices ---------------------------------------------------------------------------------------- */
 
-/* The pool's place of a vertex of the current mesh, transformed; ZS_NIL: the pool is full. */
-static uint32_t vertex_slot(struct zs_renderer *r, uint32_t v)
+/* Transform vertex v into the next place of the pool; ZS_NIL: the pool is full. */
+static ZS_NOINLINE uint32_t vertex_add(struct zs_renderer *r, uint32_t v)
 {
-    const uint32_t at = map_index(r, v);
-    uint32_t slot = r->vert_map[at];
-    if (slot < r->n_verts && slot >= r->vert_base && r->vert_src[slot] == v)
-        return slot;
     if (r->n_verts == r->config.max_verts)
         return ZS_NIL;
-    slot = r->n_verts++;
+    const uint32_t slot = r->n_verts++;
     r->vert_src[slot] = (uint16_t)v;
-    r->vert_map[at] = (uint16_t)slot;
+    r->vert_map[map_index(r, v)] = (uint16_t)slot;
     r->stats.verts_transformed++;
 
     struct zs_point p;
@@ -190,6 +186,26 @@ static uint32_t vertex_slot(struct zs_renderer *r, uint32_t v)
     if (shader->vertex)
         shader->vertex(r, v, &r->attr[slot * r->config.attrs]);
     return slot;
+}
+
+/* The pool's places of a triangle's corners, transformed. Return 0: the pool is full. */
+static inline int corner_slots(struct zs_renderer *r, const uint16_t index[3], uint32_t slot[3])
+{
+    const uint16_t *map = r->vert_map, *src = r->vert_src;
+    const uint32_t base = r->vert_base, cap = r->config.max_verts;
+    uint32_t n = r->n_verts;
+    for (int k = 0; k < 3; k++) {
+        const uint32_t v = index[k];
+        uint32_t s = map[v < cap ? v : fold(v, cap)];
+        if (s >= n || s < base || src[s] != v) {
+            s = vertex_add(r, v);
+            if (s == ZS_NIL)
+                return 0;
+            n = r->n_verts;
+        }
+        slot[k] = s;
+    }
+    return 1;
 }
 
 /* ---- Triangles --------------------------------------------------------------------------------------- */
@@ -391,9 +407,7 @@ static enum fate triangle(struct zs_renderer *r, uint32_t t)
             return FATE_INDEX;
     for (;;) {
         uint32_t slot[3];
-        for (int k = 0; k < 3; k++)
-            slot[k] = vertex_slot(r, index[k]);
-        if (slot[0] == ZS_NIL || slot[1] == ZS_NIL || slot[2] == ZS_NIL) {
+        if (!corner_slots(r, index, slot)) {
             make_room(r);
             continue;
         }
