@@ -25,6 +25,7 @@
 
 #define COORD_MAX 1e30  /* products of three lengths fit a double */
 #define EXTENT_MIN 1e-30
+#define EXTENT_RELATIVE 0x1p-32 /* of the coordinates: doubles then keep 1/512 px at 4096 px */
 #define DEPTH_MAX 256   /* of nodes below nodes */
 
 enum family { FAMILY_OBJ, FAMILY_PLY, FAMILY_STL, FAMILY_OFF, FAMILY_OTHER };
@@ -535,7 +536,7 @@ static void fill_normals(struct sim_model *model)
 
 static int fill_bounds(struct sim_model *model)
 {
-    double extent = 0.0, squared = 0.0;
+    double extent = 0.0, squared = 0.0, reach = 0.0;
     for (int k = 0; k < 3; k++) {
         model->lo[k] = model->hi[k] = model->point[0][k];
         for (uint32_t i = 1; i < model->n_points; i++) {
@@ -544,12 +545,17 @@ static int fill_bounds(struct sim_model *model)
         }
         model->center[k] = model->lo[k] + (model->hi[k] - model->lo[k]) / 2.0;
         extent = fmax(extent, model->hi[k] - model->lo[k]);
+        reach = fmax(reach, fmax(fabs(model->lo[k]), fabs(model->hi[k])));
     }
     if (extent == 0.0)
         return sim_refuse(model->file, 0, "all its vertices lie at one point: it has no extent");
     if (extent < EXTENT_MIN)
         return sim_refuse(model->file, 0, "an extent of %g is below %g; scale the model up", extent,
                           EXTENT_MIN);
+    if (extent < EXTENT_RELATIVE * reach)
+        return sim_refuse(model->file, 0,
+                          "an extent of %g is lost beside coordinates of %g; move the model to 0,0,0",
+                          extent, reach);
     for (uint32_t i = 0; i < model->n_points; i++) {
         double d[3];
         sim_sub(d, model->point[i], model->center);

@@ -38,7 +38,8 @@ static void watch(char *temporary)
     if (!installed) {
         installed = 1;
         (void)atexit(remove_pending);
-        const int numbers[] = { SIGINT, SIGTERM, SIGHUP, SIGPIPE };
+        (void)signal(SIGXFSZ, SIG_IGN); /* a write beyond a limit of size fails instead */
+        const int numbers[] = { SIGINT, SIGTERM, SIGHUP, SIGQUIT, SIGPIPE };
         for (size_t i = 0; i < sizeof numbers / sizeof numbers[0]; i++)
             if (signal(numbers[i], on_signal) == SIG_IGN)
                 (void)signal(numbers[i], SIG_IGN); /* nohup stays nohup */

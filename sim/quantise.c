@@ -145,7 +145,7 @@ static int choose_unit(struct sim_scene *s, int *units_log2, const struct sim_mo
         return sim_refuse(
             model->file, 0,
             "%s %g is %.3g times the model's size %g; the integers hold up to %.3g times",
-            eye >= need ? "the eye's distance" : "the far plane's or the view's extent", need,
+            eye >= 0.5 * need ? "the eye's distance" : "the far plane's or the view's extent", need,
             need / size, size, most);
     }
     *units_log2 = k > UNITS_LOG2_MAX ? UNITS_LOG2_MAX : (int)k;

@@ -96,9 +96,10 @@ static void page_clipped(struct page *p, const char *name, const struct zs_depth
     shape_sphere(&shapes[1], 9, 12, 1800);
     add(p, &shapes[0], &zs_shade_smooth, 0, -900, 0, ZS_CULL_NONE);
     add(p, &shapes[1], &zs_shade_smooth, 0, 200, 0, ZS_CULL_NONE);
-    add(p, &shapes[1], &zs_shade_flat, 2600, 700, 5600, ZS_CULL_NONE); /* the eye is inside it */
+    add(p, &shapes[1], &zs_shade_flat, 3505, 858, 5191, ZS_CULL_NONE); /* near opens it: see below */
     zs_pose_turn(&p->instance[0].pose, 0, 0, 0);
     look_from(p, 2000, 900, 6000);
+    p->camera.z_near = (zs_q48_16)700 * 65536; /* the eye is inside the second sphere */
     p->camera.z_far = (zs_q48_16)19000 * 65536;
 }
 
@@ -138,6 +139,7 @@ static void page_coarse(struct page *p)
     p->name = "4 sub-pixel bits, 8 bits of depth";
     p->config.subpixel_bits = 4;
     p->config.depth_bits = 8;
+    p->camera.z_near = (zs_q48_16)4000 * 65536;
     p->config.max_tris = 100;
     p->config.max_verts = 90;
 }

@@ -330,7 +330,11 @@ static void frames_refused_by_name(void **state)
     REFUSED(g.camera.z_near = INT64_MAX, ZS_ERR_CAMERA);
     REFUSED(g.camera.z_near = g.camera.z_far, ZS_ERR_CAMERA);
     REFUSED(g.camera.z_near = g.camera.z_far - 1, ZS_ERR_CAMERA);
-    REFUSED(g.camera.z_far = (zs_q48_16)ZS_WORLD_MAX * 65536 + 1, ZS_ERR_CAMERA);
+    REFUSED(g.camera.z_far = (zs_q48_16)ZS_FAR_MAX * 65536, ZS_OK);
+    REFUSED(g.camera.z_far = (zs_q48_16)ZS_FAR_MAX * 65536 + 1, ZS_ERR_CAMERA);
+    REFUSED((g.camera.projection = ZS_ORTHOGRAPHIC, g.camera.height = 65536,
+             g.config.depth = &zs_depth_linear,
+             g.camera.z_near = -(zs_q48_16)ZS_WORLD_MAX * 65536 - 1), ZS_ERR_CAMERA);
     REFUSED(g.camera.z_far = INT64_MAX, ZS_ERR_CAMERA);
     REFUSED(g.camera.focal = 0, ZS_ERR_CAMERA);
     REFUSED(g.camera.focal = UINT64_MAX, ZS_ERR_CAMERA);

@@ -10,7 +10,7 @@
 #include "oracle.h"
 #include "picture.h"
 #include "shapes.h"
-#include "stage.h"
+#include "easel.h"
 
 #define GUARD (8188 * 256)
 
@@ -61,7 +61,7 @@ static double psnr(void)
 
 /* ---- Smooth, on exactly known geometry -------------------------------------------------------------------- */
 
-static void smooth_corners(struct prng *p, const struct stage *s, int huge, struct stage_tri *t)
+static void smooth_corners(struct prng *p, const struct easel *s, int huge, struct easel_tri *t)
 {
     for (int k = 0; k < 3; k++) {
         const int32_t reach_x = huge ? GUARD : s->width * 200, reach_y = huge ? GUARD : s->height * 200;
@@ -73,7 +73,7 @@ static void smooth_corners(struct prng *p, const struct stage *s, int huge, stru
 }
 
 /* 1 / z of a corner up to a factor; w ratio at most `ratio`. */
-static double corner_depth(struct prng *p, const struct stage *s, const struct stage_frame *unit,
+static double corner_depth(struct prng *p, const struct easel *s, const struct easel_frame *unit,
                            double ratio, double nearest, uint32_t *d)
 {
     const double z = nearest * pow(ratio, prng_pick(p, 1025) / 1024.0);
@@ -90,22 +90,22 @@ static double corner_depth(struct prng *p, const struct stage *s, const struct s
 static int smooth_triangle(uint64_t seed, double ratio)
 {
     struct prng p = { seed };
-    struct stage s = stage_default(96, 72);
+    struct easel s = easel_default(96, 72);
     s.smooth = 1;
     s.strip_h = prng_range(&p, 1, 72);
     if (seed % 3 == 0)
         s.depth = &zs_depth_linear;
-    struct stage_frame f;
-    struct stage_tri t;
-    stage_draw(&s, &t, 0, &f);
-    stage_free(&f);
+    struct easel_frame f;
+    struct easel_tri t;
+    easel_draw(&s, &t, 0, &f);
+    easel_free(&f);
     smooth_corners(&p, &s, seed % 5 == 0, &t);
     double w[3];
     const double most = s.z_far / ratio / s.z_near;
     const double nearest = s.z_near * pow(most, prng_pick(&p, 1025) / 1024.0 * 0.5);
     for (int k = 0; k < 3; k++)
         w[k] = corner_depth(&p, &s, &f, ratio, nearest, &t.d[k]);
-    stage_draw(&s, &t, 1, &f);
+    easel_draw(&s, &t, 1, &f);
     const struct oracle_tri o = { { t.x[0], t.x[1], t.x[2] }, { t.y[0], t.y[1], t.y[2] } };
     int ok = 1;
     for (int j = 0; j < s.height && ok; j++)
@@ -129,7 +129,7 @@ static int smooth_triangle(uint64_t seed, double ratio)
                                     t.d[2], t.rgb[2][c]);
             }
         }
-    stage_free(&f);
+    easel_free(&f);
     return ok;
 }
 
@@ -163,20 +163,20 @@ static void smooth_is_perspective_correct(void **state)
 static int constant_case(uint64_t seed)
 {
     struct prng p = { seed };
-    struct stage s = stage_default(96, 72);
+    struct easel s = easel_default(96, 72);
     s.smooth = 1;
     if (seed % 2)
         s.depth = &zs_depth_linear;
-    struct stage_frame f;
-    struct stage_tri t;
-    stage_draw(&s, &t, 0, &f);
-    stage_free(&f);
+    struct easel_frame f;
+    struct easel_tri t;
+    easel_draw(&s, &t, 0, &f);
+    easel_free(&f);
     smooth_corners(&p, &s, seed % 5 == 0, &t);
     for (int k = 0; k < 3; k++) {
         (void)corner_depth(&p, &s, &f, 50, 300, &t.d[k]);
         memcpy(t.rgb[k], t.rgb[0], sizeof t.rgb[0]);
     }
-    stage_draw(&s, &t, 1, &f);
+    easel_draw(&s, &t, 1, &f);
     int ok = 1;
     for (int i = 0; i < s.width * s.height && ok; i++)
         for (int c = 0; c < 3 && f.key[i] != ZS_DEPTH_CLEAR && ok; c++) {
@@ -186,7 +186,7 @@ static int constant_case(uint64_t seed)
             if (!ok)
                 (void)case_wrong("%d, not %.5f", code_of(f.color[i], c), exact);
         }
-    stage_free(&f);
+    easel_free(&f);
     return ok;
 }
 

@@ -7,7 +7,7 @@
 
 #include "cases.h"
 #include "oracle.h"
-#include "stage.h"
+#include "easel.h"
 
 #define GUARD (8188 * 256)
 
@@ -90,7 +90,7 @@ static void random_corner(struct prng *p, enum kind kind, int k, int32_t size, i
     }
 }
 
-static void bend(struct prng *p, enum kind kind, struct stage_tri *t)
+static void bend(struct prng *p, enum kind kind, struct easel_tri *t)
 {
     const int a = (int)prng_pick(p, 3), b = (a + 1) % 3, c = (a + 2) % 3;
     switch (kind) {
@@ -131,7 +131,7 @@ static void bend(struct prng *p, enum kind kind, struct stage_tri *t)
     }
 }
 
-static void random_tri(struct prng *p, enum kind kind, const struct stage *s, struct stage_tri *t)
+static void random_tri(struct prng *p, enum kind kind, const struct easel *s, struct easel_tri *t)
 {
     const enum kind corner = kind == KIND_STEEP ? KIND_HUGE : kind;
     const int32_t reach = prng_pick(p, 2) ? GUARD : 256 << prng_pick(p, 13);
@@ -172,13 +172,13 @@ static void random_keys(struct prng *p, uint32_t top, uint32_t d[3])
         }
 }
 
-static struct oracle_tri to_oracle(const struct stage_tri *t)
+static struct oracle_tri to_oracle(const struct easel_tri *t)
 {
     const struct oracle_tri o = { { t->x[0], t->x[1], t->x[2] }, { t->y[0], t->y[1], t->y[2] } };
     return o;
 }
 
-static int wrong_at(const struct stage *s, const struct stage_tri *t, int i, int j,
+static int wrong_at(const struct easel *s, const struct easel_tri *t, int i, int j,
                     const char *what, double value)
 {
     return case_wrong("%s %g at (%d, %d) of %dx%d, strips of %d, %d bits: (%d %d %u) (%d %d %u) "
@@ -189,11 +189,11 @@ static int wrong_at(const struct stage *s, const struct stage_tri *t, int i, int
 
 /* ---- One triangle: every pixel of the frame, its coverage and its key -------------------------------- */
 
-typedef int pixel_fn(const struct stage *s, const struct stage_tri *t, const struct stage_frame *f,
+typedef int pixel_fn(const struct easel *s, const struct easel_tri *t, const struct easel_frame *f,
                      int i, int j, uint32_t key);
 
-static int frame_right(const struct stage *s, const struct stage_tri *t,
-                       const struct stage_frame *f, pixel_fn *pixel)
+static int frame_right(const struct easel *s, const struct easel_tri *t,
+                       const struct easel_frame *f, pixel_fn *pixel)
 {
     const struct oracle_tri o = to_oracle(t);
     uint32_t covered = 0;
@@ -216,20 +216,20 @@ static int frame_right(const struct stage *s, const struct stage_tri *t,
 }
 
 /* The promise: 0.505 bucket for width + height <= 640, else 0.5 + (W + H + 1) / 2^17. */
-static double key_bound(const struct stage *s)
+static double key_bound(const struct easel *s)
 {
     const int32_t extent = s->width + s->height;
     return extent <= 640 ? 0.505 : 0.5 + (extent + 1) / 131072.0;
 }
 
-static void note_error(const struct stage *s, double error)
+static void note_error(const struct easel *s, double error)
 {
     double *worst = s->width + s->height <= 640 ? &worst_error : &worst_big;
     *worst = error > *worst ? error : *worst;
 }
 
-static int plane_pixel(const struct stage *s, const struct stage_tri *t,
-                       const struct stage_frame *f, int i, int j, uint32_t key)
+static int plane_pixel(const struct easel *s, const struct easel_tri *t,
+                       const struct easel_frame *f, int i, int j, uint32_t key)
 {
     (void)f;
     const struct oracle_tri o = to_oracle(t);
@@ -241,9 +241,9 @@ static int plane_pixel(const struct stage *s, const struct stage_tri *t,
     return 1;
 }
 
-static struct stage random_stage(struct prng *p, size_t size)
+static struct easel random_easel(struct prng *p, size_t size)
 {
-    struct stage s = stage_default(sizes[size].w, sizes[size].h);
+    struct easel s = easel_default(sizes[size].w, sizes[size].h);
     const int32_t strips[] = { 1, 2, 3, 5, 8, 16, 24, s.height };
     s.strip_h = strips[prng_pick(p, 8)];
     s.depth_bits = prng_pick(p, 2) ? 16 : prng_range(p, 8, 16);
@@ -253,14 +253,14 @@ static struct stage random_stage(struct prng *p, size_t size)
 static int one_triangle(uint64_t seed)
 {
     struct prng p = { seed };
-    struct stage s = random_stage(&p, seed % N_SIZES);
-    struct stage_tri t;
+    struct easel s = random_easel(&p, seed % N_SIZES);
+    struct easel_tri t;
     random_tri(&p, (enum kind)(seed / N_SIZES % KINDS), &s, &t);
     random_keys(&p, ((1u << s.depth_bits) - 1u) << 16, t.d);
-    struct stage_frame f;
-    stage_draw(&s, &t, 1, &f);
+    struct easel_frame f;
+    easel_draw(&s, &t, 1, &f);
     const int ok = frame_right(&s, &t, &f, plane_pixel);
-    stage_free(&f);
+    easel_free(&f);
     return ok;
 }
 
@@ -280,15 +280,15 @@ static int big_frame(uint64_t seed)
 {
     static const struct frame_size big[] = { { 4096, 2 }, { 3, 4096 }, { 640, 480 }, { 1000, 1000 } };
     struct prng p = { seed };
-    struct stage s = stage_default(big[seed % 4].w, big[seed % 4].h);
+    struct easel s = easel_default(big[seed % 4].w, big[seed % 4].h);
     s.strip_h = prng_range(&p, 1, 64);
-    struct stage_tri t;
+    struct easel_tri t;
     random_tri(&p, seed % 3 ? KIND_HUGE : KIND_BORDER, &s, &t);
     random_keys(&p, 65535u << 16, t.d);
-    struct stage_frame f;
-    stage_draw(&s, &t, 1, &f);
+    struct easel_frame f;
+    easel_draw(&s, &t, 1, &f);
     const int ok = frame_right(&s, &t, &f, plane_pixel);
-    stage_free(&f);
+    easel_free(&f);
     return ok;
 }
 
@@ -304,8 +304,8 @@ static void coverage_and_keys_in_big_frames(void **state)
 
 /* (z - n) / (f - n) * (B - 1) where 1/z is the plane through the corners' stored z. 64-bit mantissas:
  * good to 1e-12 bucket. */
-static long double linear_exact(const struct stage *s, const struct stage_tri *t,
-                                const struct stage_frame *f, int i, int j)
+static long double linear_exact(const struct easel *s, const struct easel_tri *t,
+                                const struct easel_frame *f, int i, int j)
 {
     const struct oracle_tri o = to_oracle(t);
     int64_t w[3];
@@ -318,8 +318,8 @@ static long double linear_exact(const struct stage *s, const struct stage_tri *t
     return (z - f->unit_near) / range * ((1 << s->depth_bits) - 1);
 }
 
-static int linear_pixel(const struct stage *s, const struct stage_tri *t,
-                        const struct stage_frame *f, int i, int j, uint32_t key)
+static int linear_pixel(const struct easel *s, const struct easel_tri *t,
+                        const struct easel_frame *f, int i, int j, uint32_t key)
 {
     const uint32_t most = (1u << s->depth_bits) - 2u;
     long double want = linear_exact(s, t, f, i, j);
@@ -334,16 +334,16 @@ static int linear_pixel(const struct stage *s, const struct stage_tri *t,
 static int linear_triangle(uint64_t seed)
 {
     struct prng p = { seed };
-    struct stage s = random_stage(&p, 1 + seed % (N_SIZES - 1));
+    struct easel s = random_easel(&p, 1 + seed % (N_SIZES - 1));
     s.depth = &zs_depth_linear;
     s.z_near = 1 + (int32_t)prng_pick(&p, 1u << prng_pick(&p, 14));
     s.z_far = clamp((int64_t)s.z_near * prng_range(&p, 2, 1 << prng_range(&p, 2, 14)), 0, 1 << 28);
-    struct stage_tri t;
+    struct easel_tri t;
     random_tri(&p, (enum kind)(seed / N_SIZES % KINDS), &s, &t);
     /* the camera unit is not known before the frame is begun: an empty one tells it */
-    struct stage_frame f;
-    stage_draw(&s, &t, 0, &f);
-    stage_free(&f);
+    struct easel_frame f;
+    easel_draw(&s, &t, 0, &f);
+    easel_free(&f);
     const int32_t z0 = f.unit_near;
     const int32_t z1 = (int32_t)ldexp(s.z_far, f.shift);
     const uint32_t how = prng_pick(&p, 3);
@@ -353,9 +353,9 @@ static int linear_triangle(uint64_t seed)
                             : how == 1 ? prng_range(&p, z0, z1)
                                        : (int32_t)(z0 * pow((double)z1 / z0, along)));
     }
-    stage_draw(&s, &t, 1, &f);
+    easel_draw(&s, &t, 1, &f);
     const int ok = frame_right(&s, &t, &f, linear_pixel);
-    stage_free(&f);
+    easel_free(&f);
     return ok;
 }
 
@@ -375,8 +375,8 @@ static void linear_keys_under_perspective(void **state)
 static int crowd_case(uint64_t seed)
 {
     struct prng p = { seed };
-    struct stage s = random_stage(&p, 1 + seed % (N_SIZES - 1));
-    struct stage_tri t[CROWD];
+    struct easel s = random_easel(&p, 1 + seed % (N_SIZES - 1));
+    struct easel_tri t[CROWD];
     struct oracle_tri o[CROWD];
     uint32_t key[CROWD];
     const uint32_t most = (1u << s.depth_bits) - 2u, levels = 1u << prng_pick(&p, 5);
@@ -387,8 +387,8 @@ static int crowd_case(uint64_t seed)
         o[k] = to_oracle(&t[k]);
         key[k] = (d + 0x8000u) >> 16;
     }
-    struct stage_frame f;
-    stage_draw(&s, t, CROWD, &f);
+    struct easel_frame f;
+    easel_draw(&s, t, CROWD, &f);
     uint32_t tested = 0;
     int ok = 1;
     for (int j = 0; j < s.height && ok; j++)
@@ -410,7 +410,7 @@ static int crowd_case(uint64_t seed)
     pixels_compared += (uint64_t)s.width * (uint64_t)s.height * CROWD;
     if (ok && f.tested != tested)
         ok = case_wrong("%u pixels tested, %u covered", f.tested, tested);
-    stage_free(&f);
+    easel_free(&f);
     return ok;
 }
 
@@ -427,14 +427,14 @@ static void least_key_then_scene_order(void **state)
 #define MESH_MAX 4000
 
 struct partition { /* triangles that fill a rectangle exactly */
-    struct stage_tri t[MESH_MAX];
+    struct easel_tri t[MESH_MAX];
     uint32_t n;
 };
 
 static void partition_add(struct partition *m, const int32_t a[2], const int32_t b[2],
                           const int32_t c[2])
 {
-    struct stage_tri *t = &m->t[m->n++];
+    struct easel_tri *t = &m->t[m->n++];
     memset(t, 0, sizeof *t);
     const int32_t *v[3] = { a, b, c };
     for (int k = 0; k < 3; k++) {
@@ -482,7 +482,7 @@ static void dropped_points(struct prng *p, struct partition *m, const int32_t bo
     partition_add(m, a, c, d);
     while (n-- > 0) {
         const uint32_t at = prng_pick(p, m->n);
-        const struct stage_tri t = m->t[at];
+        const struct easel_tri t = m->t[at];
         int32_t u = prng_range(p, 0, 65536), v = prng_range(p, 0, 65536);
         if (u + v > 65536) {
             u = 65536 - u;
@@ -538,7 +538,7 @@ static int shared_case(uint64_t seed)
 {
     static struct partition m;
     struct prng p = { seed };
-    struct stage s = stage_default(320, 240);
+    struct easel s = easel_default(320, 240);
     s.strip_h = prng_range(&p, 1, 240);
     int32_t box[4] = { prng_range(&p, -3000, 20000), prng_range(&p, -3000, 20000),
                        prng_range(&p, 60000, 320 * 256 + 3000), prng_range(&p, 40000, 64000) };
@@ -554,8 +554,8 @@ static int shared_case(uint64_t seed)
     case 1: dropped_points(&p, &m, box, prng_range(&p, 1, 1000)); break;
     default: fan(&p, &m, box, prng_range(&p, 1, 200)); break;
     }
-    struct stage_frame f;
-    stage_draw(&s, m.t, m.n, &f);
+    struct easel_frame f;
+    easel_draw(&s, m.t, m.n, &f);
     uint32_t inside = 0;
     int ok = 1;
     for (int j = 0; j < s.height && ok; j++)
@@ -569,7 +569,7 @@ static int shared_case(uint64_t seed)
     if (ok && (f.tested != inside || f.written != inside)) /* all keys are equal: a second hit shows */
         ok = case_wrong("%u pixels inside, %u hits", inside, f.tested);
     pixels_compared += inside;
-    stage_free(&f);
+    easel_free(&f);
     return ok;
 }
 
@@ -673,15 +673,15 @@ static void triangles_drawn_by_hand(void **state)
             const struct drawing *d = &drawings[n];
             static const int order[6][3] = { { 0, 1, 2 }, { 1, 2, 0 }, { 2, 0, 1 },
                                              { 0, 2, 1 }, { 2, 1, 0 }, { 1, 0, 2 } };
-            struct stage_tri t = { .d = { 5 << 16, 5 << 16, 5 << 16 } };
+            struct easel_tri t = { .d = { 5 << 16, 5 << 16, 5 << 16 } };
             for (int k = 0; k < 3; k++) {
                 t.x[k] = d->x[order[turn][k]];
                 t.y[k] = d->y[order[turn][k]];
             }
-            struct stage s = stage_default(8, 6);
+            struct easel s = easel_default(8, 6);
             s.strip_h = 1 + turn;
-            struct stage_frame f;
-            stage_draw(&s, &t, 1, &f);
+            struct easel_frame f;
+            easel_draw(&s, &t, 1, &f);
             for (int j = 0; j < 6; j++) {
                 char row[9] = "........";
                 for (int i = 0; i < 8; i++)
@@ -691,7 +691,7 @@ static void triangles_drawn_by_hand(void **state)
                     print_error("drawing %zu, row %d: drawn and expected\n", n, j);
                 assert_string_equal(row, d->rows[j]);
             }
-            stage_free(&f);
+            easel_free(&f);
         }
 }
 
@@ -701,23 +701,23 @@ static void keys_saturate_and_never_wrap(void **state)
 {
     (void)state;
     for (int bits = 8; bits <= 16; bits++) {
-        struct stage s = stage_default(320, 240);
+        struct easel s = easel_default(320, 240);
         s.depth_bits = bits;
         const uint32_t top = ((1u << bits) - 1u) << 16;
-        struct stage_tri t = { { -GUARD + 320 * 128, GUARD + 320 * 128, 320 * 128 },
+        struct easel_tri t = { { -GUARD + 320 * 128, GUARD + 320 * 128, 320 * 128 },
                                { 240 * 128 - 4000, 240 * 128, GUARD + 240 * 128 }, { 0 }, { { 0 } } };
         for (int k = 0; k < 8; k++) { /* all ways of near and far corners */
             for (int v = 0; v < 3; v++)
                 t.d[v] = k >> v & 1 ? top : 0;
-            struct stage_frame f;
-            stage_draw(&s, &t, 1, &f);
+            struct easel_frame f;
+            easel_draw(&s, &t, 1, &f);
             assert_true(frame_right(&s, &t, &f, plane_pixel));
             for (int i = 0; i < 320 * 240; i++) {
                 assert_true(f.key[i] == ZS_DEPTH_CLEAR || f.key[i] <= (1u << bits) - 2u);
                 if (k == 0 || k == 7)
                     assert_true(!f.color[i] || f.key[i] == (k ? (1u << bits) - 2u : 0u));
             }
-            stage_free(&f);
+            easel_free(&f);
         }
     }
 }

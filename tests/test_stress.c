@@ -11,7 +11,7 @@
 #include "oracle.h"
 #include "picture.h"
 #include "shapes.h"
-#include "stage.h"
+#include "easel.h"
 
 /* ---- Exact: one world unit is 1/256 px --------------------------------------------------------------- */
 
@@ -823,7 +823,8 @@ static int ends_case(uint64_t seed)
     if (prng_pick(&p, 4) == 0)
         camera.z_near = prng_pick(&p, 2) ? 1 << prng_pick(&p, 24) : prng_log(&p);
     if (prng_pick(&p, 4) == 0)
-        camera.z_far = prng_pick(&p, 2) ? (zs_q48_16)ZS_WORLD_MAX * 65536 : prng_log(&p);
+        camera.z_far = prng_pick(&p, 2) ? (zs_q48_16)ZS_FAR_MAX * 65536 >> prng_pick(&p, 40)
+                                        : prng_log(&p);
     if (prng_pick(&p, 4) == 0)
         camera.focal = (uint64_t)1 << prng_pick(&p, 64);
     if (prng_pick(&p, 4) == 0)
@@ -978,7 +979,7 @@ struct key_plane {
 
 /* A quad over the frame and beyond, cut anyhow into two triangles. */
 static void plane_quad(struct prng *p, const struct key_plane *k, int32_t w, int32_t h,
-                       struct stage_tri t[2])
+                       struct easel_tri t[2])
 {
     const int32_t x0 = -prng_range(p, 1, 2000), x1 = w * 256 + prng_range(p, 1, 2000);
     const int32_t y0 = -prng_range(p, 1, 2000), y1 = h * 256 + prng_range(p, 1, 2000);
@@ -1007,19 +1008,19 @@ static struct key_plane random_plane(struct prng *p, int32_t w, int32_t h)
 static int pair_case(uint64_t seed)
 {
     struct prng p = { seed };
-    struct stage s = stage_default(320, 240);
+    struct easel s = easel_default(320, 240);
     s.strip_h = prng_range(&p, 1, 240);
     const struct key_plane near_plane = random_plane(&p, 320, 240);
     const int close = (int)(seed % 2);
     struct key_plane far_plane = near_plane;
     far_plane.base += close ? 32768 : 66192; /* 0.5 and 1.0101 buckets */
-    struct stage_tri t[4], alone[2];
+    struct easel_tri t[4], alone[2];
     plane_quad(&p, &far_plane, 320, 240, t); /* the farther one comes first and would win a tie */
     plane_quad(&p, &near_plane, 320, 240, t + 2);
     memcpy(alone, t + 2, sizeof alone);
-    struct stage_frame f, g;
-    stage_draw(&s, t, 4, &f);
-    stage_draw(&s, alone, 2, &g);
+    struct easel_frame f, g;
+    easel_draw(&s, t, 4, &f);
+    easel_draw(&s, alone, 2, &g);
     int ok = 1;
     for (int i = 0; i < 320 * 240 && ok; i++) {
         const int right = f.color[i] >= 3;
@@ -1027,8 +1028,8 @@ static int pair_case(uint64_t seed)
             ok = case_wrong("pixel (%d, %d): colour %u, keys %u and %u", i % 320, i / 320, f.color[i],
                             f.key[i], g.key[i]);
     }
-    stage_free(&f);
-    stage_free(&g);
+    easel_free(&f);
+    easel_free(&g);
     return ok;
 }
 
@@ -1041,16 +1042,16 @@ static void stress_19_parallel_pair_at_1_01_buckets(void **state)
 static int crossing_case(uint64_t seed)
 {
     struct prng p = { seed };
-    struct stage s = stage_default(320, 240);
+    struct easel s = easel_default(320, 240);
     s.strip_h = prng_range(&p, 1, 240);
     struct key_plane k[2] = { random_plane(&p, 320, 240), random_plane(&p, 320, 240) };
-    struct stage_tri t[4];
+    struct easel_tri t[4];
     for (int n = 0; n < 2; n++) /* cross somewhere near the middle of the frame */
         k[n].base -= k[n].gx * (320 * 128) + k[n].gy * (240 * 128);
     plane_quad(&p, &k[0], 320, 240, t);
     plane_quad(&p, &k[1], 320, 240, t + 2);
-    struct stage_frame f;
-    stage_draw(&s, t, 4, &f);
+    struct easel_frame f;
+    easel_draw(&s, t, 4, &f);
     int ok = 1;
     for (int j = 0; j < 240 && ok; j++)
         for (int i = 0; i < 320 && ok; i++) {
@@ -1062,7 +1063,7 @@ static int crossing_case(uint64_t seed)
                 ok = case_wrong("pixel (%d, %d): colour %u, %.3f buckets apart", i, j,
                                 f.color[j * 320 + i], (double)apart / 65536);
         }
-    stage_free(&f);
+    easel_free(&f);
     return ok;
 }
 

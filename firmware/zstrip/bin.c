@@ -175,13 +175,13 @@ static ZS_NOINLINE uint32_t vertex_add(struct zs_renderer *r, uint32_t v)
     struct zs_vertex *out = &r->vert[slot];
     const struct zs_xform *xf = &r->xform;
     zs_xform_vertex(xf, v, &p);
-    const uint32_t code = xf->clip_depth | xf->clip_guard ? zs_xform_outcode(&r->view, &p) : 0u;
-    if (code) {
+    /* the second test catches what the first was left out for: a sphere that is smaller than its mesh */
+    if (((xf->clip_depth | xf->clip_guard) && zs_xform_outcode(&r->view, &p)) ||
+        !zs_xform_project(r, &p, out)) {
         out->x = out->y = 0;
-        out->d = ZS_D_OUT | code;
+        out->d = ZS_D_OUT;
         return slot;
     }
-    zs_xform_project(r, &p, out);
     const struct zs_shader *shader = xf->instance->material->shader;
     if (shader->vertex)
         shader->vertex(r, v, &r->attr[slot * r->config.attrs]);
@@ -304,7 +304,7 @@ static void polygon_project(struct zs_renderer *r, struct polygon *p)
     const int32_t reach = (int32_t)ZS_GUARD_SUBPX;
     for (int k = 0; k < p->n; k++) {
         struct zs_vertex *v = &p->v[k];
-        zs_xform_project(r, &p->cv[k].p, v);
+        (void)zs_xform_project(r, &p->cv[k].p, v); /* clipped: near <= z <= far */
         /* rounding in camera units may leave a new vertex a little outside the guard band */
         v->x = zs_min32(zs_max32(v->x, r->view.cx - reach), r->view.cx + reach);
         v->y = zs_min32(zs_max32(v->y, r->view.cy - reach), r->view.cy + reach);

@@ -50,7 +50,7 @@ static uint32_t linear_vertex(const struct zs_view *view, int32_t z, uint32_t rc
     (void)lz;
     if (view->perspective)
         return (uint32_t)z;
-    return linear_key(view, (uint32_t)(z - view->z_near));
+    return linear_key(view, (uint32_t)z - (uint32_t)view->z_near); /* z >= near: < 2^31.1 */
 }
 
 static uint64_t linear_inverse(const struct zs_view *view, uint32_t d)

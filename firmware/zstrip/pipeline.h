@@ -84,7 +84,7 @@ enum zs_outcode {
     ZS_OUT_BOTTOM = 32
 };
 #define ZS_OUT_SIDES (ZS_OUT_LEFT | ZS_OUT_RIGHT | ZS_OUT_TOP | ZS_OUT_BOTTOM)
-#define ZS_D_OUT 0xffffff00u /* zs_vertex.d at or above it carries an outcode */
+#define ZS_D_OUT 0xffffff00u /* zs_vertex.d at or above it: not projected, to be clipped */
 
 /* Fill r->xform for an instance. Return 0 where its vertices do not fit camera units (it cannot be
  * seen then), else 1. */
@@ -92,9 +92,9 @@ int zs_xform_instance(struct zs_renderer *r, uint32_t number, const struct zs_bo
 void zs_xform_vertex(const struct zs_xform *xf, uint32_t v, struct zs_point *out);
 /* enum zs_outcode, or-ed; 0: inside near, far and guard. */
 uint32_t zs_xform_outcode(const struct zs_view *view, const struct zs_point *p);
-/* Screen position and depth of a point whose outcode is 0. */
-void zs_xform_project(const struct zs_renderer *r, const struct zs_point *p,
-                      struct zs_vertex *out);
+/* Screen position and depth. Return 1; 0 where the point is before near, beyond far (*out untouched
+ * then) or beside the guard band (*out is then just beside it). */
+int zs_xform_project(const struct zs_renderer *r, const struct zs_point *p, struct zs_vertex *out);
 
 /* ---- clip.c ----------------------------------------------------------------------------------------- */
 

@@ -10,7 +10,7 @@
 struct zs_vertex {
     int32_t x, y; /* q24_8 px, right and down; |. - the frame's middle| <= guard */
     uint32_t d;   /* depth: a key in uq16_16, or the distance z where the mapping says so;
-                     >= 0xffffff00: not projected, the low byte tells why (enum zs_outcode) */
+                     >= 0xffffff00: not projected, its triangles are clipped */
 };
 
 /* A triangle that waits for its strip, in the triangle pool; the pool's order is scene order. */

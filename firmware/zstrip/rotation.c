@@ -168,7 +168,8 @@ int zs_pose_rotate(struct zs_pose *pose, const int32_t axis[3], zs_turn angle)
     const int err = zs_unit(u, axis);
     if (err)
         return err;
-    const int32_t s = zs_sin(angle), c = zs_cos(angle), v = ZS_Q30_ONE - c; /* v <= 2 - 2^-30 */
+    const int32_t s = zs_sin(angle), c = zs_cos(angle);
+    const int64_t v = (int64_t)ZS_Q30_ONE - c; /* <= 2^31 */
     zs_q2_30 turn[9], result[9];
     for (int i = 0; i < 3; i++)
         for (int j = 0; j < 3; j++) {

@@ -136,31 +136,38 @@ static uint32_t magnitude(int32_t v)
     return v < 0 ? 0u - (uint32_t)v : (uint32_t)v;
 }
 
-/* Magnitude first, so that a mirrored scene snaps to mirrored places. mag < 2^63, shift > 0. */
+/* Magnitude first, so that a mirrored scene snaps to mirrored places. mag < 2^63, shift > 0. Saturates
+ * beyond the guard band. */
 static int32_t snap(uint64_t mag, int32_t shift, int32_t coarse, int32_t sign)
 {
     const uint64_t half = (uint64_t)1 << (shift + coarse - 1);
-    const int32_t v = (int32_t)((mag + half) >> (shift + coarse)) << coarse;
+    const uint64_t steps = (mag + half) >> (shift + coarse);
+    const int32_t v = steps > (uint64_t)ZS_GUARD_SUBPX >> coarse ? (int32_t)ZS_GUARD_SUBPX + 1
+                                                                 : (int32_t)steps << coarse;
     return sign < 0 ? -v : v;
 }
 
-void zs_xform_project(const struct zs_renderer *r, const struct zs_point *p, struct zs_vertex *out)
+int zs_xform_project(const struct zs_renderer *r, const struct zs_point *p, struct zs_vertex *out)
 {
     const struct zs_view *view = &r->view;
-    const int32_t x = p->c[0], y = p->c[1], z = p->c[2];
+    const int32_t z = p->c[2];
+    int32_t x, y, lz = 0;
     uint32_t rcp = 0;
-    int32_t lz = 0;
+    if (z < view->z_near || z > view->z_far)
+        return 0;
     if (view->perspective) {
-        ZS_ASSERT(z >= view->z_near && z <= view->z_far);
         lz = zs_clz32((uint32_t)z);                               /* 1 .. 23: z in [2^8, 2^30] */
         rcp = zs_recip((uint32_t)z << lz);                        /* 2^(63 - lz) / z */
         const int32_t shift = 63 - lz - view->scale_bits;         /* 9 .. 54 */
-        out->x = view->cx + snap((uint64_t)magnitude(x) * rcp, shift, view->snap, x);
-        out->y = view->cy + snap((uint64_t)magnitude(y) * rcp, shift, view->snap, y);
+        x = snap((uint64_t)magnitude(p->c[0]) * rcp, shift, view->snap, p->c[0]);
+        y = snap((uint64_t)magnitude(p->c[1]) * rcp, shift, view->snap, p->c[1]);
     } else { /* one more bit: the shift may be 0 */
         const int32_t shift = view->scale_bits + 1;
-        out->x = view->cx + snap((uint64_t)magnitude(x) << 1, shift, view->snap, x);
-        out->y = view->cy + snap((uint64_t)magnitude(y) << 1, shift, view->snap, y);
+        x = snap((uint64_t)magnitude(p->c[0]) << 1, shift, view->snap, p->c[0]);
+        y = snap((uint64_t)magnitude(p->c[1]) << 1, shift, view->snap, p->c[1]);
     }
+    out->x = view->cx + x;
+    out->y = view->cy + y;
     out->d = r->config.depth->vertex(view, z, rcp, lz);
+    return zs_abs32(x) <= ZS_GUARD_SUBPX && zs_abs32(y) <= ZS_GUARD_SUBPX;
 }

@@ -1,8 +1,8 @@
-/* A stage for the rasterizer alone: see stage.h.
+/* An easel for the rasterizer alone: see easel.h.
  *
  * SPDX-License-Identifier: MIT
  */
-#include "stage.h"
+#include "easel.h"
 
 #include <stdio.h>
 #include <stdlib.h>
@@ -10,21 +10,21 @@
 
 #include "pipeline.h"
 
-struct stage stage_default(int32_t width, int32_t height)
+struct easel easel_default(int32_t width, int32_t height)
 {
-    const struct stage s = { width, height, height, &zs_depth_recip, 16, 256, 1 << 20, 0 };
+    const struct easel s = { width, height, height, &zs_depth_recip, 16, 256, 1 << 20, 0 };
     return s;
 }
 
 static void must(int ok, const char *what)
 {
     if (!ok) {
-        fprintf(stderr, "stage: %s\n", what);
+        fprintf(stderr, "easel: %s\n", what);
         abort();
     }
 }
 
-static void fill_pools(struct zs_renderer *r, const struct stage_tri *t, uint32_t n)
+static void fill_pools(struct zs_renderer *r, const struct easel_tri *t, uint32_t n)
 {
     for (uint32_t s = 0; s < r->n_strips; s++)
         r->bin[s] = ZS_NIL;
@@ -56,8 +56,8 @@ static void fill_pools(struct zs_renderer *r, const struct stage_tri *t, uint32_
     r->band_end = r->n_strips; /* bins are complete: no walk */
 }
 
-void stage_draw(const struct stage *s, const struct stage_tri *t, uint32_t n,
-                struct stage_frame *out)
+void easel_draw(const struct easel *s, const struct easel_tri *t, uint32_t n,
+                struct easel_frame *out)
 {
     struct zs_renderer r;
     const struct zs_config config = {
@@ -107,7 +107,7 @@ void stage_draw(const struct stage *s, const struct stage_tri *t, uint32_t n,
     free(arena);
 }
 
-void stage_free(struct stage_frame *f)
+void easel_free(struct easel_frame *f)
 {
     free(f->color);
     free(f->key);
