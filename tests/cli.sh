@@ -864,6 +864,8 @@ obj point 'v 1 1 1' 'v 1 1 1' 'v 1 1 1' 'f 1 2 3'
 refused model_of_one_point 'one point' point.obj
 obj tiny 'v 0 0 0' 'v 1e-40 0 0' 'v 0 1e-40 0' 'f 1 2 3'
 refused model_too_small 'scale' tiny.obj
+obj lost "v 1 0 0" "v 1.0000000000000002 0 0" "v 1 2.2e-16 0" "f 1 2 3"
+refused model_lost_beside_its_offset "move the model" lost.obj
 
 obj 'bad % s %n' 'v 0 0'
 refused name_with_percents 'bad % s %n.obj:1:' 'bad % s %n.obj'
@@ -894,6 +896,27 @@ unwritable stats_folder_missing no/s.json --out refused/old.png --stats no/s.jso
 unwritable disk_full /dev/full --out refused/old.png --id-out /dev/full
 unwritable disk_full_depth /dev/full --depth-out /dev/full --id-out refused/i.u32 --out refused/old.png
 unwritable disk_full_picture /dev/full --out /dev/full --stats refused/s.json
+begin unwritable_beyond_a_limit_of_size
+last=" (ulimit -f 10; zsim render ball.obj --out refused/old.png --id-out refused/i.u32)"
+(
+    ulimit -f 10
+    "$zsim" render ball.obj --out refused/old.png --id-out refused/i.u32 >stdout 2>stderr
+)
+status=$?
+one_line 1 refused/i.u32
+untouched
+begin killed_while_it_writes
+mkfifo fifo # opening it waits for a reader, when the picture is already on the disk
+last=" zsim render ball.obj --out refused/old.png --depth-out fifo & sleep 1; kill $!"
+"$zsim" render ball.obj --out refused/old.png --depth-out fifo >stdout 2>stderr &
+pid=$!
+sleep 1
+[ "$(ls -A refused | wc -l)" -eq 2 ] || wrong "it does not write beside the old file"
+kill $pid
+wait $pid
+is "status" $? 143
+untouched
+
 unwritable one_name_twice refused/old.png --out refused/old.png --id-out refused/old.png
 unwritable model_as_output quad.obj --out quad.obj
 is "the model" "$(head -c 11 quad.obj)" "v -50 -50 0"

@@ -174,7 +174,7 @@ int zs_pose_rotate(struct zs_pose *pose, const int32_t axis[3], zs_turn angle)
     for (int i = 0; i < 3; i++)
         for (int j = 0; j < 3; j++) {
             const int64_t uu = zs_round_shift((int64_t)u[i] * u[j], 30);
-            turn[3 * i + j] = (int32_t)zs_round_shift(uu * v, 30) + (i == j ? c : 0);
+            turn[3 * i + j] = (int32_t)(zs_round_shift(uu * v, 30) + (i == j ? c : 0)); /* sum <= 1 */
         }
     for (int k = 0; k < 3; k++) { /* the antisymmetric part */
         const int i = (k + 1) % 3, j = (k + 2) % 3;
