@@ -74,7 +74,7 @@ $(B)/gen/meshes.h: $(B)/gen_meshes
 	@echo 'meshes: $(B)/gen'
 	@$< $(B)/gen >$(B)/gen/meshes.txt
 $(B)/libmeshes.a: $(B)/gen/meshes.h
-	@cd $(B)/gen && $(CC) -std=c11 -O1 -I../../firmware/zstrip -c mesh_*.c
+	@cd $(B)/gen && $(CC) -std=c11 -O1 -I$(CURDIR)/firmware/zstrip -c mesh_*.c
 	@rm -f $@ && ar rcs $@ $(B)/gen/mesh_*.o
 
 $(B)/sim/%.o: %.c $(HEADERS) $(B)/gen/meshes.h

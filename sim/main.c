@@ -37,7 +37,11 @@ int main(int argc, char **argv)
         return SIM_OK;
     }
     for (size_t i = 0; i < N_COMMANDS; i++)
-        if (strcmp(argv[1], commands[i].name) == 0)
-            return commands[i].run(argc - 2, argv + 2);
+        if (strcmp(argv[1], commands[i].name) == 0) {
+            const int status = commands[i].run(argc - 2, argv + 2);
+            if (fflush(stdout) != 0 && status == SIM_OK)
+                return sim_refuse(NULL, 0, "the output could not be written");
+            return status;
+        }
     return sim_usage("unknown command '%s'", argv[1]);
 }

@@ -15,7 +15,8 @@ static const char *const messages[] = {
     "a mesh lacks what its shader reads, or has too many vertices",
     "frame functions called out of order",
     "the shader needs more vertex attributes than config.attrs",
-    "a direction of length 0, or parallel directions"
+    "a direction of length 0, or parallel directions",
+    "the near plane is too close beside what is in view (more than 2^22 times as far): move it out"
 };
 
 const char *zs_strerror(int err)

@@ -134,7 +134,7 @@ int zs_view_units(struct zs_view *view, const struct zs_config *config,
     view->z_near = to_units(view, camera->z_near);
     view->z_far = to_units(view, camera->z_far);
     if (view->z_near >= view->z_far || (view->perspective && view->z_near < NEAR_MIN))
-        return ZS_ERR_RANGE;
+        return ZS_ERR_NEAR;
     const int err = scale_set(view, config, camera);
     if (err)
         return err;

@@ -55,7 +55,9 @@ enum zs_err {
                            vertices */
     ZS_ERR_STATE = -8,  /* begin, strip and end called out of order */
     ZS_ERR_ATTRS = -9,  /* the shader needs more attributes a vertex than the arena was sized for */
-    ZS_ERR_VECTOR = -10 /* a direction of length 0, or two directions that are parallel */
+    ZS_ERR_VECTOR = -10, /* a direction of length 0, or two directions that are parallel */
+    ZS_ERR_NEAR = -11   /* the near plane is too close beside what can be seen: the farthest point of
+                           the instances in view is more than 2^22 times as far away */
 };
 
 /* One English clause for an enum zs_err, without a full stop; never NULL. Static storage. */
@@ -288,7 +290,7 @@ int zs_render(struct zs_renderer *r, const struct zs_scene *scene, const struct 
  *
  * begin checks everything that a frame can be refused for, and draws nothing. scene and camera stay
  * borrowed, and unchanged, until end. A begin in the middle of a frame drops that frame.
- * Return  ZS_OK; ZS_ERR_NULL, _STATE (r is not set up), _SIZE, _CAMERA, _DEPTH, _RANGE, _MESH,
+ * Return  ZS_OK; ZS_ERR_NULL, _STATE (r is not set up), _SIZE, _CAMERA, _DEPTH, _RANGE, _NEAR, _MESH,
  *         _ATTRS: no frame is open then. */
 int zs_frame_begin(struct zs_renderer *r, const struct zs_scene *scene,
                    const struct zs_camera *camera);

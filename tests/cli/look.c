@@ -12,6 +12,7 @@
  *   look drawn I.u32 D.pgm             have the same pixels an id and a key?
  *   look differ A.u32 B.u32            "PIXELS" that differ
  *   look keys A.pgm B.pgm              "BOTH MORE_THAN_1_APART MOST_APART"
+ *   look slope A.pgm A.u32 B.pgm B.u32  do keys differ by no more than snapping moves them? "COUNT"
  *   look json F.json [KEY]             one flat object of numbers? the number of KEY, or "COUNT"
  *
  * Exit 0; 1 with a sentence on standard output where the file is not what it should be.
@@ -355,6 +356,35 @@ static void look_keys(const char *a, const char *b)
     printf("%zu %zu %u\n", both, off, most);
 }
 
+/* Keys where both files show one triangle: snapping moves a vertex by 1/512 px at most each way, so
+ * the key may move by the slope of the triangle times that, and both are rounded. The slope comes
+ * from the second file's neighbours; where no neighbour is of the triangle nothing is said. */
+static void look_slope(char **name)
+{
+    const struct map ka = load_pgm(name[0]), kb = load_pgm(name[2]);
+    const struct map a = load_u32(name[1], ka.w), b = load_u32(name[3], kb.w);
+    size_t n = 0;
+    for (size_t i = 0; i < a.n && a.n == b.n && ka.n == kb.n; i++) {
+        const size_t x = i % a.w, y = i / a.w, step[2] = { 1, a.w };
+        const int before[2] = { x > 0, y > 0 }, after[2] = { x + 1 < a.w, y + 1 < a.h };
+        double slope = 2.0; /* of two rounded keys each way */
+        int known = a.v[i] != 0 && a.v[i] == b.v[i];
+        for (int k = 0; k < 2; k++) {
+            const size_t j = after[k] && b.v[i + step[k]] == b.v[i]    ? i + step[k]
+                             : before[k] && b.v[i - step[k]] == b.v[i] ? i - step[k]
+                                                                       : i;
+            known = known && j != i;
+            slope += abs((int)kb.v[i] - (int)kb.v[j]);
+        }
+        n += (size_t)known;
+        const int d = abs((int)ka.v[i] - (int)kb.v[i]);
+        if (known && d > 1.51 + slope / 512.0)
+            wrong("pixel %zu,%zu of triangle %u: keys %u and %u, a slope of %g", x, y, a.v[i],
+                  ka.v[i], kb.v[i], slope - 2.0);
+    }
+    printf("%zu\n", n);
+}
+
 int main(int argc, char **argv)
 {
     const char *what = argc > 1 ? argv[1] : "";
@@ -397,6 +427,8 @@ int main(int argc, char **argv)
         look_differ(argv[2], argv[3]);
     } else if (strcmp(what, "keys") == 0 && argc == 4) {
         look_keys(argv[2], argv[3]);
+    } else if (strcmp(what, "slope") == 0 && argc == 6) {
+        look_slope(argv + 2);
     } else if (strcmp(what, "json") == 0 && (argc == 3 || argc == 4)) {
         look_json(argv[2], argc == 4 ? argv[3] : NULL);
     } else {
