@@ -67,7 +67,7 @@ static void begin(struct page *p, const char *name, const struct zs_depth *depth
     (void)zs_camera_perspective(&p->camera, 9000, H, 60, 60000);
 }
 
-/* ---- Scenes ------------------------------------------------------------------------------------------- */
+/* ---- Scenes ---------------------------------------------------------------------------------- */
 
 static void page_flat(struct page *p)
 {
@@ -172,7 +172,7 @@ static page_fn *const pages[] = { page_flat, page_smooth, page_clipped_recip, pa
                                   page_composed };
 #define N_PAGES (sizeof pages / sizeof pages[0])
 
-/* ---- Drawing -------------------------------------------------------------------------------------------- */
+/* ---- Drawing --------------------------------------------------------------------------------- */
 
 struct sum {
     uint32_t hash;

@@ -6,7 +6,7 @@
 
 #include <math.h>
 
-/* ---- Snapped triangles ------------------------------------------------------------------------ */
+/* ---- Snapped triangles ----------------------------------------------------------------------- */
 
 /* > 0 where p is on the right of a -> b on a screen with y down. |.| < 2^46 for 2^22 coordinates */
 static int64_t side(int64_t ax, int64_t ay, int64_t bx, int64_t by, int64_t px, int64_t py)
@@ -76,7 +76,7 @@ double oracle_key_error(const struct oracle_tri *t, const uint32_t d[3], int i, 
     return (double)off / ((double)area * 65536.0);
 }
 
-/* ---- Unsnapped polygons in eye space ----------------------------------------------------------- */
+/* ---- Unsnapped polygons in eye space --------------------------------------------------------- */
 
 /* Keep the part of a polygon where sign * (z - at) >= 0. */
 static int clip_z(struct oracle_point *p, int n, double at, double sign)

@@ -8,7 +8,7 @@
 
 #include <stdint.h>
 
-/* ---- Snapped triangles ------------------------------------------------------------------------ */
+/* ---- Snapped triangles ----------------------------------------------------------------------- */
 
 struct oracle_tri {
     int64_t x[3], y[3]; /* 1/256 px, y down */
@@ -28,7 +28,7 @@ void oracle_weights(const struct oracle_tri *t, int i, int j, int64_t out[3]);
 double oracle_key_error(const struct oracle_tri *t, const uint32_t d[3], int i, int j, uint32_t key,
                         uint32_t most);
 
-/* ---- Unsnapped polygons in eye space ----------------------------------------------------------- */
+/* ---- Unsnapped polygons in eye space --------------------------------------------------------- */
 
 struct oracle_view {
     double focal;        /* px; 0: orthographic, scale px to a unit */

@@ -11,7 +11,7 @@
 #include "pipeline.h"
 #include "shapes.h"
 
-/* ---- A small scene that is all right ------------------------------------------------------------------ */
+/* ---- A small scene that is all right --------------------------------------------------------- */
 
 struct good {
     struct zs_config config;
@@ -65,15 +65,15 @@ static int answer(const struct good *g)
     return p.err;
 }
 
-/* ---- Set-up -------------------------------------------------------------------------------------------- */
+/* ---- Set-up ---------------------------------------------------------------------------------- */
 
 static void strerror_has_a_text_for_each(void **state)
 {
     (void)state;
-    for (int err = ZS_ERR_VECTOR; err <= 0; err++)
-        for (int other = ZS_ERR_VECTOR; other < err; other++)
+    for (int err = ZS_ERR_NEAR; err <= 0; err++)
+        for (int other = ZS_ERR_NEAR; other < err; other++)
             assert_string_not_equal(zs_strerror(err), zs_strerror(other));
-    assert_string_equal(zs_strerror(ZS_ERR_VECTOR - 1), zs_strerror(INT32_MIN));
+    assert_string_equal(zs_strerror(ZS_ERR_NEAR - 1), zs_strerror(INT32_MIN));
     assert_non_null(zs_strerror(1));
     assert_non_null(zs_strerror(INT32_MAX));
     assert_string_not_equal(zs_strerror(-100), zs_strerror(ZS_OK));
@@ -211,7 +211,7 @@ static void stress_30_every_buffer_one_element_short(void **state)
     picture_free(&p);
 }
 
-/* ---- The arena ------------------------------------------------------------------------------------------ */
+/* ---- The arena ------------------------------------------------------------------------------- */
 
 static uint32_t bytes_by_hand(const struct zs_config *c)
 {
@@ -284,7 +284,7 @@ static void arena_macro_function_and_layout_agree(void **state)
     assert_true(zs_arena_bytes(&most) > 3u * ZS_SIZE_MAX * ZS_SIZE_MAX * 2u);
 }
 
-/* ---- Frames ---------------------------------------------------------------------------------------------- */
+/* ---- Frames ---------------------------------------------------------------------------------- */
 
 static void frames_refused_by_name(void **state)
 {
@@ -322,7 +322,7 @@ static void frames_refused_by_name(void **state)
     REFUSED(g.scene.light.ambient = ZS_Q16_ONE + 1, ZS_ERR_RANGE);
     REFUSED(g.scene.light.diffuse = UINT32_MAX, ZS_ERR_RANGE);
     REFUSED(g.scene.light.dir[0] = INT32_MIN, ZS_ERR_RANGE);
-    REFUSED(g.camera.z_near = 1, ZS_ERR_RANGE); /* 2^-16 with things 10^4 away */
+    REFUSED(g.camera.z_near = 1, ZS_ERR_NEAR); /* 2^-16 with things 10^4 away */
 
     REFUSED(g.camera.z_near = 0, ZS_ERR_CAMERA);
     REFUSED(g.camera.z_near = -65536, ZS_ERR_CAMERA);
@@ -525,7 +525,7 @@ static void the_largest_mesh(void **state)
     picture_free(&p[1]);
 }
 
-/* ---- Sinks ------------------------------------------------------------------------------------------------ */
+/* ---- Sinks ----------------------------------------------------------------------------------- */
 
 struct failing {
     int submits, waits, lent;
@@ -589,7 +589,7 @@ static void sink_errors_are_passed_on(void **state)
     picture_free(&plain);
 }
 
-/* ---- Garbage ------------------------------------------------------------------------------------------------- */
+/* ---- Garbage --------------------------------------------------------------------------------- */
 
 static void spoil(struct prng *p, void *at, size_t n)
 {
@@ -620,7 +620,7 @@ static uint32_t garbage_drawn, garbage_refused;
 
 static int known_error(int err)
 {
-    return err <= 0 && err >= ZS_ERR_VECTOR;
+    return err <= 0 && err >= ZS_ERR_NEAR;
 }
 
 static int garbage_case(uint64_t seed)

@@ -14,7 +14,7 @@
 
 #define GUARD (8188 * 256)
 
-/* ---- Counting ----------------------------------------------------------------------------------------- */
+/* ---- Counting -------------------------------------------------------------------------------- */
 
 struct tally {
     uint64_t values, off_by_one;
@@ -59,7 +59,7 @@ static double psnr(void)
     return 10 * log10(255.0 * 255.0 * (double)tally.values / fmax(tally.squares, 1e-12));
 }
 
-/* ---- Smooth, on exactly known geometry -------------------------------------------------------------------- */
+/* ---- Smooth, on exactly known geometry ------------------------------------------------------- */
 
 static void smooth_corners(struct prng *p, const struct easel *s, int huge, struct easel_tri *t)
 {
@@ -196,7 +196,7 @@ static void a_constant_colour_stays_constant(void **state)
     CASES(constant_case, 400);
 }
 
-/* ---- Whole scenes -------------------------------------------------------------------------------------------- */
+/* ---- Whole scenes ---------------------------------------------------------------------------- */
 
 struct world {
     struct zs_material material;

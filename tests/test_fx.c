@@ -5,7 +5,7 @@
 #include "cases.h"
 #include "fx.h"
 
-/* ---- Reciprocal -------------------------------------------------------------------------------- */
+/* ---- Reciprocal ------------------------------------------------------------------------------ */
 
 /* |zs_recip(a) - 2^63 / a| * a as a part of 2^63: relative error times 2^63. */
 static uint64_t recip_error(uint32_t a)
@@ -48,7 +48,7 @@ static void recip_in_steps(void **state)
     assert_true(recip_error(0xffffffffu) <= RECIP_BOUND);
 }
 
-/* ---- Square root, wide products ------------------------------------------------------------------- */
+/* ---- Square root, wide products -------------------------------------------------------------- */
 
 static int isqrt_case(uint64_t seed)
 {
@@ -125,7 +125,7 @@ static void mulshift_against_128_bits(void **state)
     CASES(mulshift_case, 1000);
 }
 
-/* ---- Small ones ------------------------------------------------------------------------------------ */
+/* ---- Small ones ------------------------------------------------------------------------------ */
 
 static int small_case(uint64_t seed)
 {

@@ -11,7 +11,7 @@
 #include "picture.h"
 #include "shapes.h"
 
-/* ---- Scenes --------------------------------------------------------------------------------------------- */
+/* ---- Scenes ---------------------------------------------------------------------------------- */
 
 #define INSTANCES 6
 
@@ -141,7 +141,7 @@ typedef void set_fn(void);
 static set_fn *const sets[] = { lit_set, smooth_set, clipped_set, linear_set, ortho_set, coarse_set };
 #define N_SETS (sizeof sets / sizeof sets[0])
 
-/* ---- Comparing with the plainest way ---------------------------------------------------------------------- */
+/* ---- Comparing with the plainest way --------------------------------------------------------- */
 
 static struct picture drawn(const struct zs_config *config)
 {
@@ -263,11 +263,16 @@ static int frustum_case(uint64_t seed)
     struct prng p = { seed };
     common("around the frustum", seed % 2 ? &zs_depth_recip : &zs_depth_linear);
     shape_sphere(&set.shape[0], 4, 6, 2000);
-    if (seed % 4 == 0)
-        (void)zs_camera_orthographic(&set.camera, 8000, 500, 12000);
+    shape_sphere(&set.shape[1], 3, 5, 7000);
+    if (seed % 4 == 0) /* tall, or so flat that the spheres reach beyond the guard band */
+        (void)zs_camera_orthographic(&set.camera, seed % 8 ? 8000 : prng_range(&p, 20, 2000), 500,
+                                     12000);
+    else
+        (void)zs_camera_perspective(&set.camera, (zs_turn)(120 << prng_range(&p, 0, 7)), 70, 500,
+                                    60000);
     for (int n = 0; n < INSTANCES; n++)
-        add(&set.shape[0], &zs_shade_raw, prng_range(&p, -9000, 9000), prng_range(&p, -9000, 9000),
-            prng_range(&p, -16000, 6000), ZS_CULL_NONE);
+        add(&set.shape[n % 2], &zs_shade_raw, prng_range(&p, -9000, 9000),
+            prng_range(&p, -9000, 9000), prng_range(&p, -16000, 6000), ZS_CULL_NONE);
     struct zs_config c = set.config;
     struct picture a = drawn(&c);
     c.skip_off = ZS_SKIP_FRUSTUM | ZS_SKIP_CLIPTEST;
@@ -281,10 +286,10 @@ static int frustum_case(uint64_t seed)
 static void skipped_instances_were_empty(void **state)
 {
     (void)state;
-    CASES(frustum_case, 300);
+    CASES(frustum_case, 600);
 }
 
-/* ---- Memory -------------------------------------------------------------------------------------------------- */
+/* ---- Memory ---------------------------------------------------------------------------------- */
 
 struct catch {
     uint64_t sum;
@@ -382,7 +387,7 @@ static void two_renderers_side_by_side(void **state)
     picture_free(&plain);
 }
 
-/* ---- Moves ------------------------------------------------------------------------------------------------- */
+/* ---- Moves ----------------------------------------------------------------------------------- */
 
 /* Loose triangles, each at its own distance, at least 1.01 buckets from every other; corners in
  * sub-pixels from the frame's middle. */
@@ -392,6 +397,8 @@ struct loose {
     int16_t pos[3 * LOOSE][3];
     uint16_t tri[LOOSE][3];
     uint16_t raw[LOOSE];
+    struct zs_rgb rgb[3 * LOOSE];
+    zs_q1_15 normal[3 * LOOSE][3];
     struct zs_mesh mesh;
     struct zs_material material;
     struct zs_instance instance;
@@ -414,12 +421,18 @@ static void loose_set(struct loose *l, uint64_t seed, int32_t reach, int layered
                 c[0] = (int16_t)(c[0] / 256 * 256 + 128); /* on a column of samples */
             c[2] = (int16_t)(layered ? t * 64 : 0); /* tens of buckets each */
             l->tri[t][k] = (uint16_t)(3 * t + k);
+            const struct zs_rgb rgb = { (uint8_t)prng_next(&p), (uint8_t)prng_next(&p),
+                                        (uint8_t)prng_next(&p) };
+            l->rgb[3 * t + k] = rgb;
         }
         l->raw[t] = (uint16_t)(t + 1);
     }
     l->mesh.pos = (const int16_t (*)[3])l->pos;
     l->mesh.tri = (const uint16_t (*)[3])l->tri;
     l->mesh.face_raw = l->raw;
+    l->mesh.vertex_rgb = l->rgb;
+    l->mesh.normal = (const zs_q1_15 (*)[3])l->normal;
+    l->scene.light.ambient = ZS_Q16_ONE;
     l->mesh.n_verts = 3 * LOOSE;
     l->mesh.n_tris = LOOSE;
     l->mesh.scale = ZS_Q16_ONE;
@@ -562,6 +575,11 @@ static int order_case(uint64_t seed)
     struct prng p = { seed };
     static struct loose l;
     loose_set(&l, seed, 30000, 1);
+    if (seed & 2) { /* layers thick enough for colours to take sub-spans, and still apart */
+        l.material.shader = &zs_shade_smooth;
+        for (int v = 0; v < 3 * LOOSE; v++)
+            l.pos[v][2] = (int16_t)((v / 3 - LOOSE / 2) * 600 + prng_range(&p, 0, 560));
+    }
     struct picture a = loose_draw(&l, seed & 1);
     for (uint32_t t = LOOSE - 1; t > 0; t--) { /* any order */
         const uint32_t u = prng_pick(&p, t + 1);

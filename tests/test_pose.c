@@ -16,7 +16,7 @@ static double q30(int64_t v)
     return ldexp((double)v, -30);
 }
 
-/* ---- Angles and vectors ------------------------------------------------------------------------------ */
+/* ---- Angles and vectors ---------------------------------------------------------------------- */
 
 static void sine_and_cosine_of_every_angle(void **state)
 {
@@ -68,7 +68,7 @@ static void unit_vectors(void **state)
     assert_true(out[0] == 1 && out[1] == 2 && out[2] == 3);
 }
 
-/* ---- Poses ---------------------------------------------------------------------------------------------- */
+/* ---- Poses ----------------------------------------------------------------------------------- */
 
 /* Largest of |m m^T - 1|. */
 static double not_a_rotation(const zs_q2_30 m[9])
@@ -250,7 +250,7 @@ static void random_rotations_stay_rotations(void **state)
     CASES(wander_case, 20);
 }
 
-/* ---- Cameras ----------------------------------------------------------------------------------------------- */
+/* ---- Cameras --------------------------------------------------------------------------------- */
 
 static void unit3(double v[3])
 {
@@ -417,7 +417,7 @@ static void cameras_refused_by_name(void **state)
     assert_int_equal(zs_camera_orbit(&c, zero, 10, 0, 16383), ZS_OK);
 }
 
-/* ---- Light ------------------------------------------------------------------------------------------------- */
+/* ---- Light ----------------------------------------------------------------------------------- */
 
 static double light_worst;
 

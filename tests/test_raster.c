@@ -15,7 +15,7 @@ static uint64_t pixels_compared; /* of the current test */
 static double worst_error;       /* in buckets; of frames of at most 640 px width + height ... */
 static double worst_big;         /* ... and of larger ones */
 
-/* ---- Random triangles --------------------------------------------------------------------------- */
+/* ---- Random triangles ------------------------------------------------------------------------ */
 
 enum kind {
     KIND_ANY,       /* around the frame */
@@ -187,7 +187,7 @@ static int wrong_at(const struct easel *s, const struct easel_tri *t, int i, int
                       t->y[2], t->d[2]);
 }
 
-/* ---- One triangle: every pixel of the frame, its coverage and its key -------------------------------- */
+/* ---- One triangle: every pixel of the frame, its coverage and its key ------------------------ */
 
 typedef int pixel_fn(const struct easel *s, const struct easel_tri *t, const struct easel_frame *f,
                      int i, int j, uint32_t key);
@@ -300,7 +300,7 @@ static void coverage_and_keys_in_big_frames(void **state)
     print_message("frames up to 4096 px: keys off by at most %.5f buckets\n", worst_big);
 }
 
-/* ---- Keys that are linear in distance, under perspective ----------------------------------------------- */
+/* ---- Keys that are linear in distance, under perspective ------------------------------------- */
 
 /* (z - n) / (f - n) * (B - 1) where 1/z is the plane through the corners' stored z. 64-bit mantissas:
  * good to 1e-12 bucket. */
@@ -368,7 +368,7 @@ static void linear_keys_under_perspective(void **state)
                   worst_error > worst_big ? worst_error : worst_big);
 }
 
-/* ---- Many triangles: the least (key, order) ------------------------------------------------------------- */
+/* ---- Many triangles: the least (key, order) -------------------------------------------------- */
 
 #define CROWD 60
 
@@ -422,7 +422,7 @@ static void least_key_then_scene_order(void **state)
     print_message("crowds: %llu pixels compared\n", (unsigned long long)pixels_compared);
 }
 
-/* ---- Shared edges ------------------------------------------------------------------------------------------ */
+/* ---- Shared edges ---------------------------------------------------------------------------- */
 
 #define MESH_MAX 4000
 
@@ -582,7 +582,7 @@ static void shared_edges_hit_every_pixel_once(void **state)
                   (unsigned long long)pixels_compared);
 }
 
-/* ---- Drawn by hand --------------------------------------------------------------------------------------------- */
+/* ---- Drawn by hand --------------------------------------------------------------------------- */
 
 struct drawing {
     int32_t x[3], y[3]; /* 1/256 px */
@@ -695,7 +695,7 @@ static void triangles_drawn_by_hand(void **state)
         }
 }
 
-/* ---- The ends of the keys ------------------------------------------------------------------------------------ */
+/* ---- The ends of the keys -------------------------------------------------------------------- */
 
 static void keys_saturate_and_never_wrap(void **state)
 {

@@ -10,10 +10,11 @@
 #include "cases.h"
 #include "oracle.h"
 #include "picture.h"
+#include "pipeline.h"
 #include "shapes.h"
 #include "easel.h"
 
-/* ---- Exact: one world unit is 1/256 px --------------------------------------------------------------- */
+/* ---- Exact: one world unit is 1/256 px ------------------------------------------------------- */
 
 struct exact_size {
     int32_t w, h;
@@ -196,7 +197,7 @@ static void stress_04_zero_area_and_duplicate_vertices(void **state)
     }
 }
 
-/* ---- Unsnapped: compared where the sample is further from an edge than rounding reaches ------------- */
+/* ---- Unsnapped: compared where the sample is further from an edge than rounding reaches ------ */
 
 static struct oracle_view view_of(const struct zs_camera *c, int32_t w, int32_t h)
 {
@@ -326,7 +327,7 @@ static int16_t in_frame(struct prng *p, int32_t z, int perspective)
     return (int16_t)prng_range(p, -reach, reach);
 }
 
-/* ---- 14: 26 directions ------------------------------------------------------------------------------- */
+/* ---- 14: 26 directions ----------------------------------------------------------------------- */
 
 static void outside_corner(struct prng *p, const int dir[3], int16_t c[3])
 {
@@ -403,7 +404,7 @@ static void stress_14_26_directions_by_1_2_3_vertices(void **state)
                   (unsigned long long)looked.doubtful, looked.worst_key, most_pieces + 2u);
 }
 
-/* ---- 9 to 13 -------------------------------------------------------------------------------------------- */
+/* ---- 9 to 13 --------------------------------------------------------------------------------- */
 
 static int guard_case(uint64_t seed)
 {
@@ -565,7 +566,7 @@ static void stress_13_near_by_one_ulp(void **state)
     CASES(near_ulp_case, 500);
 }
 
-/* ---- 1, 2, 15: meshes on a plane, seen at any angle ------------------------------------------------------ */
+/* ---- 1, 2, 15: meshes on a plane, seen at any angle ------------------------------------------ */
 
 struct plane_mesh {
     struct shape s;
@@ -776,16 +777,75 @@ static int seam_case(uint64_t seed)
     return plane_clipped(seed, 0);
 }
 
+static int same_vertex(const struct zs_clip_vertex *a, const struct zs_clip_vertex *b)
+{
+    return memcmp(a->p.c, b->p.c, sizeof a->p.c) == 0 && memcmp(a->attr, b->attr, sizeof a->attr) == 0;
+}
+
+/* > 0 inside the plane, 0 on it. */
+static int64_t inside_of(const struct zs_view *view, const struct zs_point *p, uint32_t plane)
+{
+    const int64_t z = p->c[2], up = view->perspective ? z : 1;
+    const int64_t limit = (int64_t)view->guard * up, one = (int64_t)1 << view->scale_bits;
+    switch (plane) {
+    case ZS_OUT_NEAR: return z - view->z_near;
+    case ZS_OUT_FAR: return view->z_far - z;
+    case ZS_OUT_LEFT: return limit + p->c[0] * one;
+    case ZS_OUT_RIGHT: return limit - p->c[0] * one;
+    case ZS_OUT_TOP: return limit + p->c[1] * one;
+    default: return limit - p->c[1] * one;
+    }
+}
+
+/* A new vertex is the same bit for bit from both sides of its edge. Small numbers, so that it often falls
+ * exactly between two. */
+static int seam_vertex_case(uint64_t seed)
+{
+    struct prng p = { seed };
+    const struct zs_view view = { .z_near = 64, .z_far = 300, .perspective = (uint8_t)(seed % 2),
+                                  .scale_bits = seed % 2 ? 9 : 0, .guard = 120 << (seed % 2 ? 0 : 1) };
+    for (int n = 0; n < 100; n++) {
+        struct zs_clip_vertex v[5]; /* corners a, b and one on either side */
+        memset(v, 0, sizeof v);
+        for (int k = 0; k < 4; k++)
+            for (int c = 0; c < 3; c++) {
+                v[k].p.c[c] = prng_range(&p, c == 2 ? 0 : -400, 400);
+                v[k].attr[c] = (uint16_t)prng_pick(&p, 100);
+            }
+        const uint32_t plane = 1u << prng_pick(&p, 6); /* beyond near and far: only in front of near */
+        for (int k = 0; k < 4; k++)
+            if (plane & ~(uint32_t)(ZS_OUT_NEAR | ZS_OUT_FAR))
+                v[k].p.c[2] = 64 + v[k].p.c[2] / 2;
+        struct zs_clip_vertex left[ZS_CLIP_MAX] = { v[0], v[1], v[2] };
+        struct zs_clip_vertex right[ZS_CLIP_MAX] = { v[1], v[0], v[3] };
+        const int64_t at_a = inside_of(&view, &v[0].p, plane), at_b = inside_of(&view, &v[1].p, plane);
+        const int n_left = zs_clip_polygon(&view, left, 3, plane, 3);
+        const int n_right = zs_clip_polygon(&view, right, 3, plane, 3);
+        if ((at_a > 0 ? at_b >= 0 : at_b <= 0) || at_a == 0 || n_left == 0 || n_right == 0)
+            continue;
+        int found = 0; /* what is left of the edge: its inner end and the new vertex */
+        for (int i = 0; i < n_left; i++)
+            for (int j = 0; j < n_right; j++)
+                found += same_vertex(&left[i], &right[j]);
+        if (found < 2) /* more where corners fall together */
+            return case_wrong("plane %u: the edge (%d %d %d) (%d %d %d) is cut in two ways", plane,
+                              v[0].p.c[0], v[0].p.c[1], v[0].p.c[2], v[1].p.c[0], v[1].p.c[1],
+                              v[1].p.c[2]);
+    }
+    return 1;
+}
+
 static void stress_15_seam_cut_by_the_clip(void **state)
 {
     (void)state;
     plane_pixels = triangles_cut = 0;
     CASES(seam_case, 200);
+    CASES(seam_vertex_case, 500);
     print_message("seams: %llu pixels, each hit once; %u triangles cut\n",
                   (unsigned long long)plane_pixels, triangles_cut);
 }
 
-/* ---- 8, 16: ends of the ranges ---------------------------------------------------------------------------- */
+/* ---- 8, 16: ends of the ranges --------------------------------------------------------------- */
 
 static int32_t end32(struct prng *p)
 {
@@ -839,6 +899,7 @@ static int ends_case(uint64_t seed)
     }
     struct picture f = picture_draw(&config, &l.scene, &camera);
     const int known = f.err == ZS_OK || f.err == ZS_ERR_CAMERA || f.err == ZS_ERR_RANGE ||
+                      f.err == ZS_ERR_NEAR ||
                       f.err == ZS_ERR_MESH;
     const int ok = known && (f.err || stats_add_up(&f.stats));
     ends_drawn += !f.err && f.covered;
@@ -884,7 +945,8 @@ static int scale_case(uint64_t seed)
         const struct zs_instance instance = { &m.s.mesh, &material, pose };
         const struct zs_scene scene = { .instance = &instance, .n_instances = 1 };
         struct picture f = picture_draw(&config, &scene, &camera);
-        const int ok = f.err == ZS_ERR_CAMERA || f.err == ZS_ERR_RANGE || f.err == ZS_OK;
+        const int ok = f.err == ZS_ERR_CAMERA || f.err == ZS_ERR_RANGE || f.err == ZS_ERR_NEAR ||
+                       f.err == ZS_OK;
         picture_free(&f);
         return ok ? 1 : case_wrong("error %d at 2^%d", f.err, power);
     }
@@ -919,8 +981,13 @@ static void stress_16_matrix_scale_2_to_15(void **state)
     CASES(scale_case, 31 * 8);
 }
 
-/* ---- 18, 19, 20: who wins ---------------------------------------------------------------------------------- */
+/* ---- 18, 19, 20: who wins -------------------------------------------------------------------- */
 
+static const struct zs_shader *const all_shaders[] = { &zs_shade_raw, &zs_shade_flat,
+                                                       &zs_shade_smooth };
+
+/* The same triangle nine times: three corners to begin from, three instances of other colours. It looks
+ * like the first of them alone. */
 static int twice_case(uint64_t seed)
 {
     static struct shape s;
@@ -931,37 +998,48 @@ static int twice_case(uint64_t seed)
                                 prng_range(&p, -3000, 3000) };
         (void)shape_vertex(&s, at, at);
     }
-    for (uint32_t k = 0; k < 3; k++) /* the same three corners, each time from another one on */
+    for (uint32_t k = 0; k < 3; k++)
         shape_tri(&s, k, (k + 1) % 3, (k + 2) % 3);
     shape_end(&s);
-    const struct zs_material material = { &zs_shade_raw, { 0, 0, 0 }, ZS_CULL_NONE };
-    const struct zs_material other = { &zs_shade_flat, { 255, 255, 255 }, ZS_CULL_NONE };
-    struct zs_instance in[3] = { { &s.mesh, &material, { { 0 }, { 0 }, 0 } } };
+    struct zs_mesh plain = s.mesh; /* the later ones take the material's colour */
+    plain.vertex_rgb = NULL;
+    plain.face_rgb = NULL;
+    plain.face_raw = NULL;
+    const uint32_t shader = prng_pick(&p, 3);
+    struct zs_material material[2] = { { all_shaders[shader], { 0, 0, 0 }, ZS_CULL_NONE },
+                                       { all_shaders[shader], { 255, 255, 255 }, ZS_CULL_NONE } };
+    if (seed % 5 == 0)
+        material[1].shader = all_shaders[(shader + 1) % 3];
+    struct zs_instance in[3] = { { &s.mesh, &material[0], { { 0 }, { 0 }, 0 } } };
     zs_pose_identity(&in[0].pose);
     in[0].pose.pos[2] = -PIXEL_Z;
     in[1] = in[2] = in[0];
-    in[1].material = in[2].material = &other; /* a second instance in the same place */
+    in[1].mesh = in[2].mesh = &plain;
+    in[1].material = in[2].material = &material[1];
     struct zs_scene scene = { .instance = in, .n_instances = 3 };
     scene.light.dir[2] = ZS_Q30_ONE;
-    scene.light.ambient = ZS_Q16_ONE;
+    scene.light.ambient = ZS_Q16_ONE * 3 / 4;
     const int mode = (int)(seed % 3); /* ortho, recip, linear */
     const struct zs_camera camera = pixel_camera(60, mode != 0);
     struct zs_config config = picture_config(80, 60, mode == 1 ? &zs_depth_recip : &zs_depth_linear);
-    config.strip_h = (uint16_t)prng_range(&p, 1, 60);
     config.depth_bits = seed % 2 ? 16 : 8;
+    scene.n_instances = 1;
+    s.mesh.n_tris = 1;
+    struct picture alone = picture_draw(&config, &scene, &camera);
+    scene.n_instances = 3;
+    s.mesh.n_tris = 3;
+    config.strip_h = (uint16_t)prng_range(&p, 1, 60);
     const uint32_t pools = prng_pick(&p, 3);
     if (pools < 2) {
         config.max_tris = (uint16_t)(1 + pools);
         config.max_verts = (uint16_t)(3 + pools);
     }
     struct picture f = picture_draw(&config, &scene, &camera);
-    int ok = f.err == ZS_OK && f.stats.tris_drawn % 9 == 0;
-    for (int i = 0; i < 80 * 60 && ok; i++)
-        ok = f.key[i] == ZS_DEPTH_CLEAR || f.color[i] == 1;
-    ok = ok && f.stats.pixels_written == f.covered && f.stats.pixels_tested == 9 * f.covered;
-    if (!ok)
-        (void)case_wrong("%u covered, %u tested, %u written", f.covered, f.stats.pixels_tested,
-                         f.stats.pixels_written);
+    int ok = picture_same(&alone, &f, "the first of nine") && f.stats.tris_drawn % 9 == 0;
+    if (ok && (f.stats.pixels_written != f.covered || f.stats.pixels_tested != 9 * f.covered))
+        ok = case_wrong("%u covered, %u tested, %u written", f.covered, f.stats.pixels_tested,
+                        f.stats.pixels_written);
+    picture_free(&alone);
     picture_free(&f);
     return ok;
 }
