@@ -24,7 +24,7 @@ static int send(void *ctx, const struct zs_strip *s)
 }
 int main(void)
 {
-    const int err = draw_cube(4000, send, 0);
+    const int err = start() ? 1 : draw_cube(4000, send, 0);
     printf("%d %u %u\n", err, (unsigned)strips, (unsigned)drawn);
     return err != 0;
 }

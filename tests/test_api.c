@@ -485,6 +485,38 @@ static void bad_indices_are_not_drawn_and_counted(void **state)
     picture_free(&q);
 }
 
+/* Counter-clockwise on the screen is the front, whole or cut at near. */
+static void faces_are_culled_by_their_turn(void **state)
+{
+    (void)state;
+    static const int16_t pos[2][3][3] = {
+        { { -9000, -9000, 0 }, { 9000, -9000, 0 }, { 0, 9000, 0 } },
+        { { -9000, -9000, 0 }, { 9000, -9000, 0 }, { 0, 9000, 30000 } } /* its top is behind the eye */
+    };
+    for (int cut = 0; cut < 2; cut++)
+        for (int turned = 0; turned < 2; turned++)
+            for (uint8_t cull = ZS_CULL_BACK; cull <= ZS_CULL_NONE; cull++)
+                for (int perspective = 0; perspective < 2; perspective++) {
+                    struct lone l;
+                    lone_set(&l, pos[cut], 3, ZS_Q16_ONE);
+                    l.tri[0][1] = turned ? 2 : 1; /* clockwise */
+                    l.tri[0][2] = turned ? 1 : 2;
+                    l.material.cull = cull;
+                    l.instance.pose.pos[2] = -20000;
+                    struct zs_camera camera = pixel_camera(40, perspective);
+                    camera.z_near = 5000 * 65536;
+                    const struct zs_config config = lone_config(40, 40, &zs_depth_linear);
+                    struct picture p = picture_draw(&config, &l.scene, &camera);
+                    const int seen = cull == ZS_CULL_NONE || turned == (cull == ZS_CULL_FRONT);
+                    assert_int_equal(p.err, ZS_OK);
+                    assert_int_equal(p.stats.tris_clipped, cut);
+                    assert_int_equal(p.stats.tris_drawn, seen);
+                    assert_int_equal(p.stats.tris_facing, !seen);
+                    assert_int_equal(p.covered > 0, seen);
+                    picture_free(&p);
+                }
+}
+
 /* 65535 vertices, all indices used; vertex 65534 is the last one, 65535 never one. */
 static void the_largest_mesh(void **state)
 {
@@ -734,6 +766,7 @@ static const struct CMUnitTest tests[] = {
     cmocka_unit_test(begin_in_the_middle_of_a_frame),
     cmocka_unit_test(an_empty_scene_is_background),
     cmocka_unit_test(bad_indices_are_not_drawn_and_counted),
+    cmocka_unit_test(faces_are_culled_by_their_turn),
     cmocka_unit_test(the_largest_mesh),
     cmocka_unit_test(sink_errors_are_passed_on),
     cmocka_unit_test(garbage_gets_a_defined_answer),

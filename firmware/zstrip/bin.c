@@ -276,8 +276,11 @@ struct polygon {
     int n;
 };
 
-/* The snapped polygon's area, and the corner whose fan has no piece of the other sense: rounding can
- * turn a corner of a sub-pixel inwards. */
+/* The snapped polygon's area, and a corner whose fan has no piece of the other sense: rounding can turn a
+ * corner inwards by a sub-pixel. A polygon that is seen nearly edge-on may have no such corner, because
+ * snapping made it cross itself; its pieces of the other sense are dropped then (polygon_bin). That
+ * leaves no hole: the samples of the right sense are all in pieces of the right sense, whose signed sum
+ * the polygon is; it can draw beyond a thin polygon's edge, by less than a sub-pixel's width. */
 static int64_t fan_corner(const struct polygon *p, int *corner)
 {
     int64_t area = 0;
@@ -436,13 +439,14 @@ static void walk_instance(struct zs_renderer *r, uint32_t number)
 {
     const struct zs_instance *in = &r->scene->instance[number];
     struct zs_bounds b;
-    const int err = zs_cull_bounds(&b, in, &r->camera);
-    const int culled = err || zs_cull_sphere(&b, &r->camera, &r->view);
+    (void)zs_cull_bounds(&b, in, &r->camera);        /* cannot fail: zs_frame_begin has asked too */
+    b.slack += zs_scale2(8, 16 - r->view.shift) + 1; /* 8 camera units: what a vertex may be off by */
+    const int culled = zs_cull_sphere(&b, &r->camera, &r->view);
     if (r->counting) {
         r->stats.instances_in++;
         r->stats.tris_in += in->mesh->n_tris;
     }
-    if ((culled && !(r->config.skip_off & ZS_SKIP_FRUSTUM)) || err ||
+    if ((culled && !(r->config.skip_off & ZS_SKIP_FRUSTUM)) ||
         !zs_xform_instance(r, number, &b)) {
         if (r->counting) {
             r->stats.instances_culled++;

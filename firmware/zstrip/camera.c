@@ -21,9 +21,12 @@ int zs_camera_perspective(struct zs_camera *camera, zs_turn fov_y, uint16_t heig
     const zs_turn low = (zs_turn)(fov_y / 2u), high = (zs_turn)(fov_y - low);
     const int64_t s = (int64_t)zs_sin(low) + zs_sin(high); /* both q2_30, twice sin and cos */
     const int64_t c = (int64_t)zs_cos(low) + zs_cos(high);
+    const zs_uq32_32 focal = zs_muldiv_u64((uint64_t)c, (uint64_t)height_px << 31, (uint64_t)s);
+    if (focal < ZS_FOCAL_MIN || focal > ZS_FOCAL_MAX)
+        return ZS_ERR_CAMERA;
     origin(camera);
     camera->projection = ZS_PERSPECTIVE;
-    camera->focal = zs_muldiv_u64((uint64_t)c, (uint64_t)height_px << 31, (uint64_t)s);
+    camera->focal = focal;
     camera->height = 0;
     camera->z_near = (zs_q48_16)z_near * 65536;
     camera->z_far = (zs_q48_16)z_far * 65536;
@@ -51,28 +54,42 @@ static int in_world(const int32_t p[3])
     return 1;
 }
 
+/* v times a power of two, the largest component in [2^29, 2^30), nearest. v is not 0. */
+static void stretch(int32_t out[3], const int32_t v[3])
+{
+    uint32_t mag = 0;
+    for (int k = 0; k < 3; k++)
+        mag |= v[k] < 0 ? 0u - (uint32_t)v[k] : (uint32_t)v[k];
+    for (int k = 0; k < 3; k++) /* rounding up at the top can give 2^30 */
+        out[k] = (int32_t)zs_scale2(v[k], zs_clz32(mag) - 2);
+}
+
 int zs_camera_look_along(struct zs_camera *camera, const int32_t eye[3], const int32_t dir[3],
                          const int32_t up[3])
 {
-    zs_q2_30 forward[3], up_unit[3], right[3], back[3];
+    zs_q2_30 forward[3], right[3];
+    int32_t f[3], u[3];
+    int64_t cross[3], most = 0;
     if (!in_world(eye))
         return ZS_ERR_RANGE;
-    if (zs_unit(forward, dir) || zs_unit(up_unit, up))
+    if (zs_unit(forward, dir) || zs_unit(right, up))
+        return ZS_ERR_VECTOR; /* one of them is 0 */
+    stretch(f, dir);
+    stretch(u, up);
+    for (int k = 0; k < 3; k++) { /* of the vectors as given: exact, so no error grows near parallel */
+        const int i = (k + 1) % 3, j = (k + 2) % 3;
+        cross[k] = (int64_t)f[i] * u[j] - (int64_t)f[j] * u[i]; /* |.| <= 2^61 */
+        most |= cross[k] < 0 ? -cross[k] : cross[k];
+    }
+    if (most >> 38 == 0) /* sin of the angle below about 2^-21: up says nothing any more */
         return ZS_ERR_VECTOR;
-    zs_cross(right, forward, up_unit);
-    /* Parallel to the directions' own precision: sin of the angle below 2^-20. */
-    if (zs_abs32(right[0]) < 1024 && zs_abs32(right[1]) < 1024 && zs_abs32(right[2]) < 1024)
-        return ZS_ERR_VECTOR;
-    (void)zs_unit(right, right);
+    (void)zs_unit64(right, cross);
     for (int k = 0; k < 3; k++) {
-        back[k] = -forward[k];
         camera->rot[k] = right[k];
-        camera->rot[6 + k] = back[k];
+        camera->rot[6 + k] = -forward[k];
         camera->pos[k] = eye[k];
     }
-    zs_cross(up_unit, back, right);
-    (void)zs_unit(camera->rot + 3, up_unit); /* back is at right angles to right only to 2^-29 / sin */
-    zs_cross(camera->rot + 6, camera->rot, camera->rot + 3);
+    zs_cross(camera->rot + 3, camera->rot + 6, camera->rot);
     return ZS_OK;
 }
 

@@ -1,4 +1,4 @@
-/* zstrip: sizes and budgets. Each can be set by the compiler's -D; the proofs in fx.h, project.c,
+/* zstrip: sizes and budgets. Each can be set by the compiler's -D; the proofs in fx.h, xform.c,
  * plane.c and raster.c depend on them and are checked there when the library is built.
  *
  * SPDX-License-Identifier: MIT

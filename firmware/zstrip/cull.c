@@ -59,7 +59,8 @@ int zs_cull_bounds(struct zs_bounds *b, const struct zs_instance *in,
         if (b->reach < abs64(origin))
             b->reach = abs64(origin);
     }
-    b->slack = (b->reach >> 16) + 16; /* errors are below 2^-26 of reach, rotations' below 2^-20 */
+    b->slack = (b->reach >> 16) + 16; /* errors are below 2^-26 of reach, rotations' below 2^-20; what
+                                         rounding to camera units adds is the walk's to add */
     return ZS_OK;
 }
 

@@ -22,7 +22,7 @@ static int linear_setup(struct zs_view *view, const struct zs_camera *camera, ui
     view->key_top = ((1u << bits) - 1u) << 16;
     view->key_far = 0;
     /* C = (B - 1) / ((f - n) in camera units) as key_mul / 2^key_shift, key_mul in [2^30, 2^31) */
-    const uint64_t range = (uint64_t)(camera->z_far - camera->z_near); /* q48_16, <= 2^46 */
+    const uint64_t range = (uint64_t)(camera->z_far - camera->z_near); /* q48_16, < 2^61 */
     const int lz = zs_clz64(range);
     const uint64_t c = zs_muldiv_u64((uint64_t)(view->key_top >> 16) << 46, (uint64_t)1 << 32,
                                      range << lz);                      /* [2^21, 2^31) */
@@ -33,15 +33,14 @@ static int linear_setup(struct zs_view *view, const struct zs_camera *camera, ui
     return ZS_OK;
 }
 
-/* z - n in camera units, < 2^31.1 -> key, uq16_16. */
-static uint32_t linear_key(const struct zs_view *view, uint32_t above)
+/* above * key_mul / 2^shift, nearest, at most `most`. -31 <= shift */
+static inline uint32_t key_of(const struct zs_view *view, uint32_t above, int32_t shift, uint32_t most)
 {
-    const int32_t shift = view->key_shift - 16;
     const uint64_t product = (uint64_t)above * view->key_mul; /* < 2^63 */
     if (shift > 63)
         return 0;
     const uint64_t key = shift > 0 ? ((product >> (shift - 1)) + 1u) >> 1 : product << -shift;
-    return key > view->key_top ? view->key_top : (uint32_t)key;
+    return key > most ? most : (uint32_t)key;
 }
 
 static uint32_t linear_vertex(const struct zs_view *view, int32_t z, uint32_t rcp, int32_t lz)
@@ -50,7 +49,8 @@ static uint32_t linear_vertex(const struct zs_view *view, int32_t z, uint32_t rc
     (void)lz;
     if (view->perspective)
         return (uint32_t)z;
-    return linear_key(view, (uint32_t)z - (uint32_t)view->z_near); /* z >= near: < 2^31.1 */
+    /* z >= near: the difference is below 2^31.1 */
+    return key_of(view, (uint32_t)z - (uint32_t)view->z_near, view->key_shift - 16, view->key_top);
 }
 
 static uint64_t linear_inverse(const struct zs_view *view, uint32_t d)
@@ -85,14 +85,8 @@ static uint32_t pixel_key(const struct zs_view *view, uint64_t w, int32_t scale)
     const int32_t q = scale - lz; /* z = rcp / 2^q */
     const uint64_t z_near = q >= 0 ? (uint64_t)(uint32_t)view->z_near << q
                                    : (uint64_t)(uint32_t)view->z_near >> -q;
-    const uint64_t above = rcp > z_near ? rcp - z_near : 0u; /* < 2^32 */
-    const int32_t shift = view->key_shift + q;
-    const uint64_t product = above * view->key_mul;          /* < 2^63 */
-    const uint32_t top = (view->key_top >> 16) - 1u;
-    if (shift > 63)
-        return 0;
-    const uint64_t key = shift > 0 ? ((product >> (shift - 1)) + 1u) >> 1 : product << -shift;
-    return key > top ? top : (uint32_t)key;
+    const uint32_t above = rcp > z_near ? (uint32_t)(rcp - z_near) : 0u;
+    return key_of(view, above, view->key_shift + q, (view->key_top >> 16) - 1u);
 }
 
 ZS_ALWAYS_INLINE void linear_span(struct zs_job *job, const struct zs_row *row)

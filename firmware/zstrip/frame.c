@@ -75,10 +75,12 @@ static void split(struct zs_renderer *r, uint8_t *at)
 
 int zs_init(struct zs_renderer *r, const struct zs_config *config, void *arena, size_t bytes)
 {
-    if (!r || !config || !arena || !config->depth)
+    if (!r)
         return ZS_ERR_NULL;
     r->ready = 0;
     r->scene = 0;
+    if (!config || !arena || !config->depth)
+        return ZS_ERR_NULL;
     if (!config_ok(config))
         return ZS_ERR_SIZE;
     if (config->depth_bits < 8 || config->depth_bits > 16)
@@ -148,9 +150,11 @@ static int scene_check(struct zs_renderer *r, const struct zs_scene *scene, int6
 int zs_frame_begin(struct zs_renderer *r, const struct zs_scene *scene,
                    const struct zs_camera *camera)
 {
-    if (!r || !scene || !camera)
+    if (!r)
         return ZS_ERR_NULL;
     r->scene = 0;
+    if (!scene || !camera)
+        return ZS_ERR_NULL;
     if (r->ready != 1)
         return ZS_ERR_STATE;
     int64_t reach;

@@ -1,5 +1,5 @@
 /* The stages and what they hand on. Internal to zstrip: one stage is one .c file, in the order of the
- * data: frame -> cull -> xform -> clip -> project -> bin -> raster (plane) -> shade, depth.
+ * data: frame, view -> cull -> xform -> clip -> bin -> raster (plane) -> shade, depth.
  *
  * SPDX-License-Identifier: MIT
  */
@@ -52,7 +52,7 @@ struct zs_bounds {
     int64_t c[3];    /* q48_16 world units, camera axes (right, down, distance), sphere's centre */
     int64_t r;       /* q48_16, rounded up */
     int64_t reach;   /* q48_16: no vertex, centre or origin lies further along an axis */
-    int64_t slack;   /* q48_16: more than the error of c and r and of a transformed vertex */
+    int64_t slack;   /* q48_16: more than the error of c and r; in a walk, of a vertex as well */
 };
 
 /* The sphere of an instance in camera axes, unscaled. Return ZS_OK or ZS_ERR_RANGE. */
@@ -105,7 +105,7 @@ struct zs_clip_vertex {
     uint16_t attr[ZS_ATTRS_MAX ? ZS_ATTRS_MAX : 1];
 };
 
-/* Clip a convex polygon of n <= 3 vertices in place at the planes of the outcodes in `planes`.
+/* Clip a convex polygon of n vertices in place at the planes of the outcodes in `planes`.
  * v has room for ZS_CLIP_MAX. Return the number of vertices left, 0 or 3 .. ZS_CLIP_MAX. */
 int zs_clip_polygon(const struct zs_view *view, struct zs_clip_vertex *v, int n, uint32_t planes,
                     uint32_t n_attrs);

@@ -86,6 +86,18 @@ int zs_unit(zs_q2_30 out[3], const int32_t v[3])
     return ZS_OK;
 }
 
+int zs_unit64(zs_q2_30 out[3], const int64_t v[3])
+{
+    uint64_t most = 0;
+    int32_t w[3];
+    for (int k = 0; k < 3; k++)
+        most |= (uint64_t)(v[k] < 0 ? -v[k] : v[k]);
+    const int down = most >> 30 ? 34 - zs_clz64(most) : 0; /* below 2^30 */
+    for (int k = 0; k < 3; k++)
+        w[k] = (int32_t)zs_round_shift(v[k], down);
+    return zs_unit(out, w);
+}
+
 void zs_cross(zs_q2_30 out[3], const zs_q2_30 a[3], const zs_q2_30 b[3])
 {
     for (int k = 0; k < 3; k++) {

@@ -2,6 +2,7 @@
  *
  * SPDX-License-Identifier: MIT
  */
+#include "rotation.h"
 #include "shade_solid.h"
 
 /* The normal of a face that the mesh gives none for: the product of two edges, brought to length 1. */
@@ -15,18 +16,13 @@ static void face_normal(zs_q1_15 out[3], const struct zs_mesh *mesh, uint32_t t)
             if (mesh->pos_lo)
                 e[i][k] += mesh->pos_lo[b][k] - mesh->pos_lo[a][k];
         }
-    int64_t n[3], most = 0;
+    int64_t n[3];
     for (int k = 0; k < 3; k++) {
         const int i = (k + 1) % 3, j = (k + 2) % 3;
         n[k] = (int64_t)e[0][i] * e[1][j] - (int64_t)e[0][j] * e[1][i]; /* |.| < 2^49.1 */
-        most |= n[k] < 0 ? -n[k] : n[k];
     }
-    int32_t v[3];
     zs_q2_30 unit[3] = { 0, 0, 0 }; /* no area: no light falls on it */
-    const int down = most >> 30 ? 34 - zs_clz64((uint64_t)most) : 0;
-    for (int k = 0; k < 3; k++)
-        v[k] = (int32_t)zs_round_shift(n[k], down);
-    (void)zs_unit(unit, v);
+    (void)zs_unit64(unit, n);
     for (int k = 0; k < 3; k++) {
         const int32_t q15 = (int32_t)zs_round_shift(unit[k], 15);
         out[k] = (zs_q1_15)zs_min32(zs_max32(q15, -32767), 32767);

@@ -5,7 +5,8 @@
  * seen lies between 2^29 and 2^30. So 30 bits carry every position, whatever the user's unit is.
  *
  * x' and y' are the camera's x and -y times ratio, with focal length = ratio * 2^scale_bits sub-pixels
- * and 1/2 < ratio <= 1: projection is then x' * 2^scale_bits / z, and x' needs no more bits than x.
+ * and 1/2 < ratio <= 1 (less for focal lengths below half a pixel): projection is then
+ * x' * 2^scale_bits / z, and x' needs no more bits than x.
  *
  * SPDX-License-Identifier: MIT
  */
@@ -13,9 +14,8 @@
 #include "rotation.h"
 
 #define NEAR_MIN 256 /* camera units: below, positions at the near plane are no longer exact enough */
-#define FOCAL_MIN ((zs_uq32_32)1 << 16)
-#define FOCAL_MAX ((zs_uq32_32)1 << 55)
-#define SCALE_BITS_MIN 8 /* keeps the shift of a projection below 63 bits */
+#define SCALE_BITS_MIN 8  /* keeps the shift of a projection below 63 bits */
+#define SCALE_BITS_MAX 40 /* the same, orthographic */
 #define WORLD_MAX_Q16 ((zs_q48_16)ZS_WORLD_MAX * 65536)
 
 static int range_ok(const struct zs_camera *camera)
@@ -24,14 +24,14 @@ static int range_ok(const struct zs_camera *camera)
         camera->z_near > WORLD_MAX_Q16 || camera->z_near < -WORLD_MAX_Q16)
         return 0;
     if (camera->projection == ZS_ORTHOGRAPHIC)
-        return camera->height > 0 && camera->height <= 2 * WORLD_MAX_Q16;
+        return camera->height >= ZS_HEIGHT_MIN && camera->height <= 2 * WORLD_MAX_Q16;
     return camera->projection == ZS_PERSPECTIVE && camera->z_near > 0 &&
            camera->z_far - camera->z_near >= camera->z_far / 65536 &&
-           camera->focal >= FOCAL_MIN && camera->focal <= FOCAL_MAX;
+           camera->focal >= ZS_FOCAL_MIN && camera->focal <= ZS_FOCAL_MAX;
 }
 
 /* Split num / den into ratio * 2^*bits with ratio in (1/2, 1], q2_30. 2^24 <= num < 2^37,
- * 0 < den < 2^47, so -24 <= *bits <= 37. */
+ * ZS_HEIGHT_MIN <= den < 2^47, so num / den < 2^33 and -24 <= *bits <= 33. */
 static int32_t split_ratio(uint64_t num, uint64_t den, int32_t *bits)
 {
     int32_t b = 0;
@@ -101,8 +101,12 @@ static int scale_set(struct zs_view *view, const struct zs_config *config,
     const uint64_t num = (uint64_t)config->height << 24; /* q16 sub-pixels */
     view->ratio = split_ratio(num, (uint64_t)camera->height, &bits);
     view->scale_bits = view->shift - bits; /* camera units to a sub-pixel, as a power of 2 */
-    if (view->scale_bits < 0 || view->scale_bits > 40)
-        return ZS_ERR_RANGE;
+    if (view->scale_bits < 0)
+        return ZS_ERR_RANGE; /* units are coarser than sub-pixels */
+    if (view->scale_bits > SCALE_BITS_MAX) { /* much finer than needed: nothing is lost */
+        view->shift -= view->scale_bits - SCALE_BITS_MAX;
+        view->scale_bits = SCALE_BITS_MAX;
+    }
     view->guard = (uint64_t)ZS_GUARD_SUBPX << view->scale_bits; /* <= 2^61 */
     return ZS_OK;
 }
@@ -131,13 +135,13 @@ int zs_view_units(struct zs_view *view, const struct zs_config *config,
     view->shift = zs_clz64((uint64_t)reach) - 64 + 30 + 16; /* reach * 2^(shift - 16) < 2^30 */
     if (view->shift > 30)
         view->shift = 30;
+    const int err = scale_set(view, config, camera); /* may lower the shift */
+    if (err)
+        return err;
     view->z_near = to_units(view, camera->z_near);
     view->z_far = to_units(view, camera->z_far);
     if (view->z_near >= view->z_far || (view->perspective && view->z_near < NEAR_MIN))
         return ZS_ERR_NEAR;
-    const int err = scale_set(view, config, camera);
-    if (err)
-        return err;
     for (int k = 0; k < 3; k++) { /* rows: right, down, distance */
         view->rot[k] = (int32_t)zs_round_shift((int64_t)camera->rot[k] * view->ratio, 30);
         view->rot[3 + k] = (int32_t)zs_round_shift(-(int64_t)camera->rot[3 + k] * view->ratio, 30);

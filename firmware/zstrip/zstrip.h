@@ -76,6 +76,9 @@ typedef uint16_t zs_turn;    /* angles, 65536 to the turn */
 #define ZS_Q16_ONE ((zs_uq16_16)1 << 16)
 #define ZS_WORLD_MAX ((int32_t)1 << 29) /* world units; also the largest extent of an instance */
 #define ZS_FAR_MAX ((int64_t)1 << 44)   /* world units; a far plane may lie beyond the world */
+#define ZS_FOCAL_MIN ((zs_uq32_32)1 << 16)
+#define ZS_FOCAL_MAX ((zs_uq32_32)1 << 55)
+#define ZS_HEIGHT_MIN ((zs_q48_16)8)
 #define ZS_DEPTH_CLEAR 65535u
 
 struct zs_rgb {
@@ -146,7 +149,7 @@ struct zs_instance {
 
 /* A colour channel becomes channel * (ambient + diffuse * max(0, normal . dir)), at most full. */
 struct zs_light {
-    zs_q2_30 dir[3]; /* unit, world, from the surface towards the light */
+    zs_q2_30 dir[3]; /* unit, world, from the surface towards the light; a shorter one dims diffuse */
     zs_uq16_16 ambient, diffuse; /* 0 .. ZS_Q16_ONE */
 };
 
@@ -164,7 +167,8 @@ struct zs_camera {
     int32_t pos[3];      /* the eye, world units, |.| <= ZS_WORLD_MAX */
     uint8_t projection;  /* enum zs_projection */
     zs_uq32_32 focal;    /* perspective: focal length in pixels, 2^-16 .. 2^23 */
-    zs_q48_16 height;    /* orthographic: world units that the frame's height spans, > 0 */
+    zs_q48_16 height;    /* orthographic: world units that the frame's height spans, 2^-13 .. 2^30; refused
+                            with ZS_ERR_RANGE where a sub-pixel is below 2^-29 of what is in view */
     zs_q48_16 z_near, z_far; /* world units along the view axis, |near| <= ZS_WORLD_MAX, near < far <=
                                 ZS_FAR_MAX, and perspective: near > 0, far - near >= far / 65536 */
 };
@@ -258,7 +262,8 @@ struct zs_strip {
  * is passed on; take values below -100 to tell them from enum zs_err. */
 struct zs_sink {
     int (*submit)(void *ctx, const struct zs_strip *strip); /* borrows strip->px until wait */
-    int (*wait)(void *ctx); /* until the submitted strip is free again; NULL: submit blocks */
+    int (*wait)(void *ctx); /* until the submitted strip is free again; not called where submit
+                               failed. NULL: submit is done with the strip when it returns */
     void *ctx;
 };
 
@@ -270,7 +275,7 @@ struct zs_sink {
  * config  copied.
  * arena   4-byte aligned (ZS_ARENA aligns it for DMA), at least zs_arena_bytes(config); the caller
  *         keeps it alive and untouched while r is used. Its contents on entry do not matter.
- * Return  ZS_OK; ZS_ERR_NULL, _SIZE, _DEPTH, _ARENA (r is then unusable, arena untouched). */
+ * Return  ZS_OK; ZS_ERR_NULL, _SIZE, _DEPTH, _ARENA: r cannot be used then, the arena is untouched. */
 int zs_init(struct zs_renderer *r, const struct zs_config *config, void *arena, size_t bytes);
 
 /* ZS_ARENA_BYTES of a configuration, strip_h cut to the height; 0 where a field is out of range. */
@@ -331,7 +336,7 @@ int zs_pose_rotate(struct zs_pose *pose, const int32_t axis[3], zs_turn angle);
 
 /* A perspective camera at the origin that looks down -z. fov_y is the vertical angle over height
  * px, 1 .. 32767 turns. near and far in world units.
- * Return ZS_OK; ZS_ERR_CAMERA (fov, near or far out of range: camera untouched). */
+ * Return ZS_OK; ZS_ERR_CAMERA (fov, near, far or the focal length out of range: camera untouched). */
 int zs_camera_perspective(struct zs_camera *camera, zs_turn fov_y, uint16_t height_px,
                           int32_t z_near, int32_t z_far);
 
