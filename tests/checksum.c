@@ -1,8 +1,9 @@
 /* Stress case 28: one checksum a scene, the same for every compiler, level and machine.
  *
- * Integers only, no tables of numbers: everything is procedural. Prints "name fnv1a" a line, FNV-1a over the
- * frame's wire bytes and its depth keys; tests/golden/checksums.txt has the lines. With an argument, a
- * folder, it also writes each frame there as a PPM, to be looked at before a golden is changed.
+ * Integers only, no tables of numbers: everything is procedural. Prints "name fnv1a" a line, FNV-1a
+ * over the frame's wire bytes and its depth keys; tests/golden/checksums.txt has the lines. With an
+ * argument, a folder, it also writes each frame there as a PPM, to be looked at before a golden is
+ * changed.
  *
  * SPDX-License-Identifier: MIT
  */
@@ -39,7 +40,8 @@ static void add(struct page *p, const struct shape *s, const struct zs_shader *s
     p->instance[n].mesh = &s->mesh;
     p->instance[n].material = &p->material[n];
     zs_pose_identity(&p->instance[n].pose);
-    zs_pose_turn(&p->instance[n].pose, (zs_turn)(n * 7001u), (zs_turn)(n * 3003u), (zs_turn)(n * 911u));
+    zs_pose_turn(&p->instance[n].pose, (zs_turn)(n * 7001u), (zs_turn)(n * 3003u),
+                 (zs_turn)(n * 911u));
     p->instance[n].pose.pos[0] = x;
     p->instance[n].pose.pos[1] = y;
     p->instance[n].pose.pos[2] = z;
@@ -55,7 +57,9 @@ static void look_from(struct page *p, int32_t x, int32_t y, int32_t z)
 static void begin(struct page *p, const char *name, const struct zs_depth *depth)
 {
     const struct page none = { 0 };
-    const struct zs_config config = { W, H, STRIP, TRIS, VERTS, ZS_ATTRS_SMOOTH, 1, 8, 16, 0, depth };
+    const struct zs_config config = {
+        W, H, STRIP, TRIS, VERTS, ZS_ATTRS_SMOOTH, 1, 8, 16, 0, depth
+    };
     const int32_t light[3] = { 3, 5, 4 };
     *p = none;
     p->name = name;
@@ -96,7 +100,8 @@ static void page_clipped(struct page *p, const char *name, const struct zs_depth
     shape_sphere(&shapes[1], 9, 12, 1800);
     add(p, &shapes[0], &zs_shade_smooth, 0, -900, 0, ZS_CULL_NONE);
     add(p, &shapes[1], &zs_shade_smooth, 0, 200, 0, ZS_CULL_NONE);
-    add(p, &shapes[1], &zs_shade_flat, 3505, 858, 5191, ZS_CULL_NONE); /* near opens it: see below */
+    /* near opens it: see below */
+    add(p, &shapes[1], &zs_shade_flat, 3505, 858, 5191, ZS_CULL_NONE);
     zs_pose_turn(&p->instance[0].pose, 0, 0, 0);
     look_from(p, 2000, 900, 6000);
     p->camera.z_near = (zs_q48_16)700 * 65536; /* the eye is inside the second sphere */
@@ -150,7 +155,8 @@ static void page_coarse_linear(struct page *p)
     p->config.subpixel_bits = 4;
 }
 
-/* Fine positions, scales that are no powers of two, a pose composed a hundred times, an orbiting eye. */
+/* Fine positions, scales that are no powers of two, a pose composed a hundred times, an orbiting
+ * eye. */
 static void page_composed(struct page *p)
 {
     begin(p, "composed", &zs_depth_recip);

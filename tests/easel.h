@@ -1,4 +1,5 @@
-/* An easel for the rasterizer alone: snapped triangles in, pixels out, by the same strips as a scene's.
+/* An easel for the rasterizer alone: snapped triangles in, pixels out, by the same strips as a
+ * scene's.
  *
  * Fills the pools and bins of a renderer whose scene is empty, then asks for the strips.
  *

@@ -23,8 +23,8 @@ int oracle_covers(const struct oracle_tri *t, int i, int j);
 int oracle_on_edge(const struct oracle_tri *t, int i, int j);
 /* Barycentric weights of that sample; their sum is |oracle_area|. */
 void oracle_weights(const struct oracle_tri *t, int i, int j, int64_t out[3]);
-/* key - (exact value of the plane through the corners' d, at most most * 65536) / 65536, in buckets.
- * d in uq16_16. Exact but for the last conversion to double. */
+/* key - (exact value of the plane through the corners' d, at most most * 65536) / 65536, in
+ * buckets. d in uq16_16. Exact but for the last conversion to double. */
 double oracle_key_error(const struct oracle_tri *t, const uint32_t d[3], int i, int j, uint32_t key,
                         uint32_t most);
 
@@ -55,7 +55,7 @@ struct oracle_polygon {
  * nothing is left. */
 void oracle_project(const struct oracle_view *v, const struct oracle_point *p, int n,
                     struct oracle_polygon *out);
-/* How far the sample of pixel (i, j) is inside, px; negative outside. The sign is exact to 1e-9 px. */
+/* How far the sample of pixel (i, j) is inside, px; negative outside. Exact to 1e-9 px. */
 double oracle_inside(const struct oracle_polygon *p, int i, int j);
 /* Distance along the view axis at the sample. */
 double oracle_z(const struct oracle_view *v, const struct oracle_polygon *p, int i, int j);

@@ -98,8 +98,8 @@ void picture_free(struct picture *p)
 int picture_same(const struct picture *a, const struct picture *b, const char *name)
 {
     if (a->err || b->err || a->w != b->w || a->h != b->h) {
-        fprintf(stderr, "wrong: %s: errors %d and %d, %dx%d and %dx%d\n", name, a->err, b->err, a->w,
-                a->h, b->w, b->h);
+        fprintf(stderr, "wrong: %s: errors %d and %d, %dx%d and %dx%d\n", name, a->err, b->err,
+                a->w, a->h, b->w, b->h);
         return 0;
     }
     for (int32_t i = 0; i < a->w * a->h; i++)

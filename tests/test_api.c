@@ -248,9 +248,14 @@ static int arena_case(uint64_t seed)
     const struct {
         const void *at;
         uint32_t bytes;
-    } pool[9] = { { r.color[0], strip }, { r.color[1], strip }, { r.depth, strip },
-                  { r.bin, 2u * r.n_strips }, { r.tri, 12u * c.max_tris }, { r.vert, 12u * c.max_verts },
-                  { r.vert_src, 2u * c.max_verts }, { r.vert_map, 2u * c.max_verts },
+    } pool[9] = { { r.color[0], strip },
+                  { r.color[1], strip },
+                  { r.depth, strip },
+                  { r.bin, 2u * r.n_strips },
+                  { r.tri, 12u * c.max_tris },
+                  { r.vert, 12u * c.max_verts },
+                  { r.vert_src, 2u * c.max_verts },
+                  { r.vert_map, 2u * c.max_verts },
                   { r.attr, 2u * c.max_verts * c.attrs } };
     const uint8_t *end = arena;
     for (int k = 0; k < 9; k++) {
@@ -491,7 +496,9 @@ static void faces_are_culled_by_their_turn(void **state)
     (void)state;
     static const int16_t pos[2][3][3] = {
         { { -9000, -9000, 0 }, { 9000, -9000, 0 }, { 0, 9000, 0 } },
-        { { -9000, -9000, 0 }, { 9000, -9000, 0 }, { 0, 9000, 30000 } } /* its top is behind the eye */
+        { { -9000, -9000, 0 },
+          { 9000, -9000, 0 },
+          { 0, 9000, 30000 } } /* its top is behind the eye */
     };
     for (int cut = 0; cut < 2; cut++)
         for (int turned = 0; turned < 2; turned++)
@@ -692,7 +699,8 @@ static int garbage_case(uint64_t seed)
     config.height = config.height > 60 ? (uint16_t)(config.height % 60) : config.height;
     config.max_tris %= 500;
     config.max_verts %= 500;
-    static const struct zs_shader *const shaders[] = { &zs_shade_raw, &zs_shade_flat, &zs_shade_smooth };
+    static const struct zs_shader *const shaders[] = { &zs_shade_raw, &zs_shade_flat,
+                                                       &zs_shade_smooth };
     static const zs_q1_15 normals[9][3] = { { 0, 0, 32767 }, { -32768, -32768, -32768 },
                                             { 32767, 32767, 32767 } };
     l.mesh.normal = normals;
@@ -735,8 +743,8 @@ static int sphere_case(uint64_t seed)
     l.material.shader = seed % 2 ? &zs_shade_smooth : &zs_shade_raw;
     struct zs_camera camera;
     if (prng_pick(&p, 3))
-        (void)zs_camera_perspective(&camera, (zs_turn)prng_range(&p, 1, 32767), 20, prng_range(&p, 1, 900),
-                                    prng_range(&p, 1000, 100000));
+        (void)zs_camera_perspective(&camera, (zs_turn)prng_range(&p, 1, 32767), 20,
+                                    prng_range(&p, 1, 900), prng_range(&p, 1000, 100000));
     else
         (void)zs_camera_orthographic(&camera, prng_range(&p, 1, 100000), prng_range(&p, -50000, 0),
                                      prng_range(&p, 1, 50000));

@@ -47,10 +47,12 @@ static int channel_right(uint16_t color, int channel, double exact, double slack
 static void tally_print(const char *what)
 {
     const double mean = tally.squares / (double)(tally.values ? tally.values : 1);
-    print_message("%s: %llu values, %.3f %% one code off, %.3f codes from the unrounded value at most, "
-                  "%.1f dB\n", what, (unsigned long long)tally.values,
-                  100.0 * (double)tally.off_by_one / (double)(tally.values ? tally.values : 1),
-                  tally.worst, 10 * log10(255.0 * 255.0 / fmax(mean, 1e-12)));
+    print_message(
+        "%s: %llu values, %.3f %% one code off, %.3f codes from the unrounded value at most, "
+        "%.1f dB\n",
+        what, (unsigned long long)tally.values,
+        100.0 * (double)tally.off_by_one / (double)(tally.values ? tally.values : 1), tally.worst,
+        10 * log10(255.0 * 255.0 / fmax(mean, 1e-12)));
     memset(&tally, 0, sizeof tally);
 }
 
@@ -64,11 +66,14 @@ static double psnr(void)
 static void smooth_corners(struct prng *p, const struct easel *s, int huge, struct easel_tri *t)
 {
     for (int k = 0; k < 3; k++) {
-        const int32_t reach_x = huge ? GUARD : s->width * 200, reach_y = huge ? GUARD : s->height * 200;
+        const int32_t reach_x = huge ? GUARD : s->width * 200,
+                      reach_y = huge ? GUARD : s->height * 200;
         t->x[k] = s->width * 128 + prng_range(p, -reach_x, reach_x);
         t->y[k] = s->height * 128 + prng_range(p, -reach_y, reach_y);
         for (int c = 0; c < 3; c++)
-            t->rgb[k][c] = (uint16_t)(prng_pick(p, 3) ? prng_next(p) : prng_pick(p, 2) ? 65535u : 0u);
+            t->rgb[k][c] = (uint16_t)(prng_pick(p, 3)   ? prng_next(p)
+                                      : prng_pick(p, 2) ? 65535u
+                                                        : 0u);
     }
 }
 
@@ -122,11 +127,12 @@ static int smooth_triangle(uint64_t seed, double ratio)
                 }
                 const double exact = sum / weight / 65535 * most_code[c];
                 if (!channel_right(f.color[j * s.width + i], c, exact, 0))
-                    ok = case_wrong("channel %d at (%d, %d) is %d, not %.4f: (%d %d %u %u) (%d %d %u "
-                                    "%u) (%d %d %u %u)", c, i, j,
-                                    code_of(f.color[j * s.width + i], c), exact, t.x[0], t.y[0], t.d[0],
-                                    t.rgb[0][c], t.x[1], t.y[1], t.d[1], t.rgb[1][c], t.x[2], t.y[2],
-                                    t.d[2], t.rgb[2][c]);
+                    ok = case_wrong(
+                        "channel %d at (%d, %d) is %d, not %.4f: (%d %d %u %u) (%d %d %u "
+                        "%u) (%d %d %u %u)",
+                        c, i, j, code_of(f.color[j * s.width + i], c), exact, t.x[0], t.y[0],
+                        t.d[0], t.rgb[0][c], t.x[1], t.y[1], t.d[1], t.rgb[1][c], t.x[2], t.y[2],
+                        t.d[2], t.rgb[2][c]);
             }
         }
     easel_free(&f);
@@ -249,7 +255,8 @@ static void to_world(const struct zs_pose *pose, const double v[3], double out[3
 static double lit(const struct world *g, const double normal[3], double channel)
 {
     double n[3], dot = 0;
-    const double length = sqrt(normal[0] * normal[0] + normal[1] * normal[1] + normal[2] * normal[2]);
+    const double length =
+        sqrt(normal[0] * normal[0] + normal[1] * normal[1] + normal[2] * normal[2]);
     to_world(&g->instance.pose, normal, n);
     for (int k = 0; k < 3; k++)
         dot += length > 0 ? n[k] / length * ldexp(g->scene.light.dir[k], -30) : 0;
@@ -426,7 +433,9 @@ static void raw_colours_are_exact(void **state)
             assert_int_equal(code_of((uint16_t)got, c), (int)floor(v * most_code[c] / 255.0 + 0.5));
     }
     struct lone l;
-    static const int16_t pos[3][3] = { { -30000, -30000, 0 }, { 30000, -30000, 0 }, { 0, 30000, 0 } };
+    static const int16_t pos[3][3] = { { -30000, -30000, 0 },
+                                       { 30000, -30000, 0 },
+                                       { 0, 30000, 0 } };
     lone_set(&l, pos, 3, ZS_Q16_ONE);
     l.instance.pose.pos[2] = -PIXEL_Z;
     const struct zs_camera camera = pixel_camera(20, 0);

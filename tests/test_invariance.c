@@ -1,5 +1,5 @@
-/* What must not change a picture: strips, pools, buffers, skips, junk in memory, and moves of the scene
- * that the conventions say are moves of the picture.
+/* What must not change a picture: strips, pools, buffers, skips, junk in memory, and moves of the
+ * scene that the conventions say are moves of the picture.
  *
  * SPDX-License-Identifier: MIT
  */
@@ -138,7 +138,9 @@ static void coarse_set(void)
 }
 
 typedef void set_fn(void);
-static set_fn *const sets[] = { lit_set, smooth_set, clipped_set, linear_set, ortho_set, coarse_set };
+static set_fn *const sets[] = {
+    lit_set, smooth_set, clipped_set, linear_set, ortho_set, coarse_set
+};
 #define N_SETS (sizeof sets / sizeof sets[0])
 
 /* ---- Comparing with the plainest way --------------------------------------------------------- */
@@ -204,8 +206,10 @@ struct pools {
     uint16_t tris, verts;
 };
 
-static const struct pools pools[] = { { 1, 3 }, { 1, 4000 }, { 4000, 3 }, { 2, 5 }, { 3, 4 }, { 7, 9 },
-                                      { 20, 30 }, { 64, 64 }, { 150, 90 }, { 90, 400 } };
+static const struct pools pools[] = {
+    { 1, 3 }, { 1, 4000 }, { 4000, 3 }, { 2, 5 },    { 3, 4 },
+    { 7, 9 }, { 20, 30 },  { 64, 64 },  { 150, 90 }, { 90, 400 }
+};
 #define N_POOLS (sizeof pools / sizeof pools[0])
 
 static void any_pool_down_to_one_triangle(void **state)
@@ -257,7 +261,8 @@ static void stress_26_each_skip_on_or_off(void **state)
     }
 }
 
-/* A part of the scene out of view, wholly or partly, in every direction: what is skipped was empty. */
+/* A part of the scene out of view, wholly or partly, in every direction: what is skipped was empty.
+ */
 static int frustum_case(uint64_t seed)
 {
     struct prng p = { seed };
@@ -531,8 +536,9 @@ static void stress_23_mirrored_scene(void **state)
     CASES(mirrored_case, 200);
 }
 
-/* The picture moved by whole pixels, colours and keys. Triangles with width + height <= 256 px keep their
- * planes bit for bit; of larger ones the keys' last rounding may differ, and only coverage is claimed. */
+/* The picture moved by whole pixels, colours and keys. Triangles with width + height <= 256 px keep
+ * their planes bit for bit; of larger ones the keys' last rounding may differ, and only coverage is
+ * claimed. */
 static int moved_case(uint64_t seed)
 {
     struct prng p = { seed };
@@ -556,8 +562,8 @@ static int moved_case(uint64_t seed)
                 continue;
             const int at = j * MOVE_W + i, to = tj * MOVE_W + ti;
             if (a.color[at] != b.color[to] || a.key[at] != b.key[to])
-                ok = case_wrong("pixel (%d, %d) is %u %u, moved by (%d, %d) %u %u", i, j, a.color[at],
-                                a.key[at], dx, dy, b.color[to], b.key[to]);
+                ok = case_wrong("pixel (%d, %d) is %u %u, moved by (%d, %d) %u %u", i, j,
+                                a.color[at], a.key[at], dx, dy, b.color[to], b.key[to]);
         }
     picture_free(&a);
     picture_free(&b);

@@ -88,9 +88,11 @@ static double not_a_rotation(const zs_q2_30 m[9])
 static void axis_turn(double out[9], const double u[3], double angle)
 {
     const double c = cos(angle), s = sin(angle), v = 1 - c;
-    const double m[9] = { c + u[0] * u[0] * v, u[0] * u[1] * v - u[2] * s, u[0] * u[2] * v + u[1] * s,
-                          u[1] * u[0] * v + u[2] * s, c + u[1] * u[1] * v, u[1] * u[2] * v - u[0] * s,
-                          u[2] * u[0] * v - u[1] * s, u[2] * u[1] * v + u[0] * s, c + u[2] * u[2] * v };
+    const double m[9] = { c + u[0] * u[0] * v,        u[0] * u[1] * v - u[2] * s,
+                          u[0] * u[2] * v + u[1] * s, u[1] * u[0] * v + u[2] * s,
+                          c + u[1] * u[1] * v,        u[1] * u[2] * v - u[0] * s,
+                          u[2] * u[0] * v - u[1] * s, u[2] * u[1] * v + u[0] * s,
+                          c + u[2] * u[2] * v };
     memcpy(out, m, sizeof m);
 }
 
@@ -204,10 +206,10 @@ static void pose_rotate_by_half_a_turn(void **state)
     }
 }
 
-/* A quarter of a million times the same step, where every rounding leans the same way: still a rotation,
- * and never a sub-pixel (1/256 px at a lever of 120 px) away from where whole turns should have brought
- * it. (Reduced from 10^6 frames: what q2_30 can tell a step is 2^-31, and 2^20 of those are 15
- * sub-pixels in the worst case.) */
+/* A quarter of a million times the same step, where every rounding leans the same way: still a
+ * rotation, and never a sub-pixel (1/256 px at a lever of 120 px) away from where whole turns
+ * should have brought it. (Reduced from 10^6 frames: what q2_30 can tell a step is 2^-31, and 2^20
+ * of those are 15 sub-pixels in the worst case.) */
 static void stress_17_no_drift(void **state)
 {
     (void)state;
@@ -225,8 +227,9 @@ static void stress_17_no_drift(void **state)
             drift = fmax(drift, apart(pose.rot, one));
         }
     }
-    print_message("2^18 rotations composed: orthonormal to 2^-27 * %.3f, drift %.3f sub-pixels at 120 px\n",
-                  skew * 0x1p27, drift * 120 * 256);
+    print_message(
+        "2^18 rotations composed: orthonormal to 2^-27 * %.3f, drift %.3f sub-pixels at 120 px\n",
+        skew * 0x1p27, drift * 120 * 256);
     assert_true(skew <= 0x1p-27);
     assert_true(drift * 120 * 256 < 1);
 }
@@ -237,7 +240,8 @@ static int wander_case(uint64_t seed)
     struct zs_pose pose;
     zs_pose_identity(&pose);
     for (int n = 0; n < 10000; n++) {
-        const int32_t axis[3] = { prng_range(&p, -9, 9), prng_range(&p, -9, 9), 1 + prng_range(&p, 0, 8) };
+        const int32_t axis[3] = { prng_range(&p, -9, 9), prng_range(&p, -9, 9),
+                                  1 + prng_range(&p, 0, 8) };
         (void)zs_pose_rotate(&pose, axis, (zs_turn)prng_next(&p));
     }
     CASE_CHECK(not_a_rotation(pose.rot) <= 0x1p-27);
@@ -292,7 +296,8 @@ static int look_case(uint64_t seed)
         at[k] = prng_range(&p, -ZS_WORLD_MAX >> shift, ZS_WORLD_MAX >> shift);
         up[k] = (int32_t)prng_log(&p);
     }
-    const double dir[3] = { (double)at[0] - eye[0], (double)at[1] - eye[1], (double)at[2] - eye[2] };
+    const double dir[3] = { (double)at[0] - eye[0], (double)at[1] - eye[1],
+                            (double)at[2] - eye[2] };
     const double u[3] = { up[0], up[1], up[2] };
     double want[9];
     const double sine = look_matrix(want, dir, u);
@@ -300,7 +305,8 @@ static int look_case(uint64_t seed)
     memset(&c, 0x5a, sizeof c);
     const struct zs_camera before = c;
     const int err = zs_camera_look_at(&c, eye, at, up);
-    if (!(sine > 0x1p-19)) { /* parallel, or nearly: refused, or right to what is left of the precision */
+    if (!(sine >
+          0x1p-19)) { /* parallel, or nearly: refused, or right to what is left of the precision */
         CASE_CHECK(err == ZS_ERR_VECTOR || (err == ZS_OK && sine > 0));
         CASE_CHECK(!err || memcmp(&c, &before, sizeof c) == 0);
         return 1;
@@ -311,8 +317,9 @@ static int look_case(uint64_t seed)
         look_worst = fmax(look_worst, off);
     /* the roll about the view is known to the precision of up over the sine */
     if (off > 0x1p-27 / fmin(1, sine / 0.5) || not_a_rotation(c.rot) > 0x1p-26)
-        return case_wrong("eye %d %d %d at %d %d %d up %d %d %d: off by 2^-27 * %.3f, sine %g", eye[0],
-                          eye[1], eye[2], at[0], at[1], at[2], up[0], up[1], up[2], off * 0x1p27, sine);
+        return case_wrong("eye %d %d %d at %d %d %d up %d %d %d: off by 2^-27 * %.3f, sine %g",
+                          eye[0], eye[1], eye[2], at[0], at[1], at[2], up[0], up[1], up[2],
+                          off * 0x1p27, sine);
     return 1;
 }
 
@@ -437,7 +444,8 @@ static int light_case(uint64_t seed)
     zs_pose_identity(&in.pose);
     zs_pose_turn(&in.pose, (zs_turn)prng_next(&p), (zs_turn)prng_next(&p), (zs_turn)prng_next(&p));
     in.pose.pos[2] = -1000;
-    const int32_t dir[3] = { prng_range(&p, -999, 999), prng_range(&p, -999, 999), 1 + prng_range(&p, 0, 999) };
+    const int32_t dir[3] = { prng_range(&p, -999, 999), prng_range(&p, -999, 999),
+                             1 + prng_range(&p, 0, 999) };
     (void)zs_unit(scene.light.dir, dir);
     scene.light.ambient = prng_pick(&p, ZS_Q16_ONE / 2 + 1);
     scene.light.diffuse = prng_pick(&p, ZS_Q16_ONE / 2 + 1); /* the sum is at most 1 */
@@ -445,8 +453,8 @@ static int light_case(uint64_t seed)
     struct zs_camera camera;
     struct zs_config config = { 8, 8, 8, 8, 8, 0, 1, 8, 16, 0, &zs_depth_recip };
     uint32_t arena[2048];
-    if (zs_camera_perspective(&camera, 8192, 8, 1, 2000) || zs_init(&r, &config, arena, sizeof arena) ||
-        zs_frame_begin(&r, &scene, &camera))
+    if (zs_camera_perspective(&camera, 8192, 8, 1, 2000) ||
+        zs_init(&r, &config, arena, sizeof arena) || zs_frame_begin(&r, &scene, &camera))
         return case_wrong("set-up");
     struct zs_bounds b;
     CASE_CHECK(zs_cull_bounds(&b, &in, &camera) == ZS_OK && zs_xform_instance(&r, 0, &b) == 1);

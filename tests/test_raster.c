@@ -229,8 +229,8 @@ static int32_t spread(const int32_t v[3])
     return (v[2] > hi ? v[2] : hi) - (v[2] < lo ? v[2] : lo);
 }
 
-/* The promise: 0.505 bucket for width + height <= 640, else 0.5 + (W + H + 1) / 2^17. Triangles of at
- * most 256 px, width and height together, keep to 0.5035 everywhere (plane.c). */
+/* The promise: 0.505 bucket for width + height <= 640, else 0.5 + (W + H + 1) / 2^17. Triangles of
+ * at most 256 px, width and height together, keep to 0.5035 everywhere (plane.c). */
 static double key_bound(const struct easel *s, const struct easel_tri *t)
 {
     const int32_t extent = s->width + s->height;
@@ -295,7 +295,9 @@ static void coverage_and_keys_of_single_triangles(void **state)
 /* Frames up to the library's limit: the key's bound grows with them. */
 static int big_frame(uint64_t seed)
 {
-    static const struct frame_size big[] = { { 4096, 2 }, { 3, 4096 }, { 640, 480 }, { 1000, 1000 } };
+    static const struct frame_size big[] = {
+        { 4096, 2 }, { 3, 4096 }, { 640, 480 }, { 1000, 1000 }
+    };
     struct prng p = { seed };
     struct easel s = easel_default(big[seed % 4].w, big[seed % 4].h);
     s.strip_h = prng_range(&p, 1, 64);
@@ -319,8 +321,8 @@ static void coverage_and_keys_in_big_frames(void **state)
 
 /* ---- Keys that are linear in distance, under perspective ------------------------------------- */
 
-/* (z - n) / (f - n) * (B - 1) where 1/z is the plane through the corners' stored z. 64-bit mantissas:
- * good to 1e-12 bucket. */
+/* (z - n) / (f - n) * (B - 1) where 1/z is the plane through the corners' stored z. 64-bit
+ * mantissas: good to 1e-12 bucket. */
 static long double linear_exact(const struct easel *s, const struct easel_tri *t,
                                 const struct easel_frame *f, int i, int j)
 {
@@ -469,8 +471,10 @@ static void grid(struct prng *p, struct partition *m, const int32_t box[4], int 
     for (int y = 0; y <= ny; y++)
         for (int x = 0; x <= nx; x++) {
             const int inner_x = x > 0 && x < nx, inner_y = y > 0 && y < ny;
-            v[y][x][0] = box[0] + (int32_t)((int64_t)w * x / nx) + (inner_x ? prng_range(p, -jx, jx) : 0);
-            v[y][x][1] = box[1] + (int32_t)((int64_t)h * y / ny) + (inner_y ? prng_range(p, -jy, jy) : 0);
+            v[y][x][0] =
+                box[0] + (int32_t)((int64_t)w * x / nx) + (inner_x ? prng_range(p, -jx, jx) : 0);
+            v[y][x][1] =
+                box[1] + (int32_t)((int64_t)h * y / ny) + (inner_y ? prng_range(p, -jy, jy) : 0);
         }
     for (int y = 0; y < ny; y++)
         for (int x = 0; x < nx; x++) {
@@ -506,8 +510,10 @@ static void dropped_points(struct prng *p, struct partition *m, const int32_t bo
             v = 65536 - v;
         }
         const int32_t q[2] = {
-            t.x[0] + (int32_t)(((int64_t)(t.x[1] - t.x[0]) * u + (int64_t)(t.x[2] - t.x[0]) * v) / 65536),
-            t.y[0] + (int32_t)(((int64_t)(t.y[1] - t.y[0]) * u + (int64_t)(t.y[2] - t.y[0]) * v) / 65536)
+            t.x[0] + (int32_t)(((int64_t)(t.x[1] - t.x[0]) * u + (int64_t)(t.x[2] - t.x[0]) * v) /
+                               65536),
+            t.y[0] +
+                (int32_t)(((int64_t)(t.y[1] - t.y[0]) * u + (int64_t)(t.y[2] - t.y[0]) * v) / 65536)
         };
         /* rounded outside? then not here */
         const struct oracle_tri whole = to_oracle(&t);
@@ -522,7 +528,8 @@ static void dropped_points(struct prng *p, struct partition *m, const int32_t bo
         const int64_t area = oracle_area(&whole);
         if (parts != (area < 0 ? -area : area))
             continue;
-        const int32_t v0[2] = { t.x[0], t.y[0] }, v1[2] = { t.x[1], t.y[1] }, v2[2] = { t.x[2], t.y[2] };
+        const int32_t v0[2] = { t.x[0], t.y[0] }, v1[2] = { t.x[1], t.y[1] },
+                      v2[2] = { t.x[2], t.y[2] };
         m->t[at] = m->t[--m->n];
         partition_add(m, v0, v1, q);
         partition_add(m, v1, v2, q);
@@ -583,7 +590,8 @@ static int shared_case(uint64_t seed)
             if (want != (f.key[j * s.width + i] == 0))
                 ok = case_wrong("%s at (%d, %d)", want ? "a crack" : "a pixel outside", i, j);
         }
-    if (ok && (f.tested != inside || f.written != inside)) /* all keys are equal: a second hit shows */
+    /* all keys are equal: a second hit shows */
+    if (ok && (f.tested != inside || f.written != inside))
         ok = case_wrong("%u pixels inside, %u hits", inside, f.tested);
     pixels_compared += inside;
     easel_free(&f);
@@ -659,7 +667,7 @@ static const struct drawing drawings[] = {
         "........",
         "........",
         "........" } },
-    { { MID(4), MID(7), MID(1) }, { MID(0), MID(5), MID(5) }, /* a roof: its tip and its bottom edge are out */
+    { { MID(4), MID(7), MID(1) }, { MID(0), MID(5), MID(5) }, /* tip and bottom are out */
       { "........",
         "....#...",
         "...###..",
@@ -722,7 +730,9 @@ static void keys_saturate_and_never_wrap(void **state)
         s.depth_bits = bits;
         const uint32_t top = ((1u << bits) - 1u) << 16;
         struct easel_tri t = { { -GUARD + 320 * 128, GUARD + 320 * 128, 320 * 128 },
-                               { 240 * 128 - 4000, 240 * 128, GUARD + 240 * 128 }, { 0 }, { { 0 } } };
+                               { 240 * 128 - 4000, 240 * 128, GUARD + 240 * 128 },
+                               { 0 },
+                               { { 0 } } };
         for (int k = 0; k < 8; k++) { /* all ways of near and far corners */
             for (int v = 0; v < 3; v++)
                 t.d[v] = k >> v & 1 ? top : 0;
