@@ -3,11 +3,13 @@
  * SPDX-License-Identifier: MIT
  */
 #include <math.h>
+#include <stdlib.h>
 #include <string.h>
 
 #include "cases.h"
 #include "oracle.h"
 #include "easel.h"
+#include "pipeline.h"
 
 #define GUARD (8188 * 256)
 
@@ -317,6 +319,76 @@ static void coverage_and_keys_in_big_frames(void **state)
     worst_big = 0;
     CASES(big_frame, 32);
     print_message("frames up to 4096 px: keys off by at most %.5f buckets\n", worst_big);
+}
+
+/* ---- Gradients -------------------------------------------------------------------------------- */
+
+/* |g - 256 n / area| in ulps, modulo 2^32 ulps. */
+static double gradient_error(uint32_t g, __int128 n, int64_t area)
+{
+    __int128 off = ((__int128)g * area - n * 256) % ((__int128)area << 32);
+    if (off < 0)
+        off += (__int128)area << 32;
+    if (off > (__int128)area << 31)
+        off -= (__int128)area << 32;
+    return fabs((double)off / (double)area);
+}
+
+/* Of a snapped triangle: nearest where it is large, within 0.88 ulp where it is small (plane.c). */
+static int gradient_case(uint64_t seed)
+{
+    struct prng p = { seed };
+    const struct easel s = easel_default(320, 240);
+    struct easel_tri t;
+    random_tri(&p, seed % 3 ? KIND_SMALL : KIND_HUGE, &s, &t);
+    random_keys(&p, 65535u << 16, t.d);
+    struct oracle_tri o = to_oracle(&t);
+    const int turned = oracle_area(&o) < 0; /* planes want a positive area, from the top corner */
+    int top = 0;
+    for (int k = 1; k < 3; k++)
+        if (t.y[k] < t.y[top] || (t.y[k] == t.y[top] && t.x[k] < t.x[top]))
+            top = k;
+    struct zs_vertex v[3];
+    for (int k = 0; k < 3; k++) {
+        const int from = (top + (turned ? 3 - k : k)) % 3;
+        v[k].x = t.x[from];
+        v[k].y = t.y[from];
+        v[k].d = t.d[from];
+    }
+    struct zs_renderer r;
+    struct zs_job job;
+    memset(&r, 0, sizeof r);
+    memset(&job, 0, sizeof job);
+    r.config.width = 320;
+    r.config.height = 240;
+    job.r = &r;
+    job.width = 320;
+    for (int k = 0; k < 3; k++)
+        job.v[k] = &v[k];
+    const int64_t area = llabs(oracle_area(&o));
+    if (area == 0)
+        return 1;
+    job.geom.area = area;
+    zs_plane_geom(&job);
+    zs_plane32(&job.geom, v[0].d, v[1].d, v[2].d, ZS_PLANE_KEY, &job.key);
+    const int64_t dv1 = (int64_t)v[1].d - v[0].d, dv2 = (int64_t)v[2].d - v[0].d;
+    const __int128 nx = (__int128)dv1 * (v[2].y - v[0].y) - (__int128)dv2 * (v[1].y - v[0].y);
+    const __int128 ny = (__int128)dv2 * (v[1].x - v[0].x) - (__int128)dv1 * (v[2].x - v[0].x);
+    const double bound = spread(t.x) + spread(t.y) <= 65536 ? 0.88 : 0.5;
+    const double error = fmax(gradient_error(job.key.gx, nx, area),
+                              gradient_error(job.key.gy, ny, area));
+    worst_error = fmax(worst_error, bound < 0.6 ? 0 : error);
+    if (error > bound)
+        return wrong_at(&s, &t, 0, 0, "gradient, ulps", error);
+    return 1;
+}
+
+static void gradients_to_the_last_bit(void **state)
+{
+    (void)state;
+    worst_error = 0;
+    CASES(gradient_case, 200000);
+    print_message("gradients of small triangles: off by at most %.4f ulp\n", worst_error);
 }
 
 /* ---- Keys that are linear in distance, under perspective ------------------------------------- */
@@ -753,6 +825,7 @@ static const struct CMUnitTest tests[] = {
     cmocka_unit_test(triangles_drawn_by_hand),
     cmocka_unit_test(coverage_and_keys_of_single_triangles),
     cmocka_unit_test(coverage_and_keys_in_big_frames),
+    cmocka_unit_test(gradients_to_the_last_bit),
     cmocka_unit_test(linear_keys_under_perspective),
     cmocka_unit_test(keys_saturate_and_never_wrap),
     cmocka_unit_test(least_key_then_scene_order),

@@ -54,14 +54,15 @@ static int in_world(const int32_t p[3])
     return 1;
 }
 
-/* v times a power of two, the largest component in [2^29, 2^30), nearest. v is not 0. */
+/* v times a power of two, the largest component in [2^30, 2^31): exact but for a component of -2^31,
+ * with which all are halved. v is not 0. */
 static void stretch(int32_t out[3], const int32_t v[3])
 {
     uint32_t mag = 0;
     for (int k = 0; k < 3; k++)
         mag |= v[k] < 0 ? 0u - (uint32_t)v[k] : (uint32_t)v[k];
-    for (int k = 0; k < 3; k++) /* rounding up at the top can give 2^30 */
-        out[k] = (int32_t)zs_scale2(v[k], zs_clz32(mag) - 2);
+    for (int k = 0; k < 3; k++)
+        out[k] = mag >> 31 ? v[k] / 2 : v[k] * ((int32_t)1 << (zs_clz32(mag) - 1));
 }
 
 int zs_camera_look_along(struct zs_camera *camera, const int32_t eye[3], const int32_t dir[3],
@@ -78,10 +79,10 @@ int zs_camera_look_along(struct zs_camera *camera, const int32_t eye[3], const i
     stretch(u, up);
     for (int k = 0; k < 3; k++) { /* of the vectors as given: exact, so no error grows near parallel */
         const int i = (k + 1) % 3, j = (k + 2) % 3;
-        cross[k] = (int64_t)f[i] * u[j] - (int64_t)f[j] * u[i]; /* |.| <= 2^61 */
+        cross[k] = (int64_t)f[i] * u[j] - (int64_t)f[j] * u[i]; /* |.| < 2^63 - 2^32 */
         most |= cross[k] < 0 ? -cross[k] : cross[k];
     }
-    if (most >> 38 == 0) /* sin of the angle below about 2^-21: up says nothing any more */
+    if (most >> 40 == 0) /* sin of the angle below about 2^-21: up says nothing any more */
         return ZS_ERR_VECTOR;
     (void)zs_unit64(right, cross);
     for (int k = 0; k < 3; k++) {

@@ -11,7 +11,7 @@
 int zs_rotation_ok(const zs_q2_30 m[9]);
 /* out = a * b, nearest. out is neither a nor b. */
 void zs_rotation_mul(zs_q2_30 out[9], const zs_q2_30 a[9], const zs_q2_30 b[9]);
-/* v scaled to length 1, |component| <= 2^62. Return ZS_OK; ZS_ERR_VECTOR (0: out untouched). */
+/* v scaled to length 1, |component| < 2^63 - 2^32. Return ZS_OK; ZS_ERR_VECTOR (0: out untouched). */
 int zs_unit64(zs_q2_30 out[3], const int64_t v[3]);
 /* out = a x b for unit vectors, q2_30. out is neither. */
 void zs_cross(zs_q2_30 out[3], const zs_q2_30 a[3], const zs_q2_30 b[3]);
