@@ -321,7 +321,7 @@ static void coverage_and_keys_in_big_frames(void **state)
     print_message("frames up to 4096 px: keys off by at most %.5f buckets\n", worst_big);
 }
 
-/* ---- Gradients -------------------------------------------------------------------------------- */
+/* ---- Gradients ---------------------------------------------------------------------------- */
 
 /* |g - 256 n / area| in ulps, modulo 2^32 ulps. */
 static double gradient_error(uint32_t g, __int128 n, int64_t area)
