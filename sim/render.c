@@ -82,12 +82,11 @@ static void set_config(struct job *job)
 static int refuse_frame(const struct job *job, int err)
 {
     const struct sim_view *v = &job->view;
-    const double far_most = job->scene.unit * ZS_WORLD_MAX;
     if (err == SIM_FRAME_BROKEN)
         return sim_refuse(job->model.file, 0, "the renderer broke its sink's contract");
     return sim_refuse(job->model.file, 0,
-                      "the renderer cannot hold this view (%s): near %.9g, far %.9g, at most %.9g",
-                      zs_strerror(err), v->near_z, v->far_z, far_most);
+                      "the renderer cannot hold this view, near %.9g, far %.9g: %s", v->near_z,
+                      v->far_z, zs_strerror(err));
 }
 
 static int draw_frame(struct job *job)

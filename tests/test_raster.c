@@ -225,6 +225,16 @@ static int frame_right(const struct easel *s, const struct easel_tri *t,
     return 1;
 }
 
+/* Draw one triangle and compare its frame. */
+static int draws_right(const struct easel *s, const struct easel_tri *t, pixel_fn *pixel)
+{
+    struct easel_frame f;
+    easel_draw(s, t, 1, &f);
+    const int ok = frame_right(s, t, &f, pixel);
+    easel_free(&f);
+    return ok;
+}
+
 static int32_t spread(const int32_t v[3])
 {
     const int32_t lo = v[0] < v[1] ? v[0] : v[1], hi = v[0] < v[1] ? v[1] : v[0];
@@ -276,11 +286,7 @@ static int one_triangle(uint64_t seed)
     struct easel_tri t;
     random_tri(&p, (enum kind)(seed / N_SIZES % KINDS), &s, &t);
     random_keys(&p, ((1u << s.depth_bits) - 1u) << 16, t.d);
-    struct easel_frame f;
-    easel_draw(&s, &t, 1, &f);
-    const int ok = frame_right(&s, &t, &f, plane_pixel);
-    easel_free(&f);
-    return ok;
+    return draws_right(&s, &t, plane_pixel);
 }
 
 static void coverage_and_keys_of_single_triangles(void **state)
@@ -306,11 +312,7 @@ static int big_frame(uint64_t seed)
     struct easel_tri t;
     random_tri(&p, seed % 3 ? KIND_HUGE : KIND_BORDER, &s, &t);
     random_keys(&p, 65535u << 16, t.d);
-    struct easel_frame f;
-    easel_draw(&s, &t, 1, &f);
-    const int ok = frame_right(&s, &t, &f, plane_pixel);
-    easel_free(&f);
-    return ok;
+    return draws_right(&s, &t, plane_pixel);
 }
 
 static void coverage_and_keys_in_big_frames(void **state)

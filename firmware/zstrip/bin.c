@@ -24,10 +24,9 @@ static ZS_NOINLINE uint32_t fold(uint32_t v, uint32_t n)
     return v % n;
 }
 
-/* Where vert_map looks for vertex v. */
-static uint32_t map_index(const struct zs_renderer *r, uint32_t v)
+/* Where vert_map, of n entries, looks for vertex v. */
+static inline uint32_t map_index(uint32_t v, uint32_t n)
 {
-    const uint32_t n = r->config.max_verts;
     return v < n ? v : fold(v, n);
 }
 
@@ -122,7 +121,7 @@ static void verts_compact(struct zs_renderer *r)
     set_base(r, base);
     for (uint32_t v = base; v < kept; v++)
         if (r->vert_src[v] != NO_SOURCE)
-            r->vert_map[map_index(r, r->vert_src[v])] = (uint16_t)v;
+            r->vert_map[map_index(r->vert_src[v], r->config.max_verts)] = (uint16_t)v;
 }
 
 static int roomy(const struct zs_renderer *r)
@@ -168,7 +167,7 @@ static ZS_NOINLINE uint32_t vertex_add(struct zs_renderer *r, uint32_t v)
         return ZS_NIL;
     const uint32_t slot = r->n_verts++;
     r->vert_src[slot] = (uint16_t)v;
-    r->vert_map[map_index(r, v)] = (uint16_t)slot;
+    r->vert_map[map_index(v, r->config.max_verts)] = (uint16_t)slot;
     r->stats.verts_transformed++;
 
     struct zs_point p;
@@ -196,7 +195,7 @@ static inline int corner_slots(struct zs_renderer *r, const uint16_t index[3], u
     uint32_t n = r->n_verts;
     for (int k = 0; k < 3; k++) {
         const uint32_t v = index[k];
-        uint32_t s = map[v < cap ? v : fold(v, cap)];
+        uint32_t s = map[map_index(v, cap)];
         if (s >= n || s < base || src[s] != v) {
             s = vertex_add(r, v);
             if (s == ZS_NIL)
