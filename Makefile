@@ -3,7 +3,7 @@ CC = gcc
 B = build
 CFLAGS = -O2 -g
 WARN = -Wall -Wextra -Werror -Wconversion -Wshadow -Wvla -Wstrict-prototypes \
-       -Wmissing-prototypes -Wdouble-promotion
+       -Wmissing-prototypes -Wdouble-promotion -Wno-missing-field-initializers
 INC = -Ifirmware/zstrip -Ifirmware/scenes -Ihal -I$(B)/gen -Isim -Isim/reference
 CORE = $(wildcard firmware/zstrip/*.c)
 SCENES = $(wildcard firmware/scenes/*.c)

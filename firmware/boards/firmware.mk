@@ -13,6 +13,7 @@ SRC = firmware/app/$(APP).c hal/$(BOARD_HAL)/hal.c $(BOARD_SRC) $(wildcard firmw
 OBJ = $(patsubst %.c,$(OUT)/%.o,$(SRC))
 CFLAGS = -std=c11 $(BOARD_CPU) $(OPT) -g -ffunction-sections -fdata-sections -MMD -MP \
          -Wall -Wextra -Werror -Wconversion -Wshadow -Wvla -Wstrict-prototypes -Wmissing-prototypes \
+         -Wno-missing-field-initializers \
          -Ihal -Ifirmware/zstrip -Ifirmware/scenes -I$(B)/gen
 
 .DELETE_ON_ERROR:

@@ -14,7 +14,10 @@
  *           exactly the pixels of the top-left rule are drawn. Ends are half-open [y0, y1).
  * Depth     unsigned 16-bit keys, 0 nearest. Keys saturate at 2^bits - 2; ZS_DEPTH_CLEAR is what
  *           nothing writes. The least (key, scene order) wins: on equal keys the earlier triangle
- *           of the earlier instance stays.
+ *           of the earlier instance stays. Instances can ask for something else (struct zs_state);
+ *           then what counts is scene order, as if triangles were drawn one after another.
+ * Textures  u to the right, v down, texel (column, row) from the top left covers u in
+ *           [column, column + 1) / width; the texel that holds the sample is taken (nearest).
  * Colour    light is linear in the given RGB values; the frame leaves as RGB565, most significant
  *           byte first.
  * Numbers   qI_F signed and uqI_F unsigned fixed point: I integer bits (sign included), F
@@ -22,7 +25,7 @@
  * Promise   the frame is a function of scene, camera and profile (frame size, sub-pixel bits, depth
  *           mapping and bits). Strip height, pool sizes, buffers, skips, compiler and machine do
  *           not change a bit of it.
- * Not here  textures, blending, anti-aliasing, perspective shadows, more than one light, lighting of
+ * Not here  texture filtering and mipmaps, blending, anti-aliasing, perspective shadows, more than one light, lighting of
  *           back sides (a side that is turned away from the light gets ambient light alone),
  *           non-uniform or negative scale, more than one thread in one renderer.
  *
@@ -95,6 +98,40 @@ static inline uint16_t zs_rgb565(uint8_t r, uint8_t g, uint8_t b)
 
 /* ---- Scene: all of it const, all of it may lie in flash ------------------------------------- */
 
+struct zs_texel; /* how texels are stored: one of the three below */
+extern const struct zs_texel zs_texel_565;  /* uint16_t [height][width], RGB565 values */
+extern const struct zs_texel zs_texel_pal8; /* uint8_t [height][width], into the palette */
+extern const struct zs_texel zs_texel_pal4; /* uint8_t [height][width / 2], the left texel in the low
+                                               four bits; width >= 2 */
+
+enum zs_clamp { /* or-ed; what is not clamped is repeated */
+    ZS_CLAMP_U = 1, /* left of the texture its first column goes on, right of it its last */
+    ZS_CLAMP_V = 2
+};
+
+#define ZS_TEXTURE_LOG2_MAX 10u
+
+/* An image of a power of two each way. All of it may lie in flash. */
+struct zs_texture {
+    const struct zs_texel *format;
+    const void *texel;       /* rows from the top; aligned as its elements */
+    const uint16_t *palette; /* [n_colors], RGB565 values; NULL with zs_texel_565 */
+    uint16_t n_colors;       /* 1 .. 256, or .. 16; no texel may be >= n_colors (zs_texture_check) */
+    uint8_t log2_w, log2_h;  /* 0 .. ZS_TEXTURE_LOG2_MAX */
+    uint8_t clamp;           /* enum zs_clamp; 0 repeats both ways */
+};
+
+/* A run of a mesh's triangles that lie close together. */
+struct zs_cluster {
+    uint32_t first;    /* triangle */
+    uint16_t n_tris;   /* >= 1 */
+    int16_t center[3]; /* of a sphere around their vertices, steps */
+    uint16_t radius;   /* of that sphere, steps, rounded up */
+    int8_t axis[3];    /* of the cone around their normals, 127 is 1 */
+    int8_t cutoff;     /* 127 is 1. All of them turn their backs to an eye for which
+                          (center - eye) . axis >= cutoff * |center - eye| + radius; 127: never */
+};
+
 /* Triangles over shared vertices. World position of a vertex before its instance's pose:
  * pos * scale, or (pos + pos_lo / 256) * scale where pos_lo is given. */
 struct zs_mesh {
@@ -111,16 +148,29 @@ struct zs_mesh {
     zs_uq16_16 scale;                /* world units to a step, > 0 */
     int16_t center[3];               /* of a sphere around all vertices, steps */
     uint16_t radius;                 /* of that sphere, steps, rounded up: too small loses parts */
+    const int16_t (*uv)[2];          /* [n_verts], textured shading: 2^-uv_bits of the texture's width
+                                        and height; NULL unless that reads it */
+    uint8_t uv_bits;                 /* 0 .. 15; 12 holds eight repeats each way to 1/16 texel of 256 */
+    const struct zs_cluster *cluster; /* [n_clusters], all triangles in order; NULL: not known */
+    uint32_t n_clusters;
 };
 
-struct zs_shader; /* how a triangle gets its colour: one of the three below */
+struct zs_shader; /* how a triangle gets its colour: one of the six below */
 extern const struct zs_shader zs_shade_raw;    /* a colour a face, unlit */
 extern const struct zs_shader zs_shade_flat;   /* a colour a face, lit once for the face */
 extern const struct zs_shader zs_shade_smooth; /* lit at the vertices, interpolated (Gouraud),
                                                   perspective-correct; needs mesh.normal and
                                                   config.attrs >= ZS_ATTRS_SMOOTH */
+/* Textured, perspective-correct: texels within 1/8 of a texel's width of where they belong (NUMERICS.md);
+ * need mesh.uv and material.texture. The texture's colour is multiplied by light, not by material.rgb. */
+extern const struct zs_shader zs_shade_texture;        /* unlit; config.attrs >= ZS_ATTRS_TEXTURE */
+extern const struct zs_shader zs_shade_texture_flat;   /* lit once for the face; the same */
+extern const struct zs_shader zs_shade_texture_smooth; /* lit at the vertices; needs mesh.normal and
+                                                          config.attrs >= ZS_ATTRS_TEXTURE_SMOOTH */
 #define ZS_ATTRS_FLAT 0u   /* 16-bit words a vertex that raw and flat shading need */
 #define ZS_ATTRS_SMOOTH 3u /* the same for smooth shading */
+#define ZS_ATTRS_TEXTURE 2u
+#define ZS_ATTRS_TEXTURE_SMOOTH 3u
 
 enum zs_cull {
     ZS_CULL_BACK = 0,  /* triangles that turn clockwise on the screen are not drawn */
@@ -132,6 +182,7 @@ struct zs_material {
     const struct zs_shader *shader;
     struct zs_rgb rgb; /* where the mesh gives no colour */
     uint8_t cull;      /* enum zs_cull */
+    const struct zs_texture *texture; /* textured shading; else NULL */
 };
 
 /* Where something stands: x_world = rot * (scale * x) + pos. */
@@ -141,10 +192,26 @@ struct zs_pose {
     zs_uq16_16 scale; /* > 0; ZS_Q16_ONE leaves the mesh at its own scale */
 };
 
+struct zs_job;
+
+/* How an instance meets the depth buffer, where not as usual. Make it by ZS_STATE. Where an offset would
+ * take a key beyond 0 or 2^bits - 2, it stops there. */
+struct zs_state {
+    void (*rows)(struct zs_job *job); /* zs_state_rows: linked only where a state is named */
+    uint8_t equal;     /* 0: less - on equal keys what was drawn stays. 1: less or equal - the later wins */
+    uint8_t read_only; /* 1: tested, but keys are not written */
+    int16_t offset;    /* buckets added to every key; < 0: towards the eye */
+    int16_t slope;     /* q8_8: times the larger of the key's changes by one pixel right and down, rounded
+                          to whole buckets and added as well; by the triangle's vertices */
+};
+void zs_state_rows(struct zs_job *job); /* the library's; not for calling */
+#define ZS_STATE(equal, read_only, offset, slope) { zs_state_rows, equal, read_only, offset, slope }
+
 struct zs_instance {
     const struct zs_mesh *mesh;
     const struct zs_material *material;
     struct zs_pose pose;
+    const struct zs_state *state; /* NULL: nearer wins and writes its key */
 };
 
 /* A colour channel becomes channel * (ambient + diffuse * max(0, normal . dir)), at most full. */
@@ -179,6 +246,15 @@ struct zs_depth; /* how a distance becomes a key, b bits, B = 2^b */
 extern const struct zs_depth zs_depth_recip;  /* (1/n - 1/z) / (1/n - 1/f) * (B - 1), perspective */
 extern const struct zs_depth zs_depth_linear; /* (z - n) / (f - n) * (B - 1), any camera; under
                                                  perspective it takes a reciprocal a pixel */
+
+/* near / z as an unsigned float of e exponent and b - e mantissa bits (e3m13 in 16 bits), taken from 2^b:
+ * with 2^-(k+1) <= r = near / z <= 2^-k, k at most 2^e - 2 (then from 0), and m = b - e,
+ *   key = 2^b - ((2^e - 2 - k) 2^m + r 2^(k+1+m))
+ * 0 at near; a bucket is 2^-(m+1) .. 2^-m of the distance while z < near * 2^(2^e - 1); beyond that, its
+ * width in r stays. Perspective. */
+extern const struct zs_depth zs_depth_e3m13; /* to z = 128 near; finest */
+extern const struct zs_depth zs_depth_e4m12; /* to z = 32,768 near */
+extern const struct zs_depth zs_depth_e5m11; /* to all distances */
 
 /* Work that is left out where it cannot change the picture. All are on unless named in
  * config.skip_off; switching one off costs time and changes no bit of the frame. */
@@ -311,6 +387,38 @@ int zs_frame_end(struct zs_renderer *r);
 
 /* Counts of the frame begun last; never NULL. Valid as long as r. */
 const struct zs_stats *zs_frame_stats(const struct zs_renderer *r);
+
+/* ---- Data that cannot be trusted: a mesh from a card, a texture from a file ------------------------ */
+
+enum zs_flaw {
+    ZS_FLAW_NONE = 0,
+    ZS_FLAW_NULL,        /* pos, tri, texel, palette or format missing */
+    ZS_FLAW_COUNT,       /* more than 65535 vertices; index: how many */
+    ZS_FLAW_SCALE,       /* scale is 0 */
+    ZS_FLAW_INDEX,       /* index: a triangle with a vertex number >= n_verts */
+    ZS_FLAW_SPHERE,      /* index: a vertex outside the mesh's sphere */
+    ZS_FLAW_NORMAL,      /* index: a vertex whose normal is not of length 1 (0.98 .. 1.02, or 0) */
+    ZS_FLAW_FACE_NORMAL, /* index: a face, the same */
+    ZS_FLAW_UV_BITS,     /* uv_bits above 15; index: what they are */
+    ZS_FLAW_CLUSTERS,    /* index: a cluster that does not go on where the one before ended, or is empty */
+    ZS_FLAW_CLUSTER_SPHERE, /* index: a cluster with a vertex outside its sphere */
+    ZS_FLAW_CLUSTER_CONE, /* index: a cluster with a triangle that its cone does not hold */
+    ZS_FLAW_SIZE,        /* texture: log2_w or log2_h out of range; index: the larger */
+    ZS_FLAW_COLORS,      /* texture: n_colors out of range; index: n_colors */
+    ZS_FLAW_CLAMP,       /* texture: not an enum zs_clamp */
+    ZS_FLAW_TEXEL        /* texture: index: row * width + column of a texel >= n_colors */
+};
+
+/* What is wrong first: everything that a renderer could read out of bounds or draw wrongly. Reads all of
+ * the mesh (texture) and nothing beyond its counts; draws nothing. What passes is drawn without a read out
+ * of bounds by every shader that zs_frame_begin accepts for it.
+ * index   where: which triangle, vertex, cluster or texel; 0 where nothing is named. NULL: not wanted.
+ * Return  ZS_FLAW_NONE or the flaw. mesh, texture NULL: ZS_FLAW_NULL.
+ * Cost    linear; once after loading. */
+enum zs_flaw zs_mesh_check(const struct zs_mesh *mesh, uint32_t *index);
+enum zs_flaw zs_texture_check(const struct zs_texture *texture, uint32_t *index);
+/* One English clause for a flaw, without a full stop; never NULL. Static storage. */
+const char *zs_strflaw(enum zs_flaw flaw);
 
 /* ---- Integer helpers: angles, poses, cameras -------------------------------------------------- */
 

@@ -48,8 +48,8 @@ int main()
     mesh.n_tris = 2;
     mesh.scale = ZS_Q16_ONE;
     mesh.radius = 13;
-    const zs_material material{ &zs_shade_raw, { 255, 255, 255 }, ZS_CULL_BACK };
-    zs_instance instance{ &mesh, &material, {} };
+    const zs_material material{ &zs_shade_raw, { 255, 255, 255 }, ZS_CULL_BACK, nullptr };
+    zs_instance instance{ &mesh, &material, {}, nullptr };
     zs_pose_identity(&instance.pose);
     const zs_scene scene{ &instance, 1, {}, zs_rgb565(0, 0, 0) };
     zs_camera camera{};
