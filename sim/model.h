@@ -55,12 +55,13 @@ struct sim_want {
  *
  * Colours: want->color, else vertex colours, else the material's diffuse colour, else 204 204 204.
  *
- * Textures: OBJ with MTL (map_Kd), glTF (baseColorTexture, times baseColorFactor), and what else
- * assimp gives as diffuse texture; PNG or JPEG, in files, data URIs or the model itself. A file is
- * looked for at the path that the model gives, from the model's folder, then under its bare name
- * there. Refused: a picture that is missing or broken; want->picture where no face has uv; mirrored
- * repeat where a face leaves the picture, unless want->wrap says otherwise. Vertex colours are not
- * multiplied into textures, and alpha is dropped.
+ * Textures: OBJ with MTL (map_Kd with -s, -o and -clamp, times Kd unless that is black), glTF
+ * (baseColorTexture, times baseColorFactor), and what else assimp gives as diffuse texture; PNG or
+ * JPEG, in files, data URIs or the model itself. A file is looked for at the path that the model
+ * gives, from the model's folder, then under its bare name there. Refused: a picture that is missing
+ * or broken; want->picture where no face has uv; mirrored repeat where a face leaves the picture,
+ * unless want->wrap says otherwise; uv that a material rotates. Vertex colours are not multiplied
+ * into textures, and alpha is dropped.
  *
  * Return  SIM_OK; SIM_REFUSED, said why, *model empty. sim_model_free in either case. */
 int sim_model_load(struct sim_model *model, const char *file, const struct sim_want *want);
