@@ -535,11 +535,11 @@ static int take_corner(struct load *l, const struct aiMesh *mesh, unsigned v,
         take_normal(out->normal, mesh, v, at->normals);
     if (at->use != NULL && !take_uv(l, mesh, v, at->use, out->uv))
         *has_uv = 0;
-    if (!isfinite(out->uv[0]) || !isfinite(out->uv[1]))
+    if (!(fabs(out->uv[0]) <= SIM_UV_MAX && fabs(out->uv[1]) <= SIM_UV_MAX))
         return sim_refuse(l->file, 0,
-                          "vertex %u of mesh '%s' has a texture coordinate that is not finite; "
-                          "export the model again",
-                          v + 1, mesh->mName.data);
+                          "vertex %u of mesh '%s' has the texture coordinates %g, %g; the picture "
+                          "is 0 to 1, and zsim takes up to %g",
+                          v + 1, mesh->mName.data, out->uv[0], out->uv[1], SIM_UV_MAX);
     return SIM_OK;
 }
 

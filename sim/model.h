@@ -11,6 +11,7 @@
 #include "zstrip.h"
 
 #define SIM_NO_TEXTURE UINT32_MAX
+#define SIM_UV_MAX 1e6 /* repeats */
 
 /* A material that triangles name. */
 struct sim_material {
@@ -26,7 +27,8 @@ struct sim_model {
     float (*normal)[3][3];   /* [n_tris], unit, by corner; NULL: not asked for */
     struct zs_rgb (*rgb)[3]; /* [n_tris], by corner */
     double (*uv)[3][2];      /* [n_tris], by corner: u to the right, v down from the top of the
-                                picture, 1 is once around; finite; NULL: not asked for */
+                                picture, 1 is once around; |uv| <= SIM_UV_MAX; NULL: not
+                                asked for */
     uint8_t *has_uv;         /* [n_tris], 0: the file gives this face none, uv is 0; NULL as uv */
     uint32_t *tri_material;  /* [n_tris], into material */
     struct sim_material *material; /* [n_materials]; some may be used by no triangle */
