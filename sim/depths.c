@@ -27,7 +27,7 @@ static const struct {
 #define N_MAPPINGS (sizeof mappings / sizeof mappings[0])
 
 static const double ratios[] = { 10, 100, 1000, 10000, 100000 };
-static const double places[] = { 1.2, 3, 10, 30, 100, 1000, 10000, 80000 }; /* times near */
+static const double places[] = { 1.2, 3, 8, 30, 80, 300, 800, 3000, 8000, 30000, 80000 }; /* times near */
 
 /* A wall across the view on a grid of 24 bits; its corners in steps of 2^-8. */
 struct wall {
