@@ -103,7 +103,7 @@ static void coordinate(struct zs_job *job, const uint16_t *const a[3], int c, ui
     for (int k = 0; k < 3; k++)
         any |= out->above[k] = (uint32_t)(a[k][c] - least);
     out->up = zs_clz32(any) - 16; /* 0 .. 15 */
-    s->shift[c] = 17 - out->up - (int32_t)uv_bits;
+    s->shift[c] = (int8_t)(17 - out->up - (int32_t)uv_bits);
     s->base[c] = shifted(least - 32768, 32 - (int32_t)uv_bits) +
                  ((uint64_t)1 << (32 - BIAS_LOG2 - (int32_t)log2));
     out->texels = 16 - out->up - (int32_t)uv_bits + (int32_t)(log2 > FLOOR_LOG2 ? log2 : FLOOR_LOG2);
