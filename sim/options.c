@@ -44,7 +44,7 @@ const char sim_options_help[] =
     "Look\n"
     "  --shade id|flat|smooth|textured|textured-flat|unlit (flat)\n"
     "                       textured: texels times smooth light, textured-flat: times a face's,\n"
-    "                       unlit: texels alone; faces without a texture: smooth, flat, as they are\n"
+    "                       unlit: texels alone; faces without a texture: smooth, flat, raw\n"
     "  --texture T.png      one picture (PNG or JPEG) for all faces in place of the model's own.\n"
     "                       A side that is no power of two up to 1024 becomes the nearest one by\n"
     "                       averaging areas (texture_resampled of --stats); alpha is dropped\n"

@@ -347,7 +347,8 @@ static void print_diff(const struct ref_diff *d)
         d->channel_max_diff, d->psnr_db);
     if (d->texels > 0)
         (void)printf("Texels: %zu of %zu are not the reference's, %zu of them more than 1/8 texel "
-                     "from where they belong (at most %.3f). Colours are compared where they are.\n",
+                     "from where they belong (at most %.3f). Colours are compared where they "
+                     "are.\n",
                      d->texel_differ, d->texels, d->texel_far, d->texel_max_distance);
 }
 

@@ -366,12 +366,13 @@ for how in '--strip 1' '--strip 240' '--tris 7' '--verts 9' '--buffers 1' '--ski
     same whole part
 done
 
-# Faces 1 and 2: four.png; 3 and 4: a colour; 5 and 6: numbers.png; 7 and 8: four.png without uv
+# Faces 1 and 2: four.png; 3 and 4: a colour; 5 and 6: numbers.png; 7 and 8: four.png, but
+# one corner has no uv, so the face has none
 begin materials_in_file_order
 obj mixed 'mtllib mixed.mtl' 'v -50 -50 0' 'v 0 -50 0' 'v 0 0 0' 'v -50 0 0' 'v 50 -50 0' 'v 50 0 0' \
     'v 0 50 0' 'v -50 50 0' 'v 50 50 0' 'vt 0 0' 'vt 1 0' 'vt 1 1' 'vt 0 1' \
     'usemtl A' 'f 4/1 3/2 7/3 8/4' 'usemtl B' 'f 3/1 6/2 9/3 7/4' 'usemtl C' 'f 1/1 2/2 3/3 4/4' \
-    'usemtl A' 'f 2 5 6 3'
+    'usemtl A' 'f 2/1 5/2 6/3 3'
 printf '%s\n' 'newmtl A' 'Kd 1 1 1' 'map_Kd four.png' 'newmtl B' 'Kd 0 1 0' 'newmtl C' \
     'map_Kd numbers.png' >mixed.mtl
 draw mixed mixed.obj $plain --shade unlit
