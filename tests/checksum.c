@@ -29,8 +29,8 @@ static uint16_t colors[256];
 struct page {
     const char *name;
     struct zs_config config;
-    struct zs_material material[4];
-    struct zs_instance instance[4];
+    struct zs_material material[5];
+    struct zs_instance instance[5];
     struct zs_scene scene;
     struct zs_camera camera;
 };
@@ -264,22 +264,23 @@ static void page_textured_ortho(struct page *p)
     cover(p, 1, 0, &texture_pal4, 0);
 }
 
-/* A ball and the ground, each twice in one place: tested only, or equal, or moved by its slope. */
+/* A ball and the ground, again where they are: equal, before what is there without a key of its own,
+ * and moved by its slope. */
 static void page_states(struct page *p)
 {
-    static const struct zs_state lent = ZS_STATE(0, 1, -3, 0), later = ZS_STATE(1, 0, 0, 0);
+    static const struct zs_state later = ZS_STATE(1, 0, 0, 0), lent = ZS_STATE(0, 1, -400, 0);
     static const struct zs_state leans = ZS_STATE(0, 0, 40, -300);
     page_clipped(p, "depth states, e5m11 keys", &zs_depth_e5m11);
     p->scene.n_instances = 1;
     add(p, &shapes[1], &zs_shade_flat, 0, 200, 0, ZS_CULL_NONE);
     add(p, &shapes[1], &zs_shade_texture, 0, 200, 0, ZS_CULL_NONE);
+    add(p, &shapes[1], &zs_shade_raw, 600, -1200, 0, ZS_CULL_NONE);
     add(p, &shapes[0], &zs_shade_smooth, 0, -880, 0, ZS_CULL_NONE);
     p->instance[2].pose = p->instance[1].pose;
-    p->instance[3].pose = p->instance[0].pose;
-    p->instance[1].state = &lent;
+    p->instance[4].pose = p->instance[0].pose;
     cover(p, 2, 1, &texture_565, &later);
-    p->instance[3].state = &leans;
-    p->material[3].rgb.r = 20;
+    p->instance[3].state = &lent;
+    p->instance[4].state = &leans;
 }
 
 static void page_coarse_float(struct page *p)
