@@ -228,7 +228,7 @@ static enum zs_flaw clusters_check(const struct zs_mesh *m, uint32_t *index)
     for (uint32_t i = 0; i < m->n_clusters; i++)
         if (!cluster_cone(m, &m->cluster[i]))
             return found(ZS_FLAW_CLUSTER_CONE, index, i);
-    return ZS_FLAW_NONE;
+    return found(ZS_FLAW_NONE, index, 0);
 }
 
 /* ---- Meshes ------------------------------------------------------------------------------------ */
