@@ -75,6 +75,8 @@ EVERYTHING='extern struct zs_material other[2];
     (void)zs_camera_look_along(&camera, v, v + 3, v + 6);
     (void)zs_camera_orbit(&camera, v, 10, 20, 30);
     anything[3] = zs_frame_stats(&renderer)->passes;
+    anything[5] = (uint32_t)zs_strflaw(zs_mesh_check(&mesh, anything))[0];
+    anything[6] = (uint32_t)zs_texture_check((const struct zs_texture *)anything, anything);
     material = other[anything[4]];'
 OTHERS='struct zs_material other[2] = { { &zs_shade_raw, { 0, 0, 0 }, 0 }, { &zs_shade_smooth, { 0, 0, 0 }, 0 } };'
 

@@ -4,12 +4,16 @@
 # SPDX-License-Identifier: MIT
 . "$(dirname "$0")/common.sh"
 
+# Checks of loaded data: in no firmware that does not call them.
+CHECKS='zs_mesh_check zs_texture_check zs_strflaw'
+
 # SHADER DEPTH PATTERN...: a firmware with these must hold no symbol that matches.
 without() {
     name="$c $1 and $2 alone"
     minimal "$dir/main.c" "$1" "$2"
     if link "$c" "$dir" "$dir/main.c" "$dir/part.elf"; then
-        none "$name" "$(${ARM}nm "$dir/part.elf" | awk '{ print $NF }' | grep -E "$3")"
+        none "$name" "$(${ARM}nm "$dir/part.elf" | awk '{ print $NF }' |
+            grep -E "$3|^($(echo "$CHECKS" | tr ' ' '|'))")"
     else
         bad "$name" "does not link"
     fi
@@ -30,7 +34,7 @@ for c in $CPUS; do
     gone=
     for s in zs_shade_raw zs_shade_flat zs_shade_smooth raw_face flat_face smooth_face zs_depth_recip \
         zs_depth_linear recip_setup linear_setup linear_rows zs_solid_rows zs_pose_turn \
-        zs_camera_orbit zs_strerror; do
+        zs_camera_orbit zs_strerror $CHECKS; do
         echo "$all" | grep -q "^$s" || gone="$gone $s"
     done
     none "$c everything holds every name looked for" "$gone"
