@@ -25,3 +25,13 @@ checksum-programs: $(CHECKSUMS)
 $(CHECKSUMS): tests/checksum.c $(CORE) $(HEADERS)
 	@mkdir -p $(@D)
 	@$(word 2,$(subst -, ,$(@F))) -std=c11 -$(word 3,$(subst -, ,$(@F))) $(INC) $(filter %.c,$^) -o $@
+
+# Fuzzers: the interface by seeds, and data as from a card by libFuzzer (make fuzz) or by mutations of its
+# seeds (make test)
+FUZZ_HEADERS = $(wildcard tests/fuzz/*.h)
+fuzz-programs: $(B)/fuzz/fuzz_api
+$(B)/test/tests/fuzz/%.o: TEST_CC += -Itests/fuzz
+$(B)/test/tests/fuzz/%.o: $(FUZZ_HEADERS)
+$(B)/fuzz/fuzz_api: $(call t,tests/fuzz/fuzz_api.c tests/fuzz/world.c) $(B)/test/libtest.a
+	@mkdir -p $(@D)
+	@$(CC) $(SAN) $^ -lm -o $@
