@@ -26,12 +26,17 @@ $(CHECKSUMS): tests/checksum.c $(CORE) $(HEADERS)
 	@mkdir -p $(@D)
 	@$(word 2,$(subst -, ,$(@F))) -std=c11 -$(word 3,$(subst -, ,$(@F))) $(INC) $(filter %.c,$^) -o $@
 
-# Fuzzers: the interface by seeds, and data as from a card by libFuzzer (make fuzz) or by mutations of its
-# seeds (make test)
-FUZZ_HEADERS = $(wildcard tests/fuzz/*.h)
-fuzz-programs: $(B)/fuzz/fuzz_api
+# Fuzzers: the interface by seeds (fuzz_api); cards of meshes and textures by libFuzzer (fuzz_mesh, make fuzz
+# alone) and by mutations of its seeds (cards)
+fuzz_objects = $(call t,$(patsubst %,tests/fuzz/%.c,$(1))) $(B)/test/libtest.a
+fuzz-programs: $(B)/fuzz/fuzz_api $(B)/fuzz/cards
 $(B)/test/tests/fuzz/%.o: TEST_CC += -Itests/fuzz
-$(B)/test/tests/fuzz/%.o: $(FUZZ_HEADERS)
-$(B)/fuzz/fuzz_api: $(call t,tests/fuzz/fuzz_api.c tests/fuzz/world.c) $(B)/test/libtest.a
+$(B)/fuzz/fuzz_api: $(call fuzz_objects,fuzz_api world)
 	@mkdir -p $(@D)
-	@$(CC) $(SAN) $^ -lm -o $@
+	@$(CC) $(SAN) $^ -o $@
+$(B)/fuzz/cards: $(call fuzz_objects,cards fuzz_mesh world)
+	@mkdir -p $(@D)
+	@$(CC) $(SAN) $^ -o $@
+$(B)/fuzz/fuzz_mesh: tests/fuzz/fuzz_mesh.c tests/picture.c $(CORE) $(HEADERS)
+	@mkdir -p $(@D)
+	@$(subst $(CC) ,clang ,$(TEST_CC)) -Itests/fuzz -fsanitize=fuzzer $(filter %.c,$^) -o $@

@@ -444,8 +444,8 @@ void world_make(struct world *w, struct prng *p, uint32_t odd)
         texture_make(w, &w->texture[i], p, odd * 2u);
     materials(w, p, odd);
     const int64_t size = size_of(w);
-    w->scene.n_instances = prng_pick(p, WORLD_INSTANCES);
-    w->scene.instance = w->instance = block(w, w->scene.n_instances * sizeof *w->instance);
+    w->scene.n_instances = w->n_instances = prng_pick(p, WORLD_INSTANCES);
+    w->scene.instance = w->instance = block(w, w->n_instances * sizeof *w->instance);
     instances(w, p, size, odd);
     light(&w->scene.light, p, odd);
     camera_make(w, p, size, odd);
@@ -494,7 +494,7 @@ void world_print(const struct world *w)
     fprintf(stderr, "camera: projection %u, focal %.6g px, height %.6g, near %.6g, far %.6g, eye %d %d %d\n",
             c->projection, (double)c->focal / 4294967296.0, (double)c->height / 65536.0,
             (double)c->z_near / 65536.0, (double)c->z_far / 65536.0, c->pos[0], c->pos[1], c->pos[2]);
-    for (uint32_t i = 0; w->scene.instance && i < w->scene.n_instances && i < WORLD_INSTANCES; i++) {
+    for (uint32_t i = 0; i < w->n_instances; i++) {
         const struct zs_instance *in = &w->instance[i];
         const char *shader = "no";
         for (size_t k = 0; in->material && k < KINDS(kind_shaders); k++)

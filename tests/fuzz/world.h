@@ -23,7 +23,8 @@ struct world {
     struct zs_texture texture[WORLD_TEXTURES];
     struct zs_material material[WORLD_MATERIALS];
     struct zs_state state[WORLD_STATES];
-    struct zs_instance *instance; /* [scene.n_instances] */
+    struct zs_instance *instance; /* [n_instances]; the scene may name fewer, none or too many */
+    uint32_t n_instances;
     struct zs_scene scene;
     struct zs_camera camera;
     int trusted; /* 1: every mesh keeps its sphere and its clusters: what is skipped is empty */
