@@ -43,6 +43,10 @@ fuzz: $(B)/.setup-fuzz
 bench: $(B)/.setup-test $(B)/gen/meshes.h
 	@sh tests/checks/bench.sh $(B)
 
+## depth: which depth mapping separates what, and what each costs on Cortex-M3 and M0
+depth: sim $(B)/.setup-test
+	@sh tests/checks/depth.sh $(B)
+
 ## sim: build/zsim
 sim: $(B)/.setup-sim
 	@$(MAKE) --no-print-directory -j2 $(B)/zsim
@@ -66,7 +70,7 @@ clean:
 ## help: this list
 help:
 	@sed -n 's/^## /    /p' Makefile
-.PHONY: all demo test fuzz bench sim pictures size stack check clean help test-programs fuzz-programs
+.PHONY: all demo test fuzz bench depth sim pictures size stack check clean help test-programs fuzz-programs
 
 $(B)/.setup-sim:
 	@mkdir -p $(B) && .ci/setup $(PKG_SIM) && touch $@

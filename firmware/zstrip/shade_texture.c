@@ -1,9 +1,9 @@
 /* Textured shading: nearest texel, perspective-correct, unlit or times light.
  *
- * Coordinates. A vertex carries u and v as in the mesh, biased to be unsigned. A triangle brings each to
- * un = (u - least u) * 2^s, s as large as 16 bits allow, so that small differences keep their bits, and carries
- * U = un * 2^15 (affine) or U / 2^31 * w over the screen (persp.h): 31 bits either way. A run turns U into
- * 2^-32 repeats of the texture: base + U * 2^shift.
+ * Coordinates. A vertex carries u and v as in the mesh, biased to be unsigned. A triangle takes the least u (v) of
+ * its corners for its base and carries what is above it. Affine: in 2^-32 repeats, or in 2^s of them where that
+ * would need more than 29 bits; shifted up at once, modulo one repeat, which a shift to the left survives. By
+ * sub-spans: normalised to un, 16 bits, so that small differences keep their bits, times w (persp.h).
  *
  * Sub-spans. The error of affine interpolation is held below 1/8 texel of the texture, or of one of 128 where it
  * is smaller: T (rho - 1) / 4 <= 1/8, with T the texels that the triangle spans, rho its ratio of w. Over L pixels
@@ -86,22 +86,70 @@ static inline uint64_t shifted(int64_t v, int32_t shift)
     return shift >= 0 ? (uint64_t)v << shift : (uint64_t)(v >> -shift);
 }
 
-/* Values of one coordinate at the vertices, un, and the sampler's way back. Return log2 of the texels (of 128
- * or more to a repeat) that un's 16 bits stand for. */
-static int32_t coordinate(struct zs_job *job, const uint16_t *const a[3], int c, uint32_t un[3])
+/* One coordinate of a triangle: what its corners have above the least of them. */
+struct coordinate {
+    uint32_t above[3]; /* 2^-uv_bits repeats */
+    int32_t up;        /* above * 2^up has its largest in [2^15, 2^16), or all are 0 */
+    int32_t texels;    /* log2 of the texels (of 128 or more to a repeat) that those 16 bits stand for */
+};
+
+static void coordinate(struct zs_job *job, const uint16_t *const a[3], int c, uint32_t uv_bits,
+                       struct coordinate *out)
 {
     struct zs_sampler *s = &job->sampler;
-    const uint32_t uv_bits = job->r->scene->instance[job->tri->instance].mesh->uv_bits;
     const uint32_t log2 = c ? s->texture->log2_h : s->texture->log2_w;
     const int32_t least = zs_min32(zs_min32(a[0][c], a[1][c]), a[2][c]);
-    const int32_t most = zs_max32(zs_max32(a[0][c], a[1][c]), a[2][c]);
-    const int32_t up = most > least ? zs_clz32((uint32_t)(most - least)) - 16 : 0; /* 0 .. 15 */
+    uint32_t any = 1;
     for (int k = 0; k < 3; k++)
-        un[k] = (uint32_t)(a[k][c] - least) << up; /* < 2^16 */
-    s->shift[c] = 17 - up - (int32_t)uv_bits;
+        any |= out->above[k] = (uint32_t)(a[k][c] - least);
+    out->up = zs_clz32(any) - 16; /* 0 .. 15 */
+    s->shift[c] = 17 - out->up - (int32_t)uv_bits;
     s->base[c] = shifted(least - 32768, 32 - (int32_t)uv_bits) +
                  ((uint64_t)1 << (32 - BIAS_LOG2 - (int32_t)log2));
-    return 16 - up - (int32_t)uv_bits + (int32_t)(log2 > FLOOR_LOG2 ? log2 : FLOOR_LOG2);
+    out->texels = 16 - out->up - (int32_t)uv_bits + (int32_t)(log2 > FLOOR_LOG2 ? log2 : FLOOR_LOG2);
+}
+
+/* 256 * n / area * 2^(32 - uv_bits), nearest: a gradient in 2^-32 repeats. 0 in *ok where it has 31 bits or more.
+ * |n| < 2^31. Error 2^-30 of it and 1/2 ulp. */
+static inline uint32_t direct_gradient(const struct zs_geom *g, int32_t n, int32_t shift, int *ok)
+{
+    const int64_t q = ((int64_t)n * g->rcp + ((int64_t)1 << (shift - 1))) >> shift; /* product < 2^63 */
+    *ok &= q == (int32_t)q;
+    return (uint32_t)q;
+}
+
+/* The same as affine_plane for small triangles with differences below 2^14. Return 0 where it is not for it. */
+static int direct_plane(const struct zs_job *job, const struct coordinate *c, uint32_t uv_bits, uint64_t base,
+                        struct zs_plane *out)
+{
+    const struct zs_geom *g = &job->geom;
+    const int32_t shift = g->exp + 23 + (int32_t)uv_bits; /* 2^8 * 2^(32 - uv_bits) / (2^63 * 2^exp) */
+    if (g->rcp == 0 || c->up < 2 || shift < 1)
+        return 0;
+    const int32_t d1 = (int32_t)(c->above[1] - c->above[0]), d2 = (int32_t)(c->above[2] - c->above[0]);
+    int ok = 1;
+    const uint32_t gx = direct_gradient(g, d1 * g->dy2 - d2 * g->dy1, shift, &ok); /* |d| <= 2^16 */
+    const uint32_t gy = direct_gradient(g, d2 * g->dx1 - d1 * g->dx2, shift, &ok);
+    const int64_t step = (int64_t)(int32_t)gx * g->ax + (int64_t)(int32_t)gy * g->ay; /* < 2^39 */
+    const uint64_t first = (uint64_t)c->above[0] << (32 - uv_bits);
+    out->base = (uint32_t)base + (uint32_t)first + (uint32_t)zs_round_shift(step, 8);
+    out->gx = gx;
+    out->gy = gy;
+    return ok;
+}
+
+/* The plane of a coordinate in 2^-32 repeats modulo one repeat, its base included. */
+static void affine_plane(struct zs_job *job, const struct coordinate *c, uint32_t uv_bits, uint64_t base,
+                         struct zs_plane *out)
+{
+    if (direct_plane(job, c, uv_bits, base, out))
+        return;
+    const int32_t whole = 32 - (int32_t)uv_bits, most = 13 + c->up; /* 29 bits */
+    const int32_t up = zs_min32(whole, most), later = whole - up;
+    zs_plane32(&job->geom, c->above[0] << up, c->above[1] << up, c->above[2] << up, ZS_PLANE_WIDE, out);
+    out->base = (out->base << later) + (uint32_t)base;
+    out->gx <<= later;
+    out->gy <<= later;
 }
 
 /* a * b * 2^shift <= c * d for factors below 2^32. */
@@ -115,11 +163,12 @@ static int product_within(uint32_t a, uint32_t b, int32_t shift, uint32_t c, uin
     return shift <= -64 || p >> -shift <= limit;
 }
 
-/* Plain affine: 2^texels * range / 2^16 * change / least / 4 <= 1/8. */
-static int affine_enough(const uint32_t un[3], int32_t texels, uint32_t change, uint32_t least)
+/* Plain affine: 2^texels * change / least / 4 <= 1/8, for a range of all 16 bits. */
+static inline int affine_enough(int32_t texels, uint32_t change, uint32_t least)
 {
-    const uint32_t range = un[0] | un[1] | un[2]; /* below twice the largest, at least it */
-    return product_within(range, change, texels - 15, least, 1u);
+    if (texels < 0)
+        return change >> -texels <= least >> 1 || texels < -31; /* change < 2^31: at most a bit too strict */
+    return texels < 31 && change <= (least >> 1) >> texels;
 }
 
 static inline uint32_t size_of(uint32_t gradient)
@@ -145,50 +194,70 @@ static int light_enough(uint32_t range, uint32_t change, uint32_t least)
     return product_within(range, change, 0, least, 256u);
 }
 
+static void sub_spans(struct zs_job *job, const uint16_t *const a[3], const struct coordinate c[2],
+                      const uint32_t w[3], uint32_t least, uint32_t light_range)
+{
+    const int n = job->shader->n_attrs;
+    zs_plane32(&job->geom, w[0], w[1], w[2], ZS_PLANE_WIDE, &job->w);
+    for (int i = 0; i < n; i++) {
+        uint32_t v[3];
+        for (int k = 0; k < 3; k++)
+            v[k] = zs_umulh(i < 2 ? c[i].above[k] << (16 + c[i].up) : (uint32_t)a[k][2] << 16, w[k]);
+        zs_plane32(&job->geom, v[0], v[1], v[2], ZS_PLANE_WIDE, &job->c[i]);
+    }
+    const uint32_t slope = size_of(job->w.gx);
+    int32_t k = (int32_t)ZS_SUB_LOG2_MAX;
+    while (k > 0 && (!sub_span_enough(&job->c[0], &job->w, c[0].texels, least, k) ||
+                     !sub_span_enough(&job->c[1], &job->w, c[1].texels, least, k) ||
+                     (n == 3 && (slope >> (31 - k) || !light_enough(light_range, slope << k, least)))))
+        k--;
+    job->sub_log2 = (uint32_t)k;
+}
+
 static void texture_start(struct zs_job *job)
 {
+    const struct zs_instance *in = &job->r->scene->instance[job->tri->instance];
+    const struct zs_texture *t = in->material->texture;
+    const uint32_t uv_bits = in->mesh->uv_bits;
+    const int lit = job->shader->n_attrs == 3;
     const uint16_t *a[3];
-    uint32_t w[3], value[3][3] = { { 0 } }, light_range = 0;
-    int32_t texels[2];
-    const int n = job->shader->n_attrs, lit = n == 3;
+    uint32_t w[3], light_range = 0;
+    struct coordinate c[2];
     zs_persp_attrs(job, a);
     zs_persp_w(job, w);
-    const struct zs_texture *t = job->r->scene->instance[job->tri->instance].material->texture;
     job->sampler.texture = t;
+    job->sampler.direct = 0;
     job->sampler.wide = t->clamp || !t->log2_w || !t->log2_h;
-    for (int c = 0; c < 2; c++)
-        texels[c] = coordinate(job, a, c, value[c]);
+    coordinate(job, a, 0, uv_bits, &c[0]);
+    coordinate(job, a, 1, uv_bits, &c[1]);
     uint32_t most = w[0], least = w[0];
-    for (int k = 0; k < 3; k++) {
+    for (int k = 1; k < 3; k++) {
         most = w[k] > most ? w[k] : most;
         least = w[k] < least ? w[k] : least;
-        if (lit)
-            value[2][k] = a[k][2];
     }
     if (lit) {
         const int32_t lo = zs_min32(zs_min32(a[0][2], a[1][2]), a[2][2]);
         light_range = (uint32_t)(zs_max32(zs_max32(a[0][2], a[1][2]), a[2][2]) - lo);
     }
     const uint32_t change = most - least;
-    if (affine_enough(value[0], texels[0], change, least) &&
-        affine_enough(value[1], texels[1], change, least) && light_enough(light_range, change, least)) {
-        job->sub_log2 = ZS_AFFINE;
-        for (int c = 0; c < n; c++)
-            zs_plane32(&job->geom, value[c][0] << 15, value[c][1] << 15, value[c][2] << 15,
-                       ZS_PLANE_WIDE, &job->c[c]);
+    if (!affine_enough(c[0].texels, change, least) || !affine_enough(c[1].texels, change, least) ||
+        (lit && !light_enough(light_range, change, least))) {
+        sub_spans(job, a, c, w, least, light_range);
         return;
     }
-    zs_plane32(&job->geom, w[0], w[1], w[2], ZS_PLANE_WIDE, &job->w);
-    for (int c = 0; c < n; c++)
-        zs_plane32(&job->geom, zs_umulh(value[c][0] << 16, w[0]), zs_umulh(value[c][1] << 16, w[1]),
-                   zs_umulh(value[c][2] << 16, w[2]), ZS_PLANE_WIDE, &job->c[c]);
-    const uint32_t slope = size_of(job->w.gx);
-    int32_t k = (int32_t)ZS_SUB_LOG2_MAX;
-    while (k > 0 && (!sub_span_enough(&job->c[0], &job->w, texels[0], least, k) ||
-                     !sub_span_enough(&job->c[1], &job->w, texels[1], least, k) ||
-                     (lit && (slope >> (31 - k) || !light_enough(light_range, slope << k, least)))))
-        k--;
-    job->sub_log2 = (uint32_t)k;
+    job->sub_log2 = ZS_AFFINE;
+    job->sampler.direct = !job->sampler.wide;
+    if (job->sampler.wide) { /* what lies beyond one repeat counts */
+        for (int i = 0; i < 2; i++)
+            zs_plane32(&job->geom, c[i].above[0] << (15 + c[i].up), c[i].above[1] << (15 + c[i].up),
+                       c[i].above[2] << (15 + c[i].up), ZS_PLANE_WIDE, &job->c[i]);
+    } else {
+        affine_plane(job, &c[0], uv_bits, job->sampler.base[0], &job->c[0]);
+        affine_plane(job, &c[1], uv_bits, job->sampler.base[1], &job->c[1]);
+    }
+    if (lit)
+        zs_plane32(&job->geom, (uint32_t)a[0][2] << 15, (uint32_t)a[1][2] << 15, (uint32_t)a[2][2] << 15,
+                   ZS_PLANE_WIDE, &job->c[2]);
 }
 
 /* ---- Runs ------------------------------------------------------------------------------------------- */
@@ -276,34 +345,42 @@ static void divide_at(const struct zs_job *job, int32_t i, int32_t row, int n, u
         out[c] = zs_persp_over(zs_plane_at(job, &job->c[c], i, row), w, rcp, lz);
 }
 
-/* n pixels from attributes c on, changing by step. */
-static inline void emit(const struct zs_job *job, uint16_t *out, int32_t n, const uint32_t c[3],
-                        const int32_t step[3])
+static inline void lighten(const struct zs_job *job, uint16_t *out, int32_t n, uint32_t level, int32_t step)
 {
     const struct zs_shader *shader = job->shader;
-    fetch(job, out, n, c, step);
-    if (!shader->light)
-        return;
     if (shader->n_attrs == 3)
-        shader->light(out, n, c[2] << 1, (uint32_t)step[2] << 1);
-    else if (job->tri->paint != 32768u)
+        shader->light(out, n, level << 1, (uint32_t)step << 1);
+    else if (shader->light && job->tri->paint != 32768u)
         shader->light(out, n, (uint32_t)job->tri->paint << 16, 0);
 }
 
-static void texture_run(struct zs_job *job, const struct zs_row *row, int32_t r0, int32_t r1)
+static void run_affine(struct zs_job *job, const struct zs_row *row, int32_t r0, int32_t n)
+{
+    const struct zs_texture *t = job->sampler.texture;
+    const struct zs_texel *texel = t->format;
+    uint16_t *out = job->color + row->at + r0;
+    const uint32_t u = zs_plane_at(job, &job->c[0], r0, row->y), v = zs_plane_at(job, &job->c[1], r0, row->y);
+    const uint32_t du = job->c[0].gx, dv = job->c[1].gx; /* beyond 31 bits only where a run is one pixel */
+    if (!job->sampler.direct) {
+        const uint32_t c[2] = { u, v };
+        const int32_t step[2] = { (int32_t)du, (int32_t)dv };
+        fetch_wide(&job->sampler, out, n, c, step);
+    } else {
+        const struct zs_walk walk = { u, v, du, dv };
+        texel->fetch(t, out, n, &walk);
+    }
+    if (job->shader->n_attrs == 3)
+        lighten(job, out, n, zs_plane_at(job, &job->c[2], r0, row->y), (int32_t)job->c[2].gx);
+    else if (job->shader->light)
+        lighten(job, out, n, 0, 0);
+}
+
+static void run_sub_spans(struct zs_job *job, const struct zs_row *row, int32_t r0, int32_t r1)
 {
     uint16_t *color = job->color + row->at;
     const int n = job->shader->n_attrs;
     uint32_t c[3], next[3];
-    int32_t step[3];
-    if (job->sub_log2 == ZS_AFFINE) {
-        for (int k = 0; k < n; k++) {
-            c[k] = zs_plane_at(job, &job->c[k], r0, row->y);
-            step[k] = (int32_t)job->c[k].gx; /* beyond 31 bits only where a run is one pixel */
-        }
-        emit(job, color + r0, r1 - r0, c, step);
-        return;
-    }
+    int32_t step[3] = { 0 };
     const int32_t length = (int32_t)1 << job->sub_log2;
     int32_t from = row->x0 + ((r0 - row->x0) & -length);
     divide_at(job, from, row->y, n, next);
@@ -319,14 +396,35 @@ static void texture_run(struct zs_job *job, const struct zs_row *row, int32_t r0
             step[k] = (int32_t)(((int64_t)next[k] - c[k]) * part >> 16); /* product < 2^48 */
             c[k] += zs_wrap_mul((uint32_t)step[k], i0 - from);
         }
-        emit(job, color + i0, i1 - i0, c, step);
+        fetch(job, color + i0, i1 - i0, c, step);
+        if (job->shader->light)
+            lighten(job, color + i0, i1 - i0, n == 3 ? c[2] : 0u, step[2]);
     }
 }
 
-const struct zs_shader zs_shade_texture = { texture_vertex, no_face, zs_persp_rows, texture_start, texture_run,
+static void texture_run(struct zs_job *job, const struct zs_row *row, int32_t r0, int32_t r1)
+{
+    if (job->sub_log2 == ZS_AFFINE)
+        run_affine(job, row, r0, r1 - r0);
+    else
+        run_sub_spans(job, row, r0, r1);
+}
+
+static void texture_rows(struct zs_job *job)
+{
+    texture_start(job);
+    if (job->sampler.direct && (!job->shader->light || (job->shader->n_attrs == 2 && job->tri->paint == 32768u))) {
+        const struct zs_texel *texel = job->sampler.texture->format;
+        texel->rows(job);
+    } else {
+        zs_persp_walk(job);
+    }
+}
+
+const struct zs_shader zs_shade_texture = { texture_vertex, no_face, texture_rows, texture_start, zs_persp_span, texture_run,
                                             texture_check, 0, ZS_ATTRS_TEXTURE };
-const struct zs_shader zs_shade_texture_flat = { texture_vertex, flat_face, zs_persp_rows, texture_start,
-                                                 texture_run, texture_check, light, ZS_ATTRS_TEXTURE };
-const struct zs_shader zs_shade_texture_smooth = { smooth_vertex, no_face, zs_persp_rows, texture_start,
-                                                   texture_run, smooth_check, light,
+const struct zs_shader zs_shade_texture_flat = { texture_vertex, flat_face, texture_rows, texture_start,
+                                                 zs_persp_span, texture_run, texture_check, light, ZS_ATTRS_TEXTURE };
+const struct zs_shader zs_shade_texture_smooth = { smooth_vertex, no_face, texture_rows, texture_start,
+                                                   zs_persp_span, texture_run, smooth_check, light,
                                                    ZS_ATTRS_TEXTURE_SMOOTH };

@@ -34,7 +34,7 @@ struct kind_depth {
 
 static const struct kind_depth kind_depths[] = {
     { &zs_depth_recip, "recip", 0 }, { &zs_depth_linear, "linear", 1 }, { &zs_depth_e3m13, "e3m13", 0 },
-    { &zs_depth_e4m12, "e4m12", 0 }, { &zs_depth_e5m11, "e5m11", 0 },
+    { &zs_depth_e4m12, "e4m12", 0 }, { &zs_depth_e5m11, "e5m11", 0 }, { &zs_depth_float, "float", 0 },
 };
 
 struct kind_texel {
