@@ -98,7 +98,7 @@ static int compare(struct tally *sum, const struct demo_frame *f, const struct d
     struct ref_camera camera;
     struct ref_light light;
     struct ref_diff diff;
-    const struct ref_depth depth = { sim_truth_mapping(demo->depth), config->depth_bits };
+    const struct ref_depth depth = { sim_truth_mapping(demo->depth, &f->camera), config->depth_bits };
     size_t n_tris;
     struct ref_triangle *tris = sim_truth_triangles(&f->scene, &n_tris);
     sim_truth_camera(&camera, &f->camera);

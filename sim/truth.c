@@ -182,8 +182,12 @@ struct ref_triangle *sim_truth_triangles(const struct zs_scene *scene, size_t *n
     return all;
 }
 
-int sim_truth_mapping(const struct zs_depth *depth)
+int sim_truth_mapping(const struct zs_depth *depth, const struct zs_camera *camera)
 {
+    if (depth == &zs_depth_float)
+        return camera->z_far <= camera->z_near * 128     ? REF_DEPTH_E3M13
+               : camera->z_far <= camera->z_near * 32768 ? REF_DEPTH_E4M12
+                                                         : REF_DEPTH_E5M11;
     return depth == &zs_depth_linear  ? REF_DEPTH_LINEAR
            : depth == &zs_depth_e3m13 ? REF_DEPTH_E3M13
            : depth == &zs_depth_e4m12 ? REF_DEPTH_E4M12

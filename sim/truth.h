@@ -13,8 +13,8 @@
  * same block. */
 struct ref_triangle *sim_truth_triangles(const struct zs_scene *scene, size_t *n);
 
-/* enum ref_mapping of a depth mapping. */
-int sim_truth_mapping(const struct zs_depth *depth);
+/* enum ref_mapping of a depth mapping with a camera. */
+int sim_truth_mapping(const struct zs_depth *depth, const struct zs_camera *camera);
 
 /* The camera of a frame of height px, and the light. */
 void sim_truth_camera(struct ref_camera *out, const struct zs_camera *camera);
