@@ -9,13 +9,16 @@ CORE = $(wildcard firmware/zstrip/*.c)
 SCENES = $(wildcard firmware/scenes/*.c)
 SIM = $(wildcard sim/*.c sim/reference/*.c)
 GEN = $(wildcard firmware/scenes/gen/*.c)
-HEADERS = $(wildcard firmware/*/*.h firmware/scenes/gen/*.h hal/*.h sim/*.h sim/*/*.h tests/*.h)
+HEADERS = $(wildcard firmware/*/*.h firmware/scenes/gen/*.h hal/*.h sim/*.h sim/*/*.h tests/*.h tests/*/*.h)
 LIBS = -lassimp -lpng -lturbojpeg -lm
 
-# Debian packages: what the simulator is built from, and what the tests need besides
+# Debian packages: what the simulator is built from, and what tests and fuzzers need besides
 PKG_SIM = gcc libc6-dev libassimp-dev libpng-dev libturbojpeg0-dev
 PKG_TEST = $(PKG_SIM) g++ clang binutils libcmocka-dev gcc-arm-none-eabi \
            libnewlib-arm-none-eabi qemu-system-arm
+PKG_FUZZ = $(PKG_TEST) libclang-rt-14-dev
+SECONDS = 600
+SEED = 1
 
 ## all: the simulator, build/zsim
 all: sim
@@ -67,7 +70,7 @@ clean:
 ## help: this list
 help:
 	@sed -n 's/^## /    /p' Makefile
-.PHONY: all demo test bench depth sim pictures size stack check clean help test-programs
+.PHONY: all demo test fuzz bench depth sim pictures size stack check clean help test-programs fuzz-programs
 
 $(B)/.setup-sim:
 	@mkdir -p $(B) && .ci/setup $(PKG_SIM) && touch $@

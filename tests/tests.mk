@@ -3,7 +3,6 @@
 SAN = -fsanitize=address,undefined -fno-sanitize-recover=all
 TEST_CC = $(CC) -std=gnu11 -O1 -g $(SAN) -Wall -Wextra -Werror -Wshadow -Wno-missing-field-initializers $(INC) -Itests \
           -DZS_STATS=1 '-DZS_ASSERT(c)=((c)?(void)0:__builtin_trap())'
-HEADERS += $(wildcard tests/fuzz/*.h)
 TESTS = $(wildcard tests/test_*.c)
 TEST_HELP = $(filter-out $(TESTS) tests/checksum.c,$(wildcard tests/*.c))
 t = $(patsubst %.c,$(B)/test/%.o,$(1))
@@ -29,10 +28,6 @@ $(CHECKSUMS): tests/checksum.c $(CORE) $(HEADERS)
 
 # Fuzzers: the interface by seeds (fuzz_api); cards of meshes and textures by libFuzzer (fuzz_mesh, make fuzz
 # alone) and by mutations of its seeds (cards)
-PKG_FUZZ = $(PKG_TEST) libclang-rt-14-dev
-SECONDS = 600
-SEED = 1
-.PHONY: fuzz fuzz-programs
 fuzz_objects = $(call t,$(patsubst %,tests/fuzz/%.c,$(1))) $(B)/test/libtest.a
 fuzz-programs: $(B)/fuzz/fuzz_api $(B)/fuzz/cards
 $(B)/test/tests/fuzz/%.o: TEST_CC += -Itests/fuzz
