@@ -44,8 +44,8 @@ enum card_look { CARD_ORTHOGRAPHIC = 1, CARD_CULL = 6, CARD_NEAR = 8, CARD_SMALL
 
 /* What a reader has memory for. Above, and up to 65535 vertices, counts are taken modulo these; with more
  * vertices nothing is read: zs_mesh_check and zs_frame_begin must refuse it unread. */
-#define CARD_VERTS 1024u
-#define CARD_TRIS 1024u
+#define CARD_VERTS 512u
+#define CARD_TRIS 256u
 #define CARD_CLUSTERS 256u
 #define CARD_TEXELS_LOG2 13 /* log2_h is cut to it where both are in range */
 #define CARD_BYTES_MAX 65536u

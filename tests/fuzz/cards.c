@@ -37,6 +37,12 @@ static void say_replay(void)
         _exit(1);
 }
 
+void __ubsan_on_report(void); /* UBSan calls it, ASan's callback it does not */
+void __ubsan_on_report(void)
+{
+    say_replay();
+}
+
 static void on_signal(int signal)
 {
     (void)signal;

@@ -47,6 +47,12 @@ static void say_replay(void)
         _exit(1);
 }
 
+void __ubsan_on_report(void); /* UBSan calls it, ASan's callback it does not */
+void __ubsan_on_report(void)
+{
+    say_replay();
+}
+
 static void on_signal(int signal)
 {
     static const char hang[] = "wrong: hangs\n", trap[] = "wrong: an assertion of the library\n";
@@ -88,6 +94,9 @@ static void count_frame(const struct world *w, const struct zs_config *c, const 
     count_refusal(p->err);
     if (p->err || p->covered == 0)
         return;
+    EXPECT(p->covered <= p->stats.pixels_written && p->stats.pixels_written <= p->stats.pixels_tested);
+    for (int32_t i = 0; i < p->w * p->h; i++) /* keys saturate */
+        EXPECT(p->key[i] == ZS_DEPTH_CLEAR || p->key[i] <= (1u << c->depth_bits) - 2u);
     reached.frames++;
     reached.pixels += p->covered;
     reached.tris += p->stats.tris_drawn;
@@ -213,6 +222,8 @@ static void compare(const struct world *w, const struct picture *plain, const st
     }
     if (!p.err) {
         EXPECT(stats_add_up(&p.stats) && p.stats.tris_in == plain->stats.tris_in);
+        EXPECT(p.stats.pixels_tested == plain->stats.pixels_tested);
+        EXPECT(p.stats.pixels_written == plain->stats.pixels_written);
         EXPECT(p.stats.max_tris_used <= c->max_tris && p.stats.max_verts_used <= c->max_verts);
         if (!(c->skip_off & (ZS_SKIP_FRUSTUM | ZS_SKIP_CLIPTEST | ZS_SKIP_EMPTY)) && !same_counts(&p.stats, &plain->stats)) {
             print_config(c);
@@ -253,6 +264,25 @@ static void case_pictures(struct prng *p, uint32_t odd)
             world_camera(&w, p, odd);
         }
     }
+    world_free(&w);
+}
+
+/* A mesh and pools of the largest counts, or as many instances as there may be. */
+static void case_big(struct prng *p, uint32_t odd)
+{
+    struct world w;
+    world_make(&w, p, odd);
+    world_big(&w, p);
+    struct zs_config c = profile(p, &w.camera);
+    c.width = c.height = (uint16_t)(1 + prng_pick(p, 40));
+    c.max_tris = c.max_verts = ZS_POOL_MAX;
+    struct picture plain = picture_draw(&c, &w.scene, &w.camera);
+    count_frame(&w, &c, &plain);
+    c.max_tris = (uint16_t)(ZS_POOL_MAX - prng_pick(p, 60000));
+    c.max_verts = (uint16_t)(ZS_POOL_MAX - prng_pick(p, 60000));
+    c.strip_h = (uint16_t)(1 + prng_pick(p, 40));
+    compare(&w, &plain, &c);
+    picture_free(&plain);
     world_free(&w);
 }
 
@@ -680,7 +710,7 @@ static void run_case(unsigned long long number)
     now.number = number;
     (void)prng_next(&p);
     alarm(CASE_SECONDS);
-    fuzz_fn *const kind = kinds[prng_pick(&p, KINDS(kinds))];
+    fuzz_fn *const kind = one_in(&p, 500) ? case_big : kinds[prng_pick(&p, KINDS(kinds))];
     kind(&p, odds[prng_pick(&p, KINDS(odds))]);
 }
 

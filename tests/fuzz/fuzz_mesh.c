@@ -165,7 +165,7 @@ static void draw(const struct card *c, const struct kind_shader *shader)
         config.max_tris = (uint16_t)(1 + h->distance % 16);
         config.max_verts = 9;
     }
-    config.strip_h = (uint16_t)(1 + (h->look & CARD_STRIPS) / 16);
+    config.strip_h = (uint16_t)(3 + (h->look & CARD_STRIPS) / 16);
     struct picture b = picture_draw(&config, &scene, &camera);
     EXPECT(a.err == b.err && (a.err || picture_same(&a, &b, shader->name)));
     picture_free(&a);

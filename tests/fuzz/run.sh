@@ -20,7 +20,7 @@ seed=${3:-1}
 mkdir -p "$fuzz/corpus"
 "$fuzz/cards" write "$fuzz/corpus" 200 || exit 1
 echo "for $seconds seconds, from seed $seed"
-"$fuzz/fuzz_mesh" -max_total_time="$seconds" -seed="$seed" -max_len=20000 -timeout=60 -artifact_prefix="$fuzz/" \
+"$fuzz/fuzz_mesh" -max_total_time="$seconds" -seed="$seed" -max_len=12000 -timeout=60 -artifact_prefix="$fuzz/" \
     "$fuzz/corpus" >"$fuzz/fuzz_mesh.log" 2>&1 &
 mesh=$!
 "$fuzz/fuzz_api" "$seed" seconds "$seconds"

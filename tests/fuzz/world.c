@@ -465,6 +465,46 @@ void world_make(struct world *w, struct prng *p, uint32_t odd)
     }
 }
 
+void world_big(struct world *w, struct prng *p)
+{
+    struct zs_mesh *m = &w->mesh[0];
+    if (one_in(p, 2) && w->n_instances && !w->mesh[0].cluster) {
+        const uint32_t n = 65535u - prng_pick(p, 2);
+        struct zs_instance *in = block(w, n * sizeof *in);
+        for (uint32_t i = 0; i < n; i++)
+            in[i] = w->instance[i % w->n_instances];
+        for (int i = 0; i < WORLD_MESHES; i++)
+            w->mesh[i].n_tris %= 3u;
+        w->scene.instance = w->instance = in;
+        w->scene.n_instances = w->n_instances = n;
+        return;
+    }
+    memset(m, 0, sizeof *m);
+    m->n_verts = 65535u - prng_pick(p, 3);
+    m->n_tris = 60000u + prng_pick(p, 20000);
+    int16_t (*pos)[3] = block(w, m->n_verts * sizeof *pos);
+    uint16_t (*tri)[3] = block(w, m->n_tris * sizeof *tri);
+    zs_q1_15 (*normal)[3] = block(w, m->n_verts * sizeof *normal);
+    int16_t (*uv)[2] = block(w, m->n_verts * sizeof *uv);
+    noise(p, pos, m->n_verts * sizeof *pos);
+    noise(p, uv, m->n_verts * sizeof *uv);
+    const uint32_t step = 1u + prng_pick(p, 400);
+    for (uint32_t t = 0; t < m->n_tris; t++)
+        for (uint32_t k = 0; k < 3; k++)
+            tri[t][k] = (uint16_t)((t * 17u + k * step) % m->n_verts);
+    m->pos = (const int16_t (*)[3])pos;
+    m->tri = (const uint16_t (*)[3])tri;
+    m->normal = (const zs_q1_15 (*)[3])normal;
+    m->uv = (const int16_t (*)[2])uv;
+    m->scale = ZS_Q16_ONE;
+    sphere(m, NULL, m->n_verts, m->center, &m->radius);
+    w->scene.n_instances = w->n_instances = w->n_instances ? 1 : 0;
+    if (w->n_instances) {
+        w->instance[0].mesh = m;
+        w->instance[0].pose.scale = (uint32_t)((size_of(w) << 16) / 20000 + 1); /* < 2^47 / 2^16 */
+    }
+}
+
 void world_free(struct world *w)
 {
     for (int i = 0; i < w->n_blocks; i++)

@@ -43,6 +43,8 @@ static inline int one_in(struct prng *p, uint32_t n)
 void world_make(struct world *w, struct prng *p, uint32_t odd);
 /* Another camera on the same scene, mostly of the same projection. */
 void world_camera(struct world *w, struct prng *p, uint32_t odd);
+/* Make one mesh as large as a mesh may be (one instance), or the instances 65535. */
+void world_big(struct world *w, struct prng *p);
 void world_free(struct world *w);
 /* A checksum of everything in it: drawing must change nothing. */
 uint64_t world_sum(const struct world *w);
