@@ -19,6 +19,7 @@
 #include <strings.h>
 #include <sys/stat.h>
 
+#include "material.h"
 #include "scan.h"
 #include "sim.h"
 #include "vec.h"
@@ -39,7 +40,7 @@ struct load {
     size_t bytes;
     struct sim_obj obj;
     int has_materials;           /* OBJ: a material file was read */
-    const struct zs_rgb *color;  /* of everything, or NULL */
+    const struct sim_want *want;
     const struct aiScene *scene;
     char complaint[200];         /* of assimp's about indices; else empty */
     uint32_t *slot, slot_mask;   /* hash of points */
@@ -147,6 +148,13 @@ static void stream_flush(struct aiFile *file)
     (void)file;
 }
 
+static struct aiFile *lost(struct load *l, const char *name)
+{
+    if (l->model->lost_materials == NULL)
+        l->model->lost_materials = strcpy(sim_alloc(strlen(name) + 1, 1), name);
+    return NULL;
+}
+
 static struct aiFile *stream_open(struct aiFileIO *io, const char *name, const char *mode)
 {
     struct load *l = (struct load *)io->UserData;
@@ -158,7 +166,7 @@ static struct aiFile *stream_open(struct aiFileIO *io, const char *name, const c
     } else {
         struct stat st;
         if (stat(name, &st) != 0 || !S_ISREG(st.st_mode) || (s.disk = fopen(name, "rb")) == NULL)
-            return NULL;
+            return lost(l, name);
         s.bytes = (size_t)st.st_size;
         l->has_materials = 1;
     }
@@ -318,16 +326,15 @@ static struct zs_rgb to_rgb(const struct aiColor4D *c)
     return (struct zs_rgb){ to_byte(c->r), to_byte(c->g), to_byte(c->b) };
 }
 
-static struct zs_rgb material_rgb(const struct load *l, const struct aiMesh *mesh)
+static struct zs_rgb material_rgb(const struct load *l, const struct aiMaterial *material)
 {
     const struct zs_rgb plain = { 204, 204, 204 };
     struct aiColor4D c;
-    if (l->color != NULL)
-        return *l->color;
+    if (l->want->color != NULL)
+        return *l->want->color;
     if ((l->family == FAMILY_OBJ && !l->has_materials) || l->family == FAMILY_PLY ||
         l->family == FAMILY_STL || l->family == FAMILY_OFF) /* assimp makes one up: 0.6 or 1 */
         return plain;
-    const struct aiMaterial *material = l->scene->mMaterials[mesh->mMaterialIndex];
     struct aiString name;
     if (aiGetMaterialString(material, AI_MATKEY_NAME, &name) == aiReturn_SUCCESS &&
         strcmp(name.data, AI_DEFAULT_MATERIAL_NAME) == 0)
@@ -335,6 +342,25 @@ static struct zs_rgb material_rgb(const struct load *l, const struct aiMesh *mes
     if (aiGetMaterialColor(material, AI_MATKEY_COLOR_DIFFUSE, &c) != aiReturn_SUCCESS)
         return plain;
     return to_rgb(&c);
+}
+
+/* The file's materials, without textures; at least one. */
+static void fill_materials(struct load *l)
+{
+    struct sim_model *model = l->model;
+    const unsigned n = l->scene->mNumMaterials;
+    model->n_materials = n > 0 ? n : 1;
+    model->material = sim_alloc(model->n_materials, sizeof *model->material);
+    for (uint32_t i = 0; i < model->n_materials; i++) {
+        struct sim_material *to = &model->material[i];
+        struct aiString name = { .length = 0 };
+        if (i < n)
+            (void)aiGetMaterialString(l->scene->mMaterials[i], AI_MATKEY_NAME, &name);
+        to->name = strcpy(sim_alloc(strlen(name.data) + 1, 1), name.data);
+        to->rgb = i < n ? material_rgb(l, l->scene->mMaterials[i])
+                        : (struct zs_rgb){ 204, 204, 204 };
+        to->texture = SIM_NO_TEXTURE;
+    }
 }
 
 /* The number of a point, the same for equal positions. */
@@ -366,6 +392,17 @@ struct corner {
     uint32_t point;
     float normal[3];
     struct zs_rgb rgb;
+    double uv[2]; /* v down */
+};
+
+/* What the faces of one mesh share. */
+struct placement {
+    const double *m;   /* [12], to the model's space */
+    double normals[9]; /* its cofactors */
+    int mirrored;      /* flag */
+    struct zs_rgb rgb;
+    uint32_t material;
+    struct sim_mapping mapping;
 };
 
 static void take_normal(float out[3], const struct aiMesh *mesh, unsigned v,
@@ -412,40 +449,99 @@ static void take_position(struct load *l, const struct aiVector3D *v, const doub
             *ok = 0;
 }
 
+/* The texture coordinates of the corner whose position was taken last; 0 where it has none. OBJ: the
+ * scan's. */
+static int take_uv(struct load *l, const struct aiMesh *mesh, unsigned v,
+                   const struct sim_mapping *mapping, double out[2])
+{
+    double in[2];
+    out[0] = out[1] = 0.0;
+    if (l->family == FAMILY_OBJ) {
+        const uint32_t n = l->obj.corner_uv[l->corner - 1];
+        if (n == SIM_NONE)
+            return 0;
+        memcpy(in, l->obj.uv[n], sizeof in);
+    } else {
+        const struct aiVector3D *uv = mapping->channel < AI_MAX_NUMBER_OF_TEXTURECOORDS
+                                          ? mesh->mTextureCoords[mapping->channel]
+                                          : NULL;
+        if (uv == NULL)
+            return 0;
+        in[0] = (double)uv[v].x;
+        in[1] = (double)uv[v].y;
+    }
+    out[0] = mapping->scale[0] * in[0] + mapping->shift[0];
+    out[1] = 1.0 - (mapping->scale[1] * in[1] + mapping->shift[1]);
+    return 1;
+}
+
+static void add_triangle(struct sim_model *model, const struct placement *at, int has_uv,
+                         const struct corner *a, const struct corner *b, const struct corner *c)
+{
+    const struct corner *corner[3] = { a, at->mirrored ? c : b, at->mirrored ? b : c };
+    const uint32_t t = model->n_tris++;
+    for (int i = 0; i < 3; i++) {
+        model->tri[t][i] = corner[i]->point;
+        model->rgb[t][i] = corner[i]->rgb;
+        if (model->normal != NULL)
+            memcpy(model->normal[t][i], corner[i]->normal, sizeof corner[i]->normal);
+        if (model->uv != NULL && has_uv)
+            memcpy(model->uv[t][i], corner[i]->uv, sizeof corner[i]->uv);
+    }
+    model->tri_material[t] = at->material;
+    if (model->uv != NULL)
+        model->has_uv[t] = (uint8_t)has_uv;
+}
+
+/* One corner of a face; *ok is cleared where assimp's is not the scan's, *has_uv where it has no
+ * texture coordinates. */
+static int take_corner(struct load *l, const struct aiMesh *mesh, unsigned v,
+                       const struct placement *at, struct corner *out, int *ok, int *has_uv)
+{
+    const int colored = mesh->mColors[0] != NULL && l->want->color == NULL;
+    double p[3];
+    *out = (struct corner){ .rgb = colored ? to_rgb(&mesh->mColors[0][v]) : at->rgb };
+    take_position(l, &mesh->mVertices[v], at->m, p, ok);
+    for (int i = 0; i < 3; i++)
+        if (!(fabs(p[i]) <= COORD_MAX))
+            return sim_refuse(l->file, 0, "coordinate %g is beyond %g; scale the model down", p[i],
+                              COORD_MAX);
+    out->point = weld(l, p);
+    if (l->want->normals && mesh->mNormals != NULL && l->family != FAMILY_STL)
+        take_normal(out->normal, mesh, v, at->normals);
+    if (l->want->textures && !take_uv(l, mesh, v, &at->mapping, out->uv))
+        *has_uv = 0;
+    if (!isfinite(out->uv[0]) || !isfinite(out->uv[1]))
+        return sim_refuse(l->file, 0,
+                          "vertex %u of mesh '%s' has a texture coordinate that is not finite; "
+                          "export the model again",
+                          v + 1, mesh->mName.data);
+    return SIM_OK;
+}
+
 static int add_face(struct load *l, const struct aiMesh *mesh, const struct aiFace *face,
-                    const double m[12], const double normals[9], int mirrored, struct zs_rgb rgb)
+                    const struct placement *at)
 {
     struct sim_model *model = l->model;
-    const int colored = mesh->mColors[0] != NULL && l->color == NULL;
     struct corner first = { 0 }, last = { 0 };
+    const uint32_t first_tri = model->n_tris;
+    int has_uv = 1, status = SIM_OK;
     int ok = l->family != FAMILY_OBJ || (l->face < l->obj.n_faces &&
                                          l->obj.count[l->face++] == face->mNumIndices);
     for (unsigned k = 0; ok && k < face->mNumIndices; k++) {
-        const unsigned v = face->mIndices[k];
-        struct corner now = { .rgb = colored ? to_rgb(&mesh->mColors[0][v]) : rgb };
-        double p[3];
-        take_position(l, &mesh->mVertices[v], m, p, &ok);
-        for (int i = 0; i < 3; i++)
-            if (!(fabs(p[i]) <= COORD_MAX))
-                return sim_refuse(l->file, 0, "coordinate %g is beyond %g; scale the model down",
-                                  p[i], COORD_MAX);
-        now.point = weld(l, p);
-        if (model->normal != NULL && mesh->mNormals != NULL && l->family != FAMILY_STL)
-            take_normal(now.normal, mesh, v, normals);
-        if (k >= 2) {
-            const struct corner *c[3] = { &first, mirrored ? &now : &last,
-                                          mirrored ? &last : &now };
-            const uint32_t t = model->n_tris++;
-            for (int i = 0; i < 3; i++) {
-                model->tri[t][i] = c[i]->point;
-                model->rgb[t][i] = c[i]->rgb;
-                if (model->normal != NULL)
-                    memcpy(model->normal[t][i], c[i]->normal, sizeof c[i]->normal);
-            }
-        }
+        struct corner now;
+        status = take_corner(l, mesh, face->mIndices[k], at, &now, &ok, &has_uv);
+        if (status != SIM_OK)
+            return status;
+        if (k >= 2)
+            add_triangle(model, at, has_uv, &first, &last, &now);
         if (k == 0)
             first = now;
         last = now;
+    }
+    for (uint32_t t = first_tri; !has_uv && model->uv != NULL && t < model->n_tris; t++) {
+        memset(model->uv[t], 0, sizeof model->uv[t]); /* a later corner has none: no corner counts */
+        model->has_uv[t] = 0;
     }
     return ok ? SIM_OK
               : sim_refuse(l->file, 0,
@@ -456,13 +552,16 @@ static int add_face(struct load *l, const struct aiMesh *mesh, const struct aiFa
 
 static int fill_mesh(struct load *l, const struct aiMesh *mesh, const double m[12])
 {
-    double normals[9];
-    const int mirrored = cofactors(normals, m) < 0.0;
-    const struct zs_rgb rgb = material_rgb(l, mesh);
+    struct placement at = { .m = m, .mapping.scale = { 1.0, 1.0 } };
     int status = SIM_OK;
+    at.mirrored = cofactors(at.normals, m) < 0.0;
+    at.material = mesh->mMaterialIndex < l->model->n_materials ? mesh->mMaterialIndex : 0;
+    at.rgb = l->model->material[at.material].rgb;
+    if (l->want->textures && l->want->picture == NULL && at.material < l->scene->mNumMaterials)
+        status = sim_material_mapping(&at.mapping, l->file, l->scene->mMaterials[at.material]);
     for (unsigned f = 0; status == SIM_OK && f < mesh->mNumFaces; f++) {
         if (mesh->mFaces[f].mNumIndices >= 3)
-            status = add_face(l, mesh, &mesh->mFaces[f], m, normals, mirrored, rgb);
+            status = add_face(l, mesh, &mesh->mFaces[f], &at);
         if (f % 4096 == 0)
             sim_progress("building", f, mesh->mNumFaces);
     }
@@ -581,7 +680,7 @@ static int look_through(struct load *l)
     return status;
 }
 
-static int build(struct load *l, int want_normals)
+static int build(struct load *l)
 {
     struct sim_model *model = l->model;
     int status = walk(l, count_mesh);
@@ -598,7 +697,11 @@ static int build(struct load *l, int want_normals)
     model->point = sim_alloc(corners, sizeof *model->point);
     model->tri = sim_alloc(n, sizeof *model->tri);
     model->rgb = sim_alloc(n, sizeof *model->rgb);
-    model->normal = want_normals ? sim_alloc(n, sizeof *model->normal) : NULL;
+    model->normal = l->want->normals ? sim_alloc(n, sizeof *model->normal) : NULL;
+    model->uv = l->want->textures ? sim_alloc(n, sizeof *model->uv) : NULL;
+    model->has_uv = l->want->textures ? sim_alloc(n, 1) : NULL;
+    model->tri_material = sim_alloc(n, sizeof *model->tri_material);
+    fill_materials(l);
     model->n_tris = 0;
     status = walk(l, fill_mesh);
     free(l->slot);
@@ -608,23 +711,24 @@ static int build(struct load *l, int want_normals)
     model->point = sim_grow(model->point, model->n_points, sizeof *model->point);
     if (status == SIM_OK)
         status = fill_bounds(model);
-    if (status == SIM_OK && want_normals)
+    if (status == SIM_OK && l->want->normals)
         fill_normals(model);
+    if (status == SIM_OK && l->want->textures)
+        status = sim_material_textures(model, l->scene, l->want);
     return status;
 }
 
-int sim_model_load(struct sim_model *model, const char *file, int want_normals,
-                   const struct zs_rgb *color)
+int sim_model_load(struct sim_model *model, const char *file, const struct sim_want *want)
 {
     memset(model, 0, sizeof *model);
-    struct load l = { .model = model, .file = file, .family = family_of(file), .color = color };
+    struct load l = { .model = model, .file = file, .family = family_of(file), .want = want };
     model->file = file;
     model->single = l.family != FAMILY_OBJ;
     int status = look_through(&l);
     if (status == SIM_OK)
         status = import(&l);
     if (status == SIM_OK)
-        status = build(&l, want_normals);
+        status = build(&l);
     if (l.scene != NULL)
         aiReleaseImport(l.scene);
     sim_obj_free(&l.obj);
@@ -639,5 +743,21 @@ void sim_model_free(struct sim_model *model)
     free(model->tri);
     free(model->normal);
     free(model->rgb);
+    free(model->uv);
+    free(model->has_uv);
+    free(model->tri_material);
+    for (uint32_t i = 0; i < model->n_materials; i++)
+        free(model->material[i].name);
+    for (uint32_t i = 0; i < model->n_textures; i++)
+        sim_texture_free(&model->texture[i]);
+    free(model->material);
+    free(model->texture);
+    free(model->lost_materials);
     memset(model, 0, sizeof *model);
+}
+
+const struct sim_texture *sim_model_texture(const struct sim_model *model, uint32_t tri)
+{
+    const uint32_t n = model->material[model->tri_material[tri]].texture;
+    return n != SIM_NO_TEXTURE && model->has_uv[tri] ? &model->texture[n] : NULL;
 }

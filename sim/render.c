@@ -109,8 +109,9 @@ static int draw_frame(struct job *job)
 static int draw(struct job *job)
 {
     const struct sim_options *o = &job->options;
-    int status = sim_model_load(&job->model, o->model, o->shade == SIM_SHADE_SMOOTH,
-                                o->has_color ? &o->color : NULL);
+    const struct sim_want want = { .normals = o->shade == SIM_SHADE_SMOOTH,
+                                   .color = o->has_color ? &o->color : NULL };
+    int status = sim_model_load(&job->model, o->model, &want);
     if (status == SIM_OK)
         status = sim_view_plan(&job->view, o, &job->model);
     if (status == SIM_OK && !o->reference)

@@ -18,7 +18,9 @@ struct sim_obj {
     double (*point)[3]; /* [n_points], every `v` */
     uint32_t *corner;   /* [n_corners], point of a face's corner */
     uint32_t *count;    /* [n_faces], corners of a face, >= 3 */
-    size_t n_points, n_corners, n_faces;
+    double (*uv)[2];     /* [n_uvs], every `vt`, as written: v upwards */
+    uint32_t *corner_uv; /* [n_corners], its uv, or SIM_NONE */
+    size_t n_points, n_corners, n_faces, n_uvs;
     char *text; /* absolute indices, no groups, no elements but faces: assimp keeps its order */
     size_t text_bytes;
 };
