@@ -5,6 +5,7 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "convert.h"
 #include "demo.h"
 #include "render.h"
 #include "sim.h"
@@ -14,6 +15,7 @@ static const struct {
     int (*run)(int argc, char **argv); /* the arguments after the name */
 } commands[] = {
     { "render", "a model file to a frame", sim_render },
+    { "convert", "a model or picture to const C for firmware", sim_convert },
     { "demo", "the demo scenes to numbered frames and a table", sim_demo },
 };
 
