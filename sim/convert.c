@@ -184,18 +184,6 @@ static int write_all(const struct sim_conversion *c)
 
 /* ---- Command --------------------------------------------------------------------------------- */
 
-static void print_figures(const struct sim_conversion *c)
-{
-    (void)printf("%s/%s.h and %s.c\n", c->options.out, c->options.name, c->options.name);
-    if (c->pieces.n_pieces > 0) {
-        (void)printf("  position = %.10g, %.10g, %.10g + %.10g * n%s\n", c->steps.origin[0], c->steps.origin[1],
-                     c->steps.origin[2], c->steps.step, c->steps.fine ? ", n to 1/256" : "");
-        (void)printf("  a unit of the model is %.10g world units; a step is %.10g (scale %u / 65536)\n",
-                     c->steps.unit, c->steps.scale / 65536.0, (unsigned)c->steps.scale);
-    }
-    sim_convert_figures(stdout, c, "  ");
-}
-
 int sim_convert(int argc, char **argv)
 {
     struct sim_conversion *c = sim_alloc(1, sizeof *c);
@@ -207,8 +195,10 @@ int sim_convert(int argc, char **argv)
         if (status == SIM_OK)
             status = write_all(c);
         sim_progress_end();
-        if (status == SIM_OK)
-            print_figures(c);
+        if (status == SIM_OK) {
+            (void)printf("%s/%s.h, %s/%s.c\n", c->options.out, c->options.name, c->options.out, c->options.name);
+            sim_convert_figures(stdout, c, "  ");
+        }
     }
     for (uint32_t i = 0; i < c->n_skins; i++)
         sim_skin_free(&c->skin[i]);

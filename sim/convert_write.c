@@ -11,6 +11,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "cluster.h"
 #include "convert.h"
 #include "image.h"
 #include "sim.h"
@@ -28,7 +29,7 @@
 /* The shortest decimal that reads back as the same double. */
 static const char *exactly(char text[32], double v)
 {
-    for (int digits = 1; digits <= 17; digits++) {
+    for (int digits = 15; digits <= 17; digits++) {
         (void)snprintf(text, 32, "%.*g", digits, v + 0.0);
         if (strtod(text, NULL) == v)
             break;
@@ -363,6 +364,16 @@ static double extent(const struct sim_model *m)
     return fmax(m->hi[0] - m->lo[0], fmax(m->hi[1] - m->lo[1], m->hi[2] - m->lo[2]));
 }
 
+/* Vertices that a cache of a size takes in, to a triangle. */
+static double misses(const struct sim_pieces *p, uint32_t size)
+{
+    double sum = 0.0;
+    for (uint32_t i = 0; i < p->n_pieces; i++)
+        sum += p->piece[i].n_tris *
+               sim_cache_misses((const uint16_t(*)[3])p->piece[i].tri, p->piece[i].n_tris, p->piece[i].n_verts, size);
+    return sum / p->n_tris;
+}
+
 static void mesh_figures(FILE *f, const struct sim_conversion *c, const char *lead)
 {
     const struct sim_pieces *p = &c->pieces;
@@ -376,12 +387,20 @@ static void mesh_figures(FILE *f, const struct sim_conversion *c, const char *le
     if (p->n_flat > 0)
         (void)fprintf(f, "%s%" PRIu32 " triangles left out: no area on the grid (%" PRIu32 " had none in the file)\n",
                       lead, p->n_flat, p->n_flat_before);
-    if (c->steps.exact)
+    const struct sim_steps *s = &c->steps;
+    char text[5][32];
+    (void)fprintf(f, "%sposition = %s, %s, %s + %s * n%s; %s world units to a unit of the model\n", lead,
+                  exactly(text[0], s->origin[0]), exactly(text[1], s->origin[1]), exactly(text[2], s->origin[2]),
+                  exactly(text[3], s->step), s->fine ? ", n = pos + pos_lo / 256" : "",
+                  exactly(text[4], s->unit));
+    if (s->exact)
         (void)fprintf(f, "%spositions: exact\n", lead);
     else
-        (void)fprintf(f, "%spositions: off by at most %.3g, rms %.3g model units (%.2g and %.2g of the extent)\n",
+        (void)fprintf(f, "%spositions: off by at most %.3g, rms %.3g units (%.2g and %.2g of the extent)\n",
                       lead, p->error_max, p->error_rms, p->error_max / extent(&c->model),
                       p->error_rms / extent(&c->model));
+    (void)fprintf(f, "%sorder: %.2f vertices to a triangle through a cache of 16, %.2f of 32\n", lead,
+                  misses(p, 16), misses(p, 32));
     if (p->normal_error >= 0.0)
         (void)fprintf(f, "%snormals: off by at most %.4f degrees\n", lead, p->normal_error);
 }
