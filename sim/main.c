@@ -7,6 +7,7 @@
 
 #include "convert.h"
 #include "demo.h"
+#include "depths.h"
 #include "render.h"
 #include "sim.h"
 
@@ -17,6 +18,7 @@ static const struct {
     { "render", "a model file to a frame", sim_render },
     { "convert", "a model or picture to const C for firmware", sim_convert },
     { "demo", "the demo scenes to numbered frames and a table", sim_demo },
+    { "depths", "which depth mapping tells surfaces apart, and how far", sim_depths },
 };
 
 #define N_COMMANDS (sizeof commands / sizeof commands[0])
