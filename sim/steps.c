@@ -10,6 +10,8 @@
 #include "steps.h"
 
 #include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
 
 #include "sim.h"
@@ -119,6 +121,18 @@ static double extent_of(const struct sim_model *model)
     return span_of(model, 0);
 }
 
+/* A value with as few digits as stay within `slack` of it. */
+static double brief(double v, double slack)
+{
+    char text[32];
+    for (int digits = 1; digits < 17; digits++) {
+        (void)snprintf(text, sizeof text, "%.*g", digits, v);
+        if (fabs(strtod(text, NULL) - v) <= slack)
+            return strtod(text, NULL);
+    }
+    return v;
+}
+
 /* The finest grid that holds the model. */
 static void take_finest(struct sim_steps *s, const struct sim_model *model, const struct sim_steps_want *want)
 {
@@ -129,7 +143,9 @@ static void take_finest(struct sim_steps *s, const struct sim_model *model, cons
     s->scale = (uint32_t)fmax(scale, 1.0);
     s->step = (double)s->scale / (65536.0 * s->unit);
     for (int k = 0; k < 3; k++)
-        s->origin[k] = want->keep_origin ? 0.0 : model->lo[k] + (model->hi[k] - model->lo[k]) / 2.0;
+        s->origin[k] = want->keep_origin ? 0.0
+                                         : brief(model->lo[k] + (model->hi[k] - model->lo[k]) / 2.0,
+                                                 s->step / (s->fine ? 2048.0 : 8.0));
 }
 
 static double power_of_ten(int n)
