@@ -1,20 +1,25 @@
 /* Models and pictures for tests/convert.sh, written as they are asked for.
  *
  *     make torus ACROSS AROUND REPEATS LIBRARY >M.obj   uv, normals; LIBRARY: a .mtl to name, or -
+ *     make teapot >M.obj                      the demo scenes' own, whole numbers
+ *     make boxes N COLORS >M.obj              N boxes in a row, colours in turn by material; M.mtl: boxes.mtl
+ *     make boxes.mtl COLORS >boxes.mtl
  *     make soup N SEED >M.obj                 N triangles that share nothing, some without area
- *     make png KIND W H FILE.png              KIND: 16 colours, 200 colours, photo
+ *     make png KIND W H FILE.png              KIND: a number of colours, or photo
  *     make jpeg W H FILE.jpg
  *     make gltf FOLDER                        four materials, two of them textured, in nodes that turn
  *
  * SPDX-License-Identifier: MIT
  */
-#include <math.h>
 #include <png.h>
 #include <stdint.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 #include <turbojpeg.h>
+
+#include "meshes.h"
+#include "paint.h"
 
 #define PI 3.14159265358979323846
 
@@ -44,6 +49,35 @@ static void torus(int across, int around, double repeats, const char *library)
         }
 }
 
+static void teapot(void)
+{
+    const struct zs_mesh *m = &mesh_teapot;
+    for (uint32_t i = 0; i < m->n_verts; i++)
+        printf("v %d %d %d\n", m->pos[i][0], m->pos[i][1], m->pos[i][2]);
+    for (uint32_t i = 0; i < m->n_tris; i++)
+        printf("f %d %d %d\n", m->tri[i][0] + 1, m->tri[i][1] + 1, m->tri[i][2] + 1);
+}
+
+static void boxes(int n, int colors)
+{
+    static const int quad[6][4] = { { 1, 2, 4, 3 }, { 5, 7, 8, 6 }, { 1, 5, 6, 2 },
+                                    { 3, 4, 8, 7 }, { 1, 3, 7, 5 }, { 2, 6, 8, 4 } };
+    printf("mtllib boxes.mtl\n");
+    for (int i = 0; i < n; i++) {
+        for (int v = 0; v < 8; v++)
+            printf("v %.1f %.1f %.1f\n", 1.5 * i + v / 4, v / 2 % 2 * 1.5, v % 2 * 0.5);
+        printf("usemtl paint%d\n", i % colors);
+        for (int f = 0; f < 6; f++)
+            printf("f %d %d %d %d\n", 8 * i + quad[f][0], 8 * i + quad[f][1], 8 * i + quad[f][2], 8 * i + quad[f][3]);
+    }
+}
+
+static void library(int colors)
+{
+    for (int i = 0; i < colors; i++)
+        printf("newmtl paint%d\nKd %.6f %.6f %.6f\n", i, i % 8 * 30 / 255.0, i / 8 % 8 * 30 / 255.0, (40 + i / 64) / 255.0);
+}
+
 static uint32_t random_state;
 static double random_unit(void)
 {
@@ -65,23 +99,6 @@ static void soup(int n, uint32_t seed)
         }
         printf("f -3 -2 -1\n");
     }
-}
-
-/* A colour of a picture, 0 .. 255. */
-static void paint(const char *kind, unsigned x, unsigned y, unsigned w, unsigned h, uint8_t rgb[3])
-{
-    const double u = (x + 0.5) / w, v = (y + 0.5) / h;
-    if (strcmp(kind, "photo") == 0) {
-        rgb[0] = (uint8_t)(127.5 + 127.0 * sin(7 * u + 3 * sin(5 * v)));
-        rgb[1] = (uint8_t)(127.5 + 127.0 * sin(11 * v + 2 * cos(9 * u * v)));
-        rgb[2] = (uint8_t)(127.5 + 127.0 * cos(6 * (u + v)));
-        return;
-    }
-    const unsigned most = (unsigned)strtoul(kind, NULL, 10);
-    const unsigned c = ((x * 8 / w) + 3 * (y * 64 / h) * (y * 64 / h)) % most; /* well apart: c * 37 mod 256 */
-    rgb[0] = (uint8_t)(c * 37);
-    rgb[1] = (uint8_t)(c * 101 + 40);
-    rgb[2] = (uint8_t)(255 - c * 59);
 }
 
 static uint8_t *picture(const char *kind, unsigned w, unsigned h)
@@ -203,6 +220,12 @@ int main(int argc, char **argv)
     const char *what = argc > 1 ? argv[1] : "";
     if (strcmp(what, "torus") == 0 && argc == 6)
         torus(atoi(argv[2]), atoi(argv[3]), atof(argv[4]), argv[5]);
+    else if (strcmp(what, "teapot") == 0 && argc == 2)
+        teapot();
+    else if (strcmp(what, "boxes") == 0 && argc == 4)
+        boxes(atoi(argv[2]), atoi(argv[3]));
+    else if (strcmp(what, "boxes.mtl") == 0 && argc == 3)
+        library(atoi(argv[2]));
     else if (strcmp(what, "soup") == 0 && argc == 4)
         soup(atoi(argv[2]), (uint32_t)atoi(argv[3]));
     else if (strcmp(what, "png") == 0 && argc == 6)

@@ -3,8 +3,8 @@
  *     probe check                 zs_mesh_check, zs_texture_check, spheres again by another sum
  *     probe view N PLACE          the camera of view N as options of zsim render
  *     probe compare N PLACE IDS MAP  draw view N, compare triangle numbers with zsim's of the original
+ *     probe places 0 PLACE FILE.obj MAP   every corner is where the file has it, with its normal and uv
  *     probe draw N                view N with the model's own shaders, PPM
- *     probe bytes                 sum of all arrays and structs as on a 32-bit machine
  *
  * PLACE: five numbers, origin x y z, step, world units to a unit.
  * "wrong: ..." and status 1, or figures and status 0.
@@ -415,6 +415,85 @@ static void compare(int n, const double place[5], const char *ids_file, const ch
     free(of);
 }
 
+/* ---- Against the file ------------------------------------------------------------------------ */
+
+#define FILE_MAX 1000000
+
+/* An OBJ of v, vt, vn and f, as fans; corners of triangles by numbers from 1, 0: none. */
+static double file_v[3][FILE_MAX][3]; /* v, vt, vn */
+static int file_tri[FILE_MAX][3][3];  /* triangle, corner, which */
+
+static uint32_t read_obj(const char *name)
+{
+    FILE *f = fopen(name, "r");
+    char line[400];
+    int n[3] = { 0, 0, 0 };
+    uint32_t n_tris = 0;
+    if (!f)
+        wrong("no %s", name);
+    while (fgets(line, sizeof line, f)) {
+        const int kind = line[0] != 'v' ? -1 : line[1] == ' ' ? 0 : line[1] == 't' ? 1 : 2;
+        if (kind >= 0)
+            n[kind] += sscanf(line + 2, "%lf %lf %lf", &file_v[kind][n[kind] + 1][0], &file_v[kind][n[kind] + 1][1],
+                              &file_v[kind][n[kind] + 1][2]) > 1;
+        if (line[0] != 'f')
+            continue;
+        int corner[3][3] = { { 0 } }, k = 0;
+        for (char *word = strtok(line + 1, " \n"); word; word = strtok(NULL, " \n"), k++) {
+            int c[3] = { 0, 0, 0 };
+            if (sscanf(word, "%d/%d/%d", &c[0], &c[1], &c[2]) < 1)
+                wrong("%s has a face that this cannot read", name);
+            c[0] += c[0] < 0 ? n[0] + 1 : 0;
+            memcpy(corner[k > 2 ? 2 : k], c, sizeof c);
+            if (k >= 2) {
+                memcpy(file_tri[n_tris++], corner, sizeof corner);
+                memcpy(corner[1], c, sizeof c);
+            }
+        }
+    }
+    fclose(f);
+    return n_tris;
+}
+
+static void compare_corner(const struct zs_mesh *m, uint32_t v, const int c[3], const double place[5], double worst[3])
+{
+    double p[3], across = 0.0, along = 0.0;
+    vertex(m, v, p);
+    for (int k = 0; k < 3; k++)
+        worst[0] = fmax(worst[0], fabs(place[k] + place[3] * p[k] - file_v[0][c[0]][k]));
+    for (int k = 0; m->uv && k < 2; k++) {
+        const double uv = ldexp(m->uv[v][k], -m->uv_bits), given = file_v[1][c[1]][k];
+        const double d = uv - (k == 0 ? given : 1.0 - given);
+        worst[1] = fmax(worst[1], fabs(d - rint(d))); /* whole pictures do not matter */
+    }
+    for (int k = 0; m->normal && c[2] && k < 3; k++) {
+        const double *given = file_v[2][c[2]];
+        const int i = (k + 1) % 3, j = (k + 2) % 3;
+        across += pow(m->normal[v][i] * given[j] - m->normal[v][j] * given[i], 2.0);
+        along += m->normal[v][k] * given[k];
+    }
+    if (m->normal && c[2])
+        worst[2] = fmax(worst[2], atan2(sqrt(across), along) * 180.0 / PI);
+}
+
+/* Prints the largest errors: of a coordinate in model units, of u or v, of a normal in degrees. */
+static void places(const double place[5], const char *obj, const char *map_file)
+{
+    size_t n_map;
+    uint32_t *map = load(map_file, &n_map), at = 0;
+    const uint32_t n_tris = read_obj(obj);
+    double worst[3] = { 0.0, 0.0, 0.0 };
+    for (uint32_t i = 0; i < M_INSTANCES; i++)
+        for (uint32_t t = 0; t < m_mesh[i].n_tris; t++, at++) {
+            if (at >= n_map || map[at] == 0 || map[at] > n_tris)
+                wrong("the map ends or names a triangle that is not there");
+            for (int k = 0; k < 3; k++)
+                compare_corner(&m_mesh[i], m_mesh[i].tri[t][k], file_tri[map[at] - 1][k], place, worst);
+        }
+    free(map);
+    printf("%.9g %.9g %.4f\n", worst[0], worst[1], worst[2]);
+}
+
 static void draw(int n)
 {
     struct zs_camera camera;
@@ -444,6 +523,8 @@ int main(int argc, char **argv)
         print_view(n, place);
     else if (strcmp(what, "compare") == 0 && argc == 10)
         compare(n, place, argv[8], argv[9]);
+    else if (strcmp(what, "places") == 0 && argc == 10)
+        places(place, argv[8], argv[9]);
     else if (strcmp(what, "draw") == 0 && argc == 3)
         draw(n);
     else
