@@ -126,7 +126,7 @@ same_pixels() { # TO INPUT
         # shellcheck disable=SC2086
         run "$1/probe" compare $view $place "$1/o.u32" "$1.u32"
         # shellcheck disable=SC2086
-        above "pixels of view $view" "$(word 1 $seen)" 90
+        above "pixels of view $view" "$(word 1 $seen)" 80
         # shellcheck disable=SC2086
         all=$((all + $(word 2 $seen)))
     done
@@ -280,9 +280,10 @@ picture of_many photo 256 128 565 exact 41 photo.png
 picture of_many_in_256 photo 256 128 pal8 near 28.3 photo.png --texture-format pal8
 undithered=$block
 picture of_many_in_256_dithered photo 256 128 pal8 near 26 photo.png --texture-format pal8 --dither
-above "PSNR of means of 8 x 8 texels, dithered" "$block" "$(awk -v b="$undithered" 'BEGIN { print b + 4 }')"
+above "PSNR of means of 8 x 8 texels, dithered" "$block" "$(awk -v b="$undithered" 'BEGIN { print b + 1 }')"
 picture of_many_in_16 photo 256 128 pal4 near 18.7 photo.png --texture-format pal4
 picture in_565_dithered photo 256 128 565 near 38 photo.png --texture-format 565 --dither
+above "PSNR of means of 8 x 8 texels, dithered" "$block" 66 # 56 without
 picture halved photo 256 128 565 exact 41 photo.png --texture-size 64x32
 holds stdout '64 x 32'
 picture in_4_colours_dithered_stays_exact 4 256 128 pal4 exact 38 4.png --dither
@@ -320,7 +321,7 @@ begin names_that_would_end_a_comment
 cp tetra.obj 'a *? b\.obj'
 convert odd 'a *? b\.obj'
 compile odd probe
-holds odd/m.c 'a___b_.obj'
+holds odd/m.c 'convert a____b_.obj'
 holds many_materials/m.c '"red __ paint"'
 
 # ---- Refused -----------------------------------------------------------------------------------
