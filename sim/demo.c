@@ -98,9 +98,9 @@ static int compare(struct tally *sum, const struct demo_frame *f, const struct d
     struct ref_camera camera;
     struct ref_light light;
     struct ref_diff diff;
-    const struct ref_depth depth = { sim_truth_mapping(demo->depth), config->depth_bits };
+    const struct ref_depth depth = { sim_truth_mapping(demo->depth, &f->camera), config->depth_bits };
     size_t n_tris;
-    struct ref_triangle *tris = sim_truth_triangles(&f->scene, &n_tris);
+    struct ref_triangle *tris = sim_truth_triangles(&f->scene, &f->camera, &n_tris);
     sim_truth_camera(&camera, &f->camera);
     sim_truth_light(&light, &f->scene.light);
     ours.texel = sim_alloc(n, sizeof *ours.texel); /* colours are compared where texels are the same */

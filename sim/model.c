@@ -531,8 +531,10 @@ static int take_corner(struct load *l, const struct aiMesh *mesh, unsigned v,
             return sim_refuse(l->file, 0, "coordinate %g is beyond %g; scale the model down", p[i],
                               COORD_MAX);
     out->point = weld(l, p);
-    if (l->want->normals && mesh->mNormals != NULL && l->family != FAMILY_STL)
+    if (l->want->normals && mesh->mNormals != NULL && l->family != FAMILY_STL) {
         take_normal(out->normal, mesh, v, at->normals);
+        l->model->file_normals = 1;
+    }
     if (at->use != NULL && !take_uv(l, mesh, v, at->use, out->uv))
         *has_uv = 0;
     if (!(fabs(out->uv[0]) <= SIM_UV_MAX && fabs(out->uv[1]) <= SIM_UV_MAX))

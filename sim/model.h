@@ -36,6 +36,7 @@ struct sim_model {
     char *lost_materials;    /* OBJ: its first material file that could not be read; else NULL */
     uint32_t n_points, n_tris, n_materials, n_textures;
     int single;              /* 1: positions came through single precision */
+    int file_normals;        /* 1: normals were asked for, and the file gives some corner one */
     double lo[3], hi[3];     /* box around the points */
     double center[3], radius; /* of a sphere around the points, > 0 */
 };

@@ -194,10 +194,10 @@ static void pose_slivers(struct demo_frame *f, uint32_t t, uint16_t w, uint16_t 
 }
 
 #define BENCH(id, what, pose) \
-    const struct demo demo_##id = { #id, what, 320, 240, 1, ZS_ATTRS_FLAT, 1, &zs_depth_recip, \
+    const struct demo demo_##id = { #id, what, 320, 240, 1, ZS_ATTRS_FLAT, 1, &zs_depth_float, \
                                     pose }
 #define BENCH_TEX(id, what, attrs, pose) \
-    const struct demo demo_##id = { #id, what, 320, 240, 1, attrs, 1, &zs_depth_e3m13, pose }
+    const struct demo demo_##id = { #id, what, 320, 240, 1, attrs, 1, &zs_depth_float, pose }
 
 BENCH(mesh, "A bumpy ball of 2,520 triangles over a third of the picture, unlit", pose_mesh);
 BENCH(mesh_lit, "The same ball, flat-shaded by its face normals", pose_mesh_lit);

@@ -30,5 +30,5 @@ static void pose(struct demo_frame *f, uint32_t t, uint16_t w, uint16_t h)
 
 const struct demo demo_globe = {
     "globe", "A planet and its moon under the stars, smooth light over textures of three sizes",
-    240, 240, FRAMES, ZS_ATTRS_TEXTURE_SMOOTH, 0, &zs_depth_e3m13, pose,
+    240, 240, FRAMES, ZS_ATTRS_TEXTURE_SMOOTH, 0, &zs_depth_float, pose,
 };

@@ -70,5 +70,5 @@ static void pose(struct demo_frame *f, uint32_t t, uint16_t w, uint16_t h)
 
 const struct demo demo_hall = {
     "hall", "A walk through a hall of tiles, bricks, wood and marble, with pictures on its walls",
-    240, 240, FRAMES, ZS_ATTRS_TEXTURE_SMOOTH, 0, &zs_depth_e3m13, pose,
+    240, 240, FRAMES, ZS_ATTRS_TEXTURE_SMOOTH, 0, &zs_depth_float, pose,
 };

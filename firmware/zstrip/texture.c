@@ -9,22 +9,23 @@
 #include "persp.h"
 
 /* A texel's value from its number, row * width + column. */
-typedef uint16_t read_fn(const struct zs_texture *texture, uint32_t at);
+typedef uint16_t read_fn(const void *texel, const uint16_t *palette, uint32_t at);
 
-ZS_ALWAYS_INLINE uint16_t read_565(const struct zs_texture *t, uint32_t at)
+ZS_ALWAYS_INLINE uint16_t read_565(const void *texel, const uint16_t *palette, uint32_t at)
 {
-    return ((const uint16_t *)t->texel)[at];
+    (void)palette;
+    return ((const uint16_t *)texel)[at];
 }
 
-ZS_ALWAYS_INLINE uint16_t read_pal8(const struct zs_texture *t, uint32_t at)
+ZS_ALWAYS_INLINE uint16_t read_pal8(const void *texel, const uint16_t *palette, uint32_t at)
 {
-    return t->palette[((const uint8_t *)t->texel)[at]];
+    return palette[((const uint8_t *)texel)[at]];
 }
 
-ZS_ALWAYS_INLINE uint16_t read_pal4(const struct zs_texture *t, uint32_t at)
+ZS_ALWAYS_INLINE uint16_t read_pal4(const void *texel, const uint16_t *palette, uint32_t at)
 {
-    const uint32_t two = ((const uint8_t *)t->texel)[at >> 1];
-    return t->palette[two >> ((at & 1u) << 2) & 15u];
+    const uint32_t two = ((const uint8_t *)texel)[at >> 1];
+    return palette[two >> ((at & 1u) << 2) & 15u];
 }
 
 /* Shifts that leave column and row. A texture of one column or row: 31, and u or v is 0 (shade_texture.c). */
@@ -36,18 +37,21 @@ static inline uint32_t index_shift(uint32_t log2)
 ZS_ALWAYS_INLINE void fetch(const struct zs_texture *t, uint16_t *out, int32_t n, const struct zs_walk *walk,
                             read_fn *read)
 {
-    const struct zs_texture texture = *t; /* so that the compiler knows that no store changes it */
+    const void *texel = t->texel;
+    const uint16_t *palette = t->palette;
     const uint32_t right = index_shift(t->log2_w), down = index_shift(t->log2_h), row = t->log2_w;
     const uint32_t du = walk->du, dv = walk->dv;
     uint32_t u = walk->u, v = walk->v;
     for (uint16_t *const end = out + n; out != end; out++, u += du, v += dv)
-        *out = zs_wire16(read(&texture, ((v >> down) << row) + (u >> right)));
+        *out = zs_wire16(read(texel, palette, ((v >> down) << row) + (u >> right)));
 }
 
 ZS_ALWAYS_INLINE void span(struct zs_job *job, const struct zs_row *row, read_fn *read)
 {
-    const struct zs_texture t = *job->sampler.texture;
-    const uint32_t right = 32u - t.log2_w, down = 32u - t.log2_h, log2_w = t.log2_w;
+    const struct zs_texture *t = job->sampler.texture;
+    const void *texel = t->texel;
+    const uint16_t *palette = t->palette;
+    const uint32_t right = 32u - t->log2_w, down = 32u - t->log2_h, log2_w = t->log2_w;
     const uint32_t gx = job->key.gx, du = job->c[0].gx, dv = job->c[1].gx;
     const uint32_t top = (job->r->view.key_top >> 16) - 1u;
     uint32_t sum = row->key + zs_wrap_mul(gx, row->i0);
@@ -62,7 +66,7 @@ ZS_ALWAYS_INLINE void span(struct zs_job *job, const struct zs_row *row, read_fn
             key = top;
         if (key < *depth) {
             *depth = (uint16_t)key;
-            *color = zs_wire16(read(&t, ((v >> down) << log2_w) + (u >> right)));
+            *color = zs_wire16(read(texel, palette, ((v >> down) << log2_w) + (u >> right)));
             if (ZS_STATS)
                 written++;
         }

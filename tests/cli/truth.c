@@ -66,8 +66,8 @@ static const char *compare(const struct zs_scene *scene, const struct zs_camera 
         sim_frame_texels(ours_texel, scene, camera, &config) != ZS_OK)
         return "the renderer refuses it";
     *rgb565 = frame.rgb565;
-    const struct ref_depth depth = { sim_truth_mapping(mapping), 16 };
-    struct ref_triangle *all = sim_truth_triangles(scene, &n);
+    const struct ref_depth depth = { sim_truth_mapping(mapping, camera), 16 };
+    struct ref_triangle *all = sim_truth_triangles(scene, camera, &n);
     sim_truth_camera(&ref_camera, camera);
     sim_truth_light(&light, &scene->light);
     struct ref_image truth = { .rgb565 = true_565, .key = true_key, .id = id, .u = u, .v = v,
