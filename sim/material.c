@@ -13,14 +13,6 @@
 
 #include "sim.h"
 
-/* A texture as a material names it. */
-struct use {
-    enum aiTextureType type;
-    char path[4096]; /* "" : none */
-    int mode[2];     /* enum aiTextureMapMode, u and v */
-    double factor[3];
-};
-
 /* ---- What a material says ---------------------------------------------------------------------- */
 
 /* Its diffuse texture's slot; aiTextureType_NONE where it has none. */
@@ -35,49 +27,71 @@ static enum aiTextureType slot_of(const struct aiMaterial *material, struct aiSt
     return aiTextureType_NONE;
 }
 
-int sim_material_mapping(struct sim_mapping *out, const char *file,
-                         const struct aiMaterial *material)
+static char *copy(const char *text)
 {
-    *out = (struct sim_mapping){ .scale = { 1.0, 1.0 } };
-    struct aiString path;
+    return strcpy(sim_alloc(strlen(text) + 1, 1), text);
+}
+
+/* KHR_texture_transform and its like; assimp gives shifts so that a plain scale is about 0,0. */
+static void look_up_transform(struct sim_use *out, const struct aiMaterial *material,
+                              enum aiTextureType slot)
+{
     struct aiUVTransform t;
-    int channel;
-    const enum aiTextureType slot = slot_of(material, &path);
-    if (slot == aiTextureType_NONE)
-        return SIM_OK;
-    if (aiGetMaterialInteger(material, AI_MATKEY_UVWSRC(slot, 0), &channel) == aiReturn_SUCCESS &&
-        channel >= 0)
-        out->channel = (unsigned)channel;
     if (aiGetMaterialUVTransform(material, AI_MATKEY_UVTRANSFORM(slot, 0), &t) != aiReturn_SUCCESS)
-        return SIM_OK;
-    if (fabsf(t.mRotation) > 1e-6f)
-        return sim_refuse(file, 0,
-                          "a material rotates its texture by %g radians; apply that to the texture "
-                          "coordinates and export the model again",
-                          (double)t.mRotation);
+        return;
+    out->rotation = fabsf(t.mRotation) > 1e-6f ? (double)t.mRotation : 0.0;
     out->scale[0] = (double)t.mScaling.x;
     out->scale[1] = (double)t.mScaling.y;
     out->shift[0] = (double)t.mTranslation.x;
     out->shift[1] = (double)t.mTranslation.y;
-    return SIM_OK;
 }
 
-static void look_up(struct use *use, const struct aiMaterial *material)
+static void look_up(struct sim_use *out, const struct aiMaterial *material)
 {
     struct aiString path;
     struct aiColor4D c;
-    *use = (struct use){ .factor = { 1.0, 1.0, 1.0 } };
-    use->type = slot_of(material, &path);
-    if (use->type == aiTextureType_NONE)
+    int channel = 0;
+    const enum aiTextureType slot = slot_of(material, &path);
+    if (slot == aiTextureType_NONE)
         return;
-    (void)snprintf(use->path, sizeof use->path, "%s", path.data);
-    (void)aiGetMaterialInteger(material, AI_MATKEY_MAPPINGMODE_U(use->type, 0), &use->mode[0]);
-    (void)aiGetMaterialInteger(material, AI_MATKEY_MAPPINGMODE_V(use->type, 0), &use->mode[1]);
+    free(out->path);
+    out->path = copy(path.data);
+    (void)aiGetMaterialInteger(material, AI_MATKEY_UVWSRC(slot, 0), &channel);
+    out->channel = channel > 0 ? (unsigned)channel : 0;
+    (void)aiGetMaterialInteger(material, AI_MATKEY_MAPPINGMODE_U(slot, 0), &out->mode[0]);
+    (void)aiGetMaterialInteger(material, AI_MATKEY_MAPPINGMODE_V(slot, 0), &out->mode[1]);
+    look_up_transform(out, material, slot);
     if (aiGetMaterialColor(material, AI_MATKEY_BASE_COLOR, &c) == aiReturn_SUCCESS) {
-        const double factor[3] = { (double)c.r, (double)c.g, (double)c.b };
-        for (int k = 0; k < 3; k++) /* a NaN becomes 0 */
-            use->factor[k] = factor[k] > 0.0 ? fmin(factor[k], 1.0) : 0.0;
+        out->factor[0] = (double)c.r;
+        out->factor[1] = (double)c.g;
+        out->factor[2] = (double)c.b;
     }
+}
+
+/* Kd multiplies the texture, but black stands for "not set" beside one. */
+static void take_mtl(struct sim_use *out, const struct sim_mtl_entry *mtl)
+{
+    if (mtl->picture == NULL)
+        return;
+    free(out->path);
+    out->path = copy(mtl->picture);
+    memcpy(out->scale, mtl->scale, sizeof out->scale);
+    memcpy(out->shift, mtl->shift, sizeof out->shift);
+    out->mode[0] = out->mode[1] = mtl->clamp ? aiTextureMapMode_Clamp : aiTextureMapMode_Wrap;
+    if (mtl->kd[0] != 0.0 || mtl->kd[1] != 0.0 || mtl->kd[2] != 0.0)
+        memcpy(out->factor, mtl->kd, sizeof out->factor);
+}
+
+void sim_material_use(struct sim_use *out, const struct aiMaterial *material,
+                      const struct sim_mtl_entry *mtl)
+{
+    *out = (struct sim_use){ .path = copy(""), .scale = { 1.0, 1.0 }, .factor = { 1.0, 1.0, 1.0 } };
+    if (mtl != NULL)
+        take_mtl(out, mtl);
+    else if (material != NULL)
+        look_up(out, material);
+    for (int k = 0; k < 3; k++) /* a NaN becomes 0 */
+        out->factor[k] = out->factor[k] > 0.0 ? fmin(out->factor[k], 1.0) : 0.0;
 }
 
 /* ---- Pictures ---------------------------------------------------------------------------------- */
@@ -185,7 +199,7 @@ static int add_texture(struct sim_model *model, struct sim_image *image, const c
 }
 
 static int load_texture(struct sim_model *model, const struct aiScene *scene,
-                        const struct use *use, uint8_t clamp)
+                        const struct sim_use *use, uint8_t clamp)
 {
     struct sim_image image = { 0 };
     const struct aiTexture *embedded = find_embedded(scene, use->path);
@@ -210,7 +224,7 @@ static int load_texture(struct sim_model *model, const struct aiScene *scene,
     return status;
 }
 
-static uint8_t clamp_of(const struct use *use, enum sim_wrap wrap)
+static uint8_t clamp_of(const struct sim_use *use, enum sim_wrap wrap)
 {
     if (wrap != SIM_WRAP_FILE)
         return wrap == SIM_WRAP_CLAMP ? ZS_CLAMP_U | ZS_CLAMP_V : 0;
@@ -219,7 +233,7 @@ static uint8_t clamp_of(const struct use *use, enum sim_wrap wrap)
 }
 
 /* Inside the picture, mirrored repeat is as good as any. */
-static int check_mirror(const struct sim_model *model, uint32_t material, const struct use *use)
+static int check_mirror(const struct sim_model *model, uint32_t material, const struct sim_use *use)
 {
     for (int axis = 0; axis < 2; axis++)
         for (uint32_t t = 0; use->mode[axis] == aiTextureMapMode_Mirror && t < model->n_tris; t++)
@@ -232,7 +246,7 @@ static int check_mirror(const struct sim_model *model, uint32_t material, const 
     return SIM_OK;
 }
 
-static int same_use(const struct use *a, const struct use *b)
+static int same_use(const struct sim_use *a, const struct sim_use *b)
 {
     return strcmp(a->path, b->path) == 0 && a->mode[0] == b->mode[0] && a->mode[1] == b->mode[1] &&
            memcmp(a->factor, b->factor, sizeof a->factor) == 0;
@@ -247,21 +261,18 @@ static uint8_t *used_materials(const struct sim_model *model)
 }
 
 /* The model's own textures, for materials of faces with uv. */
-static int own_textures(struct sim_model *model, const struct aiScene *scene, enum sim_wrap wrap)
+static int own_textures(struct sim_model *model, const struct aiScene *scene,
+                        const struct sim_use *use, enum sim_wrap wrap)
 {
     uint8_t *used = used_materials(model);
-    struct use *use = sim_alloc(model->n_materials, sizeof *use);
     int status = SIM_OK;
     for (uint32_t i = 0; status == SIM_OK && i < model->n_materials; i++) {
         uint32_t same = 0;
-        if (!used[i] || i >= scene->mNumMaterials)
-            continue;
-        look_up(&use[i], scene->mMaterials[i]);
-        if (use[i].path[0] == '\0')
+        if (!used[i] || use[i].path[0] == '\0')
             continue;
         if (wrap == SIM_WRAP_FILE)
             status = check_mirror(model, i, &use[i]);
-        while (same < i && !same_use(&use[same], &use[i]))
+        while (same < i && !(used[same] && same_use(&use[same], &use[i])))
             same++;
         if (status == SIM_OK && same == i)
             status = load_texture(model, scene, &use[i], clamp_of(&use[i], wrap));
@@ -270,7 +281,6 @@ static int own_textures(struct sim_model *model, const struct aiScene *scene, en
         sim_progress("textures", i, model->n_materials);
     }
     free(used);
-    free(use);
     return status;
 }
 
@@ -296,8 +306,8 @@ static int given_texture(struct sim_model *model, const struct sim_want *want)
 }
 
 int sim_material_textures(struct sim_model *model, const struct aiScene *scene,
-                          const struct sim_want *want)
+                          const struct sim_use *use, const struct sim_want *want)
 {
     return want->picture != NULL ? given_texture(model, want)
-                                 : own_textures(model, scene, want->wrap);
+                                 : own_textures(model, scene, use, want->wrap);
 }

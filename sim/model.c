@@ -39,6 +39,8 @@ struct load {
     char *text; /* the whole file, '\0' behind it; NULL where assimp reads it itself */
     size_t bytes;
     struct sim_obj obj;
+    struct sim_mtl mtl;          /* OBJ: its material files */
+    struct sim_use *use;         /* [n_materials], how each uses its texture; NULL: not wanted */
     int has_materials;           /* OBJ: a material file was read */
     const struct sim_want *want;
     const struct aiScene *scene;
@@ -89,20 +91,18 @@ static int read_file(struct load *l)
     return SIM_OK;
 }
 
-/* ---- Files for assimp: the cleaned text in place of the m ------------------------------------ */
+/* ---- Files for assimp: the cleaned text in place of the model, and its material files --------- */
 
 struct stream {
     struct aiFile file;
-    const char *text; /* NULL: disk */
+    const char *text;
     size_t at, bytes;
-    FILE *disk;
+    char *own; /* the text, where it goes with the stream; else NULL */
 };
 
 static size_t stream_read(struct aiFile *file, char *out, size_t size, size_t n)
 {
     struct stream *s = (struct stream *)file->UserData;
-    if (s->text == NULL)
-        return fread(out, size, n, s->disk);
     const size_t left = size > 0 ? (s->bytes - s->at) / size : 0;
     n = n < left ? n : left;
     memcpy(out, s->text + s->at, n * size);
@@ -121,8 +121,7 @@ static size_t stream_write(struct aiFile *file, const char *in, size_t size, siz
 
 static size_t stream_tell(struct aiFile *file)
 {
-    struct stream *s = (struct stream *)file->UserData;
-    return s->text != NULL ? s->at : (size_t)ftell(s->disk);
+    return ((struct stream *)file->UserData)->at;
 }
 
 static size_t stream_size(struct aiFile *file)
@@ -133,11 +132,9 @@ static size_t stream_size(struct aiFile *file)
 static enum aiReturn stream_seek(struct aiFile *file, size_t offset, enum aiOrigin origin)
 {
     struct stream *s = (struct stream *)file->UserData;
-    const size_t base = origin == aiOrigin_SET   ? 0
-                        : origin == aiOrigin_END ? s->bytes
-                                                 : stream_tell(file);
+    const size_t base = origin == aiOrigin_SET ? 0 : origin == aiOrigin_END ? s->bytes : s->at;
     const size_t to = base + offset; /* an offset below 0 wraps, and so does the sum */
-    if (to > s->bytes || (s->text == NULL && fseek(s->disk, (long)to, SEEK_SET) != 0))
+    if (to > s->bytes)
         return aiReturn_FAILURE;
     s->at = to;
     return aiReturn_SUCCESS;
@@ -148,27 +145,51 @@ static void stream_flush(struct aiFile *file)
     (void)file;
 }
 
-static struct aiFile *lost(struct load *l, const char *name)
+/* A whole regular file with a '\0' behind it, or NULL. malloc'ed. */
+static char *read_text(const char *path, size_t *bytes)
 {
-    if (l->model->lost_materials == NULL)
-        l->model->lost_materials = strcpy(sim_alloc(strlen(name) + 1, 1), name);
-    return NULL;
+    struct stat st;
+    FILE *f = stat(path, &st) == 0 && S_ISREG(st.st_mode) ? fopen(path, "rb") : NULL;
+    if (f == NULL)
+        return NULL;
+    char *text = sim_alloc((size_t)st.st_size + 1, 1);
+    *bytes = fread(text, 1, (size_t)st.st_size, f);
+    (void)fclose(f);
+    return text;
+}
+
+/* A material file of an OBJ: for assimp, and for a scan of its own. */
+static char *read_materials(struct load *l, const char *name, size_t *bytes)
+{
+    char *path = strcpy(sim_alloc(strlen(name) + 1, 1), name);
+    char *text = read_text(path, bytes);
+    for (char *p = path; *p != '\0'; p++)
+        if (*p == '\\')
+            *p = '/';
+    if (text == NULL)
+        text = read_text(path, bytes);
+    if (text == NULL && l->model->lost_materials == NULL) {
+        l->model->lost_materials = path;
+        return NULL;
+    }
+    free(path);
+    if (text != NULL) {
+        l->has_materials = 1;
+        sim_mtl_scan(&l->mtl, text, *bytes);
+    }
+    return text;
 }
 
 static struct aiFile *stream_open(struct aiFileIO *io, const char *name, const char *mode)
 {
     struct load *l = (struct load *)io->UserData;
+    struct stream s = { .text = l->obj.text, .bytes = l->obj.text_bytes };
     if (mode[0] != 'r')
         return NULL;
-    struct stream s = { .bytes = l->obj.text_bytes };
-    if (strcmp(name, l->file) == 0) {
-        s.text = l->obj.text;
-    } else {
-        struct stat st;
-        if (stat(name, &st) != 0 || !S_ISREG(st.st_mode) || (s.disk = fopen(name, "rb")) == NULL)
-            return lost(l, name);
-        s.bytes = (size_t)st.st_size;
-        l->has_materials = 1;
+    if (strcmp(name, l->file) != 0) {
+        s.text = s.own = read_materials(l, name, &s.bytes);
+        if (s.own == NULL)
+            return NULL;
     }
     struct stream *kept = sim_alloc(1, sizeof *kept);
     *kept = s;
@@ -181,8 +202,7 @@ static void stream_close(struct aiFileIO *io, struct aiFile *file)
 {
     (void)io;
     struct stream *s = (struct stream *)file->UserData;
-    if (s->disk != NULL)
-        (void)fclose(s->disk);
+    free(s->own);
     free(s);
 }
 
@@ -361,6 +381,11 @@ static void fill_materials(struct load *l)
                         : (struct zs_rgb){ 204, 204, 204 };
         to->texture = SIM_NO_TEXTURE;
     }
+    if (l->want->textures)
+        l->use = sim_alloc(model->n_materials, sizeof *l->use);
+    for (uint32_t i = 0; l->use != NULL && i < model->n_materials; i++)
+        sim_material_use(&l->use[i], i < n ? l->scene->mMaterials[i] : NULL,
+                         sim_mtl_find(&l->mtl, model->material[i].name));
 }
 
 /* The number of a point, the same for equal positions. */
@@ -402,7 +427,7 @@ struct placement {
     int mirrored;      /* flag */
     struct zs_rgb rgb;
     uint32_t material;
-    struct sim_mapping mapping;
+    const struct sim_use *use; /* NULL: no uv are wanted */
 };
 
 static void take_normal(float out[3], const struct aiMesh *mesh, unsigned v,
@@ -452,26 +477,25 @@ static void take_position(struct load *l, const struct aiVector3D *v, const doub
 /* The texture coordinates of the corner whose position was taken last; 0 where it has none. OBJ: the
  * scan's. */
 static int take_uv(struct load *l, const struct aiMesh *mesh, unsigned v,
-                   const struct sim_mapping *mapping, double out[2])
+                   const struct sim_use *use, double out[2])
 {
     double in[2];
-    out[0] = out[1] = 0.0;
     if (l->family == FAMILY_OBJ) {
         const uint32_t n = l->obj.corner_uv[l->corner - 1];
         if (n == SIM_NONE)
             return 0;
         memcpy(in, l->obj.uv[n], sizeof in);
     } else {
-        const struct aiVector3D *uv = mapping->channel < AI_MAX_NUMBER_OF_TEXTURECOORDS
-                                          ? mesh->mTextureCoords[mapping->channel]
+        const struct aiVector3D *uv = use->channel < AI_MAX_NUMBER_OF_TEXTURECOORDS
+                                          ? mesh->mTextureCoords[use->channel]
                                           : NULL;
         if (uv == NULL)
             return 0;
         in[0] = (double)uv[v].x;
         in[1] = (double)uv[v].y;
     }
-    out[0] = mapping->scale[0] * in[0] + mapping->shift[0];
-    out[1] = 1.0 - (mapping->scale[1] * in[1] + mapping->shift[1]);
+    out[0] = use->scale[0] * in[0] + use->shift[0];
+    out[1] = 1.0 - (use->scale[1] * in[1] + use->shift[1]);
     return 1;
 }
 
@@ -511,13 +535,13 @@ static int take_corner(struct load *l, const struct aiMesh *mesh, unsigned v,
         take_normal(out->normal, mesh, v, at->normals);
         l->model->file_normals = 1;
     }
-    if (l->want->textures && !take_uv(l, mesh, v, &at->mapping, out->uv))
+    if (at->use != NULL && !take_uv(l, mesh, v, at->use, out->uv))
         *has_uv = 0;
-    if (!isfinite(out->uv[0]) || !isfinite(out->uv[1]))
+    if (!(fabs(out->uv[0]) <= SIM_UV_MAX && fabs(out->uv[1]) <= SIM_UV_MAX))
         return sim_refuse(l->file, 0,
-                          "vertex %u of mesh '%s' has a texture coordinate that is not finite; "
-                          "export the model again",
-                          v + 1, mesh->mName.data);
+                          "vertex %u of mesh '%s' has the texture coordinates %g, %g; the picture "
+                          "is 0 to 1, and zsim takes up to %g",
+                          v + 1, mesh->mName.data, out->uv[0], out->uv[1], SIM_UV_MAX);
     return SIM_OK;
 }
 
@@ -554,13 +578,17 @@ static int add_face(struct load *l, const struct aiMesh *mesh, const struct aiFa
 
 static int fill_mesh(struct load *l, const struct aiMesh *mesh, const double m[12])
 {
-    struct placement at = { .m = m, .mapping.scale = { 1.0, 1.0 } };
+    struct placement at = { .m = m };
     int status = SIM_OK;
     at.mirrored = cofactors(at.normals, m) < 0.0;
     at.material = mesh->mMaterialIndex < l->model->n_materials ? mesh->mMaterialIndex : 0;
     at.rgb = l->model->material[at.material].rgb;
-    if (l->want->textures && l->want->picture == NULL && at.material < l->scene->mNumMaterials)
-        status = sim_material_mapping(&at.mapping, l->file, l->scene->mMaterials[at.material]);
+    at.use = l->use != NULL ? &l->use[at.material] : NULL;
+    if (at.use != NULL && at.use->rotation != 0.0)
+        return sim_refuse(l->file, 0,
+                          "material '%s' rotates its texture by %g radians; apply that to the "
+                          "texture coordinates and export the model again",
+                          l->model->material[at.material].name, at.use->rotation);
     for (unsigned f = 0; status == SIM_OK && f < mesh->mNumFaces; f++) {
         if (mesh->mFaces[f].mNumIndices >= 3)
             status = add_face(l, mesh, &mesh->mFaces[f], &at);
@@ -716,7 +744,7 @@ static int build(struct load *l)
     if (status == SIM_OK && l->want->normals)
         fill_normals(model);
     if (status == SIM_OK && l->want->textures)
-        status = sim_material_textures(model, l->scene, l->want);
+        status = sim_material_textures(model, l->scene, l->use, l->want);
     return status;
 }
 
@@ -734,6 +762,10 @@ int sim_model_load(struct sim_model *model, const char *file, const struct sim_w
     if (l.scene != NULL)
         aiReleaseImport(l.scene);
     sim_obj_free(&l.obj);
+    sim_mtl_free(&l.mtl);
+    for (uint32_t i = 0; l.use != NULL && i < model->n_materials; i++)
+        free(l.use[i].path);
+    free(l.use);
     if (status != SIM_OK)
         sim_model_free(model);
     return status;

@@ -11,6 +11,7 @@
 #include "zstrip.h"
 
 #define SIM_NO_TEXTURE UINT32_MAX
+#define SIM_UV_MAX 1e6 /* repeats */
 
 /* A material that triangles name. */
 struct sim_material {
@@ -26,7 +27,8 @@ struct sim_model {
     float (*normal)[3][3];   /* [n_tris], unit, by corner; NULL: not asked for */
     struct zs_rgb (*rgb)[3]; /* [n_tris], by corner */
     double (*uv)[3][2];      /* [n_tris], by corner: u to the right, v down from the top of the
-                                picture, 1 is once around; finite; NULL: not asked for */
+                                picture, 1 is once around; |uv| <= SIM_UV_MAX; NULL: not
+                                asked for */
     uint8_t *has_uv;         /* [n_tris], 0: the file gives this face none, uv is 0; NULL as uv */
     uint32_t *tri_material;  /* [n_tris], into material */
     struct sim_material *material; /* [n_materials]; some may be used by no triangle */
@@ -56,12 +58,13 @@ struct sim_want {
  *
  * Colours: want->color, else vertex colours, else the material's diffuse colour, else 204 204 204.
  *
- * Textures: OBJ with MTL (map_Kd), glTF (baseColorTexture, times baseColorFactor), and what else
- * assimp gives as diffuse texture; PNG or JPEG, in files, data URIs or the model itself. A file is
- * looked for at the path that the model gives, from the model's folder, then under its bare name
- * there. Refused: a picture that is missing or broken; want->picture where no face has uv; mirrored
- * repeat where a face leaves the picture, unless want->wrap says otherwise. Vertex colours are not
- * multiplied into textures, and alpha is dropped.
+ * Textures: OBJ with MTL (map_Kd with -s, -o and -clamp, times Kd unless that is black), glTF
+ * (baseColorTexture, times baseColorFactor), and what else assimp gives as diffuse texture; PNG or
+ * JPEG, in files, data URIs or the model itself. A file is looked for at the path that the model
+ * gives, from the model's folder, then under its bare name there. Refused: a picture that is missing
+ * or broken; want->picture where no face has uv; mirrored repeat where a face leaves the picture,
+ * unless want->wrap says otherwise; uv that a material rotates. Vertex colours are not multiplied
+ * into textures, and alpha is dropped.
  *
  * Return  SIM_OK; SIM_REFUSED, said why, *model empty. sim_model_free in either case. */
 int sim_model_load(struct sim_model *model, const char *file, const struct sim_want *want);

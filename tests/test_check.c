@@ -290,6 +290,8 @@ static void cones_hold_their_triangles(void **state)
                 ZS_FLAW_CLUSTER_CONE, c);
         CHANGED(s.cluster[c].axis[0] = 20, ZS_FLAW_CLUSTER_CONE, c);
         CHANGED(s.cluster[c].axis[0] = 20; s.cluster[c].cutoff = 127, ZS_FLAW_NONE, 0);
+        CHANGED(s.cluster[c].axis[0] = 15; s.cluster[c].cutoff = 126, ZS_FLAW_NONE, 0); /* 127.9 long */
+        CHANGED(s.cluster[c].axis[0] = 17; s.cluster[c].cutoff = 126, ZS_FLAW_CLUSTER_CONE, c);
         CHANGED(memset(s.cluster[c].axis, 0, 3), ZS_FLAW_NONE, 0); /* for no eye */
         CHANGED(memset(s.cluster[c].axis, -128, 3), ZS_FLAW_CLUSTER_CONE, c);
         CHANGED(memset(s.cluster[c].axis, -128, 3); s.cluster[c].cutoff = 127, ZS_FLAW_NONE, 0);
@@ -315,6 +317,8 @@ static void flat_clusters(void **state)
     HAS(&m, ZS_FLAW_NONE, 0);
     c.axis[2] = 1; /* a short axis: for fewer eyes */
     HAS(&m, ZS_FLAW_NONE, 0);
+    c.axis[2] = -1;
+    HAS(&m, ZS_FLAW_CLUSTER_CONE, 0);
     c.axis[0] = 1;
     HAS(&m, ZS_FLAW_CLUSTER_CONE, 0);
     c.axis[0] = 0;

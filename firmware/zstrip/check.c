@@ -288,10 +288,10 @@ static uint32_t texel_at(const struct zs_texture *x, uint32_t at)
 
 enum zs_flaw zs_texture_check(const struct zs_texture *x, uint32_t *index)
 {
-    if (!x || !x->format || !x->texel)
+    if (!x || !x->texel)
         return found(ZS_FLAW_NULL, index, 0);
     const uint32_t most = colors_max(x->format);
-    if (most ? !x->palette : x->format != &zs_texel_565)
+    if (most ? !x->palette : x->format != &zs_texel_565) /* also where it is NULL */
         return found(ZS_FLAW_NULL, index, 0);
     if (!aligned(most ? x->palette : x->texel, sizeof(uint16_t)))
         return found(ZS_FLAW_ALIGN, index, 0);
