@@ -58,6 +58,12 @@ static uint64_t linear_inverse(const struct zs_view *view, uint32_t d)
     return view->perspective ? ((uint64_t)1 << 62) / d : (uint64_t)1 << 32;
 }
 
+static uint32_t linear_key(const struct zs_view *view, uint32_t d)
+{
+    const uint32_t n = (uint32_t)view->z_near;
+    return view->perspective ? key_of(view, d > n ? d - n : 0u, view->key_shift - 16, view->key_top) : d;
+}
+
 static void linear_planes(struct zs_job *job)
 {
     uint64_t w[3], most = 0;
@@ -93,6 +99,8 @@ ZS_ALWAYS_INLINE void linear_span(struct zs_job *job, const struct zs_row *row)
 {
     const struct zs_view *view = &job->r->view;
     const struct zs_shader *shader = job->shader;
+    const struct zs_state *state = job->state;
+    const uint32_t top = (view->key_top >> 16) - 1u;
     const uint64_t gx = job->w64.gx;
     uint16_t *depth = job->depth + row->at;
     uint64_t w = job->w64.base + gx * (uint64_t)(int64_t)(row->i0 - job->geom.ia) +
@@ -100,8 +108,12 @@ ZS_ALWAYS_INLINE void linear_span(struct zs_job *job, const struct zs_row *row)
     int32_t from = -1; /* first pixel of the current run */
     for (int32_t i = row->i0; i < row->i1; i++, w += gx) {
         const uint32_t key = pixel_key(view, w, job->w64_scale);
-        if (key < depth[i]) {
+        int seen = key < depth[i];
+        if (state)
+            seen = zs_rows_state(job, state, key, top, &depth[i]);
+        else if (seen)
             depth[i] = (uint16_t)key;
+        if (seen) {
             if (from < 0)
                 from = i;
         } else {
@@ -115,10 +127,12 @@ ZS_ALWAYS_INLINE void linear_span(struct zs_job *job, const struct zs_row *row)
 static void linear_rows(struct zs_job *job)
 {
     linear_planes(job);
-    if (job->shader->start)
-        job->shader->start(job);
+    const struct zs_shader *shader = job->shader;
+    job->key.base = job->key.gx = job->key.gy = 0; /* not used, but walked */
+    if (shader->start)
+        shader->start(job);
     zs_rows_walk(job, linear_span);
 }
 
-const struct zs_depth zs_depth_linear = { linear_setup, linear_vertex, linear_rows,
-                                          linear_inverse };
+const struct zs_depth zs_depth_linear = { linear_setup, linear_vertex, linear_rows, linear_inverse,
+                                          linear_key };

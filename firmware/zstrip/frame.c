@@ -16,7 +16,8 @@ static const char *const messages[] = {
     "frame functions called out of order",
     "the shader needs more vertex attributes than config.attrs",
     "a direction of length 0, or parallel directions",
-    "the near plane is too close beside what is in view (more than 2^22 times as far): move it out"
+    "the near plane is too close beside what is in view (more than 2^22 times as far): move it out",
+    "a texture's size or clamping out of range"
 };
 
 const char *zs_strerror(int err)
@@ -112,6 +113,8 @@ static int instance_check(const struct zs_renderer *r, const struct zs_instance 
         return ZS_ERR_MESH;
     if (material->shader->n_attrs > r->config.attrs)
         return ZS_ERR_ATTRS;
+    if (in->state && !in->state->kernel)
+        return ZS_ERR_NULL;
     return material->shader->check ? material->shader->check(in, &r->config) : ZS_OK;
 }
 

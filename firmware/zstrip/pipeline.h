@@ -34,16 +34,39 @@ struct zs_shader {
     uint8_t n_attrs;
 };
 
+/* How an instance with a state is drawn: of zs_state.kernel. */
+struct zs_state_kernel {
+    /* Buckets to be added to each key of a triangle: offset and slope. */
+    int32_t (*bias)(const struct zs_job *job);
+    /* As shader->rows, with job->state and job->bias. */
+    void (*rows)(struct zs_job *job);
+};
+
+/* Texture coordinates walked along a run: fractions of the texture's size, modulo 1. */
+struct zs_walk {
+    uint32_t u, v, du, dv; /* uq0_32 */
+};
+
+struct zs_texel {
+    /* n texels along a walk, RGB565 in wire order. */
+    void (*fetch)(const struct zs_texture *texture, uint16_t *out, int32_t n,
+                  const struct zs_walk *walk);
+    uint16_t colors_max; /* of the palette; 0: there is none */
+    uint8_t log2_w_min;
+};
+
 struct zs_depth {
     /* Constants of a frame into view->key_*. ZS_OK; ZS_ERR_DEPTH: not with this camera. */
     int (*setup)(struct zs_view *view, const struct zs_camera *camera, uint32_t bits);
     /* zs_vertex.d of a distance, near <= z <= far, camera units. Under perspective rcp is
      * 2^(63 - lz) / z with lz the leading zeros of z; orthographic: 0. */
     uint32_t (*vertex)(const struct zs_view *view, int32_t z, uint32_t rcp, int32_t lz);
-    /* Draw a triangle where keys are not linear on the screen; NULL: they always are. */
+    /* Draw a triangle where keys may not be linear on the screen (view.screen_linear is 0). */
     void (*rows)(struct zs_job *job);
     /* w ~ 1/z of a vertex for perspective-correct attributes, > 0, same scale for all vertices. */
     uint64_t (*inverse)(const struct zs_view *view, uint32_t d);
+    /* The key of a vertex, uq16_16, where zs_vertex.d is something else; NULL: d is the key. */
+    uint32_t (*key)(const struct zs_view *view, uint32_t d);
 };
 
 /* ---- cull.c: instances --------------------------------------------------------------------------- */
@@ -149,6 +172,14 @@ struct zs_geom {
     int32_t exp;                /* area ~ mantissa * 2^exp, mantissa in [2^31, 2^32) */
 };
 
+/* How a textured triangle's coordinates become fractions of the texture's size. */
+struct zs_sampler {
+    const struct zs_texture *texture;
+    uint64_t base[2]; /* q32_32 repeats at coordinate 0, a little added: see shade_texture.c */
+    int32_t shift[2]; /* coordinate * 2^shift is in 2^-32 repeats */
+    uint8_t wide;     /* 1: the texture is clamped, or one texel wide or high */
+};
+
 /* One triangle in one strip: the wide record, alive only while it is drawn. */
 struct zs_job {
     struct zs_renderer *r;
@@ -161,10 +192,13 @@ struct zs_job {
     int32_t row_last;             /* one beyond the triangle's last row, in the strip or below it */
     uint8_t mid_right;            /* the middle vertex is to the right of the long edge */
     struct zs_plane key;          /* screen-linear mappings; half a bucket added */
-    struct zs_plane c[3], w;      /* smooth: colour codes, or colour times w, and w */
-    struct zs_plane64 w64;        /* linear under perspective: 1/z ... */
+    struct zs_plane c[3], w;      /* attributes, or attributes times w, and w (persp.h) */
+    struct zs_plane64 w64;        /* depth that is not linear on the screen: 1/z ... */
     int32_t w64_scale;            /* ... and its scale */
-    uint32_t sub_log2;            /* smooth: log2 of the sub-span; 31: plain affine */
+    uint32_t sub_log2;            /* of the sub-span; ZS_AFFINE: plain affine */
+    const struct zs_state *state; /* of the instance; NULL: none ... */
+    int32_t bias;                 /* ... else buckets added to every key */
+    struct zs_sampler sampler;
     uint16_t *color, *depth;      /* the strip; row 0 is row y0 of the frame */
     int32_t y0, width;
 };
@@ -186,6 +220,8 @@ void zs_plane64(const struct zs_geom *g, uint64_t v0, uint64_t v1, uint64_t v2,
 
 /* Intensity of a unit normal in mesh space, uq16_16, below 3. */
 uint32_t zs_light_intensity(const struct zs_renderer *r, const zs_q1_15 n[3]);
+/* The unit normal of a face in mesh space: the mesh's, or the product of two edges; 0 0 0 without area. */
+void zs_light_face_normal(zs_q1_15 out[3], const struct zs_mesh *mesh, uint32_t t);
 /* A channel under an intensity, saturated: uq0_16 where 65535 is full. */
 static inline uint32_t zs_light_channel(uint8_t c, uint32_t intensity)
 {

@@ -14,7 +14,7 @@
  *
  * SPDX-License-Identifier: MIT
  */
-#include "pipeline.h"
+#include "rows.h"
 
 #define EDGE32_MAX (1 << 15) /* sub-pixels: edges shorter than this each way need 32 bits only */
 
@@ -122,15 +122,20 @@ static void draw(struct zs_job *job, const struct zs_tri *tri, int32_t y0, int32
     if (!job_setup(job, y0, y1))
         return;
     r->stats.tris_setup++;
-    job->shader = r->scene->instance[tri->instance].material->shader;
+    const struct zs_instance *instance = &r->scene->instance[tri->instance];
+    const struct zs_depth *depth = r->config.depth;
+    job->shader = instance->material->shader;
+    job->state = instance->state;
+    if (job->state) {
+        const struct zs_state_kernel *kernel = job->state->kernel;
+        job->bias = kernel->bias(job);
+    }
     if (!r->view.screen_linear) {
-        job->key.base = job->key.gx = job->key.gy = 0;
-        r->config.depth->rows(job);
+        depth->rows(job);
         return;
     }
-    zs_plane32(&job->geom, job->v[0]->d, job->v[1]->d, job->v[2]->d, ZS_PLANE_KEY, &job->key);
-    job->key.base += 0x8000u; /* nearest: half a bucket; keys stay below 2^32 - 2^15 (plane.c) */
-    job->shader->rows(job);
+    zs_rows_keys(job);
+    zs_rows_draw(job);
 }
 
 /* ---- Lists ------------------------------------------------------------------------------------------- */

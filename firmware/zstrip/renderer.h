@@ -39,6 +39,7 @@ struct zs_view {
     uint64_t key_far;      /* recip: (B - 1) f / (f - n) in uq_16, the key of z at infinity */
     uint32_t key_top;      /* (B - 1) in uq16_16 */
     uint8_t perspective, screen_linear; /* flags: keys are linear on the screen */
+    uint8_t key_mantissa, key_octaves; /* float: mantissa bits, and 2^exponent bits - 1 */
 };
 
 /* One instance's way to camera units: c = (m * p + t) / 2^shift. */

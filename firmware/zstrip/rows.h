@@ -95,4 +95,68 @@ ZS_ALWAYS_INLINE void zs_rows_run(struct zs_job *job, const struct zs_shader *sh
     shader->run(job, row, from, to);
 }
 
+/* Whether a key wins its pixel under a state, and its writing. */
+ZS_ALWAYS_INLINE int zs_rows_state(const struct zs_job *job, const struct zs_state *state, uint32_t key,
+                                   uint32_t top, uint16_t *depth)
+{
+    const int32_t moved = (int32_t)key + job->bias;
+    key = moved < 0 ? 0u : (uint32_t)moved > top ? top : (uint32_t)moved;
+    if (key >= (uint32_t)*depth + state->equal)
+        return 0;
+    if (!state->read_only)
+        *depth = (uint16_t)key;
+    return 1;
+}
+
+/* Test pixels [i0, i1) of a row, whose keys are sum / 65536 and change by gx, and colour the runs of those
+ * that are seen. sum has half a bucket added. state is the job's, or 0 as a constant. */
+ZS_ALWAYS_INLINE void zs_rows_test(struct zs_job *job, const struct zs_row *row, int32_t i0, int32_t i1,
+                                   uint32_t sum, uint32_t gx, const struct zs_state *state)
+{
+    const struct zs_shader *shader = job->shader;
+    const uint32_t top = (job->r->view.key_top >> 16) - 1u;
+    uint16_t *depth = job->depth + row->at;
+    int32_t from = -1; /* first pixel of the current run */
+    for (int32_t i = i0; i < i1; i++, sum += gx) {
+        uint32_t key = sum >> 16;
+        int seen;
+        if (state) {
+            seen = zs_rows_state(job, state, key, top, &depth[i]);
+        } else {
+            if (key > top)
+                key = top;
+            seen = key < depth[i];
+            if (seen)
+                depth[i] = (uint16_t)key;
+        }
+        if (seen) {
+            if (from < 0)
+                from = i;
+        } else {
+            zs_rows_run(job, shader, row, from, i);
+            from = -1;
+        }
+    }
+    zs_rows_run(job, shader, row, from, i1);
+}
+
+/* Set job->key: the plane through the vertices' keys. */
+static inline void zs_rows_keys(struct zs_job *job)
+{
+    zs_plane32(&job->geom, job->v[0]->d, job->v[1]->d, job->v[2]->d, ZS_PLANE_KEY, &job->key);
+    job->key.base += 0x8000u; /* nearest: half a bucket; keys stay below 2^32 - 2^15 (plane.c) */
+}
+
+/* Draw a job whose keys are linear on the screen: job->key is set, half a bucket added. */
+static inline void zs_rows_draw(struct zs_job *job)
+{
+    const struct zs_shader *shader = job->shader;
+    if (job->state) {
+        const struct zs_state_kernel *kernel = job->state->kernel;
+        kernel->rows(job);
+    } else {
+        shader->rows(job);
+    }
+}
+
 #endif

@@ -2,20 +2,12 @@
  *
  * Colours are carried as codes (0 .. 31, 0 .. 63) with 16 fraction bits.
  *
- * Plain affine interpolation of a value that changes by du over a span whose w = 1/z changes by the
- * ratio rho is wrong by at most du (sqrt rho - 1) / (sqrt rho + 1) <= du (rho - 1) / 4 (Heckbert). Where
- * that is at most 1/8 code over the whole triangle, colours are affine. Otherwise colour * w and w are
- * linear on the screen; they are divided at the ends of sub-spans of 2^k pixels, k the largest, up
- * to 4, for which the same bound holds over 2^k pixels anywhere in the triangle. Sub-spans count from the
- * row's first covered pixel, on the screen or not, and the last one ends at the row's last covered pixel:
- * what is hidden, clipped or in another strip moves no sub-span, and w is never taken outside the
- * triangle.
+ * How they go over the screen is in persp.h; the bound is 1/8 code, sub-spans are up to 16 pixels.
  *
  * SPDX-License-Identifier: MIT
  */
-#include "rows.h"
+#include "persp.h"
 
-#define AFFINE 31u
 #define SUB_LOG2_MAX 4u
 #define CODE5 2031647u /* 31 * 65536 * 65536 / 65535, nearest: uq0_16 of 65535 to codes, uq16_16 */
 #define CODE6 4128831u /* 63 ... */
@@ -47,21 +39,8 @@ static int smooth_check(const struct zs_instance *in, const struct zs_config *co
 
 /* ---- Set-up ------------------------------------------------------------------------------------------ */
 
-/* w of the three vertices, the largest in [2^30, 2^31). */
-static void vertex_w(const struct zs_job *job, uint32_t w[3])
-{
-    uint64_t wide[3], most = 0;
-    for (int k = 0; k < 3; k++) {
-        wide[k] = job->r->config.depth->inverse(&job->r->view, job->v[k]->d); /* 1 .. 2^62 */
-        most |= wide[k];
-    }
-    const int32_t shift = 33 - zs_clz64(most);
-    for (int k = 0; k < 3; k++)
-        w[k] = (uint32_t)zs_scale2((int64_t)wide[k], -shift);
-}
-
 /* Largest change of a channel over the triangle, uq0_16. */
-static uint32_t color_range(uint16_t *const a[3])
+static uint32_t color_range(const uint16_t *const a[3])
 {
     uint32_t range = 0;
     for (int c = 0; c < 3; c++) {
@@ -90,19 +69,17 @@ static uint32_t sub_span(const struct zs_plane *w, uint32_t range, uint32_t leas
 
 static void smooth_start(struct zs_job *job)
 {
-    uint16_t *a[3];
-    uint32_t w[3] = { 1u << 30, 1u << 30, 1u << 30 };
-    for (int k = 0; k < 3; k++)
-        a[k] = job->r->attr + (uint32_t)(job->v[k] - job->r->vert) * job->r->config.attrs;
-    if (job->r->view.perspective)
-        vertex_w(job, w);
+    const uint16_t *a[3];
+    uint32_t w[3];
+    zs_persp_attrs(job, a);
+    zs_persp_w(job, w);
     const uint32_t range = color_range(a);
     uint32_t most = w[0], least = w[0];
     for (int k = 1; k < 3; k++) {
         most = w[k] > most ? w[k] : most;
         least = w[k] < least ? w[k] : least;
     }
-    job->sub_log2 = AFFINE;
+    job->sub_log2 = ZS_AFFINE;
     if (!affine_enough(range, most - least, least)) {
         zs_plane32(&job->geom, w[0], w[1], w[2], ZS_PLANE_WIDE, &job->w);
         job->sub_log2 = sub_span(&job->w, range, least);
@@ -110,21 +87,16 @@ static void smooth_start(struct zs_job *job)
     for (int c = 0; c < 3; c++) {
         uint32_t v[3];
         for (int k = 0; k < 3; k++)
-            v[k] = job->sub_log2 == AFFINE ? zs_umulh((uint32_t)a[k][c] << 16, code_scale[c])
+            v[k] = job->sub_log2 == ZS_AFFINE ? zs_umulh((uint32_t)a[k][c] << 16, code_scale[c])
                                            : zs_umulh((uint32_t)a[k][c] << 16, w[k]);
         zs_plane32(&job->geom, v[0], v[1], v[2],
-                   job->sub_log2 == AFFINE ? ZS_PLANE_KEY : ZS_PLANE_WIDE, &job->c[c]);
-        if (job->sub_log2 == AFFINE)
+                   job->sub_log2 == ZS_AFFINE ? ZS_PLANE_KEY : ZS_PLANE_WIDE, &job->c[c]);
+        if (job->sub_log2 == ZS_AFFINE)
             job->c[c].base += 0x8000u; /* nearest */
     }
 }
 
 /* ---- Runs ------------------------------------------------------------------------------------------- */
-
-static uint32_t plane_at(const struct zs_job *job, const struct zs_plane *p, int32_t i, int32_t row)
-{
-    return p->base + zs_wrap_mul(p->gx, i - job->geom.ia) + zs_wrap_mul(p->gy, row - job->geom.ja);
-}
 
 /* Codes with half a code added, uq16_16: at most 63.5, so the sums below never carry over. */
 static inline uint16_t pack(uint32_t red, uint32_t green, uint32_t blue)
@@ -146,50 +118,40 @@ static void fill_linear(uint16_t *out, int32_t n, uint32_t c[3], const uint32_t 
 /* Colour at a covered pixel by division, codes with half a code added. */
 static void color_at(const struct zs_job *job, int32_t i, int32_t row, uint32_t out[3])
 {
-    uint32_t w = plane_at(job, &job->w, i, row);
-    if (w == 0)
-        w = 1; /* a far end 2^30 times farther than the near one */
-    const int lz = zs_clz32(w);
-    const uint32_t rcp = zs_recip(w << lz);                              /* 2^(63 - lz) / w */
+    uint32_t w;
+    int32_t lz;
+    const uint32_t rcp = zs_persp_rcp(job, i, row, &w, &lz);
     for (int c = 0; c < 3; c++) {
-        uint32_t cw = plane_at(job, &job->c[c], i, row);                 /* c / 65536 * w */
-        if ((int32_t)(cw ^ 0x80000000u) >= 0)
-            cw = 0; /* a rounded 0 that fell below it */
-        if (cw > w)
-            cw = w;
-        const uint32_t part = zs_umulh(cw << lz, rcp);                   /* cw / w, uq1_31 */
-        const uint32_t level = part > 0x7fffffffu ? 0x7fffffffu : part;
+        const uint32_t level = zs_persp_over(zs_plane_at(job, &job->c[c], i, row), w, rcp, lz);
         out[c] = zs_umulh(level << 1, code_scale[c]) + 0x8000u;          /* <= 63.5 codes */
     }
 }
-
-/* n / 2^16 for 1/n of a last, shorter sub-span; [0] unused. */
-static const uint32_t one_over[17] = {
-    0, 65536, 32768, 21845, 16384, 13107, 10922, 9362, 8192, 7281, 6553, 5957, 5461, 5041, 4681,
-    4369, 4096
-};
 
 static void smooth_run(struct zs_job *job, const struct zs_row *row, int32_t r0, int32_t r1)
 {
     uint16_t *color = job->color + row->at;
     uint32_t c[3], next[3], step[3];
-    if (job->sub_log2 == AFFINE) {
+    if (job->sub_log2 == ZS_AFFINE) {
         for (int k = 0; k < 3; k++) {
-            c[k] = plane_at(job, &job->c[k], r0, row->y);
+            c[k] = zs_plane_at(job, &job->c[k], r0, row->y);
             step[k] = job->c[k].gx;
         }
         fill_linear(color + r0, r1 - r0, c, step);
         return;
     }
     const int32_t length = 1 << job->sub_log2;
-    for (int32_t from = row->x0 + ((r0 - row->x0) & -length); from < r1; from += length) {
+    int32_t from = row->x0 + ((r0 - row->x0) & -length);
+    color_at(job, from, row->y, next);
+    for (; from < r1; from += length) {
         const int32_t to = zs_min32(from + length, row->x1 - 1); /* its far end, covered */
-        color_at(job, from, row->y, c);
-        step[0] = step[1] = step[2] = 0;
+        for (int k = 0; k < 3; k++) {
+            c[k] = next[k];
+            step[k] = 0;
+        }
         if (to > from) {
             color_at(job, to, row->y, next);
             for (int k = 0; k < 3; k++) { /* |difference| < 2^22, times 2^16 */
-                const int64_t part = ((int64_t)next[k] - c[k]) * one_over[to - from];
+                const int64_t part = ((int64_t)next[k] - c[k]) * zs_one_over[to - from];
                 step[k] = (uint32_t)(int32_t)(part >> 16);
             }
         }
@@ -200,35 +162,5 @@ static void smooth_run(struct zs_job *job, const struct zs_row *row, int32_t r0,
     }
 }
 
-/* ---- Rows where keys are linear on the screen ------------------------------------------------- */
-
-ZS_ALWAYS_INLINE void smooth_span(struct zs_job *job, const struct zs_row *row)
-{
-    const uint32_t gx = job->key.gx, top = (job->r->view.key_top >> 16) - 1u;
-    uint32_t sum = row->key + zs_wrap_mul(gx, row->i0);
-    uint16_t *depth = job->depth + row->at;
-    int32_t from = -1; /* first pixel of the current run */
-    for (int32_t i = row->i0; i < row->i1; i++, sum += gx) {
-        uint32_t key = sum >> 16;
-        if (key > top)
-            key = top;
-        if (key < depth[i]) {
-            depth[i] = (uint16_t)key;
-            if (from < 0)
-                from = i;
-        } else {
-            zs_rows_run(job, &zs_shade_smooth, row, from, i);
-            from = -1;
-        }
-    }
-    zs_rows_run(job, &zs_shade_smooth, row, from, row->i1);
-}
-
-static void smooth_rows(struct zs_job *job)
-{
-    smooth_start(job);
-    zs_rows_walk(job, smooth_span);
-}
-
-const struct zs_shader zs_shade_smooth = { smooth_vertex, smooth_face, smooth_rows, smooth_start,
+const struct zs_shader zs_shade_smooth = { smooth_vertex, smooth_face, zs_persp_rows, smooth_start,
                                            smooth_run, smooth_check, ZS_ATTRS_SMOOTH };

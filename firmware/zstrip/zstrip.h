@@ -59,8 +59,9 @@ enum zs_err {
     ZS_ERR_STATE = -8,  /* begin, strip and end called out of order */
     ZS_ERR_ATTRS = -9,  /* the shader needs more attributes a vertex than the arena was sized for */
     ZS_ERR_VECTOR = -10, /* a direction of length 0, or two directions that are parallel */
-    ZS_ERR_NEAR = -11   /* the near plane is too close beside what can be seen: the farthest point of
+    ZS_ERR_NEAR = -11,  /* the near plane is too close beside what can be seen: the farthest point of
                            the instances in view is more than 2^22 times as far away */
+    ZS_ERR_TEXTURE = -12 /* a texture's size or clamping is out of range (zs_texture_check says which) */
 };
 
 /* One English clause for an enum zs_err, without a full stop; never NULL. Static storage. */
@@ -192,20 +193,21 @@ struct zs_pose {
     zs_uq16_16 scale; /* > 0; ZS_Q16_ONE leaves the mesh at its own scale */
 };
 
-struct zs_job;
+struct zs_state_kernel;
+extern const struct zs_state_kernel zs_state_kernel; /* linked only where a state is named */
 
-/* How an instance meets the depth buffer, where not as usual. Make it by ZS_STATE. Where an offset would
- * take a key beyond 0 or 2^bits - 2, it stops there. */
+/* How an instance meets the depth buffer, where not as usual. Make it by ZS_STATE. */
 struct zs_state {
-    void (*rows)(struct zs_job *job); /* zs_state_rows: linked only where a state is named */
+    const struct zs_state_kernel *kernel; /* &zs_state_kernel */
     uint8_t equal;     /* 0: less - on equal keys what was drawn stays. 1: less or equal - the later wins */
     uint8_t read_only; /* 1: tested, but keys are not written */
     int16_t offset;    /* buckets added to every key; < 0: towards the eye */
-    int16_t slope;     /* q8_8: times the larger of the key's changes by one pixel right and down, rounded
-                          to whole buckets and added as well; by the triangle's vertices */
+    int16_t slope;     /* q8_8: times the larger of the changes of the key by one pixel right and one down
+                          (of the plane through the triangle's snapped vertices and their keys), rounded to
+                          whole buckets, halves up, and added too. Keys stop at 0 and 2^bits - 2 */
 };
-void zs_state_rows(struct zs_job *job); /* the library's; not for calling */
-#define ZS_STATE(equal, read_only, offset, slope) { zs_state_rows, equal, read_only, offset, slope }
+#define ZS_STATE(equal, read_only, offset, slope) \
+    { &zs_state_kernel, equal, read_only, offset, slope }
 
 struct zs_instance {
     const struct zs_mesh *mesh;
@@ -372,7 +374,7 @@ int zs_render(struct zs_renderer *r, const struct zs_scene *scene, const struct 
  * begin checks everything that a frame can be refused for, and draws nothing. scene and camera stay
  * borrowed, and unchanged, until end. A begin in the middle of a frame drops that frame.
  * Return  ZS_OK; ZS_ERR_NULL, _STATE (r is not set up), _SIZE, _CAMERA, _DEPTH, _RANGE, _NEAR, _MESH,
- *         _ATTRS: no frame is open then. */
+ *         _ATTRS, _TEXTURE: no frame is open then. */
 int zs_frame_begin(struct zs_renderer *r, const struct zs_scene *scene,
                    const struct zs_camera *camera);
 

@@ -1,0 +1,197 @@
+/* Keys whose step is a part of the distance: r = near / z as an unsigned float with e exponent and m = b - e
+ * mantissa bits, taken from 2^b, so that near has the key 0.
+ *
+ * With 2^-(k+1) <= r <= 2^-k and k at most 2^e - 2, octave o = 2^e - 1 - k in 1 .. 2^e - 1 (the last one, 1,
+ * goes on to r = 0 with the same step):
+ *   code(r) = (o - 1) 2^m + r 2^(k+1+m),   key = 2^b - code
+ * which is continuous in r, and in each octave linear. r is linear on the screen. So
+ *
+ * - in a triangle whose vertices lie in one octave, keys are linear on the screen: it is drawn by the same
+ *   kernels, at the same cost a pixel, as reciprocal keys are;
+ * - any other carries r over the screen in 64 bits; a row is cut where an octave ends, and between cuts keys
+ *   are linear again. The only work beyond the row's entry is one leading-zeros count for each end and, in rows
+ *   that do cross an octave, a bisection. Nothing is encoded a pixel, on cores with CLZ and on those without.
+ *
+ * zs_vertex.d is the key in uq16_16. That is a float with m + 16 mantissa bits (27 to 29 in 16-bit keys), and
+ * r is found from it exactly.
+ *
+ * Errors of a key, as parts of a bucket:
+ *   vertex        r from 32-bit mantissas and a reciprocal of 2^-30: below 2^-29 of r, at most 2^-15; stored
+ *                 to 2^-17
+ *   one octave    plane.c: at most the larger of 0.0035 and (W + H + 1) / 2^17
+ *   more octaves  w = r scaled to below 2^39, rounded: 2^-39 of the nearest vertex's r; with rho the ratio of
+ *                 the farthest vertex to the nearest that is rho 2^-39 of the farthest's, or rho 2^(m-38) buckets:
+ *                 below 2^-5 at m = 13 for rho < 2^20, and for e3m13, e4m12 never above 2^-17, because beyond
+ *                 2^7 or 2^15 times near a bucket's width in r stays. Steps of w are 2^-24 ulp: nothing. The key of
+ *                 a piece's first pixel and its step are rounded to 2^-16: (W + 1) / 2^17 at the most
+ *
+ * SPDX-License-Identifier: MIT
+ */
+#include "pipeline.h"
+#include "rows.h"
+
+static int float_setup(struct zs_view *view, const struct zs_camera *camera, uint32_t bits,
+                       uint32_t exponent_bits)
+{
+    if (!view->perspective)
+        return ZS_ERR_DEPTH; /* near / z has no meaning there */
+    view->screen_linear = 0;
+    view->key_top = ((1u << bits) - 1u) << 16;
+    view->key_mantissa = (uint8_t)(bits - exponent_bits);
+    view->key_octaves = (uint8_t)((1u << exponent_bits) - 1u);
+    const int lz = zs_clz64((uint64_t)camera->z_near); /* near = key_mul / 2^key_shift camera units */
+    view->key_mul = (uint32_t)((uint64_t)camera->z_near << lz >> 32);
+    view->key_shift = lz - 16 - view->shift;
+    view->key_far = 0;
+    return ZS_OK;
+}
+
+static int e3_setup(struct zs_view *view, const struct zs_camera *camera, uint32_t bits)
+{
+    return float_setup(view, camera, bits, 3);
+}
+
+static int e4_setup(struct zs_view *view, const struct zs_camera *camera, uint32_t bits)
+{
+    return float_setup(view, camera, bits, 4);
+}
+
+static int e5_setup(struct zs_view *view, const struct zs_camera *camera, uint32_t bits)
+{
+    return float_setup(view, camera, bits, 5);
+}
+
+/* Codes in uq17_16 (64 bits wide: r = 1 has 2^32 in 16-bit keys). */
+static inline uint64_t code_of(const struct zs_view *view, uint32_t key)
+{
+    return (uint64_t)view->key_top + 0x10000u - key; /* 1 .. 2^32 */
+}
+
+static uint32_t float_vertex(const struct zs_view *view, int32_t z, uint32_t rcp, int32_t lz)
+{
+    (void)z;
+    const int32_t m = view->key_mantissa + 16, last = view->key_octaves;
+    const uint64_t p = (uint64_t)view->key_mul * rcp;     /* [2^62, 2^64) */
+    const int32_t at = view->key_shift + 63 - lz;         /* r = p / 2^at */
+    const int32_t high = p >> 63 ? 63 : 62;
+    int32_t k = at - high - 1;                            /* 2^-(k+1) <= r < 2^-k */
+    if (k < 0)
+        return 0; /* at near, give or take the rounding of z */
+    if (k > last - 1)
+        k = last - 1;
+    const int32_t shift = at - k - 1 - m;                 /* 63 - m = 32 .. for k < last; more beyond */
+    const uint64_t code = ((uint64_t)(last - 1 - k) << m) +
+                          (shift > 63 ? 0u : ((p >> (shift - 1)) + 1u) >> 1);
+    const uint64_t key = (uint64_t)view->key_top + 0x10000u - code;
+    return key > view->key_top ? view->key_top : (uint32_t)key;
+}
+
+/* The octave of a code, 1 .. 2^e - 1; a border belongs to the farther one, which gives the same r. */
+static inline int32_t octave_of(const struct zs_view *view, uint64_t code)
+{
+    const int32_t o = (int32_t)((code - 1u) >> (view->key_mantissa + 16));
+    return o < 1 ? 1 : o;
+}
+
+/* r of a key in 2^-(2 + octaves + m) for its octave's sake: mantissa in (0, 2^(m+1)], r ~ mantissa * 2^o. */
+static inline uint32_t mantissa_of(const struct zs_view *view, uint64_t code, int32_t o)
+{
+    return (uint32_t)(code - ((uint64_t)(o - 1) << (view->key_mantissa + 16))); /* <= 2^30 */
+}
+
+static uint64_t float_inverse(const struct zs_view *view, uint32_t d)
+{
+    const uint64_t code = code_of(view, d);
+    const int32_t o = octave_of(view, code);
+    return (uint64_t)mantissa_of(view, code, o) << (o - 1); /* 1 .. 2^30 * 2^30 */
+}
+
+#define W_BITS 39 /* plane.c: differences times 2^23 fit 63 bits */
+
+/* w = r scaled so that the nearest vertex's octave ends at 2^39. job->w64_scale: that octave. */
+static void float_planes(struct zs_job *job, const int32_t octave[3], int32_t nearest)
+{
+    const struct zs_view *view = &job->r->view;
+    uint64_t w[3];
+    for (int k = 0; k < 3; k++) {
+        const uint64_t code = code_of(view, job->v[k]->d);
+        const int32_t up = W_BITS - 1 - (view->key_mantissa + 16) - (nearest - octave[k]);
+        w[k] = (uint64_t)zs_scale2((int64_t)mantissa_of(view, code, octave[k]), up);
+    }
+    zs_plane64(&job->geom, w[0], w[1], w[2], &job->w64);
+    job->w64_scale = nearest;
+}
+
+/* Leading zeros of w in 39.24 bits, 1 .. last: how many octaves below the nearest's end, and one. */
+static inline int32_t octaves_down(uint64_t w, int32_t last)
+{
+    const int32_t lz = w ? zs_clz64(w) : 64; /* 0 only by an error of the last bits */
+    return lz < 1 ? 1 : lz > last ? last : lz;
+}
+
+/* Of n pixels from one with w on, how many lie in its octave; the n-th does not. */
+static int32_t pixels_within(uint64_t w, uint64_t gx, int32_t n, int32_t down, int32_t last)
+{
+    int32_t in = 0, out = n - 1; /* pixel `in` does, pixel `out` does not */
+    while (out - in > 1) {
+        const int32_t mid = (in + out) / 2;
+        if (octaves_down(w + gx * (uint64_t)(uint32_t)mid, last) == down)
+            in = mid;
+        else
+            out = mid;
+    }
+    return out;
+}
+
+ZS_ALWAYS_INLINE void float_span(struct zs_job *job, const struct zs_row *row)
+{
+    const struct zs_view *view = &job->r->view;
+    const int32_t m = view->key_mantissa + 16, last = job->w64_scale;
+    const uint64_t gx = job->w64.gx;
+    int32_t i = row->i0, left = row->i1 - i;
+    uint64_t w = job->w64.base + gx * (uint64_t)(int64_t)(i - job->geom.ia) +
+                 job->w64.gy * (uint64_t)(int64_t)(row->y - job->geom.ja);
+    const int32_t down_end = octaves_down(w + gx * (uint64_t)(uint32_t)(left - 1), last);
+    while (left > 0) {
+        const int32_t down = octaves_down(w, last);
+        const int32_t n = down == down_end ? left : pixels_within(w, gx, left, down, last);
+        /* code = (o - 1) 2^m + w / 2^shift with o = last + 1 - down */
+        const int32_t shift = 63 - m - down;                               /* 3 .. 41 */
+        const uint64_t half = (uint64_t)1 << (shift - 1);
+        const uint32_t code = ((uint32_t)(last - down) << m) + (uint32_t)((w + half) >> shift);
+        const uint32_t sum = view->key_top + 0x10000u - code + 0x8000u;    /* modulo 2^32 */
+        const uint32_t step = 0u - (uint32_t)(((int64_t)gx + (int64_t)half) >> shift);
+        if (job->state)
+            zs_rows_test(job, row, i, i + n, sum, step, job->state);
+        else
+            zs_rows_test(job, row, i, i + n, sum, step, 0);
+        i += n;
+        left -= n;
+        w += gx * (uint64_t)(uint32_t)n;
+    }
+}
+
+static void float_rows(struct zs_job *job)
+{
+    const struct zs_shader *shader = job->shader;
+    int32_t octave[3], nearest = 0, farthest = 32;
+    for (int k = 0; k < 3; k++) {
+        octave[k] = octave_of(&job->r->view, code_of(&job->r->view, job->v[k]->d));
+        nearest = zs_max32(nearest, octave[k]);
+        farthest = zs_min32(farthest, octave[k]);
+    }
+    if (nearest == farthest) {
+        zs_rows_keys(job);
+        zs_rows_draw(job);
+        return;
+    }
+    float_planes(job, octave, nearest);
+    job->key.base = job->key.gx = job->key.gy = 0; /* not used, but walked */
+    if (shader->start)
+        shader->start(job);
+    zs_rows_walk(job, float_span);
+}
+
+const struct zs_depth zs_depth_e3m13 = { e3_setup, float_vertex, float_rows, float_inverse, 0 };
+const struct zs_depth zs_depth_e4m12 = { e4_setup, float_vertex, float_rows, float_inverse, 0 };
+const struct zs_depth zs_depth_e5m11 = { e5_setup, float_vertex, float_rows, float_inverse, 0 };

@@ -1,0 +1,65 @@
+/* Attributes that are linear in space, over the screen. Internal.
+ *
+ * Plain affine interpolation of a value that changes by du over a span in which w = 1/z changes by the
+ * ratio rho is wrong by at most du (sqrt rho - 1) / (sqrt rho + 1) <= du (rho - 1) / 4 (Heckbert). Where
+ * that is little enough over the whole triangle, attributes are affine. Otherwise attribute * w and w are
+ * linear on the screen; they are divided at the ends of sub-spans of 2^k pixels, for which the same
+ * bound holds over 2^k pixels anywhere in the triangle. Sub-spans count from the row's first covered pixel,
+ * on the screen or not, and the last one ends at the row's last covered pixel: what is hidden, clipped or in
+ * another strip moves no sub-span, and w is never taken outside the triangle.
+ *
+ * SPDX-License-Identifier: MIT
+ */
+#ifndef ZS_PERSP_H
+#define ZS_PERSP_H
+
+#include "rows.h"
+
+#define ZS_AFFINE 31u       /* job->sub_log2: plain affine */
+#define ZS_SUB_LOG2_MAX 5u
+
+/* Set-up, rows and runs of a shader that colours runs: its start, then every row through its run. */
+void zs_persp_rows(struct zs_job *job);
+
+/* w of the three vertices, the largest in [2^30, 2^31); orthographic: all alike. */
+void zs_persp_w(const struct zs_job *job, uint32_t w[3]);
+
+/* 2^16 / n of a last, shorter sub-span; [0] unused. */
+extern const uint32_t zs_one_over[(1 << ZS_SUB_LOG2_MAX) + 1];
+
+static inline uint32_t zs_plane_at(const struct zs_job *job, const struct zs_plane *p, int32_t i,
+                                   int32_t row)
+{
+    return p->base + zs_wrap_mul(p->gx, i - job->geom.ia) + zs_wrap_mul(p->gy, row - job->geom.ja);
+}
+
+/* Reciprocal of w at a covered pixel: 2^(63 - *lz) / w. */
+static inline uint32_t zs_persp_rcp(const struct zs_job *job, int32_t i, int32_t row, uint32_t *w,
+                                    int32_t *lz)
+{
+    *w = zs_plane_at(job, &job->w, i, row);
+    if (*w == 0)
+        *w = 1; /* a far end 2^30 times farther than the near one */
+    *lz = zs_clz32(*w);
+    return zs_recip(*w << *lz);
+}
+
+/* attribute * w over w: uq1_31, at most 2^31 - 1. */
+static inline uint32_t zs_persp_over(uint32_t cw, uint32_t w, uint32_t rcp, int32_t lz)
+{
+    if ((int32_t)(cw ^ 0x80000000u) >= 0)
+        cw = 0; /* a rounded 0 that fell below it */
+    if (cw > w)
+        cw = w;
+    const uint32_t part = zs_umulh(cw << lz, rcp);
+    return part > 0x7fffffffu ? 0x7fffffffu : part;
+}
+
+/* Attributes of a job's three vertices in the pool. */
+static inline void zs_persp_attrs(const struct zs_job *job, const uint16_t *a[3])
+{
+    for (int k = 0; k < 3; k++)
+        a[k] = job->r->attr + (uint32_t)(job->v[k] - job->r->vert) * job->r->config.attrs;
+}
+
+#endif

@@ -1,0 +1,52 @@
+/* Instances that meet the depth buffer in their own way: less or equal, read only, offset.
+ *
+ * The triangles of a strip are drawn in scene order, and sets from pools that are too small follow each
+ * other in scene order, so the outcome is that of drawing one after another, whatever strips and pools are.
+ *
+ * SPDX-License-Identifier: MIT
+ */
+#include "rows.h"
+
+#define BIAS_MAX 65536 /* buckets: beyond it, all keys stop at an end anyway */
+
+/* |256 n / area| in uq16_16 buckets a pixel, at most 2^31. |n| < 2^55 */
+static uint32_t steepness(int64_t n, int64_t area)
+{
+    const uint64_t mag = n < 0 ? 0u - (uint64_t)n : (uint64_t)n, a = (uint64_t)area;
+    if (mag >> 23 >= a)
+        return 1u << 31;
+    return (uint32_t)((mag << 8) / a); /* < 2^31 */
+}
+
+static int32_t state_bias(const struct zs_job *job)
+{
+    const struct zs_geom *g = &job->geom;
+    const struct zs_state *state = job->state;
+    const struct zs_depth *depth = job->r->config.depth;
+    int64_t key[3];
+    if (state->slope == 0)
+        return state->offset;
+    for (int k = 0; k < 3; k++)
+        key[k] = depth->key ? depth->key(&job->r->view, job->v[k]->d) : job->v[k]->d;
+    const int64_t d1 = key[1] - key[0], d2 = key[2] - key[0]; /* |.| < 2^32 */
+    const uint32_t x = steepness(d1 * g->dy2 - d2 * g->dy1, g->area);
+    const uint32_t y = steepness(d2 * g->dx1 - d1 * g->dx2, g->area);
+    const int64_t slope = zs_round_shift((int64_t)state->slope * (x > y ? x : y), 24); /* |.| < 2^23 */
+    const int64_t bias = state->offset + slope;
+    return bias > BIAS_MAX ? BIAS_MAX : bias < -BIAS_MAX ? -BIAS_MAX : (int32_t)bias;
+}
+
+ZS_ALWAYS_INLINE void state_span(struct zs_job *job, const struct zs_row *row)
+{
+    const uint32_t sum = row->key + zs_wrap_mul(job->key.gx, row->i0);
+    zs_rows_test(job, row, row->i0, row->i1, sum, job->key.gx, job->state);
+}
+
+static void state_rows(struct zs_job *job)
+{
+    if (job->shader->start)
+        job->shader->start(job);
+    zs_rows_walk(job, state_span);
+}
+
+const struct zs_state_kernel zs_state_kernel = { state_bias, state_rows };
