@@ -120,11 +120,18 @@ static double key_bound(const struct easel *s)
 
 /* ---- Float keys of single triangles ---------------------------------------------------------- */
 
+/* The farthest key there can be: the frame is refused where something in view is more than 2^22 times as
+ * far as near. */
+static uint32_t farthest_key(const struct oracle_float *f)
+{
+    return oracle_float_d(f, 0x1p-22);
+}
+
 /* Stored keys of three corners whose near / z differ by up to 2^20. */
 static void random_float_keys(struct prng *p, const struct oracle_float *f, uint32_t d[3])
 {
     const int m = f->bits - f->e;
-    const uint32_t top = ((1u << f->bits) - 1u) << 16, how = prng_pick(p, 9);
+    const uint32_t top = farthest_key(f), how = prng_pick(p, 9);
     const double octaves = prng_pick(p, 2049) / 2048.0 * 20 / (1 << prng_pick(p, 4));
     const double most = prng_pick(p, 3) ? exp2(-(double)prng_pick(p, 2049) / 128) : 1;
     for (int k = 0; k < 3; k++) {
@@ -145,13 +152,15 @@ static void random_float_keys(struct prng *p, const struct oracle_float *f, uint
         case 4: { /* and beside them */
             int64_t code = (int64_t)octave_code + (how == 4 ? prng_range(p, -3, 3) : 0);
             const int64_t whole = (int64_t)1 << (f->bits + 16);
-            code = code < 65536 ? 65536 : code > whole ? whole : code;
-            d[k] = (uint32_t)(whole - code);
+            code = code > whole ? whole : code;
+            d[k] = whole - code > top ? top : (uint32_t)(whole - code);
             break;
         }
-        case 5: /* only in the range whose buckets stay as wide in r as they are */
-            d[k] = top - (uint32_t)((uint64_t)prng_pick(p, 65536) << (m + 1));
+        case 5: { /* only in the range whose buckets stay as wide in r as they are, if there is one */
+            const uint32_t from = oracle_float_d(f, fmax(exp2(1 - (1 << f->e)), 0x1p-22));
+            d[k] = from + prng_pick(p, top - from + 1u);
             break;
+        }
         case 6: /* any key */
             d[k] = prng_pick(p, top);
             break;
@@ -337,7 +346,10 @@ static int pipeline_case(uint64_t seed)
     const int mapping = oracle_mapping(depth), bits = prng_pick(&p, 2) ? 16 : prng_range(&p, 8, 16);
     const double far = 10 * exp2(prng_pick(&p, 1025) / 1024.0 * 13.3); /* of near: 10 .. 10^5 */
     const int32_t z_near = 1000, z_far = (int32_t)(z_near * far);
-    const double reach = z_near * exp2(prng_pick(&p, 1025) / 1024.0 * log2(far * 1.2)) + 2 * z_near;
+    /* float: a corner beyond the last key's distance is stored as if it were there */
+    const int octaves = mapping > 1 ? (1 << mapping) - 1 + bits - mapping : 40;
+    const double most = fmin(far * 1.2, exp2(octaves) - 2);
+    const double reach = z_near * exp2(prng_pick(&p, 1025) / 1024.0 * log2(most)) + 2 * z_near;
     const uint32_t steps = (uint32_t)ceil(reach / 32000 * 65536);
     const double scale = steps / 65536.0;
     struct zs_camera camera;
@@ -345,6 +357,7 @@ static int pipeline_case(uint64_t seed)
     int16_t pos[3][3];
     uint8_t lo[3][3];
     struct oracle_point corner[3];
+    double nearest = z_far;
     const double focal = ldexp((double)camera.focal, -32), spread = CLIP_W / focal;
     for (int k = 0; k < 3; k++) {
         const double z = prng_pick(&p, 8) ? z_near * pow(reach / z_near, prng_pick(&p, 1025) / 1024.0)
@@ -356,6 +369,7 @@ static int pipeline_case(uint64_t seed)
         for (int c = 0; c < 3; c++)
             got[c] = place(at[c], scale, &pos[k][c], &lo[k][c]) / 256.0 * scale;
         corner[k] = (struct oracle_point){ got[0], got[1], -got[2] };
+        nearest = fmin(nearest, fmax(-got[2], z_near));
     }
     lone_set(&l, (const int16_t (*)[3])pos, 3, steps);
     l.mesh.pos_lo = (const uint8_t (*)[3])lo;
@@ -375,10 +389,11 @@ static int pipeline_case(uint64_t seed)
             const double inside = oracle_inside(&o, i, j), z = oracle_z(&v, &o, i, j);
             if (key == ZS_DEPTH_CLEAR || inside < -1)
                 continue; /* coverage is test_stress.c's */
-            /* corners: half a sub-pixel, and three camera units, of which the nearest of the
-             * triangle's corners tells how many pixels they are; near: half a unit */
+            /* Corners are off by three camera units, in pixels u f / z each, and 1 / z of them by
+             * u / z^2; the sample takes a mean of them whose mean of 1 / z is its own. Then half a
+             * sub-pixel of snapping. Near is off by half a unit. */
             const double px = 0x1p-9 + 3 * unit * focal / fmax(z, z_near);
-            const double off_z = 3 * unit + 0.5 * unit * z / z_near;
+            const double off_z = 3 * unit * z / nearest + 0.5 * unit * z / z_near;
             const double slack = oracle_key_slack(&v, &o, i, j, mapping, bits, px) +
                                  fabs(oracle_key(&v, z + off_z, mapping, bits) -
                                       oracle_key(&v, z, mapping, bits));
