@@ -161,10 +161,7 @@ ZS_ALWAYS_INLINE void float_span(struct zs_job *job, const struct zs_row *row)
         const uint32_t code = ((uint32_t)(last - down) << m) + (uint32_t)((w + half) >> shift);
         const uint32_t sum = view->key_top + 0x10000u - code + 0x8000u;    /* modulo 2^32 */
         const uint32_t step = 0u - (uint32_t)(((int64_t)gx + (int64_t)half) >> shift);
-        if (job->state)
-            zs_rows_test(job, row, i, i + n, sum, step, job->state);
-        else
-            zs_rows_test(job, row, i, i + n, sum, step, 0);
+        zs_rows_test(job, row, i, i + n, sum, step, job->state);
         i += n;
         left -= n;
         w += gx * (uint64_t)(uint32_t)n;

@@ -31,6 +31,8 @@ struct zs_shader {
     void (*run)(struct zs_job *job, const struct zs_row *row, int32_t from, int32_t to);
     /* ZS_OK, or why this instance cannot be drawn with it. */
     int (*check)(const struct zs_instance *instance, const struct zs_config *config);
+    /* Textures: n pixels times light, uq1_31, which changes by step; NULL: none. */
+    void (*light)(uint16_t *out, int32_t n, uint32_t level, uint32_t step);
     uint8_t n_attrs;
 };
 

@@ -109,7 +109,7 @@ ZS_ALWAYS_INLINE int zs_rows_state(const struct zs_job *job, const struct zs_sta
 }
 
 /* Test pixels [i0, i1) of a row, whose keys are sum / 65536 and change by gx, and colour the runs of those
- * that are seen. sum has half a bucket added. state is the job's, or 0 as a constant. */
+ * that are seen. sum has half a bucket added. state is the job's, or 0 where it has none. */
 ZS_ALWAYS_INLINE void zs_rows_test(struct zs_job *job, const struct zs_row *row, int32_t i0, int32_t i1,
                                    uint32_t sum, uint32_t gx, const struct zs_state *state)
 {

@@ -25,8 +25,6 @@
 #define LIGHT_MAX 65504u /* uq1_15, just below 2: light() adds a half */
 #define LIGHT_ONE 1024u  /* light at a pixel, uq1_10 */
 
-enum lighting { UNLIT, FLAT, SMOOTH };
-
 /* ---- Vertices and faces ---------------------------------------------------------------------------- */
 
 static void texture_vertex(const struct zs_renderer *r, uint32_t v, uint16_t *out)
@@ -147,12 +145,12 @@ static int light_enough(uint32_t range, uint32_t change, uint32_t least)
     return product_within(range, change, 0, least, 256u);
 }
 
-ZS_ALWAYS_INLINE void texture_setup(struct zs_job *job, int lit)
+static void texture_start(struct zs_job *job)
 {
     const uint16_t *a[3];
     uint32_t w[3], value[3][3] = { { 0 } }, light_range = 0;
     int32_t texels[2];
-    const int n = lit ? 3 : 2;
+    const int n = job->shader->n_attrs, lit = n == 3;
     zs_persp_attrs(job, a);
     zs_persp_w(job, w);
     const struct zs_texture *t = job->r->scene->instance[job->tri->instance].material->texture;
@@ -193,16 +191,6 @@ ZS_ALWAYS_INLINE void texture_setup(struct zs_job *job, int lit)
     job->sub_log2 = (uint32_t)k;
 }
 
-static void texture_start(struct zs_job *job)
-{
-    texture_setup(job, 0);
-}
-
-static void smooth_start(struct zs_job *job)
-{
-    texture_setup(job, 1);
-}
-
 /* ---- Runs ------------------------------------------------------------------------------------------- */
 
 /* A coordinate held to [0, 1) in q32_32. */
@@ -211,27 +199,8 @@ static uint32_t held(uint64_t t)
     return (int64_t)t < 0 ? 0u : t >> 32 ? UINT32_MAX : (uint32_t)t;
 }
 
-/* Pixel by pixel, for runs that leave a texture which is clamped. */
-static ZS_NOINLINE void fetch_clamped(const struct zs_texture *t, uint16_t *out, int32_t n,
-                                      const uint64_t at[2], const uint64_t step[2])
-{
-    const struct zs_texel *texel = t->format;
-    uint64_t u = at[0], v = at[1];
-    for (int32_t i = 0; i < n; i++, u += step[0], v += step[1]) {
-        struct zs_walk one = { (uint32_t)u, (uint32_t)v, 0, 0 };
-        if (t->clamp & ZS_CLAMP_U)
-            one.u = held(u);
-        if (t->clamp & ZS_CLAMP_V)
-            one.v = held(v);
-        if (t->log2_w == 0)
-            one.u = 0;
-        if (t->log2_h == 0)
-            one.v = 0;
-        texel->fetch(t, out + i, 1, &one);
-    }
-}
-
-/* A texture that is clamped: q32_32, because what lies beyond [0, 1) counts. */
+/* Textures that are clamped: q32_32, because what lies beyond [0, 1) counts. Runs that stay within are
+ * fetched whole, others pixel by pixel. */
 static ZS_NOINLINE void fetch_wide(const struct zs_sampler *s, uint16_t *out, int32_t n,
                                    const uint32_t c[2], const int32_t step[2])
 {
@@ -244,11 +213,17 @@ static ZS_NOINLINE void fetch_wide(const struct zs_sampler *s, uint16_t *out, in
         if (t->clamp >> k & 1)
             beyond |= (at[k] | (at[k] + by[k] * (uint64_t)(uint32_t)(n - 1))) >> 32;
     }
-    const struct zs_walk walk = { (uint32_t)at[0], (uint32_t)at[1], (uint32_t)by[0], (uint32_t)by[1] };
-    if (beyond || t->log2_w == 0 || t->log2_h == 0)
-        fetch_clamped(t, out, n, at, by);
-    else
+    const int single = beyond || t->log2_w == 0 || t->log2_h == 0;
+    struct zs_walk walk = { (uint32_t)at[0], (uint32_t)at[1], (uint32_t)by[0], (uint32_t)by[1] };
+    if (!single)
         texel->fetch(t, out, n, &walk);
+    for (; single && n > 0; n--, out++) {
+        walk.u = t->log2_w == 0 ? 0u : t->clamp & ZS_CLAMP_U ? held(at[0]) : (uint32_t)at[0];
+        walk.v = t->log2_h == 0 ? 0u : t->clamp & ZS_CLAMP_V ? held(at[1]) : (uint32_t)at[1];
+        texel->fetch(t, out, 1, &walk);
+        at[0] += by[0];
+        at[1] += by[1];
+    }
 }
 
 static inline uint32_t turned(uint32_t c, int32_t shift)
@@ -292,7 +267,7 @@ static void light(uint16_t *out, int32_t n, uint32_t l, uint32_t step)
 }
 
 /* Attributes at a covered pixel by division: 2^-31 of their span. */
-ZS_ALWAYS_INLINE void divide_at(const struct zs_job *job, int32_t i, int32_t row, int n, uint32_t out[3])
+static void divide_at(const struct zs_job *job, int32_t i, int32_t row, int n, uint32_t out[3])
 {
     uint32_t w;
     int32_t lz;
@@ -301,21 +276,24 @@ ZS_ALWAYS_INLINE void divide_at(const struct zs_job *job, int32_t i, int32_t row
         out[c] = zs_persp_over(zs_plane_at(job, &job->c[c], i, row), w, rcp, lz);
 }
 
-ZS_ALWAYS_INLINE void emit(const struct zs_job *job, uint16_t *out, int32_t n, const uint32_t c[3],
-                           const int32_t step[3], int lighting)
+/* n pixels from attributes c on, changing by step. */
+static inline void emit(const struct zs_job *job, uint16_t *out, int32_t n, const uint32_t c[3],
+                        const int32_t step[3])
 {
+    const struct zs_shader *shader = job->shader;
     fetch(job, out, n, c, step);
-    if (lighting == SMOOTH)
-        light(out, n, c[2] << 1, (uint32_t)step[2] << 1);
-    if (lighting == FLAT && job->tri->paint != 32768u)
-        light(out, n, (uint32_t)job->tri->paint << 16, 0);
+    if (!shader->light)
+        return;
+    if (shader->n_attrs == 3)
+        shader->light(out, n, c[2] << 1, (uint32_t)step[2] << 1);
+    else if (job->tri->paint != 32768u)
+        shader->light(out, n, (uint32_t)job->tri->paint << 16, 0);
 }
 
-ZS_ALWAYS_INLINE void texture_run(struct zs_job *job, const struct zs_row *row, int32_t r0, int32_t r1,
-                                  int lighting)
+static void texture_run(struct zs_job *job, const struct zs_row *row, int32_t r0, int32_t r1)
 {
     uint16_t *color = job->color + row->at;
-    const int n = lighting == SMOOTH ? 3 : 2;
+    const int n = job->shader->n_attrs;
     uint32_t c[3], next[3];
     int32_t step[3];
     if (job->sub_log2 == ZS_AFFINE) {
@@ -323,7 +301,7 @@ ZS_ALWAYS_INLINE void texture_run(struct zs_job *job, const struct zs_row *row, 
             c[k] = zs_plane_at(job, &job->c[k], r0, row->y);
             step[k] = (int32_t)job->c[k].gx; /* beyond 31 bits only where a run is one pixel */
         }
-        emit(job, color + r0, r1 - r0, c, step, lighting);
+        emit(job, color + r0, r1 - r0, c, step);
         return;
     }
     const int32_t length = (int32_t)1 << job->sub_log2;
@@ -331,42 +309,24 @@ ZS_ALWAYS_INLINE void texture_run(struct zs_job *job, const struct zs_row *row, 
     divide_at(job, from, row->y, n, next);
     for (; from < r1; from += length) {
         const int32_t to = zs_min32(from + length, row->x1 - 1); /* its far end, covered */
-        for (int k = 0; k < n; k++) {
-            c[k] = next[k];
-            step[k] = 0;
-        }
-        if (to > from) {
-            divide_at(job, to, row->y, n, next);
-            for (int k = 0; k < n; k++) {
-                const int64_t part = ((int64_t)next[k] - c[k]) * zs_one_over[to - from]; /* < 2^48 */
-                step[k] = (int32_t)(part >> 16);
-            }
-        }
+        const uint32_t part = to > from ? zs_one_over[to - from] : 0u;
         const int32_t i0 = zs_max32(from, r0), i1 = zs_min32(from + length, r1);
         for (int k = 0; k < n; k++)
+            c[k] = next[k];
+        if (to > from)
+            divide_at(job, to, row->y, n, next);
+        for (int k = 0; k < n; k++) {
+            step[k] = (int32_t)(((int64_t)next[k] - c[k]) * part >> 16); /* product < 2^48 */
             c[k] += zs_wrap_mul((uint32_t)step[k], i0 - from);
-        emit(job, color + i0, i1 - i0, c, step, lighting);
+        }
+        emit(job, color + i0, i1 - i0, c, step);
     }
 }
 
-static void run_unlit(struct zs_job *job, const struct zs_row *row, int32_t from, int32_t to)
-{
-    texture_run(job, row, from, to, UNLIT);
-}
-
-static void run_flat(struct zs_job *job, const struct zs_row *row, int32_t from, int32_t to)
-{
-    texture_run(job, row, from, to, FLAT);
-}
-
-static void run_smooth(struct zs_job *job, const struct zs_row *row, int32_t from, int32_t to)
-{
-    texture_run(job, row, from, to, SMOOTH);
-}
-
-const struct zs_shader zs_shade_texture = { texture_vertex, no_face, zs_persp_rows, texture_start,
-                                            run_unlit, texture_check, ZS_ATTRS_TEXTURE };
+const struct zs_shader zs_shade_texture = { texture_vertex, no_face, zs_persp_rows, texture_start, texture_run,
+                                            texture_check, 0, ZS_ATTRS_TEXTURE };
 const struct zs_shader zs_shade_texture_flat = { texture_vertex, flat_face, zs_persp_rows, texture_start,
-                                                 run_flat, texture_check, ZS_ATTRS_TEXTURE };
-const struct zs_shader zs_shade_texture_smooth = { smooth_vertex, no_face, zs_persp_rows, smooth_start,
-                                                   run_smooth, smooth_check, ZS_ATTRS_TEXTURE_SMOOTH };
+                                                 texture_run, texture_check, light, ZS_ATTRS_TEXTURE };
+const struct zs_shader zs_shade_texture_smooth = { smooth_vertex, no_face, zs_persp_rows, texture_start,
+                                                   texture_run, smooth_check, light,
+                                                   ZS_ATTRS_TEXTURE_SMOOTH };

@@ -60,8 +60,11 @@ int main(void)
 END
 }
 # What a firmware that uses all of it would also call.
-EVERYTHING='extern struct zs_material other[2];
-    const struct zs_depth *volatile depth = &zs_depth_linear;
+EVERYTHING='extern struct zs_material other[5];
+    extern struct zs_texture texture[3];
+    extern const struct zs_state state;
+    static const struct zs_depth *const all_depths[] = { &zs_depth_linear, &zs_depth_e3m13, &zs_depth_e4m12, &zs_depth_e5m11 };
+    const struct zs_depth *volatile depth = all_depths[anything[5]];
     const int32_t *v = (const int32_t *)anything;
     struct zs_pose *pose = &instance.pose;
     anything[0] = depth != 0;
@@ -75,8 +78,15 @@ EVERYTHING='extern struct zs_material other[2];
     (void)zs_camera_look_along(&camera, v, v + 3, v + 6);
     (void)zs_camera_orbit(&camera, v, 10, 20, 30);
     anything[3] = zs_frame_stats(&renderer)->passes;
-    material = other[anything[4]];'
-OTHERS='struct zs_material other[2] = { { &zs_shade_raw, { 0, 0, 0 }, 0 }, { &zs_shade_smooth, { 0, 0, 0 }, 0 } };'
+    instance.state = &state;
+    material = other[anything[4]];
+    material.texture = &texture[anything[6]];'
+OTHERS='struct zs_material other[5] = { { &zs_shade_raw, { 0, 0, 0 }, 0 }, { &zs_shade_smooth, { 0, 0, 0 }, 0 },
+    { &zs_shade_texture, { 0, 0, 0 }, 0 }, { &zs_shade_texture_flat, { 0, 0, 0 }, 0 },
+    { &zs_shade_texture_smooth, { 0, 0, 0 }, 0 } };
+struct zs_texture texture[3] = { { &zs_texel_565 }, { &zs_texel_pal8 }, { &zs_texel_pal4 } };
+extern const struct zs_state state;
+const struct zs_state state = ZS_STATE(1, 0, 1, 2);'
 
 # CPU OBJECTS_DIR MAIN.c OUT.elf [FLAGS...]: link as a board would, unused sections dropped.
 link() {

@@ -4,6 +4,11 @@
 # SPDX-License-Identifier: MIT
 . "$(dirname "$0")/common.sh"
 
+# What no test below asks for but where it is named
+TEXTURE='zs_shade_texture|zs_texel|fetch|texture_|light$'
+STATE='zs_state|state_'
+FLOAT='zs_depth_e[345]|float_|e[345]_setup'
+
 # SHADER DEPTH PATTERN...: a firmware with these must hold no symbol that matches.
 without() {
     name="$c $1 and $2 alone"
@@ -18,10 +23,12 @@ without() {
 for c in $CPUS; do
     dir=$B/kernels-$c
     core "$c" "$dir" || { bad "$c compiles" "see above"; continue; }
-    without raw recip '^(zs_shade_(flat|smooth)|(flat|smooth)_|zs_light|zs_depth_linear|linear_|zs_(sin|cos|unit_|pose|camera|strerror))'
-    without flat recip '^(zs_shade_(raw|smooth)|(raw|smooth)_|zs_depth_linear|linear_|zs_(sin|cos|pose|camera|strerror))'
-    without smooth recip '^(zs_shade_(raw|flat)|(raw|flat)_|zs_solid_|zs_depth_linear|linear_|zs_(sin|cos|pose|camera|strerror))'
-    without flat linear '^(zs_shade_(raw|smooth)|(raw|smooth)_|zs_depth_recip|recip_(setup|vertex|inverse)|zs_(sin|cos|pose|camera|strerror))'
+    without raw recip '^(zs_shade_(flat|smooth)|(flat|smooth)_|zs_light|zs_depth_linear|linear_|zs_(sin|cos|unit_|pose|camera|strerror)|'"$TEXTURE|$STATE|$FLOAT"')'
+    without flat recip '^(zs_shade_(raw|smooth)|(raw|smooth)_|zs_depth_linear|linear_|zs_(sin|cos|pose|camera|strerror)|'"$TEXTURE|$STATE|$FLOAT"')'
+    without smooth recip '^(zs_shade_(raw|flat)|(raw|flat)_|zs_solid_|zs_depth_linear|linear_|zs_(sin|cos|pose|camera|strerror)|'"$TEXTURE|$STATE|$FLOAT"')'
+    without flat linear '^(zs_shade_(raw|smooth)|(raw|smooth)_|zs_depth_recip|recip_(setup|vertex|inverse)|zs_(sin|cos|pose|camera|strerror)|'"$TEXTURE|$STATE|$FLOAT"')'
+    without texture recip '^(zs_shade_(raw|flat|smooth)|zs_solid_|zs_light|light|zs_depth_linear|linear_|zs_texel|fetch_(565|pal)|zs_shade_texture_|smooth_|'"$STATE|$FLOAT"')'
+    without flat e3m13 '^(zs_shade_(raw|smooth)|zs_depth_(recip|linear|e4m12|e5m11)|recip_(setup|vertex|inverse)|linear_|e[45]_setup|'"$TEXTURE|$STATE"')'
     # the names above must exist, or the patterns prove nothing
     minimal "$dir/main.c" flat recip "$EVERYTHING"
     echo "$OTHERS" >>"$dir/main.c"
@@ -30,7 +37,9 @@ for c in $CPUS; do
     gone=
     for s in zs_shade_raw zs_shade_flat zs_shade_smooth raw_face flat_face smooth_face zs_depth_recip \
         zs_depth_linear recip_setup linear_setup linear_rows zs_solid_rows zs_pose_turn \
-        zs_camera_orbit zs_strerror; do
+        zs_camera_orbit zs_strerror zs_shade_texture zs_shade_texture_flat zs_shade_texture_smooth zs_texel_565 \
+        zs_texel_pal8 zs_texel_pal4 fetch_565 fetch_pal8 fetch_pal4 fetch_wide texture_run light texture_start \
+        zs_state_kernel state_rows state_bias zs_depth_e3m13 zs_depth_e4m12 zs_depth_e5m11 float_rows e3_setup e4_setup e5_setup; do
         echo "$all" | grep -q "^$s" || gone="$gone $s"
     done
     none "$c everything holds every name looked for" "$gone"

@@ -5,7 +5,7 @@
 # SPDX-License-Identifier: MIT
 . "$(dirname "$0")/common.sh"
 
-FLASH_MAX=${FLASH_MAX:-24576}           # everything, Cortex-M3
+FLASH_MAX=${FLASH_MAX:-32768}           # everything, Cortex-M3
 FLASH_FLAT_MAX=${FLASH_FLAT_MAX:-18432} # flat and recip alone, Cortex-M3
 
 # MAP PATTERN: bytes that the link took from objects whose path matches.
@@ -44,6 +44,13 @@ for c in $CPUS; do
     flash "flat, linear" flat linear
     flash "smooth, recip" smooth recip
     flash "smooth, linear" smooth linear
+    flash "flat, e3m13" flat e3m13
+    flash "texture 565, recip" texture recip '
+         extern struct zs_texture texture; material.texture = &texture;' 'struct zs_texture texture = { &zs_texel_565 };'
+    flash "texture pal8 smooth, e3m13" texture_smooth e3m13 '
+         extern struct zs_texture texture; material.texture = &texture;' 'struct zs_texture texture = { &zs_texel_pal8 };'
+    flash "flat, recip, a state" flat recip '
+         extern const struct zs_state state; instance.state = &state;' 'const struct zs_state state = ZS_STATE(1, 1, 2, 3);'
     flash "flat, recip, turn and look at" flat recip \
         'zs_pose_turn(&instance.pose, 1, 2, 3);
          (void)zs_camera_look_at(&camera, (int32_t *)anything, (int32_t *)anything + 3, (int32_t *)anything + 6);'
