@@ -53,8 +53,8 @@ struct easel easel_default(int32_t width, int32_t height);
 void easel_draw(const struct easel *s, const struct easel_tri *t, uint32_t n,
                 struct easel_frame *out);
 void easel_free(struct easel_frame *f);
-/* 1 / z of a corner up to a factor that all corners share, exactly what its d says. A whole number
- * below 2^59; linear keys: only where every z of the triangle, d, is below 2^29. */
+/* 1 / z of a corner up to a factor that all corners of the triangle share, exactly what its d says: a
+ * whole number, 1 .. 2^60. */
 int64_t easel_inverse(const struct easel *s, const struct easel_frame *f, const uint32_t d[3], int k);
 /* Exponent bits of a float mapping, 0 of another. */
 int easel_float_bits(const struct zs_depth *depth);
