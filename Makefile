@@ -10,10 +10,10 @@ SCENES = $(wildcard firmware/scenes/*.c)
 SIM = $(wildcard sim/*.c sim/reference/*.c)
 GEN = $(wildcard firmware/scenes/gen/*.c)
 HEADERS = $(wildcard firmware/*/*.h firmware/scenes/gen/*.h hal/*.h sim/*.h sim/*/*.h tests/*.h)
-LIBS = -lassimp -lpng -lm
+LIBS = -lassimp -lpng -lturbojpeg -lm
 
 # Debian packages: what the simulator is built from, and what the tests need besides
-PKG_SIM = gcc libc6-dev libassimp-dev libpng-dev
+PKG_SIM = gcc libc6-dev libassimp-dev libpng-dev libturbojpeg0-dev
 PKG_TEST = $(PKG_SIM) g++ clang binutils libcmocka-dev gcc-arm-none-eabi \
            libnewlib-arm-none-eabi qemu-system-arm
 

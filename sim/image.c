@@ -1,15 +1,134 @@
-/* PNG by libpng's simplified interface; PGM and raw by hand.
+/* PNG by libpng's simplified interface, JPEG by TurboJPEG; PGM and raw by hand.
  *
  * SPDX-License-Identifier: MIT
  */
 #include "image.h"
 
+#include <errno.h>
 #include <png.h>
 #include <stdlib.h>
 #include <string.h>
+#include <sys/stat.h>
+#include <turbojpeg.h>
 
 #include "output.h"
 #include "sim.h"
+
+#define PIXELS_MAX ((uint64_t)1 << 27)
+
+/* ---- Out of memory and files ------------------------------------------------------------------ */
+
+static int begin(struct sim_image *out, const char *name, uint64_t width, uint64_t height)
+{
+    if (width < 1 || height < 1 || width > SIM_IMAGE_MAX || height > SIM_IMAGE_MAX ||
+        width * height > PIXELS_MAX)
+        return sim_refuse(name, 0,
+                          "a picture of %llu x %llu px; zsim reads up to %d each way and %llu in "
+                          "all: save it smaller",
+                          (unsigned long long)width, (unsigned long long)height, SIM_IMAGE_MAX,
+                          (unsigned long long)PIXELS_MAX);
+    out->width = (uint32_t)width;
+    out->height = (uint32_t)height;
+    out->rgb = sim_alloc(width * height, sizeof *out->rgb);
+    return SIM_OK;
+}
+
+static int decode_png(struct sim_image *out, const char *name, const void *bytes, size_t n)
+{
+    png_image image;
+    memset(&image, 0, sizeof image);
+    image.version = PNG_IMAGE_VERSION;
+    if (!png_image_begin_read_from_memory(&image, bytes, n))
+        return sim_refuse(name, 0, "a broken PNG: %s; save it again", image.message);
+    int status = begin(out, name, image.width, image.height);
+    if (status == SIM_OK) {
+        image.format = PNG_FORMAT_RGBA;
+        image.flags |= PNG_IMAGE_FLAG_16BIT_sRGB; /* as 8-bit ones: nothing is made brighter */
+        const size_t pixels = (size_t)out->width * out->height;
+        uint8_t(*rgba)[4] = sim_alloc(pixels, sizeof *rgba);
+        if (!png_image_finish_read(&image, NULL, rgba, 0, NULL))
+            status = sim_refuse(name, 0, "a broken PNG: %s; save it again", image.message);
+        for (size_t i = 0; i < pixels; i++)
+            memcpy(out->rgb[i], rgba[i], sizeof out->rgb[i]);
+        free(rgba);
+    }
+    png_image_free(&image);
+    return status;
+}
+
+/* A decoder's complaint as something to refuse the file for. What a decoder only warns of is passed
+ * over, but not that the file ends too early. */
+static int jpeg_failed(tjhandle jpeg, int result)
+{
+    return result != 0 && (tjGetErrorCode(jpeg) == TJERR_FATAL ||
+                           strstr(tjGetErrorStr2(jpeg), "remature end") != NULL);
+}
+
+static int decode_jpeg(struct sim_image *out, const char *name, const void *bytes, size_t n)
+{
+    int width, height, sampling, space;
+    tjhandle jpeg = tjInitDecompress();
+    if (jpeg == NULL)
+        return sim_refuse(name, 0, "cannot be read: %s", tjGetErrorStr());
+    int status = SIM_OK;
+    if (jpeg_failed(jpeg, tjDecompressHeader3(jpeg, bytes, (unsigned long)n, &width, &height,
+                                              &sampling, &space)))
+        status = sim_refuse(name, 0, "a broken JPEG: %s; save it again", tjGetErrorStr2(jpeg));
+    else if (space == TJCS_CMYK || space == TJCS_YCCK)
+        status = sim_refuse(name, 0, "a JPEG in CMYK colours; save it in RGB");
+    else
+        status = begin(out, name, (uint64_t)width, (uint64_t)height);
+    if (status == SIM_OK &&
+        jpeg_failed(jpeg, tjDecompress2(jpeg, bytes, (unsigned long)n, out->rgb[0], width, 0,
+                                        height, TJPF_RGB, TJFLAG_ACCURATEDCT)))
+        status = sim_refuse(name, 0, "a broken JPEG: %s; save it again", tjGetErrorStr2(jpeg));
+    (void)tjDestroy(jpeg);
+    return status;
+}
+
+int sim_image_decode(struct sim_image *out, const char *name, const void *bytes, size_t n)
+{
+    int status;
+    memset(out, 0, sizeof *out);
+    if (n >= 8 && memcmp(bytes, "\x89PNG\r\n\x1a\n", 8) == 0)
+        status = decode_png(out, name, bytes, n);
+    else if (n >= 3 && memcmp(bytes, "\xff\xd8\xff", 3) == 0)
+        status = decode_jpeg(out, name, bytes, n);
+    else
+        status = sim_refuse(name, 0, "neither a PNG nor a JPEG; save it as one of them");
+    if (status != SIM_OK)
+        sim_image_free(out);
+    return status;
+}
+
+int sim_image_load(struct sim_image *out, const char *path)
+{
+    struct stat st;
+    memset(out, 0, sizeof *out);
+    if (stat(path, &st) != 0)
+        return sim_refuse(path, 0, "cannot be read: %s", strerror(errno));
+    if (!S_ISREG(st.st_mode))
+        return sim_refuse(path, 0, "is not a regular file; name a PNG or JPEG");
+    FILE *f = fopen(path, "rb");
+    if (f == NULL)
+        return sim_refuse(path, 0, "cannot be read: %s", strerror(errno));
+    const size_t n = (size_t)st.st_size;
+    uint8_t *bytes = sim_alloc(n, 1);
+    const int whole = fread(bytes, 1, n, f) == n;
+    (void)fclose(f);
+    const int status = whole ? sim_image_decode(out, path, bytes, n)
+                             : sim_refuse(path, 0, "cannot be read to its end");
+    free(bytes);
+    return status;
+}
+
+void sim_image_free(struct sim_image *image)
+{
+    free(image->rgb);
+    memset(image, 0, sizeof *image);
+}
+
+/* ---- Into streams ------------------------------------------------------------------------------ */
 
 void sim_rgb565_expand(uint8_t rgb[3], uint16_t c)
 {

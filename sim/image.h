@@ -1,4 +1,4 @@
-/* Pictures and raw buffers into streams.
+/* Pictures and raw buffers into streams, and pictures out of files.
  *
  * SPDX-License-Identifier: MIT
  */
@@ -27,6 +27,25 @@ int sim_png_save_565(const char *path, uint32_t width, uint32_t height, const ui
 void sim_pgm_write(FILE *f, uint32_t width, uint32_t height, const uint16_t *value);
 void sim_u32_write(FILE *f, const uint32_t *value, size_t n);
 
-/* The first two return SIM_OK or, having said why about `name` or `path`, SIM_REFUSED. */
+/* A picture from a file. */
+struct sim_image {
+    uint32_t width, height; /* px, 1 .. SIM_IMAGE_MAX */
+    uint8_t (*rgb)[3];      /* [height][width], rows from the top; malloc'ed */
+};
+
+#define SIM_IMAGE_MAX 16384 /* px each way; and no more than 2^27 in all */
+
+/* Decode a PNG (any kind; 16-bit channels are rounded, an alpha channel is dropped: colours stay as
+ * they are where it hides them) or a JPEG (not CMYK; its orientation tag is not followed). Bytes
+ * that are cut off or broken are refused whole.
+ * name    for messages.
+ * Return  SIM_OK; SIM_REFUSED, said why, *out empty. sim_image_free in either case. */
+int sim_image_decode(struct sim_image *out, const char *name, const void *bytes, size_t n);
+
+/* The same from a file. */
+int sim_image_load(struct sim_image *out, const char *path);
+void sim_image_free(struct sim_image *image);
+
+/* The first two writers return SIM_OK or, having said why about `name` or `path`, SIM_REFUSED. */
 
 #endif

@@ -19,6 +19,7 @@
 #include <strings.h>
 #include <sys/stat.h>
 
+#include "material.h"
 #include "scan.h"
 #include "sim.h"
 #include "vec.h"
@@ -38,8 +39,10 @@ struct load {
     char *text; /* the whole file, '\0' behind it; NULL where assimp reads it itself */
     size_t bytes;
     struct sim_obj obj;
+    struct sim_mtl mtl;          /* OBJ: its material files */
+    struct sim_use *use;         /* [n_materials], how each uses its texture; NULL: not wanted */
     int has_materials;           /* OBJ: a material file was read */
-    const struct zs_rgb *color;  /* of everything, or NULL */
+    const struct sim_want *want;
     const struct aiScene *scene;
     char complaint[200];         /* of assimp's about indices; else empty */
     uint32_t *slot, slot_mask;   /* hash of points */
@@ -88,20 +91,18 @@ static int read_file(struct load *l)
     return SIM_OK;
 }
 
-/* ---- Files for assimp: the cleaned text in place of the m ------------------------------------ */
+/* ---- Files for assimp: the cleaned text in place of the model, and its material files --------- */
 
 struct stream {
     struct aiFile file;
-    const char *text; /* NULL: disk */
+    const char *text;
     size_t at, bytes;
-    FILE *disk;
+    char *own; /* the text, where it goes with the stream; else NULL */
 };
 
 static size_t stream_read(struct aiFile *file, char *out, size_t size, size_t n)
 {
     struct stream *s = (struct stream *)file->UserData;
-    if (s->text == NULL)
-        return fread(out, size, n, s->disk);
     const size_t left = size > 0 ? (s->bytes - s->at) / size : 0;
     n = n < left ? n : left;
     memcpy(out, s->text + s->at, n * size);
@@ -120,8 +121,7 @@ static size_t stream_write(struct aiFile *file, const char *in, size_t size, siz
 
 static size_t stream_tell(struct aiFile *file)
 {
-    struct stream *s = (struct stream *)file->UserData;
-    return s->text != NULL ? s->at : (size_t)ftell(s->disk);
+    return ((struct stream *)file->UserData)->at;
 }
 
 static size_t stream_size(struct aiFile *file)
@@ -132,11 +132,9 @@ static size_t stream_size(struct aiFile *file)
 static enum aiReturn stream_seek(struct aiFile *file, size_t offset, enum aiOrigin origin)
 {
     struct stream *s = (struct stream *)file->UserData;
-    const size_t base = origin == aiOrigin_SET   ? 0
-                        : origin == aiOrigin_END ? s->bytes
-                                                 : stream_tell(file);
+    const size_t base = origin == aiOrigin_SET ? 0 : origin == aiOrigin_END ? s->bytes : s->at;
     const size_t to = base + offset; /* an offset below 0 wraps, and so does the sum */
-    if (to > s->bytes || (s->text == NULL && fseek(s->disk, (long)to, SEEK_SET) != 0))
+    if (to > s->bytes)
         return aiReturn_FAILURE;
     s->at = to;
     return aiReturn_SUCCESS;
@@ -147,20 +145,51 @@ static void stream_flush(struct aiFile *file)
     (void)file;
 }
 
+/* A whole regular file with a '\0' behind it, or NULL. malloc'ed. */
+static char *read_text(const char *path, size_t *bytes)
+{
+    struct stat st;
+    FILE *f = stat(path, &st) == 0 && S_ISREG(st.st_mode) ? fopen(path, "rb") : NULL;
+    if (f == NULL)
+        return NULL;
+    char *text = sim_alloc((size_t)st.st_size + 1, 1);
+    *bytes = fread(text, 1, (size_t)st.st_size, f);
+    (void)fclose(f);
+    return text;
+}
+
+/* A material file of an OBJ: for assimp, and for a scan of its own. */
+static char *read_materials(struct load *l, const char *name, size_t *bytes)
+{
+    char *path = strcpy(sim_alloc(strlen(name) + 1, 1), name);
+    char *text = read_text(path, bytes);
+    for (char *p = path; *p != '\0'; p++)
+        if (*p == '\\')
+            *p = '/';
+    if (text == NULL)
+        text = read_text(path, bytes);
+    if (text == NULL && l->model->lost_materials == NULL) {
+        l->model->lost_materials = path;
+        return NULL;
+    }
+    free(path);
+    if (text != NULL) {
+        l->has_materials = 1;
+        sim_mtl_scan(&l->mtl, text, *bytes);
+    }
+    return text;
+}
+
 static struct aiFile *stream_open(struct aiFileIO *io, const char *name, const char *mode)
 {
     struct load *l = (struct load *)io->UserData;
+    struct stream s = { .text = l->obj.text, .bytes = l->obj.text_bytes };
     if (mode[0] != 'r')
         return NULL;
-    struct stream s = { .bytes = l->obj.text_bytes };
-    if (strcmp(name, l->file) == 0) {
-        s.text = l->obj.text;
-    } else {
-        struct stat st;
-        if (stat(name, &st) != 0 || !S_ISREG(st.st_mode) || (s.disk = fopen(name, "rb")) == NULL)
+    if (strcmp(name, l->file) != 0) {
+        s.text = s.own = read_materials(l, name, &s.bytes);
+        if (s.own == NULL)
             return NULL;
-        s.bytes = (size_t)st.st_size;
-        l->has_materials = 1;
     }
     struct stream *kept = sim_alloc(1, sizeof *kept);
     *kept = s;
@@ -173,8 +202,7 @@ static void stream_close(struct aiFileIO *io, struct aiFile *file)
 {
     (void)io;
     struct stream *s = (struct stream *)file->UserData;
-    if (s->disk != NULL)
-        (void)fclose(s->disk);
+    free(s->own);
     free(s);
 }
 
@@ -318,16 +346,15 @@ static struct zs_rgb to_rgb(const struct aiColor4D *c)
     return (struct zs_rgb){ to_byte(c->r), to_byte(c->g), to_byte(c->b) };
 }
 
-static struct zs_rgb material_rgb(const struct load *l, const struct aiMesh *mesh)
+static struct zs_rgb material_rgb(const struct load *l, const struct aiMaterial *material)
 {
     const struct zs_rgb plain = { 204, 204, 204 };
     struct aiColor4D c;
-    if (l->color != NULL)
-        return *l->color;
+    if (l->want->color != NULL)
+        return *l->want->color;
     if ((l->family == FAMILY_OBJ && !l->has_materials) || l->family == FAMILY_PLY ||
         l->family == FAMILY_STL || l->family == FAMILY_OFF) /* assimp makes one up: 0.6 or 1 */
         return plain;
-    const struct aiMaterial *material = l->scene->mMaterials[mesh->mMaterialIndex];
     struct aiString name;
     if (aiGetMaterialString(material, AI_MATKEY_NAME, &name) == aiReturn_SUCCESS &&
         strcmp(name.data, AI_DEFAULT_MATERIAL_NAME) == 0)
@@ -335,6 +362,30 @@ static struct zs_rgb material_rgb(const struct load *l, const struct aiMesh *mes
     if (aiGetMaterialColor(material, AI_MATKEY_COLOR_DIFFUSE, &c) != aiReturn_SUCCESS)
         return plain;
     return to_rgb(&c);
+}
+
+/* The file's materials, without textures; at least one. */
+static void fill_materials(struct load *l)
+{
+    struct sim_model *model = l->model;
+    const unsigned n = l->scene->mNumMaterials;
+    model->n_materials = n > 0 ? n : 1;
+    model->material = sim_alloc(model->n_materials, sizeof *model->material);
+    for (uint32_t i = 0; i < model->n_materials; i++) {
+        struct sim_material *to = &model->material[i];
+        struct aiString name = { .length = 0 };
+        if (i < n)
+            (void)aiGetMaterialString(l->scene->mMaterials[i], AI_MATKEY_NAME, &name);
+        to->name = strcpy(sim_alloc(strlen(name.data) + 1, 1), name.data);
+        to->rgb = i < n ? material_rgb(l, l->scene->mMaterials[i])
+                        : (struct zs_rgb){ 204, 204, 204 };
+        to->texture = SIM_NO_TEXTURE;
+    }
+    if (l->want->textures)
+        l->use = sim_alloc(model->n_materials, sizeof *l->use);
+    for (uint32_t i = 0; l->use != NULL && i < model->n_materials; i++)
+        sim_material_use(&l->use[i], i < n ? l->scene->mMaterials[i] : NULL,
+                         sim_mtl_find(&l->mtl, model->material[i].name));
 }
 
 /* The number of a point, the same for equal positions. */
@@ -366,6 +417,17 @@ struct corner {
     uint32_t point;
     float normal[3];
     struct zs_rgb rgb;
+    double uv[2]; /* v down */
+};
+
+/* What the faces of one mesh share. */
+struct placement {
+    const double *m;   /* [12], to the model's space */
+    double normals[9]; /* its cofactors */
+    int mirrored;      /* flag */
+    struct zs_rgb rgb;
+    uint32_t material;
+    const struct sim_use *use; /* NULL: no uv are wanted */
 };
 
 static void take_normal(float out[3], const struct aiMesh *mesh, unsigned v,
@@ -412,40 +474,98 @@ static void take_position(struct load *l, const struct aiVector3D *v, const doub
             *ok = 0;
 }
 
+/* The texture coordinates of the corner whose position was taken last; 0 where it has none. OBJ: the
+ * scan's. */
+static int take_uv(struct load *l, const struct aiMesh *mesh, unsigned v,
+                   const struct sim_use *use, double out[2])
+{
+    double in[2];
+    if (l->family == FAMILY_OBJ) {
+        const uint32_t n = l->obj.corner_uv[l->corner - 1];
+        if (n == SIM_NONE)
+            return 0;
+        memcpy(in, l->obj.uv[n], sizeof in);
+    } else {
+        const struct aiVector3D *uv = use->channel < AI_MAX_NUMBER_OF_TEXTURECOORDS
+                                          ? mesh->mTextureCoords[use->channel]
+                                          : NULL;
+        if (uv == NULL)
+            return 0;
+        in[0] = (double)uv[v].x;
+        in[1] = (double)uv[v].y;
+    }
+    out[0] = use->scale[0] * in[0] + use->shift[0];
+    out[1] = 1.0 - (use->scale[1] * in[1] + use->shift[1]);
+    return 1;
+}
+
+static void add_triangle(struct sim_model *model, const struct placement *at, int has_uv,
+                         const struct corner *a, const struct corner *b, const struct corner *c)
+{
+    const struct corner *corner[3] = { a, at->mirrored ? c : b, at->mirrored ? b : c };
+    const uint32_t t = model->n_tris++;
+    for (int i = 0; i < 3; i++) {
+        model->tri[t][i] = corner[i]->point;
+        model->rgb[t][i] = corner[i]->rgb;
+        if (model->normal != NULL)
+            memcpy(model->normal[t][i], corner[i]->normal, sizeof corner[i]->normal);
+        if (model->uv != NULL && has_uv)
+            memcpy(model->uv[t][i], corner[i]->uv, sizeof corner[i]->uv);
+    }
+    model->tri_material[t] = at->material;
+    if (model->uv != NULL)
+        model->has_uv[t] = (uint8_t)has_uv;
+}
+
+/* One corner of a face; *ok is cleared where assimp's is not the scan's, *has_uv where it has no
+ * texture coordinates. */
+static int take_corner(struct load *l, const struct aiMesh *mesh, unsigned v,
+                       const struct placement *at, struct corner *out, int *ok, int *has_uv)
+{
+    const int colored = mesh->mColors[0] != NULL && l->want->color == NULL;
+    double p[3];
+    *out = (struct corner){ .rgb = colored ? to_rgb(&mesh->mColors[0][v]) : at->rgb };
+    take_position(l, &mesh->mVertices[v], at->m, p, ok);
+    for (int i = 0; i < 3; i++)
+        if (!(fabs(p[i]) <= COORD_MAX))
+            return sim_refuse(l->file, 0, "coordinate %g is beyond %g; scale the model down", p[i],
+                              COORD_MAX);
+    out->point = weld(l, p);
+    if (l->want->normals && mesh->mNormals != NULL && l->family != FAMILY_STL)
+        take_normal(out->normal, mesh, v, at->normals);
+    if (at->use != NULL && !take_uv(l, mesh, v, at->use, out->uv))
+        *has_uv = 0;
+    if (!(fabs(out->uv[0]) <= SIM_UV_MAX && fabs(out->uv[1]) <= SIM_UV_MAX))
+        return sim_refuse(l->file, 0,
+                          "vertex %u of mesh '%s' has the texture coordinates %g, %g; the picture "
+                          "is 0 to 1, and zsim takes up to %g",
+                          v + 1, mesh->mName.data, out->uv[0], out->uv[1], SIM_UV_MAX);
+    return SIM_OK;
+}
+
 static int add_face(struct load *l, const struct aiMesh *mesh, const struct aiFace *face,
-                    const double m[12], const double normals[9], int mirrored, struct zs_rgb rgb)
+                    const struct placement *at)
 {
     struct sim_model *model = l->model;
-    const int colored = mesh->mColors[0] != NULL && l->color == NULL;
     struct corner first = { 0 }, last = { 0 };
+    const uint32_t first_tri = model->n_tris;
+    int has_uv = 1, status = SIM_OK;
     int ok = l->family != FAMILY_OBJ || (l->face < l->obj.n_faces &&
                                          l->obj.count[l->face++] == face->mNumIndices);
     for (unsigned k = 0; ok && k < face->mNumIndices; k++) {
-        const unsigned v = face->mIndices[k];
-        struct corner now = { .rgb = colored ? to_rgb(&mesh->mColors[0][v]) : rgb };
-        double p[3];
-        take_position(l, &mesh->mVertices[v], m, p, &ok);
-        for (int i = 0; i < 3; i++)
-            if (!(fabs(p[i]) <= COORD_MAX))
-                return sim_refuse(l->file, 0, "coordinate %g is beyond %g; scale the model down",
-                                  p[i], COORD_MAX);
-        now.point = weld(l, p);
-        if (model->normal != NULL && mesh->mNormals != NULL && l->family != FAMILY_STL)
-            take_normal(now.normal, mesh, v, normals);
-        if (k >= 2) {
-            const struct corner *c[3] = { &first, mirrored ? &now : &last,
-                                          mirrored ? &last : &now };
-            const uint32_t t = model->n_tris++;
-            for (int i = 0; i < 3; i++) {
-                model->tri[t][i] = c[i]->point;
-                model->rgb[t][i] = c[i]->rgb;
-                if (model->normal != NULL)
-                    memcpy(model->normal[t][i], c[i]->normal, sizeof c[i]->normal);
-            }
-        }
+        struct corner now;
+        status = take_corner(l, mesh, face->mIndices[k], at, &now, &ok, &has_uv);
+        if (status != SIM_OK)
+            return status;
+        if (k >= 2)
+            add_triangle(model, at, has_uv, &first, &last, &now);
         if (k == 0)
             first = now;
         last = now;
+    }
+    for (uint32_t t = first_tri; !has_uv && model->uv != NULL && t < model->n_tris; t++) {
+        memset(model->uv[t], 0, sizeof model->uv[t]); /* a later corner has none: no corner counts */
+        model->has_uv[t] = 0;
     }
     return ok ? SIM_OK
               : sim_refuse(l->file, 0,
@@ -456,13 +576,20 @@ static int add_face(struct load *l, const struct aiMesh *mesh, const struct aiFa
 
 static int fill_mesh(struct load *l, const struct aiMesh *mesh, const double m[12])
 {
-    double normals[9];
-    const int mirrored = cofactors(normals, m) < 0.0;
-    const struct zs_rgb rgb = material_rgb(l, mesh);
+    struct placement at = { .m = m };
     int status = SIM_OK;
+    at.mirrored = cofactors(at.normals, m) < 0.0;
+    at.material = mesh->mMaterialIndex < l->model->n_materials ? mesh->mMaterialIndex : 0;
+    at.rgb = l->model->material[at.material].rgb;
+    at.use = l->use != NULL ? &l->use[at.material] : NULL;
+    if (at.use != NULL && at.use->rotation != 0.0)
+        return sim_refuse(l->file, 0,
+                          "material '%s' rotates its texture by %g radians; apply that to the "
+                          "texture coordinates and export the model again",
+                          l->model->material[at.material].name, at.use->rotation);
     for (unsigned f = 0; status == SIM_OK && f < mesh->mNumFaces; f++) {
         if (mesh->mFaces[f].mNumIndices >= 3)
-            status = add_face(l, mesh, &mesh->mFaces[f], m, normals, mirrored, rgb);
+            status = add_face(l, mesh, &mesh->mFaces[f], &at);
         if (f % 4096 == 0)
             sim_progress("building", f, mesh->mNumFaces);
     }
@@ -581,7 +708,7 @@ static int look_through(struct load *l)
     return status;
 }
 
-static int build(struct load *l, int want_normals)
+static int build(struct load *l)
 {
     struct sim_model *model = l->model;
     int status = walk(l, count_mesh);
@@ -598,7 +725,11 @@ static int build(struct load *l, int want_normals)
     model->point = sim_alloc(corners, sizeof *model->point);
     model->tri = sim_alloc(n, sizeof *model->tri);
     model->rgb = sim_alloc(n, sizeof *model->rgb);
-    model->normal = want_normals ? sim_alloc(n, sizeof *model->normal) : NULL;
+    model->normal = l->want->normals ? sim_alloc(n, sizeof *model->normal) : NULL;
+    model->uv = l->want->textures ? sim_alloc(n, sizeof *model->uv) : NULL;
+    model->has_uv = l->want->textures ? sim_alloc(n, 1) : NULL;
+    model->tri_material = sim_alloc(n, sizeof *model->tri_material);
+    fill_materials(l);
     model->n_tris = 0;
     status = walk(l, fill_mesh);
     free(l->slot);
@@ -608,26 +739,31 @@ static int build(struct load *l, int want_normals)
     model->point = sim_grow(model->point, model->n_points, sizeof *model->point);
     if (status == SIM_OK)
         status = fill_bounds(model);
-    if (status == SIM_OK && want_normals)
+    if (status == SIM_OK && l->want->normals)
         fill_normals(model);
+    if (status == SIM_OK && l->want->textures)
+        status = sim_material_textures(model, l->scene, l->use, l->want);
     return status;
 }
 
-int sim_model_load(struct sim_model *model, const char *file, int want_normals,
-                   const struct zs_rgb *color)
+int sim_model_load(struct sim_model *model, const char *file, const struct sim_want *want)
 {
     memset(model, 0, sizeof *model);
-    struct load l = { .model = model, .file = file, .family = family_of(file), .color = color };
+    struct load l = { .model = model, .file = file, .family = family_of(file), .want = want };
     model->file = file;
     model->single = l.family != FAMILY_OBJ;
     int status = look_through(&l);
     if (status == SIM_OK)
         status = import(&l);
     if (status == SIM_OK)
-        status = build(&l, want_normals);
+        status = build(&l);
     if (l.scene != NULL)
         aiReleaseImport(l.scene);
     sim_obj_free(&l.obj);
+    sim_mtl_free(&l.mtl);
+    for (uint32_t i = 0; l.use != NULL && i < model->n_materials; i++)
+        free(l.use[i].path);
+    free(l.use);
     if (status != SIM_OK)
         sim_model_free(model);
     return status;
@@ -639,5 +775,21 @@ void sim_model_free(struct sim_model *model)
     free(model->tri);
     free(model->normal);
     free(model->rgb);
+    free(model->uv);
+    free(model->has_uv);
+    free(model->tri_material);
+    for (uint32_t i = 0; i < model->n_materials; i++)
+        free(model->material[i].name);
+    for (uint32_t i = 0; i < model->n_textures; i++)
+        sim_texture_free(&model->texture[i]);
+    free(model->material);
+    free(model->texture);
+    free(model->lost_materials);
     memset(model, 0, sizeof *model);
+}
+
+const struct sim_texture *sim_model_texture(const struct sim_model *model, uint32_t tri)
+{
+    const uint32_t n = model->material[model->tri_material[tri]].texture;
+    return n != SIM_NO_TEXTURE && model->has_uv[tri] ? &model->texture[n] : NULL;
 }

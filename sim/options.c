@@ -29,7 +29,8 @@ const char sim_options_help[] =
     "Frame\n"
     "  --size WxH           px, 1 to 4096 (240x240)\n"
     "  --strip ROWS         rows to a strip (16)\n"
-    "  --depth recip|linear mapping of depth keys (recip; linear for orthographic views)\n"
+    "  --depth recip|linear|e3m13|e4m12|e5m11\n"
+    "                       mapping of depth keys (recip; linear for orthographic views)\n"
     "  --depth-bits N       8 to 16 (16)\n"
     "  --subpixel 4|8       sub-pixel bits (8)\n"
     "  --tris N, --verts N  pool sizes, up to 65534 (ample); small ones take more passes\n"
@@ -41,7 +42,14 @@ const char sim_options_help[] =
     "  --near N --far F     distances along the view\n"
     "  --projection perspective|orthographic (perspective)\n"
     "Look\n"
-    "  --shade id|flat|smooth (flat)\n"
+    "  --shade id|flat|smooth|textured|textured-flat|unlit (flat)\n"
+    "                       textured: texels times smooth light, textured-flat: times a face's,\n"
+    "                       unlit: texels alone; faces without a texture: smooth, flat, as they are\n"
+    "  --texture T.png      one picture (PNG or JPEG) for all faces in place of the model's own.\n"
+    "                       A side that is no power of two up to 1024 becomes the nearest one by\n"
+    "                       averaging areas (texture_resampled of --stats); alpha is dropped\n"
+    "  --texture-format 565 how texels are stored (565)\n"
+    "  --wrap repeat|clamp  beyond the picture's border (as the model says, else repeat)\n"
     "  --cull back|front|none (back)\n"
     "  --background RRGGBB (000000)\n"
     "  --color RRGGBB       one colour for the whole model\n"
@@ -99,8 +107,11 @@ static const struct option table[] = {
     { "--background", KIND_RGB, AT(background), 0, 0, 0, NULL },
     { "--color", KIND_RGB, AT(color), AT(has_color), 0, 0, NULL },
     { "--projection", KIND_CHOICE, AT(projection), 0, 0, 0, "perspective|orthographic" },
-    { "--depth", KIND_CHOICE, AT(depth), 0, 0, 0, "recip|linear" },
-    { "--shade", KIND_CHOICE, AT(shade), 0, 0, 0, "id|flat|smooth" },
+    { "--depth", KIND_CHOICE, AT(depth), 0, 0, 0, "recip|linear|e3m13|e4m12|e5m11" },
+    { "--shade", KIND_CHOICE, AT(shade), 0, 0, 0, "id|flat|smooth|textured|textured-flat|unlit" },
+    { "--texture", KIND_FILE, AT(texture), 0, 0, 0, NULL },
+    { "--texture-format", KIND_CHOICE, AT(texel), 0, 0, 0, "565" },
+    { "--wrap", KIND_CHOICE, AT(clamp), AT(has_wrap), 0, 0, "repeat|clamp" },
     { "--cull", KIND_CHOICE, AT(cull), 0, 0, 0, "back|front|none" },
     { "--reference", KIND_FLAG, AT(reference), 0, 0, 0, NULL },
     { "--compare", KIND_FLAG, AT(compare), 0, 0, 0, NULL },
@@ -273,9 +284,29 @@ static int check_rest(const struct sim_options *o)
         return sim_refuse(file, 0, "--up 0,0,0 has no direction; try 0,1,0");
     if (o->light[0] == 0.0 && o->light[1] == 0.0 && o->light[2] == 0.0 && o->has_light)
         return sim_refuse(file, 0, "--light 0,0,0 has no direction");
-    if (o->projection == ZS_ORTHOGRAPHIC && o->depth == SIM_DEPTH_RECIP)
-        return sim_refuse(file, 0, "--depth recip: an orthographic view takes linear depth only");
+    if (o->projection == ZS_ORTHOGRAPHIC && o->depth != SIM_DEPTH_LINEAR &&
+        o->depth != SIM_DEPTH_DEFAULT)
+        return sim_refuse(file, 0, "--depth %s: an orthographic view takes linear depth only",
+                          o->depth == SIM_DEPTH_RECIP   ? "recip"
+                          : o->depth == SIM_DEPTH_E3M13 ? "e3m13"
+                          : o->depth == SIM_DEPTH_E4M12 ? "e4m12"
+                                                        : "e5m11");
+    if (o->texture != NULL && !sim_options_textured(o))
+        return sim_refuse(file, 0,
+                          "--texture %s is not drawn without --shade textured, textured-flat or "
+                          "unlit",
+                          o->texture);
     return SIM_OK;
+}
+
+int sim_options_textured(const struct sim_options *o)
+{
+    return o->shade >= SIM_SHADE_TEXTURED;
+}
+
+int sim_options_smooth(const struct sim_options *o)
+{
+    return o->shade == SIM_SHADE_SMOOTH || o->shade == SIM_SHADE_TEXTURED;
 }
 
 static void set_defaults(struct sim_options *o)

@@ -7,8 +7,23 @@
 
 #include "zstrip.h"
 
-enum sim_shade { SIM_SHADE_ID, SIM_SHADE_FLAT, SIM_SHADE_SMOOTH };
-enum sim_depth { SIM_DEPTH_RECIP, SIM_DEPTH_LINEAR, SIM_DEPTH_DEFAULT };
+enum sim_shade {
+    SIM_SHADE_ID,
+    SIM_SHADE_FLAT,
+    SIM_SHADE_SMOOTH,
+    SIM_SHADE_TEXTURED,      /* texels times smooth light; faces without a texture: smooth */
+    SIM_SHADE_TEXTURED_FLAT, /* texels times flat light; others: flat */
+    SIM_SHADE_UNLIT          /* texels; others: their colour */
+};
+enum sim_depth {
+    SIM_DEPTH_RECIP,
+    SIM_DEPTH_LINEAR,
+    SIM_DEPTH_E3M13,
+    SIM_DEPTH_E4M12,
+    SIM_DEPTH_E5M11,
+    SIM_DEPTH_DEFAULT
+};
+enum sim_texel { SIM_TEXEL_565 };
 
 /* has_* is 0 where the user said nothing and the simulator chooses. Strings point into argv. */
 struct sim_options {
@@ -25,8 +40,11 @@ struct sim_options {
     enum sim_depth depth;
     enum sim_shade shade;
     enum zs_cull cull;
+    const char *texture;    /* a file for all faces; NULL: the model's own */
+    enum sim_texel texel;   /* how textures are stored */
+    int clamp;              /* with has_wrap: 1 clamp, 0 repeat, both ways */
     struct zs_rgb background, color;
-    int has_eye, has_at, has_near, has_far, has_light, has_color; /* flags */
+    int has_eye, has_at, has_near, has_far, has_light, has_color, has_wrap; /* flags */
     int reference, compare, help;                                 /* flags */
 };
 
@@ -34,6 +52,10 @@ struct sim_options {
  * a value is outside what zsim can do; *o is only complete on SIM_OK. With o->help nothing else
  * counts. */
 int sim_options_parse(struct sim_options *o, int argc, char **argv);
+
+/* Do these options ask for textures; for normals at the vertices? */
+int sim_options_textured(const struct sim_options *o);
+int sim_options_smooth(const struct sim_options *o);
 
 /* The help text of `zsim render`. */
 extern const char sim_options_help[];

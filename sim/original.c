@@ -16,25 +16,57 @@ static void channels(double out[3], struct zs_rgb c)
     out[2] = c.b / 255.0;
 }
 
-static void fill(struct ref_triangle *to, const struct sim_model *model, uint32_t t,
-                 const struct sim_options *o)
+static int plain_shade(const struct sim_options *o)
 {
+    return o->shade == SIM_SHADE_ID || o->shade == SIM_SHADE_UNLIT ? REF_SHADE_RAW
+           : sim_options_smooth(o)                                 ? REF_SHADE_SMOOTH
+                                                                   : REF_SHADE_FLAT;
+}
+
+static int texture_shade(const struct sim_options *o)
+{
+    return o->shade == SIM_SHADE_UNLIT           ? REF_SHADE_TEXTURE
+           : o->shade == SIM_SHADE_TEXTURED_FLAT ? REF_SHADE_TEXTURE_FLAT
+                                                 : REF_SHADE_TEXTURE_SMOOTH;
+}
+
+static void fill(struct ref_triangle *to, const struct sim_model *model, uint32_t t,
+                 const struct sim_options *o, const struct ref_texture *textures)
+{
+    const struct sim_texture *texture =
+        sim_options_textured(o) ? sim_model_texture(model, t) : NULL;
+    const struct zs_rgb rgb = sim_model_face_rgb(model, t);
     to->id = t + 1u;
-    to->raw = (uint16_t)(t + 1u);
-    to->shade = o->shade == SIM_SHADE_ID     ? REF_SHADE_RAW
-                : o->shade == SIM_SHADE_FLAT ? REF_SHADE_FLAT
-                                             : REF_SHADE_SMOOTH;
+    to->raw = o->shade == SIM_SHADE_ID ? (uint16_t)(t + 1u) : zs_rgb565(rgb.r, rgb.g, rgb.b);
+    to->shade = texture != NULL ? texture_shade(o) : plain_shade(o);
+    to->texture = texture != NULL ? &textures[texture - model->texture] : NULL;
     to->cull = o->cull == ZS_CULL_BACK    ? REF_CULL_BACK
                : o->cull == ZS_CULL_FRONT ? REF_CULL_FRONT
                                           : REF_CULL_NONE;
     for (int k = 0; k < 3; k++) {
         memcpy(to->p[k], model->point[model->tri[t][k]], sizeof to->p[k]);
         channels(to->rgb[k], model->rgb[t][k]);
-        for (int i = 0; i < 3 && o->shade == SIM_SHADE_SMOOTH; i++)
+        for (int i = 0; i < 3 && sim_options_smooth(o); i++)
             to->n[k][i] = (double)model->normal[t][k][i];
+        if (texture != NULL)
+            memcpy(to->uv[k], model->uv[t][k], sizeof to->uv[k]);
     }
-    if (o->shade == SIM_SHADE_FLAT)
-        channels(to->rgb[0], sim_model_face_rgb(model, t));
+    if (to->shade == REF_SHADE_FLAT)
+        channels(to->rgb[0], rgb);
+}
+
+static struct ref_texture *textures_of(const struct sim_model *model)
+{
+    struct ref_texture *all = sim_alloc(model->n_textures, sizeof *all);
+    for (uint32_t i = 0; i < model->n_textures; i++) {
+        const struct sim_texture *t = &model->texture[i];
+        all[i] = (struct ref_texture){ .width = (int)t->image.width,
+                                       .height = (int)t->image.height,
+                                       .rgb = t->image.rgb[0],
+                                       .clamp_u = (t->clamp & ZS_CLAMP_U) != 0,
+                                       .clamp_v = (t->clamp & ZS_CLAMP_V) != 0 };
+    }
+    return all;
 }
 
 static void set_up(struct sim_original *out, struct ref_light *light, const struct sim_view *view,
@@ -53,8 +85,12 @@ static void set_up(struct sim_original *out, struct ref_light *light, const stru
     memcpy(light->dir, view->light, sizeof light->dir);
     light->ambient = o->ambient;
     light->diffuse = o->diffuse;
-    const int linear = view->orthographic || o->depth == SIM_DEPTH_LINEAR;
-    out->depth.mapping = linear ? REF_DEPTH_LINEAR : REF_DEPTH_RECIP;
+    static const int mapping[] = {
+        [SIM_DEPTH_RECIP] = REF_DEPTH_RECIP, [SIM_DEPTH_LINEAR] = REF_DEPTH_LINEAR,
+        [SIM_DEPTH_E3M13] = REF_DEPTH_E3M13, [SIM_DEPTH_E4M12] = REF_DEPTH_E4M12,
+        [SIM_DEPTH_E5M11] = REF_DEPTH_E5M11, [SIM_DEPTH_DEFAULT] = REF_DEPTH_RECIP,
+    };
+    out->depth.mapping = view->orthographic ? REF_DEPTH_LINEAR : mapping[o->depth];
     out->depth.bits = (int)o->depth_bits;
 }
 
@@ -77,9 +113,16 @@ int sim_original_render(struct sim_original *out, const struct sim_model *model,
     out->image.id = sim_alloc(n, sizeof *out->image.id);
     out->image.z = sim_alloc(n, sizeof *out->image.z);
     out->image.exact_key = sim_alloc(n, sizeof *out->image.exact_key);
+    if (sim_options_textured(o)) {
+        out->image.u = sim_alloc(n, sizeof *out->image.u);
+        out->image.v = sim_alloc(n, sizeof *out->image.v);
+        out->image.texel = sim_alloc(n, sizeof *out->image.texel);
+        out->image.texture = sim_alloc(n, sizeof(void *));
+        out->texture = textures_of(model);
+    }
     struct ref_triangle *tris = sim_alloc(model->n_tris, sizeof *tris);
     for (uint32_t t = 0; t < model->n_tris; t++)
-        fill(&tris[t], model, t, o);
+        fill(&tris[t], model, t, o, out->texture);
     const uint16_t background = zs_rgb565(o->background.r, o->background.g, o->background.b);
     const int err = ref_render(tris, model->n_tris, &out->camera, &light, &out->depth, background,
                                view->width, view->height, &out->image, report, NULL);
@@ -99,5 +142,10 @@ void sim_original_free(struct sim_original *original)
     free(original->image.id);
     free(original->image.z);
     free(original->image.exact_key);
+    free(original->image.u);
+    free(original->image.v);
+    free(original->image.texel);
+    free(original->image.texture);
+    free(original->texture);
     memset(original, 0, sizeof *original);
 }

@@ -12,12 +12,14 @@
 
 /* The reference's frame, and what it was drawn with. */
 struct sim_original {
-    struct ref_image image; /* rgb565, key, id, z and exact_key; memory of its own */
+    struct ref_image image; /* rgb565, key, id, z and exact_key; textured: u, v, texel and texture
+                               too; memory of its own */
+    struct ref_texture *texture; /* [model->n_textures]; texels are the model's */
     struct ref_camera camera;
     struct ref_depth depth;
 };
 
-/* Draw it with the same camera, colours and light. SIM_OK; SIM_REFUSED, said why, *out empty. */
+/* Draw it with the same camera, colours and light. The model must outlive *out. SIM_OK; SIM_REFUSED, said why, *out empty. */
 int sim_original_render(struct sim_original *out, const struct sim_model *model,
                         const struct sim_view *view, const struct sim_options *o);
 void sim_original_free(struct sim_original *original);

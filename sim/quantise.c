@@ -8,6 +8,11 @@
  * model allow, so that they use 2^28 .. 2^29 of the world. The far plane may be 2^15 times farther. Where
  * half a unit would be more than OFF_MAX_PX on the screen, the camera is refused: better than a wrong picture.
  *
+ * Texture coordinates: a part has as many uv bits as the range of its int16 allows. Whole repeats are
+ * taken off the part as a whole; where the coordinates could then not be held to 1/16 texel, off
+ * every triangle, which splits the vertices that it shares with one that is moved otherwise. Where
+ * even that does not do, the model is refused: cutting a face would change which pixels it covers.
+ *
  * SPDX-License-Identifier: MIT
  */
 #include "quantise.h"
@@ -25,6 +30,8 @@
 #define OFF_MAX_PX (1.0 / 32.0)
 #define PART_VERTS_MAX 65535u
 #define SLOTS 262144u /* hash of a part's vertices */
+#define UV_BITS_MAX 15
+#define UV_ERROR_MAX (1.0 / 16.0) /* texels */
 
 /* ---- Grid ------------------------------------------------------------------------------------ */
 
@@ -207,6 +214,15 @@ struct key {
     uint32_t point;
     zs_q1_15 normal[3];
     struct zs_rgb rgb;
+    int16_t uv[2];
+};
+
+/* How the texture coordinates of a run of triangles become integers: (uv - whole repeats) * 2^bits. */
+struct uv_grid {
+    const struct sim_texture *texture; /* NULL: the run has none, and nothing else counts */
+    int bits;
+    int by_triangle;  /* flag: every triangle is first brought to 0 .. 1 and up, by whole repeats */
+    double repeats[2]; /* taken off everything */
 };
 
 /* The part that is being filled. */
@@ -214,32 +230,127 @@ struct build {
     struct sim_scene *scene;
     const struct sim_model *model;
     const struct grid *grid;
-    int smooth;
+    const struct sim_options *options;
+    struct uv_grid uv;
     uint32_t *slot; /* [SLOTS], vertex + 1 */
     struct key *key; /* [PART_VERTS_MAX] */
+    uint32_t *slot_of; /* [PART_VERTS_MAX], where a vertex is in slot */
     uint32_t n_verts, first, n_tris;
     uint32_t tri_room;
     uint16_t (*tri)[3];
     double scale; /* world units to a mesh step */
 };
 
+/* ---- Texture coordinates ----------------------------------------------------------------------- */
+
+/* What one of a triangle's coordinates is before its run's repeats are taken off. */
+static double uv_placed(const struct sim_model *model, const struct uv_grid *g, uint32_t t, int k,
+                        int axis)
+{
+    const double(*uv)[2] = (const double(*)[2])model->uv[t];
+    const int clamped = g->texture->clamp >> axis & 1;
+    if (clamped || !g->by_triangle)
+        return uv[k][axis];
+    return uv[k][axis] - floor(fmin(uv[0][axis], fmin(uv[1][axis], uv[2][axis])));
+}
+
+static double uv_exact(const struct sim_model *model, const struct uv_grid *g, uint32_t t, int k,
+                       int axis)
+{
+    return ldexp(uv_placed(model, g, t, k, axis) - g->repeats[axis], g->bits);
+}
+
+/* Bits and repeats for the range of triangles first .. end - 1; -1 bits where int16 cannot hold it. */
+static void uv_fit(struct uv_grid *g, const struct sim_model *model, uint32_t first, uint32_t end)
+{
+    g->bits = UV_BITS_MAX;
+    for (int axis = 0; axis < 2; axis++) {
+        const int clamped = g->texture->clamp >> axis & 1;
+        double lo = INFINITY, hi = -INFINITY;
+        for (uint32_t t = first; t < end; t++)
+            for (int k = 0; k < 3; k++) {
+                lo = fmin(lo, uv_placed(model, g, t, k, axis));
+                hi = fmax(hi, uv_placed(model, g, t, k, axis));
+            }
+        g->repeats[axis] = clamped ? 0.0 : ceil((lo + hi) / 2.0);
+        lo -= g->repeats[axis];
+        hi -= g->repeats[axis];
+        while (g->bits >= 0 && (rint(ldexp(lo, g->bits)) < INT16_MIN ||
+                                rint(ldexp(hi, g->bits)) > INT16_MAX))
+            g->bits--;
+    }
+}
+
+/* How far off the integers are at most, texels. */
+static double uv_error(const struct sim_model *model, const struct uv_grid *g, uint32_t first,
+                       uint32_t end)
+{
+    const double size[2] = { g->texture->image.width, g->texture->image.height };
+    double most = 0.0;
+    for (uint32_t t = first; t < end; t++)
+        for (int k = 0; k < 3; k++)
+            for (int axis = 0; axis < 2; axis++) {
+                const double exact = uv_exact(model, g, t, k, axis);
+                most = fmax(most, ldexp(fabs(exact - rint(exact)), -g->bits) * size[axis]);
+            }
+    return most;
+}
+
+static int refuse_uv(const struct sim_model *model, const struct sim_texture *texture)
+{
+    return sim_refuse(model->file, 0,
+                      "a face repeats the texture %s, %u x %u texels, so often that 16 bits do not "
+                      "hold its coordinates to 1/16 texel; cut the face up or make the picture "
+                      "smaller",
+                      texture->name, texture->image.width, texture->image.height);
+}
+
+/* The grid of a run of triangles that share a texture. */
+static int uv_choose(struct build *b, uint32_t first, uint32_t end)
+{
+    struct uv_grid *g = &b->uv;
+    struct sim_scene *s = b->scene;
+    double error = INFINITY;
+    *g = (struct uv_grid){ .texture = sim_options_textured(b->options)
+                                          ? sim_model_texture(b->model, first)
+                                          : NULL };
+    if (g->texture == NULL)
+        return SIM_OK;
+    for (g->by_triangle = 0; g->by_triangle < 2 && !(error <= UV_ERROR_MAX); g->by_triangle++) {
+        uv_fit(g, b->model, first, end);
+        if (g->bits >= 0)
+            error = uv_error(b->model, g, first, end);
+    }
+    g->by_triangle--;
+    if (!(error <= UV_ERROR_MAX))
+        return refuse_uv(b->model, g->texture);
+    s->uv_error = fmax(s->uv_error, error);
+    if (s->uv_bits_least == 0 || s->uv_bits_least > (uint32_t)g->bits)
+        s->uv_bits_least = (uint32_t)g->bits;
+    return SIM_OK;
+}
+
+/* ---- Vertices ------------------------------------------------------------------------------------ */
+
 static struct key corner_key(const struct build *b, uint32_t t, int k)
 {
     struct key key;
     memset(&key, 0, sizeof key);
     key.point = b->model->tri[t][k];
-    if (b->smooth) {
-        for (int i = 0; i < 3; i++)
-            key.normal[i] = to_q15((double)b->model->normal[t][k][i]);
+    for (int i = 0; i < 3 && sim_options_smooth(b->options); i++)
+        key.normal[i] = to_q15((double)b->model->normal[t][k][i]);
+    if (sim_options_smooth(b->options) && b->uv.texture == NULL)
         key.rgb = b->model->rgb[t][k];
-    }
+    for (int i = 0; i < 2 && b->uv.texture != NULL; i++)
+        key.uv[i] = (int16_t)rint(uv_exact(b->model, &b->uv, t, k, i));
     return key;
 }
 
 static int same_key(const struct key *a, const struct key *b)
 {
     return a->point == b->point && memcmp(a->normal, b->normal, sizeof a->normal) == 0 &&
-           memcmp(&a->rgb, &b->rgb, sizeof a->rgb) == 0;
+           memcmp(&a->rgb, &b->rgb, sizeof a->rgb) == 0 &&
+           memcmp(a->uv, b->uv, sizeof a->uv) == 0;
 }
 
 /* The part's vertex of a key; PART_VERTS_MAX where it is full. */
@@ -248,6 +359,7 @@ static uint32_t vertex_of(struct build *b, const struct key *key)
     uint32_t h = key->point * 2654435761u;
     for (int i = 0; i < 3; i++)
         h = (h ^ (uint16_t)key->normal[i]) * 2246822519u;
+    h = (h ^ ((uint32_t)(uint16_t)key->uv[0] << 16 | (uint16_t)key->uv[1])) * 2654435761u;
     h = (h ^ ((uint32_t)key->rgb.r << 16 | (uint32_t)key->rgb.g << 8 | key->rgb.b)) * 3266489917u;
     uint32_t i = (h ^ h >> 15) % SLOTS;
     for (; b->slot[i] != 0; i = (i + 1) % SLOTS)
@@ -255,6 +367,7 @@ static uint32_t vertex_of(struct build *b, const struct key *key)
             return b->slot[i] - 1;
     if (b->n_verts == PART_VERTS_MAX)
         return PART_VERTS_MAX;
+    b->slot_of[b->n_verts] = i;
     b->key[b->n_verts++] = *key;
     b->slot[i] = b->n_verts;
     return b->n_verts - 1;
@@ -293,10 +406,12 @@ static void fill_vertices(struct build *b, struct sim_part *part)
             const double error = g->per_unit > 0.0 ? 0.0 : fabs(exact - n) * g->step;
             b->scene->error = fmax(b->scene->error, error);
         }
-        if (b->smooth) {
+        if (part->normal != NULL)
             memcpy(part->normal[i], b->key[i].normal, sizeof part->normal[i]);
+        if (part->vertex_rgb != NULL)
             part->vertex_rgb[i] = b->key[i].rgb;
-        }
+        if (part->uv != NULL)
+            memcpy(part->uv[i], b->key[i].uv, sizeof part->uv[i]);
     }
 }
 
@@ -309,8 +424,10 @@ static void fill_faces(const struct build *b, struct sim_part *part)
             n[2] = 1.0; /* no area: hardly ever drawn */
         for (int k = 0; k < 3; k++)
             part->face_normal[t][k] = to_q15(n[k]);
-        part->face_rgb[t] = sim_model_face_rgb(b->model, b->first + t);
-        part->face_raw[t] = (uint16_t)(b->first + t + 1u);
+        const struct zs_rgb rgb = sim_model_face_rgb(b->model, b->first + t);
+        part->face_rgb[t] = rgb;
+        part->face_raw[t] = b->options->shade == SIM_SHADE_UNLIT ? zs_rgb565(rgb.r, rgb.g, rgb.b)
+                                                                 : (uint16_t)(b->first + t + 1u);
     }
 }
 
@@ -343,10 +460,14 @@ static void finish_part(struct build *b)
     memset(part, 0, sizeof *part);
     part->pos = sim_alloc(b->n_verts, sizeof *part->pos);
     part->pos_lo = sim_alloc(b->n_verts, sizeof *part->pos_lo);
-    if (b->smooth) {
+    if (sim_options_smooth(b->options))
         part->normal = sim_alloc(b->n_verts, sizeof *part->normal);
+    if (part->normal != NULL && b->uv.texture == NULL)
         part->vertex_rgb = sim_alloc(b->n_verts, sizeof *part->vertex_rgb);
-    }
+    if (b->uv.texture != NULL)
+        part->uv = sim_alloc(b->n_verts, sizeof *part->uv);
+    part->material = &s->material[b->uv.texture != NULL
+                                      ? 1 + (b->uv.texture - b->model->texture) : 0];
     part->face_normal = sim_alloc(b->n_tris, sizeof *part->face_normal);
     part->face_rgb = sim_alloc(b->n_tris, sizeof *part->face_rgb);
     part->face_raw = sim_alloc(b->n_tris, sizeof *part->face_raw);
@@ -361,22 +482,24 @@ static void finish_part(struct build *b)
                                    .face_raw = part->face_raw,
                                    .n_verts = b->n_verts,
                                    .n_tris = b->n_tris,
-                                   .scale = (zs_uq16_16)(b->scale * 65536.0) };
+                                   .scale = (zs_uq16_16)(b->scale * 65536.0),
+                                   .uv = (const int16_t(*)[2])part->uv,
+                                   .uv_bits = (uint8_t)b->uv.bits };
     fill_vertices(b, part);
     fill_faces(b, part);
     fill_sphere(b, part);
     s->n_verts += b->n_verts;
+    for (uint32_t i = 0; i < b->n_verts; i++)
+        b->slot[b->slot_of[i]] = 0;
     b->first += b->n_tris;
     b->n_tris = b->n_verts = b->tri_room = 0;
     b->tri = NULL;
-    memset(b->slot, 0, SLOTS * sizeof *b->slot);
 }
 
-static void build_parts(struct build *b)
+/* Triangles up to end, from where the parts so far end. */
+static void build_run(struct build *b, uint32_t end)
 {
-    b->slot = sim_alloc(SLOTS, sizeof *b->slot);
-    b->key = sim_alloc(PART_VERTS_MAX, sizeof *b->key);
-    for (uint32_t t = 0; t < b->model->n_tris; t++) {
+    for (uint32_t t = b->first; t < end; t++) {
         if (!add_triangle(b, t)) {
             finish_part(b);
             (void)add_triangle(b, t);
@@ -385,8 +508,41 @@ static void build_parts(struct build *b)
             sim_progress("quantising", t, b->model->n_tris);
     }
     finish_part(b);
+}
+
+/* Where the run of triangles that share the texture of `first` ends. */
+static uint32_t run_end(const struct build *b, uint32_t first)
+{
+    uint32_t t = first + 1;
+    if (!sim_options_textured(b->options))
+        return b->model->n_tris;
+    while (t < b->model->n_tris &&
+           sim_model_texture(b->model, t) == sim_model_texture(b->model, first))
+        t++;
+    return t;
+}
+
+static int build_parts(struct build *b)
+{
+    int status = SIM_OK;
+    b->slot = sim_alloc(SLOTS, sizeof *b->slot);
+    b->slot_of = sim_alloc(PART_VERTS_MAX, sizeof *b->slot_of);
+    b->key = sim_alloc(PART_VERTS_MAX, sizeof *b->key);
+    while (status == SIM_OK && b->first < b->model->n_tris) {
+        const uint32_t end = run_end(b, b->first);
+        status = uv_choose(b, b->first, end);
+        if (status == SIM_OK)
+            build_run(b, end);
+        if (status == SIM_OK && b->scene->n_parts > UINT16_MAX)
+            status = sim_refuse(b->model->file, 0,
+                                "more than %u parts, runs of triangles with one texture and up to "
+                                "%u vertices; sort its faces by texture",
+                                UINT16_MAX, PART_VERTS_MAX);
+    }
     free(b->slot);
+    free(b->slot_of);
     free(b->key);
+    return status;
 }
 
 /* Parts do not move any more: point at them. */
@@ -395,11 +551,44 @@ static void build_instances(struct sim_scene *s)
     s->instance = sim_alloc(s->n_parts, sizeof *s->instance);
     for (uint32_t i = 0; i < s->n_parts; i++) {
         s->instance[i].mesh = &s->part[i].mesh;
-        s->instance[i].material = &s->material;
+        s->instance[i].material = s->part[i].material;
         zs_pose_identity(&s->instance[i].pose);
     }
     s->scene.instance = s->instance;
     s->scene.n_instances = s->n_parts;
+}
+
+static void build_texture(struct zs_texture *out, const struct sim_texture *from)
+{
+    *out = (struct zs_texture){ .format = &zs_texel_565,
+                                .texel = sim_texture_565(from),
+                                .log2_w = sim_texture_log2(from->image.width),
+                                .log2_h = sim_texture_log2(from->image.height),
+                                .clamp = from->clamp };
+}
+
+static void build_materials(struct sim_scene *s, const struct sim_model *model,
+                            const struct sim_options *o)
+{
+    const struct zs_shader *const plain = o->shade == SIM_SHADE_ID || o->shade == SIM_SHADE_UNLIT
+                                              ? &zs_shade_raw
+                                          : sim_options_smooth(o) ? &zs_shade_smooth
+                                                                  : &zs_shade_flat;
+    const struct zs_shader *const textured = o->shade == SIM_SHADE_UNLIT ? &zs_shade_texture
+                                             : sim_options_smooth(o) ? &zs_shade_texture_smooth
+                                                                     : &zs_shade_texture_flat;
+    s->n_textures = sim_options_textured(o) ? model->n_textures : 0;
+    s->texture = sim_alloc(s->n_textures, sizeof *s->texture);
+    s->material = sim_alloc((size_t)s->n_textures + 1, sizeof *s->material);
+    for (uint32_t i = 0; i <= s->n_textures; i++) {
+        s->material[i] = (struct zs_material){ .shader = i > 0 ? textured : plain,
+                                               .rgb = { 204, 204, 204 },
+                                               .cull = (uint8_t)o->cull };
+        if (i > 0) {
+            build_texture(&s->texture[i - 1], &model->texture[i - 1]);
+            s->material[i].texture = &s->texture[i - 1];
+        }
+    }
 }
 
 int sim_scene_build(struct sim_scene *out, const struct sim_model *model,
@@ -417,17 +606,11 @@ int sim_scene_build(struct sim_scene *out, const struct sim_model *model,
     if (status != SIM_OK)
         return status;
     build_light(out, view, o);
-    out->material.shader = o->shade == SIM_SHADE_ID     ? &zs_shade_raw
-                           : o->shade == SIM_SHADE_FLAT ? &zs_shade_flat
-                                                        : &zs_shade_smooth;
-    out->material.rgb = (struct zs_rgb){ 204, 204, 204 };
-    out->material.cull = (uint8_t)o->cull;
-    struct build b = { .scene = out, .model = model, .grid = &grid,
-                       .smooth = o->shade == SIM_SHADE_SMOOTH, .scale = ldexp(1.0, units_log2) };
-    build_parts(&b);
-    if (out->n_parts > UINT16_MAX) {
-        status = sim_refuse(model->file, 0, "%u parts of 65535 vertices; the renderer takes %u",
-                            out->n_parts, UINT16_MAX);
+    build_materials(out, model, o);
+    struct build b = { .scene = out, .model = model, .grid = &grid, .options = o,
+                       .scale = ldexp(1.0, units_log2) };
+    status = build_parts(&b);
+    if (status != SIM_OK) {
         sim_scene_free(out);
         return status;
     }
@@ -447,7 +630,12 @@ void sim_scene_free(struct sim_scene *scene)
         free(p->vertex_rgb);
         free(p->face_rgb);
         free(p->face_raw);
+        free(p->uv);
     }
+    for (uint32_t i = 0; i < scene->n_textures; i++)
+        free((void *)(uintptr_t)scene->texture[i].texel);
+    free(scene->texture);
+    free(scene->material);
     free(scene->part);
     free(scene->instance);
     memset(scene, 0, sizeof *scene);

@@ -9,9 +9,12 @@
 #include "view.h"
 #include "zstrip.h"
 
-/* A consecutive run of triangles whose vertices fit 16-bit indices. Memory of its own. */
+/* A consecutive run of triangles with one texture, or none, whose vertices fit 16-bit indices.
+ * Memory of its own. */
 struct sim_part {
     struct zs_mesh mesh;
+    const struct zs_material *material;
+    int16_t (*uv)[2];
     int16_t (*pos)[3];
     uint8_t (*pos_lo)[3];
     uint16_t (*tri)[3];
@@ -25,13 +28,17 @@ struct sim_part {
 struct sim_scene {
     struct zs_scene scene;
     struct zs_camera camera;
-    struct zs_material material;
+    struct zs_material *material; /* [n_textures + 1]: faces without a texture, then by texture */
+    struct zs_texture *texture;   /* [n_textures] */
+    uint32_t n_textures;
     struct zs_instance *instance; /* [n_parts] */
     struct sim_part *part;        /* [n_parts] */
     uint32_t n_parts;
     uint64_t n_verts;             /* of all parts */
     double origin[3], step, unit; /* model units: of n = 0, of 1, and of a world unit */
     double error;                 /* largest |position - its place on the grid|, model units */
+    double uv_error;              /* the same of texture coordinates, texels; at most 1/16 */
+    uint32_t uv_bits_least;       /* of all textured parts; 0 where there are none */
 };
 
 /* Quantise for one view. The scene points into *out: do not move it.

@@ -18,6 +18,7 @@
 #include "quantise.h"
 #include "sim.h"
 #include "stats.h"
+#include "texels.h"
 #include "vec.h"
 #include "view.h"
 
@@ -34,7 +35,8 @@ struct job {
     struct sim_scene scene;
     struct zs_config config;
     struct sim_frame frame;
-    uint32_t *id; /* of the frame; NULL: not wanted */
+    uint32_t *id;    /* of the frame; NULL: not wanted */
+    uint32_t *texel; /* with --compare and textures; else NULL */
     struct sim_original original;
     struct ref_diff diff; /* with --compare */
 };
@@ -66,8 +68,18 @@ static void set_config(struct job *job)
     struct zs_config *c = &job->config;
     const uint64_t n = job->model.n_tris;
     const int clips = may_clip(&job->view, &job->model);
-    sim_frame_config(c, (uint16_t)o->size[0], (uint16_t)o->size[1],
-                     o->shade == SIM_SHADE_SMOOTH ? ZS_ATTRS_SMOOTH : ZS_ATTRS_FLAT);
+    static const struct {
+        uint8_t attrs[SIM_SHADE_UNLIT + 1];
+        const struct zs_depth *depth[SIM_DEPTH_DEFAULT + 1];
+    } of = {
+        { [SIM_SHADE_ID] = ZS_ATTRS_FLAT, [SIM_SHADE_FLAT] = ZS_ATTRS_FLAT,
+          [SIM_SHADE_SMOOTH] = ZS_ATTRS_SMOOTH, [SIM_SHADE_TEXTURED] = ZS_ATTRS_TEXTURE_SMOOTH,
+          [SIM_SHADE_TEXTURED_FLAT] = ZS_ATTRS_TEXTURE, [SIM_SHADE_UNLIT] = ZS_ATTRS_TEXTURE },
+        { [SIM_DEPTH_RECIP] = &zs_depth_recip, [SIM_DEPTH_LINEAR] = &zs_depth_linear,
+          [SIM_DEPTH_E3M13] = &zs_depth_e3m13, [SIM_DEPTH_E4M12] = &zs_depth_e4m12,
+          [SIM_DEPTH_E5M11] = &zs_depth_e5m11, [SIM_DEPTH_DEFAULT] = &zs_depth_recip },
+    };
+    sim_frame_config(c, (uint16_t)o->size[0], (uint16_t)o->size[1], of.attrs[o->shade]);
     c->strip_h = (uint16_t)(o->strip < o->size[1] ? o->strip : o->size[1]);
     c->max_tris = pool_size(o->tris, clips ? n * PIECES : n, 1);
     c->max_verts = pool_size(o->verts, job->scene.n_verts + (clips ? n * NEW_VERTS : 0), 3);
@@ -75,8 +87,7 @@ static void set_config(struct job *job)
     c->subpixel_bits = (uint8_t)o->subpixel;
     c->depth_bits = (uint8_t)o->depth_bits;
     c->skip_off = (uint8_t)o->skip_off;
-    if (o->depth == SIM_DEPTH_LINEAR || o->projection == ZS_ORTHOGRAPHIC)
-        c->depth = &zs_depth_linear;
+    c->depth = o->projection == ZS_ORTHOGRAPHIC ? &zs_depth_linear : of.depth[o->depth];
 }
 
 static int refuse_frame(const struct job *job, int err)
@@ -103,14 +114,40 @@ static int draw_frame(struct job *job)
         job->id = sim_alloc(pixels, sizeof *job->id);
         err = sim_frame_ids(job->id, &job->scene.scene, &job->scene.camera, &job->config);
     }
+    if (err == ZS_OK && o->compare && sim_options_textured(o)) {
+        job->texel = sim_alloc(pixels, sizeof *job->texel);
+        err = sim_frame_texels(job->texel, &job->scene.scene, &job->scene.camera, &job->config);
+    }
     return err == ZS_OK ? SIM_OK : refuse_frame(job, err);
+}
+
+static int load(struct job *job)
+{
+    const struct sim_options *o = &job->options;
+    const struct sim_want want = { .normals = sim_options_smooth(o),
+                                   .textures = sim_options_textured(o),
+                                   .picture = o->texture,
+                                   .wrap = !o->has_wrap ? SIM_WRAP_FILE
+                                           : o->clamp   ? SIM_WRAP_CLAMP
+                                                        : SIM_WRAP_REPEAT,
+                                   .color = o->has_color ? &o->color : NULL };
+    const int status = sim_model_load(&job->model, o->model, &want);
+    if (status != SIM_OK || !want.textures || job->model.n_textures > 0)
+        return status;
+    if (job->model.lost_materials != NULL)
+        return sim_refuse(o->model, 0,
+                          "no textures: its material file %s cannot be read; put it beside the "
+                          "model, or name a picture by --texture",
+                          job->model.lost_materials);
+    return sim_refuse(o->model, 0,
+                      "no face of it has a texture and coordinates for it; name a picture by "
+                      "--texture, or draw it with --shade smooth");
 }
 
 static int draw(struct job *job)
 {
     const struct sim_options *o = &job->options;
-    int status = sim_model_load(&job->model, o->model, o->shade == SIM_SHADE_SMOOTH,
-                                o->has_color ? &o->color : NULL);
+    int status = load(job);
     if (status == SIM_OK)
         status = sim_view_plan(&job->view, o, &job->model);
     if (status == SIM_OK && !o->reference)
@@ -119,7 +156,7 @@ static int draw(struct job *job)
         status = sim_original_render(&job->original, &job->model, &job->view, o);
     if (status == SIM_OK && o->compare) {
         const struct ref_image ours = { .rgb565 = job->frame.rgb565, .key = job->frame.key,
-                                        .id = job->id };
+                                        .id = job->id, .texel = job->texel };
         if (ref_compare(&ours, &job->original.image, &job->original.depth, &job->original.camera,
                         job->view.width, job->view.height, &job->diff) != REF_OK)
             status = sim_refuse(o->model, 0, "the reference cannot compare these frames");
@@ -172,6 +209,23 @@ static void stats_diff(struct sim_json *json, const struct ref_diff *d)
     sim_json_number(json, "compare_channel_off_one_fraction", d->off_one_fraction);
     sim_json_number(json, "compare_channel_off", (double)d->channel_off);
     sim_json_number(json, "compare_psnr_db", fmin(d->psnr_db, 999.0));
+    sim_json_number(json, "compare_texels", (double)d->texels);
+    sim_json_number(json, "compare_texel_differ", (double)d->texel_differ);
+    sim_json_number(json, "compare_texel_far", (double)d->texel_far);
+    sim_json_number(json, "compare_texel_max_distance", d->texel_max_distance);
+}
+
+static void stats_textures(struct sim_json *json, const struct sim_model *model)
+{
+    double texels = 0.0, resampled = 0.0;
+    for (uint32_t i = 0; i < model->n_textures; i++) {
+        const struct sim_texture *t = &model->texture[i];
+        texels += (double)t->image.width * t->image.height;
+        resampled += t->image.width != t->file_width || t->image.height != t->file_height;
+    }
+    sim_json_number(json, "textures", model->n_textures);
+    sim_json_number(json, "texture_texels", texels);
+    sim_json_number(json, "texture_resampled", resampled);
 }
 
 static void write_stats(FILE *f, const struct job *job)
@@ -185,6 +239,7 @@ static void write_stats(FILE *f, const struct job *job)
     else
         sim_stats_frame(&json, &job->frame, &job->config);
     stats_view(&json, job);
+    stats_textures(&json, &job->model);
     if (!o->reference) {
         sim_json_number(&json, "strip_rows", job->config.strip_h);
         sim_json_number(&json, "parts", (double)job->scene.n_parts);
@@ -192,6 +247,8 @@ static void write_stats(FILE *f, const struct job *job)
         sim_json_number(&json, "quantisation_step", job->scene.step);
         sim_json_number(&json, "quantisation_error", job->scene.error);
         sim_json_number(&json, "world_unit", job->scene.unit);
+        sim_json_number(&json, "uv_bits_least", job->scene.uv_bits_least);
+        sim_json_number(&json, "uv_error_texels", job->scene.uv_error);
     }
     if (o->compare)
         stats_diff(&json, &job->diff);
@@ -288,6 +345,10 @@ static void print_diff(const struct ref_diff *d)
         d->ref_drawn, d->pixels, d->missing, d->extra, d->id_differ, d->key_max_error, d->key_off,
         d->key_compared, d->z_mean_rel, 100.0 * d->off_one_fraction, d->channel_off,
         d->channel_max_diff, d->psnr_db);
+    if (d->texels > 0)
+        (void)printf("Texels: %zu of %zu are not the reference's, %zu of them more than 1/8 texel "
+                     "from where they belong (at most %.3f). Colours are compared where they are.\n",
+                     d->texel_differ, d->texels, d->texel_far, d->texel_max_distance);
 }
 
 int sim_render(int argc, char **argv)
@@ -308,6 +369,7 @@ int sim_render(int argc, char **argv)
     }
     sim_original_free(&job->original);
     free(job->id);
+    free(job->texel);
     sim_frame_free(&job->frame);
     sim_scene_free(&job->scene);
     sim_model_free(&job->model);

@@ -1,7 +1,8 @@
 /* What assimp does not check: text and headers of model files, looked through before it reads them.
  *
  * assimp 5.2.5 lets NaN, two-vertex faces and missing indices pass, repeats the last line of a PLY
- * that was cut off, names no lines, and keeps single-precision positions.
+ * that was cut off, names no lines, keeps single-precision positions, and takes the options of a
+ * map_Kd for a part of its name.
  *
  * SPDX-License-Identifier: MIT
  */
@@ -18,7 +19,9 @@ struct sim_obj {
     double (*point)[3]; /* [n_points], every `v` */
     uint32_t *corner;   /* [n_corners], point of a face's corner */
     uint32_t *count;    /* [n_faces], corners of a face, >= 3 */
-    size_t n_points, n_corners, n_faces;
+    double (*uv)[2];     /* [n_uvs], every `vt`, as written: v upwards */
+    uint32_t *corner_uv; /* [n_corners], its uv, or SIM_NONE */
+    size_t n_points, n_corners, n_faces, n_uvs;
     char *text; /* absolute indices, no groups, no elements but faces: assimp keeps its order */
     size_t text_bytes;
 };
@@ -27,6 +30,28 @@ struct sim_obj {
  * Return SIM_OK; SIM_REFUSED, said why, *obj empty. sim_obj_free in either case. */
 int sim_obj_scan(struct sim_obj *obj, const char *file, const char *text, size_t bytes);
 void sim_obj_free(struct sim_obj *obj);
+
+/* What an MTL file says of a material's diffuse colour and texture (map_Kd). */
+struct sim_mtl_entry {
+    char *name;
+    char *picture;    /* as written; NULL: none */
+    double kd[3];     /* 1 1 1 where it is not given */
+    double scale[2], shift[2]; /* -s and -o: uv = scale * given + shift, v upwards; 1 and 0 */
+    int clamp;        /* flag: -clamp on */
+};
+
+struct sim_mtl {
+    struct sim_mtl_entry *entry;
+    size_t n;
+};
+
+/* Add the materials of an MTL file, which ends in a '\0' at text[bytes]. What is not understood is
+ * passed over. */
+void sim_mtl_scan(struct sim_mtl *mtl, const char *text, size_t bytes);
+void sim_mtl_free(struct sim_mtl *mtl);
+
+/* The material of a name, the last one where there are several; NULL: none. */
+const struct sim_mtl_entry *sim_mtl_find(const struct sim_mtl *mtl, const char *name);
 
 /* Refuse a PLY or STL file that is cut off, or in which a face is wrong. Text as above. */
 int sim_ply_check(const char *file, const char *text, size_t bytes);

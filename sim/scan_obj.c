@@ -21,8 +21,8 @@ struct scan {
     const char *file;
     const char *p, *end;
     unsigned long line;
-    size_t n_normals, n_textures;
-    size_t point_room, corner_room, face_room;
+    size_t n_normals;
+    size_t point_room, corner_room, face_room, uv_room;
     uint32_t *corner_normal;  /* [corner_room], or SIM_NONE */
     unsigned long *face_line; /* [face_room] */
     size_t texture_max;       /* the largest vt index, 1 .., and its line */
@@ -179,12 +179,18 @@ static int take_normal(struct scan *s)
     return status;
 }
 
+/* Texture coordinates are not handed to assimp: these are the ones that count. */
 static int take_texture(struct scan *s)
 {
-    double v[8];
+    struct sim_obj *obj = s->obj;
+    double v[8] = { 0.0, 0.0 }; /* v may be left out */
     int n;
     const int status = take_numbers(s, "a texture coordinate", 1, v, &n);
-    s->n_textures++;
+    if (obj->n_uvs == s->uv_room) {
+        s->uv_room = 2 * s->uv_room + 1024;
+        obj->uv = sim_grow(obj->uv, s->uv_room, sizeof *obj->uv);
+    }
+    memcpy(obj->uv[obj->n_uvs++], v, sizeof *obj->uv);
     return status;
 }
 
@@ -212,15 +218,17 @@ static int take_index(struct scan *s, const struct token *t, const char **p, con
     return SIM_OK;
 }
 
-static void add_corner(struct scan *s, uint32_t point, uint32_t normal)
+static void add_corner(struct scan *s, uint32_t point, uint32_t texture, uint32_t normal)
 {
     struct sim_obj *obj = s->obj;
     if (obj->n_corners == s->corner_room) {
         s->corner_room = 2 * s->corner_room + 1024;
         obj->corner = sim_grow(obj->corner, s->corner_room, sizeof *obj->corner);
+        obj->corner_uv = sim_grow(obj->corner_uv, s->corner_room, sizeof *obj->corner_uv);
         s->corner_normal = sim_grow(s->corner_normal, s->corner_room, sizeof *s->corner_normal);
     }
     obj->corner[obj->n_corners] = point;
+    obj->corner_uv[obj->n_corners] = texture;
     s->corner_normal[obj->n_corners++] = normal;
 }
 
@@ -234,7 +242,7 @@ static int take_corner(struct scan *s, const struct token *t)
         status = sim_refuse(s->file, s->line, "'%s' is not a corner of a face", shown(t));
     if (status == SIM_OK && p < end) {
         p++;
-        status = take_index(s, t, &p, "texture", s->n_textures, &texture);
+        status = take_index(s, t, &p, "texture", s->obj->n_uvs, &texture);
     }
     if (status == SIM_OK && p < end) {
         p++;
@@ -248,7 +256,7 @@ static int take_corner(struct scan *s, const struct token *t)
         s->texture_max = (size_t)texture + 1;
         s->texture_line = s->line;
     }
-    add_corner(s, point, normal);
+    add_corner(s, point, texture, normal);
     return SIM_OK;
 }
 
@@ -339,10 +347,10 @@ static int check_faces(const struct scan *s)
                                   (unsigned long)s->corner_normal[i] + 1, s->n_normals);
         }
     }
-    if (s->texture_max > s->n_textures)
+    if (s->texture_max > obj->n_uvs)
         return sim_refuse(s->file, s->texture_line,
                           "texture index %zu is out of range: the file has %zu", s->texture_max,
-                          s->n_textures);
+                          obj->n_uvs);
     if (obj->n_faces == 0)
         return sim_refuse(s->file, 0, "no faces in it; zsim draws `f` elements of OBJ text");
     return SIM_OK;
@@ -382,6 +390,8 @@ void sim_obj_free(struct sim_obj *obj)
 {
     free(obj->point);
     free(obj->corner);
+    free(obj->corner_uv);
+    free(obj->uv);
     free(obj->count);
     free(obj->text);
     memset(obj, 0, sizeof *obj);

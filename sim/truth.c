@@ -5,6 +5,7 @@
 #include "truth.h"
 
 #include <math.h>
+#include <stdlib.h>
 #include <string.h>
 
 #include "sim.h"
@@ -46,19 +47,68 @@ static void channels(double out[3], const struct zs_rgb *c)
     out[2] = c->b / 255.0;
 }
 
-static void triangle(struct ref_triangle *t, const struct zs_instance *in, uint32_t number)
+static int is_textured(const struct zs_material *m)
+{
+    return m->shader == &zs_shade_texture || m->shader == &zs_shade_texture_flat ||
+           m->shader == &zs_shade_texture_smooth;
+}
+
+static int is_smooth(const struct zs_material *m)
+{
+    return m->shader == &zs_shade_smooth || m->shader == &zs_shade_texture_smooth;
+}
+
+static size_t count_texels(const struct zs_texture *t)
+{
+    return (size_t)1 << (t->log2_w + t->log2_h);
+}
+
+/* RGB565 value of a texel, in any format. */
+static uint16_t texel(const struct zs_texture *t, size_t i)
+{
+    const uint8_t *byte = t->texel;
+    if (t->format == &zs_texel_pal8)
+        return t->palette[byte[i]];
+    if (t->format == &zs_texel_pal4) /* the left one of a pair in the low bits */
+        return t->palette[byte[i / 2] >> (i & 1u ? 4 : 0) & 15];
+    return ((const uint16_t *)t->texel)[i];
+}
+
+static void texture(struct ref_texture *out, uint16_t *code, const struct zs_texture *t)
+{
+    for (size_t i = 0; i < count_texels(t); i++)
+        code[i] = texel(t, i);
+    *out = (struct ref_texture){ .width = 1 << t->log2_w, .height = 1 << t->log2_h,
+                                 .rgb565 = code, .clamp_u = (t->clamp & ZS_CLAMP_U) != 0,
+                                 .clamp_v = (t->clamp & ZS_CLAMP_V) != 0 };
+}
+
+static void corner(struct ref_triangle *t, const struct zs_instance *in, uint32_t v, int k)
 {
     const struct zs_mesh *m = in->mesh;
     const struct zs_material *material = in->material;
-    for (int k = 0; k < 3; k++) {
-        const uint32_t v = m->tri[number][k];
-        world_position(t->p[k], in, v);
-        if (material->shader == &zs_shade_smooth) {
-            world_normal(t->n[k], in, m->normal[v]);
-            channels(t->rgb[k], m->vertex_rgb ? &m->vertex_rgb[v] : &material->rgb);
-        }
-    }
+    world_position(t->p[k], in, v);
+    if (is_smooth(material))
+        world_normal(t->n[k], in, m->normal[v]);
+    if (material->shader == &zs_shade_smooth)
+        channels(t->rgb[k], m->vertex_rgb ? &m->vertex_rgb[v] : &material->rgb);
+    for (int c = 0; c < 2 && is_textured(material); c++)
+        t->uv[k][c] = ldexp(m->uv[v][c], -m->uv_bits);
+}
+
+/* ref: the instance's texture; NULL: it has none. */
+static void triangle(struct ref_triangle *t, const struct zs_instance *in, uint32_t number,
+                     const struct ref_texture *ref)
+{
+    const struct zs_mesh *m = in->mesh;
+    const struct zs_material *material = in->material;
+    for (int k = 0; k < 3; k++)
+        corner(t, in, m->tri[number][k], k);
     t->cull = material->cull;
+    t->texture = ref;
+    t->has_face_n = m->face_normal != NULL;
+    if (t->has_face_n)
+        world_normal(t->face_n, in, m->face_normal[number]);
     if (material->shader == &zs_shade_raw) {
         t->shade = REF_SHADE_RAW;
         t->raw = m->face_raw ? m->face_raw[number]
@@ -66,27 +116,79 @@ static void triangle(struct ref_triangle *t, const struct zs_instance *in, uint3
     } else if (material->shader == &zs_shade_flat) {
         t->shade = REF_SHADE_FLAT;
         channels(t->rgb[0], m->face_rgb ? &m->face_rgb[number] : &material->rgb);
-        t->has_face_n = m->face_normal != NULL;
-        if (t->has_face_n)
-            world_normal(t->face_n, in, m->face_normal[number]);
-    } else {
+    } else if (material->shader == &zs_shade_smooth) {
         t->shade = REF_SHADE_SMOOTH;
+    } else {
+        t->shade = material->shader == &zs_shade_texture        ? REF_SHADE_TEXTURE
+                   : material->shader == &zs_shade_texture_flat ? REF_SHADE_TEXTURE_FLAT
+                                                                : REF_SHADE_TEXTURE_SMOOTH;
+    }
+}
+
+/* The textures of a scene's instances, each once: behind the triangles, in the same block. */
+struct shelf {
+    struct ref_texture *ref;         /* [n] */
+    const struct zs_texture **source; /* [n] */
+    uint16_t *code;                  /* of all */
+    size_t n, n_texels;
+};
+
+static size_t find_texture(const struct shelf *s, const struct zs_texture *t)
+{
+    size_t i = 0;
+    while (i < s->n && s->source[i] != t)
+        i++;
+    return i;
+}
+
+static void collect(struct shelf *s, const struct zs_scene *scene)
+{
+    s->source = sim_alloc(scene->n_instances, sizeof(void *));
+    for (uint32_t i = 0; i < scene->n_instances; i++) {
+        const struct zs_material *m = scene->instance[i].material;
+        if (!is_textured(m) || find_texture(s, m->texture) < s->n)
+            continue;
+        s->source[s->n++] = m->texture;
+        s->n_texels += count_texels(m->texture);
     }
 }
 
 struct ref_triangle *sim_truth_triangles(const struct zs_scene *scene, size_t *n)
 {
+    struct shelf s = { 0 };
     *n = 0;
     for (uint32_t i = 0; i < scene->n_instances; i++)
         *n += scene->instance[i].mesh->n_tris;
-    struct ref_triangle *all = sim_alloc(*n ? *n : 1, sizeof *all);
+    collect(&s, scene);
+    struct ref_triangle *all = sim_alloc(1, *n * sizeof *all + s.n * sizeof *s.ref +
+                                                s.n_texels * sizeof *s.code);
+    s.ref = (struct ref_texture *)(void *)(all + *n);
+    s.code = (uint16_t *)(void *)(s.ref + s.n);
+    for (size_t i = 0; i < s.n; i++) {
+        texture(&s.ref[i], s.code, s.source[i]);
+        s.code += count_texels(s.source[i]);
+    }
     size_t at = 0;
-    for (uint32_t i = 0; i < scene->n_instances; i++)
-        for (uint32_t t = 0; t < scene->instance[i].mesh->n_tris; t++, at++) {
-            triangle(&all[at], &scene->instance[i], t);
+    for (uint32_t i = 0; i < scene->n_instances; i++) {
+        const struct zs_instance *in = &scene->instance[i];
+        const struct ref_texture *ref =
+            is_textured(in->material) ? &s.ref[find_texture(&s, in->material->texture)] : NULL;
+        for (uint32_t t = 0; t < in->mesh->n_tris; t++, at++) {
+            triangle(&all[at], in, t, ref);
             all[at].id = (uint32_t)at + 1u;
         }
+    }
+    free(s.source);
     return all;
+}
+
+int sim_truth_mapping(const struct zs_depth *depth)
+{
+    return depth == &zs_depth_linear  ? REF_DEPTH_LINEAR
+           : depth == &zs_depth_e3m13 ? REF_DEPTH_E3M13
+           : depth == &zs_depth_e4m12 ? REF_DEPTH_E4M12
+           : depth == &zs_depth_e5m11 ? REF_DEPTH_E5M11
+                                      : REF_DEPTH_RECIP;
 }
 
 void sim_truth_camera(struct ref_camera *out, const struct zs_camera *camera)

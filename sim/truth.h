@@ -9,8 +9,12 @@
 #include "zstrip.h"
 
 /* All triangles of a scene in scene order, in world units; ids count from 1. An id is what
- * sim_truth_ids draws. Return malloc'ed memory (free it), *n triangles. */
+ * sim_frame_ids draws. Return malloc'ed memory (free it), *n triangles; their textures lie in the
+ * same block. */
 struct ref_triangle *sim_truth_triangles(const struct zs_scene *scene, size_t *n);
+
+/* enum ref_mapping of a depth mapping. */
+int sim_truth_mapping(const struct zs_depth *depth);
 
 /* The camera of a frame of height px, and the light. */
 void sim_truth_camera(struct ref_camera *out, const struct zs_camera *camera);

@@ -21,6 +21,8 @@
 #include <string.h>
 
 #define NO_TRIANGLE SIZE_MAX
+#define MAX_UV 1e9
+#define ON_BORDER 1e-9 /* texels */
 #define MAX_COORDINATE 1e60 /* its cube, scaled to pixels, is still far from overflow */
 #define PROGRESS_STEP 1024u
 
@@ -179,10 +181,41 @@ static double key_scale(const struct ref_depth *depth)
     return (double)((1 << depth->bits) - 1);
 }
 
+/* Exponent bits of a float mapping; 0 for the others. */
+static int exponent_bits(const struct ref_depth *depth)
+{
+    return depth->mapping == REF_DEPTH_E3M13   ? 3
+           : depth->mapping == REF_DEPTH_E4M12 ? 4
+           : depth->mapping == REF_DEPTH_E5M11 ? 5
+                                               : 0;
+}
+
+/* r in 2^-(k+1)..2^-k has the exponent k, at most 2^e - 2; what is seen at near may round beyond 1. */
+static double float_key(const struct ref_depth *depth, double r)
+{
+    int e = exponent_bits(depth), m = depth->bits - e, most = (1 << e) - 2, k;
+
+    (void)frexp(r, &k);
+    k = -k < 0 ? 0 : -k > most ? most : -k;
+    return ldexp(1, depth->bits) - (ldexp(most - k, m) + ldexp(r, k + 1 + m));
+}
+
+/* The r whose key it is; 0 for 2^bits. */
+static double float_share(const struct ref_depth *depth, double key)
+{
+    int e = exponent_bits(depth), m = depth->bits - e, most = (1 << e) - 2;
+    double code = ldexp(1, depth->bits) - key;
+    int step = (int)fmin(fmax(floor(ldexp(code, -m)) - 1, 0), most);
+
+    return ldexp(code - ldexp(step, m), -(most - step + 1 + m));
+}
+
 double ref_exact_key(const struct ref_depth *depth, const struct ref_camera *camera, double z)
 {
     double n = camera->near_z, f = camera->far_z;
 
+    if (exponent_bits(depth))
+        return float_key(depth, n / z);
     if (depth->mapping == REF_DEPTH_LINEAR)
         return (z - n) / (f - n) * key_scale(depth);
     return (1 / n - 1 / z) / (1 / n - 1 / f) * key_scale(depth);
@@ -199,6 +232,8 @@ double ref_key_to_z(const struct ref_depth *depth, const struct ref_camera *came
 {
     double n = camera->near_z, f = camera->far_z, share = key / key_scale(depth);
 
+    if (exponent_bits(depth))
+        return n / float_share(depth, key);
     if (depth->mapping == REF_DEPTH_LINEAR)
         return n + share * (f - n);
     return 1 / (1 / n - share * (1 / n - 1 / f));
@@ -210,11 +245,13 @@ static int depth_is_valid(const struct ref_depth *depth, const struct ref_camera
 {
     double n = camera->near_z, f = camera->far_z;
 
-    if (depth->mapping != REF_DEPTH_RECIP && depth->mapping != REF_DEPTH_LINEAR)
+    if (depth->mapping < REF_DEPTH_RECIP || depth->mapping > REF_DEPTH_E5M11)
         return 0;
     if (depth->bits < 8 || depth->bits > 16)
         return 0;
-    if (depth->mapping == REF_DEPTH_RECIP && !(n > 0))
+    if (depth->mapping != REF_DEPTH_LINEAR && !(n > 0))
+        return 0;
+    if (exponent_bits(depth) && camera->orthographic)
         return 0;
     return isfinite(n) && isfinite(f) && n < f;
 }
@@ -231,17 +268,37 @@ static int size_is_valid(int width, int height)
     return width >= 1 && height >= 1 && width <= REF_MAX_SIDE && height <= REF_MAX_SIDE;
 }
 
+static int is_textured(const struct ref_triangle *t)
+{
+    return t->shade >= REF_SHADE_TEXTURE;
+}
+
+static int texture_is_valid(const struct ref_triangle *t)
+{
+    const struct ref_texture *texture = t->texture;
+
+    for (int k = 0; k < 6; k++) {
+        if (!(fabs(t->uv[k / 2][k % 2]) <= MAX_UV))
+            return 0;
+    }
+    return texture && size_is_valid(texture->width, texture->height) &&
+           !texture->rgb != !texture->rgb565;
+}
+
 static int triangle_is_valid(const struct ref_triangle *t, int want_id, int have_light)
 {
     for (int k = 0; k < 9; k++) {
         if (!(fabs(t->p[k / 3][k % 3]) <= MAX_COORDINATE)) /* false for a NaN */
             return 0;
     }
-    if (t->shade < REF_SHADE_RAW || t->shade > REF_SHADE_SMOOTH)
+    if (t->shade < REF_SHADE_RAW || t->shade > REF_SHADE_TEXTURE_SMOOTH)
+        return 0;
+    if (is_textured(t) && !texture_is_valid(t))
         return 0;
     if (t->cull < REF_CULL_BACK || t->cull > REF_CULL_NONE)
         return 0;
-    return (t->id != 0 || !want_id) && (have_light || t->shade == REF_SHADE_RAW);
+    return (t->id != 0 || !want_id) &&
+           (have_light || t->shade == REF_SHADE_RAW || t->shade == REF_SHADE_TEXTURE);
 }
 
 static int job_is_valid(const struct job *job, const struct ref_image *image)
@@ -524,13 +581,16 @@ static uint16_t pack(const double rgb[3])
     return (uint16_t)(r << 11 | g << 5 | b);
 }
 
+static double intensity(const struct ref_light *light, const double n[3])
+{
+    return light->ambient + light->diffuse * fmax(0, dot(n, light->dir));
+}
+
 static void light_colour(const struct ref_light *light, const double n[3], const double base[3],
                          double out[3])
 {
-    double intensity = light->ambient + light->diffuse * fmax(0, dot(n, light->dir));
-
     for (int c = 0; c < 3; c++)
-        out[c] = clamp01(base[c] * intensity);
+        out[c] = clamp01(base[c] * intensity(light, n));
 }
 
 static void face_normal(const struct ref_triangle *t, double n[3])
@@ -547,21 +607,70 @@ static void face_normal(const struct ref_triangle *t, double n[3])
     normalise(n);
 }
 
-/* Final colours of the three vertices; all the same unless smooth. */
-static void paint(const struct ref_triangle *t, const struct ref_light *light, double out[3][3])
+/* What a triangle brings to its pixels. */
+struct paint {
+    double colour[3][3]; /* of the vertices; all the same unless smooth */
+    double light[3];     /* textured: intensity at the vertices */
+};
+
+static void paint_texture(const struct ref_triangle *t, const struct ref_light *light,
+                          struct paint *out)
+{
+    double n[3];
+
+    for (int k = 0; k < 3; k++) {
+        out->light[k] = 1;
+        if (t->shade == REF_SHADE_TEXTURE_SMOOTH)
+            out->light[k] = intensity(light, t->n[k]);
+        if (t->shade == REF_SHADE_TEXTURE_FLAT) {
+            face_normal(t, n);
+            out->light[k] = intensity(light, n);
+        }
+    }
+}
+
+static void paint(const struct ref_triangle *t, const struct ref_light *light, struct paint *out)
 {
     double n[3];
 
     for (int k = 0; k < 3; k++) {
         if (t->shade == REF_SHADE_SMOOTH) {
-            light_colour(light, t->n[k], t->rgb[k], out[k]);
+            light_colour(light, t->n[k], t->rgb[k], out->colour[k]);
         } else if (t->shade == REF_SHADE_FLAT) {
             face_normal(t, n);
-            light_colour(light, n, t->rgb[0], out[k]);
-        } else {
-            unpack(t->raw, out[k]);
+            light_colour(light, n, t->rgb[0], out->colour[k]);
+        } else if (t->shade == REF_SHADE_RAW) {
+            unpack(t->raw, out->colour[k]);
         }
     }
+    if (is_textured(t))
+        paint_texture(t, light, out);
+}
+
+/* ---- textures ---- */
+
+/* The texel of a coordinate along an axis of n texels. */
+static int texel_at(double coordinate, int n, int clamped)
+{
+    double at = floor(coordinate * n + ON_BORDER);
+
+    if (!clamped)
+        at -= n * floor(at / n);
+    return (int)fmin(fmax(at, 0), n - 1);
+}
+
+static size_t texel_index(const struct ref_texture *t, double u, double v)
+{
+    return (size_t)texel_at(v, t->height, t->clamp_v) * (size_t)t->width +
+           (size_t)texel_at(u, t->width, t->clamp_u);
+}
+
+static void texel_colour(const struct ref_texture *t, size_t index, double rgb[3])
+{
+    if (t->rgb565)
+        unpack(t->rgb565[index], rgb);
+    for (int c = 0; c < 3 && !t->rgb565; c++)
+        rgb[c] = t->rgb[3 * index + (size_t)c] / 255.0;
 }
 
 /* ---- from visibility to picture ---- */
@@ -593,40 +702,78 @@ static void put_id(const struct job *job, struct ref_image *image, size_t pixel)
         image->id[pixel] = winner == NO_TRIANGLE ? 0 : job->triangles[winner].id;
 }
 
-static void seen_colour(const struct job *job, const struct setup *s, double colour[3][3],
-                        size_t pixel, double rgb[3])
+/* Weights of a triangle's vertices at a pixel that it covers. */
+static void weights_at(const struct job *job, const struct setup *s, size_t pixel, double weight[3])
 {
     size_t width = (size_t)job->width;
     double sx = sample_x(job, (int)(pixel % width)), sy = sample_y(job, (int)(pixel / width));
-    double base[3], weight[3];
+    double base[3];
 
     row_base(s, sy, base);
     lines_at(s, base, sx, sy, weight);
     normalise_weights(weight);
+}
+
+static void put_texture(struct ref_image *image, size_t pixel, const struct ref_texture *texture,
+                        double u, double v, uint32_t texel)
+{
+    if (image->u)
+        image->u[pixel] = u;
+    if (image->v)
+        image->v[pixel] = v;
+    if (image->texel)
+        image->texel[pixel] = texel;
+    if (image->texture)
+        image->texture[pixel] = texture;
+}
+
+static void seen_texel(const struct ref_triangle *t, const struct paint *p, const double weight[3],
+                       struct ref_image *image, size_t pixel, double rgb[3])
+{
+    double u = blend(weight, t->uv[0][0], t->uv[1][0], t->uv[2][0]);
+    double v = blend(weight, t->uv[0][1], t->uv[1][1], t->uv[2][1]);
+    double light = blend(weight, p->light[0], p->light[1], p->light[2]);
+    size_t index = texel_index(t->texture, u, v);
+
+    texel_colour(t->texture, index, rgb);
     for (int c = 0; c < 3; c++)
-        rgb[c] = blend(weight, colour[0][c], colour[1][c], colour[2][c]);
+        rgb[c] = clamp01(rgb[c] * light);
+    put_texture(image, pixel, t->texture, u, v, (uint32_t)index + 1);
+}
+
+static void seen_colour(const struct paint *p, const double weight[3], double rgb[3])
+{
+    for (int c = 0; c < 3; c++)
+        rgb[c] = blend(weight, p->colour[0][c], p->colour[1][c], p->colour[2][c]);
 }
 
 /* Shades the visible pixels. A triangle's setup is made again here, once for each run of pixels. */
 static void resolve(const struct job *job, uint16_t background, struct ref_image *image)
 {
     size_t pixels = (size_t)job->width * (size_t)job->height, current = NO_TRIANGLE;
-    double colour[3][3] = { { 0 } }, rgb[3];
+    double weight[3], rgb[3];
     struct setup s = { 0 };
+    struct paint p = { 0 };
 
     for (size_t i = 0; i < pixels; i++) {
         size_t winner = job->winner[i];
+        const struct ref_triangle *t = winner == NO_TRIANGLE ? NULL : &job->triangles[winner];
 
         put_id(job, image, i);
         put_depth(job, image, i);
+        put_texture(image, i, NULL, (double)NAN, (double)NAN, 0);
         unpack(background, rgb);
-        if (winner != NO_TRIANGLE && winner != current) {
-            setup_triangle(job, &job->triangles[winner], &s);
-            paint(&job->triangles[winner], job->light, colour);
+        if (t && winner != current) {
+            setup_triangle(job, t, &s);
+            paint(t, job->light, &p);
             current = winner;
         }
-        if (winner != NO_TRIANGLE)
-            seen_colour(job, &s, colour, i, rgb);
+        if (t)
+            weights_at(job, &s, i, weight);
+        if (t && is_textured(t))
+            seen_texel(t, &p, weight, image, i, rgb);
+        else if (t)
+            seen_colour(&p, weight, rgb);
         put_colour(image, i, rgb);
     }
 }
@@ -679,7 +826,7 @@ struct contest {
     const struct ref_image *ours, *ref;
     const struct ref_depth *depth;
     const struct ref_camera *camera;
-    int have_ids, have_keys, have_colours;
+    int have_ids, have_keys, have_colours, have_texels;
     double z_sum;      /* of relative errors */
     double square_sum; /* of 8-bit channel errors */
 };
@@ -738,6 +885,40 @@ static void compare_z(struct contest *c, struct ref_diff *d, size_t pixel)
     d->z_max_rel = fmax(d->z_max_rel, error);
 }
 
+/* How far outside texel `at` of an axis the coordinate lies, in texels. */
+static double outside(double coordinate, int n, int clamped, int at)
+{
+    double from_middle = coordinate * n - (at + 0.5);
+
+    if (clamped)
+        from_middle = fmin(fmax(coordinate * n, 0), n) - (at + 0.5);
+    else
+        from_middle -= n * round(from_middle / n);
+    return fmax(0, fabs(from_middle) - 0.5);
+}
+
+/* Returns whether both show the same texel, or at least one none. */
+static int compare_texel(const struct contest *c, struct ref_diff *d, size_t pixel)
+{
+    uint32_t a = c->ours->texel[pixel], b = c->ref->texel[pixel];
+    const struct ref_texture *t = c->ref->texture ? c->ref->texture[pixel] : NULL;
+    double distance;
+
+    if (a == 0 || b == 0)
+        return 1;
+    d->texels++;
+    d->texel_differ += a != b;
+    if (a != b && t && c->ref->u && c->ref->v) {
+        int at = (int)(a - 1);
+
+        distance = fmax(outside(c->ref->u[pixel], t->width, t->clamp_u, at % t->width),
+                        outside(c->ref->v[pixel], t->height, t->clamp_v, at / t->width));
+        d->texel_far += distance > 0.125;
+        d->texel_max_distance = fmax(d->texel_max_distance, distance);
+    }
+    return a == b;
+}
+
 static void split_codes(uint16_t code, int out[3])
 {
     out[0] = code >> 11;
@@ -787,6 +968,8 @@ static void compare_pixel(struct contest *c, struct ref_diff *d, size_t pixel)
         compare_key(c, d, pixel);
         compare_z(c, d, pixel);
     }
+    if (agree && c->have_texels)
+        agree = compare_texel(c, d, pixel);
     if (agree && c->have_colours)
         compare_codes(c, d, pixel);
     if (c->have_colours)
@@ -809,13 +992,14 @@ int ref_compare(const struct ref_image *ours, const struct ref_image *reference,
                 const struct ref_depth *depth, const struct ref_camera *camera, int width,
                 int height, struct ref_diff *diff)
 {
-    struct contest c = { ours, reference, depth, camera, 0, 0, 0, 0, 0 };
+    struct contest c = { ours, reference, depth, camera, 0, 0, 0, 0, 0, 0 };
 
     if (!size_is_valid(width, height) || !depth_is_valid(depth, camera))
         return REF_BAD_ARGUMENT;
     c.have_ids = ours->id && reference->id;
     c.have_keys = ours->key && reference->key;
     c.have_colours = ours->rgb565 && reference->rgb565;
+    c.have_texels = ours->texel && reference->texel;
     *diff = (struct ref_diff){ .pixels = (size_t)width * (size_t)height };
     for (size_t i = 0; i < diff->pixels; i++)
         compare_pixel(&c, diff, i);

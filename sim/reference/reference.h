@@ -41,14 +41,37 @@ enum ref_status {
 enum ref_shade {
     REF_SHADE_RAW = 0,   /* triangle's `raw`, unlit */
     REF_SHADE_FLAT = 1,  /* rgb[0], lit once with the face normal */
-    REF_SHADE_SMOOTH = 2 /* rgb[k] lit with n[k] at each vertex, then interpolated in space */
+    REF_SHADE_SMOOTH = 2, /* rgb[k] lit with n[k] at each vertex, then interpolated in space */
+    REF_SHADE_TEXTURE = 3,        /* the texel, unlit */
+    REF_SHADE_TEXTURE_FLAT = 4,   /* the texel times the intensity at the face normal */
+    REF_SHADE_TEXTURE_SMOOTH = 5  /* the texel times the intensities at n[k], interpolated in space */
 };
 
 enum ref_cull { REF_CULL_BACK = 0, REF_CULL_FRONT = 1, REF_CULL_NONE = 2 };
 
 enum ref_mapping {
     REF_DEPTH_RECIP = 0, /* (1/n - 1/z) / (1/n - 1/f) * (2^bits - 1) */
-    REF_DEPTH_LINEAR = 1 /* (z - n) / (f - n) * (2^bits - 1) */
+    REF_DEPTH_LINEAR = 1, /* (z - n) / (f - n) * (2^bits - 1) */
+    /* r = n / z as a float of e exponent and m = bits - e mantissa bits, taken from 2^bits: with
+     * 2^-(k+1) <= r <= 2^-k, k at most 2^e - 2, it is 2^bits - ((2^e - 2 - k) 2^m + r 2^(k+1+m)).
+     * Pinholes only. */
+    REF_DEPTH_E3M13 = 2,
+    REF_DEPTH_E4M12 = 3,
+    REF_DEPTH_E5M11 = 4
+};
+
+/*
+ * A picture on a surface. u runs right and v down, both 0..1 over the picture; what is seen is the
+ * texel in column floor(u * width), row floor(v * height). Beyond 0..1 an axis repeats, or, where it
+ * is clamped, its first or last texel goes on. A coordinate up to 1e-9 texel before a border counts
+ * as on it: samples that are meant to lie there belong to the texel right of or below it.
+ * Exactly one of the two kinds of texels is given; rows from the top.
+ */
+struct ref_texture {
+    int width, height;      /* 1..REF_MAX_SIDE */
+    const uint8_t *rgb;     /* [height][width][3], 255 is 1; or NULL */
+    const uint16_t *rgb565; /* [height][width], codes / 31, / 63, / 31; or NULL */
+    int clamp_u, clamp_v;   /* flags */
 };
 
 /*
@@ -67,12 +90,14 @@ struct ref_triangle {
     uint32_t id;      /* not 0 if the image asks for ids; need not be unique */
     int shade;        /* enum ref_shade */
     int cull;         /* enum ref_cull: which side is not drawn */
+    double uv[3][2];  /* texture coordinates (texture modes), magnitude at most 1e9 */
+    const struct ref_texture *texture; /* texture modes; borrowed */
 };
 
 /*
  * A camera. right, up, back: orthonormal, right-handed, world. Only geometry with
  * near_z <= z <= far_z is seen, decided at each sample. near_z < far_z, both finite; near_z > 0
- * with a pinhole or with REF_DEPTH_RECIP.
+ * with a pinhole or with a mapping that is not linear.
  */
 struct ref_camera {
     double eye[3];   /* world; in an orthographic view the point z is measured from */
@@ -87,7 +112,8 @@ struct ref_camera {
 };
 
 /* One light at infinity. intensity = ambient + diffuse * max(0, n . dir); colour * intensity is
- * clamped to 0..1 by channel, at the vertex or face, before any interpolation. */
+ * clamped to 0..1 by channel, at the vertex or face, before any interpolation. With a texture the
+ * intensity is interpolated and texel * intensity is clamped at the pixel. */
 struct ref_light {
     double dir[3]; /* unit, world, from the surface towards the light */
     double ambient;
@@ -111,6 +137,9 @@ struct ref_image {
     double *z;         /* true distance along the axis, world; INFINITY where nothing */
     double *exact_key; /* key before rounding and saturation; INFINITY where nothing */
     double *rgb;       /* r, g, b before rounding, 0..1; raw and background: code / 31 or / 63 */
+    double *u, *v;     /* exact texture coordinates, as given, beyond 0..1 too; NAN where no texture */
+    uint32_t *texel;   /* row * width + column + 1 of the texel seen; 0 where no texture */
+    const struct ref_texture **texture; /* the texture seen; NULL where none */
 };
 
 /* Called now and then with the number of triangles done, lastly with done == total. */
@@ -178,7 +207,16 @@ struct ref_diff {
     double z_mean_rel;
     double z_max_rel;
 
-    /* where they agree, both rgb565 present: channel values in their own 5 or 6 bit codes */
+    /* where they agree, both texels present and not 0. With u, v and texture in the reference, ours'
+     * distance: how far outside the texel of ours the true coordinate lies, in texels, along the axis
+     * where that is more; 0 where they are the same. */
+    size_t texels;        /* compared */
+    size_t texel_differ;  /* not the reference's */
+    size_t texel_far;     /* further than 1/8 */
+    double texel_max_distance;
+
+    /* where they agree, both rgb565 present, and, where both have texels, those are the same:
+     * channel values in their own 5 or 6 bit codes */
     size_t channels;         /* channel values compared: 3 a pixel */
     size_t channel_off;      /* apart by more than 1 code */
     size_t channel_off_one;  /* apart by exactly 1 code */
@@ -192,7 +230,7 @@ struct ref_diff {
 /*
  * Compares ours with the reference. Both images: width * height, buffers as in ref_image; read
  * only. depth and camera: those both were drawn with; only mapping, bits, near and far are used.
- * ours: only id, key and rgb565 are read. Returns REF_OK, or REF_BAD_ARGUMENT with *diff untouched.
+ * ours: only id, key, rgb565 and texel are read. Returns REF_OK, or REF_BAD_ARGUMENT with *diff untouched.
  */
 int ref_compare(const struct ref_image *ours, const struct ref_image *reference,
                 const struct ref_depth *depth, const struct ref_camera *camera, int width,

@@ -1,0 +1,35 @@
+/* Materials and textures as assimp gives them.
+ *
+ * SPDX-License-Identifier: MIT
+ */
+#ifndef SIM_MATERIAL_H
+#define SIM_MATERIAL_H
+
+#include <assimp/scene.h>
+
+#include "model.h"
+#include "scan.h"
+
+/* How a material uses its texture. */
+struct sim_use {
+    char *path;           /* as the file says, or "*3": picture 3 in it; "": none */
+    unsigned channel;     /* which of a mesh's texture coordinates; OBJ: there is one */
+    double scale[2], shift[2]; /* uv = scale * given + shift, v upwards as in assimp */
+    double rotation;      /* radians; not 0: cannot be drawn */
+    int mode[2];          /* enum aiTextureMapMode, u and v */
+    double factor[3];     /* times the texels, 0 .. 1 */
+};
+
+/* Look that up. material: NULL for none; mtl: what an OBJ's material file says of it, which counts
+ * instead, or NULL. free(out->path). */
+void sim_material_use(struct sim_use *out, const struct aiMaterial *material,
+                      const struct sim_mtl_entry *mtl);
+
+/* Load the textures of the materials that faces with uv name, or want->picture for all.
+ * model  its triangles and materials are filled.
+ * use    [n_materials]
+ * Return SIM_OK; SIM_REFUSED, said why: what was loaded is in the model. */
+int sim_material_textures(struct sim_model *model, const struct aiScene *scene,
+                          const struct sim_use *use, const struct sim_want *want);
+
+#endif

@@ -1,0 +1,171 @@
+/* MTL text: the lines newmtl, Kd and map_Kd.
+ *
+ * SPDX-License-Identifier: MIT
+ */
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+#include <strings.h>
+
+#include "scan.h"
+#include "sim.h"
+
+struct word {
+    const char *p;
+    size_t n;
+};
+
+static int is_blank(char c)
+{
+    return c == ' ' || c == '\t' || c == '\r' || c == '\v' || c == '\f';
+}
+
+/* The next word of a line that ends at `end`; *at moves behind it. 0 at the end. */
+static int next_word(const char **at, const char *end, struct word *w)
+{
+    while (*at < end && is_blank(**at))
+        (*at)++;
+    w->p = *at;
+    while (*at < end && !is_blank(**at))
+        (*at)++;
+    w->n = (size_t)(*at - w->p);
+    return w->n > 0;
+}
+
+static int is(const struct word *w, const char *text)
+{
+    return w->n == strlen(text) && strncasecmp(w->p, text, w->n) == 0;
+}
+
+static int number(const struct word *w, double *out)
+{
+    char text[64], *end;
+    if (w->n == 0 || w->n >= sizeof text)
+        return 0;
+    memcpy(text, w->p, w->n);
+    text[w->n] = '\0';
+    *out = strtod(text, &end);
+    return *end == '\0' && isfinite(*out);
+}
+
+/* Up to `most` numbers; how many there were. What is no number stays unread. */
+static int numbers(const char **at, const char *end, double *out, int most)
+{
+    struct word w;
+    int n = 0;
+    for (const char *ahead = *at; n < most && next_word(&ahead, end, &w); n++) {
+        double value;
+        if (!number(&w, &value))
+            break;
+        out[n] = value;
+        *at = ahead;
+    }
+    return n;
+}
+
+/* What is left of a line, without blanks around it; malloc'ed, NULL where there is nothing. */
+static char *rest(const char *at, const char *end)
+{
+    while (at < end && is_blank(*at))
+        at++;
+    while (end > at && is_blank(end[-1]))
+        end--;
+    if (end == at)
+        return NULL;
+    char *text = sim_alloc((size_t)(end - at) + 1, 1);
+    memcpy(text, at, (size_t)(end - at));
+    return text;
+}
+
+static void take_kd(struct sim_mtl_entry *e, const char *at, const char *end)
+{
+    double kd[3];
+    const int n = numbers(&at, end, kd, 3);
+    for (int k = 0; k < 3 && n > 0; k++)
+        e->kd[k] = kd[k < n ? k : n - 1]; /* one number stands for all */
+}
+
+/* Options, then the name up to the line's end: it may hold blanks. */
+static void take_map(struct sim_mtl_entry *e, const char *at, const char *end)
+{
+    static const char *const one[] = { "-blendu", "-blendv", "-boost", "-texres", "-bm",
+                                       "-imfchan", "-type", "-cc" };
+    const char *ahead = at;
+    struct word w;
+    double ignored[3];
+    while (next_word(&ahead, end, &w) && w.p[0] == '-') {
+        double value[3];
+        int known = 1;
+        if (is(&w, "-s") || is(&w, "-o")) {
+            double *to = is(&w, "-s") ? e->scale : e->shift;
+            const int n = numbers(&ahead, end, value, 3);
+            memcpy(to, value, sizeof *to * (size_t)(n < 2 ? n : 2));
+        } else if (is(&w, "-t")) {
+            (void)numbers(&ahead, end, ignored, 3);
+        } else if (is(&w, "-mm")) {
+            (void)numbers(&ahead, end, ignored, 2);
+        } else if (is(&w, "-clamp")) {
+            e->clamp = next_word(&ahead, end, &w) && is(&w, "on");
+        } else {
+            known = 0;
+            for (size_t i = 0; i < sizeof one / sizeof one[0]; i++)
+                known |= is(&w, one[i]);
+            if (known)
+                (void)next_word(&ahead, end, &w);
+        }
+        if (!known) /* the name begins with a minus */
+            break;
+        at = ahead;
+    }
+    free(e->picture);
+    e->picture = rest(at, end);
+}
+
+static void take_line(struct sim_mtl *mtl, const char *at, const char *end)
+{
+    struct word w;
+    if (!next_word(&at, end, &w))
+        return;
+    if (is(&w, "newmtl")) {
+        char *name = rest(at, end);
+        mtl->entry = sim_grow(mtl->entry, mtl->n + 1, sizeof *mtl->entry);
+        mtl->entry[mtl->n++] = (struct sim_mtl_entry){ .name = name != NULL ? name : sim_alloc(1, 1),
+                                                       .kd = { 1.0, 1.0, 1.0 },
+                                                       .scale = { 1.0, 1.0 } };
+    } else if (mtl->n > 0 && is(&w, "Kd")) {
+        take_kd(&mtl->entry[mtl->n - 1], at, end);
+    } else if (mtl->n > 0 && is(&w, "map_Kd")) {
+        take_map(&mtl->entry[mtl->n - 1], at, end);
+    }
+}
+
+void sim_mtl_scan(struct sim_mtl *mtl, const char *text, size_t bytes)
+{
+    const char *end = text + bytes;
+    if (bytes >= 3 && memcmp(text, "\xef\xbb\xbf", 3) == 0)
+        text += 3; /* byte order mark */
+    for (const char *at = text; at < end;) {
+        const char *stop = memchr(at, '\n', (size_t)(end - at));
+        stop = stop != NULL ? stop : end;
+        take_line(mtl, at, stop);
+        at = stop < end ? stop + 1 : end;
+    }
+}
+
+const struct sim_mtl_entry *sim_mtl_find(const struct sim_mtl *mtl, const char *name)
+{
+    for (size_t i = mtl->n; i-- > 0;)
+        if (strcmp(mtl->entry[i].name, name) == 0)
+            return &mtl->entry[i];
+    return NULL;
+}
+
+void sim_mtl_free(struct sim_mtl *mtl)
+{
+    for (size_t i = 0; i < mtl->n; i++) {
+        free(mtl->entry[i].name);
+        free(mtl->entry[i].picture);
+    }
+    free(mtl->entry);
+    memset(mtl, 0, sizeof *mtl);
+}

@@ -1,0 +1,17 @@
+/* Which texel a pixel shows, found from the renderer itself.
+ *
+ * SPDX-License-Identifier: MIT
+ */
+#ifndef SIM_TEXELS_H
+#define SIM_TEXELS_H
+
+#include "zstrip.h"
+
+/* The number of the texel that is seen at every pixel, row * width + column + 1 of its texture; 0
+ * where there is none. texel: [height][width]. Two frames, drawn unlit with textures of the same
+ * sizes that hold 16 bits of the numbers, with the same geometry, camera and profile.
+ * Return  ZS_OK, an enum zs_err, or SIM_FRAME_BROKEN. */
+int sim_frame_texels(uint32_t *texel, const struct zs_scene *scene, const struct zs_camera *camera,
+                     const struct zs_config *config);
+
+#endif
