@@ -35,6 +35,10 @@ test: $(B)/.setup-test
 bench: $(B)/.setup-test $(B)/gen/meshes.h
 	@sh tests/checks/bench.sh $(B)
 
+## depth: which depth mapping separates what, and what each costs on Cortex-M3 and M0
+depth: sim $(B)/.setup-test
+	@sh tests/checks/depth.sh $(B)
+
 ## sim: build/zsim
 sim: $(B)/.setup-sim
 	@$(MAKE) --no-print-directory -j2 $(B)/zsim
@@ -58,7 +62,7 @@ clean:
 ## help: this list
 help:
 	@sed -n 's/^## /    /p' Makefile
-.PHONY: all demo test bench sim pictures size stack check clean help test-programs
+.PHONY: all demo test bench depth sim pictures size stack check clean help test-programs
 
 $(B)/.setup-sim:
 	@mkdir -p $(B) && .ci/setup $(PKG_SIM) && touch $@

@@ -6,6 +6,7 @@
 #include <string.h>
 
 #include "demo.h"
+#include "depths.h"
 #include "render.h"
 #include "sim.h"
 
@@ -15,6 +16,7 @@ static const struct {
 } commands[] = {
     { "render", "a model file to a frame", sim_render },
     { "demo", "the demo scenes to numbered frames and a table", sim_demo },
+    { "depths", "which depth mapping tells surfaces apart, and how far", sim_depths },
 };
 
 #define N_COMMANDS (sizeof commands / sizeof commands[0])

@@ -46,6 +46,18 @@ static int float_setup(struct zs_view *view, const struct zs_camera *camera, uin
     return ZS_OK;
 }
 
+/* far <= near * 2^log2 */
+static int within(const struct zs_camera *camera, int log2)
+{
+    return (camera->z_far - 1) >> log2 < camera->z_near;
+}
+
+/* The finest of the three that keeps its step to far. */
+static int any_setup(struct zs_view *view, const struct zs_camera *camera, uint32_t bits)
+{
+    return float_setup(view, camera, bits, within(camera, 7) ? 3u : within(camera, 15) ? 4u : 5u);
+}
+
 static int e3_setup(struct zs_view *view, const struct zs_camera *camera, uint32_t bits)
 {
     return float_setup(view, camera, bits, 3);
@@ -61,49 +73,54 @@ static int e5_setup(struct zs_view *view, const struct zs_camera *camera, uint32
     return float_setup(view, camera, bits, 5);
 }
 
-/* Codes in uq17_16 (64 bits wide: r = 1 has 2^32 in 16-bit keys). */
-static inline uint64_t code_of(const struct zs_view *view, uint32_t key)
+/* A code less 2^-16, uq16_16: the code itself is 2^16 at near in 16-bit keys, and would need a bit more. */
+static inline uint32_t below_code(const struct zs_view *view, uint32_t key)
 {
-    return (uint64_t)view->key_top + 0x10000u - key; /* 1 .. 2^32 */
+    return view->key_top + 0xffffu - key;
 }
 
 static uint32_t float_vertex(const struct zs_view *view, int32_t z, uint32_t rcp, int32_t lz)
 {
     (void)z;
-    const int32_t m = view->key_mantissa + 16, last = view->key_octaves;
-    const uint64_t p = (uint64_t)view->key_mul * rcp;     /* [2^62, 2^64) */
-    const int32_t at = view->key_shift + 63 - lz;         /* r = p / 2^at */
-    const int32_t high = p >> 63 ? 63 : 62;
-    int32_t k = at - high - 1;                            /* 2^-(k+1) <= r < 2^-k */
+    const int32_t m = view->key_mantissa + 16, last = view->key_octaves; /* m: 19 .. 29 */
+    uint32_t p = zs_umulh(view->key_mul, rcp);            /* [2^30, 2^32) */
+    int32_t k = view->key_shift + 63 - lz - 32;           /* r = p / 2^k */
+    if (p >> 31)
+        k -= 32;
+    else {
+        k -= 31;
+        p <<= 1;
+    }
     if (k < 0)
         return 0; /* at near, give or take the rounding of z */
-    if (k > last - 1)
-        k = last - 1;
-    const int32_t shift = at - k - 1 - m;                 /* 63 - m = 32 .. for k < last; more beyond */
-    const uint64_t code = ((uint64_t)(last - 1 - k) << m) +
-                          (shift > 63 ? 0u : ((p >> (shift - 1)) + 1u) >> 1);
-    const uint64_t key = (uint64_t)view->key_top + 0x10000u - code;
-    return key > view->key_top ? view->key_top : (uint32_t)key;
+    /* now p / 2^32 * 2^-k, in [1/2, 1) */
+    const int32_t octave = last - k, shift = 31 - m + (octave < 1 ? 1 - octave : 0);
+    if (shift > 31)
+        return view->key_top;
+    const uint32_t mantissa = ((p >> (shift - 1)) + 1u) >> 1; /* 2 <= shift */
+    const uint32_t code = ((octave > 1 ? (uint32_t)octave - 1u : 0u) << m) + mantissa;
+    if (code <= 0x10000u && octave < last)
+        return view->key_top;
+    return view->key_top + 0x10000u - code; /* modulo 2^32: 0 where code came to 2^32 */
 }
 
-/* The octave of a code, 1 .. 2^e - 1; a border belongs to the farther one, which gives the same r. */
-static inline int32_t octave_of(const struct zs_view *view, uint64_t code)
+/* The octave of a key, 1 .. 2^e - 1; a border belongs to the farther one, which gives the same r. */
+static inline int32_t octave_of(const struct zs_view *view, uint32_t key)
 {
-    const int32_t o = (int32_t)((code - 1u) >> (view->key_mantissa + 16));
+    const int32_t o = (int32_t)(below_code(view, key) >> (view->key_mantissa + 16));
     return o < 1 ? 1 : o;
 }
 
-/* r of a key in 2^-(2 + octaves + m) for its octave's sake: mantissa in (0, 2^(m+1)], r ~ mantissa * 2^o. */
-static inline uint32_t mantissa_of(const struct zs_view *view, uint64_t code, int32_t o)
+/* r of a key but for its octave: in (0, 2^(m+1)], r ~ mantissa * 2^octave. */
+static inline uint32_t mantissa_of(const struct zs_view *view, uint32_t key, int32_t octave)
 {
-    return (uint32_t)(code - ((uint64_t)(o - 1) << (view->key_mantissa + 16))); /* <= 2^30 */
+    return below_code(view, key) - ((uint32_t)(octave - 1) << (view->key_mantissa + 16)) + 1u; /* <= 2^30 */
 }
 
 static uint64_t float_inverse(const struct zs_view *view, uint32_t d)
 {
-    const uint64_t code = code_of(view, d);
-    const int32_t o = octave_of(view, code);
-    return (uint64_t)mantissa_of(view, code, o) << (o - 1); /* 1 .. 2^30 * 2^30 */
+    const int32_t o = octave_of(view, d);
+    return (uint64_t)mantissa_of(view, d, o) << (o - 1); /* 1 .. 2^30 * 2^30 */
 }
 
 #define W_BITS 39 /* plane.c: differences times 2^23 fit 63 bits */
@@ -114,9 +131,8 @@ static void float_planes(struct zs_job *job, const int32_t octave[3], int32_t ne
     const struct zs_view *view = &job->r->view;
     uint64_t w[3];
     for (int k = 0; k < 3; k++) {
-        const uint64_t code = code_of(view, job->v[k]->d);
         const int32_t up = W_BITS - 1 - (view->key_mantissa + 16) - (nearest - octave[k]);
-        w[k] = (uint64_t)zs_scale2((int64_t)mantissa_of(view, code, octave[k]), up);
+        w[k] = (uint64_t)zs_scale2((int64_t)mantissa_of(view, job->v[k]->d, octave[k]), up);
     }
     zs_plane64(&job->geom, w[0], w[1], w[2], &job->w64);
     job->w64_scale = nearest;
@@ -146,6 +162,9 @@ static int32_t pixels_within(uint64_t w, uint64_t gx, int32_t n, int32_t down, i
 ZS_ALWAYS_INLINE void float_span(struct zs_job *job, const struct zs_row *row)
 {
     const struct zs_view *view = &job->r->view;
+    const struct zs_shader *shader = job->shader;
+    const struct zs_state *state = job->state;
+    const struct zs_state_kernel *kernel = state ? state->kernel : 0;
     const int32_t m = view->key_mantissa + 16, last = job->w64_scale;
     const uint64_t gx = job->w64.gx;
     int32_t i = row->i0, left = row->i1 - i;
@@ -161,7 +180,10 @@ ZS_ALWAYS_INLINE void float_span(struct zs_job *job, const struct zs_row *row)
         const uint32_t code = ((uint32_t)(last - down) << m) + (uint32_t)((w + half) >> shift);
         const uint32_t sum = view->key_top + 0x10000u - code + 0x8000u;    /* modulo 2^32 */
         const uint32_t step = 0u - (uint32_t)(((int64_t)gx + (int64_t)half) >> shift);
-        zs_rows_test(job, row, i, i + n, sum, step, job->state);
+        if (state)
+            kernel->span(job, row, i, i + n, sum, step);
+        else
+            shader->span(job, row, i, i + n, sum, step);
         i += n;
         left -= n;
         w += gx * (uint64_t)(uint32_t)n;
@@ -173,7 +195,7 @@ static void float_rows(struct zs_job *job)
     const struct zs_shader *shader = job->shader;
     int32_t octave[3], nearest = 0, farthest = 32;
     for (int k = 0; k < 3; k++) {
-        octave[k] = octave_of(&job->r->view, code_of(&job->r->view, job->v[k]->d));
+        octave[k] = octave_of(&job->r->view, job->v[k]->d);
         nearest = zs_max32(nearest, octave[k]);
         farthest = zs_min32(farthest, octave[k]);
     }
@@ -184,11 +206,13 @@ static void float_rows(struct zs_job *job)
     }
     float_planes(job, octave, nearest);
     job->key.base = job->key.gx = job->key.gy = 0; /* not used, but walked */
+    job->saturates = (uint8_t)zs_keys_may_saturate(job);
     if (shader->start)
         shader->start(job);
     zs_rows_walk(job, float_span);
 }
 
+const struct zs_depth zs_depth_float = { any_setup, float_vertex, float_rows, float_inverse, 0 };
 const struct zs_depth zs_depth_e3m13 = { e3_setup, float_vertex, float_rows, float_inverse, 0 };
 const struct zs_depth zs_depth_e4m12 = { e4_setup, float_vertex, float_rows, float_inverse, 0 };
 const struct zs_depth zs_depth_e5m11 = { e5_setup, float_vertex, float_rows, float_inverse, 0 };

@@ -32,14 +32,20 @@ void zs_persp_w(const struct zs_job *job, uint32_t w[3])
         w[k] = (uint32_t)zs_scale2((int64_t)wide[k], -shift);
 }
 
+void zs_persp_span(struct zs_job *job, const struct zs_row *row, int32_t i0, int32_t i1, uint32_t sum,
+                   uint32_t gx)
+{
+    zs_rows_test(job, row, i0, i1, sum, gx, 0);
+}
+
 ZS_ALWAYS_INLINE void keys_span(struct zs_job *job, const struct zs_row *row)
 {
-    const uint32_t sum = row->key + zs_wrap_mul(job->key.gx, row->i0);
-    zs_rows_test(job, row, row->i0, row->i1, sum, job->key.gx, 0);
+    zs_rows_test(job, row, row->i0, row->i1, row->key + zs_wrap_mul(job->key.gx, row->i0), job->key.gx, 0);
 }
 
 void zs_persp_rows(struct zs_job *job)
 {
-    job->shader->start(job);
+    const struct zs_shader *shader = job->shader;
+    shader->start(job);
     zs_rows_walk(job, keys_span);
 }

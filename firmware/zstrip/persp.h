@@ -18,8 +18,10 @@
 #define ZS_AFFINE 31u       /* job->sub_log2: plain affine */
 #define ZS_SUB_LOG2_MAX 5u
 
-/* Set-up, rows and runs of a shader that colours runs: its start, then every row through its run. */
+/* rows and span of a shader that colours runs: depth test, then its run. */
 void zs_persp_rows(struct zs_job *job);
+void zs_persp_span(struct zs_job *job, const struct zs_row *row, int32_t i0, int32_t i1, uint32_t sum,
+                   uint32_t gx);
 
 /* w of the three vertices, the largest in [2^30, 2^31); orthographic: all alike. */
 void zs_persp_w(const struct zs_job *job, uint32_t w[3]);

@@ -26,8 +26,13 @@ struct zs_shader {
     uint16_t (*face)(const struct zs_renderer *r, uint32_t t);
     /* Draw a triangle into its strip where keys are linear on the screen. */
     void (*rows)(struct zs_job *job);
-    /* Colour pixels [from, to) of a row, already found nearest. start(), if any, once before. */
+    /* Set-up of the triangle's colours, before span and run; NULL: none. */
     void (*start)(struct zs_job *job);
+    /* Test and draw pixels [i0, i1) of a row, on which keys are linear: sum / 65536, half a bucket added,
+     * changing by gx. job->saturates is set. */
+    void (*span)(struct zs_job *job, const struct zs_row *row, int32_t i0, int32_t i1, uint32_t sum,
+                 uint32_t gx);
+    /* Colour pixels [from, to) of a row, already found nearest. */
     void (*run)(struct zs_job *job, const struct zs_row *row, int32_t from, int32_t to);
     /* ZS_OK, or why this instance cannot be drawn with it. */
     int (*check)(const struct zs_instance *instance, const struct zs_config *config);
@@ -40,8 +45,10 @@ struct zs_shader {
 struct zs_state_kernel {
     /* Buckets to be added to each key of a triangle: offset and slope. */
     int32_t (*bias)(const struct zs_job *job);
-    /* As shader->rows, with job->state and job->bias. */
+    /* As shader->rows and ->span, with job->state and job->bias. */
     void (*rows)(struct zs_job *job);
+    void (*span)(struct zs_job *job, const struct zs_row *row, int32_t i0, int32_t i1, uint32_t sum,
+                 uint32_t gx);
 };
 
 /* Texture coordinates walked along a run: fractions of the texture's size, modulo 1. */
@@ -192,6 +199,7 @@ struct zs_job {
     struct zs_edge edge[3];       /* long, upper, lower; a span ends where its right edge's i is */
     int32_t row, row_mid, row_end; /* rows in the frame, cut to the strip */
     int32_t row_last;             /* one beyond the triangle's last row, in the strip or below it */
+    uint8_t saturates;            /* a key may reach 2^bits - 1 (rows.h) */
     uint8_t mid_right;            /* the middle vertex is to the right of the long edge */
     struct zs_plane key;          /* screen-linear mappings; half a bucket added */
     struct zs_plane c[3], w;      /* attributes, or attributes times w, and w (persp.h) */

@@ -8,13 +8,12 @@
 
 #include "rows.h"
 
-ZS_ALWAYS_INLINE void solid_span(struct zs_job *job, const struct zs_row *row, int clamp)
+/* sum modulo 2^32: at covered pixels key + 1/2 bucket, in [0, 2^32) (plane.c) */
+ZS_ALWAYS_INLINE void solid_span(struct zs_job *job, const struct zs_row *row, int32_t i0, int32_t i1,
+                                 uint32_t sum, uint32_t gx, int clamp)
 {
-    const uint32_t gx = job->key.gx;
-    /* modulo 2^32: at covered pixels key + 1/2 bucket, in [0, 2^32) (plane.c) */
-    uint32_t sum = row->key + zs_wrap_mul(gx, row->i0);
-    uint16_t *depth = job->depth + row->at + row->i0, *color = job->color + row->at + row->i0;
-    const uint16_t *const end = depth + (row->i1 - row->i0);
+    uint16_t *depth = job->depth + row->at + i0, *color = job->color + row->at + i0;
+    const uint16_t *const end = depth + (i1 - i0);
     const uint16_t paint = job->tri->paint;
     const uint32_t top = clamp ? (job->r->view.key_top >> 16) - 1u : 0u;
     int32_t written = 0;
@@ -34,12 +33,21 @@ ZS_ALWAYS_INLINE void solid_span(struct zs_job *job, const struct zs_row *row, i
 
 ZS_ALWAYS_INLINE void span_plain(struct zs_job *job, const struct zs_row *row)
 {
-    solid_span(job, row, 0);
+    solid_span(job, row, row->i0, row->i1, row->key + zs_wrap_mul(job->key.gx, row->i0), job->key.gx, 0);
 }
 
 ZS_ALWAYS_INLINE void span_clamped(struct zs_job *job, const struct zs_row *row)
 {
-    solid_span(job, row, 1);
+    solid_span(job, row, row->i0, row->i1, row->key + zs_wrap_mul(job->key.gx, row->i0), job->key.gx, 1);
+}
+
+void zs_solid_span(struct zs_job *job, const struct zs_row *row, int32_t i0, int32_t i1, uint32_t sum,
+                   uint32_t gx)
+{
+    if (job->saturates)
+        solid_span(job, row, i0, i1, sum, gx, 1);
+    else
+        solid_span(job, row, i0, i1, sum, gx, 0);
 }
 
 void zs_solid_rows(struct zs_job *job)

@@ -323,10 +323,10 @@ static void texture_run(struct zs_job *job, const struct zs_row *row, int32_t r0
     }
 }
 
-const struct zs_shader zs_shade_texture = { texture_vertex, no_face, zs_persp_rows, texture_start, texture_run,
+const struct zs_shader zs_shade_texture = { texture_vertex, no_face, zs_persp_rows, texture_start, zs_persp_span, texture_run,
                                             texture_check, 0, ZS_ATTRS_TEXTURE };
 const struct zs_shader zs_shade_texture_flat = { texture_vertex, flat_face, zs_persp_rows, texture_start,
-                                                 texture_run, texture_check, light, ZS_ATTRS_TEXTURE };
+                                                 zs_persp_span, texture_run, texture_check, light, ZS_ATTRS_TEXTURE };
 const struct zs_shader zs_shade_texture_smooth = { smooth_vertex, no_face, zs_persp_rows, texture_start,
-                                                   texture_run, smooth_check, light,
+                                                   zs_persp_span, texture_run, smooth_check, light,
                                                    ZS_ATTRS_TEXTURE_SMOOTH };

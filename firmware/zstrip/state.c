@@ -36,17 +36,23 @@ static int32_t state_bias(const struct zs_job *job)
     return bias > BIAS_MAX ? BIAS_MAX : bias < -BIAS_MAX ? -BIAS_MAX : (int32_t)bias;
 }
 
-ZS_ALWAYS_INLINE void state_span(struct zs_job *job, const struct zs_row *row)
+static void state_span(struct zs_job *job, const struct zs_row *row, int32_t i0, int32_t i1, uint32_t sum,
+                       uint32_t gx)
 {
-    const uint32_t sum = row->key + zs_wrap_mul(job->key.gx, row->i0);
-    zs_rows_test(job, row, row->i0, row->i1, sum, job->key.gx, job->state);
+    zs_rows_test(job, row, i0, i1, sum, gx, job->state);
+}
+
+ZS_ALWAYS_INLINE void keys_span(struct zs_job *job, const struct zs_row *row)
+{
+    state_span(job, row, row->i0, row->i1, row->key + zs_wrap_mul(job->key.gx, row->i0), job->key.gx);
 }
 
 static void state_rows(struct zs_job *job)
 {
-    if (job->shader->start)
-        job->shader->start(job);
-    zs_rows_walk(job, state_span);
+    const struct zs_shader *shader = job->shader;
+    if (shader->start)
+        shader->start(job);
+    zs_rows_walk(job, keys_span);
 }
 
-const struct zs_state_kernel zs_state_kernel = { state_bias, state_rows };
+const struct zs_state_kernel zs_state_kernel = { state_bias, state_rows, state_span };

@@ -257,6 +257,9 @@ extern const struct zs_depth zs_depth_linear; /* (z - n) / (f - n) * (B - 1), an
 extern const struct zs_depth zs_depth_e3m13; /* to z = 128 near; finest */
 extern const struct zs_depth zs_depth_e4m12; /* to z = 32,768 near */
 extern const struct zs_depth zs_depth_e5m11; /* to all distances */
+/* The first of the three that keeps its step to far, by far / near: what to take when in doubt. NUMERICS.md
+ * has the measurements. */
+extern const struct zs_depth zs_depth_float;
 
 /* Work that is left out where it cannot change the picture. All are on unless named in
  * config.skip_off; switching one off costs time and changes no bit of the frame. */

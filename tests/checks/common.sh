@@ -63,7 +63,7 @@ END
 EVERYTHING='extern struct zs_material other[5];
     extern struct zs_texture texture[3];
     extern const struct zs_state state;
-    static const struct zs_depth *const all_depths[] = { &zs_depth_linear, &zs_depth_e3m13, &zs_depth_e4m12, &zs_depth_e5m11 };
+    static const struct zs_depth *const all_depths[] = { &zs_depth_linear, &zs_depth_e3m13, &zs_depth_e4m12, &zs_depth_e5m11, &zs_depth_float };
     const struct zs_depth *volatile depth = all_depths[anything[5]];
     const int32_t *v = (const int32_t *)anything;
     struct zs_pose *pose = &instance.pose;
