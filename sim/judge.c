@@ -184,6 +184,20 @@ static double sample_y(const struct sim_judge *j, int y)
     return y + 0.5 - j->height / 2.0;
 }
 
+/* The same triangle twice, whichever corner it begins with. */
+static int same_corners(const struct ref_triangle *a, const struct ref_triangle *b)
+{
+    for (int turn = 0; turn < 3; turn++) {
+        int same = 1;
+        for (int k = 0; k < 3; k++)
+            for (int c = 0; c < 3; c++)
+                same &= !(a->p[k][c] < b->p[(k + turn) % 3][c] || a->p[k][c] > b->p[(k + turn) % 3][c]);
+        if (same)
+            return 1;
+    }
+    return 0;
+}
+
 enum sim_verdict sim_judge_pixel(const struct sim_judge *j, uint32_t ours, uint32_t truth, int x, int y)
 {
     const uint32_t id[2] = { ours, truth };
@@ -192,6 +206,8 @@ enum sim_verdict sim_judge_pixel(const struct sim_judge *j, uint32_t ours, uint3
     int covered = 1, edge = 0;
     if (ours == truth)
         return SIM_SAME;
+    if (ours && truth && same_corners(&j->tri[ours - 1], &j->tri[truth - 1]))
+        return ours < truth ? SIM_SAME : SIM_WRONG;
     for (int k = 0; k < 2; k++) {
         struct place p;
         if (id[k] == 0) {
@@ -325,8 +341,8 @@ void sim_judge_color(const struct sim_judge *j, uint32_t id, int x, int y, doubl
     }
 }
 
-void sim_judge_texture(const struct sim_judge *j, uint32_t id, int x, int y, double light[2],
-                       double lo[2], double hi[2])
+double sim_judge_texture(const struct sim_judge *j, uint32_t id, int x, int y, double light[2],
+                         double lo[2], double hi[2])
 {
     const struct ref_triangle *t = &j->tri[id - 1];
     double value[3];
@@ -339,4 +355,10 @@ void sim_judge_texture(const struct sim_judge *j, uint32_t id, int x, int y, dou
             value[k] = t->uv[k][axis] * (axis ? t->texture->height : t->texture->width);
         range(j, &p, sample_x(j, x), sample_y(j, y), value, &lo[axis], &hi[axis]);
     }
+    double least = (double)INFINITY, most = 0;
+    for (int k = 0; k < p.n; k++) {
+        least = fmin(least, p.q[k]);
+        most = fmax(most, p.q[k]);
+    }
+    return p.n ? most / least : 1;
 }

@@ -27,7 +27,7 @@ struct sim_judge {
 double sim_judge_unit(const struct ref_triangle *tri, size_t n, const struct ref_camera *camera);
 
 enum sim_verdict {
-    SIM_SAME,  /* the same triangle, or the same nothing */
+    SIM_SAME,  /* the same triangle, or the same nothing; of one that is there twice, the first */
     SIM_EDGE,  /* the sample is within a sub-pixel of an outline of either triangle */
     SIM_TIE,   /* both cover it, and their true keys are within 1.01 bucket and what snapping adds */
     SIM_WRONG
@@ -46,8 +46,9 @@ double sim_judge_key_slack(const struct sim_judge *judge, uint32_t id, int x, in
 /* The range of a colour, codes (31, 63, 31), that a triangle without texture shows as far around a sample
  * as snapping may move it. */
 void sim_judge_color(const struct sim_judge *judge, uint32_t id, int x, int y, double lo[3], double hi[3]);
-/* The same of light, times 1, and of u and v, in texels, where it has a texture. */
-void sim_judge_texture(const struct sim_judge *judge, uint32_t id, int x, int y, double light[2],
-                       double lo[2], double hi[2]);
+/* The same of light, times 1, and of u and v, in texels, where it has a texture. Return the ratio of 1 / z of
+ * what is left of the triangle between near and far, 1 or more. */
+double sim_judge_texture(const struct sim_judge *judge, uint32_t id, int x, int y, double light[2],
+                         double lo[2], double hi[2]);
 
 #endif

@@ -5,6 +5,7 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "accuracy.h"
 #include "demo.h"
 #include "depths.h"
 #include "render.h"
@@ -16,6 +17,7 @@ static const struct {
 } commands[] = {
     { "render", "a model file to a frame", sim_render },
     { "demo", "the demo scenes to numbered frames and a table", sim_demo },
+    { "accuracy", "how exact the renderer is: a table, measured", sim_accuracy },
     { "depths", "which depth mapping tells surfaces apart, and how far", sim_depths },
 };
 

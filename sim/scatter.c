@@ -109,7 +109,8 @@ static void box(struct sim_scatter_mesh *m, struct sim_random *r)
 static void ball(struct sim_scatter_mesh *m, struct sim_random *r)
 {
     const uint32_t rings = 3 + sim_random_pick(r, 8), sectors = 3 + sim_random_pick(r, 12);
-    const double bump = sim_random_real(r, 0, 0.2) * (double)sim_random_pick(r, 2);
+    const int bumpy = (int)sim_random_pick(r, 2);
+    const double bump = bumpy ? sim_random_real(r, 0, 0.2) : 0;
     for (uint32_t y = 0; y <= rings; y++)
         for (uint32_t x = 0; x < sectors; x++) {
             const double up = 3.14159265 * (0.5 - (double)y / rings), round = 6.2831853 * x / sectors;
@@ -143,13 +144,13 @@ static void ribbon(struct sim_scatter_mesh *m, struct sim_random *r)
 static void ground(struct sim_scatter_mesh *m, struct sim_random *r)
 {
     const uint32_t n = 1 + sim_random_pick(r, 12);
-    const double bump = SIZE * 0.1 * sim_random_pick(r, 2), jitter = 0.9 * SIZE / n;
+    const double bump = SIZE * 0.1 * sim_random_pick(r, 2), jitter = 0.8 * SIZE / n;
     for (uint32_t z = 0; z <= n; z++)
         for (uint32_t x = 0; x <= n; x++) {
             const double jx = x && x < n ? jitter : 0, jz = z && z < n ? jitter : 0;
-            (void)add_vertex(m, r, SIZE * (2.0 * x / n - 1) + sim_random_real(r, -jx, jx) * 0.9,
-                             sim_random_real(r, -bump, bump),
-                             SIZE * (2.0 * z / n - 1) + sim_random_real(r, -jz, jz) * 0.9);
+            const double off_x = sim_random_real(r, -jx, jx), off_z = sim_random_real(r, -jz, jz);
+            const double up = sim_random_real(r, -bump, bump);
+            (void)add_vertex(m, r, SIZE * (2.0 * x / n - 1) + off_x, up, SIZE * (2.0 * z / n - 1) + off_z);
         }
     for (uint32_t z = 0; z < n; z++)
         for (uint32_t x = 0; x < n; x++) {
@@ -161,8 +162,8 @@ static void ground(struct sim_scatter_mesh *m, struct sim_random *r)
 
 static struct zs_rgb random_rgb(struct sim_random *r)
 {
-    const struct zs_rgb c = { (uint8_t)sim_random_pick(r, 256), (uint8_t)sim_random_pick(r, 256),
-                              (uint8_t)sim_random_pick(r, 256) };
+    const uint64_t bits = sim_random_bits(r);
+    const struct zs_rgb c = { (uint8_t)bits, (uint8_t)(bits >> 8), (uint8_t)(bits >> 16) };
     return c;
 }
 
@@ -241,8 +242,9 @@ static void material_make(struct sim_scatter *s, struct sim_random *r, struct zs
 
 static void light_make(struct zs_light *light, struct sim_random *r)
 {
-    const int32_t dir[3] = { sim_random_range(r, -99, 99), sim_random_range(r, -99, 99),
-                             sim_random_range(r, 1, 99) };
+    int32_t dir[3];
+    for (int c = 0; c < 3; c++)
+        dir[c] = sim_random_range(r, c < 2 ? -99 : 1, 99);
     (void)zs_unit(light->dir, dir);
     light->ambient = sim_random_pick(r, ZS_Q16_ONE + 1);
     light->diffuse = sim_random_pick(r, ZS_Q16_ONE + 1);
@@ -256,13 +258,13 @@ struct lens { /* world units and pixels */
 
 static void camera_make(struct sim_scatter *s, struct sim_random *r, struct lens *lens)
 {
-    const int32_t up[3] = { sim_random_range(r, -20, 20), 100, sim_random_range(r, -20, 20) };
-    int32_t eye[3], dir[3];
+    int32_t up[3], eye[3], dir[3];
     struct zs_camera *c = &s->camera;
     const int ortho = sim_random_pick(r, 7) == 0;
     const double near = floor(sim_random_log(r, 500, 5000));
     const double far = floor(near * sim_random_log(r, 10, 5000));
     for (int k = 0; k < 3; k++) {
+        up[k] = k == 1 ? 100 : sim_random_range(r, -20, 20);
         eye[k] = sim_random_range(r, -100000, 100000);
         dir[k] = sim_random_range(r, -99, 99);
     }
@@ -302,11 +304,11 @@ static void place(struct sim_scatter *s, struct sim_random *r, const struct lens
     const double z = sim_random_log(r, lens->near * 0.4, lens->far * 1.2);
     const double px = ortho ? lens->height / s->config.height : z / lens->focal; /* world units */
     const double size = fmin(sim_random_log(r, 0.3, 2.0 * s->config.width) * px, lens->far);
-    const double at[3] = { sim_random_real(r, -0.8, 0.8) * s->config.width * px,
-                           sim_random_real(r, -0.8, 0.8) * s->config.height * px, -z };
+    const double right = sim_random_real(r, -0.8, 0.8), up = sim_random_real(r, -0.8, 0.8);
+    const double at[3] = { right * s->config.width * px, up * s->config.height * px, -z };
+    const uint64_t turns = sim_random_bits(r);
     zs_pose_identity(&in->pose);
-    zs_pose_turn(&in->pose, (zs_turn)sim_random_bits(r), (zs_turn)sim_random_bits(r),
-                 (zs_turn)sim_random_bits(r));
+    zs_pose_turn(&in->pose, (zs_turn)turns, (zs_turn)(turns >> 16), (zs_turn)(turns >> 32));
     for (int k = 0; k < 3; k++) {
         double p = c->pos[k];
         for (int a = 0; a < 3; a++)

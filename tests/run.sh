@@ -46,6 +46,7 @@ for program in "$build"/test/test_*; do
 done
 run readme sh tests/readme.sh "$build"
 run checksums sh tests/checksums.sh "$build"
+run accuracy sh tests/accuracy.sh "$build/test/zsim"
 run cli sh tests/cli.sh "$build/test/zsim" "$build/test/cli"
 for check in objects kernels includes cplusplus stack size bench; do
     run "$check" sh "tests/checks/$check.sh" "$build"
