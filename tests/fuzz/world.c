@@ -334,10 +334,10 @@ static void rotation(struct zs_pose *pose, struct prng *p, uint32_t odd)
         const int32_t axis[3] = { any32(p), any32(p), any32(p) };
         (void)zs_pose_rotate(pose, axis, (zs_turn)prng_next(p));
     }
+    if (odd_one(p, odd * 2u)) /* nearly orthonormal */
+        pose->rot[prng_pick(p, 9)] += prng_range(p, -2000, 2000);
     if (odd_one(p, odd * 4u))
         pose->rot[prng_pick(p, 9)] = any32(p);
-    if (odd_one(p, odd * 2u))
-        pose->rot[prng_pick(p, 9)] += prng_range(p, -2000, 2000);
 }
 
 /* Meshes of about `size` world units, within `reach` of the origin. */
