@@ -9,13 +9,16 @@ CORE = $(wildcard firmware/zstrip/*.c)
 SCENES = $(wildcard firmware/scenes/*.c)
 SIM = $(wildcard sim/*.c sim/reference/*.c)
 GEN = $(wildcard firmware/scenes/gen/*.c)
-HEADERS = $(wildcard firmware/*/*.h firmware/scenes/gen/*.h hal/*.h sim/*.h sim/*/*.h tests/*.h)
-LIBS = -lassimp -lpng -lturbojpeg -lm
+HEADERS = $(wildcard firmware/*/*.h firmware/scenes/gen/*.h hal/*.h sim/*.h sim/*/*.h tests/*.h tests/*/*.h)
+LIBS = -lassimp -lmeshoptimizer -lpng -lturbojpeg -lm
 
-# Debian packages: what the simulator is built from, and what the tests need besides
-PKG_SIM = gcc libc6-dev libassimp-dev libpng-dev libturbojpeg0-dev
+# Debian packages: what the simulator is built from, and what tests and fuzzers need besides
+PKG_SIM = gcc libc6-dev libassimp-dev libmeshoptimizer-dev libpng-dev libturbojpeg0-dev
 PKG_TEST = $(PKG_SIM) g++ clang binutils libcmocka-dev gcc-arm-none-eabi \
            libnewlib-arm-none-eabi qemu-system-arm
+PKG_FUZZ = $(PKG_TEST) libclang-rt-14-dev
+SECONDS = 600
+SEED = 1
 
 ## all: the simulator, build/zsim
 all: sim
@@ -28,8 +31,13 @@ demo: sim
 
 ## test: set up and run every test
 test: $(B)/.setup-test
-	@$(MAKE) --no-print-directory -j2 $(B)/zsim test-programs
+	@$(MAKE) --no-print-directory -j2 $(B)/zsim test-programs fuzz-programs
 	@sh tests/run.sh $(B)
+
+## fuzz: both fuzzers for SECONDS=600, side by side, from SEED=1
+fuzz: $(B)/.setup-fuzz
+	@$(MAKE) --no-print-directory -j2 fuzz-programs $(B)/fuzz/fuzz_mesh
+	@sh tests/fuzz/run.sh $(B) $(SECONDS) $(SEED)
 
 ## bench: instructions a frame on a Cortex-M3 (counted by QEMU; needs no board)
 bench: $(B)/.setup-test $(B)/gen/meshes.h
@@ -66,12 +74,14 @@ clean:
 ## help: this list
 help:
 	@sed -n 's/^## /    /p' Makefile
-.PHONY: all accuracy demo test bench depth sim pictures size stack check clean help test-programs
+.PHONY: all accuracy demo test fuzz bench depth sim pictures size stack check clean help test-programs fuzz-programs
 
 $(B)/.setup-sim:
 	@mkdir -p $(B) && .ci/setup $(PKG_SIM) && touch $@
 $(B)/.setup-test:
 	@mkdir -p $(B) && .ci/setup $(PKG_TEST) && touch $@ $(B)/.setup-sim
+$(B)/.setup-fuzz:
+	@mkdir -p $(B) && .ci/setup $(PKG_FUZZ) && touch $@ $(B)/.setup-test $(B)/.setup-sim
 
 # Meshes: written by a generator, built into one archive
 $(B)/gen_meshes: $(GEN) $(CORE) $(HEADERS)

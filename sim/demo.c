@@ -16,6 +16,7 @@
 #include "reference.h"
 #include "scenes.h"
 #include "sim.h"
+#include "texels.h"
 #include "truth.h"
 
 #define STRIP_ROWS 24
@@ -97,14 +98,16 @@ static int compare(struct tally *sum, const struct demo_frame *f, const struct d
     struct ref_camera camera;
     struct ref_light light;
     struct ref_diff diff;
-    const struct ref_depth depth = {
-        demo->depth == &zs_depth_linear ? REF_DEPTH_LINEAR : REF_DEPTH_RECIP, config->depth_bits
-    };
+    const struct ref_depth depth = { sim_truth_mapping(demo->depth, &f->camera), config->depth_bits };
     size_t n_tris;
-    struct ref_triangle *tris = sim_truth_triangles(&f->scene, &n_tris);
+    struct ref_triangle *tris = sim_truth_triangles(&f->scene, &f->camera, &n_tris);
     sim_truth_camera(&camera, &f->camera);
     sim_truth_light(&light, &f->scene.light);
+    ours.texel = sim_alloc(n, sizeof *ours.texel); /* colours are compared where texels are the same */
+    truth.texel = sim_alloc(n, sizeof *truth.texel);
     int err = sim_frame_ids(ours.id, &f->scene, &f->camera, config);
+    if (!err)
+        err = sim_frame_texels(ours.texel, &f->scene, &f->camera, config);
     if (!err)
         err = ref_render(tris, n_tris, &camera, &light, &depth, f->scene.background, demo->width,
                          demo->height, &truth, NULL, NULL);
@@ -114,6 +117,8 @@ static int compare(struct tally *sum, const struct demo_frame *f, const struct d
         add_diff(sum, &diff);
     free(tris);
     free(ours.id);
+    free(ours.texel);
+    free(truth.texel);
     free(truth.rgb565);
     free(truth.key);
     free(truth.id);
@@ -211,7 +216,8 @@ static void table_foot(void)
          "in the box. tested, written: pixels. arena: bytes, all of the renderer's RAM but its own struct.\n"
          "wrong: drawn pixels that show another triangle than the reference does. cover: pixels missing or\n"
          "too many. depth: mean relative error of the distances that 16-bit keys stand for. colour: channel\n"
-         "values more than one RGB565 code off, where the triangle is the same. by one: those one code off.");
+         "values more than one RGB565 code off, where triangle and texel are the same. by one: those one code\n"
+         "off.");
 }
 
 /* ---- Command line ---------------------------------------------------------------------------------- */

@@ -216,7 +216,7 @@ static double exact_key(const struct board *b, const struct ref_depth *depth,
 static void compare_triangle(struct sim_exact_triangles *out, const struct board *b,
                              const struct sim_frame *f, int mapping)
 {
-    const struct ref_depth depth = { sim_truth_mapping(b->config.depth), b->config.depth_bits };
+    const struct ref_depth depth = { sim_truth_mapping(b->config.depth, &b->camera), b->config.depth_bits };
     const double top = ldexp(1, b->config.depth_bits) - 2;
     struct ref_camera camera;
     struct edges e;
@@ -462,7 +462,7 @@ static int count_tilted(struct sim_exact_edges *out, struct board *b, const stru
         b->pos[k][2] = b->pos_lo[k][2] = 0;
     board_tri(b, 0, 1, 2);
     board_tri(b, 0, 2, 3);
-    struct ref_triangle *tri = sim_truth_triangles(&b->scene, &n);
+    struct ref_triangle *tri = sim_truth_triangles(&b->scene, &b->camera, &n);
     sim_truth_camera(&camera, &b->camera);
     const int err = ref_render(tri, n, &camera, NULL, &depth, 0, W, H, &truth, NULL, NULL);
     free(tri);
@@ -582,7 +582,7 @@ static void layers_open(struct layers *l, struct sim_random *r, const struct zs_
 /* Place the layers so many buckets apart. Return 0 where the keys there are saturated. */
 static int layers_place(struct layers *l, struct sim_random *r, double buckets)
 {
-    const struct ref_depth depth = { sim_truth_mapping(l->config.depth), l->config.depth_bits };
+    const struct ref_depth depth = { sim_truth_mapping(l->config.depth, &l->camera), l->config.depth_bits };
     const double ratio = sim_random_log(r, 10, 1e5);
     const int32_t z = LAYER_Z + (int32_t)sim_random_pick(r, 1 << 20);
     const double near = floor(fmax(64, z / sim_random_log(r, 1, ratio)));

@@ -76,7 +76,7 @@ void sim_frame_config(struct zs_config *config, uint16_t width, uint16_t height,
     config->buffers = 2;
     config->subpixel_bits = 8;
     config->depth_bits = 16;
-    config->depth = &zs_depth_recip;
+    config->depth = &zs_depth_float;
 }
 
 /* An arena of exactly the bytes that the configuration asks for, at the end of its block, so that

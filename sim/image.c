@@ -16,7 +16,7 @@
 
 #define PIXELS_MAX ((uint64_t)1 << 27)
 
-/* ---- Out of memory and files ------------------------------------------------------------------ */
+/* ---- Out of memory and files ----------------------------------------------------------------- */
 
 static int begin(struct sim_image *out, const char *name, uint64_t width, uint64_t height)
 {
@@ -66,13 +66,14 @@ static int jpeg_failed(tjhandle jpeg, int result)
 
 static int decode_jpeg(struct sim_image *out, const char *name, const void *bytes, size_t n)
 {
-    int width, height, sampling, space;
+    int width = 0, height = 0, sampling = 0, space = 0; /* a cut-off header may leave them alone */
     tjhandle jpeg = tjInitDecompress();
     if (jpeg == NULL)
         return sim_refuse(name, 0, "cannot be read: %s", tjGetErrorStr());
     int status = SIM_OK;
     if (jpeg_failed(jpeg, tjDecompressHeader3(jpeg, bytes, (unsigned long)n, &width, &height,
-                                              &sampling, &space)))
+                                              &sampling, &space)) ||
+        width < 1 || height < 1)
         status = sim_refuse(name, 0, "a broken JPEG: %s; save it again", tjGetErrorStr2(jpeg));
     else if (space == TJCS_CMYK || space == TJCS_YCCK)
         status = sim_refuse(name, 0, "a JPEG in CMYK colours; save it in RGB");
@@ -128,7 +129,7 @@ void sim_image_free(struct sim_image *image)
     memset(image, 0, sizeof *image);
 }
 
-/* ---- Into streams ------------------------------------------------------------------------------ */
+/* ---- Into streams ---------------------------------------------------------------------------- */
 
 void sim_rgb565_expand(uint8_t rgb[3], uint16_t c)
 {

@@ -6,6 +6,7 @@
 #include <string.h>
 
 #include "accuracy.h"
+#include "convert.h"
 #include "demo.h"
 #include "depths.h"
 #include "render.h"
@@ -16,6 +17,7 @@ static const struct {
     int (*run)(int argc, char **argv); /* the arguments after the name */
 } commands[] = {
     { "render", "a model file to a frame", sim_render },
+    { "convert", "a model or picture to const C for firmware", sim_convert },
     { "demo", "the demo scenes to numbered frames and a table", sim_demo },
     { "accuracy", "how exact the renderer is: a table, measured", sim_accuracy },
     { "depths", "which depth mapping tells surfaces apart, and how far", sim_depths },

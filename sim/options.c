@@ -29,8 +29,9 @@ const char sim_options_help[] =
     "Frame\n"
     "  --size WxH           px, 1 to 4096 (240x240)\n"
     "  --strip ROWS         rows to a strip (16)\n"
-    "  --depth recip|linear|e3m13|e4m12|e5m11\n"
-    "                       mapping of depth keys (recip; linear for orthographic views)\n"
+    "  --depth float|recip|linear|e3m13|e4m12|e5m11\n"
+    "                       mapping of depth keys (float: e3m13 while far <= 128 near, e4m12 while\n"
+    "                       far <= 32768 near, else e5m11; orthographic views: linear)\n"
     "  --depth-bits N       8 to 16 (16)\n"
     "  --subpixel 4|8       sub-pixel bits (8)\n"
     "  --tris N, --verts N  pool sizes, up to 65534 (ample); small ones take more passes\n"
@@ -44,7 +45,7 @@ const char sim_options_help[] =
     "Look\n"
     "  --shade id|flat|smooth|textured|textured-flat|unlit (flat)\n"
     "                       textured: texels times smooth light, textured-flat: times a face's,\n"
-    "                       unlit: texels alone; faces without a texture: smooth, flat, as they are\n"
+    "                       unlit: texels alone; faces without a texture: smooth, flat, raw\n"
     "  --texture T.png      one picture (PNG or JPEG) for all faces in place of the model's own.\n"
     "                       A side that is no power of two up to 1024 becomes the nearest one by\n"
     "                       averaging areas (texture_resampled of --stats); alpha is dropped\n"
@@ -107,7 +108,7 @@ static const struct option table[] = {
     { "--background", KIND_RGB, AT(background), 0, 0, 0, NULL },
     { "--color", KIND_RGB, AT(color), AT(has_color), 0, 0, NULL },
     { "--projection", KIND_CHOICE, AT(projection), 0, 0, 0, "perspective|orthographic" },
-    { "--depth", KIND_CHOICE, AT(depth), 0, 0, 0, "recip|linear|e3m13|e4m12|e5m11" },
+    { "--depth", KIND_CHOICE, AT(depth), 0, 0, 0, "recip|linear|e3m13|e4m12|e5m11|float" },
     { "--shade", KIND_CHOICE, AT(shade), 0, 0, 0, "id|flat|smooth|textured|textured-flat|unlit" },
     { "--texture", KIND_FILE, AT(texture), 0, 0, 0, NULL },
     { "--texture-format", KIND_CHOICE, AT(texel), 0, 0, 0, "565" },
@@ -290,7 +291,8 @@ static int check_rest(const struct sim_options *o)
                           o->depth == SIM_DEPTH_RECIP   ? "recip"
                           : o->depth == SIM_DEPTH_E3M13 ? "e3m13"
                           : o->depth == SIM_DEPTH_E4M12 ? "e4m12"
-                                                        : "e5m11");
+                          : o->depth == SIM_DEPTH_E5M11 ? "e5m11"
+                                                        : "float");
     if (o->texture != NULL && !sim_options_textured(o))
         return sim_refuse(file, 0,
                           "--texture %s is not drawn without --shade textured, textured-flat or "

@@ -21,7 +21,8 @@ enum sim_depth {
     SIM_DEPTH_E3M13,
     SIM_DEPTH_E4M12,
     SIM_DEPTH_E5M11,
-    SIM_DEPTH_DEFAULT
+    SIM_DEPTH_FLOAT,  /* the one of the three that far / near asks for: see sim_depth_of */
+    SIM_DEPTH_DEFAULT /* float; orthographic: linear */
 };
 enum sim_texel { SIM_TEXEL_565 };
 

@@ -88,9 +88,9 @@ static void set_up(struct sim_original *out, struct ref_light *light, const stru
     static const int mapping[] = {
         [SIM_DEPTH_RECIP] = REF_DEPTH_RECIP, [SIM_DEPTH_LINEAR] = REF_DEPTH_LINEAR,
         [SIM_DEPTH_E3M13] = REF_DEPTH_E3M13, [SIM_DEPTH_E4M12] = REF_DEPTH_E4M12,
-        [SIM_DEPTH_E5M11] = REF_DEPTH_E5M11, [SIM_DEPTH_DEFAULT] = REF_DEPTH_RECIP,
+        [SIM_DEPTH_E5M11] = REF_DEPTH_E5M11,
     };
-    out->depth.mapping = view->orthographic ? REF_DEPTH_LINEAR : mapping[o->depth];
+    out->depth.mapping = mapping[sim_depth_of(o, view)];
     out->depth.bits = (int)o->depth_bits;
 }
 

@@ -8,8 +8,8 @@
  * model allow, so that they use 2^28 .. 2^29 of the world. The far plane may be 2^15 times farther. Where
  * half a unit would be more than OFF_MAX_PX on the screen, the camera is refused: better than a wrong picture.
  *
- * Texture coordinates: a part has as many uv bits as the range of its int16 allows. Whole repeats are
- * taken off the part as a whole; where the coordinates could then not be held to 1/16 texel, off
+ * Texture coordinates: a part has as many uv bits as the range of its int16 allows. Whole repeats
+ * are taken off the part as a whole; where the coordinates could then not be held to 1/16 texel, off
  * every triangle, which splits the vertices that it shares with one that is moved otherwise. Where
  * even that does not do, the model is refused: cutting a face would change which pixels it covers.
  *
@@ -217,7 +217,7 @@ struct key {
     int16_t uv[2];
 };
 
-/* How the texture coordinates of a run of triangles become integers: (uv - whole repeats) * 2^bits. */
+/* How the texture coordinates of a run of triangles become integers: (uv - repeats) * 2^bits. */
 struct uv_grid {
     const struct sim_texture *texture; /* NULL: the run has none, and nothing else counts */
     int bits;
@@ -241,7 +241,7 @@ struct build {
     double scale; /* world units to a mesh step */
 };
 
-/* ---- Texture coordinates ----------------------------------------------------------------------- */
+/* ---- Texture coordinates --------------------------------------------------------------------- */
 
 /* What one of a triangle's coordinates is before its run's repeats are taken off. */
 static double uv_placed(const struct sim_model *model, const struct uv_grid *g, uint32_t t, int k,
@@ -260,7 +260,7 @@ static double uv_exact(const struct sim_model *model, const struct uv_grid *g, u
     return ldexp(uv_placed(model, g, t, k, axis) - g->repeats[axis], g->bits);
 }
 
-/* Bits and repeats for the range of triangles first .. end - 1; -1 bits where int16 cannot hold it. */
+/* Bits and repeats for triangles first .. end - 1; -1 bits where int16 cannot hold their range. */
 static void uv_fit(struct uv_grid *g, const struct sim_model *model, uint32_t first, uint32_t end)
 {
     g->bits = UV_BITS_MAX;
@@ -330,7 +330,7 @@ static int uv_choose(struct build *b, uint32_t first, uint32_t end)
     return SIM_OK;
 }
 
-/* ---- Vertices ------------------------------------------------------------------------------------ */
+/* ---- Vertices -------------------------------------------------------------------------------- */
 
 static struct key corner_key(const struct build *b, uint32_t t, int k)
 {

@@ -70,14 +70,14 @@ static void set_config(struct job *job)
     const int clips = may_clip(&job->view, &job->model);
     static const struct {
         uint8_t attrs[SIM_SHADE_UNLIT + 1];
-        const struct zs_depth *depth[SIM_DEPTH_DEFAULT + 1];
+        const struct zs_depth *depth[SIM_DEPTH_E5M11 + 1];
     } of = {
         { [SIM_SHADE_ID] = ZS_ATTRS_FLAT, [SIM_SHADE_FLAT] = ZS_ATTRS_FLAT,
           [SIM_SHADE_SMOOTH] = ZS_ATTRS_SMOOTH, [SIM_SHADE_TEXTURED] = ZS_ATTRS_TEXTURE_SMOOTH,
           [SIM_SHADE_TEXTURED_FLAT] = ZS_ATTRS_TEXTURE, [SIM_SHADE_UNLIT] = ZS_ATTRS_TEXTURE },
         { [SIM_DEPTH_RECIP] = &zs_depth_recip, [SIM_DEPTH_LINEAR] = &zs_depth_linear,
           [SIM_DEPTH_E3M13] = &zs_depth_e3m13, [SIM_DEPTH_E4M12] = &zs_depth_e4m12,
-          [SIM_DEPTH_E5M11] = &zs_depth_e5m11, [SIM_DEPTH_DEFAULT] = &zs_depth_recip },
+          [SIM_DEPTH_E5M11] = &zs_depth_e5m11 },
     };
     sim_frame_config(c, (uint16_t)o->size[0], (uint16_t)o->size[1], of.attrs[o->shade]);
     c->strip_h = (uint16_t)(o->strip < o->size[1] ? o->strip : o->size[1]);
@@ -87,7 +87,7 @@ static void set_config(struct job *job)
     c->subpixel_bits = (uint8_t)o->subpixel;
     c->depth_bits = (uint8_t)o->depth_bits;
     c->skip_off = (uint8_t)o->skip_off;
-    c->depth = o->projection == ZS_ORTHOGRAPHIC ? &zs_depth_linear : of.depth[o->depth];
+    c->depth = of.depth[sim_depth_of(o, &job->view)];
 }
 
 static int refuse_frame(const struct job *job, int err)
@@ -347,7 +347,8 @@ static void print_diff(const struct ref_diff *d)
         d->channel_max_diff, d->psnr_db);
     if (d->texels > 0)
         (void)printf("Texels: %zu of %zu are not the reference's, %zu of them more than 1/8 texel "
-                     "from where they belong (at most %.3f). Colours are compared where they are.\n",
+                     "from where they belong (at most %.3f). Colours are compared where they "
+                     "are.\n",
                      d->texel_differ, d->texels, d->texel_far, d->texel_max_distance);
 }
 

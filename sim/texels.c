@@ -1,4 +1,4 @@
-/* Numbers in place of colours.
+/* Numbers in place of colours, three bits at a time.
  *
  * SPDX-License-Identifier: MIT
  */
@@ -49,7 +49,10 @@ static void copy(struct numbered *c, const struct zs_scene *scene)
         c->instance[i].material = &c->material[i];
         c->mesh[i].face_raw = NULL;
         memset(&c->material[i].rgb, 0, sizeof c->material[i].rgb);
-        c->material[i].shader = t != NULL ? &zs_shade_texture : &zs_shade_raw;
+        if (t == NULL)
+            c->material[i].shader = &zs_shade_raw;
+        else if (c->material[i].shader != &zs_shade_texture_smooth)
+            c->material[i].shader = &zs_shade_texture;
         if (t == NULL)
             continue;
         const uint32_t k = first_user(scene, i);
@@ -62,14 +65,36 @@ static void copy(struct numbered *c, const struct zs_scene *scene)
     }
 }
 
+/* Bits shift, shift + 1 and shift + 2 of the numbers, each all of a channel; shift < 0: all three
+ * everywhere. */
 static void number(struct numbered *c, int shift)
 {
+    static const uint16_t channel[3] = { 0xf800u, 0x07e0u, 0x001fu };
     for (uint32_t i = 0; i < c->n; i++) {
         const struct zs_texture *t = &c->texture[i];
         uint16_t *code = (uint16_t *)(uintptr_t)t->texel; /* of copy() */
-        for (size_t k = 0; code != NULL && k < n_texels(t); k++)
-            code[k] = (uint16_t)((k + 1) >> shift);
+        for (size_t k = 0; code != NULL && k < n_texels(t); k++) {
+            const unsigned bits = shift < 0 ? 7u : (unsigned)((k + 1) >> shift) & 7u;
+            code[k] = 0;
+            for (int b = 0; b < 3; b++)
+                code[k] |= bits >> b & 1u ? channel[b] : 0u;
+        }
     }
+}
+
+/* A pixel's three bits. */
+static uint32_t bits_of(uint16_t c)
+{
+    return (c & 0xf800u ? 1u : 0u) | (c & 0x07e0u ? 2u : 0u) | (c & 0x001fu ? 4u : 0u);
+}
+
+static int n_bits(const struct numbered *c)
+{
+    int most = 0;
+    for (uint32_t i = 0; i < c->n; i++)
+        if (c->texture[i].texel != NULL && c->texture[i].log2_w + c->texture[i].log2_h + 1 > most)
+            most = c->texture[i].log2_w + c->texture[i].log2_h + 1;
+    return most;
 }
 
 static void drop(struct numbered *c)
@@ -93,14 +118,19 @@ int sim_frame_texels(uint32_t *texel, const struct zs_scene *scene, const struct
     seen.instance = c.instance;
     seen.background = 0;
     memset(texel, 0, pixels * sizeof *texel);
-    for (int shift = 0; err == ZS_OK && shift < 32; shift += 16) {
+    uint8_t *visible = sim_alloc(pixels, 1);
+    for (int shift = -3; err == ZS_OK && shift < n_bits(&c); shift += 3) {
         struct sim_frame frame;
         number(&c, shift);
         err = sim_frame_render(&frame, &seen, camera, config, "texels");
         for (size_t i = 0; err == ZS_OK && i < pixels; i++)
-            texel[i] |= (uint32_t)frame.rgb565[i] << shift;
+            if (shift < 0)
+                visible[i] = bits_of(frame.rgb565[i]) == 7u;
+            else if (visible[i])
+                texel[i] |= bits_of(frame.rgb565[i]) << shift;
         sim_frame_free(&frame);
     }
+    free(visible);
     drop(&c);
     return err;
 }

@@ -153,7 +153,19 @@ static void collect(struct shelf *s, const struct zs_scene *scene)
     }
 }
 
-struct ref_triangle *sim_truth_triangles(const struct zs_scene *scene, size_t *n)
+/* See truth.h. */
+static void move(struct ref_triangle *t, const struct zs_instance *in, const struct zs_camera *camera)
+{
+    if (in->state == NULL || camera == NULL || camera->projection == ZS_ORTHOGRAPHIC)
+        return;
+    const double part = 1.0 + (in->state->offset + in->state->slope / 256.0) * 0x1p-13 / 100.0;
+    for (int k = 0; k < 3; k++)
+        for (int c = 0; c < 3; c++)
+            t->p[k][c] = camera->pos[c] + (t->p[k][c] - camera->pos[c]) * part;
+}
+
+struct ref_triangle *sim_truth_triangles(const struct zs_scene *scene, const struct zs_camera *camera,
+                                         size_t *n)
 {
     struct shelf s = { 0 };
     *n = 0;
@@ -175,6 +187,7 @@ struct ref_triangle *sim_truth_triangles(const struct zs_scene *scene, size_t *n
             is_textured(in->material) ? &s.ref[find_texture(&s, in->material->texture)] : NULL;
         for (uint32_t t = 0; t < in->mesh->n_tris; t++, at++) {
             triangle(&all[at], in, t, ref);
+            move(&all[at], in, camera);
             all[at].id = (uint32_t)at + 1u;
         }
     }
@@ -182,8 +195,12 @@ struct ref_triangle *sim_truth_triangles(const struct zs_scene *scene, size_t *n
     return all;
 }
 
-int sim_truth_mapping(const struct zs_depth *depth)
+int sim_truth_mapping(const struct zs_depth *depth, const struct zs_camera *camera)
 {
+    if (depth == &zs_depth_float)
+        return camera->z_far <= camera->z_near * 128     ? REF_DEPTH_E3M13
+               : camera->z_far <= camera->z_near * 32768 ? REF_DEPTH_E4M12
+                                                         : REF_DEPTH_E5M11;
     return depth == &zs_depth_linear  ? REF_DEPTH_LINEAR
            : depth == &zs_depth_e3m13 ? REF_DEPTH_E3M13
            : depth == &zs_depth_e4m12 ? REF_DEPTH_E4M12

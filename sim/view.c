@@ -120,3 +120,13 @@ int sim_view_plan(struct sim_view *view, const struct sim_options *o, const stru
     (void)sim_unit(v->light);
     return SIM_OK;
 }
+
+enum sim_depth sim_depth_of(const struct sim_options *o, const struct sim_view *view)
+{
+    if (view->orthographic)
+        return SIM_DEPTH_LINEAR;
+    if (o->depth != SIM_DEPTH_FLOAT && o->depth != SIM_DEPTH_DEFAULT)
+        return o->depth;
+    const double ratio = view->far_z / view->near_z; /* as zs_depth_float, but for the last bits of the bounds */
+    return ratio <= 128.0 ? SIM_DEPTH_E3M13 : ratio <= 32768.0 ? SIM_DEPTH_E4M12 : SIM_DEPTH_E5M11;
+}

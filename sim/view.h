@@ -32,4 +32,7 @@ struct sim_view {
 int sim_view_plan(struct sim_view *view, const struct sim_options *o,
                   const struct sim_model *model);
 
+/* The mapping that is meant by the options for a view, one by name: never FLOAT or DEFAULT. */
+enum sim_depth sim_depth_of(const struct sim_options *o, const struct sim_view *view);
+
 #endif

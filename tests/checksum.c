@@ -21,12 +21,16 @@
 ZS_ARENA(arena, ZS_ARENA_BYTES(W, H, STRIP, TRIS, VERTS, ZS_ATTRS_SMOOTH, 2));
 
 static struct shape shapes[2];
+static int16_t uv[2][SHAPE_VERTS][2];
+static uint16_t direct[32 * 64];
+static uint8_t byte[64 * 16], nibble[32 * 32 / 2];
+static uint16_t colors[256];
 
 struct page {
     const char *name;
     struct zs_config config;
-    struct zs_material material[4];
-    struct zs_instance instance[4];
+    struct zs_material material[5];
+    struct zs_instance instance[5];
     struct zs_scene scene;
     struct zs_camera camera;
 };
@@ -69,6 +73,43 @@ static void begin(struct page *p, const char *name, const struct zs_depth *depth
     p->scene.light.diffuse = ZS_Q16_ONE * 4 / 5;
     p->scene.background = 0x10a4;
     (void)zs_camera_perspective(&p->camera, 9000, H, 60, 60000);
+}
+
+/* ---- Textures -------------------------------------------------------------------------------- */
+
+static const struct zs_texture texture_565 = { &zs_texel_565, direct, 0, 0, 6, 5, 0 };
+static const struct zs_texture texture_pal8 = { &zs_texel_pal8, byte, colors, 256, 4, 6,
+                                                ZS_CLAMP_U };
+static const struct zs_texture texture_pal4 = { &zs_texel_pal4, nibble, colors, 16, 5, 5, 0 };
+static const struct zs_texture texture_line = { &zs_texel_565, direct, 0, 0, 6, 0, ZS_CLAMP_V };
+
+static void make_textures(void)
+{
+    struct prng dice = { 77 };
+    for (uint32_t i = 0; i < 32u * 64u; i++)
+        direct[i] = (uint16_t)((i & 63u) * 1040u + (i >> 6) * 33u);
+    for (uint32_t i = 0; i < sizeof byte; i++)
+        byte[i] = (uint8_t)((i & 15u) * 9u + (i >> 4) * 3u);
+    for (uint32_t i = 0; i < sizeof nibble; i++)
+        nibble[i] = (uint8_t)prng_next(&dice);
+    for (uint32_t i = 0; i < 256u; i++)
+        colors[i] = (uint16_t)prng_next(&dice);
+}
+
+/* Cover the page's instance n, drawn from shapes[shape], and let it meet depth by a state or NULL.
+ * Coordinates are the position's: ten repeats to 20480 steps. */
+static void cover(struct page *p, uint32_t n, uint32_t shape, const struct zs_texture *texture,
+                  const struct zs_state *state)
+{
+    struct zs_mesh *mesh = &shapes[shape].mesh;
+    for (uint32_t v = 0; v < mesh->n_verts; v++) {
+        uv[shape][v][0] = (int16_t)(mesh->pos[v][0] + mesh->pos[v][1] / 2);
+        uv[shape][v][1] = (int16_t)(mesh->pos[v][2] - mesh->pos[v][1] / 2);
+    }
+    mesh->uv = (const int16_t (*)[2])uv[shape];
+    mesh->uv_bits = 11;
+    p->material[n].texture = texture;
+    p->instance[n].state = state;
 }
 
 /* ---- Scenes ---------------------------------------------------------------------------------- */
@@ -172,10 +213,91 @@ static void page_composed(struct page *p)
     (void)zs_camera_orbit(&p->camera, at, 5000, 40000, 5000);
 }
 
+static void page_textured(struct page *p)
+{
+    page_flat(p);
+    p->name = "textured, e3m13 keys";
+    p->config.depth = &zs_depth_e3m13;
+    p->material[0].shader = &zs_shade_texture;
+    p->material[1].shader = &zs_shade_texture_flat;
+    p->material[2].shader = &zs_shade_texture_smooth;
+    cover(p, 0, 0, &texture_565, 0);
+    cover(p, 1, 1, &texture_pal8, 0);
+    cover(p, 2, 0, &texture_pal4, 0);
+}
+
+/* Sub-spans of all lengths, planes through near, coordinates far beyond a clamped texture. */
+static void page_textured_clipped(struct page *p)
+{
+    page_clipped(p, "textured, clipped, e4m12 keys", &zs_depth_e4m12);
+    p->material[0].shader = &zs_shade_texture_smooth;
+    p->material[1].shader = &zs_shade_texture;
+    p->material[2].shader = &zs_shade_texture_flat;
+    cover(p, 0, 0, &texture_pal8, 0);
+    cover(p, 1, 1, &texture_pal4, 0);
+    cover(p, 2, 1, &texture_line, 0);
+}
+
+static void page_textured_small_pools(struct page *p)
+{
+    page_textured_clipped(p);
+    p->name = "textured, small pools";
+    p->config.max_tris = 5;
+    p->config.max_verts = 7;
+    p->config.strip_h = 3;
+}
+
+static void page_textured_linear(struct page *p)
+{
+    page_textured_clipped(p);
+    p->name = "textured, clipped, linear keys";
+    p->config.depth = &zs_depth_linear;
+}
+
+static void page_textured_ortho(struct page *p)
+{
+    page_ortho(p);
+    p->name = "textured, orthographic";
+    p->material[0].shader = &zs_shade_texture_smooth;
+    p->material[1].shader = &zs_shade_texture;
+    cover(p, 0, 1, &texture_565, 0);
+    cover(p, 1, 0, &texture_pal4, 0);
+}
+
+/* A ball and the ground, again where they are: equal, before what is there without a key of its own,
+ * and moved by its slope. */
+static void page_states(struct page *p)
+{
+    static const struct zs_state later = ZS_STATE(1, 0, 0, 0), lent = ZS_STATE(0, 1, -400, 0);
+    static const struct zs_state leans = ZS_STATE(0, 0, 40, -300);
+    page_clipped(p, "depth states, e5m11 keys", &zs_depth_e5m11);
+    p->scene.n_instances = 1;
+    add(p, &shapes[1], &zs_shade_flat, 0, 200, 0, ZS_CULL_NONE);
+    add(p, &shapes[1], &zs_shade_texture, 0, 200, 0, ZS_CULL_NONE);
+    add(p, &shapes[1], &zs_shade_raw, 600, -1200, 0, ZS_CULL_NONE);
+    add(p, &shapes[0], &zs_shade_smooth, 0, -880, 0, ZS_CULL_NONE);
+    p->instance[2].pose = p->instance[1].pose;
+    p->instance[4].pose = p->instance[0].pose;
+    cover(p, 2, 1, &texture_565, &later);
+    p->instance[3].state = &lent;
+    p->instance[4].state = &leans;
+}
+
+static void page_coarse_float(struct page *p)
+{
+    page_textured_clipped(p);
+    p->name = "textured, 4 sub-pixel bits, 8 bits of e5m11";
+    p->config.depth = &zs_depth_e5m11;
+    p->config.subpixel_bits = 4;
+    p->config.depth_bits = 8;
+}
+
 typedef void page_fn(struct page *p);
 static page_fn *const pages[] = { page_flat, page_smooth, page_clipped_recip, page_small_pools,
                                   page_clipped_linear, page_ortho, page_coarse, page_coarse_linear,
-                                  page_composed };
+                                  page_composed, page_textured, page_textured_clipped,
+                                  page_textured_small_pools, page_textured_linear,
+                                  page_textured_ortho, page_states, page_coarse_float };
 #define N_PAGES (sizeof pages / sizeof pages[0])
 
 /* ---- Drawing --------------------------------------------------------------------------------- */
@@ -241,6 +363,7 @@ int main(int argc, char **argv)
 {
     static struct page page;
     int bad = 0;
+    make_textures();
     for (unsigned n = 0; n < N_PAGES; n++) {
         pages[n](&page);
         struct sum s = { 2166136261u, open_ppm(argc > 1 ? argv[1] : NULL, n) };

@@ -1,11 +1,17 @@
 #!/bin/sh
-# The README's C example, as it stands there: compiled as it would be on a board (C and C++ warnings
-# on), run, and its picture looked at by number.
+# The README's C, as it stands there: compiled as it would be on a board (warnings on), run, and its pictures
+# looked at by number. The section about a model of one's own is followed to the letter: its commands too.
 # Usage: tests/readme.sh BUILD
 set -eu
-out=$1/test/readme
-mkdir -p "$out"
-awk '/^```c$/ { on = 1; next } /^```$/ { on = 0 } on' README.md >"$out/example.c"
+build=$1
+out=$(mkdir -p "$1/test/readme" && cd "$1/test/readme" && pwd)
+section() { # HEADING
+    awk -v want="## $1" '/^## / { in_it = $0 == want } in_it' README.md
+}
+code() {
+    awk '/^```c$/ { on = 1; next } /^```$/ { on = 0 } on'
+}
+section 'Use the library' | code >"$out/example.c"
 lines=$(wc -l <"$out/example.c")
 cat >"$out/main.c" <<'MAIN'
 #include <stdio.h>
@@ -39,3 +45,47 @@ if [ "$1" -eq 0 ] && [ "$2" -eq 15 ] && [ "$3" -gt 8000 ] && [ "$3" -lt 40000 ];
 else
     echo "FAILED readme_example_draws_a_cube: error $1, $2 strips, $3 pixels"
 fi
+
+# ---- From your .obj to a picture on a board ------------------------------------------------------
+# A folder as the reader has it: zsim built, the library, a model; then the section's program and commands.
+follow() { # NAME LEAST-PIXELS MOST-PIXELS COLOURS    MODEL.obj and what belongs to it lie in $out/NAME
+    home=$out/$1
+    ln -sfn "$PWD/firmware" "$home/firmware"
+    ln -sfn "$PWD/build" "$home/build"
+    [ "$build" = "$PWD/build" ] || ln -sfn "$build" "$home/build"
+    section 'From your .obj to a picture on a board' | code >"$home/picture.c"
+    section 'From your .obj to a picture on a board' | sed -n 's/^    \(build\|gcc\|\.\/\)/\1/p' >"$home/commands"
+    if ! (cd "$home" && [ "$(wc -l <commands)" -eq 3 ] && sh -eu commands >log 2>&1); then
+        echo "FAILED readme_own_$1: $(tail -3 "$home/log" | tr '\n' ' ')"
+        return
+    fi
+    if grep -q warning "$home/log"; then
+        echo "FAILED readme_own_$1: $(grep warning "$home/log" | head -1)"
+        return
+    fi
+    # pixels that are not the background, colours among them
+    # shellcheck disable=SC2046
+    set -- "$@" $(tail -c 172800 "$home/picture.ppm" | od -An -v -tx1 -w3 | sort | uniq -c |
+        awk '$2 $3 $4 != "081438" { n += $1; colors++ } END { print n + 0, colors + 0 }')
+    if [ "$(head -1 "$home/picture.ppm")" = 'P6 240 240 255' ] && [ "$(wc -c <"$home/picture.ppm")" -eq 172815 ] &&
+        [ "$5" -ge "$2" ] && [ "$5" -le "$3" ] && [ "$6" -ge "$4" ]; then
+        echo "ok readme_own_$1 ($5 of 57600 pixels, $6 colours)"
+    else
+        echo "FAILED readme_own_$1: $5 pixels of $6 colours, $(wc -c <"$home/picture.ppm") bytes"
+    fi
+}
+build=$(cd "$build" && pwd)
+make=$out/make
+gcc -O1 -Ifirmware/zstrip -I"$build/gen" tests/convert/make.c "$build/libmeshes.a" -lpng -lturbojpeg -lm -o "$make"
+mkdir -p "$out/teapot" "$out/boxes" "$out/torus"
+"$make" teapot >"$out/teapot/MODEL.obj"
+"$make" boxes 5 3 >"$out/boxes/MODEL.obj"
+"$make" boxes.mtl 3 >"$out/boxes/boxes.mtl"
+"$make" torus 48 24 4 torus.mtl >"$out/torus/MODEL.obj"
+printf 'newmtl skin\nmap_Kd photo.png\n' >"$out/torus/torus.mtl"
+"$make" png photo 128 128 "$out/torus/photo.png"
+lines=$(section 'From your .obj to a picture on a board' | code | wc -l)
+[ "$lines" -lt 40 ] && echo "ok readme_own_is_$lines""_lines" || echo "FAILED readme_own: $lines lines"
+follow teapot 8000 30000 20
+follow boxes 2000 30000 6
+follow torus 8000 40000 500

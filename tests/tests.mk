@@ -25,3 +25,18 @@ checksum-programs: $(CHECKSUMS)
 $(CHECKSUMS): tests/checksum.c $(CORE) $(HEADERS)
 	@mkdir -p $(@D)
 	@$(word 2,$(subst -, ,$(@F))) -std=c11 -$(word 3,$(subst -, ,$(@F))) $(INC) $(filter %.c,$^) -o $@
+
+# Fuzzers: the interface by seeds (fuzz_api); cards of meshes and textures by libFuzzer (fuzz_mesh, make fuzz
+# alone) and by mutations of its seeds (cards)
+fuzz_objects = $(call t,$(patsubst %,tests/fuzz/%.c,$(1))) $(B)/test/libtest.a
+fuzz-programs: $(B)/fuzz/fuzz_api $(B)/fuzz/cards
+$(B)/test/tests/fuzz/%.o: TEST_CC += -Itests/fuzz
+$(B)/fuzz/fuzz_api: $(call fuzz_objects,fuzz_api world)
+	@mkdir -p $(@D)
+	@$(CC) $(SAN) $^ -o $@
+$(B)/fuzz/cards: $(call fuzz_objects,cards fuzz_mesh world)
+	@mkdir -p $(@D)
+	@$(CC) $(SAN) $^ -o $@
+$(B)/fuzz/fuzz_mesh: tests/fuzz/fuzz_mesh.c tests/picture.c $(CORE) $(HEADERS)
+	@mkdir -p $(@D)
+	@$(subst $(CC) ,clang ,$(TEST_CC)) -Itests/fuzz -fsanitize=fuzzer $(filter %.c,$^) -o $@

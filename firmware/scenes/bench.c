@@ -32,10 +32,11 @@ static void open_bench(struct demo_frame *f, uint16_t w)
 
 /* ---- mesh: 2,520 triangles, half of them turned away, about 26,000 samples ------------------- */
 
-static void put_bumpy(struct demo_frame *f, uint16_t w, const struct zs_material *material)
+static void put_bumpy(struct demo_frame *f, uint16_t w, const struct zs_mesh *mesh,
+                      const struct zs_material *material)
 {
     open_bench(f, w);
-    zs_pose_turn(stage_put(f, &mesh_bumpy, material, 0, 0, -BENCH_BUMPY_Z * BENCH_UNIT, ZS_Q16_ONE),
+    zs_pose_turn(stage_put(f, mesh, material, 0, 0, -BENCH_BUMPY_Z * BENCH_UNIT, ZS_Q16_ONE),
                  5000, 3500, 0);
 }
 
@@ -43,15 +44,54 @@ static void pose_mesh(struct demo_frame *f, uint32_t t, uint16_t w, uint16_t h)
 {
     (void)t;
     (void)h;
-    put_bumpy(f, w, &raw);
+    put_bumpy(f, w, &mesh_bumpy, &raw);
 }
 
 static void pose_mesh_lit(struct demo_frame *f, uint32_t t, uint16_t w, uint16_t h)
 {
     (void)t;
     (void)h;
-    put_bumpy(f, w, &flat);
+    put_bumpy(f, w, &mesh_bumpy, &flat);
     stage_light(f, -3, 4, 5, 22, 78);
+}
+
+/* ---- mesh_tex: the same triangles, textured; a seam and the poles take 105 vertices more ----- */
+
+STAGE_COVER(tex, zs_shade_texture, texture_map);
+STAGE_COVER(tex_lit, zs_shade_texture_flat, texture_earth);
+STAGE_COVER(tex_smooth, zs_shade_texture_smooth, texture_earth);
+
+static void pose_mesh_tex(struct demo_frame *f, uint32_t t, uint16_t w, uint16_t h)
+{
+    (void)t;
+    (void)h;
+    put_bumpy(f, w, &mesh_bumpy_uv, &tex);
+}
+
+static void pose_mesh_tex_lit(struct demo_frame *f, uint32_t t, uint16_t w, uint16_t h)
+{
+    (void)t;
+    (void)h;
+    put_bumpy(f, w, &mesh_bumpy_uv, &tex_lit);
+    stage_light(f, -3, 4, 5, 22, 78);
+}
+
+static void pose_mesh_tex_smooth(struct demo_frame *f, uint32_t t, uint16_t w, uint16_t h)
+{
+    (void)t;
+    (void)h;
+    put_bumpy(f, w, &mesh_bumpy_uv, &tex_smooth);
+    stage_light(f, -3, 4, 5, 22, 78);
+}
+
+/* ---- floor_tex: two triangles through the near plane to the horizon, 36,160 samples ---------- */
+
+static void pose_floor_tex(struct demo_frame *f, uint32_t t, uint16_t w, uint16_t h)
+{
+    (void)t;
+    (void)h;
+    open_bench(f, w);
+    zs_pose_turn(stage_put(f, &mesh_plain, &tex, 0, 0, 0, ZS_Q16_ONE), 1500, 0, 0);
 }
 
 /* ---- layers: 8 full-screen trapezoids, 614,400 samples of the same picture ------------------- */
@@ -154,11 +194,20 @@ static void pose_slivers(struct demo_frame *f, uint32_t t, uint16_t w, uint16_t 
 }
 
 #define BENCH(id, what, pose) \
-    const struct demo demo_##id = { #id, what, 320, 240, 1, ZS_ATTRS_FLAT, 1, &zs_depth_recip, \
+    const struct demo demo_##id = { #id, what, 320, 240, 1, ZS_ATTRS_FLAT, 1, &zs_depth_float, \
                                     pose }
+#define BENCH_TEX(id, what, attrs, pose) \
+    const struct demo demo_##id = { #id, what, 320, 240, 1, attrs, 1, &zs_depth_float, pose }
 
 BENCH(mesh, "A bumpy ball of 2,520 triangles over a third of the picture, unlit", pose_mesh);
 BENCH(mesh_lit, "The same ball, flat-shaded by its face normals", pose_mesh_lit);
+BENCH_TEX(mesh_tex, "The same ball, textured in RGB565, unlit", ZS_ATTRS_TEXTURE, pose_mesh_tex);
+BENCH_TEX(mesh_tex_lit, "The same ball, textured by palette, flat-shaded", ZS_ATTRS_TEXTURE,
+          pose_mesh_tex_lit);
+BENCH_TEX(mesh_tex_smooth, "The same ball, textured by palette, smooth-shaded",
+          ZS_ATTRS_TEXTURE_SMOOTH, pose_mesh_tex_smooth);
+BENCH_TEX(floor_tex, "A textured plain to the horizon, cut at the near plane", ZS_ATTRS_TEXTURE,
+          pose_floor_tex);
 BENCH(layers_ftb, "Eight full-screen layers from front to back", pose_layers_ftb);
 BENCH(layers_btf, "Eight full-screen layers from back to front", pose_layers_btf);
 BENCH(layers_mixed, "Eight full-screen layers in mixed order", pose_layers_mixed);

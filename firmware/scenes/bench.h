@@ -17,6 +17,9 @@
 /* layers: layer k is the mesh, scaled so that BENCH_LAYER_Z steps are 1500 * 1.2^k bench units */
 #define BENCH_LAYER_Z 30000
 
+/* plain: of so many bench units under the eye */
+#define BENCH_PLAIN_Y (-360)
+
 /* sheet: at 6000 bench units 1 px is 18.75 of them, or BENCH_STEPS_PX steps of 384 world units */
 #define BENCH_STEPS_PX 200
 #define BENCH_SHEET_Z 64000 /* steps */

@@ -38,5 +38,5 @@ static void pose(struct demo_frame *f, uint32_t t, uint16_t w, uint16_t h)
 
 const struct demo demo_cubes = {
     "cubes", "Nine cubes tumble around each other, flat-shaded, a colour a side",
-    240, 240, FRAMES, ZS_ATTRS_FLAT, 0, &zs_depth_recip, pose,
+    240, 240, FRAMES, ZS_ATTRS_FLAT, 0, &zs_depth_float, pose,
 };

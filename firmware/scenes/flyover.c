@@ -42,5 +42,5 @@ static void pose(struct demo_frame *f, uint32_t t, uint16_t w, uint16_t h)
 
 const struct demo demo_flyover = {
     "flyover", "A low flight along a river between hills, flat-shaded, cut at the near plane",
-    240, 240, FRAMES, ZS_ATTRS_FLAT, 0, &zs_depth_recip, pose,
+    240, 240, FRAMES, ZS_ATTRS_FLAT, 0, &zs_depth_float, pose,
 };

@@ -23,5 +23,5 @@ static void pose(struct demo_frame *f, uint32_t t, uint16_t w, uint16_t h)
 
 const struct demo demo_knot = {
     "knot", "The camera goes around a torus knot in all colours, smooth-shaded",
-    240, 240, FRAMES, ZS_ATTRS_SMOOTH, 0, &zs_depth_recip, pose,
+    240, 240, FRAMES, ZS_ATTRS_SMOOTH, 0, &zs_depth_float, pose,
 };

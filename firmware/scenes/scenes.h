@@ -26,7 +26,7 @@ struct demo {
     uint16_t width, height;       /* px it was composed for; others work */
     uint16_t frames;              /* of its animation, which then repeats; 1 .. */
     uint16_t attrs;               /* config.attrs that its shaders need */
-    uint16_t bench;               /* 1: one of the five bench scenes */
+    uint16_t bench;               /* 1: a bench scene */
     const struct zs_depth *depth; /* the mapping that its camera takes */
     /* Fill *f for frame t (any; taken modulo frames) of a w x h px picture. */
     void (*pose)(struct demo_frame *f, uint32_t t, uint16_t w, uint16_t h);
@@ -36,9 +36,11 @@ extern const struct demo *const demos[]; /* [n_demos] */
 extern const uint32_t n_demos;
 
 /* One by one, so that a firmware which shows a single scene links the meshes of that one alone. */
-extern const struct demo demo_teapot, demo_cubes, demo_knot, demo_flyover, demo_city;
-extern const struct demo demo_mesh, demo_mesh_lit, demo_layers_ftb, demo_layers_btf,
-    demo_layers_mixed, demo_sheet, demo_corridor, demo_slivers;
+extern const struct demo demo_teapot, demo_cubes, demo_knot, demo_flyover, demo_city,
+    demo_hall, demo_globe;
+extern const struct demo demo_mesh, demo_mesh_lit, demo_mesh_tex, demo_mesh_tex_lit,
+    demo_mesh_tex_smooth, demo_floor_tex, demo_layers_ftb, demo_layers_btf, demo_layers_mixed,
+    demo_sheet, demo_corridor, demo_slivers;
 
 #ifdef __cplusplus
 }

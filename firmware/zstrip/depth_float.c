@@ -190,6 +190,12 @@ ZS_ALWAYS_INLINE void float_span(struct zs_job *job, const struct zs_row *row)
     }
 }
 
+/* Apart, so that its frame is not on the stack below start(). */
+static ZS_NOINLINE void float_walk(struct zs_job *job)
+{
+    zs_rows_walk(job, float_span);
+}
+
 static void float_rows(struct zs_job *job)
 {
     const struct zs_shader *shader = job->shader;
@@ -209,7 +215,7 @@ static void float_rows(struct zs_job *job)
     job->saturates = (uint8_t)zs_keys_may_saturate(job);
     if (shader->start)
         shader->start(job);
-    zs_rows_walk(job, float_span);
+    float_walk(job);
 }
 
 const struct zs_depth zs_depth_float = { any_setup, float_vertex, float_rows, float_inverse, 0 };

@@ -124,6 +124,12 @@ ZS_ALWAYS_INLINE void linear_span(struct zs_job *job, const struct zs_row *row)
     zs_rows_run(job, shader, row, from, row->i1);
 }
 
+/* Apart, so that its frame is not on the stack below start(). */
+static ZS_NOINLINE void linear_walk(struct zs_job *job)
+{
+    zs_rows_walk(job, linear_span);
+}
+
 static void linear_rows(struct zs_job *job)
 {
     linear_planes(job);
@@ -131,7 +137,7 @@ static void linear_rows(struct zs_job *job)
     job->key.base = job->key.gx = job->key.gy = 0; /* not used, but walked */
     if (shader->start)
         shader->start(job);
-    zs_rows_walk(job, linear_span);
+    linear_walk(job);
 }
 
 const struct zs_depth zs_depth_linear = { linear_setup, linear_vertex, linear_rows, linear_inverse,

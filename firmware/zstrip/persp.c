@@ -16,36 +16,71 @@ const uint32_t zs_one_over[(1 << ZS_SUB_LOG2_MAX) + 1] = {
 void zs_persp_w(const struct zs_job *job, uint32_t w[3])
 {
     const struct zs_depth *depth = job->r->config.depth;
+    const struct zs_view *view = &job->r->view;
     uint64_t wide[3], most = 0;
+    if (!view->perspective) {
+        w[0] = w[1] = w[2] = 1u << 30;
+        return;
+    }
     for (int k = 0; k < 3; k++) {
-        if (!job->r->view.perspective) {
-            w[k] = 1u << 30;
-            continue;
-        }
-        wide[k] = depth->inverse(&job->r->view, job->v[k]->d); /* 1 .. 2^62 */
+        wide[k] = depth->inverse(view, job->v[k]->d); /* 1 .. 2^62 */
         most |= wide[k];
     }
-    if (!job->r->view.perspective)
-        return;
-    const int32_t shift = 33 - zs_clz64(most);
+    const int32_t shift = 33 - zs_clz64(most); /* -30 .. 32 */
+    const uint64_t half = shift > 0 ? (uint64_t)1 << (shift - 1) : 0u;
     for (int k = 0; k < 3; k++)
-        w[k] = (uint32_t)zs_scale2((int64_t)wide[k], -shift);
+        w[k] = (uint32_t)(shift > 0 ? (wide[k] + half) >> shift : wide[k] << -shift);
+}
+
+/* Find runs of pixels that are seen, and colour them. */
+ZS_ALWAYS_INLINE void test(struct zs_job *job, const struct zs_row *row, int32_t i0, int32_t i1,
+                           uint32_t sum, uint32_t gx)
+{
+    const struct zs_shader *shader = job->shader;
+    const uint32_t top = (job->r->view.key_top >> 16) - 1u;
+    uint16_t *at = job->depth + row->at + i0, *const end = at + (i1 - i0);
+    while (at < end) {
+        uint32_t key = sum >> 16;
+        sum += gx;
+        if (key > top)
+            key = top;
+        if (key >= *at) {
+            at++;
+            continue;
+        }
+        const uint16_t *const from = at;
+        do {
+            *at++ = (uint16_t)key;
+            key = sum >> 16;
+            if (key > top)
+                key = top;
+            sum += gx;
+        } while (at < end && key < *at);
+        const int32_t to = i1 - (int32_t)(end - at);
+        zs_rows_run(job, shader, row, to - (int32_t)(at - from), to);
+        at++; /* hidden, or beyond the end */
+    }
 }
 
 void zs_persp_span(struct zs_job *job, const struct zs_row *row, int32_t i0, int32_t i1, uint32_t sum,
                    uint32_t gx)
 {
-    zs_rows_test(job, row, i0, i1, sum, gx, 0);
+    test(job, row, i0, i1, sum, gx);
 }
 
 ZS_ALWAYS_INLINE void keys_span(struct zs_job *job, const struct zs_row *row)
 {
-    zs_rows_test(job, row, row->i0, row->i1, row->key + zs_wrap_mul(job->key.gx, row->i0), job->key.gx, 0);
+    test(job, row, row->i0, row->i1, row->key + zs_wrap_mul(job->key.gx, row->i0), job->key.gx);
+}
+
+void zs_persp_walk(struct zs_job *job)
+{
+    zs_rows_walk(job, keys_span);
 }
 
 void zs_persp_rows(struct zs_job *job)
 {
     const struct zs_shader *shader = job->shader;
     shader->start(job);
-    zs_rows_walk(job, keys_span);
+    zs_persp_walk(job);
 }

@@ -3,10 +3,11 @@
  * Plain affine interpolation of a value that changes by du over a span in which w = 1/z changes by the
  * ratio rho is wrong by at most du (sqrt rho - 1) / (sqrt rho + 1) <= du (rho - 1) / 4 (Heckbert). Where
  * that is little enough over the whole triangle, attributes are affine. Otherwise attribute * w and w are
- * linear on the screen; they are divided at the ends of sub-spans of 2^k pixels, for which the same
- * bound holds over 2^k pixels anywhere in the triangle. Sub-spans count from the row's first covered pixel,
- * on the screen or not, and the last one ends at the row's last covered pixel: what is hidden, clipped or in
- * another strip moves no sub-span, and w is never taken outside the triangle.
+ * linear on the screen, and are divided at the ends of parts of a row. Smooth colours: sub-spans of 2^k pixels,
+ * one k a triangle, for which the bound holds anywhere in it. Textures: blocks that are chosen along the row. Both
+ * count from the row's first covered pixel, on the screen or not, and the last part ends at the row's last
+ * covered pixel: what is hidden, clipped or in another strip moves nothing, and w is never taken outside the
+ * triangle.
  *
  * SPDX-License-Identifier: MIT
  */
@@ -18,8 +19,9 @@
 #define ZS_AFFINE 31u       /* job->sub_log2: plain affine */
 #define ZS_SUB_LOG2_MAX 5u
 
-/* rows and span of a shader that colours runs: depth test, then its run. */
+/* rows and span of a shader that colours runs: depth test, then its run. walk: rows without start. */
 void zs_persp_rows(struct zs_job *job);
+void zs_persp_walk(struct zs_job *job);
 void zs_persp_span(struct zs_job *job, const struct zs_row *row, int32_t i0, int32_t i1, uint32_t sum,
                    uint32_t gx);
 

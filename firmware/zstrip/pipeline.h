@@ -60,6 +60,8 @@ struct zs_texel {
     /* n texels along a walk, RGB565 in wire order. */
     void (*fetch)(const struct zs_texture *texture, uint16_t *out, int32_t n,
                   const struct zs_walk *walk);
+    /* As shader->rows, unlit, where job->c[0] and [1] are u and v, uq0_32; log2_w, log2_h > 0. */
+    void (*rows)(struct zs_job *job);
     uint16_t colors_max; /* of the palette; 0: there is none */
     uint8_t log2_w_min;
 };
@@ -185,8 +187,10 @@ struct zs_geom {
 struct zs_sampler {
     const struct zs_texture *texture;
     uint64_t base[2]; /* q32_32 repeats at coordinate 0, a little added: see shade_texture.c */
-    int32_t shift[2]; /* coordinate * 2^shift is in 2^-32 repeats */
+    int8_t shift[2];  /* coordinate * 2^shift is in 2^-32 repeats */
+    uint32_t least_w[6]; /* blocks of 2^k pixels need at least this w */
     uint8_t wide;     /* 1: the texture is clamped, or one texel wide or high */
+    uint8_t direct;   /* 1: affine and not wide: job->c[0] and [1] are u and v, uq0_32 */
 };
 
 /* One triangle in one strip: the wide record, alive only while it is drawn. */

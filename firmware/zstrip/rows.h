@@ -108,38 +108,6 @@ ZS_ALWAYS_INLINE int zs_rows_state(const struct zs_job *job, const struct zs_sta
     return 1;
 }
 
-/* Test pixels [i0, i1) of a row, whose keys are sum / 65536 and change by gx, and colour the runs of those
- * that are seen. sum has half a bucket added. state is the job's, or 0 where it has none. */
-ZS_ALWAYS_INLINE void zs_rows_test(struct zs_job *job, const struct zs_row *row, int32_t i0, int32_t i1,
-                                   uint32_t sum, uint32_t gx, const struct zs_state *state)
-{
-    const struct zs_shader *shader = job->shader;
-    const uint32_t top = (job->r->view.key_top >> 16) - 1u;
-    uint16_t *depth = job->depth + row->at;
-    int32_t from = -1; /* first pixel of the current run */
-    for (int32_t i = i0; i < i1; i++, sum += gx) {
-        uint32_t key = sum >> 16;
-        int seen;
-        if (state) {
-            seen = zs_rows_state(job, state, key, top, &depth[i]);
-        } else {
-            if (key > top)
-                key = top;
-            seen = key < depth[i];
-            if (seen)
-                depth[i] = (uint16_t)key;
-        }
-        if (seen) {
-            if (from < 0)
-                from = i;
-        } else {
-            zs_rows_run(job, shader, row, from, i);
-            from = -1;
-        }
-    }
-    zs_rows_run(job, shader, row, from, i1);
-}
-
 /* Set job->key: the plane through the vertices' keys. */
 static inline void zs_rows_keys(struct zs_job *job)
 {

@@ -1,14 +1,20 @@
 /* Textured shading: nearest texel, perspective-correct, unlit or times light.
  *
- * Coordinates. A vertex carries u and v as in the mesh, biased to be unsigned. A triangle brings each to
- * un = (u - least u) * 2^s, s as large as 16 bits allow, so that small differences keep their bits, and carries
- * U = un * 2^15 (affine) or U / 2^31 * w over the screen (persp.h): 31 bits either way. A run turns U into
- * 2^-32 repeats of the texture: base + U * 2^shift.
+ * Coordinates. A vertex carries u and v as in the mesh, biased to be unsigned. A triangle takes the least u (v) of
+ * its corners for its base and carries what is above it. Affine: in 2^-32 repeats, or in 2^s of them where that
+ * would need more than 29 bits; shifted up at once, modulo one repeat, which a shift to the left survives. By
+ * sub-spans: normalised to un, 16 bits, so that small differences keep their bits, times w (persp.h).
  *
- * Sub-spans. The error of affine interpolation is held below 1/8 texel of the texture, or of one of 128 where it
- * is smaller: T (rho - 1) / 4 <= 1/8, with T the texels that the triangle spans, rho its ratio of w. Over L pixels
- * T is at most L * |dU/dx| and rho - 1 is L * |dw/dx| / least w. With W = w, C = U w / 2^31 and both linear on the
- * screen, dU/dx = (C' - U W') / w, whose largest is at U = 0 or 1: max(|C'|, |C' - W'|) / least w.
+ * Error of affine interpolation, in texels of the texture, or of one of 128 where it is smaller; held below 1/8.
+ * Whole triangle: T (rho - 1) / 4, with T the texels that it spans, rho its ratio of w.
+ * Blocks of L = 2^k pixels of a row: with W = w and C = U w, both linear along the row,
+ *   u1 - u0 = (C' W0 - C0 W') L / (W0 W1),  rho - 1 = W' L / W0,  so the error is K |W'| L^2 / (4 W0^2 W1),
+ * K = |C' W - C W'|, which is constant along a row and linear from row to row: its largest is at a vertex,
+ * |C' - U W'| W. So a block may be as long as W^3 >= 2 T K |W'| L^2 allows, W the less of its two ends: near parts
+ * of a triangle get long blocks and far parts short ones. Blocks of 2^k start at multiples of 2^k from the row's
+ * first covered pixel, and each pixel belongs to the largest that is allowed (one that is allowed holds smaller ones
+ * that are too, because w is monotonous); the last ends at the row's last covered pixel.
+ * Light goes the same way, 128 codes to its whole range.
  *
  * Errors of a coordinate beyond that, in texels: planes 2^-21 of the triangle's span times rho (plane.c,
  * ZS_PLANE_WIDE), reciprocal 2^-29 of the span, vertices at the near plane half a step of the mesh's.
@@ -23,6 +29,7 @@
 #define BIAS_LOG2 9 /* 2^-9 texel */
 #define FLOOR_LOG2 7u /* smaller textures are held to 1/8 texel of one of 128 */
 #define LIGHT_MAX 65504u /* uq1_15, just below 2: light() adds a half */
+#define LIGHT_LOG2 7     /* codes that its 16 bits stand for: 126 */
 #define LIGHT_ONE 1024u  /* light at a pixel, uq1_10 */
 
 /* ---- Vertices and faces ---------------------------------------------------------------------------- */
@@ -86,40 +93,78 @@ static inline uint64_t shifted(int64_t v, int32_t shift)
     return shift >= 0 ? (uint64_t)v << shift : (uint64_t)(v >> -shift);
 }
 
-/* Values of one coordinate at the vertices, un, and the sampler's way back. Return log2 of the texels (of 128
- * or more to a repeat) that un's 16 bits stand for. */
-static int32_t coordinate(struct zs_job *job, const uint16_t *const a[3], int c, uint32_t un[3])
+/* One coordinate of a triangle: what its corners have above the least of them. */
+struct coordinate {
+    uint32_t above[3]; /* 2^-uv_bits repeats */
+    int32_t up;        /* above * 2^up has its largest in [2^15, 2^16), or all are 0 */
+    int32_t texels;    /* log2 of the texels (of 128 or more to a repeat) that those 16 bits stand for */
+};
+
+static void coordinate(struct zs_job *job, const uint16_t *const a[3], int c, uint32_t uv_bits,
+                       struct coordinate *out)
 {
     struct zs_sampler *s = &job->sampler;
-    const uint32_t uv_bits = job->r->scene->instance[job->tri->instance].mesh->uv_bits;
     const uint32_t log2 = c ? s->texture->log2_h : s->texture->log2_w;
     const int32_t least = zs_min32(zs_min32(a[0][c], a[1][c]), a[2][c]);
-    const int32_t most = zs_max32(zs_max32(a[0][c], a[1][c]), a[2][c]);
-    const int32_t up = most > least ? zs_clz32((uint32_t)(most - least)) - 16 : 0; /* 0 .. 15 */
+    uint32_t any = 1;
     for (int k = 0; k < 3; k++)
-        un[k] = (uint32_t)(a[k][c] - least) << up; /* < 2^16 */
-    s->shift[c] = 17 - up - (int32_t)uv_bits;
+        any |= out->above[k] = (uint32_t)(a[k][c] - least);
+    out->up = zs_clz32(any) - 16; /* 0 .. 15 */
+    s->shift[c] = (int8_t)(17 - out->up - (int32_t)uv_bits);
     s->base[c] = shifted(least - 32768, 32 - (int32_t)uv_bits) +
                  ((uint64_t)1 << (32 - BIAS_LOG2 - (int32_t)log2));
-    return 16 - up - (int32_t)uv_bits + (int32_t)(log2 > FLOOR_LOG2 ? log2 : FLOOR_LOG2);
+    out->texels = 16 - out->up - (int32_t)uv_bits + (int32_t)(log2 > FLOOR_LOG2 ? log2 : FLOOR_LOG2);
 }
 
-/* a * b * 2^shift <= c * d for factors below 2^32. */
-static int product_within(uint32_t a, uint32_t b, int32_t shift, uint32_t c, uint32_t d)
+/* 256 * n / area * 2^(32 - uv_bits), nearest: a gradient in 2^-32 repeats. 0 in *ok where it has 31 bits or more.
+ * |n| < 2^31. Error 2^-30 of it and 1/2 ulp. */
+static inline uint32_t direct_gradient(const struct zs_geom *g, int32_t n, int32_t shift, int *ok)
 {
-    const uint64_t p = (uint64_t)a * b, limit = (uint64_t)c * d;
-    if (shift >= 64)
-        return p == 0;
-    if (shift >= 0)
-        return p <= limit >> shift;
-    return shift <= -64 || p >> -shift <= limit;
+    const int64_t q = ((int64_t)n * g->rcp + ((int64_t)1 << (shift - 1))) >> shift; /* product < 2^63 */
+    *ok &= q == (int32_t)q;
+    return (uint32_t)q;
 }
 
-/* Plain affine: 2^texels * range / 2^16 * change / least / 4 <= 1/8. */
-static int affine_enough(const uint32_t un[3], int32_t texels, uint32_t change, uint32_t least)
+/* The same as affine_plane for small triangles with differences below 2^14. Return 0 where it is not for it. */
+static int direct_plane(const struct zs_job *job, const struct coordinate *c, uint32_t uv_bits, uint64_t base,
+                        struct zs_plane *out)
 {
-    const uint32_t range = un[0] | un[1] | un[2]; /* below twice the largest, at least it */
-    return product_within(range, change, texels - 15, least, 1u);
+    const struct zs_geom *g = &job->geom;
+    const int32_t shift = g->exp + 23 + (int32_t)uv_bits; /* 2^8 * 2^(32 - uv_bits) / (2^63 * 2^exp) */
+    if (g->rcp == 0 || c->up < 2 || shift < 1)
+        return 0;
+    const int32_t d1 = (int32_t)(c->above[1] - c->above[0]), d2 = (int32_t)(c->above[2] - c->above[0]);
+    int ok = 1;
+    const uint32_t gx = direct_gradient(g, d1 * g->dy2 - d2 * g->dy1, shift, &ok); /* |d| <= 2^16 */
+    const uint32_t gy = direct_gradient(g, d2 * g->dx1 - d1 * g->dx2, shift, &ok);
+    const int64_t step = (int64_t)(int32_t)gx * g->ax + (int64_t)(int32_t)gy * g->ay; /* < 2^39 */
+    const uint64_t first = (uint64_t)c->above[0] << (32 - uv_bits);
+    out->base = (uint32_t)base + (uint32_t)first + (uint32_t)zs_round_shift(step, 8);
+    out->gx = gx;
+    out->gy = gy;
+    return ok;
+}
+
+/* The plane of a coordinate in 2^-32 repeats modulo one repeat, its base included. */
+static void affine_plane(struct zs_job *job, const struct coordinate *c, uint32_t uv_bits, uint64_t base,
+                         struct zs_plane *out)
+{
+    if (direct_plane(job, c, uv_bits, base, out))
+        return;
+    const int32_t whole = 32 - (int32_t)uv_bits, most = 13 + c->up; /* 29 bits */
+    const int32_t up = zs_min32(whole, most), later = whole - up;
+    zs_plane32(&job->geom, c->above[0] << up, c->above[1] << up, c->above[2] << up, ZS_PLANE_WIDE, out);
+    out->base = (out->base << later) + (uint32_t)base;
+    out->gx <<= later;
+    out->gy <<= later;
+}
+
+/* Plain affine: 2^texels * change / least / 4 <= 1/8, for a range of all 16 bits. */
+static inline int affine_enough(int32_t texels, uint32_t change, uint32_t least)
+{
+    if (texels < 0)
+        return texels < -31 || change >> -texels < least >> 1;
+    return texels < 31 && change <= (least >> 1) >> texels;
 }
 
 static inline uint32_t size_of(uint32_t gradient)
@@ -127,68 +172,104 @@ static inline uint32_t size_of(uint32_t gradient)
     return gradient >> 31 ? 0u - gradient : gradient;
 }
 
-/* 2^texels * du * 2^k * dw * 2^k / 4 <= 1/8 with du = steep / least, dw = slope / least. */
-static int sub_span_enough(const struct zs_plane *c, const struct zs_plane *w, int32_t texels,
-                           uint32_t least, int32_t k)
+/* The light's words: range * 2^-15 * 64 codes * change / least / 4 <= 1/8. */
+static inline int light_enough(uint32_t range, uint32_t change, uint32_t least)
 {
-    const uint32_t slope = size_of(w->gx);
-    const int64_t c_gx = (int32_t)c->gx, w_gx = (int32_t)w->gx;
-    const int64_t at0 = c_gx < 0 ? -c_gx : c_gx;
-    const int64_t at1 = c_gx - w_gx < 0 ? w_gx - c_gx : c_gx - w_gx;
-    const int64_t steep = at0 > at1 ? at0 : at1; /* <= 2^32 */
-    return product_within(steep > UINT32_MAX ? UINT32_MAX : (uint32_t)steep, slope, texels + 2 * k + 1, least, least);
+    return (uint64_t)range * change <= (uint64_t)least << 8;
 }
 
-/* The light's words: range * 2^-15 * 64 codes * change / least / 4 <= 1/8. */
-static int light_enough(uint32_t range, uint32_t change, uint32_t least)
+/* ceil(log2(2^(texels + 1) K |W'|)) of an attribute; -128: it is 0. */
+static int32_t block_log2(const struct zs_plane *c, const struct zs_plane *w_plane, const uint32_t un[3],
+                          const uint32_t w[3], int32_t texels)
 {
-    return product_within(range, change, 0, least, 256u);
+    const int32_t c_gx = (int32_t)c->gx, w_gx = (int32_t)w_plane->gx;
+    uint64_t most = 0;
+    for (int k = 0; k < 3; k++) {
+        const int64_t d = c_gx - ((int64_t)w_gx * un[k] >> 16); /* <= 2^32 */
+        const uint64_t size = (uint64_t)(d < 0 ? -d : d) * w[k];
+        if (most < size)
+            most = size;
+    }
+    if (most == 0 || w_gx == 0)
+        return -128;
+    const int32_t cut = 64 - zs_clz64(most) > 31 ? 33 - zs_clz64(most) : 0;
+    const uint64_t product = ((most >> cut) + 1u) * size_of((uint32_t)w_gx); /* > most * |W'| / 2^cut */
+    return texels + 1 + cut + 64 - zs_clz64(product);
+}
+
+/* ceil(2^(n / 3)), held to 32 bits. */
+static uint32_t third_power(int32_t n)
+{
+    static const uint32_t part[3] = { 0x80000000u, 0xa14517ccu, 0xcb2ff52au }; /* 2^31 * 2^(i / 3), rounded up */
+    if (n < 0)
+        return 1;
+    return n >= 96 ? UINT32_MAX : ((part[n % 3] - 1u) >> (31 - n / 3)) + 1u;
+}
+
+static void blocks(struct zs_job *job, const uint16_t *const a[3], const struct coordinate c[2],
+                   const uint32_t w[3])
+{
+    const int n = job->shader->n_attrs;
+    int32_t need = -128;
+    zs_plane32(&job->geom, w[0], w[1], w[2], ZS_PLANE_WIDE, &job->w);
+    for (int i = 0; i < n; i++) {
+        uint32_t un[3], v[3];
+        for (int k = 0; k < 3; k++) {
+            un[k] = i < 2 ? c[i].above[k] << c[i].up : a[k][2]; /* < 2^16 */
+            v[k] = zs_umulh(un[k] << 16, w[k]);
+        }
+        zs_plane32(&job->geom, v[0], v[1], v[2], ZS_PLANE_WIDE, &job->c[i]);
+        need = zs_max32(need, block_log2(&job->c[i], &job->w, un, w, i < 2 ? c[i].texels : LIGHT_LOG2));
+    }
+    for (int32_t k = 0; k <= (int32_t)ZS_SUB_LOG2_MAX; k++)
+        job->sampler.least_w[k] = k ? third_power(need + 2 * k) : 0u;
+    job->sub_log2 = 0;
 }
 
 static void texture_start(struct zs_job *job)
 {
+    const struct zs_instance *in = &job->r->scene->instance[job->tri->instance];
+    const struct zs_texture *t = in->material->texture;
+    const uint32_t uv_bits = in->mesh->uv_bits;
+    const int lit = job->shader->n_attrs == 3;
     const uint16_t *a[3];
-    uint32_t w[3], value[3][3] = { { 0 } }, light_range = 0;
-    int32_t texels[2];
-    const int n = job->shader->n_attrs, lit = n == 3;
+    uint32_t w[3], light_range = 0;
+    struct coordinate c[2];
     zs_persp_attrs(job, a);
     zs_persp_w(job, w);
-    const struct zs_texture *t = job->r->scene->instance[job->tri->instance].material->texture;
     job->sampler.texture = t;
+    job->sampler.direct = 0;
     job->sampler.wide = t->clamp || !t->log2_w || !t->log2_h;
-    for (int c = 0; c < 2; c++)
-        texels[c] = coordinate(job, a, c, value[c]);
+    coordinate(job, a, 0, uv_bits, &c[0]);
+    coordinate(job, a, 1, uv_bits, &c[1]);
     uint32_t most = w[0], least = w[0];
-    for (int k = 0; k < 3; k++) {
+    for (int k = 1; k < 3; k++) {
         most = w[k] > most ? w[k] : most;
         least = w[k] < least ? w[k] : least;
-        if (lit)
-            value[2][k] = a[k][2];
     }
     if (lit) {
         const int32_t lo = zs_min32(zs_min32(a[0][2], a[1][2]), a[2][2]);
         light_range = (uint32_t)(zs_max32(zs_max32(a[0][2], a[1][2]), a[2][2]) - lo);
     }
     const uint32_t change = most - least;
-    if (affine_enough(value[0], texels[0], change, least) &&
-        affine_enough(value[1], texels[1], change, least) && light_enough(light_range, change, least)) {
-        job->sub_log2 = ZS_AFFINE;
-        for (int c = 0; c < n; c++)
-            zs_plane32(&job->geom, value[c][0] << 15, value[c][1] << 15, value[c][2] << 15,
-                       ZS_PLANE_WIDE, &job->c[c]);
+    if (!affine_enough(c[0].texels, change, least) || !affine_enough(c[1].texels, change, least) ||
+        (lit && !light_enough(light_range, change, least))) {
+        blocks(job, a, c, w);
         return;
     }
-    zs_plane32(&job->geom, w[0], w[1], w[2], ZS_PLANE_WIDE, &job->w);
-    for (int c = 0; c < n; c++)
-        zs_plane32(&job->geom, zs_umulh(value[c][0] << 16, w[0]), zs_umulh(value[c][1] << 16, w[1]),
-                   zs_umulh(value[c][2] << 16, w[2]), ZS_PLANE_WIDE, &job->c[c]);
-    const uint32_t slope = size_of(job->w.gx);
-    int32_t k = (int32_t)ZS_SUB_LOG2_MAX;
-    while (k > 0 && (!sub_span_enough(&job->c[0], &job->w, texels[0], least, k) ||
-                     !sub_span_enough(&job->c[1], &job->w, texels[1], least, k) ||
-                     (lit && (slope >> (31 - k) || !light_enough(light_range, slope << k, least)))))
-        k--;
-    job->sub_log2 = (uint32_t)k;
+    job->sub_log2 = ZS_AFFINE;
+    job->sampler.direct = !job->sampler.wide;
+    if (job->sampler.wide) { /* what lies beyond one repeat counts */
+        for (int i = 0; i < 2; i++)
+            zs_plane32(&job->geom, c[i].above[0] << (15 + c[i].up), c[i].above[1] << (15 + c[i].up),
+                       c[i].above[2] << (15 + c[i].up), ZS_PLANE_WIDE, &job->c[i]);
+    } else {
+        affine_plane(job, &c[0], uv_bits, job->sampler.base[0], &job->c[0]);
+        affine_plane(job, &c[1], uv_bits, job->sampler.base[1], &job->c[1]);
+    }
+    if (lit)
+        zs_plane32(&job->geom, (uint32_t)a[0][2] << 15, (uint32_t)a[1][2] << 15, (uint32_t)a[2][2] << 15,
+                   ZS_PLANE_WIDE, &job->c[2]);
 }
 
 /* ---- Runs ------------------------------------------------------------------------------------------- */
@@ -266,67 +347,140 @@ static void light(uint16_t *out, int32_t n, uint32_t l, uint32_t step)
     }
 }
 
-/* Attributes at a covered pixel by division: 2^-31 of their span. */
-static void divide_at(const struct zs_job *job, int32_t i, int32_t row, int n, uint32_t out[3])
+/* Attributes at a covered pixel by division: 2^-31 of their span. Return w there. */
+static uint32_t divide_at(const struct zs_job *job, int32_t i, int32_t row, int n, uint32_t out[3])
 {
     uint32_t w;
     int32_t lz;
     const uint32_t rcp = zs_persp_rcp(job, i, row, &w, &lz);
-    for (int c = 0; c < n; c++)
-        out[c] = zs_persp_over(zs_plane_at(job, &job->c[c], i, row), w, rcp, lz);
+    out[0] = zs_persp_over(zs_plane_at(job, &job->c[0], i, row), w, rcp, lz);
+    out[1] = zs_persp_over(zs_plane_at(job, &job->c[1], i, row), w, rcp, lz);
+    if (n == 3)
+        out[2] = zs_persp_over(zs_plane_at(job, &job->c[2], i, row), w, rcp, lz);
+    return w;
 }
 
-/* n pixels from attributes c on, changing by step. */
-static inline void emit(const struct zs_job *job, uint16_t *out, int32_t n, const uint32_t c[3],
-                        const int32_t step[3])
+static inline void lighten(const struct zs_job *job, uint16_t *out, int32_t n, uint32_t level, int32_t step)
 {
     const struct zs_shader *shader = job->shader;
-    fetch(job, out, n, c, step);
-    if (!shader->light)
-        return;
     if (shader->n_attrs == 3)
-        shader->light(out, n, c[2] << 1, (uint32_t)step[2] << 1);
-    else if (job->tri->paint != 32768u)
+        shader->light(out, n, level << 1, (uint32_t)step << 1);
+    else if (shader->light && job->tri->paint != 32768u)
         shader->light(out, n, (uint32_t)job->tri->paint << 16, 0);
+}
+
+static void run_affine(struct zs_job *job, const struct zs_row *row, int32_t r0, int32_t n)
+{
+    const struct zs_texture *t = job->sampler.texture;
+    const struct zs_texel *texel = t->format;
+    uint16_t *out = job->color + row->at + r0;
+    const uint32_t u = zs_plane_at(job, &job->c[0], r0, row->y), v = zs_plane_at(job, &job->c[1], r0, row->y);
+    const uint32_t du = job->c[0].gx, dv = job->c[1].gx; /* beyond 31 bits only where a run is one pixel */
+    if (!job->sampler.direct) {
+        const uint32_t c[2] = { u, v };
+        const int32_t step[2] = { (int32_t)du, (int32_t)dv };
+        fetch_wide(&job->sampler, out, n, c, step);
+    } else {
+        const struct zs_walk walk = { u, v, du, dv };
+        texel->fetch(t, out, n, &walk);
+    }
+    if (job->shader->n_attrs == 3)
+        lighten(job, out, n, zs_plane_at(job, &job->c[2], r0, row->y), (int32_t)job->c[2].gx);
+    else if (job->shader->light)
+        lighten(job, out, n, 0, 0);
+}
+
+/* log2 of the block that begins at pixel i of a row, where w is. */
+static inline int32_t block_at(const struct zs_job *job, const struct zs_row *row, int32_t i, uint32_t w)
+{
+    const int32_t gx = (int32_t)job->w.gx, left = row->x1 - 1 - i;
+    const uint32_t offset = (uint32_t)(i - row->x0) | 1u << ZS_SUB_LOG2_MAX;
+    int32_t k = 0;
+    while (!(offset >> k & 1u)) { /* blocks of 2^(k + 1) may begin here */
+        const uint32_t far_end = gx < 0 ? w + zs_wrap_mul(job->w.gx, zs_min32((int32_t)2 << k, left)) : w;
+        if (far_end < job->sampler.least_w[k + 1])
+            break;
+        k++;
+    }
+    return k;
+}
+
+/* First pixel of the block that pixel i of a row belongs to: the largest that is allowed. */
+static int32_t block_start(const struct zs_job *job, const struct zs_row *row, int32_t i)
+{
+    for (int32_t k = (int32_t)ZS_SUB_LOG2_MAX; k > 0; k--) {
+        const int32_t from = row->x0 + ((i - row->x0) & -((int32_t)1 << k));
+        const int32_t to = zs_min32(from + ((int32_t)1 << k), row->x1 - 1);
+        const int32_t at = (int32_t)job->w.gx < 0 ? to : from;
+        if (zs_plane_at(job, &job->w, at, row->y) >= job->sampler.least_w[k])
+            return from;
+    }
+    return i;
+}
+
+/* The step to a block's end, n pixels or 2^whole further; *c moves on by `skip` pixels. */
+static inline int32_t step_of(uint32_t *c, uint32_t next, int32_t whole, int32_t n, int32_t skip)
+{
+    const int32_t all = (int32_t)(next - *c); /* |.| < 2^31 */
+    const int32_t step = whole >= 0 ? all >> whole : (int32_t)((int64_t)all * zs_one_over[n] >> 16);
+    *c += zs_wrap_mul((uint32_t)step, skip);
+    return step;
+}
+
+static void run_blocks(struct zs_job *job, const struct zs_row *row, int32_t r0, int32_t r1)
+{
+    uint16_t *color = job->color + row->at;
+    const int n = job->shader->n_attrs;
+    uint32_t c[3], next[3] = { 0 };
+    int32_t step[3] = { 0 };
+    int32_t from = r0 == row->x0 ? r0 : block_start(job, row, r0);
+    uint32_t w = divide_at(job, from, row->y, n, next);
+    for (;;) {
+        const int32_t k = block_at(job, row, from, w);
+        const int32_t end = from + ((int32_t)1 << k), to = zs_min32(end, row->x1 - 1); /* covered */
+        const int32_t i0 = zs_max32(from, r0), i1 = zs_min32(end, r1);
+        const int32_t whole = to == end ? k : -1, n_px = to - from, skip = i0 - from;
+        c[0] = next[0];
+        c[1] = next[1];
+        c[2] = next[2];
+        if (to > from)
+            w = divide_at(job, to, row->y, n, next);
+        step[0] = step_of(&c[0], next[0], whole, n_px, skip);
+        step[1] = step_of(&c[1], next[1], whole, n_px, skip);
+        if (n == 3)
+            step[2] = step_of(&c[2], next[2], whole, n_px, skip);
+        fetch(job, color + i0, i1 - i0, c, step);
+        if (job->shader->light)
+            lighten(job, color + i0, i1 - i0, n == 3 ? c[2] : 0u, step[2]);
+        if (end >= r1)
+            return;
+        from = end;
+    }
 }
 
 static void texture_run(struct zs_job *job, const struct zs_row *row, int32_t r0, int32_t r1)
 {
-    uint16_t *color = job->color + row->at;
-    const int n = job->shader->n_attrs;
-    uint32_t c[3], next[3];
-    int32_t step[3];
-    if (job->sub_log2 == ZS_AFFINE) {
-        for (int k = 0; k < n; k++) {
-            c[k] = zs_plane_at(job, &job->c[k], r0, row->y);
-            step[k] = (int32_t)job->c[k].gx; /* beyond 31 bits only where a run is one pixel */
-        }
-        emit(job, color + r0, r1 - r0, c, step);
-        return;
-    }
-    const int32_t length = (int32_t)1 << job->sub_log2;
-    int32_t from = row->x0 + ((r0 - row->x0) & -length);
-    divide_at(job, from, row->y, n, next);
-    for (; from < r1; from += length) {
-        const int32_t to = zs_min32(from + length, row->x1 - 1); /* its far end, covered */
-        const uint32_t part = to > from ? zs_one_over[to - from] : 0u;
-        const int32_t i0 = zs_max32(from, r0), i1 = zs_min32(from + length, r1);
-        for (int k = 0; k < n; k++)
-            c[k] = next[k];
-        if (to > from)
-            divide_at(job, to, row->y, n, next);
-        for (int k = 0; k < n; k++) {
-            step[k] = (int32_t)(((int64_t)next[k] - c[k]) * part >> 16); /* product < 2^48 */
-            c[k] += zs_wrap_mul((uint32_t)step[k], i0 - from);
-        }
-        emit(job, color + i0, i1 - i0, c, step);
+    if (job->sub_log2 == ZS_AFFINE)
+        run_affine(job, row, r0, r1 - r0);
+    else
+        run_blocks(job, row, r0, r1);
+}
+
+static void texture_rows(struct zs_job *job)
+{
+    texture_start(job);
+    if (job->sampler.direct && (!job->shader->light || (job->shader->n_attrs == 2 && job->tri->paint == 32768u))) {
+        const struct zs_texel *texel = job->sampler.texture->format;
+        texel->rows(job);
+    } else {
+        zs_persp_walk(job);
     }
 }
 
-const struct zs_shader zs_shade_texture = { texture_vertex, no_face, zs_persp_rows, texture_start, zs_persp_span, texture_run,
+const struct zs_shader zs_shade_texture = { texture_vertex, no_face, texture_rows, texture_start, zs_persp_span, texture_run,
                                             texture_check, 0, ZS_ATTRS_TEXTURE };
-const struct zs_shader zs_shade_texture_flat = { texture_vertex, flat_face, zs_persp_rows, texture_start,
+const struct zs_shader zs_shade_texture_flat = { texture_vertex, flat_face, texture_rows, texture_start,
                                                  zs_persp_span, texture_run, texture_check, light, ZS_ATTRS_TEXTURE };
-const struct zs_shader zs_shade_texture_smooth = { smooth_vertex, no_face, zs_persp_rows, texture_start,
+const struct zs_shader zs_shade_texture_smooth = { smooth_vertex, no_face, texture_rows, texture_start,
                                                    zs_persp_span, texture_run, smooth_check, light,
                                                    ZS_ATTRS_TEXTURE_SMOOTH };

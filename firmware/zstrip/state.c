@@ -39,7 +39,21 @@ static int32_t state_bias(const struct zs_job *job)
 static void state_span(struct zs_job *job, const struct zs_row *row, int32_t i0, int32_t i1, uint32_t sum,
                        uint32_t gx)
 {
-    zs_rows_test(job, row, i0, i1, sum, gx, job->state);
+    const struct zs_shader *shader = job->shader;
+    const struct zs_state *state = job->state;
+    const uint32_t top = (job->r->view.key_top >> 16) - 1u;
+    uint16_t *depth = job->depth + row->at;
+    int32_t from = -1; /* first pixel of the current run */
+    for (int32_t i = i0; i < i1; i++, sum += gx) {
+        if (zs_rows_state(job, state, sum >> 16, top, &depth[i])) {
+            if (from < 0)
+                from = i;
+        } else {
+            zs_rows_run(job, shader, row, from, i);
+            from = -1;
+        }
+    }
+    zs_rows_run(job, shader, row, from, i1);
 }
 
 ZS_ALWAYS_INLINE void keys_span(struct zs_job *job, const struct zs_row *row)
@@ -47,12 +61,18 @@ ZS_ALWAYS_INLINE void keys_span(struct zs_job *job, const struct zs_row *row)
     state_span(job, row, row->i0, row->i1, row->key + zs_wrap_mul(job->key.gx, row->i0), job->key.gx);
 }
 
+/* Apart, so that its frame is not on the stack below start(). */
+static ZS_NOINLINE void state_walk(struct zs_job *job)
+{
+    zs_rows_walk(job, keys_span);
+}
+
 static void state_rows(struct zs_job *job)
 {
     const struct zs_shader *shader = job->shader;
     if (shader->start)
         shader->start(job);
-    zs_rows_walk(job, keys_span);
+    state_walk(job);
 }
 
 const struct zs_state_kernel zs_state_kernel = { state_bias, state_rows, state_span };

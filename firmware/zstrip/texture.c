@@ -1,11 +1,32 @@
-/* Texel formats: the innermost loops of textured shading, one each.
+/* Texel formats: the innermost loops of textured shading, two each: a run of texels, and a whole triangle that
+ * is affine, unlit and repeated, with its depth test.
  *
  * u and v are fractions of the texture in 32 bits: their top log2 bits are column and row, and repeating is
  * what unsigned sums do.
  *
  * SPDX-License-Identifier: MIT
  */
-#include "pipeline.h"
+#include "persp.h"
+
+/* A texel's value from its number, row * width + column. */
+typedef uint16_t read_fn(const void *texel, const uint16_t *palette, uint32_t at);
+
+ZS_ALWAYS_INLINE uint16_t read_565(const void *texel, const uint16_t *palette, uint32_t at)
+{
+    (void)palette;
+    return ((const uint16_t *)texel)[at];
+}
+
+ZS_ALWAYS_INLINE uint16_t read_pal8(const void *texel, const uint16_t *palette, uint32_t at)
+{
+    return palette[((const uint8_t *)texel)[at]];
+}
+
+ZS_ALWAYS_INLINE uint16_t read_pal4(const void *texel, const uint16_t *palette, uint32_t at)
+{
+    const uint32_t two = ((const uint8_t *)texel)[at >> 1];
+    return palette[two >> ((at & 1u) << 2) & 15u];
+}
 
 /* Shifts that leave column and row. A texture of one column or row: 31, and u or v is 0 (shade_texture.c). */
 static inline uint32_t index_shift(uint32_t log2)
@@ -13,40 +34,91 @@ static inline uint32_t index_shift(uint32_t log2)
     return log2 ? 32u - log2 : 31u;
 }
 
-static void fetch_565(const struct zs_texture *t, uint16_t *out, int32_t n, const struct zs_walk *walk)
+ZS_ALWAYS_INLINE void fetch(const struct zs_texture *t, uint16_t *out, int32_t n, const struct zs_walk *walk,
+                            read_fn *read)
 {
-    const uint16_t *texel = t->texel;
+    const void *texel = t->texel;
+    const uint16_t *palette = t->palette;
     const uint32_t right = index_shift(t->log2_w), down = index_shift(t->log2_h), row = t->log2_w;
     const uint32_t du = walk->du, dv = walk->dv;
     uint32_t u = walk->u, v = walk->v;
     for (uint16_t *const end = out + n; out != end; out++, u += du, v += dv)
-        *out = zs_wire16(texel[((v >> down) << row) + (u >> right)]);
+        *out = zs_wire16(read(texel, palette, ((v >> down) << row) + (u >> right)));
+}
+
+ZS_ALWAYS_INLINE void span(struct zs_job *job, const struct zs_row *row, read_fn *read)
+{
+    const struct zs_texture *t = job->sampler.texture;
+    const void *texel = t->texel;
+    const uint16_t *palette = t->palette;
+    const uint32_t right = 32u - t->log2_w, down = 32u - t->log2_h, log2_w = t->log2_w;
+    const uint32_t gx = job->key.gx, du = job->c[0].gx, dv = job->c[1].gx;
+    const uint32_t top = (job->r->view.key_top >> 16) - 1u;
+    uint32_t sum = row->key + zs_wrap_mul(gx, row->i0);
+    uint32_t u = zs_plane_at(job, &job->c[0], row->i0, row->y);
+    uint32_t v = zs_plane_at(job, &job->c[1], row->i0, row->y);
+    uint16_t *depth = job->depth + row->at + row->i0, *color = job->color + row->at + row->i0;
+    const uint16_t *const end = depth + (row->i1 - row->i0);
+    int32_t written = 0;
+    for (; depth != end; depth++, color++, sum += gx, u += du, v += dv) {
+        uint32_t key = sum >> 16;
+        if (key > top)
+            key = top;
+        if (key < *depth) {
+            *depth = (uint16_t)key;
+            *color = zs_wire16(read(texel, palette, ((v >> down) << log2_w) + (u >> right)));
+            if (ZS_STATS)
+                written++;
+        }
+    }
+    zs_rows_written(job, written);
+}
+
+static void fetch_565(const struct zs_texture *t, uint16_t *out, int32_t n, const struct zs_walk *walk)
+{
+    fetch(t, out, n, walk, read_565);
 }
 
 static void fetch_pal8(const struct zs_texture *t, uint16_t *out, int32_t n, const struct zs_walk *walk)
 {
-    const uint8_t *texel = t->texel;
-    const uint16_t *palette = t->palette;
-    const uint32_t right = index_shift(t->log2_w), down = index_shift(t->log2_h), row = t->log2_w;
-    const uint32_t du = walk->du, dv = walk->dv;
-    uint32_t u = walk->u, v = walk->v;
-    for (uint16_t *const end = out + n; out != end; out++, u += du, v += dv)
-        *out = zs_wire16(palette[texel[((v >> down) << row) + (u >> right)]]);
+    fetch(t, out, n, walk, read_pal8);
 }
 
 static void fetch_pal4(const struct zs_texture *t, uint16_t *out, int32_t n, const struct zs_walk *walk)
 {
-    const uint8_t *texel = t->texel;
-    const uint16_t *palette = t->palette;
-    const uint32_t right = index_shift(t->log2_w), down = index_shift(t->log2_h), row = t->log2_w;
-    const uint32_t du = walk->du, dv = walk->dv;
-    uint32_t u = walk->u, v = walk->v;
-    for (uint16_t *const end = out + n; out != end; out++, u += du, v += dv) {
-        const uint32_t at = ((v >> down) << row) + (u >> right);
-        *out = zs_wire16(palette[(uint32_t)texel[at >> 1] >> ((at & 1u) << 2) & 15u]);
-    }
+    fetch(t, out, n, walk, read_pal4);
 }
 
-const struct zs_texel zs_texel_565 = { fetch_565, 0, 0 };
-const struct zs_texel zs_texel_pal8 = { fetch_pal8, 256, 0 };
-const struct zs_texel zs_texel_pal4 = { fetch_pal4, 16, 1 };
+ZS_ALWAYS_INLINE void span_565(struct zs_job *job, const struct zs_row *row)
+{
+    span(job, row, read_565);
+}
+
+ZS_ALWAYS_INLINE void span_pal8(struct zs_job *job, const struct zs_row *row)
+{
+    span(job, row, read_pal8);
+}
+
+ZS_ALWAYS_INLINE void span_pal4(struct zs_job *job, const struct zs_row *row)
+{
+    span(job, row, read_pal4);
+}
+
+static void rows_565(struct zs_job *job)
+{
+    zs_rows_walk(job, span_565);
+}
+
+static void rows_pal8(struct zs_job *job)
+{
+    zs_rows_walk(job, span_pal8);
+}
+
+static void rows_pal4(struct zs_job *job)
+{
+    zs_rows_walk(job, span_pal4);
+}
+
+const struct zs_texel zs_texel_565 = { fetch_565, rows_565, 0, 0 };
+const struct zs_texel zs_texel_pal8 = { fetch_pal8, rows_pal8, 256, 0 };
+const struct zs_texel zs_texel_pal4 = { fetch_pal4, rows_pal4, 16, 1 };

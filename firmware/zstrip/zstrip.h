@@ -129,7 +129,7 @@ struct zs_cluster {
     int16_t center[3]; /* of a sphere around their vertices, steps */
     uint16_t radius;   /* of that sphere, steps, rounded up */
     int8_t axis[3];    /* of the cone around their normals, 127 is 1 */
-    int8_t cutoff;     /* 127 is 1. All of them turn their backs to an eye for which
+    int8_t cutoff;     /* 0 .. 127, 127 is 1. All of them turn their backs to an eye for which
                           (center - eye) . axis >= cutoff * |center - eye| + radius; 127: never */
 };
 
@@ -397,20 +397,23 @@ const struct zs_stats *zs_frame_stats(const struct zs_renderer *r);
 
 enum zs_flaw {
     ZS_FLAW_NONE = 0,
-    ZS_FLAW_NULL,        /* pos, tri, texel, palette or format missing */
+    ZS_FLAW_NULL,        /* pos, tri, cluster, texel, palette or format missing; a format of another kind */
+    ZS_FLAW_ALIGN,       /* an array at an address that its elements cannot have */
     ZS_FLAW_COUNT,       /* more than 65535 vertices; index: how many */
     ZS_FLAW_SCALE,       /* scale is 0 */
     ZS_FLAW_INDEX,       /* index: a triangle with a vertex number >= n_verts */
     ZS_FLAW_SPHERE,      /* index: a vertex outside the mesh's sphere */
     ZS_FLAW_NORMAL,      /* index: a vertex whose normal is not of length 1 (0.98 .. 1.02, or 0) */
     ZS_FLAW_FACE_NORMAL, /* index: a face, the same */
-    ZS_FLAW_UV_BITS,     /* uv_bits above 15; index: what they are */
-    ZS_FLAW_CLUSTERS,    /* index: a cluster that does not go on where the one before ended, or is empty */
+    ZS_FLAW_UV_BITS,     /* uv given and uv_bits above 15; index: what they are */
+    ZS_FLAW_CLUSTERS,    /* index: a cluster that does not go on where the one before ended, is empty or goes
+                            beyond n_tris; n_clusters: triangles are left over */
     ZS_FLAW_CLUSTER_SPHERE, /* index: a cluster with a vertex outside its sphere */
-    ZS_FLAW_CLUSTER_CONE, /* index: a cluster with a triangle that its cone does not hold */
-    ZS_FLAW_SIZE,        /* texture: log2_w or log2_h out of range; index: the larger */
-    ZS_FLAW_COLORS,      /* texture: n_colors out of range; index: n_colors */
-    ZS_FLAW_CLAMP,       /* texture: not an enum zs_clamp */
+    ZS_FLAW_CLUSTER_CONE, /* index: a cluster with a triangle that its cone does not hold (check.c says
+                             when), a cutoff below 0 or an axis longer than 128 */
+    ZS_FLAW_SIZE,        /* texture: log2_w or log2_h out of range; index: the one that is */
+    ZS_FLAW_COLORS,      /* texture with a palette: n_colors out of range; index: n_colors */
+    ZS_FLAW_CLAMP,       /* texture: not an enum zs_clamp; index: what it is */
     ZS_FLAW_TEXEL        /* texture: index: row * width + column of a texel >= n_colors */
 };
 

@@ -5,16 +5,20 @@
 . "$(dirname "$0")/common.sh"
 
 # What no test below asks for but where it is named
-TEXTURE='zs_shade_texture|zs_texel|fetch|texture_|light$'
+TEXTURE='zs_shade_texture|zs_texel|fetch|rows_|texture_|light$'
 STATE='zs_state|state_'
 FLOAT='zs_depth_(e[345]|float)|float_|(e[345]|any)_setup'
+
+# Checks of loaded data: in no firmware that does not call them.
+CHECKS='zs_mesh_check zs_texture_check zs_strflaw'
 
 # SHADER DEPTH PATTERN...: a firmware with these must hold no symbol that matches.
 without() {
     name="$c $1 and $2 alone"
     minimal "$dir/main.c" "$1" "$2"
     if link "$c" "$dir" "$dir/main.c" "$dir/part.elf"; then
-        none "$name" "$(${ARM}nm "$dir/part.elf" | awk '{ print $NF }' | grep -E "$3")"
+        none "$name" "$(${ARM}nm "$dir/part.elf" | awk '{ print $NF }' |
+            grep -E "$3|^($(echo "$CHECKS" | tr ' ' '|'))")"
     else
         bad "$name" "does not link"
     fi
@@ -35,10 +39,10 @@ for c in $CPUS; do
     link "$c" "$dir" "$dir/main.c" "$dir/all.elf" || bad "$c everything links" "see above"
     all=$(${ARM}nm "$dir/all.elf" | awk '{ print $NF }')
     gone=
-    for s in zs_shade_raw zs_shade_flat zs_shade_smooth raw_face flat_face smooth_face zs_depth_recip \
+    for s in $CHECKS zs_shade_raw zs_shade_flat zs_shade_smooth raw_face flat_face smooth_face zs_depth_recip \
         zs_depth_linear recip_setup linear_setup linear_rows zs_solid_rows zs_pose_turn \
         zs_camera_orbit zs_strerror zs_shade_texture zs_shade_texture_flat zs_shade_texture_smooth zs_texel_565 \
-        zs_texel_pal8 zs_texel_pal4 fetch_565 fetch_pal8 fetch_pal4 fetch_wide texture_run light texture_start \
+        zs_texel_pal8 zs_texel_pal4 fetch_565 fetch_pal8 fetch_pal4 rows_565 rows_pal8 rows_pal4 fetch_wide texture_run light texture_start \
         zs_state_kernel state_rows state_bias zs_depth_e3m13 zs_depth_e4m12 zs_depth_e5m11 float_rows e3_setup e4_setup e5_setup any_setup; do
         echo "$all" | grep -q "^$s" || gone="$gone $s"
     done

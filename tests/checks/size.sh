@@ -5,7 +5,7 @@
 # SPDX-License-Identifier: MIT
 . "$(dirname "$0")/common.sh"
 
-FLASH_MAX=${FLASH_MAX:-32768}           # everything, Cortex-M3
+FLASH_MAX=${FLASH_MAX:-40960}           # everything, Cortex-M3
 FLASH_FLAT_MAX=${FLASH_FLAT_MAX:-18432} # flat and recip alone, Cortex-M3
 
 # MAP PATTERN: bytes that the link took from objects whose path matches.

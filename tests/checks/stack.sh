@@ -124,7 +124,7 @@ bound() { # CPU FACTS: prints public functions with their bound, then problems
         END {
             for (k = 1; k <= n_pointer; k++) resolve(k)
             for (f in own) { d = deep(f); if (f ~ /^zs_/ && d > most) { most = d; worst = f } }
-            for (f in own) if (f ~ /^zs_(init|render|frame_begin|frame_strip|frame_end|pose_|camera_|unit)/)
+            for (f in own) if (f ~ /^zs_(init|render|frame_begin|frame_strip|frame_end|pose_|camera_|unit|mesh_check|texture_check)/)
                 print "note " cpu " " f ": " bound[f] " bytes" (f in sinks ? ", and what the sink takes" : "") | "sort"
             close("sort")
             path = "zs_render(" own["zs_render"] ")"

@@ -2,6 +2,8 @@
  *
  *   look png F.png                     "WIDTH HEIGHT COLOURS"; 8-bit RGB of repeated RGB565 bits only
  *   look pixel F.png X Y               "RRGGBB"
+ *   look texels F.png <LIST            lines "X Y COLUMN ROW": what texel of fixture's `numbers` is
+ *                                      there? "COUNT SAME MOST_APART", the last in texels each way
  *   look decode F.png I.u32            does the picture of --shade id hold the ids' low 16 bits?
  *   look bare F.png D.pgm RRGGBB       is just what has key 65535 of this colour? "COUNT" of it
  *   look pgm D.pgm W H                 "DRAWN LEAST LARGEST"; the file byte for byte as promised
@@ -385,6 +387,27 @@ static void look_slope(char **name)
     printf("%zu\n", n);
 }
 
+static void look_texels(const char *name)
+{
+    const struct picture p = load_png(name);
+    size_t n = 0, same = 0;
+    int most = 0, x, y, column, row;
+    while (scanf("%d %d %d %d", &x, &y, &column, &row) == 4) {
+        if (x < 0 || y < 0 || (uint32_t)x >= p.w || (uint32_t)y >= p.h)
+            wrong("%s has no pixel %d,%d", name, x, y);
+        const unsigned c = p.px[(size_t)y * p.w + (size_t)x], blue = c & 31;
+        if (blue != 0 && blue != 31)
+            wrong("%s: pixel %d,%d is no texel of the numbers", name, x, y);
+        const int dx = abs((int)(c >> 11 << 1 | (blue != 0)) - column);
+        const int dy = abs((int)(c >> 5 & 63) - row);
+        n++;
+        same += dx == 0 && dy == 0;
+        most = dx > most ? dx : most;
+        most = dy > most ? dy : most;
+    }
+    printf("%zu %zu %d\n", n, same, most);
+}
+
 int main(int argc, char **argv)
 {
     const char *what = argc > 1 ? argv[1] : "";
@@ -401,6 +424,8 @@ int main(int argc, char **argv)
         const unsigned v = p.px[b * p.w + a], red = v >> 11, green = v >> 5 & 63, blue = v & 31;
         printf("%02x%02x%02x\n", red << 3 | red >> 2, green << 2 | green >> 4,
                blue << 3 | blue >> 2);
+    } else if (strcmp(what, "texels") == 0 && argc == 3) {
+        look_texels(argv[2]);
     } else if (strcmp(what, "decode") == 0 && argc == 4) {
         look_decode(argv[2], argv[3]);
     } else if (strcmp(what, "bare") == 0 && argc == 5) {

@@ -21,21 +21,32 @@ static struct gen_rgb random_rgb(uint32_t a, uint32_t b, uint32_t seed)
     return c;
 }
 
+#define BALL 36 /* cells each way */
+#define BALL_UV_BITS 14
+
+/* The ball's surface at column i of row j from the top. */
+static void bumpy_point(int64_t out[3], uint32_t i, uint32_t j)
+{
+    const int64_t polar = (int64_t)j * 32768 / BALL, a = (int64_t)i * 65536 / BALL;
+    const int64_t s = gen_sin(polar), c = gen_cos(polar);
+    const int64_t wave = gen_div(gen_sin(5 * a) * gen_sin(4 * polar), GEN_Q30);
+    const int64_t r = 28000 + gen_div(gen_div(wave * s, GEN_Q30) * 2800, GEN_Q30);
+    const int64_t flat = gen_div(r * s, GEN_Q30);
+    out[0] = gen_div(flat * gen_sin(a), GEN_Q30);
+    out[1] = gen_div(r * c, GEN_Q30);
+    out[2] = gen_div(flat * gen_cos(a), GEN_Q30);
+}
+
 /* A bumpy ball: 36 x 36 cells, 2520 triangles. */
 static void bumpy(void)
 {
-    const uint32_t n = 36;
+    const uint32_t n = BALL;
     struct gen_mesh *m = gen_begin("bumpy");
     for (uint32_t j = 0; j <= n; j++) {
-        const int64_t polar = (int64_t)j * 32768 / n;
         for (uint32_t i = 0; i < n; i++) {
-            const int64_t a = (int64_t)i * 65536 / n;
-            const int64_t s = gen_sin(polar), c = gen_cos(polar);
-            const int64_t wave = gen_div(gen_sin(5 * a) * gen_sin(4 * polar), GEN_Q30);
-            const int64_t r = 28000 + gen_div(gen_div(wave * s, GEN_Q30) * 2800, GEN_Q30);
-            const int64_t flat = gen_div(r * s, GEN_Q30);
-            gen_vert(m, gen_div(flat * gen_sin(a), GEN_Q30), gen_div(r * c, GEN_Q30),
-                     gen_div(flat * gen_cos(a), GEN_Q30));
+            int64_t p[3];
+            bumpy_point(p, i, j);
+            gen_vert(m, p[0], p[1], p[2]);
             if (j == 0 || j == n)
                 break;
         }
@@ -58,6 +69,81 @@ static void bumpy(void)
     const int64_t light[3] = { -3, 4, 5 };
     gen_bake(m, light, 56);
     gen_write(m, GEN_FACE_NORMAL | GEN_FACE_RGB | GEN_FACE_RAW, BENCH_BUMPY_SCALE);
+}
+
+/* The same triangles in the same order under a texture, once around and from pole to pole: a column
+ * more where it begins again, and a vertex a triangle at the poles, in its middle. */
+static void bumpy_uv(void)
+{
+    static const struct gen_rgb white = { 255, 255, 255 };
+    const uint32_t n = BALL, row = BALL + 1;
+    const int64_t one = (int64_t)1 << BALL_UV_BITS;
+    struct gen_mesh *m = gen_begin("bumpy_uv");
+    m->uv_bits = BALL_UV_BITS;
+    for (uint32_t j = 0; j <= n; j++) {
+        const uint32_t at_pole = j == 0 || j == n;
+        for (uint32_t i = 0; i < row; i++) {
+            int64_t p[3];
+            bumpy_point(p, i % n, j);
+            const int64_t u = gen_div((2 * (int64_t)i + at_pole) * one, 2 * n);
+            gen_uv(m, gen_vert(m, p[0], p[1], p[2]), u, gen_div((int64_t)j * one, n));
+            if (at_pole && i == n - 1)
+                break;
+        }
+    }
+    for (uint32_t j = 0; j < n; j++) {
+        const uint32_t up = j ? n + (j - 1) * row : 0, low = n + j * row;
+        for (uint32_t i = 0; i < n; i++) {
+            if (j == 0) {
+                gen_tri(m, up + i, low + i, low + i + 1, white);
+            } else {
+                if (j < n - 1)
+                    gen_tri(m, up + i, low + i, low + i + 1, white);
+                gen_tri(m, up + i, j < n - 1 ? low + i + 1 : low + i, up + i + 1, white);
+            }
+        }
+    }
+    gen_smooth(m);
+    gen_write(m, GEN_NORMAL | GEN_FACE_NORMAL | GEN_UV, BENCH_BUMPY_SCALE);
+}
+
+/* 8 x 8 fields with their names, A1 at the top left: which texel is where can be read. */
+static void map(void)
+{
+    static const struct gen_rgb black = { 0, 0, 0 }, white = { 255, 255, 255 };
+    const int64_t field = 32;
+    struct gen_image *im = gen_image("map", 256, 256);
+    for (int64_t y = 0; y < im->h; y++) {
+        for (int64_t x = 0; x < im->w; x++) {
+            const int64_t i = x / field, j = y / field;
+            const struct gen_rgb hue = gen_hue(i * 8192 + j * 1500);
+            struct gen_rgb c = gen_mix(hue, (i + j) & 1 ? white : black, 1, 3);
+            c = gen_mix(c, black, (x / 4 + y / 4) & 1, 8); /* a fine check in each */
+            if (x % field == 0 || y % field == 0)
+                c = black;
+            gen_dot(im, x, y, c);
+        }
+    }
+    for (int64_t j = 0; j < 8; j++) {
+        for (int64_t i = 0; i < 8; i++) {
+            const char name[3] = { (char)('A' + j), (char)('1' + i), '\0' };
+            gen_text(im, i * field + 6, j * field + 10, 2, 2, name, (i + j) & 1 ? black : white);
+        }
+    }
+    gen_texture(im, GEN_565, GEN_REPEAT);
+}
+
+/* The plane y = BENCH_PLAIN_Y around the eye out to beyond far, 16 x 16 repeats of its texture. */
+static void plain(void)
+{
+    const int64_t half = BENCH_FAR, uv = 8 << 11;
+    const int64_t corner[3] = { -half, BENCH_PLAIN_Y, -half };
+    const int64_t right[3] = { 2 * half, 0, 0 }, down[3] = { 0, 0, 2 * half };
+    const int64_t coordinates[2][2] = { { -uv, -uv }, { uv, uv } };
+    struct gen_mesh *m = gen_begin("plain");
+    m->uv_bits = 11;
+    gen_panel(m, corner, right, down, coordinates);
+    gen_write(m, GEN_UV, BENCH_UNIT * 65536u);
 }
 
 /* One layer at z = BENCH_LAYER_Z steps: 5 % over the frame on every side, z from -8 % at its left
@@ -152,8 +238,11 @@ static void slivers(void)
 void gen_bench(void)
 {
     bumpy();
+    bumpy_uv();
     layer();
     sheet();
     corridor();
     slivers();
+    plain();
+    map();
 }

@@ -1,23 +1,15 @@
-/* The mesh builder: arithmetic, checks and C output.
+/* The mesh builder: arithmetic, checks and a mesh as C.
  *
  * SPDX-License-Identifier: MIT
  */
 #include "gen.h"
+#include "out.h"
 
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
 static struct gen_mesh mesh;
-static const char *out_dir;
-static FILE *header;
-static uint32_t bytes_of_all;
-
-static void die(const char *what, const char *name)
-{
-    fprintf(stderr, "gen_meshes: %s: %s\n", name, what);
-    exit(1);
-}
 
 /* ---- Arithmetic ------------------------------------------------------------------------------ */
 
@@ -134,6 +126,40 @@ struct gen_rgb gen_hue(int64_t turn)
     return rgb;
 }
 
+/* A corner of the lattice, 0 .. 65535. */
+static int64_t lattice(const int64_t corner[3], int64_t cells, uint32_t seed)
+{
+    return gen_hash(gen_hash((uint32_t)(corner[0] % cells), (uint32_t)(corner[1] % cells), seed),
+                    (uint32_t)(corner[2] % cells), seed) & 65535;
+}
+
+int64_t gen_noise(const int64_t at[3], int64_t cells, uint32_t seed)
+{
+    int64_t sum = 0, weight[2][3];
+    for (int i = 0; i < 3; i++) {
+        const int64_t f = (at[i] & 65535) >> 6; /* 3 t^2 - 2 t^3 in q10 */
+        weight[1][i] = gen_div(f * f * (3 * 1024 - 2 * f), 1024 * 1024);
+        weight[0][i] = 1024 - weight[1][i];
+    }
+    for (int k = 0; k < 8; k++) {
+        const int x = k & 1, y = k >> 1 & 1, z = k >> 2;
+        const int64_t corner[3] = { (at[0] >> 16) + x, (at[1] >> 16) + y, (at[2] >> 16) + z };
+        sum += lattice(corner, cells, seed) * weight[x][0] * weight[y][1] * weight[z][2];
+    }
+    return gen_div(sum, GEN_Q30);
+}
+
+int64_t gen_fractal(const int64_t at[3], int64_t cells, int octaves, uint32_t seed)
+{
+    int64_t sum = 0, fine[3] = { at[0], at[1], at[2] };
+    for (int k = 0; k < octaves; k++) {
+        sum += gen_noise(fine, cells << k, seed + (uint32_t)k) << (octaves - 1 - k);
+        for (int i = 0; i < 3; i++)
+            fine[i] *= 2;
+    }
+    return gen_div(sum, ((int64_t)1 << octaves) - 1);
+}
+
 /* ---- Building -------------------------------------------------------------------------------- */
 
 struct gen_mesh *gen_begin(const char *name)
@@ -146,11 +172,11 @@ struct gen_mesh *gen_begin(const char *name)
 uint32_t gen_vert(struct gen_mesh *m, int64_t x, int64_t y, int64_t z)
 {
     if (m->n_verts == GEN_VERTS_MAX)
-        die("too many vertices", m->name);
+        out_die("too many vertices", m->name);
     const int64_t pos[3] = { x, y, z };
     for (int i = 0; i < 3; i++)
         if (pos[i] < -32768 || pos[i] > 32767)
-            die("a position that int16 cannot hold", m->name);
+            out_die("a position that int16 cannot hold", m->name);
     memcpy(m->pos[m->n_verts], pos, sizeof pos);
     return m->n_verts++;
 }
@@ -169,7 +195,7 @@ uint32_t gen_vert_normal(struct gen_mesh *m, const int64_t pos[3], const int64_t
 {
     const uint32_t i = gen_vert(m, pos[0], pos[1], pos[2]);
     if (largest(normal) == 0)
-        die("a normal of length 0", m->name);
+        out_die("a normal of length 0", m->name);
     to_q15(m->normal[i], normal);
     m->vertex_rgb[i] = rgb;
     return i;
@@ -189,9 +215,9 @@ static void face_cross(int64_t out[3], const struct gen_mesh *m, uint32_t t)
 uint32_t gen_tri(struct gen_mesh *m, uint32_t a, uint32_t b, uint32_t c, struct gen_rgb rgb)
 {
     if (m->n_tris == GEN_TRIS_MAX)
-        die("too many triangles", m->name);
+        out_die("too many triangles", m->name);
     if (a >= m->n_verts || b >= m->n_verts || c >= m->n_verts)
-        die("a vertex number out of range", m->name);
+        out_die("a vertex number out of range", m->name);
     const uint32_t t = m->n_tris++;
     m->tri[t][0] = a;
     m->tri[t][1] = b;
@@ -200,8 +226,16 @@ uint32_t gen_tri(struct gen_mesh *m, uint32_t a, uint32_t b, uint32_t c, struct 
     int64_t n[3];
     face_cross(n, m, t);
     if (largest(n) == 0)
-        die("a triangle without area", m->name);
+        out_die("a triangle without area", m->name);
     return t;
+}
+
+void gen_uv(struct gen_mesh *m, uint32_t vertex, int64_t u, int64_t v)
+{
+    if (u < -32768 || u > 32767 || v < -32768 || v > 32767)
+        out_die("a texture coordinate that int16 cannot hold", m->name);
+    m->uv[vertex][0] = u;
+    m->uv[vertex][1] = v;
 }
 
 void gen_quad(struct gen_mesh *m, uint32_t a, uint32_t b, uint32_t c, uint32_t d,
@@ -209,6 +243,52 @@ void gen_quad(struct gen_mesh *m, uint32_t a, uint32_t b, uint32_t c, uint32_t d
 {
     gen_tri(m, a, b, c, rgb);
     gen_tri(m, a, c, d, rgb);
+}
+
+void gen_panel(struct gen_mesh *m, const int64_t corner[3], const int64_t right[3],
+               const int64_t down[3], const int64_t uv[2][2])
+{
+    static const struct gen_rgb white = { 255, 255, 255 };
+    int64_t normal[3];
+    uint32_t v[4];
+    gen_cross(normal, down, right);
+    for (int i = 0; i < 4; i++) { /* counter-clockwise from the top left */
+        const int64_t to_right = i >> 1, to_down = i == 1 || i == 2;
+        int64_t pos[3];
+        for (int k = 0; k < 3; k++)
+            pos[k] = corner[k] + to_right * right[k] + to_down * down[k];
+        v[i] = gen_vert_normal(m, pos, normal, white);
+        gen_uv(m, v[i], uv[to_right][0], uv[to_down][1]);
+    }
+    gen_quad(m, v[0], v[1], v[2], v[3], white);
+}
+
+static int same_place(const struct gen_mesh *m, uint32_t a, uint32_t b)
+{
+    return memcmp(m->pos[a], m->pos[b], sizeof m->pos[a]) == 0;
+}
+
+void gen_smooth(struct gen_mesh *m)
+{
+    static int64_t sum[GEN_VERTS_MAX][3];
+    memset(sum, 0, sizeof sum);
+    for (uint32_t t = 0; t < m->n_tris; t++) {
+        int64_t n[3];
+        face_cross(n, m, t);
+        for (int k = 0; k < 3; k++)
+            for (int i = 0; i < 3; i++)
+                sum[m->tri[t][k]][i] += n[i];
+    }
+    for (uint32_t v = 0; v < m->n_verts; v++) {
+        int64_t n[3] = { 0, 0, 0 };
+        for (uint32_t w = 0; w < m->n_verts; w++)
+            if (same_place(m, v, w))
+                for (int i = 0; i < 3; i++)
+                    n[i] += sum[w][i];
+        if (largest(n) == 0)
+            out_die("a vertex whose faces leave it no normal", m->name);
+        to_q15(m->normal[v], n);
+    }
 }
 
 void gen_bake(struct gen_mesh *m, const int64_t dir[3], int64_t ambient)
@@ -230,111 +310,59 @@ void gen_bake(struct gen_mesh *m, const int64_t dir[3], int64_t ambient)
 
 /* ---- Output ---------------------------------------------------------------------------------- */
 
-static FILE *create(const char *name, const char *ending)
-{
-    char path[4096];
-    if (snprintf(path, sizeof path, "%s/%s%s", out_dir, name, ending) >= (int)sizeof path)
-        die("the path is too long", name);
-    FILE *f = fopen(path, "w");
-    if (!f)
-        die("cannot be written", path);
-    fputs("/* Generated by gen_meshes (firmware/scenes/gen); do not edit. */\n", f);
-    return f;
-}
-
-static void finish(FILE *f, const char *name)
-{
-    if (ferror(f) | fclose(f))
-        die("cannot be written", name);
-}
-
-/* One array of int triples. */
-struct rows {
-    FILE *f;
-    int column;
-};
-
-static void row(struct rows *r, const char *text)
-{
-    const int length = (int)strlen(text);
-    if (r->column == 0 || r->column + 1 + length > 100)
-        r->column = fprintf(r->f, "\n   ") - 1;
-    r->column += fprintf(r->f, " %s", text);
-}
-
-static void row3(struct rows *r, int64_t a, int64_t b, int64_t c)
-{
-    char text[80];
-    snprintf(text, sizeof text, "{%lld, %lld, %lld},", (long long)a, (long long)b, (long long)c);
-    row(r, text);
-}
-
-static struct rows open_array(FILE *f, const char *type, const char *name, uint32_t n,
-                              const char *inner)
-{
-    fprintf(f, "\nstatic const %s %s[%lu]%s = {", type, name, (unsigned long)n, inner);
-    const struct rows r = { f, 0 };
-    return r;
-}
-
-static void close_array(const struct rows *r)
-{
-    fputs("\n};\n", r->f);
-}
-
-static uint16_t rgb565(struct gen_rgb c)
-{
-    return (uint16_t)(((c.r * 31 + 127) / 255) << 11 | ((c.g * 63 + 127) / 255) << 5 |
-                      ((c.b * 31 + 127) / 255));
-}
-
 static void write_arrays(FILE *f, const struct gen_mesh *m, unsigned parts)
 {
-    struct rows r = open_array(f, "int16_t", "pos", m->n_verts, "[3]");
+    struct out_rows r = out_array(f, "int16_t", "pos", m->n_verts, "[3]");
     for (uint32_t i = 0; i < m->n_verts; i++)
-        row3(&r, m->pos[i][0], m->pos[i][1], m->pos[i][2]);
-    close_array(&r);
-    r = open_array(f, "uint16_t", "tri", m->n_tris, "[3]");
+        out_row3(&r, m->pos[i][0], m->pos[i][1], m->pos[i][2]);
+    out_array_end(&r);
+    r = out_array(f, "uint16_t", "tri", m->n_tris, "[3]");
     for (uint32_t i = 0; i < m->n_tris; i++)
-        row3(&r, m->tri[i][0], m->tri[i][1], m->tri[i][2]);
-    close_array(&r);
+        out_row3(&r, m->tri[i][0], m->tri[i][1], m->tri[i][2]);
+    out_array_end(&r);
     if (parts & GEN_NORMAL) {
-        r = open_array(f, "zs_q1_15", "normal", m->n_verts, "[3]");
+        r = out_array(f, "zs_q1_15", "normal", m->n_verts, "[3]");
         for (uint32_t i = 0; i < m->n_verts; i++)
-            row3(&r, m->normal[i][0], m->normal[i][1], m->normal[i][2]);
-        close_array(&r);
+            out_row3(&r, m->normal[i][0], m->normal[i][1], m->normal[i][2]);
+        out_array_end(&r);
+    }
+    if (parts & GEN_UV) {
+        r = out_array(f, "int16_t", "uv", m->n_verts, "[2]");
+        for (uint32_t i = 0; i < m->n_verts; i++)
+            out_row2(&r, m->uv[i][0], m->uv[i][1]);
+        out_array_end(&r);
     }
     if (parts & GEN_FACE_NORMAL) {
-        r = open_array(f, "zs_q1_15", "face_normal", m->n_tris, "[3]");
+        r = out_array(f, "zs_q1_15", "face_normal", m->n_tris, "[3]");
         for (uint32_t i = 0; i < m->n_tris; i++) {
             int64_t n[3];
             int16_t q[3];
             face_cross(n, m, i);
             to_q15(q, n);
-            row3(&r, q[0], q[1], q[2]);
+            out_row3(&r, q[0], q[1], q[2]);
         }
-        close_array(&r);
+        out_array_end(&r);
     }
     if (parts & GEN_VERTEX_RGB) {
-        r = open_array(f, "struct zs_rgb", "vertex_rgb", m->n_verts, "");
+        r = out_array(f, "struct zs_rgb", "vertex_rgb", m->n_verts, "");
         for (uint32_t i = 0; i < m->n_verts; i++)
-            row3(&r, m->vertex_rgb[i].r, m->vertex_rgb[i].g, m->vertex_rgb[i].b);
-        close_array(&r);
+            out_row3(&r, m->vertex_rgb[i].r, m->vertex_rgb[i].g, m->vertex_rgb[i].b);
+        out_array_end(&r);
     }
     if (parts & GEN_FACE_RGB) {
-        r = open_array(f, "struct zs_rgb", "face_rgb", m->n_tris, "");
+        r = out_array(f, "struct zs_rgb", "face_rgb", m->n_tris, "");
         for (uint32_t i = 0; i < m->n_tris; i++)
-            row3(&r, m->face_rgb[i].r, m->face_rgb[i].g, m->face_rgb[i].b);
-        close_array(&r);
+            out_row3(&r, m->face_rgb[i].r, m->face_rgb[i].g, m->face_rgb[i].b);
+        out_array_end(&r);
     }
     if (parts & GEN_FACE_RAW) {
-        r = open_array(f, "uint16_t", "face_raw", m->n_tris, "");
+        r = out_array(f, "uint16_t", "face_raw", m->n_tris, "");
         for (uint32_t i = 0; i < m->n_tris; i++) {
             char text[16];
-            snprintf(text, sizeof text, "0x%04x,", rgb565(m->face_raw[i]));
-            row(&r, text);
+            snprintf(text, sizeof text, "0x%04x,", out_rgb565(m->face_raw[i]));
+            out_row(&r, text);
         }
-        close_array(&r);
+        out_array_end(&r);
     }
 }
 
@@ -367,24 +395,26 @@ void gen_write(const struct gen_mesh *m, unsigned parts, uint32_t scale)
     int64_t center[3];
     const uint64_t radius = sphere(m, center);
     if (radius > 65535)
-        die("the radius does not fit uint16", m->name);
+        out_die("the radius does not fit uint16", m->name);
 
     const uint32_t bytes = m->n_verts * (6u + (parts & GEN_NORMAL ? 6u : 0) +
+                                         (parts & GEN_UV ? 4u : 0) +
                                          (parts & GEN_VERTEX_RGB ? 3u : 0)) +
                            m->n_tris * (6u + (parts & GEN_FACE_NORMAL ? 6u : 0) +
                                         (parts & GEN_FACE_RGB ? 3u : 0) +
                                         (parts & GEN_FACE_RAW ? 2u : 0));
-    bytes_of_all += bytes;
 
     char name[64];
     snprintf(name, sizeof name, "mesh_%s", m->name);
-    FILE *f = create(name, ".c");
+    FILE *f = out_open(name);
     fprintf(f, "/* %lu vertices, %lu triangles, %lu bytes of flash. */\n#include \"meshes.h\"\n",
             (unsigned long)m->n_verts, (unsigned long)m->n_tris, (unsigned long)bytes);
     write_arrays(f, m, parts);
     fprintf(f, "\nconst struct zs_mesh %s = {\n    .pos = pos,\n    .tri = tri,\n", name);
     if (parts & GEN_NORMAL)
         fputs("    .normal = normal,\n", f);
+    if (parts & GEN_UV)
+        fprintf(f, "    .uv = uv,\n    .uv_bits = %lu,\n", (unsigned long)m->uv_bits);
     if (parts & GEN_FACE_NORMAL)
         fputs("    .face_normal = face_normal,\n", f);
     if (parts & GEN_VERTEX_RGB)
@@ -398,23 +428,9 @@ void gen_write(const struct gen_mesh *m, unsigned parts, uint32_t scale)
     fprintf(f, "    .center = { %lld, %lld, %lld },\n    .radius = %llu,\n};\n",
             (long long)center[0], (long long)center[1], (long long)center[2],
             (unsigned long long)radius);
-    finish(f, name);
-    fprintf(header, "extern const struct zs_mesh %s; /* %lu triangles, %lu bytes */\n", name,
-            (unsigned long)m->n_tris, (unsigned long)bytes);
-    printf("%-14s %6lu vertices %6lu triangles %8lu bytes\n", m->name, (unsigned long)m->n_verts,
-           (unsigned long)m->n_tris, (unsigned long)bytes);
-}
-
-void gen_open(const char *dir)
-{
-    out_dir = dir;
-    header = create("meshes", ".h");
-    fputs("#ifndef MESHES_H\n#define MESHES_H\n\n#include \"zstrip.h\"\n\n", header);
-}
-
-void gen_close(void)
-{
-    fputs("\n#endif\n", header);
-    finish(header, "meshes.h");
-    printf("%-14s %41lu bytes\n", "all", (unsigned long)bytes_of_all);
+    out_close(f, name);
+    char size[64];
+    snprintf(size, sizeof size, "%lu vertices, %lu triangles", (unsigned long)m->n_verts,
+             (unsigned long)m->n_tris);
+    out_declare("zs_mesh", "mesh", m->name, size, bytes);
 }

@@ -1,4 +1,5 @@
-/* gen_meshes OUTDIR: write every mesh of the scenes as C, OUTDIR/mesh_NAME.c, and OUTDIR/meshes.h.
+/* gen_meshes OUTDIR: write every mesh and texture of the scenes as C, OUTDIR/mesh_NAME.c and
+ * OUTDIR/mesh_texture_NAME.c, and OUTDIR/meshes.h.
  *
  * OUTDIR must exist. Integers only: the files are the same bytes on every machine. They are built,
  * never committed.
@@ -21,6 +22,9 @@ int main(int argc, char **argv)
     gen_terrain();
     gen_city();
     gen_bench();
+    gen_globe();
+    gen_hall();
+    gen_hall_textures();
     gen_close();
     return 0;
 }

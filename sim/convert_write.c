@@ -1,0 +1,599 @@
+/* C text. The same numbers make the same bytes: nothing of the machine, the day or the folder is
+ * in them.
+ *
+ * Initialisers are complete and in the order of the members, so that C11 and C++14 take them alike.
+ *
+ * SPDX-License-Identifier: MIT
+ */
+#include <ctype.h>
+#include <inttypes.h>
+#include <math.h>
+#include <stdarg.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "cluster.h"
+#include "convert.h"
+#include "image.h"
+#include "sim.h"
+
+#define COLUMNS 100
+
+/* Structs on a 32-bit machine, bytes. */
+#define MESH_BYTES 68u
+#define MATERIAL_BYTES 12u
+#define TEXTURE_BYTES 20u
+#define INSTANCE_BYTES 64u
+
+/* ---- Words ----------------------------------------------------------------------------------- */
+
+/* The shortest decimal that reads back as the same double. */
+static const char *exactly(char text[32], double v)
+{
+    for (int digits = 15; digits <= 17; digits++) {
+        (void)snprintf(text, 32, "%.*g", digits, v + 0.0);
+        if (strtod(text, NULL) == v)
+            break;
+    }
+    return text;
+}
+
+static void upper(char out[64], const char *name)
+{
+    size_t i = 0;
+    for (; name[i] != '\0' && i < 63; i++)
+        out[i] = (char)toupper((unsigned char)name[i]);
+    out[i] = '\0';
+}
+
+/* A name from a file, in quotes, as it may stand in a comment. */
+static void quote(FILE *f, const char *name)
+{
+    (void)fputc('"', f);
+    for (int n = 0; *name != '\0' && n < 40; name++, n++)
+        (void)fputc(isascii((unsigned char)*name) &&
+                            (isalnum((unsigned char)*name) || strchr(" ._,+=@#-()", *name) != NULL)
+                        ? *name
+                        : '_',
+                    f);
+    (void)fputc('"', f);
+}
+
+static const char *last_name(const char *path)
+{
+    const char *slash = strrchr(path, '/');
+    return slash != NULL ? slash + 1 : path;
+}
+
+/* ---- Arrays ---------------------------------------------------------------------------------- */
+
+/* Elements one after another, broken where a line is full. */
+struct row {
+    FILE *f;
+    int column;
+};
+
+static void put(struct row *row, const char *format, ...) __attribute__((format(printf, 2, 3)));
+static void put(struct row *row, const char *format, ...)
+{
+    char text[80];
+    va_list args;
+    va_start(args, format);
+    const int n = vsnprintf(text, sizeof text, format, args);
+    va_end(args);
+    if (row->column + n > COLUMNS && row->column > 0) {
+        (void)fputc('\n', row->f);
+        row->column = 0;
+    }
+    (void)fputs(text, row->f);
+    row->column += n;
+}
+
+static struct row begin(FILE *f, const char *type, const char *name, uint32_t part,
+                        const char *what, size_t n, const char *width)
+{
+    (void)fprintf(f, "static const %s %s_%s_%" PRIu32 "[%zu]%s = {\n", type, name, what, part, n,
+                  width);
+    return (struct row){ f, 0 };
+}
+
+static void end(FILE *f)
+{
+    (void)fputs("\n};\n", f);
+}
+
+static void triples(FILE *f, const char *name, uint32_t part, const char *what,
+                    const int16_t (*v)[3], size_t n)
+{
+    struct row row = begin(f, "int16_t", name, part, what, n, "[3]");
+    for (size_t i = 0; i < n; i++)
+        put(&row, "{%d,%d,%d},", v[i][0], v[i][1], v[i][2]);
+    end(f);
+}
+
+static void colors(FILE *f, const char *name, uint32_t part, const char *what,
+                   const struct zs_rgb *v, size_t n)
+{
+    struct row row = begin(f, "struct zs_rgb", name, part, what, n, "");
+    for (size_t i = 0; i < n; i++)
+        put(&row, "{%d,%d,%d},", v[i].r, v[i].g, v[i].b);
+    end(f);
+}
+
+static void values16(FILE *f, const char *name, uint32_t part, const char *what, const uint16_t *v,
+                     size_t n)
+{
+    struct row row = begin(f, "uint16_t", name, part, what, n, "");
+    for (size_t i = 0; i < n; i++)
+        put(&row, "0x%04x,", v[i]);
+    end(f);
+}
+
+static void values8(FILE *f, const char *name, uint32_t part, const char *what, const uint8_t *v,
+                    size_t n)
+{
+    struct row row = begin(f, "uint8_t", name, part, what, n, "");
+    for (size_t i = 0; i < n; i++)
+        put(&row, "%d,", v[i]);
+    end(f);
+}
+
+static void positions(FILE *f, const char *name, uint32_t part, const struct sim_piece *p, int fine)
+{
+    struct row row = begin(f, "int16_t", name, part, "pos", p->n_verts, "[3]");
+    for (uint32_t i = 0; i < p->n_verts; i++) {
+        int16_t v[3];
+        for (int k = 0; k < 3; k++)
+            v[k] = (int16_t)((p->fine[i][k] - (p->fine[i][k] & 255)) / 256);
+        put(&row, "{%d,%d,%d},", v[0], v[1], v[2]);
+    }
+    end(f);
+    if (!fine)
+        return;
+    row = begin(f, "uint8_t", name, part, "pos_lo", p->n_verts, "[3]");
+    for (uint32_t i = 0; i < p->n_verts; i++)
+        put(&row, "{%d,%d,%d},", p->fine[i][0] & 255, p->fine[i][1] & 255, p->fine[i][2] & 255);
+    end(f);
+}
+
+static void indices(FILE *f, const char *name, uint32_t part, const struct sim_piece *p)
+{
+    struct row row = begin(f, "uint16_t", name, part, "tri", p->n_tris, "[3]");
+    for (uint32_t i = 0; i < p->n_tris; i++)
+        put(&row, "{%u,%u,%u},", p->tri[i][0], p->tri[i][1], p->tri[i][2]);
+    end(f);
+}
+
+static void coordinates(FILE *f, const char *name, uint32_t part, const struct sim_piece *p)
+{
+    struct row row = begin(f, "int16_t", name, part, "uv", p->n_verts, "[2]");
+    for (uint32_t i = 0; i < p->n_verts; i++)
+        put(&row, "{%d,%d},", p->uv[i][0], p->uv[i][1]);
+    end(f);
+}
+
+static void clusters(FILE *f, const char *name, uint32_t part, const struct sim_piece *p)
+{
+    struct row row = begin(f, "struct zs_cluster", name, part, "cluster", p->n_clusters, "");
+    for (uint32_t i = 0; i < p->n_clusters; i++) {
+        const struct zs_cluster *c = &p->cluster[i];
+        put(&row, "{%" PRIu32 ",%u,{%d,%d,%d},%u,{%d,%d,%d},%d},", c->first, c->n_tris,
+            c->center[0], c->center[1], c->center[2], c->radius, c->axis[0], c->axis[1], c->axis[2],
+            c->cutoff);
+    }
+    end(f);
+}
+
+static void piece_arrays(FILE *f, const char *name, uint32_t part, const struct sim_piece *p,
+                         int fine)
+{
+    (void)fprintf(f, "\n/* Mesh %" PRIu32 " */\n", part);
+    positions(f, name, part, p, fine);
+    indices(f, name, part, p);
+    if (p->normal != NULL)
+        triples(f, name, part, "normal", (const int16_t(*)[3])p->normal, p->n_verts);
+    if (p->face_normal != NULL)
+        triples(f, name, part, "face_normal", (const int16_t(*)[3])p->face_normal, p->n_tris);
+    if (p->vertex_rgb != NULL)
+        colors(f, name, part, "vertex_rgb", p->vertex_rgb, p->n_verts);
+    if (p->face_rgb != NULL)
+        colors(f, name, part, "face_rgb", p->face_rgb, p->n_tris);
+    if (p->face_raw != NULL)
+        values16(f, name, part, "face_raw", p->face_raw, p->n_tris);
+    if (p->uv != NULL)
+        coordinates(f, name, part, p);
+    if (p->cluster != NULL)
+        clusters(f, name, part, p);
+}
+
+/* ---- Objects --------------------------------------------------------------------------------- */
+
+static const char *shader_name(enum sim_shader shader)
+{
+    static const char *const names[] = { "zs_shade_raw",          "zs_shade_flat",
+                                         "zs_shade_smooth",       "zs_shade_texture",
+                                         "zs_shade_texture_flat", "zs_shade_texture_smooth" };
+    return names[shader];
+}
+
+static const char *attrs_name(const struct sim_pieces *p)
+{
+    int textured = 0, smooth = 0, both = 0;
+    for (uint32_t i = 0; i < p->n_paints; i++) {
+        const enum sim_shader s = p->paint[i].shader;
+        both |= s == SIM_SHADER_TEXTURE_SMOOTH;
+        smooth |= s == SIM_SHADER_SMOOTH;
+        textured |= s == SIM_SHADER_TEXTURE || s == SIM_SHADER_TEXTURE_FLAT;
+    }
+    return both       ? "ZS_ATTRS_TEXTURE_SMOOTH"
+           : smooth   ? "ZS_ATTRS_SMOOTH"
+           : textured ? "ZS_ATTRS_TEXTURE"
+                      : "ZS_ATTRS_FLAT";
+}
+
+static const char *format_name(enum sim_texels format)
+{
+    return format == SIM_TEXELS_565 ? "565" : format == SIM_TEXELS_PAL8 ? "pal8" : "pal4";
+}
+
+/* ", NAME_what_part" or ", 0" */
+static void pointer(FILE *f, int there, const char *name, const char *what, uint32_t part)
+{
+    if (there)
+        (void)fprintf(f, "%s_%s_%" PRIu32 ", ", name, what, part);
+    else
+        (void)fputs("0, ", f);
+}
+
+static void mesh_object(FILE *f, const char *name, uint32_t part, const struct sim_piece *p,
+                        const struct sim_steps *s)
+{
+    (void)fputs("    { ", f);
+    pointer(f, 1, name, "pos", part);
+    pointer(f, s->fine, name, "pos_lo", part);
+    pointer(f, 1, name, "tri", part);
+    pointer(f, p->normal != NULL, name, "normal", part);
+    pointer(f, p->face_normal != NULL, name, "face_normal", part);
+    pointer(f, p->vertex_rgb != NULL, name, "vertex_rgb", part);
+    pointer(f, p->face_rgb != NULL, name, "face_rgb", part);
+    pointer(f, p->face_raw != NULL, name, "face_raw", part);
+    (void)fprintf(f, "%" PRIu32 "u, %" PRIu32 "u,\n      %" PRIu32 "u, { %d, %d, %d }, %u, ",
+                  p->n_verts, p->n_tris, s->scale, p->center[0], p->center[1], p->center[2],
+                  p->radius);
+    pointer(f, p->uv != NULL, name, "uv", part);
+    (void)fprintf(f, "%u, ", p->uv != NULL ? p->uv_bits : 0u);
+    pointer(f, p->cluster != NULL, name, "cluster", part);
+    (void)fprintf(f, "%" PRIu32 "u },\n", p->n_clusters);
+}
+
+static void material_object(FILE *f, const char *name, const struct sim_paint *p, int cull)
+{
+    static const char *const culls[] = { "ZS_CULL_BACK", "ZS_CULL_FRONT", "ZS_CULL_NONE" };
+    (void)fprintf(f, "    { &%s, { %d, %d, %d }, %s, ", shader_name(p->shader), p->rgb.r, p->rgb.g,
+                  p->rgb.b, culls[cull]);
+    if (p->texture != SIM_NO_TEXTURE)
+        (void)fprintf(f, "&%s_texture[%" PRIu32 "] },", name, p->texture);
+    else
+        (void)fputs("0 },", f);
+    if (p->name[0] != '\0') {
+        (void)fputs(" /* ", f);
+        quote(f, p->name);
+        (void)fputs(" */", f);
+    }
+    (void)fputc('\n', f);
+}
+
+static void texture_object(FILE *f, const char *name, uint32_t part, const struct sim_skin *s)
+{
+    static const char *const clamps[] = { "0", "ZS_CLAMP_U", "ZS_CLAMP_V",
+                                          "ZS_CLAMP_U | ZS_CLAMP_V" };
+    (void)fprintf(f, "    { &zs_texel_%s, %s_texel_%" PRIu32 ", ", format_name(s->format), name,
+                  part);
+    pointer(f, s->n_colors > 0, name, "palette", part);
+    (void)fprintf(f, "%" PRIu32 ", %u, %u, %s },\n", s->n_colors, sim_texture_log2(s->w),
+                  sim_texture_log2(s->h), clamps[s->clamp & 3]);
+}
+
+static void textures(FILE *f, const struct sim_conversion *c)
+{
+    const char *name = c->options.name;
+    for (uint32_t i = 0; i < c->n_skins; i++) {
+        const struct sim_skin *s = &c->skin[i];
+        (void)fprintf(f, "\n/* Texture %" PRIu32 ": ", i);
+        quote(f, last_name(c->skin_name[i]));
+        (void)fprintf(f, ", %" PRIu32 " x %" PRIu32 " texels, rows from the top */\n", s->w, s->h);
+        if (s->texel != NULL)
+            values16(f, name, i, "texel", s->texel, s->texel_bytes / 2);
+        else
+            values8(f, name, i, "texel", s->index, s->texel_bytes);
+        if (s->n_colors > 0)
+            values16(f, name, i, "palette", s->palette, s->n_colors);
+    }
+    if (c->n_skins == 0)
+        return;
+    (void)fprintf(f, "\nconst struct zs_texture %s_texture[%" PRIu32 "] = {\n", name, c->n_skins);
+    for (uint32_t i = 0; i < c->n_skins; i++)
+        texture_object(f, name, i, &c->skin[i]);
+    (void)fputs("};\n", f);
+}
+
+static void meshes(FILE *f, const struct sim_conversion *c)
+{
+    const struct sim_pieces *p = &c->pieces;
+    const char *name = c->options.name;
+    for (uint32_t i = 0; i < p->n_pieces; i++)
+        piece_arrays(f, name, i, &p->piece[i], c->steps.fine);
+    (void)fprintf(f, "\nconst struct zs_mesh %s_mesh[%" PRIu32 "] = {\n", name, p->n_pieces);
+    for (uint32_t i = 0; i < p->n_pieces; i++)
+        mesh_object(f, name, i, &p->piece[i], &c->steps);
+    (void)fprintf(f, "};\n\nconst struct zs_material %s_material[%" PRIu32 "] = {\n", name,
+                  p->n_paints);
+    for (uint32_t i = 0; i < p->n_paints; i++)
+        material_object(f, name, &p->paint[i], c->options.cull);
+    (void)fprintf(f, "};\n\nconst struct zs_instance %s_instance[%" PRIu32 "] = {\n", name,
+                  p->n_pieces);
+    for (uint32_t i = 0; i < p->n_pieces; i++)
+        (void)fprintf(
+            f,
+            "    { &%s_mesh[%" PRIu32 "], &%s_material[%" PRIu32 "],\n"
+            "      { { ZS_Q30_ONE, 0, 0, 0, ZS_Q30_ONE, 0, 0, 0, ZS_Q30_ONE }, { 0, 0, 0 }, "
+            "ZS_Q16_ONE }, 0 },\n",
+            name, i, name, p->piece[i].paint);
+    (void)fputs("};\n", f);
+}
+
+/* ---- Figures --------------------------------------------------------------------------------- */
+
+static void bytes_line(FILE *f, const char *lead, const char *what, size_t bytes)
+{
+    if (bytes > 0)
+        (void)fprintf(f, "%s%-24s %9zu bytes\n", lead, what, bytes);
+}
+
+static size_t flash(FILE *f, const struct sim_conversion *c, const char *lead)
+{
+    struct sim_flash s = { 0 };
+    size_t texels = 0;
+    const struct sim_pieces *p = &c->pieces;
+    sim_pieces_flash(&s, p, c->steps.fine);
+    for (uint32_t i = 0; i < c->n_skins; i++)
+        texels += c->skin[i].texel_bytes + c->skin[i].palette_bytes;
+    const size_t structs = p->n_pieces * (MESH_BYTES + INSTANCE_BYTES) +
+                           p->n_paints * MATERIAL_BYTES + c->n_skins * TEXTURE_BYTES;
+    const size_t total = s.pos + s.pos_lo + s.tri + s.normal + s.face_normal + s.rgb + s.uv +
+                         s.cluster + texels + structs;
+    if (f != NULL) {
+        bytes_line(f, lead, "positions", s.pos);
+        bytes_line(f, lead, "positions, low bits", s.pos_lo);
+        bytes_line(f, lead, "indices", s.tri);
+        bytes_line(f, lead, "normals", s.normal);
+        bytes_line(f, lead, "face normals", s.face_normal);
+        bytes_line(f, lead, "colours", s.rgb);
+        bytes_line(f, lead, "texture coordinates", s.uv);
+        bytes_line(f, lead, "clusters", s.cluster);
+        bytes_line(f, lead, "texels and palettes", texels);
+        bytes_line(f, lead, "structs (32-bit machine)", structs);
+        bytes_line(f, lead, "flash", total);
+    }
+    return total;
+}
+
+static double extent(const struct sim_model *m)
+{
+    return fmax(m->hi[0] - m->lo[0], fmax(m->hi[1] - m->lo[1], m->hi[2] - m->lo[2]));
+}
+
+/* Vertices that a cache of a size takes in, to a triangle. */
+static double misses(const struct sim_pieces *p, uint32_t size)
+{
+    double sum = 0.0;
+    for (uint32_t i = 0; i < p->n_pieces; i++)
+        sum += p->piece[i].n_tris * sim_cache_misses((const uint16_t(*)[3])p->piece[i].tri,
+                                                     p->piece[i].n_tris, p->piece[i].n_verts, size);
+    return sum / p->n_tris;
+}
+
+static void mesh_figures(FILE *f, const struct sim_conversion *c, const char *lead)
+{
+    const struct sim_pieces *p = &c->pieces;
+    uint32_t n_clusters = 0;
+    for (uint32_t i = 0; i < p->n_pieces; i++)
+        n_clusters += p->piece[i].n_clusters;
+    (void)fprintf(f,
+                  "%s%" PRIu32 " triangles, %" PRIu32 " vertices, %" PRIu32 " clusters, %" PRIu32
+                  " mesh%s, %" PRIu32 " material%s\n",
+                  lead, p->n_tris, p->n_verts, n_clusters, p->n_pieces,
+                  p->n_pieces == 1 ? "" : "es", p->n_paints, p->n_paints == 1 ? "" : "s");
+    if (p->n_flat > 0)
+        (void)fprintf(f,
+                      "%s%" PRIu32 " triangles left out: no area on the grid (%" PRIu32
+                      " had none in the file)\n",
+                      lead, p->n_flat, p->n_flat_before);
+    const struct sim_steps *s = &c->steps;
+    char text[5][32];
+    (void)fprintf(f, "%sposition = %s, %s, %s + %s * n%s; %s world units to a unit of the model\n",
+                  lead, exactly(text[0], s->origin[0]), exactly(text[1], s->origin[1]),
+                  exactly(text[2], s->origin[2]), exactly(text[3], s->step),
+                  s->fine ? ", n = pos + pos_lo / 256" : "", exactly(text[4], s->unit));
+    if (s->exact)
+        (void)fprintf(f, "%spositions: exact\n", lead);
+    else
+        (void)fprintf(
+            f, "%spositions: off by at most %.3g, rms %.3g units (%.2g and %.2g of the extent)\n",
+            lead, p->error_max, p->error_rms, p->error_max / extent(&c->model),
+            p->error_rms / extent(&c->model));
+    (void)fprintf(f, "%sorder: %.2f vertices to a triangle through a cache of 16, %.2f of 32\n",
+                  lead, misses(p, 16), misses(p, 32));
+    if (p->normal_error >= 0.0)
+        (void)fprintf(f, "%snormals: off by at most %.4f degrees\n", lead, p->normal_error);
+}
+
+static void texture_figures(FILE *f, const struct sim_conversion *c, const char *lead)
+{
+    for (uint32_t i = 0; i < c->n_skins; i++) {
+        const struct sim_skin *s = &c->skin[i];
+        (void)fprintf(f, "%stexture %" PRIu32 " ", lead, i);
+        quote(f, last_name(c->skin_name[i]));
+        (void)fprintf(f, ": %" PRIu32 " x %" PRIu32 ", %s", s->w, s->h, format_name(s->format));
+        if (s->n_colors > 0)
+            (void)fprintf(f, ", %" PRIu32 " colours", s->n_colors);
+        if (isfinite(s->loss.psnr_db))
+            (void)fprintf(f, ", PSNR %.1f dB, a channel off by at most %.0f of 255",
+                          s->loss.psnr_db, ceil(s->loss.worst));
+        else
+            (void)fputs(", nothing lost", f);
+        if (c->pieces.uv_error != NULL && c->pieces.uv_error[i] >= 0.0)
+            (void)fprintf(f, "; coordinates off by at most %.4f texels", c->pieces.uv_error[i]);
+        (void)fputc('\n', f);
+    }
+}
+
+void sim_convert_figures(FILE *f, const struct sim_conversion *c, const char *lead)
+{
+    if (c->pieces.n_pieces > 0)
+        mesh_figures(f, c, lead);
+    texture_figures(f, c, lead);
+    (void)flash(f, c, lead);
+}
+
+/* ---- Files ----------------------------------------------------------------------------------- */
+
+static void first_line(FILE *f, const struct sim_conversion *c)
+{
+    (void)fprintf(f, "/* Made by: %s\n * Do not edit this file: convert again.\n",
+                  c->options.command);
+}
+
+/* In world units, from the mesh's 0,0,0. */
+struct box {
+    long lo[3], hi[3], radius, middle[3];
+};
+
+static void find_box(struct box *box, const struct sim_conversion *c)
+{
+    const double unit = (double)c->steps.scale / 65536.0 / 256.0; /* world units to 1/256 step */
+    double lo[3] = { INFINITY, INFINITY, INFINITY }, hi[3] = { -INFINITY, -INFINITY, -INFINITY },
+           most = 0.0;
+    for (uint32_t i = 0; i < c->pieces.n_pieces; i++)
+        for (uint32_t v = 0; v < c->pieces.piece[i].n_verts; v++)
+            for (int k = 0; k < 3; k++) {
+                lo[k] = fmin(lo[k], c->pieces.piece[i].fine[v][k] * unit);
+                hi[k] = fmax(hi[k], c->pieces.piece[i].fine[v][k] * unit);
+            }
+    for (int k = 0; k < 3; k++) {
+        box->lo[k] = (long)floor(lo[k]);
+        box->hi[k] = (long)ceil(hi[k]);
+        box->middle[k] = c->options.keep_origin ? lrint((lo[k] + hi[k]) / 2.0) : 0;
+    }
+    for (uint32_t i = 0; i < c->pieces.n_pieces; i++)
+        for (uint32_t v = 0; v < c->pieces.piece[i].n_verts; v++) {
+            double squared = 0.0;
+            for (int k = 0; k < 3; k++) {
+                const double d = c->pieces.piece[i].fine[v][k] * unit - (double)box->middle[k];
+                squared += d * d;
+            }
+            most = fmax(most, squared);
+        }
+    box->radius = (long)ceil(sqrt(most));
+}
+
+static void describe_place(FILE *f, const struct sim_conversion *c, const struct box *box)
+{
+    const struct sim_steps *s = &c->steps;
+    char text[4][32];
+    (void)fprintf(f,
+                  " * Size       %ld x %ld x %ld world units; a unit of the model is %s of them.\n",
+                  box->hi[0] - box->lo[0], box->hi[1] - box->lo[1], box->hi[2] - box->lo[2],
+                  exactly(text[0], s->unit));
+    (void)fprintf(f, " * Place      0,0,0 is %s.\n",
+                  c->options.keep_origin ? "the model's own origin"
+                                         : "the middle of the model's box");
+    (void)fprintf(f,
+                  " * Positions  in the model's units: %s %s %s + %s * n, n as in the arrays%s.\n",
+                  exactly(text[0], s->origin[0]), exactly(text[1], s->origin[1]),
+                  exactly(text[2], s->origin[2]), exactly(text[3], s->step),
+                  s->fine ? " (pos + pos_lo / 256)" : "");
+}
+
+static void describe_use(FILE *f, const char *name, const char *big)
+{
+    (void)fprintf(
+        f,
+        " * Use        a scene's .instance can be %s_instance, and .n_instances %s_INSTANCES. To "
+        "move\n"
+        " *            the model, copy all of it to RAM and give every instance the same pose:\n"
+        " *                struct zs_instance %s[%s_INSTANCES];\n"
+        " *                memcpy(%s, %s_instance, sizeof %s);\n",
+        name, big, name, big, name, name, name);
+}
+
+static void defines(FILE *f, const struct sim_conversion *c, const char *big, const struct box *b)
+{
+    const struct sim_pieces *p = &c->pieces;
+    (void)fprintf(f, "#define %s_INSTANCES %" PRIu32 "u\n", big, p->n_pieces);
+    (void)fprintf(f, "#define %s_MATERIALS %" PRIu32 "u\n", big, p->n_paints);
+    (void)fprintf(f, "#define %s_TRIANGLES %" PRIu32 "u\n", big, p->n_tris);
+    (void)fprintf(f, "#define %s_VERTICES %" PRIu32 "u\n", big, p->n_verts);
+    (void)fprintf(f, "#define %s_ATTRS %s /* zs_config.attrs, at least */\n", big, attrs_name(p));
+    (void)fprintf(f, "#define %s_LO { %ld, %ld, %ld } /* world units: its box, its middle, */\n",
+                  big, b->lo[0], b->lo[1], b->lo[2]);
+    (void)fprintf(f,
+                  "#define %s_HI { %ld, %ld, %ld } /* and how far from the middle it reaches */\n",
+                  big, b->hi[0], b->hi[1], b->hi[2]);
+    (void)fprintf(f, "#define %s_MIDDLE { %ld, %ld, %ld }\n", big, b->middle[0], b->middle[1],
+                  b->middle[2]);
+    (void)fprintf(f, "#define %s_RADIUS %ld\n", big, b->radius);
+}
+
+void sim_convert_header(FILE *f, const struct sim_conversion *c)
+{
+    const char *name = c->options.name;
+    const int has_mesh = c->pieces.n_pieces > 0;
+    char big[64];
+    struct box box;
+    upper(big, name);
+    first_line(f, c);
+    (void)fprintf(f, " *\n * Flash      %zu bytes; %s.c says what for.\n", flash(NULL, c, ""),
+                  name);
+    if (has_mesh) {
+        find_box(&box, c);
+        describe_place(f, c, &box);
+        describe_use(f, name, big);
+    }
+    (void)fprintf(f, " */\n#ifndef %s_H\n#define %s_H\n\n#include \"zstrip.h\"\n\n", big, big);
+    if (has_mesh)
+        defines(f, c, big, &box);
+    if (c->n_skins > 0)
+        (void)fprintf(f, "#define %s_TEXTURES %" PRIu32 "u\n", big, c->n_skins);
+    (void)fputs("\n#ifdef __cplusplus\nextern \"C\" {\n#endif\n\n", f);
+    if (has_mesh) {
+        (void)fprintf(
+            f, "extern const struct zs_instance %s_instance[%s_INSTANCES]; /* one to a mesh */\n",
+            name, big);
+        (void)fprintf(f, "extern const struct zs_mesh %s_mesh[%s_INSTANCES];\n", name, big);
+        (void)fprintf(f, "extern const struct zs_material %s_material[%s_MATERIALS];\n", name, big);
+    }
+    if (c->n_skins > 0)
+        (void)fprintf(f, "extern const struct zs_texture %s_texture[%s_TEXTURES];\n", name, big);
+    (void)fputs("\n#ifdef __cplusplus\n}\n#endif\n\n#endif\n", f);
+}
+
+void sim_convert_source(FILE *f, const struct sim_conversion *c)
+{
+    first_line(f, c);
+    (void)fputs(" *\n", f);
+    sim_convert_figures(f, c, " *   ");
+    (void)fprintf(f, " */\n#include \"%s.h\"\n", c->options.name);
+    textures(f, c);
+    if (c->pieces.n_pieces > 0)
+        meshes(f, c);
+}
+
+void sim_convert_map(FILE *f, const struct sim_conversion *c)
+{
+    for (uint32_t i = 0; i < c->pieces.n_pieces; i++)
+        for (uint32_t t = 0; t < c->pieces.piece[i].n_tris; t++) {
+            const uint32_t id = c->pieces.piece[i].source[t] + 1;
+            sim_u32_write(f, &id, 1);
+        }
+}

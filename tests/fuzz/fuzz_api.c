@@ -1,0 +1,772 @@
+/* A seeded fuzzer of the whole public interface, for builds with the sanitizers and ZS_ASSERT.
+ *
+ *   fuzz_api SEED cases N       cases 1 .. N of a seed
+ *   fuzz_api SEED seconds S     as many as fit
+ *   fuzz_api SEED case K        one of them again, described
+ *
+ * A case depends on SEED and its number alone. What must hold, beside nothing being read or written out of
+ * bounds, overflowed or asserted wrongly:
+ *
+ *   the same scene, camera and profile give the same picture and counts, or the same refusal, for any strips,
+ *   pools, buffers and skips; an arena is exactly zs_arena_bytes() long; nothing that is const is written
+ *   calls in any order are answered as zstrip.h says, a refused zs_init leaves arena and renderer as it says,
+ *   each strip given out is that of the picture and stays as long as promised; sinks that fail are obeyed
+ *   helpers that succeed give what a frame accepts, and that fail leave what they were given
+ *
+ * SPDX-License-Identifier: MIT
+ */
+#include <sanitizer/common_interface_defs.h>
+#include <signal.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <time.h>
+#include <unistd.h>
+
+#include "kinds.h"
+#include "picture.h"
+#include "world.h"
+
+#define CASE_SECONDS 60 /* a case that takes longer hangs */
+
+/* ---- Replaying -------------------------------------------------------------------------------- */
+
+static struct {
+    const char *program;
+    unsigned long long seed, number;
+    int alone;
+} now;
+
+/* Only write(): it may be called from a signal. */
+static void say_replay(void)
+{
+    char line[300];
+    const int n = snprintf(line, sizeof line, "FAILED fuzz_api: replay with: %s %llu case %llu\n", now.program,
+                           now.seed, now.number);
+    if (write(2, line, (size_t)n) != n)
+        _exit(1);
+}
+
+void __ubsan_on_report(void); /* UBSan calls it, ASan's callback it does not */
+void __ubsan_on_report(void)
+{
+    say_replay();
+}
+
+static void on_signal(int signal)
+{
+    static const char hang[] = "wrong: hangs\n", trap[] = "wrong: an assertion of the library\n";
+    const char *text = signal == SIGALRM ? hang : trap;
+    (void)!write(2, text, strlen(text));
+    say_replay();
+    _exit(1);
+}
+
+static void wrong(int line, const char *what)
+{
+    fprintf(stderr, "wrong: %s:%d: %s\n", __FILE__, line, what);
+    say_replay();
+    exit(1);
+}
+
+#define EXPECT(condition) \
+    do { \
+        if (!(condition)) \
+            wrong(__LINE__, #condition); \
+    } while (0)
+
+/* ---- What was reached ------------------------------------------------------------------------- */
+
+static struct {
+    uint64_t frames, pixels, tris, clipped, passes, strips, refused[16];
+    uint64_t depth[KINDS(kind_depths)][2]; /* [perspective] */
+    uint64_t shader[KINDS(kind_shaders)], texel[KINDS(kind_texels)], state, cluster;
+} reached;
+
+static void count_refusal(int err)
+{
+    EXPECT(err <= 0 && err > -16);
+    reached.refused[-err]++;
+}
+
+static void count_frame(const struct world *w, const struct zs_config *c, const struct picture *p)
+{
+    count_refusal(p->err);
+    if (p->err || p->covered == 0)
+        return;
+    EXPECT(p->covered <= p->stats.pixels_written && p->stats.pixels_written <= p->stats.pixels_tested);
+    for (int32_t i = 0; i < p->w * p->h; i++) /* keys saturate */
+        EXPECT(p->key[i] == ZS_DEPTH_CLEAR || p->key[i] <= (1u << c->depth_bits) - 2u);
+    reached.frames++;
+    reached.pixels += p->covered;
+    reached.tris += p->stats.tris_drawn;
+    reached.clipped += p->stats.tris_clipped;
+    for (size_t k = 0; k < KINDS(kind_depths); k++)
+        reached.depth[k][w->camera.projection == ZS_PERSPECTIVE] += c->depth == kind_depths[k].depth;
+    for (uint32_t i = 0; i < w->scene.n_instances; i++) {
+        const struct zs_material *m = w->instance[i].material;
+        for (size_t k = 0; k < KINDS(kind_shaders); k++) {
+            reached.shader[k] += m->shader == kind_shaders[k].shader;
+            for (size_t f = 0; f < KINDS(kind_texels) && m->shader == kind_shaders[k].shader; f++)
+                reached.texel[f] += kind_shaders[k].texture && m->texture->format == kind_texels[f].format;
+        }
+        reached.state += w->instance[i].state != NULL;
+        reached.cluster += w->instance[i].mesh->cluster != NULL;
+    }
+}
+
+/* Names what a long run never came to; 1: nothing. */
+static int reached_all(void)
+{
+    static const int errors[] = { ZS_OK, ZS_ERR_NULL, ZS_ERR_SIZE, ZS_ERR_DEPTH, ZS_ERR_CAMERA, ZS_ERR_RANGE,
+                                  ZS_ERR_MESH, ZS_ERR_ATTRS, ZS_ERR_NEAR, ZS_ERR_TEXTURE };
+    int all = reached.state && reached.cluster && reached.clipped && reached.passes;
+    for (size_t k = 0; k < KINDS(errors); k++)
+        if (!reached.refused[-errors[k]]) {
+            fprintf(stderr, "not reached: %s\n", zs_strerror(errors[k]));
+            all = 0;
+        }
+    for (size_t k = 0; k < KINDS(kind_depths); k++)
+        if (!reached.depth[k][1] || (kind_depths[k].any_camera && !reached.depth[k][0])) {
+            fprintf(stderr, "not reached: depth %s\n", kind_depths[k].name);
+            all = 0;
+        }
+    for (size_t k = 0; k < KINDS(kind_shaders); k++)
+        if (!reached.shader[k]) {
+            fprintf(stderr, "not reached: shader %s\n", kind_shaders[k].name);
+            all = 0;
+        }
+    for (size_t k = 0; k < KINDS(kind_texels); k++)
+        if (!reached.texel[k]) {
+            fprintf(stderr, "not reached: texels %s\n", kind_texels[k].name);
+            all = 0;
+        }
+    return all;
+}
+
+/* ---- Configurations --------------------------------------------------------------------------- */
+
+/* The part that a picture depends on; mostly a mapping that the camera takes. */
+static struct zs_config profile(struct prng *p, const struct zs_camera *camera)
+{
+    const struct kind_depth *depth = &kind_depths[prng_pick(p, KINDS(kind_depths))];
+    while (camera->projection == ZS_ORTHOGRAPHIC && !depth->any_camera && !one_in(p, 20))
+        depth = &kind_depths[prng_pick(p, KINDS(kind_depths))];
+    struct zs_config c = picture_config(1 + (int32_t)prng_pick(p, 64), 1 + (int32_t)prng_pick(p, 64), depth->depth);
+    c.max_tris = c.max_verts = 3000;
+    c.attrs = ZS_ATTRS_MAX;
+    c.subpixel_bits = one_in(p, 4) ? 4 : 8;
+    c.depth_bits = (uint8_t)(one_in(p, 2) ? 16 : prng_range(p, 8, 16));
+    if (one_in(p, 16)) /* a long one */
+        *(one_in(p, 2) ? &c.width : &c.height) = (uint16_t)(1 + prng_pick(p, 512));
+    if (one_in(p, 64))
+        *(one_in(p, 2) ? &c.width : &c.height) = ZS_SIZE_MAX;
+    c.strip_h = c.height;
+    return c;
+}
+
+/* How it is drawn: skips only where the scene keeps its word. */
+static struct zs_config way(struct prng *p, struct zs_config c, int trusted)
+{
+    static const uint16_t small[] = { 1, 2, 3, 4, 5, 7, 8, 11, 16, 23, 64, 200, 3000 };
+    c.strip_h = one_in(p, 3) ? (uint16_t)(1 + prng_pick(p, 65535)) : (uint16_t)(1 + prng_pick(p, 12));
+    if (c.strip_h < c.height / 64) /* not hours */
+        c.strip_h = (uint16_t)(c.height / 64);
+    c.max_tris = one_in(p, 4) ? (uint16_t)(1 + prng_pick(p, 100)) : small[prng_pick(p, KINDS(small))];
+    c.max_verts = (uint16_t)(3 + small[prng_pick(p, KINDS(small))] - 1);
+    c.buffers = (uint8_t)(1 + prng_pick(p, 2));
+    c.skip_off = (uint8_t)(one_in(p, 2) ? 0 : prng_next(p));
+    if (!trusted)
+        c.skip_off &= (uint8_t)~(ZS_SKIP_FRUSTUM | ZS_SKIP_CLIPTEST);
+    return c;
+}
+
+static void print_config(const struct zs_config *c)
+{
+    const char *depth = "no";
+    for (size_t k = 0; k < KINDS(kind_depths); k++)
+        if (kind_depths[k].depth == c->depth)
+            depth = kind_depths[k].name;
+    fprintf(stderr, "%ux%u, strips of %u, %u triangles, %u vertices, %u attributes, %u buffers, %u sub-pixel bits, "
+                    "%u bits of %s, skips off %u\n", c->width, c->height, c->strip_h, c->max_tris, c->max_verts,
+            c->attrs, c->buffers, c->subpixel_bits, c->depth_bits, depth, c->skip_off);
+}
+
+/* ---- The same picture every way ----------------------------------------------------------------- */
+
+static int same_counts(const struct zs_stats *a, const struct zs_stats *b)
+{
+    return a->tris_in == b->tris_in && a->tris_drawn == b->tris_drawn &&
+           a->tris_frustum == b->tris_frustum && a->tris_near == b->tris_near &&
+           a->tris_far == b->tris_far && a->tris_offscreen == b->tris_offscreen &&
+           a->tris_facing == b->tris_facing && a->tris_zero == b->tris_zero &&
+           a->tris_empty == b->tris_empty && a->tris_index == b->tris_index &&
+           a->tris_clipped == b->tris_clipped && a->instances_culled == b->instances_culled;
+}
+
+static void print_counts(const struct zs_stats *s)
+{
+    fprintf(stderr, "instances %u, culled %u; triangles in %u: drawn %u frustum %u near %u far %u offscreen %u facing %u zero %u "
+                    "empty %u index %u; clipped %u\n", s->instances_in, s->instances_culled, s->tris_in, s->tris_drawn, s->tris_frustum,
+            s->tris_near, s->tris_far, s->tris_offscreen, s->tris_facing, s->tris_zero, s->tris_empty,
+            s->tris_index, s->tris_clipped);
+}
+
+static void compare(const struct world *w, const struct picture *plain, const struct zs_config *c)
+{
+    struct picture p = picture_draw(c, &w->scene, &w->camera);
+    if (p.err != plain->err || (!p.err && !picture_same(plain, &p, "fuzz_api"))) {
+        print_config(c);
+        fprintf(stderr, "%s, and plainly: %s\n", zs_strerror(p.err), zs_strerror(plain->err));
+        wrong(__LINE__, "the same picture");
+    }
+    if (!p.err) {
+        EXPECT(stats_add_up(&p.stats) && p.stats.tris_in == plain->stats.tris_in);
+        EXPECT(p.stats.pixels_tested == plain->stats.pixels_tested);
+        EXPECT(p.stats.pixels_written == plain->stats.pixels_written);
+        EXPECT(p.stats.max_tris_used <= c->max_tris && p.stats.max_verts_used <= c->max_verts);
+        if (!(c->skip_off & (ZS_SKIP_FRUSTUM | ZS_SKIP_CLIPTEST | ZS_SKIP_EMPTY)) && !same_counts(&p.stats, &plain->stats)) {
+            print_config(c);
+            print_counts(&p.stats);
+            print_counts(&plain->stats);
+            wrong(__LINE__, "the same counts");
+        }
+        reached.passes += p.stats.passes - 1u;
+    }
+    picture_free(&p);
+}
+
+static void case_pictures(struct prng *p, uint32_t odd)
+{
+    struct world w;
+    world_make(&w, p, odd);
+    struct zs_config plain_config = profile(p, &w.camera);
+    if (odd && one_in(p, odd))
+        plain_config.attrs = (uint8_t)prng_pick(p, ZS_ATTRS_MAX + 1);
+    if (now.alone) {
+        world_print(&w);
+        print_config(&plain_config);
+    }
+    const uint64_t before = world_sum(&w);
+    for (int cameras = 0; cameras < 2; cameras++) {
+        struct picture plain = picture_draw(&plain_config, &w.scene, &w.camera);
+        if (now.alone)
+            fprintf(stderr, "%s, %u pixels\n", zs_strerror(plain.err), plain.covered);
+        count_frame(&w, &plain_config, &plain);
+        EXPECT(plain.err || stats_add_up(&plain.stats));
+        for (int n = plain.err ? 1 : 3; n > 0; n--) {
+            const struct zs_config c = way(p, plain_config, w.trusted);
+            compare(&w, &plain, &c);
+        }
+        picture_free(&plain);
+        if (cameras == 0) {
+            EXPECT(before == world_sum(&w));
+            world_camera(&w, p, odd);
+        }
+    }
+    world_free(&w);
+}
+
+/* A mesh and pools of the largest counts, or as many instances as there may be. */
+static void case_big(struct prng *p, uint32_t odd)
+{
+    struct world w;
+    world_make(&w, p, odd);
+    world_big(&w, p);
+    struct zs_config c = profile(p, &w.camera);
+    c.width = c.height = (uint16_t)(1 + prng_pick(p, 40));
+    c.max_tris = c.max_verts = ZS_POOL_MAX;
+    struct picture plain = picture_draw(&c, &w.scene, &w.camera);
+    count_frame(&w, &c, &plain);
+    c.max_tris = (uint16_t)(ZS_POOL_MAX - prng_pick(p, 60000));
+    c.max_verts = (uint16_t)(ZS_POOL_MAX - prng_pick(p, 60000));
+    c.strip_h = (uint16_t)(1 + prng_pick(p, 40));
+    compare(&w, &plain, &c);
+    picture_free(&plain);
+    world_free(&w);
+}
+
+/* ---- Calls in any order --------------------------------------------------------------------------- */
+
+#define CLOSED (-1)
+
+struct desk { /* a renderer and what it should be in */
+    struct zs_renderer *r;
+    struct zs_config config; /* with strip_h cut to the height */
+    uint8_t *arena;
+    int ready, open;         /* open: the camera, or CLOSED */
+    uint32_t given;          /* strips of the open frame */
+    struct zs_strip last;    /* the one given out before, if given > 0 */
+    uint64_t last_sum;
+};
+
+struct room {
+    struct world w;
+    struct zs_config profile;
+    struct zs_camera camera[2];
+    struct picture picture[2]; /* by camera */
+    struct desk desk[2];
+    uint64_t sum;
+};
+
+static uint64_t sum_bytes(const uint8_t *b, uint32_t n)
+{
+    uint64_t h = 14695981039346656037u;
+    for (uint32_t i = 0; i < n; i++)
+        h = (h ^ b[i]) * 1099511628211u;
+    return h;
+}
+
+/* 1: the strip is rows [y, y + h) of the picture. */
+static int strip_right(const struct picture *p, const struct zs_strip *s)
+{
+    for (int32_t i = 0; i < s->w * s->h; i++) {
+        const int32_t at = s->y * p->w + i;
+        if ((s->px[2 * i] << 8 | s->px[2 * i + 1]) != p->color[at] || s->depth[i] != p->key[at])
+            return 0;
+    }
+    return 1;
+}
+
+static void strip_expect(const struct room *m, struct desk *d, const struct zs_strip *s)
+{
+    const struct zs_config *c = &d->config;
+    const uint32_t y = d->given * c->strip_h, left = c->height - y;
+    EXPECT(s->x == 0 && s->w == c->width && s->y == y);
+    EXPECT(s->h == (left < c->strip_h ? left : c->strip_h));
+    EXPECT(s->n_bytes == 2u * s->w * s->h && s->last == (y + s->h == c->height));
+    EXPECT(strip_right(&m->picture[d->open], s));
+    if (d->given && c->buffers == 2) /* the one before is still whole */
+        EXPECT(sum_bytes(d->last.px, d->last.n_bytes) == d->last_sum);
+    d->last = *s;
+    d->last_sum = sum_bytes(s->px, s->n_bytes);
+    d->given++;
+    reached.strips++;
+}
+
+static void do_init(struct room *m, struct desk *d, struct prng *p)
+{
+    struct zs_config c = way(p, m->profile, m->w.trusted);
+    int want = ZS_OK;
+    uint32_t bytes = zs_arena_bytes(&c), off = 0;
+    EXPECT(bytes != 0);
+    const uint32_t full = bytes;
+    switch (prng_pick(p, 16)) {
+    case 0: c.width = (uint16_t)(one_in(p, 2) ? 0 : ZS_SIZE_MAX + 1); want = ZS_ERR_SIZE; break;
+    case 1: c.max_verts = (uint16_t)(one_in(p, 2) ? 2 : 65535); want = ZS_ERR_SIZE; break;
+    case 2: c.depth_bits = (uint8_t)(one_in(p, 2) ? 7 : 17); want = ZS_ERR_DEPTH; break;
+    case 3: c.depth = NULL; want = ZS_ERR_NULL; break;
+    case 4: bytes -= 1 + prng_pick(p, full < 64 ? full : 64); want = ZS_ERR_ARENA; break;
+    case 5: off = 1 + prng_pick(p, 3); want = ZS_ERR_ARENA; break;
+    default: break;
+    }
+    uint8_t *arena = malloc(full + off + 4);
+    for (uint32_t i = 0; i < full + off; i++)
+        arena[i] = (uint8_t)prng_next(p);
+    free(d->arena);
+    d->arena = malloc(bytes + off ? bytes + off : 1);
+    memcpy(d->arena, arena, bytes + off);
+    EXPECT(zs_init(d->r, &c, d->arena + off, bytes) == want);
+    if (want)
+        EXPECT(memcmp(d->arena, arena, bytes + off) == 0);
+    free(arena);
+    d->config = c;
+    if (d->config.strip_h > c.height)
+        d->config.strip_h = c.height;
+    d->ready = want == ZS_OK;
+    d->open = CLOSED;
+}
+
+static void do_begin(struct room *m, struct desk *d, struct prng *p)
+{
+    const int k = (int)prng_pick(p, 2);
+    const struct zs_scene *scene = one_in(p, 12) ? NULL : &m->w.scene;
+    const struct zs_camera *camera = one_in(p, 12) ? NULL : &m->camera[k];
+    const int want = !scene || !camera ? ZS_ERR_NULL : d->ready ? m->picture[k].err : ZS_ERR_STATE;
+    EXPECT(zs_frame_begin(NULL, scene, camera) == ZS_ERR_NULL);
+    EXPECT(zs_frame_begin(d->r, scene, camera) == want);
+    d->open = want ? CLOSED : k;
+    d->given = 0;
+    if (want == ZS_OK)
+        EXPECT(zs_frame_stats(d->r)->strips == 0);
+}
+
+static void do_strip(struct room *m, struct desk *d)
+{
+    struct zs_strip s;
+    EXPECT(zs_frame_strip(d->r, NULL) == ZS_ERR_NULL && zs_frame_strip(NULL, &s) == ZS_ERR_NULL);
+    const int got = zs_frame_strip(d->r, &s);
+    if (!d->ready || d->open == CLOSED) {
+        EXPECT(got == ZS_ERR_STATE);
+        return;
+    }
+    const uint32_t n = (d->config.height + d->config.strip_h - 1u) / d->config.strip_h;
+    EXPECT(got == (d->given < n));
+    if (got)
+        strip_expect(m, d, &s);
+    EXPECT(zs_frame_stats(d->r)->strips == d->given);
+}
+
+static void do_end(struct desk *d)
+{
+    EXPECT(zs_frame_end(NULL) == ZS_ERR_NULL);
+    EXPECT(zs_frame_end(d->r) == (d->ready && d->open != CLOSED ? ZS_OK : ZS_ERR_STATE));
+    d->open = CLOSED;
+}
+
+struct panel {
+    struct room *m;
+    struct desk *d;
+    int submits, waits, lent;       /* calls so far; strips not waited for */
+    int bad_submit, bad_wait;       /* the call that fails, from 1; 0: none */
+    struct zs_strip strip;
+    uint64_t sum;
+};
+
+static int panel_submit(void *ctx, const struct zs_strip *s)
+{
+    struct panel *at = ctx;
+    EXPECT(at->lent == 0);
+    if (++at->submits == at->bad_submit)
+        return -1000;
+    strip_expect(at->m, at->d, s);
+    at->lent++;
+    at->strip = *s;
+    at->sum = sum_bytes(s->px, s->n_bytes);
+    return 0;
+}
+
+static int panel_wait(void *ctx)
+{
+    struct panel *at = ctx;
+    EXPECT(at->lent == 1 && sum_bytes(at->strip.px, at->strip.n_bytes) == at->sum);
+    at->lent--;
+    return ++at->waits == at->bad_wait ? -1001 : 0;
+}
+
+static int panel_gone(void *ctx, const struct zs_strip *s)
+{
+    struct panel *at = ctx;
+    const int err = panel_submit(ctx, s);
+    at->lent = 0; /* done with it: there is no wait */
+    return err;
+}
+
+static void do_render(struct room *m, struct desk *d, struct prng *p)
+{
+    const int k = (int)prng_pick(p, 2);
+    struct panel at = { .m = m, .d = d };
+    const int waits = (int)prng_pick(p, 2);
+    const struct zs_sink sink = { waits ? panel_submit : panel_gone, waits ? panel_wait : NULL, &at };
+    if (one_in(p, 3))
+        *(one_in(p, 2) ? &at.bad_submit : &at.bad_wait) = 1 + (int)prng_pick(p, 20);
+    d->open = k; /* strip_expect looks there */
+    d->given = 0;
+    const int got = zs_render(d->r, &m->w.scene, &m->camera[k], &sink);
+    d->open = CLOSED;
+    if (!d->ready || m->picture[k].err) {
+        EXPECT(got == (d->ready ? m->picture[k].err : ZS_ERR_STATE) && at.submits == 0);
+        return;
+    }
+    const int n = (d->config.height + d->config.strip_h - 1) / d->config.strip_h;
+    const int stops = at.bad_submit && at.bad_submit <= n, late = waits && at.bad_wait && at.bad_wait <= n;
+    EXPECT(got == (stops ? -1000 : late ? -1001 : 0));
+    EXPECT(at.lent == 0 && at.submits <= n && (stops || late || at.submits == n));
+    EXPECT(!stops || at.submits == at.bad_submit);
+    EXPECT(!late || at.waits == at.bad_wait);
+}
+
+static void case_calls(struct prng *p, uint32_t odd)
+{
+    static struct room m;
+    memset(&m, 0, sizeof m);
+    world_make(&m.w, p, odd);
+    m.profile = profile(p, &m.w.camera);
+    for (int k = 0; k < 2; k++) {
+        if (k)
+            world_camera(&m.w, p, odd);
+        m.camera[k] = m.w.camera;
+        m.picture[k] = picture_draw(&m.profile, &m.w.scene, &m.camera[k]);
+        count_frame(&m.w, &m.profile, &m.picture[k]);
+    }
+    const uint64_t before = world_sum(&m.w);
+    for (int k = 0; k < 2; k++) {
+        m.desk[k].r = malloc(sizeof *m.desk[k].r);
+        m.desk[k].open = CLOSED;
+        memset(m.desk[k].r, 0x5a, sizeof *m.desk[k].r);
+        do_init(&m, &m.desk[k], p); /* any state: only zs_init may be called first */
+    }
+    for (uint32_t n = 10 + prng_pick(p, 60); n > 0; n--) {
+        struct desk *d = &m.desk[prng_pick(p, 2)];
+        const uint32_t op = prng_pick(p, 40);
+        if (op == 0)
+            do_init(&m, d, p);
+        else if (op < 5)
+            do_begin(&m, d, p);
+        else if (op < 7)
+            do_end(d);
+        else if (op < 10)
+            do_render(&m, d, p);
+        else
+            do_strip(&m, d);
+    }
+    EXPECT(before == world_sum(&m.w));
+    for (int k = 0; k < 2; k++) {
+        free(m.desk[k].r);
+        free(m.desk[k].arena);
+        picture_free(&m.picture[k]);
+    }
+    world_free(&m.w);
+}
+
+/* ---- Configurations ------------------------------------------------------------------------------- */
+
+static uint16_t any_size(struct prng *p)
+{
+    static const uint16_t ends[] = { 0, 1, 2, 3, 4095, 4096, 4097, 65533, 65534, 65535 };
+    return one_in(p, 3) ? ends[prng_pick(p, 10)] : (uint16_t)(prng_next(p) >> 48 >> prng_pick(p, 16));
+}
+
+static int within(uint32_t v, uint32_t lo, uint32_t hi)
+{
+    return v >= lo && v <= hi;
+}
+
+static void case_config(struct prng *p, uint32_t odd)
+{
+    struct zs_config c = { any_size(p), any_size(p), any_size(p), any_size(p), any_size(p), (uint8_t)prng_pick(p, 5),
+                           (uint8_t)prng_pick(p, 4), one_in(p, 2) ? 8 : (uint8_t)prng_pick(p, 10),
+                           one_in(p, 2) ? 16 : (uint8_t)prng_pick(p, 20), (uint8_t)prng_next(p),
+                           kind_depths[prng_pick(p, KINDS(kind_depths))].depth };
+    const int ok = within(c.width, 1, ZS_SIZE_MAX) && within(c.height, 1, ZS_SIZE_MAX) && c.strip_h &&
+                   within(c.max_tris, 1, ZS_POOL_MAX) && within(c.max_verts, 3, ZS_POOL_MAX) &&
+                   c.attrs <= ZS_ATTRS_MAX && within(c.buffers, 1, 2) &&
+                   (c.subpixel_bits == 8 || c.subpixel_bits == 4);
+    const uint32_t bytes = zs_arena_bytes(&c);
+    EXPECT((bytes != 0) == ok);
+    if (now.alone)
+        print_config(&c);
+    struct zs_renderer *r = malloc(sizeof *r);
+    memset(r, 1, sizeof *r);
+    if (!ok) {
+        uint32_t none[4] = { 1, 2, 3, 4 };
+        const int err = zs_init(r, &c, none, sizeof none);
+        count_refusal(err);
+        EXPECT(err == ZS_ERR_SIZE && none[0] == 1 && none[3] == 4);
+    } else if (bytes < 2000000 && (uint32_t)c.width * c.height < 200000u) {
+        const uint16_t rows = c.strip_h < c.height ? c.strip_h : c.height;
+        EXPECT(bytes == ZS_ARENA_BYTES(c.width, c.height, rows, c.max_tris, c.max_verts, c.attrs, c.buffers));
+        if (c.depth_bits < 8 || c.depth_bits > 16) {
+            struct picture p2 = picture_draw(&c, NULL, NULL);
+            EXPECT(p2.err == ZS_ERR_DEPTH);
+            picture_free(&p2);
+        } else {
+            struct world w;
+            world_make(&w, p, odd);
+            for (int i = 0; i < WORLD_MESHES; i++) { /* full screen is enough work */
+                w.mesh[i].n_tris %= 20u;
+                w.mesh[i].cluster = NULL;
+                w.mesh[i].n_clusters = 0;
+            }
+            if (c.height / rows > 64u)
+                c.skip_off &= (uint8_t)~ZS_SKIP_BINS;
+            c.skip_off &= (uint8_t)~(ZS_SKIP_FRUSTUM | ZS_SKIP_CLIPTEST | ZS_SKIP_EMPTY); /* counts alike */
+            struct picture a = picture_draw(&c, &w.scene, &w.camera);
+            count_frame(&w, &c, &a);
+            struct zs_config c2 = way(p, c, 0);
+            c2.attrs = c.attrs;
+            c2.max_tris = (uint16_t)(c2.max_tris + 40u);
+            c2.max_verts = (uint16_t)(c2.max_verts + 90u);
+            compare(&w, &a, &c2);
+            picture_free(&a);
+            world_free(&w);
+        }
+    }
+    free(r);
+}
+
+/* ---- Helpers ---------------------------------------------------------------------------------------- */
+
+static int32_t helper32(struct prng *p)
+{
+    static const int32_t ends[] = { INT32_MIN, INT32_MAX, 0, 1, -1, ZS_WORLD_MAX, -ZS_WORLD_MAX, ZS_WORLD_MAX + 1 };
+    return one_in(p, 4) ? ends[prng_pick(p, 8)] : (int32_t)(prng_log(p) >> 32);
+}
+
+static void vector(struct prng *p, int32_t v[3])
+{
+    for (int k = 0; k < 3; k++)
+        v[k] = helper32(p);
+}
+
+/* What a frame with an empty scene says of a camera. */
+static int camera_answer(const struct zs_camera *camera)
+{
+    static uint32_t arena[400];
+    struct zs_renderer r;
+    const struct zs_config c = { 4, 4, 4, 4, 4, 0, 1, 8, 16, 0, &zs_depth_linear };
+    const struct zs_scene empty = { NULL, 0, { { 0 }, 0, 0 }, 0 };
+    EXPECT(zs_init(&r, &c, arena, sizeof arena) == ZS_OK);
+    return zs_frame_begin(&r, &empty, camera);
+}
+
+static void helper_cameras(struct prng *p)
+{
+    int32_t a[3], b[3], up[3];
+    vector(p, a);
+    vector(p, b);
+    vector(p, up);
+    struct zs_camera c, old;
+    memset(&c, 0x33, sizeof c);
+    old = c;
+    if (zs_camera_perspective(&c, (zs_turn)prng_next(p), (uint16_t)prng_next(p), helper32(p), helper32(p)) == ZS_OK) {
+        const int err = camera_answer(&c); /* ZS_ERR_CAMERA: far - near < far / 65536 */
+        EXPECT(err == ZS_OK || err == ZS_ERR_NEAR ||
+               (err == ZS_ERR_CAMERA && c.z_far - c.z_near < c.z_far / 65536));
+    } else {
+        EXPECT(memcmp(&c, &old, sizeof c) == 0);
+    }
+    memset(&c, 0x33, sizeof c);
+    if (zs_camera_orthographic(&c, helper32(p), helper32(p), helper32(p)) == ZS_OK) {
+        const int err = camera_answer(&c);
+        EXPECT(err == ZS_OK || err == ZS_ERR_NEAR || err == ZS_ERR_RANGE ||
+               (err == ZS_ERR_CAMERA && c.height > (zs_q48_16)ZS_WORLD_MAX * 2 * 65536));
+    } else {
+        EXPECT(memcmp(&c, &old, sizeof c) == 0);
+    }
+    EXPECT(zs_camera_perspective(&c, 8192, 100, 100, 1000) == ZS_OK);
+    old = c;
+    const int err = one_in(p, 3)   ? zs_camera_look_at(&c, a, b, up)
+                    : one_in(p, 2) ? zs_camera_look_along(&c, a, b, up)
+                                   : zs_camera_orbit(&c, a, b[0], (zs_turn)b[1], (int16_t)b[2]);
+    EXPECT(err == ZS_OK || err == ZS_ERR_RANGE || err == ZS_ERR_VECTOR);
+    if (err)
+        EXPECT(memcmp(&c, &old, sizeof c) == 0);
+    else /* an orbit's eye may lie beyond the world; a rotation is one */
+        EXPECT(camera_answer(&c) != ZS_ERR_CAMERA);
+}
+
+static void helper_poses(struct prng *p)
+{
+    int32_t v[3];
+    struct zs_pose pose, old;
+    zs_q2_30 unit[3] = { 7, 7, 7 };
+    vector(p, v);
+    zs_pose_identity(&pose);
+    for (int n = 0; n < 5; n++) {
+        zs_pose_turn(&pose, (zs_turn)prng_next(p), (zs_turn)prng_next(p), (zs_turn)prng_next(p));
+        old = pose;
+        vector(p, v);
+        if (zs_pose_rotate(&pose, v, (zs_turn)prng_next(p)))
+            EXPECT((v[0] | v[1] | v[2]) == 0 && memcmp(&pose, &old, sizeof pose) == 0);
+        const int64_t *none = NULL;
+        (void)none;
+        for (int i = 0; i < 3; i++)
+            for (int j = 0; j < 3; j++) {
+                int64_t dot = 0;
+                for (int k = 0; k < 3; k++)
+                    dot += (int64_t)pose.rot[3 * i + k] * pose.rot[3 * j + k] >> 2;
+                const int64_t off = dot - (i == j ? (int64_t)1 << 58 : 0);
+                EXPECT(off < (int64_t)1 << 34 && off > -((int64_t)1 << 34)); /* 2^-24 */
+            }
+    }
+    if (zs_unit(unit, v)) {
+        EXPECT((v[0] | v[1] | v[2]) == 0 && unit[0] == 7 && unit[1] == 7 && unit[2] == 7);
+    } else {
+        int64_t square = 0;
+        for (int k = 0; k < 3; k++)
+            square += (int64_t)unit[k] * unit[k] >> 2;
+        const int64_t off = square - ((int64_t)1 << 58);
+        EXPECT(off < (int64_t)1 << 33 && off > -((int64_t)1 << 33)); /* 2^-25 */
+    }
+    const int64_t s = zs_sin((zs_turn)v[0]), c = zs_cos((zs_turn)v[0]);
+    const int64_t off = (s * s >> 2) + (c * c >> 2) - ((int64_t)1 << 58);
+    EXPECT(off < (int64_t)1 << 33 && off > -((int64_t)1 << 33));
+}
+
+static void case_helpers(struct prng *p, uint32_t odd)
+{
+    (void)odd;
+    for (int n = 0; n < 20; n++) {
+        helper_cameras(p);
+        helper_poses(p);
+    }
+    for (int n = 0; n < 4; n++) {
+        EXPECT(zs_strerror((int)(prng_log(p) >> 32))[0] != 0);
+        EXPECT(zs_strflaw((enum zs_flaw)(prng_log(p) >> 32))[0] != 0);
+    }
+}
+
+/* ---- Cases ------------------------------------------------------------------------------------------- */
+
+typedef void fuzz_fn(struct prng *p, uint32_t odd);
+
+static void run_case(unsigned long long number)
+{
+    static fuzz_fn *const kinds[] = { case_pictures, case_pictures, case_pictures, case_pictures, case_pictures,
+                                      case_calls,    case_calls,    case_config,   case_helpers };
+    static const uint32_t odds[] = { 0, 60, 60, 12 };
+    struct prng p = { now.seed * 0x9e3779b97f4a7c15u ^ number };
+    now.number = number;
+    (void)prng_next(&p);
+    alarm(CASE_SECONDS);
+    fuzz_fn *const kind = one_in(&p, 500) ? case_big : kinds[prng_pick(&p, KINDS(kinds))];
+    kind(&p, odds[prng_pick(&p, KINDS(odds))]);
+}
+
+static void report(unsigned long long cases)
+{
+    printf("seed %llu, %llu cases: %llu frames with %llu triangles (%llu cut), %llu pixels; %llu passes more, "
+           "%llu strips by hand\n", now.seed, cases, (unsigned long long)reached.frames,
+           (unsigned long long)reached.tris, (unsigned long long)reached.clipped, (unsigned long long)reached.pixels,
+           (unsigned long long)reached.passes, (unsigned long long)reached.strips);
+    printf("answers:");
+    for (int k = 0; k < 13; k++)
+        if (reached.refused[k])
+            printf(" %d: %llu", -k, (unsigned long long)reached.refused[k]);
+    printf("\nframes by depth:");
+    for (size_t k = 0; k < KINDS(kind_depths); k++)
+        printf(" %s %llu", kind_depths[k].name, (unsigned long long)(reached.depth[k][0] + reached.depth[k][1]));
+    printf("\ninstances by shader:");
+    for (size_t k = 0; k < KINDS(kind_shaders); k++)
+        printf(" %s %llu", kind_shaders[k].name, (unsigned long long)reached.shader[k]);
+    printf("; with a state %llu\n", (unsigned long long)reached.state);
+}
+
+int main(int argc, char **argv)
+{
+    if (argc != 4) {
+        fprintf(stderr, "usage: %s SEED cases N | SEED seconds S | SEED case K\n", argv[0]);
+        return 2;
+    }
+    now.program = argv[0];
+    now.seed = strtoull(argv[1], NULL, 0);
+    const unsigned long long n = strtoull(argv[3], NULL, 0);
+    __sanitizer_set_death_callback(say_replay);
+    signal(SIGILL, on_signal);
+    signal(SIGTRAP, on_signal);
+    signal(SIGALRM, on_signal);
+    if (strcmp(argv[2], "case") == 0) {
+        now.alone = 1;
+        run_case(n);
+        printf("ok fuzz_api: case %llu\n", n);
+        return 0;
+    }
+    const int timed = strcmp(argv[2], "seconds") == 0, progress = isatty(2);
+    const time_t start = time(NULL);
+    unsigned long long k = 0;
+    while (timed ? (unsigned long long)(time(NULL) - start) < n : k < n) {
+        run_case(++k);
+        if (progress && k % 200 == 0)
+            fprintf(stderr, "\rfuzz_api: %llu cases ", k);
+    }
+    if (progress)
+        fprintf(stderr, "\r                              \r");
+    report(k);
+    if (k >= 4000 && !reached_all()) {
+        printf("FAILED fuzz_api: a part of the library was not reached\n");
+        return 1;
+    }
+    printf("ok fuzz_api: %llu cases of seed %llu\n", k, now.seed);
+    return 0;
+}

@@ -1,0 +1,53 @@
+/* What the fuzzers choose from: one table a kind. A new shader, mapping or format is fuzzed once it is
+ * listed here.
+ *
+ * SPDX-License-Identifier: MIT
+ */
+#ifndef TESTS_FUZZ_KINDS_H
+#define TESTS_FUZZ_KINDS_H
+
+#include "zstrip.h"
+
+#define KINDS(table) (sizeof(table) / sizeof(table)[0])
+
+struct kind_shader {
+    const struct zs_shader *shader;
+    const char *name;
+    uint8_t attrs;   /* config.attrs that it needs */
+    uint8_t texture; /* 1: reads material.texture and mesh.uv */
+};
+
+static const struct kind_shader kind_shaders[] = {
+    { &zs_shade_raw, "raw", ZS_ATTRS_FLAT, 0 },
+    { &zs_shade_flat, "flat", ZS_ATTRS_FLAT, 0 },
+    { &zs_shade_smooth, "smooth", ZS_ATTRS_SMOOTH, 0 },
+    { &zs_shade_texture, "texture", ZS_ATTRS_TEXTURE, 1 },
+    { &zs_shade_texture_flat, "texture_flat", ZS_ATTRS_TEXTURE, 1 },
+    { &zs_shade_texture_smooth, "texture_smooth", ZS_ATTRS_TEXTURE_SMOOTH, 1 },
+};
+
+struct kind_depth {
+    const struct zs_depth *depth;
+    const char *name;
+    uint8_t any_camera; /* 0: perspective only */
+};
+
+static const struct kind_depth kind_depths[] = {
+    { &zs_depth_recip, "recip", 0 }, { &zs_depth_linear, "linear", 1 }, { &zs_depth_e3m13, "e3m13", 0 },
+    { &zs_depth_e4m12, "e4m12", 0 }, { &zs_depth_e5m11, "e5m11", 0 }, { &zs_depth_float, "float", 0 },
+};
+
+struct kind_texel {
+    const struct zs_texel *format;
+    const char *name;
+    uint8_t bits;        /* a texel */
+    uint16_t colors_max; /* 0: no palette */
+};
+
+static const struct kind_texel kind_texels[] = {
+    { &zs_texel_565, "565", 16, 0 },
+    { &zs_texel_pal8, "pal8", 8, 256 },
+    { &zs_texel_pal4, "pal4", 4, 16 },
+};
+
+#endif
