@@ -74,7 +74,7 @@ clean:
 ## help: this list
 help:
 	@sed -n 's/^## /    /p' Makefile
-.PHONY: all accuracy demo test fuzz bench depth sim pictures size stack check clean help test-programs fuzz-programs
+.PHONY: all demo test accuracy fuzz bench depth sim pictures size stack check clean help test-programs fuzz-programs
 
 $(B)/.setup-sim:
 	@mkdir -p $(B) && .ci/setup $(PKG_SIM) && touch $@
