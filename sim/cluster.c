@@ -1,20 +1,20 @@
-/* Clusters by meshoptimizer's meshlet builder; spheres and cones computed again, on the integers that the
- * renderer will see, so that rounding can only make them larger.
+/* Clusters by meshoptimizer's meshlet builder; spheres and cones computed again, on the integers
+ * that the renderer will see, so that rounding can only make them larger.
  *
- * Chosen by figures, 64 triangles to a cluster. Misses to a triangle of a vertex cache (first in first out,
- * 16 and 32 entries), mean radius as a share of the model's extent, and the share of triangles whose cluster
- * turns its back to a far eye, over all directions:
+ * Chosen by figures, 64 triangles to a cluster. Misses to a triangle of a vertex cache (first in
+ * first out, 16 and 32 entries), mean radius as a share of the model's extent, and the share of
+ * triangles whose cluster turns its back to a far eye, over all directions:
  *
- *                                      teapot, 2832           torus, 2304            torus, 160000
- *     cache order, cut every 64    .73 .67  .168   7 %    .72 .69  .260  14 %    .75 .74  .051  45 %
- *     order for 16, cut every 64   .64 .63  .152   7 %    .62 .62  .223  17 %    .60 .60  .028  45 %
- *     meshlets, cone weight 0      .79 .65  .126   7 %    .76 .65  .186   9 %    .78 .66  .025  43 %
- *     meshlets, cone weight 1/2    .80 .67  .152  13 %    .76 .65  .206  16 %    .78 .66  .025  43 %
- *     meshlets, cone weight 1      .80 .67  .160  18 %    .86 .74  .292  22 %    .79 .69  .037  45 %
+ *                                    teapot, 2832           torus, 2304            torus, 160000
+ *   cache order, cut every 64    .73 .67  .168   7 %    .72 .69  .260  14 %    .75 .74  .051  45 %
+ *   order for 16, cut every 64   .64 .63  .152   7 %    .62 .62  .223  17 %    .60 .60  .028  45 %
+ *   meshlets, cone weight 0      .79 .65  .126   7 %    .76 .65  .186   9 %    .78 .66  .025  43 %
+ *   meshlets, cone weight 1/2    .80 .67  .152  13 %    .76 .65  .206  16 %    .78 .66  .025  43 %
+ *   meshlets, cone weight 1      .80 .67  .160  18 %    .86 .74  .292  22 %    .79 .69  .037  45 %
  *
- * The renderer keeps a vertex as long as its pool has room, so misses of a small cache count least; of the
- * others, a weight of 1/2 gives most of the cones and keeps the radii. Sorting for the cache once more
- * inside each cluster gained .04 at 16 entries and lost .03 at 32, so it is left out.
+ * The renderer keeps a vertex as long as its pool has room, so misses of a small cache count least;
+ * of the others, a weight of 1/2 gives most of the cones and keeps the radii. Sorting for the cache
+ * once more inside each cluster gained .04 at 16 entries and lost .03 at 32, so it is left out.
  *
  * SPDX-License-Identifier: MIT
  */
@@ -34,8 +34,10 @@
 
 /* ---- Spheres --------------------------------------------------------------------------------- */
 
-/* Squared distance of the point farthest from a middle given in steps, 1/256 step squared. Exact. */
-static int64_t farthest(const int16_t center[3], const int32_t (*fine)[3], uint32_t n, uint32_t *which)
+/* Squared distance of the point farthest from a middle given in steps, 1/256 step squared. Exact.
+ * */
+static int64_t farthest(const int16_t center[3], const int32_t (*fine)[3], uint32_t n,
+                        uint32_t *which)
 {
     int64_t most = -1;
     for (uint32_t i = 0; i < n; i++) {
@@ -133,13 +135,14 @@ static void normal_of(double out[3], const struct sim_shape *s, const uint32_t t
     sim_cross(out, a, b);
 }
 
-/* A cutoff, of 127, for an axis that has been rounded. With A = axis / 127, d the direction from the eye to
- * the sphere's middle and s = radius / |d|, what is culled has d . A >= c + s. All normals within the angle
- * w of the axis face away if the angle between d and A is below 90 degrees - w by so much that
- * d . n >= s; that holds where d . A / |A| >= sin w + s, since sin b - sin w <= sin(b - w) for
- * 0 <= w <= b <= 90 degrees. So c = |A| sin w + max(0, |A| - 1) is enough for s <= 1. */
-static int8_t cutoff_of(const signed char axis[3], const struct sim_shape *s, const uint32_t (*tri)[3],
-                        uint32_t n)
+/* A cutoff, of 127, for an axis that has been rounded. With A = axis / 127, d the direction from
+ * the eye to the sphere's middle and s = radius / |d|, what is culled has d . A >= c + s. All
+ * normals within the angle w of the axis face away if the angle between d and A is below 90 degrees
+ * - w by so much that d . n >= s; that holds where d . A / |A| >= sin w + s, since sin b - sin w <=
+ * sin(b - w) for 0 <= w <= b <= 90 degrees. So c = |A| sin w + max(0, |A| - 1) is enough for s <=
+ * 1. */
+static int8_t cutoff_of(const signed char axis[3], const struct sim_shape *s,
+                        const uint32_t (*tri)[3], uint32_t n)
 {
     const double a[3] = { axis[0] / 127.0, axis[1] / 127.0, axis[2] / 127.0 };
     const double length = sqrt(sim_dot(a, a));
@@ -161,7 +164,8 @@ static int8_t cutoff_of(const signed char axis[3], const struct sim_shape *s, co
 /* ---- Clusters -------------------------------------------------------------------------------- */
 
 /* The distinct points of a cluster, for its sphere. */
-static uint32_t points_of(int32_t (*out)[3], const struct sim_shape *s, const uint32_t (*tri)[3], uint32_t n)
+static uint32_t points_of(int32_t (*out)[3], const struct sim_shape *s, const uint32_t (*tri)[3],
+                          uint32_t n)
 {
     uint32_t seen[3 * SIM_CLUSTER_TRIS], found = 0;
     for (uint32_t i = 0; i < 3 * n; i++) {
@@ -228,13 +232,14 @@ static uint32_t finder_take(struct finder *f, const struct sim_shape *s, const u
             return t;
         }
     }
-    (void)sim_refuse(NULL, 0, "meshoptimizer returned a triangle that it was not given; please report this");
+    (void)sim_refuse(NULL, 0,
+                     "meshoptimizer returned a triangle that it was not given; please report this");
     exit(SIM_REFUSED);
 }
 
-static struct zs_cluster *sort(uint32_t *order, uint32_t *n, const struct sim_shape *s, const float *point,
-                               const struct meshopt_Meshlet *set, const unsigned *vertex,
-                               const unsigned char *corner)
+static struct zs_cluster *sort(uint32_t *order, uint32_t *n, const struct sim_shape *s,
+                               const float *point, const struct meshopt_Meshlet *set,
+                               const unsigned *vertex, const unsigned char *corner)
 {
     struct zs_cluster *cluster = sim_alloc(*n, sizeof *cluster);
     struct finder f;

@@ -1,5 +1,5 @@
-/* Options, model, grid, meshes, textures, files, in this order. Files come last and all at once, so that
- * whatever is refused leaves none.
+/* Options, model, grid, meshes, textures, files, in this order. Files come last and all at once, so
+ * that whatever is refused leaves none.
  *
  * SPDX-License-Identifier: MIT
  */
@@ -49,7 +49,8 @@ static int read_picture(struct sim_conversion *c)
     const struct sim_convert_options *o = &c->options;
     struct sim_image image;
     if (o->for_models)
-        return sim_refuse(o->input, 0, "is a picture, and %s is for models; leave it out", o->model_option);
+        return sim_refuse(o->input, 0, "is a picture, and %s is for models; leave it out",
+                          o->model_option);
     const int status = sim_image_load(&image, o->input);
     if (status != SIM_OK)
         return status;
@@ -60,30 +61,44 @@ static int read_picture(struct sim_conversion *c)
     return make_skin(c, &c->model.texture[0]);
 }
 
-static int is_textured(int look)
+/* A look that was asked for, and is not there. */
+static int refuse_untextured(const struct sim_conversion *c)
 {
-    return look == SIM_LOOK_TEXTURED || look == SIM_LOOK_TEXTURED_FLAT || look == SIM_LOOK_UNLIT ||
-           look == SIM_LOOK_DEFAULT;
+    const char *file = c->options.input;
+    if (c->model.lost_materials != NULL)
+        return sim_refuse(file, 0,
+                          "no textures: its material file %s cannot be read; put it beside the "
+                          "model, or name a picture by --texture",
+                          c->model.lost_materials);
+    return sim_refuse(file, 0,
+                      "no face of it has a texture and coordinates for it; name a picture by "
+                      "--texture, or give --shade smooth, flat or raw");
 }
 
+/* Without a word from the user, --color makes textures unwanted. */
 static int load(struct sim_conversion *c)
 {
     struct sim_convert_options *o = &c->options;
-    const int wants_texture = is_textured(o->look) || o->texture != NULL;
+    const int asked = o->look == SIM_LOOK_TEXTURED || o->look == SIM_LOOK_TEXTURED_FLAT ||
+                      o->look == SIM_LOOK_UNLIT || o->texture != NULL;
+    const int free_choice = o->look == SIM_LOOK_DEFAULT;
     const struct sim_want want = { .normals = 1,
-                                   .textures = wants_texture,
+                                   .textures = asked || (free_choice && !o->has_color),
                                    .picture = o->texture,
                                    .wrap = (enum sim_wrap)o->wrap,
                                    .color = o->has_color ? &o->color : NULL };
-    if (o->texture != NULL && !is_textured(o->look))
+    if (o->texture != NULL && (o->look == SIM_LOOK_FLAT || o->look == SIM_LOOK_SMOOTH ||
+                               o->look == SIM_LOOK_RAW))
         return sim_refuse(o->input, 0, "--texture needs --shade textured, textured-flat or unlit");
     const int status = sim_model_load(&c->model, o->input, &want);
     if (status != SIM_OK)
         return status;
-    if (o->look == SIM_LOOK_DEFAULT)
-        o->look = c->model.n_textures > 0   ? SIM_LOOK_TEXTURED
-                  : c->model.file_normals   ? SIM_LOOK_SMOOTH
-                                            : SIM_LOOK_FLAT;
+    if (asked && c->model.n_textures == 0)
+        return refuse_untextured(c);
+    if (free_choice)
+        o->look = c->model.n_textures > 0 ? SIM_LOOK_TEXTURED
+                  : c->model.file_normals ? SIM_LOOK_SMOOTH
+                                          : SIM_LOOK_FLAT;
     return SIM_OK;
 }
 
@@ -171,7 +186,8 @@ static int write_all(const struct sim_conversion *c)
     int made;
     name_files(path, &c->options);
     int status = make_folder(c->options.out, &made);
-    if (status == SIM_OK && path[2] != NULL && (strcmp(path[2], path[0]) == 0 || strcmp(path[2], path[1]) == 0))
+    if (status == SIM_OK && path[2] != NULL &&
+        (strcmp(path[2], path[0]) == 0 || strcmp(path[2], path[1]) == 0))
         status = sim_refuse(path[2], 0, "is named for two outputs; give --map another");
     if (status == SIM_OK)
         status = write_files(c, path);
@@ -196,7 +212,8 @@ int sim_convert(int argc, char **argv)
             status = write_all(c);
         sim_progress_end();
         if (status == SIM_OK) {
-            (void)printf("%s/%s.h, %s/%s.c\n", c->options.out, c->options.name, c->options.out, c->options.name);
+            (void)printf("%s/%s.h, %s/%s.c\n", c->options.out, c->options.name, c->options.out,
+                         c->options.name);
             sim_convert_figures(stdout, c, "  ");
         }
     }

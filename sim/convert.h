@@ -18,8 +18,8 @@ struct sim_conversion {
     struct sim_model model;
     struct sim_steps steps;
     struct sim_pieces pieces;
-    struct sim_skin *skin;      /* [n_skins] */
-    const char **skin_name;     /* [n_skins], borrowed: the pictures' names */
+    struct sim_skin *skin;  /* [n_skins] */
+    const char **skin_name; /* [n_skins], borrowed: the pictures' names */
     uint32_t n_skins;
 };
 

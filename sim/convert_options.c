@@ -1,5 +1,5 @@
-/* Parsing of `zsim convert`: one table of options. A value that is not of its kind is a usage error; one
- * that is, but lies outside its range, is refused.
+/* Parsing of `zsim convert`: one table of options. A value that is not of its kind is a usage
+ * error; one that is, but lies outside its range, is refused.
  *
  * SPDX-License-Identifier: MIT
  */
@@ -28,25 +28,33 @@ const char sim_convert_help[] =
     "  --out DIR            the folder, made if there is none\n"
     "Mesh\n"
     "  --shade flat|smooth|textured|textured-flat|unlit|raw\n"
-    "                       the shader, and with it what is written: normals, texture coordinates,\n"
-    "                       colours (textured if the model has a texture, else smooth if the file has\n"
-    "                       normals, else flat). textured is smooth too; parts without texture are\n"
-    "                       smooth, flat or raw. unlit: texels as they are; raw: colours as they are\n"
-    "  --unit N             world units to a unit of the model (a power of ten, so that it spans 1000\n"
+    "                       the shader, and with it what is written: normals, texture "
+    "coordinates,\n"
+    "                       colours (textured if the model has a texture, else smooth if the file "
+    "has\n"
+    "                       normals, else flat). textured is smooth too; parts without texture "
+    "are\n"
+    "                       smooth, flat or raw. unlit: texels as they are; raw: colours as they "
+    "are\n"
+    "  --unit N             world units to a unit of the model (a power of ten, so that it spans "
+    "1000\n"
     "                       or more; the camera stands on whole world units)\n"
-    "  --center yes|no      yes: 0,0,0 is the middle of the model's box; no: the file's own origin,\n"
+    "  --center yes|no      yes: 0,0,0 is the middle of the model's box; no: the file's own "
+    "origin,\n"
     "                       which costs precision where that is not the middle (yes)\n"
     "  --precise            24 bits a coordinate instead of 16\n"
     "  --face-normals yes|no  with flat shading: 6 bytes a triangle, or work at run time (yes)\n"
     "  --cull back|front|none  which sides are not drawn (back)\n"
     "  --color RRGGBB       one colour for the whole model\n"
-    "  --map F.u32          for each triangle written, in order, its number in the file + 1, as in\n"
+    "  --map F.u32          for each triangle written, in order, its number in the file + 1, as "
+    "in\n"
     "                       zsim render --id-out; little-endian uint32\n"
     "Textures\n"
     "  --texture FILE       this picture for all faces, in place of the model's own\n"
     "  --wrap file|repeat|clamp  what lies beyond a picture's edge (as the file says)\n"
     "  --texture-size WxH   most texels each way, powers of two up to 1024 (256x256)\n"
-    "  --texture-format auto|565|pal8|pal4  2, 1 or 1/2 byte a texel (auto: the smallest that is as good\n"
+    "  --texture-format auto|565|pal8|pal4  2, 1 or 1/2 byte a texel (auto: the smallest that is "
+    "as good\n"
     "                       as 565, or whose PSNR is 36 dB or more)\n"
     "  --dither             spread what a format cannot show over the neighbours\n"
     "\n"
@@ -160,8 +168,8 @@ static int take_value(const struct option *opt, const char *text, void *to)
 static const char *wanted(const struct option *opt)
 {
     static const char *const names[] = {
-        [KIND_TEXT] = "a name",        [KIND_PATH] = "a file or folder", [KIND_NUMBER] = "a number",
-        [KIND_SIZE] = "WIDTHxHEIGHT",  [KIND_RGB] = "a colour RRGGBB",   [KIND_CHOICE] = "a word",
+        [KIND_TEXT] = "a name",       [KIND_PATH] = "a file or folder", [KIND_NUMBER] = "a number",
+        [KIND_SIZE] = "WIDTHxHEIGHT", [KIND_RGB] = "a colour RRGGBB",   [KIND_CHOICE] = "a word",
         [KIND_FLAG] = "no value",
     };
     return opt->words != NULL ? opt->words : names[opt->kind];
@@ -180,17 +188,101 @@ static int is_in(const char *text, const char *const *list, size_t n)
 static int is_keyword(const char *name)
 {
     static const char *const keywords[] = {
-        "alignas", "alignof", "and", "and_eq", "asm", "auto", "bitand", "bitor", "bool", "break",
-        "case", "catch", "char", "char16_t", "char32_t", "char8_t", "class", "co_await", "co_return",
-        "co_yield", "compl", "concept", "const", "const_cast", "consteval", "constexpr", "constinit",
-        "continue", "decltype", "default", "delete", "do", "double", "dynamic_cast", "else", "enum",
-        "explicit", "export", "extern", "false", "float", "for", "friend", "goto", "if", "inline", "int",
-        "long", "mutable", "namespace", "new", "noexcept", "not", "not_eq", "nullptr", "operator", "or",
-        "or_eq", "private", "protected", "public", "register", "reinterpret_cast", "requires",
-        "restrict", "return", "short", "signed", "sizeof", "static", "static_assert", "static_cast",
-        "struct", "switch", "template", "this", "thread_local", "throw", "true", "try", "typedef",
-        "typeid", "typename", "typeof", "typeof_unqual", "union", "unsigned", "using", "virtual",
-        "void", "volatile", "wchar_t", "while", "xor", "xor_eq",
+        "alignas",
+        "alignof",
+        "and",
+        "and_eq",
+        "asm",
+        "auto",
+        "bitand",
+        "bitor",
+        "bool",
+        "break",
+        "case",
+        "catch",
+        "char",
+        "char16_t",
+        "char32_t",
+        "char8_t",
+        "class",
+        "co_await",
+        "co_return",
+        "co_yield",
+        "compl",
+        "concept",
+        "const",
+        "const_cast",
+        "consteval",
+        "constexpr",
+        "constinit",
+        "continue",
+        "decltype",
+        "default",
+        "delete",
+        "do",
+        "double",
+        "dynamic_cast",
+        "else",
+        "enum",
+        "explicit",
+        "export",
+        "extern",
+        "false",
+        "float",
+        "for",
+        "friend",
+        "goto",
+        "if",
+        "inline",
+        "int",
+        "long",
+        "mutable",
+        "namespace",
+        "new",
+        "noexcept",
+        "not",
+        "not_eq",
+        "nullptr",
+        "operator",
+        "or",
+        "or_eq",
+        "private",
+        "protected",
+        "public",
+        "register",
+        "reinterpret_cast",
+        "requires",
+        "restrict",
+        "return",
+        "short",
+        "signed",
+        "sizeof",
+        "static",
+        "static_assert",
+        "static_cast",
+        "struct",
+        "switch",
+        "template",
+        "this",
+        "thread_local",
+        "throw",
+        "true",
+        "try",
+        "typedef",
+        "typeid",
+        "typename",
+        "typeof",
+        "typeof_unqual",
+        "union",
+        "unsigned",
+        "using",
+        "virtual",
+        "void",
+        "volatile",
+        "wchar_t",
+        "while",
+        "xor",
+        "xor_eq",
     };
     return is_in(name, keywords, sizeof keywords / sizeof keywords[0]);
 }
@@ -199,11 +291,12 @@ static int is_keyword(const char *name)
 static int is_header(const char *name)
 {
     static const char *const headers[] = {
-        "assert",    "complex", "ctype",    "errno",     "fenv",        "float",    "inttypes", "iso646",
-        "limits",    "locale",  "math",     "setjmp",    "signal",      "stdalign", "stdarg",   "stdatomic",
-        "stdbool",   "stddef",  "stdint",   "stdio",     "stdlib",      "stdnoreturn", "string", "tgmath",
-        "threads",   "time",    "uchar",    "wchar",     "wctype",      "unistd",   "config",   "renderer",
-        "zstrip",    "pipeline", "rotation", "rows",     "fx",          "hal",
+        "assert",      "complex",   "ctype",   "errno",    "fenv",   "float",    "inttypes",
+        "iso646",      "limits",    "locale",  "math",     "setjmp", "signal",   "stdalign",
+        "stdarg",      "stdatomic", "stdbool", "stddef",   "stdint", "stdio",    "stdlib",
+        "stdnoreturn", "string",    "tgmath",  "threads",  "time",   "uchar",    "wchar",
+        "wctype",      "unistd",    "config",  "renderer", "zstrip", "pipeline", "rotation",
+        "rows",        "fx",        "hal",
     };
     return is_in(name, headers, sizeof headers / sizeof headers[0]);
 }
@@ -214,17 +307,19 @@ static int check_name(const char *name)
     while (isascii((unsigned char)name[n]) && (isalnum((unsigned char)name[n]) || name[n] == '_'))
         n++;
     if (name[n] != '\0' || !isalpha((unsigned char)name[0]))
-        return sim_refuse(NULL, 0,
-                          "--name %s is not a C identifier; take letters, digits and underscores, and "
-                          "begin with a letter",
-                          name);
+        return sim_refuse(
+            NULL, 0,
+            "--name %s is not a C identifier; take letters, digits and underscores, and "
+            "begin with a letter",
+            name);
     if (n > NAME_MAX_CHARS)
-        return sim_refuse(NULL, 0, "--name %s has more than %d characters; take a shorter one", name,
-                          NAME_MAX_CHARS);
+        return sim_refuse(NULL, 0, "--name %s has more than %d characters; take a shorter one",
+                          name, NAME_MAX_CHARS);
     if (is_keyword(name))
         return sim_refuse(NULL, 0, "--name %s is a keyword of C or C++; take another", name);
     if (is_header(name))
-        return sim_refuse(NULL, 0, "--name %s would hide the header %s.h; take another", name, name);
+        return sim_refuse(NULL, 0, "--name %s would hide the header %s.h; take another", name,
+                          name);
     if (strncasecmp(name, "zs_", 3) == 0 || strcasecmp(name, "zs") == 0)
         return sim_refuse(NULL, 0, "--name %s belongs to the library; take another", name);
     return SIM_OK;
@@ -327,8 +422,8 @@ static int take_arguments(struct sim_convert_options *o, char **said, int argc, 
 static int check_values(const struct sim_convert_options *o)
 {
     if (o->has_unit && !(o->unit >= UNIT_MIN && o->unit <= UNIT_MAX))
-        return sim_refuse(o->input, 0, "--unit %g is outside its range, %g to %g", o->unit, UNIT_MIN,
-                          UNIT_MAX);
+        return sim_refuse(o->input, 0, "--unit %g is outside its range, %g to %g", o->unit,
+                          UNIT_MIN, UNIT_MAX);
     for (int k = 0; k < 2; k++) {
         const long side = o->texture_size[k];
         if (side < 1 || side > (long)SIM_TEXTURE_MAX || (side & (side - 1)) != 0)

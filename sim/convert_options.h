@@ -16,7 +16,7 @@ enum sim_look {
     SIM_LOOK_TEXTURED_FLAT, /* flat */
     SIM_LOOK_UNLIT,         /* raw */
     SIM_LOOK_RAW,
-    SIM_LOOK_DEFAULT        /* textured, smooth or flat, by what the file holds */
+    SIM_LOOK_DEFAULT /* textured, smooth or flat, by what the file holds */
 };
 
 enum sim_texels { SIM_TEXELS_AUTO, SIM_TEXELS_565, SIM_TEXELS_PAL8, SIM_TEXELS_PAL4 };
@@ -24,20 +24,20 @@ enum sim_texels { SIM_TEXELS_AUTO, SIM_TEXELS_565, SIM_TEXELS_PAL8, SIM_TEXELS_P
 /* Strings point into argv. */
 struct sim_convert_options {
     const char *input, *name, *out, *map, *texture; /* texture, map: NULL: none */
-    double unit;                    /* world units to a model unit; 0: chosen */
-    int look, texels, wrap, cull;   /* enum sim_look, sim_texels, sim_wrap, zs_cull */
-    int keep_origin;                /* 1: the file's own origin stays the mesh's */
+    double unit;                                    /* world units to a model unit; 0: chosen */
+    int look, texels, wrap, cull;               /* enum sim_look, sim_texels, sim_wrap, zs_cull */
+    int keep_origin;                            /* 1: the file's own origin stays the mesh's */
     int no_face_normals, precise, dither, help; /* flags */
-    long texture_size[2];           /* texels, most: powers of two */
+    long texture_size[2];                       /* texels, most: powers of two */
     struct zs_rgb color;
-    int has_color, has_unit;        /* flags */
-    int for_models;                 /* flag: an option that pictures have no use for was given */
-    const char *model_option;       /* that option, for messages */
-    char *command;                  /* the command line without folders, safe in a comment; malloc'ed */
+    int has_color, has_unit;  /* flags */
+    int for_models;           /* flag: an option that pictures have no use for was given */
+    const char *model_option; /* that option, for messages */
+    char *command;            /* the command line without folders, safe in a comment; malloc'ed */
 };
 
-/* Fill *o from the arguments after "convert". SIM_USAGE or SIM_REFUSED, said why; *o is only complete on
- * SIM_OK. With o->help nothing else counts. free(o->command) in any case. */
+/* Fill *o from the arguments after "convert". SIM_USAGE or SIM_REFUSED, said why; *o is only
+ * complete on SIM_OK. With o->help nothing else counts. free(o->command) in any case. */
 int sim_convert_parse(struct sim_convert_options *o, int argc, char **argv);
 
 extern const char sim_convert_help[];

@@ -1,4 +1,5 @@
-/* C text. The same numbers make the same bytes: nothing of the machine, the day or the folder is in them.
+/* C text. The same numbers make the same bytes: nothing of the machine, the day or the folder is
+ * in them.
  *
  * Initialisers are complete and in the order of the members, so that C11 and C++14 take them alike.
  *
@@ -50,8 +51,8 @@ static void quote(FILE *f, const char *name)
 {
     (void)fputc('"', f);
     for (int n = 0; *name != '\0' && n < 40; name++, n++)
-        (void)fputc(isascii((unsigned char)*name) && (isalnum((unsigned char)*name) ||
-                                                      strchr(" ._,+=@#-()", *name) != NULL)
+        (void)fputc(isascii((unsigned char)*name) &&
+                            (isalnum((unsigned char)*name) || strchr(" ._,+=@#-()", *name) != NULL)
                         ? *name
                         : '_',
                     f);
@@ -88,10 +89,11 @@ static void put(struct row *row, const char *format, ...)
     row->column += n;
 }
 
-static struct row begin(FILE *f, const char *type, const char *name, uint32_t part, const char *what, size_t n,
-                        const char *width)
+static struct row begin(FILE *f, const char *type, const char *name, uint32_t part,
+                        const char *what, size_t n, const char *width)
 {
-    (void)fprintf(f, "static const %s %s_%s_%" PRIu32 "[%zu]%s = {\n", type, name, what, part, n, width);
+    (void)fprintf(f, "static const %s %s_%s_%" PRIu32 "[%zu]%s = {\n", type, name, what, part, n,
+                  width);
     return (struct row){ f, 0 };
 }
 
@@ -100,7 +102,8 @@ static void end(FILE *f)
     (void)fputs("\n};\n", f);
 }
 
-static void triples(FILE *f, const char *name, uint32_t part, const char *what, const int16_t (*v)[3], size_t n)
+static void triples(FILE *f, const char *name, uint32_t part, const char *what,
+                    const int16_t (*v)[3], size_t n)
 {
     struct row row = begin(f, "int16_t", name, part, what, n, "[3]");
     for (size_t i = 0; i < n; i++)
@@ -108,7 +111,8 @@ static void triples(FILE *f, const char *name, uint32_t part, const char *what, 
     end(f);
 }
 
-static void colors(FILE *f, const char *name, uint32_t part, const char *what, const struct zs_rgb *v, size_t n)
+static void colors(FILE *f, const char *name, uint32_t part, const char *what,
+                   const struct zs_rgb *v, size_t n)
 {
     struct row row = begin(f, "struct zs_rgb", name, part, what, n, "");
     for (size_t i = 0; i < n; i++)
@@ -116,7 +120,8 @@ static void colors(FILE *f, const char *name, uint32_t part, const char *what, c
     end(f);
 }
 
-static void values16(FILE *f, const char *name, uint32_t part, const char *what, const uint16_t *v, size_t n)
+static void values16(FILE *f, const char *name, uint32_t part, const char *what, const uint16_t *v,
+                     size_t n)
 {
     struct row row = begin(f, "uint16_t", name, part, what, n, "");
     for (size_t i = 0; i < n; i++)
@@ -124,7 +129,8 @@ static void values16(FILE *f, const char *name, uint32_t part, const char *what,
     end(f);
 }
 
-static void values8(FILE *f, const char *name, uint32_t part, const char *what, const uint8_t *v, size_t n)
+static void values8(FILE *f, const char *name, uint32_t part, const char *what, const uint8_t *v,
+                    size_t n)
 {
     struct row row = begin(f, "uint8_t", name, part, what, n, "");
     for (size_t i = 0; i < n; i++)
@@ -171,13 +177,15 @@ static void clusters(FILE *f, const char *name, uint32_t part, const struct sim_
     struct row row = begin(f, "struct zs_cluster", name, part, "cluster", p->n_clusters, "");
     for (uint32_t i = 0; i < p->n_clusters; i++) {
         const struct zs_cluster *c = &p->cluster[i];
-        put(&row, "{%" PRIu32 ",%u,{%d,%d,%d},%u,{%d,%d,%d},%d},", c->first, c->n_tris, c->center[0],
-            c->center[1], c->center[2], c->radius, c->axis[0], c->axis[1], c->axis[2], c->cutoff);
+        put(&row, "{%" PRIu32 ",%u,{%d,%d,%d},%u,{%d,%d,%d},%d},", c->first, c->n_tris,
+            c->center[0], c->center[1], c->center[2], c->radius, c->axis[0], c->axis[1], c->axis[2],
+            c->cutoff);
     }
     end(f);
 }
 
-static void piece_arrays(FILE *f, const char *name, uint32_t part, const struct sim_piece *p, int fine)
+static void piece_arrays(FILE *f, const char *name, uint32_t part, const struct sim_piece *p,
+                         int fine)
 {
     (void)fprintf(f, "\n/* Mesh %" PRIu32 " */\n", part);
     positions(f, name, part, p, fine);
@@ -202,8 +210,9 @@ static void piece_arrays(FILE *f, const char *name, uint32_t part, const struct 
 
 static const char *shader_name(enum sim_shader shader)
 {
-    static const char *const names[] = { "zs_shade_raw",     "zs_shade_flat",         "zs_shade_smooth",
-                                         "zs_shade_texture", "zs_shade_texture_flat", "zs_shade_texture_smooth" };
+    static const char *const names[] = { "zs_shade_raw",          "zs_shade_flat",
+                                         "zs_shade_smooth",       "zs_shade_texture",
+                                         "zs_shade_texture_flat", "zs_shade_texture_smooth" };
     return names[shader];
 }
 
@@ -216,7 +225,10 @@ static const char *attrs_name(const struct sim_pieces *p)
         smooth |= s == SIM_SHADER_SMOOTH;
         textured |= s == SIM_SHADER_TEXTURE || s == SIM_SHADER_TEXTURE_FLAT;
     }
-    return both ? "ZS_ATTRS_TEXTURE_SMOOTH" : smooth ? "ZS_ATTRS_SMOOTH" : textured ? "ZS_ATTRS_TEXTURE" : "ZS_ATTRS_FLAT";
+    return both       ? "ZS_ATTRS_TEXTURE_SMOOTH"
+           : smooth   ? "ZS_ATTRS_SMOOTH"
+           : textured ? "ZS_ATTRS_TEXTURE"
+                      : "ZS_ATTRS_FLAT";
 }
 
 static const char *format_name(enum sim_texels format)
@@ -233,7 +245,8 @@ static void pointer(FILE *f, int there, const char *name, const char *what, uint
         (void)fputs("0, ", f);
 }
 
-static void mesh_object(FILE *f, const char *name, uint32_t part, const struct sim_piece *p, const struct sim_steps *s)
+static void mesh_object(FILE *f, const char *name, uint32_t part, const struct sim_piece *p,
+                        const struct sim_steps *s)
 {
     (void)fputs("    { ", f);
     pointer(f, 1, name, "pos", part);
@@ -244,8 +257,9 @@ static void mesh_object(FILE *f, const char *name, uint32_t part, const struct s
     pointer(f, p->vertex_rgb != NULL, name, "vertex_rgb", part);
     pointer(f, p->face_rgb != NULL, name, "face_rgb", part);
     pointer(f, p->face_raw != NULL, name, "face_raw", part);
-    (void)fprintf(f, "%" PRIu32 "u, %" PRIu32 "u,\n      %" PRIu32 "u, { %d, %d, %d }, %u, ", p->n_verts,
-                  p->n_tris, s->scale, p->center[0], p->center[1], p->center[2], p->radius);
+    (void)fprintf(f, "%" PRIu32 "u, %" PRIu32 "u,\n      %" PRIu32 "u, { %d, %d, %d }, %u, ",
+                  p->n_verts, p->n_tris, s->scale, p->center[0], p->center[1], p->center[2],
+                  p->radius);
     pointer(f, p->uv != NULL, name, "uv", part);
     (void)fprintf(f, "%u, ", p->uv != NULL ? p->uv_bits : 0u);
     pointer(f, p->cluster != NULL, name, "cluster", part);
@@ -255,8 +269,8 @@ static void mesh_object(FILE *f, const char *name, uint32_t part, const struct s
 static void material_object(FILE *f, const char *name, const struct sim_paint *p, int cull)
 {
     static const char *const culls[] = { "ZS_CULL_BACK", "ZS_CULL_FRONT", "ZS_CULL_NONE" };
-    (void)fprintf(f, "    { &%s, { %d, %d, %d }, %s, ", shader_name(p->shader), p->rgb.r, p->rgb.g, p->rgb.b,
-                  culls[cull]);
+    (void)fprintf(f, "    { &%s, { %d, %d, %d }, %s, ", shader_name(p->shader), p->rgb.r, p->rgb.g,
+                  p->rgb.b, culls[cull]);
     if (p->texture != SIM_NO_TEXTURE)
         (void)fprintf(f, "&%s_texture[%" PRIu32 "] },", name, p->texture);
     else
@@ -271,11 +285,13 @@ static void material_object(FILE *f, const char *name, const struct sim_paint *p
 
 static void texture_object(FILE *f, const char *name, uint32_t part, const struct sim_skin *s)
 {
-    static const char *const clamps[] = { "0", "ZS_CLAMP_U", "ZS_CLAMP_V", "ZS_CLAMP_U | ZS_CLAMP_V" };
-    (void)fprintf(f, "    { &zs_texel_%s, %s_texel_%" PRIu32 ", ", format_name(s->format), name, part);
+    static const char *const clamps[] = { "0", "ZS_CLAMP_U", "ZS_CLAMP_V",
+                                          "ZS_CLAMP_U | ZS_CLAMP_V" };
+    (void)fprintf(f, "    { &zs_texel_%s, %s_texel_%" PRIu32 ", ", format_name(s->format), name,
+                  part);
     pointer(f, s->n_colors > 0, name, "palette", part);
-    (void)fprintf(f, "%" PRIu32 ", %u, %u, %s },\n", s->n_colors, sim_texture_log2(s->w), sim_texture_log2(s->h),
-                  clamps[s->clamp & 3]);
+    (void)fprintf(f, "%" PRIu32 ", %u, %u, %s },\n", s->n_colors, sim_texture_log2(s->w),
+                  sim_texture_log2(s->h), clamps[s->clamp & 3]);
 }
 
 static void textures(FILE *f, const struct sim_conversion *c)
@@ -310,16 +326,19 @@ static void meshes(FILE *f, const struct sim_conversion *c)
     (void)fprintf(f, "\nconst struct zs_mesh %s_mesh[%" PRIu32 "] = {\n", name, p->n_pieces);
     for (uint32_t i = 0; i < p->n_pieces; i++)
         mesh_object(f, name, i, &p->piece[i], &c->steps);
-    (void)fprintf(f, "};\n\nconst struct zs_material %s_material[%" PRIu32 "] = {\n", name, p->n_paints);
+    (void)fprintf(f, "};\n\nconst struct zs_material %s_material[%" PRIu32 "] = {\n", name,
+                  p->n_paints);
     for (uint32_t i = 0; i < p->n_paints; i++)
         material_object(f, name, &p->paint[i], c->options.cull);
-    (void)fprintf(f, "};\n\nconst struct zs_instance %s_instance[%" PRIu32 "] = {\n", name, p->n_pieces);
+    (void)fprintf(f, "};\n\nconst struct zs_instance %s_instance[%" PRIu32 "] = {\n", name,
+                  p->n_pieces);
     for (uint32_t i = 0; i < p->n_pieces; i++)
-        (void)fprintf(f,
-                      "    { &%s_mesh[%" PRIu32 "], &%s_material[%" PRIu32 "],\n"
-                      "      { { ZS_Q30_ONE, 0, 0, 0, ZS_Q30_ONE, 0, 0, 0, ZS_Q30_ONE }, { 0, 0, 0 }, "
-                      "ZS_Q16_ONE }, 0 },\n",
-                      name, i, name, p->piece[i].paint);
+        (void)fprintf(
+            f,
+            "    { &%s_mesh[%" PRIu32 "], &%s_material[%" PRIu32 "],\n"
+            "      { { ZS_Q30_ONE, 0, 0, 0, ZS_Q30_ONE, 0, 0, 0, ZS_Q30_ONE }, { 0, 0, 0 }, "
+            "ZS_Q16_ONE }, 0 },\n",
+            name, i, name, p->piece[i].paint);
     (void)fputs("};\n", f);
 }
 
@@ -339,10 +358,10 @@ static size_t flash(FILE *f, const struct sim_conversion *c, const char *lead)
     sim_pieces_flash(&s, p, c->steps.fine);
     for (uint32_t i = 0; i < c->n_skins; i++)
         texels += c->skin[i].texel_bytes + c->skin[i].palette_bytes;
-    const size_t structs = p->n_pieces * (MESH_BYTES + INSTANCE_BYTES) + p->n_paints * MATERIAL_BYTES +
-                           c->n_skins * TEXTURE_BYTES;
-    const size_t total = s.pos + s.pos_lo + s.tri + s.normal + s.face_normal + s.rgb + s.uv + s.cluster +
-                         texels + structs;
+    const size_t structs = p->n_pieces * (MESH_BYTES + INSTANCE_BYTES) +
+                           p->n_paints * MATERIAL_BYTES + c->n_skins * TEXTURE_BYTES;
+    const size_t total = s.pos + s.pos_lo + s.tri + s.normal + s.face_normal + s.rgb + s.uv +
+                         s.cluster + texels + structs;
     if (f != NULL) {
         bytes_line(f, lead, "positions", s.pos);
         bytes_line(f, lead, "positions, low bits", s.pos_lo);
@@ -369,8 +388,8 @@ static double misses(const struct sim_pieces *p, uint32_t size)
 {
     double sum = 0.0;
     for (uint32_t i = 0; i < p->n_pieces; i++)
-        sum += p->piece[i].n_tris *
-               sim_cache_misses((const uint16_t(*)[3])p->piece[i].tri, p->piece[i].n_tris, p->piece[i].n_verts, size);
+        sum += p->piece[i].n_tris * sim_cache_misses((const uint16_t(*)[3])p->piece[i].tri,
+                                                     p->piece[i].n_tris, p->piece[i].n_verts, size);
     return sum / p->n_tris;
 }
 
@@ -380,27 +399,31 @@ static void mesh_figures(FILE *f, const struct sim_conversion *c, const char *le
     uint32_t n_clusters = 0;
     for (uint32_t i = 0; i < p->n_pieces; i++)
         n_clusters += p->piece[i].n_clusters;
-    (void)fprintf(f, "%s%" PRIu32 " triangles, %" PRIu32 " vertices, %" PRIu32 " clusters, %" PRIu32 " mesh%s, %"
-                  PRIu32 " material%s\n",
-                  lead, p->n_tris, p->n_verts, n_clusters, p->n_pieces, p->n_pieces == 1 ? "" : "es", p->n_paints,
-                  p->n_paints == 1 ? "" : "s");
+    (void)fprintf(f,
+                  "%s%" PRIu32 " triangles, %" PRIu32 " vertices, %" PRIu32 " clusters, %" PRIu32
+                  " mesh%s, %" PRIu32 " material%s\n",
+                  lead, p->n_tris, p->n_verts, n_clusters, p->n_pieces,
+                  p->n_pieces == 1 ? "" : "es", p->n_paints, p->n_paints == 1 ? "" : "s");
     if (p->n_flat > 0)
-        (void)fprintf(f, "%s%" PRIu32 " triangles left out: no area on the grid (%" PRIu32 " had none in the file)\n",
+        (void)fprintf(f,
+                      "%s%" PRIu32 " triangles left out: no area on the grid (%" PRIu32
+                      " had none in the file)\n",
                       lead, p->n_flat, p->n_flat_before);
     const struct sim_steps *s = &c->steps;
     char text[5][32];
-    (void)fprintf(f, "%sposition = %s, %s, %s + %s * n%s; %s world units to a unit of the model\n", lead,
-                  exactly(text[0], s->origin[0]), exactly(text[1], s->origin[1]), exactly(text[2], s->origin[2]),
-                  exactly(text[3], s->step), s->fine ? ", n = pos + pos_lo / 256" : "",
-                  exactly(text[4], s->unit));
+    (void)fprintf(f, "%sposition = %s, %s, %s + %s * n%s; %s world units to a unit of the model\n",
+                  lead, exactly(text[0], s->origin[0]), exactly(text[1], s->origin[1]),
+                  exactly(text[2], s->origin[2]), exactly(text[3], s->step),
+                  s->fine ? ", n = pos + pos_lo / 256" : "", exactly(text[4], s->unit));
     if (s->exact)
         (void)fprintf(f, "%spositions: exact\n", lead);
     else
-        (void)fprintf(f, "%spositions: off by at most %.3g, rms %.3g units (%.2g and %.2g of the extent)\n",
-                      lead, p->error_max, p->error_rms, p->error_max / extent(&c->model),
-                      p->error_rms / extent(&c->model));
-    (void)fprintf(f, "%sorder: %.2f vertices to a triangle through a cache of 16, %.2f of 32\n", lead,
-                  misses(p, 16), misses(p, 32));
+        (void)fprintf(
+            f, "%spositions: off by at most %.3g, rms %.3g units (%.2g and %.2g of the extent)\n",
+            lead, p->error_max, p->error_rms, p->error_max / extent(&c->model),
+            p->error_rms / extent(&c->model));
+    (void)fprintf(f, "%sorder: %.2f vertices to a triangle through a cache of 16, %.2f of 32\n",
+                  lead, misses(p, 16), misses(p, 32));
     if (p->normal_error >= 0.0)
         (void)fprintf(f, "%snormals: off by at most %.4f degrees\n", lead, p->normal_error);
 }
@@ -415,8 +438,8 @@ static void texture_figures(FILE *f, const struct sim_conversion *c, const char 
         if (s->n_colors > 0)
             (void)fprintf(f, ", %" PRIu32 " colours", s->n_colors);
         if (isfinite(s->loss.psnr_db))
-            (void)fprintf(f, ", PSNR %.1f dB, a channel off by at most %.0f of 255", s->loss.psnr_db,
-                          ceil(s->loss.worst));
+            (void)fprintf(f, ", PSNR %.1f dB, a channel off by at most %.0f of 255",
+                          s->loss.psnr_db, ceil(s->loss.worst));
         else
             (void)fputs(", nothing lost", f);
         if (c->pieces.uv_error != NULL && c->pieces.uv_error[i] >= 0.0)
@@ -437,7 +460,8 @@ void sim_convert_figures(FILE *f, const struct sim_conversion *c, const char *le
 
 static void first_line(FILE *f, const struct sim_conversion *c)
 {
-    (void)fprintf(f, "/* Made by: %s\n * Do not edit this file: convert again.\n", c->options.command);
+    (void)fprintf(f, "/* Made by: %s\n * Do not edit this file: convert again.\n",
+                  c->options.command);
 }
 
 /* In world units, from the mesh's 0,0,0. */
@@ -448,7 +472,8 @@ struct box {
 static void find_box(struct box *box, const struct sim_conversion *c)
 {
     const double unit = (double)c->steps.scale / 65536.0 / 256.0; /* world units to 1/256 step */
-    double lo[3] = { INFINITY, INFINITY, INFINITY }, hi[3] = { -INFINITY, -INFINITY, -INFINITY }, most = 0.0;
+    double lo[3] = { INFINITY, INFINITY, INFINITY }, hi[3] = { -INFINITY, -INFINITY, -INFINITY },
+           most = 0.0;
     for (uint32_t i = 0; i < c->pieces.n_pieces; i++)
         for (uint32_t v = 0; v < c->pieces.piece[i].n_verts; v++)
             for (int k = 0; k < 3; k++) {
@@ -476,24 +501,30 @@ static void describe_place(FILE *f, const struct sim_conversion *c, const struct
 {
     const struct sim_steps *s = &c->steps;
     char text[4][32];
-    (void)fprintf(f, " * Size       %ld x %ld x %ld world units; a unit of the model is %s of them.\n",
+    (void)fprintf(f,
+                  " * Size       %ld x %ld x %ld world units; a unit of the model is %s of them.\n",
                   box->hi[0] - box->lo[0], box->hi[1] - box->lo[1], box->hi[2] - box->lo[2],
                   exactly(text[0], s->unit));
     (void)fprintf(f, " * Place      0,0,0 is %s.\n",
-                  c->options.keep_origin ? "the model's own origin" : "the middle of the model's box");
-    (void)fprintf(f, " * Positions  in the model's units: %s %s %s + %s * n, n as in the arrays%s.\n",
-                  exactly(text[0], s->origin[0]), exactly(text[1], s->origin[1]), exactly(text[2], s->origin[2]),
-                  exactly(text[3], s->step), s->fine ? " (pos + pos_lo / 256)" : "");
+                  c->options.keep_origin ? "the model's own origin"
+                                         : "the middle of the model's box");
+    (void)fprintf(f,
+                  " * Positions  in the model's units: %s %s %s + %s * n, n as in the arrays%s.\n",
+                  exactly(text[0], s->origin[0]), exactly(text[1], s->origin[1]),
+                  exactly(text[2], s->origin[2]), exactly(text[3], s->step),
+                  s->fine ? " (pos + pos_lo / 256)" : "");
 }
 
 static void describe_use(FILE *f, const char *name, const char *big)
 {
-    (void)fprintf(f,
-                  " * Use        a scene's .instance can be %s_instance, and .n_instances %s_INSTANCES. To move\n"
-                  " *            the model, copy all of it to RAM and give every instance the same pose:\n"
-                  " *                struct zs_instance %s[%s_INSTANCES];\n"
-                  " *                memcpy(%s, %s_instance, sizeof %s);\n",
-                  name, big, name, big, name, name, name);
+    (void)fprintf(
+        f,
+        " * Use        a scene's .instance can be %s_instance, and .n_instances %s_INSTANCES. To "
+        "move\n"
+        " *            the model, copy all of it to RAM and give every instance the same pose:\n"
+        " *                struct zs_instance %s[%s_INSTANCES];\n"
+        " *                memcpy(%s, %s_instance, sizeof %s);\n",
+        name, big, name, big, name, name, name);
 }
 
 static void defines(FILE *f, const struct sim_conversion *c, const char *big, const struct box *b)
@@ -504,11 +535,13 @@ static void defines(FILE *f, const struct sim_conversion *c, const char *big, co
     (void)fprintf(f, "#define %s_TRIANGLES %" PRIu32 "u\n", big, p->n_tris);
     (void)fprintf(f, "#define %s_VERTICES %" PRIu32 "u\n", big, p->n_verts);
     (void)fprintf(f, "#define %s_ATTRS %s /* zs_config.attrs, at least */\n", big, attrs_name(p));
-    (void)fprintf(f, "#define %s_LO { %ld, %ld, %ld } /* world units: its box, its middle, */\n", big, b->lo[0],
-                  b->lo[1], b->lo[2]);
-    (void)fprintf(f, "#define %s_HI { %ld, %ld, %ld } /* and how far from the middle it reaches */\n", big,
-                  b->hi[0], b->hi[1], b->hi[2]);
-    (void)fprintf(f, "#define %s_MIDDLE { %ld, %ld, %ld }\n", big, b->middle[0], b->middle[1], b->middle[2]);
+    (void)fprintf(f, "#define %s_LO { %ld, %ld, %ld } /* world units: its box, its middle, */\n",
+                  big, b->lo[0], b->lo[1], b->lo[2]);
+    (void)fprintf(f,
+                  "#define %s_HI { %ld, %ld, %ld } /* and how far from the middle it reaches */\n",
+                  big, b->hi[0], b->hi[1], b->hi[2]);
+    (void)fprintf(f, "#define %s_MIDDLE { %ld, %ld, %ld }\n", big, b->middle[0], b->middle[1],
+                  b->middle[2]);
     (void)fprintf(f, "#define %s_RADIUS %ld\n", big, b->radius);
 }
 
@@ -520,7 +553,8 @@ void sim_convert_header(FILE *f, const struct sim_conversion *c)
     struct box box;
     upper(big, name);
     first_line(f, c);
-    (void)fprintf(f, " *\n * Flash      %zu bytes; %s.c says what for.\n", flash(NULL, c, ""), name);
+    (void)fprintf(f, " *\n * Flash      %zu bytes; %s.c says what for.\n", flash(NULL, c, ""),
+                  name);
     if (has_mesh) {
         find_box(&box, c);
         describe_place(f, c, &box);
@@ -533,8 +567,9 @@ void sim_convert_header(FILE *f, const struct sim_conversion *c)
         (void)fprintf(f, "#define %s_TEXTURES %" PRIu32 "u\n", big, c->n_skins);
     (void)fputs("\n#ifdef __cplusplus\nextern \"C\" {\n#endif\n\n", f);
     if (has_mesh) {
-        (void)fprintf(f, "extern const struct zs_instance %s_instance[%s_INSTANCES]; /* one to a mesh */\n", name,
-                      big);
+        (void)fprintf(
+            f, "extern const struct zs_instance %s_instance[%s_INSTANCES]; /* one to a mesh */\n",
+            name, big);
         (void)fprintf(f, "extern const struct zs_mesh %s_mesh[%s_INSTANCES];\n", name, big);
         (void)fprintf(f, "extern const struct zs_material %s_material[%s_MATERIALS];\n", name, big);
     }

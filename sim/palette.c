@@ -1,14 +1,14 @@
 /* The quantiser.
  *
- * Boxes of colours are cut in two until there are enough: always the box with the largest squared error, at
- * the place on one of its three axes that leaves the least (the criterion of Wu, Graphics Gems II, 1991, here
- * over the colours themselves and not over a grid). Then colours and means are matched in turns (Lloyd 1982),
- * with the means rounded to RGB565, since that is what the display shows: for given matches the rounded
- * mean is the best value there is. Means that meet leave entries free; those go to the colours that are
- * farthest off.
+ * Boxes of colours are cut in two until there are enough: always the box with the largest squared
+ * error, at the place on one of its three axes that leaves the least (the criterion of Wu, Graphics
+ * Gems II, 1991, here over the colours themselves and not over a grid). Then colours and means are
+ * matched in turns (Lloyd 1982), with the means rounded to RGB565, since that is what the display
+ * shows: for given matches the rounded mean is the best value there is. Means that meet leave
+ * entries free; those go to the colours that are farthest off.
  *
- * Images of more than EXACT_MAX different colours are first gathered into cells of 4 x 4 x 4 values, each
- * with its mean.
+ * Images of more than EXACT_MAX different colours are first gathered into cells of 4 x 4 x 4
+ * values, each with its mean.
  *
  * SPDX-License-Identifier: MIT
  */
@@ -40,10 +40,10 @@ struct colors {
 /* A consecutive run of colours. */
 struct box {
     uint32_t first, n;
-    double error;        /* squared, around the mean */
-    double gain;         /* what the best cut takes off it; 0: cannot be cut */
-    int axis;            /* of that cut */
-    uint32_t cut;        /* colours before it, along that axis */
+    double error; /* squared, around the mean */
+    double gain;  /* what the best cut takes off it; 0: cannot be cut */
+    int axis;     /* of that cut */
+    uint32_t cut; /* colours before it, along that axis */
 };
 
 static void to_rgb(double out[3], uint16_t c)
@@ -206,9 +206,9 @@ static void find_cut(struct box *box, const struct colors *colors)
         qsort(at, box->n, sizeof *at, by_axis[axis]);
         for (uint32_t i = 0; i + 1 < box->n; i++) {
             add(&low, &at[i]);
-            const struct sums high = { all.n - low.n,
-                                       { all.c[0] - low.c[0], all.c[1] - low.c[1],
-                                         all.c[2] - low.c[2] } };
+            const struct sums high = {
+                all.n - low.n, { all.c[0] - low.c[0], all.c[1] - low.c[1], all.c[2] - low.c[2] }
+            };
             const double gain = weight(&low) + weight(&high) - weight(&all);
             if (gain > box->gain) {
                 box->gain = gain;
@@ -287,10 +287,10 @@ static uint32_t round_means(uint16_t *palette, double (*mean)[3], uint32_t n)
 
 /* One turn: match colours with entries, and entries with their colours. */
 struct match {
-    double error;       /* squared, of the entries as they came in */
+    double error; /* squared, of the entries as they came in */
     double mean[SIM_PALETTE_MAX][3];
-    uint32_t n;         /* means: entries that some colour chose */
-    uint32_t worst;     /* the colour that is farthest off, by pixels */
+    uint32_t n;     /* means: entries that some colour chose */
+    uint32_t worst; /* the colour that is farthest off, by pixels */
 };
 
 static void match(struct match *m, const uint16_t *palette, uint32_t n, const struct colors *colors)
@@ -391,7 +391,8 @@ static uint32_t choose(const struct target *t, const double c[3], double shown[3
 }
 
 /* What a row hands on to the next, with a pixel of air at both ends. */
-static void hand_on(double (*here)[3], double (*below)[3], uint32_t at, int step, const double lost[3])
+static void hand_on(double (*here)[3], double (*below)[3], uint32_t at, int step,
+                    const double lost[3])
 {
     for (int k = 0; k < 3; k++) {
         here[at + (uint32_t)step][k] += lost[k] * 7.0 / 16.0;
@@ -404,7 +405,8 @@ static void hand_on(double (*here)[3], double (*below)[3], uint32_t at, int step
 static void map(const struct target *t, const struct sim_pixels *image, int dither, uint8_t *index,
                 uint16_t *value)
 {
-    double(*row[2])[3] = { sim_alloc(image->w + 2, sizeof **row), sim_alloc(image->w + 2, sizeof **row) };
+    double(*row[2])[3] = { sim_alloc(image->w + 2, sizeof **row),
+                           sim_alloc(image->w + 2, sizeof **row) };
     for (uint32_t y = 0; y < image->h; y++) {
         double(*here)[3] = row[y & 1], (*below)[3] = row[~y & 1];
         const int step = y & 1 ? -1 : 1;

@@ -1,8 +1,8 @@
-/* From a model to pieces: group triangles by material, place their corners on the grid, join what is equal,
- * cut groups of more than 65535 vertices in two until none is left, sort each piece.
+/* From a model to pieces: group triangles by material, place their corners on the grid, join what
+ * is equal, cut groups of more than 65535 vertices in two until none is left, sort each piece.
  *
- * Untextured triangles of several colours can be one mesh with a colour a vertex or face, or a mesh a
- * colour; what takes less is chosen.
+ * Untextured triangles of several colours can be one mesh with a colour a vertex or face, or a mesh
+ * a colour; what takes less is chosen.
  *
  * SPDX-License-Identifier: MIT
  */
@@ -17,8 +17,8 @@
 #include "vec.h"
 
 #define PIECE_VERTS_MAX 65535u
-#define COLORS_MAX 64u      /* meshes by colour: not more */
-#define MESH_BYTES 144u     /* a mesh, material and instance of its own, on a 32-bit machine */
+#define COLORS_MAX 64u  /* meshes by colour: not more */
+#define MESH_BYTES 144u /* a mesh, material and instance of its own, on a 32-bit machine */
 #define STACK_MAX 64
 #define TEXELS_OFF_MAX 0.5
 #define DEGREES (180.0 / 3.14159265358979323846)
@@ -92,11 +92,13 @@ static uint32_t texture_of(const struct work *w, uint32_t t)
     const enum sim_look look = (enum sim_look)w->options->look;
     if (look != SIM_LOOK_TEXTURED && look != SIM_LOOK_TEXTURED_FLAT && look != SIM_LOOK_UNLIT)
         return SIM_NO_TEXTURE;
-    return sim_model_texture(w->model, t) != NULL ? w->model->material[w->model->tri_material[t]].texture
-                                                  : SIM_NO_TEXTURE;
+    return sim_model_texture(w->model, t) != NULL
+               ? w->model->material[w->model->tri_material[t]].texture
+               : SIM_NO_TEXTURE;
 }
 
-/* The colour of a triangle where its shader knows one; *whole is cleared where its corners differ. */
+/* The colour of a triangle where its shader knows one; *whole is cleared where its corners differ.
+ * */
 static struct zs_rgb color_of(const struct work *w, uint32_t t, enum sim_shader shader, int *whole)
 {
     const struct zs_rgb *c = w->model->rgb[t];
@@ -112,8 +114,9 @@ static uint32_t find_group(struct groups *g, const struct sim_paint *paint, int 
             (!by_color || is_textured(paint->shader) || same_rgb(g->at[i].paint.rgb, paint->rgb)))
             return i;
     g->at = sim_grow(g->at, (size_t)g->n + 1, sizeof *g->at);
-    g->at[g->n] = (struct group){ .paint = *paint, .material = UINT32_MAX, .same_material = 1,
-                                  .same_rgb = 1 };
+    g->at[g->n] = (struct group){
+        .paint = *paint, .material = UINT32_MAX, .same_material = 1, .same_rgb = 1
+    };
     return g->n++;
 }
 
@@ -131,7 +134,8 @@ static int is_flat(const struct work *w, const uint32_t tri[3])
 static void add_to_group(struct work *w, uint32_t t, int by_color, int *whole)
 {
     const uint32_t texture = texture_of(w, t);
-    const enum sim_shader shader = shader_of((enum sim_look)w->options->look, texture != SIM_NO_TEXTURE);
+    const enum sim_shader shader =
+        shader_of((enum sim_look)w->options->look, texture != SIM_NO_TEXTURE);
     struct sim_paint paint = { .shader = shader, .texture = texture, .rgb = { 255, 255, 255 } };
     int triangle_whole = 1;
     if (!is_textured(shader))
@@ -139,8 +143,8 @@ static void add_to_group(struct work *w, uint32_t t, int by_color, int *whole)
     const uint32_t n = find_group(&w->groups, &paint, by_color);
     struct group *g = &w->groups.at[n];
     g->same_rgb = g->same_rgb && triangle_whole && same_rgb(g->paint.rgb, paint.rgb);
-    g->same_material = g->same_material &&
-                       (g->material == UINT32_MAX || g->material == w->model->tri_material[t]);
+    g->same_material =
+        g->same_material && (g->material == UINT32_MAX || g->material == w->model->tri_material[t]);
     g->material = w->model->tri_material[t];
     g->n_tris++;
     w->groups.of[t] = n;
@@ -204,8 +208,10 @@ static int find_fold(const struct work *w, uint32_t group, struct fold *fold)
             }
     for (int axis = 0; axis < 2; axis++) {
         const int clamps = texture->clamp & (axis == 0 ? ZS_CLAMP_U : ZS_CLAMP_V);
-        fold->shift[axis] = clamps ? 0.0 : -rint((lo[axis] + hi[axis]) / 2.0 - 0.01); /* 0 .. 1 stays */
-        most = fmax(most, fmax(fabs(lo[axis] + fold->shift[axis]), fabs(hi[axis] + fold->shift[axis])));
+        fold->shift[axis] =
+            clamps ? 0.0 : -rint((lo[axis] + hi[axis]) / 2.0 - 0.01); /* 0 .. 1 stays */
+        most = fmax(most,
+                    fmax(fabs(lo[axis] + fold->shift[axis]), fabs(hi[axis] + fold->shift[axis])));
     }
     fold->bits = 15;
     while (fold->bits > 0 && rint(ldexp(most, fold->bits)) > INT16_MAX)
@@ -213,11 +219,12 @@ static int find_fold(const struct work *w, uint32_t group, struct fold *fold)
     const double off = ldexp((double)(size[0] > size[1] ? size[0] : size[1]), -fold->bits - 1);
     if (rint(ldexp(most, fold->bits)) <= INT16_MAX && off <= TEXELS_OFF_MAX)
         return SIM_OK;
-    return sim_refuse(model->file, 0,
-                      "its texture coordinates run from %.4g,%.4g to %.4g,%.4g: 16 bits hold %u x %u texels "
-                      "%.3g times over; repeat the picture less often, or make it smaller (--texture-size)",
-                      lo[0], lo[1], hi[0], hi[1], size[0], size[1],
-                      INT16_MAX / (double)(size[0] > size[1] ? size[0] : size[1]));
+    return sim_refuse(
+        model->file, 0,
+        "its texture coordinates run from %.4g,%.4g to %.4g,%.4g: 16 bits hold %u x %u texels "
+        "%.3g times over; repeat the picture less often, or make it smaller (--texture-size)",
+        lo[0], lo[1], hi[0], hi[1], size[0], size[1],
+        INT16_MAX / (double)(size[0] > size[1] ? size[0] : size[1]));
 }
 
 /* ---- Vertices -------------------------------------------------------------------------------- */
@@ -234,11 +241,11 @@ _Static_assert(sizeof(struct corner) == 28, "no padding");
 /* A group while it is built. */
 struct shape {
     const struct group *group;
-    uint32_t paint;         /* its number in the output */
+    uint32_t paint; /* its number in the output */
     struct fold fold;
-    struct corner *corner;  /* [n_corners], different ones */
-    uint32_t (*tri)[3];     /* [group->n_tris], into corner */
-    uint32_t *source;       /* [group->n_tris] */
+    struct corner *corner; /* [n_corners], different ones */
+    uint32_t (*tri)[3];    /* [group->n_tris], into corner */
+    uint32_t *source;      /* [group->n_tris] */
     uint32_t n_corners;
 };
 
@@ -262,7 +269,8 @@ static void take_uv(struct work *w, const struct shape *s, uint32_t t, int k, in
     for (int axis = 0; axis < 2; axis++) {
         const double exact = w->model->uv[t][k][axis] + s->fold.shift[axis];
         out[axis] = (int16_t)rint(ldexp(exact, s->fold.bits));
-        const double off = fabs(exact - ldexp(out[axis], -s->fold.bits)) * w->texture_size[texture][axis];
+        const double off =
+            fabs(exact - ldexp(out[axis], -s->fold.bits)) * w->texture_size[texture][axis];
         w->out->uv_error[texture] = fmax(w->out->uv_error[texture], off);
     }
 }
@@ -397,9 +405,10 @@ static void copy_faces(struct work *w, struct sim_piece *p, const struct shape *
     }
 }
 
-/* Number the vertices of some triangles from 0. tri [n]; from, filled: number -> the shape's corner. */
-static uint32_t number(uint32_t (*tri)[3], uint32_t *from, const struct shape *s, const uint32_t *list,
-                       uint32_t n, uint32_t *slot)
+/* Number the vertices of some triangles from 0. tri [n]; from, filled: number -> the shape's
+ * corner. */
+static uint32_t number(uint32_t (*tri)[3], uint32_t *from, const struct shape *s,
+                       const uint32_t *list, uint32_t n, uint32_t *slot)
 {
     uint32_t n_verts = 0;
     for (uint32_t i = 0; i < n; i++)
@@ -417,18 +426,19 @@ static uint32_t number(uint32_t (*tri)[3], uint32_t *from, const struct shape *s
 }
 
 /* Sort a piece's triangles: tri and list are permuted, its clusters filled. */
-static void sort_piece(struct work *w, struct sim_piece *p, const struct shape *s, uint32_t (*tri)[3],
-                       uint32_t *list, const uint32_t *from)
+static void sort_piece(struct work *w, struct sim_piece *p, const struct shape *s,
+                       uint32_t (*tri)[3], uint32_t *list, const uint32_t *from)
 {
     int32_t(*fine)[3] = sim_alloc(p->n_verts, sizeof *fine);
     uint32_t *order = sim_alloc(p->n_tris, sizeof *order);
-    uint32_t(*old)[3] = sim_alloc(p->n_tris, sizeof *old), *old_list = sim_alloc(p->n_tris, sizeof *old_list);
+    uint32_t(*old)[3] = sim_alloc(p->n_tris, sizeof *old),
+    *old_list = sim_alloc(p->n_tris, sizeof *old_list);
     for (uint32_t v = 0; v < p->n_verts; v++)
         memcpy(fine[v], s->corner[from[v]].fine, sizeof *fine);
     memcpy(old, tri, p->n_tris * sizeof *old);
     memcpy(old_list, list, p->n_tris * sizeof *old_list);
-    const struct sim_shape shape = { (const int32_t(*)[3])fine, (const uint32_t(*)[3])old, p->n_verts,
-                                     p->n_tris };
+    const struct sim_shape shape = { (const int32_t(*)[3])fine, (const uint32_t(*)[3])old,
+                                     p->n_verts, p->n_tris };
     p->cluster = sim_cluster(order, &p->n_clusters, &shape, w->options->cull == ZS_CULL_BACK);
     if (p->n_tris <= SIM_CLUSTER_TRIS) { /* the mesh's own sphere does */
         free(p->cluster);
@@ -447,7 +457,8 @@ static void sort_piece(struct work *w, struct sim_piece *p, const struct shape *
 }
 
 /* A piece from the triangles of a list; slot: all zero, and again afterwards. */
-static void make_piece(struct work *w, const struct shape *s, uint32_t *list, uint32_t n, uint32_t *slot)
+static void make_piece(struct work *w, const struct shape *s, uint32_t *list, uint32_t n,
+                       uint32_t *slot)
 {
     struct sim_pieces *out = w->out;
     struct sim_piece p = { .paint = s->paint, .n_tris = n, .uv_bits = s->fold.bits };
@@ -477,7 +488,8 @@ static void make_piece(struct work *w, const struct shape *s, uint32_t *list, ui
     out->n_tris += n;
 }
 
-static uint32_t count_vertices(const struct shape *s, const uint32_t *list, uint32_t n, uint32_t *slot)
+static uint32_t count_vertices(const struct shape *s, const uint32_t *list, uint32_t n,
+                               uint32_t *slot)
 {
     uint32_t n_verts = 0;
     for (uint32_t i = 0; i < n; i++)
@@ -497,7 +509,9 @@ struct ranked {
 static int by_rank(const void *a, const void *b)
 {
     const struct ranked *x = a, *y = b;
-    return x->along != y->along ? (x->along < y->along ? -1 : 1) : x->tri < y->tri ? -1 : x->tri > y->tri;
+    return x->along != y->along ? (x->along < y->along ? -1 : 1)
+           : x->tri < y->tri    ? -1
+                                : x->tri > y->tri;
 }
 
 /* Three times the middle of a triangle, along an axis. */
@@ -509,7 +523,8 @@ static int64_t middle(const struct shape *s, uint32_t t, int axis)
     return sum;
 }
 
-/* Sort a list along the axis on which its triangles are spread most, so that it can be cut in two. */
+/* Sort a list along the axis on which its triangles are spread most, so that it can be cut in two.
+ * */
 static void spread(const struct shape *s, uint32_t *list, uint32_t n)
 {
     int64_t most = -1;
@@ -535,7 +550,8 @@ static void spread(const struct shape *s, uint32_t *list, uint32_t n)
     free(rank);
 }
 
-/* All pieces of a shape. The stack stands in for recursion: each cut halves a list of less than 2^31. */
+/* All pieces of a shape. The stack stands in for recursion: each cut halves a list of less than
+ * 2^31. */
 static void cut(struct work *w, const struct shape *s)
 {
     struct {
@@ -599,9 +615,10 @@ static int make_all(struct work *w, int by_color, int *done)
     for (uint32_t i = 0; *done && status == SIM_OK && i < w->groups.n; i++)
         status = make_group(w, i);
     if (status == SIM_OK && *done && out->n_tris == 0)
-        status = sim_refuse(w->model->file, 0,
-                            "none of its %u triangles has an area on a grid of %g; give --precise, or repair it",
-                            w->model->n_tris, w->steps->fine ? w->steps->step / 256.0 : w->steps->step);
+        status = sim_refuse(
+            w->model->file, 0,
+            "none of its %u triangles has an area on a grid of %g; give --precise, or repair it",
+            w->model->n_tris, w->steps->fine ? w->steps->step / 256.0 : w->steps->step);
     return status;
 }
 
@@ -638,11 +655,14 @@ static int has_choice(const struct work *w)
     return 0;
 }
 
-int sim_pieces_make(struct sim_pieces *out, const struct sim_model *model, const struct sim_steps *steps,
-                    const struct sim_convert_options *o, const uint32_t (*texture_size)[2])
+int sim_pieces_make(struct sim_pieces *out, const struct sim_model *model,
+                    const struct sim_steps *steps, const struct sim_convert_options *o,
+                    const uint32_t (*texture_size)[2])
 {
     struct sim_pieces by_color = { 0 };
-    struct work w = { .model = model, .steps = steps, .options = o, .texture_size = texture_size, .out = out };
+    struct work w = {
+        .model = model, .steps = steps, .options = o, .texture_size = texture_size, .out = out
+    };
     int done = 0;
     memset(out, 0, sizeof *out);
     measure_places(&w);

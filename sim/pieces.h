@@ -38,7 +38,7 @@ struct sim_piece {
     uint16_t *face_raw;
     int16_t (*uv)[2];
     uint16_t (*tri)[3];
-    uint32_t *source;   /* [n_tris], the triangle's number in the model */
+    uint32_t *source;           /* [n_tris], the triangle's number in the model */
     struct zs_cluster *cluster; /* NULL: SIM_CLUSTER_TRIS triangles or fewer */
     int16_t center[3];
     uint16_t radius;
@@ -50,19 +50,21 @@ struct sim_pieces {
     struct sim_paint *paint; /* [n_paints] */
     struct sim_piece *piece; /* [n_pieces] */
     uint32_t n_paints, n_pieces, n_verts, n_tris;
-    uint32_t n_flat, n_flat_before; /* triangles left out: without area on the grid; of them, in the file */
-    double error_max, error_rms;    /* of positions, model units */
-    double normal_error;            /* largest angle, degrees; < 0: no normals */
-    double *uv_error;               /* [model.n_textures], largest, texels; < 0: not used */
+    uint32_t n_flat,
+        n_flat_before; /* triangles left out: without area on the grid; of them, in the file */
+    double error_max, error_rms; /* of positions, model units */
+    double normal_error;         /* largest angle, degrees; < 0: no normals */
+    double *uv_error;            /* [model.n_textures], largest, texels; < 0: not used */
 };
 
 /* Make the meshes of a model.
  *
- * texture_size  [model->n_textures], texels each way of what will be written: coordinates must reach half
- *               a texel.
+ * texture_size  [model->n_textures], texels each way of what will be written: coordinates must
+ *               reach half a texel.
  * Return  SIM_OK; SIM_REFUSED, said why, *out empty. sim_pieces_free in either case. */
-int sim_pieces_make(struct sim_pieces *out, const struct sim_model *model, const struct sim_steps *steps,
-                    const struct sim_convert_options *o, const uint32_t (*texture_size)[2]);
+int sim_pieces_make(struct sim_pieces *out, const struct sim_model *model,
+                    const struct sim_steps *steps, const struct sim_convert_options *o,
+                    const uint32_t (*texture_size)[2]);
 void sim_pieces_free(struct sim_pieces *pieces);
 
 /* What a part of all meshes takes in flash, bytes. */

@@ -26,13 +26,15 @@ void sim_skin_size(uint32_t size[2], const struct sim_texture *texture, const lo
 static uint8_t (*shrink(const struct sim_image *image, const uint32_t size[2]))[3]
 {
     uint8_t(*out)[3] = sim_alloc((size_t)size[0] * size[1], sizeof *out);
-    const uint32_t across = image->width / size[0], down = image->height / size[1], n = across * down;
+    const uint32_t across = image->width / size[0], down = image->height / size[1],
+                   n = across * down;
     for (uint32_t y = 0; y < size[1]; y++)
         for (uint32_t x = 0; x < size[0]; x++)
             for (int c = 0; c < 3; c++) {
                 uint32_t sum = n / 2; /* 2^20 * 255 < 2^32 */
                 for (uint32_t i = 0; i < n; i++)
-                    sum += image->rgb[(size_t)(y * down + i / across) * image->width + x * across + i % across][c];
+                    sum += image->rgb[(size_t)(y * down + i / across) * image->width + x * across +
+                                      i % across][c];
                 out[(size_t)y * size[0] + x][c] = (uint8_t)(sum / n);
             }
     return out;
@@ -56,13 +58,15 @@ static void pack(uint8_t *index, size_t n)
         index[i] = (uint8_t)(index[2 * i] | index[2 * i + 1] << 4);
 }
 
-static void make_palette(struct sim_skin *s, const struct sim_pixels *px, enum sim_texels format, int dither)
+static void make_palette(struct sim_skin *s, const struct sim_pixels *px, enum sim_texels format,
+                         int dither)
 {
     const size_t n = (size_t)px->w * px->h;
     uint16_t *shown = sim_alloc(n, sizeof *shown), *best = sim_alloc(n, sizeof *best);
     s->format = format;
     s->index = sim_alloc(n, 1);
-    s->n_colors = sim_palette_build(s->palette, format == SIM_TEXELS_PAL4 ? PAL4_MAX : SIM_PALETTE_MAX, px);
+    s->n_colors =
+        sim_palette_build(s->palette, format == SIM_TEXELS_PAL4 ? PAL4_MAX : SIM_PALETTE_MAX, px);
     sim_palette_map(s->index, px, s->palette, s->n_colors, 0);
     sim_rgb565_map(best, px, 0);
     for (size_t i = 0; i < n; i++)
@@ -110,7 +114,8 @@ int sim_skin_make(struct sim_skin *out, const struct sim_texture *texture, const
     memset(out, 0, sizeof *out);
     sim_skin_size(size, texture, o->texture_size);
     if (o->texels == SIM_TEXELS_PAL4 && size[0] < 2)
-        return sim_refuse(file, 0, "pal4 stores two texels in a byte and the texture is one wide; take pal8");
+        return sim_refuse(
+            file, 0, "pal4 stores two texels in a byte and the texture is one wide; take pal8");
     uint8_t(*rgb)[3] = shrink(&texture->image, size);
     const struct sim_pixels px = { size[0], size[1], (const uint8_t(*)[3])rgb };
     out->w = size[0];

@@ -13,16 +13,16 @@
 #include "texture.h"
 
 struct sim_skin {
-    enum sim_texels format;  /* 565, pal8 or pal4 */
-    uint32_t w, h;           /* powers of two */
-    uint8_t clamp;           /* enum zs_clamp */
-    uint16_t *texel;         /* [h][w], with 565; else NULL */
-    uint8_t *index;          /* [h][w] or [h][w / 2]; with 565 NULL */
+    enum sim_texels format; /* 565, pal8 or pal4 */
+    uint32_t w, h;          /* powers of two */
+    uint8_t clamp;          /* enum zs_clamp */
+    uint16_t *texel;        /* [h][w], with 565; else NULL */
+    uint8_t *index;         /* [h][w] or [h][w / 2]; with 565 NULL */
     uint16_t palette[SIM_PALETTE_MAX];
-    uint32_t n_colors;       /* 0 with 565 */
+    uint32_t n_colors; /* 0 with 565 */
     size_t texel_bytes, palette_bytes;
-    struct sim_loss loss;    /* against the picture at this size */
-    int exact;               /* 1: the same as with 565 */
+    struct sim_loss loss; /* against the picture at this size */
+    int exact;            /* 1: the same as with 565 */
 };
 
 /* The size that a texture will have: its own, halved each way until it is at most `most`. */

@@ -1,9 +1,10 @@
 /* Choosing the grid.
  *
- * With U world units to a model unit, a step of S / 65536 world units is S / K model units, K = 65536 U (256
- * times that for steps of 1/256). S is a whole number, the mesh's scale. If all coordinates are whole
- * multiples of 1 / K, and differ by multiples of G of them, then every S that divides G loses nothing; the
- * least that still holds the model is taken. Otherwise S is the least that holds the model.
+ * With U world units to a model unit, a step of S / 65536 world units is S / K model units, K =
+ * 65536 U (256 times that for steps of 1/256). S is a whole number, the mesh's scale. If all
+ * coordinates are whole multiples of 1 / K, and differ by multiples of G of them, then every S that
+ * divides G loses nothing; the least that still holds the model is taken. Otherwise S is the least
+ * that holds the model.
  *
  * SPDX-License-Identifier: MIT
  */
@@ -44,7 +45,8 @@ static uint64_t common_divisor(uint64_t a, uint64_t b)
 }
 
 /* 0: some coordinate lies between places. */
-static int find_lattice(struct lattice *l, const struct sim_model *model, double per_unit, int keep_origin)
+static int find_lattice(struct lattice *l, const struct sim_model *model, double per_unit,
+                        int keep_origin)
 {
     double hi[3] = { 0.0, 0.0, 0.0 };
     l->per_unit = per_unit;
@@ -55,16 +57,15 @@ static int find_lattice(struct lattice *l, const struct sim_model *model, double
         hi[k] = rint(model->hi[k] * per_unit);
         if (!(fabs(l->lo[k]) < WHOLE_MAX && fabs(hi[k]) < WHOLE_MAX))
             return 0;
-        l->reach = fmax(l->reach, keep_origin ? 2.0 * fmax(fabs(l->lo[k]), fabs(hi[k]))
-                                              : hi[k] - l->lo[k]);
+        l->reach = fmax(l->reach,
+                        keep_origin ? 2.0 * fmax(fabs(l->lo[k]), fabs(hi[k])) : hi[k] - l->lo[k]);
     }
     for (uint32_t i = 0; i < model->n_points; i++)
         for (int k = 0; k < 3; k++) {
             const double p = model->point[i][k], n = rint(p * per_unit), back = n / per_unit;
             if (model->single ? (float)back != (float)p : back < p || back > p)
                 return 0;
-            l->common = common_divisor(l->common,
-                                       (uint64_t)fabs(keep_origin ? n : n - l->lo[k]));
+            l->common = common_divisor(l->common, (uint64_t)fabs(keep_origin ? n : n - l->lo[k]));
         }
     return l->common != 0;
 }
@@ -82,7 +83,8 @@ static double exact_scale(const struct lattice *l, double least)
 }
 
 /* An exact grid for a unit, if there is one. */
-static int try_exact(struct sim_steps *s, const struct sim_model *model, double unit, int keep_origin, int fine)
+static int try_exact(struct sim_steps *s, const struct sim_model *model, double unit,
+                     int keep_origin, int fine)
 {
     struct lattice l;
     const double per_unit = 65536.0 * unit * (fine ? 256.0 : 1.0);
@@ -134,10 +136,11 @@ static double brief(double v, double slack)
 }
 
 /* The finest grid that holds the model. */
-static void take_finest(struct sim_steps *s, const struct sim_model *model, const struct sim_steps_want *want)
+static void take_finest(struct sim_steps *s, const struct sim_model *model,
+                        const struct sim_steps_want *want)
 {
-    const double scale = ceil(span_of(model, want->keep_origin) * s->unit * 65536.0 /
-                              (2.0 * SIM_STEPS_MAX));
+    const double scale =
+        ceil(span_of(model, want->keep_origin) * s->unit * 65536.0 / (2.0 * SIM_STEPS_MAX));
     s->exact = 0;
     s->fine = want->fine;
     s->scale = (uint32_t)fmax(scale, 1.0);
@@ -182,15 +185,16 @@ static int check_unit(const struct sim_model *model, const struct sim_steps_want
     const double reach = reach_of(model, want->keep_origin), extent = extent_of(model);
     const double most = WORLD_USE * ZS_WORLD_MAX;
     if (reach * unit > most)
-        return sim_refuse(model->file, 0,
-                          "with %g world units to a unit the model reaches %.3g; the world ends at %.3g: "
-                          "give --unit %.3g or less%s",
-                          unit, reach * unit, most, most / reach,
-                          want->keep_origin ? ", or --center yes" : "");
+        return sim_refuse(
+            model->file, 0,
+            "with %g world units to a unit the model reaches %.3g; the world ends at %.3g: "
+            "give --unit %.3g or less%s",
+            unit, reach * unit, most, most / reach, want->keep_origin ? ", or --center yes" : "");
     if (extent * unit * 65536.0 < SCALE_LEAST * 2.0 * SIM_STEPS_MAX)
-        return sim_refuse(model->file, 0,
-                          "with %g world units to a unit the model is only %.3g wide; give --unit %.3g or more",
-                          unit, extent * unit, SPAN_LEAST / extent);
+        return sim_refuse(
+            model->file, 0,
+            "with %g world units to a unit the model is only %.3g wide; give --unit %.3g or more",
+            unit, extent * unit, SPAN_LEAST / extent);
     return SIM_OK;
 }
 
@@ -204,8 +208,9 @@ int sim_steps_choose(struct sim_steps *out, const struct sim_model *model,
         return status;
     for (int fine = 0; fine <= want->fine; fine++)
         for (double times = 1.0; times <= 100.0; times *= 10.0) {
-            if (times > 1.0 && (want->unit > 0.0 || unit < 1.0 ||
-                                reach_of(model, want->keep_origin) * unit * times > WORLD_USE * ZS_WORLD_MAX))
+            if (times > 1.0 &&
+                (want->unit > 0.0 || unit < 1.0 ||
+                 reach_of(model, want->keep_origin) * unit * times > WORLD_USE * ZS_WORLD_MAX))
                 break;
             if (try_exact(out, model, unit * times, want->keep_origin, fine))
                 return SIM_OK;
@@ -214,17 +219,19 @@ int sim_steps_choose(struct sim_steps *out, const struct sim_model *model,
     take_finest(out, model, want);
     if (extent_of(model) / out->step * (out->fine ? 256.0 : 1.0) >= STEPS_LEAST)
         return SIM_OK;
-    return sim_refuse(model->file, 0,
-                      "the model is so far from its origin that it would be %.3g steps wide; give --center yes",
-                      extent_of(model) / out->step);
+    return sim_refuse(
+        model->file, 0,
+        "the model is so far from its origin that it would be %.3g steps wide; give --center yes",
+        extent_of(model) / out->step);
 }
 
 void sim_steps_place(int32_t out[3], const struct sim_steps *s, const double position[3])
 {
     const double per_step = s->fine ? 256.0 : 1.0;
     for (int k = 0; k < 3; k++) {
-        const double n = s->exact ? (rint(position[k] * s->lattice) - s->first[k]) / (double)s->scale
-                                  : rint((position[k] - s->origin[k]) / s->step * per_step);
+        const double n = s->exact
+                             ? (rint(position[k] * s->lattice) - s->first[k]) / (double)s->scale
+                             : rint((position[k] - s->origin[k]) / s->step * per_step);
         const double most = SIM_STEPS_MAX * per_step;
         out[k] = (int32_t)(fmin(fmax(n, -most), most) * (256.0 / per_step));
     }

@@ -126,7 +126,7 @@ same_pixels() { # TO INPUT
         # shellcheck disable=SC2086
         run "$1/probe" compare $view $place "$1/o.u32" "$1.u32"
         # shellcheck disable=SC2086
-        above "pixels of view $view" "$(word 1 $seen)" 80
+        above "pixels of view $view" "$(word 1 $seen)" 500
         # shellcheck disable=SC2086
         all=$((all + $(word 2 $seen)))
     done
@@ -372,6 +372,9 @@ refused texture_size_huge 1 'a power of two' 4.png --name m --out none --texture
 ./make png 4 1 8 thin.png
 refused pal4_of_one_column 1 'take pal8' thin.png --name m --out none --texture-format pal4
 refused texture_that_is_not_shown 1 '--texture needs' skinned.obj --texture 4.png --shade flat --name m --out none
+refused textured_without_texture 1 'name a picture by --texture' teapot.obj --shade textured --name m --out none
+./make torus 8 4 1 gone.mtl >lost.obj
+refused textured_without_material_file 1 'gone.mtl cannot be read' lost.obj --shade unlit --name m --out none
 refused unit_0 1 'outside its range' tetra.obj --name m --out none --unit 0
 refused unit_below_0 1 'outside its range' tetra.obj --name m --out none --unit -2
 refused unit_nan 1 'outside its range' tetra.obj --name m --out none --unit nan
@@ -394,6 +397,9 @@ refused map_on_a_full_disk 1 '/dev/full' tetra.obj --name m --out kept --map /de
 begin taken_wide_but_smaller_texture
 convert wide wide.obj --texture-size 64x64
 holds stdout '64 x 64'
+begin taken_without_material_file
+convert lost lost.obj
+holds stdout 'gone.mtl cannot be read'
 begin taken_far_from_its_origin
 convert far far.obj
 compile far probe

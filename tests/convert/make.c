@@ -2,12 +2,12 @@
  *
  *     make torus ACROSS AROUND REPEATS LIBRARY >M.obj   uv, normals; LIBRARY: a .mtl to name, or -
  *     make teapot >M.obj                      the demo scenes' own, whole numbers
- *     make boxes N COLORS >M.obj              N boxes in a row, colours in turn by material; M.mtl: boxes.mtl
+ *     make boxes N COLORS >M.obj              N boxes in rows of 20, of materials in turn
  *     make boxes.mtl COLORS >boxes.mtl
  *     make soup N SEED >M.obj                 N triangles that share nothing, some without area
  *     make png KIND W H FILE.png              KIND: a number of colours, or photo
  *     make jpeg W H FILE.jpg
- *     make gltf FOLDER                        four materials, two of them textured, in nodes that turn
+ *     make gltf FOLDER                        four materials, two of them textured
  *
  * SPDX-License-Identifier: MIT
  */
@@ -65,17 +65,20 @@ static void boxes(int n, int colors)
     printf("mtllib boxes.mtl\n");
     for (int i = 0; i < n; i++) {
         for (int v = 0; v < 8; v++)
-            printf("v %.1f %.1f %.1f\n", 1.5 * i + v / 4, v / 2 % 2 * 1.5, v % 2 * 0.5);
+            printf("v %.1f %.1f %.1f\n", 1.5 * (i % 20) + v / 4, 2.0 * (i / 20) + v / 2 % 2 * 1.5,
+                   v % 2 * 0.5);
         printf("usemtl paint%d\n", i % colors);
         for (int f = 0; f < 6; f++)
-            printf("f %d %d %d %d\n", 8 * i + quad[f][0], 8 * i + quad[f][1], 8 * i + quad[f][2], 8 * i + quad[f][3]);
+            printf("f %d %d %d %d\n", 8 * i + quad[f][0], 8 * i + quad[f][1], 8 * i + quad[f][2],
+                   8 * i + quad[f][3]);
     }
 }
 
 static void library(int colors)
 {
     for (int i = 0; i < colors; i++)
-        printf("newmtl paint%d\nKd %.6f %.6f %.6f\n", i, i % 8 * 30 / 255.0, i / 8 % 8 * 30 / 255.0, (40 + i / 64) / 255.0);
+        printf("newmtl paint%d\nKd %.6f %.6f %.6f\n", i, i % 8 * 30 / 255.0, i / 8 % 8 * 30 / 255.0,
+               (40 + i / 64) / 255.0);
 }
 
 static uint32_t random_state;
@@ -113,7 +116,9 @@ static uint8_t *picture(const char *kind, unsigned w, unsigned h)
 
 static void png(const char *kind, unsigned w, unsigned h, const char *file)
 {
-    png_image image = { .version = PNG_IMAGE_VERSION, .width = w, .height = h, .format = PNG_FORMAT_RGB };
+    png_image image = {
+        .version = PNG_IMAGE_VERSION, .width = w, .height = h, .format = PNG_FORMAT_RGB
+    };
     uint8_t *px = picture(kind, w, h);
     if (!png_image_write_to_file(&image, file, 0, px, 0, NULL))
         exit(1);
@@ -191,25 +196,44 @@ static void gltf(const char *folder)
     f = fopen(path, "w");
     if (f == NULL)
         exit(1);
-    fprintf(f, "{\"asset\":{\"version\":\"2.0\"},\"scene\":0,\"scenes\":[{\"nodes\":[0,1,2,3]}],\"nodes\":[");
-    fprintf(f, "{\"mesh\":0,\"translation\":[-2,0,0]},{\"mesh\":1,\"rotation\":[0,0.6,0,0.8],\"translation\":[2,0.5,0]},");
-    fprintf(f, "{\"mesh\":2,\"scale\":[-1,2,0.5],\"translation\":[0,2.5,-1]},{\"mesh\":3,\"translation\":[0,-2,1]}],");
+    fprintf(f, "{\"asset\":{\"version\":\"2.0\"},\"scene\":0,\"scenes\":[{\"nodes\":[0,1,2,3]}],"
+               "\"nodes\":[");
+    fprintf(f, "{\"mesh\":0,\"translation\":[-2,0,0]},{\"mesh\":1,\"rotation\":[0,0.6,0,0.8],"
+               "\"translation\":[2,0.5,0]},");
+    fprintf(f, "{\"mesh\":2,\"scale\":[-1,2,0.5],\"translation\":[0,2.5,-1]},{\"mesh\":3,"
+               "\"translation\":[0,-2,1]}],");
     fprintf(f, "\"meshes\":[");
     for (int m = 0; m < 4; m++)
-        fprintf(f, "%s{\"primitives\":[{\"attributes\":{\"POSITION\":0,\"NORMAL\":1,\"TEXCOORD_0\":2},"
-                "\"indices\":3,\"material\":%d}]}", m > 0 ? "," : "", m);
-    fprintf(f, "],\"materials\":[{\"name\":\"red */ paint\",\"pbrMetallicRoughness\":{\"baseColorTexture\":{\"index\":0}}},"
-            "{\"name\":\"blue\",\"pbrMetallicRoughness\":{\"baseColorTexture\":{\"index\":1}}},"
-            "{\"name\":\"plain\",\"pbrMetallicRoughness\":{\"baseColorFactor\":[0.9,0.5,0.1,1]}},"
-            "{\"name\":\"other\",\"pbrMetallicRoughness\":{\"baseColorFactor\":[0.1,0.7,0.3,1]}}],");
-    fprintf(f, "\"textures\":[{\"source\":0},{\"source\":1}],\"images\":[{\"uri\":\"red.png\"},{\"uri\":\"blue.png\"}],");
-    fprintf(f, "\"accessors\":[{\"bufferView\":0,\"componentType\":5126,\"count\":%d,\"type\":\"VEC3\","
-            "\"min\":[-1.2,-1,-1.2],\"max\":[1.2,1,1.2]},", N_VERTS);
-    fprintf(f, "{\"bufferView\":1,\"componentType\":5126,\"count\":%d,\"type\":\"VEC3\"},", N_VERTS);
-    fprintf(f, "{\"bufferView\":2,\"componentType\":5126,\"count\":%d,\"type\":\"VEC2\"},", N_VERTS);
-    fprintf(f, "{\"bufferView\":3,\"componentType\":5123,\"count\":%d,\"type\":\"SCALAR\"}],", N_INDEX);
-    fprintf(f, "\"bufferViews\":[{\"buffer\":0,\"byteLength\":%d},{\"buffer\":0,\"byteOffset\":%d,\"byteLength\":%d},", p, p, p);
-    fprintf(f, "{\"buffer\":0,\"byteOffset\":%d,\"byteLength\":%d},{\"buffer\":0,\"byteOffset\":%d,\"byteLength\":%d}],",
+        fprintf(f,
+                "%s{\"primitives\":[{\"attributes\":{\"POSITION\":0,\"NORMAL\":1,\"TEXCOORD_0\":2},"
+                "\"indices\":3,\"material\":%d}]}",
+                m > 0 ? "," : "", m);
+    fprintf(
+        f, "],\"materials\":[{\"name\":\"red */ "
+           "paint\",\"pbrMetallicRoughness\":{\"baseColorTexture\":{\"index\":0}}},"
+           "{\"name\":\"blue\",\"pbrMetallicRoughness\":{\"baseColorTexture\":{\"index\":1}}},"
+           "{\"name\":\"plain\",\"pbrMetallicRoughness\":{\"baseColorFactor\":[0.9,0.5,0.1,1]}},"
+           "{\"name\":\"other\",\"pbrMetallicRoughness\":{\"baseColorFactor\":[0.1,0.7,0.3,1]}}],");
+    fprintf(f, "\"textures\":[{\"source\":0},{\"source\":1}],\"images\":[{\"uri\":\"red.png\"},{"
+               "\"uri\":\"blue.png\"}],");
+    fprintf(
+        f,
+        "\"accessors\":[{\"bufferView\":0,\"componentType\":5126,\"count\":%d,\"type\":\"VEC3\","
+        "\"min\":[-1.2,-1,-1.2],\"max\":[1.2,1,1.2]},",
+        N_VERTS);
+    fprintf(f, "{\"bufferView\":1,\"componentType\":5126,\"count\":%d,\"type\":\"VEC3\"},",
+            N_VERTS);
+    fprintf(f, "{\"bufferView\":2,\"componentType\":5126,\"count\":%d,\"type\":\"VEC2\"},",
+            N_VERTS);
+    fprintf(f, "{\"bufferView\":3,\"componentType\":5123,\"count\":%d,\"type\":\"SCALAR\"}],",
+            N_INDEX);
+    fprintf(f,
+            "\"bufferViews\":[{\"buffer\":0,\"byteLength\":%d},{\"buffer\":0,\"byteOffset\":%d,"
+            "\"byteLength\":%d},",
+            p, p, p);
+    fprintf(f,
+            "{\"buffer\":0,\"byteOffset\":%d,\"byteLength\":%d},{\"buffer\":0,\"byteOffset\":%d,"
+            "\"byteLength\":%d}],",
             2 * p, u, 2 * p + u, x);
     fprintf(f, "\"buffers\":[{\"uri\":\"ball.bin\",\"byteLength\":%d}]}\n", 2 * p + u + x);
     fclose(f);

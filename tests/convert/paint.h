@@ -11,7 +11,8 @@
 #include <string.h>
 
 /* A colour of a picture, 0 .. 255. */
-static inline void paint(const char *kind, unsigned x, unsigned y, unsigned w, unsigned h, uint8_t rgb[3])
+static inline void paint(const char *kind, unsigned x, unsigned y, unsigned w, unsigned h,
+                         uint8_t rgb[3])
 {
     const double u = (x + 0.5) / w, v = (y + 0.5) / h;
     if (strcmp(kind, "photo") == 0) {
@@ -21,7 +22,8 @@ static inline void paint(const char *kind, unsigned x, unsigned y, unsigned w, u
         return;
     }
     const unsigned most = (unsigned)strtoul(kind, NULL, 10);
-    const unsigned c = ((x * 8 / w) + 3 * (y * 64 / h) * (y * 64 / h)) % most; /* well apart: c * 37 mod 256 */
+    const unsigned c =
+        ((x * 8 / w) + 3 * (y * 64 / h) * (y * 64 / h)) % most; /* well apart: c * 37 mod 256 */
     rgb[0] = (uint8_t)(c * 37);
     rgb[1] = (uint8_t)(c * 101 + 40);
     rgb[2] = (uint8_t)(255 - c * 59);

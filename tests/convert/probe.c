@@ -2,8 +2,8 @@
  *
  *     probe check                 zs_mesh_check, zs_texture_check, spheres again by another sum
  *     probe view N PLACE          the camera of view N as options of zsim render
- *     probe compare N PLACE IDS MAP  draw view N, compare triangle numbers with zsim's of the original
- *     probe places 0 PLACE FILE.obj MAP   every corner is where the file has it, with its normal and uv
+ *     probe compare N PLACE IDS MAP  draw view N, compare triangle numbers with zsim's
+ *     probe places 0 PLACE FILE.obj MAP  how far corners are from where the file has them
  *     probe draw N                view N with the model's own shaders, PPM
  *
  * PLACE: five numbers, origin x y z, step, world units to a unit.
@@ -99,7 +99,8 @@ static uint32_t try_cone(const struct zs_mesh *m, uint32_t i, uint32_t *state)
                 b[k] = p[2][k] - p[0][k];
             }
             for (int k = 0; k < 3; k++)
-                side += (eye[k] - p[0][k]) * (a[(k + 1) % 3] * b[(k + 2) % 3] - a[(k + 2) % 3] * b[(k + 1) % 3]);
+                side += (eye[k] - p[0][k]) *
+                        (a[(k + 1) % 3] * b[(k + 2) % 3] - a[(k + 2) % 3] * b[(k + 1) % 3]);
             if (side > 0.0)
                 wrong("cluster %u: triangle %u faces an eye that its cone leaves out", i, t);
         }
@@ -141,8 +142,9 @@ static void check(void)
             wrong("texture %u: %s, %u", i, zs_strflaw(flaw), at);
     }
 #endif
-    printf("%u clusters, spheres at least %.3g steps larger than needed, %u eyes left out by cones\n", clusters,
-           clusters ? tightest : 0.0, tried);
+    printf(
+        "%u clusters, spheres at least %.3g steps larger than needed, %u eyes left out by cones\n",
+        clusters, clusters ? tightest : 0.0, tried);
 }
 
 /* ---- Views ----------------------------------------------------------------------------------- */
@@ -151,8 +153,10 @@ static void check(void)
 static const struct {
     double eye[3], z_near, z_far;
 } views[N_VIEWS] = {
-    { { 1.2, 0.9, 2.4 }, 1.5, 4.2 },  { { -2.0, -1.5, 0.7 }, 1.4, 4.0 },
-    { { 0.3, 2.9, -0.2 }, 1.6, 4.2 }, { { 0.9, 0.5, -0.9 }, 0.15, 3.0 } /* the last is close: it cuts */
+    { { 1.2, 0.9, 2.4 }, 1.5, 4.2 },
+    { { -2.0, -1.5, 0.7 }, 1.4, 4.0 },
+    { { 0.3, 2.9, -0.2 }, 1.6, 4.2 },
+    { { 0.9, 0.5, -0.9 }, 0.15, 3.0 } /* the last is close: it cuts */
 };
 
 static const int32_t middle[3] = M_MIDDLE;
@@ -187,8 +191,9 @@ static void print_view(int n, const double place[5])
         e[k] = place[k] + eye[k] / place[4];
         at[k] = place[k] + middle[k] / place[4];
     }
-    printf("--size %dx%d --fov %g --eye %.17g,%.17g,%.17g --at %.17g,%.17g,%.17g --near %.17g --far %.17g\n", W, H,
-           FOV, e[0], e[1], e[2], at[0], at[1], at[2], views[n].z_near * M_RADIUS / place[4],
+    printf("--size %dx%d --fov %g --eye %.17g,%.17g,%.17g --at %.17g,%.17g,%.17g --near %.17g "
+           "--far %.17g\n",
+           W, H, FOV, e[0], e[1], e[2], at[0], at[1], at[2], views[n].z_near * M_RADIUS / place[4],
            views[n].z_far * M_RADIUS / place[4]);
 }
 
@@ -208,14 +213,19 @@ static int take(void *ctx, const struct zs_strip *s)
     return 0;
 }
 
-static void render(const struct zs_instance *instance, const struct zs_camera *camera, uint16_t background)
+static void render(const struct zs_instance *instance, const struct zs_camera *camera,
+                   uint16_t background)
 {
-    static const struct zs_config config = { W, H, ROWS, 20000, 20000, M_ATTRS, 1, 8, 16, 0, &zs_depth_recip };
+    static const struct zs_config config = { W, H, ROWS, 20000, 20000,          M_ATTRS,
+                                             1, 8, 16,   0,     &zs_depth_recip };
     static struct zs_renderer renderer;
     ZS_ARENA(arena, ZS_ARENA_BYTES(W, H, ROWS, 20000, 20000, M_ATTRS, 1));
-    const struct zs_scene scene = { instance, M_INSTANCES,
-                                    { { 400000000, 700000000, 700000000 }, ZS_Q16_ONE / 4, ZS_Q16_ONE * 3 / 4 },
-                                    background };
+    const struct zs_scene scene = {
+        instance,
+        M_INSTANCES,
+        { { 400000000, 700000000, 700000000 }, ZS_Q16_ONE / 4, ZS_Q16_ONE * 3 / 4 },
+        background
+    };
     const struct zs_sink sink = { take, 0, 0 };
     int err = zs_init(&renderer, &config, arena, sizeof arena);
     err = err ? err : zs_render(&renderer, &scene, camera, &sink);
@@ -271,15 +281,17 @@ static struct seen see(uint32_t t, const struct zs_camera *c)
         for (int a = 0; a < 3; a++)
             d[a] = v[a] * m_mesh[i].scale / 65536.0 - c->pos[a];
         for (int a = 0; a < 3; a++)
-            s.p[k][a] = (d[0] * c->rot[3 * a] + d[1] * c->rot[3 * a + 1] + d[2] * c->rot[3 * a + 2]) /
-                        (double)ZS_Q30_ONE * (a == 2 ? -1.0 : 1.0);
+            s.p[k][a] =
+                (d[0] * c->rot[3 * a] + d[1] * c->rot[3 * a + 1] + d[2] * c->rot[3 * a + 2]) /
+                (double)ZS_Q30_ONE * (a == 2 ? -1.0 : 1.0);
     }
     return s;
 }
 
-/* Distance in px from a pixel's middle to the nearest edge of a triangle; `off` world units of error
- * become px where the edge is nearest, and are taken away. */
-static double edge_distance(const struct seen *s, const struct zs_camera *c, int x, int y, double off)
+/* Distance in px from a pixel's middle to the nearest edge of a triangle; `off` world units of
+ * error become px where the edge is nearest, and are taken away. */
+static double edge_distance(const struct seen *s, const struct zs_camera *c, int x, int y,
+                            double off)
 {
     const double focal = (double)c->focal / 4294967296.0, z_near = (double)c->z_near / 65536.0;
     double least = INFINITY;
@@ -305,7 +317,8 @@ static double edge_distance(const struct seen *s, const struct zs_camera *c, int
             e[i] = p[i] - pa[i];
         }
         const double squared = d[0] * d[0] + d[1] * d[1];
-        const double f = squared > 0.0 ? fmin(fmax((d[0] * e[0] + d[1] * e[1]) / squared, 0.0), 1.0) : 0.0;
+        const double f =
+            squared > 0.0 ? fmin(fmax((d[0] * e[0] + d[1] * e[1]) / squared, 0.0), 1.0) : 0.0;
         const double gap = hypot(e[0] - f * d[0], e[1] - f * d[1]) - off * focal / fmin(a[2], b[2]);
         least = fmin(least, gap);
     }
@@ -313,7 +326,8 @@ static double edge_distance(const struct seen *s, const struct zs_camera *c, int
 }
 
 /* z of a triangle's plane at a pixel, and how much of it an error of `off` may move it. */
-static double depth_at(const struct seen *s, const struct zs_camera *c, int x, int y, double off, double *slack)
+static double depth_at(const struct seen *s, const struct zs_camera *c, int x, int y, double off,
+                       double *slack)
 {
     const double focal = (double)c->focal / 4294967296.0;
     const double ray[3] = { (x + 0.5 - W / 2.0) / focal, -(y + 0.5 - H / 2.0) / focal, 1.0 };
@@ -375,7 +389,8 @@ static void compare(int n, const double place[5], const char *ids_file, const ch
     uint32_t most, drawn = 0, differ = 0, by_depth = 0;
     uint32_t *was = load(ids_file, &n_ids), *map = load(map_file, &n_map);
     uint32_t *of = turn_round(map, n_map, &most);
-    const double off = place[3] * place[4] * 0.8661 * (m_mesh[0].pos_lo ? 1.0 / 256.0 : 1.0); /* half a cube's diagonal */
+    const double off = place[3] * place[4] * 0.8661 *
+                       (m_mesh[0].pos_lo ? 1.0 / 256.0 : 1.0); /* half a cube's diagonal */
     if (n_ids != W * H)
         wrong("%s has %zu pixels", ids_file, n_ids);
     camera_of(n, &camera);
@@ -406,8 +421,9 @@ static void compare(int n, const double place[5], const char *ids_file, const ch
             }
         }
         if (gap > 4.0 / 256.0)
-            wrong("pixel %d,%d of view %d shows triangle %u, not %u, and no edge of them is nearer than %.3f px", x, y,
-                  n, b ? map[b - 1] : 0, was[i], gap);
+            wrong("pixel %d,%d of view %d shows triangle %u, not %u, and no edge of them is nearer "
+                  "than %.3f px",
+                  x, y, n, b ? map[b - 1] : 0, was[i], gap);
     }
     printf("%u %u %u\n", drawn, differ, by_depth);
     free(was);
@@ -434,8 +450,8 @@ static uint32_t read_obj(const char *name)
     while (fgets(line, sizeof line, f)) {
         const int kind = line[0] != 'v' ? -1 : line[1] == ' ' ? 0 : line[1] == 't' ? 1 : 2;
         if (kind >= 0)
-            n[kind] += sscanf(line + 2, "%lf %lf %lf", &file_v[kind][n[kind] + 1][0], &file_v[kind][n[kind] + 1][1],
-                              &file_v[kind][n[kind] + 1][2]) > 1;
+            n[kind] += sscanf(line + 2, "%lf %lf %lf", &file_v[kind][n[kind] + 1][0],
+                              &file_v[kind][n[kind] + 1][1], &file_v[kind][n[kind] + 1][2]) > 1;
         if (line[0] != 'f')
             continue;
         int corner[3][3] = { { 0 } }, k = 0;
@@ -455,7 +471,8 @@ static uint32_t read_obj(const char *name)
     return n_tris;
 }
 
-static void compare_corner(const struct zs_mesh *m, uint32_t v, const int c[3], const double place[5], double worst[3])
+static void compare_corner(const struct zs_mesh *m, uint32_t v, const int c[3],
+                           const double place[5], double worst[3])
 {
     double p[3], across = 0.0, along = 0.0;
     vertex(m, v, p);
@@ -488,7 +505,8 @@ static void places(const double place[5], const char *obj, const char *map_file)
             if (at >= n_map || map[at] == 0 || map[at] > n_tris)
                 wrong("the map ends or names a triangle that is not there");
             for (int k = 0; k < 3; k++)
-                compare_corner(&m_mesh[i], m_mesh[i].tri[t][k], file_tri[map[at] - 1][k], place, worst);
+                compare_corner(&m_mesh[i], m_mesh[i].tri[t][k], file_tri[map[at] - 1][k], place,
+                               worst);
         }
     free(map);
     printf("%.9g %.9g %.4f\n", worst[0], worst[1], worst[2]);

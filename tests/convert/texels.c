@@ -2,8 +2,9 @@
  *
  *     texels KIND W H     KIND as in make png; W, H: its size
  *
- * Prints "exact" where every texel is the picture's RGB565 value, else "near"; PSNR and worst channel error
- * against the picture at the texture's size; and the same of the means of blocks of 8 x 8 texels.
+ * Prints "exact" where every texel is the picture's RGB565 value, else "near"; PSNR and worst
+ * channel error against the picture at the texture's size; and the same of the means of blocks of 8
+ * x 8 texels.
  *
  * SPDX-License-Identifier: MIT
  */
@@ -22,8 +23,8 @@ static uint16_t texel(const struct zs_texture *t, uint32_t x, uint32_t y)
 }
 
 /* A channel of the picture, where a texel covers whole pixels: their mean. */
-static double wanted(const char *kind, uint32_t w, uint32_t h, const struct zs_texture *t, uint32_t x, uint32_t y,
-                     int c)
+static double wanted(const char *kind, uint32_t w, uint32_t h, const struct zs_texture *t,
+                     uint32_t x, uint32_t y, int c)
 {
     const uint32_t across = w >> t->log2_w, down = h >> t->log2_h;
     double sum = 0.0;
@@ -37,13 +38,16 @@ static double wanted(const char *kind, uint32_t w, uint32_t h, const struct zs_t
 
 static double have(uint16_t v, int c)
 {
-    return c == 0 ? (v >> 11) * 255.0 / 31.0 : c == 1 ? (v >> 5 & 63) * 255.0 / 63.0 : (v & 31) * 255.0 / 31.0;
+    return c == 0   ? (v >> 11) * 255.0 / 31.0
+           : c == 1 ? (v >> 5 & 63) * 255.0 / 63.0
+                    : (v & 31) * 255.0 / 31.0;
 }
 
 int main(int argc, char **argv)
 {
     const struct zs_texture *t = &m_texture[0];
-    const uint32_t w = argc > 3 ? (uint32_t)atoi(argv[2]) : 1, h = argc > 3 ? (uint32_t)atoi(argv[3]) : 1;
+    const uint32_t w = argc > 3 ? (uint32_t)atoi(argv[2]) : 1,
+                   h = argc > 3 ? (uint32_t)atoi(argv[3]) : 1;
     const uint32_t tw = 1u << t->log2_w, th = 1u << t->log2_h;
     uint32_t at = 0;
     int exact = 1;
@@ -61,17 +65,20 @@ int main(int argc, char **argv)
                 squared += off * off;
                 worst = fmax(worst, off);
             }
-            exact = exact && texel(t, x, y) == zs_rgb565((uint8_t)c[0], (uint8_t)c[1], (uint8_t)c[2]);
+            exact =
+                exact && texel(t, x, y) == zs_rgb565((uint8_t)c[0], (uint8_t)c[1], (uint8_t)c[2]);
         }
     for (uint32_t y = 0; y + 8 <= th; y += 8)
         for (uint32_t x = 0; x + 8 <= tw; x += 8)
             for (int k = 0; k < 3; k++) {
                 double sum = 0.0;
                 for (uint32_t i = 0; i < 64; i++)
-                    sum += wanted(argv[1], w, h, t, x + i % 8, y + i / 8, k) - have(texel(t, x + i % 8, y + i / 8), k);
+                    sum += wanted(argv[1], w, h, t, x + i % 8, y + i / 8, k) -
+                           have(texel(t, x + i % 8, y + i / 8), k);
                 block += sum / 64.0 * (sum / 64.0);
             }
-    printf("%s %.1f %.0f %.1f\n", exact ? "exact" : "near", 10.0 * log10(65025.0 * 3.0 * tw * th / squared),
-           ceil(worst), 10.0 * log10(65025.0 * 3.0 * (tw / 8) * (th / 8) / block));
+    printf("%s %.1f %.0f %.1f\n", exact ? "exact" : "near",
+           10.0 * log10(65025.0 * 3.0 * tw * th / squared), ceil(worst),
+           10.0 * log10(65025.0 * 3.0 * (tw / 8) * (th / 8) / block));
     return 0;
 }
