@@ -399,7 +399,7 @@ convert wide wide.obj --texture-size 64x64
 holds stdout '64 x 64'
 begin taken_without_material_file
 convert lost lost.obj
-holds stdout 'gone.mtl cannot be read'
+holds stdout '"gone.mtl" cannot be read'
 begin taken_far_from_its_origin
 convert far far.obj
 compile far probe
