@@ -184,18 +184,26 @@ static double sample_y(const struct sim_judge *j, int y)
     return y + 0.5 - j->height / 2.0;
 }
 
-/* The same triangle twice, whichever corner it begins with. */
-static int same_corners(const struct ref_triangle *a, const struct ref_triangle *b)
+/* 1: the same triangle, b beginning with corner `turn` of a. */
+static int same_corners(const struct ref_triangle *a, const struct ref_triangle *b, int turn)
 {
-    for (int turn = 0; turn < 3; turn++) {
-        int same = 1;
-        for (int k = 0; k < 3; k++)
-            for (int c = 0; c < 3; c++)
-                same &= !(a->p[k][c] < b->p[(k + turn) % 3][c] || a->p[k][c] > b->p[(k + turn) % 3][c]);
-        if (same)
-            return 1;
+    for (int k = 0; k < 9; k++) {
+        const double p = a->p[k / 3][k % 3], q = b->p[(k / 3 + turn) % 3][k % 3];
+        if (p < q || p > q)
+            return 0;
     }
-    return 0;
+    return 1;
+}
+
+/* Of a triangle that is there twice the first is seen. Begun with another corner, its pieces after a cut may
+ * be others, and their keys a bucket apart. */
+static enum sim_verdict twice(const struct sim_judge *j, uint32_t ours, uint32_t truth,
+                              enum sim_verdict otherwise)
+{
+    const struct ref_triangle *a = &j->tri[ours - 1], *b = &j->tri[truth - 1];
+    if (same_corners(a, b, 0))
+        return ours < truth ? SIM_SAME : SIM_WRONG;
+    return ours < truth && (same_corners(a, b, 1) || same_corners(a, b, 2)) ? SIM_SAME : otherwise;
 }
 
 enum sim_verdict sim_judge_pixel(const struct sim_judge *j, uint32_t ours, uint32_t truth, int x, int y)
@@ -206,8 +214,6 @@ enum sim_verdict sim_judge_pixel(const struct sim_judge *j, uint32_t ours, uint3
     int covered = 1, edge = 0;
     if (ours == truth)
         return SIM_SAME;
-    if (ours && truth && same_corners(&j->tri[ours - 1], &j->tri[truth - 1]))
-        return ours < truth ? SIM_SAME : SIM_WRONG;
     for (int k = 0; k < 2; k++) {
         struct place p;
         if (id[k] == 0) {
@@ -218,9 +224,9 @@ enum sim_verdict sim_judge_pixel(const struct sim_judge *j, uint32_t ours, uint3
         covered &= inside(j, &p, sx, sy, &edge);
         key[k] = key_at(j, &p, sx, sy, &slack[k]);
     }
-    if (edge)
-        return SIM_EDGE;
-    return covered && fabs(key[0] - key[1]) <= SEPARATION + slack[0] + slack[1] ? SIM_TIE : SIM_WRONG;
+    const int tie = covered && fabs(key[0] - key[1]) <= SEPARATION + slack[0] + slack[1];
+    const enum sim_verdict verdict = edge ? SIM_EDGE : tie ? SIM_TIE : SIM_WRONG;
+    return ours && truth ? twice(j, ours, truth, verdict) : verdict;
 }
 
 double sim_judge_key_slack(const struct sim_judge *j, uint32_t id, int x, int y)

@@ -86,8 +86,9 @@ static void soup(struct sim_scatter_mesh *m, struct sim_random *r)
             (void)add_vertex(m, r, at[0], at[1], at[2]);
         }
         add_tri(m, 3 * k, 3 * k + 1, 3 * k + 2);
-        if (sim_random_pick(r, 10) == 0) /* the same again */
-            add_tri(m, 3 * k + 1, 3 * k + 2, 3 * k);
+        const uint32_t again = sim_random_pick(r, 10);
+        if (again < 2) /* the same once more */
+            add_tri(m, 3 * k + again, 3 * k + (1 + again) % 3, 3 * k + (2 + again) % 3);
     }
 }
 
@@ -286,7 +287,7 @@ static void camera_make(struct sim_scatter *s, struct sim_random *r, struct lens
 static void depth_make(struct sim_scatter *s, struct sim_random *r, const struct lens *lens)
 {
     static const struct zs_depth *const mappings[] = { &zs_depth_recip, &zs_depth_linear,
-                                                       &zs_depth_e3m13, &zs_depth_e3m13,
+                                                       &zs_depth_float, &zs_depth_e3m13,
                                                        &zs_depth_e4m12, &zs_depth_e5m11 };
     s->config.depth = s->camera.projection == ZS_ORTHOGRAPHIC ? &zs_depth_linear
                                                               : mappings[sim_random_pick(r, 6)];

@@ -219,6 +219,6 @@ int main(int argc, char **argv)
     }
     for (unsigned long long k = 1; k <= n; k++)
         run_case(k, 0);
-    printf("ok cards: %llu cases of seed %llu\n", n, now.seed);
+    printf("ok stress_29_cards: %llu cases of seed %llu\n", n, now.seed);
     return 0;
 }
