@@ -53,7 +53,7 @@ enum zs_err {
     ZS_ERR_ARENA = -3,  /* the arena is smaller than zs_arena_bytes() or not 4-byte aligned */
     ZS_ERR_DEPTH = -4,  /* depth bits outside 8..16, or a mapping that this camera cannot take */
     ZS_ERR_CAMERA = -5, /* near, far, focal length, height or rotation outside its range */
-    ZS_ERR_RANGE = -6,  /* a position, scale or extent that the integers cannot hold */
+    ZS_ERR_RANGE = -6,  /* a position, scale, extent or light that the integers cannot hold */
     ZS_ERR_MESH = -7,   /* a mesh lacks what its shader reads, or has a zero scale or too many
                            vertices */
     ZS_ERR_STATE = -8,  /* begin, strip and end called out of order */
