@@ -350,7 +350,8 @@ static void instances(struct world *w, struct prng *p, int64_t size, uint32_t od
         in->state = one_in(p, 3) ? &w->state[prng_pick(p, WORLD_STATES)] : NULL;
         rotation(&in->pose, p, odd);
         const uint64_t steps = in->mesh->radius ? in->mesh->radius : 1u;
-        const uint64_t want = ((uint64_t)size << 32) / steps << (one_in(p, 6) ? prng_pick(p, 4) : 0u) >> prng_pick(p, 4);
+        const uint32_t larger = one_in(p, 6) ? prng_pick(p, 4) : 0u;
+        const uint64_t want = ((uint64_t)size << 32) / steps << larger >> prng_pick(p, 4);
         const uint64_t most = (uint64_t)1 << 47; /* of both scales */
         const uint64_t scale = (want > most ? most : want) / in->mesh->scale;
         in->pose.scale = (uint32_t)(scale < 1 ? 1 : scale > UINT32_MAX ? UINT32_MAX : scale);
