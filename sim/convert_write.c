@@ -404,6 +404,11 @@ static void mesh_figures(FILE *f, const struct sim_conversion *c, const char *le
                   " mesh%s, %" PRIu32 " material%s\n",
                   lead, p->n_tris, p->n_verts, n_clusters, p->n_pieces,
                   p->n_pieces == 1 ? "" : "es", p->n_paints, p->n_paints == 1 ? "" : "s");
+    if (c->model.lost_materials != NULL) {
+        (void)fprintf(f, "%smaterial file ", lead);
+        quote(f, last_name(c->model.lost_materials));
+        (void)fputs(" cannot be read: its colours and textures are missing\n", f);
+    }
     if (p->n_flat > 0)
         (void)fprintf(f,
                       "%s%" PRIu32 " triangles left out: no area on the grid (%" PRIu32

@@ -249,6 +249,7 @@ static void write_stats(FILE *f, const struct job *job)
         sim_json_number(&json, "world_unit", job->scene.unit);
         sim_json_number(&json, "uv_bits_least", job->scene.uv_bits_least);
         sim_json_number(&json, "uv_error_texels", job->scene.uv_error);
+        sim_json_number(&json, "texture_psnr_db", fmin(job->scene.psnr_db, 999.0));
     }
     if (o->compare)
         stats_diff(&json, &job->diff);

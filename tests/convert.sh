@@ -132,6 +132,20 @@ same_pixels() { # TO INPUT
     done
     note="$note${note:+, }$all pixels differ, all at edges or equally far"
 }
+# The pictures too, by the model's own shaders and textures, against zsim's of the original.
+same_colours() { # TO INPUT SHADE
+    for view in 0 1 2 3; do
+        # shellcheck disable=SC2086
+        run "$1/probe" view $view $place
+        # shellcheck disable=SC2086
+        "$zsim" render "$2" $seen --shade "$3" --light 4,7,7 --background 0a143c --out "$1/o.png" \
+            >stdout.render 2>&1 || wrong "$(cat stdout.render)"
+        "$1/probe" draw $view >"$1/o.ppm" || wrong "$1/probe draw $view"
+        run ./make psnr "$1/o.png" "$1/o.ppm"
+        above "PSNR of view $view" "$seen" 42
+        note="$note, $seen dB"
+    done
+}
 same_places() { # TO FILE.obj STEP-SHARE    coordinates to half a step, or a share of it
     # shellcheck disable=SC2086
     run "$1/probe" places 0 $place "$2" "$1.u32"
@@ -181,10 +195,12 @@ echo "$tetra" >tetra.obj
 # ---- Round trips -------------------------------------------------------------------------------
 round_trip torus_smooth torus.obj
 holds stdout 'normals: off by at most 0.00'
+same_colours torus_smooth torus.obj smooth
 holds torus_smooth/m.c zs_shade_smooth
 round_trip torus_precise torus.obj --precise --shade flat
 holds torus_precise/m.c pos_lo
-round_trip torus_textured skinned.obj
+round_trip torus_textured skinned.obj --texture-format 565
+same_colours torus_textured skinned.obj textured
 holds torus_textured/m.c 'zs_shade_texture_smooth'
 holds torus_textured/m.c '&m_texture[0]'
 round_trip torus_own_origin torus.obj --center no
@@ -194,13 +210,14 @@ round_trip torus_by_unit torus.obj --unit 25.4 --cull none
 is "unit" "$(word 5 $place)" 25.4
 holds torus_by_unit/m.c ZS_CULL_NONE
 round_trip teapot teapot.obj
-holds stdout 'positions: exact'
+same_colours teapot teapot.obj flat
 round_trip triangle_soup soup.obj
 holds stdout '30 triangles left out'
 round_trip boxes_by_face boxes3.obj
 round_trip boxes_by_material boxes300.obj
 round_trip many_materials gltf/balls.gltf
-holds stdout '4 meshes, 4 materials'
+same_colours many_materials gltf/balls.gltf textured
+holds many_materials/m.c '4 meshes, 4 materials'
 round_trip large_in_parts large.obj
 holds stdout '2 meshes, 1 material'
 case $name in large_in_parts) above "vertices" "$(awk '/triangles,/ { print $3 }' stdout)" 79999 ;; esac
@@ -399,7 +416,7 @@ convert wide wide.obj --texture-size 64x64
 holds stdout '64 x 64'
 begin taken_without_material_file
 convert lost lost.obj
-holds stdout 'gone.mtl cannot be read'
+holds stdout '"gone.mtl" cannot be read'
 begin taken_far_from_its_origin
 convert far far.obj
 compile far probe

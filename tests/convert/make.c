@@ -8,6 +8,7 @@
  *     make png KIND W H FILE.png              KIND: a number of colours, or photo
  *     make jpeg W H FILE.jpg
  *     make gltf FOLDER                        four materials, two of them textured
+ *     make psnr A.png B.ppm                   how alike they are, dB
  *
  * SPDX-License-Identifier: MIT
  */
@@ -239,6 +240,29 @@ static void gltf(const char *folder)
     fclose(f);
 }
 
+static void psnr(const char *a, const char *b)
+{
+    png_image image = { .version = PNG_IMAGE_VERSION };
+    unsigned w = 0, h = 0;
+    double squared = 0.0;
+    FILE *f = fopen(b, "rb");
+    if (f == NULL || !png_image_begin_read_from_file(&image, a) ||
+        fscanf(f, "P6 %u %u 255", &w, &h) != 2 || fgetc(f) != '\n' || image.width != w ||
+        image.height != h)
+        exit(1);
+    image.format = PNG_FORMAT_RGB;
+    uint8_t *px = malloc(PNG_IMAGE_SIZE(image));
+    if (px == NULL || !png_image_finish_read(&image, NULL, px, 0, NULL))
+        exit(1);
+    for (size_t i = 0; i < 3 * (size_t)w * h; i++) {
+        const int d = px[i] - fgetc(f);
+        squared += d * d;
+    }
+    fclose(f);
+    free(px);
+    printf("%.1f\n", 10.0 * log10(65025.0 * 3.0 * w * h / squared));
+}
+
 int main(int argc, char **argv)
 {
     const char *what = argc > 1 ? argv[1] : "";
@@ -254,6 +278,8 @@ int main(int argc, char **argv)
         soup(atoi(argv[2]), (uint32_t)atoi(argv[3]));
     else if (strcmp(what, "png") == 0 && argc == 6)
         png(argv[2], (unsigned)atoi(argv[3]), (unsigned)atoi(argv[4]), argv[5]);
+    else if (strcmp(what, "psnr") == 0 && argc == 4)
+        psnr(argv[2], argv[3]);
     else if (strcmp(what, "jpeg") == 0 && argc == 5)
         jpeg((unsigned)atoi(argv[2]), (unsigned)atoi(argv[3]), argv[4]);
     else if (strcmp(what, "gltf") == 0 && argc == 3)

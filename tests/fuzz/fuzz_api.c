@@ -767,6 +767,6 @@ int main(int argc, char **argv)
         printf("FAILED fuzz_api: a part of the library was not reached\n");
         return 1;
     }
-    printf("ok fuzz_api: %llu cases of seed %llu\n", k, now.seed);
+    printf("ok stress_29_fuzz_api: %llu cases of seed %llu\n", k, now.seed);
     return 0;
 }
