@@ -25,7 +25,8 @@ static void must(int ok, const char *what)
     }
 }
 
-static void fill_pools(struct zs_renderer *r, const struct easel_tri *t, uint32_t n)
+static void fill_pools(struct zs_renderer *r, const struct easel_tri *t, uint32_t n,
+                       uint32_t n_states)
 {
     for (uint32_t s = 0; s < r->n_strips; s++)
         r->bin[s] = ZS_NIL;
@@ -47,8 +48,8 @@ static void fill_pools(struct zs_renderer *r, const struct easel_tri *t, uint32_
             continue;
         const int32_t strip = row / r->config.strip_h;
         r->tri[k].paint = zs_wire16((uint16_t)(k + 1));
-        must(t[k].state <= EASEL_STATES_MAX, "state");
-        r->tri[k].instance = (uint16_t)t[k].state;
+        must(n_states == 0 || t[k].state <= n_states, "state");
+        r->tri[k].instance = (uint16_t)(n_states ? t[k].state : 0);
         r->tri[k].next = r->bin[strip];
         r->bin[strip] = (uint16_t)k;
     }
@@ -112,7 +113,7 @@ void easel_draw(const struct easel *s, const struct easel_tri *t, uint32_t n,
     must(zs_camera_perspective(&camera, 8192, (uint16_t)s->height, s->z_near, s->z_far) == ZS_OK,
          "camera");
     must(zs_frame_begin(&r, &scene, &camera) == ZS_OK, "zs_frame_begin");
-    fill_pools(&r, t, n);
+    fill_pools(&r, t, n, s->n_states);
 
     const size_t n_px = (size_t)s->width * (size_t)s->height;
     out->color = malloc(n_px * 2);

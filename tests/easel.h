@@ -16,7 +16,7 @@ struct easel_tri {
     int32_t x[3], y[3]; /* 1/256 px, at most ZS_GUARD_PX px from the frame's middle */
     uint32_t d[3];      /* key in uq16_16; linear under perspective: z in camera units */
     uint16_t rgb[3][3]; /* [corner]. smooth: channels, uq0_16; textured: see EASEL_UV */
-    uint32_t state;     /* 0: none; k: the easel's state[k - 1] */
+    uint32_t state;     /* 0: none; k: the easel's state[k - 1]; not read where that has none */
 };
 
 /* Textured: rgb[corner] is u, v in 2^-uv_bits of the texture, an int16 each, and with smooth light
