@@ -1,5 +1,5 @@
-/* `zsim accuracy`: see accuracy.h. One row of the table after another: what is exactly known (exact.h), the
- * bench scenes, rotations, random scenes (scatter.h, judge.h).
+/* `zsim accuracy`: see accuracy.h. One row of the table after another: what is exactly known
+ * (exact.h), the bench scenes, rotations, random scenes (scatter.h, judge.h).
  *
  * SPDX-License-Identifier: MIT
  */
@@ -28,8 +28,8 @@
 static const char usage[] =
     "zsim accuracy [--scenes N=1000] [--seed S=1] [--quick]\n"
     "  Measures coverage, order, depth, texels, colours and rotations against whole numbers and the\n"
-    "  double-precision reference, on the bench scenes and on N random ones, and prints a table. Ends with\n"
-    "  status 1 where a row fails. --quick: less of everything, 40 scenes unless told.\n";
+    "  double-precision reference, on the bench scenes and on N random ones, and prints a table.\n"
+    "  Ends with status 1 where a row fails. --quick: less of everything, 40 scenes unless told.\n";
 
 struct request {
     unsigned long scenes; /* 0: as many as usual */
@@ -37,7 +37,7 @@ struct request {
     int quick;
 };
 
-/* ---- The table -------------------------------------------------------------------------------------- */
+/* ---- The table ------------------------------------------------------------------------------ */
 
 static unsigned rows_failed;
 
@@ -47,10 +47,11 @@ static void section(const char *name)
 }
 
 /* A row: what, over how much, measured, allowed. The three texts are formatted by the caller. */
-static void row(int ok, const char *what, const char *measured, const char *allowed, const char *format, ...)
-    __attribute__((format(printf, 5, 6)));
+static void row(int ok, const char *what, const char *measured, const char *allowed,
+                const char *format, ...) __attribute__((format(printf, 5, 6)));
 
-static void row(int ok, const char *what, const char *measured, const char *allowed, const char *format, ...)
+static void row(int ok, const char *what, const char *measured, const char *allowed,
+                const char *format, ...)
 {
     va_list args;
     (void)printf("  %-4s  %-46s  %-16s  %-15s  ", ok ? "ok" : "FAIL", what, measured, allowed);
@@ -69,7 +70,8 @@ static void row_count(const char *what, uint64_t n, const char *over)
     row(n == 0, what, measured, "0", "%s", over);
 }
 
-static void row_value(const char *what, double value, double most, const char *unit, const char *over)
+static void row_value(const char *what, double value, double most, const char *unit,
+                      const char *over)
 {
     char measured[64], allowed[64];
     (void)snprintf(measured, sizeof measured, "%.4g%s", value, unit);
@@ -97,7 +99,7 @@ static double percent(uint64_t part, uint64_t whole)
     return whole ? 100.0 * (double)part / (double)whole : 0.0;
 }
 
-/* ---- A frame beside the reference's --------------------------------------------------------------------- */
+/* ---- A frame beside the reference's --------------------------------------------------------- */
 
 struct look {
     struct sim_frame frame;
@@ -111,15 +113,18 @@ struct look {
     struct ref_diff diff;
 };
 
-/* Sums over frames. A pixel differs where another triangle, or none, is seen than in the reference. */
+/* Sums over frames. A pixel differs where another triangle, or none, is seen than in the reference.
+ */
 struct sums {
     uint64_t frames, drawn; /* drawn: in the reference */
     uint64_t differ, edges, ties, wrong;
     uint64_t surfaces, surfaces_wrong; /* those where it is not a triangle of the same plane */
-    uint64_t uncovered, cracks; /* drawn in one alone; and missing though the reference draws all around */
+    uint64_t uncovered,
+        cracks; /* drawn in one alone; and missing though the reference draws all around */
     uint64_t keys;
     double key_beyond; /* worst |key - exact|, less what snapping explains */
-    uint64_t colors, colors_far, colors_wrong; /* channels; more than one code off; and not explained */
+    uint64_t colors, colors_far,
+        colors_wrong; /* channels; more than one code off; and not explained */
     uint64_t texels, texels_differ, texels_far, texels_wrong;
     double texel_worst;   /* how far outside of its texel a true coordinate lies */
     double wrong_percent; /* the worst frame's differing pixels */
@@ -188,8 +193,13 @@ static int look_open(struct look *l, const struct zs_scene *scene, const struct 
     l->truth.v = sim_alloc(n, sizeof(double));
     l->truth.texel = sim_alloc(n, sizeof(uint32_t));
     l->truth.texture = sim_alloc(n, sizeof(void *));
-    const struct sim_judge judge = { l->tri, &l->camera, &l->light, &l->depth, config->width,
-                                     config->height, 1.0 / (1 << config->subpixel_bits),
+    const struct sim_judge judge = { l->tri,
+                                     &l->camera,
+                                     &l->light,
+                                     &l->depth,
+                                     config->width,
+                                     config->height,
+                                     1.0 / (1 << config->subpixel_bits),
                                      sim_judge_unit(l->tri, l->n_tris, &l->camera) };
     l->judge = judge;
     const int status = look_draw(l, scene, camera, config, textured);
@@ -198,7 +208,7 @@ static int look_open(struct look *l, const struct zs_scene *scene, const struct 
     return status;
 }
 
-/* ---- Pixels ------------------------------------------------------------------------------------------- */
+/* ---- Pixels --------------------------------------------------------------------------------- */
 
 static void sum_visible(struct sums *s, const struct look *l, int x, int y)
 {
@@ -257,8 +267,9 @@ static double outside(double lo, double hi, uint32_t taken, int size, int clampe
     return fmax(0, fmax(taken - hi, lo - (taken + 1.0)));
 }
 
-/* What an error of a coordinate may be beyond snapping, texels: 1/8 by interpolation, 1/512 on purpose, half a step
- * of uv (2^-12) where near cut it, and what arithmetic adds: 2^-21 of the span times the ratio of w. */
+/* What an error of a coordinate may be beyond snapping, texels: 1/8 by interpolation, 1/512 on
+ * purpose, half a step of uv (2^-12) where near cut it, and what arithmetic adds: 2^-21 of the span
+ * times the ratio of w. */
 static double texel_bound(const struct ref_triangle *t, int axis, double ratio)
 {
     const int size = axis ? t->texture->height : t->texture->width;
@@ -364,7 +375,7 @@ static void sum_up(struct sums *s, const struct look *l)
     s->wrong_percent = fmax(s->wrong_percent, percent(s->differ - before, l->diff.ref_drawn));
 }
 
-/* ---- What is exactly known -------------------------------------------------------------------------------- */
+/* ---- What is exactly known ------------------------------------------------------------------ */
 
 static int exact_rows(const struct request *rq)
 {
@@ -374,7 +385,7 @@ static int exact_rows(const struct request *rq)
     struct sim_exact_layers near, nearer;
     int status = sim_exact_triangles(&t, rq->seed, n);
     if (status == SIM_OK)
-        status = sim_exact_edges(&e, rq->seed, n / 10);
+        status = sim_exact_edges(&e, rq->seed, n / 5);
     if (status == SIM_OK)
         status = sim_exact_layers(&near, rq->seed, n, 1.01);
     if (status == SIM_OK)
@@ -386,8 +397,8 @@ static int exact_rows(const struct request *rq)
               text("%llu pixels, %llu triangles", (unsigned long long)t.pixels,
                    (unsigned long long)t.triangles));
     for (int k = 0; k < SIM_EXACT_MAPPINGS; k++)
-        row_value(text("depth, worst: %s", sim_exact_mapping[k]), t.key_worst[k], KEY_BOUND, " bucket",
-                  text("%llu keys of 8 to 16 bits", (unsigned long long)t.keys[k]));
+        row_value(text("depth, worst: %s", sim_exact_mapping[k]), t.key_worst[k], KEY_BOUND,
+                  " bucket", text("%llu keys of 8 to 16 bits", (unsigned long long)t.keys[k]));
     const char *meshes = text("%llu pixels inside %llu meshes, half of them cut at near",
                               (unsigned long long)e.pixels, (unsigned long long)e.meshes);
     row_count("shared edges: cracks", e.cracks, meshes);
@@ -406,13 +417,14 @@ static int exact_rows(const struct request *rq)
         const char *over = text("%llu coordinates, 256 x 256", (unsigned long long)x.coordinates);
         row_value(text("texels, ratio of w %u: worst", ratio), x.worst, 0.5, " texel", over);
         row_value(text("texels, ratio of w %u: mean", ratio),
-                  (double)(x.differ + x.far) / fmax(1, (double)x.coordinates), 0.05, " texel", over);
+                  (double)(x.differ + x.far) / fmax(1, (double)x.coordinates), 0.05, " texel",
+                  over);
         row_count(text("texels, ratio of w %u: off by more than one", ratio), x.far, over);
     }
     return SIM_OK;
 }
 
-/* ---- Bench scenes ------------------------------------------------------------------------------------------ */
+/* ---- Bench scenes --------------------------------------------------------------------------- */
 
 /* A frame of a scene, with another mapping unless that is NULL. Add it to *s; *diff may be NULL. */
 static int bench_frame(struct sums *s, struct ref_diff *diff, const struct demo *demo,
@@ -446,9 +458,9 @@ static int bench(struct sums *s, struct ref_diff *diff, const struct demo *demo,
 static void row_explained(const char *name, const struct sums *s)
 {
     row_count(text("%s: pixels that nothing explains", name), s->wrong,
-              text("%llu pixels; %llu differ: %llu at an edge, %llu ties", (unsigned long long)s->drawn,
-                   (unsigned long long)s->differ, (unsigned long long)s->edges,
-                   (unsigned long long)s->ties));
+              text("%llu pixels; %llu differ: %llu at an edge, %llu ties",
+                   (unsigned long long)s->drawn, (unsigned long long)s->differ,
+                   (unsigned long long)s->edges, (unsigned long long)s->ties));
 }
 
 struct moved { /* a scene as it stands, and moved by parts of a pixel */
@@ -492,7 +504,8 @@ static int visible_rows(const struct request *rq)
         double most; /* percent of pixels with another triangle */
         int flat;    /* no part hides another: pixels hit twice can be told */
     } scenes[] = { { &demo_mesh, 0.15, 0 }, { &demo_sheet, 0.5, 1 }, { &demo_slivers, 0.15, 1 } };
-    section("Bench scenes, 320 x 240, against the reference: as they stand, and moved by parts of a pixel");
+    section("Bench scenes, 320 x 240, as they stand and moved by parts of a pixel, against the "
+            "reference");
     for (size_t k = 0; k < sizeof scenes / sizeof scenes[0]; k++) {
         const struct demo *demo = scenes[k].demo;
         struct moved m;
@@ -503,10 +516,12 @@ static int visible_rows(const struct request *rq)
         const char *over = text("%llu pixels of %llu frames", (unsigned long long)m.sums.drawn,
                                 (unsigned long long)m.sums.frames);
         row_value(text("%s: wrong triangle", demo->name), percent(m.id_differ, m.sums.drawn),
-                  scenes[k].most, " %", text("%s; as it stands %zu of %zu", over, d->id_differ, d->ref_drawn));
+                  scenes[k].most, " %",
+                  text("%s; as it stands %zu of %zu", over, d->id_differ, d->ref_drawn));
         if (demo == &demo_mesh)
-            row_value("mesh: missing and extra coverage", percent(m.uncovered, m.sums.drawn), 0.01, " %",
-                      text("%s; as it stands %zu of %zu", over, d->missing + d->extra, d->ref_drawn));
+            row_value(
+                "mesh: missing and extra coverage", percent(m.uncovered, m.sums.drawn), 0.01, " %",
+                text("%s; as it stands %zu of %zu", over, d->missing + d->extra, d->ref_drawn));
         row_count(text("%s: cracks", demo->name), m.sums.cracks, over);
         if (scenes[k].flat)
             row_count(text("%s: double hits", demo->name), m.twice, over);
@@ -519,7 +534,8 @@ static int corridor_rows(void)
 {
     static const struct zs_depth *const mappings[] = { NULL, &zs_depth_recip, &zs_depth_e4m12 };
     static const char *const names[] = { "default mapping", "recip", "e4m12" };
-    static const struct demo *const layers[] = { &demo_layers_ftb, &demo_layers_btf, &demo_layers_mixed };
+    static const struct demo *const layers[] = { &demo_layers_ftb, &demo_layers_btf,
+                                                 &demo_layers_mixed };
     for (size_t k = 0; k < sizeof mappings / sizeof mappings[0]; k++) {
         struct sums s = { 0 };
         const int status = bench(&s, NULL, &demo_corridor, 0, mappings[k]);
@@ -578,8 +594,8 @@ static int color_rows(const struct request *rq)
         row_count(text("colour, %s: more than one code off", names[k]), s.colors_far,
                   text("%llu values, %.2f %% one code off", (unsigned long long)s.colors,
                        percent(one, s.colors)));
-        row(psnr >= 50, text("colour, %s: whole frame", names[k]), text("%.1f dB", psnr), ">= 50 dB",
-            "the worst of %u frames, wrong triangles and outlines included", frames);
+        row(psnr >= 50, text("colour, %s: whole frame", names[k]), text("%.1f dB", psnr),
+            ">= 50 dB", "the worst of %u frames, wrong triangles and outlines included", frames);
     }
     return SIM_OK;
 }
@@ -589,7 +605,9 @@ static int texture_rows(void)
     static const struct {
         const struct demo *demo;
         int measured; /* against 0.5 and 0.05 texel; the floor goes to the horizon */
-    } scenes[] = { { &demo_mesh_tex, 1 }, { &demo_mesh_tex_lit, 0 }, { &demo_mesh_tex_smooth, 0 },
+    } scenes[] = { { &demo_mesh_tex, 1 },
+                   { &demo_mesh_tex_lit, 0 },
+                   { &demo_mesh_tex_smooth, 0 },
                    { &demo_floor_tex, 0 } };
     for (size_t k = 0; k < sizeof scenes / sizeof scenes[0]; k++) {
         const char *name = scenes[k].demo->name;
@@ -601,8 +619,8 @@ static int texture_rows(void)
         if (scenes[k].measured) {
             row_value(text("%s: texels, worst", name), s.texel_worst, 0.5, " texel", over);
             row_value(text("%s: texels, mean", name),
-                      (double)(s.texels_differ + s.texels_far) / fmax(1, (double)s.texels), 0.05, " texel",
-                      over);
+                      (double)(s.texels_differ + s.texels_far) / fmax(1, (double)s.texels), 0.05,
+                      " texel", over);
             row_count(text("%s: texels off by more than one", name), s.texels_far, over);
         }
         row_count(text("%s: texels that nothing explains", name), s.texels_wrong,
@@ -614,7 +632,7 @@ static int texture_rows(void)
     return SIM_OK;
 }
 
-/* ---- Rotations ---------------------------------------------------------------------------------------------- */
+/* ---- Rotations ------------------------------------------------------------------------------ */
 
 #define LEVER 160 /* px: half of 320 */
 
@@ -622,7 +640,8 @@ static int texture_rows(void)
 static void exact_turn(long double out[9], const int32_t axis[3], zs_turn angle)
 {
     const long double turn = (long double)angle / 65536 * 6.283185307179586476925286766559L;
-    const long double length = sqrtl((long double)axis[0] * axis[0] + (long double)axis[1] * axis[1] +
+    const long double length = sqrtl((long double)axis[0] * axis[0] +
+                                     (long double)axis[1] * axis[1] +
                                      (long double)axis[2] * axis[2]);
     const long double c = cosl(turn), s = sinl(turn);
     const long double u[3] = { axis[0] / length, axis[1] / length, axis[2] / length };
@@ -641,11 +660,13 @@ static void exact_compose(long double m[9], const long double turn[9])
     long double out[9];
     for (int i = 0; i < 3; i++)
         for (int j = 0; j < 3; j++)
-            out[3 * i + j] = turn[3 * i] * m[j] + turn[3 * i + 1] * m[3 + j] + turn[3 * i + 2] * m[6 + j];
+            out[3 * i + j] = turn[3 * i] * m[j] + turn[3 * i + 1] * m[3 + j] +
+                             turn[3 * i + 2] * m[6 + j];
     memcpy(m, out, sizeof out);
 }
 
-/* Sub-pixels that a point at the lever is off by, at most: the longest of the columns' differences. */
+/* Sub-pixels that a point at the lever is off by, at most: the longest of the columns' differences.
+ */
 static double apart(const zs_q2_30 rot[9], const long double m[9])
 {
     double worst = 0;
@@ -699,7 +720,7 @@ static void rotation_rows(const struct request *rq)
     row_value("drift, a random step each time", drift(&r, n, 1), 1, " sub-pixel", over);
 }
 
-/* ---- Random scenes -------------------------------------------------------------------------------------------- */
+/* ---- Random scenes -------------------------------------------------------------------------- */
 
 static int random_rows(const struct request *rq)
 {
@@ -737,24 +758,26 @@ static int random_rows(const struct request *rq)
     row_count("texels that nothing explains", s.texels_wrong,
               text("%llu coordinates; %.3f %% in another texel", (unsigned long long)s.texels,
                    percent(s.texels_differ, s.texels)));
-    (void)printf("       pixels that differ: %.4f %% of those drawn, %.3f %% in the worst scene; drawn in one "
-                 "alone %.4f %%\n", percent(s.differ, s.drawn), s.wrong_percent,
-                 percent(s.uncovered, s.drawn));
+    (void)printf(
+        "       pixels that differ: %.4f %% of those drawn, %.3f %% in the worst scene; drawn in one "
+        "alone %.4f %%\n",
+        percent(s.differ, s.drawn), s.wrong_percent, percent(s.uncovered, s.drawn));
     return SIM_OK;
 }
 
-/* ---- The command ------------------------------------------------------------------------------------------------ */
+/* ---- The command ---------------------------------------------------------------------------- */
 
 static void explain(void)
 {
     (void)puts(
-        "\nA pixel that shows another triangle than the reference is explained where its sample lies within a\n"
-        "sub-pixel (1/256 px) of an outline, cut at near and far, of the triangle that either shows; or where both\n"
-        "cover it and their true keys there are within 1.01 bucket and what their slopes make of half a sub-pixel.\n"
-        "Camera units come on top: three for a corner. A wrong surface is a pixel that shows a triangle of another\n"
-        "plane and is not explained. Beyond snapping: less what the slope makes of half a sub-pixel each way. A texel's\n"
-        "error is how far the true coordinate lies outside of the texel taken; its mean is how often that is not the\n"
-        "right one, which for coordinates that lie evenly over texels is the same.");
+        "\nA pixel that shows another triangle than the reference is explained where its sample lies\n"
+        "within a sub-pixel (1/256 px) of an outline, cut at near and far, of the triangle that either\n"
+        "shows; or where both cover it and their true keys there are within 1.01 bucket and what their\n"
+        "slopes make of half a sub-pixel. Camera units come on top: three for a corner. A wrong surface\n"
+        "is a pixel that shows a triangle of another plane and is not explained. Beyond snapping: less\n"
+        "what the slope makes of half a sub-pixel each way. A texel's error is how far the true\n"
+        "coordinate lies outside of the texel taken; its mean is how often that is not the right one,\n"
+        "which for coordinates that lie evenly over texels is the same.");
 }
 
 static int parse(struct request *rq, int argc, char **argv)
@@ -775,7 +798,8 @@ static int parse(struct request *rq, int argc, char **argv)
         const unsigned long long n = strtoull(value, &end, 10);
         if (*end || end == value || *value == '-' || errno || (scenes && (n < 1 || n > 1000000)))
             return sim_usage("accuracy: %s takes a whole number from %d%s, not '%s'",
-                             scenes ? "--scenes" : "--seed", scenes, scenes ? " to 1000000" : "", value);
+                             scenes ? "--scenes" : "--seed", scenes, scenes ? " to 1000000" : "",
+                             value);
         if (scenes)
             rq->scenes = (unsigned long)n;
         else

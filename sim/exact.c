@@ -8,6 +8,7 @@
 #include <string.h>
 
 #include "frame.h"
+#include "judge.h"
 #include "random.h"
 #include "reference.h"
 #include "sim.h"
@@ -21,15 +22,17 @@
 #define MESH_VERTS 2200
 #define MESH_TRIS 4200
 
-const char *const sim_exact_mapping[SIM_EXACT_MAPPINGS] = { "recip", "linear", "e3m13", "e4m12",
+const char *const sim_exact_mapping[SIM_EXACT_MAPPINGS] = { "recip", "linear",
+                                                            "e3m13", "e4m12",
                                                             "e5m11", "linear, orthographic" };
 
 static const struct zs_depth *const mappings[SIM_EXACT_MAPPINGS] = {
-    &zs_depth_recip, &zs_depth_linear, &zs_depth_e3m13, &zs_depth_e4m12, &zs_depth_e5m11,
-    &zs_depth_linear
+    &zs_depth_recip, &zs_depth_linear, &zs_depth_e3m13,
+    &zs_depth_e4m12, &zs_depth_e5m11,  &zs_depth_linear
 };
 
-/* A mesh whose steps are 256 world units, so that a step is a pixel at EXACT_Z, and pos_lo 1/256 px. */
+/* A mesh whose steps are 256 world units, so that a step is a pixel at EXACT_Z, and pos_lo 1/256
+ * px. */
 struct board {
     struct zs_mesh mesh;
     struct zs_material material;
@@ -49,10 +52,10 @@ struct board {
 static void board_open(struct board *b, int mapping)
 {
     memset(&b->mesh, 0, sizeof b->mesh);
-    b->mesh.pos = (const int16_t (*)[3])b->pos;
-    b->mesh.pos_lo = (const uint8_t (*)[3])b->pos_lo;
-    b->mesh.tri = (const uint16_t (*)[3])b->tri;
-    b->mesh.uv = (const int16_t (*)[2])b->uv;
+    b->mesh.pos = (const int16_t(*)[3])b->pos;
+    b->mesh.pos_lo = (const uint8_t(*)[3])b->pos_lo;
+    b->mesh.tri = (const uint16_t(*)[3])b->tri;
+    b->mesh.uv = (const int16_t(*)[2])b->uv;
     b->mesh.uv_bits = 12;
     b->mesh.face_raw = b->raw;
     b->mesh.scale = 256 * ZS_Q16_ONE;
@@ -78,8 +81,9 @@ static void board_open(struct board *b, int mapping)
     b->camera.focal = (zs_uq32_32)(EXACT_Z / 256) << 32;
 }
 
-/* A corner at a place on the screen, 1/256 px from its middle, y down; |x|, |y| times 2^far_log2 below
- * 2^23. With an orthographic camera it stands at the distance z, else at EXACT_Z * 2^far_log2. */
+/* A corner at a place on the screen, 1/256 px from its middle, y down; |x|, |y| times 2^far_log2
+ * below 2^23. With an orthographic camera it stands at the distance z, else at EXACT_Z *
+ * 2^far_log2. */
 static uint32_t board_vertex(struct board *b, int32_t x, int32_t y, int far_log2, int32_t z)
 {
     const uint32_t v = b->mesh.n_verts++;
@@ -108,12 +112,13 @@ static void board_tri(struct board *b, uint32_t a, uint32_t c, uint32_t d)
 
 static int refused(int err)
 {
-    return sim_refuse(NULL, 0, "a scene of the accuracy checks could not be drawn: %s", zs_strerror(err));
+    return sim_refuse(NULL, 0, "a scene of the accuracy checks could not be drawn: %s",
+                      zs_strerror(err));
 }
 
-/* ---- Whole numbers ------------------------------------------------------------------------------------ */
+/* ---- Whole numbers -------------------------------------------------------------------------- */
 
-struct edges { /* of the first triangle, positive inside */
+struct edges {                   /* of the first triangle, positive inside */
     int64_t at[3], dx[3], dy[3]; /* at the sample of pixel (0, 0), a pixel right, a pixel down */
     int in_zero[3];              /* a top or left edge: samples on it are inside */
     int64_t area;                /* twice, > 0; 0: none */
@@ -122,11 +127,13 @@ struct edges { /* of the first triangle, positive inside */
 static void edges_make(struct edges *e, const struct board *b)
 {
     const int32_t *x = b->x, *y = b->y;
-    const int64_t cross = (int64_t)(x[1] - x[0]) * (y[2] - y[0]) - (int64_t)(x[2] - x[0]) * (y[1] - y[0]);
+    const int64_t cross = (int64_t)(x[1] - x[0]) * (y[2] - y[0]) -
+                          (int64_t)(x[2] - x[0]) * (y[1] - y[0]);
     const int turned = cross < 0; /* counter-clockwise on the screen */
     e->area = turned ? -cross : cross;
     for (int k = 0; k < 3; k++) {
-        const int from = turned ? (k + 2) % 3 : (k + 1) % 3, to = turned ? (k + 1) % 3 : (k + 2) % 3;
+        const int from = turned ? (k + 2) % 3 : (k + 1) % 3,
+                  to = turned ? (k + 1) % 3 : (k + 2) % 3;
         const int64_t dx = x[to] - x[from], dy = y[to] - y[from];
         e->at[k] = dx * (128 - y[from]) - dy * (128 - x[from]); /* |.| < 2^45 */
         e->dx[k] = -dy * 256;
@@ -146,7 +153,7 @@ static int edges_at(const struct edges *e, int i, int j, int64_t w[3])
     return in;
 }
 
-/* ---- Triangles ----------------------------------------------------------------------------------------- */
+/* ---- Triangles ------------------------------------------------------------------------------ */
 
 enum shape { AROUND, TINY, SLIVER, HUGE_ONE, STEEP, ON_SAMPLES, BESIDE, STRAIGHT, FLAT, SHAPES };
 
@@ -154,17 +161,12 @@ static int32_t corner(struct sim_random *r, enum shape shape, int32_t size, int3
 {
     const int32_t half = size * 128, shift = (int32_t)sim_random_pick(r, 8);
     switch (shape) {
-    case TINY:
-        return k ? first + sim_random_range(r, -900, 900) : sim_random_range(r, -half, half);
+    case TINY: return k ? first + sim_random_range(r, -900, 900) : sim_random_range(r, -half, half);
     case HUGE_ONE:
-    case STEEP:
-        return sim_random_range(r, -GUARD, GUARD) / (1 << shift);
-    case ON_SAMPLES:
-        return sim_random_range(r, -size / 2 - 2, size / 2 + 2) * 256 + 128;
-    case BESIDE:
-        return sim_random_range(r, -size / 2 - 2, size / 2 + 2) * 256 + 127 + shift % 3;
-    default:
-        return sim_random_range(r, -2 * half, 2 * half);
+    case STEEP: return sim_random_range(r, -GUARD, GUARD) / (1 << shift);
+    case ON_SAMPLES: return sim_random_range(r, -size / 2 - 2, size / 2 + 2) * 256 + 128;
+    case BESIDE: return sim_random_range(r, -size / 2 - 2, size / 2 + 2) * 256 + 127 + shift % 3;
+    default: return sim_random_range(r, -2 * half, 2 * half);
     }
 }
 
@@ -190,7 +192,9 @@ static void triangle_make(struct board *b, struct sim_random *r, int ratio_log2)
     const int least = (int)sim_random_pick(r, (uint32_t)(FAR_LOG2 - ratio_log2));
     b->mesh.n_verts = b->mesh.n_tris = 0;
     for (int k = 0; k < 3; k++) {
-        int far = least + (k == 0 ? ratio_log2 : k == 1 ? 0 : (int)sim_random_pick(r, (uint32_t)ratio_log2 + 1));
+        int far = least + (k == 0   ? ratio_log2
+                           : k == 1 ? 0
+                                    : (int)sim_random_pick(r, (uint32_t)ratio_log2 + 1));
         int32_t at[2] = { x[k], y[k] };
         for (int c = 0; c < 2; c++) { /* the mesh ends at 32767 px of its own */
             const int32_t most = (32767 * 256 >> far) < GUARD ? 32767 * 256 >> far : GUARD;
@@ -216,7 +220,8 @@ static double exact_key(const struct board *b, const struct ref_depth *depth,
 static void compare_triangle(struct sim_exact_triangles *out, const struct board *b,
                              const struct sim_frame *f, int mapping)
 {
-    const struct ref_depth depth = { sim_truth_mapping(b->config.depth, &b->camera), b->config.depth_bits };
+    const struct ref_depth depth = { sim_truth_mapping(b->config.depth, &b->camera),
+                                     b->config.depth_bits };
     const double top = ldexp(1, b->config.depth_bits) - 2;
     struct ref_camera camera;
     struct edges e;
@@ -262,7 +267,7 @@ int sim_exact_triangles(struct sim_exact_triangles *out, uint64_t seed, uint32_t
     return err ? refused(err) : SIM_OK;
 }
 
-/* ---- Shared edges --------------------------------------------------------------------------------------- */
+/* ---- Shared edges --------------------------------------------------------------------------- */
 
 static int64_t turn(const struct board *b, uint32_t a, uint32_t c, uint32_t d)
 {
@@ -284,8 +289,10 @@ static void fill_grid(struct board *b, struct sim_random *r, const int32_t box[4
         }
     for (int y = 0; y < ny; y++)
         for (int x = 0; x < nx; x++) {
-            const uint32_t a = (uint32_t)(y * (nx + 1) + x), c = a + 1, d = a + (uint32_t)nx + 1, e = d + 1;
-            if ((turn(b, a, e, c) < 0) != (turn(b, a, e, d) < 0)) { /* the diagonal that lies inside */
+            const uint32_t a = (uint32_t)(y * (nx + 1) + x), c = a + 1, d = a + (uint32_t)nx + 1,
+                           e = d + 1;
+            if ((turn(b, a, e, c) < 0) !=
+                (turn(b, a, e, d) < 0)) { /* the diagonal that lies inside */
                 board_tri(b, a, c, e);
                 board_tri(b, e, d, a);
             } else {
@@ -297,11 +304,13 @@ static void fill_grid(struct board *b, struct sim_random *r, const int32_t box[4
 
 static void fill_fan(struct board *b, struct sim_random *r, const int32_t box[4], int steps)
 {
-    const int32_t corner_at[4][2] = { { box[0], box[1] }, { box[2], box[1] }, { box[2], box[3] },
-                                      { box[0], box[3] } };
+    const int32_t corner_at[4][2] = {
+        { box[0], box[1] }, { box[2], box[1] }, { box[2], box[3] }, { box[0], box[3] }
+    };
     const int n = sim_random_range(r, 1, steps);
     const uint32_t rim = 4 * (uint32_t)n;
-    const int32_t hub_x = sim_random_range(r, box[0], box[2]), hub_y = sim_random_range(r, box[1], box[3]);
+    const int32_t hub_x = sim_random_range(r, box[0], box[2]),
+                  hub_y = sim_random_range(r, box[1], box[3]);
     (void)board_vertex(b, hub_x, hub_y, 0, EXACT_Z);
     for (int s = 0; s < 4; s++)
         for (int k = 0; k < n; k++) {
@@ -329,16 +338,19 @@ static void fill_dropped(struct board *b, struct sim_random *r, const int32_t bo
             s = 1 - s;
         }
         const int32_t x = (int32_t)(b->x[v[0]] + u * (b->x[v[1]] - b->x[v[0]]) +
-                                    s * (b->x[v[2]] - b->x[v[0]])) - W * 128;
+                                    s * (b->x[v[2]] - b->x[v[0]])) -
+                          W * 128;
         const int32_t y = (int32_t)(b->y[v[0]] + u * (b->y[v[1]] - b->y[v[0]]) +
-                                    s * (b->y[v[2]] - b->y[v[0]])) - H * 128;
+                                    s * (b->y[v[2]] - b->y[v[0]])) -
+                          H * 128;
         const uint32_t q = board_vertex(b, x, y, 0, EXACT_Z);
-        const int64_t whole = turn(b, v[0], v[1], v[2]), parts[3] = {
-            turn(b, v[0], v[1], q), turn(b, v[1], v[2], q), turn(b, v[2], v[0], q)
-        };
+        const int64_t whole = turn(b, v[0], v[1], v[2]),
+                      parts[3] = { turn(b, v[0], v[1], q), turn(b, v[1], v[2], q),
+                                   turn(b, v[2], v[0], q) };
         if (llabs(parts[0]) + llabs(parts[1]) + llabs(parts[2]) != llabs(whole) || !parts[0] ||
             !parts[1] || !parts[2]) {
-            b->mesh.n_verts--; /* rounded out of it, or onto its outline: that would be a T-junction */
+            b->mesh
+                .n_verts--; /* rounded out of it, or onto its outline: that would be a T-junction */
             continue;
         }
         b->tri[at][2] = (uint16_t)q;
@@ -361,8 +373,8 @@ static int fill_make(struct board *b, struct sim_random *r, const int32_t box[4]
     return kind > 1;
 }
 
-/* The scene as it is and, per instance, with its triangles in reverse; each draws over what was there,
- * whatever the depth. */
+/* The scene as it is and, per instance, with its triangles in reverse; each draws over what was
+ * there, whatever the depth. */
 struct last_wins {
     struct zs_instance *instance;
     struct zs_mesh *mesh;
@@ -372,7 +384,8 @@ struct last_wins {
 
 static const struct zs_state over = ZS_STATE(1, 1, 0, 0); /* nothing is written, so all pass */
 
-static void last_wins_fill(struct last_wins *l, const struct zs_scene *scene, uint32_t n_tris, int reverse)
+static void last_wins_fill(struct last_wins *l, const struct zs_scene *scene, uint32_t n_tris,
+                           int reverse)
 {
     const uint32_t n = scene->n_instances;
     uint32_t at = 0, number = 0;
@@ -383,7 +396,7 @@ static void last_wins_fill(struct last_wins *l, const struct zs_scene *scene, ui
         l->material[k] = *scene->instance[from].material;
         l->material[k].shader = &zs_shade_raw;
         l->mesh[k] = *m;
-        l->mesh[k].tri = (const uint16_t (*)[3])(l->tri + at);
+        l->mesh[k].tri = (const uint16_t(*)[3])(l->tri + at);
         l->mesh[k].face_raw = l->raw + at;
         l->mesh[k].cluster = NULL;
         l->instance[k].mesh = &l->mesh[k];
@@ -396,8 +409,8 @@ static void last_wins_fill(struct last_wins *l, const struct zs_scene *scene, ui
     }
 }
 
-int sim_exact_double_hits(uint64_t *out, const struct zs_scene *scene, const struct zs_camera *camera,
-                          uint16_t width, uint16_t height)
+int sim_exact_double_hits(uint64_t *out, const struct zs_scene *scene,
+                          const struct zs_camera *camera, uint16_t width, uint16_t height)
 {
     const uint32_t n = scene->n_instances;
     uint32_t n_tris = 0;
@@ -433,7 +446,8 @@ int sim_exact_double_hits(uint64_t *out, const struct zs_scene *scene, const str
 }
 
 /* Facing: pixels are those whose samples lie in the box. */
-static void count_facing(struct sim_exact_edges *out, const struct sim_frame *f, const int32_t box[4])
+static void count_facing(struct sim_exact_edges *out, const struct sim_frame *f,
+                         const int32_t box[4])
 {
     for (int j = 0; j < H; j++)
         for (int i = 0; i < W; i++) {
@@ -446,7 +460,22 @@ static void count_facing(struct sim_exact_edges *out, const struct sim_frame *f,
         }
 }
 
-/* Tilted: pixels around which the reference draws the whole rectangle's outline. */
+/* The rectangle that a tilted mesh fills, as two triangles; *n of them. */
+static struct ref_triangle *outline_make(struct board *b, const int32_t box[4], size_t *n)
+{
+    b->mesh.n_verts = b->mesh.n_tris = 0;
+    for (int k = 0; k < 4; k++) {
+        const uint32_t v = board_vertex(b, box[k == 1 || k == 2 ? 2 : 0], box[k >= 2 ? 3 : 1], 0,
+                                        EXACT_Z);
+        b->pos[v][2] = b->pos_lo[v][2] = 0; /* as draw_edges has it */
+    }
+    board_tri(b, 0, 1, 2);
+    board_tri(b, 0, 2, 3);
+    return sim_truth_triangles(&b->scene, &b->camera, n);
+}
+
+/* Tilted: a crack is a pixel that is missing though the reference draws it and all around it;
+ * beyond is one that is drawn further than a sub-pixel outside. */
 static int count_tilted(struct sim_exact_edges *out, struct board *b, const struct sim_frame *f,
                         const int32_t box[4])
 {
@@ -455,30 +484,24 @@ static int count_tilted(struct sim_exact_edges *out, struct board *b, const stru
     struct ref_camera camera;
     const struct ref_depth depth = { REF_DEPTH_RECIP, 16 };
     size_t n;
-    b->mesh.n_verts = b->mesh.n_tris = 0;
-    for (int k = 0; k < 4; k++)
-        (void)board_vertex(b, box[k == 1 || k == 2 ? 2 : 0], box[k >= 2 ? 3 : 1], 0, EXACT_Z);
-    for (int k = 0; k < 4; k++) /* as draw_edges has it */
-        b->pos[k][2] = b->pos_lo[k][2] = 0;
-    board_tri(b, 0, 1, 2);
-    board_tri(b, 0, 2, 3);
-    struct ref_triangle *tri = sim_truth_triangles(&b->scene, &b->camera, &n);
+    struct ref_triangle *tri = outline_make(b, box, &n);
     sim_truth_camera(&camera, &b->camera);
+    const struct sim_judge judge = { tri, &camera, NULL,      &depth,
+                                     W,   H,       1.0 / 256, sim_judge_unit(tri, n, &camera) };
     const int err = ref_render(tri, n, &camera, NULL, &depth, 0, W, H, &truth, NULL, NULL);
-    free(tri);
     for (int j = 1; j < H - 1 && !err; j++)
         for (int i = 1; i < W - 1; i++) {
-            int within = 0, beside = 0;
-            for (int k = 0; k < 9; k++) {
-                const int drawn = id[(j + k / 3 - 1) * W + i + k % 3 - 1] != 0;
-                within += drawn;
-                beside |= drawn;
-            }
+            const uint32_t *at = id + j * W + i;
             const int got = f->key[j * W + i] != ZS_DEPTH_CLEAR;
-            out->pixels += within == 9;
-            out->cracks += within == 9 && !got;
-            out->beyond += !beside && got;
+            int around = 0;
+            for (int k = 0; k < 9; k++)
+                around += at[(k / 3 - 1) * W + k % 3 - 1] != 0;
+            out->pixels += around == 9;
+            out->cracks += around == 9 && !got;
+            out->beyond += got && !*at && sim_judge_pixel(&judge, 1, 0, i, j) == SIM_WRONG &&
+                           sim_judge_pixel(&judge, 2, 0, i, j) == SIM_WRONG;
         }
+    free(tri);
     free(id);
     return err ? refused(ZS_ERR_RANGE) : SIM_OK;
 }
@@ -504,7 +527,8 @@ static int draw_edges(struct sim_exact_edges *out, struct board *b, uint64_t see
             b->pos[v][2] = b->pos_lo[v][2] = 0;
         b->camera.z_near = (zs_q48_16)sim_random_range(&r, 2000, 30000) * 65536;
         b->instance.pose.pos[2] = -sim_random_range(&r, 1000, 3 * EXACT_Z);
-        const int32_t yaw = sim_random_range(&r, -12000, 12000), pitch = sim_random_range(&r, -12000, 12000);
+        const int32_t yaw = sim_random_range(&r, -12000, 12000),
+                      pitch = sim_random_range(&r, -12000, 12000);
         zs_pose_turn(&b->instance.pose, (zs_turn)yaw, (zs_turn)pitch, (zs_turn)sim_random_bits(&r));
     }
     int err = sim_frame_render(&f, &b->scene, &b->camera, &b->config, NULL);
@@ -535,13 +559,14 @@ int sim_exact_edges(struct sim_exact_edges *out, uint64_t seed, uint32_t n)
     return status;
 }
 
-/* ---- Layers --------------------------------------------------------------------------------------------- */
+/* ---- Layers --------------------------------------------------------------------------------- */
 
 #define LAYER_Z (1 << 26) /* world units: a bucket is a thousand of them or more */
 #define LAYER_W 32
 #define LAYER_H 24
 
-struct layers { /* squares that face the camera and more than fill the frame; the farther one first */
+struct layers { /* squares that face the camera and more than fill the frame; the farther one first
+                 */
     struct zs_mesh mesh;
     struct zs_material material[2];
     struct zs_instance in[2];
@@ -552,8 +577,9 @@ struct layers { /* squares that face the camera and more than fill the frame; th
 
 static void layers_open(struct layers *l, struct sim_random *r, const struct zs_depth *mapping)
 {
-    static const int16_t pos[4][3] = { { -32000, -32000, 0 }, { 32000, -32000, 0 }, { 32000, 32000, 0 },
-                                       { -32000, 32000, 0 } };
+    static const int16_t pos[4][3] = {
+        { -32000, -32000, 0 }, { 32000, -32000, 0 }, { 32000, 32000, 0 }, { -32000, 32000, 0 }
+    };
     static const uint16_t tri[2][3] = { { 0, 1, 2 }, { 0, 2, 3 } };
     memset(l, 0, sizeof *l);
     l->mesh.pos = pos;
@@ -582,7 +608,8 @@ static void layers_open(struct layers *l, struct sim_random *r, const struct zs_
 /* Place the layers so many buckets apart. Return 0 where the keys there are saturated. */
 static int layers_place(struct layers *l, struct sim_random *r, double buckets)
 {
-    const struct ref_depth depth = { sim_truth_mapping(l->config.depth, &l->camera), l->config.depth_bits };
+    const struct ref_depth depth = { sim_truth_mapping(l->config.depth, &l->camera),
+                                     l->config.depth_bits };
     const double ratio = sim_random_log(r, 10, 1e5);
     const int32_t z = LAYER_Z + (int32_t)sim_random_pick(r, 1 << 20);
     const double near = floor(fmax(64, z / sim_random_log(r, 1, ratio)));
@@ -643,9 +670,10 @@ int sim_exact_layers(struct sim_exact_layers *out, uint64_t seed, uint32_t n, do
     return status;
 }
 
-/* ---- Texels ----------------------------------------------------------------------------------------------- */
+/* ---- Texels --------------------------------------------------------------------------------- */
 
-static void compare_texels(struct sim_exact_texels *out, const struct board *b, const struct sim_frame *f)
+static void compare_texels(struct sim_exact_texels *out, const struct board *b,
+                           const struct sim_frame *f)
 {
     struct edges e;
     edges_make(&e, b);
@@ -661,13 +689,16 @@ static void compare_texels(struct sim_exact_texels *out, const struct board *b, 
                     sum += part * b->uv[k][axis];
                     weight += part;
                 }
-                const long double at = (long double)sum / (long double)weight / 16; /* 2^-12 repeats of 256 */
-                const uint32_t taken = axis ? f->rgb565[j * W + i] >> 8 : f->rgb565[j * W + i] & 255u;
+                const long double at = (long double)sum / (long double)weight /
+                                       16; /* 2^-12 repeats of 256 */
+                const uint32_t taken = axis ? f->rgb565[j * W + i] >> 8
+                                            : f->rgb565[j * W + i] & 255u;
                 const uint32_t right = (uint32_t)((int64_t)floorl(at) & 255);
                 const uint32_t off = (right - taken) & 255u;
                 const long double from_middle = at - taken - 0.5L;
-                const long double outside =
-                    fabsl(from_middle - 256 * floorl(from_middle / 256 + 0.5L)) - 0.5L;
+                const long double outside = fabsl(from_middle -
+                                                  256 * floorl(from_middle / 256 + 0.5L)) -
+                                            0.5L;
                 out->coordinates++;
                 out->differ += off != 0;
                 out->far += off > 1 && off < 255;

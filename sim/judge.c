@@ -1,9 +1,9 @@
 /* How far the integer renderer may be from the reference at a pixel: see judge.h.
  *
- * A triangle is clipped in space at near and far, projected, and compared in doubles. The plane and the
- * attributes come from the unclipped triangle, by homogeneous coordinates: with corners v = (X, Y, w) such
- * that the screen position is (X / w, Y / w), and lines l_k = v_(k+1) x v_(k+2), a sample s = (x, y, 1) has
- * the weights l_k . s / det, whose sum is 1 / w.
+ * A triangle is clipped in space at near and far, projected, and compared in doubles. The plane and
+ * the attributes come from the unclipped triangle, by homogeneous coordinates: with corners v = (X,
+ * Y, w) such that the screen position is (X / w, Y / w), and lines l_k = v_(k+1) x v_(k+2), a
+ * sample s = (x, y, 1) has the weights l_k . s / det, whose sum is 1 / w.
  *
  * SPDX-License-Identifier: MIT
  */
@@ -15,7 +15,7 @@
 #include "vec.h"
 
 #define CORNERS_MAX 5
-#define UNITS 3.0      /* camera units that a corner may be off by */
+#define UNITS 3.0       /* camera units that a corner may be off by */
 #define SEPARATION 1.01 /* buckets: twice 0.505 */
 
 struct place { /* a triangle on the screen; px from the image's centre, y down */
@@ -138,7 +138,8 @@ static double clamped_key(const struct sim_judge *j, double z)
 }
 
 /* The key at a sample and how much it may be off. */
-static double key_at(const struct sim_judge *j, const struct place *p, double x, double y, double *slack)
+static double key_at(const struct sim_judge *j, const struct place *p, double x, double y,
+                     double *slack)
 {
     double w[3], gx = 0, gy = 0, lo, hi, z;
     const double q = weights(p, x, y, w);
@@ -195,8 +196,8 @@ static int same_corners(const struct ref_triangle *a, const struct ref_triangle 
     return 1;
 }
 
-/* Of a triangle that is there twice the first is seen. Begun with another corner, its pieces after a cut may
- * be others, and their keys a bucket apart. */
+/* Of a triangle that is there twice the first is seen. Begun with another corner, its pieces after
+ * a cut may be others, and their keys a bucket apart. */
 static enum sim_verdict twice(const struct sim_judge *j, uint32_t ours, uint32_t truth,
                               enum sim_verdict otherwise)
 {
@@ -206,7 +207,8 @@ static enum sim_verdict twice(const struct sim_judge *j, uint32_t ours, uint32_t
     return ours < truth && (same_corners(a, b, 1) || same_corners(a, b, 2)) ? SIM_SAME : otherwise;
 }
 
-enum sim_verdict sim_judge_pixel(const struct sim_judge *j, uint32_t ours, uint32_t truth, int x, int y)
+enum sim_verdict sim_judge_pixel(const struct sim_judge *j, uint32_t ours, uint32_t truth, int x,
+                                 int y)
 {
     const uint32_t id[2] = { ours, truth };
     const double sx = sample_x(j, x), sy = sample_y(j, y);
@@ -274,15 +276,16 @@ double sim_judge_unit(const struct ref_triangle *tri, size_t n, const struct ref
     return reach * 2 * 0x1p-28; /* an instance's sphere reaches further than its corners */
 }
 
-/* ---- Attributes ------------------------------------------------------------------------------------ */
+/* ---- Attributes ----------------------------------------------------------------------------- */
 
 static double intensity_of(const struct ref_light *light, const double n[3])
 {
     return light->ambient + light->diffuse * fmax(0, sim_dot(n, light->dir));
 }
 
-/* Range of an attribute with these values at the corners over the box that snapping may reach: it is a
- * quotient of linear functions, so its ends are at the box's corners, and within the corners' range. */
+/* Range of an attribute with these values at the corners over the box that snapping may reach: it
+ * is a quotient of linear functions, so its ends are at the box's corners, and within the corners'
+ * range. */
 static void range(const struct sim_judge *j, const struct place *p, double x, double y,
                   const double value[3], double *lo, double *hi)
 {
@@ -316,19 +319,15 @@ static void corner_light(const struct sim_judge *j, const struct ref_triangle *t
     for (int k = 0; k < 3; k++)
         switch (t->shade) {
         case REF_SHADE_FLAT:
-        case REF_SHADE_TEXTURE_FLAT:
-            out[k] = intensity_of(j->light, n);
-            break;
+        case REF_SHADE_TEXTURE_FLAT: out[k] = intensity_of(j->light, n); break;
         case REF_SHADE_SMOOTH:
-        case REF_SHADE_TEXTURE_SMOOTH:
-            out[k] = intensity_of(j->light, t->n[k]);
-            break;
-        default:
-            out[k] = 1;
+        case REF_SHADE_TEXTURE_SMOOTH: out[k] = intensity_of(j->light, t->n[k]); break;
+        default: out[k] = 1;
         }
 }
 
-void sim_judge_color(const struct sim_judge *j, uint32_t id, int x, int y, double lo[3], double hi[3])
+void sim_judge_color(const struct sim_judge *j, uint32_t id, int x, int y, double lo[3],
+                     double hi[3])
 {
     static const double most[3] = { 31, 63, 31 };
     const struct ref_triangle *t = &j->tri[id - 1];

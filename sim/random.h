@@ -1,4 +1,5 @@
-/* Seeded random numbers, everywhere the same: one draw to an expression, because C leaves the order of two open.
+/* Seeded random numbers, everywhere the same: one draw to an expression, because C leaves the order
+ * of two open.
  *
  * Source  SplitMix64, Steele, Lea and Flood, OOPSLA 2014.
  * SPDX-License-Identifier: MIT

@@ -42,9 +42,10 @@ void sim_scatter_free(struct sim_scatter *s)
     memset(s, 0, sizeof *s);
 }
 
-/* ---- Meshes ----------------------------------------------------------------------------------------- */
+/* ---- Meshes --------------------------------------------------------------------------------- */
 
-static uint16_t add_vertex(struct sim_scatter_mesh *m, struct sim_random *r, double x, double y, double z)
+static uint16_t add_vertex(struct sim_scatter_mesh *m, struct sim_random *r, double x, double y,
+                           double z)
 {
     const uint32_t v = m->mesh.n_verts++;
     const double at[3] = { x, y, z };
@@ -114,7 +115,8 @@ static void ball(struct sim_scatter_mesh *m, struct sim_random *r)
     const double bump = bumpy ? sim_random_real(r, 0, 0.2) : 0;
     for (uint32_t y = 0; y <= rings; y++)
         for (uint32_t x = 0; x < sectors; x++) {
-            const double up = 3.14159265 * (0.5 - (double)y / rings), round = 6.2831853 * x / sectors;
+            const double up = 3.14159265 * (0.5 - (double)y / rings),
+                         round = 6.2831853 * x / sectors;
             const double size = SIZE * (1 + bump * sim_random_real(r, -1, 1));
             (void)add_vertex(m, r, size * cos(up) * cos(round), size * sin(up),
                              -size * cos(up) * sin(round));
@@ -151,7 +153,8 @@ static void ground(struct sim_scatter_mesh *m, struct sim_random *r)
             const double jx = x && x < n ? jitter : 0, jz = z && z < n ? jitter : 0;
             const double off_x = sim_random_real(r, -jx, jx), off_z = sim_random_real(r, -jz, jz);
             const double up = sim_random_real(r, -bump, bump);
-            (void)add_vertex(m, r, SIZE * (2.0 * x / n - 1) + off_x, up, SIZE * (2.0 * z / n - 1) + off_z);
+            (void)add_vertex(m, r, SIZE * (2.0 * x / n - 1) + off_x, up,
+                             SIZE * (2.0 * z / n - 1) + off_z);
         }
     for (uint32_t z = 0; z < n; z++)
         for (uint32_t x = 0; x < n; x++) {
@@ -182,8 +185,8 @@ static void bound(struct sim_scatter_mesh *m)
 
 static void mesh_make(struct sim_scatter_mesh *m, struct sim_random *r)
 {
-    static void (*const kinds[])(struct sim_scatter_mesh *, struct sim_random *) = { soup, box, ball,
-                                                                                    ribbon, ground };
+    static void (*const kinds[])(struct sim_scatter_mesh *,
+                                 struct sim_random *) = { soup, box, ball, ribbon, ground };
     memset(&m->mesh, 0, sizeof m->mesh);
     kinds[sim_random_pick(r, 5)](m, r);
     for (uint32_t v = 0; v < m->mesh.n_verts; v++)
@@ -194,18 +197,18 @@ static void mesh_make(struct sim_scatter_mesh *m, struct sim_random *r)
     }
     bound(m);
     m->mesh.scale = ZS_Q16_ONE;
-    m->mesh.pos = (const int16_t (*)[3])m->pos;
-    m->mesh.pos_lo = (const uint8_t (*)[3])m->pos_lo;
-    m->mesh.normal = (const zs_q1_15 (*)[3])m->normal;
-    m->mesh.uv = (const int16_t (*)[2])m->uv;
+    m->mesh.pos = (const int16_t(*)[3])m->pos;
+    m->mesh.pos_lo = (const uint8_t(*)[3])m->pos_lo;
+    m->mesh.normal = (const zs_q1_15(*)[3])m->normal;
+    m->mesh.uv = (const int16_t(*)[2])m->uv;
     m->mesh.uv_bits = 12;
-    m->mesh.tri = (const uint16_t (*)[3])m->tri;
+    m->mesh.tri = (const uint16_t(*)[3])m->tri;
     m->mesh.vertex_rgb = sim_random_pick(r, 4) ? m->vertex_rgb : NULL;
     m->mesh.face_rgb = sim_random_pick(r, 4) ? m->face_rgb : NULL;
     m->mesh.face_raw = sim_random_pick(r, 4) ? m->face_raw : NULL;
 }
 
-/* ---- What they look like ---------------------------------------------------------------------------- */
+/* ---- What they look like -------------------------------------------------------------------- */
 
 static void textures_make(struct sim_scatter *s, struct sim_random *r)
 {
@@ -226,15 +229,16 @@ static void textures_make(struct sim_scatter *s, struct sim_random *r)
 static void material_make(struct sim_scatter *s, struct sim_random *r, struct zs_material *m)
 {
     static const struct zs_shader *const shaders[] = {
-        &zs_shade_raw, &zs_shade_flat, &zs_shade_smooth, &zs_shade_flat, &zs_shade_smooth,
-        &zs_shade_texture, &zs_shade_texture_flat, &zs_shade_texture_smooth
+        &zs_shade_raw,    &zs_shade_flat,    &zs_shade_smooth,       &zs_shade_flat,
+        &zs_shade_smooth, &zs_shade_texture, &zs_shade_texture_flat, &zs_shade_texture_smooth
     };
     const uint32_t shader = sim_random_pick(r, 8);
     memset(m, 0, sizeof *m);
     m->shader = shaders[shader];
     m->rgb = random_rgb(r);
-    m->cull = (uint8_t)(sim_random_pick(r, 3) ? ZS_CULL_BACK
-                        : sim_random_pick(r, 2) ? ZS_CULL_NONE : ZS_CULL_FRONT);
+    m->cull = (uint8_t)(sim_random_pick(r, 3)   ? ZS_CULL_BACK
+                        : sim_random_pick(r, 2) ? ZS_CULL_NONE
+                                                : ZS_CULL_FRONT);
     if (shader >= 5) {
         m->texture = &s->texture[sim_random_pick(r, SCATTER_TEXTURES)];
         s->textured = 1;
@@ -251,9 +255,9 @@ static void light_make(struct zs_light *light, struct sim_random *r)
     light->diffuse = sim_random_pick(r, ZS_Q16_ONE + 1);
 }
 
-/* ---- Where they stand -------------------------------------------------------------------------------- */
+/* ---- Where they stand ----------------------------------------------------------------------- */
 
-struct lens { /* world units and pixels */
+struct lens {                        /* world units and pixels */
     double near, far, focal, height; /* height: orthographic, of the frame */
 };
 

@@ -32,8 +32,8 @@ struct sim_scatter {
 void sim_scatter_alloc(struct sim_scatter *s);
 void sim_scatter_free(struct sim_scatter *s);
 
-/* 3 to 60 instances of soups, boxes, balls, ribbons and grounds, from sub-pixel to more than the frame,
- * before, around and behind near and beyond far, under a random lens, mapping and pools. */
+/* 3 to 60 instances of soups, boxes, balls, ribbons and grounds, from sub-pixel to more than the
+ * frame, before, around and behind near and beyond far, under a random lens, mapping and pools. */
 void sim_scatter_make(struct sim_scatter *s, uint64_t seed, uint16_t width, uint16_t height);
 
 #endif

@@ -25,7 +25,8 @@ static void must(int ok, const char *what)
     }
 }
 
-static void fill_pools(struct zs_renderer *r, const struct easel_tri *t, uint32_t n, uint32_t n_states)
+static void fill_pools(struct zs_renderer *r, const struct easel_tri *t, uint32_t n,
+                       uint32_t n_states)
 {
     for (uint32_t s = 0; s < r->n_strips; s++)
         r->bin[s] = ZS_NIL;
@@ -47,8 +48,8 @@ static void fill_pools(struct zs_renderer *r, const struct easel_tri *t, uint32_
             continue;
         const int32_t strip = row / r->config.strip_h;
         r->tri[k].paint = zs_wire16((uint16_t)(k + 1));
-        r->tri[k].instance = n_states ? (uint16_t)t[k].state : 0u; /* not set by tests without states */
-        must(r->tri[k].instance <= n_states, "state");
+        must(n_states == 0 || t[k].state <= n_states, "state");
+        r->tri[k].instance = (uint16_t)(n_states ? t[k].state : 0);
         r->tri[k].next = r->bin[strip];
         r->bin[strip] = (uint16_t)k;
     }
@@ -76,18 +77,26 @@ void easel_draw(const struct easel *s, const struct easel_tri *t, uint32_t n,
                 struct easel_frame *out)
 {
     struct zs_renderer r;
-    const struct zs_config config = {
-        (uint16_t)s->width, (uint16_t)s->height, (uint16_t)s->strip_h, (uint16_t)(n ? n : 1),
-        (uint16_t)(n ? 3 * n : 3), (uint8_t)attrs_of(s), 1, 8, (uint8_t)s->depth_bits, 0, s->depth
-    };
+    const struct zs_config config = { (uint16_t)s->width,
+                                      (uint16_t)s->height,
+                                      (uint16_t)s->strip_h,
+                                      (uint16_t)(n ? n : 1),
+                                      (uint16_t)(n ? 3 * n : 3),
+                                      (uint8_t)attrs_of(s),
+                                      1,
+                                      8,
+                                      (uint8_t)s->depth_bits,
+                                      0,
+                                      s->depth };
     const uint32_t bytes = zs_arena_bytes(&config);
     void *arena = malloc(bytes);
     must(arena && zs_init(&r, &config, arena, bytes) == ZS_OK, "zs_init");
 
     static const zs_q1_15 normal[1][3] = { { 0, 0, 32767 } };
     static const int16_t uv[1][2] = { { 0, 0 } };
-    struct zs_mesh mesh = { .scale = ZS_Q16_ONE, .normal = normal, .radius = 1, .uv = uv,
-                            .uv_bits = (uint8_t)s->uv_bits };
+    struct zs_mesh mesh = {
+        .scale = ZS_Q16_ONE, .normal = normal, .radius = 1, .uv = uv, .uv_bits = (uint8_t)s->uv_bits
+    };
     const struct zs_material material = { shader_of(s), { 0, 0, 0 }, ZS_CULL_NONE, s->texture };
     struct zs_instance instance[EASEL_STATES_MAX + 1];
     memset(instance, 0, sizeof instance);
@@ -139,10 +148,14 @@ void easel_free(struct easel_frame *f)
 
 int easel_float_bits(const struct zs_depth *depth)
 {
-    return depth == &zs_depth_e3m13 ? 3 : depth == &zs_depth_e4m12 ? 4 : depth == &zs_depth_e5m11 ? 5 : 0;
+    return depth == &zs_depth_e3m13   ? 3
+           : depth == &zs_depth_e4m12 ? 4
+           : depth == &zs_depth_e5m11 ? 5
+                                      : 0;
 }
 
-int64_t easel_inverse(const struct easel *s, const struct easel_frame *f, const uint32_t d[3], int k)
+int64_t easel_inverse(const struct easel *s, const struct easel_frame *f, const uint32_t d[3],
+                      int k)
 {
     const struct oracle_float as_float = { easel_float_bits(s->depth), s->depth_bits };
     if (as_float.e)

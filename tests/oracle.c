@@ -78,8 +78,8 @@ double oracle_key_error(const struct oracle_tri *t, const uint32_t d[3], int i, 
 
 /* ---- Float keys ------------------------------------------------------------------------------ */
 
-/* A code is 2^bits - key. With j = 2^e - 2 - k it is j 2^m + r 2^(k + 1 + m), the second term at most
- * 2^(m + 1): so j = 0 up to 2^(m + 1), then one more every 2^m. */
+/* A code is 2^bits - key. With j = 2^e - 2 - k it is j 2^m + r 2^(k + 1 + m), the second term at
+ * most 2^(m + 1): so j = 0 up to 2^(m + 1), then one more every 2^m. */
 
 static int mantissa(const struct oracle_float *f)
 {
@@ -116,7 +116,8 @@ double oracle_float_key(const struct oracle_float *f, double r)
 
 uint32_t oracle_float_d(const struct oracle_float *f, double r)
 {
-    const double d = floor(oracle_float_key(f, r) * 65536 + 0.5), most = (ldexp(1, f->bits) - 1) * 65536;
+    const double d = floor(oracle_float_key(f, r) * 65536 + 0.5),
+                 most = (ldexp(1, f->bits) - 1) * 65536;
     return (uint32_t)(d < 0 ? 0 : d > most ? most : d);
 }
 

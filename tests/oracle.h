@@ -8,7 +8,7 @@
 
 #include <stdint.h>
 
-/* ---- Snapped triangles ----------------------------------------------------------------------- */
+/* ---- Snapped triangles ---------------------------------------------------------------------- */
 
 struct oracle_tri {
     int64_t x[3], y[3]; /* 1/256 px, y down */
@@ -28,7 +28,7 @@ void oracle_weights(const struct oracle_tri *t, int i, int j, int64_t out[3]);
 double oracle_key_error(const struct oracle_tri *t, const uint32_t d[3], int i, int j, uint32_t key,
                         uint32_t most);
 
-/* ---- Float keys: near / z as a float of e exponent bits, taken from 2^bits --------------------- */
+/* ---- Float keys: near / z as a float of e exponent bits, taken from 2^bits ------------------ */
 
 struct oracle_float {
     int e, bits; /* 2 .. 5, 8 .. 16 */
@@ -40,8 +40,8 @@ uint64_t oracle_float_r(const struct oracle_float *f, uint32_t d);
 int oracle_float_scale(const struct oracle_float *f);
 /* The d of r = near / z, nearest, saturated; 0 < r <= 1. */
 uint32_t oracle_float_d(const struct oracle_float *f, double r);
-/* The exact key, unrounded and not saturated, of the plane in near / z through the corners. Exact but
- * for the conversion (64-bit mantissa). */
+/* The exact key, unrounded and not saturated, of the plane in near / z through the corners. Exact
+ * but for the conversion (64-bit mantissa). */
 long double oracle_float_plane(const struct oracle_float *f, const struct oracle_tri *t,
                                const uint32_t d[3], int i, int j);
 /* key - that, the latter at most 2^bits - 2: as oracle_key_error. */
@@ -50,7 +50,7 @@ double oracle_float_error(const struct oracle_float *f, const struct oracle_tri 
 /* The key, unrounded, of r = near / z. */
 double oracle_float_key(const struct oracle_float *f, double r);
 
-/* ---- Unsnapped polygons in eye space --------------------------------------------------------- */
+/* ---- Unsnapped polygons in eye space -------------------------------------------------------- */
 
 struct oracle_view {
     double focal;        /* px; 0: orthographic, scale px to a unit */

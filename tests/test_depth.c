@@ -32,10 +32,11 @@ static int32_t clamp(int64_t v, int64_t lo, int64_t hi)
     return (int32_t)(v < lo ? lo : v > hi ? hi : v);
 }
 
-static double worst_small, worst_big; /* key errors: frames of at most 640 px width + height, others */
+static double worst_small,
+    worst_big; /* key errors: frames of at most 640 px width + height, others */
 static uint64_t pixels_compared;
 
-/* ---- Random triangles ------------------------------------------------------------------------ */
+/* ---- Random triangles ----------------------------------------------------------------------- */
 
 enum kind {
     KIND_ANY,     /* around the frame */
@@ -49,27 +50,20 @@ enum kind {
     KINDS
 };
 
-static const int32_t sizes[][2] = {
-    { 320, 240 }, { 64, 48 }, { 240, 240 }, { 37, 61 }, { 1, 1 }, { 127, 3 }, { 1024, 8 },
-    { 8, 1024 }, { 96, 96 }, { 2, 5 }
-};
+static const int32_t sizes[][2] = { { 320, 240 }, { 64, 48 },  { 240, 240 }, { 37, 61 }, { 1, 1 },
+                                    { 127, 3 },   { 1024, 8 }, { 8, 1024 },  { 96, 96 }, { 2, 5 } };
 #define N_SIZES (sizeof sizes / sizeof sizes[0])
 
 static int32_t random_corner(struct prng *p, enum kind kind, int32_t first, int32_t size, int k)
 {
     const int32_t px = size * 256;
     switch (kind) {
-    case KIND_TINY:
-        return k ? first + prng_range(p, -900, 900) : prng_range(p, -512, px + 512);
-    case KIND_SMALL:
-        return k ? first + prng_range(p, 0, 32000) : prng_range(p, -16000, px);
+    case KIND_TINY: return k ? first + prng_range(p, -900, 900) : prng_range(p, -512, px + 512);
+    case KIND_SMALL: return k ? first + prng_range(p, 0, 32000) : prng_range(p, -16000, px);
     case KIND_HUGE:
-    case KIND_STEEP:
-        return size * 128 + prng_range(p, -GUARD, GUARD) / (1 << prng_pick(p, 8));
-    case KIND_CENTERS:
-        return prng_range(p, -2, size + 1) * 256 + 128;
-    default:
-        return prng_range(p, -px / 2 - 300, px + px / 2 + 300);
+    case KIND_STEEP: return size * 128 + prng_range(p, -GUARD, GUARD) / (1 << prng_pick(p, 8));
+    case KIND_CENTERS: return prng_range(p, -2, size + 1) * 256 + 128;
+    default: return prng_range(p, -px / 2 - 300, px + px / 2 + 300);
     }
 }
 
@@ -106,9 +100,10 @@ static int wrong_at(const struct easel *s, const struct easel_tri *t, int i, int
                     const char *what, double value)
 {
     return case_wrong("%s %g at (%d, %d) of %dx%d, strips of %d, %d bits, float of %d: (%d %d %u) "
-                      "(%d %d %u) (%d %d %u)", what, value, i, j, s->width, s->height, s->strip_h,
-                      s->depth_bits, easel_float_bits(s->depth), t->x[0], t->y[0], t->d[0], t->x[1],
-                      t->y[1], t->d[1], t->x[2], t->y[2], t->d[2]);
+                      "(%d %d %u) (%d %d %u)",
+                      what, value, i, j, s->width, s->height, s->strip_h, s->depth_bits,
+                      easel_float_bits(s->depth), t->x[0], t->y[0], t->d[0], t->x[1], t->y[1],
+                      t->d[1], t->x[2], t->y[2], t->d[2]);
 }
 
 /* The greatest key error of a frame: NUMERICS.md. */
@@ -118,10 +113,10 @@ static double key_bound(const struct easel *s)
     return extent <= 640 ? 0.505 : 0.5 + (extent + 1) / 131072.0;
 }
 
-/* ---- Float keys of single triangles ---------------------------------------------------------- */
+/* ---- Float keys of single triangles --------------------------------------------------------- */
 
-/* The farthest key there can be: the frame is refused where something in view is more than 2^22 times as
- * far as near. */
+/* The farthest key there can be: the frame is refused where something in view is more than 2^22
+ * times as far as near. */
 static uint32_t farthest_key(const struct oracle_float *f)
 {
     return oracle_float_d(f, 0x1p-22);
@@ -145,10 +140,8 @@ static void random_float_keys(struct prng *p, const struct oracle_float *f, uint
             d[k] = k ? (uint32_t)fmin(fmax((double)d[0] + prng_range(p, -90000, 90000), 0), top)
                      : prng_pick(p, top);
             break;
-        case 2: /* flat */
-            d[k] = k ? d[0] : prng_pick(p, top + 1u);
-            break;
-        case 3: /* on octave boundaries */
+        case 2: /* flat */ d[k] = k ? d[0] : prng_pick(p, top + 1u); break;
+        case 3:   /* on octave boundaries */
         case 4: { /* and beside them */
             int64_t code = (int64_t)octave_code + (how == 4 ? prng_range(p, -3, 3) : 0);
             const int64_t whole = (int64_t)1 << (f->bits + 16);
@@ -156,17 +149,14 @@ static void random_float_keys(struct prng *p, const struct oracle_float *f, uint
             d[k] = whole - code > top ? top : (uint32_t)(whole - code);
             break;
         }
-        case 5: { /* only in the range whose buckets stay as wide in r as they are, if there is one */
+        case 5: { /* only in the range whose buckets stay as wide in r as they are, if there is one
+                   */
             const uint32_t from = oracle_float_d(f, fmax(exp2(1 - (1 << f->e)), 0x1p-22));
             d[k] = from + prng_pick(p, top - from + 1u);
             break;
         }
-        case 6: /* any key */
-            d[k] = prng_pick(p, top);
-            break;
-        default:
-            d[k] = oracle_float_d(f, r);
-            break;
+        case 6: /* any key */ d[k] = prng_pick(p, top); break;
+        default: d[k] = oracle_float_d(f, r); break;
         }
     }
 }
@@ -235,7 +225,8 @@ static void float_keys_against_exact_arithmetic(void **state)
     worst_small = worst_big = 0;
     CASES(float_case, 3600);
     print_message("float keys: %llu pixels, off by at most %.5f buckets, %.5f in frames of 1032 px "
-                  "width + height\n", (unsigned long long)pixels_compared, worst_small, worst_big);
+                  "width + height\n",
+                  (unsigned long long)pixels_compared, worst_small, worst_big);
 }
 
 static int float_big_case(uint64_t seed)
@@ -294,7 +285,7 @@ static void octave_boundaries_on_samples(void **state)
     print_message("octave boundaries on samples: off by at most %.5f buckets\n", worst_small);
 }
 
-/* ---- The oracle itself ------------------------------------------------------------------------ */
+/* ---- The oracle itself ---------------------------------------------------------------------- */
 
 static void the_float_oracle_agrees_with_the_definition(void **state)
 {
@@ -322,7 +313,7 @@ static void the_float_oracle_agrees_with_the_definition(void **state)
         }
 }
 
-/* ---- Through the whole pipeline: clipped, unsnapped ------------------------------------------- */
+/* ---- Through the whole pipeline: clipped, unsnapped ----------------------------------------- */
 
 #define CLIP_W 64
 #define CLIP_H 48
@@ -360,8 +351,9 @@ static int pipeline_case(uint64_t seed)
     double nearest = z_far;
     const double focal = ldexp((double)camera.focal, -32), spread = CLIP_W / focal;
     for (int k = 0; k < 3; k++) {
-        const double z = prng_pick(&p, 8) ? z_near * pow(reach / z_near, prng_pick(&p, 1025) / 1024.0)
-                                          : z_near * prng_range(&p, -400, 999) / 1000.0;
+        const double z = prng_pick(&p, 8)
+                             ? z_near * pow(reach / z_near, prng_pick(&p, 1025) / 1024.0)
+                             : z_near * prng_range(&p, -400, 999) / 1000.0;
         const double along = fabs(z) + z_near;
         const double at[3] = { along * spread * prng_range(&p, -1000, 1000) / 1000,
                                along * spread * prng_range(&p, -1000, 1000) / 1000, -z };
@@ -371,8 +363,8 @@ static int pipeline_case(uint64_t seed)
         corner[k] = (struct oracle_point){ got[0], got[1], -got[2] };
         nearest = fmin(nearest, fmax(-got[2], z_near));
     }
-    lone_set(&l, (const int16_t (*)[3])pos, 3, steps);
-    l.mesh.pos_lo = (const uint8_t (*)[3])lo;
+    lone_set(&l, (const int16_t(*)[3])pos, 3, steps);
+    l.mesh.pos_lo = (const uint8_t(*)[3])lo;
     struct zs_config config = lone_config(CLIP_W, CLIP_H, depth);
     config.depth_bits = (uint8_t)bits;
     config.strip_h = (uint16_t)prng_range(&p, 1, CLIP_H);
@@ -402,8 +394,8 @@ static int pipeline_case(uint64_t seed)
             pixels_compared++;
             worst_pipeline = fmax(worst_pipeline, off);
             if (off > 0.506)
-                ok = case_wrong("key at (%d, %d) is %u, not %.3f +- %.3f: %s, %d bits, far %d", i, j,
-                                key, want, slack, mapping_names[seed % MAPPINGS], bits, z_far);
+                ok = case_wrong("key at (%d, %d) is %u, not %.3f +- %.3f: %s, %d bits, far %d", i,
+                                j, key, want, slack, mapping_names[seed % MAPPINGS], bits, z_far);
         }
     picture_free(&f);
     return ok;
@@ -416,10 +408,11 @@ static void keys_of_clipped_triangles_under_all_mappings(void **state)
     worst_pipeline = 0;
     CASES(pipeline_case, 3000);
     print_message("clipped, all mappings, far / near 10 to 10^5: %llu pixels, %.4f buckets beyond "
-                  "what snapping explains\n", (unsigned long long)pixels_compared, worst_pipeline);
+                  "what snapping explains\n",
+                  (unsigned long long)pixels_compared, worst_pipeline);
 }
 
-/* ---- 19, 20: separation ------------------------------------------------------------------------ */
+/* ---- 19, 20: separation --------------------------------------------------------------------- */
 
 #define LAYER_Z (1 << 26) /* world units: a bucket is a thousand of them or more */
 
@@ -510,9 +503,10 @@ static int layers_case(uint64_t seed)
         if (both.key[i] == ZS_DEPTH_CLEAR)
             ok = case_wrong("a hole at (%d, %d)", i % CLIP_W, i / CLIP_W);
         else if (!right && (!close || alone[0].key[i] != alone[1].key[i]))
-            ok = case_wrong("%s, %d bits, near %d, far %.0f, z %d: keys %u and %u, %.2f buckets apart",
-                            mapping_names[which], bits, near, v.z_far, z, alone[1].key[i],
-                            alone[0].key[i], buckets);
+            ok = case_wrong(
+                "%s, %d bits, near %d, far %.0f, z %d: keys %u and %u, %.2f buckets apart",
+                mapping_names[which], bits, near, v.z_far, z, alone[1].key[i], alone[0].key[i],
+                buckets);
         pairs_swapped += !right;
         pairs_drawn++;
     }
@@ -527,9 +521,10 @@ static void stress_19_layers_at_1_01_buckets_under_all_mappings(void **state)
     (void)state;
     pairs_swapped = pairs_drawn = 0;
     CASES(layers_case, 4000);
-    print_message("layers, five mappings, far / near 10 to 10^5: %u pixels; %.1f %% the wrong way round at "
-                  "0.5 buckets, none at 1.01\n", pairs_drawn,
-                  100.0 * pairs_swapped / fmax(pairs_drawn, 1));
+    print_message(
+        "layers, five mappings, far / near 10 to 10^5: %u pixels; %.1f %% the wrong way round at "
+        "0.5 buckets, none at 1.01\n",
+        pairs_drawn, 100.0 * pairs_swapped / fmax(pairs_drawn, 1));
 }
 
 /* The exact key at a sample, unrounded, of any mapping. unit: of the easel's frames. */
@@ -576,12 +571,14 @@ static void random_depths(struct prng *p, const struct easel *s, const struct ea
 }
 
 /* d, moved by so many buckets. */
-static uint32_t moved(const struct easel *s, const struct easel_frame *unit, uint32_t d, double buckets)
+static uint32_t moved(const struct easel *s, const struct easel_frame *unit, uint32_t d,
+                      double buckets)
 {
     const double top = ldexp(1, s->depth_bits) - 1;
     if (s->depth == &zs_depth_linear) {
         const double step = ldexp((double)s->z_far - s->z_near, unit->shift) / top;
-        return (uint32_t)fmin(fmax(d + step * buckets, unit->unit_near), ldexp(s->z_far, unit->shift));
+        return (uint32_t)fmin(fmax(d + step * buckets, unit->unit_near),
+                              ldexp(s->z_far, unit->shift));
     }
     return (uint32_t)fmin(fmax(d + 65536 * buckets, 0), top * 65536);
 }
@@ -630,7 +627,8 @@ static int pair_case(uint64_t seed)
         pairs_drawn++;
         pairs_swapped += first != (apart > 0) && apart != 0;
         if (fabsl(apart) >= 1.01L && first != (apart > 0))
-            ok = wrong_at(&s, &t[0], i % s.width, i / s.width, "swapped, buckets apart", (double)apart);
+            ok = wrong_at(&s, &t[0], i % s.width, i / s.width, "swapped, buckets apart",
+                          (double)apart);
         else if (!equal && first != (apart > 0) && fabsl(apart) > 0.01L)
             ok = wrong_at(&s, &t[0], i % s.width, i / s.width, "swapped, and keys differ",
                           (double)apart);
@@ -646,13 +644,15 @@ static void stress_19_20_pairs_of_any_planes_under_all_mappings(void **state)
     (void)state;
     pairs_swapped = pairs_drawn = 0;
     CASES(pair_case, 500);
-    print_message("pairs of planes, five mappings: %u pixels, %.3f %% the wrong way round, all within "
-                  "1.01 buckets\n", pairs_drawn, 100.0 * pairs_swapped / fmax(pairs_drawn, 1));
+    print_message(
+        "pairs of planes, five mappings: %u pixels, %.3f %% the wrong way round, all within "
+        "1.01 buckets\n",
+        pairs_drawn, 100.0 * pairs_swapped / fmax(pairs_drawn, 1));
 }
 
-/* ---- States: one triangle after another --------------------------------------------------------- */
+/* ---- States: one triangle after another ----------------------------------------------------- */
 
-#define CROWD 60
+#define CROWD 40
 #define N_STATES 12
 
 static struct zs_state random_state(struct prng *p, int32_t most, int slopes)
@@ -677,7 +677,8 @@ static uint32_t flat_depth(struct prng *p, const struct easel *s, const struct e
     if (s->depth != &zs_depth_linear)
         return key || part > 0 ? key * 65536u + (uint32_t)part : 0;
     const double range = ldexp((double)s->z_far - s->z_near, unit->shift);
-    const double z = unit->unit_near + range * (key + part / 65536.0) / (ldexp(1, s->depth_bits) - 1);
+    const double z = unit->unit_near +
+                     range * (key + part / 65536.0) / (ldexp(1, s->depth_bits) - 1);
     return (uint32_t)fmax(z, unit->unit_near);
 }
 
@@ -717,7 +718,8 @@ static int state_crowd_case(uint64_t seed)
         state[k] = random_state(&p, most, 1); /* flat triangles: no slope, whatever the factor */
     for (int k = 0; k < CROWD; k++) {
         random_tri(&p, (enum kind)prng_pick(&p, KINDS), &s, &t[k]);
-        key[k] = clamp((int64_t)most * prng_pick(&p, levels) / levels + prng_range(&p, -2, 2), 0, most);
+        key[k] = clamp((int64_t)most * prng_pick(&p, levels) / levels + prng_range(&p, -2, 2), 0,
+                       most);
         t[k].d[0] = t[k].d[1] = t[k].d[2] = flat_depth(&p, &s, &unit, (uint32_t)key[k]);
         t[k].state = prng_pick(&p, N_STATES + 1);
         o[k] = to_oracle(&t[k]);
@@ -748,7 +750,7 @@ static void states_one_triangle_after_another(void **state)
 {
     (void)state;
     pixels_compared = 0;
-    CASES(state_crowd_case, 250);
+    CASES(state_crowd_case, 120);
     print_message("states: %llu pixels compared\n", (unsigned long long)pixels_compared);
 }
 
@@ -821,11 +823,12 @@ static int slope_case(uint64_t seed)
             ok = wrong_at(&s, &t, i % s.width, i / s.width, "another offset than before", change);
         else if (!at_end && fabsl(change - wanted) > 0.5L + doubt)
             ok = wrong_at(&s, &t, i % s.width, i / s.width, "offset", change) +
-                 case_wrong("not %.4Lf: state offset %d slope %d", wanted, state.offset, state.slope);
+                 case_wrong("not %.4Lf: state offset %d slope %d", wanted, state.offset,
+                            state.slope);
         else if (at_end && f.key[i] != plain.key[i] &&
-                 (f.key[i] == 0 ? plain.key[i] + wanted > 0.5L + doubt
-                                : f.key[i] == most ? plain.key[i] + wanted < most - 0.5L - doubt
-                                                   : fabsl(change - wanted) > 1.5L + doubt))
+                 (f.key[i] == 0      ? plain.key[i] + wanted > 0.5L + doubt
+                  : f.key[i] == most ? plain.key[i] + wanted < most - 0.5L - doubt
+                                     : fabsl(change - wanted) > 1.5L + doubt))
             ok = wrong_at(&s, &t, i % s.width, i / s.width, "stopped at an end, offset", change) +
                  case_wrong("not %.4Lf: key %u became %u", wanted, plain.key[i], f.key[i]);
         if (!at_end && state.slope) {
@@ -844,12 +847,12 @@ static void offsets_and_slopes_in_buckets(void **state)
     slopes_seen = 0;
     worst_slope = 0;
     CASES(slope_case, 1500);
-    print_message("slopes: %u pixels, offsets at most %.4f buckets from the exact one\n", slopes_seen,
-                  worst_slope);
+    print_message("slopes: %u pixels, offsets at most %.4f buckets from the exact one\n",
+                  slopes_seen, worst_slope);
     assert_true(slopes_seen > 10000);
 }
 
-/* ---- States through the whole pipeline --------------------------------------------------------- */
+/* ---- States through the whole pipeline ------------------------------------------------------ */
 
 #define SCENE_N 12
 
@@ -941,10 +944,11 @@ static int state_scene_case(uint64_t seed)
         ok = f.err ? case_wrong("%s", zs_strerror(f.err)) : 1;
         for (int i = 0; i < 80 * 60 && ok; i++)
             if (f.color[i] != m[i].color || f.key[i] != m[i].key)
-                ok = case_wrong("%s, strips of %u, %u triangles, %u vertices: (%d, %d) is colour %u key "
-                                "%u, not %u %u", ortho ? "orthographic" : mapping_names[seed % 6],
-                                c.strip_h, c.max_tris, c.max_verts, i % 80, i / 80, f.color[i],
-                                f.key[i], m[i].color, m[i].key);
+                ok = case_wrong(
+                    "%s, strips of %u, %u triangles, %u vertices: (%d, %d) is colour %u key "
+                    "%u, not %u %u",
+                    ortho ? "orthographic" : mapping_names[seed % 6], c.strip_h, c.max_tris,
+                    c.max_verts, i % 80, i / 80, f.color[i], f.key[i], m[i].color, m[i].key);
         picture_free(&f);
     }
     return ok;
@@ -956,17 +960,76 @@ static void states_in_scenes_whatever_the_pools(void **state)
     CASES(state_scene_case, 240);
 }
 
-/* ---- All shaders under all mappings: a state that asks for nothing is none; nothing else shows -- */
+/* ---- The mapping that far / near asks for --------------------------------------------------- */
+
+/* zs_depth_float draws the frame of e3m13 up to far = 2^7 near, of e4m12 up to 2^15 near, else of
+ * e5m11: to the last bit of far. */
+static int any_float_case(uint64_t seed)
+{
+    static struct shape s;
+    struct prng p = { seed };
+    const zs_q48_16 near = (zs_q48_16)prng_range(&p, 100 * 65536, 3000 * 65536);
+    const int octaves = prng_pick(&p, 2) ? 7 : 15, beside = prng_range(&p, -1, 1);
+    const int anywhere = prng_pick(&p, 3) == 0;
+    const double ratio = exp2(prng_range(&p, 1000, 18000) / 1000.0);
+    struct zs_camera camera;
+    (void)zs_camera_perspective(&camera, 8192, 60, 1, 2);
+    camera.z_near = near;
+    camera.z_far = anywhere ? (zs_q48_16)((double)near * ratio) : (near << octaves) + beside;
+    const double found = (double)camera.z_far / (double)camera.z_near;
+    const int e = found <= 128 ? 3 : found <= 32768 ? 4 : 5;
+    shape_torus(&s, 12, 9, 8000, 3000);
+    const struct zs_material material = { &zs_shade_raw, { 0, 0, 0 }, ZS_CULL_BACK };
+    struct zs_instance in = { &s.mesh, &material, { { 0 }, { 0 }, 0 } };
+    zs_pose_identity(&in.pose);
+    zs_pose_turn(&in.pose, (zs_turn)prng_next(&p), 3000, 0);
+    in.pose.pos[2] = -(int32_t)(near >> 16) - 9000;
+    const struct zs_scene scene = { .instance = &in, .n_instances = 1 };
+    struct zs_config config = picture_config(80, 60, &zs_depth_float);
+    config.depth_bits = (uint8_t)prng_range(&p, 8, 16);
+    struct picture f = picture_draw(&config, &scene, &camera);
+    config.depth = mappings[e - 1];
+    struct picture named = picture_draw(&config, &scene, &camera);
+    /* the whole of it is in view unless far cuts it */
+    const int ok = picture_same(&f, &named, mapping_names[e - 1]) &&
+                   (f.covered > 20 || found < 128);
+    if (!ok)
+        (void)case_wrong("near %lld far %lld", (long long)camera.z_near, (long long)camera.z_far);
+    picture_free(&f);
+    picture_free(&named);
+    return ok;
+}
+
+static void float_takes_the_bits_that_far_asks_for(void **state)
+{
+    (void)state;
+    CASES(any_float_case, 300);
+    struct zs_scene none = { .n_instances = 0 };
+    struct zs_camera ortho;
+    (void)zs_camera_orthographic(&ortho, 100, 1, 1000);
+    for (uint32_t k = 0; k < MAPPINGS; k++) {
+        const struct zs_config config = picture_config(8, 8, mappings[k]);
+        struct picture f = picture_draw(&config, &none, &ortho);
+        assert_int_equal(f.err, mappings[k] == &zs_depth_linear ? ZS_OK : ZS_ERR_DEPTH);
+        picture_free(&f);
+    }
+    const struct zs_config config = picture_config(8, 8, &zs_depth_float);
+    struct picture f = picture_draw(&config, &none, &ortho);
+    assert_int_equal(f.err, ZS_ERR_DEPTH);
+    picture_free(&f);
+}
+
+/* ---- All shaders under all mappings: a state that asks for nothing is none; nothing else shows  */
 
 static int plain_state_case(uint64_t seed)
 {
     static struct shape shape[3];
     static int16_t uv[3][SHAPE_VERTS][2];
     static uint16_t texel[64][64];
-    static const struct zs_shader *const shaders[] = { &zs_shade_raw, &zs_shade_flat,
-                                                       &zs_shade_smooth, &zs_shade_texture,
-                                                       &zs_shade_texture_flat,
-                                                       &zs_shade_texture_smooth };
+    static const struct zs_shader *const shaders[] = {
+        &zs_shade_raw,     &zs_shade_flat,         &zs_shade_smooth,
+        &zs_shade_texture, &zs_shade_texture_flat, &zs_shade_texture_smooth
+    };
     static const struct zs_texture texture = { &zs_texel_565, texel, NULL, 0, 6, 6, 0 };
     static const struct zs_state nothing = ZS_STATE(0, 0, 0, 0);
     struct prng p = { seed };
@@ -983,10 +1046,11 @@ static int plain_state_case(uint64_t seed)
         for (uint32_t v = 0; v < shape[n].mesh.n_verts; v++)
             for (int c = 0; c < 2; c++)
                 uv[n][v][c] = (int16_t)prng_range(&p, -8192, 8192);
-        shape[n].mesh.uv = (const int16_t (*)[2])uv[n];
+        shape[n].mesh.uv = (const int16_t(*)[2])uv[n];
         shape[n].mesh.uv_bits = 12;
-        const struct zs_material m = { shaders[prng_pick(&p, 6)], { 200, 100, 50 },
-                                       (uint8_t)prng_pick(&p, 3), &texture };
+        const struct zs_material m = {
+            shaders[prng_pick(&p, 6)], { 200, 100, 50 }, (uint8_t)prng_pick(&p, 3), &texture
+        };
         material[n] = m;
         in[n].mesh = &shape[n].mesh;
         in[n].material = &material[n];
@@ -1040,6 +1104,7 @@ static const struct CMUnitTest tests[] = {
     cmocka_unit_test(states_one_triangle_after_another),
     cmocka_unit_test(offsets_and_slopes_in_buckets),
     cmocka_unit_test(states_in_scenes_whatever_the_pools),
+    cmocka_unit_test(float_takes_the_bits_that_far_asks_for),
     cmocka_unit_test(a_state_that_asks_for_nothing_is_none)
 };
 

@@ -21,16 +21,17 @@ static const struct zs_depth *const mappings[] = { &zs_depth_recip, &zs_depth_li
                                                    &zs_depth_e5m11 };
 #define MAPPINGS 5u
 
-/* ---- Textures that tell ---------------------------------------------------------------------- */
+/* ---- Textures that tell --------------------------------------------------------------------- */
 
-static uint16_t numbers[65536];      /* texel n is n: textures of at most 2^16 texels */
+static uint16_t numbers[65536];       /* texel n is n: textures of at most 2^16 texels */
 static uint16_t columns[1024 * 1024]; /* texel is its column: for larger ones, drawn twice */
 static uint16_t rows[1024 * 1024];
 
-static struct zs_texture texture_of(const void *texel, uint32_t log2_w, uint32_t log2_h, uint32_t clamp)
+static struct zs_texture texture_of(const void *texel, uint32_t log2_w, uint32_t log2_h,
+                                    uint32_t clamp)
 {
-    const struct zs_texture t = { &zs_texel_565, texel, NULL, 0, (uint8_t)log2_w, (uint8_t)log2_h,
-                                  (uint8_t)clamp };
+    const struct zs_texture t = { &zs_texel_565,   texel,           NULL,          0,
+                                  (uint8_t)log2_w, (uint8_t)log2_h, (uint8_t)clamp };
     return t;
 }
 
@@ -80,7 +81,7 @@ static void taken_draw(struct easel s, uint32_t log2_w, uint32_t log2_h, uint32_
     }
 }
 
-/* ---- Exact coordinates ------------------------------------------------------------------------- */
+/* ---- Exact coordinates ---------------------------------------------------------------------- */
 
 /* A coordinate (0 u, 1 v) at a sample, in texels of a texture of `size`: exact but for the last
  * conversion, 64 bits. uv of the corners in 2^-uv_bits. */
@@ -126,14 +127,16 @@ static uint32_t texels_apart(long double at, uint32_t taken, uint32_t size, int 
 }
 
 struct tally {
-    uint64_t coordinates, one_off, more_off; /* coordinates whose texel is the one beside, and others */
-    double worst;                            /* outside the texel taken */
-    double worst_beyond;                     /* of the part that the spans explain */
+    uint64_t coordinates, one_off,
+        more_off;        /* coordinates whose texel is the one beside, and others */
+    double worst;        /* outside the texel taken */
+    double worst_beyond; /* of the part that the spans explain */
 };
 
 static struct tally tally;
 
-/* Of a coordinate that lies evenly over a texel, |error| is on average how often the next one is taken. */
+/* Of a coordinate that lies evenly over a texel, |error| is on average how often the next one is
+ * taken. */
 static double tally_mean(void)
 {
     return (double)(tally.one_off + 2 * tally.more_off) / fmax((double)tally.coordinates, 1);
@@ -141,13 +144,15 @@ static double tally_mean(void)
 
 static void tally_print(const char *what)
 {
-    print_message("%s: %llu coordinates, %.3f %% one texel off, %llu more; error at most %.4f texel, on "
-                  "average %.5f\n", what, (unsigned long long)tally.coordinates,
-                  100.0 * (double)tally.one_off / fmax((double)tally.coordinates, 1),
-                  (unsigned long long)tally.more_off, tally.worst, tally_mean());
+    print_message(
+        "%s: %llu coordinates, %.3f %% one texel off, %llu more; error at most %.4f texel, on "
+        "average %.5f\n",
+        what, (unsigned long long)tally.coordinates,
+        100.0 * (double)tally.one_off / fmax((double)tally.coordinates, 1),
+        (unsigned long long)tally.more_off, tally.worst, tally_mean());
 }
 
-/* ---- Random triangles -------------------------------------------------------------------------- */
+/* ---- Random triangles ----------------------------------------------------------------------- */
 
 static struct easel_frame unit_of(const struct easel *s)
 {
@@ -170,16 +175,17 @@ static uint32_t depth_of(const struct easel *s, const struct easel_frame *unit, 
 }
 
 enum uv_kind {
-    UV_ONE,    /* within one repeat */
-    UV_ANY,    /* all that the mesh can hold */
-    UV_FEW,    /* a few texels of 256 */
-    UV_SPAN,   /* a span of any size, for affine and long sub-spans */
-    UV_LINE,   /* u constant */
-    UV_EXACT,  /* corners on borders between texels */
+    UV_ONE,   /* within one repeat */
+    UV_ANY,   /* all that the mesh can hold */
+    UV_FEW,   /* a few texels of 256 */
+    UV_SPAN,  /* a span of any size, for affine and long sub-spans */
+    UV_LINE,  /* u constant */
+    UV_EXACT, /* corners on borders between texels */
     UV_KINDS
 };
 
-static int32_t random_uv(struct prng *p, enum uv_kind kind, int32_t uv_bits, int axis, int32_t first)
+static int32_t random_uv(struct prng *p, enum uv_kind kind, int32_t uv_bits, int axis,
+                         int32_t first)
 {
     const int32_t one = 1 << uv_bits, texel = one >= 256 ? one / 256 : 1;
     int32_t v;
@@ -207,8 +213,8 @@ static void random_tri(struct prng *p, const struct easel *s, const struct easel
         t->x[k] = (small && k ? t->x[0] : s->width * 128) + prng_range(p, -reach_x, reach_x);
         t->y[k] = (small && k ? t->y[0] : s->height * 128) + prng_range(p, -reach_y, reach_y);
         for (int axis = 0; axis < 2; axis++)
-            t->rgb[k][axis] = EASEL_UV(random_uv(p, kind, s->uv_bits, axis,
-                                                 (int32_t)t->rgb[0][axis] - 32768));
+            t->rgb[k][axis] = EASEL_UV(
+                random_uv(p, kind, s->uv_bits, axis, (int32_t)t->rgb[0][axis] - 32768));
         t->rgb[k][2] = (uint16_t)prng_pick(p, 65505);
         /* the whole ratio between two of them, the third anywhere */
         const double part = k == 2 ? prng_pick(p, 1025) / 1024.0 : k;
@@ -222,8 +228,8 @@ static void random_tri(struct prng *p, const struct easel *s, const struct easel
 
 /* The error that NUMERICS.md allows: 1/8 texel of interpolation, 1/512 added on purpose, and what a
  * triangle's span of texels and its ratio of w do to 31-bit planes. */
-static double bound_of(const struct easel *s, const struct easel_frame *unit, const struct easel_tri *t,
-                       int axis, uint32_t size)
+static double bound_of(const struct easel *s, const struct easel_frame *unit,
+                       const struct easel_tri *t, int axis, uint32_t size)
 {
     double least_w = 1e300, most_w = 0;
     int32_t lo = 65535, hi = 0;
@@ -238,15 +244,16 @@ static double bound_of(const struct easel *s, const struct easel_frame *unit, co
     return 0.125 + 0x1p-9 + span * most_w / least_w * 0x1p-21;
 }
 
-static int wrong_at(const struct easel *s, const struct easel_tri *t, int i, int j, const char *what,
-                    double value)
+static int wrong_at(const struct easel *s, const struct easel_tri *t, int i, int j,
+                    const char *what, double value)
 {
-    return case_wrong("%s %g at (%d, %d) of %dx%d, strips of %d, uv bits %d, float of %d: (%d %d %u: %d %d) "
-                      "(%d %d %u: %d %d) (%d %d %u: %d %d)", what, value, i, j, s->width, s->height,
-                      s->strip_h, s->uv_bits, easel_float_bits(s->depth), t->x[0], t->y[0], t->d[0],
-                      t->rgb[0][0] - 32768, t->rgb[0][1] - 32768, t->x[1], t->y[1], t->d[1],
-                      t->rgb[1][0] - 32768, t->rgb[1][1] - 32768, t->x[2], t->y[2], t->d[2],
-                      t->rgb[2][0] - 32768, t->rgb[2][1] - 32768);
+    return case_wrong(
+        "%s %g at (%d, %d) of %dx%d, strips of %d, uv bits %d, float of %d: (%d %d %u: %d %d) "
+        "(%d %d %u: %d %d) (%d %d %u: %d %d)",
+        what, value, i, j, s->width, s->height, s->strip_h, s->uv_bits, easel_float_bits(s->depth),
+        t->x[0], t->y[0], t->d[0], t->rgb[0][0] - 32768, t->rgb[0][1] - 32768, t->x[1], t->y[1],
+        t->d[1], t->rgb[1][0] - 32768, t->rgb[1][1] - 32768, t->x[2], t->y[2], t->d[2],
+        t->rgb[2][0] - 32768, t->rgb[2][1] - 32768);
 }
 
 /* Draw one triangle; every pixel's texel within the bound, or within `limit` texels where that is
@@ -275,8 +282,9 @@ static int texels_right(const struct easel *s, uint32_t log2_w, uint32_t log2_h,
             tally.worst_beyond = fmax(tally.worst_beyond, off - bound);
             if (off > bound || (limit > 0 && (off > limit || apart > 1)) || taken >= size[axis])
                 ok = wrong_at(s, t, x, y, axis ? "texel row" : "texel column", taken) +
-                     case_wrong("exact %.6Lf, outside the texel by %.5f of %ux%u, clamped %u, bound %.5f",
-                                at, off, size[0], size[1], clamp, bound);
+                     case_wrong(
+                         "exact %.6Lf, outside the texel by %.5f of %ux%u, clamped %u, bound %.5f",
+                         at, off, size[0], size[1], clamp, bound);
         }
     }
     taken_free(&f);
@@ -305,20 +313,39 @@ static int ratio_case(uint64_t seed, double ratio)
     return texels_right(&s, 8, 8, prng_pick(&p, 4), &t, 0);
 }
 
-static int ratio_1(uint64_t seed) { return ratio_case(seed, 1); }
-static int ratio_2(uint64_t seed) { return ratio_case(seed, 2); }
-static int ratio_4(uint64_t seed) { return ratio_case(seed, 4); }
-static int ratio_8(uint64_t seed) { return ratio_case(seed, 8); }
-static int ratio_16(uint64_t seed) { return ratio_case(seed, 16); }
-static int ratio_1000(uint64_t seed) { return ratio_case(seed, 1000); }
+static int ratio_1(uint64_t seed)
+{
+    return ratio_case(seed, 1);
+}
+static int ratio_2(uint64_t seed)
+{
+    return ratio_case(seed, 2);
+}
+static int ratio_4(uint64_t seed)
+{
+    return ratio_case(seed, 4);
+}
+static int ratio_8(uint64_t seed)
+{
+    return ratio_case(seed, 8);
+}
+static int ratio_16(uint64_t seed)
+{
+    return ratio_case(seed, 16);
+}
+static int ratio_1000(uint64_t seed)
+{
+    return ratio_case(seed, 1000);
+}
 
 static void texels_by_ratio_of_w(void **state)
 {
     static const struct {
         case_fn *fn;
         const char *name;
-    } ratios[] = { { ratio_1, "w ratio 1" },   { ratio_2, "w ratio 2" },   { ratio_4, "w ratio 4" },
-                   { ratio_8, "w ratio 8" },   { ratio_16, "w ratio 16" }, { ratio_1000, "w ratio 1000" } };
+    } ratios[] = { { ratio_1, "w ratio 1" },   { ratio_2, "w ratio 2" },
+                   { ratio_4, "w ratio 4" },   { ratio_8, "w ratio 8" },
+                   { ratio_16, "w ratio 16" }, { ratio_1000, "w ratio 1000" } };
     (void)state;
     for (size_t n = 0; n < sizeof ratios / sizeof ratios[0]; n++) {
         memset(&tally, 0, sizeof tally);
@@ -327,8 +354,8 @@ static void texels_by_ratio_of_w(void **state)
     }
 }
 
-/* Any span of texels of 256, up to sixteen repeats: none is more than one off, all within half a texel,
- * on average within a twentieth. */
+/* Any span of texels of 256, up to sixteen repeats: none is more than one off, all within half a
+ * texel, on average within a twentieth. */
 static int half_texel_case(uint64_t seed)
 {
     struct prng p = { seed };
@@ -361,8 +388,10 @@ static int size_case(uint64_t seed)
     const struct easel s = random_easel(&p, seed);
     const struct easel_frame unit = unit_of(&s);
     struct easel_tri t;
-    random_tri(&p, &s, &unit, (enum uv_kind)prng_pick(&p, UV_KINDS), prng_pick(&p, 2) ? 1.2 : 16, &t);
-    return texels_right(&s, (uint32_t)(seed % 11), (uint32_t)(seed / 11 % 11), prng_pick(&p, 4), &t, 0);
+    random_tri(&p, &s, &unit, (enum uv_kind)prng_pick(&p, UV_KINDS), prng_pick(&p, 2) ? 1.2 : 16,
+               &t);
+    return texels_right(&s, (uint32_t)(seed % 11), (uint32_t)(seed / 11 % 11), prng_pick(&p, 4), &t,
+                        0);
 }
 
 static void sizes_from_1_to_1024(void **state)
@@ -373,7 +402,7 @@ static void sizes_from_1_to_1024(void **state)
     tally_print("all sizes");
 }
 
-/* ---- Borders, exactly ---------------------------------------------------------------------------- */
+/* ---- Borders, exactly ----------------------------------------------------------------------- */
 
 /* Two triangles that face the camera, a whole number of texels or parts of one to the pixel. Their
  * coordinates are exact at every sample, those on a border between two texels too. */
@@ -387,7 +416,8 @@ static int aligned_case(uint64_t seed)
     s.strip_h = prng_range(&p, 1, 48);
     s.depth = mappings[seed % MAPPINGS];
     const struct easel_frame unit = unit_of(&s);
-    /* uv = from + step * (pixel - x0), step a power of two of parts of a texel, negative for mirrors */
+    /* uv = from + step * (pixel - x0), step a power of two of parts of a texel, negative for
+     * mirrors */
     int32_t step[2], from[2], x[2], y[2], sign[2];
     for (int k = 0; k < 2; k++) {
         sign[k] = prng_pick(&p, 2) ? 1 : -1;
@@ -431,13 +461,15 @@ static int aligned_case(uint64_t seed)
             const int32_t size = 1 << (axis ? log2_h : log2_w);
             const int32_t uv = from[axis] + step[axis] * at[axis];
             int32_t want = (uv >= 0 ? uv : uv - texel[axis] + 1) / texel[axis];
-            want = clamp >> axis & 1u ? (want < 0 ? 0 : want >= size ? size - 1 : want)
+            want = clamp >> axis & 1u ? (want < 0       ? 0
+                                         : want >= size ? size - 1
+                                                        : want)
                                       : want & (size - 1);
             const int32_t got = axis ? f.row[i] : f.column[i];
             if (got != want)
                 ok = wrong_at(&s, &t[0], i % 64, i / 64, axis ? "row" : "column", got) +
-                     case_wrong("not %d: coordinate %d / 4096 of %d texels, clamped %u", want, uv, size,
-                                clamp >> axis & 1u);
+                     case_wrong("not %d: coordinate %d / 4096 of %d texels, clamped %u", want, uv,
+                                size, clamp >> axis & 1u);
         }
         tally.coordinates += 2;
     }
@@ -454,7 +486,7 @@ static void repeat_and_clamp_to_the_texel(void **state)
                   (unsigned long long)tally.coordinates);
 }
 
-/* ---- Light ----------------------------------------------------------------------------------------- */
+/* ---- Light ---------------------------------------------------------------------------------- */
 
 static const int most_code[3] = { 31, 63, 31 };
 
@@ -487,13 +519,15 @@ static double psnr(void)
 
 static void colors_print(const char *what)
 {
-    print_message("%s: %llu values, %.3f %% one code off, %.4f codes from the unrounded value at most, "
-                  "%.1f dB\n", what, (unsigned long long)colors.values,
-                  100.0 * (double)colors.one_off / fmax((double)colors.values, 1), colors.worst, psnr());
+    print_message(
+        "%s: %llu values, %.3f %% one code off, %.4f codes from the unrounded value at most, "
+        "%.1f dB\n",
+        what, (unsigned long long)colors.values,
+        100.0 * (double)colors.one_off / fmax((double)colors.values, 1), colors.worst, psnr());
 }
 
-/* Smooth light over a texture: texel times light, of exactly known geometry. Constant texels, so that
- * light alone counts; then the texel that unlit shading takes. */
+/* Smooth light over a texture: texel times light, of exactly known geometry. Constant texels, so
+ * that light alone counts; then the texel that unlit shading takes. */
 static int smooth_light_case(uint64_t seed)
 {
     static uint16_t texel[256 * 256];
@@ -533,7 +567,8 @@ static int smooth_light_case(uint64_t seed)
             const double exact = fmin(code_of(constant ? texel[0] : plain.color[i], c) * intensity,
                                       most_code[c]);
             if (constant && !channel_right(lit.color[i], c, exact, 0))
-                ok = wrong_at(&s, &t, i % s.width, i / s.width, "lit channel", code_of(lit.color[i], c)) +
+                ok = wrong_at(&s, &t, i % s.width, i / s.width, "lit channel",
+                              code_of(lit.color[i], c)) +
                      case_wrong("not %.4f, channel %d, light %.5f", exact, c, intensity);
         }
     }
@@ -558,7 +593,8 @@ static int full_light_case(uint64_t seed)
     struct easel s = random_easel(&p, seed);
     const struct easel_frame unit = unit_of(&s);
     struct easel_tri t;
-    random_tri(&p, &s, &unit, (enum uv_kind)prng_pick(&p, UV_KINDS), prng_pick(&p, 2) ? 1.1 : 16, &t);
+    random_tri(&p, &s, &unit, (enum uv_kind)prng_pick(&p, UV_KINDS), prng_pick(&p, 2) ? 1.1 : 16,
+               &t);
     for (int k = 0; k < 3; k++)
         t.rgb[k][2] = EASEL_LIGHT_ONE;
     for (uint32_t i = 0; i < 65536; i++)
@@ -581,7 +617,7 @@ static void full_light_is_no_light(void **state)
     CASES(full_light_case, 200);
 }
 
-/* ---- Moved, mirrored, hidden ------------------------------------------------------------------------ */
+/* ---- Moved, mirrored, hidden ---------------------------------------------------------------- */
 
 static int moved_case(uint64_t seed)
 {
@@ -589,7 +625,8 @@ static int moved_case(uint64_t seed)
     struct easel s = random_easel(&p, seed);
     const struct easel_frame unit = unit_of(&s);
     struct easel_tri t[2];
-    random_tri(&p, &s, &unit, (enum uv_kind)prng_pick(&p, UV_KINDS), prng_pick(&p, 2) ? 1.2 : 16, &t[0]);
+    random_tri(&p, &s, &unit, (enum uv_kind)prng_pick(&p, UV_KINDS), prng_pick(&p, 2) ? 1.2 : 16,
+               &t[0]);
     for (int k = 0; k < 3; k++) { /* a small one: large ones are anchored in the frame */
         t[0].x[k] = (k ? t[0].x[0] : 8000) + prng_range(&p, -7000, 7000);
         t[0].y[k] = (k ? t[0].y[0] : 8000) + prng_range(&p, -7000, 7000);
@@ -611,7 +648,8 @@ static int moved_case(uint64_t seed)
             if (to_x < 0 || to_y < 0 || to_x >= s.width || to_y >= s.height)
                 continue;
             const int a = y * s.width + x, b = to_y * s.width + to_x;
-            if (f[0].frame.color[a] != f[1].frame.color[b] || f[0].frame.key[a] != f[1].frame.key[b])
+            if (f[0].frame.color[a] != f[1].frame.color[b] ||
+                f[0].frame.key[a] != f[1].frame.key[b])
                 ok = wrong_at(&s, &t[0], x, y, "moved by whole pixels: texel", f[1].frame.color[b]);
             tally.coordinates += f[0].frame.key[a] != ZS_DEPTH_CLEAR;
         }
@@ -625,12 +663,13 @@ static void moved_by_whole_pixels_the_same_texels(void **state)
     (void)state;
     memset(&tally, 0, sizeof tally);
     CASES(moved_case, 600);
-    print_message("moved: %llu pixels, all of the same texel\n", (unsigned long long)tally.coordinates);
+    print_message("moved: %llu pixels, all of the same texel\n",
+                  (unsigned long long)tally.coordinates);
     assert_true(tally.coordinates > 30000);
 }
 
-/* From right to left, from bottom to top: the texels of the mirrored pixel, or the one beside where an
- * error of an eighth tips it over. */
+/* From right to left, from bottom to top: the texels of the mirrored pixel, or the one beside where
+ * an error of an eighth tips it over. */
 static int mirrored_case(uint64_t seed)
 {
     struct prng p = { seed };
@@ -711,7 +750,8 @@ static int hidden_case(uint64_t seed)
     int ok = 1;
     for (int i = 0; i < s.width * s.height && ok; i++)
         if (before.frame.key[i] == ZS_DEPTH_CLEAR && all.frame.color[i] != alone.frame.color[i])
-            ok = wrong_at(&s, &t[8], i % s.width, i / s.width, "half hidden: texel", all.frame.color[i]);
+            ok = wrong_at(&s, &t[8], i % s.width, i / s.width, "half hidden: texel",
+                          all.frame.color[i]);
     taken_free(&all);
     taken_free(&alone);
     taken_free(&before);
@@ -724,7 +764,7 @@ static void what_is_hidden_moves_no_texel(void **state)
     CASES(hidden_case, 200);
 }
 
-/* ---- Formats ----------------------------------------------------------------------------------------- */
+/* ---- Formats -------------------------------------------------------------------------------- */
 
 /* Sixteen colours in all three formats. */
 static int format_case(uint64_t seed)
@@ -734,7 +774,8 @@ static int format_case(uint64_t seed)
     struct prng p = { seed };
     struct easel s = random_easel(&p, seed);
     const struct easel_frame unit = unit_of(&s);
-    const uint32_t log2_w = 1u + prng_pick(&p, 8), log2_h = prng_pick(&p, 9), clamp = prng_pick(&p, 4);
+    const uint32_t log2_w = 1u + prng_pick(&p, 8), log2_h = prng_pick(&p, 9),
+                   clamp = prng_pick(&p, 4);
     uint16_t palette[256];
     for (int n = 0; n < 256; n++)
         palette[n] = (uint16_t)prng_next(&p);
@@ -752,7 +793,8 @@ static int format_case(uint64_t seed)
     };
     struct easel_tri t;
     struct easel_frame f[3];
-    random_tri(&p, &s, &unit, (enum uv_kind)prng_pick(&p, UV_KINDS), prng_pick(&p, 2) ? 1.2 : 16, &t);
+    random_tri(&p, &s, &unit, (enum uv_kind)prng_pick(&p, UV_KINDS), prng_pick(&p, 2) ? 1.2 : 16,
+               &t);
     s.smooth = (int)prng_pick(&p, 2);
     int ok = 1;
     for (int n = 0; n < 3; n++) {
@@ -772,14 +814,14 @@ static void three_formats_one_picture(void **state)
     CASES(format_case, 400);
 }
 
-/* ---- The whole pipeline ------------------------------------------------------------------------------ */
+/* ---- The whole pipeline --------------------------------------------------------------------- */
 
 #define GROUND_W 96
 #define GROUND_H 72
 
-/* A square of ground that runs from behind the eye to far away: at each pixel the true u and v, by the ray
- * through it. Corners are off by half a sub-pixel and camera units; new corners at near by half a step
- * of the mesh's uv. */
+/* A square of ground that runs from behind the eye to far away: at each pixel the true u and v, by
+ * the ray through it. Corners are off by half a sub-pixel and camera units; new corners at near by
+ * half a step of the mesh's uv. */
 static int ground_case(uint64_t seed)
 {
     static struct lone l;
@@ -787,9 +829,10 @@ static int ground_case(uint64_t seed)
     struct prng p = { seed };
     const int32_t half = 16000, scale = prng_range(&p, 1, 8), near = prng_range(&p, 50, 400);
     const double eye = prng_range(&p, 200, 3000); /* above the ground */
-    const int16_t pos[4][3] = { { -16000, 0, -16000 }, { -16000, 0, 16000 }, { 16000, 0, 16000 },
-                                { 16000, 0, -16000 } };
-    lone_set(&l, (const int16_t (*)[3])pos, 4, (zs_uq16_16)(scale * 65536));
+    const int16_t pos[4][3] = {
+        { -16000, 0, -16000 }, { -16000, 0, 16000 }, { 16000, 0, 16000 }, { 16000, 0, -16000 }
+    };
+    lone_set(&l, (const int16_t(*)[3])pos, 4, (zs_uq16_16)(scale * 65536));
     const int32_t repeat = prng_range(&p, 256, 8 * 4096);
     for (int k = 0; k < 4; k++)
         for (int axis = 0; axis < 2; axis++) {
@@ -797,7 +840,7 @@ static int ground_case(uint64_t seed)
             const int32_t v = far_end ? repeat : -repeat;
             uv[k][axis] = (int16_t)(v > 32767 ? 32767 : v);
         }
-    l.mesh.uv = (const int16_t (*)[2])uv;
+    l.mesh.uv = (const int16_t(*)[2])uv;
     l.mesh.uv_bits = 12;
     for (uint32_t i = 0; i < 65536; i++)
         numbers[i] = (uint16_t)i;
@@ -825,12 +868,14 @@ static int ground_case(uint64_t seed)
             if (f.key[at] == ZS_DEPTH_CLEAR)
                 continue;
             double exact[2], slack = 0;
-            for (int side = 0; side < 3; side++) { /* the sample; to the right; towards the horizon */
+            for (int side = 0; side < 3;
+                 side++) { /* the sample; to the right; towards the horizon */
                 const double dx = (i + 0.5 - GROUND_W / 2.0 + (side == 1 ? px : 0)) / focal;
                 const double dy = (GROUND_H / 2.0 - j - 0.5 + (side == 2 ? px : 0)) / focal;
                 const double z = -eye / dy, x = dx * z;
                 /* mesh = transpose(rot) (world), world = (x, -eye, -z) */
-                const double mesh[2] = { (r[0] * x + r[6] * -z) / scale, (r[2] * x + r[8] * -z) / scale };
+                const double mesh[2] = { (r[0] * x + r[6] * -z) / scale,
+                                         (r[2] * x + r[8] * -z) / scale };
                 for (int axis = 0; axis < 2; axis++) {
                     const double span = (uv[2][axis] - uv[0][axis]) / 4096.0 * 256;
                     const double first = uv[0][axis] / 4096.0 * 256;
@@ -852,10 +897,11 @@ static int ground_case(uint64_t seed)
                 tally.one_off += off > 0;
                 tally.worst = fmax(tally.worst, off - slack);
                 if (off > bound)
-                    ok = case_wrong("pixel (%d, %d), %s: texel %u, not %.4f; off %.4f, bound %.4f; yaw %u "
-                                    "scale %d eye %.0f near %d", i, j, axis ? "v" : "u", taken,
-                                    exact[axis] - 256 * floor(exact[axis] / 256), off, bound, yaw, scale,
-                                    eye, near);
+                    ok = case_wrong(
+                        "pixel (%d, %d), %s: texel %u, not %.4f; off %.4f, bound %.4f; yaw %u "
+                        "scale %d eye %.0f near %d",
+                        i, j, axis ? "v" : "u", taken, exact[axis] - 256 * floor(exact[axis] / 256),
+                        off, bound, yaw, scale, eye, near);
             }
         }
     picture_free(&f);
@@ -867,8 +913,9 @@ static void clipped_at_near_u_and_v_stay(void **state)
     (void)state;
     memset(&tally, 0, sizeof tally);
     CASES(ground_case, 250);
-    print_message("ground through the eye: %llu coordinates, at most %.4f texel beyond what snapping explains\n",
-                  (unsigned long long)tally.coordinates, tally.worst);
+    print_message(
+        "ground through the eye: %llu coordinates, at most %.4f texel beyond what snapping explains\n",
+        (unsigned long long)tally.coordinates, tally.worst);
     assert_true(tally.coordinates > 100000);
 }
 
@@ -889,15 +936,16 @@ static int flat_light_case(uint64_t seed)
     for (int i = 0; i < 64 * 64; i++)
         texel[i] = (uint16_t)prng_next(&p);
     const struct zs_texture texture = texture_of(texel, 6, 6, prng_pick(&p, 4));
-    lone_set(&l, (const int16_t (*)[3])pos, 3, ZS_Q16_ONE);
-    l.mesh.uv = (const int16_t (*)[2])uv;
+    lone_set(&l, (const int16_t(*)[3])pos, 3, ZS_Q16_ONE);
+    l.mesh.uv = (const int16_t(*)[2])uv;
     l.mesh.uv_bits = 12;
     l.mesh.face_raw = NULL;
     l.material.texture = &texture;
     l.material.shader = &zs_shade_texture;
     zs_pose_turn(&l.instance.pose, (zs_turn)prng_next(&p), (zs_turn)prng_next(&p), 0);
     l.instance.pose.pos[2] = -24000;
-    const int32_t dir[3] = { prng_range(&p, -99, 99), prng_range(&p, -99, 99), prng_range(&p, 1, 99) };
+    const int32_t dir[3] = { prng_range(&p, -99, 99), prng_range(&p, -99, 99),
+                             prng_range(&p, 1, 99) };
     (void)zs_unit(l.scene.light.dir, dir);
     l.scene.light.ambient = prng_pick(&p, 65537);
     l.scene.light.diffuse = prng_pick(&p, 65537);
@@ -918,15 +966,16 @@ static int flat_light_case(uint64_t seed)
         for (int j = 0; j < 3; j++)
             cosine += ldexp(l.instance.pose.rot[3 * i + j], -30) * normal[j] / sqrt(length) *
                       ldexp(l.scene.light.dir[i], -30);
-    const double intensity = (l.scene.light.ambient + l.scene.light.diffuse * fmax(0, cosine)) / 65536;
+    const double intensity = (l.scene.light.ambient + l.scene.light.diffuse * fmax(0, cosine)) /
+                             65536;
     int ok = !plain.err && !lit.err;
     for (int i = 0; i < 64 * 48 && ok; i++)
         for (int c = 0; c < 3 && ok && plain.key[i] != ZS_DEPTH_CLEAR; c++) {
             const double exact = fmin(code_of(plain.color[i], c) * intensity, most_code[c]);
             /* face normals of 15 bits */
             if (!channel_right(lit.color[i], c, exact, 63 * 2e-4))
-                ok = case_wrong("channel %d is %d, not %.4f: light %.5f", c, code_of(lit.color[i], c),
-                                exact, intensity);
+                ok = case_wrong("channel %d is %d, not %.4f: light %.5f", c,
+                                code_of(lit.color[i], c), exact, intensity);
         }
     picture_free(&plain);
     picture_free(&lit);
@@ -956,7 +1005,7 @@ static int invariance_case(uint64_t seed)
         palette[n] = (uint16_t)prng_next(&p);
     for (int i = 0; i < 128 * 64; i++)
         bytes[i] = (uint8_t)prng_next(&p);
-    const struct zs_texture texture = { &zs_texel_pal4, bytes, palette, 16, 7, 6,
+    const struct zs_texture texture = { &zs_texel_pal4,           bytes, palette, 16, 7, 6,
                                         (uint8_t)prng_pick(&p, 4) };
     if (seed % 2)
         shape_soup(&shape[0], 120, 9000, seed);
@@ -970,10 +1019,11 @@ static int invariance_case(uint64_t seed)
         for (uint32_t v = 0; v < shape[n].mesh.n_verts; v++)
             for (int axis = 0; axis < 2; axis++)
                 uv[n][v][axis] = (int16_t)prng_range(&p, -12000, 12000);
-        shape[n].mesh.uv = (const int16_t (*)[2])uv[n];
+        shape[n].mesh.uv = (const int16_t(*)[2])uv[n];
         shape[n].mesh.uv_bits = (uint8_t)prng_range(&p, 8, 15);
-        const struct zs_material m = { shaders[prng_pick(&p, 3)], { 0, 0, 0 }, (uint8_t)prng_pick(&p, 3),
-                                       &texture };
+        const struct zs_material m = {
+            shaders[prng_pick(&p, 3)], { 0, 0, 0 }, (uint8_t)prng_pick(&p, 3), &texture
+        };
         material[n] = m;
         in[n].mesh = &shape[n].mesh;
         in[n].material = &material[n];
@@ -989,7 +1039,8 @@ static int invariance_case(uint64_t seed)
         (void)zs_camera_orthographic(&camera, 30000, -9000, 60000);
     else
         (void)zs_camera_perspective(&camera, 10000, 60, 200, 60000);
-    const struct zs_config config = picture_config(80, 60, ortho ? &zs_depth_linear : mappings[seed % 6]);
+    const struct zs_config config = picture_config(80, 60,
+                                                   ortho ? &zs_depth_linear : mappings[seed % 6]);
     struct picture plain = picture_draw(&config, &scene, &camera);
     int ok = !plain.err && plain.covered > 100;
     if (!ok)
@@ -1017,20 +1068,19 @@ static void textured_whatever_strips_and_pools(void **state)
     CASES(invariance_case, 120);
 }
 
-static const struct CMUnitTest tests[] = {
-    cmocka_unit_test(texels_by_ratio_of_w),
-    cmocka_unit_test(stress_27_uv_at_a_w_ratio_of_16),
-    cmocka_unit_test(sizes_from_1_to_1024),
-    cmocka_unit_test(repeat_and_clamp_to_the_texel),
-    cmocka_unit_test(light_over_a_texture_against_doubles),
-    cmocka_unit_test(full_light_is_no_light),
-    cmocka_unit_test(moved_by_whole_pixels_the_same_texels),
-    cmocka_unit_test(mirrored_the_same_texels),
-    cmocka_unit_test(what_is_hidden_moves_no_texel),
-    cmocka_unit_test(three_formats_one_picture),
-    cmocka_unit_test(clipped_at_near_u_and_v_stay),
-    cmocka_unit_test(flat_light_over_a_texture_against_doubles),
-    cmocka_unit_test(textured_whatever_strips_and_pools)
-};
+static const struct CMUnitTest tests[] = { cmocka_unit_test(texels_by_ratio_of_w),
+                                           cmocka_unit_test(stress_27_uv_at_a_w_ratio_of_16),
+                                           cmocka_unit_test(sizes_from_1_to_1024),
+                                           cmocka_unit_test(repeat_and_clamp_to_the_texel),
+                                           cmocka_unit_test(light_over_a_texture_against_doubles),
+                                           cmocka_unit_test(full_light_is_no_light),
+                                           cmocka_unit_test(moved_by_whole_pixels_the_same_texels),
+                                           cmocka_unit_test(mirrored_the_same_texels),
+                                           cmocka_unit_test(what_is_hidden_moves_no_texel),
+                                           cmocka_unit_test(three_formats_one_picture),
+                                           cmocka_unit_test(clipped_at_near_u_and_v_stay),
+                                           cmocka_unit_test(
+                                               flat_light_over_a_texture_against_doubles),
+                                           cmocka_unit_test(textured_whatever_strips_and_pools) };
 
 CASES_MAIN(tests)
