@@ -275,18 +275,46 @@ struct polygon {
     int n;
 };
 
+/* Which way a triangle turns on the screen, from its corners in camera units, exactly: > 0 clockwise. Where all
+ * three are before the eye, the sign of a . (b x c) is that of the area. */
+static int sense_of(const struct zs_view *view, const struct zs_clip_vertex v[3])
+{
+    const int32_t *a = v[0].p.c, *b = v[1].p.c, *c = v[2].p.c; /* |.| < 2^30 + 2 */
+    if (!view->perspective) {
+        const int64_t left = ((int64_t)b[0] - a[0]) * ((int64_t)c[1] - a[1]);
+        const int64_t right = ((int64_t)c[0] - a[0]) * ((int64_t)b[1] - a[1]); /* |.| < 2^62.1 */
+        return (left > right) - (left < right);
+    }
+    int64_t high = 0, low = 0; /* the sum is high * 2^32 + low, 0 <= low < 2^32 */
+    for (int k = 0; k < 3; k++) {
+        const int i = (k + 1) % 3, j = (k + 2) % 3;
+        const int64_t n = (int64_t)b[i] * c[j] - (int64_t)b[j] * c[i]; /* |.| < 2^61.1 */
+        high += (n >> 32) * a[k];                                      /* |.| < 3 * 2^60 */
+        low += (int64_t)(uint32_t)n * a[k];                            /* |.| < 2^62.1 */
+        high += low >> 32;
+        low &= 0xffffffff;
+    }
+    return high < 0 ? -1 : high > 0 || low > 0;
+}
+
 /* The snapped polygon's area, and a corner whose fan has no piece of the other sense: rounding can turn a
- * corner inwards by a sub-pixel. A polygon that is seen nearly edge-on may have no such corner, because
- * snapping made it cross itself; its pieces of the other sense are dropped then (polygon_bin). That
- * leaves no hole: the samples of the right sense are all in pieces of the right sense, whose signed sum
- * the polygon is; it can draw beyond a thin polygon's edge, by less than a sub-pixel's width. */
-static int64_t fan_corner(const struct polygon *p, int *corner)
+ * corner inwards by a sub-pixel. The first such from the least (y, x) on, so that it does not matter which corner
+ * the triangle begins with. A polygon that is seen nearly edge-on may have none, because snapping made it cross
+ * itself, and its snapped area may even have the wrong sign: then the sense of the triangle before it was cut
+ * counts, and pieces of the other sense are dropped (polygon_bin). That leaves no hole: the samples of the right
+ * sense are all in pieces of the right sense, whose signed sum the polygon is; it can draw beyond a thin
+ * polygon's edge, by less than a sub-pixel's width. */
+static int64_t fan_corner(const struct polygon *p, int sense, int *corner)
 {
     int64_t area = 0;
+    int start = 0;
     for (int k = 1; k + 1 < p->n; k++)
         area += signed_area(&p->v[0], &p->v[k], &p->v[k + 1]); /* |.| < 7 * 2^45 */
-    *corner = 0;
-    for (int first = 0; first < p->n; first++) {
+    for (int k = 1; k < p->n; k++)
+        if (p->v[k].y < p->v[start].y || (p->v[k].y == p->v[start].y && p->v[k].x < p->v[start].x))
+            start = k;
+    for (int i = 0; i < p->n; i++) {
+        const int first = (start + i) % p->n;
         int good = 1;
         for (int k = 1; k + 1 < p->n; k++) {
             const int64_t piece = signed_area(&p->v[first], &p->v[(first + k) % p->n],
@@ -295,10 +323,11 @@ static int64_t fan_corner(const struct polygon *p, int *corner)
         }
         if (good) {
             *corner = first;
-            break;
+            return area;
         }
     }
-    return area;
+    *corner = start;
+    return sense;
 }
 
 static void polygon_project(struct zs_renderer *r, struct polygon *p)
@@ -329,11 +358,11 @@ static void polygon_push(struct zs_renderer *r, const struct polygon *p, const i
     bin_push(r, slot, paint, y0);
 }
 
-static enum fate polygon_bin(struct zs_renderer *r, const struct polygon *p, uint32_t t)
+static enum fate polygon_bin(struct zs_renderer *r, const struct polygon *p, uint32_t t, int sense)
 {
     const struct zs_material *material = r->xform.instance->material;
     int corner;
-    const int64_t area = fan_corner(p, &corner);
+    const int64_t area = fan_corner(p, sense, &corner);
     if (area == 0)
         return FATE_ZERO;
     if (faces_away(area, material->cull))
@@ -382,6 +411,7 @@ static enum fate triangle_clip(struct zs_renderer *r, uint32_t t)
         return FATE_OFFSCREEN;
     if (r->counting)
         r->stats.tris_clipped++;
+    const int sense = sense_of(&r->view, p.cv);
     p.n = zs_clip_polygon(&r->view, p.cv, 3, any & (ZS_OUT_NEAR | ZS_OUT_FAR), shader->n_attrs);
     for (int k = 0; k < p.n; k++) /* sides mean something only now */
         sides |= zs_xform_outcode(&r->view, &p.cv[k].p) & ZS_OUT_SIDES;
@@ -393,7 +423,7 @@ static enum fate triangle_clip(struct zs_renderer *r, uint32_t t)
     if (!p.n)
         return any & ZS_OUT_NEAR ? FATE_NEAR : FATE_FAR;
     polygon_project(r, &p);
-    return polygon_bin(r, &p, t);
+    return polygon_bin(r, &p, t, sense);
 }
 
 /* ---- The walk -------------------------------------------------------------------------------------- */
