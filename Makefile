@@ -47,6 +47,10 @@ bench: $(B)/.setup-test $(B)/gen/meshes.h
 depth: sim $(B)/.setup-test
 	@sh tests/checks/depth.sh $(B)
 
+## accuracy: how exact it is, against whole numbers and the double-precision reference; about a minute
+accuracy: sim
+	@$(B)/zsim accuracy
+
 ## sim: build/zsim
 sim: $(B)/.setup-sim
 	@$(MAKE) --no-print-directory -j2 $(B)/zsim
@@ -70,7 +74,7 @@ clean:
 ## help: this list
 help:
 	@sed -n 's/^## /    /p' Makefile
-.PHONY: all demo test fuzz bench depth sim pictures size stack check clean help test-programs fuzz-programs
+.PHONY: all demo test accuracy fuzz bench depth sim pictures size stack check clean help test-programs fuzz-programs
 
 $(B)/.setup-sim:
 	@mkdir -p $(B) && .ci/setup $(PKG_SIM) && touch $@

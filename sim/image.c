@@ -16,7 +16,7 @@
 
 #define PIXELS_MAX ((uint64_t)1 << 27)
 
-/* ---- Out of memory and files ------------------------------------------------------------------ */
+/* ---- Out of memory and files ----------------------------------------------------------------- */
 
 static int begin(struct sim_image *out, const char *name, uint64_t width, uint64_t height)
 {
@@ -129,7 +129,7 @@ void sim_image_free(struct sim_image *image)
     memset(image, 0, sizeof *image);
 }
 
-/* ---- Into streams ------------------------------------------------------------------------------ */
+/* ---- Into streams ---------------------------------------------------------------------------- */
 
 void sim_rgb565_expand(uint8_t rgb[3], uint16_t c)
 {

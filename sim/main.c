@@ -5,6 +5,7 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "accuracy.h"
 #include "convert.h"
 #include "demo.h"
 #include "depths.h"
@@ -18,6 +19,7 @@ static const struct {
     { "render", "a model file to a frame", sim_render },
     { "convert", "a model or picture to const C for firmware", sim_convert },
     { "demo", "the demo scenes to numbered frames and a table", sim_demo },
+    { "accuracy", "how exact the renderer is: a table, measured", sim_accuracy },
     { "depths", "which depth mapping tells surfaces apart, and how far", sim_depths },
 };
 

@@ -13,7 +13,7 @@
 
 #include "sim.h"
 
-/* ---- What a material says ---------------------------------------------------------------------- */
+/* ---- What a material says -------------------------------------------------------------------- */
 
 /* Its diffuse texture's slot; aiTextureType_NONE where it has none. */
 static enum aiTextureType slot_of(const struct aiMaterial *material, struct aiString *path)
@@ -94,7 +94,7 @@ void sim_material_use(struct sim_use *out, const struct aiMaterial *material,
         out->factor[k] = out->factor[k] > 0.0 ? fmin(out->factor[k], 1.0) : 0.0;
 }
 
-/* ---- Pictures ---------------------------------------------------------------------------------- */
+/* ---- Pictures -------------------------------------------------------------------------------- */
 
 static int is_file(const char *path)
 {
@@ -186,12 +186,13 @@ static int decode_embedded(struct sim_image *out, const char *name, const struct
     return SIM_OK;
 }
 
-/* ---- Textures ---------------------------------------------------------------------------------- */
+/* ---- Textures -------------------------------------------------------------------------------- */
 
 static int add_texture(struct sim_model *model, struct sim_image *image, const char *name,
                        const double factor[3], uint8_t clamp)
 {
-    model->texture = sim_grow(model->texture, (size_t)model->n_textures + 1, sizeof *model->texture);
+    const size_t n = (size_t)model->n_textures + 1;
+    model->texture = sim_grow(model->texture, n, sizeof *model->texture);
     struct sim_texture *t = &model->texture[model->n_textures++];
     sim_texture_make(t, image, name, factor);
     t->clamp = clamp;
@@ -216,7 +217,8 @@ static int load_texture(struct sim_model *model, const struct aiScene *scene,
         status = name != NULL
                      ? sim_image_load(&image, name)
                      : sim_refuse(model->file, 0,
-                                  "its texture '%s' is missing; put it beside the model", use->path);
+                                  "its texture '%s' is missing; put it beside the model",
+                                  use->path);
     }
     if (status == SIM_OK)
         status = add_texture(model, &image, name, use->factor, clamp);

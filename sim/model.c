@@ -91,7 +91,7 @@ static int read_file(struct load *l)
     return SIM_OK;
 }
 
-/* ---- Files for assimp: the cleaned text in place of the model, and its material files --------- */
+/* ---- Files for assimp: the cleaned text in place of the model, and its material files -------- */
 
 struct stream {
     struct aiFile file;
@@ -474,8 +474,8 @@ static void take_position(struct load *l, const struct aiVector3D *v, const doub
             *ok = 0;
 }
 
-/* The texture coordinates of the corner whose position was taken last; 0 where it has none. OBJ: the
- * scan's. */
+/* The texture coordinates of the corner whose position was taken last; 0 where it has none.
+ * OBJ: the scan's. */
 static int take_uv(struct load *l, const struct aiMesh *mesh, unsigned v,
                    const struct sim_use *use, double out[2])
 {
@@ -566,7 +566,7 @@ static int add_face(struct load *l, const struct aiMesh *mesh, const struct aiFa
         last = now;
     }
     for (uint32_t t = first_tri; !has_uv && model->uv != NULL && t < model->n_tris; t++) {
-        memset(model->uv[t], 0, sizeof model->uv[t]); /* a later corner has none: no corner counts */
+        memset(model->uv[t], 0, sizeof model->uv[t]); /* a later corner has none: none counts */
         model->has_uv[t] = 0;
     }
     return ok ? SIM_OK

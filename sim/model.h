@@ -45,12 +45,12 @@ enum sim_wrap { SIM_WRAP_FILE, SIM_WRAP_REPEAT, SIM_WRAP_CLAMP };
 
 /* What of a model is wanted besides its shape and colours. All zero: nothing. */
 struct sim_want {
-    int normals;  /* flag: fill normal, from the file where it has them, else from the faces around a
-                     point, weighted by their angles there */
+    int normals;  /* flag: fill normal, from the file where it has them, else from the faces around
+                     a point, weighted by their angles there */
     int textures; /* flag: fill uv, has_uv and texture */
-    const char *picture;        /* with textures: this file for all faces in place of the model's own;
-                                   NULL: its own */
-    enum sim_wrap wrap;         /* with textures: as the file says, or one mode for all, both ways */
+    const char *picture;        /* with textures: this file for all faces in place of the model's
+                                   own; NULL: its own */
+    enum sim_wrap wrap;         /* with textures: as the file says, or one mode for all, both axes */
     const struct zs_rgb *color; /* of everything; NULL: as below */
 };
 
@@ -61,8 +61,8 @@ struct sim_want {
  * Textures: OBJ with MTL (map_Kd with -s, -o and -clamp, times Kd unless that is black), glTF
  * (baseColorTexture, times baseColorFactor), and what else assimp gives as diffuse texture; PNG or
  * JPEG, in files, data URIs or the model itself. A file is looked for at the path that the model
- * gives, from the model's folder, then under its bare name there. Refused: a picture that is missing
- * or broken; want->picture where no face has uv; mirrored repeat where a face leaves the picture,
+ * gives, from the model's folder, then under its bare name there. Refused: a picture that is
+ * missing or broken; want->picture where no face has uv; mirrored repeat where a face leaves the picture,
  * unless want->wrap says otherwise; uv that a material rotates. Vertex colours are not multiplied
  * into textures, and alpha is dropped.
  *

@@ -45,11 +45,12 @@ const char sim_options_help[] =
     "Look\n"
     "  --shade id|flat|smooth|textured|textured-flat|unlit (flat)\n"
     "                       textured: texels times smooth light, textured-flat: times a face's,\n"
-    "                       unlit: texels alone; faces without a texture: smooth, flat, as they are\n"
+    "                       unlit: texels alone; faces without a texture: smooth, flat, raw\n"
     "  --texture T.png      one picture (PNG or JPEG) for all faces in place of the model's own.\n"
     "                       A side that is no power of two up to 1024 becomes the nearest one by\n"
     "                       averaging areas (texture_resampled of --stats); alpha is dropped\n"
-    "  --texture-format 565 how texels are stored (565)\n"
+    "  --texture-format 565|pal8|pal4\n"
+    "                       how texels are stored: RGB565, or 256 or 16 colours of it (565)\n"
     "  --wrap repeat|clamp  beyond the picture's border (as the model says, else repeat)\n"
     "  --cull back|front|none (back)\n"
     "  --background RRGGBB (000000)\n"
@@ -111,7 +112,7 @@ static const struct option table[] = {
     { "--depth", KIND_CHOICE, AT(depth), 0, 0, 0, "recip|linear|e3m13|e4m12|e5m11|float" },
     { "--shade", KIND_CHOICE, AT(shade), 0, 0, 0, "id|flat|smooth|textured|textured-flat|unlit" },
     { "--texture", KIND_FILE, AT(texture), 0, 0, 0, NULL },
-    { "--texture-format", KIND_CHOICE, AT(texel), 0, 0, 0, "565" },
+    { "--texture-format", KIND_CHOICE, AT(texel), 0, 0, 0, "565|pal8|pal4" },
     { "--wrap", KIND_CHOICE, AT(clamp), AT(has_wrap), 0, 0, "repeat|clamp" },
     { "--cull", KIND_CHOICE, AT(cull), 0, 0, 0, "back|front|none" },
     { "--reference", KIND_FLAG, AT(reference), 0, 0, 0, NULL },

@@ -24,7 +24,7 @@ enum sim_depth {
     SIM_DEPTH_FLOAT,  /* the one of the three that far / near asks for: see sim_depth_of */
     SIM_DEPTH_DEFAULT /* float; orthographic: linear */
 };
-enum sim_texel { SIM_TEXEL_565 };
+enum sim_texel { SIM_TEXEL_565, SIM_TEXEL_PAL8, SIM_TEXEL_PAL4 };
 
 /* has_* is 0 where the user said nothing and the simulator chooses. Strings point into argv. */
 struct sim_options {

@@ -19,7 +19,8 @@ struct sim_original {
     struct ref_depth depth;
 };
 
-/* Draw it with the same camera, colours and light. The model must outlive *out. SIM_OK; SIM_REFUSED, said why, *out empty. */
+/* Draw it with the same camera, colours and light. The model must outlive *out.
+ * SIM_OK; SIM_REFUSED, said why, *out empty. */
 int sim_original_render(struct sim_original *out, const struct sim_model *model,
                         const struct sim_view *view, const struct sim_options *o);
 void sim_original_free(struct sim_original *original);

@@ -8,8 +8,8 @@
  * model allow, so that they use 2^28 .. 2^29 of the world. The far plane may be 2^15 times farther. Where
  * half a unit would be more than OFF_MAX_PX on the screen, the camera is refused: better than a wrong picture.
  *
- * Texture coordinates: a part has as many uv bits as the range of its int16 allows. Whole repeats are
- * taken off the part as a whole; where the coordinates could then not be held to 1/16 texel, off
+ * Texture coordinates: a part has as many uv bits as the range of its int16 allows. Whole repeats
+ * are taken off the part as a whole; where the coordinates could then not be held to 1/16 texel, off
  * every triangle, which splits the vertices that it shares with one that is moved otherwise. Where
  * even that does not do, the model is refused: cutting a face would change which pixels it covers.
  *
@@ -217,7 +217,7 @@ struct key {
     int16_t uv[2];
 };
 
-/* How the texture coordinates of a run of triangles become integers: (uv - whole repeats) * 2^bits. */
+/* How the texture coordinates of a run of triangles become integers: (uv - repeats) * 2^bits. */
 struct uv_grid {
     const struct sim_texture *texture; /* NULL: the run has none, and nothing else counts */
     int bits;
@@ -241,7 +241,7 @@ struct build {
     double scale; /* world units to a mesh step */
 };
 
-/* ---- Texture coordinates ----------------------------------------------------------------------- */
+/* ---- Texture coordinates --------------------------------------------------------------------- */
 
 /* What one of a triangle's coordinates is before its run's repeats are taken off. */
 static double uv_placed(const struct sim_model *model, const struct uv_grid *g, uint32_t t, int k,
@@ -260,7 +260,7 @@ static double uv_exact(const struct sim_model *model, const struct uv_grid *g, u
     return ldexp(uv_placed(model, g, t, k, axis) - g->repeats[axis], g->bits);
 }
 
-/* Bits and repeats for the range of triangles first .. end - 1; -1 bits where int16 cannot hold it. */
+/* Bits and repeats for triangles first .. end - 1; -1 bits where int16 cannot hold their range. */
 static void uv_fit(struct uv_grid *g, const struct sim_model *model, uint32_t first, uint32_t end)
 {
     g->bits = UV_BITS_MAX;
@@ -330,7 +330,7 @@ static int uv_choose(struct build *b, uint32_t first, uint32_t end)
     return SIM_OK;
 }
 
-/* ---- Vertices ------------------------------------------------------------------------------------ */
+/* ---- Vertices -------------------------------------------------------------------------------- */
 
 static struct key corner_key(const struct build *b, uint32_t t, int k)
 {
@@ -558,13 +558,57 @@ static void build_instances(struct sim_scene *s)
     s->scene.n_instances = s->n_parts;
 }
 
-static void build_texture(struct zs_texture *out, const struct sim_texture *from)
+/* Palette and indices; pal4 takes two columns and more, a single one is stored as pal8. */
+static void build_indices(struct zs_texture *out, uint16_t palette[SIM_PALETTE_MAX],
+                          const struct sim_pixels *from, enum sim_texel texel)
 {
+    const size_t n = (size_t)from->w * from->h;
+    const int halves = texel == SIM_TEXEL_PAL4 && from->w > 1;
+    uint8_t *index = sim_alloc(n, 1);
+    out->format = halves ? &zs_texel_pal4 : &zs_texel_pal8;
+    out->palette = palette;
+    out->n_colors = (uint16_t)sim_palette_build(palette, texel == SIM_TEXEL_PAL4 ? 16u : 256u, from);
+    sim_palette_map(index, from, palette, out->n_colors, 0);
+    for (size_t i = 0; halves && i < n / 2; i++)
+        index[i] = (uint8_t)(index[2 * i] | index[2 * i + 1] << 4);
+    out->texel = index;
+}
+
+static uint16_t texel_code(const struct zs_texture *t, size_t i)
+{
+    const uint8_t *index = t->texel;
+    if (t->format == &zs_texel_565)
+        return ((const uint16_t *)t->texel)[i];
+    return t->palette[t->format == &zs_texel_pal8 ? index[i] : index[i / 2] >> i % 2 * 4 & 15];
+}
+
+static double loss_db(const struct zs_texture *t, const struct sim_pixels *from)
+{
+    const size_t n = (size_t)from->w * from->h;
+    uint16_t *code = sim_alloc(n, sizeof *code);
+    for (size_t i = 0; i < n; i++)
+        code[i] = texel_code(t, i);
+    const double psnr_db = sim_rgb565_loss(from, code).psnr_db;
+    free(code);
+    return psnr_db;
+}
+
+static void build_texture(struct sim_scene *s, uint32_t i, const struct sim_texture *from,
+                          enum sim_texel texel)
+{
+    const struct sim_pixels pixels = { from->image.width, from->image.height,
+                                       (const uint8_t(*)[3])from->image.rgb };
+    struct zs_texture *out = &s->texture[i];
     *out = (struct zs_texture){ .format = &zs_texel_565,
-                                .texel = sim_texture_565(from),
-                                .log2_w = sim_texture_log2(from->image.width),
-                                .log2_h = sim_texture_log2(from->image.height),
+                                .log2_w = sim_texture_log2(pixels.w),
+                                .log2_h = sim_texture_log2(pixels.h),
                                 .clamp = from->clamp };
+    if (texel == SIM_TEXEL_565)
+        out->texel = sim_texture_565(from);
+    else
+        build_indices(out, s->palette[i], &pixels, texel);
+    s->psnr_db = fmin(s->psnr_db, loss_db(out, &pixels));
+    sim_progress("textures", i, s->n_textures);
 }
 
 static void build_materials(struct sim_scene *s, const struct sim_model *model,
@@ -579,13 +623,15 @@ static void build_materials(struct sim_scene *s, const struct sim_model *model,
                                                                      : &zs_shade_texture_flat;
     s->n_textures = sim_options_textured(o) ? model->n_textures : 0;
     s->texture = sim_alloc(s->n_textures, sizeof *s->texture);
+    s->palette = sim_alloc(s->n_textures, sizeof *s->palette);
+    s->psnr_db = INFINITY;
     s->material = sim_alloc((size_t)s->n_textures + 1, sizeof *s->material);
     for (uint32_t i = 0; i <= s->n_textures; i++) {
         s->material[i] = (struct zs_material){ .shader = i > 0 ? textured : plain,
                                                .rgb = { 204, 204, 204 },
                                                .cull = (uint8_t)o->cull };
         if (i > 0) {
-            build_texture(&s->texture[i - 1], &model->texture[i - 1]);
+            build_texture(s, i - 1, &model->texture[i - 1], o->texel);
             s->material[i].texture = &s->texture[i - 1];
         }
     }
@@ -635,6 +681,7 @@ void sim_scene_free(struct sim_scene *scene)
     for (uint32_t i = 0; i < scene->n_textures; i++)
         free((void *)(uintptr_t)scene->texture[i].texel);
     free(scene->texture);
+    free(scene->palette);
     free(scene->material);
     free(scene->part);
     free(scene->instance);

@@ -6,6 +6,7 @@
 #define SIM_QUANTISE_H
 
 #include "model.h"
+#include "palette.h"
 #include "view.h"
 #include "zstrip.h"
 
@@ -30,6 +31,7 @@ struct sim_scene {
     struct zs_camera camera;
     struct zs_material *material; /* [n_textures + 1]: faces without a texture, then by texture */
     struct zs_texture *texture;   /* [n_textures] */
+    uint16_t (*palette)[SIM_PALETTE_MAX]; /* [n_textures] */
     uint32_t n_textures;
     struct zs_instance *instance; /* [n_parts] */
     struct sim_part *part;        /* [n_parts] */
@@ -39,6 +41,7 @@ struct sim_scene {
     double error;                 /* largest |position - its place on the grid|, model units */
     double uv_error;              /* the same of texture coordinates, texels; at most 1/16 */
     uint32_t uv_bits_least;       /* of all textured parts; 0 where there are none */
+    double psnr_db; /* least of all textures as they are stored against 8 bits a channel; INFINITY */
 };
 
 /* Quantise for one view. The scene points into *out: do not move it.

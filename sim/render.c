@@ -249,6 +249,7 @@ static void write_stats(FILE *f, const struct job *job)
         sim_json_number(&json, "world_unit", job->scene.unit);
         sim_json_number(&json, "uv_bits_least", job->scene.uv_bits_least);
         sim_json_number(&json, "uv_error_texels", job->scene.uv_error);
+        sim_json_number(&json, "texture_psnr_db", fmin(job->scene.psnr_db, 999.0));
     }
     if (o->compare)
         stats_diff(&json, &job->diff);
@@ -347,7 +348,8 @@ static void print_diff(const struct ref_diff *d)
         d->channel_max_diff, d->psnr_db);
     if (d->texels > 0)
         (void)printf("Texels: %zu of %zu are not the reference's, %zu of them more than 1/8 texel "
-                     "from where they belong (at most %.3f). Colours are compared where they are.\n",
+                     "from where they belong (at most %.3f). Colours are compared where they "
+                     "are.\n",
                      d->texel_differ, d->texels, d->texel_far, d->texel_max_distance);
 }
 

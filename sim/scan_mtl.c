@@ -127,9 +127,9 @@ static void take_line(struct sim_mtl *mtl, const char *at, const char *end)
     if (!next_word(&at, end, &w))
         return;
     if (is(&w, "newmtl")) {
-        char *name = rest(at, end);
+        char *given = rest(at, end), *name = given != NULL ? given : sim_alloc(1, 1);
         mtl->entry = sim_grow(mtl->entry, mtl->n + 1, sizeof *mtl->entry);
-        mtl->entry[mtl->n++] = (struct sim_mtl_entry){ .name = name != NULL ? name : sim_alloc(1, 1),
+        mtl->entry[mtl->n++] = (struct sim_mtl_entry){ .name = name,
                                                        .kd = { 1.0, 1.0, 1.0 },
                                                        .scale = { 1.0, 1.0 } };
     } else if (mtl->n > 0 && is(&w, "Kd")) {

@@ -151,7 +151,7 @@ same quad again
 begin defaults
 draw defaults ball.obj
 draw given ball.obj --size 240x240 --strip 16 --up 0,1,0 --fov 45 --projection perspective \
-    --depth recip --depth-bits 16 --shade flat --cull back --subpixel 8 --background 000000
+    --depth float --depth-bits 16 --shade flat --cull back --subpixel 8 --background 000000
 same defaults given
 cmp -s out/defaults.json out/given.json || wrong "their statistics differ"
 
@@ -215,7 +215,7 @@ for bits in 8 9 10 11 12 13 14 15 16; do
     look pgm out/bits.pgm 240 240
     is "linear keys at $bits bits" "$seen" "10000 $((1 << (bits - 2))) $((1 << (bits - 2)))"
     # (1/20 - 1/120) / (1/20 - 1/420) = 0.875
-    draw bits quad.obj --eye 0,0,120 --at 0,0,0 --fov 90 --near 20 --far 420 --depth-bits $bits
+    draw bits quad.obj --eye 0,0,120 --at 0,0,0 --fov 90 --near 20 --far 420 --depth recip --depth-bits $bits
     want=$((((1 << bits) - 1) * 7 / 8))
     look pgm out/bits.pgm 240 240
     is "recip keys at $bits bits" "$seen" "10000 $want $want"

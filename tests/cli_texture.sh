@@ -85,6 +85,7 @@ bin='"uri":"quad.bin","byteLength":92'
 # ---- Models -----------------------------------------------------------------------------------------
 ./fixture png rgb four.png 2 2 $four
 ./fixture numbers numbers.png
+./fixture png rgb white.png 1 1 ffffff
 quad_bin >quad.bin
 quad_obj four 'map_Kd four.png'
 uv_obj bare 0 0 1 1
@@ -288,6 +289,26 @@ begin unlit_is_the_texel_exactly
 draw one bare.obj $plain --shade unlit --texture one.png --light 0,0,-1 --ambient 0.1
 quarters one 080c10 f7fbef 7b7d7b 849ea5
 
+begin texel_formats
+for format in 565 pal8 pal4; do
+    draw stored four.obj $plain --shade unlit --texture-format $format # four colours fit
+    same four stored
+    is "loss of $format" "$(stat_of stored texture_psnr_db)" 999
+    draw stored bare.obj $plain --shade unlit --texture white.png --texture-format $format
+    quarters stored ffffff ffffff ffffff ffffff # 1 x 1
+    z render ball.obj --shade unlit --texture numbers.png --texture-format $format --out "out/$format.png" \
+        --compare --stats "out/$format.json"
+    is "texels that differ" "$(stat_of $format compare_texel_differ)" "$(stat_of 565 compare_texel_differ)"
+done
+look png out/pal4.png # the background is one more
+[ "$(word 3 $seen)" -le 17 ] || wrong "pal4 shows $(word 3 $seen) colours"
+look png out/pal8.png
+[ "$(word 3 $seen)" -gt 17 ] && [ "$(word 3 $seen)" -le 257 ] || wrong "pal8 shows $(word 3 $seen) colours"
+at_least "loss of pal8, dB" "$(stat_of pal8 texture_psnr_db)" 30
+at_least "loss of pal4, dB" "$(stat_of pal4 texture_psnr_db)" 19
+at_least "loss of pal8 beyond that of pal4, dB" "$(stat_of pal8 texture_psnr_db)" \
+    "$(stat_of pal4 texture_psnr_db)"
+
 begin light_times_texel
 for shade in textured textured-flat; do
     both lit four.obj $plain --shade $shade --light 0,0,1
@@ -306,7 +327,6 @@ done
 begin smooth_light_between_vertices
 obj normals 'v -50 -50 0' 'v 50 -50 0' 'v 50 50 0' 'v -50 50 0' 'vt 0 0' 'vt 1 0' 'vt 1 1' 'vt 0 1' \
     'vn 0 0 1' 'vn 1 0 0' 'f 1/1/1 2/2/2 3/3/2 4/4/1'
-./fixture png rgb white.png 1 1 ffffff
 both shaded normals.obj $plain --shade textured --texture white.png --light 0,0,1 --ambient 0.25 --diffuse 0.75
 # 1 at the left edge, 1/4 at the right: at pixel x, 1 - 0.75 (x - 69.5) / 100, in 31sts and 63rds
 for x in 70 90 119 120 150 169; do
@@ -366,12 +386,13 @@ for how in '--strip 1' '--strip 240' '--tris 7' '--verts 9' '--buffers 1' '--ski
     same whole part
 done
 
-# Faces 1 and 2: four.png; 3 and 4: a colour; 5 and 6: numbers.png; 7 and 8: four.png without uv
+# Faces 1 and 2: four.png; 3 and 4: a colour; 5 and 6: numbers.png; 7 and 8: four.png, but
+# one corner has no uv, so the face has none
 begin materials_in_file_order
 obj mixed 'mtllib mixed.mtl' 'v -50 -50 0' 'v 0 -50 0' 'v 0 0 0' 'v -50 0 0' 'v 50 -50 0' 'v 50 0 0' \
     'v 0 50 0' 'v -50 50 0' 'v 50 50 0' 'vt 0 0' 'vt 1 0' 'vt 1 1' 'vt 0 1' \
     'usemtl A' 'f 4/1 3/2 7/3 8/4' 'usemtl B' 'f 3/1 6/2 9/3 7/4' 'usemtl C' 'f 1/1 2/2 3/3 4/4' \
-    'usemtl A' 'f 2 5 6 3'
+    'usemtl A' 'f 2/1 5/2 6/3 3'
 printf '%s\n' 'newmtl A' 'Kd 1 1 1' 'map_Kd four.png' 'newmtl B' 'Kd 0 1 0' 'newmtl C' \
     'map_Kd numbers.png' >mixed.mtl
 draw mixed mixed.obj $plain --shade unlit
@@ -446,6 +467,17 @@ for depth in 3:e3m13 4:e4m12 5:e5m11; do
             done
         done
     done
+done
+
+begin float_depth_is_the_default
+for case in '20 2560 e3m13' '20 2570 e4m12' '1 32700 e4m12' '1 33000 e5m11'; do
+    set -- $case
+    draw float quad.obj --eye 0,0,120 --at 0,0,0 --fov 90 --near $1 --far $2
+    draw named quad.obj --eye 0,0,120 --at 0,0,0 --fov 90 --near $1 --far $2 --depth $3
+    same float named
+    draw ref quad.obj --reference --eye 0,0,120 --at 0,0,0 --fov 90 --near $1 --far $2 --depth float
+    look keys out/float.pgm out/ref.pgm
+    is "keys of ours and the reference, $case" "$seen" "10000 0 0"
 done
 
 begin float_depth_ours
@@ -523,7 +555,7 @@ else
     n_failed=$((n_failed + 1))
 fi
 
-for pair in '--shade Textured' '--wrap mirror' '--texture-format 332' '--depth e6m10'; do
+for pair in '--shade Textured' '--wrap mirror' '--texture-format 332' '--texture-format pal2' '--depth e6m10'; do
     usage "$(echo "${pair#--}" | tr -c 'A-Za-z0-9\n' _)" "${pair%% *}" render quad.obj --out refused/x.png $pair
 done
 for option in --texture --texture-format --wrap; do

@@ -8,6 +8,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "oracle.h"
 #include "pipeline.h"
 
 struct easel easel_default(int32_t width, int32_t height)
@@ -24,7 +25,7 @@ static void must(int ok, const char *what)
     }
 }
 
-static void fill_pools(struct zs_renderer *r, const struct easel_tri *t, uint32_t n)
+static void fill_pools(struct zs_renderer *r, const struct easel_tri *t, uint32_t n, uint32_t n_states)
 {
     for (uint32_t s = 0; s < r->n_strips; s++)
         r->bin[s] = ZS_NIL;
@@ -46,7 +47,8 @@ static void fill_pools(struct zs_renderer *r, const struct easel_tri *t, uint32_
             continue;
         const int32_t strip = row / r->config.strip_h;
         r->tri[k].paint = zs_wire16((uint16_t)(k + 1));
-        r->tri[k].instance = 0;
+        r->tri[k].instance = n_states ? (uint16_t)t[k].state : 0u; /* not set by tests without states */
+        must(r->tri[k].instance <= n_states, "state");
         r->tri[k].next = r->bin[strip];
         r->bin[strip] = (uint16_t)k;
     }
@@ -56,32 +58,53 @@ static void fill_pools(struct zs_renderer *r, const struct easel_tri *t, uint32_
     r->band_end = r->n_strips; /* bins are complete: no walk */
 }
 
+static const struct zs_shader *shader_of(const struct easel *s)
+{
+    if (s->texture)
+        return s->smooth ? &zs_shade_texture_smooth : &zs_shade_texture;
+    return s->smooth ? &zs_shade_smooth : &zs_shade_raw;
+}
+
+static uint32_t attrs_of(const struct easel *s)
+{
+    if (s->texture)
+        return s->smooth ? ZS_ATTRS_TEXTURE_SMOOTH : ZS_ATTRS_TEXTURE;
+    return s->smooth ? ZS_ATTRS_SMOOTH : ZS_ATTRS_FLAT;
+}
+
 void easel_draw(const struct easel *s, const struct easel_tri *t, uint32_t n,
                 struct easel_frame *out)
 {
     struct zs_renderer r;
     const struct zs_config config = {
         (uint16_t)s->width, (uint16_t)s->height, (uint16_t)s->strip_h, (uint16_t)(n ? n : 1),
-        (uint16_t)(n ? 3 * n : 3), s->smooth ? ZS_ATTRS_SMOOTH : ZS_ATTRS_FLAT, 1, 8,
-        (uint8_t)s->depth_bits, 0, s->depth
+        (uint16_t)(n ? 3 * n : 3), (uint8_t)attrs_of(s), 1, 8, (uint8_t)s->depth_bits, 0, s->depth
     };
     const uint32_t bytes = zs_arena_bytes(&config);
     void *arena = malloc(bytes);
     must(arena && zs_init(&r, &config, arena, bytes) == ZS_OK, "zs_init");
 
     static const zs_q1_15 normal[1][3] = { { 0, 0, 32767 } };
-    struct zs_mesh mesh = { .scale = ZS_Q16_ONE, .normal = normal, .radius = 1 };
-    const struct zs_material material = { s->smooth ? &zs_shade_smooth : &zs_shade_raw,
-                                          { 0, 0, 0 }, ZS_CULL_NONE };
-    struct zs_instance instance = { &mesh, &material, { { 0 }, { 0 }, 0 } };
-    struct zs_scene scene = { .instance = &instance, .n_instances = 1 };
+    static const int16_t uv[1][2] = { { 0, 0 } };
+    struct zs_mesh mesh = { .scale = ZS_Q16_ONE, .normal = normal, .radius = 1, .uv = uv,
+                            .uv_bits = (uint8_t)s->uv_bits };
+    const struct zs_material material = { shader_of(s), { 0, 0, 0 }, ZS_CULL_NONE, s->texture };
+    struct zs_instance instance[EASEL_STATES_MAX + 1];
+    memset(instance, 0, sizeof instance);
+    must(s->n_states <= EASEL_STATES_MAX, "states");
+    for (uint32_t k = 0; k <= s->n_states; k++) {
+        instance[k].mesh = &mesh;
+        instance[k].material = &material;
+        zs_pose_identity(&instance[k].pose);
+        instance[k].pose.pos[2] = -s->z_far; /* in view: the camera unit reaches to the far plane */
+        instance[k].state = k ? &s->state[k - 1] : NULL;
+    }
+    struct zs_scene scene = { .instance = instance, .n_instances = s->n_states + 1 };
     struct zs_camera camera;
     must(zs_camera_perspective(&camera, 8192, (uint16_t)s->height, s->z_near, s->z_far) == ZS_OK,
          "camera");
-    zs_pose_identity(&instance.pose);
-    instance.pose.pos[2] = -s->z_far; /* in view: the camera unit reaches to the far plane */
     must(zs_frame_begin(&r, &scene, &camera) == ZS_OK, "zs_frame_begin");
-    fill_pools(&r, t, n);
+    fill_pools(&r, t, n, s->n_states);
 
     const size_t n_px = (size_t)s->width * (size_t)s->height;
     out->color = malloc(n_px * 2);
@@ -112,4 +135,20 @@ void easel_free(struct easel_frame *f)
     free(f->color);
     free(f->key);
     f->color = f->key = NULL;
+}
+
+int easel_float_bits(const struct zs_depth *depth)
+{
+    return depth == &zs_depth_e3m13 ? 3 : depth == &zs_depth_e4m12 ? 4 : depth == &zs_depth_e5m11 ? 5 : 0;
+}
+
+int64_t easel_inverse(const struct easel *s, const struct easel_frame *f, const uint32_t d[3], int k)
+{
+    const struct oracle_float as_float = { easel_float_bits(s->depth), s->depth_bits };
+    if (as_float.e)
+        return (int64_t)oracle_float_r(&as_float, d[k]);
+    if (s->depth == &zs_depth_linear) /* 1 / z times the product of all three */
+        return (int64_t)d[(k + 1) % 3] * d[(k + 2) % 3];
+    const int64_t above = (int64_t)(f->key_far * 65536.0) - d[k]; /* the reciprocal mapping */
+    return above > 0 ? above : 1;
 }

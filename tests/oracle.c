@@ -76,6 +76,99 @@ double oracle_key_error(const struct oracle_tri *t, const uint32_t d[3], int i, 
     return (double)off / ((double)area * 65536.0);
 }
 
+/* ---- Float keys ------------------------------------------------------------------------------ */
+
+/* A code is 2^bits - key. With j = 2^e - 2 - k it is j 2^m + r 2^(k + 1 + m), the second term at most
+ * 2^(m + 1): so j = 0 up to 2^(m + 1), then one more every 2^m. */
+
+static int mantissa(const struct oracle_float *f)
+{
+    return f->bits - f->e;
+}
+
+static int k_most(const struct oracle_float *f)
+{
+    return (1 << f->e) - 2;
+}
+
+int oracle_float_scale(const struct oracle_float *f)
+{
+    return k_most(f) + 1 + mantissa(f) + 16;
+}
+
+uint64_t oracle_float_r(const struct oracle_float *f, uint32_t d)
+{
+    const int m = mantissa(f) + 16;
+    const uint64_t code = ((uint64_t)1 << (f->bits + 16)) - d; /* 16 fraction bits */
+    int64_t j = (int64_t)(code >> m) - 1;
+    j = j < 0 ? 0 : j > k_most(f) ? k_most(f) : j;
+    /* r 2^(k + 1 + m) = code - j 2^m, and k = k_most - j */
+    return (code - ((uint64_t)j << m)) << j;
+}
+
+double oracle_float_key(const struct oracle_float *f, double r)
+{
+    int k = 0;
+    while (k < k_most(f) && ldexp(r, k + 1) < 1)
+        k++;
+    return ldexp(1, f->bits) - ldexp(k_most(f) - k, mantissa(f)) - ldexp(r, k + 1 + mantissa(f));
+}
+
+uint32_t oracle_float_d(const struct oracle_float *f, double r)
+{
+    const double d = floor(oracle_float_key(f, r) * 65536 + 0.5), most = (ldexp(1, f->bits) - 1) * 65536;
+    return (uint32_t)(d < 0 ? 0 : d > most ? most : d);
+}
+
+/* The plane's r at a sample as sum / (area 2^scale), and the j of it. */
+static __int128 float_sum(const struct oracle_float *f, const struct oracle_tri *t,
+                          const uint32_t d[3], int i, int j, int64_t *area, int *octave)
+{
+    int64_t w[3];
+    __int128 sum = 0; /* < 2^45 * 2^58 */
+    oracle_weights(t, i, j, w);
+    *area = oracle_area(t);
+    *area = *area < 0 ? -*area : *area;
+    for (int k = 0; k < 3; k++)
+        sum += (__int128)w[k] * (__int128)oracle_float_r(f, d[k]);
+    int n = 0; /* r <= 2^-k is sum 2^k <= area 2^scale */
+    while (n < k_most(f) && sum <= (__int128)*area << (oracle_float_scale(f) - n - 1))
+        n++;
+    *octave = k_most(f) - n;
+    return sum;
+}
+
+/* (key - exact) as num / den: key - 2^bits + j 2^m + r 2^(k + 1 + m), r = sum / (area 2^scale). */
+static __int128 float_off(const struct oracle_float *f, const struct oracle_tri *t,
+                          const uint32_t d[3], int i, int j, uint32_t key, __int128 *den)
+{
+    int64_t area;
+    int octave;
+    const __int128 sum = float_sum(f, t, d, i, j, &area, &octave);
+    const int64_t whole = (int64_t)key - ((int64_t)1 << f->bits) + ((int64_t)octave << mantissa(f));
+    *den = (__int128)area << (octave + 16); /* scale - (k + 1 + m) */
+    return whole * *den + sum;
+}
+
+long double oracle_float_plane(const struct oracle_float *f, const struct oracle_tri *t,
+                               const uint32_t d[3], int i, int j)
+{
+    __int128 den;
+    const __int128 off = float_off(f, t, d, i, j, 0, &den);
+    return -(long double)off / (long double)den;
+}
+
+double oracle_float_error(const struct oracle_float *f, const struct oracle_tri *t,
+                          const uint32_t d[3], int i, int j, uint32_t key)
+{
+    __int128 den;
+    const uint32_t most = (1u << f->bits) - 2u;
+    if (float_off(f, t, d, i, j, most, &den) < 0) /* exact > most */
+        return (double)key - most;
+    const __int128 off = float_off(f, t, d, i, j, key, &den);
+    return (double)((long double)off / (long double)den);
+}
+
 /* ---- Unsnapped polygons in eye space --------------------------------------------------------- */
 
 /* Keep the part of a polygon where sign * (z - at) >= 0. */
@@ -165,17 +258,20 @@ double oracle_z(const struct oracle_view *v, const struct oracle_polygon *p, int
     return v->focal > 0 ? 1 / q : q;
 }
 
-double oracle_key(const struct oracle_view *v, double z, int linear, int bits)
+double oracle_key(const struct oracle_view *v, double z, int mapping, int bits)
 {
     const double n = v->z_near, f = v->z_far, top = ldexp(1, bits) - 1;
-    return linear ? (z - n) / (f - n) * top : (1 / n - 1 / z) / (1 / n - 1 / f) * top;
+    const struct oracle_float as_float = { mapping, bits };
+    if (mapping > 1)
+        return oracle_float_key(&as_float, n / z);
+    return mapping == 1 ? (z - n) / (f - n) * top : (1 / n - 1 / z) / (1 / n - 1 / f) * top;
 }
 
 double oracle_key_slack(const struct oracle_view *v, const struct oracle_polygon *p, int i, int j,
-                        int linear, int bits, double px)
+                        int mapping, int bits, double px)
 {
     const double z = oracle_z(v, p, i, j), dq = (fabs(p->qx) + fabs(p->qy)) * px;
     const double dz = v->focal > 0 ? z * z * dq : dq;
     const double lo = fmax(z - dz, v->z_near), hi = fmin(z + dz, v->z_far);
-    return fabs(oracle_key(v, hi, linear, bits) - oracle_key(v, lo, linear, bits));
+    return fabs(oracle_key(v, hi, mapping, bits) - oracle_key(v, lo, mapping, bits));
 }

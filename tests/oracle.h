@@ -28,6 +28,28 @@ void oracle_weights(const struct oracle_tri *t, int i, int j, int64_t out[3]);
 double oracle_key_error(const struct oracle_tri *t, const uint32_t d[3], int i, int j, uint32_t key,
                         uint32_t most);
 
+/* ---- Float keys: near / z as a float of e exponent bits, taken from 2^bits --------------------- */
+
+struct oracle_float {
+    int e, bits; /* 2 .. 5, 8 .. 16 */
+};
+
+/* near / z that a corner's stored key d (uq16_16, at most (2^bits - 1) << 16) stands for, exactly,
+ * times 2^oracle_float_scale: at most 2^58. */
+uint64_t oracle_float_r(const struct oracle_float *f, uint32_t d);
+int oracle_float_scale(const struct oracle_float *f);
+/* The d of r = near / z, nearest, saturated; 0 < r <= 1. */
+uint32_t oracle_float_d(const struct oracle_float *f, double r);
+/* The exact key, unrounded and not saturated, of the plane in near / z through the corners. Exact but
+ * for the conversion (64-bit mantissa). */
+long double oracle_float_plane(const struct oracle_float *f, const struct oracle_tri *t,
+                               const uint32_t d[3], int i, int j);
+/* key - that, the latter at most 2^bits - 2: as oracle_key_error. */
+double oracle_float_error(const struct oracle_float *f, const struct oracle_tri *t,
+                          const uint32_t d[3], int i, int j, uint32_t key);
+/* The key, unrounded, of r = near / z. */
+double oracle_float_key(const struct oracle_float *f, double r);
+
 /* ---- Unsnapped polygons in eye space --------------------------------------------------------- */
 
 struct oracle_view {
@@ -59,10 +81,11 @@ void oracle_project(const struct oracle_view *v, const struct oracle_point *p, i
 double oracle_inside(const struct oracle_polygon *p, int i, int j);
 /* Distance along the view axis at the sample. */
 double oracle_z(const struct oracle_view *v, const struct oracle_polygon *p, int i, int j);
-/* The key, unrounded, of a distance. linear: 1 linear, 0 reciprocal. */
-double oracle_key(const struct oracle_view *v, double z, int linear, int bits);
+/* The key, unrounded, of a distance. mapping: 0 reciprocal, 1 linear, 3 .. 5 float of so many
+ * exponent bits. */
+double oracle_key(const struct oracle_view *v, double z, int mapping, int bits);
 /* How much the key may be off at the sample where corners are off by `px`. */
 double oracle_key_slack(const struct oracle_view *v, const struct oracle_polygon *p, int i, int j,
-                        int linear, int bits, double px);
+                        int mapping, int bits, double px);
 
 #endif

@@ -48,6 +48,7 @@ run readme sh tests/readme.sh "$build"
 run checksums sh tests/checksums.sh "$build"
 run fuzz sh tests/fuzz/run.sh "$build" cut
 run convert sh tests/convert.sh "$build"
+run accuracy sh tests/accuracy.sh "$build/test/zsim"
 run cli sh tests/cli.sh "$build/test/zsim" "$build/test/cli"
 run cli_texture sh tests/cli_texture.sh "$build/test/zsim" "$build/test/cli_texture"
 for check in objects kernels includes cplusplus stack size bench; do

@@ -39,4 +39,4 @@ $(B)/fuzz/cards: $(call fuzz_objects,cards fuzz_mesh world)
 	@$(CC) $(SAN) $^ -o $@
 $(B)/fuzz/fuzz_mesh: tests/fuzz/fuzz_mesh.c tests/picture.c $(CORE) $(HEADERS)
 	@mkdir -p $(@D)
-	@$(subst $(CC) ,clang ,$(TEST_CC)) -Itests/fuzz -fsanitize=fuzzer $(filter %.c,$^) -o $@
+	@$(subst $(CC) ,clang ,$(TEST_CC)) -Itests/fuzz -O2 -fsanitize=fuzzer $(filter %.c,$^) -o $@

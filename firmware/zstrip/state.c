@@ -9,13 +9,12 @@
 
 #define BIAS_MAX 65536 /* buckets: beyond it, all keys stop at an end anyway */
 
-/* |256 n / area| in uq16_16 buckets a pixel, at most 2^31. |n| < 2^55 */
-static uint32_t steepness(int64_t n, int64_t area)
+/* |256 n / area| in 2^-16 buckets a pixel, at most 2^46: slivers have any slope. |n| < 2^55 */
+static uint64_t steepness(int64_t n, int64_t area)
 {
-    const uint64_t mag = n < 0 ? 0u - (uint64_t)n : (uint64_t)n, a = (uint64_t)area;
-    if (mag >> 23 >= a)
-        return 1u << 31;
-    return (uint32_t)((mag << 8) / a); /* < 2^31 */
+    const uint64_t mag = n < 0 ? 0u - (uint64_t)n : (uint64_t)n;
+    const uint64_t q = (mag << 8) / (uint64_t)area;
+    return q >> 46 ? (uint64_t)1 << 46 : q;
 }
 
 static int32_t state_bias(const struct zs_job *job)
@@ -29,9 +28,9 @@ static int32_t state_bias(const struct zs_job *job)
     for (int k = 0; k < 3; k++)
         key[k] = depth->key ? depth->key(&job->r->view, job->v[k]->d) : job->v[k]->d;
     const int64_t d1 = key[1] - key[0], d2 = key[2] - key[0]; /* |.| < 2^32 */
-    const uint32_t x = steepness(d1 * g->dy2 - d2 * g->dy1, g->area);
-    const uint32_t y = steepness(d2 * g->dx1 - d1 * g->dx2, g->area);
-    const int64_t slope = zs_round_shift((int64_t)state->slope * (x > y ? x : y), 24); /* |.| < 2^23 */
+    const uint64_t x = steepness(d1 * g->dy2 - d2 * g->dy1, g->area);
+    const uint64_t y = steepness(d2 * g->dx1 - d1 * g->dx2, g->area);
+    const int64_t slope = zs_round_shift((int64_t)state->slope * (int64_t)(x > y ? x : y), 24); /* < 2^37 */
     const int64_t bias = state->offset + slope;
     return bias > BIAS_MAX ? BIAS_MAX : bias < -BIAS_MAX ? -BIAS_MAX : (int32_t)bias;
 }

@@ -53,7 +53,7 @@ enum zs_err {
     ZS_ERR_ARENA = -3,  /* the arena is smaller than zs_arena_bytes() or not 4-byte aligned */
     ZS_ERR_DEPTH = -4,  /* depth bits outside 8..16, or a mapping that this camera cannot take */
     ZS_ERR_CAMERA = -5, /* near, far, focal length, height or rotation outside its range */
-    ZS_ERR_RANGE = -6,  /* a position, scale or extent that the integers cannot hold */
+    ZS_ERR_RANGE = -6,  /* a position, scale, extent or light that the integers cannot hold */
     ZS_ERR_MESH = -7,   /* a mesh lacks what its shader reads, or has a zero scale or too many
                            vertices */
     ZS_ERR_STATE = -8,  /* begin, strip and end called out of order */
@@ -445,9 +445,13 @@ void zs_pose_identity(struct zs_pose *pose);
  * Error <= 2^-27 an element. */
 void zs_pose_turn(struct zs_pose *pose, zs_turn yaw, zs_turn pitch, zs_turn roll);
 
-/* Turn an existing rotation further by a small or large turn about a world axis, and make it
- * orthonormal again: composed any number of times, it stays a rotation to 2^-27.
- * axis  any length but 0. Return ZS_OK; ZS_ERR_VECTOR (pose untouched). */
+/* Turn an existing rotation further by a small or large turn about a world axis. Composed any number of
+ * times, about any axes, it stays a rotation to 2^-27; after a million turns a point 160 px from the
+ * middle is less than a sub-pixel (1/256 px) away from where exact turns would bring it. Quarter turns of
+ * what lies along the axes are exact. What is no rotation to 2^-20 is made one first (Gram-Schmidt).
+ * axis  any length but 0. Error <= 2^-28 an element, once.
+ * Cost  4,700 instructions on a Cortex-M3, 30,000 on a Cortex-M0+.
+ * Return ZS_OK; ZS_ERR_VECTOR (pose untouched). */
 int zs_pose_rotate(struct zs_pose *pose, const int32_t axis[3], zs_turn angle);
 
 /* A perspective camera at the origin that looks down -z. fov_y is the vertical angle over height

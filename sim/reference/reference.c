@@ -190,7 +190,7 @@ static int exponent_bits(const struct ref_depth *depth)
                                                : 0;
 }
 
-/* r in 2^-(k+1)..2^-k has the exponent k, at most 2^e - 2; what is seen at near may round beyond 1. */
+/* r in 2^-(k+1)..2^-k has the exponent k, at most 2^e - 2; at near it may round beyond 1. */
 static double float_key(const struct ref_depth *depth, double r)
 {
     int e = exponent_bits(depth), m = depth->bits - e, most = (1 << e) - 2, k;

@@ -42,9 +42,9 @@ enum ref_shade {
     REF_SHADE_RAW = 0,   /* triangle's `raw`, unlit */
     REF_SHADE_FLAT = 1,  /* rgb[0], lit once with the face normal */
     REF_SHADE_SMOOTH = 2, /* rgb[k] lit with n[k] at each vertex, then interpolated in space */
-    REF_SHADE_TEXTURE = 3,        /* the texel, unlit */
-    REF_SHADE_TEXTURE_FLAT = 4,   /* the texel times the intensity at the face normal */
-    REF_SHADE_TEXTURE_SMOOTH = 5  /* the texel times the intensities at n[k], interpolated in space */
+    REF_SHADE_TEXTURE = 3,       /* the texel, unlit */
+    REF_SHADE_TEXTURE_FLAT = 4,  /* the texel times the intensity at the face normal */
+    REF_SHADE_TEXTURE_SMOOTH = 5 /* the texel times those at n[k], interpolated in space */
 };
 
 enum ref_cull { REF_CULL_BACK = 0, REF_CULL_FRONT = 1, REF_CULL_NONE = 2 };
@@ -62,8 +62,8 @@ enum ref_mapping {
 
 /*
  * A picture on a surface. u runs right and v down, both 0..1 over the picture; what is seen is the
- * texel in column floor(u * width), row floor(v * height). Beyond 0..1 an axis repeats, or, where it
- * is clamped, its first or last texel goes on. A coordinate up to 1e-9 texel before a border counts
+ * texel in column floor(u * width), row floor(v * height). Beyond 0..1 an axis repeats, or, where
+ * it is clamped, its first or last texel goes on. A coordinate up to 1e-9 texel before a border counts
  * as on it: samples that are meant to lie there belong to the texel right of or below it.
  * Exactly one of the two kinds of texels is given; rows from the top.
  */
@@ -137,7 +137,7 @@ struct ref_image {
     double *z;         /* true distance along the axis, world; INFINITY where nothing */
     double *exact_key; /* key before rounding and saturation; INFINITY where nothing */
     double *rgb;       /* r, g, b before rounding, 0..1; raw and background: code / 31 or / 63 */
-    double *u, *v;     /* exact texture coordinates, as given, beyond 0..1 too; NAN where no texture */
+    double *u, *v;     /* exact texture coordinates, beyond 0..1 too; NAN where no texture */
     uint32_t *texel;   /* row * width + column + 1 of the texel seen; 0 where no texture */
     const struct ref_texture **texture; /* the texture seen; NULL where none */
 };
@@ -207,9 +207,9 @@ struct ref_diff {
     double z_mean_rel;
     double z_max_rel;
 
-    /* where they agree, both texels present and not 0. With u, v and texture in the reference, ours'
-     * distance: how far outside the texel of ours the true coordinate lies, in texels, along the axis
-     * where that is more; 0 where they are the same. */
+    /* where they agree, both texels present and not 0. With u, v and texture in the reference, the
+     * distance: how far outside our texel the true coordinate lies, in texels, along the axis where
+     * that is more; 0 where they are the same. */
     size_t texels;        /* compared */
     size_t texel_differ;  /* not the reference's */
     size_t texel_far;     /* further than 1/8 */
@@ -230,7 +230,8 @@ struct ref_diff {
 /*
  * Compares ours with the reference. Both images: width * height, buffers as in ref_image; read
  * only. depth and camera: those both were drawn with; only mapping, bits, near and far are used.
- * ours: only id, key, rgb565 and texel are read. Returns REF_OK, or REF_BAD_ARGUMENT with *diff untouched.
+ * ours: only id, key, rgb565 and texel are read. Returns REF_OK, or REF_BAD_ARGUMENT with *diff
+ * untouched.
  */
 int ref_compare(const struct ref_image *ours, const struct ref_image *reference,
                 const struct ref_depth *depth, const struct ref_camera *camera, int width,

@@ -80,6 +80,8 @@ static void card_write(struct file *f, const struct zs_mesh *m, const struct zs_
     for (size_t k = 0; k < KINDS(kind_texels); k++)
         if (kind_texels[k].format == t->format)
             h.texel = (uint8_t)k;
+    if (one_in(p, 16))
+        *(one_in(p, 2) ? &h.log2_w : &h.log2_h) = (uint8_t)(one_in(p, 2) ? 0 : 11);
 #define BIT(bit, field, count) h.arrays |= (uint8_t)(m->field ? (bit) : 0);
     CARD_ARRAYS(BIT)
 #undef BIT
@@ -217,6 +219,6 @@ int main(int argc, char **argv)
     }
     for (unsigned long long k = 1; k <= n; k++)
         run_case(k, 0);
-    printf("ok cards: %llu cases of seed %llu\n", n, now.seed);
+    printf("ok stress_29_cards: %llu cases of seed %llu\n", n, now.seed);
     return 0;
 }

@@ -160,12 +160,13 @@ static void draw(const struct card *c, const struct kind_shader *shader)
     if (!c->texture_flaw)
         EXPECT(a.err != ZS_ERR_NULL && a.err != ZS_ERR_TEXTURE);
     if (!a.err)
-        EXPECT(stats_add_up(&a.stats));
+        EXPECT(stats_add_up(&a.stats) && (c->mesh_flaw || a.stats.tris_index == 0));
     if (h->look & CARD_SMALL) {
         config.max_tris = (uint16_t)(1 + h->distance % 16);
         config.max_verts = 9;
     }
     config.strip_h = (uint16_t)(3 + (h->look & CARD_STRIPS) / 16);
+    config.skip_off = c->mesh_flaw ? 0 : h->distance; /* with spheres that hold nothing is lost */
     struct picture b = picture_draw(&config, &scene, &camera);
     EXPECT(a.err == b.err && (a.err || picture_same(&a, &b, shader->name)));
     picture_free(&a);

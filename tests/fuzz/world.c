@@ -156,6 +156,15 @@ static void sphere(const struct zs_mesh *m, const uint32_t *vert, uint32_t n, in
     *radius = (uint16_t)(r > 65535 ? 65535 : r);
 }
 
+/* What is wrong with spheres, indices and clusters: what other flaws would hide. */
+static enum zs_flaw flaw_of(const struct zs_mesh *m, uint32_t *at)
+{
+    struct zs_mesh bare = *m;
+    bare.normal = bare.face_normal = NULL;
+    bare.uv = NULL;
+    return zs_mesh_check(&bare, at);
+}
+
 /* Clusters with exact spheres and with cones found by trying; none where a triangle is out of range. */
 static void clusters(struct world *w, struct zs_mesh *m, struct prng *p)
 {
@@ -181,7 +190,7 @@ static void clusters(struct world *w, struct zs_mesh *m, struct prng *p)
     m->cluster = c;
     m->n_clusters = n;
     uint32_t at; /* give up on the cones that do not hold */
-    while (zs_mesh_check(m, &at) == ZS_FLAW_CLUSTER_CONE && at < n && c[at].cutoff != 127)
+    while (flaw_of(m, &at) == ZS_FLAW_CLUSTER_CONE && c[at].cutoff != 127)
         c[at].cutoff = 127;
 }
 
@@ -325,10 +334,10 @@ static void rotation(struct zs_pose *pose, struct prng *p, uint32_t odd)
         const int32_t axis[3] = { any32(p), any32(p), any32(p) };
         (void)zs_pose_rotate(pose, axis, (zs_turn)prng_next(p));
     }
+    if (odd_one(p, odd * 2u)) /* nearly orthonormal */
+        pose->rot[prng_pick(p, 9)] += prng_range(p, -2000, 2000);
     if (odd_one(p, odd * 4u))
         pose->rot[prng_pick(p, 9)] = any32(p);
-    if (odd_one(p, odd * 2u))
-        pose->rot[prng_pick(p, 9)] += prng_range(p, -2000, 2000);
 }
 
 /* Meshes of about `size` world units, within `reach` of the origin. */
@@ -341,7 +350,8 @@ static void instances(struct world *w, struct prng *p, int64_t size, uint32_t od
         in->state = one_in(p, 3) ? &w->state[prng_pick(p, WORLD_STATES)] : NULL;
         rotation(&in->pose, p, odd);
         const uint64_t steps = in->mesh->radius ? in->mesh->radius : 1u;
-        const uint64_t want = ((uint64_t)size << 32) / steps << (one_in(p, 6) ? prng_pick(p, 4) : 0u) >> prng_pick(p, 4);
+        const uint32_t larger = one_in(p, 6) ? prng_pick(p, 4) : 0u;
+        const uint64_t want = ((uint64_t)size << 32) / steps << larger >> prng_pick(p, 4);
         const uint64_t most = (uint64_t)1 << 47; /* of both scales */
         const uint64_t scale = (want > most ? most : want) / in->mesh->scale;
         in->pose.scale = (uint32_t)(scale < 1 ? 1 : scale > UINT32_MAX ? UINT32_MAX : scale);
@@ -440,8 +450,10 @@ void world_make(struct world *w, struct prng *p, uint32_t odd)
     w->scene.background = (uint16_t)prng_next(p);
     for (int i = 0; i < WORLD_MESHES; i++)
         mesh_make(w, &w->mesh[i], p, odd);
-    for (int i = 0; i < WORLD_TEXTURES; i++)
+    for (int i = 0; i < WORLD_TEXTURES; i++) {
         texture_make(w, &w->texture[i], p, odd * 2u);
+        (void)zs_texture_check(&w->texture[i], NULL);
+    }
     materials(w, p, odd);
     const int64_t size = size_of(w);
     w->scene.n_instances = w->n_instances = prng_pick(p, WORLD_INSTANCES);
@@ -452,9 +464,9 @@ void world_make(struct world *w, struct prng *p, uint32_t odd)
     w->trusted = 1;
     for (int i = 0; i < WORLD_MESHES; i++) {
         struct zs_mesh *m = &w->mesh[i];
-        const enum zs_flaw flaw = zs_mesh_check(m, NULL);
-        if (flaw == ZS_FLAW_SPHERE || flaw == ZS_FLAW_INDEX || flaw >= ZS_FLAW_CLUSTERS)
+        if (flaw_of(m, NULL) != ZS_FLAW_NONE)
             w->trusted = 0;
+        (void)zs_mesh_check(m, NULL);
         if (odd_one(p, odd * 8u))
             m->scale = (uint32_t)any32(p);
     }
@@ -468,13 +480,13 @@ void world_make(struct world *w, struct prng *p, uint32_t odd)
 void world_big(struct world *w, struct prng *p)
 {
     struct zs_mesh *m = &w->mesh[0];
-    if (one_in(p, 2) && w->n_instances && !w->mesh[0].cluster) {
+    if (one_in(p, 2) && w->n_instances) {
         const uint32_t n = 65535u - prng_pick(p, 2);
         struct zs_instance *in = block(w, n * sizeof *in);
         for (uint32_t i = 0; i < n; i++)
             in[i] = w->instance[i % w->n_instances];
         for (int i = 0; i < WORLD_MESHES; i++)
-            w->mesh[i].n_tris %= 3u;
+            w->mesh[i].n_tris %= 3u, w->mesh[i].cluster = NULL, w->mesh[i].n_clusters = 0;
         w->scene.instance = w->instance = in;
         w->scene.n_instances = w->n_instances = n;
         return;
