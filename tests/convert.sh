@@ -411,6 +411,7 @@ refused texture_coordinates_too_wide 1 'repeat the picture less often' wide.obj 
 refused map_onto_the_output 1 'two outputs' tetra.obj --name m --out kept --map kept/m.c
 refused map_onto_the_model 1 'it is the model itself' tetra.obj --name m --out kept --map tetra.obj
 refused map_on_a_full_disk 1 '/dev/full' tetra.obj --name m --out kept --map /dev/full
+refused full_disk_and_new_folder 1 '/dev/full' tetra.obj --name m --out none --map /dev/full
 begin taken_wide_but_smaller_texture
 convert wide wide.obj --texture-size 64x64
 holds stdout '64 x 64'

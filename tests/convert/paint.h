@@ -23,7 +23,7 @@ static inline void paint(const char *kind, unsigned x, unsigned y, unsigned w, u
     }
     const unsigned most = (unsigned)strtoul(kind, NULL, 10);
     const unsigned c =
-        ((x * 8 / w) + 3 * (y * 64 / h) * (y * 64 / h)) % most; /* well apart: c * 37 mod 256 */
+        ((x * 200 / w) + 3 * (y * 64 / h) * (y * 64 / h)) % most; /* well apart: c * 37 mod 256 */
     rgb[0] = (uint8_t)(c * 37);
     rgb[1] = (uint8_t)(c * 101 + 40);
     rgb[2] = (uint8_t)(255 - c * 59);
