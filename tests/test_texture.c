@@ -1068,6 +1068,77 @@ static void textured_whatever_strips_and_pools(void **state)
     CASES(invariance_case, 120);
 }
 
+/* Floors seen level: w hardly changes along a row, so that blocks are as long as they may be and a row's last
+ * one, of any length, carries much of the change of u. */
+static int level_case(uint64_t seed)
+{
+    struct prng p = { seed };
+    struct easel s = easel_default(96, 24);
+    s.depth = mappings[seed % MAPPINGS];
+    s.z_far = 1 << 19;
+    s.uv_bits = prng_range(&p, 8, 13);
+    const struct easel_frame unit = unit_of(&s);
+    const double near = s.z_near * 2.0, far = near * (2 + prng_pick(&p, 14));
+    struct easel_tri t;
+    memset(&t, 0, sizeof t);
+    const int32_t horizon = prng_range(&p, -2560, 0), bottom = 24 * 256 + prng_range(&p, 0, 24 * 2560);
+    for (int k = 0; k < 3; k++) {
+        t.x[k] = prng_range(&p, -96 * 256, 192 * 256);
+        t.y[k] = k ? horizon : bottom;
+        t.d[k] = depth_of(&s, &unit, k ? far : near);
+        for (int c = 0; c < 2; c++)
+            t.rgb[k][c] = EASEL_UV(prng_range(&p, -32768, 32767));
+    }
+    return texels_right(&s, 8, 8, 0, &t, 0);
+}
+
+static void level_floors(void **state)
+{
+    (void)state;
+    CASES(level_case, 900);
+}
+
+/* A plane to the horizon, a million times as far as near, so that rounding takes its w below 0 at the far end;
+ * a wall before it, so that a run begins inside a block. Nothing but its pixels may be written. */
+static void far_end_of_a_plane(void **state)
+{
+    static const int16_t pos[3][3] = { { -3711, 0, -14787 }, { 8024, 0, -32000 }, { 0, 0, 0 } };
+    static const int16_t uv[3][2] = { { -27777, 8224 }, { -7647, -73 }, { 12764, 27919 } };
+    static const uint16_t tri[1][3] = { { 0, 2, 1 } }, wall_tri[2][3] = { { 0, 1, 2 }, { 0, 2, 3 } };
+    static const int16_t wall_pos[4][3] = { { -2000, -2000, 0 }, { 0, -2000, 0 }, { 0, 2000, 0 },
+                                            { -2000, 2000, 0 } };
+    const struct zs_texture texture = texture_of(numbers, 8, 8, 0);
+    (void)state;
+    for (int32_t column = 1; column < 1024; column += 7) { /* of the wall's right edge */
+        const int32_t width = column % 2 ? 640 : 1024;
+        struct zs_config config = picture_config(width, 481, &zs_depth_float);
+        struct zs_mesh ground = { .pos = pos, .tri = tri, .n_verts = 3, .n_tris = 1, .scale = 960 * ZS_Q16_ONE,
+                                  .center = { 0, 0, -16000 }, .radius = 18300, .uv = uv, .uv_bits = 10 };
+        const struct zs_mesh wall = { .pos = wall_pos, .tri = wall_tri, .n_verts = 4, .n_tris = 2,
+                                      .scale = ZS_Q16_ONE, .radius = 3000 };
+        const struct zs_material textured = { .shader = &zs_shade_texture, .cull = ZS_CULL_NONE,
+                                              .texture = &texture };
+        const struct zs_material raw = { .shader = &zs_shade_raw, .rgb = { 255, 0, 0 }, .cull = ZS_CULL_NONE };
+        struct zs_instance in[2] = { { .mesh = &wall, .material = &raw },
+                                     { .mesh = &ground, .material = &textured } };
+        const struct zs_scene scene = { .instance = in, .n_instances = 2 };
+        struct zs_camera camera;
+        config.attrs = ZS_ATTRS_TEXTURE;
+        assert_int_equal(zs_camera_perspective(&camera, 8192, 481, 8, 1 << 25), ZS_OK);
+        camera.focal = (zs_uq32_32)(2 * width) << 32;
+        camera.z_far = (zs_q48_16)40000000 * 65536;
+        zs_pose_identity(&in[0].pose);
+        zs_pose_identity(&in[1].pose);
+        in[0].pose.pos[0] = column % width - width / 2;
+        in[0].pose.pos[2] = -2 * width;
+        in[1].pose.pos[1] = -10;
+        struct picture f = picture_draw(&config, &scene, &camera);
+        assert_int_equal(f.err, ZS_OK);
+        assert_true(f.covered > 1000);
+        picture_free(&f);
+    }
+}
+
 static const struct CMUnitTest tests[] = { cmocka_unit_test(texels_by_ratio_of_w),
                                            cmocka_unit_test(stress_27_uv_at_a_w_ratio_of_16),
                                            cmocka_unit_test(sizes_from_1_to_1024),
@@ -1081,6 +1152,8 @@ static const struct CMUnitTest tests[] = { cmocka_unit_test(texels_by_ratio_of_w
                                            cmocka_unit_test(clipped_at_near_u_and_v_stay),
                                            cmocka_unit_test(
                                                flat_light_over_a_texture_against_doubles),
-                                           cmocka_unit_test(textured_whatever_strips_and_pools) };
+                                           cmocka_unit_test(textured_whatever_strips_and_pools),
+                                           cmocka_unit_test(level_floors),
+                                           cmocka_unit_test(far_end_of_a_plane) };
 
 CASES_MAIN(tests)

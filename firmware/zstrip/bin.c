@@ -275,11 +275,16 @@ struct polygon {
     int n;
 };
 
+#define COORD_MAX (((int32_t)1 << 30) + 2) /* camera units: pipeline.h */
+
 /* Which way a triangle turns on the screen, from its corners in camera units, exactly: > 0 clockwise. Where all
  * three are before the eye, the sign of a . (b x c) is that of the area. */
 static int sense_of(const struct zs_view *view, const struct zs_clip_vertex v[3])
 {
-    const int32_t *a = v[0].p.c, *b = v[1].p.c, *c = v[2].p.c; /* |.| < 2^30 + 2 */
+    const int32_t *a = v[0].p.c, *b = v[1].p.c, *c = v[2].p.c;
+    for (int k = 0; k < 9; k++) /* only of a mesh that is larger than its sphere says; it loses parts */
+        if (v[k / 3].p.c[k % 3] > COORD_MAX || v[k / 3].p.c[k % 3] < -COORD_MAX)
+            return 0;
     if (!view->perspective) {
         const int64_t left = ((int64_t)b[0] - a[0]) * ((int64_t)c[1] - a[1]);
         const int64_t right = ((int64_t)c[0] - a[0]) * ((int64_t)b[1] - a[1]); /* |.| < 2^62.1 */

@@ -95,12 +95,13 @@ static uint32_t float_vertex(const struct zs_view *view, int32_t z, uint32_t rcp
         return 0; /* at near, give or take the rounding of z */
     /* now p / 2^32 * 2^-k, in [1/2, 1) */
     const int32_t octave = last - k, shift = 31 - m + (octave < 1 ? 1 - octave : 0);
+    const uint32_t last_key = view->key_top + (view->key_top < 0xffff0000u ? 0xffffu : 0u); /* 16 bits: no room */
     if (shift > 31)
-        return view->key_top;
+        return last_key;
     const uint32_t mantissa = ((p >> (shift - 1)) + 1u) >> 1; /* 2 <= shift */
     const uint32_t code = ((octave > 1 ? (uint32_t)octave - 1u : 0u) << m) + mantissa;
-    if (code <= 0x10000u && octave < last)
-        return view->key_top;
+    if (code <= view->key_top + 0x10000u - last_key && octave < last) /* the right side is modulo 2^32: 1 or 2^16 */
+        return last_key;
     return view->key_top + 0x10000u - code; /* modulo 2^32: 0 where code came to 2^32 */
 }
 
@@ -179,7 +180,7 @@ ZS_ALWAYS_INLINE void float_span(struct zs_job *job, const struct zs_row *row)
         const uint64_t half = (uint64_t)1 << (shift - 1);
         const uint32_t code = ((uint32_t)(last - down) << m) + (uint32_t)((w + half) >> shift);
         const uint32_t sum = view->key_top + 0x10000u - code + 0x8000u;    /* modulo 2^32 */
-        const uint32_t step = 0u - (uint32_t)(((int64_t)gx + (int64_t)half) >> shift);
+        const uint32_t step = 0u - (uint32_t)((int64_t)(gx + half) >> shift); /* gx may be any where n is 1 */
         if (state)
             kernel->span(job, row, i, i + n, sum, step);
         else

@@ -4,7 +4,7 @@
  */
 #include "persp.h"
 
-#define OVER(n) (65536u / (n))
+#define OVER(n) (UINT32_MAX / (n))
 
 const uint32_t zs_one_over[(1 << ZS_SUB_LOG2_MAX) + 1] = {
     0,        OVER(1),  OVER(2),  OVER(3),  OVER(4),  OVER(5),  OVER(6),  OVER(7),  OVER(8),

@@ -28,7 +28,7 @@ void zs_persp_span(struct zs_job *job, const struct zs_row *row, int32_t i0, int
 /* w of the three vertices, the largest in [2^30, 2^31); orthographic: all alike. */
 void zs_persp_w(const struct zs_job *job, uint32_t w[3]);
 
-/* 2^16 / n of a last, shorter sub-span; [0] unused. */
+/* (2^32 - 1) / n of a last, shorter part of a row; [0] unused. */
 extern const uint32_t zs_one_over[(1 << ZS_SUB_LOG2_MAX) + 1];
 
 static inline uint32_t zs_plane_at(const struct zs_job *job, const struct zs_plane *p, int32_t i,
@@ -37,13 +37,24 @@ static inline uint32_t zs_plane_at(const struct zs_job *job, const struct zs_pla
     return p->base + zs_wrap_mul(p->gx, i - job->geom.ia) + zs_wrap_mul(p->gy, row - job->geom.ja);
 }
 
+/* A sum of w's plane, at least 1. True values lie in (0, 2^31]; the plane is off by up to (W + H) / 2 ulp (plane.c),
+ * and where a triangle's far end is a million times as far as its near one that may bring w below 0: around, to
+ * 2^32 less a little. Held like this, w stays monotonous along a row. */
+static inline uint32_t zs_persp_held(uint32_t w)
+{
+    return w == 0 || w >> 30 == 3 ? 1u : w;
+}
+
+static inline uint32_t zs_persp_w_at(const struct zs_job *job, int32_t i, int32_t row)
+{
+    return zs_persp_held(zs_plane_at(job, &job->w, i, row));
+}
+
 /* Reciprocal of w at a covered pixel: 2^(63 - *lz) / w. */
 static inline uint32_t zs_persp_rcp(const struct zs_job *job, int32_t i, int32_t row, uint32_t *w,
                                     int32_t *lz)
 {
-    *w = zs_plane_at(job, &job->w, i, row);
-    if (*w == 0)
-        *w = 1; /* a far end 2^30 times farther than the near one */
+    *w = zs_persp_w_at(job, i, row);
     *lz = zs_clz32(*w);
     return zs_recip(*w << *lz);
 }

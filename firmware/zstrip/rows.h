@@ -99,9 +99,9 @@ ZS_ALWAYS_INLINE void zs_rows_run(struct zs_job *job, const struct zs_shader *sh
 ZS_ALWAYS_INLINE int zs_rows_state(const struct zs_job *job, const struct zs_state *state, uint32_t key,
                                    uint32_t top, uint16_t *depth)
 {
-    const int32_t moved = (int32_t)key + job->bias;
+    const int32_t moved = (int32_t)(key > top ? top : key) + job->bias;
     key = moved < 0 ? 0u : (uint32_t)moved > top ? top : (uint32_t)moved;
-    if (key >= (uint32_t)*depth + state->equal)
+    if (key >= (uint32_t)*depth + (state->equal != 0))
         return 0;
     if (!state->read_only)
         *depth = (uint16_t)key;

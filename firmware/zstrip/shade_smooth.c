@@ -152,7 +152,7 @@ static void smooth_run(struct zs_job *job, const struct zs_row *row, int32_t r0,
             color_at(job, to, row->y, next);
             for (int k = 0; k < 3; k++) { /* |difference| < 2^22, times 2^16 */
                 const int64_t part = ((int64_t)next[k] - c[k]) * zs_one_over[to - from];
-                step[k] = (uint32_t)(int32_t)(part >> 16);
+                step[k] = (uint32_t)(int32_t)(part >> 32);
             }
         }
         const int32_t i0 = zs_max32(from, r0), i1 = zs_min32(from + length, r1);

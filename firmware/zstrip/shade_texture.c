@@ -397,7 +397,8 @@ static inline int32_t block_at(const struct zs_job *job, const struct zs_row *ro
     const uint32_t offset = (uint32_t)(i - row->x0) | 1u << ZS_SUB_LOG2_MAX;
     int32_t k = 0;
     while (!(offset >> k & 1u)) { /* blocks of 2^(k + 1) may begin here */
-        const uint32_t far_end = gx < 0 ? w + zs_wrap_mul(job->w.gx, zs_min32((int32_t)2 << k, left)) : w;
+        const int32_t to = zs_min32((int32_t)2 << k, left);
+        const uint32_t far_end = gx < 0 ? zs_persp_held(w + zs_wrap_mul(job->w.gx, to)) : w;
         if (far_end < job->sampler.least_w[k + 1])
             break;
         k++;
@@ -412,7 +413,7 @@ static int32_t block_start(const struct zs_job *job, const struct zs_row *row, i
         const int32_t from = row->x0 + ((i - row->x0) & -((int32_t)1 << k));
         const int32_t to = zs_min32(from + ((int32_t)1 << k), row->x1 - 1);
         const int32_t at = (int32_t)job->w.gx < 0 ? to : from;
-        if (zs_plane_at(job, &job->w, at, row->y) >= job->sampler.least_w[k])
+        if (zs_persp_w_at(job, at, row->y) >= job->sampler.least_w[k])
             return from;
     }
     return i;
@@ -422,7 +423,7 @@ static int32_t block_start(const struct zs_job *job, const struct zs_row *row, i
 static inline int32_t step_of(uint32_t *c, uint32_t next, int32_t whole, int32_t n, int32_t skip)
 {
     const int32_t all = (int32_t)(next - *c); /* |.| < 2^31 */
-    const int32_t step = whole >= 0 ? all >> whole : (int32_t)((int64_t)all * zs_one_over[n] >> 16);
+    const int32_t step = whole >= 0 ? all >> whole : (int32_t)((int64_t)all * zs_one_over[n] >> 32);
     *c += zs_wrap_mul((uint32_t)step, skip);
     return step;
 }
@@ -449,9 +450,12 @@ static void run_blocks(struct zs_job *job, const struct zs_row *row, int32_t r0,
         step[1] = step_of(&c[1], next[1], whole, n_px, skip);
         if (n == 3)
             step[2] = step_of(&c[2], next[2], whole, n_px, skip);
-        fetch(job, color + i0, i1 - i0, c, step);
-        if (job->shader->light)
-            lighten(job, color + i0, i1 - i0, n == 3 ? c[2] : 0u, step[2]);
+        ZS_ASSERT(i1 > i0);
+        if (i1 > i0) { /* always; a slip in numbers must not become one in memory */
+            fetch(job, color + i0, i1 - i0, c, step);
+            if (job->shader->light)
+                lighten(job, color + i0, i1 - i0, n == 3 ? c[2] : 0u, step[2]);
+        }
         if (end >= r1)
             return;
         from = end;
