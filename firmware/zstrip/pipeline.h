@@ -223,7 +223,8 @@ struct zs_job {
 void zs_plane_geom(struct zs_job *job);
 enum zs_plane_kind {
     ZS_PLANE_KEY, /* buckets or codes, uq16_16: error below 0.005 of one */
-    ZS_PLANE_WIDE /* 31 significant bits: error below 2^-20 of the largest */
+    ZS_PLANE_WIDE /* 31 significant bits: error below the larger of 2^-21 of the largest value
+                     and (W + H + 1) / 2 * 2^-31 */
 };
 void zs_plane32(const struct zs_geom *g, uint32_t v0, uint32_t v1, uint32_t v2,
                 enum zs_plane_kind kind, struct zs_plane *out);

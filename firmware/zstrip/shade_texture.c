@@ -16,8 +16,9 @@
  * that are too, because w is monotonous); the last ends at the row's last covered pixel.
  * Light goes the same way, 128 codes to its whole range.
  *
- * Errors of a coordinate beyond that, in texels: planes 2^-21 of the triangle's span times rho (plane.c,
- * ZS_PLANE_WIDE), reciprocal 2^-29 of the span, vertices at the near plane half a step of the mesh's.
+ * Errors of a coordinate beyond that, in texels: planes the larger of 2^-21 and (W + H + 1) / 2^32 of the triangle's
+ * span, times rho (plane.c, ZS_PLANE_WIDE), reciprocal 2^-29 of the span, vertices at the near plane half a step of
+ * the mesh's.
  *
  * A sample exactly between two texels belongs to the right, lower one: 1/512 texel is added, more than the
  * planes' error in common triangles.

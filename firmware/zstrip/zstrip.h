@@ -60,7 +60,7 @@ enum zs_err {
     ZS_ERR_ATTRS = -9,  /* the shader needs more attributes a vertex than the arena was sized for */
     ZS_ERR_VECTOR = -10, /* a direction of length 0, or two directions that are parallel */
     ZS_ERR_NEAR = -11,  /* the near plane is too close beside what can be seen: the farthest point of
-                           the instances in view is more than 2^22 times as far away */
+                           the instances in view is more than 2^21 to 2^22 times as far away */
     ZS_ERR_TEXTURE = -12 /* a texture's size or clamping is out of range (zs_texture_check says which) */
 };
 
@@ -151,7 +151,9 @@ struct zs_mesh {
     uint16_t radius;                 /* of that sphere, steps, rounded up: too small loses parts */
     const int16_t (*uv)[2];          /* [n_verts], textured shading: 2^-uv_bits of the texture's width
                                         and height; NULL unless that reads it */
-    uint8_t uv_bits;                 /* 0 .. 15; 12 holds eight repeats each way to 1/16 texel of 256 */
+    uint8_t uv_bits;                 /* 0 .. 15; 12 holds eight repeats each way to 1/16 texel of 256. A cut at
+                                        the near plane rounds to a step: take log2 of the texture's
+                                        size + 3 or more, or texels there swim */
     const struct zs_cluster *cluster; /* [n_clusters], all triangles in order; NULL: not known */
     uint32_t n_clusters;
 };
@@ -162,7 +164,8 @@ extern const struct zs_shader zs_shade_flat;   /* a colour a face, lit once for 
 extern const struct zs_shader zs_shade_smooth; /* lit at the vertices, interpolated (Gouraud),
                                                   perspective-correct; needs mesh.normal and
                                                   config.attrs >= ZS_ATTRS_SMOOTH */
-/* Textured, perspective-correct: texels within 1/8 of a texel's width of where they belong (NUMERICS.md);
+/* Textured, perspective-correct: texels within 1/8 of a texel's width of where they belong (NUMERICS.md has
+ * what comes on top: uv_bits, depth bits, triangles a million times as far as near);
  * need mesh.uv and material.texture. The texture's colour is multiplied by light, not by material.rgb. */
 extern const struct zs_shader zs_shade_texture;        /* unlit; config.attrs >= ZS_ATTRS_TEXTURE */
 extern const struct zs_shader zs_shade_texture_flat;   /* lit once for the face; the same */
@@ -202,8 +205,10 @@ struct zs_state {
     uint8_t equal;     /* 0: less - on equal keys what was drawn stays. 1: less or equal - the later wins */
     uint8_t read_only; /* 1: tested, but keys are not written */
     int16_t offset;    /* buckets added to every key; < 0: towards the eye */
-    int16_t slope;     /* q8_8: times the larger of the changes of the key by one pixel right and one down
-                          (of the plane through the triangle's snapped vertices and their keys), rounded to
+    int16_t slope;     /* meant for recip, and for linear under orthographic cameras, whose keys are planes.
+                          q8_8: times the larger of the changes of the key by one pixel right and one down
+                          (of the plane through the snapped vertices, of each piece of a clipped triangle
+                          for itself, and their keys), rounded to
                           whole buckets, halves up, and added too. Keys stop at 0 and 2^bits - 2 */
 };
 #define ZS_STATE(equal, read_only, offset, slope) \
@@ -257,8 +262,8 @@ extern const struct zs_depth zs_depth_linear; /* (z - n) / (f - n) * (B - 1), an
 extern const struct zs_depth zs_depth_e3m13; /* to z = 128 near; finest */
 extern const struct zs_depth zs_depth_e4m12; /* to z = 32,768 near */
 extern const struct zs_depth zs_depth_e5m11; /* to all distances */
-/* The first of the three that keeps its step to far, by far / near: what to take when in doubt. NUMERICS.md
- * has the measurements. */
+/* The first of the three that keeps its step to far, by far / near: what to take when in doubt, but for
+ * orthographic cameras, which take zs_depth_linear alone (else ZS_ERR_DEPTH). NUMERICS.md has the measurements. */
 extern const struct zs_depth zs_depth_float;
 
 /* Work that is left out where it cannot change the picture. All are on unless named in
@@ -276,7 +281,7 @@ struct zs_config {
     uint16_t strip_h;       /* rows to a strip, >= 1; more than height means height */
     uint16_t max_tris;      /* binned triangles, 1 .. ZS_POOL_MAX */
     uint16_t max_verts;     /* transformed vertices, 3 .. ZS_POOL_MAX */
-    uint8_t attrs;          /* 16-bit words a vertex, 0 .. ZS_ATTRS_MAX: ZS_ATTRS_FLAT, _SMOOTH */
+    uint8_t attrs;          /* 16-bit words a vertex, 0 .. ZS_ATTRS_MAX: the largest ZS_ATTRS_* of its shaders */
     uint8_t buffers;        /* strip buffers, 1 or 2 */
     uint8_t subpixel_bits;  /* 8 or 4 */
     uint8_t depth_bits;     /* 8 .. 16 */
