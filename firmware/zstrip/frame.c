@@ -16,7 +16,7 @@ static const char *const messages[] = {
     "frame functions called out of order",
     "the shader needs more vertex attributes than config.attrs",
     "a direction of length 0, or parallel directions",
-    "the near plane is too close beside what is in view (more than 2^22 times as far): move it out",
+    "the near plane is too close beside what is in view (more than 2^21 times as far): move it out",
     "a texture's size or clamping out of range"
 };
 
