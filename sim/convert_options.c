@@ -6,7 +6,6 @@
 #include "convert_options.h"
 
 #include <ctype.h>
-#include <errno.h>
 #include <math.h>
 #include <stddef.h>
 #include <stdlib.h>
@@ -14,6 +13,7 @@
 #include <strings.h>
 
 #include "sim.h"
+#include "value.h"
 
 #define NAME_MAX_CHARS 40
 #define UNIT_MIN 1e-30
@@ -99,65 +99,22 @@ static const struct option table[] = {
 
 /* ---- Values ---------------------------------------------------------------------------------- */
 
-/* The place of a word in "a|b|c", or -1. */
-static int parse_choice(const char *text, const char *words)
-{
-    const size_t n = strlen(text);
-    for (int i = 0; words != NULL; i++) {
-        const size_t length = strcspn(words, "|");
-        if (length == n && memcmp(words, text, n) == 0)
-            return i;
-        words = words[length] == '|' ? words + length + 1 : NULL;
-    }
-    return -1;
-}
-
-static int parse_number(const char *text, double *out)
-{
-    char *end;
-    if (strspn(text, "+-.0123456789infatyINFATY") == 0 || strpbrk(text, "xX") != NULL)
-        return 0;
-    *out = strtod(text, &end);
-    return end != text && *end == '\0';
-}
-
-static int parse_size(const char *text, long size[2])
-{
-    char *end;
-    if (!isdigit((unsigned char)text[0]))
-        return 0;
-    size[0] = strtol(text, &end, 10); /* saturates */
-    if ((*end != 'x' && *end != 'X') || !isdigit((unsigned char)end[1]))
-        return 0;
-    size[1] = strtol(end + 1, &end, 10);
-    return *end == '\0';
-}
-
-static int parse_rgb(const char *text, struct zs_rgb *out)
-{
-    text += text[0] == '#';
-    if (strlen(text) != 6 || strspn(text, "0123456789abcdefABCDEF") != 6)
-        return 0;
-    const unsigned long v = strtoul(text, NULL, 16);
-    *out = (struct zs_rgb){ (uint8_t)(v >> 16), (uint8_t)(v >> 8), (uint8_t)v };
-    return 1;
-}
-
 static int take_value(const struct option *opt, const char *text, void *to)
 {
+    const char *end;
     switch (opt->kind) {
     case KIND_TEXT:
     case KIND_PATH:
         *(const char **)to = text;
         return text[0] != '\0';
     case KIND_NUMBER:
-        return parse_number(text, to);
+        return sim_value_double(text, '\0', &end, to);
     case KIND_SIZE:
-        return parse_size(text, to);
+        return sim_value_size(text, to);
     case KIND_RGB:
-        return parse_rgb(text, to);
+        return sim_value_rgb(text, to);
     case KIND_CHOICE:
-        *(int *)to = parse_choice(text, opt->words);
+        *(int *)to = sim_value_choice(text, opt->words);
         return *(int *)to >= 0;
     case KIND_FLAG:
         break;

@@ -5,13 +5,13 @@
  */
 #include "options.h"
 
-#include <errno.h>
 #include <math.h>
 #include <stddef.h>
 #include <stdlib.h>
 #include <string.h>
 
 #include "sim.h"
+#include "value.h"
 
 #define COORD_MAX 1e30 /* keeps products of three lengths inside a double */
 
@@ -123,75 +123,17 @@ static const struct option table[] = {
 
 #define N_TABLE (sizeof table / sizeof table[0])
 
-/* A whole string that is an integer. */
-static int parse_long(const char *text, const char **end, long *out)
-{
-    char *e;
-    errno = 0;
-    *out = strtol(text, &e, 10); /* saturates */
-    *end = e;
-    return e != text && !(text[0] >= '\t' && text[0] <= ' ');
-}
-
-/* One decimal number up to `stop`; may come out infinite or NaN. */
-static int parse_double(const char *text, char stop, const char **end, double *out)
-{
-    char *e;
-    if (text[0] <= ' ' || strspn(text, "+-0123456789.eEinfatyINFATY") == 0)
-        return 0;
-    for (const char *p = text; *p != '\0' && *p != stop; p++)
-        if (*p == 'x' || *p == 'X') /* no hexadecimal */
-            return 0;
-    *out = strtod(text, &e);
-    *end = e;
-    return e != text && *e == stop;
-}
-
-static int parse_rgb(const char *text, struct zs_rgb *out)
-{
-    if (text[0] == '#')
-        text++;
-    if (strlen(text) != 6 || strspn(text, "0123456789abcdefABCDEF") != 6)
-        return 0;
-    const unsigned long v = strtoul(text, NULL, 16);
-    out->r = (uint8_t)(v >> 16);
-    out->g = (uint8_t)(v >> 8);
-    out->b = (uint8_t)v;
-    return 1;
-}
-
-/* The place of a word in "a|b|c", or -1. */
-static int parse_choice(const char *text, const char *words)
-{
-    const size_t n = strlen(text);
-    for (int i = 0; words != NULL; i++) {
-        const char *bar = strchr(words, '|');
-        const size_t length = bar != NULL ? (size_t)(bar - words) : strlen(words);
-        if (length == n && memcmp(words, text, n) == 0)
-            return i;
-        words = bar != NULL ? bar + 1 : NULL;
-    }
-    return -1;
-}
-
-static int take_size(const char *text, long size[2])
-{
-    const char *end;
-    return parse_long(text, &end, &size[0]) && (*end == 'x' || *end == 'X') &&
-           parse_long(end + 1, &end, &size[1]) && *end == '\0';
-}
-
 static int take_vector(const char *text, double v[3])
 {
     const char *end;
-    return parse_double(text, ',', &end, &v[0]) && parse_double(end + 1, ',', &end, &v[1]) &&
-           parse_double(end + 1, '\0', &end, &v[2]);
+    return sim_value_double(text, ',', &end, &v[0]) && sim_value_double(end + 1, ',', &end, &v[1]) &&
+           sim_value_double(end + 1, '\0', &end, &v[2]);
 }
 
 static int take_count(const char *text, const char *words, long *count)
 {
     const char *end;
-    return (words == NULL || parse_choice(text, words) >= 0) && parse_long(text, &end, count) &&
+    return (words == NULL || sim_value_choice(text, words) >= 0) && sim_value_long(text, &end, count) &&
            *end == '\0';
 }
 
@@ -205,17 +147,17 @@ static int take_value(const struct option *opt, const char *text, void *to)
         *(const char **)to = text;
         return text[0] != '\0';
     case KIND_SIZE:
-        return take_size(text, to);
+        return sim_value_size(text, to);
     case KIND_COUNT:
         return take_count(text, opt->words, to);
     case KIND_NUMBER:
-        return parse_double(text, '\0', &end, to);
+        return sim_value_double(text, '\0', &end, to);
     case KIND_VECTOR:
         return take_vector(text, to);
     case KIND_RGB:
-        return parse_rgb(text, to);
+        return sim_value_rgb(text, to);
     case KIND_CHOICE:
-        word = parse_choice(text, opt->words);
+        word = sim_value_choice(text, opt->words);
         *(int *)to = word >= 0 ? word : 0;
         return word >= 0;
     case KIND_FLAG:
