@@ -1093,6 +1093,36 @@ static void a_state_that_asks_for_nothing_is_none(void **state)
     CASES(plain_state_case, 100);
 }
 
+/* From near to 256 times near within 255/256 of a pixel: the gradient of 1/z uses all of its 64 bits. */
+static void octaves_within_a_pixel(void **state)
+{
+    static const int16_t pos[3][3] = { { 0, 0, -64 }, { 0, 0, -16384 }, { 0, -3, -64 } };
+    static const uint8_t lo[3][3] = { { 255, 0, 0 }, { 0, 0, 1 }, { 255, 0, 0 } };
+    static const uint16_t tri[1][3] = { { 0, 1, 2 } };
+    static const struct zs_mesh mesh = { .pos = pos, .pos_lo = lo, .tri = tri, .n_verts = 3, .n_tris = 1,
+                                         .scale = 1024 * ZS_Q16_ONE, .center = { 0, 0, -8192 },
+                                         .radius = 9000 };
+    static const struct zs_material white = { .shader = &zs_shade_raw, .rgb = { 255, 255, 255 },
+                                              .cull = ZS_CULL_NONE };
+    static const struct zs_depth *const mapping[] = { &zs_depth_float, &zs_depth_e3m13, &zs_depth_e4m12,
+                                                      &zs_depth_e5m11 };
+    (void)state;
+    for (int m = 0; m < 4; m++) {
+        const struct zs_config config = picture_config(64, 64, mapping[m]);
+        struct zs_instance in = { .mesh = &mesh, .material = &white };
+        const struct zs_scene scene = { .instance = &in, .n_instances = 1 };
+        struct zs_camera camera;
+        zs_pose_identity(&in.pose);
+        assert_int_equal(zs_camera_perspective(&camera, 8192, 64, 65536, 1 << 20), ZS_OK);
+        camera.focal = (zs_uq32_32)64 << 32;
+        camera.z_far = (zs_q48_16)65536 * 65536 * 60000;
+        struct picture f = picture_draw(&config, &scene, &camera);
+        assert_int_equal(f.err, ZS_OK);
+        assert_true(f.covered >= 1);
+        picture_free(&f);
+    }
+}
+
 static const struct CMUnitTest tests[] = {
     cmocka_unit_test(the_float_oracle_agrees_with_the_definition),
     cmocka_unit_test(float_keys_against_exact_arithmetic),
@@ -1105,7 +1135,8 @@ static const struct CMUnitTest tests[] = {
     cmocka_unit_test(offsets_and_slopes_in_buckets),
     cmocka_unit_test(states_in_scenes_whatever_the_pools),
     cmocka_unit_test(float_takes_the_bits_that_far_asks_for),
-    cmocka_unit_test(a_state_that_asks_for_nothing_is_none)
+    cmocka_unit_test(a_state_that_asks_for_nothing_is_none),
+    cmocka_unit_test(octaves_within_a_pixel)
 };
 
 CASES_MAIN(tests)
