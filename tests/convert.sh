@@ -6,54 +6,12 @@
 # `ok NAME` or `FAILED NAME: reason` a test; models and programs stay in BUILD/test/convert.
 set -u
 build=$(cd "$1" && pwd) || exit 1
-top=$PWD
-zsim=$build/test/zsim
-work=$build/test/convert
 SAN='-fsanitize=address,undefined -fno-sanitize-recover=all'
-LSAN_OPTIONS=suppressions=$top/tests/lsan.txt:print_suppressions=0
-ASAN_OPTIONS=detect_leaks=1:exitcode=99
-UBSAN_OPTIONS=exitcode=99
-export LSAN_OPTIONS ASAN_OPTIONS UBSAN_OPTIONS
-rm -rf "$work"
-mkdir -p "$work"
-cd "$work" || exit 1
+set -- "$build/test/zsim" "$build/test/convert"
+. tests/cli/common.sh
 gcc -O1 -Wall -Wextra -Werror -I"$top/firmware/zstrip" -I"$build/gen" "$top/tests/convert/make.c" \
     "$build/libmeshes.a" -lpng -lturbojpeg -lm -o make || exit 1
-gcc -O1 -Wall -Wextra -Werror "$top/tests/cli/look.c" -lpng -o look || exit 1
 
-# ---- What a test is made of --------------------------------------------------------------------
-n_failed=0
-name=none
-begin() { # NAME    ends the test before it
-    finish
-    name=$1
-    bad=''
-    note=''
-}
-finish() {
-    if [ "$name" != none ]; then
-        if [ -z "$bad" ]; then
-            echo "ok $name${note:+ ($note)}"
-        else
-            echo "FAILED $name: $bad"
-            n_failed=$((n_failed + 1))
-        fi
-    fi
-    name=none
-}
-wrong() { # REASON    the first one counts
-    [ -n "$bad" ] || bad="$(printf '%s' "$1" | tr '\n' ' ') [cd $work; zsim$last]"
-}
-last=''
-z() { # ARGUMENT...    zsim, its exit status in $status
-    last=''
-    for arg in "$@"; do last="$last '$arg'"; done
-    "$zsim" "$@" >stdout 2>stderr </dev/null
-    status=$?
-}
-is() { # WHAT HAVE WANT
-    [ "$2" = "$3" ] || wrong "$1 is '$2' instead of '$3'"
-}
 below() { # WHAT HAVE LIMIT
     awk -v a="$2" -v b="$3" 'BEGIN { exit !(a == a + 0 && a + 0 < b + 0) }' || wrong "$1 is $2, not below $3"
 }
@@ -68,11 +26,6 @@ lacks() { # FILE TEXT
 }
 run() { # PROGRAM ARGUMENT...    its words in $seen
     seen=$("$@" 2>run.err) || wrong "$*: $seen $(head -c 300 run.err)"
-}
-word() { # N WORD...
-    n=$1
-    shift "$n"
-    echo "$1"
 }
 
 # Convert as name m into to/, map to to.u32; nothing may be said on stderr.

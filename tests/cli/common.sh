@@ -22,15 +22,17 @@ cd "$work" || exit 1
 n_failed=0
 name=none
 bad=''
-begin() { # NAME    ends the test before it
+note=''
+begin() { # NAME    ends the test before it; $note, if set by then, is shown beside its verdict
     finish
     name=$1
     bad=''
+    note=''
 }
 finish() {
     if [ "$name" != none ]; then
         if [ -z "$bad" ]; then
-            echo "ok $name"
+            echo "ok $name${note:+ ($note)}"
         else
             echo "FAILED $name: $bad"
             n_failed=$((n_failed + 1))
