@@ -440,11 +440,6 @@ static void sort_piece(struct work *w, struct sim_piece *p, const struct shape *
     const struct sim_shape shape = { (const int32_t(*)[3])fine, (const uint32_t(*)[3])old,
                                      p->n_verts, p->n_tris };
     p->cluster = sim_cluster(order, &p->n_clusters, &shape, w->options->cull == ZS_CULL_BACK);
-    if (p->n_tris <= SIM_CLUSTER_TRIS) { /* the mesh's own sphere does */
-        free(p->cluster);
-        p->cluster = NULL;
-        p->n_clusters = 0;
-    }
     for (uint32_t i = 0; i < p->n_tris; i++) {
         memcpy(tri[i], old[order[i]], sizeof *tri);
         list[i] = old_list[order[i]];

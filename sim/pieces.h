@@ -39,7 +39,7 @@ struct sim_piece {
     int16_t (*uv)[2];
     uint16_t (*tri)[3];
     uint32_t *source;           /* [n_tris], the triangle's number in the model */
-    struct zs_cluster *cluster; /* NULL: SIM_CLUSTER_TRIS triangles or fewer */
+    struct zs_cluster *cluster; /* [n_clusters], of SIM_CLUSTER_TRIS triangles or fewer */
     int16_t center[3];
     uint16_t radius;
     uint8_t uv_bits;

@@ -126,7 +126,7 @@ static void check(void)
             check_cluster(m, k, &tightest);
             tried += try_cone(m, k, &state);
         }
-        if (m->n_tris > 64 && !m->cluster)
+        if (!m->cluster)
             wrong("mesh %u has no clusters", i);
         clusters += m->n_clusters;
         tris += m->n_tris;
