@@ -1,7 +1,10 @@
 /* The whole contract with hardware. One implementation is linked into a binary: hal/null (what a porter
- * copies), hal/host (a program on a PC), hal/mps2 (QEMU's Cortex-M3). They are peers.
+ * copies), hal/host (a program on a PC), hal/mps2 (QEMU's Cortex-M boards), hal/rp2040 (a Raspberry Pi Pico).
+ * They are peers.
  *
- * This header knows nothing of the renderer: it moves text, ticks and finished strips of pixels.
+ * This header knows nothing of the renderer: it moves text, ticks and a panel's bytes. A bus (struct hal_bus)
+ * is a value, so that wrappers are peers too: hal/fault makes another bus fail, the simulator's ends in a
+ * model of the panel.
  * Nothing here may be called from an interrupt unless its comment says so. Errors are negative and
  * below -100, so that a sink can pass them through the renderer without being taken for its own.
  *
@@ -18,20 +21,63 @@ extern "C" {
 
 enum hal_err {
     HAL_OK = 0,
-    HAL_ERR_STATE = -101,  /* hal_init missing, or a strip sent while one is still out */
-    HAL_ERR_ARG = -102,    /* a NULL pointer, or an empty strip */
-    HAL_ERR_CHANGED = -103 /* hal/host: a borrowed strip was written to */
+    HAL_ERR_STATE = -101,   /* hal_init missing, or a transfer begun while one is still out */
+    HAL_ERR_ARG = -102,     /* a NULL pointer, or an empty transfer */
+    HAL_ERR_CHANGED = -103, /* hal/host: borrowed bytes were written to */
+    HAL_ERR_BUS = -104,     /* the transfer failed: bytes may be missing on the panel's side */
+    HAL_ERR_TIMEOUT = -105, /* it did not end in its time, and was broken off */
+    HAL_ERR_BUSY = -106     /* hooks.lock: another user of the bus kept it */
 };
 
-/* Finished pixels on their way out. */
-struct hal_strip {
-    uint16_t x, y, w, h; /* px in the frame */
-    uint16_t last;       /* 1 in the frame's last strip */
-    const uint8_t *px;   /* n_bytes bytes in the panel's own format, row-major, dense */
-    uint32_t n_bytes;
+/* ---- The panel's bus ------------------------------------------------------------------------------- */
+
+/* What a program puts into a bus between hal_bus and the first use of it. Each may be NULL. */
+struct hal_hooks {
+    void *ctx;              /* passed to all four */
+    void (*idle)(void *ctx); /* called again and again while wait waits, instead of the bus's own way (WFI where there
+                               is one): take a semaphore, yield, feed a watchdog. May return at any time */
+    void (*done)(void *ctx); /* called when bytes begun by data are out, also when that failed: gives the semaphore.
+                               From an interrupt, where the bus has one: must be ISR-safe */
+    int (*lock)(void *ctx);  /* before a panel uses the bus (SPI shared with a card, a touch controller). May block.
+                               Not 0: the bus is not used, and the panel function returns HAL_ERR_BUSY */
+    void (*unlock)(void *ctx); /* after that, also where it failed; not from an interrupt */
 };
 
-/* Bring clocks, the tick counter and the output up. First call of a program; again: no effect.
+/* The verbs that a panel driver speaks. One panel hangs on a bus; every verb concerns that panel alone. An
+ * implementation makes this the first member of its own struct. */
+struct hal_bus {
+    /* Send a command byte (D/C low) and its n argument bytes (D/C high).
+     * Buffer  args is not kept. args may be NULL where n is 0.
+     * Blocks  until they are out (some microseconds).
+     * Return  HAL_OK; HAL_ERR_STATE while data is out; HAL_ERR_ARG; _BUS, _TIMEOUT. */
+    int (*command)(struct hal_bus *bus, uint8_t command, const uint8_t *args, uint32_t n);
+
+    /* Begin to send n bytes of pixels (D/C high).
+     * Buffer  borrowed and not to be written from this call until wait returns; not borrowed on a negative
+     *         return. 2-byte aligned. Where data caches are on, this call cleans the range.
+     * Blocks  no longer than it takes to begin; a bus without DMA sends here.
+     * Return  HAL_OK; HAL_ERR_ARG (NULL, or n is 0); HAL_ERR_STATE while other data is out; _BUS, _TIMEOUT. */
+    int (*data)(struct hal_bus *bus, const uint8_t *bytes, uint32_t n);
+
+    /* Wait until the data is out, the last bit included. Nothing is out: HAL_OK at once.
+     * Blocks  for the rest of the transfer, at most a small multiple of its time.
+     * Return  HAL_OK, or why the transfer failed. In both cases nothing is out any more and the bytes are the
+     *         caller's. */
+    int (*wait)(struct hal_bus *bus);
+
+    /* Pull the panel's RESET line for as long as the controllers here want (10 us and more), and release it.
+     * Without such a line: nothing. Blocks that long. Not while data is out (HAL_ERR_STATE). */
+    int (*reset)(struct hal_bus *bus);
+
+    /* Let at least us microseconds pass. Blocks. */
+    void (*delay)(struct hal_bus *bus, uint32_t us);
+
+    struct hal_hooks hooks;
+};
+
+/* ---- The board ----------------------------------------------------------------------------------------- */
+
+/* Bring clocks, the tick counter and the bus up. First call of a program; again: no effect.
  * Blocks  a moment.
  * Return  HAL_OK, or a negative code: nothing else may be called then but hal_exit. */
 int hal_init(void);
@@ -47,21 +93,20 @@ void hal_write(const char *text);
  * Blocks  no. ISR-safe  no: below the tick's own interrupt it would miss a wrap. */
 uint64_t hal_ticks(void);
 
-/* What a tick is worth in executed instructions; 0: ticks are time, and say nothing of instructions.
+/* Ticks to a second of real time; 0: ticks are not time. Blocks  no. ISR-safe  yes. */
+uint32_t hal_tick_hz(void);
+
+/* What a tick is worth in executed instructions; 0: ticks say nothing of instructions.
  * Instructions are not cycles: print them as what they are. Blocks  no. ISR-safe  yes. */
 uint32_t hal_tick_instructions(void);
 
-/* Start moving a strip out. *strip itself is copied.
- * Buffer  strip->px is borrowed and must not be written from this call until hal_strip_wait returns; on a
- *         negative return it was not borrowed. Where data caches are on, this call cleans the range itself.
- * Blocks  no longer than it takes to start a transfer; a HAL without DMA moves the strip here.
- * Return  HAL_OK; HAL_ERR_ARG; HAL_ERR_STATE where the strip before it was not waited for. */
-int hal_strip_send(const struct hal_strip *strip);
+/* The bus of the board's panel, the same at each call, from hal_init on; never NULL. A board without a panel has
+ * one that takes everything and sends it nowhere. Static storage. */
+struct hal_bus *hal_bus(void);
 
-/* Wait until the strip that was sent is out and its pixels are the caller's again. None is out: no effect.
- * Blocks  for the rest of the transfer.
- * Return  HAL_OK, or why that transfer failed (the pixels are the caller's all the same). */
-int hal_strip_wait(void);
+/* Light behind the glass: 0 dark, 255 full; where it can only be switched, from 1 on full. Panels that make their own
+ * light take panel_brightness; a board without such a line does nothing. Blocks  no. */
+void hal_backlight(uint8_t level);
 
 /* Fill the unused part of the stack with a pattern. Blocks  a moment. */
 void hal_stack_paint(void);

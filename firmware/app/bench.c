@@ -74,15 +74,14 @@ static void put_ratio(uint64_t n, uint64_t d)
 
 static int send(void *ctx, const struct zs_strip *s)
 {
-    const struct hal_strip strip = { s->x, s->y, s->w, s->h, s->last, s->px, s->n_bytes };
-    (void)ctx;
-    return hal_strip_send(&strip);
+    struct hal_bus *bus = ctx;
+    return bus->data(bus, s->px, s->n_bytes);
 }
 
 static int wait(void *ctx)
 {
-    (void)ctx;
-    return hal_strip_wait();
+    struct hal_bus *bus = ctx;
+    return bus->wait(bus);
 }
 
 static int hash(void *ctx, const struct zs_strip *s)
@@ -117,7 +116,7 @@ static int configure(struct zs_config *c, const struct demo *d, uint16_t rows, u
 /* One frame to nowhere; its statistics stay in the renderer. */
 static int draw(void)
 {
-    const struct zs_sink sink = { send, wait, 0 };
+    const struct zs_sink sink = { send, wait, hal_bus() };
     return zs_render(&renderer, &frame.scene, &frame.camera, &sink);
 }
 

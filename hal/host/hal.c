@@ -1,5 +1,5 @@
-/* A program on a PC: text to stdout, ticks of the C library's clock, strips to nowhere. Crueller than
- * hardware: a strip that changes while it is borrowed is an error.
+/* A program on a PC: text to stdout, ticks of the C library's clock, pixels to nowhere. Crueller than
+ * hardware: bytes that change while they are borrowed are an error.
  *
  * SPDX-License-Identifier: MIT
  */
@@ -9,8 +9,8 @@
 #include <stdlib.h>
 #include <time.h>
 
-static struct hal_strip out; /* px is NULL: none is out */
-static uint32_t out_sum;
+static const uint8_t *out; /* what is being sent; NULL: nothing is */
+static uint32_t n_out, out_sum;
 static uint8_t ready;
 
 static uint32_t fnv1a(const uint8_t *at, uint32_t n)
@@ -43,27 +43,73 @@ uint64_t hal_ticks(void)
     return (uint64_t)clock();
 }
 
+uint32_t hal_tick_hz(void)
+{
+    return (uint32_t)CLOCKS_PER_SEC;
+}
+
 uint32_t hal_tick_instructions(void)
 {
     return 0;
 }
 
-int hal_strip_send(const struct hal_strip *strip)
+/* ---- The bus: bytes to nowhere ------------------------------------------------------------------------ */
+
+static int command(struct hal_bus *bus, uint8_t code, const uint8_t *args, uint32_t n)
 {
-    if (!strip || !strip->px || !strip->n_bytes)
+    (void)bus;
+    (void)code;
+    if (n && !args)
         return HAL_ERR_ARG;
-    if (!ready || out.px)
+    return !ready || out ? HAL_ERR_STATE : HAL_OK;
+}
+
+static int data(struct hal_bus *bus, const uint8_t *bytes, uint32_t n)
+{
+    (void)bus;
+    if (!bytes || !n)
+        return HAL_ERR_ARG;
+    if (!ready || out)
         return HAL_ERR_STATE;
-    out = *strip;
-    out_sum = fnv1a(out.px, out.n_bytes);
+    out = bytes;
+    n_out = n;
+    out_sum = fnv1a(out, n_out);
     return HAL_OK;
 }
 
-int hal_strip_wait(void)
+static int wait(struct hal_bus *bus)
 {
-    const int same = !out.px || fnv1a(out.px, out.n_bytes) == out_sum;
-    out.px = NULL;
+    if (!out)
+        return HAL_OK;
+    const int same = fnv1a(out, n_out) == out_sum;
+    out = NULL;
+    if (bus->hooks.done)
+        bus->hooks.done(bus->hooks.ctx);
     return same ? HAL_OK : HAL_ERR_CHANGED;
+}
+
+static int reset(struct hal_bus *bus)
+{
+    (void)bus;
+    return out ? HAL_ERR_STATE : HAL_OK;
+}
+
+static void delay(struct hal_bus *bus, uint32_t us)
+{
+    (void)bus;
+    (void)us;
+}
+
+static struct hal_bus the_bus = { command, data, wait, reset, delay, { 0 } };
+
+struct hal_bus *hal_bus(void)
+{
+    return &the_bus;
+}
+
+void hal_backlight(uint8_t level)
+{
+    (void)level;
 }
 
 void hal_stack_paint(void)

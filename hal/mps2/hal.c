@@ -89,14 +89,31 @@ uint64_t hal_ticks(void)
     return (uint64_t)before * (SYST_TOP + 1u) + (SYST_TOP - down);
 }
 
+uint32_t hal_tick_hz(void)
+{
+    return 0; /* under -icount time is instructions */
+}
+
 uint32_t hal_tick_instructions(void)
 {
     return (HAL_TICK_INSTRUCTIONS_X2 + 1u) / 2u;
 }
 
-int hal_strip_send(const struct hal_strip *strip)
+/* ---- The bus: no panel ------------------------------------------------------------------------------ */
+
+static int command(struct hal_bus *bus, uint8_t code, const uint8_t *args, uint32_t n)
 {
-    if (!strip || !strip->px || !strip->n_bytes)
+    (void)bus;
+    (void)code;
+    if (n && !args)
+        return HAL_ERR_ARG;
+    return !ready || busy ? HAL_ERR_STATE : HAL_OK;
+}
+
+static int data(struct hal_bus *bus, const uint8_t *bytes, uint32_t n)
+{
+    (void)bus;
+    if (!bytes || !n)
         return HAL_ERR_ARG;
     if (!ready || busy)
         return HAL_ERR_STATE;
@@ -104,10 +121,36 @@ int hal_strip_send(const struct hal_strip *strip)
     return HAL_OK;
 }
 
-int hal_strip_wait(void)
+static int wait(struct hal_bus *bus)
 {
+    if (busy && bus->hooks.done)
+        bus->hooks.done(bus->hooks.ctx);
     busy = 0;
     return HAL_OK;
+}
+
+static int reset(struct hal_bus *bus)
+{
+    (void)bus;
+    return busy ? HAL_ERR_STATE : HAL_OK;
+}
+
+static void delay(struct hal_bus *bus, uint32_t us)
+{
+    (void)bus;
+    (void)us;
+}
+
+static struct hal_bus the_bus = { command, data, wait, reset, delay, { 0 } };
+
+struct hal_bus *hal_bus(void)
+{
+    return &the_bus;
+}
+
+void hal_backlight(uint8_t level)
+{
+    (void)level;
 }
 
 void hal_stack_paint(void)
