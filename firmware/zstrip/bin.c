@@ -170,18 +170,11 @@ static ZS_NOINLINE uint32_t vertex_add(struct zs_renderer *r, uint32_t v)
     r->vert_map[map_index(v, r->config.max_verts)] = (uint16_t)slot;
     r->stats.verts_transformed++;
 
-    struct zs_point p;
     struct zs_vertex *out = &r->vert[slot];
-    const struct zs_xform *xf = &r->xform;
-    zs_xform_vertex(xf, v, &p);
-    /* the second test catches what the first was left out for: a sphere that is smaller than its mesh */
-    if (((xf->clip_depth | xf->clip_guard) && zs_xform_outcode(&r->view, &p)) ||
-        !zs_xform_project(r, &p, out)) {
-        out->x = out->y = 0;
-        out->d = ZS_D_OUT;
+    zs_xform_screen(r, v, out);
+    if (out->d >= ZS_D_OUT)
         return slot;
-    }
-    const struct zs_shader *shader = xf->instance->material->shader;
+    const struct zs_shader *shader = r->xform.instance->material->shader;
     if (shader->vertex)
         shader->vertex(r, v, &r->attr[slot * r->config.attrs]);
     return slot;
@@ -393,6 +386,17 @@ static enum fate polygon_bin(struct zs_renderer *r, const struct polygon *p, uin
     return all;
 }
 
+/* Why a triangle cannot be seen whose corners have an outcode in common. */
+static enum fate outside(uint32_t all)
+{
+    return all & ZS_OUT_NEAR ? FATE_NEAR : all & ZS_OUT_FAR ? FATE_FAR : FATE_OFFSCREEN;
+}
+
+static uint32_t outcode_of(const struct zs_vertex *v)
+{
+    return v->d >= ZS_D_OUT ? (uint32_t)v->x : 0u;
+}
+
 static enum fate triangle_clip(struct zs_renderer *r, uint32_t t)
 {
     const struct zs_mesh *mesh = r->xform.instance->mesh;
@@ -408,12 +412,8 @@ static enum fate triangle_clip(struct zs_renderer *r, uint32_t t)
         any |= code;
         all &= code;
     }
-    if (all & ZS_OUT_NEAR)
-        return FATE_NEAR;
-    if (all & ZS_OUT_FAR)
-        return FATE_FAR;
     if (all)
-        return FATE_OFFSCREEN;
+        return outside(all);
     if (r->counting)
         r->stats.tris_clipped++;
     const int sense = sense_of(&r->view, p.cv);
@@ -449,8 +449,10 @@ static enum fate triangle(struct zs_renderer *r, uint32_t t)
             continue;
         }
         const struct zs_vertex *a = &r->vert[slot[0]], *b = &r->vert[slot[1]], *c = &r->vert[slot[2]];
-        if (a->d >= ZS_D_OUT || b->d >= ZS_D_OUT || c->d >= ZS_D_OUT)
-            return triangle_clip(r, t);
+        if (a->d >= ZS_D_OUT || b->d >= ZS_D_OUT || c->d >= ZS_D_OUT) {
+            const uint32_t all = outcode_of(a) & outcode_of(b) & outcode_of(c);
+            return all ? outside(all) : triangle_clip(r, t);
+        }
         const int64_t area = signed_area(a, b, c);
         if (area == 0)
             return FATE_ZERO;

@@ -42,13 +42,20 @@ struct zs_view {
     uint8_t key_mantissa, key_octaves; /* float: mantissa bits, and 2^exponent bits - 1 */
 };
 
-/* One instance's way to camera units: c = (m * p + t) / 2^shift. */
+/* One row of an instance's way to camera units, c = (m . p + t) / 2^shift, floor, with m and t cut where 32 bits
+ * carry every sum (xform.c): m = high * 2^s + low, t = (t_high * 2^(shift - s) + t_mid) * 2^s + t_low. */
+struct zs_axis {
+    int32_t high[3], low[3]; /* |low| <= 2^14 */
+    int32_t t_low, t_mid;    /* 0 .. 2^15 - 1, 0 .. 2^14 - 1 */
+    int32_t t_high;          /* camera units */
+};
+
+/* One instance's way to camera units. */
 struct zs_xform {
     const struct zs_instance *instance;
-    int64_t t[3];       /* camera units * 2^shift, |.| < 2^60 */
-    int32_t m[9];       /* |.| <= 2^30 */
+    struct zs_axis axis[3];
+    uint32_t shift_low, shift_high; /* s, 0 .. 15, and shift - s, 0 .. 14 */
     int32_t light[3];   /* q2_30: the light's direction in mesh space */
-    uint8_t shift;      /* 0 .. 29 */
     uint8_t clip_depth; /* 1: vertices may be before near or beyond far */
     uint8_t clip_guard; /* 1: vertices may be outside the guard band */
     uint16_t number;    /* in the scene */
