@@ -6,15 +6,21 @@
  * once and the pools are emptied: least (key, scene order) wins in any number of sets. So any pool
  * that holds one triangle takes any scene, in more passes.
  *
- * Vertices are transformed when a triangle first asks for them. vert_map[v] says where vertex v of the
- * current mesh may lie in the pool; it is believed only if that place belongs to the current instance
- * and vert_src says v, so it needs no clearing.
+ * Vertices are transformed when a triangle first asks for them, and lit when the first that is binned does. Where
+ * the pool has room for all of a mesh, vertex v has the place vert_base + v, kept free for it ("direct"). Elsewhere, and
+ * from the moment on that places were moved, vert_map[v] says where vertex v of the current mesh may lie in the
+ * pool; it is believed only if that place belongs to the current instance and vert_src says v, so it needs no
+ * clearing.
  *
  * SPDX-License-Identifier: MIT
  */
 #include "pipeline.h"
 
-#define NO_SOURCE 65535u /* vert_src of a vertex made by clipping: meshes have at most 65535 */
+#define NO_SOURCE 65535u     /* vert_src of a vertex made by clipping: meshes have at most 65535 */
+#define D_FREE 0xffffffffu   /* zs_vertex.d of a place kept for a vertex that is not transformed yet */
+#define ATTR_UNLIT 0xa55au   /* first attribute of a vertex that no binned triangle holds yet. A lit one that is the
+                                same is lit again, with the same outcome */
+_Static_assert(D_FREE >= ZS_D_OUT, "one test finds both");
 
 /* ---- Pools ----------------------------------------------------------------------------------------- */
 
@@ -50,9 +56,10 @@ static void pools_empty(struct zs_renderer *r)
     bins_clear(r);
 }
 
+/* 0 <= row < ZS_SIZE_MAX */
 static int32_t strip_of(const struct zs_renderer *r, int32_t row)
 {
-    return row / r->config.strip_h;
+    return (int32_t)((uint32_t)row * r->strip_mul >> r->strip_shift);
 }
 
 /* Rows [*y0, *y1) of the frame that hold samples of the triangle's box; empty: *y0 >= *y1. */
@@ -142,6 +149,7 @@ static void high_water(struct zs_renderer *r)
 /* A pool is full: free at least a quarter of both. Slots change. */
 static void make_room(struct zs_renderer *r)
 {
+    r->direct = 0;
     high_water(r);
     verts_compact(r);
     while (!roomy(r)) {
@@ -160,23 +168,49 @@ static void make_room(struct zs_renderer *r)
 
 /* ---- Vertices ---------------------------------------------------------------------------------------- */
 
+static void vertex_fill(struct zs_renderer *r, uint32_t slot, uint32_t v)
+{
+    r->vert_src[slot] = (uint16_t)v;
+    r->stats.verts_transformed++;
+    zs_xform_screen(r, v, &r->vert[slot]);
+    if (r->config.attrs)
+        r->attr[slot * r->config.attrs] = ATTR_UNLIT;
+}
+
+/* Attributes of a binned triangle's corners that no triangle before it needed. */
+static void corners_light(struct zs_renderer *r, const uint32_t slot[3])
+{
+    const struct zs_shader *shader = r->xform.instance->material->shader;
+    if (!shader->vertex)
+        return;
+    for (int k = 0; k < 3; k++) {
+        uint16_t *attr = &r->attr[slot[k] * r->config.attrs];
+        if (*attr == ATTR_UNLIT)
+            shader->vertex(r, r->vert_src[slot[k]], attr);
+    }
+}
+
+/* Keep places for all vertices of a mesh, where that is possible. */
+static void set_direct(struct zs_renderer *r, const struct zs_mesh *mesh)
+{
+    set_base(r, r->n_verts);
+    r->direct = !(r->config.skip_off & ZS_SKIP_VCACHE) && mesh->n_verts <= r->config.max_verts - r->n_verts;
+    if (!r->direct)
+        return;
+    struct zs_vertex *at = &r->vert[r->n_verts];
+    r->n_verts += mesh->n_verts;
+    for (struct zs_vertex *const end = &r->vert[r->n_verts]; at < end; at++)
+        at->d = D_FREE;
+}
+
 /* Transform vertex v into the next place of the pool; ZS_NIL: the pool is full. */
 static ZS_NOINLINE uint32_t vertex_add(struct zs_renderer *r, uint32_t v)
 {
     if (r->n_verts == r->config.max_verts)
         return ZS_NIL;
     const uint32_t slot = r->n_verts++;
-    r->vert_src[slot] = (uint16_t)v;
     r->vert_map[map_index(v, r->config.max_verts)] = (uint16_t)slot;
-    r->stats.verts_transformed++;
-
-    struct zs_vertex *out = &r->vert[slot];
-    zs_xform_screen(r, v, out);
-    if (out->d >= ZS_D_OUT)
-        return slot;
-    const struct zs_shader *shader = r->xform.instance->material->shader;
-    if (shader->vertex)
-        shader->vertex(r, v, &r->attr[slot * r->config.attrs]);
+    vertex_fill(r, slot, v);
     return slot;
 }
 
@@ -203,7 +237,7 @@ static inline int corner_slots(struct zs_renderer *r, const uint16_t index[3], u
 /* ---- Triangles --------------------------------------------------------------------------------------- */
 
 enum fate { FATE_DRAWN, FATE_OFFSCREEN, FATE_FACING, FATE_ZERO, FATE_EMPTY, FATE_NEAR, FATE_FAR,
-            FATE_INDEX, FATES };
+            FATE_INDEX, FATES, FATE_OPEN = FATES /* not known yet */ };
 
 static void count(struct zs_stats *s, const uint32_t fate[FATES])
 {
@@ -224,7 +258,23 @@ static int64_t signed_area(const struct zs_vertex *a, const struct zs_vertex *b,
     return (int64_t)(b->x - a->x) * (c->y - a->y) - (int64_t)(c->x - a->x) * (b->y - a->y);
 }
 
-static int faces_away(int64_t area, uint32_t cull)
+static ZS_NOINLINE int32_t wide_sense(const struct zs_vertex *a, const struct zs_vertex *b, const struct zs_vertex *c)
+{
+    const int64_t left = zs_mul_ss(b->x - a->x, c->y - a->y), right = zs_mul_ss(c->x - a->x, b->y - a->y);
+    return (left > right) - (left < right);
+}
+
+/* The sign of signed_area. */
+static inline int32_t sense(const struct zs_vertex *a, const struct zs_vertex *b, const struct zs_vertex *c)
+{
+    const int32_t bx = b->x - a->x, by = b->y - a->y, cx = c->x - a->x, cy = c->y - a->y;
+    const uint32_t half = 1u << 15;
+    if ((((uint32_t)bx + half) | ((uint32_t)by + half) | ((uint32_t)cx + half) | ((uint32_t)cy + half)) >> 16)
+        return wide_sense(a, b, c);
+    return bx * cy - cx * by; /* all in [-2^15, 2^15): |.| < 2^31 */
+}
+
+static inline int faces_away(int64_t area, uint32_t cull)
 {
     return (cull == ZS_CULL_BACK && area > 0) || (cull == ZS_CULL_FRONT && area < 0);
 }
@@ -246,7 +296,7 @@ static enum fate box_fate(const struct zs_renderer *r, const struct zs_vertex *a
 
 static int in_band(const struct zs_renderer *r, int32_t y0, int32_t y1)
 {
-    return strip_of(r, y0) < r->band_end && strip_of(r, y1 - 1) >= r->strip;
+    return y0 < r->band_end * r->config.strip_h && y1 > r->strip * r->config.strip_h;
 }
 
 static void bin_push(struct zs_renderer *r, const uint32_t slot[3], uint16_t paint, int32_t y0)
@@ -433,11 +483,34 @@ static enum fate triangle_clip(struct zs_renderer *r, uint32_t t)
 
 /* ---- The walk -------------------------------------------------------------------------------------- */
 
+/* Bin a projected triangle that is not culled by its facing, unless it lies outside the frame or the band. FATE_OPEN: the
+ * pool of triangles is full. */
+static ZS_NOINLINE enum fate place(struct zs_renderer *r, uint32_t t, const uint32_t slot[3])
+{
+    const struct zs_shader *shader = r->xform.instance->material->shader;
+    int32_t y0, y1;
+    const enum fate fate = box_fate(r, &r->vert[slot[0]], &r->vert[slot[1]], &r->vert[slot[2]], &y0, &y1);
+    if (fate != FATE_DRAWN || !in_band(r, y0, y1))
+        return fate;
+    if (r->n_tris == r->config.max_tris)
+        return FATE_OPEN;
+    corners_light(r, slot);
+    bin_push(r, slot, shader->face(r, t), y0);
+    return FATE_DRAWN;
+}
+
+/* A triangle that is not wholly inside near, far and guard. */
+static enum fate cut(struct zs_renderer *r, uint32_t t, const struct zs_vertex *a, const struct zs_vertex *b,
+                     const struct zs_vertex *c)
+{
+    const uint32_t all = outcode_of(a) & outcode_of(b) & outcode_of(c);
+    return all ? outside(all) : triangle_clip(r, t);
+}
+
 static enum fate triangle(struct zs_renderer *r, uint32_t t)
 {
-    const struct zs_xform *xf = &r->xform;
-    const struct zs_mesh *mesh = xf->instance->mesh;
-    const struct zs_material *material = xf->instance->material;
+    const struct zs_mesh *mesh = r->xform.instance->mesh;
+    const uint32_t cull = r->xform.instance->material->cull;
     const uint16_t *index = mesh->tri[t];
     for (int k = 0; k < 3; k++)
         if (index[k] >= mesh->n_verts)
@@ -449,26 +522,73 @@ static enum fate triangle(struct zs_renderer *r, uint32_t t)
             continue;
         }
         const struct zs_vertex *a = &r->vert[slot[0]], *b = &r->vert[slot[1]], *c = &r->vert[slot[2]];
-        if (a->d >= ZS_D_OUT || b->d >= ZS_D_OUT || c->d >= ZS_D_OUT) {
-            const uint32_t all = outcode_of(a) & outcode_of(b) & outcode_of(c);
-            return all ? outside(all) : triangle_clip(r, t);
-        }
-        const int64_t area = signed_area(a, b, c);
-        if (area == 0)
+        if (a->d >= ZS_D_OUT || b->d >= ZS_D_OUT || c->d >= ZS_D_OUT)
+            return cut(r, t, a, b, c);
+        const int32_t turn = sense(a, b, c);
+        if (turn == 0)
             return FATE_ZERO;
-        if (faces_away(area, material->cull))
+        if (faces_away(turn, cull))
             return FATE_FACING;
-        int32_t y0, y1;
-        const enum fate fate = box_fate(r, a, b, c, &y0, &y1);
-        if (fate != FATE_DRAWN || !in_band(r, y0, y1))
+        const enum fate fate = place(r, t, slot);
+        if (fate != FATE_OPEN)
             return fate;
-        if (r->n_tris == r->config.max_tris) {
-            make_room(r); /* slots are stale: look the vertices up again */
+        make_room(r); /* slots are stale: look the vertices up again */
+    }
+}
+
+/* Transform the corners that are not yet. Return what becomes of the triangle; FATE_OPEN: all are inside near, far and
+ * guard. */
+static ZS_NOINLINE enum fate settle(struct zs_renderer *r, uint32_t t)
+{
+    const uint16_t *index = r->xform.instance->mesh->tri[t];
+    uint32_t out = 0;
+    for (int k = 0; k < 3; k++) {
+        const uint32_t slot = r->vert_base + index[k];
+        if (r->vert[slot].d == D_FREE)
+            vertex_fill(r, slot, index[k]);
+        out |= r->vert[slot].d >= ZS_D_OUT;
+    }
+    const struct zs_vertex *pool = &r->vert[r->vert_base];
+    return out ? cut(r, t, pool + index[0], pool + index[1], pool + index[2]) : FATE_OPEN;
+}
+
+/* Triangles from the first on, as long as places are direct. Return the first that is left. */
+static uint32_t walk_direct(struct zs_renderer *r, uint32_t fates[FATES])
+{
+    const struct zs_mesh *mesh = r->xform.instance->mesh;
+    const uint32_t cull = r->xform.instance->material->cull, n_verts = mesh->n_verts;
+    const struct zs_vertex *const pool = &r->vert[r->vert_base];
+    for (uint32_t t = 0; t < mesh->n_tris; t++) {
+        const uint16_t *index = mesh->tri[t];
+        const uint32_t i = index[0], j = index[1], k = index[2];
+        if (i >= n_verts || j >= n_verts || k >= n_verts) {
+            fates[FATE_INDEX]++;
             continue;
         }
-        bin_push(r, slot, material->shader->face(r, t), y0);
-        return FATE_DRAWN;
+        const struct zs_vertex *a = pool + i, *b = pool + j, *c = pool + k;
+        if (a->d >= ZS_D_OUT || b->d >= ZS_D_OUT || c->d >= ZS_D_OUT) {
+            const enum fate fate = settle(r, t);
+            if (fate != FATE_OPEN) {
+                fates[fate]++;
+                if (!r->direct) /* pieces of it have moved the places */
+                    return t + 1u;
+                continue;
+            }
+        }
+        const int32_t turn = sense(a, b, c);
+        if (turn == 0 || faces_away(turn, cull)) {
+            fates[turn ? FATE_FACING : FATE_ZERO]++;
+            continue;
+        }
+        const uint32_t slot[3] = { r->vert_base + i, r->vert_base + j, r->vert_base + k };
+        const enum fate fate = place(r, t, slot);
+        if (fate == FATE_OPEN) {
+            make_room(r);
+            return t;
+        }
+        fates[fate]++;
     }
+    return mesh->n_tris;
 }
 
 static void walk_instance(struct zs_renderer *r, uint32_t number)
@@ -491,8 +611,8 @@ static void walk_instance(struct zs_renderer *r, uint32_t number)
         return;
     }
     uint32_t fate[FATES] = { 0 };
-    set_base(r, r->n_verts);
-    for (uint32_t t = 0; t < in->mesh->n_tris; t++)
+    set_direct(r, in->mesh);
+    for (uint32_t t = r->direct ? walk_direct(r, fate) : 0; t < in->mesh->n_tris; t++)
         fate[triangle(r, t)]++;
     if (r->counting)
         count(&r->stats, fate);

@@ -83,6 +83,9 @@ struct zs_renderer {
     uint16_t n_strips, strip;   /* strip: the next to be drawn */
     uint16_t band_end;          /* bins are complete for strips below it */
     uint16_t active;            /* list of triangles that went on from the strip before */
+    uint32_t strip_mul;         /* row / strip_h = row * strip_mul >> strip_shift */
+    uint8_t strip_shift;
+    uint8_t direct;             /* 1: vertex v of the current instance has place vert_base + v */
     uint8_t counting;           /* 1 in the frame's first walk: triangles are counted once */
     uint8_t ready;              /* zs_init succeeded */
 };
