@@ -6,21 +6,19 @@
  * once and the pools are emptied: least (key, scene order) wins in any number of sets. So any pool
  * that holds one triangle takes any scene, in more passes.
  *
- * Vertices are transformed when a triangle first asks for them, and lit when the first that is binned does. Where
- * the pool has room for all of a mesh, vertex v has the place vert_base + v, kept free for it ("direct"). Elsewhere, and
- * from the moment on that places were moved, vert_map[v] says where vertex v of the current mesh may lie in the
- * pool; it is believed only if that place belongs to the current instance and vert_src says v, so it needs no
- * clearing.
+ * Where the pool has room for all of a mesh, its vertices are transformed at once and vertex v has the place
+ * vert_base + v ("direct"). Elsewhere, and from the moment on that places were moved, they are transformed when a
+ * triangle first asks for them, and vert_map[v] says where vertex v of the current mesh may lie in the pool; it is
+ * believed only if that place belongs to the current instance and vert_src says v, so it needs no clearing. A vertex
+ * gets its attributes when a triangle that holds it is binned.
  *
  * SPDX-License-Identifier: MIT
  */
 #include "pipeline.h"
 
 #define NO_SOURCE 65535u     /* vert_src of a vertex made by clipping: meshes have at most 65535 */
-#define D_FREE 0xffffffffu   /* zs_vertex.d of a place kept for a vertex that is not transformed yet */
 #define ATTR_UNLIT 0xa55au   /* first attribute of a vertex that no binned triangle holds yet. A lit one that is the
                                 same is lit again, with the same outcome */
-_Static_assert(D_FREE >= ZS_D_OUT, "one test finds both");
 
 /* ---- Pools ----------------------------------------------------------------------------------------- */
 
@@ -168,13 +166,16 @@ static void make_room(struct zs_renderer *r)
 
 /* ---- Vertices ---------------------------------------------------------------------------------------- */
 
-static void vertex_fill(struct zs_renderer *r, uint32_t slot, uint32_t v)
+/* Vertices [from, from + n) of the mesh have been transformed to slots from `slot` on: whose they are. */
+static void verts_mark(struct zs_renderer *r, uint32_t slot, uint32_t from, uint32_t n)
 {
-    r->vert_src[slot] = (uint16_t)v;
-    r->stats.verts_transformed++;
-    zs_xform_screen(r, v, &r->vert[slot]);
-    if (r->config.attrs)
-        r->attr[slot * r->config.attrs] = ATTR_UNLIT;
+    const uint32_t attrs = r->config.attrs;
+    r->stats.verts_transformed += n;
+    for (uint32_t k = 0; k < n; k++)
+        r->vert_src[slot + k] = (uint16_t)(from + k);
+    if (attrs)
+        for (uint16_t *at = &r->attr[slot * attrs], *const end = at + n * attrs; at < end; at += attrs)
+            *at = ATTR_UNLIT;
 }
 
 /* Attributes of a binned triangle's corners that no triangle before it needed. */
@@ -190,17 +191,17 @@ static void corners_light(struct zs_renderer *r, const uint32_t slot[3])
     }
 }
 
-/* Keep places for all vertices of a mesh, where that is possible. */
-static void set_direct(struct zs_renderer *r, const struct zs_mesh *mesh)
+/* Transform all of a mesh, where there is room. Return 1: all vertices are inside near, far and guard. */
+static int verts_direct(struct zs_renderer *r, const struct zs_mesh *mesh)
 {
-    set_base(r, r->n_verts);
-    r->direct = !(r->config.skip_off & ZS_SKIP_VCACHE) && mesh->n_verts <= r->config.max_verts - r->n_verts;
+    const uint32_t base = r->n_verts, n = mesh->n_verts;
+    set_base(r, base);
+    r->direct = !(r->config.skip_off & ZS_SKIP_VCACHE) && n <= r->config.max_verts - base;
     if (!r->direct)
-        return;
-    struct zs_vertex *at = &r->vert[r->n_verts];
-    r->n_verts += mesh->n_verts;
-    for (struct zs_vertex *const end = &r->vert[r->n_verts]; at < end; at++)
-        at->d = D_FREE;
+        return 0;
+    r->n_verts += n;
+    verts_mark(r, base, 0, n);
+    return zs_xform_mesh(r, &r->vert[base]);
 }
 
 /* Transform vertex v into the next place of the pool; ZS_NIL: the pool is full. */
@@ -210,13 +211,19 @@ static ZS_NOINLINE uint32_t vertex_add(struct zs_renderer *r, uint32_t v)
         return ZS_NIL;
     const uint32_t slot = r->n_verts++;
     r->vert_map[map_index(v, r->config.max_verts)] = (uint16_t)slot;
-    vertex_fill(r, slot, v);
+    verts_mark(r, slot, v, 1);
+    (void)zs_xform_screen(r, v, &r->vert[slot]);
     return slot;
 }
 
 /* The pool's places of a triangle's corners, transformed. Return 0: the pool is full. */
-static inline int corner_slots(struct zs_renderer *r, const uint16_t index[3], uint32_t slot[3])
+static int corner_slots(struct zs_renderer *r, const uint16_t index[3], uint32_t slot[3])
 {
+    if (r->direct) {
+        for (int k = 0; k < 3; k++)
+            slot[k] = r->vert_base + index[k];
+        return 1;
+    }
     const uint16_t *map = r->vert_map, *src = r->vert_src;
     const uint32_t base = r->vert_base, cap = r->config.max_verts;
     uint32_t n = r->n_verts;
@@ -536,59 +543,79 @@ static enum fate triangle(struct zs_renderer *r, uint32_t t)
     }
 }
 
-/* Transform the corners that are not yet. Return what becomes of the triangle; FATE_OPEN: all are inside near, far and
- * guard. */
-static ZS_NOINLINE enum fate settle(struct zs_renderer *r, uint32_t t)
-{
-    const uint16_t *index = r->xform.instance->mesh->tri[t];
-    uint32_t out = 0;
-    for (int k = 0; k < 3; k++) {
-        const uint32_t slot = r->vert_base + index[k];
-        if (r->vert[slot].d == D_FREE)
-            vertex_fill(r, slot, index[k]);
-        out |= r->vert[slot].d >= ZS_D_OUT;
-    }
-    const struct zs_vertex *pool = &r->vert[r->vert_base];
-    return out ? cut(r, t, pool + index[0], pool + index[1], pool + index[2]) : FATE_OPEN;
-}
+/* A batch of triangles whose corners have their places by number, sieved. */
+#define BATCH 64
+struct sieve {
+    const struct zs_vertex *pool; /* of vertex 0 */
+    uint32_t n_verts, cull, inside;
+    uint32_t zero, facing;        /* counts of what was dropped */
+    uint8_t left[BATCH];          /* the others: 2 * number in the batch, 1 more where not looked at */
+};
 
-/* Triangles from the first on, as long as places are direct. Return the first that is left. */
-static uint32_t walk_direct(struct zs_renderer *r, uint32_t fates[FATES])
+/* Drop small triangles that are turned away: 32 bits are enough for them. Return how many are left. */
+static ZS_NOINLINE uint32_t sieve(struct sieve *s, const uint16_t (*tri)[3], uint32_t n)
 {
-    const struct zs_mesh *mesh = r->xform.instance->mesh;
-    const uint32_t cull = r->xform.instance->material->cull, n_verts = mesh->n_verts;
-    const struct zs_vertex *const pool = &r->vert[r->vert_base];
-    for (uint32_t t = 0; t < mesh->n_tris; t++) {
-        const uint16_t *index = mesh->tri[t];
-        const uint32_t i = index[0], j = index[1], k = index[2];
-        if (i >= n_verts || j >= n_verts || k >= n_verts) {
-            fates[FATE_INDEX]++;
-            continue;
-        }
-        const struct zs_vertex *a = pool + i, *b = pool + j, *c = pool + k;
-        if (a->d >= ZS_D_OUT || b->d >= ZS_D_OUT || c->d >= ZS_D_OUT) {
-            const enum fate fate = settle(r, t);
-            if (fate != FATE_OPEN) {
-                fates[fate]++;
-                if (!r->direct) /* pieces of it have moved the places */
-                    return t + 1u;
-                continue;
+    const struct zs_vertex *const pool = s->pool;
+    const uint32_t n_verts = s->n_verts, half = 1u << 15;
+    uint8_t *out = s->left;
+    for (uint32_t t = 0; t < n; t++, tri++) {
+        const uint32_t i = (*tri)[0], j = (*tri)[1], k = (*tri)[2];
+        uint32_t odd = 1;
+        if (i < n_verts && j < n_verts && k < n_verts) {
+            const struct zs_vertex *a = pool + i, *b = pool + j, *c = pool + k;
+            if (s->inside || (a->d < ZS_D_OUT && b->d < ZS_D_OUT && c->d < ZS_D_OUT)) {
+                const int32_t bx = b->x - a->x, by = b->y - a->y, cx = c->x - a->x, cy = c->y - a->y;
+                if (!((((uint32_t)bx + half) | ((uint32_t)by + half) | ((uint32_t)cx + half) | ((uint32_t)cy + half)) >> 16)) {
+                    const int32_t turn = bx * cy - cx * by;
+                    if (turn == 0) {
+                        s->zero++;
+                        continue;
+                    }
+                    if (faces_away(turn, s->cull)) {
+                        s->facing++;
+                        continue;
+                    }
+                    odd = 0;
+                }
             }
         }
-        const int32_t turn = sense(a, b, c);
-        if (turn == 0 || faces_away(turn, cull)) {
-            fates[turn ? FATE_FACING : FATE_ZERO]++;
-            continue;
-        }
-        const uint32_t slot[3] = { r->vert_base + i, r->vert_base + j, r->vert_base + k };
-        const enum fate fate = place(r, t, slot);
-        if (fate == FATE_OPEN) {
-            make_room(r);
-            return t;
-        }
-        fates[fate]++;
+        *out++ = (uint8_t)(2u * t + odd);
     }
-    return mesh->n_tris;
+    return (uint32_t)(out - s->left);
+}
+
+/* Triangles [from, from + n), as long as places are direct; then as all others. */
+static void batch(struct zs_renderer *r, struct sieve *s, uint32_t from, uint32_t n, uint32_t fate[FATES])
+{
+    const struct zs_mesh *mesh = r->xform.instance->mesh;
+    const uint32_t left = sieve(s, mesh->tri + from, n);
+    for (uint32_t i = 0; i < left; i++) {
+        const uint32_t t = from + s->left[i] / 2u;
+        enum fate f = FATE_OPEN;
+        if (r->direct && !(s->left[i] & 1u)) {
+            uint32_t slot[3];
+            (void)corner_slots(r, mesh->tri[t], slot);
+            f = place(r, t, slot);
+        }
+        if (f == FATE_OPEN)
+            f = triangle(r, t);
+        fate[f]++;
+    }
+}
+
+static uint32_t walk_direct(struct zs_renderer *r, int inside, uint32_t fate[FATES])
+{
+    const struct zs_mesh *mesh = r->xform.instance->mesh;
+    struct sieve s = { &r->vert[r->vert_base], mesh->n_verts, r->xform.instance->material->cull, (uint32_t)inside, 0, 0, { 0 } };
+    uint32_t t = 0;
+    while (t < mesh->n_tris && r->direct) {
+        const uint32_t n = mesh->n_tris - t < BATCH ? mesh->n_tris - t : BATCH;
+        batch(r, &s, t, n, fate);
+        t += n;
+    }
+    fate[FATE_ZERO] += s.zero;
+    fate[FATE_FACING] += s.facing;
+    return t;
 }
 
 static void walk_instance(struct zs_renderer *r, uint32_t number)
@@ -611,8 +638,8 @@ static void walk_instance(struct zs_renderer *r, uint32_t number)
         return;
     }
     uint32_t fate[FATES] = { 0 };
-    set_direct(r, in->mesh);
-    for (uint32_t t = r->direct ? walk_direct(r, fate) : 0; t < in->mesh->n_tris; t++)
+    const int inside = verts_direct(r, in->mesh);
+    for (uint32_t t = walk_direct(r, inside, fate); t < in->mesh->n_tris; t++)
         fate[triangle(r, t)]++;
     if (r->counting)
         count(&r->stats, fate);

@@ -129,9 +129,11 @@ uint32_t zs_xform_outcode(const struct zs_view *view, const struct zs_point *p);
 /* Screen position and depth. Return 1; 0 where the point is before near, beyond far (*out untouched
  * then) or beside the guard band (*out is then just beside it). */
 int zs_xform_project(const struct zs_renderer *r, const struct zs_point *p, struct zs_vertex *out);
-/* All three for a vertex of the current instance: its place in the pool. What is not inside near, far and guard has
- * d = ZS_D_OUT and its outcode as x. */
-void zs_xform_screen(const struct zs_renderer *r, uint32_t v, struct zs_vertex *out);
+/* All three for a vertex of the current instance: its place in the pool. Return 0 where it is not inside near, far and
+ * guard: then d = ZS_D_OUT, and x is its outcode. */
+int zs_xform_screen(const struct zs_renderer *r, uint32_t v, struct zs_vertex *out);
+/* The same for all vertices of the mesh, in order. Return 1: all are inside. */
+int zs_xform_mesh(const struct zs_renderer *r, struct zs_vertex *out);
 
 /* ---- clip.c ----------------------------------------------------------------------------------------- */
 

@@ -43,11 +43,12 @@ struct zs_view {
 };
 
 /* One row of an instance's way to camera units, c = (m . p + t) / 2^shift, floor, with m and t cut where 32 bits
- * carry every sum (xform.c): m = high * 2^s + low, t = (t_high * 2^(shift - s) + t_mid) * 2^s + t_low. */
+ * carry every sum (xform.c): m = high * 2^s + low, t = t_high * 2^shift + t_low. */
 struct zs_axis {
-    int32_t high[3], low[3]; /* |low| <= 2^14 */
-    int32_t t_low, t_mid;    /* 0 .. 2^15 - 1, 0 .. 2^14 - 1 */
-    int32_t t_high;          /* camera units */
+    int32_t low[3];  /* |.| <= 2^14 */
+    int32_t t_low;   /* |.| <= 2^28 */
+    int32_t high[3];
+    int32_t t_high;  /* camera units */
 };
 
 /* One instance's way to camera units. */

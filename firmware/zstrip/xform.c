@@ -60,13 +60,14 @@ static void axis_factor(struct zs_xform *xf, int k, int j, int32_t m)
     xf->axis[k].low[j] = m - high * (1 << s);
 }
 
-/* t in row k, rounding added. |t| < 2^60 + 2^28, |t / 2^shift| < 2^30 + 1 */
+/* t in row k, rounding added. |t| < 2^60 + 2^28, |t / 2^shift| < 2^30 + 1. A shift of at most 15 leaves t_low in
+ * [0, 2^15), a larger one in [-2^28, 2^28). */
 static void axis_set(struct zs_xform *xf, int k, int64_t t)
 {
-    const int64_t above = t >> xf->shift_low;
-    xf->axis[k].t_low = (int32_t)t & ((1 << xf->shift_low) - 1);
-    xf->axis[k].t_mid = (int32_t)above & ((1 << xf->shift_high) - 1);
-    xf->axis[k].t_high = (int32_t)(above >> xf->shift_high);
+    const uint32_t shift = xf->shift_low + xf->shift_high;
+    const int64_t rounded = xf->shift_high ? t + ((int64_t)1 << (shift - 1)) : t;
+    xf->axis[k].t_high = (int32_t)(rounded >> shift);
+    xf->axis[k].t_low = (int32_t)(t - xf->axis[k].t_high * ((int64_t)1 << shift));
 }
 
 int zs_xform_instance(struct zs_renderer *r, uint32_t number, const struct zs_bounds *b)
@@ -113,17 +114,16 @@ int zs_xform_instance(struct zs_renderer *r, uint32_t number, const struct zs_bo
 
 /* ---- Vertices --------------------------------------------------------------------------------------- */
 
-/* (m . p + t) >> shift, exactly. With m = high 2^s + low, and t cut likewise, the sum is
- *   (high . p + t_mid) 2^s + (low . p + t_low) + t_high 2^shift
- * and floors follow each other: the second bracket gives its part above 2^s to the first. A shift of 15 or less has no
- * t_mid: then all is modulo 2^32, as the result is. A larger one has s = 15, and the sum of high fits: a row of the
- * matrix is no longer than 2^30 (1 + 2^-18), p no longer than 2^15 sqrt 3. */
+/* (m . p + t) >> shift, exactly. With m = high 2^s + low, t = t_high 2^shift + t_low, the sum is
+ *   high . p 2^s + (low . p + t_low) + t_high 2^shift
+ * and floors follow each other: the bracket gives its part above 2^s to the first sum. With a shift of 15 or less, s is
+ * the shift and all is modulo 2^32, as the result is. With a larger one s is 15, and the sum of high fits: a row of
+ * the matrix is no longer than 2^30 (1 + 2^-18), p no longer than 2^15 sqrt 3. */
 static inline int32_t along(const struct zs_xform *xf, const struct zs_axis *a, int32_t x, int32_t y, int32_t z)
 {
-    const int32_t low = a->low[0] * x + a->low[1] * y + a->low[2] * z + a->t_low; /* |.| <= 3 * 2^29 + 2^15 */
+    const int32_t low = a->low[0] * x + a->low[1] * y + a->low[2] * z + a->t_low; /* |.| <= 3 * 2^29 + 2^28 */
     const uint32_t high = (uint32_t)a->high[0] * (uint32_t)x + (uint32_t)a->high[1] * (uint32_t)y +
-                          (uint32_t)a->high[2] * (uint32_t)z + (uint32_t)a->t_mid +
-                          (uint32_t)(low >> xf->shift_low); /* s = 15: |.| < 1.74 * 2^30 + 2^17 */
+                          (uint32_t)a->high[2] * (uint32_t)z + (uint32_t)(low >> xf->shift_low); /* < 1.74 * 2^30 + 2^17 */
     return (int32_t)((uint32_t)((int32_t)high >> xf->shift_high) + (uint32_t)a->t_high);
 }
 
@@ -131,7 +131,7 @@ static inline int32_t along(const struct zs_xform *xf, const struct zs_axis *a, 
 static int32_t along_fine(const struct zs_xform *xf, const struct zs_axis *a, const int32_t p[3])
 {
     const uint32_t s = xf->shift_low, shift = s + xf->shift_high;
-    int64_t sum = a->t_high * ((int64_t)1 << shift) + (a->t_mid * (1 << s) + a->t_low); /* |.| < 2^60 + 2^29 */
+    int64_t sum = a->t_high * ((int64_t)1 << shift) + a->t_low; /* |.| < 2^60 + 2^29 */
     for (int j = 0; j < 3; j++)
         sum += zs_mul_ss(a->high[j] * (1 << s) + a->low[j], p[j]); /* |.| <= 2^53 */
     return (int32_t)(sum >> shift);
@@ -148,7 +148,7 @@ static ZS_NOINLINE void vertex_fine(const struct zs_xform *xf, uint32_t v, struc
         out->c[k] = along_fine(xf, &xf->axis[k], p);
 }
 
-static inline void vertex(const struct zs_xform *xf, uint32_t v, struct zs_point *out)
+void zs_xform_vertex(const struct zs_xform *xf, uint32_t v, struct zs_point *out)
 {
     const struct zs_mesh *mesh = xf->instance->mesh;
     if (mesh->pos_lo) {
@@ -159,11 +159,6 @@ static inline void vertex(const struct zs_xform *xf, uint32_t v, struct zs_point
     const int32_t x = p[0], y = p[1], z = p[2];
     for (int k = 0; k < 3; k++)
         out->c[k] = along(xf, &xf->axis[k], x, y, z);
-}
-
-void zs_xform_vertex(const struct zs_xform *xf, uint32_t v, struct zs_point *out)
-{
-    vertex(xf, v, out);
 }
 
 /* The largest |x'| and |y'| at distance z > 0 that are inside the guard band. */
@@ -220,51 +215,62 @@ static inline uint32_t steps_of(int32_t c, uint32_t rcp, int32_t shift)
     return steps_wide(zs_mul_uu(mag, rcp), shift);
 }
 
-static inline int project(const struct zs_renderer *r, const struct zs_point *p, struct zs_vertex *out)
+int zs_xform_project(const struct zs_renderer *r, const struct zs_point *p, struct zs_vertex *out)
 {
     const struct zs_view *view = &r->view;
-    const int32_t z = p->c[2];
-    int32_t lz = 0, shift = view->scale_bits + view->snap;
+    const int32_t z = p->c[2], coarse = view->snap;
+    int32_t lz = 0;
     uint32_t rcp = 0, sx, sy;
     if (z < view->z_near || z > view->z_far)
         return 0;
     if (view->perspective) {
         lz = zs_clz32((uint32_t)z);        /* 1 .. 23: z in [2^8, 2^30] */
         rcp = zs_recip((uint32_t)z << lz); /* 2^(63 - lz) / z */
-        shift = 63 - lz - view->scale_bits + view->snap; /* 9 .. 58 */
+        const int32_t shift = 63 - lz - view->scale_bits + coarse; /* 9 .. 58 */
         sx = steps_of(p->c[0], rcp, shift);
         sy = steps_of(p->c[1], rcp, shift);
     } else { /* one more bit: the shift may be 0 */
-        sx = steps_wide((uint64_t)magnitude(p->c[0]) << 1, shift + 1);
-        sy = steps_wide((uint64_t)magnitude(p->c[1]) << 1, shift + 1);
+        sx = steps_wide((uint64_t)magnitude(p->c[0]) << 1, view->scale_bits + coarse + 1);
+        sy = steps_wide((uint64_t)magnitude(p->c[1]) << 1, view->scale_bits + coarse + 1);
     }
-    const int32_t x = placed(sx, view->snap, p->c[0]), y = placed(sy, view->snap, p->c[1]);
-    out->x = view->cx + x;
-    out->y = view->cy + y;
+    const int inside = sx <= (uint32_t)ZS_GUARD_SUBPX >> coarse && sy <= (uint32_t)ZS_GUARD_SUBPX >> coarse;
+    out->x = view->cx + placed(sx, coarse, p->c[0]);
+    out->y = view->cy + placed(sy, coarse, p->c[1]);
     const struct zs_depth *depth = r->config.depth;
     out->d = depth->vertex(view, z, rcp, lz);
-    return zs_abs32(x) <= ZS_GUARD_SUBPX && zs_abs32(y) <= ZS_GUARD_SUBPX;
+    return inside;
 }
 
-int zs_xform_project(const struct zs_renderer *r, const struct zs_point *p, struct zs_vertex *out)
-{
-    return project(r, p, out);
-}
-
-void zs_xform_screen(const struct zs_renderer *r, uint32_t v, struct zs_vertex *out)
+/* From camera units to the pool. Return 0: outside near, far or guard. */
+static int settle(const struct zs_renderer *r, const struct zs_point *p, struct zs_vertex *out)
 {
     const struct zs_xform *xf = &r->xform;
-    struct zs_point p;
     uint32_t code = 0;
-    vertex(xf, v, &p);
     if (xf->clip_depth | xf->clip_guard)
-        code = zs_xform_outcode(&r->view, &p);
+        code = zs_xform_outcode(&r->view, p);
     if (!code) {
-        if (project(r, &p, out))
-            return;
-        code = zs_xform_outcode(&r->view, &p); /* a sphere that is smaller than its mesh */
+        if (zs_xform_project(r, p, out))
+            return 1;
+        code = zs_xform_outcode(&r->view, p); /* a sphere that is smaller than its mesh */
     }
     out->x = (int32_t)code;
     out->y = 0;
     out->d = ZS_D_OUT;
+    return 0;
+}
+
+int zs_xform_screen(const struct zs_renderer *r, uint32_t v, struct zs_vertex *out)
+{
+    struct zs_point p;
+    zs_xform_vertex(&r->xform, v, &p);
+    return settle(r, &p, out);
+}
+
+int zs_xform_mesh(const struct zs_renderer *r, struct zs_vertex *out)
+{
+    const uint32_t n = r->xform.instance->mesh->n_verts;
+    int inside = 1;
+    for (uint32_t v = 0; v < n; v++)
+        inside &= zs_xform_screen(r, v, out + v);
+    return inside;
 }
