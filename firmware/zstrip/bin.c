@@ -201,7 +201,7 @@ static int verts_direct(struct zs_renderer *r, const struct zs_mesh *mesh)
         return 0;
     r->n_verts += n;
     verts_mark(r, base, 0, n);
-    return zs_xform_mesh(r, &r->vert[base]);
+    return zs_xform_screen(r, 0, n, &r->vert[base]);
 }
 
 /* Transform vertex v into the next place of the pool; ZS_NIL: the pool is full. */
@@ -212,7 +212,7 @@ static ZS_NOINLINE uint32_t vertex_add(struct zs_renderer *r, uint32_t v)
     const uint32_t slot = r->n_verts++;
     r->vert_map[map_index(v, r->config.max_verts)] = (uint16_t)slot;
     verts_mark(r, slot, v, 1);
-    (void)zs_xform_screen(r, v, &r->vert[slot]);
+    (void)zs_xform_screen(r, v, 1, &r->vert[slot]);
     return slot;
 }
 

@@ -42,20 +42,20 @@ struct zs_view {
     uint8_t key_mantissa, key_octaves; /* float: mantissa bits, and 2^exponent bits - 1 */
 };
 
-/* One row of an instance's way to camera units, c = (m . p + t) / 2^shift, floor, with m and t cut where 32 bits
- * carry every sum (xform.c): m = high * 2^s + low, t = t_high * 2^shift + t_low. */
-struct zs_axis {
-    int32_t low[3];  /* |.| <= 2^14 */
-    int32_t t_low;   /* |.| <= 2^28 */
-    int32_t high[3];
-    int32_t t_high;  /* camera units */
+/* One instance's way to camera units, c = (m . p + t) / 2^shift, floor. A row of m and its t are cut where 32 bits
+ * carry every sum: m = high 2^s + low, t = t_high 2^shift + t_low (xform.c). */
+enum zs_row_word {
+    ZS_ROW_LOW = 0,     /* [3]: |.| <= 2^14 */
+    ZS_ROW_T_LOW = 3,   /* |.| <= 2^28 */
+    ZS_ROW_S = 4,       /* 0 .. 15 */
+    ZS_ROW_HIGH = 5,    /* [3] */
+    ZS_ROW_S2 = 8,      /* shift - s, 0 .. 14 */
+    ZS_ROW_T_HIGH = 9,  /* camera units */
+    ZS_ROW_WORDS = 10   /* in the order in which zs_row (wide.h) reads them */
 };
-
-/* One instance's way to camera units. */
 struct zs_xform {
     const struct zs_instance *instance;
-    struct zs_axis axis[3];
-    uint32_t shift_low, shift_high; /* s, 0 .. 15, and shift - s, 0 .. 14 */
+    int32_t row[3][ZS_ROW_WORDS];
     int32_t light[3];   /* q2_30: the light's direction in mesh space */
     uint8_t clip_depth; /* 1: vertices may be before near or beyond far */
     uint8_t clip_guard; /* 1: vertices may be outside the guard band */
