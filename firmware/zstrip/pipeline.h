@@ -22,7 +22,7 @@ struct zs_row;
 struct zs_shader {
     /* Attributes of a vertex: out[n_attrs]. NULL: none. */
     void (*vertex)(const struct zs_renderer *r, uint32_t v, uint16_t *out);
-    /* What zs_tri.paint becomes for a face of the current instance. */
+    /* What zs_tri.paint becomes for a face of the current instance; NULL: 0. */
     uint16_t (*face)(const struct zs_renderer *r, uint32_t t);
     /* Draw a triangle into its strip where keys are linear on the screen. */
     void (*rows)(struct zs_job *job);

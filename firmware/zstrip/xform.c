@@ -79,7 +79,7 @@ int zs_xform_instance(struct zs_renderer *r, uint32_t number, const struct zs_bo
                       : b->reach >> -to_units >= 1 << 30)
         return 0;
     xf->instance = in;
-    xf->number = (uint16_t)number;
+    xf->number = number;
 
     /* scale = mantissa * 2^exp / 2^32, mantissa in [2^30, 2^31) */
     const uint64_t scale = (uint64_t)in->mesh->scale * in->pose.scale;
