@@ -273,11 +273,13 @@ static int64_t signed_area(const struct zs_vertex *a, const struct zs_vertex *b,
 /* Twice the area, where 32 bits hold it. Return 0: they may not. */
 static inline int small_area(const struct zs_vertex *a, const struct zs_vertex *b, const struct zs_vertex *c, int32_t *area)
 {
-    const uint32_t half = 1u << 15; /* differences in [-2^15, 2^15) give |area| < 2^31 */
-    const int32_t ax = a->x, ay = a->y, bx = b->x - ax, by = b->y - ay, cx = c->x - ax, cy = c->y - ay;
-    if ((((uint32_t)bx + half) | ((uint32_t)by + half) | ((uint32_t)cx + half) | ((uint32_t)cy + half)) >> 16)
+    const int32_t bx = b->x - a->x, cx = c->x - a->x;
+    if ((int16_t)bx != bx || (int16_t)cx != cx)
         return 0;
-    *area = bx * cy - cx * by;
+    const int32_t by = b->y - a->y, cy = c->y - a->y;
+    if ((int16_t)by != by || (int16_t)cy != cy)
+        return 0;
+    *area = bx * cy - cx * by; /* both products are at most 2^30, and not of opposite signs there: |.| < 2^31 */
     return 1;
 }
 
@@ -524,8 +526,9 @@ static enum fate triangle_clip(struct zs_renderer *r, uint32_t t)
 struct batch {
     const uint16_t (*tri)[3];     /* the batch's first */
     const struct zs_vertex *pool; /* direct: of vertex 0 */
-    uint32_t n_verts, cull;
-    uint32_t zero, facing;        /* counts of what was dropped */
+    uint32_t n_verts;
+    int32_t away;                 /* times the area: > 0 where the triangle is turned away and that matters */
+    uint32_t zero, sieved;        /* counts: without area, and all that were dropped */
     uint8_t left[BATCH];          /* the others: 2 * number in the batch, 1 more where not looked at yet */
 };
 
@@ -548,12 +551,11 @@ ZS_ALWAYS_INLINE uint32_t sieve(struct batch *s, uint32_t n, int inside)
             *out++ = (uint8_t)(t + 1u);
         } else if (area == 0) {
             s->zero++;
-        } else if (faces_away(area, s->cull)) {
-            s->facing++;
-        } else {
+        } else if (area * s->away <= 0) {
             *out++ = (uint8_t)t;
         }
     }
+    s->sieved += n - (uint32_t)(out - s->left);
     return (uint32_t)(out - s->left);
 }
 
@@ -648,10 +650,11 @@ static void batch_bin(struct zs_renderer *r, const struct batch *s, uint32_t fro
 static void walk_mesh(struct zs_renderer *r, int inside, uint32_t fate[FATES])
 {
     const struct zs_mesh *mesh = r->xform.instance->mesh;
+    const uint32_t cull = r->xform.instance->material->cull;
     struct batch s;
     s.n_verts = mesh->n_verts;
-    s.cull = r->xform.instance->material->cull;
-    s.zero = s.facing = 0;
+    s.away = cull == ZS_CULL_BACK ? 1 : cull == ZS_CULL_FRONT ? -1 : 0;
+    s.zero = s.sieved = 0;
     s.pool = &r->vert[r->direct ? r->vert_base : 0u];
     for (uint32_t t = 0; t < mesh->n_tris; t += BATCH) {
         const uint32_t n = mesh->n_tris - t < BATCH ? mesh->n_tris - t : BATCH;
@@ -659,7 +662,7 @@ static void walk_mesh(struct zs_renderer *r, int inside, uint32_t fate[FATES])
         batch_bin(r, &s, t, !r->direct ? sieve_none(&s, n) : inside ? sieve_inside(&s, n) : sieve_any(&s, n), fate);
     }
     fate[FATE_ZERO] += s.zero;
-    fate[FATE_FACING] += s.facing;
+    fate[FATE_FACING] += s.sieved - s.zero;
 }
 
 static void walk_instance(struct zs_renderer *r, uint32_t number)
