@@ -32,7 +32,13 @@ typedef int32_t q24_8; /* screen x, y, px */
 #if defined(__GNUC__)
 #define ZS_ALWAYS_INLINE static inline __attribute__((always_inline))
 #define ZS_NOINLINE __attribute__((noinline))
+#if defined(__clang__) || !defined(__OPTIMIZE__)
+#define ZS_RARE
 #else
+#define ZS_RARE __attribute__((optimize("Os"))) /* once an instance or less: flash counts more than time */
+#endif
+#else
+#define ZS_RARE
 #define ZS_ALWAYS_INLINE static inline
 #define ZS_NOINLINE
 #endif

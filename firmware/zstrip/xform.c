@@ -16,9 +16,11 @@
 
 #define SHIFT_MAX 29 /* keeps t below 2^60, and shift_high 14 */
 #define SPLIT_MAX 15
+#define OUT_Y ((int32_t)1 << 30)
+_Static_assert(OUT_Y - 2 * ZS_GUARD_SUBPX > 65536, "vertices outside must be far from those inside");
 
 /* Clip tests that no vertex of the instance can fail are left out. */
-static void clip_needs(struct zs_xform *xf, const struct zs_renderer *r, const struct zs_bounds *b,
+static ZS_RARE void clip_needs(struct zs_xform *xf, const struct zs_renderer *r, const struct zs_bounds *b,
                        const struct zs_camera *camera)
 {
     const int64_t z0 = b->c[2] - b->r - b->slack, z1 = b->c[2] + b->r + b->slack;
@@ -40,7 +42,7 @@ static void clip_needs(struct zs_xform *xf, const struct zs_renderer *r, const s
         xf->clip_guard = always || side_w * r->config.height > guard_px * (camera->height >> 16);
 }
 
-static void light_direction(struct zs_xform *xf, const struct zs_light *light)
+static ZS_RARE void light_direction(struct zs_xform *xf, const struct zs_light *light)
 {
     const zs_q2_30 *rot = xf->instance->pose.rot;
     for (int k = 0; k < 3; k++) {
@@ -53,7 +55,7 @@ static void light_direction(struct zs_xform *xf, const struct zs_light *light)
 
 /* A row of c = (m . p + t) / 2^shift, nearest. |m| <= 2^30, |t| < 2^60, |t / 2^shift| < 2^30. A shift of at most 15 leaves
  * t_low in [0, 2^15), a larger one in [-2^28, 2^28). */
-static void row_set(int32_t row[ZS_ROW_WORDS], const int32_t m[3], int64_t t, int32_t shift)
+static ZS_RARE void row_set(int32_t row[ZS_ROW_WORDS], const int32_t m[3], int64_t t, int32_t shift)
 {
     const int32_t s = shift < SPLIT_MAX ? shift : SPLIT_MAX;
     for (int j = 0; j < 3; j++) {
@@ -69,7 +71,7 @@ static void row_set(int32_t row[ZS_ROW_WORDS], const int32_t m[3], int64_t t, in
     row[ZS_ROW_S2] = shift - s;
 }
 
-int zs_xform_instance(struct zs_renderer *r, uint32_t number, const struct zs_bounds *b)
+ZS_RARE int zs_xform_instance(struct zs_renderer *r, uint32_t number, const struct zs_bounds *b)
 {
     struct zs_xform *xf = &r->xform;
     const struct zs_view *view = &r->view;
@@ -277,8 +279,8 @@ int zs_xform_project(const struct zs_renderer *r, const struct zs_point *p, stru
     return z >= r->view.z_near && z <= r->view.z_far && project(r, out);
 }
 
-/* From camera units to the pool, in place; to the outcode where not inside. */
-static int settle(const struct zs_renderer *r, struct zs_vertex *at)
+/* From camera units to the pool, in place. */
+static void settle(const struct zs_renderer *r, uint32_t v, struct zs_vertex *at)
 {
     const struct zs_xform *xf = &r->xform;
     const struct zs_point p = { { at->x, at->y, (int32_t)at->d } };
@@ -287,20 +289,17 @@ static int settle(const struct zs_renderer *r, struct zs_vertex *at)
         code = zs_xform_outcode(&r->view, &p);
     if (!code) {
         if (p.c[2] >= r->view.z_near && p.c[2] <= r->view.z_far && project(r, at))
-            return 1;
+            return;
         code = zs_xform_outcode(&r->view, &p); /* a sphere that is smaller than its mesh */
     }
-    at->x = (int32_t)code;
-    at->y = 0;
-    at->d = ZS_D_OUT;
-    return 0;
+    at->x = (int32_t)(v << 16);
+    at->y = OUT_Y;
+    at->d = ZS_D_OUT + code;
 }
 
-int zs_xform_screen(const struct zs_renderer *r, uint32_t v, uint32_t n, struct zs_vertex *out)
+void zs_xform_screen(const struct zs_renderer *r, uint32_t v, uint32_t n, struct zs_vertex *out)
 {
-    int inside = 1;
     transform(&r->xform, v, n, out);
-    for (struct zs_vertex *const end = out + n; out != end; out++)
-        inside &= settle(r, out);
-    return inside;
+    for (uint32_t k = 0; k < n; k++)
+        settle(r, v + k, out + k);
 }
