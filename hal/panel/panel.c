@@ -83,8 +83,8 @@ static int origin(const struct panel_config *config, int32_t *x, int32_t *y)
     *x = own ? glass->x0 : config->x0;
     *y = own ? glass->y0 : config->y0;
     return (glass || !type->strict) && config->width && config->height && *x >= 0 && *y >= 0 &&
-           *x % type->grain.x == 0 && *y % type->grain.y == 0 && *x + config->width <= type->ram_width &&
-           *y + config->height <= type->ram_height;
+           (uint32_t)*x % type->grain.x == 0 && (uint32_t)*y % type->grain.y == 0 &&
+           *x + config->width <= type->ram_width && *y + config->height <= type->ram_height;
 }
 
 /* Set p->x0 and y0: what is added to the picture's coordinates (the glass's, where the picture is turned by convert).
