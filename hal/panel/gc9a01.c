@@ -1,10 +1,10 @@
 /* GC9A01: round TFTs of 240x240.
  *
- * Rotate 0 is MADCTL 0, with the source lines from the last to the first (B6h, SS), as the round glass is wired. That
- * glass wants config.bgr = 1 (MADCTL's BGR bit) and config.invert = 1. Brightness is WRDISBV, which drives the
+ * Rotate 0 is MADCTL 0, with the source lines from the last to the first (B6h, SS), as the round glass is wired.
+ * That glass wants config.bgr = 1 (MADCTL's BGR bit) and config.invert = 1. Brightness is WRDISBV, which drives the
  * controller's own backlight pin; modules that do not wire it need hal_backlight. There is no order of bytes to set:
- * pixels least significant byte first are swapped. A software reset is not documented, so a module without a RESET line
- * keeps what nothing here sets.
+ * pixels least significant byte first are swapped. A software reset is not documented: a module without a RESET
+ * line keeps what nothing here sets.
  * Many of the registers below have no explanation in the datasheet; they are set as every module's example does.
  *
  * Source  Galaxycore, GC9A01A datasheet, revision 1.0 preliminary (2019-07-02), chapter 6: sleep 10h and 11h (120 ms

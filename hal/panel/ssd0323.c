@@ -4,8 +4,8 @@
  * nibbles swapped, so that the left pixel is the upper one. The picture is turned in convert, at 180 degrees too: by
  * A0h, the offset would have to change with it. Brightness is the contrast (81h), 128 steps, in the half current
  * range. Arguments go with D/C low.
- * Set-up values for supply and timing are those of the 128x64 Pictiva, fed by the controller's DC-DC converter. The grey
- * scale (B8h) stays as reset leaves it.
+ * Set-up values for supply and timing are those of the 128x64 Pictiva, fed by the controller's DC-DC converter. The
+ * grey scale (B8h) stays as reset leaves it.
  *
  * Source  Solomon Systech, SSD0323 datasheet, revision 1.3 (Oct 2004), command table and descriptions: 15h, 75h, 81h,
  *         84h to 86h, A0h to A2h, A4h to A8h, ADh to AFh, B1h to B3h, BCh, BEh, BFh, E3h.

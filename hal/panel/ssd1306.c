@@ -1,12 +1,12 @@
 /* SSD1306: one-bit OLEDs of 128x64, 128x32, 64x48 and 72x40.
  *
  * Rotate 0 is A1h C8h: segments and scan reversed, as modules are mounted. The picture is turned in convert, at 180
- * degrees too: its bytes are made anew in any case. Brightness is the contrast (81h). Arguments go with D/C low. The
- * light comes from the controller's own charge pump, which sleeps with it.
+ * degrees too: its bytes are made anew in any case. Brightness is the contrast (81h). Arguments go with D/C low.
+ * The light comes from the controller's own charge pump, which sleeps with it.
  * Glass of 72x40 has no resistor at IREF: the controller's later revision (SSD1306B) makes its own with ADh 30h.
  *
- * Source  Solomon Systech, SSD1306 datasheet, revision 1.1 (Apr 2008): 8.7 RAM, 8.9 power sequence, chapters 9 and 10,
- *         commands 20h to 22h, 2Eh, 40h, 81h, A1h, A4h, A6h to A8h, AEh, AFh, C8h, D3h, D5h, D9h to DBh, E3h; its
+ * Source  Solomon Systech, SSD1306 datasheet, revision 1.1 (Apr 2008): 8.7 RAM, 8.9 power sequence, chapters 9 and
+ *         10, commands 20h to 22h, 2Eh, 40h, 81h, A1h, A4h, A6h to A8h, AEh, AFh, C8h, D3h, D5h, D9h to DBh, E3h; its
  *         application note on the charge pump, 8Dh.
  * SPDX-License-Identifier: MIT
  */

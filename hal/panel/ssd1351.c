@@ -1,15 +1,15 @@
 /* SSD1351: colour OLEDs of 128x128 and 128x96.
  *
  * Rotate 0 is A0h with its bit 4 set: the scan goes from the last common line to the first, and modules have the
- * last one on top. With N lines multiplexed (CAh) it begins at line N - 1, so the start line (A1h) and the offset (A2h)
- * are 0 for both sizes at all rotations. Bit 1 turns columns over, bit 0 lets addresses step down before they step
- * right: windows stay in columns and rows. Bit 2 puts the upper bits of a pixel on the first of its three segments,
- * which is red on modules; config.bgr clears it. Brightness is the master current (C7h), 16 steps.
+ * last one on top. With N lines multiplexed (CAh) it begins at line N - 1, so the start line (A1h) and the offset
+ * (A2h) are 0 for both sizes at all rotations. Bit 1 turns columns over, bit 0 lets addresses step down before they
+ * step right: windows stay in columns and rows. Bit 2 puts the upper bits of a pixel on the first of its three
+ * segments, which is red on modules; config.bgr clears it. Brightness is the master current (C7h), 16 steps.
  * There is no order of bytes to set: pixels least significant byte first are swapped.
  * Set-up values for supply and timing are those of common modules.
  *
- * Source  Solomon Systech, SSD1351 datasheet, revision 1.5 (Jan 2011): 8.9 power sequence, chapters 9 and 10, commands
- *         15h, 75h, 5Ch, A0h to A2h, A6h, A7h, ABh, AEh, AFh, B1h, B3h to B6h, BBh, BEh, C1h, C7h, CAh, FDh.
+ * Source  Solomon Systech, SSD1351 datasheet, revision 1.5 (Jan 2011): 8.9 power sequence, chapters 9 and 10: 15h,
+ *         75h, 5Ch, A0h to A2h, A6h, A7h, ABh, AEh, AFh, B1h, B3h to B6h, BBh, BEh, C1h, C7h, CAh, FDh.
  * SPDX-License-Identifier: MIT
  */
 #include "panel_type.h"
