@@ -10,7 +10,7 @@ STATE='zs_state|state_'
 FLOAT='zs_depth_(e[345]|float)|float_|(e[345]|any)_setup'
 
 # Checks of loaded data: in no firmware that does not call them.
-CHECKS='zs_mesh_check zs_texture_check zs_strflaw'
+CHECKS='zs_watch watch_look zs_mesh_check zs_texture_check zs_strflaw'
 
 # SHADER DEPTH PATTERN...: a firmware with these must hold no symbol that matches.
 without() {
