@@ -270,29 +270,18 @@ static int64_t signed_area(const struct zs_vertex *a, const struct zs_vertex *b,
     return (int64_t)(b->x - a->x) * (c->y - a->y) - (int64_t)(c->x - a->x) * (b->y - a->y);
 }
 
-static inline int32_t minus(int32_t a, int32_t b) /* modulo 2^32 */
+static inline const int32_t *xy(const struct zs_vertex *v)
 {
-    return (int32_t)((uint32_t)a - (uint32_t)b);
+    return (const int32_t *)(const void *)v;
 }
-
-/* Twice the area, where 32 bits hold it. Return 0: they may not. */
-static inline int small_area(const struct zs_vertex *a, const struct zs_vertex *b, const struct zs_vertex *c, int32_t *area)
-{
-    const int32_t bx = minus(b->x, a->x), cx = minus(c->x, a->x);
-    if ((int16_t)bx != bx || (int16_t)cx != cx)
-        return 0;
-    const int32_t by = minus(b->y, a->y), cy = minus(c->y, a->y);
-    if ((int16_t)by != by || (int16_t)cy != cy)
-        return 0;
-    *area = bx * cy - cx * by; /* products of at most 2^30 in size, both of them 2^30 only with one sign: |.| < 2^31 */
-    return 1;
-}
+_Static_assert(offsetof(struct zs_vertex, x) == 0 && offsetof(struct zs_vertex, y) == 4, "x and y come first");
 
 /* The sign of signed_area. */
 static int32_t sense(const struct zs_vertex *a, const struct zs_vertex *b, const struct zs_vertex *c)
 {
-    int32_t area;
-    if (small_area(a, b, c, &area))
+    uint32_t wide;
+    const int32_t area = zs_area_short(xy(a), xy(b), xy(c), &wide);
+    if (!wide)
         return area;
     const int64_t left = zs_mul_ss(b->x - a->x, c->y - a->y), right = zs_mul_ss(c->x - a->x, b->y - a->y);
     return (left > right) - (left < right);
@@ -485,11 +474,6 @@ static enum fate outside(uint32_t all)
     return all & ZS_OUT_NEAR ? FATE_NEAR : all & ZS_OUT_FAR ? FATE_FAR : FATE_OFFSCREEN;
 }
 
-static uint32_t outcode_of(const struct zs_vertex *v)
-{
-    return v->d >= ZS_D_OUT ? v->d - ZS_D_OUT : 0u;
-}
-
 static ZS_RARE enum fate triangle_clip(struct zs_renderer *r, uint32_t t)
 {
     const struct zs_mesh *mesh = r->xform.instance->mesh;
@@ -533,12 +517,19 @@ struct batch {
     const struct zs_vertex *pool; /* direct: of vertex 0 */
     uint32_t n_verts;
     int32_t away;                 /* times the area: > 0 where the triangle is turned away and that matters */
-    uint32_t zero, sieved;        /* counts: without area, and all that were dropped */
+    uint32_t *fate;               /* [FATES]: counts of those that were dropped */
     uint8_t left[BATCH];          /* the others: 2 * number in the batch, 1 more where not looked at yet */
 };
 
-/* Drop small triangles that are turned away, for which 32 bits are enough. Return how many are left. Vertices that are not
- * inside near, far and guard need no test: they are too far from all others (zs_xform_screen). */
+static void dropped(struct batch *s, enum fate fate)
+{
+    s->fate[fate]++;
+    s->fate[FATE_FACING]--;
+}
+
+/* Drop triangles that lie on one side outside, and small ones that are turned away, for which 32 bits are enough. Return how
+ * many are left. Vertices that are not inside near, far and guard need no test of their own: they are too far from all
+ * others for a small triangle (zs_xform_screen). */
 static ZS_NOINLINE uint32_t sieve(struct batch *s, uint32_t n)
 {
     const struct zs_vertex *const pool = s->pool;
@@ -547,15 +538,27 @@ static ZS_NOINLINE uint32_t sieve(struct batch *s, uint32_t n)
     uint8_t *out = s->left;
     for (uint32_t t = 0; t < 2u * n; t += 2u, tri++) {
         const uint32_t i = (*tri)[0], j = (*tri)[1], k = (*tri)[2];
-        int32_t area;
-        if (i >= n_verts || j >= n_verts || k >= n_verts || !small_area(pool + i, pool + j, pool + k, &area))
+        if (i >= n_verts || j >= n_verts || k >= n_verts) {
             *out++ = (uint8_t)(t + 1u);
-        else if (area == 0)
-            s->zero++;
-        else if (area * s->away <= 0)
-            *out++ = (uint8_t)t;
+            continue;
+        }
+        const struct zs_vertex *a = pool + i, *b = pool + j, *c = pool + k;
+        uint32_t wide;
+        const int32_t area = zs_area_short(xy(a), xy(b), xy(c), &wide);
+        if (!wide) {
+            if (area == 0)
+                dropped(s, FATE_ZERO);
+            else if (area * s->away <= 0)
+                *out++ = (uint8_t)t;
+        } else {
+            const uint32_t all = a->d & b->d & c->d;
+            if (all > ZS_D_OUT)
+                dropped(s, outside(all));
+            else
+                *out++ = (uint8_t)(t + 1u);
+        }
     }
-    s->sieved += n - (uint32_t)(out - s->left);
+    s->fate[FATE_FACING] += n - (uint32_t)(out - s->left); /* dropped() has taken off the others */
     return (uint32_t)(out - s->left);
 }
 
@@ -571,8 +574,8 @@ static uint32_t sieve_none(struct batch *s, uint32_t n)
 static enum fate cut(struct zs_renderer *r, uint32_t t, const struct zs_vertex *a, const struct zs_vertex *b,
                      const struct zs_vertex *c)
 {
-    const uint32_t all = outcode_of(a) & outcode_of(b) & outcode_of(c);
-    return all ? outside(all) : triangle_clip(r, t);
+    const uint32_t all = a->d & b->d & c->d; /* above ZS_D_OUT: a bit of all three outcodes */
+    return all > ZS_D_OUT ? outside(all) : triangle_clip(r, t);
 }
 
 /* The places of a triangle's corners. Return FATE_OPEN where it faces the eye and is not cut. */
@@ -646,15 +649,13 @@ static void walk_mesh(struct zs_renderer *r, uint32_t fate[FATES])
     struct batch s;
     s.n_verts = mesh->n_verts;
     s.away = cull == ZS_CULL_BACK ? 1 : cull == ZS_CULL_FRONT ? -1 : 0;
-    s.zero = s.sieved = 0;
+    s.fate = fate;
     s.pool = &r->vert[r->direct ? r->vert_base : 0u];
     for (uint32_t t = 0; t < mesh->n_tris; t += BATCH) {
         const uint32_t n = mesh->n_tris - t < BATCH ? mesh->n_tris - t : BATCH;
         s.tri = mesh->tri + t;
         batch_bin(r, &s, t, r->direct ? sieve(&s, n) : sieve_none(&s, n), fate);
     }
-    fate[FATE_ZERO] += s.zero;
-    fate[FATE_FACING] += s.sieved - s.zero;
 }
 
 /* Cull an instance, or make r->xform its own. Return 0: nothing of it can be seen. Apart, so that its frame is not on the
