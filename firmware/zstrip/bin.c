@@ -521,10 +521,23 @@ struct batch {
     uint8_t left[BATCH];          /* the others: 2 * number in the batch, 1 more where not looked at yet */
 };
 
-static void dropped(struct batch *s, enum fate fate)
+static ZS_NOINLINE void dropped(struct batch *s, enum fate fate)
 {
     s->fate[fate]++;
-    s->fate[FATE_FACING]--;
+    s->fate[FATE_FACING]--; /* sieve() counts it there */
+}
+
+/* A triangle that is large, or not wholly inside near, far and guard. Return 0: it lies outside, and is dropped. */
+static ZS_NOINLINE int odd(struct batch *s, const uint16_t index[3])
+{
+    const struct zs_vertex *const pool = s->pool;
+    if (index[0] >= s->n_verts || index[1] >= s->n_verts || index[2] >= s->n_verts)
+        return 1;
+    const uint32_t all = pool[index[0]].d & pool[index[1]].d & pool[index[2]].d;
+    if (all <= ZS_D_OUT)
+        return 1;
+    dropped(s, outside(all));
+    return 0;
 }
 
 /* Drop triangles that lie on one side outside, and small ones that are turned away, for which 32 bits are enough. Return how
@@ -538,27 +551,20 @@ static ZS_NOINLINE uint32_t sieve(struct batch *s, uint32_t n)
     uint8_t *out = s->left;
     for (uint32_t t = 0; t < 2u * n; t += 2u, tri++) {
         const uint32_t i = (*tri)[0], j = (*tri)[1], k = (*tri)[2];
-        if (i >= n_verts || j >= n_verts || k >= n_verts) {
-            *out++ = (uint8_t)(t + 1u);
-            continue;
-        }
-        const struct zs_vertex *a = pool + i, *b = pool + j, *c = pool + k;
-        uint32_t wide;
-        const int32_t area = zs_area_short(xy(a), xy(b), xy(c), &wide);
-        if (!wide) {
-            if (area == 0)
-                dropped(s, FATE_ZERO);
-            else if (area * s->away <= 0)
-                *out++ = (uint8_t)t;
-        } else {
-            const uint32_t all = a->d & b->d & c->d;
-            if (all > ZS_D_OUT)
-                dropped(s, outside(all));
-            else
+        uint32_t wide = 1;
+        int32_t area = 0;
+        if (i < n_verts && j < n_verts && k < n_verts)
+            area = zs_area_short(xy(pool + i), xy(pool + j), xy(pool + k), &wide);
+        if (wide) {
+            if (odd(s, *tri))
                 *out++ = (uint8_t)(t + 1u);
+        } else if (area == 0) {
+            dropped(s, FATE_ZERO);
+        } else if (area * s->away <= 0) {
+            *out++ = (uint8_t)t;
         }
     }
-    s->fate[FATE_FACING] += n - (uint32_t)(out - s->left); /* dropped() has taken off the others */
+    s->fate[FATE_FACING] += n - (uint32_t)(out - s->left);
     return (uint32_t)(out - s->left);
 }
 
