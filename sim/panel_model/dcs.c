@@ -491,7 +491,7 @@ uint32_t dcs_seen(const struct pm_model *m, int x, int y)
 {
     const struct dcs *d = m->state;
     const int w = m->type->ram_w, h = m->type->ram_h;
-    int column = m->glass.x0 + x, line = m->glass.y0 + y;
+    int column = m->glass.x0 + (m->glass.mirrored ? m->glass.width - 1 - x : x), line = m->glass.y0 + y;
     column = d->type->column != NULL ? d->type->column(d->reg, column, w) : column;
     line = d->type->line != NULL ? d->type->line(d->reg, line, h) : line;
     if (line < 0 || (d->partial && !in_partial_area(d, line)))

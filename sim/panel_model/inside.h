@@ -12,6 +12,7 @@ struct pm_type {
     const char *name;
     uint16_t ram_w, ram_h; /* px */
     enum pm_format format;
+    uint32_t reset_us;  /* from RESET to the first command */
     size_t state_bytes; /* of its registers, zeroed */
     void (*reset)(struct pm_model *m);
     void (*byte)(struct pm_model *m, uint8_t byte, int data);

@@ -14,7 +14,8 @@
 #define PROBLEMS_MAX 1000u /* kept; junk makes no more */
 
 static const struct pm_type *const types[] = {
-    [PM_ST7789] = &pm_type_st7789,
+    [PM_ST7789] = &pm_type_st7789,   [PM_ILI9341] = &pm_type_ili9341, [PM_GC9A01] = &pm_type_gc9a01,
+    [PM_SSD1351] = &pm_type_ssd1351, [PM_SSD0323] = &pm_type_ssd0323, [PM_SSD1306] = &pm_type_ssd1306,
 };
 
 /* Modules that are sold. Offsets: where their makers join glass and controller. */
@@ -22,9 +23,18 @@ static const struct {
     const char *name;
     struct pm_glass glass;
 } modules[] = {
-    { "st7789:240x240", { PM_ST7789, 240, 240, 0, 0, 0, 0 } },
-    { "st7789:240x320", { PM_ST7789, 240, 320, 0, 0, 0, 0 } },
-    { "st7789:135x240", { PM_ST7789, 135, 240, 52, 40, 0, 0 } },
+    { "st7789:240x240", { .controller = PM_ST7789, 240, 240, 0, 0 } },
+    { "st7789:240x320", { .controller = PM_ST7789, 240, 320, 0, 0 } },
+    { "st7789:135x240", { .controller = PM_ST7789, 135, 240, 52, 40 } },
+    { "ili9341:240x320", { .controller = PM_ILI9341, 240, 320, 0, 0, .mirrored = 1 } },
+    { "gc9a01:240x240", { .controller = PM_GC9A01, 240, 240, 0, 0, .mirrored = 1 } },
+    { "ssd1351:128x128", { .controller = PM_SSD1351, 128, 128, 0, 0 } },
+    { "ssd1351:128x96", { .controller = PM_SSD1351, 128, 96, 0, 0 } },
+    { "ssd0323:128x64", { .controller = PM_SSD0323, 128, 64, 0, 0 } },
+    { "ssd1306:128x64", { .controller = PM_SSD1306, 128, 64, 0, 0 } },
+    { "ssd1306:128x32", { .controller = PM_SSD1306, 128, 32, 0, 0, .sequential = 1 } },
+    { "ssd1306:64x48", { .controller = PM_SSD1306, 64, 48, 32, 0 } },
+    { "ssd1306:72x40", { .controller = PM_SSD1306, 72, 40, 28, 0 } },
 };
 
 #define N_MODULES (sizeof modules / sizeof modules[0])
@@ -152,9 +162,7 @@ void pm_reset(struct pm_model *model)
     model->level = -1;
     memset(model->state, 0, model->type->state_bytes);
     model->type->reset(model);
-    model->owed_us = 5000; /* 5 ms from RESET to the first command; the Solomon ones want less */
-    if (model->type->format != PM_RGB565)
-        model->owed_us = 3;
+    model->owed_us = model->type->reset_us;
 }
 
 void pm_elapsed(struct pm_model *model, uint32_t us)

@@ -31,11 +31,14 @@ enum pm_format { PM_RGB565, PM_GREY4, PM_MONO };
 /* A sheet of glass on a controller, as its module is built. */
 struct pm_glass {
     enum pm_controller controller;
-    uint16_t width, height; /* px; rows and columns as the controller scans them with its rotation bits clear
-                               (SSD1306: with A1 C8, as modules are mounted) */
-    int16_t x0, y0;         /* the left top pixel in the controller's RAM */
+    uint16_t width, height; /* px, upright as the module is mounted: ST7789 with MADCTL 00, ILI9341 with 40, GC9A01
+                               with 00 after B6 00 20; SSD1351 with A0 74, SSD0323 with A0 52, SSD1306 with A1 C8 */
+    int16_t x0, y0;         /* its first column and row on the controller's outputs, counted in its own RAM; Solomon's:
+                               COM of the lowest row */
     uint8_t inverted;       /* 1: shows the negative unless told to invert (IPS) */
     uint8_t bgr;            /* 1: blue where the controller has red */
+    uint8_t mirrored;       /* 1: the controller's first column is on the right */
+    uint8_t sequential;     /* SSD1306: 1: rows are soldered to the COM pins in their order, else odd and even in turn */
 };
 
 /* "NAME:WxH" of the table of known modules. 1; 0: unknown, *glass is as it was. */
