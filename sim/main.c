@@ -9,7 +9,7 @@
 #include "convert.h"
 #include "demo.h"
 #include "depths.h"
-#include "panel.h"
+#include "panel_decode.h"
 #include "render.h"
 #include "sim.h"
 

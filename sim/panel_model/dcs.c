@@ -342,13 +342,18 @@ static void act(struct pm_model *m, uint8_t code)
     struct dcs *d = m->state;
     switch (code) {
     case SWRESET:
-        defaults(m);
+        m->sleep_owed_us = d->awake ? 120000 : 5000;
         m->owed_us = 5000;
+        defaults(m);
         break;
     case SLPIN:
     case SLPOUT:
-        d->awake = code == SLPOUT;
+        if (m->timed && m->sleep_owed_us > 0)
+            pm_note(m, PM_STATE, m->at, "%s comes %lu us too early after a reset, SLPIN or SLPOUT",
+                    code == SLPIN ? "SLPIN" : "SLPOUT", (unsigned long)m->sleep_owed_us);
+        m->sleep_owed_us = 120000;
         m->owed_us = 5000;
+        d->awake = code == SLPOUT;
         break;
     case PTLON:
     case NORON:

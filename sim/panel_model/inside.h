@@ -36,7 +36,8 @@ struct pm_model {
     uint64_t at;      /* number of the byte that is being taken */
     int level;        /* D/C of the last byte; -1: a run begins with the next one */
     int timed;        /* pm_elapsed was called */
-    uint32_t owed_us; /* to pass before the next command */
+    uint32_t owed_us;       /* to pass before the next command */
+    uint32_t sleep_owed_us; /* MIPI DCS: and before the next SLPIN or SLPOUT */
 };
 
 /* Note a problem at a byte; "byte N: " is put before the sentence. */

@@ -30,7 +30,7 @@ static const struct {
     { "gc9a01:240x240", { .controller = PM_GC9A01, 240, 240, 0, 0, .mirrored = 1 } },
     { "ssd1351:128x128", { .controller = PM_SSD1351, 128, 128, 0, 0 } },
     { "ssd1351:128x96", { .controller = PM_SSD1351, 128, 96, 0, 0 } },
-    { "ssd0323:128x64", { .controller = PM_SSD0323, 128, 64, 0, 0 } },
+    { "ssd0323:128x64", { .controller = PM_SSD0323, 128, 64, 0, 12 } },
     { "ssd1306:128x64", { .controller = PM_SSD1306, 128, 64, 0, 0 } },
     { "ssd1306:128x32", { .controller = PM_SSD1306, 128, 32, 0, 0, .sequential = 1 } },
     { "ssd1306:64x48", { .controller = PM_SSD1306, 64, 48, 32, 0 } },
@@ -169,6 +169,7 @@ void pm_elapsed(struct pm_model *model, uint32_t us)
 {
     model->timed = 1;
     model->owed_us -= us < model->owed_us ? us : model->owed_us;
+    model->sleep_owed_us -= us < model->sleep_owed_us ? us : model->sleep_owed_us;
 }
 
 void pm_end(struct pm_model *model)

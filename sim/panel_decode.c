@@ -2,7 +2,7 @@
  *
  * SPDX-License-Identifier: MIT
  */
-#include "panel.h"
+#include "panel_decode.h"
 
 #include <errno.h>
 #include <stdlib.h>

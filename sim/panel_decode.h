@@ -2,8 +2,8 @@
  *
  * SPDX-License-Identifier: MIT
  */
-#ifndef SIM_PANEL_H
-#define SIM_PANEL_H
+#ifndef SIM_PANEL_DECODE_H
+#define SIM_PANEL_DECODE_H
 
 /* The arguments after "panel". Return an enum sim_status. */
 int sim_panel(int argc, char **argv);
