@@ -1,5 +1,5 @@
 # The test programs: every tests/test_*.c, with the helpers beside it, the core, the scenes, the panels and their
-# models, under# ASan and UBSan and with the kernels' preconditions checked. zsim is built like that too.
+# models, under ASan and UBSan and with the kernels' preconditions checked. zsim is built like that too.
 SAN = -fsanitize=address,undefined -fno-sanitize-recover=all
 TEST_CC = $(CC) -std=gnu11 -O1 -g $(SAN) -Wall -Wextra -Werror -Wshadow -Wno-missing-field-initializers $(INC) -Itests \
           -DZS_STATS=1 '-DZS_ASSERT(c)=((c)?(void)0:__builtin_trap())'
