@@ -332,7 +332,7 @@ static void resets(void **state)
 {
     (void)state;
     struct view v = open_named("st7789:240x320");
-    const char *odd = "! 11; 29; 36 60; 3A 55; 21; 39; 2A 00 05 00 06; 2B 00 07 00 08; B0 00 F8; 37 00 05; 51 80;";
+    const char *odd = "! 11; 29; 36 60; 3A 55; 21; 39; 2A 00 05 00 06; 2B 00 07 00 08; B0 00 F8; 37 00 05; 53 24; 51 80;";
     feed(v.m, odd);
     assert_int_equal(pm_light(v.m).level[0], 0x80);
     feed(v.m, "01; 11; 29; 2C 12 34");  /* SWRESET: MADCTL and COLMOD stay, windows are all of the RAM */

@@ -32,7 +32,8 @@ enum {
     IDMON = 0x39,
     COLMOD = 0x3a,
     RAMWRC = 0x3c,
-    WRDISBV = 0x51
+    WRDISBV = 0x51,
+    WRCTRLD = 0x53
 };
 enum { MY = 0x80, MX = 0x40, MV = 0x20, BGR = 0x08 };
 
@@ -62,7 +63,7 @@ static const struct dcs_command common[] = {
     { RAMWRC, "RAMWRC", 0, 0 },
     { 0x44, "TESCAN", 2, 2 },
     { WRDISBV, "WRDISBV", 1, 1 },
-    { 0x53, "WRCTRLD", 1, 1 },
+    { WRCTRLD, "WRCTRLD", 1, 1 },
     /* read out over another line; on this one they are commands without arguments */
     { 0x04, "RDDID", 0, 0 },
     { 0x09, "RDDST", 0, 0 },
@@ -292,6 +293,15 @@ static void check_colmod(struct pm_model *m)
         pm_note(m, PM_VALUE, d->now_at, "COLMOD 0x%02X is no pixel format of this controller", d->reg[COLMOD][0]);
 }
 
+/* Bits of a command's only argument that are 0 in the datasheets. */
+static void check_unused(struct pm_model *m, unsigned unused)
+{
+    const struct dcs *d = m->state;
+    const uint8_t value = d->reg[d->now->code][0];
+    if ((value & unused) != 0)
+        pm_note(m, PM_VALUE, d->now_at, "%s 0x%02X sets bits that are not used", d->now->name, value);
+}
+
 /* All arguments are there. */
 static void complete(struct pm_model *m)
 {
@@ -312,8 +322,10 @@ static void complete(struct pm_model *m)
         check_colmod(m);
         break;
     case MADCTL:
-        if ((d->reg[MADCTL][0] & 3u) != 0)
-            pm_note(m, PM_VALUE, d->now_at, "MADCTL 0x%02X sets bits that are not used", d->reg[MADCTL][0]);
+        check_unused(m, 0x03);
+        break;
+    case WRCTRLD:
+        check_unused(m, 0xd3);
         break;
     default:
         break;
@@ -464,7 +476,8 @@ int dcs_lit(const struct pm_model *m)
 struct pm_light dcs_light(const struct pm_model *m)
 {
     const struct dcs *d = m->state;
-    return (struct pm_light){ { d->reg[WRDISBV][0], 0, 0, 0 } };
+    const int controlled = (d->reg[WRCTRLD][0] & 0x24) == 0x24; /* brightness block and backlight on */
+    return (struct pm_light){ { controlled ? d->reg[WRDISBV][0] : 0, 0, 0, 0 } };
 }
 
 static int in_partial_area(const struct dcs *d, int line)

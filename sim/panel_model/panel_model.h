@@ -71,8 +71,8 @@ int pm_lit(const struct pm_model *model);
  * 255); raw: RGB565, level 0 .. 15, or 0 and 1. Both as seen, black where it is dark. Either may be NULL. */
 void pm_picture(const struct pm_model *model, uint8_t *rgb, uint16_t *raw);
 
-/* Contrast or brightness as set; one register, SSD1351: A, B, C and the master's four bits. It does not change
- * pm_picture. */
+/* Contrast or brightness as set; one register, SSD1351: A, B, C and the master's four bits; MIPI DCS: what the
+ * controller puts out on its pin for a backlight, 0 where that is not on. It does not change pm_picture. */
 struct pm_light {
     uint8_t level[4];
 };

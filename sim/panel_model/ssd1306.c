@@ -157,7 +157,7 @@ static void run(struct pm_model *m, uint8_t code, const uint8_t *args)
         break;
     case 0x8d:
         s->pump = args[0] >> 2 & 1;
-        if ((args[0] & 0x3a) != 0x10)
+        if ((args[0] & 0x3b) != 0x10)
             value(m, "has bits that are 0 or 1 in the datasheet the other way", args[0]);
         break;
     case 0xa8:
@@ -168,6 +168,18 @@ static void run(struct pm_model *m, uint8_t code, const uint8_t *args)
         break;
     case 0xda:
         set_pins(m, args[0]);
+        break;
+    case 0xa3:
+        if ((args[0] & 0xc0) != 0 || (args[1] & 0x80) != 0)
+            value(m, "sets bits that are not used", args[0]);
+        break;
+    case 0xd9:
+        if ((args[0] & 0x0f) == 0 || (args[0] & 0xf0) == 0)
+            value(m, "has a phase of 0 clocks", args[0]);
+        break;
+    case 0xdb:
+        if ((args[0] & 0x8f) != 0)
+            value(m, "sets bits that are not used", args[0]);
         break;
     default:
         run_switch(m, code);
