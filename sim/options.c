@@ -271,18 +271,20 @@ static int check_panel(struct sim_options *o)
         return SIM_OK;
     if (o->reference)
         return sim_usage("--reference does not go through a panel: leave --panel out, or use --compare");
-    const int status = sim_panel_of(&o->panel, &config, &glass);
+    const int status = sim_panel_of(&o->panel, o->model, &config, &glass);
     if (status != SIM_OK)
         return status;
-    const long w = o->panel.turns & 1 ? glass.height : glass.width, h = o->panel.turns & 1 ? glass.width : glass.height;
+    const int turned = o->panel.turns & 1;
+    const long w = turned ? glass.height : glass.width, h = turned ? glass.width : glass.height;
     if (o->has_size && (o->size[0] != w || o->size[1] != h))
-        return sim_refuse(o->model, 0, "--size %ldx%ld is not the picture of --panel %s --rotate %d, %ldx%ld; leave it out",
+        return sim_refuse(o->model, 0,
+                          "--size %ldx%ld is not the picture of --panel %s --rotate %d, %ldx%ld; leave it out",
                           o->size[0], o->size[1], o->panel.name, 90 * o->panel.turns, w, h);
     o->size[0] = w;
     o->size[1] = h;
     if (!o->has_spi)
         o->spi_hz = pm_glass_format(&glass) == PM_RGB565 ? 62500000 : 10000000;
-    return sim_panel_check_strip(&o->panel, o->strip, h);
+    return sim_panel_check_strip(&o->panel, o->model, o->strip, h);
 }
 
 int sim_options_textured(const struct sim_options *o)

@@ -17,10 +17,11 @@ static const struct panel_type *driver_of(const char *name, size_t length)
     return NULL;
 }
 
-int sim_panel_of(const struct sim_panel_wish *wish, struct panel_config *config, struct pm_glass *glass)
+int sim_panel_of(const struct sim_panel_wish *wish, const char *file, struct panel_config *config,
+                 struct pm_glass *glass)
 {
     if (!pm_glass_named(glass, wish->name))
-        return sim_refuse(NULL, 0, "--panel %s is not known; there are %s", wish->name, pm_glass_list());
+        return sim_refuse(file, 0, "--panel %s is not known; there are %s", wish->name, pm_glass_list());
     glass->inverted = wish->invert != 0;
     glass->bgr = wish->bgr != 0;
     memset(config, 0, sizeof *config);
@@ -31,41 +32,41 @@ int sim_panel_of(const struct sim_panel_wish *wish, struct panel_config *config,
     config->invert = glass->inverted;
     config->bgr = glass->bgr;
     if (config->type == NULL)
-        return sim_refuse(NULL, 0, "--panel %s has a model and no driver", wish->name);
+        return sim_refuse(file, 0, "--panel %s has a model and no driver", wish->name);
     return SIM_OK;
 }
 
-int sim_panel_check_strip(const struct sim_panel_wish *wish, long rows, long height)
+int sim_panel_check_strip(const struct sim_panel_wish *wish, const char *file, long rows, long height)
 {
     struct panel_config config;
     struct pm_glass glass;
-    const int status = sim_panel_of(wish, &config, &glass);
+    const int status = sim_panel_of(wish, file, &config, &glass);
     if (status != SIM_OK || rows >= height)
         return status;
     const long grain = panel_grain(&config).y;
     if (rows % grain == 0)
         return SIM_OK;
-    return sim_refuse(NULL, 0, "--strip %ld: %s takes %ld rows at a time, so give a multiple of that, such as %ld", rows,
-                      wish->name, grain, (rows / grain + 1) * grain);
+    return sim_refuse(file, 0, "--strip %ld: %s takes %ld rows at a time, so give a multiple of that, such as %ld",
+                      rows, wish->name, grain, (rows / grain + 1) * grain);
 }
 
-int sim_panel_begin(struct sim_panel_frame *p, const struct sim_panel_wish *wish, uint32_t rows)
+int sim_panel_begin(struct sim_panel_frame *p, const struct sim_panel_wish *wish, const char *file, uint32_t rows)
 {
     struct panel_config config;
     memset(p, 0, sizeof *p);
-    const int status = sim_panel_of(wish, &config, &p->glass);
+    const int status = sim_panel_of(wish, file, &config, &p->glass);
     if (status != SIM_OK)
         return status;
     p->model = pm_new(&p->glass);
     if (p->model == NULL)
-        return sim_refuse(NULL, 0, "out of memory for the panel's RAM");
+        return sim_refuse(file, 0, "out of memory for the panel's RAM");
     sim_panel_bus_init(&p->bus, p->model);
     const uint32_t n_px = rows * (config.rotate & 1 ? config.height : config.width);
     const uint32_t n = panel_scratch_bytes(&config, n_px);
     p->scratch = n > 0 ? sim_alloc(n, 1) : NULL;
     const int err = panel_init(&p->panel, &config, &p->bus.bus, p->scratch, n);
     p->setup = *pm_counts(p->model);
-    return err == HAL_OK ? SIM_OK : sim_refuse(NULL, 0, "--panel %s: %s", wish->name, panel_strerror(err));
+    return err == HAL_OK ? SIM_OK : sim_refuse(file, 0, "--panel %s: %s", wish->name, panel_strerror(err));
 }
 
 void sim_panel_free(struct sim_panel_frame *p)
@@ -93,14 +94,14 @@ struct zs_sink sim_panel_sink(struct sim_panel_frame *p)
     return (struct zs_sink){ submit, wait, p };
 }
 
-int sim_panel_check(const struct sim_panel_frame *p, const struct sim_panel_wish *wish)
+int sim_panel_check(const struct sim_panel_frame *p, const struct sim_panel_wish *wish, const char *file)
 {
     const struct pm_problem *problem;
     if (p->err != HAL_OK)
-        return sim_refuse(NULL, 0, "--panel %s: %s", wish->name, panel_strerror(p->err));
+        return sim_refuse(file, 0, "--panel %s: %s", wish->name, panel_strerror(p->err));
     pm_end(p->model);
     if (pm_problems(p->model, &problem) > 0)
-        return sim_refuse(NULL, 0, "--panel %s: the driver's bytes are wrong: %s", wish->name, problem[0].text);
+        return sim_refuse(file, 0, "--panel %s: the driver's bytes are wrong: %s", wish->name, problem[0].text);
     return SIM_OK;
 }
 

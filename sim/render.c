@@ -108,7 +108,7 @@ static int draw_strips(struct job *job)
     const struct sim_panel_wish *wish = &job->options.panel;
     const struct zs_sink sink = sim_panel_sink(&job->panel);
     if (wish->name != NULL) {
-        const int status = sim_panel_begin(&job->panel, wish, job->config.strip_h);
+        const int status = sim_panel_begin(&job->panel, wish, job->options.model, job->config.strip_h);
         if (status != SIM_OK)
             return status;
     }
@@ -116,7 +116,7 @@ static int draw_strips(struct job *job)
                                         wish->name != NULL ? &sink : NULL);
     if (err != ZS_OK && job->panel.err == HAL_OK)
         return refuse_frame(job, err);
-    return wish->name != NULL ? sim_panel_check(&job->panel, wish) : SIM_OK;
+    return wish->name != NULL ? sim_panel_check(&job->panel, wish, job->options.model) : SIM_OK;
 }
 
 static int draw_frame(struct job *job)
