@@ -66,7 +66,7 @@ pictures: sim
 size stack: $(B)/.setup-test
 	@sh tests/checks/$@.sh $(B)
 check: $(B)/.setup-test
-	@for c in objects kernels includes cplusplus stack; do sh tests/checks/$$c.sh $(B) || exit 1; done
+	@for c in objects kernels hal includes cplusplus stack; do sh tests/checks/$$c.sh $(B) || exit 1; done
 
 ## clean: remove build/
 clean:

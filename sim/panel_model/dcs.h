@@ -2,8 +2,8 @@
  *
  * SPDX-License-Identifier: MIT
  */
-#ifndef PANEL_MODEL_DCS_H
-#define PANEL_MODEL_DCS_H
+#ifndef PM_DCS_H
+#define PM_DCS_H
 
 #include "inside.h"
 

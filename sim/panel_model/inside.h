@@ -2,8 +2,8 @@
  *
  * SPDX-License-Identifier: MIT
  */
-#ifndef PANEL_MODEL_INSIDE_H
-#define PANEL_MODEL_INSIDE_H
+#ifndef PM_INSIDE_H
+#define PM_INSIDE_H
 
 #include "panel_model.h"
 

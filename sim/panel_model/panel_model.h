@@ -19,8 +19,8 @@
  *
  * SPDX-License-Identifier: MIT
  */
-#ifndef PANEL_MODEL_H
-#define PANEL_MODEL_H
+#ifndef PM_MODEL_H
+#define PM_MODEL_H
 
 #include <stddef.h>
 #include <stdint.h>

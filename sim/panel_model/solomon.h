@@ -2,8 +2,8 @@
  *
  * SPDX-License-Identifier: MIT
  */
-#ifndef PANEL_MODEL_SOLOMON_H
-#define PANEL_MODEL_SOLOMON_H
+#ifndef PM_SOLOMON_H
+#define PM_SOLOMON_H
 
 #include "inside.h"
 
