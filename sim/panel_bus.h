@@ -1,6 +1,6 @@
 /* A bus that ends in the model of a panel: the simulator's HAL. Crueller than hardware: data is taken as late as the
- * contract allows, and bytes that changed until then are an error; so is any other verb while data is out. Time passes
- * by delay alone, so a driver that does not wait for its controller is found out.
+ * contract allows, and bytes that changed until then are an error; so is any other verb while data is out. Time
+ * passes by delay alone, so a driver that does not wait for its controller is found out.
  *
  * SPDX-License-Identifier: MIT
  */

@@ -11,6 +11,7 @@
 
 #include "image.h"
 #include "output.h"
+#include "panel_frame.h"
 #include "panel_model.h"
 #include "sim.h"
 #include "value.h"
@@ -19,14 +20,15 @@
 enum { DATA = 0x100, RESET = 0x200, FRAME = 0x400, DESELECT = 0x800, MARKS = 0xe00, WORD = 0xfff };
 
 static const char usage[] =
-    "usage: zsim panel --panel NAME:WxH --decode STREAM --out F_%03d.png [options]\n"
+    "usage: zsim panel --panel NAME:WxH --decode STREAM --out F_%%03d.png [options]\n"
     "Decodes what went over a panel's wire, as its controller would, into what is seen on its glass.\n"
     "\n"
-    "  --panel NAME:WxH  the module: \n"
+    "  --panel NAME:WxH  the module; there are\n"
+    "                    %s\n"
     "  --decode STREAM   little-endian uint16: bits 0-7 a byte and bit 8 its D/C level (1 data), or marks:\n"
     "                    bit 9 RESET was pulled low, bit 10 a frame is whole, bit 11 chip select went high\n"
-    "  --out F_%03d.png  a picture for each frame mark, numbered from 0; without marks, one at the end\n"
-    "  --raw F_%03d.bin  the same as RGB565, most significant byte first, or a byte for each level or bit\n"
+    "  --out F_%%03d.png  a picture for each frame mark, numbered from 0; without marks, one at the end\n"
+    "  --raw F_%%03d.bin  the same as RGB565, most significant byte first, or a byte for each level or bit\n"
     "  --rotate DEGREES  0, 90, 180 or 270: how far pictures are turned clockwise on the glass (0)\n"
     "  --invert          the glass shows the negative unless told to invert, as IPS glass does\n"
     "  --bgr             the glass has blue where the controller has red\n"
@@ -41,7 +43,7 @@ struct request {
     uint8_t invert, bgr;
 };
 
-/* ---- Command line ---------------------------------------------------------------------------------------- */
+/* ---- Command line -------------------------------------------------------------------------------------- */
 
 static int parse(struct request *rq, int argc, char **argv)
 {
@@ -100,7 +102,7 @@ static int file_name(char *name, size_t room, const char *pattern, unsigned numb
     return 1;
 }
 
-/* ---- Stream ---------------------------------------------------------------------------------------------- */
+/* ---- Stream -------------------------------------------------------------------------------------------- */
 
 /* All of a stream's words, malloc'ed. */
 static int load(const char *name, uint16_t **words, size_t *n)
@@ -133,7 +135,7 @@ static int load(const char *name, uint16_t **words, size_t *n)
     return SIM_OK;
 }
 
-/* ---- Pictures -------------------------------------------------------------------------------------------- */
+/* ---- Pictures ------------------------------------------------------------------------------------------ */
 
 static void write_raw(FILE *f, enum pm_format format, const uint16_t *raw, size_t n)
 {
@@ -181,7 +183,7 @@ static int look(const struct pm_model *model, const struct pm_glass *glass, cons
     return status;
 }
 
-/* ---- Command --------------------------------------------------------------------------------------------- */
+/* ---- Command ------------------------------------------------------------------------------------------- */
 
 static int decode(struct pm_model *model, const struct pm_glass *glass, const struct request *rq,
                   const uint16_t *words, size_t n)
@@ -229,12 +231,6 @@ static int report(const struct pm_model *model, const char *stream)
     return SIM_OK;
 }
 
-static void help(void)
-{
-    const char *gap = strstr(usage, "the module: ") + strlen("the module: ");
-    (void)printf("%.*s%s%s", (int)(gap - usage), usage, pm_glass_list(), gap);
-}
-
 int sim_panel(int argc, char **argv)
 {
     struct request rq = { 0 };
@@ -242,7 +238,7 @@ int sim_panel(int argc, char **argv)
     uint16_t *words = NULL;
     size_t n = 0;
     if (argc > 0 && (strcmp(argv[0], "--help") == 0 || strcmp(argv[0], "-h") == 0)) {
-        help();
+        (void)printf(usage, sim_panel_list(20));
         return SIM_OK;
     }
     int status = parse(&rq, argc, argv);

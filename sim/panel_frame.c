@@ -9,6 +9,26 @@
 
 #include "sim.h"
 
+const char *sim_panel_list(int indent)
+{
+    static char lines[1024];
+    const char *at = pm_glass_list();
+    size_t n = 0, column = (size_t)indent;
+    while (*at != '\0' && n + 64 + (size_t)indent < sizeof lines) {
+        const size_t length = strcspn(at, " ") + (strchr(at, ' ') != NULL);
+        if (n > 0 && column + length > 100) {
+            n += (size_t)sprintf(lines + n - 1, "\n%*s", indent, "") - 1; /* over the blank */
+            column = (size_t)indent;
+        }
+        memcpy(lines + n, at, length);
+        n += length;
+        column += length;
+        at += length;
+    }
+    lines[n] = '\0';
+    return lines;
+}
+
 static const struct panel_type *driver_of(const char *name, size_t length)
 {
     for (uint32_t i = 0; i < n_panel_types; i++)

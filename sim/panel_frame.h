@@ -1,5 +1,5 @@
-/* `zsim render --panel`: strips through a panel's driver and bus into the model of its controller, and what is seen on
- * the glass then.
+/* `zsim render --panel`: strips through a panel's driver and bus into the model of its controller, and what is seen
+ * on the glass then.
  *
  * SPDX-License-Identifier: MIT
  */
@@ -25,6 +25,10 @@ struct sim_panel_frame {
     struct pm_counts setup; /* what panel_init took */
     int err;                /* of the driver or bus, where a strip could not be sent */
 };
+
+/* The panels there are, for help texts: lines of less than 100 columns, all but the first behind `indent` blanks.
+ * Static storage. */
+const char *sim_panel_list(int indent);
 
 /* The driver's config and the glass for a wish. SIM_OK; SIM_REFUSED, said why about `file`, here and below. */
 int sim_panel_of(const struct sim_panel_wish *wish, const char *file, struct panel_config *config,

@@ -397,7 +397,7 @@ int sim_render(int argc, char **argv)
     struct job *job = sim_alloc(1, sizeof *job);
     int status = sim_options_parse(&job->options, argc, argv);
     if (status == SIM_OK && job->options.help) {
-        (void)printf(sim_options_help, pm_glass_list());
+        (void)printf(sim_options_help, sim_panel_list(23));
     } else {
         if (status == SIM_OK)
             status = check_files(&job->options);

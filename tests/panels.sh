@@ -1,6 +1,6 @@
 #!/bin/sh
-# `zsim render --panel` and `zsim panel`: every panel at every rotation shows its viewer the frame that is drawn without
-# a panel; streams are decoded; what cannot be done is refused by name.
+# `zsim render --panel` and `zsim panel`: every panel at every rotation shows its viewer the frame that is drawn
+# without a panel; streams are decoded; what cannot be done is refused by name.
 # Usage: tests/panels.sh ZSIM WORKDIR     as tests/cli.sh
 set -u
 . tests/cli/common.sh
@@ -36,7 +36,7 @@ for panel in $panels; do
         [ $status -eq 0 ] || wrong "status $status: $(said)"
         for rows in 8 24; do
             rm -f panel.png panel.json
-            z render heap.obj --out panel.png --panel "$panel" --rotate $degrees --strip $rows --stats panel.json $look
+            z render heap.obj --out panel.png --panel "$panel" --rotate $degrees --strip $rows $look
             [ $status -eq 0 ] || wrong "status $status: $(said)"
             [ ! -s stdout ] && [ ! -s stderr ] || wrong "it talks: $(said)"
             if ! shown=$("$work/seen" panel.png "frame_$size.png" "$(kind "$panel")"); then
@@ -83,9 +83,11 @@ refused panel_unknown '--panel st7735:128x160 is not known; there are st7789:240
 refused panel_size 'ssd1306:72x40' quad.obj --panel ssd1306:128x65
 refused other_size 'is not the picture of --panel st7789:135x240 --rotate 90, 240x135; leave it out' quad.obj \
     --panel st7789:135x240 --rotate 90 --size 135x240
-refused strip_cuts_a_page '--strip 12: ssd1306:128x64 takes 8 rows at a time, so give a multiple of that, such as 16' \
+refused strip_cuts_a_page \
+    '--strip 12: ssd1306:128x64 takes 8 rows at a time, so give a multiple of that, such as 16' \
     quad.obj --panel ssd1306:128x64 --strip 12
-refused strip_cuts_a_byte '--strip 9: ssd0323:128x64 takes 2 rows at a time, so give a multiple of that, such as 10' \
+refused strip_cuts_a_byte \
+    '--strip 9: ssd0323:128x64 takes 2 rows at a time, so give a multiple of that, such as 10' \
     quad.obj --panel ssd0323:128x64 --rotate 90 --strip 9
 refused spi_out_of_range '--spi 10 is outside its range' quad.obj --panel st7789:240x240 --spi 10
 usage rotate_45 '--rotate wants 0|90|180|270' render quad.obj --out refused/x.png --panel st7789:240x240 --rotate 45

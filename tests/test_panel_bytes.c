@@ -1,7 +1,7 @@
 /* Is every byte of a driver's stream looked at? A tape records what ST7789's and SSD1306's drivers send for set-up, a
- * frame in strips and a rectangle; then it is played to the model again and again, each time with one bit of it changed,
- * the level of D/C being the ninth. The change must show: in what the glass shows, its light, when it is lit, or in the
- * model's problems. What may stay invisible is listed here by command, with the reason; nothing else may.
+ * frame in strips and a rectangle; then it is played to the model again and again, each time with one bit of it
+ * changed, the level of D/C being the ninth. The change must show: in what the glass shows, its light, when it is
+ * lit, or in the model's problems. What may stay invisible is listed here by command, with the reason; nothing else may.
  *
  * SPDX-License-Identifier: MIT
  */
@@ -13,7 +13,7 @@
 #include "panel.h"
 #include "panel_model.h"
 
-/* ---- The tape ----------------------------------------------------------------------------------------------- */
+/* ---- The tape ------------------------------------------------------------------------------------------ */
 
 enum { DATA = 0x100, RESET = 0x200, LOOK = 0x400, DESELECT = 0x800, PAUSE = 0x80000000u };
 
@@ -93,7 +93,7 @@ static struct tape record(const struct panel_config *config, uint16_t rows, cons
     return t;
 }
 
-/* ---- Playing it --------------------------------------------------------------------------------------------- */
+/* ---- Playing it ---------------------------------------------------------------------------------------- */
 
 static uint64_t mix(uint64_t sum, const void *bytes, size_t n)
 {
@@ -144,7 +144,7 @@ static uint64_t play(const struct tape *t, const struct pm_glass *glass)
     return sum;
 }
 
-/* ---- What may be invisible ----------------------------------------------------------------------------------- */
+/* ---- What may be invisible ----------------------------------------------------------------------------- */
 
 struct silent {
     uint8_t code;   /* a command, as the driver sends it */
@@ -204,8 +204,8 @@ static void expect_seen(struct tape *t, const struct pm_glass *glass, int args_l
             silent += (uint32_t)same;
             if (same && !(expected(list, n, at[i]) & bit)) {
                 wrong++;
-                print_message("word %u, 0x%02X: bit 0x%03X of byte %u of command 0x%02X changes nothing\n", (unsigned)i,
-                              (unsigned)t->word[i], (unsigned)bit, (at[i] & 255u) - 1u, at[i] >> 8);
+                print_message("word %u, 0x%02X: bit 0x%03X of byte %u of command 0x%02X changes nothing\n",
+                              (unsigned)i, (unsigned)t->word[i], (unsigned)bit, (at[i] & 255u) - 1u, at[i] >> 8);
             }
             for (size_t k = 0; k < n; k++)
                 if (same && at[i] == (uint16_t)(list[k].code << 8 | (list[k].arg + 1)))
@@ -227,7 +227,7 @@ static void st7789_bytes_are_seen(void **state)
 {
     (void)state;
     static const struct silent list[] = {
-        { 0x01, 0, 0x039, "NOP, RDDST, SLPOUT, INVON in place of a software reset: the RESET line was pulled before" },
+        { 0x01, 0, 0x039, "NOP, RDDST, SLPOUT, INVON in place of a software reset: RESET was pulled before" },
         { 0x13, 0, 0x001, "PTLON: the partial area is all of the RAM" },
         { 0x28, 0, 0x05c, "RAMWR, INVOFF, IDMOFF, RDABCSDR in place of DISPOFF: it is off after a reset" },
         { 0x2a, 0, 0x001, "RASET, before the right RASET: strips leave the columns as they were" },

@@ -10,10 +10,10 @@
 #include "cases.h"
 #include "panel_model.h"
 
-/* ---- Streams as text ------------------------------------------------------------------------------------------ */
+/* ---- Streams as text ----------------------------------------------------------------------------------- */
 
-/* Bytes in hexadecimal: "36 60" a command and its argument with D/C high; "!" resets, "|" lifts chip select, and "*N "
- * repeats the byte after it N times. The first byte is a command, and each after ";" and "!". */
+/* Bytes in hexadecimal: "36 60" a command and its argument with D/C high; "!" resets, "|" lifts chip select, and
+ * "*N " repeats the byte after it N times. The first byte is a command, and each after ";" and "!". */
 static void feed(struct pm_model *m, const char *text)
 {
     int data = 0;
@@ -139,7 +139,7 @@ static void expect_problem(const struct pm_model *m, size_t nth, enum pm_problem
     assert_non_null(strstr(p[nth].text, words));
 }
 
-/* ---- MIPI DCS: all three ---------------------------------------------------------------------------------------- */
+/* ---- MIPI DCS: all three ------------------------------------------------------------------------------- */
 
 #define AWAKE "! 11; 3A 55; 29; " /* three commands, four bytes */
 
@@ -332,7 +332,8 @@ static void resets(void **state)
 {
     (void)state;
     struct view v = open_named("st7789:240x320");
-    const char *odd = "! 11; 29; 36 60; 3A 55; 21; 39; 2A 00 05 00 06; 2B 00 07 00 08; B0 00 F8; 37 00 05; 53 24; 51 80;";
+    const char *odd = "! 11; 29; 36 60; 3A 55; 21; 39; 2A 00 05 00 06; 2B 00 07 00 08; B0 00 F8; 37 00 05; 53 24;"
+                      "51 80;";
     feed(v.m, odd);
     assert_int_equal(pm_light(v.m).level[0], 0x80);
     feed(v.m, "01; 11; 29; 2C 12 34");  /* SWRESET: MADCTL and COLMOD stay, windows are all of the RAM */
@@ -384,7 +385,7 @@ static void views(void **state)
     }
 }
 
-/* ---- Junk, for all that speak DCS ------------------------------------------------------------------------------- */
+/* ---- Junk, for all that speak DCS ---------------------------------------------------------------------- */
 
 static void dcs_problems(void **state)
 {
@@ -493,7 +494,7 @@ static void too_early(void **state)
     close_view(&v);
 }
 
-/* ---- ILI9341, GC9A01: what is their own --------------------------------------------------------------------------- */
+/* ---- ILI9341, GC9A01: what is their own ---------------------------------------------------------------- */
 
 static void ili9341_rules(void **state)
 {
@@ -551,7 +552,8 @@ static void ili9341_set_up_of_others(void **state)
 {
     (void)state;
     struct view v = open_named("ili9341:240x320");
-    feed(v.m, "! EF 03 80 02; CF 00 C1 30; ED 64 03 12 81; E8 85 00 78; CB 39 2C 00 34 02; F7 20; EA 00 00; C0 23; C1 10;"
+    feed(v.m, "! EF 03 80 02; CF 00 C1 30; ED 64 03 12 81; E8 85 00 78; CB 39 2C 00 34 02; F7 20; EA 00 00; C0 23;"
+              "C1 10;"
               "C5 3E 28; C7 86; 36 48; 37 00 00; 3A 55; B1 00 18; B6 08 82 27; F2 00; 26 01;"
               "E0 0F 31 2B 0C 0E 08 4E F1 37 07 10 03 0E 09 00; E1 00 0E 14 03 11 07 31 C1 48 08 0F 0C 31 36 0F;"
               "11; 29; 2A 00 00 00 00; 2B 00 00 00 00; 2C F8 00");
@@ -561,7 +563,7 @@ static void ili9341_set_up_of_others(void **state)
     close_view(&v);
 }
 
-/* ---- SSD1351 ------------------------------------------------------------------------------------------------------- */
+/* ---- SSD1351 ------------------------------------------------------------------------------------------- */
 
 #define UP_1351 "! FD 12; FD B1; A2 00; A0 74; AF; "
 
@@ -606,7 +608,8 @@ static void ssd1351_writing(void **state)
 {
     (void)state;
     struct view v = open_named("ssd1351:128x128");
-    feed(v.m, UP_1351 "15 00 01; 75 00 01; 5C 00 01 00 02 00 03 00 04 00 05; A0 76; 15 00 01; 75 02 02; 5C 00 06 00 07;"
+    feed(v.m, UP_1351 "15 00 01; 75 00 01; 5C 00 01 00 02 00 03 00 04 00 05; A0 76; 15 00 01; 75 02 02;"
+                      "5C 00 06 00 07;"
                       "A0 75; 15 00 01; 75 03 04; 5C 00 08 00 09 00 0A; A0 70; 15 00 00; 75 05 05; 5C F8 00;"
                       "A0 34; 15 00 00; 75 06 06; 5C E3; A0 B4; 15 00 00; 75 07 07; 5C 3F 00 01; A0 74");
     look(&v);
@@ -632,7 +635,8 @@ static void ssd1351_96_rows(void **state)
 {
     (void)state;
     struct view v = open_named("ssd1351:128x96");
-    feed(v.m, UP_1351 "CA 5F; 15 00 00; 75 00 00; 5C 11 11; 75 5F 5F; 15 00 00; 5C 22 22; 75 20 20; 15 00 00; 5C 33 33");
+    feed(v.m, UP_1351 "CA 5F; 15 00 00; 75 00 00; 5C 11 11; 75 5F 5F; 15 00 00; 5C 22 22; 75 20 20; 15 00 00;"
+                      "5C 33 33");
     look(&v);
     assert_int_equal(raw_at(&v, 0, 0), 0x1111);
     assert_int_equal(raw_at(&v, 0, 95), 0x2222);
@@ -690,7 +694,7 @@ static void ssd1351_light(void **state)
     close_view(&v);
 }
 
-/* ---- SSD0323 ------------------------------------------------------------------------------------------------------- */
+/* ---- SSD0323 ------------------------------------------------------------------------------------------- */
 
 #define UP_0323 "! A0 52 A2 4C A8 3F AF "
 
@@ -767,7 +771,7 @@ static void ssd0323_problems(void **state)
     }
 }
 
-/* ---- SSD1306 ------------------------------------------------------------------------------------------------------- */
+/* ---- SSD1306 ------------------------------------------------------------------------------------------- */
 
 #define UP_1306 "! 8D 14 A1 C8 AF "
 
@@ -926,7 +930,7 @@ static void ssd1306_problems(void **state)
     }
 }
 
-/* ---- All: names, glass that does not fit, and junk ----------------------------------------------------------------- */
+/* ---- All: names, glass that does not fit, and junk ----------------------------------------------------- */
 
 static void names(void **state)
 {

@@ -1,6 +1,6 @@
-/* Panel drivers through the simulator's bus into the model of their controllers: what rectangles, rotation, inversion,
- * sleep and brightness look like to the viewer, on every module that the model knows, against a picture that is kept
- * here by the formulas of panel.h. The model must have nothing to say about the bytes, times included.
+/* Panel drivers through the simulator's bus into the model of their controllers: what rectangles, rotation,
+ * inversion, sleep and brightness look like to the viewer, on every module that the model knows, against a picture
+ * that is kept here by the formulas of panel.h. The model must have nothing to say about the bytes, times included.
  *
  * SPDX-License-Identifier: MIT
  */
@@ -48,7 +48,7 @@ static const struct panel_type *driver_of(const char *name)
     return NULL;
 }
 
-/* ---- What is seen -------------------------------------------------------------------------------------------- */
+/* ---- What is seen -------------------------------------------------------------------------------------- */
 
 static void look(void)
 {
@@ -61,8 +61,8 @@ static int check(const char *after)
     const int w = panel_width(&s.panel), h = panel_height(&s.panel);
     const struct pm_problem *problem;
     if (pm_problems(s.bus.model, &problem) > 0)
-        return case_wrong("%s %dx%d, rotate %d, %s: %s", panel_name(s.config.type), w, h, s.panel.config.rotate, after,
-                          problem[0].text);
+        return case_wrong("%s %dx%d, rotate %d, %s: %s", panel_name(s.config.type), w, h, s.panel.config.rotate,
+                          after, problem[0].text);
     look();
     for (int i = 0; i < w * h; i++)
         if (memcmp(seen[i], want[i], 3) != 0)
@@ -84,7 +84,7 @@ static void wanted(uint8_t out[3], unsigned v, unsigned x, unsigned y)
     out[2] = (uint8_t)(format == PANEL_RGB565 ? b : one);
 }
 
-/* ---- Set-up: the glass is dark until it is black ---------------------------------------------------------------- */
+/* ---- Set-up: the glass is dark until it is black ------------------------------------------------------- */
 
 static int (*model_command)(struct hal_bus *, uint8_t, const uint8_t *, uint32_t);
 static int (*model_wait)(struct hal_bus *);
@@ -144,7 +144,7 @@ static void close_scene(void)
     pm_free(s.bus.model);
 }
 
-/* ---- Rectangles -------------------------------------------------------------------------------------------------- */
+/* ---- Rectangles ---------------------------------------------------------------------------------------- */
 
 static uint32_t below(uint32_t *seed, uint32_t n)
 {
@@ -156,7 +156,8 @@ static uint32_t below(uint32_t *seed, uint32_t n)
 static int send_some(uint32_t *seed)
 {
     const struct panel_grain grain = panel_grain(&s.panel.config);
-    const uint32_t across = panel_width(&s.panel) / (uint32_t)grain.x, down = panel_height(&s.panel) / (uint32_t)grain.y;
+    const uint32_t across = (uint32_t)(panel_width(&s.panel) / grain.x);
+    const uint32_t down = (uint32_t)(panel_height(&s.panel) / grain.y);
     const uint32_t x = below(seed, across), y = below(seed, down);
     const uint32_t w = 1 + below(seed, across - x), h = 1 + below(seed, down - y);
     const struct panel_rect r = { (uint16_t)(x * grain.x), (uint16_t)(y * grain.y), (uint16_t)(w * grain.x),
@@ -202,7 +203,7 @@ static void rectangles_are_where_they_belong(void **state)
     CASES(rectangles, 240);
 }
 
-/* ---- The other functions ------------------------------------------------------------------------------------------- */
+/* ---- The other functions ------------------------------------------------------------------------------- */
 
 /* Negative of what should be seen. */
 static void negate(void)

@@ -1,8 +1,8 @@
 /* The MIPI display command set as these controllers have it. Source: MIPI Alliance Specification for Display Command
  * Set; ST7789V datasheet V1.3, sections 8.12 (address control) and 9.1; ILI9341 datasheet V1.11, section 8.2.
  *
- * Addresses count columns and pages as the host sees them; MADCTL's MY, MX and MV say where in the RAM that is, when a
- * pixel is written. Its BGR bit, inversion, scrolling, partial and idle mode work between RAM and glass.
+ * Addresses count columns and pages as the host sees them; MADCTL's MY, MX and MV say where in the RAM that is, when
+ * a pixel is written. Its BGR bit, inversion, scrolling, partial and idle mode work between RAM and glass.
  *
  * SPDX-License-Identifier: MIT
  */
@@ -122,7 +122,7 @@ static int n_pages(const struct pm_model *m)
     return madctl(d) & MV ? m->type->ram_w : m->type->ram_h;
 }
 
-/* ---- Resets --------------------------------------------------------------------------------------------- */
+/* ---- Resets -------------------------------------------------------------------------------------------- */
 
 /* Both resets: everything but MADCTL and COLMOD, which SWRESET leaves as they are. */
 static void defaults(struct pm_model *m)
@@ -151,7 +151,7 @@ void dcs_reset(struct pm_model *m, const struct dcs_type *type)
     defaults(m);
 }
 
-/* ---- Pixels --------------------------------------------------------------------------------------------- */
+/* ---- Pixels -------------------------------------------------------------------------------------------- */
 
 /* The next pixel's place, and one step on: along the row, then down, then back to the start. */
 static void write_pixel(struct pm_model *m, uint32_t value)
@@ -244,14 +244,14 @@ static void close_pixels(struct pm_model *m)
 {
     struct dcs *d = m->state;
     if (d->writing && d->n_part > 0 && !d->nibble)
-        pm_note(m, PM_ODD, m->at - 1, "%u byte%s of a pixel at the end of a memory write, the rest is missing", d->n_part,
-                d->n_part > 1 ? "s" : "");
+        pm_note(m, PM_ODD, m->at - 1, "%u byte%s of a pixel at the end of a memory write, the rest is missing",
+                d->n_part, d->n_part > 1 ? "s" : "");
     d->writing = 0;
     d->n_part = 0;
     d->nibble = 0;
 }
 
-/* ---- Commands ------------------------------------------------------------------------------------------- */
+/* ---- Commands ------------------------------------------------------------------------------------------ */
 
 static void check_window(struct pm_model *m, uint8_t code)
 {
@@ -262,8 +262,8 @@ static void check_window(struct pm_model *m, uint8_t code)
     if (start > end)
         pm_note(m, PM_WINDOW, d->now_at, "%s from %d to %d ends before it starts", d->now->name, start, end);
     else if (end >= n)
-        pm_note(m, PM_WINDOW, d->now_at, "%s from %d to %d reaches out of the RAM, which ends at %d", d->now->name, start,
-                end, n - 1);
+        pm_note(m, PM_WINDOW, d->now_at, "%s from %d to %d reaches out of the RAM, which ends at %d", d->now->name,
+                start, end, n - 1);
 }
 
 static void check_scroll(struct pm_model *m)
@@ -458,14 +458,15 @@ void dcs_end(struct pm_model *m)
 {
     struct dcs *d = m->state;
     if (d->now != NULL && d->n_args < d->now->least) {
-        pm_note(m, PM_TRUNCATED, m->at, "the stream ends inside %s (0x%02X) of byte %llu, which has %u of its %u arguments",
-                d->now->name, d->now->code, (unsigned long long)d->now_at, d->n_args, d->now->least);
+        pm_note(m, PM_TRUNCATED, m->at,
+                "the stream ends inside %s (0x%02X) of byte %llu, which has %u of its %u arguments", d->now->name,
+                d->now->code, (unsigned long long)d->now_at, d->n_args, d->now->least);
         d->now = NULL;
     }
     close_command(m);
 }
 
-/* ---- Glass ---------------------------------------------------------------------------------------------- */
+/* ---- Glass --------------------------------------------------------------------------------------------- */
 
 int dcs_lit(const struct pm_model *m)
 {

@@ -23,8 +23,9 @@ struct dcs_type {
     void (*defaults)(uint8_t reg[256][DCS_KEPT]); /* of its own registers; may be NULL */
     uint8_t (*madctl)(const uint8_t reg[256][DCS_KEPT]); /* as it works after its own bits */
     int (*inverts)(const uint8_t reg[256][DCS_KEPT]);    /* 1: its own bits swap INVON and INVOFF; may be NULL */
-    int (*line)(const uint8_t reg[256][DCS_KEPT], int row, int rows); /* which line of RAM a row of gates shows; -1 none */
-    int (*column)(const uint8_t reg[256][DCS_KEPT], int column, int columns); /* and a column of sources */
+    /* Which line of the RAM a row of gates shows, -1 for none; which column a source line shows. May be NULL. */
+    int (*line)(const uint8_t reg[256][DCS_KEPT], int row, int rows);
+    int (*column)(const uint8_t reg[256][DCS_KEPT], int column, int columns);
     int (*little_endian)(const uint8_t reg[256][DCS_KEPT]);
     int (*drops_excess)(const uint8_t reg[256][DCS_KEPT]); /* 1: pixels beyond the window's end do not wrap */
     /* Checks of its own when a command is complete: a sentence, or NULL. */

@@ -87,5 +87,7 @@ static void reset(struct pm_model *m)
     dcs_reset(m, &gc9a01);
 }
 
-const struct pm_type pm_type_gc9a01 = { "gc9a01", 240, 240, PM_RGB565, 5000, sizeof(struct dcs), reset, dcs_byte, dcs_end,
-                                        dcs_lit, dcs_seen, dcs_light };
+const struct pm_type pm_type_gc9a01 = {
+    "gc9a01", 240, 240, PM_RGB565, 5000, sizeof(struct dcs), reset, dcs_byte, dcs_end, dcs_lit, dcs_seen,
+    dcs_light
+};

@@ -122,5 +122,7 @@ static void reset(struct pm_model *m)
     dcs_reset(m, &ili9341);
 }
 
-const struct pm_type pm_type_ili9341 = { "ili9341", 240, 320, PM_RGB565, 5000, sizeof(struct dcs), reset, dcs_byte, dcs_end,
-                                         dcs_lit, dcs_seen, dcs_light };
+const struct pm_type pm_type_ili9341 = {
+    "ili9341", 240, 320, PM_RGB565, 5000, sizeof(struct dcs), reset, dcs_byte, dcs_end, dcs_lit,
+    dcs_seen, dcs_light
+};

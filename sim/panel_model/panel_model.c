@@ -39,7 +39,7 @@ static const struct {
 
 #define N_MODULES (sizeof modules / sizeof modules[0])
 
-/* ---- Glass ---------------------------------------------------------------------------------------------- */
+/* ---- Glass --------------------------------------------------------------------------------------------- */
 
 int pm_glass_named(struct pm_glass *glass, const char *name)
 {
@@ -88,7 +88,7 @@ void pm_view(const struct pm_glass *glass, int rotate, const void *from, void *t
         }
 }
 
-/* ---- Power ---------------------------------------------------------------------------------------------- */
+/* ---- Power --------------------------------------------------------------------------------------------- */
 
 /* What RAM holds when power comes on: noise, the same at each start. */
 static void fill_with_noise(struct pm_model *m)
@@ -133,7 +133,7 @@ void pm_free(struct pm_model *model)
     free(model);
 }
 
-/* ---- Wire ----------------------------------------------------------------------------------------------- */
+/* ---- Wire ---------------------------------------------------------------------------------------------- */
 
 void pm_byte(struct pm_model *model, uint8_t byte, int data)
 {
@@ -187,7 +187,7 @@ void pm_command_begins(struct pm_model *m, const char *name)
     m->owed_us = 0;
 }
 
-/* ---- Problems and counts -------------------------------------------------------------------------------- */
+/* ---- Problems and counts ------------------------------------------------------------------------------- */
 
 void pm_note(struct pm_model *m, enum pm_problem_kind kind, uint64_t at, const char *format, ...)
 {
@@ -222,7 +222,7 @@ const struct pm_counts *pm_counts(const struct pm_model *model)
     return &model->counts;
 }
 
-/* ---- Picture -------------------------------------------------------------------------------------------- */
+/* ---- Picture ------------------------------------------------------------------------------------------- */
 
 uint32_t *pm_ram_at(struct pm_model *m, int x, int y)
 {

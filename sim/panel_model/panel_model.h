@@ -33,12 +33,12 @@ struct pm_glass {
     enum pm_controller controller;
     uint16_t width, height; /* px, upright as the module is mounted: ST7789 with MADCTL 00, ILI9341 with 40, GC9A01
                                with 00 after B6 00 20; SSD1351 with A0 74, SSD0323 with A0 52, SSD1306 with A1 C8 */
-    int16_t x0, y0;         /* its first column and row on the controller's outputs, counted in its own RAM; Solomon's:
-                               COM of the lowest row */
+    int16_t x0, y0;         /* its first column and row, counted as in the controller's RAM; y0 of Solomon's: the COM
+                               that its lowest row is on */
     uint8_t inverted;       /* 1: shows the negative unless told to invert (IPS) */
     uint8_t bgr;            /* 1: blue where the controller has red */
     uint8_t mirrored;       /* 1: the controller's first column is on the right */
-    uint8_t sequential;     /* SSD1306: 1: rows are soldered to the COM pins in their order, else odd and even in turn */
+    uint8_t sequential;     /* SSD1306: 1: rows are on the COM pins in their order, else odd and even in turn */
 };
 
 /* "NAME:WxH" of the table of known modules. 1; 0: unknown, *glass is as it was. */
@@ -88,7 +88,7 @@ void pm_view(const struct pm_glass *glass, int rotate, const void *from, void *t
 struct pm_counts {
     uint64_t bytes;        /* all */
     uint64_t command_bytes, data_bytes; /* D/C low and high */
-    uint64_t transactions; /* runs of bytes between which neither D/C changes, chip select goes high nor reset comes */
+    uint64_t transactions; /* runs of bytes in which D/C stays, chip select stays low and no RESET comes */
     uint64_t commands;     /* commands, with or without arguments */
     uint64_t windows;      /* memory writes before which an address was set */
     uint64_t pixel_bytes;  /* data bytes taken as pixels */
@@ -112,7 +112,8 @@ struct pm_problem {
     uint64_t at;    /* byte of the stream, counted from 0; at the end of the stream, its length */
     char text[160]; /* one sentence without a full stop, "byte 17: ..." */
 };
-/* All problems so far; *problems is the model's, until its next call. Of one cause in a row only the first is kept. */
+/* All problems so far, at most 1000; *problems is the model's, until its next call. Of one cause in a row only the
+ * first is kept. */
 size_t pm_problems(const struct pm_model *model, const struct pm_problem **problems);
 
 #endif

@@ -1,12 +1,12 @@
 /* What the Solomon controllers share: commands with their arguments, the window, and which row a COM shows.
- * Source: Solomon Systech, SSD1306 datasheet rev 1.5, section 10.1 with tables 10-1 to 10-3; SSD1351 datasheet rev 1.5,
- * section 10.1.
+ * Source: Solomon Systech, SSD1306 datasheet rev 1.5, section 10.1 with tables 10-1 to 10-3; SSD1351 datasheet
+ * rev 1.5, section 10.1.
  *
  * SPDX-License-Identifier: MIT
  */
 #include "solomon.h"
 
-/* ---- Commands --------------------------------------------------------------------------------------------- */
+/* ---- Commands ------------------------------------------------------------------------------------------ */
 
 static const struct solomon_command *find(const struct solomon_type *type, uint8_t code)
 {
@@ -127,7 +127,7 @@ void solomon_end(struct pm_model *m)
     close_pixels(m);
 }
 
-/* ---- Addresses -------------------------------------------------------------------------------------------- */
+/* ---- Addresses ----------------------------------------------------------------------------------------- */
 
 void solomon_window(struct pm_model *m, int is_row, uint8_t from, uint8_t to, int limit)
 {
@@ -170,7 +170,7 @@ void solomon_step(struct solomon *s)
     }
 }
 
-/* ---- Glass ------------------------------------------------------------------------------------------------ */
+/* ---- Glass --------------------------------------------------------------------------------------------- */
 
 int solomon_lit(const struct pm_model *m)
 {

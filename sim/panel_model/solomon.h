@@ -32,8 +32,8 @@ struct solomon {
     uint8_t code;
     unsigned n_args;
     uint8_t arg[64];
-    uint8_t any, told, writing, moved; /* flags: a command came; data that went nowhere was told of; data goes into the
-                                          RAM; an address was set since the last data */
+    uint8_t any, told;      /* flags: a command came; data that went nowhere was told of */
+    uint8_t writing, moved; /* flags: data goes into the RAM; an address was set since the last data */
     uint8_t on;
     enum solomon_show show;
     uint8_t x0, x1, y0, y1; /* window, in columns and rows (SSD1306: pages) */
@@ -57,8 +57,8 @@ void solomon_end(struct pm_model *m);
 int solomon_lit(const struct pm_model *m);
 struct pm_light solomon_light(const struct pm_model *m);
 
-/* The row of RAM that a row of the glass shows, the glass's COMs counted as soldered; -1: not driven. Modules here are
- * soldered so that the reversed scan has row 0 on top. */
+/* The row of RAM that a row of the glass shows, -1 for none; the glass is soldered for COMs that are split or not.
+ * Modules here are soldered so that the reversed scan has row 0 on top. */
 int solomon_ram_row(const struct pm_model *m, int glass_row, int split_as_wired);
 
 /* What is shown for a value of the RAM, whose largest is `all`. */

@@ -1,7 +1,7 @@
-/* SSD0323. Source: Solomon Systech, SSD0323 datasheet rev 1.4: command table, GDDRAM map. How the remapped scan counts
- * with an offset and fewer than 80 lines it leaves open; taken from settings in use. Glass on COM12 .. COM75 is upright
- * with 52 and 4C (arguments of A0 and A2), glass on COM0 .. COM63 with 52 and 40, and turned with 41 and 50: the
- * reversed scan counts from COM79.
+/* SSD0323. Source: Solomon Systech, SSD0323 datasheet rev 1.4: command table, GDDRAM map. How the remapped scan
+ * counts with an offset and fewer than 80 lines it leaves open; taken from settings in use. Glass on COM12 .. COM75
+ * is upright with 52 and 4C (arguments of A0 and A2), glass on COM0 .. COM63 with 52 and 40, and turned with 41 and
+ * 50: the reversed scan counts from COM79.
  *
  * A column address is a byte, two pixels. Columns and nibbles are remapped when they are written.
  *
@@ -89,8 +89,8 @@ static void rectangle(struct pm_model *m, const uint8_t *a)
 {
     const struct solomon *s = m->state;
     if (a[0] > a[2] || a[1] > a[3] || a[2] >= COLUMNS || a[3] >= ROWS)
-        pm_note(m, PM_WINDOW, s->now_at, "draw rectangle from %d,%d to %d,%d is not inside of the RAM", a[0], a[1], a[2],
-                a[3]);
+        pm_note(m, PM_WINDOW, s->now_at, "draw rectangle from %d,%d to %d,%d is not inside of the RAM", a[0], a[1],
+                a[2], a[3]);
     for (int y = a[1]; y <= a[3]; y++)
         for (int x = a[0]; x <= a[2]; x++)
             if (s->fill || y == a[1] || y == a[3] || x == a[0] || x == a[2])
@@ -152,5 +152,7 @@ static uint32_t seen(const struct pm_model *m, int x, int y)
     return row < 0 ? 0 : solomon_shown(m, pm_ram_get(m, m->glass.x0 + x, row), 15);
 }
 
-const struct pm_type pm_type_ssd0323 = { "ssd0323", 2 * COLUMNS, ROWS, PM_GREY4, 3, sizeof(struct solomon), reset,
-                                         solomon_byte, solomon_end, solomon_lit, seen, solomon_light };
+const struct pm_type pm_type_ssd0323 = {
+    "ssd0323", 2 * COLUMNS, ROWS, PM_GREY4, 3, sizeof(struct solomon), reset, solomon_byte, solomon_end,
+    solomon_lit, seen, solomon_light
+};

@@ -1,5 +1,6 @@
-/* SSD1306. Source: Solomon Systech, SSD1306 datasheet rev 1.5 (with the charge pump's application note): command table
- * in chapter 9, sections 10.1.1 to 10.1.18, GDDRAM 8.7, tables 10-1 to 10-3; ADh, 23h and D6h: SSD1306B datasheet.
+/* SSD1306. Source: Solomon Systech, SSD1306 datasheet rev 1.5 (with the charge pump's application note): command
+ * table in chapter 9, sections 10.1.1 to 10.1.18, GDDRAM 8.7, tables 10-1 to 10-3; ADh, 23h and D6h: SSD1306B
+ * datasheet.
  *
  * Columns are remapped when they are written: the RAM here is by segment pins.
  *
@@ -233,5 +234,7 @@ static uint32_t seen(const struct pm_model *m, int x, int y)
     return solomon_shown(m, pm_ram_get(m, COLUMNS - 1 - m->glass.x0 - x, row), 1);
 }
 
-const struct pm_type pm_type_ssd1306 = { "ssd1306", COLUMNS, ROWS, PM_MONO, 3, sizeof(struct solomon), reset, solomon_byte,
-                                         solomon_end, lit, seen, solomon_light };
+const struct pm_type pm_type_ssd1306 = {
+    "ssd1306", COLUMNS, ROWS, PM_MONO, 3, sizeof(struct solomon), reset, solomon_byte, solomon_end, lit,
+    seen, solomon_light
+};

@@ -203,5 +203,7 @@ static uint32_t seen(const struct pm_model *m, int x, int y)
     return m->glass.bgr ? c >> 16 | (c & 0xff00u) | (c & 255u) << 16 : c;
 }
 
-const struct pm_type pm_type_ssd1351 = { "ssd1351", 128, 128, PM_RGB565, 3, sizeof(struct solomon), reset, solomon_byte,
-                                         solomon_end, solomon_lit, seen, solomon_light };
+const struct pm_type pm_type_ssd1351 = {
+    "ssd1351", 128, 128, PM_RGB565, 3, sizeof(struct solomon), reset, solomon_byte, solomon_end,
+    solomon_lit, seen, solomon_light
+};

@@ -123,5 +123,7 @@ static void reset(struct pm_model *m)
     dcs_reset(m, &st7789);
 }
 
-const struct pm_type pm_type_st7789 = { "st7789", 240, 320, PM_RGB565, 5000, sizeof(struct dcs), reset, dcs_byte, dcs_end,
-                                        dcs_lit, dcs_seen, dcs_light };
+const struct pm_type pm_type_st7789 = {
+    "st7789", 240, 320, PM_RGB565, 5000, sizeof(struct dcs), reset, dcs_byte, dcs_end, dcs_lit, dcs_seen,
+    dcs_light
+};

@@ -53,8 +53,8 @@ only "app sees zstrip.h, scenes.h and hal.h" "\"(zstrip|scenes|hal)\\.h\"|$STD" 
 only "scenes see zstrip.h and their own" "\"(zstrip|meshes)\\.h\"|$(headers firmware/scenes)|$STD" firmware/scenes/*.[ch]
 only "mesh generators see their own" "$(headers firmware/scenes | sed 's|"(|"\\.\\./(|')|$(headers firmware/scenes/gen)|$HOSTED" firmware/scenes/gen/*.[ch]
 only "boards see nothing of ours" "$STD" firmware/boards/*/*.c
-# A judge in sim: includes its own and standard headers, reaches nothing of what it judges, has header names of its own
-# (or an include could mean the other one), and uses no name that begins with a prefix of theirs.
+# A judge in sim: includes its own and standard headers, reaches nothing of what it judges, has header names of its
+# own (or an include could mean the other one), and uses no name that begins with a prefix of theirs.
 judge() { # FOLDER PREFIXES
     only "$(basename "$1") includes its own and standard headers" "$(headers "$1")|$HOSTED" "$1"/*.[ch]
     reach "$(basename "$1") reaches nothing of firmware or hal" '^(firmware|hal)' "$1"/*.c
