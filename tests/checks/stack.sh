@@ -17,7 +17,7 @@
 . "$(dirname "$0")/common.sh"
 
 LIMIT=${STACK_LIMIT:-2048} # bytes, any public function
-PANEL_LIMIT=${PANEL_STACK_LIMIT:-256} # bytes, any function of panel.h
+PANEL_LIMIT=${PANEL_STACK_LIMIT:-288} # bytes, any function of panel.h
 
 # Fields of a struct of function pointers in pipeline.h, in order: STRUCT
 fields() {
