@@ -630,6 +630,22 @@ static void ssd1351_writing(void **state)
     close_view(&v);
 }
 
+/* As a widespread library turns it by 180 degrees; and the start line of 128 that it sends, one too many, is 0. */
+static void ssd1351_as_others_turn_it(void **state)
+{
+    (void)state;
+    struct view v = open_named("ssd1351:128x128");
+    feed(v.m, UP_1351 "A1 80; 15 00 00; 75 00 00; 5C 11 11; A0 66; A1 00; 15 00 00; 75 01 01; 5C 22 22");
+    look(&v);
+    assert_int_equal(raw_at(&v, 127, 126), 0x2222);
+    feed(v.m, "; A0 74");
+    look(&v);
+    assert_int_equal(raw_at(&v, 0, 0), 0x1111);
+    expect_problem(v.m, 0, PM_VALUE, 9, "set display start line 0x80 is out of range");
+    expect_problems(v.m, 1);
+    close_view(&v);
+}
+
 /* 96 rows on COM0 to COM95: with 96 lines multiplexed its row 0 is the RAM's, with 128 it is 32. */
 static void ssd1351_96_rows(void **state)
 {
@@ -809,6 +825,25 @@ static void ssd1306_addressing(void **state)
     expect_problems(v.m, 0);
     assert_int_equal(pm_counts(v.m)->pixels, 8 * (1024 + 11));
     assert_int_equal(pm_counts(v.m)->windows, 4);
+    close_view(&v);
+}
+
+/* Widespread: all pages as 0 to FF. The register has three bits, so that is told of and works. */
+static void ssd1306_pages_to_ff(void **state)
+{
+    (void)state;
+    struct view v = open_named("ssd1306:128x64");
+    feed_low(v.m, UP_1306);
+    clear_1306(&v);
+    feed_low(v.m, "22 00 FF 21 00 7F");
+    for (int i = 0; i < 1024; i++)
+        pm_byte(v.m, i == 1023 ? 0x80 : 0, 1);
+    feed_low(v.m, "[01]"); /* round */
+    look(&v);
+    assert_int_equal(raw_at(&v, 127, 63), 1);
+    assert_int_equal(raw_at(&v, 0, 0), 1);
+    expect_problem(v.m, 0, PM_WINDOW, 1037, "from 0 to 255 reaches out of the RAM, which ends at 7");
+    expect_problems(v.m, 1);
     close_view(&v);
 }
 
@@ -997,12 +1032,14 @@ int main(void)
         cmocka_unit_test(ili9341_set_up_of_others),
         cmocka_unit_test(ssd1351_rules),
         cmocka_unit_test(ssd1351_writing),
+        cmocka_unit_test(ssd1351_as_others_turn_it),
         cmocka_unit_test(ssd1351_96_rows),
         cmocka_unit_test(ssd1351_problems),
         cmocka_unit_test(ssd1351_light),
         cmocka_unit_test(ssd0323_rules),
         cmocka_unit_test(ssd0323_problems),
         cmocka_unit_test(ssd1306_addressing),
+        cmocka_unit_test(ssd1306_pages_to_ff),
         cmocka_unit_test(ssd1306_scan),
         cmocka_unit_test(ssd1306_glass_and_light),
         cmocka_unit_test(ssd1306_problems),

@@ -138,14 +138,15 @@ void solomon_window(struct pm_model *m, int is_row, uint8_t from, uint8_t to, in
     else if (to >= limit)
         pm_note(m, PM_WINDOW, s->now_at, "%s from %d to %d reaches out of the RAM, which ends at %d", s->now->name,
                 from, to, limit - 1);
+    const uint8_t bits = (uint8_t)(limit <= 8 ? 7 : limit <= 64 ? 63 : 127); /* the registers have no more */
     if (is_row) {
-        s->y0 = from;
-        s->y1 = to;
-        s->y = from;
+        s->y0 = from & bits;
+        s->y1 = to & bits;
+        s->y = s->y0;
     } else {
-        s->x0 = from;
-        s->x1 = to;
-        s->x = from;
+        s->x0 = from & bits;
+        s->x1 = to & bits;
+        s->x = s->x0;
     }
 }
 
