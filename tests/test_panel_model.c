@@ -547,6 +547,26 @@ static void gc9a01_rules(void **state)
     close_view(&v);
 }
 
+/* LCMCTRL turns over what MADCTL says; its default of 2C is what modules are built for. */
+static void st7789_lcmctrl(void **state)
+{
+    (void)state;
+    static const struct {
+        const char *text;
+        int x, y;
+    } cases[] = { { "C0 2C", 5, 7 }, { "C0 24", 234, 7 }, { "C0 6C", 5, 312 }, { "C0 2E", 7, 5 } };
+    for (size_t i = 0; i < sizeof cases / sizeof cases[0]; i++) {
+        struct view v = open_named("st7789:240x320");
+        feed(v.m, AWAKE);
+        feed(v.m, cases[i].text);
+        feed(v.m, "; 2A 00 05 00 05; 2B 00 07 00 07; 2C 12 34");
+        look(&v);
+        assert_int_equal(raw_at(&v, cases[i].x, cases[i].y), 0x1234);
+        expect_problems(v.m, 0);
+        close_view(&v);
+    }
+}
+
 /* Set-up sequences as other libraries send them: the shape of the widespread one for ILI9341. */
 static void ili9341_set_up_of_others(void **state)
 {
@@ -707,6 +727,9 @@ static void ssd1351_light(void **state)
     feed(v.m, "!");
     static const uint8_t reset[4] = { 0x8a, 0x51, 0x8a, 0x0f };
     assert_memory_equal(pm_light(v.m).level, reset, 4);
+    feed(v.m, "A0 74; 15 00 00; 75 07 07; 5C 12 34; AF"); /* the offset is 96 after a reset */
+    look(&v);
+    assert_int_equal(raw_at(&v, 0, 39), 0x1234);
     close_view(&v);
 }
 
@@ -984,6 +1007,99 @@ static void names(void **state)
     pm_free(NULL);
 }
 
+/* ---- The command sets: code and number of arguments ----------------------------------------------------------- */
+
+static const char dcs_set[] =
+    "00:0 04:0 09:0 0A:0 0B:0 0C:0 0D:0 0E:0 0F:0 10:0 11:0 12:0 13:0 20:0 21:0 28:0 29:0 2A:4 2B:4 30:4 34:0 "
+    "35:1 36:1 37:2 38:0 39:0 3A:1 44:2 45:0 51:1 53:1 DA:0 DB:0 DC:0 ";
+static const char st7789_set[] =
+    "01:0 26:1 2E:0 33:6 3E:0 52:0 54:0 55:1 56:0 5E:1 5F:0 68:0 B0:2 B1:3 B2:5 B3:3 B5:1 B7:1 B8:4 BA:1 BB:1 "
+    "BC:1 BD:1 C0:1 C1:3 C3:1 C4:1 C5:1 C6:1 C7:1 C8:1 CA:1 CC:1 D0:2 D2:1 DF:4 E0:14 E1:14 E2:64 E3:64 E4:3 "
+    "E7:1 E8:1 E9:3 EC:1 FA:4 FC:2 FE:2 ";
+static const char ili9341_set[] =
+    "01:0 26:1 2D:128 2E:0 33:6 3E:0 52:0 54:0 55:1 56:0 5E:1 5F:0 B0:1 B1:2 B2:2 B3:2 B4:1 B5:4 B7:1 B8:1 "
+    "B9:1 BA:1 BB:1 BC:1 BE:1 BF:1 C0:1 C1:1 C5:2 C7:1 CB:5 CF:3 D0:2 D1:3 D2:0 D3:0 D9:1 E0:15 E1:15 E2:16 "
+    "E3:64 E8:3 E9:3 EA:2 ED:4 EF:3 F2:1 F6:3 F7:1 ";
+static const char gc9a01_set[] =
+    "A7:1 B0:1 B6:2 BA:1 C1:1 C3:1 C4:1 C9:1 E8:1 E9:1 EC:1 EF:0 F0:6 F1:6 F2:6 F3:6 F6:1 FE:0 62:12 63:12 "
+    "64:7 66:10 67:10 70:9 74:7 84:1 85:1 86:1 87:1 88:1 89:1 8A:1 8B:1 8C:1 8D:1 8E:1 8F:1 90:4 98:2 99:2 "
+    "AE:1 BC:1 BD:1 BE:1 CD:1 DF:3 E1:2 EB:1 ED:2 FF:3 ";
+static const char ssd1351_set[] =
+    "15:2 5D:0 75:2 96:5 9E:0 9F:0 A0:1 A1:1 A2:1 A4:0 A5:0 A6:0 A7:0 AB:1 AD:0 AE:0 AF:0 B0:0 B1:1 B2:3 B3:1 "
+    "B4:3 B5:1 B6:1 B8:63 B9:0 BB:1 BE:1 C1:3 C7:1 CA:1 D1:0 E3:0 FD:1 ";
+static const char ssd0323_set[] =
+    "15:2 23:1 24:5 25:6 26:4 2E:0 2F:0 75:2 81:1 84:0 85:0 86:0 A0:1 A1:1 A2:1 A4:0 A5:0 A6:0 A7:0 A8:1 AD:1 "
+    "AE:0 AF:0 B0:1 B1:1 B2:1 B3:1 B4:1 B8:8 BC:1 BE:1 BF:1 E3:0 ";
+static const char ssd1306_set[] =
+    "00:0 0F:0 10:0 1F:0 20:1 21:2 22:2 23:1 26:6 27:6 29:5 2A:5 2E:0 2F:0 40:0 7F:0 81:1 8D:1 A0:0 A1:0 A3:2 "
+    "A4:0 A5:0 A6:0 A7:0 A8:1 AD:1 AE:0 AF:0 B0:0 B7:0 C0:0 C8:0 D3:1 D5:1 D6:1 D9:1 DA:1 DB:1 E3:0 ";
+
+/* Problems of a command with n arguments of 0 that are about its code or its count. */
+static int miscounted(const char *name, int low, unsigned code, unsigned n)
+{
+    const struct pm_problem *p;
+    struct pm_glass glass;
+    assert_true(pm_glass_named(&glass, name));
+    struct pm_model *m = pm_new(&glass);
+    pm_reset(m);
+    pm_byte(m, (uint8_t)code, 0);
+    for (unsigned i = 0; i < n; i++)
+        pm_byte(m, 0, !low);
+    if (!low)
+        pm_byte(m, 0xe3, 0); /* the next command, known or not */
+    pm_end(m);
+    int found = 0;
+    for (size_t i = 0, all = pm_problems(m, &p); i < all; i++)
+        found += p[i].at <= n && (p[i].kind == PM_COUNT || p[i].kind == PM_OUTSIDE || p[i].kind == PM_UNKNOWN);
+    found += pm_counts(m)->commands != (low ? 1u : 2u); /* a byte too many with D/C low is another command */
+    for (size_t i = 0, all = pm_problems(m, &p); low && i < all; i++)
+        found += p[i].kind == PM_TRUNCATED;
+    pm_free(m);
+    return found;
+}
+
+static void check_set(const char *name, int low, const char *set, uint8_t known[256])
+{
+    for (const char *at = set; *at != '\0'; at += strcspn(at, " ") + 1) {
+        const unsigned code = (unsigned)strtoul(at, NULL, 16), n = (unsigned)strtoul(at + 3, NULL, 10);
+        known[code] = 1;
+        if (miscounted(name, low, code, n) || !miscounted(name, low, code, n + 1) ||
+            (n > 0 && !miscounted(name, low, code, n - 1))) {
+            print_message("%s: 0x%02X does not take %u arguments, and no other number\n", name, code, n);
+            fail();
+        }
+    }
+}
+
+/* Counts of the sets, and no code that is in none of them; more: codes whose arguments may be left out, RAM writes,
+ * and those between the two ends of a range. */
+static void command_sets(void **state)
+{
+    (void)state;
+    static const struct {
+        const char *name, *set[2], *more;
+        int low;
+    } all[] = {
+        { "st7789:240x240", { dcs_set, st7789_set }, "2C 3C C2", 0 },
+        { "ili9341:240x320", { dcs_set, ili9341_set }, "2C 3C B6", 0 },
+        { "gc9a01:240x240", { dcs_set, gc9a01_set }, "2C 3C 33 B5", 0 },
+        { "ssd1351:128x128", { ssd1351_set, "" }, "5C", 0 },
+        { "ssd0323:128x64", { ssd0323_set, "" }, "", 1 },
+        { "ssd1306:128x64", { ssd1306_set, "" }, NULL, 1 },
+    };
+    for (size_t i = 0; i < sizeof all / sizeof all[0]; i++) {
+        uint8_t known[256] = { 0 };
+        check_set(all[i].name, all[i].low, all[i].set[0], known);
+        check_set(all[i].name, all[i].low, all[i].set[1], known);
+        for (const char *at = all[i].more; at != NULL && *at != '\0'; at += 2 + (at[2] == ' '))
+            known[strtoul(at, NULL, 16)] = 1;
+        for (unsigned code = 0; all[i].more == NULL && code < 256; code++)
+            known[code] |= code < 0x20 || (code >= 0x40 && code < 0x80) || (code >= 0xb0 && code < 0xb8);
+        for (unsigned code = 0; code < 256; code++)
+            assert_true(known[code] || miscounted(all[i].name, all[i].low, code, 0));
+    }
+}
+
 /* Any bytes at all: no step outside of anything (the sanitizer looks on), and looking is always possible. */
 static void junk(void **state)
 {
@@ -1027,6 +1143,7 @@ int main(void)
         cmocka_unit_test(pixels_out_of_the_ram),
         cmocka_unit_test(broken_off_arguments),
         cmocka_unit_test(too_early),
+        cmocka_unit_test(st7789_lcmctrl),
         cmocka_unit_test(ili9341_rules),
         cmocka_unit_test(gc9a01_rules),
         cmocka_unit_test(ili9341_set_up_of_others),
@@ -1043,6 +1160,7 @@ int main(void)
         cmocka_unit_test(ssd1306_scan),
         cmocka_unit_test(ssd1306_glass_and_light),
         cmocka_unit_test(ssd1306_problems),
+        cmocka_unit_test(command_sets),
         cmocka_unit_test(names),
         cmocka_unit_test(junk),
     };
