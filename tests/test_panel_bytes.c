@@ -1,7 +1,8 @@
 /* Is every byte of a driver's stream looked at? A tape records what ST7789's and SSD1306's drivers send for set-up, a
  * frame in strips and a rectangle; then it is played to the model again and again, each time with one bit of it
  * changed, the level of D/C being the ninth. The change must show: in what the glass shows, its light, when it is
- * lit, or in the model's problems. What may stay invisible is listed here by command, with the reason; nothing else may.
+ * lit, or in the model's problems. What may stay invisible is listed here by command, with the reason; nothing else
+ * may.
  *
  * SPDX-License-Identifier: MIT
  */

@@ -412,6 +412,7 @@ static void dcs_problems(void **state)
         { "! 37 01 40; 20", PM_VALUE, 0, "VSCSAD 320 is outside" },
         { "! 11; 2A 00 01", PM_TRUNCATED, 4, "ends inside CASET (0x2A) of byte 1, which has 2 of its 4" },
         { "! 3A 55; 2C 12", PM_ODD, 3, "1 byte of a pixel" },
+        { "! 11; 2A 00 01! 29", PM_TRUNCATED, 4, "RESET comes inside CASET (0x2A) of byte 1" },
     };
     static const char *const glass[] = { "st7789:240x320", "ili9341:240x320" };
     for (size_t g = 0; g < 2; g++)

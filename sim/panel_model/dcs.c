@@ -454,12 +454,12 @@ void dcs_byte(struct pm_model *m, uint8_t byte, int data)
         take_argument(m, byte);
 }
 
-void dcs_end(struct pm_model *m)
+void dcs_end(struct pm_model *m, const char *how)
 {
     struct dcs *d = m->state;
     if (d->now != NULL && d->n_args < d->now->least) {
         pm_note(m, PM_TRUNCATED, m->at,
-                "the stream ends inside %s (0x%02X) of byte %llu, which has %u of its %u arguments", d->now->name,
+                "%s inside %s (0x%02X) of byte %llu, which has %u of its %u arguments", how, d->now->name,
                 d->now->code, (unsigned long long)d->now_at, d->n_args, d->now->least);
         d->now = NULL;
     }

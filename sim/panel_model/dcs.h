@@ -53,7 +53,7 @@ struct dcs {
 /* The functions of a pm_type; reset wants the dcs_type. */
 void dcs_reset(struct pm_model *m, const struct dcs_type *type);
 void dcs_byte(struct pm_model *m, uint8_t byte, int data);
-void dcs_end(struct pm_model *m);
+void dcs_end(struct pm_model *m, const char *how);
 int dcs_lit(const struct pm_model *m);
 uint32_t dcs_seen(const struct pm_model *m, int x, int y);
 struct pm_light dcs_light(const struct pm_model *m);

@@ -16,7 +16,7 @@ struct pm_type {
     size_t state_bytes; /* of its registers, zeroed */
     void (*reset)(struct pm_model *m);
     void (*byte)(struct pm_model *m, uint8_t byte, int data);
-    void (*end)(struct pm_model *m);
+    void (*end)(struct pm_model *m, const char *how); /* "the stream ends", "RESET comes": inside of what? */
     int (*lit)(const struct pm_model *m);
     uint32_t (*seen)(const struct pm_model *m, int x, int y); /* value at a pixel of the glass, lit */
     struct pm_light (*light)(const struct pm_model *m);

@@ -157,7 +157,8 @@ void pm_deselect(struct pm_model *model)
 
 void pm_reset(struct pm_model *model)
 {
-    pm_end(model);
+    model->at = model->counts.bytes;
+    model->type->end(model, "RESET comes");
     model->counts.resets++;
     model->level = -1;
     memset(model->state, 0, model->type->state_bytes);
@@ -175,7 +176,7 @@ void pm_elapsed(struct pm_model *model, uint32_t us)
 void pm_end(struct pm_model *model)
 {
     model->at = model->counts.bytes;
-    model->type->end(model);
+    model->type->end(model, "the stream ends");
 }
 
 void pm_command_begins(struct pm_model *m, const char *name)

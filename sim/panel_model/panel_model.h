@@ -100,7 +100,7 @@ const struct pm_counts *pm_counts(const struct pm_model *model);
 enum pm_problem_kind {
     PM_UNKNOWN,   /* not a command of this controller */
     PM_COUNT,     /* too few or too many arguments */
-    PM_TRUNCATED, /* the stream ends inside a command */
+    PM_TRUNCATED, /* the stream ends, or RESET comes, inside a command */
     PM_OUTSIDE,   /* data outside a memory write, or a command byte where an argument belongs */
     PM_WINDOW,    /* addresses out of the RAM, or their end before their start */
     PM_ODD,       /* a pixel without all its bytes */

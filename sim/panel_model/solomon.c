@@ -21,6 +21,12 @@ static int wants_more(const struct solomon *s)
     return s->now != NULL && s->n_args < s->now->n_args;
 }
 
+void solomon_wrong(struct pm_model *m, const char *what, unsigned argument)
+{
+    const struct solomon *s = m->state;
+    pm_note(m, PM_VALUE, s->now_at, "%s 0x%02X %s", s->now->name, argument, what);
+}
+
 /* Something else came where arguments belong. */
 static void complain_of_missing(struct pm_model *m)
 {
@@ -115,12 +121,12 @@ void solomon_byte(struct pm_model *m, uint8_t byte, int data)
     }
 }
 
-void solomon_end(struct pm_model *m)
+void solomon_end(struct pm_model *m, const char *how)
 {
     struct solomon *s = m->state;
     if (wants_more(s)) {
         pm_note(m, PM_TRUNCATED, m->at,
-                "the stream ends inside %s (0x%02X) of byte %llu, which has %u of its %u arguments", s->now->name,
+                "%s inside %s (0x%02X) of byte %llu, which has %u of its %u arguments", how, s->now->name,
                 s->code, (unsigned long long)s->now_at, s->n_args, s->now->n_args);
         s->now = NULL;
     }

@@ -53,7 +53,7 @@ struct solomon {
 };
 
 void solomon_byte(struct pm_model *m, uint8_t byte, int data);
-void solomon_end(struct pm_model *m);
+void solomon_end(struct pm_model *m, const char *how);
 int solomon_lit(const struct pm_model *m);
 struct pm_light solomon_light(const struct pm_model *m);
 
@@ -63,6 +63,9 @@ int solomon_ram_row(const struct pm_model *m, int glass_row, int split_as_wired)
 
 /* What is shown for a value of the RAM, whose largest is `all`. */
 uint32_t solomon_shown(const struct pm_model *m, uint32_t value, uint32_t all);
+
+/* Note that the last command's argument is wrong: "COMMAND 0xNN what". */
+void solomon_wrong(struct pm_model *m, const char *what, unsigned argument);
 
 /* Set a window's two ends, with checks; and step the address inside of it. */
 void solomon_window(struct pm_model *m, int is_row, uint8_t from, uint8_t to, int limit);

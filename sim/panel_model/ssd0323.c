@@ -41,12 +41,6 @@ static const struct solomon_command commands[] = {
     { 0xe3, 0xe3, "NOP", 0 },
 };
 
-static void value(struct pm_model *m, const char *what, unsigned got)
-{
-    const struct solomon *s = m->state;
-    pm_note(m, PM_VALUE, s->now_at, "%s 0x%02X %s", s->now->name, got, what);
-}
-
 static void set_remap(struct pm_model *m, uint8_t remap)
 {
     struct solomon *s = m->state;
@@ -55,14 +49,14 @@ static void set_remap(struct pm_model *m, uint8_t remap)
     s->reversed = remap >> 4 & 1;
     s->split = remap >> 6 & 1;
     if (remap & 0xa8)
-        value(m, "sets a bit that is not used", remap);
+        solomon_wrong(m, "sets a bit that is not used", remap);
 }
 
 static void set_rows(struct pm_model *m, uint8_t code, uint8_t n)
 {
     struct solomon *s = m->state;
     if (n > ROWS || (code == 0xa8 && (n < 15 || n >= ROWS)))
-        value(m, "is out of range", n);
+        solomon_wrong(m, "is out of range", n);
     if (code == 0xa8)
         s->rows = (uint8_t)(n % ROWS + 1);
     else if (code == 0xa1)

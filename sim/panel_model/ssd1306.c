@@ -43,17 +43,11 @@ static const struct solomon_command commands[] = {
     { 0xe3, 0xe3, "NOP", 0 },
 };
 
-static void value(struct pm_model *m, const char *what, unsigned got)
-{
-    const struct solomon *s = m->state;
-    pm_note(m, PM_VALUE, s->now_at, "%s 0x%02X %s", s->now->name, got, what);
-}
-
 static void set_mode(struct pm_model *m, uint8_t mode)
 {
     struct solomon *s = m->state;
     if (mode > 2)
-        value(m, "is no addressing mode", mode);
+        solomon_wrong(m, "is no addressing mode", mode);
     s->paged = (mode & 3) >= 2;
     s->downwards = (mode & 3) == 1;
 }
@@ -62,7 +56,7 @@ static void set_pins(struct pm_model *m, uint8_t pins)
 {
     struct solomon *s = m->state;
     if ((pins & 0xcf) != 0x02)
-        value(m, "has bits that are 0 or 1 in the datasheet the other way", pins);
+        solomon_wrong(m, "has bits that are 0 or 1 in the datasheet the other way", pins);
     s->split = pins >> 4 & 1;
     s->sides = pins >> 5 & 1;
 }
@@ -71,7 +65,7 @@ static void set_rows(struct pm_model *m, uint8_t n)
 {
     struct solomon *s = m->state;
     if (n < 15 || n > 63)
-        value(m, "is out of range, 15 to 63", n);
+        solomon_wrong(m, "is out of range, 15 to 63", n);
     s->rows = (uint8_t)((n & 63) + 1);
 }
 
@@ -79,7 +73,7 @@ static void set_offset(struct pm_model *m, uint8_t n)
 {
     struct solomon *s = m->state;
     if (n > 63)
-        value(m, "is out of range, 0 to 63", n);
+        solomon_wrong(m, "is out of range, 0 to 63", n);
     s->offset = n & 63;
 }
 
@@ -102,7 +96,7 @@ static void run_short(struct pm_model *m, uint8_t code)
         s->x = (s->x & 0x0f) | (code & 7) << 4;
         s->moved = 1;
         if (code & 8)
-            value(m, "is a column out of the RAM", code);
+            solomon_wrong(m, "is a column out of the RAM", code);
     } else if (code >= 0x40 && code <= 0x7f) {
         s->start = code & 63;
     } else if (code >= 0xb0 && code <= 0xb7) {
@@ -140,6 +134,19 @@ static void run_switch(struct pm_model *m, uint8_t code)
     }
 }
 
+/* Arguments that change nothing that is seen, but may be wrong. */
+static void check(struct pm_model *m, uint8_t code, const uint8_t *args)
+{
+    if (code == 0x8d && (args[0] & 0x3b) != 0x10)
+        solomon_wrong(m, "has bits that are 0 or 1 in the datasheet the other way", args[0]);
+    else if (code == 0xa3 && ((args[0] & 0xc0) != 0 || (args[1] & 0x80) != 0))
+        solomon_wrong(m, "sets bits that are not used", args[0]);
+    else if (code == 0xd9 && ((args[0] & 0x0f) == 0 || (args[0] & 0xf0) == 0))
+        solomon_wrong(m, "has a phase of 0 clocks", args[0]);
+    else if (code == 0xdb && (args[0] & 0x8f) != 0)
+        solomon_wrong(m, "sets bits that are not used", args[0]);
+}
+
 static void run(struct pm_model *m, uint8_t code, const uint8_t *args)
 {
     struct solomon *s = m->state;
@@ -158,8 +165,7 @@ static void run(struct pm_model *m, uint8_t code, const uint8_t *args)
         break;
     case 0x8d:
         s->pump = args[0] >> 2 & 1;
-        if ((args[0] & 0x3b) != 0x10)
-            value(m, "has bits that are 0 or 1 in the datasheet the other way", args[0]);
+        check(m, code, args);
         break;
     case 0xa8:
         set_rows(m, args[0]);
@@ -171,16 +177,9 @@ static void run(struct pm_model *m, uint8_t code, const uint8_t *args)
         set_pins(m, args[0]);
         break;
     case 0xa3:
-        if ((args[0] & 0xc0) != 0 || (args[1] & 0x80) != 0)
-            value(m, "sets bits that are not used", args[0]);
-        break;
     case 0xd9:
-        if ((args[0] & 0x0f) == 0 || (args[0] & 0xf0) == 0)
-            value(m, "has a phase of 0 clocks", args[0]);
-        break;
     case 0xdb:
-        if ((args[0] & 0x8f) != 0)
-            value(m, "sets bits that are not used", args[0]);
+        check(m, code, args);
         break;
     default:
         run_switch(m, code);

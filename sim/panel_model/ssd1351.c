@@ -41,12 +41,6 @@ static const struct solomon_command commands[] = {
     { 0xfd, 0xfd, "set command lock", 1 },
 };
 
-static void value(struct pm_model *m, const char *what, unsigned got)
-{
-    const struct solomon *s = m->state;
-    pm_note(m, PM_VALUE, s->now_at, "%s 0x%02X %s", s->now->name, got, what);
-}
-
 static void set_remap(struct pm_model *m, uint8_t remap)
 {
     struct solomon *s = m->state;
@@ -55,9 +49,9 @@ static void set_remap(struct pm_model *m, uint8_t remap)
     s->reversed = remap >> 4 & 1;
     s->split = remap >> 5 & 1;
     if (remap & 0x08)
-        value(m, "sets a bit that is not used", remap);
+        solomon_wrong(m, "sets a bit that is not used", remap);
     if (remap >> 6 == 3)
-        value(m, "is a format of the 16-bit bus", remap);
+        solomon_wrong(m, "is a format of the 16-bit bus", remap);
 }
 
 static void set_lock(struct pm_model *m, uint8_t key)
@@ -72,7 +66,7 @@ static void set_lock(struct pm_model *m, uint8_t key)
     else if (key == 0xb1)
         s->locked &= 2;
     else
-        value(m, "is none of the four keys", key);
+        solomon_wrong(m, "is none of the four keys", key);
 }
 
 static int is_locked(const struct solomon *s, uint8_t code)
@@ -85,7 +79,7 @@ static void set_rows(struct pm_model *m, uint8_t code, uint8_t n)
 {
     struct solomon *s = m->state;
     if (n > 127 || (code == 0xca && n < 15)) {
-        value(m, "is out of range", n);
+        solomon_wrong(m, "is out of range", n);
         n &= 127;
     }
     if (code == 0xca)
@@ -100,7 +94,7 @@ static void set_contrast(struct pm_model *m, uint8_t code, const uint8_t *args)
 {
     struct solomon *s = m->state;
     if (code == 0xc7 && args[0] > 15)
-        value(m, "is out of range", args[0]);
+        solomon_wrong(m, "is out of range", args[0]);
     for (int i = 0; i < (code == 0xc1 ? 3 : 1); i++)
         s->light.level[code == 0xc1 ? i : 3] = code == 0xc1 ? args[i] : args[0] & 15;
 }
