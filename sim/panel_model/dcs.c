@@ -1,5 +1,5 @@
 /* The MIPI display command set as these controllers have it. Source: MIPI Alliance Specification for Display Command
- * Set; ST7789V datasheet V1.3, sections 8.12 (address control) and 9.1; ILI9341 datasheet V1.11, section 8.2.
+ * Set; ST7789V datasheet V1.3, chapters 8 (address control) and 9; ILI9341 datasheet V1.11, chapter 8.
  *
  * Addresses count columns and pages as the host sees them; MADCTL's MY, MX and MV say where in the RAM that is, when
  * a pixel is written. Its BGR bit, inversion, scrolling, partial and idle mode work between RAM and glass.

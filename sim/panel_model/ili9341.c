@@ -1,5 +1,5 @@
-/* ILI9341. Source: Ilitek, ILI9341 datasheet V1.11: lists in 8.1, DISCTRL 8.3.7, IFCTL 8.3.24; EFh and D9h, which no
- * datasheet has, as the maker's own set-up code and everybody's after it sends them.
+/* ILI9341. Source: Ilitek, ILI9341 datasheet V1.11: chapter 8, the lists of commands, DISCTRL and IFCTL; EFh and D9h,
+ * which no datasheet has, as the maker's own set-up code and everybody's after it sends them.
  *
  * SPDX-License-Identifier: MIT
  */

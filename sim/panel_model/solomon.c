@@ -1,6 +1,6 @@
 /* What the Solomon controllers share: commands with their arguments, the window, and which row a COM shows.
- * Source: Solomon Systech, SSD1306 datasheet rev 1.5, section 10.1 with tables 10-1 to 10-3; SSD1351 datasheet
- * rev 1.5, section 10.1.
+ * Source: Solomon Systech, SSD1306 datasheet rev 1.1, chapter 10 with tables 10-1 to 10-3; SSD1351 datasheet
+ * rev 1.5, chapter 10.
  *
  * SPDX-License-Identifier: MIT
  */

@@ -1,4 +1,4 @@
-/* SSD0323. Source: Solomon Systech, SSD0323 datasheet rev 1.4: command table, GDDRAM map. How the remapped scan
+/* SSD0323. Source: Solomon Systech, SSD0323 datasheet: command table, GDDRAM map. How the remapped scan
  * counts with an offset and fewer than 80 lines it leaves open; taken from settings in use. Glass on COM12 .. COM75
  * is upright with 52 and 4C (arguments of A0 and A2), glass on COM0 .. COM63 with 52 and 40, and turned with 41 and
  * 50: the reversed scan counts from COM79.

@@ -1,6 +1,5 @@
-/* SSD1306. Source: Solomon Systech, SSD1306 datasheet rev 1.5 (with the charge pump's application note): command
- * table in chapter 9, sections 10.1.1 to 10.1.18, GDDRAM 8.7, tables 10-1 to 10-3; ADh, 23h and D6h: SSD1306B
- * datasheet.
+/* SSD1306. Source: Solomon Systech, SSD1306 datasheet rev 1.1 (with the charge pump's application note): command
+ * table in chapter 9, chapter 10 with tables 10-1 to 10-3, GDDRAM in chapter 8; ADh, 23h and D6h: SSD1306B datasheet.
  *
  * Columns are remapped when they are written: the RAM here is by segment pins.
  *

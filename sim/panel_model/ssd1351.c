@@ -1,5 +1,5 @@
-/* SSD1351. Source: Solomon Systech, SSD1351 datasheet rev 1.5 (2011): command table in chapter 9, sections 10.1.1 to
- * 10.1.24, pixel formats in 8.2 (tables 8-7 and 8-8).
+/* SSD1351. Source: Solomon Systech, SSD1351 datasheet rev 1.5 (2011): command table in chapter 9, chapter 10, pixel
+ * formats in chapter 8.
  *
  * Columns and colours are remapped when they are written; the scan of rows when they are shown.
  *

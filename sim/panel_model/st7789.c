@@ -1,5 +1,5 @@
-/* ST7789V. Source: Sitronix, ST7789V datasheet V1.3: tables in 9.1 and 9.2, RAMCTRL 9.2.1, LCMCTRL 9.2.12,
- * GATECTRL 9.2.27.
+/* ST7789V. Source: Sitronix, ST7789V datasheet V1.3 (2014): chapter 9, both command tables, RAMCTRL, LCMCTRL and
+ * GATECTRL.
  *
  * SPDX-License-Identifier: MIT
  */
