@@ -4,10 +4,10 @@ B = build
 CFLAGS = -O2 -g
 WARN = -Wall -Wextra -Werror -Wconversion -Wshadow -Wvla -Wstrict-prototypes \
        -Wmissing-prototypes -Wdouble-promotion -Wno-missing-field-initializers
-INC = -Ifirmware/zstrip -Ifirmware/scenes -Ihal -I$(B)/gen -Isim -Isim/reference
+INC = -Ifirmware/zstrip -Ifirmware/scenes -Ihal -I$(B)/gen -Isim -Isim/reference -Isim/panel_model
 CORE = $(wildcard firmware/zstrip/*.c)
 SCENES = $(wildcard firmware/scenes/*.c)
-SIM = $(wildcard sim/*.c sim/reference/*.c)
+SIM = $(wildcard sim/*.c sim/reference/*.c sim/panel_model/*.c)
 GEN = $(wildcard firmware/scenes/gen/*.c)
 HEADERS = $(wildcard firmware/*/*.h firmware/scenes/gen/*.h hal/*.h sim/*.h sim/*/*.h tests/*.h tests/*/*.h)
 LIBS = -lassimp -lmeshoptimizer -lpng -lturbojpeg -lm
