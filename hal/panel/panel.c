@@ -83,8 +83,8 @@ static int origin(const struct panel_config *config, int32_t *x, int32_t *y)
     *x = own ? glass->x0 : config->x0;
     *y = own ? glass->y0 : config->y0;
     return (glass || !type->strict) && config->width && config->height && *x >= 0 && *y >= 0 &&
-           *x % type->grain.x == 0 && *y % type->grain.y == 0 && *x + config->width <= type->ram_width &&
-           *y + config->height <= type->ram_height;
+           (uint32_t)*x % type->grain.x == 0 && (uint32_t)*y % type->grain.y == 0 &&
+           *x + config->width <= type->ram_width && *y + config->height <= type->ram_height;
 }
 
 /* Set p->x0 and y0: what is added to the picture's coordinates (the glass's, where the picture is turned by convert).
@@ -128,8 +128,9 @@ static int send_window(struct panel *p, const struct panel_rect *rect)
     const struct panel_type *type = p->config.type;
     const int swapped = type->by_scan && p->config.rotate & 1; /* x steps rows, y columns */
     const struct panel_rect r = type->rotate ? *rect : unturned(&p->config, rect);
-    const uint32_t x = (uint32_t)(r.x + p->x0) / type->grain.x, w = r.w / type->grain.x;
-    const uint32_t y = (uint32_t)(r.y + p->y0) / type->grain.y, h = r.h / type->grain.y;
+    const uint32_t step_x = type->grain.x, step_y = type->grain.y;
+    const uint32_t x = (uint32_t)(r.x + p->x0) / step_x, w = r.w / step_x;
+    const uint32_t y = (uint32_t)(r.y + p->y0) / step_y, h = r.h / step_y;
     int err = send_range(p, swapped ? type->rows : type->columns, x, x + w - 1u);
     err = err ? err : send_range(p, swapped ? type->columns : type->rows, y, y + h - 1u);
     return err || !type->write ? err : command(p, type->write, NULL, 0);
@@ -320,7 +321,8 @@ static int send_refusal(const struct panel *p, const struct panel_rect *r, const
     if (stride % 2u || (stride && stride < r->w * 2u))
         return HAL_ERR_ARG;
     const struct panel_grain grain = panel_grain(&p->config);
-    if (r->x % grain.x || r->w % grain.x || r->y % grain.y || r->h % grain.y)
+    const uint32_t step_x = grain.x, step_y = grain.y;
+    if (r->x % step_x || r->w % step_x || r->y % step_y || r->h % step_y)
         return PANEL_ERR_GRAIN;
     return panel_scratch_bytes(&p->config, (uint32_t)r->w * r->h) > p->n_scratch ? PANEL_ERR_SCRATCH : HAL_OK;
 }

@@ -138,7 +138,8 @@ int panel_wait(struct panel *panel);
  * panel is told with the next send. */
 int panel_rotate(struct panel *panel, uint8_t rotate); /* the glass is cleared; send all of the picture again */
 int panel_invert(struct panel *panel, uint8_t invert);
-/* 255 full: WRDISBV, contrast, master current. Where the glass does not follow (see its type's file): hal_backlight. */
+/* 255 is full. WRDISBV, contrast or master current; where the glass does not follow (its type's file says):
+ * hal_backlight. HAL_OK where the controller has no such command. */
 int panel_brightness(struct panel *panel, uint8_t level);
 
 /* Dark, little current; panel_send is refused. Blocks up to 0.12 s, so that panel_wake may follow at once. After a
