@@ -2,6 +2,7 @@
 # From the repository's top. Lands in $(B)/fw/$(BOARD)/$(APP).elf. Needs the meshes in $(B)/gen.
 #
 # APP=show SCENE=teapot, or APP_SCENE=path/to/scene.c: the show of that scene, in $(B)/fw/$(BOARD)/teapot.elf (scene.elf)
+# NAME=name APP_SRC=files [EXTRA=objects]: any other program
 BOARD = mps2
 APP = bench
 SCENE = teapot
@@ -41,8 +42,8 @@ CFLAGS = -std=c11 $(BOARD_CPU) $(OPT) -g -ffunction-sections -fdata-sections -MM
 .DELETE_ON_ERROR:
 run: $(ELF)
 	@$(BOARD_RUN) $(ELF)
-$(ELF): $(OBJ) $(BOARD_DEPS)
-	$(BOARD_CC) $(BOARD_CPU) $(OPT) -Wl,--gc-sections $(BOARD_LINK) $(OBJ) -o $@
+$(ELF): $(OBJ) $(EXTRA) $(BOARD_DEPS)
+	$(BOARD_CC) $(BOARD_CPU) $(OPT) -Wl,--gc-sections $(BOARD_LINK) $(OBJ) $(EXTRA) -o $@
 $(OUT)/of-$(NAME)/%.o: %.c firmware/boards/$(BOARD)/board.mk
 	@mkdir -p $(@D)
 	$(BOARD_CC) $(CFLAGS) $(APP_FLAGS) -c $< -o $@

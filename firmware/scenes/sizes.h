@@ -8,12 +8,12 @@
 
 /* Frames of the animation a second; rows of a strip (an even number of strips lets a frame begin while the one before it
  * still leaves); triangles; vertices; 16-bit words a vertex. */
-#define SIZES_teapot 30, 24, 2000, 2000, ZS_ATTRS_SMOOTH
-#define SIZES_cubes 30, 24, 2000, 2000, ZS_ATTRS_SMOOTH
-#define SIZES_knot 30, 24, 2000, 2000, ZS_ATTRS_SMOOTH
-#define SIZES_flyover 20, 24, 2000, 2000, ZS_ATTRS_SMOOTH
-#define SIZES_city 30, 24, 2000, 2000, ZS_ATTRS_SMOOTH
-#define SIZES_hall 20, 24, 2000, 2000, ZS_ATTRS_SMOOTH
-#define SIZES_globe 20, 24, 2000, 2000, ZS_ATTRS_SMOOTH
+#define SIZES_teapot 30, 60, 1792, 1664, ZS_ATTRS_SMOOTH
+#define SIZES_cubes 30, 60, 64, 80, ZS_ATTRS_FLAT
+#define SIZES_knot 30, 60, 1088, 1088, ZS_ATTRS_SMOOTH
+#define SIZES_flyover 20, 60, 960, 5376, ZS_ATTRS_FLAT
+#define SIZES_city 30, 60, 1408, 1600, ZS_ATTRS_FLAT
+#define SIZES_hall 20, 60, 640, 1536, ZS_ATTRS_TEXTURE_SMOOTH
+#define SIZES_globe 20, 60, 1088, 1472, ZS_ATTRS_TEXTURE_SMOOTH
 
 #endif

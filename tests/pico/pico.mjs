@@ -34,9 +34,8 @@ export class Pico {
         this.problems = [];
         this.text = '';
         this.cycles = 0;
-        this.stream = []; // uint16 words, see tests/pico/README in run.mjs
+        this.stream = []; // uint16 words, as run.mjs writes them
         this.busy_ns = 0;
-        this.words = 0;
         this.holding = false; // true: words that begin do not end
         this.stalled = false; // a word waits for holding to end
         const chip = new Simulator().rp2040;
@@ -99,13 +98,12 @@ export class Pico {
 
     #mark(bit) {
         this.stream.push(bit);
-        if (bit === 1 << 11 && this.on_release)
-            this.on_release();
+        if (bit === 1 << 11)
+            this.on_release?.();
     }
 
-    // The next release of the panel ends a picture.
     mark_picture() {
-        this.stream.push(1 << 10);
+        this.#mark(1 << 10);
     }
 
     #word_begins(value) {
@@ -124,7 +122,6 @@ export class Pico {
             this.stream.push(value | dc);
         else
             this.problem(`words of ${spi.dataBits} bits`);
-        this.words++;
         if (this.holding) {
             this.stalled = true;
             return;
@@ -150,15 +147,16 @@ export class Pico {
     #divider() {
         const { sio } = this.chip;
         const update = sio.updateHardwareDivider.bind(sio), read = sio.readUint32.bind(sio);
+        const ready = () => this.cycles - since >= 8;
         let since = 0;
         sio.updateHardwareDivider = (signed) => {
             since = this.cycles;
             update(signed);
         };
         sio.readUint32 = (offset) => {
-            if ((offset === 0x70 || offset === 0x74) && this.cycles - since < 8)
+            if ((offset === 0x70 || offset === 0x74) && !ready())
                 this.problem('a division is read before its eight cycles are over');
-            return read(offset);
+            return offset === 0x78 ? read(offset) & ~1 | ready() : read(offset); // DIV_CSR
         };
     }
 

@@ -1,9 +1,10 @@
-// node run.mjs STEM [--frames N] [--step S] [--gap NS] [--hold FRAME.STRIP] [--stream FILE]
+// node run.mjs STEM [--frames N] [--step S] [--gap NS] [--hold FRAME.STRIP [--tail 1]] [--stream FILE]
 //
 // Boots STEM.bin, lets the show draw frames 0, S, 2 S ... and stop, and prints what was measured, "name value" a line;
 // the text of the UART after "text", problems after "problem". The picture is what FILE says: a little-endian uint16 for
 // each byte of the wire, bits 0-7 the byte, bit 8 D/C; marks: bit 9 RESET went low, bit 10 a picture ends here, bit 11 CS
-// went high. --hold: from this strip of this frame on no word ends before the bus gives up.
+// went high. --hold: in this strip of this frame, from its first word or (--tail) when the DMA has handed its last one
+// over, no word ends before the bus gives up.
 //
 // SPDX-License-Identifier: MIT
 import fs from 'node:fs';
@@ -14,7 +15,7 @@ const PHASE_DRAW = 1, PHASE_WAIT = 3; // enum show_phase of firmware/app/show.c
 const CYCLES_MAX = 20e9;
 
 function options(args) {
-    const o = { frames: 4, step: 1, gap: 0, hold: '', stream: '' };
+    const o = { frames: 4, step: 1, gap: 0, hold: '', tail: 0, stream: '' };
     for (let i = 1; i < args.length; i += 2)
         o[args[i].replace('--', '')] = typeof o[args[i].replace('--', '')] === 'number' ? Number(args[i + 1]) : args[i + 1];
     return { stem: args[0], ...o };
@@ -26,7 +27,7 @@ const { symbols } = pico.elf;
 const frame_end = symbols.zs_frame_end & ~1, strip_call = symbols.zs_frame_strip & ~1, stop = symbols.hal_exit & ~1;
 const [hold_frame, hold_strip] = o.hold ? o.hold.split('.').map(Number) : [-1, -1];
 const frames = []; // what was known when each was on the glass
-let strips = 0, ending = false, draw = 0, hidden = 0, resets_seen = 0;
+let strips = 0, armed = false, ending = false, draw = 0, hidden = 0, resets_seen = 0;
 
 pico.patch('show_test', 0, o.frames);
 pico.patch('show_test', 1, o.step);
@@ -49,8 +50,11 @@ while (core.PC !== stop) {
     } else if (core.PC === strip_call) {
         strips++;
         // strip k is on the wire while strip k + 1 is drawn
-        if (drawn === hold_frame && strips === hold_strip + 2)
-            pico.holding = true;
+        armed = drawn === hold_frame && strips === hold_strip + 2;
+    }
+    if (armed && (!o.tail || !pico.chip.dma.channels[0].active)) {
+        pico.holding = spi.busy;
+        armed = false;
     }
     const cycles = pico.step();
     if (sram[phase_at] === PHASE_DRAW) {
@@ -58,7 +62,7 @@ while (core.PC !== stop) {
         if (spi.busy)
             hidden += cycles;
     }
-    if (pico.holding && !spi.busy && pico.words) // the bus was reset
+    if (pico.holding && !spi.busy) // the bus was reset
         pico.release();
     if (pico.cycles > CYCLES_MAX)
         throw new Error('does not end');
