@@ -21,7 +21,7 @@
 #define SHOW_ROTATE 0
 #endif
 
-#define STATS_EVERY 128u
+#define STATS_EVERY 32u
 #define US_A_SECOND 1000000u
 
 static const struct panel_config glass = {

@@ -229,7 +229,7 @@ static int reset(struct hal_bus *bus)
     if (!ready || begun)
         return HAL_ERR_STATE;
     SIO_GPIO_OUT_CLR = BIT(PIN_RESET);
-    rp2040_spin_us(RESET_US);
+    rp2040_pause_us(RESET_US);
     SIO_GPIO_OUT_SET = BIT(PIN_RESET);
     return HAL_OK;
 }
@@ -237,7 +237,7 @@ static int reset(struct hal_bus *bus)
 static void delay(struct hal_bus *bus, uint32_t us)
 {
     (void)bus;
-    rp2040_spin_us(us);
+    rp2040_pause_us(us);
 }
 
 static struct hal_bus the_bus = { command, data, wait, reset, delay, { 0 } };
@@ -261,7 +261,6 @@ void rp2040_bus_start(void)
     GPIO_CTRL(PIN_SCK) = FUNC_SPI;
     GPIO_CTRL(PIN_MOSI) = FUNC_SPI;
     DMA_INTE0 = CHANNEL_BIT;
-    TIMER_INTE = 1;
     NVIC_ICPR = 1u << IRQ_DMA_0 | 1u << IRQ_TIMER_0;
     NVIC_ISER = 1u << IRQ_DMA_0 | 1u << IRQ_TIMER_0;
     ready = 1;

@@ -24,7 +24,7 @@ void rp2040_bus_start(void);
 /* Microseconds of the 1 MHz timer, modulo 2^32. */
 uint32_t rp2040_us(void);
 
-/* Spin for at least so many microseconds. */
-void rp2040_spin_us(uint32_t us);
+/* Sleep for at least so many microseconds. Interrupts are on afterwards. */
+void rp2040_pause_us(uint32_t us);
 
 #endif

@@ -26,6 +26,7 @@
 
 /* 2.3.2: interrupt numbers */
 #define IRQ_TIMER_0 0u
+#define IRQ_TIMER_1 1u
 #define IRQ_DMA_0 11u
 
 /* 2.4.8: Cortex-M0+ */
@@ -68,13 +69,14 @@
 /* 2.15.7: clocks */
 #define CLK_REF_CTRL REG(0x40008030u)
 #define CLK_REF_SELECTED REG(0x40008038u)
-#define CLK_SYS_CTRL REG(0x4000803cu)
+#define CLK_SYS_CTRL 0x4000803cu
 #define CLK_SYS_DIV REG(0x40008040u)
 #define CLK_SYS_SELECTED REG(0x40008044u)
 #define CLK_PERI_CTRL REG(0x40008048u)
 #define CLK_REF_XOSC 2u
-#define CLK_SYS_REF 0u
-#define CLK_SYS_AUX 1u /* with AUXSRC 0: PLL_SYS */
+#define CLK_SYS_AUX 1u /* SRC; 0 is clk_ref */
+#define CLK_SYS_ON_REF 1u
+#define CLK_SYS_ON_AUX 2u
 #define CLK_DIV_1 0x100u
 #define CLK_PERI_ENABLE (1u << 11) /* with AUXSRC 0: clk_sys */
 
@@ -138,6 +140,7 @@
 
 /* 4.6.5: timer, 1 MHz */
 #define TIMER_ALARM0 REG(0x40054010u)
+#define TIMER_ALARM1 REG(0x40054014u)
 #define TIMER_ARMED REG(0x40054020u)
 #define TIMER_RAWH REG(0x40054024u)
 #define TIMER_RAWL REG(0x40054028u)

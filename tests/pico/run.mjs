@@ -1,6 +1,7 @@
-// node run.mjs STEM [--frames N] [--step S] [--gap NS] [--hold FRAME.STRIP [--tail 1]] [--stream FILE]
+// node run.mjs STEM [--frames N] [--step S] [--gap NS] [--hold FRAME.STRIP [--tail 1]] [--stream FILE] [--until TEXT]
 //
-// Boots STEM.bin, lets the show draw frames 0, S, 2 S ... and stop, and prints what was measured, "name value" a line;
+// Boots STEM.bin, lets the show draw frames 0, S, 2 S ... and stop (--until: lets it run by the clock, as it does on a desk,
+// until the UART has said TEXT), and prints what was measured, "name value" a line;
 // the text of the UART after "text", problems after "problem". The picture is what FILE says: a little-endian uint16 for
 // each byte of the wire, bits 0-7 the byte, bit 8 D/C; marks: bit 9 RESET went low, bit 10 a picture ends here, bit 11 CS
 // went high. --hold: in this strip of this frame, from its first word or (--tail) when the DMA has handed its last one
@@ -12,10 +13,11 @@ import fs from 'node:fs';
 import { Pico } from './pico.mjs';
 
 const PHASE_DRAW = 1, PHASE_WAIT = 3; // enum show_phase of firmware/app/show.c
+const RAM = 0x20000000;
 const CYCLES_MAX = 20e9;
 
 function options(args) {
-    const o = { frames: 4, step: 1, gap: 0, hold: '', tail: 0, stream: '' };
+    const o = { frames: 4, step: 1, gap: 0, hold: '', tail: 0, stream: '', until: '' };
     for (let i = 1; i < args.length; i += 2)
         o[args[i].replace('--', '')] = typeof o[args[i].replace('--', '')] === 'number' ? Number(args[i + 1]) : args[i + 1];
     return { stem: args[0], ...o };
@@ -27,10 +29,12 @@ const { symbols } = pico.elf;
 const frame_end = symbols.zs_frame_end & ~1, strip_call = symbols.zs_frame_strip & ~1, stop = symbols.hal_exit & ~1;
 const [hold_frame, hold_strip] = o.hold ? o.hold.split('.').map(Number) : [-1, -1];
 const frames = []; // what was known when each was on the glass
-let strips = 0, armed = false, ending = false, draw = 0, hidden = 0, resets_seen = 0;
+let strips = 0, armed = false, ending = false, draw = 0, hidden = 0, in_flash = 0;
 
-pico.patch('show_test', 0, o.frames);
-pico.patch('show_test', 1, o.step);
+if (!o.until) {
+    pico.patch('show_test', 0, o.frames);
+    pico.patch('show_test', 1, o.step);
+}
 pico.on_release = () => {
     if (!ending)
         return;
@@ -41,6 +45,7 @@ pico.on_release = () => {
 pico.boot();
 
 const phase_at = pico.ram_index('show_phase'), { sram } = pico.chip, { core } = pico, spi = pico.chip.spi[0];
+let said = 0;  // characters of text that have been looked at
 let drawn = 0; // frames that zs_frame_end has closed
 while (core.PC !== stop) {
     if (core.PC === frame_end) {
@@ -61,9 +66,16 @@ while (core.PC !== stop) {
         draw += cycles;
         if (spi.busy)
             hidden += cycles;
+        if (core.PC < RAM)
+            in_flash += cycles;
     }
     if (pico.holding && !spi.busy) // the bus was reset
         pico.release();
+    if (o.until && pico.text.length !== said) {
+        said = pico.text.length;
+        if (pico.text.includes(o.until))
+            break;
+    }
     if (pico.cycles > CYCLES_MAX)
         throw new Error('does not end');
 }
@@ -81,6 +93,7 @@ if (n > 0) {
     out('wire_us', Math.round((last.wire - first.wire) / n / 1000));
     out('fps', (n / (last.ns - first.ns) * 1e9).toFixed(1));
 }
+out('in_flash_percent', (in_flash / draw * 100).toFixed(2)); // of the drawing cycles
 out('flash', sizes.flash);
 out('ram', sizes.ram);
 out('stack_reserve', sizes.stack);

@@ -22,6 +22,7 @@ void SVC_Handler(void) WEAK;
 void PendSV_Handler(void) WEAK;
 void SysTick_Handler(void) WEAK;
 void TIMER_0_Handler(void) WEAK;
+void TIMER_1_Handler(void) WEAK;
 void DMA_0_Handler(void) WEAK;
 
 typedef void (*vector)(void);
@@ -30,7 +31,7 @@ typedef void (*vector)(void);
 __attribute__((section(".vectors"), used)) static const vector vectors[16 + 26] = {
     (vector)(uintptr_t)__stack_top, Reset_Handler, NMI_Handler, HardFault_Handler,
     0, 0, 0, 0, 0, 0, 0, SVC_Handler, 0, 0, PendSV_Handler, SysTick_Handler,
-    TIMER_0_Handler, Default_Handler, Default_Handler, Default_Handler, Default_Handler, Default_Handler,
+    TIMER_0_Handler, TIMER_1_Handler, Default_Handler, Default_Handler, Default_Handler, Default_Handler,
     Default_Handler, Default_Handler, Default_Handler, Default_Handler, Default_Handler, DMA_0_Handler,
     Default_Handler, Default_Handler, Default_Handler, Default_Handler, Default_Handler, Default_Handler,
     Default_Handler, Default_Handler, Default_Handler, Default_Handler, Default_Handler, Default_Handler,
