@@ -176,7 +176,7 @@ if [ -z "$only" ]; then
     for scene in $SCENES; do
         scene_tests "$scene"
     done
-    node "$out/image.mjs" "$fw/teapot" >"$out/image.txt" 2>&1
+    node "$out/image.mjs" "$fw/${SCENES%% *}" >"$out/image.txt" 2>&1
     grep -E '^(ok|FAILED) ' "$out/image.txt"
     [ "$(grep -cE '^ok ' "$out/image.txt")" = 3 ] || failed=1
     image APP=show SCENE=mine
