@@ -97,18 +97,20 @@ static void idle(void *ctx)
     idle_calls = idle_calls + 1;
 }
 
-/* Divisions go on while a hook divides in the interrupt. */
+/* Divisions go on while a hook divides in the interrupt, which comes at any of their instructions. */
 static void hooks(struct hal_bus *bus)
 {
     int good = 1;
     bus->hooks.done = done;
     bus->hooks.idle = idle;
-    for (uint32_t i = 1; i <= 40; i++) {
-        const uint32_t before = done_calls;
-        good &= bus->data(bus, bytes, 16u + 2u * i) == HAL_OK;
+    for (uint32_t i = 1; i <= 200; i++) {
+        const uint32_t before = done_calls, n = next(), d = n >> 20 | 1u;
+        const uint64_t want = libgcc___aeabi_uidivmod(n, d);
+        good &= bus->data(bus, bytes, 100u) == HAL_OK;
+        for (uint32_t k = next() & 63u; k; k--)
+            __asm__ volatile("nop");
         while (done_calls == before) {
-            const uint32_t d = 3u + (i & 7u) * seven;
-            good &= 123456789u / d * d + 123456789u % d == 123456789u;
+            good &= __aeabi_uidivmod(n, d) == want;
         }
         good &= bus->wait(bus) == HAL_OK && done_calls == before + 1u && done_quotient == 142;
     }

@@ -23,6 +23,7 @@ const CYCLE_NS = 8;           // at 125 MHz
 const PIN = { cs: 17, dc: 20, reset: 21 };
 const SPI0_RESET = 1 << 16;
 const PAINT = 0xa5a5a5a5;
+const TIME_MAX_NS = 60e9;     // nothing here takes a minute: a longer sleep is one without an end
 
 // Registers that the emulator does not have and that need none: UARTDMACR, its DMA is always on.
 const HARMLESS = /^UART0: Unimplemented peripheral write to 0x48/;
@@ -203,13 +204,15 @@ export class Pico {
                 core.waiting = false;
                 return 0;
             }
-            if (!clock.nextAlarm)
+            if (!clock.nextAlarm || clock.nanosCounter > TIME_MAX_NS)
                 throw new Error('asleep, and nothing will wake it');
             clock.tick(clock.nanosToNextAlarm);
             return 0;
         }
         const cycles = core.executeInstruction();
         this.cycles += cycles;
+        if (this.cycles > TIME_MAX_NS / CYCLE_NS)
+            throw new Error('does not end');
         const now = clock.nanosCounter + cycles * CYCLE_NS, { nextAlarm } = clock;
         if (nextAlarm && nextAlarm.nanos <= now)
             clock.tick(cycles * CYCLE_NS);
