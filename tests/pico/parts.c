@@ -104,13 +104,13 @@ static void hooks(struct hal_bus *bus)
     bus->hooks.done = done;
     bus->hooks.idle = idle;
     for (uint32_t i = 1; i <= 200; i++) {
-        const uint32_t before = done_calls, n = next(), d = n >> 20 | 1u;
-        const uint64_t want = libgcc___aeabi_uidivmod(n, d);
+        const uint32_t before = done_calls, n = next() | 0x80000000u, d = n >> 8 & 0xfffu;
+        const uint64_t want = libgcc___aeabi_uidivmod(n, d), signed_want = libgcc___aeabi_idivmod((int32_t)n, (int32_t)d);
         good &= bus->data(bus, bytes, 100u) == HAL_OK;
         for (uint32_t k = next() & 63u; k; k--)
             __asm__ volatile("nop");
         while (done_calls == before) {
-            good &= __aeabi_uidivmod(n, d) == want;
+            good &= __aeabi_uidivmod(n, d) == want && __aeabi_idivmod((int32_t)n, (int32_t)d) == signed_want;
         }
         good &= bus->wait(bus) == HAL_OK && done_calls == before + 1u && done_quotient == 142;
     }
