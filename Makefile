@@ -4,12 +4,13 @@ B = build
 CFLAGS = -O2 -g
 WARN = -Wall -Wextra -Werror -Wconversion -Wshadow -Wvla -Wstrict-prototypes \
        -Wmissing-prototypes -Wdouble-promotion -Wno-missing-field-initializers
-INC = -Ifirmware/zstrip -Ifirmware/scenes -Ihal -I$(B)/gen -Isim -Isim/reference -Isim/panel_model
+INC = -Ifirmware/zstrip -Ifirmware/scenes -Ihal -Ihal/panel -I$(B)/gen -Isim -Isim/reference -Isim/panel_model
 CORE = $(wildcard firmware/zstrip/*.c)
 SCENES = $(wildcard firmware/scenes/*.c)
+PANELS = $(wildcard hal/panel/*.c)
 SIM = $(wildcard sim/*.c sim/reference/*.c sim/panel_model/*.c)
 GEN = $(wildcard firmware/scenes/gen/*.c)
-HEADERS = $(wildcard firmware/*/*.h firmware/scenes/gen/*.h hal/*.h sim/*.h sim/*/*.h tests/*.h tests/*/*.h)
+HEADERS = $(wildcard firmware/*/*.h firmware/scenes/gen/*.h hal/*.h hal/*/*.h sim/*.h sim/*/*.h tests/*.h tests/*/*.h)
 LIBS = -lassimp -lmeshoptimizer -lpng -lturbojpeg -lm
 
 # Debian packages: what the simulator is built from, and what tests and fuzzers need besides
@@ -78,7 +79,7 @@ pictures: sim
 size stack: $(B)/.setup-test
 	@sh tests/checks/$@.sh $(B)
 check: $(B)/.setup-test
-	@for c in objects kernels includes cplusplus stack; do sh tests/checks/$$c.sh $(B) || exit 1; done
+	@for c in objects kernels hal includes cplusplus stack; do sh tests/checks/$$c.sh $(B) || exit 1; done
 
 ## clean: remove build/
 clean:

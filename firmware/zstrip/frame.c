@@ -96,6 +96,7 @@ int zs_init(struct zs_renderer *r, const struct zs_config *config, void *arena, 
         r->vert_map[v] = r->vert_src[v] = 0; /* any value will do; junk would be as good */
     const struct zs_stats none = { 0 };
     r->stats = none;
+    r->watch = 0;
     r->ready = 1;
     return ZS_OK;
 }
@@ -212,6 +213,11 @@ int zs_frame_strip(struct zs_renderer *r, struct zs_strip *out)
     out->px = (const uint8_t *)r->color[r->strip & 1];
     out->n_bytes = (uint32_t)out->w * out->h * 2u;
     out->depth = r->depth;
+    out->changed_x = 0;
+    out->changed_w = out->w;
+    const struct zs_watch_kernel *watch = r->watch;
+    if (watch)
+        watch->look(r, out);
     r->strip++;
     r->stats.strips++;
     return 1;
@@ -232,6 +238,26 @@ const struct zs_stats *zs_frame_stats(const struct zs_renderer *r)
     return &r->stats;
 }
 
+int zs_invalidate(struct zs_renderer *r, const struct zs_rect *rect)
+{
+    if (!r)
+        return ZS_ERR_NULL;
+    if (r->ready != 1)
+        return ZS_ERR_STATE;
+    const struct zs_watch_kernel *watch = r->watch;
+    if (watch)
+        watch->forget(r, rect);
+    return ZS_OK;
+}
+
+/* The strips from the one in the sink's hands on may not have arrived. */
+static void not_sent(struct zs_renderer *r, const struct zs_strip *last)
+{
+    const uint32_t before = last->y < r->config.strip_h ? 0u : last->y - (uint32_t)r->config.strip_h;
+    const struct zs_rect rows = { 0, (uint16_t)before, last->w, (uint16_t)(last->y + last->h - before) };
+    (void)zs_invalidate(r, &rows);
+}
+
 int zs_render(struct zs_renderer *r, const struct zs_scene *scene, const struct zs_camera *camera,
               const struct zs_sink *sink)
 {
@@ -248,6 +274,8 @@ int zs_render(struct zs_renderer *r, const struct zs_scene *scene, const struct 
         pending = 0;
         if (err)
             break;
+        if (!strip.changed_w)
+            continue;
         err = sink->submit(sink->ctx, &strip);
         pending = !err;
         if (pending && sink->wait && r->config.buffers == 1) {
@@ -259,6 +287,8 @@ int zs_render(struct zs_renderer *r, const struct zs_scene *scene, const struct 
         const int late = sink->wait(sink->ctx);
         err = err ? err : late;
     }
+    if (err)
+        not_sent(r, &strip);
     (void)zs_frame_end(r);
     return err;
 }

@@ -41,6 +41,12 @@ struct zs_shader {
     uint8_t n_attrs;
 };
 
+/* What has changed since it was given out last: linked where zs_watch is named. */
+struct zs_watch_kernel {
+    void (*look)(struct zs_renderer *r, struct zs_strip *out);              /* fills changed_x, changed_w */
+    void (*forget)(struct zs_renderer *r, const struct zs_rect *rect);      /* NULL: all */
+};
+
 /* How an instance with a state is drawn: of zs_state.kernel. */
 struct zs_state_kernel {
     /* Buckets to be added to each key of a triangle: offset and slope. */

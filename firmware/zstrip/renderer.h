@@ -71,6 +71,10 @@ struct zs_renderer {
     struct zs_xform xform;
     struct zs_stats stats;
 
+    const struct zs_watch_kernel *watch; /* NULL: everything counts as changed */
+    uint64_t *watch_sum;          /* [n_strips][watch_columns], the caller's; 0: not known */
+    uint16_t watch_columns;
+
     uint32_t n_tris, n_verts;   /* used of the pools */
     uint32_t vert_base;         /* pool vertices below it belong to earlier instances */
     uint16_t n_strips, strip;   /* strip: the next to be drawn */

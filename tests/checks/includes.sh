@@ -45,7 +45,7 @@ $(echo "$deps" | tr ' \\' '\n\n' | grep -E "$forbidden" | sed "s|^|$f->|")"
 
 only "zstrip includes its own headers, stdint and stddef" "$(headers firmware/zstrip)|$STD" firmware/zstrip/*.[ch]
 reach "zstrip reaches nothing else" '^(hal|sim|tests|firmware/[^z])' firmware/zstrip/*.c
-only "hal includes hal.h and standard headers" "\"hal\\.h\"|$HOSTED" hal/*.h $(ls hal/*/*.[ch] | grep -vE '^hal/(panel|rp2040)/')
+only "hal includes hal.h and standard headers" "\"hal\\.h\"|$(headers hal/fault)|$HOSTED" hal/*.h $(ls hal/*/*.[ch] | grep -vE '^hal/(panel|rp2040)/')
 only "hal/rp2040 includes hal.h and its own headers" "\"hal\\.h\"|$(headers hal/rp2040)|$STD" hal/rp2040/*.[ch]
 only "panels include hal.h and their own headers" "\"hal\\.h\"|$(headers hal/panel)|$STD" hal/panel/*.[ch]
 reach "hal reaches nothing of firmware" '^(firmware|sim|tests)' hal/*.h hal/*/*.c
