@@ -65,7 +65,8 @@ run_scene() {
 decode() { # STEM
     rm -f "$1"_*.bin "$1"_*.png
     "$build/zsim" panel --panel st7789:240x240 --invert --decode "$1.stream" --out "$1_%d.png" \
-        --raw "$1_%d.bin" >"$1.panel.txt" 2>&1 || echo "the panel would not have understood it: $(tail -1 "$1.panel.txt")"
+        --raw "$1_%d.bin" >"$1.panel.txt" 2>&1 ||
+        echo "the panel would not have understood it: $(tail -1 "$1.panel.txt")"
 }
 truth() { # SCENE FRAMES STEP
     "$out/truth" "$1" "$2" "$3" "$out/truth_$1"
@@ -115,12 +116,12 @@ table_row() { # SCENE
         "$(field "$a" ram)" "$(field "$a" flash)" "$(field "$a" stack_used)"
 }
 table_foot() {
-    echo "Emulated (rp2040js), one instruction after the other: flash without wait states, no bus contention: the cycles are"
-    echo "a lower bound. +$GAP ns: with that pause after each 16-bit word, as real chips make in SPI mode 0. hidden: the share"
-    echo "of drawing that went on while the wire was busy. late: frames that took longer than the scene's step."
+    echo "Emulated (rp2040js): flash without wait states, no bus contention, so that cycles are a lower bound."
+    echo "+$GAP ns: with that pause after each 16-bit word, as real chips make in SPI mode 0. hidden: the share of"
+    echo "drawing that went on while the wire was busy. late: frames that took longer than the scene's step."
 }
 
-# ---- Tests ------------------------------------------------------------------------------------------------------------
+# ---- Tests -------------------------------------------------------------------------------------------------
 
 parts() {
     twin=$out/twin

@@ -1,9 +1,9 @@
-/* The show: a scene on the board's panel, for ever. While one strip is on the wire the next is drawn, also from one frame
- * to the next: a frame's last strip leaves while the vertices of the next one are worked on.
+/* The show: a scene on the board's panel, for ever. While one strip is on the wire the next is drawn, also from one
+ * frame to the next: a frame's last strip leaves while the vertices of the next one are worked on.
  *
  * The animation follows the clock: a board that cannot keep its pace leaves frames of it out and counts them as late.
- * Every STATS_EVERY frames a line of numbers is written. An error of the panel is written too, what is left of the frame
- * is dropped, and the driver sets the panel up again before the next.
+ * Every STATS_EVERY frames a line of numbers is written. An error of the panel is written too, what is left of the
+ * frame is dropped, and the driver sets the panel up again before the next.
  *
  * SPDX-License-Identifier: MIT
  */
@@ -112,8 +112,8 @@ static void statistics(uint64_t now)
 {
     const uint64_t took = us(now - tally.since);
     const uint64_t tenths = took ? (uint64_t)tally.frames * 10u * US_A_SECOND / took : 0;
-    const uint64_t field[] = { tally.frames, tenths / 10u, us(tally.draw) / tally.frames, us(wire), hidden(), tally.late,
-                               zs_frame_stats(&renderer)->passes, hal_stack_used() };
+    const uint64_t field[] = { tally.frames, tenths / 10u, us(tally.draw) / tally.frames, us(wire), hidden(),
+                               tally.late, zs_frame_stats(&renderer)->passes, hal_stack_used() };
     put(show.demo->name);
     for (uint32_t i = 0; i < sizeof field / sizeof field[0]; i++) {
         put(",");
@@ -192,12 +192,12 @@ static int draw_frame(uint32_t t, int alone)
     return err;
 }
 
-/* ---- Frames ------------------------------------------------------------------------------------------------------- */
+/* ---- Frames ----------------------------------------------------------------------------------------------- */
 
 static int set_up(void)
 {
-    const struct zs_config config = { SHOW_WIDTH, SHOW_HEIGHT, show.rows, show.tris, show.verts, show.attrs, 2, 8, 16, 0,
-                                      show.demo->depth };
+    const struct zs_config config = { SHOW_WIDTH, SHOW_HEIGHT, show.rows, show.tris, show.verts, show.attrs, 2, 8, 16,
+                                      0, show.demo->depth };
     const int err = zs_init(&renderer, &config, show.arena, show.arena_bytes);
     if (err)
         return err;

@@ -1,7 +1,7 @@
 # An application for a board: make -f firmware/boards/firmware.mk BOARD=mps2 APP=bench [run]
 # From the repository's top. Lands in $(B)/fw/$(BOARD)/$(APP).elf. Needs the meshes in $(B)/gen.
 #
-# APP=show SCENE=teapot, or APP_SCENE=path/to/scene.c: the show of that scene, in $(B)/fw/$(BOARD)/teapot.elf (scene.elf)
+# APP=show SCENE=teapot, or APP_SCENE=path/to/scene.c: the show of that scene, $(B)/fw/$(BOARD)/teapot.elf (scene.elf)
 # NAME=name APP_SRC=files [EXTRA=objects]: any other program
 BOARD = mps2
 APP = bench

@@ -48,8 +48,8 @@ static void pll_start(void)
 void rp2040_clocks_start(void)
 {
     crystal_start();
-    /* 2.15.3.2: away from the PLL before that is touched, by the multiplexer that has no glitches; the other one, AUXSRC,
-     * is moved while it is not in use */
+    /* 2.15.3.2: away from the PLL before that is touched, by the multiplexer that has no glitches; the other one,
+     * AUXSRC, is moved while it is not in use */
     REG(CLK_SYS_CTRL + CLEAR_ALIAS) = CLK_SYS_AUX;
     while (!(CLK_SYS_SELECTED & CLK_SYS_ON_REF)) {
     }

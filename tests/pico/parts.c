@@ -1,5 +1,5 @@
-/* On the emulated Pico: division by the RP2040's divider against libgcc's own, and the panel's bus. Lines of "ok NAME" and
- * "FAILED NAME"; tests/pico.sh compares what went over the wire.
+/* On the emulated Pico: division by the RP2040's divider against libgcc's own, and the panel's bus. Lines of
+ * "ok NAME" and "FAILED NAME"; tests/pico.sh compares what went over the wire.
  *
  * SPDX-License-Identifier: MIT
  */
@@ -70,7 +70,7 @@ static void division(void)
     verdict("pico_division_random_as_libgcc", good);
 }
 
-/* ---- The bus: what it answers -------------------------------------------------------------------------------------- */
+/* ---- The bus ---------------------------------------------------------------------------------------------- */
 
 static _Alignas(4) uint8_t bytes[4096];
 
@@ -105,7 +105,8 @@ static void hooks(struct hal_bus *bus)
     bus->hooks.idle = idle;
     for (uint32_t i = 1; i <= 200; i++) {
         const uint32_t before = done_calls, n = next() | 0x80000000u, d = n >> 8 & 0xfffu;
-        const uint64_t want = libgcc___aeabi_uidivmod(n, d), signed_want = libgcc___aeabi_idivmod((int32_t)n, (int32_t)d);
+        const uint64_t want = libgcc___aeabi_uidivmod(n, d);
+        const uint64_t signed_want = libgcc___aeabi_idivmod((int32_t)n, (int32_t)d);
         good &= bus->data(bus, bytes, 100u) == HAL_OK;
         for (uint32_t k = next() & 63u; k; k--)
             __asm__ volatile("nop");

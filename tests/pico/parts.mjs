@@ -1,5 +1,5 @@
-// node parts.mjs STEM: boot STEM.bin, print the text of its UART, then "wire" with what followed the last RESET: command
-// bytes with a c, data plain, "|" where CS rose; and a line "problem ..." for each problem.
+// node parts.mjs STEM: boot STEM.bin, print the text of its UART, then "wire" with what followed the last RESET:
+// command bytes with a c, data plain, "|" where CS rose; and a line "problem ..." for each problem.
 //
 // SPDX-License-Identifier: MIT
 import { Pico } from './pico.mjs';

@@ -1,8 +1,9 @@
-// A Raspberry Pi Pico around rp2040js: it boots a flash image through its second stage, with a panel's wire of real speed
-// on SPI0. What the emulator leaves out is added here, and what a real chip would not forgive is a problem:
+// A Raspberry Pi Pico around rp2040js: it boots a flash image through its second stage, with a panel's wire of real
+// speed on SPI0. What the emulator leaves out is added here, and what a real chip would not forgive is a problem:
 //
 //   - words take their bits' time on the wire (and a gap, if asked for); the transmit FIFO empties at that rate
-//   - D/C, CS and RESET stay as they are while a word is on the wire; CS is low; word length changes in idle and off alone
+//   - D/C, CS and RESET stay as they are while a word is on the wire; CS is low; word length changes while SPI0 is idle
+//     and off
 //   - division results are read no sooner than eight cycles after the operands
 //   - resets reset SPI0; DMA aborts can be waited for; WFI returns when an interrupt is pending, masked or not
 //   - every register that is used is known

@@ -1,10 +1,10 @@
 // node run.mjs STEM [--frames N] [--step S] [--gap NS] [--hold FRAME.STRIP [--tail 1]] [--stream FILE] [--until TEXT]
 //
-// Boots STEM.bin, lets the show draw frames 0, S, 2 S ... and stop (--until: lets it run by the clock, as it does on a desk,
-// until the UART has said TEXT), and prints what was measured, "name value" a line;
-// the text of the UART after "text", problems after "problem". The picture is what FILE says: a little-endian uint16 for
-// each byte of the wire, bits 0-7 the byte, bit 8 D/C; marks: bit 9 RESET went low, bit 10 a picture ends here, bit 11 CS
-// went high. --hold: in this strip of this frame, from its first word or (--tail) when the DMA has handed its last one
+// Boots STEM.bin, lets the show draw frames 0, S, 2 S ... and stop (--until: lets it run by the clock, as it does on a
+// desk, until the UART has said TEXT), and prints what was measured, "name value" a line; the text of the UART after
+// "text", problems after "problem". FILE gets what went over the wire: a little-endian uint16 for each byte, bits 0-7
+// the byte, bit 8 D/C; marks: bit 9 RESET went low, bit 10 a picture ends here, bit 11 CS went high.
+// --hold: in this strip of this frame, from its first word or (--tail) when the DMA has handed its last one
 // over, no word ends before the bus gives up.
 //
 // SPDX-License-Identifier: MIT
@@ -12,13 +12,15 @@ import fs from 'node:fs';
 
 import { Pico } from './pico.mjs';
 
-const PHASE_DRAW = 1, PHASE_WAIT = 3; // enum show_phase of firmware/app/show.c
+const PHASE_DRAW = 1; // enum show_phase of firmware/app/show.c
 const RAM = 0x20000000;
 
 function options(args) {
     const o = { frames: 4, step: 1, gap: 0, hold: '', tail: 0, stream: '', until: '' };
-    for (let i = 1; i < args.length; i += 2)
-        o[args[i].replace('--', '')] = typeof o[args[i].replace('--', '')] === 'number' ? Number(args[i + 1]) : args[i + 1];
+    for (let i = 1; i < args.length; i += 2) {
+        const name = args[i].replace('--', '');
+        o[name] = typeof o[name] === 'number' ? Number(args[i + 1]) : args[i + 1];
+    }
     return { stem: args[0], ...o };
 }
 

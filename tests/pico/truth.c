@@ -1,5 +1,5 @@
-/* truth SCENE FRAMES STEP OUT: frames 0, STEP, 2 STEP ... of a demo scene at 240x240 as the host draws them, in strips of
- * another height, from other pools, to OUT_0.bin, OUT_1.bin ...: RGB565, most significant byte first.
+/* truth SCENE FRAMES STEP OUT: frames 0, STEP, 2 STEP ... of a demo scene at 240x240 as the host draws them, in strips
+ * of another height, from other pools, to OUT_0.bin, OUT_1.bin ...: RGB565, most significant byte first.
  *
  * SPDX-License-Identifier: MIT
  */

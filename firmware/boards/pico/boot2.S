@@ -1,8 +1,8 @@
 /* The second stage of the boot ROM: the first 256 bytes of flash, copied to RAM by the ROM and entered there (RP2040
  * datasheet, 2.8.1.3). Makes the flash readable at 0x10000000 and enters the program at 0x10000100.
  *
- * Flash is read by 3Bh, "fast read, dual output": command and 24-bit address on one line, eight clocks of pause, data on
- * two. Flash chips know it without a mode being set first, and from 62.5 MHz up. Its 56 clocks a word are half the time
+ * Flash is read by 3Bh, "fast read, dual output": command and 24-bit address on one line, eight clocks of pause, data
+ * on two. Flash chips know it without a mode being set first, and at 62.5 MHz. Its 56 clocks a word are half the time
  * of plain 03h, which ends at 50 MHz. What an emulator cannot tell: all of this; its flash needs no set-up.
  *
  * Any address will do. At most 252 bytes; the checksum behind them comes from host/seal.c.

@@ -1,5 +1,5 @@
-/* 32-bit division by the RP2040's divider (datasheet, 2.3.1.5) in place of libgcc's loop: 20 cycles and the call, for any
- * operands.
+/* 32-bit division by the RP2040's divider (datasheet, 2.3.1.5) in place of libgcc's loop: 20 cycles and the call, for
+ * any operands.
  *
  * The divider has two operands and needs eight cycles; then quotient and remainder can be read. By libgcc's rules
  * n / 0 is what __aeabi_idiv0(0) returns, 0 unless a program has its own, and the remainder is n; -2^31 / -1 is -2^31.
