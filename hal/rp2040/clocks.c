@@ -38,11 +38,11 @@ static void pll_start(void)
     rp2040_restart(RESET_PLL_SYS);
     PLL_SYS_CS = 1; /* REFDIV */
     PLL_SYS_FBDIV = PLL_FBDIV;
-    PLL_SYS_PWR = PLL_POSTDIVPD;
+    PLL_SYS_PWR = PLL_DSMPD | PLL_POSTDIVPD;
     while (!(PLL_SYS_CS & PLL_LOCK)) {
     }
     PLL_SYS_PRIM = PLL_POSTDIV;
-    PLL_SYS_PWR = 0;
+    PLL_SYS_PWR = PLL_DSMPD;
 }
 
 void rp2040_clocks_start(void)

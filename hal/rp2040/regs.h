@@ -93,7 +93,8 @@
 #define PLL_SYS_FBDIV REG(0x40028008u)
 #define PLL_SYS_PRIM REG(0x4002800cu)
 #define PLL_LOCK (1u << 31)
-#define PLL_POSTDIVPD (1u << 3) /* PWR: a set bit switches off; 0x2d is all off */
+#define PLL_DSMPD (1u << 2) /* PWR: a set bit switches off. The modulator is not used */
+#define PLL_POSTDIVPD (1u << 3)
 
 /* 2.19.6: GPIO functions (IO_BANK0) and pads */
 #define GPIO_CTRL(pin) REG(0x40014004u + 8u * (pin))
