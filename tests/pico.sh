@@ -10,7 +10,7 @@ build=$1
 only=${2:-}
 out=$build/pico
 fw=$build/fw/pico
-SCENES=${SCENES:-'teapot china cubes knot flyover city hall globe'}
+SCENES=${PICO_SCENES:-'teapot china cubes knot flyover city hall globe'}
 FRAMES=4
 STEP=13    # frames of the animation between two that are drawn
 GAP=30     # ns between words, as measured on real chips in SPI mode 0
@@ -156,6 +156,17 @@ broken_strip() { # NAME OPTIONS...
     verdict "pico_$name" "$(head -3 "$stem.bad" | tr '\n' ' ')"
 }
 
+# The interrupt that is waited for comes between the question and the sleep: no wake-up is lost.
+wakes_up() {
+    node "$out/run.mjs" "$fw/cubes" --frames $FRAMES --step $STEP --doze 4000000 --stream "$out/doze.stream" \
+        >"$out/doze.txt" 2>&1
+    decode "$out/doze" >"$out/doze.bad"
+    same "$out/doze" cubes 0 1 2 3 >>"$out/doze.bad"
+    field "$out/doze.txt" problem >>"$out/doze.bad"
+    grep -m1 Error "$out/doze.txt" >>"$out/doze.bad"
+    verdict pico_wakes_up "$(head -3 "$out/doze.bad" | tr '\n' ' ')"
+}
+
 # As it runs on a desk: 32 frames of the scene to be changed, at its 30 a second, none late.
 by_the_clock() {
     node "$out/run.mjs" "$fw/my_scene" --until 'mine,32,' >"$out/clock.txt" 2>&1
@@ -185,6 +196,7 @@ if [ -z "$only" ]; then
     image APP=show SCENE=mine
     by_the_clock
     parts
+    wakes_up
     broken_strip stopped_strip --hold 2.1
     broken_strip stopped_tail --hold 2.2 --tail 1
 fi

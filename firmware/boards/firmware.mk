@@ -28,6 +28,7 @@ endif
 ELF = $(OUT)/$(NAME).elf
 
 all: $(ELF)
+image: $(ELF)
 include firmware/boards/$(BOARD)/board.mk
 
 # What names no scene is compiled once, the rest once a scene
@@ -54,4 +55,4 @@ $(OUT)/%.o: %.S firmware/boards/$(BOARD)/board.mk
 	@mkdir -p $(@D)
 	$(BOARD_CC) $(BOARD_CPU) -c $< -o $@
 -include $(OBJ:.o=.d)
-.PHONY: all run
+.PHONY: all image run

@@ -20,6 +20,7 @@ import { read_elf } from './elf.mjs';
 
 const STAGE2_AT = 0x20041f00; // where the boot ROM copies the second stage
 const FLASH = 0x10000000, RAM = 0x20000000;
+const WFI = 0xbf30;           // opcode
 const CYCLE_NS = 8;           // at 125 MHz
 const PIN = { cs: 17, dc: 20, reset: 21 };
 const SPI0_RESET = 1 << 16;
@@ -30,9 +31,10 @@ const TIME_MAX_NS = 60e9;     // nothing here takes a minute: a longer sleep is 
 const HARMLESS = /^UART0: Unimplemented peripheral write to 0x48/;
 
 export class Pico {
-    constructor(stem, { gap_ns = 0 } = {}) {
+    constructor(stem, { gap_ns = 0, doze_ns = 0 } = {}) {
         this.elf = read_elf(`${stem}.elf`);
         this.gap_ns = gap_ns;
+        this.doze_ns = doze_ns; // passes before each WFI, as if what is waited for came just then
         this.problems = [];
         this.text = '';
         this.cycles = 0;
@@ -210,6 +212,8 @@ export class Pico {
             clock.tick(clock.nanosToNextAlarm);
             return 0;
         }
+        if (this.doze_ns && this.chip.readUint16(core.PC) === WFI)
+            clock.tick(this.doze_ns);
         const cycles = core.executeInstruction();
         this.cycles += cycles;
         if (this.cycles > TIME_MAX_NS / CYCLE_NS)

@@ -1,11 +1,12 @@
 // node run.mjs STEM [--frames N] [--step S] [--gap NS] [--hold FRAME.STRIP [--tail 1]] [--stream FILE] [--until TEXT]
+//             [--doze NS]
 //
 // Boots STEM.bin, lets the show draw frames 0, S, 2 S ... and stop (--until: lets it run by the clock, as it does on a
 // desk, until the UART has said TEXT), and prints what was measured, "name value" a line; the text of the UART after
 // "text", problems after "problem". FILE gets what went over the wire: a little-endian uint16 for each byte, bits 0-7
 // the byte, bit 8 D/C; marks: bit 9 RESET went low, bit 10 a picture ends here, bit 11 CS went high.
 // --hold: in this strip of this frame, from its first word or (--tail) when the DMA has handed its last one
-// over, no word ends before the bus gives up.
+// over, no word ends before the bus gives up. --doze: NS pass right before each WFI.
 //
 // SPDX-License-Identifier: MIT
 import fs from 'node:fs';
@@ -16,7 +17,7 @@ const PHASE_DRAW = 1; // enum show_phase of firmware/app/show.c
 const RAM = 0x20000000;
 
 function options(args) {
-    const o = { frames: 4, step: 1, gap: 0, hold: '', tail: 0, stream: '', until: '' };
+    const o = { frames: 4, step: 1, gap: 0, doze: 0, hold: '', tail: 0, stream: '', until: '' };
     for (let i = 1; i < args.length; i += 2) {
         const name = args[i].replace('--', '');
         o[name] = typeof o[name] === 'number' ? Number(args[i + 1]) : args[i + 1];
@@ -25,7 +26,7 @@ function options(args) {
 }
 
 const o = options(process.argv.slice(2));
-const pico = new Pico(o.stem, { gap_ns: o.gap });
+const pico = new Pico(o.stem, { gap_ns: o.gap, doze_ns: o.doze });
 const { symbols } = pico.elf;
 const frame_end = symbols.zs_frame_end & ~1, strip_call = symbols.zs_frame_strip & ~1, stop = symbols.hal_exit & ~1;
 const [hold_frame, hold_strip] = o.hold ? o.hold.split('.').map(Number) : [-1, -1];

@@ -32,4 +32,3 @@ $(OUT)/$(NAME).bin: $(ELF)
 	@arm-none-eabi-objcopy -O binary $< $@
 $(OUT)/$(NAME).uf2: $(OUT)/$(NAME).bin $(OUT)/host/uf2
 	@$(OUT)/host/uf2 $< $@
-.PHONY: image
