@@ -143,7 +143,7 @@ void DMA_0_Handler(void)
 void TIMER_0_Handler(void)
 {
     TIMER_INTR = 1;
-    if (!running)
+    if (!running || DMA_INTS0 & CHANNEL_BIT) /* ended, or about to be: both came while interrupts were off */
         return;
     abort_channel();
     end(HAL_ERR_TIMEOUT);
