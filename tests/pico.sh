@@ -51,11 +51,11 @@ image() { # MAKE-ARGUMENTS...
     exit 1
 }
 
-# Run SCENE twice, side by side: without gaps, recorded, and with them (a frame less: only its time is looked at).
+# Run SCENE twice, side by side: without gaps, recorded, and with them.
 run_scene() {
     node "$out/run.mjs" "$fw/$1" --frames $FRAMES --step $STEP --stream "$out/$1.stream" >"$out/$1.txt" 2>&1 &
     first=$!
-    node "$out/run.mjs" "$fw/$1" --frames 3 --step $STEP --gap $GAP >"$out/$1.gap.txt" 2>&1
+    node "$out/run.mjs" "$fw/$1" --frames $FRAMES --step $STEP --gap $GAP >"$out/$1.gap.txt" 2>&1
     second=$?
     wait $first && [ $second -eq 0 ] || bad "pico_$1" "$(grep -hm1 Error "$out/$1.txt" "$out/$1.gap.txt")"
 }

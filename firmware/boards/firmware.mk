@@ -20,6 +20,9 @@ ifdef APP_SCENE
 NAME = $(basename $(notdir $(APP_SCENE)))
 APP_SRC += $(APP_SCENE)
 else
+ifeq ($(shell grep 'define SIZES_$(SCENE) ' firmware/scenes/sizes.h),)
+$(error SCENE=$(SCENE): not in firmware/scenes/sizes.h, and not mine)
+endif
 NAME = $(SCENE)
 APP_SRC += firmware/app/show_demo.c
 APP_FLAGS = -DSHOW_DEMO=$(SCENE)
