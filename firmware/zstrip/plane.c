@@ -238,12 +238,6 @@ void zs_plane32(const struct zs_geom *g, uint32_t v0, uint32_t v1, uint32_t v2,
     any_plane(g, dv1, dv2, out, kind);
 }
 
-/* v * d modulo 2^64, of a value beyond 32 bits. */
-static inline uint64_t times(uint64_t v, int32_t d)
-{
-    return (uint64_t)zs_mul_su(d, (uint32_t)v) + ((uint64_t)((uint32_t)(v >> 32) * (uint32_t)d) << 32);
-}
-
 /* The next 32 bits of a quotient: (*rest 2^32 + next) / d. *rest < d, d >= 2^31, rcp at most 2^63 / d and no more
  * than 2^-28 of it less: the guess is never too large, and at most 18 too small. */
 static inline uint32_t digit(uint32_t *rest, uint32_t next, uint32_t d, uint32_t rcp)
@@ -283,7 +277,7 @@ static uint64_t gradient64(const struct zs_geom *g, uint64_t n, int32_t to_ancho
 {
     int64_t whole;
     const uint32_t part = g->rcp ? small_divide(g, (int64_t)n, &whole) : divide((int64_t)n, g->area, &whole);
-    *base += (times((uint64_t)whole, to_anchor) << 24) + (uint64_t)(zs_mul_su(to_anchor, part) >> 8);
+    *base += (zs_times((uint64_t)whole, to_anchor) << 24) + (uint64_t)(zs_mul_su(to_anchor, part) >> 8);
     return ((uint64_t)whole << 32) + part;
 }
 
@@ -292,7 +286,7 @@ void zs_plane64(const struct zs_geom *g, uint64_t v0, uint64_t v1, uint64_t v2,
 {
     const uint64_t dv1 = v1 - v0, dv2 = v2 - v0; /* |.| <= 2^40 */
     uint64_t base = v0 << 24;
-    out->gx = gradient64(g, times(dv1, g->dy2) - times(dv2, g->dy1), g->ax, &base); /* |.| < 2^63 */
-    out->gy = gradient64(g, times(dv2, g->dx1) - times(dv1, g->dx2), g->ay, &base);
+    out->gx = gradient64(g, zs_times(dv1, g->dy2) - zs_times(dv2, g->dy1), g->ax, &base); /* |.| < 2^63 */
+    out->gy = gradient64(g, zs_times(dv2, g->dx1) - zs_times(dv1, g->dx2), g->ay, &base);
     out->base = base;
 }

@@ -1,4 +1,4 @@
-/* Products of 32 x 32 bits with 64, and leading zeros: one instruction on most cores, none on Armv6-M.
+/* Products of 32 x 32 bits with 64, leading zeros, and filling: what Armv6-M needs more than an instruction for.
  *
  * A Cortex-M0 or M0+ multiplies 32 x 32 bits to the low 32 in one cycle and has neither the high half nor CLZ.
  * Its compiler calls the library for both, some 40 and 25 cycles and all low registers. Here they are in line:
@@ -65,7 +65,31 @@ static inline int64_t zs_cross_short(int32_t a, int32_t b, int32_t c, int32_t d)
     return (int64_t)((uint64_t)(uint32_t)hi << 32 | (uint32_t)lo);
 }
 
+/* Fill 16 words at a time, up to n of them, four a STM: 1.4 cycles a word. Return how many. at is 4-byte aligned. */
+static inline uint32_t zs_fill_blocks(void *at, uint32_t value, uint32_t n)
+{
+    register uint32_t a __asm__("r3") = value, b __asm__("r4") = value, c __asm__("r5") = value, d __asm__("r6") = value;
+    uint32_t left = n;
+    for (; left >= 16; left -= 16)
+        __asm__ volatile(".syntax unified\n\t"
+                         "stmia %0!, {r3, r4, r5, r6}\n\tstmia %0!, {r3, r4, r5, r6}\n\t"
+                         "stmia %0!, {r3, r4, r5, r6}\n\tstmia %0!, {r3, r4, r5, r6}"
+                         : "+l"(at)
+                         : "l"(a), "l"(b), "l"(c), "l"(d)
+                         : "memory");
+    return n - left;
+}
+
 #else
+
+/* Elsewhere a compiler's loop is as good. */
+static inline uint32_t zs_fill_blocks(void *at, uint32_t value, uint32_t n)
+{
+    (void)at;
+    (void)value;
+    (void)n;
+    return 0;
+}
 
 /* a * b, exact. */
 static inline uint64_t zs_mul_uu(uint32_t a, uint32_t b)
