@@ -29,48 +29,58 @@
 
 #define SMALL_EXTENT (256 * ZS_SUBPX_ONE)
 
-/* Twice the area of a triangle that may be large, with its sign. */
-static ZS_NOINLINE int64_t wide_cross(const struct zs_geom *g)
+/* The same for a triangle that is not tiny. */
+static ZS_NOINLINE int wide_sides(struct zs_job *job, const struct zs_vertex *top, const struct zs_vertex *mid,
+                                  const struct zs_vertex *bottom)
 {
-    return zs_mul_ss(g->dx1, g->dy2) - zs_mul_ss(g->dx2, g->dy1); /* |.| < 2^45 */
+    struct zs_geom *g = &job->geom;
+    const int64_t cross = zs_mul_ss(mid->x - top->x, bottom->y - top->y) -
+                          zs_mul_ss(bottom->x - top->x, mid->y - top->y); /* |.| < 2^45 */
+    const int right = cross > 0;
+    const struct zs_vertex *b = right ? mid : bottom, *c = right ? bottom : mid;
+    job->mid_right = (uint8_t)right;
+    job->v[0] = top;
+    job->v[1] = b;
+    job->v[2] = c;
+    g->area = right ? cross : -cross;
+    g->tiny = 0;
+    g->dx1 = b->x - top->x; /* |.| < 2^22, as all four */
+    g->dx2 = c->x - top->x;
+    g->dy1 = b->y - top->y;
+    g->dy2 = c->y - top->y;
+    return cross != 0;
 }
 
 int zs_plane_sides(struct zs_job *job, const struct zs_vertex *top, const struct zs_vertex *mid,
                    const struct zs_vertex *bottom)
 {
     struct zs_geom *g = &job->geom;
-    const int32_t mx = mid->x - top->x, my = mid->y - top->y, bx = bottom->x - top->x, by = bottom->y - top->y;
-    int32_t cross, right;
-    g->dx1 = mx; /* |.| < 2^22, as all four */
-    g->dx2 = bx;
-    g->dy1 = my;
-    g->dy2 = by;
+    int32_t dx1 = mid->x - top->x, dx2 = bottom->x - top->x, dy1 = mid->y - top->y, dy2 = bottom->y - top->y;
+    if (((uint32_t)(dx1 + ZS_TINY) | (uint32_t)(dx2 + ZS_TINY) | (uint32_t)dy2 * 2u) >= 2u * ZS_TINY)
+        return wide_sides(job, top, mid, bottom);
+    int32_t cross = dx1 * dy2 - dx2 * dy1; /* each below 2^28 */
     job->v[0] = top;
-    if (((uint32_t)(mx + ZS_TINY) | (uint32_t)(bx + ZS_TINY) | (uint32_t)by * 2u) < 2u * ZS_TINY) {
-        cross = mx * by - bx * my; /* each below 2^28 */
-        right = cross > 0;
-        cross = right ? cross : -cross;
-        g->area = (uint32_t)cross;
-        g->tiny = cross >= ZS_TINY_AREA;
-    } else {
-        const int64_t wide = wide_cross(g);
-        right = wide > 0;
-        cross = wide != 0;
-        g->area = right ? wide : -wide;
-        g->tiny = 0;
+    job->mid_right = 1;
+    if (cross < 0) { /* planes want a positive area */
+        const int32_t dx = dx1, dy = dy1;
+        const struct zs_vertex *const v = mid;
+        dx1 = dx2;
+        dx2 = dx;
+        dy1 = dy2;
+        dy2 = dy;
+        mid = bottom;
+        bottom = v;
+        cross = -cross;
+        job->mid_right = 0;
     }
-    job->mid_right = (uint8_t)right;
-    if (right) {
-        job->v[1] = mid;
-        job->v[2] = bottom;
-    } else { /* planes want a positive area */
-        job->v[1] = bottom;
-        job->v[2] = mid;
-        g->dx1 = bx;
-        g->dx2 = mx;
-        g->dy1 = by;
-        g->dy2 = my;
-    }
+    job->v[1] = mid;
+    job->v[2] = bottom;
+    g->dx1 = dx1;
+    g->dx2 = dx2;
+    g->dy1 = dy1;
+    g->dy2 = dy2;
+    g->area = (uint32_t)cross;
+    g->tiny = cross >= ZS_TINY_AREA;
     return cross;
 }
 
