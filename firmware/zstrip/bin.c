@@ -227,7 +227,7 @@ static ZS_NOINLINE uint32_t vertex_add(struct zs_renderer *r, uint32_t v)
 }
 
 /* The pool's places of a triangle's corners, transformed. Return 0: the pool is full. */
-static int corner_slots(struct zs_renderer *r, const uint16_t index[3], uint32_t slot[3])
+static ZS_RARE ZS_NOINLINE int corner_slots(struct zs_renderer *r, const uint16_t index[3], uint32_t slot[3])
 {
     if (r->direct) {
         for (int k = 0; k < 3; k++)
@@ -256,7 +256,7 @@ static int corner_slots(struct zs_renderer *r, const uint16_t index[3], uint32_t
 enum fate { FATE_DRAWN, FATE_OFFSCREEN, FATE_FACING, FATE_ZERO, FATE_EMPTY, FATE_NEAR, FATE_FAR,
             FATE_INDEX, FATES, FATE_OPEN = FATES /* not known yet */ };
 
-static void count(struct zs_stats *s, const uint32_t fate[FATES])
+static ZS_RARE void count(struct zs_stats *s, const uint32_t fate[FATES])
 {
     s->tris_drawn += fate[FATE_DRAWN];
     s->tris_offscreen += fate[FATE_OFFSCREEN];
@@ -516,7 +516,7 @@ static ZS_RARE enum fate triangle_clip(struct zs_renderer *r, uint32_t t)
 /* ---- The walk -------------------------------------------------------------------------------------- */
 
 /* Triangles go through in batches: those that are turned away leave first. */
-#define BATCH 64
+#define BATCH 48
 struct batch {
     const uint16_t (*tri)[3];     /* the batch's first */
     const struct zs_vertex *pool; /* direct: of vertex 0 */
@@ -653,7 +653,7 @@ static void batch_bin(struct zs_renderer *r, const struct batch *s, uint32_t fro
     }
 }
 
-static void walk_mesh(struct zs_renderer *r, uint32_t fate[FATES])
+static ZS_NOINLINE void walk_mesh(struct zs_renderer *r, uint32_t fate[FATES])
 {
     const struct zs_mesh *mesh = r->xform.instance->mesh;
     const uint32_t cull = r->xform.instance->material->cull;
@@ -671,7 +671,7 @@ static void walk_mesh(struct zs_renderer *r, uint32_t fate[FATES])
 
 /* Cull an instance, or make r->xform its own. Return 0: nothing of it can be seen. Apart, so that its frame is not on the
  * stack below the walk. */
-static ZS_NOINLINE int instance_open(struct zs_renderer *r, uint32_t number)
+static ZS_RARE ZS_NOINLINE int instance_open(struct zs_renderer *r, uint32_t number)
 {
     struct zs_bounds b;
     (void)zs_cull_bounds(&b, &r->scene->instance[number], &r->camera); /* cannot fail: zs_frame_begin has asked too */
@@ -681,7 +681,7 @@ static ZS_NOINLINE int instance_open(struct zs_renderer *r, uint32_t number)
     return zs_xform_instance(r, number, &b);
 }
 
-static void walk_instance(struct zs_renderer *r, uint32_t number)
+static ZS_RARE void walk_instance(struct zs_renderer *r, uint32_t number)
 {
     const struct zs_mesh *mesh = r->scene->instance[number].mesh;
     const int seen = instance_open(r, number);
@@ -702,7 +702,7 @@ static void walk_instance(struct zs_renderer *r, uint32_t number)
         count(&r->stats, fate);
 }
 
-void zs_bin_walk(struct zs_renderer *r)
+ZS_RARE void zs_bin_walk(struct zs_renderer *r)
 {
     pools_empty(r);
     r->band_end = r->config.skip_off & ZS_SKIP_BINS ? (uint16_t)(r->strip + 1u) : r->n_strips;
