@@ -4,6 +4,7 @@
  */
 #include "cases.h"
 #include "fx.h"
+#include "products.h"
 
 /* ---- Reciprocal ------------------------------------------------------------------------------ */
 
@@ -125,6 +126,16 @@ static void mulshift_against_128_bits(void **state)
     CASES(mulshift_case, 1000);
 }
 
+static void products_and_leading_zeros(void **state)
+{
+    (void)state;
+    uint32_t wrong[2];
+    const int right = wide_right(3000000, wrong);
+    if (!right)
+        print_error("wide.h: wrong with %#x, %#x\n", wrong[0], wrong[1]);
+    assert_true(right);
+}
+
 /* ---- Small ones ------------------------------------------------------------------------------ */
 
 static int small_case(uint64_t seed)
@@ -175,6 +186,7 @@ static const struct CMUnitTest tests[] = {
     cmocka_unit_test(isqrt_is_the_floor),
     cmocka_unit_test(muldiv_against_128_bits),
     cmocka_unit_test(mulshift_against_128_bits),
+    cmocka_unit_test(products_and_leading_zeros),
     cmocka_unit_test(samples_leading_zeros_and_shifts)
 };
 

@@ -6,15 +6,19 @@
  * once and the pools are emptied: least (key, scene order) wins in any number of sets. So any pool
  * that holds one triangle takes any scene, in more passes.
  *
- * Vertices are transformed when a triangle first asks for them. vert_map[v] says where vertex v of the
- * current mesh may lie in the pool; it is believed only if that place belongs to the current instance
- * and vert_src says v, so it needs no clearing.
+ * Where the pool has room for all of a mesh, its vertices are transformed at once and vertex v has the place
+ * vert_base + v ("direct"). Elsewhere, and from the moment on that places were moved, they are transformed when a
+ * triangle first asks for them, and vert_map[v] says where vertex v of the current mesh may lie in the pool; it is
+ * believed only if that place belongs to the current instance and vert_src says v, so it needs no clearing. A vertex
+ * gets its attributes when a triangle that holds it is binned.
  *
  * SPDX-License-Identifier: MIT
  */
 #include "pipeline.h"
 
-#define NO_SOURCE 65535u /* vert_src of a vertex made by clipping: meshes have at most 65535 */
+#define NO_SOURCE 65535u     /* vert_src of a vertex made by clipping: meshes have at most 65535 */
+#define ATTR_UNLIT 0xa55au   /* first attribute of a vertex that no binned triangle holds yet. A lit one that is the
+                                same is lit again, with the same outcome */
 
 /* ---- Pools ----------------------------------------------------------------------------------------- */
 
@@ -50,9 +54,10 @@ static void pools_empty(struct zs_renderer *r)
     bins_clear(r);
 }
 
+/* 0 <= row < ZS_SIZE_MAX */
 static int32_t strip_of(const struct zs_renderer *r, int32_t row)
 {
-    return row / r->config.strip_h;
+    return (int32_t)((uint32_t)row * r->strip_mul >> r->strip_shift);
 }
 
 /* Rows [*y0, *y1) of the frame that hold samples of the triangle's box; empty: *y0 >= *y1. */
@@ -142,6 +147,7 @@ static void high_water(struct zs_renderer *r)
 /* A pool is full: free at least a quarter of both. Slots change. */
 static void make_room(struct zs_renderer *r)
 {
+    r->direct = 0;
     high_water(r);
     verts_compact(r);
     while (!roomy(r)) {
@@ -160,36 +166,64 @@ static void make_room(struct zs_renderer *r)
 
 /* ---- Vertices ---------------------------------------------------------------------------------------- */
 
+/* Vertices [from, from + n) of the mesh have been transformed to slots from `slot` on: whose they are. */
+static void verts_mark(struct zs_renderer *r, uint32_t slot, uint32_t from, uint32_t n)
+{
+    const uint32_t attrs = r->config.attrs;
+    r->stats.verts_transformed += n;
+    for (uint32_t k = 0; k < n; k++)
+        r->vert_src[slot + k] = (uint16_t)(from + k);
+    if (attrs)
+        for (uint16_t *at = &r->attr[slot * attrs], *const end = at + n * attrs; at < end; at += attrs)
+            *at = ATTR_UNLIT;
+}
+
+/* Attributes of a binned triangle's corners that no triangle before it needed. */
+static void corners_light(struct zs_renderer *r, const uint32_t slot[3])
+{
+    const struct zs_shader *shader = r->xform.instance->material->shader;
+    if (!shader->vertex)
+        return;
+    for (int k = 0; k < 3; k++) {
+        uint16_t *attr = &r->attr[slot[k] * r->config.attrs];
+        if (*attr == ATTR_UNLIT)
+            shader->vertex(r, r->vert_src[slot[k]], attr);
+    }
+}
+
+/* Transform all of a mesh, where there is room. Return 1: all vertices are inside near, far and guard. */
+static int verts_direct(struct zs_renderer *r, const struct zs_mesh *mesh)
+{
+    const uint32_t base = r->n_verts, n = mesh->n_verts;
+    set_base(r, base);
+    r->direct = !(r->config.skip_off & ZS_SKIP_VCACHE) && n <= r->config.max_verts - base;
+    if (!r->direct)
+        return 0;
+    r->n_verts += n;
+    verts_mark(r, base, 0, n);
+    return zs_xform_mesh(r, &r->vert[base]);
+}
+
 /* Transform vertex v into the next place of the pool; ZS_NIL: the pool is full. */
 static ZS_NOINLINE uint32_t vertex_add(struct zs_renderer *r, uint32_t v)
 {
     if (r->n_verts == r->config.max_verts)
         return ZS_NIL;
     const uint32_t slot = r->n_verts++;
-    r->vert_src[slot] = (uint16_t)v;
     r->vert_map[map_index(v, r->config.max_verts)] = (uint16_t)slot;
-    r->stats.verts_transformed++;
-
-    struct zs_point p;
-    struct zs_vertex *out = &r->vert[slot];
-    const struct zs_xform *xf = &r->xform;
-    zs_xform_vertex(xf, v, &p);
-    /* the second test catches what the first was left out for: a sphere that is smaller than its mesh */
-    if (((xf->clip_depth | xf->clip_guard) && zs_xform_outcode(&r->view, &p)) ||
-        !zs_xform_project(r, &p, out)) {
-        out->x = out->y = 0;
-        out->d = ZS_D_OUT;
-        return slot;
-    }
-    const struct zs_shader *shader = xf->instance->material->shader;
-    if (shader->vertex)
-        shader->vertex(r, v, &r->attr[slot * r->config.attrs]);
+    verts_mark(r, slot, v, 1);
+    (void)zs_xform_screen(r, v, &r->vert[slot]);
     return slot;
 }
 
 /* The pool's places of a triangle's corners, transformed. Return 0: the pool is full. */
-static inline int corner_slots(struct zs_renderer *r, const uint16_t index[3], uint32_t slot[3])
+static int corner_slots(struct zs_renderer *r, const uint16_t index[3], uint32_t slot[3])
 {
+    if (r->direct) {
+        for (int k = 0; k < 3; k++)
+            slot[k] = r->vert_base + index[k];
+        return 1;
+    }
     const uint16_t *map = r->vert_map, *src = r->vert_src;
     const uint32_t base = r->vert_base, cap = r->config.max_verts;
     uint32_t n = r->n_verts;
@@ -210,7 +244,7 @@ static inline int corner_slots(struct zs_renderer *r, const uint16_t index[3], u
 /* ---- Triangles --------------------------------------------------------------------------------------- */
 
 enum fate { FATE_DRAWN, FATE_OFFSCREEN, FATE_FACING, FATE_ZERO, FATE_EMPTY, FATE_NEAR, FATE_FAR,
-            FATE_INDEX, FATES };
+            FATE_INDEX, FATES, FATE_OPEN = FATES /* not known yet */ };
 
 static void count(struct zs_stats *s, const uint32_t fate[FATES])
 {
@@ -231,7 +265,23 @@ static int64_t signed_area(const struct zs_vertex *a, const struct zs_vertex *b,
     return (int64_t)(b->x - a->x) * (c->y - a->y) - (int64_t)(c->x - a->x) * (b->y - a->y);
 }
 
-static int faces_away(int64_t area, uint32_t cull)
+static ZS_NOINLINE int32_t wide_sense(const struct zs_vertex *a, const struct zs_vertex *b, const struct zs_vertex *c)
+{
+    const int64_t left = zs_mul_ss(b->x - a->x, c->y - a->y), right = zs_mul_ss(c->x - a->x, b->y - a->y);
+    return (left > right) - (left < right);
+}
+
+/* The sign of signed_area. */
+static inline int32_t sense(const struct zs_vertex *a, const struct zs_vertex *b, const struct zs_vertex *c)
+{
+    const int32_t bx = b->x - a->x, by = b->y - a->y, cx = c->x - a->x, cy = c->y - a->y;
+    const uint32_t half = 1u << 15;
+    if ((((uint32_t)bx + half) | ((uint32_t)by + half) | ((uint32_t)cx + half) | ((uint32_t)cy + half)) >> 16)
+        return wide_sense(a, b, c);
+    return bx * cy - cx * by; /* all in [-2^15, 2^15): |.| < 2^31 */
+}
+
+static inline int faces_away(int64_t area, uint32_t cull)
 {
     return (cull == ZS_CULL_BACK && area > 0) || (cull == ZS_CULL_FRONT && area < 0);
 }
@@ -253,7 +303,7 @@ static enum fate box_fate(const struct zs_renderer *r, const struct zs_vertex *a
 
 static int in_band(const struct zs_renderer *r, int32_t y0, int32_t y1)
 {
-    return strip_of(r, y0) < r->band_end && strip_of(r, y1 - 1) >= r->strip;
+    return y0 < r->band_end * r->config.strip_h && y1 > r->strip * r->config.strip_h;
 }
 
 static void bin_push(struct zs_renderer *r, const uint32_t slot[3], uint16_t paint, int32_t y0)
@@ -393,6 +443,17 @@ static enum fate polygon_bin(struct zs_renderer *r, const struct polygon *p, uin
     return all;
 }
 
+/* Why a triangle cannot be seen whose corners have an outcode in common. */
+static enum fate outside(uint32_t all)
+{
+    return all & ZS_OUT_NEAR ? FATE_NEAR : all & ZS_OUT_FAR ? FATE_FAR : FATE_OFFSCREEN;
+}
+
+static uint32_t outcode_of(const struct zs_vertex *v)
+{
+    return v->d >= ZS_D_OUT ? (uint32_t)v->x : 0u;
+}
+
 static enum fate triangle_clip(struct zs_renderer *r, uint32_t t)
 {
     const struct zs_mesh *mesh = r->xform.instance->mesh;
@@ -408,12 +469,8 @@ static enum fate triangle_clip(struct zs_renderer *r, uint32_t t)
         any |= code;
         all &= code;
     }
-    if (all & ZS_OUT_NEAR)
-        return FATE_NEAR;
-    if (all & ZS_OUT_FAR)
-        return FATE_FAR;
     if (all)
-        return FATE_OFFSCREEN;
+        return outside(all);
     if (r->counting)
         r->stats.tris_clipped++;
     const int sense = sense_of(&r->view, p.cv);
@@ -433,11 +490,34 @@ static enum fate triangle_clip(struct zs_renderer *r, uint32_t t)
 
 /* ---- The walk -------------------------------------------------------------------------------------- */
 
+/* Bin a projected triangle that is not culled by its facing, unless it lies outside the frame or the band. FATE_OPEN: the
+ * pool of triangles is full. */
+static ZS_NOINLINE enum fate place(struct zs_renderer *r, uint32_t t, const uint32_t slot[3])
+{
+    const struct zs_shader *shader = r->xform.instance->material->shader;
+    int32_t y0, y1;
+    const enum fate fate = box_fate(r, &r->vert[slot[0]], &r->vert[slot[1]], &r->vert[slot[2]], &y0, &y1);
+    if (fate != FATE_DRAWN || !in_band(r, y0, y1))
+        return fate;
+    if (r->n_tris == r->config.max_tris)
+        return FATE_OPEN;
+    corners_light(r, slot);
+    bin_push(r, slot, shader->face(r, t), y0);
+    return FATE_DRAWN;
+}
+
+/* A triangle that is not wholly inside near, far and guard. */
+static enum fate cut(struct zs_renderer *r, uint32_t t, const struct zs_vertex *a, const struct zs_vertex *b,
+                     const struct zs_vertex *c)
+{
+    const uint32_t all = outcode_of(a) & outcode_of(b) & outcode_of(c);
+    return all ? outside(all) : triangle_clip(r, t);
+}
+
 static enum fate triangle(struct zs_renderer *r, uint32_t t)
 {
-    const struct zs_xform *xf = &r->xform;
-    const struct zs_mesh *mesh = xf->instance->mesh;
-    const struct zs_material *material = xf->instance->material;
+    const struct zs_mesh *mesh = r->xform.instance->mesh;
+    const uint32_t cull = r->xform.instance->material->cull;
     const uint16_t *index = mesh->tri[t];
     for (int k = 0; k < 3; k++)
         if (index[k] >= mesh->n_verts)
@@ -450,23 +530,92 @@ static enum fate triangle(struct zs_renderer *r, uint32_t t)
         }
         const struct zs_vertex *a = &r->vert[slot[0]], *b = &r->vert[slot[1]], *c = &r->vert[slot[2]];
         if (a->d >= ZS_D_OUT || b->d >= ZS_D_OUT || c->d >= ZS_D_OUT)
-            return triangle_clip(r, t);
-        const int64_t area = signed_area(a, b, c);
-        if (area == 0)
+            return cut(r, t, a, b, c);
+        const int32_t turn = sense(a, b, c);
+        if (turn == 0)
             return FATE_ZERO;
-        if (faces_away(area, material->cull))
+        if (faces_away(turn, cull))
             return FATE_FACING;
-        int32_t y0, y1;
-        const enum fate fate = box_fate(r, a, b, c, &y0, &y1);
-        if (fate != FATE_DRAWN || !in_band(r, y0, y1))
+        const enum fate fate = place(r, t, slot);
+        if (fate != FATE_OPEN)
             return fate;
-        if (r->n_tris == r->config.max_tris) {
-            make_room(r); /* slots are stale: look the vertices up again */
-            continue;
-        }
-        bin_push(r, slot, material->shader->face(r, t), y0);
-        return FATE_DRAWN;
+        make_room(r); /* slots are stale: look the vertices up again */
     }
+}
+
+/* A batch of triangles whose corners have their places by number, sieved. */
+#define BATCH 64
+struct sieve {
+    const struct zs_vertex *pool; /* of vertex 0 */
+    uint32_t n_verts, cull, inside;
+    uint32_t zero, facing;        /* counts of what was dropped */
+    uint8_t left[BATCH];          /* the others: 2 * number in the batch, 1 more where not looked at */
+};
+
+/* Drop small triangles that are turned away: 32 bits are enough for them. Return how many are left. */
+static ZS_NOINLINE uint32_t sieve(struct sieve *s, const uint16_t (*tri)[3], uint32_t n)
+{
+    const struct zs_vertex *const pool = s->pool;
+    const uint32_t n_verts = s->n_verts, half = 1u << 15;
+    uint8_t *out = s->left;
+    for (uint32_t t = 0; t < n; t++, tri++) {
+        const uint32_t i = (*tri)[0], j = (*tri)[1], k = (*tri)[2];
+        uint32_t odd = 1;
+        if (i < n_verts && j < n_verts && k < n_verts) {
+            const struct zs_vertex *a = pool + i, *b = pool + j, *c = pool + k;
+            if (s->inside || (a->d < ZS_D_OUT && b->d < ZS_D_OUT && c->d < ZS_D_OUT)) {
+                const int32_t bx = b->x - a->x, by = b->y - a->y, cx = c->x - a->x, cy = c->y - a->y;
+                if (!((((uint32_t)bx + half) | ((uint32_t)by + half) | ((uint32_t)cx + half) | ((uint32_t)cy + half)) >> 16)) {
+                    const int32_t turn = bx * cy - cx * by;
+                    if (turn == 0) {
+                        s->zero++;
+                        continue;
+                    }
+                    if (faces_away(turn, s->cull)) {
+                        s->facing++;
+                        continue;
+                    }
+                    odd = 0;
+                }
+            }
+        }
+        *out++ = (uint8_t)(2u * t + odd);
+    }
+    return (uint32_t)(out - s->left);
+}
+
+/* Triangles [from, from + n), as long as places are direct; then as all others. */
+static void batch(struct zs_renderer *r, struct sieve *s, uint32_t from, uint32_t n, uint32_t fate[FATES])
+{
+    const struct zs_mesh *mesh = r->xform.instance->mesh;
+    const uint32_t left = sieve(s, mesh->tri + from, n);
+    for (uint32_t i = 0; i < left; i++) {
+        const uint32_t t = from + s->left[i] / 2u;
+        enum fate f = FATE_OPEN;
+        if (r->direct && !(s->left[i] & 1u)) {
+            uint32_t slot[3];
+            (void)corner_slots(r, mesh->tri[t], slot);
+            f = place(r, t, slot);
+        }
+        if (f == FATE_OPEN)
+            f = triangle(r, t);
+        fate[f]++;
+    }
+}
+
+static uint32_t walk_direct(struct zs_renderer *r, int inside, uint32_t fate[FATES])
+{
+    const struct zs_mesh *mesh = r->xform.instance->mesh;
+    struct sieve s = { &r->vert[r->vert_base], mesh->n_verts, r->xform.instance->material->cull, (uint32_t)inside, 0, 0, { 0 } };
+    uint32_t t = 0;
+    while (t < mesh->n_tris && r->direct) {
+        const uint32_t n = mesh->n_tris - t < BATCH ? mesh->n_tris - t : BATCH;
+        batch(r, &s, t, n, fate);
+        t += n;
+    }
+    fate[FATE_ZERO] += s.zero;
+    fate[FATE_FACING] += s.facing;
+    return t;
 }
 
 static void walk_instance(struct zs_renderer *r, uint32_t number)
@@ -489,8 +638,8 @@ static void walk_instance(struct zs_renderer *r, uint32_t number)
         return;
     }
     uint32_t fate[FATES] = { 0 };
-    set_base(r, r->n_verts);
-    for (uint32_t t = 0; t < in->mesh->n_tris; t++)
+    const int inside = verts_direct(r, in->mesh);
+    for (uint32_t t = walk_direct(r, inside, fate); t < in->mesh->n_tris; t++)
         fate[triangle(r, t)]++;
     if (r->counting)
         count(&r->stats, fate);

@@ -74,6 +74,16 @@ static void split(struct zs_renderer *r, uint8_t *at)
     r->attr = take(&at, ZS_ROUND4((uint32_t)c->max_verts * c->attrs * 2u));
 }
 
+/* For row / strip_h without a division. With 2^l <= strip_h < 2^(l + 1) and n = 19 + l, strip_mul exceeds
+ * 2^n / strip_h by 1 at the most, which adds row / 2^n to a quotient: less than 2^-7 / strip_h, so it is exact. */
+static void strip_divisor(struct zs_renderer *r)
+{
+    const uint32_t h = r->config.strip_h;
+    const int n = 19 + 31 - zs_clz32(h);
+    r->strip_shift = (uint8_t)n;
+    r->strip_mul = (1u << n) / h + 1u; /* <= 2^19 + 1; times a row < 2^31.1 */
+}
+
 int zs_init(struct zs_renderer *r, const struct zs_config *config, void *arena, size_t bytes)
 {
     if (!r)
@@ -91,6 +101,7 @@ int zs_init(struct zs_renderer *r, const struct zs_config *config, void *arena, 
     r->config = *config;
     r->config.strip_h = strip_rows(config);
     r->n_strips = (uint16_t)((config->height + r->config.strip_h - 1) / r->config.strip_h);
+    strip_divisor(r);
     split(r, arena);
     for (uint32_t v = 0; v < config->max_verts; v++)
         r->vert_map[v] = r->vert_src[v] = 0; /* any value will do; junk would be as good */

@@ -4,6 +4,17 @@
  */
 #include "fx.h"
 
+/* ---- Leading zeros ------------------------------------------------------------------------------ */
+
+#define CLZ_2(n) (n), (n)
+#define CLZ_8(n) CLZ_2(n), CLZ_2(n), CLZ_2(n), CLZ_2(n)
+#define CLZ_32(n) CLZ_8(n), CLZ_8(n), CLZ_8(n), CLZ_8(n)
+#define CLZ_64(n) CLZ_32(n), CLZ_32(n)
+
+const uint8_t zs_clz8[256] = {
+    8, 7, CLZ_2(6), CLZ_2(5), CLZ_2(5), CLZ_8(4), CLZ_8(3), CLZ_8(3), CLZ_32(2), CLZ_64(1), CLZ_64(0), CLZ_64(0)
+};
+
 /* ---- Reciprocal ------------------------------------------------------------------------------
  *
  * a / 2^32 = m in [1/2, 1); wanted 1/m in (1, 2], as r = 2^31 / m. A table of 1/m - 1 in uq0_16 at
@@ -30,9 +41,11 @@ uint32_t zs_recip(uint32_t a)
     const uint32_t y0 = recip_table[i];                       /* < 2^16 */
     const uint32_t dy = y0 - recip_table[i + 1u];             /* 0 .. 256 */
     const uint32_t y = 0x80000000u + (y0 << 15) - (dy * t >> 1); /* uq1_31, dy * t < 2^24.1 */
-    const uint32_t my = zs_umulh(a, y);                       /* m y, uq1_31, within 2^-16 of 1 */
-    const uint64_t r = (uint64_t)y * (0u - my) >> 31;         /* y (2 - m y) <= 2^32 + 2 */
-    return r > UINT32_MAX ? UINT32_MAX : (uint32_t)r;
+    /* y (2 - m y) = y + y e with e = 1 - m y, |e| <= 2^14.6 in q_31: two narrow products instead of a wide one */
+    const int32_t e = (int32_t)(0x80000000u - zs_umulh(a, y));
+    const int32_t upper = (int32_t)(y >> 16) * e, lower = (int32_t)(y & 0xffffu) * e; /* |.| < 2^30.6 */
+    const uint32_t r = y + (uint32_t)((upper + (lower >> 16)) >> 15); /* floor: exact below 2^32 + 2 */
+    return r >> 31 ? r : UINT32_MAX;
 }
 
 /* ---- Square root: one result bit a turn, no multiplication ------------------------------------- */
@@ -59,11 +72,11 @@ struct wide {
 
 static struct wide wide_mul(uint64_t a, uint64_t b)
 {
-    const uint64_t a0 = (uint32_t)a, a1 = a >> 32, b0 = (uint32_t)b, b1 = b >> 32;
-    const uint64_t low = a0 * b0;
-    const uint64_t mid = a1 * b0 + (low >> 32);            /* <= (2^32-1)^2 + 2^32 - 1 < 2^64 */
-    const uint64_t mid2 = a0 * b1 + (uint32_t)mid;         /* the same */
-    const struct wide w = { a1 * b1 + (mid >> 32) + (mid2 >> 32), mid2 << 32 | (uint32_t)low };
+    const uint32_t a0 = (uint32_t)a, a1 = (uint32_t)(a >> 32), b0 = (uint32_t)b, b1 = (uint32_t)(b >> 32);
+    const uint64_t low = zs_mul_uu(a0, b0);
+    const uint64_t mid = zs_mul_uu(a1, b0) + (low >> 32);  /* <= (2^32-1)^2 + 2^32 - 1 < 2^64 */
+    const uint64_t mid2 = zs_mul_uu(a0, b1) + (uint32_t)mid; /* the same */
+    const struct wide w = { zs_mul_uu(a1, b1) + (mid >> 32) + (mid2 >> 32), mid2 << 32 | (uint32_t)low };
     return w;
 }
 

@@ -11,6 +11,7 @@
 #include <stdint.h>
 
 #include "config.h"
+#include "wide.h"
 
 _Static_assert((-3 >> 1) == -2, "right shift of negative values must be arithmetic");
 _Static_assert(sizeof(int) >= 4, "int must hold 32 bits");
@@ -57,32 +58,6 @@ static inline void zs_fill16(uint16_t *out, uint16_t value, uint32_t n)
     }
     while (at < end)
         *at++ = pair;
-}
-
-/* Leading zeros, v > 0. */
-static inline int zs_clz32(uint32_t v)
-{
-#if defined(__GNUC__)
-    return __builtin_clz(v);
-#else
-    int n = 0;
-    while (!(v & 0x80000000u)) {
-        v <<= 1;
-        n++;
-    }
-    return n;
-#endif
-}
-
-static inline int zs_clz64(uint64_t v)
-{
-    return v >> 32 ? zs_clz32((uint32_t)(v >> 32)) : 32 + zs_clz32((uint32_t)v);
-}
-
-/* High half of a 32 x 32 product, floor. */
-static inline uint32_t zs_umulh(uint32_t a, uint32_t b)
-{
-    return (uint32_t)((uint64_t)a * b >> 32);
 }
 
 static inline int32_t zs_abs32(int32_t v)

@@ -135,6 +135,11 @@ uint32_t zs_xform_outcode(const struct zs_view *view, const struct zs_point *p);
 /* Screen position and depth. Return 1; 0 where the point is before near, beyond far (*out untouched
  * then) or beside the guard band (*out is then just beside it). */
 int zs_xform_project(const struct zs_renderer *r, const struct zs_point *p, struct zs_vertex *out);
+/* All three for a vertex of the current instance: its place in the pool. Return 0 where it is not inside near, far and
+ * guard: then d = ZS_D_OUT, and x is its outcode. */
+int zs_xform_screen(const struct zs_renderer *r, uint32_t v, struct zs_vertex *out);
+/* The same for all vertices of the mesh, in order. Return 1: all are inside. */
+int zs_xform_mesh(const struct zs_renderer *r, struct zs_vertex *out);
 
 /* ---- clip.c ----------------------------------------------------------------------------------------- */
 
@@ -243,11 +248,12 @@ void zs_plane64(const struct zs_geom *g, uint64_t v0, uint64_t v1, uint64_t v2,
 uint32_t zs_light_intensity(const struct zs_renderer *r, const zs_q1_15 n[3]);
 /* The unit normal of a face in mesh space: the mesh's, or the product of two edges; 0 0 0 without area. */
 void zs_light_face_normal(zs_q1_15 out[3], const struct zs_mesh *mesh, uint32_t t);
-/* A channel under an intensity, saturated: uq0_16 where 65535 is full. */
+/* A channel under an intensity, saturated: uq0_16 where 65535 is full. c * 257 * intensity / 2^16, nearest. */
 static inline uint32_t zs_light_channel(uint8_t c, uint32_t intensity)
 {
-    const uint64_t lit = ((uint64_t)(c * 257u) * intensity + 0x8000u) >> 16; /* < 2^18 */
-    return lit > 65535u ? 65535u : (uint32_t)lit;
+    const uint32_t part = c * intensity;                          /* < 2^25.6 */
+    const uint32_t lit = (part + ((part + 0x8000u) >> 8)) >> 8;   /* 256 part and part, < 2^18 */
+    return lit > 65535u ? 65535u : lit;
 }
 
 #endif

@@ -42,13 +42,21 @@ struct zs_view {
     uint8_t key_mantissa, key_octaves; /* float: mantissa bits, and 2^exponent bits - 1 */
 };
 
-/* One instance's way to camera units: c = (m * p + t) / 2^shift. */
+/* One row of an instance's way to camera units, c = (m . p + t) / 2^shift, floor, with m and t cut where 32 bits
+ * carry every sum (xform.c): m = high * 2^s + low, t = t_high * 2^shift + t_low. */
+struct zs_axis {
+    int32_t low[3];  /* |.| <= 2^14 */
+    int32_t t_low;   /* |.| <= 2^28 */
+    int32_t high[3];
+    int32_t t_high;  /* camera units */
+};
+
+/* One instance's way to camera units. */
 struct zs_xform {
     const struct zs_instance *instance;
-    int64_t t[3];       /* camera units * 2^shift, |.| < 2^60 */
-    int32_t m[9];       /* |.| <= 2^30 */
+    struct zs_axis axis[3];
+    uint32_t shift_low, shift_high; /* s, 0 .. 15, and shift - s, 0 .. 14 */
     int32_t light[3];   /* q2_30: the light's direction in mesh space */
-    uint8_t shift;      /* 0 .. 29 */
     uint8_t clip_depth; /* 1: vertices may be before near or beyond far */
     uint8_t clip_guard; /* 1: vertices may be outside the guard band */
     uint16_t number;    /* in the scene */
@@ -80,6 +88,9 @@ struct zs_renderer {
     uint16_t n_strips, strip;   /* strip: the next to be drawn */
     uint16_t band_end;          /* bins are complete for strips below it */
     uint16_t active;            /* list of triangles that went on from the strip before */
+    uint32_t strip_mul;         /* row / strip_h = row * strip_mul >> strip_shift */
+    uint8_t strip_shift;
+    uint8_t direct;             /* 1: vertex v of the current instance has place vert_base + v */
     uint8_t counting;           /* 1 in the frame's first walk: triangles are counted once */
     uint8_t ready;              /* zs_init succeeded */
 };

@@ -1,0 +1,38 @@
+#!/bin/sh
+# Products and leading zeros of wide.h where they are written in assembler: on an emulated Cortex-M0. And
+# that no call is left in them.
+#
+# SPDX-License-Identifier: MIT
+. "$(dirname "$0")/common.sh"
+
+dir=$B/wide
+mkdir -p "$dir"
+board=firmware/boards/microbit
+# shellcheck disable=SC2086
+if ! ${ARM}gcc -std=c11 -mcpu=cortex-m0plus -mthumb $OPT $WARN -DHAL_TICK_INSTRUCTIONS_X2=125 -Ihal -Ifirmware/zstrip \
+    -nostartfiles -T $board/microbit.ld -Wl,--gc-sections tests/checks/wide.c hal/mps2/hal.c \
+    firmware/boards/mps2/startup.c firmware/zstrip/fx.c -o "$dir/wide.elf"; then
+    bad "wide.h for Armv6-M" "does not build"
+    exit 1
+fi
+timeout 120 qemu-system-arm -M microbit -display none -monitor none -serial null \
+    -semihosting-config enable=on,target=native -icount shift=0 -kernel "$dir/wide.elf" >"$dir/log" 2>&1
+status=$?
+if [ $status = 0 ]; then ok "wide.h on Cortex-M0: products and leading zeros"
+else bad "wide.h on Cortex-M0" "status $status, $(tr '\n' ' ' <"$dir/log")"; fi
+
+cat >"$dir/calls.c" <<'END'
+#include "wide.h"
+uint64_t f1(uint32_t, uint32_t), f2(int32_t, int32_t), f3(int32_t, uint32_t), f4(uint64_t);
+uint64_t f1(uint32_t a, uint32_t b) { return zs_mul_uu(a, b) + zs_umulh(b, a + 1u); }
+uint64_t f2(int32_t a, int32_t b) { return (uint64_t)zs_mul_ss(a, b) + (uint32_t)zs_mulh_ss(b, a + 1); }
+uint64_t f3(int32_t a, uint32_t b) { return (uint64_t)zs_mul_su(a, b); }
+uint64_t f4(uint64_t a) { return (uint64_t)zs_clz64(a); }
+END
+for c in $CPUS; do
+    # shellcheck disable=SC2086
+    ${ARM}gcc -std=c11 -mcpu="$c" -mthumb $OPT $WARN -Ifirmware/zstrip -c "$dir/calls.c" -o "$dir/calls.o" ||
+        bad "$c calls" "does not compile"
+    none "$c: no library call in wide.h" "$(${ARM}nm -u "$dir/calls.o" | awk '{ print $NF }' | grep -v '^zs_clz8$')"
+done
+exit $failed

@@ -1,0 +1,52 @@
+/* The products and the leading zeros of wide.h against plain C: edge values with each other, then random ones.
+ * For the host (test_fx.c) and, freestanding, for an emulated Cortex-M0 (checks/wide.c).
+ *
+ * SPDX-License-Identifier: MIT
+ */
+#ifndef TESTS_PRODUCTS_H
+#define TESTS_PRODUCTS_H
+
+#include "prng.h"
+#include "wide.h"
+
+static inline int wide_pair_right(uint32_t a, uint32_t b)
+{
+    const int32_t sa = (int32_t)a, sb = (int32_t)b;
+    volatile uint64_t ua = a, ub = b; /* so that nothing is known when this is compiled */
+    volatile int64_t ia = sa, ib = sb;
+    return zs_mul_uu(a, b) == ua * ub && zs_mul_ss(sa, sb) == ia * ib && zs_mul_su(sa, b) == ia * (int64_t)ub &&
+           zs_umulh(a, b) == (uint32_t)(ua * ub >> 32) && zs_mulh_ss(sa, sb) == (int32_t)(ia * ib >> 32);
+}
+
+static inline int wide_clz_right(uint32_t v)
+{
+    int n = 0;
+    for (uint32_t bit = 1u << 31; !(v & bit); bit >>= 1)
+        n++;
+    return zs_clz32(v) == n && zs_clz64(v) == 32 + n && zs_clz64((uint64_t)v << 32 | (v >> 7)) == n;
+}
+
+/* 1 where all are right, else 0 and the pair in wrong[]. */
+static inline int wide_right(uint32_t random_pairs, uint32_t wrong[2])
+{
+    struct prng p = { 7 };
+    uint32_t edge[33 * 4], n = 0;
+    for (int k = 0; k < 33; k++) { /* about each power of two, and its negative */
+        const uint32_t power = (uint32_t)((uint64_t)1 << k);
+        edge[n++] = power;
+        edge[n++] = power - 1u;
+        edge[n++] = 0u - power - 1u;
+        edge[n++] = power + 0x8001u;
+    }
+    for (uint32_t k = 0; k < n * n + random_pairs; k++) {
+        const uint32_t a = k < n * n ? edge[k / n] : (uint32_t)prng_log(&p),
+                       b = k < n * n ? edge[k % n] : (uint32_t)prng_log(&p);
+        wrong[0] = a;
+        wrong[1] = b;
+        if (!wide_pair_right(a, b) || (a && !wide_clz_right(a)))
+            return 0;
+    }
+    return 1;
+}
+
+#endif
