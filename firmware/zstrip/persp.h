@@ -31,13 +31,8 @@ void zs_persp_w(const struct zs_job *job, uint32_t w[3]);
 /* The largest of three w less the least. */
 static inline uint32_t zs_persp_change(const uint32_t w[3], uint32_t *least)
 {
-    uint32_t most = w[0];
-    *least = w[0];
-    for (int k = 1; k < 3; k++) {
-        most = w[k] > most ? w[k] : most;
-        *least = w[k] < *least ? w[k] : *least;
-    }
-    return most - *least;
+    *least = zs_minu32(zs_minu32(w[0], w[1]), w[2]);
+    return zs_maxu32(zs_maxu32(w[0], w[1]), w[2]) - *least;
 }
 
 /* (2^32 - 1) / n of a last, shorter part of a row; [0] unused. */
@@ -99,8 +94,12 @@ static inline void zs_persp_plane(const struct zs_geom *g, const uint32_t v[3], 
 /* Attributes of a job's three vertices in the pool. */
 static inline void zs_persp_attrs(const struct zs_job *job, const uint16_t *a[3])
 {
-    for (int k = 0; k < 3; k++)
-        a[k] = job->r->attr + (uint32_t)(job->v[k] - job->r->vert) * job->r->config.attrs;
+    const uint32_t n = job->r->config.attrs;
+    for (int k = 0; k < 3; k++) {
+        const uint32_t bytes = (uint32_t)((const char *)job->v[k] - (const char *)job->r->vert);
+        /* times n words over 12 bytes; a division by 12 is slow, and by 6 / 3 it is not */
+        a[k] = job->r->attr + (n == 3 ? bytes >> 2 : bytes / sizeof(struct zs_vertex) * n);
+    }
 }
 
 #endif

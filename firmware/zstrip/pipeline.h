@@ -74,8 +74,9 @@ struct zs_depth {
     uint32_t (*vertex)(const struct zs_view *view, int32_t z, uint32_t rcp, int32_t lz);
     /* Draw a triangle where keys may not be linear on the screen (view.screen_linear is 0). */
     void (*rows)(struct zs_job *job);
-    /* w ~ 1/z of a vertex for perspective-correct attributes, > 0, same scale for all vertices. */
-    uint64_t (*inverse)(const struct zs_view *view, uint32_t d);
+    /* w ~ 1/z of a triangle's vertices for perspective-correct attributes, > 0, on one scale that brings the largest
+     * to [2^30, 2^31). Under perspective only. */
+    void (*inverse)(const struct zs_view *view, const struct zs_vertex *const v[3], uint32_t w[3]);
     /* The key of a vertex, uq16_16, where zs_vertex.d is something else; NULL: d is the key. */
     uint32_t (*key)(const struct zs_view *view, uint32_t d);
 };

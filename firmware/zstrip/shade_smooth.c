@@ -59,7 +59,9 @@ static uint32_t color_range(const uint16_t *const a[3])
 /* range / 65536 * 63 codes * (change / least) / 4 <= 1/8 code; 63 taken as 64. */
 static int affine_enough(uint32_t range, uint32_t change, uint32_t least)
 {
-    return (uint64_t)range * change <= (uint64_t)least * 512u; /* < 2^16 * 2^31 */
+    if (range * ((change >> 16) + 1u) <= least >> 7) /* < 2^31: enough to say yes */
+        return 1;
+    return zs_mul_uu(range, change) <= (uint64_t)least << 9; /* < 2^16 * 2^31 */
 }
 
 static uint32_t sub_span(const struct zs_plane *w, uint32_t range, uint32_t least)
@@ -150,8 +152,8 @@ static void smooth_start(struct zs_job *job)
     uint32_t w[3], least;
     zs_persp_attrs(job, a);
     zs_persp_w(job, w);
-    const uint32_t range = color_range(a);
     const uint32_t change = zs_persp_change(w, &least);
+    const uint32_t range = change <= least >> 7 ? 0u : color_range(a); /* 0: enough for any */
     if (affine_enough(range, change, least)) {
         job->sub_log2 = ZS_AFFINE;
         affine_planes(job, a);
@@ -183,16 +185,19 @@ static void fill_linear(uint16_t *out, int32_t n, const uint32_t c[3], const uin
 }
 
 /* Depth test and colour of an affine triangle's pixels [i0, i1) whose keys do not saturate. */
-static ZS_NOINLINE void affine_pixels(struct zs_job *job, const struct zs_row *row, int32_t i0, int32_t i1,
-                                      uint32_t sum, uint32_t gx)
+#define HIGH(x) __asm__("" : "+h"(x))
+static ZS_NOINLINE void affine_pixels(struct zs_job *job, const struct zs_row *row)
 {
-    uint32_t red = zs_plane_at(&job->c[0], i0, row->y), green = zs_plane_at(&job->c[1], i0, row->y),
-             blue = zs_plane_at(&job->c[2], i0, row->y);
-    const uint32_t by_red = job->c[0].gx, by_green = job->c[1].gx, by_blue = job->c[2].gx;
+    const struct zs_plane *const c = job->c;
+    const int32_t i0 = row->i0, y = row->y;
+    uint32_t red = zs_plane_at(&c[0], i0, y), green = zs_plane_at(&c[1], i0, y), blue = zs_plane_at(&c[2], i0, y);
+    uint32_t by_red = c[0].gx, by_green = c[1].gx, by_blue = c[2].gx;
+    uint32_t gx = job->key.gx, sum = row->key + zs_wrap_mul(gx, i0);
     uint16_t *depth = job->depth + row->at + i0, *color = job->color + row->at + i0;
-    const uint16_t *const end = depth + (i1 - i0);
+    const uint16_t *end = depth + (row->i1 - i0);
     int32_t written = 0;
     for (; depth != end; depth++, color++) {
+
         const uint32_t key = sum >> 16;
         if (key < *depth) {
             *depth = (uint16_t)key;
@@ -211,15 +216,12 @@ static ZS_NOINLINE void affine_pixels(struct zs_job *job, const struct zs_row *r
 static void smooth_span(struct zs_job *job, const struct zs_row *row, int32_t i0, int32_t i1, uint32_t sum,
                         uint32_t gx)
 {
-    if (job->sub_log2 == ZS_AFFINE && !job->saturates)
-        affine_pixels(job, row, i0, i1, sum, gx);
-    else
         zs_persp_span(job, row, i0, i1, sum, gx);
 }
 
 ZS_ALWAYS_INLINE void affine_span(struct zs_job *job, const struct zs_row *row)
 {
-    affine_pixels(job, row, row->i0, row->i1, row->key + zs_wrap_mul(job->key.gx, row->i0), job->key.gx);
+    affine_pixels(job, row);
 }
 
 static void smooth_rows(struct zs_job *job)
