@@ -345,18 +345,17 @@ static int gradient_case(uint64_t seed)
     random_tri(&p, seed % 3 ? KIND_SMALL : KIND_HUGE, &s, &t);
     random_keys(&p, 65535u << 16, t.d);
     struct oracle_tri o = to_oracle(&t);
-    const int turned = oracle_area(&o) < 0; /* planes want a positive area, from the top corner */
-    int top = 0;
-    for (int k = 1; k < 3; k++)
-        if (t.y[k] < t.y[top] || (t.y[k] == t.y[top] && t.x[k] < t.x[top]))
-            top = k;
     struct zs_vertex v[3];
-    for (int k = 0; k < 3; k++) {
-        const int from = (top + (turned ? 3 - k : k)) % 3;
-        v[k].x = t.x[from];
-        v[k].y = t.y[from];
-        v[k].d = t.d[from];
-    }
+    const struct zs_vertex *down[3] = { &v[0], &v[1], &v[2] };
+    for (int k = 0; k < 3; k++)
+        v[k] = (struct zs_vertex){ t.x[k], t.y[k], t.d[k] };
+    for (int k = 0; k < 3; k++) /* by y, then x */
+        for (int m = 0; m < 2; m++)
+            if (down[m]->y > down[m + 1]->y || (down[m]->y == down[m + 1]->y && down[m]->x > down[m + 1]->x)) {
+                const struct zs_vertex *const swap = down[m];
+                down[m] = down[m + 1];
+                down[m + 1] = swap;
+            }
     struct zs_renderer r;
     struct zs_job job;
     memset(&r, 0, sizeof r);
@@ -365,17 +364,17 @@ static int gradient_case(uint64_t seed)
     r.config.height = 240;
     job.r = &r;
     job.width = 320;
-    for (int k = 0; k < 3; k++)
-        job.v[k] = &v[k];
     const int64_t area = llabs(oracle_area(&o));
+    CASE_CHECK(zs_plane_sides(&job, down) == (area != 0));
     if (area == 0)
         return 1;
-    job.geom.area = area;
+    const struct zs_vertex *const a = job.v[0], *const b = job.v[1], *const c = job.v[2];
+    CASE_CHECK(job.geom.area == area && (job.mid_right ? b : c) == down[1] && (job.mid_right ? c : b) == down[2]);
     zs_plane_geom(&job);
-    zs_plane32(&job.geom, v[0].d, v[1].d, v[2].d, ZS_PLANE_KEY, &job.key);
-    const int64_t dv1 = (int64_t)v[1].d - v[0].d, dv2 = (int64_t)v[2].d - v[0].d;
-    const __int128 nx = (__int128)dv1 * (v[2].y - v[0].y) - (__int128)dv2 * (v[1].y - v[0].y);
-    const __int128 ny = (__int128)dv2 * (v[1].x - v[0].x) - (__int128)dv1 * (v[2].x - v[0].x);
+    zs_plane32(&job.geom, a->d, b->d, c->d, ZS_PLANE_KEY, &job.key);
+    const int64_t dv1 = (int64_t)b->d - a->d, dv2 = (int64_t)c->d - a->d;
+    const __int128 nx = (__int128)dv1 * (c->y - a->y) - (__int128)dv2 * (b->y - a->y);
+    const __int128 ny = (__int128)dv2 * (b->x - a->x) - (__int128)dv1 * (c->x - a->x);
     const double bound = spread(t.x) + spread(t.y) <= 65536 ? 0.88 : 0.5;
     const double error = fmax(gradient_error(job.key.gx, nx, area),
                               gradient_error(job.key.gy, ny, area));

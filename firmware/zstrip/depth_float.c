@@ -118,10 +118,38 @@ static inline uint32_t mantissa_of(const struct zs_view *view, uint32_t key, int
     return below_code(view, key) - ((uint32_t)(octave - 1) << (view->key_mantissa + 16)) + 1u; /* <= 2^30 */
 }
 
-static uint64_t float_inverse(const struct zs_view *view, uint32_t d)
+/* float_inverse of vertices in several octaves. */
+static ZS_NOINLINE void octaves_inverse(const struct zs_view *view, const uint32_t d[3], int32_t nearest, uint32_t w[3])
 {
-    const int32_t o = octave_of(view, d);
-    return (uint64_t)mantissa_of(view, d, o) << (o - 1); /* 1 .. 2^30 * 2^30 */
+    int32_t down[3];
+    uint32_t any = 0;
+    for (int k = 0; k < 3; k++) {
+        const int32_t o = octave_of(view, d[k]);
+        w[k] = mantissa_of(view, d[k], o);
+        down[k] = nearest - o;
+        any |= w[k] >> down[k]; /* <= 30 */
+    }
+    const int32_t up = zs_clz32(any) - 1;
+    for (int k = 0; k < 3; k++) {
+        const int32_t by = down[k] - up; /* -30 .. 30 */
+        w[k] = by > 0 ? (w[k] + (1u << by >> 1)) >> by : w[k] << -by;
+    }
+}
+
+static void float_inverse(const struct zs_view *view, const struct zs_vertex *const v[3], uint32_t w[3])
+{
+    const uint32_t d[3] = { v[0]->d, v[1]->d, v[2]->d };
+    const uint32_t nearest = zs_minu32(zs_minu32(d[0], d[1]), d[2]);
+    const uint32_t farthest = zs_maxu32(zs_maxu32(d[0], d[1]), d[2]);
+    const int32_t o = octave_of(view, nearest);
+    if (o != octave_of(view, farthest)) {
+        octaves_inverse(view, d, o, w);
+        return;
+    }
+    const uint32_t mantissa = mantissa_of(view, nearest, o); /* 1 .. 2^30; the others' are less by what d is more */
+    const int32_t up = zs_clz32(mantissa) - 1;
+    for (int k = 0; k < 3; k++)
+        w[k] = (mantissa - (d[k] - nearest)) << up;
 }
 
 #define W_BITS 39 /* plane.c: differences times 2^23 fit 63 bits */

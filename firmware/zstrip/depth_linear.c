@@ -53,9 +53,13 @@ static uint32_t linear_vertex(const struct zs_view *view, int32_t z, uint32_t rc
     return key_of(view, (uint32_t)z - (uint32_t)view->z_near, view->key_shift - 16, view->key_top);
 }
 
-static uint64_t linear_inverse(const struct zs_view *view, uint32_t d)
+static void linear_inverse(const struct zs_view *view, const struct zs_vertex *const v[3], uint32_t w[3])
 {
-    return view->perspective ? ((uint64_t)1 << 62) / d : (uint64_t)1 << 32;
+    uint64_t wide[3];
+    (void)view;
+    for (int k = 0; k < 3; k++)
+        wide[k] = ((uint64_t)1 << 62) / v[k]->d;
+    zs_scale31(wide, w);
 }
 
 static uint32_t linear_key(const struct zs_view *view, uint32_t d)

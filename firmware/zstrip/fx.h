@@ -75,6 +75,16 @@ static inline int32_t zs_max32(int32_t a, int32_t b)
     return a > b ? a : b;
 }
 
+static inline uint32_t zs_minu32(uint32_t a, uint32_t b)
+{
+    return a < b ? a : b;
+}
+
+static inline uint32_t zs_maxu32(uint32_t a, uint32_t b)
+{
+    return a > b ? a : b;
+}
+
 /* v / 2^n, nearest. 0 <= n <= 62, |v| < 2^62. */
 static inline int64_t zs_round_shift(int64_t v, int n)
 {
@@ -115,6 +125,9 @@ static inline uint16_t zs_wire16(uint16_t v)
  * Cost  one table look-up and four multiplications; no division.
  * Exact tests/test_fx.c compares all 2^31 arguments in steps that hit every table entry. */
 uint32_t zs_recip(uint32_t a);
+
+/* Three numbers times one power of two that brings the largest to [2^30, 2^31), nearest. 1 .. 2^62; any is > 0. */
+void zs_scale31(const uint64_t v[3], uint32_t out[3]);
 
 /* floor(sqrt(v)). */
 uint32_t zs_isqrt64(uint64_t v);

@@ -80,8 +80,9 @@ struct zs_depth {
     uint32_t (*vertex)(const struct zs_view *view, int32_t z, uint32_t rcp, int32_t lz);
     /* Draw a triangle where keys may not be linear on the screen (view.screen_linear is 0). */
     void (*rows)(struct zs_job *job);
-    /* w ~ 1/z of a vertex for perspective-correct attributes, > 0, same scale for all vertices. */
-    uint64_t (*inverse)(const struct zs_view *view, uint32_t d);
+    /* w ~ 1/z of a triangle's vertices for perspective-correct attributes, > 0, on one scale that brings the largest
+     * to [2^30, 2^31). Under perspective only. */
+    void (*inverse)(const struct zs_view *view, const struct zs_vertex *const v[3], uint32_t w[3]);
     /* The key of a vertex, uq16_16, where zs_vertex.d is something else; NULL: d is the key. */
     uint32_t (*key)(const struct zs_view *view, uint32_t d);
 };
@@ -165,14 +166,15 @@ void zs_bin_walk(struct zs_renderer *r);
 
 /* Draw the strip r->strip's bin and the active list; leaves those that go on in r->active. */
 void zs_raster_strip(struct zs_renderer *r);
+/* Find the spans of rows from `row` on: of ZS_CUT_ROWS, or up to job->row_end. */
+void zs_raster_cuts(struct zs_job *job, int32_t row);
 
-/* An edge walked from row to row: column = first sample at or right of the edge. */
-struct zs_edge {
-    int32_t i;    /* column in the current row */
-    int32_t e;    /* i * span - exact position, [0, span) */
-    int32_t q, s; /* step a row: q columns and s / span */
-    int32_t span; /* 256 * dy, <= 2^30 */
+/* The span of a row: first sample at or right of its left edge, and of its right edge. */
+struct zs_cut {
+    int16_t x0, x1; /* |.| <= 2^14 + 1; may be beyond the frame, and x0 > x1 */
 };
+#define ZS_CUT_ROWS 16 /* rows that are cut at a time */
+_Static_assert(2 * ZS_GUARD_PX + 2 < 32768, "columns are 16 bits");
 
 /* A plane over the screen: value(i, j) = base + gx * (i - ia) + gy * (j - ja) modulo 2^32. */
 struct zs_plane {
@@ -184,6 +186,8 @@ struct zs_plane64 {
     uint64_t base, gx, gy;
 };
 
+#define ZS_TINY (64 * ZS_SUBPX_ONE) /* most triangles are not larger: 32-bit products do */
+
 /* The snapped triangle as planes need it, area made positive. */
 struct zs_geom {
     int32_t dx1, dy1, dx2, dy2; /* q24_8, of the second and third vertex from the first */
@@ -192,6 +196,7 @@ struct zs_geom {
     int32_t ax, ay;             /* ... its sample minus the first vertex, q24_8 */
     uint32_t rcp;               /* 2^63 / mantissa of area; 0: large, divide */
     int32_t exp;                /* area ~ mantissa * 2^exp, mantissa in [2^31, 2^32) */
+    int32_t tiny;               /* 1: all four differences are at most ZS_TINY */
 };
 
 /* How a textured triangle's coordinates become fractions of the texture's size. */
@@ -211,8 +216,9 @@ struct zs_job {
     const struct zs_shader *shader;
     const struct zs_vertex *v[3]; /* the top one, then the others so that the area is positive */
     struct zs_geom geom;
-    struct zs_edge edge[3];       /* long, upper, lower; a span ends where its right edge's i is */
-    int32_t row, row_mid, row_end; /* rows in the frame, cut to the strip */
+    struct zs_cut cut[ZS_CUT_ROWS]; /* spans of rows [row, cut_end) */
+    int32_t row, cut_end, row_end; /* rows in the frame; to row_end in this strip */
+    int32_t row_mid;              /* first row below the middle vertex, in the strip or not */
     int32_t row_last;             /* one beyond the triangle's last row, in the strip or below it */
     uint8_t saturates;            /* a key may reach 2^bits - 1 (rows.h) */
     uint8_t mid_right;            /* the middle vertex is to the right of the long edge */
@@ -230,7 +236,10 @@ struct zs_job {
 
 /* ---- plane.c ---------------------------------------------------------------------------------------- */
 
-/* Fill job->geom from job->v; its area is there already. */
+/* From three vertices in the order of y: job->v, job->mid_right, job->geom's differences and area. Return 0 where it
+ * has none. */
+int zs_plane_sides(struct zs_job *job, const struct zs_vertex *const v[3]);
+/* Fill the rest of job->geom. */
 void zs_plane_geom(struct zs_job *job);
 enum zs_plane_kind {
     ZS_PLANE_KEY, /* buckets or codes, uq16_16: error below 0.005 of one */

@@ -29,26 +29,53 @@
 
 #define SMALL_EXTENT (256 * ZS_SUBPX_ONE)
 
+int zs_plane_sides(struct zs_job *job, const struct zs_vertex *const v[3])
+{
+    struct zs_geom *g = &job->geom;
+    const int32_t mx = v[1]->x - v[0]->x, my = v[1]->y - v[0]->y, bx = v[2]->x - v[0]->x,
+                  by = v[2]->y - v[0]->y; /* |.| < 2^22 */
+    int64_t cross;
+    g->tiny = !(((uint32_t)(mx + ZS_TINY) | (uint32_t)(bx + ZS_TINY) | (uint32_t)by * 2u) / (2u * ZS_TINY));
+    if (g->tiny)
+        cross = mx * by - bx * my; /* each below 2^29 */
+    else
+        cross = zs_mul_ss(mx, by) - zs_mul_ss(bx, my); /* |.| < 2^45 */
+    if (cross == 0)
+        return 0;
+    job->mid_right = cross > 0;
+    job->v[0] = v[0]; /* planes want a positive area */
+    job->v[1] = cross > 0 ? v[1] : v[2];
+    job->v[2] = cross > 0 ? v[2] : v[1];
+    g->dx1 = cross > 0 ? mx : bx;
+    g->dy1 = cross > 0 ? my : by;
+    g->dx2 = cross > 0 ? bx : mx;
+    g->dy2 = cross > 0 ? by : my;
+    g->area = cross > 0 ? cross : -cross;
+    return 1;
+}
+
+/* Width + height <= 256 px. */
+static int is_small(const struct zs_geom *g)
+{
+    const int32_t width = zs_max32(zs_max32(g->dx1, g->dx2), 0) - zs_min32(zs_min32(g->dx1, g->dx2), 0);
+    return width + zs_max32(g->dy1, g->dy2) <= SMALL_EXTENT; /* the first vertex is the top one */
+}
+
 void zs_plane_geom(struct zs_job *job)
 {
     struct zs_geom *g = &job->geom;
     const struct zs_vertex *a = job->v[0];
-    g->dx1 = job->v[1]->x - a->x; /* |.| < 2^22, as all four */
-    g->dy1 = job->v[1]->y - a->y;
-    g->dx2 = job->v[2]->x - a->x;
-    g->dy2 = job->v[2]->y - a->y;
+    ZS_ASSERT(g->dx1 == job->v[1]->x - a->x && g->dy1 == job->v[1]->y - a->y);
+    ZS_ASSERT(g->dx2 == job->v[2]->x - a->x && g->dy2 == job->v[2]->y - a->y);
     ZS_ASSERT(g->area == (int64_t)g->dx1 * g->dy2 - (int64_t)g->dx2 * g->dy1 && g->area > 0);
-    const int32_t width = zs_max32(zs_max32(g->dx1, g->dx2), 0) -
-                          zs_min32(zs_min32(g->dx1, g->dx2), 0);
-    const int32_t height = zs_max32(zs_abs32(g->dy1), zs_abs32(g->dy2)); /* a is the top */
     g->ia = a->x >> ZS_SUBPX_BITS;
     g->ja = a->y >> ZS_SUBPX_BITS;
-    g->rcp = 0;
-    if (width + height <= SMALL_EXTENT) {
-        const int lz = zs_clz64((uint64_t)g->area);
-        g->rcp = zs_recip((uint32_t)((uint64_t)g->area << lz >> 32));
-        g->exp = 32 - lz;
+    if (g->tiny || is_small(g)) {
+        const int lz = zs_clz32((uint32_t)g->area); /* area <= width * height <= 2^30 */
+        g->rcp = zs_recip((uint32_t)g->area << lz);
+        g->exp = -lz;
     } else {
+        g->rcp = 0;
         g->ia = zs_min32(zs_max32(g->ia, 0), job->width - 1);
         g->ja = zs_min32(zs_max32(g->ja, 0), job->r->config.height - 1);
     }
@@ -56,21 +83,30 @@ void zs_plane_geom(struct zs_job *job)
     g->ay = g->ja * ZS_SUBPX_ONE + ZS_SUBPX_HALF - a->y;
 }
 
-/* 256 * n / area of a small triangle, nearly nearest; 0 in *ok where it is 2^(32 - least_shift) or more. */
-static int32_t small_gradient(const struct zs_geom *g, int64_t n, int32_t least_shift, int *ok)
+#define TOO_STEEP INT32_MIN
+
+/* 256 * n / area of a small triangle, nearly nearest; TOO_STEEP where it is 2^(32 - least_shift) or more. */
+static int32_t small_gradient(const struct zs_geom *g, int64_t n, int32_t least_shift)
 {
-    if (n == 0)
-        return 0;
     const uint64_t mag = n < 0 ? 0u - (uint64_t)n : (uint64_t)n;
-    const int lz = zs_clz64(mag);
-    const uint32_t m = (uint32_t)(mag << lz >> 32);
-    const uint32_t p = zs_umulh(m, g->rcp); /* [2^30, 2^32): m * 2^63 / area mantissa / 2^32 */
-    /* n = m 2^(32 - lz), area = a 2^exp: 256 n / area = p 2^(32 + 8 + 32 - lz - 63 - exp) */
-    const int32_t shift = lz + g->exp - 9;
-    if (shift < least_shift) {
-        *ok = 0;
-        return 0;
+    const uint32_t hi = (uint32_t)(mag >> 32);
+    uint32_t m = (uint32_t)mag; /* mag = m 2^(32 - lz) ... */
+    int lz = 32;
+    if (hi) {
+        lz = zs_clz32(hi);
+        m = hi << lz | m >> 1 >> (31 - lz);
+    } else if (g->exp < 9 - 32 + 5) { /* else even the largest m is not too steep, and its leading zeros change nothing */
+        if (m == 0)
+            return 0;
+        const int up = zs_clz32(m);
+        m <<= up;
+        lz += up;
     }
+    /* ... and area = a 2^exp: 256 mag / area = p 2^(32 + 8 + 32 - lz - 63 - exp) with p = m 2^63 / a / 2^32 */
+    const int32_t shift = lz + g->exp - 9;
+    if (shift < least_shift)
+        return TOO_STEEP;
+    const uint32_t p = zs_umulh(m, g->rcp);
     const uint32_t q = shift > 32 ? 0u : ((p >> (shift - 1)) + 1u) >> 1;
     return n < 0 ? -(int32_t)q : (int32_t)q; /* q <= 2^30 */
 }
@@ -117,15 +153,24 @@ static int small_plane(const struct zs_geom *g, uint32_t v0, int32_t dv1, int32_
                        enum zs_plane_kind kind, struct zs_plane *out)
 {
     const int32_t least = kind == ZS_PLANE_WIDE ? 2 : 5;
-    int ok = 1;
-    /* |dv| <= 2^31, |d| <= 2^16: |.| <= 2^48 */
-    const int32_t gx = small_gradient(g, (int64_t)dv1 * g->dy2 - (int64_t)dv2 * g->dy1, least, &ok);
-    const int32_t gy = small_gradient(g, (int64_t)dv2 * g->dx1 - (int64_t)dv1 * g->dx2, least, &ok);
-    const int64_t step = (int64_t)gx * g->ax + (int64_t)gy * g->ay; /* |.| <= 2^38 */
+    int64_t nx, ny; /* |dv| <= 2^31, |d| <= 2^16: |.| <= 2^48 */
+    if (g->tiny) {
+        nx = zs_cross_short(dv1, g->dy2, dv2, g->dy1);
+        ny = zs_cross_short(dv2, g->dx1, dv1, g->dx2);
+    } else {
+        nx = zs_mul_ss(dv1, g->dy2) - zs_mul_ss(dv2, g->dy1);
+        ny = zs_mul_ss(dv2, g->dx1) - zs_mul_ss(dv1, g->dx2);
+    }
+    const int32_t gx = small_gradient(g, nx, least), gy = small_gradient(g, ny, least);
+    if (gx == TOO_STEEP || gy == TOO_STEEP)
+        return 0;
+    /* (gx ax + gy ay + 128) / 256, floor: the low 8 bits of the gradients apart. |g| <= 2^30, |a| <= 2^7 */
+    const int32_t low = (gx & 255) * g->ax + (gy & 255) * g->ay + 128;
+    const int32_t step = (gx >> 8) * g->ax + (gy >> 8) * g->ay + (low >> 8); /* |.| < 2^31 */
     out->gx = (uint32_t)gx;
     out->gy = (uint32_t)gy;
-    out->base = v0 + (uint32_t)zs_round_shift(step, 8);
-    return ok;
+    out->base = v0 + (uint32_t)step;
+    return 1;
 }
 
 void zs_plane32(const struct zs_geom *g, uint32_t v0, uint32_t v1, uint32_t v2,

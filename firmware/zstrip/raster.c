@@ -16,55 +16,76 @@
  */
 #include "rows.h"
 
-#define EDGE32_MAX (1 << 15) /* sub-pixels: edges shorter than this each way need 32 bits only */
-
 /* ---- Edges ----------------------------------------------------------------------------------------- */
 
-/* Place edge *e, which runs down from a to b, at a row between them. */
-static void edge_start(struct zs_edge *e, const struct zs_vertex *a, const struct zs_vertex *b,
-                       int32_t row)
+#define EDGE32_MAX (1 << 15) /* sub-pixels: edges shorter than this each way need 32 bits only */
+
+/* (fraction * dy + off * part) / span of an edge that is entered below its first row; apart, because few are.
+ * At most 2^14. */
+static ZS_NOINLINE int32_t rows_down(int32_t fraction, int32_t dy, int32_t off, int32_t part)
 {
-    const int32_t dx = b->x - a->x, dy = b->y - a->y;                 /* |dx|, dy < 2^22 */
-    const int32_t off = row * ZS_SUBPX_ONE + ZS_SUBPX_HALF - a->y;    /* 0 <= off <= dy */
-    const int32_t column = a->x >> ZS_SUBPX_BITS;
-    const int32_t lead = (a->x & (ZS_SUBPX_ONE - 1)) - ZS_SUBPX_HALF; /* -128 .. 127 */
-    const int32_t span = dy * ZS_SUBPX_ONE;                           /* < 2^30 */
-    int32_t q, rest;
-    if (zs_abs32(dx) < EDGE32_MAX && dy < EDGE32_MAX) {
-        const int32_t n = lead * dy + off * dx;                       /* |.| < 2^22 + 2^30 */
-        q = n / span;
-        rest = n - q * span;
-    } else {
-        const int64_t n = (int64_t)lead * dy + (int64_t)off * dx;     /* |.| < 2^29 + 2^44 */
-        const int64_t q64 = n / span;                                 /* |.| <= 2^14 */
-        q = (int32_t)q64;
-        rest = (int32_t)(n - q64 * span);
-    }
-    if (rest > 0) { /* towards zero was down: make it up */
-        q++;
-        rest -= span;
-    }
-    e->i = column + q;
-    e->e = -rest; /* [0, span) */
-    e->span = span;
-    int32_t step = dx / dy, part = dx - step * dy;
-    if (part < 0) {
-        step--;
-        part += dy;
-    }
-    e->q = step;
-    e->s = part * ZS_SUBPX_ONE; /* [0, span) */
+    if (dy < EDGE32_MAX)
+        return (fraction * dy + off * part) / (dy * ZS_SUBPX_ONE);        /* < 2^23 + 2^30 */
+    return (int32_t)((zs_mul_ss(fraction, dy) + zs_mul_ss(off, part)) / (dy * ZS_SUBPX_ONE)); /* < 2^44.1 */
 }
 
-static void job_edges(struct zs_job *job, const struct zs_vertex *top, const struct zs_vertex *mid,
-                      const struct zs_vertex *bottom)
+/* Columns of the edge that runs down from a to b, in n > 0 rows from `row` on, all of them between the two.
+ * out[0], out[2], ...
+ *
+ * With dx = q dy + part the right side above over 256 dy is
+ *   (lead + off q) / 256 + off part / (256 dy),  off part / (256 dy) < 1 in the first row of the edge. */
+static void edge_columns(int16_t *out, int32_t n, const struct zs_vertex *a, const struct zs_vertex *b,
+                         int32_t row)
 {
-    if (job->row < job->row_end)
-        edge_start(&job->edge[0], top, bottom, job->row);
-    if (job->row < job->row_mid)
-        edge_start(&job->edge[1], top, mid, job->row);
-    if (job->row_mid < job->row_end)
-        edge_start(&job->edge[2], mid, bottom, job->row_mid);
+    const int32_t dx = b->x - a->x, dy = b->y - a->y;                 /* |dx|, dy < 2^22 */
+    int32_t q = dx < 0 ? -1 : 0;
+    if ((uint32_t)(dx + dy) > (uint32_t)dy * 2u) { /* not steep: |dx| > dy */
+        q = dx / dy;
+        q -= dx < q * dy;
+    }
+    int32_t part = dx - q * dy;                                       /* [0, dy] */
+    const int32_t off = row * ZS_SUBPX_ONE + ZS_SUBPX_HALF - a->y;    /* 0 <= off <= dy */
+    const int32_t at = a->x - ZS_SUBPX_HALF + off * q;                /* < 2^24 */
+    int32_t i = at >> ZS_SUBPX_BITS, fraction = at & (ZS_SUBPX_ONE - 1);
+    uint32_t rest = zs_wrap_mul((uint32_t)fraction, dy) + zs_wrap_mul((uint32_t)off, part); /* modulo 2^32 */
+    const int32_t span = dy * ZS_SUBPX_ONE;                           /* < 2^30 */
+    if (off >= ZS_SUBPX_ONE) {
+        const int32_t k = rows_down(fraction, dy, off, part);
+        rest -= zs_wrap_mul((uint32_t)k, span);
+        i += k;
+    }
+    int32_t e = -(int32_t)rest;                                       /* (-2 span, 0]; becomes [0, span) */
+    for (; e < 0; e += span)
+        i++;
+    *out = (int16_t)i; /* |.| <= 2^14 + 1 in rows of the triangle; e = i * span - exact */
+    part *= ZS_SUBPX_ONE;
+    for (int16_t *const end = out + 2 * n; (out += 2) != end; *out = (int16_t)i) {
+        i += q;
+        e -= part;
+        if (e < 0) {
+            e += span;
+            i++;
+        }
+    }
+}
+
+void zs_raster_cuts(struct zs_job *job, int32_t row)
+{
+    const struct zs_vertex *top = job->v[0], *mid = job->v[job->mid_right ? 1 : 2],
+                           *bottom = job->v[job->mid_right ? 2 : 1];
+    const int32_t end = zs_min32(job->row_end, row + ZS_CUT_ROWS);
+    const int32_t upper = zs_min32(job->row_mid, end) - row; /* rows above the middle vertex */
+    int16_t *left = &job->cut[0].x0, *right = &job->cut[0].x1, *piece = job->mid_right ? right : left;
+    job->row = row;
+    job->cut_end = end;
+    edge_columns(job->mid_right ? left : right, end - row, top, bottom, row);
+    if (upper > 0) {
+        edge_columns(piece, upper, top, mid, row);
+        piece += 2 * upper;
+        row += upper;
+    }
+    if (row < end)
+        edge_columns(piece, end - row, mid, bottom, row);
 }
 
 /* ---- Set-up ------------------------------------------------------------------------------------------ */
@@ -74,43 +95,53 @@ static int before(const struct zs_vertex *a, const struct zs_vertex *b)
     return a->y != b->y ? a->y < b->y : a->x < b->x;
 }
 
-static void swap(const struct zs_vertex **a, const struct zs_vertex **b)
+/* The vertices from top to bottom, by (y, x), so that the order in which a triangle names them does not matter. */
+static void sort(const struct zs_vertex *v[3])
 {
-    const struct zs_vertex *t = *a;
-    *a = *b;
-    *b = t;
+    const struct zs_vertex *t;
+    if (before(v[1], v[0])) {
+        t = v[0];
+        v[0] = v[1];
+        v[1] = t;
+    }
+    if (before(v[2], v[1])) {
+        t = v[2];
+        v[2] = v[1];
+        v[1] = t;
+        if (before(t, v[0])) {
+            v[1] = v[0];
+            v[0] = t;
+        }
+    }
+}
+
+/* 1: no row has a pixel, and there are no more rows than have been cut. */
+static int covers_nothing(const struct zs_job *job)
+{
+    if (job->cut_end < job->row_end)
+        return 0;
+    for (int32_t k = 0; k < job->cut_end - job->row; k++)
+        if (job->cut[k].x0 < job->cut[k].x1)
+            return 0;
+    return 1;
 }
 
 /* Fill job for a triangle in rows [y0, y1). Return 0 where none of them is its own. */
 static int job_setup(struct zs_job *job, int32_t y0, int32_t y1)
 {
     const struct zs_vertex *pool = job->r->vert;
-    const struct zs_vertex *top = &pool[job->tri->v[0]], *mid = &pool[job->tri->v[1]],
-                           *bottom = &pool[job->tri->v[2]];
-    /* by (y, x), so that the order in which a triangle names its vertices does not matter */
-    if (before(mid, top))
-        swap(&mid, &top);
-    if (before(bottom, mid)) {
-        swap(&bottom, &mid);
-        if (before(mid, top))
-            swap(&mid, &top);
-    }
-    job->row = zs_max32(zs_first_sample(top->y), y0);
-    job->row_last = zs_first_sample(bottom->y);
+    const struct zs_vertex *v[3] = { &pool[job->tri->v[0]], &pool[job->tri->v[1]], &pool[job->tri->v[2]] };
+    sort(v);
+    const int32_t row = zs_max32(zs_first_sample(v[0]->y), y0);
+    job->row_last = zs_first_sample(v[2]->y);
     job->row_end = zs_min32(job->row_last, y1);
-    job->row_mid = zs_min32(zs_max32(zs_first_sample(mid->y), job->row), job->row_end);
-    if (job->row >= job->row_end)
+    job->row_mid = zs_first_sample(v[1]->y);
+    if (row >= job->row_end || !zs_plane_sides(job, v))
         return 0;
-    const int64_t cross = (int64_t)(mid->x - top->x) * (bottom->y - top->y) -
-                          (int64_t)(bottom->x - top->x) * (mid->y - top->y); /* |.| < 2^45 */
-    if (cross == 0)
+    job->r->stats.tris_setup++;
+    zs_raster_cuts(job, row);
+    if (covers_nothing(job))
         return 0;
-    job->mid_right = cross > 0;
-    job_edges(job, top, mid, bottom);
-    job->v[0] = top; /* planes want a positive area */
-    job->v[1] = cross > 0 ? mid : bottom;
-    job->v[2] = cross > 0 ? bottom : mid;
-    job->geom.area = cross > 0 ? cross : -cross;
     zs_plane_geom(job);
     return 1;
 }
@@ -121,7 +152,6 @@ static void draw(struct zs_job *job, const struct zs_tri *tri, int32_t y0, int32
     job->tri = tri;
     if (!job_setup(job, y0, y1))
         return;
-    r->stats.tris_setup++;
     const struct zs_instance *instance = &r->scene->instance[tri->instance];
     const struct zs_depth *depth = r->config.depth;
     job->shader = instance->material->shader;

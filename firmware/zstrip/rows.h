@@ -1,4 +1,4 @@
-/* The row loop that every kernel shares: edges walked by quotient and remainder, a span a row.
+/* The row loop that every kernel shares: a span a row, from columns that raster.c has found.
  *
  * Each kernel passes its span function as a constant, so that the compiler builds one loop a kernel.
  *
@@ -20,25 +20,10 @@ struct zs_row {
 
 typedef void zs_span_fn(struct zs_job *job, const struct zs_row *row);
 
-ZS_ALWAYS_INLINE void zs_edge_step(struct zs_edge *e)
-{
-    e->i += e->q;     /* |.| <= 2^14 + 1 in rows of the triangle */
-    e->e -= e->s;     /* (-span, span) */
-    if (e->e < 0) {
-        e->e += e->span;
-        e->i++;
-    }
-}
-
-/* The rows of a job: down to the middle vertex, then on with the lower short edge. */
+/* The rows of a job: those that are cut, then cut more. */
 ZS_ALWAYS_INLINE void zs_rows_walk(struct zs_job *job, zs_span_fn *span)
 {
-    const int upper = job->row < job->row_mid;
-    const struct zs_edge *piece = &job->edge[upper ? 1 : 2];
-    struct zs_edge l = *(job->mid_right ? &job->edge[0] : piece);
-    struct zs_edge r = *(job->mid_right ? piece : &job->edge[0]);
     const int32_t width = job->width;
-    int32_t end = upper ? job->row_mid : job->row_end;
     uint32_t tested = 0;
     struct zs_row row;
     row.y = job->row;
@@ -46,27 +31,21 @@ ZS_ALWAYS_INLINE void zs_rows_walk(struct zs_job *job, zs_span_fn *span)
     row.key = job->key.base - zs_wrap_mul(job->key.gx, job->geom.ia) +
               zs_wrap_mul(job->key.gy, row.y - job->geom.ja);
     for (;;) {
-        for (; row.y < end; row.y++) {
-            row.x0 = l.i;
-            row.x1 = r.i;
-            row.i0 = zs_max32(l.i, 0);
-            row.i1 = zs_min32(r.i, width);
+        for (const struct zs_cut *cut = job->cut; row.y < job->cut_end; row.y++, cut++) {
+            row.x0 = cut->x0;
+            row.x1 = cut->x1;
+            row.i0 = zs_max32(row.x0, 0);
+            row.i1 = zs_min32(row.x1, width);
             if (row.i0 < row.i1) {
                 tested += (uint32_t)(row.i1 - row.i0);
                 span(job, &row);
             }
             row.key += job->key.gy;
             row.at += width;
-            zs_edge_step(&l);
-            zs_edge_step(&r);
         }
         if (row.y >= job->row_end)
             break;
-        if (job->mid_right)
-            r = job->edge[2];
-        else
-            l = job->edge[2];
-        end = job->row_end;
+        zs_raster_cuts(job, row.y);
     }
     job->r->stats.pixels_tested += tested;
 }

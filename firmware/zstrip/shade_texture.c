@@ -212,14 +212,14 @@ static void blocks(struct zs_job *job, const uint16_t *const a[3], const struct 
 {
     const int n = job->shader->n_attrs;
     int32_t need = -128;
-    zs_plane32(&job->geom, w[0], w[1], w[2], ZS_PLANE_WIDE, &job->w);
+    zs_persp_plane(&job->geom, w, ZS_PLANE_WIDE, &job->w);
     for (int i = 0; i < n; i++) {
         uint32_t un[3], v[3];
         for (int k = 0; k < 3; k++) {
             un[k] = i < 2 ? c[i].above[k] << c[i].up : a[k][2]; /* < 2^16 */
             v[k] = zs_umulh(un[k] << 16, w[k]);
         }
-        zs_plane32(&job->geom, v[0], v[1], v[2], ZS_PLANE_WIDE, &job->c[i]);
+        zs_persp_plane(&job->geom, v, ZS_PLANE_WIDE, &job->c[i]);
         need = zs_max32(need, block_log2(&job->c[i], &job->w, un, w, i < 2 ? c[i].texels : LIGHT_LOG2));
     }
     for (int32_t k = 0; k <= (int32_t)ZS_SUB_LOG2_MAX; k++)
@@ -234,7 +234,7 @@ static void texture_start(struct zs_job *job)
     const uint32_t uv_bits = in->mesh->uv_bits;
     const int lit = job->shader->n_attrs == 3;
     const uint16_t *a[3];
-    uint32_t w[3], light_range = 0;
+    uint32_t w[3], least, light_range = 0;
     struct coordinate c[2];
     zs_persp_attrs(job, a);
     zs_persp_w(job, w);
@@ -243,16 +243,11 @@ static void texture_start(struct zs_job *job)
     job->sampler.wide = t->clamp || !t->log2_w || !t->log2_h;
     coordinate(job, a, 0, uv_bits, &c[0]);
     coordinate(job, a, 1, uv_bits, &c[1]);
-    uint32_t most = w[0], least = w[0];
-    for (int k = 1; k < 3; k++) {
-        most = w[k] > most ? w[k] : most;
-        least = w[k] < least ? w[k] : least;
-    }
+    const uint32_t change = zs_persp_change(w, &least);
     if (lit) {
         const int32_t lo = zs_min32(zs_min32(a[0][2], a[1][2]), a[2][2]);
         light_range = (uint32_t)(zs_max32(zs_max32(a[0][2], a[1][2]), a[2][2]) - lo);
     }
-    const uint32_t change = most - least;
     if (!affine_enough(c[0].texels, change, least) || !affine_enough(c[1].texels, change, least) ||
         (lit && !light_enough(light_range, change, least))) {
         blocks(job, a, c, w);
@@ -268,9 +263,13 @@ static void texture_start(struct zs_job *job)
         affine_plane(job, &c[0], uv_bits, job->sampler.base[0], &job->c[0]);
         affine_plane(job, &c[1], uv_bits, job->sampler.base[1], &job->c[1]);
     }
-    if (lit)
-        zs_plane32(&job->geom, (uint32_t)a[0][2] << 15, (uint32_t)a[1][2] << 15, (uint32_t)a[2][2] << 15,
-                   ZS_PLANE_WIDE, &job->c[2]);
+    for (int i = 0; i < 2; i++)
+        zs_plane_origin(&job->geom, &job->c[i]);
+    if (!lit)
+        return;
+    zs_plane32(&job->geom, (uint32_t)a[0][2] << 15, (uint32_t)a[1][2] << 15, (uint32_t)a[2][2] << 15,
+               ZS_PLANE_WIDE, &job->c[2]);
+    zs_plane_origin(&job->geom, &job->c[2]);
 }
 
 /* ---- Runs ------------------------------------------------------------------------------------------- */
@@ -354,10 +353,10 @@ static uint32_t divide_at(const struct zs_job *job, int32_t i, int32_t row, int 
     uint32_t w;
     int32_t lz;
     const uint32_t rcp = zs_persp_rcp(job, i, row, &w, &lz);
-    out[0] = zs_persp_over(zs_plane_at(job, &job->c[0], i, row), w, rcp, lz);
-    out[1] = zs_persp_over(zs_plane_at(job, &job->c[1], i, row), w, rcp, lz);
+    out[0] = zs_persp_over(zs_plane_at(&job->c[0], i, row), w, rcp, lz);
+    out[1] = zs_persp_over(zs_plane_at(&job->c[1], i, row), w, rcp, lz);
     if (n == 3)
-        out[2] = zs_persp_over(zs_plane_at(job, &job->c[2], i, row), w, rcp, lz);
+        out[2] = zs_persp_over(zs_plane_at(&job->c[2], i, row), w, rcp, lz);
     return w;
 }
 
@@ -375,7 +374,7 @@ static void run_affine(struct zs_job *job, const struct zs_row *row, int32_t r0,
     const struct zs_texture *t = job->sampler.texture;
     const struct zs_texel *texel = t->format;
     uint16_t *out = job->color + row->at + r0;
-    const uint32_t u = zs_plane_at(job, &job->c[0], r0, row->y), v = zs_plane_at(job, &job->c[1], r0, row->y);
+    const uint32_t u = zs_plane_at(&job->c[0], r0, row->y), v = zs_plane_at(&job->c[1], r0, row->y);
     const uint32_t du = job->c[0].gx, dv = job->c[1].gx; /* beyond 31 bits only where a run is one pixel */
     if (!job->sampler.direct) {
         const uint32_t c[2] = { u, v };
@@ -386,7 +385,7 @@ static void run_affine(struct zs_job *job, const struct zs_row *row, int32_t r0,
         texel->fetch(t, out, n, &walk);
     }
     if (job->shader->n_attrs == 3)
-        lighten(job, out, n, zs_plane_at(job, &job->c[2], r0, row->y), (int32_t)job->c[2].gx);
+        lighten(job, out, n, zs_plane_at(&job->c[2], r0, row->y), (int32_t)job->c[2].gx);
     else if (job->shader->light)
         lighten(job, out, n, 0, 0);
 }

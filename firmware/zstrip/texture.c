@@ -55,8 +55,8 @@ ZS_ALWAYS_INLINE void span(struct zs_job *job, const struct zs_row *row, read_fn
     const uint32_t gx = job->key.gx, du = job->c[0].gx, dv = job->c[1].gx;
     const uint32_t top = (job->r->view.key_top >> 16) - 1u;
     uint32_t sum = row->key + zs_wrap_mul(gx, row->i0);
-    uint32_t u = zs_plane_at(job, &job->c[0], row->i0, row->y);
-    uint32_t v = zs_plane_at(job, &job->c[1], row->i0, row->y);
+    uint32_t u = zs_plane_at(&job->c[0], row->i0, row->y);
+    uint32_t v = zs_plane_at(&job->c[1], row->i0, row->y);
     uint16_t *depth = job->depth + row->at + row->i0, *color = job->color + row->at + row->i0;
     const uint16_t *const end = depth + (row->i1 - row->i0);
     int32_t written = 0;

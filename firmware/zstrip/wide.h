@@ -71,6 +71,18 @@ static inline int64_t zs_mul_su(int32_t a, uint32_t b)
 
 #endif
 
+/* a b - c d, |b| and |d| <= 2^14: four products of 32 bits on Armv6-M. */
+static inline int64_t zs_cross_short(int32_t a, int32_t b, int32_t c, int32_t d)
+{
+#if defined(__ARM_ARCH_6M__)
+    const int32_t hi = (a >> 16) * b - (c >> 16) * d;         /* |.| <= 2^30 */
+    const int32_t lo = (a & 0xffff) * b - (c & 0xffff) * d;   /* |.| < 2^31 */
+    return (int64_t)hi * 65536 + lo;
+#else
+    return zs_mul_ss(a, b) - zs_mul_ss(c, d);
+#endif
+}
+
 /* High half of a 32 x 32 product, floor. */
 static inline uint32_t zs_umulh(uint32_t a, uint32_t b)
 {
