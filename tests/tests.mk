@@ -15,7 +15,7 @@ $(B)/test/%.o: %.c $(HEADERS) $(B)/gen/meshes.h
 $(B)/test/libtest.a: $(call t,$(CORE) $(SCENES) $(TEST_HELP))
 	@rm -f $@ && ar rcs $@ $^
 $(B)/test/test_%: $(B)/test/tests/test_%.o $(B)/test/libtest.a $(B)/libmeshes.a
-	@$(CC) $(SAN) $^ -lcmocka -lm -o $@
+	@$(CC) $(SAN) -Wl,--start-group $^ -Wl,--end-group -lcmocka -lm -o $@
 $(B)/test/zsim: $(call t,$(SIM)) $(B)/test/libtest.a $(B)/libmeshes.a
 	@$(CC) $(SAN) $^ $(LIBS) -o $@
 
