@@ -4,12 +4,13 @@ B = build
 CFLAGS = -O2 -g
 WARN = -Wall -Wextra -Werror -Wconversion -Wshadow -Wvla -Wstrict-prototypes \
        -Wmissing-prototypes -Wdouble-promotion -Wno-missing-field-initializers
-INC = -Ifirmware/zstrip -Ifirmware/scenes -Ihal -I$(B)/gen -Isim -Isim/reference
+INC = -Ifirmware/zstrip -Ifirmware/scenes -Ihal -Ihal/panel -I$(B)/gen -Isim -Isim/reference
 CORE = $(wildcard firmware/zstrip/*.c)
 SCENES = $(wildcard firmware/scenes/*.c)
+PANELS = $(wildcard hal/panel/*.c)
 SIM = $(wildcard sim/*.c sim/reference/*.c)
 GEN = $(wildcard firmware/scenes/gen/*.c)
-HEADERS = $(wildcard firmware/*/*.h firmware/scenes/gen/*.h hal/*.h sim/*.h sim/*/*.h tests/*.h tests/*/*.h)
+HEADERS = $(wildcard firmware/*/*.h firmware/scenes/gen/*.h hal/*.h hal/*/*.h sim/*.h sim/*/*.h tests/*.h tests/*/*.h)
 LIBS = -lassimp -lmeshoptimizer -lpng -lturbojpeg -lm
 
 # Debian packages: what the simulator is built from, and what tests and fuzzers need besides

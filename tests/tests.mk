@@ -1,4 +1,4 @@
-# The test programs: every tests/test_*.c, with the helpers beside it, the core and the scenes, under
+# The test programs: every tests/test_*.c, with the helpers beside it, the core, the scenes and the panels, under
 # ASan and UBSan and with the kernels' preconditions checked. zsim is built like that too.
 SAN = -fsanitize=address,undefined -fno-sanitize-recover=all
 TEST_CC = $(CC) -std=gnu11 -O1 -g $(SAN) -Wall -Wextra -Werror -Wshadow -Wno-missing-field-initializers $(INC) -Itests \
@@ -12,7 +12,7 @@ test-programs: $(patsubst tests/%.c,$(B)/test/%,$(TESTS)) $(B)/test/zsim checksu
 $(B)/test/%.o: %.c $(HEADERS) $(B)/gen/meshes.h
 	@mkdir -p $(@D)
 	@$(TEST_CC) -c $< -o $@
-$(B)/test/libtest.a: $(call t,$(CORE) $(SCENES) $(TEST_HELP))
+$(B)/test/libtest.a: $(call t,$(CORE) $(SCENES) $(PANELS) $(TEST_HELP))
 	@rm -f $@ && ar rcs $@ $^
 $(B)/test/test_%: $(B)/test/tests/test_%.o $(B)/test/libtest.a $(B)/libmeshes.a
 	@$(CC) $(SAN) -Wl,--start-group $^ -Wl,--end-group -lcmocka -lm -o $@

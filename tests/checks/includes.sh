@@ -35,7 +35,7 @@ reach() {
     shift 2
     found= broken=
     for f in "$@"; do
-        deps=$(gcc -MM -Ifirmware/zstrip -Ifirmware/scenes -Ihal -Isim -Isim/reference "$f" 2>"$B/reach.txt") ||
+        deps=$(gcc -MM -Ifirmware/zstrip -Ifirmware/scenes -Ihal -Ihal/panel -Isim -Isim/reference "$f" 2>"$B/reach.txt") ||
             broken="$broken $f"
         found="$found
 $(echo "$deps" | tr ' \\' '\n\n' | grep -E "$forbidden" | sed "s|^|$f->|")"
@@ -45,7 +45,8 @@ $(echo "$deps" | tr ' \\' '\n\n' | grep -E "$forbidden" | sed "s|^|$f->|")"
 
 only "zstrip includes its own headers, stdint and stddef" "$(headers firmware/zstrip)|$STD" firmware/zstrip/*.[ch]
 reach "zstrip reaches nothing else" '^(hal|sim|tests|firmware/[^z])' firmware/zstrip/*.c
-only "hal includes hal.h and standard headers" "\"hal\\.h\"|$(headers hal/fault)|$HOSTED" hal/*.h hal/*/*.[ch]
+only "hal includes hal.h and standard headers" "\"hal\\.h\"|$(headers hal/fault)|$HOSTED" hal/*.h $(ls hal/*/*.[ch] | grep -v '^hal/panel/')
+only "panels include hal.h and their own headers" "\"hal\\.h\"|$(headers hal/panel)|$STD" hal/panel/*.[ch]
 reach "hal reaches nothing of firmware" '^(firmware|sim|tests)' hal/*.h hal/*/*.c
 only "app sees zstrip.h, scenes.h and hal.h" "\"(zstrip|scenes|hal)\\.h\"|$STD" firmware/app/*.[ch]
 only "scenes see zstrip.h and their own" "\"(zstrip|meshes)\\.h\"|$(headers firmware/scenes)|$STD" firmware/scenes/*.[ch]

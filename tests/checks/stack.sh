@@ -17,6 +17,7 @@
 . "$(dirname "$0")/common.sh"
 
 LIMIT=${STACK_LIMIT:-2048} # bytes, any public function
+PANEL_LIMIT=${PANEL_STACK_LIMIT:-288} # bytes, any function of panel.h
 
 # Fields of a struct of function pointers in pipeline.h, in order: STRUCT
 fields() {
@@ -147,5 +148,43 @@ for c in $CPUS; do
     link "$c" "$dir" "$dir/main.c" "$dir/all.elf" || { bad "$c links" "see above"; continue; }
     { helpers "$dir/all.elf"; facts "$c" "$dir"; } >"$dir/facts.txt"
     bound "$c" "$dir/facts.txt" || failed=1
+done
+
+# Panels: frames and calls as the compiler has them. bus->F( and hooks->F( are the caller's, type->convert( is the
+# deepest conversion; division and block moves come on top.
+panel_bound() { # CPU DIR
+    cat "$2"/*.ci | awk -v cpu="$1" -v limit="$PANEL_LIMIT" '
+        function fail(name, why) { print "FAILED panels, " cpu " " name ": " why; failed = 1 }
+        /^node:/ && / bytes \(/ {
+            split($0, q, "\""); f = q[2]
+            match($0, /[0-9]+ bytes \([a-z,]*\)/); split(substr($0, RSTART, RLENGTH), b, " ")
+            own[f] = b[1]; if (b[3] != "(static)") fail("fixed frames", f " " b[3]) }
+        /^edge:/ {
+            split($0, q, "\"")
+            if (q[4] != "__indirect_call") { out[q[2]] = out[q[2]] " " q[4]; next }
+            split(q[6], w, ":"); i = 0; line = ""
+            while ((getline text < w[1]) > 0) if (++i == w[2]) line = text
+            close(w[1]); pointers++
+            if (line ~ /type->convert\(/) out[q[2]] = out[q[2]] " panel_convert_swap panel_convert_grey4 panel_convert_mono"
+            else if (line !~ /(bus|hooks)->[a-z]+\(/) fail("pointer calls", q[6] ": not bus->, hooks-> or type->convert(") }
+        function deep(f, i, n, c, m, d) {
+            if (f in bound) return bound[f]
+            if (f in open) { fail("no recursion", f " calls itself, perhaps through others"); return 0 }
+            if (!(f in own)) { if (f !~ /^(mem(set|cpy)|__aeabi_)/) fail("known calls", f); return 0 }
+            open[f] = 1; m = 0; n = split(out[f], c, " ")
+            for (i = 1; i <= n; i++) { d = deep(c[i]); if (d > m) m = d }
+            delete open[f]
+            return bound[f] = own[f] + m }
+        END {
+            for (f in own) { d = deep(f); if (d > most) { most = d; worst = f } }
+            if (!("panel_send" in own) || !pointers) fail("bound", "panel_send or its calls not found")
+            else if (most > limit) fail("stack within " limit " bytes", worst " takes " most)
+            else print "ok panels, " cpu " stack within " limit " bytes: " worst " " most ", panel_send " bound["panel_send"]
+            exit failed }'
+}
+for c in $CPUS; do
+    dir=$B/stack-panels-$c
+    panels "$c" "$dir" -fstack-usage -fcallgraph-info=su || { bad "panels, $c compile" "see above"; continue; }
+    panel_bound "$c" "$dir" || failed=1
 done
 exit $failed
