@@ -60,18 +60,15 @@ static int32_t strip_of(const struct zs_renderer *r, int32_t row)
     return (int32_t)((uint32_t)row * r->strip_mul >> r->strip_shift);
 }
 
-/* Rows [*y0, *y1) of the frame that hold samples of the triangle's box; empty: *y0 >= *y1. */
-static void frame_rows(const struct zs_renderer *r, const struct zs_vertex *a,
-                       const struct zs_vertex *b, const struct zs_vertex *c, int32_t *y0,
-                       int32_t *y1)
+/* The first row that a triangle has samples in. */
+static int32_t first_row(const struct zs_vertex *a, const struct zs_vertex *b, const struct zs_vertex *c)
 {
-    *y0 = zs_max32(zs_first_sample(zs_min32(zs_min32(a->y, b->y), c->y)), 0);
-    *y1 = zs_min32(zs_first_sample(zs_max32(zs_max32(a->y, b->y), c->y)), r->config.height);
+    return zs_max32(zs_first_sample(zs_min32(zs_min32(a->y, b->y), c->y)), 0);
 }
 
-static void bin_insert(struct zs_renderer *r, uint32_t t, int32_t first_row)
+static inline void bin_insert(struct zs_renderer *r, uint32_t t, int32_t row)
 {
-    const int32_t s = zs_max32(strip_of(r, first_row), r->strip);
+    const int32_t s = zs_max32(strip_of(r, row), r->strip);
     r->tri[t].next = r->bin[s];
     r->bin[s] = (uint16_t)t;
 }
@@ -83,8 +80,7 @@ static void tris_compact(struct zs_renderer *r)
     bins_clear(r);
     for (uint32_t t = 0; t < r->n_tris; t++) {
         const struct zs_tri tri = r->tri[t];
-        int32_t y0, y1;
-        frame_rows(r, &r->vert[tri.v[0]], &r->vert[tri.v[1]], &r->vert[tri.v[2]], &y0, &y1);
+        const int32_t y0 = first_row(&r->vert[tri.v[0]], &r->vert[tri.v[1]], &r->vert[tri.v[2]]);
         if (strip_of(r, y0) >= r->band_end)
             continue;
         r->tri[kept] = tri;
@@ -178,17 +174,26 @@ static void verts_mark(struct zs_renderer *r, uint32_t slot, uint32_t from, uint
             *at = ATTR_UNLIT;
 }
 
-/* Attributes of a binned triangle's corners that no triangle before it needed. */
-static void corners_light(struct zs_renderer *r, const uint32_t slot[3])
+static ZS_NOINLINE void vertex_light(struct zs_renderer *r, uint32_t slot, uint16_t *attr)
 {
     const struct zs_shader *shader = r->xform.instance->material->shader;
-    if (!shader->vertex)
-        return;
-    for (int k = 0; k < 3; k++) {
-        uint16_t *attr = &r->attr[slot[k] * r->config.attrs];
-        if (*attr == ATTR_UNLIT)
-            shader->vertex(r, r->vert_src[slot[k]], attr);
-    }
+    shader->vertex(r, r->vert_src[slot], attr);
+}
+
+static inline void corner_light(struct zs_renderer *r, uint32_t slot, uint32_t attrs)
+{
+    uint16_t *attr = &r->attr[slot * attrs];
+    if (*attr == ATTR_UNLIT)
+        vertex_light(r, slot, attr);
+}
+
+/* Attributes of a binned triangle's corners that no triangle before it needed. */
+static inline void corners_light(struct zs_renderer *r, const uint32_t slot[3])
+{
+    const uint32_t attrs = r->config.attrs;
+    corner_light(r, slot[0], attrs);
+    corner_light(r, slot[1], attrs);
+    corner_light(r, slot[2], attrs);
 }
 
 /* Transform all of a mesh, where there is room. Return 1: all vertices are inside near, far and guard. */
@@ -201,7 +206,7 @@ static int verts_direct(struct zs_renderer *r, const struct zs_mesh *mesh)
         return 0;
     r->n_verts += n;
     verts_mark(r, base, 0, n);
-    return zs_xform_mesh(r, &r->vert[base]);
+    return zs_xform_screen(r, 0, n, &r->vert[base]);
 }
 
 /* Transform vertex v into the next place of the pool; ZS_NIL: the pool is full. */
@@ -212,7 +217,7 @@ static ZS_NOINLINE uint32_t vertex_add(struct zs_renderer *r, uint32_t v)
     const uint32_t slot = r->n_verts++;
     r->vert_map[map_index(v, r->config.max_verts)] = (uint16_t)slot;
     verts_mark(r, slot, v, 1);
-    (void)zs_xform_screen(r, v, &r->vert[slot]);
+    (void)zs_xform_screen(r, v, 1, &r->vert[slot]);
     return slot;
 }
 
@@ -265,20 +270,27 @@ static int64_t signed_area(const struct zs_vertex *a, const struct zs_vertex *b,
     return (int64_t)(b->x - a->x) * (c->y - a->y) - (int64_t)(c->x - a->x) * (b->y - a->y);
 }
 
-static ZS_NOINLINE int32_t wide_sense(const struct zs_vertex *a, const struct zs_vertex *b, const struct zs_vertex *c)
+/* Twice the area, where 32 bits hold it. Return 0: they may not. */
+static inline int small_area(const struct zs_vertex *a, const struct zs_vertex *b, const struct zs_vertex *c, int32_t *area)
 {
-    const int64_t left = zs_mul_ss(b->x - a->x, c->y - a->y), right = zs_mul_ss(c->x - a->x, b->y - a->y);
-    return (left > right) - (left < right);
+    const int32_t bx = b->x - a->x, cx = c->x - a->x;
+    if ((int16_t)bx != bx || (int16_t)cx != cx)
+        return 0;
+    const int32_t by = b->y - a->y, cy = c->y - a->y;
+    if ((int16_t)by != by || (int16_t)cy != cy)
+        return 0;
+    *area = bx * cy - cx * by; /* both products are at most 2^30, and not of opposite signs there: |.| < 2^31 */
+    return 1;
 }
 
 /* The sign of signed_area. */
-static inline int32_t sense(const struct zs_vertex *a, const struct zs_vertex *b, const struct zs_vertex *c)
+static int32_t sense(const struct zs_vertex *a, const struct zs_vertex *b, const struct zs_vertex *c)
 {
-    const int32_t bx = b->x - a->x, by = b->y - a->y, cx = c->x - a->x, cy = c->y - a->y;
-    const uint32_t half = 1u << 15;
-    if ((((uint32_t)bx + half) | ((uint32_t)by + half) | ((uint32_t)cx + half) | ((uint32_t)cy + half)) >> 16)
-        return wide_sense(a, b, c);
-    return bx * cy - cx * by; /* all in [-2^15, 2^15): |.| < 2^31 */
+    int32_t area;
+    if (small_area(a, b, c, &area))
+        return area;
+    const int64_t left = zs_mul_ss(b->x - a->x, c->y - a->y), right = zs_mul_ss(c->x - a->x, b->y - a->y);
+    return (left > right) - (left < right);
 }
 
 static inline int faces_away(int64_t area, uint32_t cull)
@@ -286,34 +298,52 @@ static inline int faces_away(int64_t area, uint32_t cull)
     return (cull == ZS_CULL_BACK && area > 0) || (cull == ZS_CULL_FRONT && area < 0);
 }
 
-/* Whether the box of a projected triangle holds a sample of the frame, and its rows. */
-static enum fate box_fate(const struct zs_renderer *r, const struct zs_vertex *a,
-                          const struct zs_vertex *b, const struct zs_vertex *c, int32_t *y0,
-                          int32_t *y1)
+/* The samples between the least and the most of three coordinates: [*from, *to). */
+static inline void samples(int32_t a, int32_t b, int32_t c, int32_t *from, int32_t *to)
 {
-    const int32_t x0 = zs_first_sample(zs_min32(zs_min32(a->x, b->x), c->x));
-    const int32_t x1 = zs_first_sample(zs_max32(zs_max32(a->x, b->x), c->x));
-    frame_rows(r, a, b, c, y0, y1);
-    if (x1 <= 0 || x0 >= r->config.width || *y1 <= 0 || *y0 >= r->config.height)
+    int32_t least = a, most = b;
+    if (a > b) {
+        least = b;
+        most = a;
+    }
+    if (c < least)
+        least = c;
+    else if (c > most)
+        most = c;
+    *from = zs_first_sample(least);
+    *to = zs_first_sample(most);
+}
+
+/* Whether the box of a projected triangle holds a sample of the frame, and its rows. */
+static inline enum fate box_fate(const struct zs_renderer *r, const struct zs_vertex *a, const struct zs_vertex *b,
+                                 const struct zs_vertex *c, int32_t *y0, int32_t *y1)
+{
+    int32_t x0, x1;
+    samples(a->x, b->x, c->x, &x0, &x1);
+    if (x1 <= 0 || x0 >= r->config.width)
+        return FATE_OFFSCREEN;
+    samples(a->y, b->y, c->y, y0, y1);
+    if (*y1 <= 0 || *y0 >= r->config.height)
         return FATE_OFFSCREEN;
     if ((x0 >= x1 || *y0 >= *y1) && !(r->config.skip_off & ZS_SKIP_EMPTY))
         return FATE_EMPTY;
     return FATE_DRAWN;
 }
 
-static int in_band(const struct zs_renderer *r, int32_t y0, int32_t y1)
+/* Rows [y0, y1), not all outside the frame. */
+static inline int in_band(const struct zs_renderer *r, int32_t y0, int32_t y1)
 {
     return y0 < r->band_end * r->config.strip_h && y1 > r->strip * r->config.strip_h;
 }
 
-static void bin_push(struct zs_renderer *r, const uint32_t slot[3], uint16_t paint, int32_t y0)
+static inline void bin_push(struct zs_renderer *r, const uint32_t slot[3], uint16_t paint, int32_t y0)
 {
     struct zs_tri *t = &r->tri[r->n_tris];
     for (int k = 0; k < 3; k++)
         t->v[k] = (uint16_t)slot[k];
     t->paint = paint;
-    t->instance = r->xform.number;
-    bin_insert(r, r->n_tris, y0);
+    t->instance = (uint16_t)r->xform.number;
+    bin_insert(r, r->n_tris, zs_max32(y0, 0));
     r->n_tris++;
 }
 
@@ -423,7 +453,8 @@ static enum fate polygon_bin(struct zs_renderer *r, const struct polygon *p, uin
     if (faces_away(area, material->cull))
         return FATE_FACING;
     enum fate all = FATE_EMPTY;
-    const uint16_t paint = material->shader->face(r, t);
+    const struct zs_shader *shader = material->shader;
+    const uint16_t paint = shader->face ? shader->face(r, t) : 0u;
     for (int k = 1; k + 1 < p->n; k++) {
         const int at[3] = { corner, (corner + k) % p->n, (corner + k + 1) % p->n };
         const struct zs_vertex *v[3] = { &p->v[at[0]], &p->v[at[1]], &p->v[at[2]] };
@@ -490,20 +521,60 @@ static enum fate triangle_clip(struct zs_renderer *r, uint32_t t)
 
 /* ---- The walk -------------------------------------------------------------------------------------- */
 
-/* Bin a projected triangle that is not culled by its facing, unless it lies outside the frame or the band. FATE_OPEN: the
- * pool of triangles is full. */
-static ZS_NOINLINE enum fate place(struct zs_renderer *r, uint32_t t, const uint32_t slot[3])
+/* Triangles go through in batches: those that are turned away leave first. */
+#define BATCH 64
+struct batch {
+    const uint16_t (*tri)[3];     /* the batch's first */
+    const struct zs_vertex *pool; /* direct: of vertex 0 */
+    uint32_t n_verts;
+    int32_t away;                 /* times the area: > 0 where the triangle is turned away and that matters */
+    uint32_t zero, sieved;        /* counts: without area, and all that were dropped */
+    uint8_t left[BATCH];          /* the others: 2 * number in the batch, 1 more where not looked at yet */
+};
+
+/* Drop small triangles that are turned away, for which 32 bits are enough. Return how many are left. */
+ZS_ALWAYS_INLINE uint32_t sieve(struct batch *s, uint32_t n, int inside)
 {
-    const struct zs_shader *shader = r->xform.instance->material->shader;
-    int32_t y0, y1;
-    const enum fate fate = box_fate(r, &r->vert[slot[0]], &r->vert[slot[1]], &r->vert[slot[2]], &y0, &y1);
-    if (fate != FATE_DRAWN || !in_band(r, y0, y1))
-        return fate;
-    if (r->n_tris == r->config.max_tris)
-        return FATE_OPEN;
-    corners_light(r, slot);
-    bin_push(r, slot, shader->face(r, t), y0);
-    return FATE_DRAWN;
+    const struct zs_vertex *const pool = s->pool;
+    const uint16_t (*tri)[3] = s->tri;
+    const uint32_t n_verts = s->n_verts;
+    uint8_t *out = s->left;
+    for (uint32_t t = 0; t < 2u * n; t += 2u, tri++) {
+        const uint32_t i = (*tri)[0], j = (*tri)[1], k = (*tri)[2];
+        if (i >= n_verts || j >= n_verts || k >= n_verts ||
+            (!inside && (pool[i].d >= ZS_D_OUT || pool[j].d >= ZS_D_OUT || pool[k].d >= ZS_D_OUT))) {
+            *out++ = (uint8_t)(t + 1u);
+            continue;
+        }
+        int32_t area;
+        if (!small_area(pool + i, pool + j, pool + k, &area)) {
+            *out++ = (uint8_t)(t + 1u);
+        } else if (area == 0) {
+            s->zero++;
+        } else if (area * s->away <= 0) {
+            *out++ = (uint8_t)t;
+        }
+    }
+    s->sieved += n - (uint32_t)(out - s->left);
+    return (uint32_t)(out - s->left);
+}
+
+static ZS_NOINLINE uint32_t sieve_inside(struct batch *s, uint32_t n)
+{
+    return sieve(s, n, 1);
+}
+
+static ZS_NOINLINE uint32_t sieve_any(struct batch *s, uint32_t n)
+{
+    return sieve(s, n, 0);
+}
+
+/* All are left, none is looked at. */
+static uint32_t sieve_none(struct batch *s, uint32_t n)
+{
+    for (uint32_t t = 0; t < n; t++)
+        s->left[t] = (uint8_t)(2u * t + 1u);
+    return n;
 }
 
 /* A triangle that is not wholly inside near, far and guard. */
@@ -514,108 +585,84 @@ static enum fate cut(struct zs_renderer *r, uint32_t t, const struct zs_vertex *
     return all ? outside(all) : triangle_clip(r, t);
 }
 
-static enum fate triangle(struct zs_renderer *r, uint32_t t)
+/* The places of a triangle's corners. Return FATE_OPEN where it faces the eye and is not cut. */
+static ZS_NOINLINE enum fate look(struct zs_renderer *r, uint32_t t, uint32_t slot[3])
 {
     const struct zs_mesh *mesh = r->xform.instance->mesh;
-    const uint32_t cull = r->xform.instance->material->cull;
     const uint16_t *index = mesh->tri[t];
     for (int k = 0; k < 3; k++)
         if (index[k] >= mesh->n_verts)
             return FATE_INDEX;
-    for (;;) {
+    while (!corner_slots(r, index, slot))
+        make_room(r);
+    const struct zs_vertex *a = &r->vert[slot[0]], *b = &r->vert[slot[1]], *c = &r->vert[slot[2]];
+    if (a->d >= ZS_D_OUT || b->d >= ZS_D_OUT || c->d >= ZS_D_OUT)
+        return cut(r, t, a, b, c);
+    const int32_t turn = sense(a, b, c);
+    if (turn == 0)
+        return FATE_ZERO;
+    return faces_away(turn, r->xform.instance->material->cull) ? FATE_FACING : FATE_OPEN;
+}
+
+/* Bin a triangle, unless it lies outside the frame or the band. Return FATE_OPEN: the pool of triangles is full. */
+static inline enum fate place(struct zs_renderer *r, uint32_t t, const uint32_t slot[3])
+{
+    const struct zs_shader *shader = r->xform.instance->material->shader;
+    const struct zs_vertex *a = &r->vert[slot[0]], *b = &r->vert[slot[1]], *c = &r->vert[slot[2]];
+    int32_t y0, y1;
+    const enum fate fate = box_fate(r, a, b, c, &y0, &y1);
+    if (fate != FATE_DRAWN || !in_band(r, y0, y1))
+        return fate;
+    if (r->n_tris == r->config.max_tris)
+        return FATE_OPEN;
+    if (shader->vertex)
+        corners_light(r, slot);
+    bin_push(r, slot, shader->face ? shader->face(r, t) : 0u, y0);
+    return FATE_DRAWN;
+}
+
+/* The n triangles from `from` on, as far as they are left. */
+static void batch_bin(struct zs_renderer *r, const struct batch *s, uint32_t from, uint32_t n, uint32_t fate[FATES])
+{
+    const uint8_t *left = s->left, *const end = left + n;
+    for (; left < end; left++) {
+        const uint32_t k = *left / 2u, t = from + k;
         uint32_t slot[3];
-        if (!corner_slots(r, index, slot)) {
-            make_room(r);
-            continue;
-        }
-        const struct zs_vertex *a = &r->vert[slot[0]], *b = &r->vert[slot[1]], *c = &r->vert[slot[2]];
-        if (a->d >= ZS_D_OUT || b->d >= ZS_D_OUT || c->d >= ZS_D_OUT)
-            return cut(r, t, a, b, c);
-        const int32_t turn = sense(a, b, c);
-        if (turn == 0)
-            return FATE_ZERO;
-        if (faces_away(turn, cull))
-            return FATE_FACING;
-        const enum fate fate = place(r, t, slot);
-        if (fate != FATE_OPEN)
-            return fate;
-        make_room(r); /* slots are stale: look the vertices up again */
-    }
-}
-
-/* A batch of triangles whose corners have their places by number, sieved. */
-#define BATCH 64
-struct sieve {
-    const struct zs_vertex *pool; /* of vertex 0 */
-    uint32_t n_verts, cull, inside;
-    uint32_t zero, facing;        /* counts of what was dropped */
-    uint8_t left[BATCH];          /* the others: 2 * number in the batch, 1 more where not looked at */
-};
-
-/* Drop small triangles that are turned away: 32 bits are enough for them. Return how many are left. */
-static ZS_NOINLINE uint32_t sieve(struct sieve *s, const uint16_t (*tri)[3], uint32_t n)
-{
-    const struct zs_vertex *const pool = s->pool;
-    const uint32_t n_verts = s->n_verts, half = 1u << 15;
-    uint8_t *out = s->left;
-    for (uint32_t t = 0; t < n; t++, tri++) {
-        const uint32_t i = (*tri)[0], j = (*tri)[1], k = (*tri)[2];
-        uint32_t odd = 1;
-        if (i < n_verts && j < n_verts && k < n_verts) {
-            const struct zs_vertex *a = pool + i, *b = pool + j, *c = pool + k;
-            if (s->inside || (a->d < ZS_D_OUT && b->d < ZS_D_OUT && c->d < ZS_D_OUT)) {
-                const int32_t bx = b->x - a->x, by = b->y - a->y, cx = c->x - a->x, cy = c->y - a->y;
-                if (!((((uint32_t)bx + half) | ((uint32_t)by + half) | ((uint32_t)cx + half) | ((uint32_t)cy + half)) >> 16)) {
-                    const int32_t turn = bx * cy - cx * by;
-                    if (turn == 0) {
-                        s->zero++;
-                        continue;
-                    }
-                    if (faces_away(turn, s->cull)) {
-                        s->facing++;
-                        continue;
-                    }
-                    odd = 0;
-                }
+        enum fate f;
+        do {
+            if (r->direct && !(*left & 1u)) {
+                const uint16_t *index = s->tri[k];
+                const uint32_t base = r->vert_base;
+                slot[0] = base + index[0];
+                slot[1] = base + index[1];
+                slot[2] = base + index[2];
+                f = FATE_OPEN;
+            } else {
+                f = look(r, t, slot);
             }
-        }
-        *out++ = (uint8_t)(2u * t + odd);
-    }
-    return (uint32_t)(out - s->left);
-}
-
-/* Triangles [from, from + n), as long as places are direct; then as all others. */
-static void batch(struct zs_renderer *r, struct sieve *s, uint32_t from, uint32_t n, uint32_t fate[FATES])
-{
-    const struct zs_mesh *mesh = r->xform.instance->mesh;
-    const uint32_t left = sieve(s, mesh->tri + from, n);
-    for (uint32_t i = 0; i < left; i++) {
-        const uint32_t t = from + s->left[i] / 2u;
-        enum fate f = FATE_OPEN;
-        if (r->direct && !(s->left[i] & 1u)) {
-            uint32_t slot[3];
-            (void)corner_slots(r, mesh->tri[t], slot);
-            f = place(r, t, slot);
-        }
-        if (f == FATE_OPEN)
-            f = triangle(r, t);
+            if (f == FATE_OPEN && (f = place(r, t, slot)) == FATE_OPEN)
+                make_room(r); /* slots are stale: look the vertices up again */
+        } while (f == FATE_OPEN);
         fate[f]++;
     }
 }
 
-static uint32_t walk_direct(struct zs_renderer *r, int inside, uint32_t fate[FATES])
+static void walk_mesh(struct zs_renderer *r, int inside, uint32_t fate[FATES])
 {
     const struct zs_mesh *mesh = r->xform.instance->mesh;
-    struct sieve s = { &r->vert[r->vert_base], mesh->n_verts, r->xform.instance->material->cull, (uint32_t)inside, 0, 0, { 0 } };
-    uint32_t t = 0;
-    while (t < mesh->n_tris && r->direct) {
+    const uint32_t cull = r->xform.instance->material->cull;
+    struct batch s;
+    s.n_verts = mesh->n_verts;
+    s.away = cull == ZS_CULL_BACK ? 1 : cull == ZS_CULL_FRONT ? -1 : 0;
+    s.zero = s.sieved = 0;
+    s.pool = &r->vert[r->direct ? r->vert_base : 0u];
+    for (uint32_t t = 0; t < mesh->n_tris; t += BATCH) {
         const uint32_t n = mesh->n_tris - t < BATCH ? mesh->n_tris - t : BATCH;
-        batch(r, &s, t, n, fate);
-        t += n;
+        s.tri = mesh->tri + t;
+        batch_bin(r, &s, t, !r->direct ? sieve_none(&s, n) : inside ? sieve_inside(&s, n) : sieve_any(&s, n), fate);
     }
     fate[FATE_ZERO] += s.zero;
-    fate[FATE_FACING] += s.facing;
-    return t;
+    fate[FATE_FACING] += s.sieved - s.zero;
 }
 
 static void walk_instance(struct zs_renderer *r, uint32_t number)
@@ -638,9 +685,7 @@ static void walk_instance(struct zs_renderer *r, uint32_t number)
         return;
     }
     uint32_t fate[FATES] = { 0 };
-    const int inside = verts_direct(r, in->mesh);
-    for (uint32_t t = walk_direct(r, inside, fate); t < in->mesh->n_tris; t++)
-        fate[triangle(r, t)]++;
+    walk_mesh(r, verts_direct(r, in->mesh), fate);
     if (r->counting)
         count(&r->stats, fate);
 }

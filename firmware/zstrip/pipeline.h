@@ -22,7 +22,7 @@ struct zs_row;
 struct zs_shader {
     /* Attributes of a vertex: out[n_attrs]. NULL: none. */
     void (*vertex)(const struct zs_renderer *r, uint32_t v, uint16_t *out);
-    /* What zs_tri.paint becomes for a face of the current instance. */
+    /* What zs_tri.paint becomes for a face of the current instance; NULL: 0. */
     uint16_t (*face)(const struct zs_renderer *r, uint32_t t);
     /* Draw a triangle into its strip where keys are linear on the screen. */
     void (*rows)(struct zs_job *job);
@@ -133,14 +133,12 @@ int zs_xform_instance(struct zs_renderer *r, uint32_t number, const struct zs_bo
 void zs_xform_vertex(const struct zs_xform *xf, uint32_t v, struct zs_point *out);
 /* enum zs_outcode, or-ed; 0: inside near, far and guard. */
 uint32_t zs_xform_outcode(const struct zs_view *view, const struct zs_point *p);
-/* Screen position and depth. Return 1; 0 where the point is before near, beyond far (*out untouched
+/* Screen position and depth. Return 1; 0 where the point is before near, beyond far (*out is not of use
  * then) or beside the guard band (*out is then just beside it). */
 int zs_xform_project(const struct zs_renderer *r, const struct zs_point *p, struct zs_vertex *out);
-/* All three for a vertex of the current instance: its place in the pool. Return 0 where it is not inside near, far and
- * guard: then d = ZS_D_OUT, and x is its outcode. */
-int zs_xform_screen(const struct zs_renderer *r, uint32_t v, struct zs_vertex *out);
-/* The same for all vertices of the mesh, in order. Return 1: all are inside. */
-int zs_xform_mesh(const struct zs_renderer *r, struct zs_vertex *out);
+/* All three for vertices [v, v + n) of the current instance: their places in the pool. One that is not inside near, far and
+ * guard has d = ZS_D_OUT, and its outcode as x. Return 1: all are inside. */
+int zs_xform_screen(const struct zs_renderer *r, uint32_t v, uint32_t n, struct zs_vertex *out);
 
 /* ---- clip.c ----------------------------------------------------------------------------------------- */
 

@@ -28,13 +28,6 @@ static void smooth_vertex(const struct zs_renderer *r, uint32_t v, uint16_t *out
     out[2] = (uint16_t)zs_light_channel(c->b, light);
 }
 
-static uint16_t smooth_face(const struct zs_renderer *r, uint32_t t)
-{
-    (void)r;
-    (void)t;
-    return 0; /* the vertices carry the colour */
-}
-
 static int smooth_check(const struct zs_instance *in, const struct zs_config *config)
 {
     (void)config;
@@ -287,5 +280,5 @@ static void smooth_run(struct zs_job *job, const struct zs_row *row, int32_t r0,
     }
 }
 
-const struct zs_shader zs_shade_smooth = { smooth_vertex, smooth_face, smooth_rows, smooth_start,
+const struct zs_shader zs_shade_smooth = { smooth_vertex, 0, smooth_rows, smooth_start,
                                            smooth_span, smooth_run, smooth_check, 0, ZS_ATTRS_SMOOTH };

@@ -51,23 +51,22 @@ static void light_direction(struct zs_xform *xf, const struct zs_light *light)
     }
 }
 
-/* m in row k, column j. |m| <= 2^30 */
-static void axis_factor(struct zs_xform *xf, int k, int j, int32_t m)
+/* A row of c = (m . p + t) / 2^shift, nearest. |m| <= 2^30, |t| < 2^60, |t / 2^shift| < 2^30. A shift of at most 15 leaves
+ * t_low in [0, 2^15), a larger one in [-2^28, 2^28). */
+static void row_set(int32_t row[ZS_ROW_WORDS], const int32_t m[3], int64_t t, int32_t shift)
 {
-    const int32_t s = (int32_t)xf->shift_low;
-    const int32_t high = (m + ((1 << s) >> 1)) >> s;
-    xf->axis[k].high[j] = high;
-    xf->axis[k].low[j] = m - high * (1 << s);
-}
-
-/* t in row k, rounding added. |t| < 2^60 + 2^28, |t / 2^shift| < 2^30 + 1. A shift of at most 15 leaves t_low in
- * [0, 2^15), a larger one in [-2^28, 2^28). */
-static void axis_set(struct zs_xform *xf, int k, int64_t t)
-{
-    const uint32_t shift = xf->shift_low + xf->shift_high;
-    const int64_t rounded = xf->shift_high ? t + ((int64_t)1 << (shift - 1)) : t;
-    xf->axis[k].t_high = (int32_t)(rounded >> shift);
-    xf->axis[k].t_low = (int32_t)(t - xf->axis[k].t_high * ((int64_t)1 << shift));
+    const int32_t s = shift < SPLIT_MAX ? shift : SPLIT_MAX;
+    for (int j = 0; j < 3; j++) {
+        const int32_t high = (m[j] + ((1 << s) >> 1)) >> s;
+        row[ZS_ROW_HIGH + j] = high;
+        row[ZS_ROW_LOW + j] = m[j] - high * (1 << s);
+    }
+    const int64_t half = ((int64_t)1 << shift) >> 1;
+    const int32_t t_high = (int32_t)((t + half + (shift > s ? half : 0)) >> shift);
+    row[ZS_ROW_T_HIGH] = t_high;
+    row[ZS_ROW_T_LOW] = (int32_t)(t + half - t_high * ((int64_t)1 << shift));
+    row[ZS_ROW_S] = s;
+    row[ZS_ROW_S2] = shift - s;
 }
 
 int zs_xform_instance(struct zs_renderer *r, uint32_t number, const struct zs_bounds *b)
@@ -80,7 +79,7 @@ int zs_xform_instance(struct zs_renderer *r, uint32_t number, const struct zs_bo
                       : b->reach >> -to_units >= 1 << 30)
         return 0;
     xf->instance = in;
-    xf->number = (uint16_t)number;
+    xf->number = number;
 
     /* scale = mantissa * 2^exp / 2^32, mantissa in [2^30, 2^31) */
     const uint64_t scale = (uint64_t)in->mesh->scale * in->pose.scale;
@@ -95,17 +94,16 @@ int zs_xform_instance(struct zs_renderer *r, uint32_t number, const struct zs_bo
         extra = shift - SHIFT_MAX > 30 ? 30 : shift - SHIFT_MAX;
         shift = SHIFT_MAX;
     }
-    xf->shift_low = (uint32_t)(shift < SPLIT_MAX ? shift : SPLIT_MAX);
-    xf->shift_high = (uint32_t)shift - xf->shift_low;
     zs_q2_30 both[9];
     zs_rotation_mul(both, view->rot, in->pose.rot);
     for (int k = 0; k < 3; k++) {
         int64_t at = 0; /* q2_30 * world units, |.| <= 2^60.6 */
-        for (int j = 0; j < 3; j++)
+        int32_t m[3];
+        for (int j = 0; j < 3; j++) {
             at += zs_mul_ss(view->rot[3 * k + j], in->pose.pos[j] - view->pos[j]);
-        axis_set(xf, k, zs_scale2(at, view->shift + shift - 30) + (((int64_t)1 << shift) >> 1));
-        for (int j = 0; j < 3; j++)
-            axis_factor(xf, k, j, (int32_t)zs_round_shift(zs_mul_su(both[3 * k + j], mantissa), 31 + extra));
+            m[j] = (int32_t)zs_round_shift(zs_mul_su(both[3 * k + j], mantissa), 31 + extra);
+        }
+        row_set(xf->row[k], m, zs_scale2(at, view->shift + shift - 30), shift);
     }
     clip_needs(xf, r, b, &r->camera);
     light_direction(xf, &r->scene->light);
@@ -114,51 +112,59 @@ int zs_xform_instance(struct zs_renderer *r, uint32_t number, const struct zs_bo
 
 /* ---- Vertices --------------------------------------------------------------------------------------- */
 
-/* (m . p + t) >> shift, exactly. With m = high 2^s + low, t = t_high 2^shift + t_low, the sum is
+/* Exact: with m = high 2^s + low, t = t_high 2^shift + t_low, the sum is
  *   high . p 2^s + (low . p + t_low) + t_high 2^shift
- * and floors follow each other: the bracket gives its part above 2^s to the first sum. With a shift of 15 or less, s is
- * the shift and all is modulo 2^32, as the result is. With a larger one s is 15, and the sum of high fits: a row of
- * the matrix is no longer than 2^30 (1 + 2^-18), p no longer than 2^15 sqrt 3. */
-static inline int32_t along(const struct zs_xform *xf, const struct zs_axis *a, int32_t x, int32_t y, int32_t z)
+ * and floors follow each other, so zs_row gives the bracket's part above 2^s to the first sum. |bracket| is below
+ * 3 * 2^29 + 2^28. With a shift of 15 or less, s is the shift and all is modulo 2^32, as the result is. With a larger one
+ * s is 15, and the sum of high fits, below 1.74 * 2^30 + 2^17: a row of the matrix is no longer than 2^30 (1 + 2^-18), p no
+ * longer than 2^15 sqrt 3. */
+static void points(const struct zs_xform *xf, uint32_t v, uint32_t n, struct zs_vertex *out)
 {
-    const int32_t low = a->low[0] * x + a->low[1] * y + a->low[2] * z + a->t_low; /* |.| <= 3 * 2^29 + 2^28 */
-    const uint32_t high = (uint32_t)a->high[0] * (uint32_t)x + (uint32_t)a->high[1] * (uint32_t)y +
-                          (uint32_t)a->high[2] * (uint32_t)z + (uint32_t)(low >> xf->shift_low); /* < 1.74 * 2^30 + 2^17 */
-    return (int32_t)((uint32_t)((int32_t)high >> xf->shift_high) + (uint32_t)a->t_high);
+    const int16_t (*p)[3] = xf->instance->mesh->pos + v;
+    for (struct zs_vertex *const end = out + n; out != end; out++, p++) {
+        const int32_t x = (*p)[0], y = (*p)[1], z = (*p)[2];
+        out->x = zs_row(xf->row[0], x, y, z);
+        out->y = zs_row(xf->row[1], x, y, z);
+        out->d = (uint32_t)zs_row(xf->row[2], x, y, z);
+    }
 }
 
-/* The same for positions in 1/256 steps, in 64 bits. |p| <= 2^23 */
-static int32_t along_fine(const struct zs_xform *xf, const struct zs_axis *a, const int32_t p[3])
+/* The same for positions in 1/256 steps, |p| <= 2^23, in 64 bits. */
+static int32_t fine(const int32_t row[ZS_ROW_WORDS], const int16_t pos[3], const uint8_t pos_lo[3])
 {
-    const uint32_t s = xf->shift_low, shift = s + xf->shift_high;
-    int64_t sum = a->t_high * ((int64_t)1 << shift) + a->t_low; /* |.| < 2^60 + 2^29 */
+    const int32_t s = row[ZS_ROW_S], shift = s + row[ZS_ROW_S2];
+    int64_t sum = row[ZS_ROW_T_HIGH] * ((int64_t)1 << shift) + row[ZS_ROW_T_LOW]; /* |.| < 2^60 + 2^29 */
     for (int j = 0; j < 3; j++)
-        sum += zs_mul_ss(a->high[j] * (1 << s) + a->low[j], p[j]); /* |.| <= 2^53 */
+        sum += zs_mul_ss(row[ZS_ROW_HIGH + j] * (1 << s) + row[ZS_ROW_LOW + j], pos[j] * 256 + pos_lo[j]); /* <= 2^53 */
     return (int32_t)(sum >> shift);
 }
 
-/* Apart: meshes with pos_lo are the exception. */
-static ZS_NOINLINE void vertex_fine(const struct zs_xform *xf, uint32_t v, struct zs_point *out)
+static void points_fine(const struct zs_xform *xf, uint32_t v, uint32_t n, struct zs_vertex *out)
 {
     const struct zs_mesh *mesh = xf->instance->mesh;
-    int32_t p[3];
-    for (int k = 0; k < 3; k++)
-        p[k] = mesh->pos[v][k] * 256 + mesh->pos_lo[v][k];
-    for (int k = 0; k < 3; k++)
-        out->c[k] = along_fine(xf, &xf->axis[k], p);
+    for (struct zs_vertex *const end = out + n; out != end; out++, v++) {
+        out->x = fine(xf->row[0], mesh->pos[v], mesh->pos_lo[v]);
+        out->y = fine(xf->row[1], mesh->pos[v], mesh->pos_lo[v]);
+        out->d = (uint32_t)fine(xf->row[2], mesh->pos[v], mesh->pos_lo[v]);
+    }
+}
+
+/* Vertices [v, v + n) in camera units: x', y', and z as d. */
+static void transform(const struct zs_xform *xf, uint32_t v, uint32_t n, struct zs_vertex *out)
+{
+    if (xf->instance->mesh->pos_lo)
+        points_fine(xf, v, n, out);
+    else
+        points(xf, v, n, out);
 }
 
 void zs_xform_vertex(const struct zs_xform *xf, uint32_t v, struct zs_point *out)
 {
-    const struct zs_mesh *mesh = xf->instance->mesh;
-    if (mesh->pos_lo) {
-        vertex_fine(xf, v, out);
-        return;
-    }
-    const int16_t *p = mesh->pos[v];
-    const int32_t x = p[0], y = p[1], z = p[2];
-    for (int k = 0; k < 3; k++)
-        out->c[k] = along(xf, &xf->axis[k], x, y, z);
+    struct zs_vertex at;
+    transform(xf, v, 1, &at);
+    out->c[0] = at.x;
+    out->c[1] = at.y;
+    out->c[2] = (int32_t)at.d;
 }
 
 /* The largest |x'| and |y'| at distance z > 0 that are inside the guard band. */
@@ -191,86 +197,110 @@ uint32_t zs_xform_outcode(const struct zs_view *view, const struct zs_point *p)
     return code;
 }
 
-/* Steps from the frame's middle with the sign of the point's coordinate: magnitude first, so that a mirrored scene
- * snaps to mirrored places. Saturates beyond the guard band. */
-static inline int32_t placed(uint32_t steps, int32_t coarse, int32_t sign)
-{
-    const int32_t v = steps > (uint32_t)ZS_GUARD_SUBPX >> coarse ? (int32_t)ZS_GUARD_SUBPX + 1 : (int32_t)(steps << coarse);
-    return sign < 0 ? -v : v;
-}
+/* ---- Projection ------------------------------------------------------------------------------------- */
 
 /* mag / 2^shift, nearest, saturated. mag < 2^63, 0 < shift */
-static ZS_NOINLINE uint32_t steps_wide(uint64_t mag, int32_t shift)
+static uint32_t steps_wide(uint64_t mag, int32_t shift)
 {
     const uint64_t steps = (mag + ((uint64_t)1 << (shift - 1))) >> shift;
     return steps > UINT32_MAX ? UINT32_MAX : (uint32_t)steps;
 }
 
-/* |c| * rcp / 2^shift, nearest, saturated. |c| <= 2^31, 0 < shift <= 58. From 33 on the low half of the product cannot carry. */
-static inline uint32_t steps_of(int32_t c, uint32_t rcp, int32_t shift)
+/* Steps from the frame's middle with the sign of the coordinate: magnitude first, so that a mirrored scene snaps to
+ * mirrored places. Just beside the guard band where they are beyond it. */
+static int32_t placed(uint32_t steps, int32_t coarse, int32_t sign)
 {
-    const uint32_t mag = magnitude(c);
-    if (shift > 32)
-        return (zs_umulh(mag, rcp) + (1u << (shift - 33))) >> (shift - 32); /* < 2^31 + 2^25 */
-    return steps_wide(zs_mul_uu(mag, rcp), shift);
+    const int32_t v = steps > (uint32_t)ZS_GUARD_SUBPX >> coarse ? (int32_t)ZS_GUARD_SUBPX + 1 : (int32_t)(steps << coarse);
+    return sign < 0 ? -v : v;
+}
+
+/* For any shift, and what is beyond the guard band. Orthographic: rcp is 2, one bit more than needed, because the shift
+ * may be 0. Return 1: inside it. */
+static ZS_NOINLINE int place_wide(const struct zs_view *view, uint32_t rcp, int32_t shift, struct zs_vertex *at)
+{
+    const uint32_t most = (uint32_t)ZS_GUARD_SUBPX >> view->snap;
+    const uint32_t sx = steps_wide(zs_mul_uu(magnitude(at->x), rcp), shift + view->snap);
+    const uint32_t sy = steps_wide(zs_mul_uu(magnitude(at->y), rcp), shift + view->snap);
+    at->x = view->cx + placed(sx, view->snap, at->x);
+    at->y = view->cy + placed(sy, view->snap, at->y);
+    return sx <= most && sy <= most;
+}
+
+/* |c| * rcp / 2^(32 + down), nearest: the low half of the product cannot carry. |c| <= 2^31, 0 < down <= 26 */
+static inline uint32_t steps_of(int32_t c, uint32_t rcp, int32_t down)
+{
+    return (zs_umulh(magnitude(c), rcp) + (1u << (down - 1))) >> down; /* < 2^31 + 2^25 */
+}
+
+/* x' and y' of at become screen positions, with rcp / 2^shift for the lens. Return 1: inside the guard band. */
+static inline int place(const struct zs_view *view, uint32_t rcp, int32_t shift, struct zs_vertex *at)
+{
+    const int32_t coarse = view->snap, down = shift + coarse - 32;
+    if (down <= 0)
+        return place_wide(view, rcp, shift, at);
+    const int32_t x = at->x, y = at->y;
+    const uint32_t sx = steps_of(x, rcp, down), sy = steps_of(y, rcp, down);
+    const uint32_t most = (uint32_t)ZS_GUARD_SUBPX >> coarse;
+    if (sx > most || sy > most)
+        return place_wide(view, rcp, shift, at);
+    const int32_t px = (int32_t)(sx << coarse), py = (int32_t)(sy << coarse);
+    at->x = view->cx + (x < 0 ? -px : px);
+    at->y = view->cy + (y < 0 ? -py : py);
+    return 1;
+}
+
+/* A point between near and far, in place: z is d. Return 1: inside the guard band. */
+static int project(const struct zs_renderer *r, struct zs_vertex *at)
+{
+    const struct zs_view *view = &r->view;
+    const struct zs_depth *depth = r->config.depth;
+    const int32_t z = (int32_t)at->d;
+    int inside;
+    if (view->perspective) {
+        const int32_t lz = zs_clz32((uint32_t)z);             /* 1 .. 23: z in [2^8, 2^30] */
+        const uint32_t rcp = zs_recip((uint32_t)z << lz);     /* 2^(63 - lz) / z */
+        inside = place(view, rcp, 63 - lz - view->scale_bits, at); /* shift 9 .. 54 */
+        at->d = depth->vertex(view, z, rcp, lz);
+    } else {
+        inside = place_wide(view, 2, view->scale_bits + 1, at);
+        at->d = depth->vertex(view, z, 0, 0);
+    }
+    return inside;
 }
 
 int zs_xform_project(const struct zs_renderer *r, const struct zs_point *p, struct zs_vertex *out)
 {
-    const struct zs_view *view = &r->view;
-    const int32_t z = p->c[2], coarse = view->snap;
-    int32_t lz = 0;
-    uint32_t rcp = 0, sx, sy;
-    if (z < view->z_near || z > view->z_far)
-        return 0;
-    if (view->perspective) {
-        lz = zs_clz32((uint32_t)z);        /* 1 .. 23: z in [2^8, 2^30] */
-        rcp = zs_recip((uint32_t)z << lz); /* 2^(63 - lz) / z */
-        const int32_t shift = 63 - lz - view->scale_bits + coarse; /* 9 .. 58 */
-        sx = steps_of(p->c[0], rcp, shift);
-        sy = steps_of(p->c[1], rcp, shift);
-    } else { /* one more bit: the shift may be 0 */
-        sx = steps_wide((uint64_t)magnitude(p->c[0]) << 1, view->scale_bits + coarse + 1);
-        sy = steps_wide((uint64_t)magnitude(p->c[1]) << 1, view->scale_bits + coarse + 1);
-    }
-    const int inside = sx <= (uint32_t)ZS_GUARD_SUBPX >> coarse && sy <= (uint32_t)ZS_GUARD_SUBPX >> coarse;
-    out->x = view->cx + placed(sx, coarse, p->c[0]);
-    out->y = view->cy + placed(sy, coarse, p->c[1]);
-    const struct zs_depth *depth = r->config.depth;
-    out->d = depth->vertex(view, z, rcp, lz);
-    return inside;
+    const int32_t z = p->c[2];
+    out->x = p->c[0];
+    out->y = p->c[1];
+    out->d = (uint32_t)z;
+    return z >= r->view.z_near && z <= r->view.z_far && project(r, out);
 }
 
-/* From camera units to the pool. Return 0: outside near, far or guard. */
-static int settle(const struct zs_renderer *r, const struct zs_point *p, struct zs_vertex *out)
+/* From camera units to the pool, in place; to the outcode where not inside. */
+static int settle(const struct zs_renderer *r, struct zs_vertex *at)
 {
     const struct zs_xform *xf = &r->xform;
+    const struct zs_point p = { { at->x, at->y, (int32_t)at->d } };
     uint32_t code = 0;
     if (xf->clip_depth | xf->clip_guard)
-        code = zs_xform_outcode(&r->view, p);
+        code = zs_xform_outcode(&r->view, &p);
     if (!code) {
-        if (zs_xform_project(r, p, out))
+        if (p.c[2] >= r->view.z_near && p.c[2] <= r->view.z_far && project(r, at))
             return 1;
-        code = zs_xform_outcode(&r->view, p); /* a sphere that is smaller than its mesh */
+        code = zs_xform_outcode(&r->view, &p); /* a sphere that is smaller than its mesh */
     }
-    out->x = (int32_t)code;
-    out->y = 0;
-    out->d = ZS_D_OUT;
+    at->x = (int32_t)code;
+    at->y = 0;
+    at->d = ZS_D_OUT;
     return 0;
 }
 
-int zs_xform_screen(const struct zs_renderer *r, uint32_t v, struct zs_vertex *out)
+int zs_xform_screen(const struct zs_renderer *r, uint32_t v, uint32_t n, struct zs_vertex *out)
 {
-    struct zs_point p;
-    zs_xform_vertex(&r->xform, v, &p);
-    return settle(r, &p, out);
-}
-
-int zs_xform_mesh(const struct zs_renderer *r, struct zs_vertex *out)
-{
-    const uint32_t n = r->xform.instance->mesh->n_verts;
     int inside = 1;
-    for (uint32_t v = 0; v < n; v++)
-        inside &= zs_xform_screen(r, v, out + v);
+    transform(&r->xform, v, n, out);
+    for (struct zs_vertex *const end = out + n; out != end; out++)
+        inside &= settle(r, out);
     return inside;
 }
