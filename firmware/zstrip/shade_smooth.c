@@ -59,9 +59,18 @@ static uint32_t color_range(const uint16_t *const a[3])
 /* range / 65536 * 63 codes * (change / least) / 4 <= 1/8 code; 63 taken as 64. */
 static int affine_enough(uint32_t range, uint32_t change, uint32_t least)
 {
-    if (range * ((change >> 16) + 1u) <= least >> 7) /* < 2^31: enough to say yes */
+    if (range * ((change >> 16) + 1u) <= least >> 7) /* < 2^32: enough to say yes */
         return 1;
-    return zs_mul_uu(range, change) <= (uint64_t)least << 9; /* < 2^16 * 2^31 */
+    return zs_mul_uu(range, change) <= (uint64_t)least << 9; /* < 2^16 * 2^32 */
+}
+
+/* 1: affine_enough, found from keys alone; 0: w must be asked. */
+static int keys_enough(const struct zs_job *job, uint32_t range)
+{
+    const struct zs_view *view = &job->r->view;
+    const uint32_t a = job->v[0]->d, b = job->v[1]->d, c = job->v[2]->d;
+    const uint32_t farthest = zs_maxu32(zs_maxu32(a, b), c), change = farthest - zs_minu32(zs_minu32(a, b), c);
+    return farthest <= view->key_known && change <= view->key_slow && affine_enough(range, change, view->key_slow);
 }
 
 static uint32_t sub_span(const struct zs_plane *w, uint32_t range, uint32_t least)
@@ -117,7 +126,7 @@ static int32_t narrow_fits(const struct zs_geom *g)
 }
 
 /* Planes of codes with half a code added, codes in their words' top bits. */
-static void affine_planes(struct zs_job *job, const uint16_t *const a[3])
+static ZS_NOINLINE void affine_planes(struct zs_job *job, const uint16_t *const a[3])
 {
     const struct zs_geom *g = &job->geom;
     const int32_t fits = narrow_fits(g);
@@ -146,22 +155,31 @@ static void persp_planes(struct zs_job *job, const uint16_t *const a[3], const u
     }
 }
 
+/* What is left where keys do not say that colours are affine. */
+static ZS_NOINLINE void start_by_w(struct zs_job *job, const uint16_t *const a[3], uint32_t range)
+{
+    uint32_t w[3], least;
+    zs_persp_w(job, w);
+    const uint32_t change = zs_persp_change(w, &least);
+    if (affine_enough(range, change, least)) {
+        affine_planes(job, a);
+        return;
+    }
+    zs_persp_plane(&job->geom, w, ZS_PLANE_WIDE, &job->w);
+    job->sub_log2 = sub_span(&job->w, range, least);
+    persp_planes(job, a, w);
+}
+
 static void smooth_start(struct zs_job *job)
 {
     const uint16_t *a[3];
-    uint32_t w[3], least;
     zs_persp_attrs(job, a);
-    zs_persp_w(job, w);
-    const uint32_t change = zs_persp_change(w, &least);
-    const uint32_t range = change <= least >> 7 ? 0u : color_range(a); /* 0: enough for any */
-    if (affine_enough(range, change, least)) {
-        job->sub_log2 = ZS_AFFINE;
+    const uint32_t range = color_range(a);
+    job->sub_log2 = ZS_AFFINE;
+    if (keys_enough(job, range))
         affine_planes(job, a);
-    } else {
-        zs_persp_plane(&job->geom, w, ZS_PLANE_WIDE, &job->w);
-        job->sub_log2 = sub_span(&job->w, range, least);
-        persp_planes(job, a, w);
-    }
+    else
+        start_by_w(job, a, range);
 }
 
 /* ---- Runs ------------------------------------------------------------------------------------------- */
@@ -169,7 +187,7 @@ static void smooth_start(struct zs_job *job)
 /* Codes with half a code added, at most 63.5, in their words' top bits. */
 static inline uint16_t pack(uint32_t red, uint32_t green, uint32_t blue)
 {
-    return zs_wire16((uint16_t)(red >> 27 << 11 | green >> 26 << 5 | blue >> 27));
+    return zs_wire16((uint16_t)((red >> 27 << 6 | green >> 26) << 5 | blue >> 27));
 }
 
 static void fill_linear(uint16_t *out, int32_t n, const uint32_t c[3], const uint32_t step[3])
@@ -184,32 +202,47 @@ static void fill_linear(uint16_t *out, int32_t n, const uint32_t c[3], const uin
     }
 }
 
-/* Depth test and colour of an affine triangle's pixels [i0, i1) whose keys do not saturate. */
-#define HIGH(x) __asm__("" : "+h"(x))
-static ZS_NOINLINE void affine_pixels(struct zs_job *job, const struct zs_row *row)
+/* Depth test and colour of an affine triangle whose keys do not saturate. */
+static ZS_NOINLINE void affine_rows(struct zs_job *job)
 {
+    const int32_t width = job->width;
     const struct zs_plane *const c = job->c;
-    const int32_t i0 = row->i0, y = row->y;
-    uint32_t red = zs_plane_at(&c[0], i0, y), green = zs_plane_at(&c[1], i0, y), blue = zs_plane_at(&c[2], i0, y);
-    uint32_t by_red = c[0].gx, by_green = c[1].gx, by_blue = c[2].gx;
-    uint32_t gx = job->key.gx, sum = row->key + zs_wrap_mul(gx, i0);
-    uint16_t *depth = job->depth + row->at + i0, *color = job->color + row->at + i0;
-    const uint16_t *end = depth + (row->i1 - i0);
-    int32_t written = 0;
-    for (; depth != end; depth++, color++) {
-
-        const uint32_t key = sum >> 16;
-        if (key < *depth) {
-            *depth = (uint16_t)key;
-            *color = pack(red, green, blue);
-            if (ZS_STATS)
-                written++;
+    uint32_t by_key = job->key.gx, by_red = c[0].gx, by_green = c[1].gx, by_blue = c[2].gx;
+    uint32_t tested = 0;
+    int32_t written = 0, y = job->row, at = (y - job->y0) * width;
+    zs_plane_origin(&job->geom, &job->key);
+    for (;;) {
+        for (const struct zs_cut *cut = job->cut; y < job->cut_end; cut++, y++, at += width) {
+            const int32_t i0 = zs_max32(cut->x0, 0), n = zs_min32(cut->x1, width) - i0;
+            if (n <= 0)
+                continue;
+            uint32_t sum = zs_plane_at(&job->key, i0, y), red = zs_plane_at(&c[0], i0, y),
+                     green = zs_plane_at(&c[1], i0, y), blue = zs_plane_at(&c[2], i0, y);
+            uint16_t *depth = job->depth + at + i0, *color = job->color + at + i0;
+            const uint16_t *end = depth + n;
+            tested += (uint32_t)n;
+            do {
+                ZS_HIGH_REGISTER(by_key); ZS_HIGH_REGISTER(by_red); ZS_HIGH_REGISTER(by_green); ZS_HIGH_REGISTER(by_blue); ZS_HIGH_REGISTER(end);
+                const uint32_t key = sum >> 16;
+                if (key < *depth) {
+                    *depth = (uint16_t)key;
+                    *color = pack(red, green, blue);
+                    if (ZS_STATS)
+                        written++;
+                }
+                depth++;
+                color++;
+                sum += by_key;
+                red += by_red;
+                green += by_green;
+                blue += by_blue;
+            } while (depth != end);
         }
-        sum += gx;
-        red += by_red;
-        green += by_green;
-        blue += by_blue;
+        if (y >= job->row_end)
+            break;
+        zs_raster_cuts(job, y);
     }
+    job->r->stats.pixels_tested += tested;
     zs_rows_written(job, written);
 }
 
@@ -219,16 +252,11 @@ static void smooth_span(struct zs_job *job, const struct zs_row *row, int32_t i0
         zs_persp_span(job, row, i0, i1, sum, gx);
 }
 
-ZS_ALWAYS_INLINE void affine_span(struct zs_job *job, const struct zs_row *row)
-{
-    affine_pixels(job, row);
-}
-
 static void smooth_rows(struct zs_job *job)
 {
     smooth_start(job);
     if (job->sub_log2 == ZS_AFFINE && !zs_keys_may_saturate(job))
-        zs_rows_walk(job, affine_span);
+        affine_rows(job);
     else
         zs_persp_walk(job);
 }
