@@ -89,40 +89,36 @@ static inline uint32_t code_of(uint32_t v, uint32_t most)
     return whole + (whole >> 16);
 }
 
-/* 256 * n / area of a small triangle in 32 bits, the same as plane.c finds: there n is brought to 32 bits first,
- * which takes nothing from n < 2^31, and floors of floors are one floor. |result| < 2^28 */
+/* 256 * n / area in 32 bits, nearest. plane.c brings n to 32 bits first, which takes nothing from |n| < 2^31; floors of
+ * floors are one floor; so the same number comes out, but for halves: up here, away from 0 there. |result| < 2^22 */
 static inline int32_t narrow_gradient(int32_t n, uint32_t rcp, int32_t shift)
 {
-    const uint32_t part = zs_umulh((uint32_t)zs_abs32(n), rcp) >> shift;
-    const int32_t q = (int32_t)((part + 1u) >> 1);
-    return n < 0 ? -q : q;
+    return (((int32_t)(zs_mul_su(n, rcp) >> 32) >> shift) + 1) >> 1;
 }
 
-/* zs_plane32 for codes, in 32 bits. fits: differences up to here times the triangle's extents stay below 2^30.
+/* zs_plane32 for codes, in 32 bits. fits: differences below it times the triangle's extents stay below 2^30.
  * Return 0 where it is not for it. */
 static int narrow_plane(const struct zs_geom *g, const uint32_t v[3], int32_t fits, struct zs_plane *out)
 {
     const int32_t dv1 = (int32_t)(v[1] - v[0]), dv2 = (int32_t)(v[2] - v[0]); /* |.| < 2^22 */
-    const int32_t shift = 22 + g->exp;                   /* 3 .. 21 */
-    if (zs_abs32(dv1) >= fits || zs_abs32(dv2) >= fits)
+    const int32_t shift = 22 + g->exp;                   /* 8 .. 21 */
+    if (((dv1 ^ dv1 >> 31) | (dv2 ^ dv2 >> 31)) >= fits)
         return 0;
     const int32_t gx = narrow_gradient(dv1 * g->dy2 - dv2 * g->dy1, g->rcp, shift);
     const int32_t gy = narrow_gradient(dv2 * g->dx1 - dv1 * g->dx2, g->rcp, shift);
-    if ((zs_abs32(gx) | zs_abs32(gy)) >> 22)
-        return 0;
     out->gx = (uint32_t)gx;
     out->gy = (uint32_t)gy;
     out->base = v[0] + (uint32_t)((gx * g->ax + gy * g->ay + 128) >> 8); /* |a| <= 128: < 2^30 */
     return 1;
 }
 
-/* What narrow_plane calls fits; 0: not for this triangle. */
+/* What narrow_plane calls fits, a power of two; 0: not for this triangle. */
 static int32_t narrow_fits(const struct zs_geom *g)
 {
-    if (g->rcp == 0 || g->exp < -19) /* large; or so small that a gradient may have 28 bits */
+    if (g->rcp == 0 || g->exp < -14) /* large; or below 1 px^2, and a gradient may have more than 22 bits */
         return 0;
-    const int32_t extent = zs_abs32(g->dx1) | zs_abs32(g->dx2) | zs_abs32(g->dy1) | zs_abs32(g->dy2);
-    return 1 << (zs_clz32((uint32_t)extent) - 2); /* extent <= 2^16: 2^13 at least */
+    const int32_t extent = (g->dx1 ^ g->dx1 >> 31) | (g->dx2 ^ g->dx2 >> 31) | g->dy1 | g->dy2;
+    return 1 << (zs_clz32((uint32_t)extent) - 2); /* extents < 2^16, and not all -1, 0: 2^14 at least */
 }
 
 /* Planes of codes with half a code added, codes in their words' top bits. */
