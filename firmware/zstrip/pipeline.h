@@ -196,6 +196,17 @@ struct zs_sampler {
     uint32_t least_w[6]; /* blocks of 2^k pixels need at least this w */
     uint8_t wide;     /* 1: the texture is clamped, or one texel wide or high */
     uint8_t direct;   /* 1: affine and not wide: job->c[0] and [1] are u and v, uq0_32 */
+    uint8_t unlit;    /* 1: texels are drawn as they are in `texture` */
+};
+
+#define ZS_LIT_COLORS 64 /* palettes up to here are lit once for triangles of one light, not texel by texel */
+
+/* A texture whose palette is lit. */
+struct zs_lit {
+    const struct zs_texture *of; /* NULL: none yet */
+    uint16_t level;              /* its light, uq1_15 */
+    struct zs_texture texture;   /* the same with .palette = color */
+    uint16_t color[ZS_LIT_COLORS];
 };
 
 /* One triangle in one strip: the wide record, alive only while it is drawn. What rows and spans read comes first: 16-bit
@@ -222,6 +233,7 @@ struct zs_job {
     struct zs_cut cut[ZS_CUT_ROWS]; /* spans of rows [row, cut_end) */
     struct zs_plane64 w64;        /* depth that is not linear on the screen: 1/z ... */
     int32_t w64_scale;            /* ... and its scale */
+    struct zs_lit lit;            /* stays from triangle to triangle */
 };
 
 /* ---- plane.c ---------------------------------------------------------------------------------------- */
