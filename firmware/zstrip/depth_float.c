@@ -15,6 +15,10 @@
  * zs_vertex.d is the key in uq16_16. That is a float with m + 16 mantissa bits (27 to 29 in 16-bit keys), and
  * r is found from it exactly.
  *
+ * Keys that differ by D <= 2^m in 2^m steps an octave: w changes by at most D / 2^m of the least w (view.key_slow).
+ * With the farther one s below the border to the nearer one's octave, s <= D: (s + 2 (D - s)) / (2^(m+1) - s), and
+ * in one octave D / 2^m at most.
+ *
  * Errors of a key, as parts of a bucket:
  *   vertex        r from 32-bit mantissas and a reciprocal of 2^-30: below 2^-29 of r, at most 2^-15; stored
  *                 to 2^-17
@@ -43,6 +47,8 @@ static int float_setup(struct zs_view *view, const struct zs_camera *camera, uin
     view->key_mul = (uint32_t)((uint64_t)camera->z_near << lz >> 32);
     view->key_shift = lz - 16 - view->shift;
     view->key_far = 0;
+    view->key_slow = (1u << (view->key_mantissa + 16)) - 1u;
+    view->key_known = view->key_top + 0xffffu - (2u << (view->key_mantissa + 16)); /* all but the last octave */
     return ZS_OK;
 }
 

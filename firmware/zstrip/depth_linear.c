@@ -21,6 +21,7 @@ static int linear_setup(struct zs_view *view, const struct zs_camera *camera, ui
     view->screen_linear = !view->perspective;
     view->key_top = ((1u << bits) - 1u) << 16;
     view->key_far = 0;
+    view->key_slow = view->key_known = 0;
     /* C = (B - 1) / ((f - n) in camera units) as key_mul / 2^key_shift, key_mul in [2^30, 2^31) */
     const uint64_t range = (uint64_t)(camera->z_far - camera->z_near); /* q48_16, < 2^61 */
     const int lz = zs_clz64(range);

@@ -17,6 +17,7 @@ static int recip_setup(struct zs_view *view, const struct zs_camera *camera, uin
     /* K in uq48_16 times 2^14; f / (f - n) <= 2^16 by the camera's check, so < 2^63 */
     const uint64_t k = zs_muldiv_u64((uint64_t)view->key_top << 14, f, f - n);
     view->key_far = k >> 14;
+    view->key_slow = view->key_known = 0;
     const int up = zs_clz64(k);
     view->key_mul = (uint32_t)(k << up >> 32); /* K in uq_16 * 2^(14 + up - 32), >= 2^31 */
     view->key_shift = 14 + up;                 /* undoes that and t's 32 bits; 15 .. 40 */

@@ -205,31 +205,44 @@ struct zs_sampler {
     uint32_t least_w[6]; /* blocks of 2^k pixels need at least this w */
     uint8_t wide;     /* 1: the texture is clamped, or one texel wide or high */
     uint8_t direct;   /* 1: affine and not wide: job->c[0] and [1] are u and v, uq0_32 */
+    uint8_t unlit;    /* 1: texels are drawn as they are in `texture` */
 };
 
-/* One triangle in one strip: the wide record, alive only while it is drawn. */
+#define ZS_LIT_COLORS 64 /* palettes up to here are lit once for triangles of one light, not texel by texel */
+
+/* A texture whose palette is lit. */
+struct zs_lit {
+    const struct zs_texture *of; /* NULL: none yet */
+    uint16_t level;              /* its light, uq1_15 */
+    struct zs_texture texture;   /* the same with .palette = color */
+    uint16_t color[ZS_LIT_COLORS];
+};
+
+/* One triangle in one strip: the wide record, alive only while it is drawn. What rows and spans read comes first: 16-bit
+ * instructions reach 124 bytes. */
 struct zs_job {
+    struct zs_plane key;          /* screen-linear mappings; half a bucket added */
+    struct zs_plane c[3], w;      /* attributes, or attributes times w, and w (persp.h) */
+    uint16_t *color, *depth;      /* the strip; row 0 is row y0 of the frame */
+    int32_t y0, width;
+    int32_t row, cut_end, row_end; /* rows in the frame; to row_end in this strip */
+    uint32_t sub_log2;            /* of the sub-span; ZS_AFFINE: plain affine */
     struct zs_renderer *r;
     const struct zs_tri *tri;
     const struct zs_shader *shader;
     const struct zs_vertex *v[3]; /* the top one, then the others so that the area is positive */
-    struct zs_geom geom;
-    struct zs_cut cut[ZS_CUT_ROWS]; /* spans of rows [row, cut_end) */
-    int32_t row, cut_end, row_end; /* rows in the frame; to row_end in this strip */
-    int32_t row_mid;              /* first row below the middle vertex, in the strip or not */
-    int32_t row_last;             /* one beyond the triangle's last row, in the strip or below it */
-    uint8_t saturates;            /* a key may reach 2^bits - 1 (rows.h) */
-    uint8_t mid_right;            /* the middle vertex is to the right of the long edge */
-    struct zs_plane key;          /* screen-linear mappings; half a bucket added */
-    struct zs_plane c[3], w;      /* attributes, or attributes times w, and w (persp.h) */
-    struct zs_plane64 w64;        /* depth that is not linear on the screen: 1/z ... */
-    int32_t w64_scale;            /* ... and its scale */
-    uint32_t sub_log2;            /* of the sub-span; ZS_AFFINE: plain affine */
     const struct zs_state *state; /* of the instance; NULL: none ... */
     int32_t bias;                 /* ... else buckets added to every key */
+    uint8_t saturates;            /* a key may reach 2^bits - 1 (rows.h) */
+    uint8_t mid_right;            /* the middle vertex is to the right of the long edge */
+    int32_t row_mid;              /* first row below the middle vertex, in the strip or not */
+    int32_t row_last;             /* one beyond the triangle's last row, in the strip or below it */
+    struct zs_geom geom;
     struct zs_sampler sampler;
-    uint16_t *color, *depth;      /* the strip; row 0 is row y0 of the frame */
-    int32_t y0, width;
+    struct zs_cut cut[ZS_CUT_ROWS]; /* spans of rows [row, cut_end) */
+    struct zs_plane64 w64;        /* depth that is not linear on the screen: 1/z ... */
+    int32_t w64_scale;            /* ... and its scale */
+    struct zs_lit lit;            /* stays from triangle to triangle */
 };
 
 /* ---- plane.c ---------------------------------------------------------------------------------------- */

@@ -210,6 +210,7 @@ void zs_raster_strip(struct zs_renderer *r)
     job.depth = r->depth;
     job.y0 = y0;
     job.width = r->config.width;
+    job.lit.of = 0;
     uint16_t *keep = &r->active; /* grows at its end: stays ascending */
     while (list != ZS_NIL) {
         struct zs_tri *t = &r->tri[list];

@@ -38,6 +38,8 @@ struct zs_view {
     int32_t key_shift;     /* ... and its shift */
     uint64_t key_far;      /* recip: (B - 1) f / (f - n) in uq_16, the key of z at infinity */
     uint32_t key_top;      /* (B - 1) in uq16_16 */
+    uint32_t key_slow, key_known; /* vertices with keys up to key_known, at most key_slow apart: 1/z changes by at most
+                              that part of the least; both 0: not known without division */
     uint8_t perspective, screen_linear; /* flags: keys are linear on the screen */
     uint8_t key_mantissa, key_octaves; /* float: mantissa bits, and 2^exponent bits - 1 */
 };

@@ -52,9 +52,18 @@ static uint32_t color_range(const uint16_t *const a[3])
 /* range / 65536 * 63 codes * (change / least) / 4 <= 1/8 code; 63 taken as 64. */
 static int affine_enough(uint32_t range, uint32_t change, uint32_t least)
 {
-    if (range * ((change >> 16) + 1u) <= least >> 7) /* < 2^31: enough to say yes */
+    if (range * ((change >> 16) + 1u) <= least >> 7) /* < 2^32: enough to say yes */
         return 1;
-    return zs_mul_uu(range, change) <= (uint64_t)least << 9; /* < 2^16 * 2^31 */
+    return zs_mul_uu(range, change) <= (uint64_t)least << 9; /* < 2^16 * 2^32 */
+}
+
+/* 1: affine_enough, found from keys alone; 0: w must be asked. */
+static int keys_enough(const struct zs_job *job, uint32_t range)
+{
+    const struct zs_view *view = &job->r->view;
+    const uint32_t a = job->v[0]->d, b = job->v[1]->d, c = job->v[2]->d;
+    const uint32_t farthest = zs_maxu32(zs_maxu32(a, b), c), change = farthest - zs_minu32(zs_minu32(a, b), c);
+    return farthest <= view->key_known && change <= view->key_slow && affine_enough(range, change, view->key_slow);
 }
 
 static uint32_t sub_span(const struct zs_plane *w, uint32_t range, uint32_t least)
@@ -73,44 +82,40 @@ static inline uint32_t code_of(uint32_t v, uint32_t most)
     return whole + (whole >> 16);
 }
 
-/* 256 * n / area of a small triangle in 32 bits, the same as plane.c finds: there n is brought to 32 bits first,
- * which takes nothing from n < 2^31, and floors of floors are one floor. |result| < 2^28 */
+/* 256 * n / area in 32 bits, nearest. plane.c brings n to 32 bits first, which takes nothing from |n| < 2^31; floors of
+ * floors are one floor; so the same number comes out, but for halves: up here, away from 0 there. |result| < 2^22 */
 static inline int32_t narrow_gradient(int32_t n, uint32_t rcp, int32_t shift)
 {
-    const uint32_t part = zs_umulh((uint32_t)zs_abs32(n), rcp) >> shift;
-    const int32_t q = (int32_t)((part + 1u) >> 1);
-    return n < 0 ? -q : q;
+    return (((int32_t)(zs_mul_su(n, rcp) >> 32) >> shift) + 1) >> 1;
 }
 
-/* zs_plane32 for codes, in 32 bits. fits: differences up to here times the triangle's extents stay below 2^30.
+/* zs_plane32 for codes, in 32 bits. fits: differences below it times the triangle's extents stay below 2^30.
  * Return 0 where it is not for it. */
 static int narrow_plane(const struct zs_geom *g, const uint32_t v[3], int32_t fits, struct zs_plane *out)
 {
     const int32_t dv1 = (int32_t)(v[1] - v[0]), dv2 = (int32_t)(v[2] - v[0]); /* |.| < 2^22 */
-    const int32_t shift = 22 + g->exp;                   /* 3 .. 21 */
-    if (zs_abs32(dv1) >= fits || zs_abs32(dv2) >= fits)
+    const int32_t shift = 22 + g->exp;                   /* 8 .. 21 */
+    if (((dv1 ^ dv1 >> 31) | (dv2 ^ dv2 >> 31)) >= fits)
         return 0;
     const int32_t gx = narrow_gradient(dv1 * g->dy2 - dv2 * g->dy1, g->rcp, shift);
     const int32_t gy = narrow_gradient(dv2 * g->dx1 - dv1 * g->dx2, g->rcp, shift);
-    if ((zs_abs32(gx) | zs_abs32(gy)) >> 22)
-        return 0;
     out->gx = (uint32_t)gx;
     out->gy = (uint32_t)gy;
     out->base = v[0] + (uint32_t)((gx * g->ax + gy * g->ay + 128) >> 8); /* |a| <= 128: < 2^30 */
     return 1;
 }
 
-/* What narrow_plane calls fits; 0: not for this triangle. */
+/* What narrow_plane calls fits, a power of two; 0: not for this triangle. */
 static int32_t narrow_fits(const struct zs_geom *g)
 {
-    if (g->rcp == 0 || g->exp < -19) /* large; or so small that a gradient may have 28 bits */
+    if (g->rcp == 0 || g->exp < -14) /* large; or below 1 px^2, and a gradient may have more than 22 bits */
         return 0;
-    const int32_t extent = zs_abs32(g->dx1) | zs_abs32(g->dx2) | zs_abs32(g->dy1) | zs_abs32(g->dy2);
-    return 1 << (zs_clz32((uint32_t)extent) - 2); /* extent <= 2^16: 2^13 at least */
+    const int32_t extent = (g->dx1 ^ g->dx1 >> 31) | (g->dx2 ^ g->dx2 >> 31) | g->dy1 | g->dy2;
+    return 1 << (zs_clz32((uint32_t)extent) - 2); /* extents < 2^16, and not all -1, 0: 2^14 at least */
 }
 
 /* Planes of codes with half a code added, codes in their words' top bits. */
-static void affine_planes(struct zs_job *job, const uint16_t *const a[3])
+static ZS_NOINLINE void affine_planes(struct zs_job *job, const uint16_t *const a[3])
 {
     const struct zs_geom *g = &job->geom;
     const int32_t fits = narrow_fits(g);
@@ -139,22 +144,31 @@ static void persp_planes(struct zs_job *job, const uint16_t *const a[3], const u
     }
 }
 
+/* What is left where keys do not say that colours are affine. */
+static ZS_NOINLINE void start_by_w(struct zs_job *job, const uint16_t *const a[3], uint32_t range)
+{
+    uint32_t w[3], least;
+    zs_persp_w(job, w);
+    const uint32_t change = zs_persp_change(w, &least);
+    if (affine_enough(range, change, least)) {
+        affine_planes(job, a);
+        return;
+    }
+    zs_persp_plane(&job->geom, w, ZS_PLANE_WIDE, &job->w);
+    job->sub_log2 = sub_span(&job->w, range, least);
+    persp_planes(job, a, w);
+}
+
 static void smooth_start(struct zs_job *job)
 {
     const uint16_t *a[3];
-    uint32_t w[3], least;
     zs_persp_attrs(job, a);
-    zs_persp_w(job, w);
-    const uint32_t change = zs_persp_change(w, &least);
-    const uint32_t range = change <= least >> 7 ? 0u : color_range(a); /* 0: enough for any */
-    if (affine_enough(range, change, least)) {
-        job->sub_log2 = ZS_AFFINE;
+    const uint32_t range = color_range(a);
+    job->sub_log2 = ZS_AFFINE;
+    if (keys_enough(job, range))
         affine_planes(job, a);
-    } else {
-        zs_persp_plane(&job->geom, w, ZS_PLANE_WIDE, &job->w);
-        job->sub_log2 = sub_span(&job->w, range, least);
-        persp_planes(job, a, w);
-    }
+    else
+        start_by_w(job, a, range);
 }
 
 /* ---- Runs ------------------------------------------------------------------------------------------- */
@@ -162,7 +176,7 @@ static void smooth_start(struct zs_job *job)
 /* Codes with half a code added, at most 63.5, in their words' top bits. */
 static inline uint16_t pack(uint32_t red, uint32_t green, uint32_t blue)
 {
-    return zs_wire16((uint16_t)(red >> 27 << 11 | green >> 26 << 5 | blue >> 27));
+    return zs_wire16((uint16_t)((red >> 27 << 6 | green >> 26) << 5 | blue >> 27));
 }
 
 static void fill_linear(uint16_t *out, int32_t n, const uint32_t c[3], const uint32_t step[3])
@@ -177,32 +191,47 @@ static void fill_linear(uint16_t *out, int32_t n, const uint32_t c[3], const uin
     }
 }
 
-/* Depth test and colour of an affine triangle's pixels [i0, i1) whose keys do not saturate. */
-#define HIGH(x) __asm__("" : "+h"(x))
-static ZS_NOINLINE void affine_pixels(struct zs_job *job, const struct zs_row *row)
+/* Depth test and colour of an affine triangle whose keys do not saturate. */
+static ZS_NOINLINE void affine_rows(struct zs_job *job)
 {
+    const int32_t width = job->width;
     const struct zs_plane *const c = job->c;
-    const int32_t i0 = row->i0, y = row->y;
-    uint32_t red = zs_plane_at(&c[0], i0, y), green = zs_plane_at(&c[1], i0, y), blue = zs_plane_at(&c[2], i0, y);
-    uint32_t by_red = c[0].gx, by_green = c[1].gx, by_blue = c[2].gx;
-    uint32_t gx = job->key.gx, sum = row->key + zs_wrap_mul(gx, i0);
-    uint16_t *depth = job->depth + row->at + i0, *color = job->color + row->at + i0;
-    const uint16_t *end = depth + (row->i1 - i0);
-    int32_t written = 0;
-    for (; depth != end; depth++, color++) {
-
-        const uint32_t key = sum >> 16;
-        if (key < *depth) {
-            *depth = (uint16_t)key;
-            *color = pack(red, green, blue);
-            if (ZS_STATS)
-                written++;
+    uint32_t by_key = job->key.gx, by_red = c[0].gx, by_green = c[1].gx, by_blue = c[2].gx;
+    uint32_t tested = 0;
+    int32_t written = 0, y = job->row, at = (y - job->y0) * width;
+    zs_plane_origin(&job->geom, &job->key);
+    for (;;) {
+        for (const struct zs_cut *cut = job->cut; y < job->cut_end; cut++, y++, at += width) {
+            const int32_t i0 = zs_max32(cut->x0, 0), n = zs_min32(cut->x1, width) - i0;
+            if (n <= 0)
+                continue;
+            uint32_t sum = zs_plane_at(&job->key, i0, y), red = zs_plane_at(&c[0], i0, y),
+                     green = zs_plane_at(&c[1], i0, y), blue = zs_plane_at(&c[2], i0, y);
+            uint16_t *depth = job->depth + at + i0, *color = job->color + at + i0;
+            const uint16_t *end = depth + n;
+            tested += (uint32_t)n;
+            do {
+                ZS_HIGH_REGISTER(by_key); ZS_HIGH_REGISTER(by_red); ZS_HIGH_REGISTER(by_green); ZS_HIGH_REGISTER(by_blue); ZS_HIGH_REGISTER(end);
+                const uint32_t key = sum >> 16;
+                if (key < *depth) {
+                    *depth = (uint16_t)key;
+                    *color = pack(red, green, blue);
+                    if (ZS_STATS)
+                        written++;
+                }
+                depth++;
+                color++;
+                sum += by_key;
+                red += by_red;
+                green += by_green;
+                blue += by_blue;
+            } while (depth != end);
         }
-        sum += gx;
-        red += by_red;
-        green += by_green;
-        blue += by_blue;
+        if (y >= job->row_end)
+            break;
+        zs_raster_cuts(job, y);
     }
+    job->r->stats.pixels_tested += tested;
     zs_rows_written(job, written);
 }
 
@@ -212,16 +241,11 @@ static void smooth_span(struct zs_job *job, const struct zs_row *row, int32_t i0
         zs_persp_span(job, row, i0, i1, sum, gx);
 }
 
-ZS_ALWAYS_INLINE void affine_span(struct zs_job *job, const struct zs_row *row)
-{
-    affine_pixels(job, row);
-}
-
 static void smooth_rows(struct zs_job *job)
 {
     smooth_start(job);
     if (job->sub_log2 == ZS_AFFINE && !zs_keys_may_saturate(job))
-        zs_rows_walk(job, affine_span);
+        affine_rows(job);
     else
         zs_persp_walk(job);
 }

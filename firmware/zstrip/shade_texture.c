@@ -227,10 +227,34 @@ static void blocks(struct zs_job *job, const uint16_t *const a[3], const struct 
     job->sub_log2 = 0;
 }
 
+/* The texture to be drawn: t, or a copy of it with the palette lit. Sets job->sampler.unlit. */
+static const struct zs_texture *lit_texture(struct zs_job *job, const struct zs_texture *t)
+{
+    const struct zs_shader *shader = job->shader;
+    struct zs_lit *lit = &job->lit;
+    const uint16_t level = job->tri->paint;
+    job->sampler.unlit = !shader->light || (shader->n_attrs == 2 && level == 32768u);
+    if (job->sampler.unlit || shader->n_attrs == 3 || !t->format->colors_max || t->n_colors > ZS_LIT_COLORS)
+        return t;
+    job->sampler.unlit = 1;
+    if (lit->of != t || lit->level != level) {
+        lit->of = t;
+        lit->level = level;
+        lit->texture = *t;
+        lit->texture.palette = lit->color;
+        for (uint32_t i = 0; i < t->n_colors; i++)
+            lit->color[i] = zs_wire16(t->palette[i]);
+        shader->light(lit->color, t->n_colors, (uint32_t)level << 16, 0);
+        for (uint32_t i = 0; i < t->n_colors; i++)
+            lit->color[i] = zs_wire16(lit->color[i]);
+    }
+    return &lit->texture;
+}
+
 static void texture_start(struct zs_job *job)
 {
     const struct zs_instance *in = &job->r->scene->instance[job->tri->instance];
-    const struct zs_texture *t = in->material->texture;
+    const struct zs_texture *t = lit_texture(job, in->material->texture);
     const uint32_t uv_bits = in->mesh->uv_bits;
     const int lit = job->shader->n_attrs == 3;
     const uint16_t *a[3];
@@ -365,7 +389,7 @@ static inline void lighten(const struct zs_job *job, uint16_t *out, int32_t n, u
     const struct zs_shader *shader = job->shader;
     if (shader->n_attrs == 3)
         shader->light(out, n, level << 1, (uint32_t)step << 1);
-    else if (shader->light && job->tri->paint != 32768u)
+    else if (!job->sampler.unlit)
         shader->light(out, n, (uint32_t)job->tri->paint << 16, 0);
 }
 
@@ -386,7 +410,7 @@ static void run_affine(struct zs_job *job, const struct zs_row *row, int32_t r0,
     }
     if (job->shader->n_attrs == 3)
         lighten(job, out, n, zs_plane_at(&job->c[2], r0, row->y), (int32_t)job->c[2].gx);
-    else if (job->shader->light)
+    else
         lighten(job, out, n, 0, 0);
 }
 
@@ -453,8 +477,7 @@ static void run_blocks(struct zs_job *job, const struct zs_row *row, int32_t r0,
         ZS_ASSERT(i1 > i0);
         if (i1 > i0) { /* always; a slip in numbers must not become one in memory */
             fetch(job, color + i0, i1 - i0, c, step);
-            if (job->shader->light)
-                lighten(job, color + i0, i1 - i0, n == 3 ? c[2] : 0u, step[2]);
+            lighten(job, color + i0, i1 - i0, n == 3 ? c[2] : 0u, step[2]);
         }
         if (end >= r1)
             return;
@@ -473,7 +496,7 @@ static void texture_run(struct zs_job *job, const struct zs_row *row, int32_t r0
 static void texture_rows(struct zs_job *job)
 {
     texture_start(job);
-    if (job->sampler.direct && (!job->shader->light || (job->shader->n_attrs == 2 && job->tri->paint == 32768u))) {
+    if (job->sampler.direct && job->sampler.unlit) {
         const struct zs_texel *texel = job->sampler.texture->format;
         texel->rows(job);
     } else {

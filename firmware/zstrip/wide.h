@@ -83,6 +83,7 @@ static inline int64_t zs_cross_short(int32_t a, int32_t b, int32_t c, int32_t d)
 #endif
 }
 
+
 /* A row of an affine map, for points of 16 bits: row = { low[3], t_low, s, high[3], s2, t_high } gives
  *   ((((low . p + t_low) >> s) + high . p) >> s2) + t_high
  * low . p + t_low fits 32 bits, the rest is modulo 2^32; s, s2 < 32. Armv6-M: 30 cycles and no register but the seven
@@ -115,6 +116,14 @@ static inline int32_t zs_row(const int32_t row[10], int32_t x, int32_t y, int32_
     return (int32_t)((uint32_t)((int32_t)high >> row[8]) + (uint32_t)row[9]);
 }
 
+#endif
+
+/* Ask that x live in a register that only ADD, CMP and MOV reach: the step of a sum in an inner loop that is short
+ * of the other eight. Where the set is not split, or the compiler is another: nothing. */
+#if defined(__GNUC__) && defined(__ARM_ARCH_6M__)
+#define ZS_HIGH_REGISTER(x) __asm__("" : "+h"(x))
+#else
+#define ZS_HIGH_REGISTER(x) ((void)0)
 #endif
 
 /* High half of a 32 x 32 product, floor. */
