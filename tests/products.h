@@ -18,6 +18,16 @@ static inline int wide_pair_right(uint32_t a, uint32_t b)
            zs_umulh(a, b) == (uint32_t)(ua * ub >> 32) && zs_mulh_ss(sa, sb) == (int32_t)(ia * ib >> 32);
 }
 
+/* The edge values once more as differences: |b|, |d| <= 2^14. */
+static inline int wide_cross_right(uint32_t a, uint32_t b)
+{
+    const int32_t short_b = (int32_t)(b % 32769u) - 16384, short_d = (int32_t)(a % 32769u) - 16384;
+    volatile int64_t ia = (int32_t)a, ib = (int32_t)b, ib_short = short_b, id_short = short_d;
+    return zs_cross_short((int32_t)a, short_b, (int32_t)b, short_d) == ia * ib_short - ib * id_short &&
+           zs_cross_short((int32_t)a, 16384, (int32_t)b, -16384) == ia * 16384 + ib * 16384 &&
+           zs_cross_short((int32_t)a, -16384, (int32_t)b, 16384) == (ia + ib) * -16384;
+}
+
 static inline int wide_clz_right(uint32_t v)
 {
     int n = 0;
@@ -43,7 +53,7 @@ static inline int wide_right(uint32_t random_pairs, uint32_t wrong[2])
                        b = k < n * n ? edge[k % n] : (uint32_t)prng_log(&p);
         wrong[0] = a;
         wrong[1] = b;
-        if (!wide_pair_right(a, b) || (a && !wide_clz_right(a)))
+        if (!wide_pair_right(a, b) || !wide_cross_right(a, b) || (a && !wide_clz_right(a)))
             return 0;
     }
     return 1;

@@ -231,7 +231,8 @@ static ZS_NOINLINE void float_walk(struct zs_job *job)
     zs_rows_walk(job, float_span);
 }
 
-static void float_rows(struct zs_job *job)
+/* A triangle whose keys may lie in more than one octave. */
+static ZS_NOINLINE void float_octaves(struct zs_job *job)
 {
     const struct zs_shader *shader = job->shader;
     int32_t octave[3], nearest = 0, farthest = 32;
@@ -240,9 +241,8 @@ static void float_rows(struct zs_job *job)
         nearest = zs_max32(nearest, octave[k]);
         farthest = zs_min32(farthest, octave[k]);
     }
-    if (nearest == farthest) {
-        zs_rows_keys(job);
-        zs_rows_draw(job);
+    if (nearest == farthest) { /* the last octave has the codes of two */
+        zs_raster_keys(job);
         return;
     }
     float_planes(job, octave, nearest);
@@ -251,6 +251,17 @@ static void float_rows(struct zs_job *job)
     if (shader->start)
         shader->start(job);
     float_walk(job);
+}
+
+static void float_rows(struct zs_job *job)
+{
+    const struct zs_view *view = &job->r->view;
+    const uint32_t code = below_code(view, job->v[0]->d);
+    const uint32_t differ = (code ^ below_code(view, job->v[1]->d)) | (code ^ below_code(view, job->v[2]->d));
+    if (differ >> (view->key_mantissa + 16))
+        float_octaves(job);
+    else
+        zs_raster_keys(job);
 }
 
 const struct zs_depth zs_depth_float = { any_setup, float_vertex, float_rows, float_inverse, 0 };

@@ -31,7 +31,11 @@ typedef int32_t q24_8; /* screen x, y, px */
 
 #if defined(__GNUC__)
 #define ZS_ALWAYS_INLINE static inline __attribute__((always_inline))
+#if defined(__clang__)
 #define ZS_NOINLINE __attribute__((noinline))
+#else
+#define ZS_NOINLINE __attribute__((noinline, noclone)) /* nor with other arguments: fields as arguments spill */
+#endif
 #else
 #define ZS_ALWAYS_INLINE static inline
 #define ZS_NOINLINE

@@ -166,6 +166,8 @@ void zs_bin_walk(struct zs_renderer *r);
 void zs_raster_strip(struct zs_renderer *r);
 /* Find the spans of rows from `row` on: of ZS_CUT_ROWS, or up to job->row_end. */
 void zs_raster_cuts(struct zs_job *job, int32_t row);
+/* Draw a job whose keys are linear on the screen, by its shader or its state. */
+void zs_raster_keys(struct zs_job *job);
 
 /* The span of a row: first sample at or right of its left edge, and of its right edge. */
 struct zs_cut {
@@ -185,16 +187,24 @@ struct zs_plane64 {
 };
 
 #define ZS_TINY (64 * ZS_SUBPX_ONE) /* most triangles are not larger: 32-bit products do */
+#define ZS_TINY_AREA (1 << 13)      /* ... and not smaller; see plane.c */
 
 /* The snapped triangle as planes need it, area made positive. */
 struct zs_geom {
-    int32_t dx1, dy1, dx2, dy2; /* q24_8, of the second and third vertex from the first */
+    union { /* q24_8, of the second and third vertex from the first */
+        struct {
+            int32_t dx1, dx2, dy1, dy2;
+        };
+        struct {
+            int32_t dx[2], dy[2];
+        };
+    };
     int64_t area;               /* q_16 px^2, twice the area, > 0 */
     int32_t ia, ja;             /* anchor pixel ... */
     int32_t ax, ay;             /* ... its sample minus the first vertex, q24_8 */
     uint32_t rcp;               /* 2^63 / mantissa of area; 0: large, divide */
     int32_t exp;                /* area ~ mantissa * 2^exp, mantissa in [2^31, 2^32) */
-    int32_t tiny;               /* 1: all four differences are at most ZS_TINY */
+    int32_t tiny;               /* 1: the four differences are at most ZS_TINY, the area is at least ZS_TINY_AREA */
 };
 
 /* How a textured triangle's coordinates become fractions of the texture's size. */
@@ -224,7 +234,7 @@ struct zs_job {
     struct zs_plane key;          /* screen-linear mappings; half a bucket added */
     struct zs_plane c[3], w;      /* attributes, or attributes times w, and w (persp.h) */
     uint16_t *color, *depth;      /* the strip; row 0 is row y0 of the frame */
-    int32_t y0, width;
+    int32_t y0, y1, width;        /* the strip's rows [y0, y1) */
     int32_t row, cut_end, row_end; /* rows in the frame; to row_end in this strip */
     uint32_t sub_log2;            /* of the sub-span; ZS_AFFINE: plain affine */
     struct zs_renderer *r;
@@ -247,15 +257,16 @@ struct zs_job {
 
 /* ---- plane.c ---------------------------------------------------------------------------------------- */
 
-/* From three vertices in the order of y: job->v, job->mid_right, job->geom's differences and area. Return 0 where it
+/* From the vertices in the order of y: job->v, job->mid_right, job->geom's differences and area. Return 0 where it
  * has none. */
-int zs_plane_sides(struct zs_job *job, const struct zs_vertex *const v[3]);
+int zs_plane_sides(struct zs_job *job, const struct zs_vertex *top, const struct zs_vertex *mid,
+                   const struct zs_vertex *bottom);
 /* Fill the rest of job->geom. */
 void zs_plane_geom(struct zs_job *job);
-enum zs_plane_kind {
-    ZS_PLANE_KEY, /* buckets or codes, uq16_16: error below 0.005 of one */
-    ZS_PLANE_WIDE /* 31 significant bits: error below the larger of 2^-21 of the largest value
-                     and (W + H + 1) / 2 * 2^-31 */
+enum zs_plane_kind { /* the numbers: gradients of 2^(32 - n) and more are found by division */
+    ZS_PLANE_WIDE = 2, /* 31 significant bits: error below the larger of 2^-21 of the largest value
+                          and (W + H + 1) / 2 * 2^-31 */
+    ZS_PLANE_KEY = 5   /* buckets or codes, uq16_16: error below 0.005 of one */
 };
 void zs_plane32(const struct zs_geom *g, uint32_t v0, uint32_t v1, uint32_t v2,
                 enum zs_plane_kind kind, struct zs_plane *out);

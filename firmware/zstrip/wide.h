@@ -51,6 +51,20 @@ static inline int64_t zs_mul_su(int32_t a, uint32_t b)
     return (int64_t)((uint64_t)hi << 32 | lo);
 }
 
+/* (a1 b - c1 d) 2^16 + (a0 b - c0 d): the first below 2^30, the second below 2^31. */
+static inline int64_t zs_cross_short(int32_t a, int32_t b, int32_t c, int32_t d)
+{
+    int32_t lo = a, other = c, hi, t;
+    __asm__(".syntax unified\n\t"
+            "asrs %2, %0, #16\n\tmuls %2, %4\n\tasrs %3, %1, #16\n\tmuls %3, %5\n\tsubs %2, %3\n\t"
+            "uxth %0, %0\n\tmuls %0, %4\n\tuxth %1, %1\n\tmuls %1, %5\n\tsubs %0, %1\n\t"
+            "asrs %1, %0, #31\n\tlsls %3, %2, #16\n\tasrs %2, %2, #16\n\tadds %0, %3\n\tadcs %2, %1"
+            : "+l"(lo), "+l"(other), "=&l"(hi), "=&l"(t)
+            : "l"(b), "l"(d)
+            : "cc");
+    return (int64_t)((uint64_t)(uint32_t)hi << 32 | (uint32_t)lo);
+}
+
 #else
 
 /* a * b, exact. */
@@ -69,20 +83,13 @@ static inline int64_t zs_mul_su(int32_t a, uint32_t b)
     return (int64_t)a * (int64_t)b;
 }
 
-#endif
-
-/* a b - c d, |b| and |d| <= 2^14: four products of 32 bits on Armv6-M. */
+/* a b - c d, |b| and |d| <= 2^14. */
 static inline int64_t zs_cross_short(int32_t a, int32_t b, int32_t c, int32_t d)
 {
-#if defined(__ARM_ARCH_6M__)
-    const int32_t hi = (a >> 16) * b - (c >> 16) * d;         /* |.| <= 2^30 */
-    const int32_t lo = (a & 0xffff) * b - (c & 0xffff) * d;   /* |.| < 2^31 */
-    return (int64_t)hi * 65536 + lo;
-#else
-    return zs_mul_ss(a, b) - zs_mul_ss(c, d);
-#endif
+    return (int64_t)a * b - (int64_t)c * d;
 }
 
+#endif
 
 /* A row of an affine map, for points of 16 bits: row = { low[3], t_low, s, high[3], s2, t_high } gives
  *   ((((low . p + t_low) >> s) + high . p) >> s2) + t_high
