@@ -35,7 +35,8 @@ reach() {
     shift 2
     found= broken=
     for f in "$@"; do
-        deps=$(gcc -MM -Ifirmware/zstrip -Ifirmware/scenes -Ihal -Ihal/panel -Isim -Isim/reference "$f" 2>"$B/reach.txt") ||
+        deps=$(gcc -MM -Ifirmware/zstrip -Ifirmware/scenes -Ihal -Ihal/panel -Isim -Isim/reference \
+            -Isim/panel_model "$f" 2>"$B/reach.txt") ||
             broken="$broken $f"
         found="$found
 $(echo "$deps" | tr ' \\' '\n\n' | grep -E "$forbidden" | sed "s|^|$f->|")"
@@ -52,12 +53,20 @@ only "app sees zstrip.h, scenes.h and hal.h" "\"(zstrip|scenes|hal)\\.h\"|$STD" 
 only "scenes see zstrip.h and their own" "\"(zstrip|meshes)\\.h\"|$(headers firmware/scenes)|$STD" firmware/scenes/*.[ch]
 only "mesh generators see their own" "$(headers firmware/scenes | sed 's|"(|"\\.\\./(|')|$(headers firmware/scenes/gen)|$HOSTED" firmware/scenes/gen/*.[ch]
 only "boards see nothing of ours" "$STD" firmware/boards/*/*.c
-only "reference includes its own and standard headers" "$(headers sim/reference)|$HOSTED" sim/reference/*.[ch]
-reach "reference reaches nothing of firmware" '^(firmware|hal)' sim/reference/*.c
-twins=$(for h in sim/reference/*.h; do ls firmware/*/"$(basename "$h")" hal/"$(basename "$h")" 2>/dev/null; done)
-none "reference's header names are its own" "$twins"
-names=$(for f in sim/reference/*.[ch]; do
-    gcc -fpreprocessed -dD -E -P "$f" 2>/dev/null | grep -oE '\<(zs|ZS|hal|HAL)_[A-Za-z0-9_]+' | sed "s|^|$(basename "$f"):|"
-done)
-none "reference uses no name of firmware's" "$names"
+# A judge in sim: includes its own and standard headers, reaches nothing of what it judges, has header names of its
+# own (or an include could mean the other one), and uses no name that begins with a prefix of theirs.
+judge() { # FOLDER PREFIXES
+    only "$(basename "$1") includes its own and standard headers" "$(headers "$1")|$HOSTED" "$1"/*.[ch]
+    reach "$(basename "$1") reaches nothing of firmware or hal" '^(firmware|hal)' "$1"/*.c
+    twins=$(for h in "$1"/*.h; do
+        ls firmware/*/"$(basename "$h")" hal/"$(basename "$h")" hal/*/"$(basename "$h")" 2>/dev/null
+    done)
+    none "$(basename "$1")'s header names are its own" "$twins"
+    names=$(for f in "$1"/*.[ch]; do
+        gcc -fpreprocessed -dD -E -P "$f" 2>/dev/null | grep -oE "\\<($2)_[A-Za-z0-9_]+" | sed "s|^|$(basename "$f"):|"
+    done)
+    none "$(basename "$1") uses no name of theirs" "$names"
+}
+judge sim/reference 'zs|ZS|hal|HAL|panel|PANEL'
+judge sim/panel_model 'zs|ZS|hal|HAL|PANEL'
 exit $failed
