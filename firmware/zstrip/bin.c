@@ -74,7 +74,7 @@ static inline void bin_insert(struct zs_renderer *r, uint32_t t, int32_t row)
 }
 
 /* Drop binned triangles that begin below the band; the rest moves up in order. */
-static void tris_compact(struct zs_renderer *r)
+static ZS_RARE void tris_compact(struct zs_renderer *r)
 {
     uint32_t kept = 0;
     bins_clear(r);
@@ -91,7 +91,7 @@ static void tris_compact(struct zs_renderer *r)
 }
 
 /* Drop vertices that no binned triangle holds. */
-static void verts_compact(struct zs_renderer *r)
+static ZS_RARE void verts_compact(struct zs_renderer *r)
 {
     uint16_t *to = r->vert_map; /* its contents are rebuilt below */
     const uint32_t attrs = r->config.attrs;
@@ -125,14 +125,14 @@ static void verts_compact(struct zs_renderer *r)
             r->vert_map[map_index(r->vert_src[v], r->config.max_verts)] = (uint16_t)v;
 }
 
-static int roomy(const struct zs_renderer *r)
+static ZS_RARE int roomy(const struct zs_renderer *r)
 {
     const uint32_t tris = r->config.max_tris, verts = r->config.max_verts;
     const uint32_t verts_wanted = verts / 4u + 3u < verts ? verts / 4u + 3u : verts;
     return tris - r->n_tris >= tris / 4u + 1u && verts - r->n_verts >= verts_wanted;
 }
 
-static void high_water(struct zs_renderer *r)
+static ZS_RARE void high_water(struct zs_renderer *r)
 {
     if (r->stats.max_tris_used < r->n_tris)
         r->stats.max_tris_used = r->n_tris;
@@ -141,7 +141,7 @@ static void high_water(struct zs_renderer *r)
 }
 
 /* A pool is full: free at least a quarter of both. Slots change. */
-static void make_room(struct zs_renderer *r)
+static ZS_RARE void make_room(struct zs_renderer *r)
 {
     r->direct = 0;
     high_water(r);
@@ -196,17 +196,17 @@ static inline void corners_light(struct zs_renderer *r, const uint32_t slot[3])
     corner_light(r, slot[2], attrs);
 }
 
-/* Transform all of a mesh, where there is room. Return 1: all vertices are inside near, far and guard. */
-static int verts_direct(struct zs_renderer *r, const struct zs_mesh *mesh)
+/* Transform all of a mesh, where there is room. */
+static void verts_direct(struct zs_renderer *r, const struct zs_mesh *mesh)
 {
     const uint32_t base = r->n_verts, n = mesh->n_verts;
     set_base(r, base);
     r->direct = !(r->config.skip_off & ZS_SKIP_VCACHE) && n <= r->config.max_verts - base;
     if (!r->direct)
-        return 0;
+        return;
     r->n_verts += n;
     verts_mark(r, base, 0, n);
-    return zs_xform_screen(r, 0, n, &r->vert[base]);
+    zs_xform_screen(r, 0, n, &r->vert[base]);
 }
 
 /* Transform vertex v into the next place of the pool; ZS_NIL: the pool is full. */
@@ -217,7 +217,7 @@ static ZS_NOINLINE uint32_t vertex_add(struct zs_renderer *r, uint32_t v)
     const uint32_t slot = r->n_verts++;
     r->vert_map[map_index(v, r->config.max_verts)] = (uint16_t)slot;
     verts_mark(r, slot, v, 1);
-    (void)zs_xform_screen(r, v, 1, &r->vert[slot]);
+    zs_xform_screen(r, v, 1, &r->vert[slot]);
     return slot;
 }
 
@@ -270,24 +270,18 @@ static int64_t signed_area(const struct zs_vertex *a, const struct zs_vertex *b,
     return (int64_t)(b->x - a->x) * (c->y - a->y) - (int64_t)(c->x - a->x) * (b->y - a->y);
 }
 
-/* Twice the area, where 32 bits hold it. Return 0: they may not. */
-static inline int small_area(const struct zs_vertex *a, const struct zs_vertex *b, const struct zs_vertex *c, int32_t *area)
+static inline const int32_t *xy(const struct zs_vertex *v)
 {
-    const int32_t bx = b->x - a->x, cx = c->x - a->x;
-    if ((int16_t)bx != bx || (int16_t)cx != cx)
-        return 0;
-    const int32_t by = b->y - a->y, cy = c->y - a->y;
-    if ((int16_t)by != by || (int16_t)cy != cy)
-        return 0;
-    *area = bx * cy - cx * by; /* both products are at most 2^30, and not of opposite signs there: |.| < 2^31 */
-    return 1;
+    return (const int32_t *)(const void *)v;
 }
+_Static_assert(offsetof(struct zs_vertex, x) == 0 && offsetof(struct zs_vertex, y) == 4, "x and y come first");
 
 /* The sign of signed_area. */
 static int32_t sense(const struct zs_vertex *a, const struct zs_vertex *b, const struct zs_vertex *c)
 {
-    int32_t area;
-    if (small_area(a, b, c, &area))
+    uint32_t wide;
+    const int32_t area = zs_area_short(xy(a), xy(b), xy(c), &wide);
+    if (!wide)
         return area;
     const int64_t left = zs_mul_ss(b->x - a->x, c->y - a->y), right = zs_mul_ss(c->x - a->x, b->y - a->y);
     return (left > right) - (left < right);
@@ -359,7 +353,7 @@ struct polygon {
 
 /* Which way a triangle turns on the screen, from its corners in camera units, exactly: > 0 clockwise. Where all
  * three are before the eye, the sign of a . (b x c) is that of the area. */
-static int sense_of(const struct zs_view *view, const struct zs_clip_vertex v[3])
+static ZS_RARE int sense_of(const struct zs_view *view, const struct zs_clip_vertex v[3])
 {
     const int32_t *a = v[0].p.c, *b = v[1].p.c, *c = v[2].p.c;
     for (int k = 0; k < 9; k++) /* only of a mesh that is larger than its sphere says; it loses parts */
@@ -389,7 +383,7 @@ static int sense_of(const struct zs_view *view, const struct zs_clip_vertex v[3]
  * counts, and pieces of the other sense are dropped (polygon_bin). That leaves no hole: the samples of the right
  * sense are all in pieces of the right sense, whose signed sum the polygon is; it can draw beyond a thin
  * polygon's edge, by less than a sub-pixel's width. */
-static int64_t fan_corner(const struct polygon *p, int sense, int *corner)
+static ZS_RARE int64_t fan_corner(const struct polygon *p, int sense, int *corner)
 {
     int64_t area = 0;
     int start = 0;
@@ -415,7 +409,7 @@ static int64_t fan_corner(const struct polygon *p, int sense, int *corner)
     return sense;
 }
 
-static void polygon_project(struct zs_renderer *r, struct polygon *p)
+static ZS_RARE void polygon_project(struct zs_renderer *r, struct polygon *p)
 {
     const int32_t reach = (int32_t)ZS_GUARD_SUBPX;
     for (int k = 0; k < p->n; k++) {
@@ -427,7 +421,7 @@ static void polygon_project(struct zs_renderer *r, struct polygon *p)
     }
 }
 
-static void polygon_push(struct zs_renderer *r, const struct polygon *p, const int corner[3],
+static ZS_RARE void polygon_push(struct zs_renderer *r, const struct polygon *p, const int corner[3],
                          uint16_t paint, int32_t y0)
 {
     if (r->n_tris == r->config.max_tris || r->n_verts + 3u > r->config.max_verts)
@@ -443,7 +437,7 @@ static void polygon_push(struct zs_renderer *r, const struct polygon *p, const i
     bin_push(r, slot, paint, y0);
 }
 
-static enum fate polygon_bin(struct zs_renderer *r, const struct polygon *p, uint32_t t, int sense)
+static ZS_RARE enum fate polygon_bin(struct zs_renderer *r, const struct polygon *p, uint32_t t, int sense)
 {
     const struct zs_material *material = r->xform.instance->material;
     int corner;
@@ -480,12 +474,7 @@ static enum fate outside(uint32_t all)
     return all & ZS_OUT_NEAR ? FATE_NEAR : all & ZS_OUT_FAR ? FATE_FAR : FATE_OFFSCREEN;
 }
 
-static uint32_t outcode_of(const struct zs_vertex *v)
-{
-    return v->d >= ZS_D_OUT ? (uint32_t)v->x : 0u;
-}
-
-static enum fate triangle_clip(struct zs_renderer *r, uint32_t t)
+static ZS_RARE enum fate triangle_clip(struct zs_renderer *r, uint32_t t)
 {
     const struct zs_mesh *mesh = r->xform.instance->mesh;
     const struct zs_shader *shader = r->xform.instance->material->shader;
@@ -528,12 +517,33 @@ struct batch {
     const struct zs_vertex *pool; /* direct: of vertex 0 */
     uint32_t n_verts;
     int32_t away;                 /* times the area: > 0 where the triangle is turned away and that matters */
-    uint32_t zero, sieved;        /* counts: without area, and all that were dropped */
+    uint32_t *fate;               /* [FATES]: counts of those that were dropped */
     uint8_t left[BATCH];          /* the others: 2 * number in the batch, 1 more where not looked at yet */
 };
 
-/* Drop small triangles that are turned away, for which 32 bits are enough. Return how many are left. */
-ZS_ALWAYS_INLINE uint32_t sieve(struct batch *s, uint32_t n, int inside)
+static ZS_NOINLINE void dropped(struct batch *s, enum fate fate)
+{
+    s->fate[fate]++;
+    s->fate[FATE_FACING]--; /* sieve() counts it there */
+}
+
+/* A triangle that is large, or not wholly inside near, far and guard. Return 0: it lies outside, and is dropped. */
+static ZS_NOINLINE int odd(struct batch *s, const uint16_t index[3])
+{
+    const struct zs_vertex *const pool = s->pool;
+    if (index[0] >= s->n_verts || index[1] >= s->n_verts || index[2] >= s->n_verts)
+        return 1;
+    const uint32_t all = pool[index[0]].d & pool[index[1]].d & pool[index[2]].d;
+    if (all <= ZS_D_OUT)
+        return 1;
+    dropped(s, outside(all));
+    return 0;
+}
+
+/* Drop triangles that lie on one side outside, and small ones that are turned away, for which 32 bits are enough. Return how
+ * many are left. Vertices that are not inside near, far and guard need no test of their own: they are too far from all
+ * others for a small triangle (zs_xform_screen). */
+static ZS_NOINLINE uint32_t sieve(struct batch *s, uint32_t n)
 {
     const struct zs_vertex *const pool = s->pool;
     const uint16_t (*tri)[3] = s->tri;
@@ -541,32 +551,21 @@ ZS_ALWAYS_INLINE uint32_t sieve(struct batch *s, uint32_t n, int inside)
     uint8_t *out = s->left;
     for (uint32_t t = 0; t < 2u * n; t += 2u, tri++) {
         const uint32_t i = (*tri)[0], j = (*tri)[1], k = (*tri)[2];
-        if (i >= n_verts || j >= n_verts || k >= n_verts ||
-            (!inside && (pool[i].d >= ZS_D_OUT || pool[j].d >= ZS_D_OUT || pool[k].d >= ZS_D_OUT))) {
-            *out++ = (uint8_t)(t + 1u);
-            continue;
-        }
-        int32_t area;
-        if (!small_area(pool + i, pool + j, pool + k, &area)) {
-            *out++ = (uint8_t)(t + 1u);
+        uint32_t wide = 1;
+        int32_t area = 0;
+        if (i < n_verts && j < n_verts && k < n_verts)
+            area = zs_area_short(xy(pool + i), xy(pool + j), xy(pool + k), &wide);
+        if (wide) {
+            if (odd(s, *tri))
+                *out++ = (uint8_t)(t + 1u);
         } else if (area == 0) {
-            s->zero++;
+            dropped(s, FATE_ZERO);
         } else if (area * s->away <= 0) {
             *out++ = (uint8_t)t;
         }
     }
-    s->sieved += n - (uint32_t)(out - s->left);
+    s->fate[FATE_FACING] += n - (uint32_t)(out - s->left);
     return (uint32_t)(out - s->left);
-}
-
-static ZS_NOINLINE uint32_t sieve_inside(struct batch *s, uint32_t n)
-{
-    return sieve(s, n, 1);
-}
-
-static ZS_NOINLINE uint32_t sieve_any(struct batch *s, uint32_t n)
-{
-    return sieve(s, n, 0);
 }
 
 /* All are left, none is looked at. */
@@ -581,8 +580,8 @@ static uint32_t sieve_none(struct batch *s, uint32_t n)
 static enum fate cut(struct zs_renderer *r, uint32_t t, const struct zs_vertex *a, const struct zs_vertex *b,
                      const struct zs_vertex *c)
 {
-    const uint32_t all = outcode_of(a) & outcode_of(b) & outcode_of(c);
-    return all ? outside(all) : triangle_clip(r, t);
+    const uint32_t all = a->d & b->d & c->d; /* above ZS_D_OUT: a bit of all three outcodes */
+    return all > ZS_D_OUT ? outside(all) : triangle_clip(r, t);
 }
 
 /* The places of a triangle's corners. Return FATE_OPEN where it faces the eye and is not cut. */
@@ -593,6 +592,8 @@ static ZS_NOINLINE enum fate look(struct zs_renderer *r, uint32_t t, uint32_t sl
     for (int k = 0; k < 3; k++)
         if (index[k] >= mesh->n_verts)
             return FATE_INDEX;
+    if (index[0] == index[1] && index[0] == index[2])
+        return FATE_ZERO; /* wherever it is */
     while (!corner_slots(r, index, slot))
         make_room(r);
     const struct zs_vertex *a = &r->vert[slot[0]], *b = &r->vert[slot[1]], *c = &r->vert[slot[2]];
@@ -647,45 +648,51 @@ static void batch_bin(struct zs_renderer *r, const struct batch *s, uint32_t fro
     }
 }
 
-static void walk_mesh(struct zs_renderer *r, int inside, uint32_t fate[FATES])
+static void walk_mesh(struct zs_renderer *r, uint32_t fate[FATES])
 {
     const struct zs_mesh *mesh = r->xform.instance->mesh;
     const uint32_t cull = r->xform.instance->material->cull;
     struct batch s;
     s.n_verts = mesh->n_verts;
     s.away = cull == ZS_CULL_BACK ? 1 : cull == ZS_CULL_FRONT ? -1 : 0;
-    s.zero = s.sieved = 0;
+    s.fate = fate;
     s.pool = &r->vert[r->direct ? r->vert_base : 0u];
     for (uint32_t t = 0; t < mesh->n_tris; t += BATCH) {
         const uint32_t n = mesh->n_tris - t < BATCH ? mesh->n_tris - t : BATCH;
         s.tri = mesh->tri + t;
-        batch_bin(r, &s, t, !r->direct ? sieve_none(&s, n) : inside ? sieve_inside(&s, n) : sieve_any(&s, n), fate);
+        batch_bin(r, &s, t, r->direct ? sieve(&s, n) : sieve_none(&s, n), fate);
     }
-    fate[FATE_ZERO] += s.zero;
-    fate[FATE_FACING] += s.sieved - s.zero;
+}
+
+/* Cull an instance, or make r->xform its own. Return 0: nothing of it can be seen. Apart, so that its frame is not on the
+ * stack below the walk. */
+static ZS_NOINLINE int instance_open(struct zs_renderer *r, uint32_t number)
+{
+    struct zs_bounds b;
+    (void)zs_cull_bounds(&b, &r->scene->instance[number], &r->camera); /* cannot fail: zs_frame_begin has asked too */
+    b.slack += zs_scale2(8, 16 - r->view.shift) + 1; /* 8 camera units: what a vertex may be off by */
+    if (zs_cull_sphere(&b, &r->camera, &r->view) && !(r->config.skip_off & ZS_SKIP_FRUSTUM))
+        return 0;
+    return zs_xform_instance(r, number, &b);
 }
 
 static void walk_instance(struct zs_renderer *r, uint32_t number)
 {
-    const struct zs_instance *in = &r->scene->instance[number];
-    struct zs_bounds b;
-    (void)zs_cull_bounds(&b, in, &r->camera);        /* cannot fail: zs_frame_begin has asked too */
-    b.slack += zs_scale2(8, 16 - r->view.shift) + 1; /* 8 camera units: what a vertex may be off by */
-    const int culled = zs_cull_sphere(&b, &r->camera, &r->view);
+    const struct zs_mesh *mesh = r->scene->instance[number].mesh;
+    const int seen = instance_open(r, number);
     if (r->counting) {
         r->stats.instances_in++;
-        r->stats.tris_in += in->mesh->n_tris;
-    }
-    if ((culled && !(r->config.skip_off & ZS_SKIP_FRUSTUM)) ||
-        !zs_xform_instance(r, number, &b)) {
-        if (r->counting) {
+        r->stats.tris_in += mesh->n_tris;
+        if (!seen) {
             r->stats.instances_culled++;
-            r->stats.tris_frustum += in->mesh->n_tris;
+            r->stats.tris_frustum += mesh->n_tris;
         }
-        return;
     }
+    if (!seen)
+        return;
     uint32_t fate[FATES] = { 0 };
-    walk_mesh(r, verts_direct(r, in->mesh), fate);
+    verts_direct(r, mesh);
+    walk_mesh(r, fate);
     if (r->counting)
         count(&r->stats, fate);
 }

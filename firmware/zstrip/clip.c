@@ -11,7 +11,7 @@
 #include "pipeline.h"
 
 /* How far a point is inside a plane: >= 0 inside. |.| < 2^62. */
-static int64_t inside(const struct zs_view *view, const struct zs_point *p, uint32_t plane)
+static ZS_RARE int64_t inside(const struct zs_view *view, const struct zs_point *p, uint32_t plane)
 {
     const int32_t z = p->c[2];
     if (plane == ZS_OUT_NEAR)
@@ -26,7 +26,7 @@ static int64_t inside(const struct zs_view *view, const struct zs_point *p, uint
 }
 
 /* a + (b - a) * num / den, nearest. 0 <= num < den < 2^32, |b - a| < 2^31.1 */
-static int32_t between(int32_t a, int32_t b, int64_t num, int64_t den)
+static ZS_RARE int32_t between(int32_t a, int32_t b, int64_t num, int64_t den)
 {
     const int64_t part = ((int64_t)b - a) * num; /* num < 2^31: |.| < 2^62.1 */
     const int64_t half = den / 2;
@@ -34,7 +34,7 @@ static int32_t between(int32_t a, int32_t b, int64_t num, int64_t den)
 }
 
 /* The crossing of the edge from a (da >= 0) to b (db < 0). */
-static void cross_plane(const struct zs_view *view, struct zs_clip_vertex *out,
+static ZS_RARE void cross_plane(const struct zs_view *view, struct zs_clip_vertex *out,
                         const struct zs_clip_vertex *a, const struct zs_clip_vertex *b, int64_t da,
                         int64_t db, uint32_t plane, uint32_t n_attrs)
 {
@@ -57,7 +57,7 @@ static void cross_plane(const struct zs_view *view, struct zs_clip_vertex *out,
         out->p.c[2] = view->z_far;
 }
 
-static int clip_plane(const struct zs_view *view, struct zs_clip_vertex *out,
+static ZS_RARE int clip_plane(const struct zs_view *view, struct zs_clip_vertex *out,
                       const struct zs_clip_vertex *in, int n, uint32_t plane, uint32_t n_attrs)
 {
     int kept = 0;
@@ -77,7 +77,7 @@ static int clip_plane(const struct zs_view *view, struct zs_clip_vertex *out,
     return kept;
 }
 
-int zs_clip_polygon(const struct zs_view *view, struct zs_clip_vertex *v, int n, uint32_t planes,
+ZS_RARE int zs_clip_polygon(const struct zs_view *view, struct zs_clip_vertex *v, int n, uint32_t planes,
                     uint32_t n_attrs)
 {
     struct zs_clip_vertex other[ZS_CLIP_MAX];

@@ -37,7 +37,7 @@ static int linear_setup(struct zs_view *view, const struct zs_camera *camera, ui
 /* above * key_mul / 2^shift, nearest, at most `most`. -31 <= shift */
 static inline uint32_t key_of(const struct zs_view *view, uint32_t above, int32_t shift, uint32_t most)
 {
-    const uint64_t product = (uint64_t)above * view->key_mul; /* < 2^63 */
+    const uint64_t product = zs_mul_uu(above, view->key_mul); /* < 2^63 */
     if (shift > 63)
         return 0;
     const uint64_t key = shift > 0 ? ((product >> (shift - 1)) + 1u) >> 1 : product << -shift;

@@ -27,7 +27,7 @@ static int recip_setup(struct zs_view *view, const struct zs_camera *camera, uin
 static uint32_t recip_vertex(const struct zs_view *view, int32_t z, uint32_t rcp, int32_t lz)
 {
     const uint32_t above = (uint32_t)(z - view->z_near) << lz;           /* < z << lz < 2^32 */
-    const uint64_t t = (uint64_t)above * rcp >> 31;                      /* (z - n) / z, uq0_32 */
+    const uint64_t t = zs_mul_uu(above, rcp) >> 31;                      /* (z - n) / z, uq0_32 */
     const uint64_t key = t * view->key_mul >> view->key_shift;           /* < 2^64; floor */
     return key > view->key_top ? view->key_top : (uint32_t)key;
 }

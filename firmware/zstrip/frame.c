@@ -28,7 +28,7 @@ const char *zs_strerror(int err)
 
 /* ---- Set-up ------------------------------------------------------------------------------------------ */
 
-static int config_ok(const struct zs_config *c)
+static ZS_RARE int config_ok(const struct zs_config *c)
 {
     return c->width >= 1 && c->width <= ZS_SIZE_MAX && c->height >= 1 &&
            c->height <= ZS_SIZE_MAX && c->strip_h >= 1 && c->max_tris >= 1 &&
@@ -58,7 +58,7 @@ static void *take(uint8_t **at, uint32_t bytes)
     return pool;
 }
 
-static void split(struct zs_renderer *r, uint8_t *at)
+static ZS_RARE void split(struct zs_renderer *r, uint8_t *at)
 {
     const struct zs_config *c = &r->config;
     const uint32_t color = ZS_COLOR_BYTES(c->width, c->strip_h, 1u);
@@ -76,7 +76,7 @@ static void split(struct zs_renderer *r, uint8_t *at)
 
 /* For row / strip_h without a division. With 2^l <= strip_h < 2^(l + 1) and n = 19 + l, strip_mul exceeds
  * 2^n / strip_h by 1 at the most, which adds row / 2^n to a quotient: less than 2^-7 / strip_h, so it is exact. */
-static void strip_divisor(struct zs_renderer *r)
+static ZS_RARE void strip_divisor(struct zs_renderer *r)
 {
     const uint32_t h = r->config.strip_h;
     const int n = 19 + 31 - zs_clz32(h);
@@ -84,7 +84,7 @@ static void strip_divisor(struct zs_renderer *r)
     r->strip_mul = (1u << n) / h + 1u; /* <= 2^19 + 1; times a row < 2^31.1 */
 }
 
-int zs_init(struct zs_renderer *r, const struct zs_config *config, void *arena, size_t bytes)
+ZS_RARE int zs_init(struct zs_renderer *r, const struct zs_config *config, void *arena, size_t bytes)
 {
     if (!r)
         return ZS_ERR_NULL;
@@ -114,7 +114,7 @@ int zs_init(struct zs_renderer *r, const struct zs_config *config, void *arena, 
 
 /* ---- Checks of a frame ----------------------------------------------------------------------------- */
 
-static int instance_check(const struct zs_renderer *r, const struct zs_instance *in)
+static ZS_RARE int instance_check(const struct zs_renderer *r, const struct zs_instance *in)
 {
     const struct zs_mesh *mesh = in->mesh;
     const struct zs_material *material = in->material;
@@ -130,7 +130,7 @@ static int instance_check(const struct zs_renderer *r, const struct zs_instance 
     return material->shader->check ? material->shader->check(in, &r->config) : ZS_OK;
 }
 
-static int light_ok(const struct zs_light *light)
+static ZS_RARE int light_ok(const struct zs_light *light)
 {
     const int32_t limit = ZS_Q30_ONE + (1 << 10);
     for (int k = 0; k < 3; k++)
@@ -140,7 +140,7 @@ static int light_ok(const struct zs_light *light)
 }
 
 /* Check all instances and find how far what can be seen reaches. */
-static int scene_check(struct zs_renderer *r, const struct zs_scene *scene, int64_t *reach)
+static ZS_RARE int scene_check(struct zs_renderer *r, const struct zs_scene *scene, int64_t *reach)
 {
     if (scene->n_instances > 65535u)
         return ZS_ERR_SIZE;
@@ -162,7 +162,7 @@ static int scene_check(struct zs_renderer *r, const struct zs_scene *scene, int6
     return ZS_OK;
 }
 
-int zs_frame_begin(struct zs_renderer *r, const struct zs_scene *scene,
+ZS_RARE int zs_frame_begin(struct zs_renderer *r, const struct zs_scene *scene,
                    const struct zs_camera *camera)
 {
     if (!r)

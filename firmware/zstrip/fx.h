@@ -36,7 +36,13 @@ typedef int32_t q24_8; /* screen x, y, px */
 #else
 #define ZS_NOINLINE __attribute__((noinline, noclone)) /* nor with other arguments: fields as arguments spill */
 #endif
+#if defined(__clang__) || !defined(__OPTIMIZE__)
+#define ZS_RARE
 #else
+#define ZS_RARE __attribute__((optimize("Os"))) /* once an instance or less: flash counts more than time */
+#endif
+#else
+#define ZS_RARE
 #define ZS_ALWAYS_INLINE static inline
 #define ZS_NOINLINE
 #endif

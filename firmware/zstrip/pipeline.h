@@ -125,7 +125,7 @@ enum zs_outcode {
     ZS_OUT_BOTTOM = 32
 };
 #define ZS_OUT_SIDES (ZS_OUT_LEFT | ZS_OUT_RIGHT | ZS_OUT_TOP | ZS_OUT_BOTTOM)
-#define ZS_D_OUT 0xffffff00u /* zs_vertex.d at or above it: not projected, to be clipped */
+#define ZS_D_OUT 0xffffff00u /* zs_vertex.d at or above it: not projected, to be clipped; plus the outcode */
 
 /* Fill r->xform for an instance. Return 0 where its vertices do not fit camera units (it cannot be
  * seen then), else 1. */
@@ -137,8 +137,8 @@ uint32_t zs_xform_outcode(const struct zs_view *view, const struct zs_point *p);
  * then) or beside the guard band (*out is then just beside it). */
 int zs_xform_project(const struct zs_renderer *r, const struct zs_point *p, struct zs_vertex *out);
 /* All three for vertices [v, v + n) of the current instance: their places in the pool. One that is not inside near, far and
- * guard has d = ZS_D_OUT, and its outcode as x. Return 1: all are inside. */
-int zs_xform_screen(const struct zs_renderer *r, uint32_t v, uint32_t n, struct zs_vertex *out);
+ * guard has d = ZS_D_OUT + outcode, and a position whose x or y is 2^16 or more away from any other vertex's. */
+void zs_xform_screen(const struct zs_renderer *r, uint32_t v, uint32_t n, struct zs_vertex *out);
 
 /* ---- clip.c ----------------------------------------------------------------------------------------- */
 

@@ -1,4 +1,4 @@
-/* Products of 32 x 32 bits with 64, and leading zeros: one instruction on most cores, none on Armv6-M.
+/* Products of 32 x 32 bits with 64, leading zeros, and filling: what Armv6-M needs more than an instruction for.
  *
  * A Cortex-M0 or M0+ multiplies 32 x 32 bits to the low 32 in one cycle and has neither the high half nor CLZ.
  * Its compiler calls the library for both, some 40 and 25 cycles and all low registers. Here they are in line:
@@ -65,7 +65,31 @@ static inline int64_t zs_cross_short(int32_t a, int32_t b, int32_t c, int32_t d)
     return (int64_t)((uint64_t)(uint32_t)hi << 32 | (uint32_t)lo);
 }
 
+/* Fill 16 words at a time, up to n of them, four a STM: 1.4 cycles a word. Return how many. at is 4-byte aligned. */
+static inline uint32_t zs_fill_blocks(void *at, uint32_t value, uint32_t n)
+{
+    register uint32_t a __asm__("r3") = value, b __asm__("r4") = value, c __asm__("r5") = value, d __asm__("r6") = value;
+    uint32_t left = n;
+    for (; left >= 16; left -= 16)
+        __asm__ volatile(".syntax unified\n\t"
+                         "stmia %0!, {r3, r4, r5, r6}\n\tstmia %0!, {r3, r4, r5, r6}\n\t"
+                         "stmia %0!, {r3, r4, r5, r6}\n\tstmia %0!, {r3, r4, r5, r6}"
+                         : "+l"(at)
+                         : "l"(a), "l"(b), "l"(c), "l"(d)
+                         : "memory");
+    return n - left;
+}
+
 #else
+
+/* Elsewhere a compiler's loop is as good. */
+static inline uint32_t zs_fill_blocks(void *at, uint32_t value, uint32_t n)
+{
+    (void)at;
+    (void)value;
+    (void)n;
+    return 0;
+}
 
 /* a * b, exact. */
 static inline uint64_t zs_mul_uu(uint32_t a, uint32_t b)
@@ -131,6 +155,40 @@ static inline int32_t zs_row(const int32_t row[10], int32_t x, int32_t y, int32_
 #define ZS_HIGH_REGISTER(x) __asm__("" : "+h"(x))
 #else
 #define ZS_HIGH_REGISTER(x) ((void)0)
+#endif
+
+/* Twice the area of a triangle with corners { x, y }: (b - a) x (c - a). *wide: not 0 where a difference, modulo 2^32, does
+ * not fit 16 bits; the area is of no use then. Else it is below 2^31 in size: of the two products, at most 2^30 each, those
+ * of that size have one sign. Armv6-M: 30 cycles and six registers. */
+#if defined(__GNUC__) && defined(__ARM_ARCH_6M__) && defined(__OPTIMIZE__)
+
+static inline int32_t zs_area_short(const int32_t *a, const int32_t *b, const int32_t *c, uint32_t *wide)
+{
+    uint32_t out;
+    int32_t area, other;
+    __asm__(".syntax unified\n\t"
+            "ldr %3, [%0]\n\tldr %4, [%1]\n\tsubs %4, %3\n\tldr %5, [%2]\n\tsubs %5, %3\n\t"
+            "ldr %3, [%0, #4]\n\tldr %1, [%1, #4]\n\tsubs %1, %3\n\tldr %2, [%2, #4]\n\tsubs %2, %3\n\t"
+            "sxth %3, %4\n\teors %3, %4\n\tsxth %0, %5\n\teors %0, %5\n\torrs %3, %0\n\t"
+            "sxth %0, %1\n\teors %0, %1\n\torrs %3, %0\n\tsxth %0, %2\n\teors %0, %2\n\torrs %3, %0\n\t"
+            "muls %4, %2\n\tmuls %5, %1\n\tsubs %4, %5"
+            : "+l"(a), "+l"(b), "+l"(c), "=&l"(out), "=&l"(area), "=&l"(other)
+            :
+            : "cc", "memory");
+    *wide = out;
+    return area;
+}
+
+#else
+
+static inline int32_t zs_area_short(const int32_t *a, const int32_t *b, const int32_t *c, uint32_t *wide)
+{
+    const int32_t bx = (int32_t)((uint32_t)b[0] - (uint32_t)a[0]), by = (int32_t)((uint32_t)b[1] - (uint32_t)a[1]);
+    const int32_t cx = (int32_t)((uint32_t)c[0] - (uint32_t)a[0]), cy = (int32_t)((uint32_t)c[1] - (uint32_t)a[1]);
+    *wide = (uint32_t)(((int16_t)bx ^ bx) | ((int16_t)by ^ by) | ((int16_t)cx ^ cx) | ((int16_t)cy ^ cy));
+    return *wide ? 0 : bx * cy - cx * by;
+}
+
 #endif
 
 /* High half of a 32 x 32 product, floor. */

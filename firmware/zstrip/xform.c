@@ -16,9 +16,11 @@
 
 #define SHIFT_MAX 29 /* keeps t below 2^60, and shift_high 14 */
 #define SPLIT_MAX 15
+#define OUT_Y ((int32_t)1 << 30)
+_Static_assert(OUT_Y - 2 * ZS_GUARD_SUBPX > 65536, "vertices outside must be far from those inside");
 
 /* Clip tests that no vertex of the instance can fail are left out. */
-static void clip_needs(struct zs_xform *xf, const struct zs_renderer *r, const struct zs_bounds *b,
+static ZS_RARE void clip_needs(struct zs_xform *xf, const struct zs_renderer *r, const struct zs_bounds *b,
                        const struct zs_camera *camera)
 {
     const int64_t z0 = b->c[2] - b->r - b->slack, z1 = b->c[2] + b->r + b->slack;
@@ -40,7 +42,7 @@ static void clip_needs(struct zs_xform *xf, const struct zs_renderer *r, const s
         xf->clip_guard = always || side_w * r->config.height > guard_px * (camera->height >> 16);
 }
 
-static void light_direction(struct zs_xform *xf, const struct zs_light *light)
+static ZS_RARE void light_direction(struct zs_xform *xf, const struct zs_light *light)
 {
     const zs_q2_30 *rot = xf->instance->pose.rot;
     for (int k = 0; k < 3; k++) {
@@ -53,7 +55,7 @@ static void light_direction(struct zs_xform *xf, const struct zs_light *light)
 
 /* A row of c = (m . p + t) / 2^shift, nearest. |m| <= 2^30, |t| < 2^60, |t / 2^shift| < 2^30. A shift of at most 15 leaves
  * t_low in [0, 2^15), a larger one in [-2^28, 2^28). */
-static void row_set(int32_t row[ZS_ROW_WORDS], const int32_t m[3], int64_t t, int32_t shift)
+static ZS_RARE void row_set(int32_t row[ZS_ROW_WORDS], const int32_t m[3], int64_t t, int32_t shift)
 {
     const int32_t s = shift < SPLIT_MAX ? shift : SPLIT_MAX;
     for (int j = 0; j < 3; j++) {
@@ -69,7 +71,7 @@ static void row_set(int32_t row[ZS_ROW_WORDS], const int32_t m[3], int64_t t, in
     row[ZS_ROW_S2] = shift - s;
 }
 
-int zs_xform_instance(struct zs_renderer *r, uint32_t number, const struct zs_bounds *b)
+ZS_RARE int zs_xform_instance(struct zs_renderer *r, uint32_t number, const struct zs_bounds *b)
 {
     struct zs_xform *xf = &r->xform;
     const struct zs_view *view = &r->view;
@@ -214,8 +216,7 @@ static int32_t placed(uint32_t steps, int32_t coarse, int32_t sign)
     return sign < 0 ? -v : v;
 }
 
-/* For any shift, and what is beyond the guard band. Orthographic: rcp is 2, one bit more than needed, because the shift
- * may be 0. Return 1: inside it. */
+/* For any shift, and what is beyond the guard band. Return 1: inside it. */
 static ZS_NOINLINE int place_wide(const struct zs_view *view, uint32_t rcp, int32_t shift, struct zs_vertex *at)
 {
     const uint32_t most = (uint32_t)ZS_GUARD_SUBPX >> view->snap;
@@ -226,81 +227,74 @@ static ZS_NOINLINE int place_wide(const struct zs_view *view, uint32_t rcp, int3
     return sx <= most && sy <= most;
 }
 
-/* |c| * rcp / 2^(32 + down), nearest: the low half of the product cannot carry. |c| <= 2^31, 0 < down <= 26 */
+/* |c| * rcp / 2^(33 + down), nearest: the low half of the product cannot carry. |c| <= 2^31, 0 <= down <= 29 */
 static inline uint32_t steps_of(int32_t c, uint32_t rcp, int32_t down)
 {
-    return (zs_umulh(magnitude(c), rcp) + (1u << (down - 1))) >> down; /* < 2^31 + 2^25 */
+    return ((zs_umulh(magnitude(c), rcp) >> down) + 1u) >> 1;
 }
 
-/* x' and y' of at become screen positions, with rcp / 2^shift for the lens. Return 1: inside the guard band. */
-static inline int place(const struct zs_view *view, uint32_t rcp, int32_t shift, struct zs_vertex *at)
+/* x' and y' of at become screen positions: times rcp / 2^shift. Return 1: inside the guard band. */
+static int place(const struct zs_view *view, uint32_t rcp, int32_t shift, struct zs_vertex *at)
 {
-    const int32_t coarse = view->snap, down = shift + coarse - 32;
-    if (down <= 0)
+    const int32_t coarse = view->snap, down = shift + coarse - 33;
+    if (down < 0)
         return place_wide(view, rcp, shift, at);
-    const int32_t x = at->x, y = at->y;
-    const uint32_t sx = steps_of(x, rcp, down), sy = steps_of(y, rcp, down);
     const uint32_t most = (uint32_t)ZS_GUARD_SUBPX >> coarse;
+    const uint32_t sx = steps_of(at->x, rcp, down), sy = steps_of(at->y, rcp, down);
     if (sx > most || sy > most)
         return place_wide(view, rcp, shift, at);
     const int32_t px = (int32_t)(sx << coarse), py = (int32_t)(sy << coarse);
-    at->x = view->cx + (x < 0 ? -px : px);
-    at->y = view->cy + (y < 0 ? -py : py);
+    at->x = view->cx + (at->x < 0 ? -px : px);
+    at->y = view->cy + (at->y < 0 ? -py : py);
     return 1;
 }
 
-/* A point between near and far, in place: z is d. Return 1: inside the guard band. */
+/* From camera units to the screen, in place: z is d. Return 0: before near, beyond far, or beside the guard band. */
 static int project(const struct zs_renderer *r, struct zs_vertex *at)
 {
     const struct zs_view *view = &r->view;
     const struct zs_depth *depth = r->config.depth;
     const int32_t z = (int32_t)at->d;
-    int inside;
-    if (view->perspective) {
-        const int32_t lz = zs_clz32((uint32_t)z);             /* 1 .. 23: z in [2^8, 2^30] */
-        const uint32_t rcp = zs_recip((uint32_t)z << lz);     /* 2^(63 - lz) / z */
-        inside = place(view, rcp, 63 - lz - view->scale_bits, at); /* shift 9 .. 54 */
-        at->d = depth->vertex(view, z, rcp, lz);
-    } else {
-        inside = place_wide(view, 2, view->scale_bits + 1, at);
+    if (z < view->z_near || z > view->z_far)
+        return 0;
+    if (!view->perspective) {
         at->d = depth->vertex(view, z, 0, 0);
+        return place(view, 1u << 31, 31 + view->scale_bits, at);
     }
-    return inside;
+    const int32_t lz = zs_clz32((uint32_t)z);             /* 1 .. 23: z in [2^8, 2^30] */
+    const uint32_t rcp = zs_recip((uint32_t)z << lz);     /* 2^(63 - lz) / z */
+    at->d = depth->vertex(view, z, rcp, lz);
+    return place(view, rcp, 63 - lz - view->scale_bits, at); /* 9 .. 54 */
 }
 
 int zs_xform_project(const struct zs_renderer *r, const struct zs_point *p, struct zs_vertex *out)
 {
-    const int32_t z = p->c[2];
     out->x = p->c[0];
     out->y = p->c[1];
-    out->d = (uint32_t)z;
-    return z >= r->view.z_near && z <= r->view.z_far && project(r, out);
+    out->d = (uint32_t)p->c[2];
+    return project(r, out);
 }
 
-/* From camera units to the pool, in place; to the outcode where not inside. */
-static int settle(const struct zs_renderer *r, struct zs_vertex *at)
+/* The place of a vertex outside. */
+static void outside(struct zs_vertex *at, uint32_t v, uint32_t code)
 {
-    const struct zs_xform *xf = &r->xform;
-    const struct zs_point p = { { at->x, at->y, (int32_t)at->d } };
-    uint32_t code = 0;
-    if (xf->clip_depth | xf->clip_guard)
-        code = zs_xform_outcode(&r->view, &p);
-    if (!code) {
-        if (p.c[2] >= r->view.z_near && p.c[2] <= r->view.z_far && project(r, at))
-            return 1;
-        code = zs_xform_outcode(&r->view, &p); /* a sphere that is smaller than its mesh */
-    }
-    at->x = (int32_t)code;
-    at->y = 0;
-    at->d = ZS_D_OUT;
-    return 0;
+    at->x = (int32_t)(v << 16);
+    at->y = OUT_Y;
+    at->d = ZS_D_OUT + code;
 }
 
-int zs_xform_screen(const struct zs_renderer *r, uint32_t v, uint32_t n, struct zs_vertex *out)
+void zs_xform_screen(const struct zs_renderer *r, uint32_t v, uint32_t n, struct zs_vertex *out)
 {
-    int inside = 1;
+    const int tests = r->xform.clip_depth | r->xform.clip_guard;
     transform(&r->xform, v, n, out);
-    for (struct zs_vertex *const end = out + n; out != end; out++)
-        inside &= settle(r, out);
-    return inside;
+    for (struct zs_vertex *const end = out + n; out != end; out++, v++) {
+        struct zs_point p = { { out->x, out->y, (int32_t)out->d } };
+        uint32_t code;
+        if (tests && (code = zs_xform_outcode(&r->view, &p)) != 0) {
+            outside(out, v, code);
+        } else if (!project(r, out)) { /* a sphere that is smaller than its mesh */
+            zs_xform_vertex(&r->xform, v, &p);
+            outside(out, v, zs_xform_outcode(&r->view, &p));
+        }
+    }
 }

@@ -39,7 +39,7 @@ for c in $CPUS; do
     link "$c" "$dir" "$dir/main.c" "$dir/all.elf" || bad "$c everything links" "see above"
     all=$(${ARM}nm "$dir/all.elf" | awk '{ print $NF }')
     gone=
-    for s in $CHECKS zs_shade_raw zs_shade_flat zs_shade_smooth raw_face flat_face smooth_face zs_depth_recip \
+    for s in $CHECKS zs_shade_raw zs_shade_flat zs_shade_smooth raw_face flat_face zs_depth_recip \
         zs_depth_linear recip_setup linear_setup linear_rows zs_solid_rows zs_pose_turn \
         zs_camera_orbit zs_strerror zs_shade_texture zs_shade_texture_flat zs_shade_texture_smooth zs_texel_565 \
         zs_texel_pal8 zs_texel_pal4 fetch_565 fetch_pal8 fetch_pal4 rows_565 rows_pal8 rows_pal4 fetch_wide texture_run light texture_start \

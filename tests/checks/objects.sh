@@ -10,7 +10,7 @@ FLOAT='^(__aeabi_(f|d|cf|cd|h)[a-z0-9]+|__aeabi_(i|ui|l|ul)2[fd]|__(add|sub|mul|
 HEAP='^_?(malloc|calloc|realloc|free|memalign|aligned_alloc|alloca|sbrk|_sbrk|malloc_r|free_r)(_r)?$'
 # What may stay undefined: integer division and multiplication, counting zeros, switch tables (M0+),
 # block moves.
-ALLOWED='^(__aeabi_u?idiv(mod)?|__aeabi_u?ldivmod|__aeabi_lmul|__aeabi_l(ls|sr|asr)l?|__clz[sd]i2|__gnu_thumb1_case_(u?qi|u?hi|si)|mem(set|cpy|move))$'
+ALLOWED='^(__aeabi_u?idiv(mod)?|__aeabi_u?ldivmod|__aeabi_lmul|__aeabi_l(lsl|lsr|asr)|__clz[sd]i2|__gnu_thumb1_case_(u?qi|u?hi|si)|mem(set|cpy|move))$'
 
 # NAME CPU DIR: the objects of a folder, and a program in DIR/main.c that uses all of them
 rules() {
