@@ -29,48 +29,58 @@
 
 #define SMALL_EXTENT (256 * ZS_SUBPX_ONE)
 
-/* Twice the area of a triangle that may be large, with its sign. */
-static ZS_NOINLINE int64_t wide_cross(const struct zs_geom *g)
+/* The same for a triangle that is not tiny. */
+static ZS_NOINLINE int wide_sides(struct zs_job *job, const struct zs_vertex *top, const struct zs_vertex *mid,
+                                  const struct zs_vertex *bottom)
 {
-    return zs_mul_ss(g->dx1, g->dy2) - zs_mul_ss(g->dx2, g->dy1); /* |.| < 2^45 */
+    struct zs_geom *g = &job->geom;
+    const int64_t cross = zs_mul_ss(mid->x - top->x, bottom->y - top->y) -
+                          zs_mul_ss(bottom->x - top->x, mid->y - top->y); /* |.| < 2^45 */
+    const int right = cross > 0;
+    const struct zs_vertex *b = right ? mid : bottom, *c = right ? bottom : mid;
+    job->mid_right = (uint8_t)right;
+    job->v[0] = top;
+    job->v[1] = b;
+    job->v[2] = c;
+    g->area = right ? cross : -cross;
+    g->tiny = 0;
+    g->dx1 = b->x - top->x; /* |.| < 2^22, as all four */
+    g->dx2 = c->x - top->x;
+    g->dy1 = b->y - top->y;
+    g->dy2 = c->y - top->y;
+    return cross != 0;
 }
 
 int zs_plane_sides(struct zs_job *job, const struct zs_vertex *top, const struct zs_vertex *mid,
                    const struct zs_vertex *bottom)
 {
     struct zs_geom *g = &job->geom;
-    const int32_t mx = mid->x - top->x, my = mid->y - top->y, bx = bottom->x - top->x, by = bottom->y - top->y;
-    int32_t cross, right;
-    g->dx1 = mx; /* |.| < 2^22, as all four */
-    g->dx2 = bx;
-    g->dy1 = my;
-    g->dy2 = by;
+    int32_t dx1 = mid->x - top->x, dx2 = bottom->x - top->x, dy1 = mid->y - top->y, dy2 = bottom->y - top->y;
+    if (((uint32_t)(dx1 + ZS_TINY) | (uint32_t)(dx2 + ZS_TINY) | (uint32_t)dy2 * 2u) >= 2u * ZS_TINY)
+        return wide_sides(job, top, mid, bottom);
+    int32_t cross = dx1 * dy2 - dx2 * dy1; /* each below 2^28 */
     job->v[0] = top;
-    if (((uint32_t)(mx + ZS_TINY) | (uint32_t)(bx + ZS_TINY) | (uint32_t)by * 2u) < 2u * ZS_TINY) {
-        cross = mx * by - bx * my; /* each below 2^28 */
-        right = cross > 0;
-        cross = right ? cross : -cross;
-        g->area = (uint32_t)cross;
-        g->tiny = cross >= ZS_TINY_AREA;
-    } else {
-        const int64_t wide = wide_cross(g);
-        right = wide > 0;
-        cross = wide != 0;
-        g->area = right ? wide : -wide;
-        g->tiny = 0;
+    job->mid_right = 1;
+    if (cross < 0) { /* planes want a positive area */
+        const int32_t dx = dx1, dy = dy1;
+        const struct zs_vertex *const v = mid;
+        dx1 = dx2;
+        dx2 = dx;
+        dy1 = dy2;
+        dy2 = dy;
+        mid = bottom;
+        bottom = v;
+        cross = -cross;
+        job->mid_right = 0;
     }
-    job->mid_right = (uint8_t)right;
-    if (right) {
-        job->v[1] = mid;
-        job->v[2] = bottom;
-    } else { /* planes want a positive area */
-        job->v[1] = bottom;
-        job->v[2] = mid;
-        g->dx1 = bx;
-        g->dx2 = mx;
-        g->dy1 = by;
-        g->dy2 = my;
-    }
+    job->v[1] = mid;
+    job->v[2] = bottom;
+    g->dx1 = dx1;
+    g->dx2 = dx2;
+    g->dy1 = dy1;
+    g->dy2 = dy2;
+    g->area = (uint32_t)cross;
+    g->tiny = cross >= ZS_TINY_AREA;
     return cross;
 }
 
@@ -238,12 +248,6 @@ void zs_plane32(const struct zs_geom *g, uint32_t v0, uint32_t v1, uint32_t v2,
     any_plane(g, dv1, dv2, out, kind);
 }
 
-/* v * d modulo 2^64, of a value beyond 32 bits. */
-static inline uint64_t times(uint64_t v, int32_t d)
-{
-    return (uint64_t)zs_mul_su(d, (uint32_t)v) + ((uint64_t)((uint32_t)(v >> 32) * (uint32_t)d) << 32);
-}
-
 /* The next 32 bits of a quotient: (*rest 2^32 + next) / d. *rest < d, d >= 2^31, rcp at most 2^63 / d and no more
  * than 2^-28 of it less: the guess is never too large, and at most 18 too small. */
 static inline uint32_t digit(uint32_t *rest, uint32_t next, uint32_t d, uint32_t rcp)
@@ -283,7 +287,7 @@ static uint64_t gradient64(const struct zs_geom *g, uint64_t n, int32_t to_ancho
 {
     int64_t whole;
     const uint32_t part = g->rcp ? small_divide(g, (int64_t)n, &whole) : divide((int64_t)n, g->area, &whole);
-    *base += (times((uint64_t)whole, to_anchor) << 24) + (uint64_t)(zs_mul_su(to_anchor, part) >> 8);
+    *base += (zs_times((uint64_t)whole, to_anchor) << 24) + (uint64_t)(zs_mul_su(to_anchor, part) >> 8);
     return ((uint64_t)whole << 32) + part;
 }
 
@@ -292,7 +296,7 @@ void zs_plane64(const struct zs_geom *g, uint64_t v0, uint64_t v1, uint64_t v2,
 {
     const uint64_t dv1 = v1 - v0, dv2 = v2 - v0; /* |.| <= 2^40 */
     uint64_t base = v0 << 24;
-    out->gx = gradient64(g, times(dv1, g->dy2) - times(dv2, g->dy1), g->ax, &base); /* |.| < 2^63 */
-    out->gy = gradient64(g, times(dv2, g->dx1) - times(dv1, g->dx2), g->ay, &base);
+    out->gx = gradient64(g, zs_times(dv1, g->dy2) - zs_times(dv2, g->dy1), g->ax, &base); /* |.| < 2^63 */
+    out->gy = gradient64(g, zs_times(dv2, g->dx1) - zs_times(dv1, g->dx2), g->ay, &base);
     out->base = base;
 }

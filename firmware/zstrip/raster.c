@@ -22,7 +22,7 @@
 
 /* (fraction * dy + off * part) / span of an edge that is entered below its first row; apart, because few are.
  * At most 2^14. */
-static ZS_NOINLINE int32_t rows_down(int32_t fraction, int32_t dy, int32_t off, int32_t part)
+static ZS_NOINLINE int32_t edge_below(int32_t fraction, int32_t dy, int32_t off, int32_t part)
 {
     if (dy < EDGE32_MAX)
         return (fraction * dy + off * part) / (dy * ZS_SUBPX_ONE);        /* < 2^23 + 2^30 */
@@ -50,7 +50,7 @@ static ZS_NOINLINE void edge_columns(int16_t *out, int32_t n, const struct zs_ve
     uint32_t rest = zs_wrap_mul((uint32_t)fraction, dy) + zs_wrap_mul((uint32_t)off, part); /* modulo 2^32 */
     const int32_t span = dy * ZS_SUBPX_ONE;                           /* < 2^30 */
     if (off >= ZS_SUBPX_ONE) {
-        const int32_t k = rows_down(fraction, dy, off, part);
+        const int32_t k = edge_below(fraction, dy, off, part);
         rest -= zs_wrap_mul((uint32_t)k, span);
         i += k;
     }
