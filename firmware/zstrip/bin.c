@@ -267,7 +267,7 @@ static void count(struct zs_stats *s, const uint32_t fate[FATES])
 static int64_t signed_area(const struct zs_vertex *a, const struct zs_vertex *b,
                            const struct zs_vertex *c)
 {
-    return (int64_t)(b->x - a->x) * (c->y - a->y) - (int64_t)(c->x - a->x) * (b->y - a->y);
+    return zs_mul_ss(b->x - a->x, c->y - a->y) - zs_mul_ss(c->x - a->x, b->y - a->y);
 }
 
 static inline const int32_t *xy(const struct zs_vertex *v)
@@ -367,9 +367,9 @@ static ZS_RARE int sense_of(const struct zs_view *view, const struct zs_clip_ver
     int64_t high = 0, low = 0; /* the sum is high * 2^32 + low, 0 <= low < 2^32 */
     for (int k = 0; k < 3; k++) {
         const int i = (k + 1) % 3, j = (k + 2) % 3;
-        const int64_t n = (int64_t)b[i] * c[j] - (int64_t)b[j] * c[i]; /* |.| < 2^61.1 */
-        high += (n >> 32) * a[k];                                      /* |.| < 3 * 2^60 */
-        low += (int64_t)(uint32_t)n * a[k];                            /* |.| < 2^62.1 */
+        const int64_t n = zs_mul_ss(b[i], c[j]) - zs_mul_ss(b[j], c[i]); /* |.| < 2^61.1 */
+        high += zs_mul_ss((int32_t)(n >> 32), a[k]);                     /* |.| < 3 * 2^60 */
+        low += zs_mul_su(a[k], (uint32_t)n);                             /* |.| < 2^62.1 */
         high += low >> 32;
         low &= 0xffffffff;
     }

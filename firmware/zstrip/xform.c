@@ -172,10 +172,12 @@ void zs_xform_vertex(const struct zs_xform *xf, uint32_t v, struct zs_point *out
 /* The largest |x'| and |y'| at distance z > 0 that are inside the guard band. */
 static uint32_t guard_at(const struct zs_view *view, int32_t z)
 {
-    const uint64_t limit = view->perspective
-                               ? zs_mul_uu((uint32_t)ZS_GUARD_SUBPX, (uint32_t)z) >> view->scale_bits /* < 2^51 */
-                               : view->guard;
-    return limit > UINT32_MAX ? UINT32_MAX : (uint32_t)limit;
+    if (!view->perspective)
+        return view->guard > UINT32_MAX ? UINT32_MAX : (uint32_t)view->guard;
+    const uint64_t limit = zs_mul_uu((uint32_t)ZS_GUARD_SUBPX, (uint32_t)z); /* < 2^52 */
+    const uint32_t high = (uint32_t)(limit >> 32), low = (uint32_t)limit;
+    const int32_t down = view->scale_bits; /* 8 .. 31 */
+    return high >> down ? UINT32_MAX : high << (32 - down) | low >> down;
 }
 
 static uint32_t magnitude(int32_t v)
