@@ -8,7 +8,8 @@
  * clipped before), give or take the errors below, which are far less than the half bucket added.
  * base + gx * i + gy * j equals repeated addition bit for bit: strips cannot differ.
  *
- * Two ways, chosen by the triangle alone:
+ * Two ways, chosen by the triangle alone. Each has a narrower twin that gives the same bits: tiny triangles (pipeline.h) go
+ * the small way with 32-bit products, and where values are too steep for it, division is by the reciprocal with remainder.
  *
  * small   width + height <= 256 px, value differences below 2^31, gradients below 2^27: one
  *         reciprocal of the area, a multiplication a gradient. Relative error of a gradient
@@ -18,7 +19,7 @@
  *         <= 0.88 * 256 + 1.4 < 227 ulp of 2^-16 bucket = 0.0035 bucket.
  *         Values of 31 significant bits (ZS_PLANE_WIDE: w, colour times w) take gradients up to 2^30 this
  *         way: e <= 2^1.6 + 1/2 ulp of 2^-31, 2^-21 over 256 steps.
- * large   64-bit division with remainder, gradients rounded to nearest: e <= 1/2 ulp. The anchor is
+ * large   division with remainder to 24 bits more, gradients rounded to nearest: e <= 1/2 ulp. The anchor is
  *         the pixel of the frame next to the first vertex, computed from N / A with 32 fraction bits
  *         (error < 2^-32 * 2^22 * 2 + 1/2). Anywhere in the frame: <= (W + H - 2) / 2 + 0.51 ulp
  *         < (W + H + 1) / 2 * 2^-16 bucket = 0.0049 for W + H = 640.
@@ -174,26 +175,60 @@ static uint32_t divide(int64_t n, int64_t d, int64_t *whole)
     return (uint32_t)(f1 << 16 | low / (uint64_t)d);
 }
 
-/* 256 * n / area modulo 2^32, nearest, and the step to the anchor added to *base. */
-static uint32_t large_gradient(const struct zs_geom *g, int64_t n, int32_t to_anchor, uint64_t *base)
+/* The next 32 bits of a quotient: (*rest 2^32 + next) / d. *rest < d, d >= 2^31, rcp at most 2^63 / d and no more
+ * than 2^-28 of it less: the guess is never too large, and at most 18 too small. */
+static inline uint32_t digit(uint32_t *rest, uint32_t next, uint32_t d, uint32_t rcp)
 {
-    int64_t whole;
-    const uint32_t part = divide(n, g->area, &whole);
-    /* *base has 24 fraction bits below the ulp, modulo 2^64: 40 bits of whole ulp are enough */
-    *base += (uint64_t)whole * (uint64_t)(int64_t)to_anchor << 24;
-    *base += (uint64_t)((int64_t)part * to_anchor >> 8); /* |.| < 2^54.1 */
-    return (uint32_t)((uint64_t)whole << 8) + (uint32_t)(((uint64_t)part + (1u << 23)) >> 24);
+    uint32_t q = zs_umulh(*rest, rcp) * 2u;
+    uint64_t left = ((uint64_t)*rest << 32 | next) - zs_mul_uu(q, d);
+    for (; left >= d; left -= d)
+        q++;
+    *rest = (uint32_t)left;
+    return q;
 }
 
-static void large_plane(const struct zs_geom *g, uint32_t v0, int64_t dv1, int64_t dv2,
-                        struct zs_plane *out)
+/* n / area with 32 fraction bits: floor in *whole, fraction returned. A small triangle has the area's reciprocal, and
+ * |n| < 2^57; others divide, to the same bits. */
+static ZS_NOINLINE uint32_t over_area(const struct zs_geom *g, int64_t n, int64_t *whole)
 {
-    const int64_t nx = dv1 * g->dy2 - dv2 * g->dy1; /* |dv| < 2^32: < 2^55 */
-    const int64_t ny = dv2 * g->dx1 - dv1 * g->dx2;
-    uint64_t base = ((uint64_t)v0 << 24) + (1u << 23);
-    out->gx = large_gradient(g, nx, g->ax, &base);
-    out->gy = large_gradient(g, ny, g->ay, &base);
-    out->base = (uint32_t)(base >> 24);
+    if (!g->rcp)
+        return divide(n, g->area, whole);
+    const uint64_t mag = n < 0 ? 0u - (uint64_t)n : (uint64_t)n;
+    const int32_t lz = -g->exp;                                      /* 1 .. 31, as area <= 2^30 */
+    const uint32_t d = (uint32_t)g->area << lz, rcp = g->rcp - 3u;   /* zs_recip is above by 2^-31 at the most */
+    const uint32_t hi = (uint32_t)(mag >> 32), lo = (uint32_t)mag;
+    uint32_t rest = hi >> (32 - lz);                                 /* mag << lz in three words; < 2^24 */
+    const uint32_t q1 = digit(&rest, hi << lz | lo >> (32 - lz), d, rcp);
+    const uint32_t q0 = digit(&rest, lo << lz, d, rcp);
+    uint32_t part = digit(&rest, 0, d, rcp);
+    uint64_t q = (uint64_t)q1 << 32 | q0;
+    if (n < 0) { /* floor: -q - 1 where anything is left, bit by bit */
+        part = ~part;
+        q = ~q;
+        if (rest == 0 && ++part == 0)
+            q++;
+    }
+    *whole = (int64_t)q;
+    return part;
+}
+
+/* A gradient in 40.24 bits modulo 2^64, and the step to the anchor added to *base. */
+static uint64_t gradient64(const struct zs_geom *g, uint64_t n, int32_t to_anchor, uint64_t *base)
+{
+    int64_t whole;
+    const uint32_t part = over_area(g, (int64_t)n, &whole);
+    *base += (zs_times((uint64_t)whole, to_anchor) << 24) + (uint64_t)(zs_mul_su(to_anchor, part) >> 8);
+    return ((uint64_t)whole << 32) + part;
+}
+
+void zs_plane64(const struct zs_geom *g, uint64_t v0, uint64_t v1, uint64_t v2,
+                struct zs_plane64 *out)
+{
+    const uint64_t dv1 = v1 - v0, dv2 = v2 - v0; /* |.| <= 2^40 */
+    uint64_t base = v0 << 24;
+    out->gx = gradient64(g, zs_times(dv1, g->dy2) - zs_times(dv2, g->dy1), g->ax, &base); /* |.| < 2^63 */
+    out->gy = gradient64(g, zs_times(dv2, g->dx1) - zs_times(dv1, g->dx2), g->ay, &base);
+    out->base = base;
 }
 
 /* The small way, once the base holds the first vertex's value and the gradients are known: on to the anchor. */
@@ -204,7 +239,7 @@ static inline void small_base(const struct zs_geom *g, struct zs_plane *out)
     out->base += (uint32_t)((gx >> 8) * ax + (gy >> 8) * ay + (low >> 8)); /* |.| < 2^31 */
 }
 
-/* Any triangle: the small way if it and its values are. */
+/* Any triangle: the small way if it and its values are, else 24 bits more, rounded. */
 static ZS_NOINLINE void any_plane(const struct zs_geom *g, int32_t dv1, int32_t dv2, struct zs_plane *out,
                                   int32_t least)
 {
@@ -221,7 +256,11 @@ static ZS_NOINLINE void any_plane(const struct zs_geom *g, int32_t dv1, int32_t 
             return;
         }
     }
-    large_plane(g, v0, (int64_t)v1 - v0, (int64_t)v2 - v0, out);
+    struct zs_plane64 wide;
+    zs_plane64(g, v0, v1, v2, &wide);
+    out->gx = (uint32_t)((wide.gx + (1u << 23)) >> 24);
+    out->gy = (uint32_t)((wide.gy + (1u << 23)) >> 24);
+    out->base = (uint32_t)((wide.base + (1u << 23)) >> 24);
 }
 
 void zs_plane32(const struct zs_geom *g, uint32_t v0, uint32_t v1, uint32_t v2,
@@ -246,57 +285,4 @@ void zs_plane32(const struct zs_geom *g, uint32_t v0, uint32_t v1, uint32_t v2,
         }
     }
     any_plane(g, dv1, dv2, out, kind);
-}
-
-/* The next 32 bits of a quotient: (*rest 2^32 + next) / d. *rest < d, d >= 2^31, rcp at most 2^63 / d and no more
- * than 2^-28 of it less: the guess is never too large, and at most 18 too small. */
-static inline uint32_t digit(uint32_t *rest, uint32_t next, uint32_t d, uint32_t rcp)
-{
-    uint32_t q = zs_umulh(*rest, rcp) * 2u;
-    uint64_t left = ((uint64_t)*rest << 32 | next) - zs_mul_uu(q, d);
-    for (; left >= d; left -= d)
-        q++;
-    *rest = (uint32_t)left;
-    return q;
-}
-
-/* As divide(n, area), of a small triangle: by its reciprocal, to the same bits. |n| < 2^57 */
-static uint32_t small_divide(const struct zs_geom *g, int64_t n, int64_t *whole)
-{
-    const uint64_t mag = n < 0 ? 0u - (uint64_t)n : (uint64_t)n;
-    const int32_t lz = -g->exp;                                      /* 1 .. 31, as area <= 2^30 */
-    const uint32_t d = (uint32_t)g->area << lz, rcp = g->rcp - 3u;   /* zs_recip is above by 2^-31 at the most */
-    const uint32_t hi = (uint32_t)(mag >> 32), lo = (uint32_t)mag;
-    uint32_t rest = hi >> (32 - lz);                                 /* mag << lz in three words; < 2^24 */
-    const uint32_t q1 = digit(&rest, hi << lz | lo >> (32 - lz), d, rcp);
-    const uint32_t q0 = digit(&rest, lo << lz, d, rcp);
-    uint32_t part = digit(&rest, 0, d, rcp);
-    uint64_t q = (uint64_t)q1 << 32 | q0;
-    if (n < 0) { /* floor: -q - 1 where anything is left, bit by bit */
-        part = ~part;
-        q = ~q;
-        if (rest == 0 && ++part == 0)
-            q++;
-    }
-    *whole = (int64_t)q;
-    return part;
-}
-
-/* A gradient in 40.24 bits modulo 2^64, and the step to the anchor added to *base. */
-static uint64_t gradient64(const struct zs_geom *g, uint64_t n, int32_t to_anchor, uint64_t *base)
-{
-    int64_t whole;
-    const uint32_t part = g->rcp ? small_divide(g, (int64_t)n, &whole) : divide((int64_t)n, g->area, &whole);
-    *base += (zs_times((uint64_t)whole, to_anchor) << 24) + (uint64_t)(zs_mul_su(to_anchor, part) >> 8);
-    return ((uint64_t)whole << 32) + part;
-}
-
-void zs_plane64(const struct zs_geom *g, uint64_t v0, uint64_t v1, uint64_t v2,
-                struct zs_plane64 *out)
-{
-    const uint64_t dv1 = v1 - v0, dv2 = v2 - v0; /* |.| <= 2^40 */
-    uint64_t base = v0 << 24;
-    out->gx = gradient64(g, zs_times(dv1, g->dy2) - zs_times(dv2, g->dy1), g->ax, &base); /* |.| < 2^63 */
-    out->gy = gradient64(g, zs_times(dv2, g->dx1) - zs_times(dv1, g->dx2), g->ay, &base);
-    out->base = base;
 }
