@@ -1,4 +1,4 @@
-/* The products and the leading zeros of wide.h against plain C: edge values with each other, then random ones.
+/* The products, leading zeros and filling of wide.h against plain C: edge values with each other, then random ones.
  * For the host (test_fx.c) and, freestanding, for an emulated Cortex-M0 (checks/wide.c).
  *
  * SPDX-License-Identifier: MIT
@@ -6,8 +6,8 @@
 #ifndef TESTS_PRODUCTS_H
 #define TESTS_PRODUCTS_H
 
+#include "fx.h"
 #include "prng.h"
-#include "wide.h"
 
 static inline int wide_pair_right(uint32_t a, uint32_t b)
 {
@@ -18,12 +18,36 @@ static inline int wide_pair_right(uint32_t a, uint32_t b)
            zs_umulh(a, b) == (uint32_t)(ua * ub >> 32) && zs_mulh_ss(sa, sb) == (int32_t)(ia * ib >> 32);
 }
 
+/* The edge values once more as differences: |b|, |d| <= 2^14. */
+static inline int wide_cross_right(uint32_t a, uint32_t b)
+{
+    const int32_t short_b = (int32_t)(b % 32769u) - 16384, short_d = (int32_t)(a % 32769u) - 16384;
+    volatile int64_t ia = (int32_t)a, ib = (int32_t)b, ib_short = short_b, id_short = short_d;
+    return zs_cross_short((int32_t)a, short_b, (int32_t)b, short_d) == ia * ib_short - ib * id_short &&
+           zs_cross_short((int32_t)a, 16384, (int32_t)b, -16384) == ia * 16384 + ib * 16384 &&
+           zs_cross_short((int32_t)a, -16384, (int32_t)b, 16384) == (ia + ib) * -16384;
+}
+
 static inline int wide_clz_right(uint32_t v)
 {
     int n = 0;
     for (uint32_t bit = 1u << 31; !(v & bit); bit >>= 1)
         n++;
     return zs_clz32(v) == n && zs_clz64(v) == 32 + n && zs_clz64((uint64_t)v << 32 | (v >> 7)) == n;
+}
+
+/* n values are filled, one more where n is odd, and none beside them. */
+static inline int wide_fill_right(uint32_t n)
+{
+    static uint32_t words[160];
+    uint16_t *const at = (uint16_t *)(void *)words;
+    for (uint32_t k = 0; k < 320; k++)
+        at[k] = (uint16_t)k;
+    zs_fill16(at + 4, 0xabcd, n);
+    for (uint32_t k = 0; k < 320; k++)
+        if (at[k] != (k >= 4 && k < 4 + (n + 1u) / 2u * 2u ? 0xabcdu : k))
+            return 0;
+    return 1;
 }
 
 /* 1 where all are right, else 0 and the pair in wrong[]. */
@@ -38,12 +62,15 @@ static inline int wide_right(uint32_t random_pairs, uint32_t wrong[2])
         edge[n++] = 0u - power - 1u;
         edge[n++] = power + 0x8001u;
     }
+    for (wrong[0] = 0; wrong[0] < 300; wrong[0]++)
+        if (!wide_fill_right(wrong[0]))
+            return 0;
     for (uint32_t k = 0; k < n * n + random_pairs; k++) {
         const uint32_t a = k < n * n ? edge[k / n] : (uint32_t)prng_log(&p),
                        b = k < n * n ? edge[k % n] : (uint32_t)prng_log(&p);
         wrong[0] = a;
         wrong[1] = b;
-        if (!wide_pair_right(a, b) || (a && !wide_clz_right(a)))
+        if (!wide_pair_right(a, b) || !wide_cross_right(a, b) || (a && !wide_clz_right(a)))
             return 0;
     }
     return 1;

@@ -336,6 +336,49 @@ static double gradient_error(uint32_t g, __int128 n, int64_t area)
     return fabs((double)off / (double)area);
 }
 
+/* a / b, floor. */
+static __int128 floored(__int128 a, int64_t b)
+{
+    return a / b - (a % b < 0);
+}
+
+/* Gradients of 40.24 bits are floors, to the last bit, whichever way they are found. */
+static int planes64_exact(struct prng *p, const struct zs_geom *g, int64_t area)
+{
+    for (int n = 0; n < 8; n++) {
+        uint64_t v[3];
+        struct zs_plane64 plane;
+        for (int k = 0; k < 3; k++)
+            v[k] = n == 0 ? (uint64_t)(k & 1) : (prng_next(p) & (((uint64_t)1 << 40) - 1u)) >> prng_range(p, 0, 40);
+        const __int128 d1 = (int64_t)(v[1] - v[0]), d2 = (int64_t)(v[2] - v[0]);
+        const __int128 one = (__int128)1 << 32;
+        const __int128 gx = floored((d1 * g->dy2 - d2 * g->dy1) * one, area);
+        const __int128 gy = floored((d2 * g->dx1 - d1 * g->dx2) * one, area);
+        zs_plane64(g, v[0], v[1], v[2], &plane);
+        CASE_CHECK(plane.gx == (uint64_t)gx && plane.gy == (uint64_t)gy);
+        const __int128 x = floored(gx * g->ax, 256), y = floored(gy * g->ay, 256); /* each part's low 8 bits fall */
+        CASE_CHECK(plane.base == (v[0] << 24) + (uint64_t)x + (uint64_t)y);
+    }
+    return 1;
+}
+
+/* The narrow way of tiny triangles gives what the one for small ones does. */
+static int tiny_is_small(const struct zs_geom *g, const struct easel_tri *t)
+{
+    static const enum zs_plane_kind kinds[2] = { ZS_PLANE_KEY, ZS_PLANE_WIDE };
+    struct zs_geom small = *g;
+    small.tiny = 0;
+    for (int k = 0; k < 2; k++)
+        for (int cut = 0; cut < 32; cut += 5) {
+            struct zs_plane a, b;
+            const uint32_t d[3] = { t->d[0] >> cut, t->d[1] >> cut, t->d[2] >> cut };
+            zs_plane32(g, d[0], d[1], d[2], kinds[k], &a);
+            zs_plane32(&small, d[0], d[1], d[2], kinds[k], &b);
+            CASE_CHECK(a.base == b.base && a.gx == b.gx && a.gy == b.gy);
+        }
+    return 1;
+}
+
 /* Of a snapped triangle: nearest where it is large, within 0.88 ulp where it is small (plane.c). */
 static int gradient_case(uint64_t seed)
 {
@@ -365,7 +408,7 @@ static int gradient_case(uint64_t seed)
     job.r = &r;
     job.width = 320;
     const int64_t area = llabs(oracle_area(&o));
-    CASE_CHECK(zs_plane_sides(&job, down) == (area != 0));
+    CASE_CHECK((zs_plane_sides(&job, down[0], down[1], down[2]) != 0) == (area != 0));
     if (area == 0)
         return 1;
     const struct zs_vertex *const a = job.v[0], *const b = job.v[1], *const c = job.v[2];
@@ -375,6 +418,7 @@ static int gradient_case(uint64_t seed)
     const int64_t dv1 = (int64_t)b->d - a->d, dv2 = (int64_t)c->d - a->d;
     const __int128 nx = (__int128)dv1 * (c->y - a->y) - (__int128)dv2 * (b->y - a->y);
     const __int128 ny = (__int128)dv2 * (b->x - a->x) - (__int128)dv1 * (c->x - a->x);
+    CASE_CHECK(planes64_exact(&p, &job.geom, area) && tiny_is_small(&job.geom, &t));
     const double bound = spread(t.x) + spread(t.y) <= 65536 ? 0.88 : 0.5;
     const double error = fmax(gradient_error(job.key.gx, nx, area),
                               gradient_error(job.key.gy, ny, area));

@@ -160,17 +160,27 @@ static void float_inverse(const struct zs_view *view, const struct zs_vertex *co
 
 #define W_BITS 39 /* plane.c: differences times 2^23 fit 63 bits */
 
-/* w = r scaled so that the nearest vertex's octave ends at 2^39. job->w64_scale: that octave. */
-static void float_planes(struct zs_job *job, const int32_t octave[3], int32_t nearest)
+/* job->w64: w = r scaled so that the nearest vertex's octave ends at 2^39. job->w64_scale: that octave. Return 0 where
+ * all three are in one after all: the last has the codes of two. */
+static ZS_NOINLINE int float_planes(struct zs_job *job)
 {
     const struct zs_view *view = &job->r->view;
+    int32_t octave[3], nearest = 0, farthest = 32;
     uint64_t w[3];
+    for (int k = 0; k < 3; k++) {
+        octave[k] = octave_of(view, job->v[k]->d);
+        nearest = zs_max32(nearest, octave[k]);
+        farthest = zs_min32(farthest, octave[k]);
+    }
+    if (nearest == farthest)
+        return 0;
     for (int k = 0; k < 3; k++) {
         const int32_t up = W_BITS - 1 - (view->key_mantissa + 16) - (nearest - octave[k]);
         w[k] = (uint64_t)zs_scale2((int64_t)mantissa_of(view, job->v[k]->d, octave[k]), up);
     }
     zs_plane64(&job->geom, w[0], w[1], w[2], &job->w64);
     job->w64_scale = nearest;
+    return 1;
 }
 
 /* Leading zeros of w in 39.24 bits, 1 .. last: how many octaves below the nearest's end, and one. */
@@ -181,12 +191,12 @@ static inline int32_t octaves_down(uint64_t w, int32_t last)
 }
 
 /* Of n pixels from one with w on, how many lie in its octave; the n-th does not. */
-static int32_t pixels_within(uint64_t w, uint64_t gx, int32_t n, int32_t down, int32_t last)
+static ZS_NOINLINE int32_t pixels_within(uint64_t w, uint64_t gx, int32_t n, int32_t down, int32_t last)
 {
     int32_t in = 0, out = n - 1; /* pixel `in` does, pixel `out` does not */
     while (out - in > 1) {
         const int32_t mid = (in + out) / 2;
-        if (octaves_down(w + gx * (uint64_t)(uint32_t)mid, last) == down)
+        if (octaves_down(w + zs_times(gx, mid), last) == down)
             in = mid;
         else
             out = mid;
@@ -194,59 +204,103 @@ static int32_t pixels_within(uint64_t w, uint64_t gx, int32_t n, int32_t down, i
     return out;
 }
 
-ZS_ALWAYS_INLINE void float_span(struct zs_job *job, const struct zs_row *row)
+/* The low 32 bits of (v + 2^(shift - 1)) / 2^shift, floor. 1 <= shift <= 63; v is signed or not, a constant */
+ZS_ALWAYS_INLINE uint32_t rounded(uint64_t v, int32_t shift, int is_signed)
+{
+    v += (uint64_t)1 << (shift - 1);
+    const uint32_t hi = (uint32_t)(v >> 32);
+    if (shift < 32)
+        return hi << (32 - shift) | (uint32_t)v >> shift;
+    return is_signed ? (uint32_t)((int32_t)hi >> (shift - 32)) : hi >> (shift - 32);
+}
+
+/* Pixels [i, i + n) of a row, in one octave: code = (o - 1) 2^m + w / 2^shift with o = last + 1 - down. */
+static ZS_NOINLINE void float_piece(struct zs_job *job, const struct zs_row *row, uint64_t w, int32_t down, int32_t i,
+                                    int32_t n)
 {
     const struct zs_view *view = &job->r->view;
-    const struct zs_shader *shader = job->shader;
-    const struct zs_state *state = job->state;
-    const struct zs_state_kernel *kernel = state ? state->kernel : 0;
-    const int32_t m = view->key_mantissa + 16, last = job->w64_scale;
-    const uint64_t gx = job->w64.gx;
-    int32_t i = row->i0, left = row->i1 - i;
-    uint64_t w = job->w64.base + gx * (uint64_t)(int64_t)(i - job->geom.ia) +
-                 job->w64.gy * (uint64_t)(int64_t)(row->y - job->geom.ja);
-    const int32_t down_end = octaves_down(w + gx * (uint64_t)(uint32_t)(left - 1), last);
-    while (left > 0) {
-        const int32_t down = octaves_down(w, last);
-        const int32_t n = down == down_end ? left : pixels_within(w, gx, left, down, last);
-        /* code = (o - 1) 2^m + w / 2^shift with o = last + 1 - down */
-        const int32_t shift = 63 - m - down;                               /* 3 .. 41 */
-        const uint64_t half = (uint64_t)1 << (shift - 1);
-        const uint32_t code = ((uint32_t)(last - down) << m) + (uint32_t)((w + half) >> shift);
-        const uint32_t sum = view->key_top + 0x10000u - code + 0x8000u;    /* modulo 2^32 */
-        const uint32_t step = 0u - (uint32_t)((int64_t)(gx + half) >> shift); /* gx may be any where n is 1 */
-        if (state)
-            kernel->span(job, row, i, i + n, sum, step);
-        else
-            shader->span(job, row, i, i + n, sum, step);
-        i += n;
-        left -= n;
-        w += gx * (uint64_t)(uint32_t)n;
+    const int32_t m = view->key_mantissa + 16, shift = 63 - m - down;     /* 3 .. 41 */
+    const uint32_t code = ((uint32_t)(job->w64_scale - down) << m) + rounded(w, shift, 0);
+    const uint32_t sum = view->key_top + 0x10000u - code + 0x8000u;       /* modulo 2^32 */
+    const uint32_t step = 0u - rounded(job->w64.gx, shift, 1);            /* gx may be any where n is 1 */
+    if (job->state) {
+        const struct zs_state_kernel *kernel = job->state->kernel;
+        kernel->span(job, row, i, i + n, sum, step);
+    } else {
+        const struct zs_shader *shader = job->shader;
+        shader->span(job, row, i, i + n, sum, step);
     }
 }
 
-/* Apart, so that its frame is not on the stack below start(). */
+/* A row that may cross octaves; its last pixel is down_end down. */
+static ZS_NOINLINE void crossing_row(struct zs_job *job, const struct zs_row *row, uint64_t w, int32_t down_end)
+{
+    const int32_t last = job->w64_scale;
+    const uint64_t gx = job->w64.gx;
+    int32_t i = row->i0, left = row->i1 - i;
+    for (;;) {
+        const int32_t down = octaves_down(w, last);
+        const int32_t n = down == down_end ? left : pixels_within(w, gx, left, down, last);
+        float_piece(job, row, w, down, i, n);
+        i += n;
+        left -= n;
+        if (left <= 0)
+            return;
+        w += zs_times(gx, n);
+    }
+}
+
+/* A row whose first pixel has w. */
+static ZS_NOINLINE void float_row(struct zs_job *job, const struct zs_row *row, uint64_t w)
+{
+    const int32_t n = row->i1 - row->i0;
+    const uint64_t end = w + zs_times(job->w64.gx, n - 1);
+    const int32_t down = octaves_down(end, job->w64_scale);
+    const uint32_t hi = (uint32_t)(w >> 32), hi_end = (uint32_t)(end >> 32);
+    if ((hi ^ hi_end) < (hi & hi_end)) /* as many leading zeros */
+        float_piece(job, row, w, down, row->i0, n);
+    else
+        crossing_row(job, row, w, down);
+}
+
+/* Rows as zs_rows_walk walks them, with w at column 0 carried on. */
 static ZS_NOINLINE void float_walk(struct zs_job *job)
 {
-    zs_rows_walk(job, float_span);
+    const struct zs_plane64 *plane = &job->w64;
+    struct zs_row row;
+    uint64_t w = plane->base - zs_times(plane->gx, job->geom.ia) + zs_times(plane->gy, job->row - job->geom.ja);
+    row.y = job->row;
+    row.at = (row.y - job->y0) * job->width;
+    row.key = 0;
+    for (;;) {
+        for (const struct zs_cut *cut = job->cut; row.y < job->cut_end; row.y++, cut++) {
+            row.x0 = cut->x0;
+            row.x1 = cut->x1;
+            row.i0 = zs_max32(row.x0, 0);
+            row.i1 = zs_min32(row.x1, job->width);
+            if (row.i0 < row.i1) {
+                job->r->stats.pixels_tested += (uint32_t)(row.i1 - row.i0);
+                float_row(job, &row, w + zs_times(plane->gx, row.i0));
+            }
+            w += plane->gy;
+            row.at += job->width;
+        }
+        if (row.y >= job->row_end)
+            return;
+        zs_raster_cuts(job, row.y);
+    }
 }
 
 static void float_rows(struct zs_job *job)
 {
+    const struct zs_view *view = &job->r->view;
     const struct zs_shader *shader = job->shader;
-    int32_t octave[3], nearest = 0, farthest = 32;
-    for (int k = 0; k < 3; k++) {
-        octave[k] = octave_of(&job->r->view, job->v[k]->d);
-        nearest = zs_max32(nearest, octave[k]);
-        farthest = zs_min32(farthest, octave[k]);
-    }
-    if (nearest == farthest) {
-        zs_rows_keys(job);
-        zs_rows_draw(job);
+    const uint32_t code = below_code(view, job->v[0]->d);
+    const uint32_t differ = (code ^ below_code(view, job->v[1]->d)) | (code ^ below_code(view, job->v[2]->d));
+    if (!(differ >> (view->key_mantissa + 16)) || !float_planes(job)) {
+        zs_raster_keys(job);
         return;
     }
-    float_planes(job, octave, nearest);
-    job->key.base = job->key.gx = job->key.gy = 0; /* not used, but walked */
     job->saturates = (uint8_t)zs_keys_may_saturate(job);
     if (shader->start)
         shader->start(job);

@@ -31,7 +31,11 @@ typedef int32_t q24_8; /* screen x, y, px */
 
 #if defined(__GNUC__)
 #define ZS_ALWAYS_INLINE static inline __attribute__((always_inline))
+#if defined(__clang__)
 #define ZS_NOINLINE __attribute__((noinline))
+#else
+#define ZS_NOINLINE __attribute__((noinline, noclone)) /* nor with other arguments: fields as arguments spill */
+#endif
 #else
 #define ZS_ALWAYS_INLINE static inline
 #define ZS_NOINLINE
@@ -52,6 +56,7 @@ static inline void zs_fill16(uint16_t *out, uint16_t value, uint32_t n)
 {
     const zs_pair pair = (zs_pair)((uint32_t)value << 16 | value);
     zs_pair *at = (zs_pair *)(void *)out, *const end = at + (n + ZS_PAIR - 1u) / ZS_PAIR;
+    at += zs_fill_blocks(at, pair, (n + ZS_PAIR - 1u) / ZS_PAIR);
     for (; end - at >= 8; at += 8) {
         at[0] = at[1] = at[2] = at[3] = pair;
         at[4] = at[5] = at[6] = at[7] = pair;
@@ -103,6 +108,12 @@ static inline int64_t zs_scale2(int64_t v, int n)
 static inline uint32_t zs_wrap_mul(uint32_t a, int32_t b)
 {
     return a * (uint32_t)b;
+}
+
+/* v * d modulo 2^64. */
+static inline uint64_t zs_times(uint64_t v, int32_t d)
+{
+    return (uint64_t)zs_mul_su(d, (uint32_t)v) + ((uint64_t)((uint32_t)(v >> 32) * (uint32_t)d) << 32);
 }
 
 /* First sample (row or column) at or after a coordinate: ceil((c - 1/2 px) / 1 px). */

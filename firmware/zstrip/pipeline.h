@@ -60,7 +60,7 @@ struct zs_texel {
     /* n texels along a walk, RGB565 in wire order. */
     void (*fetch)(const struct zs_texture *texture, uint16_t *out, int32_t n,
                   const struct zs_walk *walk);
-    /* As shader->rows, unlit, where job->c[0] and [1] are u and v, uq0_32; log2_w, log2_h > 0. */
+    /* As shader->rows, unlit, where job->c[0] and [1] are u and v, uq0_32; log2_w, log2_h > 0 */
     void (*rows)(struct zs_job *job);
     uint16_t colors_max; /* of the palette; 0: there is none */
     uint8_t log2_w_min;
@@ -157,6 +157,8 @@ void zs_bin_walk(struct zs_renderer *r);
 void zs_raster_strip(struct zs_renderer *r);
 /* Find the spans of rows from `row` on: of ZS_CUT_ROWS, or up to job->row_end. */
 void zs_raster_cuts(struct zs_job *job, int32_t row);
+/* Draw a job whose keys are linear on the screen, by its shader or its state. */
+void zs_raster_keys(struct zs_job *job);
 
 /* The span of a row: first sample at or right of its left edge, and of its right edge. */
 struct zs_cut {
@@ -176,16 +178,24 @@ struct zs_plane64 {
 };
 
 #define ZS_TINY (64 * ZS_SUBPX_ONE) /* most triangles are not larger: 32-bit products do */
+#define ZS_TINY_AREA (1 << 13)      /* ... and not smaller; see plane.c */
 
 /* The snapped triangle as planes need it, area made positive. */
 struct zs_geom {
-    int32_t dx1, dy1, dx2, dy2; /* q24_8, of the second and third vertex from the first */
+    union { /* q24_8, of the second and third vertex from the first */
+        struct {
+            int32_t dx1, dx2, dy1, dy2;
+        };
+        struct {
+            int32_t dx[2], dy[2];
+        };
+    };
     int64_t area;               /* q_16 px^2, twice the area, > 0 */
     int32_t ia, ja;             /* anchor pixel ... */
     int32_t ax, ay;             /* ... its sample minus the first vertex, q24_8 */
     uint32_t rcp;               /* 2^63 / mantissa of area; 0: large, divide */
     int32_t exp;                /* area ~ mantissa * 2^exp, mantissa in [2^31, 2^32) */
-    int32_t tiny;               /* 1: all four differences are at most ZS_TINY */
+    int32_t tiny;               /* 1: the four differences are at most ZS_TINY, the area is at least ZS_TINY_AREA */
 };
 
 /* How a textured triangle's coordinates become fractions of the texture's size. */
@@ -209,28 +219,29 @@ struct zs_lit {
     uint16_t color[ZS_LIT_COLORS];
 };
 
-/* One triangle in one strip: the wide record, alive only while it is drawn. What rows and spans read comes first: 16-bit
- * instructions reach 124 bytes. */
+/* One triangle in one strip: the wide record, alive only while it is drawn. What rows, spans and set-up need comes first:
+ * a Cortex-M0 reaches 124 bytes beyond a pointer at no extra cost. */
 struct zs_job {
     struct zs_plane key;          /* screen-linear mappings; half a bucket added */
     struct zs_plane c[3], w;      /* attributes, or attributes times w, and w (persp.h) */
     uint16_t *color, *depth;      /* the strip; row 0 is row y0 of the frame */
     int32_t y0, width;
-    int32_t row, cut_end, row_end; /* rows in the frame; to row_end in this strip */
+    int32_t row, cut_end, row_end; /* rows in the frame; spans of [row, cut_end) are in cut; to row_end in this strip */
     uint32_t sub_log2;            /* of the sub-span; ZS_AFFINE: plain affine */
     struct zs_renderer *r;
     const struct zs_tri *tri;
     const struct zs_shader *shader;
     const struct zs_vertex *v[3]; /* the top one, then the others so that the area is positive */
-    const struct zs_state *state; /* of the instance; NULL: none ... */
-    int32_t bias;                 /* ... else buckets added to every key */
     uint8_t saturates;            /* a key may reach 2^bits - 1 (rows.h) */
     uint8_t mid_right;            /* the middle vertex is to the right of the long edge */
     int32_t row_mid;              /* first row below the middle vertex, in the strip or not */
     int32_t row_last;             /* one beyond the triangle's last row, in the strip or below it */
+    int32_t y1;                   /* the strip's rows are [y0, y1) */
+    const struct zs_state *state; /* of the instance; NULL: none ... */
+    int32_t bias;                 /* ... else buckets added to every key */
     struct zs_geom geom;
     struct zs_sampler sampler;
-    struct zs_cut cut[ZS_CUT_ROWS]; /* spans of rows [row, cut_end) */
+    struct zs_cut cut[ZS_CUT_ROWS];
     struct zs_plane64 w64;        /* depth that is not linear on the screen: 1/z ... */
     int32_t w64_scale;            /* ... and its scale */
     struct zs_lit lit;            /* stays from triangle to triangle */
@@ -238,15 +249,16 @@ struct zs_job {
 
 /* ---- plane.c ---------------------------------------------------------------------------------------- */
 
-/* From three vertices in the order of y: job->v, job->mid_right, job->geom's differences and area. Return 0 where it
+/* From the vertices in the order of y: job->v, job->mid_right, job->geom's differences and area. Return 0 where it
  * has none. */
-int zs_plane_sides(struct zs_job *job, const struct zs_vertex *const v[3]);
+int zs_plane_sides(struct zs_job *job, const struct zs_vertex *top, const struct zs_vertex *mid,
+                   const struct zs_vertex *bottom);
 /* Fill the rest of job->geom. */
 void zs_plane_geom(struct zs_job *job);
-enum zs_plane_kind {
-    ZS_PLANE_KEY, /* buckets or codes, uq16_16: error below 0.005 of one */
-    ZS_PLANE_WIDE /* 31 significant bits: error below the larger of 2^-21 of the largest value
-                     and (W + H + 1) / 2 * 2^-31 */
+enum zs_plane_kind { /* the numbers: gradients of 2^(32 - n) and more are found by division */
+    ZS_PLANE_WIDE = 2, /* 31 significant bits: error below the larger of 2^-21 of the largest value
+                          and (W + H + 1) / 2 * 2^-31 */
+    ZS_PLANE_KEY = 5   /* buckets or codes, uq16_16: error below 0.005 of one */
 };
 void zs_plane32(const struct zs_geom *g, uint32_t v0, uint32_t v1, uint32_t v2,
                 enum zs_plane_kind kind, struct zs_plane *out);

@@ -29,29 +29,59 @@
 
 #define SMALL_EXTENT (256 * ZS_SUBPX_ONE)
 
-int zs_plane_sides(struct zs_job *job, const struct zs_vertex *const v[3])
+/* The same for a triangle that is not tiny. */
+static ZS_NOINLINE int wide_sides(struct zs_job *job, const struct zs_vertex *top, const struct zs_vertex *mid,
+                                  const struct zs_vertex *bottom)
 {
     struct zs_geom *g = &job->geom;
-    const int32_t mx = v[1]->x - v[0]->x, my = v[1]->y - v[0]->y, bx = v[2]->x - v[0]->x,
-                  by = v[2]->y - v[0]->y; /* |.| < 2^22 */
-    int64_t cross;
-    g->tiny = !(((uint32_t)(mx + ZS_TINY) | (uint32_t)(bx + ZS_TINY) | (uint32_t)by * 2u) / (2u * ZS_TINY));
-    if (g->tiny)
-        cross = mx * by - bx * my; /* each below 2^29 */
-    else
-        cross = zs_mul_ss(mx, by) - zs_mul_ss(bx, my); /* |.| < 2^45 */
-    if (cross == 0)
-        return 0;
-    job->mid_right = cross > 0;
-    job->v[0] = v[0]; /* planes want a positive area */
-    job->v[1] = cross > 0 ? v[1] : v[2];
-    job->v[2] = cross > 0 ? v[2] : v[1];
-    g->dx1 = cross > 0 ? mx : bx;
-    g->dy1 = cross > 0 ? my : by;
-    g->dx2 = cross > 0 ? bx : mx;
-    g->dy2 = cross > 0 ? by : my;
-    g->area = cross > 0 ? cross : -cross;
-    return 1;
+    const int64_t cross = zs_mul_ss(mid->x - top->x, bottom->y - top->y) -
+                          zs_mul_ss(bottom->x - top->x, mid->y - top->y); /* |.| < 2^45 */
+    const int right = cross > 0;
+    const struct zs_vertex *b = right ? mid : bottom, *c = right ? bottom : mid;
+    job->mid_right = (uint8_t)right;
+    job->v[0] = top;
+    job->v[1] = b;
+    job->v[2] = c;
+    g->area = right ? cross : -cross;
+    g->tiny = 0;
+    g->dx1 = b->x - top->x; /* |.| < 2^22, as all four */
+    g->dx2 = c->x - top->x;
+    g->dy1 = b->y - top->y;
+    g->dy2 = c->y - top->y;
+    return cross != 0;
+}
+
+int zs_plane_sides(struct zs_job *job, const struct zs_vertex *top, const struct zs_vertex *mid,
+                   const struct zs_vertex *bottom)
+{
+    struct zs_geom *g = &job->geom;
+    int32_t dx1 = mid->x - top->x, dx2 = bottom->x - top->x, dy1 = mid->y - top->y, dy2 = bottom->y - top->y;
+    if (((uint32_t)(dx1 + ZS_TINY) | (uint32_t)(dx2 + ZS_TINY) | (uint32_t)dy2 * 2u) >= 2u * ZS_TINY)
+        return wide_sides(job, top, mid, bottom);
+    int32_t cross = dx1 * dy2 - dx2 * dy1; /* each below 2^28 */
+    job->v[0] = top;
+    job->mid_right = 1;
+    if (cross < 0) { /* planes want a positive area */
+        const int32_t dx = dx1, dy = dy1;
+        const struct zs_vertex *const v = mid;
+        dx1 = dx2;
+        dx2 = dx;
+        dy1 = dy2;
+        dy2 = dy;
+        mid = bottom;
+        bottom = v;
+        cross = -cross;
+        job->mid_right = 0;
+    }
+    job->v[1] = mid;
+    job->v[2] = bottom;
+    g->dx1 = dx1;
+    g->dx2 = dx2;
+    g->dy1 = dy1;
+    g->dy2 = dy2;
+    g->area = (uint32_t)cross;
+    g->tiny = cross >= ZS_TINY_AREA;
+    return cross;
 }
 
 /* Width + height <= 256 px. */
@@ -68,47 +98,65 @@ void zs_plane_geom(struct zs_job *job)
     ZS_ASSERT(g->dx1 == job->v[1]->x - a->x && g->dy1 == job->v[1]->y - a->y);
     ZS_ASSERT(g->dx2 == job->v[2]->x - a->x && g->dy2 == job->v[2]->y - a->y);
     ZS_ASSERT(g->area == (int64_t)g->dx1 * g->dy2 - (int64_t)g->dx2 * g->dy1 && g->area > 0);
-    g->ia = a->x >> ZS_SUBPX_BITS;
-    g->ja = a->y >> ZS_SUBPX_BITS;
+    const int32_t x = a->x, y = a->y;
+    int32_t ia = x >> ZS_SUBPX_BITS, ja = y >> ZS_SUBPX_BITS;
     if (g->tiny || is_small(g)) {
         const int lz = zs_clz32((uint32_t)g->area); /* area <= width * height <= 2^30 */
-        g->rcp = zs_recip((uint32_t)g->area << lz);
         g->exp = -lz;
+        g->rcp = zs_recip((uint32_t)g->area << lz);
     } else {
         g->rcp = 0;
-        g->ia = zs_min32(zs_max32(g->ia, 0), job->width - 1);
-        g->ja = zs_min32(zs_max32(g->ja, 0), job->r->config.height - 1);
+        ia = zs_min32(zs_max32(ia, 0), job->width - 1);
+        ja = zs_min32(zs_max32(ja, 0), job->r->config.height - 1);
     }
-    g->ax = g->ia * ZS_SUBPX_ONE + ZS_SUBPX_HALF - a->x; /* small: -127 .. 128; large: < 2^22.1 */
-    g->ay = g->ja * ZS_SUBPX_ONE + ZS_SUBPX_HALF - a->y;
+    g->ia = ia;
+    g->ja = ja;
+    g->ax = ia * ZS_SUBPX_ONE + ZS_SUBPX_HALF - x; /* small: -127 .. 128; large: < 2^22.1 */
+    g->ay = ja * ZS_SUBPX_ONE + ZS_SUBPX_HALF - y;
 }
 
 #define TOO_STEEP INT32_MIN
 
 /* 256 * n / area of a small triangle, nearly nearest; TOO_STEEP where it is 2^(32 - least_shift) or more. */
-static int32_t small_gradient(const struct zs_geom *g, int64_t n, int32_t least_shift)
+static ZS_NOINLINE int32_t small_gradient(const struct zs_geom *g, int64_t n, int32_t least_shift)
 {
     const uint64_t mag = n < 0 ? 0u - (uint64_t)n : (uint64_t)n;
-    const uint32_t hi = (uint32_t)(mag >> 32);
-    uint32_t m = (uint32_t)mag; /* mag = m 2^(32 - lz) ... */
-    int lz = 32;
-    if (hi) {
-        lz = zs_clz32(hi);
-        m = hi << lz | m >> 1 >> (31 - lz);
-    } else if (g->exp < 9 - 32 + 5) { /* else even the largest m is not too steep, and its leading zeros change nothing */
-        if (m == 0)
-            return 0;
-        const int up = zs_clz32(m);
-        m <<= up;
-        lz += up;
-    }
-    /* ... and area = a 2^exp: 256 mag / area = p 2^(32 + 8 + 32 - lz - 63 - exp) with p = m 2^63 / a / 2^32 */
+    if (mag == 0)
+        return 0;
+    const int lz = zs_clz64(mag);
+    const uint32_t hi = (uint32_t)(mag >> 32), lo = (uint32_t)mag;
+    const uint32_t m = hi ? hi << lz | lo >> 1 >> (31 - lz) : lo << (lz - 32); /* top 32 bits of mag << lz */
+    /* mag = m 2^(32 - lz), area = a 2^exp: 256 mag / area = p 2^(32 + 8 + 32 - lz - 63 - exp), p = m (2^63 / a) / 2^32 */
     const int32_t shift = lz + g->exp - 9;
     if (shift < least_shift)
         return TOO_STEEP;
-    const uint32_t p = zs_umulh(m, g->rcp);
+    const uint32_t p = zs_umulh(m, g->rcp); /* [2^30, 2^32) */
     const uint32_t q = shift > 32 ? 0u : ((p >> (shift - 1)) + 1u) >> 1;
     return n < 0 ? -(int32_t)q : (int32_t)q; /* q <= 2^30 */
+}
+
+/* The same of n = dv1 d[1] - dv2 d[0] in a tiny triangle. Where n has 32 bits its leading zeros need not be known: they
+ * would be shifted in and out again. exp >= -18 then keeps shift at least 5. */
+static ZS_NOINLINE int32_t tiny_gradient(const struct zs_geom *g, int32_t dv1, int32_t dv2, const int32_t d[2],
+                                         int32_t least_shift)
+{
+    const int64_t n = zs_cross_short(dv1, d[1], dv2, d[0]); /* |.| <= 2^46 */
+    const int32_t sign = (int32_t)(n >> 32);
+    uint32_t m = (uint32_t)n, hi = (uint32_t)sign;
+    if (sign < 0) {
+        m = 0u - m;
+        hi = ~hi + (m == 0);
+    }
+    int32_t shift = 32 + g->exp - 9;
+    if (hi) {
+        const int lz = zs_clz32(hi); /* 17 .. 31 */
+        m = hi << lz | m >> (32 - lz);
+        shift -= 32 - lz;
+        if (shift < least_shift)
+            return TOO_STEEP;
+    }
+    m = ((zs_umulh(m, g->rcp) >> (shift - 1)) + 1u) >> 1;
+    return sign < 0 ? -(int32_t)m : (int32_t)m;
 }
 
 /* n / d with 32 fraction bits: floor in *whole, fraction returned. d < 2^45. */
@@ -148,59 +196,107 @@ static void large_plane(const struct zs_geom *g, uint32_t v0, int64_t dv1, int64
     out->base = (uint32_t)(base >> 24);
 }
 
-/* The small way. Return 0 where the triangle or its values are not for it. */
-static int small_plane(const struct zs_geom *g, uint32_t v0, int32_t dv1, int32_t dv2,
-                       enum zs_plane_kind kind, struct zs_plane *out)
+/* The small way, once the base holds the first vertex's value and the gradients are known: on to the anchor. */
+static inline void small_base(const struct zs_geom *g, struct zs_plane *out)
 {
-    const int32_t least = kind == ZS_PLANE_WIDE ? 2 : 5;
-    int64_t nx, ny; /* |dv| <= 2^31, |d| <= 2^16: |.| <= 2^48 */
-    if (g->tiny) {
-        nx = zs_cross_short(dv1, g->dy2, dv2, g->dy1);
-        ny = zs_cross_short(dv2, g->dx1, dv1, g->dx2);
-    } else {
-        nx = zs_mul_ss(dv1, g->dy2) - zs_mul_ss(dv2, g->dy1);
-        ny = zs_mul_ss(dv2, g->dx1) - zs_mul_ss(dv1, g->dx2);
+    const int32_t gx = (int32_t)out->gx, gy = (int32_t)out->gy, ax = g->ax, ay = g->ay; /* |g| <= 2^30, |a| <= 2^7 */
+    const int32_t low = (gx & 255) * ax + (gy & 255) * ay + 128; /* (gx ax + gy ay + 128) / 256, the low 8 bits apart */
+    out->base += (uint32_t)((gx >> 8) * ax + (gy >> 8) * ay + (low >> 8)); /* |.| < 2^31 */
+}
+
+/* Any triangle: the small way if it and its values are. */
+static ZS_NOINLINE void any_plane(const struct zs_geom *g, int32_t dv1, int32_t dv2, struct zs_plane *out,
+                                  int32_t least)
+{
+    const uint32_t v0 = out->base, v1 = v0 + (uint32_t)dv1, v2 = v0 + (uint32_t)dv2; /* modulo 2^32 */
+    /* differences that fit 32 bits: the borrow and the sign bit agree */
+    if (g->rcp && (dv1 < 0) == (v1 < v0) && (dv2 < 0) == (v2 < v0)) {
+        /* |dv| <= 2^31, |d| <= 2^16: |.| <= 2^48 */
+        const int32_t gx = small_gradient(g, zs_mul_ss(dv1, g->dy2) - zs_mul_ss(dv2, g->dy1), least);
+        const int32_t gy = small_gradient(g, zs_mul_ss(dv2, g->dx1) - zs_mul_ss(dv1, g->dx2), least);
+        if (gx != TOO_STEEP && gy != TOO_STEEP) {
+            out->gx = (uint32_t)gx;
+            out->gy = (uint32_t)gy;
+            small_base(g, out);
+            return;
+        }
     }
-    const int32_t gx = small_gradient(g, nx, least), gy = small_gradient(g, ny, least);
-    if (gx == TOO_STEEP || gy == TOO_STEEP)
-        return 0;
-    /* (gx ax + gy ay + 128) / 256, floor: the low 8 bits of the gradients apart. |g| <= 2^30, |a| <= 2^7 */
-    const int32_t low = (gx & 255) * g->ax + (gy & 255) * g->ay + 128;
-    const int32_t step = (gx >> 8) * g->ax + (gy >> 8) * g->ay + (low >> 8); /* |.| < 2^31 */
-    out->gx = (uint32_t)gx;
-    out->gy = (uint32_t)gy;
-    out->base = v0 + (uint32_t)step;
-    return 1;
+    large_plane(g, v0, (int64_t)v1 - v0, (int64_t)v2 - v0, out);
 }
 
 void zs_plane32(const struct zs_geom *g, uint32_t v0, uint32_t v1, uint32_t v2,
                 enum zs_plane_kind kind, struct zs_plane *out)
 {
-    if (v0 == v1 && v0 == v2) {
-        out->base = v0;
+    const int32_t dv1 = (int32_t)(v1 - v0), dv2 = (int32_t)(v2 - v0);
+    out->base = v0;
+    if ((dv1 | dv2) == 0) {
         out->gx = out->gy = 0;
         return;
     }
-    /* differences that fit 32 bits: the borrow and the sign bit agree */
-    const int32_t dv1 = (int32_t)(v1 - v0), dv2 = (int32_t)(v2 - v0);
-    if (g->rcp == 0 || (dv1 < 0) != (v1 < v0) || (dv2 < 0) != (v2 < v0) ||
-        !small_plane(g, v0, dv1, dv2, kind, out))
-        large_plane(g, v0, (int64_t)v1 - v0, (int64_t)v2 - v0, out);
+    if (g->tiny && !(((v0 ^ v1) | (v0 ^ v2)) >> 31)) { /* all three in one half: differences fit 32 bits */
+        int32_t gradient = tiny_gradient(g, dv1, dv2, g->dy, kind);
+        if (gradient != TOO_STEEP) {
+            out->gx = (uint32_t)gradient;
+            gradient = tiny_gradient(g, dv1, dv2, g->dx, kind); /* -gy, rounded alike */
+            if (gradient != TOO_STEEP) {
+                out->gy = 0u - (uint32_t)gradient;
+                small_base(g, out);
+                return;
+            }
+        }
+    }
+    any_plane(g, dv1, dv2, out, kind);
+}
+
+/* The next 32 bits of a quotient: (*rest 2^32 + next) / d. *rest < d, d >= 2^31, rcp at most 2^63 / d and no more
+ * than 2^-28 of it less: the guess is never too large, and at most 18 too small. */
+static inline uint32_t digit(uint32_t *rest, uint32_t next, uint32_t d, uint32_t rcp)
+{
+    uint32_t q = zs_umulh(*rest, rcp) * 2u;
+    uint64_t left = ((uint64_t)*rest << 32 | next) - zs_mul_uu(q, d);
+    for (; left >= d; left -= d)
+        q++;
+    *rest = (uint32_t)left;
+    return q;
+}
+
+/* As divide(n, area), of a small triangle: by its reciprocal, to the same bits. |n| < 2^57 */
+static uint32_t small_divide(const struct zs_geom *g, int64_t n, int64_t *whole)
+{
+    const uint64_t mag = n < 0 ? 0u - (uint64_t)n : (uint64_t)n;
+    const int32_t lz = -g->exp;                                      /* 1 .. 31, as area <= 2^30 */
+    const uint32_t d = (uint32_t)g->area << lz, rcp = g->rcp - 3u;   /* zs_recip is above by 2^-31 at the most */
+    const uint32_t hi = (uint32_t)(mag >> 32), lo = (uint32_t)mag;
+    uint32_t rest = hi >> (32 - lz);                                 /* mag << lz in three words; < 2^24 */
+    const uint32_t q1 = digit(&rest, hi << lz | lo >> (32 - lz), d, rcp);
+    const uint32_t q0 = digit(&rest, lo << lz, d, rcp);
+    uint32_t part = digit(&rest, 0, d, rcp);
+    uint64_t q = (uint64_t)q1 << 32 | q0;
+    if (n < 0) { /* floor: -q - 1 where anything is left, bit by bit */
+        part = ~part;
+        q = ~q;
+        if (rest == 0 && ++part == 0)
+            q++;
+    }
+    *whole = (int64_t)q;
+    return part;
+}
+
+/* A gradient in 40.24 bits modulo 2^64, and the step to the anchor added to *base. */
+static uint64_t gradient64(const struct zs_geom *g, uint64_t n, int32_t to_anchor, uint64_t *base)
+{
+    int64_t whole;
+    const uint32_t part = g->rcp ? small_divide(g, (int64_t)n, &whole) : divide((int64_t)n, g->area, &whole);
+    *base += (zs_times((uint64_t)whole, to_anchor) << 24) + (uint64_t)(zs_mul_su(to_anchor, part) >> 8);
+    return ((uint64_t)whole << 32) + part;
 }
 
 void zs_plane64(const struct zs_geom *g, uint64_t v0, uint64_t v1, uint64_t v2,
                 struct zs_plane64 *out)
 {
-    const int64_t dv1 = (int64_t)(v1 - v0), dv2 = (int64_t)(v2 - v0); /* |.| <= 2^40 */
-    int64_t whole;
-    uint32_t part;
-    out->base = v0 << 24;
-    part = divide(dv1 * g->dy2 - dv2 * g->dy1, g->area, &whole); /* |.| < 2^63 */
-    out->gx = ((uint64_t)whole << 32) + part;
-    out->base += ((uint64_t)whole * (uint64_t)(int64_t)g->ax << 24) +
-                 (uint64_t)((int64_t)part * g->ax >> 8);
-    part = divide(dv2 * g->dx1 - dv1 * g->dx2, g->area, &whole);
-    out->gy = ((uint64_t)whole << 32) + part;
-    out->base += ((uint64_t)whole * (uint64_t)(int64_t)g->ay << 24) +
-                 (uint64_t)((int64_t)part * g->ay >> 8);
+    const uint64_t dv1 = v1 - v0, dv2 = v2 - v0; /* |.| <= 2^40 */
+    uint64_t base = v0 << 24;
+    out->gx = gradient64(g, zs_times(dv1, g->dy2) - zs_times(dv2, g->dy1), g->ax, &base); /* |.| < 2^63 */
+    out->gy = gradient64(g, zs_times(dv2, g->dx1) - zs_times(dv1, g->dx2), g->ay, &base);
+    out->base = base;
 }

@@ -22,7 +22,7 @@
 
 /* (fraction * dy + off * part) / span of an edge that is entered below its first row; apart, because few are.
  * At most 2^14. */
-static ZS_NOINLINE int32_t rows_down(int32_t fraction, int32_t dy, int32_t off, int32_t part)
+static ZS_NOINLINE int32_t edge_below(int32_t fraction, int32_t dy, int32_t off, int32_t part)
 {
     if (dy < EDGE32_MAX)
         return (fraction * dy + off * part) / (dy * ZS_SUBPX_ONE);        /* < 2^23 + 2^30 */
@@ -34,7 +34,7 @@ static ZS_NOINLINE int32_t rows_down(int32_t fraction, int32_t dy, int32_t off, 
  *
  * With dx = q dy + part the right side above over 256 dy is
  *   (lead + off q) / 256 + off part / (256 dy),  off part / (256 dy) < 1 in the first row of the edge. */
-static void edge_columns(int16_t *out, int32_t n, const struct zs_vertex *a, const struct zs_vertex *b,
+static ZS_NOINLINE void edge_columns(int16_t *out, int32_t n, const struct zs_vertex *a, const struct zs_vertex *b,
                          int32_t row)
 {
     const int32_t dx = b->x - a->x, dy = b->y - a->y;                 /* |dx|, dy < 2^22 */
@@ -50,7 +50,7 @@ static void edge_columns(int16_t *out, int32_t n, const struct zs_vertex *a, con
     uint32_t rest = zs_wrap_mul((uint32_t)fraction, dy) + zs_wrap_mul((uint32_t)off, part); /* modulo 2^32 */
     const int32_t span = dy * ZS_SUBPX_ONE;                           /* < 2^30 */
     if (off >= ZS_SUBPX_ONE) {
-        const int32_t k = rows_down(fraction, dy, off, part);
+        const int32_t k = edge_below(fraction, dy, off, part);
         rest -= zs_wrap_mul((uint32_t)k, span);
         i += k;
     }
@@ -71,48 +71,35 @@ static void edge_columns(int16_t *out, int32_t n, const struct zs_vertex *a, con
 
 void zs_raster_cuts(struct zs_job *job, int32_t row)
 {
-    const struct zs_vertex *top = job->v[0], *mid = job->v[job->mid_right ? 1 : 2],
-                           *bottom = job->v[job->mid_right ? 2 : 1];
-    const int32_t end = zs_min32(job->row_end, row + ZS_CUT_ROWS);
-    const int32_t upper = zs_min32(job->row_mid, end) - row; /* rows above the middle vertex */
-    int16_t *left = &job->cut[0].x0, *right = &job->cut[0].x1, *piece = job->mid_right ? right : left;
+    const int32_t mid_right = job->mid_right, end = zs_min32(job->row_end, row + ZS_CUT_ROWS);
+    const struct zs_vertex *mid = job->v[2 - mid_right];
+    int16_t *piece = mid_right ? &job->cut[0].x1 : &job->cut[0].x0;
     job->row = row;
     job->cut_end = end;
-    edge_columns(job->mid_right ? left : right, end - row, top, bottom, row);
+    edge_columns(mid_right ? &job->cut[0].x0 : &job->cut[0].x1, end - row, job->v[0], job->v[1 + mid_right], row);
+    const int32_t upper = zs_min32(job->row_mid, end) - row; /* rows above the middle vertex */
     if (upper > 0) {
-        edge_columns(piece, upper, top, mid, row);
+        edge_columns(piece, upper, job->v[0], mid, row);
         piece += 2 * upper;
         row += upper;
     }
     if (row < end)
-        edge_columns(piece, end - row, mid, bottom, row);
+        edge_columns(piece, end - row, mid, job->v[1 + mid_right], row);
 }
 
 /* ---- Set-up ------------------------------------------------------------------------------------------ */
 
-static int before(const struct zs_vertex *a, const struct zs_vertex *b)
+/* By (y, x), so that the order in which a triangle names its vertices does not matter. */
+static inline int before(const struct zs_vertex *a, const struct zs_vertex *b)
 {
-    return a->y != b->y ? a->y < b->y : a->x < b->x;
+    return a->y < b->y || (a->y == b->y && a->x < b->x);
 }
 
-/* The vertices from top to bottom, by (y, x), so that the order in which a triangle names them does not matter. */
-static void sort(const struct zs_vertex *v[3])
+static inline void swap(const struct zs_vertex **a, const struct zs_vertex **b)
 {
-    const struct zs_vertex *t;
-    if (before(v[1], v[0])) {
-        t = v[0];
-        v[0] = v[1];
-        v[1] = t;
-    }
-    if (before(v[2], v[1])) {
-        t = v[2];
-        v[2] = v[1];
-        v[1] = t;
-        if (before(t, v[0])) {
-            v[1] = v[0];
-            v[0] = t;
-        }
-    }
+    const struct zs_vertex *t = *a;
+    *a = *b;
+    *b = t;
 }
 
 /* 1: no row has a pixel, and there are no more rows than have been cut. */
@@ -126,17 +113,24 @@ static int covers_nothing(const struct zs_job *job)
     return 1;
 }
 
-/* Fill job for a triangle in rows [y0, y1). Return 0 where none of them is its own. */
-static int job_setup(struct zs_job *job, int32_t y0, int32_t y1)
+/* Fill job for its triangle in its strip. Return 0 where it has no pixel there. */
+static ZS_NOINLINE int job_setup(struct zs_job *job)
 {
     const struct zs_vertex *pool = job->r->vert;
-    const struct zs_vertex *v[3] = { &pool[job->tri->v[0]], &pool[job->tri->v[1]], &pool[job->tri->v[2]] };
-    sort(v);
-    const int32_t row = zs_max32(zs_first_sample(v[0]->y), y0);
-    job->row_last = zs_first_sample(v[2]->y);
-    job->row_end = zs_min32(job->row_last, y1);
-    job->row_mid = zs_first_sample(v[1]->y);
-    if (row >= job->row_end || !zs_plane_sides(job, v))
+    const struct zs_vertex *top = &pool[job->tri->v[0]], *mid = &pool[job->tri->v[1]],
+                           *bottom = &pool[job->tri->v[2]];
+    if (before(mid, top))
+        swap(&mid, &top);
+    if (before(bottom, mid)) {
+        swap(&bottom, &mid);
+        if (before(mid, top))
+            swap(&mid, &top);
+    }
+    const int32_t row = zs_max32(zs_first_sample(top->y), job->y0);
+    job->row_mid = zs_first_sample(mid->y);
+    job->row_last = zs_first_sample(bottom->y);
+    job->row_end = zs_min32(job->row_last, job->y1);
+    if (row >= job->row_end || !zs_plane_sides(job, top, mid, bottom))
         return 0;
     job->r->stats.tris_setup++;
     zs_raster_cuts(job, row);
@@ -146,13 +140,23 @@ static int job_setup(struct zs_job *job, int32_t y0, int32_t y1)
     return 1;
 }
 
-static void draw(struct zs_job *job, const struct zs_tri *tri, int32_t y0, int32_t y1)
+void zs_raster_keys(struct zs_job *job)
 {
-    struct zs_renderer *r = job->r;
-    job->tri = tri;
-    if (!job_setup(job, y0, y1))
-        return;
-    const struct zs_instance *instance = &r->scene->instance[tri->instance];
+    const struct zs_shader *shader = job->shader;
+    zs_plane32(&job->geom, job->v[0]->d, job->v[1]->d, job->v[2]->d, ZS_PLANE_KEY, &job->key);
+    job->key.base += 0x8000u; /* nearest: half a bucket; keys stay below 2^32 - 2^15 (plane.c) */
+    if (job->state) {
+        const struct zs_state_kernel *kernel = job->state->kernel;
+        kernel->rows(job);
+    } else {
+        shader->rows(job);
+    }
+}
+
+static ZS_NOINLINE void draw(struct zs_job *job)
+{
+    const struct zs_renderer *r = job->r;
+    const struct zs_instance *instance = &r->scene->instance[job->tri->instance];
     const struct zs_depth *depth = r->config.depth;
     job->shader = instance->material->shader;
     job->state = instance->state;
@@ -160,12 +164,10 @@ static void draw(struct zs_job *job, const struct zs_tri *tri, int32_t y0, int32
         const struct zs_state_kernel *kernel = job->state->kernel;
         job->bias = kernel->bias(job);
     }
-    if (!r->view.screen_linear) {
+    if (r->view.screen_linear)
+        zs_raster_keys(job);
+    else
         depth->rows(job);
-        return;
-    }
-    zs_rows_keys(job);
-    zs_rows_draw(job);
 }
 
 /* ---- Lists ------------------------------------------------------------------------------------------- */
@@ -209,12 +211,15 @@ void zs_raster_strip(struct zs_renderer *r)
     job.color = r->color[r->strip & 1];
     job.depth = r->depth;
     job.y0 = y0;
+    job.y1 = y1;
     job.width = r->config.width;
     job.lit.of = 0;
     uint16_t *keep = &r->active; /* grows at its end: stays ascending */
     while (list != ZS_NIL) {
         struct zs_tri *t = &r->tri[list];
-        draw(&job, t, y0, y1);
+        job.tri = t;
+        if (job_setup(&job))
+            draw(&job);
         if (goes_on && job.row_last > y1) {
             *keep = list;
             keep = &t->next;

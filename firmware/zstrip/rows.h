@@ -87,23 +87,4 @@ ZS_ALWAYS_INLINE int zs_rows_state(const struct zs_job *job, const struct zs_sta
     return 1;
 }
 
-/* Set job->key: the plane through the vertices' keys. */
-static inline void zs_rows_keys(struct zs_job *job)
-{
-    zs_plane32(&job->geom, job->v[0]->d, job->v[1]->d, job->v[2]->d, ZS_PLANE_KEY, &job->key);
-    job->key.base += 0x8000u; /* nearest: half a bucket; keys stay below 2^32 - 2^15 (plane.c) */
-}
-
-/* Draw a job whose keys are linear on the screen: job->key is set, half a bucket added. */
-static inline void zs_rows_draw(struct zs_job *job)
-{
-    const struct zs_shader *shader = job->shader;
-    if (job->state) {
-        const struct zs_state_kernel *kernel = job->state->kernel;
-        kernel->rows(job);
-    } else {
-        shader->rows(job);
-    }
-}
-
 #endif

@@ -1,4 +1,4 @@
-/* Products of 32 x 32 bits with 64, and leading zeros: one instruction on most cores, none on Armv6-M.
+/* Products of 32 x 32 bits with 64, leading zeros, and filling: what Armv6-M needs more than an instruction for.
  *
  * A Cortex-M0 or M0+ multiplies 32 x 32 bits to the low 32 in one cycle and has neither the high half nor CLZ.
  * Its compiler calls the library for both, some 40 and 25 cycles and all low registers. Here they are in line:
@@ -51,7 +51,45 @@ static inline int64_t zs_mul_su(int32_t a, uint32_t b)
     return (int64_t)((uint64_t)hi << 32 | lo);
 }
 
+/* (a1 b - c1 d) 2^16 + (a0 b - c0 d): the first below 2^30, the second below 2^31. */
+static inline int64_t zs_cross_short(int32_t a, int32_t b, int32_t c, int32_t d)
+{
+    int32_t lo = a, other = c, hi, t;
+    __asm__(".syntax unified\n\t"
+            "asrs %2, %0, #16\n\tmuls %2, %4\n\tasrs %3, %1, #16\n\tmuls %3, %5\n\tsubs %2, %3\n\t"
+            "uxth %0, %0\n\tmuls %0, %4\n\tuxth %1, %1\n\tmuls %1, %5\n\tsubs %0, %1\n\t"
+            "asrs %1, %0, #31\n\tlsls %3, %2, #16\n\tasrs %2, %2, #16\n\tadds %0, %3\n\tadcs %2, %1"
+            : "+l"(lo), "+l"(other), "=&l"(hi), "=&l"(t)
+            : "l"(b), "l"(d)
+            : "cc");
+    return (int64_t)((uint64_t)(uint32_t)hi << 32 | (uint32_t)lo);
+}
+
+/* Fill 16 words at a time, up to n of them, four a STM: 1.4 cycles a word. Return how many. at is 4-byte aligned. */
+static inline uint32_t zs_fill_blocks(void *at, uint32_t value, uint32_t n)
+{
+    register uint32_t a __asm__("r3") = value, b __asm__("r4") = value, c __asm__("r5") = value, d __asm__("r6") = value;
+    uint32_t left = n;
+    for (; left >= 16; left -= 16)
+        __asm__ volatile(".syntax unified\n\t"
+                         "stmia %0!, {r3, r4, r5, r6}\n\tstmia %0!, {r3, r4, r5, r6}\n\t"
+                         "stmia %0!, {r3, r4, r5, r6}\n\tstmia %0!, {r3, r4, r5, r6}"
+                         : "+l"(at)
+                         : "l"(a), "l"(b), "l"(c), "l"(d)
+                         : "memory");
+    return n - left;
+}
+
 #else
+
+/* Elsewhere a compiler's loop is as good. */
+static inline uint32_t zs_fill_blocks(void *at, uint32_t value, uint32_t n)
+{
+    (void)at;
+    (void)value;
+    (void)n;
+    return 0;
+}
 
 /* a * b, exact. */
 static inline uint64_t zs_mul_uu(uint32_t a, uint32_t b)
@@ -69,19 +107,13 @@ static inline int64_t zs_mul_su(int32_t a, uint32_t b)
     return (int64_t)a * (int64_t)b;
 }
 
-#endif
-
-/* a b - c d, |b| and |d| <= 2^14: four products of 32 bits on Armv6-M. */
+/* a b - c d, |b| and |d| <= 2^14. */
 static inline int64_t zs_cross_short(int32_t a, int32_t b, int32_t c, int32_t d)
 {
-#if defined(__ARM_ARCH_6M__)
-    const int32_t hi = (a >> 16) * b - (c >> 16) * d;         /* |.| <= 2^30 */
-    const int32_t lo = (a & 0xffff) * b - (c & 0xffff) * d;   /* |.| < 2^31 */
-    return (int64_t)hi * 65536 + lo;
-#else
-    return zs_mul_ss(a, b) - zs_mul_ss(c, d);
-#endif
+    return (int64_t)a * b - (int64_t)c * d;
 }
+
+#endif
 
 /* Ask that x live in a register that only ADD, CMP and MOV reach: the step of a sum in an inner loop that is short
  * of the other eight. Where the set is not split, or the compiler is another: nothing. */
