@@ -60,7 +60,8 @@ struct zs_texel {
     /* n texels along a walk, RGB565 in wire order. */
     void (*fetch)(const struct zs_texture *texture, uint16_t *out, int32_t n,
                   const struct zs_walk *walk);
-    /* As shader->rows, unlit, where job->c[0] and [1] are u and v, uq0_32; log2_w, log2_h > 0 */
+    /* As shader->rows, unlit, where job->c[0] and [1] are u and v, uq0_32; log2_w, log2_h > 0, and keys
+     * do not saturate. */
     void (*rows)(struct zs_job *job);
     uint16_t colors_max; /* of the palette; 0: there is none */
     uint8_t log2_w_min;
