@@ -16,10 +16,24 @@ const uint32_t zs_one_over[(1 << ZS_SUB_LOG2_MAX) + 1] = {
 void zs_persp_w(const struct zs_job *job, uint32_t w[3])
 {
     const struct zs_depth *depth = job->r->config.depth;
-    if (job->r->view.perspective)
-        depth->inverse(&job->r->view, job->v, w);
-    else
+    const struct zs_view *view = &job->r->view;
+    uint64_t wide[3], most = 0;
+    if (!view->perspective) {
         w[0] = w[1] = w[2] = 1u << 30;
+        return;
+    }
+    if (depth->inverses) {
+        depth->inverses(view, job->v, w);
+        return;
+    }
+    for (int k = 0; k < 3; k++) {
+        wide[k] = depth->inverse(view, job->v[k]->d);
+        most |= wide[k];
+    }
+    const int32_t shift = 33 - zs_clz64(most); /* -30 .. 32 */
+    const uint64_t half = shift > 0 ? (uint64_t)1 << (shift - 1) : 0u;
+    for (int k = 0; k < 3; k++)
+        w[k] = (uint32_t)(shift > 0 ? (wide[k] + half) >> shift : wide[k] << -shift);
 }
 
 /* A key as it is tested. */

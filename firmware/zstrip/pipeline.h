@@ -75,9 +75,10 @@ struct zs_depth {
     uint32_t (*vertex)(const struct zs_view *view, int32_t z, uint32_t rcp, int32_t lz);
     /* Draw a triangle where keys may not be linear on the screen (view.screen_linear is 0). */
     void (*rows)(struct zs_job *job);
-    /* w ~ 1/z of a triangle's vertices for perspective-correct attributes, > 0, on one scale that brings the largest
-     * to [2^30, 2^31). Under perspective only. */
-    void (*inverse)(const struct zs_view *view, const struct zs_vertex *const v[3], uint32_t w[3]);
+    /* Under perspective, w ~ 1/z of a vertex for perspective-correct attributes, 1 .. 2^62, same scale for all. */
+    uint64_t (*inverse)(const struct zs_view *view, uint32_t d);
+    /* Or, where this is not NULL, of a triangle's vertices: the largest brought to [2^30, 2^31). */
+    void (*inverses)(const struct zs_view *view, const struct zs_vertex *const v[3], uint32_t w[3]);
     /* The key of a vertex, uq16_16, where zs_vertex.d is something else; NULL: d is the key. */
     uint32_t (*key)(const struct zs_view *view, uint32_t d);
 };
@@ -210,16 +211,6 @@ struct zs_sampler {
     uint8_t unlit;    /* 1: texels are drawn as they are in `texture` */
 };
 
-#define ZS_LIT_COLORS 64 /* palettes up to here are lit once for triangles of one light, not texel by texel */
-
-/* A texture whose palette is lit. */
-struct zs_lit {
-    const struct zs_texture *of; /* NULL: none yet */
-    uint16_t level;              /* its light, uq1_15 */
-    struct zs_texture texture;   /* the same with .palette = color */
-    uint16_t color[ZS_LIT_COLORS];
-};
-
 /* One triangle in one strip: the wide record, alive only while it is drawn. What rows, spans and set-up need comes first:
  * a Cortex-M0 reaches 124 bytes beyond a pointer at no extra cost. */
 struct zs_job {
@@ -245,7 +236,6 @@ struct zs_job {
     struct zs_cut cut[ZS_CUT_ROWS];
     struct zs_plane64 w64;        /* depth that is not linear on the screen: 1/z ... */
     int32_t w64_scale;            /* ... and its scale */
-    struct zs_lit lit;            /* stays from triangle to triangle */
 };
 
 /* ---- plane.c ---------------------------------------------------------------------------------------- */

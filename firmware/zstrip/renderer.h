@@ -56,6 +56,16 @@ struct zs_xform {
     uint16_t number;    /* in the scene */
 };
 
+#define ZS_LIT_COLORS 64 /* palettes up to here are lit once for triangles of one light, not texel by texel */
+
+/* A texture whose palette is lit. */
+struct zs_lit {
+    const struct zs_texture *of; /* NULL: none in this strip yet */
+    uint16_t level;              /* its light, uq1_15 */
+    struct zs_texture texture;   /* the same with .palette = color */
+    uint16_t color[ZS_LIT_COLORS];
+};
+
 struct zs_renderer {
     struct zs_config config; /* strip_h <= height */
     uint16_t *color[2];      /* [strip_h][width], wire order; [1] is [0] with one buffer */
@@ -72,6 +82,7 @@ struct zs_renderer {
     struct zs_view view;
     struct zs_xform xform;
     struct zs_stats stats;
+    struct zs_lit lit;
 
     uint32_t n_tris, n_verts;   /* used of the pools */
     uint32_t vert_base;         /* pool vertices below it belong to earlier instances */

@@ -247,7 +247,7 @@ static void blocks(struct zs_job *job, const uint16_t *const a[3], const struct 
 static const struct zs_texture *lit_texture(struct zs_job *job, const struct zs_texture *t)
 {
     const struct zs_shader *shader = job->shader;
-    struct zs_lit *lit = &job->lit;
+    struct zs_lit *lit = &job->r->lit;
     const uint16_t level = job->tri->paint;
     job->sampler.unlit = !shader->light || (shader->n_attrs == 2 && level == 32768u);
     if (job->sampler.unlit || shader->n_attrs == 3 || !t->format->colors_max || t->n_colors > ZS_LIT_COLORS)
