@@ -128,8 +128,8 @@ static inline uint32_t mantissa_of(const struct zs_view *view, uint32_t key, int
     return below_code(view, key) - ((uint32_t)(octave - 1) << (view->key_mantissa + 16)) + 1u; /* <= 2^30 */
 }
 
-/* float_inverse of vertices in several octaves. */
-static ZS_NOINLINE void octaves_inverse(const struct zs_view *view, const uint32_t d[3], int32_t nearest, uint32_t w[3])
+/* float_inverses of vertices in several octaves. */
+static ZS_NOINLINE void octaves_inverses(const struct zs_view *view, const uint32_t d[3], int32_t nearest, uint32_t w[3])
 {
     int32_t down[3];
     uint32_t any = 0;
@@ -146,14 +146,14 @@ static ZS_NOINLINE void octaves_inverse(const struct zs_view *view, const uint32
     }
 }
 
-static void float_inverse(const struct zs_view *view, const struct zs_vertex *const v[3], uint32_t w[3])
+static void float_inverses(const struct zs_view *view, const struct zs_vertex *const v[3], uint32_t w[3])
 {
     const uint32_t d[3] = { v[0]->d, v[1]->d, v[2]->d };
     const uint32_t nearest = zs_minu32(zs_minu32(d[0], d[1]), d[2]);
     const uint32_t farthest = zs_maxu32(zs_maxu32(d[0], d[1]), d[2]);
     const int32_t o = octave_of(view, nearest);
     if (o != octave_of(view, farthest)) {
-        octaves_inverse(view, d, o, w);
+        octaves_inverses(view, d, o, w);
         return;
     }
     const uint32_t mantissa = mantissa_of(view, nearest, o); /* 1 .. 2^30; the others' are less by what d is more */
@@ -385,7 +385,7 @@ static void float_rows(struct zs_job *job)
         float_walk(job);
 }
 
-const struct zs_depth zs_depth_float = { any_setup, float_vertex, float_rows, float_inverse, 0 };
-const struct zs_depth zs_depth_e3m13 = { e3_setup, float_vertex, float_rows, float_inverse, 0 };
-const struct zs_depth zs_depth_e4m12 = { e4_setup, float_vertex, float_rows, float_inverse, 0 };
-const struct zs_depth zs_depth_e5m11 = { e5_setup, float_vertex, float_rows, float_inverse, 0 };
+const struct zs_depth zs_depth_float = { any_setup, float_vertex, float_rows, 0, float_inverses, 0 };
+const struct zs_depth zs_depth_e3m13 = { e3_setup, float_vertex, float_rows, 0, float_inverses, 0 };
+const struct zs_depth zs_depth_e4m12 = { e4_setup, float_vertex, float_rows, 0, float_inverses, 0 };
+const struct zs_depth zs_depth_e5m11 = { e5_setup, float_vertex, float_rows, 0, float_inverses, 0 };

@@ -54,13 +54,10 @@ static uint32_t linear_vertex(const struct zs_view *view, int32_t z, uint32_t rc
     return key_of(view, (uint32_t)z - (uint32_t)view->z_near, view->key_shift - 16, view->key_top);
 }
 
-static void linear_inverse(const struct zs_view *view, const struct zs_vertex *const v[3], uint32_t w[3])
+static uint64_t linear_inverse(const struct zs_view *view, uint32_t d)
 {
-    uint64_t wide[3];
     (void)view;
-    for (int k = 0; k < 3; k++)
-        wide[k] = ((uint64_t)1 << 62) / v[k]->d;
-    zs_scale31(wide, w);
+    return ((uint64_t)1 << 62) / d;
 }
 
 static uint32_t linear_key(const struct zs_view *view, uint32_t d)
@@ -146,4 +143,4 @@ static void linear_rows(struct zs_job *job)
 }
 
 const struct zs_depth zs_depth_linear = { linear_setup, linear_vertex, linear_rows, linear_inverse,
-                                          linear_key };
+                                          0, linear_key };

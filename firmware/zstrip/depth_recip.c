@@ -33,12 +33,9 @@ static uint32_t recip_vertex(const struct zs_view *view, int32_t z, uint32_t rcp
 }
 
 /* w ~ n / z = 1 - key / K. */
-static void recip_inverse(const struct zs_view *view, const struct zs_vertex *const v[3], uint32_t w[3])
+static uint64_t recip_inverse(const struct zs_view *view, uint32_t d)
 {
-    uint64_t wide[3];
-    for (int k = 0; k < 3; k++)
-        wide[k] = view->key_far > v[k]->d ? view->key_far - v[k]->d : 1u;
-    zs_scale31(wide, w);
+    return view->key_far > d ? view->key_far - d : 1u;
 }
 
-const struct zs_depth zs_depth_recip = { recip_setup, recip_vertex, 0, recip_inverse, 0 };
+const struct zs_depth zs_depth_recip = { recip_setup, recip_vertex, 0, recip_inverse, 0, 0 };

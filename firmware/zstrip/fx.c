@@ -48,16 +48,6 @@ uint32_t zs_recip(uint32_t a)
     return r >> 31 ? r : UINT32_MAX;
 }
 
-/* ---- Scale -------------------------------------------------------------------------------------- */
-
-void zs_scale31(const uint64_t v[3], uint32_t out[3])
-{
-    const int32_t shift = 33 - zs_clz64(v[0] | v[1] | v[2]); /* -30 .. 32 */
-    const uint64_t half = shift > 0 ? (uint64_t)1 << (shift - 1) : 0u;
-    for (int k = 0; k < 3; k++)
-        out[k] = (uint32_t)(shift > 0 ? (v[k] + half) >> shift : v[k] << -shift);
-}
-
 /* ---- Square root: one result bit a turn, no multiplication ------------------------------------- */
 
 uint32_t zs_isqrt64(uint64_t v)

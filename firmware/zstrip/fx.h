@@ -143,9 +143,6 @@ static inline uint16_t zs_wire16(uint16_t v)
  * Exact tests/test_fx.c compares all 2^31 arguments in steps that hit every table entry. */
 uint32_t zs_recip(uint32_t a);
 
-/* Three numbers times one power of two that brings the largest to [2^30, 2^31), nearest. 1 .. 2^62; any is > 0. */
-void zs_scale31(const uint64_t v[3], uint32_t out[3]);
-
 /* floor(sqrt(v)). */
 uint32_t zs_isqrt64(uint64_t v);
 

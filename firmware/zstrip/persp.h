@@ -19,8 +19,7 @@
 #define ZS_AFFINE 31u       /* job->sub_log2: plain affine */
 #define ZS_SUB_LOG2_MAX 5u
 
-/* rows and span of a shader that colours runs: depth test, then its run. walk: rows without start. */
-void zs_persp_rows(struct zs_job *job);
+/* rows, after start, and span of a shader that colours runs: depth test, then its run. */
 void zs_persp_walk(struct zs_job *job);
 void zs_persp_span(struct zs_job *job, const struct zs_row *row, int32_t i0, int32_t i1, uint32_t sum,
                    uint32_t gx);

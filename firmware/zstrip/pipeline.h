@@ -66,7 +66,8 @@ struct zs_texel {
     /* n texels along a walk, RGB565 in wire order. */
     void (*fetch)(const struct zs_texture *texture, uint16_t *out, int32_t n,
                   const struct zs_walk *walk);
-    /* As shader->rows, unlit, where job->c[0] and [1] are u and v, uq0_32; log2_w, log2_h > 0. */
+    /* As shader->rows, unlit, where job->c[0] and [1] are u and v, uq0_32; log2_w, log2_h > 0, and keys
+     * do not saturate. */
     void (*rows)(struct zs_job *job);
     uint16_t colors_max; /* of the palette; 0: there is none */
     uint8_t log2_w_min;
@@ -80,9 +81,10 @@ struct zs_depth {
     uint32_t (*vertex)(const struct zs_view *view, int32_t z, uint32_t rcp, int32_t lz);
     /* Draw a triangle where keys may not be linear on the screen (view.screen_linear is 0). */
     void (*rows)(struct zs_job *job);
-    /* w ~ 1/z of a triangle's vertices for perspective-correct attributes, > 0, on one scale that brings the largest
-     * to [2^30, 2^31). Under perspective only. */
-    void (*inverse)(const struct zs_view *view, const struct zs_vertex *const v[3], uint32_t w[3]);
+    /* Under perspective, w ~ 1/z of a vertex for perspective-correct attributes, 1 .. 2^62, same scale for all. */
+    uint64_t (*inverse)(const struct zs_view *view, uint32_t d);
+    /* Or, where this is not NULL, of a triangle's vertices: the largest brought to [2^30, 2^31). */
+    void (*inverses)(const struct zs_view *view, const struct zs_vertex *const v[3], uint32_t w[3]);
     /* The key of a vertex, uq16_16, where zs_vertex.d is something else; NULL: d is the key. */
     uint32_t (*key)(const struct zs_view *view, uint32_t d);
 };
@@ -218,24 +220,14 @@ struct zs_sampler {
     uint8_t unlit;    /* 1: texels are drawn as they are in `texture` */
 };
 
-#define ZS_LIT_COLORS 64 /* palettes up to here are lit once for triangles of one light, not texel by texel */
-
-/* A texture whose palette is lit. */
-struct zs_lit {
-    const struct zs_texture *of; /* NULL: none yet */
-    uint16_t level;              /* its light, uq1_15 */
-    struct zs_texture texture;   /* the same with .palette = color */
-    uint16_t color[ZS_LIT_COLORS];
-};
-
-/* One triangle in one strip: the wide record, alive only while it is drawn. What rows and spans read comes first: 16-bit
- * instructions reach 124 bytes. */
+/* One triangle in one strip: the wide record, alive only while it is drawn. What rows, spans and set-up need comes first:
+ * a Cortex-M0 reaches 124 bytes beyond a pointer at no extra cost. */
 struct zs_job {
     struct zs_plane key;          /* screen-linear mappings; half a bucket added */
     struct zs_plane c[3], w;      /* attributes, or attributes times w, and w (persp.h) */
     uint16_t *color, *depth;      /* the strip; row 0 is row y0 of the frame */
     int32_t y0, y1, width;        /* the strip's rows [y0, y1) */
-    int32_t row, cut_end, row_end; /* rows in the frame; to row_end in this strip */
+    int32_t row, cut_end, row_end; /* rows in the frame; spans of [row, cut_end) are in cut; to row_end in this strip */
     uint32_t sub_log2;            /* of the sub-span; ZS_AFFINE: plain affine */
     struct zs_renderer *r;
     const struct zs_tri *tri;
@@ -243,16 +235,11 @@ struct zs_job {
     const struct zs_vertex *v[3]; /* the top one, then the others so that the area is positive */
     const struct zs_state *state; /* of the instance; NULL: none ... */
     int32_t bias;                 /* ... else buckets added to every key */
-    uint8_t saturates;            /* a key may reach 2^bits - 1 (rows.h) */
-    uint8_t mid_right;            /* the middle vertex is to the right of the long edge */
-    int32_t row_mid;              /* first row below the middle vertex, in the strip or not */
-    int32_t row_last;             /* one beyond the triangle's last row, in the strip or below it */
     struct zs_geom geom;
     struct zs_sampler sampler;
-    struct zs_cut cut[ZS_CUT_ROWS]; /* spans of rows [row, cut_end) */
+    struct zs_cut cut[ZS_CUT_ROWS];
     struct zs_plane64 w64;        /* depth that is not linear on the screen: 1/z ... */
     int32_t w64_scale;            /* ... and its scale */
-    struct zs_lit lit;            /* stays from triangle to triangle */
 };
 
 /* ---- plane.c ---------------------------------------------------------------------------------------- */

@@ -213,7 +213,7 @@ void zs_raster_strip(struct zs_renderer *r)
     job.y0 = y0;
     job.y1 = y1;
     job.width = r->config.width;
-    job.lit.of = 0;
+    r->lit.of = 0;
     uint16_t *keep = &r->active; /* grows at its end: stays ascending */
     while (list != ZS_NIL) {
         struct zs_tri *t = &r->tri[list];

@@ -64,6 +64,16 @@ struct zs_xform {
     int32_t row[3][ZS_ROW_WORDS];
 };
 
+#define ZS_LIT_COLORS 64 /* palettes up to here are lit once for triangles of one light, not texel by texel */
+
+/* A texture whose palette is lit. */
+struct zs_lit {
+    const struct zs_texture *of; /* NULL: none in this strip yet */
+    uint16_t level;              /* its light, uq1_15 */
+    struct zs_texture texture;   /* the same with .palette = color */
+    uint16_t color[ZS_LIT_COLORS];
+};
+
 struct zs_renderer { /* what is used most comes first: a Cortex-M0 reaches 31 bytes, 31 half-words, 31 words at once */
     struct zs_config config; /* strip_h <= height */
     uint8_t strip_shift;        /* row / strip_h = row * strip_mul >> strip_shift */
@@ -93,6 +103,7 @@ struct zs_renderer { /* what is used most comes first: a Cortex-M0 reaches 31 by
     const struct zs_watch_kernel *watch; /* NULL: everything counts as changed */
     uint64_t *watch_sum;          /* [n_strips][watch_columns], the caller's; 0: not known */
     uint16_t watch_columns;
+    struct zs_lit lit;
 };
 
 #endif

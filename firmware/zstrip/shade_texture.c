@@ -88,10 +88,18 @@ static int smooth_check(const struct zs_instance *in, const struct zs_config *co
 
 /* ---- Set-up ------------------------------------------------------------------------------------------ */
 
-/* v * 2^shift modulo 2^64, floor; v may be negative. |shift| <= 48 */
-static inline uint64_t shifted(int64_t v, int32_t shift)
+/* v * 2^shift in 64 bits, floor. |shift| < 32 */
+static inline uint64_t shifted(int32_t v, int32_t shift)
 {
-    return shift >= 0 ? (uint64_t)v << shift : (uint64_t)(v >> -shift);
+    if (shift <= 0)
+        return (uint64_t)(int64_t)(v >> -shift);
+    return (uint64_t)(uint32_t)(v >> (32 - shift)) << 32 | (uint32_t)v << shift;
+}
+
+/* v * 2^-uv_bits in 32 fraction bits. */
+static inline uint64_t repeats(int32_t v, uint32_t uv_bits)
+{
+    return (uint64_t)(uint32_t)(v >> uv_bits) << 32 | (uv_bits ? (uint32_t)v << (32 - uv_bits) : 0u);
 }
 
 /* One coordinate of a triangle: what its corners have above the least of them. */
@@ -112,8 +120,7 @@ static void coordinate(struct zs_job *job, const uint16_t *const a[3], int c, ui
         any |= out->above[k] = (uint32_t)(a[k][c] - least);
     out->up = zs_clz32(any) - 16; /* 0 .. 15 */
     s->shift[c] = (int8_t)(17 - out->up - (int32_t)uv_bits);
-    s->base[c] = shifted(least - 32768, 32 - (int32_t)uv_bits) +
-                 ((uint64_t)1 << (32 - BIAS_LOG2 - (int32_t)log2));
+    s->base[c] = repeats(least - 32768, uv_bits) + (1u << (32u - BIAS_LOG2 - log2));
     out->texels = 16 - out->up - (int32_t)uv_bits + (int32_t)(log2 > FLOOR_LOG2 ? log2 : FLOOR_LOG2);
 }
 
@@ -121,9 +128,16 @@ static void coordinate(struct zs_job *job, const uint16_t *const a[3], int c, ui
  * |n| < 2^31. Error 2^-30 of it and 1/2 ulp. */
 static inline uint32_t direct_gradient(const struct zs_geom *g, int32_t n, int32_t shift, int *ok)
 {
-    const int64_t q = ((int64_t)n * g->rcp + ((int64_t)1 << (shift - 1))) >> shift; /* product < 2^63 */
-    *ok &= q == (int32_t)q;
-    return (uint32_t)q;
+    const int64_t product = zs_mul_su(n, g->rcp); /* |.| < 2^63 */
+    if (shift > 32)
+        return (uint32_t)((((int32_t)(product >> 32) >> (shift - 33)) + 1) >> 1);
+    const int64_t q = product + (1u << (shift - 1));
+    const int32_t hi = (int32_t)(q >> 32);
+    if (shift == 32)
+        return (uint32_t)hi;
+    const uint32_t low = (uint32_t)hi << (32 - shift) | (uint32_t)q >> shift;
+    *ok &= hi >> shift == (int32_t)low >> 31;
+    return low;
 }
 
 /* The same as affine_plane for small triangles with differences below 2^14. Return 0 where it is not for it. */
@@ -138,9 +152,11 @@ static int direct_plane(const struct zs_job *job, const struct coordinate *c, ui
     int ok = 1;
     const uint32_t gx = direct_gradient(g, d1 * g->dy2 - d2 * g->dy1, shift, &ok); /* |d| <= 2^16 */
     const uint32_t gy = direct_gradient(g, d2 * g->dx1 - d1 * g->dx2, shift, &ok);
-    const int64_t step = (int64_t)(int32_t)gx * g->ax + (int64_t)(int32_t)gy * g->ay; /* < 2^39 */
-    const uint64_t first = (uint64_t)c->above[0] << (32 - uv_bits);
-    out->base = (uint32_t)base + (uint32_t)first + (uint32_t)zs_round_shift(step, 8);
+    /* (gx ax + gy ay + 128) / 256, floor, modulo 2^32: the low 8 bits of the gradients apart */
+    const int32_t low = (int32_t)(gx & 255u) * g->ax + (int32_t)(gy & 255u) * g->ay + 128;
+    const uint32_t step = zs_wrap_mul((uint32_t)((int32_t)gx >> 8), g->ax) +
+                          zs_wrap_mul((uint32_t)((int32_t)gy >> 8), g->ay) + (uint32_t)(low >> 8);
+    out->base = (uint32_t)base + (uint32_t)repeats((int32_t)c->above[0], uv_bits) + step;
     out->gx = gx;
     out->gy = gy;
     return ok;
@@ -176,7 +192,7 @@ static inline uint32_t size_of(uint32_t gradient)
 /* The light's words: range * 2^-15 * 64 codes * change / least / 4 <= 1/8. */
 static inline int light_enough(uint32_t range, uint32_t change, uint32_t least)
 {
-    return (uint64_t)range * change <= (uint64_t)least << 8;
+    return zs_mul_uu(range, change) <= (uint64_t)least << 8;
 }
 
 /* ceil(log2(2^(texels + 1) K |W'|)) of an attribute; -128: it is 0. */
@@ -186,16 +202,16 @@ static int32_t block_log2(const struct zs_plane *c, const struct zs_plane *w_pla
     const int32_t c_gx = (int32_t)c->gx, w_gx = (int32_t)w_plane->gx;
     uint64_t most = 0;
     for (int k = 0; k < 3; k++) {
-        const int64_t d = c_gx - ((int64_t)w_gx * un[k] >> 16); /* <= 2^32 */
-        const uint64_t size = (uint64_t)(d < 0 ? -d : d) * w[k];
+        const int64_t d = c_gx - (zs_mul_su(w_gx, un[k]) >> 16); /* |.| <= 2^32: half of it fits */
+        const uint64_t size = zs_mul_uu((uint32_t)(((d < 0 ? -d : d) + 1) >> 1), w[k]);
         if (most < size)
             most = size;
     }
     if (most == 0 || w_gx == 0)
         return -128;
     const int32_t cut = 64 - zs_clz64(most) > 31 ? 33 - zs_clz64(most) : 0;
-    const uint64_t product = ((most >> cut) + 1u) * size_of((uint32_t)w_gx); /* > most * |W'| / 2^cut */
-    return texels + 1 + cut + 64 - zs_clz64(product);
+    const uint64_t product = zs_mul_uu((uint32_t)(most >> cut) + 1u, size_of((uint32_t)w_gx)); /* > most |W'| / 2^cut */
+    return texels + 2 + cut + 64 - zs_clz64(product);
 }
 
 /* ceil(2^(n / 3)), held to 32 bits. */
@@ -231,7 +247,7 @@ static void blocks(struct zs_job *job, const uint16_t *const a[3], const struct 
 static const struct zs_texture *lit_texture(struct zs_job *job, const struct zs_texture *t)
 {
     const struct zs_shader *shader = job->shader;
-    struct zs_lit *lit = &job->lit;
+    struct zs_lit *lit = &job->r->lit;
     const uint16_t level = job->tri->paint;
     job->sampler.unlit = !shader->light || (shader->n_attrs == 2 && level == 32768u);
     if (job->sampler.unlit || shader->n_attrs == 3 || !t->format->colors_max || t->n_colors > ZS_LIT_COLORS)
@@ -496,7 +512,7 @@ static void texture_run(struct zs_job *job, const struct zs_row *row, int32_t r0
 static void texture_rows(struct zs_job *job)
 {
     texture_start(job);
-    if (job->sampler.direct && job->sampler.unlit) {
+    if (job->sampler.direct && job->sampler.unlit && !zs_keys_may_saturate(job)) {
         const struct zs_texel *texel = job->sampler.texture->format;
         texel->rows(job);
     } else {
