@@ -235,6 +235,10 @@ struct zs_job {
     const struct zs_vertex *v[3]; /* the top one, then the others so that the area is positive */
     const struct zs_state *state; /* of the instance; NULL: none ... */
     int32_t bias;                 /* ... else buckets added to every key */
+    uint8_t saturates;            /* a key may reach 2^bits - 1 (rows.h) */
+    uint8_t mid_right;            /* the middle vertex is to the right of the long edge */
+    int32_t row_mid;              /* first row below the middle vertex, in the strip or not */
+    int32_t row_last;             /* one beyond the triangle's last row, in the strip or below it */
     struct zs_geom geom;
     struct zs_sampler sampler;
     struct zs_cut cut[ZS_CUT_ROWS];
