@@ -16,8 +16,11 @@ LIBS = -lassimp -lmeshoptimizer -lpng -lturbojpeg -lm
 # Debian packages: what the simulator is built from, and what tests and fuzzers need besides
 PKG_SIM = gcc libc6-dev libassimp-dev libmeshoptimizer-dev libpng-dev libturbojpeg0-dev
 PKG_TEST = $(PKG_SIM) g++ clang binutils libcmocka-dev gcc-arm-none-eabi \
-           libnewlib-arm-none-eabi qemu-system-arm
+           libnewlib-arm-none-eabi qemu-system-arm $(if $(shell command -v npm),,nodejs npm)
 PKG_FUZZ = $(PKG_TEST) libclang-rt-14-dev
+PKG_FW = gcc libc6-dev gcc-arm-none-eabi libnewlib-arm-none-eabi
+BOARD = pico
+SCENE = teapot
 SECONDS = 600
 SEED = 1
 
@@ -52,6 +55,16 @@ depth: sim $(B)/.setup-test
 accuracy: sim
 	@$(B)/zsim accuracy
 
+## firmware: BOARD=pico SCENE=teapot (or mine, or APP_SCENE=my.c): what is flashed, into build/fw/pico/
+firmware: $(B)/.setup-fw $(B)/gen/meshes.h
+	@$(MAKE) --no-print-directory -s -f firmware/boards/firmware.mk B=$(B) BOARD=$(BOARD) APP=show SCENE=$(SCENE) \
+	    $(if $(APP_SCENE),APP_SCENE=$(APP_SCENE)) image
+
+## pico: the demo scenes on an emulated Raspberry Pi Pico: cycles, wire, frames a second
+pico: $(B)/.setup-test
+	@$(MAKE) --no-print-directory -j2 $(B)/zsim
+	@sh tests/pico.sh $(B) table
+
 ## sim: build/zsim
 sim: $(B)/.setup-sim
 	@$(MAKE) --no-print-directory -j2 $(B)/zsim
@@ -75,12 +88,15 @@ clean:
 ## help: this list
 help:
 	@sed -n 's/^## /    /p' Makefile
-.PHONY: all demo test accuracy fuzz bench depth sim pictures size stack check clean help test-programs fuzz-programs
+.PHONY: all demo test accuracy fuzz bench depth firmware pico sim pictures size stack check clean help \
+        test-programs fuzz-programs
 
 $(B)/.setup-sim:
 	@mkdir -p $(B) && .ci/setup $(PKG_SIM) && touch $@
 $(B)/.setup-test:
 	@mkdir -p $(B) && .ci/setup $(PKG_TEST) && touch $@ $(B)/.setup-sim
+$(B)/.setup-fw:
+	@mkdir -p $(B) && .ci/setup $(PKG_FW) && touch $@
 $(B)/.setup-fuzz:
 	@mkdir -p $(B) && .ci/setup $(PKG_FUZZ) && touch $@ $(B)/.setup-test $(B)/.setup-sim
 

@@ -7,7 +7,6 @@
  *
  * SPDX-License-Identifier: MIT
  */
-#include "cold.h"
 #include "pipeline.h"
 
 /* How far a point is inside a plane: >= 0 inside. |.| < 2^62. */

@@ -38,7 +38,7 @@
 #include "pipeline.h"
 #include "rows.h"
 
-static int float_setup(struct zs_view *view, const struct zs_camera *camera, uint32_t bits,
+static ZS_RARE int float_setup(struct zs_view *view, const struct zs_camera *camera, uint32_t bits,
                        uint32_t exponent_bits)
 {
     if (!view->perspective)

@@ -16,7 +16,7 @@
 #include "pipeline.h"
 #include "rows.h"
 
-static int linear_setup(struct zs_view *view, const struct zs_camera *camera, uint32_t bits)
+static ZS_RARE int linear_setup(struct zs_view *view, const struct zs_camera *camera, uint32_t bits)
 {
     view->screen_linear = !view->perspective;
     view->key_top = ((1u << bits) - 1u) << 16;

@@ -7,7 +7,7 @@
  */
 #include "pipeline.h"
 
-static int recip_setup(struct zs_view *view, const struct zs_camera *camera, uint32_t bits)
+static ZS_RARE int recip_setup(struct zs_view *view, const struct zs_camera *camera, uint32_t bits)
 {
     if (!view->perspective)
         return ZS_ERR_DEPTH; /* 1/z is not linear on an orthographic screen */

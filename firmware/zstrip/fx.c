@@ -50,7 +50,7 @@ uint32_t zs_recip(uint32_t a)
 
 /* ---- Square root: one result bit a turn, no multiplication ------------------------------------- */
 
-uint32_t zs_isqrt64(uint64_t v)
+ZS_RARE uint32_t zs_isqrt64(uint64_t v)
 {
     uint64_t root = 0;
     for (uint64_t bit = (uint64_t)1 << 62; bit; bit >>= 2) {
@@ -70,7 +70,7 @@ struct wide {
     uint64_t hi, lo;
 };
 
-static struct wide wide_mul(uint64_t a, uint64_t b)
+static ZS_RARE struct wide wide_mul(uint64_t a, uint64_t b)
 {
     const uint32_t a0 = (uint32_t)a, a1 = (uint32_t)(a >> 32), b0 = (uint32_t)b, b1 = (uint32_t)(b >> 32);
     const uint64_t low = zs_mul_uu(a0, b0);
@@ -80,7 +80,7 @@ static struct wide wide_mul(uint64_t a, uint64_t b)
     return w;
 }
 
-uint64_t zs_muldiv_u64(uint64_t a, uint64_t b, uint64_t d)
+ZS_RARE uint64_t zs_muldiv_u64(uint64_t a, uint64_t b, uint64_t d)
 {
     struct wide w = wide_mul(a, b);
     ZS_ASSERT(w.hi < d);
@@ -98,7 +98,7 @@ uint64_t zs_muldiv_u64(uint64_t a, uint64_t b, uint64_t d)
     return q;
 }
 
-int64_t zs_mulshift_s64(int64_t a, uint64_t b, int n)
+ZS_RARE int64_t zs_mulshift_s64(int64_t a, uint64_t b, int n)
 {
     const uint64_t mag = a < 0 ? 0u - (uint64_t)a : (uint64_t)a;
     const struct wide w = wide_mul(mag, b);

@@ -164,6 +164,8 @@ void zs_bin_walk(struct zs_renderer *r);
 
 /* ---- raster.c --------------------------------------------------------------------------------------- */
 
+/* The next strip, empty: background and keys that nothing writes. */
+void zs_raster_clear(struct zs_renderer *r);
 /* Draw the strip r->strip's bin and the active list; leaves those that go on in r->active. */
 void zs_raster_strip(struct zs_renderer *r);
 /* Find the spans of rows from `row` on: of ZS_CUT_ROWS, or up to job->row_end. */

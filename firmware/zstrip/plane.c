@@ -31,7 +31,7 @@
 #define SMALL_EXTENT (256 * ZS_SUBPX_ONE)
 
 /* The same for a triangle that is not tiny. */
-static ZS_NOINLINE int wide_sides(struct zs_job *job, const struct zs_vertex *top, const struct zs_vertex *mid,
+static ZS_RARE ZS_NOINLINE int wide_sides(struct zs_job *job, const struct zs_vertex *top, const struct zs_vertex *mid,
                                   const struct zs_vertex *bottom)
 {
     struct zs_geom *g = &job->geom;
@@ -189,7 +189,7 @@ static inline uint32_t digit(uint32_t *rest, uint32_t next, uint32_t d, uint32_t
 
 /* n / area with 32 fraction bits: floor in *whole, fraction returned. A small triangle has the area's reciprocal, and
  * |n| < 2^57; others divide, to the same bits. */
-static ZS_NOINLINE uint32_t over_area(const struct zs_geom *g, int64_t n, int64_t *whole)
+static ZS_RARE ZS_NOINLINE uint32_t over_area(const struct zs_geom *g, int64_t n, int64_t *whole)
 {
     if (!g->rcp)
         return divide(n, g->area, whole);

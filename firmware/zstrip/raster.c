@@ -228,3 +228,15 @@ void zs_raster_strip(struct zs_renderer *r)
     }
     *keep = ZS_NIL;
 }
+
+static ZS_NOINLINE void fill(uint16_t *out, uint16_t value, uint32_t n)
+{
+    zs_fill16(out, value, n);
+}
+
+void zs_raster_clear(struct zs_renderer *r)
+{
+    const uint32_t n = (uint32_t)r->config.width * r->config.strip_h;
+    fill(r->color[r->strip & 1], zs_wire16(r->scene->background), n);
+    fill(r->depth, ZS_DEPTH_CLEAR, n);
+}

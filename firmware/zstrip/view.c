@@ -10,7 +10,6 @@
  *
  * SPDX-License-Identifier: MIT
  */
-#include "cold.h"
 #include "pipeline.h"
 #include "rotation.h"
 

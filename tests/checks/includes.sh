@@ -46,10 +46,11 @@ $(echo "$deps" | tr ' \\' '\n\n' | grep -E "$forbidden" | sed "s|^|$f->|")"
 
 only "zstrip includes its own headers, stdint and stddef" "$(headers firmware/zstrip)|$STD" firmware/zstrip/*.[ch]
 reach "zstrip reaches nothing else" '^(hal|sim|tests|firmware/[^z])' firmware/zstrip/*.c
-only "hal includes hal.h and standard headers" "\"hal\\.h\"|$(headers hal/fault)|$HOSTED" hal/*.h $(ls hal/*/*.[ch] | grep -v '^hal/panel/')
+only "hal includes hal.h and standard headers" "\"hal\\.h\"|$(headers hal/fault)|$HOSTED" hal/*.h $(ls hal/*/*.[ch] | grep -vE '^hal/(panel|rp2040)/')
+only "hal/rp2040 includes hal.h and its own headers" "\"hal\\.h\"|$(headers hal/rp2040)|$STD" hal/rp2040/*.[ch]
 only "panels include hal.h and their own headers" "\"hal\\.h\"|$(headers hal/panel)|$STD" hal/panel/*.[ch]
 reach "hal reaches nothing of firmware" '^(firmware|sim|tests)' hal/*.h hal/*/*.c
-only "app sees zstrip.h, scenes.h and hal.h" "\"(zstrip|scenes|hal)\\.h\"|$STD" firmware/app/*.[ch]
+only "app sees zstrip.h, hal.h, panel.h, scenes and its own" "\"(zstrip|scenes|sizes|hal|panel|show)\\.h\"|$STD" firmware/app/*.[ch]
 only "scenes see zstrip.h and their own" "\"(zstrip|meshes)\\.h\"|$(headers firmware/scenes)|$STD" firmware/scenes/*.[ch]
 only "mesh generators see their own" "$(headers firmware/scenes | sed 's|"(|"\\.\\./(|')|$(headers firmware/scenes/gen)|$HOSTED" firmware/scenes/gen/*.[ch]
 only "boards see nothing of ours" "$STD" firmware/boards/*/*.c
