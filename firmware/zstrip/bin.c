@@ -48,7 +48,7 @@ static void bins_clear(struct zs_renderer *r)
 
 static void pools_empty(struct zs_renderer *r)
 {
-    r->n_tris = r->n_verts = 0;
+    r->n_tris = r->n_verts = r->vert_packed = 0;
     set_base(r, 0);
     r->active = ZS_NIL;
     bins_clear(r);
@@ -118,7 +118,7 @@ static ZS_RARE void verts_compact(struct zs_renderer *r)
     for (uint32_t t = 0; t < r->n_tris; t++)
         for (int k = 0; k < 3; k++)
             r->tri[t].v[k] = to[r->tri[t].v[k]];
-    r->n_verts = kept;
+    r->n_verts = r->vert_packed = kept;
     set_base(r, base);
     for (uint32_t v = base; v < kept; v++)
         if (r->vert_src[v] != NO_SOURCE)
@@ -199,7 +199,12 @@ static inline void corners_light(struct zs_renderer *r, const uint32_t slot[3])
 /* Transform all of a mesh, where there is room. */
 static void verts_direct(struct zs_renderer *r, const struct zs_mesh *mesh)
 {
-    const uint32_t base = r->n_verts, n = mesh->n_verts;
+    const uint32_t n = mesh->n_verts, room = r->config.max_verts - r->n_verts;
+    if (n > room && n - room <= r->n_verts - r->vert_packed) { /* there may be room */
+        high_water(r);
+        verts_compact(r);
+    }
+    const uint32_t base = r->n_verts;
     set_base(r, base);
     r->direct = !(r->config.skip_off & ZS_SKIP_VCACHE) && n <= r->config.max_verts - base;
     if (!r->direct)

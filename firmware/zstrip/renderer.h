@@ -85,6 +85,7 @@ struct zs_renderer { /* what is used most comes first: a Cortex-M0 reaches 31 by
     uint16_t active;            /* list of triangles that went on from the strip before */
     uint32_t n_tris, n_verts;   /* used of the pools */
     uint32_t vert_base;         /* pool vertices below it belong to earlier instances */
+    uint32_t vert_packed;       /* those below it were held by binned triangles when last looked at */
     uint32_t strip_mul;
     uint16_t *color[2];      /* [strip_h][width], wire order; [1] is [0] with one buffer */
     uint16_t *depth;         /* [strip_h][width] */

@@ -321,7 +321,7 @@ struct zs_stats {
     uint32_t tris_far;        /* wholly beyond far */
     uint32_t tris_offscreen;  /* beside the frame or beyond the guard band */
     uint32_t tris_facing;     /* the culled face */
-    uint32_t tris_zero;       /* no area after snapping */
+    uint32_t tris_zero;       /* no area after snapping, or one vertex three times */
     uint32_t tris_empty;      /* no sample in the bounding box */
     uint32_t tris_index;      /* a vertex number out of range */
     uint32_t tris_clipped;    /* cut at near, far or guard; also in drawn or in a reject */
