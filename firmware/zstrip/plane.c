@@ -161,7 +161,7 @@ static ZS_NOINLINE int32_t tiny_gradient(const struct zs_geom *g, int32_t dv1, i
 }
 
 /* n / d with 32 fraction bits: floor in *whole, fraction returned. d < 2^45. */
-static uint32_t divide(int64_t n, int64_t d, int64_t *whole)
+static ZS_RARE ZS_NOINLINE uint32_t divide(int64_t n, int64_t d, int64_t *whole)
 {
     int64_t q = n / d, rest = n - q * d;
     if (rest < 0) {
@@ -187,12 +187,9 @@ static inline uint32_t digit(uint32_t *rest, uint32_t next, uint32_t d, uint32_t
     return q;
 }
 
-/* n / area with 32 fraction bits: floor in *whole, fraction returned. A small triangle has the area's reciprocal, and
- * |n| < 2^57; others divide, to the same bits. */
-static ZS_RARE ZS_NOINLINE uint32_t over_area(const struct zs_geom *g, int64_t n, int64_t *whole)
+/* divide(n, area) of a small triangle, by its area's reciprocal. |n| < 2^57 */
+static ZS_RARE ZS_NOINLINE uint32_t small_divide(const struct zs_geom *g, int64_t n, int64_t *whole)
 {
-    if (!g->rcp)
-        return divide(n, g->area, whole);
     const uint64_t mag = n < 0 ? 0u - (uint64_t)n : (uint64_t)n;
     const int32_t lz = -g->exp;                                      /* 1 .. 31, as area <= 2^30 */
     const uint32_t d = (uint32_t)g->area << lz, rcp = g->rcp - 3u;   /* zs_recip is above by 2^-31 at the most */
@@ -213,10 +210,10 @@ static ZS_RARE ZS_NOINLINE uint32_t over_area(const struct zs_geom *g, int64_t n
 }
 
 /* A gradient in 40.24 bits modulo 2^64, and the step to the anchor added to *base. */
-static uint64_t gradient64(const struct zs_geom *g, uint64_t n, int32_t to_anchor, uint64_t *base)
+static ZS_RARE uint64_t gradient64(const struct zs_geom *g, uint64_t n, int32_t to_anchor, uint64_t *base)
 {
     int64_t whole;
-    const uint32_t part = over_area(g, (int64_t)n, &whole);
+    const uint32_t part = g->rcp ? small_divide(g, (int64_t)n, &whole) : divide((int64_t)n, g->area, &whole);
     *base += (zs_times((uint64_t)whole, to_anchor) << 24) + (uint64_t)(zs_mul_su(to_anchor, part) >> 8);
     return ((uint64_t)whole << 32) + part;
 }
