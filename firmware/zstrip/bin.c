@@ -671,7 +671,7 @@ static void walk_mesh(struct zs_renderer *r, uint32_t fate[FATES])
 
 /* Cull an instance, or make r->xform its own. Return 0: nothing of it can be seen. Apart, so that its frame is not on the
  * stack below the walk. */
-static ZS_NOINLINE int instance_open(struct zs_renderer *r, uint32_t number)
+static ZS_RARE ZS_NOINLINE int instance_open(struct zs_renderer *r, uint32_t number)
 {
     struct zs_bounds b;
     (void)zs_cull_bounds(&b, &r->scene->instance[number], &r->camera); /* cannot fail: zs_frame_begin has asked too */

@@ -39,7 +39,7 @@ typedef int32_t q24_8; /* screen x, y, px */
 #if defined(__clang__) || !defined(__OPTIMIZE__)
 #define ZS_RARE
 #else
-#define ZS_RARE __attribute__((optimize("Os"))) /* once an instance or less: flash counts more than time */
+#define ZS_RARE __attribute__((optimize("Os"))) /* seldom, or slow by nature: flash counts more than time */
 #endif
 #else
 #define ZS_RARE
