@@ -1,5 +1,5 @@
-/* The products, sums of products, leading zeros and filling of wide.h against plain C: edge values with each other, then
- * random ones.
+/* The products, sums of products, leading zeros and filling of wide.h against plain C: edge values with each other,
+ * then random ones.
  * For the host (test_fx.c) and, freestanding, for an emulated Cortex-M0 (checks/wide.c).
  *
  * SPDX-License-Identifier: MIT

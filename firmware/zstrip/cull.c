@@ -2,6 +2,7 @@
  *
  * SPDX-License-Identifier: MIT
  */
+#include "cold.h"
 #include "pipeline.h"
 #include "rotation.h"
 

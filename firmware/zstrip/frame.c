@@ -194,13 +194,6 @@ ZS_RARE int zs_frame_begin(struct zs_renderer *r, const struct zs_scene *scene,
 
 /* ---- Strips -------------------------------------------------------------------------------------------- */
 
-static void strip_clear(struct zs_renderer *r)
-{
-    const uint32_t n = (uint32_t)r->config.width * r->config.strip_h;
-    zs_fill16(r->color[r->strip & 1], zs_wire16(r->scene->background), n);
-    zs_fill16(r->depth, ZS_DEPTH_CLEAR, n);
-}
-
 int zs_frame_strip(struct zs_renderer *r, struct zs_strip *out)
 {
     if (!r || !out)
@@ -209,7 +202,7 @@ int zs_frame_strip(struct zs_renderer *r, struct zs_strip *out)
         return ZS_ERR_STATE;
     if (r->strip == r->n_strips)
         return 0;
-    strip_clear(r);
+    zs_raster_clear(r);
     if (r->strip >= r->band_end)
         zs_bin_walk(r);
     zs_raster_strip(r);

@@ -39,7 +39,7 @@ typedef int32_t q24_8; /* screen x, y, px */
 #if defined(__clang__) || !defined(__OPTIMIZE__)
 #define ZS_RARE
 #else
-#define ZS_RARE __attribute__((optimize("Os"))) /* once an instance or less: flash counts more than time */
+#define ZS_RARE __attribute__((optimize("Os"))) /* seldom, or slow by nature: flash counts more than time */
 #endif
 #else
 #define ZS_RARE
@@ -82,6 +82,16 @@ static inline int32_t zs_min32(int32_t a, int32_t b)
 }
 
 static inline int32_t zs_max32(int32_t a, int32_t b)
+{
+    return a > b ? a : b;
+}
+
+static inline uint32_t zs_minu32(uint32_t a, uint32_t b)
+{
+    return a < b ? a : b;
+}
+
+static inline uint32_t zs_maxu32(uint32_t a, uint32_t b)
 {
     return a > b ? a : b;
 }

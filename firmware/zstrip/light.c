@@ -31,7 +31,7 @@ uint32_t zs_light_intensity(const struct zs_renderer *r, const zs_q1_15 n[3])
 }
 
 /* The product of two edges, brought to length 1. */
-static ZS_NOINLINE void edges_normal(zs_q1_15 out[3], const struct zs_mesh *mesh, uint32_t t)
+static ZS_RARE ZS_NOINLINE void edges_normal(zs_q1_15 out[3], const struct zs_mesh *mesh, uint32_t t)
 {
     int32_t e[2][3];
     for (int i = 0; i < 2; i++)

@@ -66,7 +66,8 @@ struct zs_texel {
     /* n texels along a walk, RGB565 in wire order. */
     void (*fetch)(const struct zs_texture *texture, uint16_t *out, int32_t n,
                   const struct zs_walk *walk);
-    /* As shader->rows, unlit, where job->c[0] and [1] are u and v, uq0_32; log2_w, log2_h > 0. */
+    /* As shader->rows, unlit, where job->c[0] and [1] are u and v, uq0_32; log2_w, log2_h > 0, and keys
+     * do not saturate. */
     void (*rows)(struct zs_job *job);
     uint16_t colors_max; /* of the palette; 0: there is none */
     uint8_t log2_w_min;
@@ -80,8 +81,10 @@ struct zs_depth {
     uint32_t (*vertex)(const struct zs_view *view, int32_t z, uint32_t rcp, int32_t lz);
     /* Draw a triangle where keys may not be linear on the screen (view.screen_linear is 0). */
     void (*rows)(struct zs_job *job);
-    /* w ~ 1/z of a vertex for perspective-correct attributes, > 0, same scale for all vertices. */
+    /* Under perspective, w ~ 1/z of a vertex for perspective-correct attributes, 1 .. 2^62, same scale for all. */
     uint64_t (*inverse)(const struct zs_view *view, uint32_t d);
+    /* Or, where this is not NULL, of a triangle's vertices: the largest brought to [2^30, 2^31). */
+    void (*inverses)(const struct zs_view *view, const struct zs_vertex *const v[3], uint32_t w[3]);
     /* The key of a vertex, uq16_16, where zs_vertex.d is something else; NULL: d is the key. */
     uint32_t (*key)(const struct zs_view *view, uint32_t d);
 };
@@ -161,6 +164,8 @@ void zs_bin_walk(struct zs_renderer *r);
 
 /* ---- raster.c --------------------------------------------------------------------------------------- */
 
+/* The next strip, empty: background and keys that nothing writes. */
+void zs_raster_clear(struct zs_renderer *r);
 /* Draw the strip r->strip's bin and the active list; leaves those that go on in r->active. */
 void zs_raster_strip(struct zs_renderer *r);
 /* Find the spans of rows from `row` on: of ZS_CUT_ROWS, or up to job->row_end. */
@@ -214,32 +219,33 @@ struct zs_sampler {
     uint32_t least_w[6]; /* blocks of 2^k pixels need at least this w */
     uint8_t wide;     /* 1: the texture is clamped, or one texel wide or high */
     uint8_t direct;   /* 1: affine and not wide: job->c[0] and [1] are u and v, uq0_32 */
+    uint8_t unlit;    /* 1: texels are drawn as they are in `texture` */
 };
 
-/* One triangle in one strip: the wide record, alive only while it is drawn. What set-up and rows need comes first:
+/* One triangle in one strip: the wide record, alive only while it is drawn. What rows, spans and set-up need comes first:
  * a Cortex-M0 reaches 124 bytes beyond a pointer at no extra cost. */
 struct zs_job {
+    struct zs_plane key;          /* screen-linear mappings; half a bucket added */
+    struct zs_plane c[3], w;      /* attributes, or attributes times w, and w (persp.h) */
+    uint16_t *color, *depth;      /* the strip; row 0 is row y0 of the frame */
+    int32_t y0, y1, width;        /* the strip's rows [y0, y1) */
+    int32_t row, cut_end, row_end; /* rows in the frame; spans of [row, cut_end) are in cut; to row_end in this strip */
+    uint32_t sub_log2;            /* of the sub-span; ZS_AFFINE: plain affine */
     struct zs_renderer *r;
     const struct zs_tri *tri;
     const struct zs_shader *shader;
     const struct zs_vertex *v[3]; /* the top one, then the others so that the area is positive */
-    uint8_t saturates;            /* a key may reach 2^bits - 1 (rows.h) */
-    uint8_t mid_right;            /* the middle vertex is to the right of the long edge */
-    int32_t row, cut_end, row_end; /* rows in the frame; spans of [row, cut_end) are in cut; to row_end in this strip */
-    int32_t row_mid;              /* first row below the middle vertex, in the strip or not */
-    int32_t row_last;             /* one beyond the triangle's last row, in the strip or below it */
-    int32_t y0, y1, width;        /* the strip's rows [y0, y1) */
-    uint16_t *color, *depth;      /* the strip; row 0 is row y0 of the frame */
-    struct zs_geom geom;
-    struct zs_plane key;          /* screen-linear mappings; half a bucket added */
-    struct zs_cut cut[ZS_CUT_ROWS];
-    struct zs_plane c[3], w;      /* attributes, or attributes times w, and w (persp.h) */
-    struct zs_plane64 w64;        /* depth that is not linear on the screen: 1/z ... */
-    int32_t w64_scale;            /* ... and its scale */
-    uint32_t sub_log2;            /* of the sub-span; ZS_AFFINE: plain affine */
     const struct zs_state *state; /* of the instance; NULL: none ... */
     int32_t bias;                 /* ... else buckets added to every key */
+    uint8_t saturates;            /* a key may reach 2^bits - 1 (rows.h) */
+    uint8_t mid_right;            /* the middle vertex is to the right of the long edge */
+    int32_t row_mid;              /* first row below the middle vertex, in the strip or not */
+    int32_t row_last;             /* one beyond the triangle's last row, in the strip or below it */
+    struct zs_geom geom;
     struct zs_sampler sampler;
+    struct zs_cut cut[ZS_CUT_ROWS];
+    struct zs_plane64 w64;        /* depth that is not linear on the screen: 1/z ... */
+    int32_t w64_scale;            /* ... and its scale */
 };
 
 /* ---- plane.c ---------------------------------------------------------------------------------------- */

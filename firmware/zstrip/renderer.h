@@ -38,6 +38,8 @@ struct zs_view {
     int32_t key_shift;     /* ... and its shift */
     uint64_t key_far;      /* recip: (B - 1) f / (f - n) in uq_16, the key of z at infinity */
     uint32_t key_top;      /* (B - 1) in uq16_16 */
+    uint32_t key_slow, key_known; /* vertices with keys up to key_known, at most key_slow apart: 1/z changes by at most
+                              that part of the least; both 0: not known without division */
     uint8_t perspective, screen_linear; /* flags: keys are linear on the screen */
     uint8_t key_mantissa, key_octaves; /* float: mantissa bits, and 2^exponent bits - 1 */
 };
@@ -60,6 +62,16 @@ struct zs_xform {
     uint8_t clip_guard; /* 1: vertices may be outside the guard band */
     int32_t light[3];   /* q2_30: the light's direction in mesh space */
     int32_t row[3][ZS_ROW_WORDS];
+};
+
+#define ZS_LIT_COLORS 64 /* palettes up to here are lit once for triangles of one light, not texel by texel */
+
+/* A texture whose palette is lit. */
+struct zs_lit {
+    const struct zs_texture *of; /* NULL: none in this strip yet */
+    uint16_t level;              /* its light, uq1_15 */
+    struct zs_texture texture;   /* the same with .palette = color */
+    uint16_t color[ZS_LIT_COLORS];
 };
 
 struct zs_renderer { /* what is used most comes first: a Cortex-M0 reaches 31 bytes, 31 half-words, 31 words at once */
@@ -92,6 +104,7 @@ struct zs_renderer { /* what is used most comes first: a Cortex-M0 reaches 31 by
     const struct zs_watch_kernel *watch; /* NULL: everything counts as changed */
     uint64_t *watch_sum;          /* [n_strips][watch_columns], the caller's; 0: not known */
     uint16_t watch_columns;
+    struct zs_lit lit;
 };
 
 #endif

@@ -2,6 +2,7 @@
  *
  * SPDX-License-Identifier: MIT
  */
+#include "cold.h"
 #include "rotation.h"
 
 #include "fx.h"
