@@ -4,19 +4,23 @@ B = build
 CFLAGS = -O2 -g
 WARN = -Wall -Wextra -Werror -Wconversion -Wshadow -Wvla -Wstrict-prototypes \
        -Wmissing-prototypes -Wdouble-promotion -Wno-missing-field-initializers
-INC = -Ifirmware/zstrip -Ifirmware/scenes -Ihal -I$(B)/gen -Isim -Isim/reference
+INC = -Ifirmware/zstrip -Ifirmware/scenes -Ihal -Ihal/panel -Ihal/fault -I$(B)/gen -Isim -Isim/reference -Isim/panel_model
 CORE = $(wildcard firmware/zstrip/*.c)
 SCENES = $(wildcard firmware/scenes/*.c)
-SIM = $(wildcard sim/*.c sim/reference/*.c)
+PANELS = $(wildcard hal/panel/*.c)
+SIM = $(wildcard sim/*.c sim/reference/*.c sim/panel_model/*.c)
 GEN = $(wildcard firmware/scenes/gen/*.c)
-HEADERS = $(wildcard firmware/*/*.h firmware/scenes/gen/*.h hal/*.h sim/*.h sim/*/*.h tests/*.h tests/*/*.h)
+HEADERS = $(wildcard firmware/*/*.h firmware/scenes/gen/*.h hal/*.h hal/*/*.h sim/*.h sim/*/*.h tests/*.h tests/*/*.h)
 LIBS = -lassimp -lmeshoptimizer -lpng -lturbojpeg -lm
 
 # Debian packages: what the simulator is built from, and what tests and fuzzers need besides
 PKG_SIM = gcc libc6-dev libassimp-dev libmeshoptimizer-dev libpng-dev libturbojpeg0-dev
 PKG_TEST = $(PKG_SIM) g++ clang binutils libcmocka-dev gcc-arm-none-eabi \
-           libnewlib-arm-none-eabi qemu-system-arm
+           libnewlib-arm-none-eabi qemu-system-arm $(if $(shell command -v npm),,nodejs npm)
 PKG_FUZZ = $(PKG_TEST) libclang-rt-14-dev
+PKG_FW = gcc libc6-dev gcc-arm-none-eabi libnewlib-arm-none-eabi
+BOARD = pico
+SCENE = teapot
 SECONDS = 600
 SEED = 1
 
@@ -51,6 +55,16 @@ depth: sim $(B)/.setup-test
 accuracy: sim
 	@$(B)/zsim accuracy
 
+## firmware: BOARD=pico SCENE=teapot (or mine, or APP_SCENE=my.c): what is flashed, into build/fw/pico/
+firmware: $(B)/.setup-fw $(B)/gen/meshes.h
+	@$(MAKE) --no-print-directory -s -f firmware/boards/firmware.mk B=$(B) BOARD=$(BOARD) APP=show SCENE=$(SCENE) \
+	    $(if $(APP_SCENE),APP_SCENE=$(APP_SCENE)) image
+
+## pico: the demo scenes on an emulated Raspberry Pi Pico: cycles, wire, frames a second
+pico: $(B)/.setup-test
+	@$(MAKE) --no-print-directory -j2 $(B)/zsim
+	@sh tests/pico.sh $(B) table
+
 ## sim: build/zsim
 sim: $(B)/.setup-sim
 	@$(MAKE) --no-print-directory -j2 $(B)/zsim
@@ -65,7 +79,7 @@ pictures: sim
 size stack: $(B)/.setup-test
 	@sh tests/checks/$@.sh $(B)
 check: $(B)/.setup-test
-	@for c in objects kernels includes cplusplus stack; do sh tests/checks/$$c.sh $(B) || exit 1; done
+	@for c in objects kernels hal includes cplusplus stack; do sh tests/checks/$$c.sh $(B) || exit 1; done
 
 ## clean: remove build/
 clean:
@@ -74,12 +88,15 @@ clean:
 ## help: this list
 help:
 	@sed -n 's/^## /    /p' Makefile
-.PHONY: all demo test accuracy fuzz bench depth sim pictures size stack check clean help test-programs fuzz-programs
+.PHONY: all demo test accuracy fuzz bench depth firmware pico sim pictures size stack check clean help \
+        test-programs fuzz-programs
 
 $(B)/.setup-sim:
 	@mkdir -p $(B) && .ci/setup $(PKG_SIM) && touch $@
 $(B)/.setup-test:
 	@mkdir -p $(B) && .ci/setup $(PKG_TEST) && touch $@ $(B)/.setup-sim
+$(B)/.setup-fw:
+	@mkdir -p $(B) && .ci/setup $(PKG_FW) && touch $@
 $(B)/.setup-fuzz:
 	@mkdir -p $(B) && .ci/setup $(PKG_FUZZ) && touch $@ $(B)/.setup-test $(B)/.setup-sim
 
@@ -98,7 +115,7 @@ $(B)/libmeshes.a: $(B)/gen/meshes.h
 $(B)/sim/%.o: %.c $(HEADERS) $(B)/gen/meshes.h
 	@mkdir -p $(@D)
 	@$(CC) -std=gnu11 $(CFLAGS) $(WARN) $(INC) -DZS_STATS=1 -c $< -o $@
-$(B)/zsim: $(patsubst %.c,$(B)/sim/%.o,$(CORE) $(SCENES) $(SIM)) $(B)/libmeshes.a
+$(B)/zsim: $(patsubst %.c,$(B)/sim/%.o,$(CORE) $(SCENES) $(PANELS) $(SIM)) $(B)/libmeshes.a
 	@$(CC) $(CFLAGS) $^ $(LIBS) -o $@
 	@echo 'built $@'
 

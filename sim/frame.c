@@ -15,6 +15,7 @@
 struct receiver {
     struct sim_frame *frame;
     const char *what;
+    const struct zs_sink *to; /* gets the strips too; NULL: nobody */
     struct zs_strip strip; /* submitted, not yet fetched */
     uint32_t sum;          /* over its pixels when it was submitted */
     int pending;           /* flag */
@@ -46,7 +47,7 @@ static int submit(void *ctx, const struct zs_strip *strip)
     to->next_y = (uint16_t)(strip->y + strip->h);
     if (to->what != NULL)
         sim_progress(to->what, to->next_y, f->height);
-    return 0;
+    return to->to != NULL ? to->to->submit(to->to->ctx, strip) : 0;
 }
 
 static int wait(void *ctx)
@@ -55,6 +56,9 @@ static int wait(void *ctx)
     const struct zs_strip *s = &to->strip;
     if (!to->pending)
         return 0;
+    const int err = to->to != NULL ? to->to->wait(to->to->ctx) : 0;
+    if (err < 0)
+        return err;
     if (checksum(s) != to->sum)
         return SIM_FRAME_BROKEN; /* it was on the wire */
     uint16_t *out = to->frame->rgb565 + (size_t)s->y * to->frame->width;
@@ -97,6 +101,12 @@ int sim_frame_render(struct sim_frame *frame, const struct zs_scene *scene,
                      const struct zs_camera *camera, const struct zs_config *config,
                      const char *what)
 {
+    return sim_frame_render_to(frame, scene, camera, config, what, NULL);
+}
+
+int sim_frame_render_to(struct sim_frame *frame, const struct zs_scene *scene, const struct zs_camera *camera,
+                        const struct zs_config *config, const char *what, const struct zs_sink *to)
+{
     memset(frame, 0, sizeof *frame);
     struct zs_renderer renderer;
     const uint32_t bytes = zs_arena_bytes(config);
@@ -110,7 +120,7 @@ int sim_frame_render(struct sim_frame *frame, const struct zs_scene *scene,
         frame->arena_bytes = bytes;
         frame->rgb565 = sim_alloc(n, sizeof *frame->rgb565);
         frame->key = sim_alloc(n, sizeof *frame->key);
-        struct receiver receiver = { .frame = frame, .what = what };
+        struct receiver receiver = { .frame = frame, .what = what, .to = to };
         const struct zs_sink sink = { submit, wait, &receiver };
         err = zs_render(&renderer, scene, camera, &sink);
         frame->stats = *zs_frame_stats(&renderer);

@@ -31,6 +31,11 @@ int sim_frame_render(struct sim_frame *frame, const struct zs_scene *scene,
                      const char *what);
 void sim_frame_free(struct sim_frame *frame);
 
+/* The same, and every strip goes to another sink too: its submit is called from the frame's and borrows the strip
+ * until its wait, called from the frame's. A negative return of it ends the frame and is returned. to may be NULL. */
+int sim_frame_render_to(struct sim_frame *frame, const struct zs_scene *scene, const struct zs_camera *camera,
+                        const struct zs_config *config, const char *what, const struct zs_sink *to);
+
 #define SIM_FRAME_BROKEN (-101) /* strips came out of order, too early or with holes */
 
 /* The number + 1 of the triangle that is seen at every pixel, counted through the scene's instances

@@ -9,6 +9,7 @@
 #include "convert.h"
 #include "demo.h"
 #include "depths.h"
+#include "panel_decode.h"
 #include "render.h"
 #include "sim.h"
 
@@ -19,6 +20,7 @@ static const struct {
     { "render", "a model file to a frame", sim_render },
     { "convert", "a model or picture to const C for firmware", sim_convert },
     { "demo", "the demo scenes to numbered frames and a table", sim_demo },
+    { "panel", "a recorded stream of a panel's bytes to what its glass shows", sim_panel },
     { "accuracy", "how exact the renderer is: a table, measured", sim_accuracy },
     { "depths", "which depth mapping tells surfaces apart, and how far", sim_depths },
 };

@@ -37,6 +37,14 @@ const char sim_options_help[] =
     "  --tris N, --verts N  pool sizes, up to 65534 (ample); small ones take more passes\n"
     "  --buffers 1|2        strip buffers (2)\n"
     "  --skip-off BITS      switch skips off, enum zs_skip or-ed (0)\n"
+    "Panel\n"
+    "  --panel NAME:WxH     the frame goes through this panel's driver and the model of its controller\n"
+    "                       into --out: what its viewer sees. --size is its picture's then. There are:\n"
+    "                       %s\n"
+    "  --rotate DEGREES     0, 90, 180 or 270: how far the picture is turned clockwise on the glass (0)\n"
+    "  --invert, --bgr      the glass shows negatives, or has blue for red, and the driver is told so\n"
+    "  --spi HZ             clock of its wire, for the time in --stats (62500000; grey and one-bit\n"
+    "                       panels 10000000)\n"
     "Camera, in the model's units; what is not given frames the model\n"
     "  --eye x,y,z --at x,y,z --up x,y,z (0,1,0)\n"
     "  --fov DEGREES        vertical (45); orthographic views show as much at --at\n"
@@ -89,7 +97,7 @@ static const struct option table[] = {
     { "--depth-out", KIND_FILE, AT(depth_out), 0, 0, 0, NULL },
     { "--id-out", KIND_FILE, AT(id_out), 0, 0, 0, NULL },
     { "--stats", KIND_FILE, AT(stats), 0, 0, 0, NULL },
-    { "--size", KIND_SIZE, AT(size), 0, 0, 0, NULL },
+    { "--size", KIND_SIZE, AT(size), AT(has_size), 0, 0, NULL },
     { "--strip", KIND_COUNT, AT(strip), 0, 0, 0, NULL },
     { "--tris", KIND_COUNT, AT(tris), 0, 1, ZS_POOL_MAX, NULL },
     { "--verts", KIND_COUNT, AT(verts), 0, 3, ZS_POOL_MAX, NULL },
@@ -115,6 +123,11 @@ static const struct option table[] = {
     { "--texture-format", KIND_CHOICE, AT(texel), 0, 0, 0, "565|pal8|pal4" },
     { "--wrap", KIND_CHOICE, AT(clamp), AT(has_wrap), 0, 0, "repeat|clamp" },
     { "--cull", KIND_CHOICE, AT(cull), 0, 0, 0, "back|front|none" },
+    { "--panel", KIND_FILE, AT(panel.name), 0, 0, 0, NULL },
+    { "--rotate", KIND_CHOICE, AT(panel.turns), AT(has_turns), 0, 0, "0|90|180|270" },
+    { "--invert", KIND_FLAG, AT(panel.invert), 0, 0, 0, NULL },
+    { "--bgr", KIND_FLAG, AT(panel.bgr), 0, 0, 0, NULL },
+    { "--spi", KIND_COUNT, AT(spi_hz), AT(has_spi), 1000, 1e9, NULL },
     { "--reference", KIND_FLAG, AT(reference), 0, 0, 0, NULL },
     { "--compare", KIND_FLAG, AT(compare), 0, 0, 0, NULL },
     { "--help", KIND_FLAG, AT(help), 0, 0, 0, NULL },
@@ -244,6 +257,36 @@ static int check_rest(const struct sim_options *o)
     return SIM_OK;
 }
 
+/* A panel's picture is the frame: takes its size over. */
+static int check_panel(struct sim_options *o)
+{
+    struct panel_config config;
+    struct pm_glass glass;
+    if (o->panel.name == NULL && (o->has_turns || o->panel.invert || o->panel.bgr || o->has_spi))
+        return sim_usage("%s is for a --panel, which is missing", o->has_turns      ? "--rotate"
+                                                                 : o->panel.invert ? "--invert"
+                                                                 : o->panel.bgr    ? "--bgr"
+                                                                                   : "--spi");
+    if (o->panel.name == NULL)
+        return SIM_OK;
+    if (o->reference)
+        return sim_usage("--reference does not go through a panel: leave --panel out, or use --compare");
+    const int status = sim_panel_of(&o->panel, o->model, &config, &glass);
+    if (status != SIM_OK)
+        return status;
+    const int turned = o->panel.turns & 1;
+    const long w = turned ? glass.height : glass.width, h = turned ? glass.width : glass.height;
+    if (o->has_size && (o->size[0] != w || o->size[1] != h))
+        return sim_refuse(o->model, 0,
+                          "--size %ldx%ld is not the picture of --panel %s --rotate %d, %ldx%ld; leave it out",
+                          o->size[0], o->size[1], o->panel.name, 90 * o->panel.turns, w, h);
+    o->size[0] = w;
+    o->size[1] = h;
+    if (!o->has_spi)
+        o->spi_hz = pm_glass_format(&glass) == PM_RGB565 ? 62500000 : 10000000;
+    return sim_panel_check_strip(&o->panel, o->model, o->strip, h);
+}
+
 int sim_options_textured(const struct sim_options *o)
 {
     return o->shade >= SIM_SHADE_TEXTURED;
@@ -339,5 +382,7 @@ int sim_options_parse(struct sim_options *o, int argc, char **argv)
     for (size_t k = 0; status == SIM_OK && k < N_TABLE; k++)
         if (seen[k])
             status = check_range(&table[k], (const char *)o + table[k].to, o->model);
-    return status == SIM_OK ? check_rest(o) : status;
+    if (status == SIM_OK)
+        status = check_rest(o);
+    return status == SIM_OK ? check_panel(o) : status;
 }

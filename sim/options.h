@@ -5,6 +5,7 @@
 #ifndef SIM_OPTIONS_H
 #define SIM_OPTIONS_H
 
+#include "panel_frame.h"
 #include "zstrip.h"
 
 enum sim_shade {
@@ -47,6 +48,9 @@ struct sim_options {
     struct zs_rgb background, color;
     int has_eye, has_at, has_near, has_far, has_light, has_color, has_wrap; /* flags */
     int reference, compare, help;                                 /* flags */
+    struct sim_panel_wish panel; /* size is its picture's, where it has a name */
+    long spi_hz;                 /* of its wire */
+    int has_size, has_turns, has_spi;
 };
 
 /* Fill *o from the arguments after "render". SIM_USAGE where they make no sense, SIM_REFUSED where
@@ -58,7 +62,7 @@ int sim_options_parse(struct sim_options *o, int argc, char **argv);
 int sim_options_textured(const struct sim_options *o);
 int sim_options_smooth(const struct sim_options *o);
 
-/* The help text of `zsim render`. */
+/* The help text of `zsim render`; %s in it is the list of panels. */
 extern const char sim_options_help[];
 
 #endif

@@ -15,6 +15,7 @@
 #include "options.h"
 #include "original.h"
 #include "output.h"
+#include "panel_frame.h"
 #include "quantise.h"
 #include "sim.h"
 #include "stats.h"
@@ -35,6 +36,7 @@ struct job {
     struct sim_scene scene;
     struct zs_config config;
     struct sim_frame frame;
+    struct sim_panel_frame panel; /* with --panel */
     uint32_t *id;    /* of the frame; NULL: not wanted */
     uint32_t *texel; /* with --compare and textures; else NULL */
     struct sim_original original;
@@ -100,6 +102,23 @@ static int refuse_frame(const struct job *job, int err)
                       v->far_z, zs_strerror(err));
 }
 
+/* The frame; with --panel its strips go there too. */
+static int draw_strips(struct job *job)
+{
+    const struct sim_panel_wish *wish = &job->options.panel;
+    const struct zs_sink sink = sim_panel_sink(&job->panel);
+    if (wish->name != NULL) {
+        const int status = sim_panel_begin(&job->panel, wish, job->options.model, job->config.strip_h);
+        if (status != SIM_OK)
+            return status;
+    }
+    const int err = sim_frame_render_to(&job->frame, &job->scene.scene, &job->scene.camera, &job->config, "drawing",
+                                        wish->name != NULL ? &sink : NULL);
+    if (err != ZS_OK && job->panel.err == HAL_OK)
+        return refuse_frame(job, err);
+    return wish->name != NULL ? sim_panel_check(&job->panel, wish, job->options.model) : SIM_OK;
+}
+
 static int draw_frame(struct job *job)
 {
     const struct sim_options *o = &job->options;
@@ -108,9 +127,11 @@ static int draw_frame(struct job *job)
     if (status != SIM_OK)
         return status;
     set_config(job);
-    int err = sim_frame_render(&job->frame, &job->scene.scene, &job->scene.camera, &job->config,
-                               "drawing");
-    if (err == ZS_OK && (o->id_out != NULL || o->compare)) {
+    status = draw_strips(job);
+    if (status != SIM_OK)
+        return status;
+    int err = ZS_OK;
+    if (o->id_out != NULL || o->compare) {
         job->id = sim_alloc(pixels, sizeof *job->id);
         err = sim_frame_ids(job->id, &job->scene.scene, &job->scene.camera, &job->config);
     }
@@ -228,6 +249,20 @@ static void stats_textures(struct sim_json *json, const struct sim_model *model)
     sim_json_number(json, "texture_resampled", resampled);
 }
 
+/* The frame's bytes, without those that set the panel up. */
+static void stats_panel(struct sim_json *json, const struct job *job)
+{
+    const struct pm_counts *now = pm_counts(job->panel.model), *then = &job->panel.setup;
+    const double bytes = (double)(now->bytes - then->bytes), hz = (double)job->options.spi_hz;
+    sim_json_number(json, "panel_setup_bytes", (double)then->bytes);
+    sim_json_number(json, "panel_bytes", bytes);
+    sim_json_number(json, "panel_pixel_bytes", (double)(now->pixel_bytes - then->pixel_bytes));
+    sim_json_number(json, "panel_transactions", (double)(now->transactions - then->transactions));
+    sim_json_number(json, "panel_windows", (double)(now->windows - then->windows));
+    sim_json_number(json, "panel_spi_hz", hz);
+    sim_json_number(json, "panel_wire_us", 8e6 * bytes / hz);
+}
+
 static void write_stats(FILE *f, const struct job *job)
 {
     const struct sim_options *o = &job->options;
@@ -251,6 +286,8 @@ static void write_stats(FILE *f, const struct job *job)
         sim_json_number(&json, "uv_error_texels", job->scene.uv_error);
         sim_json_number(&json, "texture_psnr_db", fmin(job->scene.psnr_db, 999.0));
     }
+    if (o->panel.name != NULL)
+        stats_panel(&json, job);
     if (o->compare)
         stats_diff(&json, &job->diff);
     sim_json_end(&json);
@@ -272,7 +309,9 @@ static int write_one(FILE *f, const struct job *job, int which, const char *name
     const uint32_t w = (uint32_t)job->view.width, h = (uint32_t)job->view.height;
     const size_t n = (size_t)w * h;
     if (which == 0) {
-        uint8_t *rgb = sim_rgb565_to_rgb8(is_reference ? ref->rgb565 : job->frame.rgb565, n);
+        uint8_t *rgb = job->options.panel.name != NULL
+                           ? sim_panel_picture(&job->panel)
+                           : sim_rgb565_to_rgb8(is_reference ? ref->rgb565 : job->frame.rgb565, n);
         const int status = sim_png_write(f, name, w, h, rgb);
         free(rgb);
         return status;
@@ -358,7 +397,7 @@ int sim_render(int argc, char **argv)
     struct job *job = sim_alloc(1, sizeof *job);
     int status = sim_options_parse(&job->options, argc, argv);
     if (status == SIM_OK && job->options.help) {
-        (void)fputs(sim_options_help, stdout);
+        (void)printf(sim_options_help, sim_panel_list(23));
     } else {
         if (status == SIM_OK)
             status = check_files(&job->options);
@@ -373,6 +412,7 @@ int sim_render(int argc, char **argv)
     free(job->id);
     free(job->texel);
     sim_frame_free(&job->frame);
+    sim_panel_free(&job->panel);
     sim_scene_free(&job->scene);
     sim_model_free(&job->model);
     free(job);

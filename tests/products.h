@@ -1,4 +1,5 @@
-/* The products, leading zeros and filling of wide.h against plain C: edge values with each other, then random ones.
+/* The products, sums of products, leading zeros and filling of wide.h against plain C: edge values with each other,
+ * then random ones.
  * For the host (test_fx.c) and, freestanding, for an emulated Cortex-M0 (checks/wide.c).
  *
  * SPDX-License-Identifier: MIT
@@ -26,6 +27,37 @@ static inline int wide_cross_right(uint32_t a, uint32_t b)
     return zs_cross_short((int32_t)a, short_b, (int32_t)b, short_d) == ia * ib_short - ib * id_short &&
            zs_cross_short((int32_t)a, 16384, (int32_t)b, -16384) == ia * 16384 + ib * 16384 &&
            zs_cross_short((int32_t)a, -16384, (int32_t)b, 16384) == (ia + ib) * -16384;
+}
+
+/* A row of an affine map as its comment has it, its words taken from the bits of a and b within their bounds. */
+static inline int wide_row_right(uint32_t a, uint32_t b)
+{
+    const int32_t s = (int32_t)(a % 16u), s2 = s == 15 ? (int32_t)(b % 15u) : 0;
+    const int32_t x = (int16_t)a, y = (int16_t)b, z = (int16_t)(a >> 16);
+    volatile int32_t row[10] = { (int32_t)(b % 32769u) - 16384, -16384, (int32_t)(a % 32769u) - 16384,
+                                 (int32_t)(a % 536870913u) - (1 << 28), s, (int32_t)(b % 37837u) - 18918, 18918,
+                                 (int32_t)(a % 37837u) - 18918, s2, (int32_t)b };
+    const int64_t low = (int64_t)row[0] * x + (int64_t)row[1] * y + (int64_t)row[2] * z + row[3];
+    const int64_t high = (low >> s) + (int64_t)row[5] * x + (int64_t)row[6] * y + (int64_t)row[7] * z;
+    return zs_row((const int32_t *)row, x, y, z) == (int32_t)((uint32_t)((int32_t)high >> s2) + (uint32_t)row[9]);
+}
+
+/* Corners near each other and far apart. */
+static inline int wide_area_right(uint32_t a, uint32_t b)
+{
+    const uint32_t x = a * 2654435761u, y = b * 2246822519u;
+    volatile int32_t corner[3][2] = { { (int32_t)x, (int32_t)y }, { (int32_t)(x + a), (int32_t)(y + b) },
+                                      { (int32_t)(x - b), (int32_t)(y + (a >> 3)) } };
+    int64_t d[4];
+    int fits = 1;
+    for (int k = 0; k < 4; k++) {
+        d[k] = (int32_t)((uint32_t)corner[1 + k / 2][k % 2] - (uint32_t)corner[0][k % 2]);
+        fits &= d[k] >= -32768 && d[k] <= 32767;
+    }
+    uint32_t wide;
+    const int32_t area = zs_area_short((const int32_t *)corner[0], (const int32_t *)corner[1], (const int32_t *)corner[2],
+                                       &wide);
+    return (wide == 0) == fits && (wide || area == d[0] * d[3] - d[2] * d[1]);
 }
 
 static inline int wide_clz_right(uint32_t v)
@@ -70,7 +102,8 @@ static inline int wide_right(uint32_t random_pairs, uint32_t wrong[2])
                        b = k < n * n ? edge[k % n] : (uint32_t)prng_log(&p);
         wrong[0] = a;
         wrong[1] = b;
-        if (!wide_pair_right(a, b) || !wide_cross_right(a, b) || (a && !wide_clz_right(a)))
+        if (!wide_pair_right(a, b) || !wide_cross_right(a, b) || !wide_row_right(a, b) ||
+            !wide_area_right(a, b) || (a && !wide_clz_right(a)))
             return 0;
     }
     return 1;

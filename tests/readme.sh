@@ -46,6 +46,34 @@ else
     echo "FAILED readme_example_draws_a_cube: error $1, $2 strips, $3 pixels"
 fi
 
+# ---- On a panel: compiled as it stands, and three frames of a scene through it ---------------------------------
+section 'On a panel' | code >"$out/panel_example.c"
+cat >"$out/panel_main.c" <<'MAIN'
+#include <stdio.h>
+#include "panel_example.c"
+static const struct zs_config config = { W, H, ROWS, 8, 8, ZS_ATTRS_FLAT, 2, 8, 16, 0, &zs_depth_recip };
+ZS_ARENA(arena, ZS_ARENA_BYTES(W, H, ROWS, 8, 8, ZS_ATTRS_FLAT, 2));
+int main(void)
+{
+    static struct zs_renderer r;
+    struct zs_scene scene = { 0, 0, { { 0, 0, 0 }, 0, 0 }, 7 };
+    struct zs_camera camera;
+    int err = zs_init(&r, &config, arena, sizeof arena);
+    err = err ? err : zs_camera_perspective(&camera, 8192, H, 10, 1000);
+    const int32_t eye[3] = { 0, 0, 5 }, at[3] = { 0, 0, 0 }, up[3] = { 0, 1, 0 };
+    err = err ? err : zs_camera_look_at(&camera, eye, at, up);
+    err = err ? err : start_panel(&r);
+    for (int i = 0; !err && i < 3; i++)
+        err = zs_render(&r, &scene, &camera, &sink);
+    printf("%d %u\n", err, (unsigned)zs_frame_stats(&r)->strips_unchanged);
+    return err != 0;
+}
+MAIN
+gcc -std=c11 -Wall -Wextra -Werror -Wconversion -Ifirmware/zstrip -Ihal -Ihal/panel -I"$out" "$out/panel_main.c" \
+    firmware/zstrip/*.c hal/panel/*.c hal/null/hal.c -o "$out/panel_example"
+said=$("$out/panel_example")
+[ "$said" = "0 15" ] && echo "ok readme_panel_example" || echo "FAILED readme_panel_example: $said"
+
 # ---- From your .obj to a picture on a board ------------------------------------------------------
 # A folder as the reader has it: zsim built, the library, a model; then the section's program and commands.
 follow() { # NAME LEAST-PIXELS MOST-PIXELS COLOURS    MODEL.obj and what belongs to it lie in $out/NAME

@@ -51,7 +51,9 @@ run convert sh tests/convert.sh "$build"
 run accuracy sh tests/accuracy.sh "$build/test/zsim"
 run cli sh tests/cli.sh "$build/test/zsim" "$build/test/cli"
 run cli_texture sh tests/cli_texture.sh "$build/test/zsim" "$build/test/cli_texture"
-for check in wide objects kernels includes cplusplus stack size bench; do
+run panels sh tests/panels.sh "$build/test/zsim" "$build/test/panels"
+run pico sh tests/pico.sh "$build"
+for check in wide objects kernels hal includes cplusplus stack size bench; do
     run "$check" sh "tests/checks/$check.sh" "$build"
 done
 

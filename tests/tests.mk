@@ -1,9 +1,10 @@
-# The test programs: every tests/test_*.c, with the helpers beside it, the core and the scenes, under
-# ASan and UBSan and with the kernels' preconditions checked. zsim is built like that too.
+# The test programs: every tests/test_*.c, with the helpers beside it, the core, the scenes, the panels and their
+# models, under ASan and UBSan and with the kernels' preconditions checked. zsim is built like that too.
 SAN = -fsanitize=address,undefined -fno-sanitize-recover=all
 TEST_CC = $(CC) -std=gnu11 -O1 -g $(SAN) -Wall -Wextra -Werror -Wshadow -Wno-missing-field-initializers $(INC) -Itests \
           -DZS_STATS=1 '-DZS_ASSERT(c)=((c)?(void)0:__builtin_trap())'
 TESTS = $(wildcard tests/test_*.c)
+MODEL = $(wildcard sim/panel_model/*.c) sim/panel_bus.c hal/fault/fault.c
 TEST_HELP = $(filter-out $(TESTS) tests/checksum.c,$(wildcard tests/*.c))
 t = $(patsubst %.c,$(B)/test/%.o,$(1))
 
@@ -12,10 +13,10 @@ test-programs: $(patsubst tests/%.c,$(B)/test/%,$(TESTS)) $(B)/test/zsim checksu
 $(B)/test/%.o: %.c $(HEADERS) $(B)/gen/meshes.h
 	@mkdir -p $(@D)
 	@$(TEST_CC) -c $< -o $@
-$(B)/test/libtest.a: $(call t,$(CORE) $(SCENES) $(TEST_HELP))
+$(B)/test/libtest.a: $(call t,$(CORE) $(SCENES) $(PANELS) $(MODEL) $(TEST_HELP))
 	@rm -f $@ && ar rcs $@ $^
 $(B)/test/test_%: $(B)/test/tests/test_%.o $(B)/test/libtest.a $(B)/libmeshes.a
-	@$(CC) $(SAN) $^ -lcmocka -lm -o $@
+	@$(CC) $(SAN) -Wl,--start-group $^ -Wl,--end-group -lcmocka -lm -o $@
 $(B)/test/zsim: $(call t,$(SIM)) $(B)/test/libtest.a $(B)/libmeshes.a
 	@$(CC) $(SAN) $^ $(LIBS) -o $@
 

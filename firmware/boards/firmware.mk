@@ -1,29 +1,61 @@
 # An application for a board: make -f firmware/boards/firmware.mk BOARD=mps2 APP=bench [run]
 # From the repository's top. Lands in $(B)/fw/$(BOARD)/$(APP).elf. Needs the meshes in $(B)/gen.
+#
+# APP=show SCENE=teapot, or APP_SCENE=path/to/scene.c: the show of that scene, $(B)/fw/$(BOARD)/teapot.elf (scene.elf)
+# NAME=name APP_SRC=files [EXTRA=objects]: any other program
 BOARD = mps2
 APP = bench
+SCENE = teapot
 B = build
 OPT = -O2
+OUT = $(B)/fw/$(BOARD)
+
+NAME = $(APP)
+APP_SRC = firmware/app/$(APP).c
+ifeq ($(APP),show)
+ifeq ($(SCENE),mine)
+APP_SCENE = firmware/app/my_scene.c
+endif
+ifdef APP_SCENE
+NAME = $(basename $(notdir $(APP_SCENE)))
+APP_SRC += $(APP_SCENE)
+else
+ifeq ($(shell grep 'define SIZES_$(SCENE) ' firmware/scenes/sizes.h),)
+$(error SCENE=$(SCENE): not in firmware/scenes/sizes.h, and not mine)
+endif
+NAME = $(SCENE)
+APP_SRC += firmware/app/show_demo.c
+APP_FLAGS = -DSHOW_DEMO=$(SCENE)
+endif
+endif
+ELF = $(OUT)/$(NAME).elf
+
+all: $(ELF)
+image: $(ELF)
 include firmware/boards/$(BOARD)/board.mk
 
-OUT = $(B)/fw/$(BOARD)
-ELF = $(OUT)/$(APP).elf
-SRC = firmware/app/$(APP).c hal/$(BOARD_HAL)/hal.c $(BOARD_SRC) $(wildcard firmware/zstrip/*.c) \
+# What names no scene is compiled once, the rest once a scene
+SRC = $(wildcard hal/$(BOARD_HAL)/*.c hal/panel/*.c) $(BOARD_SRC) $(wildcard firmware/zstrip/*.c) \
       $(wildcard firmware/scenes/*.c) $(wildcard $(B)/gen/*.c)
-OBJ = $(patsubst %.c,$(OUT)/%.o,$(SRC))
+OBJ = $(patsubst %,$(OUT)/%.o,$(basename $(SRC))) $(patsubst %.c,$(OUT)/of-$(NAME)/%.o,$(APP_SRC))
 CFLAGS = -std=c11 $(BOARD_CPU) $(OPT) -g -ffunction-sections -fdata-sections -MMD -MP \
          -Wall -Wextra -Werror -Wconversion -Wshadow -Wvla -Wstrict-prototypes -Wmissing-prototypes \
          -Wno-missing-field-initializers \
-         -Ihal -Ifirmware/zstrip -Ifirmware/scenes -I$(B)/gen
+         -Ihal -Ihal/panel -Ifirmware/app -Ifirmware/zstrip -Ifirmware/scenes -I$(B)/gen
 
 .DELETE_ON_ERROR:
-all: $(ELF)
 run: $(ELF)
 	@$(BOARD_RUN) $(ELF)
-$(ELF): $(OBJ) $(BOARD_DEPS)
-	$(BOARD_CC) $(BOARD_CPU) $(OPT) -Wl,--gc-sections $(BOARD_LINK) $(OBJ) -o $@
+$(ELF): $(OBJ) $(EXTRA) $(BOARD_DEPS)
+	$(BOARD_CC) $(BOARD_CPU) $(OPT) -Wl,--gc-sections $(BOARD_LINK) $(OBJ) $(EXTRA) -o $@
+$(OUT)/of-$(NAME)/%.o: %.c firmware/boards/$(BOARD)/board.mk
+	@mkdir -p $(@D)
+	$(BOARD_CC) $(CFLAGS) $(APP_FLAGS) -c $< -o $@
 $(OUT)/%.o: %.c firmware/boards/$(BOARD)/board.mk
 	@mkdir -p $(@D)
 	$(BOARD_CC) $(CFLAGS) -c $< -o $@
+$(OUT)/%.o: %.S firmware/boards/$(BOARD)/board.mk
+	@mkdir -p $(@D)
+	$(BOARD_CC) $(BOARD_CPU) -c $< -o $@
 -include $(OBJ:.o=.d)
-.PHONY: all run
+.PHONY: all image run

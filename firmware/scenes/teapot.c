@@ -1,4 +1,4 @@
-/* The Utah teapot on a table, smooth-shaded.
+/* The Utah teapot on a table: smooth-shaded, and in painted china.
  *
  * SPDX-License-Identifier: MIT
  */
@@ -8,10 +8,11 @@
 #define FRAMES 48u
 
 static const struct zs_material glaze = { &zs_shade_smooth, { 255, 158, 74 }, ZS_CULL_BACK };
+STAGE_COVER(china, zs_shade_texture_smooth, texture_glaze);
 static const struct zs_material liquid = { &zs_shade_smooth, { 92, 40, 16 }, ZS_CULL_BACK };
 static const struct zs_material wood = { &zs_shade_smooth, { 255, 255, 255 }, ZS_CULL_BACK };
 
-static void pose(struct demo_frame *f, uint32_t t, uint16_t w, uint16_t h)
+static void set(struct demo_frame *f, uint32_t t, uint16_t w, uint16_t h, const struct zs_material *pot)
 {
     static const struct zs_rgb night = { 14, 24, 56 };
     static const int32_t at[3] = { 0, -2200, 0 };
@@ -19,7 +20,7 @@ static void pose(struct demo_frame *f, uint32_t t, uint16_t w, uint16_t h)
     stage_light(f, -5, 7, 6, 22, 82);
 
     const zs_turn yaw = stage_turn(t, FRAMES, 1);
-    zs_pose_turn(stage_put(f, &mesh_teapot, &glaze, 0, 0, 0, ZS_Q16_ONE), yaw, 0, 0);
+    zs_pose_turn(stage_put(f, &mesh_teapot, pot, 0, 0, 0, ZS_Q16_ONE), yaw, 0, 0);
     zs_pose_turn(stage_put(f, &mesh_tea, &liquid, 0, 0, 0, ZS_Q16_ONE), yaw, 0, 0);
     stage_put(f, &mesh_table, &wood, 0, 0, 0, ZS_Q16_ONE);
 
@@ -27,7 +28,22 @@ static void pose(struct demo_frame *f, uint32_t t, uint16_t w, uint16_t h)
     zs_camera_orbit(&f->camera, at, 88000, 0, 4300);
 }
 
+static void pose(struct demo_frame *f, uint32_t t, uint16_t w, uint16_t h)
+{
+    set(f, t, w, h, &glaze);
+}
+
+static void pose_china(struct demo_frame *f, uint32_t t, uint16_t w, uint16_t h)
+{
+    set(f, t, w, h, &china);
+}
+
 const struct demo demo_teapot = {
     "teapot", "The Utah teapot turns on a table, lit from the upper left, smooth-shaded",
     240, 240, FRAMES, ZS_ATTRS_SMOOTH, 0, &zs_depth_float, pose,
+};
+
+const struct demo demo_china = {
+    "china", "The teapot in painted china: smooth light over a texture",
+    240, 240, FRAMES, ZS_ATTRS_TEXTURE_SMOOTH, 0, &zs_depth_float, pose_china,
 };

@@ -6,15 +6,19 @@
  * once and the pools are emptied: least (key, scene order) wins in any number of sets. So any pool
  * that holds one triangle takes any scene, in more passes.
  *
- * Vertices are transformed when a triangle first asks for them. vert_map[v] says where vertex v of the
- * current mesh may lie in the pool; it is believed only if that place belongs to the current instance
- * and vert_src says v, so it needs no clearing.
+ * Where the pool has room for all of a mesh, its vertices are transformed at once and vertex v has the place
+ * vert_base + v ("direct"). Elsewhere, and from the moment on that places were moved, they are transformed when a
+ * triangle first asks for them, and vert_map[v] says where vertex v of the current mesh may lie in the pool; it is
+ * believed only if that place belongs to the current instance and vert_src says v, so it needs no clearing. A vertex
+ * gets its attributes when a triangle that holds it is binned.
  *
  * SPDX-License-Identifier: MIT
  */
 #include "pipeline.h"
 
-#define NO_SOURCE 65535u /* vert_src of a vertex made by clipping: meshes have at most 65535 */
+#define NO_SOURCE 65535u     /* vert_src of a vertex made by clipping: meshes have at most 65535 */
+#define ATTR_UNLIT 0xa55au   /* first attribute of a vertex that no binned triangle holds yet. A lit one that is the
+                                same is lit again, with the same outcome */
 
 /* ---- Pools ----------------------------------------------------------------------------------------- */
 
@@ -44,42 +48,39 @@ static void bins_clear(struct zs_renderer *r)
 
 static void pools_empty(struct zs_renderer *r)
 {
-    r->n_tris = r->n_verts = 0;
+    r->n_tris = r->n_verts = r->vert_packed = 0;
     set_base(r, 0);
     r->active = ZS_NIL;
     bins_clear(r);
 }
 
+/* 0 <= row < ZS_SIZE_MAX */
 static int32_t strip_of(const struct zs_renderer *r, int32_t row)
 {
-    return row / r->config.strip_h;
+    return (int32_t)((uint32_t)row * r->strip_mul >> r->strip_shift);
 }
 
-/* Rows [*y0, *y1) of the frame that hold samples of the triangle's box; empty: *y0 >= *y1. */
-static void frame_rows(const struct zs_renderer *r, const struct zs_vertex *a,
-                       const struct zs_vertex *b, const struct zs_vertex *c, int32_t *y0,
-                       int32_t *y1)
+/* The first row that a triangle has samples in. */
+static int32_t first_row(const struct zs_vertex *a, const struct zs_vertex *b, const struct zs_vertex *c)
 {
-    *y0 = zs_max32(zs_first_sample(zs_min32(zs_min32(a->y, b->y), c->y)), 0);
-    *y1 = zs_min32(zs_first_sample(zs_max32(zs_max32(a->y, b->y), c->y)), r->config.height);
+    return zs_max32(zs_first_sample(zs_min32(zs_min32(a->y, b->y), c->y)), 0);
 }
 
-static void bin_insert(struct zs_renderer *r, uint32_t t, int32_t first_row)
+static inline void bin_insert(struct zs_renderer *r, uint32_t t, int32_t row)
 {
-    const int32_t s = zs_max32(strip_of(r, first_row), r->strip);
+    const int32_t s = zs_max32(strip_of(r, row), r->strip);
     r->tri[t].next = r->bin[s];
     r->bin[s] = (uint16_t)t;
 }
 
 /* Drop binned triangles that begin below the band; the rest moves up in order. */
-static void tris_compact(struct zs_renderer *r)
+static ZS_RARE void tris_compact(struct zs_renderer *r)
 {
     uint32_t kept = 0;
     bins_clear(r);
     for (uint32_t t = 0; t < r->n_tris; t++) {
         const struct zs_tri tri = r->tri[t];
-        int32_t y0, y1;
-        frame_rows(r, &r->vert[tri.v[0]], &r->vert[tri.v[1]], &r->vert[tri.v[2]], &y0, &y1);
+        const int32_t y0 = first_row(&r->vert[tri.v[0]], &r->vert[tri.v[1]], &r->vert[tri.v[2]]);
         if (strip_of(r, y0) >= r->band_end)
             continue;
         r->tri[kept] = tri;
@@ -90,7 +91,7 @@ static void tris_compact(struct zs_renderer *r)
 }
 
 /* Drop vertices that no binned triangle holds. */
-static void verts_compact(struct zs_renderer *r)
+static ZS_RARE void verts_compact(struct zs_renderer *r)
 {
     uint16_t *to = r->vert_map; /* its contents are rebuilt below */
     const uint32_t attrs = r->config.attrs;
@@ -117,21 +118,21 @@ static void verts_compact(struct zs_renderer *r)
     for (uint32_t t = 0; t < r->n_tris; t++)
         for (int k = 0; k < 3; k++)
             r->tri[t].v[k] = to[r->tri[t].v[k]];
-    r->n_verts = kept;
+    r->n_verts = r->vert_packed = kept;
     set_base(r, base);
     for (uint32_t v = base; v < kept; v++)
         if (r->vert_src[v] != NO_SOURCE)
             r->vert_map[map_index(r->vert_src[v], r->config.max_verts)] = (uint16_t)v;
 }
 
-static int roomy(const struct zs_renderer *r)
+static ZS_RARE int roomy(const struct zs_renderer *r)
 {
     const uint32_t tris = r->config.max_tris, verts = r->config.max_verts;
     const uint32_t verts_wanted = verts / 4u + 3u < verts ? verts / 4u + 3u : verts;
     return tris - r->n_tris >= tris / 4u + 1u && verts - r->n_verts >= verts_wanted;
 }
 
-static void high_water(struct zs_renderer *r)
+static ZS_RARE void high_water(struct zs_renderer *r)
 {
     if (r->stats.max_tris_used < r->n_tris)
         r->stats.max_tris_used = r->n_tris;
@@ -140,8 +141,9 @@ static void high_water(struct zs_renderer *r)
 }
 
 /* A pool is full: free at least a quarter of both. Slots change. */
-static void make_room(struct zs_renderer *r)
+static ZS_RARE void make_room(struct zs_renderer *r)
 {
+    r->direct = 0;
     high_water(r);
     verts_compact(r);
     while (!roomy(r)) {
@@ -160,36 +162,78 @@ static void make_room(struct zs_renderer *r)
 
 /* ---- Vertices ---------------------------------------------------------------------------------------- */
 
+/* Vertices [from, from + n) of the mesh have been transformed to slots from `slot` on: whose they are. */
+static void verts_mark(struct zs_renderer *r, uint32_t slot, uint32_t from, uint32_t n)
+{
+    const uint32_t attrs = r->config.attrs;
+    r->stats.verts_transformed += n;
+    for (uint32_t k = 0; k < n; k++)
+        r->vert_src[slot + k] = (uint16_t)(from + k);
+    if (attrs)
+        for (uint16_t *at = &r->attr[slot * attrs], *const end = at + n * attrs; at < end; at += attrs)
+            *at = ATTR_UNLIT;
+}
+
+static ZS_NOINLINE void vertex_light(struct zs_renderer *r, uint32_t slot, uint16_t *attr)
+{
+    const struct zs_shader *shader = r->xform.instance->material->shader;
+    shader->vertex(r, r->vert_src[slot], attr);
+}
+
+static inline void corner_light(struct zs_renderer *r, uint32_t slot, uint32_t attrs)
+{
+    uint16_t *attr = &r->attr[slot * attrs];
+    if (*attr == ATTR_UNLIT)
+        vertex_light(r, slot, attr);
+}
+
+/* Attributes of a binned triangle's corners that no triangle before it needed. */
+static inline void corners_light(struct zs_renderer *r, const uint32_t slot[3])
+{
+    const uint32_t attrs = r->config.attrs;
+    corner_light(r, slot[0], attrs);
+    corner_light(r, slot[1], attrs);
+    corner_light(r, slot[2], attrs);
+}
+
+/* Transform all of a mesh, where there is room. */
+static void verts_direct(struct zs_renderer *r, const struct zs_mesh *mesh)
+{
+    const uint32_t n = mesh->n_verts, room = r->config.max_verts - r->n_verts;
+    if (n > room && n - room <= r->n_verts - r->vert_packed) { /* there may be room */
+        high_water(r);
+        verts_compact(r);
+    }
+    const uint32_t base = r->n_verts;
+    set_base(r, base);
+    r->direct = !(r->config.skip_off & ZS_SKIP_VCACHE) && n <= r->config.max_verts - base;
+    if (!r->direct)
+        return;
+    r->n_verts += n;
+    verts_mark(r, base, 0, n);
+    zs_xform_screen(r, 0, n, &r->vert[base]);
+}
+
 /* Transform vertex v into the next place of the pool; ZS_NIL: the pool is full. */
 static ZS_NOINLINE uint32_t vertex_add(struct zs_renderer *r, uint32_t v)
 {
     if (r->n_verts == r->config.max_verts)
         return ZS_NIL;
     const uint32_t slot = r->n_verts++;
-    r->vert_src[slot] = (uint16_t)v;
     r->vert_map[map_index(v, r->config.max_verts)] = (uint16_t)slot;
-    r->stats.verts_transformed++;
-
-    struct zs_point p;
-    struct zs_vertex *out = &r->vert[slot];
-    const struct zs_xform *xf = &r->xform;
-    zs_xform_vertex(xf, v, &p);
-    /* the second test catches what the first was left out for: a sphere that is smaller than its mesh */
-    if (((xf->clip_depth | xf->clip_guard) && zs_xform_outcode(&r->view, &p)) ||
-        !zs_xform_project(r, &p, out)) {
-        out->x = out->y = 0;
-        out->d = ZS_D_OUT;
-        return slot;
-    }
-    const struct zs_shader *shader = xf->instance->material->shader;
-    if (shader->vertex)
-        shader->vertex(r, v, &r->attr[slot * r->config.attrs]);
+    verts_mark(r, slot, v, 1);
+    zs_xform_screen(r, v, 1, &r->vert[slot]);
     return slot;
 }
 
 /* The pool's places of a triangle's corners, transformed. Return 0: the pool is full. */
-static inline int corner_slots(struct zs_renderer *r, const uint16_t index[3], uint32_t slot[3])
+static int corner_slots(struct zs_renderer *r, const uint16_t index[3], uint32_t slot[3])
 {
+    if (r->direct) {
+        for (int k = 0; k < 3; k++)
+            slot[k] = r->vert_base + index[k];
+        return 1;
+    }
     const uint16_t *map = r->vert_map, *src = r->vert_src;
     const uint32_t base = r->vert_base, cap = r->config.max_verts;
     uint32_t n = r->n_verts;
@@ -210,7 +254,7 @@ static inline int corner_slots(struct zs_renderer *r, const uint16_t index[3], u
 /* ---- Triangles --------------------------------------------------------------------------------------- */
 
 enum fate { FATE_DRAWN, FATE_OFFSCREEN, FATE_FACING, FATE_ZERO, FATE_EMPTY, FATE_NEAR, FATE_FAR,
-            FATE_INDEX, FATES };
+            FATE_INDEX, FATES, FATE_OPEN = FATES /* not known yet */ };
 
 static void count(struct zs_stats *s, const uint32_t fate[FATES])
 {
@@ -228,42 +272,77 @@ static void count(struct zs_stats *s, const uint32_t fate[FATES])
 static int64_t signed_area(const struct zs_vertex *a, const struct zs_vertex *b,
                            const struct zs_vertex *c)
 {
-    return (int64_t)(b->x - a->x) * (c->y - a->y) - (int64_t)(c->x - a->x) * (b->y - a->y);
+    return zs_mul_ss(b->x - a->x, c->y - a->y) - zs_mul_ss(c->x - a->x, b->y - a->y);
 }
 
-static int faces_away(int64_t area, uint32_t cull)
+static inline const int32_t *xy(const struct zs_vertex *v)
+{
+    return (const int32_t *)(const void *)v;
+}
+_Static_assert(offsetof(struct zs_vertex, x) == 0 && offsetof(struct zs_vertex, y) == 4, "x and y come first");
+
+/* The sign of signed_area. */
+static int32_t sense(const struct zs_vertex *a, const struct zs_vertex *b, const struct zs_vertex *c)
+{
+    uint32_t wide;
+    const int32_t area = zs_area_short(xy(a), xy(b), xy(c), &wide);
+    if (!wide)
+        return area;
+    const int64_t left = zs_mul_ss(b->x - a->x, c->y - a->y), right = zs_mul_ss(c->x - a->x, b->y - a->y);
+    return (left > right) - (left < right);
+}
+
+static inline int faces_away(int64_t area, uint32_t cull)
 {
     return (cull == ZS_CULL_BACK && area > 0) || (cull == ZS_CULL_FRONT && area < 0);
 }
 
-/* Whether the box of a projected triangle holds a sample of the frame, and its rows. */
-static enum fate box_fate(const struct zs_renderer *r, const struct zs_vertex *a,
-                          const struct zs_vertex *b, const struct zs_vertex *c, int32_t *y0,
-                          int32_t *y1)
+/* The samples between the least and the most of three coordinates: [*from, *to). */
+static inline void samples(int32_t a, int32_t b, int32_t c, int32_t *from, int32_t *to)
 {
-    const int32_t x0 = zs_first_sample(zs_min32(zs_min32(a->x, b->x), c->x));
-    const int32_t x1 = zs_first_sample(zs_max32(zs_max32(a->x, b->x), c->x));
-    frame_rows(r, a, b, c, y0, y1);
-    if (x1 <= 0 || x0 >= r->config.width || *y1 <= 0 || *y0 >= r->config.height)
+    int32_t least = a, most = b;
+    if (a > b) {
+        least = b;
+        most = a;
+    }
+    if (c < least)
+        least = c;
+    else if (c > most)
+        most = c;
+    *from = zs_first_sample(least);
+    *to = zs_first_sample(most);
+}
+
+/* Whether the box of a projected triangle holds a sample of the frame, and its rows. */
+static inline enum fate box_fate(const struct zs_renderer *r, const struct zs_vertex *a, const struct zs_vertex *b,
+                                 const struct zs_vertex *c, int32_t *y0, int32_t *y1)
+{
+    int32_t x0, x1;
+    samples(a->x, b->x, c->x, &x0, &x1);
+    if (x1 <= 0 || x0 >= r->config.width)
+        return FATE_OFFSCREEN;
+    samples(a->y, b->y, c->y, y0, y1);
+    if (*y1 <= 0 || *y0 >= r->config.height)
         return FATE_OFFSCREEN;
     if ((x0 >= x1 || *y0 >= *y1) && !(r->config.skip_off & ZS_SKIP_EMPTY))
         return FATE_EMPTY;
     return FATE_DRAWN;
 }
 
-static int in_band(const struct zs_renderer *r, int32_t y0, int32_t y1)
+/* Rows [y0, y1), not all outside the frame. */
+static inline int in_band(const struct zs_renderer *r, int32_t y0, int32_t y1)
 {
-    return strip_of(r, y0) < r->band_end && strip_of(r, y1 - 1) >= r->strip;
+    return y0 < r->band_end * r->config.strip_h && y1 > r->strip * r->config.strip_h;
 }
 
-static void bin_push(struct zs_renderer *r, const uint32_t slot[3], uint16_t paint, int32_t y0)
+static inline void bin_push(struct zs_renderer *r, const uint32_t slot[3], uint16_t paint, int32_t y0)
 {
     struct zs_tri *t = &r->tri[r->n_tris];
     for (int k = 0; k < 3; k++)
         t->v[k] = (uint16_t)slot[k];
     t->paint = paint;
-    t->instance = r->xform.number;
-    bin_insert(r, r->n_tris, y0);
+    t->instance = (uint16_t)r->xform.number;
+    bin_insert(r, r->n_tris, zs_max32(y0, 0));
     r->n_tris++;
 }
 
@@ -279,7 +358,7 @@ struct polygon {
 
 /* Which way a triangle turns on the screen, from its corners in camera units, exactly: > 0 clockwise. Where all
  * three are before the eye, the sign of a . (b x c) is that of the area. */
-static int sense_of(const struct zs_view *view, const struct zs_clip_vertex v[3])
+static ZS_RARE int sense_of(const struct zs_view *view, const struct zs_clip_vertex v[3])
 {
     const int32_t *a = v[0].p.c, *b = v[1].p.c, *c = v[2].p.c;
     for (int k = 0; k < 9; k++) /* only of a mesh that is larger than its sphere says; it loses parts */
@@ -293,9 +372,9 @@ static int sense_of(const struct zs_view *view, const struct zs_clip_vertex v[3]
     int64_t high = 0, low = 0; /* the sum is high * 2^32 + low, 0 <= low < 2^32 */
     for (int k = 0; k < 3; k++) {
         const int i = (k + 1) % 3, j = (k + 2) % 3;
-        const int64_t n = (int64_t)b[i] * c[j] - (int64_t)b[j] * c[i]; /* |.| < 2^61.1 */
-        high += (n >> 32) * a[k];                                      /* |.| < 3 * 2^60 */
-        low += (int64_t)(uint32_t)n * a[k];                            /* |.| < 2^62.1 */
+        const int64_t n = zs_mul_ss(b[i], c[j]) - zs_mul_ss(b[j], c[i]); /* |.| < 2^61.1 */
+        high += zs_mul_ss((int32_t)(n >> 32), a[k]);                     /* |.| < 3 * 2^60 */
+        low += zs_mul_su(a[k], (uint32_t)n);                             /* |.| < 2^62.1 */
         high += low >> 32;
         low &= 0xffffffff;
     }
@@ -309,7 +388,7 @@ static int sense_of(const struct zs_view *view, const struct zs_clip_vertex v[3]
  * counts, and pieces of the other sense are dropped (polygon_bin). That leaves no hole: the samples of the right
  * sense are all in pieces of the right sense, whose signed sum the polygon is; it can draw beyond a thin
  * polygon's edge, by less than a sub-pixel's width. */
-static int64_t fan_corner(const struct polygon *p, int sense, int *corner)
+static ZS_RARE int64_t fan_corner(const struct polygon *p, int sense, int *corner)
 {
     int64_t area = 0;
     int start = 0;
@@ -335,7 +414,7 @@ static int64_t fan_corner(const struct polygon *p, int sense, int *corner)
     return sense;
 }
 
-static void polygon_project(struct zs_renderer *r, struct polygon *p)
+static ZS_RARE void polygon_project(struct zs_renderer *r, struct polygon *p)
 {
     const int32_t reach = (int32_t)ZS_GUARD_SUBPX;
     for (int k = 0; k < p->n; k++) {
@@ -347,7 +426,7 @@ static void polygon_project(struct zs_renderer *r, struct polygon *p)
     }
 }
 
-static void polygon_push(struct zs_renderer *r, const struct polygon *p, const int corner[3],
+static ZS_RARE void polygon_push(struct zs_renderer *r, const struct polygon *p, const int corner[3],
                          uint16_t paint, int32_t y0)
 {
     if (r->n_tris == r->config.max_tris || r->n_verts + 3u > r->config.max_verts)
@@ -363,7 +442,7 @@ static void polygon_push(struct zs_renderer *r, const struct polygon *p, const i
     bin_push(r, slot, paint, y0);
 }
 
-static enum fate polygon_bin(struct zs_renderer *r, const struct polygon *p, uint32_t t, int sense)
+static ZS_RARE enum fate polygon_bin(struct zs_renderer *r, const struct polygon *p, uint32_t t, int sense)
 {
     const struct zs_material *material = r->xform.instance->material;
     int corner;
@@ -373,7 +452,8 @@ static enum fate polygon_bin(struct zs_renderer *r, const struct polygon *p, uin
     if (faces_away(area, material->cull))
         return FATE_FACING;
     enum fate all = FATE_EMPTY;
-    const uint16_t paint = material->shader->face(r, t);
+    const struct zs_shader *shader = material->shader;
+    const uint16_t paint = shader->face ? shader->face(r, t) : 0u;
     for (int k = 1; k + 1 < p->n; k++) {
         const int at[3] = { corner, (corner + k) % p->n, (corner + k + 1) % p->n };
         const struct zs_vertex *v[3] = { &p->v[at[0]], &p->v[at[1]], &p->v[at[2]] };
@@ -393,7 +473,13 @@ static enum fate polygon_bin(struct zs_renderer *r, const struct polygon *p, uin
     return all;
 }
 
-static enum fate triangle_clip(struct zs_renderer *r, uint32_t t)
+/* Why a triangle cannot be seen whose corners have an outcode in common. */
+static enum fate outside(uint32_t all)
+{
+    return all & ZS_OUT_NEAR ? FATE_NEAR : all & ZS_OUT_FAR ? FATE_FAR : FATE_OFFSCREEN;
+}
+
+static ZS_RARE enum fate triangle_clip(struct zs_renderer *r, uint32_t t)
 {
     const struct zs_mesh *mesh = r->xform.instance->mesh;
     const struct zs_shader *shader = r->xform.instance->material->shader;
@@ -408,12 +494,8 @@ static enum fate triangle_clip(struct zs_renderer *r, uint32_t t)
         any |= code;
         all &= code;
     }
-    if (all & ZS_OUT_NEAR)
-        return FATE_NEAR;
-    if (all & ZS_OUT_FAR)
-        return FATE_FAR;
     if (all)
-        return FATE_OFFSCREEN;
+        return outside(all);
     if (r->counting)
         r->stats.tris_clipped++;
     const int sense = sense_of(&r->view, p.cv);
@@ -433,65 +515,189 @@ static enum fate triangle_clip(struct zs_renderer *r, uint32_t t)
 
 /* ---- The walk -------------------------------------------------------------------------------------- */
 
-static enum fate triangle(struct zs_renderer *r, uint32_t t)
+/* Triangles go through in batches: those that are turned away leave first. */
+#define BATCH 64
+struct batch {
+    const uint16_t (*tri)[3];     /* the batch's first */
+    const struct zs_vertex *pool; /* direct: of vertex 0 */
+    uint32_t n_verts;
+    int32_t away;                 /* times the area: > 0 where the triangle is turned away and that matters */
+    uint32_t *fate;               /* [FATES]: counts of those that were dropped */
+    uint8_t left[BATCH];          /* the others: 2 * number in the batch, 1 more where not looked at yet */
+};
+
+static ZS_NOINLINE void dropped(struct batch *s, enum fate fate)
 {
-    const struct zs_xform *xf = &r->xform;
-    const struct zs_mesh *mesh = xf->instance->mesh;
-    const struct zs_material *material = xf->instance->material;
+    s->fate[fate]++;
+    s->fate[FATE_FACING]--; /* sieve() counts it there */
+}
+
+/* A triangle that is large, or not wholly inside near, far and guard. Return 0: it lies outside, and is dropped. */
+static ZS_NOINLINE int odd(struct batch *s, const uint16_t index[3])
+{
+    const struct zs_vertex *const pool = s->pool;
+    if (index[0] >= s->n_verts || index[1] >= s->n_verts || index[2] >= s->n_verts)
+        return 1;
+    const uint32_t all = pool[index[0]].d & pool[index[1]].d & pool[index[2]].d;
+    if (all <= ZS_D_OUT)
+        return 1;
+    dropped(s, outside(all));
+    return 0;
+}
+
+/* Drop triangles that lie on one side outside, and small ones that are turned away, for which 32 bits are enough. Return how
+ * many are left. Vertices that are not inside near, far and guard need no test of their own: they are too far from all
+ * others for a small triangle (zs_xform_screen). */
+static ZS_NOINLINE uint32_t sieve(struct batch *s, uint32_t n)
+{
+    const struct zs_vertex *const pool = s->pool;
+    const uint16_t (*tri)[3] = s->tri;
+    const uint32_t n_verts = s->n_verts;
+    uint8_t *out = s->left;
+    for (uint32_t t = 0; t < 2u * n; t += 2u, tri++) {
+        const uint32_t i = (*tri)[0], j = (*tri)[1], k = (*tri)[2];
+        uint32_t wide = 1;
+        int32_t area = 0;
+        if (i < n_verts && j < n_verts && k < n_verts)
+            area = zs_area_short(xy(pool + i), xy(pool + j), xy(pool + k), &wide);
+        if (wide) {
+            if (odd(s, *tri))
+                *out++ = (uint8_t)(t + 1u);
+        } else if (area == 0) {
+            dropped(s, FATE_ZERO);
+        } else if (area * s->away <= 0) {
+            *out++ = (uint8_t)t;
+        }
+    }
+    s->fate[FATE_FACING] += n - (uint32_t)(out - s->left);
+    return (uint32_t)(out - s->left);
+}
+
+/* All are left, none is looked at. */
+static uint32_t sieve_none(struct batch *s, uint32_t n)
+{
+    for (uint32_t t = 0; t < n; t++)
+        s->left[t] = (uint8_t)(2u * t + 1u);
+    return n;
+}
+
+/* A triangle that is not wholly inside near, far and guard. */
+static enum fate cut(struct zs_renderer *r, uint32_t t, const struct zs_vertex *a, const struct zs_vertex *b,
+                     const struct zs_vertex *c)
+{
+    const uint32_t all = a->d & b->d & c->d; /* above ZS_D_OUT: a bit of all three outcodes */
+    return all > ZS_D_OUT ? outside(all) : triangle_clip(r, t);
+}
+
+/* The places of a triangle's corners. Return FATE_OPEN where it faces the eye and is not cut. */
+static ZS_NOINLINE enum fate look(struct zs_renderer *r, uint32_t t, uint32_t slot[3])
+{
+    const struct zs_mesh *mesh = r->xform.instance->mesh;
     const uint16_t *index = mesh->tri[t];
     for (int k = 0; k < 3; k++)
         if (index[k] >= mesh->n_verts)
             return FATE_INDEX;
-    for (;;) {
+    if (index[0] == index[1] && index[0] == index[2])
+        return FATE_ZERO; /* wherever it is */
+    while (!corner_slots(r, index, slot))
+        make_room(r);
+    const struct zs_vertex *a = &r->vert[slot[0]], *b = &r->vert[slot[1]], *c = &r->vert[slot[2]];
+    if (a->d >= ZS_D_OUT || b->d >= ZS_D_OUT || c->d >= ZS_D_OUT)
+        return cut(r, t, a, b, c);
+    const int32_t turn = sense(a, b, c);
+    if (turn == 0)
+        return FATE_ZERO;
+    return faces_away(turn, r->xform.instance->material->cull) ? FATE_FACING : FATE_OPEN;
+}
+
+/* Bin a triangle, unless it lies outside the frame or the band. Return FATE_OPEN: the pool of triangles is full. */
+static inline enum fate place(struct zs_renderer *r, uint32_t t, const uint32_t slot[3])
+{
+    const struct zs_shader *shader = r->xform.instance->material->shader;
+    const struct zs_vertex *a = &r->vert[slot[0]], *b = &r->vert[slot[1]], *c = &r->vert[slot[2]];
+    int32_t y0, y1;
+    const enum fate fate = box_fate(r, a, b, c, &y0, &y1);
+    if (fate != FATE_DRAWN || !in_band(r, y0, y1))
+        return fate;
+    if (r->n_tris == r->config.max_tris)
+        return FATE_OPEN;
+    if (shader->vertex)
+        corners_light(r, slot);
+    bin_push(r, slot, shader->face ? shader->face(r, t) : 0u, y0);
+    return FATE_DRAWN;
+}
+
+/* The n triangles from `from` on, as far as they are left. */
+static void batch_bin(struct zs_renderer *r, const struct batch *s, uint32_t from, uint32_t n, uint32_t fate[FATES])
+{
+    const uint8_t *left = s->left, *const end = left + n;
+    for (; left < end; left++) {
+        const uint32_t k = *left / 2u, t = from + k;
         uint32_t slot[3];
-        if (!corner_slots(r, index, slot)) {
-            make_room(r);
-            continue;
-        }
-        const struct zs_vertex *a = &r->vert[slot[0]], *b = &r->vert[slot[1]], *c = &r->vert[slot[2]];
-        if (a->d >= ZS_D_OUT || b->d >= ZS_D_OUT || c->d >= ZS_D_OUT)
-            return triangle_clip(r, t);
-        const int64_t area = signed_area(a, b, c);
-        if (area == 0)
-            return FATE_ZERO;
-        if (faces_away(area, material->cull))
-            return FATE_FACING;
-        int32_t y0, y1;
-        const enum fate fate = box_fate(r, a, b, c, &y0, &y1);
-        if (fate != FATE_DRAWN || !in_band(r, y0, y1))
-            return fate;
-        if (r->n_tris == r->config.max_tris) {
-            make_room(r); /* slots are stale: look the vertices up again */
-            continue;
-        }
-        bin_push(r, slot, material->shader->face(r, t), y0);
-        return FATE_DRAWN;
+        enum fate f;
+        do {
+            if (r->direct && !(*left & 1u)) {
+                const uint16_t *index = s->tri[k];
+                const uint32_t base = r->vert_base;
+                slot[0] = base + index[0];
+                slot[1] = base + index[1];
+                slot[2] = base + index[2];
+                f = FATE_OPEN;
+            } else {
+                f = look(r, t, slot);
+            }
+            if (f == FATE_OPEN && (f = place(r, t, slot)) == FATE_OPEN)
+                make_room(r); /* slots are stale: look the vertices up again */
+        } while (f == FATE_OPEN);
+        fate[f]++;
     }
+}
+
+static void walk_mesh(struct zs_renderer *r, uint32_t fate[FATES])
+{
+    const struct zs_mesh *mesh = r->xform.instance->mesh;
+    const uint32_t cull = r->xform.instance->material->cull;
+    struct batch s;
+    s.n_verts = mesh->n_verts;
+    s.away = cull == ZS_CULL_BACK ? 1 : cull == ZS_CULL_FRONT ? -1 : 0;
+    s.fate = fate;
+    s.pool = &r->vert[r->direct ? r->vert_base : 0u];
+    for (uint32_t t = 0; t < mesh->n_tris; t += BATCH) {
+        const uint32_t n = mesh->n_tris - t < BATCH ? mesh->n_tris - t : BATCH;
+        s.tri = mesh->tri + t;
+        batch_bin(r, &s, t, r->direct ? sieve(&s, n) : sieve_none(&s, n), fate);
+    }
+}
+
+/* Cull an instance, or make r->xform its own. Return 0: nothing of it can be seen. Apart, so that its frame is not on the
+ * stack below the walk. */
+static ZS_RARE ZS_NOINLINE int instance_open(struct zs_renderer *r, uint32_t number)
+{
+    struct zs_bounds b;
+    (void)zs_cull_bounds(&b, &r->scene->instance[number], &r->camera); /* cannot fail: zs_frame_begin has asked too */
+    b.slack += zs_scale2(8, 16 - r->view.shift) + 1; /* 8 camera units: what a vertex may be off by */
+    if (zs_cull_sphere(&b, &r->camera, &r->view) && !(r->config.skip_off & ZS_SKIP_FRUSTUM))
+        return 0;
+    return zs_xform_instance(r, number, &b);
 }
 
 static void walk_instance(struct zs_renderer *r, uint32_t number)
 {
-    const struct zs_instance *in = &r->scene->instance[number];
-    struct zs_bounds b;
-    (void)zs_cull_bounds(&b, in, &r->camera);        /* cannot fail: zs_frame_begin has asked too */
-    b.slack += zs_scale2(8, 16 - r->view.shift) + 1; /* 8 camera units: what a vertex may be off by */
-    const int culled = zs_cull_sphere(&b, &r->camera, &r->view);
+    const struct zs_mesh *mesh = r->scene->instance[number].mesh;
+    const int seen = instance_open(r, number);
     if (r->counting) {
         r->stats.instances_in++;
-        r->stats.tris_in += in->mesh->n_tris;
-    }
-    if ((culled && !(r->config.skip_off & ZS_SKIP_FRUSTUM)) ||
-        !zs_xform_instance(r, number, &b)) {
-        if (r->counting) {
+        r->stats.tris_in += mesh->n_tris;
+        if (!seen) {
             r->stats.instances_culled++;
-            r->stats.tris_frustum += in->mesh->n_tris;
+            r->stats.tris_frustum += mesh->n_tris;
         }
-        return;
     }
+    if (!seen)
+        return;
     uint32_t fate[FATES] = { 0 };
-    set_base(r, r->n_verts);
-    for (uint32_t t = 0; t < in->mesh->n_tris; t++)
-        fate[triangle(r, t)]++;
+    verts_direct(r, mesh);
+    walk_mesh(r, fate);
     if (r->counting)
         count(&r->stats, fate);
 }

@@ -2,6 +2,7 @@
  *
  * SPDX-License-Identifier: MIT
  */
+#include "cold.h"
 #include "fx.h"
 #include "rotation.h"
 

@@ -5,6 +5,7 @@
  *
  * SPDX-License-Identifier: MIT
  */
+#include "cold.h"
 #include "zstrip.h"
 
 static const char *const flaws[] = {

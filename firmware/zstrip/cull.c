@@ -2,6 +2,7 @@
  *
  * SPDX-License-Identifier: MIT
  */
+#include "cold.h"
 #include "pipeline.h"
 #include "rotation.h"
 
@@ -48,8 +49,8 @@ int zs_cull_bounds(struct zs_bounds *b, const struct zs_instance *in,
     for (int k = 0; k < 3; k++) {
         int64_t at = 0, off = 0;
         for (int j = 0; j < 3; j++) {
-            at += (int64_t)view[3 * k + j] * (in->pose.pos[j] - camera->pos[j]); /* <= 2^60 each */
-            off += (int64_t)both[3 * k + j] * mesh->center[j];                   /* <= 2^45 each */
+            at += zs_mul_ss(view[3 * k + j], in->pose.pos[j] - camera->pos[j]); /* <= 2^60 each */
+            off += zs_mul_ss(both[3 * k + j], mesh->center[j]);                 /* <= 2^45 each */
         }
         const int64_t origin = zs_round_shift(at, 14);        /* q48_16, <= 2^47.6 */
         b->c[k] = origin + zs_mulshift_s64(off, scale, 46);   /* <= 2^46.6 * 2^47 / 2^46 */

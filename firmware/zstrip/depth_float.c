@@ -16,6 +16,10 @@
  * zs_vertex.d is the key in uq16_16. That is a float with m + 16 mantissa bits (27 to 29 in 16-bit keys), and
  * r is found from it exactly.
  *
+ * Keys that differ by D <= 2^m in 2^m steps an octave: w changes by at most D / 2^m of the least w (view.key_slow).
+ * With the farther one s below the border to the nearer one's octave, s <= D: (s + 2 (D - s)) / (2^(m+1) - s), and
+ * in one octave D / 2^m at most.
+ *
  * Errors of a key, as parts of a bucket:
  *   vertex        r from 32-bit mantissas and a reciprocal of 2^-30: below 2^-29 of r, at most 2^-15; stored
  *                 to 2^-17
@@ -34,7 +38,7 @@
 #include "pipeline.h"
 #include "rows.h"
 
-static int float_setup(struct zs_view *view, const struct zs_camera *camera, uint32_t bits,
+static ZS_RARE int float_setup(struct zs_view *view, const struct zs_camera *camera, uint32_t bits,
                        uint32_t exponent_bits)
 {
     if (!view->perspective)
@@ -47,6 +51,8 @@ static int float_setup(struct zs_view *view, const struct zs_camera *camera, uin
     view->key_mul = (uint32_t)((uint64_t)camera->z_near << lz >> 32);
     view->key_shift = lz - 16 - view->shift;
     view->key_far = 0;
+    view->key_slow = (1u << (view->key_mantissa + 16)) - 1u;
+    view->key_known = view->key_top + 0xffffu - (2u << (view->key_mantissa + 16)); /* all but the last octave */
     return ZS_OK;
 }
 
@@ -122,10 +128,38 @@ static inline uint32_t mantissa_of(const struct zs_view *view, uint32_t key, int
     return below_code(view, key) - ((uint32_t)(octave - 1) << (view->key_mantissa + 16)) + 1u; /* <= 2^30 */
 }
 
-static uint64_t float_inverse(const struct zs_view *view, uint32_t d)
+/* float_inverses of vertices in several octaves. */
+static ZS_NOINLINE void octaves_inverses(const struct zs_view *view, const uint32_t d[3], int32_t nearest, uint32_t w[3])
 {
-    const int32_t o = octave_of(view, d);
-    return (uint64_t)mantissa_of(view, d, o) << (o - 1); /* 1 .. 2^30 * 2^30 */
+    int32_t down[3];
+    uint32_t any = 0;
+    for (int k = 0; k < 3; k++) {
+        const int32_t o = octave_of(view, d[k]);
+        w[k] = mantissa_of(view, d[k], o);
+        down[k] = nearest - o;
+        any |= w[k] >> down[k]; /* <= 30 */
+    }
+    const int32_t up = zs_clz32(any) - 1;
+    for (int k = 0; k < 3; k++) {
+        const int32_t by = down[k] - up; /* -30 .. 30 */
+        w[k] = by > 0 ? (w[k] + (1u << by >> 1)) >> by : w[k] << -by;
+    }
+}
+
+static void float_inverses(const struct zs_view *view, const struct zs_vertex *const v[3], uint32_t w[3])
+{
+    const uint32_t d[3] = { v[0]->d, v[1]->d, v[2]->d };
+    const uint32_t nearest = zs_minu32(zs_minu32(d[0], d[1]), d[2]);
+    const uint32_t farthest = zs_maxu32(zs_maxu32(d[0], d[1]), d[2]);
+    const int32_t o = octave_of(view, nearest);
+    if (o != octave_of(view, farthest)) {
+        octaves_inverses(view, d, o, w);
+        return;
+    }
+    const uint32_t mantissa = mantissa_of(view, nearest, o); /* 1 .. 2^30; the others' are less by what d is more */
+    const int32_t up = zs_clz32(mantissa) - 1;
+    for (int k = 0; k < 3; k++)
+        w[k] = (mantissa - (d[k] - nearest)) << up;
 }
 
 enum way { ONE_OCTAVE, TWO_OCTAVES, MORE_OCTAVES };
@@ -351,7 +385,7 @@ static void float_rows(struct zs_job *job)
         float_walk(job);
 }
 
-const struct zs_depth zs_depth_float = { any_setup, float_vertex, float_rows, float_inverse, 0 };
-const struct zs_depth zs_depth_e3m13 = { e3_setup, float_vertex, float_rows, float_inverse, 0 };
-const struct zs_depth zs_depth_e4m12 = { e4_setup, float_vertex, float_rows, float_inverse, 0 };
-const struct zs_depth zs_depth_e5m11 = { e5_setup, float_vertex, float_rows, float_inverse, 0 };
+const struct zs_depth zs_depth_float = { any_setup, float_vertex, float_rows, 0, float_inverses, 0 };
+const struct zs_depth zs_depth_e3m13 = { e3_setup, float_vertex, float_rows, 0, float_inverses, 0 };
+const struct zs_depth zs_depth_e4m12 = { e4_setup, float_vertex, float_rows, 0, float_inverses, 0 };
+const struct zs_depth zs_depth_e5m11 = { e5_setup, float_vertex, float_rows, 0, float_inverses, 0 };

@@ -16,11 +16,12 @@
 #include "pipeline.h"
 #include "rows.h"
 
-static int linear_setup(struct zs_view *view, const struct zs_camera *camera, uint32_t bits)
+static ZS_RARE int linear_setup(struct zs_view *view, const struct zs_camera *camera, uint32_t bits)
 {
     view->screen_linear = !view->perspective;
     view->key_top = ((1u << bits) - 1u) << 16;
     view->key_far = 0;
+    view->key_slow = view->key_known = 0;
     /* C = (B - 1) / ((f - n) in camera units) as key_mul / 2^key_shift, key_mul in [2^30, 2^31) */
     const uint64_t range = (uint64_t)(camera->z_far - camera->z_near); /* q48_16, < 2^61 */
     const int lz = zs_clz64(range);
@@ -36,7 +37,7 @@ static int linear_setup(struct zs_view *view, const struct zs_camera *camera, ui
 /* above * key_mul / 2^shift, nearest, at most `most`. -31 <= shift */
 static inline uint32_t key_of(const struct zs_view *view, uint32_t above, int32_t shift, uint32_t most)
 {
-    const uint64_t product = (uint64_t)above * view->key_mul; /* < 2^63 */
+    const uint64_t product = zs_mul_uu(above, view->key_mul); /* < 2^63 */
     if (shift > 63)
         return 0;
     const uint64_t key = shift > 0 ? ((product >> (shift - 1)) + 1u) >> 1 : product << -shift;
@@ -55,7 +56,8 @@ static uint32_t linear_vertex(const struct zs_view *view, int32_t z, uint32_t rc
 
 static uint64_t linear_inverse(const struct zs_view *view, uint32_t d)
 {
-    return view->perspective ? ((uint64_t)1 << 62) / d : (uint64_t)1 << 32;
+    (void)view;
+    return ((uint64_t)1 << 62) / d;
 }
 
 static uint32_t linear_key(const struct zs_view *view, uint32_t d)
@@ -141,4 +143,4 @@ static void linear_rows(struct zs_job *job)
 }
 
 const struct zs_depth zs_depth_linear = { linear_setup, linear_vertex, linear_rows, linear_inverse,
-                                          linear_key };
+                                          0, linear_key };

@@ -7,7 +7,7 @@
  */
 #include "pipeline.h"
 
-static int recip_setup(struct zs_view *view, const struct zs_camera *camera, uint32_t bits)
+static ZS_RARE int recip_setup(struct zs_view *view, const struct zs_camera *camera, uint32_t bits)
 {
     if (!view->perspective)
         return ZS_ERR_DEPTH; /* 1/z is not linear on an orthographic screen */
@@ -17,6 +17,7 @@ static int recip_setup(struct zs_view *view, const struct zs_camera *camera, uin
     /* K in uq48_16 times 2^14; f / (f - n) <= 2^16 by the camera's check, so < 2^63 */
     const uint64_t k = zs_muldiv_u64((uint64_t)view->key_top << 14, f, f - n);
     view->key_far = k >> 14;
+    view->key_slow = view->key_known = 0;
     const int up = zs_clz64(k);
     view->key_mul = (uint32_t)(k << up >> 32); /* K in uq_16 * 2^(14 + up - 32), >= 2^31 */
     view->key_shift = 14 + up;                 /* undoes that and t's 32 bits; 15 .. 40 */
@@ -26,7 +27,7 @@ static int recip_setup(struct zs_view *view, const struct zs_camera *camera, uin
 static uint32_t recip_vertex(const struct zs_view *view, int32_t z, uint32_t rcp, int32_t lz)
 {
     const uint32_t above = (uint32_t)(z - view->z_near) << lz;           /* < z << lz < 2^32 */
-    const uint64_t t = (uint64_t)above * rcp >> 31;                      /* (z - n) / z, uq0_32 */
+    const uint64_t t = zs_mul_uu(above, rcp) >> 31;                      /* (z - n) / z, uq0_32 */
     const uint64_t key = t * view->key_mul >> view->key_shift;           /* < 2^64; floor */
     return key > view->key_top ? view->key_top : (uint32_t)key;
 }
@@ -37,4 +38,4 @@ static uint64_t recip_inverse(const struct zs_view *view, uint32_t d)
     return view->key_far > d ? view->key_far - d : 1u;
 }
 
-const struct zs_depth zs_depth_recip = { recip_setup, recip_vertex, 0, recip_inverse, 0 };
+const struct zs_depth zs_depth_recip = { recip_setup, recip_vertex, 0, recip_inverse, 0, 0 };

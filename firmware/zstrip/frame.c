@@ -28,7 +28,7 @@ const char *zs_strerror(int err)
 
 /* ---- Set-up ------------------------------------------------------------------------------------------ */
 
-static int config_ok(const struct zs_config *c)
+static ZS_RARE int config_ok(const struct zs_config *c)
 {
     return c->width >= 1 && c->width <= ZS_SIZE_MAX && c->height >= 1 &&
            c->height <= ZS_SIZE_MAX && c->strip_h >= 1 && c->max_tris >= 1 &&
@@ -58,7 +58,7 @@ static void *take(uint8_t **at, uint32_t bytes)
     return pool;
 }
 
-static void split(struct zs_renderer *r, uint8_t *at)
+static ZS_RARE void split(struct zs_renderer *r, uint8_t *at)
 {
     const struct zs_config *c = &r->config;
     const uint32_t color = ZS_COLOR_BYTES(c->width, c->strip_h, 1u);
@@ -74,7 +74,17 @@ static void split(struct zs_renderer *r, uint8_t *at)
     r->attr = take(&at, ZS_ROUND4((uint32_t)c->max_verts * c->attrs * 2u));
 }
 
-int zs_init(struct zs_renderer *r, const struct zs_config *config, void *arena, size_t bytes)
+/* For row / strip_h without a division. With 2^l <= strip_h < 2^(l + 1) and n = 19 + l, strip_mul exceeds
+ * 2^n / strip_h by 1 at the most, which adds row / 2^n to a quotient: less than 2^-7 / strip_h, so it is exact. */
+static ZS_RARE void strip_divisor(struct zs_renderer *r)
+{
+    const uint32_t h = r->config.strip_h;
+    const int n = 19 + 31 - zs_clz32(h);
+    r->strip_shift = (uint8_t)n;
+    r->strip_mul = (1u << n) / h + 1u; /* <= 2^19 + 1; times a row < 2^31.1 */
+}
+
+ZS_RARE int zs_init(struct zs_renderer *r, const struct zs_config *config, void *arena, size_t bytes)
 {
     if (!r)
         return ZS_ERR_NULL;
@@ -91,18 +101,20 @@ int zs_init(struct zs_renderer *r, const struct zs_config *config, void *arena, 
     r->config = *config;
     r->config.strip_h = strip_rows(config);
     r->n_strips = (uint16_t)((config->height + r->config.strip_h - 1) / r->config.strip_h);
+    strip_divisor(r);
     split(r, arena);
     for (uint32_t v = 0; v < config->max_verts; v++)
         r->vert_map[v] = r->vert_src[v] = 0; /* any value will do; junk would be as good */
     const struct zs_stats none = { 0 };
     r->stats = none;
+    r->watch = 0;
     r->ready = 1;
     return ZS_OK;
 }
 
 /* ---- Checks of a frame ----------------------------------------------------------------------------- */
 
-static int instance_check(const struct zs_renderer *r, const struct zs_instance *in)
+static ZS_RARE int instance_check(const struct zs_renderer *r, const struct zs_instance *in)
 {
     const struct zs_mesh *mesh = in->mesh;
     const struct zs_material *material = in->material;
@@ -118,7 +130,7 @@ static int instance_check(const struct zs_renderer *r, const struct zs_instance 
     return material->shader->check ? material->shader->check(in, &r->config) : ZS_OK;
 }
 
-static int light_ok(const struct zs_light *light)
+static ZS_RARE int light_ok(const struct zs_light *light)
 {
     const int32_t limit = ZS_Q30_ONE + (1 << 10);
     for (int k = 0; k < 3; k++)
@@ -128,7 +140,7 @@ static int light_ok(const struct zs_light *light)
 }
 
 /* Check all instances and find how far what can be seen reaches. */
-static int scene_check(struct zs_renderer *r, const struct zs_scene *scene, int64_t *reach)
+static ZS_RARE int scene_check(struct zs_renderer *r, const struct zs_scene *scene, int64_t *reach)
 {
     if (scene->n_instances > 65535u)
         return ZS_ERR_SIZE;
@@ -150,7 +162,7 @@ static int scene_check(struct zs_renderer *r, const struct zs_scene *scene, int6
     return ZS_OK;
 }
 
-int zs_frame_begin(struct zs_renderer *r, const struct zs_scene *scene,
+ZS_RARE int zs_frame_begin(struct zs_renderer *r, const struct zs_scene *scene,
                    const struct zs_camera *camera)
 {
     if (!r)
@@ -182,13 +194,6 @@ int zs_frame_begin(struct zs_renderer *r, const struct zs_scene *scene,
 
 /* ---- Strips -------------------------------------------------------------------------------------------- */
 
-static void strip_clear(struct zs_renderer *r)
-{
-    const uint32_t n = (uint32_t)r->config.width * r->config.strip_h;
-    zs_fill16(r->color[r->strip & 1], zs_wire16(r->scene->background), n);
-    zs_fill16(r->depth, ZS_DEPTH_CLEAR, n);
-}
-
 int zs_frame_strip(struct zs_renderer *r, struct zs_strip *out)
 {
     if (!r || !out)
@@ -197,7 +202,7 @@ int zs_frame_strip(struct zs_renderer *r, struct zs_strip *out)
         return ZS_ERR_STATE;
     if (r->strip == r->n_strips)
         return 0;
-    strip_clear(r);
+    zs_raster_clear(r);
     if (r->strip >= r->band_end)
         zs_bin_walk(r);
     zs_raster_strip(r);
@@ -212,6 +217,11 @@ int zs_frame_strip(struct zs_renderer *r, struct zs_strip *out)
     out->px = (const uint8_t *)r->color[r->strip & 1];
     out->n_bytes = (uint32_t)out->w * out->h * 2u;
     out->depth = r->depth;
+    out->changed_x = 0;
+    out->changed_w = out->w;
+    const struct zs_watch_kernel *watch = r->watch;
+    if (watch)
+        watch->look(r, out);
     r->strip++;
     r->stats.strips++;
     return 1;
@@ -232,6 +242,26 @@ const struct zs_stats *zs_frame_stats(const struct zs_renderer *r)
     return &r->stats;
 }
 
+int zs_invalidate(struct zs_renderer *r, const struct zs_rect *rect)
+{
+    if (!r)
+        return ZS_ERR_NULL;
+    if (r->ready != 1)
+        return ZS_ERR_STATE;
+    const struct zs_watch_kernel *watch = r->watch;
+    if (watch)
+        watch->forget(r, rect);
+    return ZS_OK;
+}
+
+/* The strips from the one in the sink's hands on may not have arrived. */
+static void not_sent(struct zs_renderer *r, const struct zs_strip *last)
+{
+    const uint32_t before = last->y < r->config.strip_h ? 0u : last->y - (uint32_t)r->config.strip_h;
+    const struct zs_rect rows = { 0, (uint16_t)before, last->w, (uint16_t)(last->y + last->h - before) };
+    (void)zs_invalidate(r, &rows);
+}
+
 int zs_render(struct zs_renderer *r, const struct zs_scene *scene, const struct zs_camera *camera,
               const struct zs_sink *sink)
 {
@@ -248,6 +278,8 @@ int zs_render(struct zs_renderer *r, const struct zs_scene *scene, const struct 
         pending = 0;
         if (err)
             break;
+        if (!strip.changed_w)
+            continue;
         err = sink->submit(sink->ctx, &strip);
         pending = !err;
         if (pending && sink->wait && r->config.buffers == 1) {
@@ -259,6 +291,8 @@ int zs_render(struct zs_renderer *r, const struct zs_scene *scene, const struct 
         const int late = sink->wait(sink->ctx);
         err = err ? err : late;
     }
+    if (err)
+        not_sent(r, &strip);
     (void)zs_frame_end(r);
     return err;
 }

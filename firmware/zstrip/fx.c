@@ -41,14 +41,16 @@ uint32_t zs_recip(uint32_t a)
     const uint32_t y0 = recip_table[i];                       /* < 2^16 */
     const uint32_t dy = y0 - recip_table[i + 1u];             /* 0 .. 256 */
     const uint32_t y = 0x80000000u + (y0 << 15) - (dy * t >> 1); /* uq1_31, dy * t < 2^24.1 */
-    const uint32_t my = zs_umulh(a, y);                       /* m y, uq1_31, within 2^-16 of 1 */
-    const uint64_t r = zs_mul_uu(y, 0u - my) >> 31;         /* y (2 - m y) <= 2^32 + 2 */
-    return r > UINT32_MAX ? UINT32_MAX : (uint32_t)r;
+    /* y (2 - m y) = y + y e with e = 1 - m y, |e| <= 2^14.6 in q_31: two narrow products instead of a wide one */
+    const int32_t e = (int32_t)(0x80000000u - zs_umulh(a, y));
+    const int32_t upper = (int32_t)(y >> 16) * e, lower = (int32_t)(y & 0xffffu) * e; /* |.| < 2^30.6 */
+    const uint32_t r = y + (uint32_t)((upper + (lower >> 16)) >> 15); /* floor: exact below 2^32 + 2 */
+    return r >> 31 ? r : UINT32_MAX;
 }
 
 /* ---- Square root: one result bit a turn, no multiplication ------------------------------------- */
 
-uint32_t zs_isqrt64(uint64_t v)
+ZS_RARE uint32_t zs_isqrt64(uint64_t v)
 {
     uint64_t root = 0;
     for (uint64_t bit = (uint64_t)1 << 62; bit; bit >>= 2) {
@@ -68,7 +70,7 @@ struct wide {
     uint64_t hi, lo;
 };
 
-static struct wide wide_mul(uint64_t a, uint64_t b)
+static ZS_RARE struct wide wide_mul(uint64_t a, uint64_t b)
 {
     const uint32_t a0 = (uint32_t)a, a1 = (uint32_t)(a >> 32), b0 = (uint32_t)b, b1 = (uint32_t)(b >> 32);
     const uint64_t low = zs_mul_uu(a0, b0);
@@ -78,7 +80,7 @@ static struct wide wide_mul(uint64_t a, uint64_t b)
     return w;
 }
 
-uint64_t zs_muldiv_u64(uint64_t a, uint64_t b, uint64_t d)
+ZS_RARE uint64_t zs_muldiv_u64(uint64_t a, uint64_t b, uint64_t d)
 {
     struct wide w = wide_mul(a, b);
     ZS_ASSERT(w.hi < d);
@@ -96,7 +98,7 @@ uint64_t zs_muldiv_u64(uint64_t a, uint64_t b, uint64_t d)
     return q;
 }
 
-int64_t zs_mulshift_s64(int64_t a, uint64_t b, int n)
+ZS_RARE int64_t zs_mulshift_s64(int64_t a, uint64_t b, int n)
 {
     const uint64_t mag = a < 0 ? 0u - (uint64_t)a : (uint64_t)a;
     const struct wide w = wide_mul(mag, b);

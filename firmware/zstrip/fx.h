@@ -36,7 +36,13 @@ typedef int32_t q24_8; /* screen x, y, px */
 #else
 #define ZS_NOINLINE __attribute__((noinline, noclone)) /* nor with other arguments: fields as arguments spill */
 #endif
+#if defined(__clang__) || !defined(__OPTIMIZE__)
+#define ZS_RARE
 #else
+#define ZS_RARE __attribute__((optimize("Os"))) /* seldom, or slow by nature: flash counts more than time */
+#endif
+#else
+#define ZS_RARE
 #define ZS_ALWAYS_INLINE static inline
 #define ZS_NOINLINE
 #endif
@@ -76,6 +82,16 @@ static inline int32_t zs_min32(int32_t a, int32_t b)
 }
 
 static inline int32_t zs_max32(int32_t a, int32_t b)
+{
+    return a > b ? a : b;
+}
+
+static inline uint32_t zs_minu32(uint32_t a, uint32_t b)
+{
+    return a < b ? a : b;
+}
+
+static inline uint32_t zs_maxu32(uint32_t a, uint32_t b)
 {
     return a > b ? a : b;
 }
@@ -123,7 +139,7 @@ static inline uint16_t zs_wire16(uint16_t v)
 }
 
 /* 2^63 / a, at most 2^32 - 1, within 2^-30 of it. a >= 2^31.
- * Cost  one table look-up and four multiplications; no division.
+ * Cost  one table look-up, one wide and three narrow multiplications; no division.
  * Exact tests/test_fx.c compares all 2^31 arguments in steps that hit every table entry. */
 uint32_t zs_recip(uint32_t a);
 

@@ -22,8 +22,12 @@ void zs_persp_w(const struct zs_job *job, uint32_t w[3])
         w[0] = w[1] = w[2] = 1u << 30;
         return;
     }
+    if (depth->inverses) {
+        depth->inverses(view, job->v, w);
+        return;
+    }
     for (int k = 0; k < 3; k++) {
-        wide[k] = depth->inverse(view, job->v[k]->d); /* 1 .. 2^62 */
+        wide[k] = depth->inverse(view, job->v[k]->d);
         most |= wide[k];
     }
     const int32_t shift = 33 - zs_clz64(most); /* -30 .. 32 */
@@ -32,18 +36,23 @@ void zs_persp_w(const struct zs_job *job, uint32_t w[3])
         w[k] = (uint32_t)(shift > 0 ? (wide[k] + half) >> shift : wide[k] << -shift);
 }
 
+/* A key as it is tested. */
+ZS_ALWAYS_INLINE uint32_t tested_key(uint32_t sum, uint32_t top, int clamp)
+{
+    const uint32_t key = sum >> 16;
+    return clamp && key > top ? top : key;
+}
+
 /* Find runs of pixels that are seen, and colour them. */
 ZS_ALWAYS_INLINE void test(struct zs_job *job, const struct zs_row *row, int32_t i0, int32_t i1,
-                           uint32_t sum, uint32_t gx)
+                           uint32_t sum, uint32_t gx, int clamp)
 {
     const struct zs_shader *shader = job->shader;
-    const uint32_t top = (job->r->view.key_top >> 16) - 1u;
+    const uint32_t top = clamp ? (job->r->view.key_top >> 16) - 1u : 0u;
     uint16_t *at = job->depth + row->at + i0, *const end = at + (i1 - i0);
     while (at < end) {
-        uint32_t key = sum >> 16;
+        uint32_t key = tested_key(sum, top, clamp);
         sum += gx;
-        if (key > top)
-            key = top;
         if (key >= *at) {
             at++;
             continue;
@@ -51,9 +60,7 @@ ZS_ALWAYS_INLINE void test(struct zs_job *job, const struct zs_row *row, int32_t
         const uint16_t *const from = at;
         do {
             *at++ = (uint16_t)key;
-            key = sum >> 16;
-            if (key > top)
-                key = top;
+            key = tested_key(sum, top, clamp);
             sum += gx;
         } while (at < end && key < *at);
         const int32_t to = i1 - (int32_t)(end - at);
@@ -65,22 +72,19 @@ ZS_ALWAYS_INLINE void test(struct zs_job *job, const struct zs_row *row, int32_t
 void zs_persp_span(struct zs_job *job, const struct zs_row *row, int32_t i0, int32_t i1, uint32_t sum,
                    uint32_t gx)
 {
-    test(job, row, i0, i1, sum, gx);
+    if (job->saturates)
+        test(job, row, i0, i1, sum, gx, 1);
+    else
+        test(job, row, i0, i1, sum, gx, 0);
 }
 
-ZS_ALWAYS_INLINE void keys_span(struct zs_job *job, const struct zs_row *row)
+static void keys_span(struct zs_job *job, const struct zs_row *row)
 {
-    test(job, row, row->i0, row->i1, row->key + zs_wrap_mul(job->key.gx, row->i0), job->key.gx);
+    zs_persp_span(job, row, row->i0, row->i1, row->key + zs_wrap_mul(job->key.gx, row->i0), job->key.gx);
 }
 
 void zs_persp_walk(struct zs_job *job)
 {
+    job->saturates = (uint8_t)zs_keys_may_saturate(job);
     zs_rows_walk(job, keys_span);
-}
-
-void zs_persp_rows(struct zs_job *job)
-{
-    const struct zs_shader *shader = job->shader;
-    shader->start(job);
-    zs_persp_walk(job);
 }

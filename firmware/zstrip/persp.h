@@ -19,8 +19,7 @@
 #define ZS_AFFINE 31u       /* job->sub_log2: plain affine */
 #define ZS_SUB_LOG2_MAX 5u
 
-/* rows and span of a shader that colours runs: depth test, then its run. walk: rows without start. */
-void zs_persp_rows(struct zs_job *job);
+/* rows, after start, and span of a shader that colours runs: depth test, then its run. */
 void zs_persp_walk(struct zs_job *job);
 void zs_persp_span(struct zs_job *job, const struct zs_row *row, int32_t i0, int32_t i1, uint32_t sum,
                    uint32_t gx);
@@ -28,13 +27,26 @@ void zs_persp_span(struct zs_job *job, const struct zs_row *row, int32_t i0, int
 /* w of the three vertices, the largest in [2^30, 2^31); orthographic: all alike. */
 void zs_persp_w(const struct zs_job *job, uint32_t w[3]);
 
+/* The largest of three w less the least. */
+static inline uint32_t zs_persp_change(const uint32_t w[3], uint32_t *least)
+{
+    *least = zs_minu32(zs_minu32(w[0], w[1]), w[2]);
+    return zs_maxu32(zs_maxu32(w[0], w[1]), w[2]) - *least;
+}
+
 /* (2^32 - 1) / n of a last, shorter part of a row; [0] unused. */
 extern const uint32_t zs_one_over[(1 << ZS_SUB_LOG2_MAX) + 1];
 
-static inline uint32_t zs_plane_at(const struct zs_job *job, const struct zs_plane *p, int32_t i,
-                                   int32_t row)
+/* Move a plane's base to column 0 of row 0, for zs_plane_at. */
+static inline void zs_plane_origin(const struct zs_geom *g, struct zs_plane *p)
 {
-    return p->base + zs_wrap_mul(p->gx, i - job->geom.ia) + zs_wrap_mul(p->gy, row - job->geom.ja);
+    p->base -= zs_wrap_mul(p->gx, g->ia) + zs_wrap_mul(p->gy, g->ja);
+}
+
+/* Of a plane whose base was moved. */
+static inline uint32_t zs_plane_at(const struct zs_plane *p, int32_t i, int32_t row)
+{
+    return p->base + zs_wrap_mul(p->gx, i) + zs_wrap_mul(p->gy, row);
 }
 
 /* A sum of w's plane, at least 1. True values lie in (0, 2^31]; the plane is off by up to (W + H) / 2 ulp (plane.c),
@@ -47,7 +59,7 @@ static inline uint32_t zs_persp_held(uint32_t w)
 
 static inline uint32_t zs_persp_w_at(const struct zs_job *job, int32_t i, int32_t row)
 {
-    return zs_persp_held(zs_plane_at(job, &job->w, i, row));
+    return zs_persp_held(zs_plane_at(&job->w, i, row));
 }
 
 /* Reciprocal of w at a covered pixel: 2^(63 - *lz) / w. */
@@ -70,11 +82,23 @@ static inline uint32_t zs_persp_over(uint32_t cw, uint32_t w, uint32_t rcp, int3
     return part > 0x7fffffffu ? 0x7fffffffu : part;
 }
 
+/* zs_plane32 for zs_plane_at. */
+static inline void zs_persp_plane(const struct zs_geom *g, const uint32_t v[3], enum zs_plane_kind kind,
+                                  struct zs_plane *out)
+{
+    zs_plane32(g, v[0], v[1], v[2], kind, out);
+    zs_plane_origin(g, out);
+}
+
 /* Attributes of a job's three vertices in the pool. */
 static inline void zs_persp_attrs(const struct zs_job *job, const uint16_t *a[3])
 {
-    for (int k = 0; k < 3; k++)
-        a[k] = job->r->attr + (uint32_t)(job->v[k] - job->r->vert) * job->r->config.attrs;
+    const uint32_t n = job->r->config.attrs;
+    for (int k = 0; k < 3; k++) {
+        const uint32_t bytes = (uint32_t)((const char *)job->v[k] - (const char *)job->r->vert);
+        /* times n words over 12 bytes; a division by 12 is slow, and by 6 / 3 it is not */
+        a[k] = job->r->attr + (n == 3 ? bytes >> 2 : bytes / sizeof(struct zs_vertex) * n);
+    }
 }
 
 #endif

@@ -22,7 +22,7 @@ struct zs_row;
 struct zs_shader {
     /* Attributes of a vertex: out[n_attrs]. NULL: none. */
     void (*vertex)(const struct zs_renderer *r, uint32_t v, uint16_t *out);
-    /* What zs_tri.paint becomes for a face of the current instance. */
+    /* What zs_tri.paint becomes for a face of the current instance; NULL: 0. */
     uint16_t (*face)(const struct zs_renderer *r, uint32_t t);
     /* Draw a triangle into its strip where keys are linear on the screen. */
     void (*rows)(struct zs_job *job);
@@ -39,6 +39,12 @@ struct zs_shader {
     /* Textures: n pixels times light, uq1_31, which changes by step; NULL: none. */
     void (*light)(uint16_t *out, int32_t n, uint32_t level, uint32_t step);
     uint8_t n_attrs;
+};
+
+/* What has changed since it was given out last: linked where zs_watch is named. */
+struct zs_watch_kernel {
+    void (*look)(struct zs_renderer *r, struct zs_strip *out);              /* fills changed_x, changed_w */
+    void (*forget)(struct zs_renderer *r, const struct zs_rect *rect);      /* NULL: all */
 };
 
 /* How an instance with a state is drawn: of zs_state.kernel. */
@@ -60,7 +66,8 @@ struct zs_texel {
     /* n texels along a walk, RGB565 in wire order. */
     void (*fetch)(const struct zs_texture *texture, uint16_t *out, int32_t n,
                   const struct zs_walk *walk);
-    /* As shader->rows, unlit, where job->c[0] and [1] are u and v, uq0_32; log2_w, log2_h > 0. */
+    /* As shader->rows, unlit, where job->c[0] and [1] are u and v, uq0_32; log2_w, log2_h > 0, and keys
+     * do not saturate. */
     void (*rows)(struct zs_job *job);
     uint16_t colors_max; /* of the palette; 0: there is none */
     uint8_t log2_w_min;
@@ -74,8 +81,10 @@ struct zs_depth {
     uint32_t (*vertex)(const struct zs_view *view, int32_t z, uint32_t rcp, int32_t lz);
     /* Draw a triangle where keys may not be linear on the screen (view.screen_linear is 0). */
     void (*rows)(struct zs_job *job);
-    /* w ~ 1/z of a vertex for perspective-correct attributes, > 0, same scale for all vertices. */
+    /* Under perspective, w ~ 1/z of a vertex for perspective-correct attributes, 1 .. 2^62, same scale for all. */
     uint64_t (*inverse)(const struct zs_view *view, uint32_t d);
+    /* Or, where this is not NULL, of a triangle's vertices: the largest brought to [2^30, 2^31). */
+    void (*inverses)(const struct zs_view *view, const struct zs_vertex *const v[3], uint32_t w[3]);
     /* The key of a vertex, uq16_16, where zs_vertex.d is something else; NULL: d is the key. */
     uint32_t (*key)(const struct zs_view *view, uint32_t d);
 };
@@ -118,7 +127,7 @@ enum zs_outcode {
     ZS_OUT_BOTTOM = 32
 };
 #define ZS_OUT_SIDES (ZS_OUT_LEFT | ZS_OUT_RIGHT | ZS_OUT_TOP | ZS_OUT_BOTTOM)
-#define ZS_D_OUT 0xffffff00u /* zs_vertex.d at or above it: not projected, to be clipped */
+#define ZS_D_OUT 0xffffff00u /* zs_vertex.d at or above it: not projected, to be clipped; plus the outcode */
 
 /* Fill r->xform for an instance. Return 0 where its vertices do not fit camera units (it cannot be
  * seen then), else 1. */
@@ -126,9 +135,12 @@ int zs_xform_instance(struct zs_renderer *r, uint32_t number, const struct zs_bo
 void zs_xform_vertex(const struct zs_xform *xf, uint32_t v, struct zs_point *out);
 /* enum zs_outcode, or-ed; 0: inside near, far and guard. */
 uint32_t zs_xform_outcode(const struct zs_view *view, const struct zs_point *p);
-/* Screen position and depth. Return 1; 0 where the point is before near, beyond far (*out untouched
+/* Screen position and depth. Return 1; 0 where the point is before near, beyond far (*out is not of use
  * then) or beside the guard band (*out is then just beside it). */
 int zs_xform_project(const struct zs_renderer *r, const struct zs_point *p, struct zs_vertex *out);
+/* All three for vertices [v, v + n) of the current instance: their places in the pool. One that is not inside near, far and
+ * guard has d = ZS_D_OUT + outcode, and a position whose x or y is 2^16 or more away from any other vertex's. */
+void zs_xform_screen(const struct zs_renderer *r, uint32_t v, uint32_t n, struct zs_vertex *out);
 
 /* ---- clip.c ----------------------------------------------------------------------------------------- */
 
@@ -152,6 +164,8 @@ void zs_bin_walk(struct zs_renderer *r);
 
 /* ---- raster.c --------------------------------------------------------------------------------------- */
 
+/* The next strip, empty: background and keys that nothing writes. */
+void zs_raster_clear(struct zs_renderer *r);
 /* Draw the strip r->strip's bin and the active list; leaves those that go on in r->active. */
 void zs_raster_strip(struct zs_renderer *r);
 /* Find the spans of rows from `row` on: of ZS_CUT_ROWS, or up to job->row_end. */
@@ -205,32 +219,33 @@ struct zs_sampler {
     uint32_t least_w[6]; /* blocks of 2^k pixels need at least this w */
     uint8_t wide;     /* 1: the texture is clamped, or one texel wide or high */
     uint8_t direct;   /* 1: affine and not wide: job->c[0] and [1] are u and v, uq0_32 */
+    uint8_t unlit;    /* 1: texels are drawn as they are in `texture` */
 };
 
-/* One triangle in one strip: the wide record, alive only while it is drawn. What set-up and rows need comes first:
+/* One triangle in one strip: the wide record, alive only while it is drawn. What rows, spans and set-up need comes first:
  * a Cortex-M0 reaches 124 bytes beyond a pointer at no extra cost. */
 struct zs_job {
+    struct zs_plane key;          /* screen-linear mappings; half a bucket added */
+    struct zs_plane c[3], w;      /* attributes, or attributes times w, and w (persp.h) */
+    uint16_t *color, *depth;      /* the strip; row 0 is row y0 of the frame */
+    int32_t y0, y1, width;        /* the strip's rows [y0, y1) */
+    int32_t row, cut_end, row_end; /* rows in the frame; spans of [row, cut_end) are in cut; to row_end in this strip */
+    uint32_t sub_log2;            /* of the sub-span; ZS_AFFINE: plain affine */
     struct zs_renderer *r;
     const struct zs_tri *tri;
     const struct zs_shader *shader;
     const struct zs_vertex *v[3]; /* the top one, then the others so that the area is positive */
-    uint8_t saturates;            /* a key may reach 2^bits - 1 (rows.h) */
-    uint8_t mid_right;            /* the middle vertex is to the right of the long edge */
-    int32_t row, cut_end, row_end; /* rows in the frame; spans of [row, cut_end) are in cut; to row_end in this strip */
-    int32_t row_mid;              /* first row below the middle vertex, in the strip or not */
-    int32_t row_last;             /* one beyond the triangle's last row, in the strip or below it */
-    int32_t y0, y1, width;        /* the strip's rows [y0, y1) */
-    uint16_t *color, *depth;      /* the strip; row 0 is row y0 of the frame */
-    struct zs_geom geom;
-    struct zs_plane key;          /* screen-linear mappings; half a bucket added */
-    struct zs_cut cut[ZS_CUT_ROWS];
-    struct zs_plane c[3], w;      /* attributes, or attributes times w, and w (persp.h) */
-    struct zs_plane64 w64;        /* depth that is not linear on the screen: 1/z ... */
-    int32_t w64_scale;            /* ... and its scale */
-    uint32_t sub_log2;            /* of the sub-span; ZS_AFFINE: plain affine */
     const struct zs_state *state; /* of the instance; NULL: none ... */
     int32_t bias;                 /* ... else buckets added to every key */
+    uint8_t saturates;            /* a key may reach 2^bits - 1 (rows.h) */
+    uint8_t mid_right;            /* the middle vertex is to the right of the long edge */
+    int32_t row_mid;              /* first row below the middle vertex, in the strip or not */
+    int32_t row_last;             /* one beyond the triangle's last row, in the strip or below it */
+    struct zs_geom geom;
     struct zs_sampler sampler;
+    struct zs_cut cut[ZS_CUT_ROWS];
+    struct zs_plane64 w64;        /* depth that is not linear on the screen: 1/z ... */
+    int32_t w64_scale;            /* ... and its scale */
 };
 
 /* ---- plane.c ---------------------------------------------------------------------------------------- */
@@ -257,11 +272,12 @@ void zs_plane64(const struct zs_geom *g, uint64_t v0, uint64_t v1, uint64_t v2,
 uint32_t zs_light_intensity(const struct zs_renderer *r, const zs_q1_15 n[3]);
 /* The unit normal of a face in mesh space: the mesh's, or the product of two edges; 0 0 0 without area. */
 void zs_light_face_normal(zs_q1_15 out[3], const struct zs_mesh *mesh, uint32_t t);
-/* A channel under an intensity, saturated: uq0_16 where 65535 is full. */
+/* A channel under an intensity, saturated: uq0_16 where 65535 is full. c * 257 * intensity / 2^16, nearest. */
 static inline uint32_t zs_light_channel(uint8_t c, uint32_t intensity)
 {
-    const uint64_t lit = ((uint64_t)(c * 257u) * intensity + 0x8000u) >> 16; /* < 2^18 */
-    return lit > 65535u ? 65535u : (uint32_t)lit;
+    const uint32_t part = c * intensity;                          /* < 2^25.6 */
+    const uint32_t lit = (part + ((part + 0x8000u) >> 8)) >> 8;   /* 256 part and part, < 2^18 */
+    return lit > 65535u ? 65535u : lit;
 }
 
 #endif

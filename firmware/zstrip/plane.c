@@ -31,7 +31,7 @@
 #define SMALL_EXTENT (256 * ZS_SUBPX_ONE)
 
 /* The same for a triangle that is not tiny. */
-static ZS_NOINLINE int wide_sides(struct zs_job *job, const struct zs_vertex *top, const struct zs_vertex *mid,
+static ZS_RARE ZS_NOINLINE int wide_sides(struct zs_job *job, const struct zs_vertex *top, const struct zs_vertex *mid,
                                   const struct zs_vertex *bottom)
 {
     struct zs_geom *g = &job->geom;
@@ -161,7 +161,7 @@ static ZS_NOINLINE int32_t tiny_gradient(const struct zs_geom *g, int32_t dv1, i
 }
 
 /* n / d with 32 fraction bits: floor in *whole, fraction returned. d < 2^45. */
-static ZS_NOINLINE uint32_t divide(int64_t n, int64_t d, int64_t *whole)
+static ZS_RARE ZS_NOINLINE uint32_t divide(int64_t n, int64_t d, int64_t *whole)
 {
     int64_t q = n / d, rest = n - q * d;
     if (rest < 0) {
@@ -188,7 +188,7 @@ static inline uint32_t digit(uint32_t *rest, uint32_t next, uint32_t d, uint32_t
 }
 
 /* divide(n, area) of a small triangle, by its area's reciprocal. |n| < 2^57 */
-static ZS_NOINLINE uint32_t small_divide(const struct zs_geom *g, int64_t n, int64_t *whole)
+static ZS_RARE ZS_NOINLINE uint32_t small_divide(const struct zs_geom *g, int64_t n, int64_t *whole)
 {
     const uint64_t mag = n < 0 ? 0u - (uint64_t)n : (uint64_t)n;
     const int32_t lz = -g->exp;                                      /* 1 .. 31, as area <= 2^30 */
@@ -210,7 +210,7 @@ static ZS_NOINLINE uint32_t small_divide(const struct zs_geom *g, int64_t n, int
 }
 
 /* A gradient in 40.24 bits modulo 2^64, and the step to the anchor added to *base. */
-static uint64_t gradient64(const struct zs_geom *g, uint64_t n, int32_t to_anchor, uint64_t *base)
+static ZS_RARE uint64_t gradient64(const struct zs_geom *g, uint64_t n, int32_t to_anchor, uint64_t *base)
 {
     int64_t whole;
     const uint32_t part = g->rcp ? small_divide(g, (int64_t)n, &whole) : divide((int64_t)n, g->area, &whole);

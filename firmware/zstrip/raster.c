@@ -213,6 +213,7 @@ void zs_raster_strip(struct zs_renderer *r)
     job.y0 = y0;
     job.y1 = y1;
     job.width = r->config.width;
+    r->lit.of = 0;
     uint16_t *keep = &r->active; /* grows at its end: stays ascending */
     while (list != ZS_NIL) {
         struct zs_tri *t = &r->tri[list];
@@ -226,4 +227,16 @@ void zs_raster_strip(struct zs_renderer *r)
         list = t->next;
     }
     *keep = ZS_NIL;
+}
+
+static ZS_NOINLINE void fill(uint16_t *out, uint16_t value, uint32_t n)
+{
+    zs_fill16(out, value, n);
+}
+
+void zs_raster_clear(struct zs_renderer *r)
+{
+    const uint32_t n = (uint32_t)r->config.width * r->config.strip_h;
+    fill(r->color[r->strip & 1], zs_wire16(r->scene->background), n);
+    fill(r->depth, ZS_DEPTH_CLEAR, n);
 }

@@ -38,24 +38,55 @@ struct zs_view {
     int32_t key_shift;     /* ... and its shift */
     uint64_t key_far;      /* recip: (B - 1) f / (f - n) in uq_16, the key of z at infinity */
     uint32_t key_top;      /* (B - 1) in uq16_16 */
+    uint32_t key_slow, key_known; /* vertices with keys up to key_known, at most key_slow apart: 1/z changes by at most
+                              that part of the least; both 0: not known without division */
     uint8_t perspective, screen_linear; /* flags: keys are linear on the screen */
     uint8_t key_mantissa, key_octaves; /* float: mantissa bits, and 2^exponent bits - 1 */
 };
 
-/* One instance's way to camera units: c = (m * p + t) / 2^shift. */
+/* One instance's way to camera units, c = (m . p + t) / 2^shift, floor. A row of m and its t are cut where 32 bits
+ * carry every sum: m = high 2^s + low, t = t_high 2^shift + t_low (xform.c). */
+enum zs_row_word {
+    ZS_ROW_LOW = 0,     /* [3]: |.| <= 2^14 */
+    ZS_ROW_T_LOW = 3,   /* |.| <= 2^28 */
+    ZS_ROW_S = 4,       /* 0 .. 15 */
+    ZS_ROW_HIGH = 5,    /* [3] */
+    ZS_ROW_S2 = 8,      /* shift - s, 0 .. 14 */
+    ZS_ROW_T_HIGH = 9,  /* camera units */
+    ZS_ROW_WORDS = 10   /* in the order in which zs_row (wide.h) reads them */
+};
 struct zs_xform {
     const struct zs_instance *instance;
-    int64_t t[3];       /* camera units * 2^shift, |.| < 2^60 */
-    int32_t m[9];       /* |.| <= 2^30 */
-    int32_t light[3];   /* q2_30: the light's direction in mesh space */
-    uint8_t shift;      /* 0 .. 29 */
+    uint32_t number;    /* in the scene */
     uint8_t clip_depth; /* 1: vertices may be before near or beyond far */
     uint8_t clip_guard; /* 1: vertices may be outside the guard band */
-    uint16_t number;    /* in the scene */
+    int32_t light[3];   /* q2_30: the light's direction in mesh space */
+    int32_t row[3][ZS_ROW_WORDS];
 };
 
-struct zs_renderer {
+#define ZS_LIT_COLORS 64 /* palettes up to here are lit once for triangles of one light, not texel by texel */
+
+/* A texture whose palette is lit. */
+struct zs_lit {
+    const struct zs_texture *of; /* NULL: none in this strip yet */
+    uint16_t level;              /* its light, uq1_15 */
+    struct zs_texture texture;   /* the same with .palette = color */
+    uint16_t color[ZS_LIT_COLORS];
+};
+
+struct zs_renderer { /* what is used most comes first: a Cortex-M0 reaches 31 bytes, 31 half-words, 31 words at once */
     struct zs_config config; /* strip_h <= height */
+    uint8_t strip_shift;        /* row / strip_h = row * strip_mul >> strip_shift */
+    uint8_t direct;             /* 1: vertex v of the current instance has place vert_base + v */
+    uint8_t counting;           /* 1 in the frame's first walk: triangles are counted once */
+    uint8_t ready;              /* zs_init succeeded */
+    uint16_t n_strips, strip;   /* strip: the next to be drawn */
+    uint16_t band_end;          /* bins are complete for strips below it */
+    uint16_t active;            /* list of triangles that went on from the strip before */
+    uint32_t n_tris, n_verts;   /* used of the pools */
+    uint32_t vert_base;         /* pool vertices below it belong to earlier instances */
+    uint32_t vert_packed;       /* those below it were held by binned triangles when last looked at */
+    uint32_t strip_mul;
     uint16_t *color[2];      /* [strip_h][width], wire order; [1] is [0] with one buffer */
     uint16_t *depth;         /* [strip_h][width] */
     uint16_t *bin;           /* [n_strips]: newest triangle that begins in the strip, or ZS_NIL */
@@ -66,18 +97,14 @@ struct zs_renderer {
     uint16_t *attr;          /* [max_verts][attrs] */
 
     const struct zs_scene *scene; /* borrowed from begin to end; NULL: no frame is open */
-    struct zs_camera camera;
-    struct zs_view view;
     struct zs_xform xform;
+    struct zs_view view;
+    struct zs_camera camera;
     struct zs_stats stats;
-
-    uint32_t n_tris, n_verts;   /* used of the pools */
-    uint32_t vert_base;         /* pool vertices below it belong to earlier instances */
-    uint16_t n_strips, strip;   /* strip: the next to be drawn */
-    uint16_t band_end;          /* bins are complete for strips below it */
-    uint16_t active;            /* list of triangles that went on from the strip before */
-    uint8_t counting;           /* 1 in the frame's first walk: triangles are counted once */
-    uint8_t ready;              /* zs_init succeeded */
+    const struct zs_watch_kernel *watch; /* NULL: everything counts as changed */
+    uint64_t *watch_sum;          /* [n_strips][watch_columns], the caller's; 0: not known */
+    uint16_t watch_columns;
+    struct zs_lit lit;
 };
 
 #endif

@@ -2,6 +2,7 @@
  *
  * SPDX-License-Identifier: MIT
  */
+#include "cold.h"
 #include "rotation.h"
 
 #include "fx.h"
@@ -114,13 +115,13 @@ void zs_cross(zs_q2_30 out[3], const zs_q2_30 a[3], const zs_q2_30 b[3])
 {
     for (int k = 0; k < 3; k++) {
         const int i = (k + 1) % 3, j = (k + 2) % 3;
-        out[k] = (int32_t)zs_round_shift((int64_t)a[i] * b[j] - (int64_t)a[j] * b[i], 30);
+        out[k] = (int32_t)zs_round_shift(zs_mul_ss(a[i], b[j]) - zs_mul_ss(a[j], b[i]), 30);
     }
 }
 
 static ZS_NOINLINE int64_t dot_q60(const zs_q2_30 *a, const zs_q2_30 *b)
 {
-    return (int64_t)a[0] * b[0] + (int64_t)a[1] * b[1] + (int64_t)a[2] * b[2];
+    return zs_mul_ss(a[0], b[0]) + zs_mul_ss(a[1], b[1]) + zs_mul_ss(a[2], b[2]);
 }
 
 int zs_rotation_ok(const zs_q2_30 m[9])
@@ -146,8 +147,8 @@ void zs_rotation_mul(zs_q2_30 out[9], const zs_q2_30 a[9], const zs_q2_30 b[9])
 {
     for (int i = 0; i < 3; i++)
         for (int j = 0; j < 3; j++) {
-            const int64_t sum = (int64_t)a[3 * i] * b[j] + (int64_t)a[3 * i + 1] * b[3 + j] +
-                                (int64_t)a[3 * i + 2] * b[6 + j]; /* |.| <= 2^60 (1 + 2^-19) */
+            const int64_t sum = zs_mul_ss(a[3 * i], b[j]) + zs_mul_ss(a[3 * i + 1], b[3 + j]) +
+                                zs_mul_ss(a[3 * i + 2], b[6 + j]); /* |.| <= 2^60 (1 + 2^-19) */
             out[3 * i + j] = (int32_t)zs_round_shift(sum, 30);
         }
 }

@@ -88,10 +88,18 @@ static int smooth_check(const struct zs_instance *in, const struct zs_config *co
 
 /* ---- Set-up ------------------------------------------------------------------------------------------ */
 
-/* v * 2^shift modulo 2^64, floor; v may be negative. |shift| <= 48 */
-static inline uint64_t shifted(int64_t v, int32_t shift)
+/* v * 2^shift in 64 bits, floor. |shift| < 32 */
+static inline uint64_t shifted(int32_t v, int32_t shift)
 {
-    return shift >= 0 ? (uint64_t)v << shift : (uint64_t)(v >> -shift);
+    if (shift <= 0)
+        return (uint64_t)(int64_t)(v >> -shift);
+    return (uint64_t)(uint32_t)(v >> (32 - shift)) << 32 | (uint32_t)v << shift;
+}
+
+/* v * 2^-uv_bits in 32 fraction bits. */
+static inline uint64_t repeats(int32_t v, uint32_t uv_bits)
+{
+    return (uint64_t)(uint32_t)(v >> uv_bits) << 32 | (uv_bits ? (uint32_t)v << (32 - uv_bits) : 0u);
 }
 
 /* One coordinate of a triangle: what its corners have above the least of them. */
@@ -112,8 +120,7 @@ static void coordinate(struct zs_job *job, const uint16_t *const a[3], int c, ui
         any |= out->above[k] = (uint32_t)(a[k][c] - least);
     out->up = zs_clz32(any) - 16; /* 0 .. 15 */
     s->shift[c] = (int8_t)(17 - out->up - (int32_t)uv_bits);
-    s->base[c] = shifted(least - 32768, 32 - (int32_t)uv_bits) +
-                 ((uint64_t)1 << (32 - BIAS_LOG2 - (int32_t)log2));
+    s->base[c] = repeats(least - 32768, uv_bits) + (1u << (32u - BIAS_LOG2 - log2));
     out->texels = 16 - out->up - (int32_t)uv_bits + (int32_t)(log2 > FLOOR_LOG2 ? log2 : FLOOR_LOG2);
 }
 
@@ -121,9 +128,16 @@ static void coordinate(struct zs_job *job, const uint16_t *const a[3], int c, ui
  * |n| < 2^31. Error 2^-30 of it and 1/2 ulp. */
 static inline uint32_t direct_gradient(const struct zs_geom *g, int32_t n, int32_t shift, int *ok)
 {
-    const int64_t q = ((int64_t)n * g->rcp + ((int64_t)1 << (shift - 1))) >> shift; /* product < 2^63 */
-    *ok &= q == (int32_t)q;
-    return (uint32_t)q;
+    const int64_t product = zs_mul_su(n, g->rcp); /* |.| < 2^63 */
+    if (shift > 32)
+        return (uint32_t)((((int32_t)(product >> 32) >> (shift - 33)) + 1) >> 1);
+    const int64_t q = product + (1u << (shift - 1));
+    const int32_t hi = (int32_t)(q >> 32);
+    if (shift == 32)
+        return (uint32_t)hi;
+    const uint32_t low = (uint32_t)hi << (32 - shift) | (uint32_t)q >> shift;
+    *ok &= hi >> shift == (int32_t)low >> 31;
+    return low;
 }
 
 /* The same as affine_plane for small triangles with differences below 2^14. Return 0 where it is not for it. */
@@ -138,9 +152,11 @@ static int direct_plane(const struct zs_job *job, const struct coordinate *c, ui
     int ok = 1;
     const uint32_t gx = direct_gradient(g, d1 * g->dy2 - d2 * g->dy1, shift, &ok); /* |d| <= 2^16 */
     const uint32_t gy = direct_gradient(g, d2 * g->dx1 - d1 * g->dx2, shift, &ok);
-    const int64_t step = (int64_t)(int32_t)gx * g->ax + (int64_t)(int32_t)gy * g->ay; /* < 2^39 */
-    const uint64_t first = (uint64_t)c->above[0] << (32 - uv_bits);
-    out->base = (uint32_t)base + (uint32_t)first + (uint32_t)zs_round_shift(step, 8);
+    /* (gx ax + gy ay + 128) / 256, floor, modulo 2^32: the low 8 bits of the gradients apart */
+    const int32_t low = (int32_t)(gx & 255u) * g->ax + (int32_t)(gy & 255u) * g->ay + 128;
+    const uint32_t step = zs_wrap_mul((uint32_t)((int32_t)gx >> 8), g->ax) +
+                          zs_wrap_mul((uint32_t)((int32_t)gy >> 8), g->ay) + (uint32_t)(low >> 8);
+    out->base = (uint32_t)base + (uint32_t)repeats((int32_t)c->above[0], uv_bits) + step;
     out->gx = gx;
     out->gy = gy;
     return ok;
@@ -176,7 +192,7 @@ static inline uint32_t size_of(uint32_t gradient)
 /* The light's words: range * 2^-15 * 64 codes * change / least / 4 <= 1/8. */
 static inline int light_enough(uint32_t range, uint32_t change, uint32_t least)
 {
-    return (uint64_t)range * change <= (uint64_t)least << 8;
+    return zs_mul_uu(range, change) <= (uint64_t)least << 8;
 }
 
 /* ceil(log2(2^(texels + 1) K |W'|)) of an attribute; -128: it is 0. */
@@ -186,16 +202,16 @@ static int32_t block_log2(const struct zs_plane *c, const struct zs_plane *w_pla
     const int32_t c_gx = (int32_t)c->gx, w_gx = (int32_t)w_plane->gx;
     uint64_t most = 0;
     for (int k = 0; k < 3; k++) {
-        const int64_t d = c_gx - ((int64_t)w_gx * un[k] >> 16); /* <= 2^32 */
-        const uint64_t size = (uint64_t)(d < 0 ? -d : d) * w[k];
+        const int64_t d = c_gx - (zs_mul_su(w_gx, un[k]) >> 16); /* |.| <= 2^32: half of it fits */
+        const uint64_t size = zs_mul_uu((uint32_t)(((d < 0 ? -d : d) + 1) >> 1), w[k]);
         if (most < size)
             most = size;
     }
     if (most == 0 || w_gx == 0)
         return -128;
     const int32_t cut = 64 - zs_clz64(most) > 31 ? 33 - zs_clz64(most) : 0;
-    const uint64_t product = ((most >> cut) + 1u) * size_of((uint32_t)w_gx); /* > most * |W'| / 2^cut */
-    return texels + 1 + cut + 64 - zs_clz64(product);
+    const uint64_t product = zs_mul_uu((uint32_t)(most >> cut) + 1u, size_of((uint32_t)w_gx)); /* > most |W'| / 2^cut */
+    return texels + 2 + cut + 64 - zs_clz64(product);
 }
 
 /* ceil(2^(n / 3)), held to 32 bits. */
@@ -212,14 +228,14 @@ static void blocks(struct zs_job *job, const uint16_t *const a[3], const struct 
 {
     const int n = job->shader->n_attrs;
     int32_t need = -128;
-    zs_plane32(&job->geom, w[0], w[1], w[2], ZS_PLANE_WIDE, &job->w);
+    zs_persp_plane(&job->geom, w, ZS_PLANE_WIDE, &job->w);
     for (int i = 0; i < n; i++) {
         uint32_t un[3], v[3];
         for (int k = 0; k < 3; k++) {
             un[k] = i < 2 ? c[i].above[k] << c[i].up : a[k][2]; /* < 2^16 */
             v[k] = zs_umulh(un[k] << 16, w[k]);
         }
-        zs_plane32(&job->geom, v[0], v[1], v[2], ZS_PLANE_WIDE, &job->c[i]);
+        zs_persp_plane(&job->geom, v, ZS_PLANE_WIDE, &job->c[i]);
         need = zs_max32(need, block_log2(&job->c[i], &job->w, un, w, i < 2 ? c[i].texels : LIGHT_LOG2));
     }
     for (int32_t k = 0; k <= (int32_t)ZS_SUB_LOG2_MAX; k++)
@@ -227,14 +243,38 @@ static void blocks(struct zs_job *job, const uint16_t *const a[3], const struct 
     job->sub_log2 = 0;
 }
 
+/* The texture to be drawn: t, or a copy of it with the palette lit. Sets job->sampler.unlit. */
+static const struct zs_texture *lit_texture(struct zs_job *job, const struct zs_texture *t)
+{
+    const struct zs_shader *shader = job->shader;
+    struct zs_lit *lit = &job->r->lit;
+    const uint16_t level = job->tri->paint;
+    job->sampler.unlit = !shader->light || (shader->n_attrs == 2 && level == 32768u);
+    if (job->sampler.unlit || shader->n_attrs == 3 || !t->format->colors_max || t->n_colors > ZS_LIT_COLORS)
+        return t;
+    job->sampler.unlit = 1;
+    if (lit->of != t || lit->level != level) {
+        lit->of = t;
+        lit->level = level;
+        lit->texture = *t;
+        lit->texture.palette = lit->color;
+        for (uint32_t i = 0; i < t->n_colors; i++)
+            lit->color[i] = zs_wire16(t->palette[i]);
+        shader->light(lit->color, t->n_colors, (uint32_t)level << 16, 0);
+        for (uint32_t i = 0; i < t->n_colors; i++)
+            lit->color[i] = zs_wire16(lit->color[i]);
+    }
+    return &lit->texture;
+}
+
 static void texture_start(struct zs_job *job)
 {
     const struct zs_instance *in = &job->r->scene->instance[job->tri->instance];
-    const struct zs_texture *t = in->material->texture;
+    const struct zs_texture *t = lit_texture(job, in->material->texture);
     const uint32_t uv_bits = in->mesh->uv_bits;
     const int lit = job->shader->n_attrs == 3;
     const uint16_t *a[3];
-    uint32_t w[3], light_range = 0;
+    uint32_t w[3], least, light_range = 0;
     struct coordinate c[2];
     zs_persp_attrs(job, a);
     zs_persp_w(job, w);
@@ -243,16 +283,11 @@ static void texture_start(struct zs_job *job)
     job->sampler.wide = t->clamp || !t->log2_w || !t->log2_h;
     coordinate(job, a, 0, uv_bits, &c[0]);
     coordinate(job, a, 1, uv_bits, &c[1]);
-    uint32_t most = w[0], least = w[0];
-    for (int k = 1; k < 3; k++) {
-        most = w[k] > most ? w[k] : most;
-        least = w[k] < least ? w[k] : least;
-    }
+    const uint32_t change = zs_persp_change(w, &least);
     if (lit) {
         const int32_t lo = zs_min32(zs_min32(a[0][2], a[1][2]), a[2][2]);
         light_range = (uint32_t)(zs_max32(zs_max32(a[0][2], a[1][2]), a[2][2]) - lo);
     }
-    const uint32_t change = most - least;
     if (!affine_enough(c[0].texels, change, least) || !affine_enough(c[1].texels, change, least) ||
         (lit && !light_enough(light_range, change, least))) {
         blocks(job, a, c, w);
@@ -268,9 +303,13 @@ static void texture_start(struct zs_job *job)
         affine_plane(job, &c[0], uv_bits, job->sampler.base[0], &job->c[0]);
         affine_plane(job, &c[1], uv_bits, job->sampler.base[1], &job->c[1]);
     }
-    if (lit)
-        zs_plane32(&job->geom, (uint32_t)a[0][2] << 15, (uint32_t)a[1][2] << 15, (uint32_t)a[2][2] << 15,
-                   ZS_PLANE_WIDE, &job->c[2]);
+    for (int i = 0; i < 2; i++)
+        zs_plane_origin(&job->geom, &job->c[i]);
+    if (!lit)
+        return;
+    zs_plane32(&job->geom, (uint32_t)a[0][2] << 15, (uint32_t)a[1][2] << 15, (uint32_t)a[2][2] << 15,
+               ZS_PLANE_WIDE, &job->c[2]);
+    zs_plane_origin(&job->geom, &job->c[2]);
 }
 
 /* ---- Runs ------------------------------------------------------------------------------------------- */
@@ -354,10 +393,10 @@ static uint32_t divide_at(const struct zs_job *job, int32_t i, int32_t row, int 
     uint32_t w;
     int32_t lz;
     const uint32_t rcp = zs_persp_rcp(job, i, row, &w, &lz);
-    out[0] = zs_persp_over(zs_plane_at(job, &job->c[0], i, row), w, rcp, lz);
-    out[1] = zs_persp_over(zs_plane_at(job, &job->c[1], i, row), w, rcp, lz);
+    out[0] = zs_persp_over(zs_plane_at(&job->c[0], i, row), w, rcp, lz);
+    out[1] = zs_persp_over(zs_plane_at(&job->c[1], i, row), w, rcp, lz);
     if (n == 3)
-        out[2] = zs_persp_over(zs_plane_at(job, &job->c[2], i, row), w, rcp, lz);
+        out[2] = zs_persp_over(zs_plane_at(&job->c[2], i, row), w, rcp, lz);
     return w;
 }
 
@@ -366,7 +405,7 @@ static inline void lighten(const struct zs_job *job, uint16_t *out, int32_t n, u
     const struct zs_shader *shader = job->shader;
     if (shader->n_attrs == 3)
         shader->light(out, n, level << 1, (uint32_t)step << 1);
-    else if (shader->light && job->tri->paint != 32768u)
+    else if (!job->sampler.unlit)
         shader->light(out, n, (uint32_t)job->tri->paint << 16, 0);
 }
 
@@ -375,7 +414,7 @@ static void run_affine(struct zs_job *job, const struct zs_row *row, int32_t r0,
     const struct zs_texture *t = job->sampler.texture;
     const struct zs_texel *texel = t->format;
     uint16_t *out = job->color + row->at + r0;
-    const uint32_t u = zs_plane_at(job, &job->c[0], r0, row->y), v = zs_plane_at(job, &job->c[1], r0, row->y);
+    const uint32_t u = zs_plane_at(&job->c[0], r0, row->y), v = zs_plane_at(&job->c[1], r0, row->y);
     const uint32_t du = job->c[0].gx, dv = job->c[1].gx; /* beyond 31 bits only where a run is one pixel */
     if (!job->sampler.direct) {
         const uint32_t c[2] = { u, v };
@@ -386,8 +425,8 @@ static void run_affine(struct zs_job *job, const struct zs_row *row, int32_t r0,
         texel->fetch(t, out, n, &walk);
     }
     if (job->shader->n_attrs == 3)
-        lighten(job, out, n, zs_plane_at(job, &job->c[2], r0, row->y), (int32_t)job->c[2].gx);
-    else if (job->shader->light)
+        lighten(job, out, n, zs_plane_at(&job->c[2], r0, row->y), (int32_t)job->c[2].gx);
+    else
         lighten(job, out, n, 0, 0);
 }
 
@@ -454,8 +493,7 @@ static void run_blocks(struct zs_job *job, const struct zs_row *row, int32_t r0,
         ZS_ASSERT(i1 > i0);
         if (i1 > i0) { /* always; a slip in numbers must not become one in memory */
             fetch(job, color + i0, i1 - i0, c, step);
-            if (job->shader->light)
-                lighten(job, color + i0, i1 - i0, n == 3 ? c[2] : 0u, step[2]);
+            lighten(job, color + i0, i1 - i0, n == 3 ? c[2] : 0u, step[2]);
         }
         if (end >= r1)
             return;
@@ -474,7 +512,7 @@ static void texture_run(struct zs_job *job, const struct zs_row *row, int32_t r0
 static void texture_rows(struct zs_job *job)
 {
     texture_start(job);
-    if (job->sampler.direct && (!job->shader->light || (job->shader->n_attrs == 2 && job->tri->paint == 32768u))) {
+    if (job->sampler.direct && job->sampler.unlit && !zs_keys_may_saturate(job)) {
         const struct zs_texel *texel = job->sampler.texture->format;
         texel->rows(job);
     } else {

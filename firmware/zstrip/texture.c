@@ -40,10 +40,13 @@ ZS_ALWAYS_INLINE void fetch(const struct zs_texture *t, uint16_t *out, int32_t n
     const void *texel = t->texel;
     const uint16_t *palette = t->palette;
     const uint32_t right = index_shift(t->log2_w), down = index_shift(t->log2_h), row = t->log2_w;
-    const uint32_t du = walk->du, dv = walk->dv;
-    uint32_t u = walk->u, v = walk->v;
-    for (uint16_t *const end = out + n; out != end; out++, u += du, v += dv)
+    uint32_t du = walk->du, dv = walk->dv, u = walk->u, v = walk->v;
+    for (uint16_t *end = out + n; out != end; out++, u += du, v += dv) {
+        ZS_HIGH_REGISTER(du);
+        ZS_HIGH_REGISTER(dv);
+        ZS_HIGH_REGISTER(end);
         *out = zs_wire16(read(texel, palette, ((v >> down) << row) + (u >> right)));
+    }
 }
 
 ZS_ALWAYS_INLINE void span(struct zs_job *job, const struct zs_row *row, read_fn *read)
@@ -52,18 +55,19 @@ ZS_ALWAYS_INLINE void span(struct zs_job *job, const struct zs_row *row, read_fn
     const void *texel = t->texel;
     const uint16_t *palette = t->palette;
     const uint32_t right = 32u - t->log2_w, down = 32u - t->log2_h, log2_w = t->log2_w;
-    const uint32_t gx = job->key.gx, du = job->c[0].gx, dv = job->c[1].gx;
-    const uint32_t top = (job->r->view.key_top >> 16) - 1u;
+    uint32_t gx = job->key.gx, du = job->c[0].gx, dv = job->c[1].gx;
     uint32_t sum = row->key + zs_wrap_mul(gx, row->i0);
-    uint32_t u = zs_plane_at(job, &job->c[0], row->i0, row->y);
-    uint32_t v = zs_plane_at(job, &job->c[1], row->i0, row->y);
+    uint32_t u = zs_plane_at(&job->c[0], row->i0, row->y);
+    uint32_t v = zs_plane_at(&job->c[1], row->i0, row->y);
     uint16_t *depth = job->depth + row->at + row->i0, *color = job->color + row->at + row->i0;
-    const uint16_t *const end = depth + (row->i1 - row->i0);
+    const uint16_t *end = depth + (row->i1 - row->i0);
     int32_t written = 0;
     for (; depth != end; depth++, color++, sum += gx, u += du, v += dv) {
-        uint32_t key = sum >> 16;
-        if (key > top)
-            key = top;
+        ZS_HIGH_REGISTER(gx);
+        ZS_HIGH_REGISTER(du);
+        ZS_HIGH_REGISTER(dv);
+        ZS_HIGH_REGISTER(end);
+        const uint32_t key = sum >> 16;
         if (key < *depth) {
             *depth = (uint16_t)key;
             *color = zs_wire16(read(texel, palette, ((v >> down) << log2_w) + (u >> right)));

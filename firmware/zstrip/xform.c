@@ -14,10 +14,13 @@
 #include "pipeline.h"
 #include "rotation.h"
 
-#define SHIFT_MAX 29 /* keeps t below 2^60 and each product below 2^61 */
+#define SHIFT_MAX 29 /* keeps t below 2^60, and shift_high 14 */
+#define SPLIT_MAX 15
+#define OUT_Y ((int32_t)1 << 30)
+_Static_assert(OUT_Y - 2 * ZS_GUARD_SUBPX > 65536, "vertices outside must be far from those inside");
 
 /* Clip tests that no vertex of the instance can fail are left out. */
-static void clip_needs(struct zs_xform *xf, const struct zs_renderer *r, const struct zs_bounds *b,
+static ZS_RARE void clip_needs(struct zs_xform *xf, const struct zs_renderer *r, const struct zs_bounds *b,
                        const struct zs_camera *camera)
 {
     const int64_t z0 = b->c[2] - b->r - b->slack, z1 = b->c[2] + b->r + b->slack;
@@ -39,18 +42,36 @@ static void clip_needs(struct zs_xform *xf, const struct zs_renderer *r, const s
         xf->clip_guard = always || side_w * r->config.height > guard_px * (camera->height >> 16);
 }
 
-static void light_direction(struct zs_xform *xf, const struct zs_light *light)
+static ZS_RARE void light_direction(struct zs_xform *xf, const struct zs_light *light)
 {
     const zs_q2_30 *rot = xf->instance->pose.rot;
     for (int k = 0; k < 3; k++) {
         int64_t sum = 0; /* transposed rotation: world to mesh */
         for (int j = 0; j < 3; j++)
-            sum += (int64_t)rot[3 * j + k] * light->dir[j];
+            sum += zs_mul_ss(rot[3 * j + k], light->dir[j]);
         xf->light[k] = (int32_t)zs_round_shift(sum, 30); /* <= 2^30 (1 + 2^-19) */
     }
 }
 
-int zs_xform_instance(struct zs_renderer *r, uint32_t number, const struct zs_bounds *b)
+/* A row of c = (m . p + t) / 2^shift, nearest. |m| <= 2^30, |t| < 2^60, |t / 2^shift| < 2^30. A shift of at most 15 leaves
+ * t_low in [0, 2^15), a larger one in [-2^28, 2^28). */
+static ZS_RARE void row_set(int32_t row[ZS_ROW_WORDS], const int32_t m[3], int64_t t, int32_t shift)
+{
+    const int32_t s = shift < SPLIT_MAX ? shift : SPLIT_MAX;
+    for (int j = 0; j < 3; j++) {
+        const int32_t high = (m[j] + ((1 << s) >> 1)) >> s;
+        row[ZS_ROW_HIGH + j] = high;
+        row[ZS_ROW_LOW + j] = m[j] - high * (1 << s);
+    }
+    const int64_t half = ((int64_t)1 << shift) >> 1;
+    const int32_t t_high = (int32_t)((t + half + (shift > s ? half : 0)) >> shift);
+    row[ZS_ROW_T_HIGH] = t_high;
+    row[ZS_ROW_T_LOW] = (int32_t)(t + half - t_high * ((int64_t)1 << shift));
+    row[ZS_ROW_S] = s;
+    row[ZS_ROW_S2] = shift - s;
+}
+
+ZS_RARE int zs_xform_instance(struct zs_renderer *r, uint32_t number, const struct zs_bounds *b)
 {
     struct zs_xform *xf = &r->xform;
     const struct zs_view *view = &r->view;
@@ -60,7 +81,7 @@ int zs_xform_instance(struct zs_renderer *r, uint32_t number, const struct zs_bo
                       : b->reach >> -to_units >= 1 << 30)
         return 0;
     xf->instance = in;
-    xf->number = (uint16_t)number;
+    xf->number = number;
 
     /* scale = mantissa * 2^exp / 2^32, mantissa in [2^30, 2^31) */
     const uint64_t scale = (uint64_t)in->mesh->scale * in->pose.scale;
@@ -75,60 +96,88 @@ int zs_xform_instance(struct zs_renderer *r, uint32_t number, const struct zs_bo
         extra = shift - SHIFT_MAX > 30 ? 30 : shift - SHIFT_MAX;
         shift = SHIFT_MAX;
     }
-    xf->shift = (uint8_t)shift;
     zs_q2_30 both[9];
     zs_rotation_mul(both, view->rot, in->pose.rot);
-    for (int k = 0; k < 9; k++)
-        xf->m[k] = (int32_t)zs_round_shift((int64_t)both[k] * mantissa, 31 + extra);
     for (int k = 0; k < 3; k++) {
         int64_t at = 0; /* q2_30 * world units, |.| <= 2^60.6 */
-        for (int j = 0; j < 3; j++)
-            at += (int64_t)view->rot[3 * k + j] * (in->pose.pos[j] - view->pos[j]);
-        xf->t[k] = zs_scale2(at, view->shift + shift - 30);
+        int32_t m[3];
+        for (int j = 0; j < 3; j++) {
+            at += zs_mul_ss(view->rot[3 * k + j], in->pose.pos[j] - view->pos[j]);
+            m[j] = (int32_t)zs_round_shift(zs_mul_su(both[3 * k + j], mantissa), 31 + extra);
+        }
+        row_set(xf->row[k], m, zs_scale2(at, view->shift + shift - 30), shift);
     }
     clip_needs(xf, r, b, &r->camera);
     light_direction(xf, &r->scene->light);
     return 1;
 }
 
-void zs_xform_vertex(const struct zs_xform *xf, uint32_t v, struct zs_point *out)
+/* ---- Vertices --------------------------------------------------------------------------------------- */
+
+/* Exact: with m = high 2^s + low, t = t_high 2^shift + t_low, the sum is
+ *   high . p 2^s + (low . p + t_low) + t_high 2^shift
+ * and floors follow each other, so zs_row gives the bracket's part above 2^s to the first sum. |bracket| is below
+ * 3 * 2^29 + 2^28. With a shift of 15 or less, s is the shift and all is modulo 2^32, as the result is. With a larger one
+ * s is 15, and the sum of high fits, below 1.74 * 2^30 + 2^17: a row of the matrix is no longer than 2^30 (1 + 2^-18), p no
+ * longer than 2^15 sqrt 3. */
+static void points(const struct zs_xform *xf, uint32_t v, uint32_t n, struct zs_vertex *out)
 {
-    const struct zs_mesh *mesh = xf->instance->mesh;
-    int32_t p[3] = { mesh->pos[v][0], mesh->pos[v][1], mesh->pos[v][2] };
-    if (mesh->pos_lo)
-        for (int k = 0; k < 3; k++)
-            p[k] = p[k] * 256 + mesh->pos_lo[v][k]; /* |.| <= 2^23 */
-    const int32_t shift = xf->shift;
-    const int64_t half = ((int64_t)1 << shift) >> 1;
-    for (int k = 0; k < 3; k++) {
-        const int32_t *m = &xf->m[3 * k];
-        const int64_t sum = xf->t[k] + (int64_t)m[0] * p[0] + (int64_t)m[1] * p[1] +
-                            (int64_t)m[2] * p[2]; /* |.| < 2^60 + 3 * 2^61 */
-        out->c[k] = (int32_t)((sum + half) >> shift);
+    const int16_t (*p)[3] = xf->instance->mesh->pos + v;
+    for (struct zs_vertex *const end = out + n; out != end; out++, p++) {
+        const int32_t x = (*p)[0], y = (*p)[1], z = (*p)[2];
+        out->x = zs_row(xf->row[0], x, y, z);
+        out->y = zs_row(xf->row[1], x, y, z);
+        out->d = (uint32_t)zs_row(xf->row[2], x, y, z);
     }
 }
 
-uint32_t zs_xform_outcode(const struct zs_view *view, const struct zs_point *p)
+/* The same for positions in 1/256 steps, |p| <= 2^23, in 64 bits. */
+static int32_t fine(const int32_t row[ZS_ROW_WORDS], const int16_t pos[3], const uint8_t pos_lo[3])
 {
-    const int32_t z = p->c[2];
-    uint32_t code = 0;
-    if (z < view->z_near)
-        return ZS_OUT_NEAR; /* the sides say nothing before the near plane */
-    if (z > view->z_far)
-        code = ZS_OUT_FAR;
-    const int64_t limit = view->perspective ? (int64_t)view->guard * z : (int64_t)view->guard;
-    const int32_t up = view->perspective ? view->scale_bits : 0;
-    const int64_t x = (int64_t)p->c[0] * ((int64_t)1 << up);         /* |.| <= 2^30.1 * 2^31 */
-    const int64_t y = (int64_t)p->c[1] * ((int64_t)1 << up);
-    if (x < -limit)
-        code |= ZS_OUT_LEFT;
-    if (x > limit)
-        code |= ZS_OUT_RIGHT;
-    if (y < -limit)
-        code |= ZS_OUT_TOP;
-    if (y > limit)
-        code |= ZS_OUT_BOTTOM;
-    return code;
+    const int32_t s = row[ZS_ROW_S], shift = s + row[ZS_ROW_S2];
+    int64_t sum = row[ZS_ROW_T_HIGH] * ((int64_t)1 << shift) + row[ZS_ROW_T_LOW]; /* |.| < 2^60 + 2^29 */
+    for (int j = 0; j < 3; j++)
+        sum += zs_mul_ss(row[ZS_ROW_HIGH + j] * (1 << s) + row[ZS_ROW_LOW + j], pos[j] * 256 + pos_lo[j]); /* <= 2^53 */
+    return (int32_t)(sum >> shift);
+}
+
+static void points_fine(const struct zs_xform *xf, uint32_t v, uint32_t n, struct zs_vertex *out)
+{
+    const struct zs_mesh *mesh = xf->instance->mesh;
+    for (struct zs_vertex *const end = out + n; out != end; out++, v++) {
+        out->x = fine(xf->row[0], mesh->pos[v], mesh->pos_lo[v]);
+        out->y = fine(xf->row[1], mesh->pos[v], mesh->pos_lo[v]);
+        out->d = (uint32_t)fine(xf->row[2], mesh->pos[v], mesh->pos_lo[v]);
+    }
+}
+
+/* Vertices [v, v + n) in camera units: x', y', and z as d. */
+static void transform(const struct zs_xform *xf, uint32_t v, uint32_t n, struct zs_vertex *out)
+{
+    if (xf->instance->mesh->pos_lo)
+        points_fine(xf, v, n, out);
+    else
+        points(xf, v, n, out);
+}
+
+void zs_xform_vertex(const struct zs_xform *xf, uint32_t v, struct zs_point *out)
+{
+    struct zs_vertex at;
+    transform(xf, v, 1, &at);
+    out->c[0] = at.x;
+    out->c[1] = at.y;
+    out->c[2] = (int32_t)at.d;
+}
+
+/* The largest |x'| and |y'| at distance z > 0 that are inside the guard band. */
+static uint32_t guard_at(const struct zs_view *view, int32_t z)
+{
+    if (!view->perspective)
+        return view->guard > UINT32_MAX ? UINT32_MAX : (uint32_t)view->guard;
+    const uint64_t limit = zs_mul_uu((uint32_t)ZS_GUARD_SUBPX, (uint32_t)z); /* < 2^52 */
+    const uint32_t high = (uint32_t)(limit >> 32), low = (uint32_t)limit;
+    const int32_t down = view->scale_bits; /* 8 .. 31 */
+    return high >> down ? UINT32_MAX : high << (32 - down) | low >> down;
 }
 
 static uint32_t magnitude(int32_t v)
@@ -136,38 +185,118 @@ static uint32_t magnitude(int32_t v)
     return v < 0 ? 0u - (uint32_t)v : (uint32_t)v;
 }
 
-/* Magnitude first, so that a mirrored scene snaps to mirrored places. mag < 2^63, shift > 0. Saturates
- * beyond the guard band. */
-static int32_t snap(uint64_t mag, int32_t shift, int32_t coarse, int32_t sign)
+uint32_t zs_xform_outcode(const struct zs_view *view, const struct zs_point *p)
 {
-    const uint64_t half = (uint64_t)1 << (shift + coarse - 1);
-    const uint64_t steps = (mag + half) >> (shift + coarse);
-    const int32_t v = steps > (uint64_t)ZS_GUARD_SUBPX >> coarse ? (int32_t)ZS_GUARD_SUBPX + 1
-                                                                 : (int32_t)steps << coarse;
+    const int32_t x = p->c[0], y = p->c[1], z = p->c[2];
+    uint32_t code = 0;
+    if (z < view->z_near)
+        return ZS_OUT_NEAR; /* the sides say nothing before the near plane */
+    if (z > view->z_far)
+        code = ZS_OUT_FAR;
+    const uint32_t limit = guard_at(view, z);
+    if (magnitude(x) > limit)
+        code |= x < 0 ? ZS_OUT_LEFT : ZS_OUT_RIGHT;
+    if (magnitude(y) > limit)
+        code |= y < 0 ? ZS_OUT_TOP : ZS_OUT_BOTTOM;
+    return code;
+}
+
+/* ---- Projection ------------------------------------------------------------------------------------- */
+
+/* mag / 2^shift, nearest, saturated. mag < 2^63, 0 < shift */
+static uint32_t steps_wide(uint64_t mag, int32_t shift)
+{
+    const uint64_t steps = (mag + ((uint64_t)1 << (shift - 1))) >> shift;
+    return steps > UINT32_MAX ? UINT32_MAX : (uint32_t)steps;
+}
+
+/* Steps from the frame's middle with the sign of the coordinate: magnitude first, so that a mirrored scene snaps to
+ * mirrored places. Just beside the guard band where they are beyond it. */
+static int32_t placed(uint32_t steps, int32_t coarse, int32_t sign)
+{
+    const int32_t v = steps > (uint32_t)ZS_GUARD_SUBPX >> coarse ? (int32_t)ZS_GUARD_SUBPX + 1 : (int32_t)(steps << coarse);
     return sign < 0 ? -v : v;
+}
+
+/* For any shift, and what is beyond the guard band. Return 1: inside it. */
+static ZS_NOINLINE int place_wide(const struct zs_view *view, uint32_t rcp, int32_t shift, struct zs_vertex *at)
+{
+    const uint32_t most = (uint32_t)ZS_GUARD_SUBPX >> view->snap;
+    const uint32_t sx = steps_wide(zs_mul_uu(magnitude(at->x), rcp), shift + view->snap);
+    const uint32_t sy = steps_wide(zs_mul_uu(magnitude(at->y), rcp), shift + view->snap);
+    at->x = view->cx + placed(sx, view->snap, at->x);
+    at->y = view->cy + placed(sy, view->snap, at->y);
+    return sx <= most && sy <= most;
+}
+
+/* |c| * rcp / 2^(33 + down), nearest: the low half of the product cannot carry. |c| <= 2^31, 0 <= down <= 29 */
+static inline uint32_t steps_of(int32_t c, uint32_t rcp, int32_t down)
+{
+    return ((zs_umulh(magnitude(c), rcp) >> down) + 1u) >> 1;
+}
+
+/* x' and y' of at become screen positions: times rcp / 2^shift. Return 1: inside the guard band. */
+static int place(const struct zs_view *view, uint32_t rcp, int32_t shift, struct zs_vertex *at)
+{
+    const int32_t coarse = view->snap, down = shift + coarse - 33;
+    if (down < 0)
+        return place_wide(view, rcp, shift, at);
+    const uint32_t most = (uint32_t)ZS_GUARD_SUBPX >> coarse;
+    const uint32_t sx = steps_of(at->x, rcp, down), sy = steps_of(at->y, rcp, down);
+    if (sx > most || sy > most)
+        return place_wide(view, rcp, shift, at);
+    const int32_t px = (int32_t)(sx << coarse), py = (int32_t)(sy << coarse);
+    at->x = view->cx + (at->x < 0 ? -px : px);
+    at->y = view->cy + (at->y < 0 ? -py : py);
+    return 1;
+}
+
+/* From camera units to the screen, in place: z is d. Return 0: before near, beyond far, or beside the guard band. */
+static int project(const struct zs_renderer *r, struct zs_vertex *at)
+{
+    const struct zs_view *view = &r->view;
+    const struct zs_depth *depth = r->config.depth;
+    const int32_t z = (int32_t)at->d;
+    if (z < view->z_near || z > view->z_far)
+        return 0;
+    if (!view->perspective) {
+        at->d = depth->vertex(view, z, 0, 0);
+        return place(view, 1u << 31, 31 + view->scale_bits, at);
+    }
+    const int32_t lz = zs_clz32((uint32_t)z);             /* 1 .. 23: z in [2^8, 2^30] */
+    const uint32_t rcp = zs_recip((uint32_t)z << lz);     /* 2^(63 - lz) / z */
+    at->d = depth->vertex(view, z, rcp, lz);
+    return place(view, rcp, 63 - lz - view->scale_bits, at); /* 9 .. 54 */
 }
 
 int zs_xform_project(const struct zs_renderer *r, const struct zs_point *p, struct zs_vertex *out)
 {
-    const struct zs_view *view = &r->view;
-    const int32_t z = p->c[2];
-    int32_t x, y, lz = 0;
-    uint32_t rcp = 0;
-    if (z < view->z_near || z > view->z_far)
-        return 0;
-    if (view->perspective) {
-        lz = zs_clz32((uint32_t)z);                               /* 1 .. 23: z in [2^8, 2^30] */
-        rcp = zs_recip((uint32_t)z << lz);                        /* 2^(63 - lz) / z */
-        const int32_t shift = 63 - lz - view->scale_bits;         /* 9 .. 54 */
-        x = snap((uint64_t)magnitude(p->c[0]) * rcp, shift, view->snap, p->c[0]);
-        y = snap((uint64_t)magnitude(p->c[1]) * rcp, shift, view->snap, p->c[1]);
-    } else { /* one more bit: the shift may be 0 */
-        const int32_t shift = view->scale_bits + 1;
-        x = snap((uint64_t)magnitude(p->c[0]) << 1, shift, view->snap, p->c[0]);
-        y = snap((uint64_t)magnitude(p->c[1]) << 1, shift, view->snap, p->c[1]);
+    out->x = p->c[0];
+    out->y = p->c[1];
+    out->d = (uint32_t)p->c[2];
+    return project(r, out);
+}
+
+/* The place of a vertex outside. */
+static void outside(struct zs_vertex *at, uint32_t v, uint32_t code)
+{
+    at->x = (int32_t)(v << 16);
+    at->y = OUT_Y;
+    at->d = ZS_D_OUT + code;
+}
+
+void zs_xform_screen(const struct zs_renderer *r, uint32_t v, uint32_t n, struct zs_vertex *out)
+{
+    const int tests = r->xform.clip_depth | r->xform.clip_guard;
+    transform(&r->xform, v, n, out);
+    for (struct zs_vertex *const end = out + n; out != end; out++, v++) {
+        struct zs_point p = { { out->x, out->y, (int32_t)out->d } };
+        uint32_t code;
+        if (tests && (code = zs_xform_outcode(&r->view, &p)) != 0) {
+            outside(out, v, code);
+        } else if (!project(r, out)) { /* a sphere that is smaller than its mesh */
+            zs_xform_vertex(&r->xform, v, &p);
+            outside(out, v, zs_xform_outcode(&r->view, &p));
+        }
     }
-    out->x = view->cx + x;
-    out->y = view->cy + y;
-    out->d = r->config.depth->vertex(view, z, rcp, lz);
-    return zs_abs32(x) <= ZS_GUARD_SUBPX && zs_abs32(y) <= ZS_GUARD_SUBPX;
 }

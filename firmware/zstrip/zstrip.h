@@ -321,7 +321,7 @@ struct zs_stats {
     uint32_t tris_far;        /* wholly beyond far */
     uint32_t tris_offscreen;  /* beside the frame or beyond the guard band */
     uint32_t tris_facing;     /* the culled face */
-    uint32_t tris_zero;       /* no area after snapping */
+    uint32_t tris_zero;       /* no area after snapping, or one vertex three times */
     uint32_t tris_empty;      /* no sample in the bounding box */
     uint32_t tris_index;      /* a vertex number out of range */
     uint32_t tris_clipped;    /* cut at near, far or guard; also in drawn or in a reject */
@@ -330,6 +330,7 @@ struct zs_stats {
     uint32_t pixels_tested;   /* compared with the depth buffer */
     uint32_t pixels_written;  /* and nearer; 0 unless built with ZS_STATS = 1 */
     uint32_t strips;          /* drawn so far */
+    uint32_t strips_unchanged; /* of these; always 0 without zs_watch */
     uint32_t passes;          /* sets of triangles that the pools took the scene in */
     uint32_t max_tris_used, max_verts_used; /* high-water marks of the pools */
 };
@@ -342,6 +343,12 @@ struct zs_strip {
     const uint8_t *px;     /* w * h pixels, row-major, dense: RGB565, most significant byte first */
     uint32_t n_bytes;      /* w * h * 2 */
     const uint16_t *depth; /* w * h keys of this strip, until the next strip is asked for */
+    uint16_t changed_x, changed_w; /* px: columns that are not on the glass yet (zs_watch); changed_w 0: none is.
+                                      Without zs_watch 0 and w */
+};
+
+struct zs_rect {
+    uint16_t x, y, w, h; /* px in the frame; may reach beyond it */
 };
 
 /* Where zs_render sends strips. Either function may block. A return other than 0 ends the frame and
@@ -397,6 +404,27 @@ int zs_frame_end(struct zs_renderer *r);
 
 /* Counts of the frame begun last; never NULL. Valid as long as r. */
 const struct zs_stats *zs_frame_stats(const struct zs_renderer *r);
+
+/* ---- What is on the glass already -------------------------------------------------------------------- */
+
+/* Send only what has changed: from now on each strip is compared, by columns, with what was given out last. zs_render does
+ * not submit a strip without a change; a sink may send changed_x and changed_w alone. Pictures are drawn as before.
+ *
+ * sum      [ZS_STRIPS(height, strip_h) * columns], caller's, kept; NULL: compare no more.
+ * columns  1 .. width, equally wide but for the last ones.
+ * Exact    a change within one word of two pixels is always seen; others are missed with odds of 2^-64: sums are
+ *          compared, not pixels. The one thing here that is not exact; who must have it exact does without.
+ * Cost     about ten instructions for two pixels.
+ * Return   ZS_OK; ZS_ERR_NULL; ZS_ERR_STATE (r is not set up, or a frame is open); ZS_ERR_SIZE: as before.
+ *          zs_init ends it. */
+#define ZS_STRIPS(height, strip_h) (((uint32_t)(height) + (uint32_t)(strip_h) - 1u) / (uint32_t)(strip_h))
+int zs_watch(struct zs_renderer *r, uint64_t *sum, uint32_t columns);
+
+/* The glass does not show there what was given out: it was reset, asleep, turned, or something else drew on it; or the
+ * strip could not be sent by a caller that owns the loop (zs_render sees to that by itself). Strips and columns
+ * that touch rect (NULL: all) count as changed the next time. At any time, in a frame too.
+ * Return ZS_OK; ZS_ERR_NULL; ZS_ERR_STATE: r is not set up. Without zs_watch: no effect. */
+int zs_invalidate(struct zs_renderer *r, const struct zs_rect *rect);
 
 /* ---- Data that cannot be trusted: a mesh from a card, a texture from a file ------------------------ */
 

@@ -10,11 +10,11 @@
  * set-up are data in it. All functions return HAL_OK or a negative enum hal_err or panel_err.
  *
  * Picture   x to the right, y down, as a person sees it who turned the glass: rotate counts quarter turns by which
- *           the picture stands clockwise on the glass. The glass at rotate 0: as the controller scans with its
- *           rotation bits clear (SSD1306: segment remap and reversed scan, A1 C8, as its modules are mounted;
- *           each type's file says which bits). With rotate 1 the glass's right column is the picture's top row.
- * Pixels    RGB565, rows from the top. Colour panels: as given. Grey: grey = (77 R + 150 G + 29 B + 128) >> 8 over 8-bit
- *           channels (R = r5 << 3 | r5 >> 2 and so on), then level = (grey * 15 + 127) / 255. One bit: on where
+ *           the picture stands clockwise on the glass. With rotate 1 the glass's right column is the picture's top
+ *           row. The glass at rotate 0 stands as its modules are mounted, upright and not mirrored with these bits:
+ *           ST7789 36 00; GC9A01 36 00 after B6 00 20; ILI9341 36 40; SSD1351 A0 74; SSD0323 A0 52; SSD1306 A1 C8.
+ * Pixels    RGB565, rows from the top. Colour panels: as given. Grey: grey = (77 R + 150 G + 29 B + 128) >> 8 over
+ *           8-bit channels (R = r5 << 3 | r5 >> 2 and so on), then level = (grey * 15 + 127) / 255. One bit: on where
  *           grey > threshold, threshold = 255 * (2 * bayer[y & 7][x & 7] + 1) / 128 (floor), x and y in the
  *           picture, bayer the 8 x 8 matrix that starts 0 32 8 40 2 34 10 42.
  *
@@ -36,7 +36,7 @@ enum panel_err {
     PANEL_ERR_ROTATE = -122,  /* rotate is not 0 .. 3 */
     PANEL_ERR_RECT = -123,    /* empty, or reaches beyond the picture */
     PANEL_ERR_GRAIN = -124,   /* a page or byte of the controller would be cut: see panel_grain */
-    PANEL_ERR_SCRATCH = -125, /* scratch is smaller than panel_scratch_bytes */
+    PANEL_ERR_SCRATCH = -125, /* scratch is smaller than panel_scratch_bytes, or not 4-byte aligned */
     PANEL_ERR_STATE = -126    /* panel_init missing or failed, or asleep */
 };
 
@@ -59,9 +59,10 @@ struct panel_config {
     int16_t x0, y0;         /* the glass's left top pixel in the controller's RAM; both 0: the type's own table */
     uint8_t rotate;         /* 0 .. 3 quarter turns clockwise */
     uint8_t invert;         /* 1: send the controller's inversion command (most IPS glass needs it to look right) */
-    uint8_t bgr;            /* 1: the glass has blue where the controller has red */
+    uint8_t bgr;            /* 1: the glass has blue where the controller has red (most ILI9341 and GC9A01 modules) */
     uint8_t lsb_first;      /* 1: pixels are given least significant byte first (another library's); zstrip's are not.
-                               The controller is told where it can be, else bytes are swapped through scratch */
+                               ST7789 is told; for the other colour controllers bytes are swapped through scratch
+                               (ILI9341 has the command, but not for its serial interface) */
     uint8_t dim;            /* 255 - brightness or contrast, so that 0 is full */
 };
 
@@ -69,7 +70,7 @@ struct panel_rect {
     uint16_t x, y, w, h; /* px in the picture */
 };
 
-/* What rectangles must be multiples of, in the picture, edges and sizes alike. */
+/* What rectangles must be multiples of, in the picture, edges and sizes alike. Every picture's size is one. */
 struct panel_grain {
     uint8_t x, y; /* px, 1 or more */
 };
@@ -80,34 +81,35 @@ struct panel {
     uint8_t *scratch;
     uint32_t n_scratch;
     int16_t x0, y0;  /* offset of the picture's window, in the controller's coordinates */
-    uint8_t state;   /* internal */
+    uint8_t state;   /* internal; 0: not set up, so a struct of zeros is refused */
     uint8_t broken;  /* 1: a transfer failed: set-up commands are sent again before the next one */
     uint8_t locked;  /* 1: the bus is held until panel_wait */
 };
 
-/* Name of a controller as users write it ("st7789"), and the type of a name (NULL: none). Naming panel_types links all
- * of them. */
+/* Name of a controller as users write it ("st7789"). Static storage. */
 const char *panel_name(const struct panel_type *type);
+
+/* All controllers, to find one by its name. Naming panel_types links all of them. */
 extern const struct panel_type *const panel_types[];
 extern const uint32_t n_panel_types;
 
 enum panel_format panel_format(const struct panel_type *type);
 
 /* Bytes of scratch for rectangles of up to n_px pixels at a time (a strip: w * h); 0 where pixels travel as given.
- * Grey: n_px / 2; one bit: n_px / 8, the transpose of rotate 1 and 3 included; a byte swap: 2 n_px. */
+ * Grey: n_px / 2; one bit: n_px / 8, both rounded up, turning included; a byte swap: 2 n_px. */
 uint32_t panel_scratch_bytes(const struct panel_config *config, uint32_t n_px);
 
-/* Granularity at the config's rotation. Rectangles' x, y, w, h must be multiples; a last row or column of the
- * picture may end a rectangle anywhere. */
+/* Granularity at the config's rotation. Grey: 2 x 1 at rotate 0; one bit: 1 x 8; colour: 1 x 1. */
 struct panel_grain panel_grain(const struct panel_config *config);
 
 /* Reset the panel and set it up; its glass stays dark until it has been cleared to black, then it is on.
  *
+ * panel    not between panel_send and panel_wait: what it was is forgotten.
  * config   copied. scratch: at least panel_scratch_bytes of the largest rectangle to come, 4-byte aligned, kept;
  *          NULL with 0 where that is 0 (clearing needs none).
- * Blocks   as long as the controller wants (up to 0.3 s) and the clearing takes.
- * Return   HAL_OK; _ARG (NULL), PANEL_ERR_SIZE, _ROTATE, _SCRATCH before anything was sent; the bus's errors: the panel
- *          cannot be used until panel_init returns HAL_OK. */
+ * Blocks   as long as the controller wants (up to 0.3 s) and the clearing takes. The bus is held all that time.
+ * Return   HAL_OK; _ARG (NULL), PANEL_ERR_SIZE, _ROTATE, _SCRATCH, HAL_ERR_BUSY before anything was sent; the bus's
+ *          errors. After any of them the panel cannot be used until panel_init returns HAL_OK. */
 int panel_init(struct panel *panel, const struct panel_config *config, struct hal_bus *bus, void *scratch,
                uint32_t n_scratch);
 
@@ -118,25 +120,37 @@ uint16_t panel_height(const struct panel *panel);
 /* Set the window to rect and begin to send its pixels.
  *
  * px       row-major, 2-byte aligned; borrowed until panel_wait returns, not on a negative return.
- * stride   bytes from row to row, even; 0 means dense (rect->w * 2). Not dense: rows go out one by one, and all but
- *          the last are waited for here.
- * Blocks   for the window's commands; where px is converted, for that; never for dense pixels of a bus with DMA.
- * Return   HAL_OK; _ARG, PANEL_ERR_STATE, _RECT, _GRAIN, _SCRATCH: nothing was sent; HAL_ERR_STATE: the rectangle before
- *          was not waited for; the bus's errors: the glass may show any part of it; the next send begins with the
- *          set-up commands. */
+ * stride   bytes from row to row, even, at least rect->w * 2; 0 means dense (rect->w * 2). Not dense: rows go out
+ *          one by one, and all but the last are waited for here; where px is converted, nothing is waited for.
+ * Bus      hooks.lock before the window, hooks.unlock at the end of panel_wait, or here on a negative return.
+ * Blocks   for the window's commands, after a failure for those of the set-up; where px is converted, for that; never
+ *          for dense pixels of a bus with DMA.
+ * Cost     of conversion, on a Cortex-M3: 37 instructions a pixel to grey, 49 to one bit, at any rotation. Stack: at
+ *          most 288 bytes, the bus's and the hooks' aside.
+ * Return   HAL_OK; _ARG, PANEL_ERR_STATE, _RECT, _GRAIN, _SCRATCH, HAL_ERR_BUSY: nothing was sent; HAL_ERR_STATE:
+ *          the rectangle before was not waited for, and is still out; the bus's errors: the glass may show any part
+ *          of it; the next send begins with the set-up commands. */
 int panel_send(struct panel *panel, const struct panel_rect *rect, const uint8_t *px, uint32_t stride);
 
 /* Wait until what panel_send began is out. Nothing is: HAL_OK. Blocks for the rest. Return as the bus's wait. */
 int panel_wait(struct panel *panel);
 
-/* All of the following block for a few bytes on the wire and must not be called between send and wait
- * (HAL_ERR_STATE). They keep on a later set-up. */
+/* All of the following block for a few bytes on the wire, and hold the bus as long. Between send and wait:
+ * HAL_ERR_STATE; asleep: PANEL_ERR_STATE. They keep on a later set-up, so that what the bus failed to tell the
+ * panel is told with the next send. */
 int panel_rotate(struct panel *panel, uint8_t rotate); /* the glass is cleared; send all of the picture again */
 int panel_invert(struct panel *panel, uint8_t invert);
-int panel_brightness(struct panel *panel, uint8_t level); /* 255 full: WRDISBV, contrast or master current; where
-                                                             the controller has none (see its file), HAL_OK: use hal_backlight */
-int panel_sleep(struct panel *panel);                 /* dark, little current; panel_send is refused */
-int panel_wake(struct panel *panel);                  /* up to 0.12 s. What was sent before sleep may be gone: send all again */
+/* 255 is full. WRDISBV, contrast or master current; where the glass does not follow (its type's file says):
+ * hal_backlight. HAL_OK where the controller has no such command. */
+int panel_brightness(struct panel *panel, uint8_t level);
+
+/* Dark, little current; panel_send is refused. Blocks up to 0.12 s, so that panel_wake may follow at once. After a
+ * failure, too, only panel_wake leads on. */
+int panel_sleep(struct panel *panel);
+
+/* On again. Blocks up to 0.12 s. What was sent before sleep may be gone: send all again. After a failure the panel
+ * still counts as asleep: call it again. */
+int panel_wake(struct panel *panel);
 
 #ifdef __cplusplus
 }

@@ -22,13 +22,19 @@ none() {
     if [ -z "$2" ]; then ok "$1"; else bad "$1" "$(echo "$2" | sort -u | tr '\n' ' ')"; fi
 }
 
-# CPU DIR [FLAGS...]: firmware/zstrip as objects. Everything is compiled anew: it takes a second.
+# CPU DIR [FLAGS...]: firmware/zstrip, or hal/panel, as objects. Everything is compiled anew: it takes a second.
 core() {
-    cpu=$1 dir=$2
-    shift 2
+    compile firmware/zstrip "$@"
+}
+panels() {
+    compile hal/panel "$@" -Ihal -ffreestanding
+}
+compile() {
+    from=$1 cpu=$2 dir=$3
+    shift 3
     rm -rf "$dir"
     mkdir -p "$dir"
-    for src in firmware/zstrip/*.c; do
+    for src in "$from"/*.c; do
         # shellcheck disable=SC2086
         ${ARM}gcc -std=c11 -mcpu="$cpu" -mthumb $OPT $WARN "$@" -c "$src" \
             -o "$dir/$(basename "$src" .c).o" || return 1
@@ -77,6 +83,7 @@ EVERYTHING='extern struct zs_material other[5];
     (void)zs_camera_look_at(&camera, v, v + 3, v + 6);
     (void)zs_camera_look_along(&camera, v, v + 3, v + 6);
     (void)zs_camera_orbit(&camera, v, 10, 20, 30);
+    (void)zs_watch(&renderer, (uint64_t *)anything, 1);
     anything[3] = zs_frame_stats(&renderer)->passes;
     anything[7] = (uint32_t)zs_strflaw(zs_mesh_check(&mesh, anything))[0];
     anything[8] = (uint32_t)zs_texture_check((const struct zs_texture *)anything, anything);
@@ -90,11 +97,38 @@ struct zs_texture texture[3] = { { &zs_texel_565 }, { &zs_texel_pal8 }, { &zs_te
 extern const struct zs_state state;
 const struct zs_state state = ZS_STATE(1, 0, 1, 2);'
 
+# A firmware that has one panel and sends a rectangle: FILE TYPE WIDTH HEIGHT [EXTRA STATEMENTS]
+minimal_panel() {
+    cat >"$1" <<END
+#include "panel.h"
+#include "hal/null/hal.c"
+struct panel panel;
+uint8_t px[4096], scratch[4096];
+volatile int anything;
+int main(void)
+{
+    static const struct panel_config config = { &panel_$2, $3, $4, .rotate = 1 };
+    static const struct panel_rect rect = { 0, 0, 16, 16 };
+    if (hal_init() || panel_init(&panel, &config, hal_bus(), scratch, sizeof scratch))
+        return 1;
+    ${5:-}
+    return panel_send(&panel, &rect, px, 0) + panel_wait(&panel);
+}
+END
+}
+# What a firmware with all panels would also call.
+ALL_PANELS='struct panel_config other = config;
+    other.type = panel_types[(uint32_t)anything % n_panel_types];
+    anything = panel_init(&panel, &other, hal_bus(), scratch, panel_scratch_bytes(&other, 256));
+    anything = panel_rotate(&panel, 2) + panel_invert(&panel, 1) + panel_brightness(&panel, 9) + panel_sleep(&panel) +
+        panel_wake(&panel) + panel_strerror(anything)[0] + panel_name(other.type)[0] + panel_grain(&other).x +
+        panel_width(&panel) + panel_height(&panel) + (int)panel_format(other.type);'
+
 # CPU OBJECTS_DIR MAIN.c OUT.elf [FLAGS...]: link as a board would, unused sections dropped.
 link() {
     cpu=$1 dir=$2 main=$3 out=$4
     shift 4
     # shellcheck disable=SC2086
-    ${ARM}gcc -std=c11 -mcpu="$cpu" -mthumb $OPT -Ifirmware/zstrip "$main" "$dir"/*.o -nostartfiles \
+    ${ARM}gcc -std=c11 -mcpu="$cpu" -mthumb $OPT -Ifirmware/zstrip -I. -Ihal -Ihal/panel "$main" "$dir"/*.o -nostartfiles \
         -Wl,--gc-sections,-e,main "$@" -o "$out"
 }

@@ -4,9 +4,9 @@
 # SPDX-License-Identifier: MIT
 . "$(dirname "$0")/common.sh"
 
-for h in firmware/zstrip/zstrip.h firmware/scenes/scenes.h hal/hal.h; do
+for h in firmware/zstrip/zstrip.h firmware/scenes/scenes.h hal/hal.h hal/panel/panel.h; do
     for std in c++11 c++14 c++20; do
-        if g++ -x c++ -std=$std -Wall -Wextra -Werror -pedantic -fsyntax-only -Ifirmware/zstrip "$h" \
+        if g++ -x c++ -std=$std -Wall -Wextra -Werror -pedantic -fsyntax-only -Ifirmware/zstrip -Ihal "$h" \
             2>"$B/cxx.txt"; then
             ok "$(basename "$h") as $std"
         else

@@ -35,7 +35,8 @@ reach() {
     shift 2
     found= broken=
     for f in "$@"; do
-        deps=$(gcc -MM -Ifirmware/zstrip -Ifirmware/scenes -Ihal -Isim -Isim/reference "$f" 2>"$B/reach.txt") ||
+        deps=$(gcc -MM -Ifirmware/zstrip -Ifirmware/scenes -Ihal -Ihal/panel -Isim -Isim/reference \
+            -Isim/panel_model "$f" 2>"$B/reach.txt") ||
             broken="$broken $f"
         found="$found
 $(echo "$deps" | tr ' \\' '\n\n' | grep -E "$forbidden" | sed "s|^|$f->|")"
@@ -45,18 +46,28 @@ $(echo "$deps" | tr ' \\' '\n\n' | grep -E "$forbidden" | sed "s|^|$f->|")"
 
 only "zstrip includes its own headers, stdint and stddef" "$(headers firmware/zstrip)|$STD" firmware/zstrip/*.[ch]
 reach "zstrip reaches nothing else" '^(hal|sim|tests|firmware/[^z])' firmware/zstrip/*.c
-only "hal includes hal.h and standard headers" "\"hal\\.h\"|$HOSTED" hal/*.h hal/*/*.[ch]
+only "hal includes hal.h and standard headers" "\"hal\\.h\"|$(headers hal/fault)|$HOSTED" hal/*.h $(ls hal/*/*.[ch] | grep -vE '^hal/(panel|rp2040)/')
+only "hal/rp2040 includes hal.h and its own headers" "\"hal\\.h\"|$(headers hal/rp2040)|$STD" hal/rp2040/*.[ch]
+only "panels include hal.h and their own headers" "\"hal\\.h\"|$(headers hal/panel)|$STD" hal/panel/*.[ch]
 reach "hal reaches nothing of firmware" '^(firmware|sim|tests)' hal/*.h hal/*/*.c
-only "app sees zstrip.h, scenes.h and hal.h" "\"(zstrip|scenes|hal)\\.h\"|$STD" firmware/app/*.[ch]
+only "app sees zstrip.h, hal.h, panel.h, scenes and its own" "\"(zstrip|scenes|sizes|hal|panel|show)\\.h\"|$STD" firmware/app/*.[ch]
 only "scenes see zstrip.h and their own" "\"(zstrip|meshes)\\.h\"|$(headers firmware/scenes)|$STD" firmware/scenes/*.[ch]
 only "mesh generators see their own" "$(headers firmware/scenes | sed 's|"(|"\\.\\./(|')|$(headers firmware/scenes/gen)|$HOSTED" firmware/scenes/gen/*.[ch]
 only "boards see nothing of ours" "$STD" firmware/boards/*/*.c
-only "reference includes its own and standard headers" "$(headers sim/reference)|$HOSTED" sim/reference/*.[ch]
-reach "reference reaches nothing of firmware" '^(firmware|hal)' sim/reference/*.c
-twins=$(for h in sim/reference/*.h; do ls firmware/*/"$(basename "$h")" hal/"$(basename "$h")" 2>/dev/null; done)
-none "reference's header names are its own" "$twins"
-names=$(for f in sim/reference/*.[ch]; do
-    gcc -fpreprocessed -dD -E -P "$f" 2>/dev/null | grep -oE '\<(zs|ZS|hal|HAL)_[A-Za-z0-9_]+' | sed "s|^|$(basename "$f"):|"
-done)
-none "reference uses no name of firmware's" "$names"
+# A judge in sim: includes its own and standard headers, reaches nothing of what it judges, has header names of its
+# own (or an include could mean the other one), and uses no name that begins with a prefix of theirs.
+judge() { # FOLDER PREFIXES
+    only "$(basename "$1") includes its own and standard headers" "$(headers "$1")|$HOSTED" "$1"/*.[ch]
+    reach "$(basename "$1") reaches nothing of firmware or hal" '^(firmware|hal)' "$1"/*.c
+    twins=$(for h in "$1"/*.h; do
+        ls firmware/*/"$(basename "$h")" hal/"$(basename "$h")" hal/*/"$(basename "$h")" 2>/dev/null
+    done)
+    none "$(basename "$1")'s header names are its own" "$twins"
+    names=$(for f in "$1"/*.[ch]; do
+        gcc -fpreprocessed -dD -E -P "$f" 2>/dev/null | grep -oE "\\<($2)_[A-Za-z0-9_]+" | sed "s|^|$(basename "$f"):|"
+    done)
+    none "$(basename "$1") uses no name of theirs" "$names"
+}
+judge sim/reference 'zs|ZS|hal|HAL|panel|PANEL'
+judge sim/panel_model 'zs|ZS|hal|HAL|PANEL'
 exit $failed

@@ -1,6 +1,6 @@
 #!/bin/sh
-# Promise 1 on the Cortex-M objects, not by eye: no float, no allocator, no global state, nothing
-# called that is not named here.
+# Promise 1 on the Cortex-M objects of firmware/zstrip and hal/panel, not by eye: no float, no allocator, no global
+# state, nothing called that is not named here.
 #
 # SPDX-License-Identifier: MIT
 . "$(dirname "$0")/common.sh"
@@ -10,33 +10,45 @@ FLOAT='^(__aeabi_(f|d|cf|cd|h)[a-z0-9]+|__aeabi_(i|ui|l|ul)2[fd]|__(add|sub|mul|
 HEAP='^_?(malloc|calloc|realloc|free|memalign|aligned_alloc|alloca|sbrk|_sbrk|malloc_r|free_r)(_r)?$'
 # What may stay undefined: integer division and multiplication, counting zeros, switch tables (M0+),
 # block moves.
-ALLOWED='^(__aeabi_u?idiv(mod)?|__aeabi_u?ldivmod|__aeabi_lmul|__aeabi_l(ls|sr|asr)l?|__clz[sd]i2|__gnu_thumb1_case_(u?qi|u?hi|si)|mem(set|cpy|move))$'
+ALLOWED='^(__aeabi_u?idiv(mod)?|__aeabi_u?ldivmod|__aeabi_lmul|__aeabi_l(lsl|lsr|asr)|__clz[sd]i2|__gnu_thumb1_case_(u?qi|u?hi|si)|mem(set|cpy|move))$'
+
+# NAME CPU DIR: the objects of a folder, and a program in DIR/main.c that uses all of them
+rules() {
+    name=$1 c=$2 dir=$3
+    ${ARM}ld -r "$dir"/*.o -o "$dir/all.rel" || bad "$name partial link" "see above"
+    undefined=$(${ARM}nm -u "$dir/all.rel" | awk '{ print $NF }')
+    none "$name no soft-float helper" "$(echo "$undefined" | grep -E "$FLOAT")"
+    none "$name no allocator" "$(echo "$undefined" | grep -E "$HEAP")"
+    none "$name no other undefined symbol" \
+        "$(echo "$undefined" | grep -Ev "$ALLOWED" | grep -Ev "$FLOAT" | grep -Ev "$HEAP")"
+    none "$name no writable global" "$(${ARM}nm "$dir/all.rel" | awk '$2 ~ /^[bBdDC]$/ { print $3 }')"
+    if ! link "$c" "$dir" "$dir/main.c" "$dir/all.elf"; then
+        bad "$name links" "see above"
+        return
+    fi
+    none "$name linked: no FPU instruction" "$(${ARM}objdump -d --no-show-raw-insn "$dir/all.elf" |
+        awk '/>:$/ { f = $2 } $2 ~ /^(v[a-z]|f(add|sub|mul|div|cpy|ld|st|cmp|to|sito|uito))/ { print f $2 }')"
+    linked=$(${ARM}nm "$dir/all.elf" | awk '{ print $NF }')
+    none "$name linked: no soft float" "$(echo "$linked" | grep -E "$FLOAT")"
+    none "$name linked: no allocator" "$(echo "$linked" | grep -E "$HEAP")"
+}
 
 for c in $CPUS; do
     dir=$B/objects-$c
-    if ! core "$c" "$dir"; then
+    if core "$c" "$dir"; then
+        minimal "$dir/main.c" flat recip "$EVERYTHING"
+        echo "$OTHERS" >>"$dir/main.c"
+        rules "$c" "$c" "$dir"
+    else
         bad "$c compiles" "see above"
-        continue
     fi
-    ${ARM}ld -r "$dir"/*.o -o "$dir/zstrip.rel" || bad "$c partial link" "see above"
-    undefined=$(${ARM}nm -u "$dir/zstrip.rel" | awk '{ print $NF }')
-    none "$c no soft-float helper" "$(echo "$undefined" | grep -E "$FLOAT")"
-    none "$c no allocator" "$(echo "$undefined" | grep -E "$HEAP")"
-    none "$c no other undefined symbol" \
-        "$(echo "$undefined" | grep -Ev "$ALLOWED" | grep -Ev "$FLOAT" | grep -Ev "$HEAP")"
-    none "$c no writable global" "$(${ARM}nm "$dir/zstrip.rel" | awk '$2 ~ /^[bBdDC]$/ { print $3 }')"
-
-    minimal "$dir/main.c" flat recip "$EVERYTHING"
-    echo "$OTHERS" >>"$dir/main.c"
-    if ! link "$c" "$dir" "$dir/main.c" "$dir/all.elf"; then
-        bad "$c links" "see above"
-        continue
+    dir=$B/objects-panels-$c
+    if panels "$c" "$dir"; then
+        minimal_panel "$dir/main.c" st7789 240 240 "$ALL_PANELS"
+        rules "panels, $c" "$c" "$dir"
+    else
+        bad "panels, $c compile" "see above"
     fi
-    none "$c linked: no FPU instruction" "$(${ARM}objdump -d --no-show-raw-insn "$dir/all.elf" |
-        awk '/>:$/ { f = $2 } $2 ~ /^(v[a-z]|f(add|sub|mul|div|cpy|ld|st|cmp|to|sito|uito))/ { print f $2 }')"
-    linked=$(${ARM}nm "$dir/all.elf" | awk '{ print $NF }')
-    none "$c linked: no soft float" "$(echo "$linked" | grep -E "$FLOAT")"
-    none "$c linked: no allocator" "$(echo "$linked" | grep -E "$HEAP")"
 done
 
 # The same source for a core that has an FPU. There GCC moves and saves 64-bit integers through FPU
@@ -53,7 +65,7 @@ else
 fi
 
 # And as written: the words themselves, comments aside.
-words=$(for f in firmware/zstrip/*.[ch]; do
+words=$(for f in firmware/zstrip/*.[ch] hal/panel/*.[ch]; do
     ${ARM}gcc -fpreprocessed -dD -E -P "$f" 2>/dev/null |
         grep -nE '(^|[^A-Za-z0-9_])(float|double|malloc|calloc|realloc|alloca)([^A-Za-z0-9_]|$)|[0-9]\.[0-9]*f?([^A-Za-z0-9_"]|$)' |
         grep -vE '"[^"]*[0-9]\.[^"]*"' | sed "s|^|$(basename "$f"):|; s| |_|g"

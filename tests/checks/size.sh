@@ -7,6 +7,7 @@
 
 FLASH_MAX=${FLASH_MAX:-40960}           # everything, Cortex-M3
 FLASH_FLAT_MAX=${FLASH_FLAT_MAX:-18432} # flat and recip alone, Cortex-M3
+FLASH_PANEL_MAX=${FLASH_PANEL_MAX:-3072} # a panel that converts nothing
 
 # MAP PATTERN: bytes that the link took from objects whose path matches.
 taken() {
@@ -61,6 +62,26 @@ for c in $CPUS; do
         if [ "$core_bytes" -le "$FLASH_MAX" ]; then ok "$c everything within $FLASH_MAX bytes: $core_bytes"
         else bad "$c everything within $FLASH_MAX bytes" "$core_bytes"; fi
     fi
+done
+
+# Panels: panel.c, the type, the conversion that it brings along; sizes as commonly sold
+for c in $CPUS; do
+    dir=$B/size-panels-$c
+    panels "$c" "$dir" || { bad "panels, $c compile" "see above"; continue; }
+    printf '%-36s %8s %8s\n' "Flash, bytes, $c -O2" panel "libgcc+c"
+    for one in "st7789 240 240" "ili9341 240 320" "gc9a01 240 240" "ssd1351 128 128" "ssd0323 128 64" "ssd1306 128 64"; do
+        # shellcheck disable=SC2086
+        minimal_panel "$dir/main.c" $one
+        if ! link "$c" "$dir" "$dir/main.c" "$dir/size.elf" -Wl,-Map,"$dir/size.map"; then
+            bad "$c $one" "does not link"
+            continue
+        fi
+        panel_bytes=$(taken "$dir/size.map" "$dir/")
+        printf '  %-34s %8d %8d\n' "${one%% *}" "$panel_bytes" "$(taken "$dir/size.map" 'lib(gcc|c|c_nano)\\.a')"
+        [ "${one%% *}" = st7789 ] && first=$panel_bytes
+    done
+    if [ "$first" -le "$FLASH_PANEL_MAX" ]; then ok "$c st7789 alone within $FLASH_PANEL_MAX bytes: $first"
+    else bad "$c st7789 alone within $FLASH_PANEL_MAX bytes" "$first"; fi
 done
 
 # RAM: the macros give the same on every machine; the renderer itself holds pointers, so ask the M3.

@@ -8,8 +8,8 @@
 # sp in them, summed, and the deepest callee.
 #
 # Calls through pointers. The compiler gives the place of each; the source line there must read
-# shader->FIELD(, depth->FIELD(, kernel->FIELD(, texel->FIELD( or sink->FIELD(. All but the last may reach every
-# function that stands in that FIELD of any zs_shader, zs_depth, zs_state_kernel or zs_texel table (from the
+# shader->FIELD(, depth->FIELD(, kernel->FIELD(, texel->FIELD(, watch->FIELD( or sink->FIELD(. All but the last may reach
+# every function that stands in that FIELD of any zs_shader, zs_depth, zs_state_kernel, zs_texel or zs_watch_kernel table (from the
 # tables' relocations); sink functions are the caller's: their stack, and interrupts', comes on top. Any other
 # pointer call fails.
 #
@@ -17,6 +17,7 @@
 . "$(dirname "$0")/common.sh"
 
 LIMIT=${STACK_LIMIT:-2048} # bytes, any public function
+PANEL_LIMIT=${PANEL_STACK_LIMIT:-288} # bytes, any function of panel.h
 
 # Fields of a struct of function pointers in pipeline.h, in order: STRUCT
 fields() {
@@ -45,7 +46,7 @@ facts() { # CPU DIR
             $1 == "local" { l[$2] = 1; next }
             function name(s) { sub(/[+-]0x.*/, "", s); return s in l ? u ":" s : s }
             /^RELOCATION RECORDS FOR/ { s = $4; gsub(/\[|\]|:/, "", s)
-                fn = s ~ /^\.text\./ ? name(substr(s, 7)) : ""; table = s ~ /\.zs_(shade|depth|texel|state)_/ ? s : "" }
+                fn = s ~ /^\.text\./ ? name(substr(s, 7)) : ""; table = s ~ /\.zs_(shade|depth|texel|state|watch)_/ ? s : "" }
             fn != "" && $2 ~ /^R_ARM_THM_(CALL|JUMP)/ && $3 !~ /^\./ { print "call", fn, name($3) }
             table != "" && $2 == "R_ARM_ABS32" { print "slot", table, $1, name($3) }' "$2/$unit.locals" - |
             while read -r kind table offset fn; do
@@ -54,6 +55,7 @@ facts() { # CPU DIR
                     *zs_shade_*) kind=shader struct=zs_shader ;;
                     *zs_texel_*) kind=texel struct=zs_texel ;;
                     *zs_state_*) kind=kernel struct=zs_state_kernel ;;
+                    *zs_watch_*) kind=watch struct=zs_watch_kernel ;;
                     *) kind=depth struct=zs_depth ;;
                     esac
                     index=$((0x$offset / 4 + 1))
@@ -103,8 +105,8 @@ bound() { # CPU FACTS: prints public functions with their bound, then problems
             split(where[k], p, ":"); i = 0
             while ((getline text < p[1]) > 0) if (++i == p[2]) line = text
             close(p[1])
-            if (!match(line, /(shader|depth|kernel|texel|sink)->[a-z]+\(/)) {
-                fail("pointer calls", where[k] " is not shader->, depth->, kernel->, texel-> or sink->"); return }
+            if (!match(line, /(shader|depth|kernel|texel|watch|sink)->[a-z]+\(/)) {
+                fail("pointer calls", where[k] " is not shader->, depth->, kernel->, texel->, watch-> or sink->"); return }
             key = substr(line, RSTART, RLENGTH - 1)
             if (key ~ /^sink/) { sinks[from[k]] = 1; return }
             if (!(key in to)) { fail("pointer calls", where[k] ": no table fills " key); return }
@@ -146,5 +148,43 @@ for c in $CPUS; do
     link "$c" "$dir" "$dir/main.c" "$dir/all.elf" || { bad "$c links" "see above"; continue; }
     { helpers "$dir/all.elf"; facts "$c" "$dir"; } >"$dir/facts.txt"
     bound "$c" "$dir/facts.txt" || failed=1
+done
+
+# Panels: frames and calls as the compiler has them. bus->F( and hooks->F( are the caller's, type->convert( is the
+# deepest conversion; division and block moves come on top.
+panel_bound() { # CPU DIR
+    cat "$2"/*.ci | awk -v cpu="$1" -v limit="$PANEL_LIMIT" '
+        function fail(name, why) { print "FAILED panels, " cpu " " name ": " why; failed = 1 }
+        /^node:/ && / bytes \(/ {
+            split($0, q, "\""); f = q[2]
+            match($0, /[0-9]+ bytes \([a-z,]*\)/); split(substr($0, RSTART, RLENGTH), b, " ")
+            own[f] = b[1]; if (b[3] != "(static)") fail("fixed frames", f " " b[3]) }
+        /^edge:/ {
+            split($0, q, "\"")
+            if (q[4] != "__indirect_call") { out[q[2]] = out[q[2]] " " q[4]; next }
+            split(q[6], w, ":"); i = 0; line = ""
+            while ((getline text < w[1]) > 0) if (++i == w[2]) line = text
+            close(w[1]); pointers++
+            if (line ~ /type->convert\(/) out[q[2]] = out[q[2]] " panel_convert_swap panel_convert_grey4 panel_convert_mono"
+            else if (line !~ /(bus|hooks)->[a-z]+\(/) fail("pointer calls", q[6] ": not bus->, hooks-> or type->convert(") }
+        function deep(f, i, n, c, m, d) {
+            if (f in bound) return bound[f]
+            if (f in open) { fail("no recursion", f " calls itself, perhaps through others"); return 0 }
+            if (!(f in own)) { if (f !~ /^(mem(set|cpy)|__aeabi_)/) fail("known calls", f); return 0 }
+            open[f] = 1; m = 0; n = split(out[f], c, " ")
+            for (i = 1; i <= n; i++) { d = deep(c[i]); if (d > m) m = d }
+            delete open[f]
+            return bound[f] = own[f] + m }
+        END {
+            for (f in own) { d = deep(f); if (d > most) { most = d; worst = f } }
+            if (!("panel_send" in own) || !pointers) fail("bound", "panel_send or its calls not found")
+            else if (most > limit) fail("stack within " limit " bytes", worst " takes " most)
+            else print "ok panels, " cpu " stack within " limit " bytes: " worst " " most ", panel_send " bound["panel_send"]
+            exit failed }'
+}
+for c in $CPUS; do
+    dir=$B/stack-panels-$c
+    panels "$c" "$dir" -fstack-usage -fcallgraph-info=su || { bad "panels, $c compile" "see above"; continue; }
+    panel_bound "$c" "$dir" || failed=1
 done
 exit $failed

@@ -121,7 +121,7 @@ int64_t gen_fractal(const int64_t at[3], int64_t cells, int octaves, uint32_t se
 
 /* ---- Meshes and textures, one function a file ---- */
 
-void gen_teapot(void);  /* teapot, tea, table */
+void gen_teapot(void);  /* teapot, tea, table, texture glaze */
 void gen_shapes(void);  /* cube, knot */
 void gen_terrain(void); /* terrain */
 void gen_city(void);    /* city, car */

@@ -67,6 +67,8 @@ static const struct tube_row spout[] = {
 static const int handle_rows[] = { 8, 8 };
 static const int spout_rows[] = { 9, 5 };
 
+#define UV_BITS 12
+
 static const struct gen_rgb white = { 255, 255, 255 };
 
 /* ---- Evaluation: exact, over the denominator (n m)^3 --------------------------------------- */
@@ -155,10 +157,18 @@ static struct patch turned_patch(const struct turned_row row[4], int64_t num, in
     return out;
 }
 
+/* Vertex i of a ring of n gets u so that the texture goes around in mirrored halves, `repeats` of it to each: no
+ * seam. v in 64ths of the texture. */
+static void cover(struct gen_mesh *m, uint32_t vertex, int64_t i, int64_t n, int64_t repeats, int64_t v)
+{
+    const int64_t half = i <= n / 2 ? i : n - i;
+    gen_uv(m, vertex, gen_div(half * 2 * repeats << UV_BITS, n), v << UV_BITS >> 6);
+}
+
 /* One ring of 4 QUARTER vertices, or a single one where the profile meets the axis. Returns the
  * first one's number. */
 static uint32_t turned_ring(struct gen_mesh *m, const struct patch *patch, int iv, int nv,
-                            int64_t den)
+                            int64_t den, int64_t v)
 {
     const uint32_t first = m->n_verts;
     for (int quarter = 0; quarter < 4; quarter++) {
@@ -171,7 +181,7 @@ static uint32_t turned_ring(struct gen_mesh *m, const struct patch *patch, int i
                 q.normal[0] = -q.normal[2];
                 q.normal[2] = nx;
             }
-            gen_vert_normal(m, q.pos, q.normal, white);
+            cover(m, gen_vert_normal(m, q.pos, q.normal, white), quarter * QUARTER + iu, 4 * QUARTER, 3, v);
             if (q.pos[0] == 0 && q.pos[2] == 0)
                 return first;
         }
@@ -180,14 +190,14 @@ static uint32_t turned_ring(struct gen_mesh *m, const struct patch *patch, int i
 }
 
 static void turned(struct gen_mesh *m, const struct turned_row *rows, const int *n_rows,
-                   int n_segments, int64_t num, int64_t den)
+                   int n_segments, int64_t num, int64_t den, int64_t v)
 {
     const uint32_t n = 4 * QUARTER;
     uint32_t upper = 0, n_upper = 0;
     for (int s = 0; s < n_segments; s++) {
         const struct patch patch = turned_patch(rows + 3 * s, num, den);
-        for (int iv = s ? 1 : 0; iv <= n_rows[s]; iv++) {
-            const uint32_t lower = turned_ring(m, &patch, iv, n_rows[s], den);
+        for (int iv = s ? 1 : 0; iv <= n_rows[s]; iv++, v += 5) {
+            const uint32_t lower = turned_ring(m, &patch, iv, n_rows[s], den, v);
             const uint32_t n_lower = m->n_verts - lower;
             for (uint32_t i = 0; n_upper && i < n; i++) {
                 const uint32_t j = (i + 1) % n;
@@ -241,7 +251,7 @@ static void tube(struct gen_mesh *m, const struct tube_row *rows, const int *n_r
             const uint32_t now = m->n_verts;
             for (uint32_t i = 0; i < n; i++) {
                 const struct point q = tube_point(rows + 3 * s, i, iv, n_rows[s], side);
-                gen_vert_normal(m, q.pos, q.normal, white);
+                cover(m, gen_vert_normal(m, q.pos, q.normal, white), i, n, 1, (s * n_rows[0] + iv) * 5);
             }
             const uint32_t old = now - n;
             for (uint32_t i = 0; (s || iv) && i < n; i++) {
@@ -313,14 +323,43 @@ static void table(void)
     gen_write(m, GEN_NORMAL | GEN_VERTEX_RGB, 65536);
 }
 
+/* Cobalt on white, symmetric in u: a lattice of lozenges with a flower in each, and a band. */
+static void glaze(void)
+{
+    static const struct gen_rgb china = { 244, 242, 232 }, cobalt = { 26, 54, 150 }, sky = { 130, 164, 222 };
+    static const struct gen_rgb gold = { 214, 170, 72 };
+    struct gen_image *im = gen_image("glaze", 64, 64);
+    for (int64_t y = 0; y < im->h; y++) {
+        for (int64_t x = 0; x < im->w; x++) {
+            const int64_t dx = x < 32 ? 31 - x : x - 32, dy = y < 32 ? 31 - y : y - 32; /* to the middle */
+            const int64_t r = dx * dx + dy * dy, lattice = dx + dy;
+            struct gen_rgb c = gen_mix(china, sky, (int64_t)(gen_hash((uint32_t)dx, (uint32_t)y, 5) % 3), 24);
+            if (lattice >= 30 && lattice <= 32)
+                c = cobalt;
+            else if (lattice == 28 || lattice == 34)
+                c = sky;
+            else if (r < 14)
+                c = gold;
+            else if (r < 190 && (dx < 4 || dy < 4 || (dx > dy - 3 && dx < dy + 3 && r < 130)))
+                c = r > 120 ? sky : cobalt;
+            if (dx > 28 && dy > 28)
+                c = gold;
+            gen_dot(im, x, y, c);
+        }
+    }
+    gen_texture(im, GEN_PAL8, GEN_REPEAT);
+}
+
 void gen_teapot(void)
 {
     struct gen_mesh *m = gen_begin("teapot");
-    turned(m, lid, lid_rows, 2, LID_NUM, LID_DEN);
-    turned(m, pot, pot_rows, 4, 1, 1);
+    m->uv_bits = UV_BITS;
+    turned(m, lid, lid_rows, 2, LID_NUM, LID_DEN, 0);
+    turned(m, pot, pot_rows, 4, 1, 1, 0);
     tube(m, handle, handle_rows, 1);
     tube(m, spout, spout_rows, 1);
-    gen_write(m, GEN_NORMAL, 65536);
+    gen_write(m, GEN_NORMAL | GEN_UV, 65536);
+    glaze();
     tea();
     table();
 }

@@ -1,0 +1,270 @@
+/* The show: a scene on the board's panel, for ever. While one strip is on the wire the next is drawn, also from one
+ * frame to the next: a frame's last strip leaves while the vertices of the next one are worked on.
+ *
+ * The animation follows the clock: a board that cannot keep its pace leaves frames of it out and counts them as late.
+ * Every STATS_EVERY frames a line of numbers is written. An error of the panel is written too, what is left of the
+ * frame is dropped, and the driver sets the panel up again before the next.
+ *
+ * SPDX-License-Identifier: MIT
+ */
+#include "hal.h"
+#include "panel.h"
+#include "show.h"
+
+#ifndef SHOW_PANEL
+#define SHOW_PANEL panel_st7789
+#endif
+#ifndef SHOW_INVERT
+#define SHOW_INVERT 1 /* IPS glass */
+#endif
+#ifndef SHOW_ROTATE
+#define SHOW_ROTATE 0
+#endif
+
+#define STATS_EVERY 32u
+#define US_A_SECOND 1000000u
+
+static const struct panel_config glass = {
+    .type = &SHOW_PANEL, .width = SHOW_WIDTH, .height = SHOW_HEIGHT, .rotate = SHOW_ROTATE, .invert = SHOW_INVERT
+};
+
+/* A test writes into the flash image: frames * step numbers, 0, step, 2 step ..., are drawn without regard to the
+ * clock; then the show stops. frames 0: for ever, by the clock. */
+struct show_test {
+    uint32_t frames, step;
+};
+extern const struct show_test show_test;
+const struct show_test show_test = { 0, 1 };
+
+/* What the loop is at: for a debugger, and for a test that counts cycles. */
+enum show_phase { SHOW_ELSE, SHOW_DRAW, SHOW_SEND, SHOW_WAIT };
+extern volatile uint8_t show_phase;
+volatile uint8_t show_phase;
+
+/* Sums since the last line of statistics, in ticks. */
+struct tally {
+    uint64_t since;          /* when it was begun */
+    uint64_t draw, busy;     /* drawing; in the panel's functions */
+    uint32_t frames, late;   /* late: took longer than a frame of the animation */
+};
+
+static struct zs_renderer renderer;
+static struct demo_frame frame;
+static struct panel panel;
+static struct tally tally;
+static uint64_t wire; /* ticks that a frame takes in the panel's functions when nothing is drawn meanwhile */
+
+/* ---- Text --------------------------------------------------------------------------------------------------- */
+
+static char line[96];
+static uint32_t line_n;
+
+static void put(const char *text)
+{
+    while (*text && line_n + 1u < sizeof line)
+        line[line_n++] = *text++;
+}
+
+static void put_number(uint64_t v)
+{
+    char digits[21];
+    char *at = digits + sizeof digits - 1;
+    *at = '\0';
+    do {
+        *--at = (char)('0' + (char)(v % 10u));
+        v /= 10u;
+    } while (v);
+    put(at);
+}
+
+/* Lines are written whole: a board may then send them by itself. */
+static void put_end(void)
+{
+    put("\n");
+    line[line_n] = '\0';
+    hal_write(line);
+    line_n = 0;
+}
+
+static void report(int err)
+{
+    put("# ");
+    put(err > -100 ? zs_strerror(err) : panel_strerror(err));
+    put_end();
+}
+
+static uint64_t us(uint64_t ticks)
+{
+    const uint32_t hz = hal_tick_hz();
+    return hz ? ticks * US_A_SECOND / hz : 0;
+}
+
+/* Of the drawing, the percentage that went on behind the wire: what the wire takes, less what was waited for. */
+static uint32_t hidden(void)
+{
+    const uint64_t all = wire * tally.frames;
+    const uint64_t behind = all > tally.busy ? all - tally.busy : 0;
+    const uint64_t percent = tally.draw ? behind * 100u / tally.draw : 100u;
+    return percent > 100u ? 100u : (uint32_t)percent;
+}
+
+static void statistics(uint64_t now)
+{
+    const uint64_t took = us(now - tally.since);
+    const uint64_t tenths = took ? (uint64_t)tally.frames * 10u * US_A_SECOND / took : 0;
+    const uint64_t field[] = { tally.frames, tenths / 10u, us(tally.draw) / tally.frames, us(wire), hidden(),
+                               tally.late, zs_frame_stats(&renderer)->passes, hal_stack_used() };
+    put(show.demo->name);
+    for (uint32_t i = 0; i < sizeof field / sizeof field[0]; i++) {
+        put(",");
+        put_number(field[i]);
+        if (i == 1) { /* frames a second have a tenth */
+            put(".");
+            put_number(tenths % 10u);
+        }
+    }
+    put_end();
+    const struct tally none = { .since = now };
+    tally = none;
+}
+
+/* ---- A frame ---------------------------------------------------------------------------------------------------- */
+
+static int wait_for_panel(void)
+{
+    const uint64_t from = hal_ticks();
+    show_phase = SHOW_WAIT;
+    const int err = panel_wait(&panel);
+    show_phase = SHOW_ELSE;
+    tally.busy += hal_ticks() - from;
+    return err;
+}
+
+static int send(const struct zs_strip *strip)
+{
+    const struct panel_rect rect = { strip->x, strip->y, strip->w, strip->h };
+    const uint64_t from = hal_ticks();
+    show_phase = SHOW_SEND;
+    const int err = panel_send(&panel, &rect, strip->px, 0);
+    show_phase = SHOW_ELSE;
+    tally.busy += hal_ticks() - from;
+    return err;
+}
+
+static int begin(uint32_t t)
+{
+    const uint64_t from = hal_ticks();
+    show_phase = SHOW_DRAW;
+    show.demo->pose(&frame, t, SHOW_WIDTH, SHOW_HEIGHT);
+    const int err = zs_frame_begin(&renderer, &frame.scene, &frame.camera);
+    show_phase = SHOW_ELSE;
+    tally.draw += hal_ticks() - from;
+    return err;
+}
+
+static int next_strip(struct zs_strip *strip)
+{
+    const uint64_t from = hal_ticks();
+    show_phase = SHOW_DRAW;
+    const int got = zs_frame_strip(&renderer, strip);
+    show_phase = SHOW_ELSE;
+    tally.draw += hal_ticks() - from;
+    return got;
+}
+
+/* Draw frame t and send it; its last strip may be out when this returns. alone: wait for each strip before the next is
+ * drawn. */
+static int draw_frame(uint32_t t, int alone)
+{
+    const uint32_t strips = (SHOW_HEIGHT + show.rows - 1u) / show.rows;
+    struct zs_strip strip;
+    int err = begin(t), got;
+    if (!err && strips % 2u) /* the first strip goes where the last one lies that is still out */
+        err = wait_for_panel();
+    while (!err && (got = next_strip(&strip)) != 0) {
+        err = got < 0 ? got : wait_for_panel();
+        if (!err)
+            err = send(&strip);
+        if (!err && alone)
+            err = wait_for_panel();
+    }
+    (void)zs_frame_end(&renderer);
+    return err;
+}
+
+/* ---- Frames ----------------------------------------------------------------------------------------------- */
+
+static int set_up(void)
+{
+    const struct zs_config config = { SHOW_WIDTH, SHOW_HEIGHT, show.rows, show.tris, show.verts, show.attrs, 2, 8, 16,
+                                      0, show.demo->depth };
+    const int err = zs_init(&renderer, &config, show.arena, show.arena_bytes);
+    if (err)
+        return err;
+    return panel_init(&panel, &glass, hal_bus(), 0, 0);
+}
+
+/* The animation's frame for now, after waiting for it where it is still the one shown last. */
+static uint32_t by_the_clock(uint64_t start, uint32_t last)
+{
+    const uint32_t hz = hal_tick_hz();
+    if (!hz)
+        return last + 1u;
+    const uint64_t now = hal_ticks() - start;
+    const uint64_t step = now * show.rate / hz;
+    if (step > last)
+        return (uint32_t)step;
+    const uint64_t due = ((uint64_t)last + 1u) * hz / show.rate; /* ticks since the start */
+    hal_bus()->delay(hal_bus(), (uint32_t)us(due - now));
+    return last + 1u;
+}
+
+/* One frame, counted. */
+static void show_frame(uint32_t t, int alone)
+{
+    const uint64_t from = hal_ticks();
+    const int err = draw_frame(t, alone);
+    if (err)
+        report(err);
+    tally.frames++;
+    tally.late += (hal_ticks() - from) * show.rate > hal_tick_hz();
+}
+
+/* The first frame tells what the wire takes by itself; it is not counted. */
+static void first_frame(void)
+{
+    show_frame(0, 1);
+    wire = tally.busy;
+    hal_backlight(255);
+    const struct tally none = { .since = hal_ticks() };
+    tally = none;
+}
+
+int main(void)
+{
+    if (hal_init())
+        hal_exit(1);
+    int err;
+    while ((err = set_up()) != 0) { /* a panel that was plugged in late is found */
+        report(err);
+        hal_bus()->delay(hal_bus(), US_A_SECOND);
+    }
+    hal_write("scene,frames,frames/s,draw us,wire us,hidden %,late,passes,stack\n");
+    first_frame();
+    const volatile struct show_test *test = &show_test; /* not what the compiler knows: what flash says */
+    const uint32_t frames = test->frames, step = test->step;
+    const uint64_t start = tally.since;
+    uint32_t t = 0;
+    for (uint32_t i = 1; !frames || i < frames; i++) {
+        t = frames ? i * step : by_the_clock(start, t);
+        show_frame(t, 0);
+        if (tally.frames == STATS_EVERY)
+            statistics(hal_ticks());
+    }
+    err = wait_for_panel();
+    if (err)
+        report(err);
+    if (tally.frames)
+        statistics(hal_ticks());
+    hal_exit(0);
+}

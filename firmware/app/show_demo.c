@@ -1,0 +1,12 @@
+/* The show of the demo scene that the compiler's -DSHOW_DEMO=teapot names.
+ *
+ * SPDX-License-Identifier: MIT
+ */
+#include "show.h"
+#include "sizes.h"
+
+#define JOIN(a, b) a##b
+#define OF(prefix, name) JOIN(prefix, name)
+#define SHOW_SIZED(...) SHOW(__VA_ARGS__)
+
+SHOW_SIZED(OF(demo_, SHOW_DEMO), OF(SIZES_, SHOW_DEMO));

@@ -1,0 +1,20 @@
+/* How much a firmware gives each demo scene at 240x240: what takes every frame of its animation in one pass, in strips
+ * as high as pay. Less of any costs time, never a pixel.
+ *
+ * SPDX-License-Identifier: MIT
+ */
+#ifndef SIZES_H
+#define SIZES_H
+
+/* Frames of the animation a second; rows of a strip (an even number of strips lets a frame begin while the one before
+ * it still leaves); triangles; vertices; 16-bit words a vertex. */
+#define SIZES_teapot 30, 60, 1792, 1664, ZS_ATTRS_SMOOTH
+#define SIZES_china 20, 60, 1792, 1664, ZS_ATTRS_TEXTURE_SMOOTH
+#define SIZES_cubes 30, 60, 64, 80, ZS_ATTRS_FLAT
+#define SIZES_knot 30, 60, 1088, 1088, ZS_ATTRS_SMOOTH
+#define SIZES_flyover 20, 60, 960, 5376, ZS_ATTRS_FLAT
+#define SIZES_city 30, 60, 1408, 1600, ZS_ATTRS_FLAT
+#define SIZES_hall 20, 60, 640, 1536, ZS_ATTRS_TEXTURE_SMOOTH
+#define SIZES_globe 20, 60, 1088, 1472, ZS_ATTRS_TEXTURE_SMOOTH
+
+#endif

@@ -1,0 +1,267 @@
+/* RP2040: the panel's bus. SPI0 carries it; pixels go by DMA, which ends in an interrupt; commands are polled.
+ *
+ * A transfer ends in one of two interrupts, of equal priority, so that neither comes between the other's lines: the
+ * DMA's, which then sees the last words leave the FIFO (nine of them, 2.3 us at 62.5 MHz), or the timer's, when twice
+ * the transfer's time and a millisecond have passed. After a failure SPI0 is reset: whatever it held is gone.
+ *
+ * SPI0 receives as it sends, into a FIFO that nobody reads. When that is full, words are dropped and a flag is set,
+ * both without any effect on sending (PL022 manual, 2.4.3): it is left alone.
+ *
+ * What an emulator cannot tell: a bus error of the DMA, edges and slew of the pins, errata RP2040-E13. With SPI_MODE 0
+ * the PL022 rests for about two cycles of SCK after each word (its manual, 2.4.9); with 3 it does not.
+ *
+ * SPDX-License-Identifier: MIT
+ */
+#include "hal.h"
+#include "parts.h"
+#include "pins.h"
+#include "regs.h"
+
+#define BIT(pin) (1u << (pin))
+#define CHANNEL_BIT (1u << CHANNEL_PANEL)
+#define CHANNEL_ERRORS (DMA_READ_ERROR | DMA_WRITE_ERROR)
+#define CHANNEL_CTRL (DMA_EN | DMA_INCR_READ | DMA_CHAIN_TO(CHANNEL_PANEL) | DMA_TREQ(DREQ_SPI0_TX))
+
+#define RESET_US 20u
+#define SPINS 20000u /* of some eight cycles: a millisecond, for what takes microseconds */
+
+_Static_assert(SPI_DIVIDER >= 2 && SPI_DIVIDER <= 254 && SPI_DIVIDER % 2 == 0, "SPI_DIVIDER: even, 2 to 254");
+_Static_assert(SPI_MODE == 0 || SPI_MODE == 3, "SPI_MODE: 0 or 3");
+
+void DMA_0_Handler(void);
+void TIMER_0_Handler(void);
+
+static struct hal_bus the_bus;
+
+static uint8_t ready;             /* rp2040_bus_start was called */
+static uint8_t begun;             /* from data until wait */
+static volatile uint8_t running;  /* from data until an interrupt ends it */
+static volatile int16_t outcome;  /* enum hal_err, of the transfer that has ended */
+
+/* ---- SPI0 ---------------------------------------------------------------------------------------------- */
+
+/* Word length may only change while SPI0 is off and idle (PL022 manual, 3.3.1). */
+static void set_bits(uint32_t bits)
+{
+    SPI0_CR1 = 0;
+    SPI0_CR0 = SPI_DSS(bits) | (SPI_MODE == 3 ? SPI_SPO | SPI_SPH : 0u);
+    SPI0_CR1 = SPI_SSE;
+}
+
+static void spi_start(void)
+{
+    rp2040_restart(RESET_SPI0);
+    SPI0_CPSR = SPI_DIVIDER;
+    SPI0_DMACR = SPI_TXDMAE;
+    set_bits(8);
+}
+
+/* Until the last bit is out. */
+static int drain(void)
+{
+    for (uint32_t i = 0; i < SPINS; i++)
+        if (!(SPI0_SR & SPI_BSY))
+            return HAL_OK;
+    return HAL_ERR_TIMEOUT;
+}
+
+static int send_polled(const uint8_t *bytes, uint32_t n)
+{
+    for (uint32_t i = 0; i < n; i++) {
+        uint32_t spins = SPINS;
+        while (!(SPI0_SR & SPI_TNF))
+            if (--spins == 0)
+                return HAL_ERR_TIMEOUT;
+        SPI0_DR = bytes[i];
+    }
+    return drain();
+}
+
+static void select_panel(void)
+{
+    SIO_GPIO_OUT_CLR = BIT(PIN_CS);
+}
+
+static void release_panel(void)
+{
+    SIO_GPIO_OUT_SET = BIT(PIN_CS) | BIT(PIN_DC);
+}
+
+/* ---- The end of a transfer ----------------------------------------------------------------------------------- */
+
+/* Let the done hook divide: an interrupt may have come between a division's operands and its result. Datasheet,
+ * 2.3.1.5: results are written last, quotient after remainder. */
+static void call_done(void)
+{
+    while (!(SIO_DIV_CSR & SIO_DIV_READY)) {
+    }
+    const uint32_t dividend = SIO_DIV_UDIVIDEND, divisor = SIO_DIV_UDIVISOR;
+    const uint32_t remainder = SIO_DIV_REMAINDER, quotient = SIO_DIV_QUOTIENT;
+    the_bus.hooks.done(the_bus.hooks.ctx);
+    SIO_DIV_UDIVIDEND = dividend;
+    SIO_DIV_UDIVISOR = divisor;
+    SIO_DIV_REMAINDER = remainder;
+    SIO_DIV_QUOTIENT = quotient;
+}
+
+static void end(int err)
+{
+    TIMER_ARMED = 1; /* disarms alarm 0 */
+    if (err)
+        spi_start();
+    release_panel();
+    outcome = (int16_t)err;
+    running = 0;
+    if (the_bus.hooks.done)
+        call_done();
+}
+
+/* Errata RP2040-E13: an abort can raise the channel's interrupt, so that is masked meanwhile and cleared. */
+static void abort_channel(void)
+{
+    DMA_INTE0 = 0;
+    DMA_CHAN_ABORT = CHANNEL_BIT;
+    for (uint32_t i = 0; i < SPINS && (DMA_CHAN_ABORT & CHANNEL_BIT); i++) {
+    }
+    DMA_INTS0 = CHANNEL_BIT;
+    DMA_INTE0 = CHANNEL_BIT;
+}
+
+void DMA_0_Handler(void)
+{
+    DMA_INTS0 = CHANNEL_BIT;
+    if (!running) /* the timer ended it while this interrupt was pending */
+        return;
+    if (DMA_CTRL(CHANNEL_PANEL) & CHANNEL_ERRORS) { /* 2.5.7: the channel has stopped there */
+        DMA_CTRL(CHANNEL_PANEL) = CHANNEL_ERRORS;   /* cleared by writing ones; the channel is off */
+        end(HAL_ERR_BUS);
+    } else {
+        end(drain());
+    }
+}
+
+void TIMER_0_Handler(void)
+{
+    TIMER_INTR = 1;
+    if (!running || DMA_INTS0 & CHANNEL_BIT) /* ended, or about to be: both came while interrupts were off */
+        return;
+    abort_channel();
+    end(HAL_ERR_TIMEOUT);
+}
+
+/* ---- The bus --------------------------------------------------------------------------------------------------- */
+
+static int command(struct hal_bus *bus, uint8_t code, const uint8_t *args, uint32_t n)
+{
+    (void)bus;
+    if (n && !args)
+        return HAL_ERR_ARG;
+    if (!ready || begun)
+        return HAL_ERR_STATE;
+    set_bits(8);
+    SIO_GPIO_OUT_CLR = BIT(PIN_DC);
+    select_panel();
+    int err = send_polled(&code, 1);
+    if (!err && n) {
+        SIO_GPIO_OUT_SET = BIT(PIN_DC);
+        err = send_polled(args, n);
+    }
+    if (err)
+        spi_start();
+    release_panel();
+    return err;
+}
+
+/* Twice the time of n bytes on the wire and a millisecond. */
+static uint32_t deadline_us(uint32_t n)
+{
+    return 1000u + (uint32_t)((uint64_t)n * (16u * SPI_DIVIDER) / (CLOCK_HZ / 1000000u));
+}
+
+static int data(struct hal_bus *bus, const uint8_t *bytes, uint32_t n)
+{
+    (void)bus;
+    if (!bytes || !n)
+        return HAL_ERR_ARG;
+    if (!ready || begun)
+        return HAL_ERR_STATE;
+    /* words of 16 bits travel with the fewest gaps; their bytes are swapped, as SPI sends the high one first */
+    const int words = !((n | (uintptr_t)bytes) & 1u);
+    set_bits(words ? 16 : 8);
+    select_panel();
+    begun = running = 1;
+    DMA_READ_ADDR(CHANNEL_PANEL) = (uint32_t)(uintptr_t)bytes;
+    DMA_WRITE_ADDR(CHANNEL_PANEL) = (uint32_t)(uintptr_t)&SPI0_DR;
+    DMA_TRANS_COUNT(CHANNEL_PANEL) = words ? n / 2u : n;
+    TIMER_ALARM0 = rp2040_us() + deadline_us(n); /* writing arms it */
+    DMA_CTRL_TRIG(CHANNEL_PANEL) = words ? CHANNEL_CTRL | DMA_HALFWORDS | DMA_BSWAP : CHANNEL_CTRL;
+    return HAL_OK;
+}
+
+/* Sleep until an interrupt, unless the transfer has ended. Interrupts are off from the question to the sleep, so that
+ * the one that matters cannot come between; one that is pending ends the sleep (Armv6-M manual, B1.5.18) and runs
+ * as soon as they are on. */
+static void sleep_while_running(void)
+{
+    __asm__ volatile("cpsid i" ::: "memory");
+    if (running)
+        __asm__ volatile("wfi" ::: "memory");
+    __asm__ volatile("cpsie i" ::: "memory");
+}
+
+static int wait(struct hal_bus *bus)
+{
+    if (!begun)
+        return HAL_OK;
+    while (running) {
+        if (bus->hooks.idle)
+            bus->hooks.idle(bus->hooks.ctx);
+        else
+            sleep_while_running();
+    }
+    begun = 0;
+    return outcome;
+}
+
+static int reset(struct hal_bus *bus)
+{
+    (void)bus;
+    if (!ready || begun)
+        return HAL_ERR_STATE;
+    SIO_GPIO_OUT_CLR = BIT(PIN_RESET);
+    rp2040_pause_us(RESET_US);
+    SIO_GPIO_OUT_SET = BIT(PIN_RESET);
+    return HAL_OK;
+}
+
+static void delay(struct hal_bus *bus, uint32_t us)
+{
+    (void)bus;
+    rp2040_pause_us(us);
+}
+
+static struct hal_bus the_bus = { command, data, wait, reset, delay, { 0 } };
+
+struct hal_bus *hal_bus(void)
+{
+    return &the_bus;
+}
+
+void rp2040_bus_start(void)
+{
+    const uint32_t outputs = BIT(PIN_CS) | BIT(PIN_DC) | BIT(PIN_RESET);
+    SIO_GPIO_OUT_SET = outputs; /* high before they are driven: no pulse on CS or RESET */
+    SIO_GPIO_OE_SET = outputs;
+    GPIO_CTRL(PIN_CS) = FUNC_SIO;
+    GPIO_CTRL(PIN_DC) = FUNC_SIO;
+    GPIO_CTRL(PIN_RESET) = FUNC_SIO;
+    spi_start();
+    PAD_CTRL(PIN_SCK) = PAD_QUICK;
+    PAD_CTRL(PIN_MOSI) = PAD_QUICK;
+    GPIO_CTRL(PIN_SCK) = FUNC_SPI;
+    GPIO_CTRL(PIN_MOSI) = FUNC_SPI;
+    DMA_INTE0 = CHANNEL_BIT;
+    NVIC_ICPR = 1u << IRQ_DMA_0 | 1u << IRQ_TIMER_0;
+    NVIC_ISER = 1u << IRQ_DMA_0 | 1u << IRQ_TIMER_0;
+    ready = 1;
+}

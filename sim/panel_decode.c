@@ -1,0 +1,267 @@
+/* A stream is read whole, fed to the model of the controller, and looked at where it says so.
+ *
+ * SPDX-License-Identifier: MIT
+ */
+#include "panel_decode.h"
+
+#include <errno.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/stat.h>
+
+#include "image.h"
+#include "output.h"
+#include "panel_frame.h"
+#include "panel_model.h"
+#include "sim.h"
+#include "value.h"
+
+/* Words of a stream: a byte and its D/C level, or marks. */
+enum { DATA = 0x100, RESET = 0x200, FRAME = 0x400, DESELECT = 0x800, MARKS = 0xe00, WORD = 0xfff };
+
+static const char usage[] =
+    "usage: zsim panel --panel NAME:WxH --decode STREAM --out F_%%03d.png [options]\n"
+    "Decodes what went over a panel's wire, as its controller would, into what is seen on its glass.\n"
+    "\n"
+    "  --panel NAME:WxH  the module; there are\n"
+    "                    %s\n"
+    "  --decode STREAM   little-endian uint16: bits 0-7 a byte and bit 8 its D/C level (1 data), or marks:\n"
+    "                    bit 9 RESET was pulled low, bit 10 a frame is whole, bit 11 chip select went high\n"
+    "  --out F_%%03d.png  a picture for each frame mark, numbered from 0; without marks, one at the end\n"
+    "  --raw F_%%03d.bin  the same as RGB565, most significant byte first, or a byte for each level or bit\n"
+    "  --rotate DEGREES  0, 90, 180 or 270: how far pictures are turned clockwise on the glass (0)\n"
+    "  --invert          the glass shows the negative unless told to invert, as IPS glass does\n"
+    "  --bgr             the glass has blue where the controller has red\n"
+    "\n"
+    "Prints counts and what the controller would not have understood.\n"
+    "Exit status: 0 done; 1 refused, or the stream has problems (its pictures are written); 2 the command line\n"
+    "makes no sense.\n";
+
+struct request {
+    const char *panel, *stream, *out, *raw;
+    int turns; /* quarter turns */
+    uint8_t invert, bgr;
+};
+
+/* ---- Command line -------------------------------------------------------------------------------------- */
+
+static int parse(struct request *rq, int argc, char **argv)
+{
+    for (int i = 0; i < argc; i++) {
+        const char *name = argv[i], *value;
+        if (strcmp(name, "--invert") == 0 || strcmp(name, "--bgr") == 0) {
+            *(name[2] == 'i' ? &rq->invert : &rq->bgr) = 1;
+            continue;
+        }
+        const char **to = strcmp(name, "--panel") == 0    ? &rq->panel
+                          : strcmp(name, "--decode") == 0 ? &rq->stream
+                          : strcmp(name, "--out") == 0    ? &rq->out
+                          : strcmp(name, "--raw") == 0    ? &rq->raw
+                                                          : NULL;
+        if (to == NULL && strcmp(name, "--rotate") != 0)
+            return sim_usage("panel: unknown option '%s'", name);
+        if (i + 1 >= argc || argv[i + 1][0] == '\0')
+            return sim_usage("panel: %s wants a value", name);
+        value = argv[++i];
+        if (to != NULL)
+            *to = value;
+        else if ((rq->turns = sim_value_choice(value, "0|90|180|270")) < 0)
+            return sim_usage("panel: --rotate wants 0|90|180|270, not '%s'", value);
+    }
+    if (rq->panel == NULL || rq->stream == NULL || rq->out == NULL)
+        return sim_usage("panel: %s is missing: zsim panel --panel NAME:WxH --decode STREAM --out F_%%03d.png",
+                         rq->panel == NULL    ? "--panel"
+                         : rq->stream == NULL ? "--decode"
+                                              : "--out");
+    return SIM_OK;
+}
+
+/* A pattern holds at most one %d, with a width or not; nothing else that begins with %. */
+static int check_pattern(const char *option, const char *pattern)
+{
+    const char *p = strchr(pattern, '%');
+    if (p == NULL)
+        return SIM_OK;
+    const size_t digits = strspn(p + 1, "0123456789");
+    if (digits > 2 || p[1 + digits] != 'd' || strchr(p + 2 + digits, '%') != NULL)
+        return sim_usage("panel: %s takes one number, such as %%03d, not '%s'", option, pattern);
+    return SIM_OK;
+}
+
+/* A pattern with a number put in. 0: it has no place for one. */
+static int file_name(char *name, size_t room, const char *pattern, unsigned number)
+{
+    const char *p = strchr(pattern, '%');
+    if (p == NULL) {
+        (void)snprintf(name, room, "%s", pattern);
+        return 0;
+    }
+    char *end;
+    const long width = strtol(p + 1, &end, 10);
+    (void)snprintf(name, room, "%.*s%0*u%s", (int)(p - pattern), pattern, (int)width, number, end + 1);
+    return 1;
+}
+
+/* ---- Stream -------------------------------------------------------------------------------------------- */
+
+/* All of a stream's words, malloc'ed. */
+static int load(const char *name, uint16_t **words, size_t *n)
+{
+    struct stat st;
+    FILE *f = fopen(name, "rb");
+    if (f == NULL || fstat(fileno(f), &st) != 0) {
+        const int why = errno;
+        if (f != NULL)
+            (void)fclose(f);
+        return sim_refuse(name, 0, "cannot be read: %s", strerror(why));
+    }
+    const size_t bytes = S_ISREG(st.st_mode) ? (size_t)st.st_size : 1;
+    uint8_t *raw = sim_alloc(bytes, 1);
+    const int whole = fread(raw, 1, bytes, f) == bytes;
+    (void)fclose(f);
+    *n = bytes / 2;
+    *words = sim_alloc(*n, sizeof **words);
+    for (size_t i = 0; i < *n; i++)
+        (*words)[i] = (uint16_t)(raw[2 * i] | raw[2 * i + 1] << 8);
+    free(raw);
+    if (!whole || !S_ISREG(st.st_mode))
+        return sim_refuse(name, 0, "cannot be read to its end");
+    if (bytes % 2 != 0)
+        return sim_refuse(name, 0, "has %zu bytes: a stream is made of uint16, two bytes each", bytes);
+    for (size_t i = 0; i < *n; i++)
+        if (((*words)[i] & ~WORD) != 0 || ((*words)[i] & MARKS && (*words)[i] & ~MARKS))
+            return sim_refuse(name, 0, "word %zu is 0x%04X: neither a byte with its D/C level nor a mark", i,
+                              (*words)[i]);
+    return SIM_OK;
+}
+
+/* ---- Pictures ------------------------------------------------------------------------------------------ */
+
+static void write_raw(FILE *f, enum pm_format format, const uint16_t *raw, size_t n)
+{
+    for (size_t i = 0; i < n; i++) {
+        if (format == PM_RGB565)
+            (void)putc(raw[i] >> 8, f);
+        (void)putc(raw[i] & 255, f);
+    }
+}
+
+static int save_raw(const char *path, enum pm_format format, const uint16_t *raw, size_t n)
+{
+    struct sim_output out;
+    const int status = sim_output_open(&out, path);
+    if (status != SIM_OK)
+        return status;
+    write_raw(out.file, format, raw, n);
+    return sim_output_commit(&out, 1);
+}
+
+/* What the viewer sees now, into the files of a number. */
+static int look(const struct pm_model *model, const struct pm_glass *glass, const struct request *rq, unsigned number)
+{
+    char path[4096];
+    const size_t n = (size_t)glass->width * glass->height;
+    const uint32_t w = rq->turns & 1 ? glass->height : glass->width, h = (uint32_t)n / w;
+    uint8_t *rgb = sim_alloc(n, 3), *seen = sim_alloc(n, 3);
+    uint16_t *raw = sim_alloc(n, 2), *raw_seen = sim_alloc(n, 2);
+    pm_picture(model, rgb, raw);
+    pm_view(glass, rq->turns, rgb, seen, 3);
+    pm_view(glass, rq->turns, raw, raw_seen, 2);
+    int status = SIM_OK;
+    if (!file_name(path, sizeof path, rq->out, number) && number > 0)
+        status = sim_refuse(rq->out, 0, "the stream has more than one frame; number them, as in frame_%%03d.png");
+    if (status == SIM_OK)
+        status = sim_png_save(path, w, h, seen);
+    if (status == SIM_OK && rq->raw != NULL) {
+        (void)file_name(path, sizeof path, rq->raw, number);
+        status = save_raw(path, pm_glass_format(glass), raw_seen, n);
+    }
+    free(rgb);
+    free(seen);
+    free(raw);
+    free(raw_seen);
+    return status;
+}
+
+/* ---- Command ------------------------------------------------------------------------------------------- */
+
+static int decode(struct pm_model *model, const struct pm_glass *glass, const struct request *rq,
+                  const uint16_t *words, size_t n)
+{
+    unsigned frames = 0;
+    int status = SIM_OK;
+    for (size_t i = 0; status == SIM_OK && i < n; i++) {
+        if (!(words[i] & MARKS))
+            pm_byte(model, (uint8_t)words[i], words[i] & DATA);
+        if (words[i] & RESET)
+            pm_reset(model);
+        if (words[i] & FRAME)
+            status = look(model, glass, rq, frames++);
+        if (words[i] & DESELECT)
+            pm_deselect(model);
+    }
+    pm_end(model);
+    if (status == SIM_OK && frames == 0)
+        status = look(model, glass, rq, frames++);
+    if (status == SIM_OK)
+        (void)printf("frames %u\n", frames);
+    return status;
+}
+
+static void print_counts(const struct pm_counts *c)
+{
+    (void)printf("bytes %llu\ncommand_bytes %llu\ndata_bytes %llu\ntransactions %llu\ncommands %llu\nwindows %llu\n"
+                 "pixel_bytes %llu\npixels %llu\nresets %llu\n",
+                 (unsigned long long)c->bytes, (unsigned long long)c->command_bytes,
+                 (unsigned long long)c->data_bytes, (unsigned long long)c->transactions,
+                 (unsigned long long)c->commands, (unsigned long long)c->windows,
+                 (unsigned long long)c->pixel_bytes, (unsigned long long)c->pixels, (unsigned long long)c->resets);
+}
+
+static int report(const struct pm_model *model, const char *stream)
+{
+    const struct pm_problem *problem;
+    const size_t n = pm_problems(model, &problem);
+    print_counts(pm_counts(model));
+    (void)printf("problems %zu\n", n);
+    for (size_t i = 0; i < n; i++)
+        (void)printf("%s\n", problem[i].text);
+    if (n > 0)
+        return sim_refuse(stream, 0, "%s%s", problem[0].text, n > 1 ? "; more problems follow" : "");
+    return SIM_OK;
+}
+
+int sim_panel(int argc, char **argv)
+{
+    struct request rq = { 0 };
+    struct pm_glass glass;
+    uint16_t *words = NULL;
+    size_t n = 0;
+    if (argc > 0 && (strcmp(argv[0], "--help") == 0 || strcmp(argv[0], "-h") == 0)) {
+        (void)printf(usage, sim_panel_list(20));
+        return SIM_OK;
+    }
+    int status = parse(&rq, argc, argv);
+    if (status == SIM_OK)
+        status = check_pattern("--out", rq.out);
+    if (status == SIM_OK && rq.raw != NULL)
+        status = check_pattern("--raw", rq.raw);
+    if (status == SIM_OK && !pm_glass_named(&glass, rq.panel))
+        status = sim_refuse(NULL, 0, "--panel %s is not known; there are %s", rq.panel, pm_glass_list());
+    if (status == SIM_OK)
+        status = load(rq.stream, &words, &n);
+    if (status == SIM_OK) {
+        glass.inverted = rq.invert;
+        glass.bgr = rq.bgr;
+        struct pm_model *model = pm_new(&glass);
+        if (model == NULL)
+            status = sim_refuse(NULL, 0, "out of memory for the panel's RAM");
+        if (status == SIM_OK)
+            status = decode(model, &glass, &rq, words, n);
+        if (status == SIM_OK)
+            status = report(model, rq.stream);
+        pm_free(model);
+    }
+    free(words);
+    return status;
+}

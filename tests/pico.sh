@@ -1,0 +1,208 @@
+#!/bin/sh
+# The Raspberry Pi Pico's flash images on an emulated RP2040 (rp2040js): what its panel shows, frame by frame, is what
+# the simulator draws; what a frame takes.
+# Usage: tests/pico.sh BUILD          from the repository's top; BUILD/zsim, BUILD/gen and BUILD/libmeshes.a
+#        tests/pico.sh BUILD table    the table alone
+#
+# `ok NAME` or `FAILED NAME: reason` a test; images, streams and pictures stay in BUILD/pico and BUILD/fw/pico.
+set -u
+build=$1
+only=${2:-}
+out=$build/pico
+fw=$build/fw/pico
+SCENES=${PICO_SCENES:-'teapot china cubes knot flyover city hall globe'}
+FRAMES=4
+STEP=13    # frames of the animation between two that are drawn
+GAP=30     # ns between words, as measured on real chips in SPI mode 0
+failed=0
+mkdir -p "$out"
+
+ok() { echo "ok $*"; }
+bad() { # NAME REASON
+    echo "FAILED $1: $2"
+    failed=1
+}
+verdict() { # NAME REASON-OR-NOTHING
+    if [ -z "$2" ]; then ok "$1"; else bad "$1" "$2"; fi
+}
+field() { # FILE NAME
+    sed -n "s/^$2 //p" "$1"
+}
+
+# ---- Set-up --------------------------------------------------------------------------------------------------
+
+# The emulator, as locked; scripts stand beside it, where they find it.
+set_up() {
+    if ! cmp -s tests/pico/package-lock.json "$out/package-lock.json" || [ ! -d "$out/node_modules/rp2040js" ]; then
+        cp tests/pico/package.json tests/pico/package-lock.json "$out/"
+        (cd "$out" && npm ci --silent --no-audit --no-fund) >"$out/npm.log" 2>&1 || {
+            rm -f "$out/package-lock.json"
+            bad pico_emulator "npm ci: $(head -c 300 "$out/npm.log")"
+            exit 1
+        }
+    fi
+    cp tests/pico/*.mjs "$out/"
+}
+
+image() { # MAKE-ARGUMENTS...
+    make -s -j2 -f firmware/boards/firmware.mk BOARD=pico B="$build" "$@" image >"$out/make.log" 2>&1 && return
+    cat "$out/make.log"
+    bad "pico_builds $*" "see above"
+    exit 1
+}
+
+# Run SCENE twice, side by side: without gaps, recorded, and with them.
+run_scene() {
+    node "$out/run.mjs" "$fw/$1" --frames $FRAMES --step $STEP --stream "$out/$1.stream" >"$out/$1.txt" 2>&1 &
+    first=$!
+    node "$out/run.mjs" "$fw/$1" --frames $FRAMES --step $STEP --gap $GAP >"$out/$1.gap.txt" 2>&1
+    second=$?
+    wait $first && [ $second -eq 0 ] || bad "pico_$1" "$(grep -hm1 Error "$out/$1.txt" "$out/$1.gap.txt")"
+}
+
+# ---- Pictures -----------------------------------------------------------------------------------------------------
+
+decode() { # STEM
+    rm -f "$1"_*.bin "$1"_*.png
+    "$build/zsim" panel --panel st7789:240x240 --invert --decode "$1.stream" --out "$1_%d.png" \
+        --raw "$1_%d.bin" >"$1.panel.txt" 2>&1 ||
+        echo "the panel would not have understood it: $(tail -1 "$1.panel.txt")"
+}
+truth() { # SCENE FRAMES STEP
+    "$out/truth" "$1" "$2" "$3" "$out/truth_$1"
+}
+same() { # STEM SCENE NUMBERS...
+    stem=$1 scene=$2
+    shift 2
+    for k in "$@"; do
+        cmp -s "${stem}_$k.bin" "$out/truth_${scene}_$k.bin" ||
+            { echo "picture $k differs: ${stem}_$k.png"; return; }
+    done
+}
+
+scene_tests() { # SCENE
+    decode "$out/$1" >"$out/$1.bad"
+    truth "$1" $FRAMES $STEP
+    same "$out/$1" "$1" $(seq 0 $((FRAMES - 1))) >>"$out/$1.bad"
+    [ "$(field "$out/$1.txt" frames)" = $FRAMES ] || echo "not $FRAMES pictures" >>"$out/$1.bad"
+    field "$out/$1.txt" problem >>"$out/$1.bad"
+    field "$out/$1.gap.txt" problem >>"$out/$1.bad"
+    verdict "pico_$1_pictures" "$(head -3 "$out/$1.bad" | tr '\n' ' ')"
+    [ "$(field "$out/$1.txt" spi_hz)/$(field "$out/$1.txt" spi_mode0)" = 62500000/1 ] ||
+        bad "pico_$1_spi" "$(field "$out/$1.txt" spi_hz) Hz"
+    used=$(field "$out/$1.txt" stack_used) reserve=$(field "$out/$1.txt" stack_reserve)
+    awk -v p="$(field "$out/$1.txt" in_flash_percent)" 'BEGIN { exit !(p < 1) }' ||
+        bad "pico_$1_runs_from_ram" "$(field "$out/$1.txt" in_flash_percent) % of the drawing's cycles are in flash"
+    [ "$used" -gt 0 ] && [ "$used" -lt $((reserve * 3 / 4)) ] ||
+        bad "pico_$1_stack" "$used of $reserve bytes, more than three quarters"
+}
+
+# ---- The table ------------------------------------------------------------------------------------------------------
+
+table_head() {
+    echo
+    echo "Raspberry Pi Pico, RP2040 at 125 MHz, ST7789 240x240 at 62.5 MHz: $FRAMES frames, $STEP apart, of each scene."
+    printf '%-9s %11s %8s %8s %7s %7s %7s %5s %7s %8s %6s\n' scene 'draw cycles' 'wire us' "+$GAP ns" fps "+$GAP ns" \
+        hidden late RAM flash stack
+}
+late() { # FILE    of how many frames, from the last line of statistics
+    field "$1" text | awk -F, 'NF > 5 && $2 + 0 { last = $7 "/" $2 } END { print last }'
+}
+table_row() { # SCENE
+    a=$out/$1.txt b=$out/$1.gap.txt
+    printf '%-9s %11d %8d %8d %7.1f %7.1f %6d%% %5s %7d %8d %6d\n' "$1" "$(field "$a" draw_cycles)" \
+        "$(field "$a" wire_us)" "$(field "$b" wire_us)" "$(field "$a" fps)" "$(field "$b" fps)" \
+        "$(field "$a" hidden_percent)" "$(late "$a")" \
+        "$(field "$a" ram)" "$(field "$a" flash)" "$(field "$a" stack_used)"
+}
+table_foot() {
+    echo "Emulated (rp2040js): flash without wait states, no bus contention, so that cycles are a lower bound."
+    echo "+$GAP ns: with that pause after each 16-bit word, as real chips make in SPI mode 0. hidden: the share of"
+    echo "drawing that went on while the wire was busy. late: frames that took longer than the scene's step."
+}
+
+# ---- Tests -------------------------------------------------------------------------------------------------
+
+parts() {
+    twin=$out/twin
+    mkdir -p "$twin"
+    libgcc=$(arm-none-eabi-gcc -mcpu=cortex-m0plus -mthumb -print-libgcc-file-name)
+    for member in _udivsi3.o _divsi3.o; do
+        arm-none-eabi-ar p "$libgcc" $member >"$twin/$member" &&
+            arm-none-eabi-objcopy --prefix-symbols=libgcc_ "$twin/$member" || bad pico_twin "no $member in libgcc"
+    done
+    image NAME=parts APP_SRC=tests/pico/parts.c EXTRA="$twin/_udivsi3.o $twin/_divsi3.o"
+    node "$out/parts.mjs" "$fw/parts" >"$out/parts.txt" 2>&1 || bad pico_parts "$(grep -m1 Error "$out/parts.txt")"
+    grep -E '^(ok|FAILED) ' "$out/parts.txt"
+    grep -q '^FAILED ' "$out/parts.txt" && failed=1
+    [ "$(grep -cE '^ok ' "$out/parts.txt")" = 8 ] || bad pico_parts "not all of them ran"
+    wire='c2c | c36 81 00 fe | 11 22 33 44 55 66 | 11 22 33 44 55 | 22 33 44 55 | 11 |'
+    [ "$(field "$out/parts.txt" wire)" = "$wire" ] || bad pico_wire "$(field "$out/parts.txt" wire)"
+    verdict pico_parts_without_problems "$(field "$out/parts.txt" problem)"
+}
+
+# A strip whose words stop, at once or just before its last ones: said so, the rest of the frame is dropped, and
+# all other frames are right.
+broken_strip() { # NAME OPTIONS...
+    name=$1
+    shift
+    stem=$out/$name
+    node "$out/run.mjs" "$fw/cubes" --frames $FRAMES --step $STEP --stream "$stem.stream" "$@" >"$stem.txt" 2>&1
+    decode "$stem" >"$stem.bad"
+    same "$stem" cubes 0 1 3 >>"$stem.bad"
+    grep -q '^text # the bus did not end in its time' "$stem.txt" || echo "nothing was reported" >>"$stem.bad"
+    cmp -s "${stem}_2.bin" "$out/truth_cubes_2.bin" && echo "nothing was broken" >>"$stem.bad"
+    field "$stem.txt" problem >>"$stem.bad"
+    verdict "pico_$name" "$(head -3 "$stem.bad" | tr '\n' ' ')"
+}
+
+# The interrupt that is waited for comes between the question and the sleep: no wake-up is lost.
+wakes_up() {
+    node "$out/run.mjs" "$fw/cubes" --frames $FRAMES --step $STEP --doze 4000000 --stream "$out/doze.stream" \
+        >"$out/doze.txt" 2>&1
+    decode "$out/doze" >"$out/doze.bad"
+    same "$out/doze" cubes 0 1 2 3 >>"$out/doze.bad"
+    field "$out/doze.txt" problem >>"$out/doze.bad"
+    grep -m1 Error "$out/doze.txt" >>"$out/doze.bad"
+    verdict pico_wakes_up "$(head -3 "$out/doze.bad" | tr '\n' ' ')"
+}
+
+# As it runs on a desk: 32 frames of the scene to be changed, at its 30 a second, none late.
+by_the_clock() {
+    node "$out/run.mjs" "$fw/my_scene" --until 'mine,32,' >"$out/clock.txt" 2>&1
+    : >"$out/clock.bad"
+    fps=$(field "$out/clock.txt" fps) late=$(late "$out/clock.txt")
+    [ "$fps $late" = '30.0 0/32' ] || echo "$fps frames a second, late $late" >"$out/clock.bad"
+    field "$out/clock.txt" problem >>"$out/clock.bad"
+    verdict pico_by_the_clock "$(head -3 "$out/clock.bad" | tr '\n' ' ')"
+}
+
+set_up
+for scene in $SCENES; do
+    image APP=show SCENE="$scene"
+    run_scene "$scene"
+done
+if [ -z "$only" ]; then
+    gcc -std=c11 -O1 -Ifirmware/zstrip -Ifirmware/scenes -I"$build/gen" tests/pico/truth.c firmware/zstrip/*.c \
+        firmware/scenes/*.c "$build/libmeshes.a" -o "$out/truth" || exit 1
+    for scene in $SCENES; do
+        scene_tests "$scene"
+    done
+    node "$out/image.mjs" "$fw/${SCENES%% *}" >"$out/image.txt" 2>&1
+    grep -E '^(ok|FAILED) ' "$out/image.txt"
+    [ "$(grep -cE '^ok ' "$out/image.txt")" = 3 ] || failed=1
+    verdict pico_no_float_no_heap "$(arm-none-eabi-nm "$fw/${SCENES%% *}.elf" |
+        grep -oE '__aeabi_[cdf][a-z]*[0-9]?[a-z]*$|(m|c|re)alloc$|_sbrk$' | grep -vE 'clz|ctz' | tr '\n' ' ')"
+    image APP=show SCENE=mine
+    by_the_clock
+    parts
+    wakes_up
+    broken_strip stopped_strip --hold 2.1
+    broken_strip stopped_tail --hold 2.2 --tail 1
+fi
+table_head
+for scene in $SCENES; do
+    table_row "$scene"
+done
+table_foot
+exit $failed

@@ -1,0 +1,259 @@
+// A Raspberry Pi Pico around rp2040js: it boots a flash image through its second stage, with a panel's wire of real
+// speed on SPI0. What the emulator leaves out is added here, and what a real chip would not forgive is a problem:
+//
+//   - words take their bits' time on the wire (and a gap, if asked for); the transmit FIFO empties at that rate
+//   - D/C, CS and RESET stay as they are while a word is on the wire; CS is low; word length changes while SPI0 is idle
+//     and off
+//   - division results are read no sooner than eight cycles after the operands
+//   - resets reset SPI0; DMA aborts can be waited for; WFI returns when an interrupt is pending, masked or not
+//   - every register that is used is known
+//
+// Cycles are the Cortex-M0+'s, from the emulator's table: no flash wait states, no bus contention, and interrupts enter
+// and leave at no cost. They are a lower bound.
+//
+// SPDX-License-Identifier: MIT
+import fs from 'node:fs';
+
+import { Simulator } from 'rp2040js';
+
+import { read_elf } from './elf.mjs';
+
+const STAGE2_AT = 0x20041f00; // where the boot ROM copies the second stage
+const FLASH = 0x10000000, RAM = 0x20000000;
+const WFI = 0xbf30;           // opcode
+const CYCLE_NS = 8;           // at 125 MHz
+const PIN = { cs: 17, dc: 20, reset: 21 };
+const SPI0_RESET = 1 << 16;
+const PAINT = 0xa5a5a5a5;
+const TIME_MAX_NS = 60e9;     // nothing here takes a minute: a longer sleep is one without an end
+
+// Registers that the emulator does not have and that need none: UARTDMACR, its DMA is always on.
+const HARMLESS = /^UART0: Unimplemented peripheral write to 0x48/;
+
+export class Pico {
+    constructor(stem, { gap_ns = 0, doze_ns = 0 } = {}) {
+        this.elf = read_elf(`${stem}.elf`);
+        this.gap_ns = gap_ns;
+        this.doze_ns = doze_ns; // passes before each WFI, as if what is waited for came just then
+        this.problems = [];
+        this.text = '';
+        this.cycles = 0;
+        this.stream = []; // uint16 words, as run.mjs writes them
+        this.busy_ns = 0;
+        this.holding = false; // true: words that begin do not end
+        this.stalled = false; // a word waits for holding to end
+        const chip = new Simulator().rp2040;
+        chip.logger = {
+            debug() {}, info() {},
+            warn: (who, what) => this.#complain(`${who}: ${what}`),
+            error: (who, what) => this.#complain(`${who}: ${what}`),
+        };
+        this.chip = chip;
+        this.clock = chip.clock;
+        this.core = chip.core;
+        chip.flash.set(fs.readFileSync(`${stem}.bin`), 0);
+        chip.uart[0].onByte = (byte) => { this.text += String.fromCharCode(byte); };
+        this.#wire();
+        this.#divider();
+        this.#dma();
+        this.#resets();
+    }
+
+    problem(what) {
+        if (!this.problems.includes(what))
+            this.problems.push(what);
+    }
+
+    #complain(what) {
+        if (!HARMLESS.test(what))
+            this.problem(`emulator: ${what}`);
+    }
+
+    // ---- SPI0 and the panel's pins
+
+    #wire() {
+        const { chip } = this, spi = chip.spi[0];
+        this.level = { cs: 1, dc: 1, reset: 1 };
+        this.done = chip.clock.createAlarm(() => this.#word_ends());
+        for (const name of ['cs', 'dc', 'reset'])
+            chip.gpio[PIN[name]].addListener((value) => this.#pin(name, value === 1 ? 1 : 0));
+        spi.onTransmit = (value) => this.#word_begins(value);
+        const write = spi.writeUint32.bind(spi);
+        spi.writeUint32 = (offset, value) => {
+            if (offset === 0 && value !== spi.control0 && (spi.control1 & 2 || spi.busy))
+                this.problem('SSPCR0 is changed while SPI0 is on or busy');
+            if (offset === 4 && !(value & 2) && (spi.busy || !spi.txFIFO.empty))
+                this.problem('SPI0 is switched off while it sends');
+            write(offset, value);
+        };
+    }
+
+    #pin(name, level) {
+        if (this.level[name] === level)
+            return;
+        if (this.chip.spi[0].busy)
+            this.problem(`${name} changes while a word is on the wire`);
+        this.level[name] = level;
+        if (name === 'cs' && level)
+            this.#mark(1 << 11);
+        if (name === 'reset' && !level)
+            this.#mark(1 << 9);
+    }
+
+    #mark(bit) {
+        this.stream.push(bit);
+        if (bit === 1 << 11)
+            this.on_release?.();
+    }
+
+    mark_picture() {
+        this.#mark(1 << 10);
+    }
+
+    #word_begins(value) {
+        const { chip, level } = this, spi = chip.spi[0];
+        if (level.cs)
+            this.problem('a word begins while CS is high');
+        if (!level.reset)
+            this.problem('a word begins while RESET is low');
+        if (!spi.enabled)
+            this.problem('a word begins while SPI0 is off');
+        this.spi = { hz: spi.clockFrequency, mode0: !(spi.control0 & 0xc0) };
+        const dc = level.dc ? 0x100 : 0;
+        if (spi.dataBits === 16)
+            this.stream.push(value >> 8 | dc, value & 0xff | dc);
+        else if (spi.dataBits === 8)
+            this.stream.push(value | dc);
+        else
+            this.problem(`words of ${spi.dataBits} bits`);
+        if (this.holding) {
+            this.stalled = true;
+            return;
+        }
+        const ns = spi.dataBits * 1e9 / spi.clockFrequency + this.gap_ns;
+        this.busy_ns += ns;
+        this.done.schedule(ns);
+    }
+
+    #word_ends() {
+        this.chip.spi[0].completeTransmit(0);
+    }
+
+    release() {
+        this.holding = false;
+        if (this.stalled && this.chip.spi[0].busy)
+            this.#word_ends();
+        this.stalled = false;
+    }
+
+    // ---- What the emulator leaves out
+
+    #divider() {
+        const { sio } = this.chip;
+        const update = sio.updateHardwareDivider.bind(sio), read = sio.readUint32.bind(sio);
+        const ready = () => this.cycles - since >= 8;
+        let since = 0;
+        sio.updateHardwareDivider = (signed) => {
+            since = this.cycles;
+            update(signed);
+        };
+        sio.readUint32 = (offset) => {
+            if ((offset === 0x70 || offset === 0x74) && !ready())
+                this.problem('a division is read before its eight cycles are over');
+            return offset === 0x78 ? read(offset) & ~1 | ready() : read(offset); // DIV_CSR
+        };
+    }
+
+    #dma() {
+        const { dma } = this.chip;
+        const read = dma.readUint32.bind(dma);
+        dma.readUint32 = (offset) => offset === 0x444 ? 0 : read(offset); // CHAN_ABORT: done at once
+    }
+
+    #resets() {
+        const { chip } = this, block = chip.peripherals[0x4000c], spi = chip.spi[0];
+        const write = block.writeUint32.bind(block), read = block.readUint32.bind(block);
+        block.writeUint32 = (offset, value) => {
+            write(offset, value);
+            if (offset === 0 && value & SPI0_RESET) {
+                this.done.cancel();
+                this.stalled = false;
+                spi.busy = false;
+                spi.txFIFO.reset();
+                spi.rxFIFO.reset();
+                spi.control0 = spi.control1 = spi.clockDivisor = spi.dmaControl = spi.intEnable = 0;
+                spi.fifosUpdated();
+            }
+        };
+        block.readUint32 = (offset) => offset === 8 ? ~block.reset & 0x1ffffff : read(offset);
+    }
+
+    // ---- Running
+
+    // As the boot ROM does: the second stage to RAM, and into it.
+    boot() {
+        const { chip, core } = this;
+        chip.sram.set(chip.flash.subarray(0, 256), STAGE2_AT - RAM);
+        core.LR = 0;
+        core.SP = STAGE2_AT;
+        core.PC = STAGE2_AT;
+    }
+
+    // One instruction, or the sleep until the next event. Returns its cycles; 0 for a sleep.
+    step() {
+        const { core, clock } = this;
+        if (core.waiting) {
+            if (core.pendingInterrupts & core.enabledInterrupts) {
+                core.waiting = false;
+                return 0;
+            }
+            if (!clock.nextAlarm || clock.nanosCounter > TIME_MAX_NS)
+                throw new Error('asleep, and nothing will wake it');
+            clock.tick(clock.nanosToNextAlarm);
+            return 0;
+        }
+        if (this.doze_ns && this.chip.readUint16(core.PC) === WFI)
+            clock.tick(this.doze_ns);
+        const cycles = core.executeInstruction();
+        this.cycles += cycles;
+        if (this.cycles > TIME_MAX_NS / CYCLE_NS)
+            throw new Error('does not end');
+        const now = clock.nanosCounter + cycles * CYCLE_NS, { nextAlarm } = clock;
+        if (nextAlarm && nextAlarm.nanos <= now)
+            clock.tick(cycles * CYCLE_NS);
+        else
+            clock.nanosCounter = now;
+        return cycles;
+    }
+
+    u32(symbol) {
+        const address = this.elf.symbols[symbol];
+        return this.chip.readUint32(address);
+    }
+
+    // A word of the flash image.
+    patch(symbol, index, value) {
+        this.chip.flashView.setUint32(this.elf.symbols[symbol] - FLASH + 4 * index, value, true);
+    }
+
+    ram_index(symbol) {
+        return this.elf.symbols[symbol] - RAM;
+    }
+
+    stack_used() {
+        const { __stack_limit: limit, __stack_top: top } = this.elf.symbols;
+        let at = limit;
+        while (at < top && this.chip.readUint32(at) === PAINT)
+            at += 4;
+        return top - at;
+    }
+
+    sizes() {
+        const n = this.elf.bytes_of;
+        return {
+            flash: n['.boot2'] + n['.vectors'] + n['.text'] + (n['.ARM.exidx'] ?? 0) + n['.data'],
+            ram: n['.stack'] + n['.data'] + n['.bss'],
+            stack: n['.stack'],
+        };
+    }
+}

@@ -1,0 +1,106 @@
+// node run.mjs STEM [--frames N] [--step S] [--gap NS] [--hold FRAME.STRIP [--tail 1]] [--stream FILE] [--until TEXT]
+//             [--doze NS]
+//
+// Boots STEM.bin, lets the show draw frames 0, S, 2 S ... and stop (--until: lets it run by the clock, as it does on a
+// desk, until the UART has said TEXT), and prints what was measured, "name value" a line; the text of the UART after
+// "text", problems after "problem". FILE gets what went over the wire: a little-endian uint16 for each byte, bits 0-7
+// the byte, bit 8 D/C; marks: bit 9 RESET went low, bit 10 a picture ends here, bit 11 CS went high.
+// --hold: in this strip of this frame, from its first word or (--tail) when the DMA has handed its last one
+// over, no word ends before the bus gives up. --doze: NS pass right before each WFI.
+//
+// SPDX-License-Identifier: MIT
+import fs from 'node:fs';
+
+import { Pico } from './pico.mjs';
+
+const PHASE_DRAW = 1; // enum show_phase of firmware/app/show.c
+const RAM = 0x20000000;
+
+function options(args) {
+    const o = { frames: 4, step: 1, gap: 0, doze: 0, hold: '', tail: 0, stream: '', until: '' };
+    for (let i = 1; i < args.length; i += 2) {
+        const name = args[i].replace('--', '');
+        o[name] = typeof o[name] === 'number' ? Number(args[i + 1]) : args[i + 1];
+    }
+    return { stem: args[0], ...o };
+}
+
+const o = options(process.argv.slice(2));
+const pico = new Pico(o.stem, { gap_ns: o.gap, doze_ns: o.doze });
+const { symbols } = pico.elf;
+const frame_end = symbols.zs_frame_end & ~1, strip_call = symbols.zs_frame_strip & ~1, stop = symbols.hal_exit & ~1;
+const [hold_frame, hold_strip] = o.hold ? o.hold.split('.').map(Number) : [-1, -1];
+const frames = []; // what was known when each was on the glass
+let strips = 0, armed = false, ending = false, draw = 0, hidden = 0, in_flash = 0;
+
+if (!o.until) {
+    pico.patch('show_test', 0, o.frames);
+    pico.patch('show_test', 1, o.step);
+}
+pico.on_release = () => {
+    if (!ending)
+        return;
+    ending = false;
+    pico.mark_picture();
+    frames.push({ ns: pico.clock.nanos, draw, hidden, wire: pico.busy_ns });
+};
+pico.boot();
+
+const phase_at = pico.ram_index('show_phase'), { sram } = pico.chip, { core } = pico, spi = pico.chip.spi[0];
+let said = 0;  // characters of text that have been looked at
+let drawn = 0; // frames that zs_frame_end has closed
+while (core.PC !== stop) {
+    if (core.PC === frame_end) {
+        ending = true;
+        drawn++;
+        strips = 0;
+    } else if (core.PC === strip_call) {
+        strips++;
+        // strip k is on the wire while strip k + 1 is drawn
+        armed = drawn === hold_frame && strips === hold_strip + 2;
+    }
+    if (armed && (!o.tail || !pico.chip.dma.channels[0].active)) {
+        pico.holding = spi.busy;
+        armed = false;
+    }
+    const cycles = pico.step();
+    if (sram[phase_at] === PHASE_DRAW) {
+        draw += cycles;
+        if (spi.busy)
+            hidden += cycles;
+        if (core.PC < RAM)
+            in_flash += cycles;
+    }
+    if (pico.holding && !spi.busy) // the bus was reset
+        pico.release();
+    if (o.until && pico.text.length !== said) {
+        said = pico.text.length;
+        if (pico.text.includes(o.until))
+            break;
+    }
+}
+
+const sizes = pico.sizes();
+const out = (name, value) => console.log(name, value);
+const first = frames[1] ?? frames[0], last = frames[frames.length - 1], n = frames.length - 2;
+out('frames', frames.length);
+out('spi_hz', pico.spi.hz);
+out('spi_mode0', pico.spi.mode0 ? 1 : 0);
+out('clk_sys', pico.chip.clkSys);
+if (n > 0) {
+    out('draw_cycles', Math.round((last.draw - first.draw) / n));
+    out('hidden_percent', Math.round((last.hidden - first.hidden) / (last.draw - first.draw) * 100));
+    out('wire_us', Math.round((last.wire - first.wire) / n / 1000));
+    out('fps', (n / (last.ns - first.ns) * 1e9).toFixed(1));
+}
+out('in_flash_percent', (in_flash / draw * 100).toFixed(2)); // of the drawing cycles
+out('flash', sizes.flash);
+out('ram', sizes.ram);
+out('stack_reserve', sizes.stack);
+out('stack_used', pico.stack_used());
+for (const line of pico.text.split('\n').filter(Boolean))
+    out('text', line);
+for (const problem of pico.problems)
+    out('problem', problem);
+if (o.stream)
+    fs.writeFileSync(o.stream, Buffer.from(Uint16Array.from(pico.stream).buffer));
