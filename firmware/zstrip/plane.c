@@ -270,15 +270,13 @@ void zs_plane32(const struct zs_geom *g, uint32_t v0, uint32_t v1, uint32_t v2,
         return;
     }
     if (g->tiny && !(((v0 ^ v1) | (v0 ^ v2)) >> 31)) { /* all three in one half: differences fit 32 bits */
-        int32_t gradient = tiny_gradient(g, dv1, dv2, g->dy, kind);
-        if (gradient != TOO_STEEP) {
-            out->gx = (uint32_t)gradient;
-            gradient = tiny_gradient(g, dv1, dv2, g->dx, kind); /* -gy, rounded alike */
-            if (gradient != TOO_STEEP) {
-                out->gy = 0u - (uint32_t)gradient;
-                small_base(g, out);
-                return;
-            }
+        const int32_t gx = tiny_gradient(g, dv1, dv2, g->dy, kind);
+        const int32_t up = tiny_gradient(g, dv1, dv2, g->dx, kind); /* -gy, rounded alike */
+        if (gx != TOO_STEEP && up != TOO_STEEP) {
+            out->gx = (uint32_t)gx;
+            out->gy = 0u - (uint32_t)up;
+            small_base(g, out);
+            return;
         }
     }
     any_plane(g, dv1, dv2, out, kind);

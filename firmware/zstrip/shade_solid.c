@@ -8,23 +8,31 @@
 
 #include "rows.h"
 
-/* n > 0 pixels up to the two ends, counted up to 0: an index that both share. sum modulo 2^32: at covered pixels
- * key + 1/2 bucket, in [0, 2^32) (plane.c). Return how many are written, where that is counted. */
-ZS_ALWAYS_INLINE int32_t solid_pixels(uint16_t *depth_end, uint16_t *color_end, int32_t n, uint32_t sum, uint32_t gx,
+/* From a pixel's depth to its colour: so that one pointer is walked, not two. */
+static inline uintptr_t color_beside(const struct zs_job *job)
+{
+    return (uintptr_t)job->color - (uintptr_t)job->depth;
+}
+
+/* n > 0 pixels. sum modulo 2^32: at covered pixels key + 1/2 bucket, in [0, 2^32) (plane.c). Return how many are
+ * written, where that is counted. */
+ZS_ALWAYS_INLINE int32_t solid_pixels(uint16_t *depth, uintptr_t beside, int32_t n, uint32_t sum, uint32_t gx,
                                       uint16_t paint, uint32_t top, int clamp)
 {
+    const uint16_t *const end = depth + n;
     int32_t written = 0;
-    for (int32_t i = -n; i != 0; i++, sum += gx) {
+    do {
         uint32_t key = sum >> 16;
         if (clamp && key > top)
             key = top;
-        if (key < depth_end[i]) {
-            depth_end[i] = (uint16_t)key;
-            color_end[i] = paint;
+        if (key < *depth) {
+            *depth = (uint16_t)key;
+            *(uint16_t *)((uintptr_t)depth + beside) = paint;
             if (ZS_STATS)
                 written++;
         }
-    }
+        sum += gx;
+    } while (++depth != end);
     return written;
 }
 
@@ -36,18 +44,18 @@ static ZS_NOINLINE void walk(struct zs_job *job)
     const uint16_t paint = job->tri->paint;
     uint32_t tested = 0;
     int32_t written = 0, y = job->row;
-    uint16_t *depth = job->depth + (y - job->y0) * width, *color = job->color + (y - job->y0) * width;
+    const uintptr_t beside = color_beside(job);
+    uint16_t *depth = job->depth + (y - job->y0) * width;
     uint32_t key = job->key.base - zs_wrap_mul(gx, job->geom.ia) + zs_wrap_mul(job->key.gy, y - job->geom.ja);
     for (;;) {
         const struct zs_cut *cut = job->cut, *const end = cut + (job->cut_end - y);
         for (; cut != end; cut++) {
-            const int32_t i0 = zs_max32(cut->x0, 0), i1 = zs_min32(cut->x1, width), n = i1 - i0;
+            const int32_t i0 = zs_max32(cut->x0, 0), n = zs_min32(cut->x1, width) - i0;
             if (n > 0) {
                 tested += (uint32_t)n;
-                written += solid_pixels(depth + i1, color + i1, n, key + zs_wrap_mul(gx, i0), gx, paint, 0, 0);
+                written += solid_pixels(depth + i0, beside, n, key + zs_wrap_mul(gx, i0), gx, paint, 0, 0);
             }
             depth += width;
-            color += width;
             key += job->key.gy;
         }
         y = job->cut_end;
@@ -62,9 +70,15 @@ static ZS_NOINLINE void walk(struct zs_job *job)
 void zs_solid_span(struct zs_job *job, const struct zs_row *row, int32_t i0, int32_t i1, uint32_t sum,
                    uint32_t gx)
 {
-    const uint32_t top = (job->r->view.key_top >> 16) - 1u;
-    zs_rows_written(job, solid_pixels(job->depth + row->at + i1, job->color + row->at + i1, i1 - i0, sum, gx,
-                                      job->tri->paint, top, 1));
+    const uintptr_t beside = color_beside(job);
+    uint16_t *depth = job->depth + row->at + i0;
+    const uint16_t paint = job->tri->paint;
+    int32_t written;
+    if (job->saturates)
+        written = solid_pixels(depth, beside, i1 - i0, sum, gx, paint, (job->r->view.key_top >> 16) - 1u, 1);
+    else
+        written = solid_pixels(depth, beside, i1 - i0, sum, gx, paint, 0, 0);
+    zs_rows_written(job, written);
 }
 
 ZS_ALWAYS_INLINE void span_clamped(struct zs_job *job, const struct zs_row *row)
@@ -74,7 +88,8 @@ ZS_ALWAYS_INLINE void span_clamped(struct zs_job *job, const struct zs_row *row)
 
 void zs_solid_rows(struct zs_job *job)
 {
-    if (zs_keys_may_saturate(job))
+    job->saturates = (uint8_t)zs_keys_may_saturate(job);
+    if (job->saturates)
         zs_rows_walk(job, span_clamped);
     else
         walk(job);
