@@ -60,9 +60,9 @@ struct zs_texel {
     /* n texels along a walk, RGB565 in wire order. */
     void (*fetch)(const struct zs_texture *texture, uint16_t *out, int32_t n,
                   const struct zs_walk *walk);
-    /* As shader->rows, unlit, where job->c[0] and [1] are u and v, uq0_32; log2_w, log2_h > 0, and keys
-     * do not saturate. */
-    void (*rows)(struct zs_job *job);
+    /* Test and draw a row, unlit, where job->c[0] and [1] are u and v, uq0_32; log2_w, log2_h > 0, and keys do not
+     * saturate. */
+    void (*span)(struct zs_job *job, const struct zs_row *row);
     uint16_t colors_max; /* of the palette; 0: there is none */
     uint8_t log2_w_min;
 };

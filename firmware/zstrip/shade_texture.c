@@ -353,7 +353,7 @@ static inline uint32_t turned(uint32_t c, int32_t shift)
 }
 
 /* n texels from coordinates c on, changing by step: in 2^-31 of the triangle's span. */
-static inline void fetch(const struct zs_job *job, uint16_t *out, int32_t n, const uint32_t c[2],
+static ZS_NOINLINE void fetch(const struct zs_job *job, uint16_t *out, int32_t n, const uint32_t c[2],
                          const int32_t step[2])
 {
     const struct zs_sampler *s = &job->sampler;
@@ -509,15 +509,19 @@ static void texture_run(struct zs_job *job, const struct zs_row *row, int32_t r0
         run_blocks(job, row, r0, r1);
 }
 
+static void texel_span(struct zs_job *job, const struct zs_row *row)
+{
+    const struct zs_texel *texel = job->sampler.texture->format;
+    texel->span(job, row);
+}
+
 static void texture_rows(struct zs_job *job)
 {
     texture_start(job);
-    if (job->sampler.direct && job->sampler.unlit && !zs_keys_may_saturate(job)) {
-        const struct zs_texel *texel = job->sampler.texture->format;
-        texel->rows(job);
-    } else {
+    if (job->sampler.direct && job->sampler.unlit && !zs_keys_may_saturate(job))
+        zs_rows_walk(job, texel_span);
+    else
         zs_persp_walk(job);
-    }
 }
 
 const struct zs_shader zs_shade_texture = { texture_vertex, no_face, texture_rows, texture_start, zs_persp_span, texture_run,
