@@ -10,7 +10,8 @@
  *   kernels, at the same cost a pixel, as reciprocal keys are;
  * - any other carries r over the screen in 64 bits; a row is cut where an octave ends, and between cuts keys
  *   are linear again. The only work beyond the row's entry is one leading-zeros count for each end and, in rows
- *   that do cross an octave, a bisection. Nothing is encoded a pixel, on cores with CLZ and on those without.
+ *   that do cross an octave, a bisection. Nothing is encoded a pixel, on cores with CLZ and on those without;
+ * - where it is tiny (pipeline.h) and its vertices lie in two octaves next to each other, 32 bits do for r.
  *
  * zs_vertex.d is the key in uq16_16. That is a float with m + 16 mantissa bits (27 to 29 in 16-bit keys), and
  * r is found from it exactly.
@@ -28,6 +29,9 @@
  *                 below 2^-5 at m = 13 for rho < 2^20, and for e3m13, e4m12 never above 2^-17, because beyond
  *                 2^7 or 2^15 times near a bucket's width in r stays. Steps of w are 2^-24 ulp: nothing. The key of
  *                 a piece's first pixel and its step are rounded to 2^-16: (W + 1) / 2^17 at the most
+ *   two, tiny     w = r scaled so that the nearer octave ends at 2^31: the vertices' are exact. A bucket of it is
+ *                 2^17 ulp or more, of the farther one 2^16; plane.c, 128 steps: 0.88 * 128 + 1.4 = 114 ulp. Rounding
+ *                 of a piece's first pixel and its steps, in the nearer one: 129 / 2^17. At the most 0.0019
  *
  * SPDX-License-Identifier: MIT
  */
@@ -158,11 +162,30 @@ static void float_inverses(const struct zs_view *view, const struct zs_vertex *c
         w[k] = (mantissa - (d[k] - nearest)) << up;
 }
 
-#define W_BITS 39 /* plane.c: differences times 2^23 fit 63 bits */
+enum way { ONE_OCTAVE, TWO_OCTAVES, MORE_OCTAVES };
 
-/* job->w64: w = r scaled so that the nearest vertex's octave ends at 2^39. job->w64_scale: that octave. Return 0 where
- * all three are in one after all: the last has the codes of two. */
-static ZS_NOINLINE int float_planes(struct zs_job *job)
+#define W_BITS 39          /* plane.c: differences times 2^23 fit 63 bits */
+#define PAIR_END (1 << 30) /* two octaves: w where the farther one ends; the nearer one ends at twice that */
+#define PAIR_LEAST 4096u   /* ... and the least w of a vertex: its plane is off by up to 114 and must stay above 0 */
+
+/* w of a tiny triangle in two octaves into job->key. Return 0 where a vertex is too far away for it. */
+static int pair_planes(struct zs_job *job, const int32_t octave[3], int32_t nearest)
+{
+    const struct zs_view *view = &job->r->view;
+    const int32_t shift = 30 - (view->key_mantissa + 16); /* 1 .. 11 */
+    uint32_t w[3];
+    for (int k = 0; k < 3; k++) {
+        w[k] = mantissa_of(view, job->v[k]->d, octave[k]) << (shift - (nearest - octave[k])); /* exact, <= 2^31 */
+        if (w[k] < PAIR_LEAST)
+            return 0;
+    }
+    zs_plane32(&job->geom, w[0], w[1], w[2], ZS_PLANE_KEY, &job->key);
+    return 1;
+}
+
+/* r of a triangle over the screen, where its keys are not linear. job->w64_scale: the nearest vertex's octave. More
+ * octaves: job->w64, w = r scaled so that this octave ends at 2^39; two: job->key, so that it ends at 2^31. */
+static ZS_NOINLINE enum way float_planes(struct zs_job *job)
 {
     const struct zs_view *view = &job->r->view;
     int32_t octave[3], nearest = 0, farthest = 32;
@@ -172,16 +195,73 @@ static ZS_NOINLINE int float_planes(struct zs_job *job)
         nearest = zs_max32(nearest, octave[k]);
         farthest = zs_min32(farthest, octave[k]);
     }
-    if (nearest == farthest)
-        return 0;
+    if (nearest == farthest) /* after all: the last has the codes of two */
+        return ONE_OCTAVE;
+    job->w64_scale = nearest;
+    if (job->geom.tiny && nearest - farthest == 1 && pair_planes(job, octave, nearest))
+        return TWO_OCTAVES;
     for (int k = 0; k < 3; k++) {
         const int32_t up = W_BITS - 1 - (view->key_mantissa + 16) - (nearest - octave[k]);
         w[k] = (uint64_t)zs_scale2((int64_t)mantissa_of(view, job->v[k]->d, octave[k]), up);
     }
     zs_plane64(&job->geom, w[0], w[1], w[2], &job->w64);
-    job->w64_scale = nearest;
-    return 1;
+    return MORE_OCTAVES;
 }
+
+/* Draw pixels [i, i + n) of a row, on which keys are linear. */
+static inline void piece(struct zs_job *job, const struct zs_row *row, int32_t i, int32_t n, uint32_t sum, uint32_t step)
+{
+    if (job->state) {
+        const struct zs_state_kernel *kernel = job->state->kernel;
+        kernel->span(job, row, i, i + n, sum, step);
+    } else {
+        const struct zs_shader *shader = job->shader;
+        shader->span(job, row, i, i + n, sum, step);
+    }
+}
+
+/* ---- Two octaves ----------------------------------------------------------------------------------- */
+
+/* Pixels [i, i + n) of a row, all in the nearer octave or in the farther one: code = (o - 1) 2^m + w / 2^shift. */
+static ZS_NOINLINE void pair_piece(struct zs_job *job, const struct zs_row *row, int32_t i, int32_t n, uint32_t w,
+                                   int32_t farther)
+{
+    const struct zs_view *view = &job->r->view;
+    const int32_t m = view->key_mantissa + 16, shift = 30 - m - farther;  /* 0 .. 11 */
+    const uint32_t start = view->key_top + 0x18000u - ((uint32_t)(job->w64_scale - 1 - farther) << m);
+    uint32_t code = w;
+    int32_t step = (int32_t)job->key.gx;
+    if (shift > 0) {
+        code = ((code >> (shift - 1)) + 1u) >> 1;
+        step = ((step >> (shift - 1)) + 1) >> 1;
+    }
+    piece(job, row, i, n, start - code, 0u - (uint32_t)step);
+}
+
+/* w - PAIR_END has the sign that tells the octave: 0 <= w < 2^32 - 2^30. */
+ZS_ALWAYS_INLINE void pair_span(struct zs_job *job, const struct zs_row *row)
+{
+    const int32_t gx = (int32_t)job->key.gx, n = row->i1 - row->i0; /* gx may be any where n is 1, else |gx| < 2^31 */
+    const uint32_t w = row->key + zs_wrap_mul((uint32_t)gx, row->i0);
+    const int32_t above = (int32_t)(w - PAIR_END), above_end = (int32_t)((uint32_t)above + zs_wrap_mul((uint32_t)gx, n - 1));
+    if ((above ^ above_end) >= 0) {
+        pair_piece(job, row, row->i0, n, w, above < 0);
+        return;
+    }
+    /* pixels before the first on the other side: 1 .. n - 1 */
+    const int32_t first = above < 0 ? (int32_t)(((uint32_t)gx - 1u - (uint32_t)above) / (uint32_t)gx)
+                                    : (int32_t)((uint32_t)above / (0u - (uint32_t)gx)) + 1;
+    pair_piece(job, row, row->i0, first, w, above < 0);
+    pair_piece(job, row, row->i0 + first, n - first, w + zs_wrap_mul((uint32_t)gx, first), above >= 0);
+}
+
+/* Apart, so that its frame is not on the stack below start(). */
+static ZS_NOINLINE void pair_walk(struct zs_job *job)
+{
+    zs_rows_walk(job, pair_span);
+}
+
+/* ---- More ---------------------------------------------------------------------------------------------- */
 
 /* Leading zeros of w in 39.24 bits, 1 .. last: how many octaves below the nearest's end, and one. */
 static inline int32_t octaves_down(uint64_t w, int32_t last)
@@ -223,13 +303,7 @@ static ZS_NOINLINE void float_piece(struct zs_job *job, const struct zs_row *row
     const uint32_t code = ((uint32_t)(job->w64_scale - down) << m) + rounded(w, shift, 0);
     const uint32_t sum = view->key_top + 0x10000u - code + 0x8000u;       /* modulo 2^32 */
     const uint32_t step = 0u - rounded(job->w64.gx, shift, 1);            /* gx may be any where n is 1 */
-    if (job->state) {
-        const struct zs_state_kernel *kernel = job->state->kernel;
-        kernel->span(job, row, i, i + n, sum, step);
-    } else {
-        const struct zs_shader *shader = job->shader;
-        shader->span(job, row, i, i + n, sum, step);
-    }
+    piece(job, row, i, n, sum, step);
 }
 
 /* A row that may cross octaves; its last pixel is down_end down. */
@@ -297,14 +371,18 @@ static void float_rows(struct zs_job *job)
     const struct zs_shader *shader = job->shader;
     const uint32_t code = below_code(view, job->v[0]->d);
     const uint32_t differ = (code ^ below_code(view, job->v[1]->d)) | (code ^ below_code(view, job->v[2]->d));
-    if (!(differ >> (view->key_mantissa + 16)) || !float_planes(job)) {
+    const enum way way = differ >> (view->key_mantissa + 16) ? float_planes(job) : ONE_OCTAVE;
+    if (way == ONE_OCTAVE) {
         zs_raster_keys(job);
         return;
     }
     job->saturates = (uint8_t)zs_keys_may_saturate(job);
     if (shader->start)
         shader->start(job);
-    float_walk(job);
+    if (way == TWO_OCTAVES)
+        pair_walk(job);
+    else
+        float_walk(job);
 }
 
 const struct zs_depth zs_depth_float = { any_setup, float_vertex, float_rows, 0, float_inverses, 0 };

@@ -66,7 +66,7 @@ static uint32_t linear_key(const struct zs_view *view, uint32_t d)
     return view->perspective ? key_of(view, d > n ? d - n : 0u, view->key_shift - 16, view->key_top) : d;
 }
 
-static void linear_planes(struct zs_job *job)
+static ZS_NOINLINE void linear_planes(struct zs_job *job)
 {
     uint64_t w[3], most = 0;
     for (int k = 0; k < 3; k++) {

@@ -8,7 +8,8 @@
  * clipped before), give or take the errors below, which are far less than the half bucket added.
  * base + gx * i + gy * j equals repeated addition bit for bit: strips cannot differ.
  *
- * Two ways, chosen by the triangle alone:
+ * Two ways, chosen by the triangle alone. Each has a narrower twin that gives the same bits: tiny triangles (pipeline.h) go
+ * the small way with 32-bit products, and where values are too steep for it, division is by the reciprocal with remainder.
  *
  * small   width + height <= 256 px, value differences below 2^31, gradients below 2^27: one
  *         reciprocal of the area, a multiplication a gradient. Relative error of a gradient
@@ -18,7 +19,7 @@
  *         <= 0.88 * 256 + 1.4 < 227 ulp of 2^-16 bucket = 0.0035 bucket.
  *         Values of 31 significant bits (ZS_PLANE_WIDE: w, colour times w) take gradients up to 2^30 this
  *         way: e <= 2^1.6 + 1/2 ulp of 2^-31, 2^-21 over 256 steps.
- * large   64-bit division with remainder, gradients rounded to nearest: e <= 1/2 ulp. The anchor is
+ * large   division with remainder to 24 bits more, gradients rounded to nearest: e <= 1/2 ulp. The anchor is
  *         the pixel of the frame next to the first vertex, computed from N / A with 32 fraction bits
  *         (error < 2^-32 * 2^22 * 2 + 1/2). Anywhere in the frame: <= (W + H - 2) / 2 + 0.51 ulp
  *         < (W + H + 1) / 2 * 2^-16 bucket = 0.0049 for W + H = 640.
@@ -160,7 +161,7 @@ static ZS_NOINLINE int32_t tiny_gradient(const struct zs_geom *g, int32_t dv1, i
 }
 
 /* n / d with 32 fraction bits: floor in *whole, fraction returned. d < 2^45. */
-static uint32_t divide(int64_t n, int64_t d, int64_t *whole)
+static ZS_NOINLINE uint32_t divide(int64_t n, int64_t d, int64_t *whole)
 {
     int64_t q = n / d, rest = n - q * d;
     if (rest < 0) {
@@ -172,80 +173,6 @@ static uint32_t divide(int64_t n, int64_t d, int64_t *whole)
     const uint64_t f1 = high / (uint64_t)d;
     const uint64_t low = (high - f1 * (uint64_t)d) << 16;
     return (uint32_t)(f1 << 16 | low / (uint64_t)d);
-}
-
-/* 256 * n / area modulo 2^32, nearest, and the step to the anchor added to *base. */
-static uint32_t large_gradient(const struct zs_geom *g, int64_t n, int32_t to_anchor, uint64_t *base)
-{
-    int64_t whole;
-    const uint32_t part = divide(n, g->area, &whole);
-    /* *base has 24 fraction bits below the ulp, modulo 2^64: 40 bits of whole ulp are enough */
-    *base += (uint64_t)whole * (uint64_t)(int64_t)to_anchor << 24;
-    *base += (uint64_t)((int64_t)part * to_anchor >> 8); /* |.| < 2^54.1 */
-    return (uint32_t)((uint64_t)whole << 8) + (uint32_t)(((uint64_t)part + (1u << 23)) >> 24);
-}
-
-static void large_plane(const struct zs_geom *g, uint32_t v0, int64_t dv1, int64_t dv2,
-                        struct zs_plane *out)
-{
-    const int64_t nx = dv1 * g->dy2 - dv2 * g->dy1; /* |dv| < 2^32: < 2^55 */
-    const int64_t ny = dv2 * g->dx1 - dv1 * g->dx2;
-    uint64_t base = ((uint64_t)v0 << 24) + (1u << 23);
-    out->gx = large_gradient(g, nx, g->ax, &base);
-    out->gy = large_gradient(g, ny, g->ay, &base);
-    out->base = (uint32_t)(base >> 24);
-}
-
-/* The small way, once the base holds the first vertex's value and the gradients are known: on to the anchor. */
-static inline void small_base(const struct zs_geom *g, struct zs_plane *out)
-{
-    const int32_t gx = (int32_t)out->gx, gy = (int32_t)out->gy, ax = g->ax, ay = g->ay; /* |g| <= 2^30, |a| <= 2^7 */
-    const int32_t low = (gx & 255) * ax + (gy & 255) * ay + 128; /* (gx ax + gy ay + 128) / 256, the low 8 bits apart */
-    out->base += (uint32_t)((gx >> 8) * ax + (gy >> 8) * ay + (low >> 8)); /* |.| < 2^31 */
-}
-
-/* Any triangle: the small way if it and its values are. */
-static ZS_NOINLINE void any_plane(const struct zs_geom *g, int32_t dv1, int32_t dv2, struct zs_plane *out,
-                                  int32_t least)
-{
-    const uint32_t v0 = out->base, v1 = v0 + (uint32_t)dv1, v2 = v0 + (uint32_t)dv2; /* modulo 2^32 */
-    /* differences that fit 32 bits: the borrow and the sign bit agree */
-    if (g->rcp && (dv1 < 0) == (v1 < v0) && (dv2 < 0) == (v2 < v0)) {
-        /* |dv| <= 2^31, |d| <= 2^16: |.| <= 2^48 */
-        const int32_t gx = small_gradient(g, zs_mul_ss(dv1, g->dy2) - zs_mul_ss(dv2, g->dy1), least);
-        const int32_t gy = small_gradient(g, zs_mul_ss(dv2, g->dx1) - zs_mul_ss(dv1, g->dx2), least);
-        if (gx != TOO_STEEP && gy != TOO_STEEP) {
-            out->gx = (uint32_t)gx;
-            out->gy = (uint32_t)gy;
-            small_base(g, out);
-            return;
-        }
-    }
-    large_plane(g, v0, (int64_t)v1 - v0, (int64_t)v2 - v0, out);
-}
-
-void zs_plane32(const struct zs_geom *g, uint32_t v0, uint32_t v1, uint32_t v2,
-                enum zs_plane_kind kind, struct zs_plane *out)
-{
-    const int32_t dv1 = (int32_t)(v1 - v0), dv2 = (int32_t)(v2 - v0);
-    out->base = v0;
-    if ((dv1 | dv2) == 0) {
-        out->gx = out->gy = 0;
-        return;
-    }
-    if (g->tiny && !(((v0 ^ v1) | (v0 ^ v2)) >> 31)) { /* all three in one half: differences fit 32 bits */
-        int32_t gradient = tiny_gradient(g, dv1, dv2, g->dy, kind);
-        if (gradient != TOO_STEEP) {
-            out->gx = (uint32_t)gradient;
-            gradient = tiny_gradient(g, dv1, dv2, g->dx, kind); /* -gy, rounded alike */
-            if (gradient != TOO_STEEP) {
-                out->gy = 0u - (uint32_t)gradient;
-                small_base(g, out);
-                return;
-            }
-        }
-    }
-    any_plane(g, dv1, dv2, out, kind);
 }
 
 /* The next 32 bits of a quotient: (*rest 2^32 + next) / d. *rest < d, d >= 2^31, rcp at most 2^63 / d and no more
@@ -260,8 +187,8 @@ static inline uint32_t digit(uint32_t *rest, uint32_t next, uint32_t d, uint32_t
     return q;
 }
 
-/* As divide(n, area), of a small triangle: by its reciprocal, to the same bits. |n| < 2^57 */
-static uint32_t small_divide(const struct zs_geom *g, int64_t n, int64_t *whole)
+/* divide(n, area) of a small triangle, by its area's reciprocal. |n| < 2^57 */
+static ZS_NOINLINE uint32_t small_divide(const struct zs_geom *g, int64_t n, int64_t *whole)
 {
     const uint64_t mag = n < 0 ? 0u - (uint64_t)n : (uint64_t)n;
     const int32_t lz = -g->exp;                                      /* 1 .. 31, as area <= 2^30 */
@@ -299,4 +226,60 @@ void zs_plane64(const struct zs_geom *g, uint64_t v0, uint64_t v1, uint64_t v2,
     out->gx = gradient64(g, zs_times(dv1, g->dy2) - zs_times(dv2, g->dy1), g->ax, &base); /* |.| < 2^63 */
     out->gy = gradient64(g, zs_times(dv2, g->dx1) - zs_times(dv1, g->dx2), g->ay, &base);
     out->base = base;
+}
+
+/* The small way, once the base holds the first vertex's value and the gradients are known: on to the anchor. */
+static inline void small_base(const struct zs_geom *g, struct zs_plane *out)
+{
+    const int32_t gx = (int32_t)out->gx, gy = (int32_t)out->gy, ax = g->ax, ay = g->ay; /* |g| <= 2^30, |a| <= 2^7 */
+    const int32_t low = (gx & 255) * ax + (gy & 255) * ay + 128; /* (gx ax + gy ay + 128) / 256, the low 8 bits apart */
+    out->base += (uint32_t)((gx >> 8) * ax + (gy >> 8) * ay + (low >> 8)); /* |.| < 2^31 */
+}
+
+/* Any triangle: the small way if it and its values are, else 24 bits more, rounded. */
+static ZS_NOINLINE void any_plane(const struct zs_geom *g, int32_t dv1, int32_t dv2, struct zs_plane *out,
+                                  int32_t least)
+{
+    const uint32_t v0 = out->base, v1 = v0 + (uint32_t)dv1, v2 = v0 + (uint32_t)dv2; /* modulo 2^32 */
+    /* differences that fit 32 bits: the borrow and the sign bit agree */
+    if (g->rcp && (dv1 < 0) == (v1 < v0) && (dv2 < 0) == (v2 < v0)) {
+        /* |dv| <= 2^31, |d| <= 2^16: |.| <= 2^48 */
+        const int32_t gx = small_gradient(g, zs_mul_ss(dv1, g->dy2) - zs_mul_ss(dv2, g->dy1), least);
+        const int32_t gy = small_gradient(g, zs_mul_ss(dv2, g->dx1) - zs_mul_ss(dv1, g->dx2), least);
+        if (gx != TOO_STEEP && gy != TOO_STEEP) {
+            out->gx = (uint32_t)gx;
+            out->gy = (uint32_t)gy;
+            small_base(g, out);
+            return;
+        }
+    }
+    struct zs_plane64 wide;
+    zs_plane64(g, v0, v1, v2, &wide);
+    out->gx = (uint32_t)((wide.gx + (1u << 23)) >> 24);
+    out->gy = (uint32_t)((wide.gy + (1u << 23)) >> 24);
+    out->base = (uint32_t)((wide.base + (1u << 23)) >> 24);
+}
+
+void zs_plane32(const struct zs_geom *g, uint32_t v0, uint32_t v1, uint32_t v2,
+                enum zs_plane_kind kind, struct zs_plane *out)
+{
+    const int32_t dv1 = (int32_t)(v1 - v0), dv2 = (int32_t)(v2 - v0);
+    out->base = v0;
+    if ((dv1 | dv2) == 0) {
+        out->gx = out->gy = 0;
+        return;
+    }
+    if (g->tiny && !(((v0 ^ v1) | (v0 ^ v2)) >> 31)) { /* all three in one half: differences fit 32 bits */
+        int32_t gradient = tiny_gradient(g, dv1, dv2, g->dy, kind);
+        if (gradient != TOO_STEEP) {
+            out->gx = (uint32_t)gradient;
+            gradient = tiny_gradient(g, dv1, dv2, g->dx, kind); /* -gy, rounded alike */
+            if (gradient != TOO_STEEP) {
+                out->gy = 0u - (uint32_t)gradient;
+                small_base(g, out);
+                return;
+            }
+        }
+    }
+    any_plane(g, dv1, dv2, out, kind);
 }

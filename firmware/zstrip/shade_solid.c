@@ -28,11 +28,11 @@ ZS_ALWAYS_INLINE int32_t solid_pixels(uint16_t *depth_end, uint16_t *color_end, 
     return written;
 }
 
-/* As zs_rows_walk walks them. */
-ZS_ALWAYS_INLINE void solid_walk(struct zs_job *job, int clamp)
+/* Keys that do not saturate: as zs_rows_walk walks rows, with little else in registers. */
+static ZS_NOINLINE void walk(struct zs_job *job)
 {
     const int32_t width = job->width;
-    const uint32_t top = (job->r->view.key_top >> 16) - 1u, gx = job->key.gx;
+    const uint32_t gx = job->key.gx;
     const uint16_t paint = job->tri->paint;
     uint32_t tested = 0;
     int32_t written = 0, y = job->row;
@@ -44,7 +44,7 @@ ZS_ALWAYS_INLINE void solid_walk(struct zs_job *job, int clamp)
             const int32_t i0 = zs_max32(cut->x0, 0), i1 = zs_min32(cut->x1, width), n = i1 - i0;
             if (n > 0) {
                 tested += (uint32_t)n;
-                written += solid_pixels(depth + i1, color + i1, n, key + zs_wrap_mul(gx, i0), gx, paint, top, clamp);
+                written += solid_pixels(depth + i1, color + i1, n, key + zs_wrap_mul(gx, i0), gx, paint, 0, 0);
             }
             depth += width;
             color += width;
@@ -59,37 +59,25 @@ ZS_ALWAYS_INLINE void solid_walk(struct zs_job *job, int clamp)
     zs_rows_written(job, written);
 }
 
-/* Apart, each with its registers to itself. */
-static ZS_NOINLINE void walk_plain(struct zs_job *job)
-{
-    solid_walk(job, 0);
-}
-
-static ZS_NOINLINE void walk_clamped(struct zs_job *job)
-{
-    solid_walk(job, 1);
-}
-
 void zs_solid_span(struct zs_job *job, const struct zs_row *row, int32_t i0, int32_t i1, uint32_t sum,
                    uint32_t gx)
 {
-    uint16_t *depth_end = job->depth + row->at + i1, *color_end = job->color + row->at + i1;
     const uint32_t top = (job->r->view.key_top >> 16) - 1u;
-    const uint16_t paint = job->tri->paint;
-    int32_t written;
-    if (job->saturates)
-        written = solid_pixels(depth_end, color_end, i1 - i0, sum, gx, paint, top, 1);
-    else
-        written = solid_pixels(depth_end, color_end, i1 - i0, sum, gx, paint, top, 0);
-    zs_rows_written(job, written);
+    zs_rows_written(job, solid_pixels(job->depth + row->at + i1, job->color + row->at + i1, i1 - i0, sum, gx,
+                                      job->tri->paint, top, 1));
+}
+
+ZS_ALWAYS_INLINE void span_clamped(struct zs_job *job, const struct zs_row *row)
+{
+    zs_solid_span(job, row, row->i0, row->i1, row->key + zs_wrap_mul(job->key.gx, row->i0), job->key.gx);
 }
 
 void zs_solid_rows(struct zs_job *job)
 {
     if (zs_keys_may_saturate(job))
-        walk_clamped(job);
+        zs_rows_walk(job, span_clamped);
     else
-        walk_plain(job);
+        walk(job);
 }
 
 void zs_solid_run(struct zs_job *job, const struct zs_row *row, int32_t from, int32_t to)
