@@ -353,7 +353,7 @@ static inline uint32_t turned(uint32_t c, int32_t shift)
 }
 
 /* n texels from coordinates c on, changing by step: in 2^-31 of the triangle's span. */
-static ZS_NOINLINE void fetch(const struct zs_job *job, uint16_t *out, int32_t n, const uint32_t c[2],
+static inline void fetch(const struct zs_job *job, uint16_t *out, int32_t n, const uint32_t c[2],
                          const int32_t step[2])
 {
     const struct zs_sampler *s = &job->sampler;
