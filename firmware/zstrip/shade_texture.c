@@ -223,7 +223,7 @@ static uint32_t third_power(int32_t n)
     return n >= 96 ? UINT32_MAX : ((part[n % 3] - 1u) >> (31 - n / 3)) + 1u;
 }
 
-static void blocks(struct zs_job *job, const uint16_t *const a[3], const struct coordinate c[2],
+static ZS_NOINLINE void blocks(struct zs_job *job, const uint16_t *const a[3], const struct coordinate c[2],
                    const uint32_t w[3])
 {
     const int n = job->shader->n_attrs;
@@ -244,7 +244,7 @@ static void blocks(struct zs_job *job, const uint16_t *const a[3], const struct 
 }
 
 /* The texture to be drawn: t, or a copy of it with the palette lit. Sets job->sampler.unlit. */
-static const struct zs_texture *lit_texture(struct zs_job *job, const struct zs_texture *t)
+static ZS_NOINLINE const struct zs_texture *lit_texture(struct zs_job *job, const struct zs_texture *t)
 {
     const struct zs_shader *shader = job->shader;
     struct zs_lit *lit = &job->r->lit;
