@@ -4,7 +4,7 @@
  * ratio rho is wrong by at most du (sqrt rho - 1) / (sqrt rho + 1) <= du (rho - 1) / 4 (Heckbert). Where
  * that is little enough over the whole triangle, attributes are affine. Otherwise attribute * w and w are
  * linear on the screen, and are divided at the ends of parts of a row. Smooth colours: sub-spans of 2^k pixels,
- * one k a triangle, for which the bound holds anywhere in it. Textures: blocks that are chosen along the row. Both
+ * one k a triangle, for which the bound holds anywhere in it. Textures: groups of 32 pixels, affine or divided pixel by pixel. Both
  * count from the row's first covered pixel, on the screen or not, and the last part ends at the row's last
  * covered pixel: what is hidden, clipped or in another strip moves nothing, and w is never taken outside the
  * triangle.
