@@ -34,7 +34,7 @@ static inline uint32_t zs_persp_change(const uint32_t w[3], uint32_t *least)
     return zs_maxu32(zs_maxu32(w[0], w[1]), w[2]) - *least;
 }
 
-/* (2^32 - 1) / n of a last, shorter part of a row; [0] unused. */
+/* (2^32 - 1) / n of a last, shorter part of a row; [0] is 0. */
 extern const uint32_t zs_one_over[(1 << ZS_SUB_LOG2_MAX) + 1];
 
 /* Move a plane's base to column 0 of row 0, for zs_plane_at. */

@@ -489,7 +489,8 @@ static ZS_NOINLINE void places(uint32_t *at, int32_t n, const struct places *p, 
 }
 
 /* Light that comes from the vertices; at[] are reciprocals. */
-static void light_places(const struct zs_job *job, uint16_t *out, const uint32_t *at, int32_t n, uint32_t c, uint32_t step)
+static void light_places(const struct zs_job *job, uint16_t *out, const uint32_t *at, int32_t n, uint32_t c,
+                         uint32_t step)
 {
     const struct zs_shader *shader = job->shader;
     for (int32_t k = 0; k < n; k++, c += step) {
@@ -542,7 +543,8 @@ static inline int32_t step_of(uint32_t *c, uint32_t next, int32_t n, int32_t ski
 }
 
 /* Pixels [i0, i1) of the part from `from` to the covered pixel `to`, which is affine. */
-static ZS_NOINLINE void run_group(struct zs_job *job, const struct zs_row *row, int32_t from, int32_t to, int32_t i0, int32_t i1)
+static ZS_NOINLINE void run_group(struct zs_job *job, const struct zs_row *row, int32_t from, int32_t to, int32_t i0,
+                                  int32_t i1)
 {
     const int n = job->shader->n_attrs;
     uint16_t *out = job->color + row->at + i0;
