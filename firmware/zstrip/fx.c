@@ -29,7 +29,7 @@ const uint8_t zs_clz8[256] = {
 #define RECIP16(i) RECIP4(i), RECIP4((i) + 4u), RECIP4((i) + 8u), RECIP4((i) + 12u)
 #define RECIP64(i) RECIP16(i), RECIP16((i) + 16u), RECIP16((i) + 32u), RECIP16((i) + 48u)
 
-static const uint16_t recip_table[257] = { /* uq0_16: 512 / (256 + i) - 1; entry 0 saturated */
+const uint16_t zs_recip_table[257] = { /* uq0_16: 512 / (256 + i) - 1; entry 0 saturated */
     RECIP64(0u), RECIP64(64u), RECIP64(128u), RECIP64(192u), RECIP_AT(256u)
 };
 
@@ -38,8 +38,8 @@ uint32_t zs_recip(uint32_t a)
     ZS_ASSERT(a >> 31);
     const uint32_t i = (a >> 23) & 255u;
     const uint32_t t = (a >> 7) & 65535u;                     /* uq0_16 within the cell */
-    const uint32_t y0 = recip_table[i];                       /* < 2^16 */
-    const uint32_t dy = y0 - recip_table[i + 1u];             /* 0 .. 256 */
+    const uint32_t y0 = zs_recip_table[i];                       /* < 2^16 */
+    const uint32_t dy = y0 - zs_recip_table[i + 1u];             /* 0 .. 256 */
     const uint32_t y = 0x80000000u + (y0 << 15) - (dy * t >> 1); /* uq1_31, dy * t < 2^24.1 */
     /* y (2 - m y) = y + y e with e = 1 - m y, |e| <= 2^14.6 in q_31: two narrow products instead of a wide one */
     const int32_t e = (int32_t)(0x80000000u - zs_umulh(a, y));

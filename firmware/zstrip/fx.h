@@ -143,6 +143,16 @@ static inline uint16_t zs_wire16(uint16_t v)
  * Exact tests/test_fx.c compares all 2^31 arguments in steps that hit every table entry. */
 uint32_t zs_recip(uint32_t a);
 
+extern const uint16_t zs_recip_table[257]; /* fx.c */
+
+/* 2^45 / a, 15 bits and a half: within 2^-14 of it, at most 2^16 - 1. 2^30 <= a < 2^31. No long product. */
+static inline uint32_t zs_recip15(uint32_t a)
+{
+    const uint16_t *const at = zs_recip_table + (a << 2 >> 24);
+    const uint32_t t = a << 10 >> 16;                         /* uq0_16 within the cell */
+    return (0x10000u + at[0] - (((uint32_t)at[0] - at[1]) * t >> 16)) >> 1;
+}
+
 /* floor(sqrt(v)). */
 uint32_t zs_isqrt64(uint64_t v);
 

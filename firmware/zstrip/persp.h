@@ -4,7 +4,7 @@
  * ratio rho is wrong by at most du (sqrt rho - 1) / (sqrt rho + 1) <= du (rho - 1) / 4 (Heckbert). Where
  * that is little enough over the whole triangle, attributes are affine. Otherwise attribute * w and w are
  * linear on the screen, and are divided at the ends of parts of a row. Smooth colours: sub-spans of 2^k pixels,
- * one k a triangle, for which the bound holds anywhere in it. Textures: blocks that are chosen along the row. Both
+ * one k a triangle, for which the bound holds anywhere in it. Textures: groups of 32 pixels, affine or divided pixel by pixel. Both
  * count from the row's first covered pixel, on the screen or not, and the last part ends at the row's last
  * covered pixel: what is hidden, clipped or in another strip moves nothing, and w is never taken outside the
  * triangle.
@@ -34,7 +34,7 @@ static inline uint32_t zs_persp_change(const uint32_t w[3], uint32_t *least)
     return zs_maxu32(zs_maxu32(w[0], w[1]), w[2]) - *least;
 }
 
-/* (2^32 - 1) / n of a last, shorter part of a row; [0] unused. */
+/* (2^32 - 1) / n of a last, shorter part of a row; [0] is 0. */
 extern const uint32_t zs_one_over[(1 << ZS_SUB_LOG2_MAX) + 1];
 
 /* Move a plane's base to column 0 of row 0, for zs_plane_at. */

@@ -66,9 +66,11 @@ struct zs_texel {
     /* n texels along a walk, RGB565 in wire order. */
     void (*fetch)(const struct zs_texture *texture, uint16_t *out, int32_t n,
                   const struct zs_walk *walk);
-    /* As shader->rows, unlit, where job->c[0] and [1] are u and v, uq0_32; log2_w, log2_h > 0, and keys
-     * do not saturate. */
-    void (*rows)(struct zs_job *job);
+    /* n texels by their numbers, row * width + column. */
+    void (*gather)(const struct zs_texture *texture, uint16_t *out, int32_t n, const uint32_t *at);
+    /* Test and draw a row, unlit, where job->c[0] and [1] are u and v, uq0_32; log2_w, log2_h > 0, and keys do not
+     * saturate. */
+    void (*span)(struct zs_job *job, const struct zs_row *row);
     uint16_t colors_max; /* of the palette; 0: there is none */
     uint8_t log2_w_min;
 };
@@ -216,7 +218,8 @@ struct zs_sampler {
     const struct zs_texture *texture;
     uint64_t base[2]; /* q32_32 repeats at coordinate 0, a little added: see shade_texture.c */
     int8_t shift[2];  /* coordinate * 2^shift is in 2^-32 repeats */
-    uint32_t least_w[6]; /* blocks of 2^k pixels need at least this w */
+    uint32_t least_w; /* groups of pixels need at least this w to be affine */
+    uint8_t fine;     /* 1: clamped, or of so many texels that 15 bits do not place them */
     uint8_t wide;     /* 1: the texture is clamped, or one texel wide or high */
     uint8_t direct;   /* 1: affine and not wide: job->c[0] and [1] are u and v, uq0_32 */
     uint8_t unlit;    /* 1: texels are drawn as they are in `texture` */

@@ -211,7 +211,11 @@ static ZS_NOINLINE void affine_rows(struct zs_job *job)
             const uint16_t *end = depth + n;
             tested += (uint32_t)n;
             do {
-                ZS_HIGH_REGISTER(by_key); ZS_HIGH_REGISTER(by_red); ZS_HIGH_REGISTER(by_green); ZS_HIGH_REGISTER(by_blue); ZS_HIGH_REGISTER(end);
+                ZS_HIGH_REGISTER(by_key);
+                ZS_HIGH_REGISTER(by_red);
+                ZS_HIGH_REGISTER(by_green);
+                ZS_HIGH_REGISTER(by_blue);
+                ZS_HIGH_REGISTER(end);
                 const uint32_t key = sum >> 16;
                 if (key < *depth) {
                     *depth = (uint16_t)key;
@@ -270,7 +274,8 @@ static void fill_part(uint16_t *out, int32_t n, const uint32_t c[3], const uint3
     uint32_t at[3], step[3];
     for (int k = 0; k < 3; k++) {
         const uint32_t up = k == 1 ? UP6 : UP5;
-        const int32_t by = (int32_t)(zs_mul_su((int32_t)(next[k] - c[k]), zs_one_over[length]) >> 32); /* |difference| < 2^22 */
+        const int32_t change = (int32_t)(next[k] - c[k]); /* |.| < 2^22 */
+        const int32_t by = (int32_t)(zs_mul_su(change, zs_one_over[length]) >> 32);
         at[k] = (c[k] + zs_wrap_mul((uint32_t)by, skip)) << up;
         step[k] = (uint32_t)by << up;
     }

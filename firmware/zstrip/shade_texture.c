@@ -7,13 +7,13 @@
  *
  * Error of affine interpolation, in texels of the texture, or of one of 128 where it is smaller; held below 1/8.
  * Whole triangle: T (rho - 1) / 4, with T the texels that it spans, rho its ratio of w.
- * Blocks of L = 2^k pixels of a row: with W = w and C = U w, both linear along the row,
+ * Groups of L = 32 pixels of a row: with W = w and C = U w, both linear along the row,
  *   u1 - u0 = (C' W0 - C0 W') L / (W0 W1),  rho - 1 = W' L / W0,  so the error is K |W'| L^2 / (4 W0^2 W1),
  * K = |C' W - C W'|, which is constant along a row and linear from row to row: its largest is at a vertex,
- * |C' - U W'| W. So a block may be as long as W^3 >= 2 T K |W'| L^2 allows, W the less of its two ends: near parts
- * of a triangle get long blocks and far parts short ones. Blocks of 2^k start at multiples of 2^k from the row's
- * first covered pixel, and each pixel belongs to the largest that is allowed (one that is allowed holds smaller ones
- * that are too, because w is monotonous); the last ends at the row's last covered pixel.
+ * |C' - U W'| W. So a group may be affine where W^3 >= 2 T K |W'| L^2, W the less of its two ends. In any other each
+ * pixel is divided: with 15 bits where the triangle has at most 2^COARSE_LOG2 texels (NUMERICS.md: 2^-13.4 of its
+ * span), in pieces in which w keeps its leading zeros, so that nothing is shifted a pixel. Groups start at multiples
+ * of 32 from the row's first covered pixel; the last ends at the row's last covered pixel.
  * Light goes the same way, 128 codes to its whole range.
  *
  * Errors of a coordinate beyond that, in texels: planes the larger of 2^-21 and (W + H + 1) / 2^32 of the triangle's
@@ -29,6 +29,10 @@
 
 #define BIAS_LOG2 9 /* 2^-9 texel */
 #define FLOOR_LOG2 7u /* smaller textures are held to 1/8 texel of one of 128 */
+#define GROUP_LOG2 5
+#define GROUP (1 << GROUP_LOG2) /* pixels */
+#define COARSE_LOG2 10 /* texels that 15 bits place */
+#define PIECE 16       /* pixels divided at a time */
 #define LIGHT_MAX 65504u /* uq1_15, just below 2: light() adds a half */
 #define LIGHT_LOG2 7     /* codes that its 16 bits stand for: 126 */
 #define LIGHT_ONE 1024u  /* light at a pixel, uq1_10 */
@@ -196,7 +200,7 @@ static inline int light_enough(uint32_t range, uint32_t change, uint32_t least)
 }
 
 /* ceil(log2(2^(texels + 1) K |W'|)) of an attribute; -128: it is 0. */
-static int32_t block_log2(const struct zs_plane *c, const struct zs_plane *w_plane, const uint32_t un[3],
+static int32_t bend_log2(const struct zs_plane *c, const struct zs_plane *w_plane, const uint32_t un[3],
                           const uint32_t w[3], int32_t texels)
 {
     const int32_t c_gx = (int32_t)c->gx, w_gx = (int32_t)w_plane->gx;
@@ -223,7 +227,7 @@ static uint32_t third_power(int32_t n)
     return n >= 96 ? UINT32_MAX : ((part[n % 3] - 1u) >> (31 - n / 3)) + 1u;
 }
 
-static void blocks(struct zs_job *job, const uint16_t *const a[3], const struct coordinate c[2],
+static ZS_NOINLINE void start_groups(struct zs_job *job, const uint16_t *const a[3], const struct coordinate c[2],
                    const uint32_t w[3])
 {
     const int n = job->shader->n_attrs;
@@ -236,15 +240,15 @@ static void blocks(struct zs_job *job, const uint16_t *const a[3], const struct 
             v[k] = zs_umulh(un[k] << 16, w[k]);
         }
         zs_persp_plane(&job->geom, v, ZS_PLANE_WIDE, &job->c[i]);
-        need = zs_max32(need, block_log2(&job->c[i], &job->w, un, w, i < 2 ? c[i].texels : LIGHT_LOG2));
+        need = zs_max32(need, bend_log2(&job->c[i], &job->w, un, w, i < 2 ? c[i].texels : LIGHT_LOG2));
     }
-    for (int32_t k = 0; k <= (int32_t)ZS_SUB_LOG2_MAX; k++)
-        job->sampler.least_w[k] = k ? third_power(need + 2 * k) : 0u;
-    job->sub_log2 = 0;
+    job->sampler.least_w = third_power(need + 2 * GROUP_LOG2);
+    job->sampler.fine = job->sampler.wide || zs_max32(c[0].texels, c[1].texels) > COARSE_LOG2;
+    job->sub_log2 = GROUP_LOG2;
 }
 
 /* The texture to be drawn: t, or a copy of it with the palette lit. Sets job->sampler.unlit. */
-static const struct zs_texture *lit_texture(struct zs_job *job, const struct zs_texture *t)
+static ZS_NOINLINE const struct zs_texture *lit_texture(struct zs_job *job, const struct zs_texture *t)
 {
     const struct zs_shader *shader = job->shader;
     struct zs_lit *lit = &job->r->lit;
@@ -290,7 +294,7 @@ static void texture_start(struct zs_job *job)
     }
     if (!affine_enough(c[0].texels, change, least) || !affine_enough(c[1].texels, change, least) ||
         (lit && !light_enough(light_range, change, least))) {
-        blocks(job, a, c, w);
+        start_groups(job, a, c, w);
         return;
     }
     job->sub_log2 = ZS_AFFINE;
@@ -430,74 +434,160 @@ static void run_affine(struct zs_job *job, const struct zs_row *row, int32_t r0,
         lighten(job, out, n, 0, 0);
 }
 
-/* log2 of the block that begins at pixel i of a row, where w is. */
-static inline int32_t block_at(const struct zs_job *job, const struct zs_row *row, int32_t i, uint32_t w)
+/* ---- Pixel by pixel --------------------------------------------------------------------------------- */
+
+/* n reciprocals, 15 bits, of w that stays in [2^30, 2^31). */
+static ZS_NOINLINE void reciprocals(uint32_t *at, int32_t n, uint32_t w, uint32_t step)
 {
-    const int32_t gx = (int32_t)job->w.gx, left = row->x1 - 1 - i;
-    const uint32_t offset = (uint32_t)(i - row->x0) | 1u << ZS_SUB_LOG2_MAX;
-    int32_t k = 0;
-    while (!(offset >> k & 1u)) { /* blocks of 2^(k + 1) may begin here */
-        const int32_t to = zs_min32((int32_t)2 << k, left);
-        const uint32_t far_end = gx < 0 ? zs_persp_held(w + zs_wrap_mul(job->w.gx, to)) : w;
-        if (far_end < job->sampler.least_w[k + 1])
-            break;
-        k++;
+    for (uint32_t *end = at + n; at != end; at++, w += step) {
+        ZS_HIGH_REGISTER(end);
+        ZS_HIGH_REGISTER(step);
+        *at = zs_recip15(w);
     }
-    return k;
 }
 
-/* First pixel of the block that pixel i of a row belongs to: the largest that is allowed. */
-static int32_t block_start(const struct zs_job *job, const struct zs_row *row, int32_t i)
+/* attribute * w over w: uq2_30, a little below 0 or above 1 at most; 1/2 in 2^16 has been added to c. */
+static inline uint32_t coarse_over(uint32_t c, uint32_t rcp)
 {
-    for (int32_t k = (int32_t)ZS_SUB_LOG2_MAX; k > 0; k--) {
-        const int32_t from = row->x0 + ((i - row->x0) & -((int32_t)1 << k));
-        const int32_t to = zs_min32(from + ((int32_t)1 << k), row->x1 - 1);
-        const int32_t at = (int32_t)job->w.gx < 0 ? to : from;
-        if (zs_persp_w_at(job, at, row->y) >= job->sampler.least_w[k])
-            return from;
-    }
-    return i;
+    return (uint32_t)((int32_t)c >> 16) * rcp; /* 16 bits with the sign, times 16: modulo 2^32 */
 }
 
-/* The step to a block's end, n pixels or 2^whole further; *c moves on by `skip` pixels. */
-static inline int32_t step_of(uint32_t *c, uint32_t next, int32_t whole, int32_t n, int32_t skip)
+/* A coordinate times w along a run, and how it becomes a column or row. */
+struct places {
+    uint32_t c, step;
+    uint32_t base;      /* modulo one repeat */
+    int32_t left, down; /* shifts that make 2^-32 repeats of 30 bits; one is 0 */
+    uint32_t cut;       /* a repeat's 32 bits shifted by it: the column */
+};
+
+/* Attribute k of a job from pixel i on. up: of w, to 31 bits */
+static void places_of(struct places *p, const struct zs_job *job, int k, int32_t i, int32_t row, int32_t up)
+{
+    const struct zs_sampler *s = &job->sampler;
+    const int32_t turn = s->shift[k] + 1;
+    p->c = (zs_plane_at(&job->c[k], i, row) << up) + 0x8000u;
+    p->step = job->c[k].gx << up;
+    p->base = (uint32_t)s->base[k];
+    p->left = zs_max32(turn, 0);
+    p->down = zs_max32(-turn, 0);
+    p->cut = 32u - (k ? s->texture->log2_h : s->texture->log2_w);
+}
+
+/* at[]: reciprocals, 16 bits; rows above them; then numbers of texels. Twice: v, u. */
+static ZS_NOINLINE void places(uint32_t *at, int32_t n, const struct places *p, uint32_t log2_w)
+{
+    const int32_t left = p->left, down = p->down;
+    uint32_t c = p->c, base = p->base, step = p->step, cut = p->cut;
+    for (uint32_t *end = at + n; at != end; at++, c += step) {
+        ZS_HIGH_REGISTER(end);
+        ZS_HIGH_REGISTER(step);
+        ZS_HIGH_REGISTER(base);
+        const uint32_t turned = (uint32_t)((int32_t)(coarse_over(c, *at & 65535u) << left) >> down);
+        const uint32_t place = (base + turned) >> cut;
+        *at = log2_w ? (*at >> 16 << log2_w) + place : place << 16 | *at;
+    }
+}
+
+/* Light that comes from the vertices; at[] are reciprocals. */
+static void light_places(const struct zs_job *job, uint16_t *out, const uint32_t *at, int32_t n, uint32_t c,
+                         uint32_t step)
+{
+    const struct zs_shader *shader = job->shader;
+    for (int32_t k = 0; k < n; k++, c += step) {
+        const int32_t level = (int32_t)coarse_over(c, at[k] & 65535u);
+        shader->light(out + k, 1, level < 0 ? 0u : (uint32_t)level << 2, 0); /* < 2^32: light is below LIGHT_MAX */
+    }
+}
+
+/* n <= PIECE pixels from i on in which w keeps its lz leading zeros, 1 .. 31. */
+static ZS_NOINLINE void divide_octave(struct zs_job *job, uint16_t *out, int32_t i, int32_t n, int32_t row, int32_t lz)
+{
+    const struct zs_texture *t = job->sampler.texture;
+    const struct zs_texel *texel = t->format;
+    const int32_t up = lz - 1;
+    struct places p;
+    uint32_t at[PIECE];
+    reciprocals(at, n, zs_plane_at(&job->w, i, row) << up, job->w.gx << up);
+    places_of(&p, job, 1, i, row, up);
+    places(at, n, &p, 0);
+    places_of(&p, job, 0, i, row, up);
+    places(at, n, &p, t->log2_w);
+    texel->gather(t, out, n, at);
+    if (job->shader->n_attrs != 3) {
+        lighten(job, out, n, 0, 0);
+        return;
+    }
+    reciprocals(at, n, zs_plane_at(&job->w, i, row) << up, job->w.gx << up);
+    light_places(job, out, at, n, (zs_plane_at(&job->c[2], i, row) << up) + 0x8000u, job->c[2].gx << up);
+}
+
+/* How many of n pixels, from one with w on, have its leading zeros. */
+static int32_t same_octave(uint32_t w, int32_t gx, int32_t lz, int32_t n)
+{
+    const uint32_t low = 1u << (31 - lz);
+    if (gx == 0)
+        return n;
+    const uint32_t more = gx < 0 ? (w - low) / (0u - (uint32_t)gx) : (low - 1u - (w - low)) / (uint32_t)gx;
+    return more < (uint32_t)n ? (int32_t)more + 1 : n;
+}
+
+/* ---- Groups ------------------------------------------------------------------------------------------ */
+
+/* The step to a group's end, n pixels or a whole group further; *c moves on by `skip` pixels. */
+static inline int32_t step_of(uint32_t *c, uint32_t next, int32_t n, int32_t skip)
 {
     const int32_t all = (int32_t)(next - *c); /* |.| < 2^31 */
-    const int32_t step = whole >= 0 ? all >> whole : (int32_t)((int64_t)all * zs_one_over[n] >> 32);
+    const int32_t step = n == GROUP ? all >> GROUP_LOG2 : (int32_t)(zs_mul_su(all, zs_one_over[n]) >> 32);
     *c += zs_wrap_mul((uint32_t)step, skip);
     return step;
 }
 
-static void run_blocks(struct zs_job *job, const struct zs_row *row, int32_t r0, int32_t r1)
+/* Pixels [i0, i1) of the part from `from` to the covered pixel `to`, which is affine. */
+static ZS_NOINLINE void run_group(struct zs_job *job, const struct zs_row *row, int32_t from, int32_t to, int32_t i0,
+                                  int32_t i1)
 {
-    uint16_t *color = job->color + row->at;
     const int n = job->shader->n_attrs;
-    uint32_t c[3], next[3] = { 0 };
+    uint16_t *out = job->color + row->at + i0;
+    uint32_t c[3] = { 0 }, next[3];
     int32_t step[3] = { 0 };
-    int32_t from = r0 == row->x0 ? r0 : block_start(job, row, r0);
-    uint32_t w = divide_at(job, from, row->y, n, next);
-    for (;;) {
-        const int32_t k = block_at(job, row, from, w);
-        const int32_t end = from + ((int32_t)1 << k), to = zs_min32(end, row->x1 - 1); /* covered */
-        const int32_t i0 = zs_max32(from, r0), i1 = zs_min32(end, r1);
-        const int32_t whole = to == end ? k : -1, n_px = to - from, skip = i0 - from;
-        c[0] = next[0];
-        c[1] = next[1];
-        c[2] = next[2];
-        if (to > from)
-            w = divide_at(job, to, row->y, n, next);
-        step[0] = step_of(&c[0], next[0], whole, n_px, skip);
-        step[1] = step_of(&c[1], next[1], whole, n_px, skip);
-        if (n == 3)
-            step[2] = step_of(&c[2], next[2], whole, n_px, skip);
-        ZS_ASSERT(i1 > i0);
-        if (i1 > i0) { /* always; a slip in numbers must not become one in memory */
-            fetch(job, color + i0, i1 - i0, c, step);
-            lighten(job, color + i0, i1 - i0, n == 3 ? c[2] : 0u, step[2]);
+    divide_at(job, from, row->y, n, c);
+    if (to > from) {
+        divide_at(job, to, row->y, n, next);
+        for (int k = 0; k < n; k++)
+            step[k] = step_of(&c[k], next[k], to - from, i0 - from);
+    }
+    fetch(job, out, i1 - i0, c, step);
+    lighten(job, out, i1 - i0, c[2], step[2]);
+}
+
+/* Pixels [i, end) of a row, each by a division of its own. */
+static void run_divided(struct zs_job *job, const struct zs_row *row, int32_t i, int32_t end)
+{
+    while (i < end) {
+        const uint32_t w = zs_plane_at(&job->w, i, row->y);
+        int32_t n = 1;
+        if (w == 0 || w >> 31 || job->sampler.fine) {
+            run_group(job, row, i, i, i, i + 1);
+        } else {
+            const int32_t lz = zs_clz32(w);
+            n = same_octave(w, (int32_t)job->w.gx, lz, zs_min32(end - i, PIECE));
+            divide_octave(job, job->color + row->at + i, i, n, row->y, lz);
         }
-        if (end >= r1)
-            return;
-        from = end;
+        i += n;
+    }
+}
+
+static void run_groups(struct zs_job *job, const struct zs_row *row, int32_t r0, int32_t r1)
+{
+    const int down = (int32_t)job->w.gx < 0;
+    int32_t from = row->x0 + ((r0 - row->x0) & -GROUP);
+    for (; from < r1; from += GROUP) {
+        const int32_t to = zs_min32(from + GROUP, row->x1 - 1); /* covered */
+        const int32_t i0 = zs_max32(from, r0), i1 = zs_min32(from + GROUP, r1);
+        if (zs_persp_w_at(job, down ? to : from, row->y) >= job->sampler.least_w)
+            run_group(job, row, from, to, i0, i1);
+        else
+            run_divided(job, row, i0, i1);
     }
 }
 
@@ -506,18 +596,22 @@ static void texture_run(struct zs_job *job, const struct zs_row *row, int32_t r0
     if (job->sub_log2 == ZS_AFFINE)
         run_affine(job, row, r0, r1 - r0);
     else
-        run_blocks(job, row, r0, r1);
+        run_groups(job, row, r0, r1);
+}
+
+static void texel_span(struct zs_job *job, const struct zs_row *row)
+{
+    const struct zs_texel *texel = job->sampler.texture->format;
+    texel->span(job, row);
 }
 
 static void texture_rows(struct zs_job *job)
 {
     texture_start(job);
-    if (job->sampler.direct && job->sampler.unlit && !zs_keys_may_saturate(job)) {
-        const struct zs_texel *texel = job->sampler.texture->format;
-        texel->rows(job);
-    } else {
+    if (job->sampler.direct && job->sampler.unlit && !zs_keys_may_saturate(job))
+        zs_rows_walk(job, texel_span);
+    else
         zs_persp_walk(job);
-    }
 }
 
 const struct zs_shader zs_shade_texture = { texture_vertex, no_face, texture_rows, texture_start, zs_persp_span, texture_run,

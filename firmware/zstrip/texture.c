@@ -1,5 +1,5 @@
-/* Texel formats: the innermost loops of textured shading, two each: a run of texels, and a whole triangle that
- * is affine, unlit and repeated, with its depth test.
+/* Texel formats: the innermost loops of textured shading, three each: a run of texels, texels by their
+ * numbers, and a row of a triangle that is affine, unlit and repeated, with its depth test.
  *
  * u and v are fractions of the texture in 32 bits: their top log2 bits are column and row, and repeating is
  * what unsigned sums do.
@@ -49,6 +49,14 @@ ZS_ALWAYS_INLINE void fetch(const struct zs_texture *t, uint16_t *out, int32_t n
     }
 }
 
+ZS_ALWAYS_INLINE void gather(const struct zs_texture *t, uint16_t *out, int32_t n, const uint32_t *at, read_fn *read)
+{
+    const void *texel = t->texel;
+    const uint16_t *palette = t->palette;
+    for (uint16_t *const end = out + n; out != end; out++, at++)
+        *out = zs_wire16(read(texel, palette, *at));
+}
+
 ZS_ALWAYS_INLINE void span(struct zs_job *job, const struct zs_row *row, read_fn *read)
 {
     const struct zs_texture *t = job->sampler.texture;
@@ -93,36 +101,36 @@ static void fetch_pal4(const struct zs_texture *t, uint16_t *out, int32_t n, con
     fetch(t, out, n, walk, read_pal4);
 }
 
-ZS_ALWAYS_INLINE void span_565(struct zs_job *job, const struct zs_row *row)
+static void gather_565(const struct zs_texture *t, uint16_t *out, int32_t n, const uint32_t *at)
+{
+    gather(t, out, n, at, read_565);
+}
+
+static void span_565(struct zs_job *job, const struct zs_row *row)
 {
     span(job, row, read_565);
 }
 
-ZS_ALWAYS_INLINE void span_pal8(struct zs_job *job, const struct zs_row *row)
+static void gather_pal8(const struct zs_texture *t, uint16_t *out, int32_t n, const uint32_t *at)
+{
+    gather(t, out, n, at, read_pal8);
+}
+
+static void span_pal8(struct zs_job *job, const struct zs_row *row)
 {
     span(job, row, read_pal8);
 }
 
-ZS_ALWAYS_INLINE void span_pal4(struct zs_job *job, const struct zs_row *row)
+static void gather_pal4(const struct zs_texture *t, uint16_t *out, int32_t n, const uint32_t *at)
+{
+    gather(t, out, n, at, read_pal4);
+}
+
+static void span_pal4(struct zs_job *job, const struct zs_row *row)
 {
     span(job, row, read_pal4);
 }
 
-static void rows_565(struct zs_job *job)
-{
-    zs_rows_walk(job, span_565);
-}
-
-static void rows_pal8(struct zs_job *job)
-{
-    zs_rows_walk(job, span_pal8);
-}
-
-static void rows_pal4(struct zs_job *job)
-{
-    zs_rows_walk(job, span_pal4);
-}
-
-const struct zs_texel zs_texel_565 = { fetch_565, rows_565, 0, 0 };
-const struct zs_texel zs_texel_pal8 = { fetch_pal8, rows_pal8, 256, 0 };
-const struct zs_texel zs_texel_pal4 = { fetch_pal4, rows_pal4, 16, 1 };
+const struct zs_texel zs_texel_565 = { fetch_565, gather_565, span_565, 0, 0 };
+const struct zs_texel zs_texel_pal8 = { fetch_pal8, gather_pal8, span_pal8, 256, 0 };
+const struct zs_texel zs_texel_pal4 = { fetch_pal4, gather_pal4, span_pal4, 16, 1 };
