@@ -516,7 +516,7 @@ static ZS_RARE enum fate triangle_clip(struct zs_renderer *r, uint32_t t)
 /* ---- The walk -------------------------------------------------------------------------------------- */
 
 /* Triangles go through in batches: those that are turned away leave first. */
-#define BATCH 48
+#define BATCH 40
 struct batch {
     const uint16_t (*tri)[3];     /* the batch's first */
     const struct zs_vertex *pool; /* direct: of vertex 0 */
