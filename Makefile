@@ -65,6 +65,10 @@ pico: $(B)/.setup-test
 	@$(MAKE) --no-print-directory -j2 $(B)/zsim
 	@sh tests/pico.sh $(B) table
 
+## profile: SCENE=teapot: cycles a frame by function on the emulated Pico
+profile: $(B)/.setup-test $(B)/gen/meshes.h
+	@PICO_SCENES=$(SCENE) sh tests/pico.sh $(B) profile
+
 ## sim: build/zsim
 sim: $(B)/.setup-sim
 	@$(MAKE) --no-print-directory -j2 $(B)/zsim
@@ -88,7 +92,7 @@ clean:
 ## help: this list
 help:
 	@sed -n 's/^## /    /p' Makefile
-.PHONY: all demo test accuracy fuzz bench depth firmware pico sim pictures size stack check clean help \
+.PHONY: all demo test accuracy fuzz bench depth firmware pico profile sim pictures size stack check clean help \
         test-programs fuzz-programs
 
 $(B)/.setup-sim:

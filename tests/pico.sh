@@ -3,6 +3,7 @@
 # the simulator draws; what a frame takes.
 # Usage: tests/pico.sh BUILD          from the repository's top; BUILD/zsim, BUILD/gen and BUILD/libmeshes.a
 #        tests/pico.sh BUILD table    the table alone
+#        tests/pico.sh BUILD profile  cycles a frame by function, of the scenes in PICO_SCENES
 #
 # `ok NAME` or `FAILED NAME: reason` a test; images, streams and pictures stay in BUILD/pico and BUILD/fw/pico.
 set -u
@@ -178,6 +179,15 @@ by_the_clock() {
 }
 
 set_up
+if [ "$only" = profile ]; then
+    for scene in $SCENES; do
+        image APP=show SCENE="$scene"
+        echo "$scene: cycles of drawing a frame by function, callees not counted (emulated RP2040)"
+        node "$out/run.mjs" "$fw/$scene" --frames $FRAMES --step $STEP --profile 40 >"$out/profile.txt" || exit 1
+        sed -n 's/^function //p' "$out/profile.txt" | awk '{ printf "%10d  %s\n", $2, $1 }'
+    done
+    exit 0
+fi
 for scene in $SCENES; do
     image APP=show SCENE="$scene"
     run_scene "$scene"

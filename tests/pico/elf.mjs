@@ -1,4 +1,4 @@
-// What a test needs of a 32-bit little-endian ELF file: symbols, and the sizes of sections.
+// What a test needs of a 32-bit little-endian ELF file: symbols, functions by address, and the sizes of sections.
 //
 // SPDX-License-Identifier: MIT
 import fs from 'node:fs';
@@ -16,11 +16,16 @@ export function read_elf(path) {
         sections.push({ name: u32(s), type: u32(s + 4), offset: u32(s + 16), bytes: u32(s + 20), link: u32(s + 24) });
     }
     const names = sections[u16(50)].offset;
-    const bytes_of = {}, symbols = {};
+    const bytes_of = {}, symbols = {}, functions = [];
     for (const s of sections) {
         bytes_of[text(names + s.name)] = s.bytes;
-        for (let o = s.offset; s.type === 2 && o < s.offset + s.bytes; o += 16) // SHT_SYMTAB
-            symbols[text(sections[s.link].offset + u32(o))] = u32(o + 4);
+        for (let o = s.offset; s.type === 2 && o < s.offset + s.bytes; o += 16) { // SHT_SYMTAB
+            const name = text(sections[s.link].offset + u32(o)), value = u32(o + 4);
+            symbols[name] = value;
+            if ((bytes[o + 12] & 15) === 2) // STT_FUNC; bit 0 of its address says Thumb
+                functions.push({ name, at: value & ~1 });
+        }
     }
-    return { symbols, bytes_of };
+    functions.sort((a, b) => a.at - b.at);
+    return { symbols, functions, bytes_of };
 }

@@ -1,5 +1,5 @@
 // node run.mjs STEM [--frames N] [--step S] [--gap NS] [--hold FRAME.STRIP [--tail 1]] [--stream FILE] [--until TEXT]
-//             [--doze NS]
+//             [--doze NS] [--profile N]
 //
 // Boots STEM.bin, lets the show draw frames 0, S, 2 S ... and stop (--until: lets it run by the clock, as it does on a
 // desk, until the UART has said TEXT), and prints what was measured, "name value" a line; the text of the UART after
@@ -7,6 +7,7 @@
 // the byte, bit 8 D/C; marks: bit 9 RESET went low, bit 10 a picture ends here, bit 11 CS went high.
 // --hold: in this strip of this frame, from its first word or (--tail) when the DMA has handed its last one
 // over, no word ends before the bus gives up. --doze: NS pass right before each WFI.
+// --profile: the N functions that draw longest, "function NAME CYCLES" a line: cycles a frame, callees not counted.
 //
 // SPDX-License-Identifier: MIT
 import fs from 'node:fs';
@@ -17,7 +18,7 @@ const PHASE_DRAW = 1; // enum show_phase of firmware/app/show.c
 const RAM = 0x20000000;
 
 function options(args) {
-    const o = { frames: 4, step: 1, gap: 0, doze: 0, hold: '', tail: 0, stream: '', until: '' };
+    const o = { frames: 4, step: 1, gap: 0, doze: 0, profile: 0, hold: '', tail: 0, stream: '', until: '' };
     for (let i = 1; i < args.length; i += 2) {
         const name = args[i].replace('--', '');
         o[name] = typeof o[name] === 'number' ? Number(args[i + 1]) : args[i + 1];
@@ -47,6 +48,7 @@ pico.on_release = () => {
 pico.boot();
 
 const phase_at = pico.ram_index('show_phase'), { sram } = pico.chip, { core } = pico, spi = pico.chip.spi[0];
+const cycles_at = o.profile ? new Map() : null; // while drawing, by address
 let said = 0;  // characters of text that have been looked at
 let drawn = 0; // frames that zs_frame_end has closed
 while (core.PC !== stop) {
@@ -63,9 +65,10 @@ while (core.PC !== stop) {
         pico.holding = spi.busy;
         armed = false;
     }
-    const cycles = pico.step();
+    const at = core.PC, cycles = pico.step();
     if (sram[phase_at] === PHASE_DRAW) {
         draw += cycles;
+        cycles_at?.set(at, (cycles_at.get(at) ?? 0) + cycles);
         if (spi.busy)
             hidden += cycles;
         if (core.PC < RAM)
@@ -78,6 +81,18 @@ while (core.PC !== stop) {
         if (pico.text.includes(o.until))
             break;
     }
+}
+
+// The longest functions of a sum by address.
+function longest(count) {
+    const sums = new Map(), { functions } = pico.elf;
+    let k = 0;
+    for (const [at, cycles] of [...cycles_at].sort((a, b) => a[0] - b[0])) {
+        while (k + 1 < functions.length && functions[k + 1].at <= at)
+            k++;
+        sums.set(functions[k].name, (sums.get(functions[k].name) ?? 0) + cycles);
+    }
+    return [...sums].sort((a, b) => b[1] - a[1]).slice(0, count);
 }
 
 const sizes = pico.sizes();
@@ -98,6 +113,9 @@ out('flash', sizes.flash);
 out('ram', sizes.ram);
 out('stack_reserve', sizes.stack);
 out('stack_used', pico.stack_used());
+if (o.profile)
+    for (const [name, cycles] of longest(o.profile))
+        out('function', `${name} ${Math.round(cycles / o.frames)}`);
 for (const line of pico.text.split('\n').filter(Boolean))
     out('text', line);
 for (const problem of pico.problems)
