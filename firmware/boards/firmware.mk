@@ -32,6 +32,9 @@ ELF = $(OUT)/$(NAME).elf
 
 all: $(ELF)
 image: $(ELF)
+ifeq ($(wildcard firmware/boards/$(BOARD)/board.mk),)
+$(error BOARD=$(BOARD): no such board; there are $(notdir $(patsubst %/board.mk,%,$(wildcard firmware/boards/*/board.mk))))
+endif
 include firmware/boards/$(BOARD)/board.mk
 
 # What names no scene is compiled once, the rest once a scene
