@@ -30,8 +30,9 @@
 #define PIN_TEXT 0 /* UART0 TX: 0, 12, 16 or 28; 115200 baud, 8N1 */
 #endif
 
-/* SCK is 125 MHz / SPI_DIVIDER: even, 2 .. 254. 2 is 62.5 MHz, which ST7789 glasses take on short wires; take 4 on
- * long ones. */
+/* SCK is 125 MHz / SPI_DIVIDER: even, 2 .. 254. 2 is 62.5 MHz, which ST7789 and GC9A01 glasses take on short wires;
+ * take 4 on long ones. Datasheets allow SSD1351 20 MHz (8), ILI9341 and SSD1306 10 MHz (14; many an ILI9341 takes
+ * 4), SSD0323 4 MHz (32). */
 #ifndef SPI_DIVIDER
 #define SPI_DIVIDER 2
 #endif
