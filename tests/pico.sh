@@ -167,6 +167,24 @@ wakes_up() {
     verdict pico_wakes_up "$(head -3 "$out/doze.bad" | tr '\n' ' ')"
 }
 
+# The image is that of the scene and the settings that were asked for last, whatever was built before under its name.
+# Leaves my_scene's.
+as_asked() {
+    : >"$out/asked.bad"
+    image APP=show SCENE=mine
+    cp "$fw/my_scene.uf2" "$out/mine.uf2"
+    sed 's/^#define FRAMES 90u/#define FRAMES 91u/' firmware/app/my_scene.c >"$out/my_scene.c"
+    image APP=show APP_SCENE="$out/my_scene.c"
+    cmp -s "$fw/my_scene.uf2" "$out/mine.uf2" && echo "another file of the same name is not built" >>"$out/asked.bad"
+    image APP=show SCENE=mine
+    cmp -s "$fw/my_scene.uf2" "$out/mine.uf2" || echo "not my_scene.c's after another's" >>"$out/asked.bad"
+    image APP=show SCENE=mine DEFINES=-DPIN_RESET=14
+    cmp -s "$fw/my_scene.uf2" "$out/mine.uf2" && echo "DEFINES change nothing" >>"$out/asked.bad"
+    image APP=show SCENE=mine
+    cmp -s "$fw/my_scene.uf2" "$out/mine.uf2" || echo "DEFINES stay" >>"$out/asked.bad"
+    verdict pico_image_is_as_asked "$(tr '\n' ' ' <"$out/asked.bad")"
+}
+
 # As it runs on a desk: 32 frames of the scene to be changed, at its 30 a second, none late.
 by_the_clock() {
     node "$out/run.mjs" "$fw/my_scene" --until 'mine,32,' >"$out/clock.txt" 2>&1
@@ -190,10 +208,10 @@ if [ -z "$only" ]; then
     done
     node "$out/image.mjs" "$fw/${SCENES%% *}" >"$out/image.txt" 2>&1
     grep -E '^(ok|FAILED) ' "$out/image.txt"
-    [ "$(grep -cE '^ok ' "$out/image.txt")" = 3 ] || failed=1
+    [ "$(grep -cE '^ok ' "$out/image.txt")" = 4 ] || failed=1
     verdict pico_no_float_no_heap "$(arm-none-eabi-nm "$fw/${SCENES%% *}.elf" |
         grep -oE '__aeabi_[cdf][a-z]*[0-9]?[a-z]*$|(m|c|re)alloc$|_sbrk$' | grep -vE 'clz|ctz' | tr '\n' ' ')"
-    image APP=show SCENE=mine
+    as_asked
     by_the_clock
     parts
     wakes_up

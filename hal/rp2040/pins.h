@@ -1,5 +1,5 @@
 /* Where the panel is wired to a Raspberry Pi Pico, and how fast its wire is. The one file to change for another
- * wiring; each name can also be set by the compiler's -D.
+ * wiring; each name can also be set on the command line: make firmware DEFINES='-DPIN_RESET=14 -DSPI_DIVIDER=4' ...
  *
  * SPDX-License-Identifier: MIT
  */
