@@ -11,7 +11,7 @@
 #include "panel.h"
 #include "show.h"
 
-#ifndef SHOW_PANEL
+#ifndef SHOW_PANEL /* a colour one: nothing here converts pixels */
 #define SHOW_PANEL panel_st7789
 #endif
 #ifndef SHOW_INVERT
