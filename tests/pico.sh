@@ -185,6 +185,25 @@ as_asked() {
     verdict pico_image_is_as_asked "$(tr '\n' ' ' <"$out/asked.bad")"
 }
 
+# Glass that is not square, turned: all of the picture arrives, background in its corners and something in its middle.
+turned() {
+    image APP=show SCENE=mine DEFINES='-DSHOW_WIDTH=240 -DSHOW_HEIGHT=135 -DSHOW_ROTATE=1'
+    rm -f "$out/turned_0.bin"
+    : >"$out/turned.bad"
+    node "$out/run.mjs" "$fw/my_scene" --frames 1 --stream "$out/turned.stream" >"$out/turned.txt" 2>&1
+    "$build/zsim" panel --panel st7789:135x240 --rotate 90 --invert --decode "$out/turned.stream" \
+        --out "$out/turned_%d.png" --raw "$out/turned_%d.bin" >"$out/turned.panel.txt" 2>&1 ||
+        tail -1 "$out/turned.panel.txt" >"$out/turned.bad"
+    px=$(od -An -v -tx1 -w2 "$out/turned_0.bin" 2>/dev/null | tr -d ' ' | sed -n '1p;240p;16200p;32161p;32400p')
+    # shellcheck disable=SC2086
+    set -- $px
+    [ $# = 5 ] && [ "$1$2$4$5" = 10e610e610e610e6 ] && [ "$3" != 10e6 ] ||
+        echo "left and right above, middle, left and right below are" $px >>"$out/turned.bad"
+    grep '^text #' "$out/turned.txt" >>"$out/turned.bad"
+    field "$out/turned.txt" problem >>"$out/turned.bad"
+    verdict pico_turned_glass "$(tr '\n' ' ' <"$out/turned.bad")"
+}
+
 # As it runs on a desk: 32 frames of the scene to be changed, at its 30 a second, none late.
 by_the_clock() {
     node "$out/run.mjs" "$fw/my_scene" --until 'mine,32,' >"$out/clock.txt" 2>&1
@@ -211,6 +230,7 @@ if [ -z "$only" ]; then
     [ "$(grep -cE '^ok ' "$out/image.txt")" = 4 ] || failed=1
     verdict pico_no_float_no_heap "$(arm-none-eabi-nm "$fw/${SCENES%% *}.elf" |
         grep -oE '__aeabi_[cdf][a-z]*[0-9]?[a-z]*$|(m|c|re)alloc$|_sbrk$' | grep -vE 'clz|ctz' | tr '\n' ' ')"
+    turned
     as_asked
     by_the_clock
     parts

@@ -28,8 +28,8 @@
 #define US_A_SECOND 1000000u
 
 static const struct panel_config glass = {
-    .type = &SHOW_PANEL, .width = SHOW_WIDTH, .height = SHOW_HEIGHT, .rotate = SHOW_ROTATE, .invert = SHOW_INVERT,
-    .bgr = SHOW_BGR
+    .type = &SHOW_PANEL, .width = SHOW_ROTATE & 1 ? SHOW_HEIGHT : SHOW_WIDTH,
+    .height = SHOW_ROTATE & 1 ? SHOW_WIDTH : SHOW_HEIGHT, .rotate = SHOW_ROTATE, .invert = SHOW_INVERT, .bgr = SHOW_BGR
 };
 
 /* A test writes into the flash image: frames * step numbers, 0, step, 2 step ..., are drawn without regard to the
