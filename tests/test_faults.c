@@ -240,6 +240,30 @@ static void a_bus_that_is_taken(void **state)
     chain_close(&c);
 }
 
+static void done(void *ctx)
+{
+    ((struct chain *)ctx)->n_done++;
+}
+
+/* hooks.done comes once for all bytes that data has taken over, whatever became of them: a semaphore is given once. */
+static void each_transfer_is_done_once(void **state)
+{
+    (void)state;
+    static const _Alignas(2) uint8_t px[64] = { 0 };
+    struct chain c;
+    chain_open(&c, 0, 2, 0);
+    c.fault.bus.hooks.done = done;
+    for (int kind = HAL_FAULT_NONE; kind <= HAL_FAULT_LOST; kind++) {
+        hal_fault_set(&c.fault, (enum hal_fault_kind)kind, 1, 1);
+        c.n_done = 0;
+        const int taken = c.fault.bus.data(&c.fault.bus, px, sizeof px) == HAL_OK;
+        assert_int_equal(taken, kind != HAL_FAULT_REFUSE);
+        (void)c.fault.bus.wait(&c.fault.bus);
+        assert_int_equal(c.n_done, taken);
+    }
+    chain_close(&c);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -247,6 +271,7 @@ int main(void)
         cmocka_unit_test(a_bus_that_stays_broken),
         cmocka_unit_test(a_panel_that_was_reset_or_is_dead),
         cmocka_unit_test(a_bus_that_is_taken),
+        cmocka_unit_test(each_transfer_is_done_once),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

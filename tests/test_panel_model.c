@@ -535,16 +535,17 @@ static void gc9a01_rules(void **state)
     (void)state;
     struct view v = open_named("gc9a01:240x240");
     feed(v.m, "! EF; EB 14; FE; EF; B6 00 20; 90 08 08 08 08; 62 18 0D 71 ED 70 70 18 0F 71 EF 70 70; E8 34; 36 08;"
-              "3A 05; 11; 29; 2A 00 05 00 06; 2B 00 EF 00 EF; 2C F8 00 00 1F");
+              "3A 05; 35; 35 00; 11; 29; 2A 00 05 00 06; 2B 00 EF 00 EF; 2C F8 00 00 1F");
     look(&v);
     assert_int_equal(raw_at(&v, 5, 239), 0x001f);
     assert_int_equal(raw_at(&v, 6, 239), 0xf800);
     expect_problems(v.m, 0);
-    feed(v.m, "; 2B 00 00 00 F0; 90 08; 01; 29");
-    expect_problem(v.m, 0, PM_WINDOW, 49, "ends at 239");
-    expect_problem(v.m, 1, PM_COUNT, 54, "takes 4 arguments, not 1");
-    expect_problem(v.m, 2, PM_UNKNOWN, 56, "0x01 is not a command"); /* its datasheet has no software reset */
-    expect_problems(v.m, 3);
+    feed(v.m, "; 2B 00 00 00 F0; 90 08; 01; 35 00 00; 29");
+    expect_problem(v.m, 0, PM_WINDOW, 52, "ends at 239");
+    expect_problem(v.m, 1, PM_COUNT, 57, "takes 4 arguments, not 1");
+    expect_problem(v.m, 2, PM_UNKNOWN, 59, "0x01 is not a command"); /* its datasheet has no software reset */
+    expect_problem(v.m, 3, PM_COUNT, 62, "TEON (0x35) takes 1 argument, and one more came");
+    expect_problems(v.m, 4);
     close_view(&v);
 }
 
@@ -1012,13 +1013,13 @@ static void names(void **state)
 
 static const char dcs_set[] =
     "00:0 04:0 09:0 0A:0 0B:0 0C:0 0D:0 0E:0 0F:0 10:0 11:0 12:0 13:0 20:0 21:0 28:0 29:0 2A:4 2B:4 30:4 34:0 "
-    "35:1 36:1 37:2 38:0 39:0 3A:1 44:2 45:0 51:1 53:1 DA:0 DB:0 DC:0 ";
+    "36:1 37:2 38:0 39:0 3A:1 44:2 45:0 51:1 53:1 DA:0 DB:0 DC:0 ";
 static const char st7789_set[] =
-    "01:0 26:1 2E:0 33:6 3E:0 52:0 54:0 55:1 56:0 5E:1 5F:0 68:0 B0:2 B1:3 B2:5 B3:3 B5:1 B7:1 B8:4 BA:1 BB:1 "
+    "01:0 26:1 2E:0 33:6 35:1 3E:0 52:0 54:0 55:1 56:0 5E:1 5F:0 68:0 B0:2 B1:3 B2:5 B3:3 B5:1 B7:1 B8:4 BA:1 BB:1 "
     "BC:1 BD:1 C0:1 C1:3 C3:1 C4:1 C5:1 C6:1 C7:1 C8:1 CA:1 CC:1 D0:2 D2:1 DF:4 E0:14 E1:14 E2:64 E3:64 E4:3 "
     "E7:1 E8:1 E9:3 EC:1 FA:4 FC:2 FE:2 ";
 static const char ili9341_set[] =
-    "01:0 26:1 2D:128 2E:0 33:6 3E:0 52:0 54:0 55:1 56:0 5E:1 5F:0 B0:1 B1:2 B2:2 B3:2 B4:1 B5:4 B7:1 B8:1 "
+    "01:0 26:1 2D:128 2E:0 33:6 35:1 3E:0 52:0 54:0 55:1 56:0 5E:1 5F:0 B0:1 B1:2 B2:2 B3:2 B4:1 B5:4 B7:1 B8:1 "
     "B9:1 BA:1 BB:1 BC:1 BE:1 BF:1 C0:1 C1:1 C5:2 C7:1 CB:5 CF:3 D0:2 D1:3 D2:0 D3:0 D9:1 E0:15 E1:15 E2:16 "
     "E3:64 E8:3 E9:3 EA:2 ED:4 EF:3 F2:1 F6:3 F7:1 ";
 static const char gc9a01_set[] =
@@ -1083,7 +1084,7 @@ static void command_sets(void **state)
     } all[] = {
         { "st7789:240x240", { dcs_set, st7789_set }, "2C 3C C2", 0 },
         { "ili9341:240x320", { dcs_set, ili9341_set }, "2C 3C B6", 0 },
-        { "gc9a01:240x240", { dcs_set, gc9a01_set }, "2C 3C 33 B5", 0 },
+        { "gc9a01:240x240", { dcs_set, gc9a01_set }, "2C 3C 33 35 B5", 0 },
         { "ssd1351:128x128", { ssd1351_set, "" }, "5C", 0 },
         { "ssd0323:128x64", { ssd0323_set, "" }, "", 1 },
         { "ssd1306:128x64", { ssd1306_set, "" }, NULL, 1 },

@@ -11,11 +11,14 @@
 #include "panel.h"
 #include "show.h"
 
-#ifndef SHOW_PANEL
+#ifndef SHOW_PANEL /* a colour one: nothing here converts pixels */
 #define SHOW_PANEL panel_st7789
 #endif
 #ifndef SHOW_INVERT
 #define SHOW_INVERT 1 /* IPS glass */
+#endif
+#ifndef SHOW_BGR
+#define SHOW_BGR 0 /* 1: most GC9A01 and ILI9341 modules */
 #endif
 #ifndef SHOW_ROTATE
 #define SHOW_ROTATE 0
@@ -25,7 +28,8 @@
 #define US_A_SECOND 1000000u
 
 static const struct panel_config glass = {
-    .type = &SHOW_PANEL, .width = SHOW_WIDTH, .height = SHOW_HEIGHT, .rotate = SHOW_ROTATE, .invert = SHOW_INVERT
+    .type = &SHOW_PANEL, .width = SHOW_ROTATE & 1 ? SHOW_HEIGHT : SHOW_WIDTH,
+    .height = SHOW_ROTATE & 1 ? SHOW_WIDTH : SHOW_HEIGHT, .rotate = SHOW_ROTATE, .invert = SHOW_INVERT, .bgr = SHOW_BGR
 };
 
 /* A test writes into the flash image: frames * step numbers, 0, step, 2 step ..., are drawn without regard to the

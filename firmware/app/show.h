@@ -9,7 +9,7 @@
 #include "zstrip.h"
 
 #ifndef SHOW_WIDTH
-#define SHOW_WIDTH 240 /* px of the glass */
+#define SHOW_WIDTH 240 /* px of the picture: with SHOW_ROTATE 1 or 3 of the glass, turned */
 #endif
 #ifndef SHOW_HEIGHT
 #define SHOW_HEIGHT 240

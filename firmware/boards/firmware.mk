@@ -3,6 +3,7 @@
 #
 # APP=show SCENE=teapot, or APP_SCENE=path/to/scene.c: the show of that scene, $(B)/fw/$(BOARD)/teapot.elf (scene.elf)
 # NAME=name APP_SRC=files [EXTRA=objects]: any other program
+# DEFINES='-DPIN_RESET=14 -DSPI_DIVIDER=4': what sources leave to the compiler's -D; another choice compiles all anew
 BOARD = mps2
 APP = bench
 SCENE = teapot
@@ -30,6 +31,8 @@ endif
 endif
 ELF = $(OUT)/$(NAME).elf
 
+DEFINES =
+
 all: $(ELF)
 image: $(ELF)
 ifeq ($(wildcard firmware/boards/$(BOARD)/board.mk),)
@@ -44,17 +47,22 @@ OBJ = $(patsubst %,$(OUT)/%.o,$(basename $(SRC))) $(patsubst %.c,$(OUT)/of-$(NAM
 CFLAGS = -std=c11 $(BOARD_CPU) $(OPT) -g -ffunction-sections -fdata-sections -MMD -MP \
          -Wall -Wextra -Werror -Wconversion -Wshadow -Wvla -Wstrict-prototypes -Wmissing-prototypes \
          -Wno-missing-field-initializers \
-         -Ihal -Ihal/panel -Ifirmware/app -Ifirmware/zstrip -Ifirmware/scenes -I$(B)/gen
+         -Ihal -Ihal/panel -Ifirmware/app -Ifirmware/zstrip -Ifirmware/scenes -I$(B)/gen $(DEFINES)
+
+# Notes of what was built last, written anew where that changes: objects and images are as old as these
+note = $(shell mkdir -p $(dir $1); echo '$2' | cmp -s - $1 || echo '$2' >$1)$1
+DEFINED := $(call note,$(OUT)/defines,$(DEFINES))
+LINKED := $(call note,$(OUT)/of-$(NAME)/objects,$(OBJ) $(EXTRA))
 
 .DELETE_ON_ERROR:
 run: $(ELF)
 	@$(BOARD_RUN) $(ELF)
-$(ELF): $(OBJ) $(EXTRA) $(BOARD_DEPS)
+$(ELF): $(OBJ) $(EXTRA) $(BOARD_DEPS) $(LINKED)
 	$(BOARD_CC) $(BOARD_CPU) $(OPT) -Wl,--gc-sections $(BOARD_LINK) $(OBJ) $(EXTRA) -o $@
-$(OUT)/of-$(NAME)/%.o: %.c firmware/boards/$(BOARD)/board.mk
+$(OUT)/of-$(NAME)/%.o: %.c firmware/boards/$(BOARD)/board.mk $(DEFINED)
 	@mkdir -p $(@D)
 	$(BOARD_CC) $(CFLAGS) $(APP_FLAGS) -c $< -o $@
-$(OUT)/%.o: %.c firmware/boards/$(BOARD)/board.mk
+$(OUT)/%.o: %.c firmware/boards/$(BOARD)/board.mk $(DEFINED)
 	@mkdir -p $(@D)
 	$(BOARD_CC) $(CFLAGS) -c $< -o $@
 $(OUT)/%.o: %.S firmware/boards/$(BOARD)/board.mk

@@ -4,6 +4,8 @@
  */
 #include "fault.h"
 
+#include <stddef.h>
+
 #define LATE_CALLS 1000
 
 static struct hal_fault *of(struct hal_bus *bus)
@@ -39,9 +41,10 @@ static int command(struct hal_bus *bus, uint8_t code, const uint8_t *args, uint3
     return HAL_ERR_BUS;
 }
 
-/* Send all of it and wait here. */
+/* Send all of it and wait here. hooks.done is for the whole transfer: our wait calls it. */
 static int send(struct hal_bus *under, const uint8_t *bytes, uint32_t n)
 {
+    under->hooks.done = NULL;
     const int err = n ? under->data(under, bytes, n) : HAL_OK;
     return err ? err : under->wait(under);
 }
@@ -64,7 +67,7 @@ static int data(struct hal_bus *bus, const uint8_t *bytes, uint32_t n)
         return HAL_ERR_STATE;
     int err = HAL_OK;
     fault->result = HAL_OK;
-    fault->late = 0;
+    fault->late = fault->own = 0;
     if (fault->kind < HAL_FAULT_REFUSE || fault->kind > HAL_FAULT_LOST || !strikes(fault)) {
         err = fault->under->data(fault->under, bytes, n);
     } else if (fault->kind == HAL_FAULT_REFUSE) {
@@ -72,13 +75,16 @@ static int data(struct hal_bus *bus, const uint8_t *bytes, uint32_t n)
     } else if (fault->kind == HAL_FAULT_CUT) {
         (void)send(fault->under, bytes, n / 2u & ~1u);
         fault->result = HAL_ERR_BUS;
+        fault->own = 1;
     } else if (fault->kind == HAL_FAULT_STUCK) {
         fault->result = HAL_ERR_TIMEOUT;
+        fault->own = 1;
     } else if (fault->kind == HAL_FAULT_LATE) {
         err = fault->under->data(fault->under, bytes, n);
         fault->late = 1;
     } else {
         err = lose(fault, bytes, n);
+        fault->own = 1;
     }
     fault->out = !err;
     return err;
@@ -93,6 +99,8 @@ static int wait(struct hal_bus *bus)
         bus->hooks.idle(bus->hooks.ctx);
     fault->out = fault->late = 0;
     const int err = fault->under->wait(fault->under);
+    if (fault->own && bus->hooks.done)
+        bus->hooks.done(bus->hooks.ctx);
     return fault->result ? fault->result : err;
 }
 
@@ -115,7 +123,7 @@ static void delay(struct hal_bus *bus, uint32_t us)
 void hal_fault_init(struct hal_fault *fault, struct hal_bus *under)
 {
     const struct hal_fault clean = { { command, data, wait, reset, delay, { 0 } }, under, HAL_FAULT_NONE, 0, 0, 0,
-                                     0, 0, HAL_OK };
+                                     0, 0, 0, HAL_OK };
     *fault = clean;
 }
 

@@ -39,6 +39,7 @@ struct hal_fault {
     uint32_t at, times;   /* verbs of the kind to go; how many fail from then on */
     uint32_t n_hit;       /* that failed so far */
     uint8_t out, late;    /* flags: data was begun and not yet waited for; that wait is a late one */
+    uint8_t own;          /* flag: that wait calls hooks.done, as the bus below was not given the whole transfer */
     int result;           /* what that wait will return, where this bus decides */
 };
 

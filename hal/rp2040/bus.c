@@ -22,7 +22,7 @@
 #define CHANNEL_ERRORS (DMA_READ_ERROR | DMA_WRITE_ERROR)
 #define CHANNEL_CTRL (DMA_EN | DMA_INCR_READ | DMA_CHAIN_TO(CHANNEL_PANEL) | DMA_TREQ(DREQ_SPI0_TX))
 
-#define RESET_US 20u
+#define RESET_US 10000u /* controllers want 10 us; modules may have a capacitor on the line */
 #define SPINS 20000u /* of some eight cycles: a millisecond, for what takes microseconds */
 
 _Static_assert(SPI_DIVIDER >= 2 && SPI_DIVIDER <= 254 && SPI_DIVIDER % 2 == 0, "SPI_DIVIDER: even, 2 to 254");

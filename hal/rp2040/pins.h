@@ -1,5 +1,5 @@
 /* Where the panel is wired to a Raspberry Pi Pico, and how fast its wire is. The one file to change for another
- * wiring; each name can also be set by the compiler's -D.
+ * wiring; each name can also be set on the command line: make firmware DEFINES='-DPIN_RESET=14 -DSPI_DIVIDER=4' ...
  *
  * SPDX-License-Identifier: MIT
  */
@@ -30,13 +30,15 @@
 #define PIN_TEXT 0 /* UART0 TX: 0, 12, 16 or 28; 115200 baud, 8N1 */
 #endif
 
-/* SCK is 125 MHz / SPI_DIVIDER: even, 2 .. 254. 2 is 62.5 MHz, which ST7789 glasses take on short wires; take 4 on
- * long ones. */
+/* SCK is 125 MHz / SPI_DIVIDER: even, 2 .. 254. 2 is 62.5 MHz, which ST7789 and GC9A01 glasses take on short wires;
+ * take 4 on long ones. Datasheets allow SSD1351 20 MHz (8), ILI9341 and SSD1306 10 MHz (14; many an ILI9341 takes
+ * 4), SSD0323 4 MHz (32). */
 #ifndef SPI_DIVIDER
 #define SPI_DIVIDER 2
 #endif
 
-/* 0 or 3. Both clock data in on the rising edge. Modules without a CS pin want 3. */
+/* 0 or 3. Both clock data in on the rising edge. Modules without a CS pin want 3; after a transfer that was broken off
+ * they no longer know where bytes begin, until panel_init resets them. */
 #ifndef SPI_MODE
 #define SPI_MODE 0
 #endif

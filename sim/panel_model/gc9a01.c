@@ -9,6 +9,7 @@ enum { DFUNCTR = 0xb6 };
 
 static const struct dcs_command commands[] = {
     { 0x33, "VSCRDEF", 4, 6 }, /* the lines below the scrolling area may be left out */
+    { 0x35, "TEON", 0, 1 },    /* and so is its argument in the maker's code */
     { 0xa7, "VCORE", 1, 1 },
     { 0xb0, "RGBCTRL", 1, 1 },
     { 0xb5, "PRCTR", 3, 4 },

@@ -27,12 +27,29 @@
     .equ DIVIDER, 2                             /* even: SCK is 62.5 MHz when clk_sys has come to 125 */
     .equ LATE, 1                                /* cycles of clk_sys by which data is sampled late at that rate */
 
+    /* 2.19.6.3: the flash's pads. As reset leaves them, edges of a clock of 62.5 MHz are slow and data comes in late */
+    .equ PADS, 0x40020000
+    .equ PADS_CLEAR, PADS + 0x3000              /* 2.1.2: bits written there are cleared */
+    .equ SCLK, 0x04
+    .equ SD0, 0x08
+    .equ SD1, 0x0c
+    .equ QUICK_OUT, 2 << 4 | 1                  /* 8 mA, fast slew, no input */
+    .equ SCHMITT, 1 << 1
+
     .equ VTOR, 0xe000ed08                       /* 2.4.8 */
     .equ PROGRAM, 0x10000100
 
     .section .boot2, "ax"
     .global boot2
 boot2:
+    ldr r3, =PADS
+    movs r0, #QUICK_OUT
+    str r0, [r3, #SCLK]
+    ldr r3, =PADS_CLEAR
+    movs r0, #SCHMITT
+    str r0, [r3, #SD0]
+    str r0, [r3, #SD1]
+
     ldr r3, =SSI
     movs r2, #0
     str r2, [r3, #SSIENR] /* registers can be written while it is off */
