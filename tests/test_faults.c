@@ -217,6 +217,24 @@ static void a_panel_that_was_reset_or_is_dead(void **state)
         }
 }
 
+/* What broke the transfer also reset the controller, as a discharge does: that the bus failed is enough to know. */
+static void a_fault_that_resets_the_panel(void **state)
+{
+    (void)state;
+    for (unsigned m = 0; m < sizeof modules / sizeof modules[0]; m++) {
+        struct chain c;
+        chain_open(&c, m, 2, 0);
+        assert_int_equal(draw(&c, 0), ZS_OK);
+        hal_fault_set(&c.fault, HAL_FAULT_STUCK, 2, 1);
+        assert_int_equal(draw(&c, 1), HAL_ERR_TIMEOUT);
+        assert_int_equal(c.end.bus.reset(&c.end.bus), HAL_OK);
+        assert_false(pm_lit(c.end.model));
+        assert_int_equal(draw(&c, 1), ZS_OK);
+        glass_is_right(&c, m, 1, "after a fault with a reset");
+        chain_close(&c);
+    }
+}
+
 /* Another user holds the bus: nothing is sent, the caller is told. */
 static int busy(void *ctx)
 {
@@ -270,6 +288,7 @@ int main(void)
         cmocka_unit_test(the_frame_after_a_fault_is_right),
         cmocka_unit_test(a_bus_that_stays_broken),
         cmocka_unit_test(a_panel_that_was_reset_or_is_dead),
+        cmocka_unit_test(a_fault_that_resets_the_panel),
         cmocka_unit_test(a_bus_that_is_taken),
         cmocka_unit_test(each_transfer_is_done_once),
     };

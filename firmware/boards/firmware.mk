@@ -18,6 +18,9 @@ ifeq ($(SCENE),mine)
 APP_SCENE = firmware/app/my_scene.c
 endif
 ifdef APP_SCENE
+ifeq ($(wildcard $(APP_SCENE)),)
+$(error APP_SCENE=$(APP_SCENE): no such file; copy firmware/app/my_scene.c to begin one)
+endif
 NAME = $(basename $(notdir $(APP_SCENE)))
 APP_SRC += $(APP_SCENE)
 else

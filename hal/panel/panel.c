@@ -177,6 +177,14 @@ static int clear(struct panel *p)
     return err;
 }
 
+/* Out of sleep, where the controller was reset or has just been told to sleep; else it changes nothing. */
+static int rouse(struct panel *p)
+{
+    const int err = run(p, p->config.type->wake);
+    pause_ms(p, err ? 0 : p->config.type->wake_ms);
+    return err;
+}
+
 static int bring_up(struct panel *p)
 {
     const struct panel_type *type = p->config.type;
@@ -186,8 +194,7 @@ static int bring_up(struct panel *p)
     pause_ms(p, err ? 0 : type->reset_ms);
     err = err ? err : command(p, type->off, NULL, 0);
     err = err ? err : set_up(p);
-    err = err ? err : run(p, type->wake);
-    pause_ms(p, err ? 0 : type->wake_ms);
+    err = err ? err : rouse(p);
     err = err ? err : clear(p);
     return err ? err : command(p, type->on, NULL, 0);
 }
@@ -224,15 +231,18 @@ static int ready(const struct panel *p, uint8_t state)
     return p->locked ? HAL_ERR_STATE : HAL_OK;
 }
 
-/* Take the bus for a panel that is ready; after a failure set it up anew. On a negative return it is given back. */
+/* Take the bus for a panel that is ready; after a failure set it up anew, and wake it: what broke the transfer may have
+ * reset the controller. On a negative return it is given back. */
 static int take(struct panel *p)
 {
     int err = lock(p);
     if (err || !p->broken)
         return err;
     err = set_up(p);
-    if (!err && p->state == AWAKE)
-        err = command(p, p->config.type->on, NULL, 0);
+    if (!err && p->state == AWAKE) {
+        err = rouse(p);
+        err = err ? err : command(p, p->config.type->on, NULL, 0);
+    }
     if (err)
         return give(p, err);
     p->broken = 0;
@@ -419,8 +429,7 @@ int panel_wake(struct panel *panel)
     err = err ? err : take(panel);
     if (err)
         return err;
-    err = run(panel, panel->config.type->wake);
-    pause_ms(panel, panel->config.type->wake_ms);
+    err = rouse(panel);
     err = err ? err : command(panel, panel->config.type->on, NULL, 0);
     if (!err)
         panel->state = AWAKE;

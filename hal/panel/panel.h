@@ -82,7 +82,7 @@ struct panel {
     uint32_t n_scratch;
     int16_t x0, y0;  /* offset of the picture's window, in the controller's coordinates */
     uint8_t state;   /* internal; 0: not set up, so a struct of zeros is refused */
-    uint8_t broken;  /* 1: a transfer failed: set-up commands are sent again before the next one */
+    uint8_t broken;  /* 1: a transfer failed: set-up commands and waking are sent again before the next one */
     uint8_t locked;  /* 1: the bus is held until panel_wait */
 };
 
@@ -123,13 +123,13 @@ uint16_t panel_height(const struct panel *panel);
  * stride   bytes from row to row, even, at least rect->w * 2; 0 means dense (rect->w * 2). Not dense: rows go out
  *          one by one, and all but the last are waited for here; where px is converted, nothing is waited for.
  * Bus      hooks.lock before the window, hooks.unlock at the end of panel_wait, or here on a negative return.
- * Blocks   for the window's commands, after a failure for those of the set-up; where px is converted, for that; never
- *          for dense pixels of a bus with DMA.
+ * Blocks   for the window's commands, after a failure for those of the set-up and for waking (up to 0.12 s); where px is
+ *          converted, for that; never for dense pixels of a bus with DMA.
  * Cost     of conversion, on a Cortex-M3: 37 instructions a pixel to grey, 49 to one bit, at any rotation. Stack: at
  *          most 288 bytes, the bus's and the hooks' aside.
  * Return   HAL_OK; _ARG, PANEL_ERR_STATE, _RECT, _GRAIN, _SCRATCH, HAL_ERR_BUSY: nothing was sent; HAL_ERR_STATE:
  *          the rectangle before was not waited for, and is still out; the bus's errors: the glass may show any part
- *          of it; the next send begins with the set-up commands. */
+ *          of it; the next send begins with the set-up commands, also where the controller was reset meanwhile. */
 int panel_send(struct panel *panel, const struct panel_rect *rect, const uint8_t *px, uint32_t stride);
 
 /* Wait until what panel_send began is out. Nothing is: HAL_OK. Blocks for the rest. Return as the bus's wait. */
