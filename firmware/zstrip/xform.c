@@ -203,9 +203,11 @@ uint32_t zs_xform_outcode(const struct zs_view *view, const struct zs_point *p)
 
 /* ---- Projection ------------------------------------------------------------------------------------- */
 
-/* mag / 2^shift, nearest, saturated. mag < 2^63, 0 < shift */
+/* mag / 2^shift, nearest, saturated. mag < 2^63, 0 < shift <= 74 */
 static uint32_t steps_wide(uint64_t mag, int32_t shift)
 {
+    if (shift > 63) /* below a half */
+        return 0;
     const uint64_t steps = (mag + ((uint64_t)1 << (shift - 1))) >> shift;
     return steps > UINT32_MAX ? UINT32_MAX : (uint32_t)steps;
 }
@@ -229,7 +231,7 @@ static ZS_NOINLINE int place_wide(const struct zs_view *view, uint32_t rcp, int3
     return sx <= most && sy <= most;
 }
 
-/* |c| * rcp / 2^(33 + down), nearest: the low half of the product cannot carry. |c| <= 2^31, 0 <= down <= 29 */
+/* |c| * rcp / 2^(33 + down), nearest: the low half of the product cannot carry. |c| <= 2^31, 0 <= down <= 31 */
 static inline uint32_t steps_of(int32_t c, uint32_t rcp, int32_t down)
 {
     return ((zs_umulh(magnitude(c), rcp) >> down) + 1u) >> 1;
@@ -239,7 +241,7 @@ static inline uint32_t steps_of(int32_t c, uint32_t rcp, int32_t down)
 static int place(const struct zs_view *view, uint32_t rcp, int32_t shift, struct zs_vertex *at)
 {
     const int32_t coarse = view->snap, down = shift + coarse - 33;
-    if (down < 0)
+    if ((uint32_t)down > 31u)
         return place_wide(view, rcp, shift, at);
     const uint32_t most = (uint32_t)ZS_GUARD_SUBPX >> coarse;
     const uint32_t sx = steps_of(at->x, rcp, down), sy = steps_of(at->y, rcp, down);
