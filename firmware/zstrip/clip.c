@@ -7,10 +7,11 @@
  *
  * SPDX-License-Identifier: MIT
  */
+#include "cold.h"
 #include "pipeline.h"
 
 /* How far a point is inside a plane: >= 0 inside. |.| < 2^62. */
-static ZS_RARE int64_t inside(const struct zs_view *view, const struct zs_point *p, uint32_t plane)
+static int64_t inside(const struct zs_view *view, const struct zs_point *p, uint32_t plane)
 {
     const int32_t z = p->c[2];
     if (plane == ZS_OUT_NEAR)
@@ -52,7 +53,7 @@ static int32_t between(const struct cut *cut, int32_t a, int32_t b)
 }
 
 /* The crossing of the edge from a (da >= 0) to b (db < 0). */
-static ZS_RARE void cross_plane(const struct zs_view *view, struct zs_clip_vertex *out,
+static void cross_plane(const struct zs_view *view, struct zs_clip_vertex *out,
                                 const struct zs_clip_vertex *a, const struct zs_clip_vertex *b, int64_t da,
                                 int64_t db, uint32_t plane, uint32_t n_attrs)
 {
@@ -77,7 +78,7 @@ static ZS_RARE void cross_plane(const struct zs_view *view, struct zs_clip_verte
         out->p.c[2] = view->z_far;
 }
 
-static ZS_RARE int clip_plane(const struct zs_view *view, struct zs_clip_vertex *out,
+static int clip_plane(const struct zs_view *view, struct zs_clip_vertex *out,
                       const struct zs_clip_vertex *in, int n, uint32_t plane, uint32_t n_attrs)
 {
     int kept = 0;
@@ -97,7 +98,7 @@ static ZS_RARE int clip_plane(const struct zs_view *view, struct zs_clip_vertex 
     return kept;
 }
 
-ZS_RARE int zs_clip_polygon(const struct zs_view *view, struct zs_clip_vertex *v, int n, uint32_t planes,
+int zs_clip_polygon(const struct zs_view *view, struct zs_clip_vertex *v, int n, uint32_t planes,
                     uint32_t n_attrs)
 {
     struct zs_clip_vertex other[ZS_CLIP_MAX];

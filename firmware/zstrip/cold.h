@@ -1,5 +1,5 @@
-/* Included first by files whose functions run once a frame or more seldom: they are compiled for size whatever the
- * rest is compiled for. A file that is read for a model (check.c) and the paths of triangles that are cut (clip.c) too.
+/* Included first by files all of whose functions run seldom: they are compiled for size whatever the
+ * rest is compiled for. For a function in another file: ZS_RARE.
  *
  * SPDX-License-Identifier: MIT
  */

@@ -14,7 +14,7 @@ static int64_t abs64(int64_t v)
 }
 
 /* Row k of camera axes: right, down, distance. */
-static ZS_RARE void axes(zs_q2_30 out[9], const struct zs_camera *camera)
+static void axes(zs_q2_30 out[9], const struct zs_camera *camera)
 {
     for (int k = 0; k < 3; k++) {
         out[k] = camera->rot[k];
@@ -23,7 +23,7 @@ static ZS_RARE void axes(zs_q2_30 out[9], const struct zs_camera *camera)
     }
 }
 
-static ZS_RARE int pose_ok(const struct zs_pose *pose)
+static int pose_ok(const struct zs_pose *pose)
 {
     for (int k = 0; k < 3; k++)
         if (pose->pos[k] > ZS_WORLD_MAX || pose->pos[k] < -ZS_WORLD_MAX)
@@ -31,7 +31,7 @@ static ZS_RARE int pose_ok(const struct zs_pose *pose)
     return pose->scale > 0 && zs_rotation_ok(pose->rot);
 }
 
-ZS_RARE int zs_cull_bounds(struct zs_bounds *b, const struct zs_instance *in,
+int zs_cull_bounds(struct zs_bounds *b, const struct zs_instance *in,
                    const struct zs_camera *camera)
 {
     const struct zs_mesh *mesh = in->mesh;
@@ -72,7 +72,7 @@ static int64_t side_distance(const int32_t normal[2], int64_t lateral, int64_t z
            zs_mulshift_s64(lateral, (uint64_t)normal[0], 30);
 }
 
-ZS_RARE int zs_cull_sphere(const struct zs_bounds *b, const struct zs_camera *camera,
+int zs_cull_sphere(const struct zs_bounds *b, const struct zs_camera *camera,
                    const struct zs_view *view)
 {
     const int64_t r = b->r + b->slack;

@@ -65,7 +65,7 @@ zs_q2_30 zs_cos(zs_turn a)
 
 /* ---- Vectors ------------------------------------------------------------------------------------- */
 
-static ZS_RARE uint32_t magnitude(const int32_t v[3])
+static uint32_t magnitude(const int32_t v[3])
 {
     uint32_t mag = 0;
     for (int k = 0; k < 3; k++)
@@ -84,7 +84,7 @@ static ZS_NOINLINE uint64_t scaled(int64_t w[3], const int32_t v[3], int n)
     return square;
 }
 
-ZS_RARE int zs_unit(zs_q2_30 out[3], const int32_t v[3])
+int zs_unit(zs_q2_30 out[3], const int32_t v[3])
 {
     const uint32_t mag = magnitude(v);
     if (mag == 0)
@@ -99,7 +99,7 @@ ZS_RARE int zs_unit(zs_q2_30 out[3], const int32_t v[3])
     return ZS_OK;
 }
 
-ZS_RARE int zs_unit64(zs_q2_30 out[3], const int64_t v[3])
+int zs_unit64(zs_q2_30 out[3], const int64_t v[3])
 {
     uint64_t most = 0;
     int32_t w[3];
@@ -111,7 +111,7 @@ ZS_RARE int zs_unit64(zs_q2_30 out[3], const int64_t v[3])
     return zs_unit(out, w);
 }
 
-ZS_RARE void zs_cross(zs_q2_30 out[3], const zs_q2_30 a[3], const zs_q2_30 b[3])
+void zs_cross(zs_q2_30 out[3], const zs_q2_30 a[3], const zs_q2_30 b[3])
 {
     for (int k = 0; k < 3; k++) {
         const int i = (k + 1) % 3, j = (k + 2) % 3;
@@ -124,7 +124,7 @@ static ZS_NOINLINE int64_t dot_q60(const zs_q2_30 *a, const zs_q2_30 *b)
     return zs_mul_ss(a[0], b[0]) + zs_mul_ss(a[1], b[1]) + zs_mul_ss(a[2], b[2]);
 }
 
-ZS_RARE int zs_rotation_ok(const zs_q2_30 m[9])
+int zs_rotation_ok(const zs_q2_30 m[9])
 {
     const int64_t tolerance = (int64_t)1 << 40; /* 2^-20 in q60 */
     const int32_t limit = ZS_Q30_ONE + (1 << 10);

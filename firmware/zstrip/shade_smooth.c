@@ -239,12 +239,6 @@ static ZS_NOINLINE void affine_rows(struct zs_job *job)
     zs_rows_written(job, written);
 }
 
-static void smooth_span(struct zs_job *job, const struct zs_row *row, int32_t i0, int32_t i1, uint32_t sum,
-                        uint32_t gx)
-{
-        zs_persp_span(job, row, i0, i1, sum, gx);
-}
-
 static void smooth_rows(struct zs_job *job)
 {
     smooth_start(job);
@@ -310,4 +304,4 @@ static void smooth_run(struct zs_job *job, const struct zs_row *row, int32_t r0,
 }
 
 const struct zs_shader zs_shade_smooth = { smooth_vertex, 0, smooth_rows, smooth_start,
-                                           smooth_span, smooth_run, smooth_check, 0, ZS_ATTRS_SMOOTH };
+                                           zs_persp_span, smooth_run, smooth_check, 0, ZS_ATTRS_SMOOTH };

@@ -10,6 +10,7 @@
  *
  * SPDX-License-Identifier: MIT
  */
+#include "cold.h"
 #include "pipeline.h"
 #include "rotation.h"
 
@@ -18,7 +19,7 @@
 #define SCALE_BITS_MAX 40 /* the same, orthographic */
 #define WORLD_MAX_Q16 ((zs_q48_16)ZS_WORLD_MAX * 65536)
 
-static ZS_RARE int range_ok(const struct zs_camera *camera)
+static int range_ok(const struct zs_camera *camera)
 {
     if (camera->z_near >= camera->z_far || camera->z_far > (zs_q48_16)ZS_FAR_MAX * 65536 ||
         camera->z_near > WORLD_MAX_Q16 || camera->z_near < -WORLD_MAX_Q16)
@@ -32,7 +33,7 @@ static ZS_RARE int range_ok(const struct zs_camera *camera)
 
 /* Split num / den into ratio * 2^*bits with ratio in (1/2, 1], q2_30. 2^24 <= num < 2^37,
  * ZS_HEIGHT_MIN <= den < 2^47, so num / den < 2^33 and -24 <= *bits <= 33. */
-static ZS_RARE int32_t split_ratio(uint64_t num, uint64_t den, int32_t *bits)
+static int32_t split_ratio(uint64_t num, uint64_t den, int32_t *bits)
 {
     int32_t b = 0;
     while (num >> b > den) /* the smallest b with num <= den * 2^b, or one below it */
@@ -50,7 +51,7 @@ static ZS_RARE int32_t split_ratio(uint64_t num, uint64_t den, int32_t *bits)
 }
 
 /* Unit normals (x or y, z) of the planes through the eye and the frame's sides. */
-static ZS_RARE void side_normal(int32_t out[2], uint64_t focal, uint32_t size_px)
+static void side_normal(int32_t out[2], uint64_t focal, uint32_t size_px)
 {
     uint64_t half = (uint64_t)size_px << 31; /* uq32_32 px, <= 2^43 */
     while (focal >> 30 || half >> 30) {
@@ -64,7 +65,7 @@ static ZS_RARE void side_normal(int32_t out[2], uint64_t focal, uint32_t size_px
     out[1] = n[1];
 }
 
-ZS_RARE int zs_view_camera(struct zs_view *view, const struct zs_config *config,
+int zs_view_camera(struct zs_view *view, const struct zs_config *config,
                    const struct zs_camera *camera)
 {
     if (!range_ok(camera) || !zs_rotation_ok(camera->rot))
@@ -84,7 +85,7 @@ ZS_RARE int zs_view_camera(struct zs_view *view, const struct zs_config *config,
 }
 
 /* Sub-pixels to a camera unit (orthographic) or focal length in sub-pixels (perspective). */
-static ZS_RARE int scale_set(struct zs_view *view, const struct zs_config *config,
+static int scale_set(struct zs_view *view, const struct zs_config *config,
                      const struct zs_camera *camera)
 {
     int32_t bits;
@@ -111,7 +112,7 @@ static ZS_RARE int scale_set(struct zs_view *view, const struct zs_config *confi
     return ZS_OK;
 }
 
-static ZS_RARE int32_t to_units(const struct zs_view *view, zs_q48_16 length)
+static int32_t to_units(const struct zs_view *view, zs_q48_16 length)
 {
     const int32_t n = view->shift - 16;
     const int64_t limit = n >= 0 ? ((int64_t)1 << 30) >> n : INT64_MAX;
@@ -123,7 +124,7 @@ static ZS_RARE int32_t to_units(const struct zs_view *view, zs_q48_16 length)
     return units > 1 << 30 ? 1 << 30 : units < -(1 << 30) ? -(1 << 30) : (int32_t)units;
 }
 
-ZS_RARE int zs_view_units(struct zs_view *view, const struct zs_config *config,
+int zs_view_units(struct zs_view *view, const struct zs_config *config,
                   const struct zs_camera *camera, int64_t reach)
 {
     const int64_t near_mag = camera->z_near < 0 ? -camera->z_near : camera->z_near;
