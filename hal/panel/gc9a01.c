@@ -64,33 +64,17 @@ static const uint8_t setup[] = {
     2, 0x53, 0x24, /* brightness control and backlight on, without dimming */
     0
 };
-static const uint8_t wake[] = { 1, 0x11, 0 }, sleep[] = { 1, 0x10, 0 };
 
 static const struct panel_glass glass[] = { { 240, 240, 0, 0, NULL } };
 
 const struct panel_type panel_gc9a01 = {
+    PANEL_DCS,
     .name = "gc9a01",
-    .format = PANEL_RGB565,
-    .grain = { 1, 1 },
     .ram_width = 240,
     .ram_height = 240,
     .glass = glass,
     .n_glass = sizeof glass / sizeof *glass,
     .setup = setup,
-    .wake = wake,
-    .sleep = sleep,
-    .on = 0x29,
-    .off = 0x28,
-    .reset_ms = 120,
-    .wake_ms = 120,
-    .columns = 0x2a,
-    .rows = 0x2b,
-    .write = 0x2c,
-    .wide = 1,
-    .rotate = 0x36,
     .rotation = { 0x00, 0x60, 0xc0, 0xa0 }, /* none; MX MV; MX MY; MY MV */
-    .bgr = 0x08,
-    .invert = { 0x20, 0x21 },
-    .level = 0x51,
     .convert = panel_convert_swap
 };

@@ -70,6 +70,13 @@ struct panel_type {
     void (*convert)(const struct panel_part *part, uint8_t *to);
 };
 
+/* What the controllers of the MIPI Display Command Set (dcs.c) have in common; their own fields follow it. */
+extern const uint8_t panel_dcs_wake[], panel_dcs_sleep[];
+#define PANEL_DCS                                                                                       \
+    .format = PANEL_RGB565, .grain = { 1, 1 }, .wake = panel_dcs_wake, .sleep = panel_dcs_sleep,         \
+    .on = 0x29, .off = 0x28, .reset_ms = 120, .wake_ms = 120, .columns = 0x2a, .rows = 0x2b, .write = 0x2c, \
+    .wide = 1, .rotate = 0x36, .bgr = 0x08, .invert = { 0x20, 0x21 }, .level = 0x51
+
 /* convert.c: the formats of panel.h; each writes w * h pixels of the part, in the order in which an unturned window
  * takes them. swap does not turn. */
 void panel_convert_swap(const struct panel_part *part, uint8_t *to);

@@ -22,15 +22,13 @@ static const uint8_t setup[] = {
     0
 };
 static const uint8_t lsb_first[] = { 3, 0xb0, 0x00, 0xf8, 0 };
-static const uint8_t wake[] = { 1, 0x11, 0 }, sleep[] = { 1, 0x10, 0 };
 
 static const struct panel_glass glass[] = { { 240, 320, 0, 0, NULL }, { 240, 240, 0, 0, NULL },
                                             { 135, 240, 52, 40, NULL } };
 
 const struct panel_type panel_st7789 = {
+    PANEL_DCS,
     .name = "st7789",
-    .format = PANEL_RGB565,
-    .grain = { 1, 1 },
     .ram_width = 240,
     .ram_height = 320,
     .glass = glass,
@@ -38,19 +36,5 @@ const struct panel_type panel_st7789 = {
     .reset = reset,
     .setup = setup,
     .lsb_first = lsb_first,
-    .wake = wake,
-    .sleep = sleep,
-    .on = 0x29,
-    .off = 0x28,
-    .reset_ms = 120,
-    .wake_ms = 120,
-    .columns = 0x2a,
-    .rows = 0x2b,
-    .write = 0x2c,
-    .wide = 1,
-    .rotate = 0x36,
     .rotation = { 0x00, 0x60, 0xc0, 0xa0 }, /* none; MX MV; MX MY; MY MV */
-    .bgr = 0x08,
-    .invert = { 0x20, 0x21 },
-    .level = 0x51
 };
