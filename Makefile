@@ -92,6 +92,9 @@ clean:
 ## help: this list
 help:
 	@sed -n 's/^## /    /p' Makefile
+	@echo 'Boards, BOARD=:'
+	@for mk in firmware/boards/*/board.mk; do b=$${mk%/board.mk}; \
+	    printf '    %-10s %s\n' "$${b##*/}" "$$(sed -n 's/^BOARD_ABOUT = //p' $$mk)"; done
 .PHONY: all demo test accuracy fuzz bench depth firmware pico profile sim pictures size stack check clean help \
         test-programs fuzz-programs
 

@@ -11,6 +11,7 @@
  * SPDX-License-Identifier: MIT
  */
 #include "hal.h"
+#include "number.h"
 #include "scenes.h"
 #include "zstrip.h"
 
@@ -36,14 +37,8 @@ struct result {
 
 static void put_number(uint64_t v)
 {
-    char digits[21];
-    char *at = digits + sizeof digits - 1;
-    *at = '\0';
-    do {
-        *--at = (char)('0' + (char)(v % 10u));
-        v /= 10u;
-    } while (v);
-    hal_write(at);
+    char room[NUMBER_CHARS];
+    hal_write(number_text(room, v));
 }
 
 static void put_hex(uint64_t v)

@@ -4,6 +4,7 @@
  * SPDX-License-Identifier: MIT
  */
 #include "hal.h"
+#include "number.h"
 #include "scenes.h"
 #include "zstrip.h"
 
@@ -25,15 +26,9 @@ static const struct {
 
 static void put_number(uint64_t v)
 {
-    char digits[21];
-    char *at = digits + sizeof digits - 1;
-    *at = '\0';
-    do {
-        *--at = (char)('0' + (char)(v % 10u));
-        v /= 10u;
-    } while (v);
+    char room[NUMBER_CHARS];
     hal_write(",");
-    hal_write(at);
+    hal_write(number_text(room, v));
 }
 
 static int drop(void *ctx, const struct zs_strip *strip)

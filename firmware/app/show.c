@@ -8,6 +8,7 @@
  * SPDX-License-Identifier: MIT
  */
 #include "hal.h"
+#include "number.h"
 #include "panel.h"
 #include "show.h"
 
@@ -71,14 +72,8 @@ static void put(const char *text)
 
 static void put_number(uint64_t v)
 {
-    char digits[21];
-    char *at = digits + sizeof digits - 1;
-    *at = '\0';
-    do {
-        *--at = (char)('0' + (char)(v % 10u));
-        v /= 10u;
-    } while (v);
-    put(at);
+    char room[NUMBER_CHARS];
+    put(number_text(room, v));
 }
 
 /* Lines are written whole: a board may then send them by itself. */

@@ -3,7 +3,15 @@
 #
 # APP=show SCENE=teapot, or APP_SCENE=path/to/scene.c: the show of that scene, $(B)/fw/$(BOARD)/teapot.elf (scene.elf)
 # NAME=name APP_SRC=files [EXTRA=objects]: any other program
-# DEFINES='-DPIN_RESET=14 -DSPI_DIVIDER=4': what sources leave to the compiler's -D; another choice compiles all anew
+# DEFINES='-DPIN_RESET=14 -DSPI_DIVIDER=4': what sources leave to the compiler's -D, before what the board says of them;
+#   another choice compiles all anew
+#
+# A board is a folder with a board.mk, which says:
+#   BOARD_ABOUT  one line for `make help`           BOARD_CC, BOARD_CPU  compiler, and its flags for the core
+#   BOARD_HAL    folder of hal/, all of it linked    BOARD_SRC   other sources: start-up, shared parts of HALs
+#   BOARD_LINK   flags for the linker, BOARD_DEPS    files that they name
+#   BOARD_RUN    command that takes the .elf         BOARD_IMAGES  what is flashed: bin, hex; more by rules of its own
+#   BOARD_FLAGS  -D for the application (show.c has them), BOARD_FLASH, BOARD_RAM  bytes of the part
 BOARD = mps2
 APP = bench
 SCENE = teapot
@@ -37,10 +45,13 @@ ELF = $(OUT)/$(NAME).elf
 DEFINES =
 
 all: $(ELF)
-image: $(ELF)
 ifeq ($(wildcard firmware/boards/$(BOARD)/board.mk),)
 $(error BOARD=$(BOARD): no such board; there are $(notdir $(patsubst %/board.mk,%,$(wildcard firmware/boards/*/board.mk))))
 endif
+# What runs images whose ticks are instructions: one takes one virtual nanosecond
+QEMU_COUNTS = -display none -monitor none -serial null -semihosting-config enable=on,target=native -icount shift=0 -kernel
+OBJCOPY = $(BOARD_CC:gcc=objcopy)
+SIZE = $(BOARD_CC:gcc=size)
 include firmware/boards/$(BOARD)/board.mk
 
 # What names no scene is compiled once, the rest once a scene
@@ -50,7 +61,8 @@ OBJ = $(patsubst %,$(OUT)/%.o,$(basename $(SRC))) $(patsubst %.c,$(OUT)/of-$(NAM
 CFLAGS = -std=c11 $(BOARD_CPU) $(OPT) -g -ffunction-sections -fdata-sections -MMD -MP \
          -Wall -Wextra -Werror -Wconversion -Wshadow -Wvla -Wstrict-prototypes -Wmissing-prototypes \
          -Wno-missing-field-initializers \
-         -Ihal -Ihal/panel -Ifirmware/app -Ifirmware/zstrip -Ifirmware/scenes -I$(B)/gen $(DEFINES)
+         -Ihal -Ihal/null -Ihal/cortexm -Ihal/panel -Ifirmware/app -Ifirmware/zstrip -Ifirmware/scenes -I$(B)/gen \
+         $(BOARD_FLAGS) $(foreach d,$(DEFINES),-U$(firstword $(subst =, ,$(d:-D%=%))) $d)
 
 # Notes of what was built last, written anew where that changes: objects and images are as old as these
 note = $(shell mkdir -p $(dir $1); echo '$2' | cmp -s - $1 || echo '$2' >$1)$1
@@ -71,5 +83,19 @@ $(OUT)/%.o: %.c firmware/boards/$(BOARD)/board.mk $(DEFINED)
 $(OUT)/%.o: %.S firmware/boards/$(BOARD)/board.mk
 	@mkdir -p $(@D)
 	$(BOARD_CC) $(BOARD_CPU) -c $< -o $@
+
+# What is flashed, and what it takes of the part: sections that lie in RAM are zeros, data and stack
+image: $(ELF) $(BOARD_IMAGES:%=$(OUT)/$(NAME).%)
+	@$(SIZE) -A $(ELF) | awk -v what='$(OUT)/$(NAME).elf $(addprefix .,$(BOARD_IMAGES))' -v flash='$(BOARD_FLASH)' \
+	    -v ram='$(BOARD_RAM)' '{ n[$$1] = $$2 } END { printf "%s: flash %d of %s bytes, RAM %d of %s, of it %d for the stack\n", \
+	        what, n[".boot2"] + n[".vectors"] + n[".text"] + n[".ARM.exidx"] + n[".data"], flash, \
+	        n[".stack"] + n[".data"] + n[".bss"], ram, n[".stack"] }'
+$(OUT)/$(NAME).bin: $(ELF)
+	@$(OBJCOPY) -O binary $< $@
+$(OUT)/$(NAME).hex: $(ELF)
+	@$(OBJCOPY) -O ihex $< $@
 -include $(OBJ:.o=.d)
-.PHONY: all image run
+# Compiler, flags and the files of hal/ that make this board's HAL, a line each: for tests/checks/hal.sh
+hal:
+	@printf '%s\n' '$(BOARD_CC)' '$(BOARD_CPU)' '$(filter-out hal/panel/%,$(filter hal/%,$(SRC)))'
+.PHONY: all image run hal

@@ -19,10 +19,6 @@
 #define PWM_SHIFT ((PIN_BACKLIGHT & 1u) * 16u)
 #define PWM_PERIOD 255u                       /* ticks of 1 us: 3.9 kHz */
 
-#define PAINT 0xa5a5a5a5u
-
-extern uint32_t __stack_limit[], __stack_top[]; /* from the linker script */
-
 void HardFault_Handler(void);
 
 static uint8_t ready;
@@ -120,20 +116,4 @@ uint32_t hal_tick_instructions(void)
 void hal_backlight(uint8_t level)
 {
     PWM_CC(PWM_SLICE) = (uint32_t)level << PWM_SHIFT; /* 255 is beyond TOP: always on */
-}
-
-void hal_stack_paint(void)
-{
-    volatile uint32_t *sp; /* an interrupt that comes now only unpaints what it used */
-    __asm__ volatile("mov %0, sp" : "=r"(sp));
-    for (volatile uint32_t *at = __stack_limit; at < sp; at++)
-        *at = PAINT;
-}
-
-uint32_t hal_stack_used(void)
-{
-    const volatile uint32_t *at = __stack_limit;
-    while (at < __stack_top && *at == PAINT)
-        at++;
-    return (uint32_t)((uintptr_t)__stack_top - (uintptr_t)at);
 }

@@ -101,6 +101,7 @@ const struct zs_state state = ZS_STATE(1, 0, 1, 2);'
 minimal_panel() {
     cat >"$1" <<END
 #include "panel.h"
+#include "hal/null/bus.c"
 #include "hal/null/hal.c"
 struct panel panel;
 uint8_t px[4096], scratch[4096];
@@ -129,6 +130,6 @@ link() {
     cpu=$1 dir=$2 main=$3 out=$4
     shift 4
     # shellcheck disable=SC2086
-    ${ARM}gcc -std=c11 -mcpu="$cpu" -mthumb $OPT -Ifirmware/zstrip -I. -Ihal -Ihal/panel "$main" "$dir"/*.o -nostartfiles \
+    ${ARM}gcc -std=c11 -mcpu="$cpu" -mthumb $OPT -Ifirmware/zstrip -I. -Ihal -Ihal/null -Ihal/panel "$main" "$dir"/*.o -nostartfiles \
         -Wl,--gc-sections,-e,main "$@" -o "$out"
 }

@@ -9,7 +9,7 @@ top=${B%/checks}
 out=$top/depth
 mkdir -p "$out"
 "$top/zsim" depths || bad "zsim depths" "see above"
-for board in mps2 microbit; do
+for board in mps2 m0; do
     if make -s -f firmware/boards/firmware.mk BOARD=$board APP=depth B="$top" >"$out/$board.log" 2>&1 &&
         timeout 300 make -s -f firmware/boards/firmware.mk BOARD=$board APP=depth B="$top" run \
             >"$out/$board.csv" 2>"$out/$board.err"; then
@@ -33,5 +33,5 @@ awk -F, '
             cpu = c == 1 ? "M3" : "M0"
             printf "%-3s %-18s", cpu, scene[i]
             for (j = 1; j <= k; j++) printf " %9.1f", cost[cpu, scene[i], map[j]]
-            print "" } }' "$out/mps2.csv" "$out/microbit.csv"
+            print "" } }' "$out/mps2.csv" "$out/m0.csv"
 exit $failed

@@ -1,5 +1,5 @@
 #!/bin/sh
-# HALs are peers: each defines every function of hal.h and no other global name; hal/null compiles with anything.
+# Boards are peers: each one's HAL defines every function of hal.h once; hal/null compiles with anything.
 #
 # SPDX-License-Identifier: MIT
 . "$(dirname "$0")/common.sh"
@@ -12,22 +12,23 @@ mkdir -p "$B/hal"
 [ "$(echo "$wanted" | wc -l)" -ge 8 ] && ok "functions found in hal.h: $(echo "$wanted" | wc -l)" ||
     bad "functions found in hal.h" "$wanted"
 
-for dir in hal/*/; do
-    name=$(basename "$dir")
-    [ -f "hal/$name/hal.c" ] || continue # a bus or a driver, not a board
-    case $name in
-    host) cc=gcc nm=nm cpu= ;;
-    *) cc=${ARM}gcc nm=${ARM}nm cpu="-mcpu=cortex-m0plus -mthumb" ;;
-    esac
+# NAME COMPILER FLAGS FILES: compile them, and look at what they define.
+peer() {
     defined=
-    for f in "$dir"*.c; do
+    for f in $4; do
         # shellcheck disable=SC2086
-        $cc $cpu -std=c11 -O2 $WARN -Ihal -c "$f" -o "$B/hal/$name.o" || bad "$name compiles" "$f"
+        $2 $3 -std=c11 -O2 $WARN -Ihal -Ihal/null -Ihal/cortexm -c "$f" -o "$B/hal/$1.o" || bad "$1 compiles" "$f"
         defined="$defined
-$($nm "$B/hal/$name.o" | awk '$2 ~ /[TDBRC]/ { print $3 }')"
+$("${2%gcc}nm" "$B/hal/$1.o" | awk '$2 ~ /[TDBRC]/ { print $3 }')"
     done
-    none "$name defines every function of hal.h" \
-        "$(for f in $wanted; do echo "$defined" | grep -qx "$f" || echo "$f"; done)"
+    none "$1 defines every function of hal.h once" \
+        "$(for f in $wanted; do [ "$(echo "$defined" | grep -cx "$f")" = 1 ] || echo "$f"; done)"
+}
+peer null gcc '' "$(echo hal/null/*.c)"
+for mk in firmware/boards/*/board.mk; do
+    board=$(basename "$(dirname "$mk")")
+    make -s -f firmware/boards/firmware.mk BOARD="$board" B="${B%/checks}" hal >"$B/hal/$board.txt"
+    peer "$board" "$(sed -n 1p "$B/hal/$board.txt")" "$(sed -n 2p "$B/hal/$board.txt")" "$(sed -n 3p "$B/hal/$board.txt")"
 done
 
 not=
@@ -35,7 +36,9 @@ for cc in "gcc" "gcc -m32 -ffreestanding" "clang" "${ARM}gcc -mcpu=cortex-m0plus
     "${ARM}gcc -mcpu=cortex-m3 -mthumb" "${ARM}gcc -mcpu=cortex-m7 -mthumb"; do
     for std in c99 c11 c17; do
         # shellcheck disable=SC2086
-        $cc -std=$std -pedantic $WARN -Ihal -c hal/null/hal.c -o "$B/hal/null.o" || not="$not $cc $std,"
+        for f in hal/null/*.c; do
+            $cc -std=$std -pedantic $WARN -Ihal -c "$f" -o "$B/hal/null.o" || not="$not $cc $std,"
+        done
     done
 done
 none "null compiles with gcc, clang and arm-none-eabi-gcc, c99 to c17" "$not"

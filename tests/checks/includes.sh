@@ -35,7 +35,7 @@ reach() {
     shift 2
     found= broken=
     for f in "$@"; do
-        deps=$(gcc -MM -Ifirmware/zstrip -Ifirmware/scenes -Ihal -Ihal/panel -Isim -Isim/reference \
+        deps=$(gcc -MM -Ifirmware/zstrip -Ifirmware/scenes -Ihal -Ihal/null -Ihal/cortexm -Ihal/panel -Isim -Isim/reference \
             -Isim/panel_model "$f" 2>"$B/reach.txt") ||
             broken="$broken $f"
         found="$found
@@ -46,11 +46,15 @@ $(echo "$deps" | tr ' \\' '\n\n' | grep -E "$forbidden" | sed "s|^|$f->|")"
 
 only "zstrip includes its own headers, stdint and stddef" "$(headers firmware/zstrip)|$STD" firmware/zstrip/*.[ch]
 reach "zstrip reaches nothing else" '^(hal|sim|tests|firmware/[^z])' firmware/zstrip/*.c
-only "hal includes hal.h and standard headers" "\"hal\\.h\"|$(headers hal/fault)|$HOSTED" hal/*.h $(ls hal/*/*.[ch] | grep -vE '^hal/(panel|rp2040)/')
-only "hal/rp2040 includes hal.h and its own headers" "\"hal\\.h\"|$(headers hal/rp2040)|$STD" hal/rp2040/*.[ch]
+only "hal.h includes standard headers" "$STD" hal/*.h
+for dir in hal/*/; do # what is shared is null's bus and cortexm; only host is a hosted program
+    case $dir in hal/panel/) continue ;; hal/host/) std=$HOSTED ;; *) std=$STD ;; esac
+    only "${dir%/} includes hal.h, its own and shared headers" \
+        "\"hal\\.h\"|$(headers "$dir" hal/null hal/cortexm)|$std" "$dir"*.[ch]
+done
 only "panels include hal.h and their own headers" "\"hal\\.h\"|$(headers hal/panel)|$STD" hal/panel/*.[ch]
 reach "hal reaches nothing of firmware" '^(firmware|sim|tests)' hal/*.h hal/*/*.c
-only "app sees zstrip.h, hal.h, panel.h, scenes and its own" "\"(zstrip|scenes|sizes|hal|panel|show)\\.h\"|$STD" firmware/app/*.[ch]
+only "app sees zstrip.h, hal.h, panel.h, scenes and its own" "\"(zstrip|scenes|sizes|hal|panel|show|number)\\.h\"|$STD" firmware/app/*.[ch]
 only "scenes see zstrip.h and their own" "\"(zstrip|meshes)\\.h\"|$(headers firmware/scenes)|$STD" firmware/scenes/*.[ch]
 only "mesh generators see their own" "$(headers firmware/scenes | sed 's|"(|"\\.\\./(|')|$(headers firmware/scenes/gen)|$HOSTED" firmware/scenes/gen/*.[ch]
 only "boards see nothing of ours" "$STD" firmware/boards/*/*.c

@@ -6,17 +6,17 @@
 . "$(dirname "$0")/common.sh"
 
 dir=$B/wide
+top=${B%/checks}
 mkdir -p "$dir"
-board=firmware/boards/microbit
-# shellcheck disable=SC2086
-if ! ${ARM}gcc -std=c11 -mcpu=cortex-m0plus -mthumb $OPT $WARN -DHAL_TICK_INSTRUCTIONS_X2=125 -Ihal -Ifirmware/zstrip \
-    -nostartfiles -T $board/microbit.ld -Wl,--gc-sections tests/checks/wide.c hal/mps2/hal.c \
-    firmware/boards/mps2/startup.c firmware/zstrip/fx.c -o "$dir/wide.elf"; then
+wide() { # TARGETS
+    make -s -f firmware/boards/firmware.mk BOARD=m0 NAME=wide APP_SRC=tests/checks/wide.c B="$top" "$@"
+}
+if ! wide >"$dir/make.log" 2>&1; then
+    cat "$dir/make.log"
     bad "wide.h for Armv6-M" "does not build"
     exit 1
 fi
-timeout 120 qemu-system-arm -M microbit -display none -monitor none -serial null \
-    -semihosting-config enable=on,target=native -icount shift=0 -kernel "$dir/wide.elf" >"$dir/log" 2>&1
+wide run >"$dir/log" 2>&1
 status=$?
 if [ $status = 0 ]; then ok "wide.h on Cortex-M0: products and leading zeros"
 else bad "wide.h on Cortex-M0" "status $status, $(tr '\n' ' ' <"$dir/log")"; fi

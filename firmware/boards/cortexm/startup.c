@@ -1,12 +1,14 @@
-/* mps2-an385: vectors and the way to main.
+/* Cortex-M boards: vectors and the way to main. A board's linker script says where memory is and includes sections.ld.
+ *
+ * A HAL that uses device interrupts puts its handlers, from IRQ 0 on, into a const array in section ".device_vectors".
  *
  * SPDX-License-Identifier: MIT
  */
 #include <stdint.h>
 
-#define PAINT 0xa5a5a5a5u
+#define PAINT 0xa5a5a5a5u /* what hal/cortexm/stack.c looks for */
 
-/* From mps2.ld. */
+/* From sections.ld. */
 extern uint32_t __data_load[], __data_start[], __data_end[], __bss_start[], __bss_end[];
 extern uint32_t __stack_limit[], __stack_top[];
 
@@ -24,7 +26,7 @@ void SysTick_Handler(void) WEAK;
 
 typedef void (*vector)(void);
 
-/* Exceptions 0 to 15; no device interrupt is used. */
+/* Exceptions 0 to 15; the device's interrupts follow. */
 __attribute__((section(".vectors"), used)) static const vector vectors[16] = {
     (vector)(uintptr_t)__stack_top, Reset_Handler, NMI_Handler, HardFault_Handler,
     0, 0, 0, 0, 0, 0, 0, SVC_Handler, 0, 0, PendSV_Handler, SysTick_Handler
