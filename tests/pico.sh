@@ -42,7 +42,7 @@ set_up() {
             exit 1
         }
     fi
-    cp tests/pico/*.mjs "$out/"
+    cp tests/pico/*.mjs tests/boards/elf.mjs "$out/"
 }
 
 image() { # MAKE-ARGUMENTS...

@@ -1,5 +1,6 @@
-/* The show: a scene on the board's panel, for ever. While one strip is on the wire the next is drawn, also from one
- * frame to the next: a frame's last strip leaves while the vertices of the next one are worked on.
+/* The show: a scene on the board's panel, for ever; show.h has what there is to choose. While one strip is on the wire
+ * the next is drawn, also from one frame to the next: a frame's last strip leaves while the vertices of the next one are
+ * worked on.
  *
  * The animation follows the clock: a board that cannot keep its pace leaves frames of it out and counts them as late.
  * Every STATS_EVERY frames a line of numbers is written. An error of the panel is written too, what is left of the
@@ -12,26 +13,16 @@
 #include "panel.h"
 #include "show.h"
 
-#ifndef SHOW_PANEL /* a colour one: nothing here converts pixels */
-#define SHOW_PANEL panel_st7789
-#endif
-#ifndef SHOW_INVERT
-#define SHOW_INVERT 1 /* IPS glass */
-#endif
-#ifndef SHOW_BGR
-#define SHOW_BGR 0 /* 1: most GC9A01 and ILI9341 modules */
-#endif
-#ifndef SHOW_ROTATE
-#define SHOW_ROTATE 0
-#endif
-
 #define STATS_EVERY 32u
 #define US_A_SECOND 1000000u
 
 static const struct panel_config glass = {
-    .type = &SHOW_PANEL, .width = SHOW_ROTATE & 1 ? SHOW_HEIGHT : SHOW_WIDTH,
-    .height = SHOW_ROTATE & 1 ? SHOW_WIDTH : SHOW_HEIGHT, .rotate = SHOW_ROTATE, .invert = SHOW_INVERT, .bgr = SHOW_BGR
+    .type = &SHOW_PANEL, .width = SHOW_GLASS_WIDTH, .height = SHOW_GLASS_HEIGHT, .rotate = SHOW_ROTATE,
+    .invert = SHOW_INVERT, .bgr = SHOW_BGR
 };
+
+/* Pixels that are converted leave from scratch: the strip's own memory is free as soon as they are begun. */
+static const int converted = SHOW_PIXEL_BITS < 16;
 
 /* A test writes into the flash image: frames * step numbers, 0, step, 2 step ..., are drawn without regard to the
  * clock; then the show stops. frames 0: for ever, by the clock. */
@@ -141,7 +132,7 @@ static int wait_for_panel(void)
 
 static int send(const struct zs_strip *strip)
 {
-    const struct panel_rect rect = { strip->x, strip->y, strip->w, strip->h };
+    const struct panel_rect rect = { (uint16_t)(SHOW_X + strip->x), (uint16_t)(SHOW_Y + strip->y), strip->w, strip->h };
     const uint64_t from = hal_ticks();
     show_phase = SHOW_SEND;
     const int err = panel_send(&panel, &rect, strip->px, 0);
@@ -176,15 +167,17 @@ static int next_strip(struct zs_strip *strip)
 static int draw_frame(uint32_t t, int alone)
 {
     const uint32_t strips = (SHOW_HEIGHT + show.rows - 1u) / show.rows;
+    const int each = alone || (SHOW_BUFFERS == 1 && !converted);
     struct zs_strip strip;
     int err = begin(t), got;
-    if (!err && strips % 2u) /* the first strip goes where the last one lies that is still out */
+    /* the first strip goes where the last one lies that is still out */
+    if (!err && !converted && strips % SHOW_BUFFERS)
         err = wait_for_panel();
     while (!err && (got = next_strip(&strip)) != 0) {
         err = got < 0 ? got : wait_for_panel();
         if (!err)
             err = send(&strip);
-        if (!err && alone)
+        if (!err && each)
             err = wait_for_panel();
     }
     (void)zs_frame_end(&renderer);
@@ -195,12 +188,12 @@ static int draw_frame(uint32_t t, int alone)
 
 static int set_up(void)
 {
-    const struct zs_config config = { SHOW_WIDTH, SHOW_HEIGHT, show.rows, show.tris, show.verts, show.attrs, 2, 8, 16,
-                                      0, show.demo->depth };
+    const struct zs_config config = { SHOW_WIDTH, SHOW_HEIGHT, show.rows, show.tris, show.verts, show.attrs,
+                                      SHOW_BUFFERS, SHOW_SUBPIXEL, 16, 0, show.demo->depth };
     const int err = zs_init(&renderer, &config, show.arena, show.arena_bytes);
     if (err)
         return err;
-    return panel_init(&panel, &glass, hal_bus(), 0, 0);
+    return panel_init(&panel, &glass, hal_bus(), show.scratch, show.scratch_bytes);
 }
 
 /* The animation's frame for now, after waiting for it where it is still the one shown last. */

@@ -1,4 +1,6 @@
-/* What the show shows: one scene, and the memory it gets. A scene's own file ends with SHOW(...); see my_scene.c.
+/* What the show shows: one scene, on what glass, and the memory it gets. A scene's own file ends with SHOW(...); see
+ * my_scene.c. What is to be chosen stands here, each with a value that -D on the command line (make firmware
+ * DEFINES='-D...') or BOARD_FLAGS of a board.mk replace.
  *
  * SPDX-License-Identifier: MIT
  */
@@ -15,19 +17,73 @@
 #define SHOW_HEIGHT 240
 #endif
 
+/* The panel: a type of panel.h. Its glass shows the picture alone, or is larger and shows it from SHOW_X, SHOW_Y on. */
+#ifndef SHOW_PANEL
+#define SHOW_PANEL panel_st7789
+#endif
+#ifndef SHOW_PIXEL_BITS
+#define SHOW_PIXEL_BITS 16 /* on its wire: 4 for a grey panel, 1 for a one-bit panel */
+#endif
+#ifndef SHOW_ROTATE
+#define SHOW_ROTATE 0 /* quarter turns */
+#endif
+#ifndef SHOW_GLASS_WIDTH
+#define SHOW_GLASS_WIDTH (SHOW_ROTATE & 1 ? SHOW_HEIGHT : SHOW_WIDTH) /* px, not turned */
+#endif
+#ifndef SHOW_GLASS_HEIGHT
+#define SHOW_GLASS_HEIGHT (SHOW_ROTATE & 1 ? SHOW_WIDTH : SHOW_HEIGHT)
+#endif
+#ifndef SHOW_X
+#define SHOW_X 0
+#endif
+#ifndef SHOW_Y
+#define SHOW_Y 0
+#endif
+#ifndef SHOW_INVERT
+#define SHOW_INVERT 1 /* IPS glass */
+#endif
+#ifndef SHOW_BGR
+#define SHOW_BGR 0 /* 1: most GC9A01 and ILI9341 modules */
+#endif
+
+/* Quality and memory. A scene asks for rows, triangles and vertices; parts with little RAM give it less, which costs
+ * time and never a pixel. */
+#ifndef SHOW_SUBPIXEL
+#define SHOW_SUBPIXEL 8 /* sub-pixel bits, 4 or 8 */
+#endif
+#ifndef SHOW_BUFFERS
+#define SHOW_BUFFERS 2 /* strips in RAM. 1: nothing is drawn while pixels leave, unless they were converted */
+#endif
+#ifndef SHOW_ROWS_MAX
+#define SHOW_ROWS_MAX SHOW_HEIGHT /* one-bit panels: a multiple of 8 */
+#endif
+#ifndef SHOW_TRIS_MAX
+#define SHOW_TRIS_MAX ZS_POOL_MAX
+#endif
+#ifndef SHOW_VERTS_MAX
+#define SHOW_VERTS_MAX ZS_POOL_MAX
+#endif
+
 struct show {
     const struct demo *demo;
     uint16_t rate; /* frames of its animation a second, 1 .. 1000 */
     uint16_t rows; /* of a strip */
     uint16_t tris, verts;
     uint8_t attrs;
-    uint32_t *arena;
-    uint32_t arena_bytes;
+    uint32_t *arena, *scratch; /* scratch: for the panel */
+    uint32_t arena_bytes, scratch_bytes;
 };
 extern const struct show show;
 
-#define SHOW(scene, rate, rows, tris, verts, attrs)                                               \
-    ZS_ARENA(show_arena, ZS_ARENA_BYTES(SHOW_WIDTH, SHOW_HEIGHT, rows, tris, verts, attrs, 2));   \
-    const struct show show = { &scene, rate, rows, tris, verts, attrs, show_arena, sizeof show_arena }
+#define SHOW_LEAST(a, b) ((a) < (b) ? (a) : (b))
+#define SHOW_SCRATCH(rows) (SHOW_PIXEL_BITS < 16 ? (SHOW_WIDTH + 7) / 8 * SHOW_PIXEL_BITS * (rows) : 4)
+#define SHOW(scene, rate, rows, tris, verts, attrs) \
+    SHOW_CUT(scene, rate, SHOW_LEAST(rows, SHOW_ROWS_MAX), SHOW_LEAST(tris, SHOW_TRIS_MAX), \
+             SHOW_LEAST(verts, SHOW_VERTS_MAX), attrs)
+#define SHOW_CUT(scene, rate, rows, tris, verts, attrs)                                                    \
+    ZS_ARENA(show_arena, ZS_ARENA_BYTES(SHOW_WIDTH, SHOW_HEIGHT, rows, tris, verts, attrs, SHOW_BUFFERS)); \
+    ZS_ARENA(show_scratch, SHOW_SCRATCH(rows));                                                            \
+    const struct show show = { &scene, rate, rows, tris, verts, attrs, show_arena, show_scratch,           \
+                               sizeof show_arena, sizeof show_scratch }
 
 #endif

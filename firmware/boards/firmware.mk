@@ -11,7 +11,7 @@
 #   BOARD_HAL    folder of hal/, all of it linked    BOARD_SRC   other sources: start-up, shared parts of HALs
 #   BOARD_LINK   flags for the linker, BOARD_DEPS    files that they name
 #   BOARD_RUN    command that takes the .elf         BOARD_IMAGES  what is flashed: bin, hex; more by rules of its own
-#   BOARD_FLAGS  -D for the application (show.c has them), BOARD_FLASH, BOARD_RAM  bytes of the part
+#   BOARD_FLAGS  -D for the application (show.h has them), BOARD_FLASH, BOARD_RAM  bytes of the part
 BOARD = mps2
 APP = bench
 SCENE = teapot
@@ -87,9 +87,9 @@ $(OUT)/%.o: %.S firmware/boards/$(BOARD)/board.mk
 # What is flashed, and what it takes of the part: sections that lie in RAM are zeros, data and stack
 image: $(ELF) $(BOARD_IMAGES:%=$(OUT)/$(NAME).%)
 	@$(SIZE) -A $(ELF) | awk -v what='$(OUT)/$(NAME).elf $(addprefix .,$(BOARD_IMAGES))' -v flash='$(BOARD_FLASH)' \
-	    -v ram='$(BOARD_RAM)' '{ n[$$1] = $$2 } END { printf "%s: flash %d of %s bytes, RAM %d of %s, of it %d for the stack\n", \
-	        what, n[".boot2"] + n[".vectors"] + n[".text"] + n[".ARM.exidx"] + n[".data"], flash, \
-	        n[".stack"] + n[".data"] + n[".bss"], ram, n[".stack"] }'
+	    -v ram='$(BOARD_RAM)' '{ n[$$1] = $$2 } END { printf "%s: flash %d%s bytes, RAM %d%s, of it %d for the stack\n", \
+	        what, n[".boot2"] + n[".vectors"] + n[".text"] + n[".ARM.exidx"] + n[".data"], flash ? " of " flash : "", \
+	        n[".stack"] + n[".data"] + n[".bss"], ram ? " of " ram : "", n[".stack"] }'
 $(OUT)/$(NAME).bin: $(ELF)
 	@$(OBJCOPY) -O binary $< $@
 $(OUT)/$(NAME).hex: $(ELF)

@@ -13,7 +13,8 @@ export function read_elf(path) {
     const sections = [];
     for (let i = 0; i < count; i++) {
         const s = first + i * size;
-        sections.push({ name: u32(s), type: u32(s + 4), offset: u32(s + 16), bytes: u32(s + 20), link: u32(s + 24) });
+        sections.push({ name: u32(s), type: u32(s + 4), address: u32(s + 12), offset: u32(s + 16), bytes: u32(s + 20),
+            link: u32(s + 24) });
     }
     const names = sections[u16(50)].offset;
     const bytes_of = {}, symbols = {}, functions = [];
@@ -27,5 +28,5 @@ export function read_elf(path) {
         }
     }
     functions.sort((a, b) => a.at - b.at);
-    return { symbols, functions, bytes_of };
+    return { symbols, functions, bytes_of, sections };
 }
