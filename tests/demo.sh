@@ -107,10 +107,20 @@ for on in ssd0323:128x64/0 ssd0323:128x64/90 ssd1306:72x40/180 ssd1306:128x64/27
         "$(row frame cubes | cut -d '|' -f 2,3,5-)"
 done
 
-begin contact_sheet_of_a_panel
-demo frame --scene cubes,hall --frames 1 --size 128x64
-demo panel --scene cubes,hall --frames 1 --panel ssd0323:128x64
-shows panel/contact.png frame/contact.png ssd0323
+begin contact_sheet_of_a_panel # the fifth of its scenes, in the second row
+demo panel --scene teapot,cubes,knot,flyover,city --frames 1 --panel ssd1351:128x96
+is "the sheet" "$(png_size panel/contact.png)" 512x192
+n=0
+for x in 0 31 64 90 127; do
+    for y in 0 30 48 75 95; do
+        look pixel panel/contact.png $x $((96 + y))
+        have=$seen
+        look pixel panel/city_000.png $x $y
+        is "pixel $x,$y of the city" "$have" "$seen"
+        [ "$seen" = 000000 ] || n=$((n + 1))
+    done
+done
+[ $n -gt 5 ] || wrong "$n of 25 pixels are not black"
 
 begin glass_that_is_inverted_and_bgr
 demo frame --scene knot --frames 1 --size 128x128
@@ -122,6 +132,7 @@ demo_refused() { # NAME WHAT-THE-LINE-HOLDS OPTION...
     begin "demo_refused_$1"
     what=$2
     shift 2
+    rm -rf none
     z demo --out none "$@"
     one_line 1 "$what"
     [ ! -e none ] || wrong "a folder is left"
@@ -129,6 +140,7 @@ demo_refused() { # NAME WHAT-THE-LINE-HOLDS OPTION...
 demo_usage() { # NAME WHAT-THE-LINE-HOLDS OPTION...
     as=$1 what=$2
     shift 2
+    rm -rf none
     usage "demo_$as" "$what" demo --out none "$@"
     [ ! -e none ] || wrong "a folder is left"
 }
