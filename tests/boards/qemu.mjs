@@ -1,10 +1,12 @@
 // A machine of QEMU's: its serial port, what its screen shows, and stops at functions of the firmware.
 //
-// node qemu.mjs STEM [--elf FILE --break FUNCTION --stops N] [--until PATTERN] [--zoom N] [--seconds N] -- QEMU ARGUMENTS...
+// node qemu.mjs STEM [--elf FILE --break FUNCTION --stops N] [--until PATTERN] [--zoom N [--rotate DEGREES]]
+//                    [--seconds N] -- QEMU ARGUMENTS...
 //   runs QEMU; takes a screendump at each of N calls of FUNCTION (STEM_0, STEM_1 ...) and one (STEM_end) when a line on
 //   the first serial port matches PATTERN; then ends it. Writes STEM_*.ppm and .png; with --zoom, STEM_*.bin: greys of
-//   0 to 15, a byte a pixel, where the screen shows each N times as wide and high. STEM.txt is the serial port's text,
-//   STEM.err what QEMU complained of. Longer than --seconds (60) is a failure.
+//   0 to 15, a byte a pixel, where the screen shows each N times as wide and high, as who sees it has turned it: the
+//   picture lies turned clockwise on the screen by DEGREES (0). STEM.txt is the serial port's text, STEM.err what QEMU
+//   complained of. Longer than --seconds (60) is a failure.
 //
 // SPDX-License-Identifier: MIT
 import child_process from 'node:child_process';
@@ -132,11 +134,11 @@ export class Machine {
         await this.ask('stop');
     }
 
-    async screendump(stem, zoom) {
+    async screendump(stem, zoom, rotate) {
         await this.ask('screendump', { filename: `${stem}.png`, format: 'png' });
         await this.ask('screendump', { filename: `${stem}.ppm` });
         if (zoom)
-            fs.writeFileSync(`${stem}.bin`, greys(fs.readFileSync(`${stem}.ppm`), zoom));
+            fs.writeFileSync(`${stem}.bin`, upright(greys(fs.readFileSync(`${stem}.ppm`), zoom), rotate));
     }
 
     async end() {
@@ -147,20 +149,25 @@ export class Machine {
     }
 }
 
-// Levels of 0 to 15, a byte each, of a grey picture (PPM) that shows each pixel zoom times as wide and high.
+// Levels of 0 to 15, rows of them, of a grey picture (PPM) that shows each pixel zoom times as wide and high.
 function greys(ppm, zoom) {
     const head = /^P6\s(\d+)\s(\d+)\s255\s/.exec(ppm.toString('latin1', 0, 40));
-    const w = Number(head[1]), h = Number(head[2]), levels = Buffer.alloc((w / zoom) * (h / zoom));
+    const w = Number(head[1]), h = Number(head[2]), rows = [];
     for (let y = 0; y < h; y++)
         for (let x = 0; x < w; x++) {
-            const at = head[0].length + 3 * (y * w + x), first = !(x % zoom) && !(y % zoom);
-            const to = Math.floor(y / zoom) * (w / zoom) + Math.floor(x / zoom), level = ppm[at] / 17;
-            if (first)
-                levels[to] = level;
-            if (level !== levels[to] || ppm[at + 1] !== ppm[at] || ppm[at + 2] !== ppm[at])
+            const at = head[0].length + 3 * (y * w + x), level = ppm[at] / 17;
+            const row = rows[Math.floor(y / zoom)] ??= [], first = row[Math.floor(x / zoom)] ??= level;
+            if (level !== first || !Number.isInteger(level) || ppm[at + 1] !== ppm[at] || ppm[at + 2] !== ppm[at])
                 throw new Error(`${x}, ${y} of ${w}x${h}: not one of 16 greys, each ${zoom} times as wide and high`);
         }
-    return levels;
+    return rows;
+}
+
+// Its bytes, turned back.
+function upright(rows, degrees) {
+    for (let turned = degrees; turned; turned -= 90)
+        rows = rows[0].map((_, x) => rows.map((row) => row[row.length - 1 - x]));
+    return Buffer.from(rows.flat());
 }
 
 async function main() {
@@ -168,18 +175,20 @@ async function main() {
     const { values: v, positionals: [stem] } = parseArgs({
         args: process.argv.slice(2, split), allowPositionals: true,
         options: { elf: { type: 'string' }, break: { type: 'string' }, stops: { type: 'string', default: '0' },
-            until: { type: 'string' }, zoom: { type: 'string' }, seconds: { type: 'string', default: '60' } },
+            until: { type: 'string' }, zoom: { type: 'string' }, rotate: { type: 'string', default: '0' },
+            seconds: { type: 'string', default: '60' } },
     });
-    const zoom = Number(v.zoom ?? 0), machine = await Machine.start(command, args, Number(v.seconds));
+    const zoom = Number(v.zoom ?? 0), rotate = Number(v.rotate);
+    const machine = await Machine.start(command, args, Number(v.seconds));
     try {
         const at = v.break ? read_elf(v.elf).symbols[v.break] & ~1 : 0;
         for (let k = 0; k < Number(v.stops); k++) {
             await machine.run_to(at);
-            await machine.screendump(`${stem}_${k}`, zoom);
+            await machine.screendump(`${stem}_${k}`, zoom, rotate);
         }
         if (v.until) {
             await machine.run_until(v.until);
-            await machine.screendump(`${stem}_end`, zoom);
+            await machine.screendump(`${stem}_end`, zoom, rotate);
         }
     } finally {
         await machine.end();
