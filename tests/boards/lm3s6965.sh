@@ -16,6 +16,7 @@ SCENES='teapot china cubes knot flyover city hall globe'
 FRAMES=4
 STEP=13
 RAM=65536
+shift=0 # an instruction takes 2^shift ns
 . tests/boards/common.sh
 
 # Boot ELF's image: STEM ELF OPTIONS-OF-QEMU.MJS...   What QEMU says of what it lacks (a SysTick without clock before the
@@ -26,7 +27,7 @@ boot() {
     rm -f "$stem"_*
     arm-none-eabi-objcopy -O binary "$elf" "$stem.bin"
     node tests/boards/qemu.mjs "$stem" --elf "$elf" "$@" -- \
-        qemu-system-arm -M lm3s6965evb -icount shift=0 -d guest_errors,unimp -kernel "$stem.bin" >"$stem.log" 2>&1 ||
+        qemu-system-arm -M lm3s6965evb -icount shift=$shift -d guest_errors,unimp -kernel "$stem.bin" >"$stem.log" 2>&1 ||
         grep -m1 Error "$stem.log"
     grep -vxE 'Timer with period zero, disabling|Peripheral reset not implemented' "$stem.err"
     grep '^#' "$stem.txt"
@@ -97,13 +98,17 @@ turned() { # QUARTERS DEFINES
     verdict "lm3s6965_turned_$((90 * $1))" "$(head -3 "$out/turned_$1.bad" | tr '\n' ' ')"
 }
 
-# As it runs on a desk: the very image, 32 frames at the animation's 30 a second, none late. (The time to draw the last
-# one counts: 29.9.)
+# As it runs on a desk: the very image, about as quick as the part, 32 frames at the animation's 30 a second, none late.
+# (The time to draw the last one counts: 29.9 or less.)
 by_the_clock() {
+    shift=4
     boot "$out/clock" "$fw/cubes.elf" --until '^cubes,32,' >"$out/clock.bad"
+    shift=0
     cmp -s "$out/clock.bin" "$fw/cubes.bin" || echo "the image is not the ELF file's" >>"$out/clock.bad"
-    [ "$(statistic "$out/clock" cubes 3)/$(statistic "$out/clock" cubes 7)" = 29.9/0 ] ||
-        tail -1 "$out/clock.txt" >>"$out/clock.bad"
+    case $(statistic "$out/clock" cubes 3)/$(statistic "$out/clock" cubes 7) in
+    29.[5-9]/0) ;;
+    *) tail -1 "$out/clock.txt" >>"$out/clock.bad" ;;
+    esac
     verdict lm3s6965_by_the_clock "$(head -3 "$out/clock.bad" | tr '\n' ' ')"
 }
 
