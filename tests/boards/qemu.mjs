@@ -21,9 +21,11 @@ import { read_elf } from './elf.mjs';
 
 const pause = (ms) => new Promise((done) => setTimeout(done, ms));
 
-// A socket that QEMU listens on soon.
-async function connect(file) {
+// A socket that QEMU listens on soon, as long as it runs.
+async function connect(file, child) {
     for (;;) {
+        if (child.exitCode !== null || child.signalCode !== null || !child.pid)
+            return new Promise(() => {}); // who waits for this is told of its end
         const socket = net.connect(file);
         const error = await new Promise((done) => {
             socket.once('connect', () => done(null));
@@ -66,11 +68,17 @@ export class Machine {
         m.child.stderr.setEncoding('utf8').on('data', (text) => { m.complaints += text; });
         m.ended = new Promise((done) => m.child.on('close', done).on('error', done));
         m.failed = new Promise((_, fail) => {
-            m.timer = setTimeout(() => fail(new Error(`not done after ${seconds} s; it wrote: ${m.serial}`)), seconds * 1000);
-            m.ended.then((how) => fail(new Error(`QEMU ended (${how}): ${m.complaints}`)));
+            const late = () => new Error(`not done after ${seconds} s; its text ends ${JSON.stringify(m.serial.slice(-80))}`);
+            m.timer = setTimeout(() => fail(late()), seconds * 1000);
+            m.ended.then((how) => fail(new Error(`QEMU ended (${how}): ${m.complaints.trim()}`)));
         });
         m.failed.catch(() => {});
-        await m.or_failed(m.connect_to(qmp, gdb));
+        try {
+            await m.or_failed(m.connect_to(qmp, gdb));
+        } catch (error) {
+            await m.end();
+            throw error;
+        }
         return m;
     }
 
@@ -79,12 +87,12 @@ export class Machine {
     }
 
     async connect_to(qmp, gdb) {
-        this.qmp = await connect(qmp);
+        this.qmp = await connect(qmp, this.child);
         this.from_qmp = messages(this.qmp, (text) => {
             const end = text.indexOf('\n');
             return end < 0 ? null : [JSON.parse(text.slice(0, end)), text.slice(end + 1)];
         });
-        this.gdb = await connect(gdb);
+        this.gdb = await connect(gdb, this.child);
         this.from_gdb = messages(this.gdb, (text) => {
             const found = /^[^$]*\$([^#]*)#../.exec(text);
             return found ? [found[1], text.slice(found[0].length)] : null;
@@ -143,7 +151,8 @@ export class Machine {
 
     async end() {
         clearTimeout(this.timer);
-        this.child.kill('SIGKILL');
+        if (this.child.pid) // of one that was not found, kill would mean this process's group
+            this.child.kill('SIGKILL');
         await this.ended;
         fs.rmSync(this.folder, { recursive: true, force: true });
     }
@@ -181,9 +190,11 @@ async function main() {
     const zoom = Number(v.zoom ?? 0), rotate = Number(v.rotate);
     const machine = await Machine.start(command, args, Number(v.seconds));
     try {
-        const at = v.break ? read_elf(v.elf).symbols[v.break] & ~1 : 0;
+        const at = v.break && read_elf(v.elf).symbols[v.break];
+        if (v.break && at === undefined)
+            throw new Error(`${v.elf}: no ${v.break}`);
         for (let k = 0; k < Number(v.stops); k++) {
-            await machine.run_to(at);
+            await machine.run_to(at & ~1);
             await machine.screendump(`${stem}_${k}`, zoom, rotate);
         }
         if (v.until) {
@@ -197,5 +208,11 @@ async function main() {
     }
 }
 
-if (process.argv[1] === fileURLToPath(import.meta.url))
-    await main();
+if (process.argv[1] === fileURLToPath(import.meta.url)) {
+    try {
+        await main();
+    } catch (error) {
+        console.error(error.message);
+        process.exitCode = 1;
+    }
+}
