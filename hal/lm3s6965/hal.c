@@ -1,10 +1,10 @@
-/* Stellaris LM3S6965EVB (Cortex-M3 at 50 MHz): clocks, text by UART0. Ticks and stack are hal/cortexm's, the panel's bus
- * is in bus.c, the wiring in pins.h.
+/* Stellaris LM3S6965EVB (Cortex-M3 at 50 MHz): clocks, text by UART0. Ticks and stack are hal/cortexm's, the panel's
+ * bus is in bus.c, the wiring in pins.h.
  *
  * Ticks are the core's clock. The panel is an OLED: no backlight.
  *
- * What QEMU cannot tell: that the crystal is stable, that the PLL locks, that the UART's rate is right. Of the clocks it
- * has the divider alone. Steps and waits are the data sheet's, and those that the manufacturer's library makes.
+ * What QEMU cannot tell: that the crystal is stable, that the PLL locks, that the UART is on and its rate right. Of the
+ * clocks it has the divider alone. Steps and waits are the data sheet's, and those that the maker's library makes.
  *
  * SPDX-License-Identifier: MIT
  */

@@ -1,5 +1,5 @@
-/* On QEMU's LM3S6965EVB: the panel's bus where nothing is drawn. Lines of "ok NAME" and "FAILED NAME". QEMU's SSI0 sends at
- * once; with interrupts off it does not begin, which is as near as it gets to a wire that takes its time.
+/* On QEMU's LM3S6965EVB: the panel's bus where nothing is drawn. Lines of "ok NAME" and "FAILED NAME". QEMU's SSI0
+ * sends at once; with interrupts off it does not begin, which is as near as it gets to a wire that takes its time.
  *
  * SPDX-License-Identifier: MIT
  */
@@ -66,8 +66,8 @@ static void hooks(struct hal_bus *bus)
     bus->hooks.idle = NULL;
 }
 
-/* An interrupt that does not come: 512 bytes take 1.15 ms, they get twice that and 1 ms. The interrupt is pending when it is
- * let in at last, and has nothing more to do. */
+/* An interrupt that does not come: 512 bytes take 1.15 ms, they get twice that and 1 ms. The interrupt is pending when
+ * it is let in at last, and has nothing more to do. */
 static void timeout(struct hal_bus *bus)
 {
     done_calls = 0;

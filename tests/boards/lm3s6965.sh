@@ -19,15 +19,15 @@ RAM=65536
 shift=0 # an instruction takes 2^shift ns
 . tests/boards/common.sh
 
-# Boot ELF's image: STEM ELF OPTIONS-OF-QEMU.MJS...   What QEMU says of what it lacks (a SysTick without clock before the
-# first instruction, resets of blocks) is known; all else is trouble.
+# Boot ELF's image: STEM ELF OPTIONS-OF-QEMU.MJS...   What QEMU says of what it lacks (a SysTick without clock before
+# the first instruction, resets of blocks) is known; all else is trouble.
 boot() {
     stem=$1 elf=$2
     shift 2
     rm -f "$stem"_*
     arm-none-eabi-objcopy -O binary "$elf" "$stem.bin"
-    node tests/boards/qemu.mjs "$stem" --elf "$elf" "$@" -- \
-        qemu-system-arm -M lm3s6965evb -icount shift=$shift -d guest_errors,unimp -kernel "$stem.bin" >"$stem.log" 2>&1 ||
+    node tests/boards/qemu.mjs "$stem" --elf "$elf" "$@" -- qemu-system-arm -M lm3s6965evb -icount shift=$shift \
+        -d guest_errors,unimp -kernel "$stem.bin" >"$stem.log" 2>&1 ||
         head -1 "$stem.log"
     grep -vxE 'Timer with period zero, disabling|Peripheral reset not implemented' "$stem.err"
     grep '^#' "$stem.txt"
@@ -70,7 +70,7 @@ scene_tests() { # SCENE
     echo "lm3s6965 $1 $2 $3 $used $(statistic "$out/$1" "$1" 4)000" >>"$out/table.txt"
 }
 
-# A strip's height of what a scene wants and pools too small for one pass: of this the pictures above must not differ.
+# Its pools are too small for one pass: the pictures above are the simulator's, whose pools suffice, all the same.
 several_passes() {
     passes=$(statistic "$out/flyover" flyover 8)
     [ "$passes" -gt 1 ] && ok "lm3s6965_flyover_takes_passes ($passes)" || bad lm3s6965_flyover_takes_passes "$passes"

@@ -1,4 +1,5 @@
-// node patch.mjs IN.elf OUT.elf SYMBOL[+BYTES] WORD...: a copy of a firmware with other values in a const of 32-bit words.
+// node patch.mjs IN.elf OUT.elf SYMBOL[+BYTES] WORD...: a copy of a firmware with other values in a const of 32-bit
+// words.
 //
 // SPDX-License-Identifier: MIT
 import fs from 'node:fs';

@@ -61,15 +61,16 @@ export class Machine {
         m.folder = fs.mkdtempSync(path.join(os.tmpdir(), 'qemu-'));
         const qmp = path.join(m.folder, 'qmp'), gdb = path.join(m.folder, 'gdb');
         m.serial = m.complaints = '';
-        m.child = child_process.spawn(command, [...args, '-S', '-display', 'none', '-monitor', 'none', '-serial', 'stdio',
-            '-qmp', `unix:${qmp},server=on,wait=off`, '-gdb', `unix:${gdb},server=on,wait=off`]);
+        m.child = child_process.spawn(command, [...args, '-S', '-display', 'none', '-monitor', 'none',
+            '-serial', 'stdio', '-qmp', `unix:${qmp},server=on,wait=off`, '-gdb', `unix:${gdb},server=on,wait=off`]);
         m.child.stdin.end();
         m.child.stdout.setEncoding('latin1').on('data', (text) => { m.serial += text; });
         m.child.stderr.setEncoding('utf8').on('data', (text) => { m.complaints += text; });
         m.ended = new Promise((done) => m.child.on('close', done).on('error', done));
         m.failed = new Promise((_, fail) => {
-            const late = () => new Error(`not done after ${seconds} s; its text ends ${JSON.stringify(m.serial.slice(-80))}`);
-            m.timer = setTimeout(() => fail(late()), seconds * 1000);
+            const last = () => JSON.stringify(m.serial.slice(-80));
+            m.timer = setTimeout(() => fail(new Error(`not done after ${seconds} s; its text ends ${last()}`)),
+                seconds * 1000);
             m.ended.then((how) => fail(new Error(`QEMU ended (${how}): ${m.complaints.trim()}`)));
         });
         m.failed.catch(() => {});
