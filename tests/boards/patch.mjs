@@ -1,4 +1,5 @@
-// node patch.mjs IN.elf OUT.elf SYMBOL WORD...: a copy of a firmware with other values in a const of 32-bit words.
+// node patch.mjs IN.elf OUT.elf SYMBOL[+BYTES] WORD...: a copy of a firmware with other values in a const of 32-bit
+// words.
 //
 // SPDX-License-Identifier: MIT
 import fs from 'node:fs';
@@ -6,10 +7,11 @@ import fs from 'node:fs';
 import { read_elf } from './elf.mjs';
 
 const [from, to, symbol, ...words] = process.argv.slice(2);
-const elf = read_elf(from), address = elf.symbols[symbol];
+const [name, skip = 0] = symbol.split('+');
+const elf = read_elf(from), address = elf.symbols[name] + Number(skip);
 const section = elf.sections.find((s) => s.address <= address && address + 4 * words.length <= s.address + s.bytes &&
-    s.offset && s.address);
-if (address === undefined || !section)
+    s.type === 1 && s.flags & 2); // SHT_PROGBITS with SHF_ALLOC
+if (!section)
     throw new Error(`${from}: no ${symbol} of ${words.length} words`);
 const bytes = fs.readFileSync(from);
 words.forEach((word, i) => bytes.writeUInt32LE(Number(word), section.offset + address - section.address + 4 * i));

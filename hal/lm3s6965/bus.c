@@ -1,0 +1,235 @@
+/* LM3S6965: the panel's bus. SSI0 carries it. Pixels leave by its interrupt, four bytes (9 us) at a time, while the
+ * program goes on: some 85 instructions each. Commands are polled. The part has no DMA.
+ *
+ * A transfer ends in the interrupt that finds nothing left to send, which sees the last bytes leave (five of them,
+ * 11 us), or in wait, when twice its time and a millisecond have passed. After a failure SSI0 is reset: whatever it
+ * held is gone.
+ *
+ * SSI0 receives as it sends. On the part what is received could be left alone; QEMU's stops sending when eight bytes
+ * have not been taken out.
+ *
+ * The board gives the processor no line to the panel's RESET: a panel is reset with the board.
+ *
+ * What QEMU cannot tell: its SSI0 has no speed and no modes (a byte is out as soon as it is written, so that one
+ * interrupt sends all), its panel has no power and no select. The converter on C6 is in the later boards' schematic;
+ * on earlier ones, whose glass is fed by the controller, nothing hangs there.
+ *
+ * SPDX-License-Identifier: MIT
+ */
+#include "hal.h"
+#include "parts.h"
+#include "pins.h"
+#include "regs.h"
+
+#include <stddef.h>
+
+#define TICKS_A_US (CLOCK_HZ / 1000000u)
+#define SPINS 20000u /* of some eight cycles: three milliseconds, for what takes microseconds */
+
+_Static_assert(SPI_DIVIDER >= 2 && SPI_DIVIDER <= 254 && SPI_DIVIDER % 2 == 0, "SPI_DIVIDER: even, 2 to 254");
+
+void SSI0_Handler(void);
+
+static struct hal_bus the_bus;
+
+static uint8_t ready;             /* lm3s6965_bus_start was called */
+static uint8_t begun;             /* from data until wait */
+static uint64_t deadline;         /* of that, in ticks */
+static volatile uint8_t running;  /* from data until the transfer has ended */
+static volatile int16_t outcome;  /* enum hal_err, of the transfer that has ended */
+static const uint8_t *volatile next; /* to be sent, and how many */
+static volatile uint32_t left;
+
+/* ---- Pins and SSI0 ------------------------------------------------------------------------------------------- */
+
+static void set(uint32_t pin, int high)
+{
+    GPIO_LEVEL(pin) = high ? GPIO_BIT(pin) : 0u;
+}
+
+/* High from its first moment: a pin is driven from DEN on. */
+static void output(uint32_t pin)
+{
+    GPIO_DIR(pin) |= GPIO_BIT(pin);
+    set(pin, 1);
+    GPIO_DEN(pin) |= GPIO_BIT(pin);
+}
+
+/* SPI mode 3, which has no gaps between bytes: SCK rests high, data is clocked in on its rising edge. */
+static void spi_start(void)
+{
+    SYS_SRCR1 |= BLOCK_SSI0;
+    SYS_SRCR1 &= ~BLOCK_SSI0;
+    SSI0_CPSR = SPI_DIVIDER;
+    SSI0_CR0 = SSI_8_BITS | SSI_SPO | SSI_SPH;
+    SSI0_CR1 = SSI_SSE;
+}
+
+static void put(uint8_t byte)
+{
+    SSI0_DR = byte;
+    while (SSI0_SR & SSI_RNE)
+        (void)SSI0_DR;
+}
+
+/* Until the last bit is out. */
+static int drain(void)
+{
+    for (uint32_t i = 0; i < SPINS; i++)
+        if (!(SSI0_SR & SSI_BSY))
+            return HAL_OK;
+    return HAL_ERR_TIMEOUT;
+}
+
+static int send_polled(const uint8_t *bytes, uint32_t n)
+{
+    for (uint32_t i = 0; i < n; i++) {
+        uint32_t spins = SPINS;
+        while (!(SSI0_SR & SSI_TNF))
+            if (--spins == 0)
+                return HAL_ERR_TIMEOUT;
+        put(bytes[i]);
+    }
+    return drain();
+}
+
+static void select_panel(void)
+{
+    set(PIN_CS, 0);
+}
+
+static void release_panel(void)
+{
+    set(PIN_CS, 1);
+    set(PIN_DC, 1);
+}
+
+/* ---- The end of a transfer ----------------------------------------------------------------------------------- */
+
+static void end(int err)
+{
+    SSI0_IM = 0;
+    if (err)
+        spi_start();
+    release_panel();
+    outcome = (int16_t)err;
+    running = 0;
+    if (the_bus.hooks.done)
+        the_bus.hooks.done(the_bus.hooks.ctx);
+}
+
+void SSI0_Handler(void)
+{
+    const uint8_t *at = next;
+    uint32_t n = left;
+    if (!running) /* wait ended it while this interrupt was pending */
+        return;
+    if (!n) {
+        end(drain());
+        return;
+    }
+    for (; n && SSI0_SR & SSI_TNF; n--)
+        put(*at++);
+    next = at;
+    left = n;
+}
+
+__attribute__((section(".device_vectors"), used)) static void (*const vectors[IRQ_SSI0 + 1])(void) = {
+    [IRQ_SSI0] = SSI0_Handler
+};
+
+static void give_up(void)
+{
+    __asm__ volatile("cpsid i" ::: "memory");
+    if (running)
+        end(HAL_ERR_TIMEOUT);
+    __asm__ volatile("cpsie i" ::: "memory");
+}
+
+/* ---- The bus ------------------------------------------------------------------------------------------------- */
+
+static int command(struct hal_bus *bus, uint8_t code, const uint8_t *args, uint32_t n)
+{
+    (void)bus;
+    if (n && !args)
+        return HAL_ERR_ARG;
+    if (!ready || begun)
+        return HAL_ERR_STATE;
+    set(PIN_DC, 0);
+    select_panel();
+    int err = send_polled(&code, 1);
+    if (!err && n) {
+        set(PIN_DC, 1);
+        err = send_polled(args, n);
+    }
+    if (err)
+        spi_start();
+    release_panel();
+    return err;
+}
+
+static int data(struct hal_bus *bus, const uint8_t *bytes, uint32_t n)
+{
+    (void)bus;
+    if (!bytes || !n)
+        return HAL_ERR_ARG;
+    if (!ready || begun)
+        return HAL_ERR_STATE;
+    deadline = hal_ticks() + 1000u * TICKS_A_US + 16u * SPI_DIVIDER * (uint64_t)n;
+    next = bytes;
+    left = n;
+    begun = running = 1;
+    select_panel();
+    SSI0_IM = SSI_TXIM; /* the FIFO is empty: the interrupt comes at once */
+    return HAL_OK;
+}
+
+/* The interrupts that send come every 9 us: there is nothing to gain by sleeping. */
+static int wait(struct hal_bus *bus)
+{
+    if (!begun)
+        return HAL_OK;
+    while (running) {
+        if (hal_ticks() > deadline)
+            give_up();
+        else if (bus->hooks.idle)
+            bus->hooks.idle(bus->hooks.ctx);
+    }
+    begun = 0;
+    return outcome;
+}
+
+static int reset(struct hal_bus *bus)
+{
+    (void)bus;
+    return !ready || begun ? HAL_ERR_STATE : HAL_OK;
+}
+
+static void delay(struct hal_bus *bus, uint32_t us)
+{
+    (void)bus;
+    const uint64_t from = hal_ticks();
+    while (hal_ticks() - from <= (uint64_t)us * TICKS_A_US) {
+    }
+}
+
+static struct hal_bus the_bus = { command, data, wait, reset, delay, { 0 } };
+
+struct hal_bus *hal_bus(void)
+{
+    return &the_bus;
+}
+
+void lm3s6965_bus_start(void)
+{
+    output(PIN_CARD);
+    output(PIN_CS);
+    output(PIN_DC);
+    output(PIN_POWER);
+    GPIO_AFSEL(PIN_SCK) |= GPIO_BIT(PIN_SCK) | GPIO_BIT(PIN_MOSI);
+    GPIO_DEN(PIN_SCK) |= GPIO_BIT(PIN_SCK) | GPIO_BIT(PIN_MOSI);
+    spi_start();
+    NVIC_ICPR = 1u << IRQ_SSI0;
+    NVIC_ISER = 1u << IRQ_SSI0;
+    ready = 1;
+}
