@@ -102,7 +102,7 @@ static const struct option table[] = {
     { "--tris", KIND_COUNT, AT(tris), 0, 1, ZS_POOL_MAX, NULL },
     { "--verts", KIND_COUNT, AT(verts), 0, 3, ZS_POOL_MAX, NULL },
     { "--depth-bits", KIND_COUNT, AT(depth_bits), 0, 8, 16, NULL },
-    { "--skip-off", KIND_COUNT, AT(skip_off), 0, 0, 31, NULL },
+    { "--skip-off", KIND_COUNT, AT(skip_off), 0, 0, 63, NULL },
     { "--subpixel", KIND_COUNT, AT(subpixel), 0, 0, 0, "4|8" },
     { "--buffers", KIND_COUNT, AT(buffers), 0, 0, 0, "1|2" },
     { "--eye", KIND_VECTOR, AT(eye), AT(has_eye), 0, 0, NULL },
