@@ -314,7 +314,7 @@ static inline void samples(int32_t a, int32_t b, int32_t c, int32_t *from, int32
 }
 
 /* Whether the box of a projected triangle holds a sample of the frame, and its rows. */
-static inline enum fate box_fate(const struct zs_renderer *r, const struct zs_vertex *a, const struct zs_vertex *b,
+static inline enum fate box_fate(struct zs_renderer *r, const struct zs_vertex *a, const struct zs_vertex *b,
                                  const struct zs_vertex *c, int32_t *y0, int32_t *y1)
 {
     int32_t x0, x1;
@@ -326,6 +326,8 @@ static inline enum fate box_fate(const struct zs_renderer *r, const struct zs_ve
         return FATE_OFFSCREEN;
     if ((x0 >= x1 || *y0 >= *y1) && !(r->config.skip_off & ZS_SKIP_EMPTY))
         return FATE_EMPTY;
+    if (x1 - x0 >= 2 << ZS_TILE_LOG2)
+        r->large = !(r->config.skip_off & ZS_SKIP_HIDDEN);
     return FATE_DRAWN;
 }
 

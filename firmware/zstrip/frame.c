@@ -66,6 +66,7 @@ static ZS_RARE void split(struct zs_renderer *r, uint8_t *at)
     r->color[0] = take(&at, color);
     r->color[1] = c->buffers == 2 ? take(&at, color) : r->color[0];
     r->depth = take(&at, ZS_DEPTH_BYTES(c->width, c->strip_h));
+    r->bound = take(&at, ZS_BOUND_BYTES(c->width));
     r->bin = take(&at, ZS_BIN_BYTES(c->height, c->strip_h));
     r->tri = take(&at, ZS_TRI_BYTES(c->max_tris));
     r->vert = take(&at, c->max_verts * 12u);
@@ -188,6 +189,7 @@ ZS_RARE int zs_frame_begin(struct zs_renderer *r, const struct zs_scene *scene,
     r->strip = 0;
     r->band_end = 0; /* the first strip begins a walk */
     r->counting = 1;
+    r->large = 0;
     r->scene = scene;
     return ZS_OK;
 }

@@ -170,10 +170,21 @@ void zs_bin_walk(struct zs_renderer *r);
 void zs_raster_clear(struct zs_renderer *r);
 /* Draw the strip r->strip's bin and the active list; leaves those that go on in r->active. */
 void zs_raster_strip(struct zs_renderer *r);
+/* Fill job's rows and sides for its triangle in its strip. Return 0: it has no row or no area there. job->row_last is
+ * set in either case. */
+int zs_raster_sides(struct zs_job *job);
 /* Find the spans of rows from `row` on: of ZS_CUT_ROWS, or up to job->row_end. */
 void zs_raster_cuts(struct zs_job *job, int32_t row);
 /* Draw a job whose keys are linear on the screen, by its shader or its state. */
 void zs_raster_keys(struct zs_job *job);
+
+/* ---- hidden.c --------------------------------------------------------------------------------------- */
+
+/* Bounds of the strip's tiles from the large triangles of a list. Return a depth up to which a vertex shows that its
+ * triangle is not hidden; UINT32_MAX: there are no bounds. */
+uint32_t zs_hidden_bounds(struct zs_job *job, uint32_t list);
+/* 1: no pixel of job->tri can win in this strip. job->row_last is set then. */
+int zs_hidden(struct zs_job *job);
 
 /* The span of a row: first sample at or right of its left edge, and of its right edge. */
 struct zs_cut {

@@ -113,8 +113,7 @@ static int covers_nothing(const struct zs_job *job)
     return 1;
 }
 
-/* Fill job for its triangle in its strip. Return 0 where it has no pixel there. */
-static ZS_NOINLINE int job_setup(struct zs_job *job)
+int zs_raster_sides(struct zs_job *job)
 {
     const struct zs_vertex *pool = job->r->vert;
     const struct zs_vertex *top = &pool[job->tri->v[0]], *mid = &pool[job->tri->v[1]],
@@ -126,14 +125,20 @@ static ZS_NOINLINE int job_setup(struct zs_job *job)
         if (before(mid, top))
             swap(&mid, &top);
     }
-    const int32_t row = zs_max32(zs_first_sample(top->y), job->y0);
+    job->row = zs_max32(zs_first_sample(top->y), job->y0);
     job->row_mid = zs_first_sample(mid->y);
     job->row_last = zs_first_sample(bottom->y);
     job->row_end = zs_min32(job->row_last, job->y1);
-    if (row >= job->row_end || !zs_plane_sides(job, top, mid, bottom))
+    return job->row < job->row_end && zs_plane_sides(job, top, mid, bottom);
+}
+
+/* Fill job for its triangle in its strip. Return 0 where it has no pixel there. */
+static ZS_NOINLINE int job_setup(struct zs_job *job)
+{
+    if (!zs_raster_sides(job))
         return 0;
     job->r->stats.tris_setup++;
-    zs_raster_cuts(job, row);
+    zs_raster_cuts(job, job->row);
     if (covers_nothing(job))
         return 0;
     zs_plane_geom(job);
@@ -198,6 +203,16 @@ static uint16_t merged(struct zs_tri *tri, uint16_t a, uint16_t b)
     return head;
 }
 
+/* Are all of a triangle's vertices beyond a depth? */
+static inline int beyond(const struct zs_job *job, uint32_t d)
+{
+    const struct zs_vertex *pool = job->r->vert;
+    const uint16_t *v = job->tri->v;
+    return pool[v[0]].d > d && pool[v[1]].d > d && pool[v[2]].d > d;
+}
+
+#define IN_VAIN 16 /* triangles of a strip that turned out not to be hidden: no more are asked */
+
 void zs_raster_strip(struct zs_renderer *r)
 {
     const int32_t y0 = r->strip * r->config.strip_h;
@@ -215,10 +230,19 @@ void zs_raster_strip(struct zs_renderer *r)
     job.width = r->config.width;
     r->lit.of = 0;
     uint16_t *keep = &r->active; /* grows at its end: stays ascending */
+    uint32_t seen = r->large ? zs_hidden_bounds(&job, list) : UINT32_MAX, in_vain = 0;
     while (list != ZS_NIL) {
         struct zs_tri *t = &r->tri[list];
         job.tri = t;
-        if (job_setup(&job))
+        int hides = 0;
+        if (seen != UINT32_MAX && beyond(&job, seen)) {
+            hides = zs_hidden(&job);
+            r->stats.tris_hidden += (uint32_t)hides;
+            in_vain = hides ? 0 : in_vain + 1;
+            if (in_vain == IN_VAIN)
+                seen = UINT32_MAX;
+        }
+        if (!hides && job_setup(&job))
             draw(&job);
         if (goes_on && job.row_last > y1) {
             *keep = list;
@@ -239,4 +263,5 @@ void zs_raster_clear(struct zs_renderer *r)
     const uint32_t n = (uint32_t)r->config.width * r->config.strip_h;
     fill(r->color[r->strip & 1], zs_wire16(r->scene->background), n);
     fill(r->depth, ZS_DEPTH_CLEAR, n);
+    fill(r->bound, ZS_DEPTH_CLEAR, ZS_TILES(r->config.width));
 }

@@ -80,6 +80,7 @@ struct zs_renderer { /* what is used most comes first: a Cortex-M0 reaches 31 by
     uint8_t direct;             /* 1: vertex v of the current instance has place vert_base + v */
     uint8_t counting;           /* 1 in the frame's first walk: triangles are counted once */
     uint8_t ready;              /* zs_init succeeded */
+    uint8_t large;              /* 1: the frame has triangles that may hide others: two tiles wide */
     uint16_t n_strips, strip;   /* strip: the next to be drawn */
     uint16_t band_end;          /* bins are complete for strips below it */
     uint16_t active;            /* list of triangles that went on from the strip before */
@@ -89,6 +90,7 @@ struct zs_renderer { /* what is used most comes first: a Cortex-M0 reaches 31 by
     uint32_t strip_mul;
     uint16_t *color[2];      /* [strip_h][width], wire order; [1] is [0] with one buffer */
     uint16_t *depth;         /* [strip_h][width] */
+    uint16_t *bound;         /* [ZS_TILES(width)]: no key of the strip's tile stays farther (hidden.c) */
     uint16_t *bin;           /* [n_strips]: newest triangle that begins in the strip, or ZS_NIL */
     struct zs_tri *tri;      /* [max_tris] */
     struct zs_vertex *vert;  /* [max_verts] */

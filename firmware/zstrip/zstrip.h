@@ -273,7 +273,8 @@ enum zs_skip {
     ZS_SKIP_CLIPTEST = 2, /* clip tests of instances whose sphere is inside near, far and guard */
     ZS_SKIP_EMPTY = 4,    /* triangles whose bounding box holds no sample */
     ZS_SKIP_VCACHE = 8,   /* transforming a vertex again that is still in the pool */
-    ZS_SKIP_BINS = 16     /* walking the scene again for every strip */
+    ZS_SKIP_BINS = 16,    /* walking the scene again for every strip */
+    ZS_SKIP_HIDDEN = 32   /* triangles behind large ones that cover their part of a strip */
 };
 
 struct zs_config {
@@ -296,6 +297,9 @@ struct zs_config {
 #define ZS_COLOR_BYTES(width, strip_h, buffers) \
     ((uint32_t)(buffers) * ZS_ROUND4((uint32_t)(width) * (uint32_t)(strip_h) * 2u))
 #define ZS_DEPTH_BYTES(width, strip_h) ZS_ROUND4((uint32_t)(width) * (uint32_t)(strip_h) * 2u)
+#define ZS_TILE_LOG2 5
+#define ZS_TILES(width) (((uint32_t)(width) + 31u) >> ZS_TILE_LOG2)
+#define ZS_BOUND_BYTES(width) ZS_ROUND4(ZS_TILES(width) * 2u)
 #define ZS_BIN_BYTES(height, strip_h) \
     ZS_ROUND4((((uint32_t)(height) + (uint32_t)(strip_h) - 1u) / (uint32_t)(strip_h)) * 2u)
 #define ZS_TRI_BYTES(max_tris) ((uint32_t)(max_tris) * 12u)
@@ -304,7 +308,7 @@ struct zs_config {
      ZS_ROUND4((uint32_t)(max_verts) * (uint32_t)(attrs) * 2u))
 #define ZS_ARENA_BYTES(width, height, strip_h, max_tris, max_verts, attrs, buffers) \
     (ZS_COLOR_BYTES(width, strip_h, buffers) + ZS_DEPTH_BYTES(width, strip_h) + \
-     ZS_BIN_BYTES(height, strip_h) + ZS_TRI_BYTES(max_tris) + ZS_VERT_BYTES(max_verts, attrs))
+     ZS_BOUND_BYTES(width) + ZS_BIN_BYTES(height, strip_h) + ZS_TRI_BYTES(max_tris) + ZS_VERT_BYTES(max_verts, attrs))
 
 /* An arena as a static array, aligned for DMA and caches. */
 #define ZS_ARENA(name, bytes) static uint32_t name[((bytes) + 3u) / 4u] ZS_ALIGNED
@@ -327,6 +331,7 @@ struct zs_stats {
     uint32_t tris_clipped;    /* cut at near, far or guard; also in drawn or in a reject */
     uint32_t verts_transformed;
     uint32_t tris_setup;      /* wide set-ups: a triangle in a strip */
+    uint32_t tris_hidden;     /* set-ups that were saved: a triangle in a strip, behind what covers it there */
     uint32_t pixels_tested;   /* compared with the depth buffer */
     uint32_t pixels_written;  /* and nearer; 0 unless built with ZS_STATS = 1 */
     uint32_t strips;          /* drawn so far */

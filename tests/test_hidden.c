@@ -1,0 +1,153 @@
+/* Triangles that are skipped because large ones hide them: the frame is the same with and without, in any order, with
+ * equal keys, states, small pools, every mapping; and layers cost about one layer.
+ *
+ * SPDX-License-Identifier: MIT
+ */
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+
+#include <cmocka.h>
+
+#include "picture.h"
+#include "prng.h"
+
+#define QUADS_MAX 10
+#define SCALE 64 /* world units to a step of the mesh */
+
+static const struct zs_state states[] = { ZS_STATE(1, 0, 0, 0), ZS_STATE(0, 1, 0, 0), ZS_STATE(0, 0, -300, 0),
+                                          ZS_STATE(0, 0, 300, 0), ZS_STATE(1, 1, -5, 90) };
+
+static struct {
+    int16_t pos[QUADS_MAX][4][3];
+    struct zs_mesh mesh[QUADS_MAX];
+    struct zs_material material[QUADS_MAX];
+    struct zs_instance instance[QUADS_MAX];
+    struct zs_scene scene;
+    struct zs_camera camera;
+} world;
+
+/* Two triangles with an edge in common, in one of the ways to name them. */
+static const uint16_t halves[4][2][3] = { { { 0, 1, 2 }, { 0, 2, 3 } }, { { 2, 0, 1 }, { 3, 0, 2 } },
+                                          { { 0, 1, 3 }, { 1, 2, 3 } }, { { 0, 1, 2 }, { 1, 2, 3 } } /* overlap */ };
+
+static void quad(struct prng *p, uint32_t n, int32_t half, int32_t z, int32_t tilt)
+{
+    static const int sign[4][2] = { { -1, -1 }, { 1, -1 }, { 1, 1 }, { -1, 1 } };
+    const int32_t x = prng_range(p, -half / 2, half / 2), y = prng_range(p, -half / 2, half / 2);
+    for (int k = 0; k < 4; k++) {
+        world.pos[n][k][0] = (int16_t)(x + sign[k][0] * half + prng_range(p, -half / 3, half / 3));
+        world.pos[n][k][1] = (int16_t)(y + sign[k][1] * half + prng_range(p, -half / 3, half / 3));
+        world.pos[n][k][2] = (int16_t)(-z + prng_range(p, -tilt, tilt));
+    }
+}
+
+static void begin(struct prng *p, uint32_t n, int perspective)
+{
+    world.scene = (struct zs_scene){ world.instance, n, { { 0, 0, ZS_Q30_ONE }, ZS_Q16_ONE, 0 }, 0x1234 };
+    for (uint32_t i = 0; i < n; i++) {
+        world.mesh[i] = (struct zs_mesh){ .pos = (const int16_t(*)[3])world.pos[i], .tri = halves[prng_pick(p, 4)],
+                                          .n_verts = 4, .n_tris = 2, .scale = SCALE * ZS_Q16_ONE, .radius = 32767 };
+        world.material[i] = (struct zs_material){ &zs_shade_raw, { (uint8_t)(40 + 20 * i), (uint8_t)(i * 77), 99 },
+                                                  ZS_CULL_NONE };
+        world.instance[i] = (struct zs_instance){ .mesh = &world.mesh[i], .material = &world.material[i] };
+        zs_pose_identity(&world.instance[i].pose);
+    }
+    const int32_t eye[3] = { 0, 0, 0 }, at[3] = { 0, 0, -1000 }, up[3] = { 0, 1, 0 };
+    assert_int_equal(perspective ? zs_camera_perspective(&world.camera, 12000, 120, 2000, 600000)
+                                 : zs_camera_orthographic(&world.camera, 200000, 2000, 600000), ZS_OK);
+    assert_int_equal(zs_camera_look_at(&world.camera, eye, at, up), ZS_OK);
+}
+
+static uint32_t hidden_case(uint64_t seed)
+{
+    static const struct zs_depth *const depths[] = { &zs_depth_recip, &zs_depth_linear, &zs_depth_e3m13,
+                                                     &zs_depth_float, &zs_depth_e5m11 };
+    struct prng p = { seed };
+    const uint32_t n = 2 + prng_pick(&p, QUADS_MAX - 1), mapping = prng_pick(&p, 5);
+    const int perspective = mapping != 1 || prng_pick(&p, 2);
+    for (uint32_t i = 0; i < n; i++) {
+        const int32_t z = prng_range(&p, 100, 8000);
+        quad(&p, i, prng_range(&p, 200, 9000), z, prng_pick(&p, 3) ? z / 20 : z);
+    }
+    begin(&p, n, perspective);
+    for (uint32_t i = 1; i < n; i++) {
+        if (prng_pick(&p, 5) == 0) /* the one before again: equal keys everywhere */
+            world.instance[i].mesh = world.instance[i - 1].mesh;
+        if (prng_pick(&p, 6) == 0)
+            world.instance[i].state = &states[prng_pick(&p, sizeof states / sizeof states[0])];
+    }
+    struct zs_config c = picture_config(prng_range(&p, 33, 330), prng_range(&p, 10, 130), depths[mapping]);
+    c.depth_bits = (uint8_t)prng_range(&p, 8, 16);
+    c.subpixel_bits = prng_pick(&p, 2) ? 8 : 4;
+    c.skip_off = ZS_SKIP_HIDDEN;
+    struct picture plain = picture_draw(&c, &world.scene, &world.camera);
+    uint32_t hidden = 0;
+    assert_int_equal(plain.err, ZS_OK);
+    for (int k = 0; k < 3; k++) {
+        c.skip_off = (uint8_t)(prng_pick(&p, 2) ? 0 : prng_pick(&p, 32));
+        c.strip_h = (uint16_t)prng_range(&p, 1, 40);
+        if (k == 2) {
+            c.max_tris = (uint16_t)prng_range(&p, 1, 5);
+            c.max_verts = (uint16_t)prng_range(&p, 3, 12);
+        }
+        struct picture got = picture_draw(&c, &world.scene, &world.camera);
+        if (!picture_same(&plain, &got, "hidden"))
+            fail_msg("seed %llu", (unsigned long long)seed);
+        hidden += got.stats.tris_hidden > 0;
+        picture_free(&got);
+    }
+    picture_free(&plain);
+    return hidden;
+}
+
+static void the_frame_is_the_same(void **state)
+{
+    (void)state;
+    uint32_t some = 0;
+    for (uint64_t seed = 1; seed <= 1500; seed++)
+        some += hidden_case(seed);
+    print_message("hidden: triangles were skipped in %u of 4500 frames\n", some);
+    assert_true(some > 2000);
+}
+
+/* Eight layers that fill the frame, front to back, back to front and mixed: set up and tested about as one. */
+static void layers_cost_one(void **state)
+{
+    static const uint8_t order[3][8] = { { 0, 1, 2, 3, 4, 5, 6, 7 }, { 7, 6, 5, 4, 3, 2, 1, 0 },
+                                         { 3, 6, 0, 5, 7, 1, 4, 2 } };
+    (void)state;
+    for (int o = 0; o < 3; o++) {
+        struct prng p = { 5 };
+        begin(&p, 8, 1);
+        for (uint32_t i = 0; i < 8; i++) {
+            int32_t z = 1000;
+            for (int k = 0; k < order[o][i]; k++)
+                z = z * 5 / 4;
+            static const int sign[4][2] = { { -1, -1 }, { 1, -1 }, { 1, 1 }, { -1, 1 } };
+            for (int k = 0; k < 4; k++) {
+                world.pos[i][k][0] = (int16_t)(sign[k][0] * 4 * z);
+                world.pos[i][k][1] = (int16_t)(sign[k][1] * 4 * z);
+                world.pos[i][k][2] = (int16_t)(-z + sign[k][0] * z / 100);
+            }
+            world.mesh[i].tri = halves[0];
+        }
+        struct zs_config c = picture_config(320, 120, &zs_depth_float);
+        c.strip_h = 24;
+        struct picture with = picture_draw(&c, &world.scene, &world.camera);
+        c.skip_off = ZS_SKIP_HIDDEN;
+        struct picture without = picture_draw(&c, &world.scene, &world.camera);
+        assert_true(picture_same(&without, &with, "layers"));
+        assert_int_equal(without.stats.pixels_tested, 8 * 320 * 120);
+        assert_int_equal(with.stats.pixels_tested, 320 * 120);
+        picture_free(&with);
+        picture_free(&without);
+    }
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = { cmocka_unit_test(the_frame_is_the_same), cmocka_unit_test(layers_cost_one) };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
