@@ -44,9 +44,13 @@ fuzz: $(B)/.setup-fuzz
 	@$(MAKE) --no-print-directory -j2 fuzz-programs $(B)/fuzz/fuzz_mesh
 	@sh tests/fuzz/run.sh $(B) $(SECONDS) $(SEED)
 
-## bench: instructions a frame on a Cortex-M3 (counted by QEMU; needs no board)
+## bench: instructions a frame on Cortex-M3, M4, M7 and RISC-V (counted by QEMU; needs no board)
 bench: $(B)/.setup-test $(B)/gen/meshes.h
 	@sh tests/checks/bench.sh $(B)
+
+## checksums: every scene's frames on Cortex-M0 to M7, RISC-V and x86-64: one table of checksums, all the same
+checksums: $(B)/.setup-test $(B)/gen/meshes.h
+	@sh tests/scene_sums.sh $(B)
 
 ## depth: which depth mapping separates what, and what each costs on Cortex-M3 and M0
 depth: sim $(B)/.setup-test
@@ -96,7 +100,7 @@ help:
 	@echo 'Boards, BOARD=:'
 	@for mk in firmware/boards/*/board.mk; do b=$${mk%/board.mk}; \
 	    printf '    %-10s %s\n' "$${b##*/}" "$$(sed -n 's/^BOARD_ABOUT = //p' $$mk)"; done
-.PHONY: all demo test accuracy fuzz bench depth firmware pico profile sim pictures size stack check clean help \
+.PHONY: all demo test accuracy fuzz bench checksums depth firmware pico profile sim pictures size stack check clean help \
         test-programs fuzz-programs
 
 $(B)/.setup-sim:

@@ -53,6 +53,7 @@ run cli sh tests/cli.sh "$build/test/zsim" "$build/test/cli"
 run cli_texture sh tests/cli_texture.sh "$build/test/zsim" "$build/test/cli_texture"
 run panels sh tests/panels.sh "$build/test/zsim" "$build/test/panels"
 run pico sh tests/pico.sh "$build"
+run scene_sums sh tests/scene_sums.sh "$build"
 for check in wide objects kernels hal includes cplusplus stack size bench; do
     run "$check" sh "tests/checks/$check.sh" "$build"
 done
