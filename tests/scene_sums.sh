@@ -105,9 +105,12 @@ table() {
             if (f[4] + 0 > rows[k]) rows[k] = f[4] + 0
         }
         END {
-            n = split(columns, column, " "); n_short = split("gcc0 gcc3 clang0 clang3 M0 M0+ M3 M4 M7 rv32", short, " ")
+            n = split(columns, column, " ")
             printf "%-16s %5s %4s  %-16s  %-16s", "scene", "frame", "bits", "pixels", "depth keys"
-            for (i = 1; i <= n; i++) printf " %6s", short[i]
+            for (i = 1; i <= n; i++) {
+                short = column[i]; sub(/^cortex_m/, "M", short); sub(/plus$/, "+", short); sub(/_O/, "", short)
+                printf " %6s", short
+            }
             print " record"
             printf "" >differ
             for (j = 1; j <= frames; j++) {
