@@ -16,10 +16,11 @@ LIBS = -lassimp -lmeshoptimizer -lpng -lturbojpeg -lm
 # Debian packages: what the simulator is built from, and what tests and fuzzers need besides
 PKG_SIM = gcc libc6-dev libassimp-dev libmeshoptimizer-dev libpng-dev libturbojpeg0-dev
 PKG_TEST = $(PKG_SIM) g++ clang binutils libcmocka-dev gcc-arm-none-eabi \
-           libnewlib-arm-none-eabi qemu-system-arm gcc-riscv64-unknown-elf picolibc-riscv64-unknown-elf \
-           qemu-system-misc $(if $(shell command -v npm),,nodejs npm)
+           libnewlib-arm-none-eabi qemu-system-arm $(PKG_RISCV) qemu-system-misc \
+           $(if $(shell command -v npm),,nodejs npm)
 PKG_FUZZ = $(PKG_TEST) libclang-rt-14-dev
-PKG_FW = gcc libc6-dev gcc-arm-none-eabi libnewlib-arm-none-eabi gcc-riscv64-unknown-elf picolibc-riscv64-unknown-elf
+PKG_RISCV = gcc-riscv64-unknown-elf picolibc-riscv64-unknown-elf
+PKG_FW = gcc libc6-dev $(if $(filter rv32,$(BOARD)),$(PKG_RISCV),gcc-arm-none-eabi libnewlib-arm-none-eabi)
 BOARD = pico
 SCENE = teapot
 SECONDS = 600
@@ -61,7 +62,7 @@ accuracy: sim
 	@$(B)/zsim accuracy
 
 ## firmware: BOARD=pico SCENE=teapot (or mine, or APP_SCENE=my.c): what is flashed, into build/fw/pico/
-firmware: $(B)/.setup-fw $(B)/gen/meshes.h
+firmware: $(B)/.setup-fw-$(BOARD) $(B)/gen/meshes.h
 	@$(MAKE) --no-print-directory -s -f firmware/boards/firmware.mk B=$(B) BOARD=$(BOARD) APP=show SCENE=$(SCENE) \
 	    $(if $(APP_SCENE),APP_SCENE=$(APP_SCENE)) image
 
@@ -107,7 +108,7 @@ $(B)/.setup-sim:
 	@mkdir -p $(B) && .ci/setup $(PKG_SIM) && touch $@
 $(B)/.setup-test:
 	@mkdir -p $(B) && .ci/setup $(PKG_TEST) && touch $@ $(B)/.setup-sim
-$(B)/.setup-fw:
+$(B)/.setup-fw-$(BOARD):
 	@mkdir -p $(B) && .ci/setup $(PKG_FW) && touch $@
 $(B)/.setup-fuzz:
 	@mkdir -p $(B) && .ci/setup $(PKG_FUZZ) && touch $@ $(B)/.setup-test $(B)/.setup-sim

@@ -1,7 +1,7 @@
 #!/bin/sh
 # Every scene's frames on every core and compiler here: one table of their checksums, which must all be the same, and
 # those on record (tests/golden/scenes.txt). A frame that differs is drawn again, and its first differing pixel named.
-# The program is firmware/app/checksums.c; its head says what is summed up. Strip heights and pools are each column's own.
+# The program is firmware/app/checksums.c; its head says what is summed up. Strip heights and pools are a column's own.
 # Usage: tests/scene_sums.sh BUILD           from the repository's top; needs BUILD/gen
 #        tests/scene_sums.sh BUILD record    the same frames as lines for tests/golden/scenes.txt, from gcc -O0
 #        tests/scene_sums.sh BUILD column C  one column's lines into BUILD/scene_sums/C.txt
@@ -23,7 +23,8 @@ column_is() { # COLUMN
     case $1 in
     gcc_* | clang_*)
         # clang's -Wconversion asks for more than gcc's
-        board=host with="BOARD_CC=${1%_*} OPT=-${1#*_} OUT=$build/fw/host_$1 BOARD_FLAGS=-Wno-sign-conversion" memory= ;;
+        board=host memory=
+        with="BOARD_CC=${1%_*} OPT=-${1#*_} OUT=$build/fw/host_$1 BOARD_FLAGS=-Wno-sign-conversion" ;;
     cortex_m0) board=m0 memory='-DSUMS_ROWS=4 -DSUMS_ARENA=11000' ;; # 16 KB of RAM; its flash takes a scene at a time
     cortex_m0plus) board=pico memory='-DSUMS_ROWS=16 -DSUMS_ARENA=160000' ;;
     cortex_m3) board=mps2 memory=-DSUMS_ROWS=8 ;;
@@ -90,9 +91,9 @@ esac
 
 # ---- All of them -------------------------------------------------------------------------------------------------
 
-# Prints the table; $out/differ gets "column reference scene frame bits y" for each frame that differs, y the first row of
-# its first band that does, or - where the column has no such frame. The reference is the first column that agrees with
-# what is on record; where none does, the first one.
+# Prints the table; $out/differ gets "column reference scene frame bits y" for each frame that differs, y the first row
+# of its first band that does, or - where the column has no such frame. The reference is the first column that agrees
+# with what is on record; where none does, the first one.
 table() {
     (cd "$out" && awk -v columns="$COLUMNS" -v differ=differ '
         function has(c, k) { return (c, k, rows[k]) in sum }
@@ -151,7 +152,8 @@ explain() { # COLUMN
                 h = here[$1, $2, $3, $4, $5]
                 if (!(k in found) && h != p) {
                     found[k] = 1
-                    said[k] = ": rows " y[k] " to " y[k] + 7 ", x " $4 ", y " $5 ": " (h == "" ? "nothing" : h) "; " ref " has " p
+                    said[k] = ": rows " y[k] " to " y[k] + 7 ", x " $4 ", y " $5 ": " (h == "" ? "nothing" : h) "; " \
+                        ref " has " p
                 }
             }
             END { for (i = 1; i <= n; i++) print order[i] said[order[i]] }' "$out/$1.pixels" "$out/$ref.pixels"
@@ -164,8 +166,8 @@ column cortex_m0plus
 for c in cortex_m0 $COLUMNS; do echo "$c"; done | awk '$0 != "cortex_m0plus" && !n[$0]++' |
     xargs -P 2 -n 1 sh tests/scene_sums.sh "$build" column
 touch "$record" && cp "$record" "$out/record"
-echo "Checksums (FNV-1a, 64 bits) of frames: x86-64 by gcc and clang at -O0 and -O3, Cortex-M0 to M7 and RISC-V. =: the same;"
-echo "y16: differs from row 16 on, in bands of eight rows; record: $record"
+echo "Checksums (FNV-1a, 64 bits) of frames: x86-64 by gcc and clang at -O0 and -O3, Cortex-M0 to M7 and RISC-V."
+echo "=: the same; y16: differs from row 16 on, in bands of eight rows; none: no such frame; record: $record"
 table | tee "$out/table"
 n=$(($(wc -l <"$out/table") - 1))
 for name in $COLUMNS; do
@@ -173,7 +175,8 @@ for name in $COLUMNS; do
     grep -q "^$name " "$out/differ" || { ok "checksums_$name ($n frames)"; continue; }
     explain "$name" >"$out/$name.why"
     sed "s/^/$name: /" "$out/$name.why"
-    grep -q 'frames are missing' "$out/$name.why" && cat "$out/$name.sums.log" "$out/$name.sums.err" | grep -vE ',[0-9a-f]{16}$' | tail -5
+    grep -q 'frames are missing' "$out/$name.why" &&
+        cat "$out/$name.sums.log" "$out/$name.sums.err" | grep -vE ',[0-9a-f]{16}$' | tail -5
     bad "checksums_$name" "$(grep -c "^$name " "$out/differ") of $n frames differ; $(head -1 "$out/$name.why")"
 done
 differ=$(grep -c '^record ' "$out/differ")

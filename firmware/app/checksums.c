@@ -94,8 +94,8 @@ static void put_end(void)
 
 /* ---- Sinks ------------------------------------------------------------------------------------------------------ */
 
-/* sum, and one byte more. The product with the prime 2^40 + 0x1b3 is put together from 32-bit ones: Armv6-M has no other,
- * and the compiler's helper would take longer than the drawing. */
+/* sum, and one byte more. The product with the prime 2^40 + 0x1b3 is put together from 32-bit ones: Armv6-M has no
+ * other, and the compiler's helper would take longer than the drawing. */
 static uint64_t fnv1a(uint64_t sum, uint32_t byte)
 {
     const uint32_t low = (uint32_t)sum ^ byte, high = (uint32_t)(sum >> 32);
@@ -154,12 +154,12 @@ static int print_pixels(void *ctx, const struct zs_strip *s)
     return 0;
 }
 
-/* ---- Frames --------------------------------------------------------------------------------------------------------- */
+/* ---- Frames ----------------------------------------------------------------------------------------------------- */
 
 /* As many triangles as vertices, in all that strips leave. */
 static int configure(const struct demo *d, uint8_t bits)
 {
-    const uint32_t strips = ZS_ARENA_BYTES(d->width, d->height, SUMS_ROWS, 0, 0, 0, 1) + 8u; /* 8: pools are rounded up */
+    const uint32_t strips = ZS_ARENA_BYTES(d->width, d->height, SUMS_ROWS, 0, 0, 0, 1) + 8u; /* 8: pools round up */
     const uint32_t fit = strips < SUMS_ARENA ? (SUMS_ARENA - strips) / (ZS_TRI_BYTES(1) + 16u + 2u * d->attrs) : 0;
     const uint16_t pool = (uint16_t)(fit < ZS_POOL_MAX ? fit : ZS_POOL_MAX);
     const struct zs_config config = { d->width, d->height, SUMS_ROWS, pool, pool, (uint8_t)d->attrs, 1, bits, 16, 0,
@@ -197,7 +197,8 @@ static int run(void)
 #else
 static int frames_of(const struct demo *d)
 {
-    const struct look looks[] = { { d, 0, 8, -1 }, { d, d->frames / 3u, 8, -1 }, { d, d->frames * 2u / 3u, 4, -1 } };
+    const struct look looks[] = { { d, 0, 8, -1 }, { d, d->frames / 3u, 8, -1 },
+                                  { d, d->frames * 2u / 3u, 4, -1 } };
     int err = 0;
     for (uint32_t i = 0; i < 3u; i += d->bench ? 2u : 1u) /* a bench scene has one frame */
         err |= draw(&looks[i]);

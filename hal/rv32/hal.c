@@ -1,8 +1,8 @@
-/* QEMU's 32-bit RISC-V virt board for benches: text by semihosting, minstret as instruction counter, no panel (hal/null's
- * bus).
+/* QEMU's 32-bit RISC-V virt board for benches: text by semihosting, minstret as instruction counter, no panel
+ * (hal/null's bus).
  *
- * Semihosting (RISC-V, "RISC-V Semihosting"): operation in a0, its argument in a1, between two shifts of the zero register
- * that make the ebreak one; none of the three compressed, and all in one page. With -icount shift=0 QEMU's minstret (The
+ * Semihosting (RISC-V, "RISC-V Semihosting"): operation in a0, its argument in a1, and an ebreak between two shifts of
+ * the zero register; none of the three compressed, and all in one page. With -icount shift=0 QEMU's minstret (The
  * RISC-V Instruction Set Manual, volume II, 3.1.10) is exact.
  *
  * SPDX-License-Identifier: MIT

@@ -1,5 +1,5 @@
-/* How much of the stack was used: a pattern, and how far down it is gone. For cores whose stack grows downwards; the linker
- * script says where it lies.
+/* How much of the stack was used: a pattern, and how far down it is gone. For cores whose stack grows downwards; the
+ * linker script says where it lies.
  *
  * SPDX-License-Identifier: MIT
  */

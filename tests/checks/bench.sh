@@ -1,6 +1,6 @@
 #!/bin/sh
-# The bench on QEMU's Cortex-M3, M4, M7 and RISC-V beside the same program on this machine: every frame's checksum, counts
-# and pools must agree line by line. Instructions are reported, not judged; they are not cycles.
+# The bench on QEMU's Cortex-M3, M4, M7 and RISC-V beside the same program on this machine: every frame's checksum,
+# counts and pools must agree line by line. Instructions are reported, not judged; they are not cycles.
 #
 # SPDX-License-Identifier: MIT
 . "$(dirname "$0")/common.sh"
@@ -24,9 +24,9 @@ for board in host $boards; do
         exit 1
     fi
 done
-# shellcheck disable=SC2086
-printf '%s\n' host $boards | xargs -P 2 -n 1 sh -c 'timeout 300 make -s -f firmware/boards/firmware.mk BOARD="$3" APP=bench \
-    B="$1" run >"$2/$3.csv" 2>"$2/$3.err"; echo $? >"$2/$3.status"' sh "$top" "$out"
+# shellcheck disable=SC2016,SC2086
+printf '%s\n' host $boards | xargs -P 2 -n 1 sh -c 'timeout 300 make -s -f firmware/boards/firmware.mk BOARD="$3" \
+    APP=bench B="$1" run >"$2/$3.csv" 2>"$2/$3.err"; echo $? >"$2/$3.status"' sh "$top" "$out"
 for board in host $boards; do
     status=$(cat "$out/$board.status")
     cat "$out/$board.err" >>"$out/$board.csv" # QEMU's semihosting may write to either

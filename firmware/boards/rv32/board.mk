@@ -1,5 +1,5 @@
-# QEMU's virt board with one RISC-V hart, rv32imc in machine mode: any instruction beyond i, m, c (and the CSRs') traps. To
-# count and to check, without a panel. C library: picolibc.
+# QEMU's virt board with one RISC-V hart, rv32imc in machine mode: any instruction beyond i, m, c (and the CSRs') traps.
+# To count and to check, without a panel. C library: picolibc.
 BOARD_ABOUT = RISC-V in QEMU (virt, rv32imc), to count instructions; no panel
 BOARD_CC = riscv64-unknown-elf-gcc
 BOARD_CPU = -march=rv32imc -mabi=ilp32 -msmall-data-limit=0 --specs=picolibc.specs
