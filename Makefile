@@ -16,9 +16,11 @@ LIBS = -lassimp -lmeshoptimizer -lpng -lturbojpeg -lm
 # Debian packages: what the simulator is built from, and what tests and fuzzers need besides
 PKG_SIM = gcc libc6-dev libassimp-dev libmeshoptimizer-dev libpng-dev libturbojpeg0-dev
 PKG_TEST = $(PKG_SIM) g++ clang binutils libcmocka-dev gcc-arm-none-eabi \
-           libnewlib-arm-none-eabi qemu-system-arm $(if $(shell command -v npm),,nodejs npm)
+           libnewlib-arm-none-eabi qemu-system-arm $(PKG_RISCV) qemu-system-misc \
+           $(if $(shell command -v npm),,nodejs npm)
 PKG_FUZZ = $(PKG_TEST) libclang-rt-14-dev
-PKG_FW = gcc libc6-dev gcc-arm-none-eabi libnewlib-arm-none-eabi
+PKG_RISCV = gcc-riscv64-unknown-elf picolibc-riscv64-unknown-elf
+PKG_FW = gcc libc6-dev $(if $(filter rv32,$(BOARD)),$(PKG_RISCV),gcc-arm-none-eabi libnewlib-arm-none-eabi)
 BOARD = pico
 SCENE = teapot
 SECONDS = 600
@@ -43,9 +45,13 @@ fuzz: $(B)/.setup-fuzz
 	@$(MAKE) --no-print-directory -j2 fuzz-programs $(B)/fuzz/fuzz_mesh
 	@sh tests/fuzz/run.sh $(B) $(SECONDS) $(SEED)
 
-## bench: instructions a frame on a Cortex-M3 (counted by QEMU; needs no board)
+## bench: instructions a frame on Cortex-M3, M4, M7 and RISC-V (counted by QEMU; needs no board)
 bench: $(B)/.setup-test $(B)/gen/meshes.h
 	@sh tests/checks/bench.sh $(B)
+
+## checksums: every scene's frames on Cortex-M0 to M7, RISC-V and x86-64: one table of checksums, all the same
+checksums: $(B)/.setup-test $(B)/gen/meshes.h
+	@sh tests/scene_sums.sh $(B)
 
 ## depth: which depth mapping separates what, and what each costs on Cortex-M3 and M0
 depth: sim $(B)/.setup-test
@@ -56,7 +62,7 @@ accuracy: sim
 	@$(B)/zsim accuracy
 
 ## firmware: BOARD=pico SCENE=teapot (or mine, or APP_SCENE=my.c): what is flashed, into build/fw/pico/
-firmware: $(B)/.setup-fw $(B)/gen/meshes.h
+firmware: $(B)/.setup-fw-$(BOARD) $(B)/gen/meshes.h
 	@$(MAKE) --no-print-directory -s -f firmware/boards/firmware.mk B=$(B) BOARD=$(BOARD) APP=show SCENE=$(SCENE) \
 	    $(if $(APP_SCENE),APP_SCENE=$(APP_SCENE)) image
 
@@ -95,14 +101,14 @@ help:
 	@echo 'Boards, BOARD=:'
 	@for mk in firmware/boards/*/board.mk; do b=$${mk%/board.mk}; \
 	    printf '    %-10s %s\n' "$${b##*/}" "$$(sed -n 's/^BOARD_ABOUT = //p' $$mk)"; done
-.PHONY: all demo test accuracy fuzz bench depth firmware pico profile sim pictures size stack check clean help \
+.PHONY: all demo test accuracy fuzz bench checksums depth firmware pico profile sim pictures size stack check clean help \
         test-programs fuzz-programs
 
 $(B)/.setup-sim:
 	@mkdir -p $(B) && .ci/setup $(PKG_SIM) && touch $@
 $(B)/.setup-test:
 	@mkdir -p $(B) && .ci/setup $(PKG_TEST) && touch $@ $(B)/.setup-sim
-$(B)/.setup-fw:
+$(B)/.setup-fw-$(BOARD):
 	@mkdir -p $(B) && .ci/setup $(PKG_FW) && touch $@
 $(B)/.setup-fuzz:
 	@mkdir -p $(B) && .ci/setup $(PKG_FUZZ) && touch $@ $(B)/.setup-test $(B)/.setup-sim

@@ -3,6 +3,7 @@
 # the simulator draws; what a frame takes.
 # Usage: tests/pico.sh BUILD          from the repository's top; BUILD/zsim and BUILD/gen
 #        tests/pico.sh BUILD table    the table alone
+#        tests/pico.sh BUILD set-up   the emulator alone, in BUILD/pico
 #        tests/pico.sh BUILD profile  cycles a frame by function, of the scenes in PICO_SCENES
 #
 # `ok NAME` or `FAILED NAME: reason` a test; images, streams and pictures stay in BUILD/pico and BUILD/fw/pico.
@@ -222,6 +223,7 @@ by_the_clock() {
 }
 
 set_up
+[ "$only" = set-up ] && exit 0
 if [ "$only" = profile ]; then
     for scene in $SCENES; do
         image APP=show SCENE="$scene"

@@ -70,7 +70,7 @@ int main(void)
 }
 MAIN
 gcc -std=c11 -Wall -Wextra -Werror -Wconversion -Ifirmware/zstrip -Ihal -Ihal/panel -I"$out" "$out/panel_main.c" \
-    firmware/zstrip/*.c hal/panel/*.c hal/null/hal.c -o "$out/panel_example"
+    firmware/zstrip/*.c hal/panel/*.c hal/null/*.c -o "$out/panel_example"
 said=$("$out/panel_example")
 [ "$said" = "0 15" ] && echo "ok readme_panel_example" || echo "FAILED readme_panel_example: $said"
 

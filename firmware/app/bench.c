@@ -43,11 +43,8 @@ static void put_number(uint64_t v)
 
 static void put_hex(uint64_t v)
 {
-    char digits[17];
-    for (int i = 15; i >= 0; i--, v >>= 4)
-        digits[i] = "0123456789abcdef"[v & 15u];
-    digits[16] = '\0';
-    hal_write(digits);
+    char room[HEX_CHARS];
+    hal_write(number_hex(room, v));
 }
 
 static void put_field(uint64_t v)

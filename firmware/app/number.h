@@ -8,6 +8,7 @@
 #include <stdint.h>
 
 #define NUMBER_CHARS 21u /* of the longest, its NUL included */
+#define HEX_CHARS 17u
 
 /* Decimal digits of v, ending with a NUL at the end of room. Return where they begin. */
 static inline const char *number_text(char room[NUMBER_CHARS], uint64_t v)
@@ -19,6 +20,15 @@ static inline const char *number_text(char room[NUMBER_CHARS], uint64_t v)
         v /= 10u;
     } while (v);
     return at;
+}
+
+/* The 16 hexadecimal digits of v and a NUL. Return room. */
+static inline const char *number_hex(char room[HEX_CHARS], uint64_t v)
+{
+    room[16] = '\0';
+    for (int i = 15; i >= 0; i--, v >>= 4)
+        room[i] = "0123456789abcdef"[v & 15u];
+    return room;
 }
 
 #endif

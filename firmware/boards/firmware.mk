@@ -2,7 +2,7 @@
 # From the repository's top. Lands in $(B)/fw/$(BOARD)/$(APP).elf. Needs the meshes in $(B)/gen.
 #
 # APP=show SCENE=teapot, or APP_SCENE=path/to/scene.c: the show of that scene, $(B)/fw/$(BOARD)/teapot.elf (scene.elf)
-# NAME=name APP_SRC=files [EXTRA=objects]: any other program
+# NAME=name APP_SRC=files [APP_FLAGS=flags] [EXTRA=objects]: any other program
 # DEFINES='-DPIN_RESET=14 -DSPI_DIVIDER=4': what sources leave to the compiler's -D, before what the board says of them;
 #   another choice compiles all anew
 #
@@ -67,6 +67,7 @@ CFLAGS = -std=c11 $(BOARD_CPU) $(OPT) -g -ffunction-sections -fdata-sections -MM
 # Notes of what was built last, written anew where that changes: objects and images are as old as these
 note = $(shell mkdir -p $(dir $1); echo '$2' | cmp -s - $1 || echo '$2' >$1)$1
 DEFINED := $(call note,$(OUT)/defines,$(DEFINES))
+FLAGGED := $(call note,$(OUT)/of-$(NAME)/flags,$(APP_FLAGS))
 LINKED := $(call note,$(OUT)/of-$(NAME)/objects,$(OBJ) $(EXTRA))
 
 .DELETE_ON_ERROR:
@@ -74,7 +75,7 @@ run: $(ELF)
 	@$(BOARD_RUN) $(ELF)
 $(ELF): $(OBJ) $(EXTRA) $(BOARD_DEPS) $(LINKED)
 	$(BOARD_CC) $(BOARD_CPU) $(OPT) -Wl,--gc-sections $(BOARD_LINK) $(OBJ) $(EXTRA) -o $@
-$(OUT)/of-$(NAME)/%.o: %.c firmware/boards/$(BOARD)/board.mk $(DEFINED)
+$(OUT)/of-$(NAME)/%.o: %.c firmware/boards/$(BOARD)/board.mk $(DEFINED) $(FLAGGED)
 	@mkdir -p $(@D)
 	$(BOARD_CC) $(CFLAGS) $(APP_FLAGS) -c $< -o $@
 $(OUT)/%.o: %.c firmware/boards/$(BOARD)/board.mk $(DEFINED)

@@ -1,6 +1,5 @@
 /* What HALs of Cortex-M boards share; each board.mk names the files that it takes.
  *
- *   stack.c     hal_stack_paint, hal_stack_used: between __stack_limit and __stack_top of the linker script
  *   systick.c   hal_ticks, from SysTick on the core's clock, extended to 64 bits by its interrupt
  *   semihost.c  hal_write, hal_exit and the hard fault, by semihosting: QEMU, or a debugger that offers it. Without
  *               either, the first call is a fault

@@ -1,5 +1,6 @@
 # Cortex-M boards with SysTick; a board.mk that includes this may add to each
 BOARD_CC = arm-none-eabi-gcc
-BOARD_SRC = firmware/boards/cortexm/startup.c hal/cortexm/stack.c hal/cortexm/systick.c
-BOARD_DEPS = firmware/boards/$(BOARD)/$(BOARD).ld firmware/boards/cortexm/sections.ld
-BOARD_LINK = -T firmware/boards/$(BOARD)/$(BOARD).ld -Lfirmware/boards -nostartfiles
+BOARD_SRC = firmware/boards/cortexm/startup.c hal/stack/stack.c hal/cortexm/systick.c
+BOARD_LD = firmware/boards/$(BOARD)/$(BOARD).ld
+BOARD_DEPS = $(BOARD_LD) firmware/boards/cortexm/sections.ld
+BOARD_LINK = -T $(BOARD_LD) -Lfirmware/boards -nostartfiles

@@ -6,7 +6,7 @@
  */
 #include <stdint.h>
 
-#define PAINT 0xa5a5a5a5u /* what hal/cortexm/stack.c looks for */
+#define PAINT 0xa5a5a5a5u /* what hal/stack/stack.c looks for */
 
 /* From sections.ld. */
 extern uint32_t __data_load[], __data_start[], __data_end[], __bss_start[], __bss_end[];
