@@ -18,11 +18,12 @@ extern struct stm32f4_clocks stm32f4_clocks;
 /* 168 MHz if the PLL locks, clocks of what is used on. */
 void stm32f4_clocks_start(void);
 
-/* Put a pin to an alternate function, 0 .. 15, edges for 42 MHz. Before, it is an input. */
+/* Put a pin (pins.h) to an alternate function, 0 .. 15, with edges for 42 MHz. */
 void stm32f4_pin_alternate(uint32_t pin, uint32_t function);
 
-/* Make a pin an output that is high, without a pulse. */
+/* Make a pin an output that is high; it does not pulse. */
 void stm32f4_pin_output(uint32_t pin);
+
 void stm32f4_pin_set(uint32_t pin, int high);
 
 /* Pins, SPI1, DMA and deadline of the panel's bus. */

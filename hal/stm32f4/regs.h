@@ -28,6 +28,7 @@
 #define RCC_APB2ENR REG(0x40023844u)
 #define RCC_PLL_ON (1u << 24)
 #define RCC_PLL_READY (1u << 25)
+#define RCC_PLL_RESERVED 0xf0bc8000u
 #define RCC_PLL_M(n) (n)
 #define RCC_PLL_N(n) ((n) << 6)
 #define RCC_PLL_P(n) (((n) / 2u - 1u) << 16)
