@@ -79,7 +79,8 @@ pll_hz 168000000
 apb1_hz 42000000
 apb2_hz 84000000
 wait_states 5
-caches 7'
+caches 7
+backlight 255'
     } >"$out/$1.bad"
     verdict "stm32f405_$1_pictures" "$(first "$out/$1.bad")"
     # shellcheck disable=SC2086

@@ -1,5 +1,5 @@
-# STM32F405RG: Cortex-M4 at 168 MHz, 1 MB of flash, 128 KB of RAM. The wiring: hal/stm32f4/pins.h. Strips of 40 rows, so
-# that two of them, the depth of one and the pools leave room; the vertices of flyover take more than one pass.
+# STM32F405RG: Cortex-M4 at 168 MHz, 1 MB of flash, 128 KB of RAM. The wiring: hal/stm32f4/pins.h. Strips of 40 rows and
+# 3200 vertices leave room for the pools of every scene; flyover asks for more, and may take a second pass.
 BOARD_ABOUT = STM32F405 (Pyboard, Feather STM32F405): Cortex-M4; ST7789 240x240
 BOARD_FLASH = 1048576
 BOARD_RAM = 131072
