@@ -26,6 +26,7 @@ const APB2ENR = RCC + 0x44;
 const CR1 = SPI1, CR2 = SPI1 + 4, SR = SPI1 + 8, DR = SPI1 + 12, USART_DR = USART6 + 4;
 const LIFCR = DMA2 + 0x08, S3CR = DMA2 + 0x58, S3NDTR = DMA2 + 0x5c, S3PAR = DMA2 + 0x60, S3M0AR = DMA2 + 0x64;
 const S3FCR = DMA2 + 0x6c;
+const NVIC_ISER1 = 0xe000e104; // Armv7-M manual, B3.4
 const A = 0, C = 2; // ports
 const PIN = { // as in hal/stm32f4/pins.h
     cs: [A, 4], dc: [A, 6], reset: [C, 4], sck: [A, 5], mosi: [A, 7], backlight: [C, 7], text: [C, 6],
@@ -174,6 +175,15 @@ function check_light() {
 
 // ---- DMA2, stream 3: each start, and whether the steps before it are those of RM0090, 10.3.17
 
+// TIM5 runs by 1 MHz, once, and may interrupt, as the DMA may (interrupts 50 and 59).
+function check_deadline() {
+    const is = [0, 0x0c, 0x28].map((at) => last.get(TIM5 + at));
+    if (!field(APB1ENR, 3, 1) || `${is}` !== `${[0x0d, 1, 15]}`)
+        problem(`TIM5: CR1, DIER, PSC ${is}`);
+    if (!field(NVIC_ISER1, 18, 1) || !field(NVIC_ISER1, 27, 1))
+        problem('interrupts of TIM5 and DMA2_S3 are not enabled');
+}
+
 const starts = [];
 let steps = [];
 
@@ -192,6 +202,9 @@ function dma(address, value) {
     // channel 3, priority high, bytes to bytes, memory steps, memory to peripheral, interrupts of end and of error
     if (value !== (3 << 25 | 2 << 16 | 1 << 10 | 1 << 6 | 1 << 4 | 1 << 2 | 1))
         problem(`DMA2_S3CR ${value.toString(16)}`);
+    if (!field(AHB1ENR, 22, 1))
+        problem('DMA2 has no clock');
+    check_deadline();
     if (level.cs || !level.dc)
         problem('DMA2_S3 is started without CS low and D/C high');
     starts.push({ from: by.get(S3M0AR), n: by.get(S3NDTR), asked: false });
