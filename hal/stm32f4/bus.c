@@ -1,7 +1,7 @@
 /* STM32F405: the panel's bus. SPI1 carries it; pixels go by DMA2, which ends in an interrupt; commands are polled.
  *
- * Frames of 8 bits, for pixels too: their more significant byte comes first in memory and on the wire, frames of 16 bits
- * would swap the two, and this DMA has no swap. SPI1 sends without gaps if the DMA brings a byte in 32 cycles of
+ * Frames of 8 bits, for pixels too: their more significant byte comes first in memory and on the wire; frames of 16
+ * bits would swap the two, and this DMA has no swap. SPI1 sends without gaps if the DMA brings a byte in 32 cycles of
  * the core. It sends only: the bidirectional mode receives nothing, so that nothing overruns.
  *
  * A transfer ends in one of two interrupts, of equal priority, so that neither comes between the other's lines: the
@@ -11,10 +11,11 @@
  * DMA2 reads SRAM and flash. It does not reach the 64 KB of CCM at 0x10000000 (RM0090, 2.1): pixels there fail with
  * HAL_ERR_BUS.
  *
- * What an emulator cannot tell: QEMU's netduinoplus2 has no DMA. Built with -DSPI_DMA=0 pixels are polled; what is
- * written to the DMA's registers by the build that is flashed is compared with the manual there, and TIM5's end of a
- * transfer that never ends is run; the DMA's own end (DMA2_Stream3_Handler), its errors, edges and slew of the pins, and
- * the waits for TXE and BSY, which are always over at once there, are not.
+ * What an emulator cannot tell: QEMU's netduinoplus2 has no DMA, its SPI1 is never busy and its pins go nowhere. Pictures
+ * are taken there from images with -DSPI_DMA=0, which poll. Of the DMA, tests see that it is told what the manual
+ * wants, that TIM5 ends what never ends, and, with a stream of their own, what its interrupt does; not that the real
+ * one sends, that SPI1 has no gaps, that waiting for TXE and BSY ends when the last bit is out, or what edges and slew
+ * the pins have.
  *
  * SPDX-License-Identifier: MIT
  */

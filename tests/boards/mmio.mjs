@@ -1,18 +1,18 @@
 // node mmio.mjs IMAGE.elf --until TEXT [--seconds N] [--frame BYTES] [--stream FILE] [--reads 1]
 //
 // Boots an image in QEMU's netduinoplus2 (STM32F405) and follows what it writes to registers, by QEMU's trace of its
-// memory-mapped devices, until its USART6 has said a line with TEXT (or --seconds, 30, have passed: a problem). GPIO writes give the
-// levels of the panel's pins, SPI1's data register the bytes, in order. Prints "name value" lines: what the clock's, pins'
-// and SPI1's registers say, the transfers by DMA (which QEMU does not run), the text of the USART after "text", what broke
-// the rules of the wire after "problem".
+// memory-mapped devices, until its USART6 has said a line with TEXT (or --seconds, 30, have passed: a problem). GPIO
+// writes give the levels of the panel's pins, SPI1's data register the bytes, in order. Prints "name value" lines: what
+// the registers of clock, pins and SPI1 say, the transfers by DMA (which QEMU does not run), the text of the USART
+// after "text", what broke the rules of the wire after "problem".
 //
-// --stream  FILE gets what went over the wire: a little-endian uint16 for each byte, bits 0-7 the byte, bit 8 D/C; marks:
-//           bit 9 RESET went low, bit 10 a picture ends here, bit 11 CS went high. A picture is --frame bytes after
-//           memory-write commands; the first is the driver's black, and has no mark.
+// --stream  FILE gets what went over the wire: a little-endian uint16 for each byte, bits 0-7 the byte, bit 8 D/C;
+//           marks: bit 9 RESET went low, bit 10 a picture ends here, bit 11 CS went high. A picture is --frame bytes
+//           after memory-write commands; the first is the driver's black, and has no mark.
 // --reads   follow reads, too (slow): pins of the panel move only after SPI1's status was read since the last byte.
 //
-// The registers of RCC, flash, GPIO and DMA are not QEMU's: they read 0, so that a read-modify-write writes what it adds.
-// Fields are taken or-ed from all writes for that reason. Time does not pass on this wire: SPI1 is never busy.
+// The registers of RCC, flash, GPIO and DMA are not QEMU's: they read 0, so that a read-modify-write writes what it
+// adds. Fields are taken or-ed from all writes for that reason. Time does not pass on this wire: SPI1 is never busy.
 //
 // SPDX-License-Identifier: MIT
 import { spawn } from 'node:child_process';
