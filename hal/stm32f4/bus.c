@@ -11,11 +11,11 @@
  * DMA2 reads SRAM and flash. It does not reach the 64 KB of CCM at 0x10000000 (RM0090, 2.1): pixels there fail with
  * HAL_ERR_BUS.
  *
- * What an emulator cannot tell: QEMU's netduinoplus2 has no DMA, its SPI1 is never busy and its pins go nowhere. Pictures
- * are taken there from images with -DSPI_DMA=0, which poll. Of the DMA, tests see that it is told what the manual
- * wants, that TIM5 ends what never ends, and, with a stream of their own, what its interrupt does; not that the real
- * one sends, that SPI1 has no gaps, that waiting for TXE and BSY ends when the last bit is out, or what edges and slew
- * the pins have.
+ * What an emulator cannot tell: QEMU's netduinoplus2 has no DMA, its SPI1 is never busy and its pins go nowhere.
+ * Pictures are taken there from images with -DSPI_DMA=0, which poll. Of the DMA, tests see that it is told what the
+ * manual wants, that TIM5 ends what never ends, and, with a stream of their own, what its interrupt does; not that the
+ * real one sends, that SPI1 has no gaps, that waiting for TXE and BSY ends when the last bit is out, or what edges and
+ * slew the pins have.
  *
  * SPDX-License-Identifier: MIT
  */
