@@ -13,6 +13,8 @@
  * SPDX-License-Identifier: MIT
  */
 #include "hal.h"
+
+#include "cortexm.h"
 #include "parts.h"
 #include "pins.h"
 #include "regs.h"
@@ -198,17 +200,6 @@ static int data(struct hal_bus *bus, const uint8_t *bytes, uint32_t n)
     return HAL_OK;
 }
 
-/* Sleep until an interrupt, unless the transfer has ended. Interrupts are off from the question to the sleep, so that
- * the one that matters cannot come between; one that is pending ends the sleep (Armv6-M manual, B1.5.18) and runs
- * as soon as they are on. */
-static void sleep_while_running(void)
-{
-    __asm__ volatile("cpsid i" ::: "memory");
-    if (running)
-        __asm__ volatile("wfi" ::: "memory");
-    __asm__ volatile("cpsie i" ::: "memory");
-}
-
 static int wait(struct hal_bus *bus)
 {
     if (!begun)
@@ -217,7 +208,7 @@ static int wait(struct hal_bus *bus)
         if (bus->hooks.idle)
             bus->hooks.idle(bus->hooks.ctx);
         else
-            sleep_while_running();
+            cortexm_sleep_while(&running);
     }
     begun = 0;
     return outcome;

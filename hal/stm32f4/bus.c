@@ -1,0 +1,305 @@
+/* STM32F405: the panel's bus. SPI1 carries it; pixels go by DMA2, which ends in an interrupt; commands are polled.
+ *
+ * Frames of 8 bits, for pixels too: their more significant byte comes first in memory and on the wire; frames of 16
+ * bits would swap the two, and this DMA has no swap. SPI1 sends without gaps if the DMA brings a byte in 32 cycles of
+ * the core. It sends only: the bidirectional mode receives nothing, so that nothing overruns.
+ *
+ * A transfer ends in one of two interrupts, of equal priority, so that neither comes between the other's lines: the
+ * DMA's, which then sees the last two bytes leave (0.4 us at 42 MHz), or TIM5's, when twice the transfer's time and a
+ * millisecond have passed. After a failure SPI1 is reset: whatever it held is gone.
+ *
+ * DMA2 reads SRAM and flash. It does not reach the 64 KB of CCM at 0x10000000 (RM0090, 2.1): pixels there fail with
+ * HAL_ERR_BUS.
+ *
+ * What an emulator cannot tell: QEMU's netduinoplus2 has no DMA, its SPI1 is never busy and its pins go nowhere.
+ * Pictures are taken there from images with -DSPI_DMA=0, which poll. Of the DMA, tests see that it is told what the
+ * manual wants, that TIM5 ends what never ends, and, with a stream of their own, what its interrupt does; not that the
+ * real one sends, that SPI1 has no gaps, that waiting for TXE and BSY ends when the last bit is out, or what edges and
+ * slew the pins have.
+ *
+ * SPDX-License-Identifier: MIT
+ */
+#include "hal.h"
+
+#include "cortexm.h"
+#include "parts.h"
+#include "pins.h"
+#include "regs.h"
+
+#define RESET_US 10000u /* controllers want 10 us; modules may have a capacitor on the line */
+#define SPINS 20000u    /* of some eight cycles: a millisecond, for what takes microseconds */
+
+#define DIVIDER_BITS                                                                                        \
+    (SPI_DIVIDER == 2 ? 0u : SPI_DIVIDER == 4 ? 1u : SPI_DIVIDER == 8 ? 2u : SPI_DIVIDER == 16 ? 3u         \
+     : SPI_DIVIDER == 32 ? 4u : SPI_DIVIDER == 64 ? 5u : SPI_DIVIDER == 128 ? 6u : 7u)
+_Static_assert(SPI_DIVIDER == 2 << DIVIDER_BITS, "SPI_DIVIDER: 2, 4, 8, 16, 32, 64, 128 or 256");
+_Static_assert(SPI_MODE == 0 || SPI_MODE == 3, "SPI_MODE: 0 or 3");
+_Static_assert(PIN_SCK == PA5 || PIN_SCK == PB3, "PIN_SCK: PA5 or PB3");
+_Static_assert(PIN_MOSI == PA7 || PIN_MOSI == PB5, "PIN_MOSI: PA7 or PB5");
+
+#define SPI_SET_UP                                                                             \
+    (SPI_ON | SPI_MASTER | SPI_SELECTED | SPI_SEND_ONLY | SPI_BR(DIVIDER_BITS) |               \
+     (SPI_MODE == 3 ? SPI_CPOL | SPI_CPHA : 0u))
+#define STREAM_SET_UP                                                                          \
+    (DMA_CHANNEL(3u) | DMA_PRIORITY_HIGH | DMA_MEMORY_STEPS | DMA_TO_PERIPHERAL | DMA_COMPLETE_IRQ | DMA_ERROR_IRQ)
+#define DEADLINE_HZ 1000000u
+
+typedef void (*handler)(void);
+void DMA2_Stream3_Handler(void);
+void TIM5_Handler(void);
+
+/* From IRQ 0 on; the others are never enabled. */
+__attribute__((section(".device_vectors"), used)) static const handler device_vectors[IRQ_DMA2_STREAM3 + 1u] = {
+    [IRQ_TIM5] = TIM5_Handler, [IRQ_DMA2_STREAM3] = DMA2_Stream3_Handler
+};
+
+static struct hal_bus the_bus;
+
+static uint8_t ready;             /* stm32f4_bus_start was called */
+static uint8_t begun;             /* from data until wait */
+static volatile uint8_t running;  /* from data until an interrupt ends it */
+static volatile int16_t outcome;  /* enum hal_err, of the transfer that has ended */
+static const uint8_t *next;       /* what the DMA has not been given yet */
+static uint32_t left;             /* bytes of it */
+
+/* ---- SPI1 ---------------------------------------------------------------------------------------------- */
+
+static void spi_start(void)
+{
+    RCC_APB2RSTR |= RCC_SPI1;
+    RCC_APB2RSTR &= ~RCC_SPI1;
+    SPI1_CR2 = 0;
+    SPI1_CR1 = SPI_SET_UP;
+}
+
+static int becomes(uint32_t mask, uint32_t value)
+{
+    for (uint32_t i = 0; i < SPINS; i++)
+        if ((SPI1_SR & mask) == value)
+            return 1;
+    return 0;
+}
+
+/* Until the last bit is out. 28.3.8: first TXE, as BSY rises some cycles after a byte was written. */
+static int drain(void)
+{
+    return becomes(SPI_ROOM, SPI_ROOM) && becomes(SPI_BUSY, 0) ? HAL_OK : HAL_ERR_TIMEOUT;
+}
+
+static int send_polled(const uint8_t *bytes, uint32_t n)
+{
+    for (uint32_t i = 0; i < n; i++) {
+        if (!becomes(SPI_ROOM, SPI_ROOM))
+            return HAL_ERR_TIMEOUT;
+        SPI1_DR = bytes[i];
+    }
+    return drain();
+}
+
+static void select_panel(void)
+{
+    stm32f4_pin_set(PIN_CS, 0);
+}
+
+static void release_panel(void)
+{
+    stm32f4_pin_set(PIN_CS, 1);
+    stm32f4_pin_set(PIN_DC, 1);
+}
+
+/* ---- A transfer by DMA -------------------------------------------------------------------------------------- */
+
+/* 10.3.17: a stream is off before it is set up, and all its flags are cleared. */
+static void stream_stop(void)
+{
+    DMA_S3CR = 0;
+    for (uint32_t i = 0; i < SPINS && (DMA_S3CR & DMA_EN); i++) {
+    }
+    DMA_LIFCR = DMA_S3_FLAGS;
+}
+
+/* The next piece: the DMA counts to 65535. Bytes to bytes, without its FIFO. */
+static void stream_start(void)
+{
+    const uint32_t n = left < DMA_ITEMS_MAX ? left : DMA_ITEMS_MAX;
+    stream_stop();
+    DMA_S3PAR = (uint32_t)(uintptr_t)&SPI1_DR;
+    DMA_S3M0AR = (uint32_t)(uintptr_t)next;
+    DMA_S3NDTR = n;
+    DMA_S3FCR = 0;
+    DMA_S3CR = STREAM_SET_UP;
+    DMA_S3CR = STREAM_SET_UP | DMA_EN;
+    next += n;
+    left -= n;
+}
+
+/* 18.3.10: TIM5 counts up once and stops, with its interrupt. */
+static void deadline_set(uint32_t us)
+{
+    TIM5_ARR = us;
+    TIM5_EGR = TIM_UPDATE; /* counts from 0 */
+    TIM5_SR = 0;
+    TIM5_CR1 = TIM_ONE_PULSE | TIM_NO_UPDATE_BY_UG | TIM_ON;
+}
+
+static void deadline_clear(void)
+{
+    TIM5_CR1 = TIM_ONE_PULSE | TIM_NO_UPDATE_BY_UG;
+    TIM5_SR = 0;
+}
+
+static void end(int err)
+{
+    deadline_clear();
+    SPI1_CR2 = 0;
+    if (err) {
+        stream_stop();
+        spi_start();
+    }
+    release_panel();
+    outcome = (int16_t)err;
+    running = 0;
+    if (the_bus.hooks.done)
+        the_bus.hooks.done(the_bus.hooks.ctx);
+}
+
+void DMA2_Stream3_Handler(void)
+{
+    const uint32_t flags = DMA_LISR;
+    DMA_LIFCR = flags & DMA_S3_FLAGS;
+    if (!running) /* TIM5 ended it while this interrupt was pending */
+        return;
+    if (flags & DMA_S3_ERROR) /* 10.3.18: the stream has stopped there */
+        end(HAL_ERR_BUS);
+    else if (flags & DMA_S3_COMPLETE && left)
+        stream_start();
+    else if (flags & DMA_S3_COMPLETE)
+        end(drain());
+}
+
+void TIM5_Handler(void)
+{
+    const uint32_t flags = DMA_LISR;
+    TIM5_SR = 0;
+    if (!running || flags & DMA_S3_ERROR || (flags & DMA_S3_COMPLETE && !left)) /* ended, or about to be */
+        return;
+    end(HAL_ERR_TIMEOUT);
+}
+
+/* Twice the time of n bytes on the wire and a millisecond. */
+static uint32_t deadline_us(uint32_t n)
+{
+    return 1000u + (uint32_t)((uint64_t)n * (16u * SPI_DIVIDER) / (stm32f4_clocks.apb2 / 1000000u));
+}
+
+/* ---- The bus --------------------------------------------------------------------------------------------------- */
+
+static int command(struct hal_bus *bus, uint8_t code, const uint8_t *args, uint32_t n)
+{
+    (void)bus;
+    if (n && !args)
+        return HAL_ERR_ARG;
+    if (!ready || begun)
+        return HAL_ERR_STATE;
+    stm32f4_pin_set(PIN_DC, 0);
+    select_panel();
+    int err = send_polled(&code, 1);
+    if (!err && n) {
+        stm32f4_pin_set(PIN_DC, 1);
+        err = send_polled(args, n);
+    }
+    if (err)
+        spi_start();
+    release_panel();
+    return err;
+}
+
+static int begin_by_dma(const uint8_t *bytes, uint32_t n)
+{
+    begun = running = 1;
+    next = bytes;
+    left = n;
+    deadline_set(deadline_us(n));
+    stream_start();
+    SPI1_CR2 = SPI_DMA_TX;
+    return HAL_OK;
+}
+
+static int send_at_once(const uint8_t *bytes, uint32_t n)
+{
+    begun = 1;
+    end(send_polled(bytes, n));
+    return HAL_OK;
+}
+
+static int data(struct hal_bus *bus, const uint8_t *bytes, uint32_t n)
+{
+    (void)bus;
+    if (!bytes || !n)
+        return HAL_ERR_ARG;
+    if (!ready || begun)
+        return HAL_ERR_STATE;
+    select_panel();
+    return SPI_DMA ? begin_by_dma(bytes, n) : send_at_once(bytes, n);
+}
+
+static int wait(struct hal_bus *bus)
+{
+    if (!begun)
+        return HAL_OK;
+    while (running) {
+        if (bus->hooks.idle)
+            bus->hooks.idle(bus->hooks.ctx);
+        else
+            cortexm_sleep_while(&running);
+    }
+    begun = 0;
+    return outcome;
+}
+
+static void pause_us(uint32_t us)
+{
+    const uint64_t ticks = (uint64_t)us * (stm32f4_clocks.core / 1000000u), from = hal_ticks();
+    while (hal_ticks() - from <= ticks) {
+    }
+}
+
+static int reset(struct hal_bus *bus)
+{
+    (void)bus;
+    if (!ready || begun)
+        return HAL_ERR_STATE;
+    stm32f4_pin_set(PIN_RESET, 0);
+    pause_us(RESET_US);
+    stm32f4_pin_set(PIN_RESET, 1);
+    return HAL_OK;
+}
+
+static void delay(struct hal_bus *bus, uint32_t us)
+{
+    (void)bus;
+    pause_us(us);
+}
+
+static struct hal_bus the_bus = { command, data, wait, reset, delay, { 0 } };
+
+struct hal_bus *hal_bus(void)
+{
+    return &the_bus;
+}
+
+void stm32f4_bus_start(void)
+{
+    stm32f4_pin_output(PIN_CS);
+    stm32f4_pin_output(PIN_DC);
+    stm32f4_pin_output(PIN_RESET);
+    spi_start();
+    stm32f4_pin_alternate(PIN_SCK, AF_SPI1);
+    stm32f4_pin_alternate(PIN_MOSI, AF_SPI1);
+    TIM5_PSC = stm32f4_clocks.timers / DEADLINE_HZ - 1u;
+    TIM5_DIER = TIM_UPDATE;
+    deadline_clear();
+    NVIC_ISER(IRQ_TIM5) = NVIC_BIT(IRQ_TIM5);
+    NVIC_ISER(IRQ_DMA2_STREAM3) = NVIC_BIT(IRQ_DMA2_STREAM3);
+    ready = 1;
+}
