@@ -35,6 +35,7 @@ field() { # FILE NAME
 
 # The emulator, as locked; scripts stand beside it, where they find it.
 set_up() {
+    [ ! -f "$out/truth" ] || rm "$out/truth" # of an older tree; a folder now
     if ! cmp -s tests/pico/package-lock.json "$out/package-lock.json" || [ ! -d "$out/node_modules/rp2040js" ]; then
         cp tests/pico/package.json tests/pico/package-lock.json "$out/"
         (cd "$out" && npm ci --silent --no-audit --no-fund) >"$out/npm.log" 2>&1 || {
