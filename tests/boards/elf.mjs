@@ -13,8 +13,8 @@ export function read_elf(path) {
     const sections = [];
     for (let i = 0; i < count; i++) {
         const s = first + i * size;
-        sections.push({ name: u32(s), type: u32(s + 4), address: u32(s + 12), offset: u32(s + 16), bytes: u32(s + 20),
-            link: u32(s + 24) });
+        sections.push({ name: u32(s), type: u32(s + 4), flags: u32(s + 8), address: u32(s + 12), offset: u32(s + 16),
+            bytes: u32(s + 20), link: u32(s + 24) });
     }
     const names = sections[u16(50)].offset;
     const bytes_of = {}, symbols = {}, functions = [];

@@ -8,7 +8,7 @@ import { read_elf } from './elf.mjs';
 const [from, to, symbol, ...words] = process.argv.slice(2);
 const elf = read_elf(from), address = elf.symbols[symbol];
 const section = elf.sections.find((s) => s.address <= address && address + 4 * words.length <= s.address + s.bytes &&
-    s.offset && s.address);
+    s.type === 1 && s.flags & 2); // SHT_PROGBITS with SHF_ALLOC
 if (address === undefined || !section)
     throw new Error(`${from}: no ${symbol} of ${words.length} words`);
 const bytes = fs.readFileSync(from);
