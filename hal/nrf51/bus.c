@@ -53,19 +53,17 @@ static int wait(struct hal_bus *bus)
 static void delay(struct hal_bus *bus, uint32_t us)
 {
     (void)bus;
-    if (!ready)
-        return;
-    const uint64_t from = hal_ticks(); /* somewhere within a tick */
-    while (hal_ticks() - from <= us) {
-    }
+    if (ready)
+        nrf51_pause_us(us);
 }
 
 static int reset(struct hal_bus *bus)
 {
+    (void)bus;
     if (!ready || begun)
         return HAL_ERR_STATE;
     nrf51_wire_reset(1);
-    delay(bus, RESET_US);
+    nrf51_pause_us(RESET_US);
     nrf51_wire_reset(0);
     return HAL_OK;
 }

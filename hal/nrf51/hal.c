@@ -3,7 +3,7 @@
  *
  * TIMER0 counts microseconds in 32 bits. Its interrupt, each 36 minutes, counts the halves of its range: the counter's
  * top bit tells whether there was a half since. So nothing depends on when, or how often, it comes, and it may be late by
- * a half. QEMU shows that; not that 16 MHz are right, nor that the crystal starts.
+ * a half. QEMU shows that (tests/boards/microbit.sh); not that 16 MHz are right, nor that the crystal starts.
  *
  * SPDX-License-Identifier: MIT
  */
@@ -15,6 +15,7 @@
 
 #define SPINS 10000u /* of some eight cycles: five milliseconds. The crystal takes one */
 #define HALF 0x80000000u
+#define ALARM_US 16u /* nearer ones are waited for without sleep */
 
 void HardFault_Handler(void);
 void TIMER0_Handler(void);
@@ -44,7 +45,7 @@ static void ticks_start(void)
     TIMER_PRESCALER = TIMER_1_MHZ;
     TIMER_CC(0) = HALF;
     TIMER_CC(1) = 0;
-    TIMER_INTENSET = TIMER_ON_COMPARE(0) | TIMER_ON_COMPARE(1);
+    TIMER_INTENSET = TIMER_ON_COMPARE(0) | TIMER_ON_COMPARE(1) | TIMER_ON_COMPARE(3);
     NVIC_ISER = 1u << IRQ_TIMER0;
     TIMER_START = 1;
 }
@@ -65,6 +66,7 @@ void TIMER0_Handler(void)
 {
     TIMER_COMPARE(0) = 0;
     TIMER_COMPARE(1) = 0;
+    TIMER_COMPARE(3) = 0; /* has ended a sleep */
     halves = halves_at(halves, counter());
 }
 
@@ -76,6 +78,20 @@ uint64_t hal_ticks(void)
         low = counter();
     } while (before != halves);
     return (uint64_t)(halves_at(before, low) / 2u) << 32 | low;
+}
+
+/* Interrupts are off from the question to the sleep, so that the alarm cannot come between; one that is pending ends the
+ * sleep (Armv6-M manual, B1.5.18) and runs as soon as they are on. */
+void nrf51_pause_us(uint32_t us)
+{
+    const uint64_t until = hal_ticks() + us + 1u; /* this tick has begun already */
+    TIMER_CC(3) = (uint32_t)until;
+    while (hal_ticks() < until) {
+        __asm__ volatile("cpsid i" ::: "memory");
+        if (hal_ticks() + ALARM_US < until)
+            __asm__ volatile("wfi" ::: "memory");
+        __asm__ volatile("cpsie i" ::: "memory");
+    }
 }
 
 uint32_t hal_tick_hz(void)

@@ -7,6 +7,11 @@
 
 #include <stdint.h>
 
+/* ---- hal.c ------------------------------------------------------------------------------------------------- */
+
+/* Sleep for at least so many microseconds. Interrupts are on afterwards. */
+void nrf51_pause_us(uint32_t us);
+
 /* ---- uart.c ------------------------------------------------------------------------------------------------ */
 
 void nrf51_uart_start(void);
