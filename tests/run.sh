@@ -54,6 +54,7 @@ run cli_texture sh tests/cli_texture.sh "$build/test/zsim" "$build/test/cli_text
 run panels sh tests/panels.sh "$build/test/zsim" "$build/test/panels"
 run demo sh tests/demo.sh "$build/test/zsim" "$build/test/demo"
 run pico sh tests/pico.sh "$build"
+run microbit sh tests/boards/microbit.sh "$build"
 for check in wide objects kernels hal includes cplusplus stack size bench; do
     run "$check" sh "tests/checks/$check.sh" "$build"
 done

@@ -40,6 +40,12 @@
 #define TEXT_BAUD 115200
 #endif
 
+/* 0 or 1. SPI0 has its registers in common with the I2C that is TWI0, SPI1 with TWI1: a program that reads the sensors
+ * wants the other one for that. */
+#ifndef SPI_INSTANCE
+#define SPI_INSTANCE 0
+#endif
+
 /* SCK: 8, 4, 2 or 1 MHz. ILI9341, SSD1351 and SSD1306 take 8, SSD0323 4. */
 #ifndef SPI_MHZ
 #define SPI_MHZ 8

@@ -26,16 +26,17 @@
 /* The table of BAUDRATE gives baud * 2^32 / 16 MHz, rounded to its upper 20 bits */
 #define UART_BAUD(baud) ((uint32_t)((((uint64_t)(baud) << 32) / 16000000u + 0x800u) & 0xfffff000u))
 
-/* "Serial Peripheral Interface (SPI) Master": SPI0 */
-#define SPI_READY REG(0x40003108u)
-#define SPI_ENABLE REG(0x40003500u)
-#define SPI_PSELSCK REG(0x40003508u)
-#define SPI_PSELMOSI REG(0x4000350cu)
-#define SPI_PSELMISO REG(0x40003510u)
-#define SPI_RXD REG(0x40003518u)
-#define SPI_TXD REG(0x4000351cu)
-#define SPI_FREQUENCY REG(0x40003524u)
-#define SPI_CONFIG REG(0x40003554u)
+/* "Serial Peripheral Interface (SPI) Master": SPI0, SPI1. Includers of this part have pins.h */
+#define SPI(offset) REG(0x40003000u + 0x1000u * SPI_INSTANCE + (offset))
+#define SPI_READY SPI(0x108u)
+#define SPI_ENABLE SPI(0x500u)
+#define SPI_PSELSCK SPI(0x508u)
+#define SPI_PSELMOSI SPI(0x50cu)
+#define SPI_PSELMISO SPI(0x510u)
+#define SPI_RXD SPI(0x518u)
+#define SPI_TXD SPI(0x51cu)
+#define SPI_FREQUENCY SPI(0x524u)
+#define SPI_CONFIG SPI(0x554u)
 #define SPI_ENABLED 1u
 #define SPI_CPHA (1u << 1) /* CONFIG; 0 is mode 0, high bit first */
 #define SPI_CPOL (1u << 2)
