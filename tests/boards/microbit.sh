@@ -14,6 +14,7 @@ SCENES=${MICROBIT_SCENES:-'cubes teapot hall'} # cubes among them; there are chi
 FRAMES=4
 STEP=13
 RAM=16384
+rm -rf "$out"
 . tests/boards/common.sh
 
 # Boot ELF until OUT, what its UART says, holds a line with UNTIL; the high bytes of text words do not count.
@@ -21,7 +22,6 @@ RAM=16384
 boot() {
     elf=$1 serial=$2 until=$3
     shift 3
-    rm -f "$serial"
     qemu-system-arm -M microbit -display none -monitor none -serial "file:$serial" -kernel "$elf" "$@" 2>"$out/qemu.txt" &
     qemu=$!
     left=600
@@ -40,12 +40,11 @@ boot() {
 
 # Draw FRAMES frames of ELF's scene and decode what the panel got: STEM ELF SCENE
 frames() {
-    rm -f "$1"_*
     boot "$2" "$1.stream" "$3,$((FRAMES - 1))," -icount shift=0
     decode "$1"
 }
 decode() { # STEM    its .stream to STEM_N.bin, .png
-    node tests/boards/frame_marks.mjs "$1.stream" "$1.marked" $FRAMES 2>&1 | grep Error
+    node tests/boards/frame_marks.mjs "$1.stream" "$1.marked" $FRAMES 2>&1 | grep '^Error'
     "$build/zsim" panel --panel ili9341:240x320 --bgr --rotate 90 --decode "$1.marked" --out "$1_%d.png" \
         --raw "$1_%d.bin" >"$1.txt" 2>&1 || echo "the panel would not have understood it: $(tail -1 "$1.txt")"
     grep '^text #' "$1.txt"
@@ -54,7 +53,7 @@ decode() { # STEM    its .stream to STEM_N.bin, .png
 same() {
     for k in $(seq 0 $((FRAMES - 1))); do
         node tests/boards/inside.mjs "$1_$k.bin" 320x240 "$2/$3_$(printf %03d $((k * STEP))).bin" 160x128 80 56 2>&1 |
-            grep -E 'Error|\.bin'
+            grep -E '^(Error|.*\.bin: )'
     done
 }
 reasons() { # FILE    on a line, the first ones
@@ -140,10 +139,9 @@ parts() {
 spi() {
     image microbit APP=show SCENE=cubes
     stops_after "$fw/cubes.elf" "$out/spi.elf" $FRAMES $STEP
-    rm -f "$out"/spi_*
     boot "$out/spi.elf" "$out/spi.said" "cubes,$((FRAMES - 1))," -icount shift=0 \
         -d unimp -trace nrf51_gpio_write -trace nrf51_uart_write -D "$out/spi.log" >"$out/spi.bad"
-    node tests/boards/spi_log.mjs "$out/spi.log" "$out/spi.stream" 2>&1 | grep -E 'Error|problem' >>"$out/spi.bad"
+    node tests/boards/spi_log.mjs "$out/spi.log" "$out/spi.stream" 2>&1 | grep -E '^(Error|problem)' >>"$out/spi.bad"
     rm -f "$out/spi.log" # 50 MB
     decode "$out/spi" >>"$out/spi.bad"
     same "$out/spi" "$out/truth" cubes >>"$out/spi.bad"
@@ -161,7 +159,6 @@ silent_spi() {
     verdict microbit_says_that_no_spi_answers "$(reasons "$out/silent.bad")"
 }
 
-rm -f "$out/table.txt"
 for scene in $SCENES; do
     scene_tests "$scene"
 done
