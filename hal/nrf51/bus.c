@@ -1,5 +1,5 @@
-/* nRF51822: the panel's bus. Nothing leaves by itself: data sends, and wait has nothing to wait for. The wire is in spi.c
- * or words.c.
+/* nRF51822: the panel's bus. Nothing leaves by itself: data sends, and wait has nothing to wait for. The wire is in
+ * spi.c or words.c.
  *
  * SPDX-License-Identifier: MIT
  */

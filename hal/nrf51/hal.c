@@ -1,9 +1,9 @@
-/* micro:bit v1 (nRF51822 at 16 MHz): clock, ticks of TIMER0, the light. Text is in uart.c, the panel's bus in bus.c, the
- * wiring in pins.h.
+/* micro:bit v1 (nRF51822 at 16 MHz): clock, ticks of TIMER0, the light. Text is in uart.c, the panel's bus in bus.c,
+ * the wiring in pins.h.
  *
  * TIMER0 counts microseconds in 32 bits. Its interrupt, each 36 minutes, counts the halves of its range: the counter's
- * top bit tells whether there was a half since. So nothing depends on when, or how often, it comes, and it may be late by
- * a half. QEMU shows that (tests/boards/microbit.sh); not that 16 MHz are right, nor that the crystal starts.
+ * top bit tells whether there was a half since. So nothing depends on when, or how often, it comes, and it may be late
+ * by a half. tests/boards/microbit.sh takes it beyond 32 bits in QEMU. Not tested: a late interrupt, the crystal.
  *
  * SPDX-License-Identifier: MIT
  */
@@ -56,7 +56,7 @@ static uint32_t counter(void)
     return TIMER_CC(2);
 }
 
-/* How many halves there were when `low` was read, not long after there were `before`: odd with the top bit, else even. */
+/* How many halves there were when `low` was read, soon after there were `before`: odd with the top bit, else even. */
 static uint32_t halves_at(uint32_t before, uint32_t low)
 {
     return before + ((before ^ low / HALF) & 1u);
@@ -80,8 +80,8 @@ uint64_t hal_ticks(void)
     return (uint64_t)(halves_at(before, low) / 2u) << 32 | low;
 }
 
-/* Interrupts are off from the question to the sleep, so that the alarm cannot come between; one that is pending ends the
- * sleep (Armv6-M manual, B1.5.18) and runs as soon as they are on. */
+/* Interrupts are off from the question to the sleep, so that the alarm cannot come between; one that is pending ends
+ * the sleep (Armv6-M manual, B1.5.18) and runs as soon as they are on. */
 void nrf51_pause_us(uint32_t us)
 {
     const uint64_t until = hal_ticks() + us + 1u; /* this tick has begun already */

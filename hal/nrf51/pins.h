@@ -29,7 +29,7 @@
 #define PIN_RESET 22 /* edge 14: MISO, which nothing here reads */
 #endif
 #ifndef PIN_BACKLIGHT
-#define PIN_BACKLIGHT 3 /* edge 0, a ring; switched, no PWM. A pin gives 5 mA at most: a larger light wants a transistor */
+#define PIN_BACKLIGHT 3 /* edge 0, a ring; switched. A pin gives 5 mA at most: a larger light wants a transistor */
 #endif
 
 /* Text: to the chip that is the micro:bit's USB, where a PC sees a serial port; 8N1. */

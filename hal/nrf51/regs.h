@@ -1,5 +1,5 @@
-/* nRF51822: the registers and bits that this HAL uses, each under the chapter of the nRF51 Series Reference Manual (v3.0)
- * that defines it. A peripheral's tasks are started by writing 1; its events read 1 until 0 is written.
+/* nRF51822: the registers and bits that this HAL uses, each under the chapter of the nRF51 Series Reference Manual
+ * (v3.0) that defines it. A peripheral's tasks are started by writing 1; its events read 1 until 0 is written.
  *
  * SPDX-License-Identifier: MIT
  */

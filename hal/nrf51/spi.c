@@ -1,11 +1,12 @@
 /* nRF51822: the panel's wire by SPI, polled: the part has no DMA for it.
  *
- * TXD and RXD have two places each: while a byte is on the wire the next one waits in TXD, so that SCK goes on while the
- * processor turns round. READY comes for each byte when it is in RXD, and for the byte after it only when that was read
- * (chapter "SPI Master"): RXD is read, and READY cleared before that, lest the next one be cleared too.
+ * TXD and RXD have two places each: while a byte is on the wire the next one waits in TXD, so that SCK goes on while
+ * the processor turns round. READY comes for each byte when it is in RXD, and for the byte after it only when that was
+ * read (chapter "SPI Master"): RXD is read, and READY cleared before that, lest the next one be cleared too.
  *
- * Never run on silicon. QEMU has no SPI, but tells what is read and written: tests/boards/spi_log.mjs holds that against
- * the rules above and rebuilds the picture. That the part follows those rules, how pins and SCK look, errata: not tested.
+ * Never run on silicon. QEMU has no SPI, but tells what is read and written: tests/boards/spi_log.mjs holds that
+ * against the rules above and rebuilds the picture. That the part follows those rules, how pins and SCK look, errata:
+ * not tested.
  *
  * SPDX-License-Identifier: MIT
  */

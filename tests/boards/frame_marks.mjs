@@ -1,5 +1,6 @@
-// node frame_marks.mjs STREAM MARKED FRAMES: the stream of a show that wrote a line before its first frame and one after
-// its last, as words of `zsim panel --decode`, with a mark after each frame. Frames are alike in words, and begin alike.
+// node frame_marks.mjs STREAM MARKED FRAMES: the stream of a show that wrote a line before its first frame and one
+// after its last, as words of `zsim panel --decode`, with a mark after each frame. Frames are alike in words, and begin
+// alike.
 //
 // SPDX-License-Identifier: MIT
 import fs from 'node:fs';

@@ -1,5 +1,5 @@
-// node inside.mjs GLASS.bin GLASSxSIZE PICTURE.bin PICTURExSIZE X Y: is the picture what the glass shows from X, Y on, with
-// black around it? RGB565, row by row. Says what is not so; nothing where all is.
+// node inside.mjs GLASS.bin GLASSxSIZE PICTURE.bin PICTURExSIZE X Y: is the picture what the glass shows from X, Y on,
+// with black around it? RGB565, row by row. Says what is not so; nothing where all is.
 //
 // SPDX-License-Identifier: MIT
 import fs from 'node:fs';
@@ -20,4 +20,4 @@ for (let y = 0; y < glass_h; y++) {
 if (glass.length !== 2 * glass_w * glass_h || picture.length !== 2 * w * h)
     console.log(`${glass_file} or ${file} is not of its size`);
 else if (wrong)
-    console.log(`${glass_file}: ${wrong} pixels differ from ${file} at ${x0}, ${y0}, or from black; the first at ${first}`);
+    console.log(`${glass_file}: ${wrong} pixels differ from ${file} or from black; the first at ${first}`);

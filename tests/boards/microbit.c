@@ -1,5 +1,5 @@
-/* On QEMU's micro:bit: ticks beyond the timer's 32 bits, pauses, and the rules of the panel's bus. Lines of "ok NAME" and
- * "FAILED NAME"; tests/boards/microbit.sh compares what went over the wire.
+/* On QEMU's micro:bit: ticks beyond the timer's 32 bits, pauses, and the rules of the panel's bus. Lines of "ok NAME"
+ * and "FAILED NAME"; tests/boards/microbit.sh compares what went over the wire.
  *
  * SPDX-License-Identifier: MIT
  */
@@ -41,7 +41,8 @@ static int pauses(const uint32_t *us, uint32_t n)
 static void time_passes(void)
 {
     static const uint32_t brief[] = { 0, 1, 15, 16, 17, 18, 100, 65535, 65536 };
-    static const uint32_t longer[] = { QUARTER, QUARTER, QUARTER, QUARTER, QUARTER, QUARTER / 2u, 0xffffffffu, QUARTER };
+    static const uint32_t longer[] = { QUARTER, QUARTER, QUARTER, QUARTER, QUARTER, QUARTER / 2u, 0xffffffffu,
+                                       QUARTER };
     verdict("pauses", pauses(brief, sizeof brief / sizeof brief[0]));
     verdict("ticks_pass_32_bits", pauses(longer, sizeof longer / sizeof longer[0]) && hal_ticks() >> 32 == 2u);
 }
@@ -61,8 +62,8 @@ static void bus_rules(void)
             bus->data(bus, bytes, 6) == HAL_OK && done_calls == 1);
     verdict("bus_holds_to_wait", bus->data(bus, bytes, 2) == HAL_ERR_STATE && bus->reset(bus) == HAL_ERR_STATE &&
             bus->command(bus, 0x29, NULL, 0) == HAL_ERR_STATE && done_calls == 1);
-    verdict("bus_waits", bus->wait(bus) == HAL_OK && bus->wait(bus) == HAL_OK && bus->data(bus, bytes + 1, 1) == HAL_OK &&
-            bus->wait(bus) == HAL_OK && done_calls == 2);
+    verdict("bus_waits", bus->wait(bus) == HAL_OK && bus->wait(bus) == HAL_OK &&
+            bus->data(bus, bytes + 1, 1) == HAL_OK && bus->wait(bus) == HAL_OK && done_calls == 2);
 }
 
 int main(void)

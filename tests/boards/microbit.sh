@@ -4,8 +4,8 @@
 # Usage: tests/boards/microbit.sh BUILD   from the repository's top; BUILD/zsim, BUILD/gen
 #
 # Leaves BUILD/microbit/table.txt: microbit SCENE FLASH RAM STACK INSTRUCTIONS, of drawing a frame, without the panel.
-# The image with SPI, which is what is flashed, is seen by the registers that it reads and writes (spi_log.mjs). What pins
-# and clocks do, no emulator here can tell.
+# The image with SPI, which is what is flashed, is seen by the registers that it reads and writes (spi_log.mjs). What
+# pins and clocks do, no emulator here can tell.
 set -u
 build=$1
 out=$build/microbit
@@ -22,7 +22,8 @@ rm -rf "$out"
 boot() {
     elf=$1 serial=$2 until=$3
     shift 3
-    qemu-system-arm -M microbit -display none -monitor none -serial "file:$serial" -kernel "$elf" "$@" 2>"$out/qemu.txt" &
+    qemu-system-arm -M microbit -display none -monitor none -serial "file:$serial" -kernel "$elf" "$@" \
+        2>"$out/qemu.txt" &
     qemu=$!
     left=600
     while [ $left -gt 0 ] && kill -0 $qemu 2>/dev/null; do
@@ -67,7 +68,8 @@ figures() {
     reserve=$(arm-none-eabi-size -A "$3" | awk '$1 == ".stack" { print $2 }')
     [ "${used:-0}" -gt 0 ] && [ "$used" -lt $((reserve * 3 / 4)) ] ||
         bad "microbit_$1_stack" "$used of $reserve bytes, more than three quarters"
-    flash=$(sed -n 's/.*flash \([0-9]*\) .*/\1/p' "$out/make.log") ram=$(sed -n 's/.*RAM \([0-9]*\) .*/\1/p' "$out/make.log")
+    flash=$(sed -n 's/.*flash \([0-9]*\) .*/\1/p' "$out/make.log")
+    ram=$(sed -n 's/.*RAM \([0-9]*\) .*/\1/p' "$out/make.log")
     [ "${ram:-0}" -gt 0 ] && [ "$ram" -le $RAM ] || bad "microbit_$1_ram" "$ram of $RAM bytes"
     echo "microbit $1 $flash $ram $used ${draw}000" >>"$out/table.txt"
 }
@@ -124,12 +126,14 @@ sees_differences() {
 parts() {
     image microbit NAME=parts APP_SRC=tests/boards/microbit.c DEFINES=-DPANEL_ON_UART=1
     boot "$fw/parts.elf" "$out/parts.stream" 'hard fault' -icount shift=0,sleep=off
-    "$build/zsim" panel --panel st7789:240x240 --decode "$out/parts.stream" --out "$out/parts.png" >"$out/parts.txt" 2>&1
+    "$build/zsim" panel --panel st7789:240x240 --decode "$out/parts.stream" --out "$out/parts.png" \
+        >"$out/parts.txt" 2>&1
     sed -nE 's/^text ((ok|FAILED) .*)/\1/p' "$out/parts.txt"
     grep -q '^text FAILED ' "$out/parts.txt" && failed=1
     [ "$(grep -c '^text ok ' "$out/parts.txt")" = 9 ] || bad microbit_parts "not all of them ran"
     grep -q '^text too early' "$out/parts.txt" && bad microbit_parts "text before hal_init"
-    grep -qx 'text microbit: hard fault' "$out/parts.txt" && ok microbit_says_hard_fault || bad microbit_says_hard_fault ''
+    grep -qx 'text microbit: hard fault' "$out/parts.txt" && ok microbit_says_hard_fault ||
+        bad microbit_says_hard_fault "no such line"
     wire=$(od -An -v -tx2 -w2 "$out/parts.stream" | grep -v ' 10' | tr -d '\n')
     [ "$wire" = ' 0200 002c 0800 0036 0111 0122 0800 0111 0122 0133 0144 0155 0166 0800 0122 0800' ] &&
         ok microbit_words_of_the_wire || bad microbit_words_of_the_wire "$wire"

@@ -1,9 +1,11 @@
-// node spi_log.mjs LOG STREAM: what an nRF51's registers were told (QEMU's log of -d unimp and of -trace nrf51_gpio_write
-// and nrf51_uart_write), as the words of `zsim panel --decode`, text included. Prints what breaks the rules of the wire.
+// node spi_log.mjs LOG STREAM: what an nRF51's registers were told (QEMU's log of -d unimp and of -trace
+// nrf51_gpio_write and nrf51_uart_write), as the words of `zsim panel --decode`, text included. Prints what breaks the
+// rules of the wire.
 //
 // QEMU's micro:bit has a mere stand-in for the I2C that shares SPI0's addresses: it logs, and every event reads 1. What
-// the part does is told here, by the nRF51 Series Reference Manual's chapter on the SPI master: two bytes may be on their
-// way, one on the wire and one in TXD; a byte has ended when RXD was read after READY; READY is cleared before that.
+// the part does is told here, by the nRF51 Series Reference Manual's chapter on the SPI master: two bytes may be on
+// their way, one on the wire and one in TXD; a byte has ended when RXD was read after READY; READY is cleared before
+// that.
 //
 // SPDX-License-Identifier: MIT
 import fs from 'node:fs';

@@ -1,6 +1,6 @@
 # BBC micro:bit v1: nRF51822, Cortex-M0 at 16 MHz, 16 KB of RAM, 256 KB of flash. The wiring: hal/nrf51/pins.h. The
-# ILI9341's 320x240 shows 160x128 in its middle: one strip of 8 rows and a small pool are what RAM holds beside the stack.
-# DEFINES=-DPANEL_ON_UART=1: for QEMU, and without a panel.
+# ILI9341's 320x240 shows 160x128 in its middle: one strip of 8 rows and a small pool are what RAM holds beside the
+# stack. DEFINES=-DPANEL_ON_UART=1: for QEMU, and without a panel.
 BOARD_ABOUT = BBC micro:bit v1: nRF51822, Cortex-M0, 16 KB of RAM; ILI9341, of it 160x128
 BOARD_FLASH = 262144
 BOARD_RAM = 16384
