@@ -18,6 +18,7 @@
 
 /* Words of a stream: a byte and its D/C level, or marks. */
 enum { DATA = 0x100, RESET = 0x200, FRAME = 0x400, DESELECT = 0x800, MARKS = 0xe00, WORD = 0xfff };
+enum { TEXT = 0x1000 }; /* or with this, a character */
 
 static const char usage[] =
     "usage: zsim panel --panel NAME:WxH --decode STREAM --out F_%%03d.png [options]\n"
@@ -26,14 +27,15 @@ static const char usage[] =
     "  --panel NAME:WxH  the module; there are\n"
     "                    %s\n"
     "  --decode STREAM   little-endian uint16: bits 0-7 a byte and bit 8 its D/C level (1 data), or marks:\n"
-    "                    bit 9 RESET was pulled low, bit 10 a frame is whole, bit 11 chip select went high\n"
+    "                    bit 9 RESET was pulled low, bit 10 a frame is whole, bit 11 chip select went high;\n"
+    "                    or, with bit 12, bits 0-7 a character of text, which is printed and changes nothing\n"
     "  --out F_%%03d.png  a picture for each frame mark, numbered from 0; without marks, one at the end\n"
     "  --raw F_%%03d.bin  the same as RGB565, most significant byte first, or a byte for each level or bit\n"
     "  --rotate DEGREES  0, 90, 180 or 270: how far pictures are turned clockwise on the glass (0)\n"
     "  --invert          the glass shows the negative unless told to invert, as IPS glass does\n"
     "  --bgr             the glass has blue where the controller has red\n"
     "\n"
-    "Prints counts and what the controller would not have understood.\n"
+    "Prints lines of text, counts, and what the controller would not have understood.\n"
     "Exit status: 0 done; 1 refused, or the stream has problems (its pictures are written); 2 the command line\n"
     "makes no sense.\n";
 
@@ -102,6 +104,13 @@ static int file_name(char *name, size_t room, const char *pattern, unsigned numb
 
 /* ---- Stream -------------------------------------------------------------------------------------------- */
 
+static int is_word(uint16_t word)
+{
+    if (word & TEXT)
+        return (word & ~(TEXT | 255)) == 0;
+    return (word & ~WORD) == 0 && !(word & MARKS && word & ~MARKS);
+}
+
 /* All of a stream's words, malloc'ed. */
 static int load(const char *name, uint16_t **words, size_t *n)
 {
@@ -127,8 +136,8 @@ static int load(const char *name, uint16_t **words, size_t *n)
     if (bytes % 2 != 0)
         return sim_refuse(name, 0, "has %zu bytes: a stream is made of uint16, two bytes each", bytes);
     for (size_t i = 0; i < *n; i++)
-        if (((*words)[i] & ~WORD) != 0 || ((*words)[i] & MARKS && (*words)[i] & ~MARKS))
-            return sim_refuse(name, 0, "word %zu is 0x%04X: neither a byte with its D/C level nor a mark", i,
+        if (!is_word((*words)[i]))
+            return sim_refuse(name, 0, "word %zu is 0x%04X: not a byte with its D/C level, a mark or a character", i,
                               (*words)[i]);
     return SIM_OK;
 }
@@ -152,12 +161,25 @@ static int look(const struct pm_model *model, const struct pm_glass *glass, cons
 
 /* ---- Command ------------------------------------------------------------------------------------------- */
 
+/* Text as lines "text ..."; in_line: flag, one is begun. */
+static void print_text(int *in_line, uint8_t c)
+{
+    if (!*in_line)
+        (void)printf("text ");
+    (void)putchar(c == '\n' || (c >= ' ' && c <= '~') ? c : '?');
+    *in_line = c != '\n';
+}
+
 static int decode(struct pm_model *model, const struct pm_glass *glass, const struct request *rq,
                   const uint16_t *words, size_t n)
 {
     unsigned frames = 0;
-    int status = SIM_OK;
+    int status = SIM_OK, in_line = 0;
     for (size_t i = 0; status == SIM_OK && i < n; i++) {
+        if (words[i] & TEXT) {
+            print_text(&in_line, (uint8_t)words[i]);
+            continue;
+        }
         if (!(words[i] & MARKS))
             pm_byte(model, (uint8_t)words[i], words[i] & DATA);
         if (words[i] & RESET)
@@ -167,6 +189,8 @@ static int decode(struct pm_model *model, const struct pm_glass *glass, const st
         if (words[i] & DESELECT)
             pm_deselect(model);
     }
+    if (in_line)
+        print_text(&in_line, '\n');
     pm_end(model);
     if (status == SIM_OK && frames == 0)
         status = look(model, glass, rq, frames++);

@@ -122,6 +122,19 @@ is "bytes of a frame" "$(wc -c <d_000.raw | tr -d ' ')" 115200
 [ "$(pixel d_000.raw 6 7)" != 07e0 ] || wrong "frame 0 holds what came after it"
 [ -s d_001.png ] && [ ! -e d_002.png ] || wrong "not two pictures"
 
+begin text_of_a_stream # in the middle of a command, of two frames: what is seen and counted stays
+{
+    words 1048 1069 100a 0200 0011 003a 0155 0036 0160 0800 0029
+    words 002a 0100 0105 1078 0100 0106 1009 002b 0100 0107 0100 0107 100a 002c 01f8 0100 0400
+    words 0107 01e0 0400 106f 106b
+} >text.bin
+cp stdout stdout.without
+z panel --panel st7789:240x240 --rotate 90 --decode text.bin --out 't_%03d.png'
+[ $status -eq 0 ] || wrong "status $status: $(said)"
+is text "$(grep '^text ' stdout | tr '\n' ';')" 'text Hi;text x?;text ok;'
+is "what else is said" "$(grep -v '^text ' stdout)" "$(cat stdout.without)"
+cmp -s t_001.png d_001.png || wrong "another picture"
+
 begin levels_of_a_stream # six NOPs: dark
 { words 0200 00e3 00e3 00e3 00e3 00e3 00e3; } >dark.bin
 z panel --panel ssd1306:72x40 --decode dark.bin --out dark.png --raw dark.raw
@@ -149,12 +162,14 @@ stream_refused() { # NAME WHAT ARGUMENT...
     grep -qF -- "$what" stderr || wrong "'$what' is not in: $(said)"
 }
 printf 'abc' >odd.bin
-words 0011 1029 >bits.bin
+words 0011 2029 >bits.bin
+words 1141 >letter.bin
 words 0511 >both.bin
 stream_refused stream_missing 'none.bin: cannot be read' --panel st7789:240x240 --decode none.bin --out x.png
 stream_refused stream_odd 'odd.bin: has 3 bytes' --panel st7789:240x240 --decode odd.bin --out x.png
-stream_refused stream_bits 'word 1 is 0x1029' --panel st7789:240x240 --decode bits.bin --out x.png
+stream_refused stream_bits 'word 1 is 0x2029' --panel st7789:240x240 --decode bits.bin --out x.png
 stream_refused stream_mark 'word 0 is 0x0511' --panel st7789:240x240 --decode both.bin --out x.png
+stream_refused stream_text 'word 0 is 0x1141' --panel st7789:240x240 --decode letter.bin --out x.png
 stream_refused stream_panel 'there are st7789:240x240' --panel st7789 --decode stream.bin --out x.png
 stream_refused frames_one_name 'number them' --panel st7789:240x240 --decode stream.bin --out x.png
 usage panel_out 'panel: --out is missing' panel --panel st7789:240x240 --decode stream.bin

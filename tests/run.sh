@@ -57,6 +57,7 @@ run pico sh tests/pico.sh "$build"
 run lm3s6965 sh tests/boards/lm3s6965.sh "$build"
 run scene_sums sh tests/scene_sums.sh "$build"
 run stm32f405 sh tests/boards/stm32f405.sh "$build"
+run microbit sh tests/boards/microbit.sh "$build"
 for check in wide objects kernels hal includes cplusplus stack size bench; do
     run "$check" sh "tests/checks/$check.sh" "$build"
 done

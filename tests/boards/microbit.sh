@@ -1,0 +1,176 @@
+#!/bin/sh
+# The micro:bit's flash images in QEMU, which has its core, memories, timers and UART but no SPI: the panel's wire goes
+# over the UART (PANEL_ON_UART). What the panel shows, frame by frame, is what the simulator draws; RAM and stack hold.
+# Usage: tests/boards/microbit.sh BUILD   from the repository's top; BUILD/zsim, BUILD/gen
+#
+# Leaves BUILD/microbit/table.txt: microbit SCENE FLASH RAM STACK INSTRUCTIONS, of drawing a frame, without the panel.
+# The image with SPI, which is what is flashed, is seen by the registers that it reads and writes (spi_log.mjs). What
+# pins and clocks do, no emulator here can tell.
+set -u
+build=$1
+out=$build/microbit
+fw=$build/fw/microbit
+SCENES=${MICROBIT_SCENES:-'cubes teapot hall'} # cubes among them; there are china knot flyover city globe too
+FRAMES=4
+STEP=13
+RAM=16384
+rm -rf "$out"
+. tests/boards/common.sh
+
+# Boot ELF until OUT, what its UART says, holds a line with UNTIL; the high bytes of text words do not count.
+#   boot ELF OUT UNTIL [QEMU-OPTIONS...]
+boot() {
+    elf=$1 serial=$2 until=$3
+    shift 3
+    qemu-system-arm -M microbit -display none -monitor none -serial "file:$serial" -kernel "$elf" "$@" \
+        2>"$out/qemu.txt" &
+    qemu=$!
+    left=600
+    while [ $left -gt 0 ] && kill -0 $qemu 2>/dev/null; do
+        sleep 0.1
+        left=$((left - 1))
+        [ -s "$serial" ] && tr -d '\020' <"$serial" | grep -aq "$until" &&
+            [ -z "$(tail -c 2 "$serial" | tr -d '\020' | tail -c 1)" ] && break
+    done
+    kill $qemu 2>/dev/null
+    wait $qemu 2>/dev/null
+    [ $left -gt 0 ] || echo "after a minute it had not said $until"
+}
+
+# ---- Pictures -----------------------------------------------------------------------------------------------------
+
+# Draw FRAMES frames of ELF's scene and decode what the panel got: STEM ELF SCENE
+frames() {
+    boot "$2" "$1.stream" "$3,$((FRAMES - 1))," -icount shift=0
+    decode "$1"
+}
+decode() { # STEM    its .stream to STEM_N.bin, .png
+    node tests/boards/frame_marks.mjs "$1.stream" "$1.marked" $FRAMES 2>&1 | grep '^Error'
+    "$build/zsim" panel --panel ili9341:240x320 --bgr --rotate 90 --decode "$1.marked" --out "$1_%d.png" \
+        --raw "$1_%d.bin" >"$1.txt" 2>&1 || echo "the panel would not have understood it: $(tail -1 "$1.txt")"
+    grep '^text #' "$1.txt"
+}
+# STEM TRUTH SCENE
+same() {
+    for k in $(seq 0 $((FRAMES - 1))); do
+        node tests/boards/inside.mjs "$1_$k.bin" 320x240 "$2/$3_$(printf %03d $((k * STEP))).bin" 160x128 80 56 2>&1 |
+            grep -E '^(Error|.*\.bin: )'
+    done
+}
+reasons() { # FILE    on a line, the first ones
+    head -3 "$1" | tr '\n' ' '
+}
+
+# RAM, flash and stack of an image that has run, into the table: SCENE STEM ELF
+figures() {
+    last=$(sed -n "s/^text $1,//p" "$2.txt" | tail -1)
+    used=${last##*,} draw=$(echo "$last" | cut -d, -f3)
+    reserve=$(arm-none-eabi-size -A "$3" | awk '$1 == ".stack" { print $2 }')
+    [ "${used:-0}" -gt 0 ] && [ "$used" -lt $((reserve * 3 / 4)) ] ||
+        bad "microbit_$1_stack" "$used of $reserve bytes, more than three quarters"
+    flash=$(sed -n 's/.*flash \([0-9]*\) .*/\1/p' "$out/make.log")
+    ram=$(sed -n 's/.*RAM \([0-9]*\) .*/\1/p' "$out/make.log")
+    [ "${ram:-0}" -gt 0 ] && [ "$ram" -le $RAM ] || bad "microbit_$1_ram" "$ram of $RAM bytes"
+    echo "microbit $1 $flash $ram $used ${draw}000" >>"$out/table.txt"
+}
+
+scene_tests() { # SCENE
+    image microbit APP=show SCENE="$1" DEFINES=-DPANEL_ON_UART=1
+    truth "$out/truth" "$1" $FRAMES $STEP --size 160x128 --subpixel 4
+    stops_after "$fw/$1.elf" "$out/$1.elf" $FRAMES $STEP
+    frames "$out/$1" "$out/$1.elf" "$1" >"$out/$1.bad"
+    same "$out/$1" "$out/truth" "$1" >>"$out/$1.bad"
+    verdict "microbit_$1_pictures" "$(reasons "$out/$1.bad")"
+    figures "$1" "$out/$1" "$fw/$1.elf"
+}
+
+pixel() { # FILE X Y    of 320 px wide RGB565
+    od -An -tx1 -j $((2 * ($2 + 320 * $3))) -N 2 "$1" | tr -d ' \n'
+}
+# The scene to be changed: its background above, its floor below, the edge of the picture, and that it moves.
+mine() {
+    image microbit APP=show SCENE=mine DEFINES=-DPANEL_ON_UART=1
+    stops_after "$fw/my_scene.elf" "$out/mine.elf" $FRAMES $STEP
+    frames "$out/mine" "$out/mine.elf" mine >"$out/mine.bad"
+    for at in 80,56,10e6 239,56,10e6 80,183,4a6b 239,183,4a6b 79,56,0000 240,183,0000; do
+        got=$(pixel "$out/mine_3.bin" "$(echo $at | cut -d, -f1)" "$(echo $at | cut -d, -f2)")
+        [ "$got" = "${at##*,}" ] || echo "pixel $at is $got" >>"$out/mine.bad"
+    done
+    cmp -s "$out/mine_2.bin" "$out/mine_3.bin" && echo "nothing moves" >>"$out/mine.bad"
+    verdict microbit_mine_pictures "$(reasons "$out/mine.bad")"
+    figures mine "$out/mine" "$fw/my_scene.elf"
+}
+
+# Pools that take many passes: of them the pictures above must not differ.
+takes_passes() {
+    passes=$(sed -n 's/^text hall,//p' "$out/hall.txt" | cut -d, -f7)
+    [ "${passes:-0}" -gt 9 ] && ok "microbit_hall_takes_passes ($passes)" || bad microbit_hall_takes_passes "$passes"
+}
+
+# The comparison sees other sub-pixel bits, and a cube with one other colour.
+sees_differences() {
+    truth "$out/truth8" cubes $FRAMES $STEP --size 160x128 --subpixel 8
+    same "$out/cubes" "$out/truth8" cubes >"$out/sees.txt"
+    [ "$(grep -c 'pixels differ' "$out/sees.txt")" = $FRAMES ] && ok microbit_comparison_sees_subpixel_bits ||
+        bad microbit_comparison_sees_subpixel_bits "$(reasons "$out/sees.txt")"
+    node tests/boards/patch.mjs "$out/cubes.elf" "$out/flipped.elf" face_rgb 0x01020304
+    frames "$out/flipped" "$out/flipped.elf" cubes >"$out/sees.txt"
+    same "$out/flipped" "$out/truth" cubes >>"$out/sees.txt"
+    [ "$(grep -c 'pixels differ' "$out/sees.txt")" = $FRAMES ] && ok microbit_comparison_sees_a_colour ||
+        bad microbit_comparison_sees_a_colour "$(reasons "$out/sees.txt")"
+}
+
+# ---- The HAL ------------------------------------------------------------------------------------------------
+
+# microbit.c, hours of it: with sleep=off, time in which the core sleeps passes at once.
+parts() {
+    image microbit NAME=parts APP_SRC=tests/boards/microbit.c DEFINES=-DPANEL_ON_UART=1
+    boot "$fw/parts.elf" "$out/parts.stream" 'hard fault' -icount shift=0,sleep=off
+    "$build/zsim" panel --panel st7789:240x240 --decode "$out/parts.stream" --out "$out/parts.png" \
+        >"$out/parts.txt" 2>&1
+    sed -nE 's/^text ((ok|FAILED) .*)/\1/p' "$out/parts.txt"
+    grep -q '^text FAILED ' "$out/parts.txt" && failed=1
+    [ "$(grep -c '^text ok ' "$out/parts.txt")" = 9 ] || bad microbit_parts "not all of them ran"
+    grep -q '^text too early' "$out/parts.txt" && bad microbit_parts "text before hal_init"
+    grep -qx 'text microbit: hard fault' "$out/parts.txt" && ok microbit_says_hard_fault ||
+        bad microbit_says_hard_fault "no such line"
+    wire=$(od -An -v -tx2 -w2 "$out/parts.stream" | grep -v ' 10' | tr -d '\n')
+    [ "$wire" = ' 0200 002c 0800 0036 0111 0122 0800 0111 0122 0133 0144 0155 0166 0800 0122 0800' ] &&
+        ok microbit_words_of_the_wire || bad microbit_words_of_the_wire "$wire"
+}
+
+# What is flashed: the registers of SPI and pins, told by QEMU, give the same picture.
+spi() {
+    image microbit APP=show SCENE=cubes
+    stops_after "$fw/cubes.elf" "$out/spi.elf" $FRAMES $STEP
+    boot "$out/spi.elf" "$out/spi.said" "cubes,$((FRAMES - 1))," -icount shift=0 \
+        -d unimp -trace nrf51_gpio_write -trace nrf51_uart_write -D "$out/spi.log" >"$out/spi.bad"
+    node tests/boards/spi_log.mjs "$out/spi.log" "$out/spi.stream" 2>&1 | grep -E '^(Error|problem)' >>"$out/spi.bad"
+    rm -f "$out/spi.log" # 50 MB
+    decode "$out/spi" >>"$out/spi.bad"
+    same "$out/spi" "$out/truth" cubes >>"$out/spi.bad"
+    sed -n 's/^text //p' "$out/spi.txt" | cmp -s - "$out/spi.said" || echo "the UART says otherwise" >>"$out/spi.bad"
+    verdict microbit_spi_pictures "$(reasons "$out/spi.bad")"
+    [ -s "$fw/cubes.hex" ] && ok microbit_hex || bad microbit_hex "there is none"
+}
+
+# At SPI1 nothing answers: the time-out is told, not waited for for ever.
+silent_spi() {
+    image microbit APP=show SCENE=cubes DEFINES=-DSPI_INSTANCE=1
+    boot "$fw/cubes.elf" "$out/silent.said" ' in its time' -icount shift=0 >"$out/silent.bad"
+    [ "$(sed -n 1p "$out/silent.said")" = '# the bus did not end in its time' ] ||
+        echo "it says: $(sed -n 1p "$out/silent.said")" >>"$out/silent.bad"
+    verdict microbit_says_that_no_spi_answers "$(reasons "$out/silent.bad")"
+}
+
+for scene in $SCENES; do
+    scene_tests "$scene"
+done
+mine
+takes_passes
+sees_differences
+parts
+silent_spi
+spi
+sed 's/^/note /' "$out/table.txt"
+exit $failed
