@@ -71,6 +71,11 @@ pico: $(B)/.setup-test
 	@$(MAKE) --no-print-directory -j2 $(B)/zsim
 	@sh tests/pico.sh $(B) table
 
+## boards: two demo scenes on every board with a panel: flash, RAM, stack, instructions or cycles a frame
+boards: $(B)/.setup-test
+	@$(MAKE) --no-print-directory -j2 $(B)/zsim
+	@sh tests/boards/table.sh $(B)
+
 ## profile: SCENE=teapot: cycles a frame by function on the emulated Pico
 profile: $(B)/.setup-test $(B)/gen/meshes.h
 	@PICO_SCENES=$(SCENE) sh tests/pico.sh $(B) profile
@@ -101,7 +106,7 @@ help:
 	@echo 'Boards, BOARD=:'
 	@for mk in firmware/boards/*/board.mk; do b=$${mk%/board.mk}; \
 	    printf '    %-10s %s\n' "$${b##*/}" "$$(sed -n 's/^BOARD_ABOUT = //p' $$mk)"; done
-.PHONY: all demo test accuracy fuzz bench checksums depth firmware pico profile sim pictures size stack check clean help \
+.PHONY: all demo test accuracy fuzz bench checksums depth firmware pico boards profile sim pictures size stack check clean help \
         test-programs fuzz-programs
 
 $(B)/.setup-sim:

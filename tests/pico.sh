@@ -119,6 +119,7 @@ late() { # FILE    of how many frames, from the last line of statistics
 }
 table_row() { # SCENE
     a=$out/$1.txt b=$out/$1.gap.txt
+    echo "pico $1 $(field "$a" flash) $(field "$a" ram) $(field "$a" stack_used) $(field "$a" draw_cycles)" >>"$out/table.txt"
     printf '%-9s %11d %8d %8d %7.1f %7.1f %6d%% %5s %7d %8d %6d\n' "$1" "$(field "$a" draw_cycles)" \
         "$(field "$a" wire_us)" "$(field "$b" wire_us)" "$(field "$a" fps)" "$(field "$b" fps)" \
         "$(field "$a" hidden_percent)" "$(late "$a")" \
@@ -255,6 +256,7 @@ if [ -z "$only" ]; then
     broken_strip stopped_strip --hold 2.1
     broken_strip stopped_tail --hold 2.2 --tail 1
 fi
+: >"$out/table.txt"
 table_head
 for scene in $SCENES; do
     table_row "$scene"
