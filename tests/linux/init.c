@@ -1,10 +1,11 @@
 /* The first process of the virtual machine: runs the lines of /tests one after the other, says how each ended, and
  * switches the machine off.
  *
- *   NAME [user=ID] [groups=ID,ID] [hold=LINE] [term=MS] [int=MS] : PROGRAM ARGUMENT...
+ *   NAME [user=ID] [groups=ID,ID] [hold=LINE] [hide=PATH] [term=MS] [int=MS] : PROGRAM ARGUMENT...
  *
  * user, groups  as whom it runs (0, and none)
  * hold          this line of the chip is requested by "another" meanwhile
+ * hide          this device is not there meanwhile
  * term, int     it gets this signal after so many milliseconds, unless it has ended
  * Line 7, MARK, is high while it runs. What it writes stands between "begin NAME" and "end NAME STATUS"; a signal that
  * ended it is 128 and its number; what takes longer than a minute is killed. "line NUMBER NAME: free" or
@@ -31,7 +32,7 @@
 enum { MARK = 7, LINES = 8, WORDS = 64, PATIENCE_MS = 60000 };
 
 struct test {
-    char *name, *argv[WORDS];
+    char *name, *hide, *argv[WORDS];
     uid_t user;
     gid_t groups[8];
     size_t n_groups;
@@ -105,6 +106,8 @@ static int parse(struct test *t, char *line)
             t->user = (uid_t)atoi(value);
         else if (!strcmp(word, "groups"))
             take_groups(t, value);
+        else if (!strcmp(word, "hide"))
+            t->hide = value;
         else if (!strcmp(word, "hold"))
             t->hold = atoi(value);
         else if (!strcmp(word, "term") || !strcmp(word, "int")) {
@@ -144,6 +147,8 @@ static void run(const struct test *t, int mark)
     (void)sigemptyset(&child);
     (void)sigaddset(&child, SIGCHLD);
     (void)sigprocmask(SIG_BLOCK, &child, NULL);
+    if (t->hide && rename(t->hide, "/dev/hidden"))
+        die(t->hide);
     printf("begin %s\n", t->name);
     set(mark, 1);
     const pid_t pid = fork();
@@ -159,6 +164,8 @@ static void run(const struct test *t, int mark)
     printf("\nend %s %d\n", t->name, WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status));
     if (held >= 0)
         (void)close(held);
+    if (t->hide && rename("/dev/hidden", t->hide))
+        die(t->hide);
     show_lines();
 }
 

@@ -6,16 +6,21 @@
  *                     D/C level; bit 9 RESET went low, bit 10 a frame is whole, bit 11 chip select went high
  * FOLDER/NAME.wire    lines "key value" (see report), and "problem TEXT" for what no panel would stand: clock edges
  *                     without chip select, a byte cut short or D/C changed in its middle, a bus that is not mode 0
- * Frames, for controllers with the MIPI command set: each begins with a row address (2Bh) that lies no lower on the
- * picture than the one before, and all end with the last data byte. The first is the driver's clearing to black.
+ * Frames: each begins with a window whose first row lies no lower than that of the window before, and the last ends with
+ * the last data byte. The first is the driver's clearing to black. That is so where windows go down the picture: with
+ * the MIPI command set at any rotation, with an SSD1351 or SSD1306 that is not turned; else only the last one counts.
  * What QEMU writes besides is passed on to standard error. The trace has no times: edges have an order alone.
  *
  * SPDX-License-Identifier: MIT
  */
+#define _GNU_SOURCE
+#include <fcntl.h>
 #include <stdint.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <time.h>
+#include <unistd.h>
 
 enum { SCK, MOSI, CS, TE, DC, RESET, LIGHT, MARK, LINES };
 enum { DATA = 0x100, WENT_RESET = 0x200, FRAME = 0x400, DESELECT = 0x800, MARKS = 0xe00 };
@@ -32,8 +37,7 @@ static struct {
     size_t *edges, n_edges;              /* rising edges of TE: the number of words before each */
     size_t n_problems;
     char problem[PROBLEMS][100];
-    char pins[4096];                     /* edges of RESET and BACKLIGHT, and where bytes went in between */
-    int talked;
+    char pins[4096];                     /* edges of RESET and BACKLIGHT, and how many bytes went before each */
 } run;
 
 static int level[LINES];
@@ -70,8 +74,7 @@ static void word(unsigned w)
 static void pin_seen(int line, int to)
 {
     const size_t at = strlen(run.pins);
-    (void)snprintf(run.pins + at, sizeof run.pins - at, " %s%s%d", run.talked ? "bytes " : "", name_of[line], to);
-    run.talked = 0;
+    (void)snprintf(run.pins + at, sizeof run.pins - at, " %zu:%s%d", run.bytes, name_of[line], to);
 }
 
 static void bit(void)
@@ -88,7 +91,6 @@ static void bit(void)
     word((shift & 0xffu) | (first_dc ? DATA : 0u));
     bits = 0;
     run.bytes++;
-    run.talked = 1;
     run.selected++;
 }
 
@@ -136,16 +138,22 @@ static void edge(int line, int to)
 
 /* ---- Frames ------------------------------------------------------------------------------------------------- */
 
-/* Does a row address stand at words[i]? Then its first row. */
+/* Does a window's rows stand at words[i]? Then its first one. 2Bh is the MIPI command set's, 75h the SSD1351's, both
+ * with arguments as data; 22h is the SSD1306's, its pages, with arguments as commands. */
 static int rows_at(size_t i, unsigned *row)
 {
-    if (run.words[i] != 0x2b)
+    const unsigned code = run.words[i], as = code == 0x22 ? 0 : DATA;
+    unsigned args[2] = { 0 }, n = 0;
+    if (code != 0x2b && code != 0x75 && code != 0x22)
         return 0;
-    unsigned args[2], n = 0;
-    for (size_t k = i + 1; k < run.n && n < 2 && (run.words[k] & (DATA | DESELECT)); k++)
-        if (!(run.words[k] & MARKS)) /* chip select may go up between a command and its arguments */
-            args[n++] = run.words[k] & 0xffu;
-    *row = n == 2 ? args[0] << 8 | args[1] : 0;
+    for (size_t k = i + 1; k < run.n && n < 2; k++) {
+        if (run.words[k] & MARKS)
+            continue; /* chip select may go up in between */
+        if ((run.words[k] & DATA) != as)
+            return 0;
+        args[n++] = run.words[k] & 0xffu;
+    }
+    *row = code == 0x2b && n == 2 ? args[0] << 8 | args[1] : args[0];
     return n == 2;
 }
 
@@ -239,9 +247,8 @@ static void finish(const char *folder)
         problem("chip select was left low");
     write_stream(stream, report);
     write_end(report);
-    (void)fprintf(report, "bytes %zu\ncs_pulses %zu\nlongest %zu\nedges %zu\npins%s%s\nlevels RESET%d BACKLIGHT%d\n",
-                  run.bytes, run.cs_pulses, run.longest, run.n_edges, run.pins, run.talked ? " bytes" : "",
-                  level[RESET], level[LIGHT]);
+    (void)fprintf(report, "bytes %zu\ncs_pulses %zu\nlongest %zu\nedges %zu\npins%s\nlevels RESET%d BACKLIGHT%d\n",
+                  run.bytes, run.cs_pulses, run.longest, run.n_edges, run.pins, level[RESET], level[LIGHT]);
     for (size_t i = 0; i < run.n_problems && i < PROBLEMS; i++)
         (void)fprintf(report, "problem %s\n", run.problem[i]);
     if (fclose(stream) || fclose(report)) {
@@ -253,20 +260,48 @@ static void finish(const char *folder)
     run.name = NULL;
 }
 
+/* ---- The trace ---------------------------------------------------------------------------------------------- */
+
+/* The next line, its end taken off, and its length; NULL: no more. QEMU writes line by line, hundreds in a millisecond: a
+ * reader that waited for each would be woken for each, which took as long as all the rest. */
+static char *next_line(size_t *length)
+{
+    static const struct timespec pause = { 0, 1000000 };
+    static char text[1 << 18];
+    static size_t at, end;
+    char *stop;
+    while ((stop = memchr(text + at, '\n', end - at)) == NULL) {
+        memmove(text, text + at, end - at);
+        end -= at;
+        at = 0;
+        const ssize_t n = end < sizeof text ? read(STDIN_FILENO, text + end, sizeof text - end) : 0;
+        if (n <= 0)
+            return NULL;
+        end += (size_t)n;
+        (void)nanosleep(&pause, NULL);
+    }
+    char *line = text + at;
+    *stop = '\0';
+    *length = (size_t)(stop - line);
+    at += *length + 1;
+    return line;
+}
+
 int main(int argc, char **argv)
 {
     static const char output[] = "pl061_set_output ", input[] = "pl061_input_change ";
-    char text[512];
+    char *text;
+    size_t n;
     int next = 2;
-    while (argc > 2 && fgets(text, sizeof text, stdin)) {
+    (void)fcntl(STDIN_FILENO, F_SETPIPE_SZ, 1 << 20);
+    while (argc > 2 && (text = next_line(&n)) != NULL) {
         const int out = !strncmp(text, output, sizeof output - 1);
-        const size_t n = strlen(text);
         if (!out && strncmp(text, input, sizeof input - 1)) {
-            (void)fputs(text, stderr);
+            (void)fprintf(stderr, "%s\n", text);
             continue;
         }
         /* "... setting output 0 to 1", "... input 3 changed to 1": read from the end, for speed */
-        const int line = text[n - (out ? sizeof "0 to 1" : sizeof "3 changed to 1")] - '0', to = text[n - 2] - '0';
+        const int line = text[n - (out ? strlen("0 to 1") : strlen("3 changed to 1"))] - '0', to = text[n - 1] - '0';
         if (line < 0 || line >= LINES || (to & ~1) || (out && line == TE))
             continue;
         if (line == MARK && to && next < argc)
