@@ -175,21 +175,47 @@ int sim_png_save(const char *path, uint32_t width, uint32_t height, const uint8_
     return status;
 }
 
-int sim_png_save_565(const char *path, uint32_t width, uint32_t height, const uint16_t *px)
+void sim_picture_565(struct sim_picture *p, uint32_t width, uint32_t height, const uint16_t *px)
 {
-    uint8_t *rgb = sim_rgb565_to_rgb8(px, (size_t)width * height);
-    const int status = sim_png_save(path, width, height, rgb);
-    free(rgb);
-    return status;
+    const size_t n = (size_t)width * height;
+    *p = (struct sim_picture){ width, height, sim_rgb565_to_rgb8(px, n), sim_alloc(n, sizeof *px), 2 };
+    memcpy(p->raw, px, n * sizeof *px);
+}
+
+void sim_picture_free(struct sim_picture *p)
+{
+    free(p->rgb);
+    free(p->raw);
+    memset(p, 0, sizeof *p);
+}
+
+/* Values of 1 or 2 bytes, most significant first. */
+static void write_values(FILE *f, const uint16_t *value, size_t n, int n_bytes)
+{
+    for (size_t i = 0; i < n; i++) {
+        if (n_bytes == 2)
+            (void)putc(value[i] >> 8, f);
+        (void)putc(value[i] & 255, f);
+    }
+}
+
+int sim_picture_save(const struct sim_picture *p, const char *png, const char *raw)
+{
+    struct sim_output out;
+    int status = sim_png_save(png, p->width, p->height, p->rgb);
+    if (status != SIM_OK || raw == NULL)
+        return status;
+    status = sim_output_open(&out, raw);
+    if (status != SIM_OK)
+        return status;
+    write_values(out.file, p->raw, (size_t)p->width * p->height, p->raw_bytes);
+    return sim_output_commit(&out, 1);
 }
 
 void sim_pgm_write(FILE *f, uint32_t width, uint32_t height, const uint16_t *value)
 {
     (void)fprintf(f, "P5\n%lu %lu\n65535\n", (unsigned long)width, (unsigned long)height);
-    for (size_t i = 0; i < (size_t)width * height; i++) {
-        (void)putc(value[i] >> 8, f);
-        (void)putc(value[i] & 255, f);
-    }
+    write_values(f, value, (size_t)width * height, 2);
 }
 
 void sim_u32_write(FILE *f, const uint32_t *value, size_t n)

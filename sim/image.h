@@ -18,9 +18,24 @@ uint8_t *sim_rgb565_to_rgb8(const uint16_t *px, size_t n);
 /* Write a PNG of 8-bit RGB, rgb: [height][width][3]. */
 int sim_png_write(FILE *f, const char *name, uint32_t width, uint32_t height, const uint8_t *rgb);
 
-/* The same into a file, whole or not at all; and from RGB565. */
+/* The same into a file, whole or not at all. */
 int sim_png_save(const char *path, uint32_t width, uint32_t height, const uint8_t *rgb);
-int sim_png_save_565(const char *path, uint32_t width, uint32_t height, const uint16_t *px);
+
+/* What is seen, and the values that it is made of. */
+struct sim_picture {
+    uint32_t width, height; /* px */
+    uint8_t *rgb;           /* [height][width][3]; malloc'ed, and so is raw */
+    uint16_t *raw;          /* [height][width]: RGB565, grey levels or bits */
+    uint8_t raw_bytes;      /* that one of them takes in a file: 2, or 1 for levels and bits */
+};
+
+/* From RGB565, copied. */
+void sim_picture_565(struct sim_picture *p, uint32_t width, uint32_t height, const uint16_t *px);
+void sim_picture_free(struct sim_picture *p);
+
+/* Into a PNG, and its values, row by row, most significant byte first, into a second file (NULL: not wanted); each
+ * whole or not at all. */
+int sim_picture_save(const struct sim_picture *p, const char *png, const char *raw);
 
 /* Binary PGM, maxval 65535, most significant byte first; and uint32 least significant byte first.
  * Errors show in ferror(f). */
@@ -46,6 +61,6 @@ int sim_image_decode(struct sim_image *out, const char *name, const void *bytes,
 int sim_image_load(struct sim_image *out, const char *path);
 void sim_image_free(struct sim_image *image);
 
-/* The first two writers return SIM_OK or, having said why about `name` or `path`, SIM_REFUSED. */
+/* sim_png_write, sim_png_save and sim_picture_save return SIM_OK or, having said why about the file, SIM_REFUSED. */
 
 #endif

@@ -1,19 +1,14 @@
-/* Parsing: one table of options, one function for each kind of value. A value that is not of its
- * kind is a usage error; one that is, but lies outside its range, is refused.
+/* The table of options, and what they must not be together.
  *
  * SPDX-License-Identifier: MIT
  */
 #include "options.h"
 
-#include <math.h>
 #include <stddef.h>
-#include <stdlib.h>
 #include <string.h>
 
+#include "option_table.h"
 #include "sim.h"
-#include "value.h"
-
-#define COORD_MAX 1e30 /* keeps products of three lengths inside a double */
 
 const char sim_options_help[] =
     "usage: zsim render MODEL --out FRAME.png [options]\n"
@@ -69,158 +64,52 @@ const char sim_options_help[] =
     "An option's value may follow after a space or an equals sign.\n"
     "Exit status: 0 done; 1 refused, nothing written; 2 the command line makes no sense.\n";
 
-enum kind {
-    KIND_FILE,
-    KIND_SIZE,
-    KIND_COUNT,
-    KIND_NUMBER,
-    KIND_VECTOR,
-    KIND_RGB,
-    KIND_CHOICE,
-    KIND_FLAG
-};
-
-/* Choices are written as the number of the word; the enums of struct sim_options count alike. */
-struct option {
-    const char *name;
-    enum kind kind;
-    size_t to;         /* offset of the value: const char *, long, double, struct zs_rgb, int ... */
-    size_t has;        /* offset of an int that becomes 1; 0: none */
-    double lo, hi;     /* range of a count or number, both ends inside; equal: none */
-    const char *words; /* "a|b|c": choices, or the only counts there are; else NULL */
-};
-
 #define AT(field) offsetof(struct sim_options, field)
 
-static const struct option table[] = {
-    { "--out", KIND_FILE, AT(out), 0, 0, 0, NULL },
-    { "--depth-out", KIND_FILE, AT(depth_out), 0, 0, 0, NULL },
-    { "--id-out", KIND_FILE, AT(id_out), 0, 0, 0, NULL },
-    { "--stats", KIND_FILE, AT(stats), 0, 0, 0, NULL },
-    { "--size", KIND_SIZE, AT(size), AT(has_size), 0, 0, NULL },
-    { "--strip", KIND_COUNT, AT(strip), 0, 0, 0, NULL },
-    { "--tris", KIND_COUNT, AT(tris), 0, 1, ZS_POOL_MAX, NULL },
-    { "--verts", KIND_COUNT, AT(verts), 0, 3, ZS_POOL_MAX, NULL },
-    { "--depth-bits", KIND_COUNT, AT(depth_bits), 0, 8, 16, NULL },
-    { "--skip-off", KIND_COUNT, AT(skip_off), 0, 0, 31, NULL },
-    { "--subpixel", KIND_COUNT, AT(subpixel), 0, 0, 0, "4|8" },
-    { "--buffers", KIND_COUNT, AT(buffers), 0, 0, 0, "1|2" },
-    { "--eye", KIND_VECTOR, AT(eye), AT(has_eye), 0, 0, NULL },
-    { "--at", KIND_VECTOR, AT(at), AT(has_at), 0, 0, NULL },
-    { "--up", KIND_VECTOR, AT(up), 0, 0, 0, NULL },
-    { "--light", KIND_VECTOR, AT(light), AT(has_light), 0, 0, NULL },
-    { "--fov", KIND_NUMBER, AT(fov), 0, 0, 0, NULL },
-    { "--near", KIND_NUMBER, AT(near_z), AT(has_near), 0, 0, NULL },
-    { "--far", KIND_NUMBER, AT(far_z), AT(has_far), 0, 0, NULL },
-    { "--ambient", KIND_NUMBER, AT(ambient), 0, 0, 1, NULL },
-    { "--diffuse", KIND_NUMBER, AT(diffuse), 0, 0, 1, NULL },
-    { "--background", KIND_RGB, AT(background), 0, 0, 0, NULL },
-    { "--color", KIND_RGB, AT(color), AT(has_color), 0, 0, NULL },
-    { "--projection", KIND_CHOICE, AT(projection), 0, 0, 0, "perspective|orthographic" },
-    { "--depth", KIND_CHOICE, AT(depth), 0, 0, 0, "recip|linear|e3m13|e4m12|e5m11|float" },
-    { "--shade", KIND_CHOICE, AT(shade), 0, 0, 0, "id|flat|smooth|textured|textured-flat|unlit" },
-    { "--texture", KIND_FILE, AT(texture), 0, 0, 0, NULL },
-    { "--texture-format", KIND_CHOICE, AT(texel), 0, 0, 0, "565|pal8|pal4" },
-    { "--wrap", KIND_CHOICE, AT(clamp), AT(has_wrap), 0, 0, "repeat|clamp" },
-    { "--cull", KIND_CHOICE, AT(cull), 0, 0, 0, "back|front|none" },
-    { "--panel", KIND_FILE, AT(panel.name), 0, 0, 0, NULL },
-    { "--rotate", KIND_CHOICE, AT(panel.turns), AT(has_turns), 0, 0, "0|90|180|270" },
-    { "--invert", KIND_FLAG, AT(panel.invert), 0, 0, 0, NULL },
-    { "--bgr", KIND_FLAG, AT(panel.bgr), 0, 0, 0, NULL },
-    { "--spi", KIND_COUNT, AT(spi_hz), AT(has_spi), 1000, 1e9, NULL },
-    { "--reference", KIND_FLAG, AT(reference), 0, 0, 0, NULL },
-    { "--compare", KIND_FLAG, AT(compare), 0, 0, 0, NULL },
-    { "--help", KIND_FLAG, AT(help), 0, 0, 0, NULL },
-    { "-h", KIND_FLAG, AT(help), 0, 0, 0, NULL },
+static const struct sim_option table[] = {
+    { "--out", SIM_OPTION_FILE, AT(out), 0, 0, 0, NULL },
+    { "--depth-out", SIM_OPTION_FILE, AT(depth_out), 0, 0, 0, NULL },
+    { "--id-out", SIM_OPTION_FILE, AT(id_out), 0, 0, 0, NULL },
+    { "--stats", SIM_OPTION_FILE, AT(stats), 0, 0, 0, NULL },
+    { "--size", SIM_OPTION_SIZE, AT(size), AT(has_size), 1, ZS_SIZE_MAX, NULL },
+    { "--strip", SIM_OPTION_COUNT, AT(strip), 0, 0, 0, NULL },
+    { "--tris", SIM_OPTION_COUNT, AT(tris), 0, 1, ZS_POOL_MAX, NULL },
+    { "--verts", SIM_OPTION_COUNT, AT(verts), 0, 3, ZS_POOL_MAX, NULL },
+    { "--depth-bits", SIM_OPTION_COUNT, AT(depth_bits), 0, 8, 16, NULL },
+    { "--skip-off", SIM_OPTION_COUNT, AT(skip_off), 0, 0, 31, NULL },
+    { "--subpixel", SIM_OPTION_COUNT, AT(subpixel), 0, 0, 0, "4|8" },
+    { "--buffers", SIM_OPTION_COUNT, AT(buffers), 0, 0, 0, "1|2" },
+    { "--eye", SIM_OPTION_VECTOR, AT(eye), AT(has_eye), 0, 0, NULL },
+    { "--at", SIM_OPTION_VECTOR, AT(at), AT(has_at), 0, 0, NULL },
+    { "--up", SIM_OPTION_VECTOR, AT(up), 0, 0, 0, NULL },
+    { "--light", SIM_OPTION_VECTOR, AT(light), AT(has_light), 0, 0, NULL },
+    { "--fov", SIM_OPTION_NUMBER, AT(fov), 0, 0, 0, NULL },
+    { "--near", SIM_OPTION_NUMBER, AT(near_z), AT(has_near), 0, 0, NULL },
+    { "--far", SIM_OPTION_NUMBER, AT(far_z), AT(has_far), 0, 0, NULL },
+    { "--ambient", SIM_OPTION_NUMBER, AT(ambient), 0, 0, 1, NULL },
+    { "--diffuse", SIM_OPTION_NUMBER, AT(diffuse), 0, 0, 1, NULL },
+    { "--background", SIM_OPTION_RGB, AT(background), 0, 0, 0, NULL },
+    { "--color", SIM_OPTION_RGB, AT(color), AT(has_color), 0, 0, NULL },
+    { "--projection", SIM_OPTION_CHOICE, AT(projection), 0, 0, 0, "perspective|orthographic" },
+    { "--depth", SIM_OPTION_CHOICE, AT(depth), 0, 0, 0, "recip|linear|e3m13|e4m12|e5m11|float" },
+    { "--shade", SIM_OPTION_CHOICE, AT(shade), 0, 0, 0, "id|flat|smooth|textured|textured-flat|unlit" },
+    { "--texture", SIM_OPTION_FILE, AT(texture), 0, 0, 0, NULL },
+    { "--texture-format", SIM_OPTION_CHOICE, AT(texel), 0, 0, 0, "565|pal8|pal4" },
+    { "--wrap", SIM_OPTION_CHOICE, AT(clamp), AT(has_wrap), 0, 0, "repeat|clamp" },
+    { "--cull", SIM_OPTION_CHOICE, AT(cull), 0, 0, 0, "back|front|none" },
+    SIM_PANEL_OPTIONS(struct sim_options, panel),
+    { "--spi", SIM_OPTION_COUNT, AT(spi_hz), AT(has_spi), 1000, 1e9, NULL },
+    { "--reference", SIM_OPTION_FLAG, AT(reference), 0, 0, 0, NULL },
+    { "--compare", SIM_OPTION_FLAG, AT(compare), 0, 0, 0, NULL },
+    { "--help", SIM_OPTION_FLAG, AT(help), 0, 0, 0, NULL },
+    { "-h", SIM_OPTION_FLAG, AT(help), 0, 0, 0, NULL },
 };
 
 #define N_TABLE (sizeof table / sizeof table[0])
 
-static int take_vector(const char *text, double v[3])
-{
-    const char *end;
-    return sim_value_double(text, ',', &end, &v[0]) && sim_value_double(end + 1, ',', &end, &v[1]) &&
-           sim_value_double(end + 1, '\0', &end, &v[2]);
-}
-
-static int take_count(const char *text, const char *words, long *count)
-{
-    const char *end;
-    return (words == NULL || sim_value_choice(text, words) >= 0) && sim_value_long(text, &end, count) &&
-           *end == '\0';
-}
-
-/* A value into its place; 0 where it is not of its option's kind. */
-static int take_value(const struct option *opt, const char *text, void *to)
-{
-    const char *end;
-    int word;
-    switch (opt->kind) {
-    case KIND_FILE:
-        *(const char **)to = text;
-        return text[0] != '\0';
-    case KIND_SIZE:
-        return sim_value_size(text, to);
-    case KIND_COUNT:
-        return take_count(text, opt->words, to);
-    case KIND_NUMBER:
-        return sim_value_double(text, '\0', &end, to);
-    case KIND_VECTOR:
-        return take_vector(text, to);
-    case KIND_RGB:
-        return sim_value_rgb(text, to);
-    case KIND_CHOICE:
-        word = sim_value_choice(text, opt->words);
-        *(int *)to = word >= 0 ? word : 0;
-        return word >= 0;
-    case KIND_FLAG:
-        break;
-    }
-    return 0;
-}
-
-static const char *wanted(const struct option *opt)
-{
-    static const char *const names[] = {
-        [KIND_FILE] = "a file name",      [KIND_SIZE] = "WIDTHxHEIGHT",
-        [KIND_COUNT] = "a whole number",  [KIND_NUMBER] = "a number",
-        [KIND_VECTOR] = "numbers x,y,z",  [KIND_RGB] = "a colour RRGGBB",
-        [KIND_CHOICE] = "a word",         [KIND_FLAG] = "no value",
-    };
-    return opt->words != NULL ? opt->words : names[opt->kind];
-}
-
-/* What is understood and still cannot be done. file: the model, to name it. */
-static int check_range(const struct option *opt, const void *at, const char *file)
-{
-    const int is_number = opt->kind == KIND_NUMBER, is_vector = opt->kind == KIND_VECTOR;
-    const double *v = at;
-    for (int k = 0; is_number || (is_vector && k < 3); k++) {
-        if (!isfinite(v[k]))
-            return sim_refuse(
-                file, 0, "%s holds a number that is not finite; give ordinary numbers", opt->name);
-        if (fabs(v[k]) > COORD_MAX)
-            return sim_refuse(file, 0, "%s %g is beyond %g; scale the scene down", opt->name, v[k],
-                              COORD_MAX);
-        if (is_number)
-            break;
-    }
-    const double value = is_number                 ? v[0]
-                         : opt->kind == KIND_COUNT ? (double)*(const long *)at
-                                                   : 0.0;
-    if (opt->lo < opt->hi && (value < opt->lo || value > opt->hi))
-        return sim_refuse(file, 0, "%s %g is outside its range, %g to %g", opt->name, value,
-                          opt->lo, opt->hi);
-    return SIM_OK;
-}
-
 static int check_rest(const struct sim_options *o)
 {
     const char *file = o->model;
-    for (int k = 0; k < 2; k++)
-        if (o->size[k] < 1 || o->size[k] > ZS_SIZE_MAX)
-            return sim_refuse(file, 0, "--size %ldx%ld: the frame must be 1 to %d px wide and high",
-                              o->size[0], o->size[1], ZS_SIZE_MAX);
     if (o->strip < 1)
         return sim_refuse(file, 0, "--strip %ld: a strip has at least 1 row", o->strip);
     if (!(o->fov > 0.0 && o->fov < 180.0))
@@ -257,34 +146,17 @@ static int check_rest(const struct sim_options *o)
     return SIM_OK;
 }
 
-/* A panel's picture is the frame: takes its size over. */
 static int check_panel(struct sim_options *o)
 {
-    struct panel_config config;
     struct pm_glass glass;
-    if (o->panel.name == NULL && (o->has_turns || o->panel.invert || o->panel.bgr || o->has_spi))
-        return sim_usage("%s is for a --panel, which is missing", o->has_turns      ? "--rotate"
-                                                                 : o->panel.invert ? "--invert"
-                                                                 : o->panel.bgr    ? "--bgr"
-                                                                                   : "--spi");
-    if (o->panel.name == NULL)
-        return SIM_OK;
-    if (o->reference)
+    if (o->panel.name == NULL && o->has_spi)
+        return sim_usage("--spi is for a --panel, which is missing");
+    if (o->panel.name != NULL && o->reference)
         return sim_usage("--reference does not go through a panel: leave --panel out, or use --compare");
-    const int status = sim_panel_of(&o->panel, o->model, &config, &glass);
-    if (status != SIM_OK)
-        return status;
-    const int turned = o->panel.turns & 1;
-    const long w = turned ? glass.height : glass.width, h = turned ? glass.width : glass.height;
-    if (o->has_size && (o->size[0] != w || o->size[1] != h))
-        return sim_refuse(o->model, 0,
-                          "--size %ldx%ld is not the picture of --panel %s --rotate %d, %ldx%ld; leave it out",
-                          o->size[0], o->size[1], o->panel.name, 90 * o->panel.turns, w, h);
-    o->size[0] = w;
-    o->size[1] = h;
-    if (!o->has_spi)
+    const int status = sim_panel_take(&o->panel, o->model, o->has_size, o->size, o->strip, &glass);
+    if (o->panel.name != NULL && status == SIM_OK && !o->has_spi)
         o->spi_hz = pm_glass_format(&glass) == PM_RGB565 ? 62500000 : 10000000;
-    return sim_panel_check_strip(&o->panel, o->model, o->strip, h);
+    return status;
 }
 
 int sim_options_textured(const struct sim_options *o)
@@ -313,40 +185,6 @@ static void set_defaults(struct sim_options *o)
     o->subpixel = 8;
 }
 
-static const struct option *find(const char *arg, size_t length)
-{
-    for (size_t k = 0; k < N_TABLE; k++)
-        if (strlen(table[k].name) == length && memcmp(table[k].name, arg, length) == 0)
-            return &table[k];
-    return NULL;
-}
-
-/* One option with its value, at argv[*i]. */
-static int take_option(struct sim_options *o, char seen[N_TABLE], int argc, char **argv, int *i)
-{
-    const char *arg = argv[*i];
-    const size_t length = strcspn(arg, "=");
-    const struct option *opt = find(arg, length);
-    if (opt == NULL)
-        return sim_usage("unknown option '%s'", arg);
-    char *base = (char *)o;
-    const char *value = arg[length] == '=' ? arg + length + 1 : NULL;
-    seen[opt - table] = 1;
-    if (opt->kind == KIND_FLAG && value == NULL) {
-        *(int *)(void *)(base + opt->to) = 1;
-        return SIM_OK;
-    }
-    if (value == NULL && *i + 1 >= argc)
-        return sim_usage("%s wants a value: %s", opt->name, wanted(opt));
-    if (value == NULL)
-        value = argv[++*i];
-    if (!take_value(opt, value, base + opt->to))
-        return sim_usage("%s wants %s, not '%s'", opt->name, wanted(opt), value);
-    if (opt->has != 0)
-        *(int *)(void *)(base + opt->has) = 1;
-    return SIM_OK;
-}
-
 static int take_arguments(struct sim_options *o, char seen[N_TABLE], int argc, char **argv)
 {
     int only_names = 0;
@@ -355,7 +193,7 @@ static int take_arguments(struct sim_options *o, char seen[N_TABLE], int argc, c
         if (!only_names && strcmp(argv[i], "--") == 0)
             only_names = 1;
         else if (!only_names && argv[i][0] == '-' && argv[i][1] != '\0')
-            status = take_option(o, seen, argc, argv, &i);
+            status = sim_option_take(table, N_TABLE, o, seen, argc, argv, &i);
         else if (o->model != NULL)
             status = sim_usage("one model at a time: '%s' is one too many", argv[i]);
         else
@@ -379,9 +217,7 @@ int sim_options_parse(struct sim_options *o, int argc, char **argv)
         return sim_usage("--out is missing: zsim render MODEL --out FRAME.png");
     if (o->reference && o->compare)
         return sim_usage("--compare draws the reference too: leave --reference out");
-    for (size_t k = 0; status == SIM_OK && k < N_TABLE; k++)
-        if (seen[k])
-            status = check_range(&table[k], (const char *)o + table[k].to, o->model);
+    status = sim_options_in_range(table, N_TABLE, o, seen, o->model);
     if (status == SIM_OK)
         status = check_rest(o);
     return status == SIM_OK ? check_panel(o) : status;

@@ -50,7 +50,7 @@ struct sim_options {
     int reference, compare, help;                                 /* flags */
     struct sim_panel_wish panel; /* size is its picture's, where it has a name */
     long spi_hz;                 /* of its wire */
-    int has_size, has_turns, has_spi;
+    int has_size, has_spi;
 };
 
 /* Fill *o from the arguments after "render". SIM_USAGE where they make no sense, SIM_REFUSED where

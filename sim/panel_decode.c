@@ -5,16 +5,16 @@
 #include "panel_decode.h"
 
 #include <errno.h>
+#include <stddef.h>
 #include <stdlib.h>
 #include <string.h>
 #include <sys/stat.h>
 
 #include "image.h"
-#include "output.h"
+#include "option_table.h"
 #include "panel_frame.h"
 #include "panel_model.h"
 #include "sim.h"
-#include "value.h"
 
 /* Words of a stream: a byte and its D/C level, or marks. */
 enum { DATA = 0x100, RESET = 0x200, FRAME = 0x400, DESELECT = 0x800, MARKS = 0xe00, WORD = 0xfff };
@@ -38,41 +38,39 @@ static const char usage[] =
     "makes no sense.\n";
 
 struct request {
-    const char *panel, *stream, *out, *raw;
-    int turns; /* quarter turns */
-    uint8_t invert, bgr;
+    const char *stream, *out, *raw;
+    struct sim_panel_wish panel;
+    int help;
 };
+
+#define AT(field) offsetof(struct request, field)
+
+static const struct sim_option table[] = {
+    { "--decode", SIM_OPTION_FILE, AT(stream), 0, 0, 0, NULL },
+    { "--out", SIM_OPTION_FILE, AT(out), 0, 0, 0, NULL },
+    { "--raw", SIM_OPTION_FILE, AT(raw), 0, 0, 0, NULL },
+    SIM_PANEL_OPTIONS(struct request, panel),
+    { "--help", SIM_OPTION_FLAG, AT(help), 0, 0, 0, NULL },
+    { "-h", SIM_OPTION_FLAG, AT(help), 0, 0, 0, NULL },
+};
+
+#define N_TABLE (sizeof table / sizeof table[0])
 
 /* ---- Command line -------------------------------------------------------------------------------------- */
 
 static int parse(struct request *rq, int argc, char **argv)
 {
+    char seen[N_TABLE] = { 0 };
     for (int i = 0; i < argc; i++) {
-        const char *name = argv[i], *value;
-        if (strcmp(name, "--invert") == 0 || strcmp(name, "--bgr") == 0) {
-            *(name[2] == 'i' ? &rq->invert : &rq->bgr) = 1;
-            continue;
-        }
-        const char **to = strcmp(name, "--panel") == 0    ? &rq->panel
-                          : strcmp(name, "--decode") == 0 ? &rq->stream
-                          : strcmp(name, "--out") == 0    ? &rq->out
-                          : strcmp(name, "--raw") == 0    ? &rq->raw
-                                                          : NULL;
-        if (to == NULL && strcmp(name, "--rotate") != 0)
-            return sim_usage("panel: unknown option '%s'", name);
-        if (i + 1 >= argc || argv[i + 1][0] == '\0')
-            return sim_usage("panel: %s wants a value", name);
-        value = argv[++i];
-        if (to != NULL)
-            *to = value;
-        else if ((rq->turns = sim_value_choice(value, "0|90|180|270")) < 0)
-            return sim_usage("panel: --rotate wants 0|90|180|270, not '%s'", value);
+        const int status = sim_option_take(table, N_TABLE, rq, seen, argc, argv, &i);
+        if (status != SIM_OK)
+            return status;
     }
-    if (rq->panel == NULL || rq->stream == NULL || rq->out == NULL)
+    if (!rq->help && (rq->panel.name == NULL || rq->stream == NULL || rq->out == NULL))
         return sim_usage("panel: %s is missing: zsim panel --panel NAME:WxH --decode STREAM --out F_%%03d.png",
-                         rq->panel == NULL    ? "--panel"
-                         : rq->stream == NULL ? "--decode"
-                                              : "--out");
+                         rq->panel.name == NULL ? "--panel"
+                         : rq->stream == NULL   ? "--decode"
+                                                : "--out");
     return SIM_OK;
 }
 
@@ -137,49 +135,18 @@ static int load(const char *name, uint16_t **words, size_t *n)
 
 /* ---- Pictures ------------------------------------------------------------------------------------------ */
 
-static void write_raw(FILE *f, enum pm_format format, const uint16_t *raw, size_t n)
-{
-    for (size_t i = 0; i < n; i++) {
-        if (format == PM_RGB565)
-            (void)putc(raw[i] >> 8, f);
-        (void)putc(raw[i] & 255, f);
-    }
-}
-
-static int save_raw(const char *path, enum pm_format format, const uint16_t *raw, size_t n)
-{
-    struct sim_output out;
-    const int status = sim_output_open(&out, path);
-    if (status != SIM_OK)
-        return status;
-    write_raw(out.file, format, raw, n);
-    return sim_output_commit(&out, 1);
-}
-
 /* What the viewer sees now, into the files of a number. */
 static int look(const struct pm_model *model, const struct pm_glass *glass, const struct request *rq, unsigned number)
 {
-    char path[4096];
-    const size_t n = (size_t)glass->width * glass->height;
-    const uint32_t w = rq->turns & 1 ? glass->height : glass->width, h = (uint32_t)n / w;
-    uint8_t *rgb = sim_alloc(n, 3), *seen = sim_alloc(n, 3);
-    uint16_t *raw = sim_alloc(n, 2), *raw_seen = sim_alloc(n, 2);
-    pm_picture(model, rgb, raw);
-    pm_view(glass, rq->turns, rgb, seen, 3);
-    pm_view(glass, rq->turns, raw, raw_seen, 2);
-    int status = SIM_OK;
-    if (!file_name(path, sizeof path, rq->out, number) && number > 0)
-        status = sim_refuse(rq->out, 0, "the stream has more than one frame; number them, as in frame_%%03d.png");
-    if (status == SIM_OK)
-        status = sim_png_save(path, w, h, seen);
-    if (status == SIM_OK && rq->raw != NULL) {
-        (void)file_name(path, sizeof path, rq->raw, number);
-        status = save_raw(path, pm_glass_format(glass), raw_seen, n);
-    }
-    free(rgb);
-    free(seen);
-    free(raw);
-    free(raw_seen);
+    char png[4096], raw[4096];
+    struct sim_picture seen;
+    if (!file_name(png, sizeof png, rq->out, number) && number > 0)
+        return sim_refuse(rq->out, 0, "the stream has more than one frame; number them, as in frame_%%03d.png");
+    if (rq->raw != NULL)
+        (void)file_name(raw, sizeof raw, rq->raw, number);
+    sim_panel_picture(&seen, model, glass, rq->panel.turns);
+    const int status = sim_picture_save(&seen, png, rq->raw != NULL ? raw : NULL);
+    sim_picture_free(&seen);
     return status;
 }
 
@@ -237,22 +204,20 @@ int sim_panel(int argc, char **argv)
     struct pm_glass glass;
     uint16_t *words = NULL;
     size_t n = 0;
-    if (argc > 0 && (strcmp(argv[0], "--help") == 0 || strcmp(argv[0], "-h") == 0)) {
+    int status = parse(&rq, argc, argv);
+    if (status == SIM_OK && rq.help) {
         (void)printf(usage, sim_panel_list(20));
         return SIM_OK;
     }
-    int status = parse(&rq, argc, argv);
     if (status == SIM_OK)
         status = check_pattern("--out", rq.out);
     if (status == SIM_OK && rq.raw != NULL)
         status = check_pattern("--raw", rq.raw);
-    if (status == SIM_OK && !pm_glass_named(&glass, rq.panel))
-        status = sim_refuse(NULL, 0, "--panel %s is not known; there are %s", rq.panel, pm_glass_list());
+    if (status == SIM_OK)
+        status = sim_panel_glass(&rq.panel, NULL, &glass);
     if (status == SIM_OK)
         status = load(rq.stream, &words, &n);
     if (status == SIM_OK) {
-        glass.inverted = rq.invert;
-        glass.bgr = rq.bgr;
         struct pm_model *model = pm_new(&glass);
         if (model == NULL)
             status = sim_refuse(NULL, 0, "out of memory for the panel's RAM");

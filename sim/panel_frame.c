@@ -12,20 +12,7 @@
 const char *sim_panel_list(int indent)
 {
     static char lines[1024];
-    const char *at = pm_glass_list();
-    size_t n = 0, column = (size_t)indent;
-    while (*at != '\0' && n + 64 + (size_t)indent < sizeof lines) {
-        const size_t length = strcspn(at, " ") + (strchr(at, ' ') != NULL);
-        if (n > 0 && column + length > 100) {
-            n += (size_t)sprintf(lines + n - 1, "\n%*s", indent, "") - 1; /* over the blank */
-            column = (size_t)indent;
-        }
-        memcpy(lines + n, at, length);
-        n += length;
-        column += length;
-        at += length;
-    }
-    lines[n] = '\0';
+    sim_wrap(lines, sizeof lines, pm_glass_list(), indent);
     return lines;
 }
 
@@ -37,13 +24,22 @@ static const struct panel_type *driver_of(const char *name, size_t length)
     return NULL;
 }
 
-int sim_panel_of(const struct sim_panel_wish *wish, const char *file, struct panel_config *config,
-                 struct pm_glass *glass)
+int sim_panel_glass(const struct sim_panel_wish *wish, const char *file, struct pm_glass *glass)
 {
     if (!pm_glass_named(glass, wish->name))
         return sim_refuse(file, 0, "--panel %s is not known; there are %s", wish->name, pm_glass_list());
     glass->inverted = wish->invert != 0;
     glass->bgr = wish->bgr != 0;
+    return SIM_OK;
+}
+
+/* The driver's config and the glass for a wish. */
+static int plan(const struct sim_panel_wish *wish, const char *file, struct panel_config *config,
+                struct pm_glass *glass)
+{
+    const int status = sim_panel_glass(wish, file, glass);
+    if (status != SIM_OK)
+        return status;
     memset(config, 0, sizeof *config);
     config->type = driver_of(wish->name, strcspn(wish->name, ":"));
     config->width = glass->width;
@@ -56,25 +52,45 @@ int sim_panel_of(const struct sim_panel_wish *wish, const char *file, struct pan
     return SIM_OK;
 }
 
-int sim_panel_check_strip(const struct sim_panel_wish *wish, const char *file, long rows, long height)
+static int check_strip(const struct sim_panel_wish *wish, const char *file, const struct panel_config *config,
+                       long rows, long height)
 {
-    struct panel_config config;
-    struct pm_glass glass;
-    const int status = sim_panel_of(wish, file, &config, &glass);
-    if (status != SIM_OK || rows >= height)
-        return status;
-    const long grain = panel_grain(&config).y;
-    if (rows % grain == 0)
+    const long grain = panel_grain(config).y;
+    if (rows >= height || rows % grain == 0)
         return SIM_OK;
     return sim_refuse(file, 0, "--strip %ld: %s takes %ld rows at a time, so give a multiple of that, such as %ld",
                       rows, wish->name, grain, (rows / grain + 1) * grain);
+}
+
+int sim_panel_take(const struct sim_panel_wish *wish, const char *file, int has_size, long size[2], long strip,
+                   struct pm_glass *glass)
+{
+    struct panel_config config;
+    if (wish->name == NULL && (wish->has_turns || wish->invert || wish->bgr))
+        return sim_usage("%s is for a --panel, which is missing", wish->has_turns ? "--rotate"
+                                                                  : wish->invert  ? "--invert"
+                                                                                  : "--bgr");
+    if (wish->name == NULL)
+        return SIM_OK;
+    const int status = plan(wish, file, &config, glass);
+    if (status != SIM_OK)
+        return status;
+    const int turned = wish->turns & 1;
+    const long w = turned ? glass->height : glass->width, h = turned ? glass->width : glass->height;
+    if (has_size && (size[0] != w || size[1] != h))
+        return sim_refuse(file, 0,
+                          "--size %ldx%ld is not the picture of --panel %s --rotate %d, %ldx%ld; leave it out",
+                          size[0], size[1], wish->name, 90 * wish->turns, w, h);
+    size[0] = w;
+    size[1] = h;
+    return check_strip(wish, file, &config, strip, h);
 }
 
 int sim_panel_begin(struct sim_panel_frame *p, const struct sim_panel_wish *wish, const char *file, uint32_t rows)
 {
     struct panel_config config;
     memset(p, 0, sizeof *p);
-    const int status = sim_panel_of(wish, file, &config, &p->glass);
+    const int status = plan(wish, file, &config, &p->glass);
     if (status != SIM_OK)
         return status;
     p->model = pm_new(&p->glass);
@@ -125,12 +141,19 @@ int sim_panel_check(const struct sim_panel_frame *p, const struct sim_panel_wish
     return SIM_OK;
 }
 
-uint8_t *sim_panel_picture(const struct sim_panel_frame *p)
+void sim_panel_picture(struct sim_picture *p, const struct pm_model *model, const struct pm_glass *glass, int turns)
 {
-    const size_t n = (size_t)p->glass.width * p->glass.height;
-    uint8_t *glass = sim_alloc(n, 3), *seen = sim_alloc(n, 3);
-    pm_picture(p->model, glass, NULL);
-    pm_view(&p->glass, p->panel.config.rotate, glass, seen, 3);
-    free(glass);
-    return seen;
+    const size_t n = (size_t)glass->width * glass->height;
+    uint8_t *rgb = sim_alloc(n, 3);
+    uint16_t *raw = sim_alloc(n, sizeof *raw);
+    p->width = turns & 1 ? glass->height : glass->width;
+    p->height = turns & 1 ? glass->width : glass->height;
+    p->rgb = sim_alloc(n, 3);
+    p->raw = sim_alloc(n, sizeof *p->raw);
+    p->raw_bytes = pm_glass_format(glass) == PM_RGB565 ? 2 : 1;
+    pm_picture(model, rgb, raw);
+    pm_view(glass, turns, rgb, p->rgb, 3);
+    pm_view(glass, turns, raw, p->raw, sizeof *raw);
+    free(rgb);
+    free(raw);
 }

@@ -1,4 +1,4 @@
-/* `zsim render --panel`: strips through a panel's driver and bus into the model of its controller, and what is seen
+/* --panel of `zsim render` and `zsim demo`: strips through a panel's driver and bus into the model of its controller, and what is seen
  * on the glass then.
  *
  * SPDX-License-Identifier: MIT
@@ -6,6 +6,8 @@
 #ifndef SIM_PANEL_FRAME_H
 #define SIM_PANEL_FRAME_H
 
+#include "image.h"
+#include "option_table.h"
 #include "panel.h"
 #include "panel_bus.h"
 #include "zstrip.h"
@@ -14,7 +16,16 @@ struct sim_panel_wish {
     const char *name; /* "st7789:240x240"; NULL: no panel */
     int turns;        /* quarter turns clockwise */
     int invert, bgr;  /* flags, of glass and driver alike */
+    int has_turns;    /* flag: turns were asked for */
 };
+
+/* Rows of an option table: a wish, of its name in a struct. */
+#define SIM_PANEL_OPTIONS(type, wish)                                                                                \
+    { "--panel", SIM_OPTION_TEXT, offsetof(type, wish.name), 0, 0, 0, NULL },                                        \
+    { "--rotate", SIM_OPTION_CHOICE, offsetof(type, wish.turns), offsetof(type, wish.has_turns), 0, 0,               \
+      "0|90|180|270" },                                                                                              \
+    { "--invert", SIM_OPTION_FLAG, offsetof(type, wish.invert), 0, 0, 0, NULL },                                     \
+    { "--bgr", SIM_OPTION_FLAG, offsetof(type, wish.bgr), 0, 0, 0, NULL }
 
 struct sim_panel_frame {
     struct pm_glass glass;
@@ -30,12 +41,14 @@ struct sim_panel_frame {
  * Static storage. */
 const char *sim_panel_list(int indent);
 
-/* The driver's config and the glass for a wish. SIM_OK; SIM_REFUSED, said why about `file`, here and below. */
-int sim_panel_of(const struct sim_panel_wish *wish, const char *file, struct panel_config *config,
-                 struct pm_glass *glass);
+/* The glass of a wish that has a name. SIM_OK; SIM_REFUSED, said why about `file`, here and below. */
+int sim_panel_glass(const struct sim_panel_wish *wish, const char *file, struct pm_glass *glass);
 
-/* Is a strip height one that the panel takes, for a picture of `height` rows? SIM_OK; SIM_REFUSED, said why. */
-int sim_panel_check_strip(const struct sim_panel_wish *wish, const char *file, long rows, long height);
+/* The frame for a wish: size becomes that of its panel's picture, where it has a name; has_size: it was given, and must
+ * be that one. strip: rows, which the panel must take. SIM_OK, *glass is only set where there is a name; SIM_USAGE: the
+ * rest of a wish without a name; SIM_REFUSED. */
+int sim_panel_take(const struct sim_panel_wish *wish, const char *file, int has_size, long size[2], long strip,
+                   struct pm_glass *glass);
 
 /* Set a panel up for strips of `rows` rows. SIM_OK; SIM_REFUSED, said why. sim_panel_free in either case. */
 int sim_panel_begin(struct sim_panel_frame *p, const struct sim_panel_wish *wish, const char *file, uint32_t rows);
@@ -47,7 +60,7 @@ struct zs_sink sim_panel_sink(struct sim_panel_frame *p);
 /* Did the controller understand all of it? SIM_OK; SIM_REFUSED with the model's first sentence. */
 int sim_panel_check(const struct sim_panel_frame *p, const struct sim_panel_wish *wish, const char *file);
 
-/* What the viewer sees, malloc'ed: three 8-bit channels a pixel, rows of the picture from the top. */
-uint8_t *sim_panel_picture(const struct sim_panel_frame *p);
+/* What the viewer sees of glass that is turned by quarter turns. sim_picture_free. */
+void sim_panel_picture(struct sim_picture *p, const struct pm_model *model, const struct pm_glass *glass, int turns);
 
 #endif

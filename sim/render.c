@@ -309,11 +309,13 @@ static int write_one(FILE *f, const struct job *job, int which, const char *name
     const uint32_t w = (uint32_t)job->view.width, h = (uint32_t)job->view.height;
     const size_t n = (size_t)w * h;
     if (which == 0) {
-        uint8_t *rgb = job->options.panel.name != NULL
-                           ? sim_panel_picture(&job->panel)
-                           : sim_rgb565_to_rgb8(is_reference ? ref->rgb565 : job->frame.rgb565, n);
-        const int status = sim_png_write(f, name, w, h, rgb);
-        free(rgb);
+        struct sim_picture seen;
+        if (job->options.panel.name != NULL)
+            sim_panel_picture(&seen, job->panel.model, &job->panel.glass, job->options.panel.turns);
+        else
+            sim_picture_565(&seen, w, h, is_reference ? ref->rgb565 : job->frame.rgb565);
+        const int status = sim_png_write(f, name, w, h, seen.rgb);
+        sim_picture_free(&seen);
         return status;
     }
     if (which == 1)

@@ -1,0 +1,38 @@
+/* Options of a command line by a table: a value goes to its place in a struct. `--name value` and `--name=value`.
+ *
+ * SPDX-License-Identifier: MIT
+ */
+#ifndef SIM_OPTION_TABLE_H
+#define SIM_OPTION_TABLE_H
+
+#include <stddef.h>
+
+enum sim_option_kind {
+    SIM_OPTION_FILE,   /* const char *, not empty */
+    SIM_OPTION_TEXT,   /* the same, of something else */
+    SIM_OPTION_SIZE,   /* long[2] */
+    SIM_OPTION_COUNT,  /* long */
+    SIM_OPTION_NUMBER, /* double */
+    SIM_OPTION_VECTOR, /* double[3] */
+    SIM_OPTION_RGB,    /* struct zs_rgb */
+    SIM_OPTION_CHOICE, /* int or an enum: the number of the word */
+    SIM_OPTION_FLAG    /* int */
+};
+
+struct sim_option {
+    const char *name;
+    enum sim_option_kind kind;
+    size_t to;         /* offset of the value */
+    size_t has;        /* offset of an int that becomes 1; 0: none */
+    double lo, hi;     /* range of a count, number or side, both ends inside; equal: none */
+    const char *words; /* "a|b|c": choices, or the only counts there are; else NULL */
+};
+
+/* The option at argv[*i], with its value, into the struct at `to`; *i is at the last word that was taken. seen[k]
+ * becomes 1 for row k of the table. SIM_OK; SIM_USAGE where there is no such option, or its value is not of its kind. */
+int sim_option_take(const struct sim_option *table, size_t n, void *to, char *seen, int argc, char **argv, int *i);
+
+/* Do the options that were seen lie in their ranges? SIM_OK; SIM_REFUSED, said why about `file`. */
+int sim_options_in_range(const struct sim_option *table, size_t n, const void *at, const char *seen, const char *file);
+
+#endif
