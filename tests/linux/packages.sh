@@ -12,7 +12,7 @@ apt=$root/apt
 [ -e "$root/versions" ] && exit 0
 
 why() { # WHAT LOG    what went wrong, and apt's own first words on it
-    echo "$1: $(grep -E '^[EW]: ' "$2" | head -1 | cut -c1-200)"
+    echo "$1: $(sed -n 's/^E: //p' "$2" | head -1 | cut -c1-200)"
     exit 1
 }
 
@@ -25,7 +25,7 @@ if [ -z "$site" ]; then
     exit 1
 fi
 
-rm -rf "$apt" && mkdir -p "$apt/lists/partial" "$apt/archives/partial" "$apt/tree" || exit 1
+rm -rf "$apt" && mkdir -p "$apt/lists/partial" "$apt/archives/partial" "$apt/tree" "$apt/none" || exit 1
 : >"$apt/status"
 echo "deb [signed-by=/usr/share/keyrings/debian-archive-keyring.gpg] $site $release main" >"$apt/sources.list"
 # The machine's proxies and checks stay; its hooks, other sources and packages do not.
@@ -33,11 +33,11 @@ echo "deb [signed-by=/usr/share/keyrings/debian-archive-keyring.gpg] $site $rele
     apt-config dump | grep -E '^Acquire::(https?|Check)'
     cat <<END
 Dir::Etc::SourceList "$apt/sources.list";
-Dir::Etc::SourceParts "-";
+Dir::Etc::SourceParts "$apt/none";
 Dir::Etc::Main "/dev/null";
-Dir::Etc::Parts "-";
+Dir::Etc::Parts "$apt/none";
 Dir::Etc::Preferences "/dev/null";
-Dir::Etc::PreferencesParts "-";
+Dir::Etc::PreferencesParts "$apt/none";
 Dir::State "$apt";
 Dir::State::Status "$apt/status";
 Dir::Cache "$apt";
