@@ -18,13 +18,13 @@ LINUX_SIM = $(wildcard sim/panel_model/*.c) sim/option_table.c sim/panel_bus.c s
 HEADERS = $(wildcard firmware/*/*.h firmware/scenes/gen/*.h hal/*.h hal/*/*.h sim/*.h sim/*/*.h tests/*.h tests/*/*.h)
 LIBS = -lassimp -lmeshoptimizer -lpng -lturbojpeg -lm
 
-# Debian packages: what the simulator is built from, and what tests and fuzzers need besides
+# Debian packages: what the simulator and zstrip-linux are built from, and what tests and fuzzers need besides
 PKG_SIM = gcc libc6-dev libassimp-dev libmeshoptimizer-dev libpng-dev libturbojpeg0-dev
-PKG_TEST = $(PKG_SIM) g++ clang binutils libcmocka-dev gcc-arm-none-eabi \
+PKG_LINUX = $(PKG_SIM) libgpiod-dev pkg-config
+PKG_TEST = $(PKG_LINUX) g++ clang binutils libcmocka-dev gcc-arm-none-eabi \
            libnewlib-arm-none-eabi qemu-system-arm gcc-arm-linux-gnueabihf libc6-dev-armhf-cross \
            device-tree-compiler cpio $(if $(shell command -v npm),,nodejs npm)
 PKG_FUZZ = $(PKG_TEST) libclang-rt-14-dev
-PKG_LINUX = $(PKG_SIM) libgpiod-dev pkg-config
 PKG_FW = gcc libc6-dev gcc-arm-none-eabi libnewlib-arm-none-eabi
 BOARD = pico
 SCENE = teapot

@@ -25,7 +25,7 @@ static int is_device(const char *name, const char *prefix)
     if (strlen(name) >= DEV_NAME || strncmp(name, prefix, n) != 0 || name[n] == '\0' ||
         name[n + strspn(name + n, "0123456789.")] != '\0')
         return 0;
-    (void)snprintf(path, sizeof path, "/dev/%s", name);
+    (void)snprintf(path, sizeof path, "/dev/%.*s", DEV_NAME, name);
     return lstat(path, &st) == 0 && S_ISCHR(st.st_mode);
 }
 

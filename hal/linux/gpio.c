@@ -17,7 +17,7 @@ struct walk {
     char name[DEV_NAME], path[GPIO_TEXT], label[GPIO_TEXT];
     void *chip;       /* open until the next step */
     uint32_t n_lines;
-    int denied;       /* errno of the last one that could not be opened, and its path */
+    int denied;       /* errno of the first one that could not be opened, and its path */
     char denied_path[GPIO_TEXT];
 };
 
@@ -37,8 +37,10 @@ static int step(struct walk *w)
         w->chip = gpio_chip_open(w->path);
         if (w->chip && !gpio_chip_look(w->chip, w->label, &w->n_lines))
             return 1;
-        w->denied = errno;
-        (void)strcpy(w->denied_path, w->path);
+        if (!w->denied) {
+            w->denied = errno;
+            (void)strcpy(w->denied_path, w->path);
+        }
         if (w->chip)
             gpio_chip_close(w->chip);
         w->chip = NULL;
@@ -114,9 +116,9 @@ static int open_chip(struct walk *w, const char *what, const char *called)
     if (called[0] == '/')
         (void)snprintf(w->path, sizeof w->path, "%s", called);
     else if (is_number(called))
-        (void)snprintf(w->path, sizeof w->path, "/dev/" CHIPS "%s", called);
+        (void)snprintf(w->path, sizeof w->path, "/dev/" CHIPS "%.8s", called);
     else if (!strncmp(called, CHIPS, strlen(CHIPS)) && is_number(called + strlen(CHIPS)))
-        (void)snprintf(w->path, sizeof w->path, "/dev/%s", called);
+        (void)snprintf(w->path, sizeof w->path, "/dev/%.16s", called);
     else {
         while (step(w))
             if (!strcmp(w->label, called))

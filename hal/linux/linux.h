@@ -17,6 +17,10 @@
 #include <stdint.h>
 #include <stdio.h>
 
+#ifdef __cplusplus
+extern "C" {
+#endif
+
 /* A line is named
  *   NAME        as the machine's device tree names it ("GPIO25"); there must be one of that name;
  *   CHIP:LINE   CHIP a number, "gpiochip0", a path or the chip's label, LINE its number there or its name;
@@ -59,5 +63,9 @@ int linux_describe(FILE *to);
 
 /* All lines of all chips that this user may look at, one a line, with their names and who holds them. */
 void linux_list_lines(FILE *to);
+
+#ifdef __cplusplus
+}
+#endif
 
 #endif

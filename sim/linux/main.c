@@ -25,7 +25,6 @@
 #define COLUMNS 8u        /* that --partial tells apart */
 #define FAILURES_MAX 3u   /* frames in a row that the panel did not take */
 #define TE_MS 1000u       /* without an edge: longer than any panel takes for a picture */
-#define TE_SLICE_MS 50u   /* after which a signal is seen that came just before a wait */
 #define STOPPED (-199)    /* by a signal; no code of zstrip.h, hal.h or panel.h */
 
 static volatile sig_atomic_t stop;
@@ -143,22 +142,18 @@ static uint32_t by_the_clock(uint64_t start, uint32_t last)
     return last + 1u;
 }
 
-/* Until the edge that a frame begins with; SIM_OK, also where it does not come. */
+/* Until the edge that a frame begins with; SIM_OK, also where it does not come. A signal just before the wait is seen
+ * after it. */
 static int wait_for_edge(void)
 {
-    for (uint32_t ms = 0; use_te && !stop; ms += TE_SLICE_MS) {
-        if (ms >= TE_MS) {
-            (void)sim_refuse(NULL, 0, "--te %s: no edge came for %u ms; frames are drawn without it from now on, check "
-                             "the wire and that the panel drives it", options.te, TE_MS);
-            use_te = 0;
-            break;
-        }
-        const int came = linux_wait_edge(TE_SLICE_MS);
-        if (came < 0)
-            return sim_refuse(NULL, 0, "%s", linux_why());
-        if (came)
-            break;
-    }
+    const int came = use_te ? linux_wait_edge(TE_MS) : 1;
+    if (came < 0)
+        return sim_refuse(NULL, 0, "%s", linux_why());
+    if (came || stop)
+        return SIM_OK;
+    (void)sim_refuse(NULL, 0, "--te %s: no edge came for %u ms; frames are drawn without it from now on, check the wire "
+                     "and that the panel drives it", options.te, TE_MS);
+    use_te = 0;
     return SIM_OK;
 }
 
@@ -281,6 +276,7 @@ static int prepare(struct linux_wiring *wiring)
                                      options.reset, options.backlight,       options.te };
     linux_wire(wiring);
     use_te = options.te != NULL;
+    glass.te = (uint8_t)use_te;
     return status;
 }
 
