@@ -94,6 +94,38 @@ boot() {
         "$(cat "$at/boot_$1.txt" "$at/boot_$1.err" | tail -n 3 | tr '\n' ' ' | cut -c1-300)")"
 }
 
+# ---- The decoder itself --------------------------------------------------------------------------------------------
+
+# Edges, such as 2- for line 2 goes low, decoded as a run of this name: NAME EDGES...
+decode_edges() {
+    name=$1
+    shift
+    for e in 2+ 5+ 7+ "$@" 7-; do
+        echo "pl061_set_output /a setting output ${e%[+-]} to $(echo "${e#?}" | tr +- 10)"
+    done | "$out/wire" "$out" "$name"
+}
+# A run with this fault is told so: NAME WORDS EDGES...
+finds() {
+    name=$1 words=$2
+    shift 2
+    decode_edges "$name" "$@"
+    grep -q "^problem .*$words" "$out/$name.wire" || echo "not found: $words"
+}
+decoder_test() {
+    c='0+ 0-' # a clock
+    decode_edges good 4- 2- 1+ $c $c 1- $c $c $c $c $c 1+ $c 2+ 4+ 2- $c $c $c $c 1- $c $c $c $c 2+ 5- 5+
+    [ "$(od -An -tx2 "$out/good.stream" | tr -d '\n')" = ' 00c1 0800 01f0 0400 0800 0200' ] ||
+        echo "not c1, data f0, a frame, a reset: $(od -An -tx2 "$out/good.stream")"
+    field "$out/good.wire" problem
+    finds cut 'a byte was cut short' 2- $c $c $c 2+
+    finds moved 'D/C changed in the middle' 2- $c 4+ $c $c $c $c $c $c $c 2+
+    finds mosi 'MOSI changed while the clock was high' 2- 0+ 1+ 0- $c $c $c $c $c $c $c 2+
+    finds idle 'chip select changed while the clock was high' 0+ 2- 0- 2+
+    finds unselected 'clock without chip select' $c
+    finds reset 'clock while RESET is low' 5- 2- $c $c $c $c $c $c $c $c 2+
+    finds left 'chip select was left low' 2-
+}
+
 # ---- Judging ------------------------------------------------------------------------------------------------------
 
 wire() { # TEST KEY
@@ -297,6 +329,7 @@ releases=$(echo "$halves" | sed 's/:[0-9]//g')
 # shellcheck disable=SC2086
 make -s -j2 -f tests/linux/linux.mk B="$build" $releases >"$out/make.log" 2>&1 ||
     { cat "$out/make.log"; bad linux_builds "see above"; exit 1; }
+verdict linux_decoder "$(decoder_test | head -3 | tr '\n' ' ')"
 device_tree
 truths
 for half in $halves; do # side by side: the machine has two cores
