@@ -37,7 +37,7 @@ struct request {
 #define AT(field) offsetof(struct request, field)
 
 static const struct sim_option table[] = {
-    { "--out", SIM_OPTION_FILE, AT(out), 0, 0, 0, NULL },
+    { "--out", SIM_OPTION_TEXT, AT(out), 0, 0, 0, NULL },
     { "--scene", SIM_OPTION_TEXT, AT(scenes), 0, 0, 0, NULL },
     { "--size", SIM_OPTION_SIZE, AT(size), AT(has_size), 1, ZS_SIZE_MAX, NULL },
     { "--strip", SIM_OPTION_COUNT, AT(strip), 0, 1, ZS_SIZE_MAX, NULL },

@@ -29,7 +29,7 @@ struct sim_option {
 };
 
 /* The option at argv[*i], with its value, into the struct at `to`; *i is at the last word that was taken. seen[k]
- * becomes 1 for row k of the table. SIM_OK; SIM_USAGE where there is no such option, or its value is not of its kind. */
+ * becomes 1 for row k of the table. SIM_OK; SIM_USAGE where there is no such option or its value is not of its kind. */
 int sim_option_take(const struct sim_option *table, size_t n, void *to, char *seen, int argc, char **argv, int *i);
 
 /* Do the options that were seen lie in their ranges? SIM_OK; SIM_REFUSED, said why about `file`. */

@@ -1,5 +1,5 @@
-/* --panel of `zsim render` and `zsim demo`: strips through a panel's driver and bus into the model of its controller, and what is seen
- * on the glass then.
+/* --panel of `zsim render` and `zsim demo`: strips through a panel's driver and bus into the model of its controller,
+ * and what is seen on the glass then.
  *
  * SPDX-License-Identifier: MIT
  */

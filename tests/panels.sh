@@ -4,7 +4,7 @@
 # Usage: tests/panels.sh ZSIM WORKDIR     as tests/cli.sh
 set -u
 . tests/cli/common.sh
-gcc -O1 -Wall -Wextra -Werror "$top/tests/cli/seen.c" -lpng -o "$work/seen" || exit 1
+. "$top/tests/cli/panel.sh"
 
 # Boxes of many sizes in a heap, from no side the same
 awk 'BEGIN { srand(3); n = 0
@@ -18,12 +18,6 @@ awk 'BEGIN { srand(3); n = 0
             print "f", n + q[4 * f + 1] + 1, n + q[4 * f + 2] + 1, n + q[4 * f + 3] + 1, n + q[4 * f + 4] + 1
         n += 8 } }' >heap.obj
 look='--background 204060 --color ff9040 --light 2,3,1'
-kind() { # PANEL
-    case $1 in ssd0323*) echo grey ;; ssd1306*) echo mono ;; *) echo colour ;; esac
-}
-turned() { # WxH DEGREES
-    case $2 in 90 | 270) echo "${1#*x}x${1%x*}" ;; *) echo "$1" ;; esac
-}
 
 # ---- Every panel ----------------------------------------------------------------------------------
 panels='st7789:240x240 st7789:240x320 st7789:135x240 ili9341:240x320 gc9a01:240x240 ssd1351:128x128 ssd1351:128x96

@@ -56,6 +56,7 @@ run accuracy sh tests/accuracy.sh "$build/test/zsim"
 run cli sh tests/cli.sh "$build/test/zsim" "$build/test/cli"
 run cli_texture sh tests/cli_texture.sh "$build/test/zsim" "$build/test/cli_texture"
 run panels sh tests/panels.sh "$build/test/zsim" "$build/test/panels"
+run demo sh tests/demo.sh "$build/test/zsim" "$build/test/demo"
 run pico sh tests/pico.sh "$build"
 run linux sh tests/linux.sh "$build"
 for check in wide objects kernels hal includes cplusplus stack size bench; do

@@ -1,6 +1,6 @@
-/* Is a picture what a panel shows of a frame? For tests/panels.sh.
+/* Is a picture what a panel shows of a frame, and does a file hold its values? For tests/panels.sh and tests/demo.sh.
  *
- *   seen P.png F.png colour|grey|mono    "WIDTH HEIGHT COLOURS" of P
+ *   seen P.png F.png colour|grey|mono [P.bin]    "WIDTH HEIGHT COLOURS" of P
  *
  * Exit 0; 1 with a sentence on standard output. Shares no code with zsim.
  *
@@ -37,10 +37,34 @@ static void wanted(const char *how, const uint8_t *f, unsigned x, unsigned y, ui
         memset(out, (int)(255 * quantise_bit(f[0], f[1], f[2], x, y)), 3);
 }
 
+/* Does a file hold the picture's values, RGB565 or a byte for each level or bit, and nothing else? */
+static void check_values(const char *name, const char *how, const uint8_t *p, size_t n)
+{
+    FILE *in = fopen(name, "rb");
+    for (size_t i = 0; in != NULL && i < n; i++) {
+        const uint8_t *px = p + 3 * i;
+        int want = strcmp(how, "grey") == 0 ? px[0] / 17 : px[0] / 255;
+        int have = getc(in);
+        if (strcmp(how, "colour") == 0) {
+            want = px[0] >> 3 << 11 | px[1] >> 2 << 5 | px[2] >> 3;
+            have = have << 8 | getc(in);
+        }
+        if (have != want) {
+            printf("value %zu of %s is %x instead of %x\n", i, name, (unsigned)have, (unsigned)want);
+            exit(1);
+        }
+    }
+    if (in == NULL || getc(in) != EOF) {
+        printf("%s is %s\n", name, in == NULL ? "missing" : "too long");
+        exit(1);
+    }
+    fclose(in);
+}
+
 int main(int argc, char **argv)
 {
     uint8_t *p, *f, want[3], colour[65536 / 8] = { 0 };
-    if (argc != 4)
+    if (argc != 4 && argc != 5)
         return 2;
     const png_image seen = load(argv[1], &p), frame = load(argv[2], &f);
     if (seen.width != frame.width || seen.height != frame.height) {
@@ -60,6 +84,8 @@ int main(int argc, char **argv)
             colours += !(colour[key / 8] >> key % 8 & 1);
             colour[key / 8] |= (uint8_t)(1 << key % 8);
         }
+    if (argc == 5)
+        check_values(argv[4], argv[3], p, (size_t)seen.width * seen.height);
     printf("%u %u %u\n", seen.width, seen.height, colours);
     return 0;
 }
