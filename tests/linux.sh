@@ -1,25 +1,26 @@
 #!/bin/sh
-# zstrip-linux on real kernels: Debian's own for armhf in QEMU, of two releases, each with its libgpiod, with a panel on
-# the pins of a PL061. What QEMU traces on the pins goes into the model of the panel's controller; the pictures must be
-# those of `zsim demo`, byte for byte. Needs build/zsim. A machine without /dev/gpiochip0 and spidev runs it as well, and
-# nobody but the kernel in QEMU is asked for one.
+# zstrip-linux on real kernels: Debian's own for armhf in QEMU, of two releases, each with its libgpiod, with a panel
+# on the pins of a PL061. What QEMU traces on the pins goes into the model of the panel's controller; the pictures must
+# be those of `zsim demo`, byte for byte. This machine's own kernel needs no GPIO and no SPI for it. Needs build/zsim.
 # Usage: tests/linux.sh BUILD
 #
-# Not seen by it: time on the wire (QEMU's trace has no times), a real SPI controller's clock, DMA and speed limit, and
-# voltages. The kernel bit-bangs SPI (spi-gpio) below the same spidev.
+# Not seen by it: time on the wire (QEMU's trace has no times), how much of the drawing goes on behind it (on one emulated
+# core, threads take turns), a real SPI controller's clock, DMA and speed limit, voltages. The kernel bit-bangs SPI
+# (spi-gpio) below the same spidev.
 # The first release's packages must be reachable. Where the second's are not, its half is SKIPPED, in as many words.
 #
 # SPDX-License-Identifier: MIT
+# shellcheck disable=SC2046,SC2086,SC2317
 set -u
 build=$1
 out=$build/linux
 . tests/boards/common.sh
-cc=arm-linux-gnueabihf-gcc
 STEP=13
 
 # ---- What runs ----------------------------------------------------------------------------------------------------
 
-pins='--spi /dev/spidev0.0 --dc PANEL_DC --reset PANEL_RESET --backlight PANEL_BACKLIGHT'
+app='/zstrip-linux --spi /dev/spidev0.0'
+run="$app --dc PANEL_DC --reset PANEL_RESET --backlight PANEL_BACKLIGHT"
 user='user=1000 groups=20,21'   # an ordinary user in gpio and spi
 full='--panel st7789:240x240 --invert'
 turned='--panel st7789:135x240 --invert --rotate 90'
@@ -28,32 +29,33 @@ grey='--panel ssd0323:128x64 --rotate 270'
 mono='--panel ssd1306:128x64'
 tiny='--panel ssd1306:64x48'
 
+cubes="--scene cubes --step $STEP --frames"
+
 # Lines for init.c: NAME SETTINGS : COMMAND
 list() {
-    run="/zstrip-linux $pins"
     cat <<END
-full $user : $run $full --scene teapot --frames 1 --step $STEP --stats
-turned $user : $run $turned --scene globe --frames 3 --step $STEP --partial
-colour $user : $run $colour --scene knot --frames 3 --step $STEP
-grey $user : /zstrip-linux --spi /dev/spidev0.0 --dc gpiochip0:4 --reset gpiochip0:5 $grey --scene cubes --frames 2 --step $STEP
-mono $user : /zstrip-linux --spi /dev/spidev0.0 --dc 9030000.pl061:4 --reset 9030000.pl061:PANEL_RESET $mono --scene cubes --frames 2 --step $STEP
-te $user : $run $tiny --te PANEL_TE --scene cubes --frames 4 --step $STEP
-free $user : $run $tiny --scene cubes --frames 4 --step $STEP
+full $user : $run $full --scene teapot --step $STEP --frames 1 --stats
+turned $user : $run $turned --scene globe --step $STEP --frames 3 --partial
+colour $user : $run $colour --scene knot --step $STEP --frames 3
+grey $user : $app --dc gpiochip0:4 --reset gpiochip0:5 $grey $cubes 2
+mono $user : $app --dc 9030000.pl061:4 --reset 9030000.pl061:PANEL_RESET $mono $cubes 2
+te $user : $run $tiny --te PANEL_TE $cubes 4
+free $user : $run $tiny $cubes 4
+noedge $user : $app --dc PANEL_DC --reset PANEL_RESET --te PANEL_BACKLIGHT $tiny $cubes 2
 term $user term=4000 : $run $tiny --scene cubes
 int $user int=4000 : $run $tiny --scene cubes
-noedge $user : /zstrip-linux --spi /dev/spidev0.0 --dc PANEL_DC --reset PANEL_RESET --te PANEL_BACKLIGHT $tiny --scene cubes --frames 2 --step $STEP
 dry $user : $run $tiny --scene cubes --dry-run
-held $user hold=4 : $run $tiny --scene cubes --frames 1
-otherspi $user : /zstrip-linux --spi /dev/spidev7.0 --dc PANEL_DC --reset PANEL_RESET $tiny --scene cubes --frames 1
-nospi $user hide=/dev/spidev0.0 : $run $tiny --scene cubes --frames 1
-nochip $user hide=/dev/gpiochip0 : $run $tiny --scene cubes --frames 1
-noline $user : /zstrip-linux --spi /dev/spidev0.0 --dc PANEL_DCX --reset PANEL_RESET $tiny --scene cubes --frames 1
-nogpio user=1000 groups=21 : $run $tiny --scene cubes --frames 1
-nospigroup user=1000 groups=20 : $run $tiny --scene cubes --frames 1
+held $user hold=4 : $run $tiny $cubes 1
+otherspi $user : /zstrip-linux --spi /dev/spidev7.0 --dc PANEL_DC --reset PANEL_RESET $tiny $cubes 1
+nospi $user hide=/dev/spidev0.0 : $run $tiny $cubes 1
+nochip $user hide=/dev/gpiochip0 : $run $tiny $cubes 1
+noline $user : $app --dc PANEL_DCX --reset PANEL_RESET $tiny $cubes 1
+nogpio user=1000 groups=21 : $run $tiny $cubes 1
+nospigroup user=1000 groups=20 : $run $tiny $cubes 1
 END
 }
 list_small() { # where the kernel takes 1024 bytes at a time
-    echo "small $user : /zstrip-linux $pins $colour --scene knot --frames 1 --step $STEP"
+    echo "small $user : $run $colour --scene knot --step $STEP --frames 1"
 }
 
 # ---- The machine --------------------------------------------------------------------------------------------------
@@ -62,14 +64,18 @@ list_small() { # where the kernel takes 1024 bytes at a time
 device_tree() {
     qemu-system-arm -M virt,dumpdtb="$out/virt.dtb" -cpu cortex-a15 -smp 1 -m 128 -net none -nographic \
         >"$out/dtb.txt" 2>&1 && dtc -q -I dtb -O dts "$out/virt.dtb" >"$out/virt.dts" &&
-        cat "$out/virt.dts" tests/linux/panel.dts | dtc -q -I dts -O dtb -o "$out/panel.dtb" 2>>"$out/dtb.txt" && return
+        cat "$out/virt.dts" tests/linux/panel.dts >"$out/panel.dts" &&
+        dtc -q -I dts -O dtb -o "$out/panel.dtb" "$out/panel.dts" 2>>"$out/dtb.txt" && return
     bad linux_device_tree "$(tail -1 "$out/dtb.txt")"
     exit 1
 }
 
-# Run a list of tests: BOOT LIST KERNEL-OPTIONS   in $at; leaves boot_BOOT.txt, and of each test NAME.txt, .stream, .wire
+# Run a list of tests: BOOT LIST KERNEL-OPTIONS   in $at; leaves boot_BOOT.txt, of each test NAME.txt, .stream, .wire
 boot() {
     names=$(sed 's/ .*//' "$2")
+    for name in $names; do # nothing of a run before is judged
+        rm -f "$at/$name.txt" "$at/$name.stream" "$at/$name.wire"
+    done
     rm -rf "$at/tree" && mkdir -p "$at/tree/etc"
     cp "$out/init" "$at/tree/init"
     cp "$at/zstrip-linux" "$at/tree/"
@@ -77,7 +83,6 @@ boot() {
     printf 'root:x:0:\ngpio:x:20:\nspi:x:21:\n' >"$at/tree/etc/group"
     (cd "$at/tree" && find . | cpio -o -H newc -R 0:0 --quiet) >"$at/initrd"
     # Line 3 is pulsed, as long as there is a reader.
-    # shellcheck disable=SC2086
     while sleep 0.4 && echo system_powerdown; do :; done 2>/dev/null |
         timeout 200 qemu-system-arm -M virt -cpu cortex-a15 -smp 1 -m 128 -net none -display none -monitor stdio \
             -serial file:"$at/boot_$1.raw" -kernel "$at/vmlinuz" -dtb "$out/panel.dtb" -initrd "$at/initrd" \
@@ -87,8 +92,8 @@ boot() {
     tr -d '\r' <"$at/boot_$1.raw" >"$at/boot_$1.txt"
     for name in $names; do
         # its text, its status, and what the lines were afterwards
-        awk -v name="$name" '$1 == "begin" { on = $2 == name; next } on && $1 == "end" { print "status " $3; next } on' \
-            "$at/boot_$1.txt" >"$at/$name.txt"
+        awk -v name="$name" '$1 == "begin" { on = $2 == name; next } on && $1 == "end" { print "status " $3; next }
+            on' "$at/boot_$1.txt" >"$at/$name.txt"
     done
     verdict "${half}_boot_$1" "$(grep -qx 'done' "$at/boot_$1.txt" || echo "it did not come to its end:" \
         "$(cat "$at/boot_$1.txt" "$at/boot_$1.err" | tail -n 3 | tr '\n' ' ' | cut -c1-300)")"
@@ -192,7 +197,7 @@ untouched() { # TEST
 }
 released() { # TEST   the panel's lines belong to nobody
     for line in 3 4 5 6; do
-        grep -q "^line $line .*: free\$" "$at/$1.txt" || grep "^line $line " "$at/$1.txt"
+        grep -q "^line $line .*: free\$" "$at/$1.txt" || echo "not free: $(grep "^line $line " "$at/$1.txt")"
     done
 }
 # Ended by a signal: TEST STATUS   something was shown; then asleep, dark, lines released
@@ -215,11 +220,11 @@ after_edges() {
         *) echo "edges came so often that nothing is shown by it: $(wire free frame_edges) without --te" ;;
     esac
 }
-# One line of names, one of averages: bytes are the picture's and the windows', messages have bufsiz bytes at most, and
-# some of the drawing went on behind the wire (none does where a strip is sent before the next is drawn).
+# One line of names, one of averages: bytes are the picture's and the windows', messages have bufsiz bytes at most.
 sane_stats() {
     said full | awk -F, 'NR == 1 { n = NF } NR == 2 && NF == n && $1 == "teapot" && $2 == 1 && $3 > 0 && $8 > 115200 &&
-        $8 < 115400 && $9 >= 29 && $9 < 200 && $6 > 0 { sane = 1 } END { if (!sane || NR != 2) print "not as expected:", $0 }'
+        $8 < 115400 && $9 >= 29 && $9 < 200 { sane = 1 }
+        END { if (!sane || NR != 2) print "not as expected:", $0 }'
 }
 # --dry-run says what there is, and touches nothing.
 looks_only() {
@@ -241,8 +246,8 @@ light() {
     [ "$#" = 4 ] && [ "$3" -ge $(($1 + $2)) ] && [ "$4" -lt "$(wire full bytes)" ] ||
         echo "of $(wire full bytes) bytes, pictures $1 $2: $(wire full pins)"
 }
-# The first frame is whole; of the later ones, changed columns of changed strips alone: all of those strips would be four
-# of 11520 bytes.
+# The first frame is whole; of the later ones, changed columns of changed strips alone: all of those strips would be
+# four of 11520 bytes.
 fewer_bytes() {
     set -- $(wire turned frame_bytes)
     [ "$#" = 4 ] && [ "$2" -ge 64800 ] && [ "$3" -lt 40000 ] && [ "$4" -lt 40000 ] || echo "$*"
@@ -313,7 +318,7 @@ truths() {
     truth_of te cubes 4 $tiny
 }
 
-halves= skipped=
+halves=
 for half in bookworm:1 trixie:2; do
     name=${half%:*}
     if why=$(sh tests/linux/packages.sh "$out/$name" "$name"); then
@@ -321,12 +326,11 @@ for half in bookworm:1 trixie:2; do
     elif [ "$name" = bookworm ]; then
         bad linux_libgpiod_1 "$why"
     else
-        skipped="SKIPPED linux_libgpiod_2: nothing was tested on its kernel: $why"
+        echo "SKIPPED linux_libgpiod_2: nothing was tested on its kernel: $why" # tests/run.sh says it again at its end
     fi
 done
 [ -n "$halves" ] || exit 1
 releases=$(echo "$halves" | sed 's/:[0-9]//g')
-# shellcheck disable=SC2086
 make -s -j2 -f tests/linux/linux.mk B="$build" $releases >"$out/make.log" 2>&1 ||
     { cat "$out/make.log"; bad linux_builds "see above"; exit 1; }
 verdict linux_decoder "$(decoder_test | head -3 | tr '\n' ' ')"
@@ -340,7 +344,4 @@ for half in $halves; do
     cat "$out/${half%:*}.log"
     ! grep -q '^FAILED ' "$out/${half%:*}.log" || failed=1
 done
-if [ -n "$skipped" ]; then
-    echo "$skipped"
-fi
 exit $failed

@@ -19,7 +19,7 @@ why() { # WHAT LOG    what went wrong, and apt's own first words on it
 # The archive: that of the machine's own Debian, not its security or update suites.
 . /etc/os-release
 site=$(apt-get indextargets --format '$(SITE) $(RELEASE) $(COMPONENT)' 'Identifier: Packages' 2>/dev/null |
-    awk -v own="${VERSION_CODENAME:-}" '$3 == "main" && ($2 == own || $2 ~ /^(old)?stable$|^testing$/) { print $1; exit }')
+    awk -v own="${VERSION_CODENAME:-}" '$3 == "main" && ($2 == own || $2 ~ /^(old)?stable$/) { print $1; exit }')
 if [ -z "$site" ]; then
     echo "apt names no archive of this machine's own Debian release"
     exit 1
@@ -53,13 +53,14 @@ END
 export APT_CONFIG="$apt/apt.conf"
 
 apt-get update -q -o APT::Update::Error-Mode=any >"$apt/log" 2>&1 || why "$release cannot be reached" "$apt/log"
-image=$(apt-cache depends linux-image-armmp 2>>"$apt/log" | sed -n 's/^ *Depends: \(linux-image-[^ ]*\)$/\1/p' | head -1)
+image=$(apt-cache depends linux-image-armmp 2>>"$apt/log" |
+    sed -n 's/^ *Depends: \(linux-image-[^ ]*\)$/\1/p' | head -1)
 [ -n "$image" ] || why "$release has no armhf kernel" "$apt/log"
 cd "$apt/tree" || exit 1
 apt-get download -q "$image" libgpiod-dev >>"$apt/log" 2>&1 || why "$image, libgpiod-dev" "$apt/log"
 for deb in *.deb; do
-    dpkg-deb --fsys-tarfile "$deb" | tar -xf - --wildcards './boot/vmlinuz*' './usr/include/*' './usr/lib/*/libgpiod.a' \
-        2>/dev/null
+    dpkg-deb --fsys-tarfile "$deb" |
+        tar -xf - --wildcards './boot/vmlinuz*' './usr/include/*' './usr/lib/*/libgpiod.a' 2>/dev/null
 done
 mkdir -p "$root/include" "$root/lib"
 cp boot/vmlinuz-* "$root/vmlinuz" && cp usr/include/gpiod.h "$root/include/" && cp usr/lib/*/libgpiod.a "$root/lib/" ||

@@ -6,9 +6,9 @@
  *                     D/C level; bit 9 RESET went low, bit 10 a frame is whole, bit 11 chip select went high
  * FOLDER/NAME.wire    lines "key value" (see report), and "problem TEXT" for what no panel would stand: clock edges
  *                     without chip select, a byte cut short or D/C changed in its middle, a bus that is not mode 0
- * Frames: each begins with a window whose first row lies no lower than that of the window before, and the last ends with
- * the last data byte. The first is the driver's clearing to black. That is so where windows go down the picture: with
- * the MIPI command set at any rotation, with an SSD1351 or SSD1306 that is not turned; else only the last one counts.
+ * Frames: each begins with a window whose first row lies no lower than that of the window before, and the last ends
+ * with the last data byte. The first is the driver's clearing to black. That is so where windows go down the picture:
+ * with the MIPI command set at any rotation, with an SSD1351 or SSD1306 that is not turned; else only the last counts.
  * What QEMU writes besides is passed on to standard error. The trace has no times: edges have an order alone.
  *
  * SPDX-License-Identifier: MIT
@@ -262,8 +262,8 @@ static void finish(const char *folder)
 
 /* ---- The trace ---------------------------------------------------------------------------------------------- */
 
-/* The next line, its end taken off, and its length; NULL: no more. QEMU writes line by line, hundreds in a millisecond: a
- * reader that waited for each would be woken for each, which took as long as all the rest. */
+/* The next line, its end taken off, and its length; NULL: no more. QEMU writes line by line, hundreds in a
+ * millisecond: a reader that waited for each would be woken for each, which took as long as all the rest. */
 static char *next_line(size_t *length)
 {
     static const struct timespec pause = { 0, 1000000 };
