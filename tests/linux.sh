@@ -4,9 +4,9 @@
 # be those of `zsim demo`, byte for byte. This machine's own kernel needs no GPIO and no SPI for it. Needs build/zsim.
 # Usage: tests/linux.sh BUILD
 #
-# Not seen by it: time on the wire (QEMU's trace has no times), how much of the drawing goes on behind it (on one emulated
-# core, threads take turns), a real SPI controller's clock, DMA and speed limit, voltages. The kernel bit-bangs SPI
-# (spi-gpio) below the same spidev.
+# Not seen by it: time on the wire (QEMU's trace has no times), how much of the drawing goes on behind it (on one
+# emulated core, threads take turns), a real SPI controller's clock, DMA and speed limit, voltages. The kernel bit-bangs
+# SPI (spi-gpio) below the same spidev.
 # The first release's packages must be reachable. Where the second's are not, its half is SKIPPED, in as many words.
 #
 # SPDX-License-Identifier: MIT
