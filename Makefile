@@ -112,13 +112,13 @@ help:
 $(B)/.setup-sim:
 	@mkdir -p $(B) && .ci/setup $(PKG_SIM) && touch $@
 $(B)/.setup-test:
-	@mkdir -p $(B) && .ci/setup $(PKG_TEST) && touch $@ $(B)/.setup-sim
+	@mkdir -p $(B) && .ci/setup $(PKG_TEST) && touch $@ $(B)/.setup-linux $(B)/.setup-sim
 $(B)/.setup-fw:
 	@mkdir -p $(B) && .ci/setup $(PKG_FW) && touch $@
 $(B)/.setup-linux:
 	@mkdir -p $(B) && .ci/setup $(PKG_LINUX) && touch $@ $(B)/.setup-sim
 $(B)/.setup-fuzz:
-	@mkdir -p $(B) && .ci/setup $(PKG_FUZZ) && touch $@ $(B)/.setup-test $(B)/.setup-sim
+	@mkdir -p $(B) && .ci/setup $(PKG_FUZZ) && touch $@ $(B)/.setup-test $(B)/.setup-linux $(B)/.setup-sim
 
 # Meshes: written by a generator, built into one archive
 $(B)/gen_meshes: $(GEN) $(CORE) $(HEADERS)

@@ -69,6 +69,7 @@ static struct {
     int edge_errno;
     int interrupts;              /* ioctls to come that fail with EINTR */
     uint32_t signal_at;          /* the message in which SIGTERM comes; 0: none */
+    uint32_t wire_hz;            /* 0: messages take no time, else what they take at this clock */
     sem_t *begun, *go;           /* where not NULL: each message of data says that it has begun, and waits to go on */
     uint64_t slept_us;
     struct pm_model *model;
@@ -77,6 +78,15 @@ static struct {
 } m;
 static int in_message; /* atomic: a message is on the wire */
 static char folder[] = "/tmp/zstrip-dev-XXXXXX";
+
+/* What the made-up machine insists on. It is asked from another thread and from children too, which cmocka's asserts must
+ * not leave. */
+#define MUST(condition) ((condition) ? (void)0 : must(__LINE__, #condition))
+static void must(int line, const char *what)
+{
+    (void)fprintf(stderr, "FAILED test_linux: line %d: %s\n", line, what);
+    _exit(1);
+}
 
 static void devices(const char *names) /* with blanks between; "x@" is a symbolic link */
 {
@@ -118,9 +128,9 @@ static void machine(void)
 static void model_of(const char *panel)
 {
     struct pm_glass glass;
-    assert_true(pm_glass_named(&glass, panel));
+    MUST(pm_glass_named(&glass, panel));
     m.model = pm_new(&glass);
-    assert_non_null(m.model);
+    MUST(m.model != NULL);
     pm_elapsed(m.model, 0);
 }
 
@@ -151,7 +161,7 @@ void *gpio_chip_open(const char *path)
 
 void gpio_chip_close(void *chip)
 {
-    assert_non_null(chip);
+    MUST(chip != NULL);
     m.chips_open--;
 }
 
@@ -160,7 +170,7 @@ static int index_of(void *chip)
     for (int i = 0; i < CHIPS; i++)
         if (chip == &m.chip[i])
             return i;
-    fail();
+    MUST(0);
     return 0;
 }
 
@@ -174,7 +184,7 @@ int gpio_chip_look(void *chip, char label[GPIO_TEXT], uint32_t *n_lines)
 int gpio_line_look(void *chip, uint32_t offset, struct gpio_info *info)
 {
     const struct line *l = &m.chip[index_of(chip)].line[offset];
-    assert_true(offset < LINES);
+    MUST(offset < LINES);
     (void)snprintf(info->name, GPIO_TEXT, "%s", l->name ? l->name : "");
     (void)snprintf(info->consumer, GPIO_TEXT, "%s", l->holder ? l->holder : "");
     info->used = l->holder != NULL || l->held;
@@ -187,7 +197,7 @@ int gpio_request(struct gpio_line *line, const char *path, uint32_t offset, enum
     if (n < 0 || m.chip[n].denied)
         return -1;
     struct line *l = &m.chip[n].line[offset];
-    assert_int_equal(strncmp(consumer, "zstrip ", 7), 0);
+    MUST(strncmp(consumer, "zstrip ", 7) == 0);
     if (l->held || l->holder) {
         errno = EBUSY;
         return -1;
@@ -203,8 +213,8 @@ int gpio_request(struct gpio_line *line, const char *path, uint32_t offset, enum
 int gpio_set(struct gpio_line *line, int level)
 {
     struct line *l = line->held;
-    assert_true(l->held && !l->input);
-    assert_false(__atomic_load_n(&in_message, __ATOMIC_SEQ_CST)); /* no line changes while bytes are on the wire */
+    MUST(l->held && !l->input);
+    MUST(!__atomic_load_n(&in_message, __ATOMIC_SEQ_CST)); /* no line changes while bytes are on the wire */
     if (m.model && l == &m.chip[0].line[5] && level && !l->level)
         pm_reset(m.model);
     l->level = level;
@@ -214,7 +224,7 @@ int gpio_set(struct gpio_line *line, int level)
 int gpio_edge(struct gpio_line *line, uint32_t ms)
 {
     struct line *l = line->held;
-    assert_true(l->held && l->input);
+    MUST(l->held && l->input);
     if (m.edge_errno) {
         errno = m.edge_errno;
         return -1;
@@ -276,8 +286,8 @@ int __wrap_open(const char *path, int flags, ...)
             errno = ENOENT;
             return -1;
         }
-        assert_int_equal(pipe(ends), 0);
-        assert_int_equal(write(ends[1], m.bufsiz, strlen(m.bufsiz)), strlen(m.bufsiz));
+        MUST(pipe(ends) == 0);
+        MUST(write(ends[1], m.bufsiz, strlen(m.bufsiz)) == (ssize_t)strlen(m.bufsiz));
         (void)close(ends[1]);
         return ends[0];
     }
@@ -330,7 +340,7 @@ int __wrap_nanosleep(const struct timespec *wanted, struct timespec *left)
 /* Before a command that may be the last one: other bytes with D/C low that look like it are followed by more. */
 static void look_at_model(uint8_t command)
 {
-    if ((command == 0x28 || command == 0xae) && m.lit && pm_lit(m.model)) {
+    if ((command == 0x28 || command == 0xae) && m.lit && m.model && pm_lit(m.model)) {
         pm_picture(m.model, m.lit, NULL);
         m.n_lit++;
     }
@@ -352,9 +362,14 @@ static int message(const struct spi_ioc_transfer *t)
     if (m.signal_at && k == m.signal_at)
         (void)kill(getpid(), SIGTERM);
     if (dc && t->len > 16 && m.begun) {
+        struct timespec until;
+        (void)clock_gettime(CLOCK_REALTIME, &until);
+        until.tv_sec += 5; /* then the test has failed, and goes on to say so */
         (void)sem_post(m.begun);
-        (void)sem_wait(m.go);
+        (void)sem_timedwait(m.go, &until);
     }
+    if (m.wire_hz)
+        (void)usleep((useconds_t)(8e6 * t->len / m.wire_hz));
     if (!dc && t->len == 1)
         look_at_model(bytes[0]);
     const int fails = k >= m.bad_from && k < m.bad_to;
@@ -373,7 +388,7 @@ int __wrap_ioctl(int fd, unsigned long request, ...)
     va_start(args, request);
     const void *at = va_arg(args, const void *);
     va_end(args);
-    assert_true(fd >= 0);
+    MUST(fd >= 0);
     if (m.interrupts > 0) {
         m.interrupts--;
         errno = EINTR;
@@ -392,7 +407,7 @@ int __wrap_ioctl(int fd, unsigned long request, ...)
     else if (request == SPI_IOC_WR_MAX_SPEED_HZ)
         m.speed = *(const uint32_t *)at;
     else
-        fail_msg("ioctl %lx", request);
+        MUST(0);
     return 0;
 }
 
@@ -774,6 +789,7 @@ static void child(const char *line)
     for (char *word = strtok(text, " "); word && argc < 39; word = strtok(NULL, " "))
         argv[argc++] = word;
     m.lit = left->rgb;
+    (void)alarm(20); /* seconds: it ends, or it is a failure */
     const int status = zstrip_linux(argc, argv);
     left->n_lit = m.n_lit;
     left->held = held_lines();
@@ -916,6 +932,24 @@ static void signals_at_any_moment(void **state)
     assert_int_equal(left->pixel_bytes, 135 * 240 * 2);
 }
 
+/* With a wire that takes its time, drawing goes on behind it; sent and drawn by turns, none would. */
+static void drawing_hides_behind_the_wire(void **state)
+{
+    unsigned long frames, draw, wire, hidden;
+    double rate;
+    (void)state;
+    machine();
+    m.wire_hz = 30000000;
+    expect_dark(run(WIRED "--panel st7789:240x240 --scene teapot --frames 8 --strip 16 --stats"));
+    const char *at = strstr(said, "teapot,");
+    assert_non_null(at);
+    assert_int_equal(sscanf(at, "teapot,%lu,%lf,%lu,%lu,%lu", &frames, &rate, &draw, &wire, &hidden), 5);
+    print_message("%lu frames: %.1f frames/s, draw %lu us, wire %lu us, hidden %lu %%\n", frames, rate, draw, wire, hidden);
+    assert_int_equal(frames, 8);
+    assert_true(wire >= 30720); /* 115200 bytes at 30 MHz */
+    assert_true(hidden >= 25);
+}
+
 static void program_goes_on_after_failures(void **state)
 {
     static uint8_t truth[240 * 320 * 3];
@@ -1027,6 +1061,7 @@ static const struct CMUnitTest tests[] = {
     cmocka_unit_test(program_draws_what_the_simulator_draws),
     cmocka_unit_test(partial_saves_bytes),
     cmocka_unit_test(signals_at_any_moment),
+    cmocka_unit_test(drawing_hides_behind_the_wire),
     cmocka_unit_test(program_goes_on_after_failures),
     cmocka_unit_test(no_edge_comes),
     cmocka_unit_test(command_lines)
@@ -1037,5 +1072,6 @@ int main(int argc, char **argv)
     cases_program = argv[0];
     if (argc > 1)
         cmocka_set_test_filter(argv[1]);
+    (void)alarm(120);
     return cmocka_run_group_tests(tests, begin, end);
 }

@@ -153,7 +153,8 @@ int linux_spi_send(const uint8_t *bytes, uint32_t n)
         bytes += part;
         n -= part;
     }
-    sent.us += linux_us() - from;
+    sent.last_us = linux_us() - from;
+    sent.us += sent.last_us;
     return err;
 }
 

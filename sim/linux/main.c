@@ -31,7 +31,9 @@ static volatile sig_atomic_t stop;
 
 /* Sums of --stats, in us but for the counts. */
 struct tally {
-    uint64_t since, draw, busy; /* busy: in the panel's functions */
+    uint64_t since, draw;
+    uint64_t busy;              /* in the panel's functions */
+    uint64_t hidden;            /* of draw, while the strip before was on the wire */
     struct linux_sent sent;     /* at its beginning */
     uint32_t frames;
 };
@@ -44,6 +46,7 @@ static struct panel_config glass;
 static struct tally tally;
 static void *arena, *scratch;
 static uint64_t *sums; /* of --partial */
+static uint64_t begun; /* when the strip was given away that is out; 0: none is */
 static int use_te;
 
 static void on_signal(int number)
@@ -83,7 +86,9 @@ static int submit(void *ctx, const struct zs_strip *s)
     const uint64_t from = hal_ticks();
     const struct panel_rect rect = changed(s);
     const int err = panel_send(&panel, &rect, s->px + rect.x * 2u, s->w * 2u);
-    tally.busy += hal_ticks() - from;
+    const uint64_t now = hal_ticks();
+    begun = err ? 0 : now;
+    tally.busy += now - from;
     return err;
 }
 
@@ -92,6 +97,10 @@ static int wait(void *ctx)
     (void)ctx;
     const uint64_t from = hal_ticks();
     const int err = panel_wait(&panel);
+    const uint64_t drawn = from - begun, sent = linux_sent().last_us;
+    if (begun)
+        tally.hidden += drawn < sent ? drawn : sent;
+    begun = 0;
     tally.busy += hal_ticks() - from;
     return err;
 }
@@ -105,19 +114,17 @@ static const char *words(int err)
     return err > -100 ? zs_strerror(err) : panel_strerror(err);
 }
 
-/* Averages of a frame. hidden: of the drawing, the percentage that went on behind the wire: what the wire took, less
- * what was waited for it. */
+/* Averages of a frame. hidden: of the drawing, the percentage that went on while the strip before was on the wire. */
 static void say_stats(void)
 {
     const struct linux_sent now = linux_sent();
     const uint64_t n = tally.frames, took = hal_ticks() - tally.since, wire = now.us - tally.sent.us;
-    const uint64_t behind = wire > tally.busy ? wire - tally.busy : 0;
-    const uint64_t percent = tally.draw ? behind * 100u / tally.draw : 100u;
+    const uint64_t percent = tally.draw ? tally.hidden * 100u / tally.draw : 100u;
     if (!n)
         return;
     (void)printf("%s,%lu,%.1f,%lu,%lu,%lu,%u,%lu,%lu\n", source.name, (unsigned long)n,
                  took ? 1e6 * (double)n / (double)took : 0.0, (unsigned long)(tally.draw / n),
-                 (unsigned long)(wire / n), (unsigned long)(percent > 100u ? 100u : percent),
+                 (unsigned long)(wire / n), (unsigned long)percent,
                  (unsigned)zs_frame_stats(&renderer)->passes, (unsigned long)((now.bytes - tally.sent.bytes) / n),
                  (unsigned long)((now.messages - tally.sent.messages) / n));
     (void)fflush(stdout);
@@ -189,7 +196,7 @@ static int show(void)
             t = options.frames ? i * (uint32_t)options.step : by_the_clock(start, t);
         if (!stop)
             status = show_frame(t, &failed);
-        if (i == 0)
+        if (i == 0 && !stop)
             hal_backlight(255); /* not before there is something to see */
         if (options.stats && tally.frames == STATS_EVERY) {
             say_stats();
