@@ -10,13 +10,19 @@ SCENES = $(wildcard firmware/scenes/*.c)
 PANELS = $(wildcard hal/panel/*.c)
 SIM = $(wildcard sim/*.c sim/reference/*.c sim/panel_model/*.c)
 GEN = $(wildcard firmware/scenes/gen/*.c)
+# zstrip-linux: libgpiod's version 1 or 2 decides which of hal/linux's two files is taken. LINUX_SIM: what it needs of
+# sim where it is built without models (-DLINUX_MODELS=0)
+GPIOD = $(firstword $(subst ., ,$(shell pkg-config --modversion libgpiod 2>/dev/null)))
+LINUX = $(filter-out hal/linux/gpio_v%,$(wildcard hal/linux/*.c)) $(wildcard sim/linux/*.c)
+LINUX_SIM = $(wildcard sim/panel_model/*.c) sim/option_table.c sim/panel_bus.c sim/panel_frame.c sim/sim.c sim/value.c
 HEADERS = $(wildcard firmware/*/*.h firmware/scenes/gen/*.h hal/*.h hal/*/*.h sim/*.h sim/*/*.h tests/*.h tests/*/*.h)
 LIBS = -lassimp -lmeshoptimizer -lpng -lturbojpeg -lm
 
-# Debian packages: what the simulator is built from, and what tests and fuzzers need besides
+# Debian packages: what the simulator and zstrip-linux are built from, and what tests and fuzzers need besides
 PKG_SIM = gcc libc6-dev libassimp-dev libmeshoptimizer-dev libpng-dev libturbojpeg0-dev
-PKG_TEST = $(PKG_SIM) g++ clang binutils libcmocka-dev gcc-arm-none-eabi \
-           libnewlib-arm-none-eabi qemu-system-arm $(PKG_RISCV) qemu-system-misc \
+PKG_LINUX = $(PKG_SIM) libgpiod-dev pkg-config
+PKG_TEST = $(PKG_LINUX) g++ clang binutils libcmocka-dev gcc-arm-none-eabi libnewlib-arm-none-eabi qemu-system-arm \
+           $(PKG_RISCV) qemu-system-misc gcc-arm-linux-gnueabihf libc6-dev-armhf-cross device-tree-compiler cpio \
            $(if $(shell command -v npm),,nodejs npm)
 PKG_FUZZ = $(PKG_TEST) libclang-rt-14-dev
 PKG_RISCV = gcc-riscv64-unknown-elf picolibc-riscv64-unknown-elf
@@ -84,6 +90,10 @@ profile: $(B)/.setup-test $(B)/gen/meshes.h
 sim: $(B)/.setup-sim
 	@$(MAKE) --no-print-directory -j2 $(B)/zsim
 
+## linux: build/zstrip-linux, which drives a panel on this machine's own SPI and GPIO (a Raspberry Pi's, say)
+linux: $(B)/.setup-linux
+	@$(MAKE) --no-print-directory -j2 $(B)/zstrip-linux
+
 ## pictures: the README's pictures, drawn again
 pictures: sim
 	@sh sim/pictures/make.sh $(B)
@@ -106,17 +116,19 @@ help:
 	@echo 'Boards, BOARD=:'
 	@for mk in firmware/boards/*/board.mk; do b=$${mk%/board.mk}; \
 	    printf '    %-10s %s\n' "$${b##*/}" "$$(sed -n 's/^BOARD_ABOUT = //p' $$mk)"; done
-.PHONY: all demo test accuracy fuzz bench checksums depth firmware pico boards profile sim pictures size stack check clean help \
-        test-programs fuzz-programs
+.PHONY: all demo test accuracy fuzz bench checksums depth firmware pico boards profile sim linux linux-sources pictures size \
+        stack check clean help test-programs fuzz-programs
 
 $(B)/.setup-sim:
 	@mkdir -p $(B) && .ci/setup $(PKG_SIM) && touch $@
 $(B)/.setup-test:
-	@mkdir -p $(B) && .ci/setup $(PKG_TEST) && touch $@ $(B)/.setup-sim
+	@mkdir -p $(B) && .ci/setup $(PKG_TEST) && touch $@ $(B)/.setup-linux $(B)/.setup-sim
 $(B)/.setup-fw-$(BOARD):
 	@mkdir -p $(B) && .ci/setup $(PKG_FW) && touch $@
+$(B)/.setup-linux:
+	@mkdir -p $(B) && .ci/setup $(PKG_LINUX) && touch $@ $(B)/.setup-sim
 $(B)/.setup-fuzz:
-	@mkdir -p $(B) && .ci/setup $(PKG_FUZZ) && touch $@ $(B)/.setup-test $(B)/.setup-sim
+	@mkdir -p $(B) && .ci/setup $(PKG_FUZZ) && touch $@ $(B)/.setup-test $(B)/.setup-linux $(B)/.setup-sim
 
 # Meshes: written by a generator, built into one archive
 $(B)/gen_meshes: $(GEN) $(CORE) $(HEADERS)
@@ -136,5 +148,14 @@ $(B)/sim/%.o: %.c $(HEADERS) $(B)/gen/meshes.h
 $(B)/zsim: $(patsubst %.c,$(B)/sim/%.o,$(CORE) $(SCENES) $(PANELS) $(SIM)) $(B)/libmeshes.a
 	@$(CC) $(CFLAGS) $^ $(LIBS) -o $@
 	@echo 'built $@'
+
+$(B)/sim/hal/linux/%.o $(B)/sim/sim/linux/%.o: INC += -Ihal/linux -Isim/linux -pthread
+$(B)/zstrip-linux: $(patsubst %.c,$(B)/sim/%.o,$(LINUX) hal/linux/gpio_v$(GPIOD).c $(CORE) $(SCENES) $(PANELS) \
+                                                $(filter-out sim/main.c,$(SIM))) $(B)/libmeshes.a
+	@$(CC) $(CFLAGS) -pthread $^ $(LIBS) $$(pkg-config --libs libgpiod) -o $@
+	@echo 'built $@'
+# What a cross compiler takes besides $(B)/gen's meshes and hal/linux/gpio_v1.c or gpio_v2.c
+linux-sources:
+	@echo $(CORE) $(SCENES) $(PANELS) $(LINUX_SIM) $(LINUX)
 
 include tests/tests.mk

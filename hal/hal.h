@@ -1,6 +1,6 @@
 /* The whole contract with hardware. One implementation is linked into a binary: hal/null (what a porter
- * copies), hal/host (a program on a PC), hal/mps2 (QEMU's Cortex-M boards), hal/rp2040 (a Raspberry Pi Pico).
- * They are peers.
+ * copies), hal/host (a program on a PC), hal/linux (a panel on spidev), hal/mps2 (QEMU's Cortex-M boards), hal/rp2040 (a
+ * Raspberry Pi Pico). They are peers.
  *
  * This header knows nothing of the renderer: it moves text, ticks and a panel's bytes. A bus (struct hal_bus)
  * is a value, so that wrappers are peers too: hal/fault makes another bus fail, the simulator's ends in a

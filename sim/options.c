@@ -169,7 +169,7 @@ int sim_options_smooth(const struct sim_options *o)
     return o->shade == SIM_SHADE_SMOOTH || o->shade == SIM_SHADE_TEXTURED;
 }
 
-static void set_defaults(struct sim_options *o)
+void sim_options_defaults(struct sim_options *o)
 {
     memset(o, 0, sizeof *o);
     o->size[0] = o->size[1] = 240;
@@ -207,7 +207,7 @@ static int take_arguments(struct sim_options *o, char seen[N_TABLE], int argc, c
 int sim_options_parse(struct sim_options *o, int argc, char **argv)
 {
     char seen[N_TABLE] = { 0 };
-    set_defaults(o);
+    sim_options_defaults(o);
     int status = take_arguments(o, seen, argc, argv);
     if (status != SIM_OK || o->help)
         return status;

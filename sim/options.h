@@ -58,6 +58,9 @@ struct sim_options {
  * counts. */
 int sim_options_parse(struct sim_options *o, int argc, char **argv);
 
+/* What they are where nothing is said: no model, 240x240, flat. */
+void sim_options_defaults(struct sim_options *o);
+
 /* Do these options ask for textures; for normals at the vertices? */
 int sim_options_textured(const struct sim_options *o);
 int sim_options_smooth(const struct sim_options *o);

@@ -33,9 +33,8 @@ int sim_panel_glass(const struct sim_panel_wish *wish, const char *file, struct 
     return SIM_OK;
 }
 
-/* The driver's config and the glass for a wish. */
-static int plan(const struct sim_panel_wish *wish, const char *file, struct panel_config *config,
-                struct pm_glass *glass)
+int sim_panel_config(const struct sim_panel_wish *wish, const char *file, struct panel_config *config,
+                     struct pm_glass *glass)
 {
     const int status = sim_panel_glass(wish, file, glass);
     if (status != SIM_OK)
@@ -72,7 +71,7 @@ int sim_panel_take(const struct sim_panel_wish *wish, const char *file, int has_
                                                                                   : "--bgr");
     if (wish->name == NULL)
         return SIM_OK;
-    const int status = plan(wish, file, &config, glass);
+    const int status = sim_panel_config(wish, file, &config, glass);
     if (status != SIM_OK)
         return status;
     const int turned = wish->turns & 1;
@@ -90,7 +89,7 @@ int sim_panel_begin(struct sim_panel_frame *p, const struct sim_panel_wish *wish
 {
     struct panel_config config;
     memset(p, 0, sizeof *p);
-    const int status = plan(wish, file, &config, &p->glass);
+    const int status = sim_panel_config(wish, file, &config, &p->glass);
     if (status != SIM_OK)
         return status;
     p->model = pm_new(&p->glass);

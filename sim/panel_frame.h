@@ -44,6 +44,10 @@ const char *sim_panel_list(int indent);
 /* The glass of a wish that has a name. SIM_OK; SIM_REFUSED, said why about `file`, here and below. */
 int sim_panel_glass(const struct sim_panel_wish *wish, const char *file, struct pm_glass *glass);
 
+/* The driver's config too. */
+int sim_panel_config(const struct sim_panel_wish *wish, const char *file, struct panel_config *config,
+                     struct pm_glass *glass);
+
 /* The frame for a wish: size becomes that of its panel's picture, where it has a name; has_size: it was given, and must
  * be that one. strip: rows, which the panel must take. SIM_OK, *glass is only set where there is a name; SIM_USAGE: the
  * rest of a wish without a name; SIM_REFUSED. */

@@ -11,6 +11,8 @@
 #include <time.h>
 #include <unistd.h>
 
+const char *sim_program = "zsim";
+
 static int progress_shown;
 
 /* One line: what would break it becomes a question mark. */
@@ -27,7 +29,7 @@ static void print_line(char *text)
 int sim_refuse(const char *file, unsigned long line, const char *format, ...)
 {
     char text[6144];
-    int n = snprintf(text, sizeof text, "zsim: ");
+    int n = snprintf(text, 64, "%s: ", sim_program);
     if (file != NULL && line != 0)
         n += snprintf(text + n, 4200, "%s:%lu: ", file, line);
     else if (file != NULL)
@@ -50,7 +52,7 @@ int sim_usage(const char *format, ...)
     (void)vsnprintf(text, sizeof text, format, args);
     va_end(args);
     char line[1152];
-    (void)snprintf(line, sizeof line, "zsim: %s; see zsim --help", text);
+    (void)snprintf(line, sizeof line, "%s: %s; see %s --help", sim_program, text, sim_program);
     print_line(line);
     return SIM_USAGE;
 }
@@ -113,7 +115,7 @@ void sim_progress(const char *what, size_t done, size_t total)
         return;
     due_s = now_s() + 0.1;
     const double percent = total > 0 ? 100.0 * (double)done / (double)total : 0.0;
-    (void)fprintf(stderr, "\rzsim: %s %3.0f %%\033[K", what, percent);
+    (void)fprintf(stderr, "\r%s: %s %3.0f %%\033[K", sim_program, what, percent);
     (void)fflush(stderr);
     progress_shown = 1;
 }

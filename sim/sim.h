@@ -14,6 +14,9 @@ enum sim_status {
     SIM_USAGE = 2    /* the command line was not understood: one line on stderr said why */
 };
 
+/* The program's name in its messages: "zsim" where this is not set. Borrowed. */
+extern const char *sim_program;
+
 /* Print "zsim: FILE:LINE: ..." to stderr, one line whatever the names and values hold. file NULL
  * and line 0 are left out. Return SIM_REFUSED. */
 int sim_refuse(const char *file, unsigned long line, const char *format, ...)

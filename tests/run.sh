@@ -1,5 +1,6 @@
 #!/bin/sh
-# Run every test that `make test` has built, show each by its name, and end with "N passed, N failed".
+# Run every test that `make test` has built, show each by its name, and end with what was skipped and
+# "N passed, N failed".
 # Usage: tests/run.sh BUILD [PATTERN]   only the programs and scripts whose name holds PATTERN
 set -u
 cd "$(dirname "$0")/.." || exit 1
@@ -8,7 +9,9 @@ only=${2:-}
 logs=$build/test/logs
 passed=0
 failed=0
+skipped=$logs/skipped.txt
 mkdir -p "$logs"
+: >"$skipped"
 ASAN_OPTIONS=detect_leaks=1
 LSAN_OPTIONS=suppressions=tests/lsan.txt:print_suppressions=0
 export ASAN_OPTIONS LSAN_OPTIONS
@@ -28,6 +31,7 @@ tally() { # NAME LOG STATUS
     fi
     echo "== $1: $ok passed, $bad failed"
     grep -vE '^\[( RUN  |======|  PASSED)' "$2" # verdicts and what was measured
+    grep '^SKIPPED ' "$2" >>"$skipped"
     passed=$((passed + ok))
     failed=$((failed + bad))
 }
@@ -58,10 +62,12 @@ run lm3s6965 sh tests/boards/lm3s6965.sh "$build"
 run scene_sums sh tests/scene_sums.sh "$build"
 run stm32f405 sh tests/boards/stm32f405.sh "$build"
 run microbit sh tests/boards/microbit.sh "$build"
+run linux sh tests/linux.sh "$build"
 for check in wide objects kernels hal includes cplusplus stack size bench; do
     run "$check" sh "tests/checks/$check.sh" "$build"
 done
 
 echo
+cat "$skipped"
 echo "$passed passed, $failed failed"
 [ "$failed" -eq 0 ]

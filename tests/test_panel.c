@@ -569,6 +569,24 @@ static void bytes_of_the_other_order(void **state)
     free(w.log);
 }
 
+/* TEON only where it was asked for, and only where there is a pin for it. */
+static void tearing_effect(void **state)
+{
+    (void)state;
+    for (uint32_t i = 0; i < N_SHEETS; i++)
+        for (uint8_t te = 0; te < 2; te++) {
+            struct panel_config c = config_of(&sheets[i], 0);
+            struct wire w = wire_new();
+            struct panel panel;
+            c.te = te;
+            assert_int_equal(bring_up(&panel, &w, &c), HAL_OK);
+            if (!sheets[i].args_low)
+                assert_int_equal(COUNT(&w, CODED(0x35), ARGUED(0x00)), te && bits_a_pixel(&sheets[i]) == 16 &&
+                                                                       sheets[i].type != &panel_ssd1351);
+            free(w.log);
+        }
+}
+
 /* What the grain is, and which glass has which commons. */
 static void tables(void **state)
 {
@@ -944,6 +962,7 @@ static const struct CMUnitTest tests[] = {
     cmocka_unit_test(dark_until_black),
     cmocka_unit_test(settings_are_sent),
     cmocka_unit_test(bytes_of_the_other_order),
+    cmocka_unit_test(tearing_effect),
     cmocka_unit_test(tables),
     cmocka_unit_test(bad_configurations),
     cmocka_unit_test(bad_rectangles),

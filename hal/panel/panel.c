@@ -146,6 +146,7 @@ static int set_up(struct panel *p)
     int err = run(p, type->setup);
     err = err || !glass ? err : run(p, glass->setup);
     err = err || !p->config.lsb_first ? err : run(p, type->lsb_first);
+    err = err || !p->config.te ? err : run(p, type->te);
     err = err ? err : send_rotation(p);
     err = err ? err : send_inversion(p);
     return err ? err : send_level(p);

@@ -64,6 +64,7 @@ struct panel_config {
                                ST7789 is told; for the other colour controllers bytes are swapped through scratch
                                (ILI9341 has the command, but not for its serial interface) */
     uint8_t dim;            /* 255 - brightness or contrast, so that 0 is full */
+    uint8_t te;             /* 1: TFTs: the controller puts a pulse on its TE pin between two pictures */
 };
 
 struct panel_rect {

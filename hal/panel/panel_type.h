@@ -48,6 +48,7 @@ struct panel_type {
     const uint8_t *reset;               /* script after the RESET line, for boards without one; NULL: none */
     const uint8_t *setup;               /* everything that rotation, inversion and brightness do not set */
     const uint8_t *lsb_first;           /* script: pixels least significant byte first; NULL: the chip cannot */
+    const uint8_t *te;                  /* script: tearing effect on; NULL: there is no such pin */
     const uint8_t *wake, *sleep;        /* scripts; NULL: nothing but on and off is needed */
     uint8_t on, off;                    /* commands */
     uint8_t reset_ms, wake_ms;          /* after reset; after each of wake and sleep */
@@ -71,11 +72,11 @@ struct panel_type {
 };
 
 /* What the controllers of the MIPI Display Command Set (dcs.c) have in common; their own fields follow it. */
-extern const uint8_t panel_dcs_wake[], panel_dcs_sleep[];
+extern const uint8_t panel_dcs_wake[], panel_dcs_sleep[], panel_dcs_te[];
 #define PANEL_DCS                                                                                       \
-    .format = PANEL_RGB565, .grain = { 1, 1 }, .wake = panel_dcs_wake, .sleep = panel_dcs_sleep,         \
-    .on = 0x29, .off = 0x28, .reset_ms = 120, .wake_ms = 120, .columns = 0x2a, .rows = 0x2b, .write = 0x2c, \
-    .wide = 1, .rotate = 0x36, .bgr = 0x08, .invert = { 0x20, 0x21 }, .level = 0x51
+    .format = PANEL_RGB565, .grain = { 1, 1 }, .te = panel_dcs_te, .wake = panel_dcs_wake,              \
+    .sleep = panel_dcs_sleep, .on = 0x29, .off = 0x28, .reset_ms = 120, .wake_ms = 120, .columns = 0x2a, \
+    .rows = 0x2b, .write = 0x2c, .wide = 1, .rotate = 0x36, .bgr = 0x08, .invert = { 0x20, 0x21 }, .level = 0x51
 
 /* convert.c: the formats of panel.h; each writes w * h pixels of the part, in the order in which an unturned window
  * takes them. swap does not turn. */

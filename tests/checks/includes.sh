@@ -47,8 +47,8 @@ $(echo "$deps" | tr ' \\' '\n\n' | grep -E "$forbidden" | sed "s|^|$f->|")"
 only "zstrip includes its own headers, stdint and stddef" "$(headers firmware/zstrip)|$STD" firmware/zstrip/*.[ch]
 reach "zstrip reaches nothing else" '^(hal|sim|tests|firmware/[^z])' firmware/zstrip/*.c
 only "hal.h includes standard headers" "$STD" hal/*.h
-for dir in hal/*/; do # what is shared is null's bus and cortexm; only host is a hosted program
-    case $dir in hal/panel/) continue ;; hal/host/) std=$HOSTED ;; *) std=$STD ;; esac
+for dir in hal/*/; do # what is shared is null's bus and cortexm; only host and linux are hosted programs
+    case $dir in hal/panel/) continue ;; hal/host/ | hal/linux/) std=$HOSTED ;; *) std=$STD ;; esac
     only "${dir%/} includes hal.h, its own and shared headers" \
         "\"hal\\.h\"|$(headers "$dir" hal/null hal/cortexm)|$std" "$dir"*.[ch]
 done

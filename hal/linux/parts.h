@@ -1,0 +1,37 @@
+/* What the files of this HAL know of each other.
+ *
+ * SPDX-License-Identifier: MIT
+ */
+#ifndef LINUX_PARTS_H
+#define LINUX_PARTS_H
+
+#include <stdint.h>
+
+#include "gpio.h"
+#include "linux.h"
+
+/* hal.c: keep a sentence for linux_why. Returns err. */
+int linux_fail(int err, const char *format, ...) __attribute__((format(printf, 2, 3)));
+
+/* hal.c: microseconds of CLOCK_MONOTONIC; let some pass. */
+uint64_t linux_us(void);
+void linux_pause_us(uint32_t us);
+
+/* dev.c: the device node after `last` ("": the first) in /dev, by number, whose name is the prefix with digits and dots
+ * behind it; symbolic links are passed over. 1; 0: there is no other. */
+#define DEV_NAME 32
+int linux_next_device(const char *prefix, const char *last, char next[DEV_NAME]);
+
+/* spi.c. Functions return HAL_OK, HAL_ERR_BUS or HAL_ERR_TIMEOUT, with a sentence. */
+int linux_spi_open(const struct linux_wiring *wiring);
+void linux_spi_close(void);
+int linux_spi_send(const uint8_t *bytes, uint32_t n);
+uint32_t linux_spi_limit(void); /* bytes that a message may have */
+struct linux_sent linux_spi_sent(void);
+int linux_spi_look(const struct linux_wiring *wiring); /* could it be opened? */
+
+/* bus.c: from start on the bus answers, until stop; reset may hold no line. HAL_OK; HAL_ERR_BUS: no thread. */
+int linux_bus_start(struct gpio_line *dc, struct gpio_line *reset);
+void linux_bus_stop(void);
+
+#endif

@@ -1,0 +1,35 @@
+# For tests/linux.sh: zstrip-linux for armhf, static, with libgpiod of two Debian releases (tests/linux/packages.sh);
+# the virtual machine's first process; the decoder of its pins.
+# Use: make -f tests/linux/linux.mk B=build bookworm trixie
+ARMHF = arm-linux-gnueabihf-
+CFLAGS = -O2 -Wall -Wextra -Werror -Wno-missing-field-initializers
+B = build
+D = $(B)/linux
+INC = -Ifirmware/zstrip -Ifirmware/scenes -Ihal -Ihal/panel -Ihal/linux -Isim -Isim/linux -Isim/panel_model -I$(B)/gen
+SOURCES := $(shell $(MAKE) -s --no-print-directory -f Makefile B=$(B) linux-sources)
+MESHES = $(wildcard $(B)/gen/mesh_*.c)
+OBJECTS = $(patsubst %.c,$(D)/obj/%.o,$(SOURCES)) $(patsubst $(B)/gen/%.c,$(D)/obj/gen/%.o,$(MESHES))
+
+bookworm trixie: %: $(D)/%/zstrip-linux $(D)/init $(D)/wire
+.PHONY: bookworm trixie
+.DELETE_ON_ERROR:
+
+$(D)/obj/gen/%.o: $(B)/gen/%.c
+	@mkdir -p $(@D)
+	@$(ARMHF)gcc -std=c11 -O1 $(INC) -c $< -o $@
+$(D)/obj/%.o: %.c
+	@mkdir -p $(@D)
+	@$(ARMHF)gcc -std=gnu11 $(CFLAGS) $(INC) -pthread -DLINUX_MODELS=0 -DZS_STATS=1 -MMD -MP -c $< -o $@
+$(D)/bookworm/zstrip-linux: hal/linux/gpio_v1.c
+$(D)/trixie/zstrip-linux: hal/linux/gpio_v2.c
+$(D)/%/zstrip-linux: $(D)/%/versions $(OBJECTS)
+	@$(ARMHF)gcc -std=gnu11 $(CFLAGS) $(INC) -I$(D)/$*/include -pthread -static $(filter %.c %.o,$^) \
+	    $(D)/$*/lib/libgpiod.a -lm -o $@
+$(D)/init: tests/linux/init.c
+	@mkdir -p $(@D)
+	@$(ARMHF)gcc -std=gnu11 $(CFLAGS) -static $< -o $@
+$(D)/wire: tests/linux/wire.c
+	@mkdir -p $(@D)
+	@gcc -std=c11 $(CFLAGS) $< -o $@
+
+-include $(patsubst %.o,%.d,$(filter-out $(D)/obj/gen/%,$(OBJECTS)))
