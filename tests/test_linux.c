@@ -67,6 +67,7 @@ static struct {
     int n_open;                  /* spidevs */
     int edges_before, edges;     /* of the input: from before a wait; to come */
     int edge_errno;
+    int edge_signal;             /* flag: SIGTERM comes in the wait for an edge */
     int interrupts;              /* ioctls to come that fail with EINTR */
     uint32_t signal_at;          /* the message in which SIGTERM comes; 0: none */
     uint32_t wire_hz;            /* 0: messages take no time, else what they take at this clock */
@@ -74,7 +75,7 @@ static struct {
     uint64_t slept_us;
     struct pm_model *model;
     uint8_t *lit;                /* what the model showed when it was last told to be dark, RGB; NULL: not wanted */
-    int n_lit;
+    int n_lit, light_on;         /* light_on: it was on then */
 } m;
 static int in_message; /* atomic: a message is on the wire */
 static char folder[] = "/tmp/zstrip-dev-XXXXXX";
@@ -235,6 +236,11 @@ int gpio_edge(struct gpio_line *line, uint32_t ms)
     }
     if (ms == 0)
         return 0;
+    if (m.edge_signal) {
+        (void)raise(SIGTERM);
+        errno = EINTR;
+        return -1;
+    }
     m.slept_us += 1000u * ms;
     return m.edges > 0 && m.edges-- > 0;
 }
@@ -343,6 +349,7 @@ static void look_at_model(uint8_t command)
     if ((command == 0x28 || command == 0xae) && m.lit && m.model && pm_lit(m.model)) {
         pm_picture(m.model, m.lit, NULL);
         m.n_lit++;
+        m.light_on = m.chip[0].line[6].level;
     }
 }
 
@@ -797,7 +804,7 @@ static void child(const char *line)
     const int status = zstrip_linux(argc, argv);
     left->n_lit = m.n_lit;
     left->held = held_lines();
-    left->light = m.chip[0].line[6].level;
+    left->light = m.chip[0].line[6].level || m.light_on; /* glass that goes blank is not to be seen */
     left->requests = m.requests;
     left->n_sent = m.n_sent;
     left->slept_us = m.slept_us;
@@ -881,6 +888,9 @@ static void program_draws_what_the_simulator_draws(void **state)
               { "ssd1306:128x64", 1, &demo_knot, 4, 5, "--partial --strip 16" },
               { "ssd0323:128x64", 1, &demo_cubes, 4, 3, "--partial --strip 10" },
               { "ssd1306:72x40", 1, &demo_cubes, 6, 3, "--partial" }, /* columns that are no whole pages */
+              { "ssd1306:72x40", 3, &demo_globe, 6, 3, "--partial" },
+              { "ssd1306:72x40", 1, &demo_teapot, 6, 1, "--partial" },
+              { "ssd1306:64x48", 1, &demo_knot, 6, 1, "--partial" },
               { "ssd0323:128x64", 2, &demo_globe, 2, 3, "--te TEAR" },
               { "st7789:240x240", 0, &demo_cubes, 5, 2, "--partial --te TEAR --strip 1" } };
     static uint8_t truth[240 * 320 * 3];
@@ -936,6 +946,12 @@ static void signals_at_any_moment(void **state)
     m.signal_at = 300; /* in set-up: while it is cleared */
     expect_dark(run(WIRED "--panel st7789:135x240 --scene cubes"));
     assert_int_equal(left->pixel_bytes, 135 * 240 * 2);
+    machine();
+    model_of("ssd1306:128x64");
+    m.edge_signal = 1; /* in the wait for the first frame's edge */
+    expect_dark(run(WIRED "--te TEAR --panel ssd1306:128x64 --scene cubes"));
+    assert_int_equal(left->pixel_bytes, 1024);
+    assert_string_equal(said, "");
 }
 
 /* With a wire that takes its time, drawing goes on behind it; sent and drawn by turns, none would. */
