@@ -37,7 +37,8 @@ int linux_next_device(const char *prefix, const char *last, char next[DEV_NAME])
         return 0;
     for (const struct dirent *entry; (entry = readdir(dir)) != NULL;) {
         const char *name = entry->d_name;
-        if (!is_device(name, prefix) || (last[0] != '\0' && !is_before(last, name)) || (found && !is_before(name, next)))
+        const int is_next = is_device(name, prefix) && (last[0] == '\0' || is_before(last, name));
+        if (!is_next || (found && !is_before(name, next)))
             continue;
         (void)strcpy(next, name);
         found = 1;

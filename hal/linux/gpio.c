@@ -199,13 +199,13 @@ int gpio_take(struct gpio_line *line, const struct gpio_place *place, const char
         return HAL_OK;
     const int why = errno;
     if (why == EBUSY)
-        return linux_fail(HAL_ERR_BUS, "%s: line %s:%u%s%s is held by %s; stop that program or driver, or wire another "
-                          "line", what, place->path, (unsigned)place->offset, named[0] ? ", " : "", named,
+        return linux_fail(HAL_ERR_BUS, "%s: line %s:%u%s%s is held by %s; stop that program or driver, or wire "
+                          "another line", what, place->path, (unsigned)place->offset, named[0] ? ", " : "", named,
                           place->info.consumer[0] ? place->info.consumer : "someone who gave no name");
     if (why == EACCES || why == EPERM || why == ENOENT)
         return refuse_chip(what, place->path, why);
-    return linux_fail(HAL_ERR_BUS, "%s: line %s:%u%s%s cannot be had as an %s: %s; wire another line", what, place->path,
-                      (unsigned)place->offset, named[0] ? ", " : "", named,
+    return linux_fail(HAL_ERR_BUS, "%s: line %s:%u%s%s cannot be had as an %s: %s; wire another line", what,
+                      place->path, (unsigned)place->offset, named[0] ? ", " : "", named,
                       use == GPIO_EDGES ? "input with edges" : "output", strerror(why));
 }
 
@@ -218,8 +218,9 @@ void linux_list_lines(FILE *to)
             struct gpio_info info;
             if (gpio_line_look(w.chip, at, &info))
                 continue;
+            const char *holder = info.consumer[0] ? info.consumer : "?";
             (void)fprintf(to, "  %s:%-3u %-24s %s%s\n", w.name, (unsigned)at, info.name[0] ? info.name : "-",
-                          !info.used ? "free" : "held by ", !info.used ? "" : info.consumer[0] ? info.consumer : "?");
+                          info.used ? "held by " : "free", info.used ? holder : "");
         }
     }
     if (w.denied)

@@ -67,7 +67,7 @@ int gpio_set(struct gpio_line *line, int level)
 
 int gpio_edge(struct gpio_line *line, uint32_t ms)
 {
-    const struct timespec timeout = { ms / 1000u, (long)(ms % 1000u) * 1000000 };
+    const struct timespec timeout = { (time_t)(ms / 1000u), (long)(ms % 1000u) * 1000000 };
     struct gpiod_line_event event;
     const int came = gpiod_line_event_wait(line->held, &timeout);
     return came > 0 && gpiod_line_event_read(line->held, &event) ? -1 : came;

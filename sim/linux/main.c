@@ -158,8 +158,8 @@ static int wait_for_edge(void)
         return sim_refuse(NULL, 0, "%s", linux_why());
     if (came || stop)
         return SIM_OK;
-    (void)sim_refuse(NULL, 0, "--te %s: no edge came for %u ms; frames are drawn without it from now on, check the wire "
-                     "and that the panel drives it", options.te, TE_MS);
+    (void)sim_refuse(NULL, 0, "--te %s: no edge came for %u ms; frames are drawn without it from now on, check the "
+                     "wire and that the panel drives it", options.te, TE_MS);
     use_te = 0;
     return SIM_OK;
 }
@@ -214,8 +214,8 @@ static int set_up_renderer(void)
 {
     const long height = options.size[1];
     const uint32_t rows = (uint32_t)(options.strip < height ? options.strip : height);
-    const struct zs_config config = { (uint16_t)options.size[0], (uint16_t)height, (uint16_t)rows, ZS_POOL_MAX, ZS_POOL_MAX,
-                                      source.attrs, 2, (uint8_t)options.subpixel, 16, 0, source.depth };
+    const struct zs_config config = { (uint16_t)options.size[0], (uint16_t)height, (uint16_t)rows, ZS_POOL_MAX,
+                                      ZS_POOL_MAX, source.attrs, 2, (uint8_t)options.subpixel, 16, 0, source.depth };
     const uint32_t bytes = zs_arena_bytes(&config);
     arena = sim_alloc(bytes, 1);
     int err = zs_init(&renderer, &config, arena, bytes);
@@ -260,9 +260,8 @@ static int run(void)
 
 static int dry_run(void)
 {
-    const double bytes = (double)(options.size[0] * options.size[1]) *
-                         (panel_format(glass.type) == PANEL_RGB565 ? 2.0 : panel_format(glass.type) == PANEL_GREY4 ? 0.5
-                                                                                                              : 0.125);
+    static const double px_bytes[] = { [PANEL_RGB565] = 2.0, [PANEL_GREY4] = 0.5, [PANEL_MONO] = 0.125 };
+    const double bytes = (double)(options.size[0] * options.size[1]) * px_bytes[panel_format(glass.type)];
     const double us = 8e6 * bytes / (double)options.speed;
     (void)printf("%-10s %s, picture %ldx%ld of %s\n", "panel", options.panel.name, options.size[0], options.size[1],
                  source.name);
@@ -279,8 +278,8 @@ static int prepare(struct linux_wiring *wiring)
     int status = sim_panel_config(&options.panel, NULL, &glass, &model);
     if (status == SIM_OK)
         status = source_open(&source, &options);
-    *wiring = (struct linux_wiring){ options.spi, (uint32_t)options.speed, 0,          options.dc,
-                                     options.reset, options.backlight,       options.te };
+    *wiring = (struct linux_wiring){ options.spi, (uint32_t)options.speed, 0, options.dc, options.reset,
+                                     options.backlight, options.te };
     linux_wire(wiring);
     use_te = options.te != NULL;
     glass.te = (uint8_t)use_te;
