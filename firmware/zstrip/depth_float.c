@@ -50,6 +50,8 @@ static ZS_RARE int float_setup(struct zs_view *view, const struct zs_camera *cam
     const int lz = zs_clz64((uint64_t)camera->z_near); /* near = key_mul / 2^key_shift camera units */
     view->key_mul = (uint32_t)((uint64_t)camera->z_near << lz >> 32);
     view->key_shift = lz - 16 - view->shift;
+    view->piece_base = view->key_top + 0xffffu;
+    view->piece_shift = (uint8_t)(view->key_mantissa + 16);
     view->key_far = 0;
     view->key_slow = (1u << (view->key_mantissa + 16)) - 1u;
     view->key_known = view->key_top + 0xffffu - (2u << (view->key_mantissa + 16)); /* all but the last octave */

@@ -12,6 +12,8 @@ static ZS_RARE int recip_setup(struct zs_view *view, const struct zs_camera *cam
     if (!view->perspective)
         return ZS_ERR_DEPTH; /* 1/z is not linear on an orthographic screen */
     view->screen_linear = 1;
+    view->piece_base = UINT32_MAX;
+    view->piece_shift = 31;
     view->key_top = ((1u << bits) - 1u) << 16;
     const uint64_t f = (uint64_t)camera->z_far, n = (uint64_t)camera->z_near;
     /* K in uq48_16 times 2^14; f / (f - n) <= 2^16 by the camera's check, so < 2^63 */

@@ -38,6 +38,10 @@ struct zs_shader {
     int (*check)(const struct zs_instance *instance, const struct zs_config *config);
     /* Textures: n pixels times light, uq1_31, which changes by step; NULL: none. */
     void (*light)(uint16_t *out, int32_t n, uint32_t level, uint32_t step);
+    /* Set up and draw job->tri in job's strip if it is small, has no state, and its keys are linear and below saturation.
+     * Return 0: it is not, nothing is done. job->row_last is set where it returns 1. NULL: there is no such way. Called
+     * only on cores that divide (wide.h). */
+    int (*small)(struct zs_job *job);
     uint8_t n_attrs;
 };
 
@@ -275,6 +279,10 @@ enum zs_plane_kind { /* the numbers: gradients of 2^(32 - n) and more are found 
                           and (W + H + 1) / 2 * 2^-31 */
     ZS_PLANE_KEY = 5   /* buckets or codes, uq16_16: error below 0.005 of one */
 };
+#define ZS_TOO_STEEP INT32_MIN
+/* 256 (dv1 d[1] - dv2 d[0]) / area of a tiny triangle, nearly nearest; ZS_TOO_STEEP where it is 2^(32 - least_shift) or
+ * more. */
+int32_t zs_plane_tiny_gradient(const struct zs_geom *g, int32_t dv1, int32_t dv2, const int32_t d[2], int32_t least_shift);
 void zs_plane32(const struct zs_geom *g, uint32_t v0, uint32_t v1, uint32_t v2,
                 enum zs_plane_kind kind, struct zs_plane *out);
 void zs_plane64(const struct zs_geom *g, uint64_t v0, uint64_t v1, uint64_t v2,

@@ -116,7 +116,7 @@ void zs_plane_geom(struct zs_job *job)
     g->ay = ja * ZS_SUBPX_ONE + ZS_SUBPX_HALF - y;
 }
 
-#define TOO_STEEP INT32_MIN
+#define TOO_STEEP ZS_TOO_STEEP
 
 /* 256 * n / area of a small triangle, nearly nearest; TOO_STEEP where it is 2^(32 - least_shift) or more. */
 static ZS_NOINLINE int32_t small_gradient(const struct zs_geom *g, int64_t n, int32_t least_shift)
@@ -136,9 +136,9 @@ static ZS_NOINLINE int32_t small_gradient(const struct zs_geom *g, int64_t n, in
     return n < 0 ? -(int32_t)q : (int32_t)q; /* q <= 2^30 */
 }
 
-/* The same of n = dv1 d[1] - dv2 d[0] in a tiny triangle. Where n has 32 bits its leading zeros need not be known: they
- * would be shifted in and out again. exp >= -18 then keeps shift at least 5. */
-static ZS_NOINLINE int32_t tiny_gradient(const struct zs_geom *g, int32_t dv1, int32_t dv2, const int32_t d[2],
+/* Where n has 32 bits its leading zeros need not be known: they would be shifted in and out again. exp >= -18 then keeps
+ * shift at least 5. */
+ZS_NOINLINE int32_t zs_plane_tiny_gradient(const struct zs_geom *g, int32_t dv1, int32_t dv2, const int32_t d[2],
                                          int32_t least_shift)
 {
     const int64_t n = zs_cross_short(dv1, d[1], dv2, d[0]); /* |.| <= 2^46 */
@@ -270,8 +270,8 @@ void zs_plane32(const struct zs_geom *g, uint32_t v0, uint32_t v1, uint32_t v2,
         return;
     }
     if (g->tiny && !(((v0 ^ v1) | (v0 ^ v2)) >> 31)) { /* all three in one half: differences fit 32 bits */
-        const int32_t gx = tiny_gradient(g, dv1, dv2, g->dy, kind);
-        const int32_t up = tiny_gradient(g, dv1, dv2, g->dx, kind); /* -gy, rounded alike */
+        const int32_t gx = zs_plane_tiny_gradient(g, dv1, dv2, g->dy, kind);
+        const int32_t up = zs_plane_tiny_gradient(g, dv1, dv2, g->dx, kind); /* -gy, rounded alike */
         if (gx != TOO_STEEP && up != TOO_STEEP) {
             out->gx = (uint32_t)gx;
             out->gy = 0u - (uint32_t)up;

@@ -161,10 +161,7 @@ void zs_raster_keys(struct zs_job *job)
 static ZS_NOINLINE void draw(struct zs_job *job)
 {
     const struct zs_renderer *r = job->r;
-    const struct zs_instance *instance = &r->scene->instance[job->tri->instance];
     const struct zs_depth *depth = r->config.depth;
-    job->shader = instance->material->shader;
-    job->state = instance->state;
     if (job->state) {
         const struct zs_state_kernel *kernel = job->state->kernel;
         job->bias = kernel->bias(job);
@@ -229,6 +226,8 @@ void zs_raster_strip(struct zs_renderer *r)
     job.y1 = y1;
     job.width = r->config.width;
     r->lit.of = 0;
+    uint32_t number = ZS_NIL; /* of the instance that is known; not one's, there are at most 65535 */
+    int small = 0;
     uint16_t *keep = &r->active; /* grows at its end: stays ascending */
     uint32_t seen = r->large ? zs_hidden_bounds(&job, list) : UINT32_MAX, in_vain = 0;
     while (list != ZS_NIL) {
@@ -242,7 +241,15 @@ void zs_raster_strip(struct zs_renderer *r)
             if (in_vain == IN_VAIN)
                 seen = UINT32_MAX;
         }
-        if (!hides && job_setup(&job))
+        if (t->instance != number) {
+            const struct zs_instance *instance = &r->scene->instance[t->instance];
+            number = t->instance;
+            job.shader = instance->material->shader;
+            job.state = instance->state;
+            small = ZS_DIVIDES && r->view.piece_shift && !job.state && job.shader->small;
+        }
+        const struct zs_shader *shader = job.shader;
+        if (!hides && !(small && shader->small(&job)) && job_setup(&job))
             draw(&job);
         if (goes_on && job.row_last > y1) {
             *keep = list;

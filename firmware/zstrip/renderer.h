@@ -40,6 +40,8 @@ struct zs_view {
     uint32_t key_top;      /* (B - 1) in uq16_16 */
     uint32_t key_slow, key_known; /* vertices with keys up to key_known, at most key_slow apart: 1/z changes by at most
                               that part of the least; both 0: not known without division */
+    uint32_t piece_base;   /* keys are linear on a triangle whose vertices' (piece_base - d) >> piece_shift agree; ... */
+    uint8_t piece_shift;   /* ... 0: not known */
     uint8_t perspective, screen_linear; /* flags: keys are linear on the screen */
     uint8_t key_mantissa, key_octaves; /* float: mantissa bits, and 2^exponent bits - 1 */
 };

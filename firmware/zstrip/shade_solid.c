@@ -1,40 +1,8 @@
 /* One colour a triangle: depth test and store.
  *
- * Pixel: key = sum >> 16, compare, store both, add. Nothing is divided and nothing is 64 bits wide.
- *
  * SPDX-License-Identifier: MIT
  */
 #include "shade_solid.h"
-
-#include "rows.h"
-
-/* From a pixel's depth to its colour: so that one pointer is walked, not two. */
-static inline uintptr_t color_beside(const struct zs_job *job)
-{
-    return (uintptr_t)job->color - (uintptr_t)job->depth;
-}
-
-/* n > 0 pixels. sum modulo 2^32: at covered pixels key + 1/2 bucket, in [0, 2^32) (plane.c). Return how many are
- * written, where that is counted. */
-ZS_ALWAYS_INLINE int32_t solid_pixels(uint16_t *depth, uintptr_t beside, int32_t n, uint32_t sum, uint32_t gx,
-                                      uint16_t paint, uint32_t top, int clamp)
-{
-    const uint16_t *const end = depth + n;
-    int32_t written = 0;
-    do {
-        uint32_t key = sum >> 16;
-        if (clamp && key > top)
-            key = top;
-        if (key < *depth) {
-            *depth = (uint16_t)key;
-            *(uint16_t *)((uintptr_t)depth + beside) = paint;
-            if (ZS_STATS)
-                written++;
-        }
-        sum += gx;
-    } while (++depth != end);
-    return written;
-}
 
 /* Keys that do not saturate: as zs_rows_walk walks rows, with little else in registers. */
 static ZS_NOINLINE void walk(struct zs_job *job)
@@ -44,7 +12,7 @@ static ZS_NOINLINE void walk(struct zs_job *job)
     const uint16_t paint = job->tri->paint;
     uint32_t tested = 0;
     int32_t written = 0, y = job->row;
-    const uintptr_t beside = color_beside(job);
+    const uintptr_t beside = zs_solid_beside(job);
     uint16_t *depth = job->depth + (y - job->y0) * width;
     uint32_t key = job->key.base - zs_wrap_mul(gx, job->geom.ia) + zs_wrap_mul(job->key.gy, y - job->geom.ja);
     for (;;) {
@@ -53,7 +21,7 @@ static ZS_NOINLINE void walk(struct zs_job *job)
             const int32_t i0 = zs_max32(cut->x0, 0), n = zs_min32(cut->x1, width) - i0;
             if (n > 0) {
                 tested += (uint32_t)n;
-                written += solid_pixels(depth + i0, beside, n, key + zs_wrap_mul(gx, i0), gx, paint, 0, 0);
+                written += zs_solid_pixels(depth + i0, beside, n, key + zs_wrap_mul(gx, i0), gx, paint, 0, 0);
             }
             depth += width;
             key += job->key.gy;
@@ -70,14 +38,14 @@ static ZS_NOINLINE void walk(struct zs_job *job)
 void zs_solid_span(struct zs_job *job, const struct zs_row *row, int32_t i0, int32_t i1, uint32_t sum,
                    uint32_t gx)
 {
-    const uintptr_t beside = color_beside(job);
+    const uintptr_t beside = zs_solid_beside(job);
     uint16_t *depth = job->depth + row->at + i0;
     const uint16_t paint = job->tri->paint;
     int32_t written;
     if (job->saturates)
-        written = solid_pixels(depth, beside, i1 - i0, sum, gx, paint, (job->r->view.key_top >> 16) - 1u, 1);
+        written = zs_solid_pixels(depth, beside, i1 - i0, sum, gx, paint, (job->r->view.key_top >> 16) - 1u, 1);
     else
-        written = solid_pixels(depth, beside, i1 - i0, sum, gx, paint, 0, 0);
+        written = zs_solid_pixels(depth, beside, i1 - i0, sum, gx, paint, 0, 0);
     zs_rows_written(job, written);
 }
 

@@ -13,6 +13,13 @@
 
 #include <stdint.h>
 
+/* 1: the core divides 32 bits by an instruction. */
+#if defined(__ARM_ARCH) && !defined(__ARM_FEATURE_IDIV) || defined(__riscv) && !defined(__riscv_div)
+#define ZS_DIVIDES 0
+#else
+#define ZS_DIVIDES 1
+#endif
+
 #if defined(__GNUC__) && defined(__ARM_ARCH_6M__)
 
 /* a b = a1 b1 2^32 + (a1 b0 + a0 b1) 2^16 + a0 b0, the halves shifted into place by AH, BH: asrs where the factor
