@@ -142,6 +142,20 @@ static void long_one(struct hal_bus *bus)
             err == HAL_OK && starts == 2 && moved == LONG && S3M0AR == (uint32_t)bytes + 65535u);
 }
 
+/* 110 million instructions without interrupts are 18.48 million ticks, more than SysTick counts to: the wrap that could
+ * not be counted is in them all the same. (QEMU: 1 ns an instruction, 168 MHz.) */
+static void uncounted_wrap(void)
+{
+    const uint64_t from = hal_ticks();
+    uint32_t n = 55000000u;
+    __asm__ volatile("cpsid i\n1: subs %0, #1\n bne 1b" : "+r"(n) : : "cc", "memory");
+    const uint64_t off = hal_ticks();
+    __asm__ volatile("cpsie i\n isb" ::: "memory");
+    const uint64_t on = hal_ticks();
+    verdict("stm32f405_ticks_count_a_wrap_without_interrupts",
+            off - from > 18479000u && off - from < 18481000u && on > off && on - off < 1000u);
+}
+
 static void times(struct hal_bus *bus)
 {
     const uint64_t from = hal_ticks();
@@ -162,6 +176,7 @@ int main(void)
     failures(bus);
     both_at_once(bus);
     times(bus);
+    uncounted_wrap();
     long_one(bus);
     verdict("stm32f405_dma_is_told_right", wrong == 0 && idle_calls > 5);
     hal_write("the end\n");
