@@ -69,7 +69,7 @@ struct hal_bus {
      * Without such a line: nothing. Blocks that long. Not while data is out (HAL_ERR_STATE). */
     int (*reset)(struct hal_bus *bus);
 
-    /* Let at least us microseconds pass. Blocks. */
+    /* Let at least us microseconds pass; before hal_init: none. Blocks. */
     void (*delay)(struct hal_bus *bus, uint32_t us);
 
     struct hal_hooks hooks;

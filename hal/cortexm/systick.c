@@ -9,6 +9,7 @@
 #define SYST_RVR (*(volatile uint32_t *)0xe000e014u)
 #define SYST_CVR (*(volatile uint32_t *)0xe000e018u)
 #define SYST_ON 7u /* the core's clock, interrupt, enable */
+#define SYST_ENABLE 1u
 #define SYST_TOP 0x00ffffffu
 #define SCB_ICSR (*(volatile uint32_t *)0xe000ed04u)
 #define SCB_SYST_PENDING (1u << 26)
@@ -43,4 +44,13 @@ uint64_t hal_ticks(void)
         pending = SCB_ICSR & SCB_SYST_PENDING;
     } while (before != wraps);
     return ((uint64_t)before + (pending && into <= SYST_TOP / 2u)) * (SYST_TOP + 1u) + into;
+}
+
+void cortexm_pause_us(uint32_t us)
+{
+    if (!(SYST_CSR & SYST_ENABLE))
+        return;
+    const uint64_t ticks = (uint64_t)us * (hal_tick_hz() / 1000000u), from = hal_ticks();
+    while (hal_ticks() - from <= ticks) { /* one more than asked for: the first one has begun already */
+    }
 }

@@ -89,6 +89,7 @@ static void refusals(struct hal_bus *bus)
 {
     int good = bus->data(bus, bytes, 2) == HAL_ERR_STATE && bus->command(bus, 1, NULL, 0) == HAL_ERR_STATE;
     good &= bus->reset(bus) == HAL_ERR_STATE && bus->wait(bus) == HAL_OK;
+    bus->delay(bus, 10);
     good &= bus->data(bus, NULL, 4) == HAL_ERR_ARG && bus->data(bus, bytes, 0) == HAL_ERR_ARG;
     good &= bus->command(bus, 1, NULL, 1) == HAL_ERR_ARG;
     good &= hal_init() == HAL_OK && hal_init() == HAL_OK;
