@@ -23,6 +23,7 @@
 #define SPI1_CR2 REG(0x40013004u)
 #define SPI1_DR 0x4001300cu
 #define NVIC_ISPR1 REG(0xe000e204u)
+#define SCB_VTOR REG(0xe000ed08u)
 #define NVIC_STIR REG(0xe000ef00u)
 #define IRQ_TIM5 50u
 #define IRQ_DMA2_STREAM3 59u
@@ -171,6 +172,7 @@ int main(void)
     for (uint32_t i = 0; i < LONG; i++)
         bytes[i] = (uint8_t)(17u * (i + 1u));
     refusals(bus);
+    verdict("stm32f405_vectors_are_its_own", SCB_VTOR == 0x08000000u);
     bus->hooks.idle = idle;
     bus->hooks.done = done;
     transfers(bus);

@@ -146,7 +146,7 @@ parts() {
     run "$out/parts" --until 'the end' --reads 1 --stream "$out/parts.stream"
     sed -nE 's/^text ((ok|FAILED) )/\1/p' "$out/parts.txt"
     grep -q '^text FAILED ' "$out/parts.txt" && failed=1
-    [ "$(grep -c '^text ok ' "$out/parts.txt")" = 11 ] || bad stm32f405_parts 'not all of them passed'
+    [ "$(grep -c '^text ok ' "$out/parts.txt")" = 12 ] || bad stm32f405_parts 'not all of them passed'
     wire='c2c | c36 81 00 fe | 11 22 33 44 55 | 11 | | | | 11 22 33 | 11 22 |'
     words=$(echo "$wire" | wc -w)
     {
