@@ -58,9 +58,6 @@ table_row() { # SCENE FLASH RAM
     sed -n "s/^text $1,//p" "$out/$1.txt" | awk -F, -v scene="$1" -v flash="$2" -v ram="$3" '
         { printf "stm32f405 %s %d %d %d %d\n", scene, flash, ram, $8, $3 * 16 * 1000 / 168 }'
 }
-sizes() { # of the image built last: FLASH RAM
-    sed -n 's/.*: flash \([0-9]*\) .* RAM \([0-9]*\) .*/\1 \2/p' "$out/make.log"
-}
 
 pictures() { # SCENE FRAMES
     image stm32f405 APP=show SCENE="$1"
