@@ -33,8 +33,8 @@ void cortexm_ticks_start(void)
     wraps = 0;
 }
 
-/* A round begins at 0, where the interrupt becomes pending (Armv7-M manual, B3.3.1). One that is not counted yet, as its
- * interrupt comes this moment or interrupts are off, is counted here. */
+/* A round begins at 0, where the interrupt becomes pending (Armv7-M manual, B3.3.1). One that is not counted yet, as
+ * its interrupt comes this moment or interrupts are off, is counted here. */
 uint64_t hal_ticks(void)
 {
     uint32_t before, into, pending;

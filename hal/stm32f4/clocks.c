@@ -1,5 +1,5 @@
-/* STM32F405: from the 16 MHz RC oscillator (HSI), on which a reset starts it, to 168 MHz; clocks of the blocks that are used;
- * pins. Sections of RM0090 beside each step.
+/* STM32F405: from the 16 MHz RC oscillator (HSI), on which a reset starts it, to 168 MHz; clocks of the blocks that are
+ * used; pins. Sections of RM0090 beside each step.
  *
  * The RC oscillator, not the crystal: that differs from board to board (8, 12, 25 MHz), and a wrong guess runs the part
  * beyond its limits. It is within 1 % at room temperature, which a panel and a UART take; ticks are as exact.
