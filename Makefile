@@ -67,10 +67,11 @@ depth: sim $(B)/.setup-test
 accuracy: sim
 	@$(B)/zsim accuracy
 
+SHOW = $(MAKE) --no-print-directory -s -f firmware/boards/firmware.mk B=$(B) BOARD=$(BOARD) APP=show SCENE=$(SCENE) \
+       $(if $(APP_SCENE),APP_SCENE=$(APP_SCENE))
 ## firmware: BOARD=pico SCENE=teapot (or mine, or APP_SCENE=my.c): what is flashed, into build/fw/pico/
 firmware: $(B)/.setup-fw-$(BOARD) $(B)/gen/meshes.h
-	@$(MAKE) --no-print-directory -s -f firmware/boards/firmware.mk B=$(B) BOARD=$(BOARD) APP=show SCENE=$(SCENE) \
-	    $(if $(APP_SCENE),APP_SCENE=$(APP_SCENE)) image
+	@$(SHOW) image
 
 ## pico: the demo scenes on an emulated Raspberry Pi Pico: cycles, wire, frames a second
 pico: $(B)/.setup-test
@@ -124,6 +125,7 @@ $(B)/.setup-sim:
 $(B)/.setup-test:
 	@mkdir -p $(B) && .ci/setup $(PKG_TEST) && touch $@ $(B)/.setup-linux $(B)/.setup-sim
 $(B)/.setup-fw-$(BOARD):
+	@$(SHOW) hal >/dev/null # a wrong name is told before anything is installed
 	@mkdir -p $(B) && .ci/setup $(PKG_FW) && touch $@
 $(B)/.setup-linux:
 	@mkdir -p $(B) && .ci/setup $(PKG_LINUX) && touch $@ $(B)/.setup-sim

@@ -1,6 +1,7 @@
-/* The whole contract with hardware. One implementation is linked into a binary: hal/null (what a porter
- * copies), hal/host (a program on a PC), hal/linux (a panel on spidev), hal/mps2 (QEMU's Cortex-M boards), hal/rp2040 (a
- * Raspberry Pi Pico). They are peers.
+/* The whole contract with hardware. One implementation is linked into a binary: hal/null (what a porter copies),
+ * hal/host (a program on a PC), hal/linux (a panel on spidev), hal/rp2040 (Raspberry Pi Pico), hal/nrf51 (micro:bit),
+ * hal/lm3s6965, hal/stm32f4, and for cores in QEMU without a panel hal/mps2 (Cortex-M) and hal/rv32. They are peers;
+ * hal/cortexm and hal/stack hold what several of them share.
  *
  * This header knows nothing of the renderer: it moves text, ticks and a panel's bytes. A bus (struct hal_bus)
  * is a value, so that wrappers are peers too: hal/fault makes another bus fail, the simulator's ends in a
@@ -69,7 +70,7 @@ struct hal_bus {
      * Without such a line: nothing. Blocks that long. Not while data is out (HAL_ERR_STATE). */
     int (*reset)(struct hal_bus *bus);
 
-    /* Let at least us microseconds pass. Blocks. */
+    /* Let at least us microseconds pass; before hal_init: none. Blocks. */
     void (*delay)(struct hal_bus *bus, uint32_t us);
 
     struct hal_hooks hooks;

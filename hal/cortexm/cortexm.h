@@ -1,6 +1,6 @@
 /* What HALs of Cortex-M boards share; each board.mk names the files that it takes.
  *
- *   systick.c   hal_ticks, from SysTick on the core's clock, extended to 64 bits by its interrupt
+ *   systick.c   hal_ticks, from SysTick on the core's clock, extended to 64 bits by its interrupt; pauses
  *   semihost.c  hal_write, hal_exit and the hard fault, by semihosting: QEMU, or a debugger that offers it. Without
  *               either, the first call is a fault
  *
@@ -13,6 +13,9 @@
 
 /* Start SysTick; hal_ticks counts from here. Blocks for a few cycles. */
 void cortexm_ticks_start(void);
+
+/* Let at least so many microseconds pass, by hal_tick_hz, whole MHz. Before cortexm_ticks_start: nothing. Blocks. */
+void cortexm_pause_us(uint32_t us);
 
 /* Sleep until an interrupt, unless the flag is 0. Interrupts are off from the question to the sleep, so that the one
  * that clears it cannot come between; one that is pending ends the sleep (Armv6-M manual, B1.5.18; Armv7-M, B1.5.19)

@@ -17,6 +17,8 @@
  * SPDX-License-Identifier: MIT
  */
 #include "hal.h"
+
+#include "cortexm.h"
 #include "parts.h"
 #include "pins.h"
 #include "regs.h"
@@ -208,9 +210,7 @@ static int reset(struct hal_bus *bus)
 static void delay(struct hal_bus *bus, uint32_t us)
 {
     (void)bus;
-    const uint64_t from = hal_ticks();
-    while (hal_ticks() - from <= (uint64_t)us * TICKS_A_US) {
-    }
+    cortexm_pause_us(us);
 }
 
 static struct hal_bus the_bus = { command, data, wait, reset, delay, { 0 } };

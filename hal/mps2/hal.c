@@ -1,7 +1,7 @@
 /* QEMU's Cortex-M boards for benches: text by semihosting, SysTick as instruction counter, no panel (hal/null's bus).
  *
  * With -icount shift=0 an instruction takes one virtual nanosecond; SysTick on the 25 MHz system clock of the MPS2
- * boards counts 40 of them a tick.
+ * boards counts 40 of them a tick; another board of QEMU's has its own number, or 0: it is no whole one.
  *
  * SPDX-License-Identifier: MIT
  */
@@ -9,8 +9,8 @@
 #include "hal.h"
 #include "null.h"
 
-#ifndef HAL_TICK_INSTRUCTIONS_X2
-#define HAL_TICK_INSTRUCTIONS_X2 80u /* 2 * 1 GHz / 25 MHz; another board of QEMU's has its own */
+#ifndef HAL_TICK_INSTRUCTIONS
+#define HAL_TICK_INSTRUCTIONS 40u /* 1 GHz / 25 MHz */
 #endif
 
 static uint8_t ready;
@@ -31,7 +31,7 @@ uint32_t hal_tick_hz(void)
 
 uint32_t hal_tick_instructions(void)
 {
-    return (HAL_TICK_INSTRUCTIONS_X2 + 1u) / 2u;
+    return HAL_TICK_INSTRUCTIONS;
 }
 
 void hal_backlight(uint8_t level)

@@ -1,5 +1,5 @@
 /* Where the panel is wired to a micro:bit v1, and how fast its wire is. The one file to change for another wiring; each
- * name can also be set on the command line: make firmware DEFINES='-DPIN_RESET=20 -DSPI_MHZ=4' ...
+ * name can also be set on the command line: make firmware DEFINES='-DPIN_RESET=2 -DSPI_MHZ=4' ...
  *
  * Numbers are the nRF51's, P0.n. The edge connector counts otherwise:
  *

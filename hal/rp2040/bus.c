@@ -228,7 +228,8 @@ static int reset(struct hal_bus *bus)
 static void delay(struct hal_bus *bus, uint32_t us)
 {
     (void)bus;
-    rp2040_pause_us(us);
+    if (ready)
+        rp2040_pause_us(us);
 }
 
 static struct hal_bus the_bus = { command, data, wait, reset, delay, { 0 } };

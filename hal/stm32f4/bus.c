@@ -257,20 +257,13 @@ static int wait(struct hal_bus *bus)
     return outcome;
 }
 
-static void pause_us(uint32_t us)
-{
-    const uint64_t ticks = (uint64_t)us * (stm32f4_clocks.core / 1000000u), from = hal_ticks();
-    while (hal_ticks() - from <= ticks) {
-    }
-}
-
 static int reset(struct hal_bus *bus)
 {
     (void)bus;
     if (!ready || begun)
         return HAL_ERR_STATE;
     stm32f4_pin_set(PIN_RESET, 0);
-    pause_us(RESET_US);
+    cortexm_pause_us(RESET_US);
     stm32f4_pin_set(PIN_RESET, 1);
     return HAL_OK;
 }
@@ -278,7 +271,7 @@ static int reset(struct hal_bus *bus)
 static void delay(struct hal_bus *bus, uint32_t us)
 {
     (void)bus;
-    pause_us(us);
+    cortexm_pause_us(us);
 }
 
 static struct hal_bus the_bus = { command, data, wait, reset, delay, { 0 } };

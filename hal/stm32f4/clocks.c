@@ -1,5 +1,5 @@
-/* STM32F405: from the 16 MHz RC oscillator (HSI), on which it starts, to 168 MHz; clocks of the blocks that are used;
- * pins. Sections of RM0090 beside each step.
+/* STM32F405: from the 16 MHz RC oscillator (HSI), on which a reset starts it, to 168 MHz; clocks of the blocks that are
+ * used; pins. Sections of RM0090 beside each step.
  *
  * The RC oscillator, not the crystal: that differs from board to board (8, 12, 25 MHz), and a wrong guess runs the part
  * beyond its limits. It is within 1 % at room temperature, which a panel and a UART take; ticks are as exact.
@@ -35,10 +35,22 @@ static int becomes(volatile const uint32_t *reg, uint32_t mask, uint32_t value)
     return 0;
 }
 
+/* 7.3.2: the PLL is set up while it is off. A boot loader may have left it on, and the core on it. */
+static void back_to_hsi(void)
+{
+    RCC_CR |= RCC_HSI_ON;
+    (void)becomes(&RCC_CR, RCC_HSI_READY, RCC_HSI_READY);
+    RCC_CFGR = 0;
+    (void)becomes(&RCC_CFGR, RCC_STATUS_MASK, 0);
+    RCC_CR &= ~RCC_PLL_ON;
+    (void)becomes(&RCC_CR, RCC_PLL_READY, 0);
+}
+
 /* 3.5.1: five wait states above 150 MHz at 2.7 V and more, set before the clock and read back. The regulator's scale is
  * that for 168 MHz from reset on (5.4.1). 7.3.3: APB1 to 42 MHz and APB2 to 84 MHz at most, set before, too. */
 static int speed_up(void)
 {
+    back_to_hsi();
     RCC_PLLCFGR = (RCC_PLLCFGR & RCC_PLL_RESERVED) | PLL; /* source: HSI */
     RCC_CR |= RCC_PLL_ON;
     FLASH_ACR = FLASH_WAIT_STATES(5u) | FLASH_PREFETCH | FLASH_CODE_CACHE | FLASH_DATA_CACHE;

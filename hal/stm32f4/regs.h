@@ -26,6 +26,8 @@
 #define RCC_AHB1ENR REG(0x40023830u)
 #define RCC_APB1ENR REG(0x40023840u)
 #define RCC_APB2ENR REG(0x40023844u)
+#define RCC_HSI_ON (1u << 0)
+#define RCC_HSI_READY (1u << 1)
 #define RCC_PLL_ON (1u << 24)
 #define RCC_PLL_READY (1u << 25)
 #define RCC_PLL_RESERVED 0xf0bc8000u

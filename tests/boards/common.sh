@@ -27,6 +27,10 @@ image() {
     exit 1
 }
 
+sizes() { # of the image built last: FLASH RAM
+    sed -n 's/.*: flash \([0-9]*\) .* RAM \([0-9]*\) .*/\1 \2/p' "$out/make.log"
+}
+
 # Draw what the simulator draws: STEM SCENE FRAMES STEP ZSIM-OPTIONS...   as STEM/SCENE_NNN.bin, .png
 truth() {
     stem=$1 scene=$2 frames=$3 step=$4

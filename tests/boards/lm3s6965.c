@@ -101,6 +101,7 @@ int main(void)
 {
     struct hal_bus *bus = hal_bus();
     const int early = bus->data(bus, bytes, 2) == HAL_ERR_STATE && bus->command(bus, 0xe3, NULL, 0) == HAL_ERR_STATE;
+    bus->delay(bus, 10);
     const int good = hal_init() == HAL_OK && hal_init() == HAL_OK && hal_bus() == bus;
     verdict("lm3s6965_begins_with_hal_init", early && good);
     refusals(bus);

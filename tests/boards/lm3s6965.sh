@@ -65,7 +65,7 @@ scene_tests() { # SCENE
     [ "${used:-0}" -gt 0 ] && [ "$used" -lt $((reserve * 3 / 4)) ] ||
         bad "lm3s6965_$1_stack" "$used of $reserve bytes, more than three quarters"
     # shellcheck disable=SC2046
-    set -- "$1" $(sed -n 's/.*flash \([0-9]*\) .*RAM \([0-9]*\) .*/\1 \2/p' "$out/make.log")
+    set -- "$1" $(sizes)
     [ "$3" -lt $RAM ] || bad "lm3s6965_$1_ram" "$3 bytes"
     echo "lm3s6965 $1 $2 $3 $used $(statistic "$out/$1" "$1" 4)000" >>"$out/table.txt"
 }

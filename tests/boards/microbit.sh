@@ -4,6 +4,7 @@
 # Usage: tests/boards/microbit.sh BUILD   from the repository's top; BUILD/zsim, BUILD/gen
 #
 # Leaves BUILD/microbit/table.txt: microbit SCENE FLASH RAM STACK INSTRUCTIONS, of drawing a frame, without the panel.
+# Flash and RAM are those of the image with SPI, stack and instructions those of the one that runs here.
 # The image with SPI, which is what is flashed, is seen by the registers that it reads and writes (spi_log.mjs). What
 # pins and clocks do, no emulator here can tell.
 set -u
@@ -39,6 +40,11 @@ boot() {
 
 # ---- Pictures -----------------------------------------------------------------------------------------------------
 
+# The same over the UART, beside the one that is flashed: MAKE-ARGUMENTS...   as $fw-uart/NAME.elf
+uart_image() {
+    image microbit OUT="$fw-uart" DEFINES=-DPANEL_ON_UART=1 "$@"
+}
+
 # Draw FRAMES frames of ELF's scene and decode what the panel got: STEM ELF SCENE
 frames() {
     boot "$2" "$1.stream" "$3,$((FRAMES - 1))," -icount shift=0
@@ -61,27 +67,28 @@ reasons() { # FILE    on a line, the first ones
     head -3 "$1" | tr '\n' ' '
 }
 
-# RAM, flash and stack of an image that has run, into the table: SCENE STEM ELF
+# Sizes, and stack of an image that has run, into the table: SCENE STEM ELF FLASH RAM
 figures() {
     last=$(sed -n "s/^text $1,//p" "$2.txt" | tail -1)
     used=${last##*,} draw=$(echo "$last" | cut -d, -f3)
     reserve=$(arm-none-eabi-size -A "$3" | awk '$1 == ".stack" { print $2 }')
     [ "${used:-0}" -gt 0 ] && [ "$used" -lt $((reserve * 3 / 4)) ] ||
         bad "microbit_$1_stack" "$used of $reserve bytes, more than three quarters"
-    flash=$(sed -n 's/.*flash \([0-9]*\) .*/\1/p' "$out/make.log")
-    ram=$(sed -n 's/.*RAM \([0-9]*\) .*/\1/p' "$out/make.log")
-    [ "${ram:-0}" -gt 0 ] && [ "$ram" -le $RAM ] || bad "microbit_$1_ram" "$ram of $RAM bytes"
-    echo "microbit $1 $flash $ram $used ${draw}000" >>"$out/table.txt"
+    [ "$5" -le $RAM ] || bad "microbit_$1_ram" "$5 of $RAM bytes"
+    echo "microbit $1 $4 $5 $used ${draw}000" >>"$out/table.txt"
 }
 
 scene_tests() { # SCENE
-    image microbit APP=show SCENE="$1" DEFINES=-DPANEL_ON_UART=1
+    image microbit APP=show SCENE="$1"
+    flashed=$(sizes)
+    uart_image APP=show SCENE="$1"
     truth "$out/truth" "$1" $FRAMES $STEP --size 160x128 --subpixel 4
-    stops_after "$fw/$1.elf" "$out/$1.elf" $FRAMES $STEP
+    stops_after "$fw-uart/$1.elf" "$out/$1.elf" $FRAMES $STEP
     frames "$out/$1" "$out/$1.elf" "$1" >"$out/$1.bad"
     same "$out/$1" "$out/truth" "$1" >>"$out/$1.bad"
     verdict "microbit_$1_pictures" "$(reasons "$out/$1.bad")"
-    figures "$1" "$out/$1" "$fw/$1.elf"
+    # shellcheck disable=SC2086
+    figures "$1" "$out/$1" "$fw-uart/$1.elf" $flashed
 }
 
 pixel() { # FILE X Y    of 320 px wide RGB565
@@ -89,8 +96,10 @@ pixel() { # FILE X Y    of 320 px wide RGB565
 }
 # The scene to be changed: its background above, its floor below, the edge of the picture, and that it moves.
 mine() {
-    image microbit APP=show SCENE=mine DEFINES=-DPANEL_ON_UART=1
-    stops_after "$fw/my_scene.elf" "$out/mine.elf" $FRAMES $STEP
+    image microbit APP=show SCENE=mine
+    flashed=$(sizes)
+    uart_image APP=show SCENE=mine
+    stops_after "$fw-uart/my_scene.elf" "$out/mine.elf" $FRAMES $STEP
     frames "$out/mine" "$out/mine.elf" mine >"$out/mine.bad"
     for at in 80,56,10e6 239,56,10e6 80,183,4a6b 239,183,4a6b 79,56,0000 240,183,0000; do
         got=$(pixel "$out/mine_3.bin" "$(echo $at | cut -d, -f1)" "$(echo $at | cut -d, -f2)")
@@ -98,7 +107,8 @@ mine() {
     done
     cmp -s "$out/mine_2.bin" "$out/mine_3.bin" && echo "nothing moves" >>"$out/mine.bad"
     verdict microbit_mine_pictures "$(reasons "$out/mine.bad")"
-    figures mine "$out/mine" "$fw/my_scene.elf"
+    # shellcheck disable=SC2086
+    figures mine "$out/mine" "$fw-uart/my_scene.elf" $flashed
 }
 
 # Pools that take many passes: of them the pictures above must not differ.
@@ -124,8 +134,8 @@ sees_differences() {
 
 # microbit.c, hours of it: with sleep=off, time in which the core sleeps passes at once.
 parts() {
-    image microbit NAME=parts APP_SRC=tests/boards/microbit.c DEFINES=-DPANEL_ON_UART=1
-    boot "$fw/parts.elf" "$out/parts.stream" 'hard fault' -icount shift=0,sleep=off
+    uart_image NAME=parts APP_SRC=tests/boards/microbit.c
+    boot "$fw-uart/parts.elf" "$out/parts.stream" 'hard fault' -icount shift=0,sleep=off
     "$build/zsim" panel --panel st7789:240x240 --decode "$out/parts.stream" --out "$out/parts.png" \
         >"$out/parts.txt" 2>&1
     sed -nE 's/^text ((ok|FAILED) .*)/\1/p' "$out/parts.txt"
@@ -156,8 +166,8 @@ spi() {
 
 # At SPI1 nothing answers: the time-out is told, not waited for for ever.
 silent_spi() {
-    image microbit APP=show SCENE=cubes DEFINES=-DSPI_INSTANCE=1
-    boot "$fw/cubes.elf" "$out/silent.said" ' in its time' -icount shift=0 >"$out/silent.bad"
+    image microbit APP=show SCENE=cubes DEFINES=-DSPI_INSTANCE=1 OUT="$fw-spi1"
+    boot "$fw-spi1/cubes.elf" "$out/silent.said" ' in its time' -icount shift=0 >"$out/silent.bad"
     [ "$(sed -n 1p "$out/silent.said")" = '# the bus did not end in its time' ] ||
         echo "it says: $(sed -n 1p "$out/silent.said")" >>"$out/silent.bad"
     verdict microbit_says_that_no_spi_answers "$(reasons "$out/silent.bad")"

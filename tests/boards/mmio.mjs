@@ -210,7 +210,15 @@ function dma(address, value) {
     starts.push({ from: by.get(S3M0AR), n: by.get(S3NDTR), asked: false });
 }
 
+// Before the PLL is set up the core was put on the HSI, and the PLL off.
+function check_pll() {
+    if (last.get(CFGR) !== 0 || !field(RCC, 0, 1) || (last.get(RCC) ?? 1 << 24) >> 24 & 1)
+        problem('the PLL is set up while it may be on');
+}
+
 function write(address, value) {
+    if (address === PLLCFGR)
+        check_pll();
     said.set(address, said.get(address) | value);
     last.set(address, value);
     if (address >= GPIO && address < GPIO + 0xc00 && (address & 0x3ff) === 0x18)

@@ -150,6 +150,7 @@ int main(void)
 {
     struct hal_bus *bus = hal_bus();
     const int early = bus->command(bus, 0, NULL, 0);
+    bus->delay(bus, 10);
     if (hal_init() || hal_init())
         hal_exit(1);
     verdict("pico_bus_before_init", early == HAL_ERR_STATE);

@@ -6,6 +6,7 @@
  */
 #include <stdint.h>
 
+#define SCB_VTOR (*(volatile uint32_t *)0xe000ed08u)
 #define PAINT 0xa5a5a5a5u /* what hal/stack/stack.c looks for */
 
 /* From sections.ld. */
@@ -38,9 +39,13 @@ void Default_Handler(void)
     }
 }
 
-/* Naked of locals on purpose: everything below the stack pointer is painted. */
+/* Naked of locals on purpose: everything below the stack pointer is painted. VTOR (Armv7-M has it, Armv6-M need not): a
+ * boot loader that jumps here may have left its own vectors at 0 (STM32's, after dfu-util's :leave). */
 void Reset_Handler(void)
 {
+#if __ARM_ARCH >= 7
+    SCB_VTOR = (uint32_t)(uintptr_t)vectors;
+#endif
     const uint32_t *from = __data_load;
     for (uint32_t *at = __data_start; at < __data_end; at++)
         *at = *from++;
