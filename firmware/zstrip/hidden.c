@@ -1,32 +1,30 @@
 /* What large triangles hide in a strip, known before anything is drawn.
  *
- * The strip is cut into tiles of TILE columns, as high as it is. A triangle that covers all of a tile, or two that share
- * an edge and cover it together, leave no key there beyond their farthest: the tile's bound. A triangle whose nearest key
- * lies beyond the bounds of all tiles that it touches wins no pixel, in whatever order the two are drawn, because a pixel
- * keeps the least key; equal keys prove nothing. So the frame is the same with and without.
+ * The strip is cut into tiles of 2^ZS_TILE_LOG2 columns, as high as it is. A triangle that covers all of a tile, or two
+ * that share an edge and cover it together, leave no key there beyond their farthest: the tile's bound. A triangle whose
+ * nearest key lies beyond the bounds of all tiles that it touches wins no pixel, in whatever order the two are drawn,
+ * because a pixel keeps the least key; equal keys prove nothing. So the frame is the same with and without.
  *
- * Bounds come from the triangles of one set (a pool's filling) and stay for the sets after it in the same strip. A triangle
- * of a later set draws its pixels too, so that bounds could be had from it as well; they are not, because it is not known yet.
+ * Bounds come from the triangles of one set (a pool's filling) and stay for the sets after it in the same strip. Only
+ * triangles of LARGE columns are looked at for bounds, and nothing is done in frames that have none.
  *
- * Only triangles of LARGE columns are looked at for bounds, and nothing is done in frames that have none. Columns: the left
- * side of a triangle is a convex function of the row and the right side a concave one, so that both are farthest inwards in
- * the strip's first or last row. Keys: a plane's are within 0.13 bucket of its vertices' (NUMERICS.md: 0.005 up to 640
- * pixels of width and height, (W + H + 1) / 2^17 beyond), which MARGIN covers.
+ * Columns: the left side of a triangle is a convex function of the row and the right side a concave one, so that both are
+ * farthest inwards in the strip's first or last row. Keys: a plane's are within 0.13 bucket of its vertices' (NUMERICS.md:
+ * 0.005 up to 640 pixels of width and height, (W + H + 1) / 2^17 beyond), which MARGIN covers.
  *
  * SPDX-License-Identifier: MIT
  */
 #include "cold.h"
 #include "pipeline.h"
 
-#define TILE_LOG2 ZS_TILE_LOG2
-#define LARGE (2 << TILE_LOG2) /* columns: covers a tile wherever it lies */
+#define LARGE (2 << ZS_TILE_LOG2) /* columns: covers a tile wherever it lies */
 #define MARGIN 0x2200 /* of a bucket, in 2^-16: 0.13 */
 _Static_assert(2 * ZS_SIZE_MAX + 1 <= MARGIN, "the error of a plane's keys, (W + H + 1) / 2^17 bucket");
 
 static uint32_t key_of(const struct zs_renderer *r, uint32_t d, int32_t add)
 {
     const struct zs_depth *depth = r->config.depth;
-    const uint32_t key = depth->key ? depth->key(&r->view, d) : d, top = r->view.key_top; /* at most key_top, 2^32 - 2^16 */
+    const uint32_t key = depth->key ? depth->key(&r->view, d) : d, top = r->view.key_top; /* key <= top */
     const uint32_t most = top - 0x10000u; /* keys saturate here */
     const int64_t sum = (int64_t)key + 0x8000 + add;
     return (sum < 0 ? 0u : sum > most ? most : (uint32_t)sum) >> 16;
@@ -51,7 +49,7 @@ int zs_hidden(struct zs_job *job)
         return 0;
     const uint32_t d = v[0]->d < v[1]->d ? v[0]->d : v[1]->d;
     const uint32_t nearest = key_of(r, d < v[2]->d ? d : v[2]->d, -MARGIN);
-    for (int32_t t = x0 >> TILE_LOG2; t <= (x1 - 1) >> TILE_LOG2; t++)
+    for (int32_t t = x0 >> ZS_TILE_LOG2; t <= (x1 - 1) >> ZS_TILE_LOG2; t++)
         if (nearest <= r->bound[t])
             return 0;
     if (r->scene->instance[job->tri->instance].state)
@@ -72,9 +70,9 @@ struct cover {
 static void bound_tiles(struct zs_job *job, int32_t x0, int32_t x1, uint32_t farthest)
 {
     uint16_t *bound = job->r->bound;
-    const int32_t up = (1 << TILE_LOG2) - 1;
-    const int32_t end = x1 >= job->width ? (job->width + up) >> TILE_LOG2 : x1 >> TILE_LOG2;
-    for (int32_t t = (zs_max32(x0, 0) + up) >> TILE_LOG2; t < end; t++)
+    const int32_t up = (1 << ZS_TILE_LOG2) - 1;
+    const int32_t end = x1 >= job->width ? (job->width + up) >> ZS_TILE_LOG2 : x1 >> ZS_TILE_LOG2;
+    for (int32_t t = (zs_max32(x0, 0) + up) >> ZS_TILE_LOG2; t < end; t++)
         if (farthest < bound[t])
             bound[t] = (uint16_t)farthest;
 }
@@ -106,7 +104,8 @@ static int share_edge(const struct zs_job *job, const struct cover *a, const str
     for (int k = 0; k < 9 && n < 2; k++)
         if (a->v[k / 3]->x == b->v[k % 3]->x && a->v[k / 3]->y == b->v[k % 3]->y)
             y[n++] = a->v[k / 3]->y;
-    return n == 2 && zs_first_sample(zs_min32(y[0], y[1])) <= job->y0 && zs_first_sample(zs_max32(y[0], y[1])) >= job->y1;
+    return n == 2 && zs_first_sample(zs_min32(y[0], y[1])) <= job->y0 &&
+           zs_first_sample(zs_max32(y[0], y[1])) >= job->y1;
 }
 
 static void bound_both(struct zs_job *job, const struct cover *left, const struct cover *right)

@@ -1,5 +1,5 @@
-/* Triangles of one colour and up to 64 pixels each way, set up and drawn in one go: what the stages would do one by one,
- * with the same outcome bit for bit, where a call a stage costs more than the pixels. For cores that divide; without,
+/* Triangles of one colour and up to 64 pixels each way, set up and drawn in one go: what the stages would do one by
+ * one, with the same outcome bit for bit, where a call a stage costs more than the pixels. For cores that divide; without,
  * remainders are quicker (raster.c).
  *
  * Columns of an edge are as in raster.c, but counted from one left of the triangle, so that the numerator is positive.
@@ -132,7 +132,8 @@ int zs_small_draw(struct zs_job *job)
     if (gx == ZS_TOO_STEEP || up == ZS_TOO_STEEP)
         return 0;
     r->stats.tris_setup++;
-    const int32_t gy = -up, ax = ZS_SUBPX_HALF - (a->x & (ZS_SUBPX_ONE - 1)), ay = ZS_SUBPX_HALF - (a->y & (ZS_SUBPX_ONE - 1));
+    const int32_t gy = -up;
+    const int32_t ax = ZS_SUBPX_HALF - (a->x & (ZS_SUBPX_ONE - 1)), ay = ZS_SUBPX_HALF - (a->y & (ZS_SUBPX_ONE - 1));
     const int32_t low = (gx & 255) * ax + (gy & 255) * ay + 128; /* as small_base in plane.c */
     uint32_t key = d + (uint32_t)((gx >> 8) * ax + (gy >> 8) * ay + (low >> 8)) + 0x8000u +
                    zs_wrap_mul((uint32_t)gx, left - (a->x >> ZS_SUBPX_BITS)) +
