@@ -69,13 +69,15 @@ static struct {
     int edge_errno;
     int edge_signal;             /* flag: SIGTERM comes in the wait for an edge */
     int interrupts;              /* ioctls to come that fail with EINTR */
-    uint32_t signal_at;          /* the message in which SIGTERM comes; 0: none */
+    uint32_t signal_at;          /* the message in which the signal comes, SIGTERM where it is 0; 0: none */
+    int signal, no_hup;          /* no_hup: SIGHUP is ignored from the start, as by nohup */
     uint32_t wire_hz;            /* 0: messages take no time, else what they take at this clock */
     sem_t *begun, *go;           /* where not NULL: each message of data says that it has begun, and waits to go on */
     uint64_t slept_us;
     struct pm_model *model;
     uint8_t *lit;                /* what the model showed when it was last told to be dark, RGB; NULL: not wanted */
     int n_lit, light_on;         /* light_on: it was on then */
+    int lights;                  /* how often the light was switched on */
 } m;
 static int in_message; /* atomic: a message is on the wire */
 static char folder[] = "/tmp/zstrip-dev-XXXXXX";
@@ -219,6 +221,7 @@ int gpio_set(struct gpio_line *line, int level)
     if (m.model && l == &m.chip[0].line[5] && level && !l->level)
         pm_reset(m.model);
     l->level = level;
+    m.lights += level && l == &m.chip[0].line[6];
     return 0;
 }
 
@@ -367,7 +370,7 @@ static int message(const struct spi_ioc_transfer *t)
     m.n_sent++;
     __atomic_store_n(&in_message, 1, __ATOMIC_SEQ_CST);
     if (m.signal_at && k == m.signal_at)
-        (void)kill(getpid(), SIGTERM);
+        (void)kill(getpid(), m.signal ? m.signal : SIGTERM);
     if (dc && t->len > 16 && m.begun) {
         struct timespec until;
         (void)clock_gettime(CLOCK_REALTIME, &until);
@@ -783,7 +786,7 @@ int zstrip_linux(int argc, char **argv); /* main of sim/linux/main.c */
 /* What a run of it left behind. */
 struct left {
     uint8_t rgb[240 * 320 * 3]; /* what was seen last before the panel went dark */
-    int n_lit, still_lit, held, light, requests;
+    int n_lit, still_lit, held, light, lights, requests;
     uint64_t pixel_bytes, slept_us;
     uint32_t n_sent;
     char problem[160];
@@ -800,11 +803,14 @@ static void child(const char *line)
     for (char *word = strtok(text, " "); word && argc < 39; word = strtok(NULL, " "))
         argv[argc++] = word;
     m.lit = left->rgb;
+    if (m.no_hup)
+        (void)signal(SIGHUP, SIG_IGN);
     (void)alarm(20); /* seconds: it ends, or it is a failure */
     const int status = zstrip_linux(argc, argv);
     left->n_lit = m.n_lit;
     left->held = held_lines();
     left->light = m.chip[0].line[6].level || m.light_on; /* glass that goes blank is not to be seen */
+    left->lights = m.lights;
     left->requests = m.requests;
     left->n_sent = m.n_sent;
     left->slept_us = m.slept_us;
@@ -952,6 +958,16 @@ static void signals_at_any_moment(void **state)
     expect_dark(run(WIRED "--te TEAR --panel ssd1306:128x64 --scene cubes"));
     assert_int_equal(left->pixel_bytes, 1024);
     assert_string_equal(said, "");
+    for (int no_hup = 0; no_hup < 2; no_hup++) {
+        machine();
+        model_of("ssd1306:128x64");
+        m.signal = SIGHUP;
+        m.signal_at = 60; /* in the first frame */
+        m.no_hup = no_hup;
+        expect_dark(run(WIRED "--panel ssd1306:128x64 --scene cubes --frames 3"));
+        assert_int_equal(left->lights, no_hup);
+        assert_int_equal(left->pixel_bytes == 4u * 1024u, no_hup);
+    }
 }
 
 /* With a wire that takes its time, drawing goes on behind it; sent and drawn by turns, none would. */
@@ -973,34 +989,76 @@ static void drawing_hides_behind_the_wire(void **state)
     assert_true(hidden >= 25);
 }
 
+/* Of three frames that were asked for, or of those for ever, the first is not taken. */
 static void program_goes_on_after_failures(void **state)
 {
     static uint8_t truth[240 * 320 * 3];
-    static const char line[] = WIRED "--panel st7789:240x240 --scene cubes --frames 4";
+    static const char line[] = WIRED "--panel ssd1306:128x64 --scene cubes";
+    char frames[256];
     (void)state;
-    truth_of(truth, "st7789:240x240", 0, &demo_cubes, 3);
+    truth_of(truth, "ssd1306:128x64", 0, &demo_cubes, 2);
     machine();
-    model_of("st7789:240x240");
-    m.bad_from = 1000; /* behind set-up's 900 pieces of black, in the first frame or the second */
-    m.bad_to = 1001;
+    model_of("ssd1306:128x64");
+    m.bad_from = 60; /* in the first frame */
+    m.bad_to = 61;
     m.bad_errno = EIO;
+    (void)snprintf(frames, sizeof frames, "%s --frames 3", line);
+    assert_int_equal(run(frames), 1); /* all were asked for */
+    expect_dark(0);
+    assert_non_null(strstr(said, "frame 0: /dev/spidev0.0: "));
+    assert_null(strstr(said, "frame 1"));
+    assert_memory_equal(left->rgb, truth, 128 * 64 * 3);
+    assert_int_equal(left->lights, 1);
+    m.signal_at = 400;
     expect_dark(run(line));
-    assert_non_null(strstr(said, "were not sent"));
-    assert_memory_equal(left->rgb, truth, 240 * 240 * 3);
+    assert_non_null(strstr(said, "frame 0: /dev/spidev0.0: "));
+    assert_int_equal(left->lights, 1);
+}
+
+/* A panel that takes nothing from some message on: status 1, and the light was never on without a picture. */
+static void program_gives_up(void **state)
+{
+    static const struct {
+        uint32_t from;
+        const char *frames, *words;
+        int lights;
+    } t[] = { { 0, "", "the panel cannot be set up: /dev/spidev0.0: 1 bytes were not sent", 0 },
+              { 60, "--frames 1", "frame 0: /dev/spidev0.0: ", 0 },
+              { 60, "", "frame ", 0 },
+              { 90, "", "frame ", 1 } };
+    (void)state;
+    for (size_t i = 0; i < sizeof t / sizeof t[0]; i++) {
+        char line[256];
+        (void)snprintf(line, sizeof line, WIRED "--panel ssd1306:128x64 --scene cubes %s", t[i].frames);
+        machine();
+        model_of("ssd1306:128x64");
+        m.bad_from = t[i].from;
+        m.bad_to = UINT32_MAX;
+        m.bad_errno = EIO;
+        assert_int_equal(run(line), 1);
+        if (!strstr(said, t[i].words) || left->lights != t[i].lights)
+            fail_msg("row %zu: light on %d times, %s", i, left->lights, said);
+        assert_int_equal(strstr(said, "cannot be put to sleep") != NULL, i > 0);
+        assert_int_equal(left->held, 0);
+        assert_int_equal(left->light, 0);
+    }
+}
+
+/* Only the last commands are not taken: the picture was shown, but the panel is not asleep. */
+static void panel_that_does_not_sleep(void **state)
+{
+    static const char line[] = WIRED "--panel ssd1306:128x64 --scene cubes --frames 1";
+    (void)state;
     machine();
-    model_of("st7789:240x240");
-    m.bad_from = 1000;
-    m.bad_to = UINT32_MAX; /* for ever: it gives up */
-    m.bad_errno = EIO;
-    assert_int_equal(run(line), 1);
-    assert_int_equal(left->held, 0);
-    assert_int_equal(left->light, 0);
-    machine();
+    model_of("ssd1306:128x64");
+    expect_dark(run(line));
+    m.bad_from = left->n_sent - 1;
     m.bad_to = UINT32_MAX;
     m.bad_errno = EIO;
     assert_int_equal(run(line), 1);
-    assert_non_null(strstr(said, "the panel cannot be set up"));
+    assert_non_null(strstr(said, "the panel cannot be put to sleep: /dev/spidev0.0: "));
     assert_int_equal(left->held, 0);
+    assert_int_equal(left->light, 0);
 }
 
 static void no_edge_comes(void **state)
@@ -1086,6 +1144,8 @@ static const struct CMUnitTest tests[] = {
     cmocka_unit_test(signals_at_any_moment),
     cmocka_unit_test(drawing_hides_behind_the_wire),
     cmocka_unit_test(program_goes_on_after_failures),
+    cmocka_unit_test(program_gives_up),
+    cmocka_unit_test(panel_that_does_not_sleep),
     cmocka_unit_test(no_edge_comes),
     cmocka_unit_test(command_lines)
 };

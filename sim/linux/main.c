@@ -47,7 +47,7 @@ static struct tally tally;
 static void *arena, *scratch;
 static uint64_t *sums; /* of --partial */
 static uint64_t begun; /* when the strip was given away that is out; 0: none is */
-static int use_te;
+static int use_te, is_lit;
 
 static void on_signal(int number)
 {
@@ -55,14 +55,16 @@ static void on_signal(int number)
     stop = 1;
 }
 
-/* Calls that a signal interrupts return. A reader of --stats that goes away must not leave the panel lit. */
+/* Calls that a signal interrupts return. A SIGHUP that is ignored stays so: nohup. A reader of --stats that goes away
+ * must not leave the panel lit. */
 static void catch_signals(void)
 {
-    static const int numbers[] = { SIGINT, SIGTERM, SIGHUP };
-    struct sigaction action = { .sa_handler = on_signal };
+    struct sigaction action = { .sa_handler = on_signal }, before;
     (void)sigemptyset(&action.sa_mask);
-    for (size_t i = 0; i < sizeof numbers / sizeof numbers[0]; i++)
-        (void)sigaction(numbers[i], &action, NULL);
+    (void)sigaction(SIGINT, &action, NULL);
+    (void)sigaction(SIGTERM, &action, NULL);
+    if (sigaction(SIGHUP, NULL, &before) == 0 && before.sa_handler != SIG_IGN)
+        (void)sigaction(SIGHUP, &action, NULL);
     action.sa_handler = SIG_IGN;
     (void)sigaction(SIGPIPE, &action, NULL);
 }
@@ -164,8 +166,13 @@ static int wait_for_edge(void)
     return SIM_OK;
 }
 
-/* One frame, counted. SIM_OK, also where it was broken off or not taken; failed counts those in a row. */
-static int show_frame(uint32_t t, uint32_t *failed)
+/* Frames that the panel did not take. */
+struct lost {
+    uint32_t in_a_row, all;
+};
+
+/* One frame, counted. SIM_OK, also where it was broken off or not taken. */
+static int show_frame(uint32_t t, struct lost *lost)
 {
     const struct zs_sink sink = { submit, wait, NULL };
     if (wait_for_edge() != SIM_OK)
@@ -176,17 +183,22 @@ static int show_frame(uint32_t t, uint32_t *failed)
     tally.draw += hal_ticks() - from - (tally.busy - busy);
     tally.frames++;
     if (err == ZS_OK || err == STOPPED) {
-        *failed = 0;
+        if (!is_lit && !stop)
+            hal_backlight(255); /* not before there is something to see */
+        is_lit = 1;
+        lost->in_a_row = 0;
         return SIM_OK;
     }
     (void)sim_refuse(NULL, 0, "frame %u: %s", (unsigned)t, words(err));
-    return err > -100 || ++*failed == FAILURES_MAX ? SIM_REFUSED : SIM_OK;
+    lost->all++;
+    return err > -100 || ++lost->in_a_row == FAILURES_MAX ? SIM_REFUSED : SIM_OK;
 }
 
 static int show(void)
 {
     const uint64_t start = hal_ticks();
-    uint32_t t = 0, failed = 0;
+    struct lost lost = { 0, 0 };
+    uint32_t t = 0;
     int status = SIM_OK;
     if (options.stats)
         (void)puts("scene,frames,frames/s,draw us,wire us,hidden %,passes,bytes,messages");
@@ -195,9 +207,7 @@ static int show(void)
         if (i > 0)
             t = options.frames ? i * (uint32_t)options.step : by_the_clock(start, t);
         if (!stop)
-            status = show_frame(t, &failed);
-        if (i == 0 && !stop)
-            hal_backlight(255); /* not before there is something to see */
+            status = show_frame(t, &lost);
         if (options.stats && tally.frames == STATS_EVERY) {
             say_stats();
             begin_tally();
@@ -205,7 +215,7 @@ static int show(void)
     }
     if (options.stats)
         say_stats();
-    return status;
+    return options.frames && lost.all ? SIM_REFUSED : status; /* each of --frames was asked for */
 }
 
 /* ---- From dark to dark ----------------------------------------------------------------------------------- */
@@ -253,7 +263,9 @@ static int run(void)
     if (status == SIM_OK && !stop)
         status = show();
     hal_backlight(0);
-    (void)panel_sleep(&panel); /* refused where it was not set up */
+    const int dark = panel_sleep(&panel);
+    if (dark != HAL_OK && dark != PANEL_ERR_STATE) /* it was set up */
+        status = sim_refuse(NULL, 0, "the panel cannot be put to sleep: %s", words(dark));
     linux_close();
     return status;
 }
