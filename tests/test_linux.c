@@ -919,6 +919,18 @@ static void program_draws_what_the_simulator_draws(void **state)
     }
 }
 
+/* Messages of a picture: 10 strips of 11520 bytes are three each, behind five of the window; the glass is cleared by as
+ * many, behind one window. Set-up's and sleep's commands besides. */
+static void program_sends_few_messages(void **state)
+{
+    (void)state;
+    machine();
+    model_of("st7789:240x240");
+    expect_dark(run(WIRED "--panel st7789:240x240 --scene cubes --frames 1 --stats"));
+    assert_non_null(strstr(said, ",115310,80\n"));
+    assert_in_range(left->n_sent, 80 + 35, 80 + 35 + 60);
+}
+
 /* Frames that are alike travel once. */
 static void partial_saves_bytes(void **state)
 {
@@ -945,12 +957,12 @@ static void signals_at_any_moment(void **state)
         model_of("ssd1306:128x64");
         m.signal_at = at;
         expect_dark(run(WIRED "--panel ssd1306:128x64 --scene cubes --strip 16"));
-        assert_true(left->n_sent <= (at < 45 ? 48 : at + 14)); /* the rest of set-up, or of a strip; sleep */
+        assert_true(left->n_sent <= (at < 35 ? 41 : at + 14)); /* the rest of set-up, or of a strip; sleep */
     }
     machine();
     model_of("st7789:135x240");
-    m.signal_at = 300; /* in set-up: while it is cleared */
-    expect_dark(run(WIRED "--panel st7789:135x240 --scene cubes"));
+    m.signal_at = 150; /* in set-up: while it is cleared */
+    expect_dark(run(WIRED "--panel st7789:135x240 --scene cubes --strip 1"));
     assert_int_equal(left->pixel_bytes, 135 * 240 * 2);
     machine();
     model_of("ssd1306:128x64");
@@ -962,7 +974,7 @@ static void signals_at_any_moment(void **state)
         machine();
         model_of("ssd1306:128x64");
         m.signal = SIGHUP;
-        m.signal_at = 60; /* in the first frame */
+        m.signal_at = 45; /* in the first frame */
         m.no_hup = no_hup;
         expect_dark(run(WIRED "--panel ssd1306:128x64 --scene cubes --frames 3"));
         assert_int_equal(left->lights, no_hup);
@@ -999,8 +1011,8 @@ static void program_goes_on_after_failures(void **state)
     truth_of(truth, "ssd1306:128x64", 0, &demo_cubes, 2);
     machine();
     model_of("ssd1306:128x64");
-    m.bad_from = 60; /* in the first frame */
-    m.bad_to = 61;
+    m.bad_from = 45; /* in the first frame */
+    m.bad_to = 46;
     m.bad_errno = EIO;
     (void)snprintf(frames, sizeof frames, "%s --frames 3", line);
     assert_int_equal(run(frames), 1); /* all were asked for */
@@ -1023,8 +1035,8 @@ static void program_gives_up(void **state)
         const char *frames, *words;
         int lights;
     } t[] = { { 0, "", "the panel cannot be set up: /dev/spidev0.0: 1 bytes were not sent", 0 },
-              { 60, "--frames 1", "frame 0: /dev/spidev0.0: ", 0 },
-              { 60, "", "frame ", 0 },
+              { 45, "--frames 1", "frame 0: /dev/spidev0.0: ", 0 },
+              { 45, "", "frame ", 0 },
               { 90, "", "frame ", 1 } };
     (void)state;
     for (size_t i = 0; i < sizeof t / sizeof t[0]; i++) {
@@ -1140,6 +1152,7 @@ static const struct CMUnitTest tests[] = {
     cmocka_unit_test(failed_messages),
     cmocka_unit_test(edges),
     cmocka_unit_test(program_draws_what_the_simulator_draws),
+    cmocka_unit_test(program_sends_few_messages),
     cmocka_unit_test(partial_saves_bytes),
     cmocka_unit_test(signals_at_any_moment),
     cmocka_unit_test(drawing_hides_behind_the_wire),
