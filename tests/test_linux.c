@@ -10,6 +10,7 @@
 #include <dirent.h>
 #include <errno.h>
 #include <fcntl.h>
+#include <grp.h>
 #include <linux/spi/spidev.h>
 #include <pthread.h>
 #include <semaphore.h>
@@ -57,6 +58,8 @@ static struct {
     int chips_open, requests;
     const char *bufsiz;          /* what its file says; NULL: there is none */
     int open_errno;              /* of the spidev */
+    mode_t node_mode;            /* of all nodes */
+    gid_t node_gid;              /* 7 is called "owners" */
     unsigned long bad_request;   /* the ioctl that fails, with bad_errno; 0: none */
     int bad_errno;
     uint32_t bad_from, bad_to;   /* messages that fail, counted from 0 */
@@ -115,6 +118,8 @@ static void machine(void)
     memset(&m, 0, sizeof m);
     m.bufsiz = "4096\n";
     m.limit = 4096;
+    m.node_mode = 0660;
+    m.node_gid = 7;
     m.chip[0].label = "pinctrl-test";
     m.chip[1].label = "expander";
     m.chip[2].label = "expander2";
@@ -275,6 +280,7 @@ int __wrap_stat(const char *path, struct stat *st);
 int __real_lstat(const char *path, struct stat *st);
 int __wrap_lstat(const char *path, struct stat *st);
 int __wrap_access(const char *path, int how);
+struct group *__wrap_getgrgid(gid_t gid);
 DIR *__real_opendir(const char *path);
 DIR *__wrap_opendir(const char *path);
 int __wrap_nanosleep(const struct timespec *wanted, struct timespec *left);
@@ -310,9 +316,17 @@ int __wrap_open(const char *path, int flags, ...)
 int __wrap_stat(const char *path, struct stat *st)
 {
     const int err = __real_stat(mapped(path), st);
-    if (!err && mapped(path) != path)
-        st->st_mode = (st->st_mode & 07777u) | S_IFCHR;
+    if (!err && mapped(path) != path) {
+        st->st_mode = m.node_mode | S_IFCHR;
+        st->st_gid = m.node_gid;
+    }
     return err;
+}
+
+struct group *__wrap_getgrgid(gid_t gid)
+{
+    static struct group owners = { .gr_name = (char *)"owners" };
+    return gid == 7 ? &owners : NULL;
 }
 
 int __wrap_lstat(const char *path, struct stat *st)
@@ -495,6 +509,8 @@ static void refusals(void **state)
         int open_errno, denied;
         unsigned long request;
         int request_errno;
+        mode_t mode;                /* 0: 0660 */
+        gid_t gid;                  /* 0: 7 */
     } t[] = {
         { { spi, 1, 0, "NOPE", 0, 0, 0 }, HAL_ERR_ARG, "'NOPE'", "CHIP:LINE", 0, 0, 0, 0, 0 },
         { { spi, 1, 0, "DC", "5", 0, 0 }, HAL_ERR_ARG, "RESET: no line here is named '5'", "CHIP:LINE", 0, 0, 0, 0, 0 },
@@ -508,9 +524,21 @@ static void refusals(void **state)
         { { spi, 1, 0, "DC", "CE0", 0, 0 }, HAL_ERR_BUS, "RESET: line /dev/gpiochip0:2, CE0 is held by spi0 CS0",
           "stop that program", 0, 0, 0, 0, 0 },
         { { spi, 1, 0, "DC", 0, 0, 0 }, HAL_ERR_BUS, "no GPIO chip at all", "driver", "spidev0.0", 0, 0, 0, 0 },
-        { { spi, 1, 0, "0:4", 0, 0, 0 }, HAL_ERR_BUS, "/dev/gpiochip0", "-aG gpio", 0, 0, EACCES, 0, 0 },
-        { { spi, 1, 0, "DC", 0, 0, 0 }, HAL_ERR_BUS, "/dev/gpiochip0", "-aG gpio", 0, 0, EACCES, 0, 0 },
-        { { spi, 1, 0, "DC", 0, 0, 0 }, HAL_ERR_BUS, spi, "-aG spi", 0, EACCES, 0, 0, 0 },
+        { { spi, 1, 0, "0:4", 0, 0, 0 }, HAL_ERR_BUS, "D/C: /dev/gpiochip0 is open to the group owners", "-aG owners",
+          0, 0, EACCES, 0, 0 },
+        { { spi, 1, 0, "DC", 0, 0, 0 }, HAL_ERR_BUS, "/dev/gpiochip0", "-aG owners", 0, 0, EACCES, 0, 0 },
+        { { spi, 1, 0, "0:4", 0, 0, 0 }, HAL_ERR_BUS, "D/C: /dev/gpiochip0", "container", 0, 0, EPERM, 0, 0 },
+        { { spi, 1, 0, "0:4", 0, 0, 0 }, HAL_ERR_BUS, "root alone", "KERNEL==\"gpiochip0\"", 0, 0, EACCES, 0, 0,
+          0600, 0 },
+        { { spi, 1, 0, "0:4", 0, 0, 0 }, HAL_ERR_ARG, "/dev/gpiochip0 is no GPIO chip", "name one", 0, 0, ENODEV, 0,
+          0 },
+        { { spi, 1, 0, "0:4", 0, 0, 0 }, HAL_ERR_BUS, "/dev/gpiochip0", "name another", 0, 0, EMFILE, 0, 0 },
+        { { spi, 1, 0, "DC", 0, 0, 0 }, HAL_ERR_BUS, spi, "-aG owners", 0, EACCES, 0, 0, 0 },
+        { { spi, 1, 0, "DC", 0, 0, 0 }, HAL_ERR_BUS, "group 9,", "-aG 9 ", 0, EACCES, 0, 0, 0, 0660, 9 },
+        { { spi, 1, 0, "DC", 0, 0, 0 }, HAL_ERR_BUS, "root alone", "KERNEL==\"spidev0.0\"", 0, EACCES, 0, 0, 0, 0640 },
+        { { spi, 1, 0, "DC", 0, 0, 0 }, HAL_ERR_BUS, spi, "--device /dev/spidev0.0", 0, EPERM, 0, 0, 0 },
+        { { spi, 1, 0, "DC", 0, 0, 0 }, HAL_ERR_BUS, "buffers of 4096 bytes", "spidev.bufsiz", 0, ENOMEM, 0, 0, 0 },
+        { { spi, 1, 0, "DC", 0, 0, 0 }, HAL_ERR_BUS, spi, "dmesg", 0, EIO, 0, 0, 0 },
         { { spi, 1, 0, "DC", 0, 0, 0 }, HAL_ERR_BUS, spi, "dtparam=spi=on", "gpiochip0", ENOENT, 0, 0, 0 },
         { { "/dev/spidev9.0", 1, 0, "DC", 0, 0, 0 }, HAL_ERR_BUS, "/dev/spidev9.0", "there is /dev/spidev0.0", 0,
           ENOENT, 0, 0, 0 },
@@ -531,6 +559,8 @@ static void refusals(void **state)
         if (t[i].nodes)
             devices(t[i].nodes);
         m.open_errno = t[i].open_errno;
+        m.node_mode = t[i].mode ? t[i].mode : m.node_mode;
+        m.node_gid = t[i].gid ? t[i].gid : m.node_gid;
         m.bad_request = t[i].request;
         m.bad_errno = t[i].request_errno;
         for (int k = 0; k < CHIPS; k++)
@@ -732,7 +762,7 @@ static void failed_messages(void **state)
     static const struct {
         int why, err;
         const char *words;
-    } t[] = { { EIO, HAL_ERR_BUS, "were not sent" }, { ETIMEDOUT, HAL_ERR_TIMEOUT, "were not sent" },
+    } t[] = { { EIO, HAL_ERR_BUS, "dmesg" }, { ETIMEDOUT, HAL_ERR_TIMEOUT, "another speed" },
               { ESHUTDOWN, HAL_ERR_BUS, "is gone" }, { EINVAL, HAL_ERR_BUS, "another speed" } };
     static uint8_t px[9000];
     struct hal_bus *bus = hal_bus();
@@ -774,7 +804,8 @@ static void edges(void **state)
     assert_int_equal(linux_wait_edge(10), 0);
     m.edge_errno = ENODEV;
     assert_int_equal(linux_wait_edge(10), HAL_ERR_BUS);
-    assert_non_null(strstr(linux_why(), "TE"));
+    assert_non_null(strstr(linux_why(), "TE: "));
+    assert_non_null(strstr(linux_why(), "load its chip's driver"));
     m.edge_errno = 0;
     expect_shut();
 }

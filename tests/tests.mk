@@ -21,7 +21,7 @@ $(B)/test/zsim: $(call t,$(SIM)) $(B)/test/libtest.a $(B)/libmeshes.a
 	@$(CC) $(SAN) $^ $(LIBS) -o $@
 
 # zstrip-linux on a machine that test_linux.c makes up, in place of libgpiod and of these calls of the C library
-LINUX_FAKED = open ioctl stat lstat access opendir nanosleep
+LINUX_FAKED = open ioctl stat lstat access opendir nanosleep getgrgid
 $(B)/test/hal/linux/%.o $(B)/test/sim/linux/%.o $(B)/test/tests/test_linux.o: \
     TEST_CC += -Ihal/linux -Isim/linux -pthread -DLINUX_MODELS=0
 $(B)/test/sim/linux/main.o: TEST_CC += -Dmain=zstrip_linux

@@ -37,6 +37,12 @@ int linux_fail(int err, const char *format, ...)
     return err;
 }
 
+int linux_fail_line(const char *what)
+{
+    return linux_fail(HAL_ERR_BUS, "%s: its line answers no more: %s; load its chip's driver again and start anew",
+                      what, strerror(errno));
+}
+
 const char *linux_why(void)
 {
     return why;
@@ -189,7 +195,7 @@ int linux_wait_edge(uint32_t ms)
     if (!came)
         came = gpio_edge(&line[TE], ms);
     if (came < 0 && errno != EINTR)
-        return linux_fail(HAL_ERR_BUS, "TE cannot be read: %s", strerror(errno));
+        return linux_fail_line(role[TE].what);
     return came > 0;
 }
 

@@ -238,7 +238,7 @@ static int set_up_renderer(void)
 
 static int set_up_panel(void)
 {
-    const uint32_t n = 2u * (uint32_t)(options.size[0] * options.strip); /* also where no pixel is converted: to clear */
+    const uint32_t n = 2u * (uint32_t)(options.size[0] * options.strip); /* also without pixels to convert: to clear */
     scratch = sim_alloc(n, 1);
     const int err = panel_init(&panel, &glass, hal_bus(), scratch, n);
     return err == HAL_OK ? SIM_OK : sim_refuse(NULL, 0, "the panel cannot be set up: %s", words(err));
