@@ -1141,7 +1141,8 @@ static void command_lines(void **state)
         { WIRED "--panel st7789:240x240 --scene cubes --dry-run", 0, "32000000 Hz, messages of up to 4096 bytes" },
         { WIRED "--panel st7789:240x240 --scene cubes --dry-run", 0, "115200 bytes of pixels a frame, 28800 us" },
         { WIRED "--panel ssd1306:128x64 --scene cubes --dry-run", 0, "1024 bytes of pixels a frame, 819 us" },
-        { WIRED "--panel st7789:240x240 --scene cubes --te CE0 --dry-run", 0, "CE0, held by spi0 CS0" },
+        { WIRED "--panel st7789:240x240 --scene cubes --te CE0 --dry-run", 1, "CE0, held by spi0 CS0" },
+        { WIRED "--panel st7789:240x240 --scene cubes --te CE0 --dry-run", 1, "TE: line /dev/gpiochip0:2, CE0 is" },
         { WIRED "--panel st7789:240x240 --scene cubes --te NOPE --dry-run", 1, "gpiochip2:7" },
     };
     (void)state;

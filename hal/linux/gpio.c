@@ -194,6 +194,14 @@ int gpio_find(struct gpio_place *place, const char *what, const char *text)
     return err;
 }
 
+int gpio_refuse_held(const struct gpio_place *place, const char *what)
+{
+    const char *named = place->info.name, *holder = place->info.consumer;
+    return linux_fail(HAL_ERR_BUS, "%s: line %s:%u%s%s is held by %s; stop that program or driver, or wire another "
+                      "line", what, place->path, (unsigned)place->offset, named[0] ? ", " : "", named,
+                      holder[0] ? holder : "someone who gave no name");
+}
+
 int gpio_take(struct gpio_line *line, const struct gpio_place *place, const char *what, enum gpio_use use)
 {
     const char *named = place->info.name;
@@ -203,9 +211,7 @@ int gpio_take(struct gpio_line *line, const struct gpio_place *place, const char
         return HAL_OK;
     const int why = errno;
     if (why == EBUSY)
-        return linux_fail(HAL_ERR_BUS, "%s: line %s:%u%s%s is held by %s; stop that program or driver, or wire "
-                          "another line", what, place->path, (unsigned)place->offset, named[0] ? ", " : "", named,
-                          place->info.consumer[0] ? place->info.consumer : "someone who gave no name");
+        return gpio_refuse_held(place, what);
     if (why == EACCES || why == EPERM || why == ENOENT)
         return refuse_chip(what, place->path, why);
     return linux_fail(HAL_ERR_BUS, "%s: line %s:%u%s%s cannot be had as an %s: %s; wire another line", what,

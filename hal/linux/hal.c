@@ -181,7 +181,11 @@ int linux_describe(FILE *to)
     }
     (void)fprintf(to, "%-10s %s, mode %u, %lu Hz, messages of up to %lu bytes\n", "SPI", wiring->spi, wiring->mode,
                   (unsigned long)wiring->hz, (unsigned long)linux_spi_limit());
-    return err ? err : linux_spi_look(wiring);
+    err = err ? err : linux_spi_look(wiring);
+    for (int i = 0; i < N_LINES && !err; i++)
+        if (named(i) && place[i].info.used)
+            err = gpio_refuse_held(&place[i], role[i].what);
+    return err;
 }
 
 int linux_wait_edge(uint32_t ms)
