@@ -26,6 +26,7 @@
 #include "cases.h"
 #include "gpio.h"
 #include "hal.h"
+#include "image.h"
 #include "linux.h"
 #include "panel.h"
 #include "panel_frame.h"
@@ -137,6 +138,7 @@ static void model_of(const char *panel)
 {
     struct pm_glass glass;
     MUST(pm_glass_named(&glass, panel));
+    pm_free(m.model);
     m.model = pm_new(&glass);
     MUST(m.model != NULL);
     pm_elapsed(m.model, 0);
@@ -950,6 +952,50 @@ static void program_draws_what_the_simulator_draws(void **state)
     }
 }
 
+/* --model on a glass of 240x240: frame t, of which --frames shows the last. */
+static void model_seen(uint32_t t, const char *path)
+{
+    char line[512];
+    (void)snprintf(line, sizeof line, WIRED "--panel st7789:240x240 --model %s --frames 2 --step %u", path, t);
+    model_of("st7789:240x240");
+    expect_dark(run(line));
+}
+
+/* A box that lies elsewhere than about the world's middle: frame 0 is what `zsim render` draws; it turns about its own
+ * middle, so that a quarter of a turn shows the same. */
+static void program_turns_a_model(void **state)
+{
+    static const char box[] =
+        "v 5 1 8\nv 7 1 8\nv 7 4 8\nv 5 4 8\nv 5 1 6\nv 7 1 6\nv 7 4 6\nv 5 4 6\n"
+        "f 1 2 3 4\nf 6 5 8 7\nf 5 1 4 8\nf 2 6 7 3\nf 4 3 7 8\nf 5 6 2 1\n";
+    static uint8_t first[240 * 240 * 3];
+    char path[64], line[512];
+    uint32_t other = 0, lit = 0;
+    (void)state;
+    machine();
+    (void)snprintf(path, sizeof path, "%s/box.obj", folder);
+    FILE *f = fopen(path, "w");
+    assert_non_null(f);
+    assert_true(fputs(box, f) >= 0 && fclose(f) == 0);
+    model_seen(0, path);
+    memcpy(first, left->rgb, sizeof first);
+    (void)snprintf(line, sizeof line, "%s/ours.png", folder);
+    assert_int_equal(sim_png_save(line, 240, 240, first), 0);
+    (void)snprintf(line, sizeof line, "%.*s/zsim render %s --panel st7789:240x240 --shade smooth --subpixel 8 --out "
+                   "%s/truth.png >/dev/null && cmp %s/ours.png %s/truth.png",
+                   (int)(strrchr(cases_program, '/') - cases_program), cases_program, path, folder, folder, folder);
+    assert_int_equal(system(line), 0);
+    model_seen(64, path);
+    for (uint32_t i = 0; i < sizeof first; i++) {
+        lit += first[i] != first[0];
+        other += abs(first[i] - left->rgb[i]) > 16;
+    }
+    assert_in_range(lit, sizeof first / 20, sizeof first);
+    assert_in_range(other, 0, sizeof first / 200);
+    model_seen(32, path);
+    assert_memory_not_equal(first, left->rgb, sizeof first);
+}
+
 /* Messages of a picture: 10 strips of 11520 bytes are three each, behind five of the window; the glass is cleared by as
  * many, behind one window. Set-up's and sleep's commands besides. */
 static void program_sends_few_messages(void **state)
@@ -1184,6 +1230,7 @@ static const struct CMUnitTest tests[] = {
     cmocka_unit_test(failed_messages),
     cmocka_unit_test(edges),
     cmocka_unit_test(program_draws_what_the_simulator_draws),
+    cmocka_unit_test(program_turns_a_model),
     cmocka_unit_test(program_sends_few_messages),
     cmocka_unit_test(partial_saves_bytes),
     cmocka_unit_test(signals_at_any_moment),
