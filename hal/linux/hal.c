@@ -50,7 +50,7 @@ const char *linux_why(void)
 
 /* ---- Time ------------------------------------------------------------------------------------------------------- */
 
-uint64_t linux_us(void)
+static uint64_t now_us(void)
 {
     struct timespec t;
     (void)clock_gettime(CLOCK_MONOTONIC, &t);
@@ -66,7 +66,7 @@ void linux_pause_us(uint32_t us)
 
 uint64_t hal_ticks(void)
 {
-    return linux_us() - start;
+    return now_us() - start;
 }
 
 uint32_t hal_tick_hz(void)
@@ -138,7 +138,7 @@ int hal_init(void)
 {
     if (ready)
         return HAL_OK;
-    start = linux_us();
+    start = now_us();
     int err = check_wiring();
     if (err)
         return err;

@@ -16,8 +16,7 @@ int linux_fail(int err, const char *format, ...) __attribute__((format(printf, 2
 /* hal.c: a line that is held refused to be set or read, errno says why. HAL_ERR_BUS. */
 int linux_fail_line(const char *what);
 
-/* hal.c: microseconds of CLOCK_MONOTONIC; let some pass. */
-uint64_t linux_us(void);
+/* hal.c: let some time pass. */
 void linux_pause_us(uint32_t us);
 
 /* dev.c: the device node after `last` ("": the first) in /dev, by number, whose name is the prefix with digits and dots

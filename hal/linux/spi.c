@@ -148,7 +148,7 @@ static int send_message(const uint8_t *bytes, uint32_t n)
 
 int linux_spi_send(const uint8_t *bytes, uint32_t n)
 {
-    const uint64_t from = linux_us();
+    sent.last_from = hal_ticks();
     int err = HAL_OK;
     while (n && !err) {
         const uint32_t part = n < limit ? n : limit;
@@ -158,8 +158,8 @@ int linux_spi_send(const uint8_t *bytes, uint32_t n)
         bytes += part;
         n -= part;
     }
-    sent.last_us = linux_us() - from;
-    sent.us += sent.last_us;
+    sent.last_to = hal_ticks();
+    sent.us += sent.last_to - sent.last_from;
     return err;
 }
 

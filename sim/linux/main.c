@@ -46,7 +46,7 @@ static struct panel_config glass;
 static struct tally tally;
 static void *arena, *scratch;
 static uint64_t *sums; /* of --partial */
-static uint64_t begun; /* when the strip was given away that is out; 0: none is */
+static uint64_t given; /* when panel_send returned that began the strip that is out */
 static int use_te, is_lit;
 
 static void on_signal(int number)
@@ -88,9 +88,8 @@ static int submit(void *ctx, const struct zs_strip *s)
     const uint64_t from = hal_ticks();
     const struct panel_rect rect = changed(s);
     const int err = panel_send(&panel, &rect, s->px + rect.x * 2u, s->w * 2u);
-    const uint64_t now = hal_ticks();
-    begun = err ? 0 : now;
-    tally.busy += now - from;
+    given = hal_ticks();
+    tally.busy += given - from;
     return err;
 }
 
@@ -99,10 +98,10 @@ static int wait(void *ctx)
     (void)ctx;
     const uint64_t from = hal_ticks();
     const int err = panel_wait(&panel);
-    const uint64_t drawn = from - begun, sent = linux_sent().last_us;
-    if (begun)
-        tally.hidden += drawn < sent ? drawn : sent;
-    begun = 0;
+    const struct linux_sent sent = linux_sent();
+    const uint64_t first = given > sent.last_from ? given : sent.last_from; /* drawn from given to from */
+    const uint64_t last = from < sent.last_to ? from : sent.last_to;
+    tally.hidden += last > first ? last - first : 0;
     tally.busy += hal_ticks() - from;
     return err;
 }
