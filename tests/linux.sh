@@ -21,7 +21,7 @@ STEP=13
 
 app='/zstrip-linux --spi /dev/spidev0.0'
 run="$app --dc PANEL_DC --reset PANEL_RESET --backlight PANEL_BACKLIGHT"
-user='user=1000 groups=20,21'   # an ordinary user in gpio and spi
+user='user=1000 groups=20,21'   # an ordinary user in the groups of the chip and of the spidev
 full='--panel st7789:240x240 --invert'
 turned='--panel st7789:135x240 --invert --rotate 90'
 colour='--panel ssd1351:128x96'
@@ -80,7 +80,7 @@ boot() {
     cp "$out/init" "$at/tree/init"
     cp "$at/zstrip-linux" "$at/tree/"
     cp "$2" "$at/tree/tests"
-    printf 'root:x:0:\ngpio:x:20:\nspi:x:21:\n' >"$at/tree/etc/group"
+    printf 'root:x:0:\nlines:x:20:\nwires:x:21:\n' >"$at/tree/etc/group"
     (cd "$at/tree" && find . | cpio -o -H newc -R 0:0 --quiet) >"$at/initrd"
     # Line 3 is pulsed, as long as there is a reader.
     while sleep 0.4 && echo system_powerdown; do :; done 2>/dev/null |
@@ -282,8 +282,8 @@ refusal_tests() {
     judge no_spidev refusal nospi 'there is no /dev/spidev0.0' 'dtparam=spi=on' overlay
     judge no_chip refusal nochip 'no GPIO chip'
     judge no_line refusal noline PANEL_DCX PANEL_RESET 'gpiochip0:4'
-    judge not_in_gpio refusal nogpio /dev/gpiochip0 'usermod -aG gpio'
-    judge not_in_spi refusal nospigroup /dev/spidev0.0 'usermod -aG spi'
+    judge not_in_gpio refusal nogpio /dev/gpiochip0 'usermod -aG lines'
+    judge not_in_spi refusal nospigroup /dev/spidev0.0 'usermod -aG wires'
 }
 
 # RELEASE NUMBER   the number is libgpiod's

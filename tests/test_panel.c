@@ -270,7 +270,7 @@ static struct panel_config config_of(const struct sheet *s, int rotate)
 static int bring_up(struct panel *panel, struct wire *w, const struct panel_config *config)
 {
     wire_hook(w);
-    return panel_init(panel, config, &w->bus, scratch, sizeof scratch);
+    return panel_init(panel, config, &w->bus, scratch, panel_scratch_bytes(config, SIDE * SIDE));
 }
 
 /* ---- Windows and bytes --------------------------------------------------------------------------------- */
@@ -474,12 +474,15 @@ static uint32_t count(const struct wire *w, const uint16_t *entries, uint32_t n)
 #define ARGUED(c) ((uint16_t)(ARG << 8 | (c)))
 #define COUNT(w, ...) count(w, (uint16_t[]){ __VA_ARGS__ }, sizeof((uint16_t[]){ __VA_ARGS__ }) / sizeof(uint16_t))
 
-/* Reset first; switched off, and awake; not lit before all of the glass is black; lit last of all. */
+/* Reset first; switched off, and awake; not lit before all of the glass is black, in as few transfers as the scratch
+ * allows; lit last of all. */
 static void dark_until_black(void **state)
 {
+    static const uint32_t rooms[] = { 8, 1003, sizeof scratch };
     (void)state;
-    for (uint32_t k = 0; k < 4 * N_SHEETS; k++) {
-        const struct sheet *s = &sheets[k / 4];
+    for (uint32_t k = 0; k < 4 * N_SHEETS * 3; k++) {
+        const uint32_t room = rooms[k / 4 / N_SHEETS], most = room > 128 ? room / 4 * 4 : 128;
+        const struct sheet *s = &sheets[k / 4 % N_SHEETS];
         const struct panel_config c = config_of(s, (int)(k % 4));
         const struct panel_rect all = { 0, 0, k % 2 ? s->height : s->width, k % 2 ? s->width : s->height };
         const uint32_t bytes = (uint32_t)all.w * all.h * bits_a_pixel(s) / 8;
@@ -487,7 +490,12 @@ static void dark_until_black(void **state)
         const uint32_t n = window(s, (int)(k % 4), &all, want);
         struct wire w = wire_new();
         struct panel panel;
-        assert_int_equal(bring_up(&panel, &w, &c), HAL_OK);
+        wire_hook(&w);
+        memset(scratch, 0xa5, sizeof scratch);
+        assert_int_equal(panel_init(&panel, &c, &w.bus, scratch, room), HAL_OK);
+        assert_int_equal(w.transfers, (bytes + most - 1) / most);
+        for (uint32_t i = room; i < sizeof scratch; i++)
+            assert_true(scratch[i] == 0xa5);
         assert_int_equal(w.log[0], RESET << 8);
         assert_int_equal(w.log[w.log[1] == CODED(0x01) ? 2 : 1], CODED(s->wide ? 0x28 : 0xae));
         assert_int_equal(COUNT(&w, CODED(0x11)), s->wide);

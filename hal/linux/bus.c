@@ -9,7 +9,6 @@
  * SPDX-License-Identifier: MIT
  */
 #define _POSIX_C_SOURCE 200809L
-#include <errno.h>
 #include <pthread.h>
 #include <signal.h>
 #include <string.h>
@@ -84,7 +83,7 @@ static int set_dc(int level)
     if (level == dc_level)
         return HAL_OK;
     dc_level = gpio_set(dc_line, level) ? -1 : level;
-    return dc_level == level ? HAL_OK : linux_fail(HAL_ERR_BUS, "D/C cannot be set: %s", strerror(errno));
+    return dc_level == level ? HAL_OK : linux_fail_line("D/C");
 }
 
 static int command(struct hal_bus *bus, uint8_t code, const uint8_t *args, uint32_t n)
@@ -144,7 +143,7 @@ static int reset(struct hal_bus *bus)
     int err = gpio_set(reset_line, 0);
     linux_pause_us(RESET_US);
     err = gpio_set(reset_line, 1) || err;
-    return err ? linux_fail(HAL_ERR_BUS, "RESET cannot be set: %s", strerror(errno)) : HAL_OK;
+    return err ? linux_fail_line("RESET") : HAL_OK;
 }
 
 static void delay(struct hal_bus *bus, uint32_t us)
@@ -168,7 +167,8 @@ int linux_bus_start(struct gpio_line *dc, struct gpio_line *reset_or_none)
     quit = 0;
     const int why = start_thread();
     if (why)
-        return linux_fail(HAL_ERR_BUS, "there is no thread to send with: %s", strerror(why));
+        return linux_fail(HAL_ERR_BUS, "there is no thread to send with: %s; end other programs of this user, or raise "
+                          "its limit (ulimit -u)", strerror(why));
     ready = 1;
     return HAL_OK;
 }

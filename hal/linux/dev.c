@@ -1,13 +1,16 @@
-/* Names of device nodes.
+/* Device nodes: their names, and who may open them.
  *
  * SPDX-License-Identifier: MIT
  */
 #define _POSIX_C_SOURCE 200809L
 #include <dirent.h>
+#include <errno.h>
+#include <grp.h>
 #include <stdio.h>
 #include <string.h>
 #include <sys/stat.h>
 
+#include "hal.h"
 #include "parts.h"
 
 /* Shorter ones first, so that 9 comes before 10. */
@@ -45,4 +48,30 @@ int linux_next_device(const char *prefix, const char *last, char next[DEV_NAME])
     }
     (void)closedir(dir);
     return found;
+}
+
+/* The group that may read and write it, root's left out; 0: there is none. */
+static gid_t group_of(const char *path)
+{
+    struct stat st;
+    const mode_t both = S_IRGRP | S_IWGRP;
+    return stat(path, &st) == 0 && (st.st_mode & both) == both ? st.st_gid : 0;
+}
+
+int linux_refuse_access(const char *what, const char *path, int why)
+{
+    char number[16];
+    const gid_t gid = group_of(path);
+    const struct group *group = gid ? getgrgid(gid) : NULL;
+    (void)snprintf(number, sizeof number, "%lu", (unsigned long)gid); /* of one without a name; usermod takes it */
+    const char *name = group ? group->gr_name : number;
+    if (why == EPERM)
+        return linux_fail(HAL_ERR_BUS, "%s%s is closed to this process, whatever its user: a container's rule; let the "
+                          "container have it (--device %s)", what, path, path);
+    if (!gid)
+        return linux_fail(HAL_ERR_BUS, "%s%s is open to root alone; give it to a group of yours, by a line in "
+                          "/etc/udev/rules.d: KERNEL==\"%s\", GROUP=\"NAME\", MODE=\"0660\"", what, path,
+                          strrchr(path, '/') ? strrchr(path, '/') + 1 : path);
+    return linux_fail(HAL_ERR_BUS, "%s%s is open to the group %s, and not to this user; join it: sudo usermod -aG %s "
+                      "$USER, then log in again", what, path, name, name);
 }

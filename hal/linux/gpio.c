@@ -59,16 +59,20 @@ static void end(struct walk *w)
 
 static int refuse_chip(const char *what, const char *path, int why)
 {
-    char first[DEV_NAME];
+    char first[DEV_NAME], before[GPIO_TEXT];
+    (void)snprintf(before, sizeof before, "%s: ", what);
     if (why == EACCES || why == EPERM)
-        return linux_fail(HAL_ERR_BUS, "%s: %s is not open to this user; join the group that owns it: sudo usermod -aG "
-                          "gpio $USER, then log in again", what, path);
+        return linux_refuse_access(before, path, why);
     if (why == ENOENT && !linux_next_device(CHIPS, "", first))
         return linux_fail(HAL_ERR_BUS, "%s: there is no %s, and no GPIO chip at all in /dev; this kernel has no GPIO "
                           "driver for this machine, or no GPIO character device", what, path);
     if (why == ENOENT)
         return linux_fail(HAL_ERR_ARG, "%s: there is no %s; name a chip that there is", what, path);
-    return linux_fail(HAL_ERR_BUS, "%s: %s cannot be used as a GPIO chip: %s", what, path, strerror(why));
+    if (why == ENOTTY || why == ENODEV || why == ENXIO)
+        return linux_fail(HAL_ERR_ARG, "%s: %s is no GPIO chip, or one whose driver was taken away; name one that "
+                          "there is", what, path);
+    return linux_fail(HAL_ERR_BUS, "%s: %s cannot be used as a GPIO chip: %s; name another one", what, path,
+                      strerror(why));
 }
 
 /* ---- By name ----------------------------------------------------------------------------------------------- */
@@ -190,6 +194,14 @@ int gpio_find(struct gpio_place *place, const char *what, const char *text)
     return err;
 }
 
+int gpio_refuse_held(const struct gpio_place *place, const char *what)
+{
+    const char *named = place->info.name, *holder = place->info.consumer;
+    return linux_fail(HAL_ERR_BUS, "%s: line %s:%u%s%s is held by %s; stop that program or driver, or wire another "
+                      "line", what, place->path, (unsigned)place->offset, named[0] ? ", " : "", named,
+                      holder[0] ? holder : "someone who gave no name");
+}
+
 int gpio_take(struct gpio_line *line, const struct gpio_place *place, const char *what, enum gpio_use use)
 {
     const char *named = place->info.name;
@@ -199,9 +211,7 @@ int gpio_take(struct gpio_line *line, const struct gpio_place *place, const char
         return HAL_OK;
     const int why = errno;
     if (why == EBUSY)
-        return linux_fail(HAL_ERR_BUS, "%s: line %s:%u%s%s is held by %s; stop that program or driver, or wire "
-                          "another line", what, place->path, (unsigned)place->offset, named[0] ? ", " : "", named,
-                          place->info.consumer[0] ? place->info.consumer : "someone who gave no name");
+        return gpio_refuse_held(place, what);
     if (why == EACCES || why == EPERM || why == ENOENT)
         return refuse_chip(what, place->path, why);
     return linux_fail(HAL_ERR_BUS, "%s: line %s:%u%s%s cannot be had as an %s: %s; wire another line", what,

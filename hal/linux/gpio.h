@@ -1,5 +1,5 @@
-/* The little that is needed of libgpiod, whose versions 1 and 2 have no call in common: gpio_v1.c, gpio_v2.c. The build
- * takes one of them. gpio.c finds lines with it.
+/* The little that is needed of libgpiod, whose versions 1 and 2 have little more in common than opening a chip:
+ * gpio_v1.c, gpio_v2.c. The build takes one of them. gpio.c finds lines with it.
  *
  * SPDX-License-Identifier: MIT
  */
@@ -52,6 +52,9 @@ struct gpio_place {
 /* Find a line by what struct linux_wiring says. what: "D/C", for the sentence. HAL_OK; HAL_ERR_ARG: there is no such
  * line; HAL_ERR_BUS: it could not be looked for. */
 int gpio_find(struct gpio_place *place, const char *what, const char *text);
+
+/* The sentence for one that somebody holds. HAL_ERR_BUS. */
+int gpio_refuse_held(const struct gpio_place *place, const char *what);
 
 /* Request a line that was found. HAL_OK; HAL_ERR_BUS. */
 int gpio_take(struct gpio_line *line, const struct gpio_place *place, const char *what, enum gpio_use use);

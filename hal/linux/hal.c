@@ -37,6 +37,12 @@ int linux_fail(int err, const char *format, ...)
     return err;
 }
 
+int linux_fail_line(const char *what)
+{
+    return linux_fail(HAL_ERR_BUS, "%s: its line answers no more: %s; load its chip's driver again and start anew",
+                      what, strerror(errno));
+}
+
 const char *linux_why(void)
 {
     return why;
@@ -44,7 +50,7 @@ const char *linux_why(void)
 
 /* ---- Time ------------------------------------------------------------------------------------------------------- */
 
-uint64_t linux_us(void)
+static uint64_t now_us(void)
 {
     struct timespec t;
     (void)clock_gettime(CLOCK_MONOTONIC, &t);
@@ -60,7 +66,7 @@ void linux_pause_us(uint32_t us)
 
 uint64_t hal_ticks(void)
 {
-    return linux_us() - start;
+    return now_us() - start;
 }
 
 uint32_t hal_tick_hz(void)
@@ -132,7 +138,7 @@ int hal_init(void)
 {
     if (ready)
         return HAL_OK;
-    start = linux_us();
+    start = now_us();
     int err = check_wiring();
     if (err)
         return err;
@@ -175,7 +181,11 @@ int linux_describe(FILE *to)
     }
     (void)fprintf(to, "%-10s %s, mode %u, %lu Hz, messages of up to %lu bytes\n", "SPI", wiring->spi, wiring->mode,
                   (unsigned long)wiring->hz, (unsigned long)linux_spi_limit());
-    return err ? err : linux_spi_look(wiring);
+    err = err ? err : linux_spi_look(wiring);
+    for (int i = 0; i < N_LINES && !err; i++)
+        if (named(i) && place[i].info.used)
+            err = gpio_refuse_held(&place[i], role[i].what);
+    return err;
 }
 
 int linux_wait_edge(uint32_t ms)
@@ -189,7 +199,7 @@ int linux_wait_edge(uint32_t ms)
     if (!came)
         came = gpio_edge(&line[TE], ms);
     if (came < 0 && errno != EINTR)
-        return linux_fail(HAL_ERR_BUS, "TE cannot be read: %s", strerror(errno));
+        return linux_fail_line(role[TE].what);
     return came > 0;
 }
 

@@ -50,7 +50,7 @@ int linux_wait_edge(uint32_t ms);
 struct linux_sent {
     uint64_t bytes, messages; /* messages: ioctls */
     uint64_t us;              /* spent in them */
-    uint64_t last_us;         /* of that, by the last command or data */
+    uint64_t last_from, last_to; /* hal_ticks of the last command or data */
 };
 struct linux_sent linux_sent(void);
 

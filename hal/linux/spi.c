@@ -46,8 +46,7 @@ static int refuse_device(const char *path, int why)
 {
     char other[DEV_NAME];
     if (why == EACCES || why == EPERM)
-        return linux_fail(HAL_ERR_BUS, "%s is not open to this user; join the group that owns it: sudo usermod -aG spi "
-                          "$USER, then log in again", path);
+        return linux_refuse_access("", path, why);
     if (why == ENOENT && linux_next_device("spidev", "", other))
         return linux_fail(HAL_ERR_BUS, "there is no %s; there is /dev/%s", path, other);
     if (why == ENOENT)
@@ -57,7 +56,10 @@ static int refuse_device(const char *path, int why)
         return linux_fail(HAL_ERR_BUS, "%s has no device behind it any more; load its driver or overlay again", path);
     if (why == ENOTTY)
         return linux_fail(HAL_ERR_BUS, "%s is no spidev; name one, such as /dev/spidev0.0", path);
-    return linux_fail(HAL_ERR_BUS, "%s cannot be opened: %s", path, strerror(why));
+    if (why == ENOMEM)
+        return linux_fail(HAL_ERR_BUS, "%s: there is no memory for its buffers of %lu bytes; ask for less, by "
+                          "spidev.bufsiz on the kernel's command line", path, (unsigned long)linux_spi_limit());
+    return linux_fail(HAL_ERR_BUS, "%s cannot be used: %s; the kernel's log (dmesg) tells more", path, strerror(why));
 }
 
 int linux_spi_look(const struct linux_wiring *wiring)
@@ -127,7 +129,10 @@ static int refuse_message(uint32_t n, int why)
     if (why == EINVAL)
         return linux_fail(HAL_ERR_BUS, "%s: its controller refuses %u bytes at this speed; ask for another speed", name,
                           (unsigned)n);
-    return linux_fail(why == ETIMEDOUT ? HAL_ERR_TIMEOUT : HAL_ERR_BUS, "%s: %u bytes were not sent: %s", name,
+    if (why == ETIMEDOUT)
+        return linux_fail(HAL_ERR_TIMEOUT, "%s: its controller did not send %u bytes in its time; ask for another "
+                          "speed", name, (unsigned)n);
+    return linux_fail(HAL_ERR_BUS, "%s: %u bytes were not sent: %s; the kernel's log (dmesg) tells more", name,
                       (unsigned)n, strerror(why));
 }
 
@@ -143,7 +148,7 @@ static int send_message(const uint8_t *bytes, uint32_t n)
 
 int linux_spi_send(const uint8_t *bytes, uint32_t n)
 {
-    const uint64_t from = linux_us();
+    sent.last_from = hal_ticks();
     int err = HAL_OK;
     while (n && !err) {
         const uint32_t part = n < limit ? n : limit;
@@ -153,8 +158,8 @@ int linux_spi_send(const uint8_t *bytes, uint32_t n)
         bytes += part;
         n -= part;
     }
-    sent.last_us = linux_us() - from;
-    sent.us += sent.last_us;
+    sent.last_to = hal_ticks();
+    sent.us += sent.last_to - sent.last_from;
     return err;
 }
 

@@ -162,16 +162,21 @@ static uint32_t wire_bytes(const struct panel_type *type, uint32_t n)
     }
 }
 
-/* All of the picture black: zeros in every format. */
+/* All of the picture black: zeros in every format, as many at a time as scratch holds whole pixels of. */
 static int clear(struct panel *p)
 {
     static const _Alignas(4) uint8_t black[128] = { 0 };
+    const int own = p->n_scratch <= sizeof black;
+    const uint8_t *zeros = own ? black : p->scratch;
+    const uint32_t most = own ? (uint32_t)sizeof black : p->n_scratch & ~3u;
     const struct panel_rect all = { 0, 0, panel_width(p), panel_height(p) };
     uint32_t left = wire_bytes(p->config.type, (uint32_t)all.w * all.h);
+    for (uint32_t i = 0; !own && i < most && i < left; i++)
+        p->scratch[i] = 0;
     int err = send_window(p, &all);
     while (left && !err) {
-        const uint32_t n = left < sizeof black ? left : (uint32_t)sizeof black;
-        err = p->bus->data(p->bus, black, n);
+        const uint32_t n = left < most ? left : most;
+        err = p->bus->data(p->bus, zeros, n);
         err = err ? err : p->bus->wait(p->bus);
         left -= n;
     }

@@ -42,8 +42,8 @@ static const char usage[] =
     "  --dry-run         say what would be opened, and stop: no line is requested, nothing is sent\n"
     "\n"
     "SIGINT, SIGTERM, SIGHUP and the last frame end it: panel asleep, backlight off, lines released.\n"
-    "Exit status: 0 done, or ended by a signal; 1 refused or failed, one line on stderr says why; 2 the command line\n"
-    "makes no sense.\n";
+    "Exit status: 0 done, or ended by a signal; 1 refused or failed, a line on stderr says why: one of --frames was\n"
+    "not shown, or none of three in a row; 2 the command line makes no sense.\n";
 
 #define AT(field) offsetof(struct linux_options, field)
 #define FRAMES_MAX 1000000000 /* of a run; frame numbers wrap at 2^32 */

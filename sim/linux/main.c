@@ -46,8 +46,8 @@ static struct panel_config glass;
 static struct tally tally;
 static void *arena, *scratch;
 static uint64_t *sums; /* of --partial */
-static uint64_t begun; /* when the strip was given away that is out; 0: none is */
-static int use_te;
+static uint64_t given; /* when panel_send returned that began the strip that is out */
+static int use_te, is_lit;
 
 static void on_signal(int number)
 {
@@ -55,14 +55,16 @@ static void on_signal(int number)
     stop = 1;
 }
 
-/* Calls that a signal interrupts return. A reader of --stats that goes away must not leave the panel lit. */
+/* Calls that a signal interrupts return. A SIGHUP that is ignored stays so: nohup. A reader of --stats that goes away
+ * must not leave the panel lit. */
 static void catch_signals(void)
 {
-    static const int numbers[] = { SIGINT, SIGTERM, SIGHUP };
-    struct sigaction action = { .sa_handler = on_signal };
+    struct sigaction action = { .sa_handler = on_signal }, before;
     (void)sigemptyset(&action.sa_mask);
-    for (size_t i = 0; i < sizeof numbers / sizeof numbers[0]; i++)
-        (void)sigaction(numbers[i], &action, NULL);
+    (void)sigaction(SIGINT, &action, NULL);
+    (void)sigaction(SIGTERM, &action, NULL);
+    if (sigaction(SIGHUP, NULL, &before) == 0 && before.sa_handler != SIG_IGN)
+        (void)sigaction(SIGHUP, &action, NULL);
     action.sa_handler = SIG_IGN;
     (void)sigaction(SIGPIPE, &action, NULL);
 }
@@ -86,9 +88,8 @@ static int submit(void *ctx, const struct zs_strip *s)
     const uint64_t from = hal_ticks();
     const struct panel_rect rect = changed(s);
     const int err = panel_send(&panel, &rect, s->px + rect.x * 2u, s->w * 2u);
-    const uint64_t now = hal_ticks();
-    begun = err ? 0 : now;
-    tally.busy += now - from;
+    given = hal_ticks();
+    tally.busy += given - from;
     return err;
 }
 
@@ -97,10 +98,10 @@ static int wait(void *ctx)
     (void)ctx;
     const uint64_t from = hal_ticks();
     const int err = panel_wait(&panel);
-    const uint64_t drawn = from - begun, sent = linux_sent().last_us;
-    if (begun)
-        tally.hidden += drawn < sent ? drawn : sent;
-    begun = 0;
+    const struct linux_sent sent = linux_sent();
+    const uint64_t first = given > sent.last_from ? given : sent.last_from; /* drawn from given to from */
+    const uint64_t last = from < sent.last_to ? from : sent.last_to;
+    tally.hidden += last > first ? last - first : 0;
     tally.busy += hal_ticks() - from;
     return err;
 }
@@ -164,8 +165,13 @@ static int wait_for_edge(void)
     return SIM_OK;
 }
 
-/* One frame, counted. SIM_OK, also where it was broken off or not taken; failed counts those in a row. */
-static int show_frame(uint32_t t, uint32_t *failed)
+/* Frames that the panel did not take. */
+struct lost {
+    uint32_t in_a_row, all;
+};
+
+/* One frame, counted. SIM_OK, also where it was broken off or not taken. */
+static int show_frame(uint32_t t, struct lost *lost)
 {
     const struct zs_sink sink = { submit, wait, NULL };
     if (wait_for_edge() != SIM_OK)
@@ -176,17 +182,22 @@ static int show_frame(uint32_t t, uint32_t *failed)
     tally.draw += hal_ticks() - from - (tally.busy - busy);
     tally.frames++;
     if (err == ZS_OK || err == STOPPED) {
-        *failed = 0;
+        if (!is_lit && !stop)
+            hal_backlight(255); /* not before there is something to see */
+        is_lit = 1;
+        lost->in_a_row = 0;
         return SIM_OK;
     }
     (void)sim_refuse(NULL, 0, "frame %u: %s", (unsigned)t, words(err));
-    return err > -100 || ++*failed == FAILURES_MAX ? SIM_REFUSED : SIM_OK;
+    lost->all++;
+    return err > -100 || ++lost->in_a_row == FAILURES_MAX ? SIM_REFUSED : SIM_OK;
 }
 
 static int show(void)
 {
     const uint64_t start = hal_ticks();
-    uint32_t t = 0, failed = 0;
+    struct lost lost = { 0, 0 };
+    uint32_t t = 0;
     int status = SIM_OK;
     if (options.stats)
         (void)puts("scene,frames,frames/s,draw us,wire us,hidden %,passes,bytes,messages");
@@ -195,9 +206,7 @@ static int show(void)
         if (i > 0)
             t = options.frames ? i * (uint32_t)options.step : by_the_clock(start, t);
         if (!stop)
-            status = show_frame(t, &failed);
-        if (i == 0 && !stop)
-            hal_backlight(255); /* not before there is something to see */
+            status = show_frame(t, &lost);
         if (options.stats && tally.frames == STATS_EVERY) {
             say_stats();
             begin_tally();
@@ -205,7 +214,7 @@ static int show(void)
     }
     if (options.stats)
         say_stats();
-    return status;
+    return options.frames && lost.all ? SIM_REFUSED : status; /* each of --frames was asked for */
 }
 
 /* ---- From dark to dark ----------------------------------------------------------------------------------- */
@@ -228,8 +237,8 @@ static int set_up_renderer(void)
 
 static int set_up_panel(void)
 {
-    const uint32_t n = panel_scratch_bytes(&glass, (uint32_t)(options.size[0] * options.strip));
-    scratch = n > 0 ? sim_alloc(n, 1) : NULL;
+    const uint32_t n = 2u * (uint32_t)(options.size[0] * options.strip); /* also without pixels to convert: to clear */
+    scratch = sim_alloc(n, 1);
     const int err = panel_init(&panel, &glass, hal_bus(), scratch, n);
     return err == HAL_OK ? SIM_OK : sim_refuse(NULL, 0, "the panel cannot be set up: %s", words(err));
 }
@@ -253,7 +262,9 @@ static int run(void)
     if (status == SIM_OK && !stop)
         status = show();
     hal_backlight(0);
-    (void)panel_sleep(&panel); /* refused where it was not set up */
+    const int dark = panel_sleep(&panel);
+    if (dark != HAL_OK && dark != PANEL_ERR_STATE) /* it was set up */
+        status = sim_refuse(NULL, 0, "the panel cannot be put to sleep: %s", words(dark));
     linux_close();
     return status;
 }

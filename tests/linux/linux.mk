@@ -1,5 +1,6 @@
 # For tests/linux.sh: zstrip-linux for armhf, static, with libgpiod of two Debian releases (tests/linux/packages.sh);
 # the virtual machine's first process; the decoder of its pins.
+# The linker warns of getgrgid in a static program: that it reads /etc/group there too is seen in the tests' sentences.
 # Use: make -f tests/linux/linux.mk B=build bookworm trixie
 ARMHF = arm-linux-gnueabihf-
 CFLAGS = -O2 -Wall -Wextra -Werror -Wno-missing-field-initializers
