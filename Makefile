@@ -51,9 +51,12 @@ fuzz: $(B)/.setup-fuzz
 	@$(MAKE) --no-print-directory -j2 fuzz-programs $(B)/fuzz/fuzz_mesh
 	@sh tests/fuzz/run.sh $(B) $(SECONDS) $(SEED)
 
-## bench: instructions a frame on Cortex-M3, M4, M7 and RISC-V (counted by QEMU; needs no board)
-bench: $(B)/.setup-test $(B)/gen/meshes.h
-	@sh tests/checks/bench.sh $(B)
+## bench: instructions and error of frames on Cortex-M0 to M7 and RISC-V (QEMU counts); what each skip is worth
+bench: sim $(B)/.setup-test $(B)/gen/meshes.h
+	@sh tests/checks/bench.sh $(B) all
+## bench-record: what the bench's frames take now becomes what make test compares them with
+bench-record: $(B)/.setup-test $(B)/gen/meshes.h
+	@sh tests/checks/bench.sh $(B) record >$(B)/bench.txt && mv $(B)/bench.txt tests/golden/bench.txt
 
 ## checksums: every scene's frames on Cortex-M0 to M7, RISC-V and x86-64: one table of checksums, all the same
 checksums: $(B)/.setup-test $(B)/gen/meshes.h
@@ -116,7 +119,7 @@ help:
 	@echo 'Boards, BOARD=:'
 	@for mk in firmware/boards/*/board.mk; do b=$${mk%/board.mk}; \
 	    printf '    %-10s %s\n' "$${b##*/}" "$$(sed -n 's/^BOARD_ABOUT = //p' $$mk)"; done
-.PHONY: all demo test accuracy fuzz bench checksums depth firmware pico boards profile sim linux linux-sources pictures size \
+.PHONY: all demo test accuracy fuzz bench bench-record checksums depth firmware pico boards profile sim linux linux-sources pictures size \
         stack check clean help test-programs fuzz-programs
 
 $(B)/.setup-sim:
