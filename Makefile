@@ -8,7 +8,7 @@ INC = -Ifirmware/zstrip -Ifirmware/scenes -Ihal -Ihal/panel -Ihal/fault -I$(B)/g
 CORE = $(wildcard firmware/zstrip/*.c)
 SCENES = $(wildcard firmware/scenes/*.c)
 PANELS = $(wildcard hal/panel/*.c)
-SIM = $(wildcard sim/*.c sim/reference/*.c sim/panel_model/*.c)
+SIM = $(wildcard sim/*.c sim/reference/*.c sim/panel_model/*.c) firmware/scenes/gen/font.c
 GEN = $(wildcard firmware/scenes/gen/*.c)
 # zstrip-linux: libgpiod's version 1 or 2 decides which of hal/linux's two files is taken. LINUX_SIM: what it needs of
 # sim where it is built without models (-DLINUX_MODELS=0)

@@ -21,6 +21,10 @@ const char sim_options_help[] =
     "  --stats S.json       what the frame took, an object of numbers\n"
     "  --reference          all of it from the double-precision reference instead\n"
     "  --compare            draw both, print how far the frame is from the reference\n"
+    "  --show depth|complexity|overdraw|tested|strips\n"
+    "                       false colours and a legend in --out in place of the frame: distance; how many\n"
+    "                       triangles cover a pixel, hidden ones too; how often it was written; how often\n"
+    "                       a key was compared there; set-ups of each strip, as bars. --stats has the sum\n"
     "Frame\n"
     "  --size WxH           px, 1 to 4096 (240x240)\n"
     "  --strip ROWS         rows to a strip (16)\n"
@@ -96,6 +100,7 @@ static const struct sim_option table[] = {
     { "--texture", SIM_OPTION_FILE, AT(texture), 0, 0, 0, NULL },
     { "--texture-format", SIM_OPTION_CHOICE, AT(texel), 0, 0, 0, "565|pal8|pal4" },
     { "--wrap", SIM_OPTION_CHOICE, AT(clamp), AT(has_wrap), 0, 0, "repeat|clamp" },
+    { "--show", SIM_OPTION_CHOICE, AT(show), 0, 0, 0, SIM_SHOW_WORDS },
     { "--cull", SIM_OPTION_CHOICE, AT(cull), 0, 0, 0, "back|front|none" },
     SIM_PANEL_OPTIONS(struct sim_options, panel),
     { "--spi", SIM_OPTION_COUNT, AT(spi_hz), AT(has_spi), 1000, 1e9, NULL },
@@ -217,6 +222,10 @@ int sim_options_parse(struct sim_options *o, int argc, char **argv)
         return sim_usage("--out is missing: zsim render MODEL --out FRAME.png");
     if (o->reference && o->compare)
         return sim_usage("--compare draws the reference too: leave --reference out");
+    if (o->show != SIM_SHOW_FRAME && o->reference)
+        return sim_usage("--show is about what the renderer does: leave --reference out");
+    if (o->show != SIM_SHOW_FRAME && o->panel.name != NULL)
+        return sim_usage("--show does not go through a panel: leave --panel out");
     status = sim_options_in_range(table, N_TABLE, o, seen, o->model);
     if (status == SIM_OK)
         status = check_rest(o);

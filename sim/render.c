@@ -17,6 +17,7 @@
 #include "output.h"
 #include "panel_frame.h"
 #include "quantise.h"
+#include "show.h"
 #include "sim.h"
 #include "stats.h"
 #include "texels.h"
@@ -41,6 +42,8 @@ struct job {
     uint32_t *texel; /* with --compare and textures; else NULL */
     struct sim_original original;
     struct ref_diff diff; /* with --compare */
+    struct sim_picture shown; /* with --show */
+    struct sim_show_sum show_sum;
 };
 
 /* ---- Frame ----------------------------------------------------------------------------------- */
@@ -139,6 +142,9 @@ static int draw_frame(struct job *job)
         job->texel = sim_alloc(pixels, sizeof *job->texel);
         err = sim_frame_texels(job->texel, &job->scene.scene, &job->scene.camera, &job->config);
     }
+    if (err == ZS_OK && o->show != SIM_SHOW_FRAME)
+        err = sim_show_draw(&job->shown, &job->show_sum, o->show, &job->scene.scene, &job->scene.camera, &job->config,
+                            job->scene.unit);
     return err == ZS_OK ? SIM_OK : refuse_frame(job, err);
 }
 
@@ -288,6 +294,10 @@ static void write_stats(FILE *f, const struct job *job)
     }
     if (o->panel.name != NULL)
         stats_panel(&json, job);
+    if (o->show > SIM_SHOW_DEPTH) {
+        sim_json_number(&json, "show_sum", job->show_sum.sum);
+        sim_json_number(&json, "show_most", job->show_sum.most);
+    }
     if (o->compare)
         stats_diff(&json, &job->diff);
     sim_json_end(&json);
@@ -308,6 +318,8 @@ static int write_one(FILE *f, const struct job *job, int which, const char *name
     const struct ref_image *ref = &job->original.image;
     const uint32_t w = (uint32_t)job->view.width, h = (uint32_t)job->view.height;
     const size_t n = (size_t)w * h;
+    if (which == 0 && job->options.show != SIM_SHOW_FRAME)
+        return sim_png_write(f, name, job->shown.width, job->shown.height, job->shown.rgb);
     if (which == 0) {
         struct sim_picture seen;
         if (job->options.panel.name != NULL)
@@ -410,6 +422,7 @@ int sim_render(int argc, char **argv)
         if (status == SIM_OK && job->options.compare)
             print_diff(&job->diff);
     }
+    sim_picture_free(&job->shown);
     sim_original_free(&job->original);
     free(job->id);
     free(job->texel);
