@@ -16,7 +16,7 @@ GPIOD = $(firstword $(subst ., ,$(shell pkg-config --modversion libgpiod 2>/dev/
 LINUX = $(filter-out hal/linux/gpio_v%,$(wildcard hal/linux/*.c)) $(wildcard sim/linux/*.c)
 LINUX_SIM = $(wildcard sim/panel_model/*.c) sim/option_table.c sim/panel_bus.c sim/panel_frame.c sim/sim.c sim/value.c
 HEADERS = $(wildcard firmware/*/*.h firmware/scenes/gen/*.h hal/*.h hal/*/*.h sim/*.h sim/*/*.h tests/*.h tests/*/*.h)
-LIBS = -lassimp -lmeshoptimizer -lpng -lturbojpeg -lm
+LIBS = -lassimp -lmeshoptimizer -lpng -lturbojpeg -lm -pthread
 
 # Debian packages: what the simulator and zstrip-linux are built from, and what tests and fuzzers need besides
 PKG_SIM = gcc libc6-dev libassimp-dev libmeshoptimizer-dev libpng-dev libturbojpeg0-dev

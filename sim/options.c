@@ -7,6 +7,7 @@
 #include <stddef.h>
 #include <string.h>
 
+#include "frame.h"
 #include "option_table.h"
 #include "sim.h"
 
@@ -36,6 +37,9 @@ const char sim_options_help[] =
     "  --tris N, --verts N  pool sizes, up to 65534 (ample); small ones take more passes\n"
     "  --buffers 1|2        strip buffers (2)\n"
     "  --skip-off BITS      switch skips off, enum zs_skip or-ed (0)\n"
+    "  --threads N          draw by N threads, 1 to 64, each with an arena of its own: the same frame;\n"
+    "                       --stats has draw_us then, the time that drawing took, and draw_busiest_us, that\n"
+    "                       of a processor for the thread that took most\n"
     "Panel\n"
     "  --panel NAME:WxH     the frame goes through this panel's driver and the model of its controller\n"
     "                       into --out: what its viewer sees. --size is its picture's then. There are:\n"
@@ -81,6 +85,7 @@ static const struct sim_option table[] = {
     { "--verts", SIM_OPTION_COUNT, AT(verts), 0, 3, ZS_POOL_MAX, NULL },
     { "--depth-bits", SIM_OPTION_COUNT, AT(depth_bits), 0, 8, 16, NULL },
     { "--skip-off", SIM_OPTION_COUNT, AT(skip_off), 0, 0, 63, NULL },
+    { "--threads", SIM_OPTION_COUNT, AT(threads), 0, 1, SIM_THREADS_MAX, NULL },
     { "--subpixel", SIM_OPTION_COUNT, AT(subpixel), 0, 0, 0, "4|8" },
     { "--buffers", SIM_OPTION_COUNT, AT(buffers), 0, 0, 0, "1|2" },
     { "--eye", SIM_OPTION_VECTOR, AT(eye), AT(has_eye), 0, 0, NULL },
@@ -222,6 +227,10 @@ int sim_options_parse(struct sim_options *o, int argc, char **argv)
         return sim_usage("--out is missing: zsim render MODEL --out FRAME.png");
     if (o->reference && o->compare)
         return sim_usage("--compare draws the reference too: leave --reference out");
+    if (o->threads != 0 && o->reference)
+        return sim_usage("--threads is about the renderer: leave --reference out");
+    if (o->threads != 0 && o->panel.name != NULL)
+        return sim_usage("--threads draws strips in any order, and a panel takes them from the top: leave one out");
     if (o->show != SIM_SHOW_FRAME && o->reference)
         return sim_usage("--show is about what the renderer does: leave --reference out");
     if (o->show != SIM_SHOW_FRAME && o->panel.name != NULL)

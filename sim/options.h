@@ -51,6 +51,7 @@ struct sim_options {
     int has_eye, has_at, has_near, has_far, has_light, has_color, has_wrap; /* flags */
     int reference, compare, help;                                 /* flags */
     struct sim_panel_wish panel; /* size is its picture's, where it has a name */
+    long threads;                /* 0: not given */
     long spi_hz;                 /* of its wire */
     int has_size, has_spi;
 };

@@ -44,6 +44,7 @@ struct job {
     struct ref_diff diff; /* with --compare */
     struct sim_picture shown; /* with --show */
     struct sim_show_sum show_sum;
+    struct sim_frame_time time; /* with --threads */
 };
 
 /* ---- Frame ----------------------------------------------------------------------------------- */
@@ -115,8 +116,11 @@ static int draw_strips(struct job *job)
         if (status != SIM_OK)
             return status;
     }
-    const int err = sim_frame_render_to(&job->frame, &job->scene.scene, &job->scene.camera, &job->config, "drawing",
-                                        wish->name != NULL ? &sink : NULL);
+    const int err = job->options.threads > 0
+        ? sim_frame_render_threads(&job->frame, &job->scene.scene, &job->scene.camera, &job->config,
+                                   (uint32_t)job->options.threads, &job->time)
+        : sim_frame_render_to(&job->frame, &job->scene.scene, &job->scene.camera, &job->config, "drawing",
+                              wish->name != NULL ? &sink : NULL);
     if (err != ZS_OK && job->panel.err == HAL_OK)
         return refuse_frame(job, err);
     return wish->name != NULL ? sim_panel_check(&job->panel, wish, job->options.model) : SIM_OK;
@@ -294,6 +298,11 @@ static void write_stats(FILE *f, const struct job *job)
     }
     if (o->panel.name != NULL)
         stats_panel(&json, job);
+    if (o->threads > 0) {
+        sim_json_number(&json, "threads", (double)o->threads);
+        sim_json_number(&json, "draw_us", 1e6 * job->time.wall);
+        sim_json_number(&json, "draw_busiest_us", 1e6 * job->time.busiest);
+    }
     if (o->show > SIM_SHOW_DEPTH) {
         sim_json_number(&json, "show_sum", job->show_sum.sum);
         sim_json_number(&json, "show_most", job->show_sum.most);

@@ -94,7 +94,7 @@ z render --help
 is status $status 0
 for option in --out --size --strip --eye --at --up --fov --near --far --projection --depth \
     --depth-bits --shade --cull --subpixel --background --tris --verts --depth-out --id-out --stats \
-    --reference --show --skip-off; do
+    --reference --show --skip-off --threads; do
     grep -qE -- "^ .*$option( |,|\$)" stdout || wrong "--help does not name $option"
 done
 
@@ -326,6 +326,20 @@ for view in '--cull none' '--shade smooth --eye 0.5,0.2,1 --at 0,0,0 --near 0.3 
         same ample few
         [ "$(stat_of few passes)" -gt 1 ] || wrong "one pass with $pool"
         [ "$(stat_of few arena_bytes)" -lt "$(stat_of ample arena_bytes)" ] || wrong "no fewer bytes"
+    done
+done
+
+begin threads_draw_the_same_frame
+for model in ball mess; do
+    draw one $model.obj --shade smooth --cull none --strip 7
+    for n in 1 2 3 5 64; do
+        for pool in '' '--tris 40 --verts 50'; do
+            draw many $model.obj --shade smooth --cull none --strip 7 $pool --threads $n
+            same one many
+            is "threads" "$(stat_of many threads)" $n
+            is "triangles drawn" "$(stat_of many triangles_drawn)" "$(stat_of one triangles_drawn)"
+            is "strips" "$(stat_of many strips)" "$(stat_of one strips)"
+        done
     done
 done
 
@@ -833,6 +847,8 @@ done
 usage show_of_no_kind --show render quad.obj --out refused/x.png --show depths
 usage show_of_the_reference --show render quad.obj --out refused/x.png --show tested --reference
 usage show_through_a_panel --show render quad.obj --out refused/x.png --show tested --panel st7789:240x240
+usage threads_of_the_reference --threads render quad.obj --out refused/x.png --threads 2 --reference
+usage threads_through_a_panel --threads render quad.obj --out refused/x.png --threads 2 --panel st7789:240x240
 usage flag_with_a_value --reference render quad.obj --out refused/x.png --reference=1
 
 finish
