@@ -7,8 +7,8 @@
 # only M0 has 16 KB of RAM.
 #
 # Usage: tests/checks/bench.sh BUILD          the checks, and what frames take
-#        tests/checks/bench.sh BUILD all      besides: each frame's error, what each skip is worth, instructions of this
-#                                             machine, cycles of the RP2040; CSV in BUILD/bench; needs BUILD/zsim
+#        tests/checks/bench.sh BUILD all      besides: each frame's error, what each skip is worth; CSV in BUILD/bench;
+#                                             needs BUILD/zsim
 #        tests/checks/bench.sh BUILD record   the one-pass frames as lines for tests/golden/bench.txt
 #
 # SPDX-License-Identifier: MIT
@@ -113,7 +113,8 @@ awk -v other="$other" '
                     (now[k] / old[k] - 1) * 100, hint
             } else if (now[k] * 100 < old[k] * 98) {
                 better++
-                printf "better: %s: %d a frame, %d on record, %.1f %% less\n", k, now[k], old[k], (1 - now[k] / old[k]) * 100
+                printf "better: %s: %d a frame, %d on record, %.1f %% less\n", k, now[k], old[k],
+                    (1 - now[k] / old[k]) * 100
             }
         }
         if (better) print better " frames take over 2 % less than on record: make bench-record"
@@ -199,8 +200,8 @@ awk -F, '
     NF != 17 || $1 == "scene" { next }
     $2 == "all" { all = $13; printf "%s%-16s %7.2fM", n++ ? "\n" : head(), $1, $13 / 1e6; next }
     { printf " %8.3f", $13 / all }
-    function head() { return sprintf("%-16s %8s %8s %8s %8s %8s %8s %8s\n", "scene", "all on", "frustum", "cliptest", "empty",
-        "vcache", "bins", "hidden") }
+    function head() { return sprintf("%-16s %8s %8s %8s %8s %8s %8s %8s\n", "scene", "all on", "frustum", "cliptest",
+        "empty", "vcache", "bins", "hidden") }
     END { print "" }' "$out/skips.csv"
 echo
 echo "CSV: $out/bench.csv, $out/skips.csv, and $out/BOARD.csv of all configurations"
