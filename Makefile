@@ -8,7 +8,7 @@ INC = -Ifirmware/zstrip -Ifirmware/scenes -Ihal -Ihal/panel -Ihal/fault -I$(B)/g
 CORE = $(wildcard firmware/zstrip/*.c)
 SCENES = $(wildcard firmware/scenes/*.c)
 PANELS = $(wildcard hal/panel/*.c)
-SIM = $(wildcard sim/*.c sim/reference/*.c sim/panel_model/*.c)
+SIM = $(wildcard sim/*.c sim/reference/*.c sim/panel_model/*.c) firmware/scenes/gen/font.c
 GEN = $(wildcard firmware/scenes/gen/*.c)
 # zstrip-linux: libgpiod's version 1 or 2 decides which of hal/linux's two files is taken. LINUX_SIM: what it needs of
 # sim where it is built without models (-DLINUX_MODELS=0)
@@ -16,7 +16,7 @@ GPIOD = $(firstword $(subst ., ,$(shell pkg-config --modversion libgpiod 2>/dev/
 LINUX = $(filter-out hal/linux/gpio_v%,$(wildcard hal/linux/*.c)) $(wildcard sim/linux/*.c)
 LINUX_SIM = $(wildcard sim/panel_model/*.c) sim/option_table.c sim/panel_bus.c sim/panel_frame.c sim/sim.c sim/value.c
 HEADERS = $(wildcard firmware/*/*.h firmware/scenes/gen/*.h hal/*.h hal/*/*.h sim/*.h sim/*/*.h tests/*.h tests/*/*.h)
-LIBS = -lassimp -lmeshoptimizer -lpng -lturbojpeg -lm
+LIBS = -lassimp -lmeshoptimizer -lpng -lturbojpeg -lm -pthread
 
 # Debian packages: what the simulator and zstrip-linux are built from, and what tests and fuzzers need besides
 PKG_SIM = gcc libc6-dev libassimp-dev libmeshoptimizer-dev libpng-dev libturbojpeg0-dev
@@ -51,9 +51,12 @@ fuzz: $(B)/.setup-fuzz
 	@$(MAKE) --no-print-directory -j2 fuzz-programs $(B)/fuzz/fuzz_mesh
 	@sh tests/fuzz/run.sh $(B) $(SECONDS) $(SEED)
 
-## bench: instructions a frame on Cortex-M3, M4, M7 and RISC-V (counted by QEMU; needs no board)
-bench: $(B)/.setup-test $(B)/gen/meshes.h
-	@sh tests/checks/bench.sh $(B)
+## bench: instructions and error of frames on Cortex-M0 to M7 and RISC-V (QEMU counts); what each skip is worth
+bench: sim $(B)/.setup-test $(B)/gen/meshes.h
+	@sh tests/checks/bench.sh $(B) all
+## bench-record: what the bench's frames take now becomes what make test compares them with
+bench-record: $(B)/.setup-test $(B)/gen/meshes.h
+	@sh tests/checks/bench.sh $(B) record >$(B)/bench.txt && mv $(B)/bench.txt tests/golden/bench.txt
 
 ## checksums: every scene's frames on Cortex-M0 to M7, RISC-V and x86-64: one table of checksums, all the same
 checksums: $(B)/.setup-test $(B)/gen/meshes.h
@@ -117,7 +120,7 @@ help:
 	@echo 'Boards, BOARD=:'
 	@for mk in firmware/boards/*/board.mk; do b=$${mk%/board.mk}; \
 	    printf '    %-10s %s\n' "$${b##*/}" "$$(sed -n 's/^BOARD_ABOUT = //p' $$mk)"; done
-.PHONY: all demo test accuracy fuzz bench checksums depth firmware pico boards profile sim linux linux-sources pictures size \
+.PHONY: all demo test accuracy fuzz bench bench-record checksums depth firmware pico boards profile sim linux linux-sources pictures size \
         stack check clean help test-programs fuzz-programs
 
 $(B)/.setup-sim:

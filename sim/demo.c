@@ -19,6 +19,7 @@
 #include "panel_frame.h"
 #include "reference.h"
 #include "scenes.h"
+#include "show.h"
 #include "sim.h"
 #include "texels.h"
 #include "truth.h"
@@ -30,6 +31,8 @@ struct request {
     const char *out, *scenes;           /* folder; names with commas between, or NULL for all */
     long size[2], strip, subpixel;      /* size: a panel's picture's; without has_size, the scene's own */
     long start, step, frames;           /* frames start, start + step ...; at most so many of each scene, 0: all */
+    long skip_off;                      /* as in struct zs_config */
+    enum sim_show show;
     struct sim_panel_wish panel;
     int has_size, raw, help;            /* flags */
 };
@@ -45,6 +48,8 @@ static const struct sim_option table[] = {
     { "--start", SIM_OPTION_COUNT, AT(start), 0, 0, FRAMES_MAX, NULL },
     { "--step", SIM_OPTION_COUNT, AT(step), 0, 1, FRAMES_MAX, NULL },
     { "--frames", SIM_OPTION_COUNT, AT(frames), 0, 1, FRAMES_MAX, NULL },
+    { "--skip-off", SIM_OPTION_COUNT, AT(skip_off), 0, 0, 63, NULL },
+    { "--show", SIM_OPTION_CHOICE, AT(show), 0, 0, 0, SIM_SHOW_WORDS },
     SIM_PANEL_OPTIONS(struct request, panel),
     { "--raw", SIM_OPTION_FLAG, AT(raw), 0, 0, 0, NULL },
     { "--help", SIM_OPTION_FLAG, AT(help), 0, 0, 0, NULL },
@@ -67,6 +72,9 @@ static const char usage[] =
     "  --subpixel 4|8    sub-pixel bits (8)\n"
     "  --start T --step N  frames T, T + N, T + 2 N ... to the animation's end (0, 1)\n"
     "  --frames N        at most so many of each scene\n"
+    "  --skip-off BITS   switch skips off, enum zs_skip or-ed (0)\n"
+    "  --show depth|complexity|overdraw|tested|strips\n"
+    "                    pictures are false colours with a legend, as of zsim render\n"
     "  --panel NAME:WxH  frames go through this panel's driver and the model of its controller: pictures are what its\n"
     "                    viewer sees, of its size. There are:\n"
     "                    %s\n"
@@ -106,6 +114,7 @@ static void configure(struct zs_config *config, const struct demo *demo, const s
     sim_frame_config(config, size.width, size.height, (uint8_t)demo->attrs);
     config->strip_h = (uint16_t)(rq->strip < size.height ? rq->strip : size.height);
     config->subpixel_bits = (uint8_t)rq->subpixel;
+    config->skip_off = (uint8_t)rq->skip_off;
     config->depth = demo->depth;
 }
 
@@ -221,9 +230,13 @@ static int draw(struct sim_frame *frame, struct sim_picture *seen, struct sim_pa
                 const struct demo_frame *f, const struct zs_config *config, const struct request *rq, const char *scene)
 {
     const struct zs_sink sink = sim_panel_sink(panel);
-    const int err = sim_frame_render_to(frame, &f->scene, &f->camera, config, NULL, rq->panel.name ? &sink : NULL);
+    int err = sim_frame_render_to(frame, &f->scene, &f->camera, config, NULL, rq->panel.name ? &sink : NULL);
+    if (!err && rq->show != SIM_SHOW_FRAME)
+        err = sim_show_draw(seen, NULL, rq->show, &f->scene, &f->camera, config, 1.0);
     if (err && panel->err == HAL_OK)
         return sim_refuse(scene, 0, "%s", zs_strerror(err));
+    if (rq->show != SIM_SHOW_FRAME)
+        return SIM_OK;
     if (rq->panel.name == NULL) {
         sim_picture_565(seen, config->width, config->height, frame->rgb565);
         return SIM_OK;
@@ -403,8 +416,19 @@ static int parse(struct request *rq, int argc, char **argv)
     status = sim_options_in_range(table, N_TABLE, rq, seen, NULL);
     if (status == SIM_OK)
         status = sim_panel_take(&rq->panel, NULL, rq->has_size, rq->size, rq->strip, &glass);
+    if (status == SIM_OK && rq->show != SIM_SHOW_FRAME && rq->panel.name != NULL)
+        return sim_usage("--show does not go through a panel: leave --panel out");
     rq->has_size |= rq->panel.name != NULL;
     return status == SIM_OK ? check_scenes(rq) : status;
+}
+
+/* What a picture of it takes. */
+static struct size picture_size(const struct request *rq, const struct demo *demo)
+{
+    const struct size size = size_of(rq, demo);
+    if (rq->show == SIM_SHOW_FRAME)
+        return size;
+    return (struct size){ (uint16_t)sim_show_width(size.width), (uint16_t)sim_show_height(size.height) };
 }
 
 /* A sheet for the wanted scenes. */
@@ -414,7 +438,7 @@ static void sheet_begin(struct sheet *sheet, const struct request *rq)
     memset(sheet, 0, sizeof *sheet);
     for (uint32_t i = 0; i < n_demos; i++)
         if (wanted(rq, demos[i])) {
-            const struct size size = size_of(rq, demos[i]);
+            const struct size size = picture_size(rq, demos[i]);
             found++;
             if (sheet->cell_w < size.width)
                 sheet->cell_w = size.width;

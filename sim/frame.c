@@ -4,8 +4,10 @@
  */
 #include "frame.h"
 
+#include <pthread.h>
 #include <stdlib.h>
 #include <string.h>
+#include <time.h>
 
 #include "sim.h"
 
@@ -130,6 +132,142 @@ int sim_frame_render_to(struct sim_frame *frame, const struct zs_scene *scene, c
     free(block);
     if (what != NULL)
         sim_progress_end();
+    if (err != ZS_OK)
+        sim_frame_free(frame);
+    return err;
+}
+
+/* ---- Threads ------------------------------------------------------------------------------------------- */
+
+struct worker {
+    struct zs_renderer renderer;
+    struct receiver receiver;
+    const struct zs_scene *scene;
+    const struct zs_camera *camera;
+    pthread_t thread;
+    void *block; /* its arena's */
+    uint32_t share, of;   /* which of how many */
+    int bands;            /* 1: its strips lie together; 0: it draws every of-th */
+    double cpu;         /* seconds */
+    int err;
+};
+
+static double clock_seconds(clockid_t clock)
+{
+    struct timespec t;
+    (void)clock_gettime(clock, &t);
+    return (double)t.tv_sec + 1e-9 * (double)t.tv_nsec;
+}
+
+/* Every of-th strip is a fair share, but each thread walks the scene as often as one would do that draws all. Where the
+ * pools do not hold the scene, walks take longer than drawing, and a band of strips takes its part of them alone. */
+static int has_strip(const struct worker *w, uint32_t strip)
+{
+    const struct zs_config *c = &w->renderer.config;
+    return (w->bands ? strip * w->of / ZS_STRIPS(c->height, c->strip_h) : strip % w->of) == w->share;
+}
+
+static int pools_hold(const struct zs_scene *scene, const struct zs_config *config)
+{
+    uint64_t tris = 0, verts = 0;
+    for (uint32_t i = 0; i < scene->n_instances; i++) {
+        tris += scene->instance[i].mesh->n_tris;
+        verts += scene->instance[i].mesh->n_verts;
+    }
+    return tris <= config->max_tris && verts <= config->max_verts;
+}
+
+static void *work(void *ctx)
+{
+    struct worker *w = ctx;
+    struct zs_strip strip;
+    int got = 1;
+    const double start = clock_seconds(CLOCK_THREAD_CPUTIME_ID);
+    w->err = zs_frame_begin(&w->renderer, w->scene, w->camera);
+    for (uint32_t s = 0; !w->err && got > 0; s++) {
+        if (!has_strip(w, s)) {
+            got = zs_frame_skip(&w->renderer);
+            continue;
+        }
+        got = zs_frame_strip(&w->renderer, &strip);
+        if (got <= 0)
+            break;
+        w->receiver.next_y = (uint16_t)(s * w->renderer.config.strip_h);
+        w->err = submit(&w->receiver, &strip);
+        if (!w->err)
+            w->err = wait(&w->receiver);
+    }
+    if (!w->err)
+        w->err = got < 0 ? got : zs_frame_end(&w->renderer);
+    w->cpu = clock_seconds(CLOCK_THREAD_CPUTIME_ID) - start;
+    return NULL;
+}
+
+static uint32_t larger(uint32_t a, uint32_t b)
+{
+    return a > b ? a : b;
+}
+
+static void add_stats(struct zs_stats *sum, const struct zs_stats *s)
+{
+    sum->verts_transformed += s->verts_transformed;
+    sum->tris_setup += s->tris_setup;
+    sum->tris_hidden += s->tris_hidden;
+    sum->pixels_tested += s->pixels_tested;
+    sum->pixels_written += s->pixels_written;
+    sum->strips += s->strips;
+    sum->passes = larger(sum->passes, s->passes);
+    sum->max_tris_used = larger(sum->max_tris_used, s->max_tris_used);
+    sum->max_verts_used = larger(sum->max_verts_used, s->max_verts_used);
+}
+
+int sim_frame_render_threads(struct sim_frame *frame, const struct zs_scene *scene, const struct zs_camera *camera,
+                             const struct zs_config *config, uint32_t n, struct sim_frame_time *time)
+{
+    const uint32_t bytes = zs_arena_bytes(config);
+    struct worker *worker = sim_alloc(n, sizeof *worker);
+    uint32_t started = 0;
+    int err = ZS_OK;
+    memset(frame, 0, sizeof *frame);
+    frame->width = config->width;
+    frame->height = config->height;
+    frame->arena_bytes = bytes;
+    frame->rgb565 = sim_alloc((size_t)config->width * config->height, sizeof *frame->rgb565);
+    frame->key = sim_alloc((size_t)config->width * config->height, sizeof *frame->key);
+    for (uint32_t k = 0; k < n; k++) {
+        struct worker *w = &worker[k];
+        void *arena = arena_alloc(bytes, &w->block);
+        w->receiver.frame = frame;
+        w->scene = scene;
+        w->camera = camera;
+        w->share = k;
+        w->of = n;
+        w->bands = !pools_hold(scene, config);
+        if (!err)
+            err = zs_init(&w->renderer, config, arena, bytes);
+    }
+    const double start = clock_seconds(CLOCK_MONOTONIC);
+    while (!err && started + 1 < n && pthread_create(&worker[started + 1].thread, NULL, work, &worker[started + 1]) == 0)
+        started++;
+    if (!err)
+        (void)work(&worker[0]); /* this thread's share */
+    for (uint32_t k = 1; k <= started; k++)
+        (void)pthread_join(worker[k].thread, NULL);
+    for (uint32_t k = started + 1; !err && k < n; k++)
+        (void)work(&worker[k]); /* those that the system would not start */
+    time->wall = clock_seconds(CLOCK_MONOTONIC) - start;
+    time->busiest = 0.0;
+    frame->stats = *zs_frame_stats(&worker[0].renderer);
+    for (uint32_t k = 0; k < n; k++) {
+        if (k > 0)
+            add_stats(&frame->stats, zs_frame_stats(&worker[k].renderer));
+        if (!err)
+            err = worker[k].err;
+        if (time->busiest < worker[k].cpu)
+            time->busiest = worker[k].cpu;
+        free(worker[k].block);
+    }
+    free(worker);
     if (err != ZS_OK)
         sim_frame_free(frame);
     return err;

@@ -7,6 +7,7 @@
 #include <stddef.h>
 #include <string.h>
 
+#include "frame.h"
 #include "option_table.h"
 #include "sim.h"
 
@@ -21,6 +22,10 @@ const char sim_options_help[] =
     "  --stats S.json       what the frame took, an object of numbers\n"
     "  --reference          all of it from the double-precision reference instead\n"
     "  --compare            draw both, print how far the frame is from the reference\n"
+    "  --show depth|complexity|overdraw|tested|strips\n"
+    "                       false colours and a legend in --out in place of the frame: distance; how many\n"
+    "                       triangles cover a pixel, hidden ones too; how often it was written; how often\n"
+    "                       a key was compared there; set-ups of each strip, as bars. --stats has the sum\n"
     "Frame\n"
     "  --size WxH           px, 1 to 4096 (240x240)\n"
     "  --strip ROWS         rows to a strip (16)\n"
@@ -32,6 +37,9 @@ const char sim_options_help[] =
     "  --tris N, --verts N  pool sizes, up to 65534 (ample); small ones take more passes\n"
     "  --buffers 1|2        strip buffers (2)\n"
     "  --skip-off BITS      switch skips off, enum zs_skip or-ed (0)\n"
+    "  --threads N          draw by N threads, 1 to 64, each with an arena of its own: the same frame;\n"
+    "                       --stats has draw_us then, the time that drawing took, and draw_busiest_us, that\n"
+    "                       of a processor for the thread that took most\n"
     "Panel\n"
     "  --panel NAME:WxH     the frame goes through this panel's driver and the model of its controller\n"
     "                       into --out: what its viewer sees. --size is its picture's then. There are:\n"
@@ -77,6 +85,7 @@ static const struct sim_option table[] = {
     { "--verts", SIM_OPTION_COUNT, AT(verts), 0, 3, ZS_POOL_MAX, NULL },
     { "--depth-bits", SIM_OPTION_COUNT, AT(depth_bits), 0, 8, 16, NULL },
     { "--skip-off", SIM_OPTION_COUNT, AT(skip_off), 0, 0, 63, NULL },
+    { "--threads", SIM_OPTION_COUNT, AT(threads), 0, 1, SIM_THREADS_MAX, NULL },
     { "--subpixel", SIM_OPTION_COUNT, AT(subpixel), 0, 0, 0, "4|8" },
     { "--buffers", SIM_OPTION_COUNT, AT(buffers), 0, 0, 0, "1|2" },
     { "--eye", SIM_OPTION_VECTOR, AT(eye), AT(has_eye), 0, 0, NULL },
@@ -96,6 +105,7 @@ static const struct sim_option table[] = {
     { "--texture", SIM_OPTION_FILE, AT(texture), 0, 0, 0, NULL },
     { "--texture-format", SIM_OPTION_CHOICE, AT(texel), 0, 0, 0, "565|pal8|pal4" },
     { "--wrap", SIM_OPTION_CHOICE, AT(clamp), AT(has_wrap), 0, 0, "repeat|clamp" },
+    { "--show", SIM_OPTION_CHOICE, AT(show), 0, 0, 0, SIM_SHOW_WORDS },
     { "--cull", SIM_OPTION_CHOICE, AT(cull), 0, 0, 0, "back|front|none" },
     SIM_PANEL_OPTIONS(struct sim_options, panel),
     { "--spi", SIM_OPTION_COUNT, AT(spi_hz), AT(has_spi), 1000, 1e9, NULL },
@@ -217,6 +227,14 @@ int sim_options_parse(struct sim_options *o, int argc, char **argv)
         return sim_usage("--out is missing: zsim render MODEL --out FRAME.png");
     if (o->reference && o->compare)
         return sim_usage("--compare draws the reference too: leave --reference out");
+    if (o->threads != 0 && o->reference)
+        return sim_usage("--threads is about the renderer: leave --reference out");
+    if (o->threads != 0 && o->panel.name != NULL)
+        return sim_usage("--threads draws strips in any order, and a panel takes them from the top: leave one out");
+    if (o->show != SIM_SHOW_FRAME && o->reference)
+        return sim_usage("--show is about what the renderer does: leave --reference out");
+    if (o->show != SIM_SHOW_FRAME && o->panel.name != NULL)
+        return sim_usage("--show does not go through a panel: leave --panel out");
     status = sim_options_in_range(table, N_TABLE, o, seen, o->model);
     if (status == SIM_OK)
         status = check_rest(o);

@@ -6,6 +6,7 @@
 #define SIM_OPTIONS_H
 
 #include "panel_frame.h"
+#include "show.h"
 #include "zstrip.h"
 
 enum sim_shade {
@@ -42,6 +43,7 @@ struct sim_options {
     enum sim_depth depth;
     enum sim_shade shade;
     enum zs_cull cull;
+    enum sim_show show;
     const char *texture;    /* a file for all faces; NULL: the model's own */
     enum sim_texel texel;   /* how textures are stored */
     int clamp;              /* with has_wrap: 1 clamp, 0 repeat, both ways */
@@ -49,6 +51,7 @@ struct sim_options {
     int has_eye, has_at, has_near, has_far, has_light, has_color, has_wrap; /* flags */
     int reference, compare, help;                                 /* flags */
     struct sim_panel_wish panel; /* size is its picture's, where it has a name */
+    long threads;                /* 0: not given */
     long spi_hz;                 /* of its wire */
     int has_size, has_spi;
 };

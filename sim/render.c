@@ -17,6 +17,7 @@
 #include "output.h"
 #include "panel_frame.h"
 #include "quantise.h"
+#include "show.h"
 #include "sim.h"
 #include "stats.h"
 #include "texels.h"
@@ -41,6 +42,9 @@ struct job {
     uint32_t *texel; /* with --compare and textures; else NULL */
     struct sim_original original;
     struct ref_diff diff; /* with --compare */
+    struct sim_picture shown; /* with --show */
+    struct sim_show_sum show_sum;
+    struct sim_frame_time time; /* with --threads */
 };
 
 /* ---- Frame ----------------------------------------------------------------------------------- */
@@ -112,8 +116,11 @@ static int draw_strips(struct job *job)
         if (status != SIM_OK)
             return status;
     }
-    const int err = sim_frame_render_to(&job->frame, &job->scene.scene, &job->scene.camera, &job->config, "drawing",
-                                        wish->name != NULL ? &sink : NULL);
+    const int err = job->options.threads > 0
+        ? sim_frame_render_threads(&job->frame, &job->scene.scene, &job->scene.camera, &job->config,
+                                   (uint32_t)job->options.threads, &job->time)
+        : sim_frame_render_to(&job->frame, &job->scene.scene, &job->scene.camera, &job->config, "drawing",
+                              wish->name != NULL ? &sink : NULL);
     if (err != ZS_OK && job->panel.err == HAL_OK)
         return refuse_frame(job, err);
     return wish->name != NULL ? sim_panel_check(&job->panel, wish, job->options.model) : SIM_OK;
@@ -139,6 +146,9 @@ static int draw_frame(struct job *job)
         job->texel = sim_alloc(pixels, sizeof *job->texel);
         err = sim_frame_texels(job->texel, &job->scene.scene, &job->scene.camera, &job->config);
     }
+    if (err == ZS_OK && o->show != SIM_SHOW_FRAME)
+        err = sim_show_draw(&job->shown, &job->show_sum, o->show, &job->scene.scene, &job->scene.camera, &job->config,
+                            job->scene.unit);
     return err == ZS_OK ? SIM_OK : refuse_frame(job, err);
 }
 
@@ -288,6 +298,15 @@ static void write_stats(FILE *f, const struct job *job)
     }
     if (o->panel.name != NULL)
         stats_panel(&json, job);
+    if (o->threads > 0) {
+        sim_json_number(&json, "threads", (double)o->threads);
+        sim_json_number(&json, "draw_us", 1e6 * job->time.wall);
+        sim_json_number(&json, "draw_busiest_us", 1e6 * job->time.busiest);
+    }
+    if (o->show > SIM_SHOW_DEPTH) {
+        sim_json_number(&json, "show_sum", job->show_sum.sum);
+        sim_json_number(&json, "show_most", job->show_sum.most);
+    }
     if (o->compare)
         stats_diff(&json, &job->diff);
     sim_json_end(&json);
@@ -308,6 +327,8 @@ static int write_one(FILE *f, const struct job *job, int which, const char *name
     const struct ref_image *ref = &job->original.image;
     const uint32_t w = (uint32_t)job->view.width, h = (uint32_t)job->view.height;
     const size_t n = (size_t)w * h;
+    if (which == 0 && job->options.show != SIM_SHOW_FRAME)
+        return sim_png_write(f, name, job->shown.width, job->shown.height, job->shown.rgb);
     if (which == 0) {
         struct sim_picture seen;
         if (job->options.panel.name != NULL)
@@ -410,6 +431,7 @@ int sim_render(int argc, char **argv)
         if (status == SIM_OK && job->options.compare)
             print_diff(&job->diff);
     }
+    sim_picture_free(&job->shown);
     sim_original_free(&job->original);
     free(job->id);
     free(job->texel);

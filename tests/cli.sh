@@ -94,7 +94,7 @@ z render --help
 is status $status 0
 for option in --out --size --strip --eye --at --up --fov --near --far --projection --depth \
     --depth-bits --shade --cull --subpixel --background --tris --verts --depth-out --id-out --stats \
-    --reference; do
+    --reference --show --skip-off --threads; do
     grep -qE -- "^ .*$option( |,|\$)" stdout || wrong "--help does not name $option"
 done
 
@@ -328,6 +328,86 @@ for view in '--cull none' '--shade smooth --eye 0.5,0.2,1 --at 0,0,0 --near 0.3 
         [ "$(stat_of few arena_bytes)" -lt "$(stat_of ample arena_bytes)" ] || wrong "no fewer bytes"
     done
 done
+
+begin threads_draw_the_same_frame
+for model in ball mess; do
+    draw one $model.obj --shade smooth --cull none --strip 7
+    for n in 1 2 3 5 64; do
+        for pool in '' '--tris 40 --verts 50'; do
+            draw many $model.obj --shade smooth --cull none --strip 7 $pool --threads $n
+            same one many
+            is "threads" "$(stat_of many threads)" $n
+            is "triangles drawn" "$(stat_of many triangles_drawn)" "$(stat_of one triangles_drawn)"
+            is "strips" "$(stat_of many strips)" "$(stat_of one strips)"
+        done
+    done
+done
+
+# ---- False colours -------------------------------------------------------------------------------
+# Eight layers of 96 x 100 px, the nearest first; they cover tiles of 32 columns
+awk 'BEGIN { for (k = 0; k < 8; k++) { z = 14 - 4 * k
+    printf "v -56 -50 %d\nv 40 -50 %d\nv 40 50 %d\nv -56 50 %d\nf %d %d %d %d\n", z, z, z, z, 4*k+1, 4*k+2, 4*k+3, 4*k+4
+} }' >layers.obj
+color_at() { # NAME X Y
+    look pixel "out/$1.png" "$2" "$3"
+    echo "$seen"
+}
+# The legend's block of a count, of 0 to 8
+block() { # NAME COUNT
+    color_at "$1" $((($2 * 2 + 1) * 240 / 18)) $((240 + 18))
+}
+show() { # NAME KIND SUM-OF MEAN-COUNT-IN-THE-MIDDLE OPTION...    each pixel as its legend says, the sum as statistics say
+    as=$1 kind=$2 key=$3 count=$4
+    shift 4
+    draw "$as" layers.obj $plain --show "$kind" "$@"
+    look png "out/$as.png"
+    is "size of $as" "$(word 1 $seen) $(word 2 $seen)" "240 276"
+    is "sum of $as" "$(stat_of "$as" show_sum)" "$(stat_of "$as" "$key")"
+    is "most of $as" "$(stat_of "$as" show_most)" "$count"
+    is "the middle of $as" "$(color_at "$as" 120 120)" "$(block "$as" "$count")"
+    is "beside $as" "$(color_at "$as" 60 120)" "$(block "$as" 0)"
+}
+begin show_eight_layers_before_and_after
+show tested tested pixels_tested 8 --skip-off 32
+show overdraw overdraw pixels_written 1 --skip-off 32
+show complexity complexity pixels_tested 8 --skip-off 32
+is "eight layers" "$(stat_of tested pixels_tested)" 76800
+before=$(stat_of tested show_sum)
+draw after layers.obj $plain --show tested
+is "sum after" "$(stat_of after show_sum)" "$(stat_of after pixels_tested)"
+[ "$(stat_of after show_sum)" -lt "$((before / 2))" ] || wrong "skips left $(stat_of after show_sum) of $before tests"
+draw after layers.obj $plain --show complexity
+is "complexity after" "$(stat_of after show_sum)" "$before"
+note="$before keys tested, $(stat_of after pixels_tested) with skips"
+
+begin show_leaves_the_other_files_alone
+draw bare layers.obj $plain
+draw shown layers.obj $plain --show strips
+for f in pgm u32; do cmp -s out/bare.$f out/shown.$f || wrong "out/bare.$f and out/shown.$f differ"; done
+is "sum of set-ups" "$(stat_of shown show_sum)" "$(stat_of shown triangle_setups)"
+
+begin show_strips_as_bars
+draw strips mess.obj $view --strip 40 --show strips
+most=$(stat_of strips show_most)
+[ "$most" -gt 8 ] || wrong "only $most set-ups"
+full=0
+for y in 5 45 85 125 165 205; do [ "$(color_at strips 239 $y)" != ffffff ] || full=$((full + 1)); done
+[ $full -ge 1 ] || wrong "no bar as wide as the frame"
+[ $full -lt 6 ] || wrong "all bars are as wide as the frame"
+
+begin show_distance_from_near_to_far
+obj steps 'v -50 -50 0' 'v 0 -50 0' 'v 0 50 0' 'v -50 50 0' 'v 0 -50 -60' 'v 50 -50 -60' 'v 50 50 -60' 'v 0 50 -60' 'f 1 2 3 4' 'f 5 6 7 8'
+draw depth steps.obj $plain --show depth
+is "nearest" "$(color_at depth 90 120)" ffffff
+is "farthest" "$(color_at depth 150 120)" "$(color_at depth 239 258)"
+is "nothing drawn" "$(color_at depth 10 10)" 000000
+draw depth quad.obj $plain --show depth --eye 0,0,1000 --at 0,0,0
+is "nothing in view" "$(color_at depth 120 120)" 000000
+
+begin show_of_small_frames_has_room_for_its_legend
+draw small ball.obj --size 1x1 --show overdraw
+look png out/small.png
+is size "$(word 1 $seen) $(word 2 $seen)" "220 37"
 
 begin stats_hold_what_was_promised
 draw stats mess.obj --tris 50 --verts 60
@@ -764,6 +844,11 @@ for pair in '--size 240' '--size 240x' '--size x240' '--size 1x2x3' '--size 1.5x
     as=$(echo "${pair#--}" | tr -c 'A-Za-z0-9\n' _)
     usage "${as}_$n" "${pair%% *}" render quad.obj --out refused/x.png $pair
 done
+usage show_of_no_kind --show render quad.obj --out refused/x.png --show depths
+usage show_of_the_reference --show render quad.obj --out refused/x.png --show tested --reference
+usage show_through_a_panel --show render quad.obj --out refused/x.png --show tested --panel st7789:240x240
+usage threads_of_the_reference --threads render quad.obj --out refused/x.png --threads 2 --reference
+usage threads_through_a_panel --threads render quad.obj --out refused/x.png --threads 2 --panel st7789:240x240
 usage flag_with_a_value --reference render quad.obj --out refused/x.png --reference=1
 
 finish

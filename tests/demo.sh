@@ -56,6 +56,19 @@ for scene in teapot sheet; do
 done
 is "the sheet" "$(png_size sized/contact.png)" 360x50
 
+begin false_colours
+demo shown --scene layers_btf,cubes --frames 1 --show overdraw --skip-off 32
+holds shown contact.png cubes_000.png layers_btf_000.png
+is "a picture and its legend" "$(png_size shown/layers_btf_000.png)" 320x276
+is "the sheet" "$(png_size shown/contact.png)" 1280x276
+look pixel shown/layers_btf_000.png 160 120
+is "eight times over" "$seen" ffffff
+demo shown --scene layers_btf --frames 1 --show overdraw
+look pixel shown/layers_btf_000.png 160 120
+[ "$seen" != ffffff ] || wrong "skips made no difference"
+z demo --out shown --scene cubes --show overdraw --panel st7789:240x240
+one_line 2 --show
+
 begin strips_of_any_height
 demo strip_24 --scene city --size 70x60 --frames 2
 for rows in 1 7 60 4096; do
@@ -98,7 +111,7 @@ for on in ssd0323:128x64/0 ssd0323:128x64/90 ssd1306:72x40/180 ssd1306:128x64/27
     gc9a01:240x240/0; do
     panel=${on%/*} degrees=${on#*/}
     begin "shows_the_scene_$(echo "$on" | tr :/ __)"
-    demo frame --scene cubes,sheet --step 40 --size "$(turned "${panel#*:}" "$degrees")"
+    demo frame --scene cubes,sheet --step 40 --size "$(turned "${panel#*:}" "$degrees")" --strip 8
     demo panel --scene cubes,sheet --step 40 --panel "$panel" --rotate "$degrees" --strip 8 --raw
     for picture in cubes_000 cubes_040 sheet_000; do
         shows panel/$picture.png frame/$picture.png "$panel" panel/$picture.bin

@@ -8,6 +8,9 @@
  * and so must every machine's. Pools are chosen from counts alone, so that all machines draw the same
  * configurations.
  *
+ * With BENCH_SKIPS=1: one-pass strips of 24 rows with pools for everything, all skips on (`all`) and then each of
+ * enum zs_skip off by itself, named after it.
+ *
  * SPDX-License-Identifier: MIT
  */
 #include "hal.h"
@@ -15,6 +18,9 @@
 #include "scenes.h"
 #include "zstrip.h"
 
+#ifndef BENCH_SKIPS
+#define BENCH_SKIPS 0
+#endif
 #define RUNS 3
 #define RAM_BAR 65536u
 #define RESERVE 4096u /* of it, for renderer, scene state and stack; checked where the stack is known */
@@ -88,8 +94,8 @@ static int hash(void *ctx, const struct zs_strip *s)
 
 /* ---- Runs ---------------------------------------------------------------------------------- */
 
-static int configure(struct zs_config *c, const struct demo *d, uint16_t rows, uint8_t buffers,
-                     uint32_t tris, uint32_t verts)
+static void fill_config(struct zs_config *c, const struct demo *d, uint16_t rows, uint8_t buffers,
+                        uint32_t tris, uint32_t verts)
 {
     c->width = d->width;
     c->height = d->height;
@@ -102,6 +108,12 @@ static int configure(struct zs_config *c, const struct demo *d, uint16_t rows, u
     c->depth_bits = 16;
     c->skip_off = 0;
     c->depth = d->depth;
+}
+
+static int configure(struct zs_config *c, const struct demo *d, uint16_t rows, uint8_t buffers,
+                     uint32_t tris, uint32_t verts)
+{
+    fill_config(c, d, rows, buffers, tris, verts);
     return zs_init(&renderer, c, arena, sizeof arena);
 }
 
@@ -240,6 +252,36 @@ static int disagrees(const struct result *r, uint64_t checksum)
     return 1;
 }
 
+/* What each skip is worth. Return the number of configurations that failed. */
+static int skips(const struct demo *d)
+{
+    static const struct {
+        uint8_t off;
+        const char *name;
+    } variant[] = { { 0, "all" }, { ZS_SKIP_FRUSTUM, "frustum" }, { ZS_SKIP_CLIPTEST, "cliptest" },
+                    { ZS_SKIP_EMPTY, "empty" }, { ZS_SKIP_VCACHE, "vcache" }, { ZS_SKIP_BINS, "bins" },
+                    { ZS_SKIP_HIDDEN, "hidden" } };
+    struct zs_config c;
+    struct result r = { 0 };
+    uint32_t tris, verts;
+    uint64_t checksum = 0;
+    int failed = 0;
+    d->pose(&frame, 0, d->width, d->height);
+    ample(&tris, &verts);
+    for (uint32_t i = 0; i < sizeof variant / sizeof variant[0]; i++) {
+        fill_config(&c, d, 24, 1, tris, verts + 3u * tris); /* without a cache, three vertices a triangle */
+        c.skip_off = variant[i].off;
+        r.err = zs_init(&renderer, &c, arena, sizeof arena);
+        if (!r.err)
+            run(&r);
+        if (i == 0)
+            checksum = r.checksum;
+        line(d, variant[i].name, &c, &r);
+        failed += disagrees(&r, checksum);
+    }
+    return failed;
+}
+
 /* Return the number of configurations that failed. */
 static int bench(const struct demo *d)
 {
@@ -291,7 +333,7 @@ int main(void)
     hal_write("scene,variant,max_tris,max_verts,passes,tris_in,drawn,setups,verts,fragments,arena,"
               "checksum,instructions,per_tri,per_fragment,stack,ram\n");
     for (uint32_t i = 0; i < n_demos; i++)
-        failed += bench(demos[i]);
+        failed += BENCH_SKIPS ? skips(demos[i]) : bench(demos[i]);
     hal_write(failed ? "# failed\n" : "# ok: checksums, counts and RAM agree\n");
     hal_exit(failed != 0);
 }

@@ -229,6 +229,20 @@ int zs_frame_strip(struct zs_renderer *r, struct zs_strip *out)
     return 1;
 }
 
+int zs_frame_skip(struct zs_renderer *r)
+{
+    if (!r)
+        return ZS_ERR_NULL;
+    if (r->ready != 1 || !r->scene)
+        return ZS_ERR_STATE;
+    if (r->strip == r->n_strips)
+        return 0;
+    if (r->strip < r->band_end)
+        zs_raster_skip(r);
+    r->strip++;
+    return 1;
+}
+
 int zs_frame_end(struct zs_renderer *r)
 {
     if (!r)

@@ -174,6 +174,8 @@ void zs_bin_walk(struct zs_renderer *r);
 void zs_raster_clear(struct zs_renderer *r);
 /* Draw the strip r->strip's bin and the active list; leaves those that go on in r->active. */
 void zs_raster_strip(struct zs_renderer *r);
+/* Draw nothing of it, but leave those that go on as zs_raster_strip does. */
+void zs_raster_skip(struct zs_renderer *r);
 /* Fill job's rows and sides for its triangle in its strip. Return 0: it has no row or no area there. job->row_last is
  * set in either case. */
 int zs_raster_sides(struct zs_job *job);

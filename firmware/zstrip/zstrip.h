@@ -404,6 +404,13 @@ int zs_frame_begin(struct zs_renderer *r, const struct zs_scene *scene,
  * Return  1; 0 when all strips have been given out; ZS_ERR_NULL, ZS_ERR_STATE. */
 int zs_frame_strip(struct zs_renderer *r, struct zs_strip *out);
 
+/* Leave the next strip out: it counts as given out, but nothing is drawn. So several renderers, each with an arena of its
+ * own, draw a frame together on as many cores, each its share of the strips, bit for bit as one does. With zs_watch it
+ * stays as it was given out last.
+ * Cost    a look at the strip's triangles; before the first strip that is drawn, nothing.
+ * Return  1; 0 when there is none left; ZS_ERR_NULL, ZS_ERR_STATE. */
+int zs_frame_skip(struct zs_renderer *r);
+
 /* Close the frame, drawn to its end or not. Return ZS_OK; ZS_ERR_NULL; ZS_ERR_STATE: none open. */
 int zs_frame_end(struct zs_renderer *r);
 

@@ -1,0 +1,27 @@
+/* What the renderer does at every pixel: compared, written; and in every strip.
+ *
+ * SPDX-License-Identifier: MIT
+ */
+#ifndef SIM_COUNTS_H
+#define SIM_COUNTS_H
+
+#include "frame.h"
+
+struct sim_counts {
+    struct sim_frame frame; /* as sim_frame_render draws it */
+    uint32_t *tested;       /* [height][width]: how often a triangle's key was compared here; sums up to pixels_tested */
+    uint32_t *written;      /* [height][width]: and was nearer; sums up to pixels_written */
+    uint32_t *setups;       /* [n_strips]; sums up to tris_setup */
+    uint32_t n_strips;
+};
+
+/* Draw a frame and count. The renderer is the one of every frame, with a depth mapping that looks on.
+ *
+ * counts  any state; on ZS_OK it owns memory (sim_counts_free), else it is empty.
+ * Return  as sim_frame_render; SIM_FRAME_BROKEN also where a triangle's pixels are not as many as the renderer says.
+ *         Needs ZS_STATS = 1. */
+int sim_counts_draw(struct sim_counts *counts, const struct zs_scene *scene, const struct zs_camera *camera,
+                    const struct zs_config *config);
+void sim_counts_free(struct sim_counts *counts);
+
+#endif

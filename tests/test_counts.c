@@ -1,0 +1,176 @@
+/* What the simulator counts by pixel and strip: it sums up to what the renderer says of a frame that nobody looks on
+ * at, the frame is the same, and the pixels are those of the triangles drawn one by one.
+ *
+ * SPDX-License-Identifier: MIT
+ */
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include <cmocka.h>
+
+#include "counts.h"
+#include "scenes.h"
+
+#define W 96
+#define H 72
+#define N ((size_t)W * H)
+
+static struct zs_config config_of(const struct demo *demo, uint8_t skip_off)
+{
+    struct zs_config c;
+    sim_frame_config(&c, W, H, (uint8_t)demo->attrs);
+    c.strip_h = 10; /* seven strips, and one of two rows */
+    c.depth = demo->depth;
+    c.skip_off = skip_off;
+    return c;
+}
+
+static uint64_t sum(const uint32_t *map, size_t n)
+{
+    uint64_t s = 0;
+    for (size_t i = 0; i < n; i++)
+        s += map[i];
+    return s;
+}
+
+/* Counts of a configuration against the frame that zs_render draws by itself. */
+static void check_frame(const struct demo_frame *f, const struct zs_config *c)
+{
+    struct sim_frame frame;
+    struct sim_counts counts;
+    assert_int_equal(sim_frame_render(&frame, &f->scene, &f->camera, c, NULL), ZS_OK);
+    assert_int_equal(sim_counts_draw(&counts, &f->scene, &f->camera, c), ZS_OK);
+    assert_memory_equal(counts.frame.rgb565, frame.rgb565, N * 2);
+    assert_memory_equal(counts.frame.key, frame.key, N * 2);
+    assert_memory_equal(&counts.frame.stats, &frame.stats, sizeof frame.stats);
+    assert_true(sum(counts.tested, N) == frame.stats.pixels_tested);
+    assert_true(sum(counts.written, N) == frame.stats.pixels_written);
+    assert_int_equal(counts.n_strips, 8);
+    assert_true(sum(counts.setups, counts.n_strips) == frame.stats.tris_setup);
+    for (size_t i = 0; i < N; i++) {
+        assert_true(counts.written[i] <= counts.tested[i]);
+        assert_true((counts.written[i] > 0) == (frame.key[i] != ZS_DEPTH_CLEAR));
+    }
+    sim_counts_free(&counts);
+    sim_frame_free(&frame);
+}
+
+static void sums_of_every_scene(void **state)
+{
+    (void)state;
+    static const uint8_t off[] = { 0, ZS_SKIP_HIDDEN, 63 };
+    for (uint32_t d = 0; d < n_demos; d++)
+        for (uint32_t t = 0; t < demos[d]->frames && t < 40; t += 21)
+            for (size_t k = 0; k < sizeof off; k++) {
+                struct demo_frame f;
+                struct zs_config c = config_of(demos[d], off[k]);
+                demos[d]->pose(&f, t, W, H);
+                check_frame(&f, &c);
+                c.max_tris = 300; /* several passes, most of them sets of one strip */
+                c.max_verts = 300;
+                c.buffers = 1;
+                check_frame(&f, &c);
+            }
+}
+
+/* A scene of which parts are drawn: what is left out has no triangles, but its place. */
+struct part {
+    struct zs_scene scene;
+    struct zs_instance instance[DEMO_INSTANCES_MAX];
+    struct zs_mesh mesh[DEMO_INSTANCES_MAX];
+};
+
+static void keys_of(uint16_t key[], struct part *p, const struct demo_frame *f, const struct zs_config *c)
+{
+    struct sim_frame frame;
+    p->scene.instance = p->instance;
+    assert_int_equal(sim_frame_render(&frame, &p->scene, &f->camera, c, NULL), ZS_OK);
+    memcpy(key, frame.key, N * sizeof *key);
+    sim_frame_free(&frame);
+}
+
+/* Triangle t of instance i: alone, or with all that come before it. */
+static void part_of(struct part *p, const struct demo_frame *f, uint32_t i, uint32_t t, int alone)
+{
+    p->scene = f->scene;
+    for (uint32_t k = 0; k < f->scene.n_instances; k++) {
+        p->instance[k] = f->scene.instance[k];
+        p->mesh[k] = *p->instance[k].mesh;
+        p->instance[k].mesh = &p->mesh[k];
+        if (k > i || (alone && k < i))
+            p->mesh[k].n_tris = 0;
+    }
+    p->mesh[i].n_tris = alone ? 1 : t + 1;
+    if (alone)
+        p->mesh[i].tri += t;
+    if (alone && p->mesh[i].face_normal)
+        p->mesh[i].face_normal += t;
+}
+
+/* Coverage is the sum of every triangle alone; a pixel is written where a triangle more changes its key. */
+static void pixels_of_every_triangle(void **state)
+{
+    (void)state;
+    static const struct demo *const some[] = { &demo_cubes, &demo_corridor, &demo_layers_mixed };
+    for (size_t d = 0; d < sizeof some / sizeof some[0]; d++) {
+        static uint16_t alone[N], before[N], now[N];
+        static uint32_t cover[N], written[N];
+        static struct part p;
+        struct demo_frame f;
+        struct sim_counts counts;
+        const struct zs_config c = config_of(some[d], ZS_SKIP_HIDDEN);
+        some[d]->pose(&f, 0, W, H);
+        memset(before, 0xff, sizeof before);
+        memset(cover, 0, sizeof cover);
+        memset(written, 0, sizeof written);
+        for (uint32_t i = 0; i < f.scene.n_instances; i++)
+            for (uint32_t t = 0; t < f.scene.instance[i].mesh->n_tris; t++) {
+                part_of(&p, &f, i, t, 1);
+                keys_of(alone, &p, &f, &c);
+                part_of(&p, &f, i, t, 0);
+                keys_of(now, &p, &f, &c);
+                for (size_t k = 0; k < N; k++) {
+                    cover[k] += alone[k] != ZS_DEPTH_CLEAR;
+                    written[k] += now[k] != before[k];
+                }
+                memcpy(before, now, sizeof before);
+            }
+        assert_int_equal(sim_counts_draw(&counts, &f.scene, &f.camera, &c), ZS_OK);
+        assert_memory_equal(counts.tested, cover, sizeof cover);
+        assert_memory_equal(counts.written, written, sizeof written);
+        sim_counts_free(&counts);
+    }
+}
+
+/* Eight layers that fill the frame: how often each pixel is compared and written, in which order they come. */
+static void eight_layers(void **state)
+{
+    (void)state;
+    static const struct {
+        const struct demo *demo;
+        uint32_t written; /* with nothing skipped */
+    } order[] = { { &demo_layers_ftb, 1 }, { &demo_layers_btf, 8 }, { &demo_layers_mixed, 2 } };
+    for (size_t d = 0; d < 3; d++)
+        for (int skip = 0; skip < 2; skip++) {
+            struct demo_frame f;
+            struct sim_counts counts;
+            const struct zs_config c = config_of(order[d].demo, skip ? 0 : ZS_SKIP_HIDDEN);
+            order[d].demo->pose(&f, 0, W, H);
+            assert_int_equal(sim_counts_draw(&counts, &f.scene, &f.camera, &c), ZS_OK);
+            for (size_t i = 0; i < N; i++) {
+                assert_int_equal(counts.tested[i], skip ? 1 : 8);
+                assert_int_equal(counts.written[i], skip ? 1 : order[d].written);
+            }
+            sim_counts_free(&counts);
+        }
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = { cmocka_unit_test(sums_of_every_scene), cmocka_unit_test(pixels_of_every_triangle),
+                                        cmocka_unit_test(eight_layers) };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
