@@ -203,6 +203,19 @@ static uint16_t merged(struct zs_tri *tri, uint16_t a, uint16_t b)
     return head;
 }
 
+/* The strip's triangles, out of their bin and the list of those that went on. */
+static uint16_t take_list(struct zs_renderer *r)
+{
+    const uint16_t list = merged(r->tri, r->active, reversed(r->tri, r->bin[r->strip]));
+    r->bin[r->strip] = ZS_NIL;
+    return list;
+}
+
+void zs_raster_pass(struct zs_renderer *r)
+{
+    r->active = take_list(r); /* those that end here too: they have no row in a strip below */
+}
+
 /* Are all of a triangle's vertices beyond a depth? */
 static inline int beyond(const struct zs_job *job, uint32_t d)
 {
@@ -218,8 +231,7 @@ void zs_raster_strip(struct zs_renderer *r)
     const int32_t y0 = r->strip * r->config.strip_h;
     const int32_t y1 = zs_min32(y0 + r->config.strip_h, r->config.height);
     const int goes_on = r->strip + 1 < r->band_end;
-    uint16_t list = merged(r->tri, r->active, reversed(r->tri, r->bin[r->strip]));
-    r->bin[r->strip] = ZS_NIL;
+    uint16_t list = take_list(r);
 
     struct zs_job job;
     job.r = r;
