@@ -80,7 +80,7 @@ static void looks_sum(struct looks *s, const struct zs_instance *in)
         add(s->sum, texture, sizeof *texture);
 }
 
-static ZS_NOINLINE void instance_sum(uint32_t lane[2], const struct zs_instance *in, struct looks *looks)
+static void instance_sum(uint32_t lane[2], const struct zs_instance *in, struct looks *looks)
 {
     if (in->mesh != looks->mesh || in->material != looks->material)
         looks_sum(looks, in);
@@ -92,15 +92,15 @@ static ZS_NOINLINE void instance_sum(uint32_t lane[2], const struct zs_instance 
 }
 
 /* What holds for all of a frame but view.shift; never 0 0. Camera, configuration and shift make all of zs_view. */
-static ZS_NOINLINE void frame_sum(uint32_t lane[2], const struct zs_renderer *r, const struct zs_scene *scene)
+static void frame_sum(uint32_t lane[2], const struct zs_renderer *r, const struct zs_scene *scene)
 {
     const struct zs_camera *camera = &r->camera;
+    const uint32_t others[2] = { camera->projection, scene->background | scene->n_instances << 16 };
     begin(lane);
     add(lane, camera->rot, sizeof camera->rot + sizeof camera->pos);
     add(lane, &camera->focal, sizeof *camera - offsetof(struct zs_camera, focal));
     add(lane, &scene->light, sizeof scene->light);
-    zs_mix(lane, camera->projection);
-    zs_mix(lane, scene->background | scene->n_instances << 16);
+    add(lane, others, sizeof others);
     lane[0] += !(lane[0] | lane[1]);
 }
 _Static_assert(offsetof(struct zs_camera, pos) == sizeof(((struct zs_camera *)0)->rot), "rot and pos are summed as one");
@@ -108,7 +108,7 @@ _Static_assert(offsetof(struct zs_camera, pos) == sizeof(((struct zs_camera *)0)
 /* ---- The strips of a sphere ------------------------------------------------------------------------ */
 
 /* Sub-pixels between which the sphere lies, from the frame's top. Return 0: not known. */
-static ZS_NOINLINE int sphere_rows(int32_t at[2], const struct zs_renderer *r, const struct zs_bounds *b)
+static int sphere_rows(int32_t at[2], const struct zs_renderer *r, const struct zs_bounds *b)
 {
     const struct zs_view *view = &r->view;
     const int32_t y = zs_view_length(view, b->c[1]), z = zs_view_length(view, b->c[2]);
@@ -135,7 +135,7 @@ static ZS_NOINLINE uint16_t strip_at(const struct zs_renderer *r, int32_t y, uin
     return (uint16_t)zs_minu32(((uint32_t)row + rows) / r->config.strip_h, r->n_strips);
 }
 
-static ZS_NOINLINE void find_strips(struct zs_renderer *r, uint32_t number)
+static void find_strips(struct zs_renderer *r, uint32_t number)
 {
     struct zs_record *rec = &records(r)[number];
     struct zs_bounds b;
@@ -171,8 +171,8 @@ static int sums_keep(struct zs_renderer *r, const struct zs_scene *scene, int al
     struct looks looks = { 0, 0, { 0, 0 } };
     int changed = all;
     struct zs_record *rec = records(r);
-    for (uint32_t i = 0; i < scene->n_instances; i++, rec++) {
-        const struct zs_instance *in = &scene->instance[i];
+    const struct zs_instance *in = scene->instance, *const end = in + scene->n_instances;
+    for (; in < end; in++, rec++) {
         if (!in->mesh || !in->material)
             return 1;
         instance_sum(lane, in, &looks);
@@ -189,21 +189,25 @@ static int sums_keep(struct zs_renderer *r, const struct zs_scene *scene, int al
 static int track_check(struct zs_renderer *r, const struct zs_scene *scene)
 {
     uint32_t lane[2], *kept = r->track_memory;
-    const int recorded = scene->n_instances <= r->track_instances && (scene->instance || !scene->n_instances);
+    if (scene->n_instances > r->track_instances)
+        return ZS_ERR_SIZE;
+    if (scene->n_instances && !scene->instance)
+        return ZS_ERR_NULL;
     frame_sum(lane, r, scene);
-    int all = differs(kept, lane) || !recorded;
-    if (!recorded || sums_keep(r, scene, all)) {
-        kept[0] = kept[1] = 0; /* not known: so it stays where the frame is refused */
+    int all = differs(kept, lane);
+    if (sums_keep(r, scene, all)) {
         const int32_t shift = r->view.shift;
+        kept[0] = kept[1] = 0; /* not known: so it stays where the frame is refused */
         const int err = zs_frame_check(r, scene);
         if (err)
             return err;
+        kept[0] = lane[0];
+        kept[1] = lane[1];
         r->scene = scene;
-        all |= shift != r->view.shift;
-        if (recorded)
-            (void)differs(kept, lane);
+        if (shift != r->view.shift)
+            all = 1;
         struct zs_record *rec = records(r);
-        for (uint32_t i = 0; recorded && i < scene->n_instances; i++, rec++)
+        for (uint32_t i = 0; i < scene->n_instances; i++, rec++)
             if (all || rec->first == OPEN) {
                 find_strips(r, i);
                 make_due(r, rec->first, rec->end);
@@ -232,8 +236,6 @@ static int track_due(struct zs_renderer *r)
 
 static int track_touches(const struct zs_renderer *r, uint32_t number)
 {
-    if (!(r->track_memory[0] | r->track_memory[1])) /* more instances than records */
-        return 1;
     const struct zs_record *rec = &records(r)[number];
     for (uint32_t s = zs_maxu32(rec->first, r->strip); s < rec->end && s < r->band_end; s++)
         if (s == r->strip || r->track_due[s]) /* track_due has cleared the one that is being drawn */

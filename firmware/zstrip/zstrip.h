@@ -430,14 +430,14 @@ int zs_watch(struct zs_renderer *r, uint64_t *sum, uint32_t columns);
 /* Draw only what may have changed: from now on zs_frame_begin compares what every instance is drawn from (pose; fields of mesh,
  * material, texture and state, not the arrays) with the frame begun before, and a strip that no instance which differs could
  * reach, then or now, is not drawn: zs_frame_strip gives it out with changed_w 0. All strips are drawn where camera, light,
- * background or the number of instances differ, where there are more than n_instances, and where an instance on its way
- * changes how far the farthest in view is by a power of two. Strips that are drawn are what they always are, bit for
+ * background or the number of instances differ, where an instance on its way changes how far the farthest in view is by a
+ * power of two, and after a frame that was refused. Strips that are drawn are what they always are, bit for
  * bit. A strip once due stays so until it has been drawn, in whichever frame. Together with zs_watch: of what is drawn, the
  * columns that have changed.
  *
  * memory       [ZS_TRACK_WORDS(n_instances, height, strip_h)], caller's, kept, its contents do not matter; NULL: draw
  *              everything.
- * n_instances  0 .. 65535, that there is room for.
+ * n_instances  0 .. 65535: what a scene may have at most; zs_frame_begin refuses one with more by ZS_ERR_SIZE.
  * Yours        after a change of bytes that meshes, textures or palettes point at: zs_invalidate. A mesh's sphere must hold it.
  * Exact        a change of one field of a pose is always seen; others are missed with odds of 2^-64 each: 64-bit sums are
  *              compared. The picture stays wrong there until the instance changes again. Who must have it exact does without.
