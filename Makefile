@@ -55,6 +55,10 @@ fuzz: $(B)/.setup-fuzz
 bench: $(B)/.setup-test $(B)/gen/meshes.h
 	@sh tests/checks/bench.sh $(B)
 
+## still: instructions of a still scene and of one moving thing with zs_track, on Cortex-M3
+still: $(B)/.setup-test $(B)/gen/meshes.h
+	@sh tests/checks/still.sh $(B)
+
 ## checksums: every scene's frames on Cortex-M0 to M7, RISC-V and x86-64: one table of checksums, all the same
 checksums: $(B)/.setup-test $(B)/gen/meshes.h
 	@sh tests/scene_sums.sh $(B)
@@ -116,7 +120,7 @@ help:
 	@echo 'Boards, BOARD=:'
 	@for mk in firmware/boards/*/board.mk; do b=$${mk%/board.mk}; \
 	    printf '    %-10s %s\n' "$${b##*/}" "$$(sed -n 's/^BOARD_ABOUT = //p' $$mk)"; done
-.PHONY: all demo test accuracy fuzz bench checksums depth firmware pico boards profile sim linux linux-sources pictures size \
+.PHONY: all demo test accuracy fuzz bench still checksums depth firmware pico boards profile sim linux linux-sources pictures size \
         stack check clean help test-programs fuzz-programs
 
 $(B)/.setup-sim:

@@ -90,6 +90,7 @@ int zs_cull_sphere(const struct zs_bounds *b, const struct zs_camera *camera,
 int zs_cull_walk(struct zs_bounds *b, const struct zs_renderer *r, uint32_t number)
 {
     (void)zs_cull_bounds(b, &r->scene->instance[number], &r->camera); /* cannot fail: zs_frame_begin has asked too */
-    b->slack += ((8 << 24) >> (r->view.shift + 8)) + 1; /* 8 camera units: what a vertex may be off by; shift is -3 .. 30 */
+    const int32_t shift = zs_min32(r->view.shift, 28); /* -3 .. 30; from 20 on, it is the 1 that counts */
+    b->slack += ((8 << 19) >> (shift + 3)) + 1; /* 8 camera units: what a vertex may be off by */
     return zs_cull_sphere(b, &r->camera, &r->view);
 }
