@@ -26,20 +26,21 @@ struct world {
     struct zs_instance instance[INSTANCES];
     struct zs_scene scene;
     struct zs_camera camera;
+    int calm; /* small things, and changes of some of them alone: most strips stay */
 };
 
 static const struct zs_shader *const shaders[] = { &zs_shade_raw, &zs_shade_flat, &zs_shade_smooth, &zs_shade_texture,
                                                    &zs_shade_texture_flat, &zs_shade_texture_smooth };
 
-static void place(struct prng *p, struct zs_instance *in)
+static void place(struct prng *p, struct zs_instance *in, int calm)
 {
     static const int32_t reach[] = { 300, 3000, 9000, 60000 };
-    const int32_t far = reach[prng_pick(p, 16) ? prng_pick(p, 3) : 3];
+    const int32_t far = reach[calm ? 1 : prng_pick(p, 16) ? prng_pick(p, 3) : 3];
     zs_pose_identity(&in->pose);
     zs_pose_turn(&in->pose, (zs_turn)prng_next(p), (zs_turn)prng_next(p), (zs_turn)prng_next(p));
     for (int k = 0; k < 3; k++)
         in->pose.pos[k] = prng_range(p, -far, far);
-    in->pose.scale = ZS_Q16_ONE / (1u + prng_pick(p, 8)) + prng_pick(p, 9);
+    in->pose.scale = ZS_Q16_ONE / (1u + prng_pick(p, 8) + (calm ? 8u : 0u)) + prng_pick(p, 9);
 }
 
 static void cover(struct prng *p, struct world *w, struct zs_material *m)
@@ -54,7 +55,7 @@ static void cover(struct prng *p, struct world *w, struct zs_material *m)
 static void look(struct prng *p, struct world *w, uint16_t h)
 {
     const int32_t at[3] = { prng_range(p, -900, 900), prng_range(p, -900, 900), 0 };
-    const int near = !prng_pick(p, 4); /* among the instances: they cross the near plane */
+    const int near = !w->calm && !prng_pick(p, 4); /* among the instances: they cross the near plane */
     if (w->camera.projection == ZS_PERSPECTIVE)
         (void)zs_camera_perspective(&w->camera, (zs_turn)(3000 + prng_pick(p, 12000)), h, near ? 20 : 400,
                                     prng_pick(p, 3) ? 60000 : 13000);
@@ -86,6 +87,7 @@ static void world_open(struct prng *p, struct world *w, uint16_t h)
 {
     static const struct zs_state state = ZS_STATE(0, 0, 0, 0);
     memset(w, 0, sizeof *w);
+    w->calm = prng_pick(p, 2) != 0;
     shape_sphere(&w->shape[0], 4, 6, 900);
     shape_torus(&w->shape[1], 6, 5, 1200, 400);
     shape_soup(&w->shape[2], 20, 700, prng_next(p));
@@ -107,7 +109,7 @@ static void world_open(struct prng *p, struct world *w, uint16_t h)
         w->instance[i].mesh = &w->shape[prng_pick(p, SHAPES)].mesh;
         w->instance[i].material = &w->material[i];
         cover(p, w, &w->material[i]);
-        place(p, &w->instance[i]);
+        place(p, &w->instance[i], w->calm);
         w->instance[i].state = prng_pick(p, 4) ? NULL : &w->state;
     }
     w->scene.instance = w->instance;
@@ -125,7 +127,7 @@ static int change(struct prng *p, struct world *w, uint16_t h)
     struct zs_material *m = &w->material[in - w->instance];
     struct zs_texture *t = &w->texture[prng_pick(p, 2)];
     struct zs_mesh *mesh = &w->shape[prng_pick(p, SHAPES)].mesh;
-    switch (prng_pick(p, 26)) {
+    switch (w->calm && prng_pick(p, 12) ? 16 + prng_pick(p, 10) : prng_pick(p, 26)) {
     case 0: look(p, w, h); return 0;
     case 1: light(p, w); return 0;
     case 2: w->scene.background ^= (uint16_t)(1u << prng_pick(p, 16)); return 0;
@@ -154,7 +156,7 @@ static int change(struct prng *p, struct world *w, uint16_t h)
     case 17: case 18: case 19: /* a little */
         in->pose.pos[prng_pick(p, 3)] += prng_range(p, -40, 40);
         return 0;
-    default: place(p, in); return 0;
+    default: place(p, in, w->calm); return 0;
     }
 }
 
@@ -362,6 +364,11 @@ static int frames_of(uint64_t seed)
             const struct zs_scene scene = { &junk, 1, w.scene.light, 0 };
             assert_true(zs_frame_begin(&s.r, &scene, &bad) < 0);
         }
+        if (w.scene.n_instances && !prng_pick(&p, 10)) { /* one that is like the last, but for an instance */
+            w.instance[0].pose.scale = 0;
+            assert_true(zs_frame_begin(&s.r, &w.scene, &w.camera) < 0);
+            place(&p, &w.instance[0], w.calm);
+        }
         right = a_frame(&p, &s, &w);
         if (!right)
             case_wrong("frame %d", frame);
@@ -376,7 +383,167 @@ static void the_glass_is_right_whatever_happens(void **state)
     CASES(frames_of, 250); /* 6,000 frames */
 }
 
+/* ---- One change at a time ------------------------------------------------------------------------------ */
+
+#define INPUTS 24
+/* Change one thing that a frame is drawn from. */
+static void change_input(struct world *w, uint32_t which)
+{
+    struct zs_instance *in = &w->instance[1];
+    struct zs_camera *c = &w->camera;
+    switch (which) {
+    case 0: c->pos[0] += 700; break;
+    case 1: c->pos[1] += 700; break;
+    case 2: c->pos[2] += 700; break;
+    case 3: c->focal += c->focal / 8; break;
+    case 4: c->height += c->height / 8; break;
+    case 5: c->z_near = (zs_q48_16)12000 * 65536; break;
+    case 6: c->z_far = (zs_q48_16)12000 * 65536; break;
+    case 7: for (int k = 0; k < 6; k++) c->rot[k] = -c->rot[k]; break; /* upside down */
+    case 8: c->projection = !c->projection; break;
+    case 9: w->scene.light.dir[0] /= 2; break;
+    case 10: w->scene.light.ambient /= 2; break;
+    case 11: w->scene.light.diffuse /= 2; break;
+    case 12: w->scene.background ^= 1; break;
+    case 13: w->scene.n_instances--; break;
+    case 14: w->state.offset = 30000; break;
+    case 15: w->state.equal = 1; break;
+    case 16: w->state.read_only = 1; break;
+    case 17: w->state.slope = 32000; break;
+    case 18: w->shape[1].mesh.scale /= 2; break;
+    case 19: w->shape[1].mesh.center[1] += 1; w->shape[1].mesh.n_tris /= 2; break;
+    case 20: in->material = &w->material[3]; break;
+    case 21: w->texture[0].log2_h = 1; break;
+    case 22: zs_pose_turn(&in->pose, 5000, 0, 0); break;
+    default: in->pose.scale /= 2; break;
+    }
+}
+
+static uint32_t shown[INPUTS]; /* how often the picture differed */
+
+static int one_input(uint64_t seed)
+{
+    static struct world w;
+    static struct show s;
+    struct prng p = { seed };
+    const uint32_t which = (uint32_t)(seed % INPUTS);
+    const int32_t at[3] = { 0, 0, 0 };
+    const int flat = which == 4 || (which != 3 && which != 8 && (seed / INPUTS) % 2u);
+    world_open(&p, &w, H_MAX);
+    w.scene.n_instances = 4;
+    for (uint32_t i = 0; i < 4; i++) { /* two overlap; all of one material, but for the last */
+        w.instance[i].mesh = &w.shape[i & 1u].mesh;
+        w.instance[i].material = &w.material[i == 3];
+        w.instance[i].state = i < 2 ? &w.state : NULL;
+        place(&p, &w.instance[i], 1);
+        w.instance[i].pose.scale = ZS_Q16_ONE;
+    }
+    w.instance[1].pose.pos[0] = w.instance[0].pose.pos[0];
+    w.instance[1].pose.pos[1] = w.instance[0].pose.pos[1] + 200;
+    w.instance[1].pose.pos[2] = w.instance[0].pose.pos[2];
+    if (which == 15) /* the same twice: keys are equal */
+        w.instance[1] = w.instance[0], w.instance[1].material = &w.material[1];
+    w.material[0].shader = which == 21 ? &zs_shade_texture : &zs_shade_flat;
+    w.material[0].texture = &w.texture[0];
+    w.material[1].shader = &zs_shade_raw;
+    w.material[0].cull = w.material[1].cull = ZS_CULL_NONE;
+    (void)(flat ? zs_camera_orthographic(&w.camera, 12000, 1000, 60000)
+                : zs_camera_perspective(&w.camera, 6000, H_MAX, 1000, 60000));
+    w.camera.height = (zs_q48_16)12000 * 65536;
+    w.camera.focal = w.camera.focal ? w.camera.focal : (zs_uq32_32)70 << 32;
+    (void)zs_camera_orbit(&w.camera, at, 12000, (zs_turn)prng_next(&p), 3000);
+    struct zs_config c = picture_config(W_MAX, H_MAX, &zs_depth_linear);
+    c.strip_h = (uint16_t)(1 + prng_pick(&p, 4));
+    show_open(&s, &c);
+    struct picture want[2];
+    for (int k = 0; k < 2; k++) {
+        const struct zs_sink sink = { submit, wait, &s.glass };
+        want[k] = full(&s, &w);
+        s.glass.want = &want[k];
+        CASE_CHECK(want[k].err == ZS_OK && zs_render(&s.r, &w.scene, &w.camera, &sink) == ZS_OK);
+        if (s.glass.wrong || !glass_shows(&s.glass, &want[k]))
+            return case_wrong("input %u, frame %d", (unsigned)which, k);
+        if (!k)
+            change_input(&w, which);
+    }
+    shown[which] += memcmp(want[0].color, want[1].color, W_MAX * H_MAX * 2u) != 0;
+    picture_free(&want[0]);
+    picture_free(&want[1]);
+    show_close(&s);
+    return 1;
+}
+
+static void every_input_counts(void **state)
+{
+    (void)state;
+    CASES(one_input, 12 * INPUTS);
+    for (uint32_t i = 0; i < INPUTS && !getenv("ZS_SEED"); i++)
+        if (!shown[i])
+            fail_msg("input %u never shows", (unsigned)i);
+}
+
+/* A sphere alone, of strips of one row, wherever it can be: across near and far, at the frame's edge, far beside the axis;
+ * and so far away that camera units become coarse for what stands near. */
+static int one_sphere(uint64_t seed)
+{
+    static struct world w;
+    static struct show s;
+    struct prng p = { seed };
+    const int distant = !(seed % 4u);
+    memset(&w, 0, sizeof w);
+    shape_sphere(&w.shape[0], 16, 20, 2000);
+    w.material[0].shader = &zs_shade_raw;
+    w.material[0].rgb.g = 255;
+    w.material[0].cull = ZS_CULL_NONE;
+    for (int i = 0; i < 2; i++) {
+        w.instance[i].mesh = &w.shape[0].mesh;
+        w.instance[i].material = &w.material[0];
+        zs_pose_identity(&w.instance[i].pose);
+    }
+    w.instance[1].pose.pos[0] = 100;
+    w.instance[1].pose.pos[2] = -1500;
+    w.instance[1].pose.scale = ZS_Q16_ONE / 4;
+    w.scene.instance = w.instance;
+    w.scene.n_instances = distant ? 2 : 1;
+    const int32_t eye[3] = { 0, 0, 0 }, along[3] = { 0, 0, -1 }, up[3] = { 0, 1, 0 };
+    if (distant || seed % 4u < 3)
+        (void)zs_camera_perspective(&w.camera, distant ? 8000 : (zs_turn)(8000 + prng_pick(&p, 20000)), H_MAX, 300,
+                                    distant ? ZS_WORLD_MAX : 9000);
+    else
+        (void)zs_camera_orthographic(&w.camera, 12000, 500, 9000);
+    (void)zs_camera_look_along(&w.camera, eye, along, up);
+    struct zs_config c = picture_config(W_MAX, H_MAX, w.camera.projection ? &zs_depth_linear : &zs_depth_float);
+    c.strip_h = 1;
+    show_open(&s, &c);
+    for (int k = 0; k < 12; k++) {
+        struct zs_pose *pose = &w.instance[0].pose;
+        const int32_t z = distant ? prng_range(&p, 1000, 1 << 19) << prng_pick(&p, 10) : prng_range(&p, -1000, 10500);
+        const int32_t wide = (distant ? z / 4 : 7000) + 1;
+        pose->pos[0] = prng_range(&p, -wide, wide);
+        pose->pos[1] = prng_range(&p, -wide, wide);
+        pose->pos[2] = -z;
+        pose->scale = ZS_Q16_ONE / (1u + prng_pick(&p, 4));
+        const struct zs_sink sink = { submit, wait, &s.glass };
+        struct picture want = full(&s, &w);
+        s.glass.want = &want;
+        CASE_CHECK(want.err == ZS_OK && zs_render(&s.r, &w.scene, &w.camera, &sink) == ZS_OK);
+        if (s.glass.wrong || !glass_shows(&s.glass, &want))
+            return case_wrong("frame %d, sphere at %d %d %d", k, (int)pose->pos[0], (int)pose->pos[1], (int)z);
+        picture_free(&want);
+    }
+    show_close(&s);
+    return 1;
+}
+
+static void a_sphere_wherever_it_is(void **state)
+{
+    (void)state;
+    CASES(one_sphere, 200);
+}
+
 /* ---- What it saves ------------------------------------------------------------------------------------ */
+
+static uint32_t binned[2]; /* triangles, of whole frames and of those with one mover */
 
 /* Nothing but the strips of one small sphere, before and after; their number is that of its rows. */
 static int one_mover(uint64_t seed)
@@ -389,7 +556,7 @@ static int one_mover(uint64_t seed)
     w.camera.projection = (uint8_t)(seed & 1u);
     for (uint32_t i = 0; i < INSTANCES; i++) { /* within 10,000 of the middle */
         do
-            place(&p, &w.instance[i]);
+            place(&p, &w.instance[i], 0);
         while (abs(w.instance[i].pose.pos[0]) > 5000 || abs(w.instance[i].pose.pos[1]) > 5000 ||
                abs(w.instance[i].pose.pos[2]) > 5000);
         w.instance[i].state = NULL;
@@ -435,8 +602,10 @@ static int one_mover(uint64_t seed)
         CASE_CHECK(s.glass.wrong == 0 && glass_shows(&s.glass, &want));
         CASE_CHECK(k || s.glass.sent == H_MAX / 2);
         picture_free(&want);
+        const struct zs_stats *stats = zs_frame_stats(&s.r);
+        binned[k] += stats->max_tris_used;
         if (!k)
-            passes = zs_frame_stats(&s.r)->passes;
+            passes = stats->passes;
     }
     uint32_t own = 0;
     for (int32_t y = 0; y < H_MAX; y += 2)
@@ -453,6 +622,7 @@ static void one_moving_thing_draws_its_own_strips(void **state)
 {
     (void)state;
     CASES(one_mover, 100);
+    assert_true(getenv("ZS_SEED") || binned[1] < binned[0] * 7u / 10u);
 }
 
 static void a_still_scene_draws_nothing(void **state)
@@ -491,6 +661,57 @@ static void a_still_scene_draws_nothing(void **state)
     show_close(&s);
 }
 
+/* Three spheres below each other; the highest and the lowest move, and the middle one's strips are wanted in the middle of
+ * that frame: they are drawn with what stands there. */
+static void invalidated_in_a_frame(void **state)
+{
+    (void)state;
+    static struct world w;
+    static struct show s;
+    memset(&w, 0, sizeof w);
+    shape_sphere(&w.shape[0], 6, 8, 1000);
+    w.material[0].shader = &zs_shade_raw;
+    w.material[0].rgb.r = 255;
+    for (int i = 0; i < 3; i++) {
+        w.instance[i].mesh = &w.shape[0].mesh;
+        w.instance[i].material = &w.material[0];
+        zs_pose_identity(&w.instance[i].pose);
+        w.instance[i].pose.pos[1] = 3000 * (1 - i);
+    }
+    w.scene.instance = w.instance;
+    w.scene.n_instances = 3;
+    const int32_t eye[3] = { 0, 0, 10000 }, at[3] = { 0, 0, 0 }, up[3] = { 0, 1, 0 };
+    (void)zs_camera_orthographic(&w.camera, 9000, 100, 20000);
+    (void)zs_camera_look_at(&w.camera, eye, at, up);
+    struct zs_config c = picture_config(W_MAX, 60, &zs_depth_linear);
+    c.strip_h = 2;
+    show_open(&s, &c);
+    for (int k = 0; k < 2; k++) {
+        struct picture want = full(&s, &w);
+        struct zs_strip out;
+        s.glass.want = &want;
+        s.glass.sent = 0;
+        assert_int_equal(zs_frame_begin(&s.r, &w.scene, &w.camera), ZS_OK);
+        for (uint32_t n = 0; zs_frame_strip(&s.r, &out) == 1; n++) {
+            if (out.changed_w) {
+                judge(&s.glass, &out);
+                arrive(&s.glass, &out);
+            }
+            const struct zs_rect middle = { 0, 28, 4, 4 };
+            if (k && n == 10)
+                assert_int_equal(zs_invalidate(&s.r, &middle), ZS_OK);
+        }
+        assert_int_equal(zs_frame_end(&s.r), ZS_OK);
+        assert_int_equal(s.glass.wrong, 0);
+        assert_true(glass_shows(&s.glass, &want));
+        assert_true(!k || s.glass.sent < 24); /* two spheres of 15 rows, and two strips */
+        picture_free(&want);
+        w.instance[0].pose.pos[0] += 500;
+        w.instance[2].pose.pos[0] += 500;
+    }
+    show_close(&s);
+}
+
 static void wrong_calls_are_refused(void **state)
 {
     (void)state;
@@ -521,8 +742,11 @@ static void wrong_calls_are_refused(void **state)
 
 const struct CMUnitTest tests[] = {
     cmocka_unit_test(the_glass_is_right_whatever_happens),
+    cmocka_unit_test(every_input_counts),
+    cmocka_unit_test(a_sphere_wherever_it_is),
     cmocka_unit_test(one_moving_thing_draws_its_own_strips),
     cmocka_unit_test(a_still_scene_draws_nothing),
+    cmocka_unit_test(invalidated_in_a_frame),
     cmocka_unit_test(wrong_calls_are_refused),
 };
 CASES_MAIN(tests)
