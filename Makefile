@@ -58,6 +58,10 @@ bench: sim $(B)/.setup-test $(B)/gen/meshes.h
 bench-record: $(B)/.setup-test $(B)/gen/meshes.h
 	@sh tests/checks/bench.sh $(B) record >$(B)/bench.txt && mv $(B)/bench.txt tests/golden/bench.txt
 
+## still: instructions of a still scene and of one moving thing with zs_track, on Cortex-M3
+still: $(B)/.setup-test $(B)/gen/meshes.h
+	@sh tests/checks/still.sh $(B)
+
 ## checksums: every scene's frames on Cortex-M0 to M7, RISC-V and x86-64: one table of checksums, all the same
 checksums: $(B)/.setup-test $(B)/gen/meshes.h
 	@sh tests/scene_sums.sh $(B)
@@ -120,8 +124,8 @@ help:
 	@echo 'Boards, BOARD=:'
 	@for mk in firmware/boards/*/board.mk; do b=$${mk%/board.mk}; \
 	    printf '    %-10s %s\n' "$${b##*/}" "$$(sed -n 's/^BOARD_ABOUT = //p' $$mk)"; done
-.PHONY: all demo test accuracy fuzz bench bench-record checksums depth firmware pico boards profile sim linux linux-sources pictures size \
-        stack check clean help test-programs fuzz-programs
+.PHONY: all demo test accuracy fuzz bench bench-record still checksums depth firmware pico boards profile sim linux linux-sources \
+        pictures size stack check clean help test-programs fuzz-programs
 
 $(B)/.setup-sim:
 	@mkdir -p $(B) && .ci/setup $(PKG_SIM) && touch $@

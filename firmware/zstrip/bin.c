@@ -671,14 +671,15 @@ static ZS_NOINLINE void walk_mesh(struct zs_renderer *r, uint32_t fate[FATES])
     }
 }
 
-/* Cull an instance, or make r->xform its own. Return 0: nothing of it can be seen. Apart, so that its frame is not on the
+/* Cull an instance, or make r->xform its own. Return 0: nothing of it can be seen, or no strip that shows it is drawn. Apart, so that its frame is not on the
  * stack below the walk. */
 static ZS_RARE ZS_NOINLINE int instance_open(struct zs_renderer *r, uint32_t number)
 {
     struct zs_bounds b;
-    (void)zs_cull_bounds(&b, &r->scene->instance[number], &r->camera); /* cannot fail: zs_frame_begin has asked too */
-    b.slack += zs_scale2(8, 16 - r->view.shift) + 1; /* 8 camera units: what a vertex may be off by */
-    if (zs_cull_sphere(&b, &r->camera, &r->view) && !(r->config.skip_off & ZS_SKIP_FRUSTUM))
+    const struct zs_track_kernel *track = r->track;
+    if (track && !track->touches(r, number))
+        return 0;
+    if (zs_cull_walk(&b, r, number) && !(r->config.skip_off & ZS_SKIP_FRUSTUM))
         return 0;
     return zs_xform_instance(r, number, &b);
 }
@@ -707,7 +708,7 @@ static ZS_RARE void walk_instance(struct zs_renderer *r, uint32_t number)
 ZS_RARE void zs_bin_walk(struct zs_renderer *r)
 {
     pools_empty(r);
-    r->band_end = r->config.skip_off & ZS_SKIP_BINS ? (uint16_t)(r->strip + 1u) : r->n_strips;
+    r->band_end = r->config.skip_off & ZS_SKIP_BINS ? (uint16_t)(r->strip + 1u) : r->draw_end;
     r->stats.passes++;
     for (uint32_t i = 0; i < r->scene->n_instances; i++)
         walk_instance(r, i);

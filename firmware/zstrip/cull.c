@@ -86,3 +86,11 @@ int zs_cull_sphere(const struct zs_bounds *b, const struct zs_camera *camera,
                                                   (uint64_t)view->cy) + 1;
     return abs64(b->c[0]) - r > half_w || abs64(b->c[1]) - r > half_h;
 }
+
+int zs_cull_walk(struct zs_bounds *b, const struct zs_renderer *r, uint32_t number)
+{
+    (void)zs_cull_bounds(b, &r->scene->instance[number], &r->camera); /* cannot fail: zs_frame_begin has asked too */
+    const int32_t shift = zs_min32(r->view.shift, 28); /* -3 .. 30; from 20 on, it is the 1 that counts */
+    b->slack += ((8 << 19) >> (shift + 3)) + 1; /* 8 camera units: what a vertex may be off by */
+    return zs_cull_sphere(b, &r->camera, &r->view);
+}

@@ -109,6 +109,7 @@ ZS_RARE int zs_init(struct zs_renderer *r, const struct zs_config *config, void 
     const struct zs_stats none = { 0 };
     r->stats = none;
     r->watch = 0;
+    r->track = 0;
     r->ready = 1;
     return ZS_OK;
 }
@@ -163,6 +164,20 @@ static ZS_RARE int scene_check(struct zs_renderer *r, const struct zs_scene *sce
     return ZS_OK;
 }
 
+ZS_RARE int zs_frame_check(struct zs_renderer *r, const struct zs_scene *scene)
+{
+    const struct zs_camera *camera = &r->camera;
+    int64_t reach;
+    int err = zs_view_camera(&r->view, &r->config, camera);
+    if (!err)
+        err = scene_check(r, scene, &reach);
+    if (!err)
+        err = zs_view_units(&r->view, &r->config, camera, reach);
+    if (!err)
+        err = r->config.depth->setup(&r->view, camera, r->config.depth_bits);
+    return err;
+}
+
 ZS_RARE int zs_frame_begin(struct zs_renderer *r, const struct zs_scene *scene,
                    const struct zs_camera *camera)
 {
@@ -173,15 +188,10 @@ ZS_RARE int zs_frame_begin(struct zs_renderer *r, const struct zs_scene *scene,
         return ZS_ERR_NULL;
     if (r->ready != 1)
         return ZS_ERR_STATE;
-    int64_t reach;
     r->camera = *camera;
-    int err = zs_view_camera(&r->view, &r->config, camera);
-    if (!err)
-        err = scene_check(r, scene, &reach);
-    if (!err)
-        err = zs_view_units(&r->view, &r->config, camera, reach);
-    if (!err)
-        err = r->config.depth->setup(&r->view, camera, r->config.depth_bits);
+    r->draw_end = r->n_strips;
+    const struct zs_track_kernel *track = r->track;
+    const int err = track ? track->check(r, scene) : zs_frame_check(r, scene);
     if (err)
         return err;
     const struct zs_stats none = { 0 };
@@ -204,10 +214,14 @@ int zs_frame_strip(struct zs_renderer *r, struct zs_strip *out)
         return ZS_ERR_STATE;
     if (r->strip == r->n_strips)
         return 0;
-    zs_raster_clear(r);
-    if (r->strip >= r->band_end)
-        zs_bin_walk(r);
-    zs_raster_strip(r);
+    const struct zs_track_kernel *track = r->track;
+    const int draw = !track || track->due(r);
+    if (draw) {
+        zs_raster_clear(r);
+        if (r->strip >= r->band_end)
+            zs_bin_walk(r);
+        zs_raster_strip(r);
+    }
 
     const uint32_t y0 = (uint32_t)r->strip * r->config.strip_h;
     const uint32_t left = r->config.height - y0;
@@ -220,9 +234,9 @@ int zs_frame_strip(struct zs_renderer *r, struct zs_strip *out)
     out->n_bytes = (uint32_t)out->w * out->h * 2u;
     out->depth = r->depth;
     out->changed_x = 0;
-    out->changed_w = out->w;
+    out->changed_w = draw ? out->w : 0u;
     const struct zs_watch_kernel *watch = r->watch;
-    if (watch)
+    if (watch && draw)
         watch->look(r, out);
     r->strip++;
     r->stats.strips++;
@@ -233,12 +247,12 @@ int zs_frame_skip(struct zs_renderer *r)
 {
     if (!r)
         return ZS_ERR_NULL;
-    if (r->ready != 1 || !r->scene)
+    if (r->ready != 1 || !r->scene || r->track)
         return ZS_ERR_STATE;
     if (r->strip == r->n_strips)
         return 0;
     if (r->strip < r->band_end)
-        zs_raster_skip(r);
+        zs_raster_pass(r);
     r->strip++;
     return 1;
 }
@@ -267,6 +281,9 @@ int zs_invalidate(struct zs_renderer *r, const struct zs_rect *rect)
     const struct zs_watch_kernel *watch = r->watch;
     if (watch)
         watch->forget(r, rect);
+    const struct zs_track_kernel *track = r->track;
+    if (track)
+        track->forget(r, rect);
     return ZS_OK;
 }
 

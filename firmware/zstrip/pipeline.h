@@ -51,6 +51,15 @@ struct zs_watch_kernel {
     void (*forget)(struct zs_renderer *r, const struct zs_rect *rect);      /* NULL: all */
 };
 
+/* Which strips need not be drawn: linked where zs_track is named. */
+struct zs_track_kernel {
+    /* zs_frame_check, or less where nothing differs; finds the strips that are due; lowers draw_end. May set r->scene. */
+    int (*check)(struct zs_renderer *r, const struct zs_scene *scene);
+    int (*due)(struct zs_renderer *r);                                      /* 0: r->strip need not be drawn; passes on */
+    int (*touches)(const struct zs_renderer *r, uint32_t number);           /* 0: the instance is in no strip of this walk */
+    void (*forget)(struct zs_renderer *r, const struct zs_rect *rect);      /* NULL: all */
+};
+
 /* How an instance with a state is drawn: of zs_state.kernel. */
 struct zs_state_kernel {
     /* Buckets to be added to each key of a triangle: offset and slope. */
@@ -112,6 +121,15 @@ int zs_cull_bounds(struct zs_bounds *b, const struct zs_instance *in,
 int zs_cull_sphere(const struct zs_bounds *b, const struct zs_camera *camera,
                    const struct zs_view *view);
 
+/* In a walk, when camera units are known: bounds of an instance of the scene, with room for what a vertex may be off by.
+ * Return 1: no part of it can be seen. */
+int zs_cull_walk(struct zs_bounds *b, const struct zs_renderer *r, uint32_t number);
+
+/* ---- frame.c --------------------------------------------------------------------------------------- */
+
+/* Everything that a frame of r->camera can be refused for; fills r->view. Return ZS_OK or an error. */
+int zs_frame_check(struct zs_renderer *r, const struct zs_scene *scene);
+
 /* ---- view.c: the camera of a frame -------------------------------------------------------------- */
 
 /* Everything that does not depend on the scene. ZS_OK; ZS_ERR_CAMERA. */
@@ -120,6 +138,8 @@ int zs_view_camera(struct zs_view *view, const struct zs_config *config,
 /* Choose camera units for a reach in q48_16 world units, and fill the rest. ZS_OK; ZS_ERR_RANGE. */
 int zs_view_units(struct zs_view *view, const struct zs_config *config,
                   const struct zs_camera *camera, int64_t reach);
+/* A length in camera units, nearest, at most 2^30 either way. */
+int32_t zs_view_length(const struct zs_view *view, zs_q48_16 length);
 
 /* ---- xform.c ---------------------------------------------------------------------------------------- */
 
@@ -174,8 +194,8 @@ void zs_bin_walk(struct zs_renderer *r);
 void zs_raster_clear(struct zs_renderer *r);
 /* Draw the strip r->strip's bin and the active list; leaves those that go on in r->active. */
 void zs_raster_strip(struct zs_renderer *r);
-/* Draw nothing of it, but leave those that go on as zs_raster_strip does. */
-void zs_raster_skip(struct zs_renderer *r);
+/* Do not draw it, but pass its triangles on to the strip below. */
+void zs_raster_pass(struct zs_renderer *r);
 /* Fill job's rows and sides for its triangle in its strip. Return 0: it has no row or no area there. job->row_last is
  * set in either case. */
 int zs_raster_sides(struct zs_job *job);

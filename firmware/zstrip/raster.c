@@ -200,36 +200,25 @@ static uint16_t merged(struct zs_tri *tri, uint16_t a, uint16_t b)
     return head;
 }
 
+/* The strip's triangles, out of their bin and the list of those that went on. */
+static uint16_t take_list(struct zs_renderer *r)
+{
+    const uint16_t list = merged(r->tri, r->active, reversed(r->tri, r->bin[r->strip]));
+    r->bin[r->strip] = ZS_NIL;
+    return list;
+}
+
+void zs_raster_pass(struct zs_renderer *r)
+{
+    r->active = take_list(r); /* those that end here too: they have no row in a strip below */
+}
+
 /* Are all of a triangle's vertices beyond a depth? */
 static inline int beyond(const struct zs_job *job, uint32_t d)
 {
     const struct zs_vertex *pool = job->r->vert;
     const uint16_t *v = job->tri->v;
     return pool[v[0]].d > d && pool[v[1]].d > d && pool[v[2]].d > d;
-}
-
-/* The triangles of the strip r->strip, whose bin is emptied. */
-static uint16_t strip_list(struct zs_renderer *r)
-{
-    const uint16_t bin = r->bin[r->strip];
-    r->bin[r->strip] = ZS_NIL;
-    return merged(r->tri, r->active, reversed(r->tri, bin));
-}
-
-void zs_raster_skip(struct zs_renderer *r)
-{
-    const int32_t y1 = (r->strip + 1) * r->config.strip_h; /* where there is a next strip */
-    const int goes_on = r->strip + 1 < r->band_end;
-    uint16_t list = strip_list(r), *keep = &r->active;
-    for (; goes_on && list != ZS_NIL; list = r->tri[list].next) {
-        struct zs_tri *t = &r->tri[list];
-        const struct zs_vertex *a = &r->vert[t->v[0]], *b = &r->vert[t->v[1]], *c = &r->vert[t->v[2]];
-        if (zs_first_sample(zs_max32(zs_max32(a->y, b->y), c->y)) > y1) {
-            *keep = list;
-            keep = &t->next;
-        }
-    }
-    *keep = ZS_NIL;
 }
 
 #define IN_VAIN 16 /* triangles of a strip that turned out not to be hidden: no more are asked */
@@ -239,7 +228,7 @@ void zs_raster_strip(struct zs_renderer *r)
     const int32_t y0 = r->strip * r->config.strip_h;
     const int32_t y1 = zs_min32(y0 + r->config.strip_h, r->config.height);
     const int goes_on = r->strip + 1 < r->band_end;
-    uint16_t list = strip_list(r);
+    uint16_t list = take_list(r);
 
     struct zs_job job;
     job.r = r;

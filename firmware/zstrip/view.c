@@ -112,7 +112,7 @@ static int scale_set(struct zs_view *view, const struct zs_config *config,
     return ZS_OK;
 }
 
-static int32_t to_units(const struct zs_view *view, zs_q48_16 length)
+int32_t zs_view_length(const struct zs_view *view, zs_q48_16 length)
 {
     const int32_t n = view->shift - 16;
     const int64_t limit = n >= 0 ? ((int64_t)1 << 30) >> n : INT64_MAX;
@@ -139,8 +139,8 @@ int zs_view_units(struct zs_view *view, const struct zs_config *config,
     const int err = scale_set(view, config, camera); /* may lower the shift */
     if (err)
         return err;
-    view->z_near = to_units(view, camera->z_near);
-    view->z_far = to_units(view, camera->z_far);
+    view->z_near = zs_view_length(view, camera->z_near);
+    view->z_far = zs_view_length(view, camera->z_far);
     if (view->z_near >= view->z_far || (view->perspective && view->z_near < NEAR_MIN))
         return ZS_ERR_NEAR;
     for (int k = 0; k < 3; k++) { /* rows: right, down, distance */

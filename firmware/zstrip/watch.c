@@ -3,32 +3,19 @@
  *
  * SPDX-License-Identifier: MIT
  */
-#include "pipeline.h"
-
-static uint32_t rotate_left(uint32_t v, int n)
-{
-    return v << n | v >> (32 - n);
-}
-
-/* Two lanes of 32 bits. Each step is one-to-one in the lane for a given value and in the value for a given lane, so
- * that pixels which differ in one place only always show. */
-static void mix(uint32_t lane[2], uint32_t v)
-{
-    lane[0] = rotate_left(lane[0] ^ v, 13) * 0x9e3779b1u;
-    lane[1] = rotate_left(lane[1] + v, 19) * 0x85ebca77u;
-}
+#include "changed.h"
 
 /* w x h px from px on; in twos where rows and columns are even. */
 static uint64_t cell_sum(const uint16_t *px, uint32_t w, uint32_t h, uint32_t stride, int even)
 {
-    uint32_t lane[2] = { 0x243f6a88u, 0x85a308d3u };
+    uint32_t lane[2] = ZS_LANES;
     for (; h; h--, px += stride) {
         const uint16_t *at = px, *const end = px + w;
         if (even && ZS_PAIR == 2u)
             for (; end - at >= 2; at += 2)
-                mix(lane, *(const zs_pair *)(const void *)at);
+                zs_mix(lane, *(const zs_pair *)(const void *)at);
         for (; at < end; at++)
-            mix(lane, *at);
+            zs_mix(lane, *at);
     }
     const uint64_t sum = (uint64_t)lane[0] << 32 | lane[1];
     return sum ? sum : 1u; /* 0: not known */
@@ -64,8 +51,7 @@ static void watch_forget(struct zs_renderer *r, const struct zs_rect *rect)
 {
     const uint32_t step = column_width(r);
     for (uint32_t s = 0; s < r->n_strips; s++) {
-        const uint32_t y0 = s * r->config.strip_h, y1 = y0 + r->config.strip_h;
-        if (rect && (y1 <= rect->y || y0 >= (uint32_t)rect->y + rect->h))
+        if (!zs_strip_in(r, s, rect))
             continue;
         for (uint32_t c = 0; c < r->watch_columns; c++)
             if (!rect || (c * step < (uint32_t)rect->x + rect->w && (c + 1u) * step > rect->x))

@@ -334,8 +334,9 @@ struct zs_stats {
     uint32_t tris_hidden;     /* set-ups that were saved: a triangle in a strip, behind what covers it there */
     uint32_t pixels_tested;   /* compared with the depth buffer */
     uint32_t pixels_written;  /* and nearer; 0 unless built with ZS_STATS = 1 */
-    uint32_t strips;          /* drawn so far */
-    uint32_t strips_unchanged; /* of these; always 0 without zs_watch */
+    uint32_t strips;          /* given out so far */
+    uint32_t strips_unchanged; /* of these: changed_w is 0; always 0 without zs_watch and zs_track */
+    uint32_t strips_skipped;  /* of these: not drawn (zs_track). What is in no other strip is not counted above, or as culled */
     uint32_t passes;          /* sets of triangles that the pools took the scene in */
     uint32_t max_tris_used, max_verts_used; /* high-water marks of the pools */
 };
@@ -345,11 +346,12 @@ struct zs_stats {
 struct zs_strip {
     uint16_t x, y, w, h;   /* px in the frame; x is 0 and w the frame's width */
     uint16_t last;         /* 1 in the frame's last strip */
-    const uint8_t *px;     /* w * h pixels, row-major, dense: RGB565, most significant byte first */
+    const uint8_t *px;     /* w * h pixels, row-major, dense: RGB565, most significant byte first. With zs_track and
+                              changed_w 0: neither px nor depth holds anything of use */
     uint32_t n_bytes;      /* w * h * 2 */
     const uint16_t *depth; /* w * h keys of this strip, until the next strip is asked for */
-    uint16_t changed_x, changed_w; /* px: columns that are not on the glass yet (zs_watch); changed_w 0: none is.
-                                      Without zs_watch 0 and w */
+    uint16_t changed_x, changed_w; /* px: columns that are not on the glass yet (zs_watch, zs_track); changed_w 0:
+                                      none is. Without either 0 and w */
 };
 
 struct zs_rect {
@@ -408,7 +410,7 @@ int zs_frame_strip(struct zs_renderer *r, struct zs_strip *out);
  * own, draw a frame together on as many cores, each its share of the strips, bit for bit as one does. With zs_watch it
  * stays as it was given out last.
  * Cost    a look at the strip's triangles; before the first strip that is drawn, nothing.
- * Return  1; 0 when there is none left; ZS_ERR_NULL, ZS_ERR_STATE. */
+ * Return  1; 0 when there is none left; ZS_ERR_NULL; ZS_ERR_STATE, also where zs_track chooses the strips. */
 int zs_frame_skip(struct zs_renderer *r);
 
 /* Close the frame, drawn to its end or not. Return ZS_OK; ZS_ERR_NULL; ZS_ERR_STATE: none open. */
@@ -432,10 +434,34 @@ const struct zs_stats *zs_frame_stats(const struct zs_renderer *r);
 #define ZS_STRIPS(height, strip_h) (((uint32_t)(height) + (uint32_t)(strip_h) - 1u) / (uint32_t)(strip_h))
 int zs_watch(struct zs_renderer *r, uint64_t *sum, uint32_t columns);
 
+/* Draw only what may have changed: from now on zs_frame_begin compares what every instance is drawn from (pose; fields of mesh,
+ * material, texture and state, not the arrays) with the frame begun before, and a strip that no instance which differs could
+ * reach, then or now, is not drawn: zs_frame_strip gives it out with changed_w 0. All strips are drawn where camera, light,
+ * background or the number of instances differ, where an instance on its way changes how far the farthest in view is by a
+ * power of two, and after a frame that was refused. Strips that are drawn are what they always are, bit for
+ * bit. A strip once due stays so until it has been drawn, in whichever frame. Together with zs_watch: of what is drawn, the
+ * columns that have changed.
+ *
+ * memory       [ZS_TRACK_WORDS(n_instances, height, strip_h)], caller's, kept, its contents do not matter; NULL: draw
+ *              everything.
+ * n_instances  0 .. 65535: what a scene may have at most; zs_frame_begin refuses one with more by ZS_ERR_SIZE.
+ * Yours        after a change of bytes that meshes, textures or palettes point at: zs_invalidate. A mesh's sphere must hold it.
+ * Exact        a change of one field of a pose is always seen; others are missed with odds of 2^-64 each: 64-bit sums are
+ *              compared. The picture stays wrong there until the instance changes again. Who must have it exact does without.
+ * Cost         zs_frame_begin, where nothing differs: 400 instructions for an instance, instead of its checks; else on top of
+ *              those, and 3,000 for an instance that differs. Each strip that is not drawn: 100. What a frame draws is
+ *              walked as always: an instance that reaches one strip is transformed whole.
+ * Return       ZS_OK; ZS_ERR_NULL; ZS_ERR_STATE (r is not set up, or a frame is open); ZS_ERR_SIZE: as before.
+ *              zs_init ends it. */
+#define ZS_TRACK_WORDS(n_instances, height, strip_h) \
+    (2u + 3u * (uint32_t)(n_instances) + (ZS_STRIPS(height, strip_h) + 3u) / 4u)
+int zs_track(struct zs_renderer *r, uint32_t *memory, uint32_t n_instances);
+
 /* The glass does not show there what was given out: it was reset, asleep, turned, or something else drew on it; or the
  * strip could not be sent by a caller that owns the loop (zs_render sees to that by itself). Strips and columns
- * that touch rect (NULL: all) count as changed the next time. At any time, in a frame too.
- * Return ZS_OK; ZS_ERR_NULL; ZS_ERR_STATE: r is not set up. Without zs_watch: no effect. */
+ * that touch rect (NULL: all) count as changed the next time. At any time, in a frame too, which then walks the scene
+ * again.
+ * Return ZS_OK; ZS_ERR_NULL; ZS_ERR_STATE: r is not set up. Without zs_watch and zs_track: no effect. */
 int zs_invalidate(struct zs_renderer *r, const struct zs_rect *rect);
 
 /* ---- Data that cannot be trusted: a mesh from a card, a texture from a file ------------------------ */

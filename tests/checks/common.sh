@@ -85,6 +85,7 @@ EVERYTHING='extern struct zs_material other[5];
     (void)zs_camera_orbit(&camera, v, 10, 20, 30);
     (void)zs_frame_skip(&renderer);
     (void)zs_watch(&renderer, (uint64_t *)anything, 1);
+    (void)zs_track(&renderer, anything, 1);
     anything[3] = zs_frame_stats(&renderer)->passes;
     anything[7] = (uint32_t)zs_strflaw(zs_mesh_check(&mesh, anything))[0];
     anything[8] = (uint32_t)zs_texture_check((const struct zs_texture *)anything, anything);

@@ -9,8 +9,8 @@ TEXTURE='zs_shade_texture|zs_texel|fetch|rows_|texture_|light$'
 STATE='zs_state|state_'
 FLOAT='zs_depth_(e[345]|float)|float_|(e[345]|any)_setup'
 
-# Checks of loaded data: in no firmware that does not call them.
-CHECKS='zs_watch watch_look zs_mesh_check zs_texture_check zs_strflaw'
+# Checks of loaded data, and what finds changes: in no firmware that does not call them.
+CHECKS='zs_watch watch_look zs_track track_check track_due zs_raster_pass zs_mesh_check zs_texture_check zs_strflaw'
 
 # SHADER DEPTH PATTERN...: a firmware with these must hold no symbol that matches.
 without() {

@@ -5,7 +5,7 @@
 # SPDX-License-Identifier: MIT
 . "$(dirname "$0")/common.sh"
 
-FLASH_MAX=${FLASH_MAX:-44032}           # everything, Cortex-M3
+FLASH_MAX=${FLASH_MAX:-45056}           # everything, Cortex-M3
 FLASH_FLAT_MAX=${FLASH_FLAT_MAX:-21504} # flat and recip alone, Cortex-M3
 FLASH_PANEL_MAX=${FLASH_PANEL_MAX:-3072} # a panel that converts nothing
 

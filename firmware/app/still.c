@@ -1,0 +1,89 @@
+/* What zs_track saves: scenes drawn whole, then again with nothing changed, then with their last instance moved. One line of
+ * CSV a scene; instructions. Strips of 16 rows, one buffer, pools that take the scene in one pass.
+ *
+ * SPDX-License-Identifier: MIT
+ */
+#include "hal.h"
+#include "number.h"
+#include "scenes.h"
+#include "zstrip.h"
+
+#define ROWS 16
+#define STILL_MAX 50u /* a still frame may take a full one's instructions divided by this */
+#define ARENA_BYTES (3u << 20)
+
+ZS_ARENA(arena, ARENA_BYTES);
+static uint32_t memory[ZS_TRACK_WORDS(DEMO_INSTANCES_MAX, 240, ROWS)];
+static struct zs_renderer renderer;
+static struct demo_frame frame;
+
+static void put_number(uint64_t v)
+{
+    char room[NUMBER_CHARS];
+    hal_write(",");
+    hal_write(number_text(room, v));
+}
+
+static int drop(void *ctx, const struct zs_strip *strip)
+{
+    (void)ctx;
+    (void)strip;
+    return 0;
+}
+
+/* Draw; add instructions, and the strips that were drawn, to the line. */
+static int draw(uint64_t *instructions)
+{
+    const struct zs_sink sink = { drop, 0, 0 };
+    const uint64_t start = hal_ticks();
+    const int err = zs_render(&renderer, &frame.scene, &frame.camera, &sink);
+    const struct zs_stats *stats = zs_frame_stats(&renderer);
+    *instructions = (hal_ticks() - start) * hal_tick_instructions();
+    put_number(*instructions);
+    put_number(stats->strips - stats->strips_skipped);
+    return err;
+}
+
+static int measure(const struct demo *d)
+{
+    struct zs_config c = { d->width, d->height, ROWS, 0, 0, (uint8_t)d->attrs, 1, 8, 16, 0, d->depth };
+    uint64_t full, first, still, moved;
+    uint32_t tris = 256, verts = 256;
+    d->pose(&frame, 0, d->width, d->height);
+    for (uint32_t i = 0; i < frame.scene.n_instances; i++) {
+        tris += frame.scene.instance[i].mesh->n_tris;
+        verts += frame.scene.instance[i].mesh->n_verts;
+    }
+    c.max_tris = (uint16_t)(tris < ZS_POOL_MAX ? tris : ZS_POOL_MAX);
+    c.max_verts = (uint16_t)(verts < ZS_POOL_MAX ? verts : ZS_POOL_MAX);
+    hal_write(d->name);
+    int err = zs_init(&renderer, &c, arena, sizeof arena);
+    err = err ? err : draw(&full);
+    err = err ? err : zs_track(&renderer, memory, DEMO_INSTANCES_MAX);
+    err = err ? err : draw(&first);
+    err = err ? err : draw(&still);
+    frame.instance[frame.scene.n_instances - 1u].pose.pos[0] += 200;
+    err = err ? err : draw(&moved);
+    if (err) {
+        hal_write(",# ");
+        hal_write(zs_strerror(err));
+    }
+    hal_write("\n");
+    if (!err && still * STILL_MAX <= full)
+        return 0;
+    hal_write("# FAILED, the line above: a still frame takes more than a fiftieth of a full one\n");
+    return 1;
+}
+
+int main(void)
+{
+    static const struct demo *const scenes[] = { &demo_teapot, &demo_cubes, &demo_city, &demo_globe, &demo_mesh,
+                                                 &demo_layers_ftb };
+    int failed = 0;
+    if (hal_init())
+        hal_exit(1);
+    hal_write("scene,full,strips,first,strips,still,strips,moved,strips\n");
+    for (uint32_t i = 0; i < sizeof scenes / sizeof scenes[0]; i++)
+        failed += measure(scenes[i]);
+    hal_exit(failed != 0);
+}
