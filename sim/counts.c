@@ -39,6 +39,7 @@ static int tap_setup(struct zs_view *view, const struct zs_camera *camera, uint3
     tap->r = r;
     tap->linear = view->screen_linear;
     view->screen_linear = 0;
+    view->piece_shift = 0; /* nor the way of small triangles, which asks no mapping */
     return err;
 }
 
@@ -97,6 +98,7 @@ static void tap_rows(struct zs_job *job)
     else
         tap->of->rows(job);
     r->view.screen_linear = 0;
+    job->shader = copy.shader; /* the next triangle's too */
     tap->broken |= count(tap, &copy) != r->stats.pixels_tested - tested;
 }
 
