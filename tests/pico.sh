@@ -16,20 +16,7 @@ SCENES=${PICO_SCENES:-'teapot china cubes knot flyover city hall globe'}
 FRAMES=4
 STEP=13    # frames of the animation between two that are drawn
 GAP=30     # ns between words, as measured on real chips in SPI mode 0
-failed=0
-mkdir -p "$out"
-
-ok() { echo "ok $*"; }
-bad() { # NAME REASON
-    echo "FAILED $1: $2"
-    failed=1
-}
-verdict() { # NAME REASON-OR-NOTHING
-    if [ -z "$2" ]; then ok "$1"; else bad "$1" "$2"; fi
-}
-field() { # FILE NAME
-    sed -n "s/^$2 //p" "$1"
-}
+. tests/boards/common.sh
 
 # ---- Set-up --------------------------------------------------------------------------------------------------
 
@@ -45,13 +32,6 @@ set_up() {
         }
     fi
     cp tests/pico/*.mjs tests/boards/elf.mjs "$out/"
-}
-
-image() { # MAKE-ARGUMENTS...
-    make -s -j2 -f firmware/boards/firmware.mk BOARD=pico B="$build" "$@" image >"$out/make.log" 2>&1 && return
-    cat "$out/make.log"
-    bad "pico_builds $*" "see above"
-    exit 1
 }
 
 # Run SCENE twice, side by side: without gaps, recorded, and with them.
@@ -71,12 +51,6 @@ decode() { # STEM
         --raw "$1_%d.bin" >"$1.panel.txt" 2>&1 ||
         echo "the panel would not have understood it: $(tail -1 "$1.panel.txt")"
 }
-# In strips of another height, from other pools than the board's
-truth() { # SCENE
-    rm -f "$out/truth/$1"_*
-    "$build/zsim" demo --scene "$1" --size 240x240 --strip 17 --frames $FRAMES --step $STEP --raw --out "$out/truth" \
-        >"$out/truth.txt" 2>&1 || echo "the host does not draw it: $(tail -1 "$out/truth.txt")"
-}
 truth_of() { # SCENE NUMBER    its k-th picture, named for the frame of the animation
     printf '%s/truth/%s_%03d.bin' "$out" "$1" $(($2 * STEP))
 }
@@ -91,7 +65,9 @@ same() { # STEM SCENE NUMBERS...
 
 scene_tests() { # SCENE
     decode "$out/$1" >"$out/$1.bad"
-    truth "$1" >>"$out/$1.bad"
+    rm -f "$out/truth/$1"_*
+    # in strips of another height, from other pools than the board's
+    truth "$out/truth" "$1" $FRAMES $STEP --size 240x240 --strip 17
     same "$out/$1" "$1" $(seq 0 $((FRAMES - 1))) >>"$out/$1.bad"
     [ "$(field "$out/$1.txt" frames)" = $FRAMES ] || echo "not $FRAMES pictures" >>"$out/$1.bad"
     field "$out/$1.txt" problem >>"$out/$1.bad"
@@ -141,7 +117,7 @@ parts() {
         arm-none-eabi-ar p "$libgcc" $member >"$twin/$member" &&
             arm-none-eabi-objcopy --prefix-symbols=libgcc_ "$twin/$member" || bad pico_twin "no $member in libgcc"
     done
-    image NAME=parts APP_SRC=tests/pico/parts.c EXTRA="$twin/_udivsi3.o $twin/_divsi3.o"
+    image pico NAME=parts APP_SRC=tests/pico/parts.c EXTRA="$twin/_udivsi3.o $twin/_divsi3.o"
     node "$out/parts.mjs" "$fw/parts" >"$out/parts.txt" 2>&1 || bad pico_parts "$(grep -m1 Error "$out/parts.txt")"
     grep -E '^(ok|FAILED) ' "$out/parts.txt"
     grep -q '^FAILED ' "$out/parts.txt" && failed=1
@@ -181,23 +157,23 @@ wakes_up() {
 # Leaves my_scene's.
 as_asked() {
     : >"$out/asked.bad"
-    image APP=show SCENE=mine
+    image pico APP=show SCENE=mine
     cp "$fw/my_scene.uf2" "$out/mine.uf2"
     sed 's/^#define FRAMES 90u/#define FRAMES 91u/' firmware/app/my_scene.c >"$out/my_scene.c"
-    image APP=show APP_SCENE="$out/my_scene.c"
+    image pico APP=show APP_SCENE="$out/my_scene.c"
     cmp -s "$fw/my_scene.uf2" "$out/mine.uf2" && echo "another file of the same name is not built" >>"$out/asked.bad"
-    image APP=show SCENE=mine
+    image pico APP=show SCENE=mine
     cmp -s "$fw/my_scene.uf2" "$out/mine.uf2" || echo "not my_scene.c's after another's" >>"$out/asked.bad"
-    image APP=show SCENE=mine DEFINES=-DPIN_RESET=14
+    image pico APP=show SCENE=mine DEFINES=-DPIN_RESET=14
     cmp -s "$fw/my_scene.uf2" "$out/mine.uf2" && echo "DEFINES change nothing" >>"$out/asked.bad"
-    image APP=show SCENE=mine
+    image pico APP=show SCENE=mine
     cmp -s "$fw/my_scene.uf2" "$out/mine.uf2" || echo "DEFINES stay" >>"$out/asked.bad"
     verdict pico_image_is_as_asked "$(tr '\n' ' ' <"$out/asked.bad")"
 }
 
 # Glass that is not square, turned: all of the picture arrives, background in its corners and something in its middle.
 turned() {
-    image APP=show SCENE=mine DEFINES='-DSHOW_WIDTH=240 -DSHOW_HEIGHT=135 -DSHOW_ROTATE=1'
+    image pico APP=show SCENE=mine DEFINES='-DSHOW_WIDTH=240 -DSHOW_HEIGHT=135 -DSHOW_ROTATE=1'
     rm -f "$out/turned_0.bin"
     : >"$out/turned.bad"
     node "$out/run.mjs" "$fw/my_scene" --frames 1 --stream "$out/turned.stream" >"$out/turned.txt" 2>&1
@@ -228,7 +204,7 @@ set_up
 [ "$only" = set-up ] && exit 0
 if [ "$only" = profile ]; then
     for scene in $SCENES; do
-        image APP=show SCENE="$scene"
+        image pico APP=show SCENE="$scene"
         echo "$scene: cycles of drawing a frame by function, callees not counted (emulated RP2040)"
         node "$out/run.mjs" "$fw/$scene" --frames $FRAMES --step $STEP --profile 40 >"$out/profile.txt" || exit 1
         sed -n 's/^function //p' "$out/profile.txt" | awk '{ printf "%10d  %s\n", $2, $1 }'
@@ -236,7 +212,7 @@ if [ "$only" = profile ]; then
     exit 0
 fi
 for scene in $SCENES; do
-    image APP=show SCENE="$scene"
+    image pico APP=show SCENE="$scene"
     run_scene "$scene"
 done
 if [ -z "$only" ]; then
