@@ -38,7 +38,7 @@ static inline void draw(struct zs_job *job, uint32_t key, int32_t gx, int32_t gy
         const int32_t i0 = zs_max32(cut->x0, least), m = zs_min32(cut->x1, most) - i0;
         if (m > 0) {
             tested += (uint32_t)m;
-            written += zs_solid_pixels(depth + at + i0, beside, m, key + zs_wrap_mul((uint32_t)gx, i0), (uint32_t)gx,
+            written += zs_solid_pixels(depth + (at + i0), beside, m, key + zs_wrap_mul((uint32_t)gx, i0), (uint32_t)gx,
                                        paint, 0, 0);
         }
         at += width;
