@@ -1,7 +1,7 @@
 /* The whole contract with hardware. One implementation is linked into a binary: hal/null (what a porter copies),
  * hal/host (a program on a PC), hal/linux (a panel on spidev), hal/rp2040 (Raspberry Pi Pico), hal/nrf51 (micro:bit),
  * hal/lm3s6965, hal/stm32f4, and for cores in QEMU without a panel hal/mps2 (Cortex-M) and hal/rv32. They are peers;
- * hal/cortexm and hal/stack hold what several of them share.
+ * hal/spi, hal/cortexm and hal/stack hold what several of them share.
  *
  * This header knows nothing of the renderer: it moves text, ticks and a panel's bytes. A bus (struct hal_bus)
  * is a value, so that wrappers are peers too: hal/fault makes another bus fail, the simulator's ends in a
@@ -61,7 +61,8 @@ struct hal_bus {
     int (*data)(struct hal_bus *bus, const uint8_t *bytes, uint32_t n);
 
     /* Wait until the data is out, the last bit included. Nothing is out: HAL_OK at once.
-     * Blocks  for the rest of the transfer, at most a small multiple of its time.
+     * Blocks  for the rest of the transfer, at most a small multiple of its time. Interrupts are on afterwards: where one
+     *         ends the transfer, it could not end with them off.
      * Return  HAL_OK, or why the transfer failed. In both cases nothing is out any more and the bytes are the
      *         caller's. */
     int (*wait)(struct hal_bus *bus);

@@ -61,7 +61,7 @@ OBJ = $(patsubst %,$(OUT)/%.o,$(basename $(SRC))) $(patsubst %.c,$(OUT)/of-$(NAM
 CFLAGS = -std=c11 $(BOARD_CPU) $(OPT) -g -ffunction-sections -fdata-sections -MMD -MP \
          -Wall -Wextra -Werror -Wconversion -Wshadow -Wvla -Wstrict-prototypes -Wmissing-prototypes \
          -Wno-missing-field-initializers \
-         -Ihal -Ihal/null -Ihal/cortexm -Ihal/panel -Ifirmware/app -Ifirmware/zstrip -Ifirmware/scenes -I$(B)/gen \
+         -Ihal -Ihal/null -Ihal/cortexm -Ihal/spi -Ihal/panel -Ifirmware/app -Ifirmware/zstrip -Ifirmware/scenes -I$(B)/gen \
          $(BOARD_FLAGS) $(foreach d,$(DEFINES),-U$(firstword $(subst =, ,$(d:-D%=%))) $d)
 
 # Notes of what was built last, written anew where that changes: objects and images are as old as these

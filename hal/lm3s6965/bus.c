@@ -1,4 +1,4 @@
-/* LM3S6965: the panel's bus. SSI0 carries it. Pixels leave by its interrupt, four bytes (9 us) at a time, while the
+/* LM3S6965: the panel's wire (spi_bus.h). SSI0 carries it. Pixels leave by its interrupt, four bytes (9 us) at a time, while the
  * program goes on: some 85 instructions each. Commands are polled. The part has no DMA.
  *
  * A transfer ends in the interrupt that finds nothing left to send, which sees the last bytes leave (five of them,
@@ -22,8 +22,7 @@
 #include "parts.h"
 #include "pins.h"
 #include "regs.h"
-
-#include <stddef.h>
+#include "spi_bus.h"
 
 #define TICKS_A_US (CLOCK_HZ / 1000000u)
 #define SPINS 20000u /* of some eight cycles: three milliseconds, for what takes microseconds */
@@ -32,13 +31,7 @@ _Static_assert(SPI_DIVIDER >= 2 && SPI_DIVIDER <= 254 && SPI_DIVIDER % 2 == 0, "
 
 void SSI0_Handler(void);
 
-static struct hal_bus the_bus;
-
-static uint8_t ready;             /* lm3s6965_bus_start was called */
-static uint8_t begun;             /* from data until wait */
-static uint64_t deadline;         /* of that, in ticks */
-static volatile uint8_t running;  /* from data until the transfer has ended */
-static volatile int16_t outcome;  /* enum hal_err, of the transfer that has ended */
+static uint64_t deadline; /* of the transfer, in ticks */
 static const uint8_t *volatile next; /* to be sent, and how many */
 static volatile uint32_t left;
 
@@ -83,7 +76,7 @@ static int drain(void)
     return HAL_ERR_TIMEOUT;
 }
 
-static int send_polled(const uint8_t *bytes, uint32_t n)
+static int put_all(const uint8_t *bytes, uint32_t n)
 {
     for (uint32_t i = 0; i < n; i++) {
         uint32_t spins = SPINS;
@@ -95,12 +88,21 @@ static int send_polled(const uint8_t *bytes, uint32_t n)
     return drain();
 }
 
-static void select_panel(void)
+int spi_wire_send(const uint8_t *bytes, uint32_t n, int is_data)
+{
+    set(PIN_DC, is_data);
+    const int err = put_all(bytes, n);
+    if (err)
+        spi_start();
+    return err;
+}
+
+void spi_wire_select(void)
 {
     set(PIN_CS, 0);
 }
 
-static void release_panel(void)
+void spi_wire_release(void)
 {
     set(PIN_CS, 1);
     set(PIN_DC, 1);
@@ -113,18 +115,14 @@ static void end(int err)
     SSI0_IM = 0;
     if (err)
         spi_start();
-    release_panel();
-    outcome = (int16_t)err;
-    running = 0;
-    if (the_bus.hooks.done)
-        the_bus.hooks.done(the_bus.hooks.ctx);
+    spi_bus_end(err);
 }
 
 void SSI0_Handler(void)
 {
     const uint8_t *at = next;
     uint32_t n = left;
-    if (!running) /* wait ended it while this interrupt was pending */
+    if (!spi_bus_running()) /* wait ended it while this interrupt was pending */
         return;
     if (!n) {
         end(drain());
@@ -140,84 +138,41 @@ __attribute__((section(".device_vectors"), used)) static void (*const vectors[IR
     [IRQ_SSI0] = SSI0_Handler
 };
 
-static void give_up(void)
-{
-    __asm__ volatile("cpsid i" ::: "memory");
-    if (running)
-        end(HAL_ERR_TIMEOUT);
-    __asm__ volatile("cpsie i" ::: "memory");
-}
+/* ---- The wire ------------------------------------------------------------------------------------------------- */
 
-/* ---- The bus ------------------------------------------------------------------------------------------------- */
-
-static int command(struct hal_bus *bus, uint8_t code, const uint8_t *args, uint32_t n)
+int spi_wire_begin(const uint8_t *bytes, uint32_t n)
 {
-    (void)bus;
-    if (n && !args)
-        return HAL_ERR_ARG;
-    if (!ready || begun)
-        return HAL_ERR_STATE;
-    set(PIN_DC, 0);
-    select_panel();
-    int err = send_polled(&code, 1);
-    if (!err && n) {
-        set(PIN_DC, 1);
-        err = send_polled(args, n);
-    }
-    if (err)
-        spi_start();
-    release_panel();
-    return err;
-}
-
-static int data(struct hal_bus *bus, const uint8_t *bytes, uint32_t n)
-{
-    (void)bus;
-    if (!bytes || !n)
-        return HAL_ERR_ARG;
-    if (!ready || begun)
-        return HAL_ERR_STATE;
     deadline = hal_ticks() + 1000u * TICKS_A_US + 16u * SPI_DIVIDER * (uint64_t)n;
     next = bytes;
     left = n;
-    begun = running = 1;
-    select_panel();
+    spi_wire_select();
     SSI0_IM = SSI_TXIM; /* the FIFO is empty: the interrupt comes at once */
     return HAL_OK;
 }
 
 /* The interrupts that send come every 9 us: there is nothing to gain by sleeping. */
-static int wait(struct hal_bus *bus)
+void spi_wire_sleep(const volatile uint8_t *running)
 {
-    if (!begun)
-        return HAL_OK;
-    while (running) {
-        if (hal_ticks() > deadline)
-            give_up();
-        else if (bus->hooks.idle)
-            bus->hooks.idle(bus->hooks.ctx);
-    }
-    begun = 0;
-    return outcome;
+    (void)running;
 }
 
-static int reset(struct hal_bus *bus)
+void spi_wire_overdue(void)
 {
-    (void)bus;
-    return !ready || begun ? HAL_ERR_STATE : HAL_OK;
+    if (hal_ticks() <= deadline)
+        return;
+    __asm__ volatile("cpsid i" ::: "memory");
+    if (spi_bus_running())
+        end(HAL_ERR_TIMEOUT);
+    __asm__ volatile("cpsie i" ::: "memory");
 }
 
-static void delay(struct hal_bus *bus, uint32_t us)
+void spi_wire_reset(void)
 {
-    (void)bus;
+}
+
+void spi_wire_pause_us(uint32_t us)
+{
     cortexm_pause_us(us);
-}
-
-static struct hal_bus the_bus = { command, data, wait, reset, delay, { 0 } };
-
-struct hal_bus *hal_bus(void)
-{
-    return &the_bus;
 }
 
 void lm3s6965_bus_start(void)
@@ -231,5 +186,5 @@ void lm3s6965_bus_start(void)
     spi_start();
     NVIC_ICPR = 1u << IRQ_SSI0;
     NVIC_ISER = 1u << IRQ_SSI0;
-    ready = 1;
+    spi_bus_start();
 }

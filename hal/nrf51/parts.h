@@ -19,15 +19,9 @@ void nrf51_uart_start(void);
 /* Send a word of a stream that `zsim panel --decode` reads, low byte first. HAL_OK; HAL_ERR_TIMEOUT. */
 int nrf51_uart_word(uint32_t word);
 
-/* ---- The panel's wire: spi.c, or words.c with PANEL_ON_UART ------------------------------------------------- */
+/* ---- The panel's wire (spi_bus.h): spi.c, or words.c with PANEL_ON_UART------------------------------------------- */
 
 void nrf51_wire_start(void);
-void nrf51_wire_select(void);
-/* Send n bytes and wait until they are out. HAL_OK; HAL_ERR_TIMEOUT: what was left in the peripheral is gone. */
-int nrf51_wire_send(const uint8_t *bytes, uint32_t n, int is_data);
-void nrf51_wire_release(void);
-/* RESET low, and high again. */
-void nrf51_wire_reset(int pulled);
 
 /* ---- bus.c ------------------------------------------------------------------------------------------------- */
 

@@ -14,9 +14,11 @@
 #include "parts.h"
 #include "pins.h"
 #include "regs.h"
+#include "spi_bus.h"
 
 #if !PANEL_ON_UART
 
+#define RESET_US 10000u
 #define BIT(pin) (1u << (pin))
 #define SPINS 2000u /* of some eight cycles: a millisecond for a byte, which takes eight microseconds at 1 MHz */
 
@@ -51,12 +53,12 @@ void nrf51_wire_start(void)
     restart();
 }
 
-void nrf51_wire_select(void)
+void spi_wire_select(void)
 {
     GPIO_OUTCLR = BIT(PIN_CS);
 }
 
-void nrf51_wire_release(void)
+void spi_wire_release(void)
 {
     GPIO_OUTSET = BIT(PIN_CS);
 }
@@ -70,7 +72,7 @@ static int wait_for_ready(void)
     return HAL_ERR_TIMEOUT;
 }
 
-int nrf51_wire_send(const uint8_t *bytes, uint32_t n, int is_data)
+int spi_wire_send(const uint8_t *bytes, uint32_t n, int is_data)
 {
     if (is_data)
         GPIO_OUTSET = BIT(PIN_DC);
@@ -88,12 +90,11 @@ int nrf51_wire_send(const uint8_t *bytes, uint32_t n, int is_data)
     return HAL_OK;
 }
 
-void nrf51_wire_reset(int pulled)
+void spi_wire_reset(void)
 {
-    if (pulled)
-        GPIO_OUTCLR = BIT(PIN_RESET);
-    else
-        GPIO_OUTSET = BIT(PIN_RESET);
+    GPIO_OUTCLR = BIT(PIN_RESET);
+    nrf51_pause_us(RESET_US);
+    GPIO_OUTSET = BIT(PIN_RESET);
 }
 
 #endif

@@ -6,9 +6,11 @@
 #include "hal.h"
 #include "parts.h"
 #include "pins.h"
+#include "spi_bus.h"
 
 #if PANEL_ON_UART
 
+#define RESET_US 10000u
 #define DATA 0x100u     /* D/C is high */
 #define RESET 0x200u    /* RESET was pulled */
 #define DESELECT 0x800u /* CS went high */
@@ -17,16 +19,16 @@ void nrf51_wire_start(void)
 {
 }
 
-void nrf51_wire_select(void)
+void spi_wire_select(void)
 {
 }
 
-void nrf51_wire_release(void)
+void spi_wire_release(void)
 {
     (void)nrf51_uart_word(DESELECT);
 }
 
-int nrf51_wire_send(const uint8_t *bytes, uint32_t n, int is_data)
+int spi_wire_send(const uint8_t *bytes, uint32_t n, int is_data)
 {
     int err = HAL_OK;
     for (uint32_t i = 0; !err && i < n; i++)
@@ -34,10 +36,10 @@ int nrf51_wire_send(const uint8_t *bytes, uint32_t n, int is_data)
     return err;
 }
 
-void nrf51_wire_reset(int pulled)
+void spi_wire_reset(void)
 {
-    if (pulled)
-        (void)nrf51_uart_word(RESET);
+    (void)nrf51_uart_word(RESET);
+    nrf51_pause_us(RESET_US);
 }
 
 #endif

@@ -1,4 +1,4 @@
-/* RP2040: the panel's bus. SPI0 carries it; pixels go by DMA, which ends in an interrupt; commands are polled.
+/* RP2040: the panel's wire (spi_bus.h). SPI0 carries it; pixels go by DMA, which ends in an interrupt; commands are polled.
  *
  * A transfer ends in one of two interrupts, of equal priority, so that neither comes between the other's lines: the
  * DMA's, which then sees the last words leave the FIFO (nine of them, 2.3 us at 62.5 MHz), or the timer's, when twice
@@ -18,13 +18,14 @@
 #include "parts.h"
 #include "pins.h"
 #include "regs.h"
+#include "spi_bus.h"
 
 #define BIT(pin) (1u << (pin))
 #define CHANNEL_BIT (1u << CHANNEL_PANEL)
 #define CHANNEL_ERRORS (DMA_READ_ERROR | DMA_WRITE_ERROR)
 #define CHANNEL_CTRL (DMA_EN | DMA_INCR_READ | DMA_CHAIN_TO(CHANNEL_PANEL) | DMA_TREQ(DREQ_SPI0_TX))
 
-#define RESET_US 10000u /* controllers want 10 us; modules may have a capacitor on the line */
+#define RESET_US 10000u
 #define SPINS 20000u /* of some eight cycles: a millisecond, for what takes microseconds */
 
 _Static_assert(SPI_DIVIDER >= 2 && SPI_DIVIDER <= 254 && SPI_DIVIDER % 2 == 0, "SPI_DIVIDER: even, 2 to 254");
@@ -32,13 +33,6 @@ _Static_assert(SPI_MODE == 0 || SPI_MODE == 3, "SPI_MODE: 0 or 3");
 
 void DMA_0_Handler(void);
 void TIMER_0_Handler(void);
-
-static struct hal_bus the_bus;
-
-static uint8_t ready;             /* rp2040_bus_start was called */
-static uint8_t begun;             /* from data until wait */
-static volatile uint8_t running;  /* from data until an interrupt ends it */
-static volatile int16_t outcome;  /* enum hal_err, of the transfer that has ended */
 
 /* ---- SPI0 ---------------------------------------------------------------------------------------------- */
 
@@ -67,7 +61,7 @@ static int drain(void)
     return HAL_ERR_TIMEOUT;
 }
 
-static int send_polled(const uint8_t *bytes, uint32_t n)
+static int put_all(const uint8_t *bytes, uint32_t n)
 {
     for (uint32_t i = 0; i < n; i++) {
         uint32_t spins = SPINS;
@@ -79,43 +73,52 @@ static int send_polled(const uint8_t *bytes, uint32_t n)
     return drain();
 }
 
-static void select_panel(void)
+int spi_wire_send(const uint8_t *bytes, uint32_t n, int is_data)
 {
+    if (is_data)
+        SIO_GPIO_OUT_SET = BIT(PIN_DC);
+    else
+        SIO_GPIO_OUT_CLR = BIT(PIN_DC);
+    const int err = put_all(bytes, n);
+    if (err)
+        spi_start();
+    return err;
+}
+
+static void select_panel(uint32_t bits)
+{
+    set_bits(bits);
     SIO_GPIO_OUT_CLR = BIT(PIN_CS);
 }
 
-static void release_panel(void)
+void spi_wire_select(void)
+{
+    select_panel(8);
+}
+
+void spi_wire_release(void)
 {
     SIO_GPIO_OUT_SET = BIT(PIN_CS) | BIT(PIN_DC);
 }
 
 /* ---- The end of a transfer ----------------------------------------------------------------------------------- */
 
-/* Let the done hook divide: an interrupt may have come between a division's operands and its result. Datasheet,
+/* The hook `done` may divide: an interrupt may have come between a division's operands and its result. Datasheet,
  * 2.3.1.5: results are written last, quotient after remainder. */
-static void call_done(void)
-{
-    while (!(SIO_DIV_CSR & SIO_DIV_READY)) {
-    }
-    const uint32_t dividend = SIO_DIV_UDIVIDEND, divisor = SIO_DIV_UDIVISOR;
-    const uint32_t remainder = SIO_DIV_REMAINDER, quotient = SIO_DIV_QUOTIENT;
-    the_bus.hooks.done(the_bus.hooks.ctx);
-    SIO_DIV_UDIVIDEND = dividend;
-    SIO_DIV_UDIVISOR = divisor;
-    SIO_DIV_REMAINDER = remainder;
-    SIO_DIV_QUOTIENT = quotient;
-}
-
 static void end(int err)
 {
     TIMER_ARMED = 1; /* disarms alarm 0 */
     if (err)
         spi_start();
-    release_panel();
-    outcome = (int16_t)err;
-    running = 0;
-    if (the_bus.hooks.done)
-        call_done();
+    while (!(SIO_DIV_CSR & SIO_DIV_READY)) {
+    }
+    const uint32_t dividend = SIO_DIV_UDIVIDEND, divisor = SIO_DIV_UDIVISOR;
+    const uint32_t remainder = SIO_DIV_REMAINDER, quotient = SIO_DIV_QUOTIENT;
+    spi_bus_end(err);
+    SIO_DIV_UDIVIDEND = dividend;
+    SIO_DIV_UDIVISOR = divisor;
+    SIO_DIV_REMAINDER = remainder;
+    SIO_DIV_QUOTIENT = quotient;
 }
 
 /* Errata RP2040-E13: an abort can raise the channel's interrupt, so that is masked meanwhile and cleared. */
@@ -132,7 +135,7 @@ static void abort_channel(void)
 void DMA_0_Handler(void)
 {
     DMA_INTS0 = CHANNEL_BIT;
-    if (!running) /* the timer ended it while this interrupt was pending */
+    if (!spi_bus_running()) /* the timer ended it while this interrupt was pending */
         return;
     if (DMA_CTRL(CHANNEL_PANEL) & CHANNEL_ERRORS) { /* 2.5.7: the channel has stopped there */
         DMA_CTRL(CHANNEL_PANEL) = CHANNEL_ERRORS;   /* cleared by writing ones; the channel is off */
@@ -145,34 +148,13 @@ void DMA_0_Handler(void)
 void TIMER_0_Handler(void)
 {
     TIMER_INTR = 1;
-    if (!running || DMA_INTS0 & CHANNEL_BIT) /* ended, or about to be: both came while interrupts were off */
+    if (!spi_bus_running() || DMA_INTS0 & CHANNEL_BIT) /* ended, or about to be: both came while interrupts were off */
         return;
     abort_channel();
     end(HAL_ERR_TIMEOUT);
 }
 
-/* ---- The bus --------------------------------------------------------------------------------------------------- */
-
-static int command(struct hal_bus *bus, uint8_t code, const uint8_t *args, uint32_t n)
-{
-    (void)bus;
-    if (n && !args)
-        return HAL_ERR_ARG;
-    if (!ready || begun)
-        return HAL_ERR_STATE;
-    set_bits(8);
-    SIO_GPIO_OUT_CLR = BIT(PIN_DC);
-    select_panel();
-    int err = send_polled(&code, 1);
-    if (!err && n) {
-        SIO_GPIO_OUT_SET = BIT(PIN_DC);
-        err = send_polled(args, n);
-    }
-    if (err)
-        spi_start();
-    release_panel();
-    return err;
-}
+/* ---- The wire ------------------------------------------------------------------------------------------------- */
 
 /* Twice the time of n bytes on the wire and a millisecond. */
 static uint32_t deadline_us(uint32_t n)
@@ -180,18 +162,11 @@ static uint32_t deadline_us(uint32_t n)
     return 1000u + (uint32_t)((uint64_t)n * (16u * SPI_DIVIDER) / (CLOCK_HZ / 1000000u));
 }
 
-static int data(struct hal_bus *bus, const uint8_t *bytes, uint32_t n)
+int spi_wire_begin(const uint8_t *bytes, uint32_t n)
 {
-    (void)bus;
-    if (!bytes || !n)
-        return HAL_ERR_ARG;
-    if (!ready || begun)
-        return HAL_ERR_STATE;
     /* words of 16 bits travel with the fewest gaps; their bytes are swapped, as SPI sends the high one first */
     const int words = !((n | (uintptr_t)bytes) & 1u);
-    set_bits(words ? 16 : 8);
-    select_panel();
-    begun = running = 1;
+    select_panel(words ? 16 : 8);
     DMA_READ_ADDR(CHANNEL_PANEL) = (uint32_t)(uintptr_t)bytes;
     DMA_WRITE_ADDR(CHANNEL_PANEL) = (uint32_t)(uintptr_t)&SPI0_DR;
     DMA_TRANS_COUNT(CHANNEL_PANEL) = words ? n / 2u : n;
@@ -200,43 +175,25 @@ static int data(struct hal_bus *bus, const uint8_t *bytes, uint32_t n)
     return HAL_OK;
 }
 
-static int wait(struct hal_bus *bus)
+void spi_wire_sleep(const volatile uint8_t *running)
 {
-    if (!begun)
-        return HAL_OK;
-    while (running) {
-        if (bus->hooks.idle)
-            bus->hooks.idle(bus->hooks.ctx);
-        else
-            cortexm_sleep_while(&running);
-    }
-    begun = 0;
-    return outcome;
+    cortexm_sleep_while(running);
 }
 
-static int reset(struct hal_bus *bus)
+void spi_wire_overdue(void)
 {
-    (void)bus;
-    if (!ready || begun)
-        return HAL_ERR_STATE;
+}
+
+void spi_wire_reset(void)
+{
     SIO_GPIO_OUT_CLR = BIT(PIN_RESET);
     rp2040_pause_us(RESET_US);
     SIO_GPIO_OUT_SET = BIT(PIN_RESET);
-    return HAL_OK;
 }
 
-static void delay(struct hal_bus *bus, uint32_t us)
+void spi_wire_pause_us(uint32_t us)
 {
-    (void)bus;
-    if (ready)
-        rp2040_pause_us(us);
-}
-
-static struct hal_bus the_bus = { command, data, wait, reset, delay, { 0 } };
-
-struct hal_bus *hal_bus(void)
-{
-    return &the_bus;
+    rp2040_pause_us(us);
 }
 
 void rp2040_bus_start(void)
@@ -255,5 +212,5 @@ void rp2040_bus_start(void)
     DMA_INTE0 = CHANNEL_BIT;
     NVIC_ICPR = 1u << IRQ_DMA_0 | 1u << IRQ_TIMER_0;
     NVIC_ISER = 1u << IRQ_DMA_0 | 1u << IRQ_TIMER_0;
-    ready = 1;
+    spi_bus_start();
 }

@@ -1,4 +1,4 @@
-/* STM32F405: the panel's bus. SPI1 carries it; pixels go by DMA2, which ends in an interrupt; commands are polled.
+/* STM32F405: the panel's wire (spi_bus.h). SPI1 carries it; pixels go by DMA2, which ends in an interrupt; commands are polled.
  *
  * Frames of 8 bits, for pixels too: their more significant byte comes first in memory and on the wire; frames of 16
  * bits would swap the two, and this DMA has no swap. SPI1 sends without gaps if the DMA brings a byte in 32 cycles of
@@ -25,8 +25,9 @@
 #include "parts.h"
 #include "pins.h"
 #include "regs.h"
+#include "spi_bus.h"
 
-#define RESET_US 10000u /* controllers want 10 us; modules may have a capacitor on the line */
+#define RESET_US 10000u
 #define SPINS 20000u    /* of some eight cycles: a millisecond, for what takes microseconds */
 
 #define DIVIDER_BITS                                                                                        \
@@ -53,12 +54,6 @@ __attribute__((section(".device_vectors"), used)) static const handler device_ve
     [IRQ_TIM5] = TIM5_Handler, [IRQ_DMA2_STREAM3] = DMA2_Stream3_Handler
 };
 
-static struct hal_bus the_bus;
-
-static uint8_t ready;             /* stm32f4_bus_start was called */
-static uint8_t begun;             /* from data until wait */
-static volatile uint8_t running;  /* from data until an interrupt ends it */
-static volatile int16_t outcome;  /* enum hal_err, of the transfer that has ended */
 static const uint8_t *next;       /* what the DMA has not been given yet */
 static uint32_t left;             /* bytes of it */
 
@@ -86,7 +81,7 @@ static int drain(void)
     return becomes(SPI_ROOM, SPI_ROOM) && becomes(SPI_BUSY, 0) ? HAL_OK : HAL_ERR_TIMEOUT;
 }
 
-static int send_polled(const uint8_t *bytes, uint32_t n)
+static int put_all(const uint8_t *bytes, uint32_t n)
 {
     for (uint32_t i = 0; i < n; i++) {
         if (!becomes(SPI_ROOM, SPI_ROOM))
@@ -96,12 +91,21 @@ static int send_polled(const uint8_t *bytes, uint32_t n)
     return drain();
 }
 
-static void select_panel(void)
+int spi_wire_send(const uint8_t *bytes, uint32_t n, int is_data)
+{
+    stm32f4_pin_set(PIN_DC, is_data);
+    const int err = put_all(bytes, n);
+    if (err)
+        spi_start();
+    return err;
+}
+
+void spi_wire_select(void)
 {
     stm32f4_pin_set(PIN_CS, 0);
 }
 
-static void release_panel(void)
+void spi_wire_release(void)
 {
     stm32f4_pin_set(PIN_CS, 1);
     stm32f4_pin_set(PIN_DC, 1);
@@ -156,18 +160,14 @@ static void end(int err)
         stream_stop();
         spi_start();
     }
-    release_panel();
-    outcome = (int16_t)err;
-    running = 0;
-    if (the_bus.hooks.done)
-        the_bus.hooks.done(the_bus.hooks.ctx);
+    spi_bus_end(err);
 }
 
 void DMA2_Stream3_Handler(void)
 {
     const uint32_t flags = DMA_LISR;
     DMA_LIFCR = flags & DMA_S3_FLAGS;
-    if (!running) /* TIM5 ended it while this interrupt was pending */
+    if (!spi_bus_running()) /* TIM5 ended it while this interrupt was pending */
         return;
     if (flags & DMA_S3_ERROR) /* 10.3.18: the stream has stopped there */
         end(HAL_ERR_BUS);
@@ -181,7 +181,7 @@ void TIM5_Handler(void)
 {
     const uint32_t flags = DMA_LISR;
     TIM5_SR = 0;
-    if (!running || flags & DMA_S3_ERROR || (flags & DMA_S3_COMPLETE && !left)) /* ended, or about to be */
+    if (!spi_bus_running() || flags & DMA_S3_ERROR || (flags & DMA_S3_COMPLETE && !left)) /* ended, or about to be */
         return;
     end(HAL_ERR_TIMEOUT);
 }
@@ -192,31 +192,10 @@ static uint32_t deadline_us(uint32_t n)
     return 1000u + (uint32_t)((uint64_t)n * (16u * SPI_DIVIDER) / (stm32f4_clocks.apb2 / 1000000u));
 }
 
-/* ---- The bus --------------------------------------------------------------------------------------------------- */
-
-static int command(struct hal_bus *bus, uint8_t code, const uint8_t *args, uint32_t n)
-{
-    (void)bus;
-    if (n && !args)
-        return HAL_ERR_ARG;
-    if (!ready || begun)
-        return HAL_ERR_STATE;
-    stm32f4_pin_set(PIN_DC, 0);
-    select_panel();
-    int err = send_polled(&code, 1);
-    if (!err && n) {
-        stm32f4_pin_set(PIN_DC, 1);
-        err = send_polled(args, n);
-    }
-    if (err)
-        spi_start();
-    release_panel();
-    return err;
-}
+/* ---- The wire ------------------------------------------------------------------------------------------------- */
 
 static int begin_by_dma(const uint8_t *bytes, uint32_t n)
 {
-    begun = running = 1;
     next = bytes;
     left = n;
     deadline_set(deadline_us(n));
@@ -227,58 +206,35 @@ static int begin_by_dma(const uint8_t *bytes, uint32_t n)
 
 static int send_at_once(const uint8_t *bytes, uint32_t n)
 {
-    begun = 1;
-    end(send_polled(bytes, n));
+    spi_bus_end(spi_wire_send(bytes, n, 1));
     return HAL_OK;
 }
 
-static int data(struct hal_bus *bus, const uint8_t *bytes, uint32_t n)
+int spi_wire_begin(const uint8_t *bytes, uint32_t n)
 {
-    (void)bus;
-    if (!bytes || !n)
-        return HAL_ERR_ARG;
-    if (!ready || begun)
-        return HAL_ERR_STATE;
-    select_panel();
+    spi_wire_select();
     return SPI_DMA ? begin_by_dma(bytes, n) : send_at_once(bytes, n);
 }
 
-static int wait(struct hal_bus *bus)
+void spi_wire_sleep(const volatile uint8_t *running)
 {
-    if (!begun)
-        return HAL_OK;
-    while (running) {
-        if (bus->hooks.idle)
-            bus->hooks.idle(bus->hooks.ctx);
-        else
-            cortexm_sleep_while(&running);
-    }
-    begun = 0;
-    return outcome;
+    cortexm_sleep_while(running);
 }
 
-static int reset(struct hal_bus *bus)
+void spi_wire_overdue(void)
 {
-    (void)bus;
-    if (!ready || begun)
-        return HAL_ERR_STATE;
+}
+
+void spi_wire_reset(void)
+{
     stm32f4_pin_set(PIN_RESET, 0);
     cortexm_pause_us(RESET_US);
     stm32f4_pin_set(PIN_RESET, 1);
-    return HAL_OK;
 }
 
-static void delay(struct hal_bus *bus, uint32_t us)
+void spi_wire_pause_us(uint32_t us)
 {
-    (void)bus;
     cortexm_pause_us(us);
-}
-
-static struct hal_bus the_bus = { command, data, wait, reset, delay, { 0 } };
-
-struct hal_bus *hal_bus(void)
-{
-    return &the_bus;
 }
 
 void stm32f4_bus_start(void)
@@ -294,5 +250,5 @@ void stm32f4_bus_start(void)
     deadline_clear();
     NVIC_ISER(IRQ_TIM5) = NVIC_BIT(IRQ_TIM5);
     NVIC_ISER(IRQ_DMA2_STREAM3) = NVIC_BIT(IRQ_DMA2_STREAM3);
-    ready = 1;
+    spi_bus_start();
 }

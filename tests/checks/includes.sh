@@ -35,7 +35,7 @@ reach() {
     shift 2
     found= broken=
     for f in "$@"; do
-        deps=$(gcc -MM -Ifirmware/zstrip -Ifirmware/scenes -Ihal -Ihal/null -Ihal/cortexm -Ihal/panel -Isim -Isim/reference \
+        deps=$(gcc -MM -Ifirmware/zstrip -Ifirmware/scenes -Ihal -Ihal/null -Ihal/cortexm -Ihal/spi -Ihal/panel -Isim -Isim/reference \
             -Isim/panel_model "$f" 2>"$B/reach.txt") ||
             broken="$broken $f"
         found="$found
@@ -50,7 +50,7 @@ only "hal.h includes standard headers" "$STD" hal/*.h
 for dir in hal/*/; do # what is shared is null's bus and cortexm; only host and linux are hosted programs
     case $dir in hal/panel/) continue ;; hal/host/ | hal/linux/) std=$HOSTED ;; *) std=$STD ;; esac
     only "${dir%/} includes hal.h, its own and shared headers" \
-        "\"hal\\.h\"|$(headers "$dir" hal/null hal/cortexm)|$std" "$dir"*.[ch]
+        "\"hal\\.h\"|$(headers "$dir" hal/null hal/cortexm hal/spi)|$std" "$dir"*.[ch]
 done
 only "panels include hal.h and their own headers" "\"hal\\.h\"|$(headers hal/panel)|$STD" hal/panel/*.[ch]
 reach "hal reaches nothing of firmware" '^(firmware|sim|tests)' hal/*.h hal/*/*.c
