@@ -60,12 +60,6 @@ static int32_t strip_of(const struct zs_renderer *r, int32_t row)
     return (int32_t)((uint32_t)row * r->strip_mul >> r->strip_shift);
 }
 
-/* The first row that a triangle has samples in. */
-static int32_t first_row(const struct zs_vertex *a, const struct zs_vertex *b, const struct zs_vertex *c)
-{
-    return zs_max32(zs_first_sample(zs_min32(zs_min32(a->y, b->y), c->y)), 0);
-}
-
 static inline void bin_insert(struct zs_renderer *r, uint32_t t, int32_t row)
 {
     const int32_t s = zs_max32(strip_of(r, row), r->strip);
@@ -80,7 +74,7 @@ static ZS_RARE void tris_compact(struct zs_renderer *r)
     bins_clear(r);
     for (uint32_t t = 0; t < r->n_tris; t++) {
         const struct zs_tri tri = r->tri[t];
-        const int32_t y0 = first_row(&r->vert[tri.v[0]], &r->vert[tri.v[1]], &r->vert[tri.v[2]]);
+        const int32_t y0 = zs_max32(zs_first_sample(r->vert[tri.v[0]].y), 0);
         if (strip_of(r, y0) >= r->band_end)
             continue;
         r->tri[kept] = tri;
@@ -297,55 +291,76 @@ static inline int faces_away(int64_t area, uint32_t cull)
     return (cull == ZS_CULL_BACK && area > 0) || (cull == ZS_CULL_FRONT && area < 0);
 }
 
-/* The samples between the least and the most of three coordinates: [*from, *to). */
-static inline void samples(int32_t a, int32_t b, int32_t c, int32_t *from, int32_t *to)
-{
-    int32_t least = a, most = b;
-    if (a > b) {
-        least = b;
-        most = a;
-    }
-    if (c < least)
-        least = c;
-    else if (c > most)
-        most = c;
-    *from = zs_first_sample(least);
-    *to = zs_first_sample(most);
-}
+/* The places of a triangle's corners that turns clockwise, the first two twice: those from any corner on follow each other. */
+struct corners {
+    uint32_t slot[5];
+};
 
-/* Whether the box of a projected triangle holds a sample of the frame, and its rows. */
+/* Where a triangle lies: its rows [y0, y1), and which corner is the top one, of two the left one. */
+struct place {
+    int32_t y0, y1;
+    uint32_t top;
+};
+
+/* Whether the box of a projected triangle holds a sample of the frame. */
 static inline enum fate box_fate(struct zs_renderer *r, const struct zs_vertex *a, const struct zs_vertex *b,
-                                 const struct zs_vertex *c, int32_t *y0, int32_t *y1)
+                                 const struct zs_vertex *c, struct place *at)
 {
-    int32_t x0, x1;
-    samples(a->x, b->x, c->x, &x0, &x1);
-    if (x1 <= 0 || x0 >= r->config.width)
+    int32_t least = a->x, most = b->x, top = a->y, bottom = b->y;
+    at->top = 0;
+    if (bottom < top || (bottom == top && most < least)) {
+        top = bottom;
+        bottom = a->y;
+        at->top = 1;
+    }
+    if (c->y < top || (c->y == top && c->x < (at->top ? most : least))) {
+        top = c->y;
+        at->top = 2;
+    } else if (c->y > bottom) {
+        bottom = c->y;
+    }
+    if (most < least) {
+        least = most;
+        most = a->x;
+    }
+    if (c->x < least)
+        least = c->x;
+    else if (c->x > most)
+        most = c->x;
+    const int32_t x0 = zs_first_sample(least), x1 = zs_first_sample(most);
+    at->y0 = zs_first_sample(top);
+    at->y1 = zs_first_sample(bottom);
+    if (x1 <= 0 || x0 >= r->config.width || at->y1 <= 0 || at->y0 >= r->config.height)
         return FATE_OFFSCREEN;
-    samples(a->y, b->y, c->y, y0, y1);
-    if (*y1 <= 0 || *y0 >= r->config.height)
-        return FATE_OFFSCREEN;
-    if ((x0 >= x1 || *y0 >= *y1) && !(r->config.skip_off & ZS_SKIP_EMPTY))
+    if ((x0 >= x1 || at->y0 >= at->y1) && !(r->config.skip_off & ZS_SKIP_EMPTY))
         return FATE_EMPTY;
     if (x1 - x0 >= 2 << ZS_TILE_LOG2)
         r->large = !(r->config.skip_off & ZS_SKIP_HIDDEN);
     return FATE_DRAWN;
 }
 
-/* Rows [y0, y1), not all outside the frame. */
-static inline int in_band(const struct zs_renderer *r, int32_t y0, int32_t y1)
+/* The first strip of [r->strip, r->band_end) that a triangle of the frame has rows in, or ZS_NIL. */
+static inline uint32_t strip_in_band(const struct zs_renderer *r, const struct place *at)
 {
-    return y0 < r->band_end * r->config.strip_h && y1 > r->strip * r->config.strip_h;
+    uint32_t s = (uint32_t)strip_of(r, zs_max32(at->y0, 0));
+    if (s < r->strip)
+        s = at->y1 > r->strip * r->config.strip_h ? r->strip : ZS_NIL;
+    return s < r->band_end ? s : ZS_NIL;
 }
 
-static inline void bin_push(struct zs_renderer *r, const uint32_t slot[3], uint16_t paint, int32_t y0)
+static inline void bin_push(struct zs_renderer *r, const struct corners *at, uint32_t top, uint16_t paint, uint32_t strip)
 {
-    struct zs_tri *t = &r->tri[r->n_tris];
-    for (int k = 0; k < 3; k++)
-        t->v[k] = (uint16_t)slot[k];
+    const uint32_t n = r->n_tris;
+    struct zs_tri *t = &r->tri[n];
+    const uint32_t *slot = at->slot + top;
+    t->v[0] = (uint16_t)slot[0];
+    t->v[1] = (uint16_t)slot[1];
+    t->v[2] = (uint16_t)slot[2];
+    t->next = r->bin[strip];
     t->paint = paint;
     t->instance = (uint16_t)r->xform.number;
-    bin_insert(r, r->n_tris, zs_max32(y0, 0));
-    r->n_tris++;
+    r->bin[strip] = (uint16_t)n;
+    r->n_tris = n + 1u;
 }
 
 /* ---- Clipped triangles ----------------------------------------------------------------------------- */
@@ -428,20 +443,23 @@ static ZS_RARE void polygon_project(struct zs_renderer *r, struct polygon *p)
     }
 }
 
-static ZS_RARE void polygon_push(struct zs_renderer *r, const struct polygon *p, const int corner[3],
-                         uint16_t paint, int32_t y0)
+static ZS_RARE void polygon_push(struct zs_renderer *r, const struct polygon *p, const int corner[3], uint32_t top,
+                                 uint16_t paint, uint32_t strip)
 {
     if (r->n_tris == r->config.max_tris || r->n_verts + 3u > r->config.max_verts)
         make_room(r);
-    uint32_t slot[3];
+    struct corners at;
     for (int k = 0; k < 3; k++) {
-        slot[k] = r->n_verts++;
-        r->vert[slot[k]] = p->v[corner[k]];
-        r->vert_src[slot[k]] = NO_SOURCE;
+        const uint32_t slot = r->n_verts++;
+        at.slot[k] = slot;
+        r->vert[slot] = p->v[corner[k]];
+        r->vert_src[slot] = NO_SOURCE;
         for (uint32_t a = 0; a < r->xform.instance->material->shader->n_attrs; a++)
-            r->attr[slot[k] * r->config.attrs + a] = p->cv[corner[k]].attr[a];
+            r->attr[slot * r->config.attrs + a] = p->cv[corner[k]].attr[a];
     }
-    bin_push(r, slot, paint, y0);
+    at.slot[3] = at.slot[0];
+    at.slot[4] = at.slot[1];
+    bin_push(r, &at, top, paint, strip);
 }
 
 static ZS_RARE enum fate polygon_bin(struct zs_renderer *r, const struct polygon *p, uint32_t t, int sense)
@@ -457,20 +475,20 @@ static ZS_RARE enum fate polygon_bin(struct zs_renderer *r, const struct polygon
     const struct zs_shader *shader = material->shader;
     const uint16_t paint = shader->face ? shader->face(r, t) : 0u;
     for (int k = 1; k + 1 < p->n; k++) {
-        const int at[3] = { corner, (corner + k) % p->n, (corner + k + 1) % p->n };
+        const int turns = area < 0, at[3] = { corner, (corner + k + turns) % p->n, (corner + k + 1 - turns) % p->n };
         const struct zs_vertex *v[3] = { &p->v[at[0]], &p->v[at[1]], &p->v[at[2]] };
-        int32_t y0, y1;
-        const int64_t piece = signed_area(v[0], v[1], v[2]);
-        if (piece == 0 || (piece > 0) != (area > 0))
+        if (signed_area(v[0], v[1], v[2]) <= 0)
             continue;
-        const enum fate fate = box_fate(r, v[0], v[1], v[2], &y0, &y1);
+        struct place box;
+        const enum fate fate = box_fate(r, v[0], v[1], v[2], &box);
         if (fate != FATE_DRAWN) {
             all = all == FATE_DRAWN ? FATE_DRAWN : fate;
             continue;
         }
         all = FATE_DRAWN;
-        if (in_band(r, y0, y1))
-            polygon_push(r, p, at, paint, y0);
+        const uint32_t strip = strip_in_band(r, &box);
+        if (strip != ZS_NIL)
+            polygon_push(r, p, at, box.top, paint, strip);
     }
     return all;
 }
@@ -518,14 +536,14 @@ static ZS_RARE enum fate triangle_clip(struct zs_renderer *r, uint32_t t)
 /* ---- The walk -------------------------------------------------------------------------------------- */
 
 /* Triangles go through in batches: those that are turned away leave first. */
-#define BATCH 40
+#define BATCH 40 /* at most 64 */
 struct batch {
     const uint16_t (*tri)[3];     /* the batch's first */
     const struct zs_vertex *pool; /* direct: of vertex 0 */
     uint32_t n_verts;
     int32_t away;                 /* times the area: > 0 where the triangle is turned away and that matters */
     uint32_t *fate;               /* [FATES]: counts of those that were dropped */
-    uint8_t left[BATCH];          /* the others: 2 * number in the batch, 1 more where not looked at yet */
+    uint8_t left[BATCH];          /* the others: 4 * number in the batch, 1 more where counter-clockwise, 2 where not looked at */
 };
 
 static ZS_NOINLINE void dropped(struct batch *s, enum fate fate)
@@ -556,7 +574,7 @@ static ZS_NOINLINE uint32_t sieve(struct batch *s, uint32_t n)
     const uint16_t (*tri)[3] = s->tri;
     const uint32_t n_verts = s->n_verts;
     uint8_t *out = s->left;
-    for (uint32_t t = 0; t < 2u * n; t += 2u, tri++) {
+    for (uint32_t t = 0; t < 4u * n; t += 4u, tri++) {
         const uint32_t i = (*tri)[0], j = (*tri)[1], k = (*tri)[2];
         uint32_t wide = 1;
         int32_t area = 0;
@@ -564,11 +582,11 @@ static ZS_NOINLINE uint32_t sieve(struct batch *s, uint32_t n)
             area = zs_area_short(xy(pool + i), xy(pool + j), xy(pool + k), &wide);
         if (wide) {
             if (odd(s, *tri))
-                *out++ = (uint8_t)(t + 1u);
+                *out++ = (uint8_t)(t + 2u);
         } else if (area == 0) {
             dropped(s, FATE_ZERO);
         } else if (area * s->away <= 0) {
-            *out++ = (uint8_t)t;
+            *out++ = (uint8_t)(t + ((uint32_t)area >> 31));
         }
     }
     s->fate[FATE_FACING] += n - (uint32_t)(out - s->left);
@@ -579,7 +597,7 @@ static ZS_NOINLINE uint32_t sieve(struct batch *s, uint32_t n)
 static uint32_t sieve_none(struct batch *s, uint32_t n)
 {
     for (uint32_t t = 0; t < n; t++)
-        s->left[t] = (uint8_t)(2u * t + 1u);
+        s->left[t] = (uint8_t)(4u * t + 2u);
     return n;
 }
 
@@ -591,11 +609,19 @@ static enum fate cut(struct zs_renderer *r, uint32_t t, const struct zs_vertex *
     return all > ZS_D_OUT ? outside(all) : triangle_clip(r, t);
 }
 
+static inline void corners_set(struct corners *at, uint32_t i, uint32_t j, uint32_t k)
+{
+    at->slot[0] = at->slot[3] = i;
+    at->slot[1] = at->slot[4] = j;
+    at->slot[2] = k;
+}
+
 /* The places of a triangle's corners. Return FATE_OPEN where it faces the eye and is not cut. */
-static ZS_NOINLINE enum fate look(struct zs_renderer *r, uint32_t t, uint32_t slot[3])
+static ZS_NOINLINE enum fate look(struct zs_renderer *r, uint32_t t, struct corners *at)
 {
     const struct zs_mesh *mesh = r->xform.instance->mesh;
     const uint16_t *index = mesh->tri[t];
+    uint32_t *const slot = at->slot;
     for (int k = 0; k < 3; k++)
         if (index[k] >= mesh->n_verts)
             return FATE_INDEX;
@@ -609,23 +635,30 @@ static ZS_NOINLINE enum fate look(struct zs_renderer *r, uint32_t t, uint32_t sl
     const int32_t turn = sense(a, b, c);
     if (turn == 0)
         return FATE_ZERO;
+    if (turn < 0)
+        corners_set(at, slot[0], slot[2], slot[1]);
+    else
+        corners_set(at, slot[0], slot[1], slot[2]);
     return faces_away(turn, r->xform.instance->material->cull) ? FATE_FACING : FATE_OPEN;
 }
 
 /* Bin a triangle, unless it lies outside the frame or the band. Return FATE_OPEN: the pool of triangles is full. */
-static inline enum fate place(struct zs_renderer *r, uint32_t t, const uint32_t slot[3])
+static inline enum fate place(struct zs_renderer *r, uint32_t t, const struct corners *at)
 {
-    const struct zs_shader *shader = r->xform.instance->material->shader;
-    const struct zs_vertex *a = &r->vert[slot[0]], *b = &r->vert[slot[1]], *c = &r->vert[slot[2]];
-    int32_t y0, y1;
-    const enum fate fate = box_fate(r, a, b, c, &y0, &y1);
-    if (fate != FATE_DRAWN || !in_band(r, y0, y1))
+    const uint32_t *const slot = at->slot;
+    struct place box;
+    const enum fate fate = box_fate(r, &r->vert[slot[0]], &r->vert[slot[1]], &r->vert[slot[2]], &box);
+    if (fate != FATE_DRAWN)
+        return fate;
+    const uint32_t strip = strip_in_band(r, &box);
+    if (strip == ZS_NIL)
         return fate;
     if (r->n_tris == r->config.max_tris)
         return FATE_OPEN;
+    const struct zs_shader *shader = r->xform.instance->material->shader;
     if (shader->vertex)
         corners_light(r, slot);
-    bin_push(r, slot, shader->face ? shader->face(r, t) : 0u, y0);
+    bin_push(r, at, box.top, shader->face ? shader->face(r, t) : 0u, strip);
     return FATE_DRAWN;
 }
 
@@ -634,21 +667,19 @@ static void batch_bin(struct zs_renderer *r, const struct batch *s, uint32_t fro
 {
     const uint8_t *left = s->left, *const end = left + n;
     for (; left < end; left++) {
-        const uint32_t k = *left / 2u, t = from + k;
-        uint32_t slot[3];
+        const uint32_t k = *left / 4u, t = from + k;
+        struct corners at;
         enum fate f;
         do {
-            if (r->direct && !(*left & 1u)) {
+            if (r->direct && !(*left & 2u)) {
                 const uint16_t *index = s->tri[k];
-                const uint32_t base = r->vert_base;
-                slot[0] = base + index[0];
-                slot[1] = base + index[1];
-                slot[2] = base + index[2];
+                const uint32_t base = r->vert_base, turns = *left & 1u;
+                corners_set(&at, base + index[0], base + index[1u + turns], base + index[2u - turns]);
                 f = FATE_OPEN;
             } else {
-                f = look(r, t, slot);
+                f = look(r, t, &at);
             }
-            if (f == FATE_OPEN && (f = place(r, t, slot)) == FATE_OPEN)
+            if (f == FATE_OPEN && (f = place(r, t, &at)) == FATE_OPEN)
                 make_room(r); /* slots are stale: look the vertices up again */
         } while (f == FATE_OPEN);
         fate[f]++;

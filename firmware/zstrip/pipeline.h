@@ -196,7 +196,7 @@ void zs_raster_clear(struct zs_renderer *r);
 void zs_raster_strip(struct zs_renderer *r);
 /* Do not draw it, but pass its triangles on to the strip below. */
 void zs_raster_pass(struct zs_renderer *r);
-/* Fill job's rows and sides for its triangle in its strip. Return 0: it has no row or no area there. job->row_last is
+/* Fill job's rows and sides for its triangle in its strip. Return 0: it has no row there. job->row_last is
  * set in either case. */
 int zs_raster_sides(struct zs_job *job);
 /* Find the spans of rows from `row` on: of ZS_CUT_ROWS, or up to job->row_end. */
@@ -290,10 +290,8 @@ struct zs_job {
 
 /* ---- plane.c ---------------------------------------------------------------------------------------- */
 
-/* From the vertices in the order of y: job->v, job->mid_right, job->geom's differences and area. Return 0 where it
- * has none. */
-int zs_plane_sides(struct zs_job *job, const struct zs_vertex *top, const struct zs_vertex *mid,
-                   const struct zs_vertex *bottom);
+/* From the corners, the top one first, clockwise: job->v, job->mid_right, job->geom's differences and area. */
+void zs_plane_sides(struct zs_job *job, const struct zs_vertex *a, const struct zs_vertex *b, const struct zs_vertex *c);
 /* Fill the rest of job->geom. */
 void zs_plane_geom(struct zs_job *job);
 enum zs_plane_kind { /* the numbers: gradients of 2^(32 - n) and more are found by division */
