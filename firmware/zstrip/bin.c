@@ -291,48 +291,59 @@ static inline int faces_away(int64_t area, uint32_t cull)
     return (cull == ZS_CULL_BACK && area > 0) || (cull == ZS_CULL_FRONT && area < 0);
 }
 
-/* The places of a triangle's corners that turns clockwise, the first two twice: those from any corner on follow each other. */
-struct corners {
-    uint32_t slot[5];
+/* A triangle that is about to be binned: the places of its corners, clockwise. Once it has been looked at, the top one
+ * first (of two the left one), and its rows [y0, y1). */
+struct place {
+    uint32_t slot[3];
+    int32_t y0, y1;
 };
 
-/* Where a triangle lies: its rows [y0, y1), and which corner is the top one, of two the left one. */
-struct place {
-    int32_t y0, y1;
-    uint32_t top;
-};
+static inline void turn(struct place *at)
+{
+    const uint32_t first = at->slot[0];
+    at->slot[0] = at->slot[1];
+    at->slot[1] = at->slot[2];
+    at->slot[2] = first;
+}
 
 /* Whether the box of a projected triangle holds a sample of the frame. */
 static inline enum fate box_fate(struct zs_renderer *r, const struct zs_vertex *a, const struct zs_vertex *b,
                                  const struct zs_vertex *c, struct place *at)
 {
-    int32_t least = a->x, most = b->x, top = a->y, bottom = b->y;
-    at->top = 0;
-    if (bottom < top || (bottom == top && most < least)) {
-        top = bottom;
-        bottom = a->y;
-        at->top = 1;
-    }
-    if (c->y < top || (c->y == top && c->x < (at->top ? most : least))) {
-        top = c->y;
-        at->top = 2;
-    } else if (c->y > bottom) {
-        bottom = c->y;
+    const int32_t ax = a->x, ay = a->y, bx = b->x, by = b->y, cx = c->x, cy = c->y;
+    int32_t least = ax, most = bx, top = ay, bottom = by;
+    if (by < ay || (by == ay && bx < ax)) {
+        bottom = ay;
+        top = by;
+        turn(at);
+        if (cy < by || (cy == by && cx < bx)) {
+            top = cy;
+            turn(at);
+        } else if (cy > ay) {
+            bottom = cy;
+        }
+    } else if (cy < ay || (cy == ay && cx < ax)) {
+        top = cy;
+        turn(at);
+        turn(at);
+    } else if (cy > by) {
+        bottom = cy;
     }
     if (most < least) {
-        least = most;
-        most = a->x;
+        least = bx;
+        most = ax;
     }
-    if (c->x < least)
-        least = c->x;
-    else if (c->x > most)
-        most = c->x;
+    if (cx < least)
+        least = cx;
+    else if (cx > most)
+        most = cx;
     const int32_t x0 = zs_first_sample(least), x1 = zs_first_sample(most);
-    at->y0 = zs_first_sample(top);
-    at->y1 = zs_first_sample(bottom);
-    if (x1 <= 0 || x0 >= r->config.width || at->y1 <= 0 || at->y0 >= r->config.height)
+    const int32_t y0 = zs_first_sample(top), y1 = zs_first_sample(bottom);
+    at->y0 = y0;
+    at->y1 = y1;
+    if (x1 <= 0 || x0 >= r->config.width || y1 <= 0 || y0 >= r->config.height)
         return FATE_OFFSCREEN;
-    if ((x0 >= x1 || at->y0 >= at->y1) && !(r->config.skip_off & ZS_SKIP_EMPTY))
+    if ((x0 >= x1 || y0 >= y1) && !(r->config.skip_off & ZS_SKIP_EMPTY))
         return FATE_EMPTY;
     if (x1 - x0 >= 2 << ZS_TILE_LOG2)
         r->large = !(r->config.skip_off & ZS_SKIP_HIDDEN);
@@ -348,14 +359,13 @@ static inline uint32_t strip_in_band(const struct zs_renderer *r, const struct p
     return s < r->band_end ? s : ZS_NIL;
 }
 
-static inline void bin_push(struct zs_renderer *r, const struct corners *at, uint32_t top, uint16_t paint, uint32_t strip)
+static inline void bin_push(struct zs_renderer *r, const struct place *at, uint16_t paint, uint32_t strip)
 {
     const uint32_t n = r->n_tris;
     struct zs_tri *t = &r->tri[n];
-    const uint32_t *slot = at->slot + top;
-    t->v[0] = (uint16_t)slot[0];
-    t->v[1] = (uint16_t)slot[1];
-    t->v[2] = (uint16_t)slot[2];
+    t->v[0] = (uint16_t)at->slot[0];
+    t->v[1] = (uint16_t)at->slot[1];
+    t->v[2] = (uint16_t)at->slot[2];
     t->next = r->bin[strip];
     t->paint = paint;
     t->instance = (uint16_t)r->xform.number;
@@ -443,23 +453,22 @@ static ZS_RARE void polygon_project(struct zs_renderer *r, struct polygon *p)
     }
 }
 
-static ZS_RARE void polygon_push(struct zs_renderer *r, const struct polygon *p, const int corner[3], uint32_t top,
-                                 uint16_t paint, uint32_t strip)
+/* box: its slots are the corners' numbers in the polygon. */
+static ZS_RARE void polygon_push(struct zs_renderer *r, const struct polygon *p, const struct place *box, uint16_t paint,
+                                 uint32_t strip)
 {
     if (r->n_tris == r->config.max_tris || r->n_verts + 3u > r->config.max_verts)
         make_room(r);
-    struct corners at;
+    struct place at;
     for (int k = 0; k < 3; k++) {
-        const uint32_t slot = r->n_verts++;
+        const uint32_t slot = r->n_verts++, corner = box->slot[k];
         at.slot[k] = slot;
-        r->vert[slot] = p->v[corner[k]];
+        r->vert[slot] = p->v[corner];
         r->vert_src[slot] = NO_SOURCE;
         for (uint32_t a = 0; a < r->xform.instance->material->shader->n_attrs; a++)
-            r->attr[slot * r->config.attrs + a] = p->cv[corner[k]].attr[a];
+            r->attr[slot * r->config.attrs + a] = p->cv[corner].attr[a];
     }
-    at.slot[3] = at.slot[0];
-    at.slot[4] = at.slot[1];
-    bin_push(r, &at, top, paint, strip);
+    bin_push(r, &at, paint, strip);
 }
 
 static ZS_RARE enum fate polygon_bin(struct zs_renderer *r, const struct polygon *p, uint32_t t, int sense)
@@ -475,11 +484,12 @@ static ZS_RARE enum fate polygon_bin(struct zs_renderer *r, const struct polygon
     const struct zs_shader *shader = material->shader;
     const uint16_t paint = shader->face ? shader->face(r, t) : 0u;
     for (int k = 1; k + 1 < p->n; k++) {
-        const int turns = area < 0, at[3] = { corner, (corner + k + turns) % p->n, (corner + k + 1 - turns) % p->n };
-        const struct zs_vertex *v[3] = { &p->v[at[0]], &p->v[at[1]], &p->v[at[2]] };
+        const int turns = area < 0;
+        struct place box = { { (uint32_t)corner, (uint32_t)((corner + k + turns) % p->n),
+                               (uint32_t)((corner + k + 1 - turns) % p->n) } };
+        const struct zs_vertex *v[3] = { &p->v[box.slot[0]], &p->v[box.slot[1]], &p->v[box.slot[2]] };
         if (signed_area(v[0], v[1], v[2]) <= 0)
             continue;
-        struct place box;
         const enum fate fate = box_fate(r, v[0], v[1], v[2], &box);
         if (fate != FATE_DRAWN) {
             all = all == FATE_DRAWN ? FATE_DRAWN : fate;
@@ -488,7 +498,7 @@ static ZS_RARE enum fate polygon_bin(struct zs_renderer *r, const struct polygon
         all = FATE_DRAWN;
         const uint32_t strip = strip_in_band(r, &box);
         if (strip != ZS_NIL)
-            polygon_push(r, p, at, box.top, paint, strip);
+            polygon_push(r, p, &box, paint, strip);
     }
     return all;
 }
@@ -609,15 +619,8 @@ static enum fate cut(struct zs_renderer *r, uint32_t t, const struct zs_vertex *
     return all > ZS_D_OUT ? outside(all) : triangle_clip(r, t);
 }
 
-static inline void corners_set(struct corners *at, uint32_t i, uint32_t j, uint32_t k)
-{
-    at->slot[0] = at->slot[3] = i;
-    at->slot[1] = at->slot[4] = j;
-    at->slot[2] = k;
-}
-
 /* The places of a triangle's corners. Return FATE_OPEN where it faces the eye and is not cut. */
-static ZS_NOINLINE enum fate look(struct zs_renderer *r, uint32_t t, struct corners *at)
+static ZS_NOINLINE enum fate look(struct zs_renderer *r, uint32_t t, struct place *at)
 {
     const struct zs_mesh *mesh = r->xform.instance->mesh;
     const uint16_t *index = mesh->tri[t];
@@ -632,34 +635,47 @@ static ZS_NOINLINE enum fate look(struct zs_renderer *r, uint32_t t, struct corn
     const struct zs_vertex *a = &r->vert[slot[0]], *b = &r->vert[slot[1]], *c = &r->vert[slot[2]];
     if (a->d >= ZS_D_OUT || b->d >= ZS_D_OUT || c->d >= ZS_D_OUT)
         return cut(r, t, a, b, c);
-    const int32_t turn = sense(a, b, c);
-    if (turn == 0)
+    const int32_t turns = sense(a, b, c);
+    if (turns == 0)
         return FATE_ZERO;
-    if (turn < 0)
-        corners_set(at, slot[0], slot[2], slot[1]);
-    else
-        corners_set(at, slot[0], slot[1], slot[2]);
-    return faces_away(turn, r->xform.instance->material->cull) ? FATE_FACING : FATE_OPEN;
+    if (turns < 0) {
+        const uint32_t second = slot[1];
+        slot[1] = slot[2];
+        slot[2] = second;
+    }
+    return faces_away(turns, r->xform.instance->material->cull) ? FATE_FACING : FATE_OPEN;
 }
 
 /* Bin a triangle, unless it lies outside the frame or the band. Return FATE_OPEN: the pool of triangles is full. */
-static inline enum fate place(struct zs_renderer *r, uint32_t t, const struct corners *at)
+static inline enum fate place(struct zs_renderer *r, uint32_t t, struct place *at)
 {
-    const uint32_t *const slot = at->slot;
-    struct place box;
-    const enum fate fate = box_fate(r, &r->vert[slot[0]], &r->vert[slot[1]], &r->vert[slot[2]], &box);
+    const enum fate fate = box_fate(r, &r->vert[at->slot[0]], &r->vert[at->slot[1]], &r->vert[at->slot[2]], at);
     if (fate != FATE_DRAWN)
         return fate;
-    const uint32_t strip = strip_in_band(r, &box);
+    const uint32_t strip = strip_in_band(r, at);
     if (strip == ZS_NIL)
         return fate;
     if (r->n_tris == r->config.max_tris)
         return FATE_OPEN;
     const struct zs_shader *shader = r->xform.instance->material->shader;
     if (shader->vertex)
-        corners_light(r, slot);
-    bin_push(r, at, box.top, shader->face ? shader->face(r, t) : 0u, strip);
+        corners_light(r, at->slot);
+    bin_push(r, at, shader->face ? shader->face(r, t) : 0u, strip);
     return FATE_DRAWN;
+}
+
+/* One that place() found no room for, or that must be looked at first. */
+static ZS_NOINLINE enum fate place_slowly(struct zs_renderer *r, uint32_t t)
+{
+    for (;;) {
+        struct place at;
+        enum fate f = look(r, t, &at);
+        if (f == FATE_OPEN)
+            f = place(r, t, &at);
+        if (f != FATE_OPEN)
+            return f;
+        make_room(r); /* slots are stale: look the vertices up again */
+    }
 }
 
 /* The n triangles from `from` on, as far as they are left. */
@@ -667,21 +683,20 @@ static void batch_bin(struct zs_renderer *r, const struct batch *s, uint32_t fro
 {
     const uint8_t *left = s->left, *const end = left + n;
     for (; left < end; left++) {
-        const uint32_t k = *left / 4u, t = from + k;
-        struct corners at;
-        enum fate f;
-        do {
-            if (r->direct && !(*left & 2u)) {
-                const uint16_t *index = s->tri[k];
-                const uint32_t base = r->vert_base, turns = *left & 1u;
-                corners_set(&at, base + index[0], base + index[1u + turns], base + index[2u - turns]);
-                f = FATE_OPEN;
-            } else {
-                f = look(r, t, &at);
+        const uint32_t what = *left, t = from + what / 4u;
+        enum fate f = FATE_OPEN;
+        if (r->direct && !(what & 2u)) {
+            const uint16_t *index = s->tri[what / 4u];
+            const uint32_t base = r->vert_base, i = index[0], j = index[1], k = index[2];
+            struct place at = { { base + i, base + j, base + k } };
+            if (what & 1u) {
+                at.slot[1] = base + k;
+                at.slot[2] = base + j;
             }
-            if (f == FATE_OPEN && (f = place(r, t, &at)) == FATE_OPEN)
-                make_room(r); /* slots are stale: look the vertices up again */
-        } while (f == FATE_OPEN);
+            f = place(r, t, &at);
+        }
+        if (f == FATE_OPEN)
+            f = place_slowly(r, t);
         fate[f]++;
     }
 }

@@ -103,28 +103,10 @@ static ZS_NOINLINE int32_t small_gradient(const struct zs_geom *g, int64_t n, in
     return n < 0 ? -(int32_t)q : (int32_t)q; /* q <= 2^30 */
 }
 
-/* Where n has 32 bits its leading zeros need not be known: they would be shifted in and out again. exp >= -18 then keeps
- * shift at least 5. */
 ZS_NOINLINE int32_t zs_plane_tiny_gradient(const struct zs_geom *g, int32_t dv1, int32_t dv2, const int32_t d[2],
                                          int32_t least_shift)
 {
-    const int64_t n = zs_cross_short(dv1, d[1], dv2, d[0]); /* |.| <= 2^46 */
-    const int32_t sign = (int32_t)(n >> 32);
-    uint32_t m = (uint32_t)n, hi = (uint32_t)sign;
-    if (sign < 0) {
-        m = 0u - m;
-        hi = ~hi + (m == 0);
-    }
-    int32_t shift = 32 + g->exp - 9;
-    if (hi) {
-        const int lz = zs_clz32(hi); /* 17 .. 31 */
-        m = hi << lz | m >> (32 - lz);
-        shift -= 32 - lz;
-        if (shift < least_shift)
-            return TOO_STEEP;
-    }
-    m = ((zs_umulh(m, g->rcp) >> (shift - 1)) + 1u) >> 1;
-    return sign < 0 ? -(int32_t)m : (int32_t)m;
+    return zs_plane_quotient(zs_cross_short(dv1, d[1], dv2, d[0]), g->rcp, -g->exp, least_shift);
 }
 
 /* n / d with 32 fraction bits: floor in *whole, fraction returned. d < 2^45. */
