@@ -90,9 +90,13 @@ boards: $(B)/.setup-test
 	@$(MAKE) --no-print-directory -j2 $(B)/zsim
 	@sh tests/boards/table.sh $(B)
 
-## profile: SCENE=teapot: cycles a frame by function on the emulated Pico
+## profile: SCENE=teapot [BOARD=mps2]: cycles a frame by function on the emulated Pico; instructions on a board of QEMU's
 profile: $(B)/.setup-test $(B)/gen/meshes.h
+ifeq ($(BOARD),pico)
 	@PICO_SCENES=$(SCENE) sh tests/pico.sh $(B) profile
+else
+	@sh tests/boards/profile.sh $(B) $(BOARD) $(SCENE) $(FUNCTION)
+endif
 
 ## sim: build/zsim
 sim: $(B)/.setup-sim

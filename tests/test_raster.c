@@ -408,9 +408,11 @@ static int gradient_case(uint64_t seed)
     job.r = &r;
     job.width = 320;
     const int64_t area = llabs(oracle_area(&o));
-    CASE_CHECK((zs_plane_sides(&job, down[0], down[1], down[2]) != 0) == (area != 0));
     if (area == 0)
         return 1;
+    const int turns = ((int64_t)down[1]->x - down[0]->x) * ((int64_t)down[2]->y - down[0]->y) <
+                      ((int64_t)down[2]->x - down[0]->x) * ((int64_t)down[1]->y - down[0]->y);
+    zs_plane_sides(&job, down[0], down[1 + turns], down[2 - turns]);
     const struct zs_vertex *const a = job.v[0], *const b = job.v[1], *const c = job.v[2];
     CASE_CHECK(job.geom.area == area && (job.mid_right ? b : c) == down[1] && (job.mid_right ? c : b) == down[2]);
     zs_plane_geom(&job);

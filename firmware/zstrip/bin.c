@@ -60,12 +60,6 @@ static int32_t strip_of(const struct zs_renderer *r, int32_t row)
     return (int32_t)((uint32_t)row * r->strip_mul >> r->strip_shift);
 }
 
-/* The first row that a triangle has samples in. */
-static int32_t first_row(const struct zs_vertex *a, const struct zs_vertex *b, const struct zs_vertex *c)
-{
-    return zs_max32(zs_first_sample(zs_min32(zs_min32(a->y, b->y), c->y)), 0);
-}
-
 static inline void bin_insert(struct zs_renderer *r, uint32_t t, int32_t row)
 {
     const int32_t s = zs_max32(strip_of(r, row), r->strip);
@@ -80,7 +74,7 @@ static ZS_RARE void tris_compact(struct zs_renderer *r)
     bins_clear(r);
     for (uint32_t t = 0; t < r->n_tris; t++) {
         const struct zs_tri tri = r->tri[t];
-        const int32_t y0 = first_row(&r->vert[tri.v[0]], &r->vert[tri.v[1]], &r->vert[tri.v[2]]);
+        const int32_t y0 = zs_max32(zs_first_sample(r->vert[tri.v[0]].y), 0);
         if (strip_of(r, y0) >= r->band_end)
             continue;
         r->tri[kept] = tri;
@@ -297,55 +291,86 @@ static inline int faces_away(int64_t area, uint32_t cull)
     return (cull == ZS_CULL_BACK && area > 0) || (cull == ZS_CULL_FRONT && area < 0);
 }
 
-/* The samples between the least and the most of three coordinates: [*from, *to). */
-static inline void samples(int32_t a, int32_t b, int32_t c, int32_t *from, int32_t *to)
+/* A triangle that is about to be binned: the places of its corners, clockwise. Once it has been looked at, the top one
+ * first (of two the left one), and its rows [y0, y1). */
+struct place {
+    uint32_t slot[3];
+    int32_t y0, y1;
+};
+
+static inline void turn(struct place *at)
 {
-    int32_t least = a, most = b;
-    if (a > b) {
-        least = b;
-        most = a;
-    }
-    if (c < least)
-        least = c;
-    else if (c > most)
-        most = c;
-    *from = zs_first_sample(least);
-    *to = zs_first_sample(most);
+    const uint32_t first = at->slot[0];
+    at->slot[0] = at->slot[1];
+    at->slot[1] = at->slot[2];
+    at->slot[2] = first;
 }
 
-/* Whether the box of a projected triangle holds a sample of the frame, and its rows. */
+/* Whether the box of a projected triangle holds a sample of the frame. */
 static inline enum fate box_fate(struct zs_renderer *r, const struct zs_vertex *a, const struct zs_vertex *b,
-                                 const struct zs_vertex *c, int32_t *y0, int32_t *y1)
+                                 const struct zs_vertex *c, struct place *at)
 {
-    int32_t x0, x1;
-    samples(a->x, b->x, c->x, &x0, &x1);
-    if (x1 <= 0 || x0 >= r->config.width)
+    const int32_t ax = a->x, ay = a->y, bx = b->x, by = b->y, cx = c->x, cy = c->y;
+    int32_t least = ax, most = bx, top = ay, bottom = by;
+    if (by < ay || (by == ay && bx < ax)) {
+        bottom = ay;
+        top = by;
+        turn(at);
+        if (cy < by || (cy == by && cx < bx)) {
+            top = cy;
+            turn(at);
+        } else if (cy > ay) {
+            bottom = cy;
+        }
+    } else if (cy < ay || (cy == ay && cx < ax)) {
+        top = cy;
+        turn(at);
+        turn(at);
+    } else if (cy > by) {
+        bottom = cy;
+    }
+    if (most < least) {
+        least = bx;
+        most = ax;
+    }
+    if (cx < least)
+        least = cx;
+    else if (cx > most)
+        most = cx;
+    const int32_t x0 = zs_first_sample(least), x1 = zs_first_sample(most);
+    const int32_t y0 = zs_first_sample(top), y1 = zs_first_sample(bottom);
+    at->y0 = y0;
+    at->y1 = y1;
+    if (x1 <= 0 || x0 >= r->config.width || y1 <= 0 || y0 >= r->config.height)
         return FATE_OFFSCREEN;
-    samples(a->y, b->y, c->y, y0, y1);
-    if (*y1 <= 0 || *y0 >= r->config.height)
-        return FATE_OFFSCREEN;
-    if ((x0 >= x1 || *y0 >= *y1) && !(r->config.skip_off & ZS_SKIP_EMPTY))
+    if ((x0 >= x1 || y0 >= y1) && !(r->config.skip_off & ZS_SKIP_EMPTY))
         return FATE_EMPTY;
     if (x1 - x0 >= 2 << ZS_TILE_LOG2)
         r->large = !(r->config.skip_off & ZS_SKIP_HIDDEN);
     return FATE_DRAWN;
 }
 
-/* Rows [y0, y1), not all outside the frame. */
-static inline int in_band(const struct zs_renderer *r, int32_t y0, int32_t y1)
+/* The first strip of [r->strip, r->band_end) that a triangle of the frame has rows in, or ZS_NIL. */
+static inline uint32_t strip_in_band(const struct zs_renderer *r, const struct place *at)
 {
-    return y0 < r->band_end * r->config.strip_h && y1 > r->strip * r->config.strip_h;
+    uint32_t s = (uint32_t)strip_of(r, zs_max32(at->y0, 0));
+    if (s < r->strip)
+        s = at->y1 > r->strip * r->config.strip_h ? r->strip : ZS_NIL;
+    return s < r->band_end ? s : ZS_NIL;
 }
 
-static inline void bin_push(struct zs_renderer *r, const uint32_t slot[3], uint16_t paint, int32_t y0)
+static inline void bin_push(struct zs_renderer *r, const struct place *at, uint16_t paint, uint32_t strip)
 {
-    struct zs_tri *t = &r->tri[r->n_tris];
-    for (int k = 0; k < 3; k++)
-        t->v[k] = (uint16_t)slot[k];
+    const uint32_t n = r->n_tris;
+    struct zs_tri *t = &r->tri[n];
+    t->v[0] = (uint16_t)at->slot[0];
+    t->v[1] = (uint16_t)at->slot[1];
+    t->v[2] = (uint16_t)at->slot[2];
+    t->next = r->bin[strip];
     t->paint = paint;
     t->instance = (uint16_t)r->xform.number;
-    bin_insert(r, r->n_tris, zs_max32(y0, 0));
-    r->n_tris++;
+    r->bin[strip] = (uint16_t)n;
+    r->n_tris = n + 1u;
 }
 
 /* ---- Clipped triangles ----------------------------------------------------------------------------- */
@@ -428,20 +453,22 @@ static ZS_RARE void polygon_project(struct zs_renderer *r, struct polygon *p)
     }
 }
 
-static ZS_RARE void polygon_push(struct zs_renderer *r, const struct polygon *p, const int corner[3],
-                         uint16_t paint, int32_t y0)
+/* box: its slots are the corners' numbers in the polygon. */
+static ZS_RARE void polygon_push(struct zs_renderer *r, const struct polygon *p, const struct place *box, uint16_t paint,
+                                 uint32_t strip)
 {
     if (r->n_tris == r->config.max_tris || r->n_verts + 3u > r->config.max_verts)
         make_room(r);
-    uint32_t slot[3];
+    struct place at;
     for (int k = 0; k < 3; k++) {
-        slot[k] = r->n_verts++;
-        r->vert[slot[k]] = p->v[corner[k]];
-        r->vert_src[slot[k]] = NO_SOURCE;
+        const uint32_t slot = r->n_verts++, corner = box->slot[k];
+        at.slot[k] = slot;
+        r->vert[slot] = p->v[corner];
+        r->vert_src[slot] = NO_SOURCE;
         for (uint32_t a = 0; a < r->xform.instance->material->shader->n_attrs; a++)
-            r->attr[slot[k] * r->config.attrs + a] = p->cv[corner[k]].attr[a];
+            r->attr[slot * r->config.attrs + a] = p->cv[corner].attr[a];
     }
-    bin_push(r, slot, paint, y0);
+    bin_push(r, &at, paint, strip);
 }
 
 static ZS_RARE enum fate polygon_bin(struct zs_renderer *r, const struct polygon *p, uint32_t t, int sense)
@@ -457,20 +484,21 @@ static ZS_RARE enum fate polygon_bin(struct zs_renderer *r, const struct polygon
     const struct zs_shader *shader = material->shader;
     const uint16_t paint = shader->face ? shader->face(r, t) : 0u;
     for (int k = 1; k + 1 < p->n; k++) {
-        const int at[3] = { corner, (corner + k) % p->n, (corner + k + 1) % p->n };
-        const struct zs_vertex *v[3] = { &p->v[at[0]], &p->v[at[1]], &p->v[at[2]] };
-        int32_t y0, y1;
-        const int64_t piece = signed_area(v[0], v[1], v[2]);
-        if (piece == 0 || (piece > 0) != (area > 0))
+        const int turns = area < 0;
+        struct place box = { { (uint32_t)corner, (uint32_t)((corner + k + turns) % p->n),
+                               (uint32_t)((corner + k + 1 - turns) % p->n) } };
+        const struct zs_vertex *v[3] = { &p->v[box.slot[0]], &p->v[box.slot[1]], &p->v[box.slot[2]] };
+        if (signed_area(v[0], v[1], v[2]) <= 0)
             continue;
-        const enum fate fate = box_fate(r, v[0], v[1], v[2], &y0, &y1);
+        const enum fate fate = box_fate(r, v[0], v[1], v[2], &box);
         if (fate != FATE_DRAWN) {
             all = all == FATE_DRAWN ? FATE_DRAWN : fate;
             continue;
         }
         all = FATE_DRAWN;
-        if (in_band(r, y0, y1))
-            polygon_push(r, p, at, paint, y0);
+        const uint32_t strip = strip_in_band(r, &box);
+        if (strip != ZS_NIL)
+            polygon_push(r, p, &box, paint, strip);
     }
     return all;
 }
@@ -518,14 +546,14 @@ static ZS_RARE enum fate triangle_clip(struct zs_renderer *r, uint32_t t)
 /* ---- The walk -------------------------------------------------------------------------------------- */
 
 /* Triangles go through in batches: those that are turned away leave first. */
-#define BATCH 40
+#define BATCH 40 /* at most 64 */
 struct batch {
     const uint16_t (*tri)[3];     /* the batch's first */
     const struct zs_vertex *pool; /* direct: of vertex 0 */
     uint32_t n_verts;
     int32_t away;                 /* times the area: > 0 where the triangle is turned away and that matters */
     uint32_t *fate;               /* [FATES]: counts of those that were dropped */
-    uint8_t left[BATCH];          /* the others: 2 * number in the batch, 1 more where not looked at yet */
+    uint8_t left[BATCH];          /* the others: 4 * number in the batch, 1 more where counter-clockwise, 2 where not looked at */
 };
 
 static ZS_NOINLINE void dropped(struct batch *s, enum fate fate)
@@ -556,7 +584,7 @@ static ZS_NOINLINE uint32_t sieve(struct batch *s, uint32_t n)
     const uint16_t (*tri)[3] = s->tri;
     const uint32_t n_verts = s->n_verts;
     uint8_t *out = s->left;
-    for (uint32_t t = 0; t < 2u * n; t += 2u, tri++) {
+    for (uint32_t t = 0; t < 4u * n; t += 4u, tri++) {
         const uint32_t i = (*tri)[0], j = (*tri)[1], k = (*tri)[2];
         uint32_t wide = 1;
         int32_t area = 0;
@@ -564,11 +592,11 @@ static ZS_NOINLINE uint32_t sieve(struct batch *s, uint32_t n)
             area = zs_area_short(xy(pool + i), xy(pool + j), xy(pool + k), &wide);
         if (wide) {
             if (odd(s, *tri))
-                *out++ = (uint8_t)(t + 1u);
+                *out++ = (uint8_t)(t + 2u);
         } else if (area == 0) {
             dropped(s, FATE_ZERO);
         } else if (area * s->away <= 0) {
-            *out++ = (uint8_t)t;
+            *out++ = (uint8_t)(t + ((uint32_t)area >> 31));
         }
     }
     s->fate[FATE_FACING] += n - (uint32_t)(out - s->left);
@@ -579,7 +607,7 @@ static ZS_NOINLINE uint32_t sieve(struct batch *s, uint32_t n)
 static uint32_t sieve_none(struct batch *s, uint32_t n)
 {
     for (uint32_t t = 0; t < n; t++)
-        s->left[t] = (uint8_t)(2u * t + 1u);
+        s->left[t] = (uint8_t)(4u * t + 2u);
     return n;
 }
 
@@ -592,10 +620,11 @@ static enum fate cut(struct zs_renderer *r, uint32_t t, const struct zs_vertex *
 }
 
 /* The places of a triangle's corners. Return FATE_OPEN where it faces the eye and is not cut. */
-static ZS_NOINLINE enum fate look(struct zs_renderer *r, uint32_t t, uint32_t slot[3])
+static ZS_NOINLINE enum fate look(struct zs_renderer *r, uint32_t t, struct place *at)
 {
     const struct zs_mesh *mesh = r->xform.instance->mesh;
     const uint16_t *index = mesh->tri[t];
+    uint32_t *const slot = at->slot;
     for (int k = 0; k < 3; k++)
         if (index[k] >= mesh->n_verts)
             return FATE_INDEX;
@@ -606,27 +635,47 @@ static ZS_NOINLINE enum fate look(struct zs_renderer *r, uint32_t t, uint32_t sl
     const struct zs_vertex *a = &r->vert[slot[0]], *b = &r->vert[slot[1]], *c = &r->vert[slot[2]];
     if (a->d >= ZS_D_OUT || b->d >= ZS_D_OUT || c->d >= ZS_D_OUT)
         return cut(r, t, a, b, c);
-    const int32_t turn = sense(a, b, c);
-    if (turn == 0)
+    const int32_t turns = sense(a, b, c);
+    if (turns == 0)
         return FATE_ZERO;
-    return faces_away(turn, r->xform.instance->material->cull) ? FATE_FACING : FATE_OPEN;
+    if (turns < 0) {
+        const uint32_t second = slot[1];
+        slot[1] = slot[2];
+        slot[2] = second;
+    }
+    return faces_away(turns, r->xform.instance->material->cull) ? FATE_FACING : FATE_OPEN;
 }
 
 /* Bin a triangle, unless it lies outside the frame or the band. Return FATE_OPEN: the pool of triangles is full. */
-static inline enum fate place(struct zs_renderer *r, uint32_t t, const uint32_t slot[3])
+static inline enum fate place(struct zs_renderer *r, uint32_t t, struct place *at)
 {
-    const struct zs_shader *shader = r->xform.instance->material->shader;
-    const struct zs_vertex *a = &r->vert[slot[0]], *b = &r->vert[slot[1]], *c = &r->vert[slot[2]];
-    int32_t y0, y1;
-    const enum fate fate = box_fate(r, a, b, c, &y0, &y1);
-    if (fate != FATE_DRAWN || !in_band(r, y0, y1))
+    const enum fate fate = box_fate(r, &r->vert[at->slot[0]], &r->vert[at->slot[1]], &r->vert[at->slot[2]], at);
+    if (fate != FATE_DRAWN)
+        return fate;
+    const uint32_t strip = strip_in_band(r, at);
+    if (strip == ZS_NIL)
         return fate;
     if (r->n_tris == r->config.max_tris)
         return FATE_OPEN;
+    const struct zs_shader *shader = r->xform.instance->material->shader;
     if (shader->vertex)
-        corners_light(r, slot);
-    bin_push(r, slot, shader->face ? shader->face(r, t) : 0u, y0);
+        corners_light(r, at->slot);
+    bin_push(r, at, shader->face ? shader->face(r, t) : 0u, strip);
     return FATE_DRAWN;
+}
+
+/* One that place() found no room for, or that must be looked at first. */
+static ZS_NOINLINE enum fate place_slowly(struct zs_renderer *r, uint32_t t)
+{
+    for (;;) {
+        struct place at;
+        enum fate f = look(r, t, &at);
+        if (f == FATE_OPEN)
+            f = place(r, t, &at);
+        if (f != FATE_OPEN)
+            return f;
+        make_room(r); /* slots are stale: look the vertices up again */
+    }
 }
 
 /* The n triangles from `from` on, as far as they are left. */
@@ -634,23 +683,20 @@ static void batch_bin(struct zs_renderer *r, const struct batch *s, uint32_t fro
 {
     const uint8_t *left = s->left, *const end = left + n;
     for (; left < end; left++) {
-        const uint32_t k = *left / 2u, t = from + k;
-        uint32_t slot[3];
-        enum fate f;
-        do {
-            if (r->direct && !(*left & 1u)) {
-                const uint16_t *index = s->tri[k];
-                const uint32_t base = r->vert_base;
-                slot[0] = base + index[0];
-                slot[1] = base + index[1];
-                slot[2] = base + index[2];
-                f = FATE_OPEN;
-            } else {
-                f = look(r, t, slot);
+        const uint32_t what = *left, t = from + what / 4u;
+        enum fate f = FATE_OPEN;
+        if (r->direct && !(what & 2u)) {
+            const uint16_t *index = s->tri[what / 4u];
+            const uint32_t base = r->vert_base, i = index[0], j = index[1], k = index[2];
+            struct place at = { { base + i, base + j, base + k } };
+            if (what & 1u) {
+                at.slot[1] = base + k;
+                at.slot[2] = base + j;
             }
-            if (f == FATE_OPEN && (f = place(r, t, slot)) == FATE_OPEN)
-                make_room(r); /* slots are stale: look the vertices up again */
-        } while (f == FATE_OPEN);
+            f = place(r, t, &at);
+        }
+        if (f == FATE_OPEN)
+            f = place_slowly(r, t);
         fate[f]++;
     }
 }

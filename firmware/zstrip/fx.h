@@ -38,11 +38,14 @@ typedef int32_t q24_8; /* screen x, y, px */
 #endif
 #if defined(__clang__) || !defined(__OPTIMIZE__)
 #define ZS_RARE
+#define ZS_IN_ORDER
 #else
+#define ZS_IN_ORDER __attribute__((optimize("no-schedule-insns"))) /* many values: to load them early is to spill them */
 #define ZS_RARE __attribute__((optimize("Os"))) /* seldom, or slow by nature: flash counts more than time */
 #endif
 #else
 #define ZS_RARE
+#define ZS_IN_ORDER
 #define ZS_ALWAYS_INLINE static inline
 #define ZS_NOINLINE
 #endif
@@ -144,6 +147,21 @@ static inline uint16_t zs_wire16(uint16_t v)
 uint32_t zs_recip(uint32_t a);
 
 extern const uint16_t zs_recip_table[257]; /* fx.c */
+
+/* zs_recip in line, for loops that have few other calls. fx.c has its error. */
+ZS_ALWAYS_INLINE uint32_t zs_recip_inline(uint32_t a)
+{
+    const uint16_t *const at = zs_recip_table + (a << 1 >> 24);
+    const uint32_t t = a << 9 >> 16;                          /* uq0_16 within the cell */
+    const uint32_t y0 = at[0];                                /* < 2^16 */
+    const uint32_t dy = y0 - at[1];                           /* 0 .. 256 */
+    const uint32_t y = 0x80000000u + (y0 << 15) - (dy * t >> 1); /* uq1_31, dy * t < 2^24.1 */
+    /* y (2 - m y) = y + y e with e = 1 - m y, |e| <= 2^14.6 in q_31: two narrow products instead of a wide one */
+    const int32_t e = (int32_t)(0x80000000u - zs_umulh(a, y));
+    const int32_t upper = (int32_t)(y >> 16) * e, lower = (int32_t)(y & 0xffffu) * e; /* |.| < 2^30.6 */
+    const uint32_t r = y + (uint32_t)((upper + (lower >> 16)) >> 15); /* floor: exact below 2^32 + 2 */
+    return r >> 31 ? r : UINT32_MAX;
+}
 
 /* 2^45 / a, 15 bits and a half: within 2^-14 of it, at most 2^16 - 1. 2^30 <= a < 2^31. No long product. */
 static inline uint32_t zs_recip15(uint32_t a)

@@ -196,7 +196,7 @@ void zs_raster_clear(struct zs_renderer *r);
 void zs_raster_strip(struct zs_renderer *r);
 /* Do not draw it, but pass its triangles on to the strip below. */
 void zs_raster_pass(struct zs_renderer *r);
-/* Fill job's rows and sides for its triangle in its strip. Return 0: it has no row or no area there. job->row_last is
+/* Fill job's rows and sides for its triangle in its strip. Return 0: it has no row there. job->row_last is
  * set in either case. */
 int zs_raster_sides(struct zs_job *job);
 /* Find the spans of rows from `row` on: of ZS_CUT_ROWS, or up to job->row_end. */
@@ -290,10 +290,8 @@ struct zs_job {
 
 /* ---- plane.c ---------------------------------------------------------------------------------------- */
 
-/* From the vertices in the order of y: job->v, job->mid_right, job->geom's differences and area. Return 0 where it
- * has none. */
-int zs_plane_sides(struct zs_job *job, const struct zs_vertex *top, const struct zs_vertex *mid,
-                   const struct zs_vertex *bottom);
+/* From the corners, the top one first, clockwise: job->v, job->mid_right, job->geom's differences and area. */
+void zs_plane_sides(struct zs_job *job, const struct zs_vertex *a, const struct zs_vertex *b, const struct zs_vertex *c);
 /* Fill the rest of job->geom. */
 void zs_plane_geom(struct zs_job *job);
 enum zs_plane_kind { /* the numbers: gradients of 2^(32 - n) and more are found by division */
@@ -302,8 +300,29 @@ enum zs_plane_kind { /* the numbers: gradients of 2^(32 - n) and more are found 
     ZS_PLANE_KEY = 5   /* buckets or codes, uq16_16: error below 0.005 of one */
 };
 #define ZS_TOO_STEEP INT32_MIN
-/* 256 (dv1 d[1] - dv2 d[0]) / area of a tiny triangle, nearly nearest; ZS_TOO_STEEP where it is 2^(32 - least_shift) or
- * more. */
+/* 256 n / area of a tiny triangle, nearly nearest; ZS_TOO_STEEP where it is 2^(32 - least_shift) or more. |n| <= 2^46; rcp
+ * is 2^63 / (area * 2^shift), shift the leading zeros of the area, 2 .. 18. Where n has 32 bits its leading zeros need not be
+ * known: they would be shifted in and out again. */
+ZS_ALWAYS_INLINE int32_t zs_plane_quotient(int64_t n, uint32_t rcp, int32_t shift, int32_t least_shift)
+{
+    const int32_t sign = (int32_t)(n >> 32);
+    uint32_t m = (uint32_t)n, hi = (uint32_t)sign;
+    if (sign < 0) {
+        m = 0u - m;
+        hi = ~hi + (m == 0);
+    }
+    int32_t down = 23 - shift; /* 5 .. */
+    if (hi) {
+        const int lz = zs_clz32(hi); /* 17 .. 31 */
+        m = hi << lz | m >> (32 - lz);
+        down -= 32 - lz;
+        if (down < least_shift)
+            return ZS_TOO_STEEP;
+    }
+    m = ((zs_umulh(m, rcp) >> (down - 1)) + 1u) >> 1;
+    return sign < 0 ? -(int32_t)m : (int32_t)m;
+}
+/* 256 (dv1 d[1] - dv2 d[0]) / area of a tiny triangle. */
 int32_t zs_plane_tiny_gradient(const struct zs_geom *g, int32_t dv1, int32_t dv2, const int32_t d[2], int32_t least_shift);
 void zs_plane32(const struct zs_geom *g, uint32_t v0, uint32_t v1, uint32_t v2,
                 enum zs_plane_kind kind, struct zs_plane *out);

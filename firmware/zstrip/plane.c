@@ -30,59 +30,26 @@
 
 #define SMALL_EXTENT (256 * ZS_SUBPX_ONE)
 
-/* The same for a triangle that is not tiny. */
-static ZS_RARE ZS_NOINLINE int wide_sides(struct zs_job *job, const struct zs_vertex *top, const struct zs_vertex *mid,
-                                  const struct zs_vertex *bottom)
+void zs_plane_sides(struct zs_job *job, const struct zs_vertex *a, const struct zs_vertex *b, const struct zs_vertex *c)
 {
     struct zs_geom *g = &job->geom;
-    const int64_t cross = zs_mul_ss(mid->x - top->x, bottom->y - top->y) -
-                          zs_mul_ss(bottom->x - top->x, mid->y - top->y); /* |.| < 2^45 */
-    const int right = cross > 0;
-    const struct zs_vertex *b = right ? mid : bottom, *c = right ? bottom : mid;
-    job->mid_right = (uint8_t)right;
-    job->v[0] = top;
+    const int32_t dx1 = b->x - a->x, dx2 = c->x - a->x, dy1 = b->y - a->y, dy2 = c->y - a->y; /* |.| < 2^22 */
+    job->v[0] = a;
     job->v[1] = b;
     job->v[2] = c;
-    g->area = right ? cross : -cross;
-    g->tiny = 0;
-    g->dx1 = b->x - top->x; /* |.| < 2^22, as all four */
-    g->dx2 = c->x - top->x;
-    g->dy1 = b->y - top->y;
-    g->dy2 = c->y - top->y;
-    return cross != 0;
-}
-
-int zs_plane_sides(struct zs_job *job, const struct zs_vertex *top, const struct zs_vertex *mid,
-                   const struct zs_vertex *bottom)
-{
-    struct zs_geom *g = &job->geom;
-    int32_t dx1 = mid->x - top->x, dx2 = bottom->x - top->x, dy1 = mid->y - top->y, dy2 = bottom->y - top->y;
-    if (((uint32_t)(dx1 + ZS_TINY) | (uint32_t)(dx2 + ZS_TINY) | (uint32_t)dy2 * 2u) >= 2u * ZS_TINY)
-        return wide_sides(job, top, mid, bottom);
-    int32_t cross = dx1 * dy2 - dx2 * dy1; /* each below 2^28 */
-    job->v[0] = top;
-    job->mid_right = 1;
-    if (cross < 0) { /* planes want a positive area */
-        const int32_t dx = dx1, dy = dy1;
-        const struct zs_vertex *const v = mid;
-        dx1 = dx2;
-        dx2 = dx;
-        dy1 = dy2;
-        dy2 = dy;
-        mid = bottom;
-        bottom = v;
-        cross = -cross;
-        job->mid_right = 0;
-    }
-    job->v[1] = mid;
-    job->v[2] = bottom;
+    job->mid_right = b->y < c->y || (b->y == c->y && b->x < c->x);
     g->dx1 = dx1;
     g->dx2 = dx2;
     g->dy1 = dy1;
     g->dy2 = dy2;
-    g->area = (uint32_t)cross;
-    g->tiny = cross >= ZS_TINY_AREA;
-    return cross;
+    if (((uint32_t)(dx1 + ZS_TINY) | (uint32_t)(dx2 + ZS_TINY) | ((uint32_t)dy1 | (uint32_t)dy2) * 2u) >= 2u * ZS_TINY) {
+        g->area = zs_mul_ss(dx1, dy2) - zs_mul_ss(dx2, dy1); /* < 2^45 */
+        g->tiny = 0;
+        return;
+    }
+    const int32_t area = dx1 * dy2 - dx2 * dy1; /* each below 2^28 */
+    g->area = (uint32_t)area;
+    g->tiny = area >= ZS_TINY_AREA;
 }
 
 /* Width + height <= 256 px. */
@@ -136,28 +103,10 @@ static ZS_NOINLINE int32_t small_gradient(const struct zs_geom *g, int64_t n, in
     return n < 0 ? -(int32_t)q : (int32_t)q; /* q <= 2^30 */
 }
 
-/* Where n has 32 bits its leading zeros need not be known: they would be shifted in and out again. exp >= -18 then keeps
- * shift at least 5. */
 ZS_NOINLINE int32_t zs_plane_tiny_gradient(const struct zs_geom *g, int32_t dv1, int32_t dv2, const int32_t d[2],
                                          int32_t least_shift)
 {
-    const int64_t n = zs_cross_short(dv1, d[1], dv2, d[0]); /* |.| <= 2^46 */
-    const int32_t sign = (int32_t)(n >> 32);
-    uint32_t m = (uint32_t)n, hi = (uint32_t)sign;
-    if (sign < 0) {
-        m = 0u - m;
-        hi = ~hi + (m == 0);
-    }
-    int32_t shift = 32 + g->exp - 9;
-    if (hi) {
-        const int lz = zs_clz32(hi); /* 17 .. 31 */
-        m = hi << lz | m >> (32 - lz);
-        shift -= 32 - lz;
-        if (shift < least_shift)
-            return TOO_STEEP;
-    }
-    m = ((zs_umulh(m, g->rcp) >> (shift - 1)) + 1u) >> 1;
-    return sign < 0 ? -(int32_t)m : (int32_t)m;
+    return zs_plane_quotient(zs_cross_short(dv1, d[1], dv2, d[0]), g->rcp, -g->exp, least_shift);
 }
 
 /* n / d with 32 fraction bits: floor in *whole, fraction returned. d < 2^45. */

@@ -89,19 +89,6 @@ void zs_raster_cuts(struct zs_job *job, int32_t row)
 
 /* ---- Set-up ------------------------------------------------------------------------------------------ */
 
-/* By (y, x), so that the order in which a triangle names its vertices does not matter. */
-static inline int before(const struct zs_vertex *a, const struct zs_vertex *b)
-{
-    return a->y < b->y || (a->y == b->y && a->x < b->x);
-}
-
-static inline void swap(const struct zs_vertex **a, const struct zs_vertex **b)
-{
-    const struct zs_vertex *t = *a;
-    *a = *b;
-    *b = t;
-}
-
 /* 1: no row has a pixel, and there are no more rows than have been cut. */
 static int covers_nothing(const struct zs_job *job)
 {
@@ -116,20 +103,17 @@ static int covers_nothing(const struct zs_job *job)
 int zs_raster_sides(struct zs_job *job)
 {
     const struct zs_vertex *pool = job->r->vert;
-    const struct zs_vertex *top = &pool[job->tri->v[0]], *mid = &pool[job->tri->v[1]],
-                           *bottom = &pool[job->tri->v[2]];
-    if (before(mid, top))
-        swap(&mid, &top);
-    if (before(bottom, mid)) {
-        swap(&bottom, &mid);
-        if (before(mid, top))
-            swap(&mid, &top);
-    }
-    job->row = zs_max32(zs_first_sample(top->y), job->y0);
-    job->row_mid = zs_first_sample(mid->y);
-    job->row_last = zs_first_sample(bottom->y);
+    const uint16_t *v = job->tri->v;
+    const struct zs_vertex *a = &pool[v[0]], *b = &pool[v[1]], *c = &pool[v[2]];
+    const int32_t b_row = zs_first_sample(b->y), c_row = zs_first_sample(c->y);
+    job->row = zs_max32(zs_first_sample(a->y), job->y0);
+    job->row_mid = zs_min32(b_row, c_row);
+    job->row_last = zs_max32(b_row, c_row);
     job->row_end = zs_min32(job->row_last, job->y1);
-    return job->row < job->row_end && zs_plane_sides(job, top, mid, bottom);
+    if (job->row >= job->row_end)
+        return 0;
+    zs_plane_sides(job, a, b, c);
+    return 1;
 }
 
 /* Fill job for its triangle in its strip. Return 0 where it has no pixel there. */

@@ -15,7 +15,7 @@ struct zs_vertex {
 
 /* A triangle that waits for its strip, in the triangle pool; the pool's order is scene order. */
 struct zs_tri {
-    uint16_t v[3];     /* in the vertex pool */
+    uint16_t v[3];     /* in the vertex pool: the top one, of two the left one, then clockwise */
     uint16_t next;     /* the next one in its strip's list, or ZS_NIL */
     uint16_t paint;    /* what the shader's face function gave: for solid colours RGB565, wire order */
     uint16_t instance; /* in the scene */

@@ -2,8 +2,8 @@
  * one, with the same outcome bit for bit, where a call a stage costs more than the pixels. For cores that divide; without,
  * remainders are quicker (raster.c).
  *
- * Columns of an edge are as in raster.c, but counted from one left of the triangle, so that the numerator is positive.
- * Extents are at most ZS_TINY = 2^14 sub-pixels, and so are offsets in rows of an edge: each product is below 2^28.1.
+ * Columns of an edge are as in raster.c, but counted from SIDE left of the top corner, so that the numerator is positive.
+ * Extents are at most ZS_TINY = 2^14 sub-pixels, and so are offsets in rows of an edge: each product is below 2^29.1.
  *
  * SPDX-License-Identifier: MIT
  */
@@ -11,134 +11,154 @@
 
 #if ZS_DIVIDES
 
-/* Columns of an edge that begins x to the right of column 0, in n rows, off below its beginning in the first of them;
- * out[0], out[2], ... */
-static inline void columns(int16_t *out, int32_t n, int32_t x, int32_t off, int32_t dx, int32_t dy)
-{
-    const uint32_t span = (uint32_t)dy * ZS_SUBPX_ONE;
-    uint32_t sum = (uint32_t)(x * dy + off * dx) + span - 1u;
-    for (int16_t *const end = out + 2 * n; out < end; out += 2) {
-        *out = (int16_t)(sum / span);
-        sum += (uint32_t)dx * ZS_SUBPX_ONE;
-    }
-}
+#define SIDE (ZS_TINY / ZS_SUBPX_ONE + 1) /* pixels: no further from the top corner is any of the triangle */
 
-/* The spans that are cut, from column `left` on. key: at that column in the first row. */
-static inline void draw(struct zs_job *job, uint32_t key, int32_t gx, int32_t gy, int32_t left, int32_t row, int32_t n)
+/* What the rows are drawn from: apart from set-up, whose registers they need. The column of a side in the next row is
+ * sum / span, counted from SIDE left of the top
+ * corner; the left side and the right one. */
+struct walk {
+    uint32_t span[2], step[2], sum[2];
+    uint32_t key, gx, gy;          /* at depth; a pixel, a row */
+    uint32_t pitch;                /* a row, bytes */
+    uintptr_t depth, mid, end;     /* one left of column 0: in the first row, the middle corner's, and below the last */
+    uintptr_t beside;              /* from a depth to its colour */
+    uint32_t turn;                 /* the side that turns at the middle corner, and what it becomes there */
+    uint32_t next_span, next_step, next_sum;
+    uint16_t paint;
+};
+
+/* The pixels right of `at` up to `end`, as zs_solid_pixels. */
+ZS_ALWAYS_INLINE int32_t pixels(uint16_t *at, uint16_t *const end, uintptr_t beside, uint32_t sum, uint32_t gx, uint16_t paint)
 {
-    const int32_t width = job->width;
-    const uint16_t paint = job->tri->paint;
-    const uintptr_t beside = zs_solid_beside(job);
-    uint16_t *const depth = job->depth;
-    int32_t at = (row - job->y0) * width + left; /* with a column that is in the frame: in the strip */
-    const int32_t least = zs_max32(-left, 0), most = width - left; /* of columns, counted from `left` */
-    uint32_t tested = 0;
     int32_t written = 0;
-    for (const struct zs_cut *cut = job->cut, *const end = cut + n; cut != end; cut++) {
-        const int32_t i0 = zs_max32(cut->x0, least), m = zs_min32(cut->x1, most) - i0;
-        if (m > 0) {
-            tested += (uint32_t)m;
-            written += zs_solid_pixels(depth + (at + i0), beside, m, key + zs_wrap_mul((uint32_t)gx, i0), (uint32_t)gx,
-                                       paint, 0, 0);
+    do {
+        const uint32_t key = sum >> 16;
+        if (key < *++at) {
+            *at = (uint16_t)key;
+            *(uint16_t *)((uintptr_t)at + beside) = paint;
+            if (ZS_STATS)
+                written++;
         }
-        at += width;
-        key += (uint32_t)gy;
-    }
-    job->r->stats.pixels_tested += tested;
-    zs_rows_written(job, written);
+        sum += gx;
+    } while (at != end);
+    return written;
 }
 
-int zs_small_draw(struct zs_job *job)
+static ZS_NOINLINE uint32_t small_rows(struct zs_job *job, struct walk *w)
+{
+    uintptr_t depth = w->depth, end = w->mid;
+    uint32_t tested = 0, key = w->key;
+    int32_t written = 0;
+    for (;;) {
+        uint32_t left = w->sum[0], right = w->sum[1];
+        while (depth != end) {
+            const uint32_t x0 = left / w->span[0], x1 = right / w->span[1];
+            left += w->step[0];
+            right += w->step[1];
+            if (x0 < x1) {
+                tested += x1 - x0;
+                written += pixels((uint16_t *)depth + x0, (uint16_t *)depth + x1, w->beside, key + w->gx * x0, w->gx, w->paint);
+            }
+            depth += w->pitch;
+            key += w->gy;
+        }
+        end = w->end;
+        if (depth == end)
+            break;
+        w->sum[0] = left;
+        w->sum[1] = right;
+        const uint32_t turn = w->turn;
+        w->span[turn] = w->next_span;
+        w->step[turn] = w->next_step;
+        w->sum[turn] = w->next_sum;
+    }
+    zs_rows_written(job, written);
+    return tested;
+}
+
+/* gradient() of an n that needs more than 32 bits. */
+static ZS_NOINLINE int32_t wide_gradient(int64_t n, uint32_t rcp, int32_t shift)
+{
+    return zs_plane_quotient(n, rcp, shift, ZS_PLANE_KEY);
+}
+
+/* zs_plane_tiny_gradient of a key: most need 32 bits. shift: leading zeros of the area, which came out of rcp */
+static inline int32_t gradient(int64_t n, uint32_t rcp, int32_t shift)
+{
+    const int32_t low = (int32_t)n;
+    if (n != low)
+        return wide_gradient(n, rcp, shift);
+    const int32_t sign = low >> 31; /* |low| = (low ^ sign) - sign */
+    const uint32_t q = ((zs_umulh(((uint32_t)low ^ (uint32_t)sign) - (uint32_t)sign, rcp) >> (22 - shift)) + 1u) >> 1;
+    return (int32_t)(q ^ (uint32_t)sign) - sign;
+}
+
+ZS_IN_ORDER int zs_small_draw(struct zs_job *job)
 {
     struct zs_renderer *r = job->r;
     const struct zs_vertex *pool = r->vert;
-    const struct zs_vertex *a = &pool[job->tri->v[0]], *b = &pool[job->tri->v[1]], *c = &pool[job->tri->v[2]], *swap;
-    struct zs_geom *g = &job->geom;
-    if (b->y < a->y || (b->y == a->y && b->x < a->x)) {
-        swap = a;
-        a = b;
-        b = swap;
-    }
-    if (c->y < a->y || (c->y == a->y && c->x < a->x)) {
-        swap = a;
-        a = c;
-        c = swap;
-    }
-    int32_t dx1 = b->x - a->x, dx2 = c->x - a->x, dy1 = b->y - a->y, dy2 = c->y - a->y;
+    const uint16_t *v = job->tri->v;
+    const struct zs_vertex *a = &pool[v[0]], *b = &pool[v[1]], *c = &pool[v[2]];
+    const int32_t ax = a->x, ay = a->y, dx1 = b->x - ax, dx2 = c->x - ax, dy1 = b->y - ay, dy2 = c->y - ay;
     if (((uint32_t)(dx1 + ZS_TINY) | (uint32_t)(dx2 + ZS_TINY) | ((uint32_t)dy1 | (uint32_t)dy2) * 2u) >= 2u * ZS_TINY)
         return 0;
-    int32_t area = dx1 * dy2 - dx2 * dy1; /* |.| <= 2^29 */
-    if (area < 0) {
-        swap = b;
-        b = c;
-        c = swap;
-        const int32_t x1 = dx1, y1 = dy1;
-        dx1 = dx2;
-        dx2 = x1;
-        dy1 = dy2;
-        dy2 = y1;
-        area = -area;
-    }
+    const int32_t area = dx1 * dy2 - dx2 * dy1; /* <= 2^29 */
     if (area < ZS_TINY_AREA)
         return 0;
-    const uint32_t limit = r->view.key_top - 0x10000u, at = r->view.piece_base, d = a->d;
-    if (d >= limit || b->d >= limit || c->d >= limit || (((at - d) ^ (at - b->d)) | ((at - d) ^ (at - c->d))) >>
-        r->view.piece_shift)
+    const uint32_t d = a->d, at = r->view.piece_base, key_a = at - d, key_b = at - b->d, key_c = at - c->d;
+    if (((key_a ^ key_b) | (key_a ^ key_c)) >> r->view.piece_shift)
         return 0;
-    const int32_t last = zs_first_sample(a->y + zs_max32(dy1, dy2)), row = zs_max32(zs_first_sample(a->y), job->y0);
+    const uint32_t safe = at - r->view.key_top + 0x10000u; /* keys above it stay below B - 1 when rounded */
+    if (key_a <= safe || key_b <= safe || key_c <= safe)
+        return 0;
+    const int32_t column = ax >> ZS_SUBPX_BITS;
+    if ((column < SIDE || column > job->width - SIDE) &&
+        (zs_first_sample(ax + zs_min32(zs_min32(dx1, dx2), 0)) < 0 ||
+         zs_first_sample(ax + zs_max32(zs_max32(dx1, dx2), 0)) > job->width))
+        return 0;
+    const int32_t last = zs_first_sample(ay + zs_max32(dy1, dy2)), row = zs_max32(zs_first_sample(ay), job->y0);
     const int32_t n = zs_min32(last, job->y1) - row;
     job->row_last = last;
     if (n <= 0)
         return 1;
-    if (n > ZS_CUT_ROWS)
-        return 0;
-    g->dx[0] = dx1;
-    g->dx[1] = dx2;
-    g->dy[0] = dy1;
-    g->dy[1] = dy2;
 
-    const int32_t left = zs_first_sample(a->x + zs_min32(zs_min32(dx1, dx2), 0)) - 1;
-    const int32_t x = a->x - ZS_SUBPX_HALF - left * ZS_SUBPX_ONE, off = row * ZS_SUBPX_ONE + ZS_SUBPX_HALF - a->y;
-    struct zs_cut *const cuts = job->cut;
-    int32_t dx = dx1, dy = dy1, mid_dx = dx2, mid_dy = dy2; /* the long edge; to the vertex between its ends */
-    int16_t *long_side = &cuts[0].x1, *side = &cuts[0].x0;
-    if (dy1 < dy2) {
-        dx = dx2;
-        dy = dy2;
-        mid_dx = dx1;
-        mid_dy = dy1;
-        long_side = &cuts[0].x0;
-        side = &cuts[0].x1;
-    }
-    const int32_t k = zs_max32(zs_min32(zs_first_sample(a->y + mid_dy) - row, n), 0); /* rows above that vertex */
-    columns(long_side, n, x, off, dx, dy);
-    if (k > 0)
-        columns(side, k, x, off, mid_dx, mid_dy);
-    if (k < n)
-        columns(side + 2 * k, n - k, x + mid_dx, off + k * ZS_SUBPX_ONE - mid_dy, dx - mid_dx, dy - mid_dy);
-    const struct zs_cut *cut = cuts, *const end = cuts + n;
-    while (cut->x0 >= cut->x1)
-        if (++cut == end) {
-            r->stats.tris_setup++;
-            return 1;
-        }
-
-    const int lz = zs_clz32((uint32_t)area);
-    g->exp = -lz;
-    g->rcp = zs_recip((uint32_t)area << lz);
-    const int32_t dv1 = (int32_t)(b->d - d), dv2 = (int32_t)(c->d - d);
-    const int32_t gx = zs_plane_tiny_gradient(g, dv1, dv2, g->dy, ZS_PLANE_KEY);
-    const int32_t up = zs_plane_tiny_gradient(g, dv1, dv2, g->dx, ZS_PLANE_KEY);
+    const int shift = zs_clz32((uint32_t)area); /* 2 .. 18 */
+    const uint32_t rcp = zs_recip_inline((uint32_t)area << shift);
+    const int32_t dv1 = (int32_t)(key_a - key_b), dv2 = (int32_t)(key_a - key_c);
+    const int32_t gx = gradient(zs_mul_ss(dv1, dy2) - zs_mul_ss(dv2, dy1), rcp, shift);
+    const int32_t up = gradient(zs_mul_ss(dv1, dx2) - zs_mul_ss(dv2, dx1), rcp, shift);
     if (gx == ZS_TOO_STEEP || up == ZS_TOO_STEEP)
         return 0;
+    struct walk w;
+    const int32_t x = (ax & (ZS_SUBPX_ONE - 1)) + SIDE * ZS_SUBPX_ONE - ZS_SUBPX_HALF, off = row * ZS_SUBPX_ONE + ZS_SUBPX_HALF - ay;
+    const int64_t from = zs_mul_ss(gx, x) + zs_mul_ss(up, off) - 128; /* to column 0 and row, negative, a half added */
     r->stats.tris_setup++;
-    const int32_t gy = -up;
-    const int32_t ax = ZS_SUBPX_HALF - (a->x & (ZS_SUBPX_ONE - 1)), ay = ZS_SUBPX_HALF - (a->y & (ZS_SUBPX_ONE - 1));
-    const int32_t low = (gx & 255) * ax + (gy & 255) * ay + 128; /* as small_base in plane.c */
-    uint32_t key = d + (uint32_t)((gx >> 8) * ax + (gy >> 8) * ay + (low >> 8)) + 0x8000u +
-                   zs_wrap_mul((uint32_t)gx, left - (a->x >> ZS_SUBPX_BITS)) +
-                   zs_wrap_mul((uint32_t)gy, row - (a->y >> ZS_SUBPX_BITS));
-    draw(job, key, gx, gy, left, row, n);
+    w.key = d + 0x8000u + (uint32_t)(-from >> 8);
+    w.gx = (uint32_t)gx;
+    w.gy = 0u - (uint32_t)up;
+    w.pitch = (uint32_t)job->width * 2u;
+    w.depth = (uintptr_t)job->depth + (uint32_t)(row - job->y0) * w.pitch + (uint32_t)(column - SIDE - 1) * 2u;
+    w.end = w.depth + (uint32_t)n * w.pitch;
+    w.beside = zs_solid_beside(job);
+    w.paint = job->tri->paint;
+
+    w.span[0] = (uint32_t)dy2 * ZS_SUBPX_ONE;
+    w.span[1] = (uint32_t)dy1 * ZS_SUBPX_ONE;
+    w.step[0] = (uint32_t)dx2 * ZS_SUBPX_ONE;
+    w.step[1] = (uint32_t)dx1 * ZS_SUBPX_ONE;
+    w.sum[0] = (uint32_t)(x * dy2 + off * dx2) + w.span[0] - 1u;
+    w.sum[1] = (uint32_t)(x * dy1 + off * dx1) + w.span[1] - 1u;
+    w.turn = dy1 < dy2;
+    const int32_t mid_dx = w.turn ? dx1 : dx2, mid_dy = w.turn ? dy1 : dy2, dx = w.turn ? dx2 : dx1, dy = w.turn ? dy2 : dy1;
+    const int32_t k = zs_max32(zs_min32(zs_first_sample(ay + mid_dy) - row, n), 0); /* rows above that vertex */
+    w.mid = w.depth + (uint32_t)k * w.pitch;
+    if (k < n) {
+        const int32_t to_dx = dx - mid_dx, to_dy = dy - mid_dy;
+        w.next_span = (uint32_t)to_dy * ZS_SUBPX_ONE;
+        w.next_step = (uint32_t)to_dx * ZS_SUBPX_ONE;
+        w.next_sum = (uint32_t)((x + mid_dx) * to_dy + (off + k * ZS_SUBPX_ONE - mid_dy) * to_dx) + w.next_span - 1u;
+    }
+    r->stats.pixels_tested += small_rows(job, &w);
     return 1;
 }
 

@@ -24,7 +24,7 @@ export function read_elf(path) {
             const name = text(sections[s.link].offset + u32(o)), value = u32(o + 4);
             symbols[name] = value;
             if ((bytes[o + 12] & 15) === 2) // STT_FUNC; bit 0 of its address says Thumb
-                functions.push({ name, at: value & ~1 });
+                functions.push({ name, at: value - (value & 1) });
         }
     }
     functions.sort((a, b) => a.at - b.at);

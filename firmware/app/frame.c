@@ -1,0 +1,44 @@
+/* One frame of one scene, frame 0, for tests/boards/profile.sh to count: strips of 24 rows, one buffer, pools that take the scene
+ * in one pass, as the bench's one-pass frames. FRAME_DEMO=mesh names the scene.
+ *
+ * SPDX-License-Identifier: MIT
+ */
+#include "hal.h"
+#include "scenes.h"
+#include "zstrip.h"
+
+#define ARENA_BYTES (3u << 20)
+#define OF_NAME_(name) demo_##name
+#define OF_NAME(name) OF_NAME_(name)
+
+ZS_ARENA(arena, ARENA_BYTES);
+static struct zs_renderer renderer;
+static struct demo_frame frame;
+
+static int drop(void *ctx, const struct zs_strip *strip)
+{
+    (void)ctx;
+    (void)strip;
+    return 0;
+}
+
+int main(void)
+{
+    const struct demo *d = &OF_NAME(FRAME_DEMO);
+    struct zs_config c = { d->width, d->height, 24, 0, 0, (uint8_t)d->attrs, 1, 8, 16, 0, d->depth };
+    const struct zs_sink sink = { drop, 0, 0 };
+    uint32_t tris = 256, verts = 256;
+    if (hal_init())
+        hal_exit(1);
+    d->pose(&frame, 0, d->width, d->height);
+    for (uint32_t i = 0; i < frame.scene.n_instances; i++) {
+        tris += frame.scene.instance[i].mesh->n_tris;
+        verts += frame.scene.instance[i].mesh->n_verts;
+    }
+    c.max_tris = (uint16_t)(tris < ZS_POOL_MAX ? tris : ZS_POOL_MAX);
+    c.max_verts = (uint16_t)(verts < ZS_POOL_MAX ? verts : ZS_POOL_MAX);
+    int err = zs_init(&renderer, &c, arena, sizeof arena);
+    if (!err)
+        err = zs_render(&renderer, &frame.scene, &frame.camera, &sink);
+    hal_exit(err != 0);
+}
