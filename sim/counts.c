@@ -1,7 +1,8 @@
 /* Counts by pixel. The renderer knows none of this: it is given a depth mapping of our own, which passes on what it is
  * asked to the one that was wanted, and says of itself that keys are not linear on the screen, so that it is asked to
  * draw every triangle. It finds the triangle's pixels from its spans, and those that were written from the keys that
- * have changed: a key that wins is less than the one before. Of instances with a state, which may win without that, it
+ * have changed: a key that wins is less than the one before; pixels that nothing was drawn on yet hold no key, and are known by
+ * the rows' ranges that the renderer keeps. Of instances with a state, which may win without that, it
  * looks on at the shader's runs.
  *
  * SPDX-License-Identifier: MIT
@@ -22,6 +23,8 @@ struct tap {
     struct zs_renderer *r;          /* that draws */
     const struct zs_shader *shader; /* of the triangle in hand */
     uint16_t *before;               /* [strip_h][width]: keys before it */
+    int16_t (*drawn)[2];            /* [strip_h]: columns that held keys before it; */
+    uint8_t fresh;                  /* 1: others held none */
     uint32_t setups;                /* up to the strip before */
     uint8_t linear, broken;         /* flags: what the mapping says of keys; counts disagree */
 };
@@ -71,9 +74,14 @@ static uint32_t count(const struct tap *tap, struct zs_job *job)
         mark(tap->out->tested, job, y, from, to);
         n += (uint32_t)(to - from);
         const size_t at = (size_t)(y - job->y0) * (size_t)job->width;
-        for (int32_t i = from; i < to && !job->state; i++)
-            if (job->depth[at + (size_t)i] != tap->before[at + (size_t)i])
+        const int16_t *const drawn = tap->drawn[y - job->y0];
+        for (int32_t i = from; i < to && (tap->fresh || !job->state); i++) {
+            const int fresh = tap->fresh && (i < drawn[0] || i >= drawn[1]);
+            if (fresh && !(job->r->config.skip_off & ZS_SKIP_TEST))
+                mark(tap->out->untested, job, y, i, i + 1);
+            if (fresh || job->depth[at + (size_t)i] != tap->before[at + (size_t)i])
                 mark(tap->out->written, job, y, i, i + 1);
+        }
     }
     return n;
 }
@@ -87,7 +95,10 @@ static void tap_rows(struct zs_job *job)
     const uint32_t tested = r->stats.pixels_tested;
     const size_t at = (size_t)(job->row - job->y0) * (size_t)job->width;
     memcpy(tap->before + at, job->depth + at, (size_t)(job->row_end - job->row) * (size_t)job->width * 2u);
-    if (job->state) {
+    tap->fresh = job->state && r->fresh; /* not an instance's: those are drawn when nothing is fresh any more */
+    if (tap->fresh)
+        memcpy(tap->drawn, r->drawn, (size_t)(job->y1 - job->y0) * sizeof *tap->drawn);
+    if (job->state && !tap->fresh) {
         tap->shader = job->shader;
         shader.run = tap_run;
         job->shader = &shader;
@@ -142,15 +153,18 @@ int sim_counts_draw(struct sim_counts *counts, const struct zs_scene *scene, con
     tap.before = sim_alloc((size_t)config->width * rows, sizeof *tap.before);
     counts->n_strips = ZS_STRIPS(config->height, rows);
     counts->tested = sim_alloc(n, sizeof *counts->tested);
+    tap.drawn = sim_alloc(rows, sizeof *tap.drawn);
+    counts->untested = sim_alloc(n, sizeof *counts->untested);
     counts->written = sim_alloc(n, sizeof *counts->written);
     counts->setups = sim_alloc(counts->n_strips, sizeof *counts->setups);
     int err = sim_frame_render_to(&counts->frame, scene, camera, &with, "counting", &sink);
     const struct zs_stats *s = &counts->frame.stats;
     if (err == ZS_OK && (tap.broken || sum(counts->tested, n) != s->pixels_tested ||
-                         sum(counts->written, n) != s->pixels_written ||
+                         sum(counts->untested, n) != s->pixels_untested || sum(counts->written, n) != s->pixels_written ||
                          sum(counts->setups, counts->n_strips) != s->tris_setup))
         err = SIM_FRAME_BROKEN;
     free(tap.before);
+    free(tap.drawn);
     if (err != ZS_OK)
         sim_counts_free(counts);
     return err;
@@ -160,6 +174,7 @@ void sim_counts_free(struct sim_counts *counts)
 {
     sim_frame_free(&counts->frame);
     free(counts->tested);
+    free(counts->untested);
     free(counts->written);
     free(counts->setups);
     memset(counts, 0, sizeof *counts);

@@ -9,8 +9,9 @@
 
 struct sim_counts {
     struct sim_frame frame; /* as sim_frame_render draws it */
-    uint32_t *tested;       /* [height][width]: how often a triangle's key was compared here; sums up to pixels_tested */
-    uint32_t *written;      /* [height][width]: and was nearer; sums up to pixels_written */
+    uint32_t *tested;       /* [height][width]: how many drawn triangles cover it; sums up to pixels_tested */
+    uint32_t *untested;     /* [height][width]: of these, drawn without a comparison; sums up to pixels_untested */
+    uint32_t *written;      /* [height][width]: of these, was nearer; sums up to pixels_written */
     uint32_t *setups;       /* [n_strips]; sums up to tris_setup */
     uint32_t n_strips;
 };

@@ -214,6 +214,7 @@ static void add_stats(struct zs_stats *sum, const struct zs_stats *s)
     sum->tris_setup += s->tris_setup;
     sum->tris_hidden += s->tris_hidden;
     sum->pixels_tested += s->pixels_tested;
+    sum->pixels_untested += s->pixels_untested;
     sum->pixels_written += s->pixels_written;
     sum->strips += s->strips;
     sum->passes = larger(sum->passes, s->passes);

@@ -28,6 +28,7 @@
 #define MOST_LEAST 8u /* counts up to it have the same colours in all pictures */
 #define WHITE 0xffffu
 #define BLACK 0u
+#define GREY 0x4208u /* drawn, and no key compared */
 
 struct canvas {
     uint32_t w, h, frame_h; /* px; the legend begins at frame_h */
@@ -168,6 +169,20 @@ static void show_counts(struct canvas *c, struct sim_show_sum *sum, const struct
     count_legend(c, scale_top(most));
 }
 
+static void show_tested(struct canvas *c, struct sim_show_sum *sum, const struct sim_counts *counts)
+{
+    const struct sim_frame *f = &counts->frame;
+    const size_t n = (size_t)f->width * f->height;
+    uint32_t *map = sim_alloc(n, sizeof *map);
+    for (size_t i = 0; i < n; i++)
+        map[i] = counts->tested[i] - counts->untested[i];
+    show_counts(c, sum, f, map, "tested");
+    for (size_t i = 0; i < n; i++)
+        if (map[i] == 0 && counts->untested[i])
+            *pixel(c, f, i) = GREY;
+    free(map);
+}
+
 static void show_distances(struct canvas *c, const struct sim_frame *f, const struct zs_camera *camera,
                            const struct zs_config *config, double unit)
 {
@@ -238,8 +253,10 @@ int sim_show_draw(struct sim_picture *out, struct sim_show_sum *sum, enum sim_sh
         show_strips(&c, to, &counts, config->strip_h);
     else if (kind == SIM_SHOW_OVERDRAW)
         show_counts(&c, to, &counts.frame, counts.written, "overdraw");
+    else if (kind == SIM_SHOW_COMPLEXITY)
+        show_counts(&c, to, &counts.frame, counts.tested, "complexity");
     else
-        show_counts(&c, to, &counts.frame, counts.tested, kind == SIM_SHOW_TESTED ? "tested" : "complexity");
+        show_tested(&c, to, &counts);
     sim_picture_565(out, c.w, c.h, c.px);
     free(c.px);
     sim_counts_free(&counts);

@@ -13,7 +13,7 @@ enum sim_show {
     SIM_SHOW_DEPTH,      /* distance along the view */
     SIM_SHOW_COMPLEXITY, /* triangles that cover a pixel, hidden ones too; culled faces do not count */
     SIM_SHOW_OVERDRAW,   /* how often a pixel was written */
-    SIM_SHOW_TESTED,     /* how often a key was compared there */
+    SIM_SHOW_TESTED,     /* how often a key was compared there; grey: drawn without */
     SIM_SHOW_STRIPS      /* bars: set-ups of a strip, over the darkened frame */
 };
 #define SIM_SHOW_WORDS "frame|depth|complexity|overdraw|tested|strips" /* in their order */

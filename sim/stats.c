@@ -64,6 +64,7 @@ static void counts(struct sim_json *json, const struct zs_stats *s, uint32_t vis
         { "triangle_setups", s->tris_setup },
         { "triangles_hidden", s->tris_hidden },
         { "pixels_tested", s->pixels_tested },
+        { "pixels_untested", s->pixels_untested },
         { "pixels_written", s->pixels_written },
         { "pixels_visible", visible },
         { "strips", s->strips },

@@ -222,6 +222,7 @@ static uint32_t bytes_by_hand(const struct zs_config *c)
                           c->max_verts * 2u, (uint32_t)c->max_verts * c->attrs * 2u };
     uint32_t sum = (c->max_verts * 2u + 3u) / 4u * 4u; /* vert_map, the ninth */
     sum += ((c->width + 31u) / 32u * 2u + 3u) / 4u * 4u; /* bounds of tiles, the tenth */
+    sum += rows * 4u; /* columns drawn, the eleventh */
     for (int k = 0; k < 8; k++)
         sum += (pools[k] + 3u) / 4u * 4u;
     return sum;
@@ -249,9 +250,10 @@ static int arena_case(uint64_t seed)
     const struct {
         const void *at;
         uint32_t bytes;
-    } pool[10] = { { r.color[0], strip },
+    } pool[11] = { { r.color[0], strip },
                   { r.color[1], strip },
                   { r.depth, strip },
+                  { r.drawn, 4u * rows },
                   { r.bound, 2u * ((c.width + 31u) / 32u) },
                   { r.bin, 2u * r.n_strips },
                   { r.tri, 12u * c.max_tris },
@@ -260,7 +262,7 @@ static int arena_case(uint64_t seed)
                   { r.vert_map, 2u * c.max_verts },
                   { r.attr, 2u * c.max_verts * c.attrs } };
     const uint8_t *end = arena;
-    for (int k = 0; k < 10; k++) {
+    for (int k = 0; k < 11; k++) {
         const uint8_t *at = pool[k].at;
         if (k == 1 && c.buffers == 1) {
             CASE_CHECK(pool[1].at == pool[0].at);
@@ -752,7 +754,7 @@ static int sphere_case(uint64_t seed)
                                      prng_range(&p, 1, 50000));
     const int linear = camera.projection == ZS_ORTHOGRAPHIC || prng_pick(&p, 2);
     struct zs_config config = lone_config(25, 20, linear ? &zs_depth_linear : &zs_depth_recip);
-    config.skip_off = (uint8_t)prng_pick(&p, 64);
+    config.skip_off = (uint16_t)prng_pick(&p, 512);
     struct picture f = picture_draw(&config, &l.scene, &camera);
     const int ok = known_error(f.err);
     picture_free(&f);

@@ -18,7 +18,7 @@
 #define H 72
 #define N ((size_t)W * H)
 
-static struct zs_config config_of(const struct demo *demo, uint8_t skip_off)
+static struct zs_config config_of(const struct demo *demo, uint16_t skip_off)
 {
     struct zs_config c;
     sim_frame_config(&c, W, H, (uint8_t)demo->attrs);
@@ -47,6 +47,7 @@ static void check_frame(const struct demo_frame *f, const struct zs_config *c)
     assert_memory_equal(counts.frame.key, frame.key, N * 2);
     assert_memory_equal(&counts.frame.stats, &frame.stats, sizeof frame.stats);
     assert_true(sum(counts.tested, N) == frame.stats.pixels_tested);
+    assert_true(sum(counts.untested, N) == frame.stats.pixels_untested);
     assert_true(sum(counts.written, N) == frame.stats.pixels_written);
     assert_int_equal(counts.n_strips, 8);
     assert_true(sum(counts.setups, counts.n_strips) == frame.stats.tris_setup);
@@ -61,10 +62,10 @@ static void check_frame(const struct demo_frame *f, const struct zs_config *c)
 static void sums_of_every_scene(void **state)
 {
     (void)state;
-    static const uint8_t off[] = { 0, ZS_SKIP_HIDDEN, 63 };
+    static const uint16_t off[] = { 0, ZS_SKIP_HIDDEN, 511, ZS_SKIP_CLEAR, ZS_SKIP_TEST };
     for (uint32_t d = 0; d < n_demos; d++)
         for (uint32_t t = 0; t < demos[d]->frames && t < 40; t += 21)
-            for (size_t k = 0; k < sizeof off; k++) {
+            for (size_t k = 0; k < sizeof off / sizeof *off; k++) {
                 struct demo_frame f;
                 struct zs_config c = config_of(demos[d], off[k]);
                 demos[d]->pose(&f, t, W, H);

@@ -339,7 +339,7 @@ static int frames_of(uint64_t seed)
     c.max_tris = (uint16_t)(prng_pick(&p, 2) ? 600 : 2 + prng_pick(&p, 80));
     c.max_verts = (uint16_t)(prng_pick(&p, 2) ? 600 : 9 + prng_pick(&p, 80));
     c.subpixel_bits = prng_pick(&p, 4) ? 8 : 4;
-    c.skip_off = prng_pick(&p, 4) ? 0 : (uint8_t)prng_pick(&p, 64);
+    c.skip_off = prng_pick(&p, 4) ? 0 : (uint16_t)prng_pick(&p, 512);
     show_open(&s, &c);
     int right = 1;
     for (int frame = 0; frame < 24 && right; frame++) {

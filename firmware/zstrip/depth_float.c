@@ -43,7 +43,7 @@ static ZS_RARE int float_setup(struct zs_view *view, const struct zs_camera *cam
 {
     if (!view->perspective)
         return ZS_ERR_DEPTH; /* near / z has no meaning there */
-    view->screen_linear = 0;
+    view->screen_linear = view->pixelwise = 0;
     view->key_top = ((1u << bits) - 1u) << 16;
     view->key_mantissa = (uint8_t)(bits - exponent_bits);
     view->key_octaves = (uint8_t)((1u << exponent_bits) - 1u);

@@ -19,6 +19,7 @@
 static ZS_RARE int linear_setup(struct zs_view *view, const struct zs_camera *camera, uint32_t bits)
 {
     view->screen_linear = !view->perspective;
+    view->pixelwise = view->perspective;
     view->piece_base = UINT32_MAX;
     view->piece_shift = view->perspective ? 0u : 31u;
     view->key_top = ((1u << bits) - 1u) << 16;

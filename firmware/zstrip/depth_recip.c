@@ -12,6 +12,7 @@ static ZS_RARE int recip_setup(struct zs_view *view, const struct zs_camera *cam
     if (!view->perspective)
         return ZS_ERR_DEPTH; /* 1/z is not linear on an orthographic screen */
     view->screen_linear = 1;
+    view->pixelwise = 0;
     view->piece_base = UINT32_MAX;
     view->piece_shift = 31;
     view->key_top = ((1u << bits) - 1u) << 16;

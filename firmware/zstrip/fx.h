@@ -74,6 +74,18 @@ static inline void zs_fill16(uint16_t *out, uint16_t value, uint32_t n)
         *at++ = pair;
 }
 
+/* Fill n > 0 16-bit values, anywhere. */
+static inline void zs_fill_run(uint16_t *out, uint16_t value, uint32_t n)
+{
+    if ((uintptr_t)out & 2u) {
+        *out++ = value;
+        n--;
+    }
+    if (n & 1u)
+        out[n - 1u] = value;
+    zs_fill16(out, value, n & ~1u);
+}
+
 static inline int32_t zs_abs32(int32_t v)
 {
     return v < 0 ? -v : v;

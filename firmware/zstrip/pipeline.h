@@ -190,8 +190,8 @@ void zs_bin_walk(struct zs_renderer *r);
 
 /* ---- raster.c --------------------------------------------------------------------------------------- */
 
-/* The next strip, empty: background and keys that nothing writes. */
-void zs_raster_clear(struct zs_renderer *r);
+/* Before anything is drawn into the next strip. */
+void zs_raster_begin(struct zs_renderer *r);
 /* Draw the strip r->strip's bin and the active list; leaves those that go on in r->active. */
 void zs_raster_strip(struct zs_renderer *r);
 /* Do not draw it, but pass its triangles on to the strip below. */
@@ -287,6 +287,14 @@ struct zs_job {
     struct zs_plane64 w64;        /* depth that is not linear on the screen: 1/z ... */
     int32_t w64_scale;            /* ... and its scale */
 };
+
+/* ---- fresh.c ----------------------------------------------------------------------------------------- */
+
+/* Before anything is drawn into r->strip; after: clears what nothing was drawn on. */
+void zs_fresh_begin(struct zs_renderer *r);
+void zs_fresh_end(struct zs_renderer *r);
+/* While r->fresh: 1: job->tri can be drawn on what is fresh, job->state says how; 0: nothing is fresh any more. */
+int zs_fresh_takes(struct zs_job *job);
 
 /* ---- plane.c ---------------------------------------------------------------------------------------- */
 

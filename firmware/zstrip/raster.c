@@ -242,11 +242,15 @@ void zs_raster_strip(struct zs_renderer *r)
             number = t->instance;
             job.shader = instance->material->shader;
             job.state = instance->state;
-            small = ZS_DIVIDES && r->view.piece_shift && !job.state && job.shader->small;
+            small = ZS_DIVIDES && !r->fresh && r->view.piece_shift && !job.state && job.shader->small;
         }
         const struct zs_shader *shader = job.shader;
-        if (!hides && !(small && shader->small(&job)) && job_setup(&job))
-            draw(&job);
+        if (!hides) {
+            if (r->fresh && !zs_fresh_takes(&job))
+                number = ZS_NIL; /* small triangles from now on */
+            if (!(small && shader->small(&job)) && job_setup(&job))
+                draw(&job);
+        }
         if (goes_on && job.row_last > y1) {
             *keep = list;
             keep = &t->next;
@@ -256,15 +260,8 @@ void zs_raster_strip(struct zs_renderer *r)
     *keep = ZS_NIL;
 }
 
-static ZS_NOINLINE void fill(uint16_t *out, uint16_t value, uint32_t n)
+void zs_raster_begin(struct zs_renderer *r)
 {
-    zs_fill16(out, value, n);
-}
-
-void zs_raster_clear(struct zs_renderer *r)
-{
-    const uint32_t n = (uint32_t)r->config.width * r->config.strip_h;
-    fill(r->color[r->strip & 1], zs_wire16(r->scene->background), n);
-    fill(r->depth, ZS_DEPTH_CLEAR, n);
-    fill(r->bound, ZS_DEPTH_CLEAR, ZS_TILES(r->config.width));
+    zs_fresh_begin(r);
+    zs_fill16(r->bound, ZS_DEPTH_CLEAR, ZS_TILES(r->config.width));
 }

@@ -42,7 +42,8 @@ struct zs_view {
                               that part of the least; both 0: not known without division */
     uint32_t piece_base;   /* keys are linear on a triangle whose vertices' (piece_base - d) >> piece_shift agree; ... */
     uint8_t piece_shift;   /* ... 0: not known */
-    uint8_t perspective, screen_linear; /* flags: keys are linear on the screen */
+    uint8_t perspective, screen_linear; /* flags: keys are linear on the screen; ... */
+    uint8_t pixelwise;     /* ... each is found by itself */
     uint8_t key_mantissa, key_octaves; /* float: mantissa bits, and 2^exponent bits - 1 */
 };
 
@@ -83,6 +84,7 @@ struct zs_renderer { /* what is used most comes first: a Cortex-M0 reaches 31 by
     uint8_t counting;           /* 1 in the frame's first walk: triangles are counted once */
     uint8_t ready;              /* zs_init succeeded */
     uint8_t large;              /* 1: the frame has triangles that may hide others: two tiles wide */
+    uint8_t fresh;              /* of the strip in hand, what holds no colours and keys yet: nothing, all, some (fresh.c) */
     uint16_t n_strips, strip;   /* strip: the next to be drawn */
     uint16_t band_end;          /* bins are complete for strips below it */
     uint16_t active;            /* list of triangles that went on from the strip before */
@@ -113,6 +115,9 @@ struct zs_renderer { /* what is used most comes first: a Cortex-M0 reaches 31 by
     uint32_t *track_memory;       /* the caller's: sum of the frame, records of instances ... */
     uint8_t *track_due;           /* ... [n_strips]: 1: to be drawn */
     uint16_t track_instances;     /* that there are records for */
+    int16_t (*drawn)[2];          /* [strip_h]: columns [0] .. [1] - 1 of a row hold colours and keys (fresh.c) */
+    int16_t was[2];               /* the same of a row, before the triangle in hand */
+    uint32_t fresh_left;          /* how many pixels hold none, where some do */
     struct zs_lit lit;
 };
 

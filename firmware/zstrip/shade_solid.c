@@ -65,7 +65,5 @@ void zs_solid_rows(struct zs_job *job)
 
 void zs_solid_run(struct zs_job *job, const struct zs_row *row, int32_t from, int32_t to)
 {
-    uint16_t *color = job->color + row->at;
-    for (int32_t i = from; i < to; i++)
-        color[i] = job->tri->paint;
+    zs_fill_run(job->color + row->at + from, job->tri->paint, (uint32_t)(to - from));
 }

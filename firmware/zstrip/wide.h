@@ -72,7 +72,36 @@ static inline int64_t zs_cross_short(int32_t a, int32_t b, int32_t c, int32_t d)
     return (int64_t)((uint64_t)(uint32_t)hi << 32 | (uint32_t)lo);
 }
 
-/* Fill 16 words at a time, up to n of them, four a STM: 1.4 cycles a word. Return how many. at is 4-byte aligned. */
+#else
+
+/* a * b, exact. */
+static inline uint64_t zs_mul_uu(uint32_t a, uint32_t b)
+{
+    return (uint64_t)a * b;
+}
+
+static inline int64_t zs_mul_ss(int32_t a, int32_t b)
+{
+    return (int64_t)a * b;
+}
+
+static inline int64_t zs_mul_su(int32_t a, uint32_t b)
+{
+    return (int64_t)a * (int64_t)b;
+}
+
+/* a b - c d, |b| and |d| <= 2^14. */
+static inline int64_t zs_cross_short(int32_t a, int32_t b, int32_t c, int32_t d)
+{
+    return (int64_t)a * b - (int64_t)c * d;
+}
+
+#endif
+
+#if defined(__GNUC__) && defined(__thumb__)
+
+/* Fill 16 words at a time, up to n of them, four a STM: 0.3 instructions, on Armv6-M 1.4 cycles a word. Return how many.
+ * at is 4-byte aligned. */
 static inline uint32_t zs_fill_blocks(void *at, uint32_t value, uint32_t n)
 {
     register uint32_t a __asm__("r3") = value, b __asm__("r4") = value, c __asm__("r5") = value, d __asm__("r6") = value;
@@ -96,28 +125,6 @@ static inline uint32_t zs_fill_blocks(void *at, uint32_t value, uint32_t n)
     (void)value;
     (void)n;
     return 0;
-}
-
-/* a * b, exact. */
-static inline uint64_t zs_mul_uu(uint32_t a, uint32_t b)
-{
-    return (uint64_t)a * b;
-}
-
-static inline int64_t zs_mul_ss(int32_t a, int32_t b)
-{
-    return (int64_t)a * b;
-}
-
-static inline int64_t zs_mul_su(int32_t a, uint32_t b)
-{
-    return (int64_t)a * (int64_t)b;
-}
-
-/* a b - c d, |b| and |d| <= 2^14. */
-static inline int64_t zs_cross_short(int32_t a, int32_t b, int32_t c, int32_t d)
-{
-    return (int64_t)a * b - (int64_t)c * d;
 }
 
 #endif

@@ -274,7 +274,9 @@ enum zs_skip {
     ZS_SKIP_EMPTY = 4,    /* triangles whose bounding box holds no sample */
     ZS_SKIP_VCACHE = 8,   /* transforming a vertex again that is still in the pool */
     ZS_SKIP_BINS = 16,    /* walking the scene again for every strip */
-    ZS_SKIP_HIDDEN = 32   /* triangles behind large ones that cover their part of a strip */
+    ZS_SKIP_HIDDEN = 32,  /* triangles behind large ones that cover their part of a strip */
+    ZS_SKIP_CLEAR = 64,   /* clearing pixels that wide triangles are drawn on first */
+    ZS_SKIP_TEST = 128    /* comparing keys where nothing was drawn before */
 };
 
 struct zs_config {
@@ -286,7 +288,7 @@ struct zs_config {
     uint8_t buffers;        /* strip buffers, 1 or 2 */
     uint8_t subpixel_bits;  /* 8 or 4 */
     uint8_t depth_bits;     /* 8 .. 16 */
-    uint8_t skip_off;       /* enum zs_skip, or-ed; 0 in production */
+    uint16_t skip_off;      /* enum zs_skip, or-ed; 0 in production */
     const struct zs_depth *depth;
 };
 
@@ -297,6 +299,7 @@ struct zs_config {
 #define ZS_COLOR_BYTES(width, strip_h, buffers) \
     ((uint32_t)(buffers) * ZS_ROUND4((uint32_t)(width) * (uint32_t)(strip_h) * 2u))
 #define ZS_DEPTH_BYTES(width, strip_h) ZS_ROUND4((uint32_t)(width) * (uint32_t)(strip_h) * 2u)
+#define ZS_DRAWN_BYTES(strip_h) ((uint32_t)(strip_h) * 4u)
 #define ZS_TILE_LOG2 5
 #define ZS_TILES(width) (((uint32_t)(width) + 31u) >> ZS_TILE_LOG2)
 #define ZS_BOUND_BYTES(width) ZS_ROUND4(ZS_TILES(width) * 2u)
@@ -308,7 +311,7 @@ struct zs_config {
      ZS_ROUND4((uint32_t)(max_verts) * (uint32_t)(attrs) * 2u))
 #define ZS_ARENA_BYTES(width, height, strip_h, max_tris, max_verts, attrs, buffers) \
     (ZS_COLOR_BYTES(width, strip_h, buffers) + ZS_DEPTH_BYTES(width, strip_h) + \
-     ZS_BOUND_BYTES(width) + ZS_BIN_BYTES(height, strip_h) + ZS_TRI_BYTES(max_tris) + ZS_VERT_BYTES(max_verts, attrs))
+     ZS_DRAWN_BYTES(strip_h) + ZS_BOUND_BYTES(width) + ZS_BIN_BYTES(height, strip_h) + ZS_TRI_BYTES(max_tris) + ZS_VERT_BYTES(max_verts, attrs))
 
 /* An arena as a static array, aligned for DMA and caches. */
 #define ZS_ARENA(name, bytes) static uint32_t name[((bytes) + 3u) / 4u] ZS_ALIGNED
@@ -332,7 +335,8 @@ struct zs_stats {
     uint32_t verts_transformed;
     uint32_t tris_setup;      /* wide set-ups: a triangle in a strip */
     uint32_t tris_hidden;     /* set-ups that were saved: a triangle in a strip, behind what covers it there */
-    uint32_t pixels_tested;   /* compared with the depth buffer */
+    uint32_t pixels_tested;   /* of triangles that are drawn: compared with the depth buffer ... */
+    uint32_t pixels_untested; /* ... but for these of them, on which nothing was drawn before */
     uint32_t pixels_written;  /* and nearer; 0 unless built with ZS_STATS = 1 */
     uint32_t strips;          /* given out so far */
     uint32_t strips_unchanged; /* of these: changed_w is 0; always 0 without zs_watch and zs_track */

@@ -175,9 +175,9 @@ static struct zs_config way(struct prng *p, struct zs_config c, int trusted)
     c.max_tris = one_in(p, 4) ? (uint16_t)(1 + prng_pick(p, 100)) : small[prng_pick(p, KINDS(small))];
     c.max_verts = (uint16_t)(3 + small[prng_pick(p, KINDS(small))] - 1);
     c.buffers = (uint8_t)(1 + prng_pick(p, 2));
-    c.skip_off = (uint8_t)(one_in(p, 2) ? 0 : prng_next(p));
+    c.skip_off = (uint16_t)(one_in(p, 2) ? 0 : prng_next(p) & 511u);
     if (!trusted)
-        c.skip_off &= (uint8_t)~(ZS_SKIP_FRUSTUM | ZS_SKIP_CLIPTEST);
+        c.skip_off &= (uint16_t)~(ZS_SKIP_FRUSTUM | ZS_SKIP_CLIPTEST);
     return c;
 }
 
@@ -578,8 +578,8 @@ static void case_config(struct prng *p, uint32_t odd)
                 w.mesh[i].n_clusters = 0;
             }
             if (c.height / rows > 64u)
-                c.skip_off &= (uint8_t)~ZS_SKIP_BINS;
-            c.skip_off &= (uint8_t)~(ZS_SKIP_FRUSTUM | ZS_SKIP_CLIPTEST | ZS_SKIP_EMPTY); /* counts alike */
+                c.skip_off &= (uint16_t)~ZS_SKIP_BINS;
+            c.skip_off &= (uint16_t)~(ZS_SKIP_FRUSTUM | ZS_SKIP_CLIPTEST | ZS_SKIP_EMPTY); /* counts alike */
             c.skip_off |= ZS_SKIP_HIDDEN;
             struct picture a = picture_draw(&c, &w.scene, &w.camera);
             count_frame(&w, &c, &a);

@@ -1,0 +1,203 @@
+/* Pixels of a strip that nothing was drawn on yet: no clear before them, and no depth test.
+ *
+ * A strip begins as it was left: nothing is cleared. While wide triangles come first, each row keeps the columns
+ * that hold colours and keys, one range a row; all others are fresh. A span's fresh pixels are drawn without a test, since
+ * every key is nearer than ZS_DEPTH_CLEAR; the others as always. A gap between a span and the row's range is cleared,
+ * so that it stays one range. With the first triangle for which this does not pay (narrow, with a state, keys found
+ * pixel by pixel), or when the strip is done, what is still fresh is cleared. So each pixel is cleared or drawn first, never
+ * both, and what is read was written before.
+ *
+ * SPDX-License-Identifier: MIT
+ */
+#include "rows.h"
+
+#define WIDE 128 /* columns; a triangle's rows cost some 40 instructions more here, a fresh pixel 6 less and no clear */
+
+enum { NONE, ALL, SOME }; /* zs_renderer.fresh: what is fresh of the strip; SOME: outside r->drawn */
+
+static void clear(struct zs_renderer *r, uint32_t at, int32_t n)
+{
+    if (n <= 0)
+        return;
+    zs_fill_run(r->color[r->strip & 1] + at, zs_wire16(r->scene->background), (uint32_t)n);
+    zs_fill_run(r->depth + at, ZS_DEPTH_CLEAR, (uint32_t)n);
+}
+
+static uint32_t rows_of(const struct zs_renderer *r)
+{
+    const uint32_t y0 = (uint32_t)r->strip * r->config.strip_h, left = r->config.height - y0;
+    return left < r->config.strip_h ? left : r->config.strip_h;
+}
+
+void zs_fresh_begin(struct zs_renderer *r)
+{
+    r->fresh = ALL;
+    if (r->config.skip_off & ZS_SKIP_CLEAR)
+        clear(r, 0, (int32_t)(r->config.width * rows_of(r)));
+    if ((r->config.skip_off & (ZS_SKIP_CLEAR | ZS_SKIP_TEST)) == (ZS_SKIP_CLEAR | ZS_SKIP_TEST))
+        r->fresh = NONE;
+}
+
+ZS_NOINLINE void zs_fresh_end(struct zs_renderer *r)
+{
+    const int32_t width = r->config.width, n = (int32_t)rows_of(r);
+    const int fresh = r->fresh;
+    r->fresh = NONE;
+    if (fresh == ALL)
+        clear(r, 0, width * n);
+    if (fresh != SOME || r->fresh_left == 0)
+        return;
+    for (int32_t y = 0; y < n; y++) {
+        clear(r, (uint32_t)(y * width), r->drawn[y][0]);
+        clear(r, (uint32_t)(y * width + r->drawn[y][1]), width - r->drawn[y][1]);
+    }
+}
+
+static void row_begins(struct zs_job *job, const struct zs_row *row)
+{
+    struct zs_renderer *r = job->r;
+    int16_t *const drawn = r->drawn[row->y - job->y0];
+    const int32_t at = row->at;
+    int32_t x0 = drawn[0], x1 = drawn[1];
+    r->was[0] = drawn[0];
+    r->was[1] = drawn[1];
+    if (x0 == x1)
+        x0 = x1 = row->i0;
+    const int32_t before = x1 - x0;
+    if (row->i1 < x0)
+        clear(r, (uint32_t)(at + row->i1), x0 - row->i1);
+    if (row->i0 > x1)
+        clear(r, (uint32_t)(at + x1), row->i0 - x1);
+    x0 = zs_min32(x0, row->i0);
+    x1 = zs_max32(x1, row->i1);
+    drawn[0] = (int16_t)x0;
+    drawn[1] = (int16_t)x1;
+    r->fresh_left -= (uint32_t)(x1 - x0 - before);
+}
+
+/* Eight keys. Two at a time, sum and next, where halves are brought together by one instruction; Armv6-M takes more. */
+#if defined(__ARM_ARCH_6M__) || !defined(__BYTE_ORDER__) || __BYTE_ORDER__ != __ORDER_LITTLE_ENDIAN__
+#define KEY(k) (at[k] = (uint16_t)(sum >> 16), sum += gx)
+#define KEYS_8() (KEY(0), KEY(1), KEY(2), KEY(3), KEY(4), KEY(5), KEY(6), KEY(7))
+#define ALIGN 0u
+#else
+#define TWO(k) (((zs_pair *)(void *)at)[k] = (next & 0xffff0000u) | sum >> 16, sum += 2u * gx, next += 2u * gx)
+#define KEYS_8() (TWO(0), TWO(1), TWO(2), TWO(3))
+#define ALIGN 2u
+#endif
+
+/* n > 0 keys: sum / 65536, changing by gx. */
+static ZS_NOINLINE void keys(uint16_t *at, int32_t n, uint32_t sum, uint32_t gx)
+{
+    uint16_t *const end = at + n;
+    if ((uintptr_t)at & ALIGN) {
+        *at++ = (uint16_t)(sum >> 16);
+        sum += gx;
+    }
+    uint32_t next = sum + gx;
+    for (; end - at >= 8; at += 8)
+        KEYS_8();
+    (void)next;
+    for (; at < end; at++, sum += gx)
+        *at = (uint16_t)(sum >> 16);
+}
+
+/* The same where keys may saturate. */
+static void keys_held(uint16_t *at, int32_t n, uint32_t sum, uint32_t gx, uint32_t top)
+{
+    for (uint16_t *const end = at + n; at < end; at++, sum += gx)
+        *at = (uint16_t)zs_minu32(sum >> 16, top);
+}
+
+/* Pixels [i, to) of a row, all fresh. Return 0: they are to be tested, and cleared for that. */
+static int untested(struct zs_job *job, const struct zs_row *row, int32_t i, int32_t to, uint32_t sum, uint32_t gx)
+{
+    struct zs_renderer *r = job->r;
+    uint16_t *const depth = job->depth + row->at + i;
+    if (r->config.skip_off & ZS_SKIP_TEST) {
+        zs_fill_run(depth, ZS_DEPTH_CLEAR, (uint32_t)(to - i));
+        return 0;
+    }
+    r->stats.pixels_untested += (uint32_t)(to - i);
+    if (job->saturates)
+        keys_held(depth, to - i, sum, gx, (r->view.key_top >> 16) - 1u);
+    else
+        keys(depth, to - i, sum, gx);
+    return 1;
+}
+
+/* Of a row's spans the leftmost comes first. */
+static void fresh_span(struct zs_job *job, const struct zs_row *row, int32_t i, int32_t i1, uint32_t sum, uint32_t gx)
+{
+    const struct zs_shader *shader = job->shader;
+    if (i == row->i0)
+        row_begins(job, row);
+    const int32_t x0 = job->r->was[0], x1 = job->r->was[1];
+    while (i < i1) {
+        const int fresh = i < x0 || i >= x1;
+        const int32_t to = fresh ? (i < x0 ? zs_min32(i1, x0) : i1) : zs_min32(i1, x1);
+        if (fresh && untested(job, row, i, to, sum, gx))
+            zs_rows_run(job, shader, row, i, to);
+        else
+            shader->span(job, row, i, to, sum, gx);
+        sum += zs_wrap_mul(gx, to - i);
+        i = to;
+    }
+}
+
+ZS_ALWAYS_INLINE void keys_span(struct zs_job *job, const struct zs_row *row)
+{
+    fresh_span(job, row, row->i0, row->i1, row->key + zs_wrap_mul(job->key.gx, row->i0), job->key.gx);
+}
+
+/* Apart, so that its frame is not on the stack below start(). */
+static ZS_NOINLINE void fresh_walk(struct zs_job *job)
+{
+    zs_rows_walk(job, keys_span);
+}
+
+static void fresh_rows(struct zs_job *job)
+{
+    const struct zs_shader *shader = job->shader;
+    job->saturates = (uint8_t)zs_keys_may_saturate(job);
+    if (shader->start)
+        shader->start(job);
+    fresh_walk(job);
+}
+
+static int32_t no_bias(const struct zs_job *job)
+{
+    (void)job;
+    return 0;
+}
+
+static const struct zs_state_kernel zs_state_fresh = { no_bias, fresh_rows, fresh_span };
+static const struct zs_state fresh = { &zs_state_fresh, 0, 0, 0, 0 };
+
+/* Is it wide in the frame, or nearly? */
+static int wide(const struct zs_job *job)
+{
+    const struct zs_vertex *pool = job->r->vert;
+    const int32_t a = pool[job->tri->v[0]].x, b = pool[job->tri->v[1]].x, c = pool[job->tri->v[2]].x;
+    return zs_max32(zs_max32(a, b), c) - zs_min32(zs_min32(a, b), c) >= WIDE * ZS_SUBPX_ONE;
+}
+
+int zs_fresh_takes(struct zs_job *job)
+{
+    struct zs_renderer *r = job->r;
+    if (job->state == &fresh)
+        job->state = 0;
+    if (job->state || r->view.pixelwise || !wide(job) || (r->fresh == SOME && r->fresh_left == 0)) {
+        zs_fresh_end(r);
+        return 0;
+    }
+    if (r->fresh == ALL) {
+        const uint32_t n = rows_of(r);
+        for (uint32_t y = 0; y < n; y++)
+            r->drawn[y][0] = r->drawn[y][1] = 0;
+        r->fresh_left = n * r->config.width;
+        r->fresh = SOME;
+    }
+    job->state = &fresh;
+    return 1;
+}
