@@ -24,6 +24,7 @@ PKG_LINUX = $(PKG_SIM) libgpiod-dev pkg-config
 PKG_TEST = $(PKG_LINUX) g++ clang binutils libcmocka-dev gcc-arm-none-eabi libnewlib-arm-none-eabi qemu-system-arm \
            $(PKG_RISCV) qemu-system-misc gcc-arm-linux-gnueabihf libc6-dev-armhf-cross device-tree-compiler cpio \
            $(if $(shell command -v npm),,nodejs npm)
+PKG_BENCH = $(PKG_TEST) valgrind
 PKG_FUZZ = $(PKG_TEST) libclang-rt-14-dev
 PKG_RISCV = gcc-riscv64-unknown-elf picolibc-riscv64-unknown-elf
 PKG_FW = gcc libc6-dev $(if $(filter rv32,$(BOARD)),$(PKG_RISCV),gcc-arm-none-eabi libnewlib-arm-none-eabi)
@@ -51,8 +52,8 @@ fuzz: $(B)/.setup-fuzz
 	@$(MAKE) --no-print-directory -j2 fuzz-programs $(B)/fuzz/fuzz_mesh
 	@sh tests/fuzz/run.sh $(B) $(SECONDS) $(SEED)
 
-## bench: instructions and error of frames on Cortex-M0 to M7 and RISC-V (QEMU counts); what each skip is worth
-bench: sim $(B)/.setup-test $(B)/gen/meshes.h
+## bench: what frames take and how exact they are: instructions on Cortex-M0 to M7, RISC-V and here, cycles on an RP2040
+bench: sim $(B)/.setup-bench $(B)/gen/meshes.h
 	@sh tests/checks/bench.sh $(B) all
 ## bench-record: what the bench's frames take now becomes what make test compares them with
 bench-record: $(B)/.setup-test $(B)/gen/meshes.h
@@ -136,6 +137,8 @@ $(B)/.setup-fw-$(BOARD):
 	@mkdir -p $(B) && .ci/setup $(PKG_FW) && touch $@
 $(B)/.setup-linux:
 	@mkdir -p $(B) && .ci/setup $(PKG_LINUX) && touch $@ $(B)/.setup-sim
+$(B)/.setup-bench:
+	@mkdir -p $(B) && .ci/setup $(PKG_BENCH) && touch $@ $(B)/.setup-test $(B)/.setup-linux $(B)/.setup-sim
 $(B)/.setup-fuzz:
 	@mkdir -p $(B) && .ci/setup $(PKG_FUZZ) && touch $@ $(B)/.setup-test $(B)/.setup-linux $(B)/.setup-sim
 
