@@ -25,6 +25,7 @@ PKG_TEST = $(PKG_LINUX) g++ clang binutils libcmocka-dev gcc-arm-none-eabi libne
            $(PKG_RISCV) qemu-system-misc gcc-arm-linux-gnueabihf libc6-dev-armhf-cross device-tree-compiler cpio \
            $(if $(shell command -v npm),,nodejs npm)
 PKG_BENCH = $(PKG_TEST) valgrind
+PKG_SCALE = $(PKG_TEST) gnuplot-nox
 PKG_FUZZ = $(PKG_TEST) libclang-rt-14-dev
 PKG_RISCV = gcc-riscv64-unknown-elf picolibc-riscv64-unknown-elf
 PKG_FW = gcc libc6-dev $(if $(filter rv32,$(BOARD)),$(PKG_RISCV),gcc-arm-none-eabi libnewlib-arm-none-eabi)
@@ -58,6 +59,10 @@ bench: sim $(B)/.setup-bench $(B)/gen/meshes.h
 ## bench-record: what the bench's frames take now becomes what make test compares them with
 bench-record: $(B)/.setup-test $(B)/gen/meshes.h
 	@sh tests/checks/bench.sh $(B) record >$(B)/bench.txt && mv $(B)/bench.txt tests/golden/bench.txt
+
+## scale: how instructions grow with triangles, pixels, strips, passes and depth complexity: CSV and plots in build/scale
+scale: $(B)/.setup-scale $(B)/gen/meshes.h
+	@sh tests/checks/scale.sh $(B) plots
 
 ## still: instructions of a still scene and of one moving thing with zs_track, on Cortex-M3
 still: $(B)/.setup-test $(B)/gen/meshes.h
@@ -125,7 +130,7 @@ help:
 	@echo 'Boards, BOARD=:'
 	@for mk in firmware/boards/*/board.mk; do b=$${mk%/board.mk}; \
 	    printf '    %-10s %s\n' "$${b##*/}" "$$(sed -n 's/^BOARD_ABOUT = //p' $$mk)"; done
-.PHONY: all demo test accuracy fuzz bench bench-record still checksums depth firmware pico boards profile sim linux linux-sources \
+.PHONY: all demo test accuracy fuzz bench bench-record scale still checksums depth firmware pico boards profile sim linux linux-sources \
         pictures size stack check clean help test-programs fuzz-programs
 
 $(B)/.setup-sim:
@@ -139,6 +144,8 @@ $(B)/.setup-linux:
 	@mkdir -p $(B) && .ci/setup $(PKG_LINUX) && touch $@ $(B)/.setup-sim
 $(B)/.setup-bench:
 	@mkdir -p $(B) && .ci/setup $(PKG_BENCH) && touch $@ $(B)/.setup-test $(B)/.setup-linux $(B)/.setup-sim
+$(B)/.setup-scale:
+	@mkdir -p $(B) && .ci/setup $(PKG_SCALE) && touch $@ $(B)/.setup-test $(B)/.setup-linux $(B)/.setup-sim
 $(B)/.setup-fuzz:
 	@mkdir -p $(B) && .ci/setup $(PKG_FUZZ) && touch $@ $(B)/.setup-test $(B)/.setup-linux $(B)/.setup-sim
 
