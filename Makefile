@@ -24,6 +24,8 @@ PKG_LINUX = $(PKG_SIM) libgpiod-dev pkg-config
 PKG_TEST = $(PKG_LINUX) g++ clang binutils libcmocka-dev gcc-arm-none-eabi libnewlib-arm-none-eabi qemu-system-arm \
            $(PKG_RISCV) qemu-system-misc gcc-arm-linux-gnueabihf libc6-dev-armhf-cross device-tree-compiler cpio \
            $(if $(shell command -v npm),,nodejs npm)
+PKG_BENCH = $(PKG_TEST) valgrind
+PKG_SCALE = $(PKG_TEST) gnuplot-nox
 PKG_FUZZ = $(PKG_TEST) libclang-rt-14-dev
 PKG_RISCV = gcc-riscv64-unknown-elf picolibc-riscv64-unknown-elf
 PKG_FW = gcc libc6-dev $(if $(filter rv32,$(BOARD)),$(PKG_RISCV),gcc-arm-none-eabi libnewlib-arm-none-eabi)
@@ -51,12 +53,16 @@ fuzz: $(B)/.setup-fuzz
 	@$(MAKE) --no-print-directory -j2 fuzz-programs $(B)/fuzz/fuzz_mesh
 	@sh tests/fuzz/run.sh $(B) $(SECONDS) $(SEED)
 
-## bench: instructions and error of frames on Cortex-M0 to M7 and RISC-V (QEMU counts); what each skip is worth
-bench: sim $(B)/.setup-test $(B)/gen/meshes.h
+## bench: what frames take and how exact they are: instructions on Cortex-M0 to M7, RISC-V and here, cycles on an RP2040
+bench: sim $(B)/.setup-bench $(B)/gen/meshes.h
 	@sh tests/checks/bench.sh $(B) all
 ## bench-record: what the bench's frames take now becomes what make test compares them with
 bench-record: $(B)/.setup-test $(B)/gen/meshes.h
 	@sh tests/checks/bench.sh $(B) record >$(B)/bench.txt && mv $(B)/bench.txt tests/golden/bench.txt
+
+## scale: how instructions grow with triangles, pixels, strips, passes and depth complexity: CSV and plots in build/scale
+scale: $(B)/.setup-scale $(B)/gen/meshes.h
+	@sh tests/checks/scale.sh $(B) plots
 
 ## still: instructions of a still scene and of one moving thing with zs_track, on Cortex-M3
 still: $(B)/.setup-test $(B)/gen/meshes.h
@@ -128,7 +134,7 @@ help:
 	@echo 'Boards, BOARD=:'
 	@for mk in firmware/boards/*/board.mk; do b=$${mk%/board.mk}; \
 	    printf '    %-10s %s\n' "$${b##*/}" "$$(sed -n 's/^BOARD_ABOUT = //p' $$mk)"; done
-.PHONY: all demo test accuracy fuzz bench bench-record still checksums depth firmware pico boards profile sim linux linux-sources \
+.PHONY: all demo test accuracy fuzz bench bench-record scale still checksums depth firmware pico boards profile sim linux linux-sources \
         pictures size stack check clean help test-programs fuzz-programs
 
 $(B)/.setup-sim:
@@ -140,6 +146,10 @@ $(B)/.setup-fw-$(BOARD):
 	@mkdir -p $(B) && .ci/setup $(PKG_FW) && touch $@
 $(B)/.setup-linux:
 	@mkdir -p $(B) && .ci/setup $(PKG_LINUX) && touch $@ $(B)/.setup-sim
+$(B)/.setup-bench:
+	@mkdir -p $(B) && .ci/setup $(PKG_BENCH) && touch $@ $(B)/.setup-test $(B)/.setup-linux $(B)/.setup-sim
+$(B)/.setup-scale:
+	@mkdir -p $(B) && .ci/setup $(PKG_SCALE) && touch $@ $(B)/.setup-test $(B)/.setup-linux $(B)/.setup-sim
 $(B)/.setup-fuzz:
 	@mkdir -p $(B) && .ci/setup $(PKG_FUZZ) && touch $@ $(B)/.setup-test $(B)/.setup-linux $(B)/.setup-sim
 

@@ -1,15 +1,21 @@
-/* The bench: every scene of demos[], frame 0, in four configurations, one line of CSV each.
+/* The bench: every scene of demos[], frame 0, in several configurations, one line of CSV each.
  *
  *   one-pass  strips of 24 rows, one buffer, pools of just the size that takes the scene in one pass
+ *   one-strip the same as a single strip of all rows
  *   64k-24, 64k-16, 64k-8   two strip buffers of so many rows, and pools that are filled up to what fits
  *             into 64 KB together with everything else: renderer, scene state, stack
+ *   48k-24 .. (mesh_tex at 240x240), 16k-8 .. (mesh and mesh_tex at 160x128, one buffer)   the same for less memory
  *
- * The checksum is FNV-1a, 64 bits, over the frame's bytes as they leave. All four of a scene must agree,
+ * The checksum is FNV-1a, 64 bits, over the frame's bytes as they leave. All of a scene in one size must agree,
  * and so must every machine's. Pools are chosen from counts alone, so that all machines draw the same
  * configurations.
  *
  * With BENCH_SKIPS=1: one-pass strips of 24 rows with pools for everything, all skips on (`all`) and then each of
  * enum zs_skip off by itself, named after it.
+ *
+ * With BENCH_POOLS, { name, max_tris, max_verts } of each scene's one-pass line: these once more, for an emulator that
+ * counts what bench_frame takes from its call to its return; instructions are 0. Where BENCH_ARENA does not hold the
+ * pools they are cut, and take passes.
  *
  * SPDX-License-Identifier: MIT
  */
@@ -21,12 +27,20 @@
 #ifndef BENCH_SKIPS
 #define BENCH_SKIPS 0
 #endif
+#ifdef BENCH_POOLS
+#define BENCH_COUNTED 1
+#else
+#define BENCH_COUNTED 0
+#define BENCH_POOLS { 0, 0, 0 }
+#endif
 #define RUNS 3
-#define RAM_BAR 65536u
-#define RESERVE 4096u /* of it, for renderer, scene state and stack; checked where the stack is known */
-#define ARENA_BYTES (3u << 20)
+#define FNV_START 0xcbf29ce484222325u
+#define RESERVE 4096u /* of a RAM bar, for renderer, scene state and stack; checked where the stack is known */
+#ifndef BENCH_ARENA
+#define BENCH_ARENA (3u << 20)
+#endif
 
-ZS_ARENA(arena, ARENA_BYTES);
+ZS_ARENA(arena, BENCH_ARENA);
 static struct zs_renderer renderer;
 static struct demo_frame frame;
 
@@ -82,6 +96,13 @@ static int wait(void *ctx)
     return bus->wait(bus);
 }
 
+static int drop(void *ctx, const struct zs_strip *s)
+{
+    (void)ctx;
+    (void)s;
+    return 0;
+}
+
 static int hash(void *ctx, const struct zs_strip *s)
 {
     uint64_t *sum = ctx;
@@ -94,14 +115,19 @@ static int hash(void *ctx, const struct zs_strip *s)
 
 /* ---- Runs ---------------------------------------------------------------------------------- */
 
+static uint16_t pool_of(uint64_t wanted, uint16_t least)
+{
+    return (uint16_t)(wanted < least ? least : wanted > ZS_POOL_MAX ? ZS_POOL_MAX : wanted);
+}
+
 static void fill_config(struct zs_config *c, const struct demo *d, uint16_t rows, uint8_t buffers,
                         uint32_t tris, uint32_t verts)
 {
     c->width = d->width;
     c->height = d->height;
     c->strip_h = rows;
-    c->max_tris = (uint16_t)(tris < 1u ? 1u : tris > ZS_POOL_MAX ? ZS_POOL_MAX : tris);
-    c->max_verts = (uint16_t)(verts < 3u ? 3u : verts > ZS_POOL_MAX ? ZS_POOL_MAX : verts);
+    c->max_tris = pool_of(tris, 1);
+    c->max_verts = pool_of(verts, 3);
     c->attrs = (uint8_t)d->attrs;
     c->buffers = buffers;
     c->subpixel_bits = 8;
@@ -145,7 +171,7 @@ static void sort3(uint64_t v[RUNS])
 static void run(struct result *out)
 {
     uint64_t n[RUNS];
-    out->checksum = 0xcbf29ce484222325u;
+    out->checksum = FNV_START;
     const struct zs_sink sink = { hash, 0, &out->checksum };
     out->err = zs_render(&renderer, &frame.scene, &frame.camera, &sink);
     for (int i = 0; i < RUNS && !out->err; i++)
@@ -282,14 +308,85 @@ static int skips(const struct demo *d)
     return failed;
 }
 
+/* ---- All configurations of a scene ----------------------------------------------------------- */
+
+/* Configurations that a bar of RAM leaves: strips, and of the pools as much as fits. */
+struct bar {
+    const char *name;
+    const struct demo *only; /* of one scene; NULL: of all */
+    uint32_t ram;            /* bytes, everything counted */
+    uint16_t width, height;  /* px; 0: the scene's own */
+    uint16_t rows;           /* of a strip */
+    uint8_t buffers;
+};
+static const struct bar bars[] = {
+    { "64k-24", 0, 65536u, 0, 0, 24, 2 },
+    { "64k-16", 0, 65536u, 0, 0, 16, 2 },
+    { "64k-8", 0, 65536u, 0, 0, 8, 2 },
+    { "48k-24", &demo_mesh_tex, 49152u, 240, 240, 24, 2 },
+    { "48k-16", &demo_mesh_tex, 49152u, 240, 240, 16, 2 },
+    { "48k-8", &demo_mesh_tex, 49152u, 240, 240, 8, 2 },
+    { "16k-8", &demo_mesh, 16384u, 160, 128, 8, 1 },
+    { "16k-4", &demo_mesh, 16384u, 160, 128, 4, 1 },
+    { "16k-8", &demo_mesh_tex, 16384u, 160, 128, 8, 1 },
+    { "16k-4", &demo_mesh_tex, 16384u, 160, 128, 4, 1 },
+};
+
+/* most: the pools that take all of the scene. Return 0, or an error: ZS_ERR_ARENA where strips alone are more than the bar. */
+static int configure_bar(struct zs_config *c, const struct demo *d, const struct bar *bar, const struct zs_config *most)
+{
+    const uint32_t whole = ZS_TRI_BYTES(most->max_tris) + ZS_VERT_BYTES(most->max_verts, most->attrs);
+    fill_config(c, d, bar->rows, bar->buffers, 1, 3);
+    c->width = bar->width ? bar->width : d->width;
+    c->height = bar->height ? bar->height : d->height;
+    const uint32_t strips = ZS_ARENA_BYTES(c->width, c->height, bar->rows, 0, 0, 0, bar->buffers);
+    if (strips + RESERVE + 256u > bar->ram)
+        return ZS_ERR_ARENA;
+    const uint32_t left = bar->ram - RESERVE - strips - 8u; /* 8: pools are rounded up */
+    const uint32_t part = left < whole ? left : whole;
+    c->max_tris = pool_of((uint64_t)most->max_tris * part / whole, 1);
+    c->max_verts = pool_of((uint64_t)most->max_verts * part / whole, 3);
+    return zs_init(&renderer, c, arena, sizeof arena);
+}
+
+/* Return the number of configurations that failed. */
+static int bench_bars(const struct demo *d, const struct zs_config *most, uint64_t checksum)
+{
+    struct zs_config c;
+    struct result r = { 0 };
+    uint32_t width = most->width, height = most->height;
+    int failed = 0;
+    for (const struct bar *bar = bars; bar < bars + sizeof bars / sizeof bars[0]; bar++) {
+        if (bar->only && bar->only != d)
+            continue;
+        r.err = configure_bar(&c, d, bar, most);
+        if (r.err == ZS_ERR_ARENA) {
+            hal_write("# ");
+            hal_write(d->name);
+            hal_write(" does not fit as ");
+            hal_write(bar->name);
+            hal_write("\n");
+            continue;
+        }
+        const int resized = c.width != width || c.height != height;
+        if (resized)
+            d->pose(&frame, 0, c.width, c.height);
+        width = c.width;
+        height = c.height;
+        if (!r.err)
+            run(&r);
+        if (resized)
+            checksum = r.checksum;
+        line(d, bar->name, &c, &r);
+        failed += disagrees(&r, checksum);
+    }
+    return failed;
+}
+
 /* Return the number of configurations that failed. */
 static int bench(const struct demo *d)
 {
-    static const struct {
-        uint16_t rows;
-        const char *name;
-    } small[] = { { 24, "64k-24" }, { 16, "64k-16" }, { 8, "64k-8" } };
-    struct zs_config most, c;
+    struct zs_config most, one;
     struct result r = { 0 };
     int failed = 0;
     d->pose(&frame, 0, d->width, d->height);
@@ -301,28 +398,63 @@ static int bench(const struct demo *d)
     failed += disagrees(&r, checksum);
     if (r.err)
         return failed;
-    const uint32_t whole = ZS_TRI_BYTES(most.max_tris) + ZS_VERT_BYTES(most.max_verts, most.attrs);
-    for (uint32_t i = 0; i < sizeof small / sizeof small[0]; i++) {
-        const uint32_t strips = ZS_ARENA_BYTES(d->width, d->height, small[i].rows, 0, 0, 0, 2);
-        if (strips + RESERVE + 256u > RAM_BAR) {
-            hal_write("# ");
-            hal_write(d->name);
-            hal_write(" does not fit 64 KB in strips as high as ");
-            hal_write(small[i].name);
-            hal_write("\n");
-            continue;
-        }
-        const uint32_t left = RAM_BAR - RESERVE - strips - 8u; /* 8: pools are rounded up */
-        const uint32_t part = left < whole ? left : whole;
-        r.err = configure(&c, d, small[i].rows, 2,
-                          (uint32_t)((uint64_t)most.max_tris * part / whole),
-                          (uint32_t)((uint64_t)most.max_verts * part / whole));
-        if (!r.err)
-            run(&r);
-        line(d, small[i].name, &c, &r);
-        failed += disagrees(&r, checksum);
+    r.err = configure(&one, d, d->height, 1, most.max_tris, most.max_verts);
+    if (!r.err)
+        run(&r);
+    line(d, "one-strip", &one, &r);
+    failed += disagrees(&r, checksum);
+    return failed + bench_bars(d, &most, checksum);
+}
+
+/* ---- Counted from outside --------------------------------------------------------------------- */
+
+static const struct {
+    const char *name;
+    uint16_t tris, verts;
+} pools[] = { BENCH_POOLS };
+
+static int same(const char *a, const char *b)
+{
+    while (*a && *a == *b) {
+        a++;
+        b++;
     }
-    return failed;
+    return *a == *b;
+}
+
+/* What is counted: a frame, drawn and cleared, to nowhere. By its name, so not static. */
+int bench_frame(void);
+__attribute__((noinline)) int bench_frame(void)
+{
+    const struct zs_sink sink = { drop, 0, 0 };
+    return zs_render(&renderer, &frame.scene, &frame.camera, &sink);
+}
+
+/* Return the number of configurations that failed. */
+static int counted(const struct demo *d)
+{
+    struct zs_config c;
+    struct result r = { 0 };
+    uint32_t i = 0;
+    while (i + 1u < sizeof pools / sizeof pools[0] && pools[i].name && !same(pools[i].name, d->name))
+        i++;
+    const uint32_t whole = ZS_TRI_BYTES(pools[i].tris) + ZS_VERT_BYTES(pools[i].verts, d->attrs);
+    const uint32_t left = (uint32_t)sizeof arena - ZS_ARENA_BYTES(d->width, d->height, 24, 0, 0, 0, 1) - 8u;
+    const uint32_t part = left < whole ? left : whole;
+    d->pose(&frame, 0, d->width, d->height);
+    r.err = configure(&c, d, 24, 1, (uint32_t)((uint64_t)pools[i].tris * part / whole),
+                      (uint32_t)((uint64_t)pools[i].verts * part / whole));
+    r.checksum = FNV_START;
+    const struct zs_sink sink = { hash, 0, &r.checksum };
+    if (!r.err)
+        r.err = zs_render(&renderer, &frame.scene, &frame.camera, &sink);
+    hal_stack_paint();
+    if (!r.err)
+        r.err = bench_frame();
+    r.stack = hal_stack_used();
+    r.stats = *zs_frame_stats(&renderer);
+    line(d, part == whole ? "one-pass" : "cut", &c, &r);
+    return r.err != 0;
 }
 
 int main(void)
@@ -333,7 +465,7 @@ int main(void)
     hal_write("scene,variant,max_tris,max_verts,passes,tris_in,drawn,setups,verts,fragments,arena,"
               "checksum,instructions,per_tri,per_fragment,stack,ram\n");
     for (uint32_t i = 0; i < n_demos; i++)
-        failed += BENCH_SKIPS ? skips(demos[i]) : bench(demos[i]);
+        failed += BENCH_COUNTED ? counted(demos[i]) : BENCH_SKIPS ? skips(demos[i]) : bench(demos[i]);
     hal_write(failed ? "# failed\n" : "# ok: checksums, counts and RAM agree\n");
     hal_exit(failed != 0);
 }

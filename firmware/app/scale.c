@@ -1,0 +1,321 @@
+/* How a frame's instructions grow: series of scenes in which one quantity grows and all else stays, one line of CSV each.
+ *
+ *   triangles  a ball of 112 to 99,904 triangles over a third of 320x240 (half of them turned away); a jittered sheet of 98
+ *              to 99,458 over all of it (none turned away). Above 65,534 drawn triangles the pools take passes
+ *   pixels     bench scenes in 64x64 to 1024x1024, x is their product
+ *   strips     bench scenes at 320x240 in 1 to 240 strips
+ *   passes     20,000 triangles of the sheet with pools for all of them down to a hundredth; x is the passes that it took
+ *   depth      1 to 64 layers that fill 320x240, front to back, back to front and mixed; 1 to 64 balls of 480 triangles
+ *              behind each other, each as large on the screen as the first, the same orders
+ *
+ * 8 sub-pixel bits, the default depth, one strip buffer, strips of 24 rows but for `strips`, pools as large as they can be.
+ * The checksum is FNV-1a, 64 bits, over the frame's bytes as they leave: the same on every machine.
+ *
+ * SPDX-License-Identifier: MIT
+ */
+#include "bench.h"
+#include "hal.h"
+#include "number.h"
+#include "scenes.h"
+#include "zstrip.h"
+
+#define ARENA_BYTES (2700u << 10)
+#define TRIS_MAX 100000u
+#define VERTS_MAX 50400u
+#define LAYERS_MAX 64u
+
+ZS_ARENA(arena, ARENA_BYTES);
+static struct zs_renderer renderer;
+static struct demo_frame frame;
+static int16_t position[VERTS_MAX][3];
+static uint16_t triangle[TRIS_MAX][3];
+static uint16_t color[TRIS_MAX];
+static struct zs_mesh mesh = { .pos = (const int16_t (*)[3])position, .tri = (const uint16_t (*)[3])triangle,
+                               .face_raw = color };
+static struct zs_instance layer[LAYERS_MAX];
+static struct zs_scene scene; /* what is drawn, through frame.camera */
+
+/* ---- Lines --------------------------------------------------------------------------------- */
+
+static void put_field(uint64_t v)
+{
+    char room[NUMBER_CHARS];
+    hal_write(",");
+    hal_write(number_text(room, v));
+}
+
+static int hash(void *ctx, const struct zs_strip *s)
+{
+    uint64_t *sum = ctx;
+    uint64_t h = *sum;
+    for (uint32_t i = 0; i < s->n_bytes; i++)
+        h = (h ^ s->px[i]) * 0x100000001b3u;
+    *sum = h;
+    return 0;
+}
+
+static int drop(void *ctx, const struct zs_strip *s)
+{
+    (void)ctx;
+    (void)s;
+    return 0;
+}
+
+static struct zs_config config_of(const struct demo *like, uint16_t w, uint16_t h, uint16_t rows)
+{
+    const struct zs_config c = { w, h, rows, ZS_POOL_MAX, ZS_POOL_MAX, (uint8_t)like->attrs, 1, 8, 16, 0, like->depth };
+    return c;
+}
+
+/* Draw the scene and write its line; x 0: the passes that it took. Return 1 where it cannot be drawn. */
+static int point(const char *series, const char *name, uint32_t x, const struct zs_config *c)
+{
+    uint64_t sum = 0xcbf29ce484222325u;
+    const struct zs_sink look = { hash, 0, &sum }, nowhere = { drop, 0, 0 };
+    char hex[HEX_CHARS];
+    int err = zs_init(&renderer, c, arena, sizeof arena);
+    err = err ? err : zs_render(&renderer, &scene, &frame.camera, &look);
+    const uint64_t start = hal_ticks();
+    err = err ? err : zs_render(&renderer, &scene, &frame.camera, &nowhere);
+    const uint64_t n = (hal_ticks() - start) * hal_tick_instructions();
+    const struct zs_stats *s = zs_frame_stats(&renderer);
+    hal_write(series);
+    hal_write(",");
+    hal_write(name);
+    put_field(x ? x : s->passes);
+    if (err) {
+        hal_write(",error: ");
+        hal_write(zs_strerror(err));
+        hal_write("\n");
+        return 1;
+    }
+    put_field(s->passes);
+    put_field(s->tris_in);
+    put_field(s->tris_drawn);
+    put_field(s->tris_setup);
+    put_field(s->verts_transformed);
+    put_field(s->pixels_tested);
+    hal_write(",");
+    hal_write(number_hex(hex, sum));
+    put_field(n);
+    hal_write("\n");
+    return 0;
+}
+
+/* ---- Triangles ----------------------------------------------------------------------------- */
+
+static void put_vertex(int64_t x, int64_t y, int64_t z)
+{
+    int16_t *p = position[mesh.n_verts++];
+    p[0] = (int16_t)x;
+    p[1] = (int16_t)y;
+    p[2] = (int16_t)z;
+}
+
+static void put_triangle(uint32_t a, uint32_t b, uint32_t c)
+{
+    uint16_t *t = triangle[mesh.n_tris];
+    color[mesh.n_tris] = (uint16_t)(mesh.n_tris * 40503u); /* neighbours differ */
+    mesh.n_tris++;
+    t[0] = (uint16_t)a;
+    t[1] = (uint16_t)b;
+    t[2] = (uint16_t)c;
+}
+
+static int64_t times(int64_t r, zs_q2_30 unit)
+{
+    return (r * unit + (ZS_Q30_ONE >> 1)) >> 30;
+}
+
+#define BALL_STEPS 28000
+
+/* n x n cells: n (n - 1) + 2 vertices, 2 n (n - 1) triangles. */
+static void ball(uint32_t n)
+{
+    mesh.n_verts = mesh.n_tris = 0;
+    mesh.scale = BENCH_BUMPY_SCALE;
+    mesh.radius = BALL_STEPS + 2;
+    put_vertex(0, BALL_STEPS, 0);
+    for (uint32_t j = 1; j < n; j++) {
+        const zs_turn polar = (zs_turn)(j * 32768u / n);
+        for (uint32_t i = 0; i < n; i++) {
+            const zs_turn around = (zs_turn)(i * 65536u / n);
+            const int64_t flat = times(BALL_STEPS, zs_sin(polar));
+            put_vertex(times(flat, zs_sin(around)), times(BALL_STEPS, zs_cos(polar)), times(flat, zs_cos(around)));
+        }
+    }
+    put_vertex(0, -BALL_STEPS, 0);
+    for (uint32_t j = 0; j < n; j++) {
+        const uint32_t up = j ? 1 + (j - 1) * n : 0, low = 1 + j * n;
+        for (uint32_t i = 0; i < n; i++) {
+            const uint32_t k = (i + 1) % n;
+            if (j == 0) {
+                put_triangle(up, low + i, low + k);
+            } else {
+                if (j < n - 1)
+                    put_triangle(up + i, low + i, low + k);
+                put_triangle(up + i, j < n - 1 ? low + k : low, up + k);
+            }
+        }
+    }
+}
+
+static int32_t jitter(uint32_t a, uint32_t b, uint32_t seed, int32_t most)
+{
+    uint32_t h = (a * 0x9e3779b1u) ^ (b * 0x85ebca77u) ^ (seed * 0xc2b2ae3du);
+    h = (h ^ h >> 15) * 0x2c1b3c6du;
+    h = (h ^ h >> 13) * 0x297a2d39u;
+    return (int32_t)((h ^ h >> 16) % (2u * (uint32_t)most + 1u)) - most;
+}
+
+/* n x n cells over 310x232 px, corners moved by up to a fifth of a cell: (n + 1)^2 vertices, 2 n^2 triangles. */
+static void sheet(uint32_t n)
+{
+    const int32_t cells = (int32_t)n, w = 310 * BENCH_STEPS_PX, h = 232 * BENCH_STEPS_PX;
+    mesh.n_verts = mesh.n_tris = 0;
+    mesh.scale = BENCH_SHEET_SCALE;
+    mesh.radius = 40000;
+    for (uint32_t j = 0; j <= n; j++)
+        for (uint32_t i = 0; i <= n; i++)
+            put_vertex((int32_t)i * w / cells - w / 2 + (i % n ? jitter(i, j, 1, w / cells / 5) : 0),
+                       h / 2 - (int32_t)j * h / cells + (j % n ? jitter(i, j, 2, h / cells / 5) : 0), 0);
+    for (uint32_t j = 0; j < n; j++)
+        for (uint32_t i = 0; i < n; i++) {
+            const uint32_t a = j * (n + 1) + i, c = a + n + 1;
+            put_triangle(a, c, c + 1);
+            put_triangle(a, c + 1, a + 1);
+        }
+}
+
+static int triangles(void)
+{
+    static const uint8_t cells[2][11] = { { 8, 11, 16, 23, 32, 50, 71, 100, 159, 181, 224 },
+                                          { 7, 10, 16, 22, 32, 50, 71, 100, 158, 181, 223 } };
+    int failed = 0;
+    for (uint32_t s = 0; s < 2; s++)
+        for (uint32_t k = 0; k < sizeof cells[0]; k++) {
+            const struct demo *like = s ? &demo_sheet : &demo_mesh;
+            like->pose(&frame, 0, 320, 240);
+            (s ? sheet : ball)(cells[s][k]);
+            frame.instance[0].mesh = &mesh;
+            scene = frame.scene;
+            const struct zs_config c = config_of(like, 320, 240, 24);
+            failed += point("triangles", s ? "sheet" : "ball", mesh.n_tris, &c);
+        }
+    return failed;
+}
+
+/* ---- Pixels and strips ----------------------------------------------------------------------- */
+
+static const struct demo *const samples[] = { &demo_mesh, &demo_mesh_tex, &demo_layers_mixed, &demo_sheet, &demo_hall };
+#define SAMPLES (sizeof samples / sizeof samples[0])
+
+static int pixels(void)
+{
+    static const uint16_t sides[] = { 64, 96, 128, 192, 256, 384, 512, 768, 1024 };
+    int failed = 0;
+    for (uint32_t s = 0; s < SAMPLES; s++)
+        for (uint32_t k = 0; k < sizeof sides / sizeof sides[0]; k++) {
+            samples[s]->pose(&frame, 0, sides[k], sides[k]);
+            scene = frame.scene;
+            const struct zs_config c = config_of(samples[s], sides[k], sides[k], 24);
+            failed += point("pixels", samples[s]->name, (uint32_t)sides[k] * sides[k], &c);
+        }
+    return failed;
+}
+
+static int strips(void)
+{
+    static const uint16_t counts[] = { 1, 2, 3, 5, 10, 15, 30, 60, 120, 240 };
+    int failed = 0;
+    for (uint32_t s = 0; s < SAMPLES; s++)
+        for (uint32_t k = 0; k < sizeof counts / sizeof counts[0]; k++) {
+            samples[s]->pose(&frame, 0, 320, 240);
+            scene = frame.scene;
+            const struct zs_config c = config_of(samples[s], 320, 240, (uint16_t)(240u / counts[k]));
+            failed += point("strips", samples[s]->name, counts[k], &c);
+        }
+    return failed;
+}
+
+/* ---- Pools ----------------------------------------------------------------------------------- */
+
+static int passes(void)
+{
+    static const uint8_t parts[] = { 1, 2, 3, 5, 8, 12, 20, 30, 50, 100 };
+    int failed = 0;
+    demo_sheet.pose(&frame, 0, 320, 240);
+    sheet(100);
+    frame.instance[0].mesh = &mesh;
+    scene = frame.scene;
+    for (uint32_t k = 0; k < sizeof parts; k++) {
+        struct zs_config c = config_of(&demo_sheet, 320, 240, 24);
+        c.max_tris = (uint16_t)(20000u / parts[k]);
+        c.max_verts = (uint16_t)(10201u / parts[k]);
+        failed += point("passes", "sheet", 0, &c);
+    }
+    return failed;
+}
+
+/* ---- Depth complexity ------------------------------------------------------------------------ */
+
+#define FIRST 13421772u /* uq16_16: the scale that puts the first layer at 1500 bench units */
+
+static uint32_t reversed(uint32_t i, uint32_t n)
+{
+    uint32_t out = 0;
+    for (uint32_t bit = 1; bit < n; bit <<= 1)
+        out = out << 1 | !!(i & bit);
+    return out;
+}
+
+/* n copies of instances of a frame, k-th 1.035^k times as far and as large, so that they look the same. Materials repeat. */
+static void stack(uint32_t n, uint32_t order, const struct demo *like)
+{
+    like->pose(&frame, 0, 320, 240);
+    scene = frame.scene;
+    scene.instance = layer;
+    scene.n_instances = n;
+    for (uint32_t i = 0; i < n; i++) {
+        const uint32_t place = order == 0 ? i : order == 1 ? n - 1 - i : reversed(i, n);
+        uint32_t scale = ZS_Q16_ONE;
+        for (uint32_t k = 0; k < place; k++)
+            scale += scale * 35u / 1000u; /* below 9 * 2^16 */
+        layer[i] = frame.instance[like == &demo_mesh ? 0 : place % 8];
+        if (like == &demo_mesh) {
+            layer[i].mesh = &mesh;
+            for (int k = 0; k < 3; k++)
+                layer[i].pose.pos[k] = (int32_t)((int64_t)layer[i].pose.pos[k] * scale >> 16);
+            layer[i].pose.scale = scale;
+        } else {
+            layer[i].pose.scale = (zs_uq16_16)((uint64_t)FIRST * scale >> 16);
+        }
+    }
+}
+
+static int depths(void)
+{
+    static const char *const names[2][3] = { { "layers front to back", "layers back to front", "layers mixed" },
+                                             { "balls front to back", "balls back to front", "balls mixed" } };
+    int failed = 0;
+    ball(16);
+    for (uint32_t s = 0; s < 2; s++)
+        for (uint32_t order = 0; order < 3; order++)
+            for (uint32_t n = 1; n <= LAYERS_MAX; n *= 2) {
+                const struct demo *like = s ? &demo_mesh : &demo_layers_ftb;
+                stack(n, order, like);
+                const struct zs_config c = config_of(like, 320, 240, 24);
+                failed += point("depth", names[s][order], n, &c);
+            }
+    return failed;
+}
+
+int main(void)
+{
+    if (hal_init())
+        hal_exit(1);
+    hal_write("series,scene,x,passes,tris_in,drawn,setups,verts,fragments,checksum,instructions\n");
+    const int failed = triangles() + pixels() + strips() + passes() + depths();
+    hal_write(failed ? "# failed\n" : "# ok\n");
+    hal_exit(failed != 0);
+}
