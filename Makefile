@@ -43,13 +43,21 @@ demo: sim
 
 ## test: set up and run every test
 test: $(B)/.setup-test
-	@$(MAKE) --no-print-directory -j2 $(B)/zsim test-programs fuzz-programs
+	@$(MAKE) --no-print-directory -j2 $(B)/zsim test-programs fuzz-programs stress-programs
 	@sh tests/run.sh $(B)
 
 ## fuzz: both fuzzers for SECONDS=600, side by side, from SEED=1
 fuzz: $(B)/.setup-fuzz
 	@$(MAKE) --no-print-directory -j2 fuzz-programs $(B)/fuzz/fuzz_mesh
 	@sh tests/fuzz/run.sh $(B) $(SECONDS) $(SEED)
+
+## stress: random triangles against whole numbers, random frames against the plainest way, for SECONDS=600 more
+stress: $(B)/.setup-test $(B)/gen/meshes.h
+	@$(MAKE) --no-print-directory -j2 stress-programs $(if $(filter fast,$(BUILD)),$(B)/stress/fast)
+	@sh tests/stress/run.sh $(B) $(SECONDS) '$(KIND)' $(BUILD)
+## stress-record: what all runs have reached becomes tests/STRESS.txt
+stress-record:
+	@sh tests/stress/run.sh $(B) figures >$(B)/stress/figures.txt && cp $(B)/stress/figures.txt tests/STRESS.txt
 
 ## bench: instructions and error of frames on Cortex-M0 to M7 and RISC-V (QEMU counts); what each skip is worth
 bench: sim $(B)/.setup-test $(B)/gen/meshes.h
@@ -124,8 +132,8 @@ help:
 	@echo 'Boards, BOARD=:'
 	@for mk in firmware/boards/*/board.mk; do b=$${mk%/board.mk}; \
 	    printf '    %-10s %s\n' "$${b##*/}" "$$(sed -n 's/^BOARD_ABOUT = //p' $$mk)"; done
-.PHONY: all demo test accuracy fuzz bench bench-record still checksums depth firmware pico boards profile sim linux linux-sources \
-        pictures size stack check clean help test-programs fuzz-programs
+.PHONY: all demo test accuracy fuzz stress stress-record bench bench-record still checksums depth firmware pico boards \
+        profile sim linux linux-sources pictures size stack check clean help test-programs fuzz-programs stress-programs
 
 $(B)/.setup-sim:
 	@mkdir -p $(B) && .ci/setup $(PKG_SIM) && touch $@

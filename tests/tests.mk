@@ -54,3 +54,18 @@ $(B)/fuzz/cards: $(call fuzz_objects,cards fuzz_mesh world)
 $(B)/fuzz/fuzz_mesh: tests/fuzz/fuzz_mesh.c tests/picture.c $(CORE) $(HEADERS)
 	@mkdir -p $(@D)
 	@$(subst $(CC) ,clang ,$(TEST_CC)) -Itests/fuzz -O2 -fsanitize=fuzzer $(filter %.c,$^) -o $@
+
+# Stress: triangles against the oracle and frames against the plainest way, by seeds; under the sanitizers, and as
+# shipped. The oracle, the judge, is not slowed down by sanitizers.
+STRESS_CC = $(CC) -std=gnu11 $(CFLAGS) -Wall -Wextra -Werror -Wshadow -Wno-missing-field-initializers $(INC) -Itests \
+            -Itests/fuzz -Itests/stress
+stress-programs: $(B)/stress/san
+$(B)/stress/oracle.o: tests/oracle.c tests/oracle.h
+	@mkdir -p $(@D)
+	@$(STRESS_CC) -c $< -o $@
+STRESS = $(wildcard tests/stress/*.c) tests/picture.c $(CORE)
+$(B)/stress/san: $(STRESS) $(B)/stress/oracle.o $(HEADERS)
+	@$(STRESS_CC) $(SAN) -DZS_STATS=1 '-DZS_ASSERT(c)=((c)?(void)0:__builtin_trap())' $(STRESS) $(B)/stress/oracle.o \
+	    -lm -o $@
+$(B)/stress/fast: $(STRESS) $(B)/stress/oracle.o $(HEADERS)
+	@$(STRESS_CC) $(STRESS) $(B)/stress/oracle.o -lm -o $@
