@@ -46,9 +46,9 @@ test: $(B)/.setup-test
 	@$(MAKE) --no-print-directory -j2 $(B)/zsim test-programs fuzz-programs stress-programs
 	@sh tests/run.sh $(B)
 
-## fuzz: both fuzzers for SECONDS=600, side by side, from SEED=1
+## fuzz: each of the five fuzzers for SECONDS=600, two side by side, from SEED=1
 fuzz: $(B)/.setup-fuzz
-	@$(MAKE) --no-print-directory -j2 fuzz-programs $(B)/fuzz/fuzz_mesh
+	@$(MAKE) --no-print-directory -j2 fuzz-programs lib-fuzz-programs
 	@sh tests/fuzz/run.sh $(B) $(SECONDS) $(SEED)
 
 ## stress: random triangles against whole numbers, random frames against the plainest way, for SECONDS=600 more
@@ -133,7 +133,8 @@ help:
 	@for mk in firmware/boards/*/board.mk; do b=$${mk%/board.mk}; \
 	    printf '    %-10s %s\n' "$${b##*/}" "$$(sed -n 's/^BOARD_ABOUT = //p' $$mk)"; done
 .PHONY: all demo test accuracy fuzz stress stress-record bench bench-record still checksums depth firmware pico boards \
-        profile sim linux linux-sources pictures size stack check clean help test-programs fuzz-programs stress-programs
+        profile sim linux linux-sources pictures size stack check clean help test-programs fuzz-programs lib-fuzz-programs \
+        stress-programs
 
 $(B)/.setup-sim:
 	@mkdir -p $(B) && .ci/setup $(PKG_SIM) && touch $@

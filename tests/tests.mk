@@ -41,10 +41,24 @@ $(CHECKSUMS): tests/checksum.c $(CORE) $(HEADERS)
 	@$(word 2,$(subst -, ,$(@F))) -std=c11 -$(word 3,$(subst -, ,$(@F))) $(INC) $(filter %.c,$^) -o $@
 
 # Fuzzers: the interface by seeds (fuzz_api); cards of meshes and textures by libFuzzer (fuzz_mesh, make fuzz
-# alone) and by mutations of its seeds (cards)
+# alone) and by mutations of its seeds (cards); model files, command lines and panels' streams likewise, by libFuzzer
+# (lf_NAME, make fuzz alone) and by mutations of their corpora (NAME)
 fuzz_objects = $(call t,$(patsubst %,tests/fuzz/%.c,$(1))) $(B)/test/libtest.a
-fuzz-programs: $(B)/fuzz/fuzz_api $(B)/fuzz/cards
-$(B)/test/tests/fuzz/%.o: TEST_CC += -Itests/fuzz
+FUZZ_TARGETS = fuzz_scan fuzz_options fuzz_panel
+fuzz-programs: $(B)/fuzz/fuzz_api $(B)/fuzz/cards $(FUZZ_TARGETS:%=$(B)/fuzz/%)
+lib-fuzz-programs: $(B)/fuzz/fuzz_mesh $(FUZZ_TARGETS:%=$(B)/fuzz/lf_%)
+$(B)/test/tests/fuzz/%.o $(B)/fuzz/clang/%.o: TEST_CC += -Itests/fuzz -Isim/linux -Ihal/linux -D_GNU_SOURCE
+FUZZ_SIM = $(filter-out $(MODEL) sim/main.c,$(SIM)) sim/linux/linux_options.c
+$(FUZZ_TARGETS:%=$(B)/fuzz/%): $(B)/fuzz/%: $(B)/test/tests/fuzz/%.o $(call t,$(FUZZ_SIM)) $(B)/test/libtest.a \
+                                            $(call fuzz_objects,drive said) $(B)/libmeshes.a
+	@mkdir -p $(@D)
+	@$(CC) $(SAN) $^ $(LIBS) -o $@
+$(B)/fuzz/clang/%.o: %.c $(HEADERS) $(B)/gen/meshes.h
+	@mkdir -p $(@D)
+	@$(subst $(CC) ,clang ,$(TEST_CC)) -fsanitize=fuzzer-no-link -c $< -o $@
+$(FUZZ_TARGETS:%=$(B)/fuzz/lf_%): $(B)/fuzz/lf_%: $(B)/fuzz/clang/tests/fuzz/%.o $(B)/fuzz/clang/tests/fuzz/said.o \
+    $(patsubst %.c,$(B)/fuzz/clang/%.o,$(FUZZ_SIM) $(MODEL) $(CORE) $(SCENES) $(PANELS)) $(B)/libmeshes.a
+	@clang $(SAN) -fsanitize=fuzzer $^ $(LIBS) -o $@
 $(B)/fuzz/fuzz_api: $(call fuzz_objects,fuzz_api world)
 	@mkdir -p $(@D)
 	@$(CC) $(SAN) $^ -o $@
