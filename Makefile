@@ -45,13 +45,21 @@ demo: sim
 
 ## test: set up and run every test
 test: $(B)/.setup-test
-	@$(MAKE) --no-print-directory -j2 $(B)/zsim test-programs fuzz-programs
+	@$(MAKE) --no-print-directory -j2 $(B)/zsim test-programs fuzz-programs stress-programs
 	@sh tests/run.sh $(B)
 
-## fuzz: both fuzzers for SECONDS=600, side by side, from SEED=1
+## fuzz: each of the five fuzzers for SECONDS=600, two side by side, from SEED=1
 fuzz: $(B)/.setup-fuzz
-	@$(MAKE) --no-print-directory -j2 fuzz-programs $(B)/fuzz/fuzz_mesh
+	@$(MAKE) --no-print-directory -j2 fuzz-programs lib-fuzz-programs
 	@sh tests/fuzz/run.sh $(B) $(SECONDS) $(SEED)
+
+## stress: random triangles against whole numbers, random frames against the plainest way, for SECONDS=600 more
+stress: $(B)/.setup-test $(B)/gen/meshes.h
+	@$(MAKE) --no-print-directory -j2 stress-programs $(if $(filter fast,$(BUILD)),$(B)/stress/fast)
+	@sh tests/stress/run.sh $(B) $(SECONDS) '$(KIND)' $(BUILD)
+## stress-record: what all runs have reached becomes tests/STRESS.txt
+stress-record:
+	@sh tests/stress/run.sh $(B) figures >$(B)/stress/figures.txt && cp $(B)/stress/figures.txt tests/STRESS.txt
 
 ## bench: what frames take and how exact they are: instructions on Cortex-M0 to M7, RISC-V and here, cycles on an RP2040
 bench: sim $(B)/.setup-bench $(B)/gen/meshes.h
@@ -134,8 +142,9 @@ help:
 	@echo 'Boards, BOARD=:'
 	@for mk in firmware/boards/*/board.mk; do b=$${mk%/board.mk}; \
 	    printf '    %-10s %s\n' "$${b##*/}" "$$(sed -n 's/^BOARD_ABOUT = //p' $$mk)"; done
-.PHONY: all demo test accuracy fuzz bench bench-record scale still checksums depth firmware pico boards profile sim linux linux-sources \
-        pictures size stack check clean help test-programs fuzz-programs
+.PHONY: all demo test accuracy fuzz stress stress-record bench bench-record scale still checksums depth firmware pico boards \
+        profile sim linux linux-sources pictures size stack check clean help test-programs fuzz-programs lib-fuzz-programs \
+        stress-programs
 
 $(B)/.setup-sim:
 	@mkdir -p $(B) && .ci/setup $(PKG_SIM) && touch $@

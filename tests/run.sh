@@ -51,6 +51,7 @@ done
 run readme sh tests/readme.sh "$build"
 run checksums sh tests/checksums.sh "$build"
 run fuzz sh tests/fuzz/run.sh "$build" cut
+run stress sh tests/stress/run.sh "$build" cut
 run convert sh tests/convert.sh "$build"
 run accuracy sh tests/accuracy.sh "$build/test/zsim"
 run cli sh tests/cli.sh "$build/test/zsim" "$build/test/cli"

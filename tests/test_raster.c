@@ -868,6 +868,107 @@ static void keys_saturate_and_never_wrap(void **state)
     }
 }
 
+/* ---- Failures that other renderers shipped --------------------------------------------------------- */
+
+/* An x beyond 16.16: an edge of a pixel's width or less from one end of the guard band to the other, thousands of pixels
+ * beside the frame, where its reciprocal slope times its height, or its x, leaves 32 bits. */
+static int far_steep_case(uint64_t seed)
+{
+    struct prng p = { seed };
+    struct easel s = random_easel(&p, seed % N_SIZES);
+    struct easel_tri t;
+    memset(&t, 0, sizeof t);
+    const int32_t cx = s.width * 128, cy = s.height * 128, side = prng_pick(&p, 2) ? 1 : -1;
+    const int32_t beside = side * prng_range(&p, cx, GUARD), lean = prng_range(&p, -300, 300) >> prng_pick(&p, 8);
+    const int32_t third = prng_pick(&p, 3) ? -side * prng_range(&p, 0, GUARD) : beside + prng_range(&p, -600, 600);
+    const int32_t x[3] = { beside, beside + lean, third };
+    const int32_t y[3] = { -GUARD + prng_range(&p, 0, 600), GUARD - prng_range(&p, 0, 600),
+                           prng_range(&p, -GUARD, GUARD) >> prng_pick(&p, 14) };
+    for (int k = 0; k < 3; k++) {
+        t.x[k] = cx + clamp(x[k], -GUARD, GUARD);
+        t.y[k] = cy + y[k];
+    }
+    random_keys(&p, ((1u << s.depth_bits) - 1u) << 16, t.d);
+    return draws_right(&s, &t, plane_pixel);
+}
+
+static void others_16_16_overflow_of_a_far_steep_edge(void **state)
+{
+    (void)state;
+    CASES(far_steep_case, 400);
+}
+
+/* Spans that run backwards: two edges of a triangle that is nowhere a sub-pixel wide, rounded, cross each other. Every
+ * slope, the corner between anywhere on the long edge, in all orders. */
+static int crossed_edges_case(uint64_t seed)
+{
+    struct prng p = { seed };
+    struct easel s = random_easel(&p, seed % N_SIZES);
+    const int32_t reach = 256 << prng_pick(&p, 14);
+    struct easel_tri t, turned;
+    memset(&t, 0, sizeof t);
+    const int32_t middle[2] = { s.width * 128, s.height * 128 };
+    int32_t c[3][2];
+    for (int k = 0; k < 2; k++) {
+        c[0][k] = clamp(middle[k] + prng_range(&p, -reach, reach), middle[k] - GUARD, middle[k] + GUARD);
+        c[1][k] = clamp(middle[k] + prng_range(&p, -reach, reach), middle[k] - GUARD, middle[k] + GUARD);
+    }
+    const int64_t along = prng_range(&p, 0, 65536);
+    for (int k = 0; k < 2; k++)
+        c[2][k] = c[0][k] + (int32_t)((c[1][k] - c[0][k]) * along / 65536);
+    c[2][prng_pick(&p, 2)] += prng_range(&p, -1, 1);
+    const uint32_t first = prng_pick(&p, 3), step = 1 + prng_pick(&p, 2);
+    for (uint32_t k = 0; k < 3; k++) {
+        t.x[k] = clamp(c[(first + k * step) % 3][0], middle[0] - GUARD, middle[0] + GUARD);
+        t.y[k] = clamp(c[(first + k * step) % 3][1], middle[1] - GUARD, middle[1] + GUARD);
+    }
+    random_keys(&p, ((1u << s.depth_bits) - 1u) << 16, t.d);
+    turned = t;
+    turned.x[0] = t.x[1];
+    turned.y[0] = t.y[1];
+    turned.x[1] = t.x[0];
+    turned.y[1] = t.y[0];
+    return draws_right(&s, &t, plane_pixel) && draws_right(&s, &turned, plane_pixel);
+}
+
+static void others_spans_that_run_backwards(void **state)
+{
+    (void)state;
+    CASES(crossed_edges_case, 1200);
+}
+
+/* A division by the area, where that is 0, 1 or 2 sub-pixels squared: every triangle whose corners lie within one
+ * sub-pixel of a sample, or of a sample and its neighbours, in all orders. */
+static void others_division_by_a_tiny_area(void **state)
+{
+    (void)state;
+    struct prng p = { 1 };
+    struct easel s = easel_default(3, 2);
+    uint32_t n_zero = 0, n_one = 0, drawn = 0;
+    for (uint32_t n = 0; n < 9 * 9 * 9 * 2; n++) {
+        const uint32_t at[3] = { n % 9, n / 9 % 9, n / 81 % 9 };
+        struct easel_tri t;
+        memset(&t, 0, sizeof t);
+        for (uint32_t k = 0; k < 3; k++) {
+            const int32_t next = n >= 729 ? (int32_t)k * 256 : 0; /* on the middle of its own pixel */
+            t.x[k] = 128 + next + (int32_t)(at[k] % 3) - 1;
+            t.y[k] = 128 + (int32_t)(at[k] / 3) - 1;
+        }
+        const struct oracle_tri o = to_oracle(&t);
+        const int64_t area = oracle_area(&o);
+        n_zero += area == 0;
+        n_one += area == 1 || area == -1;
+        random_keys(&p, 65535u << 16, t.d);
+        struct easel_frame f;
+        easel_draw(&s, &t, 1, &f);
+        assert_true(frame_right(&s, &t, &f, plane_pixel));
+        drawn += f.written != 0;
+        easel_free(&f);
+    }
+    assert_true(n_zero > 100 && n_one > 100 && drawn > 100);
+    print_message("tiny areas: %u of 0, %u of 2^-17 px^2, %u triangles with pixels\n", n_zero, n_one, drawn);
+}
+
 static const struct CMUnitTest tests[] = {
     cmocka_unit_test(triangles_drawn_by_hand),
     cmocka_unit_test(coverage_and_keys_of_single_triangles),
@@ -876,7 +977,10 @@ static const struct CMUnitTest tests[] = {
     cmocka_unit_test(linear_keys_under_perspective),
     cmocka_unit_test(keys_saturate_and_never_wrap),
     cmocka_unit_test(least_key_then_scene_order),
-    cmocka_unit_test(shared_edges_hit_every_pixel_once)
+    cmocka_unit_test(shared_edges_hit_every_pixel_once),
+    cmocka_unit_test(others_16_16_overflow_of_a_far_steep_edge),
+    cmocka_unit_test(others_spans_that_run_backwards),
+    cmocka_unit_test(others_division_by_a_tiny_area)
 };
 
 CASES_MAIN(tests)

@@ -1263,6 +1263,84 @@ static void stress_20_interpenetration(void **state)
     CASES(crossing_case, 120);
 }
 
+/* ---- Failures that other renderers shipped --------------------------------------------------------- */
+
+/* A projected triangle so huge that its coordinates leave 32 bits, and a loop over its rows or columns never ends: corners
+ * at the ends of int16 beside a near plane at 1, up to 2^33 sub-pixels from the frame. */
+static int huge_case(uint64_t seed)
+{
+    struct prng p = { seed };
+    struct zs_camera camera = clip_camera(1);
+    camera.focal = (zs_uq32_32)(500 << prng_pick(&p, 3)) << 32;
+    camera.z_near = 65536;
+    int16_t pos[3][3];
+    for (int k = 0; k < 3; k++) {
+        pos[k][0] = (int16_t)prng_range(&p, -32767, 32767);
+        pos[k][1] = (int16_t)prng_range(&p, -32767, 32767);
+        pos[k][2] = (int16_t)(k == 0 ? 1 : prng_range(&p, 1, 1 << prng_pick(&p, 15)));
+        if (prng_pick(&p, 3) == 0)
+            pos[k][prng_pick(&p, 2)] = (int16_t)prng_range(&p, -3, 3);
+    }
+    struct zs_stats stats;
+    if (!clipped_tri((const int16_t (*)[3])pos, &camera, CLIP_W, CLIP_H, &zs_depth_recip, &stats))
+        return 0;
+    CASE_CHECK(stats.pixels_tested <= CLIP_W * CLIP_H && stats.verts_transformed <= 200);
+    return 1;
+}
+
+static void others_overflow_that_loops_for_ever(void **state)
+{
+    (void)state;
+    looked = (struct looked){ 0, 0, 0 };
+    CASES(huge_case, 1500);
+    print_message("huge triangles: %llu pixels compared, %llu too close to an edge to tell\n",
+                  (unsigned long long)looked.compared, (unsigned long long)looked.doubtful);
+}
+
+/* A triangle that has an area until its corners are snapped: nothing is drawn, whatever divides by it. Steps of 1/16
+ * sub-pixel, all corners nearest to one sub-pixel or to two; with 4 sub-pixel bits steps of one. */
+static int snapped_away_case(uint64_t seed)
+{
+    static struct shape s;
+    struct prng p = { seed };
+    const int coarse = (int)(seed % 2), perspective = (int)(seed / 2 % 2);
+    const int32_t there[2] = { prng_range(&p, -300, 300) * 16, prng_range(&p, -300, 300) * 16 };
+    const int32_t beside = prng_pick(&p, 2) ? 16 : 0; /* of one corner, to the right */
+    int64_t c[3][2];
+    shape_begin(&s);
+    for (int v = 0; v < 3; v++) {
+        for (int k = 0; k < 2; k++)
+            c[v][k] = there[k] + prng_range(&p, -6, 6) + (v == 2 && k == 0 ? beside : 0);
+        const int32_t at[3] = { (int32_t)c[v][0], (int32_t)c[v][1], perspective ? 0 : prng_range(&p, -30000, 30000) };
+        (void)shape_vertex(&s, at, at);
+    }
+    if ((c[1][0] - c[0][0]) * (c[2][1] - c[0][1]) == (c[1][1] - c[0][1]) * (c[2][0] - c[0][0]))
+        return 1; /* no area to begin with */
+    shape_tri(&s, 0, 1, 2);
+    shape_end(&s);
+    s.mesh.scale = coarse ? ZS_Q16_ONE : ZS_Q16_ONE / 16;
+    const struct zs_material material = { all_shaders[seed / 4 % 3], { 9, 9, 9 }, ZS_CULL_NONE };
+    struct zs_instance in = { &s.mesh, &material, { { 0 }, { 0 }, 0 } };
+    zs_pose_identity(&in.pose);
+    in.pose.pos[2] = -PIXEL_Z;
+    const struct zs_scene scene = { .instance = &in, .n_instances = 1 };
+    const struct zs_camera camera = pixel_camera(80, perspective);
+    struct zs_config config = picture_config(96, 80, perspective ? &zs_depth_float : &zs_depth_linear);
+    config.subpixel_bits = coarse ? 4 : 8;
+    config.skip_off = ZS_SKIP_EMPTY;
+    struct picture f = picture_draw(&config, &scene, &camera);
+    const int ok = !f.err && f.covered == 0 && f.stats.tris_zero == 1 && f.stats.tris_drawn == 0;
+    picture_free(&f);
+    return ok ? 1 : case_wrong("error %d, %u pixels, zero %u, drawn %u", f.err, f.covered, f.stats.tris_zero,
+                               f.stats.tris_drawn);
+}
+
+static void others_no_area_after_snapping(void **state)
+{
+    (void)state;
+    CASES(snapped_away_case, 800);
+}
+
 static const struct CMUnitTest tests[] = {
     cmocka_unit_test(stress_01_shared_edge_mesh),
     cmocka_unit_test(stress_02_fans_clipped_or_not),
@@ -1282,7 +1360,9 @@ static const struct CMUnitTest tests[] = {
     cmocka_unit_test(stress_16_matrix_scale_2_to_15),
     cmocka_unit_test(stress_18_the_first_of_equals_stays),
     cmocka_unit_test(stress_19_parallel_pair_at_1_01_buckets),
-    cmocka_unit_test(stress_20_interpenetration)
+    cmocka_unit_test(stress_20_interpenetration),
+    cmocka_unit_test(others_overflow_that_loops_for_ever),
+    cmocka_unit_test(others_no_area_after_snapping)
 };
 
 CASES_MAIN(tests)

@@ -41,10 +41,24 @@ $(CHECKSUMS): tests/checksum.c $(CORE) $(HEADERS)
 	@$(word 2,$(subst -, ,$(@F))) -std=c11 -$(word 3,$(subst -, ,$(@F))) $(INC) $(filter %.c,$^) -o $@
 
 # Fuzzers: the interface by seeds (fuzz_api); cards of meshes and textures by libFuzzer (fuzz_mesh, make fuzz
-# alone) and by mutations of its seeds (cards)
+# alone) and by mutations of its seeds (cards); model files, command lines and panels' streams likewise, by libFuzzer
+# (lf_NAME, make fuzz alone) and by mutations of their corpora (NAME)
 fuzz_objects = $(call t,$(patsubst %,tests/fuzz/%.c,$(1))) $(B)/test/libtest.a
-fuzz-programs: $(B)/fuzz/fuzz_api $(B)/fuzz/cards
-$(B)/test/tests/fuzz/%.o: TEST_CC += -Itests/fuzz
+FUZZ_TARGETS = fuzz_scan fuzz_options fuzz_panel
+fuzz-programs: $(B)/fuzz/fuzz_api $(B)/fuzz/cards $(FUZZ_TARGETS:%=$(B)/fuzz/%)
+lib-fuzz-programs: $(B)/fuzz/fuzz_mesh $(FUZZ_TARGETS:%=$(B)/fuzz/lf_%)
+$(B)/test/tests/fuzz/%.o $(B)/fuzz/clang/%.o: TEST_CC += -Itests/fuzz -Isim/linux -Ihal/linux -D_GNU_SOURCE
+FUZZ_SIM = $(filter-out $(MODEL) sim/main.c,$(SIM)) sim/linux/linux_options.c
+$(FUZZ_TARGETS:%=$(B)/fuzz/%): $(B)/fuzz/%: $(B)/test/tests/fuzz/%.o $(call t,$(FUZZ_SIM)) $(B)/test/libtest.a \
+                                            $(call fuzz_objects,drive said) $(B)/libmeshes.a
+	@mkdir -p $(@D)
+	@$(CC) $(SAN) $^ $(LIBS) -o $@
+$(B)/fuzz/clang/%.o: %.c $(HEADERS) $(B)/gen/meshes.h
+	@mkdir -p $(@D)
+	@$(subst $(CC) ,clang ,$(TEST_CC)) -fsanitize=fuzzer-no-link -c $< -o $@
+$(FUZZ_TARGETS:%=$(B)/fuzz/lf_%): $(B)/fuzz/lf_%: $(B)/fuzz/clang/tests/fuzz/%.o $(B)/fuzz/clang/tests/fuzz/said.o \
+    $(patsubst %.c,$(B)/fuzz/clang/%.o,$(FUZZ_SIM) $(MODEL) $(CORE) $(SCENES) $(PANELS)) $(B)/libmeshes.a
+	@clang $(SAN) -fsanitize=fuzzer $^ $(LIBS) -o $@
 $(B)/fuzz/fuzz_api: $(call fuzz_objects,fuzz_api world)
 	@mkdir -p $(@D)
 	@$(CC) $(SAN) $^ -o $@
@@ -54,3 +68,18 @@ $(B)/fuzz/cards: $(call fuzz_objects,cards fuzz_mesh world)
 $(B)/fuzz/fuzz_mesh: tests/fuzz/fuzz_mesh.c tests/picture.c $(CORE) $(HEADERS)
 	@mkdir -p $(@D)
 	@$(subst $(CC) ,clang ,$(TEST_CC)) -Itests/fuzz -O2 -fsanitize=fuzzer $(filter %.c,$^) -o $@
+
+# Stress: triangles against the oracle and frames against the plainest way, by seeds; under the sanitizers, and as
+# shipped. The oracle, the judge, is not slowed down by sanitizers.
+STRESS_CC = $(CC) -std=gnu11 $(CFLAGS) -Wall -Wextra -Werror -Wshadow -Wno-missing-field-initializers $(INC) -Itests \
+            -Itests/fuzz -Itests/stress
+stress-programs: $(B)/stress/san
+$(B)/stress/oracle.o: tests/oracle.c tests/oracle.h
+	@mkdir -p $(@D)
+	@$(STRESS_CC) -c $< -o $@
+STRESS = $(wildcard tests/stress/*.c) tests/picture.c $(CORE)
+$(B)/stress/san: $(STRESS) $(B)/stress/oracle.o $(HEADERS)
+	@$(STRESS_CC) $(SAN) -DZS_STATS=1 '-DZS_ASSERT(c)=((c)?(void)0:__builtin_trap())' $(STRESS) $(B)/stress/oracle.o \
+	    -lm -o $@
+$(B)/stress/fast: $(STRESS) $(B)/stress/oracle.o $(HEADERS)
+	@$(STRESS_CC) $(STRESS) $(B)/stress/oracle.o -lm -o $@

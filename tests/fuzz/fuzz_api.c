@@ -10,7 +10,8 @@
  *   the same scene, camera and profile give the same picture and counts, or the same refusal, for any strips,
  *   pools, buffers and skips; an arena is exactly zs_arena_bytes() long; nothing that is const is written
  *   calls in any order are answered as zstrip.h says, a refused zs_init leaves arena and renderer as it says,
- *   each strip given out is that of the picture and stays as long as promised; sinks that fail are obeyed
+ *   each strip given out is that of the picture and stays as long as promised; sinks that fail are obeyed; a glass that
+ *   gets changed columns alone (zs_watch, zs_track, zs_invalidate) shows the picture
  *   helpers that succeed give what a frame accepts, and that fail leave what they were given
  *
  * SPDX-License-Identifier: MIT
@@ -78,7 +79,7 @@ static void wrong(int line, const char *what)
 /* ---- What was reached ------------------------------------------------------------------------- */
 
 static struct {
-    uint64_t frames, pixels, tris, clipped, passes, strips, refused[16];
+    uint64_t frames, pixels, tris, clipped, passes, strips, unchanged, skipped, refused[16];
     uint64_t depth[KINDS(kind_depths)][2]; /* [perspective] */
     uint64_t shader[KINDS(kind_shaders)], texel[KINDS(kind_texels)], state, cluster;
 } reached;
@@ -120,7 +121,8 @@ static int reached_all(void)
 {
     static const int errors[] = { ZS_OK, ZS_ERR_NULL, ZS_ERR_SIZE, ZS_ERR_DEPTH, ZS_ERR_CAMERA, ZS_ERR_RANGE,
                                   ZS_ERR_MESH, ZS_ERR_ATTRS, ZS_ERR_NEAR, ZS_ERR_TEXTURE };
-    int all = reached.state && reached.cluster && reached.clipped && reached.passes;
+    int all = reached.state && reached.cluster && reached.clipped && reached.passes && reached.unchanged &&
+              reached.skipped;
     for (size_t k = 0; k < KINDS(errors); k++)
         if (!reached.refused[-errors[k]]) {
             fprintf(stderr, "not reached: %s\n", zs_strerror(errors[k]));
@@ -304,9 +306,15 @@ struct desk { /* a renderer and what it should be in */
     struct zs_config config; /* with strip_h cut to the height */
     uint8_t *arena;
     int ready, open;         /* open: the camera, or CLOSED */
-    uint32_t given;          /* strips of the open frame */
-    struct zs_strip last;    /* the one given out before, if given > 0 */
+    uint32_t given;          /* strips of the open frame, those left out too */
+    uint32_t counted;        /* of these: given out by zs_frame_strip */
+    struct zs_strip last;    /* the one given out before, if last_whole */
     uint64_t last_sum;
+    int last_whole;
+    uint64_t *sum;           /* zs_watch's; NULL: off */
+    uint32_t *memory;        /* zs_track's; NULL: off */
+    uint32_t room;           /* instances that it takes */
+    uint16_t *glass;         /* [height][width]: what arrived of what was given out as changed */
 };
 
 struct room {
@@ -324,6 +332,17 @@ static uint64_t sum_bytes(const uint8_t *b, uint32_t n)
     for (uint32_t i = 0; i < n; i++)
         h = (h ^ b[i]) * 1099511628211u;
     return h;
+}
+
+/* The changed columns arrive; then the glass shows the strip's rows of the picture. */
+static int glass_right(struct desk *d, const struct picture *p, const struct zs_strip *s)
+{
+    for (int32_t j = 0; j < s->h; j++)
+        for (int32_t i = s->changed_x; i < s->changed_x + s->changed_w; i++) {
+            const uint8_t *px = s->px + 2 * (j * s->w + i);
+            d->glass[(s->y + j) * p->w + i] = (uint16_t)(px[0] << 8 | px[1]);
+        }
+    return memcmp(d->glass + s->y * p->w, p->color + s->y * p->w, s->n_bytes) == 0;
 }
 
 /* 1: the strip is rows [y, y + h) of the picture. */
@@ -344,13 +363,28 @@ static void strip_expect(const struct room *m, struct desk *d, const struct zs_s
     EXPECT(s->x == 0 && s->w == c->width && s->y == y);
     EXPECT(s->h == (left < c->strip_h ? left : c->strip_h));
     EXPECT(s->n_bytes == 2u * s->w * s->h && s->last == (y + s->h == c->height));
-    EXPECT(strip_right(&m->picture[d->open], s));
-    if (d->given && c->buffers == 2) /* the one before is still whole */
+    const int drawn = s->changed_w || !d->memory;
+    EXPECT(s->changed_x + s->changed_w <= s->w && (d->sum || drawn == 0 || s->changed_w == s->w));
+    EXPECT((d->sum || d->memory || s->changed_w == s->w) && (drawn || s->changed_w == 0));
+    EXPECT(!drawn || strip_right(&m->picture[d->open], s));
+    EXPECT(glass_right(d, &m->picture[d->open], s));
+    if (d->last_whole && c->buffers == 2) /* the one before is still whole */
         EXPECT(sum_bytes(d->last.px, d->last.n_bytes) == d->last_sum);
     d->last = *s;
     d->last_sum = sum_bytes(s->px, s->n_bytes);
+    d->last_whole = drawn;
     d->given++;
+    d->counted++;
     reached.strips++;
+    reached.unchanged += !s->changed_w;
+}
+
+static void no_memory(struct desk *d)
+{
+    free(d->sum);
+    free(d->memory);
+    d->sum = NULL;
+    d->memory = NULL;
 }
 
 static void do_init(struct room *m, struct desk *d, struct prng *p)
@@ -384,6 +418,15 @@ static void do_init(struct room *m, struct desk *d, struct prng *p)
         d->config.strip_h = c.height;
     d->ready = want == ZS_OK;
     d->open = CLOSED;
+    no_memory(d); /* zs_init ends them */
+}
+
+/* What zs_frame_begin says of camera k. */
+static int begin_answer(const struct room *m, const struct desk *d, int k)
+{
+    if (!d->ready)
+        return ZS_ERR_STATE;
+    return d->memory && m->w.scene.n_instances > d->room ? ZS_ERR_SIZE : m->picture[k].err;
 }
 
 static void do_begin(struct room *m, struct desk *d, struct prng *p)
@@ -391,11 +434,12 @@ static void do_begin(struct room *m, struct desk *d, struct prng *p)
     const int k = (int)prng_pick(p, 2);
     const struct zs_scene *scene = one_in(p, 12) ? NULL : &m->w.scene;
     const struct zs_camera *camera = one_in(p, 12) ? NULL : &m->camera[k];
-    const int want = !scene || !camera ? ZS_ERR_NULL : d->ready ? m->picture[k].err : ZS_ERR_STATE;
+    const int want = !scene || !camera ? ZS_ERR_NULL : begin_answer(m, d, k);
     EXPECT(zs_frame_begin(NULL, scene, camera) == ZS_ERR_NULL);
     EXPECT(zs_frame_begin(d->r, scene, camera) == want);
     d->open = want ? CLOSED : k;
-    d->given = 0;
+    d->given = d->counted = 0;
+    d->last_whole = 0;
     if (want == ZS_OK)
         EXPECT(zs_frame_stats(d->r)->strips == 0);
 }
@@ -413,7 +457,79 @@ static void do_strip(struct room *m, struct desk *d)
     EXPECT(got == (d->given < n));
     if (got)
         strip_expect(m, d, &s);
-    EXPECT(zs_frame_stats(d->r)->strips == d->given);
+    EXPECT(zs_frame_stats(d->r)->strips == d->counted);
+}
+
+static void do_skip(struct desk *d)
+{
+    EXPECT(zs_frame_skip(NULL) == ZS_ERR_NULL);
+    const int got = zs_frame_skip(d->r);
+    if (!d->ready || d->open == CLOSED || d->memory) {
+        EXPECT(got == ZS_ERR_STATE);
+        return;
+    }
+    EXPECT(got == (d->given < ZS_STRIPS(d->config.height, d->config.strip_h)));
+    d->given += got > 0;
+    d->last_whole = 0;
+    reached.skipped += got > 0;
+}
+
+/* Junk in the caller's memory; sometimes off again. */
+static void do_watch(struct desk *d, struct prng *p)
+{
+    const int open = !d->ready || d->open != CLOSED;
+    const uint32_t n = open ? 1 : ZS_STRIPS(d->config.height, d->config.strip_h), w = open ? 9 : d->config.width;
+    const int bad = one_in(p, 8), off = one_in(p, 4);
+    const uint32_t columns = bad ? (one_in(p, 2) ? 0 : w + 1) : 1 + prng_pick(p, w);
+    uint64_t *sum = off || open ? NULL : malloc(n * columns * sizeof *sum + 1);
+    for (uint32_t i = 0; sum && i < n * columns; i++)
+        sum[i] = one_in(p, 2) ? 0 : prng_next(p);
+    EXPECT(zs_watch(NULL, sum, columns) == ZS_ERR_NULL);
+    const int want = open ? ZS_ERR_STATE : sum && bad ? ZS_ERR_SIZE : ZS_OK;
+    EXPECT(zs_watch(d->r, sum, columns) == want);
+    if (want) {
+        free(sum);
+        return;
+    }
+    free(d->sum);
+    d->sum = sum;
+}
+
+static void do_track(struct room *m, struct desk *d, struct prng *p)
+{
+    const int bad = one_in(p, 8), off = one_in(p, 4), open = !d->ready || d->open != CLOSED;
+    const uint32_t n = m->w.scene.n_instances, few = n && one_in(p, 4) ? prng_pick(p, n > 20 ? 20 : n) : n;
+    const uint32_t room = bad ? 65536 + prng_pick(p, 9) : few > 65535 ? 65535 : few;
+    const size_t words = open ? 2 : ZS_TRACK_WORDS(room, d->config.height, d->config.strip_h);
+    uint32_t *memory = off || open ? NULL : malloc(words * sizeof *memory);
+    for (size_t i = 0; memory && i < words; i++)
+        memory[i] = (uint32_t)prng_next(p);
+    EXPECT(zs_track(NULL, memory, room) == ZS_ERR_NULL);
+    const int want = open ? ZS_ERR_STATE : memory && bad ? ZS_ERR_SIZE : ZS_OK;
+    EXPECT(zs_track(d->r, memory, room) == want);
+    if (want) {
+        free(memory);
+        return;
+    }
+    free(d->memory);
+    d->memory = memory;
+    d->room = room;
+}
+
+/* What is declared invalid is gone from the glass; in a frame, rows that were given out already as well. */
+static void do_invalidate(struct desk *d, struct prng *p)
+{
+    const struct zs_rect rect = { (uint16_t)prng_pick(p, 70), (uint16_t)prng_pick(p, 70), (uint16_t)prng_pick(p, 70),
+                                  (uint16_t)(one_in(p, 8) ? 65535 : prng_pick(p, 70)) };
+    const struct zs_rect *part = one_in(p, 2) ? NULL : &rect;
+    EXPECT(zs_invalidate(NULL, part) == ZS_ERR_NULL);
+    EXPECT(zs_invalidate(d->r, part) == (d->ready ? ZS_OK : ZS_ERR_STATE));
+    if (!d->ready)
+        return;
+    const uint32_t w = d->config.width, h = d->config.height;
+    for (uint32_t j = part ? part->y : 0; j < h && (!part || j < (uint32_t)part->y + part->h); j++)
+        for (uint32_t i = part ? part->x : 0; i < w && (!part || i < (uint32_t)part->x + part->w); i++)
+            d->glass[j * w + i] ^= 0x5555;
 }
 
 static void do_end(struct desk *d)
@@ -426,6 +542,7 @@ static void do_end(struct desk *d)
 struct panel {
     struct room *m;
     struct desk *d;
+    uint32_t rows;                  /* above it: not to be sent any more */
     int submits, waits, lent;       /* calls so far; strips not waited for */
     int bad_submit, bad_wait;       /* the call that fails, from 1; 0: none */
     struct zs_strip strip;
@@ -435,9 +552,12 @@ struct panel {
 static int panel_submit(void *ctx, const struct zs_strip *s)
 {
     struct panel *at = ctx;
-    EXPECT(at->lent == 0);
+    EXPECT(at->lent == 0 && s->y >= at->rows && s->changed_w);
+    at->rows = (uint32_t)s->y + s->h;
     if (++at->submits == at->bad_submit)
         return -1000;
+    at->d->given = (uint32_t)s->y / at->d->config.strip_h; /* without change: not sent */
+    at->d->last_whole = 0;
     strip_expect(at->m, at->d, s);
     at->lent++;
     at->strip = *s;
@@ -471,18 +591,22 @@ static void do_render(struct room *m, struct desk *d, struct prng *p)
         *(one_in(p, 2) ? &at.bad_submit : &at.bad_wait) = 1 + (int)prng_pick(p, 20);
     d->open = k; /* strip_expect looks there */
     d->given = 0;
+    const int answer = begin_answer(m, d, k);
     const int got = zs_render(d->r, &m->w.scene, &m->camera[k], &sink);
     d->open = CLOSED;
-    if (!d->ready || m->picture[k].err) {
-        EXPECT(got == (d->ready ? m->picture[k].err : ZS_ERR_STATE) && at.submits == 0);
+    if (answer) {
+        EXPECT(got == answer && at.submits == 0);
         return;
     }
     const int n = (d->config.height + d->config.strip_h - 1) / d->config.strip_h;
-    const int stops = at.bad_submit && at.bad_submit <= n, late = waits && at.bad_wait && at.bad_wait <= n;
+    const int all = d->sum || d->memory ? at.submits : n; /* some may be without change */
+    const int stops = at.bad_submit && at.bad_submit <= all, late = waits && at.bad_wait && at.bad_wait <= all;
     EXPECT(got == (stops ? -1000 : late ? -1001 : 0));
-    EXPECT(at.lent == 0 && at.submits <= n && (stops || late || at.submits == n));
+    EXPECT(at.lent == 0 && at.submits <= n && (stops || late || at.submits == all));
     EXPECT(!stops || at.submits == at.bad_submit);
     EXPECT(!late || at.waits == at.bad_wait);
+    if (!got)
+        EXPECT(memcmp(d->glass, m->picture[k].color, sizeof *d->glass * d->config.width * d->config.height) == 0);
 }
 
 static void case_calls(struct prng *p, uint32_t odd)
@@ -502,12 +626,13 @@ static void case_calls(struct prng *p, uint32_t odd)
     for (int k = 0; k < 2; k++) {
         m.desk[k].r = malloc(sizeof *m.desk[k].r);
         m.desk[k].open = CLOSED;
+        m.desk[k].glass = calloc((size_t)m.profile.width * m.profile.height, sizeof *m.desk[k].glass);
         memset(m.desk[k].r, 0x5a, sizeof *m.desk[k].r);
         do_init(&m, &m.desk[k], p); /* any state: only zs_init may be called first */
     }
-    for (uint32_t n = 10 + prng_pick(p, 60); n > 0; n--) {
+    for (uint32_t n = 20 + prng_pick(p, 90); n > 0; n--) {
         struct desk *d = &m.desk[prng_pick(p, 2)];
-        const uint32_t op = prng_pick(p, 40);
+        const uint32_t op = prng_pick(p, 48);
         if (op == 0)
             do_init(&m, d, p);
         else if (op < 5)
@@ -516,6 +641,14 @@ static void case_calls(struct prng *p, uint32_t odd)
             do_end(d);
         else if (op < 10)
             do_render(&m, d, p);
+        else if (op < 12)
+            do_skip(d);
+        else if (op < 14)
+            do_watch(d, p);
+        else if (op < 17)
+            do_track(&m, d, p);
+        else if (op < 18)
+            do_invalidate(d, p);
         else
             do_strip(&m, d);
     }
@@ -523,6 +656,8 @@ static void case_calls(struct prng *p, uint32_t odd)
     for (int k = 0; k < 2; k++) {
         free(m.desk[k].r);
         free(m.desk[k].arena);
+        free(m.desk[k].glass);
+        no_memory(&m.desk[k]);
         picture_free(&m.picture[k]);
     }
     world_free(&m.w);
@@ -727,9 +862,10 @@ static void run_case(unsigned long long number)
 static void report(unsigned long long cases)
 {
     printf("seed %llu, %llu cases: %llu frames with %llu triangles (%llu cut), %llu pixels; %llu passes more, "
-           "%llu strips by hand\n", now.seed, cases, (unsigned long long)reached.frames,
+           "%llu strips by hand, %llu of them unchanged, %llu left out\n", now.seed, cases, (unsigned long long)reached.frames,
            (unsigned long long)reached.tris, (unsigned long long)reached.clipped, (unsigned long long)reached.pixels,
-           (unsigned long long)reached.passes, (unsigned long long)reached.strips);
+           (unsigned long long)reached.passes, (unsigned long long)reached.strips,
+           (unsigned long long)reached.unchanged, (unsigned long long)reached.skipped);
     printf("answers:");
     for (int k = 0; k < 13; k++)
         if (reached.refused[k])

@@ -1,5 +1,5 @@
 #!/bin/sh
-# The fuzzers: a small, fixed part of them, or both for some time, side by side.
+# The fuzzers: a small, fixed part of them, or each for some time, two side by side.
 # Usage: tests/fuzz/run.sh BUILD cut
 #        tests/fuzz/run.sh BUILD SECONDS [SEED]
 #
@@ -8,29 +8,52 @@ set -u
 cd "$(dirname "$0")/../.." || exit 2
 fuzz=${1:-build}/fuzz
 ASAN_OPTIONS=detect_leaks=1
-export ASAN_OPTIONS
+LSAN_OPTIONS=suppressions=tests/lsan.txt:print_suppressions=0
+export ASAN_OPTIONS LSAN_OPTIONS
 
 if [ "${2:-cut}" = cut ]; then
-    "$fuzz/fuzz_api" 1 cases 4000 || exit 1
-    "$fuzz/cards" 1 cases 2500
-    exit
+    failed=0
+    "$fuzz/fuzz_api" 1 cases 4000 || failed=1
+    "$fuzz/cards" 1 cases 2500 || failed=1
+    "$fuzz/fuzz_scan" tests/fuzz/corpus/scan.txt 1 cases 4000 || failed=1
+    "$fuzz/fuzz_options" tests/fuzz/corpus/options.txt 1 cases 4000 || failed=1
+    "$fuzz/fuzz_panel" tests/fuzz/corpus/panel.txt 1 cases 400 || failed=1
+    exit $failed
 fi
 seconds=$2
 seed=${3:-1}
-mkdir -p "$fuzz/corpus"
-"$fuzz/cards" write "$fuzz/corpus" 200 || exit 1
-echo "for $seconds seconds, from seed $seed"
-"$fuzz/fuzz_mesh" -max_total_time="$seconds" -seed="$seed" -max_len=12000 -timeout=60 -artifact_prefix="$fuzz/" \
-    "$fuzz/corpus" >"$fuzz/fuzz_mesh.log" 2>&1 &
-mesh=$!
-"$fuzz/fuzz_api" "$seed" seconds "$seconds"
-failed=$?
-if wait "$mesh"; then
-    echo "ok fuzz_mesh: $(grep '^Done' "$fuzz/fuzz_mesh.log"); $(grep 'cov:' "$fuzz/fuzz_mesh.log" | tail -1)"
-else
-    failed=1
-    grep -E '^wrong|ERROR|SUMMARY|    #[0-9] ' "$fuzz/fuzz_mesh.log" | head -20
-    file=$(sed -n 's/.*Test unit written to //p' "$fuzz/fuzz_mesh.log")
-    echo "FAILED fuzz_mesh: replay with: $fuzz/cards replay $file"
-fi
+
+# NAME PROGRAM REPLAY MAX_LEN: a libFuzzer target, from build/fuzz/corpus-NAME, which grows.
+lib() {
+    "$fuzz/$2" -max_total_time="$seconds" -seed="$seed" -max_len="$4" -timeout=60 -artifact_prefix="$fuzz/$1-" \
+        "$fuzz/corpus-$1" >"$fuzz/$1.log" 2>&1 && {
+        echo "ok $1: $(grep '^Done' "$fuzz/$1.log"); $(grep 'cov:' "$fuzz/$1.log" | tail -1)"
+        return
+    }
+    grep -E '^wrong|ERROR|SUMMARY|    #[0-9] ' "$fuzz/$1.log" | head -20
+    file=$(sed -n 's/.*Test unit written to //p' "$fuzz/$1.log")
+    echo "FAILED $1: replay with: $fuzz/$3 replay $file"
+    return 1
+}
+
+for name in mesh scan options panel; do
+    mkdir -p "$fuzz/corpus-fuzz_$name"
+done
+"$fuzz/cards" write "$fuzz/corpus-fuzz_mesh" 200 || exit 1
+for name in scan options panel; do
+    "$fuzz/fuzz_$name" "tests/fuzz/corpus/$name.txt" write "$fuzz/corpus-fuzz_$name" || exit 1
+done
+echo "each for $seconds seconds, from seed $seed"
+(
+    lane=0
+    lib fuzz_mesh fuzz_mesh cards 12000 || lane=1
+    lib fuzz_options lf_fuzz_options fuzz_options 400 || lane=1
+    exit $lane
+) &
+beside=$!
+failed=0
+"$fuzz/fuzz_api" "$seed" seconds "$seconds" || failed=1
+lib fuzz_scan lf_fuzz_scan fuzz_scan 2000 || failed=1
+lib fuzz_panel lf_fuzz_panel fuzz_panel 4000 || failed=1
+wait "$beside" || failed=1
 exit "$failed"

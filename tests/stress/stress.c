@@ -1,0 +1,241 @@
+/* The stress runner: cases of one kind by seed, for a time; what they add up to is kept in a file, and the next run
+ * goes on where this one ended.
+ *
+ *   stress tris|frames STATE NAME SECONDS     for so long; NAME is told apart in STATE: the code and how it was built
+ *   stress tris|frames STATE NAME cases N     N cases more
+ *   stress tris|frames case SEED              one of them again
+ *
+ * STATE is text, a line a NAME: NAME, first and next seed, then struct stress_counts and CPU seconds. Another NAME
+ * goes on with seeds that none has had.
+ *
+ * SPDX-License-Identifier: MIT
+ */
+#include <signal.h>
+#include <stdarg.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <time.h>
+#include <unistd.h>
+
+#include "stress.h"
+
+#define CASE_SECONDS 120 /* a case that takes longer hangs */
+#define SAVE_SECONDS 20
+#define FINDINGS_MAX 20  /* then a run ends */
+#define LINES_MAX 200
+
+static struct {
+    const char *program, *kind;
+    unsigned long long seed;
+} now;
+
+int stress_wrong(const char *format, ...)
+{
+    va_list args;
+    va_start(args, format);
+    fprintf(stderr, "\nwrong: ");
+    vfprintf(stderr, format, args);
+    fputc('\n', stderr);
+    va_end(args);
+    return 0;
+}
+
+/* Only write(): it may be called from a signal. */
+static void say_replay(void)
+{
+    char line[300];
+    const int n = snprintf(line, sizeof line, "FAILED stress: replay with: %s %s case %llu\n", now.program, now.kind,
+                           now.seed);
+    if (write(2, line, (size_t)n) != n)
+        _exit(1);
+}
+
+#ifdef __SANITIZE_ADDRESS__
+#include <sanitizer/common_interface_defs.h>
+void __ubsan_on_report(void); /* UBSan calls it, ASan's callback it does not */
+void __ubsan_on_report(void)
+{
+    say_replay();
+}
+static void watch_sanitizers(void)
+{
+    __sanitizer_set_death_callback(say_replay);
+}
+#else
+static void watch_sanitizers(void)
+{
+}
+#endif
+
+static volatile sig_atomic_t stopped;
+
+static void on_signal(int signal)
+{
+    if (signal == SIGINT || signal == SIGTERM) {
+        stopped = 1; /* after this case */
+        return;
+    }
+    static const char hang[] = "wrong: hangs\n", trap[] = "wrong: an assertion of the library\n";
+    const char *text = signal == SIGALRM ? hang : trap;
+    (void)!write(2, text, strlen(text));
+    say_replay();
+    _exit(1);
+}
+
+/* ---- State -------------------------------------------------------------------------------------------- */
+
+struct line {
+    char name[100];
+    unsigned long long first, next;
+    struct stress_counts sum;
+    double seconds;
+};
+
+struct state {
+    const char *file;
+    struct line line[LINES_MAX];
+    int n;
+};
+
+static int read_line(FILE *in, struct line *l)
+{
+    unsigned long long v[6];
+    if (fscanf(in, "%99s %llu %llu %llu %llu %llu %llu %llu %llu %lf", l->name, &l->first, &l->next, &v[0], &v[1],
+               &v[2], &v[3], &v[4], &v[5], &l->seconds) != 10)
+        return 0;
+    const struct stress_counts c = { v[0], v[1], v[2], v[3], v[4], v[5] };
+    l->sum = c;
+    return 1;
+}
+
+static void state_read(struct state *s)
+{
+    FILE *in = fopen(s->file, "r");
+    while (in && s->n < LINES_MAX && read_line(in, &s->line[s->n]))
+        s->n++;
+    if (in)
+        fclose(in);
+}
+
+static void state_write(const struct state *s)
+{
+    char beside[4096];
+    snprintf(beside, sizeof beside, "%s.new", s->file);
+    FILE *out = fopen(beside, "w");
+    for (int i = 0; out && i < s->n; i++) {
+        const struct line *l = &s->line[i];
+        const struct stress_counts *c = &l->sum;
+        fprintf(out, "%s %llu %llu %llu %llu %llu %llu %llu %llu %.1f\n", l->name, l->first, l->next,
+                (unsigned long long)c->cases, (unsigned long long)c->units, (unsigned long long)c->frames,
+                (unsigned long long)c->tris, (unsigned long long)c->pixels, (unsigned long long)c->findings,
+                l->seconds);
+    }
+    if (!out || fclose(out) || rename(beside, s->file)) {
+        fprintf(stderr, "%s: cannot be written\n", s->file);
+        exit(2);
+    }
+}
+
+/* The line to add to: the last one where it has this name, else a new one. */
+static struct line *state_line(struct state *s, const char *name)
+{
+    struct line *last = s->n ? &s->line[s->n - 1] : NULL;
+    if (last && strcmp(last->name, name) == 0)
+        return last;
+    if (s->n == LINES_MAX) {
+        fprintf(stderr, "%s: full\n", s->file);
+        exit(2);
+    }
+    struct line *l = &s->line[s->n++];
+    memset(l, 0, sizeof *l);
+    snprintf(l->name, sizeof l->name, "%s", name);
+    l->first = l->next = last ? last->next : 1;
+    return l;
+}
+
+/* ---- Running -------------------------------------------------------------------------------------------- */
+
+static double seconds_of(clockid_t clock)
+{
+    struct timespec t;
+    clock_gettime(clock, &t);
+    return (double)t.tv_sec + (double)t.tv_nsec * 1e-9;
+}
+
+static int run(stress_fn *fn, struct state *s, struct line *l, double seconds, unsigned long long cases)
+{
+    const double start = seconds_of(CLOCK_MONOTONIC), before = l->seconds;
+    const struct stress_counts from = l->sum;
+    const int progress = isatty(2);
+    double saved = start, shown = start, at = start;
+    unsigned long long done = 0;
+    while (!stopped && (cases ? done < cases : at - start < seconds) &&
+           l->sum.findings - from.findings < FINDINGS_MAX) {
+        now.seed = l->next;
+        alarm(CASE_SECONDS);
+        if (!fn(l->next, &l->sum)) {
+            l->sum.findings++;
+            say_replay();
+        }
+        l->sum.cases++;
+        l->next++;
+        done++;
+        at = seconds_of(CLOCK_MONOTONIC);
+        l->seconds = before + seconds_of(CLOCK_PROCESS_CPUTIME_ID);
+        if (at - saved > SAVE_SECONDS) {
+            state_write(s);
+            saved = at;
+        }
+        if (progress && at - shown > 0.5) {
+            fprintf(stderr, "\r%s: %llu in all, %.0f a second ", now.kind, (unsigned long long)l->sum.units,
+                    (double)(l->sum.units - from.units) / (at - start));
+            shown = at;
+        }
+    }
+    alarm(0);
+    if (progress)
+        fprintf(stderr, "\r%60s\r", "");
+    state_write(s);
+    const uint64_t units = l->sum.units - from.units, findings = l->sum.findings - from.findings;
+    const double cpu = l->seconds - before;
+    printf("%s %s, seeds %llu to %llu: %llu %s in %.0f s, %.0f a second of CPU; %llu pixels; %llu findings\n",
+           findings ? "FAILED stress" : "ok stress", now.kind, l->next - done, l->next - 1,
+           (unsigned long long)units, now.kind, at - start, cpu > 0 ? (double)units / cpu : 0,
+           (unsigned long long)(l->sum.pixels - from.pixels), (unsigned long long)findings);
+    return findings != 0;
+}
+
+int main(int argc, char **argv)
+{
+    stress_fn *const fn = argc > 1 && strcmp(argv[1], "tris") == 0     ? stress_tris
+                          : argc > 1 && strcmp(argv[1], "frames") == 0 ? stress_frames
+                                                                       : NULL;
+    now.program = argv[0];
+    now.kind = argv[1];
+    watch_sanitizers();
+    signal(SIGILL, on_signal);
+    signal(SIGTRAP, on_signal);
+    signal(SIGALRM, on_signal);
+    signal(SIGINT, on_signal);
+    signal(SIGTERM, on_signal);
+    if (fn && argc == 4 && strcmp(argv[2], "case") == 0) {
+        struct stress_counts c = { 0 };
+        now.seed = strtoull(argv[3], NULL, 0);
+        const int ok = fn(now.seed, &c);
+        printf("%s: seed %llu, %llu triangles, %llu pixels\n", ok ? "ok" : "FAILED", now.seed,
+               (unsigned long long)c.tris, (unsigned long long)c.pixels);
+        return !ok;
+    }
+    const int counted = argc == 6 && strcmp(argv[4], "cases") == 0;
+    if (!fn || !(argc == 5 || counted)) {
+        fprintf(stderr, "usage: %s tris|frames STATE NAME SECONDS | cases N\n       %s tris|frames case SEED\n",
+                argv[0], argv[0]);
+        return 2;
+    }
+    static struct state s;
+    s.file = argv[2];
+    state_read(&s);
+    struct line *l = state_line(&s, argv[3]);
+    return run(fn, &s, l, counted ? 0 : strtod(argv[4], NULL), counted ? strtoull(argv[5], NULL, 0) : 0);
+}
