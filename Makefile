@@ -151,6 +151,12 @@ $(B)/libmeshes.a: $(B)/gen/meshes.h
 	@cd $(B)/gen && $(CC) -std=c11 -O1 -I$(CURDIR)/firmware/zstrip -c mesh_*.c
 	@rm -f $@ && ar rcs $@ $(B)/gen/mesh_*.o
 
+# Rows of studies say which sources they were measured with
+$(B)/gen/study_build.h: $(CORE) $(SCENES) $(wildcard sim/*.c sim/reference/*.c) $(GEN) $(HEADERS)
+	@mkdir -p $(B)/gen
+	@cat $^ | cksum | awk '{ printf "#define STUDY_BUILD \"%08x\"\n", $$1 }' >$@
+$(B)/sim/sim/study.o $(B)/test/sim/study.o: $(B)/gen/study_build.h
+
 $(B)/sim/%.o: %.c $(HEADERS) $(B)/gen/meshes.h
 	@mkdir -p $(@D)
 	@$(CC) -std=gnu11 $(CFLAGS) $(WARN) $(INC) -DZS_STATS=1 -c $< -o $@
