@@ -21,10 +21,11 @@ LIBS = -lassimp -lmeshoptimizer -lpng -lturbojpeg -lm -pthread
 # Debian packages: what the simulator and zstrip-linux are built from, and what tests and fuzzers need besides
 PKG_SIM = gcc libc6-dev libassimp-dev libmeshoptimizer-dev libpng-dev libturbojpeg0-dev
 PKG_LINUX = $(PKG_SIM) libgpiod-dev pkg-config
-PKG_TEST = $(PKG_LINUX) g++ clang binutils libcmocka-dev gcc-arm-none-eabi libnewlib-arm-none-eabi qemu-system-arm \
+PKG_TEST = $(PKG_LINUX) gnuplot-nox g++ clang binutils libcmocka-dev gcc-arm-none-eabi libnewlib-arm-none-eabi qemu-system-arm \
            $(PKG_RISCV) qemu-system-misc gcc-arm-linux-gnueabihf libc6-dev-armhf-cross device-tree-compiler cpio \
            $(if $(shell command -v npm),,nodejs npm)
 PKG_FUZZ = $(PKG_TEST) libclang-rt-14-dev
+PKG_REPORT = $(PKG_SIM) gcc-arm-none-eabi libnewlib-arm-none-eabi qemu-system-arm gnuplot-nox
 PKG_RISCV = gcc-riscv64-unknown-elf picolibc-riscv64-unknown-elf
 PKG_FW = gcc libc6-dev $(if $(filter rv32,$(BOARD)),$(PKG_RISCV),gcc-arm-none-eabi libnewlib-arm-none-eabi)
 BOARD = pico
@@ -73,6 +74,13 @@ depth: sim $(B)/.setup-test
 ## accuracy: how exact it is, against whole numbers and the double-precision reference; about a minute
 accuracy: sim
 	@$(B)/zsim accuracy
+
+## report: every study, frames counted on emulated cores, into build/study/index.html; some ten minutes
+report: $(B)/.setup-report
+	@$(MAKE) --no-print-directory -j2 $(B)/zsim study-variants
+	@for s in depth stability; do $(B)/zsim study $$s --out $(B)/study || exit 1; done
+	@sh sim/study.sh $(B) memory
+	@sh sim/study.sh $(B) time --full
 
 SHOW = $(MAKE) --no-print-directory -s -f firmware/boards/firmware.mk B=$(B) BOARD=$(BOARD) APP=show SCENE=$(SCENE) \
        $(if $(APP_SCENE),APP_SCENE=$(APP_SCENE))
@@ -124,7 +132,7 @@ help:
 	@echo 'Boards, BOARD=:'
 	@for mk in firmware/boards/*/board.mk; do b=$${mk%/board.mk}; \
 	    printf '    %-10s %s\n' "$${b##*/}" "$$(sed -n 's/^BOARD_ABOUT = //p' $$mk)"; done
-.PHONY: all demo test accuracy fuzz bench bench-record still checksums depth firmware pico boards profile sim linux linux-sources \
+.PHONY: all demo test report study-variants accuracy fuzz bench bench-record still checksums depth firmware pico boards profile sim linux linux-sources \
         pictures size stack check clean help test-programs fuzz-programs
 
 $(B)/.setup-sim:
@@ -136,6 +144,8 @@ $(B)/.setup-fw-$(BOARD):
 	@mkdir -p $(B) && .ci/setup $(PKG_FW) && touch $@
 $(B)/.setup-linux:
 	@mkdir -p $(B) && .ci/setup $(PKG_LINUX) && touch $@ $(B)/.setup-sim
+$(B)/.setup-report:
+	@mkdir -p $(B) && .ci/setup $(PKG_REPORT) && touch $@ $(B)/.setup-sim
 $(B)/.setup-fuzz:
 	@mkdir -p $(B) && .ci/setup $(PKG_FUZZ) && touch $@ $(B)/.setup-test $(B)/.setup-linux $(B)/.setup-sim
 
@@ -163,6 +173,26 @@ $(B)/sim/%.o: %.c $(HEADERS) $(B)/gen/meshes.h
 $(B)/zsim: $(patsubst %.c,$(B)/sim/%.o,$(CORE) $(SCENES) $(PANELS) $(SIM)) $(B)/libmeshes.a
 	@$(CC) $(CFLAGS) $^ $(LIBS) -o $@
 	@echo 'built $@'
+
+# zsim with other reciprocals and sub-spans (config.h), for the study of time: BUILD/study/NAME/zsim
+STUDY_bound2 = -DZS_SPAN_BOUND_LOG2=2
+STUDY_bound5 = -DZS_SPAN_BOUND_LOG2=5
+STUDY_recip16 = -DZS_RECIP_STEPS=0
+STUDY_texels30 = -DZS_TEXEL_COARSE_LOG2=0
+STUDY_texels15 = -DZS_TEXEL_COARSE_LOG2=31
+STUDY_BUILDS = bound2 bound5 recip16 texels30 texels15
+STUDY_OF = $(patsubst %.c,$(1)/%.o,$(CORE) sim/study_time.c)
+STUDY_REST = $(patsubst %.c,$(B)/sim/%.o,$(SCENES) $(PANELS) $(filter-out sim/study_time.c,$(SIM))) $(B)/libmeshes.a
+study-variants: $(STUDY_BUILDS:%=$(B)/study/%/zsim)
+define study_build
+$(B)/study/$(1)/%.o: %.c $(HEADERS) $(B)/gen/meshes.h
+	@mkdir -p $$(@D)
+	@$(CC) -std=gnu11 $(CFLAGS) $(WARN) $(INC) -DZS_STATS=1 -DZS_STUDY=1 $(STUDY_$(1)) -c $$< -o $$@
+$(B)/study/$(1)/zsim: $(call STUDY_OF,$(B)/study/$(1)) $(STUDY_REST)
+	@$(CC) $(CFLAGS) $$^ $(LIBS) -o $$@
+	@echo 'built $$@'
+endef
+$(foreach v,$(STUDY_BUILDS),$(eval $(call study_build,$(v))))
 
 $(B)/sim/hal/linux/%.o $(B)/sim/sim/linux/%.o: INC += -Ihal/linux -Isim/linux -pthread
 $(B)/zstrip-linux: $(patsubst %.c,$(B)/sim/%.o,$(LINUX) hal/linux/gpio_v$(GPIOD).c $(CORE) $(SCENES) $(PANELS) \

@@ -46,6 +46,7 @@ static const char usage[] =
     "  --shard I/N       only runs I, I + N, I + 2 N ...: DIR/NAME.I-of-N.csv, no plots. merge joins the shards, in any\n"
     "                    order, to the same bytes as one run, and makes the plots\n"
     "  --redo            start over where DIR holds rows of another build or effort\n"
+    "  --run K           measure run K alone and print its results\n"
     "  --settings        print the runs for firmware/app/study.c, and measure nothing (time, memory)\n"
     "  --counts CORE=FILE,...  what that counted on a core (time, memory); make report does all of it\n"
     "\n"
@@ -54,7 +55,8 @@ static const char usage[] =
 
 struct request {
     const char *out, *shard, *counts;
-    int quick, full, redo, settings, help; /* flags */
+    int quick, full, redo, settings, help, has_run; /* flags */
+    long run;
     enum study_effort effort;
     size_t part, of; /* shard part of `of`, from 1 */
 };
@@ -68,6 +70,7 @@ static const struct sim_option table[] = {
     { "--full", SIM_OPTION_FLAG, AT(full), 0, 0, 0, NULL },
     { "--redo", SIM_OPTION_FLAG, AT(redo), 0, 0, 0, NULL },
     { "--settings", SIM_OPTION_FLAG, AT(settings), 0, 0, 0, NULL },
+    { "--run", SIM_OPTION_COUNT, AT(run), AT(has_run), 0, 1000000, NULL },
     { "--help", SIM_OPTION_FLAG, AT(help), 0, 0, 0, NULL },
     { "-h", SIM_OPTION_FLAG, AT(help), 0, 0, 0, NULL },
 };
@@ -613,6 +616,19 @@ static int print_settings(const struct study *study, enum study_effort effort)
     return SIM_OK;
 }
 
+/* The results of one run alone. */
+static int print_run(const struct study *study, const struct request *rq)
+{
+    struct study_text row = { .n = 0 };
+    const size_t runs = study->runs(rq->effort);
+    if (rq->run < 0 || (size_t)rq->run >= runs)
+        return sim_usage("study: --run takes 0 to %zu, not %ld", runs - 1, rq->run);
+    const int status = study->measure((size_t)rq->run, &row);
+    if (status == SIM_OK)
+        printf("%.*s\n", (int)row.n, row.text);
+    return status;
+}
+
 int sim_study(int argc, char **argv)
 {
     struct request rq = { .out = "build/study" };
@@ -634,6 +650,8 @@ int sim_study(int argc, char **argv)
         if (!strcmp(studies[k]->name, argv[0])) {
             if (rq.settings)
                 return print_settings(studies[k], rq.effort);
+            if (rq.has_run)
+                return print_run(studies[k], &rq);
             status = rq.counts && !studies[k]->settings ? sim_usage("study %s takes no --counts", argv[0])
                      : rq.counts                        ? cores_load(rq.counts)
                                                         : SIM_OK;

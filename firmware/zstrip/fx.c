@@ -36,11 +36,7 @@ const uint16_t zs_recip_table[257] = { /* uq0_16: 512 / (256 + i) - 1; entry 0 s
 uint32_t zs_recip(uint32_t a)
 {
     ZS_ASSERT(a >> 31);
-    const uint32_t i = (a >> 23) & 255u;
-    const uint32_t t = (a >> 7) & 65535u;                     /* uq0_16 within the cell */
-    const uint32_t y0 = zs_recip_table[i];                       /* < 2^16 */
-    const uint32_t dy = y0 - zs_recip_table[i + 1u];             /* 0 .. 256 */
-    const uint32_t y = 0x80000000u + (y0 << 15) - (dy * t >> 1); /* uq1_31, dy * t < 2^24.1 */
+    const uint32_t y = zs_recip16(a);
     /* y (2 - m y) = y + y e with e = 1 - m y, |e| <= 2^14.6 in q_31: two narrow products instead of a wide one */
     const int32_t e = (int32_t)(0x80000000u - zs_umulh(a, y));
     const int32_t upper = (int32_t)(y >> 16) * e, lower = (int32_t)(y & 0xffffu) * e; /* |.| < 2^30.6 */

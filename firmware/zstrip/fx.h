@@ -145,6 +145,16 @@ uint32_t zs_recip(uint32_t a);
 
 extern const uint16_t zs_recip_table[257]; /* fx.c */
 
+/* The same to 16 bits, within 2^-16 of it. */
+static inline uint32_t zs_recip16(uint32_t a)
+{
+    const uint32_t i = (a >> 23) & 255u;
+    const uint32_t t = (a >> 7) & 65535u;                     /* uq0_16 within the cell */
+    const uint32_t y0 = zs_recip_table[i];                       /* < 2^16 */
+    const uint32_t dy = y0 - zs_recip_table[i + 1u];             /* 0 .. 256 */
+    return 0x80000000u + (y0 << 15) - (dy * t >> 1); /* uq1_31, dy * t < 2^24.1 */
+}
+
 /* 2^45 / a, 15 bits and a half: within 2^-14 of it, at most 2^16 - 1. 2^30 <= a < 2^31. No long product. */
 static inline uint32_t zs_recip15(uint32_t a)
 {
