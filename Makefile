@@ -21,12 +21,13 @@ LIBS = -lassimp -lmeshoptimizer -lpng -lturbojpeg -lm -pthread
 # Debian packages: what the simulator and zstrip-linux are built from, and what tests and fuzzers need besides
 PKG_SIM = gcc libc6-dev libassimp-dev libmeshoptimizer-dev libpng-dev libturbojpeg0-dev
 PKG_LINUX = $(PKG_SIM) libgpiod-dev pkg-config
-PKG_TEST = $(PKG_LINUX) g++ clang binutils libcmocka-dev gcc-arm-none-eabi libnewlib-arm-none-eabi qemu-system-arm \
+PKG_TEST = $(PKG_LINUX) gnuplot-nox g++ clang binutils libcmocka-dev gcc-arm-none-eabi libnewlib-arm-none-eabi qemu-system-arm \
            $(PKG_RISCV) qemu-system-misc gcc-arm-linux-gnueabihf libc6-dev-armhf-cross device-tree-compiler cpio \
            $(if $(shell command -v npm),,nodejs npm)
 PKG_BENCH = $(PKG_TEST) valgrind
 PKG_SCALE = $(PKG_TEST) gnuplot-nox
 PKG_FUZZ = $(PKG_TEST) libclang-rt-14-dev
+PKG_REPORT = $(PKG_SIM) gcc-arm-none-eabi libnewlib-arm-none-eabi qemu-system-arm gnuplot-nox
 PKG_RISCV = gcc-riscv64-unknown-elf picolibc-riscv64-unknown-elf
 PKG_FW = gcc libc6-dev $(if $(filter rv32,$(BOARD)),$(PKG_RISCV),gcc-arm-none-eabi libnewlib-arm-none-eabi)
 BOARD = pico
@@ -88,6 +89,13 @@ depth: sim $(B)/.setup-test
 accuracy: sim
 	@$(B)/zsim accuracy
 
+## report: every study, frames counted on emulated cores, into build/study/index.html; some ten minutes
+report: $(B)/.setup-report
+	@$(MAKE) --no-print-directory -j2 $(B)/zsim study-variants
+	@for s in depth stability; do $(B)/zsim study $$s --out $(B)/study || exit 1; done
+	@sh sim/study.sh $(B) memory
+	@sh sim/study.sh $(B) time --full
+
 SHOW = $(MAKE) --no-print-directory -s -f firmware/boards/firmware.mk B=$(B) BOARD=$(BOARD) APP=show SCENE=$(SCENE) \
        $(if $(APP_SCENE),APP_SCENE=$(APP_SCENE))
 ## firmware: BOARD=pico SCENE=teapot (or mine, or APP_SCENE=my.c): what is flashed, into build/fw/pico/
@@ -142,7 +150,7 @@ help:
 	@echo 'Boards, BOARD=:'
 	@for mk in firmware/boards/*/board.mk; do b=$${mk%/board.mk}; \
 	    printf '    %-10s %s\n' "$${b##*/}" "$$(sed -n 's/^BOARD_ABOUT = //p' $$mk)"; done
-.PHONY: all demo test accuracy fuzz stress stress-record bench bench-record scale still checksums depth firmware pico boards \
+.PHONY: all demo test report study-variants accuracy fuzz stress stress-record bench bench-record scale still checksums depth firmware pico boards \
         profile sim linux linux-sources pictures size stack check clean help test-programs fuzz-programs lib-fuzz-programs \
         stress-programs
 
@@ -159,6 +167,8 @@ $(B)/.setup-bench:
 	@mkdir -p $(B) && .ci/setup $(PKG_BENCH) && touch $@ $(B)/.setup-test $(B)/.setup-linux $(B)/.setup-sim
 $(B)/.setup-scale:
 	@mkdir -p $(B) && .ci/setup $(PKG_SCALE) && touch $@ $(B)/.setup-test $(B)/.setup-linux $(B)/.setup-sim
+$(B)/.setup-report:
+	@mkdir -p $(B) && .ci/setup $(PKG_REPORT) && touch $@ $(B)/.setup-sim
 $(B)/.setup-fuzz:
 	@mkdir -p $(B) && .ci/setup $(PKG_FUZZ) && touch $@ $(B)/.setup-test $(B)/.setup-linux $(B)/.setup-sim
 
@@ -174,12 +184,38 @@ $(B)/libmeshes.a: $(B)/gen/meshes.h
 	@cd $(B)/gen && $(CC) -std=c11 -O1 -I$(CURDIR)/firmware/zstrip -c mesh_*.c
 	@rm -f $@ && ar rcs $@ $(B)/gen/mesh_*.o
 
+# Rows of studies say which sources they were measured with
+$(B)/gen/study_build.h: $(CORE) $(SCENES) $(wildcard sim/*.c sim/reference/*.c) $(GEN) $(HEADERS)
+	@mkdir -p $(B)/gen
+	@cat $^ | cksum | awk '{ printf "#define STUDY_BUILD \"%08x\"\n", $$1 }' >$@
+$(B)/sim/sim/study.o $(B)/test/sim/study.o: $(B)/gen/study_build.h
+
 $(B)/sim/%.o: %.c $(HEADERS) $(B)/gen/meshes.h
 	@mkdir -p $(@D)
 	@$(CC) -std=gnu11 $(CFLAGS) $(WARN) $(INC) -DZS_STATS=1 -c $< -o $@
 $(B)/zsim: $(patsubst %.c,$(B)/sim/%.o,$(CORE) $(SCENES) $(PANELS) $(SIM)) $(B)/libmeshes.a
 	@$(CC) $(CFLAGS) $^ $(LIBS) -o $@
 	@echo 'built $@'
+
+# zsim with other reciprocals and sub-spans (config.h), for the study of time: BUILD/study/NAME/zsim
+STUDY_bound2 = -DZS_SPAN_BOUND_LOG2=2
+STUDY_bound5 = -DZS_SPAN_BOUND_LOG2=5
+STUDY_recip16 = -DZS_RECIP_STEPS=0
+STUDY_texels30 = -DZS_TEXEL_COARSE_LOG2=0
+STUDY_texels15 = -DZS_TEXEL_COARSE_LOG2=31
+STUDY_BUILDS = bound2 bound5 recip16 texels30 texels15
+STUDY_OF = $(patsubst %.c,$(1)/%.o,$(CORE) sim/study_time.c)
+STUDY_REST = $(patsubst %.c,$(B)/sim/%.o,$(SCENES) $(PANELS) $(filter-out sim/study_time.c,$(SIM))) $(B)/libmeshes.a
+study-variants: $(STUDY_BUILDS:%=$(B)/study/%/zsim)
+define study_build
+$(B)/study/$(1)/%.o: %.c $(HEADERS) $(B)/gen/meshes.h
+	@mkdir -p $$(@D)
+	@$(CC) -std=gnu11 $(CFLAGS) $(WARN) $(INC) -DZS_STATS=1 -DZS_STUDY=1 $(STUDY_$(1)) -c $$< -o $$@
+$(B)/study/$(1)/zsim: $(call STUDY_OF,$(B)/study/$(1)) $(STUDY_REST)
+	@$(CC) $(CFLAGS) $$^ $(LIBS) -o $$@
+	@echo 'built $$@'
+endef
+$(foreach v,$(STUDY_BUILDS),$(eval $(call study_build,$(v))))
 
 $(B)/sim/hal/linux/%.o $(B)/sim/sim/linux/%.o: INC += -Ihal/linux -Isim/linux -pthread
 $(B)/zstrip-linux: $(patsubst %.c,$(B)/sim/%.o,$(LINUX) hal/linux/gpio_v$(GPIOD).c $(CORE) $(SCENES) $(PANELS) \

@@ -13,9 +13,9 @@
 #include "frame.h"
 #include "sim.h"
 
-#define W 96
-#define H 72
-#define NEAR 2048 /* world units */
+#define W SIM_DEPTHS_W
+#define H SIM_DEPTHS_H_PX
+#define NEAR SIM_DEPTHS_NEAR
 #define TILTS 6
 #define BISECTIONS 14
 
@@ -29,17 +29,9 @@ static const struct {
 static const double ratios[] = { 10, 100, 1000, 10000, 100000 };
 static const double places[] = { 1.2, 3, 8, 30, 80, 300, 800, 3000, 8000, 30000, 80000 }; /* times near */
 
-/* A wall across the view on a grid of 24 bits; its corners in steps of 2^-8. */
-struct wall {
-    struct zs_mesh mesh;
-    int16_t pos[4][3];
-    uint8_t lo[4][3];
-};
-
 static const uint16_t wall_tri[2][3] = { { 0, 1, 2 }, { 0, 2, 3 } };
 
-/* z: distance of its middle; slope: change of z by x and y, as parts. */
-static void wall_set(struct wall *w, double z, const double slope[2], double beyond)
+void sim_depths_wall(struct sim_depths_wall *w, double z, const double slope[2], double beyond)
 {
     static const double corner[4][2] = { { -1, -1 }, { 1, -1 }, { 1, 1 }, { -1, 1 } };
     const double scale = z / 20000.0, unit = floor(scale * 65536.0 + 1.0) / 65536.0;
@@ -64,8 +56,8 @@ static void wall_set(struct wall *w, double z, const double slope[2], double bey
     w->mesh.radius = 26000;
 }
 
-/* Draw two walls, the nearer one white, in one order. 1: white everywhere; 0: not; < 0: an error. */
-static int holds_once(const struct zs_depth *depth, double far_over_near, const struct wall w[2], int swap)
+int sim_depths_in_order(const struct zs_depth *depth, int bits, double far_over_near, const struct sim_depths_wall w[2],
+                        int swap)
 {
     static const struct zs_material paint[2] = {
         { .shader = &zs_shade_raw, .rgb = { 255, 255, 255 }, .cull = ZS_CULL_NONE },
@@ -86,6 +78,7 @@ static int holds_once(const struct zs_depth *depth, double far_over_near, const 
     camera.z_far = (zs_q48_16)(far_over_near * NEAR * 65536.0);
     sim_frame_config(&config, W, H, ZS_ATTRS_FLAT);
     config.depth = depth;
+    config.depth_bits = (uint8_t)bits;
     config.max_tris = config.max_verts = 64;
     const int err = sim_frame_render(&frame, &scene, &camera, &config, NULL);
     if (err != ZS_OK)
@@ -102,11 +95,11 @@ static int holds(const struct zs_depth *depth, double far_over_near, double z, d
     static const double slope[TILTS][2] = { { 0, 0 },        { 0.05, 0 },       { 0, -0.05 },
                                             { 0.031, 0.017 }, { -0.043, 0.029 }, { 0.011, -0.007 } };
     for (int t = 0; t < TILTS; t++) {
-        struct wall w[2];
-        wall_set(&w[0], z, slope[t], 0.0);
-        wall_set(&w[1], z, slope[t], gap);
+        struct sim_depths_wall w[2];
+        sim_depths_wall(&w[0], z, slope[t], 0.0);
+        sim_depths_wall(&w[1], z, slope[t], gap);
         for (int swap = 0; swap < 2; swap++) {
-            const int good = holds_once(depth, far_over_near, w, swap);
+            const int good = sim_depths_in_order(depth, 16, far_over_near, w, swap);
             if (good != 1)
                 return good;
         }

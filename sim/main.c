@@ -12,6 +12,7 @@
 #include "panel_decode.h"
 #include "render.h"
 #include "sim.h"
+#include "study.h"
 
 static const struct {
     const char *name, *what;
@@ -23,6 +24,7 @@ static const struct {
     { "panel", "a recorded stream of a panel's bytes to what its glass shows", sim_panel },
     { "accuracy", "how exact the renderer is: a table, measured", sim_accuracy },
     { "depths", "which depth mapping tells surfaces apart, and how far", sim_depths },
+    { "study", "settings swept: what they cost and give, as CSV, plots and a page", sim_study },
 };
 
 #define N_COMMANDS (sizeof commands / sizeof commands[0])

@@ -22,6 +22,20 @@
 #define ZS_STATS 0 /* 1: count written pixels too, which costs an instruction a pixel */
 #endif
 
+/* What `zsim study time` varies, with ZS_STUDY = 1; errors are in NUMERICS.md. */
+#ifndef ZS_RECIP_STEPS
+#define ZS_RECIP_STEPS 1 /* Newton steps of a vertex's reciprocal: 1 for 30 bits, 0 for 16 */
+#endif
+#ifndef ZS_TEXEL_COARSE_LOG2
+#define ZS_TEXEL_COARSE_LOG2 10 /* texels, across a triangle, up to which a pixel's reciprocal has 15 bits; else 30 */
+#endif
+#ifndef ZS_SPAN_BOUND_LOG2
+#define ZS_SPAN_BOUND_LOG2 3 /* affine where that is off by at most 2^-this texel, or code of colour; 2 .. 6 */
+#endif
+#if !ZS_STUDY && (ZS_RECIP_STEPS != 1 || ZS_TEXEL_COARSE_LOG2 != 10 || ZS_SPAN_BOUND_LOG2 != 3)
+#error "ZS_RECIP_STEPS, ZS_TEXEL_COARSE_LOG2 and ZS_SPAN_BOUND_LOG2 are for studies: the error bounds are those of 1, 10, 3"
+#endif
+
 #ifndef ZS_ALIGNED
 #if defined(__GNUC__)
 #define ZS_ALIGNED __attribute__((aligned(32))) /* a Cortex-M7 cache line */

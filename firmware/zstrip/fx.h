@@ -160,14 +160,20 @@ uint32_t zs_recip(uint32_t a);
 
 extern const uint16_t zs_recip_table[257]; /* fx.c */
 
+/* The same to 16 bits, within 2^-16 of it. */
+ZS_ALWAYS_INLINE uint32_t zs_recip16(uint32_t a)
+{
+    const uint16_t *const at = zs_recip_table + (a << 1 >> 24);
+    const uint32_t t = a << 9 >> 16;                 /* uq0_16 within the cell */
+    const uint32_t y0 = at[0];                       /* < 2^16 */
+    const uint32_t dy = y0 - at[1];                  /* 0 .. 256 */
+    return 0x80000000u + (y0 << 15) - (dy * t >> 1); /* uq1_31, dy * t < 2^24.1 */
+}
+
 /* zs_recip in line, for loops that have few other calls. fx.c has its error. */
 ZS_ALWAYS_INLINE uint32_t zs_recip_inline(uint32_t a)
 {
-    const uint16_t *const at = zs_recip_table + (a << 1 >> 24);
-    const uint32_t t = a << 9 >> 16;                          /* uq0_16 within the cell */
-    const uint32_t y0 = at[0];                                /* < 2^16 */
-    const uint32_t dy = y0 - at[1];                           /* 0 .. 256 */
-    const uint32_t y = 0x80000000u + (y0 << 15) - (dy * t >> 1); /* uq1_31, dy * t < 2^24.1 */
+    const uint32_t y = zs_recip16(a);
     /* y (2 - m y) = y + y e with e = 1 - m y, |e| <= 2^14.6 in q_31: two narrow products instead of a wide one */
     const int32_t e = (int32_t)(0x80000000u - zs_umulh(a, y));
     const int32_t upper = (int32_t)(y >> 16) * e, lower = (int32_t)(y & 0xffffu) * e; /* |.| < 2^30.6 */

@@ -52,9 +52,9 @@ static uint32_t color_range(const uint16_t *const a[3])
 /* range / 65536 * 63 codes * (change / least) / 4 <= 1/8 code; 63 taken as 64. */
 static int affine_enough(uint32_t range, uint32_t change, uint32_t least)
 {
-    if (range * ((change >> 16) + 1u) <= least >> 7) /* < 2^32: enough to say yes */
+    if (range * ((change >> 16) + 1u) <= least >> (ZS_SPAN_BOUND_LOG2 + 4)) /* < 2^32: enough to say yes */
         return 1;
-    return zs_mul_uu(range, change) <= (uint64_t)least << 9; /* < 2^16 * 2^32 */
+    return zs_mul_uu(range, change) <= (uint64_t)least << (12 - ZS_SPAN_BOUND_LOG2); /* < 2^16 * 2^32 */
 }
 
 /* 1: affine_enough, found from keys alone; 0: w must be asked. */

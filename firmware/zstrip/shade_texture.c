@@ -31,7 +31,7 @@
 #define FLOOR_LOG2 7u /* smaller textures are held to 1/8 texel of one of 128 */
 #define GROUP_LOG2 5
 #define GROUP (1 << GROUP_LOG2) /* pixels */
-#define COARSE_LOG2 10 /* texels that 15 bits place */
+#define COARSE_LOG2 ZS_TEXEL_COARSE_LOG2 /* texels that 15 bits place */
 #define PIECE 16       /* pixels divided at a time */
 #define LIGHT_MAX 65504u /* uq1_15, just below 2: light() adds a half */
 #define LIGHT_LOG2 7     /* codes that its 16 bits stand for: 126 */
@@ -184,8 +184,8 @@ static void affine_plane(struct zs_job *job, const struct coordinate *c, uint32_
 static inline int affine_enough(int32_t texels, uint32_t change, uint32_t least)
 {
     if (texels < 0)
-        return texels < -31 || change >> -texels < least >> 1;
-    return texels < 31 && change <= (least >> 1) >> texels;
+        return texels < -31 || change >> -texels < least >> (ZS_SPAN_BOUND_LOG2 - 2);
+    return texels < 31 && change <= (least >> (ZS_SPAN_BOUND_LOG2 - 2)) >> texels;
 }
 
 static inline uint32_t size_of(uint32_t gradient)
@@ -196,7 +196,7 @@ static inline uint32_t size_of(uint32_t gradient)
 /* The light's words: range * 2^-15 * 64 codes * change / least / 4 <= 1/8. */
 static inline int light_enough(uint32_t range, uint32_t change, uint32_t least)
 {
-    return zs_mul_uu(range, change) <= (uint64_t)least << 8;
+    return zs_mul_uu(range, change) <= (uint64_t)least << (11 - ZS_SPAN_BOUND_LOG2);
 }
 
 /* ceil(log2(2^(texels + 1) K |W'|)) of an attribute; -128: it is 0. */
@@ -215,7 +215,7 @@ static int32_t bend_log2(const struct zs_plane *c, const struct zs_plane *w_plan
         return -128;
     const int32_t cut = 64 - zs_clz64(most) > 31 ? 33 - zs_clz64(most) : 0;
     const uint64_t product = zs_mul_uu((uint32_t)(most >> cut) + 1u, size_of((uint32_t)w_gx)); /* > most |W'| / 2^cut */
-    return texels + 2 + cut + 64 - zs_clz64(product);
+    return texels + ZS_SPAN_BOUND_LOG2 - 1 + cut + 64 - zs_clz64(product);
 }
 
 /* ceil(2^(n / 3)), held to 32 bits. */

@@ -266,7 +266,8 @@ static int project(const struct zs_renderer *r, struct zs_vertex *at)
         return place(view, 1u << 31, 31 + view->scale_bits, at);
     }
     const int32_t lz = zs_clz32((uint32_t)z);             /* 1 .. 23: z in [2^8, 2^30] */
-    const uint32_t rcp = zs_recip((uint32_t)z << lz);     /* 2^(63 - lz) / z */
+    const uint32_t rcp = ZS_RECIP_STEPS ? zs_recip((uint32_t)z << lz) /* 2^(63 - lz) / z */
+                                        : zs_recip16((uint32_t)z << lz);
     at->d = depth->vertex(view, z, rcp, lz);
     return place(view, rcp, 63 - lz - view->scale_bits, at); /* 9 .. 54 */
 }

@@ -1,0 +1,94 @@
+/* The runs of `zsim study time` or `memory` on a board: a line "run,checksum,instructions" each. The checksum is
+ * FNV-1a, 64 bits, over the frame's bytes as they leave; zsim refuses counts of a frame that is not its own.
+ *
+ * study_settings.h is what `zsim study NAME --settings` printed. A run of another build (reciprocals, sub-spans:
+ * config.h) is left to that build.
+ *
+ * SPDX-License-Identifier: MIT
+ */
+#include "hal.h"
+#include "number.h"
+#include "scenes.h"
+#include "zstrip.h"
+
+#ifndef STUDY_ARENA
+#define STUDY_ARENA (3u << 20)
+#endif
+
+struct setting {
+    uint32_t run;
+    const struct demo *demo;
+    uint16_t strip_h, max_tris, max_verts;
+    uint8_t buffers, subpixel_bits, depth_bits;
+    const struct zs_depth *depth;
+    uint8_t recip_steps, coarse_log2, bound_log2; /* of the build */
+};
+
+static const struct setting setting[] = {
+#include "study_settings.h"
+};
+
+ZS_ARENA(arena, STUDY_ARENA);
+static struct zs_renderer renderer;
+static struct demo_frame frame;
+
+static int send(void *ctx, const struct zs_strip *s)
+{
+    struct hal_bus *bus = ctx;
+    return bus->data(bus, s->px, s->n_bytes);
+}
+
+static int wait(void *ctx)
+{
+    struct hal_bus *bus = ctx;
+    return bus->wait(bus);
+}
+
+static int hash(void *ctx, const struct zs_strip *s)
+{
+    uint64_t *sum = ctx;
+    uint64_t h = *sum;
+    for (uint32_t i = 0; i < s->n_bytes; i++)
+        h = (h ^ s->px[i]) * 0x100000001b3u;
+    *sum = h;
+    return 0;
+}
+
+static int measure(const struct setting *s)
+{
+    const struct demo *d = s->demo;
+    const struct zs_config config = { d->width, d->height, s->strip_h, s->max_tris, s->max_verts, (uint8_t)d->attrs,
+                                      s->buffers, s->subpixel_bits, s->depth_bits, 0, s->depth };
+    char room[NUMBER_CHARS], hex[HEX_CHARS];
+    uint64_t checksum = 0xcbf29ce484222325u, ticks = 0;
+    const struct zs_sink to_sum = { hash, 0, &checksum }, nowhere = { send, wait, hal_bus() };
+    d->pose(&frame, 0, d->width, d->height);
+    int err = zs_init(&renderer, &config, arena, sizeof arena);
+    if (!err)
+        err = zs_render(&renderer, &frame.scene, &frame.camera, &to_sum);
+    if (!err) {
+        const uint64_t start = hal_ticks();
+        err = zs_render(&renderer, &frame.scene, &frame.camera, &nowhere);
+        ticks = hal_ticks() - start;
+    }
+    hal_write(number_text(room, s->run));
+    hal_write(",");
+    hal_write(err ? zs_strerror(err) : number_hex(hex, checksum));
+    hal_write(",");
+    hal_write(number_text(room, ticks * hal_tick_instructions()));
+    hal_write("\n");
+    return err;
+}
+
+int main(void)
+{
+    int failed = 0;
+    if (hal_init())
+        hal_exit(1);
+    for (uint32_t i = 0; i < sizeof setting / sizeof setting[0]; i++)
+        if (setting[i].recip_steps == ZS_RECIP_STEPS && setting[i].coarse_log2 == ZS_TEXEL_COARSE_LOG2 &&
+            setting[i].bound_log2 == ZS_SPAN_BOUND_LOG2)
+            failed |= measure(&setting[i]);
+    hal_write(failed ? "# failed\n" : "# ok\n");
+    hal_exit(failed != 0);
+}
