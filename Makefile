@@ -58,6 +58,14 @@ bench: sim $(B)/.setup-test $(B)/gen/meshes.h
 bench-record: $(B)/.setup-test $(B)/gen/meshes.h
 	@sh tests/checks/bench.sh $(B) record >$(B)/bench.txt && mv $(B)/bench.txt tests/golden/bench.txt
 
+## costs: what each stage costs on each core, fitted from scenes that isolate it, and how far that is from other scenes
+costs: sim $(B)/.setup-test $(B)/gen/meshes.h
+	@sh tests/checks/costs.sh $(B)
+## costs-record: what stages cost now becomes what zsim budget reckons with
+costs-record: sim $(B)/.setup-test $(B)/gen/meshes.h
+	@sh tests/checks/costs.sh $(B) record
+	@$(MAKE) --no-print-directory -j2 $(B)/zsim
+
 ## still: instructions of a still scene and of one moving thing with zs_track, on Cortex-M3
 still: $(B)/.setup-test $(B)/gen/meshes.h
 	@sh tests/checks/still.sh $(B)
@@ -124,7 +132,7 @@ help:
 	@echo 'Boards, BOARD=:'
 	@for mk in firmware/boards/*/board.mk; do b=$${mk%/board.mk}; \
 	    printf '    %-10s %s\n' "$${b##*/}" "$$(sed -n 's/^BOARD_ABOUT = //p' $$mk)"; done
-.PHONY: all demo test accuracy fuzz bench bench-record still checksums depth firmware pico boards profile sim linux linux-sources \
+.PHONY: all demo test accuracy fuzz bench bench-record costs costs-record still checksums depth firmware pico boards profile sim linux linux-sources \
         pictures size stack check clean help test-programs fuzz-programs
 
 $(B)/.setup-sim:
