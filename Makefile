@@ -73,6 +73,14 @@ bench-record: $(B)/.setup-test $(B)/gen/meshes.h
 scale: $(B)/.setup-scale $(B)/gen/meshes.h
 	@sh tests/checks/scale.sh $(B) plots
 
+## costs: what each stage costs on each core, fitted from scenes that isolate it, and how far that is from other scenes
+costs: sim $(B)/.setup-test $(B)/gen/meshes.h
+	@sh tests/checks/costs.sh $(B)
+## costs-record: what stages cost now becomes what zsim budget reckons with
+costs-record: sim $(B)/.setup-test $(B)/gen/meshes.h
+	@sh tests/checks/costs.sh $(B) record
+	@$(MAKE) --no-print-directory -j2 $(B)/zsim
+
 ## still: instructions of a still scene and of one moving thing with zs_track, on Cortex-M3
 still: $(B)/.setup-test $(B)/gen/meshes.h
 	@sh tests/checks/still.sh $(B)
@@ -150,7 +158,7 @@ help:
 	@echo 'Boards, BOARD=:'
 	@for mk in firmware/boards/*/board.mk; do b=$${mk%/board.mk}; \
 	    printf '    %-10s %s\n' "$${b##*/}" "$$(sed -n 's/^BOARD_ABOUT = //p' $$mk)"; done
-.PHONY: all demo test report study-variants accuracy fuzz stress stress-record bench bench-record scale still checksums depth firmware pico boards \
+.PHONY: all demo test report study-variants accuracy fuzz stress stress-record bench bench-record scale costs costs-record still checksums depth firmware pico boards \
         profile sim linux linux-sources pictures size stack check clean help test-programs fuzz-programs lib-fuzz-programs \
         stress-programs
 

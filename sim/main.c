@@ -6,7 +6,9 @@
 #include <string.h>
 
 #include "accuracy.h"
+#include "budget.h"
 #include "convert.h"
+#include "costs.h"
 #include "demo.h"
 #include "depths.h"
 #include "panel_decode.h"
@@ -23,6 +25,8 @@ static const struct {
     { "demo", "the demo scenes to numbered frames and a table", sim_demo },
     { "panel", "a recorded stream of a panel's bytes to what its glass shows", sim_panel },
     { "accuracy", "how exact the renderer is: a table, measured", sim_accuracy },
+    { "budget", "what a display, a part and a scene take: RAM, flash, wire, time", sim_budget },
+    { "costs", "what each stage of the renderer costs on a core", sim_costs },
     { "depths", "which depth mapping tells surfaces apart, and how far", sim_depths },
     { "study", "settings swept: what they cost and give, as CSV, plots and a page", sim_study },
 };

@@ -1,0 +1,471 @@
+/* `zsim budget`: the command line and the report.
+ *
+ * SPDX-License-Identifier: MIT
+ */
+#include "budget.h"
+
+#include <math.h>
+#include <stddef.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "option_table.h"
+#include "record_sizes.h"
+#include "sim.h"
+
+static const char usage[] =
+    "usage: zsim budget [MODEL] [options]\n"
+    "What a display, a strip height and a scene take on a part, before there is a board.\n"
+    "\n"
+    "Display\n"
+    "  --panel NAME:WxH   its bytes and time on the wire, its RAM. There are:\n"
+    "                     %s\n"
+    "  --rotate DEGREES   0, 90, 180 or 270 (0)\n"
+    "  --size WxH         px, where there is no --panel (240x240; a demo scene's own)\n"
+    "  --spi HZ           clock of the wire (62500000; grey and one-bit panels 10000000)\n"
+    "Memory\n"
+    "  --strip ROWS       rows to a strip (16)\n"
+    "  --buffers 1|2      strip buffers (2)\n"
+    "  --tris N --verts N pools (1000 and 700; of a scene or model: what takes it in one pass)\n"
+    "  --instances N      of the scene, where that is numbers (1)\n"
+    "  --watch N          columns that zs_watch compares; --track N  instances that zs_track compares (0: not linked)\n"
+    "Scene: a demo scene or a model, drawn here and counted, or else numbers\n"
+    "  --scene NAME       a demo or bench scene; --frame T  of its animation (0)\n"
+    "  MODEL              a file as of zsim render, with its --eye --at --up --fov --near --far --projection --texture\n"
+    "  --scene-tris N --scene-verts N  all of it (twice --tris, since half turns away; --verts)\n"
+    "  --coverage PERCENT of the picture that it covers (50)\n"
+    "  --complexity N     triangles over each covered pixel (1.5)\n"
+    "  --shade id|flat|smooth|textured|textured-flat|unlit (flat)\n"
+    "  --texture-format 565|pal8|pal4 (565)\n"
+    "  --depth float|recip|linear (float)\n"
+    "  --state            some instance has a struct zs_state: its code is linked\n"
+    "Part\n"
+    "  --part NAME        the figures of one part. There are:\n"
+    "                     %s\n"
+    "  --core M0|M3|M4|M7|rv32imc|RP2040 --mhz N  another one's core and clock\n"
+    "  --cpi N            cycles an instruction, where only instructions are known (M0 as the RP2040's;\n"
+    "                     assumed, not measured: M3, M4 1.4, M7 0.9, rv32imc 1.4)\n"
+    "  --app-ram BYTES --app-flash BYTES  of the rest of the program (0)\n"
+    "Answers\n"
+    "  --fit PART         the largest strip for these pools, and the largest pools for this strip\n"
+    "  --check FILE       limits, one a line, `name = number`, # begins a comment: most for ram, arena, stack, flash,\n"
+    "                     wire_ms, draw_ms, frame_ms, least for fps, ram_left, flash_left; exit status 1 where one is\n"
+    "                     exceeded. Times need --part, or --core and --mhz\n"
+    "  --elf F.elf        flash and RAM of this build in place of the sums (--check, --part)\n"
+    "  --csv              figure,value,unit a line\n"
+    "  --error F [--bar PERCENT]  how far estimates are from measured scenes: tests/golden/bench.txt (15)\n"
+    "A frame in RAM, as others keep it\n"
+    "  --buffer WxH --color BITS --depth-bits BITS --samples N  its bytes (of RGBA together: 32; 32; 1)\n"
+    "  --fragments N --accesses N --access-bits N  depth complexity, memory accesses a fragment: bytes a frame (4, 0, 32)\n"
+    "  --textbook         the classic ones\n"
+    "\n"
+    "Bytes are exact; a time is an estimate from costs by stage, and of numbers alone a rough one.\n"
+    "An option's value may follow after a space or an equals sign.\n"
+    "Exit status: 0 done; 1 refused, or a limit exceeded; 2 the command line makes no sense.\n";
+
+#define AT(field) offsetof(struct budget_request, field)
+
+static const struct sim_option table[] = {
+    SIM_PANEL_OPTIONS(struct budget_request, o.panel),
+    { "--size", SIM_OPTION_SIZE, AT(o.size), AT(o.has_size), 1, ZS_SIZE_MAX, NULL },
+    { "--spi", SIM_OPTION_COUNT, AT(o.spi_hz), AT(o.has_spi), 1000, 1e9, NULL },
+    { "--strip", SIM_OPTION_COUNT, AT(o.strip), AT(has_strip), 1, ZS_SIZE_MAX, NULL },
+    { "--buffers", SIM_OPTION_COUNT, AT(o.buffers), 0, 0, 0, "1|2" },
+    { "--tris", SIM_OPTION_COUNT, AT(o.tris), AT(has_tris), 1, ZS_POOL_MAX, NULL },
+    { "--verts", SIM_OPTION_COUNT, AT(o.verts), AT(has_verts), 3, ZS_POOL_MAX, NULL },
+    { "--instances", SIM_OPTION_COUNT, AT(instances), 0, 0, 65535, NULL },
+    { "--watch", SIM_OPTION_COUNT, AT(watch), 0, 0, ZS_SIZE_MAX, NULL },
+    { "--track", SIM_OPTION_COUNT, AT(track), 0, 0, 65535, NULL },
+    { "--scene", SIM_OPTION_TEXT, AT(scene), 0, 0, 0, NULL },
+    { "--frame", SIM_OPTION_COUNT, AT(frame), 0, 0, 65535, NULL },
+    { "--scene-tris", SIM_OPTION_COUNT, AT(scene_tris), AT(has_scene_tris), 1, 1e8, NULL },
+    { "--scene-verts", SIM_OPTION_COUNT, AT(scene_verts), AT(has_scene_verts), 3, 1e8, NULL },
+    { "--coverage", SIM_OPTION_NUMBER, AT(coverage), 0, 0, 100, NULL },
+    { "--complexity", SIM_OPTION_NUMBER, AT(complexity), 0, 0.01, 1000, NULL },
+    { "--shade", SIM_OPTION_CHOICE, AT(o.shade), 0, 0, 0, "id|flat|smooth|textured|textured-flat|unlit" },
+    { "--texture", SIM_OPTION_FILE, AT(o.texture), 0, 0, 0, NULL },
+    { "--texture-format", SIM_OPTION_CHOICE, AT(o.texel), 0, 0, 0, "565|pal8|pal4" },
+    { "--depth", SIM_OPTION_CHOICE, AT(o.depth), 0, 0, 0, "recip|linear|e3m13|e4m12|e5m11|float" },
+    { "--state", SIM_OPTION_FLAG, AT(state), 0, 0, 0, NULL },
+    { "--eye", SIM_OPTION_VECTOR, AT(o.eye), AT(o.has_eye), 0, 0, NULL },
+    { "--at", SIM_OPTION_VECTOR, AT(o.at), AT(o.has_at), 0, 0, NULL },
+    { "--up", SIM_OPTION_VECTOR, AT(o.up), 0, 0, 0, NULL },
+    { "--fov", SIM_OPTION_NUMBER, AT(o.fov), 0, 0.001, 179.999, NULL },
+    { "--near", SIM_OPTION_NUMBER, AT(o.near_z), AT(o.has_near), 0, 0, NULL },
+    { "--far", SIM_OPTION_NUMBER, AT(o.far_z), AT(o.has_far), 0, 0, NULL },
+    { "--projection", SIM_OPTION_CHOICE, AT(o.projection), 0, 0, 0, "perspective|orthographic" },
+    { "--part", SIM_OPTION_TEXT, AT(part), 0, 0, 0, NULL },
+    { "--core", SIM_OPTION_CHOICE, AT(core), AT(has_core), 0, 0, "M0|M3|M4|M7|rv32imc|RP2040" },
+    { "--mhz", SIM_OPTION_NUMBER, AT(mhz), AT(has_mhz), 0.001, 10000, NULL },
+    { "--cpi", SIM_OPTION_NUMBER, AT(cpi), AT(has_cpi), 0.01, 100, NULL },
+    { "--app-ram", SIM_OPTION_COUNT, AT(app_ram), 0, 0, 1e9, NULL },
+    { "--app-flash", SIM_OPTION_COUNT, AT(app_flash), 0, 0, 1e9, NULL },
+    { "--fit", SIM_OPTION_TEXT, AT(fit), 0, 0, 0, NULL },
+    { "--check", SIM_OPTION_FILE, AT(check), 0, 0, 0, NULL },
+    { "--elf", SIM_OPTION_FILE, AT(elf), 0, 0, 0, NULL },
+    { "--csv", SIM_OPTION_FLAG, AT(csv), 0, 0, 0, NULL },
+    { "--error", SIM_OPTION_FILE, AT(error), 0, 0, 0, NULL },
+    { "--bar", SIM_OPTION_NUMBER, AT(bar), 0, 0, 1000, NULL },
+    { "--buffer", SIM_OPTION_SIZE, AT(buffer), AT(has_buffer), 1, 65535, NULL },
+    { "--color", SIM_OPTION_COUNT, AT(color_bits), 0, 0, 1024, NULL },
+    { "--depth-bits", SIM_OPTION_COUNT, AT(bits_of_depth), 0, 0, 1024, NULL },
+    { "--samples", SIM_OPTION_COUNT, AT(samples), 0, 1, 1024, NULL },
+    { "--fragments", SIM_OPTION_NUMBER, AT(fragments), 0, 0, 1e6, NULL },
+    { "--accesses", SIM_OPTION_COUNT, AT(accesses), 0, 0, 1e6, NULL },
+    { "--access-bits", SIM_OPTION_COUNT, AT(access_bits), 0, 1, 1024, NULL },
+    { "--textbook", SIM_OPTION_FLAG, AT(textbook), 0, 0, 0, NULL },
+    { "--help", SIM_OPTION_FLAG, AT(help), 0, 0, 0, NULL },
+    { "-h", SIM_OPTION_FLAG, AT(help), 0, 0, 0, NULL },
+};
+#define N_TABLE (sizeof table / sizeof table[0])
+
+/* ---- Times -------------------------------------------------------------------------------------------------------- */
+
+double budget_cpi(const struct budget_request *rq, enum sim_core core)
+{
+    static const double assumed[SIM_CORES] = { [SIM_CORE_M3] = 1.4, [SIM_CORE_M4] = 1.4, [SIM_CORE_M7] = 0.9,
+                                               [SIM_CORE_RV32] = 1.4 };
+    return core == SIM_CORE_RP2040 || core == SIM_CORE_M0 ? 1.0 : rq->has_cpi ? rq->cpi : assumed[core];
+}
+
+/* Cortex-M0 and M0+: what was counted on the RP2040, whose core it is. */
+double budget_cycles(const struct budget_request *rq, const struct budget *b, enum sim_core core)
+{
+    return sim_costs_sum(core == SIM_CORE_M0 ? SIM_CORE_RP2040 : core, &b->counted) * budget_cpi(rq, core);
+}
+
+/* What the figures of one part, or of a core and a clock, are reckoned for. */
+struct target {
+    enum sim_core core;
+    double mhz; /* 0: not known */
+    const struct budget_part *part; /* NULL: none */
+};
+
+static struct target target_of(const struct budget_request *rq)
+{
+    const struct budget_part *part = rq->part ? budget_part_named(rq->part) : NULL;
+    return (struct target){ part ? part->core : (enum sim_core)rq->core, rq->has_mhz ? rq->mhz : part ? part->mhz : 0.0, part };
+}
+
+/* ---- Figures ------------------------------------------------------------------------------------------------------- */
+
+struct totals {
+    double ram, flash, draw_ms, frame_ms, fps, fps_single;
+};
+
+static void totals_of(struct totals *t, const struct budget_request *rq, const struct budget *b, enum sim_core core, double mhz)
+{
+    const enum budget_cpu cpu = budget_cpu_of(core);
+    const double wire = b->has_wire ? b->wire.ms : 0.0;
+    t->ram = b->ram.total[cpu] + (double)rq->app_ram;
+    t->flash = b->flash[cpu].total + (double)rq->app_flash;
+    t->draw_ms = mhz > 0.0 ? budget_cycles(rq, b, core) / (mhz * 1e3) : (double)NAN;
+    t->frame_ms = b->config.buffers == 2 ? fmax(t->draw_ms, wire) : t->draw_ms + wire;
+    t->fps = 1e3 / t->frame_ms;
+    t->fps_single = 1e3 / (t->draw_ms + wire);
+}
+
+static void print_ram(const struct budget_request *rq, const struct budget *b)
+{
+    const struct budget_ram *r = &b->ram;
+    const struct zs_config *c = &b->config;
+    printf("RAM, bytes (pools are the same on every machine; the rest as on a Cortex-M)\n");
+    printf("  strip buffers   %8u  %u x %u x %u px of 2 bytes\n", r->color, c->buffers, c->width, c->strip_h);
+    printf("  depth keys      %8u\n", r->depth);
+    printf("  hidden tiles    %8u\n", r->tiles);
+    printf("  bins            %8u  %u strips\n", r->bins, (unsigned)ZS_STRIPS(c->height, c->strip_h));
+    printf("  triangles       %8u  %u of 12\n", r->tris, c->max_tris);
+    printf("  vertices        %8u  %u of 12\n", r->verts, c->max_verts);
+    printf("  their numbers   %8u\n", r->numbers);
+    printf("  attributes      %8u  %u words each\n", r->attrs, c->attrs);
+    printf("  arena           %8u  ZS_ARENA_BYTES of these\n", r->arena);
+    printf("  renderer        %8u\n", r->renderer);
+    printf("  scene state     %8u  scene, camera, %u instance%s\n", r->scene, b->n_instances, b->n_instances == 1 ? "" : "s");
+    if (r->panel)
+        printf("  panel           %8u  and %u to convert pixels in\n", r->panel, r->scratch);
+    if (r->watch)
+        printf("  zs_watch        %8u\n", r->watch);
+    if (r->track)
+        printf("  zs_track        %8u\n", r->track);
+    printf("  stack           %8u  Cortex-M3; M0+ %u: the worst case, without sink and interrupts\n", r->stack[BUDGET_M3],
+           r->stack[BUDGET_M0]);
+    if (rq->app_ram)
+        printf("  the program     %8ld\n", rq->app_ram);
+    printf("  together        %8.0f  M0+ %.0f\n", r->total[BUDGET_M3] + (double)rq->app_ram,
+           r->total[BUDGET_M0] + (double)rq->app_ram);
+}
+
+static void print_flash(const struct budget_request *rq, const struct budget *b)
+{
+    const struct budget_flash *m3 = &b->flash[BUDGET_M3], *m0 = &b->flash[BUDGET_M0];
+    printf("\nFlash, bytes, -O2      Cortex-M3      M0+\n");
+    printf("  renderer        %8u %8u\n", m3->zstrip, m0->zstrip);
+    printf("  libgcc, libc    %8u %8u\n", m3->library, m0->library);
+    if (m3->panel)
+        printf("  panel           %8u %8u\n", m3->panel, m0->panel);
+    printf("  scene data      %8u %8u  %s\n", m3->data, m0->data,
+           b->guessed ? "meshes of the numbers given, no textures" : "meshes and textures");
+    if (rq->app_flash)
+        printf("  the program     %8ld %8ld\n", rq->app_flash, rq->app_flash);
+    printf("  together        %8.0f %8.0f\n", m3->total + (double)rq->app_flash, m0->total + (double)rq->app_flash);
+}
+
+static void print_wire(const struct budget_request *rq, const struct budget *b)
+{
+    if (!b->has_wire)
+        return;
+    printf("\nOn the wire of %s, a frame\n", rq->o.panel.name);
+    printf("  %.0f bytes, %.0f of them pixels; %.0f windows of %.0f bytes; %.2f ms at %.1f MHz\n", b->wire.bytes,
+           b->wire.pixel_bytes, b->wire.windows, (b->wire.bytes - b->wire.pixel_bytes) / b->wire.windows, b->wire.ms,
+           (double)rq->o.spi_hz / 1e6);
+}
+
+static void print_drawing(const struct budget_request *rq, const struct budget *b)
+{
+    const char *stage = NULL;
+    double sum = 0.0;
+    printf("\nDrawing a frame, estimated%s: instructions, cycles on the RP2040\n ", b->guessed ? " from numbers alone" : "");
+    for (int c = 0; c < SIM_CORES; c++)
+        printf(" %s %.2f M%s", sim_core_names[c], sim_costs_sum((enum sim_core)c, &b->counted) / 1e6, c + 1 < SIM_CORES ? "," : "\n ");
+    const struct target to = target_of(rq);
+    const double all = sim_costs_sum(to.core, &b->counted);
+    printf(" on %s:", sim_core_names[to.core]);
+    for (int k = 0; k <= SIM_COST_N; k++) {
+        if (stage && (k == SIM_COST_N || strcmp(stage, sim_cost_names[k].stage) != 0)) {
+            if (sum / all >= 0.005)
+                printf(" %s %.0f %%,", stage, 100.0 * sum / all);
+            sum = 0.0;
+        }
+        if (k < SIM_COST_N) {
+            stage = sim_cost_names[k].stage;
+            sum += b->counted.n[k] * sim_cost_of(to.core, (enum sim_cost)k);
+        }
+    }
+    printf(" of it\n");
+}
+
+static void print_parts(const struct budget_request *rq, const struct budget *b)
+{
+    const struct target to = target_of(rq);
+    struct totals t;
+    printf("\n%-12s %-8s %5s %9s %9s %8s %8s %8s   left of it; frames a second with one buffer and two\n", "part", "core", "MHz",
+           "RAM", "flash", "draw ms", "1 buffer", "2");
+    for (uint32_t i = 0; i < n_budget_parts; i++) {
+        const struct budget_part *p = &budget_parts[i];
+        struct budget_request with = *rq;
+        if (rq->part && p != to.part)
+            continue;
+        totals_of(&t, &with, b, p->core, rq->part && rq->has_mhz ? rq->mhz : p->mhz);
+        printf("%-12s %-8s %5.0f", p->name, sim_core_names[p->core], rq->part && rq->has_mhz ? rq->mhz : p->mhz);
+        printf(" %9.0f %9.0f %8.1f %8.1f %8.1f%s\n", p->ram - t.ram, p->flash - t.flash, t.draw_ms, t.fps_single,
+               1e3 / fmax(t.draw_ms, b->has_wire ? b->wire.ms : 0.0), t.ram > p->ram || t.flash > p->flash ? "   too small" : "");
+    }
+    printf("Cycles: the RP2040's as the emulator counts them, which M0 takes too; else instructions times %s: M3 and M4 %g,\n"
+           "M7 %g, rv32imc %g. Flash without wait states. Frames: drawing or wire, whichever takes longer, with two buffers.\n",
+           rq->has_cpi ? "--cpi" : "an assumed rate, not measured", budget_cpi(rq, SIM_CORE_M3), budget_cpi(rq, SIM_CORE_M7),
+           budget_cpi(rq, SIM_CORE_RV32));
+}
+
+static void print_head(const struct budget_request *rq, const struct budget *b)
+{
+    const struct zs_stats *s = &b->counted.stats;
+    printf("%s, %ux%u in strips of %u rows", rq->scene ? rq->scene : rq->o.model ? rq->o.model : "numbers", b->config.width,
+           b->config.height, b->config.strip_h);
+    if (b->guessed)
+        printf(": %u of %ld triangles seen, %ld vertices, %g %% covered %g times\n\n", b->config.max_tris, rq->scene_tris,
+               rq->scene_verts, rq->coverage, rq->complexity);
+    else
+        printf(": %u of %u triangles seen, %u pass%s, %u pixels tested\n\n", s->tris_drawn, s->tris_in, s->passes,
+               s->passes == 1 ? "" : "es", s->pixels_tested);
+}
+
+#define FIGURES_MAX 32
+
+/* What --check and --csv know. Times only where the clock is known. */
+static size_t figures_of(struct budget_figure figure[FIGURES_MAX], const struct budget_request *rq, const struct budget *b,
+                         const double elf[2])
+{
+    const struct target to = target_of(rq);
+    const enum budget_cpu cpu = budget_cpu_of(to.core);
+    struct totals t;
+    size_t n = 0;
+    totals_of(&t, rq, b, to.core, to.mhz);
+    if (rq->elf) {
+        t.flash = elf[0];
+        t.ram = elf[1];
+    }
+    figure[n++] = (struct budget_figure){ "ram", t.ram, 0 };
+    figure[n++] = (struct budget_figure){ "arena", b->ram.arena, 0 };
+    figure[n++] = (struct budget_figure){ "stack", b->ram.stack[cpu], 0 };
+    figure[n++] = (struct budget_figure){ "flash", t.flash, 0 };
+    if (b->has_wire)
+        figure[n++] = (struct budget_figure){ "wire_ms", b->wire.ms, 0 };
+    if (to.mhz > 0.0) {
+        figure[n++] = (struct budget_figure){ "draw_ms", t.draw_ms, 0 };
+        figure[n++] = (struct budget_figure){ "frame_ms", t.frame_ms, 0 };
+        figure[n++] = (struct budget_figure){ "fps", t.fps, 1 };
+    }
+    if (to.part) {
+        figure[n++] = (struct budget_figure){ "ram_left", to.part->ram - t.ram, 1 };
+        figure[n++] = (struct budget_figure){ "flash_left", to.part->flash - t.flash, 1 };
+    }
+    return n;
+}
+
+static void print_csv(const struct budget_request *rq, const struct budget *b, const double elf[2])
+{
+    const struct budget_ram *r = &b->ram;
+    const struct target to = target_of(rq);
+    const enum budget_cpu cpu = budget_cpu_of(to.core);
+    const struct budget_flash *f = &b->flash[cpu];
+    const struct {
+        const char *key;
+        uint32_t value;
+    } bytes[] = {
+        { "color", r->color },       { "depth", r->depth },     { "tiles", r->tiles },       { "bins", r->bins },
+        { "tris", r->tris },         { "verts", r->verts },     { "numbers", r->numbers },   { "attrs", r->attrs },
+        { "renderer", r->renderer }, { "scene", r->scene },     { "panel", r->panel },       { "scratch", r->scratch },
+        { "watch", r->watch },       { "track", r->track },     { "flash_zstrip", f->zstrip }, { "flash_library", f->library },
+        { "flash_panel", f->panel }, { "flash_data", f->data },
+    };
+    struct budget_figure figure[FIGURES_MAX];
+    const size_t n = figures_of(figure, rq, b, elf);
+    puts("figure,value,unit");
+    for (size_t i = 0; i < sizeof bytes / sizeof bytes[0]; i++)
+        printf("%s,%u,bytes\n", bytes[i].key, bytes[i].value);
+    for (size_t i = 0; i < n; i++) {
+        const int ms = strstr(figure[i].key, "_ms") != NULL, fps = strcmp(figure[i].key, "fps") == 0;
+        printf("%s,%.*f,%s\n", figure[i].key, ms ? 3 : fps ? 1 : 0, figure[i].value, ms ? "ms" : fps ? "1/s" : "bytes");
+    }
+    if (b->has_wire)
+        printf("wire_bytes,%.0f,bytes\nwire_windows,%.0f,windows\n", b->wire.bytes, b->wire.windows);
+    for (int c = 0; c < SIM_CORES; c++)
+        printf("draw_%s,%.0f,%s\n", sim_core_names[c], sim_costs_sum((enum sim_core)c, &b->counted),
+               c == SIM_CORE_RP2040 ? "cycles" : "instructions");
+}
+
+/* ---- Command line -------------------------------------------------------------------------------------------------------- */
+
+static void defaults(struct budget_request *rq)
+{
+    memset(rq, 0, sizeof *rq);
+    sim_options_defaults(&rq->o);
+    rq->coverage = 50.0;
+    rq->complexity = 1.5;
+    rq->instances = 1;
+    rq->core = SIM_CORE_M3;
+    rq->bar = 15.0;
+    rq->color_bits = rq->bits_of_depth = rq->access_bits = 32;
+    rq->samples = 1;
+    rq->fragments = 4.0;
+}
+
+static int take(struct budget_request *rq, char seen[N_TABLE], int argc, char **argv)
+{
+    int status = SIM_OK;
+    for (int i = 0; status == SIM_OK && i < argc; i++) {
+        if (argv[i][0] == '-' && argv[i][1] != '\0')
+            status = sim_option_take(table, N_TABLE, rq, seen, argc, argv, &i);
+        else if (rq->o.model != NULL)
+            status = sim_usage("one model at a time: '%s' is one too many", argv[i]);
+        else
+            rq->o.model = argv[i];
+    }
+    return status;
+}
+
+/* What must not be together, and what follows from what. */
+static int settle(struct budget_request *rq)
+{
+    struct pm_glass glass;
+    if (rq->scene && rq->o.model)
+        return sim_usage("--scene and a model: one of them");
+    if (rq->o.panel.name == NULL && rq->o.has_spi)
+        return sim_usage("--spi is for a --panel, which is missing");
+    if (rq->part && budget_part_named(rq->part) == NULL)
+        return sim_refuse(NULL, 0, "--part %s: there is no such part; there are %s", rq->part, budget_part_list());
+    if (rq->part && rq->has_core)
+        return sim_usage("--core is the part's own: leave it or --part out");
+    if ((rq->scene || rq->o.model) && (rq->has_scene_tris || rq->has_scene_verts))
+        return sim_usage("--scene-tris and --scene-verts are for numbers alone: leave --scene and the model out");
+    if (rq->o.projection == ZS_ORTHOGRAPHIC && rq->o.model == NULL)
+        return sim_usage("--projection is for a model, which is missing");
+    const int status = sim_panel_take(&rq->o.panel, NULL, rq->o.has_size, rq->o.size, rq->o.strip, &glass);
+    if (status != SIM_OK)
+        return status;
+    if (rq->o.panel.name != NULL && !rq->o.has_spi)
+        rq->o.spi_hz = pm_glass_format(&glass) == PM_RGB565 ? 62500000 : 10000000;
+    if (!rq->scene && !rq->o.model) {
+        rq->o.tris = rq->has_tris ? rq->o.tris : 1000;
+        rq->o.verts = rq->has_verts ? rq->o.verts : 700;
+        rq->has_tris = rq->has_verts = 1;
+        rq->scene_tris = rq->has_scene_tris ? rq->scene_tris : 2 * rq->o.tris;
+        rq->scene_verts = rq->has_scene_verts ? rq->scene_verts : rq->o.verts;
+        if (rq->scene_tris < rq->o.tris)
+            return sim_refuse(NULL, 0, "--scene-tris %ld is less than the %ld of --tris, which are those that are seen",
+                              rq->scene_tris, rq->o.tris);
+    }
+    return SIM_OK;
+}
+
+static int report(const struct budget_request *rq)
+{
+    static struct budget b;
+    struct budget_figure figure[FIGURES_MAX];
+    double elf[2] = { 0.0, 0.0 };
+    int status = budget_scene(&b, rq);
+    if (status == SIM_OK && rq->elf)
+        status = budget_elf(rq->elf, &elf[0], &elf[1]);
+    if (status != SIM_OK)
+        return status;
+    if (rq->fit)
+        return budget_fit(rq, &b);
+    budget_ram(&b.ram, rq, &b.config, b.n_instances);
+    for (int c = 0; c < BUDGET_CPUS; c++)
+        budget_flash(&b.flash[c], rq, &b, (enum budget_cpu)c);
+    b.has_wire = rq->o.panel.name != NULL;
+    if (b.has_wire)
+        status = budget_wire(&b.wire, rq, &b.config);
+    if (status != SIM_OK)
+        return status;
+    if (rq->check)
+        return budget_check(rq->check, figure, figures_of(figure, rq, &b, elf));
+    if (rq->csv) {
+        print_csv(rq, &b, elf);
+        return SIM_OK;
+    }
+    print_head(rq, &b);
+    print_ram(rq, &b);
+    print_flash(rq, &b);
+    if (rq->elf)
+        printf("  %s: flash %.0f, RAM %.0f\n", rq->elf, elf[0], elf[1]);
+    print_wire(rq, &b);
+    print_drawing(rq, &b);
+    print_parts(rq, &b);
+    return SIM_OK;
+}
+
+int sim_budget(int argc, char **argv)
+{
+    static struct budget_request rq;
+    char seen[N_TABLE] = { 0 };
+    defaults(&rq);
+    int status = take(&rq, seen, argc, argv);
+    if (status == SIM_OK && rq.help) {
+        char parts[1024];
+        sim_wrap(parts, sizeof parts, budget_part_list(), 21);
+        (void)printf(usage, sim_panel_list(21), parts);
+        return SIM_OK;
+    }
+    if (status == SIM_OK)
+        status = sim_options_in_range(table, N_TABLE, &rq, seen, NULL);
+    if (status != SIM_OK)
+        return status;
+    if (rq.textbook || rq.has_buffer)
+        return budget_textbook(&rq);
+    if (rq.error)
+        return sim_costs_error(rq.error, rq.bar);
+    status = settle(&rq);
+    return status == SIM_OK ? report(&rq) : status;
+}

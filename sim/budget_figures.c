@@ -1,0 +1,110 @@
+/* Bytes and the wire.
+ *
+ * SPDX-License-Identifier: MIT
+ */
+#include <stdlib.h>
+#include <string.h>
+
+#include "budget.h"
+#include "panel.h"
+#include "record_sizes.h"
+#include "sim.h"
+
+enum budget_cpu budget_cpu_of(enum sim_core core)
+{
+    return core == SIM_CORE_M0 || core == SIM_CORE_RP2040 ? BUDGET_M0 : BUDGET_M3;
+}
+
+void budget_ram(struct budget_ram *ram, const struct budget_request *rq, const struct zs_config *c, uint32_t n_instances)
+{
+    const uint32_t rows = c->strip_h < c->height ? c->strip_h : c->height;
+    memset(ram, 0, sizeof *ram);
+    ram->color = ZS_COLOR_BYTES(c->width, rows, c->buffers);
+    ram->depth = ZS_DEPTH_BYTES(c->width, rows);
+    ram->tiles = ZS_BOUND_BYTES(c->width);
+    ram->bins = ZS_BIN_BYTES(c->height, rows);
+    ram->tris = ZS_TRI_BYTES(c->max_tris);
+    ram->verts = (uint32_t)sizeof(struct zs_vertex) * c->max_verts;
+    ram->attrs = ZS_VERT_BYTES(c->max_verts, c->attrs) - ZS_VERT_BYTES(c->max_verts, 0);
+    ram->numbers = ZS_VERT_BYTES(c->max_verts, 0) - ram->verts;
+    ram->arena = ZS_ARENA_BYTES(c->width, c->height, rows, c->max_tris, c->max_verts, c->attrs, c->buffers);
+    ram->renderer = RECORD_zs_renderer;
+    ram->scene = RECORD_zs_scene + RECORD_zs_camera + n_instances * RECORD_zs_instance;
+    ram->watch = (uint32_t)(ZS_STRIPS(c->height, rows) * 8u * (uint32_t)rq->watch);
+    ram->track = rq->track ? 4u * ZS_TRACK_WORDS(rq->track, c->height, rows) : 0u;
+    if (rq->o.panel.name != NULL) {
+        struct panel_config config;
+        struct pm_glass glass;
+        ram->panel = RECORD_panel;
+        if (sim_panel_config(&rq->o.panel, NULL, &config, &glass) == SIM_OK)
+            ram->scratch = panel_scratch_bytes(&config, (uint32_t)c->width * rows);
+    }
+    ram->fixed = ram->renderer + ram->scene + ram->watch + ram->track + ram->panel + ram->scratch;
+    for (int k = 0; k < BUDGET_CPUS; k++) {
+        ram->stack[k] = record_stack_render[k];
+        ram->total[k] = ram->arena + ram->fixed + ram->stack[k];
+    }
+}
+
+static void add(struct budget_flash *flash, const struct record_bytes *bytes)
+{
+    flash->zstrip += bytes->zstrip;
+    flash->library += bytes->library;
+}
+
+void budget_flash(struct budget_flash *flash, const struct budget_request *rq, const struct budget *b, enum budget_cpu cpu)
+{
+    const struct zs_depth *depth = b->config.depth;
+    const int mapping = depth == &zs_depth_recip ? 1 : depth == &zs_depth_linear ? 2 : 0;
+    memset(flash, 0, sizeof *flash);
+    add(flash, &record_flash[cpu][mapping][b->shades & 63u]);
+    add(flash, &record_pose[cpu]);
+    if (b->texels & 1u)
+        add(flash, &record_texel_565[cpu]);
+    if (b->texels & 2u)
+        add(flash, &record_texel_pal8[cpu]);
+    if (b->texels & 4u)
+        add(flash, &record_texel_pal4[cpu]);
+    if (rq->state)
+        add(flash, &record_state[cpu]);
+    if (rq->watch)
+        add(flash, &record_watch[cpu]);
+    if (rq->track)
+        add(flash, &record_track[cpu]);
+    const size_t length = rq->o.panel.name ? strcspn(rq->o.panel.name, ":") : 0;
+    for (size_t i = 0; i < sizeof record_panels / sizeof record_panels[0]; i++)
+        if (length && strlen(record_panels[i].name) == length && memcmp(record_panels[i].name, rq->o.panel.name, length) == 0)
+            flash->panel = record_panels[i].bytes[cpu];
+    flash->data = b->data;
+    flash->total = flash->zstrip + flash->library + flash->panel + flash->data;
+}
+
+/* ---- The wire ------------------------------------------------------------------------------------------------------ */
+
+/* A frame of the picture's size through the driver, into the model of the controller, which counts. */
+int budget_wire(struct budget_wire *wire, const struct budget_request *rq, const struct zs_config *c)
+{
+    struct sim_panel_frame panel;
+    const size_t n = (size_t)c->width * c->strip_h * 2u;
+    uint16_t *px = sim_alloc(n / 2u, sizeof *px);
+    int status = sim_panel_begin(&panel, &rq->o.panel, "budget", c->strip_h);
+    const struct zs_sink sink = sim_panel_sink(&panel);
+    for (uint32_t y = 0; status == SIM_OK && y < c->height; y += c->strip_h) {
+        const uint16_t h = (uint16_t)(c->height - y < c->strip_h ? c->height - y : c->strip_h);
+        const struct zs_strip strip = { .y = (uint16_t)y, .w = c->width, .h = h, .px = (const uint8_t *)px,
+                                        .n_bytes = (uint32_t)c->width * h * 2u, .changed_w = c->width,
+                                        .last = y + h == c->height };
+        if (sink.submit(sink.ctx, &strip) || sink.wait(sink.ctx))
+            status = sim_panel_check(&panel, &rq->o.panel, "budget");
+    }
+    if (status == SIM_OK) {
+        const struct pm_counts *now = pm_counts(panel.model), *then = &panel.setup;
+        wire->bytes = (double)(now->bytes - then->bytes);
+        wire->pixel_bytes = (double)(now->pixel_bytes - then->pixel_bytes);
+        wire->windows = (double)(now->windows - then->windows);
+        wire->ms = 8e3 * wire->bytes / (double)rq->o.spi_hz;
+    }
+    sim_panel_free(&panel);
+    free(px);
+    return status;
+}

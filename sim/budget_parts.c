@@ -1,0 +1,139 @@
+/* Parts by name, and what fits them.
+ *
+ * SPDX-License-Identifier: MIT
+ */
+#include <stdio.h>
+#include <string.h>
+
+#include "budget.h"
+#include "panel.h"
+#include "sim.h"
+
+#define KB 1024u
+
+/* RAM is what lies together and a program can use; flash of parts without any is what their boards have. From: RP2040 datasheet
+ * (1.1, 2.6); STM32F103x8 DS5319, STM32F103xC DS5792, STM32F405 DS8626, STM32F411 DS10314, STM32F401xC DS9716, STM32F746
+ * DS10916, each table 2; nRF51822 PS v3.4 (table 1, xxAA), nRF52832 PS v1.8, nRF52840 PS v1.7 (memory); LM3S6965 DS-LM3S6965
+ * (1.4); ESP32-C3 datasheet (3.1.2: 400 KB of SRAM, 16 KB of it cache); SAM D21 DS40001882 (1, SAMD21G18); LPC176x UM10360
+ * (1.3: two banks, the larger one); GD32VF103 datasheet (table 2, CB). */
+const struct budget_part budget_parts[] = {
+    { "rp2040", SIM_CORE_RP2040, 125, 264 * KB, 2048 * KB, "Raspberry Pi Pico, Cortex-M0+ (133 MHz at most)" },
+    { "stm32f103c8", SIM_CORE_M3, 72, 20 * KB, 64 * KB, "Cortex-M3, Blue Pill" },
+    { "stm32f103rc", SIM_CORE_M3, 72, 48 * KB, 256 * KB, "Cortex-M3" },
+    { "stm32f401cc", SIM_CORE_M4, 84, 64 * KB, 256 * KB, "Cortex-M4, Black Pill" },
+    { "stm32f405", SIM_CORE_M4, 168, 128 * KB, 1024 * KB, "Cortex-M4; 64 KB more of CCM" },
+    { "stm32f411", SIM_CORE_M4, 100, 128 * KB, 512 * KB, "Cortex-M4, Black Pill" },
+    { "stm32f746", SIM_CORE_M7, 216, 320 * KB, 1024 * KB, "Cortex-M7" },
+    { "nrf51822", SIM_CORE_M0, 16, 16 * KB, 256 * KB, "micro:bit v1, Cortex-M0" },
+    { "nrf52832", SIM_CORE_M4, 64, 64 * KB, 512 * KB, "Cortex-M4" },
+    { "nrf52840", SIM_CORE_M4, 64, 256 * KB, 1024 * KB, "Cortex-M4" },
+    { "samd21", SIM_CORE_M0, 48, 32 * KB, 256 * KB, "SAMD21G18, Cortex-M0+" },
+    { "lm3s6965", SIM_CORE_M3, 50, 64 * KB, 256 * KB, "Cortex-M3" },
+    { "lpc1768", SIM_CORE_M3, 100, 32 * KB, 512 * KB, "Cortex-M3; 32 KB more in another bank" },
+    { "gd32vf103", SIM_CORE_RV32, 108, 32 * KB, 128 * KB, "RV32IMAC" },
+    { "esp32-c3", SIM_CORE_RV32, 160, 384 * KB, 4096 * KB, "RV32IMC" },
+};
+const uint32_t n_budget_parts = sizeof budget_parts / sizeof budget_parts[0];
+
+const struct budget_part *budget_part_named(const char *name)
+{
+    for (uint32_t i = 0; i < n_budget_parts; i++)
+        if (strcmp(budget_parts[i].name, name) == 0)
+            return &budget_parts[i];
+    return NULL;
+}
+
+const char *budget_part_list(void)
+{
+    static char text[512];
+    size_t at = 0;
+    for (uint32_t i = 0; i < n_budget_parts && at < sizeof text - 32u; i++)
+        at += (size_t)snprintf(text + at, sizeof text - at, "%s%s", i ? ", " : "", budget_parts[i].name);
+    return text;
+}
+
+/* ---- Fit ------------------------------------------------------------------------------------------------------- */
+
+/* Bytes that are left of a part with so many rows, triangles and vertices; < 0: it does not fit. */
+static double left(const struct budget_request *rq, const struct budget *b, const struct budget_part *part, long rows,
+                   long tris, long verts)
+{
+    struct zs_config c = b->config;
+    struct budget_ram ram;
+    c.strip_h = (uint16_t)rows;
+    c.max_tris = (uint16_t)tris;
+    c.max_verts = (uint16_t)verts;
+    budget_ram(&ram, rq, &c, b->n_instances);
+    return (double)part->ram - (double)ram.total[budget_cpu_of(part->core)] - (double)rq->app_ram;
+}
+
+static long verts_for(const struct budget *b, long tris)
+{
+    const long n = (tris * b->config.max_verts + b->config.max_tris - 1) / b->config.max_tris;
+    return n < 3 ? 3 : n > (long)ZS_POOL_MAX ? (long)ZS_POOL_MAX : n;
+}
+
+/* The most triangles, with vertices in proportion; 0: none. */
+static long most_tris(const struct budget_request *rq, const struct budget *b, const struct budget_part *part, long rows)
+{
+    long fits = 0, over = (long)ZS_POOL_MAX + 1;
+    while (over - fits > 1) {
+        const long mid = (fits + over) / 2;
+        if (left(rq, b, part, rows, mid, verts_for(b, mid)) >= 0.0)
+            fits = mid;
+        else
+            over = mid;
+    }
+    return fits;
+}
+
+static long grain_of(const struct budget_request *rq)
+{
+    struct panel_config config;
+    struct pm_glass glass;
+    if (rq->o.panel.name == NULL || sim_panel_config(&rq->o.panel, NULL, &config, &glass) != SIM_OK)
+        return 1;
+    return panel_grain(&config).y;
+}
+
+int budget_fit(const struct budget_request *rq, const struct budget *b)
+{
+    static const long rows[] = { 2, 4, 8, 16, 24, 32, 40, 48, 60, 80, 120, 160, 240 };
+    const struct budget_part *part = budget_part_named(rq->fit);
+    if (!part)
+        return sim_refuse(NULL, 0, "--fit %s: there is no such part; there are %s", rq->fit, budget_part_list());
+    const long grain = grain_of(rq), height = b->config.height, tris = b->config.max_tris, verts = b->config.max_verts;
+    long most_rows = 0;
+    for (long r = grain; r <= height + grain - 1; r += grain) {
+        const long h = r < height ? r : height;
+        if (left(rq, b, part, h, tris, verts) >= 0.0)
+            most_rows = h;
+    }
+    const long most = most_tris(rq, b, part, b->config.strip_h);
+    if (rq->csv)
+        printf("figure,value,unit\nfit_strip,%ld,rows\nfit_tris,%ld,triangles\nfit_verts,%ld,vertices\n", most_rows, most,
+               most ? verts_for(b, most) : 0L);
+    else {
+        printf("%s: %u bytes of RAM, %ld of them for the rest of the program\n", part->text, part->ram, rq->app_ram);
+        if (most_rows)
+            printf("  %ld triangles and %ld vertices fit in strips of up to %ld rows; %.0f bytes are left then\n", tris, verts,
+                   most_rows, left(rq, b, part, most_rows, tris, verts));
+        else
+            printf("  %ld triangles and %ld vertices do not fit in strips of any height\n", tris, verts);
+        if (most)
+            printf("  strips of %u rows leave room for %ld triangles and %ld vertices; %.0f bytes are left then\n",
+                   b->config.strip_h, most, verts_for(b, most), left(rq, b, part, b->config.strip_h, most, verts_for(b, most)));
+        else
+            printf("  strips of %u rows leave no room for triangles\n", b->config.strip_h);
+        printf("\n  %6s %10s %9s   vertices in proportion; fewer of either take more passes, never a pixel\n", "rows", "triangles",
+               "vertices");
+        for (size_t i = 0; i < sizeof rows / sizeof rows[0]; i++)
+            if (rows[i] <= height && rows[i] % grain == 0) {
+                const long n = most_tris(rq, b, part, rows[i]);
+                printf("  %6ld %10ld %9ld\n", rows[i], n, n ? verts_for(b, n) : 0L);
+            }
+    }
+    return most_rows || most ? SIM_OK
+                             : sim_refuse(NULL, 0, "--fit %s: not even one triangle fits in %ld rows; lower --strip or --buffers",
+                                          rq->fit, (long)b->config.strip_h);
+}

@@ -1,0 +1,131 @@
+/* What a frame costs, stage by stage: how often each thing is done in it, and what one takes on a core. Counts come from the
+ * renderer itself, which is given shaders, texel formats, a depth mapping and a state kernel that look on and pass on; so
+ * they follow whatever ways it takes. What one takes is fitted from the probes (firmware/scenes/probes.h) by make
+ * costs-record.
+ *
+ * SPDX-License-Identifier: MIT
+ */
+#ifndef SIM_COSTS_H
+#define SIM_COSTS_H
+
+#include <stdint.h>
+
+#include "zstrip.h"
+
+/* name, stage, of what it is the cost of one. Where one kind includes another the text says "more". */
+#define SIM_COSTS(X)                                                                                     \
+    X(frame, "frame", "frame: begin and end")                                                            \
+    X(strip, "strip", "strip: list, hand-over, the call")                                                \
+    X(clear_px, "strip", "pixel cleared, colour and depth")                                              \
+    X(instance, "instance", "instance walked in a frame")                                                \
+    X(instance_culled, "instance", "instance whose sphere is out of view")                               \
+    X(vertex, "vertex", "vertex to the screen, depth float")                                             \
+    X(vertex_recip, "vertex", "vertex to the screen, depth recip")                                       \
+    X(vertex_linear, "vertex", "vertex to the screen, depth linear")                                     \
+    X(vertex_ortho, "vertex", "vertex to the screen, orthographic")                                      \
+    X(vertex_test, "vertex", "more where near, far or guard band are near")                              \
+    X(vertex_out, "vertex", "vertex outside of those")                                                   \
+    X(vertex_fine, "vertex", "more with pos_lo")                                                         \
+    X(light_smooth, "vertex", "its light, smooth")                                                       \
+    X(attr_texture, "vertex", "its texture coordinates")                                                 \
+    X(light_texture, "vertex", "its texture coordinates and light")                                      \
+    X(tri, "triangle", "triangle looked at and turned away")                                             \
+    X(tri_looked, "triangle", "more where the pool does not hold the mesh")                              \
+    X(tri_box, "triangle", "more where it faces the eye: box, off screen or empty")                      \
+    X(tri_bin, "triangle", "more where it is seen: bin")                                                 \
+    X(face_raw, "triangle", "its colour, raw")                                                           \
+    X(face_flat, "triangle", "its light, flat, normal from its edges")                                   \
+    X(face_flat_given, "triangle", "its light, flat, normal given")                                      \
+    X(tri_clip, "clip", "triangle cut at near, far or the guard band")                                   \
+    X(tri_hidden, "set-up", "triangle in a strip, found hidden")                                         \
+    X(bound, "set-up", "triangle of 64 columns or more in a strip: what it hides")                       \
+    X(setup_small, "set-up", "small triangle of one colour in a strip")                                  \
+    X(setup, "set-up", "any other triangle in a strip, of one colour")                                   \
+    X(setup_wide, "set-up", "more beyond 64 px")                                                         \
+    X(setup_empty, "set-up", "triangle in a strip without a pixel there")                                \
+    X(setup_octaves, "set-up", "more where depth float crosses an octave")                               \
+    X(setup_linear, "set-up", "more with depth linear")                                                  \
+    X(start_smooth, "set-up", "more for colours, affine")                                                \
+    X(start_smooth_w, "set-up", "more for colours in perspective")                                       \
+    X(start_texture, "set-up", "more for texels, affine")                                                \
+    X(start_texture_w, "set-up", "more for texels in perspective")                                       \
+    X(start_light, "set-up", "more for their light between vertices")                                    \
+    X(row_small, "row", "row of a small triangle")                                                       \
+    X(row, "row", "row of any other: its two edges")                                                     \
+    X(span_small, "span", "row with pixels, small triangle")                                             \
+    X(span_solid, "span", "row with pixels, one colour")                                                 \
+    X(span_smooth, "span", "row with pixels, smooth, affine")                                            \
+    X(span_direct, "span", "row with pixels, texels, affine, unlit or lit palette")                      \
+    X(span_runs, "span", "row with pixels, any other way")                                               \
+    X(span_octaves, "span", "more where depth float crosses an octave")                                  \
+    X(span_linear, "span", "more with depth linear")                                                     \
+    X(piece, "span", "piece of a row, where depth float crosses an octave")                              \
+    X(px_small, "pixel", "pixel tested, small triangle")                                                 \
+    X(px_solid, "pixel", "pixel tested, one colour")                                                     \
+    X(px_smooth, "pixel", "pixel tested, smooth")                                                        \
+    X(px_direct, "pixel", "pixel tested, texels")                                                        \
+    X(px_runs, "pixel", "pixel tested, any other way")                                                   \
+    X(px_linear, "pixel", "pixel tested, depth linear")                                                  \
+    X(px_state, "pixel", "pixel tested, with a state")                                                   \
+    X(won_small, "pixel", "more where it wins, small triangle")                                          \
+    X(won_solid, "pixel", "more where it wins, one colour")                                              \
+    X(won_smooth, "pixel", "more where it wins, smooth")                                                 \
+    X(won_565, "pixel", "more where it wins, texel 565")                                                 \
+    X(won_pal8, "pixel", "more where it wins, texel pal8")                                               \
+    X(won_pal4, "pixel", "more where it wins, texel pal4")                                               \
+    X(won_runs, "pixel", "more where it wins, any other way: its depth")                                 \
+    X(run, "run", "run of pixels that win, any other way")                                               \
+    X(run_solid_px, "run", "pixel of one colour in a run")                                               \
+    X(run_smooth_px, "run", "pixel of smooth colour in a run")                                           \
+    X(run_smooth_part, "run", "part of up to 16 smooth pixels in perspective")                           \
+    X(fetch, "run", "part of texels fetched")                                                            \
+    X(fetch_group, "run", "more where its ends are divided: up to 32 in perspective")                    \
+    X(fetch_one, "run", "more where it is one texel in perspective")                                     \
+    X(fetch_565_px, "run", "texel 565 fetched")                                                          \
+    X(fetch_pal8_px, "run", "texel pal8 fetched")                                                        \
+    X(fetch_pal4_px, "run", "texel pal4 fetched")                                                        \
+    X(divide, "run", "part of up to 16 texels, each divided")                                            \
+    X(divide_px, "run", "texel by a division of its own")                                                \
+    X(shine, "run", "call to light a part or a palette")                                                 \
+    X(shine_px, "run", "pixel or colour of a palette lit")
+
+#define SIM_COST_ENUM(name, stage, what) SIM_COST_##name,
+enum sim_cost { SIM_COSTS(SIM_COST_ENUM) SIM_COST_N };
+
+struct sim_cost_name {
+    const char *name, *stage, *what;
+};
+extern const struct sim_cost_name sim_cost_names[SIM_COST_N];
+
+struct sim_counted {
+    double n[SIM_COST_N];  /* how often in the frame */
+    struct zs_stats stats; /* of it */
+    uint32_t checksum;     /* FNV-1a, 32 bits, of its bytes as they leave */
+};
+
+/* Draw a frame and count. Return ZS_OK, or an error of the renderer; SIM_FRAME_BROKEN: pixels that were counted are not those
+ * that the renderer says. Not for two threads at once. Needs ZS_STATS = 1. */
+int sim_costs_count(struct sim_counted *out, const struct zs_scene *scene, const struct zs_camera *camera,
+                    const struct zs_config *config);
+
+/* ---- What one costs ---------------------------------------------------------------------------------------- */
+
+enum sim_core { SIM_CORE_M0, SIM_CORE_M3, SIM_CORE_M4, SIM_CORE_M7, SIM_CORE_RV32, SIM_CORE_RP2040, SIM_CORES };
+extern const char *const sim_core_names[SIM_CORES]; /* as tests/golden/bench.txt names them; "RP2040" is in cycles */
+
+/* Instructions (RP2040: cycles) of one, as on record. */
+double sim_cost_of(enum sim_core core, enum sim_cost cost);
+/* Of a frame. */
+double sim_costs_sum(enum sim_core core, const struct sim_counted *counted);
+
+/* Put costs in the place of what is on record. */
+void sim_costs_set(enum sim_core core, const double cost[SIM_COST_N]);
+
+/* Print how far the estimate is from what frames of the demo and bench scenes took: lines "CORE SCENE NUMBER" of a file, as of
+ * tests/golden/bench.txt. SIM_OK; SIM_REFUSED: it cannot be read, or a scene is more than bar percent off. */
+int sim_costs_error(const char *file, double bar);
+
+/* `zsim costs`: the arguments after the name. */
+int sim_costs(int argc, char **argv);
+
+#endif

@@ -1,0 +1,506 @@
+/* Counting by looking on. Instances are copied, with materials and textures, so that what they name is ours: each of our
+ * structs begins with the renderer's and knows the one that it stands for. Rows and spans are found here, from a triangle's
+ * corners, whatever way it is drawn; their pixels must be as many as the renderer says.
+ *
+ * SPDX-License-Identifier: MIT
+ */
+#include <stdlib.h>
+#include <string.h>
+
+#include "costs.h"
+#include "frame.h"
+#include "persp.h"
+#include "sim.h"
+
+#define SIM_COST_NAME(name, stage, what) { #name, stage, what },
+const struct sim_cost_name sim_cost_names[SIM_COST_N] = { SIM_COSTS(SIM_COST_NAME) };
+
+enum kind { KIND_SOLID, KIND_SMOOTH, KIND_TEXTURE };
+
+struct our_shader {
+    struct zs_shader shader;
+    const struct zs_shader *of;
+    enum kind kind;
+    enum sim_cost vertex, face;
+};
+struct our_texel {
+    struct zs_texel texel;
+    const struct zs_texel *of;
+    enum sim_cost fetch, won;
+};
+struct our_kernel {
+    struct zs_state_kernel kernel;
+    const struct zs_state_kernel *of;
+};
+struct thing { /* an instance's copies */
+    struct our_shader shader;
+    struct our_texel texel;
+    struct our_kernel kernel;
+    struct zs_material material;
+    struct zs_texture texture;
+    struct zs_state state;
+};
+
+/* The frame in hand: callbacks that get texels alone know of no other way to it. */
+static struct {
+    struct zs_depth depth;
+    const struct zs_depth *of;
+    double *n;
+    struct zs_renderer *r;
+    uint64_t tested;  /* pixels found here */
+    double setups;    /* counted here */
+    uint32_t band_end, walks, checksum;
+    uint8_t by_number; /* flag: some mesh was not transformed at once */
+    const struct zs_job *job; /* whose run is coloured; NULL: none */
+    uint8_t keys;      /* flag, of the triangle in hand: its keys are linear */
+} now;
+
+static struct our_shader *shader_of(const struct zs_shader *shader)
+{
+    return (struct our_shader *)(uintptr_t)shader;
+}
+
+static struct our_texel *texel_of(const struct zs_texel *texel)
+{
+    return (struct our_texel *)(uintptr_t)texel;
+}
+
+/* ---- A triangle's rows in a strip ---------------------------------------------------------------------------- */
+
+struct shape {
+    double rows, spans, px;
+    int wide; /* flag: beyond ZS_TINY */
+};
+
+/* The first sample at or beyond an edge from a to b, at the middle of a row; exact. */
+static int32_t column(const struct zs_vertex *a, const struct zs_vertex *b, int32_t row)
+{
+    const int64_t dy = b->y - a->y, at = (int64_t)row * ZS_SUBPX_ONE + ZS_SUBPX_HALF - a->y;
+    const int64_t top = (int64_t)(b->x - a->x) * at + (int64_t)(a->x - ZS_SUBPX_HALF) * dy, by = dy * ZS_SUBPX_ONE;
+    return (int32_t)(top >= 0 ? (top + by - 1) / by : -(-top / by));
+}
+
+static void look(struct shape *s, const struct zs_job *job)
+{
+    const struct zs_vertex *v[3];
+    int32_t lo[2] = { INT32_MAX, INT32_MAX }, hi[2] = { INT32_MIN, INT32_MIN };
+    memset(s, 0, sizeof *s);
+    for (int k = 0; k < 3; k++) {
+        v[k] = &job->r->vert[job->tri->v[k]];
+        lo[0] = zs_min32(lo[0], v[k]->x);
+        lo[1] = zs_min32(lo[1], v[k]->y);
+        hi[0] = zs_max32(hi[0], v[k]->x);
+        hi[1] = zs_max32(hi[1], v[k]->y);
+    }
+    s->wide = hi[0] - lo[0] > ZS_TINY || hi[1] - lo[1] > ZS_TINY;
+    const int32_t end = zs_min32(zs_first_sample(hi[1]), job->y1);
+    for (int32_t row = zs_max32(zs_first_sample(lo[1]), job->y0); row < end; row++) {
+        int32_t x[2], n = 0;
+        for (int k = 0; k < 3 && n < 2; k++) {
+            const struct zs_vertex *a = v[k], *b = v[(k + 1) % 3];
+            if (a->y > b->y) {
+                const struct zs_vertex *t = a;
+                a = b;
+                b = t;
+            }
+            if (zs_first_sample(a->y) <= row && row < zs_first_sample(b->y))
+                x[n++] = column(a, b, row);
+        }
+        s->rows++;
+        if (n < 2)
+            continue;
+        const int32_t from = zs_max32(zs_min32(x[0], x[1]), 0), to = zs_min32(zs_max32(x[0], x[1]), job->width);
+        if (from < to) {
+            s->spans++;
+            s->px += to - from;
+        }
+    }
+}
+
+/* ---- Looking on ------------------------------------------------------------------------------------------------ */
+
+static void on_vertex(const struct zs_renderer *r, uint32_t v, uint16_t *out)
+{
+    const struct our_shader *s = shader_of(r->xform.instance->material->shader);
+    now.n[s->vertex]++;
+    s->of->vertex(r, v, out);
+}
+
+static uint16_t on_face(const struct zs_renderer *r, uint32_t t)
+{
+    const struct our_shader *s = shader_of(r->xform.instance->material->shader);
+    now.n[SIM_COST_tri_bin]++;
+    if (s->face == SIM_COST_face_flat && r->xform.instance->mesh->face_normal)
+        now.n[SIM_COST_face_flat_given]++;
+    else if (s->face != SIM_COST_N)
+        now.n[s->face]++;
+    return s->of->face ? s->of->face(r, t) : 0u;
+}
+
+static uint32_t on_depth_vertex(const struct zs_view *view, int32_t z, uint32_t rcp, int32_t lz)
+{
+    const struct zs_renderer *r = now.r;
+    const enum sim_cost cost = !view->perspective              ? SIM_COST_vertex_ortho
+                               : now.of == &zs_depth_recip     ? SIM_COST_vertex_recip
+                               : now.of == &zs_depth_linear    ? SIM_COST_vertex_linear
+                                                               : SIM_COST_vertex;
+    now.n[cost]++;
+    if (r->xform.clip_depth || r->xform.clip_guard)
+        now.n[SIM_COST_vertex_test]++;
+    if (r->xform.instance->mesh->pos_lo)
+        now.n[SIM_COST_vertex_fine]++;
+    now.by_number |= !r->direct;
+    return now.of->vertex(view, z, rcp, lz);
+}
+
+static int on_setup(struct zs_view *view, const struct zs_camera *camera, uint32_t bits)
+{
+    now.r = (struct zs_renderer *)(void *)((char *)view - offsetof(struct zs_renderer, view));
+    return now.of->setup(view, camera, bits);
+}
+
+static uint32_t tested(void)
+{
+    return now.r->stats.pixels_tested;
+}
+
+static uint32_t written(void)
+{
+    return now.r->stats.pixels_written;
+}
+
+/* A triangle that is set up the general way. */
+static void count_setup(const struct shape *s)
+{
+    now.setups++;
+    now.tested += (uint64_t)s->px;
+    now.n[SIM_COST_setup]++;
+    now.n[SIM_COST_setup_wide] += s->wide;
+    now.n[SIM_COST_row] += s->rows;
+}
+
+static void count_start(const struct zs_job *job, const struct our_shader *s)
+{
+    const int affine = job->sub_log2 == ZS_AFFINE;
+    if (s->kind == KIND_SMOOTH)
+        now.n[affine ? SIM_COST_start_smooth : SIM_COST_start_smooth_w]++;
+    else if (s->kind == KIND_TEXTURE)
+        now.n[affine ? SIM_COST_start_texture : SIM_COST_start_texture_w]++;
+    if (s->kind == KIND_TEXTURE && s->of->n_attrs == 3)
+        now.n[SIM_COST_start_light]++;
+}
+
+static void on_start(struct zs_job *job)
+{
+    const struct our_shader *s = shader_of(job->shader);
+    s->of->start(job);
+    count_start(job, s);
+}
+
+/* Linear keys, no state: the kernel draws rows itself, or tests them and has runs coloured. */
+static void on_rows(struct zs_job *job)
+{
+    const struct our_shader *s = shader_of(job->shader);
+    struct shape shape;
+    const double runs = now.n[SIM_COST_run];
+    const uint32_t before = written();
+    look(&shape, job);
+    count_setup(&shape);
+    now.keys = 1;
+    s->of->rows(job);
+    const double won = written() - before;
+    const int affine = job->sub_log2 == ZS_AFFINE && (s->kind == KIND_SMOOTH || (job->sampler.direct && job->sampler.unlit));
+    if (s->kind != KIND_SOLID)
+        count_start(job, s);
+    if (s->kind == KIND_SOLID) {
+        now.n[SIM_COST_span_solid] += shape.spans;
+        now.n[SIM_COST_px_solid] += shape.px;
+        now.n[SIM_COST_won_solid] += won;
+    } else if (!affine || runs < now.n[SIM_COST_run]) {
+        now.n[SIM_COST_span_runs] += shape.spans;
+        now.n[SIM_COST_px_runs] += shape.px;
+        now.n[SIM_COST_won_runs] += won;
+    } else if (s->kind == KIND_SMOOTH) {
+        now.n[SIM_COST_span_smooth] += shape.spans;
+        now.n[SIM_COST_px_smooth] += shape.px;
+        now.n[SIM_COST_won_smooth] += won;
+    } else {
+        now.n[SIM_COST_span_direct] += shape.spans;
+        now.n[SIM_COST_px_direct] += shape.px;
+        now.n[texel_of(job->sampler.texture->format)->won] += won;
+    }
+}
+
+/* A piece of a row, or all of one. */
+static void on_span(struct zs_job *job, const struct zs_row *row, int32_t i0, int32_t i1, uint32_t sum, uint32_t gx)
+{
+    const struct our_shader *s = shader_of(job->shader);
+    const uint32_t before = written();
+    s->of->span(job, row, i0, i1, sum, gx);
+    const double won = written() - before;
+    now.n[SIM_COST_piece]++;
+    now.n[s->kind == KIND_SOLID ? SIM_COST_px_solid : SIM_COST_px_runs] += i1 - i0;
+    now.n[s->kind == KIND_SOLID ? SIM_COST_won_solid : SIM_COST_won_runs] += won;
+}
+
+static void on_run(struct zs_job *job, const struct zs_row *row, int32_t from, int32_t to)
+{
+    const struct our_shader *s = shader_of(job->shader);
+    now.n[SIM_COST_run]++;
+    if (s->kind == KIND_SOLID)
+        now.n[SIM_COST_run_solid_px] += to - from;
+    if (s->kind == KIND_SMOOTH) {
+        now.n[SIM_COST_run_smooth_px] += to - from;
+        if (job->sub_log2 != ZS_AFFINE)
+            now.n[SIM_COST_run_smooth_part] += ((to - 1 - row->x0) >> job->sub_log2) - ((from - row->x0) >> job->sub_log2) + 1;
+    }
+    now.job = job;
+    s->of->run(job, row, from, to);
+    now.job = NULL;
+}
+
+static void on_light(uint16_t *out, int32_t n, uint32_t level, uint32_t step)
+{
+    now.n[SIM_COST_shine]++;
+    now.n[SIM_COST_shine_px] += n;
+    zs_shade_texture_flat.light(out, n, level, step);
+}
+
+static int on_small(struct zs_job *job)
+{
+    const struct our_shader *s = shader_of(job->shader);
+    const uint32_t setups = now.r->stats.tris_setup, px = tested(), before = written();
+    if (!s->of->small(job))
+        return 0;
+    if (now.r->stats.tris_setup == setups)
+        return 1;
+    now.setups++;
+    if (tested() == px) {
+        now.n[SIM_COST_setup_empty]++;
+        return 1;
+    }
+    struct shape shape;
+    look(&shape, job);
+    now.tested += (uint64_t)shape.px;
+    now.n[SIM_COST_setup_small]++;
+    now.n[SIM_COST_row_small] += shape.rows;
+    now.n[SIM_COST_span_small] += shape.spans;
+    now.n[SIM_COST_px_small] += shape.px;
+    now.n[SIM_COST_won_small] += written() - before;
+    return 1;
+}
+
+static void on_state_rows(struct zs_job *job)
+{
+    const struct our_kernel *k = (const struct our_kernel *)(uintptr_t)job->state->kernel;
+    struct shape shape;
+    const uint32_t before = written();
+    look(&shape, job);
+    count_setup(&shape);
+    now.keys = 1;
+    k->of->rows(job);
+    now.n[SIM_COST_span_runs] += shape.spans;
+    now.n[SIM_COST_px_state] += shape.px;
+    now.n[SIM_COST_won_runs] += written() - before;
+}
+
+static void on_state_span(struct zs_job *job, const struct zs_row *row, int32_t i0, int32_t i1, uint32_t sum, uint32_t gx)
+{
+    const struct our_kernel *k = (const struct our_kernel *)(uintptr_t)job->state->kernel;
+    const uint32_t before = written();
+    k->of->span(job, row, i0, i1, sum, gx);
+    now.n[SIM_COST_piece]++;
+    now.n[SIM_COST_px_state] += i1 - i0;
+    now.n[SIM_COST_won_runs] += written() - before;
+}
+
+/* Depths whose keys may not be linear. */
+static void on_depth_rows(struct zs_job *job)
+{
+    struct shape shape;
+    const uint32_t before = written();
+    look(&shape, job);
+    now.keys = 0;
+    now.of->rows(job);
+    if (now.keys)
+        return; /* they were; counted there */
+    count_setup(&shape);
+    if (now.of != &zs_depth_linear) {
+        now.n[SIM_COST_setup_octaves]++;
+        now.n[SIM_COST_span_octaves] += shape.spans;
+        return;
+    }
+    now.n[SIM_COST_setup_linear]++;
+    now.n[SIM_COST_span_linear] += shape.spans;
+    now.n[SIM_COST_px_linear] += shape.px;
+    now.n[SIM_COST_won_runs] += written() - before;
+}
+
+static void on_fetch(const struct zs_texture *t, uint16_t *out, int32_t n, const struct zs_walk *walk)
+{
+    const struct our_texel *x = texel_of(t->format);
+    now.n[SIM_COST_fetch]++;
+    now.n[x->fetch] += n;
+    if (now.job && now.job->sub_log2 != ZS_AFFINE)
+        now.n[n > 1 ? SIM_COST_fetch_group : SIM_COST_fetch_one]++;
+    x->of->fetch(t, out, n, walk);
+}
+
+static void on_gather(const struct zs_texture *t, uint16_t *out, int32_t n, const uint32_t *at)
+{
+    now.n[SIM_COST_divide]++;
+    now.n[SIM_COST_divide_px] += n;
+    texel_of(t->format)->of->gather(t, out, n, at);
+}
+
+/* ---- Copies ---------------------------------------------------------------------------------------------------- */
+
+static void copy_shader(struct our_shader *s, const struct zs_shader *of)
+{
+    const int texture = of == &zs_shade_texture || of == &zs_shade_texture_flat || of == &zs_shade_texture_smooth;
+    s->shader = *of;
+    s->of = of;
+    s->kind = texture ? KIND_TEXTURE : of == &zs_shade_smooth ? KIND_SMOOTH : KIND_SOLID;
+    s->vertex = of == &zs_shade_smooth           ? SIM_COST_light_smooth
+                : of == &zs_shade_texture_smooth ? SIM_COST_light_texture
+                                                 : SIM_COST_attr_texture;
+    s->face = of == &zs_shade_raw                                       ? SIM_COST_face_raw
+              : of == &zs_shade_flat || of == &zs_shade_texture_flat    ? SIM_COST_face_flat
+                                                                        : SIM_COST_N;
+    s->shader.vertex = of->vertex ? on_vertex : NULL;
+    s->shader.face = on_face;
+    s->shader.rows = on_rows;
+    s->shader.start = of->start ? on_start : NULL;
+    s->shader.span = on_span;
+    s->shader.run = on_run;
+    s->shader.light = of->light ? on_light : NULL;
+    s->shader.small = of->small ? on_small : NULL;
+}
+
+static void copy_texel(struct our_texel *x, const struct zs_texel *of)
+{
+    x->texel = *of;
+    x->of = of;
+    x->fetch = of == &zs_texel_565 ? SIM_COST_fetch_565_px : of == &zs_texel_pal8 ? SIM_COST_fetch_pal8_px : SIM_COST_fetch_pal4_px;
+    x->won = of == &zs_texel_565 ? SIM_COST_won_565 : of == &zs_texel_pal8 ? SIM_COST_won_pal8 : SIM_COST_won_pal4;
+    x->texel.fetch = on_fetch;
+    x->texel.gather = on_gather;
+}
+
+static void copy(struct zs_instance *in, struct thing *t)
+{
+    const struct zs_texture *texture = in->material->texture;
+    t->material = *in->material;
+    copy_shader(&t->shader, in->material->shader);
+    t->material.shader = &t->shader.shader;
+    if (texture && texture->format) {
+        t->texture = *texture;
+        copy_texel(&t->texel, texture->format);
+        t->texture.format = &t->texel.texel;
+        t->material.texture = &t->texture;
+    }
+    in->material = &t->material;
+    if (!in->state)
+        return;
+    t->state = *in->state;
+    t->kernel.kernel = *in->state->kernel;
+    t->kernel.of = in->state->kernel;
+    t->kernel.kernel.rows = on_state_rows;
+    t->kernel.kernel.span = on_state_span;
+    t->state.kernel = &t->kernel.kernel;
+    in->state = &t->state;
+}
+
+/* ---- The frame --------------------------------------------------------------------------------------------------- */
+
+/* Triangles of the strip that are wide enough to hide others: they are looked at for that, drawn or not. */
+static void count_bounds(const struct zs_strip *strip)
+{
+    const struct zs_renderer *r = now.r;
+    for (uint32_t t = 0; r->large && t < r->n_tris; t++) {
+        const struct zs_vertex *a = &r->vert[r->tri[t].v[0]], *b = &r->vert[r->tri[t].v[1]], *c = &r->vert[r->tri[t].v[2]];
+        const int32_t x0 = zs_min32(zs_min32(a->x, b->x), c->x), x1 = zs_max32(zs_max32(a->x, b->x), c->x);
+        const int32_t y0 = zs_min32(zs_min32(a->y, b->y), c->y), y1 = zs_max32(zs_max32(a->y, b->y), c->y);
+        now.n[SIM_COST_bound] += zs_min32(zs_first_sample(x1), strip->w) - zs_max32(zs_first_sample(x0), 0) >= 2 << ZS_TILE_LOG2 &&
+                                 zs_first_sample(y0) < strip->y + strip->h && zs_first_sample(y1) > strip->y;
+    }
+}
+
+static int on_submit(void *ctx, const struct zs_strip *strip)
+{
+    (void)ctx;
+    if (strip->y / now.r->config.strip_h >= (int)now.band_end)
+        now.walks++;
+    now.band_end = now.r->band_end;
+    count_bounds(strip);
+    for (uint32_t i = 0; i < strip->n_bytes; i++)
+        now.checksum = (now.checksum ^ strip->px[i]) * 16777619u;
+    return 0;
+}
+
+static int on_wait(void *ctx)
+{
+    (void)ctx;
+    return 0;
+}
+
+/* What the renderer's own statistics say. */
+static void count_frame(const struct zs_config *config, const struct zs_stats *s)
+{
+    double *n = now.n;
+    const double walks = now.walks, walked = s->instances_in - s->instances_culled;
+    n[SIM_COST_frame] = 1;
+    n[SIM_COST_strip] = s->strips;
+    n[SIM_COST_clear_px] = (double)s->strips * config->width * (config->strip_h < config->height ? config->strip_h : config->height);
+    n[SIM_COST_instance] = walks * walked;
+    n[SIM_COST_instance_culled] = walks * s->instances_culled;
+    n[SIM_COST_vertex_out] = s->verts_transformed - (n[SIM_COST_vertex] + n[SIM_COST_vertex_recip] + n[SIM_COST_vertex_linear] +
+                                                     n[SIM_COST_vertex_ortho]);
+    if (n[SIM_COST_vertex_out] < 0) /* clipping projects too */
+        n[SIM_COST_vertex_out] = 0;
+    n[SIM_COST_tri] = walks * (s->tris_in - s->tris_frustum);
+    n[SIM_COST_tri_looked] = now.by_number ? n[SIM_COST_tri] : 0.0;
+    n[SIM_COST_tri_box] = walks * (s->tris_drawn + s->tris_offscreen + s->tris_empty);
+    n[SIM_COST_tri_clip] = walks * s->tris_clipped;
+    n[SIM_COST_tri_hidden] = s->tris_hidden;
+    n[SIM_COST_setup_empty] += s->tris_setup - now.setups;
+}
+
+int sim_costs_count(struct sim_counted *out, const struct zs_scene *scene, const struct zs_camera *camera,
+                    const struct zs_config *config)
+{
+    struct zs_scene ours = *scene;
+    struct zs_config with = *config;
+    struct sim_frame frame;
+    const size_t n = scene->n_instances;
+    struct zs_instance *instance = sim_alloc(n + 1u, sizeof *instance);
+    struct thing *things = sim_alloc(n + 1u, sizeof *things);
+    const struct zs_sink sink = { on_submit, on_wait, NULL };
+    memset(out, 0, sizeof *out);
+    memset(&now, 0, sizeof now);
+    now.n = out->n;
+    now.of = config->depth;
+    now.depth = *config->depth;
+    now.depth.setup = on_setup;
+    now.depth.vertex = on_depth_vertex;
+    now.depth.rows = on_depth_rows;
+    now.checksum = 2166136261u;
+    with.depth = &now.depth;
+    for (size_t i = 0; i < n; i++) {
+        instance[i] = scene->instance[i];
+        copy(&instance[i], &things[i]);
+    }
+    ours.instance = instance;
+    int err = sim_frame_render_to(&frame, &ours, camera, &with, NULL, &sink);
+    if (err == ZS_OK) {
+        out->stats = frame.stats;
+        out->checksum = now.checksum;
+        count_frame(config, &frame.stats);
+        if (now.tested != frame.stats.pixels_tested)
+            err = SIM_FRAME_BROKEN;
+    }
+    sim_frame_free(&frame);
+    free(instance);
+    free(things);
+    return err;
+}

@@ -1,0 +1,206 @@
+/* How far the estimate is from what frames take: of scenes that the fit has not seen.
+ *
+ * SPDX-License-Identifier: MIT
+ */
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "costs.h"
+#include "frame.h"
+#include "scenes.h"
+#include "sim.h"
+#include "sizes.h"
+
+#define LINES_MAX 512
+
+struct line {
+    enum sim_core core;
+    char scene[32];
+    double taken, estimate;
+};
+
+static const struct demo *demo_named(const char *name)
+{
+    for (uint32_t i = 0; i < n_demos; i++)
+        if (strcmp(demos[i]->name, name) == 0)
+            return demos[i];
+    return NULL;
+}
+
+static uint16_t pool(uint32_t n)
+{
+    return (uint16_t)(n < ZS_POOL_MAX ? n : ZS_POOL_MAX);
+}
+
+/* Pools of a one-pass frame, as firmware/app/bench.c finds them. */
+static int one_pass(struct zs_config *c, const struct demo_frame *f)
+{
+    struct sim_frame frame;
+    uint32_t tris = 256, verts = 256;
+    for (uint32_t i = 0; i < f->scene.n_instances; i++) {
+        tris += f->scene.instance[i].mesh->n_tris;
+        verts += f->scene.instance[i].mesh->n_verts;
+    }
+    c->max_tris = pool(tris);
+    c->max_verts = pool(verts);
+    int err = sim_frame_render(&frame, &f->scene, &f->camera, c, NULL);
+    struct zs_stats s = frame.stats;
+    sim_frame_free(&frame);
+    c->max_tris = pool(s.max_tris_used);
+    for (uint32_t v = s.max_verts_used; !err && v < verts; v += v / 16u + 1u) {
+        c->max_verts = pool(v < 3u ? 3u : v);
+        err = sim_frame_render(&frame, &f->scene, &f->camera, c, NULL);
+        s = frame.stats;
+        sim_frame_free(&frame);
+        if (err || s.passes == 1u)
+            return err;
+    }
+    c->max_tris = pool(tris);
+    c->max_verts = pool(verts);
+    return err;
+}
+
+/* Frame 0 in strips of 24 rows and pools that just take it, as make bench draws it. */
+static int count_bench(struct sim_counted *out, const struct demo *d)
+{
+    struct demo_frame *f = sim_alloc(1, sizeof *f);
+    struct zs_config c;
+    sim_frame_config(&c, d->width, d->height, (uint8_t)d->attrs);
+    c.strip_h = 24;
+    c.buffers = 1;
+    c.depth = d->depth;
+    d->pose(f, 0, d->width, d->height);
+    int err = one_pass(&c, f);
+    if (!err)
+        err = sim_costs_count(out, &f->scene, &f->camera, &c);
+    free(f);
+    return err ? sim_refuse(d->name, 0, "cannot be counted (%d)", err) : SIM_OK;
+}
+
+/* The mean of frames 26 and 39 as the Pico's image draws them, which tests/pico.sh measures. */
+static int count_pico(struct sim_counted *out, const struct demo *d)
+{
+#define SIZE(name) { #name, { SIZES_##name } }
+    static const struct {
+        const char *name;
+        uint16_t size[5]; /* rate, rows, triangles, vertices, words */
+    } sizes[] = { SIZE(teapot), SIZE(china), SIZE(cubes), SIZE(knot), SIZE(flyover), SIZE(city), SIZE(hall), SIZE(globe) };
+    struct demo_frame *f = sim_alloc(1, sizeof *f);
+    struct sim_counted one;
+    struct zs_config c;
+    int err = ZS_OK, known = 0;
+    memset(out, 0, sizeof *out);
+    for (size_t i = 0; i < sizeof sizes / sizeof sizes[0]; i++)
+        if (strcmp(sizes[i].name, d->name) == 0) {
+            sim_frame_config(&c, 240, 240, (uint8_t)sizes[i].size[4]);
+            c.strip_h = sizes[i].size[1];
+            c.max_tris = sizes[i].size[2];
+            c.max_verts = sizes[i].size[3];
+            known = 1;
+        }
+    c.depth = d->depth;
+    for (uint32_t t = 26; known && !err && t <= 39; t += 13) {
+        d->pose(f, t, 240, 240);
+        err = sim_costs_count(&one, &f->scene, &f->camera, &c);
+        for (int k = 0; k < SIM_COST_N; k++)
+            out->n[k] += one.n[k] / 2.0;
+    }
+    free(f);
+    return known && !err ? SIM_OK : sim_refuse(d->name, 0, "cannot be counted as the Pico draws it (%d)", err);
+}
+
+static int core_named(const char *name)
+{
+    for (int c = 0; c < SIM_CORES; c++)
+        if (strcmp(sim_core_names[c], name) == 0)
+            return c;
+    return -1;
+}
+
+static int read_lines(struct line *lines, size_t *n, const char *file)
+{
+    char text[256], core[16], scene[32];
+    double taken;
+    FILE *f = fopen(file, "r");
+    if (!f)
+        return sim_refuse(file, 0, "cannot be read; give tests/golden/bench.txt, or lines of core, scene and what its frame took");
+    *n = 0;
+    while (fgets(text, sizeof text, f))
+        if (text[0] != '#' && sscanf(text, "%15s %31s %lf", core, scene, &taken) == 3 && core_named(core) >= 0 &&
+            *n < LINES_MAX) {
+            struct line *l = &lines[(*n)++];
+            l->core = (enum sim_core)core_named(core);
+            memcpy(l->scene, scene, sizeof scene);
+            l->taken = taken;
+        }
+    (void)fclose(f);
+    return *n ? SIM_OK : sim_refuse(file, 0, "holds no line of core, scene and what its frame took");
+}
+
+static const struct line *find(const struct line *lines, size_t n, enum sim_core core, const char *scene)
+{
+    for (size_t i = 0; i < n; i++)
+        if (lines[i].core == core && strcmp(lines[i].scene, scene) == 0)
+            return &lines[i];
+    return NULL;
+}
+
+static void print_table(const struct line *lines, size_t n, double bar)
+{
+    printf("%-16s", "scene");
+    for (int c = 0; c < SIM_CORES; c++)
+        printf(" %8s", sim_core_names[c]);
+    puts("  estimate against what the frame took, %");
+    for (uint32_t i = 0; i < n_demos; i++) {
+        printf("%-16s", demos[i]->name);
+        for (int c = 0; c < SIM_CORES; c++) {
+            const struct line *l = find(lines, n, (enum sim_core)c, demos[i]->name);
+            if (l)
+                printf(" %+8.1f", 100.0 * (l->estimate / l->taken - 1.0));
+            else
+                printf(" %8s", "-");
+        }
+        puts("");
+    }
+    for (int c = 0; c < SIM_CORES; c++) {
+        double square = 0.0, worst = 0.0;
+        size_t count = 0;
+        for (size_t i = 0; i < n; i++)
+            if (lines[i].core == (enum sim_core)c) {
+                const double off = 100.0 * (lines[i].estimate / lines[i].taken - 1.0);
+                square += off * off;
+                worst = fabs(off) > fabs(worst) ? off : worst;
+                count++;
+            }
+        if (count)
+            printf("%-8s %2zu scenes, none of them in the fit: off by %.1f %% (root mean square), at most %+.1f %%%s\n",
+                   sim_core_names[c], count, sqrt(square / (double)count), worst, fabs(worst) <= bar ? "" : ": too far");
+    }
+}
+
+int sim_costs_error(const char *file, double bar)
+{
+    struct line *lines = sim_alloc(LINES_MAX, sizeof *lines);
+    struct sim_counted counted;
+    size_t n = 0;
+    int far = 0;
+    int status = read_lines(lines, &n, file);
+    for (size_t i = 0; status == SIM_OK && i < n; i++) {
+        const struct demo *d = demo_named(lines[i].scene);
+        sim_progress("counting", i, n);
+        if (!d) {
+            status = sim_refuse(file, 0, "%s is no scene of this zsim", lines[i].scene);
+            break;
+        }
+        status = lines[i].core == SIM_CORE_RP2040 ? count_pico(&counted, d) : count_bench(&counted, d);
+        if (status == SIM_OK)
+            lines[i].estimate = sim_costs_sum(lines[i].core, &counted);
+        far |= fabs(lines[i].estimate / lines[i].taken - 1.0) * 100.0 > bar;
+    }
+    sim_progress_end();
+    if (status == SIM_OK)
+        print_table(lines, n, bar);
+    free(lines);
+    return status == SIM_OK && far ? SIM_REFUSED : status;
+}
