@@ -92,7 +92,7 @@ struct zs_depth {
     /* Constants of a frame into view->key_*. ZS_OK; ZS_ERR_DEPTH: not with this camera. */
     int (*setup)(struct zs_view *view, const struct zs_camera *camera, uint32_t bits);
     /* zs_vertex.d of a distance, near <= z <= far, camera units. Under perspective rcp is
-     * 2^(63 - lz) / z with lz the leading zeros of z; orthographic: 0. */
+     * 2^(63 - lz) / z with lz the leading zeros of z; orthographic: of no use. */
     uint32_t (*vertex)(const struct zs_view *view, int32_t z, uint32_t rcp, int32_t lz);
     /* Draw a triangle where keys may not be linear on the screen (view.screen_linear is 0). */
     void (*rows)(struct zs_job *job);
