@@ -66,29 +66,48 @@ static int set_up(struct setting *s, struct prng *p)
 static uint32_t looked_at[30]; /* vertices by shift */
 static uint32_t tiny;          /* orthographic scenes that are smaller than a sub-pixel */
 
+/* m . p + t of a row, and its shift; -1: a part of it is not in its range. */
+static __int128 row_sum(const int32_t *row, const int16_t pos[3], int32_t *shift)
+{
+#if ZS_ROW_WIDE
+    __int128 sum = (int64_t)((uint64_t)(uint32_t)row[4] << 32 | (uint32_t)row[3]);
+    *shift = row[6] == 31 - row[5] ? row[5] : -1;
+    for (int j = 0; j < 3; j++)
+        sum += (int64_t)row[j] * pos[j];
+    return sum;
+#else
+    const int32_t low_s = row[ZS_ROW_S];
+    *shift = low_s + row[ZS_ROW_S2];
+    if (low_s < 0 || low_s > 15 || *shift < low_s || (low_s != 15 && *shift != low_s) ||
+        abs(row[ZS_ROW_T_LOW]) > 1 << 28)
+        *shift = -1;
+    __int128 sum = (__int128)row[ZS_ROW_T_HIGH] * (1 << *shift) + row[ZS_ROW_T_LOW];
+    for (int j = 0; j < 3; j++) {
+        if (abs(row[ZS_ROW_LOW + j]) > 1 << 14)
+            *shift = -1;
+        sum += ((int64_t)row[ZS_ROW_HIGH + j] * (1 << low_s) + row[ZS_ROW_LOW + j]) * (int64_t)pos[j];
+    }
+    return sum;
+#endif
+}
+
 static int transform_case(uint64_t seed)
 {
     struct prng p = { seed };
     static struct setting s;
     if (!set_up(&s, &p))
         return 1;
-    for (int k = 0; k < 3; k++) {
-        const int32_t *row = s.r.xform.row[k], low_s = row[ZS_ROW_S], shift = low_s + row[ZS_ROW_S2];
-        CASE_CHECK(low_s >= 0 && low_s <= 15 && shift >= low_s && shift <= 29 && (low_s == 15 || shift == low_s));
-        CASE_CHECK(row[ZS_ROW_T_LOW] <= 1 << 28 && row[ZS_ROW_T_LOW] >= -(1 << 28));
+    for (int k = 0; k < 3; k++)
         for (uint32_t v = 0; v < N_VERTS; v++) {
-            __int128 sum = (__int128)row[ZS_ROW_T_HIGH] * (1 << shift) + row[ZS_ROW_T_LOW];
-            for (int j = 0; j < 3; j++) {
-                CASE_CHECK(row[ZS_ROW_LOW + j] <= 1 << 14 && row[ZS_ROW_LOW + j] >= -(1 << 14));
-                sum += ((int64_t)row[ZS_ROW_HIGH + j] * (1 << low_s) + row[ZS_ROW_LOW + j]) * (int64_t)s.pos[v][j];
-            }
+            int32_t shift;
+            const __int128 sum = row_sum(s.r.xform.row[k], s.pos[v], &shift);
+            CASE_CHECK(shift >= 0 && shift <= 29);
             struct zs_point point;
             zs_xform_vertex(&s.r.xform, v, &point);
             if ((__int128)point.c[k] != sum >> shift)
                 return case_wrong("vertex %u, row %d, shift %d: %d", v, k, shift, point.c[k]);
             looked_at[shift]++;
         }
-    }
     return 1;
 }
 

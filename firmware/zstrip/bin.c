@@ -298,7 +298,7 @@ struct place {
     int32_t y0, y1;
 };
 
-static inline void turn(struct place *at)
+ZS_ALWAYS_INLINE void turn(struct place *at)
 {
     const uint32_t first = at->slot[0];
     at->slot[0] = at->slot[1];
@@ -307,7 +307,7 @@ static inline void turn(struct place *at)
 }
 
 /* Whether the box of a projected triangle holds a sample of the frame. */
-static inline enum fate box_fate(struct zs_renderer *r, const struct zs_vertex *a, const struct zs_vertex *b,
+ZS_ALWAYS_INLINE enum fate box_fate(struct zs_renderer *r, const struct zs_vertex *a, const struct zs_vertex *b,
                                  const struct zs_vertex *c, struct place *at)
 {
     const int32_t ax = a->x, ay = a->y, bx = b->x, by = b->y, cx = c->x, cy = c->y;
@@ -351,7 +351,7 @@ static inline enum fate box_fate(struct zs_renderer *r, const struct zs_vertex *
 }
 
 /* The first strip of [r->strip, r->band_end) that a triangle of the frame has rows in, or ZS_NIL. */
-static inline uint32_t strip_in_band(const struct zs_renderer *r, const struct place *at)
+ZS_ALWAYS_INLINE uint32_t strip_in_band(const struct zs_renderer *r, const struct place *at)
 {
     uint32_t s = (uint32_t)strip_of(r, zs_max32(at->y0, 0));
     if (s < r->strip)
@@ -359,7 +359,7 @@ static inline uint32_t strip_in_band(const struct zs_renderer *r, const struct p
     return s < r->band_end ? s : ZS_NIL;
 }
 
-static inline void bin_push(struct zs_renderer *r, const struct place *at, uint16_t paint, uint32_t strip)
+ZS_ALWAYS_INLINE void bin_push(struct zs_renderer *r, const struct place *at, uint16_t paint, uint32_t strip)
 {
     const uint32_t n = r->n_tris;
     struct zs_tri *t = &r->tri[n];
@@ -484,9 +484,11 @@ static ZS_RARE enum fate polygon_bin(struct zs_renderer *r, const struct polygon
     const struct zs_shader *shader = material->shader;
     const uint16_t paint = shader->face ? shader->face(r, t) : 0u;
     for (int k = 1; k + 1 < p->n; k++) {
-        const int turns = area < 0;
-        struct place box = { { (uint32_t)corner, (uint32_t)((corner + k + turns) % p->n),
-                               (uint32_t)((corner + k + 1 - turns) % p->n) } };
+        struct place box = { { (uint32_t)corner, (uint32_t)((corner + k) % p->n), (uint32_t)((corner + k + 1) % p->n) } };
+        if (area < 0) {
+            box.slot[0] = box.slot[2];
+            box.slot[2] = (uint32_t)corner;
+        }
         const struct zs_vertex *v[3] = { &p->v[box.slot[0]], &p->v[box.slot[1]], &p->v[box.slot[2]] };
         if (signed_area(v[0], v[1], v[2]) <= 0)
             continue;
@@ -639,15 +641,15 @@ static ZS_NOINLINE enum fate look(struct zs_renderer *r, uint32_t t, struct plac
     if (turns == 0)
         return FATE_ZERO;
     if (turns < 0) {
-        const uint32_t second = slot[1];
-        slot[1] = slot[2];
-        slot[2] = second;
+        const uint32_t first = slot[0];
+        slot[0] = slot[2];
+        slot[2] = first;
     }
     return faces_away(turns, r->xform.instance->material->cull) ? FATE_FACING : FATE_OPEN;
 }
 
 /* Bin a triangle, unless it lies outside the frame or the band. Return FATE_OPEN: the pool of triangles is full. */
-static inline enum fate place(struct zs_renderer *r, uint32_t t, struct place *at)
+ZS_ALWAYS_INLINE enum fate place(struct zs_renderer *r, uint32_t t, struct place *at)
 {
     const enum fate fate = box_fate(r, &r->vert[at->slot[0]], &r->vert[at->slot[1]], &r->vert[at->slot[2]], at);
     if (fate != FATE_DRAWN)
@@ -664,40 +666,39 @@ static inline enum fate place(struct zs_renderer *r, uint32_t t, struct place *a
     return FATE_DRAWN;
 }
 
-/* One that place() found no room for, or that must be looked at first. */
-static ZS_NOINLINE enum fate place_slowly(struct zs_renderer *r, uint32_t t)
-{
-    for (;;) {
-        struct place at;
-        enum fate f = look(r, t, &at);
-        if (f == FATE_OPEN)
-            f = place(r, t, &at);
-        if (f != FATE_OPEN)
-            return f;
-        make_room(r); /* slots are stale: look the vertices up again */
-    }
-}
-
 /* The n triangles from `from` on, as far as they are left. */
 static void batch_bin(struct zs_renderer *r, const struct batch *s, uint32_t from, uint32_t n, uint32_t fate[FATES])
 {
     const uint8_t *left = s->left, *const end = left + n;
     for (; left < end; left++) {
         const uint32_t what = *left, t = from + what / 4u;
-        enum fate f = FATE_OPEN;
-        if (r->direct && !(what & 2u)) {
-            const uint16_t *index = s->tri[what / 4u];
-            const uint32_t base = r->vert_base, i = index[0], j = index[1], k = index[2];
-            struct place at = { { base + i, base + j, base + k } };
-            if (what & 1u) {
-                at.slot[1] = base + k;
-                at.slot[2] = base + j;
+        int known = r->direct && !(what & 2u);
+        for (;;) {
+            struct place at; /* in registers: its address is not taken */
+            enum fate f;
+            if (known) {
+                const uint16_t *index = s->tri[what / 4u];
+                const uint32_t base = r->vert_base, second = base + index[1], third = base + index[2];
+                at.slot[0] = base + index[0];
+                at.slot[1] = what & 1u ? third : second;
+                at.slot[2] = what & 1u ? second : third;
+            } else {
+                struct place looked;
+                f = look(r, t, &looked);
+                if (f != FATE_OPEN) {
+                    fate[f]++;
+                    break;
+                }
+                at = looked;
             }
             f = place(r, t, &at);
+            if (f != FATE_OPEN) {
+                fate[f]++;
+                break;
+            }
+            make_room(r); /* slots are stale: look the vertices up again */
+            known = 0;
         }
-        if (f == FATE_OPEN)
-            f = place_slowly(r, t);
-        fate[f]++;
     }
 }
 

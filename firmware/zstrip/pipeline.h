@@ -92,7 +92,7 @@ struct zs_depth {
     /* Constants of a frame into view->key_*. ZS_OK; ZS_ERR_DEPTH: not with this camera. */
     int (*setup)(struct zs_view *view, const struct zs_camera *camera, uint32_t bits);
     /* zs_vertex.d of a distance, near <= z <= far, camera units. Under perspective rcp is
-     * 2^(63 - lz) / z with lz the leading zeros of z; orthographic: 0. */
+     * 2^(63 - lz) / z with lz the leading zeros of z; orthographic: of no use. */
     uint32_t (*vertex)(const struct zs_view *view, int32_t z, uint32_t rcp, int32_t lz);
     /* Draw a triangle where keys may not be linear on the screen (view.screen_linear is 0). */
     void (*rows)(struct zs_job *job);
@@ -311,27 +311,9 @@ enum zs_plane_kind { /* the numbers: gradients of 2^(32 - n) and more are found 
 /* 256 n / area of a tiny triangle, nearly nearest; ZS_TOO_STEEP where it is 2^(32 - least_shift) or more. |n| <= 2^46; rcp
  * is 2^63 / (area * 2^shift), shift the leading zeros of the area, 2 .. 18. Where n has 32 bits its leading zeros need not be
  * known: they would be shifted in and out again. */
-ZS_ALWAYS_INLINE int32_t zs_plane_quotient(int64_t n, uint32_t rcp, int32_t shift, int32_t least_shift)
-{
-    const int32_t sign = (int32_t)(n >> 32);
-    uint32_t m = (uint32_t)n, hi = (uint32_t)sign;
-    if (sign < 0) {
-        m = 0u - m;
-        hi = ~hi + (m == 0);
-    }
-    int32_t down = 23 - shift; /* 5 .. */
-    if (hi) {
-        const int lz = zs_clz32(hi); /* 17 .. 31 */
-        m = hi << lz | m >> (32 - lz);
-        down -= 32 - lz;
-        if (down < least_shift)
-            return ZS_TOO_STEEP;
-    }
-    m = ((zs_umulh(m, rcp) >> (down - 1)) + 1u) >> 1;
-    return sign < 0 ? -(int32_t)m : (int32_t)m;
-}
-/* 256 (dv1 d[1] - dv2 d[0]) / area of a tiny triangle. */
-int32_t zs_plane_tiny_gradient(const struct zs_geom *g, int32_t dv1, int32_t dv2, const int32_t d[2], int32_t least_shift);
+#if ZS_DIVIDES
+int32_t zs_plane_quotient(int64_t n, uint32_t rcp, int32_t shift, int32_t least_shift);
+#endif
 void zs_plane32(const struct zs_geom *g, uint32_t v0, uint32_t v1, uint32_t v2,
                 enum zs_plane_kind kind, struct zs_plane *out);
 void zs_plane64(const struct zs_geom *g, uint64_t v0, uint64_t v1, uint64_t v2,

@@ -103,8 +103,35 @@ static ZS_NOINLINE int32_t small_gradient(const struct zs_geom *g, int64_t n, in
     return n < 0 ? -(int32_t)q : (int32_t)q; /* q <= 2^30 */
 }
 
-ZS_NOINLINE int32_t zs_plane_tiny_gradient(const struct zs_geom *g, int32_t dv1, int32_t dv2, const int32_t d[2],
-                                         int32_t least_shift)
+#if ZS_DIVIDES /* small.c calls it too */
+#define TINY_GRADIENT static inline
+ZS_NOINLINE
+#else
+#define TINY_GRADIENT static ZS_NOINLINE
+ZS_ALWAYS_INLINE
+#endif
+int32_t zs_plane_quotient(int64_t n, uint32_t rcp, int32_t shift, int32_t least_shift)
+{
+    const int32_t sign = (int32_t)(n >> 32);
+    uint32_t m = (uint32_t)n, hi = (uint32_t)sign;
+    if (sign < 0) {
+        m = 0u - m;
+        hi = ~hi + (m == 0);
+    }
+    int32_t down = 23 - shift; /* 5 .. */
+    if (hi) {
+        const int lz = zs_clz32(hi); /* 17 .. 31 */
+        m = hi << lz | m >> (32 - lz);
+        down -= 32 - lz;
+        if (down < least_shift)
+            return TOO_STEEP;
+    }
+    m = ((zs_umulh(m, rcp) >> (down - 1)) + 1u) >> 1;
+    return sign < 0 ? -(int32_t)m : (int32_t)m;
+}
+
+/* 256 (dv1 d[1] - dv2 d[0]) / area of a tiny triangle. */
+TINY_GRADIENT int32_t tiny_gradient(const struct zs_geom *g, int32_t dv1, int32_t dv2, const int32_t d[2], int32_t least_shift)
 {
     return zs_plane_quotient(zs_cross_short(dv1, d[1], dv2, d[0]), g->rcp, -g->exp, least_shift);
 }
@@ -219,8 +246,8 @@ void zs_plane32(const struct zs_geom *g, uint32_t v0, uint32_t v1, uint32_t v2,
         return;
     }
     if (g->tiny && !(((v0 ^ v1) | (v0 ^ v2)) >> 31)) { /* all three in one half: differences fit 32 bits */
-        const int32_t gx = zs_plane_tiny_gradient(g, dv1, dv2, g->dy, kind);
-        const int32_t up = zs_plane_tiny_gradient(g, dv1, dv2, g->dx, kind); /* -gy, rounded alike */
+        const int32_t gx = tiny_gradient(g, dv1, dv2, g->dy, kind);
+        const int32_t up = tiny_gradient(g, dv1, dv2, g->dx, kind); /* -gy, rounded alike */
         if (gx != TOO_STEEP && up != TOO_STEEP) {
             out->gx = (uint32_t)gx;
             out->gy = 0u - (uint32_t)up;

@@ -47,8 +47,9 @@ struct zs_view {
     uint8_t key_mantissa, key_octaves; /* float: mantissa bits, and 2^exponent bits - 1 */
 };
 
-/* One instance's way to camera units, c = (m . p + t) / 2^shift, floor. A row of m and its t are cut where 32 bits
- * carry every sum: m = high 2^s + low, t = t_high 2^shift + t_low (xform.c). */
+/* One instance's way to camera units, c = (m . p + t) / 2^shift, floor, in the order in which zs_row (wide.h) reads it:
+ * whole, or a row of m and its t cut where 32 bits carry every sum, m = high 2^s + low, t = t_high 2^shift + t_low
+ * (xform.c). */
 enum zs_row_word {
     ZS_ROW_LOW = 0,     /* [3]: |.| <= 2^14 */
     ZS_ROW_T_LOW = 3,   /* |.| <= 2^28 */
@@ -56,7 +57,7 @@ enum zs_row_word {
     ZS_ROW_HIGH = 5,    /* [3] */
     ZS_ROW_S2 = 8,      /* shift - s, 0 .. 14 */
     ZS_ROW_T_HIGH = 9,  /* camera units */
-    ZS_ROW_WORDS = 10   /* in the order in which zs_row (wide.h) reads them */
+    ZS_ROW_WORDS = 10
 };
 struct zs_xform {
     const struct zs_instance *instance;

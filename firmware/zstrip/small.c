@@ -76,18 +76,12 @@ static ZS_NOINLINE uint32_t small_rows(struct zs_job *job, struct walk *w)
     return tested;
 }
 
-/* gradient() of an n that needs more than 32 bits. */
-static ZS_NOINLINE int32_t wide_gradient(int64_t n, uint32_t rcp, int32_t shift)
-{
-    return zs_plane_quotient(n, rcp, shift, ZS_PLANE_KEY);
-}
-
 /* zs_plane_tiny_gradient of a key: most need 32 bits. shift: leading zeros of the area, which came out of rcp */
 static inline int32_t gradient(int64_t n, uint32_t rcp, int32_t shift)
 {
     const int32_t low = (int32_t)n;
     if (n != low)
-        return wide_gradient(n, rcp, shift);
+        return zs_plane_quotient(n, rcp, shift, ZS_PLANE_KEY);
     const int32_t sign = low >> 31; /* |low| = (low ^ sign) - sign */
     const uint32_t q = ((zs_umulh(((uint32_t)low ^ (uint32_t)sign) - (uint32_t)sign, rcp) >> (22 - shift)) + 1u) >> 1;
     return (int32_t)(q ^ (uint32_t)sign) - sign;

@@ -129,11 +129,32 @@ static inline uint32_t zs_fill_blocks(void *at, uint32_t value, uint32_t n)
 
 #endif
 
-/* A row of an affine map, for points of 16 bits: row = { low[3], t_low, s, high[3], s2, t_high } gives
+/* A row of an affine map, for points of 16 bits: (m . p + t) / 2^shift, floor, below 2^30. Where 64 bits are added to as easily
+ * as 32 (ZS_ROW_WIDE): row = { m[3], t's low half, its high half, shift, 31 - shift }. Elsewhere 32 bits carry every sum:
+ * row = { low[3], t_low, s, high[3], s2, t_high } gives
  *   ((((low . p + t_low) >> s) + high . p) >> s2) + t_high
  * low . p + t_low fits 32 bits, the rest is modulo 2^32; s, s2 < 32. Armv6-M: 30 cycles and no register but the seven
  * here, where a compiler takes 45 and spills. */
-#if defined(__GNUC__) && defined(__ARM_ARCH_6M__) && defined(__OPTIMIZE__)
+#ifndef ZS_ROW_WIDE
+#if defined(__ARM_ARCH) && __ARM_ARCH >= 7
+#define ZS_ROW_WIDE 1
+#else
+#define ZS_ROW_WIDE 0
+#endif
+#endif
+
+#if ZS_ROW_WIDE
+
+static inline int32_t zs_row(const int32_t row[10], int32_t x, int32_t y, int32_t z)
+{
+    int64_t sum = (int64_t)((uint64_t)(uint32_t)row[4] << 32 | (uint32_t)row[3]);
+    sum += (int64_t)row[0] * x;
+    sum += (int64_t)row[1] * y;
+    sum += (int64_t)row[2] * z;
+    return (int32_t)((uint32_t)sum >> row[5] | (uint32_t)(sum >> 32) << 1 << row[6]);
+}
+
+#elif defined(__GNUC__) && defined(__ARM_ARCH_6M__) && defined(__OPTIMIZE__)
 
 static inline int32_t zs_row(const int32_t row[10], int32_t x, int32_t y, int32_t z)
 {

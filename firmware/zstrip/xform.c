@@ -57,18 +57,27 @@ static ZS_RARE void light_direction(struct zs_xform *xf, const struct zs_light *
  * t_low in [0, 2^15), a larger one in [-2^28, 2^28). */
 static ZS_RARE void row_set(int32_t row[ZS_ROW_WORDS], const int32_t m[3], int64_t t, int32_t shift)
 {
+    const int64_t half = ((int64_t)1 << shift) >> 1;
+#if ZS_ROW_WIDE
+    for (int j = 0; j < 3; j++)
+        row[j] = m[j];
+    row[3] = (int32_t)(t + half);
+    row[4] = (int32_t)((t + half) >> 32);
+    row[5] = shift;
+    row[6] = 31 - shift;
+#else
     const int32_t s = shift < SPLIT_MAX ? shift : SPLIT_MAX;
     for (int j = 0; j < 3; j++) {
         const int32_t high = (m[j] + ((1 << s) >> 1)) >> s;
         row[ZS_ROW_HIGH + j] = high;
         row[ZS_ROW_LOW + j] = m[j] - high * (1 << s);
     }
-    const int64_t half = ((int64_t)1 << shift) >> 1;
     const int32_t t_high = (int32_t)((t + half + (shift > s ? half : 0)) >> shift);
     row[ZS_ROW_T_HIGH] = t_high;
     row[ZS_ROW_T_LOW] = (int32_t)(t + half - t_high * ((int64_t)1 << shift));
     row[ZS_ROW_S] = s;
     row[ZS_ROW_S2] = shift - s;
+#endif
 }
 
 ZS_RARE int zs_xform_instance(struct zs_renderer *r, uint32_t number, const struct zs_bounds *b)
@@ -114,7 +123,7 @@ ZS_RARE int zs_xform_instance(struct zs_renderer *r, uint32_t number, const stru
 
 /* ---- Vertices --------------------------------------------------------------------------------------- */
 
-/* Exact: with m = high 2^s + low, t = t_high 2^shift + t_low, the sum is
+/* Exact, where rows are cut too: with m = high 2^s + low, t = t_high 2^shift + t_low, the sum is
  *   high . p 2^s + (low . p + t_low) + t_high 2^shift
  * and floors follow each other, so zs_row gives the bracket's part above 2^s to the first sum. |bracket| is below
  * 3 * 2^29 + 2^28. With a shift of 15 or less, s is the shift and all is modulo 2^32, as the result is. With a larger one
@@ -134,10 +143,18 @@ static void points(const struct zs_xform *xf, uint32_t v, uint32_t n, struct zs_
 /* The same for positions in 1/256 steps, |p| <= 2^23, in 64 bits. */
 static int32_t fine(const int32_t row[ZS_ROW_WORDS], const int16_t pos[3], const uint8_t pos_lo[3])
 {
+#if ZS_ROW_WIDE
+    const int32_t shift = row[5], *const m = row;
+    int64_t sum = (int64_t)((uint64_t)(uint32_t)row[4] << 32 | (uint32_t)row[3]);
+#else
     const int32_t s = row[ZS_ROW_S], shift = s + row[ZS_ROW_S2];
     int64_t sum = row[ZS_ROW_T_HIGH] * ((int64_t)1 << shift) + row[ZS_ROW_T_LOW]; /* |.| < 2^60 + 2^29 */
+    int32_t m[3];
     for (int j = 0; j < 3; j++)
-        sum += zs_mul_ss(row[ZS_ROW_HIGH + j] * (1 << s) + row[ZS_ROW_LOW + j], pos[j] * 256 + pos_lo[j]); /* <= 2^53 */
+        m[j] = row[ZS_ROW_HIGH + j] * (1 << s) + row[ZS_ROW_LOW + j];
+#endif
+    for (int j = 0; j < 3; j++)
+        sum += zs_mul_ss(m[j], pos[j] * 256 + pos_lo[j]); /* <= 2^53 */
     return (int32_t)(sum >> shift);
 }
 
@@ -237,39 +254,24 @@ static inline uint32_t steps_of(int32_t c, uint32_t rcp, int32_t down)
     return ((zs_umulh(magnitude(c), rcp) >> down) + 1u) >> 1;
 }
 
-/* x' and y' of at become screen positions: times rcp / 2^shift. Return 1: inside the guard band. */
-static int place(const struct zs_view *view, uint32_t rcp, int32_t shift, struct zs_vertex *at)
-{
-    const int32_t coarse = view->snap, down = shift + coarse - 33;
-    if ((uint32_t)down > 31u)
-        return place_wide(view, rcp, shift, at);
-    const uint32_t most = (uint32_t)ZS_GUARD_SUBPX >> coarse;
-    const uint32_t sx = steps_of(at->x, rcp, down), sy = steps_of(at->y, rcp, down);
-    if (sx > most || sy > most)
-        return place_wide(view, rcp, shift, at);
-    const int32_t px = (int32_t)(sx << coarse), py = (int32_t)(sy << coarse);
-    at->x = view->cx + (at->x < 0 ? -px : px);
-    at->y = view->cy + (at->y < 0 ? -py : py);
-    return 1;
-}
-
 /* From camera units to the screen, in place: z is d. Return 0: before near, beyond far, or beside the guard band. */
-static int project(const struct zs_renderer *r, struct zs_vertex *at)
+static ZS_NOINLINE int project(const struct zs_renderer *r, struct zs_vertex *at)
 {
     const struct zs_view *view = &r->view;
     const struct zs_depth *depth = r->config.depth;
     const int32_t z = (int32_t)at->d;
     if (z < view->z_near || z > view->z_far)
         return 0;
-    if (!view->perspective) {
-        at->d = depth->vertex(view, z, 0, 0);
-        return place(view, 1u << 31, 31 + view->scale_bits, at);
+    uint32_t rcp = 0;
+    int32_t lz = 0;
+    if (view->perspective) {
+        lz = zs_clz32((uint32_t)z);            /* 1 .. 23: z in [2^8, 2^30] */
+        rcp = ZS_RECIP_STEPS ? zs_recip((uint32_t)z << lz) : zs_recip16((uint32_t)z << lz); /* 2^(63 - lz) / z */
     }
-    const int32_t lz = zs_clz32((uint32_t)z);             /* 1 .. 23: z in [2^8, 2^30] */
-    const uint32_t rcp = ZS_RECIP_STEPS ? zs_recip((uint32_t)z << lz) /* 2^(63 - lz) / z */
-                                        : zs_recip16((uint32_t)z << lz);
     at->d = depth->vertex(view, z, rcp, lz);
-    return place(view, rcp, 63 - lz - view->scale_bits, at); /* 9 .. 54 */
+    if (view->perspective)
+        return place_wide(view, rcp, 63 - lz - view->scale_bits, at); /* 9 .. 54 */
+    return place_wide(view, 1u << 31, 31 + view->scale_bits, at);
 }
 
 int zs_xform_project(const struct zs_renderer *r, const struct zs_point *p, struct zs_vertex *out)
@@ -280,26 +282,52 @@ int zs_xform_project(const struct zs_renderer *r, const struct zs_point *p, stru
     return project(r, out);
 }
 
-/* The place of a vertex outside. */
-static void outside(struct zs_vertex *at, uint32_t v, uint32_t code)
+/* Vertex v of the current instance where it may be outside, or needs wider products. */
+static ZS_NOINLINE void screen_slowly(const struct zs_renderer *r, uint32_t v, struct zs_vertex *at)
 {
-    at->x = (int32_t)(v << 16);
-    at->y = OUT_Y;
-    at->d = ZS_D_OUT + code;
+    const struct zs_point p = { { at->x, at->y, (int32_t)at->d } };
+    uint32_t code = 0;
+    if (r->xform.clip_depth | r->xform.clip_guard)
+        code = zs_xform_outcode(&r->view, &p);
+    if (code == 0 && !project(r, at)) /* a sphere that is smaller than its mesh */
+        code = zs_xform_outcode(&r->view, &p);
+    if (code) {
+        at->x = (int32_t)(v << 16);
+        at->y = OUT_Y;
+        at->d = ZS_D_OUT + code;
+    }
 }
 
+/* A vertex that lands a step or more inside the guard band is inside it in camera units too: its steps are off by 1/2 and
+ * 2^-9. So what may be outside is tested only where it comes close. */
 void zs_xform_screen(const struct zs_renderer *r, uint32_t v, uint32_t n, struct zs_vertex *out)
 {
-    const int tests = r->xform.clip_depth | r->xform.clip_guard;
+    const struct zs_view *view = &r->view;
+    const struct zs_depth *depth = r->config.depth;
+    const int32_t coarse = view->snap;
+    const uint32_t most = (uint32_t)ZS_GUARD_SUBPX >> coarse;
     transform(&r->xform, v, n, out);
     for (struct zs_vertex *const end = out + n; out != end; out++, v++) {
-        struct zs_point p = { { out->x, out->y, (int32_t)out->d } };
-        uint32_t code;
-        if (tests && (code = zs_xform_outcode(&r->view, &p)) != 0) {
-            outside(out, v, code);
-        } else if (!project(r, out)) { /* a sphere that is smaller than its mesh */
-            zs_xform_vertex(&r->xform, v, &p);
-            outside(out, v, zs_xform_outcode(&r->view, &p));
+        const int32_t x = out->x, y = out->y, z = (int32_t)out->d;
+        if (z < view->z_near || z > view->z_far) {
+            screen_slowly(r, v, out);
+            continue;
         }
+        int32_t lz = 0, down = view->scale_bits + coarse - 2;
+        uint32_t rcp = 1u << 31;
+        if (view->perspective) { /* as in project() */
+            lz = zs_clz32((uint32_t)z);
+            rcp = zs_recip_inline((uint32_t)z << lz);
+            down = 30 - lz - view->scale_bits + coarse;
+        }
+        const uint32_t sx = steps_of(x, rcp, down & 31), sy = steps_of(y, rcp, down & 31);
+        if ((uint32_t)down > 31u || sx >= most || sy >= most) {
+            screen_slowly(r, v, out);
+            continue;
+        }
+        const int32_t px = (int32_t)(sx << coarse), py = (int32_t)(sy << coarse);
+        out->x = view->cx + (x < 0 ? -px : px);
+        out->y = view->cy + (y < 0 ? -py : py);
+        out->d = depth->vertex(view, z, rcp, lz);
     }
 }
