@@ -1,7 +1,8 @@
 #!/bin/sh
 # A study with its frames counted on emulated cores: firmware/app/study.c draws what zsim draws, on QEMU's Cortex-M3 and on
 # the same machine as Armv6-M (M0). BUILD/study/NAME.csv, plots, and BUILD/study/index.html. Instructions, not cycles.
-# Usage: sim/study.sh BUILD NAME [OPTION...]     options of zsim study: --quick, --full, --redo; NAME time or memory
+# Usage: sim/study.sh BUILD NAME [OPTION...]     options of zsim study: --quick, --full, --redo; NAME time or memory;
+#        CORES='m3 m0', ZSIM and OUT may be set in the environment
 #
 # SPDX-License-Identifier: MIT
 set -eu
@@ -36,7 +37,7 @@ firmware() { # GOAL CORE STEPS COARSE BOUND
 # Builds that the runs ask for: "steps coarse bound", a line each
 builds=$(awk '/^\{/ { gsub(/[{},]/, " "); print $(NF - 2), $(NF - 1), $NF }' "$settings/study_settings.h" | sort -u)
 which=
-for core in m3 m0; do
+for core in ${CORES:-m3 m0}; do
     : >"$counts/$name-$core.part"
     echo "$builds" | while read -r steps coarse bound; do
         firmware all "$core" "$steps" "$coarse" "$bound"

@@ -461,15 +461,15 @@ static int report_fights(struct study_page *page, const struct study_table *t)
     const size_t bad = worst_fight(t, 16);
     char caption[512];
     int m = mapping_of(study_cell(t, bad, "mapping"));
-    const struct run three[3] = { { FIGHT, m, 16, 0, 1, FAR, 0 }, { FIGHT, 0, 16, 0, 1, FAR, 0 }, { FIGHT, 5, 16, 0, 1, FAR, 0 } };
+    const struct run two[2] = { { FIGHT, m, 16, 0, 1, FAR, 0 }, { FIGHT, 5, 16, 0, 1, FAR, 0 } };
     double of[STUDY_MAPPINGS] = { 0 };
     for (size_t r = 0; r < t->n_rows; r++)
         if (study_is(t, r, "part", "fight") && study_number(t, r, "bits") == 16)
             of[mapping_of(study_cell(t, r, "mapping"))] = study_number(t, r, "wrong");
-    (void)snprintf(caption, sizeof caption, "The worst case with 16 bits, %s (%.0f pixels of %.0f wrong); recip (%.0f); the default "
-                   "mapping (%.0f). In truth the border is the upright line in the middle.", study_mapping[m].name, of[m],
-                   study_number(t, bad, "pixels"), of[0], of[5]);
-    return picture(page, "fight-worst", three, 3, 3, caption);
+    (void)snprintf(caption, sizeof caption, "The worst case with 16 bits, %s (%.0f pixels of %.0f wrong), and the default mapping "
+                   "(%.0f). In truth the border is the upright line in the middle.", study_mapping[m].name, of[m],
+                   study_number(t, bad, "pixels"), of[5]);
+    return picture(page, "fight-worst", two, 2, 2, caption);
 }
 
 static int report_cures(struct study_page *page, const struct study_table *t)

@@ -40,6 +40,7 @@ static void find_whole(int s)
     struct zs_config config;
     struct sim_frame frame;
     sim_frame_config(&config, d->width, d->height, (uint8_t)d->attrs);
+    config.depth = d->depth;
     d->pose(&scene, 0, d->width, d->height);
     if (sim_frame_render(&frame, &scene.scene, &scene.camera, &config, NULL) != ZS_OK)
         return; /* measure says so */
