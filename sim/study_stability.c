@@ -181,7 +181,7 @@ static void make_near(struct stage *s, int value)
 /* A corner at sub-pixel (x, y) from the middle, y down, at EXACT_Z or twice as far. */
 static void put_exact(struct stage *s, int v, int32_t x, int32_t y, int farther)
 {
-    const int32_t p[3] = { x << farther, -y * (1 << farther), -(EXACT_Z << farther) };
+    const int32_t p[3] = { x * (1 << farther), -y * (1 << farther), -(EXACT_Z << farther) };
     for (int c = 0; c < 3; c++) {
         s->pos[v][c] = (int16_t)(p[c] >> 8);
         s->pos_lo[v][c] = (uint8_t)(p[c] & 255);
