@@ -25,7 +25,8 @@ PKG_TEST = $(PKG_LINUX) gnuplot-nox g++ clang binutils libcmocka-dev gcc-arm-non
            $(PKG_RISCV) qemu-system-misc gcc-arm-linux-gnueabihf libc6-dev-armhf-cross device-tree-compiler cpio \
            $(if $(shell command -v npm),,nodejs npm)
 PKG_FUZZ = $(PKG_TEST) libclang-rt-14-dev
-PKG_REPORT = $(PKG_SIM) gcc-arm-none-eabi libnewlib-arm-none-eabi qemu-system-arm gnuplot-nox
+PKG_REPORT = $(PKG_SIM) gcc-arm-none-eabi libnewlib-arm-none-eabi qemu-system-arm gnuplot-nox \
+             $(if $(shell command -v npm),,nodejs npm)
 PKG_RISCV = gcc-riscv64-unknown-elf picolibc-riscv64-unknown-elf
 PKG_FW = gcc libc6-dev $(if $(filter rv32,$(BOARD)),$(PKG_RISCV),gcc-arm-none-eabi libnewlib-arm-none-eabi)
 BOARD = pico
@@ -80,7 +81,7 @@ report: $(B)/.setup-report
 	@$(MAKE) --no-print-directory -j2 $(B)/zsim study-variants
 	@for s in depth stability; do $(B)/zsim study $$s --out $(B)/study || exit 1; done
 	@sh sim/study.sh $(B) memory
-	@sh sim/study.sh $(B) time --full
+	@CORES='m3 m0 pico' sh sim/study.sh $(B) time --full
 
 SHOW = $(MAKE) --no-print-directory -s -f firmware/boards/firmware.mk B=$(B) BOARD=$(BOARD) APP=show SCENE=$(SCENE) \
        $(if $(APP_SCENE),APP_SCENE=$(APP_SCENE))
@@ -132,8 +133,8 @@ help:
 	@echo 'Boards, BOARD=:'
 	@for mk in firmware/boards/*/board.mk; do b=$${mk%/board.mk}; \
 	    printf '    %-10s %s\n' "$${b##*/}" "$$(sed -n 's/^BOARD_ABOUT = //p' $$mk)"; done
-.PHONY: all demo test report study-variants accuracy fuzz bench bench-record still checksums depth firmware pico boards profile sim linux linux-sources \
-        pictures size stack check clean help test-programs fuzz-programs
+.PHONY: all demo test report study-variants accuracy fuzz bench bench-record still checksums depth firmware pico boards \
+        profile sim linux linux-sources pictures size stack check clean help test-programs fuzz-programs
 
 $(B)/.setup-sim:
 	@mkdir -p $(B) && .ci/setup $(PKG_SIM) && touch $@

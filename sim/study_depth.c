@@ -487,7 +487,8 @@ static int report_cures(struct study_page *page, const struct study_table *t)
             study_table_row(page, "%s|%s|%s|%s|%s|%s", cures[c].name, study_cell(t, r, "mapping"), study_cell(t, r, "bits"),
                             study_cell(t, r, "near"), study_cell(t, r, "far"), study_cell(t, r, "wrong"));
         }
-    study_table_close(page, "A stripe that lies 0.5 % of the eye's height above a floor, 45 to 800 times near away, and how many pixels show the floor in its place.");
+    study_table_close(page, "A stripe that lies 0.5 % of the eye's height above a floor, 45 to 800 times near away, and how many "
+                            "pixels show the floor in its place.");
     study_say(page, "Of %.0f wrong pixels, the near plane 40 times as far out leaves %.0f, the far plane drawn in %.0f, 16 bits in "
                     "place of 12 %.0f, and the default mapping, which moves no plane, %.0f. An offset leaves %.0f, and is right "
                     "only for what is known to lie on top.", wrong[BASE], wrong[NEAR_OUT], wrong[FAR_IN],

@@ -127,7 +127,8 @@ static void make_ball(struct stage *s)
     const double pi = 3.14159265358979323846;
     for (int r = 0; r <= ROWS; r++)
         for (int k = 0; k < COLUMNS; k++) {
-            const double a = 2 * pi * (k + 0.3) / COLUMNS, b = pi * r / ROWS, bump = RADIUS * (0.9 + 0.1 * sin(3 * a) * sin(5 * b));
+            const double a = 2 * pi * (k + 0.3) / COLUMNS, b = pi * r / ROWS;
+            const double bump = RADIUS * (0.9 + 0.1 * sin(3 * a) * sin(5 * b));
             int16_t *p = s->pos[ball_at(k, r)];
             p[0] = rounded(bump * sin(b) * cos(a));
             p[1] = rounded(bump * cos(b));
@@ -192,7 +193,8 @@ static void make_slivers(struct stage *s, int value)
 {
     struct sim_random r = { (uint64_t)value + 1 };
     for (int k = 0; k < SLIVERS; k++) {
-        const double angle = sim_random_real(&r, 0, 6.28), length = 110 * 256, wide = fmax(length * ldexp(1, -value), 1);
+        const double angle = sim_random_real(&r, 0, 6.28), length = 110 * 256;
+        const double wide = fmax(length * ldexp(1, -value), 1);
         const int32_t x = sim_random_range(&r, -60 * 256, 60 * 256), y = sim_random_range(&r, -45 * 256, 45 * 256);
         const int32_t dx = (int32_t)(length / 2 * cos(angle)), dy = (int32_t)(length / 2 * sin(angle));
         const int32_t ex = (int32_t)lround(-wide * sin(angle)), ey = (int32_t)lround(wide * cos(angle));
@@ -334,7 +336,8 @@ static int plot(struct study_page *page, const struct study_table *t)
         (void)fprintf(f, "EOD\n%sset logscale x\nset title '%s'\nset xlabel '%s'\nset ylabel '%s'\nset yrange [0:%g]\nset xrange "
                          "[%s]\nplot $ok%d with linespoints lc rgb '#1f77b4' pt 7 ps 0.5, $refused%d with points pt 2 ps 0.8 lc rgb "
                          "'#d62728'",
-                      log ? "" : "un", judged[p].title, judged[p].axis, judged[p].of, most > 0 ? 1.2 * fmax(most, judged[p].bound) : 1,
+                      log ? "" : "un", judged[p].title, judged[p].axis, judged[p].of,
+                      most > 0 ? 1.2 * fmax(most, judged[p].bound) : 1,
                       p == SCALE ? "-17:17" : log ? "1:1e6" : "0:24", p, p);
         if (judged[p].bound > 0)
             (void)fprintf(f, ", %g with lines dt 2 lc rgb '#888888'", judged[p].bound);

@@ -95,6 +95,12 @@ study 0 depth --quick --out kept
 grep -q ',9.999,,,$' kept/depth.csv || wrong "a row that was there was measured again"
 is "runs" "$(runs kept/depth.csv)" "$(runs all/depth.csv)"
 
+begin study_shard_goes_on
+mkdir -p again
+head -4 shards/depth.2-of-3.csv >again/depth.2-of-3.csv.part
+study 0 depth --quick --out again --shard 2/3
+same_bytes again/depth.2-of-3.csv shards/depth.2-of-3.csv
+
 mkdir -p other effort param columns
 sed '2,$s/^\([a-z]*\),[0-9a-f]*,/\1,00000000,/' all/stability.csv >other/stability.csv
 cp other/stability.csv other/before
