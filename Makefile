@@ -27,7 +27,8 @@ PKG_TEST = $(PKG_LINUX) gnuplot-nox g++ clang binutils libcmocka-dev gcc-arm-non
 PKG_BENCH = $(PKG_TEST) valgrind
 PKG_SCALE = $(PKG_TEST) gnuplot-nox
 PKG_FUZZ = $(PKG_TEST) libclang-rt-14-dev
-PKG_REPORT = $(PKG_SIM) gcc-arm-none-eabi libnewlib-arm-none-eabi qemu-system-arm gnuplot-nox
+PKG_REPORT = $(PKG_SIM) gcc-arm-none-eabi libnewlib-arm-none-eabi qemu-system-arm gnuplot-nox \
+             $(if $(shell command -v npm),,nodejs npm)
 PKG_RISCV = gcc-riscv64-unknown-elf picolibc-riscv64-unknown-elf
 PKG_FW = gcc libc6-dev $(if $(filter rv32,$(BOARD)),$(PKG_RISCV),gcc-arm-none-eabi libnewlib-arm-none-eabi)
 BOARD = pico
@@ -102,7 +103,7 @@ report: $(B)/.setup-report
 	@$(MAKE) --no-print-directory -j2 $(B)/zsim study-variants
 	@for s in depth stability; do $(B)/zsim study $$s --out $(B)/study || exit 1; done
 	@sh sim/study.sh $(B) memory
-	@sh sim/study.sh $(B) time --full
+	@CORES='m3 m0 pico' sh sim/study.sh $(B) time --full
 
 SHOW = $(MAKE) --no-print-directory -s -f firmware/boards/firmware.mk B=$(B) BOARD=$(BOARD) APP=show SCENE=$(SCENE) \
        $(if $(APP_SCENE),APP_SCENE=$(APP_SCENE))

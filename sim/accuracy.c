@@ -710,6 +710,12 @@ static double drift(struct sim_random *r, uint32_t n, int wander)
     return worst;
 }
 
+double sim_accuracy_drift(uint64_t seed, uint32_t n, int wander)
+{
+    struct sim_random r = { seed };
+    return drift(&r, n, wander);
+}
+
 static void rotation_rows(const struct request *rq)
 {
     const uint32_t n = rq->quick ? 65536 : 1000000;

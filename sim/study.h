@@ -60,8 +60,8 @@ const char *study_cores(void);
 
 /* ---- The page (study_page.c) ------------------------------------------------------------------------------- */
 
-/* Open and close the section of a study in DIR; at the end index.html is made of all sections there are. *plots: 0 where
- * gnuplot is missing, which was said then. Return SIM_OK or SIM_REFUSED, said why. */
+/* Open and close the section of a study in DIR; closing makes index.html of all sections there
+ * are. NULL, SIM_REFUSED: said why; also where gnuplot is missing, and all but the plots was written. */
 struct study_page *study_page_open(const char *dir, const struct study *study, size_t runs);
 int study_page_close(struct study_page *page, int status);
 
@@ -69,7 +69,7 @@ int study_page_close(struct study_page *page, int status);
 void study_say(struct study_page *page, const char *format, ...) __attribute__((format(printf, 2, 3)));
 void study_head(struct study_page *page, const char *title);
 
-/* A plot: gnuplot's commands and data go to the file; the terminal is set. Data: study_block before its use in `plot`. */
+/* A plot: gnuplot's commands and data go to the file; the terminal is set. */
 FILE *study_plot_open(struct study_page *page, const char *name, int width, int height);
 int study_plot_close(struct study_page *page, const char *caption);
 

@@ -1,7 +1,9 @@
 #!/bin/sh
 # A study with its frames counted on emulated cores: firmware/app/study.c draws what zsim draws, on QEMU's Cortex-M3 and on
-# the same machine as Armv6-M (M0). BUILD/study/NAME.csv, plots, and BUILD/study/index.html. Instructions, not cycles.
-# Usage: sim/study.sh BUILD NAME [OPTION...]     options of zsim study: --quick, --full, --redo; NAME time or memory
+# the same machine as Armv6-M (M0): instructions, not cycles. On an emulated RP2040 (pico): cycles, of some of the runs of
+# study time. BUILD/study/NAME.csv, plots, and BUILD/study/index.html.
+# Usage: sim/study.sh BUILD NAME [OPTION...]     options of zsim study: --quick, --full, --redo; NAME time or memory;
+#        CORES='m3 m0' (or m3 m0 pico), ZSIM and OUT may be set in the environment
 #
 # SPDX-License-Identifier: MIT
 set -eu
@@ -21,30 +23,53 @@ cmp -s "$settings/now.h" "$settings/study_settings.h" || cp "$settings/now.h" "$
 firmware() { # GOAL CORE STEPS COARSE BOUND
     goal=$1
     core=$2
+    board=mps2
     folder=$build/fw/mps2
-    [ "$core" != m0 ] || folder=$build/fw/mps2-armv6m
+    flags="-I$settings"
+    cpu='-mcpu=cortex-m3 -mthumb'
+    case $core in
+    m0)
+        folder=$build/fw/mps2-armv6m
+        cpu='-mcpu=cortex-m0 -mthumb' ;;
+    pico)
+        board=pico
+        folder=$build/fw/pico
+        flags="$flags -DSTUDY_ARENA=120000u -DSTUDY_TICK=125u -DSTUDY_SHORT=1"
+        cpu='-mcpu=cortex-m0plus -mthumb' ;;
+    esac
     defines=
     [ "$3,$4,$5" = 1,10,3 ] || {
         defines="-DZS_STUDY=1 -DZS_RECIP_STEPS=$3 -DZS_TEXEL_COARSE_LOG2=$4 -DZS_SPAN_BOUND_LOG2=$5"
         folder=$folder-$3-$4-$5
     }
-    cpu=cortex-m3
-    [ "$core" != m0 ] || cpu=cortex-m0
-    make -s -j2 -f firmware/boards/firmware.mk BOARD=mps2 B="$build" OUT="$folder" BOARD_CPU="-mcpu=$cpu -mthumb" \
-        NAME="study_$name" APP_SRC=firmware/app/study.c APP_FLAGS="-I$settings" DEFINES="$defines" "$goal"
+    make -s -j2 -f firmware/boards/firmware.mk BOARD=$board B="$build" OUT="$folder" BOARD_CPU="$cpu" \
+        NAME="study_$name" APP_SRC=firmware/app/study.c APP_FLAGS="$flags" DEFINES="$defines" "$goal"
+}
+count() { # CORE STEPS COARSE BOUND
+    if [ "$1" = pico ]; then
+        firmware image "$@" >/dev/null
+        node "$build/pico/parts.mjs" "$folder/study_$name"
+    else
+        firmware all "$@"
+        firmware run "$@" 2>&1 # semihosting writes to either
+    fi
 }
 # Builds that the runs ask for: "steps coarse bound", a line each
 builds=$(awk '/^\{/ { gsub(/[{},]/, " "); print $(NF - 2), $(NF - 1), $NF }' "$settings/study_settings.h" | sort -u)
 which=
-for core in m3 m0; do
+for core in ${CORES:-m3 m0}; do
+    [ "$core" != pico ] || sh tests/pico.sh "$build" set-up
     : >"$counts/$name-$core.part"
     echo "$builds" | while read -r steps coarse bound; do
-        firmware all "$core" "$steps" "$coarse" "$bound"
-        firmware run "$core" "$steps" "$coarse" "$bound" >>"$counts/$name-$core.part" 2>&1 || {
+        count "$core" "$steps" "$coarse" "$bound" >>"$counts/$name-$core.part" || {
             echo "the frames of study $name could not be drawn on $core: see $counts/$name-$core.part" >&2
             exit 1
         }
     done
+    ! grep -qE 'fault|^problem' "$counts/$name-$core.part" || {
+        echo "the frames of study $name failed on $core: see $counts/$name-$core.part" >&2
+        exit 1
+    }
     mv "$counts/$name-$core.part" "$counts/$name-$core.csv"
     which="$which${which:+,}$core=$counts/$name-$core.csv"
 done

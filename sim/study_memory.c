@@ -16,7 +16,10 @@
 static const struct {
     const struct demo *demo;
     const char *format; /* what its attributes are for */
-} scenes[] = { { &demo_teapot, "smooth" }, { &demo_city, "flat" }, { &demo_hall, "texture smooth" }, { &demo_mesh_tex, "texture" } };
+} scenes[] = { { &demo_teapot, "smooth" },
+               { &demo_city, "flat" },
+               { &demo_hall, "texture smooth" },
+               { &demo_mesh_tex, "texture" } };
 #define N_SCENES (sizeof scenes / sizeof scenes[0])
 
 static struct run {
@@ -40,6 +43,7 @@ static void find_whole(int s)
     struct zs_config config;
     struct sim_frame frame;
     sim_frame_config(&config, d->width, d->height, (uint8_t)d->attrs);
+    config.depth = d->depth;
     d->pose(&scene, 0, d->width, d->height);
     if (sim_frame_render(&frame, &scene.scene, &scene.camera, &config, NULL) != ZS_OK)
         return; /* measure says so */
@@ -70,7 +74,8 @@ static size_t plan(enum study_effort effort)
 static void configure(struct zs_config *config, const struct run *r)
 {
     const struct demo *d = scenes[r->scene].demo;
-    const uint32_t tris = whole[r->scene].tris * (uint32_t)r->percent / 100, verts = whole[r->scene].verts * (uint32_t)r->percent / 100;
+    const uint32_t tris = whole[r->scene].tris * (uint32_t)r->percent / 100;
+    const uint32_t verts = whole[r->scene].verts * (uint32_t)r->percent / 100;
     sim_frame_config(config, d->width, d->height, (uint8_t)d->attrs);
     config->strip_h = (uint16_t)r->rows;
     config->max_tris = (uint16_t)(tris < 1 ? 1 : tris);

@@ -4,6 +4,7 @@
  * SPDX-License-Identifier: MIT
  */
 #include <errno.h>
+#include <fcntl.h>
 #include <spawn.h>
 #include <stdarg.h>
 #include <stdint.h>
@@ -151,7 +152,7 @@ static int run_gnuplot(const char *script, const char *to)
     pid_t pid;
     int status = 0;
     (void)posix_spawn_file_actions_init(&files);
-    (void)posix_spawn_file_actions_addopen(&files, STDOUT_FILENO, to, 01 | 0100 | 01000, 0666); /* write, create, empty */
+    (void)posix_spawn_file_actions_addopen(&files, STDOUT_FILENO, to, O_WRONLY | O_CREAT | O_TRUNC, 0666);
     const int err = posix_spawnp(&pid, program, &files, NULL, words, environ);
     (void)posix_spawn_file_actions_destroy(&files);
     if (err)

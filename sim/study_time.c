@@ -183,7 +183,9 @@ static int measure(size_t i, struct study_text *row)
         return status; /* another zsim has asked */
     const uint64_t checksum = strtoull(strrchr(row->text, ',') + 1, NULL, 16);
     status = put_count(i, "m3", checksum, row);
-    return status == SIM_OK ? put_count(i, "m0", checksum, row) : status;
+    if (status == SIM_OK)
+        status = put_count(i, "m0", checksum, row);
+    return status == SIM_OK ? put_count(i, "pico", checksum, row) : status;
 }
 
 static void settings(size_t i, FILE *out)
@@ -206,15 +208,17 @@ static void settings(size_t i, FILE *out)
 
 /* ---- What follows --------------------------------------------------------------------------------------------------- */
 
-enum { ERRORS = 5 };
+#define TIE 0.001 /* times that differ by less are equal: the choice of a mapping, a tick of the counter */
+enum { ERRORS = 6 };
 static const char *const error_name[ERRORS] = { "wrong or missing pixels, %", "wrong surface, %", "depth, mean relative error",
-                                                "wrong texel, %", "colour, mean square error of 255^2" };
+                                                "wrong texel, %", "texels, worst distance",
+                                                "colour, mean square error of 255^2" };
 
 /* A setting: over all its scenes, or in one. Less is better. */
 struct point {
     size_t row; /* its first */
     size_t scenes, textured;
-    double m3, m0; /* millions of instructions a frame, mean */
+    double m3, m0, rp2040; /* millions of instructions, or cycles, a frame; mean */
     double error[ERRORS];
     int dominated;
     size_t by; /* whom */
@@ -241,17 +245,19 @@ static void point_add(struct point *p, const struct study_table *t, size_t r)
     p->scenes++;
     p->m3 += study_number(t, r, "m3") / 1e6;
     p->m0 += study_number(t, r, "m0") / 1e6;
+    p->rp2040 += study_number(t, r, "rp2040") / 1e6;
     p->error[0] += study_number(t, r, "wrong") + study_number(t, r, "cover");
     p->error[1] += study_number(t, r, "surface");
     p->error[2] += study_number(t, r, "depth_mean");
     p->error[3] += study_number(t, r, "texels_off");
-    p->error[4] += pow(10, study_number(t, r, "psnr") / -10);
+    p->error[4] = fmax(p->error[4], study_number(t, r, "texel_worst"));
+    p->error[5] += pow(10, study_number(t, r, "psnr") / -10);
 }
 
 /* a is as good as b in everything and better in something. */
 static int dominates(const struct point *a, const struct point *b)
 {
-    int better = a->m3 < b->m3, worse = a->m3 > b->m3;
+    int better = a->m3 < b->m3 * (1 - TIE), worse = a->m3 > b->m3 * (1 + TIE);
     for (int e = 0; e < ERRORS; e++) {
         better |= a->error[e] < b->error[e];
         worse |= a->error[e] > b->error[e];
@@ -281,8 +287,9 @@ static size_t gather(struct point **point, const struct study_table *t, const ch
         p[kept] = p[k];
         p[kept].m3 /= (double)most;
         p[kept].m0 /= (double)most;
+        p[kept].rp2040 /= (double)most;
         for (int e = 0; e < ERRORS; e++)
-            p[kept].error[e] /= (double)most;
+            p[kept].error[e] /= e == 4 ? 1 : (double)most;
         kept++;
     }
     for (size_t k = 0; k < kept; k++)
@@ -312,40 +319,63 @@ static const char *words(const struct study_table *t, size_t r)
     return out;
 }
 
-static void blocks(FILE *f, const struct study_table *t, const struct point *p, size_t n, int e, int group)
+/* Points of a mapping, m = STUDY_MAPPINGS: of all; group 0: dominated by none, 1: dominated, 2: the default. */
+static void block(FILE *f, const struct study_table *t, const struct point *p, size_t n, int e, int m, int group)
 {
-    static const char *const name[] = { "front", "dominated", "default" };
-    (void)fprintf(f, "$%s%d << EOD\n", name[group], e);
+    (void)fprintf(f, "$p%d_%d_%d << EOD\n-1\t-1\n", e, m, group);
     for (size_t k = 0; k < n; k++)
-        if (group == 2 ? is_default(t, p[k].row) : p[k].dominated == group)
-            (void)fprintf(f, "%.6g\t%.6g\t%s\n", p[k].m3, fmax(p[k].error[e], e == 2 || e == 4 ? 1e-7 : 0),
-                          words(t, p[k].row));
+        if ((m == STUDY_MAPPINGS || study_is(t, p[k].row, "mapping", study_mapping[m].name)) &&
+            (group == 2 ? is_default(t, p[k].row) : p[k].dominated == group))
+            (void)fprintf(f, "%.6g\t%.6g\n", p[k].m3, p[k].error[e]);
     (void)fputs("EOD\n", f);
 }
 
-/* Time against each error, a panel each. */
-static int plot_front(struct study_page *page, const struct study_table *t, const struct point *p, size_t n,
-                      const char *name, const char *caption)
+/* Filled where dominated by none, hollow where dominated, a ring about the default. */
+static void plot_points(FILE *f, int e)
 {
-    FILE *f = study_plot_open(page, name, 900, 900);
+    (void)fputs("plot ", f);
+    for (int m = 0; m < STUDY_MAPPINGS; m++)
+        (void)fprintf(f, "$p%d_%d_1 with points pt 6 ps 0.6 lc rgb '%s' notitle, $p%d_%d_0 with points pt 7 ps 0.7 lc rgb '%s' "
+                         "title '%s', ", e, m, study_mapping[m].color, e, m, study_mapping[m].color, study_mapping[m].name);
+    (void)fprintf(f, "$p%d_%d_2 with points pt 6 ps 1.6 lw 2 lc rgb '#ff7f0e' title 'default'", e, STUDY_MAPPINGS);
+}
+
+static void point_blocks(FILE *f, const struct study_table *t, const struct point *p, size_t n, int e)
+{
+    for (int m = 0; m < STUDY_MAPPINGS; m++)
+        for (int group = 0; group < 2; group++)
+            block(f, t, p, n, e, m, group);
+    block(f, t, p, n, e, STUDY_MAPPINGS, 2);
+}
+
+/* Time against each error, a panel each; *lo, *hi: where most settings lie, millions of instructions. */
+static int plot_front(struct study_page *page, const struct study_table *t, const struct point *p, size_t n, double lo,
+                      double hi)
+{
+    FILE *f = study_plot_open(page, "front", 960, 1000);
     if (!f)
         return SIM_REFUSED;
-    double least = INFINITY;
-    for (size_t k = 0; k < n; k++)
-        least = fmin(least, p[k].m3);
-    (void)fprintf(f, "set multiplot layout 3,2\nset logscale x\nset xrange [%g:*]\n", 0.9 * least);
+    (void)fprintf(f, "set multiplot layout 3,2\nset xrange [%g:%g]\nset format y '%%g'\nset xlabel 'M instructions a frame, "
+                     "Cortex-M3'\n", lo, hi);
     for (int e = 0; e < ERRORS; e++) {
-        for (int group = 0; group < 3; group++)
-            blocks(f, t, p, n, e, group);
-        (void)fprintf(f, "%sset logscale y\nset title '%s'\nset key off\n%sset xlabel 'M instructions a frame, Cortex-M3'\n"
-                         "plot $dominated%d with points pt 6 ps 0.6 lc rgb '#aaaaaa', "
-                         "$front%d with points pt 7 ps 0.7 lc rgb '#1f77b4', $default%d with points pt 6 ps 1.5 lw 2 lc rgb "
-                         "'#d62728'\n",
-                      e == 2 || e == 4 ? "" : "un", error_name[e],
-                      e == 2 || e == 4 ? "set yrange [*:*]\n" : "set yrange [0:*]\n", e, e, e);
+        double least = INFINITY, most = 0;
+        for (size_t k = 0; k < n; k++)
+            if (p[k].error[e] > 0) {
+                least = fmin(least, p[k].error[e]);
+                most = fmax(most, p[k].error[e]);
+            }
+        point_blocks(f, t, p, n, e);
+        if (most > 0)
+            (void)fprintf(f, "set logscale y\nset yrange [%g:%g]\n", least / 1.6, most * 1.6);
+        else
+            (void)fputs("unset logscale y\nset yrange [0:1]\n", f);
+        (void)fprintf(f, "set title '%s'\nset key %s\n", error_name[e], e == 1 ? "inside top right samplen 1" : "off");
+        plot_points(f, e);
+        (void)fputs("\n", f);
     }
     (void)fputs("unset multiplot\n", f);
-    return study_plot_close(page, caption);
+    return study_plot_close(page, "Time against error, means over all scenes (texels: the worst). Filled: dominated by no setting; "
+                                  "hollow: dominated; orange ring: the default.");
 }
 
 /* Measured once with the same scenes at 320x240: instructions in millions on the M3, wrong triangles in percent. */
@@ -364,8 +394,7 @@ static int plot_peers(struct study_page *page, const struct study_table *t)
         free(p);
         return SIM_REFUSED;
     }
-    for (int group = 0; group < 3; group++)
-        blocks(f, t, p, n, 0, group);
+    point_blocks(f, t, p, n, 0);
     (void)fputs("$peers << EOD\n", f);
     for (size_t k = 0; k < N_PEERS; k++)
         if (peers[k].wrong >= 0)
@@ -377,19 +406,30 @@ static int plot_peers(struct study_page *page, const struct study_table *t)
             (void)fprintf(f, "set arrow from %g,0.002 to %g,100 nohead dt 3 lc rgb '#888888'\n"
                              "set label '%s (error not measured)' at %g,30 rotate by 90 right offset -0.6,0 tc rgb '#888888'\n",
                           peers[k].flat, peers[k].flat, peers[k].name, peers[k].flat);
-    (void)fputs("plot $dominated0 with points pt 6 ps 0.6 lc rgb '#aaaaaa' title 'dominated', $front0 with points pt 7 ps 0.7 "
-                "lc rgb '#1f77b4' title 'not dominated', $default0 with points pt 6 ps 1.5 lw 2 lc rgb '#d62728' title "
-                "'default', $peers with points pt 9 ps 1.2 lc rgb '#2ca02c' title 'others', $peers using 1:2:3 with labels left "
-                "offset 1,0 notitle\n", f);
+    plot_points(f, 0);
+    (void)fputs(", $peers with points pt 9 ps 1.2 lc rgb '#8c564b' title 'others', $peers using 1:2:3 with labels left offset 1,0 "
+                "notitle\n", f);
     free(p);
     return study_plot_close(page, "Scene mesh, 320x240, flat colours: 2,520 triangles. The others were measured once with the same "
                                   "scene; TinyGL's wrong triangles were not.");
 }
 
+/* A count, or nothing where it was not counted. Static storage, four at a time. */
+static const char *millions(double m)
+{
+    static char text[4][32];
+    static unsigned at;
+    char *out = text[at++ % 4];
+    out[0] = '\0';
+    if (!isnan(m))
+        (void)snprintf(out, sizeof text[0], "%.3f", m);
+    return out;
+}
+
 static void table_front(struct study_page *page, const struct study_table *t, const struct point *p, size_t n)
 {
     char *done = sim_alloc(n, 1);
-    study_table_open(page, "setting|M3, M|M0, M|wrong %|surface %|depth|texel %|");
+    study_table_open(page, "setting|M3, M|M0, M|RP2040, M cycles|wrong %|surface %|depth|texel %|");
     for (size_t k = 0; k < n; k++) {
         size_t next = n;
         for (size_t j = 0; j < n; j++)
@@ -397,14 +437,15 @@ static void table_front(struct study_page *page, const struct study_table *t, co
                 next = j;
         done[next] = 1;
         const struct point *q = &p[next];
-        study_table_row(page, "%s|%.3f|%.3f|%.4f|%.4f|%.2e|%.3f|%s%s", words(t, q->row), q->m3, q->m0, q->error[0], q->error[1],
+        study_table_row(page, "%s|%s|%s|%s|%.4f|%.4f|%.2e|%.3f|%s%s", words(t, q->row), millions(q->m3),
+                        millions(q->m0), millions(q->rp2040), q->error[0], q->error[1],
                         q->error[2], q->error[3], is_default(t, q->row) ? "default " : "",
                         q->dominated ? "dominated" : "front");
     }
     free(done);
     study_table_close(page, "Means over the scenes, quickest first. S: sub-pixel bits. M3, M0: millions of instructions a frame as "
-                            "QEMU counts them, not cycles. dominated: another setting is as good in all columns and better in "
-                            "one.");
+                            "QEMU counts them, not cycles; RP2040: cycles as rp2040js counts them, of some settings. dominated: "
+                            "another setting is as good in time (to 0.1 %) and all errors, and better in one.");
 }
 
 /* The frame with the most wrong surfaces and pixels, its wrong surfaces in magenta. */
@@ -445,11 +486,30 @@ static void say_default(struct study_page *page, const struct study_table *t, co
     }
     if (at == n)
         return;
+    printf("default: %s%s\n", p[at].dominated ? "dominated by " : "on the front",
+           p[at].dominated ? words(t, p[p[at].by].row) : "");
     study_say(page, "Of %zu settings, %zu are dominated by none. The default (%s) is %s%s: %.3f million instructions a frame, "
                     "%.4f %% wrong pixels. The quickest (%s) saves %.1f %% of the time, and has %.4f %%.",
               n, front, words(t, p[at].row), p[at].dominated ? "dominated by " : "one of them",
               p[at].dominated ? words(t, p[p[at].by].row) : "", p[at].m3, p[at].error[0], words(t, p[quick].row),
               100 * (1 - p[quick].m3 / p[at].m3), p[quick].error[0]);
+}
+
+/* Where the plot ends: 5 % about the default, and which settings lie beyond. */
+static void range(struct study_page *page, const struct study_table *t, const struct point *p, size_t n, double *lo, double *hi)
+{
+    char beyond[1024] = "";
+    size_t at = 0, length = 0;
+    for (size_t k = 0; k < n; k++)
+        at = is_default(t, p[k].row) ? k : at;
+    *lo = 0.95 * p[at].m3;
+    *hi = 1.05 * p[at].m3;
+    for (size_t k = 0; k < n && length < sizeof beyond - 200; k++)
+        if (p[k].m3 < *lo || p[k].m3 > *hi)
+            length += (size_t)snprintf(beyond + length, sizeof beyond - length, "%s%s: %.3f", length ? "; " : "",
+                                       words(t, p[k].row), p[k].m3);
+    if (length)
+        study_say(page, "Beyond the plots' edges, in millions of instructions: %s.", beyond);
 }
 
 static int report(struct study_page *page, const struct study_table *t)
@@ -468,8 +528,9 @@ static int report(struct study_page *page, const struct study_table *t)
         free(p);
         return SIM_OK;
     }
-    status = plot_front(page, t, p, n, "front", "Time against error, means over all scenes. Filled: dominated by none; hollow: "
-                                                "dominated; red ring: the default.");
+    double lo, hi;
+    range(page, t, p, n, &lo, &hi);
+    status = plot_front(page, t, p, n, lo, hi);
     if (status == SIM_OK) {
         say_default(page, t, p, n);
         table_front(page, t, p, n);
@@ -478,13 +539,14 @@ static int report(struct study_page *page, const struct study_table *t)
     free(p);
     if (status != SIM_OK)
         return status;
-    study_table_open(page, "scene|shading|default: M3, M|M0, M|wrong %|on the front");
+    study_table_open(page, "scene|shading|default: M3, M|M0, M|RP2040, M cycles|wrong %|on the front");
     for (size_t s = 0; s < N_SCENES; s++) {
         const size_t k_n = gather(&p, t, scenes[s].demo->name);
         for (size_t k = 0; k < k_n; k++)
             if (is_default(t, p[k].row))
-                study_table_row(page, "%s|%s|%.3f|%.3f|%.4f|%s%s", scenes[s].demo->name, scenes[s].shading, p[k].m3, p[k].m0,
-                                p[k].error[0], p[k].dominated ? "no: " : "yes",
+                study_table_row(page, "%s|%s|%s|%s|%s|%.4f|%s%s", scenes[s].demo->name, scenes[s].shading,
+                                millions(p[k].m3), millions(p[k].m0), millions(p[k].rp2040), p[k].error[0],
+                                p[k].dominated ? "no: " : "yes",
                                 p[k].dominated ? words(t, p[p[k].by].row) : "");
         free(p);
     }
@@ -497,7 +559,7 @@ const struct study study_time = {
     .what = "run time against error",
     .params = "scene,shading,subpixel,mapping,bits,recip_bits,texel_recip,span_bound,counted",
     .results = "pixels,wrong,cover,surface,depth_mean,depth_worst,texels_off,texel_worst,colour_off,colour_by_one,psnr,checksum,"
-               "m3,m0",
+               "m3,m0,rp2040",
     .runs = plan,
     .describe = describe,
     .measure = measure,

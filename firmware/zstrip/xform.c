@@ -317,7 +317,7 @@ void zs_xform_screen(const struct zs_renderer *r, uint32_t v, uint32_t n, struct
         uint32_t rcp = 1u << 31;
         if (view->perspective) { /* as in project() */
             lz = zs_clz32((uint32_t)z);
-            rcp = zs_recip_inline((uint32_t)z << lz);
+            rcp = ZS_RECIP_STEPS ? zs_recip_inline((uint32_t)z << lz) : zs_recip16((uint32_t)z << lz);
             down = 30 - lz - view->scale_bits + coarse;
         }
         const uint32_t sx = steps_of(x, rcp, down & 31), sy = steps_of(y, rcp, down & 31);
