@@ -40,7 +40,7 @@ static void __attribute__((format(printf, 2, 3))) emit(struct buffer *b, const c
     for (;;) {
         va_list args;
         va_start(args, format);
-        const int n = vsnprintf(b->text + b->n, b->room - b->n, format, args);
+        const int n = vsnprintf(b->text ? b->text + b->n : NULL, b->room - b->n, format, args);
         va_end(args);
         if ((size_t)n < b->room - b->n) {
             b->n += (size_t)n;

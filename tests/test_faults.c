@@ -42,6 +42,7 @@ struct chain {
     uint64_t *sum; /* NULL: without zs_watch */
     struct demo_frame frame;
     int locked, n_idle, n_done;
+    int ended; /* a semaphore: given by done, taken by idle */
 };
 
 static int submit(void *ctx, const struct zs_strip *s)
@@ -67,7 +68,16 @@ static void unlock(void *ctx)
 
 static void idle(void *ctx)
 {
-    ((struct chain *)ctx)->n_idle++;
+    struct chain *c = ctx;
+    c->n_idle++;
+    c->ended -= c->ended > 0;
+}
+
+static void done(void *ctx)
+{
+    struct chain *c = ctx;
+    c->n_done++;
+    c->ended++;
 }
 
 static int set_up(struct chain *c, const struct panel_config *config)
@@ -82,7 +92,7 @@ static void chain_open(struct chain *c, unsigned module, uint8_t buffers, int wa
     assert_int_equal(pm_glass_named(&c->glass, modules[module].name), 1);
     sim_panel_bus_init(&c->end, pm_new(&c->glass));
     hal_fault_init(&c->fault, &c->end.bus);
-    c->fault.bus.hooks = (struct hal_hooks){ c, idle, NULL, lock, unlock };
+    c->fault.bus.hooks = (struct hal_hooks){ c, idle, done, lock, unlock };
     c->scratch = malloc(panel_scratch_bytes(config, 240u * ROWS) + 4u);
     assert_int_equal(set_up(c, config), HAL_OK);
     c->config = picture_config(panel_width(&c->panel), panel_height(&c->panel), demo_cubes.depth);
@@ -130,6 +140,12 @@ static void glass_is_right(struct chain *c, unsigned module, uint32_t t, const c
     chain_close(&good);
 }
 
+static uint32_t demo_cubes_instances(struct chain *c)
+{
+    demo_cubes.pose(&c->frame, 0, c->config.width, c->config.height);
+    return c->frame.scene.n_instances;
+}
+
 static const struct {
     enum hal_fault_kind kind;
     const char *name;
@@ -137,7 +153,7 @@ static const struct {
 } kinds[] = {
     { HAL_FAULT_REFUSE, "refused", HAL_ERR_BUS },   { HAL_FAULT_CUT, "cut", HAL_ERR_BUS },
     { HAL_FAULT_STUCK, "stuck", HAL_ERR_TIMEOUT },  { HAL_FAULT_LATE, "late", ZS_OK },
-    { HAL_FAULT_COMMAND, "command", HAL_ERR_BUS },
+    { HAL_FAULT_COMMAND, "command", HAL_ERR_BUS }, { HAL_FAULT_TWICE, "twice", ZS_OK },
 };
 
 /* Every kind at every verb of a frame. Two frames of motion before and one after. */
@@ -258,11 +274,6 @@ static void a_bus_that_is_taken(void **state)
     chain_close(&c);
 }
 
-static void done(void *ctx)
-{
-    ((struct chain *)ctx)->n_done++;
-}
-
 /* hooks.done comes once for all bytes that data has taken over, whatever became of them: a semaphore is given once. */
 static void each_transfer_is_done_once(void **state)
 {
@@ -270,16 +281,58 @@ static void each_transfer_is_done_once(void **state)
     static const _Alignas(2) uint8_t px[64] = { 0 };
     struct chain c;
     chain_open(&c, 0, 2, 0);
-    c.fault.bus.hooks.done = done;
     for (int kind = HAL_FAULT_NONE; kind <= HAL_FAULT_LOST; kind++) {
         hal_fault_set(&c.fault, (enum hal_fault_kind)kind, 1, 1);
         c.n_done = 0;
         const int taken = c.fault.bus.data(&c.fault.bus, px, sizeof px) == HAL_OK;
         assert_int_equal(taken, kind != HAL_FAULT_REFUSE);
         (void)c.fault.bus.wait(&c.fault.bus);
-        assert_int_equal(c.n_done, taken);
+        assert_int_equal(c.n_done, kind == HAL_FAULT_TWICE ? 2 : taken);
     }
     chain_close(&c);
+}
+
+/* Power comes on, and all memory holds junk: renderer, arena, panel, scratch, what zs_watch and zs_track are given, and
+ * the controller's RAM. */
+static void power_on_with_junk_in_memory(void **state)
+{
+    (void)state;
+    static const uint8_t patterns[] = { 0x00, 0xff, 0xa5, 0x5a, 0x80, 0x01 };
+    for (unsigned m = 0; m < sizeof modules / sizeof modules[0]; m++)
+        for (unsigned k = 0; k <= sizeof patterns; k++) {
+            struct chain c;
+            chain_open(&c, m, 2, 1);
+            const struct zs_config config = c.config;
+            const uint32_t n = demo_cubes_instances(&c), strips = ZS_STRIPS(config.height, ROWS);
+            const size_t words = ZS_TRACK_WORDS(n, config.height, ROWS);
+            uint32_t *memory = malloc(words * sizeof *memory);
+            const struct {
+                void *at;
+                size_t bytes;
+            } all[] = { { &c.r, sizeof c.r }, { c.arena, zs_arena_bytes(&config) }, { &c.panel, sizeof c.panel },
+                        { c.scratch, panel_scratch_bytes(&modules[m].config, 240u * ROWS) },
+                        { c.sum, strips * COLUMNS * sizeof *c.sum }, { memory, words * sizeof *memory } };
+            uint32_t noise = 1;
+            for (unsigned a = 0; a < sizeof all / sizeof all[0]; a++)
+                for (size_t i = 0; i < all[a].bytes; i++) {
+                    noise = noise * 1664525u + 1013904223u;
+                    ((uint8_t *)all[a].at)[i] = k < sizeof patterns ? patterns[k] : (uint8_t)(noise >> 24);
+                }
+            pm_free(c.end.model);
+            sim_panel_bus_init(&c.end, pm_new(&c.glass));
+            assert_int_equal(set_up(&c, &modules[m].config), HAL_OK);
+            assert_int_equal(zs_init(&c.r, &config, c.arena, zs_arena_bytes(&config)), ZS_OK);
+            if (k % 2)
+                assert_int_equal(zs_watch(&c.r, c.sum, COLUMNS), ZS_OK);
+            if (k / 2 % 2)
+                assert_int_equal(zs_track(&c.r, memory, n), ZS_OK);
+            for (uint32_t t = 0; t < 3; t++) {
+                assert_int_equal(draw(&c, 5 + t), ZS_OK);
+                glass_is_right(&c, m, 5 + t, "after power-on");
+            }
+            free(memory);
+            chain_close(&c);
+        }
 }
 
 int main(void)
@@ -291,6 +344,7 @@ int main(void)
         cmocka_unit_test(a_fault_that_resets_the_panel),
         cmocka_unit_test(a_bus_that_is_taken),
         cmocka_unit_test(each_transfer_is_done_once),
+        cmocka_unit_test(power_on_with_junk_in_memory),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

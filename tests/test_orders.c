@@ -1,5 +1,5 @@
-/* Calls in every order: all sequences of the calls of a frame up to some length, each answered as zstrip.h says, and the next
- * good frame is right. And two renderers in one program, their calls interleaved: each gives what it gives alone.
+/* Calls in every order: all sequences of the calls of a frame up to some length, each answered as zstrip.h says, and the
+ * next good frame is right. And two renderers in one program, their calls interleaved: each gives what it gives alone.
  *
  * SPDX-License-Identifier: MIT
  */
@@ -214,7 +214,8 @@ static struct shape both[2]; /* meshes that the two share */
 
 static void side_open(struct side *s, struct prng *p)
 {
-    static const struct zs_depth *const depths[] = { &zs_depth_recip, &zs_depth_linear, &zs_depth_float, &zs_depth_e4m12 };
+    static const struct zs_depth *const depths[] = { &zs_depth_recip, &zs_depth_linear, &zs_depth_float,
+                                                     &zs_depth_e4m12 };
     static const struct zs_shader *const shaders[] = { &zs_shade_raw, &zs_shade_flat, &zs_shade_smooth };
     memset(s, 0, sizeof *s);
     s->config = picture_config(prng_range(p, 20, 50), prng_range(p, 20, 50), depths[prng_pick(p, 4)]);

@@ -67,7 +67,7 @@ static int data(struct hal_bus *bus, const uint8_t *bytes, uint32_t n)
         return HAL_ERR_STATE;
     int err = HAL_OK;
     fault->result = HAL_OK;
-    fault->late = fault->own = 0;
+    fault->late = fault->own = fault->twice = 0;
     if (fault->kind < HAL_FAULT_REFUSE || fault->kind > HAL_FAULT_LOST || !strikes(fault)) {
         err = fault->under->data(fault->under, bytes, n);
     } else if (fault->kind == HAL_FAULT_REFUSE) {
@@ -82,6 +82,9 @@ static int data(struct hal_bus *bus, const uint8_t *bytes, uint32_t n)
     } else if (fault->kind == HAL_FAULT_LATE) {
         err = fault->under->data(fault->under, bytes, n);
         fault->late = 1;
+    } else if (fault->kind == HAL_FAULT_TWICE) {
+        err = fault->under->data(fault->under, bytes, n);
+        fault->twice = 1;
     } else {
         err = lose(fault, bytes, n);
         fault->own = 1;
@@ -99,7 +102,7 @@ static int wait(struct hal_bus *bus)
         bus->hooks.idle(bus->hooks.ctx);
     fault->out = fault->late = 0;
     const int err = fault->under->wait(fault->under);
-    if (fault->own && bus->hooks.done)
+    if ((fault->own || fault->twice) && bus->hooks.done)
         bus->hooks.done(bus->hooks.ctx);
     return fault->result ? fault->result : err;
 }
@@ -123,7 +126,7 @@ static void delay(struct hal_bus *bus, uint32_t us)
 void hal_fault_init(struct hal_fault *fault, struct hal_bus *under)
 {
     const struct hal_fault clean = { { command, data, wait, reset, delay, { 0 } }, under, HAL_FAULT_NONE, 0, 0, 0,
-                                     0, 0, 0, HAL_OK };
+                                     0, 0, 0, 0, HAL_OK };
     *fault = clean;
 }
 

@@ -23,6 +23,7 @@ enum hal_fault_kind {
     HAL_FAULT_CUT,    /* the first half reaches the panel, then wait returns HAL_ERR_BUS */
     HAL_FAULT_STUCK,  /* nothing reaches the panel, wait returns HAL_ERR_TIMEOUT */
     HAL_FAULT_LATE,   /* all is well, but wait calls hooks.idle a thousand times first */
+    HAL_FAULT_TWICE,  /* all is well, but its end is told twice: hooks.done is called once more from wait */
     HAL_FAULT_LOST,   /* the panel is reset in the middle of it, as by a dip of its supply; nobody is told */
     /* at the nth command: */
     HAL_FAULT_COMMAND, /* the command byte and the first half of its arguments arrive; HAL_ERR_BUS */
@@ -39,6 +40,7 @@ struct hal_fault {
     uint32_t at, times;   /* verbs of the kind to go; how many fail from then on */
     uint32_t n_hit;       /* that failed so far */
     uint8_t out, late;    /* flags: data was begun and not yet waited for; that wait is a late one */
+    uint8_t twice;        /* flag: that wait tells of the end once more */
     uint8_t own;          /* flag: that wait calls hooks.done, as the bus below was not given the whole transfer */
     int result;           /* what that wait will return, where this bus decides */
 };
