@@ -48,7 +48,7 @@ static const struct sim_option table[] = {
     { "--start", SIM_OPTION_COUNT, AT(start), 0, 0, FRAMES_MAX, NULL },
     { "--step", SIM_OPTION_COUNT, AT(step), 0, 1, FRAMES_MAX, NULL },
     { "--frames", SIM_OPTION_COUNT, AT(frames), 0, 1, FRAMES_MAX, NULL },
-    { "--skip-off", SIM_OPTION_COUNT, AT(skip_off), 0, 0, 63, NULL },
+    { "--skip-off", SIM_OPTION_COUNT, AT(skip_off), 0, 0, 1023, NULL },
     { "--show", SIM_OPTION_CHOICE, AT(show), 0, 0, 0, SIM_SHOW_WORDS },
     SIM_PANEL_OPTIONS(struct request, panel),
     { "--raw", SIM_OPTION_FLAG, AT(raw), 0, 0, 0, NULL },
@@ -114,7 +114,7 @@ static void configure(struct zs_config *config, const struct demo *demo, const s
     sim_frame_config(config, size.width, size.height, (uint8_t)demo->attrs);
     config->strip_h = (uint16_t)(rq->strip < size.height ? rq->strip : size.height);
     config->subpixel_bits = (uint8_t)rq->subpixel;
-    config->skip_off = (uint8_t)rq->skip_off;
+    config->skip_off = (uint16_t)rq->skip_off;
     config->depth = demo->depth;
 }
 

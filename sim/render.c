@@ -92,7 +92,7 @@ static void set_config(struct job *job)
     c->buffers = (uint8_t)o->buffers;
     c->subpixel_bits = (uint8_t)o->subpixel;
     c->depth_bits = (uint8_t)o->depth_bits;
-    c->skip_off = (uint8_t)o->skip_off;
+    c->skip_off = (uint16_t)o->skip_off;
     c->depth = of.depth[sim_depth_of(o, &job->view)];
 }
 

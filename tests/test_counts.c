@@ -18,7 +18,7 @@
 #define H 72
 #define N ((size_t)W * H)
 
-static struct zs_config config_of(const struct demo *demo, uint8_t skip_off)
+static struct zs_config config_of(const struct demo *demo, uint16_t skip_off)
 {
     struct zs_config c;
     sim_frame_config(&c, W, H, (uint8_t)demo->attrs);
@@ -61,7 +61,7 @@ static void check_frame(const struct demo_frame *f, const struct zs_config *c)
 static void sums_of_every_scene(void **state)
 {
     (void)state;
-    static const uint8_t off[] = { 0, ZS_SKIP_HIDDEN, 63 };
+    static const uint16_t off[] = { 0, ZS_SKIP_HIDDEN, 1023 };
     for (uint32_t d = 0; d < n_demos; d++)
         for (uint32_t t = 0; t < demos[d]->frames && t < 40; t += 21)
             for (size_t k = 0; k < sizeof off; k++) {

@@ -86,7 +86,7 @@ static uint32_t hidden_case(uint64_t seed)
     uint32_t hidden = 0;
     assert_int_equal(plain.err, ZS_OK);
     for (int k = 0; k < 3; k++) {
-        c.skip_off = (uint8_t)(prng_pick(&p, 2) ? 0 : prng_pick(&p, 32));
+        c.skip_off = (uint16_t)(prng_pick(&p, 2) ? 0 : prng_pick(&p, 1024) & ~(uint32_t)ZS_SKIP_HIDDEN);
         c.strip_h = (uint16_t)prng_range(&p, 1, 40);
         if (k == 2) {
             c.max_tris = (uint16_t)prng_range(&p, 1, 5);

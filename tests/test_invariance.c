@@ -244,8 +244,8 @@ static void stress_26_each_skip_on_or_off(void **state)
     for (size_t s = 0; s < N_SETS; s++) {
         sets[s]();
         struct picture plain = drawn(&set.config);
-        for (uint8_t off = 1; off < 64; off++) {
-            if (off & (uint8_t)(off - 1) && off % 5 && off != 63)
+        for (uint16_t off = 1; off < 1024; off++) {
+            if (off & (uint16_t)(off - 1) && off % (off < 64 ? 5 : 61) && off != 1023)
                 continue; /* each alone, some together, all */
             for (size_t h = 1; h < N_HEIGHTS; h += 2) {
                 struct zs_config c = set.config;

@@ -16,7 +16,7 @@
 static uint32_t arena[200000];
 
 static uint32_t red_pixels(struct zs_renderer *r, const struct zs_scene *scene,
-                           const struct zs_camera *camera, uint8_t skip_off)
+                           const struct zs_camera *camera, uint16_t skip_off)
 {
     const struct zs_config config = { SIZE, SIZE, SIZE, 10, 20, 0, 1, 8, 16, skip_off,
                                       &zs_depth_recip };
