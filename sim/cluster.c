@@ -161,6 +161,28 @@ static int8_t cutoff_of(const signed char axis[3], const struct sim_shape *s,
     return (int8_t)fmin(ceil(c), 127.0);
 }
 
+/* ---- Heights --------------------------------------------------------------------------------- */
+
+/* Of the flattest triangle over its longest side, 1/16 step, rounded down, by a little more than doubles lose. */
+static uint16_t height_of(const struct sim_shape *s, const uint32_t (*tri)[3], uint32_t n)
+{
+    double least = 65535.0;
+    for (uint32_t i = 0; i < n; i++) {
+        double normal[3], longest = 0.0, shortest = INFINITY;
+        normal_of(normal, s, tri[i]);
+        for (int k = 0; k < 3; k++) {
+            double side[3];
+            for (int j = 0; j < 3; j++)
+                side[j] = s->fine[tri[i][k]][j] - s->fine[tri[i][(k + 1) % 3]][j];
+            longest = fmax(longest, sim_dot(side, side));
+            shortest = fmin(shortest, sim_dot(side, side));
+        }
+        if (shortest > 0.0)
+            least = fmin(least, sqrt(sim_dot(normal, normal) / longest) / 16.0);
+    }
+    return (uint16_t)floor(least * (1.0 - 1e-9));
+}
+
 /* ---- Clusters -------------------------------------------------------------------------------- */
 
 /* The distinct points of a cluster, for its sphere. */
@@ -194,6 +216,7 @@ static void describe(struct zs_cluster *c, const struct sim_shape *s, const floa
     c->cutoff = cutoff_of(b.cone_axis_s8, s, tri, c->n_tris);
     if (c->cutoff == 127)
         memset(c->axis, 0, sizeof c->axis);
+    c->height = height_of(s, tri, c->n_tris);
 }
 
 /* Which triangle of the shape is this? Among equal ones each is given out once, in order. */

@@ -177,9 +177,9 @@ static void clusters(FILE *f, const char *name, uint32_t part, const struct sim_
     struct row row = begin(f, "struct zs_cluster", name, part, "cluster", p->n_clusters, "");
     for (uint32_t i = 0; i < p->n_clusters; i++) {
         const struct zs_cluster *c = &p->cluster[i];
-        put(&row, "{%" PRIu32 ",%u,{%d,%d,%d},%u,{%d,%d,%d},%d},", c->first, c->n_tris,
+        put(&row, "{%" PRIu32 ",%u,{%d,%d,%d},%u,{%d,%d,%d},%d,%u},", c->first, c->n_tris,
             c->center[0], c->center[1], c->center[2], c->radius, c->axis[0], c->axis[1], c->axis[2],
-            c->cutoff);
+            c->cutoff, c->height);
     }
     end(f);
 }
@@ -263,7 +263,7 @@ static void mesh_object(FILE *f, const char *name, uint32_t part, const struct s
     pointer(f, p->uv != NULL, name, "uv", part);
     (void)fprintf(f, "%u, ", p->uv != NULL ? p->uv_bits : 0u);
     pointer(f, p->cluster != NULL, name, "cluster", part);
-    (void)fprintf(f, "%" PRIu32 "u },\n", p->n_clusters);
+    (void)fprintf(f, "%" PRIu32 "u, %s },\n", p->n_clusters, p->n_clusters > 4 ? "&zs_cluster_kernel" : "0");
 }
 
 static void material_object(FILE *f, const char *name, const struct sim_paint *p, int cull)

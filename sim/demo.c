@@ -48,7 +48,7 @@ static const struct sim_option table[] = {
     { "--start", SIM_OPTION_COUNT, AT(start), 0, 0, FRAMES_MAX, NULL },
     { "--step", SIM_OPTION_COUNT, AT(step), 0, 1, FRAMES_MAX, NULL },
     { "--frames", SIM_OPTION_COUNT, AT(frames), 0, 1, FRAMES_MAX, NULL },
-    { "--skip-off", SIM_OPTION_COUNT, AT(skip_off), 0, 0, 511, NULL },
+    { "--skip-off", SIM_OPTION_COUNT, AT(skip_off), 0, 0, ZS_SKIP_ALL, NULL },
     { "--show", SIM_OPTION_CHOICE, AT(show), 0, 0, 0, SIM_SHOW_WORDS },
     SIM_PANEL_OPTIONS(struct request, panel),
     { "--raw", SIM_OPTION_FLAG, AT(raw), 0, 0, 0, NULL },

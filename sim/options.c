@@ -84,7 +84,7 @@ static const struct sim_option table[] = {
     { "--tris", SIM_OPTION_COUNT, AT(tris), 0, 1, ZS_POOL_MAX, NULL },
     { "--verts", SIM_OPTION_COUNT, AT(verts), 0, 3, ZS_POOL_MAX, NULL },
     { "--depth-bits", SIM_OPTION_COUNT, AT(depth_bits), 0, 8, 16, NULL },
-    { "--skip-off", SIM_OPTION_COUNT, AT(skip_off), 0, 0, 511, NULL },
+    { "--skip-off", SIM_OPTION_COUNT, AT(skip_off), 0, 0, ZS_SKIP_ALL, NULL },
     { "--threads", SIM_OPTION_COUNT, AT(threads), 0, 1, SIM_THREADS_MAX, NULL },
     { "--subpixel", SIM_OPTION_COUNT, AT(subpixel), 0, 0, 0, "4|8" },
     { "--buffers", SIM_OPTION_COUNT, AT(buffers), 0, 0, 0, "1|2" },

@@ -113,7 +113,7 @@ int picture_same(const struct picture *a, const struct picture *b, const char *n
 
 int stats_add_up(const struct zs_stats *s)
 {
-    return s->tris_in == s->tris_drawn + s->tris_frustum + s->tris_near + s->tris_far +
+    return s->tris_in == s->tris_drawn + s->tris_frustum + s->tris_cluster + s->tris_near + s->tris_far +
                              s->tris_offscreen + s->tris_facing + s->tris_zero + s->tris_empty +
                              s->tris_index;
 }

@@ -754,7 +754,7 @@ static int sphere_case(uint64_t seed)
                                      prng_range(&p, 1, 50000));
     const int linear = camera.projection == ZS_ORTHOGRAPHIC || prng_pick(&p, 2);
     struct zs_config config = lone_config(25, 20, linear ? &zs_depth_linear : &zs_depth_recip);
-    config.skip_off = (uint16_t)prng_pick(&p, 512);
+    config.skip_off = (uint16_t)prng_pick(&p, ZS_SKIP_ALL + 1);
     struct picture f = picture_draw(&config, &l.scene, &camera);
     const int ok = known_error(f.err);
     picture_free(&f);

@@ -934,7 +934,7 @@ static int state_scene_case(uint64_t seed)
         if (way) {
             c.strip_h = (uint16_t)prng_range(&p, 1, 60);
             c.buffers = (uint8_t)prng_range(&p, 1, 2);
-            c.skip_off = (uint16_t)prng_pick(&p, 512);
+            c.skip_off = (uint16_t)prng_pick(&p, ZS_SKIP_ALL + 1);
         }
         if (way > 2) {
             c.max_tris = (uint16_t)prng_range(&p, 1, 8);
@@ -1073,7 +1073,7 @@ static int plain_state_case(uint64_t seed)
             in[n].state = prng_pick(&p, 3) ? &nothing : NULL;
         if (way) {
             c.strip_h = (uint16_t)prng_range(&p, 1, 60);
-            c.skip_off = (uint16_t)prng_pick(&p, 512);
+            c.skip_off = (uint16_t)prng_pick(&p, ZS_SKIP_ALL + 1);
         }
         if (way > 2) {
             c.max_tris = (uint16_t)prng_range(&p, 1, 60);

@@ -81,12 +81,12 @@ static uint32_t hidden_case(uint64_t seed)
     struct zs_config c = picture_config(prng_range(&p, 33, 330), prng_range(&p, 10, 130), depths[mapping]);
     c.depth_bits = (uint8_t)prng_range(&p, 8, 16);
     c.subpixel_bits = prng_pick(&p, 2) ? 8 : 4;
-    c.skip_off = 511;
+    c.skip_off = ZS_SKIP_ALL;
     struct picture plain = picture_draw(&c, &world.scene, &world.camera);
     uint32_t hidden = 0;
     assert_int_equal(plain.err, ZS_OK);
     for (int k = 0; k < 3; k++) {
-        c.skip_off = (uint16_t)(prng_pick(&p, 2) ? 0 : prng_pick(&p, 512));
+        c.skip_off = (uint16_t)(prng_pick(&p, 2) ? 0 : prng_pick(&p, ZS_SKIP_ALL + 1) & ~(uint32_t)ZS_SKIP_HIDDEN);
         c.strip_h = (uint16_t)prng_range(&p, 1, 40);
         if (k == 2) {
             c.max_tris = (uint16_t)prng_range(&p, 1, 5);
@@ -136,7 +136,7 @@ static void layers_cost_one(void **state)
         struct zs_config c = picture_config(320, 120, &zs_depth_float);
         c.strip_h = 24;
         struct picture with = picture_draw(&c, &world.scene, &world.camera);
-        c.skip_off = 511;
+        c.skip_off = ZS_SKIP_ALL;
         struct picture without = picture_draw(&c, &world.scene, &world.camera);
         assert_true(picture_same(&without, &with, "layers"));
         assert_int_equal(without.stats.pixels_tested, 8 * 320 * 120);

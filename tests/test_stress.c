@@ -1001,7 +1001,7 @@ static int ends_case(uint64_t seed)
     struct zs_config config = lone_config(24, 16, perspective && prng_pick(&p, 2)
                                                       ? &zs_depth_recip : &zs_depth_linear);
     config.strip_h = 5;
-    config.skip_off = (uint16_t)prng_pick(&p, 512);
+    config.skip_off = (uint16_t)prng_pick(&p, ZS_SKIP_ALL + 1);
     if (prng_pick(&p, 2)) {
         config.max_tris = 2;
         config.max_verts = 3;

@@ -1049,7 +1049,7 @@ static int invariance_case(uint64_t seed)
         struct zs_config c = config;
         c.strip_h = (uint16_t)prng_range(&p, 1, 60);
         c.buffers = (uint8_t)prng_range(&p, 1, 2);
-        c.skip_off = (uint16_t)prng_pick(&p, 512);
+        c.skip_off = (uint16_t)prng_pick(&p, ZS_SKIP_ALL + 1);
         if (way > 1) {
             c.max_tris = (uint16_t)prng_range(&p, 1, 40);
             c.max_verts = (uint16_t)prng_range(&p, 3, 60);

@@ -6,6 +6,7 @@
 #include <string.h>
 
 #include "cases.h"
+#include "clusters.h"
 #include "picture.h"
 #include "shapes.h"
 
@@ -18,6 +19,7 @@
 
 struct world {
     struct shape shape[SHAPES];
+    struct zs_cluster cluster[SHAPES][SHAPE_TRIS];
     int16_t uv[SHAPE_VERTS][2];
     uint16_t texel[2][64], palette[16];
     struct zs_texture texture[2];
@@ -99,6 +101,7 @@ static void world_open(struct prng *p, struct world *w, uint16_t h)
     for (uint32_t i = 0; i < SHAPES; i++) {
         w->shape[i].mesh.uv = (const int16_t (*)[2])w->uv;
         w->shape[i].mesh.uv_bits = 12;
+        clusters_make(&w->shape[i].mesh, w->cluster[i], p, 6, 5); /* of them, what strips that are not due show is left out */
     }
     const struct zs_texture texture[2] = { { &zs_texel_565, w->texel[0], NULL, 0, 3, 3, 0 },
                                            { &zs_texel_pal8, w->texel[1], w->palette, 16, 3, 3, ZS_CLAMP_U } };
@@ -151,7 +154,9 @@ static int change(struct prng *p, struct world *w, uint16_t h)
     case 14: mesh->n_tris -= mesh->n_tris > 4; return 0;
     case 15: texels(p, w); return 1;
     case 16: /* a vertex, inside the sphere */
-        w->shape[mesh == &w->shape[2].mesh].pos[prng_pick(p, 6)][prng_pick(p, 3)] /= 2;
+        mesh = &w->shape[mesh == &w->shape[2].mesh].mesh;
+        ((int16_t (*)[3])(uintptr_t)mesh->pos)[prng_pick(p, 6)][prng_pick(p, 3)] /= 2;
+        clusters_make(mesh, w->cluster[mesh == &w->shape[1].mesh], p, 6, 5);
         return 1;
     case 17: case 18: case 19: /* a little */
         in->pose.pos[prng_pick(p, 3)] += prng_range(p, -40, 40);
@@ -339,7 +344,7 @@ static int frames_of(uint64_t seed)
     c.max_tris = (uint16_t)(prng_pick(&p, 2) ? 600 : 2 + prng_pick(&p, 80));
     c.max_verts = (uint16_t)(prng_pick(&p, 2) ? 600 : 9 + prng_pick(&p, 80));
     c.subpixel_bits = prng_pick(&p, 4) ? 8 : 4;
-    c.skip_off = prng_pick(&p, 4) ? 0 : (uint16_t)prng_pick(&p, 512);
+    c.skip_off = prng_pick(&p, 4) ? 0 : (uint16_t)prng_pick(&p, ZS_SKIP_ALL + 1);
     show_open(&s, &c);
     int right = 1;
     for (int frame = 0; frame < 24 && right; frame++) {

@@ -190,9 +190,16 @@ static inline void corners_light(struct zs_renderer *r, const uint32_t slot[3])
     corner_light(r, slot[2], attrs);
 }
 
-/* Transform all of a mesh, where there is room. */
+void zs_bin_verts(struct zs_renderer *r, uint32_t slot, uint32_t from, uint32_t n)
+{
+    verts_mark(r, slot, from, n);
+    zs_xform_screen(r, from, n, &r->vert[slot]);
+}
+
+/* Transform all of a mesh, where there is room; not what only clusters need that are left out. */
 static void verts_direct(struct zs_renderer *r, const struct zs_mesh *mesh)
 {
+    const struct zs_cluster_kernel *cluster = r->cluster_kernel;
     const uint32_t n = mesh->n_verts, room = r->config.max_verts - r->n_verts;
     if (n > room && n - room <= r->n_verts - r->vert_packed) { /* there may be room */
         high_water(r);
@@ -204,8 +211,8 @@ static void verts_direct(struct zs_renderer *r, const struct zs_mesh *mesh)
     if (!r->direct)
         return;
     r->n_verts += n;
-    verts_mark(r, base, 0, n);
-    zs_xform_screen(r, 0, n, &r->vert[base]);
+    if (!cluster || !cluster->verts(r))
+        zs_bin_verts(r, base, 0, n);
 }
 
 /* Transform vertex v into the next place of the pool; ZS_NIL: the pool is full. */
@@ -702,6 +709,7 @@ static void batch_bin(struct zs_renderer *r, const struct batch *s, uint32_t fro
     }
 }
 
+/* Triangles [r->clusters.from, r->clusters.end) of the current instance. */
 static ZS_NOINLINE void walk_mesh(struct zs_renderer *r, uint32_t fate[FATES])
 {
     const struct zs_mesh *mesh = r->xform.instance->mesh;
@@ -711,24 +719,46 @@ static ZS_NOINLINE void walk_mesh(struct zs_renderer *r, uint32_t fate[FATES])
     s.away = cull == ZS_CULL_BACK ? 1 : cull == ZS_CULL_FRONT ? -1 : 0;
     s.fate = fate;
     s.pool = &r->vert[r->direct ? r->vert_base : 0u];
-    for (uint32_t t = 0; t < mesh->n_tris; t += BATCH) {
-        const uint32_t n = mesh->n_tris - t < BATCH ? mesh->n_tris - t : BATCH;
+    for (uint32_t t = r->clusters.from; t < r->clusters.end; t += BATCH) {
+        const uint32_t n = zs_minu32(r->clusters.end - t, BATCH);
         s.tri = mesh->tri + t;
         batch_bin(r, &s, t, r->direct ? sieve(&s, n) : sieve_none(&s, n), fate);
     }
 }
 
-/* Cull an instance, or make r->xform its own. Return 0: nothing of it can be seen, or no strip that shows it is drawn. Apart, so that its frame is not on the
- * stack below the walk. */
+/* Cull an instance, or make r->xform its own. Return 0: nothing of it can be seen, or no strip that shows it is drawn.
+ * Apart, so that its frame is not on the stack below the walk. */
 static ZS_RARE ZS_NOINLINE int instance_open(struct zs_renderer *r, uint32_t number)
 {
     struct zs_bounds b;
+    const struct zs_mesh *mesh = r->scene->instance[number].mesh;
     const struct zs_track_kernel *track = r->track;
-    if (track && !track->touches(r, number))
+    const struct zs_cluster_kernel *cluster = mesh->cluster_kernel;
+    uint16_t rows[2];
+    if (track && !track->touches(r, number, rows))
         return 0;
     if (zs_cull_walk(&b, r, number) && !(r->config.skip_off & ZS_SKIP_FRUSTUM))
         return 0;
-    return zs_xform_instance(r, number, &b);
+    if (cluster && !cluster->rows(r, &b, number))
+        return 0;
+    if (!zs_xform_instance(r, number, &b))
+        return 0;
+    r->clusters.from = r->clusters.end = 0;
+    if (cluster && !cluster->open(r, &b))
+        cluster = 0;
+    r->cluster_kernel = cluster;
+    return 1;
+}
+
+/* The next run of triangles of the current instance. Return 0: there is none. */
+static ZS_RARE int next_run(struct zs_renderer *r)
+{
+    const struct zs_cluster_kernel *cluster = r->cluster_kernel;
+    if (cluster)
+        return cluster->run(r);
+    r->clusters.from = r->clusters.end;
+    r->clusters.end = r->xform.instance->mesh->n_tris;
+    return r->clusters.from < r->clusters.end;
 }
 
 static ZS_RARE void walk_instance(struct zs_renderer *r, uint32_t number)
@@ -747,7 +777,8 @@ static ZS_RARE void walk_instance(struct zs_renderer *r, uint32_t number)
         return;
     uint32_t fate[FATES] = { 0 };
     verts_direct(r, mesh);
-    walk_mesh(r, fate);
+    while (next_run(r))
+        walk_mesh(r, fate);
     if (r->counting)
         count(&r->stats, fate);
 }
@@ -757,7 +788,8 @@ ZS_RARE void zs_bin_walk(struct zs_renderer *r)
     pools_empty(r);
     r->band_end = r->config.skip_off & ZS_SKIP_BINS ? (uint16_t)(r->strip + 1u) : r->draw_end;
     r->stats.passes++;
-    for (uint32_t i = 0; i < r->scene->n_instances; i++)
+    r->group = 0;
+    for (uint32_t i = 0; (i = zs_cull_next(r, r->scene, i)) < r->scene->n_instances; i++)
         walk_instance(r, i);
     high_water(r);
     r->counting = 0;

@@ -22,12 +22,16 @@ static const char *const flaws[] = {
     "clusters that do not hold all triangles, in order, each once",
     "a vertex outside its cluster's sphere",
     "a triangle that its cluster's cone does not hold",
+    "a triangle that is flatter than its cluster says",
     "a texture whose width or height is out of range",
     "a palette whose number of colours is out of range",
     "a clamp that is none",
-    "a texel that its palette does not hold"
+    "a texel that its palette does not hold",
+    "groups whose instances or links are not in order",
+    "an instance whose sphere its group does not hold",
+    "an instance whose position its group does not hold"
 };
-_Static_assert(sizeof flaws / sizeof flaws[0] == ZS_FLAW_TEXEL + 1, "a sentence for each flaw");
+_Static_assert(sizeof flaws / sizeof flaws[0] == ZS_FLAW_GROUP_ORIGINS + 1, "a sentence for each flaw");
 
 const char *zs_strflaw(enum zs_flaw flaw)
 {
@@ -183,6 +187,34 @@ static int in_cone(const struct zs_mesh *mesh, const struct zs_cluster *c, uint3
     return at_least(&front, &behind);
 }
 
+/* Twice the area, squared, is at least the square of height times longest side; or two corners are one point. height in
+ * 1/256 step, < 2^20. */
+static int high_enough(const struct zs_mesh *mesh, uint32_t t, uint32_t height)
+{
+    static const int16_t zero[3] = { 0, 0, 0 };
+    int64_t n[3];
+    uint64_t longest = 0; /* squared, <= 3 * 2^48 */
+    int32_t v[3][3];
+    for (int k = 0; k < 3; k++)
+        vertex_from(mesh, mesh->tri[t][k], zero, v[k]);
+    for (int k = 0; k < 3; k++) {
+        uint64_t square = 0;
+        for (int j = 0; j < 3; j++) {
+            const int64_t d = v[k][j] - v[(k + 1) % 3][j];
+            square += (uint64_t)(d * d);
+        }
+        if (square == 0)
+            return 1;
+        longest = square > longest ? square : longest;
+    }
+    plane_of(mesh, t, zero, n, v[0]);
+    struct wide left = { 0, 0 }, right = { 0, 0 }; /* < 2^100 */
+    for (int k = 0; k < 3; k++)
+        add_product(&left, magnitude(n[k]), magnitude(n[k]));
+    add_product(&right, (uint64_t)height * height, longest);
+    return at_least(&left, &right);
+}
+
 /* ---- Clusters ---------------------------------------------------------------------------------- */
 
 static int cluster_spheres(const struct zs_mesh *m, const struct zs_cluster *c)
@@ -212,6 +244,14 @@ static int cluster_cone(const struct zs_mesh *m, const struct zs_cluster *c)
     return 1;
 }
 
+static int cluster_height(const struct zs_mesh *m, const struct zs_cluster *c)
+{
+    for (uint32_t i = 0; c->height && i < c->n_tris; i++)
+        if (!high_enough(m, c->first + i, c->height * 16u))
+            return 0;
+    return 1;
+}
+
 static enum zs_flaw clusters_check(const struct zs_mesh *m, uint32_t *index)
 {
     uint32_t next = 0; /* triangle; <= n_tris */
@@ -229,6 +269,9 @@ static enum zs_flaw clusters_check(const struct zs_mesh *m, uint32_t *index)
     for (uint32_t i = 0; i < m->n_clusters; i++)
         if (!cluster_cone(m, &m->cluster[i]))
             return found(ZS_FLAW_CLUSTER_CONE, index, i);
+    for (uint32_t i = 0; i < m->n_clusters; i++)
+        if (!cluster_height(m, &m->cluster[i]))
+            return found(ZS_FLAW_CLUSTER_HEIGHT, index, i);
     return found(ZS_FLAW_NONE, index, 0);
 }
 

@@ -23,6 +23,13 @@ static void axes(zs_q2_30 out[9], const struct zs_camera *camera)
     }
 }
 
+ZS_RARE void zs_cull_axes(zs_q2_30 out[9], const struct zs_instance *in, const struct zs_camera *camera)
+{
+    zs_q2_30 view[9];
+    axes(view, camera);
+    zs_rotation_mul(out, view, in->pose.rot);
+}
+
 static int pose_ok(const struct zs_pose *pose)
 {
     for (int k = 0; k < 3; k++)
@@ -81,10 +88,12 @@ int zs_cull_sphere(const struct zs_bounds *b, const struct zs_camera *camera,
     if (view->perspective)
         return side_distance(view->side_x, abs64(b->c[0]), b->c[2]) < -r ||
                side_distance(view->side_y, abs64(b->c[1]), b->c[2]) < -r;
-    const int64_t half_h = camera->height / 2 + 1;
-    const int64_t half_w = (int64_t)zs_muldiv_u64((uint64_t)half_h, (uint64_t)view->cx,
-                                                  (uint64_t)view->cy) + 1;
-    return abs64(b->c[0]) - r > half_w || abs64(b->c[1]) - r > half_h;
+    return abs64(b->c[0]) - r > zs_cull_half_width(camera, view) || abs64(b->c[1]) - r > camera->height / 2 + 1;
+}
+
+int64_t zs_cull_half_width(const struct zs_camera *camera, const struct zs_view *view)
+{
+    return (int64_t)zs_muldiv_u64((uint64_t)(camera->height / 2 + 1), (uint64_t)view->cx, (uint64_t)view->cy) + 1;
 }
 
 int zs_cull_walk(struct zs_bounds *b, const struct zs_renderer *r, uint32_t number)

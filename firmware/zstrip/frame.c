@@ -151,8 +151,12 @@ static ZS_RARE int scene_check(struct zs_renderer *r, const struct zs_scene *sce
         return ZS_ERR_NULL;
     if (!light_ok(&scene->light))
         return ZS_ERR_RANGE;
+    if (scene->groups && (!scene->groups->kernel || (!scene->groups->group && scene->groups->n_groups)))
+        return ZS_ERR_NULL;
     *reach = 1;
-    for (uint32_t i = 0; i < scene->n_instances; i++) {
+    r->group = 0;
+    /* zs_track asks for bounds of any instance later */
+    for (uint32_t i = 0; (i = r->track ? i : zs_cull_next(r, scene, i)) < scene->n_instances; i++) {
         struct zs_bounds b;
         int err = instance_check(r, &scene->instance[i]);
         if (!err)
@@ -170,10 +174,15 @@ ZS_RARE int zs_frame_check(struct zs_renderer *r, const struct zs_scene *scene)
     const struct zs_camera *camera = &r->camera;
     int64_t reach;
     int err = zs_view_camera(&r->view, &r->config, camera);
+    r->group_slack = 1;
     if (!err)
         err = scene_check(r, scene, &reach);
     if (!err)
         err = zs_view_units(&r->view, &r->config, camera, reach);
+    if (!err && r->view.shift < 3) { /* 8 camera units are more than a world unit: none is kept out for less */
+        r->group_slack = 64;
+        err = scene_check(r, scene, &reach);
+    }
     if (!err)
         err = r->config.depth->setup(&r->view, camera, r->config.depth_bits);
     return err;
@@ -201,6 +210,7 @@ ZS_RARE int zs_frame_begin(struct zs_renderer *r, const struct zs_scene *scene,
     r->band_end = 0; /* the first strip begins a walk */
     r->counting = 1;
     r->large = 0;
+    r->edge_row[0] = r->edge_row[1] = UINT16_MAX; /* edge[] holds another camera's */
     r->scene = scene;
     return ZS_OK;
 }

@@ -18,6 +18,7 @@ _Static_assert(sizeof(struct zs_vertex) == 12, "ZS_VERT_BYTES");
 
 struct zs_job;
 struct zs_row;
+struct zs_bounds;
 
 struct zs_shader {
     /* Attributes of a vertex: out[n_attrs]. NULL: none. */
@@ -56,8 +57,26 @@ struct zs_track_kernel {
     /* zs_frame_check, or less where nothing differs; finds the strips that are due; lowers draw_end. May set r->scene. */
     int (*check)(struct zs_renderer *r, const struct zs_scene *scene);
     int (*due)(struct zs_renderer *r);                                      /* 0: r->strip need not be drawn; passes on */
-    int (*touches)(const struct zs_renderer *r, uint32_t number);           /* 0: the instance is in no strip of this walk */
+    /* Narrow rows [0] .. [1] to those of the walk's strips that the instance may be in and that are due. 0: there is none. */
+    int (*touches)(const struct zs_renderer *r, uint32_t number, uint16_t rows[2]);
     void (*forget)(struct zs_renderer *r, const struct zs_rect *rect);      /* NULL: all */
+};
+
+/* Which clusters of a mesh need not be drawn: of zs_mesh.cluster_kernel. */
+struct zs_cluster_kernel {
+    /* Find the rows that the walk draws of an instance, to r->edge. Return 0: it need not be drawn, as it is in none. */
+    int (*rows)(struct zs_renderer *r, const struct zs_bounds *b, uint32_t number);
+    /* Fill r->clusters for the instance that r->xform is for. Return 0: there is nothing that could be left out. */
+    int (*open)(struct zs_renderer *r, const struct zs_bounds *b);
+    /* Where vertex v has place vert_base + v: transform those that are needed. Return 0: all are, none is done. */
+    int (*verts)(struct zs_renderer *r);
+    /* The next run of triangles to r->clusters.from and .end. Return 0: there is none. */
+    int (*run)(struct zs_renderer *r);
+};
+
+/* Which instances need not be looked at: of zs_groups.kernel. */
+struct zs_group_kernel {
+    uint32_t (*next)(struct zs_renderer *r, const struct zs_scene *scene, uint32_t number);
 };
 
 /* How an instance with a state is drawn: of zs_state.kernel. */
@@ -125,6 +144,21 @@ int zs_cull_sphere(const struct zs_bounds *b, const struct zs_camera *camera,
  * Return 1: no part of it can be seen. */
 int zs_cull_walk(struct zs_bounds *b, const struct zs_renderer *r, uint32_t number);
 
+/* An instance's axes in camera axes (right, down, distance), row-major. */
+void zs_cull_axes(zs_q2_30 out[9], const struct zs_instance *in, const struct zs_camera *camera);
+
+/* Half of what an orthographic frame holds from left to right, q48_16, at least. */
+int64_t zs_cull_half_width(const struct zs_camera *camera, const struct zs_view *view);
+
+/* The first instance from number on that is in no group out of view; instances are asked for in order, from r->group = 0. */
+static inline uint32_t zs_cull_next(struct zs_renderer *r, const struct zs_scene *scene, uint32_t number)
+{
+    if (!scene->groups || r->config.skip_off & ZS_SKIP_GROUP)
+        return number;
+    const struct zs_group_kernel *group = scene->groups->kernel;
+    return group->next(r, scene, number);
+}
+
 /* ---- frame.c --------------------------------------------------------------------------------------- */
 
 /* Everything that a frame of r->camera can be refused for; fills r->view. Return ZS_OK or an error. */
@@ -140,6 +174,8 @@ int zs_view_units(struct zs_view *view, const struct zs_config *config,
                   const struct zs_camera *camera, int64_t reach);
 /* A length in camera units, nearest, at most 2^30 either way. */
 int32_t zs_view_length(const struct zs_view *view, zs_q48_16 length);
+/* Unit normal of the plane through the eye and what is so many sub-pixels beside the middle: (x or y, z). */
+void zs_view_side(int32_t out[2], uint64_t focal, uint32_t subpx);
 
 /* ---- xform.c ---------------------------------------------------------------------------------------- */
 
@@ -187,6 +223,8 @@ int zs_clip_polygon(const struct zs_view *view, struct zs_clip_vertex *v, int n,
 /* Walk the scene and bin what lies in strips [r->strip, r->band_end); the band shrinks where the
  * pools are full, and a single strip's triangles are drawn in sets. */
 void zs_bin_walk(struct zs_renderer *r);
+/* Transform vertices [from, from + n) of the current instance to places from `slot` on. */
+void zs_bin_verts(struct zs_renderer *r, uint32_t slot, uint32_t from, uint32_t n);
 
 /* ---- raster.c --------------------------------------------------------------------------------------- */
 

@@ -59,6 +59,28 @@ enum zs_row_word {
     ZS_ROW_T_HIGH = 9,  /* camera units */
     ZS_ROW_WORDS = 10
 };
+
+/* A plane through two rows' ends: y and z of its unit normal, camera axes, pointing to where is drawn. */
+struct zs_edge {
+    int32_t y, z;  /* q2_30 */
+    int64_t at;    /* q48_16 world units, added */
+};
+
+/* What clusters of the current instance are tested by (cluster.c); mesh steps. */
+struct zs_clusters {
+    int16_t plane[6][3];   /* q4_12: normals, pointing inwards ... */
+    int32_t at[6];         /* ... q12, added: n . center + at < -radius is outside */
+    int32_t sure;          /* q12: n . center + at > sure + radius is inside */
+    int32_t eye[3];        /* from it to the mesh's centre, 2^eye_shift steps */
+    uint32_t margin, thin; /* 2^eye_shift steps: of the cone: margin + thin / height */
+    uint32_t next, from, end; /* the cluster, and the triangles [from, end), that are next */
+    uint8_t n_planes, n_whole; /* of the planes, the first n_whole cut; a cluster they cut has no cone */
+    uint8_t eye_shift;
+    int8_t cone;           /* not 0: the cone is used; -1: of front faces */
+    uint8_t counted;       /* 1: statistics hold them */
+    uint8_t known;         /* 1: a flag a cluster lies behind the marks in vert_map (while `direct` is set) */
+};
+
 struct zs_xform {
     const struct zs_instance *instance;
     uint32_t number;    /* in the scene */
@@ -119,6 +141,12 @@ struct zs_renderer { /* what is used most comes first: a Cortex-M0 reaches 31 by
     int16_t (*drawn)[2];          /* [strip_h]: columns [0] .. [1] - 1 of a row hold colours and keys (fresh.c) */
     int16_t was[2];               /* the same of a row, before the triangle in hand */
     uint32_t fresh_left;          /* how many pixels hold none, where some do */
+    uint16_t group;               /* the next that the walk comes to */
+    uint16_t group_slack;         /* world units that their spheres are taken to be larger by */
+    uint16_t edge_row[2];         /* what edge[] holds: rows [0], and [1] below it */
+    struct zs_edge edge[2];
+    const struct zs_cluster_kernel *cluster_kernel; /* of the current instance; NULL: all of it is drawn */
+    struct zs_clusters clusters;
     struct zs_lit lit;
 };
 

@@ -234,13 +234,19 @@ static int track_due(struct zs_renderer *r)
     return draw;
 }
 
-static int track_touches(const struct zs_renderer *r, uint32_t number)
+static int track_touches(const struct zs_renderer *r, uint32_t number, uint16_t rows[2])
 {
     const struct zs_record *rec = &records(r)[number];
+    const uint32_t h = r->config.strip_h;
+    uint32_t first = r->n_strips, end = 0;
     for (uint32_t s = zs_maxu32(rec->first, r->strip); s < rec->end && s < r->band_end; s++)
-        if (s == r->strip || r->track_due[s]) /* track_due has cleared the one that is being drawn */
-            return 1;
-    return 0;
+        if (s == r->strip || r->track_due[s]) { /* track_due has cleared the one that is being drawn */
+            first = zs_minu32(first, s);
+            end = s + 1u;
+        }
+    rows[0] = (uint16_t)(first * h);
+    rows[1] = (uint16_t)zs_minu32(end * h, r->config.height);
+    return end != 0;
 }
 
 static void track_forget(struct zs_renderer *r, const struct zs_rect *rect)

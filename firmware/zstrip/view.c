@@ -50,17 +50,16 @@ static int32_t split_ratio(uint64_t num, uint64_t den, int32_t *bits)
     return (int32_t)r;
 }
 
-/* Unit normals (x or y, z) of the planes through the eye and the frame's sides. */
-static void side_normal(int32_t out[2], uint64_t focal, uint32_t size_px)
+void zs_view_side(int32_t out[2], uint64_t focal, uint32_t subpx)
 {
-    uint64_t half = (uint64_t)size_px << 31; /* uq32_32 px, <= 2^43 */
+    uint64_t half = (uint64_t)subpx << 24; /* uq32_32 px, <= 2^44 */
     while (focal >> 30 || half >> 30) {
         focal >>= 1;
         half >>= 1;
     }
     const int32_t v[3] = { (int32_t)focal, (int32_t)half, 0 };
     int32_t n[3] = { 0, ZS_Q30_ONE, 0 };
-    (void)zs_unit(n, v); /* half > 0 unless focal is 2^13 times larger: the default is right then */
+    (void)zs_unit(n, v); /* v[0] > 0 unless half is 2^13 times larger: the default is right then */
     out[0] = n[0];
     out[1] = n[1];
 }
@@ -79,8 +78,8 @@ int zs_view_camera(struct zs_view *view, const struct zs_config *config,
     view->cx = config->width * ZS_SUBPX_HALF;
     view->cy = config->height * ZS_SUBPX_HALF;
     view->snap = ZS_SUBPX_BITS - config->subpixel_bits;
-    side_normal(view->side_x, camera->focal, config->width);
-    side_normal(view->side_y, camera->focal, config->height);
+    zs_view_side(view->side_x, camera->focal, (uint32_t)view->cx);
+    zs_view_side(view->side_y, camera->focal, (uint32_t)view->cy);
     return ZS_OK;
 }
 

@@ -69,6 +69,7 @@ END
 EVERYTHING='extern struct zs_material other[5];
     extern struct zs_texture texture[3];
     extern const struct zs_state state;
+    extern const struct zs_groups groups;
     static const struct zs_depth *const all_depths[] = { &zs_depth_linear, &zs_depth_e3m13, &zs_depth_e4m12, &zs_depth_e5m11, &zs_depth_float };
     const struct zs_depth *volatile depth = all_depths[anything[5]];
     const int32_t *v = (const int32_t *)anything;
@@ -88,6 +89,10 @@ EVERYTHING='extern struct zs_material other[5];
     (void)zs_track(&renderer, anything, 1);
     anything[3] = zs_frame_stats(&renderer)->passes;
     anything[7] = (uint32_t)zs_strflaw(zs_mesh_check(&mesh, anything))[0];
+    (void)zs_groups_build((struct zs_group *)anything, 1, &instance, 1, anything);
+    anything[9] = (uint32_t)zs_groups_check(&scene, anything);
+    mesh.cluster_kernel = &zs_cluster_kernel;
+    scene.groups = &groups;
     anything[8] = (uint32_t)zs_texture_check((const struct zs_texture *)anything, anything);
     instance.state = &state;
     material = other[anything[4]];
@@ -97,7 +102,9 @@ OTHERS='struct zs_material other[5] = { { &zs_shade_raw, { 0, 0, 0 }, 0 }, { &zs
     { &zs_shade_texture_smooth, { 0, 0, 0 }, 0 } };
 struct zs_texture texture[3] = { { &zs_texel_565 }, { &zs_texel_pal8 }, { &zs_texel_pal4 } };
 extern const struct zs_state state;
-const struct zs_state state = ZS_STATE(1, 0, 1, 2);'
+const struct zs_state state = ZS_STATE(1, 0, 1, 2);
+extern const struct zs_groups groups;
+const struct zs_groups groups = ZS_GROUPS(0, 0);'
 
 # A firmware that has one panel and sends a rectangle: FILE TYPE WIDTH HEIGHT [EXTRA STATEMENTS]
 minimal_panel() {

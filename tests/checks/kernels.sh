@@ -10,7 +10,8 @@ STATE='zs_state|state_'
 FLOAT='zs_depth_(e[345]|float)|float_|(e[345]|any)_setup'
 
 # Checks of loaded data, and what finds changes: in no firmware that does not call them.
-CHECKS='zs_watch watch_look zs_track track_check track_due zs_raster_pass zs_mesh_check zs_texture_check zs_strflaw'
+CHECKS='zs_watch watch_look zs_track track_check track_due zs_raster_pass zs_mesh_check zs_texture_check zs_strflaw
+        zs_cluster_kernel cluster_open cluster_verts cluster_run zs_group_kernel group_next zs_groups_build zs_groups_check'
 
 # SHADER DEPTH PATTERN...: a firmware with these must hold no symbol that matches.
 without() {
@@ -18,7 +19,7 @@ without() {
     minimal "$dir/main.c" "$1" "$2"
     if link "$c" "$dir" "$dir/main.c" "$dir/part.elf"; then
         none "$name" "$(${ARM}nm "$dir/part.elf" | awk '{ print $NF }' |
-            grep -E "$3|^($(echo "$CHECKS" | tr ' ' '|'))")"
+            grep -E "$3|^($(echo $CHECKS | tr ' ' '|'))")"
     else
         bad "$name" "does not link"
     fi

@@ -9,6 +9,9 @@
 #include <stdlib.h>
 #include <string.h>
 
+#define CLUSTER 64u    /* triangles to a cluster */
+#define CLUSTERED 512u /* meshes of so many triangles have clusters */
+
 static struct gen_mesh mesh;
 
 /* ---- Arithmetic ------------------------------------------------------------------------------ */
@@ -366,22 +369,24 @@ static void write_arrays(FILE *f, const struct gen_mesh *m, unsigned parts)
     }
 }
 
-/* The middle of the box around all vertices, and the distance of the farthest one, rounded up. */
-static uint64_t sphere(const struct gen_mesh *m, int64_t center[3])
+/* The middle of the box around the vertices of triangles [first, first + n), and the distance of the farthest one,
+ * rounded up. */
+static uint64_t sphere(const struct gen_mesh *m, uint32_t first, uint32_t n, int64_t center[3])
 {
+    const uint32_t *const from = m->tri[first], *const end = m->tri[first + n];
     for (int i = 0; i < 3; i++) {
         int64_t least = INT16_MAX, most = INT16_MIN;
-        for (uint32_t v = 0; v < m->n_verts; v++) {
-            least = m->pos[v][i] < least ? m->pos[v][i] : least;
-            most = m->pos[v][i] > most ? m->pos[v][i] : most;
+        for (const uint32_t *v = from; v < end; v++) {
+            least = m->pos[*v][i] < least ? m->pos[*v][i] : least;
+            most = m->pos[*v][i] > most ? m->pos[*v][i] : most;
         }
         center[i] = gen_div(least + most, 2);
     }
     uint64_t far2 = 0;
-    for (uint32_t v = 0; v < m->n_verts; v++) {
+    for (const uint32_t *v = from; v < end; v++) {
         uint64_t d2 = 0;
         for (int i = 0; i < 3; i++) {
-            const int64_t d = m->pos[v][i] - center[i];
+            const int64_t d = m->pos[*v][i] - center[i];
             d2 += (uint64_t)(d * d);
         }
         far2 = d2 > far2 ? d2 : far2;
@@ -390,10 +395,85 @@ static uint64_t sphere(const struct gen_mesh *m, int64_t center[3])
     return root * root < far2 ? root + 1 : root;
 }
 
+/* Of a triangle, 1/16 step, rounded down: over its longest side. */
+static uint64_t height(const struct gen_mesh *m, uint32_t t, const int64_t normal[3])
+{
+    int64_t area2 = 0, longest = 0; /* both squared: of twice the area, below 2^62 as |side| < 2^15.6 in all scenes */
+    for (int i = 0; i < 3; i++) {
+        int64_t side2 = 0;
+        for (int k = 0; k < 3; k++) {
+            const int64_t d = m->pos[m->tri[t][i]][k] - m->pos[m->tri[t][(i + 1) % 3]][k];
+            side2 += d * d;
+        }
+        longest = side2 > longest ? side2 : longest;
+        area2 += normal[i] / 2 * (normal[i] / 2);
+    }
+    return gen_sqrt((uint64_t)(area2 / longest) * 4 * 256);
+}
+
+/* The cone around the normals of triangles [first, first + n): axis and cutoff, 127 is 1; 127: there is none. Return the
+ * least height. */
+static uint64_t cone(const struct gen_mesh *m, uint32_t first, uint32_t n, int64_t axis[3], int64_t *cutoff)
+{
+    int64_t sum[3] = { 0, 0, 0 }, normal[3];
+    uint64_t least = 65535;
+    for (uint32_t t = first; t < first + n; t++) {
+        face_cross(normal, m, t);
+        const uint64_t high = height(m, t, normal);
+        least = high < least ? high : least;
+        gen_unit(normal, 1 << 20);
+        for (int i = 0; i < 3; i++)
+            sum[i] += normal[i];
+    }
+    *cutoff = 127;
+    if (largest(sum) == 0)
+        return least;
+    gen_unit(sum, 127);
+    int64_t most = 0;
+    for (uint32_t t = first; t < first + n; t++) {
+        int64_t across[3], ahead = 0;
+        face_cross(normal, m, t);
+        gen_unit(normal, 1 << 20);
+        gen_cross(across, normal, sum);
+        uint64_t sine2 = 0;
+        for (int i = 0; i < 3; i++) {
+            ahead += normal[i] * sum[i];
+            sine2 += (uint64_t)(across[i] * across[i]); /* < 2^54 */
+        }
+        const int64_t sine = ((int64_t)gen_sqrt(sine2) >> 20) + 2; /* 127 times it, and what rounding may have lost */
+        most = ahead <= 0 || sine > 127 ? 127 : sine > most ? sine : most;
+    }
+    *cutoff = most;
+    for (int i = 0; i < 3; i++)
+        axis[i] = sum[i];
+    return least;
+}
+
+/* Triangles as they come, CLUSTER at a time. Return how many clusters. */
+static uint32_t write_clusters(FILE *f, const struct gen_mesh *m)
+{
+    const uint32_t n = (m->n_tris + CLUSTER - 1) / CLUSTER;
+    struct out_rows r = out_array(f, "struct zs_cluster", "cluster", n, "");
+    for (uint32_t i = 0; i < n; i++) {
+        const uint32_t first = i * CLUSTER, left = m->n_tris - first, size = left < CLUSTER ? left : CLUSTER;
+        int64_t center[3], axis[3] = { 0, 0, 0 }, cutoff;
+        const uint64_t radius = sphere(m, first, size, center), high = cone(m, first, size, axis, &cutoff);
+        char text[128];
+        snprintf(text, sizeof text, "{%lu,%lu,{%lld,%lld,%lld},%llu,{%lld,%lld,%lld},%lld,%llu},", (unsigned long)first,
+                 (unsigned long)size, (long long)center[0], (long long)center[1], (long long)center[2],
+                 (unsigned long long)radius, (long long)axis[0], (long long)axis[1], (long long)axis[2], (long long)cutoff,
+                 (unsigned long long)high);
+        out_row(&r, text);
+    }
+    out_array_end(&r);
+    return n;
+}
+
 void gen_write(const struct gen_mesh *m, unsigned parts, uint32_t scale)
 {
     int64_t center[3];
-    const uint64_t radius = sphere(m, center);
+    const uint64_t radius = sphere(m, 0, m->n_tris, center);
+    const uint32_t n_clusters = m->n_tris >= CLUSTERED ? (m->n_tris + CLUSTER - 1) / CLUSTER : 0;
     if (radius > 65535)
         out_die("the radius does not fit uint16", m->name);
 
@@ -402,7 +482,8 @@ void gen_write(const struct gen_mesh *m, unsigned parts, uint32_t scale)
                                          (parts & GEN_VERTEX_RGB ? 3u : 0)) +
                            m->n_tris * (6u + (parts & GEN_FACE_NORMAL ? 6u : 0) +
                                         (parts & GEN_FACE_RGB ? 3u : 0) +
-                                        (parts & GEN_FACE_RAW ? 2u : 0));
+                                        (parts & GEN_FACE_RAW ? 2u : 0)) +
+                           20u * n_clusters;
 
     char name[64];
     snprintf(name, sizeof name, "mesh_%s", m->name);
@@ -410,6 +491,8 @@ void gen_write(const struct gen_mesh *m, unsigned parts, uint32_t scale)
     fprintf(f, "/* %lu vertices, %lu triangles, %lu bytes of flash. */\n#include \"meshes.h\"\n",
             (unsigned long)m->n_verts, (unsigned long)m->n_tris, (unsigned long)bytes);
     write_arrays(f, m, parts);
+    if (n_clusters)
+        write_clusters(f, m);
     fprintf(f, "\nconst struct zs_mesh %s = {\n    .pos = pos,\n    .tri = tri,\n", name);
     if (parts & GEN_NORMAL)
         fputs("    .normal = normal,\n", f);
@@ -425,6 +508,9 @@ void gen_write(const struct gen_mesh *m, unsigned parts, uint32_t scale)
         fputs("    .face_raw = face_raw,\n", f);
     fprintf(f, "    .n_verts = %lu,\n    .n_tris = %lu,\n    .scale = %luu,\n",
             (unsigned long)m->n_verts, (unsigned long)m->n_tris, (unsigned long)scale);
+    if (n_clusters)
+        fprintf(f, "    .cluster = cluster,\n    .n_clusters = %lu,\n    .cluster_kernel = &zs_cluster_kernel,\n",
+                (unsigned long)n_clusters);
     fprintf(f, "    .center = { %lld, %lld, %lld },\n    .radius = %llu,\n};\n",
             (long long)center[0], (long long)center[1], (long long)center[2],
             (unsigned long long)radius);
