@@ -221,7 +221,10 @@ static uint32_t bytes_by_hand(const struct zs_config *c)
                           c->width * rows * 2u, strips * 2u, c->max_tris * 12u, c->max_verts * 12u,
                           c->max_verts * 2u, (uint32_t)c->max_verts * c->attrs * 2u };
     uint32_t sum = (c->max_verts * 2u + 3u) / 4u * 4u; /* vert_map, the ninth */
-    sum += ((c->width + 31u) / 32u * 2u + 3u) / 4u * 4u; /* bounds of tiles, the tenth */
+    uint32_t cells = 0, w = (c->width + 31u) / 32u, h = strips; /* bounds of tiles, the tenth: three levels */
+    for (int k = 0; k < 3; k++, w = (w + 1u) / 2u, h = (h + 1u) / 2u)
+        cells += w * h;
+    sum += (cells * 2u + 3u) / 4u * 4u;
     sum += rows * 4u; /* columns drawn, the eleventh */
     for (int k = 0; k < 8; k++)
         sum += (pools[k] + 3u) / 4u * 4u;
@@ -254,7 +257,7 @@ static int arena_case(uint64_t seed)
                   { r.color[1], strip },
                   { r.depth, strip },
                   { r.drawn, 4u * rows },
-                  { r.bound, 2u * ((c.width + 31u) / 32u) },
+                  { r.bound, ZS_BOUND_BYTES(c.width, c.height, rows) },
                   { r.bin, 2u * r.n_strips },
                   { r.tri, 12u * c.max_tris },
                   { r.vert, 12u * c.max_verts },

@@ -352,8 +352,6 @@ ZS_ALWAYS_INLINE enum fate box_fate(struct zs_renderer *r, const struct zs_verte
         return FATE_OFFSCREEN;
     if ((x0 >= x1 || y0 >= y1) && !(r->config.skip_off & ZS_SKIP_EMPTY))
         return FATE_EMPTY;
-    if (x1 - x0 >= 2 << ZS_TILE_LOG2)
-        r->large = !(r->config.skip_off & ZS_SKIP_HIDDEN);
     return FATE_DRAWN;
 }
 
@@ -505,6 +503,7 @@ static ZS_RARE enum fate polygon_bin(struct zs_renderer *r, const struct polygon
             continue;
         }
         all = FATE_DRAWN;
+        zs_hidden_cover(r, v[0], v[1], v[2]);
         const uint32_t strip = strip_in_band(r, &box);
         if (strip != ZS_NIL)
             polygon_push(r, p, &box, paint, strip);
@@ -652,7 +651,10 @@ static ZS_NOINLINE enum fate look(struct zs_renderer *r, uint32_t t, struct plac
         slot[0] = slot[2];
         slot[2] = first;
     }
-    return faces_away(turns, r->xform.instance->material->cull) ? FATE_FACING : FATE_OPEN;
+    if (faces_away(turns, r->xform.instance->material->cull))
+        return FATE_FACING;
+    zs_hidden_cover(r, a, b, c);
+    return FATE_OPEN;
 }
 
 /* Bin a triangle, unless it lies outside the frame or the band. Return FATE_OPEN: the pool of triangles is full. */
@@ -719,10 +721,12 @@ static ZS_NOINLINE void walk_mesh(struct zs_renderer *r, uint32_t fate[FATES])
     s.away = cull == ZS_CULL_BACK ? 1 : cull == ZS_CULL_FRONT ? -1 : 0;
     s.fate = fate;
     s.pool = &r->vert[r->direct ? r->vert_base : 0u];
+    /* Up to 128 px of a triangle pass the sieve and are not asked what they hide (look()): in a small frame that is large */
+    const int ask = r->config.width <= 160u && mesh->n_tris <= BATCH;
     for (uint32_t t = r->clusters.from; t < r->clusters.end; t += BATCH) {
         const uint32_t n = zs_minu32(r->clusters.end - t, BATCH);
         s.tri = mesh->tri + t;
-        batch_bin(r, &s, t, r->direct ? sieve(&s, n) : sieve_none(&s, n), fate);
+        batch_bin(r, &s, t, r->direct && !ask ? sieve(&s, n) : sieve_none(&s, n), fate);
     }
 }
 
@@ -739,6 +743,10 @@ static ZS_RARE ZS_NOINLINE int instance_open(struct zs_renderer *r, uint32_t num
         return 0;
     if (zs_cull_walk(&b, r, number) && !(r->config.skip_off & ZS_SKIP_FRUSTUM))
         return 0;
+    if (r->large && !(r->config.skip_off & ZS_SKIP_BEHIND) && !r->scene->instance[number].state && zs_hidden_sphere(r, &b)) {
+        r->stats.instances_hidden += r->counting;
+        return 0;
+    }
     if (cluster && !cluster->rows(r, &b, number))
         return 0;
     if (!zs_xform_instance(r, number, &b))

@@ -67,7 +67,7 @@ static ZS_RARE void split(struct zs_renderer *r, uint8_t *at)
     r->color[1] = c->buffers == 2 ? take(&at, color) : r->color[0];
     r->depth = take(&at, ZS_DEPTH_BYTES(c->width, c->strip_h));
     r->drawn = take(&at, ZS_DRAWN_BYTES(c->strip_h));
-    r->bound = take(&at, ZS_BOUND_BYTES(c->width));
+    r->bound = take(&at, ZS_BOUND_BYTES(c->width, c->height, c->strip_h));
     r->bin = take(&at, ZS_BIN_BYTES(c->height, c->strip_h));
     r->tri = take(&at, ZS_TRI_BYTES(c->max_tris));
     r->vert = take(&at, c->max_verts * 12u);
@@ -228,7 +228,7 @@ int zs_frame_strip(struct zs_renderer *r, struct zs_strip *out)
     const struct zs_track_kernel *track = r->track;
     const int draw = !track || track->due(r);
     if (draw) {
-        zs_raster_begin(r);
+        zs_fresh_begin(r);
         if (r->strip >= r->band_end)
             zs_bin_walk(r);
         zs_raster_strip(r);

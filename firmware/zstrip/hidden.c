@@ -1,56 +1,328 @@
-/* What large triangles hide in a strip, known before anything is drawn.
+/* What large triangles hide, known before anything is drawn.
  *
- * The strip is cut into tiles of 2^ZS_TILE_LOG2 columns, as high as it is. A triangle that covers all of a tile, or two
+ * The frame is cut into tiles of 2^ZS_TILE_LOG2 columns, as high as a strip. A triangle that covers all of a tile, or two
  * that share an edge and cover it together, leave no key there beyond their farthest: the tile's bound. A triangle whose
  * nearest key lies beyond the bounds of all tiles that it touches wins no pixel, in whatever order the two are drawn,
- * because a pixel keeps the least key; equal keys prove nothing. So the frame is the same with and without.
+ * because a pixel keeps the least key; equal keys prove nothing. So the frame is the same with and without. Nor is an
+ * instance seen whose box lies beyond the bounds of all its tiles. What a tile's bound comes from is never among those: its
+ * own nearest key is not beyond it.
  *
- * Bounds come from the triangles of one set (a pool's filling) and stay for the sets after it in the same strip. Only
- * triangles of LARGE columns are looked at for bounds, and nothing is done in frames that have none.
+ * Bounds are found where a frame's first walk meets a triangle of LARGE columns, for all strips at once, and hold for all
+ * sets and later walks of the frame. Nothing is done in frames that have none.
  *
  * Columns: the left side of a triangle is a convex function of the row and the right side a concave one, so that both are
- * farthest inwards in the strip's first or last row. Keys: a plane's are within 0.13 bucket of its vertices' (NUMERICS.md:
- * 0.005 up to 640 pixels of width and height, (W + H + 1) / 2^17 beyond), which MARGIN covers.
+ * farthest inwards in the strip's first or last row. They are taken inwards by the error of the slope (side()).
+ *
+ * Keys: on the screen, keys of all mappings are a convex function: linear, or linear in pieces with 1/z, ever flatter with it,
+ * or as 1 / w. So they are at most the plane through the vertices' keys, which is farthest in a tile at one of its four
+ * corners; and at most the farthest vertex's key. What is drawn is within 0.13 bucket of the exact (NUMERICS.md: 0.005 up to
+ * 640 pixels of width and height, (W + H + 1) / 2^17 beyond), which MARGIN covers.
  *
  * SPDX-License-Identifier: MIT
  */
-#include "cold.h"
 #include "pipeline.h"
 
-#define LARGE (2 << ZS_TILE_LOG2) /* columns: covers a tile wherever it lies */
+#define TILE (1 << ZS_TILE_LOG2)
+#define LARGE (2 * TILE) /* columns: covers a tile wherever it lies */
 #define MARGIN 0x2200 /* of a bucket, in 2^-16: 0.13 */
 _Static_assert(2 * ZS_SIZE_MAX + 1 <= MARGIN, "the error of a plane's keys, (W + H + 1) / 2^17 bucket");
 
-static uint32_t key_of(const struct zs_renderer *r, uint32_t d, int32_t add)
+/* A vertex's key, uq16_16, at most key_top. */
+static uint32_t exact_key(const struct zs_renderer *r, uint32_t d)
 {
     const struct zs_depth *depth = r->config.depth;
-    const uint32_t key = depth->key ? depth->key(&r->view, d) : d, top = r->view.key_top; /* key <= top */
-    const uint32_t most = top - 0x10000u; /* keys saturate here */
-    const int64_t sum = (int64_t)key + 0x8000 + add;
-    return (sum < 0 ? 0u : sum > most ? most : (uint32_t)sum) >> 16;
+    return depth->key ? depth->key(&r->view, d) : d;
 }
 
-/* The corners of a triangle and the columns of its box that are in the frame. Return how many those are. */
-static int32_t box(const struct zs_job *job, const struct zs_vertex *v[3], int32_t *x0, int32_t *x1)
+static uint32_t key_of(const struct zs_renderer *r, uint32_t d, int32_t add)
 {
+    const uint32_t key = exact_key(r, d);
+    const uint32_t most = r->view.key_top - 0x10000u; /* keys saturate here */
+    if (add < 0)
+        return (key < 0x8000u - (uint32_t)add ? 0u : zs_minu32(key + 0x8000u + (uint32_t)add, most)) >> 16;
+    return (key >= most ? most : zs_minu32(key + 0x8000u + (uint32_t)add, most)) >> 16; /* no carry: key < 2^32 - 2^17 */
+}
+
+/* ---- Levels -------------------------------------------------------------------------------------------- */
+
+void zs_hidden_up(const uint16_t *in, uint32_t w, uint32_t h, uint16_t *out)
+{
+    for (uint32_t y = 0; y < h; y += 2u) {
+        const uint16_t *a = in + y * w, *const b = y + 1u < h ? a + w : a, *const end = a + w;
+        for (uint32_t k = 0; a + k < end; k += 2u) {
+            const uint32_t right = a + k + 1u < end ? k + 1u : k;
+            *out++ = (uint16_t)zs_maxu32(zs_maxu32(a[k], a[right]), zs_maxu32(b[k], b[right]));
+        }
+    }
+}
+
+static void levels(struct zs_renderer *r)
+{
+    uint32_t w = ZS_TILES(r->config.width), h = r->n_strips;
+    uint16_t *at = r->bound;
+    for (int level = 1; level < ZS_BOUND_LEVELS; level++) {
+        uint16_t *const up = at + w * h;
+        zs_hidden_up(at, w, h, up);
+        at = up;
+        w = (w + 1u) / 2u;
+        h = (h + 1u) / 2u;
+    }
+    r->bound_most = 0;
+    for (uint32_t k = 0; k < w * h; k++)
+        r->bound_most = (uint16_t)zs_maxu32(r->bound_most, at[k]);
+    r->bound_new = 0;
+}
+
+/* ---- Bounds ------------------------------------------------------------------------------------------ */
+
+enum { LONG, UPPER, LOWER }; /* edges from the top to the bottom vertex, to the middle one, from there */
+
+/* Where an edge passes a row's samples, no more than two sub-pixels beyond it, inwards or outwards: the slope is wrong by
+ * less than 2^-shift, and so is its product, floored, by a sub-pixel more. */
+static int32_t side(const struct zs_cover *c, int edge, int32_t row, int right)
+{
+    const struct zs_vertex *a = &c->v[edge == LOWER];
+    const int32_t off = row * ZS_SUBPX_ONE + ZS_SUBPX_HALF - a->y; /* 0 .. dy */
+    const int32_t x = a->x + (c->slope[edge] * off >> c->shift[edge]), error = (off >> c->shift[edge]) + 2;
+    return zs_first_sample(right ? x - error : x + error);
+}
+
+/* The first column, or one beyond the last, of a row. */
+static int32_t column(const struct zs_cover *c, int32_t row, int right)
+{
+    const int edge = c->mid_right != right ? LONG : row < c->row_mid ? UPPER : LOWER;
+    return side(c, edge, row, right);
+}
+
+/* dx / dy in 2^-shift, towards 0: |slope * dy| <= 2^30. */
+static void slope(struct zs_cover *c, int edge, const struct zs_vertex *a, const struct zs_vertex *b)
+{
+    const int32_t dx = b->x - a->x, dy = b->y - a->y;
+    int32_t shift = zs_clz32((uint32_t)(zs_abs32(dx) | 1)) - 2; /* |dx| < 2^22: 8 or more */
+    shift = zs_min32(shift, 12);
+    c->shift[edge] = (uint8_t)shift;
+    c->slope[edge] = dy ? dx * (1 << shift) / dy : 0;
+}
+
+/* n / area in 2^-18 n's units; *steep where it is 2^29 or more. Wrong by less than 1 and 2^-28 of it. area > 0 */
+static int32_t quotient(int64_t n, int64_t area, int *steep)
+{
+    const uint64_t mag = n < 0 ? 0u - (uint64_t)n : (uint64_t)n;
+    if (mag == 0)
+        return 0;
+    const int ln = zs_clz64(mag), la = zs_clz64((uint64_t)area);
+    const uint32_t p = zs_umulh((uint32_t)(mag << ln >> 32), zs_recip((uint32_t)((uint64_t)area << la >> 32)));
+    const int shift = 28 - la + ln; /* n / area = p 2^(la - ln - 31); per pixel and in 2^-10 of 2^-15: 2^3 */
+    *steep |= shift < 2;
+    const int32_t q = shift < 2 || shift > 31 ? 0 : (int32_t)(p >> shift);
+    return n < 0 ? -q : q;
+}
+
+/* The plane through the vertices' keys, in 2^-10 bucket; where it is too steep for 32 bits, and where it hardly differs from
+ * the farthest vertex's key, that. Room for all errors is added, and half a bucket. */
+static void plane(const struct zs_renderer *r, struct zs_cover *c, uint32_t nearest, uint32_t farthest)
+{
+    const int32_t w = r->config.width, h = r->config.height;
+    c->gx = c->gy = 0;
+    c->base = (int32_t)(farthest >> 6) + 1024;
+    if (farthest - nearest < 0x20000u)
+        return;
+    const struct zs_vertex *v = c->v;
+    int32_t key[3];
     for (int k = 0; k < 3; k++)
-        v[k] = &job->r->vert[job->tri->v[k]];
-    *x0 = zs_max32(zs_first_sample(zs_min32(zs_min32(v[0]->x, v[1]->x), v[2]->x)), 0);
-    *x1 = zs_min32(zs_first_sample(zs_max32(zs_max32(v[0]->x, v[1]->x), v[2]->x)), job->width);
-    return *x1 - *x0;
+        key[k] = (int32_t)(exact_key(r, v[k].d) >> 1); /* 2^-15 bucket */
+    const int32_t dx1 = v[1].x - v[0].x, dy1 = v[1].y - v[0].y, dx2 = v[2].x - v[0].x, dy2 = v[2].y - v[0].y;
+    const int32_t d1 = key[1] - key[0], d2 = key[2] - key[0];
+    int64_t area = zs_mul_ss(dx1, dy2) - zs_mul_ss(dx2, dy1);
+    int64_t nx = zs_mul_ss(d1, dy2) - zs_mul_ss(d2, dy1), ny = zs_mul_ss(d2, dx1) - zs_mul_ss(d1, dx2);
+    if (area < 0) {
+        area = -area;
+        nx = -nx;
+        ny = -ny;
+    }
+    int steep = 0;
+    const int32_t gx = quotient(nx, area, &steep), gy = quotient(ny, area, &steep);
+    if (steep)
+        return;
+    /* gradients are wrong by less than 3: 2^29 2^-28 and 1. Times the pixels to the vertex */
+    const int32_t far_x = zs_max32(zs_abs32(v[0].x), zs_abs32(v[0].x - w * ZS_SUBPX_ONE));
+    const int32_t far_y = zs_max32(zs_abs32(v[0].y), zs_abs32(v[0].y - h * ZS_SUBPX_ONE));
+    const int32_t error = 3 * ((far_x + far_y) / ZS_SUBPX_ONE + 2) + 512 + (MARGIN >> 6) + 4; /* half a bucket too */
+    const int64_t base = (key[0] >> 5) + error + (zs_mul_ss(gx, ZS_SUBPX_HALF - v[0].x) >> ZS_SUBPX_BITS) +
+                         (zs_mul_ss(gy, ZS_SUBPX_HALF - v[0].y) >> ZS_SUBPX_BITS);
+    const int32_t most = 1 << 28;
+    if (base > most || base < -most || zs_abs32(gx) > most / (w + TILE) || zs_abs32(gy) > most / h)
+        return; /* |sums| < 3 * 2^28 */
+    c->gx = gx;
+    c->gy = gy;
+    c->base = (int32_t)base;
+}
+
+/* Bounds of strip s from a triangle, or from one to the left and one to the right of an edge that passes all its rows. */
+static void bound_strip(struct zs_renderer *r, const struct zs_cover *left, const struct zs_cover *right, int32_t s,
+                        int32_t y0, int32_t y1)
+{
+    const int32_t x0 = zs_max32(column(left, y0, 0), column(left, y1, 0));
+    const int32_t x1 = zs_min32(column(right, y0, 1), column(right, y1, 1));
+    const int32_t tiles = (int32_t)ZS_TILES(r->config.width), h = y1 - y0;
+    const int32_t end = x1 >= r->config.width ? tiles : x1 >> ZS_TILE_LOG2;
+    int32_t t = (zs_max32(x0, 0) + TILE - 1) >> ZS_TILE_LOG2;
+    uint16_t *bound = r->bound + s * tiles;
+    int32_t key[2], step[2];
+    const struct zs_cover *c = left;
+    for (int k = 0; k < 2; k++, c = right) {
+        step[k] = c->gx * TILE;
+        key[k] = c->base + step[k] * t + c->gy * y0 + zs_max32(c->gx, 0) * (TILE - 1) + zs_max32(c->gy, 0) * h;
+    }
+    const uint32_t farthest = zs_maxu32(left->farthest, right->farthest);
+    for (; t < end; t++) {
+        const int32_t far = zs_max32(key[0], key[1]);
+        const uint32_t least = zs_minu32(far < 0 ? 0u : (uint32_t)far >> 10, farthest);
+        if (least < bound[t]) {
+            bound[t] = (uint16_t)least;
+            r->bound_new = 1;
+        }
+        key[0] += step[0];
+        key[1] += step[1];
+    }
+}
+
+/* Strips all of whose rows lie in [row, row_end) and not all in [done, done_end). */
+static void bound_rows(struct zs_renderer *r, const struct zs_cover *left, const struct zs_cover *right, int32_t row,
+                       int32_t row_end, int32_t done, int32_t done_end)
+{
+    const int32_t h = r->config.strip_h, height = r->config.height;
+    row_end = zs_min32(row_end, height);
+    for (int32_t s = r->strip, y0 = s * h; s < r->draw_end && y0 < row_end; s++, y0 += h) {
+        const int32_t y1 = zs_min32(y0 + h, height);
+        if (y0 >= row && y1 <= row_end && (y0 < done || y1 > done_end))
+            bound_strip(r, left, right, s, y0, y1 - 1);
+    }
+}
+
+/* What a triangle covers by itself, but for what is known to be covered with others. */
+static void bound_one(struct zs_renderer *r, const struct zs_cover *c)
+{
+    bound_rows(r, c, c, zs_first_sample(c->v[0].y), zs_first_sample(c->v[2].y), c->done[0], c->done[1]);
+}
+
+/* Two triangles with an edge in common, each on its own side of it: what they cover together. */
+static void bound_both(struct zs_renderer *r, struct zs_cover *a, struct zs_cover *b)
+{
+    int in_a = 0, in_b = 0; /* numbers of the vertices that are of both, or-ed as bits */
+    for (int k = 0; k < 9; k++)
+        if (a->v[k / 3].x == b->v[k % 3].x && a->v[k / 3].y == b->v[k % 3].y) {
+            in_a |= 1 << k / 3;
+            in_b |= 1 << k % 3;
+        }
+    if ((in_a != 3 && in_a != 5 && in_a != 6) || (in_b != 3 && in_b != 5 && in_b != 6))
+        return;
+    const int right_a = (in_a == 5) != a->mid_right, right_b = (in_b == 5) != b->mid_right; /* the edge is its right side */
+    if (right_a == right_b)
+        return;
+    a->done[0] = b->done[0] = zs_max32(zs_first_sample(a->v[in_a == 6].y), 0);
+    a->done[1] = b->done[1] = zs_min32(zs_first_sample(a->v[in_a == 3 ? 1 : 2].y), r->config.height);
+    bound_rows(r, right_a ? a : b, right_a ? b : a, a->done[0], a->done[1], 0, 0);
+}
+
+/* The last triangle waits for one that it covers tiles with. */
+static void bound_last(struct zs_renderer *r)
+{
+    if (r->cover_waits)
+        bound_one(r, &r->cover[!r->cover_next]);
+    r->cover_waits = 0;
+}
+
+static inline int above(const struct zs_vertex *a, const struct zs_vertex *b)
+{
+    return a->y < b->y || (a->y == b->y && a->x < b->x);
+}
+
+ZS_NOINLINE void zs_hidden_cover(struct zs_renderer *r, const struct zs_vertex *a, const struct zs_vertex *b,
+                                 const struct zs_vertex *c)
+{
+    const struct zs_vertex *swap;
+    const int32_t left = zs_min32(zs_min32(a->x, b->x), c->x), right = zs_max32(zs_max32(a->x, b->x), c->x);
+    if (right - left < LARGE * ZS_SUBPX_ONE || right <= 0 || left >= r->config.width * ZS_SUBPX_ONE)
+        return;
+    const int32_t row = zs_max32(zs_first_sample(zs_min32(zs_min32(a->y, b->y), c->y)), r->strip * r->config.strip_h);
+    const int32_t row_end = zs_first_sample(zs_max32(zs_max32(a->y, b->y), c->y));
+    if (row_end - row < r->config.strip_h && (row_end < r->config.height || row >= row_end))
+        return; /* not all rows of a strip */
+    if (!r->counting || r->xform.instance->state || r->config.skip_off & ZS_SKIP_HIDDEN)
+        return; /* all is known by now; keys of its own */
+    if (!r->large) { /* the frame's first */
+        zs_fill16(r->bound, ZS_DEPTH_CLEAR, ZS_TILES(r->config.width) * r->n_strips);
+        r->large = 1;
+        r->bound_most = ZS_DEPTH_CLEAR;
+        r->bound_new = 1;
+        r->cover_known = r->cover_waits = r->cover_next = 0;
+    }
+    const uint32_t nearest = zs_minu32(zs_minu32(a->d, b->d), c->d), farthest = zs_maxu32(zs_maxu32(a->d, b->d), c->d);
+    if (key_of(r, nearest, 0) >= r->bound_most)
+        return;
+    struct zs_cover *now = &r->cover[r->cover_next], *const old = &r->cover[!r->cover_next];
+    if (above(b, a)) {
+        swap = a;
+        a = b;
+        b = swap;
+    }
+    if (above(c, b)) {
+        swap = b;
+        b = c;
+        c = swap;
+        if (above(b, a)) {
+            swap = a;
+            a = b;
+            b = swap;
+        }
+    }
+    now->v[0] = *a;
+    now->v[1] = *b;
+    now->v[2] = *c;
+    now->row_mid = zs_first_sample(b->y);
+    now->mid_right = zs_mul_ss(b->x - a->x, c->y - a->y) > zs_mul_ss(c->x - a->x, b->y - a->y);
+    now->farthest = key_of(r, farthest, MARGIN);
+    slope(now, LONG, a, c);
+    slope(now, UPPER, a, b);
+    slope(now, LOWER, b, c);
+    plane(r, now, exact_key(r, nearest), exact_key(r, farthest));
+    now->done[0] = now->done[1] = 0;
+    if (r->cover_known)
+        bound_both(r, now, old);
+    bound_last(r);
+    r->cover_known = r->cover_waits = 1;
+    r->cover_next = !r->cover_next;
+}
+
+/* ---- Questions --------------------------------------------------------------------------------------- */
+
+uint32_t zs_hidden_seen(struct zs_renderer *r)
+{
+    bound_last(r);
+    const uint32_t tiles = ZS_TILES(r->config.width);
+    const uint16_t *bound = r->bound + r->strip * tiles, *const end = bound + tiles;
+    uint32_t least = ZS_DEPTH_CLEAR;
+    for (; bound < end; bound++)
+        least = zs_minu32(least, *bound);
+    const struct zs_depth *depth = r->config.depth;
+    return least == ZS_DEPTH_CLEAR ? UINT32_MAX : depth->key ? 0u : least << 16; /* least <= ZS_DEPTH_CLEAR - 1 */
 }
 
 int zs_hidden(struct zs_job *job)
 {
     const struct zs_renderer *r = job->r;
     const struct zs_vertex *v[3];
-    int32_t x0, x1;
-    if (box(job, v, &x0, &x1) <= 0)
+    for (int k = 0; k < 3; k++)
+        v[k] = &r->vert[job->tri->v[k]];
+    const int32_t x0 = zs_max32(zs_first_sample(zs_min32(zs_min32(v[0]->x, v[1]->x), v[2]->x)), 0);
+    const int32_t x1 = zs_min32(zs_first_sample(zs_max32(zs_max32(v[0]->x, v[1]->x), v[2]->x)), job->width);
+    if (x1 <= x0)
         return 0;
-    const uint32_t d = v[0]->d < v[1]->d ? v[0]->d : v[1]->d;
-    const uint32_t nearest = key_of(r, d < v[2]->d ? d : v[2]->d, -MARGIN);
+    const uint32_t nearest = key_of(r, zs_minu32(zs_minu32(v[0]->d, v[1]->d), v[2]->d), -MARGIN);
+    const uint16_t *bound = r->bound + r->strip * ZS_TILES(r->config.width);
     for (int32_t t = x0 >> ZS_TILE_LOG2; t <= (x1 - 1) >> ZS_TILE_LOG2; t++)
-        if (nearest <= r->bound[t])
+        if (nearest <= bound[t])
             return 0;
     if (r->scene->instance[job->tri->instance].state)
         return 0; /* keys of its own */
@@ -58,93 +330,67 @@ int zs_hidden(struct zs_job *job)
     return 1;
 }
 
-/* ---- Bounds ------------------------------------------------------------------------------------------ */
-
-/* A triangle that has samples in every row of the strip. */
-struct cover {
-    const struct zs_vertex *v[3];
-    struct zs_cut first, last; /* its spans in the strip's first and last row */
-    uint32_t farthest;         /* key */
-};
-
-static void bound_tiles(struct zs_job *job, int32_t x0, int32_t x1, uint32_t farthest)
+int zs_hidden_box(struct zs_renderer *r, const struct zs_box *box, uint32_t nearest)
 {
-    uint16_t *bound = job->r->bound;
-    const int32_t up = (1 << ZS_TILE_LOG2) - 1;
-    const int32_t end = x1 >= job->width ? (job->width + up) >> ZS_TILE_LOG2 : x1 >> ZS_TILE_LOG2;
-    for (int32_t t = (zs_max32(x0, 0) + up) >> ZS_TILE_LOG2; t < end; t++)
-        if (farthest < bound[t])
-            bound[t] = (uint16_t)farthest;
-}
-
-/* Return 0: not a triangle for bounds. */
-static int cover_of(struct zs_job *job, struct cover *c)
-{
-    int32_t x0, x1;
-    if (box(job, c->v, &x0, &x1) < LARGE || job->r->scene->instance[job->tri->instance].state)
+    const int32_t h = r->config.strip_h;
+    int32_t x0 = zs_max32(box->x0, 0), x1 = zs_min32(box->x1, r->config.width) - 1;
+    int32_t y0 = zs_max32(box->y0, r->strip * h), y1 = zs_min32(box->y1, zs_min32(r->draw_end * h, r->config.height)) - 1;
+    if (!r->large || x0 > x1 || y0 > y1)
         return 0;
-    if (!zs_raster_sides(job) || job->row != job->y0 || job->row_end != job->y1)
-        return 0;
-    job->row_end = job->y0 + 1;
-    zs_raster_cuts(job, job->y0);
-    c->first = job->cut[0];
-    job->row_end = job->y1;
-    zs_raster_cuts(job, job->y1 - 1);
-    c->last = job->cut[0];
-    const uint32_t d = c->v[0]->d > c->v[1]->d ? c->v[0]->d : c->v[1]->d;
-    c->farthest = key_of(job->r, d > c->v[2]->d ? d : c->v[2]->d, MARGIN);
+    bound_last(r);
+    if (r->bound_new)
+        levels(r);
+    const uint32_t key = key_of(r, nearest, -MARGIN);
+    if (key > r->bound_most)
+        return 1;
+    x0 >>= ZS_TILE_LOG2;
+    x1 >>= ZS_TILE_LOG2;
+    y0 = (int32_t)((uint32_t)y0 * r->strip_mul >> r->strip_shift);
+    y1 = (int32_t)((uint32_t)y1 * r->strip_mul >> r->strip_shift);
+    const uint16_t *at = r->bound;
+    uint32_t w = ZS_TILES(r->config.width), rows = r->n_strips;
+    for (int level = 1; level < ZS_BOUND_LEVELS && (x1 - x0 > 1 || y1 - y0 > 1); level++) {
+        at += w * rows;
+        w = (w + 1u) / 2u;
+        rows = (rows + 1u) / 2u;
+        x0 >>= 1;
+        x1 >>= 1;
+        y0 >>= 1;
+        y1 >>= 1;
+    }
+    for (int32_t y = y0; y <= y1; y++)
+        for (int32_t x = x0; x <= x1; x++)
+            if (key <= at[(uint32_t)y * w + (uint32_t)x])
+                return 0;
     return 1;
 }
 
-/* Do two triangles have an edge in common that passes all rows of the strip? */
-static int share_edge(const struct zs_job *job, const struct cover *a, const struct cover *b)
+/* A length in camera units, and what it may be off by. */
+static int32_t units(const struct zs_view *view, int64_t length, int32_t off)
 {
-    int32_t y[2];
-    int n = 0;
-    for (int k = 0; k < 9 && n < 2; k++)
-        if (a->v[k / 3]->x == b->v[k % 3]->x && a->v[k / 3]->y == b->v[k % 3]->y)
-            y[n++] = a->v[k / 3]->y;
-    return n == 2 && zs_first_sample(zs_min32(y[0], y[1])) <= job->y0 &&
-           zs_first_sample(zs_max32(y[0], y[1])) >= job->y1;
+    return zs_view_length(view, length) + off;
 }
 
-static void bound_both(struct zs_job *job, const struct cover *left, const struct cover *right)
+int zs_hidden_sphere(struct zs_renderer *r, const struct zs_bounds *b)
 {
-    if (left->first.x1 == right->first.x0 && left->last.x1 == right->last.x0)
-        bound_tiles(job, zs_max32(left->first.x0, left->last.x0), zs_min32(right->first.x1, right->last.x1),
-                    left->farthest > right->farthest ? left->farthest : right->farthest);
-}
-
-/* Columns that are less than LARGE apart, most likely: a quick look. */
-static inline int narrow(const struct zs_vertex *pool, const struct zs_tri *t)
-{
-    const int32_t x = pool[t->v[0]].x + LARGE / 2 * ZS_SUBPX_ONE;
-    return ((uint32_t)(x - pool[t->v[1]].x) | (uint32_t)(x - pool[t->v[2]].x)) < LARGE * ZS_SUBPX_ONE;
-}
-
-uint32_t zs_hidden_bounds(struct zs_job *job, uint32_t list)
-{
-    const struct zs_renderer *r = job->r;
-    struct cover c[2];
-    int n = 0, old = 0; /* c[old] is the one before, if n */
-    for (; list != ZS_NIL; list = r->tri[list].next) {
-        if (narrow(r->vert, &r->tri[list]))
-            continue;
-        job->tri = &r->tri[list];
-        struct cover *now = &c[!old];
-        if (!cover_of(job, now))
-            continue;
-        bound_tiles(job, zs_max32(now->first.x0, now->last.x0), zs_min32(now->first.x1, now->last.x1), now->farthest);
-        if (n++ && share_edge(job, now, &c[old])) {
-            bound_both(job, now, &c[old]);
-            bound_both(job, &c[old], now);
+    const struct zs_view *view = &r->view;
+    const int64_t reach = b->r + b->slack;
+    const int32_t z[2] = { units(view, b->c[2] - reach, -1), zs_min32(units(view, b->c[2] + reach, 1), view->z_far) };
+    struct zs_box box = { INT32_MAX, INT32_MIN, INT32_MAX, INT32_MIN };
+    struct zs_vertex at = { 0, 0, 0 };
+    if (!r->large || z[0] < view->z_near || z[0] > z[1])
+        return 0;
+    for (int k = 3; k >= 0; k--) { /* its cube's corners; the nearest ones last */
+        struct zs_point p = { { 0, 0, z[k >> 1] } };
+        for (int i = 0; i < 2; i++) {
+            const int32_t c = units(view, b->c[i] + (k & 1 ? reach : -reach), k & 1 ? 1 : -1);
+            p.c[i] = (int32_t)(zs_mul_ss(c, view->ratio) >> 30) + (k & 1);
         }
-        old = !old;
+        (void)zs_xform_project(r, &p, &at); /* beside the guard band: still outside the frame */
+        box.x0 = zs_min32(box.x0, (at.x >> ZS_SUBPX_BITS) - 1);
+        box.x1 = zs_max32(box.x1, (at.x >> ZS_SUBPX_BITS) + 2);
+        box.y0 = zs_min32(box.y0, (at.y >> ZS_SUBPX_BITS) - 1);
+        box.y1 = zs_max32(box.y1, (at.y >> ZS_SUBPX_BITS) + 2);
     }
-    uint32_t least = ZS_DEPTH_CLEAR;
-    for (uint32_t t = 0; t < ZS_TILES(r->config.width); t++)
-        if (r->bound[t] < least)
-            least = r->bound[t];
-    const struct zs_depth *depth = r->config.depth;
-    return least == ZS_DEPTH_CLEAR ? UINT32_MAX : depth->key ? 0u : least << 16; /* least <= ZS_DEPTH_CLEAR - 1 */
+    return zs_hidden_box(r, &box, at.d);
 }

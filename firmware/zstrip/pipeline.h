@@ -228,8 +228,6 @@ void zs_bin_verts(struct zs_renderer *r, uint32_t slot, uint32_t from, uint32_t 
 
 /* ---- raster.c --------------------------------------------------------------------------------------- */
 
-/* Before anything is drawn into the next strip. */
-void zs_raster_begin(struct zs_renderer *r);
 /* Draw the strip r->strip's bin and the active list; leaves those that go on in r->active. */
 void zs_raster_strip(struct zs_renderer *r);
 /* Do not draw it, but pass its triangles on to the strip below. */
@@ -244,11 +242,22 @@ void zs_raster_keys(struct zs_job *job);
 
 /* ---- hidden.c --------------------------------------------------------------------------------------- */
 
-/* Bounds of the strip's tiles from the large triangles of a list. Return a depth up to which a vertex shows that its
- * triangle is not hidden; UINT32_MAX: there are no bounds. */
-uint32_t zs_hidden_bounds(struct zs_job *job, uint32_t list);
+/* A triangle of the current instance that faces the eye: what it hides, if it is large. */
+void zs_hidden_cover(struct zs_renderer *r, const struct zs_vertex *a, const struct zs_vertex *b, const struct zs_vertex *c);
+/* Of r->strip, where r->large: a depth up to which a vertex shows that its triangle is not hidden; UINT32_MAX: nothing is. */
+uint32_t zs_hidden_seen(struct zs_renderer *r);
 /* 1: no pixel of job->tri can win in this strip. job->row_last is set then. */
 int zs_hidden(struct zs_job *job);
+/* 1: nothing in columns [x0, x1) and rows [y0, y1) can win whose vertices' zs_vertex.d are `nearest` or more, in no strip
+ * that is still to be drawn. Without a state. */
+struct zs_box {
+    int32_t x0, x1, y0, y1; /* px */
+};
+int zs_hidden_box(struct zs_renderer *r, const struct zs_box *box, uint32_t nearest);
+/* The same of a sphere: bounds as in a walk. */
+int zs_hidden_sphere(struct zs_renderer *r, const struct zs_bounds *b);
+/* The next level of bounds: out[(h + 1) / 2][(w + 1) / 2], each the farthest of four of in[h][w], of two or one at the ends. */
+void zs_hidden_up(const uint16_t *in, uint32_t w, uint32_t h, uint16_t *out);
 
 /* The span of a row: first sample at or right of its left edge, and of its right edge. */
 struct zs_cut {

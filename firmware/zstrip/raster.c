@@ -225,7 +225,7 @@ void zs_raster_strip(struct zs_renderer *r)
     uint32_t number = ZS_NIL; /* of the instance that is known; not one's, there are at most 65535 */
     int small = 0;
     uint16_t *keep = &r->active; /* grows at its end: stays ascending */
-    uint32_t seen = r->large ? zs_hidden_bounds(&job, list) : UINT32_MAX, in_vain = 0;
+    uint32_t seen = r->large ? zs_hidden_seen(r) : UINT32_MAX, in_vain = 0;
     while (list != ZS_NIL) {
         struct zs_tri *t = &r->tri[list];
         job.tri = t;
@@ -260,8 +260,3 @@ void zs_raster_strip(struct zs_renderer *r)
     *keep = ZS_NIL;
 }
 
-void zs_raster_begin(struct zs_renderer *r)
-{
-    zs_fresh_begin(r);
-    zs_fill16(r->bound, ZS_DEPTH_CLEAR, ZS_TILES(r->config.width));
-}

@@ -100,6 +100,18 @@ struct zs_lit {
     uint16_t color[ZS_LIT_COLORS];
 };
 
+/* A large triangle, as its bounds need it (hidden.c). */
+struct zs_cover {
+    struct zs_vertex v[3];  /* from the top */
+    int32_t slope[3];       /* of its edges, 2^-shift ... */
+    uint8_t shift[3];
+    uint8_t mid_right;      /* the middle vertex is to the right of the long edge */
+    int32_t row_mid;        /* first row below the middle vertex */
+    int32_t base, gx, gy;   /* at least its keys: base + gx * column + gy * row, 2^-10 bucket */
+    int32_t done[2];        /* rows [0] .. [1] - 1: bounds are known there, from it and another */
+    uint32_t farthest;      /* at least the farthest vertex's key */
+};
+
 struct zs_renderer { /* what is used most comes first: a Cortex-M0 reaches 31 bytes, 31 half-words, 31 words at once */
     struct zs_config config; /* strip_h <= height */
     uint8_t strip_shift;        /* row / strip_h = row * strip_mul >> strip_shift */
@@ -117,7 +129,7 @@ struct zs_renderer { /* what is used most comes first: a Cortex-M0 reaches 31 by
     uint32_t strip_mul;
     uint16_t *color[2];      /* [strip_h][width], wire order; [1] is [0] with one buffer */
     uint16_t *depth;         /* [strip_h][width] */
-    uint16_t *bound;         /* [ZS_TILES(width)]: no key of the strip's tile stays farther (hidden.c) */
+    uint16_t *bound;         /* levels from [n_strips][ZS_TILES(width)]: no key of a strip's tile stays farther (hidden.c) */
     uint16_t *bin;           /* [n_strips]: newest triangle that begins in the strip, or ZS_NIL */
     struct zs_tri *tri;      /* [max_tris] */
     struct zs_vertex *vert;  /* [max_verts] */
@@ -147,6 +159,10 @@ struct zs_renderer { /* what is used most comes first: a Cortex-M0 reaches 31 by
     struct zs_edge edge[2];
     const struct zs_cluster_kernel *cluster_kernel; /* of the current instance; NULL: all of it is drawn */
     struct zs_clusters clusters;
+    struct zs_cover cover[2];     /* the last two large triangles: cover[!cover_next] is known if cover_known */
+    uint16_t bound_most;          /* no bound is farther */
+    uint8_t cover_next, cover_known, cover_waits; /* its own bounds are still to be found */
+    uint8_t bound_new;            /* upper levels and bound_most are older than the lowest */
     struct zs_lit lit;
 };
 

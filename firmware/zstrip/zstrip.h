@@ -307,6 +307,7 @@ enum zs_skip {
     ZS_SKIP_HIDDEN = 32,  /* triangles behind large ones that cover their part of a strip */
     ZS_SKIP_CLEAR = 64,   /* clearing pixels that wide triangles are drawn on first */
     ZS_SKIP_TEST = 128,   /* comparing keys where nothing was drawn before */
+    ZS_SKIP_BEHIND = 256, /* instances whose box lies behind large triangles that come before them in the scene */
     ZS_SKIP_CLUSTER = 512, /* clusters whose sphere is outside the view, or the strips that are to be drawn */
     ZS_SKIP_CONE = 1024,  /* clusters that turn their backs */
     ZS_SKIP_GROUP = 2048, /* groups of instances outside the view */
@@ -334,10 +335,16 @@ struct zs_config {
 #define ZS_COLOR_BYTES(width, strip_h, buffers) \
     ((uint32_t)(buffers) * ZS_ROUND4((uint32_t)(width) * (uint32_t)(strip_h) * 2u))
 #define ZS_DEPTH_BYTES(width, strip_h) ZS_ROUND4((uint32_t)(width) * (uint32_t)(strip_h) * 2u)
+#define ZS_STRIPS(height, strip_h) (((uint32_t)(height) + (uint32_t)(strip_h) - 1u) / (uint32_t)(strip_h))
 #define ZS_DRAWN_BYTES(strip_h) ((uint32_t)(strip_h) * 4u)
 #define ZS_TILE_LOG2 5
 #define ZS_TILES(width) (((uint32_t)(width) + 31u) >> ZS_TILE_LOG2)
-#define ZS_BOUND_BYTES(width) ZS_ROUND4(ZS_TILES(width) * 2u)
+#define ZS_BOUND_LEVELS 3
+#define ZS_BOUND_CELLS(width, strips, n) (((ZS_TILES(width) + (n) - 1u) / (n)) * (((strips) + (n) - 1u) / (n)))
+#define ZS_BOUND_BYTES(width, height, strip_h) \
+    ZS_ROUND4(2u * (ZS_BOUND_CELLS(width, ZS_STRIPS(height, strip_h), 1u) + \
+                    ZS_BOUND_CELLS(width, ZS_STRIPS(height, strip_h), 2u) + \
+                    ZS_BOUND_CELLS(width, ZS_STRIPS(height, strip_h), 4u)))
 #define ZS_BIN_BYTES(height, strip_h) \
     ZS_ROUND4((((uint32_t)(height) + (uint32_t)(strip_h) - 1u) / (uint32_t)(strip_h)) * 2u)
 #define ZS_TRI_BYTES(max_tris) ((uint32_t)(max_tris) * 12u)
@@ -346,7 +353,7 @@ struct zs_config {
      ZS_ROUND4((uint32_t)(max_verts) * (uint32_t)(attrs) * 2u))
 #define ZS_ARENA_BYTES(width, height, strip_h, max_tris, max_verts, attrs, buffers) \
     (ZS_COLOR_BYTES(width, strip_h, buffers) + ZS_DEPTH_BYTES(width, strip_h) + \
-     ZS_DRAWN_BYTES(strip_h) + ZS_BOUND_BYTES(width) + ZS_BIN_BYTES(height, strip_h) + ZS_TRI_BYTES(max_tris) + ZS_VERT_BYTES(max_verts, attrs))
+     ZS_DRAWN_BYTES(strip_h) + ZS_BOUND_BYTES(width, height, strip_h) + ZS_BIN_BYTES(height, strip_h) + ZS_TRI_BYTES(max_tris) + ZS_VERT_BYTES(max_verts, attrs))
 
 /* An arena as a static array, aligned for DMA and caches. */
 #define ZS_ARENA(name, bytes) static uint32_t name[((bytes) + 3u) / 4u] ZS_ALIGNED
@@ -355,8 +362,9 @@ struct zs_config {
  * zs_frame_end. Triangles are counted once, vertices and pixels as often as they are worked on.
  * tris_in = tris_drawn + all tris_* below it but tris_clipped. */
 struct zs_stats {
-    uint32_t instances_in, instances_culled; /* culled: the sphere is outside the view. Those of a culled group, and their
-                                 triangles, are not counted */
+    uint32_t instances_in, instances_culled; /* culled: the sphere is outside the view, or ... Those of a culled group, and
+                                 their triangles, are not counted */
+    uint32_t instances_hidden; /* ... these of them: behind large triangles of instances before them */
     uint32_t clusters_in, clusters_culled; /* of the instances that were not culled; culled: outside or turned away */
     uint32_t tris_in;         /* in all instances */
     uint32_t tris_drawn;      /* binned, whole or in clipped pieces */
@@ -473,7 +481,6 @@ const struct zs_stats *zs_frame_stats(const struct zs_renderer *r);
  * Cost     about ten instructions for two pixels.
  * Return   ZS_OK; ZS_ERR_NULL; ZS_ERR_STATE (r is not set up, or a frame is open); ZS_ERR_SIZE: as before.
  *          zs_init ends it. */
-#define ZS_STRIPS(height, strip_h) (((uint32_t)(height) + (uint32_t)(strip_h) - 1u) / (uint32_t)(strip_h))
 int zs_watch(struct zs_renderer *r, uint64_t *sum, uint32_t columns);
 
 /* Draw only what may have changed: from now on zs_frame_begin compares what every instance is drawn from (pose; fields of mesh,
