@@ -21,7 +21,7 @@ void budget_ram(struct budget_ram *ram, const struct budget_request *rq, const s
     memset(ram, 0, sizeof *ram);
     ram->color = ZS_COLOR_BYTES(c->width, rows, c->buffers);
     ram->depth = ZS_DEPTH_BYTES(c->width, rows);
-    ram->tiles = ZS_BOUND_BYTES(c->width);
+    ram->tiles = ZS_DRAWN_BYTES(rows) + ZS_BOUND_BYTES(c->width, c->height, rows);
     ram->bins = ZS_BIN_BYTES(c->height, rows);
     ram->tris = ZS_TRI_BYTES(c->max_tris);
     ram->verts = (uint32_t)sizeof(struct zs_vertex) * c->max_verts;
