@@ -25,6 +25,21 @@ static void must(int ok, const char *what)
     }
 }
 
+/* A triangle's corners as bins have them: the top one first, of two the left one, then clockwise. Return 0: it has no area. */
+static int order_corners(const struct easel_tri *t, uint32_t order[3])
+{
+    const int64_t area = ((int64_t)t->x[1] - t->x[0]) * ((int64_t)t->y[2] - t->y[0]) -
+                         ((int64_t)t->x[2] - t->x[0]) * ((int64_t)t->y[1] - t->y[0]);
+    uint32_t top = 0;
+    for (uint32_t v = 1; v < 3; v++)
+        if (t->y[v] < t->y[top] || (t->y[v] == t->y[top] && t->x[v] < t->x[top]))
+            top = v;
+    order[0] = top;
+    order[1] = (top + (area > 0 ? 1 : 2)) % 3;
+    order[2] = (top + (area > 0 ? 2 : 1)) % 3;
+    return area != 0;
+}
+
 static void fill_pools(struct zs_renderer *r, const struct easel_tri *t, uint32_t n,
                        uint32_t n_states)
 {
@@ -38,10 +53,14 @@ static void fill_pools(struct zs_renderer *r, const struct easel_tri *t, uint32_
             out->y = t[k].y[v];
             out->d = t[k].d[v];
             top = out->y < top ? out->y : top;
-            r->tri[k].v[v] = (uint16_t)(3 * k + v);
             for (uint32_t c = 0; c < r->config.attrs; c++)
                 r->attr[(3 * k + v) * r->config.attrs + c] = t[k].rgb[v][c];
         }
+        uint32_t order[3];
+        if (!order_corners(&t[k], order))
+            continue;
+        for (uint32_t v = 0; v < 3; v++)
+            r->tri[k].v[v] = (uint16_t)(3 * k + order[v]);
         int32_t row = (top + 127) >> 8; /* first row whose sample is not above the top */
         row = row < 0 ? 0 : row;
         if (row >= r->config.height)

@@ -29,6 +29,20 @@ static ZS_NOINLINE int32_t edge_below(int32_t fraction, int32_t dy, int32_t off,
     return (int32_t)((zs_mul_ss(fraction, dy) + zs_mul_ss(off, part)) / (dy * ZS_SUBPX_ONE)); /* < 2^44.1 */
 }
 
+/* edge_columns of an edge of up to 64 px each way, on cores that divide: from one column left of it, so that what is divided
+ * is positive; a product is below 2^29.1. */
+static inline void tiny_columns(int16_t *out, int32_t n, const struct zs_vertex *a, int32_t dx, int32_t dy, int32_t row)
+{
+    const int32_t side = ZS_TINY / ZS_SUBPX_ONE + 1, from = (a->x >> ZS_SUBPX_BITS) - side;
+    const int32_t x = a->x - ZS_SUBPX_HALF - from * ZS_SUBPX_ONE, off = row * ZS_SUBPX_ONE + ZS_SUBPX_HALF - a->y;
+    const uint32_t span = (uint32_t)dy * ZS_SUBPX_ONE;
+    uint32_t sum = (uint32_t)(x * dy + off * dx) + span - 1u;
+    for (int16_t *const end = out + 2 * n; out != end; out += 2) {
+        *out = (int16_t)(from + (int32_t)(sum / span));
+        sum += (uint32_t)dx * ZS_SUBPX_ONE;
+    }
+}
+
 /* Columns of the edge that runs down from a to b, in n > 0 rows from `row` on, all of them between the two.
  * out[0], out[2], ...
  *
@@ -38,6 +52,10 @@ static ZS_NOINLINE void edge_columns(int16_t *out, int32_t n, const struct zs_ve
                          int32_t row)
 {
     const int32_t dx = b->x - a->x, dy = b->y - a->y;                 /* |dx|, dy < 2^22 */
+    if (ZS_DIVIDES && ((uint32_t)(dx + ZS_TINY) | (uint32_t)dy * 2u) < 2u * ZS_TINY) {
+        tiny_columns(out, n, a, dx, dy, row);
+        return;
+    }
     int32_t q = dx < 0 ? -1 : 0;
     if ((uint32_t)(dx + dy) > (uint32_t)dy * 2u) { /* not steep: |dx| > dy */
         q = dx / dy;

@@ -131,7 +131,7 @@ ZS_IN_ORDER int zs_small_draw(struct zs_job *job)
     w.gx = (uint32_t)gx;
     w.gy = 0u - (uint32_t)up;
     w.pitch = (uint32_t)job->width * 2u;
-    w.depth = (uintptr_t)job->depth + (uint32_t)(row - job->y0) * w.pitch + (uint32_t)(column - SIDE - 1) * 2u;
+    w.depth = (uintptr_t)job->depth + (uint32_t)(row - job->y0) * w.pitch + (uintptr_t)(intptr_t)((column - SIDE - 1) * 2);
     w.end = w.depth + (uint32_t)n * w.pitch;
     w.beside = zs_solid_beside(job);
     w.paint = job->tri->paint;
