@@ -608,10 +608,7 @@ static ZS_NOINLINE enum fate look(struct zs_renderer *r, uint32_t t, uint32_t sl
     const int32_t turn = sense(a, b, c);
     if (turn == 0)
         return FATE_ZERO;
-    if (faces_away(turn, r->xform.instance->material->cull))
-        return FATE_FACING;
-    zs_hidden_cover(r, a, b, c);
-    return FATE_OPEN;
+    return faces_away(turn, r->xform.instance->material->cull) ? FATE_FACING : FATE_OPEN;
 }
 
 /* Bin a triangle, unless it lies outside the frame or the band. Return FATE_OPEN: the pool of triangles is full. */
@@ -649,12 +646,20 @@ static void batch_bin(struct zs_renderer *r, const struct batch *s, uint32_t fro
                 f = FATE_OPEN;
             } else {
                 f = look(r, t, slot);
+                if (f == FATE_OPEN)
+                    zs_hidden_cover(r, &r->vert[slot[0]], &r->vert[slot[1]], &r->vert[slot[2]]);
             }
             if (f == FATE_OPEN && (f = place(r, t, slot)) == FATE_OPEN)
                 make_room(r); /* slots are stale: look the vertices up again */
         } while (f == FATE_OPEN);
         fate[f]++;
     }
+}
+
+/* Triangles of up to 128 px pass the sieve and are not asked what they hide (batch_bin()). In a small frame, these too. */
+static inline int asked(const struct zs_renderer *r, const struct zs_mesh *mesh)
+{
+    return r->config.width <= 160u && mesh->n_tris <= BATCH;
 }
 
 static ZS_NOINLINE void walk_mesh(struct zs_renderer *r, uint32_t fate[FATES])
@@ -666,12 +671,10 @@ static ZS_NOINLINE void walk_mesh(struct zs_renderer *r, uint32_t fate[FATES])
     s.away = cull == ZS_CULL_BACK ? 1 : cull == ZS_CULL_FRONT ? -1 : 0;
     s.fate = fate;
     s.pool = &r->vert[r->direct ? r->vert_base : 0u];
-    /* Up to 128 px of a triangle pass the sieve and are not asked what they hide (look()): in a small frame that is large */
-    const int ask = r->config.width <= 160u && mesh->n_tris <= BATCH;
     for (uint32_t t = 0; t < mesh->n_tris; t += BATCH) {
         const uint32_t n = mesh->n_tris - t < BATCH ? mesh->n_tris - t : BATCH;
         s.tri = mesh->tri + t;
-        batch_bin(r, &s, t, r->direct && !ask ? sieve(&s, n) : sieve_none(&s, n), fate);
+        batch_bin(r, &s, t, r->direct && !asked(r, mesh) ? sieve(&s, n) : sieve_none(&s, n), fate);
     }
 }
 
