@@ -95,7 +95,7 @@ static void tap_rows(struct zs_job *job)
     const uint32_t tested = r->stats.pixels_tested;
     const size_t at = (size_t)(job->row - job->y0) * (size_t)job->width;
     memcpy(tap->before + at, job->depth + at, (size_t)(job->row_end - job->row) * (size_t)job->width * 2u);
-    tap->fresh = job->state && r->fresh; /* not an instance's: those are drawn when nothing is fresh any more */
+    tap->fresh = job->fresh;
     if (tap->fresh)
         memcpy(tap->drawn, r->drawn, (size_t)(job->y1 - job->y0) * sizeof *tap->drawn);
     if (job->state && !tap->fresh) {

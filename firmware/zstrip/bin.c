@@ -651,10 +651,7 @@ static ZS_NOINLINE enum fate look(struct zs_renderer *r, uint32_t t, struct plac
         slot[0] = slot[2];
         slot[2] = first;
     }
-    if (faces_away(turns, r->xform.instance->material->cull))
-        return FATE_FACING;
-    zs_hidden_cover(r, a, b, c);
-    return FATE_OPEN;
+    return faces_away(turns, r->xform.instance->material->cull) ? FATE_FACING : FATE_OPEN;
 }
 
 /* Bin a triangle, unless it lies outside the frame or the band. Return FATE_OPEN: the pool of triangles is full. */
@@ -699,6 +696,7 @@ static void batch_bin(struct zs_renderer *r, const struct batch *s, uint32_t fro
                     break;
                 }
                 at = looked;
+                zs_hidden_cover(r, &r->vert[looked.slot[0]], &r->vert[looked.slot[1]], &r->vert[looked.slot[2]]);
             }
             f = place(r, t, &at);
             if (f != FATE_OPEN) {
@@ -711,6 +709,12 @@ static void batch_bin(struct zs_renderer *r, const struct batch *s, uint32_t fro
     }
 }
 
+/* Triangles of up to 128 px pass the sieve and are not asked what they hide (batch_bin()). In a small frame, these too. */
+static inline int asked(const struct zs_renderer *r, const struct zs_mesh *mesh)
+{
+    return r->config.width <= 160u && mesh->n_tris <= BATCH;
+}
+
 /* Triangles [r->clusters.from, r->clusters.end) of the current instance. */
 static ZS_NOINLINE void walk_mesh(struct zs_renderer *r, uint32_t fate[FATES])
 {
@@ -721,12 +725,10 @@ static ZS_NOINLINE void walk_mesh(struct zs_renderer *r, uint32_t fate[FATES])
     s.away = cull == ZS_CULL_BACK ? 1 : cull == ZS_CULL_FRONT ? -1 : 0;
     s.fate = fate;
     s.pool = &r->vert[r->direct ? r->vert_base : 0u];
-    /* Up to 128 px of a triangle pass the sieve and are not asked what they hide (look()): in a small frame that is large */
-    const int ask = r->config.width <= 160u && mesh->n_tris <= BATCH;
     for (uint32_t t = r->clusters.from; t < r->clusters.end; t += BATCH) {
         const uint32_t n = zs_minu32(r->clusters.end - t, BATCH);
         s.tri = mesh->tri + t;
-        batch_bin(r, &s, t, r->direct && !ask ? sieve(&s, n) : sieve_none(&s, n), fate);
+        batch_bin(r, &s, t, r->direct && !asked(r, mesh) ? sieve(&s, n) : sieve_none(&s, n), fate);
     }
 }
 

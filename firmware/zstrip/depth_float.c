@@ -356,7 +356,11 @@ static ZS_NOINLINE void float_walk(struct zs_job *job)
             row.i1 = zs_min32(row.x1, job->width);
             if (row.i0 < row.i1) {
                 job->r->stats.pixels_tested += (uint32_t)(row.i1 - row.i0);
-                float_row(job, &row, w + zs_times(plane->gx, row.i0));
+                while (!job->fresh || zs_fresh_part(job, &row)) {
+                    float_row(job, &row, w + zs_times(plane->gx, row.i0));
+                    if (!job->fresh)
+                        break;
+                }
             }
             w += plane->gy;
             row.at += job->width;

@@ -13,6 +13,8 @@
 
 #define WIDE 128 /* columns; a triangle's rows cost some 40 instructions more here, a fresh pixel 6 less and no clear */
 
+_Static_assert(WIDE * ZS_SUBPX_ONE >= 2 * ZS_TINY, "depth_float.c draws tiny triangles without asking what is fresh");
+
 enum { NONE, ALL, SOME }; /* zs_renderer.fresh: what is fresh of the strip; SOME: outside r->drawn */
 
 static void clear(struct zs_renderer *r, uint32_t at, int32_t n)
@@ -87,7 +89,7 @@ static void row_begins(struct zs_job *job, const struct zs_row *row)
 #endif
 
 /* n > 0 keys: sum / 65536, changing by gx. */
-static ZS_NOINLINE void keys(uint16_t *at, int32_t n, uint32_t sum, uint32_t gx)
+static void keys(uint16_t *at, int32_t n, uint32_t sum, uint32_t gx)
 {
     uint16_t *const end = at + n;
     if ((uintptr_t)at & ALIGN) {
@@ -109,45 +111,36 @@ static void keys_held(uint16_t *at, int32_t n, uint32_t sum, uint32_t gx, uint32
         *at = (uint16_t)zs_minu32(sum >> 16, top);
 }
 
-/* Pixels [i, to) of a row, all fresh. Return 0: they are to be tested, and cleared for that. */
-static int untested(struct zs_job *job, const struct zs_row *row, int32_t i, int32_t to, uint32_t sum, uint32_t gx)
+/* Keys of n fresh pixels. */
+static ZS_NOINLINE void untested(struct zs_job *job, uint16_t *depth, int32_t n, uint32_t sum, uint32_t gx)
 {
     struct zs_renderer *r = job->r;
-    uint16_t *const depth = job->depth + row->at + i;
-    if (r->config.skip_off & ZS_SKIP_TEST) {
-        zs_fill_run(depth, ZS_DEPTH_CLEAR, (uint32_t)(to - i));
-        return 0;
-    }
-    r->stats.pixels_untested += (uint32_t)(to - i);
+    r->stats.pixels_untested += (uint32_t)n;
     if (job->saturates)
-        keys_held(depth, to - i, sum, gx, (r->view.key_top >> 16) - 1u);
+        keys_held(depth, n, sum, gx, (r->view.key_top >> 16) - 1u);
     else
-        keys(depth, to - i, sum, gx);
-    return 1;
+        keys(depth, n, sum, gx);
 }
 
-/* Of a row's spans the leftmost comes first. */
-static void fresh_span(struct zs_job *job, const struct zs_row *row, int32_t i, int32_t i1, uint32_t sum, uint32_t gx)
+/* A piece of a row, all fresh. */
+static void fresh_span(struct zs_job *job, const struct zs_row *row, int32_t i, int32_t to, uint32_t sum, uint32_t gx)
 {
     const struct zs_shader *shader = job->shader;
-    if (i == row->i0)
-        row_begins(job, row);
-    const int32_t x0 = job->r->was[0], x1 = job->r->was[1];
-    while (i < i1) {
-        const int fresh = i < x0 || i >= x1;
-        const int32_t to = fresh ? (i < x0 ? zs_min32(i1, x0) : i1) : zs_min32(i1, x1);
-        if (fresh && untested(job, row, i, to, sum, gx))
-            zs_rows_run(job, shader, row, i, to);
-        else
-            shader->span(job, row, i, to, sum, gx);
-        sum += zs_wrap_mul(gx, to - i);
-        i = to;
-    }
+    untested(job, job->depth + row->at + i, to - i, sum, gx);
+    zs_rows_run(job, shader, row, i, to);
 }
 
 ZS_ALWAYS_INLINE void keys_span(struct zs_job *job, const struct zs_row *row)
 {
-    fresh_span(job, row, row->i0, row->i1, row->key + zs_wrap_mul(job->key.gx, row->i0), job->key.gx);
+    const struct zs_shader *shader = job->shader;
+    struct zs_row part = *row;
+    while (zs_fresh_part(job, &part)) {
+        const uint32_t sum = part.key + zs_wrap_mul(job->key.gx, part.i0);
+        if (job->state)
+            fresh_span(job, &part, part.i0, part.i1, sum, job->key.gx);
+        else
+            shader->span(job, &part, part.i0, part.i1, sum, job->key.gx);
+    }
 }
 
 /* Apart, so that its frame is not on the stack below start(). */
@@ -174,6 +167,30 @@ static int32_t no_bias(const struct zs_job *job)
 static const struct zs_state_kernel zs_state_fresh = { no_bias, fresh_rows, fresh_span };
 static const struct zs_state fresh = { &zs_state_fresh, 0, 0, 0, 0 };
 
+int zs_fresh_part(struct zs_job *job, struct zs_row *row)
+{
+    struct zs_renderer *r = job->r;
+    if (r->part_end == 0) { /* the row's first */
+        row_begins(job, row);
+        r->part = (uint16_t)row->i0;
+        r->part_end = (uint16_t)row->i1;
+    }
+    const int32_t i = r->part, end = r->part_end, x0 = r->was[0], x1 = r->was[1];
+    if (i == end) {
+        r->part_end = 0;
+        return 0;
+    }
+    row->i0 = i;
+    row->i1 = i < x0 ? zs_min32(end, x0) : i < x1 ? zs_min32(end, x1) : end;
+    job->state = i < x0 || i >= x1 ? &fresh : 0;
+    if (job->state && r->config.skip_off & ZS_SKIP_TEST) {
+        zs_fill_run(job->depth + row->at + i, ZS_DEPTH_CLEAR, (uint32_t)(row->i1 - i));
+        job->state = 0;
+    }
+    r->part = (uint16_t)row->i1;
+    return 1;
+}
+
 /* Is it wide in the frame, or nearly? */
 static int wide(const struct zs_job *job)
 {
@@ -187,6 +204,7 @@ int zs_fresh_takes(struct zs_job *job)
     struct zs_renderer *r = job->r;
     if (job->state == &fresh)
         job->state = 0;
+    job->fresh = 0;
     if (job->state || r->view.pixelwise || !wide(job) || (r->fresh == SOME && r->fresh_left == 0)) {
         zs_fresh_end(r);
         return 0;
@@ -199,5 +217,7 @@ int zs_fresh_takes(struct zs_job *job)
         r->fresh = SOME;
     }
     job->state = &fresh;
+    job->fresh = 1;
+    r->part_end = 0;
     return 1;
 }

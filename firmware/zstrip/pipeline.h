@@ -325,6 +325,7 @@ struct zs_job {
     const struct zs_state *state; /* of the instance; NULL: none ... */
     int32_t bias;                 /* ... else buckets added to every key */
     uint8_t saturates;            /* a key may reach 2^bits - 1 (rows.h) */
+    uint8_t fresh;                /* it meets pixels that nothing was drawn on: rows go part by part (fresh.c) */
     uint8_t mid_right;            /* the middle vertex is to the right of the long edge */
     int32_t row_mid;              /* first row below the middle vertex, in the strip or not */
     int32_t row_last;             /* one beyond the triangle's last row, in the strip or below it */
@@ -342,6 +343,9 @@ void zs_fresh_begin(struct zs_renderer *r);
 void zs_fresh_end(struct zs_renderer *r);
 /* While r->fresh: 1: job->tri can be drawn on what is fresh, job->state says how; 0: nothing is fresh any more. */
 int zs_fresh_takes(struct zs_job *job);
+/* Where job->fresh: narrow row->i0 and ->i1 to the row's next part, job->state says how to draw that. Return 0: none is left,
+ * and the next call is for another row. */
+int zs_fresh_part(struct zs_job *job, struct zs_row *row);
 
 /* ---- plane.c ---------------------------------------------------------------------------------------- */
 

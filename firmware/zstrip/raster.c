@@ -239,6 +239,7 @@ void zs_raster_strip(struct zs_renderer *r)
     job.y0 = y0;
     job.y1 = y1;
     job.width = r->config.width;
+    job.fresh = 0;
     r->lit.of = 0;
     uint32_t number = ZS_NIL; /* of the instance that is known; not one's, there are at most 65535 */
     int small = 0;
