@@ -459,8 +459,8 @@ static ZS_RARE void polygon_project(struct zs_renderer *r, struct polygon *p)
 }
 
 /* box: its slots are the corners' numbers in the polygon. */
-static ZS_RARE void polygon_push(struct zs_renderer *r, const struct polygon *p, const struct place *box, uint16_t paint,
-                                 uint32_t strip)
+static ZS_RARE void polygon_push(struct zs_renderer *r, const struct polygon *p, const struct place *box,
+                                 uint16_t paint, uint32_t strip)
 {
     if (r->n_tris == r->config.max_tris || r->n_verts + 3u > r->config.max_verts)
         make_room(r);
@@ -489,7 +489,8 @@ static ZS_RARE enum fate polygon_bin(struct zs_renderer *r, const struct polygon
     const struct zs_shader *shader = material->shader;
     const uint16_t paint = shader->face ? shader->face(r, t) : 0u;
     for (int k = 1; k + 1 < p->n; k++) {
-        struct place box = { { (uint32_t)corner, (uint32_t)((corner + k) % p->n), (uint32_t)((corner + k + 1) % p->n) } };
+        struct place box = { { (uint32_t)corner, (uint32_t)((corner + k) % p->n),
+                               (uint32_t)((corner + k + 1) % p->n) } };
         if (area < 0) {
             box.slot[0] = box.slot[2];
             box.slot[2] = (uint32_t)corner;
@@ -561,7 +562,8 @@ struct batch {
     uint32_t n_verts;
     int32_t away;                 /* times the area: > 0 where the triangle is turned away and that matters */
     uint32_t *fate;               /* [FATES]: counts of those that were dropped */
-    uint8_t left[BATCH];          /* the others: 4 * number in the batch, 1 more where counter-clockwise, 2 where not looked at */
+    uint8_t left[BATCH];          /* the others: 4 * number in the batch, 1 more where it turns counter-clockwise, 2 where
+                                     that is not known */
 };
 
 static ZS_NOINLINE void dropped(struct batch *s, enum fate fate)

@@ -67,10 +67,11 @@ ZS_ALWAYS_INLINE void span(struct zs_job *job, const struct zs_row *row, read_fn
     uint32_t sum = row->key + zs_wrap_mul(gx, row->i0);
     uint32_t u = zs_plane_at(&job->c[0], row->i0, row->y);
     uint32_t v = zs_plane_at(&job->c[1], row->i0, row->y);
-    uint16_t *depth = job->depth + row->at + row->i0, *color = job->color + row->at + row->i0;
+    uint16_t *depth = job->depth + row->at + row->i0;
+    const uintptr_t beside = (uintptr_t)job->color - (uintptr_t)job->depth; /* from a depth to its colour */
     const uint16_t *end = depth + (row->i1 - row->i0);
     int32_t written = 0;
-    for (; depth != end; depth++, color++, sum += gx, u += du, v += dv) {
+    for (; depth != end; depth++, sum += gx, u += du, v += dv) {
         ZS_HIGH_REGISTER(gx);
         ZS_HIGH_REGISTER(du);
         ZS_HIGH_REGISTER(dv);
@@ -78,7 +79,7 @@ ZS_ALWAYS_INLINE void span(struct zs_job *job, const struct zs_row *row, read_fn
         const uint32_t key = sum >> 16;
         if (key < *depth) {
             *depth = (uint16_t)key;
-            *color = zs_wire16(read(texel, palette, ((v >> down) << log2_w) + (u >> right)));
+            *(uint16_t *)((uintptr_t)depth + beside) = zs_wire16(read(texel, palette, ((v >> down) << log2_w) + (u >> right)));
             if (ZS_STATS)
                 written++;
         }

@@ -220,7 +220,7 @@ static inline int32_t zs_area_short(const int32_t *a, const int32_t *b, const in
 {
     const int32_t bx = (int32_t)((uint32_t)b[0] - (uint32_t)a[0]), by = (int32_t)((uint32_t)b[1] - (uint32_t)a[1]);
     const int32_t cx = (int32_t)((uint32_t)c[0] - (uint32_t)a[0]), cy = (int32_t)((uint32_t)c[1] - (uint32_t)a[1]);
-    *wide = (uint32_t)(((int16_t)bx ^ bx) | ((int16_t)by ^ by) | ((int16_t)cx ^ cx) | ((int16_t)cy ^ cy));
+    *wide = (((uint32_t)bx + 0x8000u) | ((uint32_t)by + 0x8000u) | ((uint32_t)cx + 0x8000u) | ((uint32_t)cy + 0x8000u)) >> 16;
     return *wide ? 0 : bx * cy - cx * by;
 }
 
