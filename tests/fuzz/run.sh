@@ -15,8 +15,8 @@ if [ "${2:-cut}" = cut ]; then
     failed=0
     "$fuzz/fuzz_api" 1 cases 4000 || failed=1
     "$fuzz/cards" 1 cases 2500 || failed=1
-    "$fuzz/fuzz_scan" tests/fuzz/corpus/scan.txt 1 cases 4000 || failed=1
-    "$fuzz/fuzz_options" tests/fuzz/corpus/options.txt 1 cases 4000 || failed=1
+    "$fuzz/fuzz_scan" tests/fuzz/corpus/scan.txt 1 cases 20000 || failed=1
+    "$fuzz/fuzz_options" tests/fuzz/corpus/options.txt 1 cases 10000 || failed=1
     "$fuzz/fuzz_panel" tests/fuzz/corpus/panel.txt 1 cases 400 || failed=1
     exit $failed
 fi

@@ -60,7 +60,7 @@ function look() {
 function asked() {
     const [what, where] = core.registers;
     if (what === WRAP) { // to come in so many ns
-        ahead = (Math.floor(timer.clock.nanos / WRAP_NS) + 1) * WRAP_NS - where * 64 - clock.nanos;
+        ahead = (Math.floor(timer.clock.nanos / WRAP_NS) + 1) * WRAP_NS - where * 8 - clock.nanos;
         swept[WRAP].rounds++;
         return;
     }
