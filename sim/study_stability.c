@@ -394,8 +394,8 @@ static void table(struct study_page *page, const struct study_table *t)
             if (!study_is(t, r, "part", part_name[p]))
                 continue;
             if (!study_is(t, r, "status", "OK")) {
-                if (n < sizeof refused - 60)
-                    n += (size_t)snprintf(refused + n, sizeof refused - n, "%s%s: %s", n ? ", " : "",
+                if (!strstr(refused, study_cell(t, r, "status")) && n < sizeof refused - 60)
+                    n += (size_t)snprintf(refused + n, sizeof refused - n, "%sfrom %s: %s", n ? ", " : "",
                                           study_cell(t, r, "value"), study_cell(t, r, "status"));
                 continue;
             }
