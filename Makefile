@@ -98,12 +98,12 @@ depth: sim $(B)/.setup-test
 accuracy: sim
 	@$(B)/zsim accuracy
 
-## report: every study, frames counted on emulated cores, into build/study/index.html; some ten minutes
+## report: every study, frames counted on emulated cores, into build/study/index.html; five to ten minutes
 report: $(B)/.setup-report
 	@$(MAKE) --no-print-directory -j2 $(B)/zsim study-variants
-	@for s in depth stability; do $(B)/zsim study $$s --out $(B)/study || exit 1; done
-	@sh sim/study.sh $(B) memory
-	@CORES='m3 m0 pico' sh sim/study.sh $(B) time --full
+	@for s in depth stability; do $(B)/zsim study $$s --redo --out $(B)/study || exit 1; done
+	@sh sim/study.sh $(B) memory --redo
+	@CORES='m3 m0 pico' sh sim/study.sh $(B) time --full --redo
 
 SHOW = $(MAKE) --no-print-directory -s -f firmware/boards/firmware.mk B=$(B) BOARD=$(BOARD) APP=show SCENE=$(SCENE) \
        $(if $(APP_SCENE),APP_SCENE=$(APP_SCENE))

@@ -1,6 +1,6 @@
-/* `zsim study`: the command. A row is study,build,effort,run, then the study's parameters and results. Rows are written as
- * they are measured, to DIR/NAME.csv.part, which becomes DIR/NAME.csv when it is whole; a sweep that was killed goes on
- * where the last whole row ended. Run k belongs to shard k mod N + 1.
+/* `zsim study`: the command. A row is study,build,effort,run, then the study's parameters and results. Rows are written
+ * as they are measured, to DIR/NAME.csv.part, which becomes DIR/NAME.csv when it is whole; a sweep that was killed goes
+ * on where the last whole row ended. Run k belongs to shard k mod N + 1.
  *
  * SPDX-License-Identifier: MIT
  */
@@ -43,9 +43,9 @@ static const char usage[] =
     "\n"
     "  --out DIR         the folder, made if there is none (build/study)\n"
     "  --quick, --full   fewer runs (seconds), or more\n"
-    "  --shard I/N       only runs I, I + N, I + 2 N ...: DIR/NAME.I-of-N.csv, no plots. merge joins the shards, in any\n"
-    "                    order, to the same bytes as one run, and makes the plots\n"
-    "  --redo            start over where DIR holds rows of another build or effort\n"
+    "  --shard I/N       only runs I, I + N, I + 2 N ...: DIR/NAME.I-of-N.csv, no plots. merge joins the shards, in\n"
+    "                    any order, to the same bytes as one run, and makes the plots\n"
+    "  --redo            start over where DIR holds rows of another build, effort or counts; else go on\n"
     "  --run K           measure run K alone and print its results\n"
     "  --settings        print the runs for firmware/app/study.c, and measure nothing (time, memory)\n"
     "  --counts CORE=FILE,...  what that counted on a core (time, memory); make report does all of it\n"
@@ -76,7 +76,7 @@ static const struct sim_option table[] = {
 };
 #define N_TABLE (sizeof table / sizeof table[0])
 
-/* ---- Rows ---------------------------------------------------------------------------------------------------- */
+/* ---- Rows -------------------------------------------------------------------------------------------------------- */
 
 void study_put(struct study_text *row, const char *format, ...)
 {
@@ -115,7 +115,7 @@ static void begin_row(const struct study *study, enum study_effort effort, size_
     study->describe(run, row);
 }
 
-/* ---- Tables ---------------------------------------------------------------------------------------------------- */
+/* ---- Tables ------------------------------------------------------------------------------------------------------ */
 
 static size_t count_commas(const char *text)
 {
@@ -222,7 +222,7 @@ static struct core {
     size_t n;
     struct {
         unsigned long long instructions, checksum;
-    } * run;
+    } *run;
 } cores[CORES_MAX];
 static size_t n_cores;
 
@@ -269,8 +269,10 @@ static int core_load(const char *name, const char *path)
         line += *line == '\n';
     }
     free(text);
-    return c->n ? SIM_OK : sim_refuse(path, 0, "holds no counts: lines of run,checksum,instructions as firmware/app/study.c "
-                                               "writes them");
+    return c->n ? SIM_OK
+                : sim_refuse(path, 0,
+                             "holds no counts: lines of run,checksum,instructions as firmware/app/study.c "
+                             "writes them");
 }
 
 static int cores_load(const char *list)
@@ -291,14 +293,14 @@ static int cores_load(const char *list)
     return SIM_OK;
 }
 
-/* ---- A sweep --------------------------------------------------------------------------------------------------- */
+/* ---- A sweep ----------------------------------------------------------------------------------------------------- */
 
 struct sweep {
     const struct study *study;
     const struct request *rq;
-    size_t runs;              /* of all shards */
+    size_t runs;                /* of all shards */
     char csv[4096], part[4104]; /* whole, and in the making */
-    FILE *file;               /* part */
+    FILE *file;                 /* part */
 };
 
 static size_t first_run(const struct request *rq)
@@ -323,7 +325,7 @@ static long kept_bytes(const struct sweep *s, const char *text, size_t *next, co
     for (const char *end; (end = strchr(at, '\n')) != NULL; at = end + 1) {
         char build[64] = "", effort[16] = "";
         (void)sscanf(at, "%*[^,],%63[^,],%15[^,]", build, effort);
-        *why = strcmp(build, STUDY_BUILD) ? "its rows are of another build"
+        *why = strcmp(build, STUDY_BUILD)                   ? "its rows are of another build"
                : strcmp(effort, effort_name[s->rq->effort]) ? "its rows are of another effort"
                                                             : "its parameters are others";
         if (*next >= s->runs)
@@ -347,26 +349,32 @@ static int sweep_open(struct sweep *s, size_t *next)
     const char *why = NULL;
     size_t n;
     long keep = 0;
-    char *text = s->rq->redo ? NULL : read_text(s->csv, &n);
+    char *text = read_text(s->csv, &n);
     *next = first_run(s->rq);
     if (text) {
         keep = kept_bytes(s, text, next, &why);
         free(text);
-        if (keep < 0 || *next < s->runs)
+        if (keep >= 0 && *next >= s->runs)
+            return SIM_OK;
+        if (!s->rq->redo)
             return refuse_kept(s->csv, keep < 0 ? why : "rows are missing");
-        return SIM_OK;
     }
     const int fd = open(s->part, O_RDWR | O_CREAT | O_CLOEXEC, 0666);
     if (fd < 0 || (s->file = fdopen(fd, "r+b")) == NULL)
         return sim_refuse(s->part, 0, "cannot be written: %s", strerror(errno));
     if (flock(fd, LOCK_EX | LOCK_NB))
         return sim_refuse(s->part, 0, "another zsim is writing this sweep; wait for it, or take another --out");
-    text = s->rq->redo ? NULL : read_text(s->part, &n);
+    keep = 0;
+    text = read_text(s->part, &n);
     if (text)
         keep = kept_bytes(s, text, next, &why);
     free(text);
-    if (keep < 0)
+    if (keep < 0 && !s->rq->redo)
         return refuse_kept(s->part, why);
+    if (keep <= 0) {
+        keep = 0;
+        *next = first_run(s->rq);
+    }
     if (ftruncate(fd, keep) || fseek(s->file, keep, SEEK_SET))
         return sim_refuse(s->part, 0, "cannot be written: %s", strerror(errno));
     if (keep == 0) {
@@ -449,7 +457,7 @@ static int sweep(const struct study *study, const struct request *rq)
     return status;
 }
 
-/* ---- Merging ------------------------------------------------------------------------------------------------------ */
+/* ---- Merging ----------------------------------------------------------------------------------------------------- */
 
 /* A file of rows to be merged: which study and effort it is of, and its rows. */
 struct merge {
@@ -487,8 +495,8 @@ static int merge_row(struct merge *m, const char *path, unsigned long number, co
     const int got = sscanf(line, "%31[^,],%63[^,],%15[^,],%zu,", name, build, effort, &run);
     if (got != 4 || strcmp(name, m->study->name) || strcmp(build, m->build) || run >= m->runs ||
         strcmp(effort, effort_name[m->effort]))
-        return sim_refuse(path, number, "is not of the same study, build and effort (%s, %s, %s)", m->study->name, m->build,
-                          effort_name[m->effort]);
+        return sim_refuse(path, number, "is not of the same study, build and effort (%s, %s, %s)", m->study->name,
+                          m->build, effort_name[m->effort]);
     if (m->row[run] && strcmp(m->row[run], line))
         return sim_refuse(path, number, "run %zu has another row in another file; leave one of them out", run);
     if (!m->row[run]) {
@@ -571,7 +579,7 @@ static int merge(const struct request *rq, int n, char **file)
     return status;
 }
 
-/* ---- Command line ------------------------------------------------------------------------------------------------- */
+/* ---- Command line ------------------------------------------------------------------------------------------------ */
 
 static int parse_shard(struct request *rq)
 {

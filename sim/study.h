@@ -20,8 +20,8 @@ struct study_text {
     size_t n; /* characters */
 };
 
-/* Add a field: no comma, quote or line end in it. Numbers: "%.5g" and the like, so that rows are the same bytes wherever
- * doubles are. */
+/* Add a field: no comma, quote or line end in it. Numbers: "%.5g" and the like, so that rows are the same bytes
+ * wherever doubles are. */
 void study_put(struct study_text *row, const char *format, ...) __attribute__((format(printf, 2, 3)));
 void study_skip(struct study_text *row, int n); /* n empty fields */
 
@@ -43,17 +43,18 @@ struct study_page;
 struct study {
     const char *name, *what;
     const char *params, *results; /* names of columns with commas between; the first four come before: see study.c */
-    size_t (*runs)(enum study_effort effort); /* how many; also makes the plan that the next two look at */
-    void (*describe)(size_t run, struct study_text *row);   /* the parameters */
-    int (*measure)(size_t run, struct study_text *row);     /* the results. SIM_OK; SIM_REFUSED, said why */
+    size_t (*runs)(enum study_effort effort);             /* how many; also makes the plan that the next two look at */
+    void (*describe)(size_t run, struct study_text *row); /* the parameters */
+    int (*measure)(size_t run, struct study_text *row);   /* the results. SIM_OK; SIM_REFUSED, said why */
     int (*report)(struct study_page *page, const struct study_table *t); /* plots, pictures and what follows */
-    void (*settings)(size_t run, FILE *out); /* the run as a struct setting of firmware/app/study.c; NULL: on no board */
+    void (*settings)(size_t run,
+                     FILE *out); /* the run as a struct setting of firmware/app/study.c; NULL: on no board */
 };
 
 extern const struct study study_depth, study_memory, study_stability, study_time;
 
-/* Instructions that a board counted for a run (--counts CORE=FILE). 0: none were given for this core and run. *checksum:
- * of the frame that the board drew. */
+/* Instructions that a board counted for a run (--counts CORE=FILE). 0: none were given for this core and run.
+ * *checksum: of the frame that the board drew. */
 unsigned long long study_counted(const char *core, size_t run, unsigned long long *checksum);
 /* Which cores were counted, "m0+m3", or "none". Static storage. */
 const char *study_cores(void);

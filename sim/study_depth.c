@@ -1,11 +1,10 @@
 /* zsim study depth: what depth mappings keep apart.
  *
  *   separation  the least distance between two walls that are never drawn the wrong way round: walls that lie aslant by
- *               less than 1 %, in steps of parts of a bucket, in both orders, closer and closer; beside it the width of a
- *               bucket by formula. near is 1
- *   fight       a floor and another one, turned about the line ahead by 0.07 degrees; the pixels that show the wrong one
- *   cure        a floor with a stripe 0.5 % above it, and what helps
- *   curve       keys of walls between near 0.1 and far 1
+ *               less than 1 %, in steps of parts of a bucket, in both orders, closer and closer; beside it the width of
+ * a bucket by formula. near is 1 fight       a floor and another one, turned about the line ahead by 0.07 degrees; the
+ * pixels that show the wrong one cure        a floor with a stripe 0.5 % above it, and what helps curve       keys of
+ * walls between near 0.1 and far 1
  *
  * SPDX-License-Identifier: MIT
  */
@@ -19,9 +18,9 @@
 #include "study_measure.h"
 
 #define NEAR SIM_DEPTHS_NEAR
-#define SIDE 240 /* px, of the floors' pictures */
+#define SIDE 240  /* px, of the floors' pictures */
 #define HEIGHT 20 /* of the eye above the floors, times near */
-#define FAR 1000 /* of the floors, times near */
+#define FAR 1000  /* of the floors, times near */
 
 enum part { SEPARATION, FIGHT, CURE, CURVE };
 static const char *const part_name[] = { "separation", "fight", "cure", "curve" };
@@ -33,9 +32,13 @@ static const struct {
     double near_z, far_z;
     int offset; /* buckets */
 } cures[N_CURES] = {
-    { "as it is", 0, 12, 1, FAR, 0 },      { "16 bits", 0, 16, 1, FAR, 0 },        { "near plane at 40", 0, 12, 40, FAR, 0 },
-    { "far plane at 820", 0, 12, 1, 820, 0 }, { "offset of 2 buckets", 0, 12, 1, FAR, -2 },
-    { "default mapping", 5, 12, 1, FAR, 0 }, { "default mapping and 16 bits", 5, 16, 1, FAR, 0 },
+    { "as it is", 0, 12, 1, FAR, 0 },
+    { "16 bits", 0, 16, 1, FAR, 0 },
+    { "near plane at 40", 0, 12, 40, FAR, 0 },
+    { "far plane at 820", 0, 12, 1, 820, 0 },
+    { "offset of 2 buckets", 0, 12, 1, FAR, -2 },
+    { "default mapping", 5, 12, 1, FAR, 0 },
+    { "default mapping and 16 bits", 5, 16, 1, FAR, 0 },
 };
 
 static struct run {
@@ -46,7 +49,7 @@ static struct run {
 static size_t n_runs;
 static int phases; /* positions of the walls within a bucket */
 
-/* ---- The plan ------------------------------------------------------------------------------------------------------ */
+/* ---- The plan ---------------------------------------------------------------------------------------------------- */
 
 static void add(struct run run)
 {
@@ -57,7 +60,9 @@ static void add(struct run run)
 static void plan_separation(enum study_effort effort)
 {
     static const double ratio[] = { 1000, 100, 10, 10000, 100000 };
-    static const double place[] = { 1.2, 3, 10, 30, 80, 300, 800, 3000, 8000, 30000, 80000 }; /* not near an octave's end */
+    static const double place[] = {
+        1.2, 3, 10, 30, 80, 300, 800, 3000, 8000, 30000, 80000
+    }; /* not near an octave's end */
     const int step = effort == STUDY_QUICK ? 8 : 1;
     const size_t ratios = effort == STUDY_QUICK ? 1 : 5;
     for (size_t r = 0; r < ratios; r++)
@@ -99,7 +104,8 @@ static void describe(size_t i, struct study_text *row)
     study_put(row, "%s", r->part == CURE ? cures[r->cure].name : "");
 }
 
-/* ---- Separation -------------------------------------------------------------------------------------------------------- */
+/* ---- Separation
+ * -------------------------------------------------------------------------------------------------------- */
 
 /* Two walls `gap` apart at z and a part of a bucket nearer, in both orders. */
 static int holds(const struct run *r, double gap, double bucket)
@@ -161,7 +167,8 @@ static int measure_separation(const struct run *r, struct study_text *row)
     return SIM_OK;
 }
 
-/* ---- Floors -------------------------------------------------------------------------------------------------------------- */
+/* ---- Floors
+ * -------------------------------------------------------------------------------------------------------------- */
 
 struct floors {
     struct zs_mesh mesh[2];
@@ -193,9 +200,14 @@ static void floor_set(struct floors *f, int k, double wide, double level, double
             f->lo[k][c][axis] = (uint8_t)(steps - whole * 256.0);
         }
     }
-    f->mesh[k] = (struct zs_mesh){ .pos = (const int16_t(*)[3])f->pos[k], .pos_lo = (const uint8_t(*)[3])f->lo[k],
-                                   .tri = quad, .n_verts = 4, .n_tris = 2, .scale = (zs_uq16_16)(unit * 65536.0),
-                                   .center = { 0, 0, -12500 }, .radius = 24000 };
+    f->mesh[k] = (struct zs_mesh){ .pos = (const int16_t(*)[3])f->pos[k],
+                                   .pos_lo = (const uint8_t(*)[3])f->lo[k],
+                                   .tri = quad,
+                                   .n_verts = 4,
+                                   .n_tris = 2,
+                                   .scale = (zs_uq16_16)(unit * 65536.0),
+                                   .center = { 0, 0, -12500 },
+                                   .radius = 24000 };
     f->instance[k] = (struct zs_instance){ .mesh = &f->mesh[k], .material = &paint[k] };
     zs_pose_identity(&f->instance[k].pose);
 }
@@ -243,7 +255,8 @@ static int measure_floors(const struct run *r, struct study_text *row)
     return SIM_OK;
 }
 
-/* ---- Curve --------------------------------------------------------------------------------------------------------------- */
+/* ---- Curve
+ * --------------------------------------------------------------------------------------------------------------- */
 
 static int measure_curve(const struct run *r, struct study_text *row)
 {
@@ -277,10 +290,11 @@ static int measure(size_t i, struct study_text *row)
     return r->part == CURVE ? measure_curve(r, row) : measure_floors(r, row);
 }
 
-/* ---- What follows ---------------------------------------------------------------------------------------------------------- */
+/* ---- What follows
+ * ---------------------------------------------------------------------------------------------------------- */
 
-/* A data block of gnuplot: the rows of a part with this mapping and these bits. y: 0 separation and 1 bucket, percent of the
- * distance; 2 percent of pixels wrong; 3 key, of 1. */
+/* A data block of gnuplot: the rows of a part with this mapping and these bits. y: 0 separation and 1 bucket, percent
+ * of the distance; 2 percent of pixels wrong; 3 key, of 1. */
 static size_t block(FILE *f, const struct study_table *t, enum part part, int m, int bits, double ratio, int y)
 {
     size_t n = 0;
@@ -326,17 +340,20 @@ static int plot_separation(struct study_page *page, const struct study_table *t)
         return SIM_REFUSED;
     line_style(f);
     (void)fputs("set logscale xy\nset xlabel 'distance / near'\nset ylabel 'least separation, % of the distance'\n"
-                "set yrange [0.001:10]\nset xrange [1:1000]\n", f);
+                "set yrange [0.001:10]\nset xrange [1:1000]\n",
+                f);
     for (int m = 0; m < STUDY_MAPPINGS; m++) {
         (void)block(f, t, SEPARATION, m, 16, 1000, 0);
         formula(f, m, 16, 1, 1000, "formula");
     }
     (void)fputs("plot ", f);
     for (int m = 0; m < STUDY_MAPPINGS; m++)
-        (void)fprintf(f, "$formula_%d with lines lt %d title '%s%s', $separation_%d_16_1000_0 with points lt %d notitle%s", m,
-                      m + 1, study_mapping[m].name, m == 5 ? " (default)" : "", m, m + 1, m < 5 ? ", " : "\n");
-    return study_plot_close(page, "Far at 1,000 times near, keys of 16 bits: the width of a bucket by formula (lines), and the "
-                                  "least separation of two walls that the renderer never swaps (dots). Lower is better.");
+        (void)fprintf(f,
+                      "$formula_%d with lines lt %d title '%s%s', $separation_%d_16_1000_0 with points lt %d notitle%s",
+                      m, m + 1, study_mapping[m].name, m == 5 ? " (default)" : "", m, m + 1, m < 5 ? ", " : "\n");
+    return study_plot_close(
+        page, "Far at 1,000 times near, keys of 16 bits: the width of a bucket by formula (lines), and the "
+              "least separation of two walls that the renderer never swaps (dots). Lower is better.");
 }
 
 /* The worst separation over all distances, percent of the distance; INFINITY: at one none holds. */
@@ -368,8 +385,9 @@ static void table_worst(struct study_page *page, const struct study_table *t)
         }
         study_table_row(page, "%s", text);
     }
-    study_table_close(page, "16 bits: the least separation that is never swapped, worst over the distances up to 0.8 far. "
-                            "none: at some distance, no separation before far is safe.");
+    study_table_close(page,
+                      "16 bits: the least separation that is never swapped, worst over the distances up to 0.8 far. "
+                      "none: at some distance, no separation before far is safe.");
 }
 
 static int plot_bits(struct study_page *page, const struct study_table *t)
@@ -379,14 +397,16 @@ static int plot_bits(struct study_page *page, const struct study_table *t)
         return SIM_REFUSED;
     line_style(f);
     (void)fputs("set xlabel 'bits of a key'\nset ylabel '% of the floor that shows the wrong one'\nset yrange [0:*]\n"
-                "set xrange [7.8:16.2]\n", f);
+                "set xrange [7.8:16.2]\n",
+                f);
     for (int m = 0; m < STUDY_MAPPINGS; m++)
         (void)block(f, t, FIGHT, m, 0, FAR, 2);
     (void)fputs("plot ", f);
     for (int m = 0; m < STUDY_MAPPINGS; m++)
         (void)fprintf(f, "$fight_%d_0_%d_2 with linespoints lt %d title '%s%s'%s", m, FAR, m + 1, study_mapping[m].name,
                       m == 5 ? " (default)" : "", m < 5 ? ", " : "\n");
-    return study_plot_close(page, "Two floors that cross at 0.07 degrees, far at 1,000 times near: z-fighting by bits.");
+    return study_plot_close(page,
+                            "Two floors that cross at 0.07 degrees, far at 1,000 times near: z-fighting by bits.");
 }
 
 static int plot_curve(struct study_page *page, const struct study_table *t)
@@ -407,10 +427,11 @@ static int plot_curve(struct study_page *page, const struct study_table *t)
     }
     (void)fputs("plot ", f);
     for (int m = 0; m < STUDY_MAPPINGS; m++)
-        (void)fprintf(f, "$key_%d with lines lt %d title '%s%s', $curve_%d_16_1_3 with points lt %d notitle%s", m, m + 1,
-                      study_mapping[m].name, m == 5 ? " (default)" : "", m, m + 1, m < 5 ? ", " : "\n");
-    return study_plot_close(page, "Near 0.1, far 1: which part of all keys lies before a distance; formulas (lines), and keys of "
-                                  "walls that were drawn (dots). recip is the perspective projection's own.");
+        (void)fprintf(f, "$key_%d with lines lt %d title '%s%s', $curve_%d_16_1_3 with points lt %d notitle%s", m,
+                      m + 1, study_mapping[m].name, m == 5 ? " (default)" : "", m, m + 1, m < 5 ? ", " : "\n");
+    return study_plot_close(
+        page, "Near 0.1, far 1: which part of all keys lies before a distance; formulas (lines), and keys of "
+              "walls that were drawn (dots). recip is the perspective projection's own.");
 }
 
 /* The row of a fight with the most wrong pixels that has these bits. */
@@ -446,8 +467,8 @@ static int picture(struct study_page *page, const char *name, const struct run *
         if (status != SIM_OK)
             break;
         for (unsigned y = 0; y < SIDE - 2; y++)
-            study_sheet_put(rgb, width, k % columns * SIDE, k / columns * SIDE + y, frame.rgb565 + (size_t)y * SIDE, NULL,
-                            SIDE - 2, 1);
+            study_sheet_put(rgb, width, k % columns * SIDE, k / columns * SIDE + y, frame.rgb565 + (size_t)y * SIDE,
+                            NULL, SIDE - 2, 1);
         study_frame_free(&frame);
     }
     if (status == SIM_OK)
@@ -466,9 +487,10 @@ static int report_fights(struct study_page *page, const struct study_table *t)
     for (size_t r = 0; r < t->n_rows; r++)
         if (study_is(t, r, "part", "fight") && study_number(t, r, "bits") == 16)
             of[mapping_of(study_cell(t, r, "mapping"))] = study_number(t, r, "wrong");
-    (void)snprintf(caption, sizeof caption, "The worst case with 16 bits, %s (%.0f pixels of %.0f wrong), and the default mapping "
-                   "(%.0f). In truth the border is the upright line in the middle.", study_mapping[m].name, of[m],
-                   study_number(t, bad, "pixels"), of[5]);
+    (void)snprintf(caption, sizeof caption,
+                   "The worst case with 16 bits, %s (%.0f pixels of %.0f wrong), and the default mapping "
+                   "(%.0f). In truth the border is the upright line in the middle.",
+                   study_mapping[m].name, of[m], study_number(t, bad, "pixels"), of[5]);
     return picture(page, "fight-worst", two, 2, 2, caption);
 }
 
@@ -484,17 +506,22 @@ static int report_cures(struct study_page *page, const struct study_table *t)
                 c++;
             wrong[c] = study_number(t, r, "wrong");
             run[c] = (struct run){ CURE, cures[c].mapping, cures[c].bits, c, cures[c].near_z, cures[c].far_z, 0 };
-            study_table_row(page, "%s|%s|%s|%s|%s|%s", cures[c].name, study_cell(t, r, "mapping"), study_cell(t, r, "bits"),
-                            study_cell(t, r, "near"), study_cell(t, r, "far"), study_cell(t, r, "wrong"));
+            study_table_row(page, "%s|%s|%s|%s|%s|%s", cures[c].name, study_cell(t, r, "mapping"),
+                            study_cell(t, r, "bits"), study_cell(t, r, "near"), study_cell(t, r, "far"),
+                            study_cell(t, r, "wrong"));
         }
-    study_table_close(page, "A stripe that lies 0.5 % of the eye's height above a floor, 45 to 800 times near away, and how many "
-                            "pixels show the floor in its place.");
-    study_say(page, "Of %.0f wrong pixels, the near plane 40 times as far out leaves %.0f, the far plane drawn in %.0f, 16 bits in "
-                    "place of 12 %.0f, and the default mapping, which moves no plane, %.0f. An offset leaves %.0f, and is right "
-                    "only for what is known to lie on top.", wrong[BASE], wrong[NEAR_OUT], wrong[FAR_IN],
-              wrong[MORE_BITS], wrong[MAPPING], wrong[OFFSET]);
-    return picture(page, "cures", run, N_CURES, 4, "The same in this order: as it is, 16 bits, near plane out, far plane in; "
-                                                   "offset, default mapping, both it and 16 bits.");
+    study_table_close(
+        page, "A stripe that lies 0.5 % of the eye's height above a floor, 45 to 800 times near away, and how many "
+              "pixels show the floor in its place.");
+    study_say(
+        page,
+        "Of %.0f wrong pixels, the near plane 40 times as far out leaves %.0f, the far plane drawn in %.0f, 16 bits in "
+        "place of 12 %.0f, and the default mapping, which moves no plane, %.0f. An offset leaves %.0f, and is right "
+        "only for what is known to lie on top.",
+        wrong[BASE], wrong[NEAR_OUT], wrong[FAR_IN], wrong[MORE_BITS], wrong[MAPPING], wrong[OFFSET]);
+    return picture(page, "cures", run, N_CURES, 4,
+                   "The same in this order: as it is, 16 bits, near plane out, far plane in; "
+                   "offset, default mapping, both it and 16 bits.");
 }
 
 static int report(struct study_page *page, const struct study_table *t)
@@ -508,16 +535,20 @@ static int report(struct study_page *page, const struct study_table *t)
             most = fmax(most, study_number(t, r, "buckets"));
             n++;
         }
-    study_say(page, "Varied: the mapping from distance to key, its bits from 8 to 16, how far the far plane is, and the distance. "
-                    "Two walls are drawn closer and closer, until the farther one shows.");
+    study_say(
+        page,
+        "Varied: the mapping from distance to key, its bits from 8 to 16, how far the far plane is, and the distance. "
+        "Two walls are drawn closer and closer, until the farther one shows.");
     int status = plot_separation(page, t);
     if (status != SIM_OK)
         return status;
     table_worst(page, t);
-    study_say(page, "With far at 1,000 times near and 16 bits, recip needs %.3g %% of the distance at worst, the default mapping "
-                    "%.3g %%: that is what decides. What was measured lies between %.2f and %.2f times the formula's bucket in all "
-                    "%zu runs in which that is below 2 %% of the distance.", worst_separation(t, "recip", 16, 1000),
-              worst_separation(t, "float", 16, 1000), least, most, n);
+    study_say(
+        page,
+        "With far at 1,000 times near and 16 bits, recip needs %.3g %% of the distance at worst, the default mapping "
+        "%.3g %%: that is what decides. What was measured lies between %.2f and %.2f times the formula's bucket in all "
+        "%zu runs in which that is below 2 %% of the distance.",
+        worst_separation(t, "recip", 16, 1000), worst_separation(t, "float", 16, 1000), least, most, n);
     study_head(page, "Two floors that nearly coincide");
     status = plot_bits(page, t);
     if (status == SIM_OK)

@@ -69,9 +69,10 @@ uint64_t study_checksum(const uint16_t *rgb565, size_t n)
 
 const char *study_error_name(int err)
 {
-    static const char *const name[] = { "OK",           "ZS_ERR_NULL",  "ZS_ERR_SIZE",  "ZS_ERR_ARENA", "ZS_ERR_DEPTH",
-                                        "ZS_ERR_CAMERA", "ZS_ERR_RANGE", "ZS_ERR_MESH",  "ZS_ERR_STATE", "ZS_ERR_ATTRS",
-                                        "ZS_ERR_VECTOR", "ZS_ERR_NEAR",  "ZS_ERR_TEXTURE" };
+    static const char *const name[] = {
+        "OK",          "ZS_ERR_NULL",  "ZS_ERR_SIZE",  "ZS_ERR_ARENA",  "ZS_ERR_DEPTH", "ZS_ERR_CAMERA", "ZS_ERR_RANGE",
+        "ZS_ERR_MESH", "ZS_ERR_STATE", "ZS_ERR_ATTRS", "ZS_ERR_VECTOR", "ZS_ERR_NEAR",  "ZS_ERR_TEXTURE"
+    };
     return err <= 0 && err > -(int)(sizeof name / sizeof name[0]) ? name[-err] : "broken";
 }
 
@@ -126,8 +127,14 @@ static int truth_draw(struct truth *t, const struct zs_scene *scene, const struc
 static void judge_pixels(struct study_frame *f, const struct truth *t, const struct ref_image *ours,
                          const struct zs_config *config)
 {
-    const struct sim_judge judge = { t->tri, &t->camera, &t->light, &t->depth, config->width, config->height,
-                                     1.0 / (1 << config->subpixel_bits), sim_judge_unit(t->tri, t->n_tris, &t->camera) };
+    const struct sim_judge judge = { t->tri,
+                                     &t->camera,
+                                     &t->light,
+                                     &t->depth,
+                                     config->width,
+                                     config->height,
+                                     1.0 / (1 << config->subpixel_bits),
+                                     sim_judge_unit(t->tri, t->n_tris, &t->camera) };
     const double top = ldexp(1, config->depth_bits) - 2;
     for (int y = 0; y < config->height; y++)
         for (int x = 0; x < config->width; x++) {
@@ -171,7 +178,8 @@ int study_frame_open(struct study_frame *f, const struct zs_scene *scene, const 
     if (!err) {
         err = truth_draw(&truth, scene, camera, config);
         if (!err)
-            err = ref_compare(&ours, &truth.image, &truth.depth, &truth.camera, config->width, config->height, &f->diff);
+            err =
+                ref_compare(&ours, &truth.image, &truth.depth, &truth.camera, config->width, config->height, &f->diff);
         if (!err)
             judge_pixels(f, &truth, &ours, config);
         err = err ? SIM_FRAME_BROKEN + err : 0;

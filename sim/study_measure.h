@@ -19,7 +19,8 @@ struct study_mapping {
 };
 extern const struct study_mapping study_mapping[STUDY_MAPPINGS]; /* the last: float, the default */
 
-/* Width of a bucket at a distance z, in the unit of near and far: NUMERICS.md, Depth. mapping: number in study_mapping. */
+/* Width of a bucket at a distance z, in the unit of near and far: NUMERICS.md, Depth. mapping: number in study_mapping.
+ */
 double study_bucket(int mapping, int bits, double near_z, double far_z, double z);
 /* The key at z, unrounded, by the same formulas. */
 double study_key(int mapping, int bits, double near_z, double far_z, double z);
@@ -30,8 +31,8 @@ struct study_frame {
     uint32_t arena_bytes;
     uint64_t checksum; /* FNV-1a, 64 bits, over its bytes as they leave: as in firmware/app/bench.c */
     struct ref_diff diff;
-    size_t surface;    /* drawn in both, and ours shows a triangle of another plane */
-    double key_beyond; /* worst |key - exact|, less what snapping explains, buckets */
+    size_t surface;     /* drawn in both, and ours shows a triangle of another plane */
+    double key_beyond;  /* worst |key - exact|, less what snapping explains, buckets */
     size_t unexplained; /* pixels that show another triangle, and no snapping or tie explains it (judge.h) */
     uint16_t *rgb565;   /* [height][width] */
     uint8_t *wrong;     /* [height][width]: 1 where the surface is wrong */

@@ -1,6 +1,6 @@
-/* zsim study memory: strip height, pools and formats against bytes, passes and time. A run is frame 0 of a demo scene. Pools
- * are in percent of what the scene fills when it is taken in one pass. Time is instructions from boards (--counts); without
- * them plots have the vertices that were transformed in their place.
+/* zsim study memory: strip height, pools and formats against bytes, passes and time. A run is frame 0 of a demo scene.
+ * Pools are in percent of what the scene fills when it is taken in one pass. Time is instructions from boards
+ * (--counts); without them plots have the vertices that were transformed in their place.
  *
  * SPDX-License-Identifier: MIT
  */
@@ -16,10 +16,9 @@
 static const struct {
     const struct demo *demo;
     const char *format; /* what its attributes are for */
-} scenes[] = { { &demo_teapot, "smooth" },
-               { &demo_city, "flat" },
-               { &demo_hall, "texture smooth" },
-               { &demo_mesh_tex, "texture" } };
+} scenes[] = {
+    { &demo_teapot, "smooth" }, { &demo_city, "flat" }, { &demo_hall, "texture smooth" }, { &demo_mesh_tex, "texture" }
+};
 #define N_SCENES (sizeof scenes / sizeof scenes[0])
 
 static struct run {
@@ -129,8 +128,10 @@ static int measure(size_t i, struct study_text *row)
     for (int k = 0; k < 2; k++) {
         const unsigned long long n = study_counted(core[k], i, &counted);
         if (n && counted != checksum)
-            return sim_refuse(NULL, 0, "run %zu: the frame that was counted on %s (%016llx) is not this zsim's (%016llx); "
-                                       "count again with its --settings", i, core[k], counted, (unsigned long long)checksum);
+            return sim_refuse(NULL, 0,
+                              "run %zu: the frame that was counted on %s (%016llx) is not this zsim's (%016llx); "
+                              "count again with its --settings",
+                              i, core[k], counted, (unsigned long long)checksum);
         if (n)
             study_put(row, "%llu", n);
         else
@@ -148,11 +149,11 @@ static void settings(size_t i, FILE *out)
     for (int m = 0; m < STUDY_MAPPINGS; m++)
         if (study_mapping[m].depth == c.depth)
             mapping = study_mapping[m].name;
-    (void)fprintf(out, "{ %zu, &demo_%s, %u, %u, %u, %u, 8, 16, &zs_depth_%s, 1, 10, 3 },\n", i, scenes[r->scene].demo->name,
-                  c.strip_h, c.max_tris, c.max_verts, c.buffers, mapping);
+    (void)fprintf(out, "{ %zu, &demo_%s, %u, %u, %u, %u, 8, 16, &zs_depth_%s, 1, 10, 3 },\n", i,
+                  scenes[r->scene].demo->name, c.strip_h, c.max_tris, c.max_verts, c.buffers, mapping);
 }
 
-/* ---- What follows -------------------------------------------------------------------------------------------------- */
+/* ---- What follows ------------------------------------------------------------------------------------------------ */
 
 /* Millions of instructions on the M3, or thousands of vertices where they were not counted. */
 static double time_of(const struct study_table *t, size_t r)
@@ -163,7 +164,8 @@ static double time_of(const struct study_table *t, size_t r)
 
 static const char *time_name(const struct study_table *t)
 {
-    return isnan(study_number(t, 0, "m3")) ? "thousand vertices transformed a frame" : "M instructions a frame, Cortex-M3";
+    return isnan(study_number(t, 0, "m3")) ? "thousand vertices transformed a frame"
+                                           : "M instructions a frame, Cortex-M3";
 }
 
 /* The least arena of a scene whose time is within 10 % of its quickest run's. n_rows: the scene was not run. */
@@ -200,16 +202,23 @@ static int plot_scene(struct study_page *page, const struct study_table *t, cons
         last = rows;
         (void)fprintf(f, "%.6g\t%.6g\t%g\n", study_number(t, r, "arena") / 1024, time_of(t, r), rows);
     }
-    (void)fprintf(f, "EOD\nset logscale xy\nset xlabel 'arena, KB'\nset ylabel '%s'\nset key title 'rows of a strip'\n"
-                     "set palette defined (0 '#440154', 1 '#3b528b', 2 '#21918c', 3 '#5ec962', 4 '#d0c000')\nunset colorbox\n"
-                     "set xtics (4,8,16,32,64,128,256)\nset ytics (1,2,3,5,10,20,30,50,100,200,500,1000)\nplot ", time_name(t));
+    (void)fprintf(
+        f,
+        "EOD\nset logscale xy\nset xlabel 'arena, KB'\nset ylabel '%s'\nset key title 'rows of a strip'\n"
+        "set palette defined (0 '#440154', 1 '#3b528b', 2 '#21918c', 3 '#5ec962', 4 '#d0c000')\nunset colorbox\n"
+        "set xtics (4,8,16,32,64,128,256)\nset ytics (1,2,3,5,10,20,30,50,100,200,500,1000)\nplot ",
+        time_name(t));
     for (int k = 0; k < n; k++)
-        (void)fprintf(f, "$rows%d with linespoints pt 7 ps 0.5 lw 1.5 lc palette frac %g title sprintf('%%d', "
-                         "word($rows%d[1], 3) + 0), ", k, n > 1 ? k / (n - 1.0) : 0, k);
+        (void)fprintf(f,
+                      "$rows%d with linespoints pt 7 ps 0.5 lw 1.5 lc palette frac %g title sprintf('%%d', "
+                      "word($rows%d[1], 3) + 0), ",
+                      k, n > 1 ? k / (n - 1.0) : 0, k);
     (void)fprintf(f, "'-' with points pt 6 ps 2 lw 2 lc rgb '#d62728' title 'knee'\n%.6g\t%.6g\ne\n",
                   study_number(t, at, "arena") / 1024, time_of(t, at));
-    (void)snprintf(caption, sizeof caption, "Scene %s: a line for each strip height; along it, pools from 5 to 100 %% of one pass. "
-                                            "Ring: the least arena within 10 %% of the quickest.", scene);
+    (void)snprintf(caption, sizeof caption,
+                   "Scene %s: a line for each strip height; along it, pools from 5 to 100 %% of one pass. "
+                   "Ring: the least arena within 10 %% of the quickest.",
+                   scene);
     return study_plot_close(page, caption);
 }
 
@@ -231,8 +240,10 @@ static int picture(struct study_page *page, const struct study_table *t)
     uint8_t *rgb = sim_alloc((size_t)d->width * d->height, 3);
     study_sheet_put(rgb, d->width, 0, 0, f.rgb565, NULL, d->width, d->height);
     sim_frame_free(&f);
-    (void)snprintf(caption, sizeof caption, "The worst case: %s in strips of %s rows and %s %% of the pools, %s passes, %s bytes. Less "
-                   "memory costs time, and no pixel.", d->name, study_cell(t, worst, "strip_h"), study_cell(t, worst, "pools"),
+    (void)snprintf(caption, sizeof caption,
+                   "The worst case: %s in strips of %s rows and %s %% of the pools, %s passes, %s bytes. Less "
+                   "memory costs time, and no pixel.",
+                   d->name, study_cell(t, worst, "strip_h"), study_cell(t, worst, "pools"),
                    study_cell(t, worst, "passes"), study_cell(t, worst, "arena"));
     const int status = study_picture(page, "worst", d->width, d->height, rgb, caption);
     free(rgb);
@@ -255,16 +266,19 @@ static size_t count_other_frames(const struct study_table *t)
 static int report(struct study_page *page, const struct study_table *t)
 {
     int status = SIM_OK;
-    study_say(page, "Varied: rows of a strip, the pools of triangles and vertices in percent of what one pass takes, vertex formats "
-                    "(a scene for each) and strip buffers. Of %zu frames, %zu differ from the others of their scene.", t->n_rows,
-              count_other_frames(t));
+    study_say(page,
+              "Varied: rows of a strip, the pools of triangles and vertices in percent of what one pass takes, vertex "
+              "formats "
+              "(a scene for each) and strip buffers. Of %zu frames, %zu differ from the others of their scene.",
+              t->n_rows, count_other_frames(t));
     for (size_t s = 0; s < N_SCENES && status == SIM_OK; s++)
         if (knee(t, scenes[s].demo->name) < t->n_rows)
             status = plot_scene(page, t, scenes[s].demo->name);
     if (status != SIM_OK)
         return status;
-    study_table_open(page, "scene, knee|rows|pools, %|triangles|vertices|words a vertex|arena|of it colour|depth|triangles|vertices|"
-                           "passes|time");
+    study_table_open(
+        page, "scene, knee|rows|pools, %|triangles|vertices|words a vertex|arena|of it colour|depth|triangles|vertices|"
+              "passes|time");
     for (size_t s = 0; s < N_SCENES; s++) {
         const size_t r = knee(t, scenes[s].demo->name);
         if (r == t->n_rows)
@@ -276,8 +290,10 @@ static int report(struct study_page *page, const struct study_table *t)
                         study_cell(t, r, "vertices"), study_cell(t, r, "passes"), time_of(t, r));
     }
     char caption[256];
-    (void)snprintf(caption, sizeof caption, "The least arena within 10 %% of the quickest run, one buffer; bytes, and %s. A second "
-                                            "buffer adds width x rows x 2 bytes.", time_name(t));
+    (void)snprintf(caption, sizeof caption,
+                   "The least arena within 10 %% of the quickest run, one buffer; bytes, and %s. A second "
+                   "buffer adds width x rows x 2 bytes.",
+                   time_name(t));
     study_table_close(page, caption);
     for (size_t s = 0; s < N_SCENES; s++) {
         const size_t k = knee(t, scenes[s].demo->name);
@@ -287,9 +303,12 @@ static int report(struct study_page *page, const struct study_table *t)
                 study_number(t, r, "arena") < study_number(t, most, "arena"))
                 most = r;
         if (k < t->n_rows)
-            study_say(page, "%s: %s bytes are within 10 %% of the quickest; the least tried, %s bytes, take %.1f times as long and "
-                            "%s passes.", scenes[s].demo->name, study_cell(t, k, "arena"), study_cell(t, most, "arena"),
-                      time_of(t, most) / time_of(t, k), study_cell(t, most, "passes"));
+            study_say(
+                page,
+                "%s: %s bytes are within 10 %% of the quickest; the least tried, %s bytes, take %.1f times as long and "
+                "%s passes.",
+                scenes[s].demo->name, study_cell(t, k, "arena"), study_cell(t, most, "arena"),
+                time_of(t, most) / time_of(t, k), study_cell(t, most, "passes"));
     }
     return picture(page, t);
 }

@@ -1,5 +1,5 @@
-/* Sections, plots and the page of studies. A study's section lies in DIR/NAME.section; the page is all sections there are,
- * in one file: pictures and plots are data URIs.
+/* Sections, plots and the page of studies. A study's section lies in DIR/NAME.section; the page is all sections there
+ * are, in one file: pictures and plots are data URIs.
  *
  * SPDX-License-Identifier: MIT
  */
@@ -32,14 +32,15 @@ struct study_page {
 static const char *const order[] = { "time", "depth", "memory", "stability" };
 
 static const char style[] =
-    "body{font:16px/1.5 system-ui,sans-serif;max-width:60rem;margin:2rem auto;padding:0 1rem;color:#222;background:#fff}"
+    "body{font:16px/1.5 system-ui,sans-serif;max-width:60rem;margin:2rem auto;padding:0 "
+    "1rem;color:#222;background:#fff}"
     "h1,h2,h3{line-height:1.2}h2{margin-top:3rem;border-bottom:1px solid #ccc}figure{margin:1.5rem 0}"
     "figcaption{color:#555;font-size:.9em}img{max-width:100%;height:auto}img.px{image-rendering:pixelated}"
     "table{border-collapse:collapse;font-size:.9em;font-variant-numeric:tabular-nums}"
     "td,th{padding:.15rem .7rem;text-align:right;border-bottom:1px solid #ddd}"
     "td:first-child,th:first-child{text-align:left}.wide{overflow-x:auto}";
 
-/* ---- Parts of a section ---------------------------------------------------------------------------------------- */
+/* ---- Parts of a section ------------------------------------------------------------------------------------------ */
 
 void study_say(struct study_page *page, const char *format, ...)
 {
@@ -67,7 +68,8 @@ static void base64(FILE *out, FILE *in)
     }
 }
 
-static int embed(struct study_page *page, const char *path, const char *kind, const char *attributes, const char *caption)
+static int embed(struct study_page *page, const char *path, const char *kind, const char *attributes,
+                 const char *caption)
 {
     FILE *in = fopen(path, "rb");
     FILE *out = page->section.file;
@@ -186,7 +188,8 @@ int study_plot_close(struct study_page *page, const char *caption)
     return embed(page, page->svg, "svg+xml", "", caption);
 }
 
-/* ---- The page -------------------------------------------------------------------------------------------------------- */
+/* ---- The page
+ * -------------------------------------------------------------------------------------------------------- */
 
 struct study_page *study_page_open(const char *dir, const struct study *study, size_t runs)
 {
@@ -212,9 +215,11 @@ static int write_index(const char *dir)
     const int status = sim_output_open(&out, path);
     if (status != SIM_OK)
         return status;
-    (void)fprintf(out.file, "<!DOCTYPE html>\n<html lang=en><meta charset=utf-8><title>zstrip: what settings give</title>\n"
-                            "<meta name=viewport content=\"width=device-width\"><style>%s</style>\n"
-                            "<h1>zstrip: what settings give</h1>\n", style);
+    (void)fprintf(out.file,
+                  "<!DOCTYPE html>\n<html lang=en><meta charset=utf-8><title>zstrip: what settings give</title>\n"
+                  "<meta name=viewport content=\"width=device-width\"><style>%s</style>\n"
+                  "<h1>zstrip: what settings give</h1>\n",
+                  style);
     for (size_t k = 0; k < sizeof order / sizeof order[0]; k++) {
         char buffer[65536];
         (void)snprintf(path, sizeof path, "%s/%s.section", dir, order[k]);
@@ -244,8 +249,10 @@ int study_page_close(struct study_page *page, int status)
         sim_output_abort(&page->section);
     }
     if (status == SIM_OK && no_gnuplot)
-        status = sim_refuse(NULL, 0, "gnuplot is not installed (package gnuplot-nox): %s/%s.csv and the page are written, "
-                                     "without plots", page->dir, page->study->name);
+        status = sim_refuse(NULL, 0,
+                            "gnuplot is not installed (package gnuplot-nox): %s/%s.csv and the page are written, "
+                            "without plots",
+                            page->dir, page->study->name);
     free(page);
     return status;
 }

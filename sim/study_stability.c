@@ -1,5 +1,5 @@
-/* zsim study stability: does the error stay where ranges end? One quantity at a time, to beyond what is accepted; there the
- * row says by which name it is refused.
+/* zsim study stability: does the error stay where ranges end? One quantity at a time, to beyond what is accepted; there
+ * the row says by which name it is refused.
  *
  *   scale      a ball of radius 1000 steps, scale 2^value, as large on the screen
  *   distance   a ball as far away as 2^value times its radius, as large on the screen by a longer lens
@@ -70,7 +70,7 @@ static void describe(size_t i, struct study_text *row)
     study_put(row, "%d", runs[i].value);
 }
 
-/* ---- Scenes --------------------------------------------------------------------------------------------------------- */
+/* ---- Scenes ------------------------------------------------------------------------------------------------------ */
 
 struct stage {
     struct zs_mesh mesh;
@@ -92,8 +92,11 @@ static void stage_begin(struct stage *s)
     memset(s, 0, sizeof *s);
     for (size_t k = 0; k < TRIS; k++)
         s->raw[k] = (uint16_t)(0x2104u + k * 2654435761u % 0xc000u);
-    s->mesh = (struct zs_mesh){ .pos = (const int16_t(*)[3])s->pos, .tri = (const uint16_t(*)[3])s->tri, .face_raw = s->raw,
-                                .scale = ZS_Q16_ONE, .radius = RADIUS + 2 };
+    s->mesh = (struct zs_mesh){ .pos = (const int16_t(*)[3])s->pos,
+                                .tri = (const uint16_t(*)[3])s->tri,
+                                .face_raw = s->raw,
+                                .scale = ZS_Q16_ONE,
+                                .radius = RADIUS + 2 };
     s->material = (struct zs_material){ .shader = &zs_shade_raw };
     s->instance = (struct zs_instance){ .mesh = &s->mesh, .material = &s->material };
     zs_pose_identity(&s->instance.pose);
@@ -246,14 +249,17 @@ static void make_floor(struct stage *s, int value)
 
 static void make(struct stage *s, const struct run *r)
 {
-    static void (*const of[N_PARTS])(struct stage *, int) = { [SCALE] = make_scaled,   [DISTANCE] = make_distant,
-                                                              [NEAR] = make_near,      [SLIVER] = make_slivers,
+    static void (*const of[N_PARTS])(struct stage *, int) = { [SCALE] = make_scaled,
+                                                              [DISTANCE] = make_distant,
+                                                              [NEAR] = make_near,
+                                                              [SLIVER] = make_slivers,
                                                               [RATIO] = make_floor };
     stage_begin(s);
     of[r->part](s, r->value);
 }
 
-/* ---- Runs --------------------------------------------------------------------------------------------------------------- */
+/* ---- Runs
+ * --------------------------------------------------------------------------------------------------------------- */
 
 static double percent(size_t part, size_t whole)
 {
@@ -293,12 +299,13 @@ static int measure(size_t i, struct study_text *row)
     return SIM_OK;
 }
 
-/* ---- What follows -------------------------------------------------------------------------------------------------------- */
+/* ---- What follows
+ * -------------------------------------------------------------------------------------------------------- */
 
 /* What a part is judged by. */
 static const struct {
     const char *title, *axis, *of, *column, *column2; /* columns are added */
-    double bound; /* promised; 0: none */
+    double bound;                                     /* promised; 0: none */
 } judged[N_PARTS] = {
     { "scale", "log2 of the scale", "wrong or missing pixels, %", "wrong", "cover", 0 },
     { "distance", "log2 of distance / radius", "wrong or missing pixels, %", "wrong", "cover", 0 },
@@ -333,18 +340,24 @@ static int plot(struct study_page *page, const struct study_table *t)
             if (study_is(t, r, "part", part_name[p]) && !study_is(t, r, "status", "OK"))
                 (void)fprintf(f, "%s\t0\n", study_cell(t, r, "value"));
         const int log = p == ROTATION || p == WANDER;
-        (void)fprintf(f, "EOD\n%sset logscale x\nset title '%s'\nset xlabel '%s'\nset ylabel '%s'\nset yrange [0:%g]\nset xrange "
-                         "[%s]\nplot $ok%d with linespoints lc rgb '#1f77b4' pt 7 ps 0.5, $refused%d with points pt 2 ps 0.8 lc rgb "
-                         "'#d62728'",
-                      log ? "" : "un", judged[p].title, judged[p].axis, judged[p].of,
-                      most > 0 ? 1.2 * fmax(most, judged[p].bound) : 1,
-                      p == SCALE ? "-17:17" : log ? "1:1e6" : "0:24", p, p);
+        (void)fprintf(
+            f,
+            "EOD\n%sset logscale x\nset title '%s'\nset xlabel '%s'\nset ylabel '%s'\nset yrange [0:%g]\nset xrange "
+            "[%s]\nplot $ok%d with linespoints lc rgb '#1f77b4' pt 7 ps 0.5, $refused%d with points pt 2 ps 0.8 lc rgb "
+            "'#d62728'",
+            log ? "" : "un", judged[p].title, judged[p].axis, judged[p].of,
+            most > 0 ? 1.2 * fmax(most, judged[p].bound) : 1,
+            p == SCALE ? "-17:17"
+            : log      ? "1:1e6"
+                       : "0:24",
+            p, p);
         if (judged[p].bound > 0)
             (void)fprintf(f, ", %g with lines dt 2 lc rgb '#888888'", judged[p].bound);
         (void)fputs("\n", f);
     }
     (void)fputs("unset multiplot\n", f);
-    return study_plot_close(page, "Errors over the range of each quantity. Crosses: refused by name. Dashed: what is promised.");
+    return study_plot_close(
+        page, "Errors over the range of each quantity. Crosses: refused by name. Dashed: what is promised.");
 }
 
 static int by_size(const void *a, const void *b)
@@ -369,7 +382,9 @@ static double median(const struct study_table *t, enum part p)
 
 static void table(struct study_page *page, const struct study_table *t)
 {
-    study_table_open(page, "what|from|to|error, median|where the range ends|worst|at||promised|pixels that nothing explains|refused");
+    study_table_open(
+        page,
+        "what|from|to|error, median|where the range ends|worst|at||promised|pixels that nothing explains|refused");
     for (int p = 0; p < N_PARTS; p++) {
         size_t first = t->n_rows, last = first, worst = first;
         double unexplained = 0;
@@ -379,9 +394,9 @@ static void table(struct study_page *page, const struct study_table *t)
             if (!study_is(t, r, "part", part_name[p]))
                 continue;
             if (!study_is(t, r, "status", "OK")) {
-                if (n < sizeof refused - 60)
-                    n += (size_t)snprintf(refused + n, sizeof refused - n, "%s%s: %s", n ? ", " : "", study_cell(t, r, "value"),
-                                          study_cell(t, r, "status"));
+                if (!strstr(refused, study_cell(t, r, "status")) && n < sizeof refused - 60)
+                    n += (size_t)snprintf(refused + n, sizeof refused - n, "%sfrom %s: %s", n ? ", " : "",
+                                          study_cell(t, r, "value"), study_cell(t, r, "status"));
                 continue;
             }
             first = first == t->n_rows ? r : first;
@@ -396,13 +411,14 @@ static void table(struct study_page *page, const struct study_table *t)
         char promised[32] = "";
         if (judged[p].bound > 0)
             (void)snprintf(promised, sizeof promised, "%g", judged[p].bound);
-        study_table_row(page, "%s|%s|%s|%.3g|%.3g|%.3g|%s|%s|%s|%.0f|%s", judged[p].title, study_cell(t, first, "value"),
-                        study_cell(t, last, "value"), median(t, (enum part)p), error_of(t, last, (enum part)p),
-                        error_of(t, worst, (enum part)p), study_cell(t, worst, "value"), judged[p].of, promised, unexplained,
-                        refused);
+        study_table_row(page, "%s|%s|%s|%.3g|%.3g|%.3g|%s|%s|%s|%.0f|%s", judged[p].title,
+                        study_cell(t, first, "value"), study_cell(t, last, "value"), median(t, (enum part)p),
+                        error_of(t, last, (enum part)p), error_of(t, worst, (enum part)p),
+                        study_cell(t, worst, "value"), judged[p].of, promised, unexplained, refused);
     }
-    study_table_close(page, "Values are log2 but for rotations. Explained: by a corner snapped to sub-pixels and camera units, or by "
-                            "keys within 1.01 buckets (sim/judge.h).");
+    study_table_close(
+        page, "Values are log2 but for rotations. Explained: by a corner snapped to sub-pixels and camera units, or by "
+              "keys within 1.01 buckets (sim/judge.h).");
 }
 
 static int picture(struct study_page *page, const struct study_table *t)
@@ -426,9 +442,11 @@ static int picture(struct study_page *page, const struct study_table *t)
         study_sheet_put(rgb, 2 * W, 0, 0, f.rgb565, NULL, W, H);
         study_sheet_put(rgb, 2 * W, W, 0, f.rgb565, f.wrong, W, H);
         study_frame_free(&f);
-        (void)snprintf(caption, sizeof caption, "The worst case: %s at %s, %s %% of the pixels show another triangle, %s %% are missing "
-                       "or too many (right, in magenta: of another plane).", study_cell(t, worst, "part"),
-                       study_cell(t, worst, "value"), study_cell(t, worst, "wrong"), study_cell(t, worst, "cover"));
+        (void)snprintf(caption, sizeof caption,
+                       "The worst case: %s at %s, %s %% of the pixels show another triangle, %s %% are missing "
+                       "or too many (right, in magenta: of another plane).",
+                       study_cell(t, worst, "part"), study_cell(t, worst, "value"), study_cell(t, worst, "wrong"),
+                       study_cell(t, worst, "cover"));
         status = study_picture(page, "worst", 2 * W, H, rgb, caption);
     }
     free(rgb);
@@ -445,14 +463,19 @@ static int report(struct study_page *page, const struct study_table *t)
         if (!isnan(study_number(t, r, "unexplained")))
             unexplained += study_number(t, r, "unexplained");
     }
-    study_say(page, "Varied, one at a time: the scale of a model, how far away it is, the near plane, how thin triangles are, how often "
-                    "rotations were composed, and how much farther a floor's end is than its beginning. Each against the "
-                    "double-precision reference, to beyond what the renderer accepts.");
+    study_say(page,
+              "Varied, one at a time: the scale of a model, how far away it is, the near plane, how thin triangles "
+              "are, how often "
+              "rotations were composed, and how much farther a floor's end is than its beginning. Each against the "
+              "double-precision reference, to beyond what the renderer accepts.");
     const int status = plot(page, t);
     if (status != SIM_OK)
         return status;
-    study_say(page, "Of %zu runs, %zu were refused, each by a name; of the pixels of all others, %.0f cannot be explained by corners "
-                    "snapped to sub-pixels or keys rounded to buckets.", t->n_rows, refused, unexplained);
+    study_say(page,
+              "Of %zu runs, %zu were refused, each by a name; of the pixels of all others, %.0f cannot be explained by "
+              "corners "
+              "snapped to sub-pixels or keys rounded to buckets.",
+              t->n_rows, refused, unexplained);
     table(page, t);
     return picture(page, t);
 }

@@ -1,7 +1,7 @@
-/* zsim study time: what a setting costs and what it is wrong by. A run is frame 0 of a bench scene, with strips of 24 rows
- * and pools that take it in one pass, against the double-precision reference. What is compiled in (reciprocals, sub-spans)
- * is varied by --full, whose runs of another build are measured by that build's zsim: BUILD/study/VARIANT/zsim beside this
- * one, which make study-variants makes.
+/* zsim study time: what a setting costs and what it is wrong by. A run is frame 0 of a bench scene, with strips of 24
+ * rows and pools that take it in one pass, against the double-precision reference. What is compiled in (reciprocals,
+ * sub-spans) is varied by --full, whose runs of another build are measured by that build's zsim:
+ * BUILD/study/VARIANT/zsim beside this one, which make study-variants makes.
  *
  * SPDX-License-Identifier: MIT
  */
@@ -31,8 +31,8 @@ static const struct {
 static const struct build {
     const char *name; /* of its folder */
     int steps, coarse, bound;
-} builds[] = { { "", 1, 10, 3 },          { "bound2", 1, 10, 2 },  { "bound5", 1, 10, 5 },
-               { "recip16", 0, 10, 3 },   { "texels30", 1, 0, 3 }, { "texels15", 1, 31, 3 } };
+} builds[] = { { "", 1, 10, 3 },        { "bound2", 1, 10, 2 },  { "bound5", 1, 10, 5 },
+               { "recip16", 0, 10, 3 }, { "texels30", 1, 0, 3 }, { "texels15", 1, 31, 3 } };
 #define N_BUILDS (sizeof builds / sizeof builds[0])
 
 static struct run {
@@ -84,7 +84,7 @@ static void describe(size_t i, struct study_text *row)
     study_put(row, "%s", study_cores());
 }
 
-/* ---- One run ------------------------------------------------------------------------------------------------------ */
+/* ---- One run ----------------------------------------------------------------------------------------------------- */
 
 static void configure(struct zs_config *config, const struct run *r)
 {
@@ -108,8 +108,10 @@ static int put_count(size_t i, const char *core, uint64_t checksum, struct study
     unsigned long long sum = 0;
     const unsigned long long n = study_counted(core, i, &sum);
     if (n && sum != checksum)
-        return sim_refuse(NULL, 0, "run %zu: the frame that was counted on %s (%016llx) is not this zsim's (%016llx); count "
-                                   "again with its --settings", i, core, sum, (unsigned long long)checksum);
+        return sim_refuse(NULL, 0,
+                          "run %zu: the frame that was counted on %s (%016llx) is not this zsim's (%016llx); count "
+                          "again with its --settings",
+                          i, core, sum, (unsigned long long)checksum);
     if (n)
         study_put(row, "%llu", n);
     else
@@ -124,14 +126,15 @@ static int ask_build(size_t i, struct study_text *row)
     char self[3000], command[4096], line[1024] = "";
     const ssize_t n = readlink("/proc/self/exe", self, sizeof self - 1);
     if (n < 0)
-        return sim_refuse(NULL, 0, "study time: where this zsim lies cannot be told, so neither where those of other builds do");
+        return sim_refuse(NULL, 0,
+                          "study time: where this zsim lies cannot be told, so neither where those of other builds do");
     self[n] = '\0';
     *strrchr(self, '/') = '\0';
     (void)snprintf(command, sizeof command, "%s/study/%s/zsim", self, builds[runs[i].build].name);
     if (access(command, X_OK))
         return sim_refuse(command, 0, "is not there: make study-variants makes it");
-    (void)snprintf(command, sizeof command, "'%s/study/%s/zsim' study time%s --run %zu", self, builds[runs[i].build].name,
-                   effort[planned], i);
+    (void)snprintf(command, sizeof command, "'%s/study/%s/zsim' study time%s --run %zu", self,
+                   builds[runs[i].build].name, effort[planned], i);
     FILE *f = popen(command, "r");
     const int got = f && fgets(line, sizeof line, f) != NULL;
     if (!f || pclose(f) || !got || !strchr(line, '\n'))
@@ -206,13 +209,13 @@ static void settings(size_t i, FILE *out)
     sim_frame_free(&frame);
 }
 
-/* ---- What follows --------------------------------------------------------------------------------------------------- */
+/* ---- What follows ------------------------------------------------------------------------------------------------ */
 
 #define TIE 0.001 /* times that differ by less are equal: the choice of a mapping, a tick of the counter */
 enum { ERRORS = 6 };
-static const char *const error_name[ERRORS] = { "wrong or missing pixels, %", "wrong surface, %", "depth, mean relative error",
-                                                "wrong texel, %", "texels, worst distance",
-                                                "colour, mean square error of 255^2" };
+static const char *const error_name[ERRORS] = { "wrong or missing pixels, %", "wrong surface, %",
+                                                "depth, mean relative error", "wrong texel, %",
+                                                "texels, worst distance",     "colour, mean square error of 255^2" };
 
 /* A setting: over all its scenes, or in one. Less is better. */
 struct point {
@@ -308,8 +311,8 @@ static const char *words(const struct study_table *t, size_t r)
     static char text[4][160];
     static unsigned at;
     char *out = text[at++ % 4];
-    size_t n = (size_t)snprintf(out, sizeof text[0], "%s %s, S %s", study_cell(t, r, "mapping"), study_cell(t, r, "bits"),
-                                study_cell(t, r, "subpixel"));
+    size_t n = (size_t)snprintf(out, sizeof text[0], "%s %s, S %s", study_cell(t, r, "mapping"),
+                                study_cell(t, r, "bits"), study_cell(t, r, "subpixel"));
     if (!study_is(t, r, "recip_bits", "30"))
         n += (size_t)snprintf(out + n, sizeof text[0] - n, ", reciprocals of %s bits", study_cell(t, r, "recip_bits"));
     if (!study_is(t, r, "texel_recip", "15 or 30"))
@@ -335,8 +338,11 @@ static void plot_points(FILE *f, int e)
 {
     (void)fputs("plot ", f);
     for (int m = 0; m < STUDY_MAPPINGS; m++)
-        (void)fprintf(f, "$p%d_%d_1 with points pt 6 ps 0.6 lc rgb '%s' notitle, $p%d_%d_0 with points pt 7 ps 0.7 lc rgb '%s' "
-                         "title '%s', ", e, m, study_mapping[m].color, e, m, study_mapping[m].color, study_mapping[m].name);
+        (void)fprintf(
+            f,
+            "$p%d_%d_1 with points pt 6 ps 0.6 lc rgb '%s' notitle, $p%d_%d_0 with points pt 7 ps 0.7 lc rgb '%s' "
+            "title '%s', ",
+            e, m, study_mapping[m].color, e, m, study_mapping[m].color, study_mapping[m].name);
     (void)fprintf(f, "$p%d_%d_2 with points pt 6 ps 1.6 lw 2 lc rgb '#ff7f0e' title 'default'", e, STUDY_MAPPINGS);
 }
 
@@ -355,8 +361,11 @@ static int plot_front(struct study_page *page, const struct study_table *t, cons
     FILE *f = study_plot_open(page, "front", 960, 1000);
     if (!f)
         return SIM_REFUSED;
-    (void)fprintf(f, "set multiplot layout 3,2\nset xrange [%g:%g]\nset format y '%%g'\nset xlabel 'M instructions a frame, "
-                     "Cortex-M3'\n", lo, hi);
+    (void)fprintf(
+        f,
+        "set multiplot layout 3,2\nset xrange [%g:%g]\nset format y '%%g'\nset xlabel 'M instructions a frame, "
+        "Cortex-M3'\n",
+        lo, hi);
     for (int e = 0; e < ERRORS; e++) {
         double least = INFINITY, most = 0;
         for (size_t k = 0; k < n; k++)
@@ -374,8 +383,9 @@ static int plot_front(struct study_page *page, const struct study_table *t, cons
         (void)fputs("\n", f);
     }
     (void)fputs("unset multiplot\n", f);
-    return study_plot_close(page, "Time against error, means over all scenes (texels: the worst). Filled: dominated by no setting; "
-                                  "hollow: dominated; orange ring: the default.");
+    return study_plot_close(
+        page, "Time against error, means over all scenes (texels: the worst). Filled: dominated by no setting; "
+              "hollow: dominated; orange ring: the default.");
 }
 
 /* Measured once with the same scenes at 320x240: instructions in millions on the M3, wrong triangles in percent. */
@@ -399,19 +409,26 @@ static int plot_peers(struct study_page *page, const struct study_table *t)
     for (size_t k = 0; k < N_PEERS; k++)
         if (peers[k].wrong >= 0)
             (void)fprintf(f, "%g\t%g\t%s\n", peers[k].flat, peers[k].wrong, peers[k].name);
-    (void)fputs("EOD\nset logscale xy\nset xrange [1:60]\nset yrange [0.002:100]\nset xlabel 'M instructions a frame, Cortex-M3'\n"
-                "set ylabel 'wrong or missing pixels, %'\n", f);
+    (void)fputs("EOD\nset logscale xy\nset xrange [1:60]\nset yrange [0.002:100]\nset xlabel 'M instructions a frame, "
+                "Cortex-M3'\n"
+                "set ylabel 'wrong or missing pixels, %'\n",
+                f);
     for (size_t k = 0; k < N_PEERS; k++)
         if (peers[k].wrong < 0)
-            (void)fprintf(f, "set arrow from %g,0.002 to %g,100 nohead dt 3 lc rgb '#888888'\n"
-                             "set label '%s (error not measured)' at %g,30 rotate by 90 right offset -0.6,0 tc rgb '#888888'\n",
-                          peers[k].flat, peers[k].flat, peers[k].name, peers[k].flat);
+            (void)fprintf(
+                f,
+                "set arrow from %g,0.002 to %g,100 nohead dt 3 lc rgb '#888888'\n"
+                "set label '%s (error not measured)' at %g,30 rotate by 90 right offset -0.6,0 tc rgb '#888888'\n",
+                peers[k].flat, peers[k].flat, peers[k].name, peers[k].flat);
     plot_points(f, 0);
-    (void)fputs(", $peers with points pt 9 ps 1.2 lc rgb '#8c564b' title 'others', $peers using 1:2:3 with labels left offset 1,0 "
-                "notitle\n", f);
+    (void)fputs(", $peers with points pt 9 ps 1.2 lc rgb '#8c564b' title 'others', $peers using 1:2:3 with labels left "
+                "offset 1,0 "
+                "notitle\n",
+                f);
     free(p);
-    return study_plot_close(page, "Scene mesh, 320x240, flat colours: 2,520 triangles. The others were measured once with the same "
-                                  "scene; TinyGL's wrong triangles were not.");
+    return study_plot_close(
+        page, "Scene mesh, 320x240, flat colours: 2,520 triangles. The others were measured once with the same "
+              "scene; TinyGL's wrong triangles were not.");
 }
 
 /* A count, or nothing where it was not counted. Static storage, four at a time. */
@@ -438,14 +455,14 @@ static void table_front(struct study_page *page, const struct study_table *t, co
         done[next] = 1;
         const struct point *q = &p[next];
         study_table_row(page, "%s|%s|%s|%s|%.4f|%.4f|%.2e|%.3f|%s%s", words(t, q->row), millions(q->m3),
-                        millions(q->m0), millions(q->rp2040), q->error[0], q->error[1],
-                        q->error[2], q->error[3], is_default(t, q->row) ? "default " : "",
-                        q->dominated ? "dominated" : "front");
+                        millions(q->m0), millions(q->rp2040), q->error[0], q->error[1], q->error[2], q->error[3],
+                        is_default(t, q->row) ? "default " : "", q->dominated ? "dominated" : "front");
     }
     free(done);
-    study_table_close(page, "Means over the scenes, quickest first. S: sub-pixel bits. M3, M0: millions of instructions a frame as "
-                            "QEMU counts them, not cycles; RP2040: cycles as rp2040js counts them, of some settings. dominated: "
-                            "another setting is as good in time (to 0.1 %) and all errors, and better in one.");
+    study_table_close(
+        page, "Means over the scenes, quickest first. S: sub-pixel bits. M3, M0: millions of instructions a frame as "
+              "QEMU counts them, not cycles; RP2040: cycles as rp2040js counts them, of some settings. dominated: "
+              "another setting is as good in time (to 0.1 %) and all errors, and better in one.");
 }
 
 /* The frame with the most wrong surfaces and pixels, its wrong surfaces in magenta. */
@@ -469,8 +486,9 @@ static int picture(struct study_page *page, const struct study_table *t)
     study_sheet_put(rgb, 2u * d->width, 0, 0, f.rgb565, NULL, d->width, d->height);
     study_sheet_put(rgb, 2u * d->width, d->width, 0, f.rgb565, f.wrong, d->width, d->height);
     study_frame_free(&f);
-    (void)snprintf(caption, sizeof caption, "The worst case: %s with %s, %s %% of the pixels show a wrong surface (right, magenta).",
-                   d->name, words(t, worst), study_cell(t, worst, "surface"));
+    (void)snprintf(caption, sizeof caption,
+                   "The worst case: %s with %s, %s %% of the pixels show a wrong surface (right, magenta).", d->name,
+                   words(t, worst), study_cell(t, worst, "surface"));
     const int status = study_picture(page, "worst", 2u * d->width, d->height, rgb, caption);
     free(rgb);
     return status;
@@ -488,15 +506,18 @@ static void say_default(struct study_page *page, const struct study_table *t, co
         return;
     printf("default: %s%s\n", p[at].dominated ? "dominated by " : "on the front",
            p[at].dominated ? words(t, p[p[at].by].row) : "");
-    study_say(page, "Of %zu settings, %zu are dominated by none. The default (%s) is %s%s: %.3f million instructions a frame, "
-                    "%.4f %% wrong pixels. The quickest (%s) saves %.1f %% of the time, and has %.4f %%.",
-              n, front, words(t, p[at].row), p[at].dominated ? "dominated by " : "one of them",
-              p[at].dominated ? words(t, p[p[at].by].row) : "", p[at].m3, p[at].error[0], words(t, p[quick].row),
-              100 * (1 - p[quick].m3 / p[at].m3), p[quick].error[0]);
+    study_say(
+        page,
+        "Of %zu settings, %zu are dominated by none. The default (%s) is %s%s: %.3f million instructions a frame, "
+        "%.4f %% wrong pixels. The quickest (%s) saves %.1f %% of the time, and has %.4f %%.",
+        n, front, words(t, p[at].row), p[at].dominated ? "dominated by " : "one of them",
+        p[at].dominated ? words(t, p[p[at].by].row) : "", p[at].m3, p[at].error[0], words(t, p[quick].row),
+        100 * (1 - p[quick].m3 / p[at].m3), p[quick].error[0]);
 }
 
 /* Where the plot ends: 5 % about the default, and which settings lie beyond. */
-static void range(struct study_page *page, const struct study_table *t, const struct point *p, size_t n, double *lo, double *hi)
+static void range(struct study_page *page, const struct study_table *t, const struct point *p, size_t n, double *lo,
+                  double *hi)
 {
     char beyond[1024] = "";
     size_t at = 0, length = 0;
@@ -515,16 +536,20 @@ static void range(struct study_page *page, const struct study_table *t, const st
 static int report(struct study_page *page, const struct study_table *t)
 {
     struct point *p;
-    study_say(page, "Varied: sub-pixel bits, depth mapping and its bits, and, in the full sweep, the bits of reciprocals and how "
-                    "far from the truth a span may be affine; each in bench scenes of every kind of shading, one pass, strips of "
-                    "24 rows.");
+    study_say(
+        page,
+        "Varied: sub-pixel bits, depth mapping and its bits, and, in the full sweep, the bits of reciprocals and how "
+        "far from the truth a span may be affine; each in bench scenes of every kind of shading, one pass, strips of "
+        "24 rows.");
     int status = picture(page, t);
     if (status != SIM_OK)
         return status;
     const size_t n = gather(&p, t, NULL);
     if (n && isnan(p[0].m3)) {
-        study_say(page, "Instructions were not counted: make report runs the same frames on emulated cores, and draws time against "
-                        "error here.");
+        study_say(
+            page,
+            "Instructions were not counted: make report runs the same frames on emulated cores, and draws time against "
+            "error here.");
         free(p);
         return SIM_OK;
     }
@@ -546,8 +571,7 @@ static int report(struct study_page *page, const struct study_table *t)
             if (is_default(t, p[k].row))
                 study_table_row(page, "%s|%s|%s|%s|%s|%.4f|%s%s", scenes[s].demo->name, scenes[s].shading,
                                 millions(p[k].m3), millions(p[k].m0), millions(p[k].rp2040), p[k].error[0],
-                                p[k].dominated ? "no: " : "yes",
-                                p[k].dominated ? words(t, p[p[k].by].row) : "");
+                                p[k].dominated ? "no: " : "yes", p[k].dominated ? words(t, p[p[k].by].row) : "");
         free(p);
     }
     study_table_close(page, "The default scene by scene, and what dominates it there.");
@@ -558,7 +582,8 @@ const struct study study_time = {
     .name = "time",
     .what = "run time against error",
     .params = "scene,shading,subpixel,mapping,bits,recip_bits,texel_recip,span_bound,counted",
-    .results = "pixels,wrong,cover,surface,depth_mean,depth_worst,texels_off,texel_worst,colour_off,colour_by_one,psnr,checksum,"
+    .results = "pixels,wrong,cover,surface,depth_mean,depth_worst,texels_off,texel_worst,colour_off,colour_by_one,psnr,"
+               "checksum,"
                "m3,m0,rp2040",
     .runs = plan,
     .describe = describe,

@@ -94,6 +94,8 @@ head -5 all/depth.csv | sed '2s/,[^,]*,,,$/,9.999,,,/' >kept/depth.csv.part # a 
 study 0 depth --quick --out kept
 grep -q ',9.999,,,$' kept/depth.csv || wrong "a row that was there was measured again"
 is "runs" "$(runs kept/depth.csv)" "$(runs all/depth.csv)"
+study 0 depth --quick --out kept --redo
+grep -q ',9.999,,,$' kept/depth.csv || wrong "--redo measures again what is its own"
 
 begin study_shard_goes_on
 mkdir -p again
@@ -198,6 +200,16 @@ finds_nothing 'NR > 1 { sum[$5] = sum[$5] ? sum[$5] : $23; if ($23 != sum[$5]) p
     if ($14 != $15 + $16 + $17 + $18) print "row", NR, "arena", $14
     if ($9 == 100 && $12 == 1 && $19 != 1) print "row", NR, $19, "passes"; many += $19 > 1 }
     END { if (!many) print "no run of more than one pass" }' all/memory.csv
+
+begin study_variants_are_for_studies_alone
+variant() { # FLAG...
+    gcc -std=c11 -fsyntax-only "$@" "$top/firmware/zstrip/shade_texture.c" 2>log
+}
+for flag in -DZS_RECIP_STEPS=0 -DZS_TEXEL_COARSE_LOG2=31 -DZS_SPAN_BOUND_LOG2=2; do
+    ! variant $flag || wrong "$flag builds"
+    variant $flag -DZS_STUDY=1 || wrong "$flag does not build with ZS_STUDY"
+done
+variant || wrong "the default does not build"
 
 # ---- Counted on the M3 ----------------------------------------------------------------------------------------------------
 begin study_time_counted
