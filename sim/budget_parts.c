@@ -110,6 +110,9 @@ int budget_fit(const struct budget_request *rq, const struct budget *b)
             most_rows = h;
     }
     const long most = most_tris(rq, b, part, b->config.strip_h);
+    if (!most_rows && !most)
+        return sim_refuse(NULL, 0, "--fit %s: not even one triangle fits in strips of %ld rows; lower --strip or --buffers", rq->fit,
+                          (long)b->config.strip_h);
     if (rq->csv)
         printf("figure,value,unit\nfit_strip,%ld,rows\nfit_tris,%ld,triangles\nfit_verts,%ld,vertices\n", most_rows, most,
                most ? verts_for(b, most) : 0L);
@@ -133,7 +136,5 @@ int budget_fit(const struct budget_request *rq, const struct budget *b)
                 printf("  %6ld %10ld %9ld\n", rows[i], n, n ? verts_for(b, n) : 0L);
             }
     }
-    return most_rows || most ? SIM_OK
-                             : sim_refuse(NULL, 0, "--fit %s: not even one triangle fits in %ld rows; lower --strip or --buffers",
-                                          rq->fit, (long)b->config.strip_h);
+    return SIM_OK;
 }

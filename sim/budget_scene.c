@@ -9,6 +9,7 @@
 #include "budget.h"
 #include "frame.h"
 #include "model.h"
+#include "pipeline.h"
 #include "quantise.h"
 #include "record_sizes.h"
 #include "scenes.h"
@@ -39,15 +40,21 @@ static uint32_t texture_bytes(const struct zs_texture *t)
            (t->palette ? 2u * t->n_colors : 0u);
 }
 
-static uint32_t mesh_bytes(const struct zs_mesh *m)
+/* Arrays that its shader reads, as zsim convert writes them; all: every one that there is. */
+static uint32_t mesh_bytes(const struct zs_mesh *m, const struct zs_shader *s, int all)
 {
-    const uint32_t v = 6u + (m->pos_lo ? 3u : 0u) + (m->normal ? 6u : 0u) + (m->vertex_rgb ? 3u : 0u) + (m->uv ? 4u : 0u);
-    const uint32_t t = 6u + (m->face_normal ? 6u : 0u) + (m->face_rgb ? 3u : 0u) + (m->face_raw ? 2u : 0u);
-    return RECORD_zs_mesh + v * m->n_verts + t * m->n_tris + (m->cluster ? 20u * m->n_clusters : 0u);
+    const int smooth = all || s == &zs_shade_smooth || s == &zs_shade_texture_smooth, raw = all || s == &zs_shade_raw;
+    const int flat = all || s == &zs_shade_flat || s == &zs_shade_texture_flat, color = all || s == &zs_shade_smooth;
+    const int uv = all || s->n_attrs == ZS_ATTRS_TEXTURE || s == &zs_shade_texture_smooth;
+    const uint32_t v = 6u + (m->pos_lo ? 3u : 0u) + (m->normal && smooth ? 6u : 0u) + (m->vertex_rgb && color ? 3u : 0u) +
+                       (m->uv && uv ? 4u : 0u);
+    const uint32_t t = 6u + (m->face_normal && flat ? 6u : 0u) + (m->face_rgb && (all || s == &zs_shade_flat) ? 3u : 0u) +
+                       (m->face_raw && raw ? 2u : 0u);
+    return RECORD_zs_mesh + v * m->n_verts + t * m->n_tris + (uint32_t)sizeof(struct zs_cluster) * m->n_clusters;
 }
 
 /* Each mesh and texture once. */
-static void add_data(struct budget *b, const struct zs_scene *scene)
+static void add_data(struct budget *b, const struct zs_scene *scene, int all)
 {
     for (uint32_t i = 0; i < scene->n_instances; i++) {
         const struct zs_instance *in = &scene->instance[i];
@@ -58,7 +65,7 @@ static void add_data(struct budget *b, const struct zs_scene *scene)
             material &= scene->instance[k].material != in->material;
             texture &= scene->instance[k].material->texture != t;
         }
-        b->data += (mesh ? mesh_bytes(in->mesh) : 0u) + (material ? RECORD_zs_material : 0u) + (texture ? texture_bytes(t) : 0u);
+        b->data += (mesh ? mesh_bytes(in->mesh, in->material->shader, all) : 0u) + (material ? RECORD_zs_material : 0u) + (texture ? texture_bytes(t) : 0u);
         b->shades |= shade_bit(in->material->shader);
         if (t)
             b->texels |= texel_bit(t->format);
@@ -100,7 +107,7 @@ static int count_scene(struct budget *b, const struct budget_request *rq, const 
     if (err)
         why = err == SIM_FRAME_BROKEN ? "its frame could not be counted" : zs_strerror(err);
     b->n_instances = scene->n_instances;
-    add_data(b, scene);
+    add_data(b, scene, rq->scene != NULL);
     return why ? sim_refuse(name, 0, "%s", why) : SIM_OK;
 }
 
@@ -197,8 +204,6 @@ static void guess(struct budget *b, const struct budget_request *rq)
     n[linear ? SIM_COST_vertex_linear : c->depth == &zs_depth_recip ? SIM_COST_vertex_recip : SIM_COST_vertex] = verts;
     n[SIM_COST_tri] = all;
     n[SIM_COST_tri_box] = n[SIM_COST_tri_bin] = tris;
-    if (shade == SIM_SHADE_ID)
-        n[SIM_COST_face_raw] = tris;
     if (shade == SIM_SHADE_FLAT || shade == SIM_SHADE_TEXTURED_FLAT)
         n[SIM_COST_face_flat_given] = tris;
     if (!solid)

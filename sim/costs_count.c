@@ -52,6 +52,7 @@ static struct {
     uint32_t band_end, walks, checksum;
     uint8_t by_number; /* flag: some mesh was not transformed at once */
     const struct zs_job *job; /* whose run is coloured; NULL: none */
+    uint8_t huge;      /* flag, of the triangle that was set up last */
     uint8_t keys;      /* flag, of the triangle in hand: its keys are linear */
 } now;
 
@@ -69,7 +70,7 @@ static struct our_texel *texel_of(const struct zs_texel *texel)
 
 struct shape {
     double rows, spans, px;
-    int wide; /* flag: beyond ZS_TINY */
+    int wide, huge; /* flags: beyond ZS_TINY, beyond twice that */
 };
 
 /* The first sample at or beyond an edge from a to b, at the middle of a row; exact. */
@@ -93,8 +94,10 @@ static void look(struct shape *s, const struct zs_job *job)
         hi[1] = zs_max32(hi[1], v[k]->y);
     }
     s->wide = hi[0] - lo[0] > ZS_TINY || hi[1] - lo[1] > ZS_TINY;
+    s->huge = hi[0] - lo[0] > 2 * ZS_TINY || hi[1] - lo[1] > 2 * ZS_TINY;
+    const int32_t first = zs_max32(zs_first_sample(lo[1]), job->y0);
     const int32_t end = zs_min32(zs_first_sample(hi[1]), job->y1);
-    for (int32_t row = zs_max32(zs_first_sample(lo[1]), job->y0); row < end; row++) {
+    for (int32_t row = first; row < end; row++) {
         int32_t x[2], n = 0;
         for (int k = 0; k < 3 && n < 2; k++) {
             const struct zs_vertex *a = v[k], *b = v[(k + 1) % 3];
@@ -176,6 +179,8 @@ static void count_setup(const struct shape *s)
     now.tested += (uint64_t)s->px;
     now.n[SIM_COST_setup]++;
     now.n[SIM_COST_setup_wide] += s->wide;
+    now.n[SIM_COST_plane_wide] += s->huge; /* its key */
+    now.huge = (uint8_t)s->huge;
     now.n[SIM_COST_row] += s->rows;
 }
 
@@ -188,6 +193,8 @@ static void count_start(const struct zs_job *job, const struct our_shader *s)
         now.n[affine ? SIM_COST_start_texture : SIM_COST_start_texture_w]++;
     if (s->kind == KIND_TEXTURE && s->of->n_attrs == 3)
         now.n[SIM_COST_start_light]++;
+    if (s->kind != KIND_SOLID && now.huge)
+        now.n[SIM_COST_plane_wide] += s->of->n_attrs + !affine;
 }
 
 static void on_start(struct zs_job *job)
@@ -320,6 +327,7 @@ static void on_depth_rows(struct zs_job *job)
     struct shape shape;
     const uint32_t before = written();
     look(&shape, job);
+    now.huge = (uint8_t)shape.huge;
     now.keys = 0;
     now.of->rows(job);
     if (now.keys)
@@ -327,7 +335,6 @@ static void on_depth_rows(struct zs_job *job)
     count_setup(&shape);
     if (now.of != &zs_depth_linear) {
         now.n[SIM_COST_setup_octaves]++;
-        now.n[SIM_COST_span_octaves] += shape.spans;
         return;
     }
     now.n[SIM_COST_setup_linear]++;
@@ -339,10 +346,16 @@ static void on_depth_rows(struct zs_job *job)
 static void on_fetch(const struct zs_texture *t, uint16_t *out, int32_t n, const struct zs_walk *walk)
 {
     const struct our_texel *x = texel_of(t->format);
-    now.n[SIM_COST_fetch]++;
-    now.n[x->fetch] += n;
-    if (now.job && now.job->sub_log2 != ZS_AFFINE)
-        now.n[n > 1 ? SIM_COST_fetch_group : SIM_COST_fetch_one]++;
+    const int divided = now.job && now.job->sub_log2 != ZS_AFFINE;
+    if (n == 1 && t->clamp && !divided) { /* one of a part that goes beyond the border */
+        now.n[SIM_COST_fetch_single]++;
+    } else {
+        now.n[SIM_COST_fetch]++;
+        now.n[x->fetch] += n;
+        now.n[SIM_COST_fetch_clamped] += t->clamp != 0;
+        if (divided)
+            now.n[n > 1 ? SIM_COST_fetch_group : SIM_COST_fetch_one]++;
+    }
     x->of->fetch(t, out, n, walk);
 }
 
@@ -364,9 +377,7 @@ static void copy_shader(struct our_shader *s, const struct zs_shader *of)
     s->vertex = of == &zs_shade_smooth           ? SIM_COST_light_smooth
                 : of == &zs_shade_texture_smooth ? SIM_COST_light_texture
                                                  : SIM_COST_attr_texture;
-    s->face = of == &zs_shade_raw                                       ? SIM_COST_face_raw
-              : of == &zs_shade_flat || of == &zs_shade_texture_flat    ? SIM_COST_face_flat
-                                                                        : SIM_COST_N;
+    s->face = of == &zs_shade_flat || of == &zs_shade_texture_flat ? SIM_COST_face_flat : SIM_COST_N;
     s->shader.vertex = of->vertex ? on_vertex : NULL;
     s->shader.face = on_face;
     s->shader.rows = on_rows;

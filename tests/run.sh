@@ -56,6 +56,7 @@ run accuracy sh tests/accuracy.sh "$build/test/zsim"
 run cli sh tests/cli.sh "$build/test/zsim" "$build/test/cli"
 run cli_texture sh tests/cli_texture.sh "$build/test/zsim" "$build/test/cli_texture"
 run panels sh tests/panels.sh "$build/test/zsim" "$build/test/panels"
+run budget sh tests/budget.sh "$build/test/zsim" "$build/test/budget"
 run demo sh tests/demo.sh "$build/test/zsim" "$build/test/demo"
 run pico sh tests/pico.sh "$build"
 run lm3s6965 sh tests/boards/lm3s6965.sh "$build"
@@ -66,6 +67,7 @@ run linux sh tests/linux.sh "$build"
 for check in wide objects kernels hal includes cplusplus stack size still bench; do
     run "$check" sh "tests/checks/$check.sh" "$build"
 done
+run costs sh tests/checks/costs.sh "$build" quick
 
 echo
 cat "$skipped"

@@ -111,6 +111,7 @@ for c in $CPUS; do
     echo "    },"
 done
 echo "};"
+awk '$1 == "cortex-m3" && ($2 " " $3 == "float 2" || $2 " " $3 == "recip 63") { print "/* of which " $2 " " $3 " is " $4 " */" }' "$work/flash.txt"
 echo
 more() { # NAME STATEMENTS DECLARATIONS: what a program with all shaders and depth float takes more
     for c in $CPUS; do
