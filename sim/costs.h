@@ -1,7 +1,7 @@
-/* What a frame costs, stage by stage: how often each thing is done in it, and what one takes on a core. Counts come from the
- * renderer itself, which is given shaders, texel formats, a depth mapping and a state kernel that look on and pass on; so
- * they follow whatever ways it takes. What one takes is fitted from the probes (firmware/scenes/probes.h) by make
- * costs-record.
+/* What a frame costs, stage by stage: how often each thing is done in it, and what one takes on a core. Counts come
+ * from the renderer itself, which is given shaders, texel formats, a depth mapping and a state kernel that look on and
+ * pass on; so they follow whatever ways it takes. What one takes is fitted from the probes (firmware/scenes/probes.h)
+ * by make costs-record.
  *
  * SPDX-License-Identifier: MIT
  */
@@ -104,8 +104,8 @@ struct sim_counted {
     uint32_t checksum;     /* FNV-1a, 32 bits, of its bytes as they leave */
 };
 
-/* Draw a frame and count. Return ZS_OK, or an error of the renderer; SIM_FRAME_BROKEN: pixels that were counted are not those
- * that the renderer says. Not for two threads at once. Needs ZS_STATS = 1. */
+/* Draw a frame and count. Return ZS_OK, or an error of the renderer; SIM_FRAME_BROKEN: pixels that were counted are not
+ * those that the renderer says. Not for two threads at once. Needs ZS_STATS = 1. */
 int sim_costs_count(struct sim_counted *out, const struct zs_scene *scene, const struct zs_camera *camera,
                     const struct zs_config *config);
 
@@ -122,8 +122,9 @@ double sim_costs_sum(enum sim_core core, const struct sim_counted *counted);
 /* Put costs in the place of what is on record. */
 void sim_costs_set(enum sim_core core, const double cost[SIM_COST_N]);
 
-/* Print how far the estimate is from what frames of the demo and bench scenes took: lines "CORE SCENE NUMBER" of a file, as of
- * tests/golden/bench.txt. SIM_OK; SIM_REFUSED: it cannot be read, or a scene is more than bar percent off. */
+/* Print how far the estimate is from what frames of the demo and bench scenes took: lines "CORE SCENE NUMBER" of a
+ * file, as of tests/golden/bench.txt. SIM_OK; SIM_REFUSED: it cannot be read, or a scene is more than bar percent off.
+ * */
 int sim_costs_error(const char *file, double bar);
 
 /* `zsim costs`: the arguments after the name. */

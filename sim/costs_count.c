@@ -1,6 +1,6 @@
-/* Counting by looking on. Instances are copied, with materials and textures, so that what they name is ours: each of our
- * structs begins with the renderer's and knows the one that it stands for. Rows and spans are found here, from a triangle's
- * corners, whatever way it is drawn; their pixels must be as many as the renderer says.
+/* Counting by looking on. Instances are copied, with materials and textures, so that what they name is ours: each of
+ * our structs begins with the renderer's and knows the one that it stands for. Rows and spans are found here, from a
+ * triangle's corners, whatever way it is drawn; their pixels must be as many as the renderer says.
  *
  * SPDX-License-Identifier: MIT
  */
@@ -216,7 +216,8 @@ static void on_rows(struct zs_job *job)
     now.keys = 1;
     s->of->rows(job);
     const double won = written() - before;
-    const int affine = job->sub_log2 == ZS_AFFINE && (s->kind == KIND_SMOOTH || (job->sampler.direct && job->sampler.unlit));
+    const int affine = job->sub_log2 == ZS_AFFINE && (s->kind == KIND_SMOOTH ||
+                                                      (job->sampler.direct && job->sampler.unlit));
     if (s->kind != KIND_SOLID)
         count_start(job, s);
     if (s->kind == KIND_SOLID) {
@@ -259,7 +260,8 @@ static void on_run(struct zs_job *job, const struct zs_row *row, int32_t from, i
     if (s->kind == KIND_SMOOTH) {
         now.n[SIM_COST_run_smooth_px] += to - from;
         if (job->sub_log2 != ZS_AFFINE)
-            now.n[SIM_COST_run_smooth_part] += ((to - 1 - row->x0) >> job->sub_log2) - ((from - row->x0) >> job->sub_log2) + 1;
+            now.n[SIM_COST_run_smooth_part] +=
+                ((to - 1 - row->x0) >> job->sub_log2) - ((from - row->x0) >> job->sub_log2) + 1;
     }
     now.job = job;
     s->of->run(job, row, from, to);
@@ -311,7 +313,8 @@ static void on_state_rows(struct zs_job *job)
     now.n[SIM_COST_won_runs] += written() - before;
 }
 
-static void on_state_span(struct zs_job *job, const struct zs_row *row, int32_t i0, int32_t i1, uint32_t sum, uint32_t gx)
+static void on_state_span(struct zs_job *job, const struct zs_row *row, int32_t i0, int32_t i1, uint32_t sum,
+                          uint32_t gx)
 {
     const struct our_kernel *k = (const struct our_kernel *)(uintptr_t)job->state->kernel;
     const uint32_t before = written();
@@ -392,7 +395,8 @@ static void copy_texel(struct our_texel *x, const struct zs_texel *of)
 {
     x->texel = *of;
     x->of = of;
-    x->fetch = of == &zs_texel_565 ? SIM_COST_fetch_565_px : of == &zs_texel_pal8 ? SIM_COST_fetch_pal8_px : SIM_COST_fetch_pal4_px;
+    x->fetch = of == &zs_texel_565 ? SIM_COST_fetch_565_px : of == &zs_texel_pal8 ? SIM_COST_fetch_pal8_px :
+        SIM_COST_fetch_pal4_px;
     x->won = of == &zs_texel_565 ? SIM_COST_won_565 : of == &zs_texel_pal8 ? SIM_COST_won_pal8 : SIM_COST_won_pal4;
     x->texel.fetch = on_fetch;
     x->texel.gather = on_gather;
@@ -429,10 +433,12 @@ static void count_bounds(const struct zs_strip *strip)
 {
     const struct zs_renderer *r = now.r;
     for (uint32_t t = 0; r->large && t < r->n_tris; t++) {
-        const struct zs_vertex *a = &r->vert[r->tri[t].v[0]], *b = &r->vert[r->tri[t].v[1]], *c = &r->vert[r->tri[t].v[2]];
+        const struct zs_vertex *a = &r->vert[r->tri[t].v[0]], *b = &r->vert[r->tri[t].v[1]], *c =
+            &r->vert[r->tri[t].v[2]];
         const int32_t x0 = zs_min32(zs_min32(a->x, b->x), c->x), x1 = zs_max32(zs_max32(a->x, b->x), c->x);
         const int32_t y0 = zs_min32(zs_min32(a->y, b->y), c->y), y1 = zs_max32(zs_max32(a->y, b->y), c->y);
-        now.n[SIM_COST_bound] += zs_min32(zs_first_sample(x1), strip->w) - zs_max32(zs_first_sample(x0), 0) >= 2 << ZS_TILE_LOG2 &&
+        now.n[SIM_COST_bound] += zs_min32(zs_first_sample(x1), strip->w) - zs_max32(zs_first_sample(x0), 0) >=
+            2 << ZS_TILE_LOG2 &&
                                  zs_first_sample(y0) < strip->y + strip->h && zs_first_sample(y1) > strip->y;
     }
 }
@@ -462,10 +468,12 @@ static void count_frame(const struct zs_config *config, const struct zs_stats *s
     const double walks = now.walks, walked = s->instances_in - s->instances_culled;
     n[SIM_COST_frame] = 1;
     n[SIM_COST_strip] = s->strips;
-    n[SIM_COST_clear_px] = (double)s->strips * config->width * (config->strip_h < config->height ? config->strip_h : config->height);
+    n[SIM_COST_clear_px] = (double)s->strips * config->width * (config->strip_h < config->height ? config->strip_h :
+                                                                config->height);
     n[SIM_COST_instance] = walks * walked;
     n[SIM_COST_instance_culled] = walks * s->instances_culled;
-    n[SIM_COST_vertex_out] = s->verts_transformed - (n[SIM_COST_vertex] + n[SIM_COST_vertex_recip] + n[SIM_COST_vertex_linear] +
+    n[SIM_COST_vertex_out] =
+        s->verts_transformed - (n[SIM_COST_vertex] + n[SIM_COST_vertex_recip] + n[SIM_COST_vertex_linear] +
                                                      n[SIM_COST_vertex_ortho]);
     if (n[SIM_COST_vertex_out] < 0) /* clipping projects too */
         n[SIM_COST_vertex_out] = 0;

@@ -1,6 +1,6 @@
 /* A probe is a grid of triangles in up to three layers, made from where its corners are to be on the screen and how far
- * away: sizes, depths and covered pixels are what the table says, whatever the lens. Layers are the same mesh, scaled about
- * the eye: the same picture, farther away.
+ * away: sizes, depths and covered pixels are what the table says, whatever the lens. Layers are the same mesh, scaled
+ * about the eye: the same picture, farther away.
  *
  * SPDX-License-Identifier: MIT
  */
@@ -17,7 +17,8 @@
 enum shade { RAW, RAW_FACES, FLAT, FLAT_GIVEN, SMOOTH, TEX_565, TEX_PAL8, TEX_PAL4, TEX_FLAT_565, TEX_FLAT_PAL,
              TEX_FLAT_PAL_200, TEX_SMOOTH_565, TEX_SMOOTH_PAL, SHADES };
 static const char *const shade_name[SHADES] = {
-    "raw", "raw_faces", "flat", "flat_given", "smooth", "tex_565", "tex_pal8", "tex_pal4", "tex_flat_565", "tex_flat_pal",
+    "raw", "raw_faces", "flat", "flat_given", "smooth", "tex_565", "tex_pal8", "tex_pal4", "tex_flat_565",
+        "tex_flat_pal",
     "tex_flat_pal200", "tex_smooth_565", "tex_smooth_pal"
 };
 
@@ -63,7 +64,8 @@ static struct zs_texture texture;
 static const struct zs_state state = ZS_STATE(0, 1, -2, 0);
 static const struct zs_depth *const depths[] = { &zs_depth_float, &zs_depth_recip, &zs_depth_linear };
 static const struct zs_shader *const shaders[SHADES] = {
-    &zs_shade_raw, &zs_shade_raw, &zs_shade_flat, &zs_shade_flat, &zs_shade_smooth, &zs_shade_texture, &zs_shade_texture,
+    &zs_shade_raw, &zs_shade_raw, &zs_shade_flat, &zs_shade_flat, &zs_shade_smooth, &zs_shade_texture,
+        &zs_shade_texture,
     &zs_shade_texture, &zs_shade_texture_flat, &zs_shade_texture_flat, &zs_shade_texture_flat, &zs_shade_texture_smooth,
     &zs_shade_texture_smooth
 };
@@ -143,7 +145,9 @@ static void sphere(struct zs_mesh *m)
 
 static void grid_make(const struct plan *p)
 {
-    const int32_t cell = p->cell, left = (p->width * 16 - p->nx * cell) / 2 - (p->flags & BESIDE ? p->width * 8 + p->nx * cell / 2 - cell : 0);
+    const int32_t cell = p->cell, left = (p->width * 16 - p->nx * cell) / 2 - (p->flags & BESIDE ?
+                                                                               p->width * 8 + p->nx * cell / 2 - cell :
+                                                                                   0);
     const int32_t high = p->tall ? cell * p->tall / 64 : cell, top = (p->height * 16 - p->ny * high) / 2;
     uint32_t v = 0, t = 0;
     for (int32_t j = 0; j <= p->ny; j++)

@@ -1,12 +1,14 @@
 #!/bin/sh
-# What a stage of the renderer costs on each core: probes (firmware/scenes/probes.h) on QEMU's Cortex-M0 to M7 and RISC-V in
-# instructions, on the emulated RP2040 in cycles; fitted, and held against the demo and bench scenes, which are not in the
-# fit. M0: as in bench.sh.
+# What a stage of the renderer costs on each core: probes (firmware/scenes/probes.h) on QEMU's Cortex-M0 to M7 and
+# RISC-V in instructions, on the emulated RP2040 in cycles; fitted, and held against the demo and bench scenes, which
+# are not in the fit. M0: as in bench.sh.
 #
-# Usage: tests/checks/costs.sh BUILD          the table, and how far it is from the scenes: what make bench has on record
+# Usage: tests/checks/costs.sh BUILD          the table, and how far it is from the scenes: what make bench has on
+# record
 #                                             and, where make pico was run before, what it measured
 #        tests/checks/costs.sh BUILD record   sim/stage_costs.h from it, and sim/record_sizes.h (sizes_record.sh)
-#        tests/checks/costs.sh BUILD quick    a test: Cortex-M3 alone; what is on record still is what probes say, and no
+#        tests/checks/costs.sh BUILD quick    a test: Cortex-M3 alone; what is on record still is what probes say, and
+#        no
 #                                             scene is more than 15 % off
 # Needs BUILD/zsim and BUILD/gen.
 #
@@ -48,7 +50,8 @@ fi
 for board in $boards; do
     goal=all
     [ $board != pico ] || goal=image
-    firmware $board $goal >"$out/$board.log" 2>&1 || { cat "$out/$board.log" >&2; echo "costs for $board do not build" >&2; exit 1; }
+    firmware $board $goal >"$out/$board.log" 2>&1 ||
+        { cat "$out/$board.log" >&2; echo "costs for $board do not build" >&2; exit 1; }
     [ $board != pico ] || sh tests/pico.sh "$top" set-up || exit 1
 done
 # shellcheck disable=SC2086
@@ -56,7 +59,8 @@ printf '%s\n' $boards | xargs -P 2 -n 1 sh "$0" "$top" run
 
 files="--m3 $out/mps2.csv"
 [ "$what" = quick ] ||
-    files="$files --m0 $out/m0.csv --m4 $out/mps2-m4.csv --m7 $out/mps2-m7.csv --rv32 $out/rv32.csv --rp2040 $out/pico.csv"
+    files="$files --m0 $out/m0.csv --m4 $out/mps2-m4.csv --m7 $out/mps2-m7.csv --rv32 $out/rv32.csv
+        --rp2040 $out/pico.csv"
 
 # shellcheck disable=SC2086
 case $what in
@@ -68,11 +72,13 @@ quick)
     "$top/zsim" costs $files --drift 5 >"$out/quick.txt" 2>&1 && reason='' || reason=$(tail -1 "$out/quick.txt")
     none "costs on record are what probes take on Cortex-M3: $(sed -n 's/^M3 .*probes: //p' "$out/quick.txt")" "$reason"
     grep '^M3 ' "$record" >"$out/scenes.txt"
-    "$top/zsim" costs --error "$out/scenes.txt" >"$out/error.txt" 2>&1 && reason='' || reason=$(tail -1 "$out/error.txt")
+    "$top/zsim" costs --error "$out/scenes.txt" >"$out/error.txt" 2>&1 && reason='' ||
+        reason=$(tail -1 "$out/error.txt")
     none "no scene's estimate is 15 % off: $(tail -1 "$out/error.txt")" "$reason"
     # sizes, flash and stack on record
     for c in $CPUS; do
-        sh tests/checks/sizes_record.sh "$top" structs "$c" | sed 's/^\([a-z_]*\) \(.*\)/#define RECORD_\1 \2u/' >"$out/structs-$c.txt"
+        sh tests/checks/sizes_record.sh "$top" structs "$c" |
+            sed 's/^\([a-z_]*\) \(.*\)/#define RECORD_\1 \2u/' >"$out/structs-$c.txt"
         none "sizes of structs on record, $c" "$(grep -vxFf sim/record_sizes.h "$out/structs-$c.txt" | tr ' ' '_')"
     done
     core cortex-m3 "$out/core-cortex-m3" || exit 1
@@ -89,15 +95,16 @@ quick)
         for c in $CPUS; do
             sed -n "s/^ok $c stack within [0-9]* bytes: zs_render \([0-9]*\)/\1/p" "$top/test/logs/stack.log"
         done | tr '\n' ' ' | sed 's/ $//; s/ /, /' >"$out/stack-now.txt"
-        grep -qF "record_stack_render[RECORD_CPUS] = { $(cat "$out/stack-now.txt") };" sim/record_sizes.h && reason='' ||
-            reason="make_stack_says_$(tr ' ' '_' <"$out/stack-now.txt"):_make_costs-record"
+        grep -qF "record_stack_render[RECORD_CPUS] = { $(cat "$out/stack-now.txt") };" sim/record_sizes.h &&
+            reason='' || reason="make_stack_says_$(tr ' ' '_' <"$out/stack-now.txt"):_make_costs-record"
         none "stack on record" "$reason"
     fi
     exit $failed ;;
 esac
 cat "$record" >"$out/scenes.txt"
 for scene in teapot china cubes knot flyover city hall globe; do
-    [ ! -s "$top/pico/$scene.txt" ] || sed -n "s/^draw_cycles /RP2040 $scene /p" "$top/pico/$scene.txt" >>"$out/scenes.txt"
+    [ ! -s "$top/pico/$scene.txt" ] ||
+        sed -n "s/^draw_cycles /RP2040 $scene /p" "$top/pico/$scene.txt" >>"$out/scenes.txt"
 done
 echo "Instructions of one (QEMU -icount), cycles on the RP2040 (rp2040js)"
 "$top/zsim" costs $files --error "$out/scenes.txt"
