@@ -77,7 +77,7 @@ scale: $(B)/.setup-scale $(B)/gen/meshes.h
 ## costs: what each stage costs on each core, fitted from scenes that isolate it, and how far that is from other scenes
 costs: sim $(B)/.setup-test $(B)/gen/meshes.h
 	@sh tests/checks/costs.sh $(B)
-## costs-record: what stages cost now becomes what zsim budget reckons with
+## costs-record: what stages cost now, and flash, stack and sizes on Cortex-M, become what zsim budget reckons with
 costs-record: sim $(B)/.setup-test $(B)/gen/meshes.h
 	@sh tests/checks/costs.sh $(B) record
 	@$(MAKE) --no-print-directory -j2 $(B)/zsim

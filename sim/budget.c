@@ -32,7 +32,7 @@ static const char usage[] =
     "  --watch N          columns that zs_watch compares; --track N  instances that zs_track compares (0: not linked)\n"
     "Scene: a demo scene or a model, drawn here and counted, or else numbers\n"
     "  --scene NAME       a demo or bench scene; --frame T  of its animation (0)\n"
-    "  MODEL              a file as of zsim render, with its --eye --at --up --fov --near --far --projection --texture\n"
+    "  MODEL              as of zsim render, with its --eye --at --up --fov --near --far --projection --texture\n"
     "  --scene-tris N --scene-verts N  all of it (twice --tris, since half turns away; --verts)\n"
     "  --coverage PERCENT of the picture that it covers (50)\n"
     "  --complexity N     triangles over each covered pixel (1.5)\n"
@@ -57,7 +57,7 @@ static const char usage[] =
     "  --error F [--bar PERCENT]  how far estimates are from measured scenes: tests/golden/bench.txt (15)\n"
     "A frame in RAM, as others keep it\n"
     "  --buffer WxH --color BITS --depth-bits BITS --samples N  its bytes (of RGBA together: 32; 32; 1)\n"
-    "  --fragments N --accesses N --access-bits N  depth complexity, memory accesses a fragment: bytes a frame (4, 0, 32)\n"
+    "  --fragments N --accesses N --access-bits N  depth complexity, accesses a fragment: bytes a frame (4, 0, 32)\n"
     "  --textbook         the classic ones\n"
     "\n"
     "Bytes are exact; a time is an estimate from costs by stage, and of numbers alone a rough one.\n"
@@ -120,7 +120,8 @@ static const struct sim_option table[] = {
 };
 #define N_TABLE (sizeof table / sizeof table[0])
 
-/* ---- Times -------------------------------------------------------------------------------------------------------- */
+/* ---- Times --------------------------------------------------------------------------------------------------------
+ * */
 
 double budget_cpi(const struct budget_request *rq, enum sim_core core)
 {
@@ -145,16 +146,19 @@ struct target {
 static struct target target_of(const struct budget_request *rq)
 {
     const struct budget_part *part = rq->part ? budget_part_named(rq->part) : NULL;
-    return (struct target){ part ? part->core : (enum sim_core)rq->core, rq->has_mhz ? rq->mhz : part ? part->mhz : 0.0, part };
+    return (struct target){ part ? part->core : (enum sim_core)rq->core, rq->has_mhz ? rq->mhz : part ? part->mhz :
+        0.0, part };
 }
 
-/* ---- Figures ------------------------------------------------------------------------------------------------------- */
+/* ---- Figures -------------------------------------------------------------------------------------------------------
+ * */
 
 struct totals {
     double ram, flash, draw_ms, frame_ms, fps, fps_single;
 };
 
-static void totals_of(struct totals *t, const struct budget_request *rq, const struct budget *b, enum sim_core core, double mhz)
+static void totals_of(struct totals *t, const struct budget_request *rq, const struct budget *b, enum sim_core core,
+                      double mhz)
 {
     const enum budget_cpu cpu = budget_cpu_of(core);
     const double wire = b->has_wire ? b->wire.ms : 0.0;
@@ -181,14 +185,16 @@ static void print_ram(const struct budget_request *rq, const struct budget *b)
     printf("  attributes      %8u  %u words each\n", r->attrs, c->attrs);
     printf("  arena           %8u  ZS_ARENA_BYTES of these\n", r->arena);
     printf("  renderer        %8u\n", r->renderer);
-    printf("  scene state     %8u  scene, camera, %u instance%s\n", r->scene, b->n_instances, b->n_instances == 1 ? "" : "s");
+    printf("  scene state     %8u  scene, camera, %u instance%s\n", r->scene, b->n_instances, b->n_instances == 1 ? ""
+           : "s");
     if (r->panel)
         printf("  panel           %8u  and %u to convert pixels in\n", r->panel, r->scratch);
     if (r->watch)
         printf("  zs_watch        %8u\n", r->watch);
     if (r->track)
         printf("  zs_track        %8u\n", r->track);
-    printf("  stack           %8u  Cortex-M3; M0+ %u: the worst case, without sink and interrupts\n", r->stack[BUDGET_M3],
+    printf("  stack           %8u  Cortex-M3; M0+ %u: the worst case, without sink and interrupts\n",
+           r->stack[BUDGET_M3],
            r->stack[BUDGET_M0]);
     if (rq->app_ram)
         printf("  the program     %8ld\n", rq->app_ram);
@@ -225,9 +231,11 @@ static void print_drawing(const struct budget_request *rq, const struct budget *
 {
     const char *stage = NULL;
     double sum = 0.0;
-    printf("\nDrawing a frame, estimated%s: instructions, cycles on the RP2040\n ", b->guessed ? " from numbers alone" : "");
+    printf("\nDrawing a frame, estimated%s: instructions, cycles on the RP2040\n ", b->guessed ? " from numbers alone"
+           : "");
     for (int c = 0; c < SIM_CORES; c++)
-        printf(" %s %.2f M%s", sim_core_names[c], sim_costs_sum((enum sim_core)c, &b->counted) / 1e6, c + 1 < SIM_CORES ? "," : "\n ");
+        printf(" %s %.2f M%s", sim_core_names[c], sim_costs_sum((enum sim_core)c, &b->counted) / 1e6, c + 1 < SIM_CORES
+               ? "," : "\n ");
     const struct target to = target_of(rq);
     const double all = sim_costs_sum(to.core, &b->counted);
     printf(" on %s:", sim_core_names[to.core]);
@@ -249,7 +257,8 @@ static void print_parts(const struct budget_request *rq, const struct budget *b)
 {
     const struct target to = target_of(rq);
     struct totals t;
-    printf("\n%-12s %-8s %5s %9s %9s %8s %8s %8s   left of it; frames a second with one buffer and two\n", "part", "core", "MHz",
+    printf("\n%-12s %-8s %5s %9s %9s %8s %8s %8s   left of it; frames a second with one buffer and two\n", "part",
+           "core", "MHz",
            "RAM", "flash", "draw ms", "1 buffer", "2");
     for (uint32_t i = 0; i < n_budget_parts; i++) {
         const struct budget_part *p = &budget_parts[i];
@@ -259,21 +268,26 @@ static void print_parts(const struct budget_request *rq, const struct budget *b)
         totals_of(&t, &with, b, p->core, rq->part && rq->has_mhz ? rq->mhz : p->mhz);
         printf("%-12s %-8s %5.0f", p->name, sim_core_names[p->core], rq->part && rq->has_mhz ? rq->mhz : p->mhz);
         printf(" %9.0f %9.0f %8.1f %8.1f %8.1f%s\n", p->ram - t.ram, p->flash - t.flash, t.draw_ms, t.fps_single,
-               1e3 / fmax(t.draw_ms, b->has_wire ? b->wire.ms : 0.0), t.ram > p->ram || t.flash > p->flash ? "   too small" : "");
+               1e3 / fmax(t.draw_ms, b->has_wire ? b->wire.ms : 0.0), t.ram > p->ram || t.flash > p->flash ?
+                   "   too small" : "");
     }
-    printf("Cycles: the RP2040's as the emulator counts them, which M0 takes too; else instructions times %s: M3 and M4 %g,\n"
-           "M7 %g, rv32imc %g. Flash without wait states. Frames: drawing or wire, whichever takes longer, with two buffers.\n",
-           rq->has_cpi ? "--cpi" : "an assumed rate, not measured", budget_cpi(rq, SIM_CORE_M3), budget_cpi(rq, SIM_CORE_M7),
+    printf("Cycles: the RP2040's as the emulator counts them, which M0 takes too; else instructions times\n"
+           "%s: M3 and M4 %g, M7 %g, rv32imc %g. Flash without wait states. With two buffers\n"
+           "a frame takes as long as drawing or the wire, whichever is longer.\n",
+           rq->has_cpi ? "--cpi" : "an assumed rate, not measured", budget_cpi(rq, SIM_CORE_M3),
+               budget_cpi(rq, SIM_CORE_M7),
            budget_cpi(rq, SIM_CORE_RV32));
 }
 
 static void print_head(const struct budget_request *rq, const struct budget *b)
 {
     const struct zs_stats *s = &b->counted.stats;
-    printf("%s, %ux%u in strips of %u rows", rq->scene ? rq->scene : rq->o.model ? rq->o.model : "numbers", b->config.width,
+    printf("%s, %ux%u in strips of %u rows", rq->scene ? rq->scene : rq->o.model ? rq->o.model : "numbers",
+           b->config.width,
            b->config.height, b->config.strip_h);
     if (b->guessed)
-        printf(": %u of %ld triangles seen, %ld vertices, %g %% covered %g times\n\n", b->config.max_tris, rq->scene_tris,
+        printf(": %u of %ld triangles seen, %ld vertices, %g %% covered %g times\n\n", b->config.max_tris,
+               rq->scene_tris,
                rq->scene_verts, rq->coverage, rq->complexity);
     else
         printf(": %u of %u triangles seen, %u pass%s, %u pixels tested\n\n", s->tris_drawn, s->tris_in, s->passes,
@@ -283,7 +297,8 @@ static void print_head(const struct budget_request *rq, const struct budget *b)
 #define FIGURES_MAX 32
 
 /* What --check and --csv know. Times only where the clock is known. */
-static size_t figures_of(struct budget_figure figure[FIGURES_MAX], const struct budget_request *rq, const struct budget *b,
+static size_t figures_of(struct budget_figure figure[FIGURES_MAX], const struct budget_request *rq,
+                         const struct budget *b,
                          const double elf[2])
 {
     const struct target to = target_of(rq);
@@ -326,7 +341,8 @@ static void print_csv(const struct budget_request *rq, const struct budget *b, c
         { "color", r->color },       { "depth", r->depth },     { "tiles", r->tiles },       { "bins", r->bins },
         { "tris", r->tris },         { "verts", r->verts },     { "numbers", r->numbers },   { "attrs", r->attrs },
         { "renderer", r->renderer }, { "scene", r->scene },     { "panel", r->panel },       { "scratch", r->scratch },
-        { "watch", r->watch },       { "track", r->track },     { "flash_zstrip", f->zstrip }, { "flash_library", f->library },
+        { "watch", r->watch },       { "track", r->track },     { "flash_zstrip", f->zstrip },
+            { "flash_library", f->library },
         { "flash_panel", f->panel }, { "flash_data", f->data },
     };
     struct budget_figure figure[FIGURES_MAX];
@@ -345,7 +361,8 @@ static void print_csv(const struct budget_request *rq, const struct budget *b, c
                c == SIM_CORE_RP2040 ? "cycles" : "instructions");
 }
 
-/* ---- Command line -------------------------------------------------------------------------------------------------------- */
+/* ---- Command line
+ * -------------------------------------------------------------------------------------------------------- */
 
 static void defaults(struct budget_request *rq)
 {

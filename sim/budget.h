@@ -1,6 +1,6 @@
-/* What a display, a part, a strip height and a scene take, before there is a board: RAM by pool, stack, flash, time on the wire
- * and time to draw. Bytes are exact (sizes and flash of Cortex-M are on record: sim/record_sizes.h); times are estimates
- * from costs by stage (costs.h).
+/* What a display, a part, a strip height and a scene take, before there is a board: RAM by pool, stack, flash, time on
+ * the wire and time to draw. Bytes are exact (sizes and flash of Cortex-M are on record: sim/record_sizes.h); times are
+ * estimates from costs by stage (costs.h).
  *
  * SPDX-License-Identifier: MIT
  */
@@ -11,7 +11,8 @@
 #include "options.h"
 
 struct budget_request {
-    struct sim_options o;      /* panel, size, strip, buffers, pools, shading, depth, model and view: as of zsim render */
+    /* panel, size, strip, buffers, pools, shading, depth, model and view: as of zsim render */
+    struct sim_options o;
     const char *scene, *part, *fit, *check, *elf, *error; /* NULL: not given */
     long frame;                /* of a demo scene */
     long instances, watch, track;
@@ -52,7 +53,8 @@ struct budget_ram {
 };
 
 struct budget_flash {
-    uint32_t zstrip, library, panel, data, total; /* code; of libgcc and the C library; the driver; meshes and textures */
+    /* code; of libgcc and the C library; the driver; meshes and textures */
+    uint32_t zstrip, library, panel, data, total;
 };
 
 struct budget_wire {
@@ -76,8 +78,10 @@ struct budget {
 enum budget_cpu budget_cpu_of(enum sim_core core);
 
 /* Pools and statics of b->config. */
-void budget_ram(struct budget_ram *ram, const struct budget_request *rq, const struct zs_config *config, uint32_t n_instances);
-void budget_flash(struct budget_flash *flash, const struct budget_request *rq, const struct budget *b, enum budget_cpu cpu);
+void budget_ram(struct budget_ram *ram, const struct budget_request *rq, const struct zs_config *config,
+                uint32_t n_instances);
+void budget_flash(struct budget_flash *flash, const struct budget_request *rq, const struct budget *b,
+                  enum budget_cpu cpu);
 /* SIM_OK; SIM_REFUSED. Needs rq->o.panel.name. */
 int budget_wire(struct budget_wire *wire, const struct budget_request *rq, const struct zs_config *config);
 
@@ -93,7 +97,8 @@ double budget_cpi(const struct budget_request *rq, enum sim_core core);
 
 /* --fit: the largest strip, and the largest scene, that a part takes. */
 int budget_fit(const struct budget_request *rq, const struct budget *b);
-/* --check: SIM_OK; SIM_REFUSED, each limit that is exceeded said on standard output, the number of them as the message. */
+/* --check: SIM_OK; SIM_REFUSED, each limit that is exceeded said on standard output, the number of them as the message.
+ * */
 struct budget_figure {
     const char *key;
     double value;

@@ -15,7 +15,8 @@ enum budget_cpu budget_cpu_of(enum sim_core core)
     return core == SIM_CORE_M0 || core == SIM_CORE_RP2040 ? BUDGET_M0 : BUDGET_M3;
 }
 
-void budget_ram(struct budget_ram *ram, const struct budget_request *rq, const struct zs_config *c, uint32_t n_instances)
+void budget_ram(struct budget_ram *ram, const struct budget_request *rq, const struct zs_config *c,
+                uint32_t n_instances)
 {
     const uint32_t rows = c->strip_h < c->height ? c->strip_h : c->height;
     memset(ram, 0, sizeof *ram);
@@ -52,7 +53,8 @@ static void add(struct budget_flash *flash, const struct record_bytes *bytes)
     flash->library += bytes->library;
 }
 
-void budget_flash(struct budget_flash *flash, const struct budget_request *rq, const struct budget *b, enum budget_cpu cpu)
+void budget_flash(struct budget_flash *flash, const struct budget_request *rq, const struct budget *b,
+                  enum budget_cpu cpu)
 {
     const struct zs_depth *depth = b->config.depth;
     const int mapping = depth == &zs_depth_recip ? 1 : depth == &zs_depth_linear ? 2 : 0;
@@ -73,13 +75,15 @@ void budget_flash(struct budget_flash *flash, const struct budget_request *rq, c
         add(flash, &record_track[cpu]);
     const size_t length = rq->o.panel.name ? strcspn(rq->o.panel.name, ":") : 0;
     for (size_t i = 0; i < sizeof record_panels / sizeof record_panels[0]; i++)
-        if (length && strlen(record_panels[i].name) == length && memcmp(record_panels[i].name, rq->o.panel.name, length) == 0)
+        if (length && strlen(record_panels[i].name) == length && memcmp(record_panels[i].name, rq->o.panel.name,
+                                                                        length) == 0)
             flash->panel = record_panels[i].bytes[cpu];
     flash->data = b->data;
     flash->total = flash->zstrip + flash->library + flash->panel + flash->data;
 }
 
-/* ---- The wire ------------------------------------------------------------------------------------------------------ */
+/* ---- The wire ------------------------------------------------------------------------------------------------------
+ * */
 
 /* A frame of the picture's size through the driver, into the model of the controller, which counts. */
 int budget_wire(struct budget_wire *wire, const struct budget_request *rq, const struct zs_config *c)

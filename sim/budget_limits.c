@@ -68,7 +68,8 @@ int budget_check(const char *file, const struct budget_figure *figure, size_t n)
             break;
         }
         const int ok = figure[i].at_least ? figure[i].value >= limit : figure[i].value <= limit;
-        printf("%s %s: %.*f, %s %.*f\n", ok ? "ok" : "EXCEEDED", figure[i].key, figure[i].value < 1000.0 ? 2 : 0, figure[i].value,
+        printf("%s %s: %.*f, %s %.*f\n", ok ? "ok" : "EXCEEDED", figure[i].key, figure[i].value < 1000.0 ? 2 : 0,
+               figure[i].value,
                figure[i].at_least ? "at least" : "at most", limit < 1000.0 ? 2 : 0, limit);
         limits++;
         beyond += !ok;
@@ -81,7 +82,8 @@ int budget_check(const char *file, const struct budget_figure *figure, size_t n)
     return status;
 }
 
-/* ---- A build --------------------------------------------------------------------------------------------------------- */
+/* ---- A build
+ * --------------------------------------------------------------------------------------------------------- */
 
 static uint32_t word(const uint8_t *p)
 {
@@ -121,5 +123,6 @@ int budget_elf(const char *file, double *flash, double *ram)
     const int ok = fread(h, HEADER, 1, f) == 1 && memcmp(h, "\177ELF\1\1", 6) == 0 && half(h + SECTION_BYTES) >= 40 &&
                    add_sections(f, word(h + SECTIONS), half(h + SECTION_BYTES), half(h + N_SECTIONS), flash, ram);
     (void)fclose(f);
-    return ok ? SIM_OK : sim_refuse(file, 0, "--elf: no linked program of a 32-bit little-endian core; give the .elf that is flashed");
+    return ok ? SIM_OK :
+        sim_refuse(file, 0, "--elf: no linked program of a 32-bit little-endian core; give the .elf that is flashed");
 }

@@ -11,11 +11,11 @@
 
 #define KB 1024u
 
-/* RAM is what lies together and a program can use; flash of parts without any is what their boards have. From: RP2040 datasheet
- * (1.1, 2.6); STM32F103x8 DS5319, STM32F103xC DS5792, STM32F405 DS8626, STM32F411 DS10314, STM32F401xC DS9716, STM32F746
- * DS10916, each table 2; nRF51822 PS v3.4 (table 1, xxAA), nRF52832 PS v1.8, nRF52840 PS v1.7 (memory); LM3S6965 DS-LM3S6965
- * (1.4); ESP32-C3 datasheet (3.1.2: 400 KB of SRAM, 16 KB of it cache); SAM D21 DS40001882 (1, SAMD21G18); LPC176x UM10360
- * (1.3: two banks, the larger one); GD32VF103 datasheet (table 2, CB). */
+/* RAM is what lies together and a program can use; flash of parts without any is what their boards have. From: RP2040
+ * datasheet (1.1, 2.6); STM32F103x8 DS5319, STM32F103xC DS5792, STM32F405 DS8626, STM32F411 DS10314, STM32F401xC
+ * DS9716, STM32F746 DS10916, each table 2; nRF51822 PS v3.4 (table 1, xxAA), nRF52832 PS v1.8, nRF52840 PS v1.7
+ * (memory); LM3S6965 DS-LM3S6965 (1.4); ESP32-C3 datasheet (3.1.2: 400 KB of SRAM, 16 KB of it cache); SAM D21
+ * DS40001882 (1, SAMD21G18); LPC176x UM10360 (1.3: two banks, the larger one); GD32VF103 datasheet (table 2, CB). */
 const struct budget_part budget_parts[] = {
     { "rp2040", SIM_CORE_RP2040, 125, 264 * KB, 2048 * KB, "Raspberry Pi Pico, Cortex-M0+ (133 MHz at most)" },
     { "stm32f103c8", SIM_CORE_M3, 72, 20 * KB, 64 * KB, "Cortex-M3, Blue Pill" },
@@ -74,7 +74,8 @@ static long verts_for(const struct budget *b, long tris)
 }
 
 /* The most triangles, with vertices in proportion; 0: none. */
-static long most_tris(const struct budget_request *rq, const struct budget *b, const struct budget_part *part, long rows)
+static long most_tris(const struct budget_request *rq, const struct budget *b, const struct budget_part *part,
+                      long rows)
 {
     long fits = 0, over = (long)ZS_POOL_MAX + 1;
     while (over - fits > 1) {
@@ -110,22 +111,31 @@ int budget_fit(const struct budget_request *rq, const struct budget *b)
             most_rows = h;
     }
     const long most = most_tris(rq, b, part, b->config.strip_h);
+    if (!most_rows && !most)
+        return sim_refuse(NULL, 0,
+                          "--fit %s: not even one triangle fits in strips of %ld rows; lower --strip or --buffers",
+                              rq->fit,
+                          (long)b->config.strip_h);
     if (rq->csv)
-        printf("figure,value,unit\nfit_strip,%ld,rows\nfit_tris,%ld,triangles\nfit_verts,%ld,vertices\n", most_rows, most,
+        printf("figure,value,unit\nfit_strip,%ld,rows\nfit_tris,%ld,triangles\nfit_verts,%ld,vertices\n", most_rows,
+               most,
                most ? verts_for(b, most) : 0L);
     else {
         printf("%s: %u bytes of RAM, %ld of them for the rest of the program\n", part->text, part->ram, rq->app_ram);
         if (most_rows)
-            printf("  %ld triangles and %ld vertices fit in strips of up to %ld rows; %.0f bytes are left then\n", tris, verts,
+            printf("  %ld triangles and %ld vertices fit in strips of up to %ld rows; %.0f bytes are left then\n",
+                   tris, verts,
                    most_rows, left(rq, b, part, most_rows, tris, verts));
         else
             printf("  %ld triangles and %ld vertices do not fit in strips of any height\n", tris, verts);
         if (most)
             printf("  strips of %u rows leave room for %ld triangles and %ld vertices; %.0f bytes are left then\n",
-                   b->config.strip_h, most, verts_for(b, most), left(rq, b, part, b->config.strip_h, most, verts_for(b, most)));
+                   b->config.strip_h, most, verts_for(b, most), left(rq, b, part, b->config.strip_h, most,
+                                                                     verts_for(b, most)));
         else
             printf("  strips of %u rows leave no room for triangles\n", b->config.strip_h);
-        printf("\n  %6s %10s %9s   vertices in proportion; fewer of either take more passes, never a pixel\n", "rows", "triangles",
+        printf("\n  %6s %10s %9s   vertices in proportion; fewer of either take more passes, never a pixel\n", "rows",
+               "triangles",
                "vertices");
         for (size_t i = 0; i < sizeof rows / sizeof rows[0]; i++)
             if (rows[i] <= height && rows[i] % grain == 0) {
@@ -133,7 +143,5 @@ int budget_fit(const struct budget_request *rq, const struct budget *b)
                 printf("  %6ld %10ld %9ld\n", rows[i], n, n ? verts_for(b, n) : 0L);
             }
     }
-    return most_rows || most ? SIM_OK
-                             : sim_refuse(NULL, 0, "--fit %s: not even one triangle fits in %ld rows; lower --strip or --buffers",
-                                          rq->fit, (long)b->config.strip_h);
+    return SIM_OK;
 }

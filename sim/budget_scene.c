@@ -9,6 +9,7 @@
 #include "budget.h"
 #include "frame.h"
 #include "model.h"
+#include "pipeline.h"
 #include "quantise.h"
 #include "record_sizes.h"
 #include "scenes.h"
@@ -35,19 +36,28 @@ static uint32_t texel_bit(const struct zs_texel *t)
 static uint32_t texture_bytes(const struct zs_texture *t)
 {
     const uint32_t texels = 1u << (t->log2_w + t->log2_h);
-    return RECORD_zs_texture + (t->format == &zs_texel_565 ? 2u * texels : t->format == &zs_texel_pal8 ? texels : texels / 2u) +
+    return RECORD_zs_texture + (t->format == &zs_texel_565 ? 2u * texels : t->format == &zs_texel_pal8 ? texels :
+                                texels / 2u) +
            (t->palette ? 2u * t->n_colors : 0u);
 }
 
-static uint32_t mesh_bytes(const struct zs_mesh *m)
+/* Arrays that its shader reads, as zsim convert writes them; all: every one that there is. */
+static uint32_t mesh_bytes(const struct zs_mesh *m, const struct zs_shader *s, int all)
 {
-    const uint32_t v = 6u + (m->pos_lo ? 3u : 0u) + (m->normal ? 6u : 0u) + (m->vertex_rgb ? 3u : 0u) + (m->uv ? 4u : 0u);
-    const uint32_t t = 6u + (m->face_normal ? 6u : 0u) + (m->face_rgb ? 3u : 0u) + (m->face_raw ? 2u : 0u);
-    return RECORD_zs_mesh + v * m->n_verts + t * m->n_tris + (m->cluster ? 20u * m->n_clusters : 0u);
+    const int smooth = all || s == &zs_shade_smooth || s == &zs_shade_texture_smooth, raw = all || s == &zs_shade_raw;
+    const int flat = all || s == &zs_shade_flat || s == &zs_shade_texture_flat, color = all || s == &zs_shade_smooth;
+    const int uv = all || s->n_attrs == ZS_ATTRS_TEXTURE || s == &zs_shade_texture_smooth;
+    const uint32_t v = 6u + (m->pos_lo ? 3u : 0u) + (m->normal && smooth ? 6u : 0u) + (m->vertex_rgb && color ? 3u :
+                                                                                       0u) +
+                       (m->uv && uv ? 4u : 0u);
+    const uint32_t t = 6u + (m->face_normal && flat ? 6u : 0u) + (m->face_rgb && (all || s == &zs_shade_flat) ? 3u :
+                                                                  0u) +
+                       (m->face_raw && raw ? 2u : 0u);
+    return RECORD_zs_mesh + v * m->n_verts + t * m->n_tris + (uint32_t)sizeof(struct zs_cluster) * m->n_clusters;
 }
 
 /* Each mesh and texture once. */
-static void add_data(struct budget *b, const struct zs_scene *scene)
+static void add_data(struct budget *b, const struct zs_scene *scene, int all)
 {
     for (uint32_t i = 0; i < scene->n_instances; i++) {
         const struct zs_instance *in = &scene->instance[i];
@@ -58,14 +68,17 @@ static void add_data(struct budget *b, const struct zs_scene *scene)
             material &= scene->instance[k].material != in->material;
             texture &= scene->instance[k].material->texture != t;
         }
-        b->data += (mesh ? mesh_bytes(in->mesh) : 0u) + (material ? RECORD_zs_material : 0u) + (texture ? texture_bytes(t) : 0u);
+        b->data += (mesh ? mesh_bytes(in->mesh, in->material->shader, all) : 0u) + (material ? RECORD_zs_material :
+                                                                                    0u) + (texture ? texture_bytes(t) :
+                                                                                           0u);
         b->shades |= shade_bit(in->material->shader);
         if (t)
             b->texels |= texel_bit(t->format);
     }
 }
 
-/* ---- Frames --------------------------------------------------------------------------------------------------------- */
+/* ---- Frames ---------------------------------------------------------------------------------------------------------
+ * */
 
 static uint32_t next_size(uint32_t verts)
 {
@@ -74,7 +87,8 @@ static uint32_t next_size(uint32_t verts)
 }
 
 /* Pools that take the scene in one pass, where none were asked for; then counts. */
-static int count_scene(struct budget *b, const struct budget_request *rq, const char *name, const struct zs_scene *scene,
+static int count_scene(struct budget *b, const struct budget_request *rq, const char *name,
+                       const struct zs_scene *scene,
                        const struct zs_camera *camera)
 {
     struct zs_config *c = &b->config;
@@ -85,7 +99,8 @@ static int count_scene(struct budget *b, const struct budget_request *rq, const 
         err = sim_frame_render(&frame, scene, camera, c, NULL);
         if (err)
             break;
-        const uint32_t tris = frame.stats.max_tris_used, verts = frame.stats.max_verts_used, passes = frame.stats.passes;
+        const uint32_t tris = frame.stats.max_tris_used, verts = frame.stats.max_verts_used, passes =
+            frame.stats.passes;
         sim_frame_free(&frame);
         if (tries > 0 && (passes == 1u || rq->has_tris || rq->has_verts))
             break;
@@ -100,11 +115,12 @@ static int count_scene(struct budget *b, const struct budget_request *rq, const 
     if (err)
         why = err == SIM_FRAME_BROKEN ? "its frame could not be counted" : zs_strerror(err);
     b->n_instances = scene->n_instances;
-    add_data(b, scene);
+    add_data(b, scene, rq->scene != NULL);
     return why ? sim_refuse(name, 0, "%s", why) : SIM_OK;
 }
 
-static void set_config(struct budget *b, const struct budget_request *rq, uint16_t width, uint16_t height, uint8_t attrs,
+static void set_config(struct budget *b, const struct budget_request *rq, uint16_t width, uint16_t height,
+                       uint8_t attrs,
                        const struct zs_depth *depth)
 {
     struct zs_config *c = &b->config;
@@ -120,7 +136,8 @@ static void set_config(struct budget *b, const struct budget_request *rq, uint16
 
 static const struct zs_depth *mapping(const struct budget_request *rq)
 {
-    return rq->o.depth == SIM_DEPTH_RECIP ? &zs_depth_recip : rq->o.depth == SIM_DEPTH_LINEAR ? &zs_depth_linear : &zs_depth_float;
+    return rq->o.depth == SIM_DEPTH_RECIP ? &zs_depth_recip : rq->o.depth == SIM_DEPTH_LINEAR ? &zs_depth_linear :
+        &zs_depth_float;
 }
 
 static int of_demo(struct budget *b, const struct budget_request *rq)
@@ -146,10 +163,13 @@ static int of_demo(struct budget *b, const struct budget_request *rq)
 static int of_model(struct budget *b, const struct budget_request *rq)
 {
     static const uint8_t attrs[] = { [SIM_SHADE_ID] = ZS_ATTRS_FLAT, [SIM_SHADE_FLAT] = ZS_ATTRS_FLAT,
-                                     [SIM_SHADE_SMOOTH] = ZS_ATTRS_SMOOTH, [SIM_SHADE_TEXTURED] = ZS_ATTRS_TEXTURE_SMOOTH,
-                                     [SIM_SHADE_TEXTURED_FLAT] = ZS_ATTRS_TEXTURE, [SIM_SHADE_UNLIT] = ZS_ATTRS_TEXTURE };
+                                     [SIM_SHADE_SMOOTH] = ZS_ATTRS_SMOOTH, [SIM_SHADE_TEXTURED] =
+                                         ZS_ATTRS_TEXTURE_SMOOTH,
+                                     [SIM_SHADE_TEXTURED_FLAT] = ZS_ATTRS_TEXTURE, [SIM_SHADE_UNLIT] =
+                                         ZS_ATTRS_TEXTURE };
     const struct sim_options *o = &rq->o;
-    const struct sim_want want = { .normals = sim_options_smooth(o), .textures = sim_options_textured(o), .picture = o->texture };
+    const struct sim_want want = { .normals = sim_options_smooth(o), .textures = sim_options_textured(o), .picture =
+        o->texture };
     struct sim_model model = { 0 };
     struct sim_view view;
     struct sim_scene scene = { 0 };
@@ -169,10 +189,11 @@ static int of_model(struct budget *b, const struct budget_request *rq)
     return status;
 }
 
-/* ---- Numbers ------------------------------------------------------------------------------------------------------------ */
+/* ---- Numbers
+ * ------------------------------------------------------------------------------------------------------------ */
 
-/* Counts of a scene of which only numbers are known: triangles of one size all over what is covered, half as high again as
- * wide at worst, in no order; most of them as near to affine as such triangles are. */
+/* Counts of a scene of which only numbers are known: triangles of one size all over what is covered, half as high again
+ * as wide at worst, in no order; most of them as near to affine as such triangles are. */
 static void guess(struct budget *b, const struct budget_request *rq)
 {
     const struct zs_config *c = &b->config;
@@ -181,10 +202,12 @@ static void guess(struct budget *b, const struct budget_request *rq)
     const int linear = c->depth == &zs_depth_linear;
     const double tris = c->max_tris, all = (double)rq->scene_tris, verts = (double)rq->scene_verts;
     const double covered = rq->coverage / 100.0 * c->width * c->height, tested = covered * rq->complexity;
-    const double won = covered * (1.0 + 0.9 * log(rq->complexity < 1.0 ? 1.0 : rq->complexity)); /* each of n wins by odds of 1/n */
+    /* each of n wins by odds of 1/n */
+    const double won = covered * (1.0 + 0.9 * log(rq->complexity < 1.0 ? 1.0 : rq->complexity));
     const double area = tested / tris, high = 1.1 * sqrt(2.0 * area), rows = tris * high;
     const double spans = rows * (area < 4.0 ? 0.35 + 0.65 * area / 4.0 : 1.0);
-    const double setups = tris * (1.0 + high / c->strip_h), in_sight = verts * (tris / all + 0.1 > 1.0 ? 1.0 : tris / all + 0.1);
+    const double setups = tris * (1.0 + high / c->strip_h), in_sight = verts * (tris / all + 0.1 > 1.0 ? 1.0 :
+                                                                                tris / all + 0.1);
     const enum sim_cost texel = rq->o.texel == SIM_TEXEL_565 ? SIM_COST_fetch_565_px
                                 : rq->o.texel == SIM_TEXEL_PAL8 ? SIM_COST_fetch_pal8_px : SIM_COST_fetch_pal4_px;
     const enum sim_cost direct = rq->o.texel == SIM_TEXEL_565 ? SIM_COST_won_565
@@ -197,12 +220,11 @@ static void guess(struct budget *b, const struct budget_request *rq)
     n[linear ? SIM_COST_vertex_linear : c->depth == &zs_depth_recip ? SIM_COST_vertex_recip : SIM_COST_vertex] = verts;
     n[SIM_COST_tri] = all;
     n[SIM_COST_tri_box] = n[SIM_COST_tri_bin] = tris;
-    if (shade == SIM_SHADE_ID)
-        n[SIM_COST_face_raw] = tris;
     if (shade == SIM_SHADE_FLAT || shade == SIM_SHADE_TEXTURED_FLAT)
         n[SIM_COST_face_flat_given] = tris;
     if (!solid)
-        n[smooth ? SIM_COST_light_smooth : shade == SIM_SHADE_TEXTURED ? SIM_COST_light_texture : SIM_COST_attr_texture] = in_sight;
+        n[smooth ? SIM_COST_light_smooth : shade == SIM_SHADE_TEXTURED ? SIM_COST_light_texture :
+          SIM_COST_attr_texture] = in_sight;
     if (solid && !linear && high <= 64.0) {
         n[SIM_COST_setup_small] = setups;
         n[SIM_COST_row_small] = rows;
@@ -264,7 +286,9 @@ static int of_numbers(struct budget *b, const struct budget_request *rq)
     if (sim_options_textured(&rq->o))
         b->texels = rq->o.texel == SIM_TEXEL_565 ? 1u : rq->o.texel == SIM_TEXEL_PAL8 ? 2u : 4u;
     b->n_instances = (uint32_t)rq->instances;
-    b->data = (uint32_t)rq->scene_verts * v + (uint32_t)rq->scene_tris * t + b->n_instances * (RECORD_zs_mesh + RECORD_zs_material);
+    b->data =
+        (uint32_t)rq->scene_verts * v + (uint32_t)rq->scene_tris * t +
+        b->n_instances * (RECORD_zs_mesh + RECORD_zs_material);
     b->guessed = 1;
     guess(b, rq);
     return SIM_OK;

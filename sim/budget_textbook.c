@@ -24,11 +24,13 @@ static void print(const struct whole *w, int csv)
         return;
     }
     if (w->color_bits + w->depth_bits > 0.0)
-        printf("%.0fx%.0f, %.0f bits of colour and %.0f of depth, %.0f sample%s a pixel: %.0f + %.0f = %.0f bytes, %.1f MB\n",
+        printf("%.0fx%.0f, %.0f bits of colour and %.0f of depth, %.0f sample%s a pixel: "
+               "%.0f + %.0f = %.0f bytes, %.1f MB\n",
                w->width, w->height, w->color_bits, w->depth_bits, w->samples, w->samples > 1.0 ? "s" : "", color, depth,
                color + depth, (color + depth) / 1e6);
     if (w->accesses > 0.0)
-        printf("%.0fx%.0f, depth complexity %g, %.0f accesses of %.0f bits a fragment: %.0f bytes a frame, %.1f MB\n", w->width,
+        printf("%.0fx%.0f, depth complexity %g, %.0f accesses of %.0f bits a fragment: %.0f bytes a frame, %.1f MB\n",
+               w->width,
                w->height, w->fragments, w->accesses, w->access_bits, traffic, traffic / 1e6);
 }
 
@@ -40,7 +42,8 @@ int budget_textbook(const struct budget_request *rq)
         { 1280, 1024, 0, 0, 1, 4, 5, 32 },
     };
     if (rq->has_buffer) {
-        const struct whole w = { (double)rq->buffer[0], (double)rq->buffer[1], (double)rq->color_bits, (double)rq->bits_of_depth,
+        const struct whole w = { (double)rq->buffer[0], (double)rq->buffer[1], (double)rq->color_bits,
+            (double)rq->bits_of_depth,
                                  (double)rq->samples, rq->fragments, (double)rq->accesses, (double)rq->access_bits };
         print(&w, rq->csv);
         return SIM_OK;

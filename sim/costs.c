@@ -1,8 +1,8 @@
-/* `zsim costs`: what a stage costs, fitted from what probes took on a core and how often each thing was done in them; and how
- * well that tells what other scenes take.
+/* `zsim costs`: what a stage costs, fitted from what probes took on a core and how often each thing was done in them;
+ * and how well that tells what other scenes take.
  *
- * The fit: costs c >= 0 that make the sum over probes of (1 - sum_k n_k c_k / taken)^2 least, by Lawson and Hanson's active
- * set. So an error counts as a part of its probe, small or large.
+ * The fit: costs c >= 0 that make the sum over probes of (1 - sum_k n_k c_k / taken)^2 least, by Lawson and Hanson's
+ * active set. So an error counts as a part of its probe, small or large.
  *
  * SPDX-License-Identifier: MIT
  */
@@ -54,7 +54,8 @@ double sim_costs_sum(enum sim_core core, const struct sim_counted *counted)
     return sum;
 }
 
-/* ---- Probes, counted ---------------------------------------------------------------------------------------------- */
+/* ---- Probes, counted ----------------------------------------------------------------------------------------------
+ * */
 
 struct counted_probe {
     char name[PROBE_NAME_CHARS];
@@ -77,14 +78,16 @@ static int count_probes(struct probes *p)
         const int err = sim_costs_count(&p->at[i].counted, &probe->frame.scene, &probe->frame.camera, &probe->config);
         if (err)
             status = sim_refuse(probe->name, 0, "cannot be counted: %s",
-                                err == SIM_FRAME_BROKEN ? "pixels found are not those that the renderer tested" : zs_strerror(err));
+                                err == SIM_FRAME_BROKEN ? "pixels found are not those that the renderer tested" :
+                                    zs_strerror(err));
         p->n = i + 1u;
     }
     free(probe);
     return status;
 }
 
-/* ---- What they took -------------------------------------------------------------------------------------------------- */
+/* ---- What they took
+ * -------------------------------------------------------------------------------------------------- */
 
 /* taken[n] from a file of firmware/app/costs.c, checked line by line. */
 static int read_taken(double *taken, const char *file, const struct probes *p)
@@ -107,7 +110,8 @@ static int read_taken(double *taken, const char *file, const struct probes *p)
             status = sim_refuse(file, at, "the probe failed there: %.100s", line);
         else if (sscanf(line, "%lu,%47[a-z0-9_],%lf,%lu", &number, name, &count, &sum) == 4) {
             if (number < found || (number > found && sum) || number >= p->n || strcmp(name, p->at[number].name) != 0)
-                status = sim_refuse(file, at, "probe %lu, %s, is not the one that this zsim has there; measure again", number,
+                status = sim_refuse(file, at, "probe %lu, %s, is not the one that this zsim has there; measure again",
+                                    number,
                                     name);
             else if (sum && sum != p->at[number].counted.checksum)
                 status = sim_refuse(file, at, "%s: its frame is not the one that this zsim draws", name);
@@ -123,7 +127,8 @@ static int read_taken(double *taken, const char *file, const struct probes *p)
     return status;
 }
 
-/* ---- The fit ----------------------------------------------------------------------------------------------------------- */
+/* ---- The fit
+ * ----------------------------------------------------------------------------------------------------------- */
 
 /* Solve G x = b for the unknowns in `in`, others 0, by elimination. */
 static void solve(const double g[N][N], const double b[N], const char in[N], double x[N])
@@ -223,7 +228,8 @@ static void fit(double cost[N], const struct probes *p, const double *taken)
         cost[k] = x[k] * unit[k];
 }
 
-/* ---- Output -------------------------------------------------------------------------------------------------------------- */
+/* ---- Output
+ * -------------------------------------------------------------------------------------------------------------- */
 
 static double sum_of(const double cost[N], const struct sim_counted *c)
 {
@@ -241,7 +247,8 @@ static void print_costs(double cost[SIM_CORES][N], const char have[SIM_CORES])
             printf(" %8s", sim_core_names[c]);
     printf("  of one\n");
     for (int k = 0; k < N; k++) {
-        printf("%-9s", k == 0 || strcmp(sim_cost_names[k].stage, sim_cost_names[k - 1].stage) ? sim_cost_names[k].stage : "");
+        printf("%-9s", k == 0 || strcmp(sim_cost_names[k].stage, sim_cost_names[k - 1].stage) ? sim_cost_names[k].stage
+               : "");
         for (int c = 0; c < SIM_CORES; c++)
             if (have[c])
                 printf(" %8.*f", cost[c][k] < 100.0 ? 1 : 0, cost[c][k]);
@@ -295,7 +302,8 @@ static void print_header(double cost[SIM_CORES][N])
     puts("};\n\n#endif");
 }
 
-/* ---- Command line ----------------------------------------------------------------------------------------------------------- */
+/* ---- Command line
+ * ----------------------------------------------------------------------------------------------------------- */
 
 struct request {
     const char *files[SIM_CORES];
@@ -324,13 +332,13 @@ static const struct sim_option table[] = {
 
 static const char usage[] =
     "usage: zsim costs [options]\n"
-    "What each stage of the renderer costs, instructions on a core (cycles on the RP2040): as on record, or fitted from what\n"
-    "the probes took, scenes that isolate a stage each (make costs measures them).\n"
+    "What each stage of the renderer costs, instructions on a core (cycles on the RP2040): as on record, or fitted\n"
+    "from what the probes took, scenes that isolate a stage each (make costs measures them).\n"
     "\n"
     "  --m0 F.csv --m3 F.csv --m4 F.csv --m7 F.csv --rv32 F.csv --rp2040 F.csv\n"
     "              what firmware/app/costs.c printed on a core: fit from it\n"
-    "  --drift N   hold what is on record against it instead: exit status 1 where that is more than N percent off in the\n"
-    "              root mean square of the probes\n"
+    "  --drift N   hold what is on record against it instead: exit status 1 where that is more than N percent off in\n"
+    "              the root mean square of the probes\n"
     "  --header    print it as sim/stage_costs.h; cores that were not measured keep what is on record\n"
     "  --probes    each probe: taken, and how far the fit is from it\n"
     "  --error F   how far it is from what the demo and bench scenes take, which are not in the fit: lines of\n"
@@ -388,10 +396,12 @@ static int run(const struct request *rq)
     for (int c = 0; status == SIM_OK && !rq->header && c < SIM_CORES; c++)
         if (rq->files[c])
             printf("%-8s %s %zu probes: off by %.1f %% (root mean square), at most %+.1f %% (%s)\n", sim_core_names[c],
-                   rq->has_drift ? "on record, held against" : "fitted to", residual[c].n, 100.0 * residual[c].rms, 100.0 * residual[c].worst, p.at[residual[c].at].name);
+                   rq->has_drift ? "on record, held against" : "fitted to", residual[c].n, 100.0 * residual[c].rms,
+                       100.0 * residual[c].worst, p.at[residual[c].at].name);
     for (int c = 0; status == SIM_OK && rq->has_drift && c < SIM_CORES; c++)
         if (100.0 * residual[c].rms > rq->drift)
-            status = sim_refuse(NULL, 0, "costs on record for %s are %.1f %% off, more than %g: make costs-record", sim_core_names[c],
+            status = sim_refuse(NULL, 0, "costs on record for %s are %.1f %% off, more than %g: make costs-record",
+                                sim_core_names[c],
                                 100.0 * residual[c].rms, rq->drift);
     free(taken);
     free(p.at);

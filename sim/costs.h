@@ -1,7 +1,7 @@
-/* What a frame costs, stage by stage: how often each thing is done in it, and what one takes on a core. Counts come from the
- * renderer itself, which is given shaders, texel formats, a depth mapping and a state kernel that look on and pass on; so
- * they follow whatever ways it takes. What one takes is fitted from the probes (firmware/scenes/probes.h) by make
- * costs-record.
+/* What a frame costs, stage by stage: how often each thing is done in it, and what one takes on a core. Counts come
+ * from the renderer itself, which is given shaders, texel formats, a depth mapping and a state kernel that look on and
+ * pass on; so they follow whatever ways it takes. What one takes is fitted from the probes (firmware/scenes/probes.h)
+ * by make costs-record.
  *
  * SPDX-License-Identifier: MIT
  */
@@ -33,15 +33,15 @@
     X(tri_looked, "triangle", "more where the pool does not hold the mesh")                              \
     X(tri_box, "triangle", "more where it faces the eye: box, off screen or empty")                      \
     X(tri_bin, "triangle", "more where it is seen: bin")                                                 \
-    X(face_raw, "triangle", "its colour, raw")                                                           \
-    X(face_flat, "triangle", "its light, flat, normal from its edges")                                   \
-    X(face_flat_given, "triangle", "its light, flat, normal given")                                      \
+    X(face_flat, "triangle", "more for its light, flat, normal from its edges")                                   \
+    X(face_flat_given, "triangle", "more for its light, flat, normal given")                                      \
     X(tri_clip, "clip", "triangle cut at near, far or the guard band")                                   \
     X(tri_hidden, "set-up", "triangle in a strip, found hidden")                                         \
     X(bound, "set-up", "triangle of 64 columns or more in a strip: what it hides")                       \
     X(setup_small, "set-up", "small triangle of one colour in a strip")                                  \
     X(setup, "set-up", "any other triangle in a strip, of one colour")                                   \
     X(setup_wide, "set-up", "more beyond 64 px")                                                         \
+    X(plane_wide, "set-up", "key, colour or coordinate over a triangle beyond 128 px")                   \
     X(setup_empty, "set-up", "triangle in a strip without a pixel there")                                \
     X(setup_octaves, "set-up", "more where depth float crosses an octave")                               \
     X(setup_linear, "set-up", "more with depth linear")                                                  \
@@ -57,7 +57,6 @@
     X(span_smooth, "span", "row with pixels, smooth, affine")                                            \
     X(span_direct, "span", "row with pixels, texels, affine, unlit or lit palette")                      \
     X(span_runs, "span", "row with pixels, any other way")                                               \
-    X(span_octaves, "span", "more where depth float crosses an octave")                                  \
     X(span_linear, "span", "more with depth linear")                                                     \
     X(piece, "span", "piece of a row, where depth float crosses an octave")                              \
     X(px_small, "pixel", "pixel tested, small triangle")                                                 \
@@ -81,6 +80,8 @@
     X(fetch, "run", "part of texels fetched")                                                            \
     X(fetch_group, "run", "more where its ends are divided: up to 32 in perspective")                    \
     X(fetch_one, "run", "more where it is one texel in perspective")                                     \
+    X(fetch_clamped, "run", "more where the texture is clamped")                                         \
+    X(fetch_single, "run", "texel of a clamped texture, fetched by itself")                              \
     X(fetch_565_px, "run", "texel 565 fetched")                                                          \
     X(fetch_pal8_px, "run", "texel pal8 fetched")                                                        \
     X(fetch_pal4_px, "run", "texel pal4 fetched")                                                        \
@@ -103,8 +104,8 @@ struct sim_counted {
     uint32_t checksum;     /* FNV-1a, 32 bits, of its bytes as they leave */
 };
 
-/* Draw a frame and count. Return ZS_OK, or an error of the renderer; SIM_FRAME_BROKEN: pixels that were counted are not those
- * that the renderer says. Not for two threads at once. Needs ZS_STATS = 1. */
+/* Draw a frame and count. Return ZS_OK, or an error of the renderer; SIM_FRAME_BROKEN: pixels that were counted are not
+ * those that the renderer says. Not for two threads at once. Needs ZS_STATS = 1. */
 int sim_costs_count(struct sim_counted *out, const struct zs_scene *scene, const struct zs_camera *camera,
                     const struct zs_config *config);
 
@@ -121,8 +122,9 @@ double sim_costs_sum(enum sim_core core, const struct sim_counted *counted);
 /* Put costs in the place of what is on record. */
 void sim_costs_set(enum sim_core core, const double cost[SIM_COST_N]);
 
-/* Print how far the estimate is from what frames of the demo and bench scenes took: lines "CORE SCENE NUMBER" of a file, as of
- * tests/golden/bench.txt. SIM_OK; SIM_REFUSED: it cannot be read, or a scene is more than bar percent off. */
+/* Print how far the estimate is from what frames of the demo and bench scenes took: lines "CORE SCENE NUMBER" of a
+ * file, as of tests/golden/bench.txt. SIM_OK; SIM_REFUSED: it cannot be read, or a scene is more than bar percent off.
+ * */
 int sim_costs_error(const char *file, double bar);
 
 /* `zsim costs`: the arguments after the name. */

@@ -1,6 +1,6 @@
-/* Counting by looking on. Instances are copied, with materials and textures, so that what they name is ours: each of our
- * structs begins with the renderer's and knows the one that it stands for. Rows and spans are found here, from a triangle's
- * corners, whatever way it is drawn; their pixels must be as many as the renderer says.
+/* Counting by looking on. Instances are copied, with materials and textures, so that what they name is ours: each of
+ * our structs begins with the renderer's and knows the one that it stands for. Rows and spans are found here, from a
+ * triangle's corners, whatever way it is drawn; their pixels must be as many as the renderer says.
  *
  * SPDX-License-Identifier: MIT
  */
@@ -52,6 +52,7 @@ static struct {
     uint32_t band_end, walks, checksum;
     uint8_t by_number; /* flag: some mesh was not transformed at once */
     const struct zs_job *job; /* whose run is coloured; NULL: none */
+    uint8_t huge;      /* flag, of the triangle that was set up last */
     uint8_t keys;      /* flag, of the triangle in hand: its keys are linear */
 } now;
 
@@ -69,7 +70,7 @@ static struct our_texel *texel_of(const struct zs_texel *texel)
 
 struct shape {
     double rows, spans, px;
-    int wide; /* flag: beyond ZS_TINY */
+    int wide, huge; /* flags: beyond ZS_TINY, beyond twice that */
 };
 
 /* The first sample at or beyond an edge from a to b, at the middle of a row; exact. */
@@ -93,8 +94,10 @@ static void look(struct shape *s, const struct zs_job *job)
         hi[1] = zs_max32(hi[1], v[k]->y);
     }
     s->wide = hi[0] - lo[0] > ZS_TINY || hi[1] - lo[1] > ZS_TINY;
+    s->huge = hi[0] - lo[0] > 2 * ZS_TINY || hi[1] - lo[1] > 2 * ZS_TINY;
+    const int32_t first = zs_max32(zs_first_sample(lo[1]), job->y0);
     const int32_t end = zs_min32(zs_first_sample(hi[1]), job->y1);
-    for (int32_t row = zs_max32(zs_first_sample(lo[1]), job->y0); row < end; row++) {
+    for (int32_t row = first; row < end; row++) {
         int32_t x[2], n = 0;
         for (int k = 0; k < 3 && n < 2; k++) {
             const struct zs_vertex *a = v[k], *b = v[(k + 1) % 3];
@@ -176,6 +179,8 @@ static void count_setup(const struct shape *s)
     now.tested += (uint64_t)s->px;
     now.n[SIM_COST_setup]++;
     now.n[SIM_COST_setup_wide] += s->wide;
+    now.n[SIM_COST_plane_wide] += s->huge; /* its key */
+    now.huge = (uint8_t)s->huge;
     now.n[SIM_COST_row] += s->rows;
 }
 
@@ -188,6 +193,8 @@ static void count_start(const struct zs_job *job, const struct our_shader *s)
         now.n[affine ? SIM_COST_start_texture : SIM_COST_start_texture_w]++;
     if (s->kind == KIND_TEXTURE && s->of->n_attrs == 3)
         now.n[SIM_COST_start_light]++;
+    if (s->kind != KIND_SOLID && now.huge)
+        now.n[SIM_COST_plane_wide] += s->of->n_attrs + !affine;
 }
 
 static void on_start(struct zs_job *job)
@@ -209,7 +216,8 @@ static void on_rows(struct zs_job *job)
     now.keys = 1;
     s->of->rows(job);
     const double won = written() - before;
-    const int affine = job->sub_log2 == ZS_AFFINE && (s->kind == KIND_SMOOTH || (job->sampler.direct && job->sampler.unlit));
+    const int affine = job->sub_log2 == ZS_AFFINE && (s->kind == KIND_SMOOTH ||
+                                                      (job->sampler.direct && job->sampler.unlit));
     if (s->kind != KIND_SOLID)
         count_start(job, s);
     if (s->kind == KIND_SOLID) {
@@ -252,7 +260,8 @@ static void on_run(struct zs_job *job, const struct zs_row *row, int32_t from, i
     if (s->kind == KIND_SMOOTH) {
         now.n[SIM_COST_run_smooth_px] += to - from;
         if (job->sub_log2 != ZS_AFFINE)
-            now.n[SIM_COST_run_smooth_part] += ((to - 1 - row->x0) >> job->sub_log2) - ((from - row->x0) >> job->sub_log2) + 1;
+            now.n[SIM_COST_run_smooth_part] +=
+                ((to - 1 - row->x0) >> job->sub_log2) - ((from - row->x0) >> job->sub_log2) + 1;
     }
     now.job = job;
     s->of->run(job, row, from, to);
@@ -304,7 +313,8 @@ static void on_state_rows(struct zs_job *job)
     now.n[SIM_COST_won_runs] += written() - before;
 }
 
-static void on_state_span(struct zs_job *job, const struct zs_row *row, int32_t i0, int32_t i1, uint32_t sum, uint32_t gx)
+static void on_state_span(struct zs_job *job, const struct zs_row *row, int32_t i0, int32_t i1, uint32_t sum,
+                          uint32_t gx)
 {
     const struct our_kernel *k = (const struct our_kernel *)(uintptr_t)job->state->kernel;
     const uint32_t before = written();
@@ -320,6 +330,7 @@ static void on_depth_rows(struct zs_job *job)
     struct shape shape;
     const uint32_t before = written();
     look(&shape, job);
+    now.huge = (uint8_t)shape.huge;
     now.keys = 0;
     now.of->rows(job);
     if (now.keys)
@@ -327,7 +338,6 @@ static void on_depth_rows(struct zs_job *job)
     count_setup(&shape);
     if (now.of != &zs_depth_linear) {
         now.n[SIM_COST_setup_octaves]++;
-        now.n[SIM_COST_span_octaves] += shape.spans;
         return;
     }
     now.n[SIM_COST_setup_linear]++;
@@ -339,10 +349,16 @@ static void on_depth_rows(struct zs_job *job)
 static void on_fetch(const struct zs_texture *t, uint16_t *out, int32_t n, const struct zs_walk *walk)
 {
     const struct our_texel *x = texel_of(t->format);
-    now.n[SIM_COST_fetch]++;
-    now.n[x->fetch] += n;
-    if (now.job && now.job->sub_log2 != ZS_AFFINE)
-        now.n[n > 1 ? SIM_COST_fetch_group : SIM_COST_fetch_one]++;
+    const int divided = now.job && now.job->sub_log2 != ZS_AFFINE;
+    if (n == 1 && t->clamp && !divided) { /* one of a part that goes beyond the border */
+        now.n[SIM_COST_fetch_single]++;
+    } else {
+        now.n[SIM_COST_fetch]++;
+        now.n[x->fetch] += n;
+        now.n[SIM_COST_fetch_clamped] += t->clamp != 0;
+        if (divided)
+            now.n[n > 1 ? SIM_COST_fetch_group : SIM_COST_fetch_one]++;
+    }
     x->of->fetch(t, out, n, walk);
 }
 
@@ -364,9 +380,7 @@ static void copy_shader(struct our_shader *s, const struct zs_shader *of)
     s->vertex = of == &zs_shade_smooth           ? SIM_COST_light_smooth
                 : of == &zs_shade_texture_smooth ? SIM_COST_light_texture
                                                  : SIM_COST_attr_texture;
-    s->face = of == &zs_shade_raw                                       ? SIM_COST_face_raw
-              : of == &zs_shade_flat || of == &zs_shade_texture_flat    ? SIM_COST_face_flat
-                                                                        : SIM_COST_N;
+    s->face = of == &zs_shade_flat || of == &zs_shade_texture_flat ? SIM_COST_face_flat : SIM_COST_N;
     s->shader.vertex = of->vertex ? on_vertex : NULL;
     s->shader.face = on_face;
     s->shader.rows = on_rows;
@@ -381,7 +395,8 @@ static void copy_texel(struct our_texel *x, const struct zs_texel *of)
 {
     x->texel = *of;
     x->of = of;
-    x->fetch = of == &zs_texel_565 ? SIM_COST_fetch_565_px : of == &zs_texel_pal8 ? SIM_COST_fetch_pal8_px : SIM_COST_fetch_pal4_px;
+    x->fetch = of == &zs_texel_565 ? SIM_COST_fetch_565_px : of == &zs_texel_pal8 ? SIM_COST_fetch_pal8_px :
+        SIM_COST_fetch_pal4_px;
     x->won = of == &zs_texel_565 ? SIM_COST_won_565 : of == &zs_texel_pal8 ? SIM_COST_won_pal8 : SIM_COST_won_pal4;
     x->texel.fetch = on_fetch;
     x->texel.gather = on_gather;
@@ -418,10 +433,12 @@ static void count_bounds(const struct zs_strip *strip)
 {
     const struct zs_renderer *r = now.r;
     for (uint32_t t = 0; r->large && t < r->n_tris; t++) {
-        const struct zs_vertex *a = &r->vert[r->tri[t].v[0]], *b = &r->vert[r->tri[t].v[1]], *c = &r->vert[r->tri[t].v[2]];
+        const struct zs_vertex *a = &r->vert[r->tri[t].v[0]], *b = &r->vert[r->tri[t].v[1]], *c =
+            &r->vert[r->tri[t].v[2]];
         const int32_t x0 = zs_min32(zs_min32(a->x, b->x), c->x), x1 = zs_max32(zs_max32(a->x, b->x), c->x);
         const int32_t y0 = zs_min32(zs_min32(a->y, b->y), c->y), y1 = zs_max32(zs_max32(a->y, b->y), c->y);
-        now.n[SIM_COST_bound] += zs_min32(zs_first_sample(x1), strip->w) - zs_max32(zs_first_sample(x0), 0) >= 2 << ZS_TILE_LOG2 &&
+        now.n[SIM_COST_bound] += zs_min32(zs_first_sample(x1), strip->w) - zs_max32(zs_first_sample(x0), 0) >=
+            2 << ZS_TILE_LOG2 &&
                                  zs_first_sample(y0) < strip->y + strip->h && zs_first_sample(y1) > strip->y;
     }
 }
@@ -451,10 +468,12 @@ static void count_frame(const struct zs_config *config, const struct zs_stats *s
     const double walks = now.walks, walked = s->instances_in - s->instances_culled;
     n[SIM_COST_frame] = 1;
     n[SIM_COST_strip] = s->strips;
-    n[SIM_COST_clear_px] = (double)s->strips * config->width * (config->strip_h < config->height ? config->strip_h : config->height);
+    n[SIM_COST_clear_px] = (double)s->strips * config->width * (config->strip_h < config->height ? config->strip_h :
+                                                                config->height);
     n[SIM_COST_instance] = walks * walked;
     n[SIM_COST_instance_culled] = walks * s->instances_culled;
-    n[SIM_COST_vertex_out] = s->verts_transformed - (n[SIM_COST_vertex] + n[SIM_COST_vertex_recip] + n[SIM_COST_vertex_linear] +
+    n[SIM_COST_vertex_out] =
+        s->verts_transformed - (n[SIM_COST_vertex] + n[SIM_COST_vertex_recip] + n[SIM_COST_vertex_linear] +
                                                      n[SIM_COST_vertex_ortho]);
     if (n[SIM_COST_vertex_out] < 0) /* clipping projects too */
         n[SIM_COST_vertex_out] = 0;

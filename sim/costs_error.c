@@ -85,7 +85,8 @@ static int count_pico(struct sim_counted *out, const struct demo *d)
     static const struct {
         const char *name;
         uint16_t size[5]; /* rate, rows, triangles, vertices, words */
-    } sizes[] = { SIZE(teapot), SIZE(china), SIZE(cubes), SIZE(knot), SIZE(flyover), SIZE(city), SIZE(hall), SIZE(globe) };
+    } sizes[] = { SIZE(teapot), SIZE(china), SIZE(cubes), SIZE(knot), SIZE(flyover), SIZE(city), SIZE(hall),
+        SIZE(globe) };
     struct demo_frame *f = sim_alloc(1, sizeof *f);
     struct sim_counted one;
     struct zs_config c;
@@ -124,7 +125,8 @@ static int read_lines(struct line *lines, size_t *n, const char *file)
     double taken;
     FILE *f = fopen(file, "r");
     if (!f)
-        return sim_refuse(file, 0, "cannot be read; give tests/golden/bench.txt, or lines of core, scene and what its frame took");
+        return sim_refuse(file, 0,
+                          "cannot be read; give tests/golden/bench.txt, or lines of core, scene and number");
     *n = 0;
     while (fgets(text, sizeof text, f))
         if (text[0] != '#' && sscanf(text, "%15s %31s %lf", core, scene, &taken) == 3 && core_named(core) >= 0 &&
@@ -175,7 +177,8 @@ static void print_table(const struct line *lines, size_t n, double bar)
             }
         if (count)
             printf("%-8s %2zu scenes, none of them in the fit: off by %.1f %% (root mean square), at most %+.1f %%%s\n",
-                   sim_core_names[c], count, sqrt(square / (double)count), worst, fabs(worst) <= bar ? "" : ": too far");
+                   sim_core_names[c], count, sqrt(square / (double)count), worst, fabs(worst) <= bar ? "" :
+                       ": too far");
     }
 }
 

@@ -58,6 +58,7 @@ run cli sh tests/cli.sh "$build/test/zsim" "$build/test/cli"
 run cli_texture sh tests/cli_texture.sh "$build/test/zsim" "$build/test/cli_texture"
 run panels sh tests/panels.sh "$build/test/zsim" "$build/test/panels"
 run study sh tests/study.sh "$build/test/zsim" "$build/test/study" "$build"
+run budget sh tests/budget.sh "$build/test/zsim" "$build/test/budget"
 run demo sh tests/demo.sh "$build/test/zsim" "$build/test/demo"
 run pico sh tests/pico.sh "$build"
 run lm3s6965 sh tests/boards/lm3s6965.sh "$build"
@@ -68,6 +69,7 @@ run linux sh tests/linux.sh "$build"
 for check in wide objects kernels hal includes cplusplus stack size still scale bench; do
     run "$check" sh "tests/checks/$check.sh" "$build"
 done
+run costs sh tests/checks/costs.sh "$build" quick
 
 echo
 cat "$skipped"

@@ -1,6 +1,6 @@
-/* What probes cost: every scene of probes.h, one line of CSV each. Instructions where ticks count them, else the ticks of one
- * frame; the checksum is FNV-1a, 32 bits, over the frame's bytes as they leave, so that whoever counts what was done in the
- * same frame elsewhere knows that it is the same. COSTS_FEW=1: of those that tell much
+/* What probes cost: every scene of probes.h, one line of CSV each. Instructions where ticks count them, else the ticks
+ * of one frame; the checksum is FNV-1a, 32 bits, over the frame's bytes as they leave, so that whoever counts what was
+ * done in the same frame elsewhere knows that it is the same. COSTS_FEW=1: of those that tell much
  * the same half, and no checksum, for slow machines.
  *
  * SPDX-License-Identifier: MIT

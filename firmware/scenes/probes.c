@@ -1,6 +1,6 @@
 /* A probe is a grid of triangles in up to three layers, made from where its corners are to be on the screen and how far
- * away: sizes, depths and covered pixels are what the table says, whatever the lens. Layers are the same mesh, scaled about
- * the eye: the same picture, farther away.
+ * away: sizes, depths and covered pixels are what the table says, whatever the lens. Layers are the same mesh, scaled
+ * about the eye: the same picture, farther away.
  *
  * SPDX-License-Identifier: MIT
  */
@@ -17,7 +17,8 @@
 enum shade { RAW, RAW_FACES, FLAT, FLAT_GIVEN, SMOOTH, TEX_565, TEX_PAL8, TEX_PAL4, TEX_FLAT_565, TEX_FLAT_PAL,
              TEX_FLAT_PAL_200, TEX_SMOOTH_565, TEX_SMOOTH_PAL, SHADES };
 static const char *const shade_name[SHADES] = {
-    "raw", "raw_faces", "flat", "flat_given", "smooth", "tex_565", "tex_pal8", "tex_pal4", "tex_flat_565", "tex_flat_pal",
+    "raw", "raw_faces", "flat", "flat_given", "smooth", "tex_565", "tex_pal8", "tex_pal4", "tex_flat_565",
+        "tex_flat_pal",
     "tex_flat_pal200", "tex_smooth_565", "tex_smooth_pal"
 };
 
@@ -31,7 +32,10 @@ enum flag {
     BEHIND_US = 64, /* instances behind the eye too */
     SMALL_POOL = 128,
     ORTHO = 256,
-    WALL = 512     /* one large layer before the others */
+    WALL = 512,    /* one large layer before the others */
+    CLAMP = 1024,  /* textures end at their borders */
+    DENSE = 2048,  /* 12 texels to a px: too many in a triangle for 15 bits */
+    SPARSE = 4096  /* triangles in every other cell: vertices are shared by fewer */
 };
 
 /* What to draw. Sizes in px; depths in units of which near has 4096. */
@@ -60,7 +64,8 @@ static struct zs_texture texture;
 static const struct zs_state state = ZS_STATE(0, 1, -2, 0);
 static const struct zs_depth *const depths[] = { &zs_depth_float, &zs_depth_recip, &zs_depth_linear };
 static const struct zs_shader *const shaders[SHADES] = {
-    &zs_shade_raw, &zs_shade_raw, &zs_shade_flat, &zs_shade_flat, &zs_shade_smooth, &zs_shade_texture, &zs_shade_texture,
+    &zs_shade_raw, &zs_shade_raw, &zs_shade_flat, &zs_shade_flat, &zs_shade_smooth, &zs_shade_texture,
+        &zs_shade_texture,
     &zs_shade_texture, &zs_shade_texture_flat, &zs_shade_texture_flat, &zs_shade_texture_flat, &zs_shade_texture_smooth,
     &zs_shade_texture_smooth
 };
@@ -102,8 +107,9 @@ static void vertex_put(uint32_t v, const struct plan *p, int32_t x_q4, int32_t y
     (void)zs_unit(unit, n);
     for (int k = 0; k < 3; k++)
         normal[v][k] = (zs_q1_15)(unit[k] >> 15 > 32767 ? 32767 : unit[k] >> 15);
-    uv[v][0] = (int16_t)(x_q4); /* a texel a px: 64 * 16 to the repeat */
-    uv[v][1] = (int16_t)(y_q4);
+    const int32_t times = p->flags & DENSE ? 96 : p->flags & CLAMP ? 3 : 8, from = p->flags & CLAMP ? 100 : 0;
+    uv[v][0] = (int16_t)(x_q4 * times / 8 + from); /* a texel a px: 64 * 16 to the repeat; clamped: most within */
+    uv[v][1] = (int16_t)(y_q4 * times / 8 + from);
 }
 
 static void mesh_fields(struct zs_mesh *m, const struct plan *p)
@@ -139,7 +145,9 @@ static void sphere(struct zs_mesh *m)
 
 static void grid_make(const struct plan *p)
 {
-    const int32_t cell = p->cell, left = (p->width * 16 - p->nx * cell) / 2 - (p->flags & BESIDE ? p->width * 8 + p->nx * cell / 2 - cell : 0);
+    const int32_t cell = p->cell, left = (p->width * 16 - p->nx * cell) / 2 - (p->flags & BESIDE ?
+                                                                               p->width * 8 + p->nx * cell / 2 - cell :
+                                                                                   0);
     const int32_t high = p->tall ? cell * p->tall / 64 : cell, top = (p->height * 16 - p->ny * high) / 2;
     uint32_t v = 0, t = 0;
     for (int32_t j = 0; j <= p->ny; j++)
@@ -152,7 +160,7 @@ static void grid_make(const struct plan *p)
         }
     for (uint32_t j = 0; j < p->ny && !(p->flags & BARE); j++)
         for (uint32_t i = 0; i < p->nx; i++)
-            for (uint32_t k = 0; k < 2; k++, t++) {
+            for (uint32_t k = 0; k < 2 && !(p->flags & SPARSE && (i + j) % 2u); k++, t++) {
                 const uint32_t a = j * (p->nx + 1u) + i, b = a + p->nx + 1u;
                 const uint32_t turn = p->flags & AWAY ? 1u : 0u;
                 tri[t][0] = (uint16_t)(k ? a + 1u : a);
@@ -276,6 +284,35 @@ static int plan_of(struct plan *p, uint32_t i)
         { TEX_565, 1, 1, 2, 1, 0, 1200, 11000, 12000, STATE, W, H, 24, 0 },
         { TEX_PAL8, 2, 2, 2, 1, 0, 600, 7000, 14000, STATE, W, H, 24, 0 },
         { TEX_PAL8, 6, 5, 2, 1, 0, 200, 7000, 14000, STATE, W, H, 24, 0 },
+        { TEX_565, 6, 5, 1, 1, 0, 250, 11000, 11100, CLAMP | DENSE, W, H, 24, 0 },
+        { TEX_PAL4, 1, 1, 1, 1, 0, 1700, 11000, 11000, CLAMP | DENSE, W, H, 24, 0 },
+        { RAW, 1, 1, 3, -1, 0, 3600, 11000, 12000, 0, 240, H, 8, 0 },
+        { RAW, 1, 1, 3, -1, 0, 3600, 11000, 12000, 0, 240, H, 4, 0 },
+        { RAW, 1, 1, 3, -1, 0, 3600, 7000, 16000, 0, 240, H, 8, 0 },
+        { RAW, 1, 1, 3, 1, 0, 3600, 11000, 12000, 0, 240, H, 4, 0 },
+        { FLAT_GIVEN, 2, 1, 3, -1, 0, 2400, 11000, 12000, 0, 240, H, 4, 0 },
+        { FLAT_GIVEN, 2, 1, 3, -1, 0, 2400, 6000, 21000, 0, 240, H, 4, 0 },
+        { SMOOTH, 1, 1, 3, -1, 0, 3600, 11000, 12000, 0, 240, H, 4, 0 },
+        { SMOOTH, 1, 1, 2, -1, 0, 3600, 6000, 21000, 0, 240, H, 4, 1 },
+        { TEX_565, 1, 1, 2, -1, 0, 3600, 11000, 11100, 0, 240, H, 4, 0 },
+        { TEX_SMOOTH_565, 1, 1, 2, -1, 0, 3600, 8000, 18000, 0, 240, H, 8, 0 },
+        { RAW, 1, 20, 1, 1, 0, 3600, 11000, 12000, 0, 240, H, 24, 0, 1 },
+        { FLAT_GIVEN, 24, 2, 1, 1, 0, 24, 11000, 12000, 0, W, H, 24, 0, 1600 },
+        { RAW, 2, 20, 3, 1, 0, 500, 11000, 12000, 0, W, H, 24, 0, 2 },
+        { RAW, 8, 20, 3, 1, 0, 200, 11000, 12000, 0, W, H, 24, 0, 4 },
+        { RAW, 24, 20, 1, 1, 0, 60, 11000, 12000, 0, W, H, 24, 0, 8 },
+        { RAW, 24, 20, 3, 1, 0, 8, 11000, 12000, 0, W, H, 24, 0, 512 },
+        { RAW, 24, 20, 3, 1, 0, 30, 11000, 12000, 0, W, H, 24, 0, 20 },
+        { SMOOTH, 8, 20, 2, 1, 0, 200, 11000, 12000, 0, W, H, 24, 0, 4 },
+        { SMOOTH, 24, 20, 1, 1, 0, 8, 11000, 12000, 0, W, H, 24, 0, 512 },
+        { RAW, 24, 20, 2, 1, 0, 34, 11000, 12000, SPARSE, W, H, 48, 0 },
+        { FLAT_GIVEN, 24, 20, 2, 1, 0, 34, 11000, 12000, SPARSE, W, H, 48, 0 },
+        { SMOOTH, 24, 20, 2, 1, 0, 34, 11000, 12000, SPARSE, W, H, 48, 0 },
+        { SMOOTH, 24, 20, 1, 1, 0, 12, 11000, 12000, SPARSE, W, H, 48, 0 },
+        { TEX_565, 24, 20, 2, 1, 0, 34, 11000, 12000, SPARSE, W, H, 48, 0 },
+        { TEX_565, 24, 20, 1, 1, 0, 12, 11000, 12000, SPARSE, W, H, 48, 0 },
+        { TEX_SMOOTH_565, 24, 20, 2, 1, 0, 34, 11000, 12000, SPARSE, W, H, 48, 0 },
+        { TEX_SMOOTH_565, 24, 20, 1, 1, 0, 12, 11000, 12000, SPARSE, W, H, 48, 0 },
     };
     *p = base;
     /* shading by size: lit, overdrawn from either side */
@@ -347,6 +384,19 @@ static int plan_of(struct plan *p, uint32_t i)
         return 1;
     }
     i -= n;
+    static const uint8_t ends[] = { TEX_565, TEX_PAL4, TEX_FLAT_PAL_200, TEX_SMOOTH_PAL };
+    n = LENGTH(ends) * LENGTH(gentle) * 4u; /* textures that end, and dense ones */
+    if (i < n) {
+        p->shade = ends[i / 4u / LENGTH(gentle)];
+        p->z0 = gentle[i / 4u % LENGTH(gentle)].z0;
+        p->z1 = gentle[i / 4u % LENGTH(gentle)].z1;
+        p->flags = i & 1u ? CLAMP : DENSE;
+        p->nx = i & 2u ? 6 : 1;
+        p->ny = i & 2u ? 5 : 1;
+        p->cell = i & 2u ? 250 : 1700;
+        return 1;
+    }
+    i -= n;
     n = LENGTH(some) * LENGTH(strips); /* strip heights */
     if (i < n) {
         p->shade = some[i / LENGTH(strips)];
@@ -391,7 +441,7 @@ static void name_make(char *to, const struct plan *p)
 {
     static const char *const depth_name[] = { "", "_recip", "_linear" };
     static const char *const flag_name[] = { "_away", "_bare", "_near", "_state", "_fine", "_beside", "_behind",
-                                             "_pools", "_ortho", "_wall" };
+                                             "_pools", "_ortho", "_wall", "_clamp", "_dense", "_sparse" };
     uint32_t at = put_text(to, 0, shade_name[p->shade]);
     at = put_text(to, at, depth_name[p->depth]);
     for (uint32_t k = 0; k < LENGTH(flag_name); k++)
@@ -411,6 +461,7 @@ static void texture_choose(const struct plan *p)
     material.texture = s >= TEX_565 ? &texture : 0;
     texture = square;
     texture.palette = palette;
+    texture.clamp = p->flags & CLAMP ? ZS_CLAMP_U | ZS_CLAMP_V : 0;
     texture.n_colors = s == TEX_FLAT_PAL_200 ? 200 : 16;
     texture.format = &zs_texel_pal8;
     texture.texel = texel_pal8;

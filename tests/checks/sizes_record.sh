@@ -77,8 +77,8 @@ for c in $CPUS; do for d in $DEPTHS; do for m in $(seq 1 63); do
 done; done; done | xargs -P 2 -L 1 sh "$0" >"$work/flash.txt" || exit 1
 
 cat <<'END'
-/* Sizes of structs on a Cortex-M, flash by what is linked and worst-case stacks, bytes: what zsim budget cannot ask the host.
- * Recorded by make costs-record.
+/* Sizes of structs on a Cortex-M, flash by what is linked and worst-case stacks, bytes: what zsim budget cannot ask the
+ * host. Recorded by make costs-record.
  *
  * SPDX-License-Identifier: MIT
  */
@@ -96,8 +96,8 @@ struct record_bytes {
     unsigned zstrip, library; /* of the renderer; of libgcc and the C library */
 };
 
-/* [CPU][float, recip, linear][shaders: 1 raw, 2 flat, 4 smooth, 8 texture, 16 texture_flat, 32 texture_smooth], without texel
- * formats */
+/* [CPU][float, recip, linear][shaders: 1 raw, 2 flat, 4 smooth, 8 texture, 16 texture_flat, 32 texture_smooth], without
+ * texel formats */
 static const struct record_bytes record_flash[RECORD_CPUS][3][64] = {
 END
 for c in $CPUS; do
@@ -111,6 +111,7 @@ for c in $CPUS; do
     echo "    },"
 done
 echo "};"
+awk '$1 == "cortex-m3" && ($2 " " $3 == "float 2" || $2 " " $3 == "recip 63") { print "/* of which " $2 " " $3 " is " $4 " */" }' "$work/flash.txt"
 echo
 more() { # NAME STATEMENTS DECLARATIONS: what a program with all shaders and depth float takes more
     for c in $CPUS; do
