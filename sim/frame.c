@@ -142,13 +142,13 @@ int sim_frame_render_to(struct sim_frame *frame, const struct zs_scene *scene, c
 
 /* What the threads share out.
  *
- *   strips   every n-th to each, as long as the pools hold the scene: a fair share of the pixels, but each thread walks the
- *            scene as often as one would do that draws all.
+ *   strips   every n-th to each, as long as the pools hold the scene: a fair share of the pixels, but each thread walks
+ *            the scene as often as one would do that draws all.
  *   bands    strips that lie together. Where the pools do not hold the scene walks take longer than drawing, and a band
  *            takes its part of them alone.
- *   parts    of the triangles, in scene order, where a walk takes longer than the pixels: every n-th part to each, drawn as a
- *            frame of its own. The nearest key wins at every pixel, and on equal keys the earlier part: least (key, scene
- *            order), as in one frame. Not with states, which mind what was drawn before.
+ *   parts    of the triangles, in scene order, where a walk takes longer than the pixels: every n-th part to each,
+ *            drawn as a frame of its own. The nearest key wins at every pixel, and on equal keys the earlier part: least
+ *            (key, scene order), as in one frame. Not with states, which mind what was drawn before.
  */
 enum way { BY_STRIPS, BY_BANDS, BY_PARTS };
 #define PART_TRIS 1500u   /* a part has at least so many, ... */
@@ -262,7 +262,8 @@ struct pixels {
 };
 
 /* Those of `from` that are nearer, and on equal keys of an earlier part, go to a frame from pixel `first` on. */
-static void keep_nearest(struct sim_frame *frame, uint16_t *frame_part, size_t first, const struct pixels *from, size_t n)
+static void keep_nearest(struct sim_frame *frame, uint16_t *frame_part, size_t first, const struct pixels *from,
+                         size_t n)
 {
     static const uint16_t none[4] = { ZS_DEPTH_CLEAR, ZS_DEPTH_CLEAR, ZS_DEPTH_CLEAR, ZS_DEPTH_CLEAR };
     uint16_t *key = frame->key + first, *rgb565 = frame->rgb565 + first, *part = frame_part + first;
@@ -361,8 +362,8 @@ static enum way way_of(const struct zs_scene *scene, const struct zs_config *con
         simple &= mesh->pos != NULL && mesh->tri != NULL && mesh->n_verts <= 65535u && scene->instance[i].state == NULL;
     }
     const uint64_t pixels = (uint64_t)config->width * config->height;
-    if (simple && n > 1 && *n_tris * PIXELS_A_TRI >= pixels && *n_tris >= (uint64_t)INSTANCE_TRIS * scene->n_instances &&
-        *n_tris >= n) {
+    if (simple && n > 1 && *n_tris >= n && *n_tris * PIXELS_A_TRI >= pixels &&
+        *n_tris >= (uint64_t)INSTANCE_TRIS * scene->n_instances) {
         const uint64_t each = *n_tris / n / PART_TRIS;
         *parts = n * (each < 1 ? 1 : each > PARTS_MAX ? PARTS_MAX : (uint32_t)each);
         return BY_PARTS;
@@ -439,7 +440,8 @@ int sim_frame_render_threads(struct sim_frame *frame, const struct zs_scene *sce
             err = worker_init(w, config, frame);
     }
     const double start = clock_seconds(CLOCK_MONOTONIC);
-    while (!err && started + 1 < n && pthread_create(&worker[started + 1].thread, NULL, work, &worker[started + 1]) == 0)
+    while (!err && started + 1 < n &&
+           pthread_create(&worker[started + 1].thread, NULL, work, &worker[started + 1]) == 0)
         started++;
     if (!err)
         (void)work(&worker[0]); /* this thread's share */

@@ -72,8 +72,8 @@ static const void *gathered(struct sim_share *share, const void *from, size_t si
 }
 
 /* Triangles [first, first + n), and which vertices they name. */
-static const uint16_t (*picked_tris(struct sim_share *share, struct picked *picked, const struct zs_mesh *mesh, uint32_t first,
-                                    uint32_t n))[3]
+static const uint16_t (*picked_tris(struct sim_share *share, struct picked *picked, const struct zs_mesh *mesh,
+                                    uint32_t first, uint32_t n))[3]
 {
     const uint16_t *index = mesh->tri[first];
     const int close = close_by(picked, index, n, mesh->n_verts);
@@ -89,7 +89,8 @@ static const uint16_t (*picked_tris(struct sim_share *share, struct picked *pick
 }
 
 /* Clusters as far as they hold triangles [first, end): what they say of all of theirs holds for some. */
-static void cut_clusters(struct sim_share *share, struct zs_mesh *out, const struct zs_mesh *mesh, uint32_t first, uint32_t end)
+static void cut_clusters(struct sim_share *share, struct zs_mesh *out, const struct zs_mesh *mesh, uint32_t first,
+                         uint32_t end)
 {
     if (mesh->cluster == NULL)
         return;
@@ -110,7 +111,8 @@ static void cut_clusters(struct sim_share *share, struct zs_mesh *out, const str
 #define BLOCKS_MAX 8 /* a mesh: triangles, sources, pos, pos_lo, normal, vertex_rgb, uv, clusters */
 
 /* Triangles [first, end) of a mesh, which has more. */
-static void cut_mesh(struct sim_share *share, struct zs_mesh *out, const struct zs_mesh *mesh, uint32_t first, uint32_t end)
+static void cut_mesh(struct sim_share *share, struct zs_mesh *out, const struct zs_mesh *mesh, uint32_t first,
+                     uint32_t end)
 {
     struct picked picked;
     *out = *mesh;

@@ -136,8 +136,8 @@ static void strips_left_out_at_random(void **state)
         }
 }
 
-/* Parts that share vertices, keys that are equal and numbers of vertices that there are not: the same mesh twice on itself in
- * other colours, then a copy with triangles that name missing vertices, cut at any place, also through clusters. */
+/* Parts that share vertices, keys that are equal, numbers of vertices that there are not: a mesh twice in the same
+ * place, and twice another of its triangles in no order, cut anywhere. */
 static void parts_meet_anywhere(void **state)
 {
     static uint16_t tri[2520][3], raw[2520];
@@ -249,6 +249,7 @@ int main(void)
                                         cmocka_unit_test(parts_meet_anywhere),
                                         cmocka_unit_test(shares_are_sound_meshes),
                                         cmocka_unit_test(states_are_not_drawn_in_parts),
-                                        cmocka_unit_test(strips_left_out_at_random), cmocka_unit_test(a_refused_frame) };
+                                        cmocka_unit_test(strips_left_out_at_random),
+                                        cmocka_unit_test(a_refused_frame) };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
