@@ -70,7 +70,7 @@ bench: sim $(B)/.setup-bench $(B)/gen/meshes.h
 bench-record: $(B)/.setup-test $(B)/gen/meshes.h
 	@sh tests/checks/bench.sh $(B) record >$(B)/bench.txt && mv $(B)/bench.txt tests/golden/bench.txt
 
-## scale: how instructions grow with triangles, pixels, strips, passes and depth complexity: CSV and plots in build/scale
+## scale: how instructions grow with triangles, pixels, strips, passes, depth complexity: CSV and plots in build/scale
 scale: $(B)/.setup-scale $(B)/gen/meshes.h
 	@sh tests/checks/scale.sh $(B) plots
 

@@ -300,6 +300,7 @@ static void write_stats(FILE *f, const struct job *job)
         stats_panel(&json, job);
     if (o->threads > 0) {
         sim_json_number(&json, "threads", (double)o->threads);
+        sim_json_number(&json, "thread_parts", job->time.parts);
         sim_json_number(&json, "draw_us", 1e6 * job->time.wall);
         sim_json_number(&json, "draw_busiest_us", 1e6 * job->time.busiest);
     }

@@ -13,6 +13,7 @@
 #include "frame.h"
 #include "prng.h"
 #include "scenes.h"
+#include "share.h"
 
 #define W 96
 #define H 72
@@ -32,7 +33,8 @@ static struct zs_config config_of(const struct demo *demo, int kind, uint16_t st
     return c;
 }
 
-static void check(const struct demo_frame *f, const struct zs_config *c, uint32_t threads)
+/* *parts: that the triangles were drawn in; NULL: not asked. */
+static void check(const struct demo_frame *f, const struct zs_config *c, uint32_t threads, uint32_t *parts)
 {
     struct sim_frame one, many;
     struct sim_frame_time time;
@@ -45,7 +47,14 @@ static void check(const struct demo_frame *f, const struct zs_config *c, uint32_
     assert_int_equal(b->tris_drawn, a->tris_drawn);
     assert_int_equal(b->tris_facing, a->tris_facing);
     assert_int_equal(b->strips, a->strips);
-    if (a->passes == 1) { /* hidden triangles are not known across sets */
+    assert_int_equal(b->tris_in, b->tris_drawn + b->tris_frustum + b->tris_near + b->tris_far + b->tris_offscreen +
+                                     b->tris_facing + b->tris_zero + b->tris_empty + b->tris_index);
+    assert_int_equal(b->tris_clipped, a->tris_clipped);
+    assert_int_equal(b->instances_in, a->instances_in);
+    assert_int_equal(b->instances_culled, a->instances_culled);
+    if (parts)
+        *parts = time.parts;
+    if (a->passes == 1 && !time.parts) { /* hidden triangles are not known across sets and parts */
         assert_int_equal(b->tris_setup, a->tris_setup);
         assert_int_equal(b->tris_hidden, a->tris_hidden);
         assert_int_equal(b->pixels_tested, a->pixels_tested);
@@ -57,6 +66,7 @@ static void check(const struct demo_frame *f, const struct zs_config *c, uint32_
 
 static void frames_of_1_to_5_threads(void **state)
 {
+    uint32_t by_parts = 0, by_strips = 0, parts;
     (void)state;
     for (uint32_t d = 0; d < n_demos; d++) {
         struct demo_frame f;
@@ -64,9 +74,12 @@ static void frames_of_1_to_5_threads(void **state)
         for (uint32_t threads = 1; threads <= 5; threads++)
             for (int kind = 0; kind < 3; kind++) {
                 const struct zs_config c = config_of(demos[d], kind, kind == 0 ? 5 : 10);
-                check(&f, &c, threads);
+                check(&f, &c, threads, &parts);
+                by_parts += parts > 1 && parts % threads == 0;
+                by_strips += !parts;
             }
     }
+    assert_true(by_parts > 20 && by_strips > 20); /* both ways have been taken */
 }
 
 static void more_threads_than_strips(void **state)
@@ -76,7 +89,7 @@ static void more_threads_than_strips(void **state)
     demo_cubes.pose(&f, 0, W, H);
     for (int kind = 0; kind < 2; kind++) {
         const struct zs_config c = config_of(&demo_cubes, kind, 30);
-        check(&f, &c, SIM_THREADS_MAX);
+        check(&f, &c, SIM_THREADS_MAX, NULL);
     }
 }
 
@@ -123,6 +136,98 @@ static void strips_left_out_at_random(void **state)
         }
 }
 
+/* Parts that share vertices, keys that are equal, numbers of vertices that there are not: a mesh twice in the same
+ * place, and twice another of its triangles in no order, cut anywhere. */
+static void parts_meet_anywhere(void **state)
+{
+    static uint16_t tri[2520][3], raw[2520];
+    static struct zs_cluster cluster[40];
+    struct prng p = { 5 };
+    (void)state;
+    struct demo_frame f;
+    struct zs_mesh odd = *(demo_mesh.pose(&f, 0, W, H), f.instance[0].mesh);
+    assert_int_equal(odd.n_tris, 2520);
+    for (uint32_t t = 0; t < odd.n_tris; t++) {
+        const uint32_t from = prng_pick(&p, odd.n_tris); /* in no order: vertices of a part lie anywhere */
+        memcpy(tri[t], odd.tri[from], sizeof tri[t]);
+        raw[t] = (uint16_t)(t * 40503u);
+        if (prng_pick(&p, 50) == 0)
+            tri[t][prng_pick(&p, 3)] = (uint16_t)(odd.n_verts + prng_pick(&p, 65536u - odd.n_verts));
+    }
+    for (uint32_t i = 0; i < 40; i++) { /* spheres and cones that hold everything */
+        cluster[i] = (struct zs_cluster){ .first = 63 * i, .n_tris = 63, .radius = odd.radius, .cutoff = 127 };
+        memcpy(cluster[i].center, odd.center, sizeof odd.center);
+    }
+    odd.tri = (const uint16_t (*)[3])tri;
+    odd.face_raw = raw;
+    odd.cluster = cluster;
+    odd.n_clusters = 40;
+    for (uint32_t i = 1; i < 4; i++) {
+        f.instance[i] = f.instance[0];
+        f.instance[i].mesh = i == 1 ? f.instance[0].mesh : &odd;
+    }
+    f.scene.n_instances = 4;
+    for (uint32_t n_tris = 2520; n_tris > 1800; n_tris -= 1 + prng_pick(&p, 200)) {
+        odd.n_tris = n_tris;
+        odd.n_clusters = (n_tris + 62) / 63;
+        cluster[odd.n_clusters - 1].n_tris = (uint16_t)(n_tris - 63 * (odd.n_clusters - 1));
+        for (int kind = 0; kind < 3; kind++) {
+            const struct zs_config c = config_of(&demo_mesh, kind, 7);
+            uint32_t parts;
+            check(&f, &c, 2 + prng_pick(&p, 6), &parts);
+            assert_true(parts > 1);
+        }
+    }
+}
+
+/* What is cut out of a mesh is a sound mesh itself, clusters too, and has each triangle once. */
+static void shares_are_sound_meshes(void **state)
+{
+    struct zs_cluster cluster[40];
+    struct prng p = { 6 };
+    (void)state;
+    struct demo_frame f;
+    struct zs_mesh whole = *(demo_mesh.pose(&f, 0, W, H), f.instance[0].mesh);
+    for (uint32_t i = 0; i < 40; i++) {
+        cluster[i] = (struct zs_cluster){ .first = 63 * i, .n_tris = 63, .radius = whole.radius, .cutoff = 127 };
+        memcpy(cluster[i].center, whole.center, sizeof whole.center);
+    }
+    whole.cluster = cluster;
+    whole.n_clusters = 40;
+    f.instance[0].mesh = &whole;
+    for (int k = 0; k < 200; k++) {
+        const uint32_t first = prng_pick(&p, 2520), end = first + 1 + prng_pick(&p, 2520 - first);
+        struct sim_share share;
+        sim_share_make(&share, &f.scene, first, end);
+        const struct zs_mesh *mesh = share.instance[0].mesh;
+        assert_int_equal(zs_mesh_check(mesh, NULL), ZS_FLAW_NONE);
+        assert_int_equal(mesh->n_tris, end - first);
+        assert_true(mesh->n_clusters >= mesh->n_tris / 63 && mesh->n_clusters <= mesh->n_tris / 63 + 2);
+        for (uint32_t t = 0; t < mesh->n_tris; t++)
+            for (int j = 0; j < 3; j++)
+                assert_memory_equal(mesh->pos[mesh->tri[t][j]], whole.pos[whole.tri[first + t][j]], sizeof *whole.pos);
+        sim_share_free(&share);
+    }
+}
+
+/* A state minds what was drawn before: such scenes are shared out by strips. */
+static void states_are_not_drawn_in_parts(void **state)
+{
+    static const struct zs_state later = ZS_STATE(1, 0, 0, 0);
+    uint32_t parts;
+    (void)state;
+    struct demo_frame f;
+    demo_mesh.pose(&f, 0, W, H);
+    const struct zs_config c = config_of(&demo_mesh, 0, 7);
+    check(&f, &c, 2, &parts);
+    assert_int_equal(parts, 2);
+    f.instance[1] = f.instance[0];
+    f.instance[1].state = &later;
+    f.scene.n_instances = 2;
+    check(&f, &c, 2, &parts);
+    assert_int_equal(parts, 0);
+}
+
 /* What a frame is refused for comes from each thread, once. */
 static void a_refused_frame(void **state)
 {
@@ -141,6 +246,10 @@ int main(void)
 {
     const struct CMUnitTest tests[] = { cmocka_unit_test(frames_of_1_to_5_threads),
                                         cmocka_unit_test(more_threads_than_strips),
-                                        cmocka_unit_test(strips_left_out_at_random), cmocka_unit_test(a_refused_frame) };
+                                        cmocka_unit_test(parts_meet_anywhere),
+                                        cmocka_unit_test(shares_are_sound_meshes),
+                                        cmocka_unit_test(states_are_not_drawn_in_parts),
+                                        cmocka_unit_test(strips_left_out_at_random),
+                                        cmocka_unit_test(a_refused_frame) };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

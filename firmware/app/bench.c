@@ -333,7 +333,8 @@ static const struct bar bars[] = {
     { "16k-4", &demo_mesh_tex, 16384u, 160, 128, 4, 1 },
 };
 
-/* most: the pools that take all of the scene. Return 0, or an error: ZS_ERR_ARENA where strips alone are more than the bar. */
+/* most: the pools that take all of the scene. Return 0, or an error: ZS_ERR_ARENA where strips alone are more than the
+ * bar. */
 static int configure_bar(struct zs_config *c, const struct demo *d, const struct bar *bar, const struct zs_config *most)
 {
     const uint32_t whole = ZS_TRI_BYTES(most->max_tris) + ZS_VERT_BYTES(most->max_verts, most->attrs);

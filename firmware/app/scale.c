@@ -1,14 +1,14 @@
-/* How a frame's instructions grow: series of scenes in which one quantity grows and all else stays, one line of CSV each.
+/* How a frame's instructions grow: series of scenes in which one quantity grows and all else stays, a line of CSV each.
  *
- *   triangles  a ball of 112 to 99,904 triangles over a third of 320x240 (half of them turned away); a jittered sheet of 98
- *              to 99,458 over all of it (none turned away). Above 65,534 drawn triangles the pools take passes
+ *   triangles  a ball of 112 to 99,904 triangles over a third of 320x240 (half of them turned away); a jittered sheet
+ *              of 98 to 99,458 over all of it (none turned away). Above 65,534 drawn triangles the pools take passes
  *   pixels     bench scenes in 64x64 to 1024x1024, x is their product
  *   strips     bench scenes at 320x240 in 1 to 240 strips
- *   passes     20,000 triangles of the sheet with pools for all of them down to a hundredth; x is the passes that it took
+ *   passes     20,000 triangles of the sheet with pools for all of them down to a hundredth; x is the passes it took
  *   depth      1 to 64 layers that fill 320x240, front to back, back to front and mixed; 1 to 64 balls of 480 triangles
  *              behind each other, each as large on the screen as the first, the same orders
  *
- * 8 sub-pixel bits, the default depth, one strip buffer, strips of 24 rows but for `strips`, pools as large as they can be.
+ * 8 sub-pixel bits, the default depth, one strip buffer, strips of 24 rows but for `strips`, pools as large as can be.
  * The checksum is FNV-1a, 64 bits, over the frame's bytes as they leave: the same on every machine.
  *
  * SPDX-License-Identifier: MIT
@@ -269,7 +269,8 @@ static uint32_t reversed(uint32_t i, uint32_t n)
     return out;
 }
 
-/* n copies of instances of a frame, k-th 1.035^k times as far and as large, so that they look the same. Materials repeat. */
+/* n copies of instances of a frame, the k-th 1.035^k times as far and as large, so that they look the same. Materials
+ * repeat. */
 static void stack(uint32_t n, uint32_t order, const struct demo *like)
 {
     like->pose(&frame, 0, 320, 240);

@@ -8,8 +8,8 @@
 # only M0 has 16 KB of RAM.
 #
 # Usage: tests/checks/bench.sh BUILD          the checks, and what frames take
-#        tests/checks/bench.sh BUILD all      besides: each frame's error, cycles on an emulated RP2040, instructions on this
-#                                             machine (callgrind), both beside what others take, what each skip is worth;
+#        tests/checks/bench.sh BUILD all      besides: each frame's error, cycles on an emulated RP2040, instructions on
+#                                             this machine (callgrind), what others take, what each skip is worth;
 #                                             CSV in BUILD/bench; needs BUILD/zsim, valgrind, npm
 #        tests/checks/bench.sh BUILD record   the one-pass frames as lines for tests/golden/bench.txt
 #
@@ -55,8 +55,9 @@ progress() { # TEXT    on a terminal alone
 # Callgrind writes a file a call of bench_frame, numbered from 1: their totals in place of the scenes' instructions
 host_counts() {
     rm -f "$out"/calls.out*
-    valgrind --tool=callgrind --toggle-collect=bench_frame --dump-after=bench_frame --callgrind-out-file="$out/calls.out" \
-        "$top/fw/host/bench_counted.elf" >"$out/calls.csv" 2>"$out/calls.err" || { cat "$out/calls.err"; return 1; }
+    valgrind --tool=callgrind --toggle-collect=bench_frame --dump-after=bench_frame \
+        --callgrind-out-file="$out/calls.out" "$top/fw/host/bench_counted.elf" >"$out/calls.csv" 2>"$out/calls.err" ||
+        { cat "$out/calls.err"; return 1; }
     awk -F, -v OFS=, -v stem="$out/calls.out." '
         NF == 17 && $13 == 0 {
             n++
@@ -70,7 +71,7 @@ host_counts() {
 }
 if [ "$what" = run ]; then # BOARD
     progress "$(core "$3")"
-    timeout 300 sh "$0" "$top" go "$3" >"$out/$3.csv" 2>"$out/$3.err"
+    timeout 600 sh "$0" "$top" go "$3" >"$out/$3.csv" 2>"$out/$3.err"
     echo $? >"$out/$3.status"
     cat "$out/$3.err" >>"$out/$3.csv" # QEMU's semihosting may write to either
     exit
@@ -94,7 +95,8 @@ for board in host $boards; do
 done
 sh "$0" "$top" run host
 if [ "$what" = all ]; then # the pools that take a scene in one pass, as C that the compiler includes
-    awk -F, '$2 == "one-pass" && NF == 17 { printf "%s{ \"%s\", %s, %s }", n++ ? ", " : "#define BENCH_POOLS ", $1, $3, $4 }
+    awk -F, '
+        $2 == "one-pass" && NF == 17 { printf "%s{ \"%s\", %s, %s }", n++ ? ", " : "#define BENCH_POOLS ", $1, $3, $4 }
         END { print "" }' "$out/host.csv" >"$out/pools.new"
     cmp -s "$out/pools.new" "$out/pools.h" || cp "$out/pools.new" "$out/pools.h"
     progress "building for the RP2040"
@@ -206,8 +208,9 @@ bar() {
     IFS=, read -r _ variant tris verts passes _ _ _ _ _ arena _ instructions _ _ stack ram <"$out/bar"
     name="$1, $4, in $3 bytes of RAM"
     [ -n "${ram:-}" ] || { bad "$name" "not measured"; return; }
-    said="$ram (arena $arena, stack $stack, renderer and scene state $((ram - arena - stack))); strips of ${variant#*-} rows,"
-    said="$said $tris triangles, $verts vertices, $passes passes, $instructions instructions on the M3"
+    said="$ram (arena $arena, stack $stack, renderer and scene state $((ram - arena - stack)));"
+    said="$said strips of ${variant#*-} rows, $tris triangles, $verts vertices, $passes passes,"
+    said="$said $instructions instructions on the M3"
     if [ "$ram" -le "$3" ]; then ok "$name: $said"; else bad "$name" "$said"; fi
 }
 bar mesh_tex 64k 65536 "320x240, two strip buffers"
@@ -218,9 +221,11 @@ bar mesh_tex 16k 16384 "160x128"
 # ---- Tables ------------------------------------------------------------------------------------------------------
 
 echo
-echo "Cortex-M3 instructions a frame (QEMU mps2-an385 -icount; not cycles). One pass: strips of 24 rows, one buffer; strip:"
-echo "times as many as in one strip of all rows. 64 KB: the quickest of strips of 24, 16 and 8 rows, two buffers; RAM is"
-echo "arena, renderer, scene state and stack."
+cat <<END
+Cortex-M3 instructions a frame (QEMU mps2-an385 -icount; not cycles). One pass: strips of 24 rows, one buffer; strip:
+times as many as in one strip of all rows. 64 KB: the quickest of strips of 24, 16 and 8 rows, two buffers; RAM is
+arena, renderer, scene state and stack.
+END
 awk -F, '
     /^#/ || $1 == "scene" || NF < 17 { next }
     $2 == "one-pass" { order[++n] = $1; one[$1] = $0; next }
@@ -231,8 +236,9 @@ awk -F, '
             "setups", "instr", "a tri", "a frag", "strip", "arena", "64 KB", "instr", "passes", "RAM", "checksum"
         for (i = 1; i <= n; i++) {
             split(one[order[i]], a, ","); split(small[order[i]], s, ",")
-            printf "%-15s %6d %6d %7d %7d %7.2fM %7.0f %7.1f %6.3f %7d | %7s %7.2fM %6d %6d  %s\n", a[1], a[6], a[7], a[10],
-                a[8], a[13] / 1e6, a[14], a[15], a[13] / strip[a[1]], a[11], s[2], s[13] / 1e6, s[5], s[17], a[12] }
+            printf "%-15s %6d %6d %7d %7d %7.2fM %7.0f %7.1f %6.3f %7d | %7s %7.2fM %6d %6d  %s\n", a[1], a[6], a[7],
+                a[10], a[8], a[13] / 1e6, a[14], a[15], a[13] / strip[a[1]], a[11], s[2], s[13] / 1e6, s[5], s[17], a[12]
+        }
     }' "$out/mps2.csv"
 
 # What the double-precision reference says of the same frames: "scene wrong cover depth colour by-one", a line each
@@ -249,10 +255,11 @@ if [ "$what" = all ]; then
     progress
 fi
 
-# A line for each core and scene. Frames on all cores are the same, and so is their error. `count` is of instructions, on the
-# RP2040 of cycles.
+# A line for each core and scene. Frames on all cores are the same, and so is their error. `count` is of instructions,
+# on the RP2040 of cycles.
 {
-    echo "core,scene,count,per_triangle,per_fragment,wrong_percent,cover_percent,depth,colour_off,by_one_percent,passes,of"
+    echo "core,scene,count,per_triangle,per_fragment,wrong_percent,cover_percent,depth,colour_off,by_one_percent,\
+passes,of"
     for board in $boards $counted; do
         of=instructions
         [ "$board" != pico ] || of=cycles
@@ -286,12 +293,15 @@ awk -F, '
                 printf " %8s", sprintf("%s%.2f", passes[core[c], s] > 1 ? "*" : "", count[core[c], s] / 1e6)
             print with ? sprintf(" | %6s %s", wrong[s], rest[s]) : "" } }' "$out/bench.csv"
 [ "$what" = all ] || exit $failed
-echo "Error of the same frame against the double-precision reference. wrong: % of drawn pixels that show another triangle;"
-echo "cover: % missing or too many; depth: mean relative error of distances; colour: channel values more than one code"
-echo "off; by one: % of them one code off."
+cat <<END
+Error of the same frame against the double-precision reference. wrong: % of drawn pixels that show another triangle;
+cover: % missing or too many; depth: mean relative error of distances; colour: channel values more than one code
+off; by one: % of them one code off.
+END
 awk -F, -v arena=$PICO_ARENA '$1 == "RP2040" && $11 > 1 {
-    print "On the RP2040 " $2 " takes " $11 " passes: " arena " bytes of arena do not hold its pools." }' "$out/bench.csv"
-awk '$1 == "#" && $2 == "in_flash" { print "At most " $3 " % of a frame'\''s cycles there ran from flash." }' "$out/pico.csv"
+    print "On the RP2040 " $2 " takes " $11 " passes: " arena " bytes of arena do not hold its pools."
+}' "$out/bench.csv"
+awk '$1 == "#" && $2 == "in_flash" { print "At most " $3 " % of a frame on it ran from flash." }' "$out/pico.csv"
 
 echo
 echo "The same a triangle that came in and a fragment that was tested."

@@ -3,10 +3,10 @@
 # Cortex-M3: no series may grow worse than linearly. The same frames on this machine must be the same, bit for bit.
 # Instructions are not cycles.
 #
-# A series' exponent is that of the power of x that fits its points best (least squares of logarithms). It may not be above
-# 1.02, and between any two points of which one has four times the other's x not above 1.05. Points that take more
-# passes than the series' first lie on another line, because the pools do not hold the scene and it is walked again: a pass
-# of them may not take more than linear growth allows the whole.
+# A series' exponent is that of the power of x that fits its points best (least squares of logarithms). It may not be
+# above 1.02, and between any two points of which one has four times the other's x not above 1.05. Points that take more
+# passes than the series' first lie on another line, because the pools do not hold the scene and it is walked again: a
+# pass of them may not take more than linear growth allows the whole.
 #
 # Usage: tests/checks/scale.sh BUILD         the check
 #        tests/checks/scale.sh BUILD plots   besides: CSV and a plot a series in BUILD/scale; needs gnuplot
@@ -73,10 +73,12 @@ for series in triangles pixels strips passes depth; do
 done
 
 echo
-echo "Growth on the Cortex-M3 (QEMU mps2-an385 -icount): instructions from the first to the last x, the power that fits,"
-echo "and the steepest between points of four times x and more."
+echo "Growth on the Cortex-M3 (QEMU mps2-an385 -icount): instructions from the first to the last x, the power that"
+echo "fits, and the steepest between points of four times x and more."
 awk -F'|' '
-    BEGIN { printf "%-10s %-21s %8s %8s %9s %9s %6s %9s\n", "x", "scene", "from", "to", "M instr", "", "power", "steepest" }
+    BEGIN {
+        printf "%-10s %-21s %8s %8s %9s %9s %6s %9s\n", "x", "scene", "from", "to", "M instr", "", "power", "steepest"
+    }
     { printf "%-10s %-21s %8d %8d %9.3f %9.3f %6.2f %9.2f%s\n", $1, $2, $4, $5, $6 / 1e6, $7 / 1e6, $8, $9,
         ($1 != "passes" && $10 > 1) ? sprintf("  the last in %d passes", $10) : "" }' "$out/fits"
 [ "${2:-}" = plots ] || exit $failed
@@ -89,7 +91,8 @@ plot() {
     {
         echo "set terminal pngcairo size 960,600 font ',11'"
         echo "set output '$out/$series.png'"
-        echo "set datafile separator ','; set colorsequence podo; set logscale xy; set grid; set key outside right top noenhanced"
+        echo "set datafile separator ','; set colorsequence podo; set logscale xy; set grid"
+        echo "set key outside right top noenhanced"
         echo "set xlabel '$2'; set ylabel 'instructions a frame, Cortex-M3'; set format y '%.0s %c'; set xtics ($3)"
         awk -F'|' -v series="$series" '
             $1 != series { next }
@@ -97,7 +100,8 @@ plot() {
             !x0 || $4 < x0 { x0 = $4 }
             !y1 || $7 > y1 { y1 = $7 }
             !y0 || $6 < y0 { y0 = $6 }
-            END { printf "set xrange [%g:%g]; set yrange [%g:%g]\n", x0 / 1.1, x1 * 1.1, y0 / 1.5, y1 * 1.5 }' "$out/fits"
+            END { printf "set xrange [%g:%g]; set yrange [%g:%g]\n", x0 / 1.1, x1 * 1.1, y0 / 1.5, y1 * 1.5 }
+        ' "$out/fits"
         printf 'plot '
         awk -F'|' -v series="$series" -v csv="$out/mps2.csv" -v q="'" '$1 == series {
             printf "%s%s< grep \"^%s,%s,\" %s%s using 3:11 with linespoints lw 2 ps %g title %s%s, power %.2f%s%s",
@@ -105,13 +109,16 @@ plot() {
                 ($1 != "passes" && $10 > 1) ? "; last: " $10 " passes" : "", q }' "$out/fits"
         # linear growth, up to the dearest of the last points that took as many passes as the first
         awk -F, -v series="$series" -v q="'" '
-            $1 == series && NF == 11 && (series == "passes" || $4 == 1) { if ($3 >= x) { if ($3 > x || $11 > y) y = $11; x = $3 } }
-            END { printf ", %.6g * x with lines dashtype 2 lc rgb %s#888888%s title %slinear%s\n", y / x, q, q, q, q }' "$out/mps2.csv"
+            $1 != series || NF != 11 || (series != "passes" && $4 > 1) || $3 < x { next }
+            { if ($3 > x || $11 > y) y = $11; x = $3 }
+            END { printf ", %.6g * x with lines dashtype 2 lc rgb %s#888888%s title %slinear%s\n", y / x, q, q, q, q }
+        ' "$out/mps2.csv"
     } >"$out/$series.gnuplot"
     gnuplot "$out/$series.gnuplot" || bad "plot of $series" "gnuplot says no"
 }
 plot triangles 'triangles that came in; 320x240' '100, 200, 500, 1000, 2000, 5000, 10000, 20000, 50000, 100000'
-plot pixels 'pixels of the frame' '"64x64" 4096, "128x128" 16384, "256x256" 65536, "512x512" 262144, "1024x1024" 1048576'
+plot pixels 'pixels of the frame' \
+    '"64x64" 4096, "128x128" 16384, "256x256" 65536, "512x512" 262144, "1024x1024" 1048576'
 plot strips 'strips of a 320x240 frame' '1, 2, 3, 5, 10, 15, 30, 60, 120, 240'
 plot passes 'passes that smaller pools take' '1, 2, 5, 10, 20, 50, 100, 200, 500'
 plot depth 'layers that fill 320x240; balls behind each other' '1, 2, 4, 8, 16, 32, 64'

@@ -1,8 +1,8 @@
 // node bench.mjs STEM
 //
-// Boots STEM.bin, a bench with BENCH_POOLS, and prints its text (the UART's) with the cycles that bench_frame took from its
-// call to its return in place of a scene's instructions, and cycles a triangle and a fragment. Then "# in_flash N": the
-// most per cent of a frame's cycles that ran from flash; problems after "# problem".
+// Boots STEM.bin, a bench with BENCH_POOLS, and prints its text (the UART's) with the cycles that bench_frame took from
+// its call to its return in place of a scene's instructions, and cycles a triangle and a fragment. Then "# in_flash N":
+// the most per cent of a frame's cycles that ran from flash; problems after "# problem".
 //
 // SPDX-License-Identifier: MIT
 import { Pico } from './pico.mjs';
