@@ -213,12 +213,20 @@ static ZS_NOINLINE enum way float_planes(struct zs_job *job)
 /* Draw pixels [i, i + n) of a row, on which keys are linear. */
 static inline void piece(struct zs_job *job, const struct zs_row *row, int32_t i, int32_t n, uint32_t sum, uint32_t step)
 {
-    if (job->state) {
-        const struct zs_state_kernel *kernel = job->state->kernel;
-        kernel->span(job, row, i, i + n, sum, step);
-    } else {
-        const struct zs_shader *shader = job->shader;
-        shader->span(job, row, i, i + n, sum, step);
+    int32_t to = i + n;
+    for (;; sum += zs_wrap_mul(step, to - i), i = to, to = i + n) {
+        if (job->fresh)
+            to = zs_fresh_to(job, row, i, to);
+        if (job->state) {
+            const struct zs_state_kernel *kernel = job->state->kernel;
+            kernel->span(job, row, i, to, sum, step);
+        } else {
+            const struct zs_shader *shader = job->shader;
+            shader->span(job, row, i, to, sum, step);
+        }
+        n -= to - i;
+        if (n <= 0)
+            return;
     }
 }
 
@@ -356,11 +364,9 @@ static ZS_NOINLINE void float_walk(struct zs_job *job)
             row.i1 = zs_min32(row.x1, job->width);
             if (row.i0 < row.i1) {
                 job->r->stats.pixels_tested += (uint32_t)(row.i1 - row.i0);
-                while (!job->fresh || zs_fresh_part(job, &row)) {
-                    float_row(job, &row, w + zs_times(plane->gx, row.i0));
-                    if (!job->fresh)
-                        break;
-                }
+                if (job->fresh)
+                    zs_fresh_row(job, &row);
+                float_row(job, &row, w + zs_times(plane->gx, row.i0));
             }
             w += plane->gy;
             row.at += job->width;

@@ -17,12 +17,17 @@ _Static_assert(WIDE * ZS_SUBPX_ONE >= 2 * ZS_TINY, "depth_float.c draws tiny tri
 
 enum { NONE, ALL, SOME }; /* zs_renderer.fresh: what is fresh of the strip; SOME: outside r->drawn */
 
-static void clear(struct zs_renderer *r, uint32_t at, int32_t n)
+static ZS_NOINLINE void fill(uint16_t *out, uint16_t value, uint32_t n)
+{
+    zs_fill_run(out, value, n);
+}
+
+static ZS_NOINLINE void clear(struct zs_renderer *r, uint32_t at, int32_t n)
 {
     if (n <= 0)
         return;
-    zs_fill_run(r->color[r->strip & 1] + at, zs_wire16(r->scene->background), (uint32_t)n);
-    zs_fill_run(r->depth + at, ZS_DEPTH_CLEAR, (uint32_t)n);
+    fill(r->color[r->strip & 1] + at, zs_wire16(r->scene->background), (uint32_t)n);
+    fill(r->depth + at, ZS_DEPTH_CLEAR, (uint32_t)n);
 }
 
 static uint32_t rows_of(const struct zs_renderer *r)
@@ -55,7 +60,7 @@ ZS_NOINLINE void zs_fresh_end(struct zs_renderer *r)
     }
 }
 
-static void row_begins(struct zs_job *job, const struct zs_row *row)
+void zs_fresh_row(struct zs_job *job, const struct zs_row *row)
 {
     struct zs_renderer *r = job->r;
     int16_t *const drawn = r->drawn[row->y - job->y0];
@@ -133,13 +138,15 @@ static void fresh_span(struct zs_job *job, const struct zs_row *row, int32_t i, 
 ZS_ALWAYS_INLINE void keys_span(struct zs_job *job, const struct zs_row *row)
 {
     const struct zs_shader *shader = job->shader;
-    struct zs_row part = *row;
-    while (zs_fresh_part(job, &part)) {
-        const uint32_t sum = part.key + zs_wrap_mul(job->key.gx, part.i0);
+    const uint32_t gx = job->key.gx;
+    zs_fresh_row(job, row);
+    for (int32_t i = row->i0, to; i < row->i1; i = to) {
+        const uint32_t sum = row->key + zs_wrap_mul(gx, i);
+        to = zs_fresh_to(job, row, i, row->i1);
         if (job->state)
-            fresh_span(job, &part, part.i0, part.i1, sum, job->key.gx);
+            fresh_span(job, row, i, to, sum, gx);
         else
-            shader->span(job, &part, part.i0, part.i1, sum, job->key.gx);
+            shader->span(job, row, i, to, sum, gx);
     }
 }
 
@@ -164,31 +171,25 @@ static int32_t no_bias(const struct zs_job *job)
     return 0;
 }
 
-static const struct zs_state_kernel zs_state_fresh = { no_bias, fresh_rows, fresh_span };
-static const struct zs_state fresh = { &zs_state_fresh, 0, 0, 0, 0 };
+static const struct zs_state_kernel zs_fresh_kernel = { no_bias, fresh_rows, fresh_span };
+static const struct zs_state fresh = { &zs_fresh_kernel, 0, 0, 0, 0 };
 
-int zs_fresh_part(struct zs_job *job, struct zs_row *row)
+int32_t zs_fresh_to(struct zs_job *job, const struct zs_row *row, int32_t i, int32_t end)
 {
-    struct zs_renderer *r = job->r;
-    if (r->part_end == 0) { /* the row's first */
-        row_begins(job, row);
-        r->part = (uint16_t)row->i0;
-        r->part_end = (uint16_t)row->i1;
+    const struct zs_renderer *r = job->r;
+    const int32_t x0 = r->was[0], x1 = r->was[1];
+    if (i >= x0 && i < x1) {
+        job->state = 0;
+        return zs_min32(end, x1);
     }
-    const int32_t i = r->part, end = r->part_end, x0 = r->was[0], x1 = r->was[1];
-    if (i == end) {
-        r->part_end = 0;
-        return 0;
-    }
-    row->i0 = i;
-    row->i1 = i < x0 ? zs_min32(end, x0) : i < x1 ? zs_min32(end, x1) : end;
-    job->state = i < x0 || i >= x1 ? &fresh : 0;
-    if (job->state && r->config.skip_off & ZS_SKIP_TEST) {
-        zs_fill_run(job->depth + row->at + i, ZS_DEPTH_CLEAR, (uint32_t)(row->i1 - i));
+    if (i < x0)
+        end = zs_min32(end, x0);
+    job->state = &fresh;
+    if (r->config.skip_off & ZS_SKIP_TEST) {
+        fill(job->depth + row->at + i, ZS_DEPTH_CLEAR, (uint32_t)(end - i));
         job->state = 0;
     }
-    r->part = (uint16_t)row->i1;
-    return 1;
+    return end;
 }
 
 /* Is it wide in the frame, or nearly? */
@@ -218,6 +219,5 @@ int zs_fresh_takes(struct zs_job *job)
     }
     job->state = &fresh;
     job->fresh = 1;
-    r->part_end = 0;
     return 1;
 }

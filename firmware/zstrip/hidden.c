@@ -20,6 +20,7 @@
  *
  * SPDX-License-Identifier: MIT
  */
+#include "cold.h"
 #include "pipeline.h"
 
 #define TILE (1 << ZS_TILE_LOG2)

@@ -343,9 +343,10 @@ void zs_fresh_begin(struct zs_renderer *r);
 void zs_fresh_end(struct zs_renderer *r);
 /* While r->fresh: 1: job->tri can be drawn on what is fresh, job->state says how; 0: nothing is fresh any more. */
 int zs_fresh_takes(struct zs_job *job);
-/* Where job->fresh: narrow row->i0 and ->i1 to the row's next part, job->state says how to draw that. Return 0: none is left,
- * and the next call is for another row. */
-int zs_fresh_part(struct zs_job *job, struct zs_row *row);
+/* Where job->fresh: before the pieces of a row, once; then where the part ends that begins at pixel i of it, at most at
+ * `end`: job->state says how to draw that. Linear or not, keys are those of the whole piece. */
+void zs_fresh_row(struct zs_job *job, const struct zs_row *row);
+int32_t zs_fresh_to(struct zs_job *job, const struct zs_row *row, int32_t i, int32_t end);
 
 /* ---- plane.c ---------------------------------------------------------------------------------------- */
 

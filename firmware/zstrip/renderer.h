@@ -152,7 +152,6 @@ struct zs_renderer { /* what is used most comes first: a Cortex-M0 reaches 31 by
     uint16_t track_instances;     /* that there are records for */
     int16_t (*drawn)[2];          /* [strip_h]: columns [0] .. [1] - 1 of a row hold colours and keys (fresh.c) */
     int16_t was[2];               /* the same of a row, before the triangle in hand */
-    uint16_t part, part_end;      /* of a row of it: columns that are still to be drawn; 0, 0: the next row's are */
     uint32_t fresh_left;          /* how many pixels hold none, where some do */
     uint16_t group;               /* the next that the walk comes to */
     uint16_t group_slack;         /* world units that their spheres are taken to be larger by */

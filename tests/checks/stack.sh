@@ -46,7 +46,7 @@ facts() { # CPU DIR
             $1 == "local" { l[$2] = 1; next }
             function name(s) { sub(/[+-]0x.*/, "", s); return s in l ? u ":" s : s }
             /^RELOCATION RECORDS FOR/ { s = $4; gsub(/\[|\]|:/, "", s)
-                fn = s ~ /^\.text\./ ? name(substr(s, 7)) : ""; table = s ~ /\.zs_(shade|depth|texel|state|watch|track|cluster|group)_/ ? s : "" }
+                fn = s ~ /^\.text\./ ? name(substr(s, 7)) : ""; table = s ~ /\.zs_(shade|depth|texel|state|fresh|watch|track|cluster|group)_/ ? s : "" }
             fn != "" && $2 ~ /^R_ARM_THM_(CALL|JUMP)/ && $3 !~ /^\./ { print "call", fn, name($3) }
             table != "" && $2 == "R_ARM_ABS32" { print "slot", table, $1, name($3) }' "$2/$unit.locals" - |
             while read -r kind table offset fn; do
@@ -54,7 +54,7 @@ facts() { # CPU DIR
                     case $table in
                     *zs_shade_*) kind=shader struct=zs_shader ;;
                     *zs_texel_*) kind=texel struct=zs_texel ;;
-                    *zs_state_*) kind=kernel struct=zs_state_kernel ;;
+                    *zs_state_* | *zs_fresh_*) kind=kernel struct=zs_state_kernel ;;
                     *zs_watch_*) kind=watch struct=zs_watch_kernel ;;
                     *zs_track_*) kind=track struct=zs_track_kernel ;;
                     *zs_cluster_*) kind=cluster struct=zs_cluster_kernel ;;
