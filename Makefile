@@ -25,12 +25,16 @@ PKG_TEST = $(PKG_LINUX) g++ clang binutils libcmocka-dev gcc-arm-none-eabi libne
            $(PKG_RISCV) qemu-system-misc gcc-arm-linux-gnueabihf libc6-dev-armhf-cross device-tree-compiler cpio \
            $(if $(shell command -v npm),,nodejs npm)
 PKG_FUZZ = $(PKG_TEST) libclang-rt-14-dev
+PKG_PROVE = gcc libc6-dev frama-c-base
+PKG_COVERAGE = gcovr
+PKG_COMPLEXITY = pmccabe similarity-tester
 PKG_RISCV = gcc-riscv64-unknown-elf picolibc-riscv64-unknown-elf
 PKG_FW = gcc libc6-dev $(if $(filter rv32,$(BOARD)),$(PKG_RISCV),gcc-arm-none-eabi libnewlib-arm-none-eabi)
 BOARD = pico
 SCENE = teapot
 SECONDS = 600
 SEED = 1
+MUTANTS = 300
 
 ## all: the simulator, build/zsim
 all: sim
@@ -50,6 +54,28 @@ test: $(B)/.setup-test
 fuzz: $(B)/.setup-fuzz
 	@$(MAKE) --no-print-directory -j2 fuzz-programs $(B)/fuzz/fuzz_mesh
 	@sh tests/fuzz/run.sh $(B) $(SECONDS) $(SEED)
+
+## prove: no overflow, bad shift, division by zero or stray access in the kernels, over all their inputs; minutes
+prove:
+	@mkdir -p $(B) && .ci/setup $(PKG_PROVE)
+	@sh tests/prove/run.sh $(B) $(PROOFS)
+
+## coverage: lines and branches of firmware/zstrip and hal/panel that the unit tests reach
+coverage: $(B)/.setup-test
+	@.ci/setup $(PKG_COVERAGE)
+	@$(MAKE) --no-print-directory B=$(B)/coverage SAN='--coverage -fprofile-update=atomic' coverage-programs
+	@sh tests/checks/coverage.sh $(B)
+
+## complexity: of functions, and what the code says twice
+complexity:
+	@.ci/setup $(PKG_COMPLEXITY)
+	@sh tests/checks/complexity.sh
+
+## mutate: MUTANTS=300 of the renderer, SEED=1: which of them the unit tests catch; goes on where it was stopped
+mutate: $(B)/.setup-test
+	@$(MAKE) --no-print-directory mutate-programs
+	@$(MAKE) --no-print-directory B=$(B)/mutate/plain SAN= mutate-programs
+	@node tests/mutate/mutate.mjs $(B) $(MUTANTS) $(SEED)
 
 ## bench: instructions and error of frames on Cortex-M0 to M7 and RISC-V (QEMU counts); what each skip is worth
 bench: sim $(B)/.setup-test $(B)/gen/meshes.h
@@ -124,7 +150,7 @@ help:
 	@echo 'Boards, BOARD=:'
 	@for mk in firmware/boards/*/board.mk; do b=$${mk%/board.mk}; \
 	    printf '    %-10s %s\n' "$${b##*/}" "$$(sed -n 's/^BOARD_ABOUT = //p' $$mk)"; done
-.PHONY: all demo test accuracy fuzz bench bench-record still checksums depth firmware pico boards profile sim linux linux-sources \
+.PHONY: prove coverage complexity mutate all demo test accuracy fuzz bench bench-record still checksums depth firmware pico boards profile sim linux linux-sources \
         pictures size stack check clean help test-programs fuzz-programs
 
 $(B)/.setup-sim:

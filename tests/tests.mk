@@ -54,3 +54,18 @@ $(B)/fuzz/cards: $(call fuzz_objects,cards fuzz_mesh world)
 $(B)/fuzz/fuzz_mesh: tests/fuzz/fuzz_mesh.c tests/picture.c $(CORE) $(HEADERS)
 	@mkdir -p $(@D)
 	@$(subst $(CC) ,clang ,$(TEST_CC)) -Itests/fuzz -O2 -fsanitize=fuzzer $(filter %.c,$^) -o $@
+
+# Mutants (tests/mutate): the units that run the renderer, as in make test and, by B and SAN, without sanitizers
+MUTATE_TESTS = $(filter-out test_linux test_panel%,$(TESTS:tests/%.c=%))
+MUTATE_HELP = $(SCENES) $(TEST_HELP) sim/counts.c sim/frame.c sim/sim.c
+mutate-settings:
+	$(info tests $(MUTATE_TESTS))
+	$(info sources $(MUTATE_HELP))
+	$(info cc $(TEST_CC))
+	$(info link $(CC) $(SAN) -Wl,--start-group OBJECTS $(call t,sim/counts.c sim/frame.c sim/sim.c) $(B)/test/libtest.a \
+	    $(B)/libmeshes.a -Wl,--end-group -lcmocka -lm -pthread -o OUT)
+	@:
+mutate-programs: $(MUTATE_TESTS:%=$(B)/test/%) $(MUTATE_TESTS:%=$(B)/test/tests/%.o)
+.PHONY: mutate-settings mutate-programs
+coverage-programs: $(filter-out %/test_linux,$(TESTS:tests/%.c=$(B)/test/%))
+.PHONY: coverage-programs

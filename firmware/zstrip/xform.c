@@ -241,7 +241,7 @@ static inline uint32_t steps_of(int32_t c, uint32_t rcp, int32_t down)
 static int place(const struct zs_view *view, uint32_t rcp, int32_t shift, struct zs_vertex *at)
 {
     const int32_t coarse = view->snap, down = shift + coarse - 33;
-    if ((uint32_t)down > 31u)
+    if (down < 0 || down > 31)
         return place_wide(view, rcp, shift, at);
     const uint32_t most = (uint32_t)ZS_GUARD_SUBPX >> coarse;
     const uint32_t sx = steps_of(at->x, rcp, down), sy = steps_of(at->y, rcp, down);
