@@ -29,12 +29,16 @@ PKG_SCALE = $(PKG_TEST) gnuplot-nox
 PKG_FUZZ = $(PKG_TEST) libclang-rt-14-dev
 PKG_REPORT = $(PKG_SIM) gcc-arm-none-eabi libnewlib-arm-none-eabi qemu-system-arm gnuplot-nox \
              $(if $(shell command -v npm),,nodejs npm)
+PKG_PROVE = gcc libc6-dev frama-c-base
+PKG_COVERAGE = gcovr
+PKG_COMPLEXITY = pmccabe similarity-tester
 PKG_RISCV = gcc-riscv64-unknown-elf picolibc-riscv64-unknown-elf
 PKG_FW = gcc libc6-dev $(if $(filter rv32,$(BOARD)),$(PKG_RISCV),gcc-arm-none-eabi libnewlib-arm-none-eabi)
 BOARD = pico
 SCENE = teapot
 SECONDS = 600
 SEED = 1
+MUTANTS = 300
 
 ## all: the simulator, build/zsim
 all: sim
@@ -62,6 +66,28 @@ stress: $(B)/.setup-test $(B)/gen/meshes.h
 ## stress-record: what all runs have reached becomes tests/STRESS.txt
 stress-record:
 	@sh tests/stress/run.sh $(B) figures >$(B)/stress/figures.txt && cp $(B)/stress/figures.txt tests/STRESS.txt
+
+## prove: no overflow, bad shift, division by zero or stray access in the kernels, over all their inputs; minutes
+prove:
+	@mkdir -p $(B) && .ci/setup $(PKG_PROVE)
+	@sh tests/prove/run.sh $(B) $(PROOFS)
+
+## coverage: lines and branches of firmware/zstrip and hal/panel that the unit tests reach
+coverage: $(B)/.setup-test
+	@.ci/setup $(PKG_COVERAGE)
+	@$(MAKE) --no-print-directory B=$(B)/coverage SAN='--coverage -fprofile-update=atomic' coverage-programs
+	@sh tests/checks/coverage.sh $(B)
+
+## complexity: of functions, and what the code says twice
+complexity:
+	@.ci/setup $(PKG_COMPLEXITY)
+	@sh tests/checks/complexity.sh
+
+## mutate: MUTANTS=300 of the renderer, SEED=1: which of them the unit tests catch; goes on where it was stopped
+mutate: $(B)/.setup-test
+	@$(MAKE) --no-print-directory mutate-programs
+	@$(MAKE) --no-print-directory B=$(B)/mutate/plain SAN= mutate-programs
+	@node tests/mutate/mutate.mjs $(B) $(MUTANTS) $(SEED)
 
 ## bench: what frames take and how exact they are: instructions on Cortex-M0 to M7, RISC-V and here, cycles on an RP2040
 bench: sim $(B)/.setup-bench $(B)/gen/meshes.h
@@ -161,7 +187,7 @@ help:
 	    printf '    %-10s %s\n' "$${b##*/}" "$$(sed -n 's/^BOARD_ABOUT = //p' $$mk)"; done
 .PHONY: all demo test report study-variants accuracy fuzz stress stress-record bench bench-record scale costs costs-record still checksums depth firmware pico boards \
         profile sim linux linux-sources pictures size stack check clean help test-programs fuzz-programs lib-fuzz-programs \
-        stress-programs
+        stress-programs prove coverage complexity mutate
 
 $(B)/.setup-sim:
 	@mkdir -p $(B) && .ci/setup $(PKG_SIM) && touch $@

@@ -328,6 +328,10 @@ static void frames_refused_by_name(void **state)
     REFUSED(g.instance.pose.pos[1] = INT32_MIN, ZS_ERR_RANGE);
     REFUSED(g.instance.pose.scale = 0, ZS_ERR_RANGE);
     REFUSED((g.instance.pose.scale = UINT32_MAX, mesh.scale = UINT32_MAX), ZS_ERR_RANGE);
+    /* the largest scale, 2^15 units a step, and one more; without vertices and extent, so that nothing else refuses it */
+    REFUSED((mesh.scale = 1u << 31, g.instance.pose.scale = 65536, mesh.radius = 0, mesh.n_verts = mesh.n_tris = 0), ZS_OK);
+    REFUSED((mesh.scale = (1u << 31) + 1u, g.instance.pose.scale = 65536, mesh.radius = 0,
+             mesh.n_verts = mesh.n_tris = 0), ZS_ERR_RANGE);
     REFUSED(g.instance.pose.rot[0] = ZS_Q30_ONE / 2, ZS_ERR_RANGE);
     REFUSED(g.instance.pose.rot[4] = INT32_MIN, ZS_ERR_RANGE);
     REFUSED(g.instance.pose.rot[8] = -ZS_Q30_ONE, ZS_ERR_RANGE); /* a mirror */

@@ -87,3 +87,17 @@ $(B)/stress/san: $(STRESS) $(B)/stress/oracle.o $(HEADERS)
 	    -lm -o $@
 $(B)/stress/fast: $(STRESS) $(B)/stress/oracle.o $(HEADERS)
 	@$(STRESS_CC) $(STRESS) $(B)/stress/oracle.o -lm -o $@
+# Mutants (tests/mutate): the units that run the renderer, as in make test and, by B and SAN, without sanitizers
+MUTATE_TESTS = $(filter-out test_linux test_panel%,$(TESTS:tests/%.c=%))
+MUTATE_HELP = $(SCENES) $(TEST_HELP) sim/counts.c sim/frame.c sim/share.c sim/sim.c
+mutate-settings:
+	$(info tests $(MUTATE_TESTS))
+	$(info sources $(MUTATE_HELP))
+	$(info cc $(TEST_CC))
+	$(info link $(CC) $(SAN) -Wl,--start-group OBJECTS $(call t,sim/counts.c sim/frame.c sim/share.c sim/sim.c) $(B)/test/libtest.a \
+	    $(B)/libmeshes.a -Wl,--end-group -lcmocka -lm -pthread -o OUT)
+	@:
+mutate-programs: $(MUTATE_TESTS:%=$(B)/test/%) $(MUTATE_TESTS:%=$(B)/test/tests/%.o)
+.PHONY: mutate-settings mutate-programs
+coverage-programs: $(filter-out %/test_linux,$(TESTS:tests/%.c=$(B)/test/%))
+.PHONY: coverage-programs

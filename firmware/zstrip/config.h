@@ -49,6 +49,12 @@
 #define ZS_ASSERT(condition) ((void)0)
 #endif
 
+/* Relations between values, which the proofs (make prove) cannot see from ranges alone and take as given: asserted in
+ * test builds, and tried by tests/prove/facts.c. */
+#ifndef ZS_FACT
+#define ZS_FACT(condition) ZS_ASSERT(condition)
+#endif
+
 #define ZS_POOL_MAX 65534u /* records in a pool: 16-bit indices, one value for "none" */
 
 #endif

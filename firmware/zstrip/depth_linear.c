@@ -31,6 +31,7 @@ static ZS_RARE int linear_setup(struct zs_view *view, const struct zs_camera *ca
     const uint64_t c = zs_muldiv_u64((uint64_t)(view->key_top >> 16) << 46, (uint64_t)1 << 32,
                                      range << lz);                      /* [2^21, 2^31) */
     const int up = zs_clz32((uint32_t)c) - 1;
+    ZS_FACT(up >= 0 && up <= 9);
     view->key_mul = (uint32_t)c << up;
     /* (B-1) 2^78 / (range 2^lz) = c; (f - n) = range * 2^(shift - 16) */
     view->key_shift = 78 - lz - 16 + view->shift + up;
@@ -41,6 +42,7 @@ static ZS_RARE int linear_setup(struct zs_view *view, const struct zs_camera *ca
 static inline uint32_t key_of(const struct zs_view *view, uint32_t above, int32_t shift, uint32_t most)
 {
     const uint64_t product = zs_mul_uu(above, view->key_mul); /* < 2^63 */
+    ZS_FACT(shift >= -31);
     if (shift > 63)
         return 0;
     const uint64_t key = shift > 0 ? ((product >> (shift - 1)) + 1u) >> 1 : product << -shift;

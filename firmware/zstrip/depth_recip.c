@@ -22,6 +22,7 @@ static ZS_RARE int recip_setup(struct zs_view *view, const struct zs_camera *cam
     view->key_far = k >> 14;
     view->key_slow = view->key_known = 0;
     const int up = zs_clz64(k);
+    ZS_FACT(up >= 1 && up <= 26);
     view->key_mul = (uint32_t)(k << up >> 32); /* K in uq_16 * 2^(14 + up - 32), >= 2^31 */
     view->key_shift = 14 + up;                 /* undoes that and t's 32 bits; 15 .. 40 */
     return ZS_OK;

@@ -35,7 +35,7 @@ const uint16_t zs_recip_table[257] = { /* uq0_16: 512 / (256 + i) - 1; entry 0 s
 
 uint32_t zs_recip(uint32_t a)
 {
-    ZS_ASSERT(a >> 31);
+    ZS_FACT(a >> 31);
     return zs_recip_inline(a);
 }
 
@@ -74,7 +74,7 @@ static ZS_RARE struct wide wide_mul(uint64_t a, uint64_t b)
 ZS_RARE uint64_t zs_muldiv_u64(uint64_t a, uint64_t b, uint64_t d)
 {
     struct wide w = wide_mul(a, b);
-    ZS_ASSERT(w.hi < d);
+    ZS_FACT(w.hi < d); /* the quotient has 64 bits */
     uint64_t q = 0;
     for (int i = 0; i < 64; i++) { /* shift and subtract; w.hi is the remainder, < d */
         const uint64_t carry = w.hi >> 63;
@@ -100,6 +100,6 @@ ZS_RARE int64_t zs_mulshift_s64(int64_t a, uint64_t b, int n)
         r = w.lo;
     else
         r = w.hi << (64 - n) | w.lo >> n;
-    ZS_ASSERT(!(r >> 63));
+    ZS_FACT(r <= (uint64_t)INT64_MAX);
     return a < 0 ? -(int64_t)r : (int64_t)r;
 }

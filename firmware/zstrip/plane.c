@@ -63,13 +63,14 @@ void zs_plane_geom(struct zs_job *job)
 {
     struct zs_geom *g = &job->geom;
     const struct zs_vertex *a = job->v[0];
-    ZS_ASSERT(g->dx1 == job->v[1]->x - a->x && g->dy1 == job->v[1]->y - a->y);
-    ZS_ASSERT(g->dx2 == job->v[2]->x - a->x && g->dy2 == job->v[2]->y - a->y);
-    ZS_ASSERT(g->area == (int64_t)g->dx1 * g->dy2 - (int64_t)g->dx2 * g->dy1 && g->area > 0);
+    ZS_FACT(g->dx1 == job->v[1]->x - a->x && g->dy1 == job->v[1]->y - a->y);
+    ZS_FACT(g->dx2 == job->v[2]->x - a->x && g->dy2 == job->v[2]->y - a->y);
+    ZS_FACT(g->area == (int64_t)g->dx1 * g->dy2 - (int64_t)g->dx2 * g->dy1 && g->area > 0);
     const int32_t x = a->x, y = a->y;
     int32_t ia = x >> ZS_SUBPX_BITS, ja = y >> ZS_SUBPX_BITS;
     if (g->tiny || is_small(g)) {
-        const int lz = zs_clz32((uint32_t)g->area); /* area <= width * height <= 2^30 */
+        ZS_FACT(g->area <= (int64_t)1 << 30);
+        const int lz = zs_clz32((uint32_t)g->area); /* 1 .. 31: area <= width * height <= 2^30 */
         g->exp = -lz;
         g->rcp = zs_recip((uint32_t)g->area << lz);
     } else {
@@ -118,6 +119,7 @@ int32_t zs_plane_quotient(int64_t n, uint32_t rcp, int32_t shift, int32_t least_
         m = 0u - m;
         hi = ~hi + (m == 0);
     }
+    ZS_FACT(hi <= 1u << 14);
     int32_t down = 23 - shift; /* 5 .. */
     if (hi) {
         const int lz = zs_clz32(hi); /* 17 .. 31 */
@@ -139,7 +141,7 @@ TINY_GRADIENT int32_t tiny_gradient(const struct zs_geom *g, int32_t dv1, int32_
 /* n / d with 32 fraction bits: floor in *whole, fraction returned. d < 2^45. */
 static ZS_RARE ZS_NOINLINE uint32_t divide(int64_t n, int64_t d, int64_t *whole)
 {
-    int64_t q = n / d, rest = n - q * d;
+    int64_t q = n / d, rest = n % d;
     if (rest < 0) {
         rest += d;
         q--;
@@ -208,6 +210,7 @@ void zs_plane64(const struct zs_geom *g, uint64_t v0, uint64_t v1, uint64_t v2,
 static inline void small_base(const struct zs_geom *g, struct zs_plane *out)
 {
     const int32_t gx = (int32_t)out->gx, gy = (int32_t)out->gy, ax = g->ax, ay = g->ay; /* |g| <= 2^30, |a| <= 2^7 */
+    ZS_FACT(gx >= -(1 << 30) && gx <= 1 << 30 && gy >= -(1 << 30) && gy <= 1 << 30);
     const int32_t low = (gx & 255) * ax + (gy & 255) * ay + 128; /* (gx ax + gy ay + 128) / 256, the low 8 bits apart */
     out->base += (uint32_t)((gx >> 8) * ax + (gy >> 8) * ay + (low >> 8)); /* |.| < 2^31 */
 }

@@ -62,6 +62,7 @@ static ZS_NOINLINE void edge_columns(int16_t *out, int32_t n, const struct zs_ve
         q -= dx < q * dy;
     }
     int32_t part = dx - q * dy;                                       /* [0, dy] */
+    ZS_FACT(part >= 0 && part <= dy);
     const int32_t off = row * ZS_SUBPX_ONE + ZS_SUBPX_HALF - a->y;    /* 0 <= off <= dy */
     const int32_t at = a->x - ZS_SUBPX_HALF + off * q;                /* < 2^24 */
     int32_t i = at >> ZS_SUBPX_BITS, fraction = at & (ZS_SUBPX_ONE - 1);
@@ -72,6 +73,7 @@ static ZS_NOINLINE void edge_columns(int16_t *out, int32_t n, const struct zs_ve
         rest -= zs_wrap_mul((uint32_t)k, span);
         i += k;
     }
+    ZS_FACT(rest < (uint32_t)span * 2u);
     int32_t e = -(int32_t)rest;                                       /* (-2 span, 0]; becomes [0, span) */
     for (; e < 0; e += span)
         i++;
@@ -84,6 +86,7 @@ static ZS_NOINLINE void edge_columns(int16_t *out, int32_t n, const struct zs_ve
             e += span;
             i++;
         }
+        ZS_FACT(e >= 0 && e < span);
     }
 }
 

@@ -13,6 +13,8 @@
 
 #include <stdint.h>
 
+#include "config.h"
+
 /* 1: the core divides 32 bits by an instruction. */
 #if defined(__ARM_ARCH) && !defined(__ARM_FEATURE_IDIV) || defined(__riscv) && !defined(__riscv_div)
 #define ZS_DIVIDES 0
@@ -221,6 +223,8 @@ static inline int32_t zs_area_short(const int32_t *a, const int32_t *b, const in
     const int32_t bx = (int32_t)((uint32_t)b[0] - (uint32_t)a[0]), by = (int32_t)((uint32_t)b[1] - (uint32_t)a[1]);
     const int32_t cx = (int32_t)((uint32_t)c[0] - (uint32_t)a[0]), cy = (int32_t)((uint32_t)c[1] - (uint32_t)a[1]);
     *wide = (((uint32_t)bx + 0x8000u) | ((uint32_t)by + 0x8000u) | ((uint32_t)cx + 0x8000u) | ((uint32_t)cy + 0x8000u)) >> 16;
+    ZS_FACT(*wide || (bx >= -32768 && bx <= 32767 && by >= -32768 && by <= 32767 && cx >= -32768 && cx <= 32767 &&
+                      cy >= -32768 && cy <= 32767));
     return *wide ? 0 : bx * cy - cx * by;
 }
 
@@ -260,6 +264,7 @@ static inline int zs_clz32(uint32_t v)
         v >>= 8;
         n -= 8;
     }
+    ZS_FACT(v < 256u);
     return n + 8 + zs_clz8[v];
 }
 
