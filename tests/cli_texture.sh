@@ -547,8 +547,8 @@ finish
 built=$(dirname "$zsim")
 if gcc -std=gnu11 -O1 -g -fsanitize=address,undefined -Wall -Wextra -Werror -I"$top/sim" \
     -I"$top/sim/reference" -I"$top/firmware/zstrip" "$top/tests/cli/truth.c" "$built/sim/truth.o" \
-    "$built/sim/frame.o" "$built/sim/texels.o" "$built/sim/sim.o" "$built/sim/reference/reference.o" \
-    "$built/libtest.a" -lm -o truth; then
+    "$built/sim/frame.o" "$built/sim/share.o" "$built/sim/texels.o" "$built/sim/sim.o" \
+    "$built/sim/reference/reference.o" "$built/libtest.a" -lm -o truth; then
     ./truth || n_failed=$((n_failed + 1))
 else
     echo 'FAILED truth: tests/cli/truth.c does not build'
