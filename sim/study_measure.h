@@ -50,7 +50,7 @@ uint64_t study_checksum(const uint16_t *rgb565, size_t n);
 /* Name of an enum zs_err as in zstrip.h, ZS_ERR_NEAR and so on; "OK". */
 const char *study_error_name(int err);
 
-/* Pictures side by side: copy one to column `column` of a sheet of 8-bit RGB. Wrong pixels (may be NULL) in magenta. */
+/* Copy a picture to (x0, y0) of a sheet of 8-bit RGB; wrong pixels (NULL: none are marked) in magenta. */
 void study_sheet_put(uint8_t *rgb, unsigned sheet_width, unsigned x0, unsigned y0, const uint16_t *rgb565,
                      const uint8_t *wrong, unsigned width, unsigned height);
 

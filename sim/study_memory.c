@@ -222,6 +222,24 @@ static int plot_scene(struct study_page *page, const struct study_table *t, cons
     return study_plot_close(page, caption);
 }
 
+/* Pools of all sizes at the knee's strip height. */
+static void table_pools(struct study_page *page, const struct study_table *t)
+{
+    study_table_open(page, "scene|rows|pools, %|triangles|vertices|arena|passes|vertices transformed|set-ups|time");
+    for (size_t s = 0; s < N_SCENES; s++) {
+        const size_t at = knee(t, scenes[s].demo->name);
+        for (size_t r = 0; at < t->n_rows && r < t->n_rows; r++)
+            if (study_is(t, r, "scene", scenes[s].demo->name) && study_is(t, r, "buffers", "1") &&
+                study_is(t, r, "strip_h", study_cell(t, at, "strip_h")))
+                study_table_row(page, "%s|%s|%s|%s|%s|%s|%s|%s|%s|%.3f%s", scenes[s].demo->name,
+                                study_cell(t, r, "strip_h"), study_cell(t, r, "pools"), study_cell(t, r, "max_tris"),
+                                study_cell(t, r, "max_verts"), study_cell(t, r, "arena"), study_cell(t, r, "passes"),
+                                study_cell(t, r, "verts"), study_cell(t, r, "setups"), time_of(t, r),
+                                r == at ? " knee" : "");
+    }
+    study_table_close(page, "What smaller pools cost: passes, and in them vertices that are transformed again.");
+}
+
 static int picture(struct study_page *page, const struct study_table *t)
 {
     size_t worst = 0;
@@ -310,6 +328,7 @@ static int report(struct study_page *page, const struct study_table *t)
                 scenes[s].demo->name, study_cell(t, k, "arena"), study_cell(t, most, "arena"),
                 time_of(t, most) / time_of(t, k), study_cell(t, most, "passes"));
     }
+    table_pools(page, t);
     return picture(page, t);
 }
 

@@ -391,8 +391,11 @@ static int plot_front(struct study_page *page, const struct study_table *t, cons
 /* Measured once with the same scenes at 320x240: instructions in millions on the M3, wrong triangles in percent. */
 static const struct {
     const char *name;
-    double flat, textured, wrong; /* wrong < 0: not measured */
-} peers[] = { { "small3dlib", 3.77, 4.98, 33 }, { "TGX", 26.4, 44.1, 0.42 }, { "TinyGL", 21.5, 35.9, -1 } };
+    double flat, textured, wrong; /* wrong < 0: not measured; -1: a line in the plot */
+} peers[] = { { "small3dlib", 3.77, 4.98, 33 },
+              { "TGX", 26.4, 44.1, 0.42 },
+              { "TinyGL", 21.5, 35.9, -1 },
+              { "Pico3D", 3.88, 4.72, -2 } };
 #define N_PEERS (sizeof peers / sizeof peers[0])
 
 static int plot_peers(struct study_page *page, const struct study_table *t)
@@ -414,7 +417,7 @@ static int plot_peers(struct study_page *page, const struct study_table *t)
                 "set ylabel 'wrong or missing pixels, %'\n",
                 f);
     for (size_t k = 0; k < N_PEERS; k++)
-        if (peers[k].wrong < 0)
+        if (peers[k].wrong == -1)
             (void)fprintf(
                 f,
                 "set arrow from %g,0.002 to %g,100 nohead dt 3 lc rgb '#888888'\n"
@@ -441,6 +444,28 @@ static const char *millions(double m)
     if (!isnan(m))
         (void)snprintf(out, sizeof text[0], "%.3f", m);
     return out;
+}
+
+static void table_peers(struct study_page *page, const struct study_table *t)
+{
+    double flat = NAN, textured = NAN, wrong = NAN;
+    for (size_t r = 0; r < t->n_rows; r++) {
+        if (is_default(t, r) && study_is(t, r, "scene", "mesh")) {
+            flat = study_number(t, r, "m3") / 1e6;
+            wrong = study_number(t, r, "wrong");
+        }
+        if (is_default(t, r) && study_is(t, r, "scene", "mesh_tex"))
+            textured = study_number(t, r, "m3") / 1e6;
+    }
+    study_table_open(page, "Cortex-M3, M instructions|mesh|mesh_tex|wrong triangles in mesh, %");
+    study_table_row(page, "zstrip, default|%s|%s|%.3f", millions(flat), millions(textured), wrong);
+    for (size_t k = 0; k < N_PEERS; k++)
+        if (peers[k].wrong >= 0)
+            study_table_row(page, "%s|%.2f|%.2f|%.2f", peers[k].name, peers[k].flat, peers[k].textured, peers[k].wrong);
+        else
+            study_table_row(page, "%s|%.2f|%.2f|not measured", peers[k].name, peers[k].flat, peers[k].textured);
+    study_table_close(page, "The others: measured once, the same shapes at 320x240, draw and clear, textures affine; "
+                            "zstrip's are perspective-correct.");
 }
 
 static void table_front(struct study_page *page, const struct study_table *t, const struct point *p, size_t n)
@@ -560,6 +585,7 @@ static int report(struct study_page *page, const struct study_table *t)
         say_default(page, t, p, n);
         table_front(page, t, p, n);
         status = plot_peers(page, t);
+        table_peers(page, t);
     }
     free(p);
     if (status != SIM_OK)
