@@ -11,6 +11,7 @@
 #include <cmocka.h>
 
 #include "picture.h"
+#include "pipeline.h"
 #include "prng.h"
 
 #define QUADS_MAX 10
@@ -60,6 +61,8 @@ static void begin(struct prng *p, uint32_t n, int perspective)
     assert_int_equal(zs_camera_look_at(&world.camera, eye, at, up), ZS_OK);
 }
 
+static uint32_t setups_saved, untested; /* of all frames */
+
 static uint32_t hidden_case(uint64_t seed)
 {
     static const struct zs_depth *const depths[] = { &zs_depth_recip, &zs_depth_linear, &zs_depth_e3m13,
@@ -69,7 +72,7 @@ static uint32_t hidden_case(uint64_t seed)
     const int perspective = mapping != 1 || prng_pick(&p, 2);
     for (uint32_t i = 0; i < n; i++) {
         const int32_t z = prng_range(&p, 100, 8000);
-        quad(&p, i, prng_range(&p, 200, 9000), z, prng_pick(&p, 3) ? z / 20 : z);
+        quad(&p, i, prng_range(&p, 200, prng_pick(&p, 3) ? 9000 : 900), z, prng_pick(&p, 3) ? z / 20 : z);
     }
     begin(&p, n, perspective);
     for (uint32_t i = 1; i < n; i++) {
@@ -96,6 +99,10 @@ static uint32_t hidden_case(uint64_t seed)
         if (!picture_same(&plain, &got, "hidden"))
             fail_msg("seed %llu", (unsigned long long)seed);
         hidden += got.stats.tris_hidden > 0;
+        setups_saved += got.stats.tris_hidden;
+        untested += got.stats.pixels_untested > 0;
+        if (c.skip_off & ZS_SKIP_TEST && got.stats.pixels_untested)
+            fail_msg("seed %llu: drawn without a test", (unsigned long long)seed);
         picture_free(&got);
     }
     picture_free(&plain);
@@ -109,7 +116,8 @@ static void the_frame_is_the_same(void **state)
     for (uint64_t seed = 1; seed <= 1500; seed++)
         some += hidden_case(seed);
     print_message("hidden: triangles were skipped in %u of 4500 frames\n", some);
-    assert_true(some > 2000);
+    print_message("%u set-ups saved; pixels without a test in %u frames\n", setups_saved, untested);
+    assert_true(some > 2000 && untested > 1000);
 }
 
 /* Eight layers that fill the frame, front to back, back to front and mixed: set up and tested about as one. */
@@ -146,8 +154,59 @@ static void layers_cost_one(void **state)
     }
 }
 
+/* Farthest of four, level by level: a worked example, and sides that are odd or one. */
+static void a_level_up_is_the_farthest_of_four(void **state)
+{
+    static const uint16_t in[16] = { 7, 1, 0, 6, 0, 3, 1, 2, 3, 9, 1, 2, 9, 1, 2, 2 }, up[4] = { 7, 6, 9, 2 };
+    static const uint16_t odd[6] = { 1, 2, 5, 4, 3, 1 }, ends[2] = { 4, 5 };
+    uint16_t out[5] = { 0, 0, 0, 0, 77 };
+    (void)state;
+    zs_hidden_up(in, 4, 4, out);
+    assert_memory_equal(out, up, sizeof up);
+    zs_hidden_up(up, 2, 2, out);
+    assert_int_equal(out[0], 9);
+    zs_hidden_up(odd, 3, 2, out);
+    assert_memory_equal(out, ends, sizeof ends);
+    zs_hidden_up(odd, 1, 3, out); /* 1 2 5 below each other */
+    assert_true(out[0] == 2 && out[1] == 5 && out[4] == 77);
+}
+
+/* Instances behind a wall that comes first are not transformed; those beside it and before it are. */
+static void instances_behind_a_wall(void **state)
+{
+    (void)state;
+    for (int off = 0; off < 2; off++) {
+        struct prng p = { 7 };
+        begin(&p, 10, 1);
+        for (uint32_t i = 0; i < 10; i++) {
+            static const int sign[4][2] = { { -1, -1 }, { 1, -1 }, { 1, 1 }, { -1, 1 } };
+            const int32_t z = i == 0 ? 1000 : i == 9 ? 500 : 3000, half = i == 0 ? 2000 : 20;
+            for (int k = 0; k < 4; k++) {
+                world.pos[i][k][0] = (int16_t)(sign[k][0] * half + (i ? ((int)i - 5) * 60 : 0));
+                world.pos[i][k][1] = (int16_t)(sign[k][1] * half);
+                world.pos[i][k][2] = (int16_t)-z;
+            }
+            world.mesh[i].tri = halves[0];
+            world.mesh[i].radius = (uint16_t)(half * 3 / 2 + 1);
+            world.mesh[i].center[0] = (int16_t)(i ? ((int)i - 5) * 60 : 0);
+            world.mesh[i].center[2] = (int16_t)-z;
+        }
+        struct zs_config c = picture_config(320, 240, &zs_depth_float);
+        c.strip_h = 24;
+        c.skip_off = (uint16_t)(off ? ZS_SKIP_BEHIND : 0);
+        struct picture p0 = picture_draw(&c, &world.scene, &world.camera);
+        assert_int_equal(p0.err, ZS_OK);
+        assert_int_equal(p0.stats.instances_hidden, off ? 0 : 8);
+        assert_int_equal(p0.stats.verts_transformed, off ? 40 : 8);
+        assert_int_equal(p0.stats.tris_in, p0.stats.tris_drawn + p0.stats.tris_frustum);
+        picture_free(&p0);
+    }
+}
+
 int main(void)
 {
-    const struct CMUnitTest tests[] = { cmocka_unit_test(the_frame_is_the_same), cmocka_unit_test(layers_cost_one) };
+    const struct CMUnitTest tests[] = { cmocka_unit_test(the_frame_is_the_same), cmocka_unit_test(layers_cost_one),
+                                        cmocka_unit_test(a_level_up_is_the_farthest_of_four),
+                                        cmocka_unit_test(instances_behind_a_wall) };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -1,7 +1,7 @@
 /* Pixels of a strip that nothing was drawn on yet: no clear before them, and no depth test.
  *
- * A strip begins as it was left: nothing is cleared. While wide triangles come first, each row keeps the columns
- * that hold colours and keys, one range a row; all others are fresh. A span's fresh pixels are drawn without a test, since
+ * A strip begins as it was left: nothing is cleared. While wide triangles come first, each row keeps the columns that
+ * hold colours and keys, one range a row; all others are fresh. A span's fresh pixels are drawn without a test, since
  * every key is nearer than ZS_DEPTH_CLEAR; the others as always. A gap between a span and the row's range is cleared,
  * so that it stays one range. With the first triangle for which this does not pay (narrow, with a state, keys found
  * pixel by pixel), or when the strip is done, what is still fresh is cleared. So each pixel is cleared or drawn first, never

@@ -13,10 +13,9 @@
  * Columns: the left side of a triangle is a convex function of the row and the right side a concave one, so that both are
  * farthest inwards in the strip's first or last row. They are taken inwards by the error of the slope (side()).
  *
- * Keys: on the screen, keys of all mappings are a convex function: linear, or linear in pieces with 1/z, ever flatter with it,
- * or as 1 / w. So they are at most the plane through the vertices' keys, which is farthest in a tile at one of its four
- * corners; and at most the farthest vertex's key. What is drawn is within 0.13 bucket of the exact (NUMERICS.md: 0.005 up to
- * 640 pixels of width and height, (W + H + 1) / 2^17 beyond), which MARGIN covers.
+ * Keys: a triangle's are at most its farthest vertex's. What is drawn is within 0.13 bucket of the exact (NUMERICS.md: 0.005 up
+ * to 640 pixels of width and height, (W + H + 1) / 2^17 beyond), which MARGIN covers. The plane through the vertices' keys at a
+ * tile's four corners is a closer bound, and was left out: DESIGN.md has the figures.
  *
  * SPDX-License-Identifier: MIT
  */
@@ -28,16 +27,10 @@
 #define MARGIN 0x2200 /* of a bucket, in 2^-16: 0.13 */
 _Static_assert(2 * ZS_SIZE_MAX + 1 <= MARGIN, "the error of a plane's keys, (W + H + 1) / 2^17 bucket");
 
-/* A vertex's key, uq16_16, at most key_top. */
-static uint32_t exact_key(const struct zs_renderer *r, uint32_t d)
-{
-    const struct zs_depth *depth = r->config.depth;
-    return depth->key ? depth->key(&r->view, d) : d;
-}
-
 static uint32_t key_of(const struct zs_renderer *r, uint32_t d, int32_t add)
 {
-    const uint32_t key = exact_key(r, d);
+    const struct zs_depth *depth = r->config.depth;
+    const uint32_t key = depth->key ? depth->key(&r->view, d) : d; /* uq16_16, <= key_top */
     const uint32_t most = r->view.key_top - 0x10000u; /* keys saturate here */
     if (add < 0)
         return (key < 0x8000u - (uint32_t)add ? 0u : zs_minu32(key + 0x8000u + (uint32_t)add, most)) >> 16;
@@ -105,87 +98,22 @@ static void slope(struct zs_cover *c, int edge, const struct zs_vertex *a, const
     c->slope[edge] = dy ? dx * (1 << shift) / dy : 0;
 }
 
-/* n / area in 2^-18 n's units; *steep where it is 2^29 or more. Wrong by less than 1 and 2^-28 of it. area > 0 */
-static int32_t quotient(int64_t n, int64_t area, int *steep)
-{
-    const uint64_t mag = n < 0 ? 0u - (uint64_t)n : (uint64_t)n;
-    if (mag == 0)
-        return 0;
-    const int ln = zs_clz64(mag), la = zs_clz64((uint64_t)area);
-    const uint32_t p = zs_umulh((uint32_t)(mag << ln >> 32), zs_recip((uint32_t)((uint64_t)area << la >> 32)));
-    const int shift = 28 - la + ln; /* n / area = p 2^(la - ln - 31); per pixel and in 2^-10 of 2^-15: 2^3 */
-    *steep |= shift < 2;
-    const int32_t q = shift < 2 || shift > 31 ? 0 : (int32_t)(p >> shift);
-    return n < 0 ? -q : q;
-}
-
-/* The plane through the vertices' keys, in 2^-10 bucket; where it is too steep for 32 bits, and where it hardly differs from
- * the farthest vertex's key, that. Room for all errors is added, and half a bucket. */
-static void plane(const struct zs_renderer *r, struct zs_cover *c, uint32_t nearest, uint32_t farthest)
-{
-    const int32_t w = r->config.width, h = r->config.height;
-    c->gx = c->gy = 0;
-    c->base = (int32_t)(farthest >> 6) + 1024;
-    if (farthest - nearest < 0x20000u)
-        return;
-    const struct zs_vertex *v = c->v;
-    int32_t key[3];
-    for (int k = 0; k < 3; k++)
-        key[k] = (int32_t)(exact_key(r, v[k].d) >> 1); /* 2^-15 bucket */
-    const int32_t dx1 = v[1].x - v[0].x, dy1 = v[1].y - v[0].y, dx2 = v[2].x - v[0].x, dy2 = v[2].y - v[0].y;
-    const int32_t d1 = key[1] - key[0], d2 = key[2] - key[0];
-    int64_t area = zs_mul_ss(dx1, dy2) - zs_mul_ss(dx2, dy1);
-    int64_t nx = zs_mul_ss(d1, dy2) - zs_mul_ss(d2, dy1), ny = zs_mul_ss(d2, dx1) - zs_mul_ss(d1, dx2);
-    if (area < 0) {
-        area = -area;
-        nx = -nx;
-        ny = -ny;
-    }
-    int steep = 0;
-    const int32_t gx = quotient(nx, area, &steep), gy = quotient(ny, area, &steep);
-    if (steep)
-        return;
-    /* gradients are wrong by less than 3: 2^29 2^-28 and 1. Times the pixels to the vertex */
-    const int32_t far_x = zs_max32(zs_abs32(v[0].x), zs_abs32(v[0].x - w * ZS_SUBPX_ONE));
-    const int32_t far_y = zs_max32(zs_abs32(v[0].y), zs_abs32(v[0].y - h * ZS_SUBPX_ONE));
-    const int32_t error = 3 * ((far_x + far_y) / ZS_SUBPX_ONE + 2) + 512 + (MARGIN >> 6) + 4; /* half a bucket too */
-    const int64_t base = (key[0] >> 5) + error + (zs_mul_ss(gx, ZS_SUBPX_HALF - v[0].x) >> ZS_SUBPX_BITS) +
-                         (zs_mul_ss(gy, ZS_SUBPX_HALF - v[0].y) >> ZS_SUBPX_BITS);
-    const int32_t most = 1 << 28;
-    if (base > most || base < -most || zs_abs32(gx) > most / (w + TILE) || zs_abs32(gy) > most / h)
-        return; /* |sums| < 3 * 2^28 */
-    c->gx = gx;
-    c->gy = gy;
-    c->base = (int32_t)base;
-}
-
 /* Bounds of strip s from a triangle, or from one to the left and one to the right of an edge that passes all its rows. */
 static void bound_strip(struct zs_renderer *r, const struct zs_cover *left, const struct zs_cover *right, int32_t s,
                         int32_t y0, int32_t y1)
 {
     const int32_t x0 = zs_max32(column(left, y0, 0), column(left, y1, 0));
     const int32_t x1 = zs_min32(column(right, y0, 1), column(right, y1, 1));
-    const int32_t tiles = (int32_t)ZS_TILES(r->config.width), h = y1 - y0;
+    const int32_t tiles = (int32_t)ZS_TILES(r->config.width);
     const int32_t end = x1 >= r->config.width ? tiles : x1 >> ZS_TILE_LOG2;
     int32_t t = (zs_max32(x0, 0) + TILE - 1) >> ZS_TILE_LOG2;
     uint16_t *bound = r->bound + s * tiles;
-    int32_t key[2], step[2];
-    const struct zs_cover *c = left;
-    for (int k = 0; k < 2; k++, c = right) {
-        step[k] = c->gx * TILE;
-        key[k] = c->base + step[k] * t + c->gy * y0 + zs_max32(c->gx, 0) * (TILE - 1) + zs_max32(c->gy, 0) * h;
-    }
     const uint32_t farthest = zs_maxu32(left->farthest, right->farthest);
-    for (; t < end; t++) {
-        const int32_t far = zs_max32(key[0], key[1]);
-        const uint32_t least = zs_minu32(far < 0 ? 0u : (uint32_t)far >> 10, farthest);
-        if (least < bound[t]) {
-            bound[t] = (uint16_t)least;
+    for (; t < end; t++)
+        if (farthest < bound[t]) {
+            bound[t] = (uint16_t)farthest;
             r->bound_new = 1;
         }
-        key[0] += step[0];
-        key[1] += step[1];
-    }
 }
 
 /* Strips all of whose rows lie in [row, row_end) and not all in [done, done_end). */
@@ -287,7 +215,6 @@ ZS_NOINLINE void zs_hidden_cover(struct zs_renderer *r, const struct zs_vertex *
     slope(now, LONG, a, c);
     slope(now, UPPER, a, b);
     slope(now, LOWER, b, c);
-    plane(r, now, exact_key(r, nearest), exact_key(r, farthest));
     now->done[0] = now->done[1] = 0;
     if (r->cover_known)
         bound_both(r, now, old);

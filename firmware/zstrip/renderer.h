@@ -107,7 +107,6 @@ struct zs_cover {
     uint8_t shift[3];
     uint8_t mid_right;      /* the middle vertex is to the right of the long edge */
     int32_t row_mid;        /* first row below the middle vertex */
-    int32_t base, gx, gy;   /* at least its keys: base + gx * column + gy * row, 2^-10 bucket */
     int32_t done[2];        /* rows [0] .. [1] - 1: bounds are known there, from it and another */
     uint32_t farthest;      /* at least the farthest vertex's key */
 };
