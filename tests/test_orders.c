@@ -1,5 +1,6 @@
-/* Calls in every order: all sequences of the calls of a frame up to some length, each answered as zstrip.h says, and the
- * next good frame is right. And two renderers in one program, their calls interleaved: each gives what it gives alone.
+/* Calls in every order: all sequences of the calls of a frame up to some length, each answered as zstrip.h says, and
+ * the next good frame is right. And two renderers in one program, their calls interleaved: each gives what it gives
+ * alone.
  *
  * SPDX-License-Identifier: MIT
  */
@@ -20,7 +21,7 @@
 #define ARENA_BYTES ZS_ARENA_BYTES(W, H, ROWS, 3, 9, 0, 2)
 
 static struct lone lone;
-static struct zs_scene scene[2]; /* a triangle in the first strip and one in the last that move, one between that stays */
+static struct zs_scene scene[2]; /* triangles in the first and last strip that move, one between that stays */
 static struct zs_instance instances[2][3];
 static struct zs_camera camera;
 static struct zs_config config;
@@ -157,7 +158,7 @@ static int call(struct desk *d, enum op op)
     }
 }
 
-/* All sequences that begin like this one; pointers in the renderer stay right, as every level works on the same desk. */
+/* All sequences that begin like this one. Pointers in the renderer stay right: every level works on the same desk. */
 static int all_orders(struct desk *d, struct desk *saved, enum op *said, int n)
 {
     if (n == LENGTH)
