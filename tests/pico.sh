@@ -151,7 +151,8 @@ sweep() {
     grep -q '^FAILED ' "$out/sweep.txt" && failed=1
     [ "$(grep -cE '^(ok|FAILED) ' "$out/sweep.txt")" = 6 ] || bad pico_sweep "not all of them ran"
     # 220 rounds of a kind; of each, those without a hook end asleep
-    awk '$1 == "swept" && ($3 < 220 || $2 == 5 && $3 < 302 || $2 < 4 && ($4 < 40 || $4 > 180)) { print }' "$out/sweep.txt" >"$out/sweep.bad"
+    awk '$1 == "swept" && ($3 < 220 || $2 == 5 && $3 < 302 || $2 < 4 && ($4 < 40 || $4 > 180)) { print }' \
+        "$out/sweep.txt" >"$out/sweep.bad"
     field "$out/sweep.txt" problem >>"$out/sweep.bad"
     verdict pico_sweep_without_problems "$(head -3 "$out/sweep.bad" | tr '\n' ' ')"
 }

@@ -870,8 +870,8 @@ static void keys_saturate_and_never_wrap(void **state)
 
 /* ---- Failures that other renderers shipped --------------------------------------------------------- */
 
-/* An x beyond 16.16: an edge of a pixel's width or less from one end of the guard band to the other, thousands of pixels
- * beside the frame, where its reciprocal slope times its height, or its x, leaves 32 bits. */
+/* An x beyond 16.16: an edge of a pixel's width or less from one end of the guard band to the other, thousands of
+ * pixels beside the frame, where its reciprocal slope times its height, or its x, leaves 32 bits. */
 static int far_steep_case(uint64_t seed)
 {
     struct prng p = { seed };

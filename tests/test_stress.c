@@ -1294,8 +1294,8 @@ static void stress_20_interpenetration(void **state)
 
 /* ---- Failures that other renderers shipped --------------------------------------------------------- */
 
-/* A projected triangle so huge that its coordinates leave 32 bits, and a loop over its rows or columns never ends: corners
- * at the ends of int16 beside a near plane at 1, up to 2^33 sub-pixels from the frame. */
+/* A projected triangle so huge that its coordinates leave 32 bits, and a loop over its rows or columns never ends:
+ * corners at the ends of int16 beside a near plane at 1, up to 2^33 sub-pixels from the frame. */
 static int huge_case(uint64_t seed)
 {
     struct prng p = { seed };

@@ -36,8 +36,8 @@ static uint32_t n_seeds;
 static void say_replay(void)
 {
     char line[400];
-    const int n = snprintf(line, sizeof line, "FAILED %s: replay with: %s %s %llu case %llu\n", target_name, now.program,
-                           now.corpus, now.seed, now.number);
+    const int n = snprintf(line, sizeof line, "FAILED %s: replay with: %s %s %llu case %llu\n", target_name,
+                           now.program, now.corpus, now.seed, now.number);
     if (now.number && write(2, line, (size_t)n) != n)
         _exit(1);
 }
@@ -209,7 +209,8 @@ int main(int argc, char **argv)
     if (argc > 2 && strcmp(argv[1], "replay") == 0)
         return bad;
     if (argc < 4) {
-        fprintf(stderr, "usage: %s CORPUS SEED cases N | CORPUS SEED case K | CORPUS write DIR | replay FILE...\n", argv[0]);
+        fprintf(stderr, "usage: %s CORPUS SEED cases N | CORPUS SEED case K | CORPUS write DIR | replay FILE...\n",
+                argv[0]);
         return 2;
     }
     now.corpus = argv[1];

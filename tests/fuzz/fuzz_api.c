@@ -875,7 +875,8 @@ static void run_case(unsigned long long number)
 static void report(unsigned long long cases)
 {
     printf("seed %llu, %llu cases: %llu frames with %llu triangles (%llu cut), %llu pixels; %llu passes more, "
-           "%llu strips by hand, %llu of them unchanged, %llu left out\n", now.seed, cases, (unsigned long long)reached.frames,
+           "%llu strips by hand, %llu of them unchanged, %llu left out\n", now.seed, cases,
+           (unsigned long long)reached.frames,
            (unsigned long long)reached.tris, (unsigned long long)reached.clipped, (unsigned long long)reached.pixels,
            (unsigned long long)reached.passes, (unsigned long long)reached.strips,
            (unsigned long long)reached.unchanged, (unsigned long long)reached.skipped);

@@ -1,6 +1,6 @@
-/* A libFuzzer target: a panel's byte stream into the model of its controller, and through `zsim panel`. Byte 0: the module;
- * byte 1: bits 0 to 2 of struct pm_glass, bit 3 time passes, bit 7 the command too; then words as of `zsim panel --decode`,
- * the last of which may be cut.
+/* A libFuzzer target: a panel's byte stream into the model of its controller, and through `zsim panel`. Byte 0: the
+ * module; byte 1: bits 0 to 2 of struct pm_glass, bit 3 time passes, bit 7 the command too; then words as of `zsim
+ * panel --decode`, the last of which may be cut.
  *
  *   counts add up; what the glass shows is of its format, and black where it is dark
  *   problems are sentences about bytes of the stream
@@ -23,8 +23,9 @@ enum { INVERTED = 1, BGR = 2, MIRRORED = 4, TIME = 8, COMMAND = 128 };
 
 const char target_name[] = "fuzz_panel";
 const char *const target_words[] = { /* words of two bytes; the high one of a command is 0, which a text cannot hold */
-    "\x2c", "\x2a", "\x2b", "\x36", "\x3a", "\x11", "\x29", "\x10", "\x01", "\x12", "\x33", "\x37", "\x20", "\x21", "\x28",
-    "\x3c", "\x5c", "\x15", "\x75", "\xa0", "\xa1", "\xa8", "\xae", "\xaf", "\xfd", "\xd5", "\x8d", "\xb1", "\xca", "\x26",
+    "\x2c", "\x2a", "\x2b", "\x36", "\x3a", "\x11", "\x29", "\x10", "\x01", "\x12", "\x33", "\x37", "\x20", "\x21",
+    "\x28", "\x3c", "\x5c", "\x15", "\x75", "\xa0", "\xa1", "\xa8", "\xae", "\xaf", "\xfd", "\xd5", "\x8d", "\xb1",
+    "\xca", "\x26",
     "\x22", "\x23", "\x24", "\x25", "\x27", "\x2e", "\x2f", "\xe7", "\x01\x01", "\xff\x01", "\x10\x01", "\xb0\x01", NULL
 };
 

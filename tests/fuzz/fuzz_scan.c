@@ -1,5 +1,5 @@
-/* A libFuzzer target: the readers that look model files through before assimp does. The first byte chooses: o OBJ, m MTL,
- * p PLY, s STL; the rest is the file.
+/* A libFuzzer target: the readers that look model files through before assimp does. The first byte chooses: o OBJ, m
+ * MTL, p PLY, s STL; the rest is the file.
  *
  *   what is refused is refused with one line that names the file, and nothing is kept
  *   an OBJ file that passes names only points and texture coordinates that there are, and its cleaned text passes again
@@ -15,12 +15,13 @@
 
 const char target_name[] = "fuzz_scan";
 const char *const target_words[] = {
-    "\nv ", "\nvt ", "\nvn ", "\nf ", "\nusemtl ", "\nmtllib ", "\no ", "\ng ", "\np ", "\nl ", "1/2/3", "-1//-1", "1/1", "\\\n",
-    "1e400", "nan", "inf", "-0", "1e-320", "4294967296", "99999999999999999999", "#", "\r\n", "newmtl ", "map_Kd ", "Kd ",
-    "-s 1 1 1", "-o ", "-clamp on", "-mm 0 1", "-bm ", "-imfchan r", "ply\n", "format ascii 1.0\n", "format binary_little_endian 1.0\n",
-    "format binary_big_endian 1.0\n", "element vertex ", "element face ", "property list uchar int vertex_indices\n",
-    "property float x\n", "property double y\n", "property list uint8 uint32 vertex_index\n", "property list double char c\n",
-    "end_header\n", "comment ", "solid ", "facet normal 0 0 1", "outer loop", "vertex ", "endloop", "endfacet", "endsolid", NULL
+    "\nv ", "\nvt ", "\nvn ", "\nf ", "\nusemtl ", "\nmtllib ", "\no ", "\ng ", "\np ", "\nl ", "1/2/3", "-1//-1",
+    "1/1", "\\\n", "1e400", "nan", "inf", "-0", "1e-320", "4294967296", "99999999999999999999", "#", "\r\n",
+    "newmtl ", "map_Kd ", "Kd ", "-s 1 1 1", "-o ", "-clamp on", "-mm 0 1", "-bm ", "-imfchan r", "ply\n",
+    "format ascii 1.0\n", "format binary_little_endian 1.0\n", "format binary_big_endian 1.0\n", "element vertex ",
+    "element face ", "property list uchar int vertex_indices\n", "property float x\n", "property double y\n",
+    "property list uint8 uint32 vertex_index\n", "property list double char c\n", "end_header\n", "comment ",
+    "solid ", "facet normal 0 0 1", "outer loop", "vertex ", "endloop", "endfacet", "endsolid", NULL
 };
 
 size_t target_seed(uint32_t k, uint8_t *to, size_t room)
