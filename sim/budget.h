@@ -27,7 +27,7 @@ struct budget_request {
     int state, textbook, csv, help; /* flags */
 };
 
-/* ---- Parts ------------------------------------------------------------------------------------------------ */
+/* ---- Parts -------------------------------------------------------------------------------------- */
 
 struct budget_part {
     const char *name; /* lower case */
@@ -41,7 +41,7 @@ extern const uint32_t n_budget_parts;
 const struct budget_part *budget_part_named(const char *name); /* NULL: none */
 const char *budget_part_list(void); /* "a, b, c". Static storage */
 
-/* ---- Figures ----------------------------------------------------------------------------------------------- */
+/* ---- Figures ------------------------------------------------------------------------------------ */
 
 enum budget_cpu { BUDGET_M0, BUDGET_M3, BUDGET_CPUS }; /* Armv6-M, Armv7-M and better: what bytes are on record for */
 
@@ -93,7 +93,7 @@ double budget_cycles(const struct budget_request *rq, const struct budget *b, en
 /* Cycles of an instruction there: 1 where cycles were counted. */
 double budget_cpi(const struct budget_request *rq, enum sim_core core);
 
-/* ---- Answers -------------------------------------------------------------------------------------------------- */
+/* ---- Answers ------------------------------------------------------------------------------------ */
 
 /* --fit: the largest strip, and the largest scene, that a part takes. */
 int budget_fit(const struct budget_request *rq, const struct budget *b);
