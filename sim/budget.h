@@ -72,6 +72,7 @@ struct budget {
     struct budget_flash flash[BUDGET_CPUS];
     struct budget_wire wire;
     int has_wire; /* flag: there is a panel */
+    int states;   /* flag: some instance has one */
     int guessed;  /* flag: counted is from numbers, not from a frame */
 };
 

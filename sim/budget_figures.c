@@ -67,7 +67,7 @@ void budget_flash(struct budget_flash *flash, const struct budget_request *rq, c
         add(flash, &record_texel_pal8[cpu]);
     if (b->texels & 4u)
         add(flash, &record_texel_pal4[cpu]);
-    if (rq->state)
+    if (rq->state || b->states)
         add(flash, &record_state[cpu]);
     if (rq->watch)
         add(flash, &record_watch[cpu]);

@@ -71,6 +71,7 @@ static void add_data(struct budget *b, const struct zs_scene *scene, int all)
         b->data += mesh ? mesh_bytes(in->mesh, in->material->shader, all) : 0u;
         b->data += (material ? RECORD_zs_material : 0u) + (texture ? texture_bytes(t) : 0u);
         b->shades |= shade_bit(in->material->shader);
+        b->states |= in->state != NULL;
         if (t)
             b->texels |= texel_bit(t->format);
     }
