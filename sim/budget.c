@@ -120,8 +120,7 @@ static const struct sim_option table[] = {
 };
 #define N_TABLE (sizeof table / sizeof table[0])
 
-/* ---- Times --------------------------------------------------------------------------------------------------------
- * */
+/* ---- Times -------------------------------------------------------------------------------------- */
 
 double budget_cpi(const struct budget_request *rq, enum sim_core core)
 {
@@ -150,8 +149,7 @@ static struct target target_of(const struct budget_request *rq)
         0.0, part };
 }
 
-/* ---- Figures -------------------------------------------------------------------------------------------------------
- * */
+/* ---- Figures ------------------------------------------------------------------------------------ */
 
 struct totals {
     double ram, flash, draw_ms, frame_ms, fps, fps_single;

@@ -27,7 +27,7 @@ struct budget_request {
     int state, textbook, csv, help; /* flags */
 };
 
-/* ---- Parts ------------------------------------------------------------------------------------------------ */
+/* ---- Parts -------------------------------------------------------------------------------------- */
 
 struct budget_part {
     const char *name; /* lower case */
@@ -41,7 +41,7 @@ extern const uint32_t n_budget_parts;
 const struct budget_part *budget_part_named(const char *name); /* NULL: none */
 const char *budget_part_list(void); /* "a, b, c". Static storage */
 
-/* ---- Figures ----------------------------------------------------------------------------------------------- */
+/* ---- Figures ------------------------------------------------------------------------------------ */
 
 enum budget_cpu { BUDGET_M0, BUDGET_M3, BUDGET_CPUS }; /* Armv6-M, Armv7-M and better: what bytes are on record for */
 
@@ -72,6 +72,7 @@ struct budget {
     struct budget_flash flash[BUDGET_CPUS];
     struct budget_wire wire;
     int has_wire; /* flag: there is a panel */
+    int states;   /* flag: some instance has one */
     int guessed;  /* flag: counted is from numbers, not from a frame */
 };
 
@@ -93,7 +94,7 @@ double budget_cycles(const struct budget_request *rq, const struct budget *b, en
 /* Cycles of an instruction there: 1 where cycles were counted. */
 double budget_cpi(const struct budget_request *rq, enum sim_core core);
 
-/* ---- Answers -------------------------------------------------------------------------------------------------- */
+/* ---- Answers ------------------------------------------------------------------------------------ */
 
 /* --fit: the largest strip, and the largest scene, that a part takes. */
 int budget_fit(const struct budget_request *rq, const struct budget *b);

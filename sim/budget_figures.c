@@ -67,7 +67,7 @@ void budget_flash(struct budget_flash *flash, const struct budget_request *rq, c
         add(flash, &record_texel_pal8[cpu]);
     if (b->texels & 4u)
         add(flash, &record_texel_pal4[cpu]);
-    if (rq->state)
+    if (rq->state || b->states)
         add(flash, &record_state[cpu]);
     if (rq->watch)
         add(flash, &record_watch[cpu]);
@@ -82,8 +82,7 @@ void budget_flash(struct budget_flash *flash, const struct budget_request *rq, c
     flash->total = flash->zstrip + flash->library + flash->panel + flash->data;
 }
 
-/* ---- The wire ------------------------------------------------------------------------------------------------------
- * */
+/* ---- The wire ----------------------------------------------------------------------------------- */
 
 /* A frame of the picture's size through the driver, into the model of the controller, which counts. */
 int budget_wire(struct budget_wire *wire, const struct budget_request *rq, const struct zs_config *c)

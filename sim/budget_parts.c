@@ -52,7 +52,7 @@ const char *budget_part_list(void)
     return text;
 }
 
-/* ---- Fit ------------------------------------------------------------------------------------------------------- */
+/* ---- Fit ---------------------------------------------------------------------------------------- */
 
 /* Bytes that are left of a part with so many rows, triangles and vertices; < 0: it does not fit. */
 static double left(const struct budget_request *rq, const struct budget *b, const struct budget_part *part, long rows,

@@ -16,7 +16,7 @@
 #include "sim.h"
 #include "view.h"
 
-/* ---- What is linked, and its data ------------------------------------------------------------------------------- */
+/* ---- What is linked, and its data --------------------------------------------------------------- */
 
 static uint32_t shade_bit(const struct zs_shader *s)
 {
@@ -68,17 +68,16 @@ static void add_data(struct budget *b, const struct zs_scene *scene, int all)
             material &= scene->instance[k].material != in->material;
             texture &= scene->instance[k].material->texture != t;
         }
-        b->data += (mesh ? mesh_bytes(in->mesh, in->material->shader, all) : 0u) + (material ? RECORD_zs_material :
-                                                                                    0u) + (texture ? texture_bytes(t) :
-                                                                                           0u);
+        b->data += mesh ? mesh_bytes(in->mesh, in->material->shader, all) : 0u;
+        b->data += (material ? RECORD_zs_material : 0u) + (texture ? texture_bytes(t) : 0u);
         b->shades |= shade_bit(in->material->shader);
+        b->states |= in->state != NULL;
         if (t)
             b->texels |= texel_bit(t->format);
     }
 }
 
-/* ---- Frames ---------------------------------------------------------------------------------------------------------
- * */
+/* ---- Frames ------------------------------------------------------------------------------------- */
 
 static uint32_t next_size(uint32_t verts)
 {
@@ -88,8 +87,7 @@ static uint32_t next_size(uint32_t verts)
 
 /* Pools that take the scene in one pass, where none were asked for; then counts. */
 static int count_scene(struct budget *b, const struct budget_request *rq, const char *name,
-                       const struct zs_scene *scene,
-                       const struct zs_camera *camera)
+                       const struct zs_scene *scene, const struct zs_camera *camera)
 {
     struct zs_config *c = &b->config;
     const char *why = NULL;
@@ -99,8 +97,8 @@ static int count_scene(struct budget *b, const struct budget_request *rq, const 
         err = sim_frame_render(&frame, scene, camera, c, NULL);
         if (err)
             break;
-        const uint32_t tris = frame.stats.max_tris_used, verts = frame.stats.max_verts_used, passes =
-            frame.stats.passes;
+        const uint32_t tris = frame.stats.max_tris_used, verts = frame.stats.max_verts_used;
+        const uint32_t passes = frame.stats.passes;
         sim_frame_free(&frame);
         if (tries > 0 && (passes == 1u || rq->has_tris || rq->has_verts))
             break;

@@ -54,8 +54,7 @@ double sim_costs_sum(enum sim_core core, const struct sim_counted *counted)
     return sum;
 }
 
-/* ---- Probes, counted ----------------------------------------------------------------------------------------------
- * */
+/* ---- Probes, counted ---------------------------------------------------------------------------- */
 
 struct counted_probe {
     char name[PROBE_NAME_CHARS];

@@ -109,7 +109,7 @@ struct sim_counted {
 int sim_costs_count(struct sim_counted *out, const struct zs_scene *scene, const struct zs_camera *camera,
                     const struct zs_config *config);
 
-/* ---- What one costs ---------------------------------------------------------------------------------------- */
+/* ---- What one costs ----------------------------------------------------------------------------- */
 
 enum sim_core { SIM_CORE_M0, SIM_CORE_M3, SIM_CORE_M4, SIM_CORE_M7, SIM_CORE_RV32, SIM_CORE_RP2040, SIM_CORES };
 extern const char *const sim_core_names[SIM_CORES]; /* as tests/golden/bench.txt names them; "RP2040" is in cycles */

@@ -66,7 +66,7 @@ static struct our_texel *texel_of(const struct zs_texel *texel)
     return (struct our_texel *)(uintptr_t)texel;
 }
 
-/* ---- A triangle's rows in a strip ---------------------------------------------------------------------------- */
+/* ---- A triangle's rows in a strip --------------------------------------------------------------- */
 
 struct shape {
     double rows, spans, px;
@@ -120,7 +120,7 @@ static void look(struct shape *s, const struct zs_job *job)
     }
 }
 
-/* ---- Looking on ------------------------------------------------------------------------------------------------ */
+/* ---- Looking on --------------------------------------------------------------------------------- */
 
 static void on_vertex(const struct zs_renderer *r, uint32_t v, uint16_t *out)
 {
@@ -369,7 +369,7 @@ static void on_gather(const struct zs_texture *t, uint16_t *out, int32_t n, cons
     texel_of(t->format)->of->gather(t, out, n, at);
 }
 
-/* ---- Copies ---------------------------------------------------------------------------------------------------- */
+/* ---- Copies ------------------------------------------------------------------------------------- */
 
 static void copy_shader(struct our_shader *s, const struct zs_shader *of)
 {
@@ -426,7 +426,7 @@ static void copy(struct zs_instance *in, struct thing *t)
     in->state = &t->state;
 }
 
-/* ---- The frame --------------------------------------------------------------------------------------------------- */
+/* ---- The frame ---------------------------------------------------------------------------------- */
 
 /* Triangles of the strip that are wide enough to hide others: they are looked at for that, drawn or not. */
 static void count_bounds(const struct zs_strip *strip)

@@ -1,5 +1,5 @@
-/* Sizes of structs on a Cortex-M, flash by what is linked and worst-case stacks, bytes: what zsim budget cannot ask the host.
- * Recorded by make costs-record.
+/* Sizes of structs on a Cortex-M, flash by what is linked and worst-case stacks, bytes: what zsim budget cannot ask the
+ * host. Recorded by make costs-record.
  *
  * SPDX-License-Identifier: MIT
  */
@@ -22,8 +22,8 @@ struct record_bytes {
     unsigned zstrip, library; /* of the renderer; of libgcc and the C library */
 };
 
-/* [CPU][float, recip, linear][shaders: 1 raw, 2 flat, 4 smooth, 8 texture, 16 texture_flat, 32 texture_smooth], without texel
- * formats */
+/* [CPU][float, recip, linear][shaders: 1 raw, 2 flat, 4 smooth, 8 texture, 16 texture_flat, 32 texture_smooth], without
+ * texel formats */
 static const struct record_bytes record_flash[RECORD_CPUS][3][64] = {
     {
         { { 0, 0 },
@@ -117,7 +117,8 @@ static const struct record_bytes record_texel_pal4[RECORD_CPUS] = { { 448, 0 }, 
 static const struct record_bytes record_state[RECORD_CPUS] = { { 880, 0 }, { 812, 0 } };
 static const struct record_bytes record_watch[RECORD_CPUS] = { { 880, 0 }, { 636, 0 } };
 static const struct record_bytes record_track[RECORD_CPUS] = { { 1438, 0 }, { 1252, 0 } };
-static const struct record_bytes record_pose[RECORD_CPUS] = { { 1748, 0 }, { 1380, 0 } }; /* poses turned, a camera that looks at a point */
+/* Poses turned, a camera that looks at a point. */
+static const struct record_bytes record_pose[RECORD_CPUS] = { { 1748, 0 }, { 1380, 0 } };
 
 /* Drivers of panels, panel.c included. */
 static const struct {

@@ -19,7 +19,9 @@ PANELS="st7789 ili9341 gc9a01 ssd1351 ssd0323 ssd1306"
 
 taken() { # MAP PATTERN: as in size.sh
     awk -v want="$2" '
-        function hex(s, n, i) { n = 0; for (i = 3; i <= length(s); i++) n = n * 16 + index("0123456789abcdef", substr(s, i, 1)) - 1; return n }
+        function hex(s, n, i) {
+            n = 0
+            for (i = 3; i <= length(s); i++) n = n * 16 + index("0123456789abcdef", substr(s, i, 1)) - 1; return n }
         /^Linker script and memory map/ { on = 1 }
         !on || /^ \*fill\*/ { next }
         /^ \.(text|rodata|data)[^ ]*$/ { wrapped = 1; next }
@@ -57,9 +59,11 @@ structs() {
 #include "panel.h"
 #include "zstrip.h"
 #define SIZE(type) char size_of_##type[sizeof(struct type)];
-SIZE(zs_renderer) SIZE(zs_scene) SIZE(zs_camera) SIZE(zs_instance) SIZE(zs_mesh) SIZE(zs_material) SIZE(zs_texture) SIZE(panel)
+SIZE(zs_renderer) SIZE(zs_scene) SIZE(zs_camera) SIZE(zs_instance) SIZE(zs_mesh) SIZE(zs_material)
+SIZE(zs_texture) SIZE(panel)
 END
-    ${ARM}gcc -std=c11 -mcpu="${1:-cortex-m3}" -mthumb -fno-common -Ifirmware/zstrip -Ihal -Ihal/panel -c "$work/structs.c" -o "$work/structs.o" || exit 1
+    ${ARM}gcc -std=c11 -mcpu="${1:-cortex-m3}" -mthumb -fno-common -Ifirmware/zstrip -Ihal -Ihal/panel \
+        -c "$work/structs.c" -o "$work/structs.o" || exit 1
     ${ARM}nm -S "$work/structs.o" | while read -r at size kind name; do
         echo "${name#size_of_} $((0x$size))"
     done
@@ -105,17 +109,21 @@ for c in $CPUS; do
     for d in $DEPTHS; do
         echo "        { { 0, 0 },"
         awk -v c="$c" -v d="$d" '$1 == c && $2 == d { at[$3] = "{ " $4 ", " $5 " }" }
-            END { for (m = 1; m < 64; m++) printf "%s%s%s", m % 6 == 1 ? "          " : " ", at[m], m == 63 ? "\n" : m % 6 ? "," : ",\n" }' "$work/flash.txt"
+            END { for (m = 1; m < 64; m++)
+                printf "%s%s%s", m % 6 == 1 ? "          " : " ", at[m], m == 63 ? "\n" : m % 6 ? "," : ",\n" }' "$work/flash.txt"
         echo "        },"
     done
     echo "    },"
 done
 echo "};"
-awk '$1 == "cortex-m3" && ($2 " " $3 == "float 2" || $2 " " $3 == "recip 63") { print "/* of which " $2 " " $3 " is " $4 " */" }' "$work/flash.txt"
+awk '$1 == "cortex-m3" && ($2 " " $3 == "float 2" || $2 " " $3 == "recip 63") {
+    print "/* of which " $2 " " $3 " is " $4 " */" }' "$work/flash.txt"
 echo
 more() { # NAME STATEMENTS DECLARATIONS: what a program with all shaders and depth float takes more
     for c in $CPUS; do
-        set -- "$1" "$2" "$3" $(flash "$c" float 63 "$2" "$3") $(awk -v c="$c" '$1 == c && $2 == "float" && $3 == 63 { print $4, $5 }' "$work/flash.txt")
+        # shellcheck disable=SC2046
+        set -- "$1" "$2" "$3" $(flash "$c" float 63 "$2" "$3") \
+            $(awk -v c="$c" '$1 == c && $2 == "float" && $3 == 63 { print $4, $5 }' "$work/flash.txt")
         printf '%s %s\n' $(($4 - $6)) $(($5 - $7))
     done | awk '{ printf "%s{ %d, %d }", n++ ? ", " : "", $1 < 0 ? 0 : $1, $2 < 0 ? 0 : $2 }'
 }
@@ -127,9 +135,10 @@ echo "static const struct record_bytes record_state[RECORD_CPUS] = { $(more stat
     'extern const struct zs_state state; instance.state = &state;' 'const struct zs_state state = ZS_STATE(1, 1, 2, 3);') };"
 echo "static const struct record_bytes record_watch[RECORD_CPUS] = { $(more watch '(void)zs_watch(&renderer, (uint64_t *)anything, 1);' '') };"
 echo "static const struct record_bytes record_track[RECORD_CPUS] = { $(more track '(void)zs_track(&renderer, anything, 1);' '') };"
+echo "/* Poses turned, a camera that looks at a point. */"
 echo "static const struct record_bytes record_pose[RECORD_CPUS] = { $(more pose \
     'zs_pose_turn(&instance.pose, 1, 2, 3); (void)zs_camera_orbit(&camera, (int32_t *)anything, 10, 20, 30);
-     (void)zs_camera_perspective(&camera, 8192, 240, 1, 100);' '') }; /* poses turned, a camera that looks at a point */"
+     (void)zs_camera_perspective(&camera, 8192, 240, 1, 100);' '') };"
 echo
 echo "/* Drivers of panels, panel.c included. */"
 echo "static const struct {"
@@ -137,7 +146,12 @@ echo "    const char *name;"
 echo "    unsigned bytes[RECORD_CPUS];"
 echo "} record_panels[] = {"
 for p in $PANELS; do
-    case $p in ssd1351) size="128 128" ;; ssd0323 | ssd1306) size="128 64" ;; ili9341) size="240 320" ;; *) size="240 240" ;; esac
+    case $p in
+    ssd1351) size="128 128" ;;
+    ssd0323 | ssd1306) size="128 64" ;;
+    ili9341) size="240 320" ;;
+    *) size="240 240" ;;
+    esac
     line=''
     for c in $CPUS; do
         # shellcheck disable=SC2086
@@ -150,6 +164,7 @@ done
 echo "};"
 echo
 sh tests/checks/stack.sh "$top" >"$work/stack.txt" 2>&1
+echo "/* zs_render with everything linked, without what the sink takes on top; any function of a panel, without its bus. */"
 for part in '' 'panels, '; do
     line=''
     for c in $CPUS; do
@@ -157,7 +172,6 @@ for part in '' 'panels, '; do
         [ -n "$n" ] || { cat "$work/stack.txt" >&2; echo "no stack of $part$c" >&2; exit 1; }
         line="$line${line:+, }$n"
     done
-    if [ -z "$part" ]; then echo "/* zs_render with everything linked, without what the sink takes on top; any function of a panel, without its bus. */"; fi
     echo "static const unsigned record_stack_$([ -z "$part" ] && echo render || echo panel)[RECORD_CPUS] = { $line };"
 done
 echo
