@@ -63,7 +63,7 @@ run scene_sums sh tests/scene_sums.sh "$build"
 run stm32f405 sh tests/boards/stm32f405.sh "$build"
 run microbit sh tests/boards/microbit.sh "$build"
 run linux sh tests/linux.sh "$build"
-for check in wide objects kernels hal includes cplusplus stack size still bench; do
+for check in wide objects kernels hal includes cplusplus stack size still cull bench; do
     run "$check" sh "tests/checks/$check.sh" "$build"
 done
 

@@ -9,7 +9,7 @@
  * configurations.
  *
  * With BENCH_SKIPS=1: one-pass strips of 24 rows with pools for everything, all skips on (`all`) and then each of
- * enum zs_skip off by itself, named after it.
+ * enum zs_skip off by itself, named after it (`rows` with bins, as there is no second walk else).
  *
  * SPDX-License-Identifier: MIT
  */
