@@ -112,6 +112,10 @@ costs-record: sim $(B)/.setup-test $(B)/gen/meshes.h
 still: $(B)/.setup-test $(B)/gen/meshes.h
 	@sh tests/checks/still.sh $(B)
 
+## cull: instructions of 10,000 instances of which 20 are in view, and of a large model from afar, close by and within
+cull: sim $(B)/.setup-test
+	@sh tests/checks/cull.sh $(B)
+
 ## checksums: every scene's frames on Cortex-M0 to M7, RISC-V and x86-64: one table of checksums, all the same
 checksums: $(B)/.setup-test $(B)/gen/meshes.h
 	@sh tests/scene_sums.sh $(B)
@@ -185,7 +189,7 @@ help:
 	@echo 'Boards, BOARD=:'
 	@for mk in firmware/boards/*/board.mk; do b=$${mk%/board.mk}; \
 	    printf '    %-10s %s\n' "$${b##*/}" "$$(sed -n 's/^BOARD_ABOUT = //p' $$mk)"; done
-.PHONY: all demo test report study-variants accuracy fuzz stress stress-record bench bench-record scale costs costs-record still checksums depth firmware pico boards \
+.PHONY: all demo test report study-variants accuracy fuzz stress stress-record bench bench-record scale costs costs-record still cull checksums depth firmware pico boards \
         profile sim linux linux-sources pictures size stack check clean help test-programs fuzz-programs lib-fuzz-programs \
         stress-programs prove coverage complexity mutate
 

@@ -66,7 +66,7 @@ run scene_sums sh tests/scene_sums.sh "$build"
 run stm32f405 sh tests/boards/stm32f405.sh "$build"
 run microbit sh tests/boards/microbit.sh "$build"
 run linux sh tests/linux.sh "$build"
-for check in wide objects kernels hal includes cplusplus stack size still scale bench; do
+for check in wide objects kernels hal includes cplusplus stack size still cull scale bench; do
     run "$check" sh "tests/checks/$check.sh" "$build"
 done
 run costs sh tests/checks/costs.sh "$build" quick

@@ -24,7 +24,7 @@ $(B)/test/test_xform_wide: tests/test_xform.c $(CORE) $(TEST_HELP) $(HEADERS)
 $(B)/test/test_counts: $(call t,sim/counts.c sim/frame.c sim/share.c sim/sim.c)
 $(B)/test/test_threads: $(call t,sim/frame.c sim/share.c sim/sim.c)
 $(B)/test/zsim: $(call t,$(SIM)) $(B)/test/libtest.a $(B)/libmeshes.a
-	@$(CC) $(SAN) $^ $(LIBS) -o $@
+	@$(CC) $(SAN) -Wl,--start-group $^ -Wl,--end-group $(LIBS) -o $@
 
 # zstrip-linux on a machine that test_linux.c makes up, in place of libgpiod and of these calls of the C library;
 # drawing takes as long as it wants

@@ -11,7 +11,7 @@
  * configurations.
  *
  * With BENCH_SKIPS=1: one-pass strips of 24 rows with pools for everything, all skips on (`all`) and then each of
- * enum zs_skip off by itself, named after it.
+ * enum zs_skip off by itself, named after it (`rows` with bins, as there is no second walk else).
  *
  * With BENCH_POOLS, { name, max_tris, max_verts } of each scene's one-pass line: these once more, for an emulator that
  * counts what bench_frame takes from its call to its return; instructions are 0. Where BENCH_ARENA does not hold the

@@ -22,14 +22,14 @@ static const char *const flaws[] = {
     "clusters that do not hold all triangles, in order, each once",
     "a vertex outside its cluster's sphere",
     "a triangle that its cluster's cone does not hold",
-    "a triangle that is flatter than its cluster says",
+    "a triangle flatter than its cluster says",
     "a texture whose width or height is out of range",
     "a palette whose number of colours is out of range",
     "a clamp that is none",
     "a texel that its palette does not hold",
-    "groups whose instances or links are not in order",
-    "an instance whose sphere its group does not hold",
-    "an instance whose position its group does not hold"
+    "groups out of order",
+    "a group that is too small",
+    "a group whose origins are too small"
 };
 _Static_assert(sizeof flaws / sizeof flaws[0] == ZS_FLAW_GROUP_ORIGINS + 1, "a sentence for each flaw");
 
@@ -191,23 +191,21 @@ static int in_cone(const struct zs_mesh *mesh, const struct zs_cluster *c, uint3
  * 1/256 step, < 2^20. */
 static int high_enough(const struct zs_mesh *mesh, uint32_t t, uint32_t height)
 {
-    static const int16_t zero[3] = { 0, 0, 0 };
+    const uint16_t *const tri = mesh->tri[t];
     int64_t n[3];
     uint64_t longest = 0; /* squared, <= 3 * 2^48 */
-    int32_t v[3][3];
-    for (int k = 0; k < 3; k++)
-        vertex_from(mesh, mesh->tri[t][k], zero, v[k]);
+    int32_t a[3], b[3];
     for (int k = 0; k < 3; k++) {
         uint64_t square = 0;
-        for (int j = 0; j < 3; j++) {
-            const int64_t d = v[k][j] - v[(k + 1) % 3][j];
-            square += (uint64_t)(d * d);
-        }
+        vertex_from(mesh, tri[k], mesh->center, a);
+        vertex_from(mesh, tri[k < 2 ? k + 1 : 0], mesh->center, b);
+        for (int j = 0; j < 3; j++)
+            square += (uint64_t)((int64_t)(a[j] - b[j]) * (a[j] - b[j]));
         if (square == 0)
             return 1;
         longest = square > longest ? square : longest;
     }
-    plane_of(mesh, t, zero, n, v[0]);
+    plane_of(mesh, t, mesh->center, n, a);
     struct wide left = { 0, 0 }, right = { 0, 0 }; /* < 2^100 */
     for (int k = 0; k < 3; k++)
         add_product(&left, magnitude(n[k]), magnitude(n[k]));
@@ -244,14 +242,6 @@ static int cluster_cone(const struct zs_mesh *m, const struct zs_cluster *c)
     return 1;
 }
 
-static int cluster_height(const struct zs_mesh *m, const struct zs_cluster *c)
-{
-    for (uint32_t i = 0; c->height && i < c->n_tris; i++)
-        if (!high_enough(m, c->first + i, c->height * 16u))
-            return 0;
-    return 1;
-}
-
 static enum zs_flaw clusters_check(const struct zs_mesh *m, uint32_t *index)
 {
     uint32_t next = 0; /* triangle; <= n_tris */
@@ -269,9 +259,10 @@ static enum zs_flaw clusters_check(const struct zs_mesh *m, uint32_t *index)
     for (uint32_t i = 0; i < m->n_clusters; i++)
         if (!cluster_cone(m, &m->cluster[i]))
             return found(ZS_FLAW_CLUSTER_CONE, index, i);
-    for (uint32_t i = 0; i < m->n_clusters; i++)
-        if (!cluster_height(m, &m->cluster[i]))
-            return found(ZS_FLAW_CLUSTER_HEIGHT, index, i);
+    for (uint32_t i = 0, t = 0; i < m->n_clusters; i++)
+        for (const uint32_t end = t + m->cluster[i].n_tris; t < end; t++)
+            if (!high_enough(m, t, m->cluster[i].height * 16u))
+                return found(ZS_FLAW_CLUSTER_HEIGHT, index, i);
     return found(ZS_FLAW_NONE, index, 0);
 }
 

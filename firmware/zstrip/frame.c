@@ -174,14 +174,13 @@ ZS_RARE int zs_frame_check(struct zs_renderer *r, const struct zs_scene *scene)
     const struct zs_camera *camera = &r->camera;
     int64_t reach;
     int err = zs_view_camera(&r->view, &r->config, camera);
-    r->group_slack = 1;
-    if (!err)
+    for (uint16_t slack = 1; !err; slack = 64) { /* at least 8 camera units, which are known afterwards */
+        r->group_slack = slack;
         err = scene_check(r, scene, &reach);
-    if (!err)
-        err = zs_view_units(&r->view, &r->config, camera, reach);
-    if (!err && r->view.shift < 3) { /* 8 camera units are more than a world unit: none is kept out for less */
-        r->group_slack = 64;
-        err = scene_check(r, scene, &reach);
+        if (!err)
+            err = zs_view_units(&r->view, &r->config, camera, reach);
+        if (slack == 64 || r->view.shift >= 3 || !scene->groups)
+            break;
     }
     if (!err)
         err = r->config.depth->setup(&r->view, camera, r->config.depth_bits);

@@ -1,12 +1,12 @@
 /* Groups of instances that are out of view, found in the order of the scene.
  *
- * A group that is left out must change nothing: not a pixel, and not the camera units, which are chosen from the instances that
- * zs_cull_sphere lets pass. So whatever that culls is what may be left out. Let S be what the group's sphere is enlarged by,
- * s an instance's slack there, e and f the errors of the two distances from a plane, and all lengths true but those two: the
- * instance's sphere lies in the group's, so that its distance is at most the group's + R - r. From group < -(R + S) follows
- * instance < -r - S + e + f. With |c| + R and |c| + origins, the largest axis taken, no less than the instance's reach (zs_bounds) but for
- * 2^-18 of it, s is at most reach / 2^16 + 1, and e + f below reach / 2^18 + 4, as world units are not split here. reach / 2^15 + 8
- * holds all of it.
+ * A group that is left out must change nothing: not a pixel, and not the camera units, which are chosen from the instances
+ * that zs_cull_sphere lets pass. So whatever that culls is what may be left out. Let S be what the group's sphere is enlarged
+ * by, s an instance's slack there, e and f the errors of the two distances from a plane, and all lengths true but those two:
+ * the instance's sphere lies in the group's, so that its distance is at most the group's + R - r. From group < -(R + S)
+ * follows instance < -r - S + e + f. With |c| + R and |c| + origins, the largest axis taken, no less than the instance's
+ * reach (zs_bounds) but for 2^-18 of it, s is at most reach / 2^16 + 1, and e + f below reach / 2^18 + 4, as world units are
+ * not split here. reach / 2^15 + 8 holds all of it.
  *
  * In the walk vertices may be 8 camera units beside where they should be; group_slack is no less than that. It does not
  * differ between zs_frame_begin and the walks, so that the walks meet no instance that was not checked.

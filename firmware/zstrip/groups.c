@@ -5,8 +5,8 @@
 #include "cold.h"
 #include "pipeline.h"
 
-#define FAN 8u     /* instances of the smallest groups, groups of the others: ZS_GROUPS_MAX */
-#define LEVELS 6   /* 8^6 > 65535 */
+#define FAN 4u     /* instances of the smallest groups, groups of the others: ZS_GROUPS_MAX */
+#define LEVELS 8   /* 4^8 > 65535 */
 #define NONE UINT32_MAX
 #define CENTER_MAX ((int64_t)2 * ZS_WORLD_MAX)
 #define RADIUS_MAX ((int64_t)4 * ZS_WORLD_MAX)

@@ -240,7 +240,8 @@ extern const struct zs_group_kernel zs_group_kernel; /* linked only where groups
 /* A run of instances that stand close together, and the groups within it. */
 struct zs_group {
     int32_t center[3];  /* world units, |.| <= 2 ZS_WORLD_MAX */
-    uint32_t radius;    /* of a sphere around the spheres of its instances, world units, rounded up, at most 2^31 */
+    uint32_t radius;    /* of a sphere around the spheres of its instances, each a mesh step larger than its mesh's; world
+                           units, rounded up, at most 2^31 */
     uint32_t origins;   /* of one with the same centre around the positions of their poses, the same */
     uint16_t first, n;  /* its instances: [first, first + n) of the scene's, those of the groups within it among them */
     uint16_t next;      /* the group after it and all those within it, n_groups after the last */
@@ -499,7 +500,8 @@ int zs_watch(struct zs_renderer *r, uint64_t *sum, uint32_t columns);
  *              compared. The picture stays wrong there until the instance changes again. Who must have it exact does without.
  * Cost         zs_frame_begin, where nothing differs: 400 instructions for an instance, instead of its checks; else on top of
  *              those, and 3,000 for an instance that differs. Each strip that is not drawn: 100. What a frame draws is
- *              walked as always: an instance that reaches one strip is transformed whole.
+ *              walked as always: of an instance that reaches one strip all is transformed, but for clusters that do
+ *              not. Every instance is read, in groups or not.
  * Return       ZS_OK; ZS_ERR_NULL; ZS_ERR_STATE (r is not set up, or a frame is open); ZS_ERR_SIZE: as before.
  *              zs_init ends it. */
 #define ZS_TRACK_WORDS(n_instances, height, strip_h) \
@@ -557,15 +559,15 @@ const char *zs_strflaw(enum zs_flaw flaw);
 
 /* ---- Groups made at run time ------------------------------------------------------------------------- */
 
-/* Group instances by eights in the order of the scene, those groups by eights, and so on: good where neighbours in the array
+/* Group instances by fours in the order of the scene, those groups by fours, and so on: good where neighbours in the array
  * stand near each other. After instances have moved out of their groups: again.
  *
  * group     [n_max], caller's, filled; ZS_GROUPS_MAX(n_instances) are enough.
  * *n_groups  how many; 0 on failure.
- * Cost      5,000 instructions an instance on a Cortex-M3.
+ * Cost      4,300 instructions an instance on a Cortex-M3.
  * Return    ZS_OK; ZS_ERR_NULL; ZS_ERR_SIZE (n_max, or n_instances above 65535); ZS_ERR_RANGE (an instance that no frame
  *           takes, or that stands too far out). */
-#define ZS_GROUPS_MAX(n_instances) ((uint32_t)(n_instances) / 7u + 7u)
+#define ZS_GROUPS_MAX(n_instances) ((uint32_t)(n_instances) / 3u + 9u)
 int zs_groups_build(struct zs_group *group, uint32_t n_max, const struct zs_instance *instance, uint32_t n_instances,
                     uint32_t *n_groups);
 

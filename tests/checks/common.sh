@@ -69,7 +69,6 @@ END
 EVERYTHING='extern struct zs_material other[5];
     extern struct zs_texture texture[3];
     extern const struct zs_state state;
-    extern const struct zs_groups groups;
     static const struct zs_depth *const all_depths[] = { &zs_depth_linear, &zs_depth_e3m13, &zs_depth_e4m12, &zs_depth_e5m11, &zs_depth_float };
     const struct zs_depth *volatile depth = all_depths[anything[5]];
     const int32_t *v = (const int32_t *)anything;
@@ -89,14 +88,16 @@ EVERYTHING='extern struct zs_material other[5];
     (void)zs_track(&renderer, anything, 1);
     anything[3] = zs_frame_stats(&renderer)->passes;
     anything[7] = (uint32_t)zs_strflaw(zs_mesh_check(&mesh, anything))[0];
-    (void)zs_groups_build((struct zs_group *)anything, 1, &instance, 1, anything);
-    anything[9] = (uint32_t)zs_groups_check(&scene, anything);
-    mesh.cluster_kernel = &zs_cluster_kernel;
-    scene.groups = &groups;
     anything[8] = (uint32_t)zs_texture_check((const struct zs_texture *)anything, anything);
     instance.state = &state;
     material = other[anything[4]];
     material.texture = &texture[anything[6]];'
+# Clusters and groups, besides
+CULLING='extern const struct zs_groups groups;
+    (void)zs_groups_build((struct zs_group *)anything, 1, &instance, 1, anything);
+    anything[9] = (uint32_t)zs_groups_check(&scene, anything);
+    mesh.cluster_kernel = &zs_cluster_kernel;
+    scene.groups = &groups;'
 OTHERS='struct zs_material other[5] = { { &zs_shade_raw, { 0, 0, 0 }, 0 }, { &zs_shade_smooth, { 0, 0, 0 }, 0 },
     { &zs_shade_texture, { 0, 0, 0 }, 0 }, { &zs_shade_texture_flat, { 0, 0, 0 }, 0 },
     { &zs_shade_texture_smooth, { 0, 0, 0 }, 0 } };

@@ -51,7 +51,7 @@ int main()
     const zs_material material{ &zs_shade_raw, { 255, 255, 255 }, ZS_CULL_BACK, nullptr };
     zs_instance instance{ &mesh, &material, {}, nullptr };
     zs_pose_identity(&instance.pose);
-    const zs_scene scene{ &instance, 1, {}, zs_rgb565(0, 0, 0) };
+    const zs_scene scene{ &instance, 1, {}, zs_rgb565(0, 0, 0), nullptr };
     zs_camera camera{};
     const int32_t eye[3] = { 0, 0, 100 }, at[3] = { 0, 0, 0 }, up[3] = { 0, 1, 0 };
     if (zs_camera_orthographic(&camera, 36, 1, 200) || zs_camera_look_at(&camera, eye, at, up))

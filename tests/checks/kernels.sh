@@ -35,7 +35,7 @@ for c in $CPUS; do
     without texture recip '^(zs_shade_(raw|flat|smooth)|zs_solid_|zs_light|light|zs_depth_linear|linear_|zs_texel|fetch_(565|pal)|zs_shade_texture_|smooth_|'"$STATE|$FLOAT"')'
     without flat e3m13 '^(zs_shade_(raw|smooth)|zs_depth_(recip|linear|e4m12|e5m11)|recip_(setup|vertex|inverse)|linear_|e[45]_setup|'"$TEXTURE|$STATE"')'
     # the names above must exist, or the patterns prove nothing
-    minimal "$dir/main.c" flat recip "$EVERYTHING"
+    minimal "$dir/main.c" flat recip "$EVERYTHING $CULLING"
     echo "$OTHERS" >>"$dir/main.c"
     link "$c" "$dir" "$dir/main.c" "$dir/all.elf" || bad "$c everything links" "see above"
     all=$(${ARM}nm "$dir/all.elf" | awk '{ print $NF }')

@@ -146,7 +146,7 @@ for c in $CPUS; do
     dir=$B/stack-$c
     core "$c" "$dir" -fstack-usage -fcallgraph-info=su || { bad "$c compiles (-Wvla -Werror)" "see above"; continue; }
     ok "$c no VLA, no alloca: $(cat "$dir"/*.su | wc -l) frames, $(cat "$dir"/*.su | grep -c dynamic) dynamic"
-    minimal "$dir/main.c" flat recip "$EVERYTHING"
+    minimal "$dir/main.c" flat recip "$EVERYTHING $CULLING"
     echo "$OTHERS" >>"$dir/main.c"
     link "$c" "$dir" "$dir/main.c" "$dir/all.elf" || { bad "$c links" "see above"; continue; }
     { helpers "$dir/all.elf"; facts "$c" "$dir"; } >"$dir/facts.txt"

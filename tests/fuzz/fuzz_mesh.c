@@ -132,7 +132,7 @@ static int must_be_refused(const struct card *c, const struct kind_shader *k)
            (k->texture && (m == ZS_FLAW_UV_BITS || t == ZS_FLAW_NULL || t == ZS_FLAW_SIZE || t == ZS_FLAW_CLAMP));
 }
 
-static void draw(const struct card *c, const struct kind_shader *shader)
+static void draw(struct card *c, const struct kind_shader *shader)
 {
     const struct card_header *h = &c->header;
     if (shader->texture && (c->texture_flaw == ZS_FLAW_TEXEL || c->texture_flaw == ZS_FLAW_COLORS))

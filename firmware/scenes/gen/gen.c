@@ -9,8 +9,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#define CLUSTER 64u    /* triangles to a cluster */
-#define CLUSTERED 512u /* meshes of so many triangles have clusters */
+#define CLUSTER 64u /* triangles to a cluster */
 
 static struct gen_mesh mesh;
 
@@ -473,7 +472,7 @@ void gen_write(const struct gen_mesh *m, unsigned parts, uint32_t scale)
 {
     int64_t center[3];
     const uint64_t radius = sphere(m, 0, m->n_tris, center);
-    const uint32_t n_clusters = m->n_tris >= CLUSTERED ? (m->n_tris + CLUSTER - 1) / CLUSTER : 0;
+    const uint32_t n_clusters = parts & GEN_CLUSTERS ? (m->n_tris + CLUSTER - 1) / CLUSTER : 0;
     if (radius > 65535)
         out_die("the radius does not fit uint16", m->name);
 

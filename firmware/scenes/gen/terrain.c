@@ -101,5 +101,5 @@ void gen_terrain(void)
             }
         }
     }
-    gen_write(m, GEN_FACE_NORMAL | GEN_FACE_RGB, 65536);
+    gen_write(m, GEN_FACE_NORMAL | GEN_FACE_RGB | GEN_CLUSTERS, 65536);
 }
