@@ -13,8 +13,6 @@ for program in "$at"/test/test_*; do
     [ -x "$program" ] || continue
     "$program" >"$program.log" 2>&1 || echo "FAILED coverage: $program"
 done
-gcovr --root . --filter firmware/zstrip/ --filter hal/panel/ --exclude-throw-branches --object-directory "$at/test" \
-    --txt-metric line --json-summary "$at/summary.json" --txt "$at/lines.txt" --csv "$at/table.csv" "$at/test" || exit 1
 gcovr --root . --filter firmware/zstrip/ --filter hal/panel/ --json "$at/all.json" "$at/test" || exit 1
 node - "$at/all.json" <<'END'
 const fs = require('fs');

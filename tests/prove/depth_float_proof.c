@@ -43,8 +43,8 @@ void float_keys(void)
         }
 }
 
-/* PROVE float_inverses_of: three vertices, each in any octave of its mapping, mantissas 1 .. 2^30, 8 and 16 bits,
- * exponents 3 .. 5; that the nearest one's octave is the highest is taken as given */
+/* PROVE float_inverses_of: octave and mantissa of every key, 8 and 16 bits, exponents 3 .. 5; not the shifts by octaves of
+ * three vertices */
 void float_inverses_of(void)
 {
     for (uint32_t bits = 8; bits <= 16; bits += 8)
