@@ -56,7 +56,7 @@ FUZZ_SIM = $(filter-out $(MODEL) sim/main.c,$(SIM)) sim/linux/linux_options.c
 $(FUZZ_TARGETS:%=$(B)/fuzz/%): $(B)/fuzz/%: $(B)/test/tests/fuzz/%.o $(call t,$(FUZZ_SIM)) $(B)/test/libtest.a \
                                             $(call fuzz_objects,drive said) $(B)/libmeshes.a
 	@mkdir -p $(@D)
-	@$(CC) $(SAN) $^ $(LIBS) -o $@
+	@$(CC) $(SAN) -Wl,--start-group $^ -Wl,--end-group $(LIBS) -o $@
 $(B)/fuzz/clang/%.o: %.c $(HEADERS) $(B)/gen/meshes.h
 	@mkdir -p $(@D)
 	@$(subst $(CC) ,clang ,$(TEST_CC)) -fsanitize=fuzzer-no-link -c $< -o $@
