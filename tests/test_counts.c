@@ -64,7 +64,7 @@ static void sums_of_every_scene(void **state)
     static const uint16_t off[] = { 0, ZS_SKIP_HIDDEN, 1023 };
     for (uint32_t d = 0; d < n_demos; d++)
         for (uint32_t t = 0; t < demos[d]->frames && t < 40; t += 21)
-            for (size_t k = 0; k < sizeof off; k++) {
+            for (size_t k = 0; k < sizeof off / sizeof off[0]; k++) {
                 struct demo_frame f;
                 struct zs_config c = config_of(demos[d], off[k]);
                 demos[d]->pose(&f, t, W, H);
