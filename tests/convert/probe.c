@@ -224,7 +224,8 @@ static void render(const struct zs_instance *instance, const struct zs_camera *c
         instance,
         M_INSTANCES,
         { { 400000000, 700000000, 700000000 }, ZS_Q16_ONE / 4, ZS_Q16_ONE * 3 / 4 },
-        background
+        background,
+        NULL
     };
     const struct zs_sink sink = { take, 0, 0 };
     int err = zs_init(&renderer, &config, arena, sizeof arena);
