@@ -35,7 +35,7 @@
 #endif
 #define RUNS 3
 #define FNV_START 0xcbf29ce484222325u
-#define RESERVE 4096u /* of a RAM bar, for renderer, scene state and stack; checked where the stack is known */
+#define RESERVE 4608u /* of a RAM bar, for renderer, scene state and stack; checked where the stack is known */
 #ifndef BENCH_ARENA
 #define BENCH_ARENA (3u << 20)
 #endif

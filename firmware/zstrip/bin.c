@@ -489,8 +489,10 @@ static ZS_RARE enum fate polygon_bin(struct zs_renderer *r, const struct polygon
     const struct zs_shader *shader = material->shader;
     const uint16_t paint = shader->face ? shader->face(r, t) : 0u;
     for (int k = 1; k + 1 < p->n; k++) {
-        struct place box = { { (uint32_t)corner, (uint32_t)((corner + k) % p->n),
-                               (uint32_t)((corner + k + 1) % p->n) } };
+        struct place box;
+        box.slot[0] = (uint32_t)corner;
+        box.slot[1] = (uint32_t)((corner + k) % p->n);
+        box.slot[2] = (uint32_t)((corner + k + 1) % p->n);
         if (area < 0) {
             box.slot[0] = box.slot[2];
             box.slot[2] = (uint32_t)corner;

@@ -5,9 +5,9 @@
 # SPDX-License-Identifier: MIT
 . "$(dirname "$0")/common.sh"
 
-FLASH_MAX=${FLASH_MAX:-45568}           # everything but clusters and groups, Cortex-M3
+FLASH_MAX=${FLASH_MAX:-49152}           # everything but clusters and groups, Cortex-M3
 FLASH_CLUSTERS_MAX=${FLASH_CLUSTERS_MAX:-3328} # what clusters take
-FLASH_FLAT_MAX=${FLASH_FLAT_MAX:-21504} # flat and recip alone, Cortex-M3
+FLASH_FLAT_MAX=${FLASH_FLAT_MAX:-25088} # flat and recip alone, Cortex-M3
 FLASH_PANEL_MAX=${FLASH_PANEL_MAX:-3072} # a panel that converts nothing
 
 # MAP PATTERN: bytes that the link took from objects whose path matches.

@@ -237,7 +237,7 @@ static void compare(const struct world *w, const struct picture *plain, uint32_t
         const uint32_t other = c->skip_off ^ plain_off; /* instances of groups out of view are not counted */
         EXPECT(stats_add_up(&p.stats) && (p.stats.tris_in == plain->stats.tris_in || other & ZS_SKIP_GROUP));
         EXPECT(p.stats.pixels_tested <= plain->stats.pixels_tested);
-        EXPECT(p.stats.pixels_written <= plain->stats.pixels_written);
+        EXPECT(p.stats.pixels_written <= p.stats.pixels_tested); /* a hidden triangle left out may let others write that lose to it */
         EXPECT(!(c->skip_off & ZS_SKIP_HIDDEN) || (p.stats.pixels_tested == plain->stats.pixels_tested &&
                                                    p.stats.pixels_written == plain->stats.pixels_written));
         EXPECT(p.stats.max_tris_used <= c->max_tris && p.stats.max_verts_used <= c->max_verts);
