@@ -115,7 +115,8 @@ static int measure(size_t i, struct study_text *row)
     const uint64_t checksum = study_checksum(f.rgb565, (size_t)c.width * c.height);
     study_put(row, "%u", f.arena_bytes);
     study_put(row, "%u", (unsigned)ZS_COLOR_BYTES(c.width, c.strip_h, c.buffers));
-    study_put(row, "%u", (unsigned)(ZS_DEPTH_BYTES(c.width, c.strip_h) + ZS_DRAWN_BYTES(c.strip_h) + ZS_BOUND_BYTES(c.width, c.height, c.strip_h)));
+    study_put(row, "%u", (unsigned)(ZS_DEPTH_BYTES(c.width, c.strip_h) + ZS_DRAWN_BYTES(c.strip_h) +
+                                    ZS_BOUND_BYTES(c.width, c.height, c.strip_h)));
     study_put(row, "%u", (unsigned)(ZS_TRI_BYTES(c.max_tris) + ZS_BIN_BYTES(c.height, c.strip_h)));
     study_put(row, "%u", (unsigned)ZS_VERT_BYTES(c.max_verts, c.attrs));
     study_put(row, "%u", f.stats.passes);

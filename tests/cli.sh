@@ -344,9 +344,9 @@ for model in ball mess; do
 done
 
 # ---- False colours -------------------------------------------------------------------------------
-# Eight layers of 96 x 100 px, the nearest first; they cover tiles of 32 columns
+# Eight layers of 160 x 100 px, the nearest first; they cover tiles of 32 columns
 awk 'BEGIN { for (k = 0; k < 8; k++) { z = 14 - 4 * k
-    printf "v -56 -50 %d\nv 40 -50 %d\nv 40 50 %d\nv -56 50 %d\nf %d %d %d %d\n", z, z, z, z, 4*k+1, 4*k+2, 4*k+3, 4*k+4
+    printf "v -56 -50 %d\nv 104 -50 %d\nv 104 50 %d\nv -56 50 %d\nf %d %d %d %d\n", z, z, z, z, 4*k+1, 4*k+2, 4*k+3, 4*k+4
 } }' >layers.obj
 color_at() { # NAME X Y
     look pixel "out/$1.png" "$2" "$3"
@@ -371,7 +371,7 @@ begin show_eight_layers_before_and_after
 show tested tested pixels_tested 8 --skip-off 160
 show overdraw overdraw pixels_written 1 --skip-off 32
 show complexity complexity pixels_tested 8 --skip-off 32
-is "eight layers" "$(stat_of tested pixels_tested)" 76800
+is "eight layers" "$(stat_of tested pixels_tested)" 128000
 before=$(stat_of tested show_sum)
 draw after layers.obj $plain --show tested
 is "sum after" "$(stat_of after show_sum)" $(($(stat_of after pixels_tested) - $(stat_of after pixels_untested)))

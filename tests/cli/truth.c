@@ -124,7 +124,7 @@ int main(void)
                 zs_pose_turn(&one.pose, 1234, 300, 0);
                 const struct zs_scene scene = { &one, 1,
                                                 { { 0, ZS_Q30_ONE / 2, ZS_Q30_ONE / 2 }, ZS_Q16_ONE / 3, ZS_Q16_ONE },
-                                                0x1234 };
+                                                0x1234, NULL };
                 struct ref_diff d = { 0 };
                 const char *now = compare(&scene, &camera, kinds[kind].depth, &picture[f], &d);
                 if (f == 0)
