@@ -56,7 +56,7 @@ ZS_ARENA(arena, ZS_ARENA_BYTES(W, H, ROWS, 8, 8, ZS_ATTRS_FLAT, 2));
 int main(void)
 {
     static struct zs_renderer r;
-    struct zs_scene scene = { 0, 0, { { 0, 0, 0 }, 0, 0 }, 7 };
+    struct zs_scene scene = { 0, 0, { { 0, 0, 0 }, 0, 0 }, 7, 0 };
     struct zs_camera camera;
     int err = zs_init(&r, &config, arena, sizeof arena);
     err = err ? err : zs_camera_perspective(&camera, 8192, H, 10, 1000);
