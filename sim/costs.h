@@ -66,6 +66,9 @@
     X(px_runs, "pixel", "pixel tested, any other way")                                                   \
     X(px_linear, "pixel", "pixel tested, depth linear")                                                  \
     X(px_state, "pixel", "pixel tested, with a state")                                                   \
+    X(setup_fresh, "set-up", "more where nothing was drawn before it")                                   \
+    X(row_fresh, "row", "more where nothing was drawn before it")                                        \
+    X(px_fresh, "pixel", "key of a pixel drawn without a test")                                          \
     X(won_small, "pixel", "more where it wins, small triangle")                                          \
     X(won_solid, "pixel", "more where it wins, one colour")                                              \
     X(won_smooth, "pixel", "more where it wins, smooth")                                                 \

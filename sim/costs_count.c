@@ -54,6 +54,7 @@ static struct {
     const struct zs_job *job; /* whose run is coloured; NULL: none */
     uint8_t huge;      /* flag, of the triangle that was set up last */
     uint8_t keys;      /* flag, of the triangle in hand: its keys are linear */
+    uint8_t linear;    /* flag: keys are linear on the screen in this view */
 } now;
 
 static struct our_shader *shader_of(const struct zs_shader *shader)
@@ -159,7 +160,10 @@ static uint32_t on_depth_vertex(const struct zs_view *view, int32_t z, uint32_t 
 static int on_setup(struct zs_view *view, const struct zs_camera *camera, uint32_t bits)
 {
     now.r = (struct zs_renderer *)(void *)((char *)view - offsetof(struct zs_renderer, view));
-    return now.of->setup(view, camera, bits);
+    const int err = now.of->setup(view, camera, bits);
+    now.linear = view->screen_linear;
+    view->screen_linear = 0; /* all triangles come by on_depth_rows */
+    return err;
 }
 
 static uint32_t tested(void)
@@ -251,11 +255,19 @@ static void on_span(struct zs_job *job, const struct zs_row *row, int32_t i0, in
     now.n[s->kind == KIND_SOLID ? SIM_COST_won_solid : SIM_COST_won_runs] += won;
 }
 
+static void on_state_rows(struct zs_job *job);
+
+/* Drawn on pixels that nothing was drawn on before: by a kernel that is not an instance's. */
+static int on_fresh(const struct zs_job *job)
+{
+    return job->state && job->state->kernel->rows != on_state_rows;
+}
+
 static void on_run(struct zs_job *job, const struct zs_row *row, int32_t from, int32_t to)
 {
     const struct our_shader *s = shader_of(job->shader);
     now.n[SIM_COST_run]++;
-    if (s->kind == KIND_SOLID)
+    if (s->kind == KIND_SOLID && !on_fresh(job)) /* else in px_fresh: filled, as the keys are */
         now.n[SIM_COST_run_solid_px] += to - from;
     if (s->kind == KIND_SMOOTH) {
         now.n[SIM_COST_run_smooth_px] += to - from;
@@ -328,14 +340,24 @@ static void on_state_span(struct zs_job *job, const struct zs_row *row, int32_t 
 static void on_depth_rows(struct zs_job *job)
 {
     struct shape shape;
-    const uint32_t before = written();
+    const uint32_t before = written(), untested = now.r->stats.pixels_untested;
+    const int fresh = on_fresh(job);
     look(&shape, job);
     now.huge = (uint8_t)shape.huge;
     now.keys = 0;
-    now.of->rows(job);
+    if (now.linear)
+        zs_raster_keys(job);
+    else
+        now.of->rows(job);
     if (now.keys)
         return; /* they were; counted there */
     count_setup(&shape);
+    if (fresh) {
+        now.n[SIM_COST_setup_fresh]++;
+        now.n[SIM_COST_row_fresh] += shape.rows;
+        now.n[SIM_COST_px_fresh] += now.r->stats.pixels_untested - untested;
+        return;
+    }
     if (now.of != &zs_depth_linear) {
         now.n[SIM_COST_setup_octaves]++;
         return;
@@ -428,7 +450,7 @@ static void copy(struct zs_instance *in, struct thing *t)
 
 /* ---- The frame ---------------------------------------------------------------------------------- */
 
-/* Triangles of the strip that are wide enough to hide others: they are looked at for that, drawn or not. */
+/* Triangles that are wide enough to hide others: they are looked at for that, once a frame, drawn or not. */
 static void count_bounds(const struct zs_strip *strip)
 {
     const struct zs_renderer *r = now.r;
@@ -439,7 +461,8 @@ static void count_bounds(const struct zs_strip *strip)
         const int32_t y0 = zs_min32(zs_min32(a->y, b->y), c->y), y1 = zs_max32(zs_max32(a->y, b->y), c->y);
         now.n[SIM_COST_bound] += zs_min32(zs_first_sample(x1), strip->w) - zs_max32(zs_first_sample(x0), 0) >=
             2 << ZS_TILE_LOG2 &&
-                                 zs_first_sample(y0) < strip->y + strip->h && zs_first_sample(y1) > strip->y;
+                                 zs_first_sample(y0) < strip->y + strip->h && zs_first_sample(y1) > strip->y &&
+                                 (zs_first_sample(y0) >= strip->y || strip->y == 0); /* once a frame */
     }
 }
 
@@ -468,8 +491,7 @@ static void count_frame(const struct zs_config *config, const struct zs_stats *s
     const double walks = now.walks, walked = s->instances_in - s->instances_culled;
     n[SIM_COST_frame] = 1;
     n[SIM_COST_strip] = s->strips;
-    n[SIM_COST_clear_px] = (double)s->strips * config->width * (config->strip_h < config->height ? config->strip_h :
-                                                                config->height);
+    n[SIM_COST_clear_px] = (double)config->width * config->height - s->pixels_untested;
     n[SIM_COST_instance] = walks * walked;
     n[SIM_COST_instance_culled] = walks * s->instances_culled;
     n[SIM_COST_vertex_out] =

@@ -25,7 +25,7 @@ column_is() { # COLUMN
         # clang's -Wconversion asks for more than gcc's
         board=host memory=
         with="BOARD_CC=${1%_*} OPT=-${1#*_} OUT=$build/fw/host_$1 BOARD_FLAGS=-Wno-sign-conversion" ;;
-    cortex_m0) board=m0 memory='-DSUMS_ROWS=4 -DSUMS_ARENA=11000' ;; # 16 KB of RAM; its flash takes a scene at a time
+    cortex_m0) board=m0 memory='-DSUMS_ROWS=4 -DSUMS_ARENA=10900' ;; # 16 KB of RAM; its flash takes a scene at a time
     cortex_m0plus) board=pico memory='-DSUMS_ROWS=16 -DSUMS_ARENA=160000' ;;
     cortex_m3) board=mps2 memory=-DSUMS_ROWS=8 ;;
     cortex_m4) board=mps2-m4 memory=-DSUMS_ROWS=17 ;;
