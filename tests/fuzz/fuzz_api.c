@@ -453,8 +453,9 @@ static void do_begin(struct room *m, struct desk *d, struct prng *p)
     const int want = !scene || !camera ? ZS_ERR_NULL : begin_answer(m, d, k);
     EXPECT(zs_frame_begin(NULL, scene, camera) == ZS_ERR_NULL);
     const int said = zs_frame_begin(d->r, scene, camera);
-    /* zs_track looks at all instances, and first: those to be refused in a group out of view too, and of two errors that one */
-    EXPECT(said == want || (said < 0 && d->memory && scene && (want || scene->groups)));
+    /* zs_track looks at all instances, and first: those to be refused in a group out of view too, and of two errors that one;
+     * so does ZS_SKIP_GROUP */
+    EXPECT(said == want || (said < 0 && scene && ((d->memory && want) || scene->groups)));
     d->open = said ? CLOSED : k;
     d->given = d->counted = 0;
     d->last_whole = 0;
@@ -612,7 +613,7 @@ static void do_render(struct room *m, struct desk *d, struct prng *p)
     const int answer = begin_answer(m, d, k);
     const int got = zs_render(d->r, &m->w.scene, &m->camera[k], &sink);
     d->open = CLOSED;
-    const int refused = d->memory && (answer || m->w.scene.groups) && got < 0 && got > -1000; /* do_begin() says why */
+    const int refused = ((d->memory && answer) || m->w.scene.groups) && got < 0 && got > -1000; /* do_begin() says why */
     if (answer || refused) {
         EXPECT((got == answer || refused) && at.submits == 0);
         return;
