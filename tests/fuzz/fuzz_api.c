@@ -109,7 +109,8 @@ static void count_frame(const struct world *w, const struct zs_config *c, const 
         for (size_t k = 0; k < KINDS(kind_shaders); k++) {
             reached.shader[k] += m->shader == kind_shaders[k].shader;
             for (size_t f = 0; f < KINDS(kind_texels) && m->shader == kind_shaders[k].shader; f++)
-                reached.texel[f] += kind_shaders[k].texture && m->texture->format == kind_texels[f].format;
+                reached.texel[f] += kind_shaders[k].texture && m->texture /* none: in a group out of view */ &&
+                                    m->texture->format == kind_texels[f].format;
         }
         reached.state += w->instance[i].state != NULL;
         reached.cluster += w->instance[i].mesh->cluster != NULL;
