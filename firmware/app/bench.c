@@ -21,6 +21,7 @@
  */
 #include "hal.h"
 #include "number.h"
+#include "report.h"
 #include "scenes.h"
 #include "zstrip.h"
 
@@ -34,7 +35,6 @@
 #define BENCH_POOLS { 0, 0, 0 }
 #endif
 #define RUNS 3
-#define FNV_START 0xcbf29ce484222325u
 #define RESERVE 4608u /* of a RAM bar, for renderer, scene state and stack; checked where the stack is known */
 #ifndef BENCH_ARENA
 #define BENCH_ARENA (3u << 20)
@@ -67,17 +67,11 @@ static void put_hex(uint64_t v)
     hal_write(number_hex(room, v));
 }
 
-static void put_field(uint64_t v)
-{
-    hal_write(",");
-    put_number(v);
-}
-
 /* n / d with one digit after the point, nearest. */
 static void put_ratio(uint64_t n, uint64_t d)
 {
     const uint64_t tenths = d ? (n * 10u + d / 2u) / d : 0u;
-    put_field(tenths / 10u);
+    report_field(tenths / 10u);
     hal_write(".");
     put_number(tenths % 10u);
 }
@@ -94,23 +88,6 @@ static int wait(void *ctx)
 {
     struct hal_bus *bus = ctx;
     return bus->wait(bus);
-}
-
-static int drop(void *ctx, const struct zs_strip *s)
-{
-    (void)ctx;
-    (void)s;
-    return 0;
-}
-
-static int hash(void *ctx, const struct zs_strip *s)
-{
-    uint64_t *sum = ctx;
-    uint64_t h = *sum;
-    for (uint32_t i = 0; i < s->n_bytes; i++)
-        h = (h ^ s->px[i]) * 0x100000001b3u;
-    *sum = h;
-    return 0;
 }
 
 /* ---- Runs ---------------------------------------------------------------------------------- */
@@ -171,8 +148,8 @@ static void sort3(uint64_t v[RUNS])
 static void run(struct result *out)
 {
     uint64_t n[RUNS];
-    out->checksum = FNV_START;
-    const struct zs_sink sink = { hash, 0, &out->checksum };
+    out->checksum = REPORT_HASH;
+    const struct zs_sink sink = { report_hash, 0, &out->checksum };
     out->err = zs_render(&renderer, &frame.scene, &frame.camera, &sink);
     for (int i = 0; i < RUNS && !out->err; i++)
         n[i] = measure(&out->err);
@@ -207,22 +184,22 @@ static void line(const struct demo *d, const char *variant, const struct zs_conf
         hal_write("\n");
         return;
     }
-    put_field(c->max_tris);
-    put_field(c->max_verts);
-    put_field(r->stats.passes);
-    put_field(r->stats.tris_in);
-    put_field(r->stats.tris_drawn);
-    put_field(r->stats.tris_setup);
-    put_field(r->stats.verts_transformed);
-    put_field(r->stats.pixels_tested);
-    put_field(bytes);
+    report_field(c->max_tris);
+    report_field(c->max_verts);
+    report_field(r->stats.passes);
+    report_field(r->stats.tris_in);
+    report_field(r->stats.tris_drawn);
+    report_field(r->stats.tris_setup);
+    report_field(r->stats.verts_transformed);
+    report_field(r->stats.pixels_tested);
+    report_field(bytes);
     hal_write(",");
     put_hex(r->checksum);
-    put_field(r->instructions);
+    report_field(r->instructions);
     put_ratio(r->instructions, r->stats.tris_in);
     put_ratio(r->instructions, r->stats.pixels_tested);
-    put_field(r->stack);
-    put_field(bytes + statics() + r->stack);
+    report_field(r->stack);
+    report_field(bytes + statics() + r->stack);
     hal_write("\n");
 }
 
@@ -429,7 +406,7 @@ static int same(const char *a, const char *b)
 int bench_frame(void);
 __attribute__((noinline)) int bench_frame(void)
 {
-    const struct zs_sink sink = { drop, 0, 0 };
+    const struct zs_sink sink = { report_drop, 0, 0 };
     return zs_render(&renderer, &frame.scene, &frame.camera, &sink);
 }
 
@@ -447,8 +424,8 @@ static int counted(const struct demo *d)
     d->pose(&frame, 0, d->width, d->height);
     r.err = configure(&c, d, 24, 1, (uint32_t)((uint64_t)pools[i].tris * part / whole),
                       (uint32_t)((uint64_t)pools[i].verts * part / whole));
-    r.checksum = FNV_START;
-    const struct zs_sink sink = { hash, 0, &r.checksum };
+    r.checksum = REPORT_HASH;
+    const struct zs_sink sink = { report_hash, 0, &r.checksum };
     if (!r.err)
         r.err = zs_render(&renderer, &frame.scene, &frame.camera, &sink);
     hal_stack_paint();

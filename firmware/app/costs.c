@@ -8,6 +8,7 @@
 #include "hal.h"
 #include "number.h"
 #include "probes.h"
+#include "report.h"
 
 #ifndef COSTS_FEW
 #define COSTS_FEW 0
@@ -16,20 +17,6 @@
 ZS_ARENA(arena, PROBE_ARENA_BYTES);
 static struct zs_renderer renderer;
 static struct probe probe;
-
-static void put_number(uint64_t v)
-{
-    char room[NUMBER_CHARS];
-    hal_write(",");
-    hal_write(number_text(room, v));
-}
-
-static int drop(void *ctx, const struct zs_strip *strip)
-{
-    (void)ctx;
-    (void)strip;
-    return 0;
-}
 
 static int hash(void *ctx, const struct zs_strip *s)
 {
@@ -48,7 +35,7 @@ static int draw(const struct zs_sink *sink)
 static int measure(uint32_t i)
 {
     uint32_t sum = 2166136261u;
-    const struct zs_sink summing = { hash, 0, &sum }, nowhere = { drop, 0, 0 };
+    const struct zs_sink summing = { hash, 0, &sum }, nowhere = { report_drop, 0, 0 };
     int err = zs_init(&renderer, &probe.config, arena, sizeof arena);
     if (!COSTS_FEW)
         err = err ? err : draw(&summing);
@@ -59,8 +46,8 @@ static int measure(uint32_t i)
     hal_write(number_text(room, i));
     hal_write(",");
     hal_write(probe.name);
-    put_number(hal_tick_instructions() ? ticks * hal_tick_instructions() : ticks);
-    put_number(COSTS_FEW ? 0u : sum);
+    report_field(hal_tick_instructions() ? ticks * hal_tick_instructions() : ticks);
+    report_field(COSTS_FEW ? 0u : sum);
     if (err) {
         hal_write(",error: ");
         hal_write(zs_strerror(err));

@@ -8,7 +8,7 @@
  */
 #include "hal.h"
 #include "model.h" /* made by zsim convert --name model */
-#include "number.h"
+#include "report.h"
 #include "zstrip.h"
 
 #define CROWD 100
@@ -32,35 +32,13 @@ static const struct zs_mesh cube = { .pos = corner, .tri = face, .n_verts = 8, .
                                      .scale = 100 * ZS_Q16_ONE, .radius = 16 };
 static const struct zs_material red = { .shader = &zs_shade_flat, .rgb = { 230, 60, 40 } };
 
-static void put_number(uint64_t v)
-{
-    char room[NUMBER_CHARS];
-    hal_write(",");
-    hal_write(number_text(room, v));
-}
-
-static int hash(void *ctx, const struct zs_strip *s)
-{
-    uint64_t *sum = ctx;
-    for (uint32_t i = 0; i < s->n_bytes; i++)
-        *sum = (*sum ^ s->px[i]) * 0x100000001b3u;
-    return 0;
-}
-
-static int drop(void *ctx, const struct zs_strip *s)
-{
-    (void)ctx;
-    (void)s;
-    return 0;
-}
-
 /* Draw and print. The frame must be the one that *sum is of, unless that is 0. Return instructions; 0: it went wrong. */
 static uint64_t measure(const char *scene_name, const char *variant, const struct zs_scene *scene,
                         const struct zs_camera *camera, uint16_t skip_off, uint64_t *sum)
 {
     const struct zs_config config = { W, H, 24, VERTS, VERTS, MODEL_ATTRS, 1, 8, 16, skip_off, &zs_depth_float };
-    uint64_t now = 0xcbf29ce484222325u;
-    const struct zs_sink sink = { drop, 0, 0 }, summing = { hash, 0, &now };
+    uint64_t now = REPORT_HASH;
+    const struct zs_sink sink = { report_drop, 0, 0 }, summing = { report_hash, 0, &now };
     int err = zs_init(&renderer, &config, arena, sizeof arena);
     err = err ? err : zs_render(&renderer, scene, camera, &summing);
     const uint64_t start = hal_ticks();
@@ -70,13 +48,13 @@ static uint64_t measure(const char *scene_name, const char *variant, const struc
     hal_write(scene_name);
     hal_write(",");
     hal_write(variant);
-    put_number(took);
-    put_number(s->instances_in);
-    put_number(s->instances_in - s->instances_culled);
-    put_number(s->clusters_in);
-    put_number(s->clusters_culled);
-    put_number(s->verts_transformed);
-    put_number(s->tris_drawn);
+    report_field(took);
+    report_field(s->instances_in);
+    report_field(s->instances_in - s->instances_culled);
+    report_field(s->clusters_in);
+    report_field(s->clusters_culled);
+    report_field(s->verts_transformed);
+    report_field(s->tris_drawn);
     hal_write(err ? "\n# FAILED: " : "\n");
     if (err)
         hal_write(zs_strerror(err));
@@ -150,7 +128,7 @@ static int crowd_measure(void)
     const uint32_t seen = crowd_pick(&all, &camera);
     if (err || seen != SEEN) {
         hal_write("# FAILED: in view are");
-        put_number(seen);
+        report_field(seen);
         hal_write("\n");
         return 1;
     }
@@ -162,7 +140,7 @@ static int crowd_measure(void)
     const uint64_t took = measure("crowd", "in groups", &grouped, &camera, 0, &sum);
     const uint64_t one_by_one = measure("crowd", "one by one", &all, &camera, 0, &sum);
     hal_write("crowd,groups built");
-    put_number(built);
+    report_field(built);
     hal_write(",,,,,,\n");
     if (least && one_by_one && took * 100u <= least * CULL_MOST)
         return 0;

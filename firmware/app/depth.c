@@ -4,7 +4,7 @@
  * SPDX-License-Identifier: MIT
  */
 #include "hal.h"
-#include "number.h"
+#include "report.h"
 #include "scenes.h"
 #include "zstrip.h"
 
@@ -24,24 +24,10 @@ static const struct {
 } mappings[] = { { "recip", &zs_depth_recip },   { "linear", &zs_depth_linear }, { "e3m13", &zs_depth_e3m13 },
                  { "e4m12", &zs_depth_e4m12 }, { "e5m11", &zs_depth_e5m11 } };
 
-static void put_number(uint64_t v)
-{
-    char room[NUMBER_CHARS];
-    hal_write(",");
-    hal_write(number_text(room, v));
-}
-
-static int drop(void *ctx, const struct zs_strip *strip)
-{
-    (void)ctx;
-    (void)strip;
-    return 0;
-}
-
 static int draw(const struct demo *d, uint32_t m)
 {
     const struct zs_config config = { W, H, ROWS, TRIS, VERTS, ZS_ATTRS_FLAT, 1, 8, 16, 0, mappings[m].depth };
-    const struct zs_sink sink = { drop, 0, 0 };
+    const struct zs_sink sink = { report_drop, 0, 0 };
     int err = zs_init(&renderer, &config, arena, sizeof arena);
     d->pose(&frame, 0, W, H);
     const uint64_t start = hal_ticks();
@@ -50,9 +36,9 @@ static int draw(const struct demo *d, uint32_t m)
     hal_write(d->name);
     hal_write(",");
     hal_write(err ? zs_strerror(err) : mappings[m].name);
-    put_number(ticks);
-    put_number(zs_frame_stats(&renderer)->pixels_tested);
-    put_number(zs_frame_stats(&renderer)->tris_setup);
+    report_field(ticks);
+    report_field(zs_frame_stats(&renderer)->pixels_tested);
+    report_field(zs_frame_stats(&renderer)->tris_setup);
     hal_write("\n");
     return err;
 }

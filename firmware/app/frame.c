@@ -4,6 +4,7 @@
  * SPDX-License-Identifier: MIT
  */
 #include "hal.h"
+#include "report.h"
 #include "scenes.h"
 #include "zstrip.h"
 
@@ -15,18 +16,11 @@ ZS_ARENA(arena, ARENA_BYTES);
 static struct zs_renderer renderer;
 static struct demo_frame frame;
 
-static int drop(void *ctx, const struct zs_strip *strip)
-{
-    (void)ctx;
-    (void)strip;
-    return 0;
-}
-
 int main(void)
 {
     const struct demo *d = &OF_NAME(FRAME_DEMO);
     struct zs_config c = { d->width, d->height, 24, 0, 0, (uint8_t)d->attrs, 1, 8, 16, 0, d->depth };
-    const struct zs_sink sink = { drop, 0, 0 };
+    const struct zs_sink sink = { report_drop, 0, 0 };
     uint32_t tris = 256, verts = 256;
     if (hal_init())
         hal_exit(1);

@@ -16,6 +16,7 @@
 #include "bench.h"
 #include "hal.h"
 #include "number.h"
+#include "report.h"
 #include "scenes.h"
 #include "zstrip.h"
 
@@ -37,30 +38,6 @@ static struct zs_scene scene; /* what is drawn, through frame.camera */
 
 /* ---- Lines --------------------------------------------------------------------------------- */
 
-static void put_field(uint64_t v)
-{
-    char room[NUMBER_CHARS];
-    hal_write(",");
-    hal_write(number_text(room, v));
-}
-
-static int hash(void *ctx, const struct zs_strip *s)
-{
-    uint64_t *sum = ctx;
-    uint64_t h = *sum;
-    for (uint32_t i = 0; i < s->n_bytes; i++)
-        h = (h ^ s->px[i]) * 0x100000001b3u;
-    *sum = h;
-    return 0;
-}
-
-static int drop(void *ctx, const struct zs_strip *s)
-{
-    (void)ctx;
-    (void)s;
-    return 0;
-}
-
 static struct zs_config config_of(const struct demo *like, uint16_t w, uint16_t h, uint16_t rows)
 {
     const struct zs_config c = { w, h, rows, ZS_POOL_MAX, ZS_POOL_MAX, (uint8_t)like->attrs, 1, 8, 16, 0, like->depth };
@@ -70,8 +47,8 @@ static struct zs_config config_of(const struct demo *like, uint16_t w, uint16_t 
 /* Draw the scene and write its line; x 0: the passes that it took. Return 1 where it cannot be drawn. */
 static int point(const char *series, const char *name, uint32_t x, const struct zs_config *c)
 {
-    uint64_t sum = 0xcbf29ce484222325u;
-    const struct zs_sink look = { hash, 0, &sum }, nowhere = { drop, 0, 0 };
+    uint64_t sum = REPORT_HASH;
+    const struct zs_sink look = { report_hash, 0, &sum }, nowhere = { report_drop, 0, 0 };
     char hex[HEX_CHARS];
     int err = zs_init(&renderer, c, arena, sizeof arena);
     err = err ? err : zs_render(&renderer, &scene, &frame.camera, &look);
@@ -82,22 +59,22 @@ static int point(const char *series, const char *name, uint32_t x, const struct 
     hal_write(series);
     hal_write(",");
     hal_write(name);
-    put_field(x ? x : s->passes);
+    report_field(x ? x : s->passes);
     if (err) {
         hal_write(",error: ");
         hal_write(zs_strerror(err));
         hal_write("\n");
         return 1;
     }
-    put_field(s->passes);
-    put_field(s->tris_in);
-    put_field(s->tris_drawn);
-    put_field(s->tris_setup);
-    put_field(s->verts_transformed);
-    put_field(s->pixels_tested);
+    report_field(s->passes);
+    report_field(s->tris_in);
+    report_field(s->tris_drawn);
+    report_field(s->tris_setup);
+    report_field(s->verts_transformed);
+    report_field(s->pixels_tested);
     hal_write(",");
     hal_write(number_hex(hex, sum));
-    put_field(n);
+    report_field(n);
     hal_write("\n");
     return 0;
 }

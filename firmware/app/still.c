@@ -4,7 +4,7 @@
  * SPDX-License-Identifier: MIT
  */
 #include "hal.h"
-#include "number.h"
+#include "report.h"
 #include "scenes.h"
 #include "zstrip.h"
 
@@ -17,30 +17,16 @@ static uint32_t memory[ZS_TRACK_WORDS(DEMO_INSTANCES_MAX, 240, ROWS)];
 static struct zs_renderer renderer;
 static struct demo_frame frame;
 
-static void put_number(uint64_t v)
-{
-    char room[NUMBER_CHARS];
-    hal_write(",");
-    hal_write(number_text(room, v));
-}
-
-static int drop(void *ctx, const struct zs_strip *strip)
-{
-    (void)ctx;
-    (void)strip;
-    return 0;
-}
-
 /* Draw; add instructions, and the strips that were drawn, to the line. */
 static int draw(uint64_t *instructions)
 {
-    const struct zs_sink sink = { drop, 0, 0 };
+    const struct zs_sink sink = { report_drop, 0, 0 };
     const uint64_t start = hal_ticks();
     const int err = zs_render(&renderer, &frame.scene, &frame.camera, &sink);
     const struct zs_stats *stats = zs_frame_stats(&renderer);
     *instructions = (hal_ticks() - start) * hal_tick_instructions();
-    put_number(*instructions);
-    put_number(stats->strips - stats->strips_skipped);
+    report_field(*instructions);
+    report_field(stats->strips - stats->strips_skipped);
     return err;
 }
 

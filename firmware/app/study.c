@@ -9,6 +9,7 @@
  */
 #include "hal.h"
 #include "number.h"
+#include "report.h"
 #include "scenes.h"
 #include "zstrip.h"
 
@@ -39,31 +40,14 @@ ZS_ARENA(arena, STUDY_ARENA);
 static struct zs_renderer renderer;
 static struct demo_frame frame;
 
-static int drop(void *ctx, const struct zs_strip *s)
-{
-    (void)ctx;
-    (void)s;
-    return 0;
-}
-
-static int hash(void *ctx, const struct zs_strip *s)
-{
-    uint64_t *sum = ctx;
-    uint64_t h = *sum;
-    for (uint32_t i = 0; i < s->n_bytes; i++)
-        h = (h ^ s->px[i]) * 0x100000001b3u;
-    *sum = h;
-    return 0;
-}
-
 static int measure(const struct setting *s)
 {
     const struct demo *d = s->demo;
     const struct zs_config config = { d->width, d->height, s->strip_h, s->max_tris, s->max_verts, (uint8_t)d->attrs,
                                       s->buffers, s->subpixel_bits, s->depth_bits, 0, s->depth };
     char room[NUMBER_CHARS], hex[HEX_CHARS];
-    uint64_t checksum = 0xcbf29ce484222325u, ticks = 0;
-    const struct zs_sink to_sum = { hash, 0, &checksum }, nowhere = { drop, 0, 0 };
+    uint64_t checksum = REPORT_HASH, ticks = 0;
+    const struct zs_sink to_sum = { report_hash, 0, &checksum }, nowhere = { report_drop, 0, 0 };
     d->pose(&frame, 0, d->width, d->height);
     int err = zs_init(&renderer, &config, arena, sizeof arena);
     if (!err)

@@ -54,7 +54,7 @@ for dir in hal/*/; do # what is shared is null's bus and cortexm; only host and 
 done
 only "panels include hal.h and their own headers" "\"hal\\.h\"|$(headers hal/panel)|$STD" hal/panel/*.[ch]
 reach "hal reaches nothing of firmware" '^(firmware|sim|tests)' hal/*.h hal/*/*.c
-only "app sees zstrip.h, hal.h, panel.h, scenes and its own" "\"(zstrip|scenes|sizes|hal|panel|show|number|model|bench|probes|study_settings)\\.h\"|$STD" firmware/app/*.[ch]
+only "app sees zstrip.h, hal.h, panel.h, scenes and its own" "\"(zstrip|scenes|sizes|hal|panel|show|number|report|model|bench|probes|study_settings)\\.h\"|$STD" firmware/app/*.[ch]
 only "scenes see zstrip.h and their own" "\"(zstrip|meshes)\\.h\"|$(headers firmware/scenes)|$STD" firmware/scenes/*.[ch]
 only "mesh generators see their own" "$(headers firmware/scenes | sed 's|"(|"\\.\\./(|')|$(headers firmware/scenes/gen)|$HOSTED" firmware/scenes/gen/*.[ch]
 only "boards see nothing of ours" "$STD" firmware/boards/*/*.c
