@@ -82,29 +82,18 @@ void zs_fresh_row(struct zs_job *job, const struct zs_row *row)
     r->fresh_left -= (uint32_t)(x1 - x0 - before);
 }
 
-/* Eight keys. Two at a time, sum and next, where halves are brought together by one instruction; Armv6-M takes more. */
-#if defined(__ARM_ARCH_6M__) || !defined(__BYTE_ORDER__) || __BYTE_ORDER__ != __ORDER_LITTLE_ENDIAN__
-#define KEY(k) (at[k] = (uint16_t)(sum >> 16), sum += gx)
-#define KEYS_8() (KEY(0), KEY(1), KEY(2), KEY(3), KEY(4), KEY(5), KEY(6), KEY(7))
-#define ALIGN 0u
-#else
-#define TWO(k) (((zs_pair *)(void *)at)[k] = (next & 0xffff0000u) | sum >> 16, sum += 2u * gx, next += 2u * gx)
-#define KEYS_8() (TWO(0), TWO(1), TWO(2), TWO(3))
-#define ALIGN 2u
-#endif
-
 /* n > 0 keys: sum / 65536, changing by gx. */
 static void keys(uint16_t *at, int32_t n, uint32_t sum, uint32_t gx)
 {
     uint16_t *const end = at + n;
-    if ((uintptr_t)at & ALIGN) {
+    if ((uintptr_t)at & 2u) {
         *at++ = (uint16_t)(sum >> 16);
         sum += gx;
     }
-    uint32_t next = sum + gx;
-    for (; end - at >= 8; at += 8)
-        KEYS_8();
-    (void)next;
+    const uint32_t many = (uint32_t)(end - at) & ~7u;
+    zs_high_halves(at, many, sum, gx);
+    at += many;
+    sum += many * gx;
     for (; at < end; at++, sum += gx)
         *at = (uint16_t)(sum >> 16);
 }

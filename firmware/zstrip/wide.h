@@ -131,6 +131,39 @@ static inline uint32_t zs_fill_blocks(void *at, uint32_t value, uint32_t n)
 
 #endif
 
+/* at[k] = (sum + k step) >> 16, modulo 2^32, for k < n. n is a multiple of 8, at 4-byte aligned. Armv7-M: two at a time,
+ * from sums of even k and of odd ones, 2.4 instructions each, 1.9 where halves are brought together by one. */
+#if defined(__GNUC__) && defined(__ARM_ARCH) && __ARM_ARCH >= 7 && defined(__thumb2__) && !defined(__ARM_BIG_ENDIAN)
+
+#if defined(__ARM_FEATURE_DSP)
+#define ZS_HALVES(out) "pkhtb " out ", %2, %1, asr #16\n\tadd %1, %3\n\tadd %2, %3\n\t"
+#else
+#define ZS_HALVES(out) "and " out ", %2, %4\n\torr " out ", " out ", %1, lsr #16\n\tadd %1, %3\n\tadd %2, %3\n\t"
+#endif
+
+static inline void zs_high_halves(uint16_t *at, uint32_t n, uint32_t sum, uint32_t step)
+{
+    uint32_t next = sum + step;
+    for (uint16_t *const end = at + n; at != end;)
+        __asm__ volatile(".syntax unified\n\t" ZS_HALVES("r3") ZS_HALVES("r4") ZS_HALVES("r5") ZS_HALVES("r6")
+                         "stmia %0!, {r3, r4, r5, r6}"
+                         : "+r"(at), "+r"(sum), "+r"(next)
+                         : "r"(2u * step), "r"(0xffff0000u)
+                         : "r3", "r4", "r5", "r6", "memory");
+}
+
+#else
+
+static inline void zs_high_halves(uint16_t *at, uint32_t n, uint32_t sum, uint32_t step)
+{
+#define ZS_HALF(k) (at[k] = (uint16_t)(sum >> 16), sum += step)
+    for (uint16_t *const end = at + n; at != end; at += 8)
+        ZS_HALF(0), ZS_HALF(1), ZS_HALF(2), ZS_HALF(3), ZS_HALF(4), ZS_HALF(5), ZS_HALF(6), ZS_HALF(7);
+#undef ZS_HALF
+}
+
+#endif
+
 /* A row of an affine map, for points of 16 bits: (m . p + t) / 2^shift, floor, below 2^30. Where 64 bits are added to as easily
  * as 32 (ZS_ROW_WIDE): row = { m[3], t's low half, its high half, shift, 31 - shift }. Elsewhere 32 bits carry every sum:
  * row = { low[3], t_low, s, high[3], s2, t_high } gives
