@@ -135,12 +135,12 @@ static void bound_one(struct zs_renderer *r, const struct zs_cover *c)
     bound_rows(r, c, c, zs_first_sample(c->v[0].y), zs_first_sample(c->v[2].y), c->done[0], c->done[1]);
 }
 
-/* Two triangles with an edge in common, each on its own side of it: what they cover together. */
+/* Two triangles with an edge of a surface in common, each on its own side of it: what they cover together. */
 static void bound_both(struct zs_renderer *r, struct zs_cover *a, struct zs_cover *b)
 {
     int in_a = 0, in_b = 0; /* numbers of the vertices that are of both, or-ed as bits */
     for (int k = 0; k < 9; k++)
-        if (a->v[k / 3].x == b->v[k % 3].x && a->v[k / 3].y == b->v[k % 3].y) {
+        if (a->v[k / 3].x == b->v[k % 3].x && a->v[k / 3].y == b->v[k % 3].y && a->v[k / 3].d == b->v[k % 3].d) {
             in_a |= 1 << k / 3;
             in_b |= 1 << k % 3;
         }
@@ -160,6 +160,16 @@ static void bound_last(struct zs_renderer *r)
     if (r->cover_waits)
         bound_one(r, &r->cover[!r->cover_next]);
     r->cover_waits = 0;
+}
+
+/* 1: no bound is farther than a key; one tile is asked before all. */
+static int bounds_nothing(struct zs_renderer *r, uint32_t key)
+{
+    if (key < r->bound[r->strip * ZS_TILES(r->config.width)])
+        return 0;
+    if (r->bound_new)
+        levels(r);
+    return key >= r->bound_most;
 }
 
 static inline int above(const struct zs_vertex *a, const struct zs_vertex *b)
@@ -188,7 +198,7 @@ ZS_NOINLINE void zs_hidden_cover(struct zs_renderer *r, const struct zs_vertex *
         r->cover_known = r->cover_waits = r->cover_next = 0;
     }
     const uint32_t nearest = zs_minu32(zs_minu32(a->d, b->d), c->d), farthest = zs_maxu32(zs_maxu32(a->d, b->d), c->d);
-    if (key_of(r, nearest, 0) >= r->bound_most)
+    if (bounds_nothing(r, key_of(r, nearest, 0)))
         return;
     struct zs_cover *now = &r->cover[r->cover_next], *const old = &r->cover[!r->cover_next];
     if (above(b, a)) {
@@ -266,17 +276,19 @@ int zs_hidden_box(struct zs_renderer *r, const struct zs_box *box, uint32_t near
     if (!r->large || x0 > x1 || y0 > y1)
         return 0;
     bound_last(r);
-    if (r->bound_new)
-        levels(r);
-    const uint32_t key = key_of(r, nearest, -MARGIN);
-    if (key > r->bound_most)
-        return 1;
     x0 >>= ZS_TILE_LOG2;
     x1 >>= ZS_TILE_LOG2;
     y0 = (int32_t)((uint32_t)y0 * r->strip_mul >> r->strip_shift);
     y1 = (int32_t)((uint32_t)y1 * r->strip_mul >> r->strip_shift);
     const uint16_t *at = r->bound;
     uint32_t w = ZS_TILES(r->config.width), rows = r->n_strips;
+    const uint32_t key = key_of(r, nearest, -MARGIN);
+    if (key <= at[(uint32_t)y0 * w + (uint32_t)x0])
+        return 0; /* in its first tile, without the levels */
+    if (r->bound_new)
+        levels(r);
+    if (key > r->bound_most)
+        return 1;
     for (int level = 1; level < ZS_BOUND_LEVELS && (x1 - x0 > 1 || y1 - y0 > 1); level++) {
         at += w * rows;
         w = (w + 1u) / 2u;
