@@ -100,9 +100,9 @@ struct zs_texel {
                   const struct zs_walk *walk);
     /* n texels by their numbers, row * width + column. */
     void (*gather)(const struct zs_texture *texture, uint16_t *out, int32_t n, const uint32_t *at);
-    /* Test and draw a row, unlit, where job->c[0] and [1] are u and v, uq0_32; log2_w, log2_h > 0, and keys do not
-     * saturate. */
-    void (*span)(struct zs_job *job, const struct zs_row *row);
+    /* Test and draw a triangle, unlit, where job->c[0] and [1] are u and v, uq0_32, at column 0 of row 0; log2_w,
+     * log2_h > 0, and keys do not saturate. */
+    void (*rows)(struct zs_job *job);
     uint16_t colors_max; /* of the palette; 0: there is none */
     uint8_t log2_w_min;
 };

@@ -599,19 +599,15 @@ static void texture_run(struct zs_job *job, const struct zs_row *row, int32_t r0
         run_groups(job, row, r0, r1);
 }
 
-static void texel_span(struct zs_job *job, const struct zs_row *row)
-{
-    const struct zs_texel *texel = job->sampler.texture->format;
-    texel->span(job, row);
-}
-
 static void texture_rows(struct zs_job *job)
 {
     texture_start(job);
-    if (job->sampler.direct && job->sampler.unlit && !zs_keys_may_saturate(job))
-        zs_rows_walk(job, texel_span);
-    else
+    if (job->sampler.direct && job->sampler.unlit && !zs_keys_may_saturate(job)) {
+        const struct zs_texel *texel = job->sampler.texture->format;
+        texel->rows(job);
+    } else {
         zs_persp_walk(job);
+    }
 }
 
 const struct zs_shader zs_shade_texture = { texture_vertex, no_face, texture_rows, texture_start, zs_persp_span, texture_run,

@@ -1,5 +1,5 @@
 /* Texel formats: the innermost loops of textured shading, three each: a run of texels, texels by their
- * numbers, and a row of a triangle that is affine, unlit and repeated, with its depth test.
+ * numbers, and the rows of a triangle that is affine, unlit and repeated, with their depth test.
  *
  * u and v are fractions of the texture in 32 bits: their top log2 bits are column and row, and repeating is
  * what unsigned sums do.
@@ -57,33 +57,48 @@ ZS_ALWAYS_INLINE void gather(const struct zs_texture *t, uint16_t *out, int32_t 
         *out = zs_wire16(read(texel, palette, *at));
 }
 
-ZS_ALWAYS_INLINE void span(struct zs_job *job, const struct zs_row *row, read_fn *read)
+ZS_ALWAYS_INLINE void rows(struct zs_job *job, read_fn *read)
 {
     const struct zs_texture *t = job->sampler.texture;
     const void *texel = t->texel;
     const uint16_t *palette = t->palette;
     const uint32_t right = 32u - t->log2_w, down = 32u - t->log2_h, log2_w = t->log2_w;
-    uint32_t gx = job->key.gx, du = job->c[0].gx, dv = job->c[1].gx;
-    uint32_t sum = row->key + zs_wrap_mul(gx, row->i0);
-    uint32_t u = zs_plane_at(&job->c[0], row->i0, row->y);
-    uint32_t v = zs_plane_at(&job->c[1], row->i0, row->y);
-    uint16_t *depth = job->depth + row->at + row->i0;
     const uintptr_t beside = (uintptr_t)job->color - (uintptr_t)job->depth; /* from a depth to its colour */
-    const uint16_t *end = depth + (row->i1 - row->i0);
-    int32_t written = 0;
-    for (; depth != end; depth++, sum += gx, u += du, v += dv) {
-        ZS_HIGH_REGISTER(gx);
-        ZS_HIGH_REGISTER(du);
-        ZS_HIGH_REGISTER(dv);
-        ZS_HIGH_REGISTER(end);
-        const uint32_t key = sum >> 16;
-        if (key < *depth) {
-            *depth = (uint16_t)key;
-            *(uint16_t *)((uintptr_t)depth + beside) = zs_wire16(read(texel, palette, ((v >> down) << log2_w) + (u >> right)));
-            if (ZS_STATS)
-                written++;
+    uint32_t gx = job->key.gx, du = job->c[0].gx, dv = job->c[1].gx, tested = 0;
+    int32_t written = 0, y = job->row;
+    zs_plane_origin(&job->geom, &job->key);
+    uint16_t *row = job->depth + (y - job->y0) * job->width;
+    for (;;) {
+        for (const struct zs_cut *cut = job->cut; y < job->cut_end; cut++, y++, row += job->width) {
+            const int32_t i0 = zs_max32(cut->x0, 0), n = zs_min32(cut->x1, job->width) - i0;
+            if (n <= 0)
+                continue;
+            uint32_t sum = zs_plane_at(&job->key, i0, y), u = zs_plane_at(&job->c[0], i0, y), v = zs_plane_at(&job->c[1], i0, y);
+            uint16_t *depth = row + i0;
+            const uint16_t *end = depth + n;
+            tested += (uint32_t)n;
+            do {
+                ZS_HIGH_REGISTER(gx);
+                ZS_HIGH_REGISTER(du);
+                ZS_HIGH_REGISTER(dv);
+                ZS_HIGH_REGISTER(end);
+                const uint32_t key = sum >> 16;
+                if (key < *depth) {
+                    *depth = (uint16_t)key;
+                    *(uint16_t *)((uintptr_t)depth + beside) = zs_wire16(read(texel, palette, ((v >> down) << log2_w) + (u >> right)));
+                    if (ZS_STATS)
+                        written++;
+                }
+                sum += gx;
+                u += du;
+                v += dv;
+            } while (++depth != end);
         }
+        if (y >= job->row_end)
+            break;
+        zs_raster_cuts(job, y);
     }
+    job->r->stats.pixels_tested += tested;
     zs_rows_written(job, written);
 }
 
@@ -107,9 +122,9 @@ static void gather_565(const struct zs_texture *t, uint16_t *out, int32_t n, con
     gather(t, out, n, at, read_565);
 }
 
-static void span_565(struct zs_job *job, const struct zs_row *row)
+static void rows_565(struct zs_job *job)
 {
-    span(job, row, read_565);
+    rows(job, read_565);
 }
 
 static void gather_pal8(const struct zs_texture *t, uint16_t *out, int32_t n, const uint32_t *at)
@@ -117,9 +132,9 @@ static void gather_pal8(const struct zs_texture *t, uint16_t *out, int32_t n, co
     gather(t, out, n, at, read_pal8);
 }
 
-static void span_pal8(struct zs_job *job, const struct zs_row *row)
+static void rows_pal8(struct zs_job *job)
 {
-    span(job, row, read_pal8);
+    rows(job, read_pal8);
 }
 
 static void gather_pal4(const struct zs_texture *t, uint16_t *out, int32_t n, const uint32_t *at)
@@ -127,11 +142,11 @@ static void gather_pal4(const struct zs_texture *t, uint16_t *out, int32_t n, co
     gather(t, out, n, at, read_pal4);
 }
 
-static void span_pal4(struct zs_job *job, const struct zs_row *row)
+static void rows_pal4(struct zs_job *job)
 {
-    span(job, row, read_pal4);
+    rows(job, read_pal4);
 }
 
-const struct zs_texel zs_texel_565 = { fetch_565, gather_565, span_565, 0, 0 };
-const struct zs_texel zs_texel_pal8 = { fetch_pal8, gather_pal8, span_pal8, 256, 0 };
-const struct zs_texel zs_texel_pal4 = { fetch_pal4, gather_pal4, span_pal4, 16, 1 };
+const struct zs_texel zs_texel_565 = { fetch_565, gather_565, rows_565, 0, 0 };
+const struct zs_texel zs_texel_pal8 = { fetch_pal8, gather_pal8, rows_pal8, 256, 0 };
+const struct zs_texel zs_texel_pal4 = { fetch_pal4, gather_pal4, rows_pal4, 16, 1 };
