@@ -1,6 +1,6 @@
 /* Triangles of one colour and up to 64 pixels each way, set up and drawn in one go: what the stages would do one by
  * one, with the same outcome bit for bit, where a call a stage costs more than the pixels. For cores that divide; without,
- * remainders are quicker (raster.c).
+ * remainders are quicker (raster.c). The same for other shaders does not pay: their set-up wants what the stages leave.
  *
  * Columns of an edge are as in raster.c, but counted from SIDE left of the top corner, so that the numerator is positive.
  * Extents are at most ZS_TINY = 2^14 sub-pixels, and so are offsets in rows of an edge: each product is below 2^29.1.
@@ -14,17 +14,14 @@
 #define SIDE (ZS_TINY / ZS_SUBPX_ONE + 1) /* pixels: no further from the top corner is any of the triangle */
 
 /* What the rows are drawn from: apart from set-up, whose registers they need. The column of a side in the next row is
- * sum / span, counted from SIDE left of the top
- * corner; the left side and the right one. */
+ * sum / span, counted from SIDE left of the top corner; the left side and the right one. */
 struct walk {
     uint32_t span[2], step[2], sum[2];
-    uint32_t key, gx, gy;          /* at depth; a pixel, a row */
-    uint32_t pitch;                /* a row, bytes */
-    uintptr_t depth, mid, end;     /* one left of column 0: in the first row, the middle corner's, and below the last */
-    uintptr_t beside;              /* from a depth to its colour */
+    uint32_t key, gx, gy;          /* at column 0 of them; a pixel, a row */
+    int32_t row, mid, end;         /* in the frame: the first, the first below the middle corner, one beyond the last */
+    uintptr_t left;                /* from a row's first depth to one left of column 0 */
     uint32_t turn;                 /* the side that turns at the middle corner, and what it becomes there */
     uint32_t next_span, next_step, next_sum;
-    uint16_t paint;
 };
 
 /* The pixels right of `at` up to `end`, as zs_solid_pixels. */
@@ -44,9 +41,14 @@ ZS_ALWAYS_INLINE int32_t pixels(uint16_t *at, uint16_t *const end, uintptr_t bes
     return written;
 }
 
-static ZS_NOINLINE uint32_t small_rows(struct zs_job *job, struct walk *w)
+static ZS_NOINLINE void small_rows(struct zs_job *job, struct walk *w)
 {
-    uintptr_t depth = w->depth, end = w->mid;
+    const uint32_t pitch = (uint32_t)job->width * 2u; /* bytes */
+    const uintptr_t beside = zs_solid_beside(job);
+    const uint16_t paint = job->tri->paint;
+    uintptr_t depth = (uintptr_t)job->depth + (uint32_t)(w->row - job->y0) * pitch + w->left;
+    uintptr_t end = depth + (uint32_t)(w->mid - w->row) * pitch;
+    const uintptr_t last = depth + (uint32_t)(w->end - w->row) * pitch;
     uint32_t tested = 0, key = w->key;
     int32_t written = 0;
     for (;;) {
@@ -57,12 +59,12 @@ static ZS_NOINLINE uint32_t small_rows(struct zs_job *job, struct walk *w)
             right += w->step[1];
             if (x0 < x1) {
                 tested += x1 - x0;
-                written += pixels((uint16_t *)depth + x0, (uint16_t *)depth + x1, w->beside, key + w->gx * x0, w->gx, w->paint);
+                written += pixels((uint16_t *)depth + x0, (uint16_t *)depth + x1, beside, key + w->gx * x0, w->gx, paint);
             }
-            depth += w->pitch;
+            depth += pitch;
             key += w->gy;
         }
-        end = w->end;
+        end = last;
         if (depth == end)
             break;
         w->sum[0] = left;
@@ -72,8 +74,8 @@ static ZS_NOINLINE uint32_t small_rows(struct zs_job *job, struct walk *w)
         w->step[turn] = w->next_step;
         w->sum[turn] = w->next_sum;
     }
+    job->r->stats.pixels_tested += tested;
     zs_rows_written(job, written);
-    return tested;
 }
 
 /* zs_plane_tiny_gradient of a key: most need 32 bits. shift: leading zeros of the area, which came out of rcp */
@@ -130,11 +132,9 @@ ZS_IN_ORDER int zs_small_draw(struct zs_job *job)
     w.key = d + 0x8000u + (uint32_t)(-from >> 8);
     w.gx = (uint32_t)gx;
     w.gy = 0u - (uint32_t)up;
-    w.pitch = (uint32_t)job->width * 2u;
-    w.depth = (uintptr_t)job->depth + (uint32_t)(row - job->y0) * w.pitch + (uintptr_t)(intptr_t)((column - SIDE - 1) * 2);
-    w.end = w.depth + (uint32_t)n * w.pitch;
-    w.beside = zs_solid_beside(job);
-    w.paint = job->tri->paint;
+    w.row = row;
+    w.end = row + n;
+    w.left = (uintptr_t)(intptr_t)((column - SIDE - 1) * 2);
 
     w.span[0] = (uint32_t)dy2 * ZS_SUBPX_ONE;
     w.span[1] = (uint32_t)dy1 * ZS_SUBPX_ONE;
@@ -144,15 +144,14 @@ ZS_IN_ORDER int zs_small_draw(struct zs_job *job)
     w.sum[1] = (uint32_t)(x * dy1 + off * dx1) + w.span[1] - 1u;
     w.turn = dy1 < dy2;
     const int32_t mid_dx = w.turn ? dx1 : dx2, mid_dy = w.turn ? dy1 : dy2, dx = w.turn ? dx2 : dx1, dy = w.turn ? dy2 : dy1;
-    const int32_t k = zs_max32(zs_min32(zs_first_sample(ay + mid_dy) - row, n), 0); /* rows above that vertex */
-    w.mid = w.depth + (uint32_t)k * w.pitch;
-    if (k < n) {
+    w.mid = zs_max32(zs_min32(zs_first_sample(ay + mid_dy), w.end), row);
+    if (w.mid < w.end) {
         const int32_t to_dx = dx - mid_dx, to_dy = dy - mid_dy;
         w.next_span = (uint32_t)to_dy * ZS_SUBPX_ONE;
         w.next_step = (uint32_t)to_dx * ZS_SUBPX_ONE;
-        w.next_sum = (uint32_t)((x + mid_dx) * to_dy + (off + k * ZS_SUBPX_ONE - mid_dy) * to_dx) + w.next_span - 1u;
+        w.next_sum = (uint32_t)((x + mid_dx) * to_dy + (off + (w.mid - row) * ZS_SUBPX_ONE - mid_dy) * to_dx) + w.next_span - 1u;
     }
-    r->stats.pixels_tested += small_rows(job, &w);
+    small_rows(job, &w);
     return 1;
 }
 
