@@ -57,15 +57,6 @@ static int affine_enough(uint32_t range, uint32_t change, uint32_t least)
     return zs_mul_uu(range, change) <= (uint64_t)least << (12 - ZS_SPAN_BOUND_LOG2); /* < 2^16 * 2^32 */
 }
 
-/* 1: affine_enough, found from keys alone; 0: w must be asked. */
-static int keys_enough(const struct zs_job *job, uint32_t range)
-{
-    const struct zs_view *view = &job->r->view;
-    const uint32_t a = job->v[0]->d, b = job->v[1]->d, c = job->v[2]->d;
-    const uint32_t farthest = zs_maxu32(zs_maxu32(a, b), c), change = farthest - zs_minu32(zs_minu32(a, b), c);
-    return farthest <= view->key_known && change <= view->key_slow && affine_enough(range, change, view->key_slow);
-}
-
 static uint32_t sub_span(const struct zs_plane *w, uint32_t range, uint32_t least)
 {
     const uint32_t slope = (uint32_t)((int32_t)w->gx < 0 ? 0u - w->gx : w->gx);
@@ -164,8 +155,9 @@ static void smooth_start(struct zs_job *job)
     const uint16_t *a[3];
     zs_persp_attrs(job, a);
     const uint32_t range = color_range(a);
+    uint32_t change;
     job->sub_log2 = ZS_AFFINE;
-    if (keys_enough(job, range))
+    if (zs_persp_slow(job, &change) && affine_enough(range, change, job->r->view.key_slow))
         affine_planes(job, a);
     else
         start_by_w(job, a, range);

@@ -181,7 +181,7 @@ static void affine_plane(struct zs_job *job, const struct coordinate *c, uint32_
 }
 
 /* Plain affine: 2^texels * change / least / 4 <= 1/8, for a range of all 16 bits. */
-static inline int affine_enough(int32_t texels, uint32_t change, uint32_t least)
+static inline int texels_enough(int32_t texels, uint32_t change, uint32_t least)
 {
     if (texels < 0)
         return texels < -31 || change >> -texels < least >> (ZS_SPAN_BOUND_LOG2 - 2);
@@ -197,6 +197,13 @@ static inline uint32_t size_of(uint32_t gradient)
 static inline int light_enough(uint32_t range, uint32_t change, uint32_t least)
 {
     return zs_mul_uu(range, change) <= (uint64_t)least << (11 - ZS_SPAN_BOUND_LOG2);
+}
+
+/* Whether a triangle may be affine: where w changes by `change`, the least is `least`, and light by light_range. */
+static int affine_enough(const struct coordinate c[2], uint32_t light_range, uint32_t change, uint32_t least)
+{
+    return texels_enough(c[0].texels, change, least) && texels_enough(c[1].texels, change, least) &&
+           light_enough(light_range, change, least);
 }
 
 /* ceil(log2(2^(texels + 1) K |W'|)) of an attribute; -128: it is 0. */
@@ -278,24 +285,26 @@ static void texture_start(struct zs_job *job)
     const uint32_t uv_bits = in->mesh->uv_bits;
     const int lit = job->shader->n_attrs == 3;
     const uint16_t *a[3];
-    uint32_t w[3], least, light_range = 0;
+    uint32_t change, least, light_range = 0;
     struct coordinate c[2];
     zs_persp_attrs(job, a);
-    zs_persp_w(job, w);
     job->sampler.texture = t;
     job->sampler.direct = 0;
     job->sampler.wide = t->clamp || !t->log2_w || !t->log2_h;
     coordinate(job, a, 0, uv_bits, &c[0]);
     coordinate(job, a, 1, uv_bits, &c[1]);
-    const uint32_t change = zs_persp_change(w, &least);
     if (lit) {
         const int32_t lo = zs_min32(zs_min32(a[0][2], a[1][2]), a[2][2]);
         light_range = (uint32_t)(zs_max32(zs_max32(a[0][2], a[1][2]), a[2][2]) - lo);
     }
-    if (!affine_enough(c[0].texels, change, least) || !affine_enough(c[1].texels, change, least) ||
-        (lit && !light_enough(light_range, change, least))) {
-        start_groups(job, a, c, w);
-        return;
+    if (!zs_persp_slow(job, &change) || !affine_enough(c, light_range, change, job->r->view.key_slow)) {
+        uint32_t w[3];
+        zs_persp_w(job, w);
+        change = zs_persp_change(w, &least);
+        if (!affine_enough(c, light_range, change, least)) {
+            start_groups(job, a, c, w);
+            return;
+        }
     }
     job->sub_log2 = ZS_AFFINE;
     job->sampler.direct = !job->sampler.wide;
