@@ -29,20 +29,6 @@ static ZS_NOINLINE int32_t edge_below(int32_t fraction, int32_t dy, int32_t off,
     return (int32_t)((zs_mul_ss(fraction, dy) + zs_mul_ss(off, part)) / (dy * ZS_SUBPX_ONE)); /* < 2^44.1 */
 }
 
-/* edge_columns of an edge of up to 64 px each way, on cores that divide: from one column left of it, so that what is divided
- * is positive; a product is below 2^29.1. */
-static inline void tiny_columns(int16_t *out, int32_t n, const struct zs_vertex *a, int32_t dx, int32_t dy, int32_t row)
-{
-    const int32_t side = ZS_TINY / ZS_SUBPX_ONE + 1, from = (a->x >> ZS_SUBPX_BITS) - side;
-    const int32_t x = a->x - ZS_SUBPX_HALF - from * ZS_SUBPX_ONE, off = row * ZS_SUBPX_ONE + ZS_SUBPX_HALF - a->y;
-    const uint32_t span = (uint32_t)dy * ZS_SUBPX_ONE;
-    uint32_t sum = (uint32_t)(x * dy + off * dx) + span - 1u;
-    for (int16_t *const end = out + 2 * n; out != end; out += 2) {
-        *out = (int16_t)(from + (int32_t)(sum / span));
-        sum += (uint32_t)dx * ZS_SUBPX_ONE;
-    }
-}
-
 /* Columns of the edge that runs down from a to b, in n > 0 rows from `row` on, all of them between the two.
  * out[0], out[2], ...
  *
@@ -52,10 +38,6 @@ static ZS_NOINLINE void edge_columns(int16_t *out, int32_t n, const struct zs_ve
                          int32_t row)
 {
     const int32_t dx = b->x - a->x, dy = b->y - a->y;                 /* |dx|, dy < 2^22 */
-    if (ZS_DIVIDES && ((uint32_t)(dx + ZS_TINY) | (uint32_t)dy * 2u) < 2u * ZS_TINY) {
-        tiny_columns(out, n, a, dx, dy, row);
-        return;
-    }
     int32_t q = dx < 0 ? -1 : 0;
     if ((uint32_t)(dx + dy) > (uint32_t)dy * 2u) { /* not steep: |dx| > dy */
         q = dx / dy;
@@ -90,6 +72,53 @@ static ZS_NOINLINE void edge_columns(int16_t *out, int32_t n, const struct zs_ve
     }
 }
 
+#define SIDE (ZS_TINY / ZS_SUBPX_ONE + 1) /* pixels: no further from its top corner is any of a tiny triangle */
+
+/* A side of a tiny triangle: columns are sum / span, counted from SIDE left of the top corner, so that what is divided is
+ * positive; a product is below 2^29.1. */
+struct side {
+    uint32_t sum, span, step;
+};
+
+/* From a corner x right of column 0, off above a row's samples, along an edge. */
+static inline struct side side_of(int32_t x, int32_t off, int32_t dx, int32_t dy)
+{
+    const uint32_t span = (uint32_t)dy * ZS_SUBPX_ONE;
+    const struct side s = { (uint32_t)(x * dy + off * dx) + span - 1u, span, (uint32_t)dx * ZS_SUBPX_ONE };
+    return s;
+}
+
+/* The next n rows. */
+static inline struct zs_cut *sides_cut(struct zs_cut *cut, int32_t n, int32_t from, struct side *left, struct side *right)
+{
+    for (struct zs_cut *const end = cut + n; cut != end; cut++) {
+        cut->x0 = (int16_t)(from + (int32_t)(left->sum / left->span));
+        cut->x1 = (int16_t)(from + (int32_t)(right->sum / right->span));
+        left->sum += left->step;
+        right->sum += right->step;
+    }
+    return cut;
+}
+
+/* zs_raster_cuts by division, both sides at once, of a tiny triangle on cores that divide. */
+static ZS_NOINLINE void tiny_cuts(struct zs_job *job, int32_t row, int32_t end)
+{
+    const struct zs_geom *g = &job->geom;
+    const int32_t ax = job->v[0]->x, ay = job->v[0]->y, from = (ax >> ZS_SUBPX_BITS) - SIDE;
+    const int32_t x = ax - ZS_SUBPX_HALF - from * ZS_SUBPX_ONE, off = row * ZS_SUBPX_ONE + ZS_SUBPX_HALF - ay;
+    const int32_t upper = zs_max32(zs_min32(job->row_mid, end) - row, 0); /* rows above the middle vertex */
+    struct side left = side_of(x, off, g->dx2, g->dy2), right = side_of(x, off, g->dx1, g->dy1);
+    struct zs_cut *const cut = sides_cut(job->cut, upper, from, &left, &right);
+    const int32_t lower = end - row - upper, down = off + upper * ZS_SUBPX_ONE;
+    if (lower <= 0)
+        return;
+    if (job->mid_right)
+        right = side_of(x + g->dx1, down - g->dy1, g->dx2 - g->dx1, g->dy2 - g->dy1);
+    else
+        left = side_of(x + g->dx2, down - g->dy2, g->dx1 - g->dx2, g->dy1 - g->dy2);
+    (void)sides_cut(cut, lower, from, &left, &right);
+}
+
 void zs_raster_cuts(struct zs_job *job, int32_t row)
 {
     const int32_t mid_right = job->mid_right, end = zs_min32(job->row_end, row + ZS_CUT_ROWS);
@@ -97,6 +126,10 @@ void zs_raster_cuts(struct zs_job *job, int32_t row)
     int16_t *piece = mid_right ? &job->cut[0].x1 : &job->cut[0].x0;
     job->row = row;
     job->cut_end = end;
+    if (ZS_DIVIDES && job->geom.tiny) {
+        tiny_cuts(job, row, end);
+        return;
+    }
     edge_columns(mid_right ? &job->cut[0].x0 : &job->cut[0].x1, end - row, job->v[0], job->v[1 + mid_right], row);
     const int32_t upper = zs_min32(job->row_mid, end) - row; /* rows above the middle vertex */
     if (upper > 0) {
