@@ -71,7 +71,7 @@ static __int128 row_sum(const int32_t *row, const int16_t pos[3], int32_t *shift
 {
 #if ZS_ROW_WIDE
     __int128 sum = (int64_t)((uint64_t)(uint32_t)row[4] << 32 | (uint32_t)row[3]);
-    *shift = row[6] == 31 - row[5] ? row[5] : -1;
+    *shift = row[6] == 32 - row[5] ? row[5] : -1;
     for (int j = 0; j < 3; j++)
         sum += (int64_t)row[j] * pos[j];
     return sum;

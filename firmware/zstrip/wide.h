@@ -165,7 +165,7 @@ static inline void zs_high_halves(uint16_t *at, uint32_t n, uint32_t sum, uint32
 #endif
 
 /* A row of an affine map, for points of 16 bits: (m . p + t) / 2^shift, floor, below 2^30. Where 64 bits are added to as easily
- * as 32 (ZS_ROW_WIDE): row = { m[3], t's low half, its high half, shift, 31 - shift }. Elsewhere 32 bits carry every sum:
+ * as 32 (ZS_ROW_WIDE): row = { m[3], t's low half, its high half, shift, 32 - shift }. Elsewhere 32 bits carry every sum:
  * row = { low[3], t_low, s, high[3], s2, t_high } gives
  *   ((((low . p + t_low) >> s) + high . p) >> s2) + t_high
  * low . p + t_low fits 32 bits, the rest is modulo 2^32; s, s2 < 32. Armv6-M: 30 cycles and no register but the seven
@@ -178,7 +178,22 @@ static inline void zs_high_halves(uint16_t *at, uint32_t n, uint32_t sum, uint32
 #endif
 #endif
 
-#if ZS_ROW_WIDE
+#if ZS_ROW_WIDE && defined(__GNUC__) && !defined(__clang__) && defined(__thumb2__) && defined(__OPTIMIZE__)
+
+static inline int32_t zs_row(const int32_t row[10], int32_t x, int32_t y, int32_t z)
+{
+    int32_t out;
+    __asm__(".syntax unified\n\t"
+            "ldm %1, {r4, r5, r6, r8, r9, r10, r11}\n\t"
+            "smlal r8, r9, r4, %2\n\tsmlal r8, r9, r5, %3\n\tsmlal r8, r9, r6, %4\n\t"
+            "lsr r8, r10\n\tlsl r9, r11\n\torr %0, r8, r9" /* a shift by 32 leaves 0 */
+            : "=r"(out)
+            : "r"(row), "r"(x), "r"(y), "r"(z)
+            : "r4", "r5", "r6", "r8", "r9", "r10", "r11", "memory");
+    return out;
+}
+
+#elif ZS_ROW_WIDE
 
 static inline int32_t zs_row(const int32_t row[10], int32_t x, int32_t y, int32_t z)
 {
@@ -186,7 +201,7 @@ static inline int32_t zs_row(const int32_t row[10], int32_t x, int32_t y, int32_
     sum += (int64_t)row[0] * x;
     sum += (int64_t)row[1] * y;
     sum += (int64_t)row[2] * z;
-    return (int32_t)((uint32_t)sum >> row[5] | (uint32_t)(sum >> 32) << 1 << row[6]);
+    return (int32_t)(sum >> row[5]);
 }
 
 #elif defined(__GNUC__) && defined(__ARM_ARCH_6M__) && defined(__OPTIMIZE__)

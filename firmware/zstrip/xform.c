@@ -64,7 +64,7 @@ static ZS_RARE void row_set(int32_t row[ZS_ROW_WORDS], const int32_t m[3], int64
     row[3] = (int32_t)(t + half);
     row[4] = (int32_t)((t + half) >> 32);
     row[5] = shift;
-    row[6] = 31 - shift;
+    row[6] = 32 - shift;
 #else
     const int32_t s = shift < SPLIT_MAX ? shift : SPLIT_MAX;
     for (int j = 0; j < 3; j++) {
