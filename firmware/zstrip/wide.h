@@ -234,6 +234,13 @@ static inline int32_t zs_row(const int32_t row[10], int32_t x, int32_t y, int32_
 
 #endif
 
+/* x has 32 bits: keep a compiler from carrying it as 64 because products of it are. */
+#if defined(__GNUC__)
+#define ZS_NARROW(x) __asm__("" : "+r"(x))
+#else
+#define ZS_NARROW(x) ((void)0)
+#endif
+
 /* Ask that x live in a register that only ADD, CMP and MOV reach: the step of a sum in an inner loop that is short
  * of the other eight. Where the set is not split, or the compiler is another: nothing. */
 #if defined(__GNUC__) && defined(__ARM_ARCH_6M__)

@@ -320,6 +320,7 @@ void zs_xform_screen(const struct zs_renderer *r, uint32_t v, uint32_t n, struct
             rcp = ZS_RECIP_STEPS ? zs_recip_inline((uint32_t)z << lz) : zs_recip16((uint32_t)z << lz);
             down = 30 - lz - view->scale_bits + coarse;
         }
+        ZS_NARROW(rcp);
         const uint32_t sx = steps_of(x, rcp, down & 31), sy = steps_of(y, rcp, down & 31);
         if ((uint32_t)down > 31u || sx >= most || sy >= most) {
             screen_slowly(r, v, out);
