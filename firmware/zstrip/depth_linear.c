@@ -20,9 +20,9 @@ static ZS_RARE int linear_setup(struct zs_view *view, const struct zs_camera *ca
 {
     view->screen_linear = !view->perspective;
     view->pixelwise = view->perspective;
-    view->piece_base = UINT32_MAX;
     view->piece_shift = view->perspective ? 0u : 31u;
     view->key_top = ((1u << bits) - 1u) << 16;
+    view->piece_base = view->key_top + 0xffffu;
     view->key_far = 0;
     view->key_slow = view->key_known = 0;
     /* C = (B - 1) / ((f - n) in camera units) as key_mul / 2^key_shift, key_mul in [2^30, 2^31) */

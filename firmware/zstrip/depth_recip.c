@@ -13,9 +13,9 @@ static ZS_RARE int recip_setup(struct zs_view *view, const struct zs_camera *cam
         return ZS_ERR_DEPTH; /* 1/z is not linear on an orthographic screen */
     view->screen_linear = 1;
     view->pixelwise = 0;
-    view->piece_base = UINT32_MAX;
     view->piece_shift = 31;
     view->key_top = ((1u << bits) - 1u) << 16;
+    view->piece_base = view->key_top + 0xffffu;
     const uint64_t f = (uint64_t)camera->z_far, n = (uint64_t)camera->z_near;
     /* K in uq48_16 times 2^14; f / (f - n) <= 2^16 by the camera's check, so < 2^63 */
     const uint64_t k = zs_muldiv_u64((uint64_t)view->key_top << 14, f, f - n);

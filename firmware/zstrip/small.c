@@ -13,6 +13,8 @@
 
 #define SIDE (ZS_TINY / ZS_SUBPX_ONE + 1) /* pixels: no further from the top corner is any of the triangle */
 
+#define KEY_SAFE 0x20000u /* of piece_base - d, which is 0xffff where a key is B - 1 */
+
 /* What the rows are drawn from: apart from set-up, whose registers they need. The column of a side in the next row is
  * sum / span, counted from SIDE left of the top corner; the left side and the right one. */
 struct walk {
@@ -102,10 +104,11 @@ ZS_IN_ORDER int zs_small_draw(struct zs_job *job)
     if (area < ZS_TINY_AREA)
         return 0;
     const uint32_t d = a->d, at = r->view.piece_base, key_a = at - d, key_b = at - b->d, key_c = at - c->d;
-    if (((key_a ^ key_b) | (key_a ^ key_c)) >> r->view.piece_shift)
+    const uint32_t shift_piece = r->view.piece_shift;
+    if (((key_a ^ key_b) | (key_a ^ key_c)) >> shift_piece)
         return 0;
-    const uint32_t safe = at - r->view.key_top + 0x10000u; /* keys above it stay below B - 1 when rounded */
-    if (key_a <= safe || key_b <= safe || key_c <= safe)
+    /* below it they may reach B - 1 when rounded; all lie in the last piece: it has 2^19 or more */
+    if (!(key_a >> shift_piece) && (key_a < KEY_SAFE || key_b < KEY_SAFE || key_c < KEY_SAFE))
         return 0;
     const int32_t column = ax >> ZS_SUBPX_BITS;
     if ((column < SIDE || column > job->width - SIDE) &&
