@@ -561,6 +561,7 @@ static ZS_RARE enum fate triangle_clip(struct zs_renderer *r, uint32_t t)
 struct batch {
     const uint16_t (*tri)[3];     /* the batch's first */
     const struct zs_vertex *pool; /* direct: of vertex 0 */
+    const struct zs_shader *shader;
     uint32_t n_verts;
     int32_t away;                 /* times the area: > 0 where the triangle is turned away and that matters */
     uint32_t *fate;               /* [FATES]: counts of those that were dropped */
@@ -659,7 +660,7 @@ static ZS_NOINLINE enum fate look(struct zs_renderer *r, uint32_t t, struct plac
 }
 
 /* Bin a triangle, unless it lies outside the frame or the band. Return FATE_OPEN: the pool of triangles is full. */
-ZS_ALWAYS_INLINE enum fate place(struct zs_renderer *r, uint32_t t, struct place *at)
+ZS_ALWAYS_INLINE enum fate place(struct zs_renderer *r, const struct zs_shader *shader, uint32_t t, struct place *at)
 {
     const enum fate fate = box_fate(r, &r->vert[at->slot[0]], &r->vert[at->slot[1]], &r->vert[at->slot[2]], at);
     if (fate != FATE_DRAWN)
@@ -669,7 +670,6 @@ ZS_ALWAYS_INLINE enum fate place(struct zs_renderer *r, uint32_t t, struct place
         return fate;
     if (r->n_tris == r->config.max_tris)
         return FATE_OPEN;
-    const struct zs_shader *shader = r->xform.instance->material->shader;
     if (shader->vertex)
         corners_light(r, at->slot);
     bin_push(r, at, shader->face ? shader->face(r, t) : 0u, strip);
@@ -702,7 +702,7 @@ static void batch_bin(struct zs_renderer *r, const struct batch *s, uint32_t fro
                 at = looked;
                 zs_hidden_cover(r, &r->vert[looked.slot[0]], &r->vert[looked.slot[1]], &r->vert[looked.slot[2]]);
             }
-            f = place(r, t, &at);
+            f = place(r, s->shader, t, &at);
             if (f != FATE_OPEN) {
                 fate[f]++;
                 break;
@@ -728,6 +728,7 @@ static ZS_NOINLINE void walk_mesh(struct zs_renderer *r, uint32_t fate[FATES])
     s.n_verts = mesh->n_verts;
     s.away = cull == ZS_CULL_BACK ? 1 : cull == ZS_CULL_FRONT ? -1 : 0;
     s.fate = fate;
+    s.shader = r->xform.instance->material->shader;
     s.pool = &r->vert[r->direct ? r->vert_base : 0u];
     for (uint32_t t = r->clusters.from; t < r->clusters.end; t += BATCH) {
         const uint32_t n = zs_minu32(r->clusters.end - t, BATCH);
