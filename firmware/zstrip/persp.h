@@ -100,15 +100,13 @@ static inline void zs_persp_plane(const struct zs_geom *g, const uint32_t v[3], 
     zs_plane_origin(g, out);
 }
 
-/* Attributes of a job's three vertices in the pool. */
+/* Attributes of a job's three vertices in the pool, job->v[] in the order of job->tri->v[]. */
 static inline void zs_persp_attrs(const struct zs_job *job, const uint16_t *a[3])
 {
-    const uint32_t n = job->r->config.attrs;
-    for (int k = 0; k < 3; k++) {
-        const uint32_t bytes = (uint32_t)((const char *)job->v[k] - (const char *)job->r->vert);
-        /* times n words over 12 bytes; a division by 12 is slow, and by 6 / 3 it is not */
-        a[k] = job->r->attr + (n == 3 ? bytes >> 2 : bytes / sizeof(struct zs_vertex) * n);
-    }
+    const struct zs_renderer *r = job->r;
+    const uint32_t n = r->config.attrs;
+    for (int k = 0; k < 3; k++)
+        a[k] = &r->attr[job->tri->v[k] * n];
 }
 
 #endif
