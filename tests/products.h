@@ -1,6 +1,5 @@
 /* The products, sums of products, leading zeros and filling of wide.h against plain C: edge values with each other,
- * then random ones.
- * For the host (test_fx.c) and, freestanding, for an emulated Cortex-M0 (checks/wide.c).
+ * then random ones. For the host (test_fx.c) and, freestanding, for emulated boards (checks/wide.c).
  *
  * SPDX-License-Identifier: MIT
  */
@@ -30,6 +29,18 @@ static inline int wide_cross_right(uint32_t a, uint32_t b)
 }
 
 /* A row of an affine map as its comment has it, its words taken from the bits of a and b within their bounds. */
+#if ZS_ROW_WIDE
+static inline int wide_row_right(uint32_t a, uint32_t b)
+{
+    const int32_t shift = (int32_t)(a % 30u);
+    const int32_t x = (int16_t)a, y = (int16_t)b, z = (int16_t)(a >> 16);
+    const int64_t t = (int64_t)((uint64_t)a << 32 | b) >> 4; /* 60 bits: the result is modulo 2^32 */
+    volatile int32_t row[10] = { (int32_t)(b % 2147483647u) - (1 << 30), 1 << 30, (int32_t)(a % 2147483647u) - (1 << 30),
+                                 (int32_t)(uint32_t)t, (int32_t)(t >> 32), shift, 32 - shift };
+    const int64_t sum = (int64_t)row[0] * x + (int64_t)row[1] * y + (int64_t)row[2] * z + t;
+    return zs_row((const int32_t *)row, x, y, z) == (int32_t)(uint32_t)(sum >> shift);
+}
+#else
 static inline int wide_row_right(uint32_t a, uint32_t b)
 {
     const int32_t s = (int32_t)(a % 16u), s2 = s == 15 ? (int32_t)(b % 15u) : 0;
@@ -41,6 +52,7 @@ static inline int wide_row_right(uint32_t a, uint32_t b)
     const int64_t high = (low >> s) + (int64_t)row[5] * x + (int64_t)row[6] * y + (int64_t)row[7] * z;
     return zs_row((const int32_t *)row, x, y, z) == (int32_t)((uint32_t)((int32_t)high >> s2) + (uint32_t)row[9]);
 }
+#endif
 
 /* Corners near each other and far apart. */
 static inline int wide_area_right(uint32_t a, uint32_t b)
@@ -82,6 +94,22 @@ static inline int wide_fill_right(uint32_t n)
     return 1;
 }
 
+/* Runs of the high halves of a sum, and nothing beside them. */
+static inline int wide_halves_right(uint32_t sum, uint32_t step)
+{
+    static uint32_t words[24];
+    uint16_t *const at = (uint16_t *)(void *)words;
+    for (uint32_t n = 0; n <= 40; n += 8) {
+        for (uint32_t k = 0; k < 48; k++)
+            at[k] = (uint16_t)k;
+        zs_high_halves(at + 4, n, sum, step);
+        for (uint32_t k = 0; k < 48; k++)
+            if (at[k] != (k >= 4 && k < 4 + n ? (sum + (k - 4) * step) >> 16 : k))
+                return 0;
+    }
+    return 1;
+}
+
 /* 1 where all are right, else 0 and the pair in wrong[]. */
 static inline int wide_right(uint32_t random_pairs, uint32_t wrong[2])
 {
@@ -103,7 +131,7 @@ static inline int wide_right(uint32_t random_pairs, uint32_t wrong[2])
         wrong[0] = a;
         wrong[1] = b;
         if (!wide_pair_right(a, b) || !wide_cross_right(a, b) || !wide_row_right(a, b) ||
-            !wide_area_right(a, b) || (a && !wide_clz_right(a)))
+            !wide_area_right(a, b) || (k % 16u == 0 && !wide_halves_right(a, b)) || (a && !wide_clz_right(a)))
             return 0;
     }
     return 1;

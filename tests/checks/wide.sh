@@ -1,6 +1,6 @@
 #!/bin/sh
-# Products and leading zeros of wide.h where they are written in assembler: on an emulated Cortex-M0. And
-# that no call is left in them.
+# What wide.h has in assembler, on emulated cores: a Cortex-M0, an M3, and an M4, which has instructions of its own. And that
+# no library is called for it.
 #
 # SPDX-License-Identifier: MIT
 . "$(dirname "$0")/common.sh"
@@ -8,18 +8,22 @@
 dir=$B/wide
 top=${B%/checks}
 mkdir -p "$dir"
-wide() { # TARGETS
-    make -s -f firmware/boards/firmware.mk BOARD=m0 NAME=wide APP_SRC=tests/checks/wide.c B="$top" "$@"
+wide() { # BOARD TARGETS
+    board=$1
+    shift
+    make -s -f firmware/boards/firmware.mk BOARD="$board" NAME=wide APP_SRC=tests/checks/wide.c B="$top" "$@"
 }
-if ! wide >"$dir/make.log" 2>&1; then
-    cat "$dir/make.log"
-    bad "wide.h for Armv6-M" "does not build"
-    exit 1
-fi
-wide run >"$dir/log" 2>&1
-status=$?
-if [ $status = 0 ]; then ok "wide.h on Cortex-M0: products and leading zeros"
-else bad "wide.h on Cortex-M0" "status $status, $(tr '\n' ' ' <"$dir/log")"; fi
+for board in m0 mps2 mps2-m4; do
+    if ! wide "$board" >"$dir/make.log" 2>&1; then
+        cat "$dir/make.log"
+        bad "wide.h on $board" "does not build"
+        continue
+    fi
+    wide "$board" run >"$dir/log" 2>&1
+    status=$?
+    if [ $status = 0 ]; then ok "wide.h on $board: products, rows, leading zeros, filling"
+    else bad "wide.h on $board" "status $status, $(tr '\n' ' ' <"$dir/log")"; fi
+done
 
 cat >"$dir/calls.c" <<'END'
 #include "wide.h"
