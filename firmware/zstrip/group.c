@@ -4,9 +4,9 @@
  * that zs_cull_sphere lets pass. So whatever that culls is what may be left out. Let S be what the group's sphere is enlarged
  * by, s an instance's slack there, e and f the errors of the two distances from a plane, and all lengths true but those two:
  * the instance's sphere lies in the group's, so that its distance is at most the group's + R - r. From group < -(R + S)
- * follows instance < -r - S + e + f. With |c| + R and |c| + origins, the largest axis taken, no less than the instance's
- * reach (zs_bounds) but for 2^-18 of it, s is at most reach / 2^16 + 1, and e + f below reach / 2^18 + 4, as world units are
- * not split here. reach / 2^15 + 8 holds all of it.
+ * follows instance < -r - S + e + f. With the sizes of the way's three parts, added, + R or + origins no less than the
+ * instance's reach (zs_bounds), s is at most reach / 2^16 + 1, and e + f below reach / 2^18 + 4, as world units are not split
+ * here. reach / 2^15 + 8 holds all of it.
  *
  * In the walk vertices may be 8 camera units beside where they should be; group_slack is no less than that. It does not
  * differ between zs_frame_begin and the walks, so that the walks meet no instance that was not checked.
@@ -18,6 +18,11 @@
 #include "cold.h"
 #include "pipeline.h"
 
+static uint32_t magnitude(int32_t v)
+{
+    return v < 0 ? 0u - (uint32_t)v : (uint32_t)v;
+}
+
 static int64_t abs64(int64_t v)
 {
     return v < 0 ? -v : v;
@@ -28,27 +33,32 @@ static int beside(const int32_t side[2], int64_t lateral, int64_t z, int64_t rad
     return ((z * side[1] - abs64(lateral) * side[0]) >> 30) < -radius; /* < 2^63 */
 }
 
+/* A way in world units along an axis of the camera. */
+static int64_t along(const zs_q2_30 axis[3], const int32_t way[3])
+{
+    return (zs_mul_ss(axis[0], way[0]) + zs_mul_ss(axis[1], way[1]) + zs_mul_ss(axis[2], way[2])) >> 30; /* < 2^33 */
+}
+
+/* Axis by axis, since most groups are before near, or beside one side. */
 static int out_of_view(const struct zs_renderer *r, const struct zs_group *g)
 {
     const struct zs_camera *camera = &r->camera;
     const struct zs_view *view = &r->view;
-    int64_t c[3], reach = 0; /* world units: right, up, distance; |.| < 2^32.2, of any bytes 2^33 */
+    int32_t way[3];
+    int64_t reach = zs_maxu32(g->radius, g->origins); /* world units; < 2^34 */
     for (int k = 0; k < 3; k++) {
-        int64_t sum = 0;
-        for (int j = 0; j < 3; j++)
-            sum += zs_mul_ss(camera->rot[3 * k + j], (int32_t)((uint32_t)g->center[j] - (uint32_t)camera->pos[j]));
-        c[k] = sum >> 30;
-        reach = abs64(c[k]) > reach ? abs64(c[k]) : reach;
+        way[k] = (int32_t)((uint32_t)g->center[k] - (uint32_t)camera->pos[k]);
+        reach += magnitude(way[k]);
     }
-    c[2] = -c[2];
-    reach += zs_maxu32(g->radius, g->origins);
     const int64_t radius = g->radius + (reach >> 15) + 8 + r->group_slack; /* < 2^33 */
-    if ((c[2] + radius) * 65536 < camera->z_near || (c[2] - radius) * 65536 > camera->z_far)
+    const int64_t z = -along(camera->rot + 6, way);
+    if ((z + radius) * 65536 < camera->z_near || (z - radius) * 65536 > camera->z_far)
         return 1;
+    const int64_t x = along(camera->rot, way);
     if (view->perspective)
-        return beside(view->side_x, c[0], c[2], radius) || beside(view->side_y, c[1], c[2], radius);
-    return (abs64(c[0]) - radius) * 65536 > zs_cull_half_width(camera, view) ||
-           (abs64(c[1]) - radius) * 65536 > camera->height / 2 + 1;
+        return beside(view->side_x, x, z, radius) || beside(view->side_y, along(camera->rot + 3, way), z, radius);
+    return (abs64(x) - radius) * 65536 > zs_cull_half_width(camera, view) ||
+           (abs64(along(camera->rot + 3, way)) - radius) * 65536 > camera->height / 2 + 1;
 }
 
 static uint32_t group_next(struct zs_renderer *r, const struct zs_scene *scene, uint32_t number)

@@ -23,7 +23,7 @@ firmware="make -s -f firmware/boards/firmware.mk BOARD=mps2 NAME=cull B=$top APP
 if $firmware APP_SRC="firmware/app/cull.c $out/model.c" >"$out/log" 2>&1 &&
     timeout 300 $firmware APP_SRC="firmware/app/cull.c $out/model.c" run >"$out/csv" 2>"$out/err"; then
     cat "$out/err" >>"$out/csv" # semihosting may write to either
-    ok "10,000 instances in groups take at most 15 % more than the 20 in view; clusters change no picture"
+    ok "10,000 instances in groups take at most 10 % more than the 20 in view; clusters change no picture"
 else
     cat "$out/log" "$out/err" "$out/csv"
     bad "10,000 instances in groups, clusters" "see above"
