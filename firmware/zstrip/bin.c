@@ -37,7 +37,7 @@ static inline uint32_t map_index(uint32_t v, uint32_t n)
 /* Vertices below base are not the current instance's; without a cache none ever is. */
 static void set_base(struct zs_renderer *r, uint32_t base)
 {
-    r->vert_base = r->config.skip_off & ZS_SKIP_VCACHE ? UINT32_MAX : base;
+    r->vert_base = ZS_OFF(r, ZS_SKIP_VCACHE) ? UINT32_MAX : base;
 }
 
 static void bins_clear(struct zs_renderer *r)
@@ -196,6 +196,8 @@ void zs_bin_verts(struct zs_renderer *r, uint32_t slot, uint32_t from, uint32_t 
     zs_xform_screen(r, from, n, &r->vert[slot]);
 }
 
+#if !ZS_LEAN
+
 /* Transform all of a mesh, where there is room; not what only clusters need that are left out. */
 static void verts_direct(struct zs_renderer *r, const struct zs_mesh *mesh)
 {
@@ -215,6 +217,8 @@ static void verts_direct(struct zs_renderer *r, const struct zs_mesh *mesh)
         zs_bin_verts(r, base, 0, n);
 }
 
+#endif
+
 /* Transform vertex v into the next place of the pool; ZS_NIL: the pool is full. */
 static ZS_NOINLINE uint32_t vertex_add(struct zs_renderer *r, uint32_t v)
 {
@@ -230,11 +234,13 @@ static ZS_NOINLINE uint32_t vertex_add(struct zs_renderer *r, uint32_t v)
 /* The pool's places of a triangle's corners, transformed. Return 0: the pool is full. */
 static ZS_RARE ZS_NOINLINE int corner_slots(struct zs_renderer *r, const uint16_t index[3], uint32_t slot[3])
 {
+#if !ZS_LEAN
     if (r->direct) {
         for (int k = 0; k < 3; k++)
             slot[k] = r->vert_base + index[k];
         return 1;
     }
+#endif
     const uint16_t *map = r->vert_map, *src = r->vert_src;
     const uint32_t base = r->vert_base, cap = r->config.max_verts;
     uint32_t n = r->n_verts;
@@ -350,7 +356,7 @@ ZS_ALWAYS_INLINE enum fate box_fate(struct zs_renderer *r, const struct zs_verte
     at->y1 = y1;
     if (x1 <= 0 || x0 >= r->config.width || y1 <= 0 || y0 >= r->config.height)
         return FATE_OFFSCREEN;
-    if ((x0 >= x1 || y0 >= y1) && !(r->config.skip_off & ZS_SKIP_EMPTY))
+    if ((x0 >= x1 || y0 >= y1) && !ZS_OFF(r, ZS_SKIP_EMPTY))
         return FATE_EMPTY;
     return FATE_DRAWN;
 }
@@ -506,7 +512,9 @@ static ZS_RARE enum fate polygon_bin(struct zs_renderer *r, const struct polygon
             continue;
         }
         all = FATE_DRAWN;
+#if !ZS_LEAN
         zs_hidden_cover(r, v[0], v[1], v[2]);
+#endif
         const uint32_t strip = strip_in_band(r, &box);
         if (strip != ZS_NIL)
             polygon_push(r, p, &box, paint, strip);
@@ -555,6 +563,8 @@ static ZS_RARE enum fate triangle_clip(struct zs_renderer *r, uint32_t t)
 }
 
 /* ---- The walk -------------------------------------------------------------------------------------- */
+
+#if !ZS_LEAN
 
 /* Triangles go through in batches: those that are turned away leave first. */
 #define BATCH 40 /* at most 64 */
@@ -623,6 +633,8 @@ static uint32_t sieve_none(struct batch *s, uint32_t n)
     return n;
 }
 
+#endif
+
 /* A triangle that is not wholly inside near, far and guard. */
 static enum fate cut(struct zs_renderer *r, uint32_t t, const struct zs_vertex *a, const struct zs_vertex *b,
                      const struct zs_vertex *c)
@@ -675,6 +687,22 @@ ZS_ALWAYS_INLINE enum fate place(struct zs_renderer *r, uint32_t t, struct place
     bin_push(r, at, shader->face ? shader->face(r, t) : 0u, strip);
     return FATE_DRAWN;
 }
+
+#if ZS_LEAN
+
+/* Triangles [r->clusters.from, r->clusters.end) of the current instance. */
+static void walk_mesh(struct zs_renderer *r, uint32_t fate[FATES])
+{
+    for (uint32_t t = r->clusters.from; t < r->clusters.end; t++) {
+        struct place at;
+        enum fate f;
+        while ((f = look(r, t, &at)) == FATE_OPEN && (f = place(r, t, &at)) == FATE_OPEN)
+            make_room(r); /* slots are stale: look the vertices up again */
+        fate[f]++;
+    }
+}
+
+#else
 
 /* The n triangles from `from` on, as far as they are left. */
 static void batch_bin(struct zs_renderer *r, const struct batch *s, uint32_t from, uint32_t n, uint32_t fate[FATES])
@@ -736,6 +764,8 @@ static ZS_NOINLINE void walk_mesh(struct zs_renderer *r, uint32_t fate[FATES])
     }
 }
 
+#endif
+
 /* Cull an instance, or make r->xform its own. Return 0: nothing of it can be seen, or no strip that shows it is drawn.
  * Apart, so that its frame is not on the stack below the walk. */
 static ZS_RARE ZS_NOINLINE int instance_open(struct zs_renderer *r, uint32_t number)
@@ -747,12 +777,14 @@ static ZS_RARE ZS_NOINLINE int instance_open(struct zs_renderer *r, uint32_t num
     uint16_t rows[2];
     if (track && !track->touches(r, number, rows))
         return 0;
-    if (zs_cull_walk(&b, r, number) && !(r->config.skip_off & ZS_SKIP_FRUSTUM))
+    if (zs_cull_walk(&b, r, number) && !ZS_OFF(r, ZS_SKIP_FRUSTUM))
         return 0;
+#if !ZS_LEAN
     if (r->large && !(r->config.skip_off & ZS_SKIP_BEHIND) && !r->scene->instance[number].state && zs_hidden_sphere(r, &b)) {
         r->stats.instances_hidden += r->counting;
         return 0;
     }
+#endif
     if (cluster && !cluster->rows(r, &b, number))
         return 0;
     if (!zs_xform_instance(r, number, &b))
@@ -790,7 +822,11 @@ static ZS_RARE void walk_instance(struct zs_renderer *r, uint32_t number)
     if (!seen)
         return;
     uint32_t fate[FATES] = { 0 };
+#if ZS_LEAN
+    set_base(r, r->n_verts);
+#else
     verts_direct(r, mesh);
+#endif
     while (next_run(r))
         walk_mesh(r, fate);
     if (r->counting)
@@ -800,7 +836,7 @@ static ZS_RARE void walk_instance(struct zs_renderer *r, uint32_t number)
 ZS_RARE void zs_bin_walk(struct zs_renderer *r)
 {
     pools_empty(r);
-    r->band_end = r->config.skip_off & ZS_SKIP_BINS ? (uint16_t)(r->strip + 1u) : r->draw_end;
+    r->band_end = ZS_OFF(r, ZS_SKIP_BINS) ? (uint16_t)(r->strip + 1u) : r->draw_end;
     r->stats.passes++;
     r->group = 0;
     for (uint32_t i = 0; (i = zs_cull_next(r, r->scene, i)) < r->scene->n_instances; i++)

@@ -103,7 +103,7 @@ static ZS_RARE int cluster_rows(struct zs_renderer *r, const struct zs_bounds *b
         r->edge_row[k] = rows[k];
         outside |= along(e->y, b->c[1], e->z, b->c[2]) + e->at < -b->r - b->slack;
     }
-    return !outside || r->counting || r->config.skip_off & ZS_SKIP_ROWS;
+    return !outside || r->counting || ZS_OFF(r, ZS_SKIP_ROWS);
 }
 
 /* ---- Set-up ------------------------------------------------------------------------------------------- */
@@ -182,7 +182,7 @@ static ZS_RARE void cone_open(struct zs_renderer *r, const struct zs_bounds *b, 
     const int32_t cull = r->xform.instance->material->cull;
     int64_t most = 0, all = 0, at[3] = { 0, 0, 0 };
     int32_t shift = 0, v[3];
-    if (cull == ZS_CULL_NONE || r->config.skip_off & ZS_SKIP_CONE || view->ratio < ZS_Q30_ONE / 2)
+    if (cull == ZS_CULL_NONE || ZS_OFF(r, ZS_SKIP_CONE) || view->ratio < ZS_Q30_ONE / 2)
         return;
     for (int k = 0; k < 3; k++) {
         const int64_t size = b->c[k] < 0 ? -b->c[k] : b->c[k];
@@ -248,7 +248,7 @@ static ZS_RARE int cluster_open(struct zs_renderer *r, const struct zs_bounds *b
     c->cone = 0;
     zs_cull_axes(axis, in, &r->camera);
     const int cut = r->xform.clip_depth | r->xform.clip_guard;
-    if ((!(r->config.skip_off & ZS_SKIP_CLUSTER) && planes_open(r, b, &by, axis)) || !cut)
+    if ((!ZS_OFF(r, ZS_SKIP_CLUSTER) && planes_open(r, b, &by, axis)) || !cut)
         cone_open(r, b, &by, axis);
     return c->n_planes || c->cone;
 }

@@ -66,8 +66,10 @@ static ZS_RARE void split(struct zs_renderer *r, uint8_t *at)
     r->color[0] = take(&at, color);
     r->color[1] = c->buffers == 2 ? take(&at, color) : r->color[0];
     r->depth = take(&at, ZS_DEPTH_BYTES(c->width, c->strip_h));
+#if !ZS_LEAN
     r->drawn = take(&at, ZS_DRAWN_BYTES(c->strip_h));
     r->bound = take(&at, ZS_BOUND_BYTES(c->width, c->height, c->strip_h));
+#endif
     r->bin = take(&at, ZS_BIN_BYTES(c->height, c->strip_h));
     r->tri = take(&at, ZS_TRI_BYTES(c->max_tris));
     r->vert = take(&at, c->max_verts * 12u);
@@ -208,7 +210,9 @@ ZS_RARE int zs_frame_begin(struct zs_renderer *r, const struct zs_scene *scene,
     r->strip = 0;
     r->band_end = 0; /* the first strip begins a walk */
     r->counting = 1;
+#if !ZS_LEAN
     r->large = 0;
+#endif
     r->edge_row[0] = r->edge_row[1] = UINT16_MAX; /* edge[] holds another camera's */
     r->scene = scene;
     return ZS_OK;
@@ -231,7 +235,9 @@ int zs_frame_strip(struct zs_renderer *r, struct zs_strip *out)
         if (r->strip >= r->band_end)
             zs_bin_walk(r);
         zs_raster_strip(r);
+#if !ZS_LEAN
         zs_fresh_end(r);
+#endif
     }
 
     const uint32_t y0 = (uint32_t)r->strip * r->config.strip_h;

@@ -36,6 +36,8 @@ void zs_persp_w(const struct zs_job *job, uint32_t w[3])
         w[k] = (uint32_t)(shift > 0 ? (wide[k] + half) >> shift : wide[k] << -shift);
 }
 
+#if !ZS_LEAN
+
 /* A key as it is tested. */
 ZS_ALWAYS_INLINE uint32_t tested_key(uint32_t sum, uint32_t top, int clamp)
 {
@@ -88,3 +90,5 @@ void zs_persp_walk(struct zs_job *job)
     job->saturates = (uint8_t)zs_keys_may_saturate(job);
     zs_rows_walk(job, keys_span);
 }
+
+#endif

@@ -26,9 +26,14 @@ static ZS_NOINLINE int32_t edge_below(int32_t fraction, int32_t dy, int32_t off,
 {
     if (dy < EDGE32_MAX)
         return (fraction * dy + off * part) / (dy * ZS_SUBPX_ONE);        /* < 2^23 + 2^30 */
+#if ZS_LEAN /* the same without a division of 64 bits */
+    return (fraction + (int32_t)zs_muldiv_u64((uint32_t)off, (uint32_t)part, (uint32_t)dy)) >> ZS_SUBPX_BITS;
+#else
     return (int32_t)((zs_mul_ss(fraction, dy) + zs_mul_ss(off, part)) / (dy * ZS_SUBPX_ONE)); /* < 2^44.1 */
+#endif
 }
 
+#if !ZS_LEAN
 /* edge_columns of an edge of up to 64 px each way, on cores that divide: from one column left of it, so that what is divided
  * is positive; a product is below 2^29.1. */
 static inline void tiny_columns(int16_t *out, int32_t n, const struct zs_vertex *a, int32_t dx, int32_t dy, int32_t row)
@@ -42,6 +47,7 @@ static inline void tiny_columns(int16_t *out, int32_t n, const struct zs_vertex 
         sum += (uint32_t)dx * ZS_SUBPX_ONE;
     }
 }
+#endif
 
 /* Columns of the edge that runs down from a to b, in n > 0 rows from `row` on, all of them between the two.
  * out[0], out[2], ...
@@ -52,10 +58,12 @@ static ZS_NOINLINE void edge_columns(int16_t *out, int32_t n, const struct zs_ve
                          int32_t row)
 {
     const int32_t dx = b->x - a->x, dy = b->y - a->y;                 /* |dx|, dy < 2^22 */
+#if !ZS_LEAN
     if (ZS_DIVIDES && ((uint32_t)(dx + ZS_TINY) | (uint32_t)dy * 2u) < 2u * ZS_TINY) {
         tiny_columns(out, n, a, dx, dy, row);
         return;
     }
+#endif
     int32_t q = dx < 0 ? -1 : 0;
     if ((uint32_t)(dx + dy) > (uint32_t)dy * 2u) { /* not steep: |dx| > dy */
         q = dx / dy;
@@ -110,6 +118,7 @@ void zs_raster_cuts(struct zs_job *job, int32_t row)
 
 /* ---- Set-up ------------------------------------------------------------------------------------------ */
 
+#if !ZS_LEAN
 /* 1: no row has a pixel, and there are no more rows than have been cut. */
 static int covers_nothing(const struct zs_job *job)
 {
@@ -120,6 +129,7 @@ static int covers_nothing(const struct zs_job *job)
             return 0;
     return 1;
 }
+#endif
 
 int zs_raster_sides(struct zs_job *job)
 {
@@ -144,8 +154,10 @@ static ZS_NOINLINE int job_setup(struct zs_job *job)
         return 0;
     job->r->stats.tris_setup++;
     zs_raster_cuts(job, job->row);
+#if !ZS_LEAN
     if (covers_nothing(job))
         return 0;
+#endif
     zs_plane_geom(job);
     return 1;
 }
@@ -155,13 +167,86 @@ void zs_raster_keys(struct zs_job *job)
     const struct zs_shader *shader = job->shader;
     zs_plane32(&job->geom, job->v[0]->d, job->v[1]->d, job->v[2]->d, ZS_PLANE_KEY, &job->key);
     job->key.base += 0x8000u; /* nearest: half a bucket; keys stay below 2^32 - 2^15 (plane.c) */
+#if ZS_LEAN
+    (void)shader;
+    zs_raster_rows(job, 1);
+#else
     if (job->state) {
         const struct zs_state_kernel *kernel = job->state->kernel;
         kernel->rows(job);
     } else {
         shader->rows(job);
     }
+#endif
 }
+
+#if ZS_LEAN
+
+/* Test pixels [i0, i1) of a row, and colour those runs of them that are nearest. */
+static void plain_span(struct zs_job *job, const struct zs_row *row, int32_t i0, int32_t i1, uint32_t sum, uint32_t gx)
+{
+    const struct zs_shader *shader = job->shader;
+    const uint32_t top = (job->r->view.key_top >> 16) - 1u;
+    uint16_t *depth = job->depth + row->at + i0;
+    int32_t from = -1; /* first pixel of the current run */
+    for (int32_t i = i0;; i++, depth++, sum += gx) {
+        const uint32_t key = zs_minu32(sum >> 16, top);
+        if (i < i1 && key < *depth) {
+            *depth = (uint16_t)key;
+            if (from < 0)
+                from = i;
+            continue;
+        }
+        zs_rows_run(job, shader, row, from, i);
+        from = -1;
+        if (i >= i1)
+            break;
+    }
+}
+
+void zs_raster_span(struct zs_job *job, const struct zs_row *row, int32_t i0, int32_t i1, uint32_t sum, uint32_t gx)
+{
+    if (job->state) {
+        const struct zs_state_kernel *kernel = job->state->kernel;
+        kernel->span(job, row, i0, i1, sum, gx);
+    } else {
+        plain_span(job, row, i0, i1, sum, gx);
+    }
+}
+
+void zs_raster_rows(struct zs_job *job, int linear)
+{
+    const struct zs_renderer *r = job->r;
+    const struct zs_depth *depth = r->config.depth;
+    const struct zs_shader *shader = job->shader;
+    struct zs_row row;
+    if (shader->start)
+        shader->start(job);
+    row.y = job->row;
+    row.at = (row.y - job->y0) * job->width; /* < 2^24 */
+    row.key = job->key.base - zs_wrap_mul(job->key.gx, job->geom.ia) + zs_wrap_mul(job->key.gy, row.y - job->geom.ja);
+    for (;;) {
+        for (const struct zs_cut *cut = job->cut; row.y < job->cut_end; row.y++, cut++) {
+            row.x0 = cut->x0;
+            row.x1 = cut->x1;
+            row.i0 = zs_max32(row.x0, 0);
+            row.i1 = zs_min32(row.x1, job->width);
+            if (row.i0 < row.i1) {
+                if (linear)
+                    zs_raster_span(job, &row, row.i0, row.i1, row.key + zs_wrap_mul(job->key.gx, row.i0), job->key.gx);
+                else
+                    depth->row(job, &row);
+            }
+            row.key += job->key.gy;
+            row.at += job->width;
+        }
+        if (row.y >= job->row_end)
+            break;
+        zs_raster_cuts(job, row.y);
+    }
+}
+
+#endif
 
 static ZS_NOINLINE void draw(struct zs_job *job)
 {
@@ -217,6 +302,36 @@ void zs_raster_pass(struct zs_renderer *r)
 {
     r->active = take_list(r); /* those that end here too: they have no row in a strip below */
 }
+
+#if ZS_LEAN
+
+void zs_raster_strip(struct zs_renderer *r)
+{
+    struct zs_job job;
+    uint16_t list = take_list(r), *keep = &r->active; /* grows at its end: stays ascending */
+    job.r = r;
+    job.color = r->color[r->strip & 1];
+    job.depth = r->depth;
+    job.y0 = r->strip * r->config.strip_h;
+    job.y1 = zs_min32(job.y0 + r->config.strip_h, r->config.height);
+    job.width = r->config.width;
+    for (; list != ZS_NIL; list = r->tri[list].next) {
+        struct zs_tri *const t = &r->tri[list];
+        const struct zs_instance *instance = &r->scene->instance[t->instance];
+        job.tri = t;
+        job.shader = instance->material->shader;
+        job.state = instance->state;
+        if (job_setup(&job))
+            draw(&job);
+        if (job.row_last > job.y1) {
+            *keep = list;
+            keep = &t->next;
+        }
+    }
+    *keep = ZS_NIL; /* where the next strip begins a walk, that drops them */
+}
+
+#else
 
 /* Are all of a triangle's vertices beyond a depth? */
 static inline int beyond(const struct zs_job *job, uint32_t d)
@@ -282,3 +397,5 @@ void zs_raster_strip(struct zs_renderer *r)
     *keep = ZS_NIL;
 }
 
+
+#endif

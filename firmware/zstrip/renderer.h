@@ -90,6 +90,7 @@ struct zs_xform {
     int32_t row[3][ZS_ROW_WORDS];
 };
 
+#if !ZS_LEAN
 #define ZS_LIT_COLORS 64 /* palettes up to here are lit once for triangles of one light, not texel by texel */
 
 /* A texture whose palette is lit. */
@@ -110,6 +111,7 @@ struct zs_cover {
     int32_t done[2];        /* rows [0] .. [1] - 1: bounds are known there, from it and another */
     uint32_t farthest;      /* at least the farthest vertex's key */
 };
+#endif
 
 struct zs_renderer { /* what is used most comes first: a Cortex-M0 reaches 31 bytes, 31 half-words, 31 words at once */
     struct zs_config config; /* strip_h <= height */
@@ -117,8 +119,10 @@ struct zs_renderer { /* what is used most comes first: a Cortex-M0 reaches 31 by
     uint8_t direct;             /* 1: vertex v of the current instance has place vert_base + v */
     uint8_t counting;           /* 1 in the frame's first walk: triangles are counted once */
     uint8_t ready;              /* zs_init succeeded */
+#if !ZS_LEAN
     uint8_t large;              /* 1: the frame has triangles that may hide others: two tiles wide */
     uint8_t fresh;              /* of the strip in hand, what holds no colours and keys yet: nothing, all, some (fresh.c) */
+#endif
     uint16_t n_strips, strip;   /* strip: the next to be drawn */
     uint16_t band_end;          /* bins are complete for strips below it */
     uint16_t active;            /* list of triangles that went on from the strip before */
@@ -128,7 +132,9 @@ struct zs_renderer { /* what is used most comes first: a Cortex-M0 reaches 31 by
     uint32_t strip_mul;
     uint16_t *color[2];      /* [strip_h][width], wire order; [1] is [0] with one buffer */
     uint16_t *depth;         /* [strip_h][width] */
+#if !ZS_LEAN
     uint16_t *bound;         /* levels from [n_strips][ZS_TILES(width)]: no key of a strip's tile stays farther (hidden.c) */
+#endif
     uint16_t *bin;           /* [n_strips]: newest triangle that begins in the strip, or ZS_NIL */
     struct zs_tri *tri;      /* [max_tris] */
     struct zs_vertex *vert;  /* [max_verts] */
@@ -149,20 +155,24 @@ struct zs_renderer { /* what is used most comes first: a Cortex-M0 reaches 31 by
     uint32_t *track_memory;       /* the caller's: sum of the frame, records of instances ... */
     uint8_t *track_due;           /* ... [n_strips]: 1: to be drawn */
     uint16_t track_instances;     /* that there are records for */
+#if !ZS_LEAN
     int16_t (*drawn)[2];          /* [strip_h]: columns [0] .. [1] - 1 of a row hold colours and keys (fresh.c) */
     int16_t was[2];               /* the same of a row, before the triangle in hand */
     uint32_t fresh_left;          /* how many pixels hold none, where some do */
+#endif
     uint16_t group;               /* the next that the walk comes to */
     uint16_t group_slack;         /* world units that their spheres are taken to be larger by */
     uint16_t edge_row[2];         /* what edge[] holds: rows [0], and [1] below it */
     struct zs_edge edge[2];
     const struct zs_cluster_kernel *cluster_kernel; /* of the current instance; NULL: all of it is drawn */
     struct zs_clusters clusters;
+#if !ZS_LEAN
     struct zs_cover cover[2];     /* the last two large triangles: cover[!cover_next] is known if cover_known */
     uint16_t bound_most;          /* no bound is farther */
     uint8_t cover_next, cover_known, cover_waits; /* its own bounds are still to be found */
     uint8_t bound_new;            /* upper levels and bound_most are older than the lowest */
     struct zs_lit lit;
+#endif
 };
 
 #endif

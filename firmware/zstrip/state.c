@@ -55,6 +55,10 @@ static void state_span(struct zs_job *job, const struct zs_row *row, int32_t i0,
     zs_rows_run(job, shader, row, from, i1);
 }
 
+#if ZS_LEAN
+const struct zs_state_kernel zs_state_kernel = { state_bias, state_span };
+#else
+
 ZS_ALWAYS_INLINE void keys_span(struct zs_job *job, const struct zs_row *row)
 {
     state_span(job, row, row->i0, row->i1, row->key + zs_wrap_mul(job->key.gx, row->i0), job->key.gx);
@@ -75,3 +79,5 @@ static void state_rows(struct zs_job *job)
 }
 
 const struct zs_state_kernel zs_state_kernel = { state_bias, state_rows, state_span };
+
+#endif

@@ -49,6 +49,8 @@ ZS_ALWAYS_INLINE void fetch(const struct zs_texture *t, uint16_t *out, int32_t n
     }
 }
 
+#if !ZS_LEAN
+
 ZS_ALWAYS_INLINE void gather(const struct zs_texture *t, uint16_t *out, int32_t n, const uint32_t *at, read_fn *read)
 {
     const void *texel = t->texel;
@@ -87,6 +89,8 @@ ZS_ALWAYS_INLINE void span(struct zs_job *job, const struct zs_row *row, read_fn
     zs_rows_written(job, written);
 }
 
+#endif
+
 static void fetch_565(const struct zs_texture *t, uint16_t *out, int32_t n, const struct zs_walk *walk)
 {
     fetch(t, out, n, walk, read_565);
@@ -101,6 +105,14 @@ static void fetch_pal4(const struct zs_texture *t, uint16_t *out, int32_t n, con
 {
     fetch(t, out, n, walk, read_pal4);
 }
+
+#if ZS_LEAN
+
+const struct zs_texel zs_texel_565 = { fetch_565, 0, 0 };
+const struct zs_texel zs_texel_pal8 = { fetch_pal8, 256, 0 };
+const struct zs_texel zs_texel_pal4 = { fetch_pal4, 16, 1 };
+
+#else
 
 static void gather_565(const struct zs_texture *t, uint16_t *out, int32_t n, const uint32_t *at)
 {
@@ -135,3 +147,5 @@ static void span_pal4(struct zs_job *job, const struct zs_row *row)
 const struct zs_texel zs_texel_565 = { fetch_565, gather_565, span_565, 0, 0 };
 const struct zs_texel zs_texel_pal8 = { fetch_pal8, gather_pal8, span_pal8, 256, 0 };
 const struct zs_texel zs_texel_pal4 = { fetch_pal4, gather_pal4, span_pal4, 16, 1 };
+
+#endif

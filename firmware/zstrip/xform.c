@@ -30,7 +30,7 @@ static ZS_RARE void clip_needs(struct zs_xform *xf, const struct zs_renderer *r,
         if (side < c + b->r + b->slack)
             side = c + b->r + b->slack;
     }
-    const int always = r->config.skip_off & ZS_SKIP_CLIPTEST;
+    const int always = ZS_OFF(r, ZS_SKIP_CLIPTEST);
     xf->clip_depth = always || z0 <= camera->z_near || z1 >= camera->z_far;
     /* |x| * focal <= guard * z; world units and whole pixels, rounded against us */
     const int64_t side_w = (side >> 16) + 1;                           /* <= 2^32 */
