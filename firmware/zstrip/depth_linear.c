@@ -62,7 +62,11 @@ static uint32_t linear_vertex(const struct zs_view *view, int32_t z, uint32_t rc
 static uint64_t linear_inverse(const struct zs_view *view, uint32_t d)
 {
     (void)view;
+#if ZS_LEAN
+    return zs_muldiv_u64((uint64_t)1 << 62, 1, d);
+#else
     return ((uint64_t)1 << 62) / d;
+#endif
 }
 
 static uint32_t linear_key(const struct zs_view *view, uint32_t d)
@@ -75,7 +79,7 @@ static ZS_NOINLINE void linear_planes(struct zs_job *job)
 {
     uint64_t w[3], most = 0;
     for (int k = 0; k < 3; k++) {
-        w[k] = ((uint64_t)1 << 62) / job->v[k]->d;
+        w[k] = linear_inverse(&job->r->view, job->v[k]->d);
         if (most < w[k])
             most = w[k];
     }

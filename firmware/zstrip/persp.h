@@ -34,8 +34,19 @@ static inline uint32_t zs_persp_change(const uint32_t w[3], uint32_t *least)
     return zs_maxu32(zs_maxu32(w[0], w[1]), w[2]) - *least;
 }
 
-/* (2^32 - 1) / n of a last, shorter part of a row; [0] is 0. */
-extern const uint32_t zs_one_over[(1 << ZS_SUB_LOG2_MAX) + 1];
+/* (2^32 - 1) / n of a last, shorter part of a row, n <= 2^ZS_SUB_LOG2_MAX; 0 of 0. */
+#if ZS_LEAN
+static inline uint32_t zs_one_over(int32_t n)
+{
+    return n ? UINT32_MAX / (uint32_t)n : 0u;
+}
+#else
+extern const uint32_t zs_one_over_table[(1 << ZS_SUB_LOG2_MAX) + 1];
+static inline uint32_t zs_one_over(int32_t n)
+{
+    return zs_one_over_table[n];
+}
+#endif
 
 /* Move a plane's base to column 0 of row 0, for zs_plane_at. */
 static inline void zs_plane_origin(const struct zs_geom *g, struct zs_plane *p)

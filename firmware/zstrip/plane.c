@@ -42,6 +42,11 @@ void zs_plane_sides(struct zs_job *job, const struct zs_vertex *a, const struct 
     g->dx2 = dx2;
     g->dy1 = dy1;
     g->dy2 = dy2;
+#if ZS_LEAN
+    g->area = zs_mul_ss(dx1, dy2) - zs_mul_ss(dx2, dy1); /* < 2^45 */
+    g->tiny = ((uint32_t)(dx1 + ZS_TINY) | (uint32_t)(dx2 + ZS_TINY) | ((uint32_t)dy1 | (uint32_t)dy2) * 2u) < 2u * ZS_TINY &&
+              g->area >= ZS_TINY_AREA;
+#else
     if (((uint32_t)(dx1 + ZS_TINY) | (uint32_t)(dx2 + ZS_TINY) | ((uint32_t)dy1 | (uint32_t)dy2) * 2u) >= 2u * ZS_TINY) {
         g->area = zs_mul_ss(dx1, dy2) - zs_mul_ss(dx2, dy1); /* < 2^45 */
         g->tiny = 0;
@@ -50,6 +55,7 @@ void zs_plane_sides(struct zs_job *job, const struct zs_vertex *a, const struct 
     const int32_t area = dx1 * dy2 - dx2 * dy1; /* each below 2^28 */
     g->area = (uint32_t)area;
     g->tiny = area >= ZS_TINY_AREA;
+#endif
 }
 
 /* Width + height <= 256 px. */
@@ -104,6 +110,7 @@ static ZS_NOINLINE int32_t small_gradient(const struct zs_geom *g, int64_t n, in
     return n < 0 ? -(int32_t)q : (int32_t)q; /* q <= 2^30 */
 }
 
+#if !ZS_LEAN
 #if ZS_DIVIDES /* small.c calls it too */
 #define TINY_GRADIENT static inline
 ZS_NOINLINE
@@ -137,6 +144,23 @@ TINY_GRADIENT int32_t tiny_gradient(const struct zs_geom *g, int32_t dv1, int32_
 {
     return zs_plane_quotient(zs_cross_short(dv1, d[1], dv2, d[0]), g->rcp, -g->exp, least_shift);
 }
+#endif
+
+#if ZS_LEAN
+
+/* n / d with 32 fraction bits: floor in *whole, fraction returned. d < 2^45. */
+static uint32_t divide(int64_t n, int64_t d, int64_t *whole)
+{
+    const int64_t below = n >> 63; /* of n < 0, what is divided is -1 - n */
+    const uint64_t mag = (uint64_t)(n ^ below), q = zs_muldiv_u64(mag, 1, (uint64_t)d);
+    uint64_t rest = mag - q * (uint64_t)d;
+    *whole = (int64_t)q ^ below;
+    if (below)
+        rest = (uint64_t)d - 1u - rest;
+    return (uint32_t)zs_muldiv_u64(rest, (uint64_t)1 << 32, (uint64_t)d);
+}
+
+#else
 
 /* n / d with 32 fraction bits: floor in *whole, fraction returned. d < 2^45. */
 static ZS_RARE ZS_NOINLINE uint32_t divide(int64_t n, int64_t d, int64_t *whole)
@@ -187,11 +211,17 @@ static ZS_RARE ZS_NOINLINE uint32_t small_divide(const struct zs_geom *g, int64_
     return part;
 }
 
+#endif
+
 /* A gradient in 40.24 bits modulo 2^64, and the step to the anchor added to *base. */
 static ZS_RARE uint64_t gradient64(const struct zs_geom *g, uint64_t n, int32_t to_anchor, uint64_t *base)
 {
     int64_t whole;
+#if ZS_LEAN
+    const uint32_t part = divide((int64_t)n, g->area, &whole);
+#else
     const uint32_t part = g->rcp ? small_divide(g, (int64_t)n, &whole) : divide((int64_t)n, g->area, &whole);
+#endif
     *base += (zs_times((uint64_t)whole, to_anchor) << 24) + (uint64_t)(zs_mul_su(to_anchor, part) >> 8);
     return ((uint64_t)whole << 32) + part;
 }
@@ -248,6 +278,7 @@ void zs_plane32(const struct zs_geom *g, uint32_t v0, uint32_t v1, uint32_t v2,
         out->gx = out->gy = 0;
         return;
     }
+#if !ZS_LEAN
     if (g->tiny && !(((v0 ^ v1) | (v0 ^ v2)) >> 31)) { /* all three in one half: differences fit 32 bits */
         const int32_t gx = tiny_gradient(g, dv1, dv2, g->dy, kind);
         const int32_t up = tiny_gradient(g, dv1, dv2, g->dx, kind); /* -gy, rounded alike */
@@ -258,5 +289,6 @@ void zs_plane32(const struct zs_geom *g, uint32_t v0, uint32_t v1, uint32_t v2,
             return;
         }
     }
+#endif
     any_plane(g, dv1, dv2, out, kind);
 }

@@ -93,7 +93,12 @@ int zs_unit(zs_q2_30 out[3], const int32_t v[3])
     const uint64_t square = scaled(w, v, zs_clz32(mag) - 1);
     const int64_t length = zs_isqrt64(square); /* [2^30, 2^31.8), floor: relative error < 2^-30 */
     for (int k = 0; k < 3; k++) {
+#if ZS_LEAN /* the same without a division of 64 bits */
+        const int64_t part = (int64_t)zs_muldiv_u64((uint64_t)(w[k] < 0 ? -w[k] : w[k]), (uint64_t)1 << 31, (uint64_t)length);
+        const int64_t n = w[k] < 0 ? -part : part;
+#else
         const int64_t n = w[k] * ((int64_t)1 << 31) / length; /* q1_31, truncated; < 2^62 / 2^30 */
+#endif
         out[k] = (int32_t)zs_round_shift(n, 1);
     }
     return ZS_OK;

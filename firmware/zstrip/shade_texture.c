@@ -577,7 +577,7 @@ static int32_t same_octave(uint32_t w, int32_t gx, int32_t lz, int32_t n)
 static inline int32_t step_of(uint32_t *c, uint32_t next, int32_t n, int32_t skip)
 {
     const int32_t all = (int32_t)(next - *c); /* |.| < 2^31 */
-    const int32_t step = n == GROUP ? all >> GROUP_LOG2 : (int32_t)(zs_mul_su(all, zs_one_over[n]) >> 32);
+    const int32_t step = n == GROUP ? all >> GROUP_LOG2 : (int32_t)(zs_mul_su(all, zs_one_over(n)) >> 32);
     *c += zs_wrap_mul((uint32_t)step, skip);
     return step;
 }

@@ -13,7 +13,11 @@
 static uint64_t steepness(int64_t n, int64_t area)
 {
     const uint64_t mag = n < 0 ? 0u - (uint64_t)n : (uint64_t)n;
+#if ZS_LEAN
+    const uint64_t q = zs_muldiv_u64(mag, 256, (uint64_t)area);
+#else
     const uint64_t q = (mag << 8) / (uint64_t)area;
+#endif
     return q >> 46 ? (uint64_t)1 << 46 : q;
 }
 
