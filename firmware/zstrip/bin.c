@@ -137,7 +137,9 @@ static ZS_RARE void high_water(struct zs_renderer *r)
 /* A pool is full: free at least a quarter of both. Slots change. */
 static ZS_RARE void make_room(struct zs_renderer *r)
 {
+#if !ZS_LEAN
     r->direct = 0;
+#endif
     high_water(r);
     verts_compact(r);
     while (!roomy(r)) {
@@ -190,13 +192,12 @@ static inline void corners_light(struct zs_renderer *r, const uint32_t slot[3])
     corner_light(r, slot[2], attrs);
 }
 
+#if !ZS_LEAN
 void zs_bin_verts(struct zs_renderer *r, uint32_t slot, uint32_t from, uint32_t n)
 {
     verts_mark(r, slot, from, n);
     zs_xform_screen(r, from, n, &r->vert[slot]);
 }
-
-#if !ZS_LEAN
 
 /* Transform all of a mesh, where there is room; not what only clusters need that are left out. */
 static void verts_direct(struct zs_renderer *r, const struct zs_mesh *mesh)
@@ -227,7 +228,17 @@ static ZS_NOINLINE uint32_t vertex_add(struct zs_renderer *r, uint32_t v)
     const uint32_t slot = r->n_verts++;
     r->vert_map[map_index(v, r->config.max_verts)] = (uint16_t)slot;
     verts_mark(r, slot, v, 1);
+#if ZS_LEAN
+    struct zs_point p;
+    zs_xform_vertex(&r->xform, v, &p);
+    const uint32_t code = zs_xform_outcode(&r->view, &p);
+    if (code)
+        r->vert[slot].d = ZS_D_OUT + code;
+    else
+        zs_xform_project(r, &p, &r->vert[slot]);
+#else
     zs_xform_screen(r, v, 1, &r->vert[slot]);
+#endif
     return slot;
 }
 
@@ -260,19 +271,21 @@ static ZS_RARE ZS_NOINLINE int corner_slots(struct zs_renderer *r, const uint16_
 
 /* ---- Triangles --------------------------------------------------------------------------------------- */
 
-enum fate { FATE_DRAWN, FATE_OFFSCREEN, FATE_FACING, FATE_ZERO, FATE_EMPTY, FATE_NEAR, FATE_FAR,
-            FATE_INDEX, FATES, FATE_OPEN = FATES /* not known yet */ };
+/* In the order of zs_stats.tris_drawn and what follows it; tris_frustum and _cluster are not triangle by triangle. */
+enum fate { FATE_DRAWN, FATE_NEAR = 3, FATE_FAR, FATE_OFFSCREEN, FATE_FACING, FATE_ZERO, FATE_EMPTY, FATE_INDEX, FATES,
+            FATE_OPEN = FATES /* not known yet */ };
+#define FATE_PLACE(name) ((offsetof(struct zs_stats, name) - offsetof(struct zs_stats, tris_drawn)) / sizeof(uint32_t))
+_Static_assert(FATE_PLACE(tris_near) == FATE_NEAR && FATE_PLACE(tris_far) == FATE_FAR &&
+                   FATE_PLACE(tris_offscreen) == FATE_OFFSCREEN && FATE_PLACE(tris_facing) == FATE_FACING &&
+                   FATE_PLACE(tris_zero) == FATE_ZERO && FATE_PLACE(tris_empty) == FATE_EMPTY &&
+                   FATE_PLACE(tris_index) == FATE_INDEX,
+               "fates are places in zs_stats");
 
 static ZS_RARE void count(struct zs_stats *s, const uint32_t fate[FATES])
 {
-    s->tris_drawn += fate[FATE_DRAWN];
-    s->tris_offscreen += fate[FATE_OFFSCREEN];
-    s->tris_facing += fate[FATE_FACING];
-    s->tris_zero += fate[FATE_ZERO];
-    s->tris_empty += fate[FATE_EMPTY];
-    s->tris_near += fate[FATE_NEAR];
-    s->tris_far += fate[FATE_FAR];
-    s->tris_index += fate[FATE_INDEX];
+    uint32_t *const to = (uint32_t *)(void *)((char *)s + offsetof(struct zs_stats, tris_drawn));
+    for (uint32_t k = 0; k < FATES; k++)
+        to[k] += fate[k];
 }
 
 /* Twice the area, q_16 px^2; positive clockwise on the screen (y down). |.| < 2^45 */
@@ -690,16 +703,32 @@ ZS_ALWAYS_INLINE enum fate place(struct zs_renderer *r, uint32_t t, struct place
 
 #if ZS_LEAN
 
-/* Triangles [r->clusters.from, r->clusters.end) of the current instance. */
-static void walk_mesh(struct zs_renderer *r, uint32_t fate[FATES])
+static void walk_instance(struct zs_renderer *r, uint32_t number)
 {
-    for (uint32_t t = r->clusters.from; t < r->clusters.end; t++) {
+    struct zs_bounds b;
+    const uint32_t n = r->scene->instance[number].mesh->n_tris;
+    uint32_t fate[FATES] = { 0 };
+    if (r->counting) {
+        r->stats.instances_in++;
+        r->stats.tris_in += n;
+    }
+    if (zs_cull_walk(&b, r, number) || !zs_xform_instance(r, number, &b)) {
+        if (r->counting) {
+            r->stats.instances_culled++;
+            r->stats.tris_frustum += n;
+        }
+        return;
+    }
+    set_base(r, r->n_verts);
+    for (uint32_t t = 0; t < n; t++) {
         struct place at;
         enum fate f;
         while ((f = look(r, t, &at)) == FATE_OPEN && (f = place(r, t, &at)) == FATE_OPEN)
             make_room(r); /* slots are stale: look the vertices up again */
         fate[f]++;
     }
+    if (r->counting)
+        count(&r->stats, fate);
 }
 
 #else
@@ -764,8 +793,6 @@ static ZS_NOINLINE void walk_mesh(struct zs_renderer *r, uint32_t fate[FATES])
     }
 }
 
-#endif
-
 /* Cull an instance, or make r->xform its own. Return 0: nothing of it can be seen, or no strip that shows it is drawn.
  * Apart, so that its frame is not on the stack below the walk. */
 static ZS_RARE ZS_NOINLINE int instance_open(struct zs_renderer *r, uint32_t number)
@@ -779,12 +806,10 @@ static ZS_RARE ZS_NOINLINE int instance_open(struct zs_renderer *r, uint32_t num
         return 0;
     if (zs_cull_walk(&b, r, number) && !ZS_OFF(r, ZS_SKIP_FRUSTUM))
         return 0;
-#if !ZS_LEAN
     if (r->large && !(r->config.skip_off & ZS_SKIP_BEHIND) && !r->scene->instance[number].state && zs_hidden_sphere(r, &b)) {
         r->stats.instances_hidden += r->counting;
         return 0;
     }
-#endif
     if (cluster && !cluster->rows(r, &b, number))
         return 0;
     if (!zs_xform_instance(r, number, &b))
@@ -822,23 +847,23 @@ static ZS_RARE void walk_instance(struct zs_renderer *r, uint32_t number)
     if (!seen)
         return;
     uint32_t fate[FATES] = { 0 };
-#if ZS_LEAN
-    set_base(r, r->n_verts);
-#else
     verts_direct(r, mesh);
-#endif
     while (next_run(r))
         walk_mesh(r, fate);
     if (r->counting)
         count(&r->stats, fate);
 }
 
+#endif
+
 ZS_RARE void zs_bin_walk(struct zs_renderer *r)
 {
     pools_empty(r);
     r->band_end = ZS_OFF(r, ZS_SKIP_BINS) ? (uint16_t)(r->strip + 1u) : r->draw_end;
     r->stats.passes++;
+#if !ZS_LEAN
     r->group = 0;
+#endif
     for (uint32_t i = 0; (i = zs_cull_next(r, r->scene, i)) < r->scene->n_instances; i++)
         walk_instance(r, i);
     high_water(r);

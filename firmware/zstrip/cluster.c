@@ -46,6 +46,12 @@
  */
 #include "pipeline.h"
 
+#if ZS_LEAN
+
+const struct zs_cluster_kernel zs_cluster_kernel = { 0 }; /* named, not asked */
+
+#else
+
 #define CLUSTERS_MIN 5u /* in fewer, set-up takes what tests could save */
 #define PLANE_BITS 12
 #define EYE_BITS 14 /* |d| in units */
@@ -411,3 +417,5 @@ static int cluster_verts(struct zs_renderer *r)
 }
 
 const struct zs_cluster_kernel zs_cluster_kernel = { cluster_rows, cluster_open, cluster_verts, cluster_run };
+
+#endif

@@ -50,15 +50,17 @@ int zs_cull_bounds(struct zs_bounds *b, const struct zs_instance *in,
     if (b->r > (int64_t)ZS_WORLD_MAX * 65536)
         return ZS_ERR_RANGE;
     zs_q2_30 view[9], both[9];
+    int32_t from[3], center[3];
     axes(view, camera);
     zs_rotation_mul(both, view, in->pose.rot);
     b->reach = 0;
     for (int k = 0; k < 3; k++) {
-        int64_t at = 0, off = 0;
-        for (int j = 0; j < 3; j++) {
-            at += zs_mul_ss(view[3 * k + j], in->pose.pos[j] - camera->pos[j]); /* <= 2^60 each */
-            off += zs_mul_ss(both[3 * k + j], mesh->center[j]);                 /* <= 2^45 each */
-        }
+        from[k] = in->pose.pos[k] - camera->pos[k];
+        center[k] = mesh->center[k];
+    }
+    for (int k = 0; k < 3; k++) {
+        const int64_t at = zs_dot(view + 3 * k, from);    /* <= 3 * 2^60 */
+        const int64_t off = zs_dot(both + 3 * k, center); /* <= 3 * 2^45 */
         const int64_t origin = zs_round_shift(at, 14);        /* q48_16, <= 2^47.6 */
         b->c[k] = origin + zs_mulshift_s64(off, scale, 46);   /* <= 2^46.6 * 2^47 / 2^46 */
         const int64_t far_side = abs64(b->c[k]) + b->r;

@@ -156,7 +156,9 @@ static ZS_RARE int scene_check(struct zs_renderer *r, const struct zs_scene *sce
     if (scene->groups && (!scene->groups->kernel || (!scene->groups->group && scene->groups->n_groups)))
         return ZS_ERR_NULL;
     *reach = 1;
+#if !ZS_LEAN
     r->group = 0;
+#endif
     /* zs_track asks for bounds of any instance later */
     for (uint32_t i = 0; (i = r->track ? i : zs_cull_next(r, scene, i)) < scene->n_instances; i++) {
         struct zs_bounds b;
@@ -176,6 +178,10 @@ ZS_RARE int zs_frame_check(struct zs_renderer *r, const struct zs_scene *scene)
     const struct zs_camera *camera = &r->camera;
     int64_t reach;
     int err = zs_view_camera(&r->view, &r->config, camera);
+#if ZS_LEAN
+    err = err ? err : scene_check(r, scene, &reach);
+    err = err ? err : zs_view_units(&r->view, &r->config, camera, reach);
+#else
     for (uint16_t slack = 1; !err; slack = 64) { /* at least 8 camera units, which are known afterwards */
         r->group_slack = slack;
         err = scene_check(r, scene, &reach);
@@ -184,6 +190,7 @@ ZS_RARE int zs_frame_check(struct zs_renderer *r, const struct zs_scene *scene)
         if (slack == 64 || r->view.shift >= 3 || !scene->groups)
             break;
     }
+#endif
     if (!err)
         err = r->config.depth->setup(&r->view, camera, r->config.depth_bits);
     return err;
@@ -212,8 +219,8 @@ ZS_RARE int zs_frame_begin(struct zs_renderer *r, const struct zs_scene *scene,
     r->counting = 1;
 #if !ZS_LEAN
     r->large = 0;
-#endif
     r->edge_row[0] = r->edge_row[1] = UINT16_MAX; /* edge[] holds another camera's */
+#endif
     r->scene = scene;
     return ZS_OK;
 }

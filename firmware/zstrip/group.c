@@ -18,6 +18,12 @@
 #include "cold.h"
 #include "pipeline.h"
 
+#if ZS_LEAN
+
+const struct zs_group_kernel zs_group_kernel = { 0 }; /* named, not asked */
+
+#else
+
 static int64_t abs64(int64_t v)
 {
     return v < 0 ? -v : v;
@@ -71,3 +77,5 @@ static uint32_t group_next(struct zs_renderer *r, const struct zs_scene *scene, 
 }
 
 const struct zs_group_kernel zs_group_kernel = { group_next };
+
+#endif

@@ -167,10 +167,16 @@ int64_t zs_cull_half_width(const struct zs_camera *camera, const struct zs_view 
 /* The first instance from number on that is in no group out of view; instances are asked for in order, from r->group = 0. */
 static inline uint32_t zs_cull_next(struct zs_renderer *r, const struct zs_scene *scene, uint32_t number)
 {
+#if ZS_LEAN
+    (void)r;
+    (void)scene;
+    return number;
+#else
     if (!scene->groups || ZS_OFF(r, ZS_SKIP_GROUP))
         return number;
     const struct zs_group_kernel *group = scene->groups->kernel;
     return group->next(r, scene, number);
+#endif
 }
 
 /* ---- frame.c --------------------------------------------------------------------------------------- */
@@ -213,7 +219,11 @@ void zs_xform_vertex(const struct zs_xform *xf, uint32_t v, struct zs_point *out
 uint32_t zs_xform_outcode(const struct zs_view *view, const struct zs_point *p);
 /* Screen position and depth. Return 1; 0 where the point is before near, beyond far (*out is not of use
  * then) or beside the guard band (*out is then just beside it). */
+#if ZS_LEAN
+void zs_xform_project(const struct zs_renderer *r, const struct zs_point *p, struct zs_vertex *out);
+#else
 int zs_xform_project(const struct zs_renderer *r, const struct zs_point *p, struct zs_vertex *out);
+#endif
 /* All three for vertices [v, v + n) of the current instance: their places in the pool. One that is not inside near, far and
  * guard has d = ZS_D_OUT + outcode, and a position whose x or y is 2^16 or more away from any other vertex's. */
 void zs_xform_screen(const struct zs_renderer *r, uint32_t v, uint32_t n, struct zs_vertex *out);

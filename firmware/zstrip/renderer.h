@@ -84,10 +84,15 @@ struct zs_clusters {
 struct zs_xform {
     const struct zs_instance *instance;
     uint32_t number;    /* in the scene */
+    int32_t light[3];   /* q2_30: the light's direction in mesh space */
+#if ZS_LEAN
+    int32_t m[3][3], shift;
+    int64_t t[3];       /* half of 2^shift added */
+#else
     uint8_t clip_depth; /* 1: vertices may be before near or beyond far */
     uint8_t clip_guard; /* 1: vertices may be outside the guard band */
-    int32_t light[3];   /* q2_30: the light's direction in mesh space */
     int32_t row[3][ZS_ROW_WORDS];
+#endif
 };
 
 #if !ZS_LEAN
@@ -160,13 +165,13 @@ struct zs_renderer { /* what is used most comes first: a Cortex-M0 reaches 31 by
     int16_t was[2];               /* the same of a row, before the triangle in hand */
     uint32_t fresh_left;          /* how many pixels hold none, where some do */
 #endif
+#if !ZS_LEAN
     uint16_t group;               /* the next that the walk comes to */
     uint16_t group_slack;         /* world units that their spheres are taken to be larger by */
     uint16_t edge_row[2];         /* what edge[] holds: rows [0], and [1] below it */
     struct zs_edge edge[2];
     const struct zs_cluster_kernel *cluster_kernel; /* of the current instance; NULL: all of it is drawn */
     struct zs_clusters clusters;
-#if !ZS_LEAN
     struct zs_cover cover[2];     /* the last two large triangles: cover[!cover_next] is known if cover_known */
     uint16_t bound_most;          /* no bound is farther */
     uint8_t cover_next, cover_known, cover_waits; /* its own bounds are still to be found */

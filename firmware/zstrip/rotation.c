@@ -5,8 +5,6 @@
 #include "cold.h"
 #include "rotation.h"
 
-#include "fx.h"
-
 #define QUARTER 16384u
 #define EIGHTH 8192u
 #define TWO_PI_Q28 1686629713 /* 2 pi * 2^28, nearest */
@@ -124,10 +122,18 @@ void zs_cross(zs_q2_30 out[3], const zs_q2_30 a[3], const zs_q2_30 b[3])
     }
 }
 
-static ZS_NOINLINE int64_t dot_q60(const zs_q2_30 *a, const zs_q2_30 *b)
+#if ZS_LEAN
+#define dot_q60 zs_dot
+int64_t zs_dot(const int32_t a[3], const int32_t b[3])
 {
     return zs_mul_ss(a[0], b[0]) + zs_mul_ss(a[1], b[1]) + zs_mul_ss(a[2], b[2]);
 }
+#else
+static ZS_NOINLINE int64_t dot_q60(const zs_q2_30 *a, const zs_q2_30 *b)
+{
+    return zs_dot(a, b);
+}
+#endif
 
 int zs_rotation_ok(const zs_q2_30 m[9])
 {
