@@ -40,6 +40,25 @@ static void set_base(struct zs_renderer *r, uint32_t base)
     r->vert_base = ZS_OFF(r, ZS_SKIP_VCACHE) ? UINT32_MAX : base;
 }
 
+#if ZS_LEAN /* no bins: a strip looks at every triangle of the pool */
+
+static void pools_empty(struct zs_renderer *r)
+{
+    r->n_tris = r->n_verts = r->vert_base = 0;
+}
+
+/* Drop triangles that begin below the band; the rest moves up in order. */
+static void tris_compact(struct zs_renderer *r)
+{
+    struct zs_tri *kept = r->tri, *const end = kept + r->n_tris;
+    for (const struct zs_tri *t = kept; t < end; t++)
+        if (zs_first_sample(r->vert[t->v[0]].y) < r->band_end * r->config.strip_h)
+            *kept++ = *t;
+    r->n_tris = (uint32_t)(kept - r->tri);
+}
+
+#else
+
 static void bins_clear(struct zs_renderer *r)
 {
     for (uint32_t s = r->strip; s < r->n_strips; s++)
@@ -84,6 +103,8 @@ static ZS_RARE void tris_compact(struct zs_renderer *r)
     r->n_tris = kept;
 }
 
+#endif
+
 /* Drop vertices that no binned triangle holds. */
 static ZS_RARE void verts_compact(struct zs_renderer *r)
 {
@@ -112,7 +133,10 @@ static ZS_RARE void verts_compact(struct zs_renderer *r)
     for (uint32_t t = 0; t < r->n_tris; t++)
         for (int k = 0; k < 3; k++)
             r->tri[t].v[k] = to[r->tri[t].v[k]];
-    r->n_verts = r->vert_packed = kept;
+#if !ZS_LEAN
+    r->vert_packed = kept;
+#endif
+    r->n_verts = kept;
     set_base(r, base);
     for (uint32_t v = base; v < kept; v++)
         if (r->vert_src[v] != NO_SOURCE)
@@ -183,6 +207,8 @@ static inline void corner_light(struct zs_renderer *r, uint32_t slot, uint32_t a
         vertex_light(r, slot, attr);
 }
 
+#if !ZS_LEAN
+
 /* Attributes of a binned triangle's corners that no triangle before it needed. */
 static inline void corners_light(struct zs_renderer *r, const uint32_t slot[3])
 {
@@ -192,7 +218,6 @@ static inline void corners_light(struct zs_renderer *r, const uint32_t slot[3])
     corner_light(r, slot[2], attrs);
 }
 
-#if !ZS_LEAN
 void zs_bin_verts(struct zs_renderer *r, uint32_t slot, uint32_t from, uint32_t n)
 {
     verts_mark(r, slot, from, n);
@@ -271,6 +296,8 @@ static ZS_RARE ZS_NOINLINE int corner_slots(struct zs_renderer *r, const uint16_
 
 /* ---- Triangles --------------------------------------------------------------------------------------- */
 
+#if ZS_LEAN
+
 /* In the order of zs_stats.tris_drawn and what follows it; tris_frustum and _cluster are not triangle by triangle. */
 enum fate { FATE_DRAWN, FATE_NEAR = 3, FATE_FAR, FATE_OFFSCREEN, FATE_FACING, FATE_ZERO, FATE_EMPTY, FATE_INDEX, FATES,
             FATE_OPEN = FATES /* not known yet */ };
@@ -288,12 +315,33 @@ static ZS_RARE void count(struct zs_stats *s, const uint32_t fate[FATES])
         to[k] += fate[k];
 }
 
+#else
+
+enum fate { FATE_DRAWN, FATE_OFFSCREEN, FATE_FACING, FATE_ZERO, FATE_EMPTY, FATE_NEAR, FATE_FAR,
+            FATE_INDEX, FATES, FATE_OPEN = FATES /* not known yet */ };
+
+static ZS_RARE void count(struct zs_stats *s, const uint32_t fate[FATES])
+{
+    s->tris_drawn += fate[FATE_DRAWN];
+    s->tris_offscreen += fate[FATE_OFFSCREEN];
+    s->tris_facing += fate[FATE_FACING];
+    s->tris_zero += fate[FATE_ZERO];
+    s->tris_empty += fate[FATE_EMPTY];
+    s->tris_near += fate[FATE_NEAR];
+    s->tris_far += fate[FATE_FAR];
+    s->tris_index += fate[FATE_INDEX];
+}
+
+#endif
+
 /* Twice the area, q_16 px^2; positive clockwise on the screen (y down). |.| < 2^45 */
 static int64_t signed_area(const struct zs_vertex *a, const struct zs_vertex *b,
                            const struct zs_vertex *c)
 {
     return zs_mul_ss(b->x - a->x, c->y - a->y) - zs_mul_ss(c->x - a->x, b->y - a->y);
 }
+
+#if !ZS_LEAN
 
 static inline const int32_t *xy(const struct zs_vertex *v)
 {
@@ -311,6 +359,8 @@ static int32_t sense(const struct zs_vertex *a, const struct zs_vertex *b, const
     const int64_t left = zs_mul_ss(b->x - a->x, c->y - a->y), right = zs_mul_ss(c->x - a->x, b->y - a->y);
     return (left > right) - (left < right);
 }
+
+#endif
 
 static inline int faces_away(int64_t area, uint32_t cull)
 {
@@ -331,6 +381,51 @@ ZS_ALWAYS_INLINE void turn(struct place *at)
     at->slot[1] = at->slot[2];
     at->slot[2] = first;
 }
+
+#if ZS_LEAN
+
+/* Whether the box of a projected triangle holds a sample of the frame. */
+static enum fate box_fate(const struct zs_renderer *r, const struct zs_vertex *pool, struct place *at)
+{
+    int32_t x0 = INT32_MAX, x1 = INT32_MIN, y1 = INT32_MIN, first = 0;
+    const struct zs_vertex *top = &pool[at->slot[0]];
+    for (int k = 0; k < 3; k++) {
+        const struct zs_vertex *v = &pool[at->slot[k]];
+        x0 = zs_min32(x0, v->x);
+        x1 = zs_max32(x1, v->x);
+        y1 = zs_max32(y1, v->y);
+        if (v->y < top->y || (v->y == top->y && v->x < top->x)) {
+            top = v;
+            first = k;
+        }
+    }
+    while (first-- > 0)
+        turn(at);
+    x0 = zs_first_sample(x0);
+    x1 = zs_first_sample(x1);
+    at->y0 = zs_first_sample(top->y);
+    at->y1 = zs_first_sample(y1);
+    if (x1 <= 0 || x0 >= r->config.width || at->y1 <= 0 || at->y0 >= r->config.height)
+        return FATE_OFFSCREEN;
+    return x0 >= x1 || at->y0 >= at->y1 ? FATE_EMPTY : FATE_DRAWN;
+}
+
+static int in_band(const struct zs_renderer *r, const struct place *at)
+{
+    const int32_t h = r->config.strip_h;
+    return at->y1 > r->strip * h && at->y0 < r->band_end * h;
+}
+
+static void tri_push(struct zs_renderer *r, const struct place *at, uint16_t paint)
+{
+    struct zs_tri *t = &r->tri[r->n_tris++];
+    for (int k = 0; k < 3; k++)
+        t->v[k] = (uint16_t)at->slot[k];
+    t->paint = paint;
+    t->instance = (uint16_t)r->xform.number;
+}
+
+#else
 
 /* Whether the box of a projected triangle holds a sample of the frame. */
 ZS_ALWAYS_INLINE enum fate box_fate(struct zs_renderer *r, const struct zs_vertex *a, const struct zs_vertex *b,
@@ -397,6 +492,8 @@ ZS_ALWAYS_INLINE void bin_push(struct zs_renderer *r, const struct place *at, ui
     r->n_tris = n + 1u;
 }
 
+#endif
+
 /* ---- Clipped triangles ----------------------------------------------------------------------------- */
 
 struct polygon {
@@ -409,16 +506,15 @@ struct polygon {
 
 /* Which way a triangle turns on the screen, from its corners in camera units, exactly: > 0 clockwise. Where all
  * three are before the eye, the sign of a . (b x c) is that of the area. */
-static ZS_RARE int sense_of(const struct zs_view *view, const struct zs_clip_vertex v[3])
+static ZS_RARE ZS_NOINLINE int sense_of(const struct zs_view *view, const struct zs_clip_vertex v[3])
 {
-    const int32_t *a = v[0].p.c, *b = v[1].p.c, *c = v[2].p.c;
-    for (int k = 0; k < 9; k++) /* only of a mesh that is larger than its sphere says; it loses parts */
-        if (v[k / 3].p.c[k % 3] > COORD_MAX || v[k / 3].p.c[k % 3] < -COORD_MAX)
+    int32_t p[3][3];
+    const int32_t *a = p[0], *b = p[1], *c = p[2];
+    for (int k = 0; k < 9; k++) { /* only of a mesh that is larger than its sphere says; it loses parts */
+        const int32_t c_k = v[k / 3].p.c[k % 3];
+        if (c_k > COORD_MAX || c_k < -COORD_MAX)
             return 0;
-    if (!view->perspective) {
-        const int64_t left = ((int64_t)b[0] - a[0]) * ((int64_t)c[1] - a[1]);
-        const int64_t right = ((int64_t)c[0] - a[0]) * ((int64_t)b[1] - a[1]); /* |.| < 2^62.1 */
-        return (left > right) - (left < right);
+        p[k / 3][k % 3] = view->perspective || k % 3 < 2 ? c_k : 1; /* orthographic: the area is a . (b x c) with z = 1 */
     }
     int64_t high = 0, low = 0; /* the sum is high * 2^32 + low, 0 <= low < 2^32 */
     for (int k = 0; k < 3; k++) {
@@ -438,30 +534,29 @@ static ZS_RARE int sense_of(const struct zs_view *view, const struct zs_clip_ver
  * itself, and its snapped area may even have the wrong sign: then the sense of the triangle before it was cut
  * counts, and pieces of the other sense are dropped (polygon_bin). That leaves no hole: the samples of the right
  * sense are all in pieces of the right sense, whose signed sum the polygon is; it can draw beyond a thin
- * polygon's edge, by less than a sub-pixel's width. */
-static ZS_RARE int64_t fan_corner(const struct polygon *p, int sense, int *corner)
+ * polygon's edge, by less than a sub-pixel's width.
+ * fan: numbers of the corners, from that one on. */
+static ZS_RARE int64_t fan_corner(const struct polygon *p, int sense, uint8_t fan[ZS_CLIP_MAX])
 {
     int64_t area = 0;
     int start = 0;
-    for (int k = 1; k + 1 < p->n; k++)
-        area += signed_area(&p->v[0], &p->v[k], &p->v[k + 1]); /* |.| < 7 * 2^45 */
-    for (int k = 1; k < p->n; k++)
+    for (int k = 1; k < p->n; k++) {
+        if (k + 1 < p->n)
+            area += signed_area(&p->v[0], &p->v[k], &p->v[k + 1]); /* |.| < 7 * 2^45 */
         if (p->v[k].y < p->v[start].y || (p->v[k].y == p->v[start].y && p->v[k].x < p->v[start].x))
             start = k;
-    for (int i = 0; i < p->n; i++) {
-        const int first = (start + i) % p->n;
+    }
+    for (int i = 0; i <= p->n; i++, start++) { /* the last turn is the first again */
         int good = 1;
+        for (int k = 0; k < p->n; k++)
+            fan[k] = (uint8_t)((start + k) % p->n);
         for (int k = 1; k + 1 < p->n; k++) {
-            const int64_t piece = signed_area(&p->v[first], &p->v[(first + k) % p->n],
-                                              &p->v[(first + k + 1) % p->n]);
+            const int64_t piece = signed_area(&p->v[fan[0]], &p->v[fan[k]], &p->v[fan[k + 1]]);
             good &= area > 0 ? piece >= 0 : piece <= 0;
         }
-        if (good) {
-            *corner = first;
+        if (good)
             return area;
-        }
     }
-    *corner = start;
     return sense;
 }
 
@@ -492,14 +587,19 @@ static ZS_RARE void polygon_push(struct zs_renderer *r, const struct polygon *p,
         for (uint32_t a = 0; a < r->xform.instance->material->shader->n_attrs; a++)
             r->attr[slot * r->config.attrs + a] = p->cv[corner].attr[a];
     }
+#if ZS_LEAN
+    (void)strip;
+    tri_push(r, &at, paint);
+#else
     bin_push(r, &at, paint, strip);
+#endif
 }
 
 static ZS_RARE enum fate polygon_bin(struct zs_renderer *r, const struct polygon *p, uint32_t t, int sense)
 {
     const struct zs_material *material = r->xform.instance->material;
-    int corner;
-    const int64_t area = fan_corner(p, sense, &corner);
+    uint8_t fan[ZS_CLIP_MAX];
+    const int64_t area = fan_corner(p, sense, fan);
     if (area == 0)
         return FATE_ZERO;
     if (faces_away(area, material->cull))
@@ -509,28 +609,30 @@ static ZS_RARE enum fate polygon_bin(struct zs_renderer *r, const struct polygon
     const uint16_t paint = shader->face ? shader->face(r, t) : 0u;
     for (int k = 1; k + 1 < p->n; k++) {
         struct place box;
-        box.slot[0] = (uint32_t)corner;
-        box.slot[1] = (uint32_t)((corner + k) % p->n);
-        box.slot[2] = (uint32_t)((corner + k + 1) % p->n);
-        if (area < 0) {
-            box.slot[0] = box.slot[2];
-            box.slot[2] = (uint32_t)corner;
-        }
-        const struct zs_vertex *v[3] = { &p->v[box.slot[0]], &p->v[box.slot[1]], &p->v[box.slot[2]] };
-        if (signed_area(v[0], v[1], v[2]) <= 0)
+        box.slot[0] = fan[area < 0 ? k + 1 : 0];
+        box.slot[1] = fan[k];
+        box.slot[2] = fan[area < 0 ? 0 : k + 1];
+        if (signed_area(&p->v[box.slot[0]], &p->v[box.slot[1]], &p->v[box.slot[2]]) <= 0)
             continue;
-        const enum fate fate = box_fate(r, v[0], v[1], v[2], &box);
+#if ZS_LEAN
+        const enum fate fate = box_fate(r, p->v, &box);
+#else
+        const enum fate fate = box_fate(r, &p->v[box.slot[0]], &p->v[box.slot[1]], &p->v[box.slot[2]], &box);
+#endif
         if (fate != FATE_DRAWN) {
             all = all == FATE_DRAWN ? FATE_DRAWN : fate;
             continue;
         }
         all = FATE_DRAWN;
-#if !ZS_LEAN
-        zs_hidden_cover(r, v[0], v[1], v[2]);
-#endif
+#if ZS_LEAN
+        if (in_band(r, &box))
+            polygon_push(r, p, &box, paint, 0);
+#else
+        zs_hidden_cover(r, &p->v[box.slot[0]], &p->v[box.slot[1]], &p->v[box.slot[2]]);
         const uint32_t strip = strip_in_band(r, &box);
         if (strip != ZS_NIL)
             polygon_push(r, p, &box, paint, strip);
+#endif
     }
     return all;
 }
@@ -672,7 +774,11 @@ static ZS_NOINLINE enum fate look(struct zs_renderer *r, uint32_t t, struct plac
     const struct zs_vertex *a = &r->vert[slot[0]], *b = &r->vert[slot[1]], *c = &r->vert[slot[2]];
     if (a->d >= ZS_D_OUT || b->d >= ZS_D_OUT || c->d >= ZS_D_OUT)
         return cut(r, t, a, b, c);
+#if ZS_LEAN
+    const int64_t turns = signed_area(a, b, c);
+#else
     const int32_t turns = sense(a, b, c);
+#endif
     if (turns == 0)
         return FATE_ZERO;
     if (turns < 0) {
@@ -682,6 +788,25 @@ static ZS_NOINLINE enum fate look(struct zs_renderer *r, uint32_t t, struct plac
     }
     return faces_away(turns, r->xform.instance->material->cull) ? FATE_FACING : FATE_OPEN;
 }
+
+#if ZS_LEAN
+
+/* Bin a triangle, unless it lies outside the frame or the band. Return FATE_OPEN: the pool of triangles is full. */
+static enum fate place(struct zs_renderer *r, uint32_t t, struct place *at)
+{
+    const enum fate fate = box_fate(r, r->vert, at);
+    if (fate != FATE_DRAWN || !in_band(r, at))
+        return fate;
+    if (r->n_tris == r->config.max_tris)
+        return FATE_OPEN;
+    const struct zs_shader *shader = r->xform.instance->material->shader;
+    for (int k = 0; k < 3 && shader->vertex; k++)
+        corner_light(r, at->slot[k], r->config.attrs);
+    tri_push(r, at, shader->face ? shader->face(r, t) : 0u);
+    return FATE_DRAWN;
+}
+
+#else
 
 /* Bin a triangle, unless it lies outside the frame or the band. Return FATE_OPEN: the pool of triangles is full. */
 ZS_ALWAYS_INLINE enum fate place(struct zs_renderer *r, uint32_t t, struct place *at)
@@ -700,6 +825,8 @@ ZS_ALWAYS_INLINE enum fate place(struct zs_renderer *r, uint32_t t, struct place
     bin_push(r, at, shader->face ? shader->face(r, t) : 0u, strip);
     return FATE_DRAWN;
 }
+
+#endif
 
 #if ZS_LEAN
 

@@ -69,8 +69,8 @@ static ZS_RARE void split(struct zs_renderer *r, uint8_t *at)
 #if !ZS_LEAN
     r->drawn = take(&at, ZS_DRAWN_BYTES(c->strip_h));
     r->bound = take(&at, ZS_BOUND_BYTES(c->width, c->height, c->strip_h));
-#endif
     r->bin = take(&at, ZS_BIN_BYTES(c->height, c->strip_h));
+#endif
     r->tri = take(&at, ZS_TRI_BYTES(c->max_tris));
     r->vert = take(&at, c->max_verts * 12u);
     r->vert_src = take(&at, half_words);
@@ -78,6 +78,7 @@ static ZS_RARE void split(struct zs_renderer *r, uint8_t *at)
     r->attr = take(&at, ZS_ROUND4((uint32_t)c->max_verts * c->attrs * 2u));
 }
 
+#if !ZS_LEAN
 /* For row / strip_h without a division. With 2^l <= strip_h < 2^(l + 1) and n = 19 + l, strip_mul exceeds
  * 2^n / strip_h by 1 at the most, which adds row / 2^n to a quotient: less than 2^-7 / strip_h, so it is exact. */
 static ZS_RARE void strip_divisor(struct zs_renderer *r)
@@ -87,6 +88,7 @@ static ZS_RARE void strip_divisor(struct zs_renderer *r)
     r->strip_shift = (uint8_t)n;
     r->strip_mul = (1u << n) / h + 1u; /* <= 2^19 + 1; times a row < 2^31.1 */
 }
+#endif
 
 ZS_RARE int zs_init(struct zs_renderer *r, const struct zs_config *config, void *arena, size_t bytes)
 {
@@ -105,7 +107,9 @@ ZS_RARE int zs_init(struct zs_renderer *r, const struct zs_config *config, void 
     r->config = *config;
     r->config.strip_h = strip_rows(config);
     r->n_strips = (uint16_t)((config->height + r->config.strip_h - 1) / r->config.strip_h);
+#if !ZS_LEAN
     strip_divisor(r);
+#endif
     split(r, arena);
     for (uint32_t v = 0; v < config->max_verts; v++)
         r->vert_map[v] = r->vert_src[v] = 0; /* any value will do; junk would be as good */

@@ -11,7 +11,7 @@
 
 #define ZS_NIL 65535u
 _Static_assert(ZS_POOL_MAX < ZS_NIL, "16-bit indices need a value for none");
-_Static_assert(sizeof(struct zs_tri) == 12, "ZS_TRI_BYTES");
+_Static_assert(sizeof(struct zs_tri) == (ZS_LEAN ? 10 : 12), "ZS_TRI_BYTES");
 _Static_assert(sizeof(struct zs_vertex) == 12, "ZS_VERT_BYTES");
 
 /* ---- Shaders and depth mappings ---------------------------------------------------------------- */
@@ -255,7 +255,14 @@ void zs_bin_verts(struct zs_renderer *r, uint32_t slot, uint32_t from, uint32_t 
 /* Draw the strip r->strip's bin and the active list; leaves those that go on in r->active. */
 void zs_raster_strip(struct zs_renderer *r);
 /* Do not draw it, but pass its triangles on to the strip below. */
+#if ZS_LEAN
+static inline void zs_raster_pass(struct zs_renderer *r)
+{
+    (void)r;
+}
+#else
 void zs_raster_pass(struct zs_renderer *r);
+#endif
 /* Fill job's rows and sides for its triangle in its strip. Return 0: it has no row there. job->row_last is
  * set in either case. */
 int zs_raster_sides(struct zs_job *job);

@@ -262,6 +262,30 @@ static ZS_NOINLINE void draw(struct zs_job *job)
         depth->rows(job);
 }
 
+#if ZS_LEAN
+
+/* All triangles of the pool, which is in scene order, are looked at. */
+void zs_raster_strip(struct zs_renderer *r)
+{
+    struct zs_job job;
+    job.r = r;
+    job.color = r->color[r->strip & 1];
+    job.depth = r->depth;
+    job.y0 = r->strip * r->config.strip_h;
+    job.y1 = zs_min32(job.y0 + r->config.strip_h, r->config.height);
+    job.width = r->config.width;
+    for (uint32_t t = 0; t < r->n_tris; t++) {
+        job.tri = &r->tri[t];
+        const struct zs_instance *instance = &r->scene->instance[job.tri->instance];
+        job.shader = instance->material->shader;
+        job.state = instance->state;
+        if (job_setup(&job))
+            draw(&job);
+    }
+}
+
+#else
+
 /* ---- Lists ------------------------------------------------------------------------------------------- */
 
 static uint16_t reversed(struct zs_tri *tri, uint16_t list)
@@ -302,36 +326,6 @@ void zs_raster_pass(struct zs_renderer *r)
 {
     r->active = take_list(r); /* those that end here too: they have no row in a strip below */
 }
-
-#if ZS_LEAN
-
-void zs_raster_strip(struct zs_renderer *r)
-{
-    struct zs_job job;
-    uint16_t list = take_list(r), *keep = &r->active; /* grows at its end: stays ascending */
-    job.r = r;
-    job.color = r->color[r->strip & 1];
-    job.depth = r->depth;
-    job.y0 = r->strip * r->config.strip_h;
-    job.y1 = zs_min32(job.y0 + r->config.strip_h, r->config.height);
-    job.width = r->config.width;
-    for (; list != ZS_NIL; list = r->tri[list].next) {
-        struct zs_tri *const t = &r->tri[list];
-        const struct zs_instance *instance = &r->scene->instance[t->instance];
-        job.tri = t;
-        job.shader = instance->material->shader;
-        job.state = instance->state;
-        if (job_setup(&job))
-            draw(&job);
-        if (job.row_last > job.y1) {
-            *keep = list;
-            keep = &t->next;
-        }
-    }
-    *keep = ZS_NIL; /* where the next strip begins a walk, that drops them */
-}
-
-#else
 
 /* Are all of a triangle's vertices beyond a depth? */
 static inline int beyond(const struct zs_job *job, uint32_t d)

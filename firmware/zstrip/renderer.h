@@ -16,7 +16,9 @@ struct zs_vertex {
 /* A triangle that waits for its strip, in the triangle pool; the pool's order is scene order. */
 struct zs_tri {
     uint16_t v[3];     /* in the vertex pool: the top one, of two the left one, then clockwise */
+#if !ZS_LEAN
     uint16_t next;     /* the next one in its strip's list, or ZS_NIL */
+#endif
     uint16_t paint;    /* what the shader's face function gave: for solid colours RGB565, wire order */
     uint16_t instance; /* in the scene */
 };
@@ -120,8 +122,10 @@ struct zs_cover {
 
 struct zs_renderer { /* what is used most comes first: a Cortex-M0 reaches 31 bytes, 31 half-words, 31 words at once */
     struct zs_config config; /* strip_h <= height */
+#if !ZS_LEAN
     uint8_t strip_shift;        /* row / strip_h = row * strip_mul >> strip_shift */
     uint8_t direct;             /* 1: vertex v of the current instance has place vert_base + v */
+#endif
     uint8_t counting;           /* 1 in the frame's first walk: triangles are counted once */
     uint8_t ready;              /* zs_init succeeded */
 #if !ZS_LEAN
@@ -130,17 +134,21 @@ struct zs_renderer { /* what is used most comes first: a Cortex-M0 reaches 31 by
 #endif
     uint16_t n_strips, strip;   /* strip: the next to be drawn */
     uint16_t band_end;          /* bins are complete for strips below it */
+#if !ZS_LEAN
     uint16_t active;            /* list of triangles that went on from the strip before */
+#endif
     uint32_t n_tris, n_verts;   /* used of the pools */
     uint32_t vert_base;         /* pool vertices below it belong to earlier instances */
+#if !ZS_LEAN
     uint32_t vert_packed;       /* those below it were held by binned triangles when last looked at */
     uint32_t strip_mul;
+#endif
     uint16_t *color[2];      /* [strip_h][width], wire order; [1] is [0] with one buffer */
     uint16_t *depth;         /* [strip_h][width] */
 #if !ZS_LEAN
     uint16_t *bound;         /* levels from [n_strips][ZS_TILES(width)]: no key of a strip's tile stays farther (hidden.c) */
-#endif
     uint16_t *bin;           /* [n_strips]: newest triangle that begins in the strip, or ZS_NIL */
+#endif
     struct zs_tri *tri;      /* [max_tris] */
     struct zs_vertex *vert;  /* [max_verts] */
     uint16_t *vert_src;      /* [max_verts]: the vertex's number in the current mesh */

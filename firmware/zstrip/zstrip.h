@@ -354,9 +354,14 @@ struct zs_config {
                     ZS_BOUND_CELLS(width, ZS_STRIPS(height, strip_h), 2u) + \
                     ZS_BOUND_CELLS(width, ZS_STRIPS(height, strip_h), 4u)))
 #endif
+#if ZS_LEAN
+#define ZS_BIN_BYTES(height, strip_h) 0u
+#define ZS_TRI_BYTES(max_tris) ZS_ROUND4((uint32_t)(max_tris) * 10u)
+#else
 #define ZS_BIN_BYTES(height, strip_h) \
     ZS_ROUND4((((uint32_t)(height) + (uint32_t)(strip_h) - 1u) / (uint32_t)(strip_h)) * 2u)
 #define ZS_TRI_BYTES(max_tris) ((uint32_t)(max_tris) * 12u)
+#endif
 #define ZS_VERT_BYTES(max_verts, attrs) \
     ((uint32_t)(max_verts) * 12u + 2u * ZS_ROUND4((uint32_t)(max_verts) * 2u) + \
      ZS_ROUND4((uint32_t)(max_verts) * (uint32_t)(attrs) * 2u))
