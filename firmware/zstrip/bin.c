@@ -15,6 +15,7 @@
  * SPDX-License-Identifier: MIT
  */
 #include "pipeline.h"
+#include "rotation.h"
 
 #define NO_SOURCE 65535u     /* vert_src of a vertex made by clipping: meshes have at most 65535 */
 #define ATTR_UNLIT 0xa55au   /* first attribute of a vertex that no binned triangle holds yet. A lit one that is the
@@ -105,6 +106,36 @@ static ZS_RARE void tris_compact(struct zs_renderer *r)
 
 #endif
 
+#if ZS_LEAN
+
+/* Drop vertices that no binned triangle holds; the current instance's are transformed again where they are asked for. */
+static void verts_compact(struct zs_renderer *r)
+{
+    uint16_t *to = r->vert_map; /* stale from now on */
+    const uint32_t attrs = r->config.attrs;
+    uint32_t kept = 0;
+    for (uint32_t v = 0; v < r->n_verts; v++)
+        to[v] = ZS_NIL;
+    for (uint16_t *v = r->tri->v, *const end = (r->tri + r->n_tris)->v; v != end; v += sizeof *r->tri / sizeof *v)
+        for (int k = 0; k < 3; k++)
+            to[v[k]] = 0;
+    for (uint32_t v = 0; v < r->n_verts; v++) {
+        if (to[v] == ZS_NIL)
+            continue;
+        to[v] = (uint16_t)kept;
+        r->vert[kept] = r->vert[v];
+        for (uint32_t k = 0; k < attrs; k++)
+            r->attr[kept * attrs + k] = r->attr[v * attrs + k];
+        kept++;
+    }
+    for (uint16_t *v = r->tri->v, *const end = (r->tri + r->n_tris)->v; v != end; v += sizeof *r->tri / sizeof *v)
+        for (int k = 0; k < 3; k++)
+            v[k] = to[v[k]];
+    r->n_verts = r->vert_base = kept;
+}
+
+#else
+
 /* Drop vertices that no binned triangle holds. */
 static ZS_RARE void verts_compact(struct zs_renderer *r)
 {
@@ -133,15 +164,14 @@ static ZS_RARE void verts_compact(struct zs_renderer *r)
     for (uint32_t t = 0; t < r->n_tris; t++)
         for (int k = 0; k < 3; k++)
             r->tri[t].v[k] = to[r->tri[t].v[k]];
-#if !ZS_LEAN
-    r->vert_packed = kept;
-#endif
-    r->n_verts = kept;
+    r->n_verts = r->vert_packed = kept;
     set_base(r, base);
     for (uint32_t v = base; v < kept; v++)
         if (r->vert_src[v] != NO_SOURCE)
             r->vert_map[map_index(r->vert_src[v], r->config.max_verts)] = (uint16_t)v;
 }
+
+#endif
 
 static ZS_RARE int roomy(const struct zs_renderer *r)
 {
@@ -518,8 +548,7 @@ static ZS_RARE ZS_NOINLINE int sense_of(const struct zs_view *view, const struct
     }
     int64_t high = 0, low = 0; /* the sum is high * 2^32 + low, 0 <= low < 2^32 */
     for (int k = 0; k < 3; k++) {
-        const int i = (k + 1) % 3, j = (k + 2) % 3;
-        const int64_t n = zs_mul_ss(b[i], c[j]) - zs_mul_ss(b[j], c[i]); /* |.| < 2^61.1 */
+        const int64_t n = zs_cross_at(b, c, k);                          /* |.| < 2^61.1 */
         high += zs_mul_ss((int32_t)(n >> 32), a[k]);                     /* |.| < 3 * 2^60 */
         low += zs_mul_su(a[k], (uint32_t)n);                             /* |.| < 2^62.1 */
         high += low >> 32;

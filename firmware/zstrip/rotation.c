@@ -116,13 +116,17 @@ int zs_unit64(zs_q2_30 out[3], const int64_t v[3])
 
 void zs_cross(zs_q2_30 out[3], const zs_q2_30 a[3], const zs_q2_30 b[3])
 {
-    for (int k = 0; k < 3; k++) {
-        const int i = (k + 1) % 3, j = (k + 2) % 3;
-        out[k] = (int32_t)zs_round_shift(zs_mul_ss(a[i], b[j]) - zs_mul_ss(a[j], b[i]), 30);
-    }
+    for (int k = 0; k < 3; k++)
+        out[k] = (int32_t)zs_round_shift(zs_cross_at(a, b, k), 30);
 }
 
 #if ZS_LEAN
+int64_t zs_cross_at(const int32_t a[3], const int32_t b[3], int k)
+{
+    const int i = k == 2 ? 0 : k + 1, j = k == 0 ? 2 : k - 1;
+    return zs_mul_ss(a[i], b[j]) - zs_mul_ss(a[j], b[i]);
+}
+
 #define dot_q60 zs_dot
 int64_t zs_dot(const int32_t a[3], const int32_t b[3])
 {
