@@ -233,7 +233,7 @@ static ZS_NOINLINE void vertex_light(struct zs_renderer *r, uint32_t slot, uint1
 static inline void corner_light(struct zs_renderer *r, uint32_t slot, uint32_t attrs)
 {
     uint16_t *attr = &r->attr[slot * attrs];
-    if (*attr == ATTR_UNLIT)
+    if (*attr == ATTR_UNLIT && (!ZS_LEAN || r->vert_src[slot] != NO_SOURCE))
         vertex_light(r, slot, attr);
 }
 
@@ -601,6 +601,56 @@ static ZS_RARE void polygon_project(struct zs_renderer *r, struct polygon *p)
     }
 }
 
+#if ZS_LEAN
+
+/* Bin a triangle, unless it lies outside the frame or the band. Return FATE_OPEN: the pool of triangles is full. */
+static enum fate place(struct zs_renderer *r, uint32_t t, struct place *at)
+{
+    const enum fate fate = box_fate(r, r->vert, at);
+    if (fate != FATE_DRAWN || !in_band(r, at))
+        return fate;
+    if (r->n_tris == r->config.max_tris)
+        return FATE_OPEN;
+    const struct zs_shader *shader = r->xform.instance->material->shader;
+    for (int k = 0; k < 3 && shader->vertex; k++)
+        corner_light(r, at->slot[k], r->config.attrs);
+    tri_push(r, at, shader->face ? shader->face(r, t) : 0u);
+    return FATE_DRAWN;
+}
+
+static enum fate polygon_bin(struct zs_renderer *r, const struct polygon *p, uint32_t t, int sense)
+{
+    uint8_t fan[ZS_CLIP_MAX];
+    const int64_t area = fan_corner(p, sense, fan);
+    if (area == 0)
+        return FATE_ZERO;
+    if (faces_away(area, r->xform.instance->material->cull))
+        return FATE_FACING;
+    enum fate all = FATE_EMPTY;
+    for (int k = 1; k + 1 < p->n; k++) {
+        struct place at;
+        const uint32_t corner[3] = { fan[area < 0 ? k + 1 : 0], fan[k], fan[area < 0 ? 0 : k + 1] };
+        if (signed_area(&p->v[corner[0]], &p->v[corner[1]], &p->v[corner[2]]) <= 0)
+            continue;
+        if (r->n_tris == r->config.max_tris || r->n_verts + 3u > r->config.max_verts)
+            make_room(r);
+        for (int i = 0; i < 3; i++) { /* dropped with the next compaction where it is not binned */
+            const uint32_t slot = r->n_verts++;
+            at.slot[i] = slot;
+            r->vert[slot] = p->v[corner[i]];
+            r->vert_src[slot] = NO_SOURCE;
+            for (uint32_t a = 0; a < r->config.attrs; a++)
+                r->attr[slot * r->config.attrs + a] = p->cv[corner[i]].attr[a];
+        }
+        const enum fate fate = place(r, t, &at);
+        if (all != FATE_DRAWN)
+            all = fate;
+    }
+    return all;
+}
+
+#else
+
 /* box: its slots are the corners' numbers in the polygon. */
 static ZS_RARE void polygon_push(struct zs_renderer *r, const struct polygon *p, const struct place *box,
                                  uint16_t paint, uint32_t strip)
@@ -616,12 +666,7 @@ static ZS_RARE void polygon_push(struct zs_renderer *r, const struct polygon *p,
         for (uint32_t a = 0; a < r->xform.instance->material->shader->n_attrs; a++)
             r->attr[slot * r->config.attrs + a] = p->cv[corner].attr[a];
     }
-#if ZS_LEAN
-    (void)strip;
-    tri_push(r, &at, paint);
-#else
     bin_push(r, &at, paint, strip);
-#endif
 }
 
 static ZS_RARE enum fate polygon_bin(struct zs_renderer *r, const struct polygon *p, uint32_t t, int sense)
@@ -643,28 +688,21 @@ static ZS_RARE enum fate polygon_bin(struct zs_renderer *r, const struct polygon
         box.slot[2] = fan[area < 0 ? 0 : k + 1];
         if (signed_area(&p->v[box.slot[0]], &p->v[box.slot[1]], &p->v[box.slot[2]]) <= 0)
             continue;
-#if ZS_LEAN
-        const enum fate fate = box_fate(r, p->v, &box);
-#else
         const enum fate fate = box_fate(r, &p->v[box.slot[0]], &p->v[box.slot[1]], &p->v[box.slot[2]], &box);
-#endif
         if (fate != FATE_DRAWN) {
             all = all == FATE_DRAWN ? FATE_DRAWN : fate;
             continue;
         }
         all = FATE_DRAWN;
-#if ZS_LEAN
-        if (in_band(r, &box))
-            polygon_push(r, p, &box, paint, 0);
-#else
         zs_hidden_cover(r, &p->v[box.slot[0]], &p->v[box.slot[1]], &p->v[box.slot[2]]);
         const uint32_t strip = strip_in_band(r, &box);
         if (strip != ZS_NIL)
             polygon_push(r, p, &box, paint, strip);
-#endif
     }
     return all;
 }
+
+#endif
 
 /* Why a triangle cannot be seen whose corners have an outcode in common. */
 static enum fate outside(uint32_t all)
@@ -818,24 +856,7 @@ static ZS_NOINLINE enum fate look(struct zs_renderer *r, uint32_t t, struct plac
     return faces_away(turns, r->xform.instance->material->cull) ? FATE_FACING : FATE_OPEN;
 }
 
-#if ZS_LEAN
-
-/* Bin a triangle, unless it lies outside the frame or the band. Return FATE_OPEN: the pool of triangles is full. */
-static enum fate place(struct zs_renderer *r, uint32_t t, struct place *at)
-{
-    const enum fate fate = box_fate(r, r->vert, at);
-    if (fate != FATE_DRAWN || !in_band(r, at))
-        return fate;
-    if (r->n_tris == r->config.max_tris)
-        return FATE_OPEN;
-    const struct zs_shader *shader = r->xform.instance->material->shader;
-    for (int k = 0; k < 3 && shader->vertex; k++)
-        corner_light(r, at->slot[k], r->config.attrs);
-    tri_push(r, at, shader->face ? shader->face(r, t) : 0u);
-    return FATE_DRAWN;
-}
-
-#else
+#if !ZS_LEAN
 
 /* Bin a triangle, unless it lies outside the frame or the band. Return FATE_OPEN: the pool of triangles is full. */
 ZS_ALWAYS_INLINE enum fate place(struct zs_renderer *r, uint32_t t, struct place *at)

@@ -185,6 +185,16 @@ static int pair_planes(struct zs_job *job, const int32_t octave[3], int32_t near
     return 1;
 }
 
+#if ZS_LEAN
+static int tiny(const struct zs_geom *g)
+{
+    return ((uint32_t)(g->dx1 + ZS_TINY) | (uint32_t)(g->dx2 + ZS_TINY) | ((uint32_t)g->dy1 | (uint32_t)g->dy2) * 2u) <
+               2u * ZS_TINY && g->area >= ZS_TINY_AREA;
+}
+#else
+#define tiny(g) ((g)->tiny)
+#endif
+
 /* r of a triangle over the screen, where its keys are not linear. job->w64_scale: the nearest vertex's octave. More
  * octaves: job->w64, w = r scaled so that this octave ends at 2^39; two: job->key, so that it ends at 2^31. */
 static ZS_NOINLINE enum way float_planes(struct zs_job *job)
@@ -200,7 +210,7 @@ static ZS_NOINLINE enum way float_planes(struct zs_job *job)
     if (nearest == farthest) /* after all: the last has the codes of two */
         return ONE_OCTAVE;
     job->w64_scale = nearest;
-    if (job->geom.tiny && nearest - farthest == 1 && pair_planes(job, octave, nearest))
+    if (tiny(&job->geom) && nearest - farthest == 1 && pair_planes(job, octave, nearest))
         return TWO_OCTAVES;
     for (int k = 0; k < 3; k++) {
         const int32_t up = W_BITS - 1 - (view->key_mantissa + 16) - (nearest - octave[k]);

@@ -313,6 +313,7 @@ struct zs_plane64 {
     uint64_t base, gx, gy;
 };
 
+#define ZS_SMALL_EXTENT (256 * ZS_SUBPX_ONE) /* width + height of a triangle that is drawn the small way: plane.c */
 #define ZS_TINY (64 * ZS_SUBPX_ONE) /* most triangles are not larger: 32-bit products do */
 #define ZS_TINY_AREA (1 << 13)      /* ... and not smaller; see plane.c */
 

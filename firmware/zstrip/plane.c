@@ -28,7 +28,9 @@
  */
 #include "pipeline.h"
 
-#define SMALL_EXTENT (256 * ZS_SUBPX_ONE)
+#if !ZS_LEAN /* raster.c has both in one */
+
+#define SMALL_EXTENT ZS_SMALL_EXTENT
 
 void zs_plane_sides(struct zs_job *job, const struct zs_vertex *a, const struct zs_vertex *b, const struct zs_vertex *c)
 {
@@ -42,11 +44,6 @@ void zs_plane_sides(struct zs_job *job, const struct zs_vertex *a, const struct 
     g->dx2 = dx2;
     g->dy1 = dy1;
     g->dy2 = dy2;
-#if ZS_LEAN
-    g->area = zs_mul_ss(dx1, dy2) - zs_mul_ss(dx2, dy1); /* < 2^45 */
-    g->tiny = ((uint32_t)(dx1 + ZS_TINY) | (uint32_t)(dx2 + ZS_TINY) | ((uint32_t)dy1 | (uint32_t)dy2) * 2u) < 2u * ZS_TINY &&
-              g->area >= ZS_TINY_AREA;
-#else
     if (((uint32_t)(dx1 + ZS_TINY) | (uint32_t)(dx2 + ZS_TINY) | ((uint32_t)dy1 | (uint32_t)dy2) * 2u) >= 2u * ZS_TINY) {
         g->area = zs_mul_ss(dx1, dy2) - zs_mul_ss(dx2, dy1); /* < 2^45 */
         g->tiny = 0;
@@ -55,7 +52,6 @@ void zs_plane_sides(struct zs_job *job, const struct zs_vertex *a, const struct 
     const int32_t area = dx1 * dy2 - dx2 * dy1; /* each below 2^28 */
     g->area = (uint32_t)area;
     g->tiny = area >= ZS_TINY_AREA;
-#endif
 }
 
 /* Width + height <= 256 px. */
@@ -89,6 +85,8 @@ void zs_plane_geom(struct zs_job *job)
     g->ax = ia * ZS_SUBPX_ONE + ZS_SUBPX_HALF - x; /* small: -127 .. 128; large: < 2^22.1 */
     g->ay = ja * ZS_SUBPX_ONE + ZS_SUBPX_HALF - y;
 }
+
+#endif
 
 #define TOO_STEEP ZS_TOO_STEEP
 

@@ -118,7 +118,50 @@ void zs_raster_cuts(struct zs_job *job, int32_t row)
 
 /* ---- Set-up ------------------------------------------------------------------------------------------ */
 
-#if !ZS_LEAN
+#if ZS_LEAN
+
+/* Fill job for its triangle in its strip: rows, sides, plane.c's geometry. Return 0 where it has no row there. */
+static int job_setup(struct zs_job *job)
+{
+    const struct zs_vertex *pool = job->r->vert;
+    const struct zs_vertex *a = &pool[job->tri->v[0]], *b = &pool[job->tri->v[1]], *c = &pool[job->tri->v[2]];
+    const int32_t b_row = zs_first_sample(b->y), c_row = zs_first_sample(c->y);
+    struct zs_geom *g = &job->geom;
+    job->row = zs_max32(zs_first_sample(a->y), job->y0);
+    job->row_end = zs_min32(zs_max32(b_row, c_row), job->y1);
+    if (job->row >= job->row_end)
+        return 0;
+    job->row_mid = zs_min32(b_row, c_row);
+    job->v[0] = a;
+    job->v[1] = b;
+    job->v[2] = c;
+    job->mid_right = b->y < c->y || (b->y == c->y && b->x < c->x);
+    g->dx1 = b->x - a->x; /* |.| < 2^22 */
+    g->dx2 = c->x - a->x;
+    g->dy1 = b->y - a->y;
+    g->dy2 = c->y - a->y;
+    g->area = zs_mul_ss(g->dx1, g->dy2) - zs_mul_ss(g->dx2, g->dy1); /* < 2^45 */
+    g->ia = a->x >> ZS_SUBPX_BITS;
+    g->ja = a->y >> ZS_SUBPX_BITS;
+    const int32_t width = zs_max32(zs_max32(g->dx1, g->dx2), 0) - zs_min32(zs_min32(g->dx1, g->dx2), 0);
+    if (width + zs_max32(g->dy1, g->dy2) <= ZS_SMALL_EXTENT) { /* the first vertex is the top one */
+        const int lz = zs_clz32((uint32_t)g->area); /* 1 .. 31: area <= width * height <= 2^30 */
+        g->exp = -lz;
+        g->rcp = zs_recip((uint32_t)g->area << lz);
+    } else {
+        g->rcp = 0;
+        g->ia = zs_min32(zs_max32(g->ia, 0), job->width - 1);
+        g->ja = zs_min32(zs_max32(g->ja, 0), job->r->config.height - 1);
+    }
+    g->ax = g->ia * ZS_SUBPX_ONE + ZS_SUBPX_HALF - a->x; /* small: -127 .. 128; large: < 2^22.1 */
+    g->ay = g->ja * ZS_SUBPX_ONE + ZS_SUBPX_HALF - a->y;
+    job->r->stats.tris_setup++;
+    zs_raster_cuts(job, job->row);
+    return 1;
+}
+
+#else
+
 /* 1: no row has a pixel, and there are no more rows than have been cut. */
 static int covers_nothing(const struct zs_job *job)
 {
@@ -129,7 +172,6 @@ static int covers_nothing(const struct zs_job *job)
             return 0;
     return 1;
 }
-#endif
 
 int zs_raster_sides(struct zs_job *job)
 {
@@ -154,13 +196,13 @@ static ZS_NOINLINE int job_setup(struct zs_job *job)
         return 0;
     job->r->stats.tris_setup++;
     zs_raster_cuts(job, job->row);
-#if !ZS_LEAN
     if (covers_nothing(job))
         return 0;
-#endif
     zs_plane_geom(job);
     return 1;
 }
+
+#endif
 
 void zs_raster_keys(struct zs_job *job)
 {
