@@ -710,6 +710,30 @@ static enum fate outside(uint32_t all)
     return all & ZS_OUT_NEAR ? FATE_NEAR : all & ZS_OUT_FAR ? FATE_FAR : FATE_OFFSCREEN;
 }
 
+#if ZS_LEAN
+
+/* All planes are asked; where none cuts, the polygon stays as it is. */
+static enum fate triangle_clip(struct zs_renderer *r, uint32_t t)
+{
+    const struct zs_shader *shader = r->xform.instance->material->shader;
+    struct polygon p;
+    for (int k = 0; k < 3; k++) {
+        const uint32_t v = r->xform.instance->mesh->tri[t][k];
+        zs_xform_vertex(&r->xform, v, &p.cv[k].p);
+        if (shader->vertex)
+            shader->vertex(r, v, p.cv[k].attr);
+    }
+    r->stats.tris_clipped += r->counting;
+    const int sense = sense_of(&r->view, p.cv);
+    p.n = zs_clip_polygon(&r->view, p.cv, 3, ~0u, shader->n_attrs);
+    if (!p.n)
+        return FATE_OFFSCREEN;
+    polygon_project(r, &p);
+    return polygon_bin(r, &p, t, sense);
+}
+
+#else
+
 static ZS_RARE enum fate triangle_clip(struct zs_renderer *r, uint32_t t)
 {
     const struct zs_mesh *mesh = r->xform.instance->mesh;
@@ -743,6 +767,8 @@ static ZS_RARE enum fate triangle_clip(struct zs_renderer *r, uint32_t t)
     polygon_project(r, &p);
     return polygon_bin(r, &p, t, sense);
 }
+
+#endif
 
 /* ---- The walk -------------------------------------------------------------------------------------- */
 

@@ -136,9 +136,9 @@ static ZS_RARE int64_t plane_of(const struct zs_renderer *r, int k, int32_t n[2]
         return k ? r->camera.z_far : -r->camera.z_near;
     }
     if (k < 4) {
-        n[0] = view->perspective ? view->side_x[0] : ZS_Q30_ONE;
+        n[0] = view->perspective ? view->side[0][0] : ZS_Q30_ONE;
         n[0] = k & 1 ? -n[0] : n[0];
-        n[1] = view->perspective ? view->side_x[1] : 0;
+        n[1] = view->perspective ? view->side[0][1] : 0;
         return view->perspective ? 0 : zs_cull_half_width(&r->camera, view);
     }
     n[0] = r->edge[k - 4].y;

@@ -52,7 +52,7 @@ static int out_of_view(const struct zs_renderer *r, const struct zs_group *g)
     if ((c[2] + radius) * 65536 < camera->z_near || (c[2] - radius) * 65536 > camera->z_far)
         return 1;
     if (view->perspective)
-        return beside(view->side_x, c[0], c[2], radius) || beside(view->side_y, c[1], c[2], radius);
+        return beside(view->side[0], c[0], c[2], radius) || beside(view->side[1], c[1], c[2], radius);
     return (abs64(c[0]) - radius) * 65536 > zs_cull_half_width(camera, view) ||
            (abs64(c[1]) - radius) * 65536 > camera->height / 2 + 1;
 }

@@ -34,7 +34,7 @@ struct zs_view {
     int32_t scale_bits;    /* screen q24_8 = x' * 2^scale_bits / z; orthographic: x' / 2^scale_bits */
     int32_t snap;          /* 8 - sub-pixel bits */
     int32_t ratio;         /* q2_30, (0, 1]: focal length over 2^scale_bits */
-    int32_t side_x[2], side_y[2]; /* q2_30: unit normal of the side planes, (x or y, z) */
+    int32_t side[2][2];   /* q2_30: unit normal of the side planes, (x or y, z) */
     uint64_t guard;        /* |x'| << scale_bits beyond guard * z is outside the guard band */
     uint32_t key_mul;      /* the mapping's factor, 31 or 32 bits ... */
     int32_t key_shift;     /* ... and its shift */
@@ -89,7 +89,7 @@ struct zs_xform {
     int32_t light[3];   /* q2_30: the light's direction in mesh space */
 #if ZS_LEAN
     int32_t m[3][3], shift;
-    int64_t t[3];       /* half of 2^shift added */
+    int64_t t[3];
 #else
     uint8_t clip_depth; /* 1: vertices may be before near or beyond far */
     uint8_t clip_guard; /* 1: vertices may be outside the guard band */

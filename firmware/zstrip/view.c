@@ -73,8 +73,8 @@ int zs_view_camera(struct zs_view *view, const struct zs_config *config,
     view->cx = config->width * ZS_SUBPX_HALF;
     view->cy = config->height * ZS_SUBPX_HALF;
     view->snap = ZS_SUBPX_BITS - config->subpixel_bits;
-    zs_view_side(view->side_x, camera->focal, (uint32_t)view->cx);
-    zs_view_side(view->side_y, camera->focal, (uint32_t)view->cy);
+    zs_view_side(view->side[0], camera->focal, (uint32_t)view->cx);
+    zs_view_side(view->side[1], camera->focal, (uint32_t)view->cy);
     return ZS_OK;
 }
 

@@ -50,7 +50,7 @@ int zs_xform_instance(struct zs_renderer *r, uint32_t number, const struct zs_bo
             xf->m[k][j] = (int32_t)zs_round_shift(zs_mul_su(both[3 * k + j], mantissa), 31 + extra);
         }
         xf->light[k] = (int32_t)zs_round_shift(sum, 30); /* <= 2^30 (1 + 2^-19) */
-        xf->t[k] = zs_scale2(zs_dot(view->rot + 3 * k, from), view->shift + shift - 30) + (((int64_t)1 << shift) >> 1);
+        xf->t[k] = zs_scale2(zs_dot(view->rot + 3 * k, from), view->shift + shift - 30);
     }
     xf->shift = shift;
     return 1;
@@ -66,7 +66,7 @@ void zs_xform_vertex(const struct zs_xform *xf, uint32_t v, struct zs_point *out
             p[j] = p[j] * 256 + mesh->pos_lo[v][j];
     }
     for (int k = 0; k < 3; k++)
-        out->c[k] = (int32_t)((xf->t[k] + zs_dot(xf->m[k], p)) >> xf->shift);
+        out->c[k] = (int32_t)zs_round_shift(xf->t[k] + zs_dot(xf->m[k], p), xf->shift);
 }
 
 static int32_t placed(const struct zs_view *view, int32_t c, uint32_t rcp, int32_t shift)
