@@ -136,8 +136,8 @@ report: $(B)/.setup-report
 	@CORES='m3 m0 pico' sh sim/study.sh $(B) time --full --redo
 
 SHOW = $(MAKE) --no-print-directory -s -f firmware/boards/firmware.mk B=$(B) BOARD=$(BOARD) APP=show SCENE=$(SCENE) \
-       $(if $(APP_SCENE),APP_SCENE=$(APP_SCENE))
-## firmware: BOARD=pico SCENE=teapot (or mine, or APP_SCENE=my.c): what is flashed, into build/fw/pico/
+       $(if $(APP_SCENE),APP_SCENE=$(APP_SCENE)) $(if $(LEAN),LEAN=$(LEAN))
+## firmware: BOARD=pico SCENE=teapot (or mine, or APP_SCENE=my.c): what is flashed, into build/fw/pico/; LEAN=1: least flash
 firmware: $(B)/.setup-fw-$(BOARD) $(B)/gen/meshes.h
 	@$(SHOW) image
 

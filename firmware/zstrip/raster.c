@@ -229,20 +229,15 @@ static void plain_span(struct zs_job *job, const struct zs_row *row, int32_t i0,
 {
     const struct zs_shader *shader = job->shader;
     const uint32_t top = (job->r->view.key_top >> 16) - 1u;
-    uint16_t *depth = job->depth + row->at + i0;
-    int32_t from = -1; /* first pixel of the current run */
-    for (int32_t i = i0;; i++, depth++, sum += gx) {
-        const uint32_t key = zs_minu32(sum >> 16, top);
-        if (i < i1 && key < *depth) {
-            *depth = (uint16_t)key;
-            if (from < 0)
-                from = i;
-            continue;
+    uint16_t *const line = job->depth + row->at, *at = line + i0, *const end = line + i1;
+    for (; at < end; at++, sum += gx) { /* at a pixel that lost */
+        const uint16_t *const from = at;
+        for (uint32_t key; at < end && (key = zs_minu32(sum >> 16, top)) < *at; sum += gx)
+            *at++ = (uint16_t)key;
+        if (at > from) {
+            zs_rows_written(job, (int32_t)(at - from));
+            shader->run(job, row, (int32_t)(from - line), (int32_t)(at - line));
         }
-        zs_rows_run(job, shader, row, from, i);
-        from = -1;
-        if (i >= i1)
-            break;
     }
 }
 
