@@ -253,7 +253,7 @@ void zs_raster_span(struct zs_job *job, const struct zs_row *row, int32_t i0, in
 
 void zs_raster_rows(struct zs_job *job, int linear)
 {
-    const struct zs_renderer *r = job->r;
+    struct zs_renderer *r = job->r;
     const struct zs_depth *depth = r->config.depth;
     const struct zs_shader *shader = job->shader;
     struct zs_row row;
@@ -269,6 +269,7 @@ void zs_raster_rows(struct zs_job *job, int linear)
             row.i0 = zs_max32(row.x0, 0);
             row.i1 = zs_min32(row.x1, job->width);
             if (row.i0 < row.i1) {
+                r->stats.pixels_tested += (uint32_t)(row.i1 - row.i0);
                 if (linear)
                     zs_raster_span(job, &row, row.i0, row.i1, row.key + zs_wrap_mul(job->key.gx, row.i0), job->key.gx);
                 else

@@ -138,7 +138,7 @@ static inline uint32_t zs_fill_blocks(void *at, uint32_t value, uint32_t n)
  * low . p + t_low fits 32 bits, the rest is modulo 2^32; s, s2 < 32. Armv6-M: 30 cycles and no register but the seven
  * here, where a compiler takes 45 and spills. */
 #ifndef ZS_ROW_WIDE
-#if defined(__ARM_ARCH) && __ARM_ARCH >= 7 || ZS_LEAN
+#if defined(__ARM_ARCH) && __ARM_ARCH >= 7
 #define ZS_ROW_WIDE 1
 #else
 #define ZS_ROW_WIDE 0
