@@ -52,6 +52,7 @@ demo: sim
 ## test: set up and run every test
 test: $(B)/.setup-test
 	@$(MAKE) --no-print-directory -j2 $(B)/zsim test-programs fuzz-programs stress-programs
+	@$(MAKE) --no-print-directory -j2 B=$(B)/lean LEAN=1 lean-programs
 	@sh tests/run.sh $(B)
 
 ## fuzz: each of the five fuzzers for SECONDS=600, two side by side, from SEED=1

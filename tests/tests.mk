@@ -26,6 +26,11 @@ $(B)/test/test_threads: $(call t,sim/frame.c sim/share.c sim/sim.c)
 $(B)/test/zsim: $(call t,$(SIM)) $(B)/test/libtest.a $(B)/libmeshes.a
 	@$(CC) $(SAN) -Wl,--start-group $^ -Wl,--end-group $(LIBS) -o $@
 
+# With LEAN=1, into a folder of its own: what draws pictures and looks into nothing that the lean build has not
+LEAN_TESTS = api check color depth fx invariance orders pose raster reach stress texture track watch
+lean-programs: $(LEAN_TESTS:%=$(B)/test/test_%) checksum-programs
+.PHONY: lean-programs
+
 # zstrip-linux on a machine that test_linux.c makes up, in place of libgpiod and of these calls of the C library;
 # drawing takes as long as it wants
 LINUX_FAKED = open ioctl stat lstat access opendir nanosleep getgrgid zs_raster_strip
