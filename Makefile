@@ -52,6 +52,7 @@ demo: sim
 ## test: set up and run every test
 test: $(B)/.setup-test
 	@$(MAKE) --no-print-directory -j2 $(B)/zsim test-programs fuzz-programs stress-programs
+	@$(MAKE) --no-print-directory -j2 B=$(B)/lean LEAN=1 lean-programs
 	@sh tests/run.sh $(B)
 
 ## fuzz: each of the five fuzzers for SECONDS=600, two side by side, from SEED=1
@@ -136,8 +137,8 @@ report: $(B)/.setup-report
 	@CORES='m3 m0 pico' sh sim/study.sh $(B) time --full --redo
 
 SHOW = $(MAKE) --no-print-directory -s -f firmware/boards/firmware.mk B=$(B) BOARD=$(BOARD) APP=show SCENE=$(SCENE) \
-       $(if $(APP_SCENE),APP_SCENE=$(APP_SCENE))
-## firmware: BOARD=pico SCENE=teapot (or mine, or APP_SCENE=my.c): what is flashed, into build/fw/pico/
+       $(if $(APP_SCENE),APP_SCENE=$(APP_SCENE)) $(if $(LEAN),LEAN=$(LEAN))
+## firmware: BOARD=pico SCENE=teapot (or mine, or APP_SCENE=my.c): what is flashed, into build/fw/pico/; LEAN=1: least flash
 firmware: $(B)/.setup-fw-$(BOARD) $(B)/gen/meshes.h
 	@$(SHOW) image
 

@@ -43,8 +43,11 @@ static int order_corners(const struct easel_tri *t, uint32_t order[3])
 static void fill_pools(struct zs_renderer *r, const struct easel_tri *t, uint32_t n,
                        uint32_t n_states)
 {
+    uint32_t n_tris = 0; /* in the pool: with ZS_LEAN, only those that are drawn */
+#if !ZS_LEAN
     for (uint32_t s = 0; s < r->n_strips; s++)
         r->bin[s] = ZS_NIL;
+#endif
     for (uint32_t k = 0; k < n; k++) {
         int32_t top = INT32_MAX;
         for (uint32_t v = 0; v < 3; v++) {
@@ -59,22 +62,28 @@ static void fill_pools(struct zs_renderer *r, const struct easel_tri *t, uint32_
         uint32_t order[3];
         if (!order_corners(&t[k], order))
             continue;
-        for (uint32_t v = 0; v < 3; v++)
-            r->tri[k].v[v] = (uint16_t)(3 * k + order[v]);
         int32_t row = (top + 127) >> 8; /* first row whose sample is not above the top */
         row = row < 0 ? 0 : row;
         if (row >= r->config.height)
             continue;
-        const int32_t strip = row / r->config.strip_h;
-        r->tri[k].paint = zs_wire16((uint16_t)(k + 1));
+        struct zs_tri *tri = &r->tri[n_tris];
+        for (uint32_t v = 0; v < 3; v++)
+            tri->v[v] = (uint16_t)(3 * k + order[v]);
+        tri->paint = zs_wire16((uint16_t)(k + 1));
         must(n_states == 0 || t[k].state <= n_states, "state");
-        r->tri[k].instance = (uint16_t)(n_states ? t[k].state : 0);
-        r->tri[k].next = r->bin[strip];
-        r->bin[strip] = (uint16_t)k;
+        tri->instance = (uint16_t)(n_states ? t[k].state : 0);
+#if !ZS_LEAN
+        const int32_t strip = row / r->config.strip_h;
+        tri->next = r->bin[strip];
+        r->bin[strip] = (uint16_t)n_tris;
+#endif
+        n_tris++;
     }
-    r->n_tris = n;
+    r->n_tris = n_tris;
     r->n_verts = 3 * n;
+#if !ZS_LEAN
     r->active = ZS_NIL;
+#endif
     r->band_end = r->n_strips; /* bins are complete: no walk */
 }
 

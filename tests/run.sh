@@ -50,6 +50,7 @@ for program in "$build"/test/test_*; do
 done
 run readme sh tests/readme.sh "$build"
 run checksums sh tests/checksums.sh "$build"
+run lean sh tests/lean.sh "$build"
 run fuzz sh tests/fuzz/run.sh "$build" cut
 run stress sh tests/stress/run.sh "$build" cut
 run convert sh tests/convert.sh "$build"

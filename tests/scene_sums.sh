@@ -11,7 +11,8 @@ set -u
 build=$1
 out=$build/scene_sums
 record=tests/golden/scenes.txt
-COLUMNS='gcc_O0 gcc_O3 clang_O0 clang_O3 cortex_m0 cortex_m0plus cortex_m3 cortex_m4 cortex_m7 rv32'
+COLUMNS='gcc_O0 gcc_O3 clang_O0 clang_O3 cortex_m0 cortex_m0plus cortex_m3 cortex_m4 cortex_m7 rv32
+         lean_x86 lean_m0 lean_m3' # ZS_LEAN: the same frames by the least code
 SCENES=$(grep -oE '&demo_[a-z_]+' firmware/scenes/demos.c | sed 's/&demo_//')
 . tests/boards/common.sh
 
@@ -25,6 +26,9 @@ column_is() { # COLUMN
         # clang's -Wconversion asks for more than gcc's
         board=host memory=
         with="BOARD_CC=${1%_*} OPT=-${1#*_} OUT=$build/fw/host_$1 BOARD_FLAGS=-Wno-sign-conversion" ;;
+    lean_x86) board=host memory= with="LEAN=1 OUT=$build/fw/host_$1" ;;
+    lean_m0) board=m0 memory='-DSUMS_ROWS=5 -DSUMS_ARENA=10900' with=LEAN=1 ;;
+    lean_m3) board=mps2 memory=-DSUMS_ROWS=9 with=LEAN=1 ;;
     cortex_m0) board=m0 memory='-DSUMS_ROWS=4 -DSUMS_ARENA=10900' ;; # 16 KB of RAM; its flash takes a scene at a time
     cortex_m0plus) board=pico memory='-DSUMS_ROWS=16 -DSUMS_ARENA=160000' ;;
     cortex_m3) board=mps2 memory=-DSUMS_ROWS=8 ;;
@@ -45,7 +49,7 @@ say() { # NAME FLAGS
     case $board in
     host) firmware "$1" "$2" all && "$build/fw/host_$column/$1.elf" ;;
     pico) firmware "$1" "$2" image >&2 && node "$build/pico/parts.mjs" "$build/fw/pico/$1" | grep -v '^wire' ;;
-    *) firmware "$1" "$2" all && timeout 120 make -s -f firmware/boards/firmware.mk BOARD=$board B="$build" NAME="$1" \
+    *) firmware "$1" "$2" all && timeout 240 make -s -f firmware/boards/firmware.mk BOARD=$board B="$build" $with NAME="$1" \
         APP_SRC=firmware/app/checksums.c APP_FLAGS="$memory $2" run 2>&1 ;; # semihosting writes to either
     esac
 }

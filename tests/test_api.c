@@ -218,14 +218,15 @@ static uint32_t bytes_by_hand(const struct zs_config *c)
     const uint32_t rows = c->strip_h < c->height ? c->strip_h : c->height;
     const uint32_t strips = (c->height + rows - 1u) / rows;
     uint32_t pools[8] = { c->width * rows * 2u, c->buffers == 2 ? c->width * rows * 2u : 0u,
-                          c->width * rows * 2u, strips * 2u, c->max_tris * 12u, c->max_verts * 12u,
+                          c->width * rows * 2u, ZS_LEAN ? 0u : strips * 2u, c->max_tris * (ZS_LEAN ? 10u : 12u),
+                          c->max_verts * 12u,
                           c->max_verts * 2u, (uint32_t)c->max_verts * c->attrs * 2u };
     uint32_t sum = (c->max_verts * 2u + 3u) / 4u * 4u; /* vert_map, the ninth */
     uint32_t cells = 0, w = (c->width + 31u) / 32u, h = strips; /* bounds of tiles, the tenth: three levels */
     for (int k = 0; k < 3; k++, w = (w + 1u) / 2u, h = (h + 1u) / 2u)
         cells += w * h;
-    sum += (cells * 2u + 3u) / 4u * 4u;
-    sum += rows * 4u; /* columns drawn, the eleventh */
+    if (!ZS_LEAN)
+        sum += (cells * 2u + 3u) / 4u * 4u + rows * 4u; /* columns drawn, the eleventh */
     for (int k = 0; k < 8; k++)
         sum += (pools[k] + 3u) / 4u * 4u;
     return sum;
@@ -253,19 +254,21 @@ static int arena_case(uint64_t seed)
     const struct {
         const void *at;
         uint32_t bytes;
-    } pool[11] = { { r.color[0], strip },
+    } pool[] = { { r.color[0], strip },
                   { r.color[1], strip },
                   { r.depth, strip },
+#if !ZS_LEAN
                   { r.drawn, 4u * rows },
                   { r.bound, ZS_BOUND_BYTES(c.width, c.height, rows) },
                   { r.bin, 2u * r.n_strips },
-                  { r.tri, 12u * c.max_tris },
+#endif
+                  { r.tri, (ZS_LEAN ? 10u : 12u) * c.max_tris },
                   { r.vert, 12u * c.max_verts },
                   { r.vert_src, 2u * c.max_verts },
                   { r.vert_map, 2u * c.max_verts },
                   { r.attr, 2u * c.max_verts * c.attrs } };
     const uint8_t *end = arena;
-    for (int k = 0; k < 11; k++) {
+    for (size_t k = 0; k < sizeof pool / sizeof pool[0]; k++) {
         const uint8_t *at = pool[k].at;
         if (k == 1 && c.buffers == 1) {
             CASE_CHECK(pool[1].at == pool[0].at);

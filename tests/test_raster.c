@@ -325,6 +325,8 @@ static void coverage_and_keys_in_big_frames(void **state)
 
 /* ---- Gradients ---------------------------------------------------------------------------- */
 
+#if !ZS_LEAN /* which has set-up in one, in raster.c */
+
 /* |g - 256 n / area| in ulps, modulo 2^32 ulps. */
 static double gradient_error(uint32_t g, __int128 n, int64_t area)
 {
@@ -437,6 +439,8 @@ static void gradients_to_the_last_bit(void **state)
     CASES(gradient_case, 200000);
     print_message("gradients of small triangles: off by at most %.4f ulp\n", worst_error);
 }
+
+#endif
 
 /* ---- Keys that are linear in distance, under perspective ------------------------------------- */
 
@@ -973,7 +977,9 @@ static const struct CMUnitTest tests[] = {
     cmocka_unit_test(triangles_drawn_by_hand),
     cmocka_unit_test(coverage_and_keys_of_single_triangles),
     cmocka_unit_test(coverage_and_keys_in_big_frames),
+#if !ZS_LEAN
     cmocka_unit_test(gradients_to_the_last_bit),
+#endif
     cmocka_unit_test(linear_keys_under_perspective),
     cmocka_unit_test(keys_saturate_and_never_wrap),
     cmocka_unit_test(least_key_then_scene_order),

@@ -2,7 +2,7 @@
 # models, under ASan and UBSan and with the kernels' preconditions checked. zsim is built like that too.
 SAN = -fsanitize=address,undefined -fno-sanitize-recover=all
 TEST_CC = $(CC) -std=gnu11 -O1 -g $(SAN) -Wall -Wextra -Werror -Wshadow -Wno-missing-field-initializers $(INC) -Itests \
-          -DZS_STATS=1 '-DZS_ASSERT(c)=((c)?(void)0:__builtin_trap())'
+          -DZS_STATS=1 '-DZS_ASSERT(c)=((c)?(void)0:__builtin_trap())' $(LEAN:1=-DZS_LEAN=1)
 TESTS = $(wildcard tests/test_*.c)
 MODEL = $(wildcard sim/panel_model/*.c) sim/panel_bus.c hal/fault/fault.c
 TEST_HELP = $(filter-out $(TESTS) tests/checksum.c,$(wildcard tests/*.c))
@@ -26,6 +26,11 @@ $(B)/test/test_threads: $(call t,sim/frame.c sim/share.c sim/sim.c)
 $(B)/test/zsim: $(call t,$(SIM)) $(B)/test/libtest.a $(B)/libmeshes.a
 	@$(CC) $(SAN) -Wl,--start-group $^ -Wl,--end-group $(LIBS) -o $@
 
+# With LEAN=1, into a folder of its own: what draws pictures and looks into nothing that the lean build has not
+LEAN_TESTS = api check color depth fx invariance orders pose raster reach stress texture track watch
+lean-programs: $(LEAN_TESTS:%=$(B)/test/test_%) checksum-programs
+.PHONY: lean-programs
+
 # zstrip-linux on a machine that test_linux.c makes up, in place of libgpiod and of these calls of the C library;
 # drawing takes as long as it wants
 LINUX_FAKED = open ioctl stat lstat access opendir nanosleep getgrgid zs_raster_strip
@@ -42,7 +47,7 @@ CHECKSUMS = $(foreach c,gcc clang,$(foreach o,O0 O3,$(B)/test/checksum-$(c)-$(o)
 checksum-programs: $(CHECKSUMS)
 $(CHECKSUMS): tests/checksum.c $(CORE) $(HEADERS)
 	@mkdir -p $(@D)
-	@$(word 2,$(subst -, ,$(@F))) -std=c11 -$(word 3,$(subst -, ,$(@F))) $(INC) $(filter %.c,$^) -o $@
+	@$(word 2,$(subst -, ,$(@F))) -std=c11 -$(word 3,$(subst -, ,$(@F))) $(LEAN:1=-DZS_LEAN=1) $(INC) $(filter %.c,$^) -o $@
 
 # Fuzzers: the interface by seeds (fuzz_api); cards of meshes and textures by libFuzzer (fuzz_mesh, make fuzz
 # alone) and by mutations of its seeds (cards); model files, command lines and panels' streams likewise, by libFuzzer

@@ -5,6 +5,7 @@
 # NAME=name APP_SRC=files [APP_FLAGS=flags] [EXTRA=objects]: any other program
 # DEFINES='-DPIN_RESET=14 -DSPI_DIVIDER=4': what sources leave to the compiler's -D, before what the board says of them;
 #   another choice compiles all anew
+# LEAN=1: least flash (ZS_LEAN in firmware/zstrip/config.h), $(B)/fw/$(BOARD)-lean
 #
 # A board is a folder with a board.mk, which says:
 #   BOARD_ABOUT  one line for `make help`           BOARD_CC, BOARD_CPU  compiler, and its flags for the core
@@ -16,8 +17,9 @@ BOARD = mps2
 APP = bench
 SCENE = teapot
 B = build
+LEAN = 0
 OPT = -O2
-OUT = $(B)/fw/$(BOARD)
+OUT = $(B)/fw/$(BOARD)$(if $(filter 1,$(LEAN)),-lean)
 
 NAME = $(APP)
 APP_SRC = firmware/app/$(APP).c
@@ -53,6 +55,9 @@ QEMU_COUNTS = -display none -monitor none -serial null -semihosting-config enabl
 OBJCOPY = $(BOARD_CC:gcc=objcopy)
 SIZE = $(BOARD_CC:gcc=size)
 include firmware/boards/$(BOARD)/board.mk
+ifeq ($(LEAN),1)
+OPT = -Os
+endif
 
 # What names no scene is compiled once, the rest once a scene
 SRC = $(wildcard hal/$(BOARD_HAL)/*.c hal/panel/*.c) $(BOARD_SRC) $(wildcard firmware/zstrip/*.c) \
@@ -62,7 +67,7 @@ CFLAGS = -std=c11 $(BOARD_CPU) $(OPT) -g -ffunction-sections -fdata-sections -MM
          -Wall -Wextra -Werror -Wconversion -Wshadow -Wvla -Wstrict-prototypes -Wmissing-prototypes \
          -Wno-missing-field-initializers \
          -Ihal -Ihal/null -Ihal/cortexm -Ihal/spi -Ihal/panel -Ifirmware/app -Ifirmware/zstrip -Ifirmware/scenes -I$(B)/gen \
-         $(BOARD_FLAGS) $(foreach d,$(DEFINES),-U$(firstword $(subst =, ,$(d:-D%=%))) $d)
+         $(if $(filter 1,$(LEAN)),-DZS_LEAN=1) $(BOARD_FLAGS) $(foreach d,$(DEFINES),-U$(firstword $(subst =, ,$(d:-D%=%))) $d)
 
 # Notes of what was built last, written anew where that changes: objects and images are as old as these
 note = $(shell mkdir -p $(dir $1); echo '$2' | cmp -s - $1 || echo '$2' >$1)$1

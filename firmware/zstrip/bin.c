@@ -15,6 +15,7 @@
  * SPDX-License-Identifier: MIT
  */
 #include "pipeline.h"
+#include "rotation.h"
 
 #define NO_SOURCE 65535u     /* vert_src of a vertex made by clipping: meshes have at most 65535 */
 #define ATTR_UNLIT 0xa55au   /* first attribute of a vertex that no binned triangle holds yet. A lit one that is the
@@ -37,8 +38,27 @@ static inline uint32_t map_index(uint32_t v, uint32_t n)
 /* Vertices below base are not the current instance's; without a cache none ever is. */
 static void set_base(struct zs_renderer *r, uint32_t base)
 {
-    r->vert_base = r->config.skip_off & ZS_SKIP_VCACHE ? UINT32_MAX : base;
+    r->vert_base = ZS_OFF(r, ZS_SKIP_VCACHE) ? UINT32_MAX : base;
 }
+
+#if ZS_LEAN /* no bins: a strip looks at every triangle of the pool */
+
+static void pools_empty(struct zs_renderer *r)
+{
+    r->n_tris = r->n_verts = r->vert_base = 0;
+}
+
+/* Drop triangles that begin below the band; the rest moves up in order. */
+static void tris_compact(struct zs_renderer *r)
+{
+    struct zs_tri *kept = r->tri, *const end = kept + r->n_tris;
+    for (const struct zs_tri *t = kept; t < end; t++)
+        if (zs_first_sample(r->vert[t->v[0]].y) < r->band_end * r->config.strip_h)
+            *kept++ = *t;
+    r->n_tris = (uint32_t)(kept - r->tri);
+}
+
+#else
 
 static void bins_clear(struct zs_renderer *r)
 {
@@ -84,6 +104,38 @@ static ZS_RARE void tris_compact(struct zs_renderer *r)
     r->n_tris = kept;
 }
 
+#endif
+
+#if ZS_LEAN
+
+/* Drop vertices that no binned triangle holds; the current instance's are transformed again where they are asked for. */
+static void verts_compact(struct zs_renderer *r)
+{
+    uint16_t *to = r->vert_map; /* stale from now on */
+    const uint32_t attrs = r->config.attrs;
+    uint32_t kept = 0;
+    for (uint32_t v = 0; v < r->n_verts; v++)
+        to[v] = ZS_NIL;
+    for (uint16_t *v = r->tri->v, *const end = (r->tri + r->n_tris)->v; v != end; v += sizeof *r->tri / sizeof *v)
+        for (int k = 0; k < 3; k++)
+            to[v[k]] = 0;
+    for (uint32_t v = 0; v < r->n_verts; v++) {
+        if (to[v] == ZS_NIL)
+            continue;
+        to[v] = (uint16_t)kept;
+        r->vert[kept] = r->vert[v];
+        for (uint32_t k = 0; k < attrs; k++)
+            r->attr[kept * attrs + k] = r->attr[v * attrs + k];
+        kept++;
+    }
+    for (uint16_t *v = r->tri->v, *const end = (r->tri + r->n_tris)->v; v != end; v += sizeof *r->tri / sizeof *v)
+        for (int k = 0; k < 3; k++)
+            v[k] = to[v[k]];
+    r->n_verts = r->vert_base = kept;
+}
+
+#else
+
 /* Drop vertices that no binned triangle holds. */
 static ZS_RARE void verts_compact(struct zs_renderer *r)
 {
@@ -119,6 +171,8 @@ static ZS_RARE void verts_compact(struct zs_renderer *r)
             r->vert_map[map_index(r->vert_src[v], r->config.max_verts)] = (uint16_t)v;
 }
 
+#endif
+
 static ZS_RARE int roomy(const struct zs_renderer *r)
 {
     const uint32_t tris = r->config.max_tris, verts = r->config.max_verts;
@@ -137,7 +191,9 @@ static ZS_RARE void high_water(struct zs_renderer *r)
 /* A pool is full: free at least a quarter of both. Slots change. */
 static ZS_RARE void make_room(struct zs_renderer *r)
 {
+#if !ZS_LEAN
     r->direct = 0;
+#endif
     high_water(r);
     verts_compact(r);
     while (!roomy(r)) {
@@ -177,9 +233,11 @@ static ZS_NOINLINE void vertex_light(struct zs_renderer *r, uint32_t slot, uint1
 static inline void corner_light(struct zs_renderer *r, uint32_t slot, uint32_t attrs)
 {
     uint16_t *attr = &r->attr[slot * attrs];
-    if (*attr == ATTR_UNLIT)
+    if (*attr == ATTR_UNLIT && (!ZS_LEAN || r->vert_src[slot] != NO_SOURCE))
         vertex_light(r, slot, attr);
 }
+
+#if !ZS_LEAN
 
 /* Attributes of a binned triangle's corners that no triangle before it needed. */
 static inline void corners_light(struct zs_renderer *r, const uint32_t slot[3])
@@ -215,6 +273,8 @@ static void verts_direct(struct zs_renderer *r, const struct zs_mesh *mesh)
         zs_bin_verts(r, base, 0, n);
 }
 
+#endif
+
 /* Transform vertex v into the next place of the pool; ZS_NIL: the pool is full. */
 static ZS_NOINLINE uint32_t vertex_add(struct zs_renderer *r, uint32_t v)
 {
@@ -223,18 +283,30 @@ static ZS_NOINLINE uint32_t vertex_add(struct zs_renderer *r, uint32_t v)
     const uint32_t slot = r->n_verts++;
     r->vert_map[map_index(v, r->config.max_verts)] = (uint16_t)slot;
     verts_mark(r, slot, v, 1);
+#if ZS_LEAN
+    struct zs_point p;
+    zs_xform_vertex(&r->xform, v, &p);
+    const uint32_t code = zs_xform_outcode(&r->view, &p);
+    if (code)
+        r->vert[slot].d = ZS_D_OUT + code;
+    else
+        zs_xform_project(r, &p, &r->vert[slot]);
+#else
     zs_xform_screen(r, v, 1, &r->vert[slot]);
+#endif
     return slot;
 }
 
 /* The pool's places of a triangle's corners, transformed. Return 0: the pool is full. */
 static ZS_RARE ZS_NOINLINE int corner_slots(struct zs_renderer *r, const uint16_t index[3], uint32_t slot[3])
 {
+#if !ZS_LEAN
     if (r->direct) {
         for (int k = 0; k < 3; k++)
             slot[k] = r->vert_base + index[k];
         return 1;
     }
+#endif
     const uint16_t *map = r->vert_map, *src = r->vert_src;
     const uint32_t base = r->vert_base, cap = r->config.max_verts;
     uint32_t n = r->n_verts;
@@ -254,6 +326,27 @@ static ZS_RARE ZS_NOINLINE int corner_slots(struct zs_renderer *r, const uint16_
 
 /* ---- Triangles --------------------------------------------------------------------------------------- */
 
+#if ZS_LEAN
+
+/* In the order of zs_stats.tris_drawn and what follows it; tris_frustum and _cluster are not triangle by triangle. */
+enum fate { FATE_DRAWN, FATE_NEAR = 3, FATE_FAR, FATE_OFFSCREEN, FATE_FACING, FATE_ZERO, FATE_EMPTY, FATE_INDEX, FATES,
+            FATE_OPEN = FATES /* not known yet */ };
+#define FATE_PLACE(name) ((offsetof(struct zs_stats, name) - offsetof(struct zs_stats, tris_drawn)) / sizeof(uint32_t))
+_Static_assert(FATE_PLACE(tris_near) == FATE_NEAR && FATE_PLACE(tris_far) == FATE_FAR &&
+                   FATE_PLACE(tris_offscreen) == FATE_OFFSCREEN && FATE_PLACE(tris_facing) == FATE_FACING &&
+                   FATE_PLACE(tris_zero) == FATE_ZERO && FATE_PLACE(tris_empty) == FATE_EMPTY &&
+                   FATE_PLACE(tris_index) == FATE_INDEX,
+               "fates are places in zs_stats");
+
+static ZS_RARE void count(struct zs_stats *s, const uint32_t fate[FATES])
+{
+    uint32_t *const to = (uint32_t *)(void *)((char *)s + offsetof(struct zs_stats, tris_drawn));
+    for (uint32_t k = 0; k < FATES; k++)
+        to[k] += fate[k];
+}
+
+#else
+
 enum fate { FATE_DRAWN, FATE_OFFSCREEN, FATE_FACING, FATE_ZERO, FATE_EMPTY, FATE_NEAR, FATE_FAR,
             FATE_INDEX, FATES, FATE_OPEN = FATES /* not known yet */ };
 
@@ -269,12 +362,16 @@ static ZS_RARE void count(struct zs_stats *s, const uint32_t fate[FATES])
     s->tris_index += fate[FATE_INDEX];
 }
 
+#endif
+
 /* Twice the area, q_16 px^2; positive clockwise on the screen (y down). |.| < 2^45 */
 static int64_t signed_area(const struct zs_vertex *a, const struct zs_vertex *b,
                            const struct zs_vertex *c)
 {
     return zs_mul_ss(b->x - a->x, c->y - a->y) - zs_mul_ss(c->x - a->x, b->y - a->y);
 }
+
+#if !ZS_LEAN
 
 static inline const int32_t *xy(const struct zs_vertex *v)
 {
@@ -292,6 +389,8 @@ static int32_t sense(const struct zs_vertex *a, const struct zs_vertex *b, const
     const int64_t left = zs_mul_ss(b->x - a->x, c->y - a->y), right = zs_mul_ss(c->x - a->x, b->y - a->y);
     return (left > right) - (left < right);
 }
+
+#endif
 
 static inline int faces_away(int64_t area, uint32_t cull)
 {
@@ -312,6 +411,51 @@ ZS_ALWAYS_INLINE void turn(struct place *at)
     at->slot[1] = at->slot[2];
     at->slot[2] = first;
 }
+
+#if ZS_LEAN
+
+/* Whether the box of a projected triangle holds a sample of the frame. */
+static enum fate box_fate(const struct zs_renderer *r, const struct zs_vertex *pool, struct place *at)
+{
+    int32_t x0 = INT32_MAX, x1 = INT32_MIN, y1 = INT32_MIN, first = 0;
+    const struct zs_vertex *top = &pool[at->slot[0]];
+    for (int k = 0; k < 3; k++) {
+        const struct zs_vertex *v = &pool[at->slot[k]];
+        x0 = zs_min32(x0, v->x);
+        x1 = zs_max32(x1, v->x);
+        y1 = zs_max32(y1, v->y);
+        if (v->y < top->y || (v->y == top->y && v->x < top->x)) {
+            top = v;
+            first = k;
+        }
+    }
+    while (first-- > 0)
+        turn(at);
+    x0 = zs_first_sample(x0);
+    x1 = zs_first_sample(x1);
+    at->y0 = zs_first_sample(top->y);
+    at->y1 = zs_first_sample(y1);
+    if (x1 <= 0 || x0 >= r->config.width || at->y1 <= 0 || at->y0 >= r->config.height)
+        return FATE_OFFSCREEN;
+    return x0 >= x1 || at->y0 >= at->y1 ? FATE_EMPTY : FATE_DRAWN;
+}
+
+static int in_band(const struct zs_renderer *r, const struct place *at)
+{
+    const int32_t h = r->config.strip_h;
+    return at->y1 > r->strip * h && at->y0 < r->band_end * h;
+}
+
+static void tri_push(struct zs_renderer *r, const struct place *at, uint16_t paint)
+{
+    struct zs_tri *t = &r->tri[r->n_tris++];
+    for (int k = 0; k < 3; k++)
+        t->v[k] = (uint16_t)at->slot[k];
+    t->paint = paint;
+    t->instance = (uint16_t)r->xform.number;
+}
+
+#else
 
 /* Whether the box of a projected triangle holds a sample of the frame. */
 ZS_ALWAYS_INLINE enum fate box_fate(struct zs_renderer *r, const struct zs_vertex *a, const struct zs_vertex *b,
@@ -350,7 +494,7 @@ ZS_ALWAYS_INLINE enum fate box_fate(struct zs_renderer *r, const struct zs_verte
     at->y1 = y1;
     if (x1 <= 0 || x0 >= r->config.width || y1 <= 0 || y0 >= r->config.height)
         return FATE_OFFSCREEN;
-    if ((x0 >= x1 || y0 >= y1) && !(r->config.skip_off & ZS_SKIP_EMPTY))
+    if ((x0 >= x1 || y0 >= y1) && !ZS_OFF(r, ZS_SKIP_EMPTY))
         return FATE_EMPTY;
     return FATE_DRAWN;
 }
@@ -378,6 +522,8 @@ ZS_ALWAYS_INLINE void bin_push(struct zs_renderer *r, const struct place *at, ui
     r->n_tris = n + 1u;
 }
 
+#endif
+
 /* ---- Clipped triangles ----------------------------------------------------------------------------- */
 
 struct polygon {
@@ -390,21 +536,19 @@ struct polygon {
 
 /* Which way a triangle turns on the screen, from its corners in camera units, exactly: > 0 clockwise. Where all
  * three are before the eye, the sign of a . (b x c) is that of the area. */
-static ZS_RARE int sense_of(const struct zs_view *view, const struct zs_clip_vertex v[3])
+static ZS_RARE ZS_NOINLINE int sense_of(const struct zs_view *view, const struct zs_clip_vertex v[3])
 {
-    const int32_t *a = v[0].p.c, *b = v[1].p.c, *c = v[2].p.c;
-    for (int k = 0; k < 9; k++) /* only of a mesh that is larger than its sphere says; it loses parts */
-        if (v[k / 3].p.c[k % 3] > COORD_MAX || v[k / 3].p.c[k % 3] < -COORD_MAX)
+    int32_t p[3][3];
+    const int32_t *a = p[0], *b = p[1], *c = p[2];
+    for (int k = 0; k < 9; k++) { /* only of a mesh that is larger than its sphere says; it loses parts */
+        const int32_t c_k = v[k / 3].p.c[k % 3];
+        if (c_k > COORD_MAX || c_k < -COORD_MAX)
             return 0;
-    if (!view->perspective) {
-        const int64_t left = ((int64_t)b[0] - a[0]) * ((int64_t)c[1] - a[1]);
-        const int64_t right = ((int64_t)c[0] - a[0]) * ((int64_t)b[1] - a[1]); /* |.| < 2^62.1 */
-        return (left > right) - (left < right);
+        p[k / 3][k % 3] = view->perspective || k % 3 < 2 ? c_k : 1; /* orthographic: the area is a . (b x c) with z = 1 */
     }
     int64_t high = 0, low = 0; /* the sum is high * 2^32 + low, 0 <= low < 2^32 */
     for (int k = 0; k < 3; k++) {
-        const int i = (k + 1) % 3, j = (k + 2) % 3;
-        const int64_t n = zs_mul_ss(b[i], c[j]) - zs_mul_ss(b[j], c[i]); /* |.| < 2^61.1 */
+        const int64_t n = zs_cross_at(b, c, k);                          /* |.| < 2^61.1 */
         high += zs_mul_ss((int32_t)(n >> 32), a[k]);                     /* |.| < 3 * 2^60 */
         low += zs_mul_su(a[k], (uint32_t)n);                             /* |.| < 2^62.1 */
         high += low >> 32;
@@ -419,30 +563,29 @@ static ZS_RARE int sense_of(const struct zs_view *view, const struct zs_clip_ver
  * itself, and its snapped area may even have the wrong sign: then the sense of the triangle before it was cut
  * counts, and pieces of the other sense are dropped (polygon_bin). That leaves no hole: the samples of the right
  * sense are all in pieces of the right sense, whose signed sum the polygon is; it can draw beyond a thin
- * polygon's edge, by less than a sub-pixel's width. */
-static ZS_RARE int64_t fan_corner(const struct polygon *p, int sense, int *corner)
+ * polygon's edge, by less than a sub-pixel's width.
+ * fan: numbers of the corners, from that one on. */
+static ZS_RARE int64_t fan_corner(const struct polygon *p, int sense, uint8_t fan[ZS_CLIP_MAX])
 {
     int64_t area = 0;
     int start = 0;
-    for (int k = 1; k + 1 < p->n; k++)
-        area += signed_area(&p->v[0], &p->v[k], &p->v[k + 1]); /* |.| < 7 * 2^45 */
-    for (int k = 1; k < p->n; k++)
+    for (int k = 1; k < p->n; k++) {
+        if (k + 1 < p->n)
+            area += signed_area(&p->v[0], &p->v[k], &p->v[k + 1]); /* |.| < 7 * 2^45 */
         if (p->v[k].y < p->v[start].y || (p->v[k].y == p->v[start].y && p->v[k].x < p->v[start].x))
             start = k;
-    for (int i = 0; i < p->n; i++) {
-        const int first = (start + i) % p->n;
+    }
+    for (int i = 0; i <= p->n; i++, start++) { /* the last turn is the first again */
         int good = 1;
+        for (int k = 0; k < p->n; k++)
+            fan[k] = (uint8_t)((start + k) % p->n);
         for (int k = 1; k + 1 < p->n; k++) {
-            const int64_t piece = signed_area(&p->v[first], &p->v[(first + k) % p->n],
-                                              &p->v[(first + k + 1) % p->n]);
+            const int64_t piece = signed_area(&p->v[fan[0]], &p->v[fan[k]], &p->v[fan[k + 1]]);
             good &= area > 0 ? piece >= 0 : piece <= 0;
         }
-        if (good) {
-            *corner = first;
+        if (good)
             return area;
-        }
     }
-    *corner = start;
     return sense;
 }
 
@@ -457,6 +600,56 @@ static ZS_RARE void polygon_project(struct zs_renderer *r, struct polygon *p)
         v->y = zs_min32(zs_max32(v->y, r->view.cy - reach), r->view.cy + reach);
     }
 }
+
+#if ZS_LEAN
+
+/* Bin a triangle, unless it lies outside the frame or the band. Return FATE_OPEN: the pool of triangles is full. */
+static enum fate place(struct zs_renderer *r, uint32_t t, struct place *at)
+{
+    const enum fate fate = box_fate(r, r->vert, at);
+    if (fate != FATE_DRAWN || !in_band(r, at))
+        return fate;
+    if (r->n_tris == r->config.max_tris)
+        return FATE_OPEN;
+    const struct zs_shader *shader = r->xform.instance->material->shader;
+    for (int k = 0; k < 3 && shader->vertex; k++)
+        corner_light(r, at->slot[k], r->config.attrs);
+    tri_push(r, at, shader->face ? shader->face(r, t) : 0u);
+    return FATE_DRAWN;
+}
+
+static enum fate polygon_bin(struct zs_renderer *r, const struct polygon *p, uint32_t t, int sense)
+{
+    uint8_t fan[ZS_CLIP_MAX];
+    const int64_t area = fan_corner(p, sense, fan);
+    if (area == 0)
+        return FATE_ZERO;
+    if (faces_away(area, r->xform.instance->material->cull))
+        return FATE_FACING;
+    enum fate all = FATE_EMPTY;
+    for (int k = 1; k + 1 < p->n; k++) {
+        struct place at;
+        const uint32_t corner[3] = { fan[area < 0 ? k + 1 : 0], fan[k], fan[area < 0 ? 0 : k + 1] };
+        if (signed_area(&p->v[corner[0]], &p->v[corner[1]], &p->v[corner[2]]) <= 0)
+            continue;
+        if (r->n_tris == r->config.max_tris || r->n_verts + 3u > r->config.max_verts)
+            make_room(r);
+        for (int i = 0; i < 3; i++) { /* dropped with the next compaction where it is not binned */
+            const uint32_t slot = r->n_verts++;
+            at.slot[i] = slot;
+            r->vert[slot] = p->v[corner[i]];
+            r->vert_src[slot] = NO_SOURCE;
+            for (uint32_t a = 0; a < r->config.attrs; a++)
+                r->attr[slot * r->config.attrs + a] = p->cv[corner[i]].attr[a];
+        }
+        const enum fate fate = place(r, t, &at);
+        if (all != FATE_DRAWN)
+            all = fate;
+    }
+    return all;
+}
+
+#else
 
 /* box: its slots are the corners' numbers in the polygon. */
 static ZS_RARE void polygon_push(struct zs_renderer *r, const struct polygon *p, const struct place *box,
@@ -479,8 +672,8 @@ static ZS_RARE void polygon_push(struct zs_renderer *r, const struct polygon *p,
 static ZS_RARE enum fate polygon_bin(struct zs_renderer *r, const struct polygon *p, uint32_t t, int sense)
 {
     const struct zs_material *material = r->xform.instance->material;
-    int corner;
-    const int64_t area = fan_corner(p, sense, &corner);
+    uint8_t fan[ZS_CLIP_MAX];
+    const int64_t area = fan_corner(p, sense, fan);
     if (area == 0)
         return FATE_ZERO;
     if (faces_away(area, material->cull))
@@ -490,23 +683,18 @@ static ZS_RARE enum fate polygon_bin(struct zs_renderer *r, const struct polygon
     const uint16_t paint = shader->face ? shader->face(r, t) : 0u;
     for (int k = 1; k + 1 < p->n; k++) {
         struct place box;
-        box.slot[0] = (uint32_t)corner;
-        box.slot[1] = (uint32_t)((corner + k) % p->n);
-        box.slot[2] = (uint32_t)((corner + k + 1) % p->n);
-        if (area < 0) {
-            box.slot[0] = box.slot[2];
-            box.slot[2] = (uint32_t)corner;
-        }
-        const struct zs_vertex *v[3] = { &p->v[box.slot[0]], &p->v[box.slot[1]], &p->v[box.slot[2]] };
-        if (signed_area(v[0], v[1], v[2]) <= 0)
+        box.slot[0] = fan[area < 0 ? k + 1 : 0];
+        box.slot[1] = fan[k];
+        box.slot[2] = fan[area < 0 ? 0 : k + 1];
+        if (signed_area(&p->v[box.slot[0]], &p->v[box.slot[1]], &p->v[box.slot[2]]) <= 0)
             continue;
-        const enum fate fate = box_fate(r, v[0], v[1], v[2], &box);
+        const enum fate fate = box_fate(r, &p->v[box.slot[0]], &p->v[box.slot[1]], &p->v[box.slot[2]], &box);
         if (fate != FATE_DRAWN) {
             all = all == FATE_DRAWN ? FATE_DRAWN : fate;
             continue;
         }
         all = FATE_DRAWN;
-        zs_hidden_cover(r, v[0], v[1], v[2]);
+        zs_hidden_cover(r, &p->v[box.slot[0]], &p->v[box.slot[1]], &p->v[box.slot[2]]);
         const uint32_t strip = strip_in_band(r, &box);
         if (strip != ZS_NIL)
             polygon_push(r, p, &box, paint, strip);
@@ -514,11 +702,37 @@ static ZS_RARE enum fate polygon_bin(struct zs_renderer *r, const struct polygon
     return all;
 }
 
+#endif
+
 /* Why a triangle cannot be seen whose corners have an outcode in common. */
 static enum fate outside(uint32_t all)
 {
     return all & ZS_OUT_NEAR ? FATE_NEAR : all & ZS_OUT_FAR ? FATE_FAR : FATE_OFFSCREEN;
 }
+
+#if ZS_LEAN
+
+/* All planes are asked; where none cuts, the polygon stays as it is. */
+static enum fate triangle_clip(struct zs_renderer *r, uint32_t t)
+{
+    const struct zs_shader *shader = r->xform.instance->material->shader;
+    struct polygon p;
+    for (int k = 0; k < 3; k++) {
+        const uint32_t v = r->xform.instance->mesh->tri[t][k];
+        zs_xform_vertex(&r->xform, v, &p.cv[k].p);
+        if (shader->vertex)
+            shader->vertex(r, v, p.cv[k].attr);
+    }
+    r->stats.tris_clipped += r->counting;
+    const int sense = sense_of(&r->view, p.cv);
+    p.n = zs_clip_polygon(&r->view, p.cv, 3, ~0u, shader->n_attrs);
+    if (!p.n)
+        return FATE_OFFSCREEN;
+    polygon_project(r, &p);
+    return polygon_bin(r, &p, t, sense);
+}
+
+#else
 
 static ZS_RARE enum fate triangle_clip(struct zs_renderer *r, uint32_t t)
 {
@@ -554,7 +768,11 @@ static ZS_RARE enum fate triangle_clip(struct zs_renderer *r, uint32_t t)
     return polygon_bin(r, &p, t, sense);
 }
 
+#endif
+
 /* ---- The walk -------------------------------------------------------------------------------------- */
+
+#if !ZS_LEAN
 
 /* Triangles go through in batches: those that are turned away leave first. */
 #define BATCH 40 /* at most 64 */
@@ -624,6 +842,8 @@ static uint32_t sieve_none(struct batch *s, uint32_t n)
     return n;
 }
 
+#endif
+
 /* A triangle that is not wholly inside near, far and guard. */
 static enum fate cut(struct zs_renderer *r, uint32_t t, const struct zs_vertex *a, const struct zs_vertex *b,
                      const struct zs_vertex *c)
@@ -648,7 +868,11 @@ static ZS_NOINLINE enum fate look(struct zs_renderer *r, uint32_t t, struct plac
     const struct zs_vertex *a = &r->vert[slot[0]], *b = &r->vert[slot[1]], *c = &r->vert[slot[2]];
     if (a->d >= ZS_D_OUT || b->d >= ZS_D_OUT || c->d >= ZS_D_OUT)
         return cut(r, t, a, b, c);
+#if ZS_LEAN
+    const int64_t turns = signed_area(a, b, c);
+#else
     const int32_t turns = sense(a, b, c);
+#endif
     if (turns == 0)
         return FATE_ZERO;
     if (turns < 0) {
@@ -658,6 +882,8 @@ static ZS_NOINLINE enum fate look(struct zs_renderer *r, uint32_t t, struct plac
     }
     return faces_away(turns, r->xform.instance->material->cull) ? FATE_FACING : FATE_OPEN;
 }
+
+#if !ZS_LEAN
 
 /* Bin a triangle, unless it lies outside the frame or the band. Return FATE_OPEN: the pool of triangles is full. */
 ZS_ALWAYS_INLINE enum fate place(struct zs_renderer *r, const struct zs_shader *shader, uint32_t t, struct place *at)
@@ -675,6 +901,40 @@ ZS_ALWAYS_INLINE enum fate place(struct zs_renderer *r, const struct zs_shader *
     bin_push(r, at, shader->face ? shader->face(r, t) : 0u, strip);
     return FATE_DRAWN;
 }
+
+#endif
+
+#if ZS_LEAN
+
+static void walk_instance(struct zs_renderer *r, uint32_t number)
+{
+    struct zs_bounds b;
+    const uint32_t n = r->scene->instance[number].mesh->n_tris;
+    uint32_t fate[FATES] = { 0 };
+    if (r->counting) {
+        r->stats.instances_in++;
+        r->stats.tris_in += n;
+    }
+    if (zs_cull_walk(&b, r, number) || !zs_xform_instance(r, number, &b)) {
+        if (r->counting) {
+            r->stats.instances_culled++;
+            r->stats.tris_frustum += n;
+        }
+        return;
+    }
+    set_base(r, r->n_verts);
+    for (uint32_t t = 0; t < n; t++) {
+        struct place at;
+        enum fate f;
+        while ((f = look(r, t, &at)) == FATE_OPEN && (f = place(r, t, &at)) == FATE_OPEN)
+            make_room(r); /* slots are stale: look the vertices up again */
+        fate[f]++;
+    }
+    if (r->counting)
+        count(&r->stats, fate);
+}
+
+#else
 
 /* The n triangles from `from` on, as far as they are left. */
 static void batch_bin(struct zs_renderer *r, const struct batch *s, uint32_t from, uint32_t n, uint32_t fate[FATES])
@@ -748,7 +1008,7 @@ static ZS_RARE ZS_NOINLINE int instance_open(struct zs_renderer *r, uint32_t num
     uint16_t rows[2];
     if (track && !track->touches(r, number, rows))
         return 0;
-    if (zs_cull_walk(&b, r, number) && !(r->config.skip_off & ZS_SKIP_FRUSTUM))
+    if (zs_cull_walk(&b, r, number) && !ZS_OFF(r, ZS_SKIP_FRUSTUM))
         return 0;
     if (r->large && !(r->config.skip_off & ZS_SKIP_BEHIND) && !r->scene->instance[number].state && zs_hidden_sphere(r, &b)) {
         r->stats.instances_hidden += r->counting;
@@ -798,12 +1058,16 @@ static ZS_RARE void walk_instance(struct zs_renderer *r, uint32_t number)
         count(&r->stats, fate);
 }
 
+#endif
+
 ZS_RARE void zs_bin_walk(struct zs_renderer *r)
 {
     pools_empty(r);
-    r->band_end = r->config.skip_off & ZS_SKIP_BINS ? (uint16_t)(r->strip + 1u) : r->draw_end;
+    r->band_end = ZS_OFF(r, ZS_SKIP_BINS) ? (uint16_t)(r->strip + 1u) : r->draw_end;
     r->stats.passes++;
+#if !ZS_LEAN
     r->group = 0;
+#endif
     for (uint32_t i = 0; (i = zs_cull_next(r, r->scene, i)) < r->scene->n_instances; i++)
         walk_instance(r, i);
     high_water(r);

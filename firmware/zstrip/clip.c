@@ -24,6 +24,17 @@ static int64_t inside(const struct zs_view *view, const struct zs_point *p, uint
     return plane & (ZS_OUT_LEFT | ZS_OUT_TOP) ? limit + at : limit - at;
 }
 
+#if ZS_LEAN
+uint32_t zs_xform_outcode(const struct zs_view *view, const struct zs_point *p)
+{
+    uint32_t code = 0;
+    for (uint32_t plane = ZS_OUT_NEAR; plane <= ZS_OUT_BOTTOM && code != ZS_OUT_NEAR; plane <<= 1)
+        if (inside(view, p, plane) < 0) /* the sides say nothing before the near plane */
+            code |= plane;
+    return code;
+}
+#endif
+
 /* An edge cut at num / den of its length. */
 struct cut {
     uint32_t num, den; /* num < 2^31, num < den < 2^32 */

@@ -46,6 +46,12 @@
  */
 #include "pipeline.h"
 
+#if ZS_LEAN
+
+const struct zs_cluster_kernel zs_cluster_kernel = { 0 }; /* named, not asked */
+
+#else
+
 #define CLUSTERS_MIN 5u /* in fewer, set-up takes what tests could save */
 #define PLANE_BITS 12
 #define EYE_BITS 14 /* |d| in units */
@@ -103,7 +109,7 @@ static ZS_RARE int cluster_rows(struct zs_renderer *r, const struct zs_bounds *b
         r->edge_row[k] = rows[k];
         outside |= along(e->y, b->c[1], e->z, b->c[2]) + e->at < -b->r - b->slack;
     }
-    return !outside || r->counting || r->config.skip_off & ZS_SKIP_ROWS;
+    return !outside || r->counting || ZS_OFF(r, ZS_SKIP_ROWS);
 }
 
 /* ---- Set-up ------------------------------------------------------------------------------------------- */
@@ -130,9 +136,9 @@ static ZS_RARE int64_t plane_of(const struct zs_renderer *r, int k, int32_t n[2]
         return k ? r->camera.z_far : -r->camera.z_near;
     }
     if (k < 4) {
-        n[0] = view->perspective ? view->side_x[0] : ZS_Q30_ONE;
+        n[0] = view->perspective ? view->side[0][0] : ZS_Q30_ONE;
         n[0] = k & 1 ? -n[0] : n[0];
-        n[1] = view->perspective ? view->side_x[1] : 0;
+        n[1] = view->perspective ? view->side[0][1] : 0;
         return view->perspective ? 0 : zs_cull_half_width(&r->camera, view);
     }
     n[0] = r->edge[k - 4].y;
@@ -182,7 +188,7 @@ static ZS_RARE void cone_open(struct zs_renderer *r, const struct zs_bounds *b, 
     const int32_t cull = r->xform.instance->material->cull;
     int64_t most = 0, all = 0, at[3] = { 0, 0, 0 };
     int32_t shift = 0, v[3];
-    if (cull == ZS_CULL_NONE || r->config.skip_off & ZS_SKIP_CONE || view->ratio < ZS_Q30_ONE / 2)
+    if (cull == ZS_CULL_NONE || ZS_OFF(r, ZS_SKIP_CONE) || view->ratio < ZS_Q30_ONE / 2)
         return;
     for (int k = 0; k < 3; k++) {
         const int64_t size = b->c[k] < 0 ? -b->c[k] : b->c[k];
@@ -248,7 +254,7 @@ static ZS_RARE int cluster_open(struct zs_renderer *r, const struct zs_bounds *b
     c->cone = 0;
     zs_cull_axes(axis, in, &r->camera);
     const int cut = r->xform.clip_depth | r->xform.clip_guard;
-    if ((!(r->config.skip_off & ZS_SKIP_CLUSTER) && planes_open(r, b, &by, axis)) || !cut)
+    if ((!ZS_OFF(r, ZS_SKIP_CLUSTER) && planes_open(r, b, &by, axis)) || !cut)
         cone_open(r, b, &by, axis);
     return c->n_planes || c->cone;
 }
@@ -411,3 +417,5 @@ static int cluster_verts(struct zs_renderer *r)
 }
 
 const struct zs_cluster_kernel zs_cluster_kernel = { cluster_rows, cluster_open, cluster_verts, cluster_run };
+
+#endif

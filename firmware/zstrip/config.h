@@ -18,6 +18,13 @@
 #define ZS_ATTRS_MAX 3 /* 16-bit attribute words a vertex */
 #endif
 
+/* 1: least flash. One general kernel for each stage, for size: nothing that is only quicker is compiled (hidden.c, fresh.c,
+ * small.c, narrow twins of wide arithmetic, clearing in blocks). Frames are the same, bit for bit; DESIGN.md says what
+ * it saves and costs. Every file of a program has it alike: it changes struct zs_renderer and ZS_ARENA_BYTES. */
+#ifndef ZS_LEAN
+#define ZS_LEAN 0
+#endif
+
 #ifndef ZS_STATS
 #define ZS_STATS 0 /* 1: count written pixels too, which costs an instruction a pixel */
 #endif

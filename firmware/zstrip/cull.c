@@ -13,6 +13,13 @@ static int64_t abs64(int64_t v)
     return v < 0 ? -v : v;
 }
 
+static void reach_out(int64_t *reach, int64_t at, int64_t r)
+{
+    const int64_t far_side = abs64(at) + r;
+    if (*reach < far_side)
+        *reach = far_side;
+}
+
 /* Row k of camera axes: right, down, distance. */
 static void axes(zs_q2_30 out[9], const struct zs_camera *camera)
 {
@@ -50,22 +57,21 @@ int zs_cull_bounds(struct zs_bounds *b, const struct zs_instance *in,
     if (b->r > (int64_t)ZS_WORLD_MAX * 65536)
         return ZS_ERR_RANGE;
     zs_q2_30 view[9], both[9];
+    int32_t from[3], center[3];
     axes(view, camera);
     zs_rotation_mul(both, view, in->pose.rot);
     b->reach = 0;
     for (int k = 0; k < 3; k++) {
-        int64_t at = 0, off = 0;
-        for (int j = 0; j < 3; j++) {
-            at += zs_mul_ss(view[3 * k + j], in->pose.pos[j] - camera->pos[j]); /* <= 2^60 each */
-            off += zs_mul_ss(both[3 * k + j], mesh->center[j]);                 /* <= 2^45 each */
-        }
+        from[k] = in->pose.pos[k] - camera->pos[k];
+        center[k] = mesh->center[k];
+    }
+    for (int k = 0; k < 3; k++) {
+        const int64_t at = zs_dot(view + 3 * k, from);    /* <= 3 * 2^60 */
+        const int64_t off = zs_dot(both + 3 * k, center); /* <= 3 * 2^45 */
         const int64_t origin = zs_round_shift(at, 14);        /* q48_16, <= 2^47.6 */
         b->c[k] = origin + zs_mulshift_s64(off, scale, 46);   /* <= 2^46.6 * 2^47 / 2^46 */
-        const int64_t far_side = abs64(b->c[k]) + b->r;
-        if (b->reach < far_side)
-            b->reach = far_side;
-        if (b->reach < abs64(origin))
-            b->reach = abs64(origin);
+        reach_out(&b->reach, b->c[k], b->r);
+        reach_out(&b->reach, origin, 0);
     }
     b->slack = (b->reach >> 16) + 16; /* errors are below 2^-26 of reach, rotations' below 2^-20; what
                                          rounding to camera units adds is the walk's to add */
@@ -85,10 +91,13 @@ int zs_cull_sphere(const struct zs_bounds *b, const struct zs_camera *camera,
     const int64_t r = b->r + b->slack;
     if (b->c[2] + r < camera->z_near || b->c[2] - r > camera->z_far)
         return 1;
-    if (view->perspective)
-        return side_distance(view->side_x, abs64(b->c[0]), b->c[2]) < -r ||
-               side_distance(view->side_y, abs64(b->c[1]), b->c[2]) < -r;
-    return abs64(b->c[0]) - r > zs_cull_half_width(camera, view) || abs64(b->c[1]) - r > camera->height / 2 + 1;
+    for (int k = 0; k < 2; k++) {
+        const int64_t lateral = abs64(b->c[k]);
+        if (view->perspective ? side_distance(view->side[k], lateral, b->c[2]) < -r
+                              : lateral - r > (k ? camera->height / 2 + 1 : zs_cull_half_width(camera, view)))
+            return 1;
+    }
+    return 0;
 }
 
 int64_t zs_cull_half_width(const struct zs_camera *camera, const struct zs_view *view)

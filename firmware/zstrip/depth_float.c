@@ -185,6 +185,16 @@ static int pair_planes(struct zs_job *job, const int32_t octave[3], int32_t near
     return 1;
 }
 
+#if ZS_LEAN
+static int tiny(const struct zs_geom *g)
+{
+    return ((uint32_t)(g->dx1 + ZS_TINY) | (uint32_t)(g->dx2 + ZS_TINY) | ((uint32_t)g->dy1 | (uint32_t)g->dy2) * 2u) <
+               2u * ZS_TINY && g->area >= ZS_TINY_AREA;
+}
+#else
+#define tiny(g) ((g)->tiny)
+#endif
+
 /* r of a triangle over the screen, where its keys are not linear. job->w64_scale: the nearest vertex's octave. More
  * octaves: job->w64, w = r scaled so that this octave ends at 2^39; two: job->key, so that it ends at 2^31. */
 static ZS_NOINLINE enum way float_planes(struct zs_job *job)
@@ -200,7 +210,7 @@ static ZS_NOINLINE enum way float_planes(struct zs_job *job)
     if (nearest == farthest) /* after all: the last has the codes of two */
         return ONE_OCTAVE;
     job->w64_scale = nearest;
-    if (job->geom.tiny && nearest - farthest == 1 && pair_planes(job, octave, nearest))
+    if (tiny(&job->geom) && nearest - farthest == 1 && pair_planes(job, octave, nearest))
         return TWO_OCTAVES;
     for (int k = 0; k < 3; k++) {
         const int32_t up = W_BITS - 1 - (view->key_mantissa + 16) - (nearest - octave[k]);
@@ -213,6 +223,9 @@ static ZS_NOINLINE enum way float_planes(struct zs_job *job)
 /* Draw pixels [i, i + n) of a row, on which keys are linear. */
 static inline void piece(struct zs_job *job, const struct zs_row *row, int32_t i, int32_t n, uint32_t sum, uint32_t step)
 {
+#if ZS_LEAN
+    zs_raster_span(job, row, i, i + n, sum, step);
+#else
     int32_t to = i + n;
     for (;; sum += zs_wrap_mul(step, to - i), i = to, to = i + n) {
         if (job->fresh)
@@ -228,6 +241,7 @@ static inline void piece(struct zs_job *job, const struct zs_row *row, int32_t i
         if (n <= 0)
             return;
     }
+#endif
 }
 
 /* ---- Two octaves ----------------------------------------------------------------------------------- */
@@ -265,11 +279,13 @@ ZS_ALWAYS_INLINE void pair_span(struct zs_job *job, const struct zs_row *row)
     pair_piece(job, row, row->i0 + first, n - first, w + zs_wrap_mul((uint32_t)gx, first), above >= 0);
 }
 
+#if !ZS_LEAN
 /* Apart, so that its frame is not on the stack below start(). */
 static ZS_NOINLINE void pair_walk(struct zs_job *job)
 {
     zs_rows_walk(job, pair_span);
 }
+#endif
 
 /* ---- More ---------------------------------------------------------------------------------------------- */
 
@@ -347,6 +363,21 @@ static ZS_NOINLINE void float_row(struct zs_job *job, const struct zs_row *row, 
         crossing_row(job, row, w, down);
 }
 
+#if ZS_LEAN
+
+/* A row of a triangle in two octaves, which has no plane of 64 bits, or in more. */
+static void any_row(struct zs_job *job, const struct zs_row *row)
+{
+    const struct zs_plane64 *plane = &job->w64;
+    if (job->two_octaves)
+        pair_span(job, row);
+    else
+        float_row(job, row, plane->base + zs_times(plane->gx, row->i0 - job->geom.ia) +
+                            zs_times(plane->gy, row->y - job->geom.ja));
+}
+
+#else
+
 /* Rows as zs_rows_walk walks them, with w at column 0 carried on. */
 static ZS_NOINLINE void float_walk(struct zs_job *job)
 {
@@ -377,6 +408,27 @@ static ZS_NOINLINE void float_walk(struct zs_job *job)
     }
 }
 
+#endif
+
+#if ZS_LEAN
+
+static void float_rows(struct zs_job *job)
+{
+    const enum way way = float_planes(job);
+    job->two_octaves = way == TWO_OCTAVES;
+    if (way == ONE_OCTAVE)
+        zs_raster_keys(job);
+    else
+        zs_raster_rows(job, 0);
+}
+
+const struct zs_depth zs_depth_float = { any_setup, float_vertex, float_rows, 0, float_inverses, 0, any_row };
+const struct zs_depth zs_depth_e3m13 = { e3_setup, float_vertex, float_rows, 0, float_inverses, 0, any_row };
+const struct zs_depth zs_depth_e4m12 = { e4_setup, float_vertex, float_rows, 0, float_inverses, 0, any_row };
+const struct zs_depth zs_depth_e5m11 = { e5_setup, float_vertex, float_rows, 0, float_inverses, 0, any_row };
+
+#else
+
 static void float_rows(struct zs_job *job)
 {
     const struct zs_view *view = &job->r->view;
@@ -401,3 +453,5 @@ const struct zs_depth zs_depth_float = { any_setup, float_vertex, float_rows, 0,
 const struct zs_depth zs_depth_e3m13 = { e3_setup, float_vertex, float_rows, 0, float_inverses, 0 };
 const struct zs_depth zs_depth_e4m12 = { e4_setup, float_vertex, float_rows, 0, float_inverses, 0 };
 const struct zs_depth zs_depth_e5m11 = { e5_setup, float_vertex, float_rows, 0, float_inverses, 0 };
+
+#endif

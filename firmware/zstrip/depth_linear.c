@@ -62,7 +62,11 @@ static uint32_t linear_vertex(const struct zs_view *view, int32_t z, uint32_t rc
 static uint64_t linear_inverse(const struct zs_view *view, uint32_t d)
 {
     (void)view;
+#if ZS_LEAN
+    return zs_muldiv_u64((uint64_t)1 << 62, 1, d);
+#else
     return ((uint64_t)1 << 62) / d;
+#endif
 }
 
 static uint32_t linear_key(const struct zs_view *view, uint32_t d)
@@ -75,7 +79,7 @@ static ZS_NOINLINE void linear_planes(struct zs_job *job)
 {
     uint64_t w[3], most = 0;
     for (int k = 0; k < 3; k++) {
-        w[k] = ((uint64_t)1 << 62) / job->v[k]->d;
+        w[k] = linear_inverse(&job->r->view, job->v[k]->d);
         if (most < w[k])
             most = w[k];
     }
@@ -101,6 +105,28 @@ static uint32_t pixel_key(const struct zs_view *view, uint64_t w, int32_t scale)
     const uint32_t above = rcp > z_near ? (uint32_t)(rcp - z_near) : 0u;
     return key_of(view, above, view->key_shift + q, (view->key_top >> 16) - 1u);
 }
+
+#if ZS_LEAN
+
+/* Each pixel is a piece of its own. */
+static void linear_row(struct zs_job *job, const struct zs_row *row)
+{
+    uint64_t w = job->w64.base + job->w64.gx * (uint64_t)(int64_t)(row->i0 - job->geom.ia) +
+                 job->w64.gy * (uint64_t)(int64_t)(row->y - job->geom.ja);
+    for (int32_t i = row->i0; i < row->i1; i++, w += job->w64.gx)
+        zs_raster_span(job, row, i, i + 1, pixel_key(&job->r->view, w, job->w64_scale) << 16, 0);
+}
+
+static void linear_rows(struct zs_job *job)
+{
+    linear_planes(job);
+    zs_raster_rows(job, 0);
+}
+
+const struct zs_depth zs_depth_linear = { linear_setup, linear_vertex, linear_rows, linear_inverse, 0, linear_key,
+                                          linear_row };
+
+#else
 
 ZS_ALWAYS_INLINE void linear_span(struct zs_job *job, const struct zs_row *row)
 {
@@ -149,3 +175,5 @@ static void linear_rows(struct zs_job *job)
 
 const struct zs_depth zs_depth_linear = { linear_setup, linear_vertex, linear_rows, linear_inverse,
                                           0, linear_key };
+
+#endif

@@ -15,6 +15,22 @@ const uint8_t zs_clz8[256] = {
     8, 7, CLZ_2(6), CLZ_2(5), CLZ_2(5), CLZ_8(4), CLZ_8(3), CLZ_8(3), CLZ_32(2), CLZ_64(1), CLZ_64(0), CLZ_64(0)
 };
 
+#if ZS_LEAN
+
+int64_t zs_round_shift(int64_t v, int n)
+{
+    return (v + (((int64_t)1 << n) >> 1)) >> n;
+}
+
+int64_t zs_scale2(int64_t v, int n)
+{
+    if (n >= 0)
+        return v * ((int64_t)1 << n);
+    return n < -62 ? 0 : zs_round_shift(v, -n);
+}
+
+#endif
+
 /* ---- Reciprocal ------------------------------------------------------------------------------
  *
  * a / 2^32 = m in [1/2, 1); wanted 1/m in (1, 2], as r = 2^31 / m. A table of 1/m - 1 in uq0_16 at
@@ -25,6 +41,15 @@ const uint8_t zs_clz8[256] = {
  * 2^-32, always from below; its two truncations add 2^-31 and 2^-32. Sum < 2^-30. */
 
 #define RECIP_AT(i) (uint16_t)(((33554432u + (256u + (i)) / 2u) / (256u + (i))) - 65536u - ((i) == 0u))
+#if ZS_LEAN
+
+uint32_t zs_recip_at(uint32_t i)
+{
+    return RECIP_AT(i);
+}
+
+#else
+
 #define RECIP4(i) RECIP_AT(i), RECIP_AT((i) + 1u), RECIP_AT((i) + 2u), RECIP_AT((i) + 3u)
 #define RECIP16(i) RECIP4(i), RECIP4((i) + 4u), RECIP4((i) + 8u), RECIP4((i) + 12u)
 #define RECIP64(i) RECIP16(i), RECIP16((i) + 16u), RECIP16((i) + 32u), RECIP16((i) + 48u)
@@ -32,6 +57,8 @@ const uint8_t zs_clz8[256] = {
 const uint16_t zs_recip_table[257] = { /* uq0_16: 512 / (256 + i) - 1; entry 0 saturated */
     RECIP64(0u), RECIP64(64u), RECIP64(128u), RECIP64(192u), RECIP_AT(256u)
 };
+
+#endif
 
 uint32_t zs_recip(uint32_t a)
 {

@@ -29,7 +29,12 @@ _Static_assert(ZS_SIZE_MAX <= 4096, "see the step count in plane.c and the strip
 
 typedef int32_t q24_8; /* screen x, y, px */
 
-#if defined(__GNUC__)
+#if ZS_LEAN /* the compiler's choice, by size */
+#define ZS_RARE
+#define ZS_IN_ORDER
+#define ZS_ALWAYS_INLINE static inline
+#define ZS_NOINLINE
+#elif defined(__GNUC__)
 #define ZS_ALWAYS_INLINE static inline __attribute__((always_inline))
 #if defined(__clang__)
 #define ZS_NOINLINE __attribute__((noinline))
@@ -48,6 +53,13 @@ typedef int32_t q24_8; /* screen x, y, px */
 #define ZS_IN_ORDER
 #define ZS_ALWAYS_INLINE static inline
 #define ZS_NOINLINE
+#endif
+
+/* 1: a piece of work that is not left out (enum zs_skip), for tests; with ZS_LEAN what can be is always. */
+#if ZS_LEAN
+#define ZS_OFF(r, skip) 0
+#else
+#define ZS_OFF(r, skip) ((r)->config.skip_off & (skip))
 #endif
 
 /* Two 16-bit values at a time, in memory that is otherwise used as uint16_t. */
@@ -111,6 +123,10 @@ static inline uint32_t zs_maxu32(uint32_t a, uint32_t b)
     return a > b ? a : b;
 }
 
+#if ZS_LEAN /* fx.c */
+int64_t zs_round_shift(int64_t v, int n);
+int64_t zs_scale2(int64_t v, int n);
+#else
 /* v / 2^n, nearest. 0 <= n <= 62, |v| < 2^62. */
 static inline int64_t zs_round_shift(int64_t v, int n)
 {
@@ -124,6 +140,7 @@ static inline int64_t zs_scale2(int64_t v, int n)
         return v * ((int64_t)1 << n);
     return n < -62 ? 0 : zs_round_shift(v, -n);
 }
+#endif
 
 /* Intended wrap: sums modulo 2^32, product's low half. */
 static inline uint32_t zs_wrap_mul(uint32_t a, int32_t b)
@@ -134,7 +151,11 @@ static inline uint32_t zs_wrap_mul(uint32_t a, int32_t b)
 /* v * d modulo 2^64. */
 static inline uint64_t zs_times(uint64_t v, int32_t d)
 {
+#if ZS_LEAN
+    return v * (uint64_t)(int64_t)d;
+#else
     return (uint64_t)zs_mul_su(d, (uint32_t)v) + ((uint64_t)((uint32_t)(v >> 32) * (uint32_t)d) << 32);
+#endif
 }
 
 /* First sample (row or column) at or after a coordinate: ceil((c - 1/2 px) / 1 px). */
@@ -158,15 +179,23 @@ static inline uint16_t zs_wire16(uint16_t v)
  * Exact tests/test_fx.c compares all 2^31 arguments in steps that hit every table entry. */
 uint32_t zs_recip(uint32_t a);
 
+#if ZS_LEAN
+uint32_t zs_recip_at(uint32_t i); /* fx.c: the table's entries, each by a division */
+#else
 extern const uint16_t zs_recip_table[257]; /* fx.c */
+static inline uint32_t zs_recip_at(uint32_t i)
+{
+    return zs_recip_table[i];
+}
+#endif
 
 /* The same to 16 bits, within 2^-16 of it. */
 ZS_ALWAYS_INLINE uint32_t zs_recip16(uint32_t a)
 {
-    const uint16_t *const at = zs_recip_table + (a << 1 >> 24);
+    const uint32_t at = a << 1 >> 24;
     const uint32_t t = a << 9 >> 16;                 /* uq0_16 within the cell */
-    const uint32_t y0 = at[0];                       /* < 2^16 */
-    const uint32_t dy = y0 - at[1];                  /* 0 .. 256 */
+    const uint32_t y0 = zs_recip_at(at);             /* < 2^16 */
+    const uint32_t dy = y0 - zs_recip_at(at + 1u);   /* 0 .. 256 */
     return 0x80000000u + (y0 << 15) - (dy * t >> 1); /* uq1_31, dy * t < 2^24.1 */
 }
 
@@ -184,9 +213,9 @@ ZS_ALWAYS_INLINE uint32_t zs_recip_inline(uint32_t a)
 /* 2^45 / a, 15 bits and a half: within 2^-14 of it, at most 2^16 - 1. 2^30 <= a < 2^31. No long product. */
 static inline uint32_t zs_recip15(uint32_t a)
 {
-    const uint16_t *const at = zs_recip_table + (a << 2 >> 24);
+    const uint32_t at = a << 2 >> 24, y0 = zs_recip_at(at);
     const uint32_t t = a << 10 >> 16;                         /* uq0_16 within the cell */
-    return (0x10000u + at[0] - (((uint32_t)at[0] - at[1]) * t >> 16)) >> 1;
+    return (0x10000u + y0 - ((y0 - zs_recip_at(at + 1u)) * t >> 16)) >> 1;
 }
 
 /* floor(sqrt(v)). */

@@ -18,6 +18,12 @@
 #include "cold.h"
 #include "pipeline.h"
 
+#if ZS_LEAN
+
+const struct zs_group_kernel zs_group_kernel = { 0 }; /* named, not asked */
+
+#else
+
 static uint32_t magnitude(int32_t v)
 {
     return v < 0 ? 0u - (uint32_t)v : (uint32_t)v;
@@ -56,7 +62,7 @@ static int out_of_view(const struct zs_renderer *r, const struct zs_group *g)
         return 1;
     const int64_t x = along(camera->rot, way);
     if (view->perspective)
-        return beside(view->side_x, x, z, radius) || beside(view->side_y, along(camera->rot + 3, way), z, radius);
+        return beside(view->side[0], x, z, radius) || beside(view->side[1], along(camera->rot + 3, way), z, radius);
     return (abs64(x) - radius) * 65536 > zs_cull_half_width(camera, view) ||
            (abs64(along(camera->rot + 3, way)) - radius) * 65536 > camera->height / 2 + 1;
 }
@@ -81,3 +87,5 @@ static uint32_t group_next(struct zs_renderer *r, const struct zs_scene *scene, 
 }
 
 const struct zs_group_kernel zs_group_kernel = { group_next };
+
+#endif

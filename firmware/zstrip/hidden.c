@@ -22,6 +22,8 @@
 #include "cold.h"
 #include "pipeline.h"
 
+#if !ZS_LEAN
+
 #define TILE (1 << ZS_TILE_LOG2)
 #define LARGE (2 * TILE) /* columns: covers a tile wherever it lies */
 #define MARGIN 0x2200 /* of a bucket, in 2^-16: 0.13 */
@@ -334,3 +336,5 @@ int zs_hidden_sphere(struct zs_renderer *r, const struct zs_bounds *b)
     }
     return zs_hidden_box(r, &box, at.d);
 }
+
+#endif

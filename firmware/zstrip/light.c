@@ -42,10 +42,8 @@ static ZS_RARE ZS_NOINLINE void edges_normal(zs_q1_15 out[3], const struct zs_me
                 e[i][k] += mesh->pos_lo[b][k] - mesh->pos_lo[a][k];
         }
     int64_t n[3];
-    for (int k = 0; k < 3; k++) {
-        const int i = (k + 1) % 3, j = (k + 2) % 3;
-        n[k] = (int64_t)e[0][i] * e[1][j] - (int64_t)e[0][j] * e[1][i]; /* |.| < 2^49.1 */
-    }
+    for (int k = 0; k < 3; k++)
+        n[k] = zs_cross_at(e[0], e[1], k); /* |.| < 2^49.1 */
     zs_q2_30 unit[3] = { 0, 0, 0 }; /* no area: no light falls on it */
     (void)zs_unit64(unit, n);
     for (int k = 0; k < 3; k++) {

@@ -4,14 +4,18 @@
  */
 #include "persp.h"
 
+#if !ZS_LEAN
+
 #define OVER(n) (UINT32_MAX / (n))
 
-const uint32_t zs_one_over[(1 << ZS_SUB_LOG2_MAX) + 1] = {
+const uint32_t zs_one_over_table[(1 << ZS_SUB_LOG2_MAX) + 1] = {
     0,        OVER(1),  OVER(2),  OVER(3),  OVER(4),  OVER(5),  OVER(6),  OVER(7),  OVER(8),
     OVER(9),  OVER(10), OVER(11), OVER(12), OVER(13), OVER(14), OVER(15), OVER(16), OVER(17),
     OVER(18), OVER(19), OVER(20), OVER(21), OVER(22), OVER(23), OVER(24), OVER(25), OVER(26),
     OVER(27), OVER(28), OVER(29), OVER(30), OVER(31), OVER(32)
 };
+
+#endif
 
 void zs_persp_w(const struct zs_job *job, uint32_t w[3])
 {
@@ -35,6 +39,8 @@ void zs_persp_w(const struct zs_job *job, uint32_t w[3])
     for (int k = 0; k < 3; k++)
         w[k] = (uint32_t)(shift > 0 ? (wide[k] + half) >> shift : wide[k] << -shift);
 }
+
+#if !ZS_LEAN
 
 /* A key as it is tested. */
 ZS_ALWAYS_INLINE uint32_t tested_key(uint32_t sum, uint32_t top, int clamp)
@@ -88,3 +94,5 @@ void zs_persp_walk(struct zs_job *job)
     job->saturates = (uint8_t)zs_keys_may_saturate(job);
     zs_rows_walk(job, keys_span);
 }
+
+#endif

@@ -34,18 +34,30 @@ static inline uint32_t zs_persp_change(const uint32_t w[3], uint32_t *least)
     return zs_maxu32(zs_maxu32(w[0], w[1]), w[2]) - *least;
 }
 
-/* 1: w changes over a triangle by at most *change / view->key_slow of the least w, found from keys alone; 0: not known. */
+/* 1: w changes over a triangle by at most *change / view->key_slow of the least w, found from keys alone; 0: not known.
+ * What is asked of w itself then has the same answer. */
 static inline int zs_persp_slow(const struct zs_job *job, uint32_t *change)
 {
     const struct zs_view *view = &job->r->view;
     const uint32_t a = job->v[0]->d, b = job->v[1]->d, c = job->v[2]->d;
     const uint32_t farthest = zs_maxu32(zs_maxu32(a, b), c);
     *change = farthest - zs_minu32(zs_minu32(a, b), c);
-    return farthest <= view->key_known && *change <= view->key_slow;
+    return !ZS_LEAN && farthest <= view->key_known && *change <= view->key_slow;
 }
 
-/* (2^32 - 1) / n of a last, shorter part of a row; [0] is 0. */
-extern const uint32_t zs_one_over[(1 << ZS_SUB_LOG2_MAX) + 1];
+/* (2^32 - 1) / n of a last, shorter part of a row, n <= 2^ZS_SUB_LOG2_MAX; 0 of 0. */
+#if ZS_LEAN
+static inline uint32_t zs_one_over(int32_t n)
+{
+    return n ? UINT32_MAX / (uint32_t)n : 0u;
+}
+#else
+extern const uint32_t zs_one_over_table[(1 << ZS_SUB_LOG2_MAX) + 1];
+static inline uint32_t zs_one_over(int32_t n)
+{
+    return zs_one_over_table[n];
+}
+#endif
 
 /* Move a plane's base to column 0 of row 0, for zs_plane_at. */
 static inline void zs_plane_origin(const struct zs_geom *g, struct zs_plane *p)

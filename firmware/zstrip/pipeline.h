@@ -11,7 +11,7 @@
 
 #define ZS_NIL 65535u
 _Static_assert(ZS_POOL_MAX < ZS_NIL, "16-bit indices need a value for none");
-_Static_assert(sizeof(struct zs_tri) == 12, "ZS_TRI_BYTES");
+_Static_assert(sizeof(struct zs_tri) == (ZS_LEAN ? 10 : 12), "ZS_TRI_BYTES");
 _Static_assert(sizeof(struct zs_vertex) == 12, "ZS_VERT_BYTES");
 
 /* ---- Shaders and depth mappings ---------------------------------------------------------------- */
@@ -25,24 +25,30 @@ struct zs_shader {
     void (*vertex)(const struct zs_renderer *r, uint32_t v, uint16_t *out);
     /* What zs_tri.paint becomes for a face of the current instance; NULL: 0. */
     uint16_t (*face)(const struct zs_renderer *r, uint32_t t);
+#if !ZS_LEAN
     /* Draw a triangle into its strip where keys are linear on the screen. */
     void (*rows)(struct zs_job *job);
+#endif
     /* Set-up of the triangle's colours, before span and run; NULL: none. */
     void (*start)(struct zs_job *job);
+#if !ZS_LEAN
     /* Test and draw pixels [i0, i1) of a row, on which keys are linear: sum / 65536, half a bucket added,
      * changing by gx. job->saturates is set. */
     void (*span)(struct zs_job *job, const struct zs_row *row, int32_t i0, int32_t i1, uint32_t sum,
                  uint32_t gx);
+#endif
     /* Colour pixels [from, to) of a row, already found nearest. */
     void (*run)(struct zs_job *job, const struct zs_row *row, int32_t from, int32_t to);
     /* ZS_OK, or why this instance cannot be drawn with it. */
     int (*check)(const struct zs_instance *instance, const struct zs_config *config);
     /* Textures: n pixels times light, uq1_31, which changes by step; NULL: none. */
     void (*light)(uint16_t *out, int32_t n, uint32_t level, uint32_t step);
+#if !ZS_LEAN
     /* Set up and draw job->tri in job's strip if it is small, has no state, and its keys are linear and below saturation.
      * Return 0: it is not, nothing is done. job->row_last is set where it returns 1. NULL: there is no such way. Called
      * only on cores that divide (wide.h). */
     int (*small)(struct zs_job *job);
+#endif
     uint8_t n_attrs;
 };
 
@@ -84,7 +90,9 @@ struct zs_state_kernel {
     /* Buckets to be added to each key of a triangle: offset and slope. */
     int32_t (*bias)(const struct zs_job *job);
     /* As shader->rows and ->span, with job->state and job->bias. */
+#if !ZS_LEAN
     void (*rows)(struct zs_job *job);
+#endif
     void (*span)(struct zs_job *job, const struct zs_row *row, int32_t i0, int32_t i1, uint32_t sum,
                  uint32_t gx);
 };
@@ -98,11 +106,13 @@ struct zs_texel {
     /* n texels along a walk, RGB565 in wire order. */
     void (*fetch)(const struct zs_texture *texture, uint16_t *out, int32_t n,
                   const struct zs_walk *walk);
+#if !ZS_LEAN
     /* n texels by their numbers, row * width + column. */
     void (*gather)(const struct zs_texture *texture, uint16_t *out, int32_t n, const uint32_t *at);
     /* Test and draw a triangle, unlit, where job->c[0] and [1] are u and v, uq0_32, at column 0 of row 0; log2_w,
      * log2_h > 0, and keys do not saturate. */
     void (*rows)(struct zs_job *job);
+#endif
     uint16_t colors_max; /* of the palette; 0: there is none */
     uint8_t log2_w_min;
 };
@@ -121,6 +131,10 @@ struct zs_depth {
     void (*inverses)(const struct zs_view *view, const struct zs_vertex *const v[3], uint32_t w[3]);
     /* The key of a vertex, uq16_16, where zs_vertex.d is something else; NULL: d is the key. */
     uint32_t (*key)(const struct zs_view *view, uint32_t d);
+#if ZS_LEAN
+    /* Draw a row of the triangle that rows is drawing, by zs_raster_span. NULL: keys are always linear on the screen. */
+    void (*row)(struct zs_job *job, const struct zs_row *row);
+#endif
 };
 
 /* ---- cull.c: instances --------------------------------------------------------------------------- */
@@ -153,10 +167,16 @@ int64_t zs_cull_half_width(const struct zs_camera *camera, const struct zs_view 
 /* The first instance from number on that is in no group out of view; instances are asked for in order, from r->group = 0. */
 static inline uint32_t zs_cull_next(struct zs_renderer *r, const struct zs_scene *scene, uint32_t number)
 {
-    if (!scene->groups || r->config.skip_off & ZS_SKIP_GROUP)
+#if ZS_LEAN
+    (void)r;
+    (void)scene;
+    return number;
+#else
+    if (!scene->groups || ZS_OFF(r, ZS_SKIP_GROUP))
         return number;
     const struct zs_group_kernel *group = scene->groups->kernel;
     return group->next(r, scene, number);
+#endif
 }
 
 /* ---- frame.c --------------------------------------------------------------------------------------- */
@@ -199,7 +219,11 @@ void zs_xform_vertex(const struct zs_xform *xf, uint32_t v, struct zs_point *out
 uint32_t zs_xform_outcode(const struct zs_view *view, const struct zs_point *p);
 /* Screen position and depth. Return 1; 0 where the point is before near, beyond far (*out is not of use
  * then) or beside the guard band (*out is then just beside it). */
+#if ZS_LEAN
+void zs_xform_project(const struct zs_renderer *r, const struct zs_point *p, struct zs_vertex *out);
+#else
 int zs_xform_project(const struct zs_renderer *r, const struct zs_point *p, struct zs_vertex *out);
+#endif
 /* All three for vertices [v, v + n) of the current instance: their places in the pool. One that is not inside near, far and
  * guard has d = ZS_D_OUT + outcode, and a position whose x or y is 2^16 or more away from any other vertex's. */
 void zs_xform_screen(const struct zs_renderer *r, uint32_t v, uint32_t n, struct zs_vertex *out);
@@ -231,7 +255,14 @@ void zs_bin_verts(struct zs_renderer *r, uint32_t slot, uint32_t from, uint32_t 
 /* Draw the strip r->strip's bin and the active list; leaves those that go on in r->active. */
 void zs_raster_strip(struct zs_renderer *r);
 /* Do not draw it, but pass its triangles on to the strip below. */
+#if ZS_LEAN
+static inline void zs_raster_pass(struct zs_renderer *r)
+{
+    (void)r;
+}
+#else
 void zs_raster_pass(struct zs_renderer *r);
+#endif
 /* Fill job's rows and sides for its triangle in its strip. Return 0: it has no row there. job->row_last is
  * set in either case. */
 int zs_raster_sides(struct zs_job *job);
@@ -239,6 +270,12 @@ int zs_raster_sides(struct zs_job *job);
 void zs_raster_cuts(struct zs_job *job, int32_t row);
 /* Draw a job whose keys are linear on the screen, by its shader or its state. */
 void zs_raster_keys(struct zs_job *job);
+#if ZS_LEAN
+/* Start the shader and draw the job's rows: those whose keys are linear by zs_raster_span, others by depth->row. */
+void zs_raster_rows(struct zs_job *job, int linear);
+/* Test and draw pixels [i0, i1) of a row, on which keys are linear: sum / 65536, half a bucket added, changing by gx. */
+void zs_raster_span(struct zs_job *job, const struct zs_row *row, int32_t i0, int32_t i1, uint32_t sum, uint32_t gx);
+#endif
 
 /* ---- hidden.c --------------------------------------------------------------------------------------- */
 
@@ -276,6 +313,7 @@ struct zs_plane64 {
     uint64_t base, gx, gy;
 };
 
+#define ZS_SMALL_EXTENT (256 * ZS_SUBPX_ONE) /* width + height of a triangle that is drawn the small way: plane.c */
 #define ZS_TINY (64 * ZS_SUBPX_ONE) /* most triangles are not larger: 32-bit products do */
 #define ZS_TINY_AREA (1 << 13)      /* ... and not smaller; see plane.c */
 
@@ -324,6 +362,7 @@ struct zs_job {
     const struct zs_vertex *v[3]; /* the top one, then the others so that the area is positive */
     const struct zs_state *state; /* of the instance; NULL: none ... */
     int32_t bias;                 /* ... else buckets added to every key */
+    uint8_t two_octaves;          /* what depth_float.c has its rows drawn by, with ZS_LEAN */
     uint8_t saturates;            /* a key may reach 2^bits - 1 (rows.h) */
     uint8_t fresh;                /* it meets pixels that nothing was drawn on: rows go part by part (fresh.c) */
     uint8_t mid_right;            /* the middle vertex is to the right of the long edge */

@@ -28,7 +28,9 @@
  */
 #include "pipeline.h"
 
-#define SMALL_EXTENT (256 * ZS_SUBPX_ONE)
+#if !ZS_LEAN /* raster.c has both in one */
+
+#define SMALL_EXTENT ZS_SMALL_EXTENT
 
 void zs_plane_sides(struct zs_job *job, const struct zs_vertex *a, const struct zs_vertex *b, const struct zs_vertex *c)
 {
@@ -84,6 +86,8 @@ void zs_plane_geom(struct zs_job *job)
     g->ay = ja * ZS_SUBPX_ONE + ZS_SUBPX_HALF - y;
 }
 
+#endif
+
 #define TOO_STEEP ZS_TOO_STEEP
 
 /* 256 * n / area of a small triangle, nearly nearest; TOO_STEEP where it is 2^(32 - least_shift) or more. */
@@ -104,6 +108,7 @@ static ZS_NOINLINE int32_t small_gradient(const struct zs_geom *g, int64_t n, in
     return n < 0 ? -(int32_t)q : (int32_t)q; /* q <= 2^30 */
 }
 
+#if !ZS_LEAN
 #if ZS_DIVIDES /* small.c calls it too */
 #define TINY_GRADIENT static inline
 ZS_NOINLINE
@@ -137,6 +142,23 @@ TINY_GRADIENT int32_t tiny_gradient(const struct zs_geom *g, int32_t dv1, int32_
 {
     return zs_plane_quotient(zs_cross_short(dv1, d[1], dv2, d[0]), g->rcp, -g->exp, least_shift);
 }
+#endif
+
+#if ZS_LEAN
+
+/* n / d with 32 fraction bits: floor in *whole, fraction returned. d < 2^45. */
+static uint32_t divide(int64_t n, int64_t d, int64_t *whole)
+{
+    const int64_t below = n >> 63; /* of n < 0, what is divided is -1 - n */
+    const uint64_t mag = (uint64_t)(n ^ below), q = zs_muldiv_u64(mag, 1, (uint64_t)d);
+    uint64_t rest = mag - q * (uint64_t)d;
+    *whole = (int64_t)q ^ below;
+    if (below)
+        rest = (uint64_t)d - 1u - rest;
+    return (uint32_t)zs_muldiv_u64(rest, (uint64_t)1 << 32, (uint64_t)d);
+}
+
+#else
 
 /* n / d with 32 fraction bits: floor in *whole, fraction returned. d < 2^45. */
 static ZS_RARE ZS_NOINLINE uint32_t divide(int64_t n, int64_t d, int64_t *whole)
@@ -187,11 +209,17 @@ static ZS_RARE ZS_NOINLINE uint32_t small_divide(const struct zs_geom *g, int64_
     return part;
 }
 
+#endif
+
 /* A gradient in 40.24 bits modulo 2^64, and the step to the anchor added to *base. */
 static ZS_RARE uint64_t gradient64(const struct zs_geom *g, uint64_t n, int32_t to_anchor, uint64_t *base)
 {
     int64_t whole;
+#if ZS_LEAN
+    const uint32_t part = divide((int64_t)n, g->area, &whole);
+#else
     const uint32_t part = g->rcp ? small_divide(g, (int64_t)n, &whole) : divide((int64_t)n, g->area, &whole);
+#endif
     *base += (zs_times((uint64_t)whole, to_anchor) << 24) + (uint64_t)(zs_mul_su(to_anchor, part) >> 8);
     return ((uint64_t)whole << 32) + part;
 }
@@ -248,6 +276,7 @@ void zs_plane32(const struct zs_geom *g, uint32_t v0, uint32_t v1, uint32_t v2,
         out->gx = out->gy = 0;
         return;
     }
+#if !ZS_LEAN
     if (g->tiny && !(((v0 ^ v1) | (v0 ^ v2)) >> 31)) { /* all three in one half: differences fit 32 bits */
         const int32_t gx = tiny_gradient(g, dv1, dv2, g->dy, kind);
         const int32_t up = tiny_gradient(g, dv1, dv2, g->dx, kind); /* -gy, rounded alike */
@@ -258,5 +287,6 @@ void zs_plane32(const struct zs_geom *g, uint32_t v0, uint32_t v1, uint32_t v2,
             return;
         }
     }
+#endif
     any_plane(g, dv1, dv2, out, kind);
 }

@@ -26,7 +26,11 @@ static ZS_NOINLINE int32_t edge_below(int32_t fraction, int32_t dy, int32_t off,
 {
     if (dy < EDGE32_MAX)
         return (fraction * dy + off * part) / (dy * ZS_SUBPX_ONE);        /* < 2^23 + 2^30 */
+#if ZS_LEAN /* the same without a division of 64 bits */
+    return (fraction + (int32_t)zs_muldiv_u64((uint32_t)off, (uint32_t)part, (uint32_t)dy)) >> ZS_SUBPX_BITS;
+#else
     return (int32_t)((zs_mul_ss(fraction, dy) + zs_mul_ss(off, part)) / (dy * ZS_SUBPX_ONE)); /* < 2^44.1 */
+#endif
 }
 
 /* Columns of the edge that runs down from a to b, in n > 0 rows from `row` on, all of them between the two.
@@ -71,6 +75,8 @@ static ZS_NOINLINE void edge_columns(int16_t *out, int32_t n, const struct zs_ve
         ZS_FACT(e >= 0 && e < span);
     }
 }
+
+#if !ZS_LEAN
 
 #define SIDE (ZS_TINY / ZS_SUBPX_ONE + 1) /* pixels: no further from its top corner is any of a tiny triangle */
 
@@ -119,6 +125,8 @@ static ZS_NOINLINE void tiny_cuts(struct zs_job *job, int32_t row, int32_t end)
     (void)sides_cut(cut, lower, from, &left, &right);
 }
 
+#endif
+
 void zs_raster_cuts(struct zs_job *job, int32_t row)
 {
     const int32_t mid_right = job->mid_right, end = zs_min32(job->row_end, row + ZS_CUT_ROWS);
@@ -126,10 +134,12 @@ void zs_raster_cuts(struct zs_job *job, int32_t row)
     int16_t *piece = mid_right ? &job->cut[0].x1 : &job->cut[0].x0;
     job->row = row;
     job->cut_end = end;
+#if !ZS_LEAN
     if (ZS_DIVIDES && job->geom.tiny) {
         tiny_cuts(job, row, end);
         return;
     }
+#endif
     edge_columns(mid_right ? &job->cut[0].x0 : &job->cut[0].x1, end - row, job->v[0], job->v[1 + mid_right], row);
     const int32_t upper = zs_min32(job->row_mid, end) - row; /* rows above the middle vertex */
     if (upper > 0) {
@@ -142,6 +152,50 @@ void zs_raster_cuts(struct zs_job *job, int32_t row)
 }
 
 /* ---- Set-up ------------------------------------------------------------------------------------------ */
+
+#if ZS_LEAN
+
+/* Fill job for its triangle in its strip: rows, sides, plane.c's geometry. Return 0 where it has no row there. */
+static int job_setup(struct zs_job *job)
+{
+    const struct zs_vertex *pool = job->r->vert;
+    const struct zs_vertex *a = &pool[job->tri->v[0]], *b = &pool[job->tri->v[1]], *c = &pool[job->tri->v[2]];
+    const int32_t b_row = zs_first_sample(b->y), c_row = zs_first_sample(c->y);
+    struct zs_geom *g = &job->geom;
+    job->row = zs_max32(zs_first_sample(a->y), job->y0);
+    job->row_end = zs_min32(zs_max32(b_row, c_row), job->y1);
+    if (job->row >= job->row_end)
+        return 0;
+    job->row_mid = zs_min32(b_row, c_row);
+    job->v[0] = a;
+    job->v[1] = b;
+    job->v[2] = c;
+    job->mid_right = b->y < c->y || (b->y == c->y && b->x < c->x);
+    g->dx1 = b->x - a->x; /* |.| < 2^22 */
+    g->dx2 = c->x - a->x;
+    g->dy1 = b->y - a->y;
+    g->dy2 = c->y - a->y;
+    g->area = zs_mul_ss(g->dx1, g->dy2) - zs_mul_ss(g->dx2, g->dy1); /* < 2^45 */
+    g->ia = a->x >> ZS_SUBPX_BITS;
+    g->ja = a->y >> ZS_SUBPX_BITS;
+    const int32_t width = zs_max32(zs_max32(g->dx1, g->dx2), 0) - zs_min32(zs_min32(g->dx1, g->dx2), 0);
+    if (width + zs_max32(g->dy1, g->dy2) <= ZS_SMALL_EXTENT) { /* the first vertex is the top one */
+        const int lz = zs_clz32((uint32_t)g->area); /* 1 .. 31: area <= width * height <= 2^30 */
+        g->exp = -lz;
+        g->rcp = zs_recip((uint32_t)g->area << lz);
+    } else {
+        g->rcp = 0;
+        g->ia = zs_min32(zs_max32(g->ia, 0), job->width - 1);
+        g->ja = zs_min32(zs_max32(g->ja, 0), job->r->config.height - 1);
+    }
+    g->ax = g->ia * ZS_SUBPX_ONE + ZS_SUBPX_HALF - a->x; /* small: -127 .. 128; large: < 2^22.1 */
+    g->ay = g->ja * ZS_SUBPX_ONE + ZS_SUBPX_HALF - a->y;
+    job->r->stats.tris_setup++;
+    zs_raster_cuts(job, job->row);
+    return 1;
+}
+
+#else
 
 /* 1: no row has a pixel, and there are no more rows than have been cut. */
 static int covers_nothing(const struct zs_job *job)
@@ -183,18 +237,89 @@ static ZS_NOINLINE int job_setup(struct zs_job *job)
     return 1;
 }
 
+#endif
+
 void zs_raster_keys(struct zs_job *job)
 {
     const struct zs_shader *shader = job->shader;
     zs_plane32(&job->geom, job->v[0]->d, job->v[1]->d, job->v[2]->d, ZS_PLANE_KEY, &job->key);
     job->key.base += 0x8000u; /* nearest: half a bucket; keys stay below 2^32 - 2^15 (plane.c) */
+#if ZS_LEAN
+    (void)shader;
+    zs_raster_rows(job, 1);
+#else
     if (job->state) {
         const struct zs_state_kernel *kernel = job->state->kernel;
         kernel->rows(job);
     } else {
         shader->rows(job);
     }
+#endif
 }
+
+#if ZS_LEAN
+
+/* Test pixels [i0, i1) of a row, and colour those runs of them that are nearest. */
+static void plain_span(struct zs_job *job, const struct zs_row *row, int32_t i0, int32_t i1, uint32_t sum, uint32_t gx)
+{
+    const struct zs_shader *shader = job->shader;
+    const uint32_t top = (job->r->view.key_top >> 16) - 1u;
+    uint16_t *const line = job->depth + row->at, *at = line + i0, *const end = line + i1;
+    for (; at < end; at++, sum += gx) { /* at a pixel that lost */
+        const uint16_t *const from = at;
+        for (uint32_t key; at < end && (key = zs_minu32(sum >> 16, top)) < *at; sum += gx)
+            *at++ = (uint16_t)key;
+        if (at > from) {
+            zs_rows_written(job, (int32_t)(at - from));
+            shader->run(job, row, (int32_t)(from - line), (int32_t)(at - line));
+        }
+    }
+}
+
+void zs_raster_span(struct zs_job *job, const struct zs_row *row, int32_t i0, int32_t i1, uint32_t sum, uint32_t gx)
+{
+    if (job->state) {
+        const struct zs_state_kernel *kernel = job->state->kernel;
+        kernel->span(job, row, i0, i1, sum, gx);
+    } else {
+        plain_span(job, row, i0, i1, sum, gx);
+    }
+}
+
+void zs_raster_rows(struct zs_job *job, int linear)
+{
+    struct zs_renderer *r = job->r;
+    const struct zs_depth *depth = r->config.depth;
+    const struct zs_shader *shader = job->shader;
+    struct zs_row row;
+    if (shader->start)
+        shader->start(job);
+    row.y = job->row;
+    row.at = (row.y - job->y0) * job->width; /* < 2^24 */
+    row.key = job->key.base - zs_wrap_mul(job->key.gx, job->geom.ia) + zs_wrap_mul(job->key.gy, row.y - job->geom.ja);
+    for (;;) {
+        for (const struct zs_cut *cut = job->cut; row.y < job->cut_end; row.y++, cut++) {
+            row.x0 = cut->x0;
+            row.x1 = cut->x1;
+            row.i0 = zs_max32(row.x0, 0);
+            row.i1 = zs_min32(row.x1, job->width);
+            if (row.i0 < row.i1) {
+                r->stats.pixels_tested += (uint32_t)(row.i1 - row.i0);
+                if (linear)
+                    zs_raster_span(job, &row, row.i0, row.i1, row.key + zs_wrap_mul(job->key.gx, row.i0), job->key.gx);
+                else
+                    depth->row(job, &row);
+            }
+            row.key += job->key.gy;
+            row.at += job->width;
+        }
+        if (row.y >= job->row_end)
+            break;
+        zs_raster_cuts(job, row.y);
+    }
+}
+
+#endif
 
 static ZS_NOINLINE void draw(struct zs_job *job)
 {
@@ -209,6 +334,30 @@ static ZS_NOINLINE void draw(struct zs_job *job)
     else
         depth->rows(job);
 }
+
+#if ZS_LEAN
+
+/* All triangles of the pool, which is in scene order, are looked at. */
+void zs_raster_strip(struct zs_renderer *r)
+{
+    struct zs_job job;
+    job.r = r;
+    job.color = r->color[r->strip & 1];
+    job.depth = r->depth;
+    job.y0 = r->strip * r->config.strip_h;
+    job.y1 = zs_min32(job.y0 + r->config.strip_h, r->config.height);
+    job.width = r->config.width;
+    for (uint32_t t = 0; t < r->n_tris; t++) {
+        job.tri = &r->tri[t];
+        const struct zs_instance *instance = &r->scene->instance[job.tri->instance];
+        job.shader = instance->material->shader;
+        job.state = instance->state;
+        if (job_setup(&job))
+            draw(&job);
+    }
+}
+
+#else
 
 /* ---- Lists ------------------------------------------------------------------------------------------- */
 
@@ -315,3 +464,5 @@ void zs_raster_strip(struct zs_renderer *r)
     *keep = ZS_NIL;
 }
 
+
+#endif

@@ -16,7 +16,9 @@ struct zs_vertex {
 /* A triangle that waits for its strip, in the triangle pool; the pool's order is scene order. */
 struct zs_tri {
     uint16_t v[3];     /* in the vertex pool: the top one, of two the left one, then clockwise */
+#if !ZS_LEAN
     uint16_t next;     /* the next one in its strip's list, or ZS_NIL */
+#endif
     uint16_t paint;    /* what the shader's face function gave: for solid colours RGB565, wire order */
     uint16_t instance; /* in the scene */
 };
@@ -32,7 +34,7 @@ struct zs_view {
     int32_t scale_bits;    /* screen q24_8 = x' * 2^scale_bits / z; orthographic: x' / 2^scale_bits */
     int32_t snap;          /* 8 - sub-pixel bits */
     int32_t ratio;         /* q2_30, (0, 1]: focal length over 2^scale_bits */
-    int32_t side_x[2], side_y[2]; /* q2_30: unit normal of the side planes, (x or y, z) */
+    int32_t side[2][2];   /* q2_30: unit normal of the side planes, (x or y, z) */
     uint64_t guard;        /* |x'| << scale_bits beyond guard * z is outside the guard band */
     uint32_t key_mul;      /* the mapping's factor, 31 or 32 bits ... */
     int32_t key_shift;     /* ... and its shift */
@@ -84,12 +86,18 @@ struct zs_clusters {
 struct zs_xform {
     const struct zs_instance *instance;
     uint32_t number;    /* in the scene */
+    int32_t light[3];   /* q2_30: the light's direction in mesh space */
+#if ZS_LEAN
+    int32_t m[3][3], shift;
+    int64_t t[3];
+#else
     uint8_t clip_depth; /* 1: vertices may be before near or beyond far */
     uint8_t clip_guard; /* 1: vertices may be outside the guard band */
-    int32_t light[3];   /* q2_30: the light's direction in mesh space */
     int32_t row[3][ZS_ROW_WORDS];
+#endif
 };
 
+#if !ZS_LEAN
 #define ZS_LIT_COLORS 64 /* palettes up to here are lit once for triangles of one light, not texel by texel */
 
 /* A texture whose palette is lit. */
@@ -110,26 +118,37 @@ struct zs_cover {
     int32_t done[2];        /* rows [0] .. [1] - 1: bounds are known there, from it and another */
     uint32_t farthest;      /* at least the farthest vertex's key */
 };
+#endif
 
 struct zs_renderer { /* what is used most comes first: a Cortex-M0 reaches 31 bytes, 31 half-words, 31 words at once */
     struct zs_config config; /* strip_h <= height */
+#if !ZS_LEAN
     uint8_t strip_shift;        /* row / strip_h = row * strip_mul >> strip_shift */
     uint8_t direct;             /* 1: vertex v of the current instance has place vert_base + v */
+#endif
     uint8_t counting;           /* 1 in the frame's first walk: triangles are counted once */
     uint8_t ready;              /* zs_init succeeded */
+#if !ZS_LEAN
     uint8_t large;              /* 1: the frame has triangles that may hide others: two tiles wide */
     uint8_t fresh;              /* of the strip in hand, what holds no colours and keys yet: nothing, all, some (fresh.c) */
+#endif
     uint16_t n_strips, strip;   /* strip: the next to be drawn */
     uint16_t band_end;          /* bins are complete for strips below it */
+#if !ZS_LEAN
     uint16_t active;            /* list of triangles that went on from the strip before */
+#endif
     uint32_t n_tris, n_verts;   /* used of the pools */
     uint32_t vert_base;         /* pool vertices below it belong to earlier instances */
+#if !ZS_LEAN
     uint32_t vert_packed;       /* those below it were held by binned triangles when last looked at */
     uint32_t strip_mul;
+#endif
     uint16_t *color[2];      /* [strip_h][width], wire order; [1] is [0] with one buffer */
     uint16_t *depth;         /* [strip_h][width] */
+#if !ZS_LEAN
     uint16_t *bound;         /* levels from [n_strips][ZS_TILES(width)]: no key of a strip's tile stays farther (hidden.c) */
     uint16_t *bin;           /* [n_strips]: newest triangle that begins in the strip, or ZS_NIL */
+#endif
     struct zs_tri *tri;      /* [max_tris] */
     struct zs_vertex *vert;  /* [max_verts] */
     uint16_t *vert_src;      /* [max_verts]: the vertex's number in the current mesh */
@@ -149,9 +168,12 @@ struct zs_renderer { /* what is used most comes first: a Cortex-M0 reaches 31 by
     uint32_t *track_memory;       /* the caller's: sum of the frame, records of instances ... */
     uint8_t *track_due;           /* ... [n_strips]: 1: to be drawn */
     uint16_t track_instances;     /* that there are records for */
+#if !ZS_LEAN
     int16_t (*drawn)[2];          /* [strip_h]: columns [0] .. [1] - 1 of a row hold colours and keys (fresh.c) */
     int16_t was[2];               /* the same of a row, before the triangle in hand */
     uint32_t fresh_left;          /* how many pixels hold none, where some do */
+#endif
+#if !ZS_LEAN
     uint16_t group;               /* the next that the walk comes to */
     uint16_t group_slack;         /* world units that their spheres are taken to be larger by */
     uint16_t edge_row[2];         /* what edge[] holds: rows [0], and [1] below it */
@@ -163,6 +185,7 @@ struct zs_renderer { /* what is used most comes first: a Cortex-M0 reaches 31 by
     uint8_t cover_next, cover_known, cover_waits; /* its own bounds are still to be found */
     uint8_t bound_new;            /* upper levels and bound_most are older than the lowest */
     struct zs_lit lit;
+#endif
 };
 
 #endif

@@ -183,6 +183,8 @@ static void fill_linear(uint16_t *out, int32_t n, const uint32_t c[3], const uin
     }
 }
 
+#if !ZS_LEAN
+
 /* Depth test and colour of an affine triangle whose keys do not saturate. */
 static ZS_NOINLINE void affine_rows(struct zs_job *job)
 {
@@ -240,6 +242,8 @@ static void smooth_rows(struct zs_job *job)
         zs_persp_walk(job);
 }
 
+#endif
+
 /* Colour at a covered pixel by division, codes with half a code added. */
 static void color_at(const struct zs_job *job, int32_t i, int32_t row, uint32_t out[3])
 {
@@ -261,7 +265,7 @@ static void fill_part(uint16_t *out, int32_t n, const uint32_t c[3], const uint3
     for (int k = 0; k < 3; k++) {
         const uint32_t up = k == 1 ? UP6 : UP5;
         const int32_t change = (int32_t)(next[k] - c[k]); /* |.| < 2^22 */
-        const int32_t by = (int32_t)(zs_mul_su(change, zs_one_over[length]) >> 32);
+        const int32_t by = (int32_t)(zs_mul_su(change, zs_one_over(length)) >> 32);
         at[k] = (c[k] + zs_wrap_mul((uint32_t)by, skip)) << up;
         step[k] = (uint32_t)by << up;
     }
@@ -295,5 +299,9 @@ static void smooth_run(struct zs_job *job, const struct zs_row *row, int32_t r0,
     }
 }
 
+#if ZS_LEAN
+const struct zs_shader zs_shade_smooth = { smooth_vertex, 0, smooth_start, smooth_run, smooth_check, 0, ZS_ATTRS_SMOOTH };
+#else
 const struct zs_shader zs_shade_smooth = { smooth_vertex, 0, smooth_rows, smooth_start,
                                            zs_persp_span, smooth_run, smooth_check, 0, 0, ZS_ATTRS_SMOOTH };
+#endif

@@ -4,6 +4,8 @@
  */
 #include "shade_solid.h"
 
+#if !ZS_LEAN
+
 /* Keys that do not saturate: as zs_rows_walk walks rows, with little else in registers. */
 static ZS_NOINLINE void walk(struct zs_job *job)
 {
@@ -63,7 +65,14 @@ void zs_solid_rows(struct zs_job *job)
         walk(job);
 }
 
+#endif
+
 void zs_solid_run(struct zs_job *job, const struct zs_row *row, int32_t from, int32_t to)
 {
+#if ZS_LEAN
+    for (uint16_t *at = job->color + row->at + from, *const end = at + (to - from); at != end; at++)
+        *at = job->tri->paint;
+#else
     zs_fill_run(job->color + row->at + from, job->tri->paint, (uint32_t)(to - from));
+#endif
 }

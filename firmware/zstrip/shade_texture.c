@@ -254,6 +254,18 @@ static ZS_NOINLINE void start_groups(struct zs_job *job, const uint16_t *const a
     job->sub_log2 = GROUP_LOG2;
 }
 
+#if ZS_LEAN
+
+/* Sets job->sampler.unlit. */
+static const struct zs_texture *lit_texture(struct zs_job *job, const struct zs_texture *t)
+{
+    const struct zs_shader *shader = job->shader;
+    job->sampler.unlit = !shader->light || (shader->n_attrs == 2 && job->tri->paint == 32768u);
+    return t;
+}
+
+#else
+
 /* The texture to be drawn: t, or a copy of it with the palette lit. Sets job->sampler.unlit. */
 static ZS_NOINLINE const struct zs_texture *lit_texture(struct zs_job *job, const struct zs_texture *t)
 {
@@ -277,6 +289,8 @@ static ZS_NOINLINE const struct zs_texture *lit_texture(struct zs_job *job, cons
     }
     return &lit->texture;
 }
+
+#endif
 
 static void texture_start(struct zs_job *job)
 {
@@ -445,6 +459,36 @@ static void run_affine(struct zs_job *job, const struct zs_row *row, int32_t r0,
 
 /* ---- Pixel by pixel --------------------------------------------------------------------------------- */
 
+/* attribute * w over w: uq2_30, a little below 0 or above 1 at most; 1/2 in 2^16 has been added to c. */
+static inline uint32_t coarse_over(uint32_t c, uint32_t rcp)
+{
+    return (uint32_t)((int32_t)c >> 16) * rcp; /* 16 bits with the sign, times 16: modulo 2^32 */
+}
+
+#if ZS_LEAN
+
+/* Pixel i of a row, by a reciprocal of 15 bits. 0 < w < 2^31 there. */
+static void run_coarse(struct zs_job *job, uint16_t *out, int32_t i, int32_t row, uint32_t w)
+{
+    const struct zs_sampler *s = &job->sampler;
+    const struct zs_texel *texel = s->texture->format;
+    const struct zs_shader *shader = job->shader;
+    const int32_t up = zs_clz32(w) - 1;
+    const uint32_t rcp = zs_recip15(w << up);
+    uint32_t at[3];
+    for (int k = 0; k < shader->n_attrs; k++)
+        at[k] = coarse_over((zs_plane_at(&job->c[k], i, row) << up) + 0x8000u, rcp);
+    const struct zs_walk walk = { (uint32_t)s->base[0] + turned(at[0], s->shift[0] + 1),
+                                  (uint32_t)s->base[1] + turned(at[1], s->shift[1] + 1), 0, 0 };
+    texel->fetch(s->texture, out, 1, &walk);
+    if (shader->n_attrs == 3) /* < 2^32: light is below LIGHT_MAX */
+        shader->light(out, 1, (int32_t)at[2] < 0 ? 0u : at[2] << 2, 0);
+    else
+        lighten(job, out, 1, 0, 0);
+}
+
+#else
+
 /* n reciprocals, 15 bits, of w that stays in [2^30, 2^31). */
 static ZS_NOINLINE void reciprocals(uint32_t *at, int32_t n, uint32_t w, uint32_t step)
 {
@@ -453,12 +497,6 @@ static ZS_NOINLINE void reciprocals(uint32_t *at, int32_t n, uint32_t w, uint32_
         ZS_HIGH_REGISTER(step);
         *at = zs_recip15(w);
     }
-}
-
-/* attribute * w over w: uq2_30, a little below 0 or above 1 at most; 1/2 in 2^16 has been added to c. */
-static inline uint32_t coarse_over(uint32_t c, uint32_t rcp)
-{
-    return (uint32_t)((int32_t)c >> 16) * rcp; /* 16 bits with the sign, times 16: modulo 2^32 */
 }
 
 /* A coordinate times w along a run, and how it becomes a column or row. */
@@ -540,13 +578,15 @@ static int32_t same_octave(uint32_t w, int32_t gx, int32_t lz, int32_t n)
     return more < (uint32_t)n ? (int32_t)more + 1 : n;
 }
 
+#endif
+
 /* ---- Groups ------------------------------------------------------------------------------------------ */
 
 /* The step to a group's end, n pixels or a whole group further; *c moves on by `skip` pixels. */
 static inline int32_t step_of(uint32_t *c, uint32_t next, int32_t n, int32_t skip)
 {
     const int32_t all = (int32_t)(next - *c); /* |.| < 2^31 */
-    const int32_t step = n == GROUP ? all >> GROUP_LOG2 : (int32_t)(zs_mul_su(all, zs_one_over[n]) >> 32);
+    const int32_t step = n == GROUP ? all >> GROUP_LOG2 : (int32_t)(zs_mul_su(all, zs_one_over(n)) >> 32);
     *c += zs_wrap_mul((uint32_t)step, skip);
     return step;
 }
@@ -578,9 +618,13 @@ static void run_divided(struct zs_job *job, const struct zs_row *row, int32_t i,
         if (w == 0 || w >> 31 || job->sampler.fine) {
             run_group(job, row, i, i, i, i + 1);
         } else {
+#if ZS_LEAN
+            run_coarse(job, job->color + row->at + i, i, row->y, w);
+#else
             const int32_t lz = zs_clz32(w);
             n = same_octave(w, (int32_t)job->w.gx, lz, zs_min32(end - i, PIECE));
             divide_octave(job, job->color + row->at + i, i, n, row->y, lz);
+#endif
         }
         i += n;
     }
@@ -608,6 +652,16 @@ static void texture_run(struct zs_job *job, const struct zs_row *row, int32_t r0
         run_groups(job, row, r0, r1);
 }
 
+#if ZS_LEAN
+
+const struct zs_shader zs_shade_texture = { texture_vertex, no_face, texture_start, texture_run, texture_check, 0, ZS_ATTRS_TEXTURE };
+const struct zs_shader zs_shade_texture_flat = { texture_vertex, flat_face, texture_start, texture_run, texture_check, light,
+                                                 ZS_ATTRS_TEXTURE };
+const struct zs_shader zs_shade_texture_smooth = { smooth_vertex, no_face, texture_start, texture_run, smooth_check, light,
+                                                   ZS_ATTRS_TEXTURE_SMOOTH };
+
+#else
+
 static void texture_rows(struct zs_job *job)
 {
     texture_start(job);
@@ -626,3 +680,5 @@ const struct zs_shader zs_shade_texture_flat = { texture_vertex, flat_face, text
 const struct zs_shader zs_shade_texture_smooth = { smooth_vertex, no_face, texture_rows, texture_start,
                                                    zs_persp_span, texture_run, smooth_check, light, 0,
                                                    ZS_ATTRS_TEXTURE_SMOOTH };
+
+#endif

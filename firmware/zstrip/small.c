@@ -9,7 +9,8 @@
  */
 #include "shade_solid.h"
 
-#if ZS_DIVIDES
+#if ZS_LEAN
+#elif ZS_DIVIDES
 
 #define SIDE (ZS_TINY / ZS_SUBPX_ONE + 1) /* pixels: no further from the top corner is any of the triangle */
 

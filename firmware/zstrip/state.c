@@ -13,7 +13,11 @@
 static uint64_t steepness(int64_t n, int64_t area)
 {
     const uint64_t mag = n < 0 ? 0u - (uint64_t)n : (uint64_t)n;
+#if ZS_LEAN
+    const uint64_t q = zs_muldiv_u64(mag, 256, (uint64_t)area);
+#else
     const uint64_t q = (mag << 8) / (uint64_t)area;
+#endif
     return q >> 46 ? (uint64_t)1 << 46 : q;
 }
 
@@ -55,6 +59,10 @@ static void state_span(struct zs_job *job, const struct zs_row *row, int32_t i0,
     zs_rows_run(job, shader, row, from, i1);
 }
 
+#if ZS_LEAN
+const struct zs_state_kernel zs_state_kernel = { state_bias, state_span };
+#else
+
 ZS_ALWAYS_INLINE void keys_span(struct zs_job *job, const struct zs_row *row)
 {
     state_span(job, row, row->i0, row->i1, row->key + zs_wrap_mul(job->key.gx, row->i0), job->key.gx);
@@ -75,3 +83,5 @@ static void state_rows(struct zs_job *job)
 }
 
 const struct zs_state_kernel zs_state_kernel = { state_bias, state_rows, state_span };
+
+#endif

@@ -49,6 +49,8 @@ ZS_ALWAYS_INLINE void fetch(const struct zs_texture *t, uint16_t *out, int32_t n
     }
 }
 
+#if !ZS_LEAN
+
 ZS_ALWAYS_INLINE void gather(const struct zs_texture *t, uint16_t *out, int32_t n, const uint32_t *at, read_fn *read)
 {
     const void *texel = t->texel;
@@ -102,6 +104,8 @@ ZS_ALWAYS_INLINE void rows(struct zs_job *job, read_fn *read)
     zs_rows_written(job, written);
 }
 
+#endif
+
 static void fetch_565(const struct zs_texture *t, uint16_t *out, int32_t n, const struct zs_walk *walk)
 {
     fetch(t, out, n, walk, read_565);
@@ -116,6 +120,14 @@ static void fetch_pal4(const struct zs_texture *t, uint16_t *out, int32_t n, con
 {
     fetch(t, out, n, walk, read_pal4);
 }
+
+#if ZS_LEAN
+
+const struct zs_texel zs_texel_565 = { fetch_565, 0, 0 };
+const struct zs_texel zs_texel_pal8 = { fetch_pal8, 256, 0 };
+const struct zs_texel zs_texel_pal4 = { fetch_pal4, 16, 1 };
+
+#else
 
 static void gather_565(const struct zs_texture *t, uint16_t *out, int32_t n, const uint32_t *at)
 {
@@ -150,3 +162,5 @@ static void rows_pal4(struct zs_job *job)
 const struct zs_texel zs_texel_565 = { fetch_565, gather_565, rows_565, 0, 0 };
 const struct zs_texel zs_texel_pal8 = { fetch_pal8, gather_pal8, rows_pal8, 256, 0 };
 const struct zs_texel zs_texel_pal4 = { fetch_pal4, gather_pal4, rows_pal4, 16, 1 };
+
+#endif

@@ -35,18 +35,13 @@ static int range_ok(const struct zs_camera *camera)
  * ZS_HEIGHT_MIN <= den < 2^47, so num / den < 2^33 and -24 <= *bits <= 33. */
 static int32_t split_ratio(uint64_t num, uint64_t den, int32_t *bits)
 {
-    int32_t b = 0;
-    while (num >> b > den) /* the smallest b with num <= den * 2^b, or one below it */
-        b++;
-    while (b < 1 && num <= den >> (1 - b))
-        b--;
-    uint64_t r = b >= 0 ? zs_muldiv_u64(num, (uint64_t)1 << 30, den) >> b
-                        : zs_muldiv_u64(num, (uint64_t)1 << (30 - b), den);
-    if (r > (uint64_t)ZS_Q30_ONE) { /* num was rounded down by the shift */
-        r >>= 1;
-        b++;
-    }
-    *bits = b;
+    int32_t up = zs_clz64(num) - zs_clz64(den) + 31; /* num 2^up / den in (2^30, 2^32), or up < 0 */
+    if (up < 0)
+        up = 0;
+    uint64_t r = zs_muldiv_u64(num, (uint64_t)1 << up, den); /* [2^30, 2^33) */
+    for (; r > (uint64_t)ZS_Q30_ONE; r >>= 1)
+        up--;
+    *bits = 30 - up;
     return (int32_t)r;
 }
 
@@ -78,8 +73,8 @@ int zs_view_camera(struct zs_view *view, const struct zs_config *config,
     view->cx = config->width * ZS_SUBPX_HALF;
     view->cy = config->height * ZS_SUBPX_HALF;
     view->snap = ZS_SUBPX_BITS - config->subpixel_bits;
-    zs_view_side(view->side_x, camera->focal, (uint32_t)view->cx);
-    zs_view_side(view->side_y, camera->focal, (uint32_t)view->cy);
+    zs_view_side(view->side[0], camera->focal, (uint32_t)view->cx);
+    zs_view_side(view->side[1], camera->focal, (uint32_t)view->cy);
     return ZS_OK;
 }
 
@@ -90,10 +85,11 @@ static int scale_set(struct zs_view *view, const struct zs_config *config,
     int32_t bits;
     if (view->perspective) {
         const uint64_t focal = camera->focal << 8; /* uq32_32 sub-pixels, <= 2^63 */
-        bits = SCALE_BITS_MIN;
-        while (bits < 31 && focal > (uint64_t)1 << (32 + bits))
-            bits++;
-        view->ratio = (int32_t)(((focal >> (bits + 1)) + 1u) >> 1); /* focal / 2^(bits + 2), nearest */
+        const uint32_t high = (uint32_t)((focal - 1u) >> 32); /* the least bits with focal <= 2^(32 + bits) */
+        bits = high ? 32 - zs_clz32(high) : 0;
+        if (bits < SCALE_BITS_MIN)
+            bits = SCALE_BITS_MIN;
+        view->ratio = (int32_t)zs_round_shift((int64_t)(focal >> 1), bits + 1); /* focal / 2^(bits + 2), nearest */
         view->scale_bits = bits;
         view->guard = (uint64_t)ZS_GUARD_SUBPX;
         return ZS_OK;

@@ -22,7 +22,7 @@
 #define ZS_DIVIDES 1
 #endif
 
-#if defined(__GNUC__) && defined(__ARM_ARCH_6M__)
+#if defined(__GNUC__) && defined(__ARM_ARCH_6M__) && !ZS_LEAN
 
 /* a b = a1 b1 2^32 + (a1 b0 + a0 b1) 2^16 + a0 b0, the halves shifted into place by AH, BH: asrs where the factor
  * is signed, lsrs where not. A middle product has a sign where its high half has. In: a, b. Out: hi in a, lo. */
@@ -100,7 +100,7 @@ static inline int64_t zs_cross_short(int32_t a, int32_t b, int32_t c, int32_t d)
 
 #endif
 
-#if defined(__GNUC__) && defined(__thumb__)
+#if defined(__GNUC__) && defined(__thumb__) && !ZS_LEAN
 
 /* Fill 16 words at a time, up to n of them, four a STM: 0.3 instructions, on Armv6-M 1.4 cycles a word. Return how many.
  * at is 4-byte aligned. */
@@ -297,7 +297,7 @@ static inline int32_t zs_mulh_ss(int32_t a, int32_t b)
 }
 
 /* Leading zeros, v > 0. */
-#if defined(__GNUC__) && !defined(__ARM_ARCH_6M__)
+#if defined(__GNUC__) && (!defined(__ARM_ARCH_6M__) || ZS_LEAN)
 
 static inline int zs_clz32(uint32_t v)
 {

@@ -337,18 +337,31 @@ struct zs_config {
     ((uint32_t)(buffers) * ZS_ROUND4((uint32_t)(width) * (uint32_t)(strip_h) * 2u))
 #define ZS_DEPTH_BYTES(width, strip_h) ZS_ROUND4((uint32_t)(width) * (uint32_t)(strip_h) * 2u)
 #define ZS_STRIPS(height, strip_h) (((uint32_t)(height) + (uint32_t)(strip_h) - 1u) / (uint32_t)(strip_h))
+#if ZS_LEAN
+#define ZS_DRAWN_BYTES(strip_h) 0u
+#else
 #define ZS_DRAWN_BYTES(strip_h) ((uint32_t)(strip_h) * 4u)
+#endif
 #define ZS_TILE_LOG2 5
 #define ZS_TILES(width) (((uint32_t)(width) + 31u) >> ZS_TILE_LOG2)
 #define ZS_BOUND_LEVELS 3
 #define ZS_BOUND_CELLS(width, strips, n) (((ZS_TILES(width) + (n) - 1u) / (n)) * (((strips) + (n) - 1u) / (n)))
+#if ZS_LEAN
+#define ZS_BOUND_BYTES(width, height, strip_h) 0u
+#else
 #define ZS_BOUND_BYTES(width, height, strip_h) \
     ZS_ROUND4(2u * (ZS_BOUND_CELLS(width, ZS_STRIPS(height, strip_h), 1u) + \
                     ZS_BOUND_CELLS(width, ZS_STRIPS(height, strip_h), 2u) + \
                     ZS_BOUND_CELLS(width, ZS_STRIPS(height, strip_h), 4u)))
+#endif
+#if ZS_LEAN
+#define ZS_BIN_BYTES(height, strip_h) 0u
+#define ZS_TRI_BYTES(max_tris) ZS_ROUND4((uint32_t)(max_tris) * 10u)
+#else
 #define ZS_BIN_BYTES(height, strip_h) \
     ZS_ROUND4((((uint32_t)(height) + (uint32_t)(strip_h) - 1u) / (uint32_t)(strip_h)) * 2u)
 #define ZS_TRI_BYTES(max_tris) ((uint32_t)(max_tris) * 12u)
+#endif
 #define ZS_VERT_BYTES(max_verts, attrs) \
     ((uint32_t)(max_verts) * 12u + 2u * ZS_ROUND4((uint32_t)(max_verts) * 2u) + \
      ZS_ROUND4((uint32_t)(max_verts) * (uint32_t)(attrs) * 2u))

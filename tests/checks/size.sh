@@ -8,6 +8,10 @@
 FLASH_MAX=${FLASH_MAX:-49152}           # everything but clusters and groups, Cortex-M3
 FLASH_CLUSTERS_MAX=${FLASH_CLUSTERS_MAX:-3328} # what clusters take
 FLASH_FLAT_MAX=${FLASH_FLAT_MAX:-25088} # flat and recip alone, Cortex-M3
+# ZS_LEAN, -Os, Cortex-M3. The goals are 6,144 bytes for flat alone, 12,288 with textures, lighting and clipping.
+LEAN_FLAT_MAX=${LEAN_FLAT_MAX:-11776}       # flat and recip alone
+LEAN_TEXTURE_MAX=${LEAN_TEXTURE_MAX:-15360} # a texture lit at the vertices, recip
+LEAN_MAX=${LEAN_MAX:-30208}                 # everything
 FLASH_PANEL_MAX=${FLASH_PANEL_MAX:-3072} # a panel that converts nothing
 
 # MAP PATTERN: bytes that the link took from objects whose path matches.
@@ -23,11 +27,12 @@ taken() {
                     if ($(i + 2) ~ want) print substr($(i + 1), 3)
                     break } }' "$1" | { sum=0; while read -r hex; do sum=$((sum + 0x$hex)); done; echo $sum; }
 }
-# LABEL SHADER DEPTH [STATEMENTS [DECLARATIONS]]
+# LABEL SHADER DEPTH [STATEMENTS [DECLARATIONS]]; lean: flags of the lean build, or nothing
 flash() {
     minimal "$dir/main.c" "$2" "$3" "${4:-}"
     echo "${5:-}" >>"$dir/main.c"
-    if ! link "$c" "$dir" "$dir/main.c" "$dir/size.elf" -Wl,-Map,"$dir/size.map"; then
+    # shellcheck disable=SC2086
+    if ! link "$c" "$dir" "$dir/main.c" "$dir/size.elf" $lean -Wl,-Map,"$dir/size.map"; then
         bad "$c $1" "does not link"
         return
     fi
@@ -36,6 +41,11 @@ flash() {
     printf '  %-34s %8d %8d\n' "$1" "$core_bytes" "$lib_bytes"
 }
 
+within() { # NAME BYTES MOST
+    if [ "$2" -le "$3" ]; then ok "$1 within $3 bytes: $2"; else bad "$1 within $3 bytes" "$2"; fi
+}
+
+lean=
 for c in $CPUS; do
     dir=$B/size-$c
     core "$c" "$dir" || { bad "$c compiles" "see above"; continue; }
@@ -63,13 +73,36 @@ for c in $CPUS; do
     flash "everything, clusters, groups" flat recip "$EVERYTHING $CULLING" "$OTHERS"
     flash "everything but clusters and groups" flat recip "$EVERYTHING" "$OTHERS"
     if [ "$c" = cortex-m3 ]; then
-        if [ "$flat" -le "$FLASH_FLAT_MAX" ]; then ok "$c flat alone within $FLASH_FLAT_MAX bytes: $flat"
-        else bad "$c flat alone within $FLASH_FLAT_MAX bytes" "$flat"; fi
-        if [ "$clusters" -le "$FLASH_CLUSTERS_MAX" ]; then ok "$c clusters within $FLASH_CLUSTERS_MAX bytes: $clusters"
-        else bad "$c clusters within $FLASH_CLUSTERS_MAX bytes" "$clusters"; fi
-        if [ "$core_bytes" -le "$FLASH_MAX" ]; then ok "$c everything but clusters and groups within $FLASH_MAX bytes: $core_bytes"
-        else bad "$c everything but clusters and groups within $FLASH_MAX bytes" "$core_bytes"; fi
+        within "$c flat alone" "$flat" "$FLASH_FLAT_MAX"
+        within "$c clusters" "$clusters" "$FLASH_CLUSTERS_MAX"
+        within "$c everything but clusters and groups" "$core_bytes" "$FLASH_MAX"
     fi
+done
+
+# The lean build, by size. The full one beside it is above.
+lean='-DZS_LEAN=1 -Os'
+for c in $CPUS; do
+    dir=$B/size-lean-$c
+    # shellcheck disable=SC2086
+    core "$c" "$dir" $lean || { bad "lean, $c compiles" "see above"; continue; }
+    printf '%-36s %8s %8s\n' "Flash, bytes, $c, ZS_LEAN -Os" zstrip "libgcc+c"
+    flash "raw, recip" raw recip
+    flash "flat, recip" flat recip
+    flat=$core_bytes
+    flash "smooth, recip" smooth recip
+    flash "flat, e3m13" flat e3m13
+    flash "texture 565, recip" texture recip '
+         extern struct zs_texture texture; material.texture = &texture;' 'struct zs_texture texture = { &zs_texel_565 };'
+    flash "texture 565 smooth, recip" texture_smooth recip '
+         extern struct zs_texture texture; material.texture = &texture;' 'struct zs_texture texture = { &zs_texel_565 };'
+    texture=$core_bytes
+    flash "texture pal8 smooth, e3m13" texture_smooth e3m13 '
+         extern struct zs_texture texture; material.texture = &texture;' 'struct zs_texture texture = { &zs_texel_pal8 };'
+    flash "everything" flat recip "$EVERYTHING" "$OTHERS"
+    [ "$c" = cortex-m3 ] || continue
+    within "lean, $c flat alone (goal 6144)" "$flat" "$LEAN_FLAT_MAX"
+    within "lean, $c texture, light, clipping (goal 12288)" "$texture" "$LEAN_TEXTURE_MAX"
+    within "lean, $c everything" "$core_bytes" "$LEAN_MAX"
 done
 
 # Panels: panel.c, the type, the conversion that it brings along; sizes as commonly sold
@@ -95,8 +128,10 @@ done
 # RAM: the macros give the same on every machine; the renderer itself holds pointers, so ask the M3.
 echo '#include "zstrip.h"
 char renderer_bytes[sizeof(struct zs_renderer)];' >"$B/probe.c"
-${ARM}gcc -std=c11 -mcpu=cortex-m3 -mthumb -Ifirmware/zstrip -c "$B/probe.c" -o "$B/probe.o"
-renderer=$((0x$(${ARM}nm -S "$B/probe.o" | awk '/renderer_bytes/ { print $2 }')))
+renderer_bytes() { # FLAGS
+    ${ARM}gcc -std=c11 -mcpu=cortex-m3 -mthumb "$@" -Ifirmware/zstrip -c "$B/probe.c" -o "$B/probe.o"
+    echo $((0x$(${ARM}nm -S "$B/probe.o" | awk '/renderer_bytes/ { print $2 }')))
+}
 cat >"$B/ram.c" <<'END'
 #include "zstrip.h"
 #include <stdio.h>
@@ -131,9 +166,13 @@ int main(int argc, char **argv)
     return wrong;
 }
 END
-if gcc -std=c11 -Ifirmware/zstrip "$B/ram.c" firmware/zstrip/*.c -o "$B/ram" && "$B/ram" "$renderer"; then
-    ok "ZS_ARENA_BYTES equals zs_arena_bytes"
-else
-    bad "ZS_ARENA_BYTES equals zs_arena_bytes" "see above"
-fi
+for lean in 0 1; do
+    [ $lean = 0 ] || { name=", ZS_LEAN"; echo "The same with ZS_LEAN=1"; }
+    renderer=$(renderer_bytes -DZS_LEAN=$lean)
+    if gcc -std=c11 -DZS_LEAN=$lean -Ifirmware/zstrip "$B/ram.c" firmware/zstrip/*.c -o "$B/ram" && "$B/ram" "$renderer"; then
+        ok "ZS_ARENA_BYTES equals zs_arena_bytes${name:-}"
+    else
+        bad "ZS_ARENA_BYTES equals zs_arena_bytes${name:-}" "see above"
+    fi
+done
 exit $failed
