@@ -220,30 +220,6 @@ static ZS_NOINLINE enum way float_planes(struct zs_job *job)
     return MORE_OCTAVES;
 }
 
-/* Draw pixels [i, i + n) of a row, on which keys are linear. */
-static inline void piece(struct zs_job *job, const struct zs_row *row, int32_t i, int32_t n, uint32_t sum, uint32_t step)
-{
-#if ZS_LEAN
-    zs_raster_span(job, row, i, i + n, sum, step);
-#else
-    int32_t to = i + n;
-    for (;; sum += zs_wrap_mul(step, to - i), i = to, to = i + n) {
-        if (job->fresh)
-            to = zs_fresh_to(job, row, i, to);
-        if (job->state) {
-            const struct zs_state_kernel *kernel = job->state->kernel;
-            kernel->span(job, row, i, to, sum, step);
-        } else {
-            const struct zs_shader *shader = job->shader;
-            shader->span(job, row, i, to, sum, step);
-        }
-        n -= to - i;
-        if (n <= 0)
-            return;
-    }
-#endif
-}
-
 /* ---- Two octaves ----------------------------------------------------------------------------------- */
 
 /* Pixels [i, i + n) of a row, all in the nearer octave or in the farther one: code = (o - 1) 2^m + w / 2^shift. */
@@ -259,7 +235,7 @@ static ZS_NOINLINE void pair_piece(struct zs_job *job, const struct zs_row *row,
         code = ((code >> (shift - 1)) + 1u) >> 1;
         step = ((step >> (shift - 1)) + 1) >> 1;
     }
-    piece(job, row, i, n, start - code, 0u - (uint32_t)step);
+    zs_rows_piece(job, row, i, n, start - code, 0u - (uint32_t)step);
 }
 
 /* w - PAIR_END has the sign that tells the octave: 0 <= w < 2^32 - 2^30. */
@@ -329,7 +305,7 @@ static ZS_NOINLINE void float_piece(struct zs_job *job, const struct zs_row *row
     const uint32_t code = ((uint32_t)(job->w64_scale - down) << m) + rounded(w, shift, 0);
     const uint32_t sum = view->key_top + 0x10000u - code + 0x8000u;       /* modulo 2^32 */
     const uint32_t step = 0u - rounded(job->w64.gx, shift, 1);            /* gx may be any where n is 1 */
-    piece(job, row, i, n, sum, step);
+    zs_rows_piece(job, row, i, n, sum, step);
 }
 
 /* A row that may cross octaves; its last pixel is down_end down. */

@@ -138,43 +138,13 @@ static void fresh_span(struct zs_job *job, const struct zs_row *row, int32_t i, 
     zs_rows_run(job, shader, row, i, to);
 }
 
-ZS_ALWAYS_INLINE void keys_span(struct zs_job *job, const struct zs_row *row)
-{
-    const struct zs_shader *shader = job->shader;
-    const uint32_t gx = job->key.gx;
-    zs_fresh_row(job, row);
-    for (int32_t i = row->i0, to; i < row->i1; i = to) {
-        const uint32_t sum = row->key + zs_wrap_mul(gx, i);
-        to = zs_fresh_to(job, row, i, row->i1);
-        if (job->state)
-            fresh_span(job, row, i, to, sum, gx);
-        else
-            shader->span(job, row, i, to, sum, gx);
-    }
-}
-
-/* Apart, so that its frame is not on the stack below start(). */
-static ZS_NOINLINE void fresh_walk(struct zs_job *job)
-{
-    zs_rows_walk(job, keys_span);
-}
-
-static void fresh_rows(struct zs_job *job)
-{
-    const struct zs_shader *shader = job->shader;
-    job->saturates = (uint8_t)zs_keys_may_saturate(job);
-    if (shader->start)
-        shader->start(job);
-    fresh_walk(job);
-}
-
 static int32_t no_bias(const struct zs_job *job)
 {
     (void)job;
     return 0;
 }
 
-static const struct zs_state_kernel zs_fresh_kernel = { no_bias, fresh_rows, fresh_span };
+static const struct zs_state_kernel zs_fresh_kernel = { no_bias, fresh_span };
 static const struct zs_state fresh = { &zs_fresh_kernel, 0, 0, 0, 0 };
 
 int32_t zs_fresh_to(struct zs_job *job, const struct zs_row *row, int32_t i, int32_t end)

@@ -89,10 +89,7 @@ struct zs_group_kernel {
 struct zs_state_kernel {
     /* Buckets to be added to each key of a triangle: offset and slope. */
     int32_t (*bias)(const struct zs_job *job);
-    /* As shader->rows and ->span, with job->state and job->bias. */
-#if !ZS_LEAN
-    void (*rows)(struct zs_job *job);
-#endif
+    /* As shader->span, with job->state and job->bias. */
     void (*span)(struct zs_job *job, const struct zs_row *row, int32_t i0, int32_t i1, uint32_t sum,
                  uint32_t gx);
 };
@@ -270,6 +267,10 @@ int zs_raster_sides(struct zs_job *job);
 void zs_raster_cuts(struct zs_job *job, int32_t row);
 /* Draw a job whose keys are linear on the screen, by its shader or its state. */
 void zs_raster_keys(struct zs_job *job);
+#if !ZS_LEAN
+/* Draw a job's rows, where keys are linear on the screen, by its shader's span or its state's. job->saturates is set. */
+void zs_raster_spans(struct zs_job *job);
+#endif
 #if ZS_LEAN
 /* Start the shader and draw the job's rows: those whose keys are linear by zs_raster_span, others by depth->row. */
 void zs_raster_rows(struct zs_job *job, int linear);

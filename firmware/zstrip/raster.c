@@ -239,6 +239,23 @@ static ZS_NOINLINE int job_setup(struct zs_job *job)
 
 #endif
 
+#if !ZS_LEAN
+
+ZS_ALWAYS_INLINE void keys_span(struct zs_job *job, const struct zs_row *row)
+{
+    if (job->fresh)
+        zs_fresh_row(job, row);
+    zs_rows_piece(job, row, row->i0, row->i1 - row->i0, row->key + zs_wrap_mul(job->key.gx, row->i0), job->key.gx);
+}
+
+/* Not inline, so that its frame is not on the stack below start(). */
+ZS_NOINLINE void zs_raster_spans(struct zs_job *job)
+{
+    zs_rows_walk(job, keys_span);
+}
+
+#endif
+
 void zs_raster_keys(struct zs_job *job)
 {
     const struct zs_shader *shader = job->shader;
@@ -248,12 +265,14 @@ void zs_raster_keys(struct zs_job *job)
     (void)shader;
     zs_raster_rows(job, 1);
 #else
-    if (job->state) {
-        const struct zs_state_kernel *kernel = job->state->kernel;
-        kernel->rows(job);
-    } else {
+    if (!job->state) {
         shader->rows(job);
+        return;
     }
+    job->saturates = (uint8_t)zs_keys_may_saturate(job);
+    if (shader->start)
+        shader->start(job);
+    zs_raster_spans(job);
 #endif
 }
 

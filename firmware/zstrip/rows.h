@@ -50,6 +50,31 @@ ZS_ALWAYS_INLINE void zs_rows_walk(struct zs_job *job, zs_span_fn *span)
     job->r->stats.pixels_tested += tested;
 }
 
+/* Draw pixels [i, i + n) of a row, on which keys are linear. */
+ZS_ALWAYS_INLINE void zs_rows_piece(struct zs_job *job, const struct zs_row *row, int32_t i, int32_t n, uint32_t sum,
+                                    uint32_t step)
+{
+#if ZS_LEAN
+    zs_raster_span(job, row, i, i + n, sum, step);
+#else
+    int32_t to = i + n;
+    for (;; sum += zs_wrap_mul(step, to - i), i = to, to = i + n) {
+        if (job->fresh)
+            to = zs_fresh_to(job, row, i, to);
+        if (job->state) {
+            const struct zs_state_kernel *kernel = job->state->kernel;
+            kernel->span(job, row, i, to, sum, step);
+        } else {
+            const struct zs_shader *shader = job->shader;
+            shader->span(job, row, i, to, sum, step);
+        }
+        n -= to - i;
+        if (n <= 0)
+            return;
+    }
+#endif
+}
+
 ZS_ALWAYS_INLINE void zs_rows_written(struct zs_job *job, int32_t n)
 {
     if (ZS_STATS)

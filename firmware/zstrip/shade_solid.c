@@ -51,16 +51,11 @@ void zs_solid_span(struct zs_job *job, const struct zs_row *row, int32_t i0, int
     zs_rows_written(job, written);
 }
 
-ZS_ALWAYS_INLINE void span_clamped(struct zs_job *job, const struct zs_row *row)
-{
-    zs_solid_span(job, row, row->i0, row->i1, row->key + zs_wrap_mul(job->key.gx, row->i0), job->key.gx);
-}
-
 void zs_solid_rows(struct zs_job *job)
 {
     job->saturates = (uint8_t)zs_keys_may_saturate(job);
     if (job->saturates)
-        zs_rows_walk(job, span_clamped);
+        zs_raster_spans(job);
     else
         walk(job);
 }

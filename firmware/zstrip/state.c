@@ -59,29 +59,4 @@ static void state_span(struct zs_job *job, const struct zs_row *row, int32_t i0,
     zs_rows_run(job, shader, row, from, i1);
 }
 
-#if ZS_LEAN
 const struct zs_state_kernel zs_state_kernel = { state_bias, state_span };
-#else
-
-ZS_ALWAYS_INLINE void keys_span(struct zs_job *job, const struct zs_row *row)
-{
-    state_span(job, row, row->i0, row->i1, row->key + zs_wrap_mul(job->key.gx, row->i0), job->key.gx);
-}
-
-/* Apart, so that its frame is not on the stack below start(). */
-static ZS_NOINLINE void state_walk(struct zs_job *job)
-{
-    zs_rows_walk(job, keys_span);
-}
-
-static void state_rows(struct zs_job *job)
-{
-    const struct zs_shader *shader = job->shader;
-    if (shader->start)
-        shader->start(job);
-    state_walk(job);
-}
-
-const struct zs_state_kernel zs_state_kernel = { state_bias, state_rows, state_span };
-
-#endif

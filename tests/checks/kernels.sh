@@ -44,7 +44,7 @@ for c in $CPUS; do
         zs_depth_linear recip_setup linear_setup linear_rows zs_solid_rows zs_pose_turn \
         zs_camera_orbit zs_strerror zs_shade_texture zs_shade_texture_flat zs_shade_texture_smooth zs_texel_565 \
         zs_texel_pal8 zs_texel_pal4 fetch_565 fetch_pal8 fetch_pal4 rows_565 rows_pal8 rows_pal4 fetch_wide texture_run light texture_start \
-        zs_state_kernel state_rows state_bias zs_depth_e3m13 zs_depth_e4m12 zs_depth_e5m11 float_rows e3_setup e4_setup e5_setup any_setup; do
+        zs_state_kernel state_span state_bias zs_depth_e3m13 zs_depth_e4m12 zs_depth_e5m11 float_rows e3_setup e4_setup e5_setup any_setup; do
         echo "$all" | grep -q "^$s" || gone="$gone $s"
     done
     none "$c everything holds every name looked for" "$gone"
