@@ -18,17 +18,13 @@
 #include <time.h>
 #include <unistd.h>
 
+#include "replay.h"
 #include "stress.h"
 
 #define CASE_SECONDS 120 /* a case that takes longer hangs */
 #define SAVE_SECONDS 20
 #define FINDINGS_MAX 20  /* then a run ends */
 #define LINES_MAX 200
-
-static struct {
-    const char *program, *kind;
-    unsigned long long seed;
-} now;
 
 int stress_wrong(const char *format, ...)
 {
@@ -41,46 +37,12 @@ int stress_wrong(const char *format, ...)
     return 0;
 }
 
-/* Only write(): it may be called from a signal. */
-static void say_replay(void)
-{
-    char line[300];
-    const int n = snprintf(line, sizeof line, "FAILED stress: replay with: %s %s case %llu\n", now.program, now.kind,
-                           now.seed);
-    if (write(2, line, (size_t)n) != n)
-        _exit(1);
-}
-
-#ifdef __SANITIZE_ADDRESS__
-#include <sanitizer/common_interface_defs.h>
-void __ubsan_on_report(void); /* UBSan calls it, ASan's callback it does not */
-void __ubsan_on_report(void)
-{
-    say_replay();
-}
-static void watch_sanitizers(void)
-{
-    __sanitizer_set_death_callback(say_replay);
-}
-#else
-static void watch_sanitizers(void)
-{
-}
-#endif
-
 static volatile sig_atomic_t stopped;
 
-static void on_signal(int signal)
+static void stop(int signal)
 {
-    if (signal == SIGINT || signal == SIGTERM) {
-        stopped = 1; /* after this case */
-        return;
-    }
-    static const char hang[] = "wrong: hangs\n", trap[] = "wrong: an assertion of the library\n";
-    const char *text = signal == SIGALRM ? hang : trap;
-    (void)!write(2, text, strlen(text));
-    say_replay();
-    _exit(1);
+    (void)signal;
+    stopped = 1; /* after this case */
 }
 
 /* ---- State -------------------------------------------------------------------------------------------- */
@@ -163,7 +125,7 @@ static double seconds_of(clockid_t clock)
     return (double)t.tv_sec + (double)t.tv_nsec * 1e-9;
 }
 
-static int run(stress_fn *fn, struct state *s, struct line *l, double seconds, unsigned long long cases)
+static int run(stress_fn *fn, const char *kind, struct state *s, struct line *l, double seconds, unsigned long long cases)
 {
     const double start = seconds_of(CLOCK_MONOTONIC), before = l->seconds;
     const struct stress_counts from = l->sum;
@@ -172,11 +134,10 @@ static int run(stress_fn *fn, struct state *s, struct line *l, double seconds, u
     unsigned long long done = 0;
     while (!stopped && (cases ? done < cases : at - start < seconds) &&
            l->sum.findings - from.findings < FINDINGS_MAX) {
-        now.seed = l->next;
-        alarm(CASE_SECONDS);
+        replay_case(l->next, CASE_SECONDS);
         if (!fn(l->next, &l->sum)) {
             l->sum.findings++;
-            say_replay();
+            replay_say();
         }
         l->sum.cases++;
         l->next++;
@@ -188,7 +149,7 @@ static int run(stress_fn *fn, struct state *s, struct line *l, double seconds, u
             saved = at;
         }
         if (progress && at - shown > 0.5) {
-            fprintf(stderr, "\r%s: %llu in all, %.0f a second ", now.kind, (unsigned long long)l->sum.units,
+            fprintf(stderr, "\r%s: %llu in all, %.0f a second ", kind, (unsigned long long)l->sum.units,
                     (double)(l->sum.units - from.units) / (at - start));
             shown = at;
         }
@@ -200,8 +161,8 @@ static int run(stress_fn *fn, struct state *s, struct line *l, double seconds, u
     const uint64_t units = l->sum.units - from.units, findings = l->sum.findings - from.findings;
     const double cpu = l->seconds - before;
     printf("%s %s, seeds %llu to %llu: %llu %s in %.0f s, %.0f a second of CPU; %llu pixels; %llu findings\n",
-           findings ? "FAILED stress" : "ok stress", now.kind, l->next - done, l->next - 1,
-           (unsigned long long)units, now.kind, at - start, cpu > 0 ? (double)units / cpu : 0,
+           findings ? "FAILED stress" : "ok stress", kind, l->next - done, l->next - 1,
+           (unsigned long long)units, kind, at - start, cpu > 0 ? (double)units / cpu : 0,
            (unsigned long long)(l->sum.pixels - from.pixels), (unsigned long long)findings);
     return findings != 0;
 }
@@ -211,19 +172,16 @@ int main(int argc, char **argv)
     stress_fn *const fn = argc > 1 && strcmp(argv[1], "tris") == 0     ? stress_tris
                           : argc > 1 && strcmp(argv[1], "frames") == 0 ? stress_frames
                                                                        : NULL;
-    now.program = argv[0];
-    now.kind = argv[1];
-    watch_sanitizers();
-    signal(SIGILL, on_signal);
-    signal(SIGTRAP, on_signal);
-    signal(SIGALRM, on_signal);
-    signal(SIGINT, on_signal);
-    signal(SIGTERM, on_signal);
+    if (fn)
+        replay_arm("stress", "%s %s case", argv[0], argv[1]);
+    signal(SIGINT, stop);
+    signal(SIGTERM, stop);
     if (fn && argc == 4 && strcmp(argv[2], "case") == 0) {
         struct stress_counts c = { 0 };
-        now.seed = strtoull(argv[3], NULL, 0);
-        const int ok = fn(now.seed, &c);
-        printf("%s: seed %llu, %llu triangles, %llu pixels\n", ok ? "ok" : "FAILED", now.seed,
+        const unsigned long long seed = strtoull(argv[3], NULL, 0);
+        replay_case(seed, CASE_SECONDS);
+        const int ok = fn(seed, &c);
+        printf("%s: seed %llu, %llu triangles, %llu pixels\n", ok ? "ok" : "FAILED", seed,
                (unsigned long long)c.tris, (unsigned long long)c.pixels);
         return !ok;
     }
@@ -237,5 +195,5 @@ int main(int argc, char **argv)
     s.file = argv[2];
     state_read(&s);
     struct line *l = state_line(&s, argv[3]);
-    return run(fn, &s, l, counted ? 0 : strtod(argv[4], NULL), counted ? strtoull(argv[5], NULL, 0) : 0);
+    return run(fn, argv[1], &s, l, counted ? 0 : strtod(argv[4], NULL), counted ? strtoull(argv[5], NULL, 0) : 0);
 }
