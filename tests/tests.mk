@@ -81,7 +81,7 @@ stress-programs: $(B)/stress/san
 $(B)/stress/oracle.o: tests/oracle.c tests/oracle.h
 	@mkdir -p $(@D)
 	@$(STRESS_CC) -c $< -o $@
-STRESS = $(wildcard tests/stress/*.c) tests/fuzz/replay.c tests/picture.c $(CORE)
+STRESS = $(wildcard tests/stress/*.c) tests/fuzz/replay.c tests/clusters.c tests/picture.c $(CORE)
 $(B)/stress/san: $(STRESS) $(B)/stress/oracle.o $(HEADERS)
 	@$(STRESS_CC) $(SAN) -DZS_STATS=1 '-DZS_ASSERT(c)=((c)?(void)0:__builtin_trap())' $(STRESS) $(B)/stress/oracle.o \
 	    -lm -o $@
