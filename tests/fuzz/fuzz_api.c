@@ -79,10 +79,12 @@ static void count_frame(const struct world *w, const struct zs_config *c, const 
         reached.depth[k][w->camera.projection == ZS_PERSPECTIVE] += c->depth == kind_depths[k].depth;
     for (uint32_t i = 0; i < w->scene.n_instances; i++) {
         const struct zs_material *m = w->instance[i].material;
+        if (!m || !w->instance[i].mesh) /* in a group out of view: not looked at */
+            continue;
         for (size_t k = 0; k < KINDS(kind_shaders); k++) {
             reached.shader[k] += m->shader == kind_shaders[k].shader;
             for (size_t f = 0; f < KINDS(kind_texels) && m->shader == kind_shaders[k].shader; f++)
-                reached.texel[f] += kind_shaders[k].texture && m->texture /* none: in a group out of view */ &&
+                reached.texel[f] += kind_shaders[k].texture && m->texture /* none: the same */ &&
                                     m->texture->format == kind_texels[f].format;
         }
         reached.state += w->instance[i].state != NULL;

@@ -69,7 +69,7 @@ static void shapes(struct prng *p)
         s->mesh.radius = (uint16_t)(s->mesh.radius + 2u); /* holds pos_lo */
         s->mesh.uv = (const int16_t (*)[2])world.uv;
         s->mesh.uv_bits = (uint8_t)prng_range(p, 8, 13);
-        if (prng_pick(p, 2))
+        if (prng_pick(p, 3))
             clusters_make(&s->mesh, world.cluster[k], p, 2 + prng_pick(p, 9), prng_pick(p, 2) * 3);
     }
 }
@@ -113,7 +113,7 @@ static void cover(struct prng *p, struct zs_material *m)
     m->rgb.r = (uint8_t)prng_next(p);
     m->rgb.g = (uint8_t)prng_next(p);
     m->rgb.b = (uint8_t)prng_next(p);
-    m->cull = (uint8_t)(prng_pick(p, 2) ? ZS_CULL_NONE : prng_pick(p, 3));
+    m->cull = (uint8_t)prng_pick(p, 3);
     m->texture = &world.texture[prng_pick(p, 3)];
 }
 
