@@ -508,11 +508,11 @@ static int frame_right(struct prng *p, struct hand *hand, const struct zs_config
     struct zs_strip first; /* with it all triangles have been looked at */
     quick.skip_off = 0;
     quick.strip_h = 8;
-    for (int tries = 0; tries < 8; tries++) { /* views of next to nothing are not counted: most are passed over */
+    for (int tries = 0; tries < 16; tries++) { /* views of next to nothing are not counted: most are passed over */
         if (zs_init(&r, &quick, arena, sizeof arena))
             return stress_wrong("the plain renderer");
         if (zs_frame_begin(&r, &world.scene, &world.camera) || zs_frame_strip(&r, &first) != 1 ||
-            s->tris_drawn >= STRESS_TRIS || prng_pick(p, 8) == 0)
+            s->tris_drawn >= STRESS_TRIS || prng_pick(p, 32) == 0)
             break;
         look(p);
         group(p);
