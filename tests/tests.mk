@@ -59,7 +59,7 @@ lib-fuzz-programs: $(B)/fuzz/fuzz_mesh $(FUZZ_TARGETS:%=$(B)/fuzz/lf_%)
 $(B)/test/tests/fuzz/%.o $(B)/fuzz/clang/%.o: TEST_CC += -Itests/fuzz -Isim/linux -Ihal/linux -D_GNU_SOURCE
 FUZZ_SIM = $(filter-out $(MODEL) sim/main.c,$(SIM)) sim/linux/linux_options.c
 $(FUZZ_TARGETS:%=$(B)/fuzz/%): $(B)/fuzz/%: $(B)/test/tests/fuzz/%.o $(call t,$(FUZZ_SIM)) $(B)/test/libtest.a \
-                                            $(call fuzz_objects,drive said) $(B)/libmeshes.a
+                                            $(call fuzz_objects,drive input replay said) $(B)/libmeshes.a
 	@mkdir -p $(@D)
 	@$(CC) $(SAN) -Wl,--start-group $^ -Wl,--end-group $(LIBS) -o $@
 $(B)/fuzz/clang/%.o: %.c $(HEADERS) $(B)/gen/meshes.h
@@ -68,10 +68,10 @@ $(B)/fuzz/clang/%.o: %.c $(HEADERS) $(B)/gen/meshes.h
 $(FUZZ_TARGETS:%=$(B)/fuzz/lf_%): $(B)/fuzz/lf_%: $(B)/fuzz/clang/tests/fuzz/%.o $(B)/fuzz/clang/tests/fuzz/said.o \
     $(patsubst %.c,$(B)/fuzz/clang/%.o,$(FUZZ_SIM) $(MODEL) $(CORE) $(SCENES) $(PANELS)) $(B)/libmeshes.a
 	@clang $(SAN) -fsanitize=fuzzer $^ $(LIBS) -o $@
-$(B)/fuzz/fuzz_api: $(call fuzz_objects,fuzz_api world)
+$(B)/fuzz/fuzz_api: $(call fuzz_objects,fuzz_api replay world)
 	@mkdir -p $(@D)
 	@$(CC) $(SAN) $^ -o $@
-$(B)/fuzz/cards: $(call fuzz_objects,cards fuzz_mesh world)
+$(B)/fuzz/cards: $(call fuzz_objects,cards fuzz_mesh input replay world)
 	@mkdir -p $(@D)
 	@$(CC) $(SAN) $^ -o $@
 $(B)/fuzz/fuzz_mesh: tests/fuzz/fuzz_mesh.c tests/picture.c $(CORE) $(HEADERS)
@@ -86,7 +86,7 @@ stress-programs: $(B)/stress/san
 $(B)/stress/oracle.o: tests/oracle.c tests/oracle.h
 	@mkdir -p $(@D)
 	@$(STRESS_CC) -c $< -o $@
-STRESS = $(wildcard tests/stress/*.c) tests/picture.c $(CORE)
+STRESS = $(wildcard tests/stress/*.c) tests/fuzz/replay.c tests/clusters.c tests/picture.c $(CORE)
 $(B)/stress/san: $(STRESS) $(B)/stress/oracle.o $(HEADERS)
 	@$(STRESS_CC) $(SAN) -DZS_STATS=1 '-DZS_ASSERT(c)=((c)?(void)0:__builtin_trap())' $(STRESS) $(B)/stress/oracle.o \
 	    -lm -o $@

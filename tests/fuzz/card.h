@@ -50,7 +50,4 @@ enum card_look { CARD_ORTHOGRAPHIC = 1, CARD_CULL = 6, CARD_NEAR = 8, CARD_SMALL
 #define CARD_TEXELS_LOG2 13 /* log2_h is cut to it where both are in range */
 #define CARD_BYTES_MAX 65536u
 
-/* libFuzzer's entry: read a card, check it, draw it. 0. */
-int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size);
-
 #endif

@@ -7,48 +7,20 @@
  *
  * SPDX-License-Identifier: MIT
  */
-#include <sanitizer/common_interface_defs.h>
-#include <signal.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include <unistd.h>
 
 #include "card.h"
+#include "input.h"
 #include "kinds.h"
+#include "replay.h"
 #include "world.h"
 
 struct file {
     uint8_t byte[CARD_BYTES_MAX];
     size_t size;
 };
-
-static struct {
-    const char *program;
-    unsigned long long seed, number;
-} now;
-
-static void say_replay(void)
-{
-    char line[300];
-    const int n = snprintf(line, sizeof line, "FAILED cards: replay with: %s %llu case %llu\n", now.program, now.seed,
-                           now.number);
-    if (now.number && write(2, line, (size_t)n) != n)
-        _exit(1);
-}
-
-void __ubsan_on_report(void); /* UBSan calls it, ASan's callback it does not */
-void __ubsan_on_report(void)
-{
-    say_replay();
-}
-
-static void on_signal(int signal)
-{
-    (void)signal;
-    say_replay();
-    _exit(1);
-}
 
 /* What does not fit is cut off. */
 static void put(struct file *f, const void *from, size_t bytes)
@@ -135,25 +107,18 @@ static void mutate(struct file *f, struct prng *p)
     }
 }
 
-static void run_case(unsigned long long number, int keep)
+static void run_case(unsigned long long seed, unsigned long long number, int keep)
 {
     static struct file f;
-    struct prng p = { now.seed * 0x9e3779b97f4a7c15u ^ number };
-    now.number = number;
+    struct prng p = { seed * 0x9e3779b97f4a7c15u ^ number };
+    replay_case(number, 60);
     (void)prng_next(&p);
     card_make(&f, &p);
     for (uint32_t n = one_in(&p, 4) ? 0 : 1u << prng_pick(&p, 6); n > 0; n--)
         mutate(&f, &p);
-    if (keep) {
-        FILE *out = fopen("card", "wb");
-        if (!out || fwrite(f.byte, 1, f.size, out) != f.size || fclose(out))
-            exit(1);
-    }
-    uint8_t *exact = malloc(f.size); /* so that reading beyond the file is seen */
-    memcpy(exact, f.byte, f.size);
-    alarm(60);
-    (void)LLVMFuzzerTestOneInput(exact, f.size);
-    free(exact);
+    if (keep && input_save("card", f.byte, f.size))
+        exit(1);
+    input_run(f.byte, f.size);
 }
 
 static int write_seeds(const char *dir, unsigned long long n)
@@ -164,61 +129,36 @@ static int write_seeds(const char *dir, unsigned long long n)
         char name[4096];
         card_make(&f, &p);
         snprintf(name, sizeof name, "%s/seed-%03llu", dir, k);
-        FILE *out = fopen(name, "wb");
-        if (!out || fwrite(f.byte, 1, f.size, out) != f.size || fclose(out)) {
-            fprintf(stderr, "%s: cannot be written\n", name);
+        if (input_save(name, f.byte, f.size))
             return 1;
-        }
     }
-    return 0;
-}
-
-static int replay(const char *name)
-{
-    static struct file f;
-    FILE *in = fopen(name, "rb");
-    if (!in) {
-        fprintf(stderr, "%s: cannot be read\n", name);
-        return 1;
-    }
-    f.size = fread(f.byte, 1, sizeof f.byte, in);
-    fclose(in);
-    uint8_t *exact = malloc(f.size ? f.size : 1);
-    memcpy(exact, f.byte, f.size);
-    (void)LLVMFuzzerTestOneInput(exact, f.size);
-    free(exact);
-    printf("ok cards: %s\n", name);
     return 0;
 }
 
 int main(int argc, char **argv)
 {
-    now.program = argv[0];
     if (argc == 4 && strcmp(argv[1], "write") == 0)
         return write_seeds(argv[2], strtoull(argv[3], NULL, 0));
     if (argc > 2 && strcmp(argv[1], "replay") == 0) {
         int bad = 0;
         for (int i = 2; i < argc; i++)
-            bad |= replay(argv[i]);
+            bad |= input_replay("cards", argv[i], CARD_BYTES_MAX);
         return bad;
     }
     if (argc != 4) {
         fprintf(stderr, "usage: %s write DIR N | SEED cases N | SEED case K | replay FILE...\n", argv[0]);
         return 2;
     }
-    now.seed = strtoull(argv[1], NULL, 0);
+    const unsigned long long seed = strtoull(argv[1], NULL, 0);
     const unsigned long long n = strtoull(argv[3], NULL, 0);
-    __sanitizer_set_death_callback(say_replay);
-    signal(SIGILL, on_signal);
-    signal(SIGABRT, on_signal);
-    signal(SIGALRM, on_signal);
+    replay_arm("cards", "%s %llu case", argv[0], seed);
     if (strcmp(argv[2], "case") == 0) {
-        run_case(n, 1);
+        run_case(seed, n, 1);
         printf("ok cards: case %llu\n", n);
         return 0;
     }
     for (unsigned long long k = 1; k <= n; k++)
-        run_case(k, 0);
-    printf("ok stress_29_cards: %llu cases of seed %llu\n", n, now.seed);
+        run_case(seed, k, 0);
+    printf("ok stress_29_cards: %llu cases of seed %llu\n", n, seed);
     return 0;
 }

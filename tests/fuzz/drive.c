@@ -9,12 +9,11 @@
  *
  * SPDX-License-Identifier: MIT
  */
-#include <sanitizer/common_interface_defs.h>
-#include <signal.h>
 #include <string.h>
-#include <unistd.h>
 
+#include "input.h"
 #include "prng.h"
+#include "replay.h"
 #include "target.h"
 
 #define ROOM 8192
@@ -25,35 +24,8 @@ struct input {
     size_t size;
 };
 
-static struct {
-    const char *program, *corpus;
-    unsigned long long seed, number;
-} now;
-
 static struct input seeds[SEEDS];
 static uint32_t n_seeds;
-
-static void say_replay(void)
-{
-    char line[400];
-    const int n = snprintf(line, sizeof line, "FAILED %s: replay with: %s %s %llu case %llu\n", target_name,
-                           now.program, now.corpus, now.seed, now.number);
-    if (now.number && write(2, line, (size_t)n) != n)
-        _exit(1);
-}
-
-void __ubsan_on_report(void); /* UBSan calls it, ASan's callback it does not */
-void __ubsan_on_report(void)
-{
-    say_replay();
-}
-
-static void on_signal(int signal)
-{
-    (void)signal;
-    say_replay();
-    _exit(1);
-}
 
 static int digit(char c)
 {
@@ -148,64 +120,27 @@ static void mutate(struct input *f, struct prng *p)
     }
 }
 
-static void run(const struct input *f)
-{
-    uint8_t *exact = malloc(f->size ? f->size : 1); /* so that reading beyond it is seen */
-    if (!exact)
-        abort();
-    memcpy(exact, f->byte, f->size);
-    alarm(60);
-    (void)LLVMFuzzerTestOneInput(exact, f->size);
-    free(exact);
-}
-
-static int save(const char *name, const struct input *f)
-{
-    FILE *out = fopen(name, "wb");
-    if (!out || fwrite(f->byte, 1, f->size, out) != f->size || fclose(out)) {
-        fprintf(stderr, "%s: cannot be written\n", name);
-        return 1;
-    }
-    return 0;
-}
-
-static void run_case(unsigned long long number, int keep)
+static void run_case(unsigned long long seed, unsigned long long number, int keep)
 {
     static struct input f;
-    struct prng p = { now.seed * 0x9e3779b97f4a7c15u ^ number };
-    now.number = number;
+    struct prng p = { seed * 0x9e3779b97f4a7c15u ^ number };
+    replay_case(number, 60);
     (void)prng_next(&p);
     f = seeds[number <= n_seeds ? number - 1 : prng_pick(&p, n_seeds)]; /* first each as it is */
     for (uint32_t n = number <= n_seeds ? 0 : 1u << prng_pick(&p, 5); n > 0; n--)
         mutate(&f, &p);
     char name[100];
     snprintf(name, sizeof name, "%s.input", target_name);
-    if (keep && save(name, &f))
+    if (keep && input_save(name, f.byte, f.size))
         exit(1);
-    run(&f);
-}
-
-static int replay(const char *name)
-{
-    static struct input f;
-    FILE *in = fopen(name, "rb");
-    if (!in) {
-        fprintf(stderr, "%s: cannot be read\n", name);
-        return 1;
-    }
-    f.size = fread(f.byte, 1, sizeof f.byte, in);
-    fclose(in);
-    run(&f);
-    printf("ok %s: %s\n", target_name, name);
-    return 0;
+    input_run(f.byte, f.size);
 }
 
 int main(int argc, char **argv)
 {
-    now.program = argv[0];
     int bad = 0;
     for (int i = 2; argc > 2 && strcmp(argv[1], "replay") == 0 && i < argc; i++)
-        bad |= replay(argv[i]);
+        bad |= input_replay(target_name, argv[i], ROOM);
     if (argc > 2 && strcmp(argv[1], "replay") == 0)
         return bad;
     if (argc < 4) {
@@ -213,29 +148,25 @@ int main(int argc, char **argv)
                 argv[0]);
         return 2;
     }
-    now.corpus = argv[1];
     seeds_read(argv[1]);
     if (strcmp(argv[2], "write") == 0) {
         for (uint32_t k = 0; k < n_seeds; k++) {
             char name[4096];
             snprintf(name, sizeof name, "%s/seed-%03u", argv[3], k);
-            bad |= save(name, &seeds[k]);
+            bad |= input_save(name, seeds[k].byte, seeds[k].size);
         }
         return bad;
     }
-    now.seed = strtoull(argv[2], NULL, 0);
+    const unsigned long long seed = strtoull(argv[2], NULL, 0);
     const unsigned long long n = argc > 4 ? strtoull(argv[4], NULL, 0) : 0;
-    __sanitizer_set_death_callback(say_replay);
-    signal(SIGILL, on_signal);
-    signal(SIGABRT, on_signal);
-    signal(SIGALRM, on_signal);
+    replay_arm(target_name, "%s %s %llu case", argv[0], argv[1], seed);
     if (strcmp(argv[3], "case") == 0) {
-        run_case(n, 1);
+        run_case(seed, n, 1);
         printf("ok %s: case %llu\n", target_name, n);
         return 0;
     }
     for (unsigned long long k = 1; k <= n; k++)
-        run_case(k, 0);
-    printf("ok stress_29_%s: %llu cases of seed %llu from %u seeds\n", target_name, n, now.seed, n_seeds);
+        run_case(seed, k, 0);
+    printf("ok stress_29_%s: %llu cases of seed %llu from %u seeds\n", target_name, n, seed, n_seeds);
     return 0;
 }

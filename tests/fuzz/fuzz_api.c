@@ -16,8 +16,6 @@
  *
  * SPDX-License-Identifier: MIT
  */
-#include <sanitizer/common_interface_defs.h>
-#include <signal.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -26,6 +24,7 @@
 
 #include "kinds.h"
 #include "picture.h"
+#include "replay.h"
 #include "world.h"
 
 #define CASE_SECONDS 60 /* a case that takes longer hangs */
@@ -33,40 +32,14 @@
 /* ---- Replaying -------------------------------------------------------------------------------- */
 
 static struct {
-    const char *program;
-    unsigned long long seed, number;
+    unsigned long long seed;
     int alone;
 } now;
-
-/* Only write(): it may be called from a signal. */
-static void say_replay(void)
-{
-    char line[300];
-    const int n = snprintf(line, sizeof line, "FAILED fuzz_api: replay with: %s %llu case %llu\n", now.program,
-                           now.seed, now.number);
-    if (write(2, line, (size_t)n) != n)
-        _exit(1);
-}
-
-void __ubsan_on_report(void); /* UBSan calls it, ASan's callback it does not */
-void __ubsan_on_report(void)
-{
-    say_replay();
-}
-
-static void on_signal(int signal)
-{
-    static const char hang[] = "wrong: hangs\n", trap[] = "wrong: an assertion of the library\n";
-    const char *text = signal == SIGALRM ? hang : trap;
-    (void)!write(2, text, strlen(text));
-    say_replay();
-    _exit(1);
-}
 
 static void wrong(int line, const char *what)
 {
     fprintf(stderr, "wrong: %s:%d: %s\n", __FILE__, line, what);
-    say_replay();
+    replay_say();
     exit(1);
 }
 
@@ -106,10 +79,12 @@ static void count_frame(const struct world *w, const struct zs_config *c, const 
         reached.depth[k][w->camera.projection == ZS_PERSPECTIVE] += c->depth == kind_depths[k].depth;
     for (uint32_t i = 0; i < w->scene.n_instances; i++) {
         const struct zs_material *m = w->instance[i].material;
+        if (!m || !w->instance[i].mesh) /* in a group out of view: not looked at */
+            continue;
         for (size_t k = 0; k < KINDS(kind_shaders); k++) {
             reached.shader[k] += m->shader == kind_shaders[k].shader;
             for (size_t f = 0; f < KINDS(kind_texels) && m->shader == kind_shaders[k].shader; f++)
-                reached.texel[f] += kind_shaders[k].texture && m->texture /* none: in a group out of view */ &&
+                reached.texel[f] += kind_shaders[k].texture && m->texture /* none: the same */ &&
                                     m->texture->format == kind_texels[f].format;
         }
         reached.state += w->instance[i].state != NULL;
@@ -874,9 +849,8 @@ static void run_case(unsigned long long number)
                                       case_calls,    case_calls,    case_config,   case_helpers };
     static const uint32_t odds[] = { 0, 60, 60, 12 };
     struct prng p = { now.seed * 0x9e3779b97f4a7c15u ^ number };
-    now.number = number;
+    replay_case(number, CASE_SECONDS);
     (void)prng_next(&p);
-    alarm(CASE_SECONDS);
     fuzz_fn *const kind = one_in(&p, 500) ? case_big : kinds[prng_pick(&p, KINDS(kinds))];
     kind(&p, odds[prng_pick(&p, KINDS(odds))]);
 }
@@ -908,13 +882,9 @@ int main(int argc, char **argv)
         fprintf(stderr, "usage: %s SEED cases N | SEED seconds S | SEED case K\n", argv[0]);
         return 2;
     }
-    now.program = argv[0];
     now.seed = strtoull(argv[1], NULL, 0);
     const unsigned long long n = strtoull(argv[3], NULL, 0);
-    __sanitizer_set_death_callback(say_replay);
-    signal(SIGILL, on_signal);
-    signal(SIGTRAP, on_signal);
-    signal(SIGALRM, on_signal);
+    replay_arm("fuzz_api", "%s %llu case", argv[0], now.seed);
     if (strcmp(argv[2], "case") == 0) {
         now.alone = 1;
         run_case(n);

@@ -15,14 +15,7 @@
 #include "card.h"
 #include "kinds.h"
 #include "picture.h"
-
-#define EXPECT(condition) \
-    do { \
-        if (!(condition)) { \
-            fprintf(stderr, "wrong: %s:%d: %s\n", __FILE__, __LINE__, #condition); \
-            abort(); \
-        } \
-    } while (0)
+#include "target.h"
 
 struct card {
     struct card_header header;
@@ -179,6 +172,7 @@ static void draw(struct card *c, const struct kind_shader *shader)
     }
 }
 
+/* Read a card, check it, draw it. */
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
 {
     struct card c;

@@ -4,9 +4,10 @@
  *   stress tris|frames STATE NAME SECONDS     for so long; NAME is told apart in STATE: the code and how it was built
  *   stress tris|frames STATE NAME cases N     N cases more
  *   stress tris|frames case SEED              one of them again
+ *   stress tris|frames seen STATE             what frames of all NAMEs had in them; fails where something never was
  *
- * STATE is text, a line a NAME: NAME, first and next seed, then struct stress_counts and CPU seconds. Another NAME
- * goes on with seeds that none has had.
+ * STATE is text, a line a NAME: NAME, first and next seed, then struct stress_counts, CPU seconds before `seen`.
+ * Another NAME goes on with seeds that none has had.
  *
  * SPDX-License-Identifier: MIT
  */
@@ -18,17 +19,14 @@
 #include <time.h>
 #include <unistd.h>
 
+#include "replay.h"
 #include "stress.h"
+#include "zstrip.h"
 
 #define CASE_SECONDS 120 /* a case that takes longer hangs */
 #define SAVE_SECONDS 20
 #define FINDINGS_MAX 20  /* then a run ends */
 #define LINES_MAX 200
-
-static struct {
-    const char *program, *kind;
-    unsigned long long seed;
-} now;
 
 int stress_wrong(const char *format, ...)
 {
@@ -41,46 +39,37 @@ int stress_wrong(const char *format, ...)
     return 0;
 }
 
-/* Only write(): it may be called from a signal. */
-static void say_replay(void)
-{
-    char line[300];
-    const int n = snprintf(line, sizeof line, "FAILED stress: replay with: %s %s case %llu\n", now.program, now.kind,
-                           now.seed);
-    if (write(2, line, (size_t)n) != n)
-        _exit(1);
-}
-
-#ifdef __SANITIZE_ADDRESS__
-#include <sanitizer/common_interface_defs.h>
-void __ubsan_on_report(void); /* UBSan calls it, ASan's callback it does not */
-void __ubsan_on_report(void)
-{
-    say_replay();
-}
-static void watch_sanitizers(void)
-{
-    __sanitizer_set_death_callback(say_replay);
-}
-#else
-static void watch_sanitizers(void)
-{
-}
-#endif
-
 static volatile sig_atomic_t stopped;
 
-static void on_signal(int signal)
+static void stop(int signal)
 {
-    if (signal == SIGINT || signal == SIGTERM) {
-        stopped = 1; /* after this case */
-        return;
+    (void)signal;
+    stopped = 1; /* after this case */
+}
+
+/* ---- What was seen --------------------------------------------------------------------------------------- */
+
+static const char *const skip_name[STRESS_SKIPS] = {
+    "frustum", "cliptest", "empty", "vcache", "bins", "hidden", "clear", "test", "behind", "cluster", "cone", "group",
+    "rows",
+};
+static const char *const seen_name[] = {
+    "several passes", "two buffers", "fewer depth bits", "4 sub-pixel bits", "zs_watch", "zs_track", "both",
+    "strips unchanged", "strips not drawn", "zs_invalidate", "two renderers", "clipped triangles", "clusters", "groups",
+    "camera inside", "orthographic", "states", "recip", "linear", "e3m13", "e4m12", "e5m11", "float", "raw", "flat",
+    "smooth", "texture", "texture_flat", "texture_smooth", "565", "pal8", "pal4",
+};
+_Static_assert(SEEN_PASSES + sizeof seen_name / sizeof *seen_name == SEEN_N, "a name each");
+_Static_assert(ZS_SKIP_ALL == (1u << STRESS_SKIPS) - 1u, "a name each");
+
+void stress_saw_skips(uint64_t *seen, uint32_t skip_off, uint32_t did)
+{
+    for (uint32_t k = 0; k < STRESS_SKIPS; k++) {
+        const uint32_t off = skip_off >> k & 1u;
+        seen[SEEN_OFF + k] += off;
+        seen[SEEN_ON + k] += 1u - off;
+        seen[SEEN_DID + k] += did >> k & 1u;
     }
-    static const char hang[] = "wrong: hangs\n", trap[] = "wrong: an assertion of the library\n";
-    const char *text = signal == SIGALRM ? hang : trap;
-    (void)!write(2, text, strlen(text));
-    say_replay();
-    _exit(1);
 }
 
 /* ---- State -------------------------------------------------------------------------------------------- */
@@ -100,12 +89,17 @@ struct state {
 
 static int read_line(FILE *in, struct line *l)
 {
+    static char text[4096];
     unsigned long long v[6];
-    if (fscanf(in, "%99s %llu %llu %llu %llu %llu %llu %llu %llu %lf", l->name, &l->first, &l->next, &v[0], &v[1],
-               &v[2], &v[3], &v[4], &v[5], &l->seconds) != 10)
+    int at, n;
+    if (!fgets(text, sizeof text, in) ||
+        sscanf(text, "%99s %llu %llu %llu %llu %llu %llu %llu %llu %lf%n", l->name, &l->first, &l->next, &v[0],
+               &v[1], &v[2], &v[3], &v[4], &v[5], &l->seconds, &at) != 10)
         return 0;
-    const struct stress_counts c = { v[0], v[1], v[2], v[3], v[4], v[5] };
+    const struct stress_counts c = { v[0], v[1], v[2], v[3], v[4], v[5], { 0 } };
     l->sum = c;
+    for (int k = 0; k < SEEN_N && sscanf(text + at, "%llu%n", &v[0], &n) == 1; k++, at += n)
+        l->sum.seen[k] = v[0];
     return 1;
 }
 
@@ -126,10 +120,13 @@ static void state_write(const struct state *s)
     for (int i = 0; out && i < s->n; i++) {
         const struct line *l = &s->line[i];
         const struct stress_counts *c = &l->sum;
-        fprintf(out, "%s %llu %llu %llu %llu %llu %llu %llu %llu %.1f\n", l->name, l->first, l->next,
+        fprintf(out, "%s %llu %llu %llu %llu %llu %llu %llu %llu %.1f", l->name, l->first, l->next,
                 (unsigned long long)c->cases, (unsigned long long)c->units, (unsigned long long)c->frames,
                 (unsigned long long)c->tris, (unsigned long long)c->pixels, (unsigned long long)c->findings,
                 l->seconds);
+        for (int k = 0; k < SEEN_N; k++)
+            fprintf(out, " %llu", (unsigned long long)c->seen[k]);
+        fputc('\n', out);
     }
     if (!out || fclose(out) || rename(beside, s->file)) {
         fprintf(stderr, "%s: cannot be written\n", s->file);
@@ -154,6 +151,35 @@ static struct line *state_line(struct state *s, const char *name)
     return l;
 }
 
+/* Print it. Return 1: something never was; of triangles only skips are looked at, and whether they were on and off. */
+static int seen_print(const struct state *s, int frames)
+{
+    uint64_t sum[SEEN_N] = { 0 };
+    for (int i = 0; i < s->n; i++)
+        for (int k = 0; k < SEEN_N; k++)
+            sum[k] += s->line[i].sum.seen[k];
+    int never = 0;
+    printf("%-20s %9s %9s%s\n", frames ? "frames with a skip" : "tris: frames with", "off", "on",
+           frames ? "   on, and something was left out" : "");
+    for (int k = 0; k < STRESS_SKIPS; k++) {
+        printf("  %-18s %9llu %9llu", skip_name[k], (unsigned long long)sum[SEEN_OFF + k],
+               (unsigned long long)sum[SEEN_ON + k]);
+        if (frames)
+            printf(" %9llu", (unsigned long long)sum[SEEN_DID + k]);
+        printf("\n");
+        never |= !sum[SEEN_OFF + k] || !sum[SEEN_ON + k] || (frames && !sum[SEEN_DID + k]);
+    }
+    if (frames)
+        printf("frames with:\n");
+    for (int k = SEEN_PASSES, column = 0; k < SEEN_N && frames; k++) {
+        column += printf("  %s %llu", seen_name[k - SEEN_PASSES], (unsigned long long)sum[k]);
+        if (column > 95 || k == SEEN_N - 1)
+            column = putchar('\n') & 0;
+        never |= !sum[k];
+    }
+    return never;
+}
+
 /* ---- Running -------------------------------------------------------------------------------------------- */
 
 static double seconds_of(clockid_t clock)
@@ -163,7 +189,8 @@ static double seconds_of(clockid_t clock)
     return (double)t.tv_sec + (double)t.tv_nsec * 1e-9;
 }
 
-static int run(stress_fn *fn, struct state *s, struct line *l, double seconds, unsigned long long cases)
+static int run(stress_fn *fn, const char *kind, struct state *s, struct line *l, double seconds,
+               unsigned long long cases)
 {
     const double start = seconds_of(CLOCK_MONOTONIC), before = l->seconds;
     const struct stress_counts from = l->sum;
@@ -172,11 +199,10 @@ static int run(stress_fn *fn, struct state *s, struct line *l, double seconds, u
     unsigned long long done = 0;
     while (!stopped && (cases ? done < cases : at - start < seconds) &&
            l->sum.findings - from.findings < FINDINGS_MAX) {
-        now.seed = l->next;
-        alarm(CASE_SECONDS);
+        replay_case(l->next, CASE_SECONDS);
         if (!fn(l->next, &l->sum)) {
             l->sum.findings++;
-            say_replay();
+            replay_say();
         }
         l->sum.cases++;
         l->next++;
@@ -188,7 +214,7 @@ static int run(stress_fn *fn, struct state *s, struct line *l, double seconds, u
             saved = at;
         }
         if (progress && at - shown > 0.5) {
-            fprintf(stderr, "\r%s: %llu in all, %.0f a second ", now.kind, (unsigned long long)l->sum.units,
+            fprintf(stderr, "\r%s: %llu in all, %.0f a second ", kind, (unsigned long long)l->sum.units,
                     (double)(l->sum.units - from.units) / (at - start));
             shown = at;
         }
@@ -200,8 +226,8 @@ static int run(stress_fn *fn, struct state *s, struct line *l, double seconds, u
     const uint64_t units = l->sum.units - from.units, findings = l->sum.findings - from.findings;
     const double cpu = l->seconds - before;
     printf("%s %s, seeds %llu to %llu: %llu %s in %.0f s, %.0f a second of CPU; %llu pixels; %llu findings\n",
-           findings ? "FAILED stress" : "ok stress", now.kind, l->next - done, l->next - 1,
-           (unsigned long long)units, now.kind, at - start, cpu > 0 ? (double)units / cpu : 0,
+           findings ? "FAILED stress" : "ok stress", kind, l->next - done, l->next - 1,
+           (unsigned long long)units, kind, at - start, cpu > 0 ? (double)units / cpu : 0,
            (unsigned long long)(l->sum.pixels - from.pixels), (unsigned long long)findings);
     return findings != 0;
 }
@@ -211,31 +237,34 @@ int main(int argc, char **argv)
     stress_fn *const fn = argc > 1 && strcmp(argv[1], "tris") == 0     ? stress_tris
                           : argc > 1 && strcmp(argv[1], "frames") == 0 ? stress_frames
                                                                        : NULL;
-    now.program = argv[0];
-    now.kind = argv[1];
-    watch_sanitizers();
-    signal(SIGILL, on_signal);
-    signal(SIGTRAP, on_signal);
-    signal(SIGALRM, on_signal);
-    signal(SIGINT, on_signal);
-    signal(SIGTERM, on_signal);
+    if (fn)
+        replay_arm("stress", "%s %s case", argv[0], argv[1]);
+    signal(SIGINT, stop);
+    signal(SIGTERM, stop);
     if (fn && argc == 4 && strcmp(argv[2], "case") == 0) {
         struct stress_counts c = { 0 };
-        now.seed = strtoull(argv[3], NULL, 0);
-        const int ok = fn(now.seed, &c);
-        printf("%s: seed %llu, %llu triangles, %llu pixels\n", ok ? "ok" : "FAILED", now.seed,
+        const unsigned long long seed = strtoull(argv[3], NULL, 0);
+        replay_case(seed, CASE_SECONDS);
+        const int ok = fn(seed, &c);
+        printf("%s: seed %llu, %llu triangles, %llu pixels\n", ok ? "ok" : "FAILED", seed,
                (unsigned long long)c.tris, (unsigned long long)c.pixels);
         return !ok;
     }
+    static struct state s;
+    if (fn && argc == 4 && strcmp(argv[2], "seen") == 0) {
+        s.file = argv[3];
+        state_read(&s);
+        return seen_print(&s, fn == stress_frames);
+    }
     const int counted = argc == 6 && strcmp(argv[4], "cases") == 0;
     if (!fn || !(argc == 5 || counted)) {
-        fprintf(stderr, "usage: %s tris|frames STATE NAME SECONDS | cases N\n       %s tris|frames case SEED\n",
+        fprintf(stderr,
+                "usage: %s tris|frames STATE NAME SECONDS | cases N\n       %s tris|frames case SEED | seen STATE\n",
                 argv[0], argv[0]);
         return 2;
     }
-    static struct state s;
     s.file = argv[2];
     state_read(&s);
     struct line *l = state_line(&s, argv[3]);
-    return run(fn, &s, l, counted ? 0 : strtod(argv[4], NULL), counted ? strtoull(argv[5], NULL, 0) : 0);
+    return run(fn, argv[1], &s, l, counted ? 0 : strtod(argv[4], NULL), counted ? strtoull(argv[5], NULL, 0) : 0);
 }

@@ -7,12 +7,48 @@
 
 #include <stdint.h>
 
+#define STRESS_SKIPS 13 /* bits of ZS_SKIP_ALL */
+
+/* Frames of units in which something was there: of each skip off, on, and on with something left out by it; then what
+ * else a way or a scene has. Named in stress.c. */
+enum stress_seen {
+    SEEN_OFF = 0,
+    SEEN_ON = SEEN_OFF + STRESS_SKIPS,
+    SEEN_DID = SEEN_ON + STRESS_SKIPS,
+    SEEN_PASSES = SEEN_DID + STRESS_SKIPS,
+    SEEN_BUFFERS,
+    SEEN_KEYS,
+    SEEN_SUBPIXELS,
+    SEEN_WATCH,
+    SEEN_TRACK,
+    SEEN_BOTH,
+    SEEN_UNCHANGED,
+    SEEN_UNDRAWN,
+    SEEN_INVALIDATED,
+    SEEN_SHARED,
+    SEEN_CLIPPED,
+    SEEN_CLUSTERS,
+    SEEN_GROUPS,
+    SEEN_INSIDE,
+    SEEN_ORTHOGRAPHIC,
+    SEEN_STATE,
+    SEEN_DEPTH,
+    SEEN_SHADER = SEEN_DEPTH + 6,
+    SEEN_TEXEL = SEEN_SHADER + 6,
+    SEEN_N = SEEN_TEXEL + 3
+};
+
 /* Sums over cases, and over runs (stress.c keeps them in a file). */
 struct stress_counts {
-    uint64_t cases, units; /* units: triangles, or frames of at least STRESS_TRIS triangles drawn */
+    uint64_t cases, units; /* units: triangles; or frames of at least STRESS_TRIS triangles drawn, one for each way that
+                              was compared with the plainest */
     uint64_t frames, tris, pixels; /* drawn and compared */
     uint64_t findings;
+    uint64_t seen[SEEN_N]; /* enum stress_seen */
 };
+
+/* A frame was drawn with the skips of skip_off off; did: those that left something out. */
+void stress_saw_skips(uint64_t *seen, uint32_t skip_off, uint32_t did);
 
 #define STRESS_TRIS 32u
 #define STRESS_PX 64 /* frames are at least as wide and high */
@@ -22,7 +58,7 @@ typedef int stress_fn(uint64_t seed, struct stress_counts *c);
 
 /* A frame of thousands of snapped triangles, each against whole numbers. */
 int stress_tris(uint64_t seed, struct stress_counts *c);
-/* Eight frames of a random scene that moves, each drawn some way and the plainest way. */
+/* Eight frames of a random scene that moves, each drawn the plainest way and eight others. */
 int stress_frames(uint64_t seed, struct stress_counts *c);
 
 /* Say what is wrong with a case; always 0. */

@@ -1,29 +1,38 @@
-/* Random scenes that move, drawn some way - strips, pools, buffers, skips, zs_watch, zs_track, zs_invalidate, two
- * renderers that share the strips - onto a glass that gets changed columns alone, and the plainest way: one strip,
- * large pools, all skips off, a renderer without memory of the frame before. The glass must show the plain picture; keys
- * are its keys.
+/* Random scenes that move, drawn by several hands, each some way of its own - strips, pools, buffers, skips, zs_watch,
+ * zs_track, zs_invalidate, two renderers that share the strips - onto a glass of its own that gets changed columns
+ * alone, and the plainest way: one strip, large pools, all skips off, a renderer without memory of the frame before.
+ * Each glass must show the plain picture; keys are its keys.
  *
  * SPDX-License-Identifier: MIT
  */
 #include <stdlib.h>
 #include <string.h>
 
+#include "clusters.h"
 #include "kinds.h"
 #include "picture.h"
 #include "shapes.h"
 #include "stress.h"
 
-#define SHAPES 5
-#define INSTANCES 7
+#define SHAPES 6
+#define WALL 0      /* the shape that is one: two large triangles */
+#define INSTANCES 12
+#define CROWD 6     /* instances of most scenes, at most */
 #define FRAMES 8
-#define W_MAX 96
+#define HANDS 8
+#define W_MAX 160
 #define H_MAX 96
-#define POOL 3000 /* of the plainest way: more than all instances have */
+#define POOL 4000   /* of the plainest way: more than all instances have */
+#define MODEST 400  /* triangles in a scene that may be walked as often as it has triangles and strips */
 #define PLAIN_BYTES ZS_ARENA_BYTES(W_MAX, H_MAX, H_MAX, POOL, POOL, ZS_ATTRS_MAX, 1)
 #define COLUMNS_MAX 6u
 
 static struct {
     struct shape shape[SHAPES];
+    struct zs_cluster cluster[SHAPES][SHAPE_TRIS];
+    struct zs_group group[ZS_GROUPS_MAX(INSTANCES)];
+    struct zs_groups groups;
+    int crowd, inside, wall; /* instances at most; the camera was put into one; the first stands before the others */
     int16_t uv[SHAPE_VERTS][2];
     uint16_t texel[1024], palette[256];
     struct zs_texture texture[3];
@@ -39,13 +48,17 @@ static struct {
 
 static void shapes(struct prng *p)
 {
+    const uint32_t more = prng_pick(p, 8) ? 1 : 3; /* triangles: a scene has some 100, every eighth some 400 */
     for (int k = 0; k < SHAPES; k++) {
         struct shape *s = &world.shape[k];
-        switch (prng_pick(p, 4)) {
-        case 0: shape_sphere(s, 3 + prng_pick(p, 6), 4 + prng_pick(p, 7), 1000); break;
-        case 1: shape_torus(s, 4 + prng_pick(p, 8), 3 + prng_pick(p, 6), 900, 100 + prng_range(p, 0, 600)); break;
-        case 2: shape_soup(s, 20 + prng_pick(p, 60), 900, prng_next(p)); break;
-        default: shape_ground(s, 2 + prng_pick(p, 6), 2000, prng_range(p, 0, 300), prng_next(p)); break;
+        switch (k == WALL ? 4 : prng_pick(p, 4)) {
+        case 0: shape_sphere(s, 3 + prng_pick(p, 2 * more), 4 + prng_pick(p, 2 * more), 1000); break;
+        case 1:
+            shape_torus(s, 4 + prng_pick(p, 2 * more), 3 + prng_pick(p, 2 * more), 900, prng_range(p, 100, 700));
+            break;
+        case 2: shape_soup(s, 12 + prng_pick(p, 24 * more), 900, prng_next(p)); break;
+        case 3: shape_ground(s, 1 + prng_pick(p, 3 * more), 2000, prng_range(p, 0, 3) * 100, prng_next(p)); break;
+        default: shape_ground(s, 1, 2000, 0, 0); break;
         }
         if (prng_pick(p, 3) == 0)
             s->mesh.pos_lo = (const uint8_t (*)[3])s->pos_lo;
@@ -56,6 +69,8 @@ static void shapes(struct prng *p)
         s->mesh.radius = (uint16_t)(s->mesh.radius + 2u); /* holds pos_lo */
         s->mesh.uv = (const int16_t (*)[2])world.uv;
         s->mesh.uv_bits = (uint8_t)prng_range(p, 8, 13);
+        if (prng_pick(p, 3))
+            clusters_make(&s->mesh, world.cluster[k], p, 2 + prng_pick(p, 9), prng_pick(p, 2) * 3);
     }
 }
 
@@ -83,7 +98,7 @@ static void texels(struct prng *p)
 
 static void place(struct prng *p, struct zs_instance *in)
 {
-    const int32_t far = prng_pick(p, 8) ? 2500 : 9000;
+    const int32_t far = prng_pick(p, 8) ? 1800 : 9000;
     zs_pose_identity(&in->pose);
     if (prng_pick(p, 6))
         zs_pose_turn(&in->pose, (zs_turn)prng_next(p), (zs_turn)prng_next(p), (zs_turn)prng_next(p));
@@ -98,7 +113,7 @@ static void cover(struct prng *p, struct zs_material *m)
     m->rgb.r = (uint8_t)prng_next(p);
     m->rgb.g = (uint8_t)prng_next(p);
     m->rgb.b = (uint8_t)prng_next(p);
-    m->cull = (uint8_t)(prng_pick(p, 2) ? ZS_CULL_NONE : prng_pick(p, 3));
+    m->cull = (uint8_t)prng_pick(p, 3);
     m->texture = &world.texture[prng_pick(p, 3)];
 }
 
@@ -109,10 +124,26 @@ static void stand(struct prng *p, struct zs_instance *in)
     in->state = prng_pick(p, 5) ? NULL : &world.state[prng_pick(p, 2)];
 }
 
+/* The first instance becomes a wall at a distance from the eye, square to it. */
+static void wall(struct prng *p, int32_t distance)
+{
+    struct zs_instance *in = &world.instance[0];
+    const struct zs_camera *c = &world.camera;
+    in->mesh = &world.shape[WALL].mesh;
+    in->state = NULL;
+    in->pose.scale = ZS_Q16_ONE / 4 + prng_pick(p, ZS_Q16_ONE * 2);
+    for (int k = 0; k < 3; k++) { /* its x, up and z go right, back and down */
+        in->pose.rot[3 * k] = c->rot[k];
+        in->pose.rot[3 * k + 1] = c->rot[6 + k];
+        in->pose.rot[3 * k + 2] = -c->rot[3 + k];
+        in->pose.pos[k] = c->pos[k] - (int32_t)((int64_t)c->rot[6 + k] * distance / ZS_Q30_ONE);
+    }
+}
+
 /* From outside, from among the instances, or from inside of one. */
 static void look(struct prng *p)
 {
-    const int inside = prng_pick(p, 3) == 0;
+    const int inside = world.inside = prng_pick(p, 3) == 0;
     const int32_t distance = inside ? prng_range(p, 20, 1200) : prng_range(p, 1500, 9000);
     const int32_t near = inside ? prng_range(p, 1, 300) : prng_range(p, 20, 2000);
     const int32_t far = prng_pick(p, 4) ? 30000 : distance + prng_range(p, 500, 4000);
@@ -121,9 +152,11 @@ static void look(struct prng *p)
     else
         (void)zs_camera_orthographic(&world.camera, prng_range(p, 300, 9000), prng_pick(p, 2) ? near : -far,
                                      far + near);
-    const int32_t *of = world.instance[prng_pick(p, INSTANCES)].pose.pos;
+    const int32_t *of = world.instance[prng_pick(p, world.scene.n_instances)].pose.pos;
     const int32_t at[3] = { of[0] + prng_range(p, -400, 400), of[1] + prng_range(p, -400, 400), of[2] };
     (void)zs_camera_orbit(&world.camera, at, distance, (zs_turn)prng_next(p), (int16_t)prng_range(p, -16000, 16000));
+    if (world.wall)
+        wall(p, prng_range(p, near + 1, near + 1 + distance / 2));
 }
 
 static void light(struct prng *p)
@@ -134,9 +167,32 @@ static void light(struct prng *p)
     world.scene.light.diffuse = prng_pick(p, ZS_Q16_ONE);
 }
 
+/* Instances have moved, or others are there. Groups may be larger than need be. */
+static void group(struct prng *p)
+{
+    world.scene.groups = NULL;
+    if (!world.groups.kernel)
+        return;
+    if (zs_groups_build(world.group, ZS_GROUPS_MAX(INSTANCES), world.instance, world.scene.n_instances,
+                        &world.groups.n_groups))
+        abort();
+    if (prng_pick(p, 3) == 0)
+        world.group[prng_pick(p, world.groups.n_groups)].radius += prng_pick(p, 3000);
+    world.scene.groups = &world.groups;
+}
+
+static void count(struct prng *p)
+{
+    world.scene.n_instances = 3 + prng_pick(p, (uint32_t)world.crowd - 2);
+}
+
 static void world_open(struct prng *p, uint16_t h)
 {
+    static const struct zs_groups groups = ZS_GROUPS(world.group, 0), none = { NULL, NULL, 0 };
     world.h = h;
+    world.wall = prng_pick(p, 6) == 0;
+    world.crowd = prng_pick(p, 8) ? CROWD : INSTANCES;
+    world.groups = prng_pick(p, 2) ? groups : none;
     shapes(p);
     texels(p);
     for (int k = 0; k < 2; k++) {
@@ -150,24 +206,25 @@ static void world_open(struct prng *p, uint16_t h)
         cover(p, &world.material[k]);
     }
     world.scene.instance = world.instance;
-    world.scene.n_instances = 2 + prng_pick(p, INSTANCES - 1);
+    count(p);
     world.scene.background = (uint16_t)prng_next(p);
     world.camera.projection = (uint8_t)(prng_pick(p, 4) ? ZS_PERSPECTIVE : ZS_ORTHOGRAPHIC);
     light(p);
     look(p);
+    group(p);
 }
 
 /* One change; 1: of bytes behind pointers, which zs_track has to be told. */
 static int change(struct prng *p)
 {
-    struct zs_instance *in = &world.instance[prng_pick(p, INSTANCES)];
+    struct zs_instance *in = &world.instance[prng_pick(p, world.scene.n_instances)];
     switch (prng_pick(p, 16)) {
     case 0:
     case 1:
     case 2: look(p); return 0;
     case 3: light(p); return 0;
     case 4: cover(p, &world.material[in - world.instance]); return 0;
-    case 5: world.scene.n_instances = 2 + prng_pick(p, INSTANCES - 1); return 0;
+    case 5: count(p); return 0;
     case 6: world.scene.background ^= 1; return 0;
     case 7: world.texel[prng_pick(p, 64)] ^= 0x1111; return 1;
     case 8: stand(p, in); return 0;
@@ -183,7 +240,7 @@ static int change(struct prng *p)
 
 struct glass {
     int32_t w, h;
-    uint16_t color[W_MAX * H_MAX], key[W_MAX * H_MAX];
+    uint16_t color[W_MAX * H_MAX], key[W_MAX * H_MAX]; /* colours as they are sent */
     uint8_t given[H_MAX]; /* rows whose keys came in this frame */
 };
 
@@ -193,20 +250,17 @@ struct hand { /* one renderer, or two that share the strips */
     uint64_t *sum;
     uint32_t *track;
     struct zs_config config;
-    int sharing, by_hand;
-    struct glass *glass;
+    int sharing, by_hand, told; /* told: zs_invalidate was called for this frame */
+    struct glass glass;
 };
 
 /* What was given out is put on the glass: pixels of changed columns, all keys that there are. */
 static int take(void *ctx, const struct zs_strip *s)
 {
     struct hand *hand = ctx;
-    struct glass *g = hand->glass;
+    struct glass *g = &hand->glass;
     for (int j = 0; j < s->h; j++)
-        for (int i = s->changed_x; i < s->changed_x + s->changed_w; i++) {
-            const int from = j * s->w + i;
-            g->color[(s->y + j) * g->w + i] = (uint16_t)(s->px[2 * from] << 8 | s->px[2 * from + 1]);
-        }
+        memcpy(g->color + (s->y + j) * g->w + s->changed_x, s->px + 2 * (j * s->w + s->changed_x), 2u * s->changed_w);
     if (s->changed_w || !hand->track) {
         memcpy(g->key + s->y * g->w, s->depth, (size_t)(s->w * s->h) * sizeof *g->key);
         memset(g->given + s->y, 1, s->h);
@@ -246,18 +300,51 @@ static uint32_t *words(uint32_t n, uint32_t junk)
     return w;
 }
 
-static int hand_open(struct prng *p, struct hand *hand, struct zs_config c, struct glass *g)
+/* skip_off: mostly nothing, or one skip; or all, or all but one; or anything. */
+static uint16_t skips(struct prng *p)
 {
-    static const uint16_t pools[] = { 1, 2, 5, 20, 60, 200, POOL, POOL };
+    const uint16_t one = (uint16_t)(1u << prng_pick(p, STRESS_SKIPS));
+    switch (prng_pick(p, 16)) {
+    case 0: return ZS_SKIP_ALL;
+    case 1: return ZS_SKIP_ALL & (uint16_t)~one;
+    case 2:
+    case 3: return (uint16_t)prng_pick(p, ZS_SKIP_ALL + 1);
+    case 4:
+    case 5:
+    case 6:
+    case 7:
+    case 8: return one;
+    default: return 0;
+    }
+}
+
+/* Triangles of all instances that there may be. */
+static uint32_t tris(void)
+{
+    uint32_t n = 0;
+    for (int k = 0; k < world.crowd; k++)
+        n += world.instance[k].mesh->n_tris;
+    return n;
+}
+
+static int hand_open(struct prng *p, struct hand *hand, struct zs_config c)
+{
+    static const uint16_t pools[] = { 1, 2, 5, 20, 60, 60, 200, 200, POOL, POOL, POOL };
+    enum { TINY = 0, SMALL = 3, LARGE = 6, N_POOLS = KINDS(pools) }; /* the first of such */
     static const uint32_t junk[] = { 0, UINT32_MAX, 0x5a5aa5a5, 0x80000001 };
     memset(hand, 0, sizeof *hand);
-    hand->glass = g;
-    c.strip_h = (uint16_t)(prng_pick(p, 3) ? prng_range(p, 8, c.height) : prng_range(p, 1, 16));
+    hand->glass.w = c.width;
+    hand->glass.h = c.height;
+    /* a few triangles, or rows, at a time are slow: for small scenes, and seldom both */
+    const int modest = tris() <= MODEST, rows = modest && prng_pick(p, 8) == 0;
+    const uint32_t least = prng_pick(p, rows || !modest ? 32 : 12) == 0 ? TINY
+                           : rows || prng_pick(p, 3) == 0               ? LARGE
+                                                                        : SMALL;
+    c.strip_h = (uint16_t)(rows ? prng_range(p, 1, 7) : prng_range(p, 8, prng_pick(p, 2) ? 24 : c.height));
     c.buffers = (uint8_t)(1 + prng_pick(p, 2));
-    const uint32_t least = prng_pick(p, 4) ? 3u : 0u; /* one triangle at a time is slow */
-    c.max_tris = pools[least + prng_pick(p, 8u - least)];
-    c.max_verts = (uint16_t)(2 + pools[least + prng_pick(p, 8u - least)]);
-    c.skip_off = (uint8_t)(prng_pick(p, 2) ? 0 : prng_pick(p, 64));
+    c.max_tris = pools[least + prng_pick(p, N_POOLS - least)];
+    c.max_verts = (uint16_t)(2 + pools[least + prng_pick(p, N_POOLS - least)]);
+    c.skip_off = skips(p);
     hand->config = c;
     hand->sharing = prng_pick(p, 6) == 0;
     hand->by_hand = prng_pick(p, 3) == 0;
@@ -288,20 +375,33 @@ static void hand_close(struct hand *hand)
     free(hand->track);
 }
 
+/* What the glass shows of a part is gone, and the renderer is told; part NULL: told only. */
+static int hand_invalidate(struct hand *hand, const struct zs_rect *part)
+{
+    struct glass *g = &hand->glass;
+    hand->told = 1;
+    for (int j = part ? part->y : g->h; j < g->h && j < part->y + part->h; j++)
+        for (int i = part->x; i < g->w && i < part->x + part->w; i++)
+            g->color[j * g->w + i] ^= 0x5555;
+    int err = ZS_OK;
+    for (int k = 0; k <= hand->sharing && !err; k++)
+        err = zs_invalidate(&hand->r[k], part);
+    return err;
+}
+
 /* ---- Comparing ------------------------------------------------------------------------------------------- */
 
 static int plain_take(void *ctx, const struct zs_strip *s)
 {
     struct glass *g = ctx;
-    for (int i = 0; i < s->w * s->h; i++) {
-        g->color[i] = (uint16_t)(s->px[2 * i] << 8 | s->px[2 * i + 1]);
-        g->key[i] = s->depth[i];
-    }
+    memcpy(g->color, s->px, s->n_bytes);
+    memcpy(g->key, s->depth, s->n_bytes);
     return 0;
 }
 
-static int same(const struct glass *a, const struct glass *b, const struct hand *hand, int frame)
+static int same(const struct glass *b, const struct hand *hand, int frame)
 {
+    const struct glass *a = &hand->glass;
     const size_t bytes = (size_t)a->w * 2;
     int row = 0; /* zs_watch: keys may change where colours do not */
     while (row < a->h && memcmp(a->color + row * a->w, b->color + row * a->w, bytes) == 0 &&
@@ -320,6 +420,80 @@ static int same(const struct glass *a, const struct glass *b, const struct hand 
     return 0;
 }
 
+/* What the way of a frame was, and which skips left something out; plain: counts of the plainest way. */
+static void see(const struct hand *hand, const struct zs_stats *plain, uint64_t *seen)
+{
+    const struct zs_config *c = &hand->config;
+    const struct zs_stats *s = zs_frame_stats(&hand->r[0]);
+    const int strips = ZS_STRIPS(c->height, c->strip_h) > 1, walks = s->passes > 1 && strips;
+    const uint32_t on = ZS_SKIP_ALL & ~(uint32_t)c->skip_off, both = ZS_SKIP_CLUSTER | ZS_SKIP_CONE;
+    uint32_t did = ZS_SKIP_CLIPTEST; /* nothing counts it */
+    did |= s->instances_culled > s->instances_hidden ? ZS_SKIP_FRUSTUM : 0;
+    did |= s->tris_empty ? ZS_SKIP_EMPTY : 0;
+    did |= s->passes == 1 && s->verts_transformed < plain->verts_transformed ? ZS_SKIP_VCACHE : 0;
+    did |= strips ? ZS_SKIP_BINS : 0;
+    did |= s->tris_hidden ? ZS_SKIP_HIDDEN : 0;
+    did |= s->pixels_untested ? ZS_SKIP_TEST | ZS_SKIP_CLEAR : 0;
+    did |= s->instances_hidden ? ZS_SKIP_BEHIND : 0;
+    did |= s->clusters_culled && (on & both) != both ? both : 0; /* else: one of them */
+    did |= s->instances_in < world.scene.n_instances ? ZS_SKIP_GROUP : 0;
+    did |= walks && s->clusters_in ? ZS_SKIP_ROWS : 0; /* where it may */
+    stress_saw_skips(seen, c->skip_off, did & on);
+    seen[SEEN_PASSES] += s->passes > 1;
+    seen[SEEN_CLIPPED] += s->tris_clipped != 0;
+    seen[SEEN_CLUSTERS] += s->clusters_in != 0;
+    seen[SEEN_GROUPS] += world.scene.groups != NULL;
+    seen[SEEN_INSIDE] += (uint64_t)world.inside;
+    seen[SEEN_ORTHOGRAPHIC] += world.camera.projection == ZS_ORTHOGRAPHIC;
+    seen[SEEN_WATCH] += hand->sum != NULL;
+    seen[SEEN_TRACK] += hand->track != NULL;
+    seen[SEEN_BOTH] += hand->sum && hand->track;
+    seen[SEEN_UNCHANGED] += s->strips_unchanged != 0;
+    seen[SEEN_UNDRAWN] += s->strips_skipped != 0;
+    seen[SEEN_INVALIDATED] += (uint64_t)hand->told;
+    seen[SEEN_SHARED] += (uint64_t)hand->sharing;
+    seen[SEEN_BUFFERS] += c->buffers == 2;
+    seen[SEEN_KEYS] += c->depth_bits < 16;
+    seen[SEEN_SUBPIXELS] += c->subpixel_bits == 4;
+    for (size_t k = 0; k < KINDS(kind_depths); k++)
+        seen[SEEN_DEPTH + k] += c->depth == kind_depths[k].depth;
+    uint32_t shaders = 0, texels = 0, states = 0;
+    for (uint32_t i = 0; i < world.scene.n_instances; i++) {
+        const struct zs_material *m = world.instance[i].material;
+        for (uint32_t k = 0; k < KINDS(kind_shaders); k++)
+            shaders |= (uint32_t)(m->shader == kind_shaders[k].shader) << k;
+        texels |= 1u << (m->texture - world.texture);
+        states |= world.instance[i].state != NULL;
+    }
+    for (uint32_t k = 0; k < KINDS(kind_shaders); k++)
+        seen[SEEN_SHADER + k] += shaders >> k & 1u;
+    for (uint32_t k = 0; k < KINDS(kind_texels); k++)
+        seen[SEEN_TEXEL + k] += texels >> k & 1u;
+    seen[SEEN_STATE] += states;
+}
+
+static int hand_right(struct prng *p, struct hand *hand, const struct glass *want, int wanted,
+                      const struct zs_stats *plain, int frame, struct stress_counts *c)
+{
+    memset(hand->glass.given, 0, sizeof hand->glass.given);
+    const int err = hand_render(p, hand);
+    if (err != wanted)
+        return stress_wrong("frame %d: %s, and plainly: %s", frame, zs_strerror(err), zs_strerror(wanted));
+    if (err)
+        return 1;
+    if (!same(want, hand, frame))
+        return 0;
+    c->frames++;
+    c->tris += plain->tris_drawn;
+    c->pixels += (uint64_t)want->w * (uint64_t)want->h;
+    if (plain->tris_drawn >= STRESS_TRIS) {
+        c->units++;
+        see(hand, plain, c->seen);
+    }
+    hand->told = 0;
+    return 1;
+}
+
 static int frame_right(struct prng *p, struct hand *hand, const struct zs_config *plain, int frame,
                        struct stress_counts *c)
 {
@@ -329,51 +503,66 @@ static int frame_right(struct prng *p, struct hand *hand, const struct zs_config
     want.w = plain->width;
     want.h = plain->height;
     const struct zs_sink sink = { plain_take, NULL, &want };
+    const struct zs_stats *s = zs_frame_stats(&r);
+    struct zs_config quick = *plain;
+    struct zs_strip first; /* with it all triangles have been looked at */
+    quick.skip_off = 0;
+    quick.strip_h = 8;
+    for (int tries = 0; tries < 16; tries++) { /* views of next to nothing are not counted: most are passed over */
+        if (zs_init(&r, &quick, arena, sizeof arena))
+            return stress_wrong("the plain renderer");
+        if (zs_frame_begin(&r, &world.scene, &world.camera) || zs_frame_strip(&r, &first) != 1 ||
+            s->tris_drawn >= STRESS_TRIS || prng_pick(p, 32) == 0)
+            break;
+        look(p);
+        group(p);
+    }
     if (zs_init(&r, plain, arena, sizeof arena))
         return stress_wrong("the plain renderer");
     const int wanted = zs_render(&r, &world.scene, &world.camera, &sink);
-    memset(hand->glass->given, 0, sizeof hand->glass->given);
-    const int err = hand_render(p, hand);
-    if (err != wanted)
-        return stress_wrong("frame %d: %s, and plainly: %s", frame, zs_strerror(err), zs_strerror(wanted));
-    if (err)
-        return 1;
-    const struct zs_stats *s = zs_frame_stats(&r);
-    c->frames++;
-    c->tris += s->tris_drawn;
-    c->units += s->tris_drawn >= STRESS_TRIS;
-    c->pixels += (uint64_t)want.w * (uint64_t)want.h;
-    return same(hand->glass, &want, hand, frame);
+    int ok = 1;
+    for (int k = 0; k < HANDS && ok; k++)
+        ok = hand_right(p, &hand[k], &want, wanted, s, frame, c);
+    return ok;
+}
+
+static int32_t side(struct prng *p, int32_t most)
+{
+    if (prng_pick(p, 3))
+        return STRESS_PX;
+    return prng_range(p, STRESS_PX, prng_pick(p, 2) ? 96 : most);
 }
 
 int stress_frames(uint64_t seed, struct stress_counts *c)
 {
-    static struct glass glass;
-    static struct hand hand;
+    static struct hand hand[HANDS];
     struct prng p = { seed };
-    glass.w = prng_range(&p, STRESS_PX, W_MAX);
-    glass.h = prng_range(&p, STRESS_PX, H_MAX);
-    world_open(&p, (uint16_t)glass.h);
-    struct zs_config plain = picture_config(glass.w, glass.h, &zs_depth_linear);
+    const int32_t w = side(&p, W_MAX), h = side(&p, H_MAX);
+    world_open(&p, (uint16_t)h);
+    struct zs_config plain = picture_config(w, h, &zs_depth_linear);
     plain.max_tris = plain.max_verts = POOL;
     plain.attrs = ZS_ATTRS_MAX;
     plain.subpixel_bits = prng_pick(&p, 4) ? 8 : 4;
     plain.depth_bits = (uint8_t)(prng_pick(&p, 3) ? 16 : prng_range(&p, 8, 15));
     if (world.camera.projection == ZS_PERSPECTIVE)
         plain.depth = kind_depths[prng_pick(&p, KINDS(kind_depths))].depth;
-    plain.skip_off = 63;
-    int ok = !hand_open(&p, &hand, plain, &glass) || stress_wrong("a renderer cannot be set up");
-    hand.config.attrs = plain.attrs;
+    plain.skip_off = ZS_SKIP_ALL;
+    int ok = 1;
+    for (int k = 0; k < HANDS; k++)
+        ok &= !hand_open(&p, &hand[k], plain) || stress_wrong("a renderer cannot be set up");
     for (int frame = 0; frame < FRAMES && ok; frame++) {
         int told = 0;
         for (uint32_t n = frame ? prng_pick(&p, 4) : 0; n; n--)
             told |= change(&p);
-        const struct zs_rect part = { (uint16_t)prng_pick(&p, 90), (uint16_t)prng_pick(&p, 90), 9, 9 };
-        if (told || prng_pick(&p, 8) == 0)
-            for (int k = 0; k <= hand.sharing; k++)
-                ok = ok && zs_invalidate(&hand.r[k], told ? NULL : &part) == ZS_OK;
-        ok = ok && frame_right(&p, &hand, &plain, frame, c);
+        group(&p);
+        for (int k = 0; k < HANDS && ok; k++) {
+            const struct zs_rect part = { (uint16_t)prng_pick(&p, 90), (uint16_t)prng_pick(&p, 90), 9, 9 };
+            if (told || (frame && prng_pick(&p, 8) == 0))
+                ok = hand_invalidate(&hand[k], told ? NULL : &part) == ZS_OK || stress_wrong("zs_invalidate");
+        }
+        ok = ok && frame_right(&p, hand, &plain, frame, c);
     }
-    hand_close(&hand);
+    for (int k = 0; k < HANDS; k++)
+        hand_close(&hand[k]);
     return ok;
 }

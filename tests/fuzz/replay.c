@@ -1,0 +1,70 @@
+/* How a case is run again: see replay.h. A signal may come anywhere: the line is made before, then only written.
+ *
+ * SPDX-License-Identifier: MIT
+ */
+#include "replay.h"
+
+#include <signal.h>
+#include <stdarg.h>
+#include <stdio.h>
+#include <string.h>
+#include <unistd.h>
+
+#ifdef __SANITIZE_ADDRESS__
+#include <sanitizer/common_interface_defs.h>
+#endif
+
+static char line[340]; /* with NUMBER and a line feed behind the command */
+static size_t command_bytes, bytes; /* bytes 0: no case has begun */
+
+void replay_say(void)
+{
+    if (bytes && write(2, line, bytes) != (ssize_t)bytes)
+        _exit(1);
+}
+
+static void on_signal(int signal)
+{
+    const char *text = signal == SIGALRM   ? "wrong: hangs\n"
+                       : signal == SIGABRT ? "" /* whoever aborts says why */
+                       : signal == SIGILL || signal == SIGTRAP ? "wrong: an assertion of the library\n"
+                                                               : "wrong: a stray access\n";
+    (void)!write(2, text, strlen(text));
+    replay_say();
+    _exit(1);
+}
+
+#ifdef __SANITIZE_ADDRESS__
+void __ubsan_on_report(void); /* UBSan calls it, ASan's callback it does not */
+void __ubsan_on_report(void)
+{
+    replay_say();
+}
+#endif
+
+void replay_arm(const char *name, const char *format, ...)
+{
+    static const int fatal[] = { SIGILL, SIGABRT, SIGTRAP, SIGALRM };
+    int n = snprintf(line, 300, "FAILED %s: replay with: ", name);
+    va_list args;
+    va_start(args, format);
+    n += n < 299 ? vsnprintf(line + n, 300u - (size_t)n, format, args) : 0;
+    va_end(args);
+    command_bytes = n < 299 ? (size_t)n : 299u;
+    for (size_t k = 0; k < sizeof fatal / sizeof *fatal; k++)
+        (void)signal(fatal[k], on_signal);
+#ifdef __SANITIZE_ADDRESS__
+    __sanitizer_set_death_callback(replay_say);
+#else
+    (void)signal(SIGSEGV, on_signal);
+    (void)signal(SIGBUS, on_signal);
+    (void)signal(SIGFPE, on_signal);
+#endif
+}
+
+void replay_case(unsigned long long number, unsigned seconds)
+{
+    const int n = snprintf(line + command_bytes, sizeof line - command_bytes, " %llu\n", number);
+    bytes = command_bytes + (size_t)n;
+    (void)alarm(seconds);
+}
