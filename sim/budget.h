@@ -33,6 +33,7 @@ struct budget_part {
     const char *name; /* lower case */
     enum sim_core core;
     double mhz;
+    double spi_mhz;      /* the fastest its SPI is as a master; 0: not known */
     uint32_t ram, flash; /* bytes that a program can use */
     const char *text;
 };

@@ -306,7 +306,7 @@ static void print_header(double cost[SIM_CORES][N])
 
 struct request {
     const char *files[SIM_CORES];
-    const char *error;
+    const char *error, *scene;
     double bar, drift;
     int has_drift, header, probes, help; /* flags */
 };
@@ -320,6 +320,7 @@ static const struct sim_option table[] = {
     { "--rv32", SIM_OPTION_FILE, AT(files[SIM_CORE_RV32]), 0, 0, 0, NULL },
     { "--rp2040", SIM_OPTION_FILE, AT(files[SIM_CORE_RP2040]), 0, 0, 0, NULL },
     { "--error", SIM_OPTION_FILE, AT(error), 0, 0, 0, NULL },
+    { "--scene", SIM_OPTION_TEXT, AT(scene), 0, 0, 0, NULL },
     { "--bar", SIM_OPTION_NUMBER, AT(bar), 0, 0, 1000, NULL },
     { "--drift", SIM_OPTION_NUMBER, AT(drift), AT(has_drift), 0, 1000, NULL },
     { "--header", SIM_OPTION_FLAG, AT(header), 0, 0, 0, NULL },
@@ -343,6 +344,8 @@ static const char usage[] =
     "  --error F   how far it is from what the demo and bench scenes take, which are not in the fit: lines of\n"
     "              core, scene and number, as in tests/golden/bench.txt\n"
     "  --bar N     with it: exit status 1 where one is more than N percent off (15)\n"
+    "  --scene NAME\n"
+    "              what is counted in frame 0 of a demo or bench scene as make bench draws it, and what that costs\n"
     "\n"
     "Exit status: 0 done; 1 refused; 2 the command line makes no sense.\n";
 
@@ -417,6 +420,8 @@ int sim_costs(int argc, char **argv)
         (void)fputs(usage, stdout);
         return SIM_OK;
     }
+    if (rq.scene)
+        return sim_costs_scene(rq.scene);
     const int done = run(&rq);
     return done == SIM_OK && rq.error ? sim_costs_error(rq.error, rq.bar) : done;
 }

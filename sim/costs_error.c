@@ -111,6 +111,40 @@ static int count_pico(struct sim_counted *out, const struct demo *d)
     return known && !err ? SIM_OK : sim_refuse(d->name, 0, "cannot be counted as the Pico draws it (%d)", err);
 }
 
+int sim_costs_scene(const char *name)
+{
+    static const char core_of[] = { SIM_CORE_M0, SIM_CORE_M3, SIM_CORE_RP2040 };
+    const struct demo *d = demo_named(name);
+    struct sim_counted counted;
+    double sum[sizeof core_of] = { 0 };
+    if (!d)
+        return sim_refuse(name, 0, "is no demo or bench scene; zsim demo --help says which there are");
+    const int status = count_bench(&counted, d);
+    if (status != SIM_OK)
+        return status;
+    for (size_t c = 0; c < sizeof core_of; c++)
+        sum[c] = sim_costs_sum((enum sim_core)core_of[c], &counted);
+    printf("%-9s %9s", "stage", "how often");
+    for (size_t c = 0; c < sizeof core_of; c++)
+        printf(" %9s %5s", sim_core_names[(int)core_of[c]], "%");
+    puts("  of one");
+    for (int k = 0; k < SIM_COST_N; k++) {
+        if (counted.n[k] == 0.0)
+            continue;
+        printf("%-9s %9.0f", sim_cost_names[k].stage, counted.n[k]);
+        for (size_t c = 0; c < sizeof core_of; c++) {
+            const double cost = counted.n[k] * sim_cost_of((enum sim_core)core_of[c], (enum sim_cost)k);
+            printf(" %9.0f %5.1f", cost, 100.0 * cost / sum[c]);
+        }
+        printf("  %s\n", sim_cost_names[k].what);
+    }
+    printf("%-9s %9s", "together", "");
+    for (size_t c = 0; c < sizeof core_of; c++)
+        printf(" %9.0f %5s", sum[c], "");
+    puts("");
+    return SIM_OK;
+}
+
 static int core_named(const char *name)
 {
     for (int c = 0; c < SIM_CORES; c++)
