@@ -256,6 +256,12 @@ static void print_drawing(const struct budget_request *rq, const struct budget *
             comma = ",";
         }
     printf("\n");
+    if (b->guessed)
+        printf("  Rough: a scene that is drawn and counted (--scene, a model) is at most %.0f %% off on this core,\n"
+               "  of the demo and bench scenes, none of which is in the fit.\n", ceil(sim_cost_error(to.core)));
+    else
+        printf("  Of the demo and bench scenes, none of which is in the fit, none is more than %.0f %% off on this core.\n",
+               ceil(sim_cost_error(to.core)));
 }
 
 static void print_parts(const struct budget_request *rq, const struct budget *b)
@@ -406,7 +412,7 @@ static int settle(struct budget_request *rq)
     if (rq->o.panel.name == NULL && rq->o.has_spi)
         return sim_usage("--spi is for a --panel, which is missing");
     if (rq->part && budget_part_named(rq->part) == NULL)
-        return sim_refuse(NULL, 0, "--part %s: there is no such part; there are %s", rq->part, budget_part_list());
+        return budget_part_refuse("--part", rq->part);
     if (rq->part && rq->has_core)
         return sim_usage("--core is the part's own: leave it or --part out");
     if ((rq->scene || rq->o.model) && (rq->has_scene_tris || rq->has_scene_verts))

@@ -4,6 +4,7 @@
  */
 #include <stdio.h>
 #include <string.h>
+#include <strings.h>
 
 #include "budget.h"
 #include "panel.h"
@@ -39,21 +40,47 @@ const struct budget_part budget_parts[] = {
 };
 const uint32_t n_budget_parts = sizeof budget_parts / sizeof budget_parts[0];
 
+static int begins(const char *text, const char *with)
+{
+    return strncasecmp(text, with, strlen(with)) == 0;
+}
+
 const struct budget_part *budget_part_named(const char *name)
 {
+    const struct budget_part *found = NULL;
+    uint32_t n = 0;
     for (uint32_t i = 0; i < n_budget_parts; i++)
-        if (strcmp(budget_parts[i].name, name) == 0)
-            return &budget_parts[i];
-    return NULL;
+        if (begins(budget_parts[i].name, name)) {
+            if (strlen(budget_parts[i].name) == strlen(name))
+                return &budget_parts[i];
+            found = &budget_parts[i];
+            n++;
+        }
+    return n == 1 ? found : NULL;
+}
+
+/* Those that begin so. */
+static const char *list(const char *with)
+{
+    static char text[512];
+    size_t at = 0;
+    text[0] = '\0';
+    for (uint32_t i = 0; i < n_budget_parts && at < sizeof text - 32u; i++)
+        if (begins(budget_parts[i].name, with))
+            at += (size_t)snprintf(text + at, sizeof text - at, "%s%s", at ? ", " : "", budget_parts[i].name);
+    return text;
 }
 
 const char *budget_part_list(void)
 {
-    static char text[512];
-    size_t at = 0;
-    for (uint32_t i = 0; i < n_budget_parts && at < sizeof text - 32u; i++)
-        at += (size_t)snprintf(text + at, sizeof text - at, "%s%s", i ? ", " : "", budget_parts[i].name);
-    return text;
+    return list("");
+}
+
+int budget_part_refuse(const char *option, const char *name)
+{
+    const char *some = *name ? list(name) : "";
+    return *some ? sim_refuse(NULL, 0, "%s %s: which of them? There are %s", option, name, some)
+                 : sim_refuse(NULL, 0, "%s %s: there is no such part; there are %s", option, name, list(""));
 }
 
 /* ---- Fit ---------------------------------------------------------------------------------------- */
@@ -106,7 +133,7 @@ int budget_fit(const struct budget_request *rq, const struct budget *b)
     static const long rows[] = { 2, 4, 8, 16, 24, 32, 40, 48, 60, 80, 120, 160, 240 };
     const struct budget_part *part = budget_part_named(rq->fit);
     if (!part)
-        return sim_refuse(NULL, 0, "--fit %s: there is no such part; there are %s", rq->fit, budget_part_list());
+        return budget_part_refuse("--fit", rq->fit);
     const long grain = grain_of(rq), height = b->config.height, tris = b->config.max_tris, verts = b->config.max_verts;
     long most_rows = 0;
     for (long r = grain; r <= height + grain - 1; r += grain) {

@@ -135,6 +135,8 @@ extern const char *const sim_core_names[SIM_CORES]; /* as tests/golden/bench.txt
 
 /* Instructions (RP2040: cycles) of one, as on record. */
 double sim_cost_of(enum sim_core core, enum sim_cost cost);
+/* The most that the estimate is off by, percent of what frames of the demo and bench scenes take, as on record. */
+double sim_cost_error(enum sim_core core);
 /* Of a frame. */
 double sim_costs_sum(enum sim_core core, const struct sim_counted *counted);
 
@@ -145,6 +147,8 @@ void sim_costs_set(enum sim_core core, const double cost[SIM_COST_N]);
  * file, as of tests/golden/bench.txt. SIM_OK; SIM_REFUSED: it cannot be read, or a scene is more than bar percent off.
  * */
 int sim_costs_error(const char *file, double bar);
+/* The same in numbers: the most on each core, and left alone where the file has no line of it. SIM_OK; SIM_REFUSED. */
+int sim_costs_worst(const char *file, double worst[SIM_CORES]);
 
 /* Print what is counted in frame 0 of a demo or bench scene, drawn as make bench draws it, and what that costs. SIM_OK, or
  * SIM_REFUSED: there is no such scene. */
