@@ -168,8 +168,10 @@ static int32_t strips_within(const struct zs_renderer *r, int32_t row, int32_t e
  * both at once. */
 static void count_cover(const struct zs_renderer *r)
 {
+    if (!r->large || !r->cover_known) /* else cover_next is not set yet */
+        return;
     const struct zs_cover *last = &r->cover[!r->cover_next], *before = &r->cover[r->cover_next];
-    if (!r->large || !r->cover_known || memcmp(last->v, now.cover, sizeof now.cover) == 0)
+    if (memcmp(last->v, now.cover, sizeof now.cover) == 0)
         return;
     memcpy(now.cover, last->v, sizeof now.cover);
     now.n[SIM_COST_bound]++;
