@@ -429,8 +429,8 @@ static int plot_peers(struct study_page *page, const struct study_table *t)
             (void)fprintf(
                 f,
                 "set arrow from %g,0.002 to %g,100 nohead dt 3 lc rgb '#888888'\n"
-                "set label '%s (error not measured)' at %g,30 rotate by 90 right offset -0.6,0 tc rgb '#888888'\n",
-                peers[k].flat, peers[k].flat, peers[k].name, peers[k].flat);
+                "set label '%s (error not measured)' at %g,30 rotate by 90 right tc rgb '#888888'\n",
+                peers[k].flat, peers[k].flat, peers[k].name, 0.94 * peers[k].flat);
     plot_points(f, 0);
     (void)fputs(", $peers with points pt 9 ps 1.2 lc rgb '#8c564b' title 'others', $peers using 1:2:3 with labels left "
                 "offset 1,0 "
@@ -500,7 +500,8 @@ static void table_front(struct study_page *page, const struct study_table *t, co
               "QEMU counts them, not cycles; RP2040: cycles as rp2040js counts them, host: instructions of this machine "
               "as callgrind counts them, both of some settings. wrong: pixels of another triangle, missing or too many; "
               "surface: of another plane; depth: mean relative error; buckets: the worst key, what snapping explains "
-              "taken off; texel: off by more than one, and how far the worst is; code: channels off by one of 31 or 63. "
+              "taken off; texel: another than the reference's; texels: how far coordinates are off at worst; code: channels off "
+              "by one of 31 or 63. "
               "dominated: another setting is as good in time (to 0.1 %) and all errors, and better in one.");
 }
 
