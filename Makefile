@@ -28,7 +28,7 @@ PKG_BENCH = $(PKG_TEST) valgrind
 PKG_SCALE = $(PKG_TEST) gnuplot-nox
 PKG_FUZZ = $(PKG_TEST) libclang-rt-14-dev
 PKG_REPORT = $(PKG_SIM) gcc-arm-none-eabi libnewlib-arm-none-eabi qemu-system-arm gnuplot-nox \
-             $(if $(shell command -v npm),,nodejs npm)
+             valgrind $(if $(shell command -v npm),,nodejs npm)
 PKG_PROVE = gcc libc6-dev frama-c-base
 PKG_COVERAGE = gcovr
 PKG_COMPLEXITY = pmccabe similarity-tester
@@ -134,7 +134,7 @@ report: $(B)/.setup-report
 	@$(MAKE) --no-print-directory -j2 $(B)/zsim study-variants
 	@for s in depth stability; do $(B)/zsim study $$s --redo --out $(B)/study || exit 1; done
 	@sh sim/study.sh $(B) memory --redo
-	@CORES='m3 m0 pico' sh sim/study.sh $(B) time --full --redo
+	@CORES='m3 m0 pico host' sh sim/study.sh $(B) time --full --redo
 
 SHOW = $(MAKE) --no-print-directory -s -f firmware/boards/firmware.mk B=$(B) BOARD=$(BOARD) APP=show SCENE=$(SCENE) \
        $(if $(APP_SCENE),APP_SCENE=$(APP_SCENE)) $(if $(LEAN),LEAN=$(LEAN))

@@ -155,11 +155,18 @@ struct totals {
     double ram, flash, draw_ms, frame_ms, fps, fps_single;
 };
 
+/* A frame on the wire of a part: at the clock that was asked for, or the fastest that the part has. */
+static double wire_ms(const struct budget_request *rq, const struct budget *b, const struct budget_part *part)
+{
+    const double asked = (double)rq->o.spi_hz / 1e6;
+    const int slower = part && part->spi_mhz > 0.0 && part->spi_mhz < asked && !(rq->part && rq->o.has_spi);
+    return !b->has_wire ? 0.0 : slower ? b->wire.ms * asked / part->spi_mhz : b->wire.ms;
+}
+
 static void totals_of(struct totals *t, const struct budget_request *rq, const struct budget *b, enum sim_core core,
-                      double mhz)
+                      double mhz, double wire)
 {
     const enum budget_cpu cpu = budget_cpu_of(core);
-    const double wire = b->has_wire ? b->wire.ms : 0.0;
     t->ram = b->ram.total[cpu] + (double)rq->app_ram;
     t->flash = b->flash[cpu].total + (double)rq->app_flash;
     t->draw_ms = mhz > 0.0 ? budget_cycles(rq, b, core) / (mhz * 1e3) : (double)NAN;
@@ -227,8 +234,6 @@ static void print_wire(const struct budget_request *rq, const struct budget *b)
 
 static void print_drawing(const struct budget_request *rq, const struct budget *b)
 {
-    const char *stage = NULL;
-    double sum = 0.0;
     printf("\nDrawing a frame, estimated%s: instructions, cycles on the RP2040\n ", b->guessed ? " from numbers alone"
            : "");
     for (int c = 0; c < SIM_CORES; c++)
@@ -236,45 +241,53 @@ static void print_drawing(const struct budget_request *rq, const struct budget *
                ? "," : "\n ");
     const struct target to = target_of(rq);
     const double all = sim_costs_sum(to.core, &b->counted);
-    printf(" on %s:", sim_core_names[to.core]);
-    for (int k = 0; k <= SIM_COST_N; k++) {
-        if (stage && (k == SIM_COST_N || strcmp(stage, sim_cost_names[k].stage) != 0)) {
-            if (sum / all >= 0.005)
-                printf(" %s %.0f %%,", stage, 100.0 * sum / all);
-            sum = 0.0;
-        }
-        if (k < SIM_COST_N) {
-            stage = sim_cost_names[k].stage;
-            sum += b->counted.n[k] * sim_cost_of(to.core, (enum sim_cost)k);
-        }
+    double part[SIM_COST_N] = { 0.0 }; /* of a stage, at the first cost of its name */
+    const char *comma = "";
+    for (int k = 0; k < SIM_COST_N; k++) {
+        int first = 0;
+        while (strcmp(sim_cost_names[first].stage, sim_cost_names[k].stage) != 0)
+            first++;
+        part[first] += b->counted.n[k] * sim_cost_of(to.core, (enum sim_cost)k) / all;
     }
-    printf(" of it\n");
+    printf(" of it on %s:", sim_core_names[to.core]);
+    for (int k = 0; k < SIM_COST_N; k++)
+        if (part[k] >= 0.005) {
+            printf("%s %s %.0f %%", comma, sim_cost_names[k].stage, 100.0 * part[k]);
+            comma = ",";
+        }
+    printf("\n");
+    if (b->guessed)
+        printf("  Rough: a scene that is drawn and counted (--scene, a model) is at most %.0f %% off on this core,\n"
+               "  of the demo and bench scenes, none of which is in the fit.\n", ceil(sim_cost_error(to.core)));
+    else
+        printf("  Of the demo and bench scenes, none of which is in the fit, none is more than %.0f %% off on this core.\n",
+               ceil(sim_cost_error(to.core)));
 }
 
 static void print_parts(const struct budget_request *rq, const struct budget *b)
 {
     const struct target to = target_of(rq);
     struct totals t;
-    printf("\n%-12s %-8s %5s %9s %9s %8s %8s %8s   left of it; frames a second with one buffer and two\n", "part",
-           "core", "MHz",
-           "RAM", "flash", "draw ms", "1 buffer", "2");
+    printf("\n%-12s %-8s %5s %9s %9s %8s %8s %8s %8s   left of it; frames a second with one buffer and two\n", "part",
+           "core", "MHz", "RAM", "flash", "draw ms", "wire ms", "1 buffer", "2");
     for (uint32_t i = 0; i < n_budget_parts; i++) {
         const struct budget_part *p = &budget_parts[i];
         struct budget_request with = *rq;
         if (rq->part && p != to.part)
             continue;
-        totals_of(&t, &with, b, p->core, rq->part && rq->has_mhz ? rq->mhz : p->mhz);
+        const double wire = wire_ms(rq, b, p);
+        totals_of(&t, &with, b, p->core, rq->part && rq->has_mhz ? rq->mhz : p->mhz, wire);
         printf("%-12s %-8s %5.0f", p->name, sim_core_names[p->core], rq->part && rq->has_mhz ? rq->mhz : p->mhz);
-        printf(" %9.0f %9.0f %8.1f %8.1f %8.1f%s\n", p->ram - t.ram, p->flash - t.flash, t.draw_ms, t.fps_single,
-               1e3 / fmax(t.draw_ms, b->has_wire ? b->wire.ms : 0.0), t.ram > p->ram || t.flash > p->flash ?
-                   "   too small" : "");
+        printf(" %9.0f %9.0f %8.1f %8.1f %8.1f %8.1f%s\n", p->ram - t.ram, p->flash - t.flash, t.draw_ms, wire,
+               t.fps_single, 1e3 / fmax(t.draw_ms, wire), t.ram > p->ram || t.flash > p->flash ? "   too small" : "");
     }
     printf("Cycles: the RP2040's as the emulator counts them, which M0 takes too; else instructions times\n"
            "%s: M3 and M4 %g, M7 %g, rv32imc %g. Flash without wait states. With two buffers\n"
-           "a frame takes as long as drawing or the wire, whichever is longer.\n",
+           "a frame takes as long as drawing or the wire, whichever is longer.%s\n",
            rq->has_cpi ? "--cpi" : "an assumed rate, not measured", budget_cpi(rq, SIM_CORE_M3),
                budget_cpi(rq, SIM_CORE_M7),
-           budget_cpi(rq, SIM_CORE_RV32));
+           budget_cpi(rq, SIM_CORE_RV32),
+           b->has_wire && !(rq->part && rq->o.has_spi) ? " The wire is no faster than the part's SPI." : "");
 }
 
 static void print_head(const struct budget_request *rq, const struct budget *b)
@@ -303,7 +316,7 @@ static size_t figures_of(struct budget_figure figure[FIGURES_MAX], const struct 
     const enum budget_cpu cpu = budget_cpu_of(to.core);
     struct totals t;
     size_t n = 0;
-    totals_of(&t, rq, b, to.core, to.mhz);
+    totals_of(&t, rq, b, to.core, to.mhz, wire_ms(rq, b, to.part));
     if (rq->elf) {
         t.flash = elf[0];
         t.ram = elf[1];
@@ -399,7 +412,7 @@ static int settle(struct budget_request *rq)
     if (rq->o.panel.name == NULL && rq->o.has_spi)
         return sim_usage("--spi is for a --panel, which is missing");
     if (rq->part && budget_part_named(rq->part) == NULL)
-        return sim_refuse(NULL, 0, "--part %s: there is no such part; there are %s", rq->part, budget_part_list());
+        return budget_part_refuse("--part", rq->part);
     if (rq->part && rq->has_core)
         return sim_usage("--core is the part's own: leave it or --part out");
     if ((rq->scene || rq->o.model) && (rq->has_scene_tris || rq->has_scene_verts))
@@ -409,8 +422,12 @@ static int settle(struct budget_request *rq)
     const int status = sim_panel_take(&rq->o.panel, NULL, rq->o.has_size, rq->o.size, rq->o.strip, &glass);
     if (status != SIM_OK)
         return status;
-    if (rq->o.panel.name != NULL && !rq->o.has_spi)
+    if (rq->o.panel.name != NULL && !rq->o.has_spi) {
+        const struct budget_part *part = rq->part ? budget_part_named(rq->part) : NULL;
         rq->o.spi_hz = pm_glass_format(&glass) == PM_RGB565 ? 62500000 : 10000000;
+        if (part && part->spi_mhz > 0.0 && part->spi_mhz * 1e6 < (double)rq->o.spi_hz)
+            rq->o.spi_hz = (long)(part->spi_mhz * 1e6);
+    }
     if (!rq->scene && !rq->o.model) {
         rq->o.tris = rq->has_tris ? rq->o.tris : 1000;
         rq->o.verts = rq->has_verts ? rq->o.verts : 700;

@@ -33,13 +33,17 @@ struct budget_part {
     const char *name; /* lower case */
     enum sim_core core;
     double mhz;
+    double spi_mhz;      /* the fastest its SPI is as a master; 0: not known */
     uint32_t ram, flash; /* bytes that a program can use */
     const char *text;
 };
 extern const struct budget_part budget_parts[];
 extern const uint32_t n_budget_parts;
-const struct budget_part *budget_part_named(const char *name); /* NULL: none */
+/* By its name or how only that begins, in either case of letters. NULL: none, or several. */
+const struct budget_part *budget_part_named(const char *name);
 const char *budget_part_list(void); /* "a, b, c". Static storage */
+/* Say that there is none, or several, and which there are. SIM_REFUSED. */
+int budget_part_refuse(const char *option, const char *name);
 
 /* ---- Figures ------------------------------------------------------------------------------------ */
 

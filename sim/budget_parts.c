@@ -4,6 +4,7 @@
  */
 #include <stdio.h>
 #include <string.h>
+#include <strings.h>
 
 #include "budget.h"
 #include "panel.h"
@@ -11,45 +12,75 @@
 
 #define KB 1024u
 
-/* RAM is what lies together and a program can use; flash of parts without any is what their boards have. From: RP2040
- * datasheet (1.1, 2.6); STM32F103x8 DS5319, STM32F103xC DS5792, STM32F405 DS8626, STM32F411 DS10314, STM32F401xC
- * DS9716, STM32F746 DS10916, each table 2; nRF51822 PS v3.4 (table 1, xxAA), nRF52832 PS v1.8, nRF52840 PS v1.7
- * (memory); LM3S6965 DS-LM3S6965 (1.4); ESP32-C3 datasheet (3.1.2: 400 KB of SRAM, 16 KB of it cache); SAM D21
- * DS40001882 (1, SAMD21G18); LPC176x UM10360 (1.3: two banks, the larger one); GD32VF103 datasheet (table 2, CB). */
+/* RAM is what lies together and a program can use; flash of parts without any is what their boards have. Clocks are the
+ * largest of the data sheet, but for the RP2040: 125 MHz is what its boards start with. SPI: the fastest clock as a master.
+ * Looked up, from the makers' papers: RP2040 datasheet (1.1; SPI 62.5 Mbit/s); STM32F103x8 DS5319, STM32F103xC DS5792 (2 and
+ * 3 SPIs, 18 Mbit/s), STM32F405 DS8626 (3 SPIs, 42 Mbit/s; 112 + 16 KB of SRAM, 64 KB of CCM, RM0090 2.1), STM32F411xE
+ * DS10314, STM32F401xC DS9716 (memory and clock on page 1); nRF51 and nRF52832: register FREQUENCY of SPI ends at 8 Mbit/s;
+ * nRF52840: SPIM3 at 32; LM3S6965: SSI at half the clock at most (the maker's library); ESP32-C3: 400 KB of SRAM, 16 KB of
+ * it cache, SPI2 at 80 MHz (ESP-IDF, spi_master.h). From the papers named alone, not looked up again: SPI of STM32F401,
+ * F411 and F746 (DS10916, all of it), SAM D21 DS40001882, LPC176x UM10360 (1.3: two banks, the larger one), GD32VF103
+ * datasheet (table 2, CB), of which SPI clocks are not given. */
 const struct budget_part budget_parts[] = {
-    { "rp2040", SIM_CORE_RP2040, 125, 264 * KB, 2048 * KB, "Raspberry Pi Pico, Cortex-M0+ (133 MHz at most)" },
-    { "stm32f103c8", SIM_CORE_M3, 72, 20 * KB, 64 * KB, "Cortex-M3, Blue Pill" },
-    { "stm32f103rc", SIM_CORE_M3, 72, 48 * KB, 256 * KB, "Cortex-M3" },
-    { "stm32f401cc", SIM_CORE_M4, 84, 64 * KB, 256 * KB, "Cortex-M4, Black Pill" },
-    { "stm32f405", SIM_CORE_M4, 168, 128 * KB, 1024 * KB, "Cortex-M4; 64 KB more of CCM" },
-    { "stm32f411", SIM_CORE_M4, 100, 128 * KB, 512 * KB, "Cortex-M4, Black Pill" },
-    { "stm32f746", SIM_CORE_M7, 216, 320 * KB, 1024 * KB, "Cortex-M7" },
-    { "nrf51822", SIM_CORE_M0, 16, 16 * KB, 256 * KB, "micro:bit v1, Cortex-M0" },
-    { "nrf52832", SIM_CORE_M4, 64, 64 * KB, 512 * KB, "Cortex-M4" },
-    { "nrf52840", SIM_CORE_M4, 64, 256 * KB, 1024 * KB, "Cortex-M4" },
-    { "samd21", SIM_CORE_M0, 48, 32 * KB, 256 * KB, "SAMD21G18, Cortex-M0+" },
-    { "lm3s6965", SIM_CORE_M3, 50, 64 * KB, 256 * KB, "Cortex-M3" },
-    { "lpc1768", SIM_CORE_M3, 100, 32 * KB, 512 * KB, "Cortex-M3; 32 KB more in another bank" },
-    { "gd32vf103", SIM_CORE_RV32, 108, 32 * KB, 128 * KB, "RV32IMAC" },
-    { "esp32-c3", SIM_CORE_RV32, 160, 384 * KB, 4096 * KB, "RV32IMC" },
+    { "rp2040", SIM_CORE_RP2040, 125, 62.5, 264 * KB, 2048 * KB, "Raspberry Pi Pico, Cortex-M0+ (133 MHz at most)" },
+    { "stm32f103c8", SIM_CORE_M3, 72, 18, 20 * KB, 64 * KB, "Cortex-M3, Blue Pill" },
+    { "stm32f103rc", SIM_CORE_M3, 72, 18, 48 * KB, 256 * KB, "Cortex-M3" },
+    { "stm32f401cc", SIM_CORE_M4, 84, 42, 64 * KB, 256 * KB, "Cortex-M4, Black Pill" },
+    { "stm32f405", SIM_CORE_M4, 168, 42, 128 * KB, 1024 * KB, "Cortex-M4; 64 KB more of CCM" },
+    { "stm32f411", SIM_CORE_M4, 100, 50, 128 * KB, 512 * KB, "Cortex-M4, Black Pill" },
+    { "stm32f746", SIM_CORE_M7, 216, 50, 320 * KB, 1024 * KB, "Cortex-M7" },
+    { "nrf51822", SIM_CORE_M0, 16, 8, 16 * KB, 256 * KB, "micro:bit v1, Cortex-M0" },
+    { "nrf52832", SIM_CORE_M4, 64, 8, 64 * KB, 512 * KB, "Cortex-M4" },
+    { "nrf52840", SIM_CORE_M4, 64, 32, 256 * KB, 1024 * KB, "Cortex-M4" },
+    { "samd21", SIM_CORE_M0, 48, 0, 32 * KB, 256 * KB, "SAMD21G18, Cortex-M0+" },
+    { "lm3s6965", SIM_CORE_M3, 50, 25, 64 * KB, 256 * KB, "Cortex-M3" },
+    { "lpc1768", SIM_CORE_M3, 100, 0, 32 * KB, 512 * KB, "Cortex-M3; 32 KB more in another bank" },
+    { "gd32vf103", SIM_CORE_RV32, 108, 0, 32 * KB, 128 * KB, "RV32IMAC" },
+    { "esp32-c3", SIM_CORE_RV32, 160, 80, 384 * KB, 4096 * KB, "RV32IMC" },
 };
 const uint32_t n_budget_parts = sizeof budget_parts / sizeof budget_parts[0];
 
+static int begins(const char *text, const char *with)
+{
+    return strncasecmp(text, with, strlen(with)) == 0;
+}
+
 const struct budget_part *budget_part_named(const char *name)
 {
+    const struct budget_part *found = NULL;
+    uint32_t n = 0;
     for (uint32_t i = 0; i < n_budget_parts; i++)
-        if (strcmp(budget_parts[i].name, name) == 0)
-            return &budget_parts[i];
-    return NULL;
+        if (begins(budget_parts[i].name, name)) {
+            if (strlen(budget_parts[i].name) == strlen(name))
+                return &budget_parts[i];
+            found = &budget_parts[i];
+            n++;
+        }
+    return n == 1 ? found : NULL;
+}
+
+/* Those that begin so. */
+static const char *list(const char *with)
+{
+    static char text[512];
+    size_t at = 0;
+    text[0] = '\0';
+    for (uint32_t i = 0; i < n_budget_parts && at < sizeof text - 32u; i++)
+        if (begins(budget_parts[i].name, with))
+            at += (size_t)snprintf(text + at, sizeof text - at, "%s%s", at ? ", " : "", budget_parts[i].name);
+    return text;
 }
 
 const char *budget_part_list(void)
 {
-    static char text[512];
-    size_t at = 0;
-    for (uint32_t i = 0; i < n_budget_parts && at < sizeof text - 32u; i++)
-        at += (size_t)snprintf(text + at, sizeof text - at, "%s%s", i ? ", " : "", budget_parts[i].name);
-    return text;
+    return list("");
+}
+
+int budget_part_refuse(const char *option, const char *name)
+{
+    const char *some = *name ? list(name) : "";
+    return *some ? sim_refuse(NULL, 0, "%s %s: which of them? There are %s", option, name, some)
+                 : sim_refuse(NULL, 0, "%s %s: there is no such part; there are %s", option, name, list(""));
 }
 
 /* ---- Fit ---------------------------------------------------------------------------------------- */
@@ -102,7 +133,7 @@ int budget_fit(const struct budget_request *rq, const struct budget *b)
     static const long rows[] = { 2, 4, 8, 16, 24, 32, 40, 48, 60, 80, 120, 160, 240 };
     const struct budget_part *part = budget_part_named(rq->fit);
     if (!part)
-        return sim_refuse(NULL, 0, "--fit %s: there is no such part; there are %s", rq->fit, budget_part_list());
+        return budget_part_refuse("--fit", rq->fit);
     const long grain = grain_of(rq), height = b->config.height, tris = b->config.max_tris, verts = b->config.max_verts;
     long most_rows = 0;
     for (long r = grain; r <= height + grain - 1; r += grain) {

@@ -210,6 +210,8 @@ static void guess(struct budget *b, const struct budget_request *rq)
                                 : rq->o.texel == SIM_TEXEL_PAL8 ? SIM_COST_fetch_pal8_px : SIM_COST_fetch_pal4_px;
     const enum sim_cost direct = rq->o.texel == SIM_TEXEL_565 ? SIM_COST_won_565
                                  : rq->o.texel == SIM_TEXEL_PAL8 ? SIM_COST_won_pal8 : SIM_COST_won_pal4;
+    /* three edges, half of them not steep; taken up again every 16 rows and in every strip, both of the sides */
+    const double again = rows / 16.0 + setups - tris, edges = 3.0 * tris + 2.0 * again, divided = 1.5 * tris + 2.0 * again;
     double *n = b->counted.n;
     n[SIM_COST_frame] = 1;
     n[SIM_COST_strip] = ZS_STRIPS(c->height, c->strip_h);
@@ -224,16 +226,24 @@ static void guess(struct budget *b, const struct budget_request *rq)
         n[smooth ? SIM_COST_light_smooth : shade == SIM_SHADE_TEXTURED ? SIM_COST_light_texture :
           SIM_COST_attr_texture] = in_sight;
     if (solid && !linear && high <= 64.0) {
-        n[SIM_COST_setup_small] = setups;
+        n[SIM_COST_setup_small] = n[SIM_COST_tilt_small] = setups;
+        n[SIM_COST_edge_small_div] = divided;
         n[SIM_COST_row_small] = rows;
         n[SIM_COST_span_small] = spans;
         n[SIM_COST_px_small] = tested;
         n[SIM_COST_won_small] = won;
         return;
     }
+    const int wide = high > 64.0, huge = high > 128.0;
+    const double planes = smooth ? 3.0 : solid ? 0.0 : shade == SIM_SHADE_TEXTURED ? 3.0 : 2.0;
     n[SIM_COST_setup] = setups;
-    n[SIM_COST_setup_wide] = high > 64.0 ? setups : 0.0;
+    n[SIM_COST_setup_wide] = wide ? setups : 0.0;
+    n[SIM_COST_tilt] = huge ? 0.0 : setups;
+    n[SIM_COST_plane_mid] = wide && !huge ? planes * setups : 0.0;
+    n[SIM_COST_plane_wide] = huge ? (1.0 + planes) * setups : 0.0;
     n[SIM_COST_row] = rows;
+    n[SIM_COST_edge] = edges;
+    n[huge ? SIM_COST_edge_div64 : SIM_COST_edge_div] = divided;
     if (smooth)
         n[SIM_COST_start_smooth] = setups;
     else if (!solid)

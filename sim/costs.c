@@ -45,6 +45,11 @@ double sim_cost_of(enum sim_core core, enum sim_cost cost)
     return 0.0;
 }
 
+double sim_cost_error(enum sim_core core)
+{
+    return stage_error[core];
+}
+
 double sim_costs_sum(enum sim_core core, const struct sim_counted *counted)
 {
     double sum = 0.0;
@@ -278,7 +283,7 @@ static struct residual residual_of(const double cost[N], const struct probes *p,
     return r;
 }
 
-static void print_header(double cost[SIM_CORES][N])
+static void print_header(double cost[SIM_CORES][N], const double error[SIM_CORES])
 {
     puts("/* Instructions of one of each, cycles on the RP2040 (sim/costs.h says of what): fitted from the probes of\n"
          " * firmware/scenes/probes.h. Recorded by make costs-record.\n"
@@ -298,7 +303,11 @@ static void print_header(double cost[SIM_CORES][N])
             printf("%s %.2f", c ? "," : "", cost[c][k]);
         puts(" } },");
     }
-    puts("};\n\n#endif");
+    printf("};\n\n/* The most that they are off by, percent of what frames of the demo and bench scenes take. */\n"
+           "static const double stage_error[SIM_CORES] = {");
+    for (int c = 0; c < SIM_CORES; c++)
+        printf("%s %.1f", c ? "," : "", error[c]);
+    puts(" };\n\n#endif");
 }
 
 /* ---- Command line
@@ -306,7 +315,7 @@ static void print_header(double cost[SIM_CORES][N])
 
 struct request {
     const char *files[SIM_CORES];
-    const char *error;
+    const char *error, *scene;
     double bar, drift;
     int has_drift, header, probes, help; /* flags */
 };
@@ -320,6 +329,7 @@ static const struct sim_option table[] = {
     { "--rv32", SIM_OPTION_FILE, AT(files[SIM_CORE_RV32]), 0, 0, 0, NULL },
     { "--rp2040", SIM_OPTION_FILE, AT(files[SIM_CORE_RP2040]), 0, 0, 0, NULL },
     { "--error", SIM_OPTION_FILE, AT(error), 0, 0, 0, NULL },
+    { "--scene", SIM_OPTION_TEXT, AT(scene), 0, 0, 0, NULL },
     { "--bar", SIM_OPTION_NUMBER, AT(bar), 0, 0, 1000, NULL },
     { "--drift", SIM_OPTION_NUMBER, AT(drift), AT(has_drift), 0, 1000, NULL },
     { "--header", SIM_OPTION_FLAG, AT(header), 0, 0, 0, NULL },
@@ -338,11 +348,14 @@ static const char usage[] =
     "              what firmware/app/costs.c printed on a core: fit from it\n"
     "  --drift N   hold what is on record against it instead: exit status 1 where that is more than N percent off in\n"
     "              the root mean square of the probes\n"
-    "  --header    print it as sim/stage_costs.h; cores that were not measured keep what is on record\n"
+    "  --header    print it as sim/stage_costs.h; cores that were not measured keep what is on record; with --error,\n"
+    "              that on record too\n"
     "  --probes    each probe: taken, and how far the fit is from it\n"
     "  --error F   how far it is from what the demo and bench scenes take, which are not in the fit: lines of\n"
     "              core, scene and number, as in tests/golden/bench.txt\n"
     "  --bar N     with it: exit status 1 where one is more than N percent off (15)\n"
+    "  --scene NAME\n"
+    "              what is counted in frame 0 of a demo or bench scene as make bench draws it, and what that costs\n"
     "\n"
     "Exit status: 0 done; 1 refused; 2 the command line makes no sense.\n";
 
@@ -360,6 +373,7 @@ static int parse(struct request *rq, int argc, char **argv)
 static int run(const struct request *rq)
 {
     static double cost[SIM_CORES][N];
+    double error[SIM_CORES];
     char have[SIM_CORES] = { 0 };
     struct residual residual[SIM_CORES] = { { 0 } };
     struct probes p = { 0 };
@@ -388,8 +402,12 @@ static int run(const struct request *rq)
                 printf("%-8s %-40s %12.0f %+6.1f %%\n", sim_core_names[c], p.at[i].name, taken[i],
                    100.0 * (sum_of(cost[c], &p.at[i].counted) / taken[i] - 1.0));
     }
+    for (int c = 0; c < SIM_CORES; c++)
+        error[c] = stage_error[c];
+    if (status == SIM_OK && rq->header && rq->error)
+        status = sim_costs_worst(rq->error, error);
     if (status == SIM_OK && rq->header)
-        print_header(cost);
+        print_header(cost, error);
     else if (status == SIM_OK && !rq->has_drift && (any || !rq->error))
         print_costs(cost, have);
     for (int c = 0; status == SIM_OK && !rq->header && c < SIM_CORES; c++)
@@ -417,6 +435,8 @@ int sim_costs(int argc, char **argv)
         (void)fputs(usage, stdout);
         return SIM_OK;
     }
+    if (rq.scene)
+        return sim_costs_scene(rq.scene);
     const int done = run(&rq);
-    return done == SIM_OK && rq.error ? sim_costs_error(rq.error, rq.bar) : done;
+    return done == SIM_OK && rq.error && !rq.header ? sim_costs_error(rq.error, rq.bar) : done;
 }

@@ -13,84 +13,101 @@
 #include "zstrip.h"
 
 /* name, stage, of what it is the cost of one. Where one kind includes another the text says "more". */
-#define SIM_COSTS(X)                                                                                     \
-    X(frame, "frame", "frame: begin and end")                                                            \
-    X(strip, "strip", "strip: list, hand-over, the call")                                                \
-    X(clear_px, "strip", "pixel cleared, colour and depth")                                              \
-    X(instance, "instance", "instance walked in a frame")                                                \
-    X(instance_culled, "instance", "instance whose sphere is out of view")                               \
-    X(vertex, "vertex", "vertex to the screen, depth float")                                             \
-    X(vertex_recip, "vertex", "vertex to the screen, depth recip")                                       \
-    X(vertex_linear, "vertex", "vertex to the screen, depth linear")                                     \
-    X(vertex_ortho, "vertex", "vertex to the screen, orthographic")                                      \
-    X(vertex_test, "vertex", "more where near, far or guard band are near")                              \
-    X(vertex_out, "vertex", "vertex outside of those")                                                   \
-    X(vertex_fine, "vertex", "more with pos_lo")                                                         \
-    X(light_smooth, "vertex", "its light, smooth")                                                       \
-    X(attr_texture, "vertex", "its texture coordinates")                                                 \
-    X(light_texture, "vertex", "its texture coordinates and light")                                      \
-    X(tri, "triangle", "triangle looked at and turned away")                                             \
-    X(tri_looked, "triangle", "more where the pool does not hold the mesh")                              \
-    X(tri_box, "triangle", "more where it faces the eye: box, off screen or empty")                      \
-    X(tri_bin, "triangle", "more where it is seen: bin")                                                 \
-    X(face_flat, "triangle", "more for its light, flat, normal from its edges")                                   \
-    X(face_flat_given, "triangle", "more for its light, flat, normal given")                                      \
-    X(tri_clip, "clip", "triangle cut at near, far or the guard band")                                   \
-    X(tri_hidden, "set-up", "triangle in a strip, found hidden")                                         \
-    X(bound, "set-up", "triangle of 64 columns or more in a strip: what it hides")                       \
-    X(setup_small, "set-up", "small triangle of one colour in a strip")                                  \
-    X(setup, "set-up", "any other triangle in a strip, of one colour")                                   \
-    X(setup_wide, "set-up", "more beyond 64 px")                                                         \
-    X(plane_wide, "set-up", "key, colour or coordinate over a triangle beyond 128 px")                   \
-    X(setup_empty, "set-up", "triangle in a strip without a pixel there")                                \
-    X(setup_octaves, "set-up", "more where depth float crosses an octave")                               \
-    X(setup_linear, "set-up", "more with depth linear")                                                  \
-    X(start_smooth, "set-up", "more for colours, affine")                                                \
-    X(start_smooth_w, "set-up", "more for colours in perspective")                                       \
-    X(start_texture, "set-up", "more for texels, affine")                                                \
-    X(start_texture_w, "set-up", "more for texels in perspective")                                       \
-    X(start_light, "set-up", "more for their light between vertices")                                    \
-    X(row_small, "row", "row of a small triangle")                                                       \
-    X(row, "row", "row of any other: its two edges")                                                     \
-    X(span_small, "span", "row with pixels, small triangle")                                             \
-    X(span_solid, "span", "row with pixels, one colour")                                                 \
-    X(span_smooth, "span", "row with pixels, smooth, affine")                                            \
-    X(span_direct, "span", "row with pixels, texels, affine, unlit or lit palette")                      \
-    X(span_runs, "span", "row with pixels, any other way")                                               \
-    X(span_linear, "span", "more with depth linear")                                                     \
-    X(piece, "span", "piece of a row, where depth float crosses an octave")                              \
-    X(px_small, "pixel", "pixel tested, small triangle")                                                 \
-    X(px_solid, "pixel", "pixel tested, one colour")                                                     \
-    X(px_smooth, "pixel", "pixel tested, smooth")                                                        \
-    X(px_direct, "pixel", "pixel tested, texels")                                                        \
-    X(px_runs, "pixel", "pixel tested, any other way")                                                   \
-    X(px_linear, "pixel", "pixel tested, depth linear")                                                  \
-    X(px_state, "pixel", "pixel tested, with a state")                                                   \
-    X(setup_fresh, "set-up", "more where nothing was drawn before it")                                   \
-    X(row_fresh, "row", "more where nothing was drawn before it")                                        \
-    X(px_fresh, "pixel", "key of a pixel drawn without a test")                                          \
-    X(won_small, "pixel", "more where it wins, small triangle")                                          \
-    X(won_solid, "pixel", "more where it wins, one colour")                                              \
-    X(won_smooth, "pixel", "more where it wins, smooth")                                                 \
-    X(won_565, "pixel", "more where it wins, texel 565")                                                 \
-    X(won_pal8, "pixel", "more where it wins, texel pal8")                                               \
-    X(won_pal4, "pixel", "more where it wins, texel pal4")                                               \
-    X(won_runs, "pixel", "more where it wins, any other way: its depth")                                 \
-    X(run, "run", "run of pixels that win, any other way")                                               \
-    X(run_solid_px, "run", "pixel of one colour in a run")                                               \
-    X(run_smooth_px, "run", "pixel of smooth colour in a run")                                           \
-    X(run_smooth_part, "run", "part of up to 16 smooth pixels in perspective")                           \
-    X(fetch, "run", "part of texels fetched")                                                            \
-    X(fetch_group, "run", "more where its ends are divided: up to 32 in perspective")                    \
-    X(fetch_one, "run", "more where it is one texel in perspective")                                     \
-    X(fetch_clamped, "run", "more where the texture is clamped")                                         \
-    X(fetch_single, "run", "texel of a clamped texture, fetched by itself")                              \
-    X(fetch_565_px, "run", "texel 565 fetched")                                                          \
-    X(fetch_pal8_px, "run", "texel pal8 fetched")                                                        \
-    X(fetch_pal4_px, "run", "texel pal4 fetched")                                                        \
-    X(divide, "run", "part of up to 16 texels, each divided")                                            \
-    X(divide_px, "run", "texel by a division of its own")                                                \
-    X(shine, "run", "call to light a part or a palette")                                                 \
+#define SIM_COSTS(X)                                                                                            \
+    X(frame, "frame", "frame: begin and end")                                                                   \
+    X(strip, "strip", "strip: list, hand-over, the call")                                                       \
+    X(clear_px, "strip", "pixel cleared, colour and depth")                                                     \
+    X(instance, "instance", "instance walked in a frame")                                                       \
+    X(instance_culled, "instance", "instance whose sphere is out of view")                                      \
+    X(instance_asked, "instance", "more where it may lie behind large triangles")                               \
+    X(vertex, "vertex", "vertex to the screen, depth float")                                                    \
+    X(vertex_recip, "vertex", "vertex to the screen, depth recip")                                              \
+    X(vertex_linear, "vertex", "vertex to the screen, depth linear")                                            \
+    X(vertex_ortho, "vertex", "vertex to the screen, orthographic")                                             \
+    X(vertex_test, "vertex", "more where near, far or guard band are near")                                     \
+    X(vertex_out, "vertex", "vertex outside of those")                                                          \
+    X(vertex_fine, "vertex", "more with pos_lo")                                                                \
+    X(light_smooth, "vertex", "its light, smooth")                                                              \
+    X(attr_texture, "vertex", "its texture coordinates")                                                        \
+    X(light_texture, "vertex", "its texture coordinates and light")                                             \
+    X(tri, "triangle", "triangle looked at and turned away")                                                    \
+    X(tri_looked, "triangle", "more where the pool does not hold the mesh")                                     \
+    X(tri_asked, "triangle", "more where it is 128 px wide or high, or the frame at most 160")                  \
+    X(tri_box, "triangle", "more where it faces the eye: box, off screen or empty")                             \
+    X(tri_bin, "triangle", "more where it is seen: bin")                                                        \
+    X(face_flat, "triangle", "more for its light, flat, normal from its edges")                                 \
+    X(face_flat_given, "triangle", "more for its light, flat, normal given")                                    \
+    X(tri_clip, "clip", "triangle cut at near, far or the guard band")                                          \
+    X(tri_hidden, "set-up", "triangle in a strip, found hidden")                                                \
+    X(cover, "set-up", "triangle of 64 columns or more: may it hide others")                                    \
+    X(bound, "set-up", "more where it does")                                                                    \
+    X(bound_strip, "set-up", "strip all of whose rows it passes")                                               \
+    X(bound_tile, "set-up", "tile of the frame, where bounds have changed before an instance")                  \
+    X(setup_small, "set-up", "small triangle of one colour in a strip")                                         \
+    X(tilt_small, "set-up", "more where its keys differ")                                                       \
+    X(setup, "set-up", "any other triangle in a strip, of one colour")                                          \
+    X(tilt, "set-up", "more where its keys differ")                                                             \
+    X(setup_wide, "set-up", "more beyond 64 px, or of hardly any area")                                         \
+    X(plane_mid, "set-up", "colour or coordinate over a triangle of those")                                     \
+    X(plane_wide, "set-up", "key, colour or coordinate beyond 256 px, width and height")                        \
+    X(edge, "set-up", "edge taken up for up to 16 rows")                                                        \
+    X(edge_tiny, "set-up", "the same of a triangle of up to 64 px")                                             \
+    X(edge_div, "set-up", "more where it is not steep, or entered below its first row")                         \
+    X(edge_div64, "set-up", "the same, of 128 px and more: entered below")                                      \
+    X(setup_empty, "set-up", "triangle in a strip without a pixel there")                                       \
+    X(setup_small_empty, "set-up", "small triangle in a strip without a pixel there")                           \
+    X(edge_small_div, "set-up", "edge of a small triangle that a core without a divider divides for")           \
+    X(setup_octaves, "set-up", "more where depth float crosses an octave")                                      \
+    X(setup_linear, "set-up", "more with depth linear")                                                         \
+    X(setup_fresh, "set-up", "more where nothing was drawn before it")                                          \
+    X(start_smooth, "set-up", "more for colours, affine")                                                       \
+    X(start_smooth_w, "set-up", "more for colours in perspective")                                              \
+    X(start_texture, "set-up", "more for texels, affine")                                                       \
+    X(start_texture_w, "set-up", "more for texels in perspective")                                              \
+    X(start_light, "set-up", "more for their light between vertices")                                           \
+    X(row_small, "row", "row of a small triangle")                                                              \
+    X(row, "row", "row of any other: its two edges")                                                            \
+    X(row_fresh, "row", "row with pixels, more where nothing was drawn before it")                              \
+    X(row_clear, "row", "row of a strip, drawn on so: what is left of it is cleared")                           \
+    X(span_small, "span", "row with pixels, small triangle")                                                    \
+    X(span_solid, "span", "row with pixels, one colour")                                                        \
+    X(span_smooth, "span", "row with pixels, smooth, affine")                                                   \
+    X(span_direct, "span", "row with pixels, texels, affine, unlit or lit palette")                             \
+    X(span_runs, "span", "row with pixels, any other way")                                                      \
+    X(span_linear, "span", "more with depth linear")                                                            \
+    X(piece, "span", "piece of a row, where depth float crosses an octave")                                     \
+    X(px_small, "pixel", "pixel tested, small triangle")                                                        \
+    X(px_solid, "pixel", "pixel tested, one colour")                                                            \
+    X(px_smooth, "pixel", "pixel tested, smooth")                                                               \
+    X(px_direct, "pixel", "pixel tested, texels")                                                               \
+    X(px_runs, "pixel", "pixel tested, any other way")                                                          \
+    X(px_linear, "pixel", "pixel tested, depth linear")                                                         \
+    X(px_state, "pixel", "pixel tested, with a state")                                                          \
+    X(px_fresh, "pixel", "key of a pixel drawn without a test")                                                 \
+    X(fill_px, "pixel", "pixel of one colour filled where nothing was drawn")                                   \
+    X(won_small, "pixel", "more where it wins, small triangle")                                                 \
+    X(won_solid, "pixel", "more where it wins, one colour")                                                     \
+    X(won_smooth, "pixel", "more where it wins, smooth")                                                        \
+    X(won_565, "pixel", "more where it wins, texel 565")                                                        \
+    X(won_pal8, "pixel", "more where it wins, texel pal8")                                                      \
+    X(won_pal4, "pixel", "more where it wins, texel pal4")                                                      \
+    X(won_runs, "pixel", "more where it wins, any other way: its depth")                                        \
+    X(run, "run", "run of pixels that win, any other way")                                                      \
+    X(run_fresh, "run", "more where nothing was drawn before it")                                               \
+    X(run_solid_px, "run", "pixel of one colour in a run")                                                      \
+    X(run_smooth_px, "run", "pixel of smooth colour in a run")                                                  \
+    X(run_smooth_part, "run", "part of up to 16 smooth pixels in perspective")                                  \
+    X(fetch, "run", "part of texels fetched")                                                                   \
+    X(fetch_group, "run", "more where its ends are divided: up to 32 in perspective")                           \
+    X(fetch_one, "run", "more where it is one texel in perspective")                                            \
+    X(fetch_clamped, "run", "more where the texture is clamped")                                                \
+    X(fetch_single, "run", "texel of a clamped texture, fetched by itself")                                     \
+    X(fetch_565_px, "run", "texel 565 fetched")                                                                 \
+    X(fetch_pal8_px, "run", "texel pal8 fetched")                                                               \
+    X(fetch_pal4_px, "run", "texel pal4 fetched")                                                               \
+    X(divide, "run", "part of up to 16 texels, each divided")                                                   \
+    X(divide_px, "run", "texel by a division of its own")                                                       \
+    X(shine, "run", "call to light a part or a palette")                                                        \
     X(shine_px, "run", "pixel or colour of a palette lit")
 
 #define SIM_COST_ENUM(name, stage, what) SIM_COST_##name,
@@ -119,6 +136,8 @@ extern const char *const sim_core_names[SIM_CORES]; /* as tests/golden/bench.txt
 
 /* Instructions (RP2040: cycles) of one, as on record. */
 double sim_cost_of(enum sim_core core, enum sim_cost cost);
+/* The most that the estimate is off by, percent of what frames of the demo and bench scenes take, as on record. */
+double sim_cost_error(enum sim_core core);
 /* Of a frame. */
 double sim_costs_sum(enum sim_core core, const struct sim_counted *counted);
 
@@ -129,6 +148,12 @@ void sim_costs_set(enum sim_core core, const double cost[SIM_COST_N]);
  * file, as of tests/golden/bench.txt. SIM_OK; SIM_REFUSED: it cannot be read, or a scene is more than bar percent off.
  * */
 int sim_costs_error(const char *file, double bar);
+/* The same in numbers: the most on each core, and left alone where the file has no line of it. SIM_OK; SIM_REFUSED. */
+int sim_costs_worst(const char *file, double worst[SIM_CORES]);
+
+/* Print what is counted in frame 0 of a demo or bench scene, drawn as make bench draws it, and what that costs. SIM_OK, or
+ * SIM_REFUSED: there is no such scene. */
+int sim_costs_scene(const char *name);
 
 /* `zsim costs`: the arguments after the name. */
 int sim_costs(int argc, char **argv);

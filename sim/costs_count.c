@@ -52,9 +52,14 @@ static struct {
     uint32_t band_end, walks, checksum;
     uint8_t by_number; /* flag: some mesh was not transformed at once */
     const struct zs_job *job; /* whose run is coloured; NULL: none */
-    uint8_t huge;      /* flag, of the triangle that was set up last */
+    uint8_t wide, huge; /* flags, of the triangle that was set up last: how its planes are found */
     uint8_t keys;      /* flag, of the triangle in hand: its keys are linear */
     uint8_t linear;    /* flag: keys are linear on the screen in this view */
+    uint8_t fresh;     /* flag: a triangle of this strip was drawn on fresh pixels */
+    struct zs_vertex cover[3]; /* the last triangle that hides others */
+    uint32_t bounds;   /* checksum of the tiles' bounds, when an instance was last begun */
+    uint32_t walk;     /* number of the walk, and of ... */
+    uint32_t instance; /* ... the instance in hand, UINT32_MAX: none */
 } now;
 
 static struct our_shader *shader_of(const struct zs_shader *shader)
@@ -71,7 +76,8 @@ static struct our_texel *texel_of(const struct zs_texel *texel)
 
 struct shape {
     double rows, spans, px;
-    int wide, huge; /* flags: beyond ZS_TINY, beyond twice that */
+    int tilted; /* flag: keys differ */
+    double edges, divided, divided64; /* edges taken up; of these, where a core without a divider divides; in 64 bits */
 };
 
 /* The first sample at or beyond an edge from a to b, at the middle of a row; exact. */
@@ -80,6 +86,20 @@ static int32_t column(const struct zs_vertex *a, const struct zs_vertex *b, int3
     const int64_t dy = b->y - a->y, at = (int64_t)row * ZS_SUBPX_ONE + ZS_SUBPX_HALF - a->y;
     const int64_t top = (int64_t)(b->x - a->x) * at + (int64_t)(a->x - ZS_SUBPX_HALF) * dy, by = dy * ZS_SUBPX_ONE;
     return (int32_t)(top >= 0 ? (top + by - 1) / by : -(-top / by));
+}
+
+/* Rows of the edge from a down to b in [row, end), cut ZS_CUT_ROWS at a time from `first` on, as zs_raster_cuts does. */
+static void look_edge(struct shape *s, const struct zs_vertex *a, const struct zs_vertex *b, int32_t first, int32_t row,
+                      int32_t end)
+{
+    const int32_t dx = b->x - a->x, dy = b->y - a->y;
+    while (row < end) {
+        const int below = row * ZS_SUBPX_ONE + ZS_SUBPX_HALF - a->y >= ZS_SUBPX_ONE, wide = dy >= 128 * ZS_SUBPX_ONE;
+        s->edges++;
+        s->divided += (zs_abs32(dx) > dy) + (below && !wide);
+        s->divided64 += below && wide;
+        row += ZS_CUT_ROWS - (row - first) % ZS_CUT_ROWS;
+    }
 }
 
 static void look(struct shape *s, const struct zs_job *job)
@@ -94,10 +114,15 @@ static void look(struct shape *s, const struct zs_job *job)
         hi[0] = zs_max32(hi[0], v[k]->x);
         hi[1] = zs_max32(hi[1], v[k]->y);
     }
-    s->wide = hi[0] - lo[0] > ZS_TINY || hi[1] - lo[1] > ZS_TINY;
-    s->huge = hi[0] - lo[0] > 2 * ZS_TINY || hi[1] - lo[1] > 2 * ZS_TINY;
+    s->tilted = v[0]->d != v[1]->d || v[0]->d != v[2]->d;
     const int32_t first = zs_max32(zs_first_sample(lo[1]), job->y0);
     const int32_t end = zs_min32(zs_first_sample(hi[1]), job->y1);
+    for (int k = 0; k < 3; k++) {
+        const struct zs_vertex *a = v[k], *b = v[(k + 1) % 3];
+        const int down = a->y <= b->y;
+        look_edge(s, down ? a : b, down ? b : a, first, zs_max32(first, zs_first_sample(down ? a->y : b->y)),
+                  zs_min32(end, zs_first_sample(down ? b->y : a->y)));
+    }
     for (int32_t row = first; row < end; row++) {
         int32_t x[2], n = 0;
         for (int k = 0; k < 3 && n < 2; k++) {
@@ -130,9 +155,83 @@ static void on_vertex(const struct zs_renderer *r, uint32_t v, uint16_t *out)
     s->of->vertex(r, v, out);
 }
 
+/* Strips all of whose rows lie in [row, end). */
+static int32_t strips_within(const struct zs_renderer *r, int32_t row, int32_t end)
+{
+    const int32_t h = r->config.strip_h, height = r->config.height;
+    const int32_t first = zs_max32((zs_max32(row, 0) + h - 1) / h, r->strip);
+    const int32_t last = zs_min32(end >= height ? (height + h - 1) / h : end / h, r->draw_end);
+    return last > first ? last - first : 0;
+}
+
+/* Has a triangle left bounds behind, as hidden.c finds them? Those of a triangle that shares an edge with it are found for
+ * both at once. */
+static void count_cover(const struct zs_renderer *r)
+{
+    if (!r->large || !r->cover_known) /* else cover_next is not set yet */
+        return;
+    const struct zs_cover *last = &r->cover[!r->cover_next], *before = &r->cover[r->cover_next];
+    if (memcmp(last->v, now.cover, sizeof now.cover) == 0)
+        return;
+    memcpy(now.cover, last->v, sizeof now.cover);
+    now.n[SIM_COST_bound]++;
+    const int32_t both = strips_within(r, last->done[0], last->done[1]);
+    double strips = strips_within(r, zs_first_sample(last->v[0].y), zs_first_sample(last->v[2].y));
+    if (both > 0 && last->done[0] == before->done[0] && last->done[1] == before->done[1])
+        strips -= both; /* counted with the one before */
+    now.n[SIM_COST_bound_strip] += strips;
+}
+
+/* An instance that is walked: the first that is seen of it. */
+static void count_instance(const struct zs_renderer *r)
+{
+    if (now.instance == r->xform.number && now.walk == r->stats.passes)
+        return;
+    now.instance = r->xform.number;
+    now.walk = r->stats.passes;
+    if (!r->large)
+        return;
+    const uint32_t tiles = ZS_TILES(r->config.width) * r->n_strips;
+    uint32_t sum = 2166136261u;
+    for (uint32_t t = 0; t < tiles; t++)
+        sum = (sum ^ r->bound[t]) * 16777619u;
+    if (sum != now.bounds)
+        now.n[SIM_COST_bound_tile] += tiles;
+    now.bounds = sum;
+    now.n[SIM_COST_instance_asked]++;
+}
+
+/* Is a triangle of the instance in hand 128 px wide or high? In a mesh that is transformed at once. */
+static int is_large(const struct zs_renderer *r, uint32_t t)
+{
+    const uint16_t *index = r->xform.instance->mesh->tri[t];
+    const struct zs_vertex *v = r->vert + r->vert_base;
+    int32_t lo[2] = { INT32_MAX, INT32_MAX }, hi[2] = { INT32_MIN, INT32_MIN };
+    for (int k = 0; k < 3; k++) {
+        if (v[index[k]].d >= ZS_D_OUT)
+            return 0; /* cut */
+        lo[0] = zs_min32(lo[0], v[index[k]].x);
+        lo[1] = zs_min32(lo[1], v[index[k]].y);
+        hi[0] = zs_max32(hi[0], v[index[k]].x);
+        hi[1] = zs_max32(hi[1], v[index[k]].y);
+    }
+    return hi[0] - lo[0] >= 2 * ZS_TINY || hi[1] - lo[1] >= 2 * ZS_TINY;
+}
+
+#define ASKED_WIDTH 160 /* frames up to so wide, meshes up to so many triangles: each triangle is asked what it hides */
+#define ASKED_TRIS 40
+
+static int all_asked(uint32_t width, const struct zs_mesh *mesh)
+{
+    return width <= ASKED_WIDTH && mesh->n_tris <= ASKED_TRIS;
+}
+
 static uint16_t on_face(const struct zs_renderer *r, uint32_t t)
 {
     const struct our_shader *s = shader_of(r->xform.instance->material->shader);
+    count_cover(r);
+    if (r->direct && !all_asked(r->config.width, r->xform.instance->mesh) && is_large(r, t))
+        now.n[SIM_COST_tri_asked]++;
     now.n[SIM_COST_tri_bin]++;
     if (s->face == SIM_COST_face_flat && r->xform.instance->mesh->face_normal)
         now.n[SIM_COST_face_flat_given]++;
@@ -154,6 +253,7 @@ static uint32_t on_depth_vertex(const struct zs_view *view, int32_t z, uint32_t 
     if (r->xform.instance->mesh->pos_lo)
         now.n[SIM_COST_vertex_fine]++;
     now.by_number |= !r->direct;
+    count_instance(r);
     return now.of->vertex(view, z, rcp, lz);
 }
 
@@ -176,16 +276,26 @@ static uint32_t written(void)
     return now.r->stats.pixels_written;
 }
 
+/* How planes are found over the triangle in hand (plane.c). */
+static void look_plane(const struct zs_job *job)
+{
+    now.wide = !job->geom.tiny;
+    now.huge = !job->geom.rcp;
+}
+
 /* A triangle that is set up the general way. */
 static void count_setup(const struct shape *s)
 {
     now.setups++;
     now.tested += (uint64_t)s->px;
     now.n[SIM_COST_setup]++;
-    now.n[SIM_COST_setup_wide] += s->wide;
-    now.n[SIM_COST_plane_wide] += s->huge; /* its key */
-    now.huge = (uint8_t)s->huge;
+    now.n[SIM_COST_setup_wide] += now.wide;
+    now.n[SIM_COST_plane_wide] += now.huge && s->tilted; /* its key */
+    now.n[SIM_COST_tilt] += s->tilted && !now.huge;
     now.n[SIM_COST_row] += s->rows;
+    now.n[now.wide ? SIM_COST_edge : SIM_COST_edge_tiny] += s->edges;
+    now.n[SIM_COST_edge_div] += s->divided;
+    now.n[SIM_COST_edge_div64] += s->divided64;
 }
 
 static void count_start(const struct zs_job *job, const struct our_shader *s)
@@ -197,8 +307,8 @@ static void count_start(const struct zs_job *job, const struct our_shader *s)
         now.n[affine ? SIM_COST_start_texture : SIM_COST_start_texture_w]++;
     if (s->kind == KIND_TEXTURE && s->of->n_attrs == 3)
         now.n[SIM_COST_start_light]++;
-    if (s->kind != KIND_SOLID && now.huge)
-        now.n[SIM_COST_plane_wide] += s->of->n_attrs + !affine;
+    if (s->kind != KIND_SOLID && now.wide)
+        now.n[now.huge ? SIM_COST_plane_wide : SIM_COST_plane_mid] += s->of->n_attrs + !affine;
 }
 
 static void on_start(struct zs_job *job)
@@ -216,6 +326,7 @@ static void on_rows(struct zs_job *job)
     const double runs = now.n[SIM_COST_run];
     const uint32_t before = written();
     look(&shape, job);
+    look_plane(job);
     count_setup(&shape);
     now.keys = 1;
     s->of->rows(job);
@@ -257,6 +368,8 @@ static void on_span(struct zs_job *job, const struct zs_row *row, int32_t i0, in
 
 static void on_state_rows(struct zs_job *job);
 
+#define NO_OCTAVES INT32_MIN /* job->w64_scale, where a triangle's keys lie in one */
+
 /* Drawn on pixels that nothing was drawn on before: by a kernel that is not an instance's. */
 static int on_fresh(const struct zs_job *job)
 {
@@ -266,9 +379,13 @@ static int on_fresh(const struct zs_job *job)
 static void on_run(struct zs_job *job, const struct zs_row *row, int32_t from, int32_t to)
 {
     const struct our_shader *s = shader_of(job->shader);
+    const int fresh = on_fresh(job);
     now.n[SIM_COST_run]++;
-    if (s->kind == KIND_SOLID && !on_fresh(job)) /* else in px_fresh: filled, as the keys are */
-        now.n[SIM_COST_run_solid_px] += to - from;
+    now.n[SIM_COST_run_fresh] += fresh;
+    if (fresh && job->w64_scale != NO_OCTAVES)
+        now.n[SIM_COST_piece]++;
+    if (s->kind == KIND_SOLID)
+        now.n[fresh ? SIM_COST_fill_px : SIM_COST_run_solid_px] += to - from;
     if (s->kind == KIND_SMOOTH) {
         now.n[SIM_COST_run_smooth_px] += to - from;
         if (job->sub_log2 != ZS_AFFINE)
@@ -296,14 +413,16 @@ static int on_small(struct zs_job *job)
     if (now.r->stats.tris_setup == setups)
         return 1;
     now.setups++;
-    if (tested() == px) {
-        now.n[SIM_COST_setup_empty]++;
-        return 1;
-    }
     struct shape shape;
     look(&shape, job);
+    now.n[SIM_COST_edge_small_div] += shape.divided;
+    if (tested() == px) {
+        now.n[SIM_COST_setup_small_empty]++;
+        return 1;
+    }
     now.tested += (uint64_t)shape.px;
     now.n[SIM_COST_setup_small]++;
+    now.n[SIM_COST_tilt_small] += shape.tilted;
     now.n[SIM_COST_row_small] += shape.rows;
     now.n[SIM_COST_span_small] += shape.spans;
     now.n[SIM_COST_px_small] += shape.px;
@@ -317,6 +436,7 @@ static void on_state_rows(struct zs_job *job)
     struct shape shape;
     const uint32_t before = written();
     look(&shape, job);
+    look_plane(job);
     count_setup(&shape);
     now.keys = 1;
     k->of->rows(job);
@@ -343,8 +463,9 @@ static void on_depth_rows(struct zs_job *job)
     const uint32_t before = written(), untested = now.r->stats.pixels_untested;
     const int fresh = on_fresh(job);
     look(&shape, job);
-    now.huge = (uint8_t)shape.huge;
+    look_plane(job);
     now.keys = 0;
+    job->w64_scale = NO_OCTAVES;
     if (now.linear)
         zs_raster_keys(job);
     else
@@ -353,8 +474,10 @@ static void on_depth_rows(struct zs_job *job)
         return; /* they were; counted there */
     count_setup(&shape);
     if (fresh) {
+        now.fresh = 1;
         now.n[SIM_COST_setup_fresh]++;
-        now.n[SIM_COST_row_fresh] += shape.rows;
+        now.n[SIM_COST_setup_octaves] += job->w64_scale != NO_OCTAVES;
+        now.n[SIM_COST_row_fresh] += shape.spans;
         now.n[SIM_COST_px_fresh] += now.r->stats.pixels_untested - untested;
         return;
     }
@@ -459,7 +582,7 @@ static void count_bounds(const struct zs_strip *strip)
             &r->vert[r->tri[t].v[2]];
         const int32_t x0 = zs_min32(zs_min32(a->x, b->x), c->x), x1 = zs_max32(zs_max32(a->x, b->x), c->x);
         const int32_t y0 = zs_min32(zs_min32(a->y, b->y), c->y), y1 = zs_max32(zs_max32(a->y, b->y), c->y);
-        now.n[SIM_COST_bound] += zs_min32(zs_first_sample(x1), strip->w) - zs_max32(zs_first_sample(x0), 0) >=
+        now.n[SIM_COST_cover] += zs_min32(zs_first_sample(x1), strip->w) - zs_max32(zs_first_sample(x0), 0) >=
             2 << ZS_TILE_LOG2 &&
                                  zs_first_sample(y0) < strip->y + strip->h && zs_first_sample(y1) > strip->y &&
                                  (zs_first_sample(y0) >= strip->y || strip->y == 0); /* once a frame */
@@ -473,6 +596,9 @@ static int on_submit(void *ctx, const struct zs_strip *strip)
         now.walks++;
     now.band_end = now.r->band_end;
     count_bounds(strip);
+    if (now.fresh && now.r->fresh_left)
+        now.n[SIM_COST_row_clear] += strip->h;
+    now.fresh = 0;
     for (uint32_t i = 0; i < strip->n_bytes; i++)
         now.checksum = (now.checksum ^ strip->px[i]) * 16777619u;
     return 0;
@@ -505,6 +631,18 @@ static void count_frame(const struct zs_config *config, const struct zs_stats *s
     n[SIM_COST_tri_clip] = walks * s->tris_clipped;
     n[SIM_COST_tri_hidden] = s->tris_hidden;
     n[SIM_COST_setup_empty] += s->tris_setup - now.setups;
+    n[SIM_COST_instance_asked] += walks * s->instances_hidden;
+}
+
+/* Meshes whose triangles are all asked what they hide: of those that were walked, on average. */
+static void count_asked(const struct zs_scene *scene, const struct zs_config *config, const struct zs_stats *s)
+{
+    double n = 0.0;
+    for (size_t i = 0; i < scene->n_instances; i++)
+        if (all_asked(config->width, scene->instance[i].mesh))
+            n += scene->instance[i].mesh->n_tris;
+    if (s->instances_in > 0)
+        now.n[SIM_COST_tri_asked] += n * now.walks * (1.0 - (double)s->instances_culled / s->instances_in);
 }
 
 int sim_costs_count(struct sim_counted *out, const struct zs_scene *scene, const struct zs_camera *camera,
@@ -526,6 +664,7 @@ int sim_costs_count(struct sim_counted *out, const struct zs_scene *scene, const
     now.depth.vertex = on_depth_vertex;
     now.depth.rows = on_depth_rows;
     now.checksum = 2166136261u;
+    now.instance = UINT32_MAX;
     with.depth = &now.depth;
     for (size_t i = 0; i < n; i++) {
         instance[i] = scene->instance[i];
@@ -537,6 +676,7 @@ int sim_costs_count(struct sim_counted *out, const struct zs_scene *scene, const
         out->stats = frame.stats;
         out->checksum = now.checksum;
         count_frame(config, &frame.stats);
+        count_asked(scene, config, &frame.stats);
         if (now.tested != frame.stats.pixels_tested)
             err = SIM_FRAME_BROKEN;
     }

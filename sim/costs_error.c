@@ -111,6 +111,40 @@ static int count_pico(struct sim_counted *out, const struct demo *d)
     return known && !err ? SIM_OK : sim_refuse(d->name, 0, "cannot be counted as the Pico draws it (%d)", err);
 }
 
+int sim_costs_scene(const char *name)
+{
+    static const char core_of[] = { SIM_CORE_M0, SIM_CORE_M3, SIM_CORE_RP2040 };
+    const struct demo *d = demo_named(name);
+    struct sim_counted counted;
+    double sum[sizeof core_of] = { 0 };
+    if (!d)
+        return sim_refuse(name, 0, "is no demo or bench scene; zsim demo --help says which there are");
+    const int status = count_bench(&counted, d);
+    if (status != SIM_OK)
+        return status;
+    for (size_t c = 0; c < sizeof core_of; c++)
+        sum[c] = sim_costs_sum((enum sim_core)core_of[c], &counted);
+    printf("%-9s %9s", "stage", "how often");
+    for (size_t c = 0; c < sizeof core_of; c++)
+        printf(" %9s %5s", sim_core_names[(int)core_of[c]], "%");
+    puts("  of one");
+    for (int k = 0; k < SIM_COST_N; k++) {
+        if (counted.n[k] == 0.0)
+            continue;
+        printf("%-9s %9.0f", sim_cost_names[k].stage, counted.n[k]);
+        for (size_t c = 0; c < sizeof core_of; c++) {
+            const double cost = counted.n[k] * sim_cost_of((enum sim_core)core_of[c], (enum sim_cost)k);
+            printf(" %9.0f %5.1f", cost, 100.0 * cost / sum[c]);
+        }
+        printf("  %s\n", sim_cost_names[k].what);
+    }
+    printf("%-9s %9s", "together", "");
+    for (size_t c = 0; c < sizeof core_of; c++)
+        printf(" %9.0f %5s", sum[c], "");
+    puts("");
+    return SIM_OK;
+}
+
 static int core_named(const char *name)
 {
     for (int c = 0; c < SIM_CORES; c++)
@@ -182,16 +216,14 @@ static void print_table(const struct line *lines, size_t n, double bar)
     }
 }
 
-int sim_costs_error(const char *file, double bar)
+/* Read the lines, and estimate each. */
+static int estimate(struct line *lines, size_t *n, const char *file)
 {
-    struct line *lines = sim_alloc(LINES_MAX, sizeof *lines);
     struct sim_counted counted;
-    size_t n = 0;
-    int far = 0;
-    int status = read_lines(lines, &n, file);
-    for (size_t i = 0; status == SIM_OK && i < n; i++) {
+    int status = read_lines(lines, n, file);
+    for (size_t i = 0; status == SIM_OK && i < *n; i++) {
         const struct demo *d = demo_named(lines[i].scene);
-        sim_progress("counting", i, n);
+        sim_progress("counting", i, *n);
         if (!d) {
             status = sim_refuse(file, 0, "%s is no scene of this zsim", lines[i].scene);
             break;
@@ -199,9 +231,39 @@ int sim_costs_error(const char *file, double bar)
         status = lines[i].core == SIM_CORE_RP2040 ? count_pico(&counted, d) : count_bench(&counted, d);
         if (status == SIM_OK)
             lines[i].estimate = sim_costs_sum(lines[i].core, &counted);
-        far |= fabs(lines[i].estimate / lines[i].taken - 1.0) * 100.0 > bar;
     }
     sim_progress_end();
+    return status;
+}
+
+static double off_by(const struct line *l)
+{
+    return 100.0 * fabs(l->estimate / l->taken - 1.0);
+}
+
+int sim_costs_worst(const char *file, double worst[SIM_CORES])
+{
+    struct line *lines = sim_alloc(LINES_MAX, sizeof *lines);
+    char seen[SIM_CORES] = { 0 };
+    size_t n = 0;
+    const int status = estimate(lines, &n, file);
+    for (size_t i = 0; status == SIM_OK && i < n; i++) {
+        const enum sim_core c = lines[i].core;
+        worst[c] = seen[c] ? fmax(worst[c], off_by(&lines[i])) : off_by(&lines[i]);
+        seen[c] = 1;
+    }
+    free(lines);
+    return status;
+}
+
+int sim_costs_error(const char *file, double bar)
+{
+    struct line *lines = sim_alloc(LINES_MAX, sizeof *lines);
+    size_t n = 0;
+    int far = 0;
+    const int status = estimate(lines, &n, file);
+    for (size_t i = 0; status == SIM_OK && i < n; i++)
+        far |= off_by(&lines[i]) > bar;
     if (status == SIM_OK)
         print_table(lines, n, bar);
     free(lines);

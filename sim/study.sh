@@ -1,9 +1,9 @@
 #!/bin/sh
 # A study with its frames counted on emulated cores: firmware/app/study.c draws what zsim draws, on QEMU's Cortex-M3 and on
-# the same machine as Armv6-M (M0): instructions, not cycles. On an emulated RP2040 (pico): cycles, of some of the runs of
-# study time. BUILD/study/NAME.csv, plots, and BUILD/study/index.html.
+# the same machine as Armv6-M (M0): instructions, not cycles. On an emulated RP2040 (pico): cycles, and on this machine (host):
+# instructions by callgrind, of some of the runs of study time. BUILD/study/NAME.csv, plots, and BUILD/study/index.html.
 # Usage: sim/study.sh BUILD NAME [OPTION...]     options of zsim study: --quick, --full, --redo; NAME time or memory;
-#        CORES='m3 m0' (or m3 m0 pico), ZSIM and OUT may be set in the environment
+#        CORES='m3 m0' (or m3 m0 pico host), ZSIM and OUT may be set in the environment
 #
 # SPDX-License-Identifier: MIT
 set -eu
@@ -36,6 +36,11 @@ firmware() { # GOAL CORE STEPS COARSE BOUND
         folder=$build/fw/pico
         flags="$flags -DSTUDY_ARENA=120000u -DSTUDY_TICK=125u -DSTUDY_SHORT=1"
         cpu='-mcpu=cortex-m0plus -mthumb' ;;
+    host)
+        board=host
+        folder=$build/fw/host
+        flags="$flags -DSTUDY_SHORT=1"
+        cpu= ;;
     esac
     defines=
     [ "$3,$4,$5" = 1,10,3 ] || {
@@ -49,10 +54,30 @@ count() { # CORE STEPS COARSE BOUND
     if [ "$1" = pico ]; then
         firmware image "$@" >/dev/null
         node "$build/pico/parts.mjs" "$folder/study_$name"
+    elif [ "$1" = host ]; then
+        firmware all "$@"
+        host_counts "$folder/study_$name.elf" "$counts/$name-calls"
     else
         firmware all "$@"
         firmware run "$@" 2>&1 # semihosting writes to either
     fi
+}
+# PROGRAM STEM: its lines, with what callgrind counted of each frame in the place of their instructions. It writes a file a
+# call of study_frame, numbered from 1.
+host_counts() {
+    rm -f "$2".*
+    valgrind --tool=callgrind --toggle-collect=study_frame --dump-after=study_frame --callgrind-out-file="$2.out" \
+        "$1" >"$2.csv" 2>"$2.err" || { cat "$2.err"; return 1; }
+    awk -F, -v OFS=, -v stem="$2.out." '
+        NF == 3 {
+            n++
+            file = stem n
+            while ((getline text <file) > 0)
+                if (text ~ /^totals: /) $3 = substr(text, 9) + 0
+            close(file)
+        }
+        { print }' "$2.csv"
+    rm -f "$2".*
 }
 # Builds that the runs ask for: "steps coarse bound", a line each
 builds=$(awk '/^\{/ { gsub(/[{},]/, " "); print $(NF - 2), $(NF - 1), $NF }' "$settings/study_settings.h" | sort -u)

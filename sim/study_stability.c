@@ -454,6 +454,32 @@ static int picture(struct study_page *page, const struct study_table *t)
     return status;
 }
 
+/* The worst of what has a bound, as a part of it, and of what has none. */
+static void say_worst(struct study_page *page, const struct study_table *t)
+{
+    double part = -1, most = -1;
+    int of = 0, in = 0;
+    const char *at = "";
+    for (int p = 0; p < N_PARTS; p++)
+        for (size_t r = 0; r < t->n_rows; r++) {
+            if (!study_is(t, r, "part", part_name[p]) || !study_is(t, r, "status", "OK"))
+                continue;
+            const double error = error_of(t, r, (enum part)p), bound = judged[p].bound;
+            if (bound > 0 && error / bound > part) {
+                part = error / bound;
+                of = p;
+            } else if (!(bound > 0) && error > most) {
+                most = error;
+                in = p;
+                at = study_cell(t, r, "value");
+            }
+        }
+    study_say(page,
+              "Where a bound is promised, the worst is %.1f %% of it (%s); where none is, at most %.2g %% of the pixels "
+              "are wrong (%s, at %s).",
+              100 * part, judged[of].title, most, judged[in].title, at);
+}
+
 static int report(struct study_page *page, const struct study_table *t)
 {
     size_t refused = 0;
@@ -476,6 +502,7 @@ static int report(struct study_page *page, const struct study_table *t)
               "corners "
               "snapped to sub-pixels or keys rounded to buckets.",
               t->n_rows, refused, unexplained);
+    say_worst(page, t);
     table(page, t);
     return picture(page, t);
 }

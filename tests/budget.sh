@@ -110,6 +110,22 @@ is "what a one-bit panel converts in" "$(csv scratch)" 128
 budget --panel st7789:240x240 --spi 31250000 --csv
 is "twice the time at half the clock" "$(csv wire_ms)" "$(awk 'BEGIN { printf "%.3f", 115365 * 8 / 31250 }')"
 
+begin wire_is_no_faster_than_the_part
+budget --panel st7789:240x240 --part stm32f103c8 --csv
+is "18 MHz" "$(csv wire_ms)" "$(awk 'BEGIN { printf "%.3f", 115365 * 8 / 18000 }')"
+budget --panel st7789:240x240 --part stm32f103c8 --spi 36000000 --csv
+is "what was asked for" "$(csv wire_ms)" "$(awk 'BEGIN { printf "%.3f", 115365 * 8 / 36000 }')"
+budget --panel st7789:240x240 --part nrf52840 --csv
+alone="$(csv wire_ms | awk '{ printf "%.1f", $1 }') $(csv fps)"
+budget --panel st7789:240x240
+is "in the table of all parts" "$(awk '$1 == "nrf52840" { print $7, $9 }' stdout)" "$alone"
+
+begin part_by_how_its_name_begins
+budget --part nRF51 --csv
+begun=$(csv ram_left)
+budget --part nrf51822 --csv
+is "nRF51" "$begun" "$(csv ram_left)"
+
 # ---- Scenes ------------------------------------------------------------------------------------------------
 begin scene_is_counted
 budget --scene layers_ftb --strip 24
@@ -253,6 +269,22 @@ done
 awk 'NR > 1 && /  vertex to the screen, depth float/ {
         for (i = 2; i <= 7; i++) if ($i < 20 || $i > 5000) bad = 1; seen = 1 }
     END { exit bad || !seen }' stdout || wrong "a vertex costs $(grep 'depth float$' stdout)"
+begin error_is_stated
+stated=$(sed -n 's/^static const double stage_error.* \([0-9.]*\) };$/\1/p' "$top/sim/stage_costs.h") # the RP2040's, the last
+budget --scene cubes --part rp2040
+is "percent" "$(sed -n 's/^  Of the demo .* none is more than \([0-9]*\) % off on this core.$/\1/p' stdout)" \
+    "$(awk -v e="$stated" 'BEGIN { n = int(e); print n < e ? n + 1 : n }')"
+awk -v e="$stated" 'BEGIN { exit !(e > 0 && e < 15) }' || wrong "$stated % is not under 15"
+begin counts_of_a_scene
+z costs --scene layers_ftb
+[ $status -eq 0 ] || wrong "status $status: $(said)"
+is "pixels without a test, rows, runs, bounds, instances asked" "$(awk '
+    / key of a pixel drawn without a test$/ { px = $2 } / row with pixels, more where nothing/ { rows = $2 }
+    / run of pixels that win, any other way$/ { runs = $2 } / more where it does$/ { bounds = $2 }
+    / more where it may lie behind large triangles$/ { asked = $2 }
+    END { print px, rows, runs, bounds, asked }' stdout)" '76800 480 480 2 7'
+z costs --scene moon
+one_line 1 'moon: is no demo or bench scene'
 begin error_of_estimates
 grep -E '^M3 (mesh|cubes|sheet|hall) ' "$top/tests/golden/bench.txt" >scenes
 z costs --error scenes
@@ -276,6 +308,8 @@ no() { # NAME STATUS SAID ARGUMENT...
     one_line "$code" "$what"
 }
 no part 1 '--part z80: there is no such part; there are rp2040, stm32f103c8' --part z80
+no parts 1 '--part nrf52: which of them? There are nrf52832, nrf52840' --part nrf52
+no fits 1 '--fit stm32f103: which of them? There are stm32f103c8, stm32f103rc' --fit stm32f103
 no fit 1 '--fit z80: there is no such part' --fit z80
 no fit_none 1 'not even one triangle fits' --fit nrf51822 --size 240x240 --strip 240
 no scene 1 '--scene moon: there is no such scene; there are teapot, cubes' --scene moon

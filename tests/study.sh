@@ -57,6 +57,15 @@ done
 [ "$(grep -c 'data:image/png;base64,' all/index.html)" -ge 5 ] || wrong "fewer than 5 pictures"
 ! grep -q 'nan\b' all/*.section || wrong "a number that is none"
 
+begin study_page_says_what_was_varied_and_what_follows
+for id in depth stability memory time; do
+    grep -q '<p>Varied' all/$id.section || wrong "$id does not say what was varied"
+    grep -q 'orst case' all/$id.section || wrong "$id shows no worst case"
+done
+for id in depth stability; do # how many runs, what was varied, and two of what follows; time: below, where it is counted
+    [ "$(grep -c '^<p>' all/$id.section)" -ge 4 ] || wrong "$id says less than two sentences of what follows"
+done
+
 begin study_page_says_what_was_not_run
 study 0 stability --quick --out one
 grep -q 'Not run yet: zsim study depth' one/index.html || wrong "it does not"
@@ -70,6 +79,13 @@ done
 study 0 merge shards/depth.3-of-3.csv shards/depth.1-of-3.csv shards/depth.2-of-3.csv --out merged
 same_bytes merged/depth.csv all/depth.csv
 [ -s merged/index.html ] || wrong "no page"
+for which in stability memory time; do
+    study 0 $which --quick --out shards --shard 1/2
+    study 0 $which --quick --out shards --shard 2/2
+    study 0 merge shards/$which.2-of-2.csv shards/$which.1-of-2.csv --out merged
+    same_bytes merged/$which.csv all/$which.csv
+done
+note="all four"
 
 begin study_goes_on_after_a_kill
 mkdir -p killed
@@ -213,12 +229,18 @@ variant || wrong "the default does not build"
 
 # ---- Counted on the M3 ----------------------------------------------------------------------------------------------------
 begin study_time_counted
-(cd "$top" && ZSIM=$zsim OUT=$work/counted CORES=m3 sh sim/study.sh "$build" time --quick) >stdout 2>stderr
+cores=m3
+! command -v valgrind >/dev/null || cores='m3 host'
+(cd "$top" && ZSIM=$zsim OUT=$work/counted CORES=$cores sh sim/study.sh "$build" time --quick) >stdout 2>stderr
 status=$?
 last=" sim/study.sh BUILD time --quick"
 [ $status -eq 0 ] || wrong "status $status: $(said)"
 finds_nothing 'NR > 1 && !($26 > 500000 && $26 < 20000000) { print "row", NR, $26 }
     END { if (NR < 12) print NR, "rows" }' counted/time.csv
+grep -q 'The default (float 16, S 8) is one of them' counted/time.section || wrong "the page does not say where the default is"
+[ "$cores" = m3 ] || finds_nothing 'NR > 1 && $7 == 8 && $9 == 16 && !($29 > 500000 && $29 < 20000000) { print "row", NR, $29 }
+    NR > 1 && !($7 == 8 && $9 == 16) && $29 != "" { print "row", NR, "is not counted on the host:", $29 }' counted/time.csv
+note="on $cores"
 begin study_default_is_on_the_front
 grep -qx 'default: on the front' stdout || wrong "$(head -1 stdout)"
 begin study_refuses_counts_of_another_frame

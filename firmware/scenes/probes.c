@@ -35,7 +35,8 @@ enum flag {
     WALL = 512,    /* one large layer before the others */
     CLAMP = 1024,  /* textures end at their borders */
     DENSE = 2048,  /* 12 texels to a px: too many in a triangle for 15 bits */
-    SPARSE = 4096  /* triangles in every other cell: vertices are shared by fewer */
+    SPARSE = 4096, /* triangles in every other cell: vertices are shared by fewer */
+    SCREEN = 8192  /* a wall before the others that fills the picture: instances are hidden */
 };
 
 /* What to draw. Sizes in px; depths in units of which near has 4096. */
@@ -196,6 +197,23 @@ static void lens(struct demo_frame *f, const struct plan *p)
 
 static void instances(struct demo_frame *f, const struct plan *p)
 {
+    if (p->flags & SCREEN) {
+        static const uint16_t two[2][3] = { { 0, 1, 2 }, { 2, 1, 3 } };
+        static int16_t corner[4][3];
+        for (int k = 0; k < 4; k++) {
+            corner[k][0] = (int16_t)(k & 2 ? 6000 : -6000);
+            corner[k][1] = (int16_t)(k & 1 ? -4000 : 4000);
+            corner[k][2] = -5000;
+        }
+        mesh_fields(&wall, p);
+        wall.pos = (const int16_t (*)[3])corner;
+        wall.tri = two;
+        wall.n_verts = 4;
+        wall.n_tris = 2;
+        wall.radius = 9000;
+        plain.shader = &zs_shade_raw;
+        stage_put(f, &wall, &plain, 0, 0, 0, ZS_Q16_ONE);
+    }
     if (p->flags & WALL) { /* the grid's corners, nearer */
         const uint32_t n = (uint32_t)p->nx + 1u, last = (uint32_t)p->ny * n;
         static uint16_t two[2][3];
@@ -242,6 +260,22 @@ static int plan_of(struct plan *p, uint32_t i)
     } slim[] = { { 24, 2, 2560, 12 }, { 24, 3, 640, 40 }, { 12, 2, 320, 130 }, { 2, 20, 16, 700 }, { 6, 20, 16, 300 },
                  { 1, 1, 640, 150 }, { 1, 20, 1, 1600 }, { 2, 20, 2, 800 }, { 1, 10, 4, 1700 } };
     static const uint16_t strips[] = { 2, 4, 8, 16, 48 };
+    /* wide ones, drawn where nothing was: all of the picture or a part, before each other and behind, in bands */
+    static const struct plan broad[] = {
+        { RAW, 1, 1, 1, 1, 0, 3600, 11000, 12000, 0, 320, 48, 24, 0 },
+        { RAW, 1, 1, 1, 1, 0, 16000, 11000, 12000, 0, 320, 48, 24, 0 },
+        { RAW, 1, 1, 1, 1, 0, 16000, 11000, 12000, 0, 320, 96, 8, 0 },
+        { RAW, 1, 1, 3, -1, 0, 16000, 11000, 12000, 0, 320, 48, 24, 0 },
+        { RAW, 1, 1, 3, 1, 0, 16000, 11000, 12000, 0, 320, 48, 16, 0 },
+        { RAW, 1, 1, 3, -1, 0, 4000, 11000, 12000, 0, 320, 48, 8, 0 },
+        { RAW, 1, 1, 3, 1, 0, 4000, 11000, 12000, 0, 320, 48, 24, 0 },
+        { RAW, 1, 3, 1, 1, 0, 4800, 11000, 12000, 0, 320, 48, 24, 0, 3 },
+        { RAW, 1, 4, 2, 1, 0, 4000, 11000, 12000, 0, 320, 48, 16, 0, 4 },
+        { RAW, 1, 1, 1, 1, 0, 16000, 6000, 12500, 0, 320, 48, 24, 0 },
+        { RAW, 2, 1, 2, 1, 0, 3000, 7000, 15000, 0, 320, 48, 8, 0 },
+        { RAW, 1, 1, 1, 1, 1, 16000, 11000, 12000, 0, 320, 48, 24, 0 },
+        { RAW, 3, 2, 1, 1, 0, 2200, 11000, 12000, 0, 320, 96, 48, 0 },
+    };
     static const struct plan single[] = {
         { RAW, 24, 20, 1, 1, 0, 40, 11000, 12000, BARE, W, H, 24, 0 },
         { RAW, 24, 20, 3, 1, 0, 40, 11000, 12000, BARE, W, H, 24, 0 },
@@ -313,6 +347,22 @@ static int plan_of(struct plan *p, uint32_t i)
         { TEX_565, 24, 20, 1, 1, 0, 12, 11000, 12000, SPARSE, W, H, 48, 0 },
         { TEX_SMOOTH_565, 24, 20, 2, 1, 0, 34, 11000, 12000, SPARSE, W, H, 48, 0 },
         { TEX_SMOOTH_565, 24, 20, 1, 1, 0, 12, 11000, 12000, SPARSE, W, H, 48, 0 },
+        { RAW, 16, 12, 3, 1, 0, 320, 11000, 12000, WALL, 320, H, 24, 0 },
+        { RAW, 24, 20, 2, 1, 0, 64, 11000, 12000, WALL, 320, H, 8, 0 },
+        { FLAT_GIVEN, 3, 2, 3, 1, 0, 1500, 11000, 12000, WALL, 320, H, 8, 0 },
+        { RAW, 1, 1, 3, 1, 0, 12000, 11000, 12000, WALL, 320, 48, 8, 0 },
+        { RAW, 1, 1, 3, 1, 0, 12000, 11000, 12000, WALL, 320, 48, 24, 0 },
+        { RAW, 1, 1, 3, -1, 0, 12000, 11000, 12000, 0, 320, 96, 4, 0 },
+        { RAW, 1, 1, 1, 1, 0, 12000, 11000, 12000, SCREEN, 320, 48, 24, 0 },
+        { RAW, 4, 3, 3, 1, 0, 160, 11000, 12000, SCREEN, 320, 48, 24, 0 },
+        { RAW, 4, 3, 3, -1, 0, 160, 11000, 12000, SCREEN, 320, 96, 8, 0 },
+        { SMOOTH, 8, 6, 3, 1, 0, 160, 11000, 12000, SCREEN, W, H, 24, 0 },
+        { RAW, 24, 20, 3, 1, 0, 12, 11000, 11000, 0, W, H, 24, 0 },
+        { RAW, 24, 20, 3, 1, 0, 9, 11000, 11000, 0, W, H, 24, 0, 128 },
+        { RAW, 24, 20, 1, 1, 0, 24, 11000, 12000, 0, W, H, 4, 0, 160 },
+        { RAW, 1, 1, 1, 1, 0, 32, 11000, 12000, AWAY, 320, H, 24, 0 },
+        { RAW, 2, 2, 3, 1, 0, 1600, 11000, 12000, AWAY, W, H, 24, 0 },
+        { RAW, 2, 2, 3, 1, 0, 1600, 11000, 12000, AWAY, 240, H, 24, 0 },
     };
     *p = base;
     /* shading by size: lit, overdrawn from either side */
@@ -408,6 +458,27 @@ static int plan_of(struct plan *p, uint32_t i)
         return 1;
     }
     i -= n;
+    n = LENGTH(some) * LENGTH(size) * 2u; /* level ones: keys that do not differ */
+    if (i < n) {
+        const uint32_t s = i / 2u % LENGTH(size);
+        p->shade = some[i / 2u / LENGTH(size)];
+        p->nx = size[s].nx;
+        p->ny = size[s].ny;
+        p->cell = size[s].cell;
+        p->z0 = p->z1 = 11000;
+        p->layers = i & 1u ? 3u : 1u;
+        p->order = -1;
+        return 1;
+    }
+    i -= n;
+    static const uint8_t broad_some[] = { RAW, FLAT_GIVEN, SMOOTH, TEX_565, TEX_SMOOTH_PAL };
+    n = LENGTH(broad_some) * LENGTH(broad);
+    if (i < n) {
+        *p = broad[i % LENGTH(broad)];
+        p->shade = broad_some[i / LENGTH(broad)];
+        return 1;
+    }
+    i -= n;
     if (i >= LENGTH(single))
         return 0;
     *p = single[i];
@@ -441,7 +512,7 @@ static void name_make(char *to, const struct plan *p)
 {
     static const char *const depth_name[] = { "", "_recip", "_linear" };
     static const char *const flag_name[] = { "_away", "_bare", "_near", "_state", "_fine", "_beside", "_behind",
-                                             "_pools", "_ortho", "_wall", "_clamp", "_dense", "_sparse" };
+                                             "_pools", "_ortho", "_wall", "_clamp", "_dense", "_sparse", "_screen" };
     uint32_t at = put_text(to, 0, shade_name[p->shade]);
     at = put_text(to, at, depth_name[p->depth]);
     for (uint32_t k = 0; k < LENGTH(flag_name); k++)

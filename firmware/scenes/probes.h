@@ -18,7 +18,7 @@ extern "C" {
 #define PROBE_TRIS (2u * PROBE_CELLS_X * PROBE_CELLS_Y)
 #define PROBE_LAYERS 3u
 #define PROBE_NAME_CHARS 48u
-#define PROBE_WIDTH_MAX 240u
+#define PROBE_WIDTH_MAX 320u
 #define PROBE_HEIGHT_MAX 96u
 
 /* Bytes of arena that take every probe. */
