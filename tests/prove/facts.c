@@ -13,10 +13,11 @@
 #include "plane.c"
 
 #include "../prng.h"
+#include "facts.h"
 
 static int failed;
 
-static void tell(const char *name, uint64_t n, int good, const char *what)
+void tell(const char *name, uint64_t n, int good, const char *what)
 {
     printf(good ? "ok fact_%s: %" PRIu64 " %s\n" : "FAILED fact_%s: %" PRIu64 " %s\n", name, n, what);
     failed |= !good;
@@ -167,5 +168,6 @@ int main(int argc, char **argv)
     edges_drawn(count);
     planes_drawn(count);
     wide_drawn(count);
+    facts_more(count);
     return failed;
 }
