@@ -87,6 +87,11 @@ static double corner_depth(struct prng *p, const struct easel *s, const struct e
         *d = (uint32_t)ldexp(z, unit->shift);
         return 1.0 / *d;
     }
+    const struct oracle_float o = { easel_float_bits(s->depth), s->depth_bits };
+    if (o.e) {
+        *d = oracle_float_d(&o, n / z);
+        return 0; /* smooth_triangle knows them by the three of them */
+    }
     const double top = ((1 << s->depth_bits) - 1) * 65536.0;
     *d = (uint32_t)floor((1 / n - 1 / z) / (1 / n - 1 / f) * top);
     return unit->key_far * 65536 - *d;
@@ -100,6 +105,10 @@ static int smooth_triangle(uint64_t seed, double ratio)
     s.strip_h = prng_range(&p, 1, 72);
     if (seed % 3 == 0)
         s.depth = &zs_depth_linear;
+    if (seed % 3 == 1) {
+        s.depth = seed % 2 ? &zs_depth_e5m11 : seed % 4 ? &zs_depth_e4m12 : &zs_depth_e3m13;
+        s.z_far = 1 << 19;
+    }
     struct easel_frame f;
     struct easel_tri t;
     easel_draw(&s, &t, 0, &f);
@@ -110,6 +119,8 @@ static int smooth_triangle(uint64_t seed, double ratio)
     const double nearest = s.z_near * pow(most, prng_pick(&p, 1025) / 1024.0 * 0.5);
     for (int k = 0; k < 3; k++)
         w[k] = corner_depth(&p, &s, &f, ratio, nearest, &t.d[k]);
+    for (int k = 0; k < 3 && easel_float_bits(s.depth); k++)
+        w[k] = (double)easel_inverse(&s, &f, t.d, k);
     easel_draw(&s, &t, 1, &f);
     const struct oracle_tri o = { { t.x[0], t.x[1], t.x[2] }, { t.y[0], t.y[1], t.y[2] } };
     int ok = 1;

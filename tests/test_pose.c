@@ -497,7 +497,7 @@ static void quarter_turns_are_exact(void **state)
 }
 
 /* A matrix that is a rotation to 2^-20 only becomes the nearest that is one, turned; anything else becomes
- * a rotation too, unless two rows are parallel or 0. */
+ * a rotation too. */
 static int repair_case(uint64_t seed)
 {
     struct prng p = { seed };
@@ -523,18 +523,24 @@ static int repair_case(uint64_t seed)
     if (prng_pick(&p, 8) == 0)
         for (int e = 0; e < 9; e++)
             pose.rot[e] = prng_pick(&p, 2) ? INT32_MIN : INT32_MAX;
-    double lengths = 1, dot = 0;
-    for (int i = 0; i < 2; i++) {
-        const double a = pose.rot[3 * i], b = pose.rot[3 * i + 1], c = pose.rot[3 * i + 2];
-        lengths *= sqrt(a * a + b * b + c * c);
-    }
-    for (int k = 0; k < 3; k++)
-        dot += (double)pose.rot[k] * pose.rot[3 + k];
     CASE_CHECK(zs_pose_rotate(&pose, axis, angle) == ZS_OK);
-    if (lengths > 0 && fabs(dot) < lengths * 0.999) {
-        (void)zs_pose_rotate(&pose, axis, angle);
-        CASE_CHECK(not_a_rotation(pose.rot) <= 0x1p-27);
+    (void)zs_pose_rotate(&pose, axis, angle); /* what is none after the first is put right by the second */
+    CASE_CHECK(not_a_rotation(pose.rot) <= 0x1p-27);
+
+    /* The second row is a multiple of the first, or 0. */
+    for (int k = 0; k < 3; k++) {
+        pose.rot[k] = prng_range(&p, -2000, 2000);
+        pose.rot[3 + k] = pose.rot[k] * prng_range(&p, -1, 1) * (1 << 20);
+        pose.rot[6 + k] = (int32_t)prng_log(&p);
     }
+    for (int k = 1; k < 3; k++)
+        pose.rot[3 + k] = pose.rot[0] ? (int32_t)((int64_t)pose.rot[3] * pose.rot[k] / pose.rot[0]) : 0;
+    if (pose.rot[0] == 0)
+        pose.rot[3] = 0;
+    CASE_CHECK(zs_pose_rotate(&pose, axis, angle) == ZS_OK);
+    CASE_CHECK(not_a_rotation(pose.rot) <= 0x1p-19);
+    (void)zs_pose_rotate(&pose, axis, angle);
+    CASE_CHECK(not_a_rotation(pose.rot) <= 0x1p-27);
     return 1;
 }
 

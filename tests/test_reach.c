@@ -10,7 +10,7 @@
 #include <cmocka.h>
 #include <math.h>
 
-#include "zstrip.h"
+#include "picture.h"
 
 #define SIZE 200
 static uint32_t arena[200000];
@@ -82,6 +82,51 @@ static void orthographic_heights(void **state)
     assert_int_equal(zs_frame_begin(&r, &empty, &camera), ZS_ERR_CAMERA);
 }
 
+/* The scale of the least orthographic heights, of which a shift takes bits: its ratio is in (1/2, 1] all the same, and it is
+ * sub-pixels by height to 2^-29. */
+static void ratios_of_least_heights(void **state)
+{
+    (void)state;
+    const struct zs_scene empty = { NULL, 0, { { 0, 0, ZS_Q30_ONE }, 0, 0 }, 0 };
+    struct zs_renderer r;
+    struct zs_camera camera;
+    assert_int_equal(zs_camera_orthographic(&camera, 1, 1, 2), ZS_OK);
+    for (int32_t px = 16; px <= 200; px++)
+        for (int32_t height = (int32_t)ZS_HEIGHT_MIN; height < 80; height++) {
+            const struct zs_config config = { 8, (uint16_t)px, 8, 1, 3, 0, 1, 8, 16, 0, &zs_depth_linear };
+            assert_int_equal(zs_init(&r, &config, arena, sizeof arena), ZS_OK);
+            camera.height = height;
+            if (zs_frame_begin(&r, &empty, &camera) != ZS_OK)
+                continue; /* units are coarser than sub-pixels */
+            const double exact = ldexp(px, 24) / height, ratio = ldexp(r.view.ratio, -30);
+            assert_true(ratio > 0.5 && ratio <= 1);
+            assert_true(fabs(ldexp(ratio, r.view.shift - r.view.scale_bits) / exact - 1) < 0x1p-29);
+            (void)zs_frame_end(&r);
+        }
+}
+
+/* A mesh beyond its sphere, outside one side of the guard band: two corners by so little that they snap onto its edge. */
+static void beyond_the_guard_by_less_than_a_step(void **state)
+{
+    (void)state;
+    static const int16_t corner[3][3] = { { 32752, -16, 0 }, { 32753, 16, 0 }, { 32752, 16, 0 } }; /* 64 units: 8188 px */
+    static struct lone l;
+    struct zs_config config = lone_config(64, 48, &zs_depth_linear);
+    struct zs_camera camera;
+    assert_int_equal(zs_camera_orthographic(&camera, 48 * 256, 1, 1 << 23), ZS_OK); /* 1/256 px a unit */
+    lone_set(&l, corner, 3, 64 * ZS_Q16_ONE);
+    l.mesh.radius = 1;
+    l.instance.pose.pos[0] = 4;
+    l.instance.pose.pos[2] = -(1 << 22);
+    config.subpixel_bits = 4;
+    struct picture f = picture_draw(&config, &l.scene, &camera);
+    assert_int_equal(f.err, ZS_OK);
+    assert_int_equal(f.covered, 0);
+    assert_int_equal(f.stats.tris_offscreen, 1);
+    assert_true(stats_add_up(&f.stats));
+    picture_free(&f);
+}
+
 /* The basis stays exact to 2^-27 however close up is to the view. */
 static void look_along_nearly_parallel(void **state)
 {
@@ -136,6 +181,8 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(stress_26_skips_beside_a_far_reach),
         cmocka_unit_test(orthographic_heights),
+        cmocka_unit_test(ratios_of_least_heights),
+        cmocka_unit_test(beyond_the_guard_by_less_than_a_step),
         cmocka_unit_test(look_along_nearly_parallel),
         cmocka_unit_test(null_closes_the_frame),
     };

@@ -902,6 +902,87 @@ static int tiny_polygon_case(uint64_t seed)
     return ok;
 }
 
+static int64_t turn_of(int64_t ax, int64_t ay, int64_t bx, int64_t by, int64_t cx, int64_t cy)
+{
+    return (bx - ax) * (cy - ay) - (cx - ax) * (by - ay);
+}
+
+/* 1: from every corner, the pieces of a snapped polygon's fan have both senses: its sides cross. */
+static int is_folded(const struct zs_vertex *v, int n)
+{
+    for (int first = 0; first < n; first++) {
+        int senses = 0;
+        for (int k = 1; k + 1 < n; k++) {
+            const struct zs_vertex *a = &v[first], *b = &v[(first + k) % n], *c = &v[(first + k + 1) % n];
+            const int64_t turn = turn_of(a->x, a->y, b->x, b->y, c->x, c->y);
+            senses |= turn > 0 ? 1 : turn < 0 ? 2 : 0;
+        }
+        if (senses != 3)
+            return 0;
+    }
+    return n > 3;
+}
+
+/* Thin triangles of an orthographic view, cut by far and snapped coarsely so that their sides cross: whether they face the
+ * eye is what it was before they were cut. */
+static uint64_t folded;
+
+static int folded_case(uint64_t seed)
+{
+    static struct lone l;
+    static uint32_t arena[16000];
+    struct prng p = { seed };
+    struct zs_camera camera = pixel_camera(60, 0);
+    struct zs_config config = lone_config(80, 60, &zs_depth_linear);
+    struct zs_clip_vertex cv[ZS_CLIP_MAX];
+    struct zs_vertex v[ZS_CLIP_MAX];
+    struct zs_renderer r;
+    struct zs_bounds b;
+    int16_t pos[3][3];
+    config.subpixel_bits = 4;
+    camera.z_far = (zs_q48_16)PIXEL_Z * 65536;
+    const int32_t run[2] = { prng_range(&p, -6000, 6000), prng_range(&p, -6000, 6000) };
+    const int32_t middle[2] = { prng_range(&p, -1000, 1000), prng_range(&p, -1000, 1000) };
+    for (int k = 0; k < 3; k++) {
+        const int32_t along = prng_range(&p, -256, 256);
+        for (int c = 0; c < 2; c++)
+            pos[k][c] = (int16_t)(middle[c] + run[c] * along / 256 + prng_range(&p, -14, 14));
+        pos[k][2] = (int16_t)prng_range(&p, -100, 100);
+    }
+    lone_set(&l, (const int16_t (*)[3])pos, 3, ZS_Q16_ONE);
+    l.material.cull = ZS_CULL_BACK;
+    l.instance.pose.pos[2] = -PIXEL_Z;
+    CASE_CHECK(!zs_init(&r, &config, arena, sizeof arena) && !zs_frame_begin(&r, &l.scene, &camera));
+    CASE_CHECK(!zs_cull_bounds(&b, &l.instance, &camera) && zs_xform_instance(&r, 0, &b));
+    uint32_t planes = 0;
+    for (uint32_t k = 0; k < 3; k++) {
+        zs_xform_vertex(&r.xform, l.tri[0][k], &cv[k].p);
+        planes |= zs_xform_outcode(&r.view, &cv[k].p);
+    }
+    const int64_t turn = turn_of(cv[0].p.c[0], cv[0].p.c[1], cv[1].p.c[0], cv[1].p.c[1], cv[2].p.c[0], cv[2].p.c[1]);
+    const int n = zs_clip_polygon(&r.view, cv, 3, planes, 0);
+    for (int k = 0; k < n; k++)
+        (void)zs_xform_project(&r, &cv[k].p, &v[k]);
+    if (!planes || turn == 0 || !is_folded(v, n))
+        return 1;
+    folded++;
+    struct picture f = picture_draw(&config, &l.scene, &camera);
+    const uint32_t away = f.stats.tris_facing;
+    const int err = f.err;
+    picture_free(&f);
+    CASE_CHECK(!err && away == (turn > 0)); /* y runs down: front faces turn counter-clockwise there */
+    return 1;
+}
+
+static void folded_polygons_face_as_they_did(void **state)
+{
+    (void)state;
+    folded = 0;
+    CASES(folded_case, 20000);
+    print_message("%llu polygons whose sides cross\n", (unsigned long long)folded);
+    assert_true(folded > 100);
+}
+
 static int same_vertex(const struct zs_clip_vertex *a, const struct zs_clip_vertex *b)
 {
     return memcmp(a->p.c, b->p.c, sizeof a->p.c) == 0 &&
@@ -1385,7 +1466,7 @@ static const struct CMUnitTest tests[] = {
     cmocka_unit_test(stress_12_w_through_zero),
     cmocka_unit_test(stress_13_near_by_one_ulp),
     cmocka_unit_test(stress_14_26_directions_by_1_2_3_vertices),
-    cmocka_unit_test(stress_15_seam_cut_by_the_clip),
+    cmocka_unit_test(folded_polygons_face_as_they_did), cmocka_unit_test(stress_15_seam_cut_by_the_clip),
     cmocka_unit_test(stress_16_matrix_scale_2_to_15),
     cmocka_unit_test(stress_18_the_first_of_equals_stays),
     cmocka_unit_test(stress_19_parallel_pair_at_1_01_buckets),

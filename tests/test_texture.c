@@ -338,6 +338,30 @@ static int ratio_1000(uint64_t seed)
     return ratio_case(seed, 1000);
 }
 
+/* Less than a texel of 1024 from corner to corner, across a border. */
+static int border_case(uint64_t seed)
+{
+    struct prng p = { seed };
+    struct easel s = random_easel(&p, seed);
+    const struct easel_frame unit = unit_of(&s);
+    struct easel_tri t;
+    s.uv_bits = 15; /* 32 steps a texel */
+    random_tri(&p, &s, &unit, UV_ONE, 4 << prng_pick(&p, 9), &t);
+    const int32_t border = 32 * prng_range(&p, -1000, 1000), below = prng_range(&p, 0, 31);
+    for (int k = 0; k < 3; k++)
+        for (int axis = 0; axis < 2; axis++)
+            t.rgb[k][axis] = EASEL_UV(border - below + prng_range(&p, 0, 31));
+    return texels_right(&s, 10, 10, prng_pick(&p, 4), &t, 0);
+}
+
+static void less_than_a_texel(void **state)
+{
+    (void)state;
+    memset(&tally, 0, sizeof tally);
+    CASES(border_case, 300);
+    tally_print("less than a texel");
+}
+
 static void texels_by_ratio_of_w(void **state)
 {
     static const struct {
@@ -537,7 +561,14 @@ static int smooth_light_case(uint64_t seed)
     const double ratio[] = { 1, 1.3, 16, 1000 };
     struct easel_tri t;
     random_tri(&p, &s, &unit, (enum uv_kind)prng_pick(&p, UV_KINDS), ratio[prng_pick(&p, 4)], &t);
-    const int constant = prng_pick(&p, 3) == 0;
+    const int alone = seed % 4 == 1; /* nothing but the light changes, and that at one corner, where it is less or more */
+    const int constant = prng_pick(&p, 3) == 0 || alone;
+    const uint16_t level[2] = { (uint16_t)prng_pick(&p, 65505), (uint16_t)prng_pick(&p, 65505) };
+    for (int k = 0; k < 3 && alone; k++) {
+        t.rgb[k][0] = t.rgb[0][0];
+        t.rgb[k][1] = t.rgb[0][1];
+        t.rgb[k][2] = level[seed / 4 % 3 == (uint64_t)k];
+    }
     for (int i = 0; i < 256 * 256; i++)
         texel[i] = (uint16_t)(i && constant ? texel[0] : prng_next(&p));
     const struct zs_texture texture = texture_of(texel, 8, 8, prng_pick(&p, 4));
@@ -1139,7 +1170,7 @@ static void far_end_of_a_plane(void **state)
     }
 }
 
-static const struct CMUnitTest tests[] = { cmocka_unit_test(texels_by_ratio_of_w),
+static const struct CMUnitTest tests[] = { cmocka_unit_test(texels_by_ratio_of_w), cmocka_unit_test(less_than_a_texel),
                                            cmocka_unit_test(stress_27_uv_at_a_w_ratio_of_16),
                                            cmocka_unit_test(sizes_from_1_to_1024),
                                            cmocka_unit_test(repeat_and_clamp_to_the_texel),

@@ -92,17 +92,18 @@ $(B)/stress/san: $(STRESS) $(B)/stress/oracle.o $(HEADERS)
 	    -lm -o $@
 $(B)/stress/fast: $(STRESS) $(B)/stress/oracle.o $(HEADERS)
 	@$(STRESS_CC) $(STRESS) $(B)/stress/oracle.o -lm -o $@
-# Mutants (tests/mutate): the units that run the renderer, as in make test and, by B and SAN, without sanitizers
+# Mutants (tests/mutate): the units that run the renderer, as in make test but, by B and SAN, without sanitizers, all in
+# one program
 MUTATE_TESTS = $(filter-out test_linux test_panel%,$(TESTS:tests/%.c=%))
-MUTATE_HELP = $(SCENES) $(TEST_HELP) sim/counts.c sim/frame.c sim/share.c sim/sim.c
+MUTATE_SIM = sim/counts.c sim/frame.c sim/share.c sim/sim.c
 mutate-settings:
 	$(info tests $(MUTATE_TESTS))
-	$(info sources $(MUTATE_HELP))
+	$(info sources $(SCENES) $(TEST_HELP) $(MUTATE_SIM))
 	$(info cc $(TEST_CC))
-	$(info link $(CC) $(SAN) -Wl,--start-group OBJECTS $(call t,sim/counts.c sim/frame.c sim/share.c sim/sim.c) $(B)/test/libtest.a \
+	$(info link $(CC) -Wl,--wrap=_cmocka_run_group_tests -Wl,--start-group OBJECTS $(call t,$(MUTATE_SIM)) $(B)/test/libtest.a \
 	    $(B)/libmeshes.a -Wl,--end-group -lcmocka -lm -pthread -o OUT)
 	@:
-mutate-programs: $(MUTATE_TESTS:%=$(B)/test/%) $(MUTATE_TESTS:%=$(B)/test/tests/%.o)
-.PHONY: mutate-settings mutate-programs
+mutate-objects: $(call t,$(MUTATE_TESTS:%=tests/%.c) $(MUTATE_SIM)) $(B)/test/libtest.a $(B)/libmeshes.a
+.PHONY: mutate-settings mutate-objects
 coverage-programs: $(filter-out %/test_linux,$(TESTS:tests/%.c=$(B)/test/%))
 .PHONY: coverage-programs

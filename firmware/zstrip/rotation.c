@@ -375,10 +375,14 @@ int zs_pose_rotate(struct zs_pose *pose, const int32_t axis[3], zs_turn angle)
     if (err)
         return err;
     fine_turn(turn, u, angle);
-    if (zs_rotation_ok(pose->rot))
+    if (zs_rotation_ok(pose->rot)) {
         correct(turn, pose->rot);
-    else
+    } else {
         orthonormalise(pose->rot);
+        if (!zs_rotation_ok(pose->rot)) /* rows that are parallel, or 0 */
+            for (int e = 0; e < 9; e++)
+                pose->rot[e] = e % 4 ? 0 : ZS_Q30_ONE;
+    }
     product(exact, turn, pose->rot);
     if (along_axes(exact)) /* quarter turns of what is along the axes: keep it there */
         for (int e = 0; e < 9; e++)

@@ -604,7 +604,8 @@ void zs_pose_turn(struct zs_pose *pose, zs_turn yaw, zs_turn pitch, zs_turn roll
 /* Turn an existing rotation further by a small or large turn about a world axis. Composed any number of
  * times, about any axes, it stays a rotation to 2^-27; after a million turns a point 160 px from the
  * middle is less than a sub-pixel (1/256 px) away from where exact turns would bring it. Quarter turns of
- * what lies along the axes are exact. What is no rotation to 2^-20 is made one first (Gram-Schmidt).
+ * what lies along the axes are exact. What is no rotation to 2^-20 is made one first (Gram-Schmidt;
+ * where its first two rows are parallel or 0, any).
  * axis  any length but 0. Error <= 2^-28 an element, once.
  * Cost  4,700 instructions on a Cortex-M3, 30,000 on a Cortex-M0+.
  * Return ZS_OK; ZS_ERR_VECTOR (pose untouched). */

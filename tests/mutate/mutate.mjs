@@ -1,31 +1,33 @@
 // Mutants of firmware/zstrip: one operator, constant or condition of the renderer is changed, it is built for the host,
-// and the unit tests of `make test` run until one fails. A mutant that none notices shows a test that is missing, or
-// code that does not matter.
+// and the cases of `make test`'s unit tests run until one fails. A mutant that none notices shows a test that is missing,
+// or code that does not matter.
 // Usage: node tests/mutate/mutate.mjs BUILD COUNT SEED [FILE...]   only mutants of these files
 //
 // The sample: each place that could be changed has a rank drawn from SEED, the file's name and the line's text, so that
-// most of a sample stays the same when other lines change. Mutants that do not compile, and those whose object code is
-// that of the program itself, are passed over and counted. All are run without sanitizers, which catches most and is
-// quick; then what lived, unless it is known to change no outcome, under ASan and UBSan as in `make test`. Failing is:
-// another exit status, or five times as long.
+// most of a sample stays the same when other lines change. What the mutant changes is compiled like in `make test` (-O1,
+// preconditions checked), under UBSan that traps; the rest without sanitizers. All test programs are one (runner.c): a
+// link a mutant, a process a case, those first that catch most a second. Failing is: another exit status, a signal, or
+// five times as long.
+// Passed over and counted apart: mutants that do not compile, and those whose object code is that of the program itself,
+// as compiled for the tests or, where no test notices, as shipped (-O2, preconditions not checked).
 //
 // BUILD/mutate/results.txt is added to while it runs: call it again, and it goes on. A line counts for as long as its
-// file and the tests have the same text. At the end BUILD/mutate/report.txt is written, with the reasons that
-// tests/MUTATION.txt gives for the same survivors.
+// file and, of a mutant that lived, the tests have the same text. At the end BUILD/mutate/report.txt is written, with
+// the reasons that tests/MUTATION.txt gives for the same survivors.
 //
 // SPDX-License-Identifier: MIT
 import { createHash } from 'node:crypto';
-import { spawn, spawnSync } from 'node:child_process';
+import { spawnSync } from 'node:child_process';
 import * as fs from 'node:fs';
 import * as path from 'node:path';
 
 const [build, countText, seed, ...only] = process.argv.slice(2);
 const COUNT = Number(countText);
-const PLAIN_ONLY = process.env.MUTATE_PLAIN === '1'; // leave the second round out
-const JOBS = Number(process.env.MUTATE_JOBS || 1);
+const PART = Number(process.env.MUTATE_PART || -1); // 0, 1: one half of the sample, beside the other; then once without
 const FROM = 'firmware/zstrip';
 const REPORT = 'tests/MUTATION.txt';
 const dir = path.join(build, 'mutate');
+const COPY = path.join(dir, `zstrip${PART}`);
 const resultsFile = path.join(dir, 'results.txt');
 const sha = (text) => createHash('sha256').update(text).digest('hex');
 
@@ -155,139 +157,169 @@ function sample() {
 
 const lines = (text) => text.split('\n').filter(Boolean);
 // From make, so that this cannot differ from `make test`: what compiles an object, and what links a test
-function stage(name, at, ...variables) {
-    const make = spawnSync('make', ['-s', 'mutate-settings', `B=${at}`, ...variables], { encoding: 'utf8' });
-    const set = Object.fromEntries(lines(make.stdout).map((l) => [l.slice(0, l.indexOf(' ')), l.slice(l.indexOf(' ') + 1)]));
-    return { name, at: path.join(at, 'test'), cc: set.cc, link: set.link, tests: set.tests.split(' '),
-        help: set.sources.split(' ') };
-}
-const STAGES = [stage('plain', path.join(dir, 'plain'), 'SAN='), stage('sanitized', build)];
-const TESTS = STAGES[0].tests;
+const make = spawnSync('make', ['-s', 'mutate-settings', `B=${build}/mutate/plain`, 'SAN='], { encoding: 'utf8' });
+const set = Object.fromEntries(lines(make.stdout).map((l) => [l.slice(0, l.indexOf(' ')), l.slice(l.indexOf(' ') + 1)]));
+const TESTS = set.tests.split(' '), HELP = set.sources.split(' ');
+const CORE = sources.filter((f) => f.endsWith('.c')).map((f) => `${FROM}/${f}`);
+const OWN = TESTS.map((t) => `tests/${t}.c`);
+const base = path.join(dir, `base${PART}`), plain = path.join(dir, 'plain', 'test');
+const TRAPS = '-fsanitize=undefined -fsanitize-undefined-trap-on-error';
+const AS_SHIPPED = `${set.cc.replace(/ -O1 .*? -I/, ' -O2 -I').replace(/ -DZS_STATS=1.*/, ' -DZS_STATS=1')}`;
 
-function run(command, options = {}) { // { status, ms }; its own process group, so that a test's children end with it
-    return new Promise((resolve) => {
-        const start = process.hrtime.bigint();
-        const child = spawn('sh', ['-c', 'exec ' + command], { detached: true, stdio: ['ignore', 'pipe', 'ignore'],
-            env: { ...process.env, ASAN_OPTIONS: 'detect_leaks=0', LC_ALL: 'C' } });
-        let text = '', late = false, bad = false;
-        const end = () => {
-            try {
-                process.kill(-child.pid, 'SIGKILL');
-            } catch { /* it has ended */ }
-        };
-        const timer = setTimeout(() => {
-            late = true;
-            end();
-        }, options.limit || 600000);
-        child.stdout.on('data', (d) => {
-            text = (text + d).slice(-4000);
-            if (options.test && !bad && /\[  FAILED  \]|^FAILED/m.test(text)) { // cmocka goes on: we need not
-                bad = true;
-                end();
-            }
-        });
-        child.on('close', (status) => {
-            clearTimeout(timer);
-            resolve({ status: bad ? 1 : late ? 'late' : status === null ? 'signal' : status,
-                ms: Number((process.hrtime.bigint() - start) / 1000000n) });
-        });
-    });
+function sh(command, input) {
+    const r = spawnSync('sh', ['-c', command], { encoding: 'utf8', input, env: { ...process.env, LC_ALL: 'C' } });
+    return { status: r.status, out: r.stdout, err: r.stderr };
+}
+function must(command) {
+    const r = sh(command);
+    if (r.status !== 0)
+        throw new Error(`${command}\n${r.err}`);
+    return r.out;
+}
+
+const objectOf = (at, file) => path.join(at, file.replace(/\.c$/, '.o'));
+// Object of a file with the renderer's sources in src; null where it does not compile.
+function compile(cc, file, src, at) {
+    const o = objectOf(at, file), mine = file.startsWith(FROM + '/');
+    fs.mkdirSync(path.dirname(o), { recursive: true });
+    const command = cc.replace(`-I${FROM}`, `-I${src}`).replace('-Werror', '');
+    const from = mine ? path.join(src, path.basename(file)) : file;
+    const r = sh(`${command} ${mine && cc === set.cc ? TRAPS : ''} -w -g0 -c ${from} -o ${o}`);
+    return r.status === 0 ? o : null;
+}
+function renamed(test, from, to) { // its main becomes main_TEST
+    fs.mkdirSync(path.dirname(to), { recursive: true });
+    must(`objcopy --redefine-sym main=main_${test} ${from} ${to}`);
 }
 
 const includes = {}; // FILE: headers of firmware/zstrip that it includes, in any depth
 function headersOf(file) {
     if (!includes[file]) {
-        const out = spawnSync('sh', ['-c', `${STAGES[0].cc} -MM ${file}`], { encoding: 'utf8' }).stdout;
+        const out = sh(`${set.cc} -MM ${file}`).out;
         includes[file] = new Set([...out.matchAll(/firmware\/zstrip\/(\w+\.h)/g)].map((m) => m[1]));
     }
     return includes[file];
 }
+const changedBy = (m, files) => (m.file.endsWith('.c') ? files.filter((f) => f === `${FROM}/${m.file}`) :
+    files.filter((f) => headersOf(f).has(m.file)));
 
-// The object of a file, where the mutant changes it: '' where not, null where it does not compile.
-async function compile(m, stage, work, file) {
-    const mine = file.startsWith(FROM);
-    if (m.file.endsWith('.c') ? file !== `${FROM}/${m.file}` : !headersOf(file).has(m.file))
-        return '';
-    const src = path.join(work, 'zstrip');
-    const o = path.join(work, stage.name, file.replace(/\.c$/, '.o'));
-    fs.mkdirSync(path.dirname(o), { recursive: true });
-    const cc = stage.cc.replace('-Ifirmware/zstrip', `-I${src}`).replace('-Werror', '');
-    const r = await run(`${cc} -w -g0 -c ${mine ? path.join(src, path.basename(file)) : file} -o ${o} 2>/dev/null`);
-    return r.status === 0 ? o : null;
+const bytes = (file) => sha(fs.readFileSync(file));
+const own = {}; // CC|FILE: of the program itself
+function bytesOfOwn(cc, file) {
+    const o = compile(cc, file, COPY, base + (cc === set.cc ? '' : '2'));
+    return own[`${cc}|${file}`] ||= bytes(o);
 }
 
-async function compileAll(m, stage, work, files) {
-    const out = [];
-    for (const file of files) {
-        const o = await compile(m, stage, work, file);
-        if (o === null)
-            return null;
-        if (o)
-            out.push(o);
+function link(exe, files, at, more = '') { // the objects of these files, in `at`, take the place of the program's own
+    const mine = files.map((f) => '/' + f.replace(/\.c$/, '.o'));
+    const rest = set.link.split(' ').filter((w) => !mine.some((o) => w.endsWith(o))).join(' ');
+    const tests = OWN.filter((f) => !files.includes(f)).map((f) => objectOf(base, f));
+    const objects = [`${base}/runner.o`, ...tests, ...files.map((f) => objectOf(at, f))];
+    must(rest.replace('OBJECTS', objects.join(' ')).replace('OUT', exe) + ' ' + more);
+}
+
+const timing = new Map(); // CASE: ms of the program itself
+function prepare() {
+    for (const t of TESTS)
+        renamed(t, `${plain}/tests/${t}.o`, `${base}/tests/${t}.o`);
+    fs.writeFileSync(`${base}/programs.h`, TESTS.map((t) => `PROGRAM(${t})\n`).join(''));
+    must(`gcc -O1 -Wall -Wextra -Werror -I${base} -c tests/mutate/runner.c -o ${base}/runner.o`);
+    link(`${base}/runner`, [], '');
+    for (const line of lines(must(`${base}/runner measure`))) {
+        const [name, status, ms] = line.split(' ');
+        if (status !== '0')
+            throw new Error(`${name} does not pass without a mutant: ${status}`);
+        timing.set(name, Number(ms));
     }
-    return out;
+    cover();
 }
 
-const bytes = (files) => sha(Buffer.concat(files.map((f) => fs.readFileSync(f))));
-
-const timing = {}; // STAGE/TEST: ms of the program itself, and how many mutants it has caught
-async function measure(stage) {
-    for (const test of TESTS) {
-        const r = await run(`${path.join(stage.at, test)}`, { test: true });
-        if (r.status !== 0)
-            throw new Error(`${stage.name}/${test} does not pass without a mutant: ${r.status}`);
-        timing[`${stage.name}/${test}`] = { ms: r.ms, caught: 0 };
+// CASE: the lines FILE:LINE of the renderer that it reaches; and all that some case reaches, or none. Found once: what is of
+// a file or a test that has changed since is not relied on (remove BUILD/mutate/cover.json to find it anew).
+const reaches = new Map(), counted = new Set();
+const textSha = (file) => sha(fs.readFileSync(file, 'utf8'));
+function cover() {
+    const at = path.join(process.cwd(), dir, 'cover'), known = path.join(dir, 'cover.json');
+    if (!fs.existsSync(known)) {
+        const cases = [...timing.keys()], lines = {}, all = new Set();
+        fs.rmSync(at, { recursive: true, force: true });
+        for (const f of CORE)
+            compile(set.cc + ' --coverage -fprofile-update=prefer-atomic', f, COPY, at);
+        link(`${at}/runner`, CORE, at, '--coverage');
+        must(`${at}/runner cover ${at}/of`);
+        cases.forEach((name, n) => {
+            const from = `${at}/of/${n}${at}/${FROM}`, reached = lines[name] = [];
+            if (!fs.existsSync(from))
+                return;
+            const out = must(`cd ${from} && cp ${at}/${FROM}/*.gcno . && gcov -t --json-format *.gcda 2>/dev/null`);
+            for (const text of out.split('\n').filter((l) => l.startsWith('{')))
+                for (const { file, lines: of } of JSON.parse(text).files)
+                    if (file.includes('/zstrip/'))
+                        for (const l of of) {
+                            all.add(`${path.basename(file)}:${l.line_number}`);
+                            if (l.count > 0)
+                                reached.push(`${path.basename(file)}:${l.line_number}`);
+                        }
+        });
+        fs.rmSync(at, { recursive: true, force: true });
+        const of = Object.fromEntries([...OWN.map((f) => [f, textSha(f)]), ...sources.map((f) => [f, sha(textOf[f])])]);
+        fs.writeFileSync(known, JSON.stringify({ of, all: [...all], lines }));
     }
+    const { of, all, lines } = JSON.parse(fs.readFileSync(known, 'utf8'));
+    all.filter((l) => of[l.split(':')[0]] === sha(textOf[l.split(':')[0]] || '')).forEach((l) => counted.add(l));
+    for (const [name, reached] of Object.entries(lines))
+        if (of[`tests/${name.split('/')[0]}.c`] === textSha(`tests/${name.split('/')[0]}.c`))
+            reaches.set(name, new Set(reached));
 }
 
-function order(stage, file) { // most likely to catch a mutant of this file, by the second
-    const worth = (t) => {
-        const { ms, caught } = timing[`${stage.name}/${t}`];
-        return (1 + caught + 4 * (caughtIn[`${file}/${t}`] || 0)) / (ms + 150);
-    };
-    return [...TESTS].sort((a, b) => worth(b) - worth(a));
+const caught = {}; // CASE, FILE/CASE: how many mutants it has caught
+function order(m) { // of the cases that reach it, those first that are most likely to catch a mutant of its file, by the second
+    const line = `${m.file}:${m.line}`;
+    const worth = (t) => (0.3 + (caught[t] || 0) + 4 * (caught[`${m.file}/${t}`] || 0)) / (timing.get(t) + 20);
+    return [...timing.keys()].filter((t) => !counted.has(line) || !reaches.get(t)?.size || reaches.get(t).has(line))
+        .sort((a, b) => worth(b) - worth(a));
 }
-const caughtIn = {};
+function count(file, test) {
+    caught[test] = (caught[test] || 0) + 1;
+    caught[`${file}/${test}`] = (caught[`${file}/${test}`] || 0) + 1;
+}
 
-const CORE = sources.filter((f) => f.endsWith('.c')).map((f) => `${FROM}/${f}`);
-async function tried(m, work, stage) {
-    const src = path.join(work, 'zstrip'), text = textOf[m.file];
+function tried(m) {
+    const work = path.join(dir, `work${PART}`), src = path.join(work, 'zstrip'), text = textOf[m.file];
+    const files = changedBy(m, CORE);
     fs.rmSync(work, { recursive: true, force: true });
-    fs.cpSync(path.join(dir, 'zstrip'), src, { recursive: true });
-    const before = await compileAll(m, stage, work, CORE);
-    if (!before || !before.length)
-        throw new Error(`${m.file} does not compile`);
-    const same = bytes(before);
+    fs.cpSync(COPY, src, { recursive: true });
     fs.writeFileSync(path.join(src, m.file), text.slice(0, m.at) + m.to + text.slice(m.end));
-    const core = await compileAll(m, stage, work, CORE);
-    const help = core && await compileAll(m, stage, work, stage.help);
-    if (!help)
+    const built = files.map((f) => compile(set.cc, f, src, work));
+    if (!files.length || built.includes(null))
         return 'invalid -';
-    if (stage === STAGES[0] && bytes(core) === same)
+    if (files.every((f, i) => bytes(built[i]) === bytesOfOwn(set.cc, f)))
         return 'same -';
-    for (const test of order(stage, m.file)) {
-        const own = await compile(m, stage, work, `tests/${test}.c`);
-        if (own === null)
+    const more = changedBy(m, [...HELP, ...OWN]);
+    for (const f of more) {
+        const o = compile(set.cc, f, src, work);
+        if (o === null)
             return 'invalid -';
-        const exe = path.join(work, test);
-        const objects = [own || path.join(stage.at, 'tests', test + '.o'), ...core, ...help];
-        // what the mutant has changed takes the place of the stage's own
-        const mine = help.map((o) => o.slice(`${work}/${stage.name}/`.length));
-        const link = stage.link.split(' ').filter((w) => !mine.some((o) => w.endsWith(o))).join(' ')
-            .replace('OBJECTS', objects.join(' ')).replace('OUT', exe);
-        const linked = await run(`${link} 2>${work}/link.txt`);
-        if (linked.status !== 0)
-            throw new Error(`${test} does not link: ${fs.readFileSync(`${work}/link.txt`, 'utf8')}`);
-        const time = timing[`${stage.name}/${test}`];
-        const r = await run(exe, { test: true, limit: 5 * time.ms + 3000 });
-        fs.rmSync(exe);
-        if (r.status !== 0) {
-            time.caught++;
-            caughtIn[`${m.file}/${test}`] = (caughtIn[`${m.file}/${test}`] || 0) + 1;
-            return `caught ${stage === STAGES[0] ? '' : 'sanitized/'}${test}${r.status === 'late' ? ',late' : ''}`;
+        if (OWN.includes(f)) {
+            renamed(path.basename(f, '.c'), o, o + '.renamed');
+            fs.renameSync(o + '.renamed', o);
         }
     }
-    return `${stage === STAGES[0] ? 'lives' : 'survived'} -`;
+    link(`${work}/runner`, [...files, ...more], work);
+    const asked = order(m).map((t) => `${t} ${5 * timing.get(t) + 2000}\n`).join('');
+    const r = sh(`${work}/runner first 2>/dev/null`, asked);
+    if (r.status !== 0)
+        throw new Error(`runner: status ${r.status}`);
+    if (r.out) {
+        const [test, late] = r.out.trim().split(' ');
+        count(m.file, test);
+        return `caught ${test}${late ? ',late' : ''}`;
+    }
+    const same = files.every((f) => {
+        const o = compile(AS_SHIPPED, f, src, work + '/shipped');
+        return o && bytes(o) === bytesOfOwn(AS_SHIPPED, f);
+    });
+    return same ? 'same shipped' : 'survived -';
 }
 
 // ---- What is known, and the report --------------------------------------------------------------
@@ -299,6 +331,8 @@ if (fs.existsSync(resultsFile))
     for (const line of lines(fs.readFileSync(resultsFile, 'utf8'))) {
         const [i, file, tests, verdict, by] = line.split(' ');
         known.set(`${i} ${file}`, { verdict: `${verdict} ${by}`, tests });
+        if (verdict === 'caught')
+            count(line.split(' ')[5].split(':')[0], by.replace(/,late$/, ''));
     }
 function verdictOf(m) { // what survived is asked again where tests have changed
     const k = known.get(`${id(m)} ${fileSha[m.file]}`);
@@ -331,26 +365,26 @@ const harmless = (m) => /^ {4}(equivalent|speed)/.test(reasonOf(m)[0] || '');
 const title = (m) => `${m.code}  [${m.what}, column ${m.column}]`;
 function report(done, passed) {
     const by = {}, files = {};
-    let caught = 0;
+    let n = 0;
     for (const { m, verdict } of done) {
         const [what, test] = verdict.split(' ');
         const f = (files[m.file] ||= { n: 0, caught: 0 });
         f.n++;
         if (what === 'caught') {
-            caught++;
+            n++;
             f.caught++;
-            const name = test.replace(/^sanitized\//, '').replace(/,late$/, '');
+            const name = test.replace(/\/.*/, '');
             by[name] = (by[name] || 0) + 1;
         }
     }
-    const survivors = done.filter((d) => /^(survived|lives)/.test(d.verdict));
+    const survivors = done.filter((d) => d.verdict.startsWith('survived'));
     const same = survivors.filter((d) => harmless(d.m)).length;
     const percent = (n, d) => (d ? (100 * n / d).toFixed(1) : '0.0');
     const out = [];
-    out.push(`Mutants of firmware/zstrip: seed ${seed}, ${done.length} built and run, ${caught} caught ` +
-        `(${percent(caught, done.length)} %), ${survivors.length} survived.`);
+    out.push(`Mutants of firmware/zstrip: seed ${seed}, ${done.length} built and run, ${n} caught ` +
+        `(${percent(n, done.length)} %), ${survivors.length} survived.`);
     out.push(`Of the survivors ${same} change no outcome (equivalent, or only speed): of those that do, ` +
-        `${percent(caught, done.length - same)} % are caught.`);
+        `${percent(n, done.length - same)} % are caught.`);
     out.push(`Passed over: ${passed.invalid} that do not compile, ${passed.same} with the same object code.`, '');
     out.push('file                 mutants  caught');
     for (const [f, v] of Object.entries(files).sort())
@@ -373,40 +407,30 @@ function report(done, passed) {
 // ---- All of it ----------------------------------------------------------------------------------
 
 fs.mkdirSync(dir, { recursive: true });
-fs.rmSync(path.join(dir, 'zstrip'), { recursive: true, force: true });
-fs.cpSync(FROM, path.join(dir, 'zstrip'), { recursive: true }); // the files may change while this runs
+fs.mkdirSync(base, { recursive: true });
+fs.rmSync(COPY, { recursive: true, force: true });
+fs.cpSync(FROM, COPY, { recursive: true }); // the files may change while this runs
 const queue = sample(), done = [], passed = { same: 0, invalid: 0 };
 console.log(`${queue.length} places of ${only.length ? only.join(' ') : FROM}`);
 
-async function round(stage, list, enough) { // each of the list until enough() says so
-    let next = 0, measured = null;
-    async function worker(number) {
-        const work = path.join(dir, `work${number}`);
-        while (next < list.length && !enough()) {
-            const d = list[next++];
-            if (!d.verdict) {
-                await (measured ||= measure(stage));
-                const start = Date.now();
-                d.verdict = await tried(d.m, work, stage);
-                record(d.m, d.verdict);
-                if (!/^(same|invalid)/.test(d.verdict))
-                    console.log(`${done.length + 1} ${((Date.now() - start) / 1000).toFixed(1)} s ${d.verdict}: ` +
-                        `${d.m.file}:${d.m.line}: ${title(d.m)}`);
-            }
-            const what = d.verdict.split(' ')[0];
-            if (stage === STAGES[0] && what in passed)
-                passed[what]++;
-            else if (stage === STAGES[0])
-                done.push(d);
-        }
+for (const m of PART < 0 ? queue : queue.filter((_, n) => n % 2 === PART)) {
+    if (done.length >= (PART < 0 ? COUNT : COUNT / 2))
+        break;
+    let verdict = harmless(m) ? 'survived explained' : verdictOf(m);
+    if (!verdict) {
+        if (!timing.size)
+            prepare();
+        const start = Date.now();
+        verdict = tried(m);
+        record(m, verdict);
+        if (!/^(same|invalid)/.test(verdict))
+            console.log(`${done.length + 1} ${((Date.now() - start) / 1000).toFixed(1)} s ${verdict}: ` +
+                `${m.file}:${m.line}: ${title(m)}`);
     }
-    await Promise.all([...Array(JOBS).keys()].map(worker));
-}
-await round(STAGES[0], queue.map((m) => ({ m, verdict: verdictOf(m) })), () => done.length >= COUNT);
-const lives = done.filter((d) => d.verdict.startsWith('lives') && !harmless(d.m));
-if (!PLAIN_ONLY) {
-    for (const d of lives)
-        d.verdict = null;
-    await round(STAGES[1], lives, () => false);
+    const what = verdict.split(' ')[0];
+    if (what in passed)
+        passed[what]++;
+    else
+        done.push({ m, verdict });
 }
 report(done, passed);

@@ -13,10 +13,11 @@
 #include "plane.c"
 
 #include "../prng.h"
+#include "facts.h"
 
 static int failed;
 
-static void tell(const char *name, uint64_t n, int good, const char *what)
+void tell(const char *name, uint64_t n, int good, const char *what)
 {
     printf(good ? "ok fact_%s: %" PRIu64 " %s\n" : "FAILED fact_%s: %" PRIu64 " %s\n", name, n, what);
     failed |= !good;
@@ -93,6 +94,7 @@ static void planes_drawn(uint64_t count)
     static struct zs_renderer r;
     static struct zs_job job;
     uint64_t n = 0;
+    int good = 1;
     r.config.width = 320;
     r.config.height = 240;
     job.r = &r;
@@ -105,16 +107,21 @@ static void planes_drawn(uint64_t count)
             v[k].y = drawn(-reach, reach);
             v[k].d = (uint32_t)drawn(0, INT32_MAX) * 2u + ((uint32_t)prng_next(&prng) & 1u);
         }
-        const struct zs_vertex *a = &v[0], *b = &v[1], *c = &v[2];
-        if (before(b, a))
-            swap(&b, &a);
-        if (before(c, b)) {
-            swap(&c, &b);
-            if (before(b, a))
-                swap(&b, &a);
-        }
-        if (!zs_plane_sides(&job, a, b, c))
+        int top = 0; /* of two the left one */
+        for (int k = 1; k < 3; k++)
+            if (v[k].y < v[top].y || (v[k].y == v[top].y && v[k].x < v[top].x))
+                top = k;
+        const struct zs_vertex *const a = &v[top], *b = &v[(top + 1) % 3], *c = &v[(top + 2) % 3];
+        const int64_t area = ((int64_t)b->x - a->x) * ((int64_t)c->y - a->y) - ((int64_t)c->x - a->x) * ((int64_t)b->y - a->y);
+        if (area == 0)
             continue;
+        if (area < 0) { /* clockwise */
+            const struct zs_vertex *const other = b;
+            b = c;
+            c = other;
+        }
+        zs_plane_sides(&job, a, b, c);
+        good &= job.geom.area == (area < 0 ? -area : area);
         struct zs_plane plane;
         struct zs_plane64 wide;
         zs_plane_geom(&job);
@@ -122,7 +129,7 @@ static void planes_drawn(uint64_t count)
         zs_plane64(&job.geom, v[0].d, v[1].d, v[2].d, &wide);
         n++;
     }
-    tell("planes", n, n > count / 2, "triangles drawn: area, high word and gradients within their bounds");
+    tell("planes", n, good && n > count / 2, "triangles drawn: area, high word and gradients within their bounds");
 }
 
 /* Products and quotients of 128 bits against the compiler's. */
@@ -161,5 +168,6 @@ int main(int argc, char **argv)
     edges_drawn(count);
     planes_drawn(count);
     wide_drawn(count);
+    facts_more(count);
     return failed;
 }

@@ -6,15 +6,15 @@
 
 #include "pipeline.h"
 
-/* Proved by small_gradients and tiny_gradients below, and what the planes' proofs know of them. */
+/* Proved by small_gradients and quotients below, and what the planes' proofs know of them. */
 /*@ requires least_shift == 2 || least_shift == 5;
     assigns \result \from *g, n, least_shift;
     ensures bound: \result == -2147483648 || -1073741824 <= \result <= 1073741824; */
 static ZS_NOINLINE int32_t small_gradient(const struct zs_geom *g, int64_t n, int32_t least_shift);
-/*@ requires least_shift == 2 || least_shift == 5;
-    assigns \result \from *g, dv1, dv2, d[0], d[1], least_shift;
+/*@ requires 2 <= shift <= 18 && (least_shift == 2 || least_shift == 5);
+    assigns \result \from n, rcp, shift, least_shift;
     ensures bound: \result == -2147483648 || -1073741824 <= \result <= 1073741824; */
-int32_t zs_plane_tiny_gradient(const struct zs_geom *g, int32_t dv1, int32_t dv2, const int32_t d[2], int32_t least_shift);
+int32_t zs_plane_quotient(int64_t n, uint32_t rcp, int32_t shift, int32_t least_shift);
 #include "plane.c"
 
 /* Snapped coordinates: the guard band, a step beside it, and the place of the frame's middle. */
@@ -38,10 +38,9 @@ void differences(void)
 static void sides_of(int32_t x, int32_t y, int32_t dx1, int32_t dx2, int32_t dy1, int32_t dy2)
 {
     const struct zs_vertex top = { x, y, 0 }, mid = { x + dx1, y + dy1, 0 }, bottom = { x + dx2, y + dy2, 0 };
-    if (zs_plane_sides(&job, &top, &mid, &bottom)) {
-        ASSERT(job.geom.area >= 0 && job.geom.area < (int64_t)1 << 46);
-        ASSERT(job.v[0] == &top);
-    }
+    zs_plane_sides(&job, &top, &mid, &bottom);
+    ASSERT(job.geom.area >= -((int64_t)1 << 46) && job.geom.area < (int64_t)1 << 46);
+    ASSERT(job.v[0] == &top && job.v[1] == &mid && job.v[2] == &bottom);
 }
 
 /* PROVE sides: the first vertex at both ends of its range and at 0, differences |dx| < 2^22, 0 <= dy < 2^22, in the box
@@ -116,15 +115,28 @@ void small_gradients(void)
         }
 }
 
-/* PROVE tiny_gradients: values that differ by up to 2^31, |d| <= 2^14, every area of a tiny triangle, both least shifts */
-void tiny_gradients(void)
+static void quotient(int64_t n, int32_t shift)
 {
-    for (int exp = -18; exp <= -1; exp++)
-        for (int least = 2; least <= 5; least += 3) {
-            const int32_t d[2] = { any_i32(-ZS_TINY, ZS_TINY), any_i32(-ZS_TINY, ZS_TINY) };
-            any_reciprocal(exp, exp);
-            (void)zs_plane_tiny_gradient(&job.geom, any_i32(INT32_MIN, INT32_MAX), any_i32(INT32_MIN, INT32_MAX), d, least);
+    for (int least = ZS_PLANE_WIDE; least <= ZS_PLANE_KEY; least += ZS_PLANE_KEY - ZS_PLANE_WIDE) {
+        const int32_t q = zs_plane_quotient(n, any_u32(1u << 31, UINT32_MAX), shift, least);
+        ASSERT(q == ZS_TOO_STEEP || (q >= -(1 << 30) && q <= 1 << 30));
+    }
+}
+
+/* PROVE quotients -eva-split-return=full: |n| <= 2^46 by octave and sign, every shift 2 .. 18, every reciprocal, both least shifts: at most 2^30, or
+ * too steep */
+void quotients(void)
+{
+    for (int32_t shift = 2; shift <= 18; shift++) {
+        quotient(0, shift);
+        for (int k = 0; k < 46; k++) {
+            const int64_t n = any_i64((int64_t)OCTAVE_LO(k), (int64_t)OCTAVE_HI(k));
+            quotient(n, shift);
+            quotient(-n, shift);
         }
+        quotient((int64_t)1 << 46, shift);
+        quotient(-((int64_t)1 << 46), shift);
+    }
 }
 
 /* PROVE large_division: every numerator of 64 bits, every area up to 2^46 by octave */
@@ -173,7 +185,7 @@ static void plane_of(int small, int tiny, int32_t exp)
     }
 }
 
-/* PROVE planes -eva-use-spec=zs_recip,small_gradient,zs_plane_tiny_gradient: three values of 32 bits, or of 2^40, any, over
+/* PROVE planes -eva-use-spec=zs_recip,small_gradient,zs_plane_quotient: three values of 32 bits, or of 2^40, any, over
  * triangles tiny, small and large, every difference and area of each, both kinds */
 void planes(void)
 {

@@ -21,18 +21,27 @@ void edge_below_first_row(void)
     }
 }
 
-/* PROVE edges -eva-min-loop-unroll=17: |dx| < 2^22, every dy below 2^22 by octave, the upper end at both ends of its range and at 0, 1 and 16 rows
- * by their distance from it, 0 .. dy and up to a sample more; remainders below their divisors: taken as given */
-void edges(void)
+static void edges_of(int32_t lo, int32_t hi)
 {
     static const int32_t at[3] = { COORD_LO, 0, COORD_HI };
     int16_t out[2 * ZS_CUT_ROWS];
     for (int i = 0; i < 3; i++)
         for (int k = 0; k < ZS_EXTENT_BITS; k++) {
-            const int32_t most = ((int32_t)1 << ZS_EXTENT_BITS) - 1, dy = any_i32((int32_t)OCTAVE_LO(k), (int32_t)OCTAVE_HI(k));
-            const struct zs_vertex a = { at[i], at[i], 0 }, b = { at[i] + any_i32(-most, most), at[i] + dy, 0 };
+            const int32_t dy = any_i32((int32_t)OCTAVE_LO(k), (int32_t)OCTAVE_HI(k));
+            const struct zs_vertex a = { at[i], at[i], 0 }, b = { at[i] + any_i32(lo, hi), at[i] + dy, 0 };
             const int32_t first = zs_first_sample(at[i]);
             for (int32_t n = 1; n <= ZS_CUT_ROWS; n += ZS_CUT_ROWS - 1)
                 edge_columns(out, n, &a, &b, first + any_i32(0, (int32_t)(OCTAVE_HI(k) >> ZS_SUBPX_BITS)));
         }
+}
+
+/* PROVE edges -eva-min-loop-unroll=17: |dx| < 2^22, those of tiny edges and those of others, every dy below 2^22 by octave, the upper end at
+ * both ends of its range and at 0, 1 and 16 rows by their distance from it, 0 .. dy and up to a sample more; remainders below
+ * their divisors: taken as given */
+void edges(void)
+{
+    const int32_t most = ((int32_t)1 << ZS_EXTENT_BITS) - 1;
+    edges_of(-most, -ZS_TINY - 1);
+    edges_of(-ZS_TINY, ZS_TINY - 1);
+    edges_of(ZS_TINY, most);
 }

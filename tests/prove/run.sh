@@ -52,9 +52,9 @@ for file in tests/prove/*_proof.c; do
 done
 rm -f "$out/list.$$"
 if [ -z "$only" ] || [ "$only" = facts ]; then # what they take as given
-    gcc -std=c11 -O2 -fsanitize=undefined -fno-sanitize-recover=all -Ifirmware/zstrip \
-        '-DZS_ASSERT(c)=((c)?(void)0:__builtin_trap())' tests/prove/facts.c \
-        $(ls firmware/zstrip/*.c | grep -vE '/(raster|plane).c') -o "$out/facts" && "$out/facts" "${FACTS:-20000000}" || failed=1
+    gcc -std=c11 -O2 -fsanitize=undefined,address -fno-sanitize-recover=all -Ifirmware/zstrip \
+        '-DZS_ASSERT(c)=((c)?(void)0:__builtin_trap())' tests/prove/facts.c tests/prove/facts_more.c \
+        $(ls firmware/zstrip/*.c | grep -vE '/(raster|plane|rotation|hidden|cluster).c') -lm -o "$out/facts" && "$out/facts" "${FACTS:-20000000}" || failed=1
 fi
 echo "$proofs proofs"
 [ "$proofs" -gt 0 ] || [ "$only" = facts ] || failed=1

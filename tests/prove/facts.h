@@ -1,0 +1,13 @@
+/* What facts.c and facts_more.c share.
+ *
+ * SPDX-License-Identifier: MIT
+ */
+#ifndef FACTS_H
+#define FACTS_H
+
+#include <stdint.h>
+
+void tell(const char *name, uint64_t n, int good, const char *what);
+void facts_more(uint64_t count);
+
+#endif

@@ -1,0 +1,129 @@
+/* persp.c, persp.h, rows.h: w of vertices, division by w, the loops over rows and pixels.
+ *
+ * SPDX-License-Identifier: MIT
+ */
+#include "prove.h"
+
+#include "persp.h"
+
+#include "persp.c"
+
+#define WIDTH 40 /* of the strip in which the loops run */
+#define ROWS 20
+
+static struct zs_renderer renderer;
+static struct zs_job job;
+static struct zs_shader shader;
+static uint16_t depth_rows[ROWS * WIDTH + 1]; /* the loop's pointer stops at or beside the end; RAM goes on there */
+
+static int octave;
+static uint64_t any_inverse(const struct zs_view *view, uint32_t d)
+{
+    (void)view;
+    (void)d;
+    return any_u64(1, octave == 62 ? OCTAVE_LO(62) : OCTAVE_HI(octave));
+}
+
+/* PROVE vertex_w: inverses of 1 .. 2^62 by octave of the largest: every shift, sums and what is kept of them */
+void vertex_w(void)
+{
+    static const struct zs_depth depth = { 0, 0, 0, any_inverse, 0, 0 };
+    static struct zs_vertex v[3];
+    uint32_t w[3];
+    renderer.config.depth = &depth;
+    job.r = &renderer;
+    for (int k = 0; k < 3; k++)
+        job.v[k] = &v[k];
+    for (int perspective = 0; perspective < 2; perspective++)
+        for (octave = 0; octave <= 62; octave++) {
+            renderer.view.perspective = (uint8_t)perspective;
+            zs_persp_w(&job, w);
+        }
+}
+
+/* PROVE over_w: every sum of w's plane and of an attribute's, by octave of w: held, its reciprocal, the quotient below 2^31 */
+void over_w(void)
+{
+    const uint32_t sum = any_u32(0, UINT32_MAX);
+    ASSERT(zs_persp_held(sum) >= 1);
+    for (int k = 0; k < 32; k++) {
+        job.w.base = any_u32((uint32_t)OCTAVE_LO(k), (uint32_t)OCTAVE_HI(k));
+        job.w.gx = job.w.gy = 0;
+        uint32_t w;
+        int32_t lz;
+        const uint32_t rcp = zs_persp_rcp(&job, any_i32(0, 4095), any_i32(0, 4095), &w, &lz);
+        ASSERT(w >= 1 && lz >= 0 && lz <= 31);
+        ASSERT(zs_persp_over(any_u32(0, UINT32_MAX), w, rcp, lz) <= 0x7fffffff);
+    }
+}
+
+static void a_run(struct zs_job *j, const struct zs_row *row, int32_t from, int32_t to)
+{
+    (void)j;
+    ASSERT(from >= row->i0 && from <= row->i1 && to >= row->i0 && to <= row->i1);
+}
+
+/* PROVE runs -eva-min-loop-unroll=12 -eva-slevel=1000: every piece of up to 6 pixels at nine places in a row of 40, any keys drawn and met, clamped or not: what is read and
+ * written lies within the piece, and so do runs */
+void runs(void)
+{
+    struct zs_row row;
+    shader.run = a_run;
+    job.r = &renderer;
+    job.shader = &shader;
+    job.depth = depth_rows;
+    renderer.view.key_top = any_u32(0xff0000u, 0xffff0000u);
+    for (int k = 0; k < ROWS * WIDTH; k++)
+        depth_rows[k] = (uint16_t)any_u32(0, 65535);
+    for (int saturates = 0; saturates < 2; saturates++)
+        for (int n = 1; n <= 6; n++)
+            for (int k = 0; k < 9; k++) {
+                const int32_t i0 = k < 8 ? 4 * k : WIDTH - n;
+                job.saturates = (uint8_t)saturates;
+                row.y = ROWS - 1;
+                row.at = (ROWS - 1) * WIDTH;
+                row.i0 = i0;
+                row.i1 = i0 + n;
+                zs_persp_span(&job, &row, i0, i0 + n, any_u32(0, UINT32_MAX), any_u32(0, UINT32_MAX));
+            }
+}
+
+/* As zs_raster_cuts: any columns. */
+void zs_raster_cuts(struct zs_job *j, int32_t row)
+{
+    j->row = row;
+    j->cut_end = zs_min32(j->row_end, row + ZS_CUT_ROWS);
+    for (int k = 0; k < ZS_CUT_ROWS; k++) {
+        j->cut[k].x0 = (int16_t)any_i32(-(1 << 14) - 1, (1 << 14) + 1);
+        j->cut[k].x1 = (int16_t)any_i32(-(1 << 14) - 1, (1 << 14) + 1);
+    }
+}
+
+static void a_span(struct zs_job *j, const struct zs_row *row)
+{
+    ASSERT(row->i0 >= 0 && row->i1 <= j->width);
+    ASSERT(row->y >= j->y0 && row->y < j->y1);
+    ASSERT(row->at >= 0 && row->at <= (ROWS - 1) * j->width);
+}
+
+/* PROVE rows -eva-min-loop-unroll=24 -eva-slevel=8: strips of 20 rows of 1 and of 4096 columns, triangles of 1, 16 and up to 20 rows from the first, the fourth
+ * and the last on, any columns: what spans are given lies within the strip */
+void rows(void)
+{
+    job.r = &renderer;
+    job.y0 = 4 * ROWS;
+    job.y1 = job.y0 + ROWS;
+    job.key.gx = any_u32(0, UINT32_MAX);
+    job.key.gy = any_u32(0, UINT32_MAX);
+    job.key.base = any_u32(0, UINT32_MAX);
+    job.geom.ia = any_i32(-(1 << 14), 1 << 14);
+    job.geom.ja = any_i32(-(1 << 14), 1 << 14);
+    static const int32_t width[2] = { 1, ZS_SIZE_MAX }, from[3] = { 0, 3, ROWS - 1 }, n[3] = { 1, ZS_CUT_ROWS, ROWS };
+    for (int k = 0; k < 18; k++) {
+        const int32_t row = job.y0 + from[k % 3], end = row + n[k / 3 % 3];
+        job.width = width[k / 9];
+        job.row_end = zs_min32(end, job.y1);
+        zs_raster_cuts(&job, row);
+        zs_rows_walk(&job, a_span);
+    }
+}
