@@ -51,6 +51,7 @@
     X(plane_mid, "set-up", "colour or coordinate over a triangle of those")                                     \
     X(plane_wide, "set-up", "key, colour or coordinate beyond 256 px, width and height")                        \
     X(edge, "set-up", "edge taken up for up to 16 rows")                                                        \
+    X(edge_tiny, "set-up", "the same of a triangle of up to 64 px")                                             \
     X(edge_div, "set-up", "more where it is not steep, or entered below its first row")                         \
     X(edge_div64, "set-up", "the same, of 128 px and more: entered below")                                      \
     X(setup_empty, "set-up", "triangle in a strip without a pixel there")                                       \

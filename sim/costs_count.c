@@ -293,7 +293,7 @@ static void count_setup(const struct shape *s)
     now.n[SIM_COST_plane_wide] += now.huge && s->tilted; /* its key */
     now.n[SIM_COST_tilt] += s->tilted && !now.huge;
     now.n[SIM_COST_row] += s->rows;
-    now.n[SIM_COST_edge] += s->edges;
+    now.n[now.wide ? SIM_COST_edge : SIM_COST_edge_tiny] += s->edges;
     now.n[SIM_COST_edge_div] += s->divided;
     now.n[SIM_COST_edge_div64] += s->divided64;
 }
