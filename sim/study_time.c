@@ -479,8 +479,8 @@ static void table_peers(struct study_page *page, const struct study_table *t)
 static void table_front(struct study_page *page, const struct study_table *t, const struct point *p, size_t n)
 {
     char *done = sim_alloc(n, 1);
-    study_table_open(page, "setting|M3, M|M0, M|RP2040, M cycles|host, M|wrong %|surface %|depth|buckets|texel %|texels|code "
-                           "%|PSNR, dB|");
+    study_table_open(page, "setting|M3, M|M0, M|RP2040, M cycles|host, M|wrong %|surface %|depth|buckets|texel %|texels|"
+                           "code %|PSNR, dB|");
     for (size_t k = 0; k < n; k++) {
         size_t next = n;
         for (size_t j = 0; j < n; j++)
@@ -500,8 +500,8 @@ static void table_front(struct study_page *page, const struct study_table *t, co
               "QEMU counts them, not cycles; RP2040: cycles as rp2040js counts them, host: instructions of this machine "
               "as callgrind counts them, both of some settings. wrong: pixels of another triangle, missing or too many; "
               "surface: of another plane; depth: mean relative error; buckets: the worst key, what snapping explains "
-              "taken off; texel: another than the reference's; texels: how far coordinates are off at worst; code: channels off "
-              "by one of 31 or 63. "
+              "taken off; texel: another than the reference's; texels: how far coordinates are off at worst; code: "
+              "channels off by one of 31 or 63. "
               "dominated: another setting is as good in time (to 0.1 %) and all errors, and better in one.");
 }
 
