@@ -128,7 +128,7 @@ depth: sim $(B)/.setup-test
 accuracy: sim
 	@$(B)/zsim accuracy
 
-## report: every study, frames counted on emulated cores, into build/study/index.html; five to ten minutes
+## report: every study, frames counted on emulated cores, into build/study/index.html; ten minutes
 report: $(B)/.setup-report
 	@$(MAKE) --no-print-directory -j2 $(B)/zsim study-variants
 	@for s in depth stability; do $(B)/zsim study $$s --redo --out $(B)/study || exit 1; done

@@ -257,12 +257,12 @@ static void print_drawing(const struct budget_request *rq, const struct budget *
         }
     printf("\n");
     if (b->guessed)
-        printf("  Numbers alone may be off by a third. A scene that is drawn and counted (--scene, a model) is at most %.0f %% off\n"
-               "  on this core, of the demo and bench scenes, none of which is in the fit.\n",
+        printf("  Numbers alone may be off by a third. A scene that is drawn and counted (--scene, a model) is at most\n"
+               "  %.0f %% off on this core, of the demo and bench scenes, none of which is in the fit.\n",
                ceil(sim_cost_error(to.core)));
     else
-        printf("  Of the demo and bench scenes, none of which is in the fit, none is more than %.0f %% off on this core.\n",
-               ceil(sim_cost_error(to.core)));
+        printf("  Of the demo and bench scenes, none of which is in the fit, none is more than %.0f %% off on this "
+               "core.\n", ceil(sim_cost_error(to.core)));
 }
 
 static void print_parts(const struct budget_request *rq, const struct budget *b)

@@ -151,8 +151,8 @@ int sim_costs_error(const char *file, double bar);
 /* The same in numbers: the most on each core, and left alone where the file has no line of it. SIM_OK; SIM_REFUSED. */
 int sim_costs_worst(const char *file, double worst[SIM_CORES]);
 
-/* Print what is counted in frame 0 of a demo or bench scene, drawn as make bench draws it, and what that costs. SIM_OK, or
- * SIM_REFUSED: there is no such scene. */
+/* Print what is counted in frame 0 of a demo or bench scene, drawn as make bench draws it, and what that costs. SIM_OK,
+ * or SIM_REFUSED: there is no such scene. */
 int sim_costs_scene(const char *name);
 
 /* `zsim costs`: the arguments after the name. */

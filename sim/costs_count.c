@@ -88,7 +88,8 @@ static int32_t column(const struct zs_vertex *a, const struct zs_vertex *b, int3
     return (int32_t)(top >= 0 ? (top + by - 1) / by : -(-top / by));
 }
 
-/* Rows of the edge from a down to b in [row, end), cut ZS_CUT_ROWS at a time from `first` on, as zs_raster_cuts does. */
+/* Rows of the edge from a down to b in [row, end), cut ZS_CUT_ROWS at a time from `first` on, as zs_raster_cuts does
+ * it. */
 static void look_edge(struct shape *s, const struct zs_vertex *a, const struct zs_vertex *b, int32_t first, int32_t row,
                       int32_t end)
 {
@@ -164,8 +165,8 @@ static int32_t strips_within(const struct zs_renderer *r, int32_t row, int32_t e
     return last > first ? last - first : 0;
 }
 
-/* Has a triangle left bounds behind, as hidden.c finds them? Those of a triangle that shares an edge with it are found for
- * both at once. */
+/* Has a triangle left bounds behind, as hidden.c finds them? Those of a triangle that shares an edge with it are found
+ * for both at once. */
 static void count_cover(const struct zs_renderer *r)
 {
     if (!r->large || !r->cover_known) /* else cover_next is not set yet */

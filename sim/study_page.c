@@ -37,8 +37,9 @@ static const char style[] =
     "h1,h2,h3{line-height:1.2}h2{margin-top:3rem;border-bottom:1px solid #ccc}figure{margin:1.5rem 0}"
     "figcaption{color:#555;font-size:.9em}img{max-width:100%;height:auto}img.px{image-rendering:pixelated}"
     "table{border-collapse:collapse;font-size:.9em;font-variant-numeric:tabular-nums}"
-    "td,th{padding:.15rem .7rem;text-align:right;border-bottom:1px solid #ddd}"
-    "td:first-child,th:first-child{text-align:left}.wide{overflow-x:auto}";
+    "td,th{padding:.15rem .5rem;text-align:right;border-bottom:1px solid #ddd}"
+    "td:first-child,th:first-child{text-align:left}td{white-space:nowrap}.wide{overflow-x:auto}"
+    ".wide table{font-size:.8em}";
 
 /* ---- Parts of a section ------------------------------------------------------------------------------------------ */
 

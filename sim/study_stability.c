@@ -475,8 +475,8 @@ static void say_worst(struct study_page *page, const struct study_table *t)
             }
         }
     study_say(page,
-              "Where a bound is promised, the worst is %.1f %% of it (%s); where none is, at most %.2g %% of the pixels "
-              "are wrong (%s, at %s).",
+              "Where a bound is promised, the worst is %.1f %% of it (%s); where none is, at most %.2g %% of the "
+              "pixels are wrong (%s, at %s).",
               100 * part, judged[of].title, most, judged[in].title, at);
 }
 

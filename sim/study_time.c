@@ -479,8 +479,8 @@ static void table_peers(struct study_page *page, const struct study_table *t)
 static void table_front(struct study_page *page, const struct study_table *t, const struct point *p, size_t n)
 {
     char *done = sim_alloc(n, 1);
-    study_table_open(page, "setting|M3, M|M0, M|RP2040, M cycles|host, M|wrong %|surface %|depth|buckets|texel %|texels|code "
-                           "%|PSNR, dB|");
+    study_table_open(page, "setting||M3, M|M0, M|RP2040, M cycles|host, M|wrong %|surface %|depth|buckets|texel %|"
+                           "texels|code %|PSNR, dB");
     for (size_t k = 0; k < n; k++) {
         size_t next = n;
         for (size_t j = 0; j < n; j++)
@@ -488,20 +488,20 @@ static void table_front(struct study_page *page, const struct study_table *t, co
                 next = j;
         done[next] = 1;
         const struct point *q = &p[next];
-        study_table_row(page, "%s|%s|%s|%s|%s|%.4f|%.4f|%.2e|%.3f|%.3f|%.3f|%.3f|%.2f|%s%s", words(t, q->row),
-                        millions(q->m3), millions(q->m0), millions(q->rp2040), millions(q->host), q->error[0],
-                        q->error[1], q->error[2], q->buckets, q->error[3], q->error[4], q->codes,
-                        fmin(-10 * log10(q->error[5]), 99.99), is_default(t, q->row) ? "default " : "",
-                        q->dominated ? "dominated" : "front");
+        study_table_row(page, "%s|%s%s|%s|%s|%s|%s|%.4f|%.4f|%.2e|%.3f|%.3f|%.3f|%.3f|%.2f", words(t, q->row),
+                        is_default(t, q->row) ? "default, " : "", q->dominated ? "dominated" : "front", millions(q->m3),
+                        millions(q->m0), millions(q->rp2040), millions(q->host), q->error[0], q->error[1], q->error[2],
+                        q->buckets, q->error[3], q->error[4], q->codes, fmin(-10 * log10(q->error[5]), 99.99));
     }
     free(done);
     study_table_close(
         page, "Means over the scenes, quickest first. S: sub-pixel bits. M3, M0: millions of instructions a frame as "
-              "QEMU counts them, not cycles; RP2040: cycles as rp2040js counts them, host: instructions of this machine "
-              "as callgrind counts them, both of some settings. wrong: pixels of another triangle, missing or too many; "
+              "QEMU counts them, not cycles; RP2040: cycles as rp2040js counts them, host: instructions of this "
+              "machine as callgrind counts them, both of some settings. wrong: pixels of another triangle, missing or "
+              "too many; "
               "surface: of another plane; depth: mean relative error; buckets: the worst key, what snapping explains "
-              "taken off; texel: another than the reference's; texels: how far coordinates are off at worst; code: channels off "
-              "by one of 31 or 63. "
+              "taken off; texel: another than the reference's; texels: how far coordinates are off at worst; code: "
+              "channels off by one of 31 or 63. "
               "dominated: another setting is as good in time (to 0.1 %) and all errors, and better in one.");
 }
 
@@ -612,7 +612,8 @@ static int report(struct study_page *page, const struct study_table *t)
             if (is_default(t, p[k].row))
                 study_table_row(page, "%s|%s|%s|%s|%s|%s|%.4f|%s%s", scenes[s].demo->name, scenes[s].shading,
                                 millions(p[k].m3), millions(p[k].m0), millions(p[k].rp2040), millions(p[k].host),
-                                p[k].error[0], p[k].dominated ? "no: " : "yes", p[k].dominated ? words(t, p[p[k].by].row) : "");
+                                p[k].error[0], p[k].dominated ? "no: " : "yes",
+                                p[k].dominated ? words(t, p[p[k].by].row) : "");
         free(p);
     }
     study_table_close(page, "The default scene by scene, and what dominates it there.");

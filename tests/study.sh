@@ -62,7 +62,8 @@ for id in depth stability memory time; do
     grep -q '<p>Varied' all/$id.section || wrong "$id does not say what was varied"
     grep -q 'orst case' all/$id.section || wrong "$id shows no worst case"
 done
-for id in depth stability; do # how many runs, what was varied, and two of what follows; time: below, where it is counted
+# how many runs, what was varied, and two of what follows; time: below, where it is counted
+for id in depth stability; do
     [ "$(grep -c '^<p>' all/$id.section)" -ge 4 ] || wrong "$id says less than two sentences of what follows"
 done
 
@@ -237,8 +238,10 @@ last=" sim/study.sh BUILD time --quick"
 [ $status -eq 0 ] || wrong "status $status: $(said)"
 finds_nothing 'NR > 1 && !($26 > 500000 && $26 < 20000000) { print "row", NR, $26 }
     END { if (NR < 12) print NR, "rows" }' counted/time.csv
-grep -q 'The default (float 16, S 8) is one of them' counted/time.section || wrong "the page does not say where the default is"
-[ "$cores" = m3 ] || finds_nothing 'NR > 1 && $7 == 8 && $9 == 16 && !($29 > 500000 && $29 < 20000000) { print "row", NR, $29 }
+grep -q 'The default (float 16, S 8) is one of them' counted/time.section ||
+    wrong "the page does not say where the default is"
+[ "$cores" = m3 ] || finds_nothing '
+    NR > 1 && $7 == 8 && $9 == 16 && !($29 > 500000 && $29 < 20000000) { print "row", NR, $29 }
     NR > 1 && !($7 == 8 && $9 == 16) && $29 != "" { print "row", NR, "is not counted on the host:", $29 }' counted/time.csv
 note="on $cores"
 begin study_default_is_on_the_front

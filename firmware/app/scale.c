@@ -5,9 +5,9 @@
  *   pixels     bench scenes in 64x64 to 1024x1024, x is their product
  *   strips     bench scenes at 320x240 in 1 to 240 strips
  *   passes     20,000 triangles of the sheet with pools for all of them down to a hundredth; x is the passes it took
- *   depth      1 to 64 layers that fill 320x240, front to back, back to front and mixed, as they are drawn and ("tested")
- *              without what spares the first of them clear and depth test, so that all are drawn alike; 1 to 64 balls of
- *              480 triangles behind each other, each as large on the screen as the first, the same orders, within one
+ *   depth      1 to 64 layers that fill 320x240, front to back, back to front and mixed, as they are drawn and
+ *              ("tested") without what spares the first of them clear and depth test, so that all are drawn alike; 1 to
+ *              64 balls of 480 triangles behind each other, each as large on the screen as the first, the same orders, within one
  *              octave of the depth mapping: none costs more than another for where it lies
  *
  * 8 sub-pixel bits, the default depth, one strip buffer, strips of 24 rows but for `strips`, pools as large as can be.
@@ -248,10 +248,12 @@ static uint32_t reversed(uint32_t i, uint32_t n)
     return out;
 }
 
-#define BALL_FIRST (ZS_Q16_ONE * 36u / 25u) /* of the bench's: front halves from 2,106 bench units on, an octave begins at 2,048 */
+/* Of the bench's ball: front halves begin at 2,106 bench units, an octave at 2,048. */
+#define BALL_FIRST (ZS_Q16_ONE * 36u / 25u)
 
 /* n copies of instances of a frame, each somewhat farther and larger than the one before, so that they look the same:
- * layers by 3.5 %, balls by 0.6 %, the last of which ends at 3,900 bench units, and the octave at 4,096. Materials repeat. */
+ * layers by 3.5 %, balls by 0.6 %, the last of which ends at 3,900 bench units, and the octave at 4,096. Materials
+ * repeat. */
 static void stack(uint32_t n, uint32_t order, const struct demo *like)
 {
     const int balls = like == &demo_mesh;

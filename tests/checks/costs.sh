@@ -7,8 +7,8 @@
 # record
 #                                             and, where make pico was run before, what it measured
 #        tests/checks/costs.sh BUILD record   sim/stage_costs.h from it, and sim/record_sizes.h (sizes_record.sh)
-#        tests/checks/costs.sh BUILD quick    a test: probes on the Cortex-M3 alone; what is on record still is what they
-#                                             say, and on no core is a scene more than 15 % off
+#        tests/checks/costs.sh BUILD quick    a test: probes on the Cortex-M3 alone; what is on record still is what
+#                                             they say, and on no core is a scene more than 15 % off
 # Needs BUILD/zsim and BUILD/gen.
 #
 # SPDX-License-Identifier: MIT

@@ -5,11 +5,11 @@
 #
 # A series' exponent is that of the power of x that fits its points best (least squares of logarithms). It may not be
 # above 1.02, and between any two points of which one has twice the other's x, or more, not above 1.05. Points that take
-# more passes than the series' first lie on another line, because the pools do not hold the scene and it is walked again: a
-# pass of them may not take more than linear growth allows the whole.
+# more passes than the series' first lie on another line, because the pools do not hold the scene and it is walked again:
+# a pass of them may not take more than linear growth allows the whole.
 #
-# Layers: the first is drawn without a clear and without a test, at half of what any other takes, so that a power through
-# it says nothing about the others. The series "layers tested" draws all alike and is held to the rule above. The same
+# Layers: the first is drawn without a clear and without a test, at half of what any other takes, so that a power
+# through it says nothing about the others. The series "layers tested" draws all alike and is held to the rule above. The same
 # frames as they are drawn may nowhere cost more than those; and what the layers beyond the first take is held to the
 # rule, against their number.
 #
@@ -91,7 +91,8 @@ done
 
 echo
 echo "Growth on the Cortex-M3 (QEMU mps2-an385 -icount): instructions from the first to the last x, the power that"
-echo "fits, and the steepest between points of twice x and more (of layers that are not all tested: of those beyond the first)."
+echo "fits, and the steepest between points of twice x and more (of layers that are not all tested: of those beyond"
+echo "the first)."
 awk -F'|' '
     BEGIN {
         printf "%-10s %-27s %8s %8s %9s %9s %6s %9s\n", "x", "scene", "from", "to", "M instr", "", "power", "steepest"
