@@ -270,9 +270,34 @@ static void no_more_work_than_known(void **state)
     }
 }
 
+/* Meshes of four clusters are drawn whole, without asking; of five they are asked. */
+static void few_clusters_are_not_asked(void **state)
+{
+    (void)state;
+    static struct part p;
+    uint32_t asked[6] = { 0 };
+    for (uint32_t n = 1; n <= 5; n++) {
+        struct demo_frame f;
+        struct sim_frame frame;
+        const struct zs_config c = config_of(&demo_flyover, 0);
+        demo_flyover.pose(&f, 0, W, H);
+        part_of(&p, &f, f.scene.n_instances - 1, 0, 0);
+        p.scene.instance = p.instance;
+        for (uint32_t k = 0; k < f.scene.n_instances; k++) {
+            p.mesh[k] = *f.scene.instance[k].mesh;
+            p.mesh[k].n_clusters = (uint16_t)(p.mesh[k].n_clusters < n ? p.mesh[k].n_clusters : n);
+        }
+        assert_int_equal(sim_frame_render(&frame, &p.scene, &f.camera, &c, NULL), ZS_OK);
+        asked[n] = frame.stats.clusters_in;
+        sim_frame_free(&frame);
+    }
+    assert_true(asked[1] + asked[2] + asked[3] + asked[4] == 0 && asked[5] > 0);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = { cmocka_unit_test(sums_of_every_scene), cmocka_unit_test(pixels_of_every_triangle),
-                                        cmocka_unit_test(eight_layers), cmocka_unit_test(no_more_work_than_known) };
+                                        cmocka_unit_test(eight_layers), cmocka_unit_test(no_more_work_than_known),
+                                        cmocka_unit_test(few_clusters_are_not_asked) };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

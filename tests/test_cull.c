@@ -56,6 +56,24 @@ static void shape_flat(struct shape *s, struct prng *p, int32_t half, int32_t st
     shape_end(s);
 }
 
+/* Away from where it turns, by up to its radius along each axis. */
+static void shape_aside(struct shape *s, struct prng *p)
+{
+    struct zs_mesh *m = &s->mesh;
+    for (int k = 0; k < 3; k++) {
+        int32_t lo = 0, hi = 0;
+        for (uint32_t v = 0; v < m->n_verts; v++) {
+            lo = s->pos[v][k] < lo ? s->pos[v][k] : lo;
+            hi = s->pos[v][k] > hi ? s->pos[v][k] : hi;
+        }
+        int32_t by = prng_range(p, -(int32_t)m->radius, m->radius);
+        by = by < -32768 - lo ? -32768 - lo : by > 32767 - hi ? 32767 - hi : by;
+        for (uint32_t v = 0; v < m->n_verts; v++)
+            s->pos[v][k] = (int16_t)(s->pos[v][k] + by);
+        m->center[k] = (int16_t)(m->center[k] + by);
+    }
+}
+
 static void shape_any(struct shape *s, struct prng *p)
 {
     switch (prng_pick(p, 6)) {
@@ -70,6 +88,9 @@ static void shape_any(struct shape *s, struct prng *p)
         s->mesh.radius = (uint16_t)(s->mesh.radius < 65530 ? s->mesh.radius + 2 : 65535);
     }
     s->mesh.scale = prng_pick(p, 2) ? ZS_Q16_ONE : (zs_uq16_16)(ZS_Q16_ONE / 64u + prng_pick(p, ZS_Q16_ONE * 4u));
+    struct prng own = { p->state + 1 };
+    if (prng_pick(&own, 3) == 0)
+        shape_aside(s, &own);
 }
 
 static void place(struct prng *p, struct zs_instance *in, int32_t far)

@@ -218,6 +218,7 @@ function link(exe, files, at, more = '') { // the objects of these files, in `at
     must(rest.replace('OBJECTS', objects.join(' ')).replace('OUT', exe) + ' ' + more);
 }
 
+const textSha = (file) => sha(fs.readFileSync(file, 'utf8'));
 const timing = new Map(); // CASE: ms of the program itself
 function prepare() {
     for (const t of TESTS)
@@ -225,19 +226,27 @@ function prepare() {
     fs.writeFileSync(`${base}/programs.h`, TESTS.map((t) => `PROGRAM(${t})\n`).join(''));
     must(`gcc -O1 -Wall -Wextra -Werror -I${base} -c tests/mutate/runner.c -o ${base}/runner.o`);
     link(`${base}/runner`, [], '');
-    for (const line of lines(must(`${base}/runner measure`))) {
+    const file = path.join(dir, 'timing.json'), known = fs.existsSync(file) ? JSON.parse(fs.readFileSync(file, 'utf8')) : {};
+    const core = sha(sources.map((f) => textOf[f]).join(''));
+    const due = TESTS.filter((t) => known[t]?.of !== core + textSha(`tests/${t}.c`));
+    for (const t of due)
+        known[t] = { of: core + textSha(`tests/${t}.c`), ms: {} };
+    for (const line of due.length ? lines(must(`${base}/runner measure ${due.join(' ')}`)) : []) {
         const [name, status, ms] = line.split(' ');
         if (status !== '0')
             throw new Error(`${name} does not pass without a mutant: ${status}`);
-        timing.set(name, Number(ms));
+        known[name.split('/')[0]].ms[name] = Number(ms);
     }
+    fs.writeFileSync(file, JSON.stringify(known));
+    for (const t of TESTS)
+        for (const [name, ms] of Object.entries(known[t].ms))
+            timing.set(name, ms);
     cover();
 }
 
 // CASE: the lines FILE:LINE of the renderer that it reaches; and all that some case reaches, or none. Found once: what is of
 // a file or a test that has changed since is not relied on (remove BUILD/mutate/cover.json to find it anew).
 const reaches = new Map(), counted = new Set();
-const textSha = (file) => sha(fs.readFileSync(file, 'utf8'));
 function cover() {
     const at = path.join(process.cwd(), dir, 'cover'), known = path.join(dir, 'cover.json');
     if (!fs.existsSync(known)) {
@@ -362,6 +371,7 @@ function reasons() { // "FILE: CODE: WHAT (column N)" of tests/MUTATION.txt, and
 const why = reasons();
 const reasonOf = (m) => why.get(`${m.file}: ${title(m)}`) || [];
 const harmless = (m) => /^ {4}(equivalent|speed)/.test(reasonOf(m)[0] || '');
+const explained = (m) => /^ {4}(equivalent|speed|margin)/.test(reasonOf(m)[0] || ''); // not run again
 const title = (m) => `${m.code}  [${m.what}, column ${m.column}]`;
 function report(done, passed) {
     const by = {}, files = {};
@@ -416,7 +426,7 @@ console.log(`${queue.length} places of ${only.length ? only.join(' ') : FROM}`);
 for (const m of PART < 0 ? queue : queue.filter((_, n) => n % 2 === PART)) {
     if (done.length >= (PART < 0 ? COUNT : COUNT / 2))
         break;
-    let verdict = harmless(m) ? 'survived explained' : verdictOf(m);
+    let verdict = explained(m) ? 'survived explained' : verdictOf(m);
     if (!verdict) {
         if (!timing.size)
             prepare();

@@ -2,7 +2,7 @@
  * one fails. Linked with --wrap=_cmocka_run_group_tests; each program's main is renamed to main_NAME.
  *
  *   runner list                        every case: NAME/CASE, a line
- *   runner measure                     every case: NAME/CASE, its status, ms of the processor
+ *   runner measure NAME...             every case of these: NAME/CASE, its status, ms of the processor
  *   runner cover DIR                   the same of a program with coverage: what case n, of the list, reaches into DIR/n
  *   runner first <FILE                 FILE: NAME/CASE and how many ms it may take, a line; prints the first that fails
  *                                      and "late" where it took too long; nothing where all pass
@@ -143,6 +143,11 @@ int main(int argc, char **argv)
     const int measure = cover || !strcmp(what, "measure");
     int n = 0;
     for (int p = 0; p < N_PROGRAMS; p++) {
+        int asked = cover || !measure;
+        for (int k = 2; k < argc && !asked; k++)
+            asked = !strcmp(argv[k], programs[p].name);
+        if (!asked)
+            continue;
         lines_of(p, text, sizeof text);
         for (char *name = strtok(text, "\n"); name; name = strtok(0, "\n")) {
             long took = 0;

@@ -125,7 +125,7 @@ static int box_right(struct zs_renderer *r, const uint16_t *bound, int32_t tiles
     const int32_t tile = 1 << ZS_TILE_LOG2, h = r->config.strip_h;
     const struct zs_box box = { x0 * tile + in(0, tile - 1), x1 * tile + 1 + in(0, tile - 1), y0 * h + in(0, h - 1),
                                 y1 * h + 1 + in(0, h - 1) };
-    if (box.x0 >= r->config.width || box.y0 >= r->config.height)
+    if (box.x0 >= zs_min32(box.x1, r->config.width) || box.y0 >= zs_min32(box.y1, r->config.height))
         return 1;
     const int hides = zs_hidden_box(r, &box, (key << 16) + 0x2000u);
     int each = 1;
