@@ -34,6 +34,11 @@ _Static_assert(ZS_SIZE_MAX <= 4096, "see the step count in plane.c and the strip
 
 typedef int32_t q24_8; /* screen x, y, px */
 
+#if defined(__GNUC__)
+#define ZS_KERNEL_INLINE static inline __attribute__((always_inline)) /* functions passed to it are in line too */
+#else
+#define ZS_KERNEL_INLINE static inline
+#endif
 #if ZS_LEAN /* the compiler's choice, by size */
 #define ZS_RARE
 #define ZS_IN_ORDER
