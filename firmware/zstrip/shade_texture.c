@@ -645,7 +645,8 @@ static void texture_run(struct zs_job *job, const struct zs_row *row, int32_t r0
 
 #if ZS_LEAN
 
-const struct zs_shader zs_shade_texture = { texture_vertex, no_face, texture_start, texture_run, texture_check, 0, ZS_ATTRS_TEXTURE };
+const struct zs_shader zs_shade_texture = { texture_vertex, no_face, texture_start, texture_run, texture_check, 0,
+                                            ZS_ATTRS_TEXTURE };
 const struct zs_shader zs_shade_texture_flat = { texture_vertex, flat_face, texture_start, texture_run, texture_check, light,
                                                  ZS_ATTRS_TEXTURE };
 const struct zs_shader zs_shade_texture_smooth = { smooth_vertex, no_face, texture_start, texture_run, smooth_check, light,
