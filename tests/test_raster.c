@@ -325,7 +325,35 @@ static void coverage_and_keys_in_big_frames(void **state)
 
 /* ---- Gradients ---------------------------------------------------------------------------- */
 
-#if !ZS_LEAN /* which has set-up in one, in raster.c */
+#if ZS_LEAN /* the library has it in raster.c, all in one; here for what follows it */
+void zs_plane_sides(struct zs_job *job, const struct zs_vertex *a, const struct zs_vertex *b, const struct zs_vertex *c)
+{
+    struct zs_geom *g = &job->geom;
+    job->v[0] = a;
+    job->v[1] = b;
+    job->v[2] = c;
+    job->mid_right = b->y < c->y || (b->y == c->y && b->x < c->x);
+    g->dx1 = b->x - a->x;
+    g->dx2 = c->x - a->x;
+    g->dy1 = b->y - a->y;
+    g->dy2 = c->y - a->y;
+    g->area = (int64_t)g->dx1 * g->dy2 - (int64_t)g->dx2 * g->dy1;
+}
+
+void zs_plane_geom(struct zs_job *job)
+{
+    struct zs_geom *g = &job->geom;
+    const int small = zs_max32(zs_max32(g->dx1, g->dx2), 0) - zs_min32(zs_min32(g->dx1, g->dx2), 0) +
+                          zs_max32(g->dy1, g->dy2) <= ZS_SMALL_EXTENT;
+    const int32_t i = job->v[0]->x >> 8, j = job->v[0]->y >> 8;
+    g->exp = small ? -zs_clz32((uint32_t)g->area) : 0;
+    g->rcp = small ? zs_recip((uint32_t)g->area << -g->exp) : 0;
+    g->ia = small ? i : zs_min32(zs_max32(i, 0), job->width - 1);
+    g->ja = small ? j : zs_min32(zs_max32(j, 0), job->r->config.height - 1);
+    g->ax = g->ia * 256 + 128 - job->v[0]->x;
+    g->ay = g->ja * 256 + 128 - job->v[0]->y;
+}
+#endif
 
 /* |g - 256 n / area| in ulps, modulo 2^32 ulps. */
 static double gradient_error(uint32_t g, __int128 n, int64_t area)
@@ -439,8 +467,6 @@ static void gradients_to_the_last_bit(void **state)
     CASES(gradient_case, 200000);
     print_message("gradients of small triangles: off by at most %.4f ulp\n", worst_error);
 }
-
-#endif
 
 /* ---- Keys that are linear in distance, under perspective ------------------------------------- */
 
@@ -977,9 +1003,7 @@ static const struct CMUnitTest tests[] = {
     cmocka_unit_test(triangles_drawn_by_hand),
     cmocka_unit_test(coverage_and_keys_of_single_triangles),
     cmocka_unit_test(coverage_and_keys_in_big_frames),
-#if !ZS_LEAN
     cmocka_unit_test(gradients_to_the_last_bit),
-#endif
     cmocka_unit_test(linear_keys_under_perspective),
     cmocka_unit_test(keys_saturate_and_never_wrap),
     cmocka_unit_test(least_key_then_scene_order),

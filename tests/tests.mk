@@ -27,7 +27,7 @@ $(B)/test/zsim: $(call t,$(SIM)) $(B)/test/libtest.a $(B)/libmeshes.a
 	@$(CC) $(SAN) -Wl,--start-group $^ -Wl,--end-group $(LIBS) -o $@
 
 # With LEAN=1, into a folder of its own: what draws pictures and looks into nothing that the lean build has not
-LEAN_TESTS = api check color depth fx invariance orders pose raster reach stress texture track watch
+LEAN_TESTS = api color depth fx invariance orders raster reach stress texture track watch
 lean-programs: $(LEAN_TESTS:%=$(B)/test/test_%) checksum-programs
 .PHONY: lean-programs
 

@@ -18,9 +18,11 @@
 #define ZS_ATTRS_MAX 3 /* 16-bit attribute words a vertex */
 #endif
 
-/* 1: least flash. One general kernel for each stage, for size: nothing that is only quicker is compiled (hidden.c, fresh.c,
- * small.c, narrow twins of wide arithmetic, clearing in blocks). Frames are the same, bit for bit; DESIGN.md says what
- * it saves and costs. Every file of a program has it alike: it changes struct zs_renderer and ZS_ARENA_BYTES. */
+/* 1: least flash, half of what it is with 0, for 2 to 3 times the instructions. One general kernel for each stage, compiled for
+ * size: nothing that is only quicker is there (bins, hidden.c, fresh.c, small.c, narrow twins of wide arithmetic). Frames are the
+ * same, bit for bit. enum zs_skip has no effect; clusters and groups may be named and leave nothing out, so that an
+ * instance in a group out of view is checked like any other. Statistics of hidden, clusters and untested are 0. DESIGN.md
+ * has what it saves and costs. Every file of a program must have it alike: struct zs_renderer and ZS_ARENA_BYTES differ. */
 #ifndef ZS_LEAN
 #define ZS_LEAN 0
 #endif

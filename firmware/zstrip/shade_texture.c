@@ -384,7 +384,7 @@ static inline void fetch(const struct zs_job *job, uint16_t *out, int32_t n, con
                          const int32_t step[2])
 {
     const struct zs_sampler *s = &job->sampler;
-    if (s->wide) {
+    if (ZS_LEAN || s->wide) { /* the same modulo one repeat, in 64 bits */
         fetch_wide(s, out, n, c, step);
         return;
     }
@@ -654,7 +654,8 @@ static void texture_run(struct zs_job *job, const struct zs_row *row, int32_t r0
 
 #if ZS_LEAN
 
-const struct zs_shader zs_shade_texture = { texture_vertex, no_face, texture_start, texture_run, texture_check, 0, ZS_ATTRS_TEXTURE };
+const struct zs_shader zs_shade_texture = { texture_vertex, no_face, texture_start, texture_run, texture_check, 0,
+                                            ZS_ATTRS_TEXTURE };
 const struct zs_shader zs_shade_texture_flat = { texture_vertex, flat_face, texture_start, texture_run, texture_check, light,
                                                  ZS_ATTRS_TEXTURE };
 const struct zs_shader zs_shade_texture_smooth = { smooth_vertex, no_face, texture_start, texture_run, smooth_check, light,

@@ -34,7 +34,7 @@ static inline uint32_t index_shift(uint32_t log2)
     return log2 ? 32u - log2 : 31u;
 }
 
-ZS_ALWAYS_INLINE void fetch(const struct zs_texture *t, uint16_t *out, int32_t n, const struct zs_walk *walk,
+ZS_KERNEL_INLINE void fetch(const struct zs_texture *t, uint16_t *out, int32_t n, const struct zs_walk *walk,
                             read_fn *read)
 {
     const void *texel = t->texel;

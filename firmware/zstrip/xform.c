@@ -69,12 +69,15 @@ void zs_xform_vertex(const struct zs_xform *xf, uint32_t v, struct zs_point *out
         out->c[k] = (int32_t)zs_round_shift(xf->t[k] + zs_dot(xf->m[k], p), xf->shift);
 }
 
+/* c * rcp / 2^shift, nearest by magnitude, so that a mirrored scene snaps to mirrored places; just beside the guard band
+ * where beyond it. */
 static int32_t placed(const struct zs_view *view, int32_t c, uint32_t rcp, int32_t shift)
 {
-    const uint32_t most = (uint32_t)ZS_GUARD_SUBPX >> view->snap;
-    const uint64_t product = zs_mul_uu(c < 0 ? 0u - (uint32_t)c : (uint32_t)c, rcp); /* magnitude first: mirrors stay */
-    const uint64_t steps = shift > 63 ? 0u : (product + ((uint64_t)1 << (shift - 1))) >> shift;
-    const int32_t v = steps > most ? (int32_t)ZS_GUARD_SUBPX + 1 : (int32_t)((uint32_t)steps << view->snap);
+    const int32_t most = (int32_t)ZS_GUARD_SUBPX >> view->snap;
+    const int64_t twice = zs_mulshift_s64(c < 0 ? -(int64_t)c : c, rcp, shift + view->snap - 1);
+    int32_t v = (int32_t)((uint32_t)twice + 1u) >> 1 << view->snap;
+    if (twice > 2 * most)
+        v = (int32_t)ZS_GUARD_SUBPX + 1;
     return c < 0 ? -v : v;
 }
 
@@ -90,8 +93,8 @@ void zs_xform_project(const struct zs_renderer *r, const struct zs_point *p, str
         rcp = zs_recip((uint32_t)z << lz);     /* 2^(63 - lz) / z */
         shift = 63 - lz - view->scale_bits;    /* 9 .. 54 */
     }
-    out->x = view->cx + placed(view, p->c[0], rcp, shift + view->snap);
-    out->y = view->cy + placed(view, p->c[1], rcp, shift + view->snap);
+    out->x = view->cx + placed(view, p->c[0], rcp, shift);
+    out->y = view->cy + placed(view, p->c[1], rcp, shift);
     out->d = depth->vertex(view, z, rcp, lz);
 }
 

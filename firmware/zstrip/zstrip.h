@@ -297,7 +297,8 @@ extern const struct zs_depth zs_depth_e5m11; /* to all distances */
  * orthographic cameras, which take zs_depth_linear alone (else ZS_ERR_DEPTH). NUMERICS.md has the measurements. */
 extern const struct zs_depth zs_depth_float;
 
-/* Work that is left out where it cannot change the picture. All are on unless named in
+/* With ZS_LEAN = 1 (config.h) these have no effect.
+ * Work that is left out where it cannot change the picture. All are on unless named in
  * config.skip_off; switching one off costs time and changes no bit of the frame. */
 enum zs_skip {
     ZS_SKIP_FRUSTUM = 1,  /* instances whose sphere is outside the view */

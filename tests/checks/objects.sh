@@ -12,9 +12,10 @@ HEAP='^_?(malloc|calloc|realloc|free|memalign|aligned_alloc|alloca|sbrk|_sbrk|ma
 # block moves.
 ALLOWED='^(__aeabi_u?idiv(mod)?|__aeabi_u?ldivmod|__aeabi_lmul|__aeabi_l(lsl|lsr|asr)|__clz[sd]i2|__gnu_thumb1_case_(u?qi|u?hi|si)|mem(set|cpy|move))$'
 
-# NAME CPU DIR: the objects of a folder, and a program in DIR/main.c that uses all of them
+# NAME CPU DIR [FLAGS...]: the objects of a folder, and a program in DIR/main.c that uses all of them
 rules() {
     name=$1 c=$2 dir=$3
+    shift 3
     ${ARM}ld -r "$dir"/*.o -o "$dir/all.rel" || bad "$name partial link" "see above"
     undefined=$(${ARM}nm -u "$dir/all.rel" | awk '{ print $NF }')
     none "$name no soft-float helper" "$(echo "$undefined" | grep -E "$FLOAT")"
@@ -22,7 +23,7 @@ rules() {
     none "$name no other undefined symbol" \
         "$(echo "$undefined" | grep -Ev "$ALLOWED" | grep -Ev "$FLOAT" | grep -Ev "$HEAP")"
     none "$name no writable global" "$(${ARM}nm "$dir/all.rel" | awk '$2 ~ /^[bBdDC]$/ { print $3 }')"
-    if ! link "$c" "$dir" "$dir/main.c" "$dir/all.elf"; then
+    if ! link "$c" "$dir" "$dir/main.c" "$dir/all.elf" "$@"; then
         bad "$name links" "see above"
         return
     fi
@@ -41,6 +42,13 @@ for c in $CPUS; do
         rules "$c" "$c" "$dir"
     else
         bad "$c compiles" "see above"
+    fi
+    dir=$B/objects-lean-$c
+    if core "$c" "$dir" -DZS_LEAN=1 -Os; then
+        cp "$B/objects-$c/main.c" "$dir/main.c"
+        rules "lean, $c" "$c" "$dir" -DZS_LEAN=1 -Os
+    else
+        bad "lean, $c compiles" "see above"
     fi
     dir=$B/objects-panels-$c
     if panels "$c" "$dir"; then

@@ -5,13 +5,13 @@
 # SPDX-License-Identifier: MIT
 . "$(dirname "$0")/common.sh"
 
-FLASH_MAX=${FLASH_MAX:-49152}           # everything but clusters and groups, Cortex-M3
+FLASH_MAX=${FLASH_MAX:-48896}           # everything but clusters and groups, Cortex-M3
 FLASH_CLUSTERS_MAX=${FLASH_CLUSTERS_MAX:-3328} # what clusters take
-FLASH_FLAT_MAX=${FLASH_FLAT_MAX:-25088} # flat and recip alone, Cortex-M3
+FLASH_FLAT_MAX=${FLASH_FLAT_MAX:-24832} # flat and recip alone, Cortex-M3
 # ZS_LEAN, -Os, Cortex-M3. The goals are 6,144 bytes for flat alone, 12,288 with textures, lighting and clipping.
-LEAN_FLAT_MAX=${LEAN_FLAT_MAX:-11776}       # flat and recip alone
-LEAN_TEXTURE_MAX=${LEAN_TEXTURE_MAX:-15360} # a texture lit at the vertices, recip
-LEAN_MAX=${LEAN_MAX:-30208}                 # everything
+LEAN_FLAT_MAX=${LEAN_FLAT_MAX:-11520}       # flat and recip alone
+LEAN_TEXTURE_MAX=${LEAN_TEXTURE_MAX:-14848} # a texture lit at the vertices, recip
+LEAN_MAX=${LEAN_MAX:-29440}                 # everything
 FLASH_PANEL_MAX=${FLASH_PANEL_MAX:-3072} # a panel that converts nothing
 
 # MAP PATTERN: bytes that the link took from objects whose path matches.

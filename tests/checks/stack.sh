@@ -21,7 +21,8 @@ PANEL_LIMIT=${PANEL_STACK_LIMIT:-288} # bytes, any function of panel.h
 
 # Fields of a struct of function pointers in pipeline.h, in order: STRUCT
 fields() {
-    awk -v s="struct $1 {" 'index($0, s) == 1 { on = 1 } on && /^};/ { exit }
+    awk -v s="struct $1 {" -v lean="${lean:+1}" 'index($0, s) == 1 { on = 1 } on && /^};/ { exit }
+        /^#if !ZS_LEAN/ { skip = lean } /^#if ZS_LEAN/ { skip = !lean } /^#endif/ { skip = 0 } skip { next }
         on && match($0, /\(\*[a-z]+\)/) { print substr($0, RSTART + 2, RLENGTH - 3) }' \
         firmware/zstrip/pipeline.h
 }
@@ -142,16 +143,24 @@ bound() { # CPU FACTS: prints public functions with their bound, then problems
             exit failed }' "$2"
 }
 
-for c in $CPUS; do
-    dir=$B/stack-$c
-    core "$c" "$dir" -fstack-usage -fcallgraph-info=su || { bad "$c compiles (-Wvla -Werror)" "see above"; continue; }
-    ok "$c no VLA, no alloca: $(cat "$dir"/*.su | wc -l) frames, $(cat "$dir"/*.su | grep -c dynamic) dynamic"
+stack() { # CPU NAME; lean: flags of the lean build, or nothing
+    c=$1 name=$2 dir=$B/stack-$2
+    # shellcheck disable=SC2086
+    core "$c" "$dir" $lean -fstack-usage -fcallgraph-info=su || { bad "$name compiles (-Wvla -Werror)" "see above"; return; }
+    ok "$name no VLA, no alloca: $(cat "$dir"/*.su | wc -l) frames, $(cat "$dir"/*.su | grep -c dynamic) dynamic"
     minimal "$dir/main.c" flat recip "$EVERYTHING $CULLING"
     echo "$OTHERS" >>"$dir/main.c"
-    link "$c" "$dir" "$dir/main.c" "$dir/all.elf" || { bad "$c links" "see above"; continue; }
+    # shellcheck disable=SC2086
+    link "$c" "$dir" "$dir/main.c" "$dir/all.elf" $lean || { bad "$name links" "see above"; return; }
     { helpers "$dir/all.elf"; facts "$c" "$dir"; } >"$dir/facts.txt"
-    bound "$c" "$dir/facts.txt" >"$dir/bound.txt" || failed=1
+    bound "$name" "$dir/facts.txt" >"$dir/bound.txt" || failed=1
     cat "$dir/bound.txt"
+}
+for c in $CPUS; do
+    lean=
+    stack "$c" "$c"
+    lean='-DZS_LEAN=1 -Os'
+    stack "$c" "lean-$c"
 done
 
 # Panels: frames and calls as the compiler has them. bus->F( and hooks->F( are the caller's, type->convert( is the
