@@ -324,7 +324,7 @@ static void on_rows(struct zs_job *job)
 {
     const struct our_shader *s = shader_of(job->shader);
     struct shape shape;
-    const double runs = now.n[SIM_COST_run];
+    const double runs = now.n[SIM_COST_run], pieces = now.n[SIM_COST_piece];
     const uint32_t before = written();
     look(&shape, job);
     look_plane(job);
@@ -338,8 +338,11 @@ static void on_rows(struct zs_job *job)
         count_start(job, s);
     if (s->kind == KIND_SOLID) {
         now.n[SIM_COST_span_solid] += shape.spans;
-        now.n[SIM_COST_px_solid] += shape.px;
-        now.n[SIM_COST_won_solid] += won;
+        if (now.n[SIM_COST_piece] == pieces) { /* else its keys may saturate, and on_span has counted pixels */
+            now.n[SIM_COST_px_solid] += shape.px;
+            now.n[SIM_COST_won_solid] += won;
+        }
+        now.n[SIM_COST_piece] = pieces;
     } else if (!affine || runs < now.n[SIM_COST_run]) {
         now.n[SIM_COST_span_runs] += shape.spans;
         now.n[SIM_COST_px_runs] += shape.px;
@@ -367,14 +370,14 @@ static void on_span(struct zs_job *job, const struct zs_row *row, int32_t i0, in
     now.n[s->kind == KIND_SOLID ? SIM_COST_won_solid : SIM_COST_won_runs] += won;
 }
 
-static void on_state_rows(struct zs_job *job);
+static void on_state_span(struct zs_job *job, const struct zs_row *row, int32_t i0, int32_t i1, uint32_t sum, uint32_t gx);
 
 #define NO_OCTAVES INT32_MIN /* job->w64_scale, where a triangle's keys lie in one */
 
 /* Drawn on pixels that nothing was drawn on before: by a kernel that is not an instance's. */
 static int on_fresh(const struct zs_job *job)
 {
-    return job->state && job->state->kernel->rows != on_state_rows;
+    return job->state && job->state->kernel->span != on_state_span;
 }
 
 static void on_run(struct zs_job *job, const struct zs_row *row, int32_t from, int32_t to)
@@ -431,21 +434,6 @@ static int on_small(struct zs_job *job)
     return 1;
 }
 
-static void on_state_rows(struct zs_job *job)
-{
-    const struct our_kernel *k = (const struct our_kernel *)(uintptr_t)job->state->kernel;
-    struct shape shape;
-    const uint32_t before = written();
-    look(&shape, job);
-    look_plane(job);
-    count_setup(&shape);
-    now.keys = 1;
-    k->of->rows(job);
-    now.n[SIM_COST_span_runs] += shape.spans;
-    now.n[SIM_COST_px_state] += shape.px;
-    now.n[SIM_COST_won_runs] += written() - before;
-}
-
 static void on_state_span(struct zs_job *job, const struct zs_row *row, int32_t i0, int32_t i1, uint32_t sum,
                           uint32_t gx)
 {
@@ -480,6 +468,11 @@ static void on_depth_rows(struct zs_job *job)
         now.n[SIM_COST_setup_octaves] += job->w64_scale != NO_OCTAVES;
         now.n[SIM_COST_row_fresh] += shape.spans;
         now.n[SIM_COST_px_fresh] += now.r->stats.pixels_untested - untested;
+        return;
+    }
+    if (job->state && job->w64_scale == NO_OCTAVES && (now.linear || now.of != &zs_depth_linear)) { /* linear after all */
+        now.n[SIM_COST_span_runs] += shape.spans;
+        now.n[SIM_COST_piece] -= shape.spans; /* on_state_span took them for pieces */
         return;
     }
     if (now.of != &zs_depth_linear) {
@@ -566,7 +559,6 @@ static void copy(struct zs_instance *in, struct thing *t)
     t->state = *in->state;
     t->kernel.kernel = *in->state->kernel;
     t->kernel.of = in->state->kernel;
-    t->kernel.kernel.rows = on_state_rows;
     t->kernel.kernel.span = on_state_span;
     t->state.kernel = &t->kernel.kernel;
     in->state = &t->state;
