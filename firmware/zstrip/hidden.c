@@ -182,7 +182,6 @@ static inline int above(const struct zs_vertex *a, const struct zs_vertex *b)
 ZS_NOINLINE void zs_hidden_cover(struct zs_renderer *r, const struct zs_vertex *a, const struct zs_vertex *b,
                                  const struct zs_vertex *c)
 {
-    const struct zs_vertex *swap;
     const int32_t left = zs_min32(zs_min32(a->x, b->x), c->x), right = zs_max32(zs_max32(a->x, b->x), c->x);
     if (right - left < LARGE * ZS_SUBPX_ONE || right <= 0 || left >= r->config.width * ZS_SUBPX_ONE)
         return;
@@ -203,26 +202,22 @@ ZS_NOINLINE void zs_hidden_cover(struct zs_renderer *r, const struct zs_vertex *
     if (bounds_nothing(r, key_of(r, nearest, 0)))
         return;
     struct zs_cover *now = &r->cover[r->cover_next], *const old = &r->cover[!r->cover_next];
-    if (above(b, a)) {
-        swap = a;
+    while (above(b, a) || above(c, a)) { /* the top one first */
+        const struct zs_vertex *const first = a;
         a = b;
-        b = swap;
-    }
-    if (above(c, b)) {
-        swap = b;
         b = c;
-        c = swap;
-        if (above(b, a)) {
-            swap = a;
-            a = b;
-            b = swap;
-        }
+        c = first;
+    }
+    now->mid_right = (uint8_t)above(b, c);
+    if (!now->mid_right) {
+        const struct zs_vertex *const middle = c;
+        c = b;
+        b = middle;
     }
     now->v[0] = *a;
     now->v[1] = *b;
     now->v[2] = *c;
     now->row_mid = zs_first_sample(b->y);
-    now->mid_right = zs_mul_ss(b->x - a->x, c->y - a->y) > zs_mul_ss(c->x - a->x, b->y - a->y);
     now->farthest = key_of(r, farthest, MARGIN);
     slope(now, LONG, a, c);
     slope(now, UPPER, a, b);

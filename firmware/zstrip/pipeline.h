@@ -280,7 +280,7 @@ void zs_raster_span(struct zs_job *job, const struct zs_row *row, int32_t i0, in
 
 /* ---- hidden.c --------------------------------------------------------------------------------------- */
 
-/* A triangle of the current instance that faces the eye: what it hides, if it is large. */
+/* A triangle of the current instance that is drawn, clockwise: what it hides, if it is large. */
 void zs_hidden_cover(struct zs_renderer *r, const struct zs_vertex *a, const struct zs_vertex *b, const struct zs_vertex *c);
 /* Of r->strip, where r->large: a depth up to which a vertex shows that its triangle is not hidden; UINT32_MAX: nothing is. */
 uint32_t zs_hidden_seen(struct zs_renderer *r);
