@@ -107,7 +107,7 @@ static inline struct zs_cut *sides_cut(struct zs_cut *cut, int32_t n, int32_t fr
 }
 
 /* zs_raster_cuts by division, both sides at once, of a tiny triangle on cores that divide. */
-static ZS_NOINLINE void tiny_cuts(struct zs_job *job, int32_t row, int32_t end)
+ZS_IN_ORDER static ZS_NOINLINE void tiny_cuts(struct zs_job *job, int32_t row, int32_t end)
 {
     const struct zs_geom *g = &job->geom;
     const int32_t ax = job->v[0]->x, ay = job->v[0]->y, from = (ax >> ZS_SUBPX_BITS) - SIDE;

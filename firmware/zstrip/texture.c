@@ -134,7 +134,7 @@ static void gather_565(const struct zs_texture *t, uint16_t *out, int32_t n, con
     gather(t, out, n, at, read_565);
 }
 
-static void rows_565(struct zs_job *job)
+ZS_IN_ORDER static void rows_565(struct zs_job *job)
 {
     rows(job, read_565);
 }
@@ -144,7 +144,7 @@ static void gather_pal8(const struct zs_texture *t, uint16_t *out, int32_t n, co
     gather(t, out, n, at, read_pal8);
 }
 
-static void rows_pal8(struct zs_job *job)
+ZS_IN_ORDER static void rows_pal8(struct zs_job *job)
 {
     rows(job, read_pal8);
 }
@@ -154,7 +154,7 @@ static void gather_pal4(const struct zs_texture *t, uint16_t *out, int32_t n, co
     gather(t, out, n, at, read_pal4);
 }
 
-static void rows_pal4(struct zs_job *job)
+ZS_IN_ORDER static void rows_pal4(struct zs_job *job)
 {
     rows(job, read_pal4);
 }
