@@ -24,6 +24,7 @@ import * as path from 'node:path';
 const [build, countText, seed, ...only] = process.argv.slice(2);
 const COUNT = Number(countText);
 const PART = Number(process.env.MUTATE_PART || -1); // 0, 1: one half of the sample, beside the other; then once without
+const KNOWN = process.env.MUTATE_KNOWN === '1'; // none that has not been run before: a report of a part
 const FROM = 'firmware/zstrip';
 const REPORT = 'tests/MUTATION.txt';
 const dir = path.join(build, 'mutate');
@@ -423,10 +424,14 @@ fs.cpSync(FROM, COPY, { recursive: true }); // the files may change while this r
 const queue = sample(), done = [], passed = { same: 0, invalid: 0 };
 console.log(`${queue.length} places of ${only.length ? only.join(' ') : FROM}`);
 
-for (const m of PART < 0 ? queue : queue.filter((_, n) => n % 2 === PART)) {
+const seen = (m) => known.has(`${id(m)} ${fileSha[m.file]}`);
+const end = KNOWN ? queue.findLastIndex(seen) + 1 : queue.length;
+for (const m of queue.slice(0, end).filter((_, n) => PART < 0 || n % 2 === PART)) {
     if (done.length >= (PART < 0 ? COUNT : COUNT / 2))
         break;
     let verdict = explained(m) ? 'survived explained' : verdictOf(m);
+    if (!verdict && KNOWN && !seen(m))
+        continue;
     if (!verdict) {
         if (!timing.size)
             prepare();
