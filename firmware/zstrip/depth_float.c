@@ -197,7 +197,7 @@ static int tiny(const struct zs_geom *g)
 
 /* r of a triangle over the screen, where its keys are not linear. job->w64_scale: the nearest vertex's octave. More
  * octaves: job->w64, w = r scaled so that this octave ends at 2^39; two: job->key, so that it ends at 2^31. */
-static ZS_NOINLINE enum way float_planes(struct zs_job *job)
+ZS_IN_ORDER static ZS_NOINLINE enum way float_planes(struct zs_job *job)
 {
     const struct zs_view *view = &job->r->view;
     int32_t octave[3], nearest = 0, farthest = 32;

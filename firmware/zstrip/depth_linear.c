@@ -158,7 +158,7 @@ ZS_ALWAYS_INLINE void linear_span(struct zs_job *job, const struct zs_row *row)
 }
 
 /* Apart, so that its frame is not on the stack below start(). */
-static ZS_NOINLINE void linear_walk(struct zs_job *job)
+ZS_IN_ORDER static ZS_NOINLINE void linear_walk(struct zs_job *job)
 {
     zs_rows_walk(job, linear_span);
 }

@@ -106,7 +106,7 @@ static int32_t narrow_fits(const struct zs_geom *g)
 }
 
 /* Planes of codes with half a code added, codes in their words' top bits. */
-static ZS_NOINLINE void affine_planes(struct zs_job *job, const uint16_t *const a[3])
+ZS_IN_ORDER static ZS_NOINLINE void affine_planes(struct zs_job *job, const uint16_t *const a[3])
 {
     const struct zs_geom *g = &job->geom;
     const int32_t fits = narrow_fits(g);

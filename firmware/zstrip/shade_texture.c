@@ -234,7 +234,7 @@ static uint32_t third_power(int32_t n)
     return n >= 96 ? UINT32_MAX : ((part[n % 3] - 1u) >> (31 - n / 3)) + 1u;
 }
 
-static ZS_NOINLINE void start_groups(struct zs_job *job, const uint16_t *const a[3], const struct coordinate c[2],
+ZS_IN_ORDER static ZS_NOINLINE void start_groups(struct zs_job *job, const uint16_t *const a[3], const struct coordinate c[2],
                    const uint32_t w[3])
 {
     const int n = job->shader->n_attrs;
@@ -349,7 +349,7 @@ static uint32_t held(uint64_t t)
 
 /* Textures that are clamped: q32_32, because what lies beyond [0, 1) counts. Runs that stay within are
  * fetched whole, others pixel by pixel. */
-static ZS_NOINLINE void fetch_wide(const struct zs_sampler *s, uint16_t *out, int32_t n,
+ZS_IN_ORDER static ZS_NOINLINE void fetch_wide(const struct zs_sampler *s, uint16_t *out, int32_t n,
                                    const uint32_t c[2], const int32_t step[2])
 {
     const struct zs_texture *t = s->texture;
