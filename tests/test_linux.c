@@ -85,6 +85,8 @@ static struct {
     int lights;                  /* how often the light was switched on */
 } m;
 static int in_message; /* atomic: a message is on the wire */
+static void (*handler)(int); /* the program's, of any signal */
+static int handled;    /* atomic: it has run */
 static char folder[] = "/tmp/zstrip-dev-XXXXXX";
 
 /* What the made-up machine insists on. It is asked from another thread and from children too, which cmocka's asserts
@@ -382,6 +384,36 @@ static void look_at_model(uint8_t command)
     }
 }
 
+static void handle(int number)
+{
+    handler(number);
+    __atomic_store_n(&handled, 1, __ATOMIC_SEQ_CST);
+}
+
+int __real_sigaction(int number, const struct sigaction *action, struct sigaction *before);
+int __wrap_sigaction(int number, const struct sigaction *action, struct sigaction *before);
+int __wrap_sigaction(int number, const struct sigaction *action, struct sigaction *before)
+{
+    struct sigaction ours;
+    if (!action || action->sa_handler == SIG_IGN)
+        return __real_sigaction(number, action, before);
+    ours = *action;
+    handler = action->sa_handler;
+    ours.sa_handler = handle;
+    return __real_sigaction(number, &ours, before);
+}
+
+/* A signal to the process, taken before this goes on, by whichever thread; or ignored. A machine that is busy may let this
+ * thread run on for many messages before another takes it. */
+static void interrupt(int number)
+{
+    struct sigaction now;
+    MUST(__real_sigaction(number, NULL, &now) == 0);
+    (void)kill(getpid(), number);
+    while (now.sa_handler == handle && !__atomic_load_n(&handled, __ATOMIC_SEQ_CST))
+        (void)usleep(100); /* the child's alarm ends what never ends */
+}
+
 static int message(const struct spi_ioc_transfer *t)
 {
     const uint8_t *bytes = (const uint8_t *)(uintptr_t)t->tx_buf;
@@ -396,7 +428,7 @@ static int message(const struct spi_ioc_transfer *t)
     m.n_sent++;
     __atomic_store_n(&in_message, 1, __ATOMIC_SEQ_CST);
     if (m.signal_at && k == m.signal_at)
-        (void)kill(getpid(), m.signal ? m.signal : SIGTERM);
+        interrupt(m.signal ? m.signal : SIGTERM);
     if (dc && t->len > 16 && m.begun) {
         struct timespec until;
         (void)clock_gettime(CLOCK_REALTIME, &until);

@@ -33,7 +33,7 @@ lean-programs: $(LEAN_TESTS:%=$(B)/test/test_%) checksum-programs
 
 # zstrip-linux on a machine that test_linux.c makes up, in place of libgpiod and of these calls of the C library;
 # drawing takes as long as it wants
-LINUX_FAKED = open ioctl stat lstat access opendir nanosleep getgrgid zs_raster_strip
+LINUX_FAKED = open ioctl stat lstat access opendir nanosleep getgrgid sigaction zs_raster_strip
 $(B)/test/hal/linux/%.o $(B)/test/sim/linux/%.o $(B)/test/tests/test_linux.o: \
     TEST_CC += -Ihal/linux -Isim/linux -pthread
 $(B)/test/sim/linux/main.o: TEST_CC += -Dmain=zstrip_linux
