@@ -98,6 +98,7 @@ static inline struct side side_of(int32_t x, int32_t off, int32_t dx, int32_t dy
 static inline struct zs_cut *sides_cut(struct zs_cut *cut, int32_t n, int32_t from, struct side *left, struct side *right)
 {
     for (struct zs_cut *const end = cut + n; cut != end; cut++) {
+        ZS_FACT(left->span >= ZS_SUBPX_ONE && right->span >= ZS_SUBPX_ONE); /* no rows beside a level edge */
         cut->x0 = (int16_t)(from + (int32_t)(left->sum / left->span));
         cut->x1 = (int16_t)(from + (int32_t)(right->sum / right->span));
         left->sum += left->step;
