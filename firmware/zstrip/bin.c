@@ -712,7 +712,7 @@ static enum fate outside(uint32_t all)
 
 #if ZS_LEAN
 
-/* All planes are asked; where none cuts, the polygon stays as it is. */
+/* As below: sides mean something only where near and far have cut, and a plane is asked only where a corner is beyond it. */
 static enum fate triangle_clip(struct zs_renderer *r, uint32_t t)
 {
     const struct zs_shader *shader = r->xform.instance->material->shader;
@@ -725,7 +725,13 @@ static enum fate triangle_clip(struct zs_renderer *r, uint32_t t)
     }
     r->stats.tris_clipped += r->counting;
     const int sense = sense_of(&r->view, p.cv);
-    p.n = zs_clip_polygon(&r->view, p.cv, 3, ~0u, shader->n_attrs);
+    p.n = 3;
+    for (uint32_t k = 0, planes = ZS_OUT_NEAR | ZS_OUT_FAR; k < 2; k++, planes = ZS_OUT_SIDES) {
+        uint32_t any = 0;
+        for (int i = 0; i < p.n; i++)
+            any |= zs_xform_outcode(&r->view, &p.cv[i].p);
+        p.n = zs_clip_polygon(&r->view, p.cv, p.n, any & planes, shader->n_attrs);
+    }
     if (!p.n)
         return FATE_OFFSCREEN;
     polygon_project(r, &p);

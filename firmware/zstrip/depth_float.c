@@ -297,7 +297,7 @@ ZS_ALWAYS_INLINE uint32_t rounded(uint64_t v, int32_t shift, int is_signed)
 }
 
 /* Pixels [i, i + n) of a row, in one octave: code = (o - 1) 2^m + w / 2^shift with o = last + 1 - down. */
-static ZS_NOINLINE void float_piece(struct zs_job *job, const struct zs_row *row, uint64_t w, int32_t down, int32_t i,
+ZS_IN_ORDER static ZS_NOINLINE void float_piece(struct zs_job *job, const struct zs_row *row, uint64_t w, int32_t down, int32_t i,
                                     int32_t n)
 {
     const struct zs_view *view = &job->r->view;
@@ -355,7 +355,7 @@ static void any_row(struct zs_job *job, const struct zs_row *row)
 #else
 
 /* Rows as zs_rows_walk walks them, with w at column 0 carried on. */
-static ZS_NOINLINE void float_walk(struct zs_job *job)
+ZS_IN_ORDER static ZS_NOINLINE void float_walk(struct zs_job *job)
 {
     const struct zs_plane64 *plane = &job->w64;
     struct zs_row row;

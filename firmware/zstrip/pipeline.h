@@ -260,9 +260,6 @@ static inline void zs_raster_pass(struct zs_renderer *r)
 #else
 void zs_raster_pass(struct zs_renderer *r);
 #endif
-/* Fill job's rows and sides for its triangle in its strip. Return 0: it has no row there. job->row_last is
- * set in either case. */
-int zs_raster_sides(struct zs_job *job);
 /* Find the spans of rows from `row` on: of ZS_CUT_ROWS, or up to job->row_end. */
 void zs_raster_cuts(struct zs_job *job, int32_t row);
 /* Draw a job whose keys are linear on the screen, by its shader or its state. */

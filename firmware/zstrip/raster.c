@@ -209,7 +209,7 @@ static int covers_nothing(const struct zs_job *job)
     return 1;
 }
 
-int zs_raster_sides(struct zs_job *job)
+static int sides(struct zs_job *job)
 {
     const struct zs_vertex *pool = job->r->vert;
     const uint16_t *v = job->tri->v;
@@ -228,7 +228,7 @@ int zs_raster_sides(struct zs_job *job)
 /* Fill job for its triangle in its strip. Return 0 where it has no pixel there. */
 static ZS_NOINLINE int job_setup(struct zs_job *job)
 {
-    if (!zs_raster_sides(job))
+    if (!sides(job))
         return 0;
     job->r->stats.tris_setup++;
     zs_raster_cuts(job, job->row);

@@ -147,7 +147,7 @@ static inline void zs_high_halves(uint16_t *at, uint32_t n, uint32_t sum, uint32
     for (uint16_t *const end = at + n; at != end;)
         __asm__ volatile(".syntax unified\n\t" ZS_HALVES("r3") ZS_HALVES("r4") ZS_HALVES("r5") ZS_HALVES("r6")
                          "stmia %0!, {r3, r4, r5, r6}"
-                         : "+r"(at), "+r"(sum), "+r"(next)
+                         : "+&r"(at), "+&r"(sum), "+&r"(next)
                          : "r"(2u * step), "r"(0xffff0000u)
                          : "r3", "r4", "r5", "r6", "memory");
 }
