@@ -215,7 +215,7 @@ void zs_xform_vertex(const struct zs_xform *xf, uint32_t v, struct zs_point *out
 /* enum zs_outcode, or-ed; 0: inside near, far and guard. */
 uint32_t zs_xform_outcode(const struct zs_view *view, const struct zs_point *p);
 /* Screen position and depth. Return 1; 0 where the point is before near, beyond far (*out is not of use
- * then) or beside the guard band (*out is then just beside it). */
+ * then) or beside the guard band (*out is then just beside it). The lean build is asked only for points inside. */
 #if ZS_LEAN
 void zs_xform_project(const struct zs_renderer *r, const struct zs_point *p, struct zs_vertex *out);
 #else

@@ -1,10 +1,11 @@
-/* Products of 32 x 32 bits with 64, leading zeros, and filling: what Armv6-M needs more than an instruction for.
+/* Products of 32 x 32 bits with 64, leading zeros, rows of a matrix, filling: what is worth assembler on some core.
  *
  * A Cortex-M0 or M0+ multiplies 32 x 32 bits to the low 32 in one cycle and has neither the high half nor CLZ.
  * Its compiler calls the library for both, some 40 and 25 cycles and all low registers. Here they are in line:
- * four products of 16-bit halves, about 18 cycles; a table, about 12. Everywhere else they are plain C.
+ * four products of 16-bit halves, about 18 cycles; a table, about 12. Armv7-M has a row of a matrix and runs of keys in
+ * assembler, where a compiler loads and stores word by word. Each has a twin in plain C, for all other cores.
  *
- * Exact tests/test_fx.c on the host, tests/checks/wide.sh on an emulated Cortex-M0.
+ * Exact: tests/test_fx.c on the host, tests/checks/wide.sh on an emulated Cortex-M0, M3 and M4.
  *
  * SPDX-License-Identifier: MIT
  */
