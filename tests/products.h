@@ -54,6 +54,15 @@ static inline int wide_row_right(uint32_t a, uint32_t b)
 }
 #endif
 
+static inline int wide_two_right(uint32_t a, uint32_t b)
+{
+    const volatile uint32_t from[4] = { b, a, b ^ a, ~a };
+    uint32_t x, y, z, w;
+    zs_two((const uint32_t *)from, 0, &x, &y);
+    zs_two((const uint32_t *)from, 2, &z, &w);
+    return x == b && y == a && z == (b ^ a) && w == ~a && zs_high(a) == a / 65536u;
+}
+
 /* Corners near each other and far apart. */
 static inline int wide_area_right(uint32_t a, uint32_t b)
 {
@@ -131,7 +140,7 @@ static inline int wide_right(uint32_t random_pairs, uint32_t wrong[2])
         wrong[0] = a;
         wrong[1] = b;
         if (!wide_pair_right(a, b) || !wide_cross_right(a, b) || !wide_row_right(a, b) ||
-            !wide_area_right(a, b) || (k % 16u == 0 && !wide_halves_right(a, b)) || (a && !wide_clz_right(a)))
+            !wide_two_right(a, b) || !wide_area_right(a, b) || (k % 16u == 0 && !wide_halves_right(a, b)) || (a && !wide_clz_right(a)))
             return 0;
     }
     return 1;

@@ -210,9 +210,8 @@ static ZS_NOINLINE void affine_rows(struct zs_job *job)
                 ZS_HIGH_REGISTER(by_green);
                 ZS_HIGH_REGISTER(by_blue);
                 ZS_HIGH_REGISTER(end);
-                const uint32_t key = sum >> 16;
-                if (key < *depth) {
-                    *depth = (uint16_t)key;
+                if (sum >> 16 < *depth) {
+                    *depth = (uint16_t)zs_high(sum);
                     *color = pack(red, green, blue);
                     if (ZS_STATS)
                         written++;

@@ -19,12 +19,14 @@
 /* What the rows are drawn from: apart from set-up, whose registers they need. The column of a side in the next row is
  * sum / span, counted from SIDE left of the top corner; the left side and the right one. */
 struct walk {
-    uint32_t span[2], step[2], sum[2];
-    uint32_t key, gx, gy;          /* at column 0 of them; a pixel, a row */
+    uint32_t side[4];              /* span, step; span, step */
+    uint32_t down[2];              /* a row: bytes of depth, key */
+    uint32_t sum[2];
+    uint32_t key, gx;              /* at column 0 of them; a pixel */
     int32_t row, mid, end;         /* in the frame: the first, the first below the middle corner, one beyond the last */
     uintptr_t left;                /* from a row's first depth to one left of column 0 */
     uint32_t turn;                 /* the side that turns at the middle corner, and what it becomes there */
-    uint32_t next_span, next_step, next_sum;
+    uint32_t next[2], next_sum;
 };
 
 /* The pixels right of `at` up to `end`, as zs_solid_pixels. */
@@ -32,9 +34,8 @@ ZS_ALWAYS_INLINE int32_t pixels(uint16_t *at, uint16_t *const end, uintptr_t bes
 {
     int32_t written = 0;
     do {
-        const uint32_t key = sum >> 16;
-        if (key < *++at) {
-            *at = (uint16_t)key;
+        if (sum >> 16 < *++at) {
+            *at = (uint16_t)zs_high(sum);
             *(uint16_t *)((uintptr_t)at + beside) = paint;
             if (ZS_STATS)
                 written++;
@@ -46,7 +47,7 @@ ZS_ALWAYS_INLINE int32_t pixels(uint16_t *at, uint16_t *const end, uintptr_t bes
 
 static ZS_NOINLINE void small_rows(struct zs_job *job, struct walk *w)
 {
-    const uint32_t pitch = (uint32_t)job->width * 2u; /* bytes */
+    const uint32_t pitch = w->down[0];
     const uintptr_t beside = zs_solid_beside(job);
     const uint16_t paint = job->tri->paint;
     uintptr_t depth = (uintptr_t)job->depth + (uint32_t)(w->row - job->y0) * pitch + w->left;
@@ -57,15 +58,20 @@ static ZS_NOINLINE void small_rows(struct zs_job *job, struct walk *w)
     for (;;) {
         uint32_t left = w->sum[0], right = w->sum[1];
         while (depth != end) {
-            const uint32_t x0 = left / w->span[0], x1 = right / w->span[1];
-            left += w->step[0];
-            right += w->step[1];
+            uint32_t span, step, down, by;
+            zs_two(w->side, 0, &span, &step);
+            const uint32_t x0 = left / span;
+            left += step;
+            zs_two(w->side, 2, &span, &step);
+            const uint32_t x1 = right / span;
+            right += step;
             if (x0 < x1) {
                 tested += x1 - x0;
                 written += pixels((uint16_t *)depth + x0, (uint16_t *)depth + x1, beside, key + w->gx * x0, w->gx, paint);
             }
-            depth += pitch;
-            key += w->gy;
+            zs_two(w->side, 4, &down, &by);
+            depth += down;
+            key += by;
         }
         end = last;
         if (depth == end)
@@ -73,8 +79,8 @@ static ZS_NOINLINE void small_rows(struct zs_job *job, struct walk *w)
         w->sum[0] = left;
         w->sum[1] = right;
         const uint32_t turn = w->turn;
-        w->span[turn] = w->next_span;
-        w->step[turn] = w->next_step;
+        w->side[2 * turn] = w->next[0];
+        w->side[2 * turn + 1] = w->next[1];
         w->sum[turn] = w->next_sum;
     }
     job->r->stats.pixels_tested += tested;
@@ -135,25 +141,26 @@ ZS_IN_ORDER int zs_small_draw(struct zs_job *job)
     r->stats.tris_setup++;
     w.key = d + 0x8000u + (uint32_t)(-from >> 8);
     w.gx = (uint32_t)gx;
-    w.gy = 0u - (uint32_t)up;
+    w.down[0] = (uint32_t)job->width * 2u;
+    w.down[1] = 0u - (uint32_t)up;
     w.row = row;
     w.end = row + n;
     w.left = (uintptr_t)(intptr_t)((column - SIDE - 1) * 2);
 
-    w.span[0] = (uint32_t)dy2 * ZS_SUBPX_ONE;
-    w.span[1] = (uint32_t)dy1 * ZS_SUBPX_ONE;
-    w.step[0] = (uint32_t)dx2 * ZS_SUBPX_ONE;
-    w.step[1] = (uint32_t)dx1 * ZS_SUBPX_ONE;
-    w.sum[0] = (uint32_t)(x * dy2 + off * dx2) + w.span[0] - 1u;
-    w.sum[1] = (uint32_t)(x * dy1 + off * dx1) + w.span[1] - 1u;
+    w.side[0] = (uint32_t)dy2 * ZS_SUBPX_ONE;
+    w.side[1] = (uint32_t)dx2 * ZS_SUBPX_ONE;
+    w.side[2] = (uint32_t)dy1 * ZS_SUBPX_ONE;
+    w.side[3] = (uint32_t)dx1 * ZS_SUBPX_ONE;
+    w.sum[0] = (uint32_t)(x * dy2 + off * dx2) + w.side[0] - 1u;
+    w.sum[1] = (uint32_t)(x * dy1 + off * dx1) + w.side[2] - 1u;
     w.turn = dy1 < dy2;
     const int32_t mid_dx = w.turn ? dx1 : dx2, mid_dy = w.turn ? dy1 : dy2, dx = w.turn ? dx2 : dx1, dy = w.turn ? dy2 : dy1;
     w.mid = zs_max32(zs_min32(zs_first_sample(ay + mid_dy), w.end), row);
     if (w.mid < w.end) {
         const int32_t to_dx = dx - mid_dx, to_dy = dy - mid_dy;
-        w.next_span = (uint32_t)to_dy * ZS_SUBPX_ONE;
-        w.next_step = (uint32_t)to_dx * ZS_SUBPX_ONE;
-        w.next_sum = (uint32_t)((x + mid_dx) * to_dy + (off + (w.mid - row) * ZS_SUBPX_ONE - mid_dy) * to_dx) + w.next_span - 1u;
+        w.next[0] = (uint32_t)to_dy * ZS_SUBPX_ONE;
+        w.next[1] = (uint32_t)to_dx * ZS_SUBPX_ONE;
+        w.next_sum = (uint32_t)((x + mid_dx) * to_dy + (off + (w.mid - row) * ZS_SUBPX_ONE - mid_dy) * to_dx) + w.next[0] - 1u;
     }
     small_rows(job, &w);
     return 1;

@@ -242,6 +242,39 @@ static inline int32_t zs_row(const int32_t row[10], int32_t x, int32_t y, int32_
 #define ZS_NARROW(x) ((void)0)
 #endif
 
+/* Two words that lie side by side, by one load, made where it stands: a row's loop that is short of registers, whose compiler
+ * would keep them and spill others. */
+#if defined(__GNUC__) && !defined(__clang__) && defined(__thumb2__) && defined(__OPTIMIZE__) && !ZS_LEAN
+
+/* p[at], p[at + 1], at a constant: an address of its own would take a register. */
+static inline __attribute__((always_inline)) void zs_two(const uint32_t *p, int at, uint32_t *a, uint32_t *b)
+{
+    __asm__ volatile("ldrd %0, %1, [%2, %3]" : "=&r"(*a), "=r"(*b) : "r"(p), "n"(4 * at) : "memory");
+}
+
+/* v >> 16, where it is asked for: not before. */
+static inline uint32_t zs_high(uint32_t v)
+{
+    uint32_t out;
+    __asm__("lsr %0, %1, #16" : "=r"(out) : "r"(v));
+    return out;
+}
+
+#else
+
+static inline uint32_t zs_high(uint32_t v)
+{
+    return v >> 16;
+}
+
+static inline void zs_two(const uint32_t *p, int at, uint32_t *a, uint32_t *b)
+{
+    *a = p[at];
+    *b = p[at + 1];
+}
+
+#endif
+
 /* Ask that x live in a register that only ADD, CMP and MOV reach: the step of a sum in an inner loop that is short
  * of the other eight. Where the set is not split, or the compiler is another: nothing. */
 #if defined(__GNUC__) && defined(__ARM_ARCH_6M__)
