@@ -10,13 +10,8 @@ set -u
 build=$1
 lean=$build/lean
 out=$build/lean/frames
-failed=0
+. tests/ok.sh
 mkdir -p "$out"
-ok() { echo "ok $*"; }
-bad() { # NAME REASON
-    echo "FAILED $1: $2"
-    failed=1
-}
 
 # ---- Bench scenes: "scene checksum" of every line; the full build's are of this machine ---------------------------------
 

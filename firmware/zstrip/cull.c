@@ -8,14 +8,9 @@
 
 #define SCALE_MAX ((uint64_t)1 << 47) /* q32_32: 32768 steps are then 2^30 world units */
 
-static int64_t abs64(int64_t v)
-{
-    return v < 0 ? -v : v;
-}
-
 static void reach_out(int64_t *reach, int64_t at, int64_t r)
 {
-    const int64_t far_side = abs64(at) + r;
+    const int64_t far_side = zs_size64(at) + r;
     if (*reach < far_side)
         *reach = far_side;
 }
@@ -92,7 +87,7 @@ int zs_cull_sphere(const struct zs_bounds *b, const struct zs_camera *camera,
     if (b->c[2] + r < camera->z_near || b->c[2] - r > camera->z_far)
         return 1;
     for (int k = 0; k < 2; k++) {
-        const int64_t lateral = abs64(b->c[k]);
+        const int64_t lateral = zs_size64(b->c[k]);
         if (view->perspective ? side_distance(view->side[k], lateral, b->c[2]) < -r
                               : lateral - r > (k ? camera->height / 2 + 1 : zs_cull_half_width(camera, view)))
             return 1;

@@ -188,8 +188,7 @@ static int pair_planes(struct zs_job *job, const int32_t octave[3], int32_t near
 #if ZS_LEAN
 static int tiny(const struct zs_geom *g)
 {
-    return ((uint32_t)(g->dx1 + ZS_TINY) | (uint32_t)(g->dx2 + ZS_TINY) | ((uint32_t)g->dy1 | (uint32_t)g->dy2) * 2u) <
-               2u * ZS_TINY && g->area >= ZS_TINY_AREA;
+    return zs_tiny(g->dx1, g->dx2, g->dy1, g->dy2) && g->area >= ZS_TINY_AREA;
 }
 #else
 #define tiny(g) ((g)->tiny)

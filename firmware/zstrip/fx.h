@@ -234,6 +234,17 @@ uint32_t zs_isqrt64(uint64_t v);
 /* floor(a * b / d) with a 128-bit product. d > 0, result < 2^64. For set-up, not for loops. */
 uint64_t zs_muldiv_u64(uint64_t a, uint64_t b, uint64_t d);
 
+static inline uint32_t zs_size32(int32_t v)
+{
+    return v < 0 ? 0u - (uint32_t)v : (uint32_t)v;
+}
+
+/* |v| < 2^63 */
+static inline int64_t zs_size64(int64_t v)
+{
+    return v < 0 ? -v : v;
+}
+
 /* a * b / 2^n, floor of the magnitude, with a 128-bit product. 0 <= n <= 127, |result| < 2^63. */
 int64_t zs_mulshift_s64(int64_t a, uint64_t b, int n);
 

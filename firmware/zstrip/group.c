@@ -24,19 +24,9 @@ const struct zs_group_kernel zs_group_kernel = { 0 }; /* named, not asked */
 
 #else
 
-static uint32_t magnitude(int32_t v)
-{
-    return v < 0 ? 0u - (uint32_t)v : (uint32_t)v;
-}
-
-static int64_t abs64(int64_t v)
-{
-    return v < 0 ? -v : v;
-}
-
 static int beside(const int32_t side[2], int64_t lateral, int64_t z, int64_t radius)
 {
-    return ((z * side[1] - abs64(lateral) * side[0]) >> 30) < -radius; /* < 2^63 */
+    return ((z * side[1] - zs_size64(lateral) * side[0]) >> 30) < -radius; /* < 2^63 */
 }
 
 /* A way in world units along an axis of the camera. */
@@ -54,7 +44,7 @@ static int out_of_view(const struct zs_renderer *r, const struct zs_group *g)
     int64_t reach = zs_maxu32(g->radius, g->origins); /* world units; < 2^34 */
     for (int k = 0; k < 3; k++) {
         way[k] = (int32_t)((uint32_t)g->center[k] - (uint32_t)camera->pos[k]);
-        reach += magnitude(way[k]);
+        reach += zs_size32(way[k]);
     }
     const int64_t radius = g->radius + (reach >> 15) + 8 + r->group_slack; /* < 2^33 */
     const int64_t z = -along(camera->rot + 6, way);
@@ -63,8 +53,8 @@ static int out_of_view(const struct zs_renderer *r, const struct zs_group *g)
     const int64_t x = along(camera->rot, way);
     if (view->perspective)
         return beside(view->side[0], x, z, radius) || beside(view->side[1], along(camera->rot + 3, way), z, radius);
-    return (abs64(x) - radius) * 65536 > zs_cull_half_width(camera, view) ||
-           (abs64(along(camera->rot + 3, way)) - radius) * 65536 > camera->height / 2 + 1;
+    return (zs_size64(x) - radius) * 65536 > zs_cull_half_width(camera, view) ||
+           (zs_size64(along(camera->rot + 3, way)) - radius) * 65536 > camera->height / 2 + 1;
 }
 
 static uint32_t group_next(struct zs_renderer *r, const struct zs_scene *scene, uint32_t number)

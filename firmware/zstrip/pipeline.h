@@ -314,6 +314,13 @@ struct zs_plane64 {
 #define ZS_SMALL_EXTENT (256 * ZS_SUBPX_ONE) /* width + height of a triangle that is drawn the small way: plane.c */
 #define ZS_TINY (64 * ZS_SUBPX_ONE) /* most triangles are not larger: 32-bit products do */
 #define ZS_TINY_AREA (1 << 13)      /* ... and not smaller; see plane.c */
+#define ZS_TINY_SIDE (ZS_TINY / ZS_SUBPX_ONE + 1) /* pixels: no further from its top corner is any of a tiny triangle */
+
+/* Whether differences from the top corner are a tiny triangle's: 0 <= dy, so that both bounds of dx are one comparison. */
+static inline int zs_tiny(int32_t dx1, int32_t dx2, int32_t dy1, int32_t dy2)
+{
+    return ((uint32_t)(dx1 + ZS_TINY) | (uint32_t)(dx2 + ZS_TINY) | ((uint32_t)dy1 | (uint32_t)dy2) * 2u) < 2u * ZS_TINY;
+}
 
 /* The snapped triangle as planes need it, area made positive. */
 struct zs_geom {

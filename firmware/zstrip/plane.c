@@ -44,7 +44,7 @@ void zs_plane_sides(struct zs_job *job, const struct zs_vertex *a, const struct 
     g->dx2 = dx2;
     g->dy1 = dy1;
     g->dy2 = dy2;
-    if (((uint32_t)(dx1 + ZS_TINY) | (uint32_t)(dx2 + ZS_TINY) | ((uint32_t)dy1 | (uint32_t)dy2) * 2u) >= 2u * ZS_TINY) {
+    if (!zs_tiny(dx1, dx2, dy1, dy2)) {
         g->area = zs_mul_ss(dx1, dy2) - zs_mul_ss(dx2, dy1); /* < 2^45 */
         g->tiny = 0;
         return;

@@ -78,9 +78,7 @@ static ZS_NOINLINE void edge_columns(int16_t *out, int32_t n, const struct zs_ve
 
 #if !ZS_LEAN
 
-#define SIDE (ZS_TINY / ZS_SUBPX_ONE + 1) /* pixels: no further from its top corner is any of a tiny triangle */
-
-/* A side of a tiny triangle: columns are sum / span, counted from SIDE left of the top corner, so that what is divided is
+/* A side of a tiny triangle: columns are sum / span, counted from ZS_TINY_SIDE left of the top corner, so that what is divided is
  * positive; a product is below 2^29.1. */
 struct side {
     uint32_t sum, span, step;
@@ -111,7 +109,7 @@ static inline struct zs_cut *sides_cut(struct zs_cut *cut, int32_t n, int32_t fr
 ZS_IN_ORDER static ZS_NOINLINE void tiny_cuts(struct zs_job *job, int32_t row, int32_t end)
 {
     const struct zs_geom *g = &job->geom;
-    const int32_t ax = job->v[0]->x, ay = job->v[0]->y, from = (ax >> ZS_SUBPX_BITS) - SIDE;
+    const int32_t ax = job->v[0]->x, ay = job->v[0]->y, from = (ax >> ZS_SUBPX_BITS) - ZS_TINY_SIDE;
     const int32_t x = ax - ZS_SUBPX_HALF - from * ZS_SUBPX_ONE, off = row * ZS_SUBPX_ONE + ZS_SUBPX_HALF - ay;
     const int32_t upper = zs_max32(zs_min32(job->row_mid, end) - row, 0); /* rows above the middle vertex */
     struct side left = side_of(x, off, g->dx2, g->dy2), right = side_of(x, off, g->dx1, g->dy1);

@@ -188,11 +188,6 @@ static inline int texels_enough(int32_t texels, uint32_t change, uint32_t least)
     return texels < 31 && change <= (least >> (ZS_SPAN_BOUND_LOG2 - 2)) >> texels;
 }
 
-static inline uint32_t size_of(uint32_t gradient)
-{
-    return gradient >> 31 ? 0u - gradient : gradient;
-}
-
 /* The light's words: range * 2^-15 * 64 codes * change / least / 4 <= 1/8. */
 static inline int light_enough(uint32_t range, uint32_t change, uint32_t least)
 {
@@ -221,7 +216,7 @@ static int32_t bend_log2(const struct zs_plane *c, const struct zs_plane *w_plan
     if (most == 0 || w_gx == 0)
         return -128;
     const int32_t cut = 64 - zs_clz64(most) > 31 ? 33 - zs_clz64(most) : 0;
-    const uint64_t product = zs_mul_uu((uint32_t)(most >> cut) + 1u, size_of((uint32_t)w_gx)); /* > most |W'| / 2^cut */
+    const uint64_t product = zs_mul_uu((uint32_t)(most >> cut) + 1u, zs_size32(w_gx)); /* > most |W'| / 2^cut */
     return texels + ZS_SPAN_BOUND_LOG2 - 1 + cut + 64 - zs_clz64(product);
 }
 

@@ -2,7 +2,7 @@
  * one, with the same outcome bit for bit, where a call a stage costs more than the pixels. For cores that divide; without,
  * remainders are quicker (raster.c). The same for other shaders does not pay: their set-up wants what the stages leave.
  *
- * Columns of an edge are as in raster.c, but counted from SIDE left of the top corner, so that the numerator is positive.
+ * Columns of an edge are as in raster.c, but counted from ZS_TINY_SIDE left of the top corner, so that the numerator is positive.
  * Extents are at most ZS_TINY = 2^14 sub-pixels, and so are offsets in rows of an edge: each product is below 2^29.1.
  *
  * SPDX-License-Identifier: MIT
@@ -12,12 +12,10 @@
 #if ZS_LEAN
 #elif ZS_DIVIDES
 
-#define SIDE (ZS_TINY / ZS_SUBPX_ONE + 1) /* pixels: no further from the top corner is any of the triangle */
-
 #define KEY_SAFE 0x20000u /* of piece_base - d, which is 0xffff where a key is B - 1 */
 
 /* What the rows are drawn from: apart from set-up, whose registers they need. The column of a side in the next row is
- * sum / span, counted from SIDE left of the top corner; the left side and the right one. */
+ * sum / span, counted from ZS_TINY_SIDE left of the top corner; the left side and the right one. */
 struct walk {
     uint32_t side[4];              /* span, step; span, step */
     uint32_t down[2];              /* a row: bytes of depth, key */
@@ -105,7 +103,7 @@ ZS_IN_ORDER int zs_small_draw(struct zs_job *job)
     const uint16_t *v = job->tri->v;
     const struct zs_vertex *a = &pool[v[0]], *b = &pool[v[1]], *c = &pool[v[2]];
     const int32_t ax = a->x, ay = a->y, dx1 = b->x - ax, dx2 = c->x - ax, dy1 = b->y - ay, dy2 = c->y - ay;
-    if (((uint32_t)(dx1 + ZS_TINY) | (uint32_t)(dx2 + ZS_TINY) | ((uint32_t)dy1 | (uint32_t)dy2) * 2u) >= 2u * ZS_TINY)
+    if (!zs_tiny(dx1, dx2, dy1, dy2))
         return 0;
     const int32_t area = dx1 * dy2 - dx2 * dy1; /* <= 2^29 */
     if (area < ZS_TINY_AREA)
@@ -118,7 +116,7 @@ ZS_IN_ORDER int zs_small_draw(struct zs_job *job)
     if (!(key_a >> shift_piece) && (key_a < KEY_SAFE || key_b < KEY_SAFE || key_c < KEY_SAFE))
         return 0;
     const int32_t column = ax >> ZS_SUBPX_BITS;
-    if ((column < SIDE || column > job->width - SIDE) &&
+    if ((column < ZS_TINY_SIDE || column > job->width - ZS_TINY_SIDE) &&
         (zs_first_sample(ax + zs_min32(zs_min32(dx1, dx2), 0)) < 0 ||
          zs_first_sample(ax + zs_max32(zs_max32(dx1, dx2), 0)) > job->width))
         return 0;
@@ -136,7 +134,7 @@ ZS_IN_ORDER int zs_small_draw(struct zs_job *job)
     if (gx == ZS_TOO_STEEP || up == ZS_TOO_STEEP)
         return 0;
     struct walk w;
-    const int32_t x = (ax & (ZS_SUBPX_ONE - 1)) + SIDE * ZS_SUBPX_ONE - ZS_SUBPX_HALF, off = row * ZS_SUBPX_ONE + ZS_SUBPX_HALF - ay;
+    const int32_t x = (ax & (ZS_SUBPX_ONE - 1)) + ZS_TINY_SIDE * ZS_SUBPX_ONE - ZS_SUBPX_HALF, off = row * ZS_SUBPX_ONE + ZS_SUBPX_HALF - ay;
     const int64_t from = zs_mul_ss(gx, x) + zs_mul_ss(up, off) - 128; /* to column 0 and row, negative, a half added */
     r->stats.tris_setup++;
     w.key = d + 0x8000u + (uint32_t)(-from >> 8);
@@ -145,7 +143,7 @@ ZS_IN_ORDER int zs_small_draw(struct zs_job *job)
     w.down[1] = 0u - (uint32_t)up;
     w.row = row;
     w.end = row + n;
-    w.left = (uintptr_t)(intptr_t)((column - SIDE - 1) * 2);
+    w.left = (uintptr_t)(intptr_t)((column - ZS_TINY_SIDE - 1) * 2);
 
     w.side[0] = (uint32_t)dy2 * ZS_SUBPX_ONE;
     w.side[1] = (uint32_t)dx2 * ZS_SUBPX_ONE;

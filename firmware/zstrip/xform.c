@@ -278,11 +278,6 @@ static uint32_t guard_at(const struct zs_view *view, int32_t z)
     return high >> down ? UINT32_MAX : high << (32 - down) | low >> down;
 }
 
-static uint32_t magnitude(int32_t v)
-{
-    return v < 0 ? 0u - (uint32_t)v : (uint32_t)v;
-}
-
 uint32_t zs_xform_outcode(const struct zs_view *view, const struct zs_point *p)
 {
     const int32_t x = p->c[0], y = p->c[1], z = p->c[2];
@@ -292,9 +287,9 @@ uint32_t zs_xform_outcode(const struct zs_view *view, const struct zs_point *p)
     if (z > view->z_far)
         code = ZS_OUT_FAR;
     const uint32_t limit = guard_at(view, z);
-    if (magnitude(x) > limit)
+    if (zs_size32(x) > limit)
         code |= x < 0 ? ZS_OUT_LEFT : ZS_OUT_RIGHT;
-    if (magnitude(y) > limit)
+    if (zs_size32(y) > limit)
         code |= y < 0 ? ZS_OUT_TOP : ZS_OUT_BOTTOM;
     return code;
 }
@@ -322,8 +317,8 @@ static int32_t placed(uint32_t steps, int32_t coarse, int32_t sign)
 static ZS_NOINLINE int place_wide(const struct zs_view *view, uint32_t rcp, int32_t shift, struct zs_vertex *at)
 {
     const uint32_t most = (uint32_t)ZS_GUARD_SUBPX >> view->snap;
-    const uint32_t sx = steps_wide(zs_mul_uu(magnitude(at->x), rcp), shift + view->snap);
-    const uint32_t sy = steps_wide(zs_mul_uu(magnitude(at->y), rcp), shift + view->snap);
+    const uint32_t sx = steps_wide(zs_mul_uu(zs_size32(at->x), rcp), shift + view->snap);
+    const uint32_t sy = steps_wide(zs_mul_uu(zs_size32(at->y), rcp), shift + view->snap);
     at->x = view->cx + placed(sx, view->snap, at->x);
     at->y = view->cy + placed(sy, view->snap, at->y);
     return sx <= most && sy <= most;
@@ -332,7 +327,7 @@ static ZS_NOINLINE int place_wide(const struct zs_view *view, uint32_t rcp, int3
 /* |c| * rcp / 2^(33 + down), nearest: the low half of the product cannot carry. |c| <= 2^31, 0 <= down <= 31 */
 static inline uint32_t steps_of(int32_t c, uint32_t rcp, int32_t down)
 {
-    return ((zs_umulh(magnitude(c), rcp) >> down) + 1u) >> 1;
+    return ((zs_umulh(zs_size32(c), rcp) >> down) + 1u) >> 1;
 }
 
 /* From camera units to the screen, in place: z is d. Return 0: before near, beyond far, or beside the guard band. */

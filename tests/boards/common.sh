@@ -2,14 +2,9 @@
 # `FAILED NAME: reason` a test.
 #
 # SPDX-License-Identifier: MIT
-failed=0
+. tests/ok.sh
 mkdir -p "$out"
 
-ok() { echo "ok $*"; }
-bad() { # NAME REASON
-    echo "FAILED $1: $2"
-    failed=1
-}
 verdict() { # NAME REASON-OR-NOTHING
     if [ -z "$2" ]; then ok "$1"; else bad "$1" "$2"; fi
 }

@@ -9,14 +9,9 @@ CPUS="cortex-m0plus cortex-m3"
 OPT="-O2 -ffunction-sections -fdata-sections"
 WARN="-Wall -Wextra -Werror -Wconversion -Wshadow -Wvla -Wstrict-prototypes -Wmissing-prototypes -Wno-missing-field-initializers
       -Wdouble-promotion"
-failed=0
+. tests/ok.sh
 mkdir -p "$B"
 
-ok() { echo "ok $*"; }
-bad() { # NAME REASON
-    echo "FAILED $1: $2"
-    failed=1
-}
 # NAME LIST: fails where the list is not empty, and shows it on one line.
 none() {
     if [ -z "$2" ]; then ok "$1"; else bad "$1" "$(echo "$2" | sort -u | tr '\n' ' ')"; fi
