@@ -26,6 +26,8 @@
 #define MODEST 400  /* triangles in a scene that may be walked as often as it has triangles and strips */
 #define PLAIN_BYTES ZS_ARENA_BYTES(W_MAX, H_MAX, H_MAX, POOL, POOL, ZS_ATTRS_MAX, 1)
 #define COLUMNS_MAX 6u
+#define LOG2_MAX 8  /* of a texture's sides */
+#define TEXELS (1u << 2 * LOG2_MAX)
 
 static struct {
     struct shape shape[SHAPES];
@@ -33,8 +35,9 @@ static struct {
     struct zs_group group[ZS_GROUPS_MAX(INSTANCES)];
     struct zs_groups groups;
     int crowd, inside, wall; /* instances at most; the camera was put into one; the first stands before the others */
+    int walls;               /* all are few, large triangles that cross, with few texels of large textures a pixel */
     int16_t uv[SHAPE_VERTS][2];
-    uint16_t texel[1024], palette[256];
+    uint16_t texel[TEXELS], palette[256];
     struct zs_texture texture[3];
     struct zs_material material[INSTANCES];
     struct zs_state state[2];
@@ -51,13 +54,14 @@ static void shapes(struct prng *p)
     const uint32_t more = prng_pick(p, 8) ? 1 : 3; /* triangles: a scene has some 100, every eighth some 400 */
     for (int k = 0; k < SHAPES; k++) {
         struct shape *s = &world.shape[k];
-        switch (k == WALL ? 4 : prng_pick(p, 4)) {
+        switch (k == WALL ? 4 : world.walls ? 5 : prng_pick(p, 4)) {
         case 0: shape_sphere(s, 3 + prng_pick(p, 2 * more), 4 + prng_pick(p, 2 * more), 1000); break;
         case 1:
             shape_torus(s, 4 + prng_pick(p, 2 * more), 3 + prng_pick(p, 2 * more), 900, prng_range(p, 100, 700));
             break;
         case 2: shape_soup(s, 12 + prng_pick(p, 24 * more), 900, prng_next(p)); break;
         case 3: shape_ground(s, 1 + prng_pick(p, 3 * more), 2000, prng_range(p, 0, 3) * 100, prng_next(p)); break;
+        case 5: shape_ground(s, 1 + prng_pick(p, 2), 2000, 0, 0); break;
         default: shape_ground(s, 1, 2000, 0, 0); break;
         }
         if (prng_pick(p, 3) == 0)
@@ -68,21 +72,26 @@ static void shapes(struct prng *p)
             s->mesh.face_rgb = NULL;
         s->mesh.radius = (uint16_t)(s->mesh.radius + 2u); /* holds pos_lo */
         s->mesh.uv = (const int16_t (*)[2])world.uv;
-        s->mesh.uv_bits = (uint8_t)prng_range(p, 8, 13);
+        s->mesh.uv_bits = (uint8_t)(world.walls ? 12 : prng_range(p, 8, 15));
         if (prng_pick(p, 3))
             clusters_make(&s->mesh, world.cluster[k], p, 2 + prng_pick(p, 9), prng_pick(p, 2) * 3);
     }
 }
 
+/* Many repeats in a triangle of a small texture, or a large one of which it has a texel or two a pixel, and all between. */
 static void texels(struct prng *p)
 {
-    for (uint32_t i = 0; i < 1024; i++)
-        world.texel[i] = (uint16_t)prng_next(p);
+    static int filled;
+    struct prng once = { 1 };
+    for (uint32_t i = 0; !filled && i < TEXELS; i++) /* the same in every world */
+        world.texel[i] = (uint16_t)prng_next(&once);
+    filled = 1;
     for (uint32_t i = 0; i < 256; i++)
         world.palette[i] = (uint16_t)prng_next(p);
+    const uint32_t apart = world.walls ? 511u : 0xffffu >> prng_pick(p, 12), base = prng_next(p);
     for (uint32_t v = 0; v < SHAPE_VERTS; v++)
         for (int k = 0; k < 2; k++)
-            world.uv[v][k] = (int16_t)prng_next(p);
+            world.uv[v][k] = (int16_t)(base + (prng_next(p) & apart));
     for (int k = 0; k < 3; k++) {
         struct zs_texture *t = &world.texture[k];
         memset(t, 0, sizeof *t);
@@ -90,8 +99,8 @@ static void texels(struct prng *p)
         t->texel = world.texel;
         t->palette = kind_texels[k].colors_max ? world.palette : NULL;
         t->n_colors = kind_texels[k].colors_max;
-        t->log2_w = (uint8_t)(1 + prng_pick(p, 5));
-        t->log2_h = (uint8_t)(1 + prng_pick(p, 5));
+        t->log2_w = (uint8_t)(world.walls ? LOG2_MAX : 1 + prng_pick(p, LOG2_MAX));
+        t->log2_h = (uint8_t)(world.walls ? LOG2_MAX : 1 + prng_pick(p, LOG2_MAX));
         t->clamp = (uint8_t)prng_pick(p, 4);
     }
 }
@@ -109,7 +118,7 @@ static void place(struct prng *p, struct zs_instance *in)
 
 static void cover(struct prng *p, struct zs_material *m)
 {
-    m->shader = kind_shaders[prng_pick(p, KINDS(kind_shaders))].shader;
+    m->shader = kind_shaders[world.walls ? prng_range(p, 3, 5) : (int32_t)prng_pick(p, KINDS(kind_shaders))].shader;
     m->rgb.r = (uint8_t)prng_next(p);
     m->rgb.g = (uint8_t)prng_next(p);
     m->rgb.b = (uint8_t)prng_next(p);
@@ -186,11 +195,12 @@ static void count(struct prng *p)
     world.scene.n_instances = 3 + prng_pick(p, (uint32_t)world.crowd - 2);
 }
 
-static void world_open(struct prng *p, uint16_t h)
+static void world_open(struct prng *p, uint16_t h, int walls)
 {
     static const struct zs_groups groups = ZS_GROUPS(world.group, 0), none = { NULL, NULL, 0 };
     world.h = h;
     world.wall = prng_pick(p, 6) == 0;
+    world.walls = walls;
     world.crowd = prng_pick(p, 8) ? CROWD : INSTANCES;
     world.groups = prng_pick(p, 2) ? groups : none;
     shapes(p);
@@ -537,8 +547,9 @@ int stress_frames(uint64_t seed, struct stress_counts *c)
 {
     static struct hand hand[HANDS];
     struct prng p = { seed };
-    const int32_t w = side(&p, W_MAX), h = side(&p, H_MAX);
-    world_open(&p, (uint16_t)h);
+    const int walls = prng_pick(&p, 6) == 0;
+    const int32_t w = walls ? W_MAX : side(&p, W_MAX), h = side(&p, H_MAX);
+    world_open(&p, (uint16_t)h, walls);
     struct zs_config plain = picture_config(w, h, &zs_depth_linear);
     plain.max_tris = plain.max_verts = POOL;
     plain.attrs = ZS_ATTRS_MAX;
