@@ -521,15 +521,15 @@ done
 ./fixture jpg noise.jpg 64 64 $(awk 'BEGIN { srand(3); for (i = 0; i < 4096; i++) printf "%06x ", rand() * 16777215 }')
 head -c 6000 noise.png >cut.png
 head -c 3000 noise.jpg >cut.jpg
-head -c 100 noise.jpg >stub.jpg
-head -c 8 noise.png >stub.png
+head -c 100 noise.jpg >short.jpg
+head -c 8 noise.png >short.png
 { head -c 5000 noise.png && printf 'oops' && tail -c +5005 noise.png; } >bent.png
 : >empty.png
 cp quad.obj text.png
 ./fixture cmyk cmyk.jpg 8 8
 ./fixture png bit tall.png 1 16385 000000
-for case in 'cut.png broken PNG' 'stub.png broken PNG' 'bent.png broken PNG' 'cut.jpg broken JPEG' \
-    'stub.jpg broken JPEG' 'empty.png neither a PNG nor a JPEG' 'text.png neither a PNG nor a JPEG' \
+for case in 'cut.png broken PNG' 'short.png broken PNG' 'bent.png broken PNG' 'cut.jpg broken JPEG' \
+    'short.jpg broken JPEG' 'empty.png neither a PNG nor a JPEG' 'text.png neither a PNG nor a JPEG' \
     'cmyk.jpg CMYK' 'nowhere.png cannot be read' 'alone not a regular file' 'tall.png save it smaller'; do
     file=${case%% *}
     picture_refused "picture_$(echo "$file" | tr . _)" "$file" "${case#* }" bare.obj --shade unlit --texture "$file"
