@@ -173,24 +173,25 @@ static int wait(void *ctx)
     return panel_wait(ctx);
 }
 
-/* Draw frame t; its last strips may be out, or wait for it, when this returns. What the driver does after a failure
- * takes too long for an interrupt: a command is sent first that changes nothing. */
+/* Draw frame t; its last strips may be out, or wait for it, when this returns; alone: none is. What the driver does after
+ * a failure takes too long for an interrupt: a command is sent first that changes nothing. */
 static int draw_frame(uint32_t t, int alone)
 {
-    (void)alone;
     const uint64_t from = hal_ticks(), draw = pair_ticks(0), draw_2 = pair_ticks(1), waited = pair_waited();
-    const uint32_t before = on_wire;
     show_phase = SHOW_DRAW;
     show.demo->pose(&frame, t, SHOW_WIDTH, SHOW_HEIGHT);
     show_phase = SHOW_ELSE;
     tally.draw += hal_ticks() - from;
     int err = broken ? panel_invert(&panel, SHOW_INVERT) : 0;
     err = err ? err : pair_frame(&frame.scene, &frame.camera);
+    if (alone) {
+        err = err ? err : pair_flush();
+        wire = on_wire;
+    }
     broken = err != 0;
     tally.draw += pair_ticks(0) - draw;
     tally.draw_2 += pair_ticks(1) - draw_2;
     tally.busy += pair_waited() - waited;
-    wire = on_wire - before; /* with strips of the frame before, without as many of this one */
     return err;
 }
 

@@ -14,7 +14,7 @@
 #   BOARD_LINK   flags for the linker, BOARD_DEPS    files that they name
 #   BOARD_RUN    command that takes the .elf         BOARD_IMAGES  what is flashed: bin, hex; more by rules of its own
 #   BOARD_FLAGS  -D for the application (show.h has them), BOARD_FLASH, BOARD_RAM  bytes of the part
-#   BOARD_SECOND sources that start a second core (hal/second.h), BOARD_SECOND_FLAGS  -D besides, with CORES=2; or neither
+#   BOARD_SECOND sources of hal/second.h, for CORES=2; not set where the part has one core
 BOARD = mps2
 APP = bench
 SCENE = teapot
@@ -66,7 +66,7 @@ ifneq ($(CORES)$(if $(BOARD_SECOND),,none),2)
 $(error CORES=$(CORES): 1, or 2 where the board has a second core: pico)
 endif
 BOARD_SRC += $(BOARD_SECOND)
-BOARD_FLAGS += -DSHOW_CORES=2 $(BOARD_SECOND_FLAGS)
+BOARD_FLAGS += -DSHOW_CORES=2
 ifeq ($(APP),show)
 APP_SRC += firmware/app/pair.c
 endif

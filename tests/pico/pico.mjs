@@ -4,7 +4,7 @@
 //   - words take their bits' time on the wire (and a gap, if asked for); the transmit FIFO empties at that rate
 //   - D/C, CS and RESET stay as they are while a word is on the wire; CS is low; word length changes while SPI0 is idle
 //     and off
-//   - division results are read no sooner than eight cycles after the operands
+//   - division results are read no sooner than eight cycles after the operands; an interrupt leaves the divider as it was
 //   - resets reset SPI0; DMA aborts can be waited for; WFI returns when an interrupt is pending, masked or not
 //   - every register that is used is known
 //   - a second core, once it is started: second.mjs
@@ -165,6 +165,22 @@ export class Pico {
             if ((offset === 0x70 || offset === 0x74) && !ready())
                 this.problem('a division is read before its eight cycles are over');
             return offset === 0x78 ? read(offset) & ~1 | ready() : read(offset); // DIV_CSR
+        };
+    }
+
+    // A handler may divide where it puts the divider back: what it interrupts may be about to read a result.
+    guard_divider(core, unit) {
+        const { exceptionEntry, exceptionReturn } = core, before = [];
+        const state = () => [unit.divDividend, unit.divDivisor, unit.divQuotient, unit.divRemainder]
+            .map((value) => Math.trunc(value) >>> 0).join();
+        core.exceptionEntry = (number) => {
+            before.push(state());
+            exceptionEntry.call(core, number);
+        };
+        core.exceptionReturn = (how) => {
+            exceptionReturn.call(core, how);
+            if (before.pop() !== state())
+                this.problem('an interrupt leaves the divider changed');
         };
     }
 

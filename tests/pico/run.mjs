@@ -1,5 +1,5 @@
 // node run.mjs STEM [--frames N] [--step S] [--gap NS] [--hold FRAME.STRIP [--tail 1]] [--stream FILE] [--until TEXT]
-//             [--doze NS] [--profile N] [--second MODE] [--stop FRAME.STRIP]
+//             [--doze NS] [--profile N] [--second MODE] [--stop FRAME.STRIP] [--fault FRAME.STRIP]
 //
 // Boots STEM.bin, lets the show draw frames 0, S, 2 S ... and stop (--until: lets it run by the clock, as it does on a
 // desk, until the UART has said TEXT), and prints what was measured, "name value" a line; the text of the UART after
@@ -9,9 +9,11 @@
 // over, no word ends before the bus gives up. --doze: NS pass right before each WFI.
 // --profile: the N functions that draw longest, "function NAME CYCLES" a line: cycles a frame, callees not counted.
 // --second: a mode of second.mjs. --stop: core 1 stands still from when core 0 begins to send this strip of this frame.
+// --fault: it has a hard fault there.
 //
-// Of an image for two cores a frame is what leaves from one first strip to the next; it counts as drawn by a core's
-// cycles since the frame before. With --profile, functions are those of both cores.
+// Of an image for two cores a frame is what leaves from its first strip to its last; cycles are counted from one frame's end
+// to the next, by core. A picture that was broken off, or of which nothing was sent, ends where the next one begins. With
+// --profile, functions are those of both cores.
 //
 // SPDX-License-Identifier: MIT
 import fs from 'node:fs';
@@ -22,7 +24,7 @@ const PHASE_DRAW = 1; // enum show_phase of firmware/app/show.c
 const RAM = 0x20000000, HEIGHT = 240; // HEIGHT: of a picture of two cores
 
 function options(args) {
-    const o = { frames: 4, step: 1, gap: 0, doze: 0, profile: 0, hold: '', tail: 0, stream: '', until: '', second: '', stop: '' };
+    const o = { frames: 4, step: 1, gap: 0, doze: 0, profile: 0, hold: '', tail: 0, stream: '', until: '', second: '', stop: '', fault: '' };
     for (let i = 1; i < args.length; i += 2) {
         const name = args[i].replace('--', '');
         o[name] = typeof o[name] === 'number' ? Number(args[i + 1]) : args[i + 1];
@@ -36,6 +38,7 @@ const { symbols } = pico.elf, two = 'pair_phase' in symbols;
 const frame_end = symbols.zs_frame_end & ~1, strip_call = symbols.zs_frame_strip & ~1, stop = symbols.hal_exit & ~1;
 const place = (text) => text ? text.split('.').map(Number) : [-1, -1];
 const [hold_frame, hold_strip] = place(o.hold), [stop_frame, stop_strip] = place(o.stop);
+const [fault_frame, fault_strip] = place(o.fault);
 const channel = pico.chip.dma.channels[0];
 const frames = []; // what was known when each was on the glass
 let strips = 0, armed = false, ending = false, draw = 0, draw_1 = 0, hidden = 0, in_flash = 0;
@@ -69,14 +72,14 @@ pico.on_second = (at, cycles) => {
 };
 
 // Two cores: what panel_send is given says where in the picture the wire is.
-const send_call = symbols.panel_send & ~1;
-let wire_frame = -1, wire_strip = 0, pixels = false;
+const send_call = symbols.panel_send & ~1, frame_call = symbols.pair_frame & ~1;
+let asked = -1, wire_frame = -1, wire_strip = 0, pixels = false;
 function sends() {
     const rect = core.registers[1], y = pico.chip.readUint16(rect + 2), h = pico.chip.readUint16(rect + 6);
     if (y === 0) {
-        if (frames.length <= wire_frame) // the one before was dropped
+        while (frames.length < asked) // dropped
             on_glass();
-        wire_frame++;
+        wire_frame = asked;
         wire_strip = -1;
     }
     wire_strip++;
@@ -85,6 +88,8 @@ function sends() {
     armed = wire_frame === hold_frame && wire_strip === hold_strip;
     if (wire_frame === stop_frame && wire_strip === stop_strip)
         pico.second.stop();
+    if (wire_frame === fault_frame && wire_strip === fault_strip)
+        pico.second.fault();
 }
 function one_core_at(pc) {
     if (pc === frame_end) {
@@ -102,6 +107,8 @@ while (core.PC !== stop) {
         one_core_at(core.PC);
     else if ((core.PC & ~1) === send_call) // odd in what interrupts enter
         sends();
+    else if (core.PC === frame_call)
+        asked++;
     else if (channel.active)
         pixels = true;
     if (armed && (!o.tail || !channel.active) && (!two || pixels)) {

@@ -32,6 +32,7 @@ export class Second {
         this.alarm = pico.clock.createAlarm(() => this.#rom_answers());
         this.#fresh();
         this.#sio();
+        pico.guard_divider(this.first, this.units[0]);
         this.#psm();
         const chip = this.chip;
         chip.setInterrupt = (irq, value) => {
@@ -51,6 +52,11 @@ export class Second {
         this.runs = false;
         this.rom.waits = false;
         this.mode = 'dead';
+    }
+
+    fault() {
+        this.core.waiting = false;
+        this.core.exceptionEntry(3);
     }
 
     // ---- SIO

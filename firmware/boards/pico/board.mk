@@ -10,8 +10,6 @@ OPT = -O3
 BOARD_HAL = rp2040
 BOARD_SRC = firmware/boards/pico/startup.c firmware/boards/pico/divide.S hal/stack/stack.c hal/spi/spi_bus.c
 BOARD_SECOND = hal/rp2040/second/second.c
-# Of two strips each has one core's half: as much RAM for strips as one core takes
-BOARD_SECOND_FLAGS = -DSHOW_ROWS_MAX=30 -DSHOW_VERTS_MAX=3168
 BOARD_DEPS = firmware/boards/pico/pico.ld $(OUT)/stage2.o
 BOARD_LINK = -T firmware/boards/pico/pico.ld -nostartfiles $(OUT)/stage2.o
 BOARD_RUN = echo Drag onto the drive of the Pico the .uf2 of

@@ -12,11 +12,11 @@
  *
  * SPDX-License-Identifier: MIT
  */
-#include "../../second.h"
+#include "second.h"
 
-#include "../../hal.h"
 #include "../parts.h"
 #include "../regs.h"
+#include "hal.h"
 
 #define PAINT 0xa5a5a5a5u
 #define READY_US 2000u  /* from reset to the ROM's first word */
@@ -146,7 +146,9 @@ static void call(void)
         hal_write("pico: hard fault on core 1\n");
         hal_exit(1);
     }
+    const struct rp2040_divider divider = rp2040_divider_save();
     the_called();
+    rp2040_divider_restore(divider);
 }
 
 void SIO_0_Handler(void)
