@@ -5,7 +5,8 @@
 //   - D/C, CS and RESET stay as they are while a word is on the wire; CS is low; word length changes while SPI0 is idle
 //     and off
 //   - division results are read no sooner than eight cycles after the operands; an interrupt leaves the divider as it was
-//   - resets reset SPI0; DMA aborts can be waited for; WFI returns when an interrupt is pending, masked or not
+//   - resets reset SPI0; DMA aborts can be waited for; WFI returns when an interrupt is pending, masked or not, but in a
+//     handler for those of higher priority alone
 //   - every register that is used is known
 //   - a second core, once it is started: second.mjs
 //
@@ -226,7 +227,7 @@ export class Pico {
             return this.#step_two();
         const { core, clock } = this;
         if (core.waiting) {
-            if (core.pendingInterrupts & core.enabledInterrupts) {
+            if (this.#interrupted(core)) {
                 core.waiting = false;
                 return 0;
             }
@@ -238,6 +239,15 @@ export class Pico {
         const cycles = this.#execute(core);
         this.#pass(clock.nanosCounter + cycles * CYCLE_NS);
         return cycles;
+    }
+
+    // What ends a sleep: in a handler, only what could interrupt it.
+    #interrupted(core) {
+        const pending = core.pendingInterrupts & core.enabledInterrupts;
+        if (!pending || !core.IPSR)
+            return pending;
+        const own = core.exceptionPriority(core.IPSR);
+        return core.interruptPriorities.some((which, priority) => priority < own && which & pending);
     }
 
     #sleep() {
@@ -310,7 +320,7 @@ export class Pico {
 
     // What has woken goes on from now.
     #wake(core) {
-        if (core.waiting && core.pendingInterrupts & core.enabledInterrupts)
+        if (core.waiting && this.#interrupted(core))
             core.waiting = false;
         if (core.slept && !core.waiting) {
             core.slept = false;

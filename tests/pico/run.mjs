@@ -8,8 +8,8 @@
 // --hold: in this strip of this frame, from its first word or (--tail) when the DMA has handed its last one
 // over, no word ends before the bus gives up. --doze: NS pass right before each WFI.
 // --profile: the N functions that draw longest, "function NAME CYCLES" a line: cycles a frame, callees not counted.
-// --second: a mode of second.mjs. --stop: core 1 stands still from when core 0 begins to send this strip of this frame.
-// --fault: it has a hard fault there.
+// --second: a mode of second.mjs. --stop: core 1 stands still in what it draws when core 0 begins to send this strip of this
+// frame, or draws next. --fault: it has a hard fault there.
 //
 // Of an image for two cores a frame is what leaves from its first strip to its last; cycles are counted from one frame's end
 // to the next, by core. A picture that was broken off, or of which nothing was sent, ends where the next one begins. With
@@ -62,9 +62,11 @@ const phase_at = pico.ram_index(two ? 'pair_phase' : 'show_phase'), { sram } = p
 const cycles_at = o.profile ? new Map() : null; // while drawing, by address
 let said = 0;  // characters of text that have been looked at
 let drawn = 0; // frames that zs_frame_end has closed
+let harm = () => {}; // to core 1
 pico.on_second = (at, cycles) => {
     if (sram[phase_at + 1] !== PHASE_DRAW)
         return;
+    harm();
     draw_1 += cycles;
     cycles_at?.set(at, (cycles_at.get(at) ?? 0) + cycles);
     if (at < RAM)
@@ -87,9 +89,9 @@ function sends() {
     ending = y + h === HEIGHT;
     armed = wire_frame === hold_frame && wire_strip === hold_strip;
     if (wire_frame === stop_frame && wire_strip === stop_strip)
-        pico.second.stop();
+        harm = () => pico.second.stop();
     if (wire_frame === fault_frame && wire_strip === fault_strip)
-        pico.second.fault();
+        harm = () => pico.second.fault();
 }
 function one_core_at(pc) {
     if (pc === frame_end) {

@@ -55,8 +55,8 @@ export class Second {
     }
 
     fault() {
-        this.core.waiting = false;
-        this.core.exceptionEntry(3);
+        if (!this.core.IPSR)
+            this.core.exceptionEntry(3);
     }
 
     // ---- SIO
