@@ -168,13 +168,15 @@ broken_strip() { # NAME OPTIONS...
     verdict "pico_$name" "$(head -3 "$stem.bad" | tr '\n' ' ')"
 }
 
-# Both cores, and something goes wrong: NAME TEXT FRAMES PICTURES OPTIONS...   FRAMES of cubes are drawn; of the pictures
-# those numbers are right, one other at least is not (where less than FRAMES are named), and the UART says TEXT; none: nothing.
+# Both cores, and something goes wrong: NAME TEXT FRAMES PICTURES OPTIONS...   FRAMES of cubes are drawn; of the
+# pictures those numbers are right, one other at least is not (where less than FRAMES are named), and the UART says TEXT,
+# or nothing.
 goes_wrong() {
     name=$1 says=$2 n=$3 right=$4
     shift 4
     stem=$out/$name
-    timeout 60 node "$out/run.mjs" "$fw-2/cubes" --frames "$n" --step $STEP --stream "$stem.stream" "$@" >"$stem.txt" 2>&1
+    timeout 60 node "$out/run.mjs" "$fw-2/cubes" --frames "$n" --step $STEP --stream "$stem.stream" "$@" \
+        >"$stem.txt" 2>&1
     decode "$stem" >"$stem.bad"
     # shellcheck disable=SC2086
     same "$stem" cubes $right >>"$stem.bad"
@@ -194,7 +196,8 @@ two_cores() {
     image pico APP=show SCENE=mine CORES=2
     by_the_clock second
     image pico NAME=second APP_SRC=tests/pico/second.c CORES=2
-    timeout 60 node "$out/parts.mjs" "$fw-2/second" >"$out/second.txt" 2>&1 || bad pico_second "$(grep -m1 Error "$out/second.txt")"
+    timeout 60 node "$out/parts.mjs" "$fw-2/second" >"$out/second.txt" 2>&1 ||
+        bad pico_second "$(grep -m1 Error "$out/second.txt")"
     grep -E '^(ok|FAILED) ' "$out/second.txt" | sed 's/ / pico_/'
     grep -q '^FAILED ' "$out/second.txt" && failed=1
     [ "$(grep -cE '^(ok|FAILED) ' "$out/second.txt")" = 7 ] || bad pico_second "not all of them ran"

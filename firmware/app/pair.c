@@ -1,11 +1,11 @@
 /* Two renderers and one frame: see pair.h.
  *
  * Strips have numbers that go on from frame to frame. `next` is the first that nobody draws yet, taken under the lock;
- * `sent` the first that is not out. A strip that is drawn lies in slot[number % SLOTS] and says so in drawn[]. Neither core
- * has more than its buffers drawn and not out, so that slots are never too few.
+ * `sent` the first that is not out. A strip that is drawn lies in slot[number % SLOTS] and says so in drawn[]. Neither
+ * core has more than its buffers drawn and not out, so that slots are never too few.
  *
- * One core writes each variable: the first one's thread what describes the frame, its interrupt `sent` and `out`, either
- * core its own of two. `next` has the lock. The error is written by the first core, thread or interrupt.
+ * One core writes each variable: the first one's thread what describes the frame, its interrupt `sent` and `out`,
+ * either core its own of two. `next` has the lock. The error is written by the first core, thread or interrupt.
  *
  * SPDX-License-Identifier: MIT
  */
@@ -88,7 +88,7 @@ void pair_arrived(void)
     send();
 }
 
-/* ---- Waiting -------------------------------------------------------------------------------------------------------- */
+/* ---- Waiting ----------------------------------------------------------------------------------------------------- */
 
 /* The second core gets no further: next, sent and ended have stood still for too long. */
 static void look_after(void)
@@ -122,7 +122,7 @@ static void rest(uint32_t core)
     look_after();
 }
 
-/* ---- Drawing: on either core ---------------------------------------------------------------------------------------- */
+/* ---- Drawing: on either core ------------------------------------------------------------------------------------- */
 
 /* Where the renderer draws strip n: by its place in the frame. */
 static uint32_t buffer_of(uint32_t n)
@@ -201,7 +201,7 @@ static void second(void)
     }
 }
 
-/* ---- Frames ----------------------------------------------------------------------------------------------------------- */
+/* ---- Frames ------------------------------------------------------------------------------------------------------ */
 
 int pair_init(const struct zs_config *config, uint32_t *const arena[2], uint32_t bytes, const struct zs_sink *to)
 {

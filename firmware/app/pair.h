@@ -1,11 +1,13 @@
-/* Two renderers draw each frame together, one on each core (hal/second.h), each whichever strip is next when it has a buffer
- * free; a sink gets all strips in their order, and the picture is the one that one renderer draws, bit for bit.
+/* Two renderers draw each frame together, one on each core (hal/second.h), each whichever strip is next when it has a
+ * buffer free; a sink gets all strips in their order, and the picture is the one that one renderer draws, bit for bit.
  *
- * All of the sink's calls come in an interrupt of the first core: a strip is begun as soon as the one before it is out and
- * it is drawn, whatever that core is drawing itself. The sink's transfers must end in pair_arrived: hooks.done of its bus.
- * Where the second core does not start, or stops, the first one draws alone.
+ * All of the sink's calls come in an interrupt of the first core: a strip is begun as soon as the one before it is out
+ * and it is drawn, whatever that core is drawing itself. Each of the sink's transfers must end in pair_arrived, after
+ * submit has returned: hooks.done of a bus with DMA. Where the second core does not start, or stops, the first one
+ * draws alone.
  *
- * One pair in a program; static storage. All functions but pair_arrived are for the first core, not for interrupts.
+ * One pair in a program; static storage, 2.5 KB but for the arenas. All functions but pair_arrived are for the first
+ * core, and not for interrupts.
  *
  * SPDX-License-Identifier: MIT
  */
@@ -14,13 +16,13 @@
 
 #include "zstrip.h"
 
-#define PAIR_ERR_STOPPED (-141)       /* the second core got no further; it is in reset now */
-#define PAIR_PATIENCE_US 2000000u /* after so long with nothing drawn and nothing sent */
+#define PAIR_ERR_STOPPED (-141)   /* the second core got no further; it is in reset now */
+#define PAIR_PATIENCE_US 2000000u /* after so long with nothing drawn and nothing sent, in the middle of a frame */
 
 /* Set both renderers up and start the second core.
  *
  * config  of either, copied. arena: one for each, `bytes` of them, as for zs_init.
- * sink    kept. submit begins a transfer, and returns; wait is called after pair_arrived alone, and does not block.
+ * sink    copied. submit begins a transfer; wait is called after pair_arrived alone, and must not block.
  * Return  ZS_OK, also where the second core did not start: pair_alone; zs_init's errors. */
 int pair_init(const struct zs_config *config, uint32_t *const arena[2], uint32_t bytes, const struct zs_sink *sink);
 

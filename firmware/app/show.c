@@ -1,6 +1,6 @@
 /* The show: a scene on the board's panel, for ever; show.h has what there is to choose. While one strip is on the wire
- * the next is drawn, also from one frame to the next: a frame's last strip leaves while the vertices of the next one are
- * worked on.
+ * the next is drawn, also from one frame to the next: a frame's last strip leaves while the vertices of the next one
+ * are worked on.
  *
  * The animation follows the clock: a board that cannot keep its pace leaves frames of it out and counts them as late.
  * Every STATS_EVERY frames a line of numbers is written. An error of the panel is written too, what is left of the
@@ -173,8 +173,8 @@ static int wait(void *ctx)
     return panel_wait(ctx);
 }
 
-/* Draw frame t; its last strips may be out, or wait for it, when this returns; alone: none is. What the driver does after
- * a failure takes too long for an interrupt: a command is sent first that changes nothing. */
+/* Draw frame t; its last strips may be out, or wait for it, when this returns; alone: none is. What the driver does
+ * after a failure takes too long for an interrupt: a command is sent first that changes nothing. */
 static int draw_frame(uint32_t t, int alone)
 {
     const uint64_t from = hal_ticks(), draw = pair_ticks(0), draw_2 = pair_ticks(1), waited = pair_waited();

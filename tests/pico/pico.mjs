@@ -4,14 +4,15 @@
 //   - words take their bits' time on the wire (and a gap, if asked for); the transmit FIFO empties at that rate
 //   - D/C, CS and RESET stay as they are while a word is on the wire; CS is low; word length changes while SPI0 is idle
 //     and off
-//   - division results are read no sooner than eight cycles after the operands; an interrupt leaves the divider as it was
-//   - resets reset SPI0; DMA aborts can be waited for; WFI returns when an interrupt is pending, masked or not, but in a
-//     handler for those of higher priority alone
+//   - division results are read no sooner than eight cycles after the operands; an interrupt leaves the divider as it
+//   was
+//   - resets reset SPI0; DMA aborts can be waited for; WFI returns when an interrupt is pending, masked or not, but in
+//     a handler for those of higher priority alone
 //   - every register that is used is known
 //   - a second core, once it is started: second.mjs
 //
-// Cycles are the Cortex-M0+'s, from the emulator's table: no flash wait states, no bus contention (DMA, the other core), and
-// interrupts enter and leave at no cost. They are a lower bound.
+// Cycles are the Cortex-M0+'s, from the emulator's table: no flash wait states, no bus contention (DMA, the other
+// core), and interrupts enter and leave at no cost. They are a lower bound.
 //
 // SPDX-License-Identifier: MIT
 import fs from 'node:fs';
@@ -220,8 +221,8 @@ export class Pico {
         core.PC = STAGE2_AT;
     }
 
-    // One instruction of core 0, or its sleep until the next event; with what core 1 does before it. Returns the cycles of
-    // core 0; 0 for a sleep.
+    // One instruction of core 0, or its sleep until the next event; with what core 1 does before it. Returns the cycles
+    // of core 0; 0 for a sleep.
     step() {
         if (this.second.runs || this.two)
             return this.#step_two();
@@ -299,7 +300,7 @@ export class Pico {
             if (this.doze_ns && turn.dozes !== at && [WFI, WFE].includes(chip.readUint16(at))) {
                 turn.dozes = at; // all else goes on
                 turn.at += this.doze_ns;
-                this.#pass(Math.min(...[core, other].filter((one) => !one.waiting).map((one) => one.at)));
+                this.#pass(this.#earlier(core, other));
                 continue;
             }
             turn.dozes = 0;
@@ -308,7 +309,7 @@ export class Pico {
             chip.core = core;
             turn.at += cycles * CYCLE_NS;
             turn.slept = turn.waiting;
-            const awake = core.waiting ? (other.waiting ? turn.at : other.at) : other.waiting ? core.at : Math.min(core.at, other.at);
+            const awake = core.waiting && other.waiting ? turn.at : this.#earlier(core, other);
             this.#pass(Math.max(awake, clock.nanosCounter));
             if (turn === core)
                 return cycles;
@@ -316,6 +317,13 @@ export class Pico {
             if (core.waiting || !second.runs)
                 return 0;
         }
+    }
+
+    // When the next instruction begins of those that are awake; one is.
+    #earlier(core, other) {
+        if (core.waiting || other.waiting)
+            return core.waiting ? other.at : core.at;
+        return Math.min(core.at, other.at);
     }
 
     // What has woken goes on from now.

@@ -8,12 +8,12 @@
 // --hold: in this strip of this frame, from its first word or (--tail) when the DMA has handed its last one
 // over, no word ends before the bus gives up. --doze: NS pass right before each WFI.
 // --profile: the N functions that draw longest, "function NAME CYCLES" a line: cycles a frame, callees not counted.
-// --second: a mode of second.mjs. --stop: core 1 stands still in what it draws when core 0 begins to send this strip of this
-// frame, or draws next. --fault: it has a hard fault there.
+// --second: a mode of second.mjs. --stop: core 1 stands still in what it draws when core 0 begins to send this strip of
+// this frame, or draws next. --fault: it has a hard fault there.
 //
-// Of an image for two cores a frame is what leaves from its first strip to its last; cycles are counted from one frame's end
-// to the next, by core. A picture that was broken off, or of which nothing was sent, ends where the next one begins. With
-// --profile, functions are those of both cores.
+// Of an image for two cores a frame is what leaves from its first strip to its last; cycles are counted from one
+// frame's end to the next, by core. A picture that was broken off, or of which nothing was sent, ends where the next
+// one begins. With --profile, functions are those of both cores.
 //
 // SPDX-License-Identifier: MIT
 import fs from 'node:fs';
@@ -24,7 +24,8 @@ const PHASE_DRAW = 1; // enum show_phase of firmware/app/show.c
 const RAM = 0x20000000, HEIGHT = 240; // HEIGHT: of a picture of two cores
 
 function options(args) {
-    const o = { frames: 4, step: 1, gap: 0, doze: 0, profile: 0, hold: '', tail: 0, stream: '', until: '', second: '', stop: '', fault: '' };
+    const o = { frames: 4, step: 1, gap: 0, doze: 0, profile: 0, hold: '', tail: 0, stream: '', until: '', second: '',
+        stop: '', fault: '' };
     for (let i = 1; i < args.length; i += 2) {
         const name = args[i].replace('--', '');
         o[name] = typeof o[name] === 'number' ? Number(args[i + 1]) : args[i + 1];
@@ -58,7 +59,8 @@ pico.on_release = () => {
 };
 pico.boot();
 
-const phase_at = pico.ram_index(two ? 'pair_phase' : 'show_phase'), { sram } = pico.chip, { core } = pico, spi = pico.chip.spi[0];
+const phase_at = pico.ram_index(two ? 'pair_phase' : 'show_phase');
+const { sram } = pico.chip, { core } = pico, spi = pico.chip.spi[0];
 const cycles_at = o.profile ? new Map() : null; // while drawing, by address
 let said = 0;  // characters of text that have been looked at
 let drawn = 0; // frames that zs_frame_end has closed
@@ -109,8 +111,6 @@ while (core.PC !== stop) {
         one_core_at(core.PC);
     else if ((core.PC & ~1) === send_call) // odd in what interrupts enter
         sends();
-    else if (core.PC === frame_call)
-        asked++;
     else if (channel.active)
         pixels = true;
     if (armed && (!o.tail || !channel.active) && (!two || pixels)) {
@@ -118,6 +118,8 @@ while (core.PC !== stop) {
         armed = false;
     }
     const at = core.PC, cycles = pico.step();
+    if (at === frame_call && core.PC === at + 2) // else an interrupt came first
+        asked++;
     if (sram[phase_at] === PHASE_DRAW) {
         draw += cycles;
         cycles_at?.set(at, (cycles_at.get(at) ?? 0) + cycles);

@@ -1,11 +1,11 @@
-// The RP2040's second core for pico.mjs: another CortexM0Core on the same chip, and what of the chip is each core's own:
-// CPUID, divider, interpolators, the two FIFOs between the cores with their status and interrupt. SEV reaches both cores.
-// The power-on state machine holds core 1 in reset or lets the boot ROM's side of the launch begin: it empties its FIFO,
-// sends a 0, and then answers each word by the same, when an event wakes it; after 0, 0, 1 a vector table, a stack and an
-// entry start the core.
+// The RP2040's second core for pico.mjs: another CortexM0Core on the same chip, and what of the chip is each core's
+// own: CPUID, divider, interpolators, the two FIFOs between the cores with their status and interrupt. SEV reaches both
+// cores. The power-on state machine holds core 1 in reset or lets the boot ROM's side of the launch begin: it empties
+// its FIFO, sends a 0, and then answers each word by the same, when an event wakes it; after 0, 0, 1 a vector table, a
+// stack and an entry start the core.
 //
-// What a real chip would not forgive is a problem: a full FIFO written to, an empty one read, a word that the ROM is not
-// woken for, a table, stack or entry that cannot be one.
+// What a real chip would not forgive is a problem: a full FIFO written to, an empty one read, a table, stack or entry
+// that cannot be one. A word that the ROM is not woken for stays unread.
 //
 // Not modelled: cores that wait for each other at a bank of RAM or at the flash, SysTick of core 1.
 //

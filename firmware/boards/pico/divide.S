@@ -5,7 +5,8 @@
  * n / 0 is what __aeabi_idiv0(0) returns, 0 unless a program has its own, and the remainder is n; -2^31 / -1 is -2^31.
  *
  * Interrupts: a handler that divides would take the operands away from the program. Those of this board do not divide;
- * those that call what others wrote save the divider around it (hal/rp2040/parts.h). A handler of yours has to do the same.
+ * those that call what others wrote save the divider around it (hal/rp2040/parts.h). A handler of yours has to do the
+ * same.
  * Each core has a divider of its own, at the same addresses.
  *
  * The names: Run-time ABI for the Arm Architecture, 4.3.1.

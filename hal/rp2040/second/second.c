@@ -1,14 +1,15 @@
-/* RP2040: core 1 (second.h). It waits in the boot ROM for a vector table, a stack and an entry, word by word through the
- * SIO's FIFOs, each word sent back (RP2040 datasheet, 2.8.2). From then on a word from it in core 0's FIFO means
+/* RP2040: core 1 (second.h). It waits in the boot ROM for a vector table, a stack and an entry, word by word through
+ * the SIO's FIFOs, each word sent back (RP2040 datasheet, 2.8.2). From then on a word from it in core 0's FIFO means
  * second_call; sleeping and waking are WFE and SEV, whose events go to both cores.
  *
- * Core 1 has a vector table and a stack of its own; no interrupt is enabled on it. A hard fault there is told to core 0,
- * which writes it and stops, as with its own. SIO's divider is each core's own.
+ * Core 1 has a vector table and a stack of its own; no interrupt is enabled on it. A hard fault there is told to core
+ * 0, which writes it and stops, as with its own. SIO's divider is each core's own.
  *
- * Core 0's interrupts all have one priority, so none comes between another's lines: calls from core 1 (SIO_0), calls from
- * core 0 itself (PendSV), the end of a transfer.
+ * Core 0's interrupts all have one priority, so none comes between another's lines: calls from core 1 (SIO_0), calls
+ * from core 0 itself (PendSV), the end of a transfer.
  *
- * What an emulator cannot tell: how long the ROM takes, and what two cores that want the same bank of RAM cost each other.
+ * What an emulator cannot tell: how long the ROM takes, and what two cores that want the same bank of RAM cost each
+ * other.
  *
  * SPDX-License-Identifier: MIT
  */
@@ -185,8 +186,8 @@ void second_wake(void)
     __asm__ volatile("dmb\n\tsev" ::: "memory");
 }
 
-/* An event that has come since the last WFE lets this one return at once (Armv6-M manual, B1.5.17), and so does the end of
- * an interrupt: what is asked before the sleep cannot change unseen. */
+/* An event that has come since the last WFE lets this one return at once (Armv6-M manual, B1.5.17), and so does the end
+ * of an interrupt: what is asked before the sleep cannot change unseen. */
 void second_sleep(uint32_t most_us)
 {
     if (most_us)
