@@ -203,6 +203,8 @@ two_cores() {
     [ "$(grep -cE '^(ok|FAILED) ' "$out/second.txt")" = 7 ] || bad pico_second "not all of them ran"
     verdict pico_second_without_problems "$(field "$out/second.txt" problem)"
     goes_wrong second_absent 'core 1 does not answer: core 0 draws alone' 4 '0 1 2 3' --second dead
+    cmp -s "$out/second_absent.stream" "$out/cubes-2.stream" && ok pico_second_same_wire ||
+        bad pico_second_same_wire "what leaves is not what core 0 alone sends"
     goes_wrong second_garbled '' 4 '0 1 2 3' --second garble
     goes_wrong second_wakes_up '' 4 '0 1 2 3' --doze 4000000
     goes_wrong second_stops 'core 1 stopped: core 0 draws alone' 5 '0 1 4' --stop 2.5
