@@ -43,7 +43,8 @@ void second_sleep(uint32_t most_us);
 /* Between what is written for the other core and the flag that says so; between seeing the flag and reading. */
 void second_barrier(void);
 
-/* One lock between the cores, for a few lines. Not from an interrupt; not twice. Blocks while the other one has it. */
+/* One lock between the cores, for a few lines. Not from an interrupt; not twice. Blocks while the other one has it: for
+ * ever, if it stops there. */
 void second_lock(void);
 void second_unlock(void);
 
