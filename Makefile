@@ -137,7 +137,8 @@ report: $(B)/.setup-report
 
 SHOW = $(MAKE) --no-print-directory -s -f firmware/boards/firmware.mk B=$(B) BOARD=$(BOARD) APP=show SCENE=$(SCENE) \
        $(if $(APP_SCENE),APP_SCENE=$(APP_SCENE)) $(if $(LEAN),LEAN=$(LEAN))
-## firmware: BOARD=pico SCENE=teapot (or mine, or APP_SCENE=my.c): what is flashed, into build/fw/pico/; LEAN=1: least flash
+## firmware: BOARD=pico SCENE=teapot (or mine, or APP_SCENE=my.c): what is flashed, into build/fw/pico/; LEAN=1: least flash;
+##     CORES=2: both cores of the Pico draw, build/fw/pico-2/
 firmware: $(B)/.setup-fw-$(BOARD) $(B)/gen/meshes.h
 	@$(SHOW) image
 

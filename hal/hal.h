@@ -6,6 +6,7 @@
  * This header knows nothing of the renderer: it moves text, ticks and a panel's bytes. A bus (struct hal_bus)
  * is a value, so that wrappers are peers too: hal/fault makes another bus fail, the simulator's ends in a
  * model of the panel.
+ * A second core, where a board has one, is second.h's.
  * Nothing here may be called from an interrupt unless its comment says so. Errors are negative and
  * below -100, so that a sink can pass them through the renderer without being taken for its own.
  *

@@ -5,6 +5,7 @@
 #        tests/pico.sh BUILD table    the table alone
 #        tests/pico.sh BUILD set-up   the emulator alone, in BUILD/pico
 #        tests/pico.sh BUILD sweep    interrupts at each instruction alone
+#        tests/pico.sh BUILD cores    both cores alone
 #        tests/pico.sh BUILD profile  cycles a frame by function, of the scenes in PICO_SCENES
 #
 # `ok NAME` or `FAILED NAME: reason` a test; images, streams and pictures stay in BUILD/pico and BUILD/fw/pico.
@@ -14,6 +15,7 @@ only=${2:-}
 out=$build/pico
 fw=$build/fw/pico
 SCENES=${PICO_SCENES:-'teapot china cubes knot flyover city hall globe'}
+SCENES_2='teapot cubes' # of these, the tests' with both cores; the table has all
 FRAMES=4
 STEP=13    # frames of the animation between two that are drawn
 GAP=30     # ns between words, as measured on real chips in SPI mode 0
@@ -35,11 +37,14 @@ set_up() {
     cp tests/pico/*.mjs tests/boards/elf.mjs "$out/"
 }
 
-# Run SCENE twice, side by side: without gaps, recorded, and with them.
+# Run SCENE[-2] twice, side by side: without gaps, recorded, and with them. -2: the image for both cores.
+image_of() {
+    case $1 in *-2) echo "$fw-2/${1%-2}" ;; *) echo "$fw/$1" ;; esac
+}
 run_scene() {
-    node "$out/run.mjs" "$fw/$1" --frames $FRAMES --step $STEP --stream "$out/$1.stream" >"$out/$1.txt" 2>&1 &
+    node "$out/run.mjs" "$(image_of "$1")" --frames $FRAMES --step $STEP --stream "$out/$1.stream" >"$out/$1.txt" 2>&1 &
     first=$!
-    node "$out/run.mjs" "$fw/$1" --frames $FRAMES --step $STEP --gap $GAP >"$out/$1.gap.txt" 2>&1
+    node "$out/run.mjs" "$(image_of "$1")" --frames $FRAMES --step $STEP --gap $GAP >"$out/$1.gap.txt" 2>&1
     second=$?
     wait $first && [ $second -eq 0 ] || bad "pico_$1" "$(grep -hm1 Error "$out/$1.txt" "$out/$1.gap.txt")"
 }
@@ -64,23 +69,27 @@ same() { # STEM SCENE NUMBERS...
     done
 }
 
-scene_tests() { # SCENE
+scene_tests() { # SCENE, SCENE-2
+    scene=${1%-2}
     decode "$out/$1" >"$out/$1.bad"
-    rm -f "$out/truth/$1"_*
-    # in strips of another height, from other pools than the board's
-    truth "$out/truth" "$1" $FRAMES $STEP --size 240x240 --strip 17
-    same "$out/$1" "$1" $(seq 0 $((FRAMES - 1))) >>"$out/$1.bad"
+    rm -f "$out/truth/$scene"_*
+    # in strips of another height, from other pools than the board's; one more for those that stumble
+    truth "$out/truth" "$scene" $((FRAMES + 1)) $STEP --size 240x240 --strip 17
+    same "$out/$1" "$scene" $(seq 0 $((FRAMES - 1))) >>"$out/$1.bad"
     [ "$(field "$out/$1.txt" frames)" = $FRAMES ] || echo "not $FRAMES pictures" >>"$out/$1.bad"
     field "$out/$1.txt" problem >>"$out/$1.bad"
     field "$out/$1.gap.txt" problem >>"$out/$1.bad"
+    field "$out/$1.txt" text | grep '^#' >>"$out/$1.bad"
     verdict "pico_$1_pictures" "$(head -3 "$out/$1.bad" | tr '\n' ' ')"
     [ "$(field "$out/$1.txt" spi_hz)/$(field "$out/$1.txt" spi_mode0)" = 62500000/1 ] ||
         bad "pico_$1_spi" "$(field "$out/$1.txt" spi_hz) Hz"
-    used=$(field "$out/$1.txt" stack_used) reserve=$(field "$out/$1.txt" stack_reserve)
     awk -v p="$(field "$out/$1.txt" in_flash_percent)" 'BEGIN { exit !(p < 1) }' ||
         bad "pico_$1_runs_from_ram" "$(field "$out/$1.txt" in_flash_percent) % of the drawing's cycles are in flash"
-    [ "$used" -gt 0 ] && [ "$used" -lt $((reserve * 3 / 4)) ] ||
-        bad "pico_$1_stack" "$used of $reserve bytes, more than three quarters"
+    for stack in stack $([ "$1" = "$scene" ] || echo stack_1); do
+        used=$(field "$out/$1.txt" ${stack}_used) reserve=$(field "$out/$1.txt" ${stack}_reserve)
+        [ "$used" -gt 0 ] && [ "$used" -lt $((reserve * 3 / 4)) ] ||
+            bad "pico_$1_$stack" "$used of $reserve bytes, more than three quarters"
+    done
 }
 
 # ---- The table ------------------------------------------------------------------------------------------------------
@@ -102,10 +111,26 @@ table_row() { # SCENE
         "$(field "$a" hidden_percent)" "$(late "$a")" \
         "$(field "$a" ram)" "$(field "$a" flash)" "$(field "$a" stack_used)"
 }
+# Both cores draw: cycles of each, and what that gains.
+table_2_head() {
+    echo
+    echo "The same with CORES=2: each core draws whichever strip is next, with an arena of its own."
+    printf '%-9s %9s %9s %8s %7s %7s %6s %6s %5s %7s %8s %6s %7s\n' scene 'core 0' 'core 1' 'wire us' fps "+$GAP ns" gain \
+        hidden late RAM flash stack 'stack 1'
+}
+table_2_row() { # SCENE
+    a=$out/$1-2.txt b=$out/$1-2.gap.txt
+    printf '%-9s %9d %9d %8d %7.1f %7.1f %6.2f %5d%% %5s %7d %8d %6d %7d\n' "$1" "$(field "$a" draw_cycles)" \
+        "$(field "$a" draw_cycles_1)" "$(field "$a" wire_us)" "$(field "$a" fps)" "$(field "$b" fps)" \
+        "$(awk -v one="$(field "$out/$1.txt" fps)" -v two="$(field "$a" fps)" 'BEGIN { print two / one }')" \
+        "$(field "$a" hidden_percent)" "$(late "$a")" "$(field "$a" ram)" "$(field "$a" flash)" \
+        "$(field "$a" stack_used)" "$(field "$a" stack_1_used)"
+}
 table_foot() {
     echo "Emulated (rp2040js): flash without wait states, no bus contention, so that cycles are a lower bound."
     echo "+$GAP ns: with that pause after each 16-bit word, as real chips make in SPI mode 0. hidden: the share of"
-    echo "drawing that went on while the wire was busy. late: frames that took longer than the scene's step."
+    echo "drawing (core 0's) that went on while the wire was busy. late: frames that took longer than the scene's step. gain:"
+    echo "fps by those of one core. Two cores: what they wait for each other at a bank of RAM or at the flash is not counted."
 }
 
 # ---- Tests -------------------------------------------------------------------------------------------------
@@ -141,6 +166,53 @@ broken_strip() { # NAME OPTIONS...
     cmp -s "${stem}_2.bin" "$(truth_of cubes 2)" && echo "nothing was broken" >>"$stem.bad"
     field "$stem.txt" problem >>"$stem.bad"
     verdict "pico_$name" "$(head -3 "$stem.bad" | tr '\n' ' ')"
+}
+
+# Both cores, and something goes wrong: NAME TEXT FRAMES PICTURES OPTIONS...   FRAMES of cubes are drawn; of the
+# pictures those numbers are right, one other at least is not (where less than FRAMES are named), and the UART says TEXT,
+# or nothing.
+goes_wrong() {
+    name=$1 says=$2 n=$3 right=$4
+    shift 4
+    stem=$out/$name
+    timeout 60 node "$out/run.mjs" "$fw-2/cubes" --frames "$n" --step $STEP --stream "$stem.stream" "$@" \
+        >"$stem.txt" 2>&1
+    decode "$stem" >"$stem.bad"
+    # shellcheck disable=SC2086
+    same "$stem" cubes $right >>"$stem.bad"
+    [ "$(echo "$right" | wc -w)" -eq "$n" ] ||
+        for k in $(seq 0 $((n - 1))); do cmp -s "${stem}_$k.bin" "$(truth_of cubes "$k")" || echo broken; done |
+        grep -q broken || echo "nothing was broken" >>"$stem.bad"
+    said=$(field "$stem.txt" text | sed -n 's/^# //p')
+    [ "$said" = "$says" ] || echo "said: $said" >>"$stem.bad"
+    grep -m1 Error "$stem.txt" >>"$stem.bad"
+    field "$stem.txt" problem >>"$stem.bad"
+    verdict "pico_$name" "$(head -3 "$stem.bad" | tr '\n' ' ')"
+}
+two_cores() {
+    for of in $SCENES_2; do
+        scene_tests "$of-2"
+    done
+    image pico APP=show SCENE=mine CORES=2
+    by_the_clock second
+    image pico NAME=second APP_SRC=tests/pico/second.c CORES=2
+    timeout 60 node "$out/parts.mjs" "$fw-2/second" >"$out/second.txt" 2>&1 ||
+        bad pico_second "$(grep -m1 Error "$out/second.txt")"
+    grep -E '^(ok|FAILED) ' "$out/second.txt" | sed 's/ / pico_/'
+    grep -q '^FAILED ' "$out/second.txt" && failed=1
+    [ "$(grep -cE '^(ok|FAILED) ' "$out/second.txt")" = 7 ] || bad pico_second "not all of them ran"
+    verdict pico_second_without_problems "$(field "$out/second.txt" problem)"
+    goes_wrong second_absent 'core 1 does not answer: core 0 draws alone' 4 '0 1 2 3' --second dead
+    cmp -s "$out/second_absent.stream" "$out/cubes-2.stream" && ok pico_second_same_wire ||
+        bad pico_second_same_wire "what leaves is not what core 0 alone sends"
+    goes_wrong second_garbled '' 4 '0 1 2 3' --second garble
+    goes_wrong second_wakes_up '' 4 '0 1 2 3' --doze 4000000
+    goes_wrong second_stops 'core 1 stopped: core 0 draws alone' 5 '0 1 4' --stop 2.5
+    goes_wrong second_stopped_strip 'the bus did not end in its time' 5 '0 1 3 4' --hold 2.1
+    goes_wrong second_stopped_tail 'the bus did not end in its time' 5 '0 1 4' --hold 2.6 --tail 1
+    node "$out/run.mjs" "$fw-2/cubes" --frames 4 --step $STEP --fault 1.3 >"$out/fault.txt" 2>&1
+    [ "$(field "$out/fault.txt" text | tail -1)" = 'pico: hard fault on core 1' ] && ok pico_second_faults ||
+        bad pico_second_faults "$(tail -1 "$out/fault.txt")"
 }
 
 # Interrupts at each instruction of a transfer, and the timer's wrap at each moment.
@@ -205,14 +277,14 @@ turned() {
     verdict pico_turned_glass "$(tr '\n' ' ' <"$out/turned.bad")"
 }
 
-# As it runs on a desk: 32 frames of the scene to be changed, at its 30 a second, none late.
+# As it runs on a desk: 32 frames of the scene to be changed, at its 30 a second, none late: [second]
 by_the_clock() {
-    node "$out/run.mjs" "$fw/my_scene" --until 'mine,32,' >"$out/clock.txt" 2>&1
+    node "$out/run.mjs" "$fw$([ $# = 0 ] || echo -2)/my_scene" --until 'mine,32,' >"$out/clock.txt" 2>&1
     : >"$out/clock.bad"
     fps=$(field "$out/clock.txt" fps) late=$(late "$out/clock.txt")
     [ "$fps $late" = '30.0 0/32' ] || echo "$fps frames a second, late $late" >"$out/clock.bad"
     field "$out/clock.txt" problem >>"$out/clock.bad"
-    verdict pico_by_the_clock "$(head -3 "$out/clock.bad" | tr '\n' ' ')"
+    verdict "pico_${1:+$1_}by_the_clock" "$(head -3 "$out/clock.bad" | tr '\n' ' ')"
 }
 
 set_up
@@ -230,9 +302,22 @@ if [ "$only" = profile ]; then
     done
     exit 0
 fi
+if [ "$only" = cores ]; then
+    for scene in $SCENES_2; do
+        image pico APP=show SCENE="$scene" CORES=2
+        run_scene "$scene-2"
+    done
+    two_cores
+    exit $failed
+fi
+[ -z "$only" ] || SCENES_2=$SCENES
 for scene in $SCENES; do
     image pico APP=show SCENE="$scene"
     run_scene "$scene"
+done
+for scene in $SCENES_2; do
+    image pico APP=show SCENE="$scene" CORES=2
+    run_scene "$scene-2"
 done
 if [ -z "$only" ]; then
     for scene in $SCENES; do
@@ -251,11 +336,16 @@ if [ -z "$only" ]; then
     wakes_up
     broken_strip stopped_strip --hold 2.1
     broken_strip stopped_tail --hold 2.2 --tail 1
+    two_cores
 fi
 : >"$out/table.txt"
 table_head
 for scene in $SCENES; do
     table_row "$scene"
+done
+table_2_head
+for scene in $SCENES_2; do
+    table_2_row "$scene"
 done
 table_foot
 exit $failed

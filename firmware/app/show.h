@@ -64,6 +64,11 @@
 #define SHOW_VERTS_MAX ZS_POOL_MAX
 #endif
 
+/* Cores that draw: 2 with CORES=2, on a board that has a second one. Strips and pools are there twice then. */
+#ifndef SHOW_CORES
+#define SHOW_CORES 1
+#endif
+
 struct show {
     const struct demo *demo;
     uint16_t rate; /* frames of its animation a second, 1 .. 1000 */
@@ -72,6 +77,9 @@ struct show {
     uint8_t attrs;
     uint32_t *arena, *scratch; /* scratch: for the panel */
     uint32_t arena_bytes, scratch_bytes;
+#if SHOW_CORES == 2
+    uint32_t *arena_2; /* the second core's, as large */
+#endif
 };
 extern const struct show show;
 
@@ -80,10 +88,18 @@ extern const struct show show;
 #define SHOW(scene, rate, rows, tris, verts, attrs) \
     SHOW_CUT(scene, rate, SHOW_LEAST(rows, SHOW_ROWS_MAX), SHOW_LEAST(tris, SHOW_TRIS_MAX), \
              SHOW_LEAST(verts, SHOW_VERTS_MAX), attrs)
+#if SHOW_CORES == 2
+#define SHOW_ARENA_2(bytes) ZS_ARENA(show_arena_2, bytes);
+#define SHOW_ITS_ARENA_2 , show_arena_2
+#else
+#define SHOW_ARENA_2(bytes)
+#define SHOW_ITS_ARENA_2
+#endif
 #define SHOW_CUT(scene, rate, rows, tris, verts, attrs)                                                    \
     ZS_ARENA(show_arena, ZS_ARENA_BYTES(SHOW_WIDTH, SHOW_HEIGHT, rows, tris, verts, attrs, SHOW_BUFFERS)); \
+    SHOW_ARENA_2(sizeof show_arena)                                                                        \
     ZS_ARENA(show_scratch, SHOW_SCRATCH(rows));                                                            \
     const struct show show = { &scene, rate, rows, tris, verts, attrs, show_arena, show_scratch,           \
-                               sizeof show_arena, sizeof show_scratch }
+                               sizeof show_arena, sizeof show_scratch SHOW_ITS_ARENA_2 }
 
 #endif

@@ -9,4 +9,8 @@
 #define OF(prefix, name) JOIN(prefix, name)
 #define SHOW_SIZED(...) SHOW(__VA_ARGS__)
 
+#if SHOW_CORES == 2
+SHOW_SIZED(OF(demo_, SHOW_DEMO), OF(SIZES_2_, SHOW_DEMO));
+#else
 SHOW_SIZED(OF(demo_, SHOW_DEMO), OF(SIZES_, SHOW_DEMO));
+#endif

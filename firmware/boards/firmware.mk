@@ -6,6 +6,7 @@
 # DEFINES='-DPIN_RESET=14 -DSPI_DIVIDER=4': what sources leave to the compiler's -D, before what the board says of them;
 #   another choice compiles all anew
 # LEAN=1: least flash (ZS_LEAN in firmware/zstrip/config.h), $(B)/fw/$(BOARD)-lean
+# CORES=2: the show is drawn by two cores, $(B)/fw/$(BOARD)-2
 #
 # A board is a folder with a board.mk, which says:
 #   BOARD_ABOUT  one line for `make help`           BOARD_CC, BOARD_CPU  compiler, and its flags for the core
@@ -13,13 +14,15 @@
 #   BOARD_LINK   flags for the linker, BOARD_DEPS    files that they name
 #   BOARD_RUN    command that takes the .elf         BOARD_IMAGES  what is flashed: bin, hex; more by rules of its own
 #   BOARD_FLAGS  -D for the application (show.h has them), BOARD_FLASH, BOARD_RAM  bytes of the part
+#   BOARD_SECOND sources of hal/second.h, for CORES=2; not set where the part has one core
 BOARD = mps2
 APP = bench
 SCENE = teapot
 B = build
 LEAN = 0
+CORES = 1
 OPT = -O2
-OUT = $(B)/fw/$(BOARD)$(if $(filter 1,$(LEAN)),-lean)
+OUT = $(B)/fw/$(BOARD)$(if $(filter 1,$(LEAN)),-lean)$(if $(filter 2,$(CORES)),-2)
 
 NAME = $(APP)
 APP_SRC = firmware/app/$(APP).c
@@ -57,6 +60,16 @@ SIZE = $(BOARD_CC:gcc=size)
 include firmware/boards/$(BOARD)/board.mk
 ifeq ($(LEAN),1)
 OPT = -Os
+endif
+ifneq ($(CORES),1)
+ifneq ($(CORES)$(if $(BOARD_SECOND),,none),2)
+$(error CORES=$(CORES): 1, or 2 where the board has a second core: pico)
+endif
+BOARD_SRC += $(BOARD_SECOND)
+BOARD_FLAGS += -DSHOW_CORES=2
+ifeq ($(APP),show)
+APP_SRC += firmware/app/pair.c
+endif
 endif
 
 # What names no scene is compiled once, the rest once a scene

@@ -103,22 +103,15 @@ void spi_wire_release(void)
 
 /* ---- The end of a transfer ----------------------------------------------------------------------------------- */
 
-/* The hook `done` may divide: an interrupt may have come between a division's operands and its result. Datasheet,
- * 2.3.1.5: results are written last, quotient after remainder. */
+/* The hook `done` may divide. */
 static void end(int err)
 {
     TIMER_ARMED = 1; /* disarms alarm 0 */
     if (err)
         spi_start();
-    while (!(SIO_DIV_CSR & SIO_DIV_READY)) {
-    }
-    const uint32_t dividend = SIO_DIV_UDIVIDEND, divisor = SIO_DIV_UDIVISOR;
-    const uint32_t remainder = SIO_DIV_REMAINDER, quotient = SIO_DIV_QUOTIENT;
+    const struct rp2040_divider divider = rp2040_divider_save();
     spi_bus_end(err);
-    SIO_DIV_UDIVIDEND = dividend;
-    SIO_DIV_UDIVISOR = divisor;
-    SIO_DIV_REMAINDER = remainder;
-    SIO_DIV_QUOTIENT = quotient;
+    rp2040_divider_restore(divider);
 }
 
 /* Errata RP2040-E13: an abort can raise the channel's interrupt, so that is masked meanwhile and cleared. */

@@ -7,6 +7,8 @@
 
 #include <stdint.h>
 
+#include "regs.h"
+
 #define CLOCK_HZ 125000000u /* clk_sys and clk_peri */
 
 #define CHANNEL_PANEL 0u /* DMA channels */
@@ -26,5 +28,27 @@ uint32_t rp2040_us(void);
 
 /* Sleep for at least so many microseconds. Interrupts are on afterwards. */
 void rp2040_pause_us(uint32_t us);
+
+/* The divider of the core that this runs on, as an interrupt finds it: between a division's operands and its result
+ * perhaps. What is called between save and restore may divide. Datasheet, 2.3.1.5: results are written last, quotient
+ * after remainder. */
+struct rp2040_divider {
+    uint32_t dividend, divisor, remainder, quotient;
+};
+static inline struct rp2040_divider rp2040_divider_save(void)
+{
+    while (!(SIO_DIV_CSR & SIO_DIV_READY)) {
+    }
+    const uint32_t dividend = SIO_DIV_UDIVIDEND, divisor = SIO_DIV_UDIVISOR;
+    const uint32_t remainder = SIO_DIV_REMAINDER, quotient = SIO_DIV_QUOTIENT;
+    return (struct rp2040_divider){ dividend, divisor, remainder, quotient };
+}
+static inline void rp2040_divider_restore(struct rp2040_divider d)
+{
+    SIO_DIV_UDIVIDEND = d.dividend;
+    SIO_DIV_UDIVISOR = d.divisor;
+    SIO_DIV_REMAINDER = d.remainder;
+    SIO_DIV_QUOTIENT = d.quotient;
+}
 
 #endif

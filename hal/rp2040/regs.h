@@ -14,6 +14,7 @@
 #define CLEAR_ALIAS 0x3000u
 
 /* 2.3.1.7: SIO */
+#define SIO_CPUID REG(0xd0000000u)
 #define SIO_GPIO_OUT_SET REG(0xd0000014u)
 #define SIO_GPIO_OUT_CLR REG(0xd0000018u)
 #define SIO_GPIO_OE_SET REG(0xd0000024u)
@@ -23,15 +24,25 @@
 #define SIO_DIV_REMAINDER REG(0xd0000074u)
 #define SIO_DIV_CSR REG(0xd0000078u)
 #define SIO_DIV_READY 1u
+#define SIO_FIFO_ST REG(0xd0000050u) /* each core sees its own side of the two FIFOs; a write clears the errors */
+#define SIO_FIFO_WR REG(0xd0000054u)
+#define SIO_FIFO_RD REG(0xd0000058u)
+#define SIO_FIFO_VLD (1u << 0) /* there is a word to read */
+#define SIO_FIFO_RDY (1u << 1) /* there is room to write */
+#define SIO_SPINLOCK(n) REG(0xd0000100u + 4u * (n)) /* not 0 where the read takes it; any write gives it back */
 
 /* 2.3.2: interrupt numbers */
 #define IRQ_TIMER_0 0u
 #define IRQ_TIMER_1 1u
 #define IRQ_DMA_0 11u
+#define IRQ_SIO_0 15u /* core 0's; on while its FIFO holds a word */
 
 /* 2.4.8: Cortex-M0+ */
 #define NVIC_ISER REG(0xe000e100u)
+#define NVIC_ICER REG(0xe000e180u)
 #define NVIC_ICPR REG(0xe000e280u)
+#define SCB_ICSR REG(0xe000ed04u)
+#define SCB_PENDSVSET (1u << 28)
 
 /* 2.5.7: DMA. n is a channel */
 #define DMA_READ_ADDR(n) REG(0x50000000u + 0x40u * (n))
@@ -53,6 +64,10 @@
 #define DMA_READ_ERROR (1u << 30)
 #define DREQ_SPI0_TX 16u /* 2.5.3.1 */
 #define DREQ_UART0_TX 20u
+
+/* 2.13.5: power-on state machine */
+#define PSM_FRCE_OFF 0x40010004u
+#define PSM_PROC1 (1u << 16)
 
 /* 2.14.3: resets */
 #define RESETS_RESET 0x4000c000u

@@ -52,9 +52,11 @@ for dir in hal/*/; do # what is shared is null's bus and cortexm; only host and 
     only "${dir%/} includes hal.h, its own and shared headers" \
         "\"hal\\.h\"|$(headers "$dir" hal/null hal/cortexm hal/spi)|$std" "$dir"*.[ch]
 done
+only "hal/rp2040/second includes hal.h, second.h and its HAL's own" \
+    "\"(hal|second|\.\./parts|\.\./regs)\.h\"|$STD" hal/rp2040/second/*.c
 only "panels include hal.h and their own headers" "\"hal\\.h\"|$(headers hal/panel)|$STD" hal/panel/*.[ch]
-reach "hal reaches nothing of firmware" '^(firmware|sim|tests)' hal/*.h hal/*/*.c
-only "app sees zstrip.h, hal.h, panel.h, scenes and its own" "\"(zstrip|scenes|sizes|hal|panel|show|number|report|model|bench|probes|study_settings)\\.h\"|$STD" firmware/app/*.[ch]
+reach "hal reaches nothing of firmware" '^(firmware|sim|tests)' hal/*.h hal/*/*.c hal/*/*/*.c
+only "app sees zstrip.h, hal.h, panel.h, scenes and its own" "\"(zstrip|scenes|sizes|hal|second|panel|show|pair|number|report|model|bench|probes|study_settings)\\.h\"|$STD" firmware/app/*.[ch]
 only "scenes see zstrip.h and their own" "\"(zstrip|meshes)\\.h\"|$(headers firmware/scenes)|$STD" firmware/scenes/*.[ch]
 only "mesh generators see their own" "$(headers firmware/scenes | sed 's|"(|"\\.\\./(|')|$(headers firmware/scenes/gen)|$HOSTED" firmware/scenes/gen/*.[ch]
 only "boards see nothing of ours" "$STD" firmware/boards/*/*.c

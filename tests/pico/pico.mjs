@@ -4,12 +4,15 @@
 //   - words take their bits' time on the wire (and a gap, if asked for); the transmit FIFO empties at that rate
 //   - D/C, CS and RESET stay as they are while a word is on the wire; CS is low; word length changes while SPI0 is idle
 //     and off
-//   - division results are read no sooner than eight cycles after the operands
-//   - resets reset SPI0; DMA aborts can be waited for; WFI returns when an interrupt is pending, masked or not
+//   - division results are read no sooner than eight cycles after the operands; an interrupt leaves the divider as it
+//   was
+//   - resets reset SPI0; DMA aborts can be waited for; WFI returns when an interrupt is pending, masked or not, but in
+//     a handler for those of higher priority alone
 //   - every register that is used is known
+//   - a second core, once it is started: second.mjs
 //
-// Cycles are the Cortex-M0+'s, from the emulator's table: no flash wait states, no bus contention, and interrupts enter
-// and leave at no cost. They are a lower bound.
+// Cycles are the Cortex-M0+'s, from the emulator's table: no flash wait states, no bus contention (DMA, the other
+// core), and interrupts enter and leave at no cost. They are a lower bound.
 //
 // SPDX-License-Identifier: MIT
 import fs from 'node:fs';
@@ -17,10 +20,11 @@ import fs from 'node:fs';
 import { Simulator } from 'rp2040js';
 
 import { read_elf } from './elf.mjs';
+import { Second } from './second.mjs';
 
 const STAGE2_AT = 0x20041f00; // where the boot ROM copies the second stage
 const FLASH = 0x10000000, RAM = 0x20000000;
-const WFI = 0xbf30;           // opcode
+const WFI = 0xbf30, WFE = 0xbf20; // opcodes
 const CYCLE_NS = 8;           // at 125 MHz
 const PIN = { cs: 17, dc: 20, reset: 21 };
 const SPI0_RESET = 1 << 16;
@@ -31,30 +35,32 @@ const TIME_MAX_NS = 60e9;     // nothing here takes a minute: a longer sleep is 
 const HARMLESS = /^UART0: Unimplemented peripheral write to 0x48/;
 
 export class Pico {
-    constructor(stem, { gap_ns = 0, doze_ns = 0 } = {}) {
+    constructor(stem, { gap_ns = 0, doze_ns = 0, second = '' } = {}) {
         this.elf = read_elf(`${stem}.elf`);
         this.gap_ns = gap_ns;
-        this.doze_ns = doze_ns; // passes before each WFI, as if what is waited for came just then
+        this.doze_ns = doze_ns; // passes before each WFI (WFE, with two cores), as if what is waited for came just then
         this.problems = [];
         this.text = '';
-        this.cycles = 0;
         this.stream = []; // uint16 words, as run.mjs writes them
         this.busy_ns = 0;
         this.holding = false; // true: words that begin do not end
         this.stalled = false; // a word waits for holding to end
         const chip = new Simulator().rp2040;
         chip.logger = {
-            debug() {}, info() {},
+            debug() {},
+            info: (who, what) => { if (what === 'SEV') this.second.send_event(); },
             warn: (who, what) => this.#complain(`${who}: ${what}`),
             error: (who, what) => this.#complain(`${who}: ${what}`),
         };
         this.chip = chip;
         this.clock = chip.clock;
         this.core = chip.core;
+        this.core.ran = 0; // cycles
+        this.core.at = 0;  // ns, where two cores run: when its next instruction begins
         chip.flash.set(fs.readFileSync(`${stem}.bin`), 0);
         chip.uart[0].onByte = (byte) => { this.text += String.fromCharCode(byte); };
         this.#wire();
-        this.#divider();
+        this.second = new Second(this, second);
         this.#dma();
         this.#resets();
     }
@@ -148,19 +154,35 @@ export class Pico {
 
     // ---- What the emulator leaves out
 
-    #divider() {
-        const { sio } = this.chip;
+    // What reads a core's own divider: no result before its time.
+    divider(sio, core_of) {
         const update = sio.updateHardwareDivider.bind(sio), read = sio.readUint32.bind(sio);
-        const ready = () => this.cycles - since >= 8;
+        const ready = () => core_of().ran - since >= 8;
         let since = 0;
         sio.updateHardwareDivider = (signed) => {
-            since = this.cycles;
+            since = core_of().ran;
             update(signed);
         };
-        sio.readUint32 = (offset) => {
+        return (offset) => {
             if ((offset === 0x70 || offset === 0x74) && !ready())
                 this.problem('a division is read before its eight cycles are over');
             return offset === 0x78 ? read(offset) & ~1 | ready() : read(offset); // DIV_CSR
+        };
+    }
+
+    // A handler may divide where it puts the divider back: what it interrupts may be about to read a result.
+    guard_divider(core, unit) {
+        const { exceptionEntry, exceptionReturn } = core, before = [];
+        const state = () => [unit.divDividend, unit.divDivisor, unit.divQuotient, unit.divRemainder]
+            .map((value) => Math.trunc(value) >>> 0).join();
+        core.exceptionEntry = (number) => {
+            before.push(state());
+            exceptionEntry.call(core, number);
+        };
+        core.exceptionReturn = (how) => {
+            exceptionReturn.call(core, how);
+            if (before.pop() !== state())
+                this.problem('an interrupt leaves the divider changed');
         };
     }
 
@@ -199,31 +221,119 @@ export class Pico {
         core.PC = STAGE2_AT;
     }
 
-    // One instruction, or the sleep until the next event. Returns its cycles; 0 for a sleep.
+    // One instruction of core 0, or its sleep until the next event; with what core 1 does before it. Returns the cycles
+    // of core 0; 0 for a sleep.
     step() {
+        if (this.second.runs || this.two)
+            return this.#step_two();
         const { core, clock } = this;
         if (core.waiting) {
-            if (core.pendingInterrupts & core.enabledInterrupts) {
+            if (this.#interrupted(core)) {
                 core.waiting = false;
                 return 0;
             }
-            if (!clock.nextAlarm || clock.nanosCounter > TIME_MAX_NS)
-                throw new Error('asleep, and nothing will wake it');
-            clock.tick(clock.nanosToNextAlarm);
+            this.#sleep();
             return 0;
         }
         if (this.doze_ns && this.chip.readUint16(core.PC) === WFI)
             clock.tick(this.doze_ns);
+        const cycles = this.#execute(core);
+        this.#pass(clock.nanosCounter + cycles * CYCLE_NS);
+        return cycles;
+    }
+
+    // What ends a sleep: in a handler, only what could interrupt it.
+    #interrupted(core) {
+        const pending = core.pendingInterrupts & core.enabledInterrupts;
+        if (!pending || !core.IPSR)
+            return pending;
+        const own = core.exceptionPriority(core.IPSR);
+        return core.interruptPriorities.some((which, priority) => priority < own && which & pending);
+    }
+
+    #sleep() {
+        const { clock } = this;
+        if (!clock.nextAlarm || clock.nanosCounter > TIME_MAX_NS)
+            throw new Error('asleep, and nothing will wake it');
+        clock.tick(clock.nanosToNextAlarm);
+    }
+
+    #execute(core) {
         const cycles = core.executeInstruction();
-        this.cycles += cycles;
-        if (this.cycles > TIME_MAX_NS / CYCLE_NS)
+        core.ran += cycles;
+        if (core.ran > TIME_MAX_NS / CYCLE_NS)
             throw new Error('does not end');
-        const now = clock.nanosCounter + cycles * CYCLE_NS, { nextAlarm } = clock;
+        return cycles;
+    }
+
+    // Let it be `now`, ns; what was to come before comes.
+    #pass(now) {
+        const { clock } = this, { nextAlarm } = clock;
         if (nextAlarm && nextAlarm.nanos <= now)
-            clock.tick(cycles * CYCLE_NS);
+            clock.tick(now - clock.nanosCounter);
         else
             clock.nanosCounter = now;
-        return cycles;
+    }
+
+    // The core whose next instruction begins first has its turn; the clock stands where that begins. on_second gets the
+    // address and cycles of core 1's.
+    #step_two() {
+        const { core, clock, chip, second } = this;
+        if (this.two !== second.runs) { // core 1 was started, or stopped
+            if (second.runs)
+                core.at = clock.nanos;
+            else if (!core.waiting)
+                this.#pass(Math.max(core.at, clock.nanos));
+            this.two = second.runs;
+            return 0;
+        }
+        for (;;) {
+            const other = second.core;
+            this.#wake(core);
+            this.#wake(other);
+            if (core.waiting && other.waiting) {
+                this.#sleep();
+                return 0;
+            }
+            const turn = core.waiting || (!other.waiting && other.at <= core.at) ? other : core;
+            const at = turn.PC & ~1; // it is odd in what interrupts enter
+            if (this.doze_ns && turn.dozes !== at && [WFI, WFE].includes(chip.readUint16(at))) {
+                turn.dozes = at; // all else goes on
+                turn.at += this.doze_ns;
+                this.#pass(this.#earlier(core, other));
+                continue;
+            }
+            turn.dozes = 0;
+            chip.core = turn;
+            const cycles = this.#execute(turn);
+            chip.core = core;
+            turn.at += cycles * CYCLE_NS;
+            turn.slept = turn.waiting;
+            const awake = core.waiting && other.waiting ? turn.at : this.#earlier(core, other);
+            this.#pass(Math.max(awake, clock.nanosCounter));
+            if (turn === core)
+                return cycles;
+            this.on_second?.(at, cycles);
+            if (core.waiting || !second.runs)
+                return 0;
+        }
+    }
+
+    // When the next instruction begins of those that are awake; one is.
+    #earlier(core, other) {
+        if (core.waiting || other.waiting)
+            return core.waiting ? other.at : core.at;
+        return Math.min(core.at, other.at);
+    }
+
+    // What has woken goes on from now.
+    #wake(core) {
+        if (core.waiting && this.#interrupted(core))
+            core.waiting = false;
+        if (core.slept && !core.waiting) {
+            core.slept = false;
+            core.at = Math.max(core.at, this.clock.nanos);
+        }
     }
 
     u32(symbol) {
@@ -240,12 +350,23 @@ export class Pico {
         return this.elf.symbols[symbol] - RAM;
     }
 
-    stack_used() {
-        const { __stack_limit: limit, __stack_top: top } = this.elf.symbols;
+    // core: 0, 1
+    stack_used(core = 0) {
+        const [limit, top] = this.#stack(core);
         let at = limit;
         while (at < top && this.chip.readUint32(at) === PAINT)
             at += 4;
         return top - at;
+    }
+
+    stack_reserve(core) {
+        const [limit, top] = this.#stack(core);
+        return top - limit;
+    }
+
+    #stack(core) {
+        const { symbols } = this.elf, which = core ? '__stack1' : '__stack';
+        return [symbols[`${which}_limit`], symbols[`${which}_top`]];
     }
 
     sizes() {
@@ -253,7 +374,6 @@ export class Pico {
         return {
             flash: n['.boot2'] + n['.vectors'] + n['.text'] + (n['.ARM.exidx'] ?? 0) + n['.data'],
             ram: n['.stack'] + n['.data'] + n['.bss'],
-            stack: n['.stack'],
         };
     }
 }

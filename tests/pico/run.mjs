@@ -1,5 +1,5 @@
 // node run.mjs STEM [--frames N] [--step S] [--gap NS] [--hold FRAME.STRIP [--tail 1]] [--stream FILE] [--until TEXT]
-//             [--doze NS] [--profile N]
+//             [--doze NS] [--profile N] [--second MODE] [--stop FRAME.STRIP] [--fault FRAME.STRIP]
 //
 // Boots STEM.bin, lets the show draw frames 0, S, 2 S ... and stop (--until: lets it run by the clock, as it does on a
 // desk, until the UART has said TEXT), and prints what was measured, "name value" a line; the text of the UART after
@@ -8,6 +8,12 @@
 // --hold: in this strip of this frame, from its first word or (--tail) when the DMA has handed its last one
 // over, no word ends before the bus gives up. --doze: NS pass right before each WFI.
 // --profile: the N functions that draw longest, "function NAME CYCLES" a line: cycles a frame, callees not counted.
+// --second: a mode of second.mjs. --stop: core 1 stands still in what it draws when core 0 begins to send this strip of
+// this frame, or draws next. --fault: it has a hard fault there.
+//
+// Of an image for two cores a frame is what leaves from its first strip to its last; cycles are counted from one
+// frame's end to the next, by core. A picture that was broken off, or of which nothing was sent, ends where the next
+// one begins. With --profile, functions are those of both cores.
 //
 // SPDX-License-Identifier: MIT
 import fs from 'node:fs';
@@ -15,10 +21,11 @@ import fs from 'node:fs';
 import { Pico } from './pico.mjs';
 
 const PHASE_DRAW = 1; // enum show_phase of firmware/app/show.c
-const RAM = 0x20000000;
+const RAM = 0x20000000, HEIGHT = 240; // HEIGHT: of a picture of two cores
 
 function options(args) {
-    const o = { frames: 4, step: 1, gap: 0, doze: 0, profile: 0, hold: '', tail: 0, stream: '', until: '' };
+    const o = { frames: 4, step: 1, gap: 0, doze: 0, profile: 0, hold: '', tail: 0, stream: '', until: '', second: '',
+        stop: '', fault: '' };
     for (let i = 1; i < args.length; i += 2) {
         const name = args[i].replace('--', '');
         o[name] = typeof o[name] === 'number' ? Number(args[i + 1]) : args[i + 1];
@@ -27,45 +34,92 @@ function options(args) {
 }
 
 const o = options(process.argv.slice(2));
-const pico = new Pico(o.stem, { gap_ns: o.gap, doze_ns: o.doze });
-const { symbols } = pico.elf;
+const pico = new Pico(o.stem, { gap_ns: o.gap, doze_ns: o.doze, second: o.second });
+const { symbols } = pico.elf, two = 'pair_phase' in symbols;
 const frame_end = symbols.zs_frame_end & ~1, strip_call = symbols.zs_frame_strip & ~1, stop = symbols.hal_exit & ~1;
-const [hold_frame, hold_strip] = o.hold ? o.hold.split('.').map(Number) : [-1, -1];
+const place = (text) => text ? text.split('.').map(Number) : [-1, -1];
+const [hold_frame, hold_strip] = place(o.hold), [stop_frame, stop_strip] = place(o.stop);
+const [fault_frame, fault_strip] = place(o.fault);
+const channel = pico.chip.dma.channels[0];
 const frames = []; // what was known when each was on the glass
-let strips = 0, armed = false, ending = false, draw = 0, hidden = 0, in_flash = 0;
+let strips = 0, armed = false, ending = false, draw = 0, draw_1 = 0, hidden = 0, in_flash = 0;
 
 if (!o.until) {
     pico.patch('show_test', 0, o.frames);
     pico.patch('show_test', 1, o.step);
 }
-pico.on_release = () => {
-    if (!ending)
-        return;
+function on_glass() {
     ending = false;
     pico.mark_picture();
-    frames.push({ ns: pico.clock.nanos, draw, hidden, wire: pico.busy_ns });
+    frames.push({ ns: pico.clock.nanos, draw, draw_1, hidden, wire: pico.busy_ns });
+}
+pico.on_release = () => {
+    if (ending && (!two || (pixels && !channel.active)))
+        on_glass();
 };
 pico.boot();
 
-const phase_at = pico.ram_index('show_phase'), { sram } = pico.chip, { core } = pico, spi = pico.chip.spi[0];
+const phase_at = pico.ram_index(two ? 'pair_phase' : 'show_phase');
+const { sram } = pico.chip, { core } = pico, spi = pico.chip.spi[0];
 const cycles_at = o.profile ? new Map() : null; // while drawing, by address
 let said = 0;  // characters of text that have been looked at
 let drawn = 0; // frames that zs_frame_end has closed
-while (core.PC !== stop) {
-    if (core.PC === frame_end) {
+let harm = () => {}; // to core 1
+pico.on_second = (at, cycles) => {
+    if (sram[phase_at + 1] !== PHASE_DRAW)
+        return;
+    harm();
+    draw_1 += cycles;
+    cycles_at?.set(at, (cycles_at.get(at) ?? 0) + cycles);
+    if (at < RAM)
+        in_flash += cycles;
+};
+
+// Two cores: what panel_send is given says where in the picture the wire is.
+const send_call = symbols.panel_send & ~1, frame_call = symbols.pair_frame & ~1;
+let asked = -1, wire_frame = -1, wire_strip = 0, pixels = false;
+function sends() {
+    const rect = core.registers[1], y = pico.chip.readUint16(rect + 2), h = pico.chip.readUint16(rect + 6);
+    if (y === 0) {
+        while (frames.length < asked) // dropped
+            on_glass();
+        wire_frame = asked;
+        wire_strip = -1;
+    }
+    wire_strip++;
+    pixels = false;
+    ending = y + h === HEIGHT;
+    armed = wire_frame === hold_frame && wire_strip === hold_strip;
+    if (wire_frame === stop_frame && wire_strip === stop_strip)
+        harm = () => pico.second.stop();
+    if (wire_frame === fault_frame && wire_strip === fault_strip)
+        harm = () => pico.second.fault();
+}
+function one_core_at(pc) {
+    if (pc === frame_end) {
         ending = true;
         drawn++;
         strips = 0;
-    } else if (core.PC === strip_call) {
+    } else if (pc === strip_call) {
         strips++;
         // strip k is on the wire while strip k + 1 is drawn
         armed = drawn === hold_frame && strips === hold_strip + 2;
     }
-    if (armed && (!o.tail || !pico.chip.dma.channels[0].active)) {
+}
+while (core.PC !== stop) {
+    if (!two)
+        one_core_at(core.PC);
+    else if ((core.PC & ~1) === send_call) // odd in what interrupts enter
+        sends();
+    else if (channel.active)
+        pixels = true;
+    if (armed && (!o.tail || !channel.active) && (!two || pixels)) {
         pico.holding = spi.busy;
         armed = false;
     }
     const at = core.PC, cycles = pico.step();
+    if (at === frame_call && core.PC === at + 2) // else an interrupt came first
+        asked++;
     if (sram[phase_at] === PHASE_DRAW) {
         draw += cycles;
         cycles_at?.set(at, (cycles_at.get(at) ?? 0) + cycles);
@@ -104,15 +158,21 @@ out('spi_mode0', pico.spi.mode0 ? 1 : 0);
 out('clk_sys', pico.chip.clkSys);
 if (n > 0) {
     out('draw_cycles', Math.round((last.draw - first.draw) / n));
+    if (two)
+        out('draw_cycles_1', Math.round((last.draw_1 - first.draw_1) / n));
     out('hidden_percent', Math.round((last.hidden - first.hidden) / (last.draw - first.draw) * 100));
     out('wire_us', Math.round((last.wire - first.wire) / n / 1000));
     out('fps', (n / (last.ns - first.ns) * 1e9).toFixed(1));
 }
-out('in_flash_percent', (in_flash / draw * 100).toFixed(2)); // of the drawing cycles
+out('in_flash_percent', (in_flash / (draw + draw_1) * 100).toFixed(2)); // of the drawing cycles
 out('flash', sizes.flash);
 out('ram', sizes.ram);
-out('stack_reserve', sizes.stack);
-out('stack_used', pico.stack_used());
+out('stack_reserve', pico.stack_reserve(0));
+out('stack_used', pico.stack_used(0));
+if (two) {
+    out('stack_1_reserve', pico.stack_reserve(1));
+    out('stack_1_used', pico.stack_used(1));
+}
 if (o.profile)
     for (const [name, cycles] of longest(o.profile))
         out('function', `${name} ${Math.round(cycles / o.frames)}`);

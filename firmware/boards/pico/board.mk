@@ -9,6 +9,7 @@ BOARD_CPU = -mcpu=cortex-m0plus -mthumb
 OPT = -O3
 BOARD_HAL = rp2040
 BOARD_SRC = firmware/boards/pico/startup.c firmware/boards/pico/divide.S hal/stack/stack.c hal/spi/spi_bus.c
+BOARD_SECOND = hal/rp2040/second/second.c
 BOARD_DEPS = firmware/boards/pico/pico.ld $(OUT)/stage2.o
 BOARD_LINK = -T firmware/boards/pico/pico.ld -nostartfiles $(OUT)/stage2.o
 BOARD_RUN = echo Drag onto the drive of the Pico the .uf2 of

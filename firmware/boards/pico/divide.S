@@ -5,8 +5,9 @@
  * n / 0 is what __aeabi_idiv0(0) returns, 0 unless a program has its own, and the remainder is n; -2^31 / -1 is -2^31.
  *
  * Interrupts: a handler that divides would take the operands away from the program. Those of this board do not divide;
- * the one that calls a hook saves the divider around it (hal/rp2040/bus.c). A handler of yours has to do the same.
- * One core: the divider is each core's own.
+ * those that call what others wrote save the divider around it (hal/rp2040/parts.h). A handler of yours has to do the
+ * same.
+ * Each core has a divider of its own, at the same addresses.
  *
  * The names: Run-time ABI for the Arm Architecture, 4.3.1.
  *

@@ -24,6 +24,7 @@ void SysTick_Handler(void) WEAK;
 void TIMER_0_Handler(void) WEAK;
 void TIMER_1_Handler(void) WEAK;
 void DMA_0_Handler(void) WEAK;
+void SIO_0_Handler(void) WEAK;
 
 typedef void (*vector)(void);
 
@@ -33,7 +34,7 @@ __attribute__((section(".vectors"), used)) static const vector vectors[16 + 26] 
     0, 0, 0, 0, 0, 0, 0, SVC_Handler, 0, 0, PendSV_Handler, SysTick_Handler,
     TIMER_0_Handler, TIMER_1_Handler, Default_Handler, Default_Handler, Default_Handler, Default_Handler,
     Default_Handler, Default_Handler, Default_Handler, Default_Handler, Default_Handler, DMA_0_Handler,
-    Default_Handler, Default_Handler, Default_Handler, Default_Handler, Default_Handler, Default_Handler,
+    Default_Handler, Default_Handler, Default_Handler, SIO_0_Handler, Default_Handler, Default_Handler,
     Default_Handler, Default_Handler, Default_Handler, Default_Handler, Default_Handler, Default_Handler,
     Default_Handler, Default_Handler
 };

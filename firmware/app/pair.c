@@ -1,0 +1,278 @@
+/* Two renderers and one frame: see pair.h.
+ *
+ * Strips have numbers that go on from frame to frame. `next` is the first that nobody draws yet, taken under the lock;
+ * `sent` the first that is not out. A strip that is drawn lies in slot[number % SLOTS] and says so in drawn[]. Neither
+ * core has more than its buffers drawn and not out, so that slots are never too few.
+ *
+ * One core writes each variable: the first one's thread what describes the frame, its interrupt `sent` and `out`,
+ * either core its own of two. `next` has the lock. The error is written by the first core, thread or interrupt.
+ *
+ * SPDX-License-Identifier: MIT
+ */
+#include "pair.h"
+
+#include "hal.h"
+#include "second.h"
+
+#define SLOTS 4u    /* two cores, two buffers each */
+#define LOOK_US 10000u /* how often the first core looks whether the other one gets on */
+
+/* What each core is at: for a debugger, and for a test that counts cycles. The numbers are show.c's. */
+enum pair_phase { PAIR_ELSE, PAIR_DRAW, PAIR_SEND, PAIR_WAIT };
+extern volatile uint8_t pair_phase[2];
+volatile uint8_t pair_phase[2];
+
+static struct zs_renderer renderer[2];
+static struct zs_sink sink;
+static uint32_t strips; /* in a frame */
+static uint8_t buffers, alone;
+
+/* The frame. The second core reads these between `posted` and `ended`. */
+static const struct zs_scene *the_scene;
+static const struct zs_camera *the_camera;
+static uint32_t first;
+static volatile uint32_t end;           /* first + strips */
+static volatile uint32_t posted, ended; /* frames that the second core was given, and is through with */
+
+static struct zs_strip slot[SLOTS];
+static volatile uint32_t drawn[SLOTS];
+static volatile uint32_t next = 1, sent = 1;
+static volatile uint8_t out, arrived; /* strip `sent` is in the sink's hands; its transfer has ended */
+static volatile int32_t failed;       /* why no more of the frame is drawn and sent; 0: it is */
+
+static uint32_t held[2][2];           /* of a core, by buffer: the strip that was drawn there last */
+static int begun[2];                  /* of a core: what zs_frame_begin said */
+static uint64_t drawing[2], waited;   /* ticks */
+static volatile uint32_t calls;       /* ticks in interrupts, modulo 2^32 */
+
+/* ---- Sending: in an interrupt of the first core ------------------------------------------------------------------ */
+
+static void take_back(void)
+{
+    const int err = sink.wait(sink.ctx);
+    out = 0;
+    if (err)
+        failed = err;
+    else
+        sent = sent + 1u;
+    second_wake();
+}
+
+static void give(void)
+{
+    second_barrier();
+    arrived = 0;
+    const int err = sink.submit(sink.ctx, &slot[sent % SLOTS]);
+    if (err)
+        failed = err;
+    else
+        out = 1;
+}
+
+static void send(void)
+{
+    const uint64_t from = hal_ticks();
+    const uint8_t phase = pair_phase[0];
+    pair_phase[0] = PAIR_SEND;
+    if (out && arrived)
+        take_back();
+    if (!out && !failed && drawn[sent % SLOTS] == sent)
+        give();
+    pair_phase[0] = phase;
+    calls += (uint32_t)(hal_ticks() - from);
+}
+
+void pair_arrived(void)
+{
+    arrived = 1;
+    send();
+}
+
+/* ---- Waiting ----------------------------------------------------------------------------------------------------- */
+
+/* The second core gets no further: next, sent and ended have stood still for too long. */
+static void look_after(void)
+{
+    static uint32_t seen;
+    static uint64_t since;
+    const uint32_t now = next + sent + ended;
+    const uint64_t ticks = hal_ticks();
+    if (now != seen || ended == posted) {
+        seen = now;
+        since = ticks;
+    } else if ((ticks - since) * 1000000u > (uint64_t)PAIR_PATIENCE_US * hal_tick_hz()) {
+        second_stop();
+        alone = 1;
+        ended = posted;
+        failed = PAIR_ERR_STOPPED;
+    }
+}
+
+static void rest(uint32_t core)
+{
+    if (core) {
+        second_sleep(0);
+        return;
+    }
+    const uint64_t from = hal_ticks();
+    pair_phase[0] = PAIR_WAIT;
+    second_sleep(LOOK_US);
+    pair_phase[0] = PAIR_ELSE;
+    waited += hal_ticks() - from;
+    look_after();
+}
+
+/* ---- Drawing: on either core ------------------------------------------------------------------------------------- */
+
+/* Where the renderer draws strip n: by its place in the frame. */
+static uint32_t buffer_of(uint32_t n)
+{
+    return buffers == 1 ? 0 : (n - first) & 1u;
+}
+
+/* Take strip *n for a core, as soon as its buffer is free. 0: none is left. */
+static int take(uint32_t core, uint32_t *n)
+{
+    for (;;) {
+        int got = 0;
+        second_lock();
+        *n = next;
+        const int left = *n != end && !failed;
+        uint32_t *last = &held[core][buffer_of(*n)];
+        if (left && (int32_t)(sent - *last) > 0) {
+            *last = *n;
+            next = *n + 1u;
+            got = 1;
+        }
+        second_unlock();
+        if (got)
+            second_wake(); /* the other one's buffer for the strip after this may be free */
+        if (got || !left)
+            return got;
+        rest(core);
+    }
+}
+
+static void draws(uint32_t core, uint64_t *from, uint32_t *before)
+{
+    pair_phase[core] = PAIR_DRAW;
+    *from = hal_ticks();
+    *before = calls;
+}
+
+static void has_drawn(uint32_t core, uint64_t from, uint32_t before)
+{
+    pair_phase[core] = PAIR_ELSE;
+    drawing[core] += hal_ticks() - from - (core ? 0 : calls - before);
+}
+
+static void share(uint32_t core)
+{
+    struct zs_renderer *r = &renderer[core];
+    uint64_t from;
+    uint32_t at = first, before, n;
+    draws(core, &from, &before);
+    begun[core] = zs_frame_begin(r, the_scene, the_camera);
+    has_drawn(core, from, before);
+    while (!begun[core] && take(core, &n)) {
+        draws(core, &from, &before);
+        for (; at != n; at++)
+            (void)zs_frame_skip(r);
+        (void)zs_frame_strip(r, &slot[n % SLOTS]); /* there is one, and a frame is open */
+        at++;
+        has_drawn(core, from, before);
+        second_barrier();
+        drawn[n % SLOTS] = n;
+        second_call();
+    }
+    (void)zs_frame_end(r);
+}
+
+static void second(void)
+{
+    for (;;) {
+        while (ended == posted)
+            second_sleep(0);
+        second_barrier();
+        share(1);
+        second_barrier();
+        ended = posted;
+        second_wake();
+    }
+}
+
+/* ---- Frames ------------------------------------------------------------------------------------------------------ */
+
+int pair_init(const struct zs_config *config, uint32_t *const arena[2], uint32_t bytes, const struct zs_sink *to)
+{
+    sink = *to;
+    strips = ZS_STRIPS(config->height, config->strip_h);
+    buffers = config->buffers;
+    end = first = next = sent;
+    for (uint32_t i = 0; i < 2; i++) {
+        const int err = zs_init(&renderer[i], config, arena[i], bytes);
+        if (err)
+            return err;
+    }
+    alone = second_start(second, send) != HAL_OK;
+    return ZS_OK;
+}
+
+/* After an error, when the second core has ended: nothing is out, every buffer is free. */
+static int settle(void)
+{
+    const int err = failed;
+    while (out)
+        second_sleep(LOOK_US);
+    next = sent = end;
+    failed = 0;
+    return err;
+}
+
+int pair_frame(const struct zs_scene *scene, const struct zs_camera *camera)
+{
+    the_scene = scene;
+    the_camera = camera;
+    first = end;
+    second_barrier();
+    end = first + strips;
+    if (!alone)
+        posted = posted + 1u;
+    second_wake();
+    share(0);
+    while (ended != posted)
+        rest(0);
+    second_barrier();
+    if (begun[0])
+        end = first; /* both refuse it */
+    if (failed)
+        return settle();
+    return begun[0];
+}
+
+int pair_flush(void)
+{
+    while (sent != end && !failed)
+        rest(0);
+    return failed ? settle() : ZS_OK;
+}
+
+int pair_alone(void)
+{
+    return alone;
+}
+
+uint64_t pair_ticks(uint32_t core)
+{
+    return drawing[core];
+}
+
+uint64_t pair_waited(void)
+{
+    return waited;
+}
+
+const struct zs_stats *pair_stats(void)
+{
+    return zs_frame_stats(&renderer[0]);
+}
