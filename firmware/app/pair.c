@@ -41,6 +41,7 @@ static volatile uint8_t out, arrived; /* strip `sent` is in the sink's hands; it
 static volatile int32_t failed;       /* why no more of the frame is drawn and sent; 0: it is */
 
 static uint32_t held[2][2];           /* of a core, by buffer: the strip that was drawn there last */
+static uint32_t taken[2];             /* by a core, of this frame */
 static int begun[2];                  /* of a core: what zs_frame_begin said */
 static uint64_t drawing[2], waited;   /* ticks */
 static volatile uint32_t calls;       /* ticks in interrupts, modulo 2^32 */
@@ -124,24 +125,20 @@ static void rest(uint32_t core)
 
 /* ---- Drawing: on either core ------------------------------------------------------------------------------------- */
 
-/* Where the renderer draws strip n: by its place in the frame. */
-static uint32_t buffer_of(uint32_t n)
-{
-    return buffers == 1 ? 0 : (n - first) & 1u;
-}
-
-/* Take strip *n for a core, as soon as its buffer is free. 0: none is left. */
+/* Take strip *n for a core, as soon as the buffer is free that its renderer draws into next: by turns, from the first on
+ * in each frame. 0: none is left. */
 static int take(uint32_t core, uint32_t *n)
 {
+    uint32_t *const last = &held[core][buffers == 1 ? 0 : taken[core] & 1u];
     for (;;) {
         int got = 0;
         second_lock();
         *n = next;
         const int left = *n != end && !failed;
-        uint32_t *last = &held[core][buffer_of(*n)];
         if (left && (int32_t)(sent - *last) > 0) {
             *last = *n;
             next = *n + 1u;
+            taken[core]++;
             got = 1;
         }
         second_unlock();
@@ -173,6 +170,7 @@ static void share(uint32_t core)
     uint32_t at = first, before, n;
     draws(core, &from, &before);
     begun[core] = zs_frame_begin(r, the_scene, the_camera);
+    taken[core] = 0;
     has_drawn(core, from, before);
     while (!begun[core] && take(core, &n)) {
         draws(core, &from, &before);

@@ -258,7 +258,7 @@ int zs_frame_strip(struct zs_renderer *r, struct zs_strip *out)
     out->w = r->config.width;
     out->h = (uint16_t)(left < r->config.strip_h ? left : r->config.strip_h);
     out->last = r->strip + 1u == r->n_strips;
-    out->px = (const uint8_t *)r->color[r->strip & 1];
+    out->px = (const uint8_t *)r->color[r->stats.strips & 1u];
     out->n_bytes = (uint32_t)out->w * out->h * 2u;
     out->depth = r->depth;
     out->changed_x = 0;
