@@ -136,7 +136,7 @@ report: $(B)/.setup-report
 	@CORES='m3 m0 pico host' sh sim/study.sh $(B) time --full --redo
 
 SHOW = $(MAKE) --no-print-directory -s -f firmware/boards/firmware.mk B=$(B) BOARD=$(BOARD) APP=show SCENE=$(SCENE) \
-       $(if $(APP_SCENE),APP_SCENE=$(APP_SCENE)) $(if $(LEAN),LEAN=$(LEAN))
+       $(if $(APP_SCENE),APP_SCENE=$(APP_SCENE)) $(if $(LEAN),LEAN=$(LEAN)) $(if $(CORES),CORES=$(CORES))
 ## firmware: BOARD=pico SCENE=teapot (or mine, or APP_SCENE=my.c): what is flashed, into build/fw/pico/; LEAN=1: least flash;
 ##     CORES=2: both cores of the Pico draw, build/fw/pico-2/
 firmware: $(B)/.setup-fw-$(BOARD) $(B)/gen/meshes.h

@@ -42,7 +42,8 @@ struct hal_hooks {
                                From an interrupt, where the bus has one: must be ISR-safe */
     int (*lock)(void *ctx);  /* before a panel uses the bus (SPI shared with a card, a touch controller). May block.
                                Not 0: the bus is not used, and the panel function returns HAL_ERR_BUSY */
-    void (*unlock)(void *ctx); /* after that, also where it failed; not from an interrupt */
+    void (*unlock)(void *ctx); /* after that, also where it failed; both in what calls the panel: an interrupt only
+                                  where strips are sent in one, as firmware/app/pair.h does */
 };
 
 /* The verbs that a panel driver speaks. One panel hangs on a bus; every verb concerns that panel alone. An

@@ -30,14 +30,15 @@ int second_start(void (*run)(void), void (*called)(void));
 /* Hold the second core in reset, whatever it is at, and give its lock back. First core. Blocks a moment. */
 void second_stop(void);
 
-/* Let the first core call `called` soon. Either core, not from an interrupt. Several calls may become one. */
+/* Let the first core call `called` soon. Either core, not from an interrupt. Several calls may become one; one that nobody
+ * asked for may come at the start. */
 void second_call(void);
 
 /* End the other core's second_sleep, or else its next one. Either core, also from an interrupt. */
 void second_wake(void);
 
 /* Sleep until the other core's second_wake, or an interrupt, or for no reason: ask in a loop.
- * most_us  first core: no longer than so many us; 0, and the second core: as long as it takes. */
+ * most_us  first core: no longer than so many us, 10 or more; 0, and the second core: as long as it takes. */
 void second_sleep(uint32_t most_us);
 
 /* Between what is written for the other core and the flag that says so; between seeing the flag and reading. */

@@ -209,7 +209,13 @@ two_cores() {
     goes_wrong second_wakes_up '' 4 '0 1 2 3' --doze 4000000
     goes_wrong second_stops 'core 1 stopped: core 0 draws alone' 5 '0 1 4' --stop 2.5
     goes_wrong second_stopped_strip 'the bus did not end in its time' 5 '0 1 3 4' --hold 2.1
+    goes_wrong second_refused 'a required pointer is NULL' 5 '0 1 3 4' --refuse 2
     goes_wrong second_stopped_tail 'the bus did not end in its time' 5 '0 1 4' --hold 2.6 --tail 1
+    # what leaves ends in a command without its arguments: of no use to a decoder
+    timeout 60 node "$out/run.mjs" "$fw-2/cubes" --frames 5 --step $STEP --hold 2.3 --head 1 >"$out/command.txt" 2>&1
+    [ "$(field "$out/command.txt" frames) $(field "$out/command.txt" text | grep '^#')" = \
+        '5 # the bus did not end in its time' ] && ok pico_second_stopped_command ||
+        bad pico_second_stopped_command "$(field "$out/command.txt" text | tail -1)"
     node "$out/run.mjs" "$fw-2/cubes" --frames 4 --step $STEP --fault 1.3 >"$out/fault.txt" 2>&1
     [ "$(field "$out/fault.txt" text | tail -1)" = 'pico: hard fault on core 1' ] && ok pico_second_faults ||
         bad pico_second_faults "$(tail -1 "$out/fault.txt")"

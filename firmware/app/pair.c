@@ -4,8 +4,9 @@
  * `sent` the first that is not out. A strip that is drawn lies in slot[number % SLOTS] and says so in drawn[]. Neither
  * core has more than its buffers drawn and not out, so that slots are never too few.
  *
- * One core writes each variable: the first one's thread what describes the frame, its interrupt `sent` and `out`,
- * either core its own of two. `next` has the lock. The error is written by the first core, thread or interrupt.
+ * While a frame is drawn the first core's thread writes what describes it, its interrupt `sent` and `out`, either core its
+ * own of two and drawn[] of its own strips. `next` has the lock. The error is written by the first core, thread or interrupt;
+ * whoever writes what lets the second core go on or end wakes it. Between frames the first core's thread sets all right.
  *
  * SPDX-License-Identifier: MIT
  */
@@ -64,10 +65,11 @@ static void give(void)
     second_barrier();
     arrived = 0;
     const int err = sink.submit(sink.ctx, &slot[sent % SLOTS]);
-    if (err)
+    out = !err;
+    if (err) {
         failed = err;
-    else
-        out = 1;
+        second_wake();
+    }
 }
 
 static void send(void)
@@ -91,12 +93,12 @@ void pair_arrived(void)
 
 /* ---- Waiting ----------------------------------------------------------------------------------------------------- */
 
-/* The second core gets no further: next, sent and ended have stood still for too long. */
+/* The second core gets no further: since its frame was posted, nothing has been taken, sent or ended for too long. */
 static void look_after(void)
 {
     static uint32_t seen;
     static uint64_t since;
-    const uint32_t now = next + sent + ended;
+    const uint32_t now = next + sent + ended + posted;
     const uint64_t ticks = hal_ticks();
     if (now != seen || ended == posted) {
         seen = now;
@@ -105,7 +107,8 @@ static void look_after(void)
         second_stop();
         alone = 1;
         ended = posted;
-        failed = PAIR_ERR_STOPPED;
+        if (!failed)
+            failed = PAIR_ERR_STOPPED;
     }
 }
 
@@ -203,15 +206,15 @@ static void second(void)
 
 int pair_init(const struct zs_config *config, uint32_t *const arena[2], uint32_t bytes, const struct zs_sink *to)
 {
-    sink = *to;
-    strips = ZS_STRIPS(config->height, config->strip_h);
-    buffers = config->buffers;
-    end = first = next = sent;
     for (uint32_t i = 0; i < 2; i++) {
         const int err = zs_init(&renderer[i], config, arena[i], bytes);
         if (err)
             return err;
     }
+    sink = *to;
+    strips = ZS_STRIPS(config->height, config->strip_h);
+    buffers = config->buffers;
+    end = first = next = sent;
     alone = second_start(second, send) != HAL_OK;
     return ZS_OK;
 }
@@ -241,11 +244,12 @@ int pair_frame(const struct zs_scene *scene, const struct zs_camera *camera)
     while (ended != posted)
         rest(0);
     second_barrier();
-    if (begun[0])
-        end = first; /* both refuse it */
-    if (failed)
-        return settle();
-    return begun[0];
+    if (begun[0]) { /* both refuse it; what was drawn before it leaves */
+        end = first;
+        const int err = pair_flush();
+        return err ? err : begun[0];
+    }
+    return failed ? settle() : ZS_OK;
 }
 
 int pair_flush(void)

@@ -48,7 +48,7 @@ volatile uint8_t show_phase;
 /* Sums since the last line of statistics, in ticks. */
 struct tally {
     uint64_t since;          /* when it was begun */
-    uint64_t draw, busy;     /* drawing; in the panel's functions */
+    uint64_t draw, busy;     /* drawing; in the panel's functions, with two cores in waiting for the other one too */
     uint32_t frames, late;   /* late: took longer than a frame of the animation */
 #if SHOW_CORES == 2
     uint64_t draw_2;         /* draw of the second core */

@@ -1,15 +1,16 @@
-// node run.mjs STEM [--frames N] [--step S] [--gap NS] [--hold FRAME.STRIP [--tail 1]] [--stream FILE] [--until TEXT]
-//             [--doze NS] [--profile N] [--second MODE] [--stop FRAME.STRIP] [--fault FRAME.STRIP]
+// node run.mjs STEM [--frames N] [--step S] [--gap NS] [--hold FRAME.STRIP [--tail 1] [--head 1]] [--stream FILE]
+//             [--until TEXT] [--doze NS] [--profile N] [--second MODE] [--stop FRAME.STRIP] [--fault FRAME.STRIP]
+//             [--refuse FRAME]
 //
 // Boots STEM.bin, lets the show draw frames 0, S, 2 S ... and stop (--until: lets it run by the clock, as it does on a
 // desk, until the UART has said TEXT), and prints what was measured, "name value" a line; the text of the UART after
 // "text", problems after "problem". FILE gets what went over the wire: a little-endian uint16 for each byte, bits 0-7
 // the byte, bit 8 D/C; marks: bit 9 RESET went low, bit 10 a picture ends here, bit 11 CS went high.
 // --hold: in this strip of this frame, from its first word or (--tail) when the DMA has handed its last one
-// over, no word ends before the bus gives up. --doze: NS pass right before each WFI.
+// over, or (--head, two cores) from the panel's command before its pixels, no word ends before the bus gives up. --doze: NS pass right before each WFI.
 // --profile: the N functions that draw longest, "function NAME CYCLES" a line: cycles a frame, callees not counted.
 // --second: a mode of second.mjs. --stop: core 1 stands still in what it draws when core 0 begins to send this strip of
-// this frame, or draws next. --fault: it has a hard fault there.
+// this frame, or draws next. --fault: it has a hard fault there. --refuse: this frame's scene is one that no renderer takes.
 //
 // Of an image for two cores a frame is what leaves from its first strip to its last; cycles are counted from one
 // frame's end to the next, by core. A picture that was broken off, or of which nothing was sent, ends where the next
@@ -24,7 +25,7 @@ const PHASE_DRAW = 1; // enum show_phase of firmware/app/show.c
 const RAM = 0x20000000, HEIGHT = 240; // HEIGHT: of a picture of two cores
 
 function options(args) {
-    const o = { frames: 4, step: 1, gap: 0, doze: 0, profile: 0, hold: '', tail: 0, stream: '', until: '', second: '',
+    const o = { frames: 4, step: 1, gap: 0, doze: 0, profile: 0, hold: '', tail: 0, head: 0, refuse: -1, stream: '', until: '', second: '',
         stop: '', fault: '' };
     for (let i = 1; i < args.length; i += 2) {
         const name = args[i].replace('--', '');
@@ -78,6 +79,7 @@ pico.on_second = (at, cycles) => {
 // Two cores: what panel_send is given says where in the picture the wire is.
 const send_call = symbols.panel_send & ~1, frame_call = symbols.pair_frame & ~1;
 let asked = -1, wire_frame = -1, wire_strip = 0, pixels = false;
+let starts = false; // holding, and no word has begun yet
 function sends() {
     const rect = core.registers[1], y = pico.chip.readUint16(rect + 2), h = pico.chip.readUint16(rect + 6);
     if (y === 0) {
@@ -90,10 +92,23 @@ function sends() {
     pixels = false;
     ending = y + h === HEIGHT;
     armed = wire_frame === hold_frame && wire_strip === hold_strip;
+    if (armed && o.head) {
+        pico.holding = starts = true;
+        armed = false;
+    }
     if (wire_frame === stop_frame && wire_strip === stop_strip)
         harm = () => pico.second.stop();
     if (wire_frame === fault_frame && wire_strip === fault_strip)
         harm = () => pico.second.fault();
+}
+let kept = 0; // the scene's instances, while it has none
+function refuse() {
+    const scene = core.registers[0];
+    if (kept)
+        pico.chip.writeUint32(scene, kept);
+    kept = asked + 1 === o.refuse ? pico.chip.readUint32(scene) : 0;
+    if (kept)
+        pico.chip.writeUint32(scene, 0);
 }
 function one_core_at(pc) {
     if (pc === frame_end) {
@@ -117,6 +132,8 @@ while (core.PC !== stop) {
         pico.holding = spi.busy;
         armed = false;
     }
+    if (core.PC === frame_call)
+        refuse();
     const at = core.PC, cycles = pico.step();
     if (at === frame_call && core.PC === at + 2) // else an interrupt came first
         asked++;
@@ -128,7 +145,9 @@ while (core.PC !== stop) {
         if (core.PC < RAM)
             in_flash += cycles;
     }
-    if (pico.holding && !spi.busy) // the bus was reset
+    if (starts)
+        starts = !spi.busy;
+    else if (pico.holding && !spi.busy) // the bus was reset
         pico.release();
     if (o.until && pico.text.length !== said) {
         said = pico.text.length;

@@ -121,15 +121,14 @@ int second_start(void (*run)(void), void (*called)(void))
     second_barrier();
     REG(PSM_FRCE_OFF + CLEAR_ALIAS) = PSM_PROC1;
     (void)comes(SIO_FIFO_VLD, rp2040_us(), READY_US); /* the ROM has emptied its FIFO, and says so by a 0 */
+    SIO_FIFO_ST = 0;
+    NVIC_ICPR = 1u << IRQ_SIO_0;
     const int err = launch();
     if (err) {
         second_stop();
         return err;
     }
-    drain();
-    SIO_FIFO_ST = 0;
-    NVIC_ICPR = 1u << IRQ_SIO_0;
-    NVIC_ISER = 1u << IRQ_SIO_0;
+    NVIC_ISER = 1u << IRQ_SIO_0; /* the FIFO is as core 1 has left it: it runs, and may have called */
     return HAL_OK;
 }
 
