@@ -232,7 +232,7 @@ static ZS_NOINLINE void pair_piece(struct zs_job *job, const struct zs_row *row,
     int32_t step = (int32_t)job->key.gx;
     if (shift > 0) {
         code = ((code >> (shift - 1)) + 1u) >> 1;
-        step = ((step >> (shift - 1)) + 1) >> 1;
+        step = (int32_t)((uint32_t)(step >> (shift - 1)) + 1u) >> 1;
     }
     zs_rows_piece(job, row, i, n, start - code, 0u - (uint32_t)step);
 }
