@@ -11,9 +11,11 @@
     assigns *out \from *g, v0, v1, v2; */
 void zs_plane64(const struct zs_geom *g, uint64_t v0, uint64_t v1, uint64_t v2, struct zs_plane64 *out);
 /*@ assigns *out \from *g, v0, v1, v2, kind; */
-void zs_plane32(const struct zs_geom *g, uint32_t v0, uint32_t v1, uint32_t v2, enum zs_plane_kind kind, struct zs_plane *out);
+void zs_plane32(const struct zs_geom *g, uint32_t v0, uint32_t v1, uint32_t v2, enum zs_plane_kind kind,
+                struct zs_plane *out);
 /*@ assigns \nothing; */
-static ZS_NOINLINE void pair_piece(struct zs_job *job, const struct zs_row *row, int32_t i, int32_t n, uint32_t w, int32_t farther);
+static ZS_NOINLINE void pair_piece(struct zs_job *job, const struct zs_row *row, int32_t i, int32_t n, uint32_t w,
+                                   int32_t farther);
 #include "depth_float.c"
 
 static struct zs_view view;
@@ -28,7 +30,8 @@ static void any_view(uint32_t bits, uint32_t exponent_bits, int k)
     (void)float_setup(&view, &camera, bits, exponent_bits);
 }
 
-/* PROVE float_setups: near of 2^-16 to 2^29 world units by octave, every shift of units, 8 and 16 bits, exponents of 3 .. 5 */
+/* PROVE float_setups: near of 2^-16 to 2^29 world units by octave, every shift of units, 8 and 16 bits, exponents
+ * of 3 .. 5 */
 void float_setups(void)
 {
     for (uint32_t bits = 8; bits <= 16; bits += 8)
@@ -37,7 +40,8 @@ void float_setups(void)
                 any_view(bits, e, k);
 }
 
-/* PROVE float_keys: 8 and 16 bits, exponents of 3 .. 5, near of 2^8 .. 2^30 camera units by octave, every z by octave */
+/* PROVE float_keys: 8 and 16 bits, exponents of 3 .. 5, near of 2^8 .. 2^30 camera units by octave, every z by
+ * octave */
 void float_keys(void)
 {
     for (uint32_t bits = 8; bits <= 16; bits += 8)
@@ -51,8 +55,7 @@ void float_keys(void)
         }
 }
 
-/* PROVE float_inverses_of: octave and mantissa of every key, 8 and 16 bits, exponents 3 .. 5; not the shifts by octaves of
- * three vertices */
+/* PROVE float_inverses_of: octave and mantissa of every key, 8 and 16 bits, exponents 3 .. 5 */
 void float_inverses_of(void)
 {
     for (uint32_t bits = 8; bits <= 16; bits += 8)
@@ -114,8 +117,9 @@ static void planes_of(int32_t nearest, int32_t o)
     ASSERT(job.w64_scale == (o == nearest ? 0 : nearest));
 }
 
-/* PROVE float_planes_of -eva-use-spec=zs_plane32,zs_plane64 -eva-min-loop-unroll=32: 8 .. 16 bits, exponents of 3 .. 5, the nearest vertex in every
- * octave and the others in that and in every farther one, every key of theirs, tiny or not: the planes' values are at most 2^40 */
+/* PROVE float_planes_of -eva-use-spec=zs_plane32,zs_plane64 -eva-min-loop-unroll=32: 8 .. 16 bits, exponents of 3
+ * .. 5, the nearest vertex in every octave and the others in that and in every farther one, every key of theirs,
+ * tiny or not: the planes' values are at most 2^40 */
 void float_planes_of(void)
 {
     for (uint32_t bits = 8; bits <= 16; bits++)
@@ -124,6 +128,28 @@ void float_planes_of(void)
             for (int32_t nearest = 1; nearest <= (int32_t)view.key_octaves; nearest++)
                 for (int32_t o = 1; o <= nearest; o++)
                     planes_of(nearest, o);
+        }
+}
+
+static void inverses_of(int32_t nearest, int32_t o)
+{
+    const struct zs_vertex *const v[3] = { &pool[0], &pool[1], &pool[2] };
+    uint32_t w[3];
+    for (int k = 0; k < 3; k++)
+        pool[k].d = any_of_octave(k ? o : nearest);
+    float_inverses(&view, v, w);
+}
+
+/* PROVE float_inverses_shifts -eva-min-loop-unroll=32: 8, 12 and 16 bits, exponents of 3 .. 5, the nearest vertex in
+ * every octave and the others in that and in every farther one, every key of theirs */
+void float_inverses_shifts(void)
+{
+    for (uint32_t bits = 8; bits <= 16; bits += 4)
+        for (uint32_t e = 3; e <= 5; e++) {
+            any_view(bits, e, 20);
+            for (int32_t nearest = 1; nearest <= (int32_t)view.key_octaves; nearest++)
+                for (int32_t o = 1; o <= nearest; o++)
+                    inverses_of(nearest, o);
         }
 }
 
@@ -145,7 +171,8 @@ static struct zs_row a_row(int32_t n)
     return row;
 }
 
-/* PROVE float_pair_pieces -eva-use-spec=zs_recip: 8 .. 16 bits, exponents of 3 .. 5, every octave, any w and step: either piece */
+/* PROVE float_pair_pieces -eva-use-spec=zs_recip: 8 .. 16 bits, exponents of 3 .. 5, every octave, any w and step:
+ * either piece */
 void float_pair_pieces(void)
 {
     const struct zs_row row = a_row(6);
@@ -161,9 +188,9 @@ void float_pair_pieces(void)
         }
 }
 
-/* PROVE float_pair_spans -eva-use-spec=pair_piece: every step by octave and sign, 2, 64 and 4096 pixels, any w from which as many
- * steps reach the border of the octaves, which lies ahead. Taken as given: in other rows both ends lie on one side of it, and
- * pieces lie within the row */
+/* PROVE float_pair_spans -eva-use-spec=pair_piece: every step by octave and sign, 2, 64 and 4096 pixels, any w
+ * from which as many steps reach the border of the octaves, which lies ahead. Taken as given: in other rows both
+ * ends lie on one side of it, and pieces lie within the row */
 void float_pair_spans(void)
 {
     static const int32_t number[3] = { 2, 64, 4096 };
@@ -185,8 +212,8 @@ void float_pair_spans(void)
         }
 }
 
-/* PROVE float_pieces -eva-use-spec=zs_recip: 8 .. 16 bits, exponents of 3 .. 5, every octave of the nearest vertex and of the piece,
- * any w and step */
+/* PROVE float_pieces -eva-use-spec=zs_recip: 8 .. 16 bits, exponents of 3 .. 5, every octave of the nearest vertex
+ * and of the piece, any w and step */
 void float_pieces(void)
 {
     const struct zs_row row = a_row(6);
@@ -202,8 +229,8 @@ void float_pieces(void)
         }
 }
 
-/* PROVE float_bisections -eva-use-spec=zs_recip: 2 .. 9 pixels and up to 4096, any w and step, every number of octaves: at least
- * one pixel lies in the first one's octave, and not all do */
+/* PROVE float_bisections -eva-use-spec=zs_recip: 2 .. 9 pixels and up to 4096, any w and step, every number of
+ * octaves: at least one pixel lies in the first one's octave, and not all do */
 void float_bisections(void)
 {
     for (int32_t last = 1; last <= 31; last++) {

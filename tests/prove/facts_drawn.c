@@ -1,6 +1,6 @@
-/* Facts of what draws into a strip: small.c, fresh.c, depth_float.c, against tests/oracle.c, which shares no code with the
- * renderer. Strips of keys and of colours are allocations of their own, of the very size: AddressSanitizer sees a step beside
- * either; a write beside a span within it is seen by what is compared, every pixel.
+/* Facts of what draws into a strip: small.c, fresh.c, depth_float.c, against tests/oracle.c, which shares no code with
+ * the renderer. Keys and colours of a strip are allocations of their own, of the very size: AddressSanitizer sees a
+ * step beside either; a write beside a span within it is seen by what is compared, every pixel.
  *
  * SPDX-License-Identifier: MIT
  */
@@ -90,7 +90,8 @@ static void any_strip(void)
 }
 
 /* Corners as bins have them. Return 0: it has no area. */
-static int corners(int k, struct oracle_tri *t, const int32_t x[3], const int32_t y[3], const uint32_t d[3], uint32_t of[3])
+static int corners(int k, struct oracle_tri *t, const int32_t x[3], const int32_t y[3], const uint32_t d[3],
+                   uint32_t of[3])
 {
     const int64_t area = (int64_t)(x[1] - x[0]) * (y[2] - y[0]) - (int64_t)(x[2] - x[0]) * (y[1] - y[0]);
     int top = 0;
@@ -230,7 +231,7 @@ static void small_grid(void)
                     end_strip();
                 }
     tell("small_grid", n, good,
-         "small triangles, every one with corners on half pixels of 3 x 3, and two of them a sub-pixel beside: the same");
+         "small triangles, all with corners on half pixels of 3 x 3, and two of them a sub-pixel beside: the same");
 }
 
 /* ---- Strips by raster.c: depth_float.c, fresh.c --------------------------------------------------------------- */
@@ -260,7 +261,8 @@ static int strip_right(const struct scene_of *s, int fresh)
             if (of < 0 || of >= s->n)
                 good &= key == was && r.color[0][at] == (fresh ? zs_wire16(BACKGROUND) : 0);
             else
-                good &= key < was && oracle_covers(&s->t[of], x, y0 + y) && fabs(error_of(s, of, x, y0 + y, key)) <= BOUND;
+                good &= key < was && oracle_covers(&s->t[of], x, y0 + y) &&
+                        fabs(error_of(s, of, x, y0 + y, key)) <= BOUND;
             for (int k = 0; k < s->n; k++)
                 if (oracle_covers(&s->t[k], x, y0 + y))
                     good &= error_of(s, k, x, y0 + y, key) <= BOUND;
@@ -313,7 +315,8 @@ static void any_scene(struct scene_of *s, int32_t least_log2, int32_t most_log2)
     bin[r.strip] = (uint16_t)(s->n - 1); /* ZS_NIL: none */
 }
 
-/* 1: the strip has a pixel of it, and keys of its corners lie in several octaves; 2: in two next to each other, and it is tiny. */
+/* 1: the strip has a pixel of it, and keys of its corners lie in several octaves; 2: in two next to each other, and it
+ * is tiny. */
 static int crosses(const struct scene_of *s, int k)
 {
     const int m = s->as.bits - s->as.e + 16;

@@ -10,9 +10,10 @@
 /*@ requires piece: 1 <= n && row->i0 <= i && i + n <= row->i1;
     requires octave: 1 <= down <= job->w64_scale;
     assigns \nothing; */
-static ZS_NOINLINE void float_piece(struct zs_job *job, const struct zs_row *row, uint64_t w, int32_t down, int32_t i, int32_t n);
-/* Shown by float_bisections for n of 2 and more. Given: it is not asked of a row's last pixel, which has the octave that the row's
- * end has. The numbers are those of crossings. */
+static ZS_NOINLINE void float_piece(struct zs_job *job, const struct zs_row *row, uint64_t w, int32_t down, int32_t i,
+                                    int32_t n);
+/* Shown by float_bisections for n of 2 and more. Given: it is not asked of a row's last pixel, which has the
+ * octave that the row's end has. The numbers are those of crossings. */
 /*@ assigns \result \from w, gx, n, down, last;
     ensures some: \result == 1 || \result == 2 || \result == 3 || \result == 4;
     ensures fewer: \result < n; */
@@ -34,9 +35,9 @@ void zs_fresh_row(struct zs_job *job, const struct zs_row *row);
 static struct zs_renderer renderer;
 static struct zs_job job;
 
-/* PROVE float_crossings -eva-use-spec=float_piece,pixels_within: rows of 1 .. 5 pixels, any w and step, the nearest vertex in every
- * octave, any octave at the end: pieces lie in the row, of 1 pixel and more; that pixels_within is not asked of a row's last pixel
- * is taken as given */
+/* PROVE float_crossings -eva-use-spec=float_piece,pixels_within: rows of 1 .. 5 pixels, any w and step, the
+ * nearest vertex in every octave, any octave at the end: pieces lie in the row, of 1 pixel and more; that
+ * pixels_within is not asked of a row's last pixel is taken as given */
 void float_crossings(void)
 {
     for (int32_t last = 1; last <= 31; last++)
@@ -48,8 +49,8 @@ void float_crossings(void)
         }
 }
 
-/* PROVE float_row_ends -eva-use-spec=float_piece,crossing_row: rows of 1, 2 and 4096 pixels, any w and step, the nearest vertex in
- * every octave: that w and its end lie in one octave where one piece is drawn is taken as given */
+/* PROVE float_row_ends -eva-use-spec=float_piece,crossing_row: rows of 1, 2 and 4096 pixels, any w and step, the
+ * nearest vertex in every octave: that w and its end lie in one octave where one piece is drawn is taken as given */
 void float_row_ends(void)
 {
     static const int32_t number[3] = { 1, 2, 4096 };
@@ -75,9 +76,9 @@ void zs_raster_cuts(struct zs_job *j, int32_t row)
     }
 }
 
-/* PROVE float_walks -eva-use-spec=float_row,zs_fresh_row -eva-min-loop-unroll=24 -eva-slevel=8: strips of 20 rows of 1 and of 4096
- * columns, triangles of 1, 16 and up to 20 rows from the first, the fourth and the last on, any columns, planes and anchors: what
- * rows are given lies within the strip */
+/* PROVE float_walks -eva-use-spec=float_row,zs_fresh_row -eva-min-loop-unroll=24 -eva-slevel=8: strips of 20 rows
+ * of 1 and of 4096 columns, triangles of 1, 16 and up to 20 rows from the first, the fourth and the last on, any
+ * columns, planes and anchors: what rows are given lies within the strip */
 void float_walks(void)
 {
     static const int32_t width[2] = { 1, ZS_SIZE_MAX }, from[3] = { 0, 3, ROWS - 1 }, n[3] = { 1, ZS_CUT_ROWS, ROWS };

@@ -70,8 +70,8 @@ static void row_of(int32_t y, int32_t x0, int32_t x1, int32_t i0, int32_t i1)
     cells((y + 1) * WIDTH, ROWS * LONG, 0);
 }
 
-/* PROVE fresh_row_of -eva-min-loop-unroll=80: a row of 5 columns, every range of them drawn, none too, every span: the gap between is
- * cleared, nothing else; the range, and how many are fresh */
+/* PROVE fresh_row_of -eva-min-loop-unroll=80: a row of 5 columns, every range of them drawn, none too, every span:
+ * the gap between is cleared, nothing else; the range, and how many are fresh */
 void fresh_row_of(void)
 {
     for (int32_t x0 = 0; x0 <= WIDTH; x0++)
@@ -81,8 +81,8 @@ void fresh_row_of(void)
                     row_of((x0 + i1) % ROWS, x0, x1, i0, i1);
 }
 
-/* PROVE fresh_parts: rows of 6 columns, every range that was drawn, every first pixel of a part and every end behind it, tests left
- * out or not: a part has a pixel and ends within the span */
+/* PROVE fresh_parts: rows of 6 columns, every range that was drawn, every first pixel of a part and every end
+ * behind it, tests left out or not: a part has a pixel and ends within the span */
 void fresh_parts(void)
 {
     static uint16_t line[8];
@@ -126,8 +126,8 @@ static void piece_of(int32_t i, int32_t n, int saturates)
     cells(LONG + i + n, ROWS * LONG, 0);
 }
 
-/* PROVE fresh_pieces -eva-min-loop-unroll=80: pieces of 1 .. 20 pixels at four places and at the row's end, any keys, held or not: nothing
- * beside them is written; a run of all of it */
+/* PROVE fresh_pieces -eva-min-loop-unroll=80: pieces of 1 .. 20 pixels at four places and at the row's end, any
+ * keys, held or not: nothing beside them is written; a run of all of it */
 void fresh_pieces(void)
 {
     for (int saturates = 0; saturates < 2; saturates++)
@@ -138,8 +138,8 @@ void fresh_pieces(void)
         }
 }
 
-/* PROVE fresh_ends -eva-min-loop-unroll=80: strips of 3 rows of 5 columns of which one row has any range drawn, the others none or all,
- * and strips of which all is fresh or none: what is not drawn is cleared, the rest stays */
+/* PROVE fresh_ends -eva-min-loop-unroll=80: strips of 3 rows of 5 columns of which one row has any range drawn,
+ * the others none or all, and strips of which all is fresh or none: what is not drawn is cleared, the rest stays */
 void fresh_ends(void)
 {
     for (int32_t x0 = 0; x0 <= WIDTH; x0++)

@@ -1,4 +1,4 @@
-/* small.c: set-up, then rows. That columns lie where the set-up has looked is a fact (facts_small.c).
+/* small.c: set-up, then rows. That columns lie where the set-up has looked is a fact (facts_drawn.c).
  *
  * SPDX-License-Identifier: MIT
  */
@@ -19,7 +19,7 @@ static inline uint32_t zs_recip_inline(uint32_t a);
     assigns \result \from n, rcp, shift, least_shift;
     ensures bound: \result == -2147483648 || -134217728 <= \result <= 134217728; */
 int32_t zs_plane_quotient(int64_t n, uint32_t rcp, int32_t shift, int32_t least_shift);
-/* What the rows are given: struct walk in words, two spans and steps, 4; two a row; two sums; key and gx; row, mid, end. */
+/* What rows are given: struct walk in words: span, step, span, step; two a row; two sums; key, gx; row, mid, end. */
 struct walk;
 /*@ requires spans: ((unsigned int *)w)[0] < 0x400000 && ((unsigned int *)w)[2] < 0x400000;
     requires rows: ((int *)w)[10] < ((int *)w)[12] <= ((int *)w)[10] + 65;
@@ -59,9 +59,10 @@ static void any_small(int32_t x, int32_t y, int32_t from)
     (void)zs_small_draw(&job);
 }
 
-/* PROVE small_setups -eva-use-spec=recip_in_line,zs_plane_quotient,small_rows: every triangle of up to 2^14 sub-pixels each
- * way, any keys and pieces of 2^19 .. 2^31, its top corner at both ends of its range and at 0, there on a pixel's border, on a
- * sample and a sub-pixel beside it, strips from above it and from each of its 65 rows on, any width and height */
+/* PROVE small_setups -eva-use-spec=recip_in_line,zs_plane_quotient,small_rows: every triangle of up to 2^14
+ * sub-pixels each way, any keys and pieces of 2^19 .. 2^31, its top corner at both ends of its range and at 0,
+ * there on a pixel's border, on a sample and a sub-pixel beside it, strips from above it and from each of its 65
+ * rows on, any width and height */
 void small_setups(void)
 {
     static const int32_t at[3] = { COORD_LO + 1, 0, COORD_HI - 1 - 255 }, part[5] = { 0, 127, 128, 129, 255 };
@@ -87,7 +88,8 @@ static int within(int32_t at, int32_t by, int32_t n)
     return at >= 1 && at <= WIDTH && at + by * n >= 1 && at + by * n <= WIDTH;
 }
 
-/* Depths of what lies in spans alone are initialised: a look at any other is an alarm, and so is a write beyond the strip. */
+/* Depths of what lies in spans alone are initialised: a look at any other is an alarm, and so is a write beyond
+ * the strip. */
 static void walked(int32_t first, int32_t mid, int32_t n, const int32_t at[2], const int32_t by[2], int turn,
                    int32_t next, int32_t next_by)
 {
@@ -141,9 +143,10 @@ static void walks_of(int32_t n, int32_t mid, int turn)
     }
 }
 
-/* PROVE small_walks -eva-use-spec=recip_in_line -eva-min-loop-unroll=8 -eva-slevel-function=pixels:0: strips of 2 rows, triangles of
- * 1 and 2 rows, of 0 .. 3 columns, any pair of columns at first and any below the middle corner, which is above any row and on
- * either side, sides that go a column left or right a row or stay, any keys: what is read and written lies in the spans */
+/* PROVE small_walks -eva-use-spec=recip_in_line -eva-min-loop-unroll=8 -eva-slevel-function=pixels:0: strips of 2
+ * rows, triangles of 1 and 2 rows, of 0 .. 3 columns, any pair of columns at first and any below the middle
+ * corner, which is above any row and on either side, sides that go a column left or right a row or stay, any keys:
+ * what is read and written lies in the spans */
 void small_walks(void)
 {
     for (int32_t n = 1; n <= ROWS; n++)
