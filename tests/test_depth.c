@@ -285,6 +285,17 @@ static void octave_boundaries_on_samples(void **state)
     print_message("octave boundaries on samples: off by at most %.5f buckets\n", worst_small);
 }
 
+/* Less than a pixel wide, from one octave to the next, with a step of w of 2^31 - 1 a pixel, which is rounded to half as many
+ * bits although nothing asks for it (UBSan). */
+static void the_steepest_step_of_a_pixel(void **state)
+{
+    (void)state;
+    struct easel s = easel_default(64, 48);
+    struct easel_tri t = { { -100, 154, -100 }, { 100, 100, 2100 }, { 0xfeffffffu, 0xa0000000u, 0xa0000000u } };
+    s.depth = &zs_depth_e3m13;
+    assert_true(float_draws_right(&s, &t));
+}
+
 /* ---- The oracle itself ---------------------------------------------------------------------- */
 
 static void the_float_oracle_agrees_with_the_definition(void **state)
@@ -1128,6 +1139,7 @@ static const struct CMUnitTest tests[] = {
     cmocka_unit_test(float_keys_against_exact_arithmetic),
     cmocka_unit_test(float_keys_in_big_frames),
     cmocka_unit_test(octave_boundaries_on_samples),
+    cmocka_unit_test(the_steepest_step_of_a_pixel),
     cmocka_unit_test(keys_of_clipped_triangles_under_all_mappings),
     cmocka_unit_test(stress_19_layers_at_1_01_buckets_under_all_mappings),
     cmocka_unit_test(stress_19_20_pairs_of_any_planes_under_all_mappings),

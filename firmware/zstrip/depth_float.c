@@ -212,8 +212,8 @@ ZS_IN_ORDER static ZS_NOINLINE enum way float_planes(struct zs_job *job)
     if (tiny(&job->geom) && nearest - farthest == 1 && pair_planes(job, octave, nearest))
         return TWO_OCTAVES;
     for (int k = 0; k < 3; k++) {
-        const int32_t up = W_BITS - 1 - (view->key_mantissa + 16) - (nearest - octave[k]);
-        w[k] = (uint64_t)zs_scale2((int64_t)mantissa_of(view, job->v[k]->d, octave[k]), up);
+        const int32_t up = W_BITS - 1 - (view->key_mantissa + 16) - (nearest - octave[k]); /* -19 .. 19 */
+        w[k] = (uint64_t)zs_scale2((int64_t)mantissa_of(view, job->v[k]->d, octave[k]), up); /* <= 2^39 */
     }
     zs_plane64(&job->geom, w[0], w[1], w[2], &job->w64);
     return MORE_OCTAVES;
@@ -226,13 +226,13 @@ static ZS_NOINLINE void pair_piece(struct zs_job *job, const struct zs_row *row,
                                    int32_t farther)
 {
     const struct zs_view *view = &job->r->view;
-    const int32_t m = view->key_mantissa + 16, shift = 30 - m - farther;  /* 0 .. 11 */
+    const int32_t m = view->key_mantissa + 16, shift = 30 - m - farther;  /* m is 19 .. 29: 0 .. 11 */
     const uint32_t start = view->key_top + 0x18000u - ((uint32_t)(job->w64_scale - 1 - farther) << m);
     uint32_t code = w;
     int32_t step = (int32_t)job->key.gx;
     if (shift > 0) {
         code = ((code >> (shift - 1)) + 1u) >> 1;
-        step = ((step >> (shift - 1)) + 1) >> 1;
+        step = (int32_t)((uint32_t)(step >> (shift - 1)) + 1u) >> 1;
     }
     zs_rows_piece(job, row, i, n, start - code, 0u - (uint32_t)step);
 }
@@ -247,7 +247,7 @@ ZS_ALWAYS_INLINE void pair_span(struct zs_job *job, const struct zs_row *row)
         pair_piece(job, row, row->i0, n, w, above < 0);
         return;
     }
-    /* pixels before the first on the other side: 1 .. n - 1 */
+    /* pixels before the first on the other side: 1 .. n - 1; gx is not 0, and what is divided below n |gx| */
     const int32_t first = above < 0 ? (int32_t)(((uint32_t)gx - 1u - (uint32_t)above) / (uint32_t)gx)
                                     : (int32_t)((uint32_t)above / (0u - (uint32_t)gx)) + 1;
     pair_piece(job, row, row->i0, first, w, above < 0);
@@ -300,7 +300,7 @@ ZS_IN_ORDER static ZS_NOINLINE void float_piece(struct zs_job *job, const struct
                                     int32_t n)
 {
     const struct zs_view *view = &job->r->view;
-    const int32_t m = view->key_mantissa + 16, shift = 63 - m - down;     /* 3 .. 41 */
+    const int32_t m = view->key_mantissa + 16, shift = 63 - m - down;     /* 5 .. 43 */
     const uint32_t code = ((uint32_t)(job->w64_scale - down) << m) + rounded(w, shift, 0);
     const uint32_t sum = view->key_top + 0x10000u - code + 0x8000u;       /* modulo 2^32 */
     const uint32_t step = 0u - rounded(job->w64.gx, shift, 1);            /* gx may be any where n is 1 */
@@ -312,7 +312,7 @@ static ZS_NOINLINE void crossing_row(struct zs_job *job, const struct zs_row *ro
 {
     const int32_t last = job->w64_scale;
     const uint64_t gx = job->w64.gx;
-    int32_t i = row->i0, left = row->i1 - i;
+    int32_t i = row->i0, left = row->i1 - i; /* of the last pixel w is the end's, modulo 2^64: it is not bisected */
     for (;;) {
         const int32_t down = octaves_down(w, last);
         const int32_t n = down == down_end ? left : pixels_within(w, gx, left, down, last);
@@ -360,7 +360,7 @@ ZS_IN_ORDER static ZS_NOINLINE void float_walk(struct zs_job *job)
     struct zs_row row;
     uint64_t w = plane->base - zs_times(plane->gx, job->geom.ia) + zs_times(plane->gy, job->row - job->geom.ja);
     row.y = job->row;
-    row.at = (row.y - job->y0) * job->width;
+    row.at = (row.y - job->y0) * job->width; /* < 2^24 */
     row.key = 0;
     for (;;) {
         for (const struct zs_cut *cut = job->cut; row.y < job->cut_end; row.y++, cut++) {

@@ -78,13 +78,13 @@ void zs_fresh_row(struct zs_job *job, const struct zs_row *row)
 {
     struct zs_renderer *r = job->r;
     int16_t *const drawn = r->drawn[row->y - job->y0];
-    const int32_t at = row->at;
+    const int32_t at = row->at; /* at + width <= 2^24 */
     int32_t x0 = drawn[0], x1 = drawn[1];
     r->was[0] = drawn[0];
     r->was[1] = drawn[1];
     if (x0 == x1)
         x0 = x1 = row->i0;
-    const int32_t before = x1 - x0;
+    const int32_t before = x1 - x0; /* 0 <= x0 <= x1 <= width, 0 <= i0 < i1 <= width */
     if (row->i1 < x0)
         clear(r, (uint32_t)(at + row->i1), x0 - row->i1);
     if (row->i0 > x1)
@@ -104,7 +104,7 @@ static void keys(uint16_t *at, int32_t n, uint32_t sum, uint32_t gx)
         *at++ = (uint16_t)(sum >> 16);
         sum += gx;
     }
-    const uint32_t many = (uint32_t)(end - at) & ~7u;
+    const uint32_t many = (uint32_t)(end - at) & ~7u; /* <= n */
     zs_high_halves(at, many, sum, gx);
     at += many;
     sum += many * gx;

@@ -4,6 +4,8 @@
  *
  * Columns of an edge are as in raster.c, but counted from ZS_TINY_SIDE left of the top corner, so that the numerator is positive.
  * Extents are at most ZS_TINY = 2^14 sub-pixels, and so are offsets in rows of an edge: each product is below 2^29.1.
+ * An edge's rows have 0 <= off < dy, so that x dy + off dx lies between x dy and (x + dx) dy, those of its ends: no column
+ * lies beside the corners', which set-up has looked at.
  *
  * SPDX-License-Identifier: MIT
  */
@@ -51,14 +53,14 @@ static ZS_NOINLINE void small_rows(struct zs_job *job, struct walk *w)
     uintptr_t depth = (uintptr_t)job->depth + (uint32_t)(w->row - job->y0) * pitch + w->left;
     uintptr_t end = depth + (uint32_t)(w->mid - w->row) * pitch;
     const uintptr_t last = depth + (uint32_t)(w->end - w->row) * pitch;
-    uint32_t tested = 0, key = w->key;
+    uint32_t tested = 0, key = w->key; /* modulo 2^32, as sums are: below 2^29.2 in rows that are drawn */
     int32_t written = 0;
     for (;;) {
         uint32_t left = w->sum[0], right = w->sum[1];
         while (depth != end) {
             uint32_t span, step, down, by;
             zs_two(w->side, 0, &span, &step);
-            const uint32_t x0 = left / span;
+            const uint32_t x0 = left / span; /* 1 .. 2 ZS_TINY_SIDE; span is 256 .. 2^22 */
             left += step;
             zs_two(w->side, 2, &span, &step);
             const uint32_t x1 = right / span;
@@ -85,13 +87,13 @@ static ZS_NOINLINE void small_rows(struct zs_job *job, struct walk *w)
     zs_rows_written(job, written);
 }
 
-/* zs_plane_tiny_gradient of a key: most need 32 bits. shift: leading zeros of the area, which came out of rcp */
+/* zs_plane_quotient of a key: most need 32 bits. |n| <= 2^46; shift: leading zeros of the area, which came out of rcp */
 static inline int32_t gradient(int64_t n, uint32_t rcp, int32_t shift)
 {
     const int32_t low = (int32_t)n;
     if (n != low)
         return zs_plane_quotient(n, rcp, shift, ZS_PLANE_KEY);
-    const int32_t sign = low >> 31; /* |low| = (low ^ sign) - sign */
+    const int32_t sign = low >> 31; /* |low| = (low ^ sign) - sign <= 2^31, q <= 2^26 */
     const uint32_t q = ((zs_umulh(((uint32_t)low ^ (uint32_t)sign) - (uint32_t)sign, rcp) >> (22 - shift)) + 1u) >> 1;
     return (int32_t)(q ^ (uint32_t)sign) - sign;
 }
@@ -103,7 +105,7 @@ ZS_IN_ORDER int zs_small_draw(struct zs_job *job)
     const uint16_t *v = job->tri->v;
     const struct zs_vertex *a = &pool[v[0]], *b = &pool[v[1]], *c = &pool[v[2]];
     const int32_t ax = a->x, ay = a->y, dx1 = b->x - ax, dx2 = c->x - ax, dy1 = b->y - ay, dy2 = c->y - ay;
-    if (!zs_tiny(dx1, dx2, dy1, dy2))
+    if (!zs_tiny(dx1, dx2, dy1, dy2)) /* |.| < 2^22, 0 <= dy */
         return 0;
     const int32_t area = dx1 * dy2 - dx2 * dy1; /* <= 2^29 */
     if (area < ZS_TINY_AREA)
@@ -128,12 +130,12 @@ ZS_IN_ORDER int zs_small_draw(struct zs_job *job)
 
     const int shift = zs_clz32((uint32_t)area); /* 2 .. 18 */
     const uint32_t rcp = zs_recip_inline((uint32_t)area << shift);
-    const int32_t dv1 = (int32_t)(key_a - key_b), dv2 = (int32_t)(key_a - key_c);
+    const int32_t dv1 = (int32_t)(key_a - key_b), dv2 = (int32_t)(key_a - key_c); /* of one piece: |.| < 2^31 */
     const int32_t gx = gradient(zs_mul_ss(dv1, dy2) - zs_mul_ss(dv2, dy1), rcp, shift);
     const int32_t up = gradient(zs_mul_ss(dv1, dx2) - zs_mul_ss(dv2, dx1), rcp, shift);
     if (gx == ZS_TOO_STEEP || up == ZS_TOO_STEEP)
         return 0;
-    struct walk w;
+    struct walk w; /* |gx|, |up| <= 2^27; x is 2^14 .. 2^14.1, 0 <= off < 2^14: from is below 2^42.1 */
     const int32_t x = (ax & (ZS_SUBPX_ONE - 1)) + ZS_TINY_SIDE * ZS_SUBPX_ONE - ZS_SUBPX_HALF, off = row * ZS_SUBPX_ONE + ZS_SUBPX_HALF - ay;
     const int64_t from = zs_mul_ss(gx, x) + zs_mul_ss(up, off) - 128; /* to column 0 and row, negative, a half added */
     r->stats.tris_setup++;
@@ -154,8 +156,8 @@ ZS_IN_ORDER int zs_small_draw(struct zs_job *job)
     w.turn = dy1 < dy2;
     const int32_t mid_dx = w.turn ? dx1 : dx2, mid_dy = w.turn ? dy1 : dy2, dx = w.turn ? dx2 : dx1, dy = w.turn ? dy2 : dy1;
     w.mid = zs_max32(zs_min32(zs_first_sample(ay + mid_dy), w.end), row);
-    if (w.mid < w.end) {
-        const int32_t to_dx = dx - mid_dx, to_dy = dy - mid_dy;
+    if (w.mid < w.end) { /* x + mid_dx is 2^7 .. 2^15.1, its offset 0 .. to_dy: both products below 2^29.1 */
+        const int32_t to_dx = dx - mid_dx, to_dy = dy - mid_dy; /* |.| < 2^15; 0 < to_dy < 2^14 */
         w.next[0] = (uint32_t)to_dy * ZS_SUBPX_ONE;
         w.next[1] = (uint32_t)to_dx * ZS_SUBPX_ONE;
         w.next_sum = (uint32_t)((x + mid_dx) * to_dy + (off + (w.mid - row) * ZS_SUBPX_ONE - mid_dy) * to_dx) + w.next[0] - 1u;

@@ -169,5 +169,6 @@ int main(int argc, char **argv)
     planes_drawn(count);
     wide_drawn(count);
     facts_more(count);
+    facts_drawn(count);
     return failed;
 }

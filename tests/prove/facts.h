@@ -1,4 +1,4 @@
-/* What facts.c and facts_more.c share.
+/* What facts.c, facts_more.c and facts_drawn.c share.
  *
  * SPDX-License-Identifier: MIT
  */
@@ -9,5 +9,6 @@
 
 void tell(const char *name, uint64_t n, int good, const char *what);
 void facts_more(uint64_t count);
+void facts_drawn(uint64_t count);
 
 #endif

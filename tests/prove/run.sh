@@ -54,7 +54,8 @@ rm -f "$out/list.$$"
 if [ -z "$only" ] || [ "$only" = facts ]; then # what they take as given
     gcc -std=c11 -O2 -fsanitize=undefined,address -fno-sanitize-recover=all -Ifirmware/zstrip \
         '-DZS_ASSERT(c)=((c)?(void)0:__builtin_trap())' tests/prove/facts.c tests/prove/facts_more.c \
-        $(ls firmware/zstrip/*.c | grep -vE '/(raster|plane|rotation|hidden|cluster).c') -lm -o "$out/facts" && "$out/facts" "${FACTS:-20000000}" || failed=1
+        tests/prove/facts_drawn.c tests/oracle.c $(ls firmware/zstrip/*.c | grep -vE '/(raster|plane|rotation|hidden|cluster).c') \
+        -lm -o "$out/facts" && "$out/facts" "${FACTS:-20000000}" || failed=1
 fi
 echo "$proofs proofs"
 [ "$proofs" -gt 0 ] || [ "$only" = facts ] || failed=1

@@ -1,0 +1,171 @@
+/* fresh.c: what is cleared, what is drawn without a test, and that nothing else is touched.
+ *
+ * SPDX-License-Identifier: MIT
+ */
+#include "prove.h"
+
+#include "pipeline.h"
+
+#include "fresh.c"
+
+#define WIDTH 5 /* of the strip in which rows are */
+#define LONG 24 /* of the one in which keys are */
+#define ROWS 3
+#define BEFORE 7 /* what all cells hold */
+#define BACKGROUND 0x1234
+
+static struct zs_renderer renderer;
+static struct zs_scene scene;
+static struct zs_job job;
+static struct zs_shader shader;
+static int16_t drawn[ROWS][2];
+static uint32_t color_pairs[ROWS * LONG / 2], depth_pairs[ROWS * LONG / 2];
+static uint16_t *const color = (uint16_t *)color_pairs, *const depth = (uint16_t *)depth_pairs;
+
+static void strip(int32_t width)
+{
+    renderer.config.width = (uint16_t)width;
+    renderer.config.strip_h = ROWS;
+    renderer.config.height = 2 * ROWS;
+    renderer.config.skip_off = 0;
+    renderer.strip = 1;
+    renderer.color[0] = renderer.color[1] = color;
+    renderer.depth = depth;
+    renderer.drawn = drawn;
+    renderer.scene = &scene;
+    scene.background = BACKGROUND;
+    job.r = &renderer;
+    job.width = width;
+    job.y0 = ROWS;
+    job.y1 = 2 * ROWS;
+    job.color = color;
+    job.depth = depth;
+    for (int k = 0; k < ROWS * LONG; k++)
+        color[k] = depth[k] = BEFORE;
+}
+
+/* Cells [from, to) are cleared, those before are as they were. */
+static void cells(int32_t from, int32_t to, int cleared)
+{
+    for (int32_t k = from; k < to; k++) {
+        ASSERT(depth[k] == (cleared ? ZS_DEPTH_CLEAR : BEFORE));
+        ASSERT(color[k] == (cleared ? zs_wire16(BACKGROUND) : BEFORE));
+    }
+}
+
+static void row_of(int32_t y, int32_t x0, int32_t x1, int32_t i0, int32_t i1)
+{
+    const struct zs_row row = { ROWS + y, y * WIDTH, 0, i0, i1, i0, i1 };
+    const int32_t lo = x0 == x1 ? i0 : zs_min32(x0, i0), hi = x0 == x1 ? i1 : zs_max32(x1, i1);
+    strip(WIDTH);
+    drawn[y][0] = (int16_t)x0;
+    drawn[y][1] = (int16_t)x1;
+    renderer.fresh_left = ROWS * WIDTH;
+    zs_fresh_row(&job, &row);
+    ASSERT(drawn[y][0] == lo && drawn[y][1] == hi);
+    ASSERT(renderer.fresh_left == ROWS * WIDTH - (uint32_t)(hi - lo - (x1 - x0)));
+    for (int32_t x = 0; x < WIDTH; x++)
+        cells(y * WIDTH + x, y * WIDTH + x + 1, x0 < x1 && ((x >= x1 && x < i0) || (x >= i1 && x < x0)));
+    cells(0, y * WIDTH, 0);
+    cells((y + 1) * WIDTH, ROWS * LONG, 0);
+}
+
+/* PROVE fresh_row_of -eva-min-loop-unroll=80: a row of 5 columns, every range of them drawn, none too, every span:
+ * the gap between is cleared, nothing else; the range, and how many are fresh */
+void fresh_row_of(void)
+{
+    for (int32_t x0 = 0; x0 <= WIDTH; x0++)
+        for (int32_t x1 = x0; x1 <= WIDTH; x1++)
+            for (int32_t i0 = 0; i0 < WIDTH; i0++)
+                for (int32_t i1 = i0 + 1; i1 <= WIDTH; i1++)
+                    row_of((x0 + i1) % ROWS, x0, x1, i0, i1);
+}
+
+/* PROVE fresh_parts: rows of 6 columns, every range that was drawn, every first pixel of a part and every end
+ * behind it, tests left out or not: a part has a pixel and ends within the span */
+void fresh_parts(void)
+{
+    static uint16_t line[8];
+    for (uint32_t off = 0; off < 2; off++)
+        for (int32_t i = 0; i < 6; i++)
+            for (int32_t end = i + 1; end <= 6; end++)
+                for (int32_t x0 = 0; x0 <= 6; x0++) {
+                    const struct zs_row row = { 0, 0, 0, i, end, i, end };
+                    renderer.config.skip_off = off ? ZS_SKIP_TEST : 0;
+                    renderer.was[0] = (int16_t)x0;
+                    renderer.was[1] = (int16_t)any_i32(x0, 6);
+                    job.r = &renderer;
+                    job.depth = line;
+                    const int32_t to = zs_fresh_to(&job, &row, i, end);
+                    ASSERT(to > i && to <= end);
+                }
+}
+
+static int32_t run_from, run_to;
+
+static void a_run(struct zs_job *j, const struct zs_row *row, int32_t from, int32_t to)
+{
+    (void)j;
+    (void)row;
+    ASSERT(from == run_from && to == run_to);
+}
+
+static void piece_of(int32_t i, int32_t n, int saturates)
+{
+    const struct zs_row row = { ROWS + 1, LONG, 0, 0, LONG, 0, LONG };
+    strip(LONG);
+    shader.run = a_run;
+    job.shader = &shader;
+    job.saturates = (uint8_t)saturates;
+    renderer.view.key_top = any_u32(0xff0000u, 0xffff0000u);
+    renderer.stats.pixels_untested = renderer.stats.pixels_written = 0;
+    run_from = i;
+    run_to = i + n;
+    fresh_span(&job, &row, i, i + n, any_u32(0, UINT32_MAX), any_u32(0, UINT32_MAX));
+    cells(0, LONG + i, 0);
+    cells(LONG + i + n, ROWS * LONG, 0);
+}
+
+/* PROVE fresh_pieces -eva-min-loop-unroll=80: pieces of 1 .. 20 pixels at four places and at the row's end, any
+ * keys, held or not: nothing beside them is written; a run of all of it */
+void fresh_pieces(void)
+{
+    for (int saturates = 0; saturates < 2; saturates++)
+        for (int32_t n = 1; n <= 20; n++) {
+            for (int32_t i = 0; i < 4; i++)
+                piece_of(i, n, saturates);
+            piece_of(LONG - n, n, saturates);
+        }
+}
+
+/* PROVE fresh_ends -eva-min-loop-unroll=80: strips of 3 rows of 5 columns of which one row has any range drawn,
+ * the others none or all, and strips of which all is fresh or none: what is not drawn is cleared, the rest stays */
+void fresh_ends(void)
+{
+    for (int32_t x0 = 0; x0 <= WIDTH; x0++)
+        for (int32_t x1 = x0; x1 <= WIDTH; x1++)
+            for (int32_t y = 0; y < ROWS; y++)
+                for (int all = 0; all < 2; all++) {
+                    strip(WIDTH);
+                    for (int32_t k = 0; k < ROWS; k++) {
+                        drawn[k][0] = (int16_t)(k == y ? x0 : 0);
+                        drawn[k][1] = (int16_t)(k == y ? x1 : all ? WIDTH : 0);
+                    }
+                    renderer.fresh = SOME;
+                    renderer.fresh_left = any_u32(1, ROWS * WIDTH);
+                    zs_fresh_end(&renderer);
+                    for (int32_t k = 0; k < ROWS * WIDTH; k++) {
+                        const int32_t x = k % WIDTH;
+                        cells(k, k + 1, k / WIDTH == y ? x < x0 || x >= x1 : !all);
+                    }
+                    cells(ROWS * WIDTH, ROWS * LONG, 0);
+                }
+    for (int fresh = NONE; fresh <= ALL; fresh++) {
+        strip(WIDTH);
+        renderer.fresh = (uint8_t)fresh;
+        zs_fresh_end(&renderer);
+        ASSERT(renderer.fresh == NONE);
+        cells(0, ROWS * WIDTH, fresh == ALL);
+        cells(ROWS * WIDTH, ROWS * LONG, 0);
+    }
+}
