@@ -42,7 +42,7 @@ static volatile uint8_t out, arrived; /* strip `sent` is in the sink's hands; it
 static volatile int32_t failed;       /* why no more of the frame is drawn and sent; 0: it is */
 
 static uint32_t held[2][2];           /* of a core, by buffer: the strip that was drawn there last */
-static uint32_t taken[2];             /* by a core, of this frame */
+static uint32_t taken[2];             /* strips by a core: its buffers take turns */
 static int begun[2];                  /* of a core: what zs_frame_begin said */
 static uint64_t drawing[2], waited;   /* ticks */
 static volatile uint32_t calls;       /* ticks in interrupts, modulo 2^32 */
@@ -128,8 +128,7 @@ static void rest(uint32_t core)
 
 /* ---- Drawing: on either core ------------------------------------------------------------------------------------- */
 
-/* Take strip *n for a core, as soon as the buffer is free that its renderer draws into next: by turns, from the first on
- * in each frame. 0: none is left. */
+/* Take strip *n for a core, as soon as the buffer is free that its renderer draws into next. 0: none is left. */
 static int take(uint32_t core, uint32_t *n)
 {
     uint32_t *const last = &held[core][buffers == 1 ? 0 : taken[core] & 1u];
@@ -173,7 +172,6 @@ static void share(uint32_t core)
     uint32_t at = first, before, n;
     draws(core, &from, &before);
     begun[core] = zs_frame_begin(r, the_scene, the_camera);
-    taken[core] = 0;
     has_drawn(core, from, before);
     while (!begun[core] && take(core, &n)) {
         draws(core, &from, &before);
@@ -210,6 +208,7 @@ int pair_init(const struct zs_config *config, uint32_t *const arena[2], uint32_t
         const int err = zs_init(&renderer[i], config, arena[i], bytes);
         if (err)
             return err;
+        taken[i] = 0;
     }
     sink = *to;
     strips = ZS_STRIPS(config->height, config->strip_h);

@@ -258,7 +258,7 @@ int zs_frame_strip(struct zs_renderer *r, struct zs_strip *out)
     out->w = r->config.width;
     out->h = (uint16_t)(left < r->config.strip_h ? left : r->config.strip_h);
     out->last = r->strip + 1u == r->n_strips;
-    out->px = (const uint8_t *)r->color[r->stats.strips & 1u];
+    out->px = (const uint8_t *)r->color[0];
     out->n_bytes = (uint32_t)out->w * out->h * 2u;
     out->depth = r->depth;
     out->changed_x = 0;
@@ -266,6 +266,9 @@ int zs_frame_strip(struct zs_renderer *r, struct zs_strip *out)
     const struct zs_watch_kernel *watch = r->watch;
     if (watch && draw)
         watch->look(r, out);
+    uint16_t *const given = r->color[0];
+    r->color[0] = r->color[1];
+    r->color[1] = given;
     r->strip++;
     r->stats.strips++;
     return 1;

@@ -16,7 +16,7 @@
 void zs_fresh_begin(struct zs_renderer *r)
 {
     const uint32_t background = zs_wire16(r->scene->background), n = (uint32_t)r->config.width * r->config.strip_h;
-    zs_pair *color = (zs_pair *)(void *)r->color[r->stats.strips & 1u], *depth = (zs_pair *)(void *)r->depth;
+    zs_pair *color = (zs_pair *)(void *)r->color[0], *depth = (zs_pair *)(void *)r->depth;
     for (zs_pair *const end = color + (n + ZS_PAIR - 1u) / ZS_PAIR; color != end;) { /* rows below the frame too */
         *color++ = (zs_pair)(background << 16 | background);
         *depth++ = (zs_pair)UINT32_MAX; /* ZS_DEPTH_CLEAR */
@@ -40,7 +40,7 @@ static ZS_NOINLINE void clear(struct zs_renderer *r, uint32_t at, int32_t n)
 {
     if (n <= 0)
         return;
-    fill(r->color[r->stats.strips & 1u] + at, zs_wire16(r->scene->background), (uint32_t)n);
+    fill(r->color[0] + at, zs_wire16(r->scene->background), (uint32_t)n);
     fill(r->depth + at, ZS_DEPTH_CLEAR, (uint32_t)n);
 }
 

@@ -360,7 +360,7 @@ void zs_raster_strip(struct zs_renderer *r)
 {
     struct zs_job job;
     job.r = r;
-    job.color = r->color[r->stats.strips & 1u];
+    job.color = r->color[0];
     job.depth = r->depth;
     job.y0 = r->strip * r->config.strip_h;
     job.y1 = zs_min32(job.y0 + r->config.strip_h, r->config.height);
@@ -437,7 +437,7 @@ void zs_raster_strip(struct zs_renderer *r)
 
     struct zs_job job;
     job.r = r;
-    job.color = r->color[r->stats.strips & 1u];
+    job.color = r->color[0];
     job.depth = r->depth;
     job.y0 = y0;
     job.y1 = y1;

@@ -143,7 +143,7 @@ struct zs_renderer { /* what is used most comes first: a Cortex-M0 reaches 31 by
     uint32_t vert_packed;       /* those below it were held by binned triangles when last looked at */
     uint32_t strip_mul;
 #endif
-    uint16_t *color[2];      /* [strip_h][width], wire order; [1] is [0] with one buffer */
+    uint16_t *color[2];      /* [strip_h][width], wire order: the next strip's, and the one given out last; one buffer: the same */
     uint16_t *depth;         /* [strip_h][width] */
 #if !ZS_LEAN
     uint16_t *bound;         /* levels from [n_strips][ZS_TILES(width)]: no key of a strip's tile stays farther (hidden.c) */
