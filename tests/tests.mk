@@ -26,6 +26,13 @@ $(B)/test/test_threads: $(call t,sim/frame.c sim/share.c sim/sim.c)
 $(B)/test/zsim: $(call t,$(SIM)) $(B)/test/libtest.a $(B)/libmeshes.a
 	@$(CC) $(SAN) -Wl,--start-group $^ -Wl,--end-group $(LIBS) -o $@
 
+# firmware/app/pair.c, each of whose accesses to memory is a call into test_pair.c, which has neither renderer nor HAL
+$(B)/test/test_pair: SAN =
+$(B)/test/test_pair: tests/test_pair.c firmware/app/pair.c $(HEADERS)
+	@mkdir -p $(@D)
+	@$(TEST_CC) -Ifirmware/app -fsanitize=thread -c firmware/app/pair.c -o $@.pair.o
+	@$(TEST_CC) -Ifirmware/app $< $@.pair.o -lcmocka -o $@
+
 # With LEAN=1, into a folder of its own: what draws pictures and looks into nothing that the lean build has not
 LEAN_TESTS = api color depth fx invariance orders raster reach stress texture track watch
 lean-programs: $(LEAN_TESTS:%=$(B)/test/test_%) checksum-programs
@@ -94,7 +101,7 @@ $(B)/stress/fast: $(STRESS) $(B)/stress/oracle.o $(HEADERS)
 	@$(STRESS_CC) $(STRESS) $(B)/stress/oracle.o -lm -o $@
 # Mutants (tests/mutate): the units that run the renderer, as in make test but, by B and SAN, without sanitizers, all in
 # one program
-MUTATE_TESTS = $(filter-out test_linux test_panel%,$(TESTS:tests/%.c=%))
+MUTATE_TESTS = $(filter-out test_linux test_pair test_panel%,$(TESTS:tests/%.c=%))
 MUTATE_SIM = sim/counts.c sim/frame.c sim/share.c sim/sim.c
 mutate-settings:
 	$(info tests $(MUTATE_TESTS))
@@ -105,5 +112,5 @@ mutate-settings:
 	@:
 mutate-objects: $(call t,$(MUTATE_TESTS:%=tests/%.c) $(MUTATE_SIM)) $(B)/test/libtest.a $(B)/libmeshes.a
 .PHONY: mutate-settings mutate-objects
-coverage-programs: $(filter-out %/test_linux,$(TESTS:tests/%.c=$(B)/test/%))
+coverage-programs: $(filter-out %/test_linux %/test_pair,$(TESTS:tests/%.c=$(B)/test/%))
 .PHONY: coverage-programs
