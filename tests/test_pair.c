@@ -7,7 +7,7 @@
  *
  * Modelled   second.h as it promises, and no more: a wake is the other core's alone; several calls become one; a sleep
  *            may end for no reason. An interrupt before the first core's sleep ends that, too. A renderer whose buffers
- *            take turns by what it has drawn in the frame. A sink that fails; frames that are refused; a second core
+ *            take turns by what it has drawn. A sink that fails; frames that are refused; a second core
  *            that does not start, or stops for ever anywhere but with the lock.
  * Looked at  Strips leave once, in their order, whole, none missing; nothing is drawn over a strip that is not out; an
  *            error comes back once, and nothing is out then; no core sleeps that could draw, nor leaves a frame that is
@@ -410,7 +410,7 @@ int zs_frame_begin(struct zs_renderer *r, const struct zs_scene *scene, const st
     if (scene != &scenes[begun % 2] || camera != &cameras[begun % 2])
         wrong("another frame's scene");
     work();
-    my->at = my->drawn = 0;
+    my->at = 0;
     my->open = !refusing;
     return refusing ? ZS_ERR_RANGE : ZS_OK;
 }

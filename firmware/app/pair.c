@@ -145,7 +145,7 @@ static int take(uint32_t core, uint32_t *n)
         }
         second_unlock();
         if (got)
-            second_wake(); /* the other one's buffer for the strip after this may be free */
+            second_wake(); /* it may have been the last: the other one need not wait */
         if (got || !left)
             return got;
         rest(core);
