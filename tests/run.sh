@@ -1,5 +1,5 @@
 #!/bin/sh
-# Run every test that `make test` has built, show each by its name, and end with what was skipped and
+# Run every test that `make test` has built, two side by side, show each by its name, and end with what was skipped and
 # "N passed, N failed".
 # Usage: tests/run.sh BUILD [PATTERN]   only the programs and scripts whose name holds PATTERN
 set -u
@@ -7,10 +7,9 @@ cd "$(dirname "$0")/.." || exit 1
 build=$1
 only=${2:-}
 logs=$build/test/logs
-passed=0
-failed=0
 skipped=$logs/skipped.txt
 mkdir -p "$logs"
+rm -rf "$logs/lock" "$logs"/counts.*
 : >"$skipped"
 ASAN_OPTIONS=detect_leaks=1
 LSAN_OPTIONS=suppressions=tests/lsan.txt:print_suppressions=0
@@ -29,11 +28,12 @@ tally() { # NAME LOG STATUS
         echo "FAILED $1: ran no test" >>"$2"
         bad=1
     fi
+    until mkdir "$logs/lock" 2>/dev/null; do sleep 0.1; done # one log after the other
     echo "== $1: $ok passed, $bad failed"
     grep -vE '^\[( RUN  |======|  PASSED)' "$2" # verdicts and what was measured
     grep '^SKIPPED ' "$2" >>"$skipped"
-    passed=$((passed + ok))
-    failed=$((failed + bad))
+    echo "$ok $bad" >>"$logs/counts.$lane"
+    rmdir "$logs/lock"
 }
 
 run() { # NAME COMMAND...
@@ -44,35 +44,53 @@ run() { # NAME COMMAND...
     tally "$name" "$logs/$name.log" $?
 }
 
-for program in "$build"/test/test_*; do
-    case $program in *.o | *.d) continue ;; esac
-    [ -x "$program" ] && run "$(basename "$program")" "$program"
-done
-run readme sh tests/readme.sh "$build"
-run checksums sh tests/checksums.sh "$build"
-run lean sh tests/lean.sh "$build"
-run fuzz sh tests/fuzz/run.sh "$build" cut
-run stress sh tests/stress/run.sh "$build" cut
-run convert sh tests/convert.sh "$build"
-run accuracy sh tests/accuracy.sh "$build/test/zsim"
-run cli sh tests/cli.sh "$build/test/zsim" "$build/test/cli"
-run cli_texture sh tests/cli_texture.sh "$build/test/zsim" "$build/test/cli_texture"
-run panels sh tests/panels.sh "$build/test/zsim" "$build/test/panels"
-run study sh tests/study.sh "$build/test/zsim" "$build/test/study" "$build"
-run budget sh tests/budget.sh "$build/test/zsim" "$build/test/budget"
-run demo sh tests/demo.sh "$build/test/zsim" "$build/test/demo"
-run pico sh tests/pico.sh "$build"
-run lm3s6965 sh tests/boards/lm3s6965.sh "$build"
-run scene_sums sh tests/scene_sums.sh "$build"
-run stm32f405 sh tests/boards/stm32f405.sh "$build"
-run microbit sh tests/boards/microbit.sh "$build"
-run linux sh tests/linux.sh "$build"
-for check in wide objects kernels hal includes cplusplus stack size still cull scale bench; do
-    run "$check" sh "tests/checks/$check.sh" "$build"
-done
-run costs sh tests/checks/costs.sh "$build" quick
+# What runs on this machine: nothing that builds firmware.
+host() {
+    for program in "$build"/test/test_*; do
+        case $program in *.o | *.d) continue ;; esac
+        [ -x "$program" ] && run "$(basename "$program")" "$program"
+    done
+    run readme sh tests/readme.sh "$build"
+    run checksums sh tests/checksums.sh "$build"
+    run convert sh tests/convert.sh "$build"
+    run fuzz sh tests/fuzz/run.sh "$build" cut
+    run stress sh tests/stress/run.sh "$build" cut
+    run accuracy sh tests/accuracy.sh "$build/test/zsim"
+    run cli sh tests/cli.sh "$build/test/zsim" "$build/test/cli"
+    run cli_texture sh tests/cli_texture.sh "$build/test/zsim" "$build/test/cli_texture"
+    run panels sh tests/panels.sh "$build/test/zsim" "$build/test/panels"
+    run budget sh tests/budget.sh "$build/test/zsim" "$build/test/budget"
+    run demo sh tests/demo.sh "$build/test/zsim" "$build/test/demo"
+}
+
+# What builds firmware, one after the other, because they share objects.
+boards() {
+    run lean sh tests/lean.sh "$build"
+    run pico sh tests/pico.sh "$build"
+    run lm3s6965 sh tests/boards/lm3s6965.sh "$build"
+    run scene_sums sh tests/scene_sums.sh "$build"
+    run stm32f405 sh tests/boards/stm32f405.sh "$build"
+    run microbit sh tests/boards/microbit.sh "$build"
+    run linux sh tests/linux.sh "$build"
+    for check in wide objects kernels hal includes cplusplus stack size still cull scale bench; do
+        run "$check" sh "tests/checks/$check.sh" "$build"
+    done
+    run study sh tests/study.sh "$build/test/zsim" "$build/test/study" "$build"
+    run costs sh tests/checks/costs.sh "$build" quick
+}
+
+# Both end with a line of their own: one that stopped half way must not pass.
+(lane=boards && boards && echo end >>"$logs/counts.boards") &
+lane=host
+host && echo end >>"$logs/counts.host"
+wait
 
 echo
 cat "$skipped"
-echo "$passed passed, $failed failed"
-[ "$failed" -eq 0 ]
+cat "$logs"/counts.* | awk '
+    $1 == "end" { ends++; next }
+    { passed += $1; failed += $2 }
+    END {
+        if (ends != 2) { print "FAILED tests: not all of them were run"; failed++ }
+        print passed + 0 " passed, " failed + 0 " failed"
+        exit failed > 0 }'

@@ -99,6 +99,8 @@ struct zs_walk {
     uint32_t u, v, du, dv; /* uq0_32 */
 };
 
+struct zs_texel_rows;
+
 struct zs_texel {
     /* n texels along a walk, RGB565 in wire order. */
     void (*fetch)(const struct zs_texture *texture, uint16_t *out, int32_t n,
@@ -109,6 +111,8 @@ struct zs_texel {
     /* Test and draw a triangle, unlit, where job->c[0] and [1] are u and v, uq0_32, at column 0 of row 0; log2_w,
      * log2_h > 0, and keys do not saturate. */
     void (*rows)(struct zs_job *job);
+    /* The same of a small triangle, where that is known (small.h): on cores that divide. */
+    void (*small)(struct zs_job *job, const struct zs_texture *texture, struct zs_texel_rows *rows);
 #endif
     uint16_t colors_max; /* of the palette; 0: there is none */
     uint8_t log2_w_min;

@@ -25,10 +25,8 @@
  *
  * SPDX-License-Identifier: MIT
  */
-#include "persp.h"
+#include "shade_texture.h"
 
-#define BIAS_LOG2 9 /* 2^-9 texel */
-#define FLOOR_LOG2 7u /* smaller textures are held to 1/8 texel of one of 128 */
 #define GROUP_LOG2 5
 #define GROUP (1 << GROUP_LOG2) /* pixels */
 #define COARSE_LOG2 ZS_TEXEL_COARSE_LOG2 /* texels that 15 bits place */
@@ -124,24 +122,8 @@ static void coordinate(struct zs_job *job, const uint16_t *const a[3], int c, ui
         any |= out->above[k] = (uint32_t)(a[k][c] - least);
     out->up = zs_clz32(any) - 16; /* 0 .. 15 */
     s->shift[c] = (int8_t)(17 - out->up - (int32_t)uv_bits);
-    s->base[c] = repeats(least - 32768, uv_bits) + (1u << (32u - BIAS_LOG2 - log2));
-    out->texels = 16 - out->up - (int32_t)uv_bits + (int32_t)(log2 > FLOOR_LOG2 ? log2 : FLOOR_LOG2);
-}
-
-/* 256 * n / area * 2^(32 - uv_bits), nearest: a gradient in 2^-32 repeats. 0 in *ok where it has 31 bits or more.
- * |n| < 2^31. Error 2^-30 of it and 1/2 ulp. */
-static inline uint32_t direct_gradient(const struct zs_geom *g, int32_t n, int32_t shift, int *ok)
-{
-    const int64_t product = zs_mul_su(n, g->rcp); /* |.| < 2^63 */
-    if (shift > 32)
-        return (uint32_t)((((int32_t)(product >> 32) >> (shift - 33)) + 1) >> 1);
-    const int64_t q = product + (1u << (shift - 1));
-    const int32_t hi = (int32_t)(q >> 32);
-    if (shift == 32)
-        return (uint32_t)hi;
-    const uint32_t low = (uint32_t)hi << (32 - shift) | (uint32_t)q >> shift;
-    *ok &= hi >> shift == (int32_t)low >> 31;
-    return low;
+    s->base[c] = repeats(least - 32768, uv_bits) + (1u << (32u - ZS_TEXTURE_BIAS_LOG2 - log2));
+    out->texels = zs_texture_texels(out->up, uv_bits, log2);
 }
 
 /* The same as affine_plane for small triangles with differences below 2^14. Return 0 where it is not for it. */
@@ -154,8 +136,8 @@ static int direct_plane(const struct zs_job *job, const struct coordinate *c, ui
         return 0;
     const int32_t d1 = (int32_t)(c->above[1] - c->above[0]), d2 = (int32_t)(c->above[2] - c->above[0]);
     int ok = 1;
-    const uint32_t gx = direct_gradient(g, d1 * g->dy2 - d2 * g->dy1, shift, &ok); /* |d| <= 2^16 */
-    const uint32_t gy = direct_gradient(g, d2 * g->dx1 - d1 * g->dx2, shift, &ok);
+    const uint32_t gx = zs_texture_gradient(g->rcp, d1 * g->dy2 - d2 * g->dy1, shift, &ok); /* |d| <= 2^16 */
+    const uint32_t gy = zs_texture_gradient(g->rcp, d2 * g->dx1 - d1 * g->dx2, shift, &ok);
     /* (gx ax + gy ay + 128) / 256, floor, modulo 2^32: the low 8 bits of the gradients apart */
     const int32_t low = (int32_t)(gx & 255u) * g->ax + (int32_t)(gy & 255u) * g->ay + 128;
     const uint32_t step = zs_wrap_mul((uint32_t)((int32_t)gx >> 8), g->ax) +
@@ -180,14 +162,6 @@ static void affine_plane(struct zs_job *job, const struct coordinate *c, uint32_
     out->gy <<= later;
 }
 
-/* Plain affine: 2^texels * change / least / 4 <= 1/8, for a range of all 16 bits. */
-static inline int texels_enough(int32_t texels, uint32_t change, uint32_t least)
-{
-    if (texels < 0)
-        return texels < -31 || change >> -texels < least >> (ZS_SPAN_BOUND_LOG2 - 2);
-    return texels < 31 && change <= (least >> (ZS_SPAN_BOUND_LOG2 - 2)) >> texels;
-}
-
 /* The light's words: range * 2^-15 * 64 codes * change / least / 4 <= 1/8. */
 static inline int light_enough(uint32_t range, uint32_t change, uint32_t least)
 {
@@ -197,7 +171,7 @@ static inline int light_enough(uint32_t range, uint32_t change, uint32_t least)
 /* Whether a triangle may be affine: where w changes by `change`, the least is `least`, and light by light_range. */
 static int affine_enough(const struct coordinate c[2], uint32_t light_range, uint32_t change, uint32_t least)
 {
-    return texels_enough(c[0].texels, change, least) && texels_enough(c[1].texels, change, least) &&
+    return zs_texture_affine(c[0].texels, change, least) && zs_texture_affine(c[1].texels, change, least) &&
            light_enough(light_range, change, least);
 }
 
@@ -251,8 +225,7 @@ ZS_IN_ORDER static ZS_NOINLINE void start_groups(struct zs_job *job, const uint1
 
 #if ZS_LEAN
 
-/* Sets job->sampler.unlit. */
-static const struct zs_texture *lit_texture(struct zs_job *job, const struct zs_texture *t)
+const struct zs_texture *zs_texture_lit(struct zs_job *job, const struct zs_texture *t)
 {
     const struct zs_shader *shader = job->shader;
     job->sampler.unlit = !shader->light || (shader->n_attrs == 2 && job->tri->paint == 32768u);
@@ -261,8 +234,7 @@ static const struct zs_texture *lit_texture(struct zs_job *job, const struct zs_
 
 #else
 
-/* The texture to be drawn: t, or a copy of it with the palette lit. Sets job->sampler.unlit. */
-static ZS_NOINLINE const struct zs_texture *lit_texture(struct zs_job *job, const struct zs_texture *t)
+ZS_NOINLINE const struct zs_texture *zs_texture_lit(struct zs_job *job, const struct zs_texture *t)
 {
     const struct zs_shader *shader = job->shader;
     struct zs_lit *lit = &job->r->lit;
@@ -290,7 +262,7 @@ static ZS_NOINLINE const struct zs_texture *lit_texture(struct zs_job *job, cons
 static void texture_start(struct zs_job *job)
 {
     const struct zs_instance *in = &job->r->scene->instance[job->tri->instance];
-    const struct zs_texture *t = lit_texture(job, in->material->texture);
+    const struct zs_texture *t = zs_texture_lit(job, in->material->texture);
     const uint32_t uv_bits = in->mesh->uv_bits;
     const int lit = job->shader->n_attrs == 3;
     const uint16_t *a[3];
@@ -670,9 +642,10 @@ static void texture_rows(struct zs_job *job)
 }
 
 const struct zs_shader zs_shade_texture = { texture_vertex, no_face, texture_rows, texture_start, zs_persp_span, texture_run,
-                                            texture_check, 0, 0, ZS_ATTRS_TEXTURE };
+                                            texture_check, 0, zs_small_texture, ZS_ATTRS_TEXTURE };
 const struct zs_shader zs_shade_texture_flat = { texture_vertex, flat_face, texture_rows, texture_start,
-                                                 zs_persp_span, texture_run, texture_check, light, 0, ZS_ATTRS_TEXTURE };
+                                                 zs_persp_span, texture_run, texture_check, light, zs_small_texture,
+                                                 ZS_ATTRS_TEXTURE };
 const struct zs_shader zs_shade_texture_smooth = { smooth_vertex, no_face, texture_rows, texture_start,
                                                    zs_persp_span, texture_run, smooth_check, light, 0,
                                                    ZS_ATTRS_TEXTURE_SMOOTH };

@@ -7,6 +7,7 @@
  * SPDX-License-Identifier: MIT
  */
 #include "persp.h"
+#include "small.h"
 
 /* A texel's value from its number, row * width + column. */
 typedef uint16_t read_fn(const void *texel, const uint16_t *palette, uint32_t at);
@@ -104,6 +105,66 @@ ZS_ALWAYS_INLINE void rows(struct zs_job *job, read_fn *read)
     zs_rows_written(job, written);
 }
 
+#if ZS_DIVIDES
+
+#define ZS_WORD(field) ((int)(offsetof(struct zs_texel_rows, field) / 4u))
+
+/* Rows of one side each way. Little is kept from row to row but in memory: pixels take all registers. */
+ZS_ALWAYS_INLINE void small(struct zs_job *job, const struct zs_texture *t, struct zs_texel_rows *w, read_fn *read)
+{
+    const uintptr_t beside = (uintptr_t)job->color - (uintptr_t)job->depth; /* from a depth to its colour */
+    const uint32_t pitch = w->sides.down[0];
+    const void *const texel = t->texel;
+    const uint16_t *const palette = t->palette;
+    uintptr_t row = (uintptr_t)job->depth + (uint32_t)(w->sides.row - job->y0) * pitch + w->sides.left;
+    uintptr_t end = row + (uint32_t)(w->sides.mid - w->sides.row) * pitch;
+    const uintptr_t last = row + (uint32_t)(w->sides.end - w->sides.row) * pitch;
+    const uint32_t *const word = (const uint32_t *)(const void *)w;
+    int32_t written = 0;
+    w->at[3] = 0;
+    for (;;) {
+        for (; row != end; row += w->sides.down[0]) {
+            uint32_t x0, x1, sum, u, v, tested, gx, du, dv, log2_w, down, right, by[2], by_v;
+            zs_small_columns(&w->sides, &x0, &x1);
+            zs_two(word, ZS_WORD(at), &sum, &u);
+            zs_two(word, ZS_WORD(at) + 2, &v, &tested);
+            zs_two(word, ZS_WORD(down), &by[0], &by[1]);
+            by_v = w->down[2];
+            w->at[0] = sum + by[0];
+            w->at[1] = u + by[1];
+            w->at[2] = v + by_v;
+            if (x0 >= x1)
+                continue;
+            w->at[3] = tested + (x1 - x0);
+            uint16_t *depth = (uint16_t *)row + x0, *const stop = (uint16_t *)row + x1;
+            zs_two(word, ZS_WORD(right), &gx, &du);
+            zs_two(word, ZS_WORD(right) + 2, &dv, &log2_w);
+            sum += gx * x0;
+            u += du * x0;
+            v += dv * x0;
+            zs_two(word, ZS_WORD(column), &right, &down);
+            do {
+                if (sum >> 16 < *++depth) {
+                    *depth = (uint16_t)zs_high(sum);
+                    *(uint16_t *)((uintptr_t)depth + beside) = zs_wire16(read(texel, palette, ((v >> down) << log2_w) + (u >> right)));
+                    if (ZS_STATS)
+                        written++;
+                }
+                sum += gx;
+                u += du;
+                v += dv;
+            } while (depth != stop);
+        }
+        end = last;
+        if (row == end)
+            break;
+        zs_small_turn(&w->sides);
+    }
+    job->r->stats.pixels_tested += w->at[3];
+    zs_rows_written(job, written);
+}
+
+#endif
 #endif
 
 static void fetch_565(const struct zs_texture *t, uint16_t *out, int32_t n, const struct zs_walk *walk)
@@ -129,6 +190,16 @@ const struct zs_texel zs_texel_pal4 = { fetch_pal4, 16, 1 };
 
 #else
 
+#if ZS_DIVIDES
+#define SMALL(name, read)                                                                                                \
+    ZS_IN_ORDER static void name(struct zs_job *job, const struct zs_texture *t, struct zs_texel_rows *rows)             \
+    {                                                                                                                    \
+        small(job, t, rows, read);                                                                                       \
+    }
+#else
+#define SMALL(name, read) enum { name = 0 };
+#endif
+
 static void gather_565(const struct zs_texture *t, uint16_t *out, int32_t n, const uint32_t *at)
 {
     gather(t, out, n, at, read_565);
@@ -138,6 +209,8 @@ ZS_IN_ORDER static void rows_565(struct zs_job *job)
 {
     rows(job, read_565);
 }
+
+SMALL(small_565, read_565)
 
 static void gather_pal8(const struct zs_texture *t, uint16_t *out, int32_t n, const uint32_t *at)
 {
@@ -149,6 +222,8 @@ ZS_IN_ORDER static void rows_pal8(struct zs_job *job)
     rows(job, read_pal8);
 }
 
+SMALL(small_pal8, read_pal8)
+
 static void gather_pal4(const struct zs_texture *t, uint16_t *out, int32_t n, const uint32_t *at)
 {
     gather(t, out, n, at, read_pal4);
@@ -159,8 +234,10 @@ ZS_IN_ORDER static void rows_pal4(struct zs_job *job)
     rows(job, read_pal4);
 }
 
-const struct zs_texel zs_texel_565 = { fetch_565, gather_565, rows_565, 0, 0 };
-const struct zs_texel zs_texel_pal8 = { fetch_pal8, gather_pal8, rows_pal8, 256, 0 };
-const struct zs_texel zs_texel_pal4 = { fetch_pal4, gather_pal4, rows_pal4, 16, 1 };
+SMALL(small_pal4, read_pal4)
+
+const struct zs_texel zs_texel_565 = { fetch_565, gather_565, rows_565, small_565, 0, 0 };
+const struct zs_texel zs_texel_pal8 = { fetch_pal8, gather_pal8, rows_pal8, small_pal8, 256, 0 };
+const struct zs_texel zs_texel_pal4 = { fetch_pal4, gather_pal4, rows_pal4, small_pal4, 16, 1 };
 
 #endif

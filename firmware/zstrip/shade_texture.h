@@ -1,0 +1,51 @@
+/* What shade_texture.c and small_texture.c share: a textured triangle's coordinates. Internal.
+ *
+ * SPDX-License-Identifier: MIT
+ */
+#ifndef ZS_SHADE_TEXTURE_H
+#define ZS_SHADE_TEXTURE_H
+
+#include "persp.h"
+
+#define ZS_TEXTURE_BIAS_LOG2 9   /* 2^-9 texel */
+#define ZS_TEXTURE_FLOOR_LOG2 7u /* smaller textures are held to 1/8 texel of one of 128 */
+
+/* log2 of the texels (of 128 or more to a repeat) that 16 bits stand for which are a difference of coordinates, in
+ * 2^-uv_bits repeats, times 2^up. */
+static inline int32_t zs_texture_texels(int32_t up, uint32_t uv_bits, uint32_t log2)
+{
+    return 16 - up - (int32_t)uv_bits + (int32_t)zs_maxu32(log2, ZS_TEXTURE_FLOOR_LOG2);
+}
+
+/* Plain affine: 2^texels * change / least / 4 <= 1/8, for a range of all 16 bits. */
+static inline int zs_texture_affine(int32_t texels, uint32_t change, uint32_t least)
+{
+    if (texels < 0)
+        return texels < -31 || change >> -texels < least >> (ZS_SPAN_BOUND_LOG2 - 2);
+    return texels < 31 && change <= (least >> (ZS_SPAN_BOUND_LOG2 - 2)) >> texels;
+}
+
+/* 256 * n / area * 2^(32 - uv_bits), nearest: a gradient in 2^-32 repeats, shift = 23 + uv_bits - the leading zeros of the
+ * area, 1 .. 36. 0 in *ok where it has 31 bits or more. |n| < 2^31. Error 2^-30 of it and 1/2 ulp. */
+static inline uint32_t zs_texture_gradient(uint32_t rcp, int32_t n, int32_t shift, int *ok)
+{
+    const int64_t product = zs_mul_su(n, rcp); /* |.| < 2^63 */
+    if (shift > 32)
+        return (uint32_t)((((int32_t)(product >> 32) >> (shift - 33)) + 1) >> 1);
+    const int64_t q = product + (1u << (shift - 1));
+    const int32_t hi = (int32_t)(q >> 32);
+    if (shift == 32)
+        return (uint32_t)hi;
+    const uint32_t low = (uint32_t)hi << (32 - shift) | (uint32_t)q >> shift;
+    *ok &= hi >> shift == (int32_t)low >> 31;
+    return low;
+}
+
+/* The texture to be drawn for job->tri: t, or a copy of it with the palette lit. Sets job->sampler.unlit. */
+const struct zs_texture *zs_texture_lit(struct zs_job *job, const struct zs_texture *t);
+
+#if !ZS_LEAN
+int zs_small_texture(struct zs_job *job); /* small_texture.c: zs_shader.small */
+#endif
+
+#endif
