@@ -226,13 +226,13 @@ static void guess(struct budget *b, const struct budget_request *rq)
     if (!solid)
         n[smooth ? SIM_COST_light_smooth : shade == SIM_SHADE_TEXTURED ? SIM_COST_light_texture :
           SIM_COST_attr_texture] = in_sight;
-    if (solid && !linear && high <= 64.0) {
-        n[SIM_COST_setup_small] = n[SIM_COST_tilt_small] = setups;
+    if ((solid || shade == SIM_SHADE_UNLIT) && !linear && high <= 64.0) {
+        n[solid ? SIM_COST_setup_small : SIM_COST_setup_small_texel] = n[SIM_COST_tilt_small] = setups;
         n[SIM_COST_edge_small_div] = divided;
-        n[SIM_COST_row_small] = rows;
-        n[SIM_COST_span_small] = spans;
-        n[SIM_COST_px_small] = tested;
-        n[SIM_COST_won_small] = won;
+        n[solid ? SIM_COST_row_small : SIM_COST_row_small_texel] = rows;
+        n[solid ? SIM_COST_span_small : SIM_COST_span_small_texel] = spans;
+        n[solid ? SIM_COST_px_small : SIM_COST_px_small_texel] = tested;
+        n[solid ? SIM_COST_won_small : direct] = won;
         return;
     }
     const int wide = high > 64.0, huge = high > 128.0;

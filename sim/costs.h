@@ -44,6 +44,7 @@
     X(bound_strip, "set-up", "strip all of whose rows it passes")                                               \
     X(bound_tile, "set-up", "tile of the frame, where bounds have changed before an instance")                  \
     X(setup_small, "set-up", "small triangle of one colour in a strip")                                         \
+    X(setup_small_texel, "set-up", "small triangle with a texture, affine, unlit or lit palette")               \
     X(tilt_small, "set-up", "more where its keys differ")                                                       \
     X(setup, "set-up", "any other triangle in a strip, of one colour")                                          \
     X(tilt, "set-up", "more where its keys differ")                                                             \
@@ -66,10 +67,12 @@
     X(start_texture_w, "set-up", "more for texels in perspective")                                              \
     X(start_light, "set-up", "more for their light between vertices")                                           \
     X(row_small, "row", "row of a small triangle")                                                              \
+    X(row_small_texel, "row", "row of a small triangle with a texture")                                         \
     X(row, "row", "row of any other: its two edges")                                                            \
     X(row_fresh, "row", "row with pixels, more where nothing was drawn before it")                              \
     X(row_clear, "row", "row of a strip, drawn on so: what is left of it is cleared")                           \
     X(span_small, "span", "row with pixels, small triangle")                                                    \
+    X(span_small_texel, "span", "row with pixels, small triangle with a texture")                               \
     X(span_solid, "span", "row with pixels, one colour")                                                        \
     X(span_smooth, "span", "row with pixels, smooth, affine")                                                   \
     X(span_direct, "span", "row with pixels, texels, affine, unlit or lit palette")                             \
@@ -77,6 +80,7 @@
     X(span_linear, "span", "more with depth linear")                                                            \
     X(piece, "span", "piece of a row, where depth float crosses an octave")                                     \
     X(px_small, "pixel", "pixel tested, small triangle")                                                        \
+    X(px_small_texel, "pixel", "pixel tested, small triangle with a texture")                                   \
     X(px_solid, "pixel", "pixel tested, one colour")                                                            \
     X(px_smooth, "pixel", "pixel tested, smooth")                                                               \
     X(px_direct, "pixel", "pixel tested, texels")                                                               \

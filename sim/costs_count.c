@@ -425,12 +425,14 @@ static int on_small(struct zs_job *job)
         return 1;
     }
     now.tested += (uint64_t)shape.px;
-    now.n[SIM_COST_setup_small]++;
+    const int texel = s->kind == KIND_TEXTURE;
+    const struct zs_material *material = job->r->scene->instance[job->tri->instance].material;
+    now.n[texel ? SIM_COST_setup_small_texel : SIM_COST_setup_small]++;
     now.n[SIM_COST_tilt_small] += shape.tilted;
-    now.n[SIM_COST_row_small] += shape.rows;
-    now.n[SIM_COST_span_small] += shape.spans;
-    now.n[SIM_COST_px_small] += shape.px;
-    now.n[SIM_COST_won_small] += written() - before;
+    now.n[texel ? SIM_COST_row_small_texel : SIM_COST_row_small] += shape.rows;
+    now.n[texel ? SIM_COST_span_small_texel : SIM_COST_span_small] += shape.spans;
+    now.n[texel ? SIM_COST_px_small_texel : SIM_COST_px_small] += shape.px;
+    now.n[texel ? texel_of(material->texture->format)->won : SIM_COST_won_small] += written() - before;
     return 1;
 }
 

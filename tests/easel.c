@@ -101,6 +101,20 @@ static uint32_t attrs_of(const struct easel *s)
     return s->smooth ? ZS_ATTRS_SMOOTH : ZS_ATTRS_FLAT;
 }
 
+#if !ZS_LEAN
+
+static const struct zs_shader *counted_of;
+static uint32_t at_once;
+
+static int counted_small(struct zs_job *job)
+{
+    const int done = counted_of->small(job);
+    at_once += done != 0;
+    return done;
+}
+
+#endif
+
 void easel_draw(const struct easel *s, const struct easel_tri *t, uint32_t n,
                 struct easel_frame *out)
 {
@@ -125,7 +139,14 @@ void easel_draw(const struct easel *s, const struct easel_tri *t, uint32_t n,
     struct zs_mesh mesh = {
         .scale = ZS_Q16_ONE, .normal = normal, .radius = 1, .uv = uv, .uv_bits = (uint8_t)s->uv_bits
     };
-    const struct zs_material material = { shader_of(s), { 0, 0, 0 }, ZS_CULL_NONE, s->texture };
+    struct zs_shader shader = *shader_of(s);
+#if !ZS_LEAN
+    counted_of = shader_of(s);
+    at_once = 0;
+    if (shader.small)
+        shader.small = counted_small;
+#endif
+    const struct zs_material material = { &shader, { 0, 0, 0 }, ZS_CULL_NONE, s->texture };
     struct zs_instance instance[EASEL_STATES_MAX + 1];
     memset(instance, 0, sizeof instance);
     must(s->n_states <= EASEL_STATES_MAX, "states");
@@ -142,6 +163,10 @@ void easel_draw(const struct easel *s, const struct easel_tri *t, uint32_t n,
          "camera");
     must(zs_frame_begin(&r, &scene, &camera) == ZS_OK, "zs_frame_begin");
     fill_pools(&r, t, n, s->n_states);
+#if !ZS_LEAN
+    if (s->general)
+        r.view.piece_shift = 0;
+#endif
 
     const size_t n_px = (size_t)s->width * (size_t)s->height;
     out->color = malloc(n_px * 2);
@@ -160,6 +185,12 @@ void easel_draw(const struct easel *s, const struct easel_tri *t, uint32_t n,
     must(at == n_px, "strips do not fill the frame");
     out->tested = r.stats.pixels_tested;
     out->written = r.stats.pixels_written;
+    out->setups = r.stats.tris_setup;
+#if ZS_LEAN
+    out->at_once = 0;
+#else
+    out->at_once = at_once;
+#endif
     out->unit_near = r.view.z_near;
     out->shift = r.view.shift;
     out->key_far = (double)r.view.key_far / 65536.0;

@@ -35,6 +35,7 @@ struct easel {
     int32_t uv_bits;
     const struct zs_state *state; /* [n_states] */
     uint32_t n_states;
+    int general; /* 1: small triangles are not drawn in one go either */
 };
 
 #define EASEL_STATES_MAX 16u
@@ -42,7 +43,8 @@ struct easel {
 struct easel_frame {
     uint16_t *color; /* [height][width], RGB565; 0 where nothing was drawn, or k + 1 */
     uint16_t *key;   /* [height][width] */
-    uint32_t tested, written;
+    uint32_t tested, written, setups;
+    uint32_t at_once;        /* triangles in strips that zs_shader.small has drawn */
     int32_t unit_near, shift; /* of the camera unit */
     double key_far;           /* recip: key of z at infinity, buckets; exact */
 };

@@ -184,12 +184,15 @@ static const struct work work[] = {
 };
 
 /* Shaders that count what `small` takes. */
-static int (*small_of)(struct zs_job *job);
+static struct counted_shader {
+    struct zs_shader shader;
+    int (*small_of)(struct zs_job *job);
+} counted[DEMO_INSTANCES_MAX];
 static uint32_t at_once;
 
 static int counted_small(struct zs_job *job)
 {
-    const int done = small_of(job);
+    const int done = ((const struct counted_shader *)(const void *)job->shader)->small_of(job);
     at_once += (uint32_t)done;
     return done;
 }
@@ -197,20 +200,17 @@ static int counted_small(struct zs_job *job)
 static void count_small(struct part *p, const struct demo_frame *f)
 {
     static struct zs_material material[DEMO_INSTANCES_MAX];
-    static struct zs_shader shader[DEMO_INSTANCES_MAX];
     p->scene = f->scene;
     p->scene.instance = p->instance;
     for (uint32_t k = 0; k < f->scene.n_instances; k++) {
         p->instance[k] = f->scene.instance[k];
         material[k] = *p->instance[k].material;
-        shader[k] = *material[k].shader;
+        counted[k].shader = *material[k].shader;
+        counted[k].small_of = counted[k].shader.small;
+        if (counted[k].small_of)
+            counted[k].shader.small = counted_small;
         p->instance[k].material = &material[k];
-        material[k].shader = &shader[k];
-        if (shader[k].small) {
-            assert_true(!small_of || small_of == shader[k].small);
-            small_of = shader[k].small;
-            shader[k].small = counted_small;
-        }
+        material[k].shader = &counted[k].shader;
     }
 }
 
@@ -225,10 +225,10 @@ static struct work work_of(const struct demo *demo)
             demo->pose(&f, t, W, H);
             if (small)
                 c.max_tris = c.max_verts = 300;
-            static struct part counted;
+            static struct part part;
             at_once = 0;
-            count_small(&counted, &f);
-            assert_int_equal(sim_frame_render(&frame, &counted.scene, &f.camera, &c, NULL), ZS_OK);
+            count_small(&part, &f);
+            assert_int_equal(sim_frame_render(&frame, &part.scene, &f.camera, &c, NULL), ZS_OK);
             const struct zs_stats *s = &frame.stats;
             w.verts[small] += s->verts_transformed;
             w.setups[small] += s->tris_setup;

@@ -845,6 +845,73 @@ static void three_formats_one_picture(void **state)
     CASES(format_case, 400);
 }
 
+/* ---- Small triangles -------------------------------------------------------------------------- */
+
+#define SMALL_TRIS 60u
+static uint64_t small_at_once, small_setups;
+
+/* Triangles of 1 to 64 pixels, many of them affine, some beside the frame: in one go or stage by stage, the same. */
+static int small_case(uint64_t seed)
+{
+    static const struct zs_texel *const formats[] = { &zs_texel_565, &zs_texel_pal8, &zs_texel_pal4 };
+    static uint16_t direct[1 << 16], palette[256];
+    static uint8_t bytes[1 << 16];
+    struct prng p = { seed };
+    struct easel s = random_easel(&p, seed);
+    const struct easel_frame unit = unit_of(&s);
+    const struct zs_texel *format = formats[prng_pick(&p, 3)];
+    const struct zs_texture texture = { format, format == &zs_texel_565 ? (const void *)direct : bytes, palette, 16,
+                                        (uint8_t)(1u + prng_pick(&p, 8)), (uint8_t)prng_pick(&p, 9),
+                                        prng_pick(&p, 8) ? 0u : (uint8_t)prng_pick(&p, 4) };
+    struct easel_tri t[SMALL_TRIS];
+    struct easel_frame f[2];
+    for (uint32_t k = 0; k < 1u << 16; k++) {
+        direct[k] = (uint16_t)prng_next(&p);
+        bytes[k] = (uint8_t)prng_next(&p);
+        if (format == &zs_texel_pal8)
+            bytes[k] &= 15u;
+    }
+    for (int k = 0; k < 256; k++)
+        palette[k] = (uint16_t)prng_next(&p);
+    for (uint32_t n = 0; n < SMALL_TRIS; n++) {
+        const enum uv_kind kind = prng_pick(&p, 2) ? UV_FEW : (enum uv_kind)prng_pick(&p, UV_KINDS);
+        const int32_t size = 256 << prng_pick(&p, 7), tilt = prng_range(&p, 2, 24); /* px; of depth: 2^-tilt */
+        const int32_t x = prng_range(&p, -1000, s.width * 256), y = prng_range(&p, -1000, s.height * 256);
+        const double most = s.z_far / 2.0 / s.z_near, z = s.z_near * pow(most, prng_pick(&p, 1025) / 1024.0);
+        memset(&t[n], 0, sizeof t[n]);
+        for (int k = 0; k < 3; k++) {
+            t[n].x[k] = x + prng_range(&p, 0, size);
+            t[n].y[k] = y + prng_range(&p, 0, size);
+            t[n].d[k] = depth_of(&s, &unit, z * (1 + ldexp(prng_pick(&p, 1025) / 1024.0, -tilt)));
+            for (int axis = 0; axis < 2; axis++)
+                t[n].rgb[k][axis] = EASEL_UV(random_uv(&p, kind, s.uv_bits, axis, (int32_t)t[n].rgb[0][axis] - 32768));
+        }
+    }
+    s.texture = &texture;
+    for (s.general = 0; s.general < 2; s.general++)
+        easel_draw(&s, t, SMALL_TRIS, &f[s.general]);
+    const size_t bytes_of = (size_t)(s.width * s.height) * 2;
+    int ok = !memcmp(f[0].color, f[1].color, bytes_of) && !memcmp(f[0].key, f[1].key, bytes_of);
+    if (!ok)
+        case_wrong("another picture in one go: %u x %u texels", 1u << texture.log2_w, 1u << texture.log2_h);
+    if (f[0].tested != f[1].tested || f[0].written != f[1].written || f[0].setups != f[1].setups || f[1].at_once)
+        ok = case_wrong("other counts in one go: %u %u, %u %u, %u %u; %u", f[0].tested, f[1].tested, f[0].written,
+                        f[1].written, f[0].setups, f[1].setups, f[1].at_once);
+    small_at_once += f[0].at_once;
+    small_setups += f[0].setups;
+    easel_free(&f[0]);
+    easel_free(&f[1]);
+    return ok;
+}
+
+static void small_ones_in_one_go_the_same(void **state)
+{
+    (void)state;
+    CASES(small_case, 1500);
+    print_message("%llu of %llu in one go\n", (unsigned long long)small_at_once, (unsigned long long)small_setups);
+    assert_true(small_at_once > small_setups / 6);
+}
+
 /* ---- The whole pipeline --------------------------------------------------------------------- */
 
 #define GROUND_W 96
@@ -1236,6 +1303,7 @@ static const struct CMUnitTest tests[] = { cmocka_unit_test(texels_by_ratio_of_w
                                            cmocka_unit_test(mirrored_the_same_texels),
                                            cmocka_unit_test(what_is_hidden_moves_no_texel),
                                            cmocka_unit_test(three_formats_one_picture),
+                                           cmocka_unit_test(small_ones_in_one_go_the_same),
                                            cmocka_unit_test(clipped_at_near_u_and_v_stay),
                                            cmocka_unit_test(
                                                flat_light_over_a_texture_against_doubles),

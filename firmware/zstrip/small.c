@@ -1,6 +1,4 @@
-/* Triangles of one colour and up to 64 pixels each way, set up and drawn in one go: what the stages would do one by
- * one, with the same outcome bit for bit, where a call a stage costs more than the pixels. For cores that divide; without,
- * remainders are quicker (raster.c). The same for other shaders does not pay: their set-up wants what the stages leave.
+/* Small triangles of one colour, set up and drawn in one go (small.h).
  *
  * SPDX-License-Identifier: MIT
  */

@@ -44,7 +44,7 @@ struct zs_sides {
 struct zs_texel_rows {
     struct zs_sides sides;     /* but down[1], key, gx */
     uint32_t at[4], down[3];   /* ... and how many pixels have been tested */
-    uint32_t right[3], log2_w; /* ... */
+    uint32_t right[3], width;  /* ... and the texture's */
     uint32_t column, row;      /* shifts that make these of u and v */
 };
 

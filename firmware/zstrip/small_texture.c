@@ -31,7 +31,7 @@ ZS_ALWAYS_INLINE uint32_t gradient(uint32_t rcp, int32_t n, int32_t shift, int32
     return low;
 }
 
-/* A coordinate: of the first corner, 2^-uv_bits repeats, unsigned; what the others have more, and the largest above the least. */
+/* A coordinate: of the first corner, 2^-uv_bits repeats, unsigned; what the others have more; the largest above the least. */
 struct coordinate {
     int32_t a, d1, d2;
     uint32_t range;
@@ -105,7 +105,7 @@ ZS_IN_ORDER int zs_small_texture(struct zs_job *job)
     w.at[0] = w.sides.key;
     w.down[0] = w.sides.down[1];
     w.right[0] = w.sides.gx;
-    w.log2_w = log2_w;
+    w.width = 1u << log2_w;
     w.column = 32u - log2_w;
     w.row = 32u - log2_h;
     zs_small_sides(job, &s, &w.sides);

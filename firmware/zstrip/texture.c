@@ -124,7 +124,7 @@ ZS_ALWAYS_INLINE void small(struct zs_job *job, const struct zs_texture *t, stru
     w->at[3] = 0;
     for (;;) {
         for (; row != end; row += w->sides.down[0]) {
-            uint32_t x0, x1, sum, u, v, tested, gx, du, dv, log2_w, down, right, by[2], by_v;
+            uint32_t x0, x1, sum, u, v, tested, gx, du, dv, width, down, right, by[2], by_v;
             zs_small_columns(&w->sides, &x0, &x1);
             zs_two(word, ZS_WORD(at), &sum, &u);
             zs_two(word, ZS_WORD(at) + 2, &v, &tested);
@@ -138,7 +138,7 @@ ZS_ALWAYS_INLINE void small(struct zs_job *job, const struct zs_texture *t, stru
             w->at[3] = tested + (x1 - x0);
             uint16_t *depth = (uint16_t *)row + x0, *const stop = (uint16_t *)row + x1;
             zs_two(word, ZS_WORD(right), &gx, &du);
-            zs_two(word, ZS_WORD(right) + 2, &dv, &log2_w);
+            zs_two(word, ZS_WORD(right) + 2, &dv, &width);
             sum += gx * x0;
             u += du * x0;
             v += dv * x0;
@@ -146,7 +146,7 @@ ZS_ALWAYS_INLINE void small(struct zs_job *job, const struct zs_texture *t, stru
             do {
                 if (sum >> 16 < *++depth) {
                     *depth = (uint16_t)zs_high(sum);
-                    *(uint16_t *)((uintptr_t)depth + beside) = zs_wire16(read(texel, palette, ((v >> down) << log2_w) + (u >> right)));
+                    *(uint16_t *)((uintptr_t)depth + beside) = zs_wire16(read(texel, palette, (v >> down) * width + (u >> right)));
                     if (ZS_STATS)
                         written++;
                 }
