@@ -63,14 +63,14 @@ static ZS_NOINLINE void small_rows(struct zs_job *job, struct zs_sides *w)
     zs_rows_written(job, written);
 }
 
-ZS_IN_ORDER int zs_small_draw(struct zs_job *job)
+int zs_small_draw(struct zs_job *job)
 {
     struct zs_small s;
     struct zs_sides w;
     const enum zs_small_fate fate = zs_small_look(job, &s);
     if (fate != ZS_SMALL_ROWS)
         return (int)fate;
-    if (!zs_small_keys(job, &s, &w))
+    if (!zs_small_keys(&s, &w))
         return 0;
     zs_small_sides(job, &s, &w);
     small_rows(job, &w);

@@ -115,10 +115,10 @@ static inline int32_t zs_small_gradient(int64_t n, uint32_t rcp, int32_t shift)
 }
 
 /* The plane of the keys. Return 0: too steep for this way. */
-ZS_ALWAYS_INLINE int zs_small_keys(struct zs_job *job, struct zs_small *s, struct zs_sides *w)
+ZS_ALWAYS_INLINE int zs_small_keys(struct zs_small *s, struct zs_sides *w)
 {
-    const int shift = zs_clz32((uint32_t)s->area); /* 2 .. 18 */
-    const uint32_t rcp = zs_recip_inline((uint32_t)s->area << shift);
+    const int shift = s->shift = zs_clz32((uint32_t)s->area); /* 2 .. 18 */
+    const uint32_t rcp = s->rcp = zs_recip_inline((uint32_t)s->area << shift);
     const int32_t dv1 = (int32_t)(s->key_a - s->key_b), dv2 = (int32_t)(s->key_a - s->key_c); /* of one piece: |.| < 2^31 */
     const int32_t gx = zs_small_gradient(zs_mul_ss(dv1, s->dy2) - zs_mul_ss(dv2, s->dy1), rcp, shift);
     const int32_t up = zs_small_gradient(zs_mul_ss(dv1, s->dx2) - zs_mul_ss(dv2, s->dx1), rcp, shift);
@@ -130,10 +130,7 @@ ZS_ALWAYS_INLINE int zs_small_keys(struct zs_job *job, struct zs_small *s, struc
     const int64_t from = zs_mul_ss(gx, x) + zs_mul_ss(up, off) - 128; /* to column 0 and row, negative, a half added */
     w->key = s->d + 0x8000u + (uint32_t)(-from >> 8);
     w->gx = (uint32_t)gx;
-    w->down[0] = (uint32_t)job->width * 2u;
     w->down[1] = 0u - (uint32_t)up;
-    s->rcp = rcp;
-    s->shift = shift;
     s->x = x;
     s->off = off;
     return 1;
@@ -143,6 +140,7 @@ ZS_ALWAYS_INLINE int zs_small_keys(struct zs_job *job, struct zs_small *s, struc
 ZS_ALWAYS_INLINE void zs_small_sides(struct zs_job *job, const struct zs_small *s, struct zs_sides *w)
 {
     job->r->stats.tris_setup++;
+    w->down[0] = (uint32_t)job->width * 2u;
     const int32_t x = s->x, off = s->off, dx1 = s->dx1, dx2 = s->dx2, dy1 = s->dy1, dy2 = s->dy2, row = s->row;
     w->row = row;
     w->end = row + s->n;

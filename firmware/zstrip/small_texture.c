@@ -97,7 +97,7 @@ ZS_IN_ORDER int zs_small_texture(struct zs_job *job)
             return 0;
     }
 
-    if (!zs_small_keys(job, &s, &w.sides))
+    if (!zs_small_keys(&s, &w.sides))
         return 0;
     const int32_t shift = 23 + (int32_t)uv_bits - s.shift;
     if (shift < 1 || (plane(&s, &cu, shift, uv_bits, log2_w, &w, 1) | plane(&s, &cv, shift, uv_bits, log2_h, &w, 2)))

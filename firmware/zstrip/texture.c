@@ -192,7 +192,7 @@ const struct zs_texel zs_texel_pal4 = { fetch_pal4, 16, 1 };
 
 #if ZS_DIVIDES
 #define SMALL(name, read)                                                                                                \
-    ZS_IN_ORDER static void name(struct zs_job *job, const struct zs_texture *t, struct zs_texel_rows *rows)             \
+    static void name(struct zs_job *job, const struct zs_texture *t, struct zs_texel_rows *rows)             \
     {                                                                                                                    \
         small(job, t, rows, read);                                                                                       \
     }

@@ -19,13 +19,13 @@ static inline uint32_t zs_recip_inline(uint32_t a);
     assigns \result \from n, rcp, shift, least_shift;
     ensures bound: \result == -2147483648 || -134217728 <= \result <= 134217728; */
 int32_t zs_plane_quotient(int64_t n, uint32_t rcp, int32_t shift, int32_t least_shift);
-/* What rows are given: struct walk in words: span, step, span, step; two a row; two sums; key, gx; row, mid, end. */
-struct walk;
+/* What rows are given: struct zs_sides in words: span, step, span, step; two a row; two sums; key, gx; row, mid, end. */
+struct zs_sides;
 /*@ requires spans: ((unsigned int *)w)[0] < 0x400000 && ((unsigned int *)w)[2] < 0x400000;
     requires rows: ((int *)w)[10] < ((int *)w)[12] <= ((int *)w)[10] + 65;
     requires middle: ((int *)w)[10] <= ((int *)w)[11] <= ((int *)w)[10] + 65;
     assigns \nothing; */
-static ZS_NOINLINE void small_rows(struct zs_job *job, struct walk *w);
+static ZS_NOINLINE void small_rows(struct zs_job *job, struct zs_sides *w);
 #include "small.c"
 
 #define COORD_LO (-ZS_GUARD_SUBPX - 1)
@@ -59,7 +59,7 @@ static void any_small(int32_t x, int32_t y, int32_t from)
     (void)zs_small_draw(&job);
 }
 
-/* PROVE small_setups -eva-use-spec=recip_in_line,zs_plane_quotient,small_rows: every triangle of up to 2^14
+/* PROVE small_setups -eva-split-return-function=zs_small_look:0:1:2,zs_small_keys:0:1 -eva-use-spec=recip_in_line,zs_plane_quotient,small_rows: every triangle of up to 2^14
  * sub-pixels each way, any keys and pieces of 2^19 .. 2^31, its top corner at both ends of its range and at 0,
  * there on a pixel's border, on a sample and a sub-pixel beside it, strips from above it and from each of its 65
  * rows on, any width and height */
@@ -75,7 +75,7 @@ void small_setups(void)
 #define COLUMN (ZS_TINY_SIDE + 1) /* of the top corner: the least for which walk.left is not negative */
 #define ROWS 2
 
-static struct walk walk;
+static struct zs_sides walk;
 
 /* Columns of a side in rows from the n-th on: at and `by` more a row; as set-up has them, of an edge of one row. */
 static uint32_t side_sum(int32_t at)
