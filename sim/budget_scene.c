@@ -226,13 +226,17 @@ static void guess(struct budget *b, const struct budget_request *rq)
     if (!solid)
         n[smooth ? SIM_COST_light_smooth : shade == SIM_SHADE_TEXTURED ? SIM_COST_light_texture :
           SIM_COST_attr_texture] = in_sight;
-    if ((solid || shade == SIM_SHADE_UNLIT) && !linear && high <= 64.0) {
+    if (!smooth && !linear && high <= 64.0) {
+        const int lit = shade == SIM_SHADE_TEXTURED || shade == SIM_SHADE_TEXTURED_FLAT;
         n[solid ? SIM_COST_setup_small : SIM_COST_setup_small_texel] = n[SIM_COST_tilt_small] = setups;
         n[SIM_COST_edge_small_div] = divided;
         n[solid ? SIM_COST_row_small : SIM_COST_row_small_texel] = rows;
         n[solid ? SIM_COST_span_small : SIM_COST_span_small_texel] = spans;
         n[solid ? SIM_COST_px_small : SIM_COST_px_small_texel] = tested;
         n[solid ? SIM_COST_won_small : direct] = won;
+        n[SIM_COST_setup_small_lit] = lit ? setups : 0.0;
+        n[SIM_COST_span_small_lit] = lit ? spans : 0.0;
+        n[SIM_COST_won_small_lit] = lit ? won : 0.0;
         return;
     }
     const int wide = high > 64.0, huge = high > 128.0;

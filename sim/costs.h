@@ -45,6 +45,7 @@
     X(bound_tile, "set-up", "tile of the frame, where bounds have changed before an instance")                  \
     X(setup_small, "set-up", "small triangle of one colour in a strip")                                         \
     X(setup_small_texel, "set-up", "small triangle with a texture, affine, unlit or lit palette")               \
+    X(setup_small_lit, "set-up", "more where that is lit")                                                      \
     X(tilt_small, "set-up", "more where its keys differ")                                                       \
     X(setup, "set-up", "any other triangle in a strip, of one colour")                                          \
     X(tilt, "set-up", "more where its keys differ")                                                             \
@@ -73,6 +74,7 @@
     X(row_clear, "row", "row of a strip, drawn on so: what is left of it is cleared")                           \
     X(span_small, "span", "row with pixels, small triangle")                                                    \
     X(span_small_texel, "span", "row with pixels, small triangle with a texture")                               \
+    X(span_small_lit, "span", "more where that is lit")                                                         \
     X(span_solid, "span", "row with pixels, one colour")                                                        \
     X(span_smooth, "span", "row with pixels, smooth, affine")                                                   \
     X(span_direct, "span", "row with pixels, texels, affine, unlit or lit palette")                             \
@@ -90,6 +92,7 @@
     X(px_fresh, "pixel", "key of a pixel drawn without a test")                                                 \
     X(fill_px, "pixel", "pixel of one colour filled where nothing was drawn")                                   \
     X(won_small, "pixel", "more where it wins, small triangle")                                                 \
+    X(won_small_lit, "pixel", "more where it wins and a texture is lit, small triangle")                        \
     X(won_solid, "pixel", "more where it wins, one colour")                                                     \
     X(won_smooth, "pixel", "more where it wins, smooth")                                                        \
     X(won_565, "pixel", "more where it wins, texel 565")                                                        \

@@ -55,6 +55,7 @@ static struct {
     uint8_t wide, huge; /* flags, of the triangle that was set up last: how its planes are found */
     uint8_t keys;      /* flag, of the triangle in hand: its keys are linear */
     uint8_t linear;    /* flag: keys are linear on the screen in this view */
+    uint8_t lit;       /* flag: the small triangle in hand is drawn by a lit kernel */
     uint8_t fresh;     /* flag: a triangle of this strip was drawn on fresh pixels */
     struct zs_vertex cover[3]; /* the last triangle that hides others */
     uint32_t bounds;   /* checksum of the tiles' bounds, when an instance was last begun */
@@ -412,6 +413,7 @@ static int on_small(struct zs_job *job)
 {
     const struct our_shader *s = shader_of(job->shader);
     const uint32_t setups = now.r->stats.tris_setup, px = tested(), before = written();
+    now.lit = 0;
     if (!s->of->small(job))
         return 0;
     if (now.r->stats.tris_setup == setups)
@@ -433,6 +435,11 @@ static int on_small(struct zs_job *job)
     now.n[texel ? SIM_COST_span_small_texel : SIM_COST_span_small] += shape.spans;
     now.n[texel ? SIM_COST_px_small_texel : SIM_COST_px_small] += shape.px;
     now.n[texel ? texel_of(material->texture->format)->won : SIM_COST_won_small] += written() - before;
+    if (now.lit) {
+        now.n[SIM_COST_setup_small_lit]++;
+        now.n[SIM_COST_span_small_lit] += shape.spans;
+        now.n[SIM_COST_won_small_lit] += written() - before;
+    }
     return 1;
 }
 
@@ -510,6 +517,12 @@ static void on_gather(const struct zs_texture *t, uint16_t *out, int32_t n, cons
     texel_of(t->format)->of->gather(t, out, n, at);
 }
 
+static void on_small_lit(struct zs_job *job, const struct zs_texture *t, struct zs_texel_rows *rows)
+{
+    now.lit = 1;
+    texel_of(t->format)->of->small_lit(job, t, rows);
+}
+
 /* ---- Copies ------------------------------------------------------------------------------------- */
 
 static void copy_shader(struct our_shader *s, const struct zs_shader *of)
@@ -541,6 +554,7 @@ static void copy_texel(struct our_texel *x, const struct zs_texel *of)
     x->won = of == &zs_texel_565 ? SIM_COST_won_565 : of == &zs_texel_pal8 ? SIM_COST_won_pal8 : SIM_COST_won_pal4;
     x->texel.fetch = on_fetch;
     x->texel.gather = on_gather;
+    x->texel.small_lit = on_small_lit;
 }
 
 static void copy(struct zs_instance *in, struct thing *t)

@@ -41,7 +41,7 @@ static int order_corners(const struct easel_tri *t, uint32_t order[3])
 }
 
 static void fill_pools(struct zs_renderer *r, const struct easel_tri *t, uint32_t n,
-                       uint32_t n_states)
+                       uint32_t n_states, int lit)
 {
     uint32_t n_tris = 0; /* in the pool: with ZS_LEAN, only those that are drawn */
 #if !ZS_LEAN
@@ -69,7 +69,7 @@ static void fill_pools(struct zs_renderer *r, const struct easel_tri *t, uint32_
         struct zs_tri *tri = &r->tri[n_tris];
         for (uint32_t v = 0; v < 3; v++)
             tri->v[v] = (uint16_t)(3 * k + order[v]);
-        tri->paint = zs_wire16((uint16_t)(k + 1));
+        tri->paint = lit ? t[k].rgb[0][2] : zs_wire16((uint16_t)(k + 1));
         must(n_states == 0 || t[k].state <= n_states, "state");
         tri->instance = (uint16_t)(n_states ? t[k].state : 0);
 #if !ZS_LEAN
@@ -90,7 +90,7 @@ static void fill_pools(struct zs_renderer *r, const struct easel_tri *t, uint32_
 static const struct zs_shader *shader_of(const struct easel *s)
 {
     if (s->texture)
-        return s->smooth ? &zs_shade_texture_smooth : &zs_shade_texture;
+        return s->smooth ? &zs_shade_texture_smooth : s->lit ? &zs_shade_texture_flat : &zs_shade_texture;
     return s->smooth ? &zs_shade_smooth : &zs_shade_raw;
 }
 
@@ -162,7 +162,7 @@ void easel_draw(const struct easel *s, const struct easel_tri *t, uint32_t n,
     must(zs_camera_perspective(&camera, 8192, (uint16_t)s->height, s->z_near, s->z_far) == ZS_OK,
          "camera");
     must(zs_frame_begin(&r, &scene, &camera) == ZS_OK, "zs_frame_begin");
-    fill_pools(&r, t, n, s->n_states);
+    fill_pools(&r, t, n, s->n_states, s->lit);
 #if !ZS_LEAN
     if (s->general)
         r.view.piece_shift = 0;

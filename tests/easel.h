@@ -35,6 +35,7 @@ struct easel {
     int32_t uv_bits;
     const struct zs_state *state; /* [n_states] */
     uint32_t n_states;
+    int lit;     /* 1: a texture is lit by the first corner's intensity; not with smooth */
     int general; /* 1: small triangles are not drawn in one go either */
 };
 

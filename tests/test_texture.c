@@ -860,7 +860,8 @@ static int small_case(uint64_t seed)
     struct easel s = random_easel(&p, seed);
     const struct easel_frame unit = unit_of(&s);
     const struct zs_texel *format = formats[prng_pick(&p, 3)];
-    const struct zs_texture texture = { format, format == &zs_texel_565 ? (const void *)direct : bytes, palette, 16,
+    const struct zs_texture texture = { format, format == &zs_texel_565 ? (const void *)direct : bytes, palette,
+                                        prng_pick(&p, 2) ? 16 : 100,
                                         (uint8_t)(1u + prng_pick(&p, 8)), (uint8_t)prng_pick(&p, 9),
                                         prng_pick(&p, 8) ? 0u : (uint8_t)prng_pick(&p, 4) };
     struct easel_tri t[SMALL_TRIS];
@@ -885,15 +886,22 @@ static int small_case(uint64_t seed)
             t[n].d[k] = depth_of(&s, &unit, z * (1 + ldexp(prng_pick(&p, 1025) / 1024.0, -tilt)));
             for (int axis = 0; axis < 2; axis++)
                 t[n].rgb[k][axis] = EASEL_UV(random_uv(&p, kind, s.uv_bits, axis, (int32_t)t[n].rgb[0][axis] - 32768));
+            t[n].rgb[k][2] = (uint16_t)prng_pick(&p, 65505);
+            if (tilt % 2 && k)
+                t[n].rgb[k][2] = (uint16_t)(t[n].rgb[0][2] / 2 + 16000 + prng_range(&p, -300, 300));
+            if (k == 2 && tilt % 4 == 2)
+                t[n].rgb[0][2] = t[n].rgb[1][2] = t[n].rgb[2][2] = EASEL_LIGHT_ONE;
         }
     }
     s.texture = &texture;
+    s.smooth = (int)prng_pick(&p, 2);
+    s.lit = !s.smooth && prng_pick(&p, 2);
     for (s.general = 0; s.general < 2; s.general++)
         easel_draw(&s, t, SMALL_TRIS, &f[s.general]);
     const size_t bytes_of = (size_t)(s.width * s.height) * 2;
     int ok = !memcmp(f[0].color, f[1].color, bytes_of) && !memcmp(f[0].key, f[1].key, bytes_of);
     if (!ok)
-        case_wrong("another picture in one go: %u x %u texels", 1u << texture.log2_w, 1u << texture.log2_h);
+        case_wrong("another picture in one go: %u x %u texels, smooth %d, lit %d", 1u << texture.log2_w, 1u << texture.log2_h, s.smooth, s.lit);
     if (f[0].tested != f[1].tested || f[0].written != f[1].written || f[0].setups != f[1].setups || f[1].at_once)
         ok = case_wrong("other counts in one go: %u %u, %u %u, %u %u; %u", f[0].tested, f[1].tested, f[0].written,
                         f[1].written, f[0].setups, f[1].setups, f[1].at_once);

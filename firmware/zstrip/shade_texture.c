@@ -33,7 +33,6 @@
 #define PIECE 16       /* pixels divided at a time */
 #define LIGHT_MAX 65504u /* uq1_15, just below 2: light() adds a half */
 #define LIGHT_LOG2 7     /* codes that its 16 bits stand for: 126 */
-#define LIGHT_ONE 1024u  /* light at a pixel, uq1_10 */
 
 /* ---- Vertices and faces ---------------------------------------------------------------------------- */
 
@@ -162,17 +161,11 @@ static void affine_plane(struct zs_job *job, const struct coordinate *c, uint32_
     out->gy <<= later;
 }
 
-/* The light's words: range * 2^-15 * 64 codes * change / least / 4 <= 1/8. */
-static inline int light_enough(uint32_t range, uint32_t change, uint32_t least)
-{
-    return zs_mul_uu(range, change) <= (uint64_t)least << (11 - ZS_SPAN_BOUND_LOG2);
-}
-
 /* Whether a triangle may be affine: where w changes by `change`, the least is `least`, and light by light_range. */
 static int affine_enough(const struct coordinate c[2], uint32_t light_range, uint32_t change, uint32_t least)
 {
     return zs_texture_affine(c[0].texels, change, least) && zs_texture_affine(c[1].texels, change, least) &&
-           light_enough(light_range, change, least);
+           zs_texture_light_affine(light_range, change, least);
 }
 
 /* ceil(log2(2^(texels + 1) K |W'|)) of an attribute; -128: it is 0. */
@@ -368,19 +361,9 @@ static inline void fetch(const struct zs_job *job, uint16_t *out, int32_t n, con
 /* n pixels times light, which is uq1_15 with 16 more fraction bits and changes by step. */
 static void light(uint16_t *out, int32_t n, uint32_t l, uint32_t step)
 {
-    l += 1u << 20; /* half of 2^-10 */
-    for (uint16_t *const end = out + n; out != end; out++, l += step) {
-        const uint32_t c = zs_wire16(*out), level = l >> 21;           /* 0 .. 2047 */
-        const uint32_t rb = (((c & 0xf800u) << 5) | (c & 31u)) * level + 0x02000200u; /* 2 x 16 bits */
-        const uint32_t g = ((c >> 5) & 63u) * level + 0x200u;          /* < 2^17.1 */
-        uint32_t red = rb >> 26, green = g >> 10, blue = (rb >> 10) & 63u;
-        if (level > LIGHT_ONE) {
-            red = red > 31u ? 31u : red;
-            green = green > 63u ? 63u : green;
-            blue = blue > 31u ? 31u : blue;
-        }
-        *out = zs_wire16((uint16_t)(red << 11 | green << 5 | blue));
-    }
+    l += ZS_TEXTURE_LIGHT_HALF;
+    for (uint16_t *const end = out + n; out != end; out++, l += step)
+        *out = zs_wire16((uint16_t)zs_texture_shine(zs_wire16(*out), l >> ZS_TEXTURE_LIGHT_SHIFT));
 }
 
 /* Attributes at a covered pixel by division: 2^-31 of their span. Return w there. */
@@ -644,10 +627,10 @@ static void texture_rows(struct zs_job *job)
 const struct zs_shader zs_shade_texture = { texture_vertex, no_face, texture_rows, texture_start, zs_persp_span, texture_run,
                                             texture_check, 0, zs_small_texture, ZS_ATTRS_TEXTURE };
 const struct zs_shader zs_shade_texture_flat = { texture_vertex, flat_face, texture_rows, texture_start,
-                                                 zs_persp_span, texture_run, texture_check, light, zs_small_texture,
+                                                 zs_persp_span, texture_run, texture_check, light, zs_small_texture_lit,
                                                  ZS_ATTRS_TEXTURE };
 const struct zs_shader zs_shade_texture_smooth = { smooth_vertex, no_face, texture_rows, texture_start,
-                                                   zs_persp_span, texture_run, smooth_check, light, 0,
+                                                   zs_persp_span, texture_run, smooth_check, light, zs_small_texture_lit,
                                                    ZS_ATTRS_TEXTURE_SMOOTH };
 
 #endif

@@ -41,11 +41,37 @@ static inline uint32_t zs_texture_gradient(uint32_t rcp, int32_t n, int32_t shif
     return low;
 }
 
+/* The light's words: range * 2^-15 * 64 codes * change / least / 4 <= 1/8. */
+static inline int zs_texture_light_affine(uint32_t range, uint32_t change, uint32_t least)
+{
+    return zs_mul_uu(range, change) <= (uint64_t)least << (11 - ZS_SPAN_BOUND_LOG2);
+}
+
+#define ZS_TEXTURE_LIGHT_ONE 1024u       /* light at a pixel, uq1_10 ... */
+#define ZS_TEXTURE_LIGHT_SHIFT 21        /* ... of uq1_31 ... */
+#define ZS_TEXTURE_LIGHT_HALF (1u << 20) /* ... to which a half of it is added */
+
+/* RGB565 times light of 0 .. 2047 */
+static inline uint32_t zs_texture_shine(uint32_t c, uint32_t level)
+{
+    const uint32_t rb = (((c & 0xf800u) << 5) | (c & 31u)) * level + 0x02000200u; /* 2 x 16 bits */
+    const uint32_t g = ((c >> 5) & 63u) * level + 0x200u;                         /* < 2^17.1 */
+    uint32_t red = rb >> 26, green = g >> 10, blue = (rb >> 10) & 63u;
+    if (level > ZS_TEXTURE_LIGHT_ONE) {
+        red = red > 31u ? 31u : red;
+        green = green > 63u ? 63u : green;
+        blue = blue > 31u ? 31u : blue;
+    }
+    return red << 11 | green << 5 | blue;
+}
+
 /* The texture to be drawn for job->tri: t, or a copy of it with the palette lit. Sets job->sampler.unlit. */
 const struct zs_texture *zs_texture_lit(struct zs_job *job, const struct zs_texture *t);
 
 #if !ZS_LEAN
-int zs_small_texture(struct zs_job *job); /* small_texture.c: zs_shader.small */
+/* small_texture.c: zs_shader.small, without light and with it. */
+int zs_small_texture(struct zs_job *job);
+int zs_small_texture_lit(struct zs_job *job);
 #endif
 
 #endif

@@ -46,6 +46,7 @@ struct zs_texel_rows {
     uint32_t at[4], down[3];   /* ... and how many pixels have been tested */
     uint32_t right[3], width;  /* ... and the texture's */
     uint32_t column, row;      /* shifts that make these of u and v */
+    uint32_t light, light_right, light_down; /* uq1_31, half of 2^-10 added; the same of it, where it is asked for */
 };
 
 enum zs_small_fate {

@@ -61,7 +61,32 @@ ZS_ALWAYS_INLINE int32_t plane(const struct zs_small *s, const struct coordinate
     return bad;
 }
 
-ZS_IN_ORDER int zs_small_texture(struct zs_job *job)
+/* The light: the face's, or the plane of the corners'. Return 0: it is not for this way. */
+static ZS_NOINLINE int light(const struct zs_job *job, const struct zs_small *s, uint32_t change, const uint16_t *a, const uint16_t *b,
+                             const uint16_t *c, struct zs_texel_rows *w)
+{
+    if (job->shader->n_attrs == 2) {
+        w->light = ((uint32_t)job->tri->paint << 16) + ZS_TEXTURE_LIGHT_HALF;
+        w->light_right = w->light_down = 0;
+        return 1;
+    }
+    const int32_t d1 = b[2] - a[2], d2 = c[2] - a[2]; /* |.| < 2^16 */
+    const uint32_t range = (uint32_t)(zs_max32(zs_max32(d1, d2), 0) - zs_min32(zs_min32(d1, d2), 0));
+    if (!zs_texture_light_affine(range, change, job->r->view.key_slow))
+        return 0;
+    const int64_t nx = zs_mul_ss(d1, s->dy2) - zs_mul_ss(d2, s->dy1), ny = zs_mul_ss(d1, s->dx2) - zs_mul_ss(d2, s->dx1);
+    const int32_t gx = zs_plane_quotient(nx * 32768, s->rcp, s->shift, ZS_PLANE_WIDE); /* n: |.| < 2^31 */
+    const int32_t up = zs_plane_quotient(ny * 32768, s->rcp, s->shift, ZS_PLANE_WIDE);
+    if (gx == ZS_TOO_STEEP || up == ZS_TOO_STEEP)
+        return 0;
+    const int64_t from = zs_mul_ss(gx, s->x) + zs_mul_ss(up, s->off) - 128; /* |.| < 2^46.1 */
+    w->light = (((uint32_t)a[2] << 15) + (uint32_t)(-from >> 8)) * 2u + ZS_TEXTURE_LIGHT_HALF;
+    w->light_right = (uint32_t)gx * 2u;
+    w->light_down = 0u - (uint32_t)up * 2u;
+    return 1;
+}
+
+ZS_ALWAYS_INLINE int draw(struct zs_job *job, int may_be_lit)
 {
     struct zs_small s;
     struct zs_texel_rows w;
@@ -91,12 +116,6 @@ ZS_IN_ORDER int zs_small_texture(struct zs_job *job)
                                     (int32_t)zs_maxu32(log2_h, ZS_TEXTURE_FLOOR_LOG2) - zs_clz32(cv.range | 1u));
     if (!zs_texture_affine(texels + 32 - (int32_t)uv_bits, change, view->key_slow))
         return 0;
-    if (job->shader->light) {
-        t = zs_texture_lit(job, t);
-        if (!job->sampler.unlit)
-            return 0;
-    }
-
     if (!zs_small_keys(&s, &w.sides))
         return 0;
     const int32_t shift = 23 + (int32_t)uv_bits - s.shift;
@@ -108,15 +127,41 @@ ZS_IN_ORDER int zs_small_texture(struct zs_job *job)
     w.width = 1u << log2_w;
     w.column = 32u - log2_w;
     w.row = 32u - log2_h;
-    zs_small_sides(job, &s, &w.sides);
     const struct zs_texel *texel = t->format;
+    if (may_be_lit) {
+        t = zs_texture_lit(job, t); /* of the same format */
+        if (!job->sampler.unlit) {
+            if (!light(job, &s, change, a, b, c, &w))
+                return 0;
+            zs_small_sides(job, &s, &w.sides);
+            texel->small_lit(job, t, &w);
+            return 1;
+        }
+    }
+    zs_small_sides(job, &s, &w.sides);
     texel->small(job, t, &w);
     return 1;
 }
 
+ZS_IN_ORDER int zs_small_texture(struct zs_job *job)
+{
+    return draw(job, 0);
+}
+
+ZS_IN_ORDER int zs_small_texture_lit(struct zs_job *job)
+{
+    return draw(job, 1);
+}
+
 #else
 
-int zs_small_texture(struct zs_job *job) /* not called */
+int zs_small_texture(struct zs_job *job) /* not called, nor is the other */
+{
+    (void)job;
+    return 0;
+}
+
+int zs_small_texture_lit(struct zs_job *job)
 {
     (void)job;
     return 0;

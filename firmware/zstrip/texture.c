@@ -6,7 +6,7 @@
  *
  * SPDX-License-Identifier: MIT
  */
-#include "persp.h"
+#include "shade_texture.h"
 #include "small.h"
 
 /* A texel's value from its number, row * width + column. */
@@ -110,7 +110,7 @@ ZS_ALWAYS_INLINE void rows(struct zs_job *job, read_fn *read)
 #define ZS_WORD(field) ((int)(offsetof(struct zs_texel_rows, field) / 4u))
 
 /* Rows of one side each way. Little is kept from row to row but in memory: pixels take all registers. */
-ZS_ALWAYS_INLINE void small(struct zs_job *job, const struct zs_texture *t, struct zs_texel_rows *w, read_fn *read)
+ZS_ALWAYS_INLINE void small(struct zs_job *job, const struct zs_texture *t, struct zs_texel_rows *w, read_fn *read, int lit)
 {
     const uintptr_t beside = (uintptr_t)job->color - (uintptr_t)job->depth; /* from a depth to its colour */
     const uint32_t pitch = w->sides.down[0];
@@ -133,6 +133,9 @@ ZS_ALWAYS_INLINE void small(struct zs_job *job, const struct zs_texture *t, stru
             w->at[0] = sum + by[0];
             w->at[1] = u + by[1];
             w->at[2] = v + by_v;
+            uint32_t light = lit ? w->light : 0;
+            if (lit)
+                w->light = light + w->light_down;
             if (x0 >= x1)
                 continue;
             w->at[3] = tested + (x1 - x0);
@@ -143,16 +146,23 @@ ZS_ALWAYS_INLINE void small(struct zs_job *job, const struct zs_texture *t, stru
             u += du * x0;
             v += dv * x0;
             zs_two(word, ZS_WORD(column), &right, &down);
+            if (lit)
+                light += w->light_right * x0;
             do {
                 if (sum >> 16 < *++depth) {
                     *depth = (uint16_t)zs_high(sum);
-                    *(uint16_t *)((uintptr_t)depth + beside) = zs_wire16(read(texel, palette, (v >> down) * width + (u >> right)));
+                    uint32_t color = read(texel, palette, (v >> down) * width + (u >> right));
+                    if (lit)
+                        color = zs_texture_shine(color, light >> ZS_TEXTURE_LIGHT_SHIFT);
+                    *(uint16_t *)((uintptr_t)depth + beside) = zs_wire16((uint16_t)color);
                     if (ZS_STATS)
                         written++;
                 }
                 sum += gx;
                 u += du;
                 v += dv;
+                if (lit)
+                    light += w->light_right;
             } while (depth != stop);
         }
         end = last;
@@ -191,13 +201,13 @@ const struct zs_texel zs_texel_pal4 = { fetch_pal4, 16, 1 };
 #else
 
 #if ZS_DIVIDES
-#define SMALL(name, read)                                                                                                \
-    static void name(struct zs_job *job, const struct zs_texture *t, struct zs_texel_rows *rows)             \
-    {                                                                                                                    \
-        small(job, t, rows, read);                                                                                       \
+#define SMALL(name, read, lit)                                                                                   \
+    static void name(struct zs_job *job, const struct zs_texture *t, struct zs_texel_rows *rows)                 \
+    {                                                                                                            \
+        small(job, t, rows, read, lit);                                                                          \
     }
 #else
-#define SMALL(name, read) enum { name = 0 };
+#define SMALL(name, read, lit) enum { name = 0 };
 #endif
 
 static void gather_565(const struct zs_texture *t, uint16_t *out, int32_t n, const uint32_t *at)
@@ -210,7 +220,8 @@ ZS_IN_ORDER static void rows_565(struct zs_job *job)
     rows(job, read_565);
 }
 
-SMALL(small_565, read_565)
+SMALL(small_565, read_565, 0)
+SMALL(small_lit_565, read_565, 1)
 
 static void gather_pal8(const struct zs_texture *t, uint16_t *out, int32_t n, const uint32_t *at)
 {
@@ -222,7 +233,8 @@ ZS_IN_ORDER static void rows_pal8(struct zs_job *job)
     rows(job, read_pal8);
 }
 
-SMALL(small_pal8, read_pal8)
+SMALL(small_pal8, read_pal8, 0)
+SMALL(small_lit_pal8, read_pal8, 1)
 
 static void gather_pal4(const struct zs_texture *t, uint16_t *out, int32_t n, const uint32_t *at)
 {
@@ -234,10 +246,11 @@ ZS_IN_ORDER static void rows_pal4(struct zs_job *job)
     rows(job, read_pal4);
 }
 
-SMALL(small_pal4, read_pal4)
+SMALL(small_pal4, read_pal4, 0)
+SMALL(small_lit_pal4, read_pal4, 1)
 
-const struct zs_texel zs_texel_565 = { fetch_565, gather_565, rows_565, small_565, 0, 0 };
-const struct zs_texel zs_texel_pal8 = { fetch_pal8, gather_pal8, rows_pal8, small_pal8, 256, 0 };
-const struct zs_texel zs_texel_pal4 = { fetch_pal4, gather_pal4, rows_pal4, small_pal4, 16, 1 };
+const struct zs_texel zs_texel_565 = { fetch_565, gather_565, rows_565, small_565, small_lit_565, 0, 0 };
+const struct zs_texel zs_texel_pal8 = { fetch_pal8, gather_pal8, rows_pal8, small_pal8, small_lit_pal8, 256, 0 };
+const struct zs_texel zs_texel_pal4 = { fetch_pal4, gather_pal4, rows_pal4, small_pal4, small_lit_pal4, 16, 1 };
 
 #endif

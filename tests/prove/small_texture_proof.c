@@ -15,10 +15,11 @@ static inline uint32_t zs_recip_inline(uint32_t a);
 #include "pipeline.h"
 
 /* Proved by quotients (plane_proof.c). */
-/*@ requires 2 <= shift <= 18 && least_shift == 5;
+/*@ requires 2 <= shift <= 18 && (least_shift == 2 || least_shift == 5);
     requires -0x400000000000 <= n <= 0x400000000000;
     assigns \result \from n, rcp, shift, least_shift;
-    ensures bound: \result == -2147483648 || -134217728 <= \result <= 134217728; */
+    ensures bound: \result == -2147483648 || -1073741824 <= \result <= 1073741824;
+    ensures key: least_shift == 5 ==> (\result == -2147483648 || -134217728 <= \result <= 134217728); */
 int32_t zs_plane_quotient(int64_t n, uint32_t rcp, int32_t shift, int32_t least_shift);
 #include "small_texture.c"
 
@@ -43,14 +44,6 @@ const struct zs_texture *zs_texture_lit(struct zs_job *j, const struct zs_textur
     return t;
 }
 
-static void lit(uint16_t *out, int32_t n, uint32_t level, uint32_t step)
-{
-    (void)out;
-    (void)n;
-    (void)level;
-    (void)step;
-}
-
 /* What rows are given, as small_rows (small_proof.c). */
 static void rows_of(struct zs_job *j, const struct zs_texture *t, struct zs_texel_rows *w)
 {
@@ -64,7 +57,7 @@ static void rows_of(struct zs_job *j, const struct zs_texture *t, struct zs_texe
 
 static void any_textured(int32_t x, int32_t y, int32_t from, uint32_t uv_bits)
 {
-    static const struct zs_texel texel = { 0, 0, 0, rows_of, 0, 0 };
+    static const struct zs_texel texel = { 0, 0, 0, rows_of, rows_of, 0, 0 };
     pool[0].x = x;
     pool[0].y = y;
     for (int k = 0; k < 3; k++)
@@ -77,6 +70,9 @@ static void any_textured(int32_t x, int32_t y, int32_t from, uint32_t uv_bits)
     for (int c = 0; c < 2; c++)
         for (int k = 0; k < 3; k++) /* differences below 2^14: others are turned away, a relation of three */
             attr[3 * k + c] = (uint16_t)any_u32(0, (1u << 14) - 1u);
+    for (int k = 0; k < 3; k++)
+        attr[3 * k + 2] = (uint16_t)any_u32(0, 65535);
+    tri.paint = (uint16_t)any_u32(0, 65535);
     renderer.attr = attr;
     renderer.config.attrs = 3;
     renderer.vert = pool;
@@ -90,7 +86,7 @@ static void any_textured(int32_t x, int32_t y, int32_t from, uint32_t uv_bits)
     texture.log2_h = (uint8_t)any_u32(0, ZS_TEXTURE_LOG2_MAX);
     texture.clamp = (uint8_t)any_u32(0, 3);
     mesh.uv_bits = (uint8_t)uv_bits;
-    shader.light = any_u32(0, 1) ? lit : 0;
+    shader.n_attrs = (uint8_t)any_u32(2, 3);
     material.shader = &shader;
     material.texture = &texture;
     instance.mesh = &mesh;
@@ -104,7 +100,10 @@ static void any_textured(int32_t x, int32_t y, int32_t from, uint32_t uv_bits)
     job.width = any_i32(1, ZS_SIZE_MAX);
     job.y0 = zs_first_sample(y) + from;
     job.y1 = job.y0 + any_i32(1, ZS_SIZE_MAX);
-    (void)zs_small_texture(&job);
+    if (any_u32(0, 1))
+        (void)zs_small_texture(&job);
+    else
+        (void)zs_small_texture_lit(&job);
 }
 
 /* PROVE small_textures -eva-split-return-function=zs_small_look:0:1:2,zs_small_keys:0:1 -eva-use-spec=recip_in_line,zs_plane_quotient: every triangle of up to 2^14 sub-pixels each way,
