@@ -23,7 +23,7 @@ PANEL_LIMIT=${PANEL_STACK_LIMIT:-288} # bytes, any function of panel.h
 fields() {
     awk -v s="struct $1 {" -v lean="${lean:+1}" 'index($0, s) == 1 { on = 1 } on && /^};/ { exit }
         /^#if !ZS_LEAN/ { skip = lean } /^#if ZS_LEAN/ { skip = !lean } /^#endif/ { skip = 0 } skip { next }
-        on && match($0, /\(\*[a-z]+\)/) { print substr($0, RSTART + 2, RLENGTH - 3) }' \
+        on && match($0, /\(\*[a-z_]+\)/) { print substr($0, RSTART + 2, RLENGTH - 3) }' \
         firmware/zstrip/pipeline.h
 }
 
@@ -109,7 +109,7 @@ bound() { # CPU FACTS: prints public functions with their bound, then problems
             split(where[k], p, ":"); i = 0
             while ((getline text < p[1]) > 0) if (++i == p[2]) line = text
             close(p[1])
-            if (!match(line, /(shader|depth|kernel|texel|watch|track|cluster|group|sink)->[a-z]+\(/)) {
+            if (!match(line, /(shader|depth|kernel|texel|watch|track|cluster|group|sink)->[a-z_]+\(/)) {
                 fail("pointer calls", where[k] " is not shader->, depth->, kernel->, texel->, watch->, track->, cluster->, group-> or sink->"); return }
             key = substr(line, RSTART, RLENGTH - 1)
             if (key ~ /^sink/) { sinks[from[k]] = 1; return }
