@@ -540,6 +540,22 @@ static void the_builder_takes_any_number(void **state)
     assert_int_equal(zs_groups_build(NULL, 99, in, 10, &n), ZS_ERR_NULL);
     assert_int_equal(zs_groups_build(group, 99, NULL, 10, &n), ZS_ERR_NULL);
     assert_int_equal(zs_groups_build(group, 99, in, 10, NULL), ZS_ERR_NULL);
+    /* what is too far apart for a sphere is refused, however far */
+    static const struct zs_mesh far_off = { .scale = 65535u * 32768u, .radius = 0, .center = { 32767, 0, 0 } };
+    const int32_t ends[] = { ZS_WORLD_MAX, ZS_WORLD_MAX / 2, 0, -ZS_WORLD_MAX };
+    for (size_t k = 0; k < sizeof ends / sizeof *ends; k++) {
+        struct zs_instance two[2] = { { .mesh = &far_off }, { .mesh = &far_off } };
+        struct zs_group got[2];
+        for (int side = 0; side < 2; side++) {
+            zs_pose_identity(&two[side].pose);
+            zs_pose_turn(&two[side].pose, side ? 32768u : 0u, 0, 0);
+            two[side].pose.pos[0] = side ? -ends[k] : ends[k];
+        }
+        const int64_t reach = (int64_t)32767 * 32768 + ends[k]; /* of each, from the middle */
+        const int err = zs_groups_build(got, 2, two, 2, &n);
+        assert_int_equal(err, ZS_OK);
+        assert_true((int64_t)got[0].radius >= reach && (int64_t)got[0].radius < reach + (1 << 18));
+    }
     in[3].pose.pos[1] = ZS_WORLD_MAX + 1;
     assert_int_equal(zs_groups_build(group, 99, in, 10, &n), ZS_ERR_RANGE);
     in[3].pose.pos[1] = 0;

@@ -35,24 +35,17 @@ static int ball_of(struct ball *out, const struct zs_instance *in)
     return ZS_OK;
 }
 
-/* |a - b|, rounded up. Differences < 2^32 */
+/* |a - b|, rounded up; beyond RADIUS_MAX: some number beyond it. Differences < 2^32 */
 static int64_t distance(const int32_t a[3], const int64_t b[3])
 {
     uint64_t square = 0;
-    int down = 0;
-    int64_t d[3], most = 0;
     for (int k = 0; k < 3; k++) {
-        d[k] = a[k] - b[k];
-        d[k] = d[k] < 0 ? -d[k] : d[k];
-        most |= d[k];
+        const int64_t d = zs_size64(a[k] - b[k]);
+        if (d > RADIUS_MAX)
+            return RADIUS_MAX + 1;
+        square += (uint64_t)(d * d); /* <= 3 * 2^62 */
     }
-    while (most >> down >> 31)
-        down++;
-    for (int k = 0; k < 3; k++) {
-        const uint64_t part = (uint64_t)(d[k] >> down) + (down != 0); /* <= 2^31 */
-        square += part * part;
-    }
-    return square ? ((int64_t)zs_isqrt64(square) + 1) << down : 0;
+    return square ? (int64_t)zs_isqrt64(square) + 1 : 0;
 }
 
 /* ---- Building ------------------------------------------------------------------------------------------ */
