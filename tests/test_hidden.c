@@ -244,11 +244,71 @@ static void equal_keys_hide_nothing(void **state)
     assert_true(passes > 60);
 }
 
+/* Instance n: a rectangle that faces the eye, in mesh steps. */
+static void rectangle(uint32_t n, int32_t x0, int32_t x1, int32_t y0, int32_t y1, int32_t z)
+{
+    const int32_t at[4][2] = { { x0, y0 }, { x1, y0 }, { x1, y1 }, { x0, y1 } };
+    for (int k = 0; k < 4; k++) {
+        world.pos[n][k][0] = (int16_t)at[k][0];
+        world.pos[n][k][1] = (int16_t)at[k][1];
+        world.pos[n][k][2] = (int16_t)-z;
+    }
+    world.mesh[n].tri = halves[0];
+    world.mesh[n].radius = (uint16_t)((x1 - x0 + y1 - y0) / 2 + 2);
+    world.mesh[n].center[0] = (int16_t)((x0 + x1) / 2);
+    world.mesh[n].center[1] = (int16_t)((y0 + y1) / 2);
+    world.mesh[n].center[2] = (int16_t)-z;
+}
+
+/* Behind a wall that covers one half of the frame, left, right, upper or lower, and in the other half before another one, or in
+ * its very bucket: what is half hidden is drawn. */
+static void half_hidden_is_drawn(void **state)
+{
+    (void)state;
+    uint32_t hidden = 0, passes = 0;
+    for (uint64_t seed = 1; seed <= 400; seed++) {
+        static const int32_t far = 16000;
+        struct prng p = { seed };
+        const uint32_t side = (uint32_t)seed % 4, walls = 1 + prng_pick(&p, 2);
+        const int32_t x = side < 2 ? 0 : prng_range(&p, -900, 900), y = side < 2 ? prng_range(&p, -700, 700) : 0;
+        begin(&p, 2 + walls, 1);
+        /* first in the scene or last: the walls are known in its later walks, or always */
+        const uint32_t thing = prng_pick(&p, 2) ? 0 : 1 + walls, wall = thing ? 0 : 1;
+        const int32_t z = prng_range(&p, 2500, 9000);
+        rectangle(thing, x - 400, x + 400, y - 300, y + 300, z);
+        rectangle(wall, side == 1 ? 0 : -far, side == 0 ? 0 : far, side == 3 ? 0 : -far, side == 2 ? 0 : far, 1500);
+        if (walls > 1)
+            rectangle(wall + 1, side == 0 ? 0 : -far, side == 1 ? 0 : far, side == 2 ? 0 : -far, side == 3 ? 0 : far,
+                      z + prng_range(&p, -15, 15));
+        rectangle(wall + walls, 300, 320, 300, 320, 4000); /* one more, so that pools fill */
+        struct zs_config c = picture_config(320, 240, seed % 3 ? &zs_depth_recip : &zs_depth_e3m13);
+        c.strip_h = (uint16_t)prng_range(&p, 8, 40);
+        c.depth_bits = 8;
+        c.skip_off = ZS_SKIP_ALL;
+        struct picture plain = picture_draw(&c, &world.scene, &world.camera);
+        c.skip_off = 0;
+        if (prng_pick(&p, 2)) {
+            c.max_tris = (uint16_t)prng_range(&p, 2, 5);
+            c.max_verts = (uint16_t)(3 * c.max_tris);
+        }
+        struct picture got = picture_draw(&c, &world.scene, &world.camera);
+        if (!picture_same(&plain, &got, "half hidden"))
+            fail_msg("seed %llu", (unsigned long long)seed);
+        hidden += got.stats.instances_hidden;
+        passes += got.stats.passes;
+        picture_free(&plain);
+        picture_free(&got);
+    }
+    print_message("%u instances hidden, %u walks\n", hidden, passes);
+    assert_true(hidden > 50 && passes > 800);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = { cmocka_unit_test(the_frame_is_the_same), cmocka_unit_test(layers_cost_one),
                                         cmocka_unit_test(a_level_up_is_the_farthest_of_four),
                                         cmocka_unit_test(instances_behind_a_wall),
-                                        cmocka_unit_test(equal_keys_hide_nothing) };
+                                        cmocka_unit_test(equal_keys_hide_nothing),
+                                        cmocka_unit_test(half_hidden_is_drawn) };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
