@@ -125,6 +125,21 @@ static int must_be_refused(const struct card *c, const struct kind_shader *k)
            (k->texture && (m == ZS_FLAW_UV_BITS || t == ZS_FLAW_NULL || t == ZS_FLAW_SIZE || t == ZS_FLAW_CLAMP));
 }
 
+/* Whether the mesh's sphere holds it; zs_mesh_check may have found another flaw first. */
+static int sphere_holds(const struct zs_mesh *m)
+{
+    for (uint32_t v = 0; v < m->n_verts; v++) {
+        int64_t square = 0;
+        for (int k = 0; k < 3; k++) {
+            const int64_t d = m->pos[v][k] - m->center[k];
+            square += d * d;
+        }
+        if (square > (int64_t)m->radius * m->radius)
+            return 0;
+    }
+    return 1;
+}
+
 static void draw(struct card *c, const struct kind_shader *shader)
 {
     const struct card_header *h = &c->header;
@@ -161,7 +176,9 @@ static void draw(struct card *c, const struct kind_shader *shader)
     config.strip_h = (uint16_t)(3 + (h->look & CARD_STRIPS) / 16);
     config.skip_off = c->mesh_flaw ? 0 : h->distance; /* with spheres that hold nothing is lost */
     struct picture b = picture_draw(&config, &scene, &camera);
-    EXPECT(a.err == b.err && (a.err || picture_same(&a, &b, shader->name)));
+    EXPECT(a.err == b.err);
+    if (!a.err && sphere_holds(&c->mesh)) /* else parts are lost: others in other walks */
+        EXPECT(picture_same(&a, &b, shader->name));
     picture_free(&a);
     picture_free(&b);
     if (c->mesh_flaw) { /* clusters that are anything: whatever it shows */

@@ -48,7 +48,7 @@ static void render_right(const struct sim_options *o)
     EXPECT(o->model && o->out);
     EXPECT(within((double)o->size[0], 1, 4096) && within((double)o->size[1], 1, 4096) && o->strip >= 1);
     EXPECT(within((double)o->depth_bits, 8, 16) && (o->subpixel == 4 || o->subpixel == 8));
-    EXPECT(within((double)o->buffers, 1, 2) && within((double)o->skip_off, 0, 63));
+    EXPECT(within((double)o->buffers, 1, 2) && within((double)o->skip_off, 0, ZS_SKIP_ALL));
     EXPECT(within((double)o->tris, 0, ZS_POOL_MAX) && within((double)o->verts, 0, ZS_POOL_MAX));
     EXPECT(within(o->fov, 0, 180) && within(o->ambient, 0, 1) && within(o->diffuse, 0, 1));
     EXPECT(within((double)o->threads, 0, 64) && within((int)o->cull, 0, 2));
