@@ -226,8 +226,9 @@ static void guess(struct budget *b, const struct budget_request *rq)
     if (!solid)
         n[smooth ? SIM_COST_light_smooth : shade == SIM_SHADE_TEXTURED ? SIM_COST_light_texture :
           SIM_COST_attr_texture] = in_sight;
-    if (!smooth && !linear && high <= 64.0) {
-        const int lit = shade == SIM_SHADE_TEXTURED || shade == SIM_SHADE_TEXTURED_FLAT;
+    /* keys of recip do not say that texels are affine */
+    if (!smooth && !linear && (solid || c->depth != &zs_depth_recip) && high <= 64.0) {
+        const int lit = shade == SIM_SHADE_TEXTURED || (shade == SIM_SHADE_TEXTURED_FLAT && rq->o.texel != SIM_TEXEL_PAL4);
         n[solid ? SIM_COST_setup_small : SIM_COST_setup_small_texel] = n[SIM_COST_tilt_small] = setups;
         n[SIM_COST_edge_small_div] = divided;
         n[solid ? SIM_COST_row_small : SIM_COST_row_small_texel] = rows;

@@ -44,7 +44,7 @@
     X(bound_strip, "set-up", "strip all of whose rows it passes")                                               \
     X(bound_tile, "set-up", "tile of the frame, where bounds have changed before an instance")                  \
     X(setup_small, "set-up", "small triangle of one colour in a strip")                                         \
-    X(setup_small_texel, "set-up", "small triangle with a texture, affine, unlit or lit palette")               \
+    X(setup_small_texel, "set-up", "small triangle with a texture, affine")                                      \
     X(setup_small_lit, "set-up", "more where that is lit")                                                      \
     X(tilt_small, "set-up", "more where its keys differ")                                                       \
     X(setup, "set-up", "any other triangle in a strip, of one colour")                                          \

@@ -540,7 +540,7 @@ static void the_builder_takes_any_number(void **state)
     assert_int_equal(zs_groups_build(NULL, 99, in, 10, &n), ZS_ERR_NULL);
     assert_int_equal(zs_groups_build(group, 99, NULL, 10, &n), ZS_ERR_NULL);
     assert_int_equal(zs_groups_build(group, 99, in, 10, NULL), ZS_ERR_NULL);
-    /* what is too far apart for a sphere is refused, however far */
+    /* spheres as far apart as worlds are, and beyond what a radius holds */
     static const struct zs_mesh far_off = { .scale = 65535u * 32768u, .radius = 0, .center = { 32767, 0, 0 } };
     const int32_t ends[] = { ZS_WORLD_MAX, ZS_WORLD_MAX / 2, 0, -ZS_WORLD_MAX };
     for (size_t k = 0; k < sizeof ends / sizeof *ends; k++) {
@@ -555,6 +555,33 @@ static void the_builder_takes_any_number(void **state)
         const int err = zs_groups_build(got, 2, two, 2, &n);
         assert_int_equal(err, ZS_OK);
         assert_true((int64_t)got[0].radius >= reach && (int64_t)got[0].radius < reach + (1 << 18));
+    }
+    static const struct zs_mesh farther = { .scale = 65535u * 32768u, .radius = 0, .center = { 32767, 32767, 32767 } };
+    /* its diagonal along x, to the right and to the left */
+    static const zs_q2_30 along_x[9] = { 619925131, 619925131, 619925131, 759250125, -759250125, 0, 438353264, 438353264,
+                                         -876706528 };
+    struct zs_instance two[2] = { { .mesh = &farther }, { .mesh = &farther } };
+    struct zs_group got[2];
+    for (int side = 0; side < 2; side++) {
+        zs_pose_identity(&two[side].pose);
+        for (int k = 0; k < 9; k++)
+            two[side].pose.rot[k] = side && k < 6 ? -along_x[k] : along_x[k];
+    }
+    assert_int_equal(zs_groups_build(got, 2, two, 2, &n), ZS_OK); /* 1.86e9 from the middle */
+    assert_true(got[0].radius > 1859000000u && got[0].radius < 1862000000u);
+    for (int side = 0; side < 2; side++)
+        two[side].pose.pos[0] = side ? -ZS_WORLD_MAX : ZS_WORLD_MAX;
+    assert_int_equal(zs_groups_build(got, 2, two, 2, &n), ZS_ERR_RANGE);
+    struct zs_group held = { .n = 1, .next = 1, .center = { INT32_MAX, 0, 0 }, .radius = INT32_MAX, .origins = INT32_MAX };
+    const struct zs_groups one_group = { &zs_group_kernel, &held, 1 };
+    const struct zs_scene far_scene = { two, 1, { { 0, 0, 0 }, 0, 0 }, 0, &one_group };
+    zs_pose_identity(&two[0].pose);
+    static const struct zs_mesh tiny = { .scale = 1, .radius = 0 };
+    two[0].mesh = &tiny;
+    two[0].pose.pos[0] = -ZS_WORLD_MAX;
+    for (uint32_t more = 0; more < 2; more++) { /* a center that no sphere can have */
+        held.radius = held.origins = (uint32_t)INT32_MAX + more;
+        assert_int_equal(zs_groups_check(&far_scene, &at), ZS_FLAW_GROUP_SPHERE);
     }
     in[3].pose.pos[1] = ZS_WORLD_MAX + 1;
     assert_int_equal(zs_groups_build(group, 99, in, 10, &n), ZS_ERR_RANGE);

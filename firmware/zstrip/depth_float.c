@@ -106,12 +106,14 @@ static uint32_t float_vertex(const struct zs_view *view, int32_t z, uint32_t rcp
     if (k < 0)
         return 0; /* at near, give or take the rounding of z */
     /* now p / 2^32 * 2^-k, in [1/2, 1) */
-    const int32_t octave = last - k, shift = 31 - m + (octave < 1 ? 1 - octave : 0);
+    const int32_t octave = last - k;
+    if (octave > 1) /* the code is above what is asked below */
+        return view->key_top + 0x10000u - (((uint32_t)(octave - 1) << m) + (((p >> (30 - m)) + 1u) >> 1));
+    const int32_t shift = 31 - m + (octave < 1 ? 1 - octave : 0);
     const uint32_t last_key = view->key_top + (view->key_top < 0xffff0000u ? 0xffffu : 0u); /* 16 bits: no room */
     if (shift > 31)
         return last_key;
-    const uint32_t mantissa = ((p >> (shift - 1)) + 1u) >> 1; /* 2 <= shift */
-    const uint32_t code = ((octave > 1 ? (uint32_t)octave - 1u : 0u) << m) + mantissa;
+    const uint32_t code = ((p >> (shift - 1)) + 1u) >> 1; /* 2 <= shift */
     if (code <= view->key_top + 0x10000u - last_key && octave < last) /* the right side is modulo 2^32: 1 or 2^16 */
         return last_key;
     return view->key_top + 0x10000u - code; /* modulo 2^32: 0 where code came to 2^32 */

@@ -10,6 +10,7 @@
 #define NONE UINT32_MAX
 #define CENTER_MAX ((int64_t)2 * ZS_WORLD_MAX)
 #define RADIUS_MAX ((int64_t)4 * ZS_WORLD_MAX)
+#define TOO_FAR (4 * RADIUS_MAX) /* more than a radius of 32 bits and what it may be off by */
 
 /* A sphere, and the point about which its instance turns. World units. */
 struct ball {
@@ -35,14 +36,14 @@ static int ball_of(struct ball *out, const struct zs_instance *in)
     return ZS_OK;
 }
 
-/* |a - b|, rounded up; beyond RADIUS_MAX: some number beyond it. Differences < 2^32 */
+/* |a - b|, rounded up; where a difference alone is beyond RADIUS_MAX, TOO_FAR. Differences < 2^32.1 */
 static int64_t distance(const int32_t a[3], const int64_t b[3])
 {
     uint64_t square = 0;
     for (int k = 0; k < 3; k++) {
         const int64_t d = zs_size64(a[k] - b[k]);
         if (d > RADIUS_MAX)
-            return RADIUS_MAX + 1;
+            return TOO_FAR;
         square += (uint64_t)(d * d); /* <= 3 * 2^62 */
     }
     return square ? (int64_t)zs_isqrt64(square) + 1 : 0;

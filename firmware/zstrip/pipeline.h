@@ -111,7 +111,7 @@ struct zs_texel {
     /* Test and draw a triangle, unlit, where job->c[0] and [1] are u and v, uq0_32, at column 0 of row 0; log2_w,
      * log2_h > 0, and keys do not saturate. */
     void (*rows)(struct zs_job *job);
-    /* The same of a small triangle (small.h), unlit and lit: on cores that divide. */
+    /* Test and draw a small triangle from its record alone (small.h), unlit and lit: on cores that divide. */
     void (*small)(struct zs_job *job, const struct zs_texture *texture, struct zs_texel_rows *rows);
     void (*small_lit)(struct zs_job *job, const struct zs_texture *texture, struct zs_texel_rows *rows);
 #endif

@@ -26,7 +26,7 @@ static inline int zs_texture_affine(int32_t texels, uint32_t change, uint32_t le
 }
 
 /* 256 * n / area * 2^(32 - uv_bits), nearest: a gradient in 2^-32 repeats, shift = 23 + uv_bits - the leading zeros of the
- * area, 1 .. 36. 0 in *ok where it has 31 bits or more. |n| < 2^31. Error 2^-30 of it and 1/2 ulp. */
+ * area, 1 .. 36. 0 in *ok where it does not fit 32 bits with its sign. |n| < 2^31. Error 2^-30 of it and 1/2 ulp. */
 static inline uint32_t zs_texture_gradient(uint32_t rcp, int32_t n, int32_t shift, int *ok)
 {
     const int64_t product = zs_mul_su(n, rcp); /* |.| < 2^63 */

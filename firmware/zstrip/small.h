@@ -163,17 +163,16 @@ ZS_ALWAYS_INLINE void zs_small_sides(struct zs_job *job, const struct zs_small *
     }
 }
 
-#define ZS_SIDES_SUM ((int)(offsetof(struct zs_sides, sum) / 4u)) /* from side[0] */
-
 /* The columns of the next row: pixels [x0, x1) from one right of column 0. */
 ZS_ALWAYS_INLINE void zs_small_columns(struct zs_sides *w, uint32_t *x0, uint32_t *x1)
 {
+    const uint32_t *const word = (const uint32_t *)(const void *)w; /* side[] comes first */
     uint32_t span, step, left, right;
-    zs_two(w->side, ZS_SIDES_SUM, &left, &right);
-    zs_two(w->side, 0, &span, &step);
+    zs_two(word, (int)(offsetof(struct zs_sides, sum) / 4u), &left, &right);
+    zs_two(word, 0, &span, &step);
     *x0 = left / span; /* 1 .. 2 ZS_TINY_SIDE; span is 256 .. 2^22 */
     left += step;
-    zs_two(w->side, 2, &span, &step);
+    zs_two(word, 2, &span, &step);
     *x1 = right / span;
     right += step;
     w->sum[0] = left;

@@ -1,5 +1,5 @@
-/* Textured triangles up to 64 pixels each way that are affine, repeated, and unlit or of a palette that is lit: set up in one
- * go (small.h) and drawn by their texel format. What is found here is what shade_texture.c would find, bit for bit.
+/* Small triangles with a texture that is repeated, affine by their keys alone: set up in one go (small.h), and drawn by their
+ * texel format, unlit or lit. What is found here is what shade_texture.c would find, bit for bit.
  *
  * SPDX-License-Identifier: MIT
  */

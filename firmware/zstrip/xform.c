@@ -374,37 +374,43 @@ static ZS_NOINLINE void screen_slowly(const struct zs_renderer *r, uint32_t v, s
     }
 }
 
+#define NEAR_MIDDLE (1u << 20) /* sub-pixels, a power of two: both ways are tested at once */
+_Static_assert(NEAR_MIDDLE < ZS_GUARD_SUBPX, "inside the guard band");
+
 /* A vertex that lands a step or more inside the guard band is inside it in camera units too: its steps are off by 1/2 and
- * 2^-9. So what may be outside is tested only where it comes close. */
+ * 2^-9. So what may be outside is tested only where it is far from the frame's middle. */
 void zs_xform_screen(const struct zs_renderer *r, uint32_t v, uint32_t n, struct zs_vertex *out)
 {
     const struct zs_view *view = &r->view;
     const struct zs_depth *depth = r->config.depth;
-    const int32_t coarse = view->snap;
-    const uint32_t most = (uint32_t)ZS_GUARD_SUBPX >> coarse;
+    const int32_t coarse = view->snap, cx = view->cx, cy = view->cy, perspective = view->perspective;
+    const int32_t shift = perspective ? 30 - view->scale_bits + coarse : view->scale_bits + coarse - 2;
+    const uint32_t most = NEAR_MIDDLE >> coarse;
+    const int32_t z_near = view->z_near;
+    const uint32_t depth_range = (uint32_t)view->z_far - (uint32_t)z_near; /* < 2^31.6 */
     transform(&r->xform, v, n, out);
-    for (struct zs_vertex *const end = out + n; out != end; out++, v++) {
+    for (struct zs_vertex *const first = out, *const end = out + n; out != end; out++) {
         const int32_t x = out->x, y = out->y, z = (int32_t)out->d;
-        if (z < view->z_near || z > view->z_far) {
-            screen_slowly(r, v, out);
+        if ((uint32_t)z - (uint32_t)z_near > depth_range) {
+            screen_slowly(r, v + (uint32_t)(out - first), out);
             continue;
         }
-        int32_t lz = 0, down = view->scale_bits + coarse - 2;
+        int32_t lz = 0;
         uint32_t rcp = 1u << 31;
-        if (view->perspective) { /* as in project() */
+        if (perspective) { /* as in project() */
             lz = zs_clz32((uint32_t)z);
             rcp = ZS_RECIP_STEPS ? zs_recip_inline((uint32_t)z << lz) : zs_recip16((uint32_t)z << lz);
-            down = 30 - lz - view->scale_bits + coarse;
         }
         ZS_NARROW(rcp);
+        const int32_t down = shift - lz;
         const uint32_t sx = steps_of(x, rcp, down & 31), sy = steps_of(y, rcp, down & 31);
-        if ((uint32_t)down > 31u || sx >= most || sy >= most) {
-            screen_slowly(r, v, out);
+        if ((uint32_t)down > 31u || (sx | sy) >= most) {
+            screen_slowly(r, v + (uint32_t)(out - first), out);
             continue;
         }
         const int32_t px = (int32_t)(sx << coarse), py = (int32_t)(sy << coarse);
-        out->x = view->cx + (x < 0 ? -px : px);
-        out->y = view->cy + (y < 0 ? -py : py);
+        out->x = cx + ((px ^ x >> 31) - (x >> 31)); /* with the sign of x */
+        out->y = cy + ((py ^ y >> 31) - (y >> 31));
         out->d = depth->vertex(view, z, rcp, lz);
     }
 }
