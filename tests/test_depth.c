@@ -1011,6 +1011,38 @@ static int any_float_case(uint64_t seed)
     return ok;
 }
 
+/* What keys alone say of 1/z, by which colours and texels are taken to be affine: never less than it changes. */
+static void keys_bound_how_much_w_changes(void **state)
+{
+    (void)state;
+    static const struct zs_depth *const depths[] = { &zs_depth_e3m13, &zs_depth_e4m12, &zs_depth_e5m11 };
+    static const struct zs_scene scene = { NULL, 0, { { 0, 0, ZS_Q30_ONE }, 0, 0 }, 0, NULL };
+    static uint32_t arena[20000];
+    for (int n = 0; n < 3 * 9; n++) {
+        struct prng p = { (uint64_t)n + 1 };
+        struct zs_renderer r;
+        struct zs_camera camera;
+        const struct oracle_float f = { 3 + n / 9, 8 + n % 9 };
+        const struct zs_config config = { 16, 16, 16, 4, 4, 0, 1, 8, (uint8_t)f.bits, 0, depths[n / 9] };
+        assert_int_equal(zs_init(&r, &config, arena, sizeof arena), ZS_OK);
+        assert_int_equal(zs_camera_perspective(&camera, 8192, 16, 256, 1 << 14), ZS_OK);
+        assert_int_equal(zs_frame_begin(&r, &scene, &camera), ZS_OK);
+        double most = 0;
+        for (int i = 0; i < 20000; i++) {
+            const uint32_t far_d = (uint32_t)(prng_next(&p) % ((uint64_t)r.view.key_known + 1u));
+            const uint32_t most_change = far_d < r.view.key_slow ? far_d : r.view.key_slow;
+            const uint32_t change = (uint32_t)(prng_next(&p) % ((uint64_t)most_change + 1u)) >> prng_pick(&p, 20);
+            const uint64_t w = oracle_float_r(&f, far_d), nearer = oracle_float_r(&f, far_d - change);
+            assert_true(nearer >= w);
+            assert_true((__int128)(nearer - w) * r.view.key_slow <= (__int128)w * change);
+            if (change > 1u << 12)
+                most = fmax(most, (double)(nearer - w) / (double)w * r.view.key_slow / change);
+        }
+        assert_true(most > 0.9); /* nor much more */
+        (void)zs_frame_end(&r);
+    }
+}
+
 static void float_takes_the_bits_that_far_asks_for(void **state)
 {
     (void)state;
@@ -1146,7 +1178,7 @@ static const struct CMUnitTest tests[] = {
     cmocka_unit_test(states_one_triangle_after_another),
     cmocka_unit_test(offsets_and_slopes_in_buckets),
     cmocka_unit_test(states_in_scenes_whatever_the_pools),
-    cmocka_unit_test(float_takes_the_bits_that_far_asks_for),
+    cmocka_unit_test(keys_bound_how_much_w_changes), cmocka_unit_test(float_takes_the_bits_that_far_asks_for),
     cmocka_unit_test(a_state_that_asks_for_nothing_is_none),
     cmocka_unit_test(octaves_within_a_pixel)
 };

@@ -303,12 +303,38 @@ static void half_hidden_is_drawn(void **state)
     assert_true(hidden > 50 && passes > 800);
 }
 
+/* A sphere that reaches before the near plane: what it holds may lie before the wall. */
+static void a_sphere_before_near_hides_nothing(void **state)
+{
+    (void)state;
+    for (uint64_t seed = 1; seed <= 60; seed++) {
+        struct prng p = { seed };
+        const int32_t x = prng_range(&p, -200, 200), y = prng_range(&p, -200, 200), z = prng_range(&p, 100, 1200);
+        const int32_t middle = prng_range(&p, 3000, 9000);
+        begin(&p, 2, 1);
+        rectangle(0, -9000, 9000, -9000, 9000, 1500);
+        rectangle(1, x - 10, x + 10, y - 10, y + 10, z);
+        world.mesh[1].center[2] = (int16_t)-middle;
+        world.mesh[1].radius = (uint16_t)(middle + prng_range(&p, -30, 60));
+        struct zs_config c = picture_config(320, 240, seed % 2 ? &zs_depth_recip : &zs_depth_e4m12);
+        struct picture got = picture_draw(&c, &world.scene, &world.camera);
+        c.skip_off = ZS_SKIP_ALL;
+        struct picture plain = picture_draw(&c, &world.scene, &world.camera);
+        if (!picture_same(&plain, &got, "before near"))
+            fail_msg("seed %llu", (unsigned long long)seed);
+        assert_int_equal(got.stats.instances_hidden, 0);
+        picture_free(&plain);
+        picture_free(&got);
+    }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = { cmocka_unit_test(the_frame_is_the_same), cmocka_unit_test(layers_cost_one),
                                         cmocka_unit_test(a_level_up_is_the_farthest_of_four),
                                         cmocka_unit_test(instances_behind_a_wall),
                                         cmocka_unit_test(equal_keys_hide_nothing),
-                                        cmocka_unit_test(half_hidden_is_drawn) };
+                                        cmocka_unit_test(half_hidden_is_drawn),
+                                        cmocka_unit_test(a_sphere_before_near_hides_nothing) };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

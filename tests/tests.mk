@@ -22,7 +22,7 @@ $(B)/test/test_xform_wide: tests/test_xform.c $(CORE) $(TEST_HELP) $(HEADERS)
 	@mkdir -p $(@D)
 	@$(TEST_CC) -DZS_ROW_WIDE=1 $(filter %.c,$^) -lcmocka -lm -o $@
 $(B)/test/test_counts: $(call t,sim/counts.c sim/frame.c sim/share.c sim/sim.c)
-$(B)/test/test_threads: $(call t,sim/frame.c sim/share.c sim/sim.c)
+$(B)/test/test_threads $(B)/test/test_golden: $(call t,sim/frame.c sim/share.c sim/sim.c)
 $(B)/test/zsim: $(call t,$(SIM)) $(B)/test/libtest.a $(B)/libmeshes.a
 	@$(CC) $(SAN) -Wl,--start-group $^ -Wl,--end-group $(LIBS) -o $@
 
