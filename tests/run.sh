@@ -1,7 +1,8 @@
 #!/bin/sh
 # Run every test that `make test` has built, two side by side, show each by its name, and end with what was skipped and
 # "N passed, N failed".
-# Usage: tests/run.sh BUILD [PATTERN]   only the programs and scripts whose name holds PATTERN
+# Usage: tests/run.sh BUILD [PATTERN]          only the programs and scripts whose name holds PATTERN
+#        tests/run.sh BUILD PATTERN lane LANE   one of the two, host or boards: of use to this script alone
 set -u
 cd "$(dirname "$0")/.." || exit 1
 build=$1
@@ -9,8 +10,7 @@ only=${2:-}
 logs=$build/test/logs
 skipped=$logs/skipped.txt
 mkdir -p "$logs"
-rm -rf "$logs/lock" "$logs"/counts.*
-: >"$skipped"
+[ "${3:-}" = lane ] || rm -f "$logs"/counts.*
 ASAN_OPTIONS=detect_leaks=1
 LSAN_OPTIONS=suppressions=tests/lsan.txt:print_suppressions=0
 export ASAN_OPTIONS LSAN_OPTIONS
@@ -28,12 +28,13 @@ tally() { # NAME LOG STATUS
         echo "FAILED $1: ran no test" >>"$2"
         bad=1
     fi
-    until mkdir "$logs/lock" 2>/dev/null; do sleep 0.1; done # one log after the other
-    echo "== $1: $ok passed, $bad failed"
-    grep -vE '^\[( RUN  |======|  PASSED)' "$2" # verdicts and what was measured
+    ( # one log after the other: the lock goes with the descriptor
+        flock 9
+        echo "== $1: $ok passed, $bad failed"
+        grep -vE '^\[( RUN  |======|  PASSED)' "$2" # verdicts and what was measured
+    ) 9>"$logs/lock"
     grep '^SKIPPED ' "$2" >>"$skipped"
-    echo "$ok $bad" >>"$logs/counts.$lane"
-    rmdir "$logs/lock"
+    echo "$ok $bad" >>"$counts"
 }
 
 run() { # NAME COMMAND...
@@ -79,15 +80,32 @@ boards() {
     run costs sh tests/checks/costs.sh "$build" quick
 }
 
-# Both end with a line of their own: one that stopped half way must not pass.
-(lane=boards && boards && echo end >>"$logs/counts.boards") &
-lane=host
-host && echo end >>"$logs/counts.host"
+# Each ends with a line of its own: one that stopped half way must not pass.
+if [ "${3:-}" = lane ]; then
+    counts=$logs/counts.$4
+    : >"$counts"
+    "$4"
+    echo end >>"$counts"
+    exit
+fi
+
+: >"$skipped"
+# In groups of their own, so that they end with this one, whatever they are at.
+setsid sh tests/run.sh "$build" "$only" lane boards &
+lane_boards=$!
+setsid sh tests/run.sh "$build" "$only" lane host &
+lane_host=$!
+end_both() {
+    kill -TERM "-$lane_boards" 2>/dev/null
+    kill -TERM "-$lane_host" 2>/dev/null
+    wait
+}
+trap 'trap "" PIPE; end_both; exit 1' HUP INT PIPE TERM
 wait
 
 echo
 cat "$skipped"
-cat "$logs"/counts.* | awk '
+for lane in host boards; do cat "$logs/counts.$lane"; done | awk '
     $1 == "end" { ends++; next }
     { passed += $1; failed += $2 }
     END {
