@@ -13,6 +13,7 @@
 #include "picture.h"
 #include "shapes.h"
 #include "easel.h"
+#include "shade_texture.h"
 
 #define GUARD (8188 * 256)
 
@@ -845,6 +846,28 @@ static void three_formats_one_picture(void **state)
     CASES(format_case, 400);
 }
 
+/* Gradients of coordinates are products rounded once, and those that do not fit are refused. */
+static void texel_gradients_are_rounded_once(void **state)
+{
+    (void)state;
+    struct prng p = { 3 };
+    uint32_t refused = 0;
+    for (int i = 0; i < 200000; i++) {
+        const uint32_t rcp = (uint32_t)prng_next(&p) | 0x80000000u;
+        const int32_t n = (int32_t)((uint32_t)prng_next(&p) & 0x7fffffffu) >> prng_pick(&p, 31), shift = prng_range(&p, 1, 36);
+        const int32_t signed_n = prng_pick(&p, 2) ? n : -n;
+        const __int128 one = 1, exact = ((__int128)signed_n * rcp + (one << (shift - 1))) >> shift;
+        int ok = 1;
+        const uint32_t got = zs_texture_gradient(rcp, signed_n, shift, &ok);
+        const int fits = exact >= INT32_MIN && exact <= INT32_MAX;
+        assert_int_equal(ok, fits);
+        if (fits)
+            assert_int_equal((int32_t)got, (int32_t)exact);
+        refused += !fits;
+    }
+    assert_true(refused > 1000);
+}
+
 /* ---- Small triangles -------------------------------------------------------------------------- */
 
 #define SMALL_TRIS 60u
@@ -1325,6 +1348,7 @@ static const struct CMUnitTest tests[] = { cmocka_unit_test(texels_by_ratio_of_w
                                            cmocka_unit_test(mirrored_the_same_texels),
                                            cmocka_unit_test(what_is_hidden_moves_no_texel),
                                            cmocka_unit_test(three_formats_one_picture),
+                                           cmocka_unit_test(texel_gradients_are_rounded_once),
                                            cmocka_unit_test(small_ones_in_one_go_the_same),
                                            cmocka_unit_test(clipped_at_near_u_and_v_stay),
                                            cmocka_unit_test(

@@ -220,7 +220,30 @@ static void light_is_the_exact_product_rounded_once(void **state)
     CASES(light_case, 3000);
 }
 
+/* The focal length as a power of two and a factor of 1/2 to 1: the least bits, also where it is a power of two itself. */
+static void focal_lengths_keep_their_bits(void **state)
+{
+    (void)state;
+    static const struct zs_config config = { 16, 16, 16, 4, 4, 0, 1, 8, 16, 0, &zs_depth_recip };
+    struct prng p = { 1 };
+    for (int k = 0; k < 2000; k++) {
+        struct zs_view view;
+        struct zs_camera camera;
+        assert_int_equal(zs_camera_perspective(&camera, 8192, 16, 256, 1 << 14), ZS_OK);
+        const uint64_t power = (uint64_t)1 << prng_range(&p, 36, 54); /* 16 px and more */
+        camera.focal = k % 3 == 0 ? power : k % 3 == 1 ? power + 1u + prng_pick(&p, 3) : power + prng_next(&p) % power;
+        assert_int_equal(zs_view_camera(&view, &config, &camera), ZS_OK);
+        assert_int_equal(zs_view_units(&view, &config, &camera, (int64_t)1 << 30), ZS_OK);
+        assert_true(view.ratio >= 1 << 29 && view.ratio <= 1 << 30);
+        assert_true(k % 3 || view.ratio == 1 << 30);
+        const long double focal = (long double)camera.focal * 256 / 4294967296.0L; /* sub-pixels */
+        const long double got = (long double)view.ratio / (1 << 30) * ((uint64_t)1 << view.scale_bits);
+        assert_true(got > focal * (1 - 0x1p-29L) && got < focal * (1 + 0x1p-29L));
+    }
+}
+
 static const struct CMUnitTest tests[] = {
+    cmocka_unit_test(focal_lengths_keep_their_bits),
     cmocka_unit_test(vertices_are_the_exact_sum_rounded_once),
     cmocka_unit_test(projection_is_the_exact_product_rounded_once),
     cmocka_unit_test(light_is_the_exact_product_rounded_once)
