@@ -109,7 +109,7 @@ ZS_ALWAYS_INLINE void rows(struct zs_job *job, read_fn *read)
 
 #define ZS_WORD(field) ((int)(offsetof(struct zs_texel_rows, field) / 4u))
 
-/* Rows of one side each way. Little is kept from row to row but in memory: pixels take all registers. */
+/* Rows of a small triangle. What goes from row to row lies in its record: pixels take all registers. */
 ZS_ALWAYS_INLINE void small(struct zs_job *job, const struct zs_texture *t, struct zs_texel_rows *w, read_fn *read, int lit)
 {
     const uintptr_t beside = (uintptr_t)job->color - (uintptr_t)job->depth; /* from a depth to its colour */
