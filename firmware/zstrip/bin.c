@@ -820,8 +820,9 @@ static ZS_NOINLINE uint32_t sieve(struct batch *s, uint32_t n)
     const struct zs_vertex *const pool = s->pool;
     const uint16_t (*tri)[3] = s->tri;
     const uint32_t n_verts = s->n_verts;
+    const uint32_t end = 4u * n;
     uint8_t *out = s->left;
-    for (uint32_t t = 0; t < 4u * n; t += 4u, tri++) {
+    for (uint32_t t = 0; t < end; t += 4u, tri++) {
         const uint32_t i = (*tri)[0], j = (*tri)[1], k = (*tri)[2];
         uint32_t wide = 1;
         int32_t area = 0;
@@ -836,8 +837,10 @@ static ZS_NOINLINE uint32_t sieve(struct batch *s, uint32_t n)
             *out++ = (uint8_t)(t + ((uint32_t)area >> 31));
         }
     }
-    s->fate[FATE_FACING] += n - (uint32_t)(out - s->left);
-    return (uint32_t)(out - s->left);
+    ZS_ANEW(s); /* s->left is found again: no register holds it in the loop */
+    const uint32_t left = (uint32_t)(out - s->left);
+    s->fate[FATE_FACING] += end / 4u - left;
+    return left;
 }
 
 /* All are left, none is looked at. */

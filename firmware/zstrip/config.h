@@ -28,6 +28,17 @@
 #define ZS_LEAN 0
 #endif
 
+/* 1: rows of a matrix are added up in 64 bits, where that is as cheap as in 32 (wide.h). Every file of a program must have it
+ * alike. */
+#ifndef ZS_ROW_WIDE
+#if defined(__ARM_ARCH) && __ARM_ARCH >= 7
+#define ZS_ROW_WIDE 1
+#else
+#define ZS_ROW_WIDE 0
+#endif
+#endif
+#define ZS_ROW_WORDS (ZS_ROW_WIDE ? 7 : 10)
+
 #ifndef ZS_STATS
 #define ZS_STATS 0 /* 1: count written pixels too, which costs an instruction a pixel */
 #endif

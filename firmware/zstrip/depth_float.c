@@ -50,6 +50,9 @@ static ZS_RARE int float_setup(struct zs_view *view, const struct zs_camera *cam
     const int lz = zs_clz64((uint64_t)camera->z_near); /* near = key_mul / 2^key_shift camera units */
     view->key_mul = (uint32_t)((uint64_t)camera->z_near << lz >> 32);
     view->key_shift = lz - 16 - view->shift;
+    view->key_lz = view->key_octaves - 1 - view->key_shift;
+    view->key_common = (uint8_t)(view->key_octaves - 1u);
+    view->key_code = view->key_top + 0x10000u - (1u << (view->key_mantissa + 16));
     view->piece_base = view->key_top + 0xffffu;
     view->piece_shift = (uint8_t)(view->key_mantissa + 16);
     view->key_far = 0;
@@ -91,24 +94,13 @@ static inline uint32_t below_code(const struct zs_view *view, uint32_t key)
     return view->key_top + 0xffffu - key;
 }
 
-static uint32_t float_vertex(const struct zs_view *view, int32_t z, uint32_t rcp, int32_t lz)
+/* r = p / 2^32 * 2^(octave - last), p >= 2^31, in the octaves where keys differ from the common case: beyond near, the two
+ * farthest. */
+static ZS_RARE ZS_NOINLINE uint32_t last_vertex(const struct zs_view *view, uint32_t p, int32_t octave)
 {
-    (void)z;
     const int32_t m = view->key_mantissa + 16, last = view->key_octaves; /* m: 19 .. 29 */
-    uint32_t p = zs_umulh(view->key_mul, rcp);            /* [2^30, 2^32) */
-    int32_t k = view->key_shift + 63 - lz - 32;           /* r = p / 2^k */
-    if (p >> 31)
-        k -= 32;
-    else {
-        k -= 31;
-        p <<= 1;
-    }
-    if (k < 0)
+    if (octave > last)
         return 0; /* at near, give or take the rounding of z */
-    /* now p / 2^32 * 2^-k, in [1/2, 1) */
-    const int32_t octave = last - k;
-    if (octave > 1) /* the code is above what is asked below */
-        return view->key_top + 0x10000u - (((uint32_t)(octave - 1) << m) + (((p >> (30 - m)) + 1u) >> 1));
     const int32_t shift = 31 - m + (octave < 1 ? 1 - octave : 0);
     const uint32_t last_key = view->key_top + (view->key_top < 0xffff0000u ? 0xffffu : 0u); /* 16 bits: no room */
     if (shift > 31)
@@ -117,6 +109,21 @@ static uint32_t float_vertex(const struct zs_view *view, int32_t z, uint32_t rcp
     if (code <= view->key_top + 0x10000u - last_key && octave < last) /* the right side is modulo 2^32: 1 or 2^16 */
         return last_key;
     return view->key_top + 0x10000u - code; /* modulo 2^32: 0 where code came to 2^32 */
+}
+
+static uint32_t float_vertex(const struct zs_view *view, int32_t z, uint32_t rcp, int32_t lz)
+{
+    (void)z;
+    uint32_t p = zs_umulh(view->key_mul, rcp); /* [2^30, 2^32): r = p / 2^(key_shift + 31 - lz) */
+    int32_t above = view->key_lz + lz; /* octave 2 */
+    if (!(p >> 31)) {
+        p <<= 1;
+        above--;
+    }
+    if ((uint32_t)above >= view->key_common)
+        return last_vertex(view, p, above + 2);
+    const uint32_t m = view->piece_shift;
+    return view->key_code - ((uint32_t)above << m) - (((p >> (30u - m)) + 1u) >> 1);
 }
 
 /* The octave of a key, 1 .. 2^e - 1; a border belongs to the farther one, which gives the same r. */

@@ -47,6 +47,9 @@ struct zs_view {
     uint8_t perspective, screen_linear; /* flags: keys are linear on the screen; ... */
     uint8_t pixelwise;     /* ... each is found by itself */
     uint8_t key_mantissa, key_octaves; /* float: mantissa bits, and 2^exponent bits - 1 */
+    uint8_t key_common;    /* float: octaves from 2 on, to near's (depth_float.c) ... */
+    int32_t key_lz;        /* ... what a vertex's has above 2, less the leading zeros of z, or 1 less ... */
+    uint32_t key_code;     /* ... and the key where octave 2 begins */
 };
 
 /* One instance's way to camera units, c = (m . p + t) / 2^shift, floor, in the order in which zs_row (wide.h) reads it:
@@ -58,8 +61,7 @@ enum zs_row_word {
     ZS_ROW_S = 4,       /* 0 .. 15 */
     ZS_ROW_HIGH = 5,    /* [3] */
     ZS_ROW_S2 = 8,      /* shift - s, 0 .. 14 */
-    ZS_ROW_T_HIGH = 9,  /* camera units */
-    ZS_ROW_WORDS = 10
+    ZS_ROW_T_HIGH = 9   /* camera units */
 };
 
 /* A plane through two rows' ends: y and z of its unit normal, camera axes, pointing to where is drawn. */

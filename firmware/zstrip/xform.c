@@ -212,14 +212,10 @@ ZS_RARE int zs_xform_instance(struct zs_renderer *r, uint32_t number, const stru
  * longer than 2^15 sqrt 3. */
 static void points(const struct zs_xform *xf, uint32_t v, uint32_t n, struct zs_vertex *out)
 {
-    const int16_t (*p)[3] = xf->instance->mesh->pos + v;
-    for (struct zs_vertex *const end = out + n; out != end; out++, p++) {
-        const int32_t x = (*p)[0], y = (*p)[1], z = (*p)[2];
-        out->x = zs_row(xf->row[0], x, y, z);
-        out->y = zs_row(xf->row[1], x, y, z);
-        out->d = (uint32_t)zs_row(xf->row[2], x, y, z);
-    }
+    zs_rows(xf->row[0], xf->instance->mesh->pos[v], &out->x, n);
 }
+_Static_assert(offsetof(struct zs_vertex, x) == 0 && offsetof(struct zs_vertex, y) == 4 && offsetof(struct zs_vertex, d) == 8,
+               "a vertex is three words");
 
 /* The same for positions in 1/256 steps, |p| <= 2^23, in 64 bits. */
 static int32_t fine(const int32_t row[ZS_ROW_WORDS], const int16_t pos[3], const uint8_t pos_lo[3])
@@ -358,8 +354,8 @@ int zs_xform_project(const struct zs_renderer *r, const struct zs_point *p, stru
     return project(r, out);
 }
 
-/* Vertex v of the current instance where it may be outside, or needs wider products. */
-static ZS_NOINLINE void screen_slowly(const struct zs_renderer *r, uint32_t v, struct zs_vertex *at)
+/* A vertex of the current instance that may be outside, or needs wider products: v is that of `first`. */
+static ZS_NOINLINE void screen_slowly(const struct zs_renderer *r, uint32_t v, const struct zs_vertex *first, struct zs_vertex *at)
 {
     const struct zs_point p = { { at->x, at->y, (int32_t)at->d } };
     uint32_t code = 0;
@@ -368,7 +364,7 @@ static ZS_NOINLINE void screen_slowly(const struct zs_renderer *r, uint32_t v, s
     if (code == 0 && !project(r, at)) /* a sphere that is smaller than its mesh */
         code = zs_xform_outcode(&r->view, &p);
     if (code) {
-        at->x = (int32_t)(v << 16);
+        at->x = (int32_t)((v + (uint32_t)(at - first)) << 16);
         at->y = OUT_Y;
         at->d = ZS_D_OUT + code;
     }
@@ -379,20 +375,20 @@ _Static_assert(NEAR_MIDDLE < ZS_GUARD_SUBPX, "inside the guard band");
 
 /* A vertex that lands a step or more inside the guard band is inside it in camera units too: its steps are off by 1/2 and
  * 2^-9. So what may be outside is tested only where it is far from the frame's middle. */
-void zs_xform_screen(const struct zs_renderer *r, uint32_t v, uint32_t n, struct zs_vertex *out)
+ZS_ALWAYS_INLINE void screen(const struct zs_renderer *r, uint32_t v, uint32_t n, struct zs_vertex *out, int perspective,
+                             int32_t coarse)
 {
     const struct zs_view *view = &r->view;
     const struct zs_depth *depth = r->config.depth;
-    const int32_t coarse = view->snap, cx = view->cx, cy = view->cy, perspective = view->perspective;
+    const int32_t cx = view->cx, cy = view->cy;
     const int32_t shift = perspective ? 30 - view->scale_bits + coarse : view->scale_bits + coarse - 2;
     const uint32_t most = NEAR_MIDDLE >> coarse;
     const int32_t z_near = view->z_near;
     const uint32_t depth_range = (uint32_t)view->z_far - (uint32_t)z_near; /* < 2^31.6 */
-    transform(&r->xform, v, n, out);
     for (struct zs_vertex *const first = out, *const end = out + n; out != end; out++) {
         const int32_t x = out->x, y = out->y, z = (int32_t)out->d;
         if ((uint32_t)z - (uint32_t)z_near > depth_range) {
-            screen_slowly(r, v + (uint32_t)(out - first), out);
+            screen_slowly(r, v, first, out);
             continue;
         }
         int32_t lz = 0;
@@ -403,9 +399,13 @@ void zs_xform_screen(const struct zs_renderer *r, uint32_t v, uint32_t n, struct
         }
         ZS_NARROW(rcp);
         const int32_t down = shift - lz;
-        const uint32_t sx = steps_of(x, rcp, down & 31), sy = steps_of(y, rcp, down & 31);
-        if ((uint32_t)down > 31u || (sx | sy) >= most) {
-            screen_slowly(r, v + (uint32_t)(out - first), out);
+        if ((uint32_t)down > 31u) {
+            screen_slowly(r, v, first, out);
+            continue;
+        }
+        const uint32_t sx = steps_of(x, rcp, down), sy = steps_of(y, rcp, down);
+        if ((sx | sy) >= most) {
+            screen_slowly(r, v, first, out);
             continue;
         }
         const int32_t px = (int32_t)(sx << coarse), py = (int32_t)(sy << coarse);
@@ -413,6 +413,21 @@ void zs_xform_screen(const struct zs_renderer *r, uint32_t v, uint32_t n, struct
         out->y = cy + ((py ^ y >> 31) - (y >> 31));
         out->d = depth->vertex(view, z, rcp, lz);
     }
+}
+
+/* An orthographic camera, or fewer sub-pixel bits. */
+static ZS_NOINLINE void screen_any(const struct zs_renderer *r, uint32_t v, uint32_t n, struct zs_vertex *out)
+{
+    screen(r, v, n, out, r->view.perspective, r->view.snap);
+}
+
+void zs_xform_screen(const struct zs_renderer *r, uint32_t v, uint32_t n, struct zs_vertex *out)
+{
+    transform(&r->xform, v, n, out);
+    if (r->view.perspective && r->view.snap == 0)
+        screen(r, v, n, out, 1, 0);
+    else
+        screen_any(r, v, n, out);
 }
 
 #endif
