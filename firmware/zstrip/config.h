@@ -31,7 +31,7 @@
 /* 1: rows of a matrix are added up in 64 bits, where that is as cheap as in 32 (wide.h). Every file of a program must have it
  * alike. */
 #ifndef ZS_ROW_WIDE
-#if defined(__ARM_ARCH) && __ARM_ARCH >= 7
+#if (defined(__ARM_ARCH) && __ARM_ARCH >= 7) || defined(__x86_64__)
 #define ZS_ROW_WIDE 1
 #else
 #define ZS_ROW_WIDE 0

@@ -13,7 +13,7 @@ ZS_ALWAYS_INLINE int32_t pixels(uint16_t *at, uint16_t *const end, uintptr_t bes
 {
     int32_t written = 0;
     do {
-        if (sum >> 16 < *++at) {
+        if ((uint16_t)(sum >> 16) < *++at) {
             *at = (uint16_t)zs_high(sum);
             *(uint16_t *)((uintptr_t)at + beside) = paint;
             if (ZS_STATS)

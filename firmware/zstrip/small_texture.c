@@ -9,10 +9,10 @@
 #if ZS_LEAN
 #elif ZS_DIVIDES
 
-/* v * rcp, rcp >= 2^31 */
-static inline int64_t times_rcp(int32_t v, uint32_t rcp)
+/* v * rcp + more, rcp >= 2^31: one signed product, whose sum begins with what it lacks. */
+static inline int64_t times_rcp(int32_t v, uint32_t rcp, uint32_t more)
 {
-    return zs_mul_ss(v, (int32_t)(rcp - 0x80000000u) - 0x7fffffff - 1) + ((int64_t)v * ((int64_t)1 << 32));
+    return zs_mul_ss(v, (int32_t)(rcp - 0x80000000u) - 0x7fffffff - 1) + (int64_t)((uint64_t)(uint32_t)v << 32 | more);
 }
 
 /* zs_texture_gradient, its usual case in line. *bad: not 0 where it is too steep. */
@@ -24,7 +24,7 @@ ZS_ALWAYS_INLINE uint32_t gradient(uint32_t rcp, int32_t n, int32_t shift, int32
         *bad |= !ok;
         return g;
     }
-    const int64_t q = times_rcp(n, rcp) + (1u << (shift - 1));
+    const int64_t q = times_rcp(n, rcp, 1u << (shift - 1));
     const int32_t hi = (int32_t)(q >> 32);
     const uint32_t low = (uint32_t)hi << (32 - shift) | (uint32_t)q >> shift;
     *bad |= hi >> shift ^ (int32_t)low >> 31;

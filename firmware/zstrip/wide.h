@@ -142,6 +142,22 @@ static inline uint32_t zs_fill_blocks(void *at, uint32_t value, uint32_t n)
     return n - left;
 }
 
+#elif defined(__GNUC__) && defined(__OPTIMIZE__) && (defined(__x86_64__) || defined(__aarch64__)) && !ZS_LEAN
+
+/* As above, by vectors of four words: 0.4 instructions a word. */
+typedef uint32_t __attribute__((vector_size(16), aligned(4), may_alias)) zs_four;
+static inline uint32_t zs_fill_blocks(void *at, uint32_t value, uint32_t n)
+{
+    const zs_four four = { value, value, value, value };
+    zs_four *to = (zs_four *)at;
+    uint32_t left = n;
+    for (; left >= 32; left -= 32, to += 8) {
+        to[0] = to[1] = to[2] = to[3] = four;
+        to[4] = to[5] = to[6] = to[7] = four;
+    }
+    return n - left;
+}
+
 #else
 
 /* Elsewhere a compiler's loop is as good. */
