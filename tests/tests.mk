@@ -8,7 +8,7 @@ MODEL = $(wildcard sim/panel_model/*.c) sim/panel_bus.c hal/fault/fault.c
 TEST_HELP = $(filter-out $(TESTS) tests/checksum.c,$(wildcard tests/*.c))
 t = $(patsubst %.c,$(B)/test/%.o,$(1))
 
-test-programs: $(patsubst tests/%.c,$(B)/test/%,$(TESTS)) $(B)/test/test_xform_wide $(B)/test/zsim checksum-programs
+test-programs: $(patsubst tests/%.c,$(B)/test/%,$(TESTS)) $(B)/test/test_xform_narrow $(B)/test/zsim checksum-programs
 
 $(B)/test/%.o: %.c $(HEADERS) $(B)/gen/meshes.h
 	@mkdir -p $(@D)
@@ -17,10 +17,10 @@ $(B)/test/libtest.a: $(call t,$(CORE) $(SCENES) $(PANELS) $(MODEL) $(TEST_HELP))
 	@rm -f $@ && ar rcs $@ $^
 $(B)/test/test_%: $(B)/test/tests/test_%.o $(B)/test/libtest.a $(B)/libmeshes.a
 	@$(CC) $(SAN) -Wl,--start-group $^ -Wl,--end-group -lcmocka -lm -o $@
-# The same with the rows of a matrix as cores have them that add products to 64 bits (wide.h)
-$(B)/test/test_xform_wide: tests/test_xform.c $(CORE) $(TEST_HELP) $(HEADERS)
+# The same with the rows of a matrix as cores have them that do not add products to 64 bits (wide.h)
+$(B)/test/test_xform_narrow: tests/test_xform.c $(CORE) $(TEST_HELP) $(HEADERS)
 	@mkdir -p $(@D)
-	@$(TEST_CC) -DZS_ROW_WIDE=1 $(filter %.c,$^) -lcmocka -lm -o $@
+	@$(TEST_CC) -DZS_ROW_WIDE=0 $(filter %.c,$^) -lcmocka -lm -o $@
 $(B)/test/test_counts: $(call t,sim/counts.c sim/frame.c sim/share.c sim/sim.c)
 $(B)/test/test_threads $(B)/test/test_golden: $(call t,sim/frame.c sim/share.c sim/sim.c)
 $(B)/test/zsim: $(call t,$(SIM)) $(B)/test/libtest.a $(B)/libmeshes.a

@@ -33,7 +33,7 @@ for file in tests/prove/*_proof.c; do
         [ "$file" = tests/prove/fx_proof.c ] && tables=
         # shellcheck disable=SC2086
         frama-c -c11 -eva -eva-precision 2 -eva-slevel 30 -eva-auto-loop-unroll 300 $flags -main "$name" \
-            -cpp-extra-args="-U__GNUC__ -Ifirmware/zstrip -Itests/prove -DZS_STATS=1" "$file" $tables >"$log" 2>&1
+            -cpp-extra-args="-U__GNUC__ -Ifirmware/zstrip -Itests/prove -DZS_STATS=1 -DZS_ROW_WIDE=0" "$file" $tables >"$log" 2>&1
         proofs=$((proofs + 1))
         awk -v name="$name" -v covers="$covers" -v log_file="$log" '
             / functions? analyzed / { functions = $1 }
