@@ -12,8 +12,9 @@
  * K = |C' W - C W'|, which is constant along a row and linear from row to row: its largest is at a vertex,
  * |C' - U W'| W. So a group may be affine where W^3 >= 2 T K |W'| L^2, W the less of its two ends. In any other each
  * pixel is divided: with 15 bits where the triangle has at most 2^COARSE_LOG2 texels (NUMERICS.md: 2^-13.4 of its
- * span), in pieces in which w keeps its leading zeros, so that nothing is shifted a pixel. Groups start at multiples
- * of 32 from the row's first covered pixel; the last ends at the row's last covered pixel.
+ * span), one or two by themselves, others in pieces in which w keeps its leading zeros, so that nothing is shifted a
+ * pixel. A texture that is clamped counts in 64 bits. Groups start at multiples of 32 from the row's first covered
+ * pixel; the last ends at the row's last covered pixel.
  * Light goes the same way, 128 codes to its whole range.
  *
  * Errors of a coordinate beyond that, in texels: planes the larger of 2^-21 and (W + H + 1) / 2^32 of the triangle's
@@ -30,7 +31,8 @@
 #define GROUP_LOG2 5
 #define GROUP (1 << GROUP_LOG2) /* pixels */
 #define COARSE_LOG2 ZS_TEXEL_COARSE_LOG2 /* texels that 15 bits place */
-#define PIECE 16       /* pixels divided at a time */
+#define PIECE 16       /* pixels divided at a time ... */
+#define FEW 2          /* ... which is not worth it for so many */
 #define LIGHT_MAX 65504u /* uq1_15, just below 2: light() adds a half */
 #define LIGHT_LOG2 7     /* codes that its 16 bits stand for: 126 */
 
@@ -212,7 +214,7 @@ ZS_IN_ORDER static ZS_NOINLINE void start_groups(struct zs_job *job, const uint1
         need = zs_max32(need, bend_log2(&job->c[i], &job->w, un, w, i < 2 ? c[i].texels : LIGHT_LOG2));
     }
     job->sampler.least_w = third_power(need + 2 * GROUP_LOG2);
-    job->sampler.fine = job->sampler.wide || zs_max32(c[0].texels, c[1].texels) > COARSE_LOG2;
+    job->sampler.fine = zs_max32(c[0].texels, c[1].texels) > COARSE_LOG2;
     job->sub_log2 = GROUP_LOG2;
 }
 
@@ -307,6 +309,14 @@ static uint32_t held(uint64_t t)
     return (int64_t)t < 0 ? 0u : t >> 32 ? UINT32_MAX : (uint32_t)t;
 }
 
+/* u (k = 0) or v of a texture that is clamped, or one texel wide or high: what a walk takes for q32_32. */
+static uint32_t place_in(const struct zs_texture *t, int k, uint64_t at)
+{
+    if ((k ? t->log2_h : t->log2_w) == 0)
+        return 0;
+    return t->clamp >> k & 1 ? held(at) : (uint32_t)at;
+}
+
 /* Textures that are clamped: q32_32, because what lies beyond [0, 1) counts. Runs that stay within are
  * fetched whole, others pixel by pixel. As in fetch(), c is where a group or a row begins, and the run `skip` pixels right of
  * it: shifts cut bits off, and where a run begins must not tell which. A step loses 2^-32 repeats, 12,000 of them 2^-18. */
@@ -327,8 +337,8 @@ ZS_IN_ORDER static ZS_NOINLINE void fetch_wide(const struct zs_sampler *s, uint1
     if (!single)
         texel->fetch(t, out, n, &walk);
     for (; single && n > 0; n--, out++) {
-        walk.u = t->log2_w == 0 ? 0u : t->clamp & ZS_CLAMP_U ? held(at[0]) : (uint32_t)at[0];
-        walk.v = t->log2_h == 0 ? 0u : t->clamp & ZS_CLAMP_V ? held(at[1]) : (uint32_t)at[1];
+        walk.u = place_in(t, 0, at[0]);
+        walk.v = place_in(t, 1, at[1]);
         texel->fetch(t, out, 1, &walk);
         at[0] += by[0];
         at[1] += by[1];
@@ -418,29 +428,45 @@ static inline uint32_t coarse_over(uint32_t c, uint32_t rcp)
     return (uint32_t)((int32_t)c >> 16) * rcp; /* 16 bits with the sign, times 16: modulo 2^32 */
 }
 
-#if ZS_LEAN
+/* Attribute k at a pixel, c there shifted up like w, whose reciprocal of 15 bits is rcp. */
+static inline uint32_t coarse_at(const struct zs_job *job, int k, int32_t i, int32_t row, int32_t up, uint32_t rcp)
+{
+    return coarse_over((zs_plane_at(&job->c[k], i, row) << up) + 0x8000u, rcp);
+}
+
+static inline uint32_t place_at(const struct zs_sampler *s, int k, uint32_t over)
+{
+    if (s->wide)
+        return place_in(s->texture, k, s->base[k] + shifted((int32_t)over, s->shift[k] + 1));
+    return (uint32_t)s->base[k] + turned(over, s->shift[k] + 1);
+}
 
 /* Pixel i of a row, by a reciprocal of 15 bits. 0 < w < 2^31 there. */
 static void run_coarse(struct zs_job *job, uint16_t *out, int32_t i, int32_t row, uint32_t w)
 {
     const struct zs_sampler *s = &job->sampler;
-    const struct zs_texel *texel = s->texture->format;
+    const struct zs_texture *t = s->texture;
+    const struct zs_texel *texel = t->format;
     const struct zs_shader *shader = job->shader;
     const int32_t up = zs_clz32(w) - 1;
     const uint32_t rcp = zs_recip15(w << up);
-    uint32_t at[3];
-    for (int k = 0; k < shader->n_attrs; k++)
-        at[k] = coarse_over((zs_plane_at(&job->c[k], i, row) << up) + 0x8000u, rcp);
-    const struct zs_walk walk = { (uint32_t)s->base[0] + turned(at[0], s->shift[0] + 1),
-                                  (uint32_t)s->base[1] + turned(at[1], s->shift[1] + 1), 0, 0 };
-    texel->fetch(s->texture, out, 1, &walk);
-    if (shader->n_attrs == 3) /* < 2^32: light is below LIGHT_MAX */
-        shader->light(out, 1, (int32_t)at[2] < 0 ? 0u : at[2] << 2, 0);
-    else
+    const uint32_t u = place_at(s, 0, coarse_at(job, 0, i, row, up, rcp)), v = place_at(s, 1, coarse_at(job, 1, i, row, up, rcp));
+#if ZS_LEAN
+    const struct zs_walk walk = { u, v, 0, 0 };
+    texel->fetch(t, out, 1, &walk);
+#else
+    const uint32_t at = (v >> zs_texture_cut(t->log2_h) << t->log2_w) + (u >> zs_texture_cut(t->log2_w));
+    texel->gather(t, out, 1, &at);
+#endif
+    if (shader->n_attrs == 3) { /* < 2^32: light is below LIGHT_MAX */
+        const int32_t level = (int32_t)coarse_at(job, 2, i, row, up, rcp);
+        shader->light(out, 1, level < 0 ? 0u : (uint32_t)level << 2, 0);
+    } else {
         lighten(job, out, 1, 0, 0);
+    }
 }
 
-#else
+#if !ZS_LEAN
 
 /* n reciprocals, 15 bits, of w that stays in [2^30, 2^31). */
 static ZS_NOINLINE void reciprocals(uint32_t *at, int32_t n, uint32_t w, uint32_t step)
@@ -564,16 +590,17 @@ static void run_divided(struct zs_job *job, const struct zs_row *row, int32_t i,
 {
     while (i < end) {
         const uint32_t w = zs_plane_at(&job->w, i, row->y);
+        uint16_t *const out = job->color + row->at + i;
         int32_t n = 1;
         if (w == 0 || w >> 31 || job->sampler.fine) {
             run_group(job, row, i, i, i, i + 1);
+        } else if (ZS_LEAN || end - i <= FEW || job->sampler.wide) {
+            run_coarse(job, out, i, row->y, w);
         } else {
-#if ZS_LEAN
-            run_coarse(job, job->color + row->at + i, i, row->y, w);
-#else
+#if !ZS_LEAN
             const int32_t lz = zs_clz32(w);
             n = same_octave(w, (int32_t)job->w.gx, lz, zs_min32(end - i, PIECE));
-            divide_octave(job, job->color + row->at + i, i, n, row->y, lz);
+            divide_octave(job, out, i, n, row->y, lz);
 #endif
         }
         i += n;

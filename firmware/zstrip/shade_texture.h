@@ -17,6 +17,12 @@ static inline int32_t zs_texture_texels(int32_t up, uint32_t uv_bits, uint32_t l
     return 16 - up - (int32_t)uv_bits + (int32_t)zs_maxu32(log2, ZS_TEXTURE_FLOOR_LOG2);
 }
 
+/* The shift that leaves a column or row of uq0_32. A texture of one: 31, and u or v is 0. */
+static inline uint32_t zs_texture_cut(uint32_t log2)
+{
+    return log2 ? 32u - log2 : 31u;
+}
+
 /* Plain affine: 2^texels * change / least / 4 <= 1/8, for a range of all 16 bits. */
 static inline int zs_texture_affine(int32_t texels, uint32_t change, uint32_t least)
 {

@@ -29,18 +29,12 @@ ZS_ALWAYS_INLINE uint16_t read_pal4(const void *texel, const uint16_t *palette, 
     return palette[two >> ((at & 1u) << 2) & 15u];
 }
 
-/* Shifts that leave column and row. A texture of one column or row: 31, and u or v is 0 (shade_texture.c). */
-static inline uint32_t index_shift(uint32_t log2)
-{
-    return log2 ? 32u - log2 : 31u;
-}
-
 ZS_KERNEL_INLINE void fetch(const struct zs_texture *t, uint16_t *out, int32_t n, const struct zs_walk *walk,
                             read_fn *read)
 {
     const void *texel = t->texel;
     const uint16_t *palette = t->palette;
-    const uint32_t right = index_shift(t->log2_w), down = index_shift(t->log2_h), row = t->log2_w;
+    const uint32_t right = zs_texture_cut(t->log2_w), down = zs_texture_cut(t->log2_h), row = t->log2_w;
     uint32_t du = walk->du, dv = walk->dv, u = walk->u, v = walk->v;
     for (uint16_t *end = out + n; out != end; out++, u += du, v += dv) {
         ZS_HIGH_REGISTER(du);

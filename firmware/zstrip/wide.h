@@ -229,19 +229,20 @@ static inline int32_t zs_row(const int32_t *row, int32_t x, int32_t y, int32_t z
 static inline void zs_rows(const int32_t *row, const int16_t *p, int32_t *out, uint32_t n)
 {
     const int32_t *const end = out + 3u * n;
-    int32_t x, y, z;
 #define ZS_ROW_NEXT                                                                                      \
     "ldm %0!, {r4, r5, r6, r8, r9, r10, r11}\n\t"                                                        \
     "smlal r8, r9, r4, %3\n\tsmlal r8, r9, r5, %4\n\tsmlal r8, r9, r6, %5\n\t"                           \
     "lsr r8, r10\n\tlsl r9, r11\n\torr r8, r9\n\tstr r8, [%2], #4\n\t"
-    __asm__ volatile(".syntax unified\n"
-                     "1:\n\t"
-                     "ldrsh %3, [%1], #2\n\tldrsh %4, [%1], #2\n\tldrsh %5, [%1], #2\n\t"
-                     ZS_ROW_NEXT ZS_ROW_NEXT ZS_ROW_NEXT
-                     "cmp %2, %6\n\tsub %0, #84\n\tbne 1b"
-                     : "+&r"(row), "+&r"(p), "+&r"(out), "=&r"(x), "=&r"(y), "=&r"(z)
-                     : "r"(end)
-                     : "r4", "r5", "r6", "r8", "r9", "r10", "r11", "cc", "memory");
+    do {
+        int32_t x, y, z;
+        __asm__ volatile(".syntax unified\n\t"
+                         "ldrsh %3, [%1], #2\n\tldrsh %4, [%1], #2\n\tldrsh %5, [%1], #2\n\t"
+                         ZS_ROW_NEXT ZS_ROW_NEXT ZS_ROW_NEXT
+                         "sub %0, #84"
+                         : "+&r"(row), "+&r"(p), "+&r"(out), "=&r"(x), "=&r"(y), "=&r"(z)
+                         :
+                         : "r4", "r5", "r6", "r8", "r9", "r10", "r11", "cc", "memory");
+    } while (out != end);
 #undef ZS_ROW_NEXT
 }
 #define ZS_ROWS 1
