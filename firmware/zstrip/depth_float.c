@@ -51,6 +51,7 @@ static ZS_RARE int float_setup(struct zs_view *view, const struct zs_camera *cam
     view->key_mul = (uint32_t)((uint64_t)camera->z_near << lz >> 32);
     view->key_shift = lz - 16 - view->shift;
     view->key_lz = view->key_octaves - 1 - view->key_shift;
+    view->key_fraction = (uint8_t)(view->key_mantissa + 16);
     view->key_common = (uint8_t)(view->key_octaves - 1u);
     view->key_code = view->key_top + 0x10000u - (1u << (view->key_mantissa + 16));
     view->piece_base = view->key_top + 0xffffu;
@@ -122,7 +123,7 @@ static uint32_t float_vertex(const struct zs_view *view, int32_t z, uint32_t rcp
     }
     if ((uint32_t)above >= view->key_common)
         return last_vertex(view, p, above + 2);
-    const uint32_t m = view->piece_shift;
+    const uint32_t m = view->key_fraction;
     return view->key_code - ((uint32_t)above << m) - (((p >> (30u - m)) + 1u) >> 1);
 }
 

@@ -47,7 +47,8 @@ struct zs_view {
     uint8_t perspective, screen_linear; /* flags: keys are linear on the screen; ... */
     uint8_t pixelwise;     /* ... each is found by itself */
     uint8_t key_mantissa, key_octaves; /* float: mantissa bits, and 2^exponent bits - 1 */
-    uint8_t key_common;    /* float: octaves from 2 on, to near's (depth_float.c) ... */
+    uint8_t key_fraction;  /* float: key_mantissa + 16; ... */
+    uint8_t key_common;    /* ... octaves from 2 on, to near's (depth_float.c); ... */
     int32_t key_lz;        /* ... what a vertex's has above 2, less the leading zeros of z, or 1 less ... */
     uint32_t key_code;     /* ... and the key where octave 2 begins */
 };
