@@ -48,6 +48,7 @@ void float_keys(void)
         for (uint32_t e = 3; e <= 5; e++) {
             any_view(bits, e, 0);
             view.key_shift = any_i32(1, 24); /* near = key_mul / 2^key_shift */
+            view.key_lz = view.key_octaves - 1 - view.key_shift;
             view.key_mul = any_u32(1u << 31, UINT32_MAX);
             for (int k = 8; k <= 30; k++)
                 (void)float_vertex(&view, any_i32((int32_t)OCTAVE_LO(k), (int32_t)OCTAVE_HI(k)),
