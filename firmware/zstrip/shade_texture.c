@@ -306,7 +306,8 @@ static void texture_start(struct zs_job *job)
 /* A coordinate held to [0, 1) in q32_32. */
 static uint32_t held(uint64_t t)
 {
-    return (int64_t)t < 0 ? 0u : t >> 32 ? UINT32_MAX : (uint32_t)t;
+    const int32_t beyond = (int32_t)(t >> 32);
+    return beyond ? ~(uint32_t)(beyond >> 31) : (uint32_t)t;
 }
 
 /* u (k = 0) or v of a texture that is clamped, or one texel wide or high: what a walk takes for q32_32. */
@@ -429,12 +430,12 @@ static inline uint32_t coarse_over(uint32_t c, uint32_t rcp)
 }
 
 /* Attribute k at a pixel, c there shifted up like w, whose reciprocal of 15 bits is rcp. */
-static inline uint32_t coarse_at(const struct zs_job *job, int k, int32_t i, int32_t row, int32_t up, uint32_t rcp)
+static uint32_t coarse_at(const struct zs_job *job, int k, int32_t i, int32_t row, int32_t up, uint32_t rcp)
 {
     return coarse_over((zs_plane_at(&job->c[k], i, row) << up) + 0x8000u, rcp);
 }
 
-static inline uint32_t place_at(const struct zs_sampler *s, int k, uint32_t over)
+static uint32_t place_at(const struct zs_sampler *s, int k, uint32_t over)
 {
     if (s->wide)
         return place_in(s->texture, k, s->base[k] + shifted((int32_t)over, s->shift[k] + 1));

@@ -12,7 +12,7 @@
 /* v * rcp + more, rcp >= 2^31: one signed product, whose sum begins with what it lacks. */
 static inline int64_t times_rcp(int32_t v, uint32_t rcp, uint32_t more)
 {
-    return zs_mul_ss(v, (int32_t)(rcp - 0x80000000u) - 0x7fffffff - 1) + (int64_t)((uint64_t)(uint32_t)v << 32 | more);
+    return zs_mul_ss(v, (int32_t)(rcp - 0x80000000u) - 0x7fffffff - 1) + ((int64_t)v * ((int64_t)1 << 32) + more);
 }
 
 /* zs_texture_gradient, its usual case in line. *bad: not 0 where it is too steep. */
