@@ -443,7 +443,7 @@ static uint32_t place_at(const struct zs_sampler *s, int k, uint32_t over)
 }
 
 /* Pixel i of a row, by a reciprocal of 15 bits. 0 < w < 2^31 there. */
-static void run_coarse(struct zs_job *job, uint16_t *out, int32_t i, int32_t row, uint32_t w)
+static ZS_NOINLINE void run_coarse(struct zs_job *job, uint16_t *out, int32_t i, int32_t row, uint32_t w)
 {
     const struct zs_sampler *s = &job->sampler;
     const struct zs_texture *t = s->texture;
