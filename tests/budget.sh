@@ -147,9 +147,18 @@ base="--size 240x240 --tris 2000 --verts 1200 --shade smooth"
 budget $base --csv
 least=$(csv draw_M3)
 for more in '--tris 3000' '--scene-tris 9000' '--verts 2400' '--coverage 90' '--complexity 4' '--strip 4' \
-    '--shade textured' '--depth linear'; do
+    '--depth linear'; do
     # shellcheck disable=SC2086
     budget $base $more --csv
+    [ "$(csv draw_M3)" -gt "$least" ] || wrong "$more: $(csv draw_M3) instructions, $least without"
+done
+# Of shaders, the same with light or colours besides: smooth and textured are drawn in ways of their own, as dear as each other
+for more in 'flat smooth' 'unlit textured'; do
+    # shellcheck disable=SC2086
+    budget $base --shade "${more% *}" --csv
+    least=$(csv draw_M3)
+    # shellcheck disable=SC2086
+    budget $base --shade "${more#* }" --csv
     [ "$(csv draw_M3)" -gt "$least" ] || wrong "$more: $(csv draw_M3) instructions, $least without"
 done
 budget --size 240x240 --shade flat --csv

@@ -100,7 +100,7 @@ static int transform_case(uint64_t seed)
     for (int k = 0; k < 3; k++)
         for (uint32_t v = 0; v < N_VERTS; v++) {
             int32_t shift;
-            const __int128 sum = row_sum(s.r.xform.row[k], s.pos[v], &shift);
+            const __int128 sum = row_sum(s.r.xform.row + k * ZS_ROW_WORDS, s.pos[v], &shift);
             CASE_CHECK(shift >= 0 && shift <= 29);
             struct zs_point point;
             zs_xform_vertex(&s.r.xform, v, &point);

@@ -37,7 +37,8 @@
 #define ZS_ROW_WIDE 0
 #endif
 #endif
-#define ZS_ROW_WORDS (ZS_ROW_WIDE ? 7 : 10)
+#define ZS_ROW_WORDS_MAX 10
+#define ZS_ROW_WORDS (ZS_ROW_WIDE ? 7 : ZS_ROW_WORDS_MAX)
 
 #ifndef ZS_STATS
 #define ZS_STATS 0 /* 1: count written pixels too, which costs an instruction a pixel */

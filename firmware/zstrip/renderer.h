@@ -96,7 +96,7 @@ struct zs_xform {
 #else
     uint8_t clip_depth; /* 1: vertices may be before near or beyond far */
     uint8_t clip_guard; /* 1: vertices may be outside the guard band */
-    int32_t row[3][ZS_ROW_WORDS];
+    int32_t row[3 * ZS_ROW_WORDS_MAX]; /* three, ZS_ROW_WORDS each; one size on all cores */
 #endif
 };
 

@@ -195,7 +195,7 @@ ZS_RARE int zs_xform_instance(struct zs_renderer *r, uint32_t number, const stru
             at += zs_mul_ss(view->rot[3 * k + j], in->pose.pos[j] - view->pos[j]);
             m[j] = (int32_t)zs_round_shift(zs_mul_su(both[3 * k + j], mantissa), 31 + extra);
         }
-        row_set(xf->row[k], m, zs_scale2(at, view->shift + shift - 30), shift);
+        row_set(xf->row + k * ZS_ROW_WORDS, m, zs_scale2(at, view->shift + shift - 30), shift);
     }
     clip_needs(xf, r, b, &r->camera);
     light_direction(xf, &r->scene->light);
@@ -212,7 +212,7 @@ ZS_RARE int zs_xform_instance(struct zs_renderer *r, uint32_t number, const stru
  * longer than 2^15 sqrt 3. */
 static void points(const struct zs_xform *xf, uint32_t v, uint32_t n, struct zs_vertex *out)
 {
-    zs_rows(xf->row[0], xf->instance->mesh->pos[v], &out->x, n);
+    zs_rows(xf->row, xf->instance->mesh->pos[v], &out->x, n);
 }
 _Static_assert(offsetof(struct zs_vertex, x) == 0 && offsetof(struct zs_vertex, y) == 4 && offsetof(struct zs_vertex, d) == 8,
                "a vertex is three words");
@@ -239,9 +239,9 @@ static void points_fine(const struct zs_xform *xf, uint32_t v, uint32_t n, struc
 {
     const struct zs_mesh *mesh = xf->instance->mesh;
     for (struct zs_vertex *const end = out + n; out != end; out++, v++) {
-        out->x = fine(xf->row[0], mesh->pos[v], mesh->pos_lo[v]);
-        out->y = fine(xf->row[1], mesh->pos[v], mesh->pos_lo[v]);
-        out->d = (uint32_t)fine(xf->row[2], mesh->pos[v], mesh->pos_lo[v]);
+        out->x = fine(xf->row, mesh->pos[v], mesh->pos_lo[v]);
+        out->y = fine(xf->row + ZS_ROW_WORDS, mesh->pos[v], mesh->pos_lo[v]);
+        out->d = (uint32_t)fine(xf->row + 2 * ZS_ROW_WORDS, mesh->pos[v], mesh->pos_lo[v]);
     }
 }
 
