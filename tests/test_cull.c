@@ -630,6 +630,12 @@ static void the_check_names_the_flaw(void **state)
         FLAWED(group[g].origins /= 2, ZS_FLAW_GROUP_ORIGINS, g);
         FLAWED(group[g].radius += 20; group[g].origins += 20, ZS_FLAW_NONE, 0);
     }
+    groups.n_groups = 65536; /* neither is read then */
+    FLAWED(, ZS_FLAW_COUNT, 65536);
+    groups.n_groups = 26;
+    scene.n_instances = 65536;
+    FLAWED(, ZS_FLAW_COUNT, 26);
+    scene.n_instances = 70;
     in[69].mesh = NULL;
     FLAWED(, ZS_FLAW_GROUP_SPHERE, 0);
     scene.n_instances = 69;

@@ -535,7 +535,7 @@ enum zs_flaw {
     ZS_FLAW_NONE = 0,
     ZS_FLAW_NULL,        /* pos, tri, cluster, texel, palette or format missing; a format of another kind */
     ZS_FLAW_ALIGN,       /* an array at an address that its elements cannot have */
-    ZS_FLAW_COUNT,       /* more than 65535 vertices; index: how many */
+    ZS_FLAW_COUNT,       /* more than 65535 vertices, groups or grouped instances; index: how many, of the first two */
     ZS_FLAW_SCALE,       /* scale is 0 */
     ZS_FLAW_INDEX,       /* index: a triangle with a vertex number >= n_verts */
     ZS_FLAW_SPHERE,      /* index: a vertex outside the mesh's sphere */
