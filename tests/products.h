@@ -54,6 +54,31 @@ static inline int wide_row_right(uint32_t a, uint32_t b)
 }
 #endif
 
+/* Two points by three rows, which are the six rows that they are one by one. */
+static inline int wide_rows_right(uint32_t a, uint32_t b)
+{
+    int32_t row[3 * ZS_ROW_WORDS], out[7];
+    const int16_t p[6] = { (int16_t)a, (int16_t)b, (int16_t)(a >> 16), (int16_t)(b >> 16), (int16_t)~a, (int16_t)(a ^ b) };
+    int right = 1;
+    for (int k = 0; k < 3 * ZS_ROW_WORDS; k++)
+        row[k] = (int32_t)((a * (uint32_t)(2 * k + 1)) ^ b) >> 18;
+    for (int k = 0; k < 3; k++) {
+        int32_t *const r = row + k * ZS_ROW_WORDS;
+#if ZS_ROW_WIDE
+        r[5] = (int32_t)(b % 30u);
+        r[6] = 32 - r[5];
+#else
+        r[4] = (int32_t)(b % 16u);
+        r[8] = (int32_t)(a % 15u);
+#endif
+    }
+    out[6] = (int32_t)a;
+    zs_rows(row, p, out, 2);
+    for (int k = 0; k < 6; k++)
+        right &= out[k] == zs_row(row + k % 3 * ZS_ROW_WORDS, p[k / 3 * 3], p[k / 3 * 3 + 1], p[k / 3 * 3 + 2]);
+    return right && out[6] == (int32_t)a;
+}
+
 static inline int wide_two_right(uint32_t a, uint32_t b)
 {
     const volatile uint32_t from[4] = { b, a, b ^ a, ~a };
@@ -140,7 +165,8 @@ static inline int wide_right(uint32_t random_pairs, uint32_t wrong[2])
         wrong[0] = a;
         wrong[1] = b;
         if (!wide_pair_right(a, b) || !wide_cross_right(a, b) || !wide_row_right(a, b) ||
-            !wide_two_right(a, b) || !wide_area_right(a, b) || (k % 16u == 0 && !wide_halves_right(a, b)) || (a && !wide_clz_right(a)))
+            !wide_two_right(a, b) || !wide_area_right(a, b) || !wide_rows_right(a, b) ||
+            (k % 16u == 0 && !wide_halves_right(a, b)) || (a && !wide_clz_right(a)))
             return 0;
     }
     return 1;

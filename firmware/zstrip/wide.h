@@ -210,44 +210,7 @@ static inline void zs_high_halves(uint16_t *at, uint32_t n, uint32_t sum, uint32
  *   ((((low . p + t_low) >> s) + high . p) >> s2) + t_high
  * low . p + t_low fits 32 bits, the rest is modulo 2^32; s, s2 < 32. Armv6-M: 30 cycles and no register but the seven
  * here, where a compiler takes 45 and spills. */
-#if ZS_ROW_WIDE && defined(__GNUC__) && !defined(__clang__) && defined(__thumb2__) && defined(__OPTIMIZE__)
-
-static inline int32_t zs_row(const int32_t *row, int32_t x, int32_t y, int32_t z)
-{
-    int32_t out;
-    __asm__(".syntax unified\n\t"
-            "ldm %1, {r4, r5, r6, r8, r9, r10, r11}\n\t"
-            "smlal r8, r9, r4, %2\n\tsmlal r8, r9, r5, %3\n\tsmlal r8, r9, r6, %4\n\t"
-            "lsr r8, r10\n\tlsl r9, r11\n\torr %0, r8, r9" /* a shift by 32 leaves 0 */
-            : "=r"(out)
-            : "r"(row), "r"(x), "r"(y), "r"(z)
-            : "r4", "r5", "r6", "r8", "r9", "r10", "r11", "memory");
-    return out;
-}
-
-/* n > 0 points, p[3] each, by three rows, one behind the other; out[3] each. */
-static inline void zs_rows(const int32_t *row, const int16_t *p, int32_t *out, uint32_t n)
-{
-    const int32_t *const end = out + 3u * n;
-#define ZS_ROW_NEXT                                                                                      \
-    "ldm %0!, {r4, r5, r6, r8, r9, r10, r11}\n\t"                                                        \
-    "smlal r8, r9, r4, %3\n\tsmlal r8, r9, r5, %4\n\tsmlal r8, r9, r6, %5\n\t"                           \
-    "lsr r8, r10\n\tlsl r9, r11\n\torr r8, r9\n\tstr r8, [%2], #4\n\t"
-    do {
-        int32_t x, y, z;
-        __asm__ volatile(".syntax unified\n\t"
-                         "ldrsh %3, [%1], #2\n\tldrsh %4, [%1], #2\n\tldrsh %5, [%1], #2\n\t"
-                         ZS_ROW_NEXT ZS_ROW_NEXT ZS_ROW_NEXT
-                         "sub %0, #84"
-                         : "+&r"(row), "+&r"(p), "+&r"(out), "=&r"(x), "=&r"(y), "=&r"(z)
-                         :
-                         : "r4", "r5", "r6", "r8", "r9", "r10", "r11", "cc", "memory");
-    } while (out != end);
-#undef ZS_ROW_NEXT
-}
-#define ZS_ROWS 1
-
-#elif ZS_ROW_WIDE
+#if ZS_ROW_WIDE
 
 static inline int32_t zs_row(const int32_t *row, int32_t x, int32_t y, int32_t z)
 {
@@ -288,7 +251,31 @@ static inline int32_t zs_row(const int32_t *row, int32_t x, int32_t y, int32_t z
 
 #endif
 
-#ifndef ZS_ROWS
+/* n > 0 points, p[3] each, by three rows, one behind the other; out[3] each. */
+#if ZS_ROW_WIDE && defined(__GNUC__) && !defined(__clang__) && defined(__thumb2__) && defined(__OPTIMIZE__)
+
+static inline void zs_rows(const int32_t *row, const int16_t *p, int32_t *out, uint32_t n)
+{
+    const int32_t *const end = out + 3u * n;
+#define ZS_ROW_NEXT                                                                                      \
+    "ldm %0!, {r4, r5, r6, r8, r9, r10, r11}\n\t"                                                        \
+    "smlal r8, r9, r4, %3\n\tsmlal r8, r9, r5, %4\n\tsmlal r8, r9, r6, %5\n\t"                           \
+    "lsr r8, r10\n\tlsl r9, r11\n\torr r8, r9\n\tstr r8, [%2], #4\n\t"
+    do {
+        int32_t x, y, z;
+        __asm__ volatile(".syntax unified\n\t"
+                         "ldrsh %3, [%1], #2\n\tldrsh %4, [%1], #2\n\tldrsh %5, [%1], #2\n\t"
+                         ZS_ROW_NEXT ZS_ROW_NEXT ZS_ROW_NEXT
+                         "sub %0, #84"
+                         : "+&r"(row), "+&r"(p), "+&r"(out), "=&r"(x), "=&r"(y), "=&r"(z)
+                         :
+                         : "r4", "r5", "r6", "r8", "r9", "r10", "r11", "cc", "memory");
+    } while (out != end);
+#undef ZS_ROW_NEXT
+}
+
+#else
+
 static inline void zs_rows(const int32_t *row, const int16_t *p, int32_t *out, uint32_t n)
 {
     for (int32_t *const end = out + 3u * n; out != end; out += 3, p += 3) {
@@ -298,6 +285,7 @@ static inline void zs_rows(const int32_t *row, const int16_t *p, int32_t *out, u
         out[2] = zs_row(row + 2 * ZS_ROW_WORDS, x, y, z);
     }
 }
+
 #endif
 
 /* x has 32 bits: keep a compiler from carrying it as 64 because products of it are. */
