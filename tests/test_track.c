@@ -173,12 +173,19 @@ struct glass {
     struct zs_strip out; /* submitted, not yet waited for */
     uint32_t calls, fail_at; /* submit and wait, from 1; 0: never */
     uint32_t sent, wrong;
+    int columns; /* zs_track_columns is on */
+    uint32_t x, end; /* columns that arrived, since they were set to the frame's end and 0 */
 };
 
-/* A strip that is given out as changed: is it what a full redraw has there, keys and all? */
+/* A strip that is given out as changed: is it what a full redraw has there, keys and all? By columns: where it is drawn, which
+ * is as far as a range can be widened to ZS_TRACK_GRAIN. */
 static void judge(struct glass *g, const struct zs_strip *s)
 {
+    const uint32_t x = g->columns ? s->changed_x & (0u - ZS_TRACK_GRAIN) : 0u;
+    const uint32_t end = g->columns ? (s->changed_x + s->changed_w + ZS_TRACK_GRAIN - 1u) & (0u - ZS_TRACK_GRAIN) : s->w;
     for (uint32_t i = 0; i < (uint32_t)s->w * s->h; i++) {
+        if (i % s->w < x || i % s->w >= end)
+            continue;
         const uint32_t at = (uint32_t)s->y * s->w + i;
         g->wrong += (s->px[2 * i] << 8 | s->px[2 * i + 1]) != g->want->color[at] || s->depth[i] != g->want->key[at];
     }
@@ -188,6 +195,8 @@ static void arrive(struct glass *g, const struct zs_strip *s)
 {
     for (uint32_t row = 0; row < s->h; row++)
         memcpy(&g->px[s->y + row][s->changed_x * 2u], s->px + (row * s->w + s->changed_x) * 2u, s->changed_w * 2u);
+    g->x = s->changed_x < g->x ? s->changed_x : g->x;
+    g->end = (uint32_t)s->changed_x + s->changed_w > g->end ? (uint32_t)s->changed_x + s->changed_w : g->end;
     g->sent++;
 }
 
@@ -356,7 +365,11 @@ static int frames_of(uint64_t seed)
         if (!s.r.scene && !prng_pick(&p, 10))
             assert_int_equal(zs_watch(&s.r, prng_pick(&p, 3) ? s.sum : NULL, 1 + prng_pick(&p, 4)), ZS_OK);
         if (!s.r.scene && !prng_pick(&p, 20))
-            assert_int_equal(zs_track(&s.r, prng_pick(&p, 3) ? s.memory : NULL, INSTANCES), ZS_OK);
+            s.glass.columns = zs_track(&s.r, prng_pick(&p, 3) ? s.memory : NULL, INSTANCES); /* 0 */
+        if (!s.r.scene && s.r.track && !prng_pick(&p, 5)) {
+            s.glass.columns = prng_pick(&p, 4) != 0;
+            assert_int_equal(zs_track_columns(&s.r, s.glass.columns), ZS_OK);
+        }
         if (!prng_pick(&p, 6))
             smear(&p, &s);
         if (!prng_pick(&p, 10)) { /* a frame that is refused leaves the glass as it is */
@@ -520,6 +533,8 @@ static int one_sphere(uint64_t seed)
     struct zs_config c = picture_config(W_MAX, H_MAX, w.camera.projection ? &zs_depth_linear : &zs_depth_float);
     c.strip_h = 1;
     show_open(&s, &c);
+    s.glass.columns = (int)(seed / 4u % 2u);
+    CASE_CHECK(zs_track_columns(&s.r, s.glass.columns) == ZS_OK);
     for (int k = 0; k < 12; k++) {
         struct zs_pose *pose = &w.instance[0].pose;
         const int32_t z = distant ? prng_range(&p, 1000, 1 << 19) << prng_pick(&p, 10) : prng_range(&p, -1000, 10500);
@@ -548,9 +563,10 @@ static void a_sphere_wherever_it_is(void **state)
 
 /* ---- What it saves ------------------------------------------------------------------------------------ */
 
-static uint32_t binned[2]; /* triangles, of whole frames and of those with one mover */
+static uint32_t binned[2][2]; /* triangles, of whole frames and of those with one mover, by strips and by columns */
 
-/* Nothing but the strips of one small sphere, before and after; their number is that of its rows. */
+/* Nothing but the strips of one small sphere, before and after; their number is that of its rows. By columns too: no others
+ * than its own. */
 static int one_mover(uint64_t seed)
 {
     static struct world w;
@@ -583,7 +599,9 @@ static int one_mover(uint64_t seed)
     c.strip_h = 2;
     c.max_tris = seed & 2u ? 30 : 4000;
     show_open(&s, &c);
-    int32_t rows[2][2];
+    s.glass.columns = (int)(seed / 4u % 2u);
+    CASE_CHECK(zs_track_columns(&s.r, s.glass.columns) == ZS_OK);
+    int32_t rows[2][2], columns[2] = { W_MAX, 0 };
     uint32_t passes = 0;
     for (int k = 0; k < 2; k++) {
         struct zs_scene lone = { mover, 1, w.scene.light, 0 };
@@ -597,18 +615,21 @@ static int one_mover(uint64_t seed)
             if (alone.key[i] != ZS_DEPTH_CLEAR) {
                 rows[k][0] = rows[k][0] < i / W_MAX ? rows[k][0] : i / W_MAX;
                 rows[k][1] = i / W_MAX;
+                columns[0] = columns[0] < i % W_MAX ? columns[0] : i % W_MAX;
+                columns[1] = columns[1] > i % W_MAX + 1 ? columns[1] : i % W_MAX + 1;
             }
         picture_free(&alone);
         struct picture want = full(&s, &w);
         const struct zs_sink sink = { submit, wait, &s.glass };
         s.glass.want = &want;
-        s.glass.sent = 0;
+        s.glass.sent = s.glass.end = 0;
+        s.glass.x = W_MAX;
         CASE_CHECK(zs_render(&s.r, &w.scene, &w.camera, &sink) == ZS_OK);
         CASE_CHECK(s.glass.wrong == 0 && glass_shows(&s.glass, &want));
         CASE_CHECK(k || s.glass.sent == H_MAX / 2);
         picture_free(&want);
         const struct zs_stats *stats = zs_frame_stats(&s.r);
-        binned[k] += stats->max_tris_used;
+        binned[s.glass.columns][k] += stats->max_tris_used;
         if (!k)
             passes = stats->passes;
     }
@@ -618,6 +639,12 @@ static int one_mover(uint64_t seed)
     if (s.glass.sent < own || s.glass.sent > own + 6) /* a strip beside each end, and an octagon for a coarse sphere */
         return case_wrong("%u strips are drawn, the mover has %u", (unsigned)s.glass.sent, (unsigned)own);
     CASE_CHECK(zs_frame_stats(&s.r)->strips_skipped == H_MAX / 2 - s.glass.sent);
+    const uint32_t slack = 4u + ZS_TRACK_GRAIN; /* an octagon for a coarse sphere */
+    if (s.glass.columns && own &&
+        (s.glass.x + slack < (uint32_t)columns[0] || s.glass.end > (uint32_t)columns[1] + slack))
+        return case_wrong("columns %u to %u are drawn, the mover is in %u to %u", (unsigned)s.glass.x, (unsigned)s.glass.end,
+                          (unsigned)columns[0], (unsigned)columns[1]);
+    CASE_CHECK(s.glass.columns || !own || (s.glass.x == 0 && s.glass.end == W_MAX));
     CASE_CHECK(zs_frame_stats(&s.r)->passes <= passes);
     show_close(&s);
     return 1;
@@ -627,7 +654,8 @@ static void one_moving_thing_draws_its_own_strips(void **state)
 {
     (void)state;
     CASES(one_mover, 100);
-    assert_true(getenv("ZS_SEED") || binned[1] < binned[0] * 3u / 4u);
+    assert_true(getenv("ZS_SEED") || binned[0][1] < binned[0][0] * 3u / 4u);
+    assert_true(getenv("ZS_SEED") || binned[1][1] < binned[1][0] * 5u / 8u);
 }
 
 static void a_still_scene_draws_nothing(void **state)
@@ -740,8 +768,13 @@ static void wrong_calls_are_refused(void **state)
     assert_int_equal(zs_frame_begin(&s.r, &none, &w.camera), ZS_ERR_NULL);
     assert_int_equal(zs_frame_begin(&s.r, &w.scene, &w.camera), ZS_OK);
     assert_int_equal(zs_track(&s.r, NULL, 0), ZS_ERR_STATE);
+    assert_int_equal(zs_track_columns(&s.r, 1), ZS_ERR_STATE);
     assert_int_equal(zs_frame_end(&s.r), ZS_OK);
+    assert_int_equal(zs_track_columns(&s.r, 1), ZS_OK);
     assert_int_equal(zs_track(&s.r, NULL, 0), ZS_OK);
+    assert_int_equal(zs_track_columns(&s.r, 1), ZS_ERR_STATE);
+    assert_int_equal(zs_track_columns(&junk, 1), ZS_ERR_STATE);
+    assert_int_equal(zs_track_columns(NULL, 1), ZS_ERR_NULL);
     show_close(&s);
 }
 

@@ -1,5 +1,6 @@
-/* What zs_track saves: scenes drawn whole, then again with nothing changed, then with their last instance moved. One line of
- * CSV a scene; instructions. Strips of 16 rows, one buffer, pools that take the scene in one pass.
+/* What zs_track saves: scenes drawn whole, then again with nothing changed, then with their last instance moved, by strips and
+ * by columns as well (zs_track_columns). One line of CSV a scene; instructions. Strips of 16 rows, one buffer, pools that
+ * take the scene in one pass.
  *
  * SPDX-License-Identifier: MIT
  */
@@ -17,23 +18,31 @@ static uint32_t memory[ZS_TRACK_WORDS(DEMO_INSTANCES_MAX, 240, ROWS)];
 static struct zs_renderer renderer;
 static struct demo_frame frame;
 
-/* Draw; add instructions, and the strips that were drawn, to the line. */
+static int count(void *ctx, const struct zs_strip *strip)
+{
+    *(uint32_t *)ctx += (uint32_t)strip->changed_w * strip->h;
+    return 0;
+}
+
+/* Draw; add instructions, strips that were drawn and pixels that were sent to the line. */
 static int draw(uint64_t *instructions)
 {
-    const struct zs_sink sink = { report_drop, 0, 0 };
+    uint32_t sent = 0;
+    const struct zs_sink sink = { count, 0, &sent };
     const uint64_t start = hal_ticks();
     const int err = zs_render(&renderer, &frame.scene, &frame.camera, &sink);
     const struct zs_stats *stats = zs_frame_stats(&renderer);
     *instructions = (hal_ticks() - start) * hal_tick_instructions();
     report_field(*instructions);
     report_field(stats->strips - stats->strips_skipped);
+    report_field(sent);
     return err;
 }
 
 static int measure(const struct demo *d)
 {
     struct zs_config c = { d->width, d->height, ROWS, 0, 0, (uint8_t)d->attrs, 1, 8, 16, 0, d->depth };
-    uint64_t full, first, still, moved;
+    uint64_t full, first, still, moved, part;
     uint32_t tris = 256, verts = 256;
     d->pose(&frame, 0, d->width, d->height);
     for (uint32_t i = 0; i < frame.scene.n_instances; i++) {
@@ -50,6 +59,11 @@ static int measure(const struct demo *d)
     err = err ? err : draw(&still);
     frame.instance[frame.scene.n_instances - 1u].pose.pos[0] += 200;
     err = err ? err : draw(&moved);
+    err = err ? err : zs_track_columns(&renderer, 1);
+    frame.instance[frame.scene.n_instances - 1u].pose.pos[0] += 1; /* its columns become known */
+    err = err ? err : draw(&part);
+    frame.instance[frame.scene.n_instances - 1u].pose.pos[0] -= 200;
+    err = err ? err : draw(&part);
     if (err) {
         hal_write(",# ");
         hal_write(zs_strerror(err));

@@ -492,7 +492,7 @@ ZS_ALWAYS_INLINE enum fate box_fate(struct zs_renderer *r, const struct zs_verte
     const int32_t y0 = zs_first_sample(top), y1 = zs_first_sample(bottom);
     at->y0 = y0;
     at->y1 = y1;
-    if (x1 <= 0 || x0 >= r->config.width || y1 <= 0 || y0 >= r->config.height)
+    if (x1 <= r->walk_x || x0 >= r->walk_end || y1 <= 0 || y0 >= r->config.height)
         return FATE_OFFSCREEN;
     if ((x0 >= x1 || y0 >= y1) && !ZS_OFF(r, ZS_SKIP_EMPTY))
         return FATE_EMPTY;
@@ -1014,16 +1014,22 @@ static ZS_RARE ZS_NOINLINE int instance_open(struct zs_renderer *r, uint32_t num
     const struct zs_mesh *mesh = r->scene->instance[number].mesh;
     const struct zs_track_kernel *track = r->track;
     const struct zs_cluster_kernel *cluster = mesh->cluster_kernel;
-    uint16_t rows[2];
-    if (track && !track->touches(r, number, rows))
-        return 0;
+    struct zs_part part;
+    if (track) {
+        if (!track->touches(r, number, &part))
+            return 0;
+        r->walk_x = part.x;
+        r->walk_end = part.x_end;
+        r->walk_least = (uint16_t)zs_minu32(r->walk_least, part.x);
+        r->walk_most = (uint16_t)zs_maxu32(r->walk_most, part.x_end);
+    }
     if (zs_cull_walk(&b, r, number) && !ZS_OFF(r, ZS_SKIP_FRUSTUM))
         return 0;
     if (r->large && !(r->config.skip_off & ZS_SKIP_BEHIND) && !r->scene->instance[number].state && zs_hidden_sphere(r, &b)) {
         r->stats.instances_hidden += r->counting;
         return 0;
     }
-    if (cluster && !cluster->rows(r, &b, number))
+    if (cluster && !cluster->edges(r, &b, number))
         return 0;
     if (!zs_xform_instance(r, number, &b))
         return 0;
@@ -1076,6 +1082,8 @@ ZS_RARE void zs_bin_walk(struct zs_renderer *r)
     r->stats.passes++;
 #if !ZS_LEAN
     r->group = 0;
+    r->walk_x = r->walk_most = 0;
+    r->walk_end = r->walk_least = r->config.width;
 #endif
     for (uint32_t i = 0; (i = zs_cull_next(r, r->scene, i)) < r->scene->n_instances; i++)
         walk_instance(r, i);

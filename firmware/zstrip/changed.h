@@ -22,6 +22,13 @@ static inline void zs_mix(uint32_t lane[2], uint32_t v)
     lane[1] = zs_rotate_left(lane[1] + v, 19) * 0x85ebca77u;
 }
 
+/* px to a column of zs_watch. Even where the width is, so that cells begin at even addresses. */
+static inline uint32_t zs_watch_step(const struct zs_renderer *r)
+{
+    const uint32_t w = (r->config.width + r->watch_columns - 1u) / r->watch_columns;
+    return r->config.width & 1u ? w : (w + 1u) & ~1u;
+}
+
 /* Does strip s lie in the rows of rect? NULL: all do. */
 static inline int zs_strip_in(const struct zs_renderer *r, uint32_t s, const struct zs_rect *rect)
 {

@@ -59,10 +59,10 @@ const struct zs_cluster_kernel zs_cluster_kernel = { 0 }; /* named, not asked */
 #define EYE_OFF 6
 #define MARGIN_MAX (1 << 16)
 
-/* ---- Rows of the frame --------------------------------------------------------------------------------
+/* ---- Rows and columns of the frame ----------------------------------------------------------------------
  *
  * What lies above the plane of a row's upper edge is snapped to at most half a step (8 sub-pixels) below it, and a row's
- * samples lie 128 below its edge: it is in rows above. The same holds the other way round. */
+ * samples lie 128 below its edge: it is in rows above. The same holds the other way round, and for columns. */
 
 static ZS_RARE int64_t part_of(int64_t v, int32_t n)
 {
@@ -75,39 +75,41 @@ static ZS_RARE int64_t along(int32_t lateral, int64_t c, int32_t away, int64_t z
     return part_of(c, lateral) + part_of(z, away);
 }
 
-/* Where is drawn lies below the upper edge of `row`; sign -1: above it. */
-static ZS_RARE void edge_set(struct zs_edge *e, const struct zs_renderer *r, int32_t row, int32_t sign)
+/* Where is drawn lies below the upper edge of a row, or right of the left edge of a column, which is `at` sub-pixels from the
+ * frame's middle; sign -1: above or left of it. */
+static ZS_RARE void edge_set(struct zs_edge *e, const struct zs_renderer *r, int32_t at, int32_t sign)
 {
     const struct zs_view *view = &r->view;
-    const int32_t at = row * ZS_SUBPX_ONE - view->cy; /* sub-pixels below the middle */
     int32_t n[2] = { ZS_Q30_ONE, 0 };
     e->at = 0;
     if (view->perspective)
         zs_view_side(n, r->camera.focal, (uint32_t)zs_abs32(at));
     else
         e->at = -sign * zs_mulshift_s64(at, zs_muldiv_u64((uint64_t)r->camera.height, (uint64_t)1 << 20, (uint64_t)view->cy), 21);
-    e->y = sign * n[0];
+    e->lateral = sign * n[0];
     e->z = at < 0 ? sign * n[1] : -sign * n[1];
 }
 
 /* The first walk takes the frame's rows for the band's, so that its counts do not depend on pools and strips. */
-static ZS_RARE int cluster_rows(struct zs_renderer *r, const struct zs_bounds *b, uint32_t number)
+static ZS_RARE int cluster_edges(struct zs_renderer *r, const struct zs_bounds *b, uint32_t number)
 {
     const struct zs_track_kernel *track = r->track;
-    uint16_t rows[2] = { 0, r->config.height };
+    struct zs_part part = { 0, r->config.height, 0, r->config.width };
     int outside = 0;
     if (!r->counting) {
-        rows[0] = (uint16_t)(r->strip * r->config.strip_h);
-        rows[1] = (uint16_t)zs_min32(r->band_end * r->config.strip_h, r->config.height);
+        part.y = (uint16_t)(r->strip * r->config.strip_h);
+        part.y_end = (uint16_t)zs_min32(r->band_end * r->config.strip_h, r->config.height);
     }
     if (track)
-        (void)track->touches(r, number, rows);
-    for (int k = 0; k < 2; k++) {
+        (void)track->touches(r, number, &part);
+    const int columns = part.x > 0 || part.x_end < r->config.width; /* else they are the frame's sides */
+    const uint16_t edges[4] = { part.y, part.y_end, part.x, part.x_end };
+    for (int k = 0; k < (columns ? 4 : 2); k++) {
         struct zs_edge *e = &r->edge[k];
-        if (r->edge_row[k] != rows[k])
-            edge_set(e, r, rows[k], 1 - 2 * k);
-        r->edge_row[k] = rows[k];
-        outside |= along(e->y, b->c[1], e->z, b->c[2]) + e->at < -b->r - b->slack;
+        if (r->edge_of[k] != edges[k])
+            edge_set(e, r, edges[k] * ZS_SUBPX_ONE - (k < 2 ? r->view.cy : r->view.cx), 1 - 2 * (k & 1));
+        r->edge_of[k] = edges[k];
+        outside |= along(e->lateral, b->c[k < 2], e->z, b->c[2]) + e->at < -b->r - b->slack;
     }
     return !outside || r->counting || ZS_OFF(r, ZS_SKIP_ROWS);
 }
@@ -135,15 +137,16 @@ static ZS_RARE int64_t plane_of(const struct zs_renderer *r, int k, int32_t n[2]
         n[1] = k ? -ZS_Q30_ONE : ZS_Q30_ONE;
         return k ? r->camera.z_far : -r->camera.z_near;
     }
-    if (k < 4) {
+    const struct zs_edge *e = &r->edge[k < 4 ? k : k - 4];
+    if (k < 4 && r->walk_x == 0 && r->walk_end == r->config.width) {
         n[0] = view->perspective ? view->side[0][0] : ZS_Q30_ONE;
         n[0] = k & 1 ? -n[0] : n[0];
         n[1] = view->perspective ? view->side[0][1] : 0;
         return view->perspective ? 0 : zs_cull_half_width(&r->camera, view);
     }
-    n[0] = r->edge[k - 4].y;
-    n[1] = r->edge[k - 4].z;
-    return r->edge[k - 4].at;
+    n[0] = e->lateral;
+    n[1] = e->z;
+    return e->at;
 }
 
 /* Planes that cut the mesh's sphere. Return 1: they are known. */
@@ -416,6 +419,6 @@ static int cluster_verts(struct zs_renderer *r)
     return 1;
 }
 
-const struct zs_cluster_kernel zs_cluster_kernel = { cluster_rows, cluster_open, cluster_verts, cluster_run };
+const struct zs_cluster_kernel zs_cluster_kernel = { cluster_edges, cluster_open, cluster_verts, cluster_run };
 
 #endif

@@ -117,6 +117,8 @@ ZS_RARE int zs_init(struct zs_renderer *r, const struct zs_config *config, void 
     r->stats = none;
     r->watch = 0;
     r->track = 0;
+    r->window[0] = 0;
+    r->window[1] = config->width;
     r->ready = 1;
     return ZS_OK;
 }
@@ -223,7 +225,7 @@ ZS_RARE int zs_frame_begin(struct zs_renderer *r, const struct zs_scene *scene,
     r->counting = 1;
 #if !ZS_LEAN
     r->large = 0;
-    r->edge_row[0] = r->edge_row[1] = UINT16_MAX; /* edge[] holds another camera's */
+    r->edge_of[0] = r->edge_of[1] = r->edge_of[2] = r->edge_of[3] = UINT16_MAX; /* edge[] holds another camera's */
 #endif
     r->scene = scene;
     return ZS_OK;
@@ -261,8 +263,8 @@ int zs_frame_strip(struct zs_renderer *r, struct zs_strip *out)
     out->px = (const uint8_t *)r->color[0];
     out->n_bytes = (uint32_t)out->w * out->h * 2u;
     out->depth = r->depth;
-    out->changed_x = 0;
-    out->changed_w = draw ? out->w : 0u;
+    out->changed_x = draw ? r->window[0] : 0u;
+    out->changed_w = draw ? (uint16_t)(r->window[1] - r->window[0]) : 0u;
     const struct zs_watch_kernel *watch = r->watch;
     if (watch && draw)
         watch->look(r, out);

@@ -7,6 +7,9 @@
  * pixel by pixel), or when the strip is done, what is still fresh is cleared. So each pixel is cleared or drawn first, never
  * both, and what is read was written before.
  *
+ * Where zs_track_columns has only some columns of a strip drawn, wide triangles go part by part as well, and parts beside
+ * those columns are left out.
+ *
  * SPDX-License-Identifier: MIT
  */
 #include "rows.h"
@@ -25,11 +28,13 @@ void zs_fresh_begin(struct zs_renderer *r)
 
 #else
 
+#define BESIDE 24 /* columns on a side of those that are drawn: splitting rows costs less than so many pixels */
 #define WIDE 128 /* columns; a triangle's rows cost some 40 instructions more here, a fresh pixel 6 less and no clear */
 
 _Static_assert(WIDE * ZS_SUBPX_ONE >= 2 * ZS_TINY, "depth_float.c draws tiny triangles without asking what is fresh");
 
-enum { NONE, ALL, SOME }; /* zs_renderer.fresh: what is fresh of the strip; SOME: outside r->drawn */
+enum { NONE, ALL, SOME }; /* zs_renderer.fresh: what is fresh of the strip's columns that are drawn; SOME: outside r->drawn */
+enum { FIRST = 1, PART = 2 }; /* zs_job.fresh: it meets fresh pixels; only some columns are drawn */
 
 static ZS_NOINLINE void fill(uint16_t *out, uint16_t value, uint32_t n)
 {
@@ -64,13 +69,17 @@ ZS_NOINLINE void zs_fresh_end(struct zs_renderer *r)
     const int32_t width = r->config.width, n = (int32_t)rows_of(r);
     const int fresh = r->fresh;
     r->fresh = NONE;
-    if (fresh == ALL)
+    const int32_t x = r->window[0], end = r->window[1];
+    if (fresh == ALL && end - x == width) {
         clear(r, 0, width * n);
-    if (fresh != SOME || r->fresh_left == 0)
+        return;
+    }
+    if (fresh == NONE || (fresh == SOME && r->fresh_left == 0))
         return;
     for (int32_t y = 0; y < n; y++) {
-        clear(r, (uint32_t)(y * width), r->drawn[y][0]);
-        clear(r, (uint32_t)(y * width + r->drawn[y][1]), width - r->drawn[y][1]);
+        const int32_t from = fresh == ALL ? x : r->drawn[y][0], to = fresh == ALL ? x : r->drawn[y][1]; /* x <= from <= to <= end */
+        clear(r, (uint32_t)(y * width + x), from - x);
+        clear(r, (uint32_t)(y * width + to), end - to);
     }
 }
 
@@ -79,18 +88,24 @@ void zs_fresh_row(struct zs_job *job, const struct zs_row *row)
     struct zs_renderer *r = job->r;
     int16_t *const drawn = r->drawn[row->y - job->y0];
     const int32_t at = row->at; /* at + width <= 2^24 */
-    int32_t x0 = drawn[0], x1 = drawn[1];
+    int32_t x0 = drawn[0], x1 = drawn[1], i0 = row->i0, i1 = row->i1;
     r->was[0] = drawn[0];
     r->was[1] = drawn[1];
+    if (job->fresh != FIRST) {
+        i0 = zs_max32(i0, r->window[0]);
+        i1 = zs_min32(i1, r->window[1]);
+        if (job->fresh == PART || i0 >= i1)
+            return;
+    }
     if (x0 == x1)
-        x0 = x1 = row->i0;
-    const int32_t before = x1 - x0; /* 0 <= x0 <= x1 <= width, 0 <= i0 < i1 <= width */
-    if (row->i1 < x0)
-        clear(r, (uint32_t)(at + row->i1), x0 - row->i1);
-    if (row->i0 > x1)
-        clear(r, (uint32_t)(at + x1), row->i0 - x1);
-    x0 = zs_min32(x0, row->i0);
-    x1 = zs_max32(x1, row->i1);
+        x0 = x1 = i0;
+    const int32_t before = x1 - x0; /* window[0] <= x0 <= x1 <= window[1] */
+    if (i1 < x0)
+        clear(r, (uint32_t)(at + i1), x0 - i1);
+    if (i0 > x1)
+        clear(r, (uint32_t)(at + x1), i0 - x1);
+    x0 = zs_min32(x0, i0);
+    x1 = zs_max32(x1, i1);
     drawn[0] = (int16_t)x0;
     drawn[1] = (int16_t)x1;
     r->fresh_left -= (uint32_t)(x1 - x0 - before);
@@ -147,10 +162,33 @@ static int32_t no_bias(const struct zs_job *job)
 static const struct zs_state_kernel zs_fresh_kernel = { no_bias, fresh_span };
 static const struct zs_state fresh = { &zs_fresh_kernel, 0, 0, 0, 0 };
 
+/* A piece of a row that is not drawn. */
+static void beside_span(struct zs_job *job, const struct zs_row *row, int32_t i, int32_t to, uint32_t sum, uint32_t gx)
+{
+    (void)row;
+    (void)sum;
+    (void)gx;
+    job->r->stats.pixels_tested -= (uint32_t)(to - i); /* they are counted by rows */
+}
+
+static const struct zs_state_kernel zs_beside_kernel = { no_bias, beside_span };
+static const struct zs_state beside = { &zs_beside_kernel, 0, 0, 0, 0 };
+
 int32_t zs_fresh_to(struct zs_job *job, const struct zs_row *row, int32_t i, int32_t end)
 {
     const struct zs_renderer *r = job->r;
     const int32_t x0 = r->was[0], x1 = r->was[1];
+    if (job->fresh != FIRST) {
+        job->state = &beside;
+        if (i >= r->window[1])
+            return end;
+        if (i < r->window[0])
+            return zs_min32(end, r->window[0]);
+        end = zs_min32(end, r->window[1]);
+        job->state = 0;
+        if (job->fresh == PART)
+            return end;
+    }
     if (i >= x0 && i < x1) {
         job->state = 0;
         return zs_min32(end, x1);
@@ -165,33 +203,62 @@ int32_t zs_fresh_to(struct zs_job *job, const struct zs_row *row, int32_t i, int
     return end;
 }
 
-/* Is it wide in the frame, or nearly? */
-static int wide(const struct zs_job *job)
+/* Columns of a triangle, in the frame or beside it. */
+static void columns(const struct zs_job *job, int32_t *from, int32_t *to)
 {
     const struct zs_vertex *pool = job->r->vert;
     const int32_t a = pool[job->tri->v[0]].x, b = pool[job->tri->v[1]].x, c = pool[job->tri->v[2]].x;
-    return zs_max32(zs_max32(a, b), c) - zs_min32(zs_min32(a, b), c) >= WIDE * ZS_SUBPX_ONE;
+    *from = zs_min32(zs_min32(a, b), c);
+    *to = zs_max32(zs_max32(a, b), c);
+}
+
+static int may_split(struct zs_job *job)
+{
+    if (job->state == &fresh || job->state == &beside)
+        job->state = 0;
+    job->fresh = 0;
+    return !job->state && !job->r->view.pixelwise;
+}
+
+void zs_fresh_part(struct zs_job *job)
+{
+    int32_t from, to;
+    if (!may_split(job))
+        return;
+    columns(job, &from, &to);
+    if (zs_max32(job->r->window[0] * ZS_SUBPX_ONE - from, to - job->r->window[1] * ZS_SUBPX_ONE) < BESIDE * ZS_SUBPX_ONE)
+        return;
+    job->state = &beside;
+    job->fresh = PART;
+}
+
+/* Can it be split, and is it wide in the frame, or nearly? */
+static int takes(struct zs_job *job)
+{
+    int32_t from, to;
+    if (!may_split(job))
+        return 0;
+    columns(job, &from, &to);
+    return to - from >= WIDE * ZS_SUBPX_ONE;
 }
 
 int zs_fresh_takes(struct zs_job *job)
 {
     struct zs_renderer *r = job->r;
-    if (job->state == &fresh)
-        job->state = 0;
-    job->fresh = 0;
-    if (job->state || r->view.pixelwise || !wide(job) || (r->fresh == SOME && r->fresh_left == 0)) {
+    const int32_t drawn = r->window[1] - r->window[0];
+    if (!takes(job) || (r->fresh == SOME && r->fresh_left == 0)) {
         zs_fresh_end(r);
         return 0;
     }
     if (r->fresh == ALL) {
         const uint32_t n = rows_of(r);
         for (uint32_t y = 0; y < n; y++)
-            r->drawn[y][0] = r->drawn[y][1] = 0;
-        r->fresh_left = n * r->config.width;
+            r->drawn[y][0] = r->drawn[y][1] = (int16_t)r->window[0];
+        r->fresh_left = n * (uint32_t)drawn;
         r->fresh = SOME;
     }
     job->state = &fresh;
-    job->fresh = 1;
+    job->fresh = drawn < r->config.width ? FIRST | PART : FIRST;
     return 1;
 }
 

@@ -250,9 +250,12 @@ int zs_hidden(struct zs_job *job)
     const struct zs_vertex *v[3];
     for (int k = 0; k < 3; k++)
         v[k] = &r->vert[job->tri->v[k]];
-    const int32_t x0 = zs_max32(zs_first_sample(zs_min32(zs_min32(v[0]->x, v[1]->x), v[2]->x)), 0);
-    const int32_t x1 = zs_min32(zs_first_sample(zs_max32(zs_max32(v[0]->x, v[1]->x), v[2]->x)), job->width);
+    const int32_t x0 = zs_max32(zs_first_sample(zs_min32(zs_min32(v[0]->x, v[1]->x), v[2]->x)), r->window[0]);
+    const int32_t x1 = zs_min32(zs_first_sample(zs_max32(zs_max32(v[0]->x, v[1]->x), v[2]->x)), r->window[1]);
+    job->row_last = zs_first_sample(zs_max32(zs_max32(v[0]->y, v[1]->y), v[2]->y));
     if (x1 <= x0)
+        return 1;
+    if (!r->large)
         return 0;
     const uint32_t nearest = key_of(r, zs_minu32(zs_minu32(v[0]->d, v[1]->d), v[2]->d), -MARGIN);
     const uint16_t *bound = r->bound + r->strip * ZS_TILES(r->config.width);
@@ -261,7 +264,6 @@ int zs_hidden(struct zs_job *job)
             return 0;
     if (r->scene->instance[job->tri->instance].state)
         return 0; /* keys of its own */
-    job->row_last = zs_first_sample(zs_max32(zs_max32(v[0]->y, v[1]->y), v[2]->y));
     return 1;
 }
 

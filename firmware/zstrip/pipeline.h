@@ -58,20 +58,26 @@ struct zs_watch_kernel {
     void (*forget)(struct zs_renderer *r, const struct zs_rect *rect);      /* NULL: all */
 };
 
-/* Which strips need not be drawn: linked where zs_track is named. */
+/* A part of the frame: rows [y, y_end), columns [x, x_end). */
+struct zs_part {
+    uint16_t y, y_end, x, x_end;
+};
+
+/* Which strips, and columns of them, need not be drawn: linked where zs_track is named. */
 struct zs_track_kernel {
     /* zs_frame_check, or less where nothing differs; finds the strips that are due; lowers draw_end. May set r->scene. */
     int (*check)(struct zs_renderer *r, const struct zs_scene *scene);
-    int (*due)(struct zs_renderer *r);                                      /* 0: r->strip need not be drawn; passes on */
-    /* Narrow rows [0] .. [1] to those of the walk's strips that the instance may be in and that are due. 0: there is none. */
-    int (*touches)(const struct zs_renderer *r, uint32_t number, uint16_t rows[2]);
+    int (*due)(struct zs_renderer *r);                  /* 0: r->strip need not be drawn; passes on. 1: sets r->window */
+    /* Rows and columns of the walk's strips that the instance may be in and that are due. 0: there are none. */
+    int (*touches)(const struct zs_renderer *r, uint32_t number, struct zs_part *part);
     void (*forget)(struct zs_renderer *r, const struct zs_rect *rect);      /* NULL: all */
 };
 
 /* Which clusters of a mesh need not be drawn: of zs_mesh.cluster_kernel. */
 struct zs_cluster_kernel {
-    /* Find the rows that the walk draws of an instance, to r->edge. Return 0: it need not be drawn, as it is in none. */
-    int (*rows)(struct zs_renderer *r, const struct zs_bounds *b, uint32_t number);
+    /* Find the rows and columns that the walk draws of an instance, to r->edge. Return 0: it need not be drawn, as it is in
+     * none of them. */
+    int (*edges)(struct zs_renderer *r, const struct zs_bounds *b, uint32_t number);
     /* Fill r->clusters for the instance that r->xform is for. Return 0: there is nothing that could be left out. */
     int (*open)(struct zs_renderer *r, const struct zs_bounds *b);
     /* Where vertex v has place vert_base + v: transform those that are needed. Return 0: all are, none is done. */
@@ -374,7 +380,7 @@ struct zs_job {
     int32_t bias;                 /* ... else buckets added to every key */
     uint8_t two_octaves;          /* what depth_float.c has its rows drawn by, with ZS_LEAN */
     uint8_t saturates;            /* a key may reach 2^bits - 1 (rows.h) */
-    uint8_t fresh;                /* it meets pixels that nothing was drawn on: rows go part by part (fresh.c) */
+    uint8_t fresh;                /* not 0: rows go part by part (fresh.c) */
     uint8_t mid_right;            /* the middle vertex is to the right of the long edge */
     int32_t row_mid;              /* first row below the middle vertex, in the strip or not */
     int32_t row_last;             /* one beyond the triangle's last row, in the strip or below it */
@@ -392,6 +398,8 @@ void zs_fresh_begin(struct zs_renderer *r);
 void zs_fresh_end(struct zs_renderer *r);
 /* While r->fresh: 1: job->tri can be drawn on what is fresh, job->state says how; 0: nothing is fresh any more. */
 int zs_fresh_takes(struct zs_job *job);
+/* While !r->fresh, in a strip of which only some columns are drawn. */
+void zs_fresh_part(struct zs_job *job);
 /* Where job->fresh: before the pieces of a row, once; then where the part ends that begins at pixel i of it, at most at
  * `end`: job->state says how to draw that. Linear or not, keys are those of the whole piece. */
 void zs_fresh_row(struct zs_job *job, const struct zs_row *row);

@@ -447,7 +447,13 @@ void zs_raster_strip(struct zs_renderer *r)
     uint32_t number = ZS_NIL; /* of the instance that is known; not one's, there are at most 65535 */
     int small = 0;
     uint16_t *keep = &r->active; /* grows at its end: stays ascending */
-    uint32_t seen = r->large ? zs_hidden_seen(r) : UINT32_MAX, in_vain = 0;
+    uint32_t seen = r->large ? zs_hidden_seen(r) : UINT32_MAX;
+    int32_t in_vain = 0;
+    if (r->window[0] > r->walk_least || r->window[1] < r->walk_most) { /* all are asked */
+        seen = 0;
+        in_vain = INT32_MIN;
+    }
+    const int part = r->window[1] - r->window[0] < r->config.width;
     while (list != ZS_NIL) {
         struct zs_tri *t = &r->tri[list];
         job.tri = t;
@@ -470,8 +476,12 @@ void zs_raster_strip(struct zs_renderer *r)
         if (!hides) {
             if (r->fresh && !zs_fresh_takes(&job))
                 number = ZS_NIL; /* small triangles from now on */
-            if (!(small && shader->small(&job)) && job_setup(&job))
-                draw(&job);
+            if (!(small && shader->small(&job))) {
+                if (part && !r->fresh)
+                    zs_fresh_part(&job);
+                if (job_setup(&job))
+                    draw(&job);
+            }
         }
         if (goes_on && job.row_last > y1) {
             *keep = list;

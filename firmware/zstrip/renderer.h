@@ -65,9 +65,9 @@ enum zs_row_word {
     ZS_ROW_T_HIGH = 9   /* camera units */
 };
 
-/* A plane through two rows' ends: y and z of its unit normal, camera axes, pointing to where is drawn. */
+/* A plane through the eye and a row's or column's edge: its unit normal, camera axes, pointing to where is drawn. */
 struct zs_edge {
-    int32_t y, z;  /* q2_30 */
+    int32_t lateral, z; /* q2_30: y or x, and z */
     int64_t at;    /* q48_16 world units, added */
 };
 
@@ -138,6 +138,10 @@ struct zs_renderer { /* what is used most comes first: a Cortex-M0 reaches 31 by
     uint16_t n_strips, strip;   /* strip: the next to be drawn */
     uint16_t band_end;          /* bins are complete for strips below it */
 #if !ZS_LEAN
+    uint16_t walk_x, walk_end;  /* columns of the frame that the current instance is drawn in; ... */
+    uint16_t walk_least, walk_most; /* ... that any in the pools is */
+#endif
+#if !ZS_LEAN
     uint16_t active;            /* list of triangles that went on from the strip before */
 #endif
     uint32_t n_tris, n_verts;   /* used of the pools */
@@ -169,8 +173,10 @@ struct zs_renderer { /* what is used most comes first: a Cortex-M0 reaches 31 by
     uint16_t draw_end;            /* strips from it on need not be drawn */
     const struct zs_track_kernel *track; /* NULL: all strips are drawn */
     uint32_t *track_memory;       /* the caller's: sum of the frame, records of instances ... */
-    uint8_t *track_due;           /* ... [n_strips]: 1: to be drawn */
+    uint32_t *track_due;          /* ... [n_strips]: columns to be drawn, first + end * 2^16; 0: none */
     uint16_t track_instances;     /* that there are records for */
+    uint16_t window[2];           /* columns [0] .. [1] - 1 of the strip in hand are drawn */
+    uint8_t track_columns;        /* 0: all columns of a strip that is due */
 #if !ZS_LEAN
     int16_t (*drawn)[2];          /* [strip_h]: columns [0] .. [1] - 1 of a row hold colours and keys (fresh.c) */
     int16_t was[2];               /* the same of a row, before the triangle in hand */
@@ -179,8 +185,8 @@ struct zs_renderer { /* what is used most comes first: a Cortex-M0 reaches 31 by
 #if !ZS_LEAN
     uint16_t group;               /* the next that the walk comes to */
     uint16_t group_slack;         /* world units that their spheres are taken to be larger by */
-    uint16_t edge_row[2];         /* what edge[] holds: rows [0], and [1] below it */
-    struct zs_edge edge[2];
+    uint16_t edge_of[4];          /* what edge[] holds: rows [0] .. [1] - 1 are drawn, and columns [2] .. [3] - 1 */
+    struct zs_edge edge[4];
     const struct zs_cluster_kernel *cluster_kernel; /* of the current instance; NULL: all of it is drawn */
     struct zs_clusters clusters;
     struct zs_cover cover[2];     /* the last two large triangles: cover[!cover_next] is known if cover_known */

@@ -26,19 +26,41 @@
 
 struct zs_record { /* an instance in the frame begun last */
     uint32_t sum[2];
-    uint16_t first, end; /* strips [first, end) may show it */
+    uint16_t first, end; /* strips [first, end) may show it ... */
+    uint16_t x, x_end;   /* ... in columns [x, x_end) */
 };
-_Static_assert(sizeof(struct zs_record) == 12 && ZS_TRACK_WORDS(1, 1, 1) == 2 + 3 + 1, "ZS_TRACK_WORDS");
+_Static_assert(sizeof(struct zs_record) == 16 && ZS_TRACK_WORDS(1, 1, 1) == 2 + 4 + 1, "ZS_TRACK_WORDS");
 
 static struct zs_record *records(const struct zs_renderer *r)
 {
     return (struct zs_record *)(void *)(r->track_memory + 2);
 }
 
-static ZS_NOINLINE void make_due(struct zs_renderer *r, uint32_t first, uint32_t end)
+/* Strips [first, end) are due in columns [x, x_end), widened to whole cells of zs_watch, which compares no other, and then to
+ * ZS_TRACK_GRAIN. */
+static ZS_NOINLINE void make_due(struct zs_renderer *r, uint32_t first, uint32_t end, uint32_t x, uint32_t x_end)
 {
-    for (uint8_t *due = r->track_due; first < end; first++)
-        due[first] = 1;
+    const uint32_t width = r->config.width;
+    if (x >= x_end || first >= end)
+        return;
+    if (r->watch) {
+        const uint32_t step = zs_watch_step(r);
+        x = x / step * step;
+        x_end = (x_end + step - 1u) / step * step;
+    }
+    x &= 0u - ZS_TRACK_GRAIN;
+    x_end = zs_minu32((x_end + ZS_TRACK_GRAIN - 1u) & (0u - ZS_TRACK_GRAIN), width);
+    for (uint32_t *due = r->track_due + first, *const last = r->track_due + end; due < last; due++) {
+        const uint32_t old = *due ? *due : width; /* first + end * 2^16 */
+        *due = zs_minu32(old & 65535u, x) | zs_maxu32(old >> 16, x_end) << 16;
+    }
+}
+
+/* The columns of a strip that are drawn where they are due. */
+static inline void window_of(uint16_t window[2], const struct zs_renderer *r, uint32_t due)
+{
+    window[0] = r->track_columns ? (uint16_t)due : 0u;
+    window[1] = r->track_columns ? (uint16_t)(due >> 16) : r->config.width;
 }
 
 /* ---- Sums -------------------------------------------------------------------------------------------- */
@@ -107,11 +129,11 @@ _Static_assert(offsetof(struct zs_camera, pos) == sizeof(((struct zs_camera *)0)
 
 /* ---- The strips of a sphere ------------------------------------------------------------------------ */
 
-/* Sub-pixels between which the sphere lies, from the frame's top. Return 0: not known. */
-static int sphere_rows(int32_t at[2], const struct zs_renderer *r, const struct zs_bounds *b)
+/* Sub-pixels between which the sphere lies along axis 0 or 1, from the frame's left or top. Return 0: not known. */
+static int sphere_extent(int32_t at[2], const struct zs_renderer *r, const struct zs_bounds *b, int axis)
 {
     const struct zs_view *view = &r->view;
-    const int32_t y = zs_view_length(view, b->c[1]), z = zs_view_length(view, b->c[2]);
+    const int32_t y = zs_view_length(view, b->c[axis]), z = zs_view_length(view, b->c[2]);
     const int32_t size = zs_view_length(view, b->r + b->slack) + 8;
     if (size > 1 << 29 || z - size < view->z_near || z + size > view->z_far)
         return 0;
@@ -119,11 +141,13 @@ static int sphere_rows(int32_t at[2], const struct zs_renderer *r, const struct 
     at[1] = INT32_MIN;
     for (int k = 0; k < 8; k++) {
         const int32_t dy = size >> !(k & 1), dz = size >> (k & 1), down = k & 2 ? y + dy : y - dy; /* < 2^30.6 */
-        const struct zs_point p = { { 0, (int32_t)zs_round_shift(zs_mul_ss(down, view->ratio), 30), k & 4 ? z + dz : z - dz } };
+        struct zs_point p = { { 0, 0, k & 4 ? z + dz : z - dz } };
         struct zs_vertex v;
+        p.c[axis] = (int32_t)zs_round_shift(zs_mul_ss(down, view->ratio), 30);
         (void)zs_xform_project(r, &p, &v); /* beside the guard band: beside the frame, which is enough */
-        at[0] = zs_min32(at[0], v.y - BESIDE);
-        at[1] = zs_max32(at[1], v.y + BESIDE);
+        const int32_t subpx = axis ? v.y : v.x;
+        at[0] = zs_min32(at[0], subpx - BESIDE);
+        at[1] = zs_max32(at[1], subpx + BESIDE);
     }
     return 1;
 }
@@ -140,14 +164,19 @@ static void find_strips(struct zs_renderer *r, uint32_t number)
     struct zs_record *rec = &records(r)[number];
     struct zs_bounds b;
     int32_t at[2];
-    rec->first = rec->end = 0;
+    rec->first = rec->end = rec->x = 0;
+    rec->x_end = r->config.width;
     if (zs_cull_walk(&b, r, number))
         return;
     rec->end = r->n_strips;
-    if (!sphere_rows(at, r, &b))
+    if (!sphere_extent(at, r, &b, 1))
         return;
     rec->first = strip_at(r, at[0], 0);
     rec->end = strip_at(r, at[1], r->config.strip_h - 1u);
+    if (!r->track_columns || rec->first >= rec->end || !sphere_extent(at, r, &b, 0))
+        return;
+    rec->x = (uint16_t)zs_max32(zs_first_sample(at[0]), 0);
+    rec->x_end = (uint16_t)zs_max32(zs_min32(zs_first_sample(at[1]), rec->x_end), 0);
 }
 
 /* ---- Frames ------------------------------------------------------------------------------------------ */
@@ -179,7 +208,7 @@ static int sums_keep(struct zs_renderer *r, const struct zs_scene *scene, int al
         if (!differs(rec->sum, lane) && !all)
             continue;
         if (!all)
-            make_due(r, rec->first, rec->end);
+            make_due(r, rec->first, rec->end, rec->x, rec->x_end);
         rec->first = OPEN;
         changed = 1;
     }
@@ -210,10 +239,10 @@ static int track_check(struct zs_renderer *r, const struct zs_scene *scene)
         for (uint32_t i = 0; i < scene->n_instances; i++, rec++)
             if (all || rec->first == OPEN) {
                 find_strips(r, i);
-                make_due(r, rec->first, rec->end);
+                make_due(r, rec->first, rec->end, rec->x, rec->x_end);
             }
         if (all)
-            make_due(r, 0, r->n_strips);
+            make_due(r, 0, r->n_strips, 0, r->config.width);
     }
     while (r->draw_end && !r->track_due[r->draw_end - 1u])
         r->draw_end--;
@@ -222,8 +251,9 @@ static int track_check(struct zs_renderer *r, const struct zs_scene *scene)
 
 static int track_due(struct zs_renderer *r)
 {
-    uint8_t *due = r->track_due + r->strip;
-    const int draw = *due;
+    uint32_t *due = r->track_due + r->strip;
+    const int draw = *due != 0;
+    window_of(r->window, r, *due);
     *due = 0;
     if (!draw) {
         r->stats.strips_unchanged++;
@@ -234,25 +264,39 @@ static int track_due(struct zs_renderer *r)
     return draw;
 }
 
-static int track_touches(const struct zs_renderer *r, uint32_t number, uint16_t rows[2])
+static int track_touches(const struct zs_renderer *r, uint32_t number, struct zs_part *part)
 {
     const struct zs_record *rec = &records(r)[number];
     const uint32_t h = r->config.strip_h;
-    uint32_t first = r->n_strips, end = 0;
-    for (uint32_t s = zs_maxu32(rec->first, r->strip); s < rec->end && s < r->band_end; s++)
-        if (s == r->strip || r->track_due[s]) { /* track_due has cleared the one that is being drawn */
-            first = zs_minu32(first, s);
-            end = s + 1u;
+    uint32_t first = r->n_strips, end = 0, x = rec->x_end, x_end = 0;
+    for (uint32_t s = zs_maxu32(rec->first, r->strip); s < rec->end && s < r->band_end; s++) {
+        uint16_t window[2] = { r->window[0], r->window[1] }; /* track_due has cleared the one that is being drawn */
+        if (s != r->strip) {
+            if (!r->track_due[s])
+                continue;
+            window_of(window, r, r->track_due[s]);
         }
-    rows[0] = (uint16_t)(first * h);
-    rows[1] = (uint16_t)zs_minu32(end * h, r->config.height);
+        if (rec->x >= window[1] || rec->x_end <= window[0])
+            continue;
+        first = zs_minu32(first, s);
+        end = s + 1u;
+        x = zs_minu32(x, window[0]);
+        x_end = zs_maxu32(x_end, window[1]);
+    }
+    part->y = (uint16_t)(first * h);
+    part->y_end = (uint16_t)zs_minu32(end * h, r->config.height);
+    part->x = (uint16_t)x;
+    part->x_end = (uint16_t)x_end;
     return end != 0;
 }
 
 static void track_forget(struct zs_renderer *r, const struct zs_rect *rect)
 {
+    const uint32_t width = r->config.width;
+    const uint32_t x = rect ? zs_minu32(rect->x, width) : 0u, x_end = rect ? zs_minu32((uint32_t)rect->x + rect->w, width) : width;
     for (uint32_t s = 0; s < r->n_strips; s++)
-        r->track_due[s] |= (uint8_t)zs_strip_in(r, s, rect);
+        if (zs_strip_in(r, s, rect))
+            make_due(r, s, s + 1u, x, x_end);
     r->draw_end = r->n_strips;
     r->band_end = 0; /* in a frame: what is binned lacks instances of strips that were not due */
 }
@@ -270,10 +314,24 @@ int zs_track(struct zs_renderer *r, uint32_t *memory, uint32_t n_instances)
     r->track = memory ? &zs_track_sums : 0;
     r->track_memory = memory;
     r->track_instances = (uint16_t)n_instances;
+    r->track_columns = 0;
+    r->window[0] = 0;
+    r->window[1] = r->config.width;
     if (memory) {
-        r->track_due = (uint8_t *)(records(r) + n_instances);
+        r->track_due = (uint32_t *)(void *)(records(r) + n_instances);
         memory[0] = memory[1] = 0; /* no frame's sum */
-        make_due(r, 0, r->n_strips);
+        for (uint32_t s = 0; s < r->n_strips; s++)
+            r->track_due[s] = (uint32_t)r->config.width << 16;
     }
+    return ZS_OK;
+}
+
+int zs_track_columns(struct zs_renderer *r, int on)
+{
+    if (!r)
+        return ZS_ERR_NULL;
+    if (r->ready != 1 || r->scene || !r->track)
+        return ZS_ERR_STATE;
+    r->track_columns = on != 0;
     return ZS_OK;
 }

@@ -21,20 +21,15 @@ static uint64_t cell_sum(const uint16_t *px, uint32_t w, uint32_t h, uint32_t st
     return sum ? sum : 1u; /* 0: not known */
 }
 
-/* px to a column. Even where the width is, so that cells begin at even addresses. */
-static uint32_t column_width(const struct zs_renderer *r)
-{
-    const uint32_t w = (r->config.width + r->watch_columns - 1u) / r->watch_columns;
-    return r->config.width & 1u ? w : (w + 1u) & ~1u;
-}
-
 static void watch_look(struct zs_renderer *r, struct zs_strip *out)
 {
-    const uint32_t step = column_width(r), row = out->y / (uint32_t)r->config.strip_h;
+    const uint32_t step = zs_watch_step(r), row = out->y / (uint32_t)r->config.strip_h;
     uint64_t *sum = r->watch_sum + row * r->watch_columns;
     uint32_t first = out->w, end = 0;
     for (uint32_t x = 0; x < out->w; x += step, sum++) {
         const uint32_t w = out->w - x < step ? out->w - x : step;
+        if (x < r->window[0] || x + w > r->window[1])
+            continue; /* not drawn, or drawn in part: as it was (make_due(), track.c) */
         const uint64_t now = cell_sum((const uint16_t *)(const void *)out->px + x, w, out->h, out->w, !(out->w & 1u));
         if (now == *sum)
             continue;
@@ -49,7 +44,7 @@ static void watch_look(struct zs_renderer *r, struct zs_strip *out)
 
 static void watch_forget(struct zs_renderer *r, const struct zs_rect *rect)
 {
-    const uint32_t step = column_width(r);
+    const uint32_t step = zs_watch_step(r);
     for (uint32_t s = 0; s < r->n_strips; s++) {
         if (!zs_strip_in(r, s, rect))
             continue;

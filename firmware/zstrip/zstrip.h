@@ -412,7 +412,8 @@ struct zs_strip {
     uint16_t x, y, w, h;   /* px in the frame; x is 0 and w the frame's width */
     uint16_t last;         /* 1 in the frame's last strip */
     const uint8_t *px;     /* w * h pixels, row-major, dense: RGB565, most significant byte first. With zs_track and
-                              changed_w 0: neither px nor depth holds anything of use */
+                              changed_w 0, and beside the drawn columns of zs_track_columns: neither px nor depth
+                              holds anything of use */
     uint32_t n_bytes;      /* w * h * 2 */
     const uint16_t *depth; /* w * h keys of this strip, until the next strip is asked for */
     uint16_t changed_x, changed_w; /* px: columns that are not on the glass yet (zs_watch, zs_track); changed_w 0:
@@ -519,8 +520,23 @@ int zs_watch(struct zs_renderer *r, uint64_t *sum, uint32_t columns);
  * Return       ZS_OK; ZS_ERR_NULL; ZS_ERR_STATE (r is not set up, or a frame is open); ZS_ERR_SIZE: as before.
  *              zs_init ends it. */
 #define ZS_TRACK_WORDS(n_instances, height, strip_h) \
-    (2u + 3u * (uint32_t)(n_instances) + (ZS_STRIPS(height, strip_h) + 3u) / 4u)
+    (2u + 4u * (uint32_t)(n_instances) + ZS_STRIPS(height, strip_h))
 int zs_track(struct zs_renderer *r, uint32_t *memory, uint32_t n_instances);
+
+/* The same by columns as well: of a strip that zs_track has drawn, only the columns that an instance which differs could reach
+ * are sure to be drawn. So one moving thing costs its own rectangle, and of others what lies in it; but a triangle that lies in
+ * it in part is drawn whole.
+ *
+ * on       0: whole strips again, as after zs_track.
+ * Yours    a sink that sends changed_x and changed_w alone: px and depth hold something else beside them. Only so much is
+ *          drawn besides that the range can be widened to multiples of ZS_TRACK_GRAIN, or the frame's end; of drawn
+ *          columns zs_watch compares those of its own that lie in them wholly.
+ * Exact    as zs_track: the columns given out are those of a full frame, bit for bit.
+ * Cost     as zs_track, and 2,000 instructions more for an instance that differs, 25 for a triangle in a strip that is drawn
+ *          in part.
+ * Return   ZS_OK; ZS_ERR_NULL; ZS_ERR_STATE (zs_track is not on, or a frame is open). zs_track and zs_init end it. */
+#define ZS_TRACK_GRAIN 8u /* px: a byte or page of any panel's RAM */
+int zs_track_columns(struct zs_renderer *r, int on);
 
 /* The glass does not show there what was given out: it was reset, asleep, turned, or something else drew on it; or the
  * strip could not be sent by a caller that owns the loop (zs_render sees to that by itself). Strips and columns

@@ -306,6 +306,7 @@ struct desk { /* a renderer and what it should be in */
     uint64_t *sum;           /* zs_watch's; NULL: off */
     uint32_t *memory;        /* zs_track's; NULL: off */
     uint32_t room;           /* instances that it takes */
+    int columns;             /* zs_track_columns is on */
     uint16_t *glass;         /* [height][width]: what arrived of what was given out as changed */
     int loose;               /* 1: zs_track was given spheres that need not hold: whatever it shows */
 };
@@ -338,11 +339,15 @@ static int glass_right(struct desk *d, const struct picture *p, const struct zs_
     return memcmp(d->glass + s->y * p->w, p->color + s->y * p->w, s->n_bytes) == 0;
 }
 
-/* 1: the strip is rows [y, y + h) of the picture. */
-static int strip_right(const struct picture *p, const struct zs_strip *s)
+/* 1: the strip is rows [y, y + h) of the picture; by columns: in those that are drawn for sure. */
+static int strip_right(const struct picture *p, const struct zs_strip *s, int columns)
 {
+    const int32_t grain = (int32_t)ZS_TRACK_GRAIN, from = columns ? s->changed_x / grain * grain : 0;
+    const int32_t end = columns ? (s->changed_x + s->changed_w + grain - 1) / grain * grain : s->w;
     for (int32_t i = 0; i < s->w * s->h; i++) {
         const int32_t at = s->y * p->w + i;
+        if (i % s->w < from || i % s->w >= end)
+            continue;
         if ((s->px[2 * i] << 8 | s->px[2 * i + 1]) != p->color[at] || s->depth[i] != p->key[at])
             return 0;
     }
@@ -357,9 +362,9 @@ static void strip_expect(const struct room *m, struct desk *d, const struct zs_s
     EXPECT(s->h == (left < c->strip_h ? left : c->strip_h));
     EXPECT(s->n_bytes == 2u * s->w * s->h && s->last == (y + s->h == c->height));
     const int drawn = s->changed_w || !d->memory;
-    EXPECT(s->changed_x + s->changed_w <= s->w && (d->sum || drawn == 0 || s->changed_w == s->w));
+    EXPECT(s->changed_x + s->changed_w <= s->w && (d->sum || d->columns || drawn == 0 || s->changed_w == s->w));
     EXPECT((d->sum || d->memory || s->changed_w == s->w) && (drawn || s->changed_w == 0));
-    EXPECT(!drawn || d->loose || strip_right(&m->picture[d->open], s));
+    EXPECT(!drawn || d->loose || strip_right(&m->picture[d->open], s, d->columns));
     EXPECT(glass_right(d, &m->picture[d->open], s) || d->loose);
     if (d->last_whole && c->buffers == 2) /* the one before is still whole */
         EXPECT(sum_bytes(d->last.px, d->last.n_bytes) == d->last_sum);
@@ -378,6 +383,7 @@ static void no_memory(struct desk *d)
     free(d->memory);
     d->sum = NULL;
     d->memory = NULL;
+    d->columns = 0;
 }
 
 static void do_init(struct room *m, struct desk *d, struct prng *p)
@@ -510,7 +516,17 @@ static void do_track(struct room *m, struct desk *d, struct prng *p)
     free(d->memory);
     d->memory = memory;
     d->room = room;
+    d->columns = 0;
     d->loose |= memory && !m->w.trusted;
+}
+
+static void do_columns(struct desk *d, struct prng *p)
+{
+    const int on = (int)prng_pick(p, 2), may = d->ready && d->open == CLOSED && d->memory;
+    EXPECT(zs_track_columns(NULL, on) == ZS_ERR_NULL);
+    EXPECT(zs_track_columns(d->r, on) == (may ? ZS_OK : ZS_ERR_STATE));
+    if (may)
+        d->columns = on;
 }
 
 /* What is declared invalid is gone from the glass; in a frame, rows that were given out already as well. */
@@ -631,7 +647,7 @@ static void case_calls(struct prng *p, uint32_t odd)
     }
     for (uint32_t n = 20 + prng_pick(p, 90); n > 0; n--) {
         struct desk *d = &m.desk[prng_pick(p, 2)];
-        const uint32_t op = prng_pick(p, 48);
+        const uint32_t op = prng_pick(p, 51);
         if (op == 0)
             do_init(&m, d, p);
         else if (op < 5)
@@ -646,7 +662,9 @@ static void case_calls(struct prng *p, uint32_t odd)
             do_watch(d, p);
         else if (op < 17)
             do_track(&m, d, p);
-        else if (op < 18)
+        else if (op < 20)
+            do_columns(d, p);
+        else if (op < 21)
             do_invalidate(d, p);
         else
             do_strip(&m, d);

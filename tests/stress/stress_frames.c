@@ -1,5 +1,5 @@
 /* Random scenes that move, drawn by several hands, each some way of its own - strips, pools, buffers, skips, zs_watch,
- * zs_track, zs_invalidate, two renderers that share the strips - onto a glass of its own that gets changed columns
+ * zs_track, zs_track_columns, zs_invalidate, two renderers that share the strips - onto a glass of its own that gets changed columns
  * alone, and the plainest way: one strip, large pools, all skips off, a renderer without memory of the frame before.
  * Each glass must show the plain picture; keys are its keys.
  *
@@ -251,7 +251,8 @@ static int change(struct prng *p)
 struct glass {
     int32_t w, h;
     uint16_t color[W_MAX * H_MAX], key[W_MAX * H_MAX]; /* colours as they are sent */
-    uint8_t given[H_MAX]; /* rows whose keys came in this frame */
+    uint8_t given[H_MAX]; /* rows whose keys came in this frame; by columns ... */
+    uint16_t from[H_MAX], end[H_MAX]; /* ... these of them */
 };
 
 struct hand { /* one renderer, or two that share the strips */
@@ -260,7 +261,7 @@ struct hand { /* one renderer, or two that share the strips */
     uint64_t *sum;
     uint32_t *track;
     struct zs_config config;
-    int sharing, by_hand, told; /* told: zs_invalidate was called for this frame */
+    int sharing, by_hand, columns, told; /* told: zs_invalidate was called for this frame */
     struct glass glass;
 };
 
@@ -271,9 +272,14 @@ static int take(void *ctx, const struct zs_strip *s)
     struct glass *g = &hand->glass;
     for (int j = 0; j < s->h; j++)
         memcpy(g->color + (s->y + j) * g->w + s->changed_x, s->px + 2 * (j * s->w + s->changed_x), 2u * s->changed_w);
-    if (s->changed_w || !hand->track) {
-        memcpy(g->key + s->y * g->w, s->depth, (size_t)(s->w * s->h) * sizeof *g->key);
-        memset(g->given + s->y, 1, s->h);
+    const int from = hand->columns ? s->changed_x : 0, n = hand->columns ? s->changed_w : s->w;
+    if (!s->changed_w && hand->track)
+        return 0;
+    for (int j = 0; j < s->h; j++) {
+        memcpy(g->key + (s->y + j) * g->w + from, s->depth + j * s->w + from, (size_t)n * sizeof *g->key);
+        g->given[s->y + j] = 1;
+        g->from[s->y + j] = (uint16_t)from;
+        g->end[s->y + j] = (uint16_t)(from + n);
     }
     return 0;
 }
@@ -373,6 +379,9 @@ static int hand_open(struct prng *p, struct hand *hand, struct zs_config c)
     if (!err && !hand->sharing && prng_pick(p, 2)) {
         hand->track = words(ZS_TRACK_WORDS(INSTANCES, c.height, c.strip_h), junk[prng_pick(p, 4)]);
         err = zs_track(&hand->r[0], hand->track, INSTANCES);
+        hand->columns = (int)prng_pick(p, 2);
+        if (!err)
+            err = zs_track_columns(&hand->r[0], hand->columns);
     }
     return err;
 }
@@ -409,13 +418,19 @@ static int plain_take(void *ctx, const struct zs_strip *s)
     return 0;
 }
 
+/* Keys of a row. zs_watch: they may change where colours do not. */
+static int keys_same(const struct glass *a, const struct glass *b, const struct hand *hand, int row)
+{
+    const int from = hand->sum ? (a->given[row] ? a->from[row] : a->w) : 0, end = hand->sum && a->given[row] ? a->end[row] : a->w;
+    return memcmp(a->key + row * a->w + from, b->key + row * a->w + from, (size_t)(end - from) * 2) == 0;
+}
+
 static int same(const struct glass *b, const struct hand *hand, int frame)
 {
     const struct glass *a = &hand->glass;
     const size_t bytes = (size_t)a->w * 2;
-    int row = 0; /* zs_watch: keys may change where colours do not */
-    while (row < a->h && memcmp(a->color + row * a->w, b->color + row * a->w, bytes) == 0 &&
-           ((hand->sum && !a->given[row]) || memcmp(a->key + row * a->w, b->key + row * a->w, bytes) == 0))
+    int row = 0;
+    while (row < a->h && memcmp(a->color + row * a->w, b->color + row * a->w, bytes) == 0 && keys_same(a, b, hand, row))
         row++;
     if (row == a->h)
         return 1;
@@ -423,10 +438,10 @@ static int same(const struct glass *b, const struct hand *hand, int frame)
     for (int i = row * a->w; i < a->w * a->h; i++)
         if (a->color[i] != b->color[i] || a->key[i] != b->key[i])
             return stress_wrong("frame %d: (%d, %d) of %dx%d is colour %04x key %u, not %04x %u; strips of %u, "
-                                "%u triangles, %u vertices, %u buffers, skips off %u, watch %d, track %d, sharing %d",
+                                "%u triangles, %u vertices, %u buffers, skips off %u, watch %d, track %d %d, sharing %d",
                                 frame, i % a->w, i / a->w, a->w, a->h, a->color[i], a->key[i], b->color[i], b->key[i],
                                 c->strip_h, c->max_tris, c->max_verts, c->buffers, c->skip_off, hand->sum != NULL,
-                                hand->track != NULL, hand->sharing);
+                                hand->track != NULL, hand->columns, hand->sharing);
     return 0;
 }
 
