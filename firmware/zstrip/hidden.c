@@ -100,34 +100,51 @@ static void slope(struct zs_cover *c, int edge, const struct zs_vertex *a, const
     c->slope[edge] = dy ? dx * (1 << shift) / dy : 0;
 }
 
-/* Bounds of strip s from a triangle, or from one to the left and one to the right of an edge that passes all its rows. */
-static void bound_strip(struct zs_renderer *r, const struct zs_cover *left, const struct zs_cover *right, int32_t s,
-                        int32_t y0, int32_t y1)
+/* Tiles [at, end) have no key farther than this. */
+static void bound_tiles(struct zs_renderer *r, uint16_t *at, const uint16_t *end, uint32_t farthest)
 {
-    const int32_t x0 = zs_max32(column(left, y0, 0), column(left, y1, 0));
-    const int32_t x1 = zs_min32(column(right, y0, 1), column(right, y1, 1));
-    const int32_t tiles = (int32_t)ZS_TILES(r->config.width);
-    const int32_t end = x1 >= r->config.width ? tiles : x1 >> ZS_TILE_LOG2;
-    int32_t t = (zs_max32(x0, 0) + TILE - 1) >> ZS_TILE_LOG2;
-    uint16_t *bound = r->bound + s * tiles;
-    const uint32_t farthest = zs_maxu32(left->farthest, right->farthest);
-    for (; t < end; t++)
-        if (farthest < bound[t]) {
-            bound[t] = (uint16_t)farthest;
+    for (; at < end; at++)
+        if (farthest < *at) {
+            *at = (uint16_t)farthest;
             r->bound_new = 1;
         }
 }
 
-/* Strips all of whose rows lie in [row, row_end) and not all in [done, done_end). */
+static int32_t strip_of(const struct zs_renderer *r, int32_t row) /* 0 .. ZS_SIZE_MAX - 1 */
+{
+    return (int32_t)((uint32_t)row * r->strip_mul >> r->strip_shift);
+}
+
+/* Bounds of strips whose rows are all in [row, row_end) and not all in [done, done_end), from a triangle, or from one to the
+ * left and one to the right of an edge that passes all their rows. */
 static void bound_rows(struct zs_renderer *r, const struct zs_cover *left, const struct zs_cover *right, int32_t row,
                        int32_t row_end, int32_t done, int32_t done_end)
 {
-    const int32_t h = r->config.strip_h, height = r->config.height;
-    row_end = zs_min32(row_end, height);
-    for (int32_t s = r->strip, y0 = s * h; s < r->draw_end && y0 < row_end; s++, y0 += h) {
+    const int32_t h = r->config.strip_h, height = r->config.height, width = r->config.width;
+    const int32_t tiles = (int32_t)ZS_TILES(width);
+    const uint32_t farthest = zs_maxu32(left->farthest, right->farthest);
+    if (row >= height || row_end <= 0)
+        return;
+    int32_t s = strip_of(r, zs_max32(row, 0));
+    s = zs_max32(s + (s * h < row), r->strip);
+    const int32_t end = zs_min32(row_end < height ? strip_of(r, row_end) : r->n_strips, r->draw_end);
+    if (s >= end || (s * h >= done && zs_min32(end * h, height) <= done_end))
+        return;
+    uint16_t *bound = r->bound + s * tiles;
+    const int32_t first = s * h, last = zs_min32(end * h, height) - 1;
+    if (column(left, first, 0) <= 0 && column(right, first, 1) >= width && column(left, last, 0) <= 0 &&
+        column(right, last, 1) >= width) { /* then in all rows between */
+        bound_tiles(r, bound, r->bound + end * tiles, farthest);
+        return;
+    }
+    for (int32_t y0 = first; s < end; s++, y0 += h, bound += tiles) {
         const int32_t y1 = zs_min32(y0 + h, height);
-        if (y0 >= row && y1 <= row_end && (y0 < done || y1 > done_end))
-            bound_strip(r, left, right, s, y0, y1 - 1);
+        if (y0 >= done && y1 <= done_end)
+            continue;
+        const int32_t x0 = zs_max32(column(left, y0, 0), column(left, y1 - 1, 0));
+        const int32_t x1 = zs_min32(column(right, y0, 1), column(right, y1 - 1, 1));
+        bound_tiles(r, bound + ((zs_max32(x0, 0) + TILE - 1) >> ZS_TILE_LOG2),
+                    bound + (x1 >= width ? tiles : x1 >> ZS_TILE_LOG2), farthest);
     }
 }
 
@@ -237,9 +254,12 @@ uint32_t zs_hidden_seen(struct zs_renderer *r)
     bound_last(r);
     const uint32_t tiles = ZS_TILES(r->config.width);
     const uint16_t *bound = r->bound + r->strip * tiles, *const end = bound + tiles;
-    uint32_t least = ZS_DEPTH_CLEAR;
-    for (; bound < end; bound++)
+    uint32_t least = ZS_DEPTH_CLEAR, most = 0;
+    for (; bound < end; bound++) {
         least = zs_minu32(least, *bound);
+        most = zs_maxu32(most, *bound);
+    }
+    r->bound_strip = (uint16_t)most;
     const struct zs_depth *depth = r->config.depth;
     return least == ZS_DEPTH_CLEAR ? UINT32_MAX : depth->key ? 0u : least << 16; /* least <= ZS_DEPTH_CLEAR - 1 */
 }
@@ -247,24 +267,25 @@ uint32_t zs_hidden_seen(struct zs_renderer *r)
 int zs_hidden(struct zs_job *job)
 {
     const struct zs_renderer *r = job->r;
-    const struct zs_vertex *v[3];
-    for (int k = 0; k < 3; k++)
-        v[k] = &r->vert[job->tri->v[k]];
-    const int32_t x0 = zs_max32(zs_first_sample(zs_min32(zs_min32(v[0]->x, v[1]->x), v[2]->x)), r->window[0]);
-    const int32_t x1 = zs_min32(zs_first_sample(zs_max32(zs_max32(v[0]->x, v[1]->x), v[2]->x)), r->window[1]);
-    job->row_last = zs_first_sample(zs_max32(zs_max32(v[0]->y, v[1]->y), v[2]->y));
+    const struct zs_tri *t = job->tri;
+    const struct zs_vertex *a = &r->vert[t->v[0]], *b = &r->vert[t->v[1]], *c = &r->vert[t->v[2]];
+    const int known = r->large && !r->scene->instance[t->instance].state; /* a state: keys of its own */
+    uint32_t nearest = 0;
+    job->row_last = zs_first_sample(zs_max32(b->y, c->y)); /* a is the top one */
+    if (known) {
+        nearest = key_of(r, zs_minu32(zs_minu32(a->d, b->d), c->d), -MARGIN);
+        if (nearest > r->bound_strip)
+            return 1;
+    }
+    const int32_t x0 = zs_max32(zs_first_sample(zs_min32(zs_min32(a->x, b->x), c->x)), r->window[0]);
+    const int32_t x1 = zs_min32(zs_first_sample(zs_max32(zs_max32(a->x, b->x), c->x)), r->window[1]);
     if (x1 <= x0)
         return 1;
-    if (!r->large)
-        return 0;
-    const uint32_t nearest = key_of(r, zs_minu32(zs_minu32(v[0]->d, v[1]->d), v[2]->d), -MARGIN);
     const uint16_t *bound = r->bound + r->strip * ZS_TILES(r->config.width);
-    for (int32_t t = x0 >> ZS_TILE_LOG2; t <= (x1 - 1) >> ZS_TILE_LOG2; t++)
-        if (nearest <= bound[t])
+    for (int32_t k = x0 >> ZS_TILE_LOG2; known && k <= (x1 - 1) >> ZS_TILE_LOG2; k++)
+        if (nearest <= bound[k])
             return 0;
-    if (r->scene->instance[job->tri->instance].state)
-        return 0; /* keys of its own */
-    return 1;
+    return known;
 }
 
 int zs_hidden_box(struct zs_renderer *r, const struct zs_box *box, uint32_t nearest)
@@ -277,8 +298,8 @@ int zs_hidden_box(struct zs_renderer *r, const struct zs_box *box, uint32_t near
     bound_last(r);
     x0 >>= ZS_TILE_LOG2;
     x1 >>= ZS_TILE_LOG2;
-    y0 = (int32_t)((uint32_t)y0 * r->strip_mul >> r->strip_shift);
-    y1 = (int32_t)((uint32_t)y1 * r->strip_mul >> r->strip_shift);
+    y0 = strip_of(r, y0);
+    y1 = strip_of(r, y1);
     const uint16_t *at = r->bound;
     uint32_t w = ZS_TILES(r->config.width), rows = r->n_strips;
     const uint32_t key = key_of(r, nearest, -MARGIN);

@@ -292,7 +292,7 @@ void zs_raster_span(struct zs_job *job, const struct zs_row *row, int32_t i0, in
 void zs_hidden_cover(struct zs_renderer *r, const struct zs_vertex *a, const struct zs_vertex *b, const struct zs_vertex *c);
 /* Of r->strip, where r->large: a depth up to which a vertex shows that its triangle is not hidden; UINT32_MAX: nothing is. */
 uint32_t zs_hidden_seen(struct zs_renderer *r);
-/* 1: no pixel of job->tri can win in this strip. job->row_last is set then. */
+/* 1: no pixel of job->tri can win in this strip, or it has none in the columns that are drawn. Sets job->row_last. */
 int zs_hidden(struct zs_job *job);
 /* 1: nothing in columns [x0, x1) and rows [y0, y1) can win whose vertices' zs_vertex.d are `nearest` or more, in no strip
  * that is still to be drawn. Without a state. */

@@ -190,7 +190,8 @@ struct zs_renderer { /* what is used most comes first: a Cortex-M0 reaches 31 by
     const struct zs_cluster_kernel *cluster_kernel; /* of the current instance; NULL: all of it is drawn */
     struct zs_clusters clusters;
     struct zs_cover cover[2];     /* the last two large triangles: cover[!cover_next] is known if cover_known */
-    uint16_t bound_most;          /* no bound is farther */
+    uint16_t bound_most;          /* no bound is farther ... */
+    uint16_t bound_strip;         /* ... and none of the strip in hand */
     uint8_t cover_next, cover_known, cover_waits; /* its own bounds are still to be found */
     uint8_t bound_new;            /* upper levels and bound_most are older than the lowest */
     struct zs_lit lit;

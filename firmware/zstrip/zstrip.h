@@ -395,7 +395,8 @@ struct zs_stats {
     uint32_t tris_clipped;    /* cut at near, far or guard; also in drawn or in a reject */
     uint32_t verts_transformed;
     uint32_t tris_setup;      /* wide set-ups: a triangle in a strip */
-    uint32_t tris_hidden;     /* set-ups that were saved: a triangle in a strip, behind what covers it there */
+    uint32_t tris_hidden;     /* set-ups that were saved: a triangle in a strip, behind what covers it there, or beside the
+                                 columns that are drawn of it (zs_track_columns) */
     uint32_t pixels_tested;   /* of triangles that are drawn: compared with the depth buffer ... */
     uint32_t pixels_untested; /* ... but for these of them, on which nothing was drawn before */
     uint32_t pixels_written;  /* and nearer; 0 unless built with ZS_STATS = 1 */

@@ -25,7 +25,7 @@ boards="m0 mps2 mps2-m4 mps2-m7 rv32"
 counted= # where what a frame takes is counted from outside
 [ "$what" != all ] || counted="pico $(uname -m)"
 STRIPS_MAX=15                   # per cent that strips of 24 rows may cost on top of one strip
-STRIPS_OF="mesh mesh_tex sheet" # there
+STRIPS_OF="mesh mesh_tex layers_ftb layers_btf layers_mixed sheet" # there
 PICO_ARENA=196608               # bytes that the bench's code and data leave of the RP2040's RAM, and some room
 mkdir -p "$out" "$top/gen"
 
