@@ -84,6 +84,36 @@ static void pose_mesh_tex_smooth(struct demo_frame *f, uint32_t t, uint16_t w, u
     stage_light(f, -3, 4, 5, 22, 78);
 }
 
+/* ---- crowd: five such balls, each half behind those before it ---------------------------------------- */
+
+#define CROWD 5
+
+static void put_crowd(struct demo_frame *f, uint16_t w, int back_to_front)
+{
+    open_bench(f, w);
+    stage_light(f, -3, 4, 5, 22, 78);
+    for (int i = 0; i < CROWD; i++) {
+        const int32_t k = back_to_front ? CROWD - 1 - i : i;
+        const int32_t px = (BENCH_BUMPY_Z + 1300 * k) * BENCH_UNIT / 320; /* a pixel there */
+        zs_pose_turn(stage_put(f, &mesh_bumpy_uv, &tex_smooth, (k & 1 ? 40 : -40) * px, (12 * k - 20) * px, -320 * px, ZS_Q16_ONE),
+                     (zs_turn)(5000 + 3000 * k), 3500, 0);
+    }
+}
+
+static void pose_crowd_ftb(struct demo_frame *f, uint32_t t, uint16_t w, uint16_t h)
+{
+    (void)t;
+    (void)h;
+    put_crowd(f, w, 0);
+}
+
+static void pose_crowd_btf(struct demo_frame *f, uint32_t t, uint16_t w, uint16_t h)
+{
+    (void)t;
+    (void)h;
+    put_crowd(f, w, 1);
+}
+
 /* ---- floor_tex: two triangles through the near plane to the horizon, 36,160 samples ---------- */
 
 static void pose_floor_tex(struct demo_frame *f, uint32_t t, uint16_t w, uint16_t h)
@@ -206,6 +236,8 @@ BENCH_TEX(mesh_tex_lit, "The same ball, textured by palette, flat-shaded", ZS_AT
           pose_mesh_tex_lit);
 BENCH_TEX(mesh_tex_smooth, "The same ball, textured by palette, smooth-shaded",
           ZS_ATTRS_TEXTURE_SMOOTH, pose_mesh_tex_smooth);
+BENCH_TEX(crowd_ftb, "Five such balls half behind one another, from front to back", ZS_ATTRS_TEXTURE_SMOOTH, pose_crowd_ftb);
+BENCH_TEX(crowd_btf, "The same from back to front", ZS_ATTRS_TEXTURE_SMOOTH, pose_crowd_btf);
 BENCH_TEX(floor_tex, "A textured plain to the horizon, cut at the near plane", ZS_ATTRS_TEXTURE,
           pose_floor_tex);
 BENCH(layers_ftb, "Eight full-screen layers from front to back", pose_layers_ftb);

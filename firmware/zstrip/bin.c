@@ -1075,6 +1075,17 @@ static ZS_RARE void walk_instance(struct zs_renderer *r, uint32_t number)
 
 #endif
 
+#if !ZS_LEAN
+
+static ZS_RARE void walk_turns(struct zs_renderer *r)
+{
+    const uint32_t n = zs_order_ready(r);
+    for (uint32_t k = 0; k < n; k++)
+        walk_instance(r, r->turn[k].number);
+}
+
+#endif
+
 ZS_RARE void zs_bin_walk(struct zs_renderer *r)
 {
     pools_empty(r);
@@ -1084,9 +1095,22 @@ ZS_RARE void zs_bin_walk(struct zs_renderer *r)
     r->group = 0;
     r->walk_x = r->walk_most = 0;
     r->walk_end = r->walk_least = r->config.width;
+    r->n_turns = r->dense = 0;
 #endif
-    for (uint32_t i = 0; (i = zs_cull_next(r, r->scene, i)) < r->scene->n_instances; i++)
+#if ZS_LEAN
+    for (uint32_t i = 0; i < r->scene->n_instances; i++)
         walk_instance(r, i);
+#else
+    const struct zs_scene *scene = r->scene;
+    for (uint32_t i = 0; (i = zs_cull_next(r, scene, i)) < scene->n_instances; i++) {
+        const int as_it_stands = scene->instance[i].state != 0;
+        if (as_it_stands)
+            walk_turns(r);
+        if (zs_order_add(r, i) || as_it_stands)
+            walk_turns(r);
+    }
+    walk_turns(r);
+#endif
     high_water(r);
     r->counting = 0;
 }

@@ -111,6 +111,13 @@ struct zs_lit {
     uint16_t color[ZS_LIT_COLORS];
 };
 
+#define ZS_ORDER_MAX 16u
+/* An instance that waits to be drawn (order.c). */
+struct zs_turn_of {
+    uint16_t number;
+    uint16_t nearest, farthest; /* its keys lie between */
+};
+
 /* A large triangle, as its bounds need it (hidden.c). */
 struct zs_cover {
     struct zs_vertex v[3];  /* from the top */
@@ -183,6 +190,8 @@ struct zs_renderer { /* what is used most comes first: a Cortex-M0 reaches 31 by
     uint32_t fresh_left;          /* how many pixels hold none, where some do */
 #endif
 #if !ZS_LEAN
+    struct zs_turn_of turn[ZS_ORDER_MAX]; /* [n_turns] */
+    uint8_t n_turns, dense;       /* dense: one of them has many triangles */
     uint16_t group;               /* the next that the walk comes to */
     uint16_t group_slack;         /* world units that their spheres are taken to be larger by */
     uint16_t edge_of[4];          /* what edge[] holds: rows [0] .. [1] - 1 are drawn, and columns [2] .. [3] - 1 */

@@ -314,7 +314,8 @@ enum zs_skip {
     ZS_SKIP_CONE = 1024,  /* clusters that turn their backs */
     ZS_SKIP_GROUP = 2048, /* groups of instances outside the view */
     ZS_SKIP_ROWS = 4096,  /* second walks: meshes with clusters whose sphere is outside the strips that are to be drawn */
-    ZS_SKIP_ALL = 8191
+    ZS_SKIP_ORDER = 8192, /* colouring what nearer instances cover: they are drawn first where no key can be equal */
+    ZS_SKIP_ALL = 16383
 };
 
 struct zs_config {
@@ -379,7 +380,8 @@ struct zs_config {
 struct zs_stats {
     uint32_t instances_in, instances_culled; /* culled: the sphere is outside the view, or ... Those of a culled group, and
                                  their triangles, are not counted */
-    uint32_t instances_hidden; /* ... these of them: behind large triangles of instances before them */
+    uint32_t instances_hidden; /* ... these of them: behind large triangles of instances drawn before them */
+    uint32_t instances_earlier; /* drawn before an instance that comes before them in the scene */
     uint32_t clusters_in, clusters_culled; /* of the instances that were not culled; culled: outside or turned away */
     uint32_t tris_in;         /* in all instances */
     uint32_t tris_drawn;      /* binned, whole or in clipped pieces */

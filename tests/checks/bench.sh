@@ -26,6 +26,7 @@ counted= # where what a frame takes is counted from outside
 [ "$what" != all ] || counted="pico $(uname -m)"
 STRIPS_MAX=15                   # per cent that strips of 24 rows may cost on top of one strip
 STRIPS_OF="mesh mesh_tex layers_ftb layers_btf layers_mixed sheet" # there
+ORDER_MAX=10                    # per cent that another order than front to back may cost
 PICO_ARENA=196608               # bytes that the bench's code and data leave of the RP2040's RAM, and some room
 mkdir -p "$out" "$top/gen"
 
@@ -200,6 +201,20 @@ for scene in $STRIPS_OF; do
     if [ -z "$over" ]; then ok "$name: $said"; else bad "$name" "$said"; fi
 done
 
+# What the same things cost in another order, per cent on top of front to back
+for scene in layers_btf layers_mixed crowd_btf; do
+    said=$(for board in $boards; do
+        awk -F, -v core="$(core "$board")" -v scene="$scene" -v first="${scene%%_*}_ftb" '
+            $2 == "one-pass" { n[$1] = $13 }
+            END { if (n[first] > 0 && n[scene] > 0) printf "%s %+.1f\n", core, (n[scene] / n[first] - 1) * 100
+                  else print core, "unknown" }' "$out/$board.csv"
+    done)
+    name="$scene costs less than $ORDER_MAX % more than front to back"
+    over=$(echo "$said" | awk -v most=$ORDER_MAX '$2 == "unknown" || $2 >= most { print $1 }')
+    said=$(echo "$said" | awk '{ printf "%s%s %s %%", n++ ? ", " : "", $1, $2 }')
+    if [ -z "$over" ]; then ok "$name: $said"; else bad "$name" "$said"; fi
+done
+
 # The quickest of the configurations that a bar of RAM leaves, and whether it holds: SCENE BAR BYTES WHAT
 bar() {
     awk -F, -v scene="$1" -v bar="$2" '
@@ -362,9 +377,9 @@ awk -F, '
     NF != 17 || $1 == "scene" { next }
     $2 == "all" { all = $13; printf "%s%-16s %7.2fM", n++ ? "\n" : head(), $1, $13 / 1e6; next }
     { printf " %8.3f", $13 / all }
-    function head() { return sprintf("%-16s %8s %8s %8s %8s %8s %8s %8s %8s %8s %8s %8s %8s %8s\n", "scene", "all on",
+    function head() { return sprintf("%-16s %8s %8s %8s %8s %8s %8s %8s %8s %8s %8s %8s %8s %8s %8s\n", "scene", "all on",
         "frustum", "cliptest", "empty", "vcache", "bins", "hidden", "behind", "clear", "test", "cluster", "cone",
-        "bins+rows") }
+        "bins+rows", "order") }
     END { print "" }' "$out/skips.csv"
 echo
 echo "CSV: $out/bench.csv, $out/skips.csv, and $out/BOARD.csv of all configurations"

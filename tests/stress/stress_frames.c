@@ -460,6 +460,7 @@ static void see(const struct hand *hand, const struct zs_stats *plain, uint64_t 
     did |= s->tris_hidden ? ZS_SKIP_HIDDEN : 0;
     did |= s->pixels_untested ? ZS_SKIP_TEST | ZS_SKIP_CLEAR : 0;
     did |= s->instances_hidden ? ZS_SKIP_BEHIND : 0;
+    did |= s->instances_earlier ? ZS_SKIP_ORDER : 0;
     did |= s->clusters_culled && (on & both) != both ? both : 0; /* else: one of them */
     did |= s->instances_in < world.scene.n_instances ? ZS_SKIP_GROUP : 0;
     did |= walks && s->clusters_in ? ZS_SKIP_ROWS : 0; /* where it may */

@@ -1,0 +1,105 @@
+/* Instances from front to back, where that changes no pixel: what is nearer comes first, so that what lies behind it loses
+ * its pixels before they are coloured, or is found hidden whole.
+ *
+ * On equal keys the earlier instance wins, and triangles are drawn with a strict comparison in the order of the walk. So an
+ * instance may go before an earlier one only where no key of the one can equal a key of the other: where its farthest key is less
+ * than the other's nearest. Keys of an instance lie between those of the nearest and the farthest point of its sphere, by
+ * more than what drawn keys are off by (MARGIN, hidden.c). Two whose ranges touch stay as they are in the scene.
+ *
+ * Instances are collected, up to ZS_ORDER_MAX, and put in order where one of them has a mesh of DENSE triangles or more: for less
+ * it does not pay. What has a state is drawn where it stands, after all that come before it.
+ *
+ * SPDX-License-Identifier: MIT
+ */
+#include "cold.h"
+#include "pipeline.h"
+#include "rotation.h"
+
+#if !ZS_LEAN
+
+#define DENSE 200u /* triangles; order takes 200 instructions an instance, and 300 more where there is something to be moved */
+
+/* Camera units between which an instance lies, as zs_cull_walk has it, but for one axis alone. */
+static void extent(int32_t z[2], const struct zs_renderer *r, uint32_t number)
+{
+    const struct zs_instance *in = &r->scene->instance[number];
+    const struct zs_mesh *mesh = in->mesh;
+    const struct zs_camera *camera = &r->camera;
+    const zs_q2_30 *const away = &camera->rot[6];
+    const uint64_t scale = (uint64_t)mesh->scale * in->pose.scale; /* q32_32, <= 2^47 */
+    int32_t from[3], center[3];
+    uint64_t far = 0, out = 0;
+    zs_q2_30 axis[3];
+    for (int k = 0; k < 3; k++) {
+        from[k] = in->pose.pos[k] - camera->pos[k];
+        center[k] = mesh->center[k];
+        far += (uint32_t)zs_abs32(from[k]);
+        out += (uint32_t)zs_abs32(center[k]);
+        const int32_t column[3] = { in->pose.rot[k], in->pose.rot[3 + k], in->pose.rot[6 + k] };
+        axis[k] = (zs_q2_30)zs_round_shift(zs_dot(away, column), 30);
+    }
+    const int64_t at = zs_round_shift(zs_dot(away, from), 14) + zs_mulshift_s64(zs_dot(axis, center), scale, 46); /* q48_16 */
+    const uint64_t size = (((uint64_t)mesh->radius + 1u) * scale >> 16) + 1u;
+    const uint64_t reach = (far << 16) + ((out + 1u) * scale >> 16) + size; /* at least zs_bounds.reach */
+    const int64_t beyond = (int64_t)(size + (reach >> 16) + 16u) + ((8 << 19) >> (zs_min32(r->view.shift, 28) + 3)) + 1;
+    z[0] = zs_view_length(&r->view, -at - beyond) - 1;
+    z[1] = zs_view_length(&r->view, -at + beyond) + 1;
+}
+
+/* A key of what is z away, and what drawn keys may be nearer or farther by. */
+static uint16_t key_at(const struct zs_renderer *r, int32_t z, int32_t sign)
+{
+    const struct zs_point p = { { 0, 0, zs_min32(zs_max32(z, r->view.z_near), r->view.z_far) } };
+    struct zs_vertex at;
+    (void)zs_xform_project(r, &p, &at);
+    return (uint16_t)zs_hidden_key(r, at.d, sign);
+}
+
+/* Is there one behind one that comes later, and one of the two dense? */
+static int worth_it(const struct zs_renderer *r, int32_t z[][2])
+{
+    for (uint32_t i = 0; i < r->n_turns; i++)
+        for (uint32_t k = i + 1u; k < r->n_turns; k++)
+            if (z[k][1] < z[i][0] && (r->scene->instance[r->turn[i].number].mesh->n_tris >= DENSE ||
+                                      r->scene->instance[r->turn[k].number].mesh->n_tris >= DENSE))
+                return 1;
+    return 0;
+}
+
+static ZS_NOINLINE void sort(struct zs_renderer *r)
+{
+    struct zs_turn_of *const turn = r->turn;
+    int32_t z[ZS_ORDER_MAX][2];
+    for (uint32_t i = 0; i < r->n_turns; i++)
+        extent(z[i], r, turn[i].number);
+    if (!worth_it(r, z))
+        return;
+    for (uint32_t i = 0; i < r->n_turns; i++) {
+        const struct zs_turn_of now = { turn[i].number, key_at(r, z[i][0], -1), key_at(r, z[i][1], 1) };
+        uint32_t k = i;
+        for (; k > 0 && now.farthest < turn[k - 1u].nearest; k--)
+            turn[k] = turn[k - 1u];
+        turn[k] = now;
+        r->stats.instances_earlier += r->counting && k < i;
+    }
+}
+
+uint32_t zs_order_ready(struct zs_renderer *r)
+{
+    const uint32_t n = r->n_turns;
+    if (n > 1u && r->dense && !(r->config.skip_off & ZS_SKIP_ORDER))
+        sort(r);
+    r->n_turns = 0;
+    r->dense = 0;
+    return n;
+}
+
+int zs_order_add(struct zs_renderer *r, uint32_t number)
+{
+    const struct zs_instance *in = &r->scene->instance[number];
+    r->turn[r->n_turns++].number = (uint16_t)number;
+    r->dense |= in->mesh->n_tris >= DENSE;
+    return r->n_turns == ZS_ORDER_MAX;
+}
+
+#endif
