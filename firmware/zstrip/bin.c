@@ -1075,17 +1075,6 @@ static ZS_RARE void walk_instance(struct zs_renderer *r, uint32_t number)
 
 #endif
 
-#if !ZS_LEAN
-
-static ZS_RARE void walk_turns(struct zs_renderer *r)
-{
-    const uint32_t n = zs_order_ready(r);
-    for (uint32_t k = 0; k < n; k++)
-        walk_instance(r, r->turn[k].number);
-}
-
-#endif
-
 ZS_RARE void zs_bin_walk(struct zs_renderer *r)
 {
     pools_empty(r);
@@ -1095,21 +1084,37 @@ ZS_RARE void zs_bin_walk(struct zs_renderer *r)
     r->group = 0;
     r->walk_x = r->walk_most = 0;
     r->walk_end = r->walk_least = r->config.width;
-    r->n_turns = r->dense = 0;
+    r->n_turns = 0;
 #endif
 #if ZS_LEAN
     for (uint32_t i = 0; i < r->scene->n_instances; i++)
         walk_instance(r, i);
 #else
     const struct zs_scene *scene = r->scene;
-    for (uint32_t i = 0; (i = zs_cull_next(r, scene, i)) < scene->n_instances; i++) {
-        const int as_it_stands = scene->instance[i].state != 0;
+    const struct zs_order_kernel *order = 0;
+    for (uint32_t i = 0, n = 0, left = 1; left;) {
+        i = zs_cull_next(r, scene, i);
+        left = i < scene->n_instances;
+        const int as_it_stands = left && scene->instance[i].state;
+        if (left && !as_it_stands) {
+            const struct zs_shader *shader = scene->instance[i].material->shader;
+            if (shader->order)
+                order = shader->order;
+            r->turn[n++].number = (uint16_t)i++;
+            if (n < ZS_ORDER_MAX)
+                continue;
+        }
+        r->n_turns = (uint8_t)n;
+        if (n > 1u && order && !(r->config.skip_off & ZS_SKIP_ORDER))
+            order->sort(r);
+        r->n_turns = 0;
         if (as_it_stands)
-            walk_turns(r);
-        if (zs_order_add(r, i) || as_it_stands)
-            walk_turns(r);
+            r->turn[n++].number = (uint16_t)i++;
+        for (uint32_t k = 0; k < n; k++)
+            walk_instance(r, r->turn[k].number);
+        n = 0;
+        order = 0;
     }
-    walk_turns(r);
 #endif
     high_water(r);
     r->counting = 0;

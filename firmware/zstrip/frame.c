@@ -117,8 +117,10 @@ ZS_RARE int zs_init(struct zs_renderer *r, const struct zs_config *config, void 
     r->stats = none;
     r->watch = 0;
     r->track = 0;
-    r->window[0] = 0;
-    r->window[1] = config->width;
+    if (!ZS_LEAN) {
+        r->window[0] = 0;
+        r->window[1] = config->width;
+    }
     r->ready = 1;
     return ZS_OK;
 }
@@ -263,8 +265,8 @@ int zs_frame_strip(struct zs_renderer *r, struct zs_strip *out)
     out->px = (const uint8_t *)r->color[0];
     out->n_bytes = (uint32_t)out->w * out->h * 2u;
     out->depth = r->depth;
-    out->changed_x = draw ? r->window[0] : 0u;
-    out->changed_w = draw ? (uint16_t)(r->window[1] - r->window[0]) : 0u;
+    out->changed_x = !ZS_LEAN && draw ? r->window[0] : 0u;
+    out->changed_w = !draw ? 0u : ZS_LEAN ? out->w : (uint16_t)(r->window[1] - r->window[0]);
     const struct zs_watch_kernel *watch = r->watch;
     if (watch && draw)
         watch->look(r, out);

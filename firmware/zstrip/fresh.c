@@ -5,10 +5,10 @@
  * every key is nearer than ZS_DEPTH_CLEAR; the others as always. A gap between a span and the row's range is cleared,
  * so that it stays one range. With the first triangle for which this does not pay (narrow, with a state, keys found
  * pixel by pixel), or when the strip is done, what is still fresh is cleared. So each pixel is cleared or drawn first, never
- * both, and what is read was written before.
+ * both, and what is read was written before, but beside the columns that are drawn.
  *
- * Where zs_track_columns has only some columns of a strip drawn, wide triangles go part by part as well, and parts beside
- * those columns are left out.
+ * Where zs_track_columns has only some columns of a strip drawn, triangles that reach beside them go part by part as well, and
+ * parts beside are left out (track.c says from what width on).
  *
  * SPDX-License-Identifier: MIT
  */
@@ -28,13 +28,11 @@ void zs_fresh_begin(struct zs_renderer *r)
 
 #else
 
-#define BESIDE 24 /* columns on a side of those that are drawn: splitting rows costs less than so many pixels */
 #define WIDE 128 /* columns; a triangle's rows cost some 40 instructions more here, a fresh pixel 6 less and no clear */
 
 _Static_assert(WIDE * ZS_SUBPX_ONE >= 2 * ZS_TINY, "depth_float.c draws tiny triangles without asking what is fresh");
 
 enum { NONE, ALL, SOME }; /* zs_renderer.fresh: what is fresh of the strip's columns that are drawn; SOME: outside r->drawn */
-enum { FIRST = 1, PART = 2 }; /* zs_job.fresh: it meets fresh pixels; only some columns are drawn */
 
 static ZS_NOINLINE void fill(uint16_t *out, uint16_t value, uint32_t n)
 {
@@ -70,7 +68,7 @@ ZS_NOINLINE void zs_fresh_end(struct zs_renderer *r)
     const int fresh = r->fresh;
     r->fresh = NONE;
     const int32_t x = r->window[0], end = r->window[1];
-    if (fresh == ALL && end - x == width) {
+    if (fresh == ALL && (end - x) * 2 > width) { /* in one go */
         clear(r, 0, width * n);
         return;
     }
@@ -91,10 +89,10 @@ void zs_fresh_row(struct zs_job *job, const struct zs_row *row)
     int32_t x0 = drawn[0], x1 = drawn[1], i0 = row->i0, i1 = row->i1;
     r->was[0] = drawn[0];
     r->was[1] = drawn[1];
-    if (job->fresh != FIRST) {
+    if (job->fresh != ZS_FRESH) {
         i0 = zs_max32(i0, r->window[0]);
         i1 = zs_min32(i1, r->window[1]);
-        if (job->fresh == PART || i0 >= i1)
+        if (job->fresh == ZS_PART || i0 >= i1)
             return;
     }
     if (x0 == x1)
@@ -162,31 +160,14 @@ static int32_t no_bias(const struct zs_job *job)
 static const struct zs_state_kernel zs_fresh_kernel = { no_bias, fresh_span };
 static const struct zs_state fresh = { &zs_fresh_kernel, 0, 0, 0, 0 };
 
-/* A piece of a row that is not drawn. */
-static void beside_span(struct zs_job *job, const struct zs_row *row, int32_t i, int32_t to, uint32_t sum, uint32_t gx)
-{
-    (void)row;
-    (void)sum;
-    (void)gx;
-    job->r->stats.pixels_tested -= (uint32_t)(to - i); /* they are counted by rows */
-}
-
-static const struct zs_state_kernel zs_beside_kernel = { no_bias, beside_span };
-static const struct zs_state beside = { &zs_beside_kernel, 0, 0, 0, 0 };
-
 int32_t zs_fresh_to(struct zs_job *job, const struct zs_row *row, int32_t i, int32_t end)
 {
     const struct zs_renderer *r = job->r;
     const int32_t x0 = r->was[0], x1 = r->was[1];
-    if (job->fresh != FIRST) {
-        job->state = &beside;
-        if (i >= r->window[1])
-            return end;
-        if (i < r->window[0])
-            return zs_min32(end, r->window[0]);
-        end = zs_min32(end, r->window[1]);
-        job->state = 0;
-        if (job->fresh == PART)
+    if (job->fresh != ZS_FRESH) {
+        const struct zs_track_kernel *track = r->track;
+        end = track->part(job, i, end);
+        if (job->state || job->fresh == ZS_PART)
             return end;
     }
     if (i >= x0 && i < x1) {
@@ -203,50 +184,27 @@ int32_t zs_fresh_to(struct zs_job *job, const struct zs_row *row, int32_t i, int
     return end;
 }
 
-/* Columns of a triangle, in the frame or beside it. */
-static void columns(const struct zs_job *job, int32_t *from, int32_t *to)
+/* Is it wide in the frame, or nearly? */
+static int wide(const struct zs_job *job)
 {
     const struct zs_vertex *pool = job->r->vert;
     const int32_t a = pool[job->tri->v[0]].x, b = pool[job->tri->v[1]].x, c = pool[job->tri->v[2]].x;
-    *from = zs_min32(zs_min32(a, b), c);
-    *to = zs_max32(zs_max32(a, b), c);
+    return zs_max32(zs_max32(a, b), c) - zs_min32(zs_min32(a, b), c) >= WIDE * ZS_SUBPX_ONE;
 }
 
-static int may_split(struct zs_job *job)
+int zs_fresh_splits(struct zs_job *job)
 {
-    if (job->state == &fresh || job->state == &beside)
-        job->state = 0;
+    if (job->fresh)
+        job->state = 0; /* it was for a part; one that is split has no other */
     job->fresh = 0;
     return !job->state && !job->r->view.pixelwise;
-}
-
-void zs_fresh_part(struct zs_job *job)
-{
-    int32_t from, to;
-    if (!may_split(job))
-        return;
-    columns(job, &from, &to);
-    if (zs_max32(job->r->window[0] * ZS_SUBPX_ONE - from, to - job->r->window[1] * ZS_SUBPX_ONE) < BESIDE * ZS_SUBPX_ONE)
-        return;
-    job->state = &beside;
-    job->fresh = PART;
-}
-
-/* Can it be split, and is it wide in the frame, or nearly? */
-static int takes(struct zs_job *job)
-{
-    int32_t from, to;
-    if (!may_split(job))
-        return 0;
-    columns(job, &from, &to);
-    return to - from >= WIDE * ZS_SUBPX_ONE;
 }
 
 int zs_fresh_takes(struct zs_job *job)
 {
     struct zs_renderer *r = job->r;
     const int32_t drawn = r->window[1] - r->window[0];
-    if (!takes(job) || (r->fresh == SOME && r->fresh_left == 0)) {
+    if (!zs_fresh_splits(job) || !wide(job) || (r->fresh == SOME && r->fresh_left == 0)) {
         zs_fresh_end(r);
         return 0;
     }
@@ -258,7 +216,7 @@ int zs_fresh_takes(struct zs_job *job)
         r->fresh = SOME;
     }
     job->state = &fresh;
-    job->fresh = drawn < r->config.width ? FIRST | PART : FIRST;
+    job->fresh = drawn < r->config.width ? ZS_FRESH | ZS_PART : ZS_FRESH;
     return 1;
 }
 

@@ -6,8 +6,9 @@
  * than the other's nearest. Keys of an instance lie between those of the nearest and the farthest point of its sphere, by
  * more than what drawn keys are off by (MARGIN, hidden.c). Two whose ranges touch stay as they are in the scene.
  *
- * Instances are collected, up to ZS_ORDER_MAX, and put in order where one of them has a mesh of DENSE triangles or more: for less
- * it does not pay. What has a state is drawn where it stands, after all that come before it.
+ * Instances are collected by the walk, up to ZS_ORDER_MAX, and put in order where one of them has a mesh of DENSE triangles or more
+ * and a shader whose colours cost something: else it does not pay. What has a state is drawn where it stands, after all that come
+ * before it.
  *
  * SPDX-License-Identifier: MIT
  */
@@ -44,6 +45,8 @@ static void extent(int32_t z[2], const struct zs_renderer *r, uint32_t number)
     const int64_t beyond = (int64_t)(size + (reach >> 16) + 16u) + ((8 << 19) >> (zs_min32(r->view.shift, 28) + 3)) + 1;
     z[0] = zs_view_length(&r->view, -at - beyond) - 1;
     z[1] = zs_view_length(&r->view, -at + beyond) + 1;
+    if (z[1] < r->view.z_near || z[0] > r->view.z_far)
+        z[0] = z[1] = INT32_MAX; /* not drawn: behind all others */
 }
 
 /* A key of what is z away, and what drawn keys may be nearer or farther by. */
@@ -55,21 +58,31 @@ static uint16_t key_at(const struct zs_renderer *r, int32_t z, int32_t sign)
     return (uint16_t)zs_hidden_key(r, at.d, sign);
 }
 
-/* Is there one behind one that comes later, and one of the two dense? */
+static int pays(const struct zs_renderer *r, uint32_t number)
+{
+    const struct zs_instance *in = &r->scene->instance[number];
+    return in->mesh->n_tris >= DENSE && in->material->shader->order;
+}
+
+/* Is there one behind one that comes later, and one of the two pays? */
 static int worth_it(const struct zs_renderer *r, int32_t z[][2])
 {
     for (uint32_t i = 0; i < r->n_turns; i++)
         for (uint32_t k = i + 1u; k < r->n_turns; k++)
-            if (z[k][1] < z[i][0] && (r->scene->instance[r->turn[i].number].mesh->n_tris >= DENSE ||
-                                      r->scene->instance[r->turn[k].number].mesh->n_tris >= DENSE))
+            if (z[k][1] < z[i][0] && z[i][0] < INT32_MAX && (pays(r, r->turn[i].number) || pays(r, r->turn[k].number)))
                 return 1;
     return 0;
 }
 
-static ZS_NOINLINE void sort(struct zs_renderer *r)
+static void sort(struct zs_renderer *r)
 {
     struct zs_turn_of *const turn = r->turn;
     int32_t z[ZS_ORDER_MAX][2];
+    uint32_t dense = 0;
+    for (uint32_t i = 0; i < r->n_turns; i++)
+        dense |= (uint32_t)pays(r, turn[i].number);
+    if (!dense)
+        return;
     for (uint32_t i = 0; i < r->n_turns; i++)
         extent(z[i], r, turn[i].number);
     if (!worth_it(r, z))
@@ -84,22 +97,6 @@ static ZS_NOINLINE void sort(struct zs_renderer *r)
     }
 }
 
-uint32_t zs_order_ready(struct zs_renderer *r)
-{
-    const uint32_t n = r->n_turns;
-    if (n > 1u && r->dense && !(r->config.skip_off & ZS_SKIP_ORDER))
-        sort(r);
-    r->n_turns = 0;
-    r->dense = 0;
-    return n;
-}
-
-int zs_order_add(struct zs_renderer *r, uint32_t number)
-{
-    const struct zs_instance *in = &r->scene->instance[number];
-    r->turn[r->n_turns++].number = (uint16_t)number;
-    r->dense |= in->mesh->n_tris >= DENSE;
-    return r->n_turns == ZS_ORDER_MAX;
-}
+const struct zs_order_kernel zs_order_front = { sort };
 
 #endif

@@ -20,6 +20,7 @@ struct zs_job;
 struct zs_row;
 struct zs_bounds;
 
+struct zs_order_kernel;
 struct zs_shader {
     /* Attributes of a vertex: out[n_attrs]. NULL: none. */
     void (*vertex)(const struct zs_renderer *r, uint32_t v, uint16_t *out);
@@ -50,6 +51,15 @@ struct zs_shader {
     int (*small)(struct zs_job *job);
 #endif
     uint8_t n_attrs;
+#if !ZS_LEAN
+    const struct zs_order_kernel *order; /* colours cost enough for what is in front to be drawn first; NULL: they do not */
+#endif
+};
+
+/* In which order instances are drawn: linked with shaders that name it. */
+struct zs_order_kernel {
+    /* r->turn[0 .. r->n_turns - 1], none with a state, as they are drawn. */
+    void (*sort)(struct zs_renderer *r);
 };
 
 /* What has changed since it was given out last: linked where zs_watch is named. */
@@ -68,9 +78,15 @@ struct zs_track_kernel {
     /* zs_frame_check, or less where nothing differs; finds the strips that are due; lowers draw_end. May set r->scene. */
     int (*check)(struct zs_renderer *r, const struct zs_scene *scene);
     int (*due)(struct zs_renderer *r);                  /* 0: r->strip need not be drawn; passes on. 1: sets r->window */
+    void (*forget)(struct zs_renderer *r, const struct zs_rect *rect);      /* NULL: all */
+#if !ZS_LEAN
     /* Rows and columns of the walk's strips that the instance may be in and that are due. 0: there are none. */
     int (*touches)(const struct zs_renderer *r, uint32_t number, struct zs_part *part);
-    void (*forget)(struct zs_renderer *r, const struct zs_rect *rect);      /* NULL: all */
+    /* A triangle of a strip of which only r->window is drawn: shall its rows go part by part? Then job->fresh is set. */
+    void (*split)(struct zs_job *job);
+    /* Where the part ends that begins at pixel i of such a row, at most at `end`: job->state is 0 where it is drawn. */
+    int32_t (*part)(struct zs_job *job, int32_t i, int32_t end);
+#endif
 };
 
 /* Which clusters of a mesh need not be drawn: of zs_mesh.cluster_kernel. */
@@ -226,7 +242,7 @@ void zs_xform_vertex(const struct zs_xform *xf, uint32_t v, struct zs_point *out
 /* enum zs_outcode, or-ed; 0: inside near, far and guard. */
 uint32_t zs_xform_outcode(const struct zs_view *view, const struct zs_point *p);
 /* Screen position and depth. Return 1; 0 where the point is before near, beyond far (*out is not of use
- * then) or beside the guard band (*out is then just beside it). The lean build is asked only for points inside. */
+ * then) or beside the guard band (*out is then just beside it). The lean build does not say which. */
 #if ZS_LEAN
 void zs_xform_project(const struct zs_renderer *r, const struct zs_point *p, struct zs_vertex *out);
 #else
@@ -252,10 +268,9 @@ int zs_clip_polygon(const struct zs_view *view, struct zs_clip_vertex *v, int n,
 
 /* ---- order.c ---------------------------------------------------------------------------------------- */
 
-/* Another instance of the walk, without a state. Return 1: no more are taken. */
-int zs_order_add(struct zs_renderer *r, uint32_t number);
-/* Put those that were added in the order in which they are drawn: r->turn[0 .. n - 1]. Return n; then none is there any more. */
-uint32_t zs_order_ready(struct zs_renderer *r);
+#if !ZS_LEAN
+extern const struct zs_order_kernel zs_order_front;
+#endif
 
 /* ---- bin.c ------------------------------------------------------------------------------------------ */
 
@@ -407,8 +422,9 @@ void zs_fresh_begin(struct zs_renderer *r);
 void zs_fresh_end(struct zs_renderer *r);
 /* While r->fresh: 1: job->tri can be drawn on what is fresh, job->state says how; 0: nothing is fresh any more. */
 int zs_fresh_takes(struct zs_job *job);
-/* While !r->fresh, in a strip of which only some columns are drawn. */
-void zs_fresh_part(struct zs_job *job);
+/* 1: rows of job->tri may go part by part; job->state is what it was before. */
+int zs_fresh_splits(struct zs_job *job);
+enum { ZS_FRESH = 1, ZS_PART = 2 }; /* job->fresh: it meets fresh pixels; only r->window is drawn */
 /* Where job->fresh: before the pieces of a row, once; then where the part ends that begins at pixel i of it, at most at
  * `end`: job->state says how to draw that. Linear or not, keys are those of the whole piece. */
 void zs_fresh_row(struct zs_job *job, const struct zs_row *row);

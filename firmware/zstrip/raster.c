@@ -1,7 +1,7 @@
 /* A strip's triangles: lists, wide set-up, edges.
  *
- * Lists are kept in pool order, which is scene order, so that "nearer wins" with a strict comparison
- * is "least (key, scene order) wins".
+ * Lists are kept in pool order, which is scene order but for instances that have no key in common (order.c), so that "nearer
+ * wins" with a strict comparison is "least (key, scene order) wins".
  *
  * Edges. The span of row j, sampled at Y = 256 j + 128, is [first sample at or right of the left edge,
  * first sample at or right of the right edge): samples on a left edge are in, on a right edge out;
@@ -453,7 +453,8 @@ void zs_raster_strip(struct zs_renderer *r)
         seen = 0;
         in_vain = INT32_MIN;
     }
-    const int part = r->window[1] - r->window[0] < r->config.width;
+    const int part = r->window[1] - r->window[0] < r->config.width; /* then there is a track */
+    const struct zs_track_kernel *track = r->track;
     while (list != ZS_NIL) {
         struct zs_tri *t = &r->tri[list];
         job.tri = t;
@@ -470,6 +471,7 @@ void zs_raster_strip(struct zs_renderer *r)
             number = t->instance;
             job.shader = instance->material->shader;
             job.state = instance->state;
+            job.fresh = 0;
             small = ZS_DIVIDES && !r->fresh && r->view.piece_shift && !job.state && job.shader->small;
         }
         const struct zs_shader *shader = job.shader;
@@ -478,7 +480,7 @@ void zs_raster_strip(struct zs_renderer *r)
                 number = ZS_NIL; /* small triangles from now on */
             if (!(small && shader->small(&job))) {
                 if (part && !r->fresh)
-                    zs_fresh_part(&job);
+                    track->split(&job);
                 if (job_setup(&job))
                     draw(&job);
             }

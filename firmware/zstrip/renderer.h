@@ -13,7 +13,7 @@ struct zs_vertex {
                      >= 0xffffff00: not projected, its triangles are clipped */
 };
 
-/* A triangle that waits for its strip, in the triangle pool; the pool's order is scene order. */
+/* A triangle that waits for its strip, in the triangle pool; the pool's order is that of the walk. */
 struct zs_tri {
     uint16_t v[3];     /* in the vertex pool: the top one, of two the left one, then clockwise */
 #if !ZS_LEAN
@@ -190,8 +190,8 @@ struct zs_renderer { /* what is used most comes first: a Cortex-M0 reaches 31 by
     uint32_t fresh_left;          /* how many pixels hold none, where some do */
 #endif
 #if !ZS_LEAN
-    struct zs_turn_of turn[ZS_ORDER_MAX]; /* [n_turns] */
-    uint8_t n_turns, dense;       /* dense: one of them has many triangles */
+    struct zs_turn_of turn[ZS_ORDER_MAX + 1]; /* one more, which has a state and is the last */
+    uint8_t n_turns;              /* while they are put in order */
     uint16_t group;               /* the next that the walk comes to */
     uint16_t group_slack;         /* world units that their spheres are taken to be larger by */
     uint16_t edge_of[4];          /* what edge[] holds: rows [0] .. [1] - 1 are drawn, and columns [2] .. [3] - 1 */

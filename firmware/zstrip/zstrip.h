@@ -309,8 +309,8 @@ enum zs_skip {
     ZS_SKIP_HIDDEN = 32,  /* triangles behind large ones that cover their part of a strip */
     ZS_SKIP_CLEAR = 64,   /* clearing pixels that wide triangles are drawn on first */
     ZS_SKIP_TEST = 128,   /* comparing keys where nothing was drawn before */
-    ZS_SKIP_BEHIND = 256, /* instances whose box lies behind large triangles that come before them in the scene */
-    ZS_SKIP_CLUSTER = 512, /* clusters whose sphere is outside the view, or the strips that are to be drawn */
+    ZS_SKIP_BEHIND = 256, /* instances whose box lies behind large triangles of what is drawn before them */
+    ZS_SKIP_CLUSTER = 512, /* clusters whose sphere is outside the view, or what is to be drawn of it */
     ZS_SKIP_CONE = 1024,  /* clusters that turn their backs */
     ZS_SKIP_GROUP = 2048, /* groups of instances outside the view */
     ZS_SKIP_ROWS = 4096,  /* second walks: meshes with clusters whose sphere is outside the strips that are to be drawn */
@@ -381,7 +381,7 @@ struct zs_stats {
     uint32_t instances_in, instances_culled; /* culled: the sphere is outside the view, or ... Those of a culled group, and
                                  their triangles, are not counted */
     uint32_t instances_hidden; /* ... these of them: behind large triangles of instances drawn before them */
-    uint32_t instances_earlier; /* drawn before an instance that comes before them in the scene */
+    uint32_t instances_earlier; /* put before an instance that comes before them in the scene (ZS_SKIP_ORDER) */
     uint32_t clusters_in, clusters_culled; /* of the instances that were not culled; culled: outside or turned away */
     uint32_t tris_in;         /* in all instances */
     uint32_t tris_drawn;      /* binned, whole or in clipped pieces */
@@ -389,7 +389,7 @@ struct zs_stats {
     uint32_t tris_cluster;    /* in culled clusters */
     uint32_t tris_near;       /* wholly before near, or nothing left of them by it */
     uint32_t tris_far;        /* wholly beyond far */
-    uint32_t tris_offscreen;  /* beside the frame or beyond the guard band */
+    uint32_t tris_offscreen;  /* beside the frame or the columns that are drawn, or beyond the guard band */
     uint32_t tris_facing;     /* the culled face */
     uint32_t tris_zero;       /* no area after snapping, or one vertex three times */
     uint32_t tris_empty;      /* no sample in the bounding box */
@@ -527,17 +527,18 @@ int zs_watch(struct zs_renderer *r, uint64_t *sum, uint32_t columns);
 int zs_track(struct zs_renderer *r, uint32_t *memory, uint32_t n_instances);
 
 /* The same by columns as well: of a strip that zs_track has drawn, only the columns that an instance which differs could reach
- * are sure to be drawn. So one moving thing costs its own rectangle, and of others what lies in it; but a triangle that lies in
- * it in part is drawn whole.
+ * are sure to be drawn. So one moving thing costs its own rectangle, and of others what lies in it: of wide triangles that part
+ * alone; small ones, those with a state, and all under zs_depth_linear in perspective are drawn whole.
  *
  * on       0: whole strips again, as after zs_track.
  * Yours    a sink that sends changed_x and changed_w alone: px and depth hold something else beside them. Only so much is
  *          drawn besides that the range can be widened to multiples of ZS_TRACK_GRAIN, or the frame's end; of drawn
  *          columns zs_watch compares those of its own that lie in them wholly.
  * Exact    as zs_track: the columns given out are those of a full frame, bit for bit.
- * Cost     as zs_track, and 2,000 instructions more for an instance that differs, 25 for a triangle in a strip that is drawn
- *          in part.
- * Return   ZS_OK; ZS_ERR_NULL; ZS_ERR_STATE (zs_track is not on, or a frame is open). zs_track and zs_init end it. */
+ * Cost     as zs_track, and 2,000 instructions more for an instance that differs, 25 to 80 for a triangle in a strip that is
+ *          drawn in part. Where things that move fill most of the frame, whole strips are a little cheaper.
+ * Return   ZS_OK; ZS_ERR_NULL; ZS_ERR_STATE (zs_track is not on, or a frame is open). zs_track and zs_init end it. With
+ *          ZS_LEAN whole strips are drawn all the same. */
 #define ZS_TRACK_GRAIN 8u /* px: a byte or page of any panel's RAM */
 int zs_track_columns(struct zs_renderer *r, int on);
 

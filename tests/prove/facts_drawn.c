@@ -49,6 +49,7 @@ static void new_strip(int32_t w, int32_t h, int32_t strip, int32_t cut)
     rows = h - cut;
     y0 = strip * h;
     r.config.width = (uint16_t)w;
+    r.window[1] = (uint16_t)w;
     r.config.strip_h = (uint16_t)h;
     r.config.height = (uint16_t)(y0 + rows);
     r.strip = (uint16_t)strip;

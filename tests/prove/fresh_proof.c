@@ -28,6 +28,8 @@ static void strip(int32_t width)
     renderer.config.strip_h = ROWS;
     renderer.config.height = 2 * ROWS;
     renderer.config.skip_off = 0;
+    renderer.window[0] = 0;
+    renderer.window[1] = (uint16_t)width;
     renderer.strip = 1;
     renderer.color[0] = renderer.color[1] = color;
     renderer.depth = depth;
@@ -61,6 +63,7 @@ static void row_of(int32_t y, int32_t x0, int32_t x1, int32_t i0, int32_t i1)
     drawn[y][0] = (int16_t)x0;
     drawn[y][1] = (int16_t)x1;
     renderer.fresh_left = ROWS * WIDTH;
+    job.fresh = ZS_FRESH;
     zs_fresh_row(&job, &row);
     ASSERT(drawn[y][0] == lo && drawn[y][1] == hi);
     ASSERT(renderer.fresh_left == ROWS * WIDTH - (uint32_t)(hi - lo - (x1 - x0)));
@@ -95,6 +98,7 @@ void fresh_parts(void)
                     renderer.was[0] = (int16_t)x0;
                     renderer.was[1] = (int16_t)any_i32(x0, 6);
                     job.r = &renderer;
+                    job.fresh = ZS_FRESH;
                     job.depth = line;
                     const int32_t to = zs_fresh_to(&job, &row, i, end);
                     ASSERT(to > i && to <= end);
@@ -124,6 +128,66 @@ static void piece_of(int32_t i, int32_t n, int saturates)
     fresh_span(&job, &row, i, i + n, any_u32(0, UINT32_MAX), any_u32(0, UINT32_MAX));
     cells(0, LONG + i, 0);
     cells(LONG + i + n, ROWS * LONG, 0);
+}
+
+/* PROVE window_rows -eva-min-loop-unroll=80: a row of 5 columns of which a window is drawn, any; every range of it drawn,
+ * every span: the same as a row of the window's own, if it meets fresh pixels; nothing beside the window; else nothing at all */
+void window_rows(void)
+{
+    for (int32_t w0 = 0; w0 < WIDTH; w0++)
+        for (int32_t w1 = w0 + 1; w1 <= WIDTH; w1++)
+            for (int32_t x0 = w0; x0 <= w1; x0++)
+                for (int32_t x1 = x0; x1 <= w1; x1++)
+                    for (int32_t i0 = 0; i0 < WIDTH; i0++)
+                        for (int32_t i1 = i0 + 1; i1 <= WIDTH; i1++)
+                            for (int first = 0; first < 2; first++) {
+                                const struct zs_row row = { ROWS + 1, WIDTH, 0, i0, i1, i0, i1 };
+                                const int32_t a = zs_max32(i0, w0), b = zs_min32(i1, w1);
+                                const int32_t lo = x0 == x1 ? a : zs_min32(x0, a), hi = x0 == x1 ? b : zs_max32(x1, b);
+                                const int moves = first && a < b;
+                                strip(WIDTH);
+                                renderer.window[0] = (uint16_t)w0;
+                                renderer.window[1] = (uint16_t)w1;
+                                drawn[1][0] = (int16_t)x0;
+                                drawn[1][1] = (int16_t)x1;
+                                renderer.fresh_left = ROWS * WIDTH;
+                                job.fresh = first ? ZS_FRESH | ZS_PART : ZS_PART;
+                                zs_fresh_row(&job, &row);
+                                ASSERT(drawn[1][0] == (moves ? lo : x0) && drawn[1][1] == (moves ? hi : x1));
+                                for (int32_t x = 0; x < WIDTH; x++)
+                                    cells(WIDTH + x, WIDTH + x + 1,
+                                          moves && x0 < x1 && ((x >= x1 && x < a) || (x >= b && x < x0)));
+                                cells(0, WIDTH, 0);
+                                cells(2 * WIDTH, ROWS * LONG, 0);
+                            }
+}
+
+/* PROVE window_ends -eva-min-loop-unroll=80: strips of 3 rows of 5 columns of which a window is drawn, any, and of it any range
+ * of one row, or nothing: what is not drawn of the window is cleared; beside it nothing that was drawn changes */
+void window_ends(void)
+{
+    for (int32_t w0 = 0; w0 < WIDTH; w0++)
+        for (int32_t w1 = w0 + 1; w1 <= WIDTH; w1++)
+            for (int32_t x0 = w0; x0 <= w1; x0++)
+                for (int32_t x1 = x0; x1 <= w1; x1++)
+                    for (int fresh = ALL; fresh <= SOME; fresh++) {
+                        strip(WIDTH);
+                        renderer.window[0] = (uint16_t)w0;
+                        renderer.window[1] = (uint16_t)w1;
+                        for (int32_t k = 0; k < ROWS; k++) {
+                            drawn[k][0] = (int16_t)(k == 1 ? x0 : w0);
+                            drawn[k][1] = (int16_t)(k == 1 ? x1 : w0);
+                        }
+                        renderer.fresh = (uint8_t)fresh;
+                        renderer.fresh_left = 1;
+                        zs_fresh_end(&renderer);
+                        for (int32_t k = 0; k < ROWS * WIDTH; k++) {
+                            const int32_t x = k % WIDTH, y = k / WIDTH;
+                            if (x >= w0 && x < w1)
+                                cells(k, k + 1, fresh == ALL || y != 1 || x < x0 || x >= x1);
+                        }
+                        cells(ROWS * WIDTH, ROWS * LONG, 0);
+                    }
 }
 
 /* PROVE fresh_pieces -eva-min-loop-unroll=80: pieces of 1 .. 20 pixels at four places and at the row's end, any
