@@ -1091,29 +1091,24 @@ ZS_RARE void zs_bin_walk(struct zs_renderer *r)
         walk_instance(r, i);
 #else
     const struct zs_scene *scene = r->scene;
-    const struct zs_order_kernel *order = 0;
     for (uint32_t i = 0, n = 0, left = 1; left;) {
         i = zs_cull_next(r, scene, i);
         left = i < scene->n_instances;
         const int as_it_stands = left && scene->instance[i].state;
         if (left && !as_it_stands) {
-            const struct zs_shader *shader = scene->instance[i].material->shader;
-            if (shader->order)
-                order = shader->order;
-            r->turn[n++].number = (uint16_t)i++;
+            r->turn[n++] = (uint16_t)i++;
             if (n < ZS_ORDER_MAX)
                 continue;
         }
         r->n_turns = (uint8_t)n;
-        if (n > 1u && order && !(r->config.skip_off & ZS_SKIP_ORDER))
-            order->sort(r);
+        if (n > 1u && !(r->config.skip_off & ZS_SKIP_ORDER))
+            zs_order_sort(r);
         r->n_turns = 0;
         if (as_it_stands)
-            r->turn[n++].number = (uint16_t)i++;
+            r->turn[n++] = (uint16_t)i++;
         for (uint32_t k = 0; k < n; k++)
-            walk_instance(r, r->turn[k].number);
+            walk_instance(r, r->turn[k]);
         n = 0;
-        order = 0;
     }
 #endif
     high_water(r);

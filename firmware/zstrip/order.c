@@ -6,9 +6,8 @@
  * than the other's nearest. Keys of an instance lie between those of the nearest and the farthest point of its sphere, by
  * more than what drawn keys are off by (MARGIN, hidden.c). Two whose ranges touch stay as they are in the scene.
  *
- * Instances are collected by the walk, up to ZS_ORDER_MAX, and put in order where one of them has a mesh of DENSE triangles or more
- * and a shader whose colours cost something: else it does not pay. What has a state is drawn where it stands, after all that come
- * before it.
+ * Instances are collected by the walk, up to ZS_ORDER_MAX, and put in order where one of them has a mesh of DENSE triangles or more:
+ * for less it does not pay. What has a state is drawn where it stands, after all that come before it.
  *
  * SPDX-License-Identifier: MIT
  */
@@ -60,8 +59,7 @@ static uint16_t key_at(const struct zs_renderer *r, int32_t z, int32_t sign)
 
 static int pays(const struct zs_renderer *r, uint32_t number)
 {
-    const struct zs_instance *in = &r->scene->instance[number];
-    return in->mesh->n_tris >= DENSE && in->material->shader->order;
+    return r->scene->instance[number].mesh->n_tris >= DENSE;
 }
 
 /* Is there one behind one that comes later, and one of the two pays? */
@@ -69,34 +67,35 @@ static int worth_it(const struct zs_renderer *r, int32_t z[][2])
 {
     for (uint32_t i = 0; i < r->n_turns; i++)
         for (uint32_t k = i + 1u; k < r->n_turns; k++)
-            if (z[k][1] < z[i][0] && z[i][0] < INT32_MAX && (pays(r, r->turn[i].number) || pays(r, r->turn[k].number)))
+            if (z[k][1] < z[i][0] && z[i][0] < INT32_MAX && (pays(r, r->turn[i]) || pays(r, r->turn[k])))
                 return 1;
     return 0;
 }
 
-static void sort(struct zs_renderer *r)
+void zs_order_sort(struct zs_renderer *r)
 {
-    struct zs_turn_of *const turn = r->turn;
+    uint16_t *const turn = r->turn, near[ZS_ORDER_MAX]; /* nearest keys, in the order of turn */
     int32_t z[ZS_ORDER_MAX][2];
     uint32_t dense = 0;
     for (uint32_t i = 0; i < r->n_turns; i++)
-        dense |= (uint32_t)pays(r, turn[i].number);
-    if (!dense)
+        dense += (uint32_t)pays(r, turn[i]);
+    if (dense == 0)
         return;
     for (uint32_t i = 0; i < r->n_turns; i++)
-        extent(z[i], r, turn[i].number);
+        extent(z[i], r, turn[i]);
     if (!worth_it(r, z))
         return;
     for (uint32_t i = 0; i < r->n_turns; i++) {
-        const struct zs_turn_of now = { turn[i].number, key_at(r, z[i][0], -1), key_at(r, z[i][1], 1) };
+        const uint16_t number = turn[i], nearest = key_at(r, z[i][0], -1), farthest = key_at(r, z[i][1], 1);
         uint32_t k = i;
-        for (; k > 0 && now.farthest < turn[k - 1u].nearest; k--)
+        for (; k > 0 && farthest < near[k - 1u]; k--) {
             turn[k] = turn[k - 1u];
-        turn[k] = now;
+            near[k] = near[k - 1u];
+        }
+        turn[k] = number;
+        near[k] = nearest;
         r->stats.instances_earlier += r->counting && k < i;
     }
 }
-
-const struct zs_order_kernel zs_order_front = { sort };
 
 #endif

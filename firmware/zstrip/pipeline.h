@@ -20,7 +20,6 @@ struct zs_job;
 struct zs_row;
 struct zs_bounds;
 
-struct zs_order_kernel;
 struct zs_shader {
     /* Attributes of a vertex: out[n_attrs]. NULL: none. */
     void (*vertex)(const struct zs_renderer *r, uint32_t v, uint16_t *out);
@@ -51,15 +50,6 @@ struct zs_shader {
     int (*small)(struct zs_job *job);
 #endif
     uint8_t n_attrs;
-#if !ZS_LEAN
-    const struct zs_order_kernel *order; /* colours cost enough for what is in front to be drawn first; NULL: they do not */
-#endif
-};
-
-/* In which order instances are drawn: linked with shaders that name it. */
-struct zs_order_kernel {
-    /* r->turn[0 .. r->n_turns - 1], none with a state, as they are drawn. */
-    void (*sort)(struct zs_renderer *r);
 };
 
 /* What has changed since it was given out last: linked where zs_watch is named. */
@@ -268,9 +258,8 @@ int zs_clip_polygon(const struct zs_view *view, struct zs_clip_vertex *v, int n,
 
 /* ---- order.c ---------------------------------------------------------------------------------------- */
 
-#if !ZS_LEAN
-extern const struct zs_order_kernel zs_order_front;
-#endif
+/* Put r->turn[0 .. r->n_turns - 1], none with a state, in the order in which they are drawn. */
+void zs_order_sort(struct zs_renderer *r);
 
 /* ---- bin.c ------------------------------------------------------------------------------------------ */
 

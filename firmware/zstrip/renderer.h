@@ -111,12 +111,7 @@ struct zs_lit {
     uint16_t color[ZS_LIT_COLORS];
 };
 
-#define ZS_ORDER_MAX 16u
-/* An instance that waits to be drawn (order.c). */
-struct zs_turn_of {
-    uint16_t number;
-    uint16_t nearest, farthest; /* its keys lie between */
-};
+#define ZS_ORDER_MAX 16u /* instances that are put in order at a time (order.c) */
 
 /* A large triangle, as its bounds need it (hidden.c). */
 struct zs_cover {
@@ -190,7 +185,7 @@ struct zs_renderer { /* what is used most comes first: a Cortex-M0 reaches 31 by
     uint32_t fresh_left;          /* how many pixels hold none, where some do */
 #endif
 #if !ZS_LEAN
-    struct zs_turn_of turn[ZS_ORDER_MAX + 1]; /* one more, which has a state and is the last */
+    uint16_t turn[ZS_ORDER_MAX + 1]; /* their numbers, as they are drawn; one more, which has a state, is the last */
     uint8_t n_turns;              /* while they are put in order */
     uint16_t group;               /* the next that the walk comes to */
     uint16_t group_slack;         /* world units that their spheres are taken to be larger by */

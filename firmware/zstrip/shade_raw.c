@@ -15,5 +15,5 @@ static uint16_t raw_face(const struct zs_renderer *r, uint32_t t)
 const struct zs_shader zs_shade_raw = { 0, raw_face, 0, zs_solid_run, 0, 0, 0 };
 #else
 const struct zs_shader zs_shade_raw = { 0, raw_face, zs_solid_rows, 0, zs_solid_span, zs_solid_run, 0, 0,
-                                         zs_small_draw, 0, 0 };
+                                         zs_small_draw, 0 };
 #endif

@@ -302,6 +302,5 @@ static void smooth_run(struct zs_job *job, const struct zs_row *row, int32_t r0,
 const struct zs_shader zs_shade_smooth = { smooth_vertex, 0, smooth_start, smooth_run, smooth_check, 0, ZS_ATTRS_SMOOTH };
 #else
 const struct zs_shader zs_shade_smooth = { smooth_vertex, 0, smooth_rows, smooth_start,
-                                           zs_persp_span, smooth_run, smooth_check, 0, 0, ZS_ATTRS_SMOOTH,
-                                           &zs_order_front };
+                                           zs_persp_span, smooth_run, smooth_check, 0, 0, ZS_ATTRS_SMOOTH };
 #endif

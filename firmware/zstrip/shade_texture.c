@@ -653,12 +653,12 @@ static void texture_rows(struct zs_job *job)
 }
 
 const struct zs_shader zs_shade_texture = { texture_vertex, no_face, texture_rows, texture_start, zs_persp_span, texture_run,
-                                            texture_check, 0, zs_small_texture, ZS_ATTRS_TEXTURE, &zs_order_front };
+                                            texture_check, 0, zs_small_texture, ZS_ATTRS_TEXTURE };
 const struct zs_shader zs_shade_texture_flat = { texture_vertex, flat_face, texture_rows, texture_start,
                                                  zs_persp_span, texture_run, texture_check, light, zs_small_texture_lit,
-                                                 ZS_ATTRS_TEXTURE, &zs_order_front };
+                                                 ZS_ATTRS_TEXTURE };
 const struct zs_shader zs_shade_texture_smooth = { smooth_vertex, no_face, texture_rows, texture_start,
                                                    zs_persp_span, texture_run, smooth_check, light, zs_small_texture_lit,
-                                                   ZS_ATTRS_TEXTURE_SMOOTH, &zs_order_front };
+                                                   ZS_ATTRS_TEXTURE_SMOOTH };
 
 #endif
