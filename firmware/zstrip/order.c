@@ -6,8 +6,8 @@
  * than the other's nearest. Keys of an instance lie between those of the nearest and the farthest point of its sphere, by
  * more than what drawn keys are off by (MARGIN, hidden.c). Two whose ranges touch stay as they are in the scene.
  *
- * Instances are collected by the walk, up to ZS_ORDER_MAX, and put in order where one of them has a mesh of DENSE triangles or more:
- * for less it does not pay. What has a state is drawn where it stands, after all that come before it.
+ * Instances are collected by the walk, up to ZS_ORDER_MAX, and put in order where one of them has a mesh of ZS_ORDER_DENSE
+ * triangles or more: for less it does not pay. What has a state is drawn where it stands, after all that come before it.
  *
  * SPDX-License-Identifier: MIT
  */
@@ -17,7 +17,9 @@
 
 #if !ZS_LEAN
 
-#define DENSE 200u /* triangles; order takes 200 instructions an instance, and 300 more where there is something to be moved */
+#ifndef ZS_ORDER_DENSE
+#define ZS_ORDER_DENSE 200u /* triangles; tests take less. Order takes 200 instructions an instance, 300 more if any is moved */
+#endif
 
 /* Camera units between which an instance lies, as zs_cull_walk has it, but for one axis alone. */
 static void extent(int32_t z[2], const struct zs_renderer *r, uint32_t number)
@@ -59,7 +61,7 @@ static uint16_t key_at(const struct zs_renderer *r, int32_t z, int32_t sign)
 
 static int pays(const struct zs_renderer *r, uint32_t number)
 {
-    return r->scene->instance[number].mesh->n_tris >= DENSE;
+    return r->scene->instance[number].mesh->n_tris >= ZS_ORDER_DENSE;
 }
 
 /* Is there one behind one that comes later, and one of the two pays? */
