@@ -384,6 +384,8 @@ static int bench(const struct demo *d)
         run(&r);
     line(d, "one-strip", &one, &r);
     failed += disagrees(&r, checksum);
+    if (d == &demo_crowd_ftb || d == &demo_crowd_btf)
+        return failed; /* for their order alone; little RAM would take dozens of passes */
     return failed + bench_bars(d, &most, checksum);
 }
 

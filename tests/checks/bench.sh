@@ -251,8 +251,10 @@ awk -F, '
             "setups", "instr", "a tri", "a frag", "strip", "arena", "64 KB", "instr", "passes", "RAM", "checksum"
         for (i = 1; i <= n; i++) {
             split(one[order[i]], a, ","); split(small[order[i]], s, ",")
-            printf "%-15s %6d %6d %7d %7d %7.2fM %7.0f %7.1f %6.3f %7d | %7s %7.2fM %6d %6d  %s\n", a[1], a[6], a[7],
-                a[10], a[8], a[13] / 1e6, a[14], a[15], a[13] / strip[a[1]], a[11], s[2], s[13] / 1e6, s[5], s[17], a[12]
+            printf "%-15s %6d %6d %7d %7d %7.2fM %7.0f %7.1f %6.3f %7d | ", a[1], a[6], a[7], a[10], a[8], a[13] / 1e6,
+                a[14], a[15], a[13] / strip[a[1]], a[11]
+            if (s[2] != "") printf "%7s %7.2fM %6d %6d  %s\n", s[2], s[13] / 1e6, s[5], s[17], a[12]
+            else printf "%7s %8s %6s %6s  %s\n", "-", "-", "-", "-", a[12]
         }
     }' "$out/mps2.csv"
 
