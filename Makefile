@@ -5,7 +5,7 @@ CFLAGS = -O2 -g
 WARN = -Wall -Wextra -Werror -Wconversion -Wshadow -Wvla -Wstrict-prototypes \
        -Wmissing-prototypes -Wdouble-promotion -Wno-missing-field-initializers
 INC = -Ifirmware/zstrip -Ifirmware/scenes -Ihal -Ihal/panel -Ihal/fault -I$(B)/gen -Isim -Isim/reference -Isim/panel_model
-CORE = $(wildcard firmware/zstrip/*.c)
+CORE = $(wildcard firmware/zstrip/*/*.c)
 SCENES = $(wildcard firmware/scenes/*.c)
 PANELS = $(wildcard hal/panel/*.c)
 SIM = $(wildcard sim/*.c sim/reference/*.c sim/panel_model/*.c) firmware/scenes/gen/font.c
@@ -15,7 +15,7 @@ GEN = $(wildcard firmware/scenes/gen/*.c)
 GPIOD = $(firstword $(subst ., ,$(shell pkg-config --modversion libgpiod 2>/dev/null)))
 LINUX = $(filter-out hal/linux/gpio_v%,$(wildcard hal/linux/*.c)) $(wildcard sim/linux/*.c)
 LINUX_SIM = $(wildcard sim/panel_model/*.c) sim/option_table.c sim/panel_bus.c sim/panel_frame.c sim/sim.c sim/value.c
-HEADERS = $(wildcard firmware/*/*.h firmware/scenes/gen/*.h hal/*.h hal/*/*.h sim/*.h sim/*/*.h tests/*.h tests/*/*.h)
+HEADERS = $(wildcard firmware/*/*.h firmware/zstrip/*/*.h firmware/scenes/gen/*.h hal/*.h hal/*/*.h sim/*.h sim/*/*.h tests/*.h tests/*/*.h)
 LIBS = -lassimp -lmeshoptimizer -lpng -lturbojpeg -lm -pthread
 
 # Debian packages: what the simulator and zstrip-linux are built from, and what tests and fuzzers need besides

@@ -9,7 +9,7 @@
 #include "budget.h"
 #include "frame.h"
 #include "model.h"
-#include "pipeline.h"
+#include "core/pipeline.h"
 #include "quantise.h"
 #include "record_sizes.h"
 #include "scenes.h"

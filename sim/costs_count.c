@@ -9,7 +9,7 @@
 
 #include "costs.h"
 #include "frame.h"
-#include "persp.h"
+#include "shade/persp.h"
 #include "sim.h"
 
 #define SIM_COST_NAME(name, stage, what) { #name, stage, what },

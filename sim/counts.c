@@ -12,7 +12,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "rows.h"
+#include "core/rows.h"
 #include "sim.h"
 
 /* What renderers see of it is `depth`. */

@@ -10,7 +10,7 @@ SAN='-fsanitize=address,undefined -fno-sanitize-recover=all'
 set -- "$build/test/zsim" "$build/test/convert"
 . tests/cli/common.sh
 gcc -O1 -Wall -Wextra -Werror -I"$top/firmware/zstrip" -I"$build/gen" "$top/tests/convert/make.c" \
-    "$top"/firmware/zstrip/*.c "$build/libmeshes.a" -lpng -lturbojpeg -lm -o make || exit 1
+    "$top"/firmware/zstrip/*/*.c "$build/libmeshes.a" -lpng -lturbojpeg -lm -o make || exit 1
 
 below() { # WHAT HAVE LIMIT
     awk -v a="$2" -v b="$3" 'BEGIN { exit !(a == a + 0 && a + 0 < b + 0) }' || wrong "$1 is $2, not below $3"

@@ -9,7 +9,7 @@
 #include <string.h>
 
 #include "oracle.h"
-#include "pipeline.h"
+#include "core/pipeline.h"
 
 struct easel easel_default(int32_t width, int32_t height)
 {

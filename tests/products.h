@@ -6,7 +6,7 @@
 #ifndef TESTS_PRODUCTS_H
 #define TESTS_PRODUCTS_H
 
-#include "fx.h"
+#include "core/fx.h"
 #include "prng.h"
 
 static inline int wide_pair_right(uint32_t a, uint32_t b)

@@ -36,7 +36,7 @@ int main(void)
 }
 MAIN
 gcc -std=c11 -Wall -Wextra -Werror -Wconversion -Ifirmware/zstrip -I"$out" "$out/main.c" \
-    firmware/zstrip/*.c -o "$out/example"
+    firmware/zstrip/*/*.c -o "$out/example"
 # shellcheck disable=SC2046
 set -- $("$out/example")
 [ "$lines" -le 40 ] && echo "ok readme_example_is_$lines""_lines" || echo "FAILED readme_example: $lines lines"
@@ -70,7 +70,7 @@ int main(void)
 }
 MAIN
 gcc -std=c11 -Wall -Wextra -Werror -Wconversion -Ifirmware/zstrip -Ihal -Ihal/panel -I"$out" "$out/panel_main.c" \
-    firmware/zstrip/*.c hal/panel/*.c hal/null/*.c -o "$out/panel_example"
+    firmware/zstrip/*/*.c hal/panel/*.c hal/null/*.c -o "$out/panel_example"
 said=$("$out/panel_example")
 [ "$said" = "0 15" ] && echo "ok readme_panel_example" || echo "FAILED readme_panel_example: $said"
 
@@ -104,7 +104,7 @@ follow() { # NAME LEAST-PIXELS MOST-PIXELS COLOURS    MODEL.obj and what belongs
 }
 build=$(cd "$build" && pwd)
 make=$out/make
-gcc -O1 -Ifirmware/zstrip -I"$build/gen" tests/convert/make.c firmware/zstrip/*.c "$build/libmeshes.a" -lpng -lturbojpeg -lm -o "$make"
+gcc -O1 -Ifirmware/zstrip -I"$build/gen" tests/convert/make.c firmware/zstrip/*/*.c "$build/libmeshes.a" -lpng -lturbojpeg -lm -o "$make"
 mkdir -p "$out/teapot" "$out/boxes" "$out/torus"
 "$make" teapot >"$out/teapot/MODEL.obj"
 "$make" boxes 5 3 >"$out/boxes/MODEL.obj"

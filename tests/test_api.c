@@ -8,7 +8,7 @@
 
 #include "cases.h"
 #include "picture.h"
-#include "pipeline.h"
+#include "core/pipeline.h"
 #include "shapes.h"
 
 /* ---- A small scene that is all right --------------------------------------------------------- */

@@ -12,7 +12,7 @@
 #include <cmocka.h>
 
 #include "counts.h"
-#include "pipeline.h"
+#include "core/pipeline.h"
 #include "scenes.h"
 
 #define W 96

@@ -8,7 +8,7 @@
 #include "cases.h"
 #include "clusters.h"
 #include "picture.h"
-#include "pipeline.h"
+#include "core/pipeline.h"
 #include "shapes.h"
 
 #define OFF (ZS_SKIP_CLUSTER | ZS_SKIP_CONE | ZS_SKIP_GROUP | ZS_SKIP_ROWS | ZS_SKIP_BEHIND) /* what is behind is counted otherwise */

@@ -3,7 +3,7 @@
  * SPDX-License-Identifier: MIT
  */
 #include "cases.h"
-#include "fx.h"
+#include "core/fx.h"
 #include "products.h"
 
 /* ---- Reciprocal ------------------------------------------------------------------------------ */

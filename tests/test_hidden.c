@@ -11,7 +11,7 @@
 #include <cmocka.h>
 
 #include "picture.h"
-#include "pipeline.h"
+#include "core/pipeline.h"
 #include "prng.h"
 
 #define QUADS_MAX 10

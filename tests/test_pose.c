@@ -7,7 +7,7 @@
 #include <string.h>
 
 #include "cases.h"
-#include "pipeline.h"
+#include "core/pipeline.h"
 
 #define TURN (6.283185307179586476925 / 65536)
 

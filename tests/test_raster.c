@@ -9,7 +9,7 @@
 #include "cases.h"
 #include "oracle.h"
 #include "easel.h"
-#include "pipeline.h"
+#include "core/pipeline.h"
 
 #define GUARD (8188 * 256)
 

@@ -11,7 +11,7 @@
 #include "cases.h"
 #include "oracle.h"
 #include "picture.h"
-#include "pipeline.h"
+#include "core/pipeline.h"
 #include "shapes.h"
 #include "easel.h"
 

@@ -13,7 +13,7 @@
 #include "picture.h"
 #include "shapes.h"
 #include "easel.h"
-#include "shade_texture.h"
+#include "shade/texture.h"
 
 #define GUARD (8188 * 256)
 

@@ -5,7 +5,7 @@
 #include <string.h>
 
 #include "cases.h"
-#include "pipeline.h"
+#include "core/pipeline.h"
 
 #define N_VERTS 40
 

@@ -73,7 +73,7 @@ endif
 endif
 
 # What names no scene is compiled once, the rest once a scene
-SRC = $(wildcard hal/$(BOARD_HAL)/*.c hal/panel/*.c) $(BOARD_SRC) $(wildcard firmware/zstrip/*.c) \
+SRC = $(wildcard hal/$(BOARD_HAL)/*.c hal/panel/*.c) $(BOARD_SRC) $(wildcard firmware/zstrip/*/*.c) \
       $(wildcard firmware/scenes/*.c) $(wildcard $(B)/gen/*.c)
 OBJ = $(patsubst %,$(OUT)/%.o,$(basename $(SRC))) $(patsubst %.c,$(OUT)/of-$(NAME)/%.o,$(APP_SRC))
 CFLAGS = -std=c11 $(BOARD_CPU) $(OPT) -g -ffunction-sections -fdata-sections -MMD -MP \

@@ -29,10 +29,11 @@ compile() {
     shift 3
     rm -rf "$dir"
     mkdir -p "$dir"
-    for src in "$from"/*.c; do
+    for src in "$from"/*.c "$from"/*/*.c; do
+        [ -e "$src" ] || continue
         # shellcheck disable=SC2086
-        ${ARM}gcc -std=c11 -mcpu="$cpu" -mthumb $OPT $WARN "$@" -c "$src" \
-            -o "$dir/$(basename "$src" .c).o" || return 1
+        ${ARM}gcc -std=c11 -mcpu="$cpu" -mthumb $OPT $WARN "$@" -Ifirmware/zstrip -c "$src" \
+            -o "$dir/$(echo "${src%.c}" | sed "s|^$from/||; s|/|_|g").o" || return 1
     done
 }
 

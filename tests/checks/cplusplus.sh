@@ -18,8 +18,8 @@ done
 dir=$B/cplusplus
 rm -rf "$dir"
 mkdir -p "$dir"
-for src in firmware/zstrip/*.c; do
-    gcc -std=c11 -O1 -c "$src" -o "$dir/$(basename "$src" .c).o" || failed=1
+for src in firmware/zstrip/*/*.c; do
+    gcc -std=c11 -O1 -Ifirmware/zstrip -c "$src" -o "$dir/$(basename "$src" .c).o" || failed=1
 done
 cat >"$dir/main.cpp" <<'END'
 #include "zstrip.h"

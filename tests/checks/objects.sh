@@ -73,7 +73,7 @@ else
 fi
 
 # And as written: the words themselves, comments aside.
-words=$(for f in firmware/zstrip/*.[ch] hal/panel/*.[ch]; do
+words=$(for f in firmware/zstrip/*.h firmware/zstrip/*/*.[ch] hal/panel/*.[ch]; do
     ${ARM}gcc -fpreprocessed -dD -E -P "$f" 2>/dev/null |
         grep -nE '(^|[^A-Za-z0-9_])(float|double|malloc|calloc|realloc|alloca)([^A-Za-z0-9_]|$)|[0-9]\.[0-9]*f?([^A-Za-z0-9_"]|$)' |
         grep -vE '"[^"]*[0-9]\.[^"]*"' | sed "s|^|$(basename "$f"):|; s| |_|g"

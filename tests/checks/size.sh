@@ -169,7 +169,7 @@ END
 for lean in 0 1; do
     [ $lean = 0 ] || { name=", ZS_LEAN"; echo "The same with ZS_LEAN=1"; }
     renderer=$(renderer_bytes -DZS_LEAN=$lean)
-    if gcc -std=c11 -DZS_LEAN=$lean -Ifirmware/zstrip "$B/ram.c" firmware/zstrip/*.c -o "$B/ram" && "$B/ram" "$renderer"; then
+    if gcc -std=c11 -DZS_LEAN=$lean -Ifirmware/zstrip "$B/ram.c" firmware/zstrip/*/*.c -o "$B/ram" && "$B/ram" "$renderer"; then
         ok "ZS_ARENA_BYTES equals zs_arena_bytes${name:-}"
     else
         bad "ZS_ARENA_BYTES equals zs_arena_bytes${name:-}" "see above"

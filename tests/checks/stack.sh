@@ -24,7 +24,7 @@ fields() {
     awk -v s="struct $1 {" -v lean="${lean:+1}" 'index($0, s) == 1 { on = 1 } on && /^};/ { exit }
         /^#if !ZS_LEAN/ { skip = lean } /^#if ZS_LEAN/ { skip = !lean } /^#endif/ { skip = 0 } skip { next }
         on && match($0, /\(\*[a-z_]+\)/) { print substr($0, RSTART + 2, RLENGTH - 3) }' \
-        firmware/zstrip/pipeline.h
+        firmware/zstrip/core/pipeline.h
 }
 
 # One line a fact: frame FN BYTES KIND | call FN FN | pointer FN FILE:LINE | slot TABLE FIELD FN

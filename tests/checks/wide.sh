@@ -26,7 +26,7 @@ for board in m0 mps2 mps2-m4; do
 done
 
 cat >"$dir/calls.c" <<'END'
-#include "wide.h"
+#include "arch/wide.h"
 uint64_t f1(uint32_t, uint32_t), f2(int32_t, int32_t), f3(int32_t, uint32_t), f4(uint64_t);
 uint64_t f1(uint32_t a, uint32_t b) { return zs_mul_uu(a, b) + zs_umulh(b, a + 1u); }
 uint64_t f2(int32_t a, int32_t b) { return (uint64_t)zs_mul_ss(a, b) + (uint32_t)zs_mulh_ss(b, a + 1); }

@@ -121,7 +121,7 @@ function placesOf(file, text) {
 
 // ---- The sample ---------------------------------------------------------------------------------
 
-const sources = fs.readdirSync(FROM).filter((f) => /\.[ch]$/.test(f)).sort();
+const sources = fs.readdirSync(FROM, { recursive: true }).filter((f) => /\.[ch]$/.test(f)).sort();
 const textOf = Object.fromEntries(sources.map((f) => [f, fs.readFileSync(path.join(FROM, f), 'utf8')]));
 const testsSha = sha(fs.readdirSync('tests').filter((f) => /\.[ch]$/.test(f)).sort()
     .map((f) => fs.readFileSync('tests/' + f, 'utf8')).join('\n')).slice(0, 12);
@@ -197,7 +197,7 @@ const includes = {}; // FILE: headers of firmware/zstrip that it includes, in an
 function headersOf(file) {
     if (!includes[file]) {
         const out = sh(`${set.cc} -MM ${file}`).out;
-        includes[file] = new Set([...out.matchAll(/firmware\/zstrip\/(\w+\.h)/g)].map((m) => m[1]));
+        includes[file] = new Set([...out.matchAll(/firmware\/zstrip\/([\w/]+\.h)/g)].map((m) => m[1]));
     }
     return includes[file];
 }
@@ -261,14 +261,14 @@ function cover() {
             const from = `${at}/of/${n}${at}/${FROM}`, reached = lines[name] = [];
             if (!fs.existsSync(from))
                 return;
-            const out = must(`cd ${from} && cp ${at}/${FROM}/*.gcno . && gcov -t --json-format *.gcda 2>/dev/null`);
+            const out = must(`cd ${from} && (cd ${at}/${FROM} && find . -name "*.gcno" | cpio -pd --quiet ${from}) && gcov -t --json-format $(find . -name "*.gcda") 2>/dev/null`);
             for (const text of out.split('\n').filter((l) => l.startsWith('{')))
                 for (const { file, lines: of } of JSON.parse(text).files)
                     if (file.includes('/zstrip/'))
                         for (const l of of) {
-                            all.add(`${path.basename(file)}:${l.line_number}`);
+                            all.add(`${file.replace(/.*\/zstrip\//, '')}:${l.line_number}`);
                             if (l.count > 0)
-                                reached.push(`${path.basename(file)}:${l.line_number}`);
+                                reached.push(`${file.replace(/.*\/zstrip\//, '')}:${l.line_number}`);
                         }
         });
         fs.rmSync(at, { recursive: true, force: true });

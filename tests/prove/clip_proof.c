@@ -4,9 +4,9 @@
  */
 #include "prove.h"
 
-#include "pipeline.h"
+#include "core/pipeline.h"
 
-#include "clip.c"
+#include "core/clip.c"
 
 #define C_MAX (((int32_t)1 << 30) + 1)
 

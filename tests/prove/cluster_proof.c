@@ -4,7 +4,7 @@
  */
 #include "prove.h"
 
-#include "cluster.c"
+#include "fast/clusters.c"
 
 static struct zs_renderer renderer;
 static struct zs_clusters clusters;

@@ -4,7 +4,7 @@
  */
 #include "prove.h"
 
-#include "rows.h"
+#include "core/rows.h"
 
 /* Proved by planes (plane_proof.c). */
 /*@ requires values: v0 <= 0x10000000000 && v1 <= 0x10000000000 && v2 <= 0x10000000000;
@@ -16,7 +16,7 @@ void zs_plane32(const struct zs_geom *g, uint32_t v0, uint32_t v1, uint32_t v2, 
 /*@ assigns \nothing; */
 static ZS_NOINLINE void pair_piece(struct zs_job *job, const struct zs_row *row, int32_t i, int32_t n, uint32_t w,
                                    int32_t farther);
-#include "depth_float.c"
+#include "depth/float.c"
 
 static struct zs_view view;
 

@@ -4,9 +4,9 @@
  */
 #include "prove.h"
 
-#include "pipeline.h"
+#include "core/pipeline.h"
 
-#include "depth_linear.c"
+#include "depth/linear.c"
 
 static struct zs_view view;
 

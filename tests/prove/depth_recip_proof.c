@@ -4,9 +4,9 @@
  */
 #include "prove.h"
 
-#include "pipeline.h"
+#include "core/pipeline.h"
 
-#include "depth_recip.c"
+#include "depth/recip.c"
 
 /* PROVE recip_keys: every near and far of the camera, 8 .. 16 bits, every z of a frame by octave */
 void recip_keys(void)

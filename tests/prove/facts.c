@@ -8,9 +8,9 @@
 #include <stdio.h>
 #include <stdlib.h>
 
-#include "raster.c"
+#include "core/raster.c"
 
-#include "plane.c"
+#include "core/plane.c"
 
 #include "../prng.h"
 #include "facts.h"

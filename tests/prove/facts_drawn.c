@@ -9,9 +9,9 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "pipeline.h"
-#include "rows.h"
-#include "shade_solid.h"
+#include "core/pipeline.h"
+#include "core/rows.h"
+#include "shade/solid.h"
 
 #include "../oracle.h"
 #include "../prng.h"

@@ -9,14 +9,14 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "rotation.c"
+#include "core/rotation.c"
 #undef EIGHTH
 #undef QUARTER
 
-#include "hidden.c"
+#include "fast/tiles.c"
 #undef TILE
 
-#include "cluster.c"
+#include "fast/clusters.c"
 
 #include "../prng.h"
 #include "facts.h"

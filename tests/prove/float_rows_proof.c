@@ -4,7 +4,7 @@
  */
 #include "prove.h"
 
-#include "rows.h"
+#include "core/rows.h"
 
 /* That piece and step fit: float_pieces (depth_float_proof.c). */
 /*@ requires piece: 1 <= n && row->i0 <= i && i + n <= row->i1;
@@ -28,7 +28,7 @@ static ZS_NOINLINE void float_row(struct zs_job *job, const struct zs_row *row, 
 /* fresh_proof.c */
 /*@ assigns \nothing; */
 void zs_fresh_row(struct zs_job *job, const struct zs_row *row);
-#include "depth_float.c"
+#include "depth/float.c"
 
 #define ROWS 20
 

@@ -4,9 +4,9 @@
  */
 #include "prove.h"
 
-#include "pipeline.h"
+#include "core/pipeline.h"
 
-#include "fresh.c"
+#include "fast/first_touch.c"
 
 #define WIDTH 5 /* of the strip in which rows are */
 #define LONG 24 /* of the one in which keys are */

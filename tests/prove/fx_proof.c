@@ -4,9 +4,9 @@
  */
 #include "prove.h"
 
-#include "fx.h"
+#include "core/fx.h"
 
-#include "fx.c"
+#include "core/fx.c"
 
 /* PROVE round_shift: every |v| < 2^62, every shift 0 .. 62 */
 void round_shift(void)

@@ -4,9 +4,9 @@
  */
 #include "prove.h"
 
-#include "pipeline.h"
+#include "core/pipeline.h"
 
-#include "hidden.c"
+#include "fast/tiles.c"
 
 #define SPAN_MAX (((int32_t)1 << ZS_EXTENT_BITS) - 1)
 

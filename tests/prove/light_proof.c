@@ -4,9 +4,9 @@
  */
 #include "prove.h"
 
-#include "pipeline.h"
+#include "core/pipeline.h"
 
-#include "light.c"
+#include "shade/light.c"
 
 static struct zs_renderer renderer;
 static struct zs_scene scene;

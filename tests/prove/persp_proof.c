@@ -4,9 +4,9 @@
  */
 #include "prove.h"
 
-#include "persp.h"
+#include "shade/persp.h"
 
-#include "persp.c"
+#include "shade/persp.c"
 
 #define WIDTH 40 /* of the strip in which the loops run */
 #define ROWS 20

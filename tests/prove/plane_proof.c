@@ -4,7 +4,7 @@
  */
 #include "prove.h"
 
-#include "pipeline.h"
+#include "core/pipeline.h"
 
 /* Proved by small_gradients and quotients below, and what the planes' proofs know of them. */
 /*@ requires least_shift == 2 || least_shift == 5;
@@ -15,7 +15,7 @@ static ZS_NOINLINE int32_t small_gradient(const struct zs_geom *g, int64_t n, in
     assigns \result \from n, rcp, shift, least_shift;
     ensures bound: \result == -2147483648 || -1073741824 <= \result <= 1073741824; */
 int32_t zs_plane_quotient(int64_t n, uint32_t rcp, int32_t shift, int32_t least_shift);
-#include "plane.c"
+#include "core/plane.c"
 
 /* Snapped coordinates: the guard band, a step beside it, and the place of the frame's middle. */
 #define COORD_LO (-ZS_GUARD_SUBPX - 1)

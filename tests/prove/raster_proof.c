@@ -4,9 +4,9 @@
  */
 #include "prove.h"
 
-#include "pipeline.h"
+#include "core/pipeline.h"
 
-#include "raster.c"
+#include "core/raster.c"
 
 #define COORD_LO (-ZS_GUARD_SUBPX - 1)
 #define COORD_HI (ZS_GUARD_SUBPX + 1 + ZS_SIZE_MAX * ZS_SUBPX_HALF)

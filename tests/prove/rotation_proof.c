@@ -4,7 +4,7 @@
  */
 #include "prove.h"
 
-#include "fx.h"
+#include "core/fx.h"
 
 /* floor of the square root: of 2^60 .. 2^64 - 1 in 2^30 .. 2^32 - 1 (tests/test_fx.c) */
 /*@ requires v >= 0x1000000000000000;
@@ -16,7 +16,7 @@ static uint32_t or_least, or_most;
 /*@ assigns \result \from v[0..2], or_least, or_most;
     ensures bound: or_least <= \result <= or_most; */
 static uint32_t magnitude(const int32_t v[3]);
-#include "rotation.c"
+#include "core/rotation.c"
 
 #define NEARLY_ONE (ZS_Q30_ONE + (1 << 10)) /* an element of what zs_rotation_ok lets pass */
 

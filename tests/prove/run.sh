@@ -29,7 +29,7 @@ for file in tests/prove/*_proof.c; do
         log=$out/$name.txt
         # Plain C, without the inline assembly and built-ins of GNU C: the table counts leading zeros
         case $flags in *use-spec*) ;; *) flags="$flags -eva-use-spec=zs_recip" ;; esac
-        tables=firmware/zstrip/fx.c
+        tables=firmware/zstrip/core/fx.c
         [ "$file" = tests/prove/fx_proof.c ] && tables=
         # shellcheck disable=SC2086
         frama-c -c11 -eva -eva-precision 2 -eva-slevel 30 -eva-auto-loop-unroll 300 $flags -main "$name" \
@@ -54,7 +54,7 @@ rm -f "$out/list.$$"
 if [ -z "$only" ] || [ "$only" = facts ]; then # what they take as given
     gcc -std=c11 -O2 -fsanitize=undefined,address -fno-sanitize-recover=all -Ifirmware/zstrip \
         '-DZS_ASSERT(c)=((c)?(void)0:__builtin_trap())' tests/prove/facts.c tests/prove/facts_more.c \
-        tests/prove/facts_drawn.c tests/oracle.c $(ls firmware/zstrip/*.c | grep -vE '/(raster|plane|rotation|hidden|cluster).c') \
+        tests/prove/facts_drawn.c tests/oracle.c $(ls firmware/zstrip/*/*.c | grep -vE '/(raster|plane|rotation|tiles|clusters).c') \
         -lm -o "$out/facts" && "$out/facts" "${FACTS:-20000000}" || failed=1
 fi
 echo "$proofs proofs"

@@ -11,7 +11,7 @@
 /*@ assigns \result \from a;
     ensures bound: 0x80000000 <= \result; */
 static inline uint32_t zs_recip_inline(uint32_t a);
-#include "pipeline.h"
+#include "core/pipeline.h"
 
 /* Proved by quotients (plane_proof.c). */
 /*@ requires 2 <= shift <= 18 && least_shift == 5;
@@ -26,7 +26,7 @@ struct zs_sides;
     requires middle: ((int *)w)[10] <= ((int *)w)[11] <= ((int *)w)[10] + 65;
     assigns \nothing; */
 static ZS_NOINLINE void small_rows(struct zs_job *job, struct zs_sides *w);
-#include "small.c"
+#include "fast/small_flat.c"
 
 #define COORD_LO (-ZS_GUARD_SUBPX - 1)
 #define COORD_HI (ZS_GUARD_SUBPX + 1 + ZS_SIZE_MAX * ZS_SUBPX_HALF)

@@ -12,7 +12,7 @@
 /*@ assigns \result \from a;
     ensures bound: 0x80000000 <= \result; */
 static inline uint32_t zs_recip_inline(uint32_t a);
-#include "pipeline.h"
+#include "core/pipeline.h"
 
 /* Proved by quotients (plane_proof.c). */
 /*@ requires 2 <= shift <= 18 && (least_shift == 2 || least_shift == 5);
@@ -21,7 +21,7 @@ static inline uint32_t zs_recip_inline(uint32_t a);
     ensures bound: \result == -2147483648 || -1073741824 <= \result <= 1073741824;
     ensures key: least_shift == 5 ==> (\result == -2147483648 || -134217728 <= \result <= 134217728); */
 int32_t zs_plane_quotient(int64_t n, uint32_t rcp, int32_t shift, int32_t least_shift);
-#include "small_texture.c"
+#include "fast/small_texture.c"
 
 #define COORD_LO (-ZS_GUARD_SUBPX - 1)
 #define COORD_HI (ZS_GUARD_SUBPX + 1 + ZS_SIZE_MAX * ZS_SUBPX_HALF)

@@ -4,9 +4,9 @@
  */
 #include "prove.h"
 
-#include "pipeline.h"
+#include "core/pipeline.h"
 
-#include "xform.c"
+#include "core/xform.c"
 
 static struct zs_renderer renderer;
 

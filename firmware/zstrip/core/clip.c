@@ -1,0 +1,148 @@
+/* Clipping in camera units: Sutherland and Hodgman, CACM 1974, plane after plane.
+ *
+ * A new vertex is always computed from the end of the edge that is inside towards the one outside, so
+ * that the two triangles on an edge get the same vertex whatever order they name its ends in. Before
+ * near and far the distances are exact, and the vertex is the exact crossing rounded once; at the
+ * guard band, far outside the frame, they are cut to 31 bits: 2^-30 of the edge.
+ *
+ * SPDX-License-Identifier: MIT
+ */
+#include "core/cold.h"
+#include "core/pipeline.h"
+
+/* How far a point is inside a plane: >= 0 inside. |.| < 2^62. */
+static int64_t inside(const struct zs_view *view, const struct zs_point *p, uint32_t plane)
+{
+    const int32_t z = p->c[2];
+    if (plane == ZS_OUT_NEAR)
+        return (int64_t)z - view->z_near;
+    if (plane == ZS_OUT_FAR)
+        return (int64_t)view->z_far - z;
+    const int64_t limit = view->perspective ? zs_mul_su(z, (uint32_t)view->guard) : (int64_t)view->guard;
+    const int32_t up = view->perspective ? view->scale_bits : 0; /* <= 31 */
+    const int64_t at = zs_mul_su(p->c[plane & (ZS_OUT_LEFT | ZS_OUT_RIGHT) ? 0 : 1], (uint32_t)1 << up);
+    return plane & (ZS_OUT_LEFT | ZS_OUT_TOP) ? limit + at : limit - at;
+}
+
+#if ZS_LEAN
+uint32_t zs_xform_outcode(const struct zs_view *view, const struct zs_point *p)
+{
+    uint32_t code = 0;
+    for (uint32_t plane = ZS_OUT_NEAR; plane <= ZS_OUT_BOTTOM && code != ZS_OUT_NEAR; plane <<= 1)
+        if (inside(view, p, plane) < 0) /* the sides say nothing before the near plane */
+            code |= plane;
+    return code;
+}
+#endif
+
+#if ZS_LEAN
+
+/* a + (b - a) * num / den, nearest. |b - a| < 2^31.1 */
+static int32_t between(uint32_t num, uint32_t den, int32_t a, int32_t b)
+{
+    const uint32_t size = b < a ? (uint32_t)a - (uint32_t)b : (uint32_t)b - (uint32_t)a;
+    uint32_t part = (uint32_t)zs_muldiv_u64(size, num, den);
+    if (size * num - part * den >= den - den / 2u) /* modulo 2^32, and below den */
+        part++;
+    return (int32_t)(b < a ? (uint32_t)a - part : (uint32_t)a + part);
+}
+
+#else
+
+/* An edge cut at num / den of its length. */
+struct cut {
+    uint32_t num, den; /* num < 2^31, num < den < 2^32 */
+    uint32_t rcp;      /* 2^63 / (den 2^lz) */
+    int32_t lz;        /* leading zeros of den */
+};
+
+/* n / den, floor, exactly: n < den 2^32. */
+static uint32_t quotient(const struct cut *cut, uint64_t n)
+{
+    const uint32_t top = (uint32_t)(n << cut->lz >> 32);
+    uint32_t q = (uint32_t)(zs_mul_uu(top, cut->rcp) >> 31); /* within 2^32 / 2^31 for top and 4 for rcp, and q < 2^31.2 */
+    int64_t rest = (int64_t)(n - zs_mul_uu(q, cut->den));
+    for (; rest < 0; rest += cut->den)
+        q--;
+    for (; rest >= cut->den; rest -= cut->den)
+        q++;
+    return q;
+}
+
+/* a + (b - a) * num / den, nearest. |b - a| < 2^31.1 */
+static int32_t between(const struct cut *cut, int32_t a, int32_t b)
+{
+    const uint32_t size = b < a ? (uint32_t)a - (uint32_t)b : (uint32_t)b - (uint32_t)a;
+    const uint32_t part = quotient(cut, zs_mul_uu(size, cut->num) + cut->den / 2u); /* < 2^62.1 + 2^31 */
+    return (int32_t)(b < a ? (uint32_t)a - part : (uint32_t)a + part);
+}
+
+#endif
+
+/* The crossing of the edge from a (da >= 0) to b (db < 0). */
+static void cross_plane(const struct zs_view *view, struct zs_clip_vertex *out,
+                                const struct zs_clip_vertex *a, const struct zs_clip_vertex *b, int64_t da,
+                                int64_t db, uint32_t plane, uint32_t n_attrs)
+{
+    while ((da | -db) >> 31) { /* exact already for near and far */
+        da >>= 1;
+        db /= 2;
+    }
+    const uint32_t den = (uint32_t)(da - db);
+    if (den == 0) { /* both distances vanished beside each other: cannot be for da, -db >= 1 */
+        *out = *a;
+        return;
+    }
+#if ZS_LEAN
+    for (int k = 0; k < 3; k++)
+        out->p.c[k] = between((uint32_t)da, den, a->p.c[k], b->p.c[k]);
+    for (uint32_t k = 0; k < n_attrs; k++)
+        out->attr[k] = (uint16_t)between((uint32_t)da, den, a->attr[k], b->attr[k]);
+#else
+    const int32_t lz = zs_clz32(den);
+    const struct cut cut = { (uint32_t)da, den, zs_recip(den << lz), lz };
+    for (int k = 0; k < 3; k++)
+        out->p.c[k] = between(&cut, a->p.c[k], b->p.c[k]);
+    for (uint32_t k = 0; k < n_attrs; k++)
+        out->attr[k] = (uint16_t)between(&cut, a->attr[k], b->attr[k]);
+#endif
+    if (plane == ZS_OUT_NEAR)
+        out->p.c[2] = view->z_near;
+    if (plane == ZS_OUT_FAR)
+        out->p.c[2] = view->z_far;
+}
+
+static int clip_plane(const struct zs_view *view, struct zs_clip_vertex *out,
+                      const struct zs_clip_vertex *in, int n, uint32_t plane, uint32_t n_attrs)
+{
+    int kept = 0;
+    int64_t d = n ? inside(view, &in[0].p, plane) : 0;
+    for (int i = 0; i < n; i++) {
+        const int j = i + 1 < n ? i + 1 : 0;
+        const int64_t d_next = inside(view, &in[j].p, plane);
+        if (d >= 0 && kept < ZS_CLIP_MAX)
+            out[kept++] = in[i];
+        /* an end on the plane is its own crossing */
+        if (d && d_next && (d ^ d_next) < 0 && kept < ZS_CLIP_MAX) {
+            const int leaves = d > 0;
+            cross_plane(view, &out[kept++], &in[leaves ? i : j], &in[leaves ? j : i], leaves ? d : d_next,
+                        leaves ? d_next : d, plane, n_attrs);
+        }
+        d = d_next;
+    }
+    return kept;
+}
+
+int zs_clip_polygon(const struct zs_view *view, struct zs_clip_vertex *v, int n, uint32_t planes,
+                    uint32_t n_attrs)
+{
+    struct zs_clip_vertex other[ZS_CLIP_MAX];
+    for (uint32_t plane = ZS_OUT_NEAR; plane <= ZS_OUT_BOTTOM; plane <<= 1) {
+        if (!(planes & plane))
+            continue;
+        n = clip_plane(view, other, v, n, plane, n_attrs);
+        for (int i = 0; i < n; i++)
+            v[i] = other[i];
+    }
+    return n < 3 ? 0 : n;
+}

@@ -1,0 +1,109 @@
+/* Instances: the sphere that holds a mesh, against the view.
+ *
+ * SPDX-License-Identifier: MIT
+ */
+#include "core/cold.h"
+#include "core/pipeline.h"
+#include "core/rotation.h"
+
+#define SCALE_MAX ((uint64_t)1 << 47) /* q32_32: 32768 steps are then 2^30 world units */
+
+static void reach_out(int64_t *reach, int64_t at, int64_t r)
+{
+    const int64_t far_side = zs_size64(at) + r;
+    if (*reach < far_side)
+        *reach = far_side;
+}
+
+/* Row k of camera axes: right, down, distance. */
+static void axes(zs_q2_30 out[9], const struct zs_camera *camera)
+{
+    for (int k = 0; k < 3; k++) {
+        out[k] = camera->rot[k];
+        out[3 + k] = -camera->rot[3 + k];
+        out[6 + k] = -camera->rot[6 + k];
+    }
+}
+
+ZS_RARE void zs_cull_axes(zs_q2_30 out[9], const struct zs_instance *in, const struct zs_camera *camera)
+{
+    zs_q2_30 view[9];
+    axes(view, camera);
+    zs_rotation_mul(out, view, in->pose.rot);
+}
+
+static int pose_ok(const struct zs_pose *pose)
+{
+    for (int k = 0; k < 3; k++)
+        if (pose->pos[k] > ZS_WORLD_MAX || pose->pos[k] < -ZS_WORLD_MAX)
+            return 0;
+    return pose->scale > 0 && zs_rotation_ok(pose->rot);
+}
+
+int zs_cull_bounds(struct zs_bounds *b, const struct zs_instance *in,
+                   const struct zs_camera *camera)
+{
+    const struct zs_mesh *mesh = in->mesh;
+    const uint64_t scale = (uint64_t)mesh->scale * in->pose.scale; /* q32_32 */
+    if (!pose_ok(&in->pose) || scale > SCALE_MAX)
+        return ZS_ERR_RANGE;
+    const uint32_t radius = mesh->radius + 1u;
+    b->r = (int64_t)(radius * scale >> 16) + 1; /* <= 2^17 * 2^47 */
+    if (b->r > (int64_t)ZS_WORLD_MAX * 65536)
+        return ZS_ERR_RANGE;
+    zs_q2_30 view[9], both[9];
+    int32_t from[3], center[3];
+    axes(view, camera);
+    zs_rotation_mul(both, view, in->pose.rot);
+    b->reach = 0;
+    for (int k = 0; k < 3; k++) {
+        from[k] = in->pose.pos[k] - camera->pos[k];
+        center[k] = mesh->center[k];
+    }
+    for (int k = 0; k < 3; k++) {
+        const int64_t at = zs_dot(view + 3 * k, from);    /* <= 3 * 2^60 */
+        const int64_t off = zs_dot(both + 3 * k, center); /* <= 3 * 2^45 */
+        const int64_t origin = zs_round_shift(at, 14);        /* q48_16, <= 2^47.6 */
+        b->c[k] = origin + zs_mulshift_s64(off, scale, 46);   /* <= 2^46.6 * 2^47 / 2^46 */
+        reach_out(&b->reach, b->c[k], b->r);
+        reach_out(&b->reach, origin, 0);
+    }
+    b->slack = (b->reach >> 16) + 16; /* errors are below 2^-26 of reach, rotations' below 2^-20; what
+                                         rounding to camera units adds is the walk's to add */
+    return ZS_OK;
+}
+
+/* Distance inwards from a side plane, q48_16, nearest. lateral is x or y, mirrored to be >= 0. */
+static int64_t side_distance(const int32_t normal[2], int64_t lateral, int64_t z)
+{
+    return zs_mulshift_s64(z, (uint64_t)normal[1], 30) -
+           zs_mulshift_s64(lateral, (uint64_t)normal[0], 30);
+}
+
+int zs_cull_sphere(const struct zs_bounds *b, const struct zs_camera *camera,
+                   const struct zs_view *view)
+{
+    const int64_t r = b->r + b->slack;
+    if (b->c[2] + r < camera->z_near || b->c[2] - r > camera->z_far)
+        return 1;
+    for (int k = 0; k < 2; k++) {
+        const int64_t lateral = zs_size64(b->c[k]);
+        if (view->perspective ? side_distance(view->side[k], lateral, b->c[2]) < -r
+                              : lateral - r > (k ? camera->height / 2 + 1 : zs_cull_half_width(camera, view)))
+            return 1;
+    }
+    return 0;
+}
+
+int64_t zs_cull_half_width(const struct zs_camera *camera, const struct zs_view *view)
+{
+    return (int64_t)zs_muldiv_u64((uint64_t)(camera->height / 2 + 1), (uint64_t)view->cx, (uint64_t)view->cy) + 1;
+}
+
+int zs_cull_walk(struct zs_bounds *b, const struct zs_renderer *r, uint32_t number)
+{
+    (void)zs_cull_bounds(b, &r->scene->instance[number], &r->camera); /* cannot fail: zs_frame_begin has asked too */
+    const int32_t shift = zs_min32(r->view.shift, 28); /* -3 .. 30; from 20 on, it is the 1 that counts */
+    b->slack += ((8 << 19) >> (shift + 3)) + 1; /* 8 camera units: what a vertex may be off by */
+    return zs_cull_sphere(b, &r->camera, &r->view);
+}

@@ -1,0 +1,366 @@
+/* Renderers and frames: set-up, checks, the loop over strips.
+ *
+ * SPDX-License-Identifier: MIT
+ */
+#include "core/pipeline.h"
+
+static const char *const messages[] = {
+    "no error",
+    "a required pointer is NULL",
+    "frame, strip, pool or buffer count out of range",
+    "the arena is too small or not aligned to 4 bytes",
+    "depth bits outside 8 to 16, or a depth mapping that this camera cannot take",
+    "near, far, focal length, height or rotation of the camera out of range",
+    "a position, scale, extent or light that the integers cannot hold",
+    "a mesh lacks what its shader reads, or has too many vertices",
+    "frame functions called out of order",
+    "the shader needs more vertex attributes than config.attrs",
+    "a direction of length 0, or parallel directions",
+    "the near plane is too close beside what is in view (more than 2^21 times as far): move it out",
+    "a texture's size or clamping out of range"
+};
+
+const char *zs_strerror(int err)
+{
+    const unsigned n = err > 0 ? 0u : 0u - (unsigned)err;
+    return n < sizeof messages / sizeof messages[0] ? messages[n] : "unknown error";
+}
+
+/* ---- Set-up ------------------------------------------------------------------------------------------ */
+
+static ZS_RARE int config_ok(const struct zs_config *c)
+{
+    return c->width >= 1 && c->width <= ZS_SIZE_MAX && c->height >= 1 &&
+           c->height <= ZS_SIZE_MAX && c->strip_h >= 1 && c->max_tris >= 1 &&
+           c->max_tris <= ZS_POOL_MAX && c->max_verts >= 3 && c->max_verts <= ZS_POOL_MAX &&
+           c->attrs <= ZS_ATTRS_MAX && (c->buffers == 1 || c->buffers == 2) &&
+           (c->subpixel_bits == 8 || c->subpixel_bits == 4);
+}
+
+static uint16_t strip_rows(const struct zs_config *c)
+{
+    return c->strip_h < c->height ? c->strip_h : c->height;
+}
+
+uint32_t zs_arena_bytes(const struct zs_config *c)
+{
+    if (!c || !config_ok(c))
+        return 0;
+    return ZS_ARENA_BYTES(c->width, c->height, strip_rows(c), c->max_tris, c->max_verts, c->attrs,
+                          c->buffers);
+}
+
+/* The next pool of the arena. */
+static void *take(uint8_t **at, uint32_t bytes)
+{
+    void *pool = *at;
+    *at += bytes;
+    return pool;
+}
+
+static ZS_RARE void split(struct zs_renderer *r, uint8_t *at)
+{
+    const struct zs_config *c = &r->config;
+    const uint32_t color = ZS_COLOR_BYTES(c->width, c->strip_h, 1u);
+    const uint32_t half_words = ZS_ROUND4(c->max_verts * 2u);
+    r->color[0] = take(&at, color);
+    r->color[1] = c->buffers == 2 ? take(&at, color) : r->color[0];
+    r->depth = take(&at, ZS_DEPTH_BYTES(c->width, c->strip_h));
+#if !ZS_LEAN
+    r->drawn = take(&at, ZS_DRAWN_BYTES(c->strip_h));
+    r->bound = take(&at, ZS_BOUND_BYTES(c->width, c->height, c->strip_h));
+    r->bin = take(&at, ZS_BIN_BYTES(c->height, c->strip_h));
+#endif
+    r->tri = take(&at, ZS_TRI_BYTES(c->max_tris));
+    r->vert = take(&at, c->max_verts * 12u);
+    r->vert_src = take(&at, half_words);
+    r->vert_map = take(&at, half_words);
+    r->attr = take(&at, ZS_ROUND4((uint32_t)c->max_verts * c->attrs * 2u));
+}
+
+#if !ZS_LEAN
+/* For row / strip_h without a division. With 2^l <= strip_h < 2^(l + 1) and n = 19 + l, strip_mul exceeds
+ * 2^n / strip_h by 1 at the most, which adds row / 2^n to a quotient: less than 2^-7 / strip_h, so it is exact. */
+static ZS_RARE void strip_divisor(struct zs_renderer *r)
+{
+    const uint32_t h = r->config.strip_h;
+    const int n = 19 + 31 - zs_clz32(h);
+    r->strip_shift = (uint8_t)n;
+    r->strip_mul = (1u << n) / h + 1u; /* <= 2^19 + 1; times a row < 2^31.1 */
+}
+#endif
+
+ZS_RARE int zs_init(struct zs_renderer *r, const struct zs_config *config, void *arena, size_t bytes)
+{
+    if (!r)
+        return ZS_ERR_NULL;
+    r->ready = 0;
+    r->scene = 0;
+    if (!config || !arena || !config->depth)
+        return ZS_ERR_NULL;
+    if (!config_ok(config))
+        return ZS_ERR_SIZE;
+    if (config->depth_bits < 8 || config->depth_bits > 16)
+        return ZS_ERR_DEPTH;
+    if (bytes < zs_arena_bytes(config) || ((uintptr_t)arena & 3u))
+        return ZS_ERR_ARENA;
+    r->config = *config;
+    r->config.strip_h = strip_rows(config);
+    r->n_strips = (uint16_t)((config->height + r->config.strip_h - 1) / r->config.strip_h);
+#if !ZS_LEAN
+    strip_divisor(r);
+#endif
+    split(r, arena);
+    for (uint32_t v = 0; v < config->max_verts; v++)
+        r->vert_map[v] = r->vert_src[v] = 0; /* any value will do; junk would be as good */
+    const struct zs_stats none = { 0 };
+    r->stats = none;
+    r->watch = 0;
+    r->track = 0;
+    if (!ZS_LEAN) {
+        r->window[0] = 0;
+        r->window[1] = config->width;
+    }
+    r->ready = 1;
+    return ZS_OK;
+}
+
+/* ---- Checks of a frame ----------------------------------------------------------------------------- */
+
+static ZS_RARE int instance_check(const struct zs_renderer *r, const struct zs_instance *in)
+{
+    const struct zs_mesh *mesh = in->mesh;
+    const struct zs_material *material = in->material;
+    if (!mesh || !material || !material->shader)
+        return ZS_ERR_NULL;
+    if ((!mesh->pos && mesh->n_verts) || (!mesh->tri && mesh->n_tris) || mesh->n_verts > 65535u ||
+        mesh->scale == 0 || material->cull > ZS_CULL_NONE)
+        return ZS_ERR_MESH;
+    if (material->shader->n_attrs > r->config.attrs)
+        return ZS_ERR_ATTRS;
+    if (in->state && !in->state->kernel)
+        return ZS_ERR_NULL;
+    return material->shader->check ? material->shader->check(in, &r->config) : ZS_OK;
+}
+
+static ZS_RARE int light_ok(const struct zs_light *light)
+{
+    const int32_t limit = ZS_Q30_ONE + (1 << 10);
+    for (int k = 0; k < 3; k++)
+        if (light->dir[k] > limit || light->dir[k] < -limit)
+            return 0;
+    return light->ambient <= ZS_Q16_ONE && light->diffuse <= ZS_Q16_ONE;
+}
+
+/* Check all instances and find how far what can be seen reaches. */
+static ZS_RARE int scene_check(struct zs_renderer *r, const struct zs_scene *scene, int64_t *reach)
+{
+    if (scene->n_instances > 65535u)
+        return ZS_ERR_SIZE;
+    if (scene->n_instances && !scene->instance)
+        return ZS_ERR_NULL;
+    if (!light_ok(&scene->light))
+        return ZS_ERR_RANGE;
+    if (scene->groups && (!scene->groups->kernel || (!scene->groups->group && scene->groups->n_groups)))
+        return ZS_ERR_NULL;
+    *reach = 1;
+#if !ZS_LEAN
+    r->group = 0;
+#endif
+    /* zs_track asks for bounds of any instance later */
+    for (uint32_t i = 0; (i = r->track ? i : zs_cull_next(r, scene, i)) < scene->n_instances; i++) {
+        struct zs_bounds b;
+        int err = instance_check(r, &scene->instance[i]);
+        if (!err)
+            err = zs_cull_bounds(&b, &scene->instance[i], &r->camera);
+        if (err)
+            return err;
+        if (!zs_cull_sphere(&b, &r->camera, &r->view) && *reach < b.reach + b.slack)
+            *reach = b.reach + b.slack;
+    }
+    return ZS_OK;
+}
+
+ZS_RARE int zs_frame_check(struct zs_renderer *r, const struct zs_scene *scene)
+{
+    const struct zs_camera *camera = &r->camera;
+    int64_t reach;
+    int err = zs_view_camera(&r->view, &r->config, camera);
+#if ZS_LEAN
+    err = err ? err : scene_check(r, scene, &reach);
+    err = err ? err : zs_view_units(&r->view, &r->config, camera, reach);
+#else
+    for (uint16_t slack = 1; !err; slack = 64) { /* at least 8 camera units, which are known afterwards */
+        r->group_slack = slack;
+        err = scene_check(r, scene, &reach);
+        if (!err)
+            err = zs_view_units(&r->view, &r->config, camera, reach);
+        if (slack == 64 || r->view.shift >= 3 || !scene->groups)
+            break;
+    }
+#endif
+    if (!err)
+        err = r->config.depth->setup(&r->view, camera, r->config.depth_bits);
+    return err;
+}
+
+ZS_RARE int zs_frame_begin(struct zs_renderer *r, const struct zs_scene *scene,
+                   const struct zs_camera *camera)
+{
+    if (!r)
+        return ZS_ERR_NULL;
+    r->scene = 0;
+    if (!scene || !camera)
+        return ZS_ERR_NULL;
+    if (r->ready != 1)
+        return ZS_ERR_STATE;
+    r->camera = *camera;
+    r->draw_end = r->n_strips;
+    const struct zs_track_kernel *track = r->track;
+    const int err = track ? track->check(r, scene) : zs_frame_check(r, scene);
+    if (err)
+        return err;
+    const struct zs_stats none = { 0 };
+    r->stats = none;
+    r->strip = 0;
+    r->band_end = 0; /* the first strip begins a walk */
+    r->counting = 1;
+#if !ZS_LEAN
+    r->large = 0;
+    r->edge_of[0] = r->edge_of[1] = r->edge_of[2] = r->edge_of[3] = UINT16_MAX; /* edge[] holds another camera's */
+#endif
+    r->scene = scene;
+    return ZS_OK;
+}
+
+/* ---- Strips -------------------------------------------------------------------------------------------- */
+
+int zs_frame_strip(struct zs_renderer *r, struct zs_strip *out)
+{
+    if (!r || !out)
+        return ZS_ERR_NULL;
+    if (r->ready != 1 || !r->scene)
+        return ZS_ERR_STATE;
+    if (r->strip == r->n_strips)
+        return 0;
+    const struct zs_track_kernel *track = r->track;
+    const int draw = !track || track->due(r);
+    if (draw) {
+        zs_fresh_begin(r);
+        if (r->strip >= r->band_end)
+            zs_bin_walk(r);
+        zs_raster_strip(r);
+#if !ZS_LEAN
+        zs_fresh_end(r);
+#endif
+    }
+
+    const uint32_t y0 = (uint32_t)r->strip * r->config.strip_h;
+    const uint32_t left = r->config.height - y0;
+    out->x = 0;
+    out->y = (uint16_t)y0;
+    out->w = r->config.width;
+    out->h = (uint16_t)(left < r->config.strip_h ? left : r->config.strip_h);
+    out->last = r->strip + 1u == r->n_strips;
+    out->px = (const uint8_t *)r->color[0];
+    out->n_bytes = (uint32_t)out->w * out->h * 2u;
+    out->depth = r->depth;
+    out->changed_x = !ZS_LEAN && draw ? r->window[0] : 0u;
+    out->changed_w = !draw ? 0u : ZS_LEAN ? out->w : (uint16_t)(r->window[1] - r->window[0]);
+    const struct zs_watch_kernel *watch = r->watch;
+    if (watch && draw)
+        watch->look(r, out);
+    uint16_t *const given = r->color[0];
+    r->color[0] = r->color[1];
+    r->color[1] = given;
+    r->strip++;
+    r->stats.strips++;
+    return 1;
+}
+
+int zs_frame_skip(struct zs_renderer *r)
+{
+    if (!r)
+        return ZS_ERR_NULL;
+    if (r->ready != 1 || !r->scene || r->track)
+        return ZS_ERR_STATE;
+    if (r->strip == r->n_strips)
+        return 0;
+    if (r->strip < r->band_end)
+        zs_raster_pass(r);
+    r->strip++;
+    return 1;
+}
+
+int zs_frame_end(struct zs_renderer *r)
+{
+    if (!r)
+        return ZS_ERR_NULL;
+    if (r->ready != 1 || !r->scene)
+        return ZS_ERR_STATE;
+    r->scene = 0;
+    return ZS_OK;
+}
+
+const struct zs_stats *zs_frame_stats(const struct zs_renderer *r)
+{
+    return &r->stats;
+}
+
+int zs_invalidate(struct zs_renderer *r, const struct zs_rect *rect)
+{
+    if (!r)
+        return ZS_ERR_NULL;
+    if (r->ready != 1)
+        return ZS_ERR_STATE;
+    const struct zs_watch_kernel *watch = r->watch;
+    if (watch)
+        watch->forget(r, rect);
+    const struct zs_track_kernel *track = r->track;
+    if (track)
+        track->forget(r, rect);
+    return ZS_OK;
+}
+
+/* The strips from the one in the sink's hands on may not have arrived. */
+static void not_sent(struct zs_renderer *r, const struct zs_strip *last)
+{
+    const uint32_t before = last->y < r->config.strip_h ? 0u : last->y - (uint32_t)r->config.strip_h;
+    const struct zs_rect rows = { 0, (uint16_t)before, last->w, (uint16_t)(last->y + last->h - before) };
+    (void)zs_invalidate(r, &rows);
+}
+
+int zs_render(struct zs_renderer *r, const struct zs_scene *scene, const struct zs_camera *camera,
+              const struct zs_sink *sink)
+{
+    if (!sink || !sink->submit)
+        return ZS_ERR_NULL;
+    int err = zs_frame_begin(r, scene, camera);
+    if (err)
+        return err;
+    struct zs_strip strip;
+    int pending = 0, got;
+    while (!err && (got = zs_frame_strip(r, &strip)) > 0) {
+        if (pending && sink->wait) /* two buffers: the strip before is still in the sink's hands */
+            err = sink->wait(sink->ctx);
+        pending = 0;
+        if (err)
+            break;
+        if (!strip.changed_w)
+            continue;
+        err = sink->submit(sink->ctx, &strip);
+        pending = !err;
+        if (pending && sink->wait && r->config.buffers == 1) {
+            err = sink->wait(sink->ctx);
+            pending = 0;
+        }
+    }
+    if (pending && sink->wait) {
+        const int late = sink->wait(sink->ctx);
+        err = err ? err : late;
+    }
+    if (err)
+        not_sent(r, &strip);
+    (void)zs_frame_end(r);
+    return err;
+}

@@ -1,0 +1,132 @@
+/* Reciprocal, square root and wide products.
+ *
+ * SPDX-License-Identifier: MIT
+ */
+#include "core/fx.h"
+
+/* ---- Leading zeros ------------------------------------------------------------------------------ */
+
+#define CLZ_2(n) (n), (n)
+#define CLZ_8(n) CLZ_2(n), CLZ_2(n), CLZ_2(n), CLZ_2(n)
+#define CLZ_32(n) CLZ_8(n), CLZ_8(n), CLZ_8(n), CLZ_8(n)
+#define CLZ_64(n) CLZ_32(n), CLZ_32(n)
+
+const uint8_t zs_clz8[256] = {
+    8, 7, CLZ_2(6), CLZ_2(5), CLZ_2(5), CLZ_8(4), CLZ_8(3), CLZ_8(3), CLZ_32(2), CLZ_64(1), CLZ_64(0), CLZ_64(0)
+};
+
+#if ZS_LEAN
+
+int64_t zs_round_shift(int64_t v, int n)
+{
+    return (v + (((int64_t)1 << n) >> 1)) >> n;
+}
+
+int64_t zs_scale2(int64_t v, int n)
+{
+    if (n >= 0)
+        return v * ((int64_t)1 << n);
+    return n < -62 ? 0 : zs_round_shift(v, -n);
+}
+
+#endif
+
+/* ---- Reciprocal ------------------------------------------------------------------------------
+ *
+ * a / 2^32 = m in [1/2, 1); wanted 1/m in (1, 2], as r = 2^31 / m. A table of 1/m - 1 in uq0_16 at
+ * 257 points and linear interpolation give y with a relative error e <= 2^-16.4:
+ *   interpolation  h^2/8 * max |f''| / min f = (1/512)^2 / 8 * 16 / 1    = 2^-17
+ *   rounding of the table                    2^-17 of a value >= 1       = 2^-17
+ * (2^-17 + 2^-17 = 2^-16; the two do not peak together). One Newton step y (2 - m y) squares it:
+ * 2^-32, always from below; its two truncations add 2^-31 and 2^-32. Sum < 2^-30. */
+
+#define RECIP_AT(i) (uint16_t)(((33554432u + (256u + (i)) / 2u) / (256u + (i))) - 65536u - ((i) == 0u))
+#if ZS_LEAN
+
+uint32_t zs_recip_at(uint32_t i)
+{
+    return RECIP_AT(i);
+}
+
+#else
+
+#define RECIP4(i) RECIP_AT(i), RECIP_AT((i) + 1u), RECIP_AT((i) + 2u), RECIP_AT((i) + 3u)
+#define RECIP16(i) RECIP4(i), RECIP4((i) + 4u), RECIP4((i) + 8u), RECIP4((i) + 12u)
+#define RECIP64(i) RECIP16(i), RECIP16((i) + 16u), RECIP16((i) + 32u), RECIP16((i) + 48u)
+
+const uint16_t zs_recip_table[257] = { /* uq0_16: 512 / (256 + i) - 1; entry 0 saturated */
+    RECIP64(0u), RECIP64(64u), RECIP64(128u), RECIP64(192u), RECIP_AT(256u)
+};
+
+#endif
+
+uint32_t zs_recip(uint32_t a)
+{
+    ZS_FACT(a >> 31);
+    return zs_recip_inline(a);
+}
+
+/* ---- Square root: one result bit a turn, no multiplication ------------------------------------- */
+
+ZS_RARE uint32_t zs_isqrt64(uint64_t v)
+{
+    uint64_t root = 0;
+    for (uint64_t bit = (uint64_t)1 << 62; bit; bit >>= 2) {
+        if (v >= root + bit) {
+            v -= root + bit;
+            root = (root >> 1) + bit;
+        } else {
+            root >>= 1;
+        }
+    }
+    return (uint32_t)root; /* < 2^32 */
+}
+
+/* ---- 128-bit products -------------------------------------------------------------------------- */
+
+struct wide {
+    uint64_t hi, lo;
+};
+
+static ZS_RARE struct wide wide_mul(uint64_t a, uint64_t b)
+{
+    const uint32_t a0 = (uint32_t)a, a1 = (uint32_t)(a >> 32), b0 = (uint32_t)b, b1 = (uint32_t)(b >> 32);
+    const uint64_t low = zs_mul_uu(a0, b0);
+    const uint64_t mid = zs_mul_uu(a1, b0) + (low >> 32);  /* <= (2^32-1)^2 + 2^32 - 1 < 2^64 */
+    const uint64_t mid2 = zs_mul_uu(a0, b1) + (uint32_t)mid; /* the same */
+    const struct wide w = { zs_mul_uu(a1, b1) + (mid >> 32) + (mid2 >> 32), mid2 << 32 | (uint32_t)low };
+    return w;
+}
+
+ZS_RARE uint64_t zs_muldiv_u64(uint64_t a, uint64_t b, uint64_t d)
+{
+    struct wide w = wide_mul(a, b);
+    ZS_FACT(w.hi < d); /* the quotient has 64 bits */
+    uint64_t q = 0;
+    for (int i = 0; i < 64; i++) { /* shift and subtract; w.hi is the remainder, < d */
+        const uint64_t carry = w.hi >> 63;
+        w.hi = w.hi << 1 | w.lo >> 63;
+        w.lo <<= 1;
+        q <<= 1;
+        if (carry || w.hi >= d) {
+            w.hi -= d;
+            q |= 1u;
+        }
+    }
+    return q;
+}
+
+ZS_RARE int64_t zs_mulshift_s64(int64_t a, uint64_t b, int n)
+{
+    const uint64_t mag = a < 0 ? 0u - (uint64_t)a : (uint64_t)a;
+    const struct wide w = wide_mul(mag, b);
+    uint64_t r;
+    if (n >= 64)
+        r = w.hi >> (n - 64);
+    else if (n == 0)
+        r = w.lo;
+    else
+        r = w.hi << (64 - n) | w.lo >> n;
+    ZS_FACT(r <= (uint64_t)INT64_MAX);
+    return a < 0 ? -(int64_t)r : (int64_t)r;
+}

@@ -1,0 +1,251 @@
+/* Fixed-point helpers: the only place where bits are meant to be lost.
+ *
+ * Formats: qI_F is signed, uqI_F unsigned, I counts the sign bit, I + F is the storage width.
+ * Rounding is in each name or comment: floor, nearest (halves up), trunc (towards zero).
+ *
+ * SPDX-License-Identifier: MIT
+ */
+#ifndef ZS_FX_H
+#define ZS_FX_H
+
+#include <stdint.h>
+
+#include "config.h"
+
+#if ZS_LEAN && defined(__GNUC__) && !defined(__clang__) && defined(__OPTIMIZE__)
+#pragma GCC optimize("Os", "no-schedule-insns2") /* whatever else is chosen; the order of loads costs 0.5 % in bytes */
+#endif
+
+#include "arch/wide.h"
+
+_Static_assert((-3 >> 1) == -2, "right shift of negative values must be arithmetic");
+_Static_assert(sizeof(int) >= 4, "int must hold 32 bits");
+
+#define ZS_SUBPX_BITS 8 /* of every coordinate kept; 4-bit profiles snap to multiples of 16 */
+#define ZS_SUBPX_ONE 256
+#define ZS_SUBPX_HALF 128
+#define ZS_GUARD_SUBPX ((int64_t)ZS_GUARD_PX * ZS_SUBPX_ONE)
+
+/* Extents of a binned triangle: 2 * guard. plane.c and raster.c rely on 2^22. */
+#define ZS_EXTENT_BITS 22
+_Static_assert(2 * (ZS_GUARD_SUBPX + 8) < ((int64_t)1 << ZS_EXTENT_BITS), "guard band too wide");
+_Static_assert(ZS_GUARD_PX >= ZS_SIZE_MAX, "the guard band must hold the frame");
+_Static_assert(ZS_SIZE_MAX <= 4096, "see the step count in plane.c and the strip division in bin.c");
+
+typedef int32_t q24_8; /* screen x, y, px */
+
+#if defined(__GNUC__)
+#define ZS_KERNEL_INLINE static inline __attribute__((always_inline)) /* functions passed to it are in line too */
+#else
+#define ZS_KERNEL_INLINE static inline
+#endif
+#if ZS_LEAN /* the compiler's choice, by size */
+#define ZS_RARE
+#define ZS_IN_ORDER
+#define ZS_ALWAYS_INLINE static inline
+#define ZS_NOINLINE
+#elif defined(__GNUC__)
+#define ZS_ALWAYS_INLINE static inline __attribute__((always_inline))
+#if defined(__clang__)
+#define ZS_NOINLINE __attribute__((noinline))
+#else
+#define ZS_NOINLINE __attribute__((noinline, noclone)) /* nor with other arguments: fields as arguments spill */
+#endif
+#if defined(__clang__) || !defined(__OPTIMIZE__)
+#define ZS_RARE
+#define ZS_IN_ORDER
+#else
+#define ZS_IN_ORDER __attribute__((optimize("no-schedule-insns"))) /* many values: to load them early is to spill them */
+#define ZS_RARE __attribute__((optimize("Os"))) /* seldom, or slow by nature: flash counts more than time */
+#endif
+#else
+#define ZS_RARE
+#define ZS_IN_ORDER
+#define ZS_ALWAYS_INLINE static inline
+#define ZS_NOINLINE
+#endif
+
+/* 1: a piece of work that is not left out (enum zs_skip), for tests; with ZS_LEAN what can be is always. */
+#if ZS_LEAN
+#define ZS_OFF(r, skip) 0
+#else
+#define ZS_OFF(r, skip) ((r)->config.skip_off & (skip))
+#endif
+
+/* Two 16-bit values at a time, in memory that is otherwise used as uint16_t. */
+#if defined(__GNUC__)
+typedef uint32_t __attribute__((may_alias)) zs_pair;
+#define ZS_PAIR 2u
+#else
+typedef uint16_t zs_pair;
+#define ZS_PAIR 1u
+#endif
+
+/* Fill n 16-bit values, and the one after them where n is odd (pools are rounded up to 4 bytes).
+ * out is 4-byte aligned. */
+static inline void zs_fill16(uint16_t *out, uint16_t value, uint32_t n)
+{
+    const zs_pair pair = (zs_pair)((uint32_t)value << 16 | value);
+    zs_pair *at = (zs_pair *)(void *)out, *const end = at + (n + ZS_PAIR - 1u) / ZS_PAIR;
+    at += zs_fill_blocks(at, pair, (n + ZS_PAIR - 1u) / ZS_PAIR);
+    for (; end - at >= 8; at += 8) {
+        at[0] = at[1] = at[2] = at[3] = pair;
+        at[4] = at[5] = at[6] = at[7] = pair;
+    }
+    while (at < end)
+        *at++ = pair;
+}
+
+/* Fill n > 0 16-bit values, anywhere. */
+static inline void zs_fill_run(uint16_t *out, uint16_t value, uint32_t n)
+{
+    if ((uintptr_t)out & 2u) {
+        *out++ = value;
+        n--;
+    }
+    if (n & 1u)
+        out[n - 1u] = value;
+    zs_fill16(out, value, n & ~1u);
+}
+
+static inline int32_t zs_abs32(int32_t v)
+{
+    return v < 0 ? -v : v;
+}
+
+static inline int32_t zs_min32(int32_t a, int32_t b)
+{
+    return a < b ? a : b;
+}
+
+static inline int32_t zs_max32(int32_t a, int32_t b)
+{
+    return a > b ? a : b;
+}
+
+static inline uint32_t zs_minu32(uint32_t a, uint32_t b)
+{
+    return a < b ? a : b;
+}
+
+static inline uint32_t zs_maxu32(uint32_t a, uint32_t b)
+{
+    return a > b ? a : b;
+}
+
+#if ZS_LEAN /* fx.c */
+int64_t zs_round_shift(int64_t v, int n);
+int64_t zs_scale2(int64_t v, int n);
+#else
+/* v / 2^n, nearest. 0 <= n <= 62, |v| < 2^62. */
+static inline int64_t zs_round_shift(int64_t v, int n)
+{
+    return (v + (((int64_t)1 << n) >> 1)) >> n;
+}
+
+/* v * 2^n, n of either sign, nearest. |result| < 2^62. */
+static inline int64_t zs_scale2(int64_t v, int n)
+{
+    if (n >= 0)
+        return v * ((int64_t)1 << n);
+    return n < -62 ? 0 : zs_round_shift(v, -n);
+}
+#endif
+
+/* Intended wrap: sums modulo 2^32, product's low half. */
+static inline uint32_t zs_wrap_mul(uint32_t a, int32_t b)
+{
+    return a * (uint32_t)b;
+}
+
+/* v * d modulo 2^64. */
+static inline uint64_t zs_times(uint64_t v, int32_t d)
+{
+#if ZS_LEAN
+    return v * (uint64_t)(int64_t)d;
+#else
+    return (uint64_t)zs_mul_su(d, (uint32_t)v) + ((uint64_t)((uint32_t)(v >> 32) * (uint32_t)d) << 32);
+#endif
+}
+
+/* First sample (row or column) at or after a coordinate: ceil((c - 1/2 px) / 1 px). */
+static inline int32_t zs_first_sample(q24_8 c)
+{
+    return (c + (ZS_SUBPX_HALF - 1)) >> ZS_SUBPX_BITS;
+}
+
+/* The value of a 16-bit number as it lies in memory, most significant byte first. */
+static inline uint16_t zs_wire16(uint16_t v)
+{
+#if defined(__BYTE_ORDER__) && __BYTE_ORDER__ == __ORDER_BIG_ENDIAN__
+    return v;
+#else
+    return (uint16_t)(v << 8 | v >> 8);
+#endif
+}
+
+/* 2^63 / a, at most 2^32 - 1, within 2^-30 of it. a >= 2^31.
+ * Cost  one table look-up, one wide and three narrow multiplications; no division.
+ * Exact tests/test_fx.c compares all 2^31 arguments in steps that hit every table entry. */
+uint32_t zs_recip(uint32_t a);
+
+#if ZS_LEAN
+uint32_t zs_recip_at(uint32_t i); /* fx.c: the table's entries, each by a division */
+#else
+extern const uint16_t zs_recip_table[257]; /* fx.c */
+static inline uint32_t zs_recip_at(uint32_t i)
+{
+    return zs_recip_table[i];
+}
+#endif
+
+/* The same to 16 bits, within 2^-16 of it. */
+ZS_ALWAYS_INLINE uint32_t zs_recip16(uint32_t a)
+{
+    const uint32_t at = a << 1 >> 24;
+    const uint32_t t = a << 9 >> 16;                 /* uq0_16 within the cell */
+    const uint32_t y0 = zs_recip_at(at);             /* < 2^16 */
+    const uint32_t dy = y0 - zs_recip_at(at + 1u);   /* 0 .. 256 */
+    return 0x80000000u + (y0 << 15) - (dy * t >> 1); /* uq1_31, dy * t < 2^24.1 */
+}
+
+/* zs_recip in line, for loops that have few other calls. fx.c has its error. */
+ZS_ALWAYS_INLINE uint32_t zs_recip_inline(uint32_t a)
+{
+    const uint32_t y = zs_recip16(a);
+    /* y (2 - m y) = y + y e with e = 1 - m y, |e| <= 2^14.6 in q_31: two narrow products instead of a wide one */
+    const int32_t e = (int32_t)(0x80000000u - zs_umulh(a, y));
+    const int32_t upper = (int32_t)(y >> 16) * e, lower = (int32_t)(y & 0xffffu) * e; /* |.| < 2^30.6 */
+    const uint32_t r = y + (uint32_t)((upper + (lower >> 16)) >> 15); /* floor: exact below 2^32 + 2 */
+    return r >> 31 ? r : UINT32_MAX;
+}
+
+/* 2^45 / a, 15 bits and a half: within 2^-14 of it, at most 2^16 - 1. 2^30 <= a < 2^31. No long product. */
+static inline uint32_t zs_recip15(uint32_t a)
+{
+    const uint32_t at = a << 2 >> 24, y0 = zs_recip_at(at);
+    const uint32_t t = a << 10 >> 16;                         /* uq0_16 within the cell */
+    return (0x10000u + y0 - ((y0 - zs_recip_at(at + 1u)) * t >> 16)) >> 1;
+}
+
+/* floor(sqrt(v)). */
+uint32_t zs_isqrt64(uint64_t v);
+
+/* floor(a * b / d) with a 128-bit product. d > 0, result < 2^64. For set-up, not for loops. */
+uint64_t zs_muldiv_u64(uint64_t a, uint64_t b, uint64_t d);
+
+static inline uint32_t zs_size32(int32_t v)
+{
+    return v < 0 ? 0u - (uint32_t)v : (uint32_t)v;
+}
+
+/* |v| < 2^63 */
+static inline int64_t zs_size64(int64_t v)
+{
+    return v < 0 ? -v : v;
+}
+
+/* a * b / 2^n, floor of the magnitude, with a 128-bit product. 0 <= n <= 127, |result| < 2^63. */
+int64_t zs_mulshift_s64(int64_t a, uint64_t b, int n);
+
+#endif

@@ -1,0 +1,292 @@
+/* Planes over the screen: gradients of a snapped triangle, exact where they must be.
+ *
+ * value(x, y) = v0 + (Nx (x - x0) + Ny (y - y0)) / A with
+ *   A  = dx1 dy2 - dx2 dy1 > 0,  Nx = dv1 dy2 - dv2 dy1,  Ny = dv2 dx1 - dv1 dx2.
+ *
+ * Sums are kept modulo 2^32. That is exact wherever the true value fits, and it does on covered
+ * pixels: they lie inside the triangle, so the value lies between the vertices' (near and far are
+ * clipped before), give or take the errors below, which are far less than the half bucket added.
+ * base + gx * i + gy * j equals repeated addition bit for bit: strips cannot differ.
+ *
+ * Two ways, chosen by the triangle alone. Each has a narrower twin that gives the same bits: tiny triangles (pipeline.h) go
+ * the small way with 32-bit products, and where values are too steep for it, division is by the reciprocal with remainder.
+ *
+ * small   width + height <= 256 px, value differences below 2^31, gradients below 2^27: one
+ *         reciprocal of the area, a multiplication a gradient. Relative error of a gradient
+ *         2^-30 (reciprocal) + 2^-31 + 2^-31 (mantissas cut) + 2^-30 (product cut) < 2^-28.4, so below
+ *         2^-1.4 ulp, and rounded: e <= 0.88 ulp. The anchor is the first vertex's own pixel, at most
+ *         half a pixel away each way: 0.88 + 0.5. Anywhere in the triangle, 256 steps at the most:
+ *         <= 0.88 * 256 + 1.4 < 227 ulp of 2^-16 bucket = 0.0035 bucket.
+ *         Values of 31 significant bits (ZS_PLANE_WIDE: w, colour times w) take gradients up to 2^30 this
+ *         way: e <= 2^1.6 + 1/2 ulp of 2^-31, 2^-21 over 256 steps.
+ * large   division with remainder to 24 bits more, gradients rounded to nearest: e <= 1/2 ulp. The anchor is
+ *         the pixel of the frame next to the first vertex, computed from N / A with 32 fraction bits
+ *         (error < 2^-32 * 2^22 * 2 + 1/2). Anywhere in the frame: <= (W + H - 2) / 2 + 0.51 ulp
+ *         < (W + H + 1) / 2 * 2^-16 bucket = 0.0049 for W + H = 640.
+ *
+ * SPDX-License-Identifier: MIT
+ */
+#include "core/pipeline.h"
+
+#if !ZS_LEAN /* raster.c has both in one */
+
+#define SMALL_EXTENT ZS_SMALL_EXTENT
+
+void zs_plane_sides(struct zs_job *job, const struct zs_vertex *a, const struct zs_vertex *b, const struct zs_vertex *c)
+{
+    struct zs_geom *g = &job->geom;
+    const int32_t dx1 = b->x - a->x, dx2 = c->x - a->x, dy1 = b->y - a->y, dy2 = c->y - a->y; /* |.| < 2^22 */
+    job->v[0] = a;
+    job->v[1] = b;
+    job->v[2] = c;
+    job->mid_right = b->y < c->y || (b->y == c->y && b->x < c->x);
+    g->dx1 = dx1;
+    g->dx2 = dx2;
+    g->dy1 = dy1;
+    g->dy2 = dy2;
+    if (!zs_tiny(dx1, dx2, dy1, dy2)) {
+        g->area = zs_mul_ss(dx1, dy2) - zs_mul_ss(dx2, dy1); /* < 2^45 */
+        g->tiny = 0;
+        return;
+    }
+    const int32_t area = dx1 * dy2 - dx2 * dy1; /* each below 2^28 */
+    g->area = (uint32_t)area;
+    g->tiny = area >= ZS_TINY_AREA;
+}
+
+/* Width + height <= 256 px. */
+static int is_small(const struct zs_geom *g)
+{
+    const int32_t width = zs_max32(zs_max32(g->dx1, g->dx2), 0) - zs_min32(zs_min32(g->dx1, g->dx2), 0);
+    return width + zs_max32(g->dy1, g->dy2) <= SMALL_EXTENT; /* the first vertex is the top one */
+}
+
+void zs_plane_geom(struct zs_job *job)
+{
+    struct zs_geom *g = &job->geom;
+    const struct zs_vertex *a = job->v[0];
+    ZS_FACT(g->dx1 == job->v[1]->x - a->x && g->dy1 == job->v[1]->y - a->y);
+    ZS_FACT(g->dx2 == job->v[2]->x - a->x && g->dy2 == job->v[2]->y - a->y);
+    ZS_FACT(g->area == (int64_t)g->dx1 * g->dy2 - (int64_t)g->dx2 * g->dy1 && g->area > 0);
+    const int32_t x = a->x, y = a->y;
+    int32_t ia = x >> ZS_SUBPX_BITS, ja = y >> ZS_SUBPX_BITS;
+    if (g->tiny || is_small(g)) {
+        ZS_FACT(g->area <= (int64_t)1 << 30);
+        const int lz = zs_clz32((uint32_t)g->area); /* 1 .. 31: area <= width * height <= 2^30 */
+        g->exp = -lz;
+        g->rcp = zs_recip((uint32_t)g->area << lz);
+    } else {
+        g->rcp = 0;
+        ia = zs_min32(zs_max32(ia, 0), job->width - 1);
+        ja = zs_min32(zs_max32(ja, 0), job->r->config.height - 1);
+    }
+    g->ia = ia;
+    g->ja = ja;
+    g->ax = ia * ZS_SUBPX_ONE + ZS_SUBPX_HALF - x; /* small: -127 .. 128; large: < 2^22.1 */
+    g->ay = ja * ZS_SUBPX_ONE + ZS_SUBPX_HALF - y;
+}
+
+#endif
+
+#define TOO_STEEP ZS_TOO_STEEP
+
+/* 256 * n / area of a small triangle, nearly nearest; TOO_STEEP where it is 2^(32 - least_shift) or more. */
+static ZS_NOINLINE int32_t small_gradient(const struct zs_geom *g, int64_t n, int32_t least_shift)
+{
+    const uint64_t mag = n < 0 ? 0u - (uint64_t)n : (uint64_t)n;
+    if (mag == 0)
+        return 0;
+    const int lz = zs_clz64(mag);
+    const uint32_t hi = (uint32_t)(mag >> 32), lo = (uint32_t)mag;
+    const uint32_t m = hi ? hi << lz | lo >> 1 >> (31 - lz) : lo << (lz - 32); /* top 32 bits of mag << lz */
+    /* mag = m 2^(32 - lz), area = a 2^exp: 256 mag / area = p 2^(32 + 8 + 32 - lz - 63 - exp), p = m (2^63 / a) / 2^32 */
+    const int32_t shift = lz + g->exp - 9;
+    if (shift < least_shift)
+        return TOO_STEEP;
+    const uint32_t p = zs_umulh(m, g->rcp); /* [2^30, 2^32) */
+    const uint32_t q = shift > 32 ? 0u : ((p >> (shift - 1)) + 1u) >> 1;
+    return n < 0 ? -(int32_t)q : (int32_t)q; /* q <= 2^30 */
+}
+
+#if !ZS_LEAN
+#if ZS_DIVIDES /* small.c calls it too */
+#define TINY_GRADIENT static inline
+ZS_NOINLINE
+#else
+#define TINY_GRADIENT static ZS_NOINLINE
+ZS_ALWAYS_INLINE
+#endif
+int32_t zs_plane_quotient(int64_t n, uint32_t rcp, int32_t shift, int32_t least_shift)
+{
+    const int32_t sign = (int32_t)(n >> 32);
+    uint32_t m = (uint32_t)n, hi = (uint32_t)sign;
+    if (sign < 0) {
+        m = 0u - m;
+        hi = ~hi + (m == 0);
+    }
+    ZS_FACT(hi <= 1u << 14);
+    int32_t down = 23 - shift; /* 5 .. */
+    if (hi) {
+        const int lz = zs_clz32(hi); /* 17 .. 31 */
+        m = hi << lz | m >> (32 - lz);
+        down -= 32 - lz;
+        if (down < least_shift)
+            return TOO_STEEP;
+    }
+    m = ((zs_umulh(m, rcp) >> (down - 1)) + 1u) >> 1;
+    return sign < 0 ? -(int32_t)m : (int32_t)m;
+}
+
+/* 256 (dv1 d[1] - dv2 d[0]) / area of a tiny triangle. */
+TINY_GRADIENT int32_t tiny_gradient(const struct zs_geom *g, int32_t dv1, int32_t dv2, const int32_t d[2], int32_t least_shift)
+{
+    return zs_plane_quotient(zs_cross_short(dv1, d[1], dv2, d[0]), g->rcp, -g->exp, least_shift);
+}
+#endif
+
+#if ZS_LEAN
+
+/* n / d with 32 fraction bits: floor in *whole, fraction returned. d < 2^45. */
+static uint32_t divide(int64_t n, int64_t d, int64_t *whole)
+{
+    const int64_t below = n >> 63; /* of n < 0, what is divided is -1 - n */
+    const uint64_t mag = (uint64_t)(n ^ below), q = zs_muldiv_u64(mag, 1, (uint64_t)d);
+    uint64_t rest = mag - q * (uint64_t)d;
+    *whole = (int64_t)q ^ below;
+    if (below)
+        rest = (uint64_t)d - 1u - rest;
+    return (uint32_t)zs_muldiv_u64(rest, (uint64_t)1 << 32, (uint64_t)d);
+}
+
+#else
+
+/* n / d with 32 fraction bits: floor in *whole, fraction returned. d < 2^45. */
+static ZS_RARE ZS_NOINLINE uint32_t divide(int64_t n, int64_t d, int64_t *whole)
+{
+    int64_t q = n / d, rest = n % d;
+    if (rest < 0) {
+        rest += d;
+        q--;
+    }
+    *whole = q;
+    const uint64_t high = (uint64_t)rest << 16; /* < 2^61 */
+    const uint64_t f1 = high / (uint64_t)d;
+    const uint64_t low = (high - f1 * (uint64_t)d) << 16;
+    return (uint32_t)(f1 << 16 | low / (uint64_t)d);
+}
+
+/* The next 32 bits of a quotient: (*rest 2^32 + next) / d. *rest < d, d >= 2^31, rcp at most 2^63 / d and no more
+ * than 2^-28 of it less: the guess is never too large, and at most 18 too small. */
+static inline uint32_t digit(uint32_t *rest, uint32_t next, uint32_t d, uint32_t rcp)
+{
+    uint32_t q = zs_umulh(*rest, rcp) * 2u;
+    uint64_t left = ((uint64_t)*rest << 32 | next) - zs_mul_uu(q, d);
+    for (; left >= d; left -= d)
+        q++;
+    *rest = (uint32_t)left;
+    return q;
+}
+
+/* divide(n, area) of a small triangle, by its area's reciprocal. |n| < 2^57 */
+static ZS_RARE ZS_NOINLINE uint32_t small_divide(const struct zs_geom *g, int64_t n, int64_t *whole)
+{
+    const uint64_t mag = n < 0 ? 0u - (uint64_t)n : (uint64_t)n;
+    const int32_t lz = -g->exp;                                      /* 1 .. 31, as area <= 2^30 */
+    const uint32_t d = (uint32_t)g->area << lz, rcp = g->rcp - 3u;   /* zs_recip is above by 2^-31 at the most */
+    const uint32_t hi = (uint32_t)(mag >> 32), lo = (uint32_t)mag;
+    uint32_t rest = hi >> (32 - lz);                                 /* mag << lz in three words; < 2^24 */
+    const uint32_t q1 = digit(&rest, hi << lz | lo >> (32 - lz), d, rcp);
+    const uint32_t q0 = digit(&rest, lo << lz, d, rcp);
+    uint32_t part = digit(&rest, 0, d, rcp);
+    uint64_t q = (uint64_t)q1 << 32 | q0;
+    if (n < 0) { /* floor: -q - 1 where anything is left, bit by bit */
+        part = ~part;
+        q = ~q;
+        if (rest == 0 && ++part == 0)
+            q++;
+    }
+    *whole = (int64_t)q;
+    return part;
+}
+
+#endif
+
+/* A gradient in 40.24 bits modulo 2^64, and the step to the anchor added to *base. */
+static ZS_RARE uint64_t gradient64(const struct zs_geom *g, uint64_t n, int32_t to_anchor, uint64_t *base)
+{
+    int64_t whole;
+#if ZS_LEAN
+    const uint32_t part = divide((int64_t)n, g->area, &whole);
+#else
+    const uint32_t part = g->rcp ? small_divide(g, (int64_t)n, &whole) : divide((int64_t)n, g->area, &whole);
+#endif
+    *base += (zs_times((uint64_t)whole, to_anchor) << 24) + (uint64_t)(zs_mul_su(to_anchor, part) >> 8);
+    return ((uint64_t)whole << 32) + part;
+}
+
+void zs_plane64(const struct zs_geom *g, uint64_t v0, uint64_t v1, uint64_t v2,
+                struct zs_plane64 *out)
+{
+    const uint64_t dv1 = v1 - v0, dv2 = v2 - v0; /* |.| <= 2^40 */
+    uint64_t base = v0 << 24;
+    out->gx = gradient64(g, zs_times(dv1, g->dy2) - zs_times(dv2, g->dy1), g->ax, &base); /* |.| < 2^63 */
+    out->gy = gradient64(g, zs_times(dv2, g->dx1) - zs_times(dv1, g->dx2), g->ay, &base);
+    out->base = base;
+}
+
+/* The small way, once the base holds the first vertex's value and the gradients are known: on to the anchor. */
+static inline void small_base(const struct zs_geom *g, struct zs_plane *out)
+{
+    const int32_t gx = (int32_t)out->gx, gy = (int32_t)out->gy, ax = g->ax, ay = g->ay; /* |g| <= 2^30, |a| <= 2^7 */
+    ZS_FACT(gx >= -(1 << 30) && gx <= 1 << 30 && gy >= -(1 << 30) && gy <= 1 << 30);
+    const int32_t low = (gx & 255) * ax + (gy & 255) * ay + 128; /* (gx ax + gy ay + 128) / 256, the low 8 bits apart */
+    out->base += (uint32_t)((gx >> 8) * ax + (gy >> 8) * ay + (low >> 8)); /* |.| < 2^31 */
+}
+
+/* Any triangle: the small way if it and its values are, else 24 bits more, rounded. */
+static ZS_NOINLINE void any_plane(const struct zs_geom *g, int32_t dv1, int32_t dv2, struct zs_plane *out,
+                                  int32_t least)
+{
+    const uint32_t v0 = out->base, v1 = v0 + (uint32_t)dv1, v2 = v0 + (uint32_t)dv2; /* modulo 2^32 */
+    /* differences that fit 32 bits: the borrow and the sign bit agree */
+    if (g->rcp && (dv1 < 0) == (v1 < v0) && (dv2 < 0) == (v2 < v0)) {
+        /* |dv| <= 2^31, |d| <= 2^16: |.| <= 2^48 */
+        const int32_t gx = small_gradient(g, zs_mul_ss(dv1, g->dy2) - zs_mul_ss(dv2, g->dy1), least);
+        const int32_t gy = small_gradient(g, zs_mul_ss(dv2, g->dx1) - zs_mul_ss(dv1, g->dx2), least);
+        if (gx != TOO_STEEP && gy != TOO_STEEP) {
+            out->gx = (uint32_t)gx;
+            out->gy = (uint32_t)gy;
+            small_base(g, out);
+            return;
+        }
+    }
+    struct zs_plane64 wide;
+    zs_plane64(g, v0, v1, v2, &wide);
+    out->gx = (uint32_t)((wide.gx + (1u << 23)) >> 24);
+    out->gy = (uint32_t)((wide.gy + (1u << 23)) >> 24);
+    out->base = (uint32_t)((wide.base + (1u << 23)) >> 24);
+}
+
+void zs_plane32(const struct zs_geom *g, uint32_t v0, uint32_t v1, uint32_t v2,
+                enum zs_plane_kind kind, struct zs_plane *out)
+{
+    const int32_t dv1 = (int32_t)(v1 - v0), dv2 = (int32_t)(v2 - v0);
+    out->base = v0;
+    if ((dv1 | dv2) == 0) {
+        out->gx = out->gy = 0;
+        return;
+    }
+#if !ZS_LEAN
+    if (g->tiny && !(((v0 ^ v1) | (v0 ^ v2)) >> 31)) { /* all three in one half: differences fit 32 bits */
+        const int32_t gx = tiny_gradient(g, dv1, dv2, g->dy, kind);
+        const int32_t up = tiny_gradient(g, dv1, dv2, g->dx, kind); /* -gy, rounded alike */
+        if (gx != TOO_STEEP && up != TOO_STEEP) {
+            out->gx = (uint32_t)gx;
+            out->gy = 0u - (uint32_t)up;
+            small_base(g, out);
+            return;
+        }
+    }
+#endif
+    any_plane(g, dv1, dv2, out, kind);
+}

@@ -1,0 +1,393 @@
+/* Angles, unit vectors, rotations and poses, from integers.
+ *
+ * SPDX-License-Identifier: MIT
+ */
+#include "core/cold.h"
+#include "core/rotation.h"
+
+#define QUARTER 16384u
+#define EIGHTH 8192u
+#define TWO_PI_Q28 1686629713 /* 2 pi * 2^28, nearest */
+
+static int32_t q30_mul(int32_t a, int32_t b)
+{
+    return (int32_t)zs_round_shift((int64_t)a * b, 30); /* |a|, |b| <= 2^31: < 2^62 */
+}
+
+/* ---- Sine: Taylor on an eighth of a turn ------------------------------------------------------
+ *
+ * With x <= pi/4 the first term left out is x^11/11! < 2^-29 for sin and x^10/10! = 2.5e-8 * ... for
+ * cos x^12/12! < 2^-32; each of the five products adds half an ulp of 2^-30. Sum < 2^-28. */
+
+/* x in q2_30 radians of an angle <= EIGHTH. */
+static int32_t radians(uint32_t a)
+{
+    return (int32_t)(((int64_t)a * TWO_PI_Q28 + (1 << 13)) >> 14); /* a 2 pi / 2^16 * 2^30 */
+}
+
+static int32_t sin_eighth(int32_t x)
+{
+    const int32_t xx = q30_mul(x, x); /* <= 0.617 */
+    int32_t s = ZS_Q30_ONE - xx / 72;
+    s = ZS_Q30_ONE - q30_mul(xx, s) / 42;
+    s = ZS_Q30_ONE - q30_mul(xx, s) / 20;
+    s = ZS_Q30_ONE - q30_mul(xx, s) / 6;
+    return q30_mul(x, s);
+}
+
+static int32_t cos_eighth(int32_t x)
+{
+    const int32_t xx = q30_mul(x, x);
+    int32_t c = ZS_Q30_ONE - xx / 90;
+    c = ZS_Q30_ONE - q30_mul(xx, c) / 56;
+    c = ZS_Q30_ONE - q30_mul(xx, c) / 30;
+    c = ZS_Q30_ONE - q30_mul(xx, c) / 12;
+    return ZS_Q30_ONE - q30_mul(xx, c) / 2;
+}
+
+zs_q2_30 zs_sin(zs_turn a)
+{
+    const uint32_t part = a & (QUARTER - 1u);
+    const int odd = (a & QUARTER) != 0; /* second and fourth quarter: cosine of the part */
+    const int32_t s = odd ? (part <= EIGHTH ? cos_eighth(radians(part))
+                                            : sin_eighth(radians(QUARTER - part)))
+                          : (part <= EIGHTH ? sin_eighth(radians(part))
+                                            : cos_eighth(radians(QUARTER - part)));
+    return a & 32768u ? -s : s;
+}
+
+zs_q2_30 zs_cos(zs_turn a)
+{
+    return zs_sin((zs_turn)(a + QUARTER));
+}
+
+/* ---- Vectors ------------------------------------------------------------------------------------- */
+
+static uint32_t magnitude(const int32_t v[3])
+{
+    uint32_t mag = 0;
+    for (int k = 0; k < 3; k++)
+        mag |= v[k] < 0 ? 0u - (uint32_t)v[k] : (uint32_t)v[k];
+    return mag;
+}
+
+/* w = v * 2^n, at most 2^31 a component. Return its square, <= 3 * 2^62. */
+static ZS_NOINLINE uint64_t scaled(int64_t w[3], const int32_t v[3], int n)
+{
+    uint64_t square = 0;
+    for (int k = 0; k < 3; k++) {
+        w[k] = zs_scale2(v[k], n);
+        square += (uint64_t)(w[k] * w[k]);
+    }
+    return square;
+}
+
+int zs_unit(zs_q2_30 out[3], const int32_t v[3])
+{
+    const uint32_t mag = magnitude(v);
+    if (mag == 0)
+        return ZS_ERR_VECTOR;
+    int64_t w[3]; /* largest component in [2^30, 2^31) */
+    const uint64_t square = scaled(w, v, zs_clz32(mag) - 1);
+    const int64_t length = zs_isqrt64(square); /* [2^30, 2^31.8), floor: relative error < 2^-30 */
+    for (int k = 0; k < 3; k++) {
+#if ZS_LEAN /* the same without a division of 64 bits */
+        const int64_t part = (int64_t)zs_muldiv_u64((uint64_t)(w[k] < 0 ? -w[k] : w[k]), (uint64_t)1 << 31, (uint64_t)length);
+        const int64_t n = w[k] < 0 ? -part : part;
+#else
+        const int64_t n = w[k] * ((int64_t)1 << 31) / length; /* q1_31, truncated; < 2^62 / 2^30 */
+#endif
+        out[k] = (int32_t)zs_round_shift(n, 1);
+    }
+    return ZS_OK;
+}
+
+int zs_unit64(zs_q2_30 out[3], const int64_t v[3])
+{
+    uint64_t most = 0;
+    int32_t w[3];
+    for (int k = 0; k < 3; k++)
+        most |= (uint64_t)(v[k] < 0 ? -v[k] : v[k]);
+    const int down = most >> 30 ? 34 - zs_clz64(most) : 0; /* below 2^30 */
+    for (int k = 0; k < 3; k++)
+        w[k] = (int32_t)zs_round_shift(v[k], down);
+    return zs_unit(out, w);
+}
+
+void zs_cross(zs_q2_30 out[3], const zs_q2_30 a[3], const zs_q2_30 b[3])
+{
+    for (int k = 0; k < 3; k++)
+        out[k] = (int32_t)zs_round_shift(zs_cross_at(a, b, k), 30);
+}
+
+#if ZS_LEAN
+int64_t zs_cross_at(const int32_t a[3], const int32_t b[3], int k)
+{
+    const int i = k == 2 ? 0 : k + 1, j = k == 0 ? 2 : k - 1;
+    return zs_mul_ss(a[i], b[j]) - zs_mul_ss(a[j], b[i]);
+}
+
+#define dot_q60 zs_dot
+int64_t zs_dot(const int32_t a[3], const int32_t b[3])
+{
+    return zs_mul_ss(a[0], b[0]) + zs_mul_ss(a[1], b[1]) + zs_mul_ss(a[2], b[2]);
+}
+#else
+static ZS_NOINLINE int64_t dot_q60(const zs_q2_30 *a, const zs_q2_30 *b)
+{
+    return zs_dot(a, b);
+}
+#endif
+
+int zs_rotation_ok(const zs_q2_30 m[9])
+{
+    const int64_t tolerance = (int64_t)1 << 40; /* 2^-20 in q60 */
+    const int32_t limit = ZS_Q30_ONE + (1 << 10);
+    for (int k = 0; k < 9; k++)
+        if (m[k] > limit || m[k] < -limit)
+            return 0;
+    for (int i = 0; i < 3; i++)
+        for (int j = 0; j <= i; j++) {
+            const int64_t want = i == j ? (int64_t)1 << 60 : 0;
+            const int64_t off = dot_q60(m + 3 * i, m + 3 * j) - want;
+            if (off > tolerance || off < -tolerance)
+                return 0;
+        }
+    zs_q2_30 right_handed[3];
+    zs_cross(right_handed, m, m + 3);
+    return dot_q60(right_handed, m + 6) > 0; /* a mirror would turn faces inside out */
+}
+
+void zs_rotation_mul(zs_q2_30 out[9], const zs_q2_30 a[9], const zs_q2_30 b[9])
+{
+    for (int i = 0; i < 3; i++)
+        for (int j = 0; j < 3; j++) {
+            const int64_t sum = zs_mul_ss(a[3 * i], b[j]) + zs_mul_ss(a[3 * i + 1], b[3 + j]) +
+                                zs_mul_ss(a[3 * i + 2], b[6 + j]); /* |.| <= 2^60 (1 + 2^-19) */
+            out[3 * i + j] = (int32_t)zs_round_shift(sum, 30);
+        }
+}
+
+/* ---- Poses --------------------------------------------------------------------------------------- */
+
+void zs_pose_identity(struct zs_pose *pose)
+{
+    const struct zs_pose identity = {
+        { ZS_Q30_ONE, 0, 0, 0, ZS_Q30_ONE, 0, 0, 0, ZS_Q30_ONE }, { 0, 0, 0 }, ZS_Q16_ONE
+    };
+    *pose = identity;
+}
+
+void zs_pose_turn(struct zs_pose *pose, zs_turn yaw, zs_turn pitch, zs_turn roll)
+{
+    const int32_t sy = zs_sin(yaw), cy = zs_cos(yaw), sp = zs_sin(pitch), cp = zs_cos(pitch);
+    const int32_t sr = zs_sin(roll), cr = zs_cos(roll);
+    const zs_q2_30 ry[9] = { cy, 0, sy, 0, ZS_Q30_ONE, 0, -sy, 0, cy };
+    const zs_q2_30 rx[9] = { ZS_Q30_ONE, 0, 0, 0, cp, -sp, 0, sp, cp };
+    const zs_q2_30 rz[9] = { cr, -sr, 0, sr, cr, 0, 0, 0, ZS_Q30_ONE };
+    zs_q2_30 yx[9];
+    zs_rotation_mul(yx, ry, rx);
+    zs_rotation_mul(pose->rot, yx, rz);
+}
+
+/* ---- Composed rotations --------------------------------------------------------------------------
+ *
+ * What is wrong with every step alike grows with the number of steps; what is wrong at random, with its
+ * root. So a step's rotation is computed to 2^-52, and only the product is rounded to q2_30, at random:
+ * 2^-29.6 rad a step, 2^-19.6 after a million (root mean square).
+ *
+ * Why at random: rounded to nearest, a point near the axis, which moves a few ulps a step, is wrong the
+ * same way for thousands of steps (axis -3 0 101919, turns of 1: 2^-15.4 rad after a million).
+ * Why a count is kept in the low bits: turns that all but cancel (a half turn, a small one, again and
+ * again) bring the pose back to the very bits that it had. What was drawn from these bits alone would be
+ * drawn again, for ever, and the little that does not cancel would be lost every time. */
+
+typedef int64_t q4_60;
+#define ONE_Q60 ((q4_60)1 << 60)
+#define TWO_PI_Q47 INT64_C(884279719003555) /* 2 pi * 2^47, nearest, within 2^-54 of it */
+
+static int32_t upper(q4_60 v) /* q2_30, floor. |v| < 2 */
+{
+    return (int32_t)(v >> 30);
+}
+
+static int32_t lower(q4_60 v) /* the 30 bits below it */
+{
+    return (int32_t)(v & (ZS_Q30_ONE - 1));
+}
+
+/* a * b, less than 2^-59 too small. |a|, |b| < 2. Called for the flash that it saves: 500 bytes. */
+static ZS_NOINLINE q4_60 q60_mul(q4_60 a, q4_60 b)
+{
+    const int64_t mid = (int64_t)upper(a) * lower(b) + (int64_t)lower(a) * upper(b); /* < 2^62 */
+    return (int64_t)upper(a) * upper(b) + (mid >> 30);
+}
+
+/* 1 - xx / n (n - 1) * (1 - xx / (n - 2) (n - 3) * (1 - ...)): n even, cosine; n odd, sine / x. */
+static q4_60 series(q4_60 xx, int n)
+{
+    q4_60 sum = ONE_Q60;
+    for (; n > 1; n -= 2)
+        sum = ONE_Q60 - q60_mul(xx, sum) / (n * (n - 1));
+    return sum;
+}
+
+/* Within 2^-53. With |x| <= pi/4 the first terms left out are x^17/17! < 2^-54 and x^18/18! < 2^-58; x
+ * is within 2^-54 of itself. */
+static void fine_sin_cos(q4_60 *sine, q4_60 *cosine, zs_turn a)
+{
+    const int quarters = (int)((a + EIGHTH) / QUARTER);
+    const int64_t x_q63 = (a - quarters * (int)QUARTER) * TWO_PI_Q47; /* a 2 pi / 2^16 * 2^63 */
+    const q4_60 x = x_q63 >> 3, xx = q60_mul(x, x);
+    const q4_60 s = q60_mul(x, series(xx, 15)), c = series(xx, 16);
+    const q4_60 odd_s = quarters & 1 ? c : s, odd_c = quarters & 1 ? -s : c;
+    *sine = quarters & 2 ? -odd_s : odd_s;
+    *cosine = quarters & 2 ? -odd_c : odd_c;
+}
+
+/* v scaled to length 1, within 2^-54. Return ZS_OK; ZS_ERR_VECTOR (0: out untouched). */
+static int fine_unit(q4_60 out[3], const int32_t v[3])
+{
+    const uint32_t mag = magnitude(v);
+    if (mag == 0)
+        return ZS_ERR_VECTOR;
+    int64_t w[3]; /* exact, largest component in [2^30, 2^31] */
+    const uint64_t square = scaled(w, v, mag >> 31 ? 0 : zs_clz32(mag) - 1);
+    /* 2^30 / length (1 + e), |e| < 2^-28, in q60. A Newton step leaves 1.5 e^2 of it. */
+    const q4_60 guess = (q4_60)((uint64_t)ONE_Q60 / zs_isqrt64(square)) << 30;
+    const q4_60 sixteenth = q60_mul((q4_60)(square >> 4), q60_mul(guess, guess)); /* (1 + e)^2 / 16 */
+    const q4_60 inverse = guess + 8 * q60_mul(guess, (ONE_Q60 >> 4) - sixteenth);
+    for (int k = 0; k < 3; k++)
+        out[k] = w[k] * upper(inverse) + (w[k] * lower(inverse) >> 30);
+    return ZS_OK;
+}
+
+/* Rodrigues: u u^T + cos (1 - u u^T) + sin [u], within 2^-52 an element. */
+static void fine_turn(q4_60 turn[9], const q4_60 u[3], zs_turn angle)
+{
+    q4_60 s, c;
+    fine_sin_cos(&s, &c, angle);
+    for (int k = 0; k < 3; k++) {
+        const int i = (k + 1) % 3, j = (k + 2) % 3;
+        const q4_60 square = q60_mul(u[k], u[k]), both = q60_mul(u[i], u[j]);
+        const q4_60 even = both - q60_mul(c, both), odd = q60_mul(s, u[k]);
+        turn[4 * k] = square + q60_mul(c, ONE_Q60 - square);
+        turn[3 * j + i] = even + odd;
+        turn[3 * i + j] = even - odd;
+    }
+}
+
+/* Gram-Schmidt, for what is no rotation yet: the first row keeps its direction, the third is the product
+ * of the other two. */
+static void orthonormalise(zs_q2_30 m[9])
+{
+    (void)zs_unit(m, m);
+    const int64_t along = zs_round_shift(dot_q60(m, m + 3), 30); /* < 2^31.8 */
+    int64_t second[3];
+    for (int k = 0; k < 3; k++)
+        second[k] = m[3 + k] - zs_round_shift(along * m[k], 30);
+    (void)zs_unit64(m + 3, second);
+    zs_cross(m + 6, m, m + 3);
+}
+
+/* turn = turn (1 - (m m^T - 1) / 2): turn * m is then orthonormal but for the square of what m lacks. A
+ * symmetric factor, so it turns nothing. m is orthonormal to 2^-20. */
+static void correct(q4_60 turn[9], const zs_q2_30 m[9])
+{
+    int32_t off[9]; /* m m^T - 1, q40 */
+    for (int i = 0; i < 3; i++)
+        for (int j = 0; j <= i; j++) {
+            const int64_t dot = dot_q60(m + 3 * i, m + 3 * j) - (i == j ? ONE_Q60 : 0);
+            off[3 * i + j] = off[3 * j + i] = (int32_t)(dot >> 20);
+        }
+    for (int i = 0; i < 3; i++) {
+        q4_60 *const row = turn + 3 * i;
+        const int32_t was[3] = { upper(row[0]), upper(row[1]), upper(row[2]) };
+        for (int j = 0; j < 3; j++)
+            row[j] -= dot_q60(was, off + 3 * j) >> 11;
+    }
+}
+
+/* out = turn * m, within 2^-59 of it. */
+static void product(q4_60 out[9], const q4_60 turn[9], const zs_q2_30 m[9])
+{
+    for (int e = 0; e < 9; e++) {
+        const q4_60 *const row = turn + e / 3 * 3;
+        int64_t high = 0, low = 0; /* q60 and q90, < 2^63 */
+        for (int k = 0; k < 3; k++) {
+            const int32_t v = m[3 * k + e % 3];
+            high += (int64_t)upper(row[k]) * v;
+            low += (int64_t)lower(row[k]) * v;
+        }
+        out[e] = high + (low >> 30);
+    }
+}
+
+/* 1: all elements are 0, 1 or -1, to 2^-47. */
+static int along_axes(const q4_60 m[9])
+{
+    for (int e = 0; e < 9; e++)
+        if ((m[e] + (1 << 13)) & (ONE_Q60 - (1 << 14)))
+            return 0;
+    return 1;
+}
+
+/* Of the 15-bit count: takes all 32768 values before it comes round, in no visible order. */
+static uint32_t count_next(uint32_t n)
+{
+    n = (n * 17483u + 10672u) & 0x7fffu;
+    n = ((n ^ n >> 7) * 3729u) & 0x7fffu;
+    return n ^ n >> 8;
+}
+
+/* How many of the count's bits are the low bits of element e; element 0 has the count's lowest. */
+static int count_bits(int e)
+{
+    return e % 4 ? 2 : 1;
+}
+
+/* m = exact, rounded to the nearest value that ends in its part of the next count: off by up to 2 ulps, 1
+ * on the diagonal. Before that up to 1/2 ulp is added, drawn from all bits of m, so that fractions count
+ * too. The same m and turn give the same bits on every machine. */
+static void round_at_random(zs_q2_30 m[9], const q4_60 exact[9])
+{
+    uint32_t count = 0, draw = 0;
+    for (int e = 8; e >= 0; e--) {
+        const int bits = count_bits(e);
+        count = count << bits | ((uint32_t)m[e] & ((1u << bits) - 1u));
+        draw = (draw ^ (uint32_t)m[e]) * 2654435761u;
+    }
+    count = count_next(count);
+    for (int e = 0; e < 9; e++) {
+        const int bits = count_bits(e), one = 1 << bits, part = (int)count & (one - 1);
+        count >>= bits;
+        draw = (draw ^ draw >> 15) * 1664525u + 1013904223u;
+        const int32_t fraction = (int32_t)(draw >> 2) - ZS_Q30_ONE / 2; /* -1/2 .. 1/2 ulp */
+        const int64_t up = exact[e] + fraction + (int64_t)(one / 2 - part) * ZS_Q30_ONE;
+        m[e] = (int32_t)(up >> (30 + bits)) * one + part;
+    }
+}
+
+int zs_pose_rotate(struct zs_pose *pose, const int32_t axis[3], zs_turn angle)
+{
+    q4_60 u[3], turn[9], exact[9];
+    const int err = fine_unit(u, axis);
+    if (err)
+        return err;
+    fine_turn(turn, u, angle);
+    if (zs_rotation_ok(pose->rot)) {
+        correct(turn, pose->rot);
+    } else {
+        orthonormalise(pose->rot);
+        if (!zs_rotation_ok(pose->rot)) /* rows that are parallel, or 0 */
+            for (int e = 0; e < 9; e++)
+                pose->rot[e] = e % 4 ? 0 : ZS_Q30_ONE;
+    }
+    product(exact, turn, pose->rot);
+    if (along_axes(exact)) /* quarter turns of what is along the axes: keep it there */
+        for (int e = 0; e < 9; e++)
+            pose->rot[e] = (int32_t)zs_round_shift(exact[e], 30);
+    else
+        round_at_random(pose->rot, exact);
+    return ZS_OK;
+}

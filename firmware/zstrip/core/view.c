@@ -1,0 +1,147 @@
+/* The camera of a frame.
+ *
+ * World units are the user's and may be coarse or fine; inside, everything is in camera units,
+ * 2^shift to a world unit, with the shift chosen once a frame so that the farthest thing that can be
+ * seen lies between 2^29 and 2^30. So 30 bits carry every position, whatever the user's unit is.
+ *
+ * x' and y' are the camera's x and -y times ratio, with focal length = ratio * 2^scale_bits sub-pixels
+ * and 1/2 < ratio <= 1 (less for focal lengths below half a pixel): projection is then
+ * x' * 2^scale_bits / z, and x' needs no more bits than x.
+ *
+ * SPDX-License-Identifier: MIT
+ */
+#include "core/cold.h"
+#include "core/pipeline.h"
+#include "core/rotation.h"
+
+#define NEAR_MIN 256 /* camera units: below, positions at the near plane are no longer exact enough */
+#define SCALE_BITS_MIN 8  /* keeps the shift of a projection below 63 bits */
+#define SCALE_BITS_MAX 40 /* the same, orthographic */
+#define WORLD_MAX_Q16 ((zs_q48_16)ZS_WORLD_MAX * 65536)
+
+static int range_ok(const struct zs_camera *camera)
+{
+    if (camera->z_near >= camera->z_far || camera->z_far > (zs_q48_16)ZS_FAR_MAX * 65536 ||
+        camera->z_near > WORLD_MAX_Q16 || camera->z_near < -WORLD_MAX_Q16)
+        return 0;
+    if (camera->projection == ZS_ORTHOGRAPHIC)
+        return camera->height >= ZS_HEIGHT_MIN && camera->height <= 2 * WORLD_MAX_Q16;
+    return camera->projection == ZS_PERSPECTIVE && camera->z_near > 0 &&
+           camera->z_far - camera->z_near >= camera->z_far / 65536 &&
+           camera->focal >= ZS_FOCAL_MIN && camera->focal <= ZS_FOCAL_MAX;
+}
+
+/* Split num / den into ratio * 2^*bits with ratio in (1/2, 1], q2_30. 2^24 <= num < 2^37,
+ * ZS_HEIGHT_MIN <= den < 2^47, so num / den < 2^33 and -24 <= *bits <= 33. */
+static int32_t split_ratio(uint64_t num, uint64_t den, int32_t *bits)
+{
+    int32_t up = zs_clz64(num) - zs_clz64(den) + 31; /* num 2^up / den in (2^30, 2^32), or up < 0 */
+    if (up < 0)
+        up = 0;
+    uint64_t r = zs_muldiv_u64(num, (uint64_t)1 << up, den); /* [2^30, 2^33) */
+    for (; r > (uint64_t)ZS_Q30_ONE; r >>= 1)
+        up--;
+    *bits = 30 - up;
+    return (int32_t)r;
+}
+
+void zs_view_side(int32_t out[2], uint64_t focal, uint32_t subpx)
+{
+    uint64_t half = (uint64_t)subpx << 24; /* uq32_32 px, <= 2^44 */
+    while (focal >> 30 || half >> 30) {
+        focal >>= 1;
+        half >>= 1;
+    }
+    const int32_t v[3] = { (int32_t)focal, (int32_t)half, 0 };
+    int32_t n[3] = { 0, ZS_Q30_ONE, 0 };
+    (void)zs_unit(n, v); /* v[0] > 0 unless half is 2^13 times larger: the default is right then */
+    out[0] = n[0];
+    out[1] = n[1];
+}
+
+int zs_view_camera(struct zs_view *view, const struct zs_config *config,
+                   const struct zs_camera *camera)
+{
+    if (!range_ok(camera) || !zs_rotation_ok(camera->rot))
+        return ZS_ERR_CAMERA;
+    for (int k = 0; k < 3; k++) {
+        if (camera->pos[k] > ZS_WORLD_MAX || camera->pos[k] < -ZS_WORLD_MAX)
+            return ZS_ERR_RANGE;
+        view->pos[k] = camera->pos[k];
+    }
+    view->perspective = camera->projection == ZS_PERSPECTIVE;
+    view->cx = config->width * ZS_SUBPX_HALF;
+    view->cy = config->height * ZS_SUBPX_HALF;
+    view->snap = ZS_SUBPX_BITS - config->subpixel_bits;
+    zs_view_side(view->side[0], camera->focal, (uint32_t)view->cx);
+    zs_view_side(view->side[1], camera->focal, (uint32_t)view->cy);
+    return ZS_OK;
+}
+
+/* Sub-pixels to a camera unit (orthographic) or focal length in sub-pixels (perspective). */
+static int scale_set(struct zs_view *view, const struct zs_config *config,
+                     const struct zs_camera *camera)
+{
+    int32_t bits;
+    if (view->perspective) {
+        const uint64_t focal = camera->focal << 8; /* uq32_32 sub-pixels, <= 2^63 */
+        const uint32_t high = (uint32_t)((focal - 1u) >> 32); /* the least bits with focal <= 2^(32 + bits) */
+        bits = high ? 32 - zs_clz32(high) : 0;
+        if (bits < SCALE_BITS_MIN)
+            bits = SCALE_BITS_MIN;
+        view->ratio = (int32_t)zs_round_shift((int64_t)(focal >> 1), bits + 1); /* focal / 2^(bits + 2), nearest */
+        view->scale_bits = bits;
+        view->guard = (uint64_t)ZS_GUARD_SUBPX;
+        return ZS_OK;
+    }
+    const uint64_t num = (uint64_t)config->height << 24; /* q16 sub-pixels */
+    view->ratio = split_ratio(num, (uint64_t)camera->height, &bits);
+    view->scale_bits = view->shift - bits; /* camera units to a sub-pixel, as a power of 2 */
+    if (view->scale_bits < 0)
+        return ZS_ERR_RANGE; /* units are coarser than sub-pixels */
+    if (view->scale_bits > SCALE_BITS_MAX) { /* much finer than needed: nothing is lost */
+        view->shift -= view->scale_bits - SCALE_BITS_MAX;
+        view->scale_bits = SCALE_BITS_MAX;
+    }
+    view->guard = (uint64_t)ZS_GUARD_SUBPX << view->scale_bits; /* <= 2^61 */
+    return ZS_OK;
+}
+
+int32_t zs_view_length(const struct zs_view *view, zs_q48_16 length)
+{
+    const int32_t n = view->shift - 16;
+    const int64_t limit = n >= 0 ? ((int64_t)1 << 30) >> n : INT64_MAX;
+    if (length > limit)
+        return 1 << 30; /* farther than anything in view */
+    if (length < -limit)
+        return -(1 << 30);
+    const int64_t units = zs_scale2(length, n);
+    return units > 1 << 30 ? 1 << 30 : units < -(1 << 30) ? -(1 << 30) : (int32_t)units;
+}
+
+int zs_view_units(struct zs_view *view, const struct zs_config *config,
+                  const struct zs_camera *camera, int64_t reach)
+{
+    const int64_t near_mag = camera->z_near < 0 ? -camera->z_near : camera->z_near;
+    if (reach < near_mag)
+        reach = near_mag; /* keys count from the near plane */
+    if (view->perspective && camera->z_far <= 2 * camera->z_near && reach < camera->z_far)
+        reach = camera->z_far;
+    reach += reach / 64 + 1; /* room for rounding, and z_far > z_near in camera units */
+    view->shift = zs_clz64((uint64_t)reach) - 64 + 30 + 16; /* reach * 2^(shift - 16) < 2^30 */
+    if (view->shift > 30)
+        view->shift = 30;
+    const int err = scale_set(view, config, camera); /* may lower the shift */
+    if (err)
+        return err;
+    view->z_near = zs_view_length(view, camera->z_near);
+    view->z_far = zs_view_length(view, camera->z_far);
+    if (view->z_near >= view->z_far || (view->perspective && view->z_near < NEAR_MIN))
+        return ZS_ERR_NEAR;
+    for (int k = 0; k < 3; k++) { /* rows: right, down, distance */
+        view->rot[k] = (int32_t)zs_round_shift((int64_t)camera->rot[k] * view->ratio, 30);
+        view->rot[3 + k] = (int32_t)zs_round_shift(-(int64_t)camera->rot[3 + k] * view->ratio, 30);
+        view->rot[6 + k] = -camera->rot[6 + k];
+    }
+    return ZS_OK;
+}

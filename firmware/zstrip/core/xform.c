@@ -1,0 +1,433 @@
+/* Vertices: mesh steps to camera units, camera units to the screen.
+ *
+ * Errors, in camera units (everything in view is below 2^30 of them):
+ *   matrix         view, view times pose and scale are each rounded to 2^-30 of a row element, on a lever
+ *                  of at most reach: about 1.3 in all, common to all vertices of a pose
+ *   rounding       1/2, once, after the exact sum
+ * On the screen: 2^scale_bits / z sub-pixels for each of them, and 1/2 sub-pixel of snapping.
+ *
+ * Vertices of two meshes that share pose and scale and stand on the same grid get the same camera
+ * position, bit for bit: m, t and shift depend on pose, scale and frame alone.
+ *
+ * SPDX-License-Identifier: MIT
+ */
+#include "core/pipeline.h"
+#include "core/rotation.h"
+
+#define SHIFT_MAX 29 /* keeps t below 2^60, and shift_high 14 */
+#define SPLIT_MAX 15
+#define OUT_Y ((int32_t)1 << 30)
+_Static_assert(OUT_Y - 2 * ZS_GUARD_SUBPX > 65536, "vertices outside must be far from those inside");
+
+#if ZS_LEAN
+
+int zs_xform_instance(struct zs_renderer *r, uint32_t number, const struct zs_bounds *b)
+{
+    struct zs_xform *xf = &r->xform;
+    const struct zs_view *view = &r->view;
+    const struct zs_instance *in = &r->scene->instance[number];
+    if (zs_view_length(view, b->reach) >= 1 << 30)
+        return 0;
+    xf->instance = in;
+    xf->number = number;
+
+    /* scale = mantissa * 2^exp / 2^32, mantissa in [2^30, 2^31); m = rotation * mantissa / 2^31 */
+    const uint64_t scale = (uint64_t)in->mesh->scale * in->pose.scale; /* < 2^48 */
+    const int32_t exp = 33 - zs_clz64(scale);
+    const uint32_t mantissa = (uint32_t)zs_mulshift_s64((int64_t)scale, 1u << 31, exp + 31);
+    const int32_t all = 31 - exp - view->shift + (in->mesh->pos_lo ? 8 : 0); /* positions count in 1/256 steps */
+    ZS_ASSERT(all >= 0);
+    const int32_t shift = zs_min32(all, SHIFT_MAX), extra = zs_min32(all - shift, 30);
+    zs_q2_30 both[9];
+    int32_t from[3];
+    zs_rotation_mul(both, view->rot, in->pose.rot);
+    for (int k = 0; k < 3; k++)
+        from[k] = in->pose.pos[k] - view->pos[k];
+    for (int k = 0; k < 3; k++) {
+        int64_t sum = 0; /* transposed rotation: world to mesh */
+        for (int j = 0; j < 3; j++) {
+            sum += zs_mul_ss(in->pose.rot[3 * j + k], r->scene->light.dir[j]);
+            xf->m[k][j] = (int32_t)zs_round_shift(zs_mul_su(both[3 * k + j], mantissa), 31 + extra);
+        }
+        xf->light[k] = (int32_t)zs_round_shift(sum, 30); /* <= 2^30 (1 + 2^-19) */
+        xf->t[k] = zs_scale2(zs_dot(view->rot + 3 * k, from), view->shift + shift - 30);
+    }
+    xf->shift = shift;
+    return 1;
+}
+
+void zs_xform_vertex(const struct zs_xform *xf, uint32_t v, struct zs_point *out)
+{
+    const struct zs_mesh *mesh = xf->instance->mesh;
+    int32_t p[3];
+    for (int j = 0; j < 3; j++) {
+        p[j] = mesh->pos[v][j];
+        if (mesh->pos_lo)
+            p[j] = p[j] * 256 + mesh->pos_lo[v][j];
+    }
+    for (int k = 0; k < 3; k++)
+        out->c[k] = (int32_t)zs_round_shift(xf->t[k] + zs_dot(xf->m[k], p), xf->shift);
+}
+
+/* c * rcp / 2^shift, nearest by magnitude, so that a mirrored scene snaps to mirrored places; just beside the guard band
+ * where beyond it. */
+static int32_t placed(const struct zs_view *view, int32_t c, uint32_t rcp, int32_t shift)
+{
+    const int32_t most = (int32_t)ZS_GUARD_SUBPX >> view->snap;
+    const int64_t twice = zs_mulshift_s64(c < 0 ? -(int64_t)c : c, rcp, shift + view->snap - 1);
+    int32_t v = (int32_t)((uint32_t)twice + 1u) >> 1 << view->snap;
+    if (twice > 2 * most)
+        v = (int32_t)ZS_GUARD_SUBPX + 1;
+    return c < 0 ? -v : v;
+}
+
+void zs_xform_project(const struct zs_renderer *r, const struct zs_point *p, struct zs_vertex *out)
+{
+    const struct zs_view *view = &r->view;
+    const struct zs_depth *depth = r->config.depth;
+    const int32_t z = p->c[2];
+    uint32_t rcp = 1u << 31;
+    int32_t lz = 0, shift = 31 + view->scale_bits;
+    if (view->perspective) {
+        lz = zs_clz32((uint32_t)z);            /* 1 .. 23: z in [2^8, 2^30] */
+        rcp = zs_recip((uint32_t)z << lz);     /* 2^(63 - lz) / z */
+        shift = 63 - lz - view->scale_bits;    /* 9 .. 54 */
+    }
+    out->x = view->cx + placed(view, p->c[0], rcp, shift);
+    out->y = view->cy + placed(view, p->c[1], rcp, shift);
+    out->d = depth->vertex(view, z, rcp, lz);
+}
+
+#else
+
+/* Clip tests that no vertex of the instance can fail are left out. */
+static ZS_RARE void clip_needs(struct zs_xform *xf, const struct zs_renderer *r, const struct zs_bounds *b,
+                       const struct zs_camera *camera)
+{
+    const int64_t z0 = b->c[2] - b->r - b->slack, z1 = b->c[2] + b->r + b->slack;
+    int64_t side = 0;
+    for (int k = 0; k < 2; k++) {
+        const int64_t c = b->c[k] < 0 ? -b->c[k] : b->c[k];
+        if (side < c + b->r + b->slack)
+            side = c + b->r + b->slack;
+    }
+    const int always = ZS_OFF(r, ZS_SKIP_CLIPTEST);
+    xf->clip_depth = always || z0 <= camera->z_near || z1 >= camera->z_far;
+    /* |x| * focal <= guard * z; world units and whole pixels, rounded against us */
+    const int64_t side_w = (side >> 16) + 1;                           /* <= 2^32 */
+    const int64_t guard_px = ZS_GUARD_PX - 2;
+    if (r->view.perspective)
+        xf->clip_guard = always || z0 <= 0 ||
+                         side_w * (int64_t)((camera->focal >> 32) + 1) > guard_px * (z0 >> 16);
+    else /* |x| * height_px / height <= guard */
+        xf->clip_guard = always || side_w * r->config.height > guard_px * (camera->height >> 16);
+}
+
+static ZS_RARE void light_direction(struct zs_xform *xf, const struct zs_light *light)
+{
+    const zs_q2_30 *rot = xf->instance->pose.rot;
+    for (int k = 0; k < 3; k++) {
+        int64_t sum = 0; /* transposed rotation: world to mesh */
+        for (int j = 0; j < 3; j++)
+            sum += zs_mul_ss(rot[3 * j + k], light->dir[j]);
+        xf->light[k] = (int32_t)zs_round_shift(sum, 30); /* <= 2^30 (1 + 2^-19) */
+    }
+}
+
+/* A row of c = (m . p + t) / 2^shift, nearest. |m| <= 2^30, |t| < 2^60, |t / 2^shift| < 2^30. A shift of at most 15 leaves
+ * t_low in [0, 2^15), a larger one in [-2^28, 2^28). */
+static ZS_RARE void row_set(int32_t row[ZS_ROW_WORDS], const int32_t m[3], int64_t t, int32_t shift)
+{
+    const int64_t half = ((int64_t)1 << shift) >> 1;
+#if ZS_ROW_WIDE
+    for (int j = 0; j < 3; j++)
+        row[j] = m[j];
+    row[3] = (int32_t)(t + half);
+    row[4] = (int32_t)((t + half) >> 32);
+    row[5] = shift;
+    row[6] = 32 - shift;
+#else
+    const int32_t s = shift < SPLIT_MAX ? shift : SPLIT_MAX;
+    for (int j = 0; j < 3; j++) {
+        const int32_t high = (m[j] + ((1 << s) >> 1)) >> s;
+        row[ZS_ROW_HIGH + j] = high;
+        row[ZS_ROW_LOW + j] = m[j] - high * (1 << s);
+    }
+    const int32_t t_high = (int32_t)((t + half + (shift > s ? half : 0)) >> shift);
+    row[ZS_ROW_T_HIGH] = t_high;
+    row[ZS_ROW_T_LOW] = (int32_t)(t + half - t_high * ((int64_t)1 << shift));
+    row[ZS_ROW_S] = s;
+    row[ZS_ROW_S2] = shift - s;
+#endif
+}
+
+ZS_RARE int zs_xform_instance(struct zs_renderer *r, uint32_t number, const struct zs_bounds *b)
+{
+    struct zs_xform *xf = &r->xform;
+    const struct zs_view *view = &r->view;
+    const struct zs_instance *in = &r->scene->instance[number];
+    const int32_t to_units = view->shift - 16;
+    if (to_units >= 0 ? b->reach >= (int64_t)1 << (30 - to_units)
+                      : b->reach >> -to_units >= 1 << 30)
+        return 0;
+    xf->instance = in;
+    xf->number = number;
+
+    /* scale = mantissa * 2^exp / 2^32, mantissa in [2^30, 2^31) */
+    const uint64_t scale = (uint64_t)in->mesh->scale * in->pose.scale;
+    int32_t exp = 33 - zs_clz64(scale);
+    const uint32_t mantissa = (uint32_t)(exp >= 0 ? scale >> exp : scale << -exp);
+    if (in->mesh->pos_lo)
+        exp -= 8; /* positions count in 1/256 steps */
+    int32_t shift = 31 - exp - view->shift; /* m = rotation * mantissa / 2^31 */
+    ZS_ASSERT(shift >= 0);
+    int32_t extra = 0;
+    if (shift > SHIFT_MAX) {
+        extra = shift - SHIFT_MAX > 30 ? 30 : shift - SHIFT_MAX;
+        shift = SHIFT_MAX;
+    }
+    zs_q2_30 both[9];
+    zs_rotation_mul(both, view->rot, in->pose.rot);
+    for (int k = 0; k < 3; k++) {
+        int64_t at = 0; /* q2_30 * world units, |.| <= 2^60.6 */
+        int32_t m[3];
+        for (int j = 0; j < 3; j++) {
+            at += zs_mul_ss(view->rot[3 * k + j], in->pose.pos[j] - view->pos[j]);
+            m[j] = (int32_t)zs_round_shift(zs_mul_su(both[3 * k + j], mantissa), 31 + extra);
+        }
+        row_set(xf->row + k * ZS_ROW_WORDS, m, zs_scale2(at, view->shift + shift - 30), shift);
+    }
+    clip_needs(xf, r, b, &r->camera);
+    light_direction(xf, &r->scene->light);
+    return 1;
+}
+
+/* ---- Vertices --------------------------------------------------------------------------------------- */
+
+/* Exact, where rows are cut too: with m = high 2^s + low, t = t_high 2^shift + t_low, the sum is
+ *   high . p 2^s + (low . p + t_low) + t_high 2^shift
+ * and floors follow each other, so zs_row gives the bracket's part above 2^s to the first sum. |bracket| is below
+ * 3 * 2^29 + 2^28. With a shift of 15 or less, s is the shift and all is modulo 2^32, as the result is. With a larger one
+ * s is 15, and the sum of high fits, below 1.74 * 2^30 + 2^17: a row of the matrix is no longer than 2^30 (1 + 2^-18), p no
+ * longer than 2^15 sqrt 3. */
+static void points(const struct zs_xform *xf, uint32_t v, uint32_t n, struct zs_vertex *out)
+{
+    zs_rows(xf->row, xf->instance->mesh->pos[v], &out->x, n);
+}
+_Static_assert(offsetof(struct zs_vertex, x) == 0 && offsetof(struct zs_vertex, y) == 4 && offsetof(struct zs_vertex, d) == 8,
+               "a vertex is three words");
+
+/* The same for positions in 1/256 steps, |p| <= 2^23, in 64 bits. */
+static int32_t fine(const int32_t row[ZS_ROW_WORDS], const int16_t pos[3], const uint8_t pos_lo[3])
+{
+#if ZS_ROW_WIDE
+    const int32_t shift = row[5], *const m = row;
+    int64_t sum = (int64_t)((uint64_t)(uint32_t)row[4] << 32 | (uint32_t)row[3]);
+#else
+    const int32_t s = row[ZS_ROW_S], shift = s + row[ZS_ROW_S2];
+    int64_t sum = row[ZS_ROW_T_HIGH] * ((int64_t)1 << shift) + row[ZS_ROW_T_LOW]; /* |.| < 2^60 + 2^29 */
+    int32_t m[3];
+    for (int j = 0; j < 3; j++)
+        m[j] = row[ZS_ROW_HIGH + j] * (1 << s) + row[ZS_ROW_LOW + j];
+#endif
+    for (int j = 0; j < 3; j++)
+        sum += zs_mul_ss(m[j], pos[j] * 256 + pos_lo[j]); /* <= 2^53 */
+    return (int32_t)(sum >> shift);
+}
+
+static void points_fine(const struct zs_xform *xf, uint32_t v, uint32_t n, struct zs_vertex *out)
+{
+    const struct zs_mesh *mesh = xf->instance->mesh;
+    for (struct zs_vertex *const end = out + n; out != end; out++, v++) {
+        out->x = fine(xf->row, mesh->pos[v], mesh->pos_lo[v]);
+        out->y = fine(xf->row + ZS_ROW_WORDS, mesh->pos[v], mesh->pos_lo[v]);
+        out->d = (uint32_t)fine(xf->row + 2 * ZS_ROW_WORDS, mesh->pos[v], mesh->pos_lo[v]);
+    }
+}
+
+/* Vertices [v, v + n) in camera units: x', y', and z as d. */
+static void transform(const struct zs_xform *xf, uint32_t v, uint32_t n, struct zs_vertex *out)
+{
+    if (xf->instance->mesh->pos_lo)
+        points_fine(xf, v, n, out);
+    else
+        points(xf, v, n, out);
+}
+
+void zs_xform_vertex(const struct zs_xform *xf, uint32_t v, struct zs_point *out)
+{
+    struct zs_vertex at;
+    transform(xf, v, 1, &at);
+    out->c[0] = at.x;
+    out->c[1] = at.y;
+    out->c[2] = (int32_t)at.d;
+}
+
+/* The largest |x'| and |y'| at distance z > 0 that are inside the guard band. */
+static uint32_t guard_at(const struct zs_view *view, int32_t z)
+{
+    if (!view->perspective)
+        return view->guard > UINT32_MAX ? UINT32_MAX : (uint32_t)view->guard;
+    const uint64_t limit = zs_mul_uu((uint32_t)ZS_GUARD_SUBPX, (uint32_t)z); /* < 2^52 */
+    const uint32_t high = (uint32_t)(limit >> 32), low = (uint32_t)limit;
+    const int32_t down = view->scale_bits; /* 8 .. 31 */
+    return high >> down ? UINT32_MAX : high << (32 - down) | low >> down;
+}
+
+uint32_t zs_xform_outcode(const struct zs_view *view, const struct zs_point *p)
+{
+    const int32_t x = p->c[0], y = p->c[1], z = p->c[2];
+    uint32_t code = 0;
+    if (z < view->z_near)
+        return ZS_OUT_NEAR; /* the sides say nothing before the near plane */
+    if (z > view->z_far)
+        code = ZS_OUT_FAR;
+    const uint32_t limit = guard_at(view, z);
+    if (zs_size32(x) > limit)
+        code |= x < 0 ? ZS_OUT_LEFT : ZS_OUT_RIGHT;
+    if (zs_size32(y) > limit)
+        code |= y < 0 ? ZS_OUT_TOP : ZS_OUT_BOTTOM;
+    return code;
+}
+
+/* ---- Projection ------------------------------------------------------------------------------------- */
+
+/* mag / 2^shift, nearest, saturated. mag < 2^63, 0 < shift <= 74 */
+static uint32_t steps_wide(uint64_t mag, int32_t shift)
+{
+    if (shift > 63) /* below a half */
+        return 0;
+    const uint64_t steps = (mag + ((uint64_t)1 << (shift - 1))) >> shift;
+    return steps > UINT32_MAX ? UINT32_MAX : (uint32_t)steps;
+}
+
+/* Steps from the frame's middle with the sign of the coordinate: magnitude first, so that a mirrored scene snaps to
+ * mirrored places. Just beside the guard band where they are beyond it. */
+static int32_t placed(uint32_t steps, int32_t coarse, int32_t sign)
+{
+    const int32_t v = steps > (uint32_t)ZS_GUARD_SUBPX >> coarse ? (int32_t)ZS_GUARD_SUBPX + 1 : (int32_t)(steps << coarse);
+    return sign < 0 ? -v : v;
+}
+
+/* For any shift, and what is beyond the guard band. Return 1: inside it. */
+static ZS_NOINLINE int place_wide(const struct zs_view *view, uint32_t rcp, int32_t shift, struct zs_vertex *at)
+{
+    const uint32_t most = (uint32_t)ZS_GUARD_SUBPX >> view->snap;
+    const uint32_t sx = steps_wide(zs_mul_uu(zs_size32(at->x), rcp), shift + view->snap);
+    const uint32_t sy = steps_wide(zs_mul_uu(zs_size32(at->y), rcp), shift + view->snap);
+    at->x = view->cx + placed(sx, view->snap, at->x);
+    at->y = view->cy + placed(sy, view->snap, at->y);
+    return sx <= most && sy <= most;
+}
+
+/* |c| * rcp / 2^(33 + down), nearest: the low half of the product cannot carry. |c| <= 2^31, 0 <= down <= 31 */
+static inline uint32_t steps_of(int32_t c, uint32_t rcp, int32_t down)
+{
+    return ((zs_umulh(zs_size32(c), rcp) >> down) + 1u) >> 1;
+}
+
+/* From camera units to the screen, in place: z is d. Return 0: before near, beyond far, or beside the guard band. */
+static ZS_NOINLINE int project(const struct zs_renderer *r, struct zs_vertex *at)
+{
+    const struct zs_view *view = &r->view;
+    const struct zs_depth *depth = r->config.depth;
+    const int32_t z = (int32_t)at->d;
+    if (z < view->z_near || z > view->z_far)
+        return 0;
+    uint32_t rcp = 0;
+    int32_t lz = 0;
+    if (view->perspective) {
+        lz = zs_clz32((uint32_t)z);            /* 1 .. 23: z in [2^8, 2^30] */
+        rcp = ZS_RECIP_STEPS ? zs_recip((uint32_t)z << lz) : zs_recip16((uint32_t)z << lz); /* 2^(63 - lz) / z */
+    }
+    at->d = depth->vertex(view, z, rcp, lz);
+    if (view->perspective)
+        return place_wide(view, rcp, 63 - lz - view->scale_bits, at); /* 9 .. 54 */
+    return place_wide(view, 1u << 31, 31 + view->scale_bits, at);
+}
+
+int zs_xform_project(const struct zs_renderer *r, const struct zs_point *p, struct zs_vertex *out)
+{
+    out->x = p->c[0];
+    out->y = p->c[1];
+    out->d = (uint32_t)p->c[2];
+    return project(r, out);
+}
+
+/* A vertex of the current instance that may be outside, or needs wider products: v is that of `first`. */
+static ZS_NOINLINE void screen_slowly(const struct zs_renderer *r, uint32_t v, const struct zs_vertex *first, struct zs_vertex *at)
+{
+    const struct zs_point p = { { at->x, at->y, (int32_t)at->d } };
+    uint32_t code = 0;
+    if (r->xform.clip_depth | r->xform.clip_guard)
+        code = zs_xform_outcode(&r->view, &p);
+    if (code == 0 && !project(r, at)) /* a sphere that is smaller than its mesh */
+        code = zs_xform_outcode(&r->view, &p);
+    if (code) {
+        at->x = (int32_t)((v + (uint32_t)(at - first)) << 16);
+        at->y = OUT_Y;
+        at->d = ZS_D_OUT + code;
+    }
+}
+
+#define NEAR_MIDDLE (1u << 20) /* sub-pixels, a power of two: both ways are tested at once */
+_Static_assert(NEAR_MIDDLE < ZS_GUARD_SUBPX, "inside the guard band");
+
+/* A vertex that lands a step or more inside the guard band is inside it in camera units too: its steps are off by 1/2 and
+ * 2^-9. So what may be outside is tested only where it is far from the frame's middle. */
+ZS_ALWAYS_INLINE void screen(const struct zs_renderer *r, uint32_t v, uint32_t n, struct zs_vertex *out, int perspective,
+                             int32_t coarse)
+{
+    const struct zs_view *view = &r->view;
+    const struct zs_depth *depth = r->config.depth;
+    const int32_t cx = view->cx, cy = view->cy;
+    const int32_t shift = perspective ? 30 - view->scale_bits + coarse : view->scale_bits + coarse - 2;
+    const uint32_t most = NEAR_MIDDLE >> coarse;
+    const int32_t z_near = view->z_near;
+    const uint32_t depth_range = (uint32_t)view->z_far - (uint32_t)z_near; /* < 2^31.6 */
+    for (struct zs_vertex *const first = out, *const end = out + n; out != end; out++) {
+        const int32_t x = out->x, y = out->y, z = (int32_t)out->d;
+        if ((uint32_t)z - (uint32_t)z_near > depth_range) {
+            screen_slowly(r, v, first, out);
+            continue;
+        }
+        int32_t lz = 0;
+        uint32_t rcp = 1u << 31;
+        if (perspective) { /* as in project() */
+            lz = zs_clz32((uint32_t)z);
+            rcp = ZS_RECIP_STEPS ? zs_recip_inline((uint32_t)z << lz) : zs_recip16((uint32_t)z << lz);
+        }
+        ZS_NARROW(rcp);
+        const int32_t down = shift - lz;
+        if ((uint32_t)down > 31u) {
+            screen_slowly(r, v, first, out);
+            continue;
+        }
+        const uint32_t sx = steps_of(x, rcp, down), sy = steps_of(y, rcp, down);
+        if ((sx | sy) >= most) {
+            screen_slowly(r, v, first, out);
+            continue;
+        }
+        const int32_t px = (int32_t)(sx << coarse), py = (int32_t)(sy << coarse);
+        out->x = cx + ((px ^ x >> 31) - (x >> 31)); /* with the sign of x */
+        out->y = cy + ((py ^ y >> 31) - (y >> 31));
+        out->d = depth->vertex(view, z, rcp, lz);
+    }
+}
+
+/* An orthographic camera, or fewer sub-pixel bits. */
+static ZS_NOINLINE void screen_any(const struct zs_renderer *r, uint32_t v, uint32_t n, struct zs_vertex *out)
+{
+    screen(r, v, n, out, r->view.perspective, r->view.snap);
+}
+
+void zs_xform_screen(const struct zs_renderer *r, uint32_t v, uint32_t n, struct zs_vertex *out)
+{
+    transform(&r->xform, v, n, out);
+    if (r->view.perspective && r->view.snap == 0)
+        screen(r, v, n, out, 1, 0);
+    else
+        screen_any(r, v, n, out);
+}
+
+#endif

@@ -1,0 +1,39 @@
+/* What finding changes takes, in pixels (watch.c) and in what they are drawn from (track.c).
+ *
+ * SPDX-License-Identifier: MIT
+ */
+#ifndef ZS_CHANGED_H
+#define ZS_CHANGED_H
+
+#include "core/pipeline.h"
+
+#define ZS_LANES { 0x243f6a88u, 0x85a308d3u } /* where a sum begins */
+
+static inline uint32_t zs_rotate_left(uint32_t v, int n)
+{
+    return v << n | v >> (32 - n);
+}
+
+/* A sum of 64 bits in two lanes of 32. Each step is one-to-one in the lane for a given value and in the value for a given
+ * lane, so that data which differ in one value only always show. */
+static inline void zs_mix(uint32_t lane[2], uint32_t v)
+{
+    lane[0] = zs_rotate_left(lane[0] ^ v, 13) * 0x9e3779b1u;
+    lane[1] = zs_rotate_left(lane[1] + v, 19) * 0x85ebca77u;
+}
+
+/* px to a column of zs_watch. Even where the width is, so that cells begin at even addresses. */
+static inline uint32_t zs_watch_step(const struct zs_renderer *r)
+{
+    const uint32_t w = (r->config.width + r->watch_columns - 1u) / r->watch_columns;
+    return r->config.width & 1u ? w : (w + 1u) & ~1u;
+}
+
+/* Does strip s lie in the rows of rect? NULL: all do. */
+static inline int zs_strip_in(const struct zs_renderer *r, uint32_t s, const struct zs_rect *rect)
+{
+    const uint32_t y0 = s * r->config.strip_h, y1 = y0 + r->config.strip_h;
+    return !rect || (y1 > rect->y && y0 < (uint32_t)rect->y + rect->h);
+}
+
+#endif

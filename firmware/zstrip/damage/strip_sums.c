@@ -1,0 +1,72 @@
+/* What is on the glass already: sums of what was given out last, by strip and column, so that only what has changed
+ * travels. The frame is drawn as always; sending is what is saved.
+ *
+ * SPDX-License-Identifier: MIT
+ */
+#include "damage/changed.h"
+
+/* w x h px from px on; in twos where rows and columns are even. */
+static uint64_t cell_sum(const uint16_t *px, uint32_t w, uint32_t h, uint32_t stride, int even)
+{
+    uint32_t lane[2] = ZS_LANES;
+    for (; h; h--, px += stride) {
+        const uint16_t *at = px, *const end = px + w;
+        if (even && ZS_PAIR == 2u)
+            for (; end - at >= 2; at += 2)
+                zs_mix(lane, *(const zs_pair *)(const void *)at);
+        for (; at < end; at++)
+            zs_mix(lane, *at);
+    }
+    const uint64_t sum = (uint64_t)lane[0] << 32 | lane[1];
+    return sum ? sum : 1u; /* 0: not known */
+}
+
+static void watch_look(struct zs_renderer *r, struct zs_strip *out)
+{
+    const uint32_t step = zs_watch_step(r), row = out->y / (uint32_t)r->config.strip_h;
+    uint64_t *sum = r->watch_sum + row * r->watch_columns;
+    uint32_t first = out->w, end = 0;
+    for (uint32_t x = 0; x < out->w; x += step, sum++) {
+        const uint32_t w = out->w - x < step ? out->w - x : step;
+        if (!ZS_LEAN && (x < r->window[0] || x + w > r->window[1]))
+            continue; /* not drawn, or drawn in part: as it was (make_due(), track.c) */
+        const uint64_t now = cell_sum((const uint16_t *)(const void *)out->px + x, w, out->h, out->w, !(out->w & 1u));
+        if (now == *sum)
+            continue;
+        *sum = now;
+        first = first < x ? first : x;
+        end = x + w;
+    }
+    out->changed_x = (uint16_t)(end ? first : 0u);
+    out->changed_w = (uint16_t)(end ? end - first : 0u);
+    r->stats.strips_unchanged += !end;
+}
+
+static void watch_forget(struct zs_renderer *r, const struct zs_rect *rect)
+{
+    const uint32_t step = zs_watch_step(r);
+    for (uint32_t s = 0; s < r->n_strips; s++) {
+        if (!zs_strip_in(r, s, rect))
+            continue;
+        for (uint32_t c = 0; c < r->watch_columns; c++)
+            if (!rect || (c * step < (uint32_t)rect->x + rect->w && (c + 1u) * step > rect->x))
+                r->watch_sum[s * r->watch_columns + c] = 0;
+    }
+}
+
+static const struct zs_watch_kernel zs_watch_sums = { watch_look, watch_forget };
+
+int zs_watch(struct zs_renderer *r, uint64_t *sum, uint32_t columns)
+{
+    if (!r)
+        return ZS_ERR_NULL;
+    if (r->ready != 1 || r->scene)
+        return ZS_ERR_STATE;
+    if (sum && (columns < 1u || columns > r->config.width))
+        return ZS_ERR_SIZE;
+    r->watch = sum ? &zs_watch_sums : 0;
+    r->watch_sum = sum;
+    r->watch_columns = (uint16_t)columns;
+    zs_invalidate(r, 0);
+    return ZS_OK;
+}

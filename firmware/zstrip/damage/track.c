@@ -1,0 +1,399 @@
+/* Which strips may differ from the frame before, known before anything is drawn: from a sum of all that each instance is
+ * drawn from, and from the strips that its sphere can reach. The others are on the glass as they should be, and are neither
+ * cleared, binned, drawn nor sent.
+ *
+ * A frame is a function of two things: what holds for all of it (camera, camera units, light, background, the number of
+ * instances; the configuration stays) and what holds for each instance. Where the first differs from the frame before, every
+ * strip is due. Else a pixel can differ only where an instance that differs covers it in one of the two frames, as a pixel
+ * is the least (key, scene order) of what covers it, and neither changes for the other instances. So the strips of both
+ * frames' places of that instance are due. Camera units are those of the farthest thing in view: where one instance's way changes
+ * them, all strips are due.
+ *
+ * The strips of a sphere. Every vertex as computed lies in the sphere that the walk culls by (zs_cull_walk); clipping adds
+ * points between vertices only. Of the sphere, seen along x, that is a circle of centre (y, z), down and away from the eye,
+ * and radius R. The octagon of the corners (y -+ R, z -+ R/2) and (y -+ R/2, z -+ R) holds it: its slanting sides are 1.5 R /
+ * sqrt(2) = 1.06 R from the centre. Where all of it lies between near and far, projection takes straight lines to straight
+ * lines, so that the row of each point of the octagon lies between those of two corners; corners are projected by the function
+ * that projects vertices. R is raised by 8 more camera units, as all of this is rounded to them. Where it does not, as where
+ * a sphere holds the eye, no range is known: all strips.
+ *
+ * SPDX-License-Identifier: MIT
+ */
+#include "core/cold.h" /* first: sums alone are made often, and their loop is short */
+#include "damage/changed.h"
+
+#define BESIDE 32 /* sub-pixels: corner and vertex are snapped by up to 8 each, their projections are within 2 each */
+
+struct zs_record { /* an instance in the frame begun last */
+    uint32_t sum[2];
+    uint16_t first, end; /* strips [first, end) may show it ... */
+    uint16_t x, x_end;   /* ... in columns [x, x_end) */
+};
+_Static_assert(sizeof(struct zs_record) == 16 && ZS_TRACK_WORDS(1, 1, 1) == 2 + 4 + 1, "ZS_TRACK_WORDS");
+
+static struct zs_record *records(const struct zs_renderer *r)
+{
+    return (struct zs_record *)(void *)(r->track_memory + 2);
+}
+
+/* Strips [first, end) are due in columns [x, x_end), widened to whole cells of zs_watch, which compares no other, and then to
+ * ZS_TRACK_GRAIN. */
+static ZS_NOINLINE void make_due(struct zs_renderer *r, uint32_t first, uint32_t end, uint32_t x, uint32_t x_end)
+{
+    const uint32_t width = r->config.width;
+    if (x >= x_end)
+        return;
+    if (!ZS_LEAN && r->watch) {
+        const uint32_t step = zs_watch_step(r);
+        x = x / step * step;
+        x_end = (x_end + step - 1u) / step * step;
+    }
+    x &= 0u - ZS_TRACK_GRAIN;
+    x_end = zs_minu32((x_end + ZS_TRACK_GRAIN - 1u) & (0u - ZS_TRACK_GRAIN), width);
+    for (uint32_t *due = r->track_due + first, *const last = r->track_due + end; due < last; due++) {
+        const uint32_t old = *due ? *due : width; /* first + end * 2^16 */
+        *due = ZS_LEAN ? width << 16 : zs_minu32(old & 65535u, x) | zs_maxu32(old >> 16, x_end) << 16;
+    }
+}
+
+/* The columns of a strip that are drawn where they are due. */
+static inline void window_of(uint16_t window[2], const struct zs_renderer *r, uint32_t due)
+{
+    window[0] = r->track_columns ? (uint16_t)due : 0u;
+    window[1] = r->track_columns ? (uint16_t)(due >> 16) : r->config.width;
+}
+
+/* ---- Sums -------------------------------------------------------------------------------------------- */
+
+static void begin(uint32_t lane[2])
+{
+    static const uint32_t lanes[2] = ZS_LANES;
+    lane[0] = lanes[0];
+    lane[1] = lanes[1];
+}
+
+/* A struct of the scene, as it lies in memory. Padding counts too: it can only make strips due that need not be. */
+static ZS_NOINLINE void add(uint32_t lane[2], const void *data, uint32_t bytes)
+{
+    const zs_pair *at = data, *const end = (const zs_pair *)((const uint8_t *)data + bytes);
+    uint32_t l[2] = { lane[0], lane[1] };
+    while (at < end)
+        zs_mix(l, *at++);
+    lane[0] = l[0];
+    lane[1] = l[1];
+}
+
+/* What instances may have in common, so that the next one need not add it up again. */
+struct looks {
+    const struct zs_mesh *mesh;
+    const struct zs_material *material;
+    uint32_t sum[2];
+};
+
+static void looks_sum(struct looks *s, const struct zs_instance *in)
+{
+    const struct zs_texture *texture = in->material->texture;
+    s->mesh = in->mesh;
+    s->material = in->material;
+    begin(s->sum);
+    add(s->sum, in->mesh, sizeof *in->mesh);
+    add(s->sum, in->material, sizeof *in->material);
+    if (texture)
+        add(s->sum, texture, sizeof *texture);
+}
+
+static void instance_sum(uint32_t lane[2], const struct zs_instance *in, struct looks *looks)
+{
+    if (in->mesh != looks->mesh || in->material != looks->material)
+        looks_sum(looks, in);
+    begin(lane);
+    add(lane, looks->sum, sizeof looks->sum);
+    add(lane, in, sizeof *in);
+    if (in->state)
+        add(lane, in->state, sizeof *in->state);
+}
+
+/* What holds for all of a frame but view.shift; never 0 0. Camera, configuration and shift make all of zs_view. */
+static void frame_sum(uint32_t lane[2], const struct zs_renderer *r, const struct zs_scene *scene)
+{
+    const struct zs_camera *camera = &r->camera;
+    const uint32_t others[2] = { camera->projection, scene->background | scene->n_instances << 16 };
+    begin(lane);
+    add(lane, camera->rot, sizeof camera->rot + sizeof camera->pos);
+    add(lane, &camera->focal, sizeof *camera - offsetof(struct zs_camera, focal));
+    add(lane, &scene->light, sizeof scene->light);
+    add(lane, others, sizeof others);
+    lane[0] += !(lane[0] | lane[1]);
+}
+_Static_assert(offsetof(struct zs_camera, pos) == sizeof(((struct zs_camera *)0)->rot), "rot and pos are summed as one");
+
+/* ---- The strips of a sphere ------------------------------------------------------------------------ */
+
+/* Sub-pixels between which the sphere lies along axis 0 or 1, from the frame's left or top. Return 0: not known. */
+static int sphere_extent(int32_t at[2], const struct zs_renderer *r, const struct zs_bounds *b, int axis)
+{
+    const struct zs_view *view = &r->view;
+    const int32_t y = zs_view_length(view, b->c[axis]), z = zs_view_length(view, b->c[2]);
+    const int32_t size = zs_view_length(view, b->r + b->slack) + 8;
+    if (size > 1 << 29 || z - size < view->z_near || z + size > view->z_far)
+        return 0;
+    at[0] = INT32_MAX;
+    at[1] = INT32_MIN;
+    for (int k = 0; k < 8; k++) {
+        const int32_t dy = size >> !(k & 1), dz = size >> (k & 1), down = k & 2 ? y + dy : y - dy; /* < 2^30.6 */
+        struct zs_point p = { { 0, 0, k & 4 ? z + dz : z - dz } };
+        struct zs_vertex v;
+        p.c[axis] = (int32_t)zs_round_shift(zs_mul_ss(down, view->ratio), 30);
+        (void)zs_xform_project(r, &p, &v); /* beside the guard band: beside the frame, which is enough */
+        const int32_t subpx = axis ? v.y : v.x;
+        at[0] = zs_min32(at[0], subpx - BESIDE);
+        at[1] = zs_max32(at[1], subpx + BESIDE);
+    }
+    return 1;
+}
+
+/* The strip of the first sample at or below a height, sub-pixels, `rows` rows further down; n_strips: none. */
+static ZS_NOINLINE uint16_t strip_at(const struct zs_renderer *r, int32_t y, uint32_t rows)
+{
+    const int32_t row = zs_max32(zs_first_sample(y), 0);
+    return (uint16_t)zs_minu32(((uint32_t)row + rows) / r->config.strip_h, r->n_strips);
+}
+
+static void find_strips(struct zs_renderer *r, uint32_t number)
+{
+    struct zs_record *rec = &records(r)[number];
+    struct zs_bounds b;
+    int32_t at[2];
+    rec->first = rec->end = rec->x = 0;
+    rec->x_end = r->config.width;
+    if (zs_cull_walk(&b, r, number))
+        return;
+    rec->end = r->n_strips;
+    if (!sphere_extent(at, r, &b, 1))
+        return;
+    rec->first = strip_at(r, at[0], 0);
+    rec->end = strip_at(r, at[1], r->config.strip_h - 1u);
+    if (ZS_LEAN || !r->track_columns || rec->first >= rec->end || !sphere_extent(at, r, &b, 0))
+        return;
+    rec->x = (uint16_t)zs_max32(zs_first_sample(at[0]), 0);
+    rec->x_end = (uint16_t)zs_max32(zs_min32(zs_first_sample(at[1]), rec->x_end), 0);
+}
+
+/* ---- Frames ------------------------------------------------------------------------------------------ */
+
+/* Keep a sum. Return 1: it was another one. */
+static ZS_NOINLINE int differs(uint32_t kept[2], const uint32_t lane[2])
+{
+    const uint32_t differ = (kept[0] ^ lane[0]) | (kept[1] ^ lane[1]);
+    kept[0] = lane[0];
+    kept[1] = lane[1];
+    return differ != 0;
+}
+
+#define OPEN 65535u /* zs_record.first: the strips are not known yet */
+
+/* Keep sums of a scene that has not been checked. all 0: what differs leaves its strips, which are due. Return 1: there is
+ * something that differs, or cannot be read. */
+static int sums_keep(struct zs_renderer *r, const struct zs_scene *scene, int all)
+{
+    uint32_t lane[2];
+    struct looks looks = { 0, 0, { 0, 0 } };
+    int changed = all;
+    struct zs_record *rec = records(r);
+    const struct zs_instance *in = scene->instance, *const end = in + scene->n_instances;
+    for (; in < end; in++, rec++) {
+        if (!in->mesh || !in->material)
+            return 1;
+        instance_sum(lane, in, &looks);
+        if (!differs(rec->sum, lane) && !all)
+            continue;
+        if (!all)
+            make_due(r, rec->first, rec->end, rec->x, rec->x_end);
+        rec->first = OPEN;
+        changed = 1;
+    }
+    return changed;
+}
+
+static int track_check(struct zs_renderer *r, const struct zs_scene *scene)
+{
+    uint32_t lane[2], *kept = r->track_memory;
+    if (scene->n_instances > r->track_instances)
+        return ZS_ERR_SIZE;
+    if (scene->n_instances && !scene->instance)
+        return ZS_ERR_NULL;
+    frame_sum(lane, r, scene);
+    int all = differs(kept, lane);
+    if (sums_keep(r, scene, all)) {
+        const int32_t shift = r->view.shift;
+        kept[0] = kept[1] = 0; /* not known: so it stays where the frame is refused */
+        const int err = zs_frame_check(r, scene);
+        if (err)
+            return err;
+        kept[0] = lane[0];
+        kept[1] = lane[1];
+        r->scene = scene;
+        if (shift != r->view.shift)
+            all = 1;
+        struct zs_record *rec = records(r);
+        for (uint32_t i = 0; i < scene->n_instances; i++, rec++)
+            if (all || rec->first == OPEN) {
+                find_strips(r, i);
+                make_due(r, rec->first, rec->end, rec->x, rec->x_end);
+            }
+        if (all)
+            make_due(r, 0, r->n_strips, 0, r->config.width);
+    }
+    while (r->draw_end && !r->track_due[r->draw_end - 1u])
+        r->draw_end--;
+    return ZS_OK;
+}
+
+static int track_due(struct zs_renderer *r)
+{
+    uint32_t *due = r->track_due + r->strip;
+    const int draw = *due != 0;
+    if (!ZS_LEAN)
+        window_of(r->window, r, *due);
+    *due = 0;
+    if (!draw) {
+        r->stats.strips_unchanged++;
+        r->stats.strips_skipped++;
+        if (r->strip < r->band_end)
+            zs_raster_pass(r);
+    }
+    return draw;
+}
+
+#if !ZS_LEAN
+
+static int track_touches(const struct zs_renderer *r, uint32_t number, struct zs_part *part)
+{
+    const struct zs_record *rec = &records(r)[number];
+    const uint32_t h = r->config.strip_h;
+    uint32_t first = r->n_strips, end = 0, x = rec->x_end, x_end = 0;
+    for (uint32_t s = zs_maxu32(rec->first, r->strip); s < rec->end && s < r->band_end; s++) {
+        uint16_t window[2] = { r->window[0], r->window[1] }; /* track_due has cleared the one that is being drawn */
+        if (s != r->strip) {
+            if (!r->track_due[s])
+                continue;
+            window_of(window, r, r->track_due[s]);
+        }
+        if (rec->x >= window[1] || rec->x_end <= window[0])
+            continue;
+        first = zs_minu32(first, s);
+        end = s + 1u;
+        x = zs_minu32(x, window[0]);
+        x_end = zs_maxu32(x_end, window[1]);
+    }
+    part->y = (uint16_t)(first * h);
+    part->y_end = (uint16_t)zs_minu32(end * h, r->config.height);
+    part->x = (uint16_t)x;
+    part->x_end = (uint16_t)x_end;
+    return end != 0;
+}
+
+#endif
+
+static void track_forget(struct zs_renderer *r, const struct zs_rect *rect)
+{
+    const uint32_t width = r->config.width;
+    const uint32_t x = rect ? zs_minu32(rect->x, width) : 0u, x_end = rect ? zs_minu32((uint32_t)rect->x + rect->w, width) : width;
+    for (uint32_t s = 0; s < r->n_strips; s++)
+        if (zs_strip_in(r, s, rect))
+            make_due(r, s, s + 1u, x, x_end);
+    r->draw_end = r->n_strips;
+    r->band_end = 0; /* in a frame: what is binned lacks instances of strips that were not due */
+}
+
+#if !ZS_LEAN
+
+/* ---- Columns of a strip ------------------------------------------------------------------------------------ */
+
+#define ASIDE 24 /* columns beside those that are drawn: splitting rows costs less than so many pixels */
+
+static int32_t no_bias(const struct zs_job *job)
+{
+    (void)job;
+    return 0;
+}
+
+/* A piece of a row that is not drawn. */
+static void beside_span(struct zs_job *job, const struct zs_row *row, int32_t i, int32_t to, uint32_t sum, uint32_t gx)
+{
+    (void)row;
+    (void)sum;
+    (void)gx;
+    job->r->stats.pixels_tested -= (uint32_t)(to - i); /* they are counted by rows */
+}
+
+static const struct zs_state_kernel zs_state_beside = { no_bias, beside_span };
+static const struct zs_state beside = { &zs_state_beside, 0, 0, 0, 0 };
+
+static void track_split(struct zs_job *job)
+{
+    const struct zs_vertex *pool = job->r->vert;
+    const int32_t a = pool[job->tri->v[0]].x, b = pool[job->tri->v[1]].x, c = pool[job->tri->v[2]].x;
+    const int32_t left = job->r->window[0] * ZS_SUBPX_ONE - zs_min32(zs_min32(a, b), c);
+    const int32_t right = zs_max32(zs_max32(a, b), c) - job->r->window[1] * ZS_SUBPX_ONE;
+    if (!zs_fresh_splits(job) || zs_max32(left, right) < ASIDE * ZS_SUBPX_ONE)
+        return;
+    job->state = &beside;
+    job->fresh = ZS_PART;
+}
+
+static int32_t track_part(struct zs_job *job, int32_t i, int32_t end)
+{
+    const uint16_t *window = job->r->window;
+    job->state = &beside;
+    if (i >= window[1])
+        return end;
+    if (i < window[0])
+        return zs_min32(end, window[0]);
+    job->state = 0;
+    return zs_min32(end, window[1]);
+}
+
+static const struct zs_track_kernel zs_track_sums = { track_check, track_due, track_forget, track_touches, track_split,
+                                                      track_part };
+
+#else
+
+static const struct zs_track_kernel zs_track_sums = { track_check, track_due, track_forget };
+
+#endif
+
+int zs_track(struct zs_renderer *r, uint32_t *memory, uint32_t n_instances)
+{
+    if (!r)
+        return ZS_ERR_NULL;
+    if (r->ready != 1 || r->scene)
+        return ZS_ERR_STATE;
+    if (memory && n_instances > 65535u)
+        return ZS_ERR_SIZE;
+    r->track = memory ? &zs_track_sums : 0;
+    r->track_memory = memory;
+    r->track_instances = (uint16_t)n_instances;
+    r->track_columns = 0;
+    if (!ZS_LEAN) {
+        r->window[0] = 0;
+        r->window[1] = r->config.width;
+    }
+    if (memory) {
+        r->track_due = (uint32_t *)(void *)(records(r) + n_instances);
+        memory[0] = memory[1] = 0; /* no frame's sum */
+        for (uint32_t s = 0; s < r->n_strips; s++)
+            r->track_due[s] = (uint32_t)r->config.width << 16;
+    }
+    return ZS_OK;
+}
+
+int zs_track_columns(struct zs_renderer *r, int on)
+{
+    if (!r)
+        return ZS_ERR_NULL;
+    if (r->ready != 1 || r->scene || !r->track)
+        return ZS_ERR_STATE;
+    r->track_columns = on != 0;
+    return ZS_OK;
+}

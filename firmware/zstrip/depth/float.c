@@ -1,0 +1,442 @@
+/* Keys whose step is a part of the distance: r = near / z as an unsigned float with e exponent and m = b - e
+ * mantissa bits, taken from 2^b, so that near has the key 0.
+ *
+ * With 2^-(k+1) <= r <= 2^-k and k at most 2^e - 2, octave o = 2^e - 1 - k in 1 .. 2^e - 1 (the last one, 1,
+ * goes on to r = 0 with the same step):
+ *   code(r) = (o - 1) 2^m + r 2^(k+1+m),   key = 2^b - code
+ * which is continuous in r, and in each octave linear. r is linear on the screen. So
+ *
+ * - in a triangle whose vertices lie in one octave, keys are linear on the screen: it is drawn by the same
+ *   kernels, at the same cost a pixel, as reciprocal keys are;
+ * - any other carries r over the screen in 64 bits; a row is cut where an octave ends, and between cuts keys
+ *   are linear again. The only work beyond the row's entry is one leading-zeros count for each end and, in rows
+ *   that do cross an octave, a bisection. Nothing is encoded a pixel, on cores with CLZ and on those without;
+ * - where it is tiny (pipeline.h) and its vertices lie in two octaves next to each other, 32 bits do for r.
+ *
+ * zs_vertex.d is the key in uq16_16. That is a float with m + 16 mantissa bits (27 to 29 in 16-bit keys), and
+ * r is found from it exactly.
+ *
+ * Keys that differ by D <= 2^m in 2^m steps an octave: w changes by at most D / 2^m of the least w (view.key_slow).
+ * With the farther one s below the border to the nearer one's octave, s <= D: (s + 2 (D - s)) / (2^(m+1) - s), and
+ * in one octave D / 2^m at most.
+ *
+ * Errors of a key, as parts of a bucket:
+ *   vertex        r from 32-bit mantissas and a reciprocal of 2^-30: below 2^-29 of r, at most 2^-15; stored
+ *                 to 2^-17
+ *   one octave    plane.c: at most the larger of 0.0035 and (W + H + 1) / 2^17
+ *   more octaves  w = r scaled to below 2^39, rounded: 2^-39 of the nearest vertex's r; with rho the ratio of
+ *                 the farthest vertex to the nearest that is rho 2^-39 of the farthest's, or rho 2^(m-38) buckets:
+ *                 below 2^-5 at m = 13 for rho < 2^20, and for e3m13, e4m12 never above 2^-17, because beyond
+ *                 2^7 or 2^15 times near a bucket's width in r stays. Steps of w are 2^-24 ulp: nothing. The key of
+ *                 a piece's first pixel and its step are rounded to 2^-16: (W + 1) / 2^17 at the most
+ *   two, tiny     w = r scaled so that the nearer octave ends at 2^31: the vertices' are exact. A bucket of it is
+ *                 2^17 ulp or more, of the farther one 2^16; plane.c, 128 steps: 0.88 * 128 + 1.4 = 114 ulp. Rounding
+ *                 of a piece's first pixel and its steps, in the nearer one: 129 / 2^17. At the most 0.0019
+ *
+ * SPDX-License-Identifier: MIT
+ */
+#include "core/pipeline.h"
+#include "core/rows.h"
+
+static ZS_RARE int float_setup(struct zs_view *view, const struct zs_camera *camera, uint32_t bits,
+                       uint32_t exponent_bits)
+{
+    if (!view->perspective)
+        return ZS_ERR_DEPTH; /* near / z has no meaning there */
+    view->screen_linear = view->pixelwise = 0;
+    view->key_top = ((1u << bits) - 1u) << 16;
+    view->key_mantissa = (uint8_t)(bits - exponent_bits);
+    view->key_octaves = (uint8_t)((1u << exponent_bits) - 1u);
+    const int lz = zs_clz64((uint64_t)camera->z_near); /* near = key_mul / 2^key_shift camera units */
+    view->key_mul = (uint32_t)((uint64_t)camera->z_near << lz >> 32);
+    view->key_shift = lz - 16 - view->shift;
+    view->key_lz = view->key_octaves - 1 - view->key_shift;
+    view->key_fraction = (uint8_t)(view->key_mantissa + 16);
+    view->key_common = (uint8_t)(view->key_octaves - 1u);
+    view->key_code = view->key_top + 0x10000u - (1u << (view->key_mantissa + 16));
+    view->piece_base = view->key_top + 0xffffu;
+    view->piece_shift = (uint8_t)(view->key_mantissa + 16);
+    view->key_far = 0;
+    view->key_slow = (1u << (view->key_mantissa + 16)) - 1u;
+    view->key_known = view->key_top + 0xffffu - (2u << (view->key_mantissa + 16)); /* all but the last octave */
+    return ZS_OK;
+}
+
+/* far <= near * 2^log2 */
+static int within(const struct zs_camera *camera, int log2)
+{
+    return (camera->z_far - 1) >> log2 < camera->z_near;
+}
+
+/* The finest of the three that keeps its step to far. */
+static int any_setup(struct zs_view *view, const struct zs_camera *camera, uint32_t bits)
+{
+    return float_setup(view, camera, bits, within(camera, 7) ? 3u : within(camera, 15) ? 4u : 5u);
+}
+
+static int e3_setup(struct zs_view *view, const struct zs_camera *camera, uint32_t bits)
+{
+    return float_setup(view, camera, bits, 3);
+}
+
+static int e4_setup(struct zs_view *view, const struct zs_camera *camera, uint32_t bits)
+{
+    return float_setup(view, camera, bits, 4);
+}
+
+static int e5_setup(struct zs_view *view, const struct zs_camera *camera, uint32_t bits)
+{
+    return float_setup(view, camera, bits, 5);
+}
+
+/* A code less 2^-16, uq16_16: the code itself is 2^16 at near in 16-bit keys, and would need a bit more. */
+static inline uint32_t below_code(const struct zs_view *view, uint32_t key)
+{
+    return view->key_top + 0xffffu - key;
+}
+
+/* r = p / 2^32 * 2^(octave - last), p >= 2^31, in the octaves where keys differ from the common case: beyond near, the two
+ * farthest. */
+static ZS_RARE ZS_NOINLINE uint32_t last_vertex(const struct zs_view *view, uint32_t p, int32_t octave)
+{
+    const int32_t m = view->key_mantissa + 16, last = view->key_octaves; /* m: 19 .. 29 */
+    if (octave > last)
+        return 0; /* at near, give or take the rounding of z */
+    const int32_t shift = 31 - m + (octave < 1 ? 1 - octave : 0);
+    const uint32_t last_key = view->key_top + (view->key_top < 0xffff0000u ? 0xffffu : 0u); /* 16 bits: no room */
+    if (shift > 31)
+        return last_key;
+    const uint32_t code = ((p >> (shift - 1)) + 1u) >> 1; /* 2 <= shift */
+    if (code <= view->key_top + 0x10000u - last_key && octave < last) /* the right side is modulo 2^32: 1 or 2^16 */
+        return last_key;
+    return view->key_top + 0x10000u - code; /* modulo 2^32: 0 where code came to 2^32 */
+}
+
+static uint32_t float_vertex(const struct zs_view *view, int32_t z, uint32_t rcp, int32_t lz)
+{
+    (void)z;
+    uint32_t p = zs_umulh(view->key_mul, rcp); /* [2^30, 2^32): r = p / 2^(key_shift + 31 - lz) */
+    int32_t above = view->key_lz + lz; /* octave 2 */
+    if (!(p >> 31)) {
+        p <<= 1;
+        above--;
+    }
+    if ((uint32_t)above >= view->key_common)
+        return last_vertex(view, p, above + 2);
+    const uint32_t m = view->key_fraction;
+    return view->key_code - ((uint32_t)above << m) - (((p >> (30u - m)) + 1u) >> 1);
+}
+
+/* The octave of a key, 1 .. 2^e - 1; a border belongs to the farther one, which gives the same r. */
+static inline int32_t octave_of(const struct zs_view *view, uint32_t key)
+{
+    const int32_t o = (int32_t)(below_code(view, key) >> (view->key_mantissa + 16));
+    return o < 1 ? 1 : o;
+}
+
+/* r of a key but for its octave: in (0, 2^(m+1)], r ~ mantissa * 2^octave. */
+static inline uint32_t mantissa_of(const struct zs_view *view, uint32_t key, int32_t octave)
+{
+    return below_code(view, key) - ((uint32_t)(octave - 1) << (view->key_mantissa + 16)) + 1u; /* <= 2^30 */
+}
+
+/* float_inverses of vertices in several octaves. */
+static ZS_NOINLINE void octaves_inverses(const struct zs_view *view, const uint32_t d[3], int32_t nearest, uint32_t w[3])
+{
+    int32_t down[3];
+    uint32_t any = 0;
+    for (int k = 0; k < 3; k++) {
+        const int32_t o = octave_of(view, d[k]);
+        w[k] = mantissa_of(view, d[k], o);
+        down[k] = nearest - o;
+        any |= w[k] >> down[k]; /* <= 30 */
+    }
+    const int32_t up = zs_clz32(any) - 1;
+    for (int k = 0; k < 3; k++) {
+        const int32_t by = down[k] - up; /* -30 .. 30 */
+        w[k] = by > 0 ? (w[k] + (1u << by >> 1)) >> by : w[k] << -by;
+    }
+}
+
+static void float_inverses(const struct zs_view *view, const struct zs_vertex *const v[3], uint32_t w[3])
+{
+    const uint32_t d[3] = { v[0]->d, v[1]->d, v[2]->d };
+    const uint32_t nearest = zs_minu32(zs_minu32(d[0], d[1]), d[2]);
+    const uint32_t farthest = zs_maxu32(zs_maxu32(d[0], d[1]), d[2]);
+    const int32_t o = octave_of(view, nearest);
+    if (o != octave_of(view, farthest)) {
+        octaves_inverses(view, d, o, w);
+        return;
+    }
+    const uint32_t mantissa = mantissa_of(view, nearest, o); /* 1 .. 2^30; the others' are less by what d is more */
+    const int32_t up = zs_clz32(mantissa) - 1;
+    for (int k = 0; k < 3; k++)
+        w[k] = (mantissa - (d[k] - nearest)) << up;
+}
+
+enum way { ONE_OCTAVE, TWO_OCTAVES, MORE_OCTAVES };
+
+#define W_BITS 39          /* plane.c: differences times 2^23 fit 63 bits */
+#define PAIR_END (1 << 30) /* two octaves: w where the farther one ends; the nearer one ends at twice that */
+#define PAIR_LEAST 4096u   /* ... and the least w of a vertex: its plane is off by up to 114 and must stay above 0 */
+
+/* w of a tiny triangle in two octaves into job->key. Return 0 where a vertex is too far away for it. */
+static int pair_planes(struct zs_job *job, const int32_t octave[3], int32_t nearest)
+{
+    const struct zs_view *view = &job->r->view;
+    const int32_t shift = 30 - (view->key_mantissa + 16); /* 1 .. 11 */
+    uint32_t w[3];
+    for (int k = 0; k < 3; k++) {
+        w[k] = mantissa_of(view, job->v[k]->d, octave[k]) << (shift - (nearest - octave[k])); /* exact, <= 2^31 */
+        if (w[k] < PAIR_LEAST)
+            return 0;
+    }
+    zs_plane32(&job->geom, w[0], w[1], w[2], ZS_PLANE_KEY, &job->key);
+    return 1;
+}
+
+#if ZS_LEAN
+static int tiny(const struct zs_geom *g)
+{
+    return zs_tiny(g->dx1, g->dx2, g->dy1, g->dy2) && g->area >= ZS_TINY_AREA;
+}
+#else
+#define tiny(g) ((g)->tiny)
+#endif
+
+/* r of a triangle over the screen, where its keys are not linear. job->w64_scale: the nearest vertex's octave. More
+ * octaves: job->w64, w = r scaled so that this octave ends at 2^39; two: job->key, so that it ends at 2^31. */
+ZS_IN_ORDER static ZS_NOINLINE enum way float_planes(struct zs_job *job)
+{
+    const struct zs_view *view = &job->r->view;
+    int32_t octave[3], nearest = 0, farthest = 32;
+    uint64_t w[3];
+    for (int k = 0; k < 3; k++) {
+        octave[k] = octave_of(view, job->v[k]->d);
+        nearest = zs_max32(nearest, octave[k]);
+        farthest = zs_min32(farthest, octave[k]);
+    }
+    if (nearest == farthest) /* after all: the last has the codes of two */
+        return ONE_OCTAVE;
+    job->w64_scale = nearest;
+    if (tiny(&job->geom) && nearest - farthest == 1 && pair_planes(job, octave, nearest))
+        return TWO_OCTAVES;
+    for (int k = 0; k < 3; k++) {
+        const int32_t up = W_BITS - 1 - (view->key_mantissa + 16) - (nearest - octave[k]); /* -19 .. 19 */
+        w[k] = (uint64_t)zs_scale2((int64_t)mantissa_of(view, job->v[k]->d, octave[k]), up); /* <= 2^39 */
+    }
+    zs_plane64(&job->geom, w[0], w[1], w[2], &job->w64);
+    return MORE_OCTAVES;
+}
+
+/* ---- Two octaves ----------------------------------------------------------------------------------- */
+
+/* Pixels [i, i + n) of a row, all in the nearer octave or in the farther one: code = (o - 1) 2^m + w / 2^shift. */
+static ZS_NOINLINE void pair_piece(struct zs_job *job, const struct zs_row *row, int32_t i, int32_t n, uint32_t w,
+                                   int32_t farther)
+{
+    const struct zs_view *view = &job->r->view;
+    const int32_t m = view->key_mantissa + 16, shift = 30 - m - farther;  /* m is 19 .. 29: 0 .. 11 */
+    const uint32_t start = view->key_top + 0x18000u - ((uint32_t)(job->w64_scale - 1 - farther) << m);
+    uint32_t code = w;
+    int32_t step = (int32_t)job->key.gx;
+    if (shift > 0) {
+        code = ((code >> (shift - 1)) + 1u) >> 1;
+        step = (int32_t)((uint32_t)(step >> (shift - 1)) + 1u) >> 1;
+    }
+    zs_rows_piece(job, row, i, n, start - code, 0u - (uint32_t)step);
+}
+
+/* w - PAIR_END has the sign that tells the octave: 0 <= w < 2^32 - 2^30. */
+ZS_ALWAYS_INLINE void pair_span(struct zs_job *job, const struct zs_row *row)
+{
+    const int32_t gx = (int32_t)job->key.gx, n = row->i1 - row->i0; /* gx may be any where n is 1, else |gx| < 2^31 */
+    const uint32_t w = row->key + zs_wrap_mul((uint32_t)gx, row->i0);
+    const int32_t above = (int32_t)(w - PAIR_END), above_end = (int32_t)((uint32_t)above + zs_wrap_mul((uint32_t)gx, n - 1));
+    if ((above ^ above_end) >= 0) {
+        pair_piece(job, row, row->i0, n, w, above < 0);
+        return;
+    }
+    /* pixels before the first on the other side: 1 .. n - 1; gx is not 0, and what is divided below n |gx| */
+    const int32_t first = above < 0 ? (int32_t)(((uint32_t)gx - 1u - (uint32_t)above) / (uint32_t)gx)
+                                    : (int32_t)((uint32_t)above / (0u - (uint32_t)gx)) + 1;
+    pair_piece(job, row, row->i0, first, w, above < 0);
+    pair_piece(job, row, row->i0 + first, n - first, w + zs_wrap_mul((uint32_t)gx, first), above >= 0);
+}
+
+#if !ZS_LEAN
+/* Apart, so that its frame is not on the stack below start(). */
+static ZS_NOINLINE void pair_walk(struct zs_job *job)
+{
+    zs_rows_walk(job, pair_span);
+}
+#endif
+
+/* ---- More ---------------------------------------------------------------------------------------------- */
+
+/* Leading zeros of w in 39.24 bits, 1 .. last: how many octaves below the nearest's end, and one. */
+static inline int32_t octaves_down(uint64_t w, int32_t last)
+{
+    const int32_t lz = w ? zs_clz64(w) : 64; /* 0 only by an error of the last bits */
+    return lz < 1 ? 1 : lz > last ? last : lz;
+}
+
+/* Of n pixels from one with w on, how many lie in its octave; the n-th does not. */
+static ZS_NOINLINE int32_t pixels_within(uint64_t w, uint64_t gx, int32_t n, int32_t down, int32_t last)
+{
+    int32_t in = 0, out = n - 1; /* pixel `in` does, pixel `out` does not */
+    while (out - in > 1) {
+        const int32_t mid = (in + out) / 2;
+        if (octaves_down(w + zs_times(gx, mid), last) == down)
+            in = mid;
+        else
+            out = mid;
+    }
+    return out;
+}
+
+/* The low 32 bits of (v + 2^(shift - 1)) / 2^shift, floor. 1 <= shift <= 63; v is signed or not, a constant */
+ZS_ALWAYS_INLINE uint32_t rounded(uint64_t v, int32_t shift, int is_signed)
+{
+    v += (uint64_t)1 << (shift - 1);
+    const uint32_t hi = (uint32_t)(v >> 32);
+    if (shift < 32)
+        return hi << (32 - shift) | (uint32_t)v >> shift;
+    return is_signed ? (uint32_t)((int32_t)hi >> (shift - 32)) : hi >> (shift - 32);
+}
+
+/* Pixels [i, i + n) of a row, in one octave: code = (o - 1) 2^m + w / 2^shift with o = last + 1 - down. */
+ZS_IN_ORDER static ZS_NOINLINE void float_piece(struct zs_job *job, const struct zs_row *row, uint64_t w, int32_t down, int32_t i,
+                                    int32_t n)
+{
+    const struct zs_view *view = &job->r->view;
+    const int32_t m = view->key_mantissa + 16, shift = 63 - m - down;     /* 5 .. 43 */
+    const uint32_t code = ((uint32_t)(job->w64_scale - down) << m) + rounded(w, shift, 0);
+    const uint32_t sum = view->key_top + 0x10000u - code + 0x8000u;       /* modulo 2^32 */
+    const uint32_t step = 0u - rounded(job->w64.gx, shift, 1);            /* gx may be any where n is 1 */
+    zs_rows_piece(job, row, i, n, sum, step);
+}
+
+/* A row that may cross octaves; its last pixel is down_end down. */
+static ZS_NOINLINE void crossing_row(struct zs_job *job, const struct zs_row *row, uint64_t w, int32_t down_end)
+{
+    const int32_t last = job->w64_scale;
+    const uint64_t gx = job->w64.gx;
+    int32_t i = row->i0, left = row->i1 - i; /* of the last pixel w is the end's, modulo 2^64: it is not bisected */
+    for (;;) {
+        const int32_t down = octaves_down(w, last);
+        const int32_t n = down == down_end ? left : pixels_within(w, gx, left, down, last);
+        float_piece(job, row, w, down, i, n);
+        i += n;
+        left -= n;
+        if (left <= 0)
+            return;
+        w += zs_times(gx, n);
+    }
+}
+
+/* A row whose first pixel has w. */
+static ZS_NOINLINE void float_row(struct zs_job *job, const struct zs_row *row, uint64_t w)
+{
+    const int32_t n = row->i1 - row->i0;
+    const uint64_t end = w + zs_times(job->w64.gx, n - 1);
+    const int32_t down = octaves_down(end, job->w64_scale);
+    const uint32_t hi = (uint32_t)(w >> 32), hi_end = (uint32_t)(end >> 32);
+    if ((hi ^ hi_end) < (hi & hi_end)) /* as many leading zeros */
+        float_piece(job, row, w, down, row->i0, n);
+    else
+        crossing_row(job, row, w, down);
+}
+
+#if ZS_LEAN
+
+/* A row of a triangle in two octaves, which has no plane of 64 bits, or in more. */
+static void any_row(struct zs_job *job, const struct zs_row *row)
+{
+    const struct zs_plane64 *plane = &job->w64;
+    if (job->two_octaves)
+        pair_span(job, row);
+    else
+        float_row(job, row, plane->base + zs_times(plane->gx, row->i0 - job->geom.ia) +
+                            zs_times(plane->gy, row->y - job->geom.ja));
+}
+
+#else
+
+/* Rows as zs_rows_walk walks them, with w at column 0 carried on. */
+ZS_IN_ORDER static ZS_NOINLINE void float_walk(struct zs_job *job)
+{
+    const struct zs_plane64 *plane = &job->w64;
+    struct zs_row row;
+    uint64_t w = plane->base - zs_times(plane->gx, job->geom.ia) + zs_times(plane->gy, job->row - job->geom.ja);
+    row.y = job->row;
+    row.at = (row.y - job->y0) * job->width; /* < 2^24 */
+    row.key = 0;
+    for (;;) {
+        for (const struct zs_cut *cut = job->cut; row.y < job->cut_end; row.y++, cut++) {
+            row.x0 = cut->x0;
+            row.x1 = cut->x1;
+            row.i0 = zs_max32(row.x0, 0);
+            row.i1 = zs_min32(row.x1, job->width);
+            if (row.i0 < row.i1) {
+                job->r->stats.pixels_tested += (uint32_t)(row.i1 - row.i0);
+                if (job->fresh)
+                    zs_fresh_row(job, &row);
+                float_row(job, &row, w + zs_times(plane->gx, row.i0));
+            }
+            w += plane->gy;
+            row.at += job->width;
+        }
+        if (row.y >= job->row_end)
+            return;
+        zs_raster_cuts(job, row.y);
+    }
+}
+
+#endif
+
+#if ZS_LEAN
+
+static void float_rows(struct zs_job *job)
+{
+    const enum way way = float_planes(job);
+    job->two_octaves = way == TWO_OCTAVES;
+    if (way == ONE_OCTAVE)
+        zs_raster_keys(job);
+    else
+        zs_raster_rows(job, 0);
+}
+
+const struct zs_depth zs_depth_float = { any_setup, float_vertex, float_rows, 0, float_inverses, 0, any_row };
+const struct zs_depth zs_depth_e3m13 = { e3_setup, float_vertex, float_rows, 0, float_inverses, 0, any_row };
+const struct zs_depth zs_depth_e4m12 = { e4_setup, float_vertex, float_rows, 0, float_inverses, 0, any_row };
+const struct zs_depth zs_depth_e5m11 = { e5_setup, float_vertex, float_rows, 0, float_inverses, 0, any_row };
+
+#else
+
+static void float_rows(struct zs_job *job)
+{
+    const struct zs_view *view = &job->r->view;
+    const struct zs_shader *shader = job->shader;
+    const uint32_t code = below_code(view, job->v[0]->d);
+    const uint32_t differ = (code ^ below_code(view, job->v[1]->d)) | (code ^ below_code(view, job->v[2]->d));
+    const enum way way = differ >> (view->key_mantissa + 16) ? float_planes(job) : ONE_OCTAVE;
+    if (way == ONE_OCTAVE) {
+        zs_raster_keys(job);
+        return;
+    }
+    job->saturates = (uint8_t)zs_keys_may_saturate(job);
+    if (shader->start)
+        shader->start(job);
+    if (way == TWO_OCTAVES)
+        pair_walk(job);
+    else
+        float_walk(job);
+}
+
+const struct zs_depth zs_depth_float = { any_setup, float_vertex, float_rows, 0, float_inverses, 0 };
+const struct zs_depth zs_depth_e3m13 = { e3_setup, float_vertex, float_rows, 0, float_inverses, 0 };
+const struct zs_depth zs_depth_e4m12 = { e4_setup, float_vertex, float_rows, 0, float_inverses, 0 };
+const struct zs_depth zs_depth_e5m11 = { e5_setup, float_vertex, float_rows, 0, float_inverses, 0 };
+
+#endif

@@ -1,0 +1,363 @@
+/* What large triangles hide, known before anything is drawn.
+ *
+ * The frame is cut into tiles of 2^ZS_TILE_LOG2 columns, as high as a strip. A triangle that covers all of a tile, or two
+ * that share an edge and cover it together, leave no key there beyond their farthest: the tile's bound. A triangle whose
+ * nearest key lies beyond the bounds of all tiles that it touches wins no pixel, in whatever order the two are drawn,
+ * because a pixel keeps the least key; equal keys prove nothing. So the frame is the same with and without. Nor is an
+ * instance seen whose box lies beyond the bounds of all its tiles. What a tile's bound comes from is never among those: its
+ * own nearest key is not beyond it.
+ *
+ * Bounds are found where a frame's first walk meets a triangle of LARGE columns, for all strips at once, and hold for all
+ * sets and later walks of the frame. Nothing is done in frames that have none.
+ *
+ * Columns: the left side of a triangle is a convex function of the row and the right side a concave one, so that both are
+ * farthest inwards in the strip's first or last row. They are taken inwards by the error of the slope (side()).
+ *
+ * Keys: a triangle's are at most its farthest vertex's. What is drawn is within 0.13 bucket of the exact (NUMERICS.md: 0.005 up
+ * to 640 pixels of width and height, (W + H + 1) / 2^17 beyond), which MARGIN covers. The plane through the vertices' keys at a
+ * tile's four corners is a closer bound, and was left out: DESIGN.md has the figures.
+ *
+ * SPDX-License-Identifier: MIT
+ */
+#include "core/cold.h"
+#include "core/pipeline.h"
+
+#if !ZS_LEAN
+
+#define TILE (1 << ZS_TILE_LOG2)
+#define LARGE (2 * TILE) /* columns: covers a tile wherever it lies */
+#define MARGIN 0x2200 /* of a bucket, in 2^-16: 0.13 */
+_Static_assert(2 * ZS_SIZE_MAX + 1 <= MARGIN, "the error of a plane's keys, (W + H + 1) / 2^17 bucket");
+
+static uint32_t key_of(const struct zs_renderer *r, uint32_t d, int32_t add)
+{
+    const struct zs_depth *depth = r->config.depth;
+    const uint32_t key = depth->key ? depth->key(&r->view, d) : d; /* uq16_16, <= key_top */
+    const uint32_t most = r->view.key_top - 0x10000u; /* keys saturate here */
+    if (add < 0)
+        return (key < 0x8000u - (uint32_t)add ? 0u : zs_minu32(key + 0x8000u + (uint32_t)add, most)) >> 16;
+    return (key >= most ? most : zs_minu32(key + 0x8000u + (uint32_t)add, most)) >> 16; /* no carry: key < 2^32 - 2^17 */
+}
+
+uint32_t zs_hidden_key(const struct zs_renderer *r, uint32_t d, int32_t sign)
+{
+    return key_of(r, d, sign < 0 ? -MARGIN : MARGIN);
+}
+
+/* ---- Levels -------------------------------------------------------------------------------------------- */
+
+void zs_hidden_up(const uint16_t *in, uint32_t w, uint32_t h, uint16_t *out)
+{
+    for (uint32_t y = 0; y < h; y += 2u) {
+        const uint16_t *a = in + y * w, *const b = y + 1u < h ? a + w : a, *const end = a + w;
+        for (uint32_t k = 0; a + k < end; k += 2u) {
+            const uint32_t right = a + k + 1u < end ? k + 1u : k;
+            *out++ = (uint16_t)zs_maxu32(zs_maxu32(a[k], a[right]), zs_maxu32(b[k], b[right]));
+        }
+    }
+}
+
+static void levels(struct zs_renderer *r)
+{
+    uint32_t w = ZS_TILES(r->config.width), h = r->n_strips;
+    uint16_t *at = r->bound;
+    for (int level = 1; level < ZS_BOUND_LEVELS; level++) {
+        uint16_t *const up = at + w * h;
+        zs_hidden_up(at, w, h, up);
+        at = up;
+        w = (w + 1u) / 2u;
+        h = (h + 1u) / 2u;
+    }
+    r->bound_most = 0;
+    for (uint32_t k = 0; k < w * h; k++)
+        r->bound_most = (uint16_t)zs_maxu32(r->bound_most, at[k]);
+    r->bound_new = 0;
+}
+
+/* ---- Bounds ------------------------------------------------------------------------------------------ */
+
+enum { LONG, UPPER, LOWER }; /* edges from the top to the bottom vertex, to the middle one, from there */
+
+/* Where an edge passes a row's samples, no more than two sub-pixels beyond it, inwards or outwards: the slope is wrong by
+ * less than 2^-shift, and so is its product, floored, by a sub-pixel more. */
+static int32_t side(const struct zs_cover *c, int edge, int32_t row, int right)
+{
+    const struct zs_vertex *a = &c->v[edge == LOWER];
+    const int32_t off = row * ZS_SUBPX_ONE + ZS_SUBPX_HALF - a->y; /* 0 .. dy */
+    const int32_t x = a->x + (c->slope[edge] * off >> c->shift[edge]), error = (off >> c->shift[edge]) + 2;
+    return zs_first_sample(right ? x - error : x + error);
+}
+
+/* The first column, or one beyond the last, of a row. */
+static int32_t column(const struct zs_cover *c, int32_t row, int right)
+{
+    const int edge = c->mid_right != right ? LONG : row < c->row_mid ? UPPER : LOWER;
+    return side(c, edge, row, right);
+}
+
+/* dx / dy in 2^-shift, towards 0: |slope * dy| <= 2^30. */
+static void slope(struct zs_cover *c, int edge, const struct zs_vertex *a, const struct zs_vertex *b)
+{
+    const int32_t dx = b->x - a->x, dy = b->y - a->y;
+    int32_t shift = zs_clz32((uint32_t)(zs_abs32(dx) | 1)) - 2; /* |dx| < 2^22: 8 or more */
+    shift = zs_min32(shift, 12);
+    c->shift[edge] = (uint8_t)shift;
+    c->slope[edge] = dy ? dx * (1 << shift) / dy : 0;
+}
+
+/* Tiles [at, end) have no key farther than this. */
+static void bound_tiles(struct zs_renderer *r, uint16_t *at, const uint16_t *end, uint32_t farthest)
+{
+    for (; at < end; at++)
+        if (farthest < *at) {
+            *at = (uint16_t)farthest;
+            r->bound_new = 1;
+        }
+}
+
+static int32_t strip_of(const struct zs_renderer *r, int32_t row) /* 0 .. ZS_SIZE_MAX - 1 */
+{
+    return (int32_t)((uint32_t)row * r->strip_mul >> r->strip_shift);
+}
+
+/* Bounds of strips whose rows are all in [row, row_end) and not all in [done, done_end), from a triangle, or from one to the
+ * left and one to the right of an edge that passes all their rows. */
+static void bound_rows(struct zs_renderer *r, const struct zs_cover *left, const struct zs_cover *right, int32_t row,
+                       int32_t row_end, int32_t done, int32_t done_end)
+{
+    const int32_t h = r->config.strip_h, height = r->config.height, width = r->config.width;
+    const int32_t tiles = (int32_t)ZS_TILES(width);
+    const uint32_t farthest = zs_maxu32(left->farthest, right->farthest);
+    if (row >= height || row_end <= 0)
+        return;
+    int32_t s = strip_of(r, zs_max32(row, 0));
+    s = zs_max32(s + (s * h < row), r->strip);
+    const int32_t end = zs_min32(row_end < height ? strip_of(r, row_end) : r->n_strips, r->draw_end);
+    if (s >= end || (s * h >= done && zs_min32(end * h, height) <= done_end))
+        return;
+    uint16_t *bound = r->bound + s * tiles;
+    const int32_t first = s * h, last = zs_min32(end * h, height) - 1;
+    if (column(left, first, 0) <= 0 && column(right, first, 1) >= width && column(left, last, 0) <= 0 &&
+        column(right, last, 1) >= width) { /* then in all rows between */
+        bound_tiles(r, bound, r->bound + end * tiles, farthest);
+        return;
+    }
+    for (int32_t y0 = first; s < end; s++, y0 += h, bound += tiles) {
+        const int32_t y1 = zs_min32(y0 + h, height);
+        if (y0 >= done && y1 <= done_end)
+            continue;
+        const int32_t x0 = zs_max32(column(left, y0, 0), column(left, y1 - 1, 0));
+        const int32_t x1 = zs_min32(column(right, y0, 1), column(right, y1 - 1, 1));
+        bound_tiles(r, bound + ((zs_max32(x0, 0) + TILE - 1) >> ZS_TILE_LOG2),
+                    bound + (x1 >= width ? tiles : x1 >> ZS_TILE_LOG2), farthest);
+    }
+}
+
+/* What a triangle covers by itself, but for what is known to be covered with others. */
+static void bound_one(struct zs_renderer *r, const struct zs_cover *c)
+{
+    bound_rows(r, c, c, zs_first_sample(c->v[0].y), zs_first_sample(c->v[2].y), c->done[0], c->done[1]);
+}
+
+/* Two triangles with an edge of a surface in common, each on its own side of it: what they cover together. */
+static void bound_both(struct zs_renderer *r, struct zs_cover *a, struct zs_cover *b)
+{
+    int in_a = 0, in_b = 0; /* numbers of the vertices that are of both, or-ed as bits */
+    for (int k = 0; k < 9; k++)
+        if (a->v[k / 3].x == b->v[k % 3].x && a->v[k / 3].y == b->v[k % 3].y && a->v[k / 3].d == b->v[k % 3].d) {
+            in_a |= 1 << k / 3;
+            in_b |= 1 << k % 3;
+        }
+    if ((in_a != 3 && in_a != 5 && in_a != 6) || (in_b != 3 && in_b != 5 && in_b != 6))
+        return;
+    const int right_a = (in_a == 5) != a->mid_right, right_b = (in_b == 5) != b->mid_right; /* the edge is its right side */
+    if (right_a == right_b)
+        return;
+    a->done[0] = b->done[0] = zs_max32(zs_first_sample(a->v[in_a == 6].y), 0);
+    a->done[1] = b->done[1] = zs_min32(zs_first_sample(a->v[in_a == 3 ? 1 : 2].y), r->config.height);
+    bound_rows(r, right_a ? a : b, right_a ? b : a, a->done[0], a->done[1], 0, 0);
+}
+
+/* The last triangle waits for one that it covers tiles with. */
+static void bound_last(struct zs_renderer *r)
+{
+    if (r->cover_waits)
+        bound_one(r, &r->cover[!r->cover_next]);
+    r->cover_waits = 0;
+}
+
+/* 1: no bound is farther than a key; one tile is asked before all. */
+static int bounds_nothing(struct zs_renderer *r, uint32_t key)
+{
+    if (key < r->bound[r->strip * ZS_TILES(r->config.width)])
+        return 0;
+    if (r->bound_new)
+        levels(r);
+    return key >= r->bound_most;
+}
+
+static inline int above(const struct zs_vertex *a, const struct zs_vertex *b)
+{
+    return a->y < b->y || (a->y == b->y && a->x < b->x);
+}
+
+ZS_NOINLINE void zs_hidden_cover(struct zs_renderer *r, const struct zs_vertex *a, const struct zs_vertex *b,
+                                 const struct zs_vertex *c)
+{
+    const int32_t left = zs_min32(zs_min32(a->x, b->x), c->x), right = zs_max32(zs_max32(a->x, b->x), c->x);
+    if (right - left < LARGE * ZS_SUBPX_ONE || right <= 0 || left >= r->config.width * ZS_SUBPX_ONE)
+        return;
+    const int32_t row = zs_max32(zs_first_sample(zs_min32(zs_min32(a->y, b->y), c->y)), r->strip * r->config.strip_h);
+    const int32_t row_end = zs_first_sample(zs_max32(zs_max32(a->y, b->y), c->y));
+    if (row_end - row < r->config.strip_h && (row_end < r->config.height || row >= row_end))
+        return; /* not all rows of a strip */
+    if (!r->counting || r->xform.instance->state || r->config.skip_off & ZS_SKIP_HIDDEN)
+        return; /* all is known by now; keys of its own */
+    if (!r->large) { /* the frame's first */
+        zs_fill16(r->bound, ZS_DEPTH_CLEAR, ZS_TILES(r->config.width) * r->n_strips);
+        r->large = 1;
+        r->bound_most = ZS_DEPTH_CLEAR;
+        r->bound_new = 1;
+        r->cover_known = r->cover_waits = r->cover_next = 0;
+    }
+    const uint32_t nearest = zs_minu32(zs_minu32(a->d, b->d), c->d), farthest = zs_maxu32(zs_maxu32(a->d, b->d), c->d);
+    if (bounds_nothing(r, key_of(r, nearest, 0)))
+        return;
+    struct zs_cover *now = &r->cover[r->cover_next], *const old = &r->cover[!r->cover_next];
+    while (above(b, a) || above(c, a)) { /* the top one first */
+        const struct zs_vertex *const first = a;
+        a = b;
+        b = c;
+        c = first;
+    }
+    now->mid_right = (uint8_t)above(b, c);
+    if (!now->mid_right) {
+        const struct zs_vertex *const middle = c;
+        c = b;
+        b = middle;
+    }
+    now->v[0] = *a;
+    now->v[1] = *b;
+    now->v[2] = *c;
+    now->row_mid = zs_first_sample(b->y);
+    now->farthest = key_of(r, farthest, MARGIN);
+    slope(now, LONG, a, c);
+    slope(now, UPPER, a, b);
+    slope(now, LOWER, b, c);
+    now->done[0] = now->done[1] = 0;
+    if (r->cover_known)
+        bound_both(r, now, old);
+    bound_last(r);
+    r->cover_known = r->cover_waits = 1;
+    r->cover_next = !r->cover_next;
+}
+
+/* ---- Questions --------------------------------------------------------------------------------------- */
+
+uint32_t zs_hidden_seen(struct zs_renderer *r)
+{
+    bound_last(r);
+    const uint32_t tiles = ZS_TILES(r->config.width);
+    const uint16_t *bound = r->bound + r->strip * tiles, *const end = bound + tiles;
+    uint32_t least = ZS_DEPTH_CLEAR, most = 0;
+    for (; bound < end; bound++) {
+        least = zs_minu32(least, *bound);
+        most = zs_maxu32(most, *bound);
+    }
+    r->bound_strip = (uint16_t)most;
+    const struct zs_depth *depth = r->config.depth;
+    return least == ZS_DEPTH_CLEAR ? UINT32_MAX : depth->key ? 0u : least << 16; /* least <= ZS_DEPTH_CLEAR - 1 */
+}
+
+int zs_hidden(struct zs_job *job)
+{
+    const struct zs_renderer *r = job->r;
+    const struct zs_tri *t = job->tri;
+    const struct zs_vertex *a = &r->vert[t->v[0]], *b = &r->vert[t->v[1]], *c = &r->vert[t->v[2]];
+    const int known = r->large && !r->scene->instance[t->instance].state; /* a state: keys of its own */
+    uint32_t nearest = 0;
+    job->row_last = zs_first_sample(zs_max32(b->y, c->y)); /* a is the top one */
+    if (known) {
+        nearest = key_of(r, zs_minu32(zs_minu32(a->d, b->d), c->d), -MARGIN);
+        if (nearest > r->bound_strip)
+            return 1;
+    }
+    const int32_t x0 = zs_max32(zs_first_sample(zs_min32(zs_min32(a->x, b->x), c->x)), r->window[0]);
+    const int32_t x1 = zs_min32(zs_first_sample(zs_max32(zs_max32(a->x, b->x), c->x)), r->window[1]);
+    if (x1 <= x0)
+        return 1;
+    const uint16_t *bound = r->bound + r->strip * ZS_TILES(r->config.width);
+    for (int32_t k = x0 >> ZS_TILE_LOG2; known && k <= (x1 - 1) >> ZS_TILE_LOG2; k++)
+        if (nearest <= bound[k])
+            return 0;
+    return known;
+}
+
+int zs_hidden_box(struct zs_renderer *r, const struct zs_box *box, uint32_t nearest)
+{
+    const int32_t h = r->config.strip_h;
+    int32_t x0 = zs_max32(box->x0, 0), x1 = zs_min32(box->x1, r->config.width) - 1;
+    int32_t y0 = zs_max32(box->y0, r->strip * h), y1 = zs_min32(box->y1, zs_min32(r->draw_end * h, r->config.height)) - 1;
+    if (!r->large || x0 > x1 || y0 > y1)
+        return 0;
+    bound_last(r);
+    x0 >>= ZS_TILE_LOG2;
+    x1 >>= ZS_TILE_LOG2;
+    y0 = strip_of(r, y0);
+    y1 = strip_of(r, y1);
+    const uint16_t *at = r->bound;
+    uint32_t w = ZS_TILES(r->config.width), rows = r->n_strips;
+    const uint32_t key = key_of(r, nearest, -MARGIN);
+    if (key <= at[(uint32_t)y0 * w + (uint32_t)x0])
+        return 0; /* in its first tile, without the levels */
+    if (r->bound_new)
+        levels(r);
+    if (key > r->bound_most)
+        return 1;
+    for (int level = 1; level < ZS_BOUND_LEVELS && (x1 - x0 > 1 || y1 - y0 > 1); level++) {
+        at += w * rows;
+        w = (w + 1u) / 2u;
+        rows = (rows + 1u) / 2u;
+        x0 >>= 1;
+        x1 >>= 1;
+        y0 >>= 1;
+        y1 >>= 1;
+    }
+    for (int32_t y = y0; y <= y1; y++)
+        for (int32_t x = x0; x <= x1; x++)
+            if (key <= at[(uint32_t)y * w + (uint32_t)x])
+                return 0;
+    return 1;
+}
+
+/* A length in camera units, and what it may be off by. */
+static int32_t units(const struct zs_view *view, int64_t length, int32_t off)
+{
+    return zs_view_length(view, length) + off;
+}
+
+int zs_hidden_sphere(struct zs_renderer *r, const struct zs_bounds *b)
+{
+    const struct zs_view *view = &r->view;
+    const int64_t reach = b->r + b->slack;
+    const int32_t z[2] = { units(view, b->c[2] - reach, -1), zs_min32(units(view, b->c[2] + reach, 1), view->z_far) };
+    struct zs_box box = { INT32_MAX, INT32_MIN, INT32_MAX, INT32_MIN };
+    struct zs_vertex at = { 0, 0, 0 };
+    if (!r->large || z[0] < view->z_near || z[0] > z[1])
+        return 0;
+    for (int k = 3; k >= 0; k--) { /* its cube's corners; the nearest ones last */
+        struct zs_point p = { { 0, 0, z[k >> 1] } };
+        for (int i = 0; i < 2; i++) {
+            const int32_t c = units(view, b->c[i] + (k & 1 ? reach : -reach), k & 1 ? 1 : -1);
+            p.c[i] = (int32_t)(zs_mul_ss(c, view->ratio) >> 30) + (k & 1);
+        }
+        (void)zs_xform_project(r, &p, &at); /* beside the guard band: still outside the frame */
+        box.x0 = zs_min32(box.x0, (at.x >> ZS_SUBPX_BITS) - 1);
+        box.x1 = zs_max32(box.x1, (at.x >> ZS_SUBPX_BITS) + 2);
+        box.y0 = zs_min32(box.y0, (at.y >> ZS_SUBPX_BITS) - 1);
+        box.y1 = zs_max32(box.y1, (at.y >> ZS_SUBPX_BITS) + 2);
+    }
+    return zs_hidden_box(r, &box, at.d);
+}
+
+#endif

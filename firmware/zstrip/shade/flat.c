@@ -1,0 +1,32 @@
+/* Flat shading: one normal and one lit colour a face.
+ *
+ * SPDX-License-Identifier: MIT
+ */
+#include "shade/solid.h"
+
+/* 0 .. 65535 to 0 .. most, nearest. most <= 63 */
+static uint32_t code(uint32_t channel, uint32_t most)
+{
+    const uint32_t t = channel * most + 0x8000u; /* < 2^22; t / 65535 by two shifts */
+    return (t + (t >> 16)) >> 16;
+}
+
+static uint16_t flat_face(const struct zs_renderer *r, uint32_t t)
+{
+    const struct zs_instance *in = r->xform.instance;
+    const struct zs_mesh *mesh = in->mesh;
+    const struct zs_rgb *c = mesh->face_rgb ? &mesh->face_rgb[t] : &in->material->rgb;
+    zs_q1_15 n[3];
+    zs_light_face_normal(n, mesh, t);
+    const uint32_t light = zs_light_intensity(r, n);
+    return zs_wire16((uint16_t)(code(zs_light_channel(c->r, light), 31) << 11 |
+                                code(zs_light_channel(c->g, light), 63) << 5 |
+                                code(zs_light_channel(c->b, light), 31)));
+}
+
+#if ZS_LEAN
+const struct zs_shader zs_shade_flat = { 0, flat_face, 0, zs_solid_run, 0, 0, 0 };
+#else
+const struct zs_shader zs_shade_flat = { 0, flat_face, zs_solid_rows, 0, zs_solid_span, zs_solid_run, 0, 0,
+                                         zs_small_draw, 0 };
+#endif

@@ -1,0 +1,306 @@
+/* Smooth (Gouraud) shading: lit at the vertices, interpolated perspective-correctly.
+ *
+ * Colours are carried as codes (0 .. 31, 0 .. 63) with 16 fraction bits.
+ *
+ * How they go over the screen is in persp.h; the bound is 1/8 code, sub-spans are up to 16 pixels.
+ *
+ * SPDX-License-Identifier: MIT
+ */
+#include "shade/persp.h"
+
+#define SUB_LOG2_MAX 4u
+
+/* uq0_16 of 65535 to codes, uq16_16: 31 and 63 times 2^16 / 65535 * 2^16, nearest. */
+#define CODE_SCALE(most) ((most) * 65537u)
+
+#define UP5 11u /* brings a code's highest bit, uq16_16, to a word's */
+#define UP6 10u
+
+static const uint8_t code_most[3] = { 31, 63, 31 };
+
+static void smooth_vertex(const struct zs_renderer *r, uint32_t v, uint16_t *out)
+{
+    const struct zs_instance *in = r->xform.instance;
+    const struct zs_rgb *c = in->mesh->vertex_rgb ? &in->mesh->vertex_rgb[v] : &in->material->rgb;
+    const uint32_t light = zs_light_intensity(r, in->mesh->normal[v]);
+    out[0] = (uint16_t)zs_light_channel(c->r, light);
+    out[1] = (uint16_t)zs_light_channel(c->g, light);
+    out[2] = (uint16_t)zs_light_channel(c->b, light);
+}
+
+static int smooth_check(const struct zs_instance *in, const struct zs_config *config)
+{
+    (void)config;
+    return in->mesh->normal ? ZS_OK : ZS_ERR_MESH;
+}
+
+/* ---- Set-up ------------------------------------------------------------------------------------------ */
+
+/* Largest change of a channel over the triangle, uq0_16. */
+static uint32_t color_range(const uint16_t *const a[3])
+{
+    uint32_t range = 0;
+    for (int c = 0; c < 3; c++) {
+        const int32_t lo = zs_min32(zs_min32(a[0][c], a[1][c]), a[2][c]);
+        const int32_t hi = zs_max32(zs_max32(a[0][c], a[1][c]), a[2][c]);
+        if (range < (uint32_t)(hi - lo))
+            range = (uint32_t)(hi - lo);
+    }
+    return range;
+}
+
+/* range / 65536 * 63 codes * (change / least) / 4 <= 1/8 code; 63 taken as 64. */
+static int affine_enough(uint32_t range, uint32_t change, uint32_t least)
+{
+    if (range * ((change >> 16) + 1u) <= least >> (ZS_SPAN_BOUND_LOG2 + 4)) /* < 2^32: enough to say yes */
+        return 1;
+    return zs_mul_uu(range, change) <= (uint64_t)least << (12 - ZS_SPAN_BOUND_LOG2); /* < 2^16 * 2^32 */
+}
+
+static uint32_t sub_span(const struct zs_plane *w, uint32_t range, uint32_t least)
+{
+    const uint32_t slope = (uint32_t)((int32_t)w->gx < 0 ? 0u - w->gx : w->gx);
+    uint32_t log2 = SUB_LOG2_MAX;
+    while (log2 > 0 && (slope >> (31 - log2) || !affine_enough(range, slope << log2, least)))
+        log2--;
+    return log2;
+}
+
+/* A channel in codes, uq16_16: floor(v * CODE_SCALE / 2^16). v < 2^16 */
+static inline uint32_t code_of(uint32_t v, uint32_t most)
+{
+    const uint32_t whole = v * most; /* < 2^22 */
+    return whole + (whole >> 16);
+}
+
+/* 256 * n / area in 32 bits, nearest. plane.c brings n to 32 bits first, which takes nothing from |n| < 2^31; floors of
+ * floors are one floor; so the same number comes out, but for halves: up here, away from 0 there. |result| < 2^22 */
+static inline int32_t narrow_gradient(int32_t n, uint32_t rcp, int32_t shift)
+{
+    return (((int32_t)(zs_mul_su(n, rcp) >> 32) >> shift) + 1) >> 1;
+}
+
+/* zs_plane32 for codes, in 32 bits. fits: differences below it times the triangle's extents stay below 2^30.
+ * Return 0 where it is not for it. */
+static int narrow_plane(const struct zs_geom *g, const uint32_t v[3], int32_t fits, struct zs_plane *out)
+{
+    const int32_t dv1 = (int32_t)(v[1] - v[0]), dv2 = (int32_t)(v[2] - v[0]); /* |.| < 2^22 */
+    const int32_t shift = 22 + g->exp;                   /* 8 .. 21 */
+    if (((dv1 ^ dv1 >> 31) | (dv2 ^ dv2 >> 31)) >= fits)
+        return 0;
+    const int32_t gx = narrow_gradient(dv1 * g->dy2 - dv2 * g->dy1, g->rcp, shift);
+    const int32_t gy = narrow_gradient(dv2 * g->dx1 - dv1 * g->dx2, g->rcp, shift);
+    out->gx = (uint32_t)gx;
+    out->gy = (uint32_t)gy;
+    out->base = v[0] + (uint32_t)((gx * g->ax + gy * g->ay + 128) >> 8); /* |a| <= 128: < 2^30 */
+    return 1;
+}
+
+/* What narrow_plane calls fits, a power of two; 0: not for this triangle. */
+static int32_t narrow_fits(const struct zs_geom *g)
+{
+    if (g->rcp == 0 || g->exp < -14) /* large; or below 1 px^2, and a gradient may have more than 22 bits */
+        return 0;
+    const int32_t extent = (g->dx1 ^ g->dx1 >> 31) | (g->dx2 ^ g->dx2 >> 31) | g->dy1 | g->dy2;
+    return 1 << (zs_clz32((uint32_t)extent) - 2); /* extents < 2^16, and not all -1, 0: 2^14 at least */
+}
+
+/* Planes of codes with half a code added, codes in their words' top bits. */
+ZS_IN_ORDER static ZS_NOINLINE void affine_planes(struct zs_job *job, const uint16_t *const a[3])
+{
+    const struct zs_geom *g = &job->geom;
+    const int32_t fits = narrow_fits(g);
+    for (int c = 0; c < 3; c++) {
+        struct zs_plane *const out = &job->c[c];
+        const uint32_t v[3] = { code_of(a[0][c], code_most[c]), code_of(a[1][c], code_most[c]),
+                                code_of(a[2][c], code_most[c]) };
+        if (!narrow_plane(g, v, fits, out))
+            zs_plane32(g, v[0], v[1], v[2], ZS_PLANE_KEY, out);
+        zs_plane_origin(g, out);
+        const uint32_t up = c == 1 ? UP6 : UP5;
+        out->base = (out->base + 0x8000u) << up; /* nearest; at covered pixels at most 63.5 codes */
+        out->gx <<= up;
+        out->gy <<= up;
+    }
+}
+
+/* Planes of w and colour times w. */
+static void persp_planes(struct zs_job *job, const uint16_t *const a[3], const uint32_t w[3])
+{
+    for (int c = 0; c < 3; c++) {
+        uint32_t v[3];
+        for (int k = 0; k < 3; k++)
+            v[k] = zs_umulh((uint32_t)a[k][c] << 16, w[k]);
+        zs_persp_plane(&job->geom, v, ZS_PLANE_WIDE, &job->c[c]);
+    }
+}
+
+/* What is left where keys do not say that colours are affine. */
+static ZS_NOINLINE void start_by_w(struct zs_job *job, const uint16_t *const a[3], uint32_t range)
+{
+    uint32_t w[3], least;
+    zs_persp_w(job, w);
+    const uint32_t change = zs_persp_change(w, &least);
+    if (affine_enough(range, change, least)) {
+        affine_planes(job, a);
+        return;
+    }
+    zs_persp_plane(&job->geom, w, ZS_PLANE_WIDE, &job->w);
+    job->sub_log2 = sub_span(&job->w, range, least);
+    persp_planes(job, a, w);
+}
+
+static void smooth_start(struct zs_job *job)
+{
+    const uint16_t *a[3];
+    zs_persp_attrs(job, a);
+    const uint32_t range = color_range(a);
+    uint32_t change;
+    job->sub_log2 = ZS_AFFINE;
+    if (zs_persp_slow(job, &change) && affine_enough(range, change, job->r->view.key_slow))
+        affine_planes(job, a);
+    else
+        start_by_w(job, a, range);
+}
+
+/* ---- Runs ------------------------------------------------------------------------------------------- */
+
+/* Codes with half a code added, at most 63.5, in their words' top bits. */
+static inline uint16_t pack(uint32_t red, uint32_t green, uint32_t blue)
+{
+    return zs_wire16((uint16_t)((red >> 27 << 6 | green >> 26) << 5 | blue >> 27));
+}
+
+static void fill_linear(uint16_t *out, int32_t n, const uint32_t c[3], const uint32_t step[3])
+{
+    uint32_t red = c[0], green = c[1], blue = c[2];
+    const uint32_t by_red = step[0], by_green = step[1], by_blue = step[2];
+    for (uint16_t *const end = out + n; out != end; out++) {
+        *out = pack(red, green, blue);
+        red += by_red;
+        green += by_green;
+        blue += by_blue;
+    }
+}
+
+#if !ZS_LEAN
+
+/* Depth test and colour of an affine triangle whose keys do not saturate. */
+static ZS_NOINLINE void affine_rows(struct zs_job *job)
+{
+    const int32_t width = job->width;
+    const struct zs_plane *const c = job->c;
+    uint32_t by_key = job->key.gx, by_red = c[0].gx, by_green = c[1].gx, by_blue = c[2].gx;
+    uint32_t tested = 0;
+    int32_t written = 0, y = job->row, at = (y - job->y0) * width;
+    zs_plane_origin(&job->geom, &job->key);
+    for (;;) {
+        for (const struct zs_cut *cut = job->cut; y < job->cut_end; cut++, y++, at += width) {
+            const int32_t i0 = zs_max32(cut->x0, 0), n = zs_min32(cut->x1, width) - i0;
+            if (n <= 0)
+                continue;
+            uint32_t sum = zs_plane_at(&job->key, i0, y), red = zs_plane_at(&c[0], i0, y),
+                     green = zs_plane_at(&c[1], i0, y), blue = zs_plane_at(&c[2], i0, y);
+            uint16_t *depth = job->depth + at + i0, *color = job->color + at + i0;
+            const uint16_t *end = depth + n;
+            tested += (uint32_t)n;
+            do {
+                ZS_HIGH_REGISTER(by_key);
+                ZS_HIGH_REGISTER(by_red);
+                ZS_HIGH_REGISTER(by_green);
+                ZS_HIGH_REGISTER(by_blue);
+                ZS_HIGH_REGISTER(end);
+                if (sum >> 16 < *depth) {
+                    *depth = (uint16_t)zs_high(sum);
+                    *color = pack(red, green, blue);
+                    if (ZS_STATS)
+                        written++;
+                }
+                depth++;
+                color++;
+                sum += by_key;
+                red += by_red;
+                green += by_green;
+                blue += by_blue;
+            } while (depth != end);
+        }
+        if (y >= job->row_end)
+            break;
+        zs_raster_cuts(job, y);
+    }
+    job->r->stats.pixels_tested += tested;
+    zs_rows_written(job, written);
+}
+
+static void smooth_rows(struct zs_job *job)
+{
+    smooth_start(job);
+    if (job->sub_log2 == ZS_AFFINE && !zs_keys_may_saturate(job))
+        affine_rows(job);
+    else
+        zs_persp_walk(job);
+}
+
+#endif
+
+/* Colour at a covered pixel by division, codes with half a code added. */
+static void color_at(const struct zs_job *job, int32_t i, int32_t row, uint32_t out[3])
+{
+    uint32_t w;
+    int32_t lz;
+    const uint32_t rcp = zs_persp_rcp(job, i, row, &w, &lz);
+    for (int c = 0; c < 3; c++) {
+        const uint32_t level = zs_persp_over(zs_plane_at(&job->c[c], i, row), w, rcp, lz);
+        out[c] = zs_umulh(level << 1, CODE_SCALE(code_most[c])) + 0x8000u; /* <= 63.5 codes */
+    }
+}
+
+/* The part of a sub-span that is in the run: n pixels from the skip-th on, of a colour that changes from c to next
+ * in `length`; 0: it is a single pixel. */
+static void fill_part(uint16_t *out, int32_t n, const uint32_t c[3], const uint32_t next[3], int32_t length,
+                      int32_t skip)
+{
+    uint32_t at[3], step[3];
+    for (int k = 0; k < 3; k++) {
+        const uint32_t up = k == 1 ? UP6 : UP5;
+        const int32_t change = (int32_t)(next[k] - c[k]); /* |.| < 2^22 */
+        const int32_t by = (int32_t)(zs_mul_su(change, zs_one_over(length)) >> 32);
+        at[k] = (c[k] + zs_wrap_mul((uint32_t)by, skip)) << up;
+        step[k] = (uint32_t)by << up;
+    }
+    fill_linear(out, n, at, step);
+}
+
+static void smooth_run(struct zs_job *job, const struct zs_row *row, int32_t r0, int32_t r1)
+{
+    uint16_t *color = job->color + row->at;
+    if (job->sub_log2 == ZS_AFFINE) {
+        uint32_t c[3], step[3];
+        for (int k = 0; k < 3; k++) {
+            c[k] = zs_plane_at(&job->c[k], r0, row->y);
+            step[k] = job->c[k].gx;
+        }
+        fill_linear(color + r0, r1 - r0, c, step);
+        return;
+    }
+    uint32_t c[3], next[3];
+    const int32_t length = 1 << job->sub_log2;
+    int32_t from = row->x0 + ((r0 - row->x0) & -length);
+    color_at(job, from, row->y, next);
+    for (; from < r1; from += length) {
+        const int32_t to = zs_min32(from + length, row->x1 - 1); /* its far end, covered */
+        for (int k = 0; k < 3; k++)
+            c[k] = next[k];
+        if (to > from)
+            color_at(job, to, row->y, next);
+        const int32_t i0 = zs_max32(from, r0), i1 = zs_min32(from + length, r1);
+        fill_part(color + i0, i1 - i0, c, next, to - from, i0 - from);
+    }
+}
+
+#if ZS_LEAN
+const struct zs_shader zs_shade_smooth = { smooth_vertex, 0, smooth_start, smooth_run, smooth_check, 0, ZS_ATTRS_SMOOTH };
+#else
+const struct zs_shader zs_shade_smooth = { smooth_vertex, 0, smooth_rows, smooth_start,
+                                           zs_persp_span, smooth_run, smooth_check, 0, 0, ZS_ATTRS_SMOOTH };
+#endif

@@ -1,0 +1,664 @@
+/* Textured shading: nearest texel, perspective-correct, unlit or times light.
+ *
+ * Coordinates. A vertex carries u and v as in the mesh, biased to be unsigned. A triangle takes the least u (v) of
+ * its corners for its base and carries what is above it. Affine: in 2^-32 repeats, or in 2^s of them where that
+ * would need more than 29 bits; shifted up at once, modulo one repeat, which a shift to the left survives. By
+ * sub-spans: normalised to un, 16 bits, so that small differences keep their bits, times w (persp.h).
+ *
+ * Error of affine interpolation, in texels of the texture, or of one of 128 where it is smaller; held below 1/8.
+ * Whole triangle: T (rho - 1) / 4, with T the texels that it spans, rho its ratio of w.
+ * Groups of L = 32 pixels of a row: with W = w and C = U w, both linear along the row,
+ *   u1 - u0 = (C' W0 - C0 W') L / (W0 W1),  rho - 1 = W' L / W0,  so the error is K |W'| L^2 / (4 W0^2 W1),
+ * K = |C' W - C W'|, which is constant along a row and linear from row to row: its largest is at a vertex,
+ * |C' - U W'| W. So a group may be affine where W^3 >= 2 T K |W'| L^2, W the less of its two ends. In any other each
+ * pixel is divided: with 15 bits where the triangle has at most 2^COARSE_LOG2 texels (NUMERICS.md: 2^-13.4 of its
+ * span), one or two by themselves, others in pieces in which w keeps its leading zeros, so that nothing is shifted a
+ * pixel. A texture that is clamped counts in 64 bits. Groups start at multiples of 32 from the row's first covered
+ * pixel; the last ends at the row's last covered pixel.
+ * Light goes the same way, 128 codes to its whole range.
+ *
+ * Errors of a coordinate beyond that, in texels: planes the larger of 2^-21 and (W + H + 1) / 2^32 of the triangle's
+ * span, times rho (plane.c, ZS_PLANE_WIDE), reciprocal 2^-29 of the span, vertices at the near plane half a step of
+ * the mesh's.
+ *
+ * A sample exactly between two texels belongs to the right, lower one: 1/512 texel is added, more than the
+ * planes' error in common triangles.
+ *
+ * SPDX-License-Identifier: MIT
+ */
+#include "shade/texture.h"
+
+#define GROUP_LOG2 5
+#define GROUP (1 << GROUP_LOG2) /* pixels */
+#define COARSE_LOG2 ZS_TEXEL_COARSE_LOG2 /* texels that 15 bits place */
+#define PIECE 16       /* pixels divided at a time ... */
+#define FEW 2          /* ... which is not worth it for so many */
+#define LIGHT_MAX 65504u /* uq1_15, just below 2: light() adds a half */
+#define LIGHT_LOG2 7     /* codes that its 16 bits stand for: 126 */
+
+/* ---- Vertices and faces ---------------------------------------------------------------------------- */
+
+static void texture_vertex(const struct zs_renderer *r, uint32_t v, uint16_t *out)
+{
+    const struct zs_mesh *mesh = r->xform.instance->mesh;
+    out[0] = (uint16_t)(mesh->uv[v][0] + 32768);
+    out[1] = (uint16_t)(mesh->uv[v][1] + 32768);
+}
+
+/* uq1_15 of an intensity. */
+static uint16_t light_word(const struct zs_renderer *r, const zs_q1_15 normal[3])
+{
+    const uint32_t light = (zs_light_intensity(r, normal) + 1u) >> 1;
+    return (uint16_t)(light > LIGHT_MAX ? LIGHT_MAX : light);
+}
+
+static void smooth_vertex(const struct zs_renderer *r, uint32_t v, uint16_t *out)
+{
+    texture_vertex(r, v, out);
+    out[2] = light_word(r, r->xform.instance->mesh->normal[v]);
+}
+
+static uint16_t no_face(const struct zs_renderer *r, uint32_t t)
+{
+    (void)r;
+    (void)t;
+    return 0; /* the vertices carry everything */
+}
+
+static uint16_t flat_face(const struct zs_renderer *r, uint32_t t)
+{
+    zs_q1_15 n[3];
+    zs_light_face_normal(n, r->xform.instance->mesh, t);
+    return light_word(r, n);
+}
+
+static int texture_check(const struct zs_instance *in, const struct zs_config *config)
+{
+    const struct zs_texture *t = in->material->texture;
+    (void)config;
+    if (!t || !t->format || !t->texel || (t->format->colors_max && !t->palette))
+        return ZS_ERR_NULL;
+    if (t->log2_w > ZS_TEXTURE_LOG2_MAX || t->log2_h > ZS_TEXTURE_LOG2_MAX ||
+        t->log2_w < t->format->log2_w_min || t->clamp > (ZS_CLAMP_U | ZS_CLAMP_V))
+        return ZS_ERR_TEXTURE;
+    return in->mesh->uv && in->mesh->uv_bits <= 15 ? ZS_OK : ZS_ERR_MESH;
+}
+
+static int smooth_check(const struct zs_instance *in, const struct zs_config *config)
+{
+    return in->mesh->normal ? texture_check(in, config) : ZS_ERR_MESH;
+}
+
+/* ---- Set-up ------------------------------------------------------------------------------------------ */
+
+/* v * 2^shift in 64 bits, floor. |shift| < 32 */
+static inline uint64_t shifted(int32_t v, int32_t shift)
+{
+    if (shift <= 0)
+        return (uint64_t)(int64_t)(v >> -shift);
+    return (uint64_t)(uint32_t)(v >> (32 - shift)) << 32 | (uint32_t)v << shift;
+}
+
+/* v * 2^-uv_bits in 32 fraction bits. */
+static inline uint64_t repeats(int32_t v, uint32_t uv_bits)
+{
+    return (uint64_t)(uint32_t)(v >> uv_bits) << 32 | (uv_bits ? (uint32_t)v << (32 - uv_bits) : 0u);
+}
+
+/* One coordinate of a triangle: what its corners have above the least of them. */
+struct coordinate {
+    uint32_t above[3]; /* 2^-uv_bits repeats */
+    int32_t up;        /* above * 2^up has its largest in [2^15, 2^16), or all are 0 */
+    int32_t texels;    /* log2 of the texels (of 128 or more to a repeat) that those 16 bits stand for */
+};
+
+static void coordinate(struct zs_job *job, const uint16_t *const a[3], int c, uint32_t uv_bits,
+                       struct coordinate *out)
+{
+    struct zs_sampler *s = &job->sampler;
+    const uint32_t log2 = c ? s->texture->log2_h : s->texture->log2_w;
+    const int32_t least = zs_min32(zs_min32(a[0][c], a[1][c]), a[2][c]);
+    uint32_t any = 1;
+    for (int k = 0; k < 3; k++)
+        any |= out->above[k] = (uint32_t)(a[k][c] - least);
+    out->up = zs_clz32(any) - 16; /* 0 .. 15 */
+    s->shift[c] = (int8_t)(17 - out->up - (int32_t)uv_bits);
+    s->base[c] = repeats(least - 32768, uv_bits) + (1u << (32u - ZS_TEXTURE_BIAS_LOG2 - log2));
+    out->texels = zs_texture_texels(out->up, uv_bits, log2);
+}
+
+/* The same as affine_plane for small triangles with differences below 2^14. Return 0 where it is not for it. */
+static int direct_plane(const struct zs_job *job, const struct coordinate *c, uint32_t uv_bits, uint64_t base,
+                        struct zs_plane *out)
+{
+    const struct zs_geom *g = &job->geom;
+    const int32_t shift = g->exp + 23 + (int32_t)uv_bits; /* 2^8 * 2^(32 - uv_bits) / (2^63 * 2^exp) */
+    if (g->rcp == 0 || c->up < 2 || shift < 1)
+        return 0;
+    const int32_t d1 = (int32_t)(c->above[1] - c->above[0]), d2 = (int32_t)(c->above[2] - c->above[0]);
+    int ok = 1;
+    const uint32_t gx = zs_texture_gradient(g->rcp, d1 * g->dy2 - d2 * g->dy1, shift, &ok); /* |d| <= 2^16 */
+    const uint32_t gy = zs_texture_gradient(g->rcp, d2 * g->dx1 - d1 * g->dx2, shift, &ok);
+    /* (gx ax + gy ay + 128) / 256, floor, modulo 2^32: the low 8 bits of the gradients apart */
+    const int32_t low = (int32_t)(gx & 255u) * g->ax + (int32_t)(gy & 255u) * g->ay + 128;
+    const uint32_t step = zs_wrap_mul((uint32_t)((int32_t)gx >> 8), g->ax) +
+                          zs_wrap_mul((uint32_t)((int32_t)gy >> 8), g->ay) + (uint32_t)(low >> 8);
+    out->base = (uint32_t)base + (uint32_t)repeats((int32_t)c->above[0], uv_bits) + step;
+    out->gx = gx;
+    out->gy = gy;
+    return ok;
+}
+
+/* The plane of a coordinate in 2^-32 repeats modulo one repeat, its base included. */
+static void affine_plane(struct zs_job *job, const struct coordinate *c, uint32_t uv_bits, uint64_t base,
+                         struct zs_plane *out)
+{
+    if (direct_plane(job, c, uv_bits, base, out))
+        return;
+    const int32_t whole = 32 - (int32_t)uv_bits, most = 13 + c->up; /* 29 bits */
+    const int32_t up = zs_min32(whole, most), later = whole - up;
+    zs_plane32(&job->geom, c->above[0] << up, c->above[1] << up, c->above[2] << up, ZS_PLANE_WIDE, out);
+    out->base = (out->base << later) + (uint32_t)base;
+    out->gx <<= later;
+    out->gy <<= later;
+}
+
+/* Whether a triangle may be affine: where w changes by `change`, the least is `least`, and light by light_range. */
+static int affine_enough(const struct coordinate c[2], uint32_t light_range, uint32_t change, uint32_t least)
+{
+    return zs_texture_affine(c[0].texels, change, least) && zs_texture_affine(c[1].texels, change, least) &&
+           zs_texture_light_affine(light_range, change, least);
+}
+
+/* ceil(log2(2^(texels + 1) K |W'|)) of an attribute; -128: it is 0. */
+static int32_t bend_log2(const struct zs_plane *c, const struct zs_plane *w_plane, const uint32_t un[3],
+                          const uint32_t w[3], int32_t texels)
+{
+    const int32_t c_gx = (int32_t)c->gx, w_gx = (int32_t)w_plane->gx;
+    uint64_t most = 0;
+    for (int k = 0; k < 3; k++) {
+        const int64_t d = c_gx - (zs_mul_su(w_gx, un[k]) >> 16); /* |.| <= 2^32: half of it fits */
+        const uint64_t size = zs_mul_uu((uint32_t)(((d < 0 ? -d : d) + 1) >> 1), w[k]);
+        if (most < size)
+            most = size;
+    }
+    if (most == 0 || w_gx == 0)
+        return -128;
+    const int32_t cut = 64 - zs_clz64(most) > 31 ? 33 - zs_clz64(most) : 0;
+    const uint64_t product = zs_mul_uu((uint32_t)(most >> cut) + 1u, zs_size32(w_gx)); /* > most |W'| / 2^cut */
+    return texels + ZS_SPAN_BOUND_LOG2 - 1 + cut + 64 - zs_clz64(product);
+}
+
+/* ceil(2^(n / 3)), held to 32 bits. */
+static uint32_t third_power(int32_t n)
+{
+    static const uint32_t part[3] = { 0x80000000u, 0xa14517ccu, 0xcb2ff52au }; /* 2^31 * 2^(i / 3), rounded up */
+    if (n < 0)
+        return 1;
+    return n >= 96 ? UINT32_MAX : ((part[n % 3] - 1u) >> (31 - n / 3)) + 1u;
+}
+
+ZS_IN_ORDER static ZS_NOINLINE void start_groups(struct zs_job *job, const uint16_t *const a[3], const struct coordinate c[2],
+                   const uint32_t w[3])
+{
+    const int n = job->shader->n_attrs;
+    int32_t need = -128;
+    zs_persp_plane(&job->geom, w, ZS_PLANE_WIDE, &job->w);
+    for (int i = 0; i < n; i++) {
+        uint32_t un[3], v[3];
+        for (int k = 0; k < 3; k++) {
+            un[k] = i < 2 ? c[i].above[k] << c[i].up : a[k][2]; /* < 2^16 */
+            v[k] = zs_umulh(un[k] << 16, w[k]);
+        }
+        zs_persp_plane(&job->geom, v, ZS_PLANE_WIDE, &job->c[i]);
+        need = zs_max32(need, bend_log2(&job->c[i], &job->w, un, w, i < 2 ? c[i].texels : LIGHT_LOG2));
+    }
+    job->sampler.least_w = third_power(need + 2 * GROUP_LOG2);
+    job->sampler.fine = zs_max32(c[0].texels, c[1].texels) > COARSE_LOG2;
+    job->sub_log2 = GROUP_LOG2;
+}
+
+#if ZS_LEAN
+
+const struct zs_texture *zs_texture_lit(struct zs_job *job, const struct zs_texture *t)
+{
+    const struct zs_shader *shader = job->shader;
+    job->sampler.unlit = !shader->light || (shader->n_attrs == 2 && job->tri->paint == 32768u);
+    return t;
+}
+
+#else
+
+ZS_NOINLINE const struct zs_texture *zs_texture_lit(struct zs_job *job, const struct zs_texture *t)
+{
+    const struct zs_shader *shader = job->shader;
+    struct zs_lit *lit = &job->r->lit;
+    const uint16_t level = job->tri->paint;
+    job->sampler.unlit = !shader->light || (shader->n_attrs == 2 && level == 32768u);
+    if (job->sampler.unlit || shader->n_attrs == 3 || !t->format->colors_max || t->n_colors > ZS_LIT_COLORS)
+        return t;
+    job->sampler.unlit = 1;
+    if (lit->of != t || lit->level != level) {
+        lit->of = t;
+        lit->level = level;
+        lit->texture = *t;
+        lit->texture.palette = lit->color;
+        for (uint32_t i = 0; i < t->n_colors; i++)
+            lit->color[i] = zs_wire16(t->palette[i]);
+        shader->light(lit->color, t->n_colors, (uint32_t)level << 16, 0);
+        for (uint32_t i = 0; i < t->n_colors; i++)
+            lit->color[i] = zs_wire16(lit->color[i]);
+    }
+    return &lit->texture;
+}
+
+#endif
+
+static void texture_start(struct zs_job *job)
+{
+    const struct zs_instance *in = &job->r->scene->instance[job->tri->instance];
+    const struct zs_texture *t = zs_texture_lit(job, in->material->texture);
+    const uint32_t uv_bits = in->mesh->uv_bits;
+    const int lit = job->shader->n_attrs == 3;
+    const uint16_t *a[3];
+    uint32_t change, least, light_range = 0;
+    struct coordinate c[2];
+    zs_persp_attrs(job, a);
+    job->sampler.texture = t;
+    job->sampler.direct = 0;
+    job->sampler.wide = t->clamp || !t->log2_w || !t->log2_h;
+    coordinate(job, a, 0, uv_bits, &c[0]);
+    coordinate(job, a, 1, uv_bits, &c[1]);
+    if (lit) {
+        const int32_t lo = zs_min32(zs_min32(a[0][2], a[1][2]), a[2][2]);
+        light_range = (uint32_t)(zs_max32(zs_max32(a[0][2], a[1][2]), a[2][2]) - lo);
+    }
+    if (!zs_persp_slow(job, &change) || !affine_enough(c, light_range, change, job->r->view.key_slow)) {
+        uint32_t w[3];
+        zs_persp_w(job, w);
+        change = zs_persp_change(w, &least);
+        if (!affine_enough(c, light_range, change, least)) {
+            start_groups(job, a, c, w);
+            return;
+        }
+    }
+    job->sub_log2 = ZS_AFFINE;
+    job->sampler.direct = !job->sampler.wide;
+    if (job->sampler.wide) { /* what lies beyond one repeat counts */
+        for (int i = 0; i < 2; i++)
+            zs_plane32(&job->geom, c[i].above[0] << (15 + c[i].up), c[i].above[1] << (15 + c[i].up),
+                       c[i].above[2] << (15 + c[i].up), ZS_PLANE_WIDE, &job->c[i]);
+    } else {
+        affine_plane(job, &c[0], uv_bits, job->sampler.base[0], &job->c[0]);
+        affine_plane(job, &c[1], uv_bits, job->sampler.base[1], &job->c[1]);
+    }
+    for (int i = 0; i < 2; i++)
+        zs_plane_origin(&job->geom, &job->c[i]);
+    if (!lit)
+        return;
+    zs_plane32(&job->geom, (uint32_t)a[0][2] << 15, (uint32_t)a[1][2] << 15, (uint32_t)a[2][2] << 15,
+               ZS_PLANE_WIDE, &job->c[2]);
+    zs_plane_origin(&job->geom, &job->c[2]);
+}
+
+/* ---- Runs ------------------------------------------------------------------------------------------- */
+
+/* A coordinate held to [0, 1) in q32_32. */
+static uint32_t held(uint64_t t)
+{
+    const int32_t beyond = (int32_t)(t >> 32);
+    return beyond ? ~(uint32_t)(beyond >> 31) : (uint32_t)t;
+}
+
+/* u (k = 0) or v of a texture that is clamped, or one texel wide or high: what a walk takes for q32_32. */
+static uint32_t place_in(const struct zs_texture *t, int k, uint64_t at)
+{
+    if ((k ? t->log2_h : t->log2_w) == 0)
+        return 0;
+    return t->clamp >> k & 1 ? held(at) : (uint32_t)at;
+}
+
+/* Textures that are clamped: q32_32, because what lies beyond [0, 1) counts. Runs that stay within are
+ * fetched whole, others pixel by pixel. As in fetch(), c is where a group or a row begins, and the run `skip` pixels right of
+ * it: shifts cut bits off, and where a run begins must not tell which. A step loses 2^-32 repeats, 12,000 of them 2^-18. */
+ZS_IN_ORDER static ZS_NOINLINE void fetch_wide(const struct zs_sampler *s, uint16_t *out, int32_t n,
+                                   const uint32_t c[2], const int32_t step[2], int32_t skip)
+{
+    const struct zs_texture *t = s->texture;
+    const struct zs_texel *texel = t->format;
+    uint64_t at[2], by[2], beyond = 0;
+    for (int k = 0; k < 2; k++) {
+        by[k] = shifted(step[k], s->shift[k]);
+        at[k] = s->base[k] + shifted((int32_t)c[k], s->shift[k]) + by[k] * (uint64_t)(uint32_t)skip;
+        if (t->clamp >> k & 1)
+            beyond |= (at[k] | (at[k] + by[k] * (uint64_t)(uint32_t)(n - 1))) >> 32;
+    }
+    const int single = beyond || t->log2_w == 0 || t->log2_h == 0;
+    struct zs_walk walk = { (uint32_t)at[0], (uint32_t)at[1], (uint32_t)by[0], (uint32_t)by[1] };
+    if (!single)
+        texel->fetch(t, out, n, &walk);
+    for (; single && n > 0; n--, out++) {
+        walk.u = place_in(t, 0, at[0]);
+        walk.v = place_in(t, 1, at[1]);
+        texel->fetch(t, out, 1, &walk);
+        at[0] += by[0];
+        at[1] += by[1];
+    }
+}
+
+static inline uint32_t turned(uint32_t c, int32_t shift)
+{
+    return shift >= 0 ? c << shift : (uint32_t)((int32_t)c >> -shift);
+}
+
+/* n texels from `skip` pixels right of coordinates c on, which change by step: in 2^-31 of the triangle's span. */
+static inline void fetch(const struct zs_job *job, uint16_t *out, int32_t n, const uint32_t c[2],
+                         const int32_t step[2], int32_t skip)
+{
+    const struct zs_sampler *s = &job->sampler;
+    if (ZS_LEAN || s->wide) { /* the same modulo one repeat, in 64 bits */
+        fetch_wide(s, out, n, c, step, skip);
+        return;
+    }
+    const struct zs_texel *texel = s->texture->format;
+    const uint32_t du = turned((uint32_t)step[0], s->shift[0]), dv = turned((uint32_t)step[1], s->shift[1]);
+    const struct zs_walk walk = { /* modulo one repeat */
+        (uint32_t)s->base[0] + turned(c[0], s->shift[0]) + zs_wrap_mul(du, skip),
+        (uint32_t)s->base[1] + turned(c[1], s->shift[1]) + zs_wrap_mul(dv, skip), du, dv
+    };
+    texel->fetch(s->texture, out, n, &walk);
+}
+
+/* n pixels times light, which is uq1_15 with 16 more fraction bits and changes by step. */
+static void light(uint16_t *out, int32_t n, uint32_t l, uint32_t step)
+{
+    l += ZS_TEXTURE_LIGHT_HALF;
+    for (uint16_t *const end = out + n; out != end; out++, l += step)
+        *out = zs_wire16((uint16_t)zs_texture_shine(zs_wire16(*out), l >> ZS_TEXTURE_LIGHT_SHIFT));
+}
+
+/* Attributes at a covered pixel by division: 2^-31 of their span. Return w there. */
+static uint32_t divide_at(const struct zs_job *job, int32_t i, int32_t row, int n, uint32_t out[3])
+{
+    uint32_t w;
+    int32_t lz;
+    const uint32_t rcp = zs_persp_rcp(job, i, row, &w, &lz);
+    out[0] = zs_persp_over(zs_plane_at(&job->c[0], i, row), w, rcp, lz);
+    out[1] = zs_persp_over(zs_plane_at(&job->c[1], i, row), w, rcp, lz);
+    if (n == 3)
+        out[2] = zs_persp_over(zs_plane_at(&job->c[2], i, row), w, rcp, lz);
+    return w;
+}
+
+static inline void lighten(const struct zs_job *job, uint16_t *out, int32_t n, uint32_t level, int32_t step)
+{
+    const struct zs_shader *shader = job->shader;
+    if (shader->n_attrs == 3)
+        shader->light(out, n, level << 1, (uint32_t)step << 1);
+    else if (!job->sampler.unlit)
+        shader->light(out, n, (uint32_t)job->tri->paint << 16, 0);
+}
+
+static void run_affine(struct zs_job *job, const struct zs_row *row, int32_t r0, int32_t n)
+{
+    const struct zs_texture *t = job->sampler.texture;
+    const struct zs_texel *texel = t->format;
+    uint16_t *out = job->color + row->at + r0;
+    const int32_t from = job->sampler.direct ? r0 : row->x0;
+    const uint32_t u = zs_plane_at(&job->c[0], from, row->y), v = zs_plane_at(&job->c[1], from, row->y);
+    const uint32_t du = job->c[0].gx, dv = job->c[1].gx; /* beyond 31 bits only where a run is one pixel */
+    if (!job->sampler.direct) {
+        const uint32_t c[2] = { u, v };
+        const int32_t step[2] = { (int32_t)du, (int32_t)dv };
+        fetch_wide(&job->sampler, out, n, c, step, r0 - from);
+    } else {
+        const struct zs_walk walk = { u, v, du, dv };
+        texel->fetch(t, out, n, &walk);
+    }
+    if (job->shader->n_attrs == 3)
+        lighten(job, out, n, zs_plane_at(&job->c[2], r0, row->y), (int32_t)job->c[2].gx);
+    else
+        lighten(job, out, n, 0, 0);
+}
+
+/* ---- Pixel by pixel --------------------------------------------------------------------------------- */
+
+/* attribute * w over w: uq2_30, a little below 0 or above 1 at most; 1/2 in 2^16 has been added to c. */
+static inline uint32_t coarse_over(uint32_t c, uint32_t rcp)
+{
+    return (uint32_t)((int32_t)c >> 16) * rcp; /* 16 bits with the sign, times 16: modulo 2^32 */
+}
+
+/* Attribute k at a pixel, c there shifted up like w, whose reciprocal of 15 bits is rcp. */
+static uint32_t coarse_at(const struct zs_job *job, int k, int32_t i, int32_t row, int32_t up, uint32_t rcp)
+{
+    return coarse_over((zs_plane_at(&job->c[k], i, row) << up) + 0x8000u, rcp);
+}
+
+static uint32_t place_at(const struct zs_sampler *s, int k, uint32_t over)
+{
+    if (s->wide)
+        return place_in(s->texture, k, s->base[k] + shifted((int32_t)over, s->shift[k] + 1));
+    return (uint32_t)s->base[k] + turned(over, s->shift[k] + 1);
+}
+
+/* Pixel i of a row, by a reciprocal of 15 bits. 0 < w < 2^31 there. */
+static ZS_NOINLINE void run_coarse(struct zs_job *job, uint16_t *out, int32_t i, int32_t row, uint32_t w)
+{
+    const struct zs_sampler *s = &job->sampler;
+    const struct zs_texture *t = s->texture;
+    const struct zs_texel *texel = t->format;
+    const struct zs_shader *shader = job->shader;
+    const int32_t up = zs_clz32(w) - 1;
+    const uint32_t rcp = zs_recip15(w << up);
+    const uint32_t u = place_at(s, 0, coarse_at(job, 0, i, row, up, rcp)), v = place_at(s, 1, coarse_at(job, 1, i, row, up, rcp));
+#if ZS_LEAN
+    const struct zs_walk walk = { u, v, 0, 0 };
+    texel->fetch(t, out, 1, &walk);
+#else
+    const uint32_t at = (v >> zs_texture_cut(t->log2_h) << t->log2_w) + (u >> zs_texture_cut(t->log2_w));
+    texel->gather(t, out, 1, &at);
+#endif
+    if (shader->n_attrs == 3) { /* < 2^32: light is below LIGHT_MAX */
+        const int32_t level = (int32_t)coarse_at(job, 2, i, row, up, rcp);
+        shader->light(out, 1, level < 0 ? 0u : (uint32_t)level << 2, 0);
+    } else {
+        lighten(job, out, 1, 0, 0);
+    }
+}
+
+#if !ZS_LEAN
+
+/* n reciprocals, 15 bits, of w that stays in [2^30, 2^31). */
+static ZS_NOINLINE void reciprocals(uint32_t *at, int32_t n, uint32_t w, uint32_t step)
+{
+    for (uint32_t *end = at + n; at != end; at++, w += step) {
+        ZS_HIGH_REGISTER(end);
+        ZS_HIGH_REGISTER(step);
+        *at = zs_recip15(w);
+    }
+}
+
+/* A coordinate times w along a run, and how it becomes a column or row. */
+struct places {
+    uint32_t c, step;
+    uint32_t base;      /* modulo one repeat */
+    int32_t left, down; /* shifts that make 2^-32 repeats of 30 bits; one is 0 */
+    uint32_t cut;       /* a repeat's 32 bits shifted by it: the column */
+};
+
+/* Attribute k of a job from pixel i on. up: of w, to 31 bits */
+static void places_of(struct places *p, const struct zs_job *job, int k, int32_t i, int32_t row, int32_t up)
+{
+    const struct zs_sampler *s = &job->sampler;
+    const int32_t turn = s->shift[k] + 1;
+    p->c = (zs_plane_at(&job->c[k], i, row) << up) + 0x8000u;
+    p->step = job->c[k].gx << up;
+    p->base = (uint32_t)s->base[k];
+    p->left = zs_max32(turn, 0);
+    p->down = zs_max32(-turn, 0);
+    p->cut = 32u - (k ? s->texture->log2_h : s->texture->log2_w);
+}
+
+/* at[]: reciprocals, 16 bits; rows above them; then numbers of texels. Twice: v, u. */
+static ZS_NOINLINE void places(uint32_t *at, int32_t n, const struct places *p, uint32_t log2_w)
+{
+    const int32_t left = p->left, down = p->down;
+    uint32_t c = p->c, base = p->base, step = p->step, cut = p->cut;
+    for (uint32_t *end = at + n; at != end; at++, c += step) {
+        ZS_HIGH_REGISTER(end);
+        ZS_HIGH_REGISTER(step);
+        ZS_HIGH_REGISTER(base);
+        const uint32_t turned = (uint32_t)((int32_t)(coarse_over(c, *at & 65535u) << left) >> down);
+        const uint32_t place = (base + turned) >> cut;
+        *at = log2_w ? (*at >> 16 << log2_w) + place : place << 16 | *at;
+    }
+}
+
+/* Light that comes from the vertices; at[] are reciprocals. */
+static void light_places(const struct zs_job *job, uint16_t *out, const uint32_t *at, int32_t n, uint32_t c,
+                         uint32_t step)
+{
+    const struct zs_shader *shader = job->shader;
+    for (int32_t k = 0; k < n; k++, c += step) {
+        const int32_t level = (int32_t)coarse_over(c, at[k] & 65535u);
+        shader->light(out + k, 1, level < 0 ? 0u : (uint32_t)level << 2, 0); /* < 2^32: light is below LIGHT_MAX */
+    }
+}
+
+/* n <= PIECE pixels from i on in which w keeps its lz leading zeros, 1 .. 31. */
+static ZS_NOINLINE void divide_octave(struct zs_job *job, uint16_t *out, int32_t i, int32_t n, int32_t row, int32_t lz)
+{
+    const struct zs_texture *t = job->sampler.texture;
+    const struct zs_texel *texel = t->format;
+    const int32_t up = lz - 1;
+    struct places p;
+    uint32_t at[PIECE];
+    reciprocals(at, n, zs_plane_at(&job->w, i, row) << up, job->w.gx << up);
+    places_of(&p, job, 1, i, row, up);
+    places(at, n, &p, 0);
+    places_of(&p, job, 0, i, row, up);
+    places(at, n, &p, t->log2_w);
+    texel->gather(t, out, n, at);
+    if (job->shader->n_attrs != 3) {
+        lighten(job, out, n, 0, 0);
+        return;
+    }
+    reciprocals(at, n, zs_plane_at(&job->w, i, row) << up, job->w.gx << up);
+    light_places(job, out, at, n, (zs_plane_at(&job->c[2], i, row) << up) + 0x8000u, job->c[2].gx << up);
+}
+
+/* How many of n pixels, from one with w on, have its leading zeros. */
+static int32_t same_octave(uint32_t w, int32_t gx, int32_t lz, int32_t n)
+{
+    const uint32_t low = 1u << (31 - lz);
+    if (gx == 0)
+        return n;
+    const uint32_t more = gx < 0 ? (w - low) / (0u - (uint32_t)gx) : (low - 1u - (w - low)) / (uint32_t)gx;
+    return more < (uint32_t)n ? (int32_t)more + 1 : n;
+}
+
+#endif
+
+/* ---- Groups ------------------------------------------------------------------------------------------ */
+
+/* The step to a group's end, n pixels or a whole group further. |all| < 2^31 */
+static inline int32_t step_of(int32_t all, int32_t n)
+{
+    return n == GROUP ? all >> GROUP_LOG2 : (int32_t)(zs_mul_su(all, zs_one_over(n)) >> 32);
+}
+
+/* Pixels [i0, i1) of the part from `from` to the covered pixel `to`, which is affine. */
+ZS_IN_ORDER static ZS_NOINLINE void run_group(struct zs_job *job, const struct zs_row *row, int32_t from, int32_t to, int32_t i0,
+                                  int32_t i1)
+{
+    const int n = job->shader->n_attrs;
+    uint16_t *out = job->color + row->at + i0;
+    uint32_t c[3] = { 0 }, next[3];
+    int32_t step[3] = { 0 };
+    divide_at(job, from, row->y, n, c);
+    if (to > from) {
+        divide_at(job, to, row->y, n, next);
+        for (int k = 0; k < n; k++)
+            step[k] = step_of((int32_t)(next[k] - c[k]), to - from);
+    }
+    fetch(job, out, i1 - i0, c, step, i0 - from);
+    lighten(job, out, i1 - i0, c[2] + zs_wrap_mul((uint32_t)step[2], i0 - from), step[2]);
+}
+
+/* Pixels [i, end) of a row, each by a division of its own. */
+static void run_divided(struct zs_job *job, const struct zs_row *row, int32_t i, int32_t end)
+{
+    while (i < end) {
+        const uint32_t w = zs_plane_at(&job->w, i, row->y);
+        uint16_t *const out = job->color + row->at + i;
+        int32_t n = 1;
+        if (w == 0 || w >> 31 || job->sampler.fine) {
+            run_group(job, row, i, i, i, i + 1);
+        } else if (ZS_LEAN || end - i <= FEW || job->sampler.wide) {
+            run_coarse(job, out, i, row->y, w);
+        } else {
+#if !ZS_LEAN
+            const int32_t lz = zs_clz32(w);
+            n = same_octave(w, (int32_t)job->w.gx, lz, zs_min32(end - i, PIECE));
+            divide_octave(job, out, i, n, row->y, lz);
+#endif
+        }
+        i += n;
+    }
+}
+
+static void run_groups(struct zs_job *job, const struct zs_row *row, int32_t r0, int32_t r1)
+{
+    const int down = (int32_t)job->w.gx < 0;
+    int32_t from = row->x0 + ((r0 - row->x0) & -GROUP);
+    for (; from < r1; from += GROUP) {
+        const int32_t to = zs_min32(from + GROUP, row->x1 - 1); /* covered */
+        const int32_t i0 = zs_max32(from, r0), i1 = zs_min32(from + GROUP, r1);
+        if (zs_persp_w_at(job, down ? to : from, row->y) >= job->sampler.least_w)
+            run_group(job, row, from, to, i0, i1);
+        else
+            run_divided(job, row, i0, i1);
+    }
+}
+
+static void texture_run(struct zs_job *job, const struct zs_row *row, int32_t r0, int32_t r1)
+{
+    if (job->sub_log2 == ZS_AFFINE)
+        run_affine(job, row, r0, r1 - r0);
+    else
+        run_groups(job, row, r0, r1);
+}
+
+#if ZS_LEAN
+
+const struct zs_shader zs_shade_texture = { texture_vertex, no_face, texture_start, texture_run, texture_check, 0,
+                                            ZS_ATTRS_TEXTURE };
+const struct zs_shader zs_shade_texture_flat = { texture_vertex, flat_face, texture_start, texture_run, texture_check, light,
+                                                 ZS_ATTRS_TEXTURE };
+const struct zs_shader zs_shade_texture_smooth = { smooth_vertex, no_face, texture_start, texture_run, smooth_check, light,
+                                                   ZS_ATTRS_TEXTURE_SMOOTH };
+
+#else
+
+static void texture_rows(struct zs_job *job)
+{
+    texture_start(job);
+    if (job->sampler.direct && job->sampler.unlit && !zs_keys_may_saturate(job)) {
+        const struct zs_texel *texel = job->sampler.texture->format;
+        texel->rows(job);
+    } else {
+        zs_persp_walk(job);
+    }
+}
+
+const struct zs_shader zs_shade_texture = { texture_vertex, no_face, texture_rows, texture_start, zs_persp_span, texture_run,
+                                            texture_check, 0, zs_small_texture, ZS_ATTRS_TEXTURE };
+const struct zs_shader zs_shade_texture_flat = { texture_vertex, flat_face, texture_rows, texture_start,
+                                                 zs_persp_span, texture_run, texture_check, light, zs_small_texture_lit,
+                                                 ZS_ATTRS_TEXTURE };
+const struct zs_shader zs_shade_texture_smooth = { smooth_vertex, no_face, texture_rows, texture_start,
+                                                   zs_persp_span, texture_run, smooth_check, light, zs_small_texture_lit,
+                                                   ZS_ATTRS_TEXTURE_SMOOTH };
+
+#endif
