@@ -6,6 +6,7 @@
 #include "hal.h"
 #include "report.h"
 #include "scenes.h"
+#include "zs_fast.h"
 #include "zstrip.h"
 
 #define ARENA_BYTES (3u << 20)
@@ -20,6 +21,8 @@ int main(void)
 {
     const struct demo *d = &OF_NAME(FRAME_DEMO);
     struct zs_config c = { d->width, d->height, 24, 0, 0, (uint8_t)d->attrs, 1, 8, 16, 0, d->depth };
+    static const struct zs_fast *const fast[] = { ZS_FAST_ALL, ZS_FAST_END };
+    c.fast = fast;
     const struct zs_sink sink = { report_drop, 0, 0 };
     uint32_t tris = 256, verts = 256;
     if (hal_init())

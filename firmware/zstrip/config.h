@@ -18,14 +18,13 @@
 #define ZS_ATTRS_MAX 3 /* 16-bit attribute words a vertex */
 #endif
 
-/* 1: least flash, half of what it is with 0 (three fifths where all is used), for 2 to 3 times the instructions, and some 35
- * times where large surfaces hide each other. One general kernel for each stage, compiled for size: nothing that is only
- * quicker is there (bins, hidden.c, fresh.c, small.c, narrow twins of wide arithmetic). Frames are the same, bit for bit.
- * enum zs_skip has no effect; clusters and groups may be named and leave nothing out, so that an instance in a group out of
- * view is checked like any other. Statistics of hidden, clusters and untested are 0. DESIGN.md has what it saves and costs.
- * Every file of a program must have it alike: struct zs_renderer and ZS_ARENA_BYTES differ. */
-#ifndef ZS_LEAN
-#define ZS_LEAN 0
+/* 1: compiled for size (-Os): what arch/ has by table or by assembler is left to the compiler, and so is what is in line. */
+#ifndef ZS_FOR_SIZE
+#ifdef __OPTIMIZE_SIZE__
+#define ZS_FOR_SIZE 1
+#else
+#define ZS_FOR_SIZE 0
+#endif
 #endif
 
 /* 1: rows of a matrix are added up in 64 bits, where that is as cheap as in 32 (wide.h). Every file of a program must have it
@@ -53,9 +52,6 @@
 #endif
 #ifndef ZS_SPAN_BOUND_LOG2
 #define ZS_SPAN_BOUND_LOG2 3 /* affine where that is off by at most 2^-this texel, or code of colour; 2 .. 6 */
-#endif
-#if ZS_LEAN && ZS_RECIP_STEPS != 1
-#error "ZS_LEAN has one Newton step"
 #endif
 #if !ZS_STUDY && (ZS_RECIP_STEPS != 1 || ZS_TEXEL_COARSE_LOG2 != 10 || ZS_SPAN_BOUND_LOG2 != 3)
 #error "ZS_RECIP_STEPS, ZS_TEXEL_COARSE_LOG2 and ZS_SPAN_BOUND_LOG2 are for studies: the error bounds are those of 1, 10, 3"

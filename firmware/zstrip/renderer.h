@@ -16,9 +16,7 @@ struct zs_vertex {
 /* A triangle that waits for its strip, in the triangle pool; the pool's order is that of the walk. */
 struct zs_tri {
     uint16_t v[3];     /* in the vertex pool: the top one, of two the left one, then clockwise */
-#if !ZS_LEAN
     uint16_t next;     /* the next one in its strip's list, or ZS_NIL */
-#endif
     uint16_t paint;    /* what the shader's face function gave: for solid colours RGB565, wire order */
     uint16_t instance; /* in the scene */
 };
@@ -90,17 +88,11 @@ struct zs_xform {
     const struct zs_instance *instance;
     uint32_t number;    /* in the scene */
     int32_t light[3];   /* q2_30: the light's direction in mesh space */
-#if ZS_LEAN
-    int32_t m[3][3], shift;
-    int64_t t[3];
-#else
     uint8_t clip_depth; /* 1: vertices may be before near or beyond far */
     uint8_t clip_guard; /* 1: vertices may be outside the guard band */
     int32_t row[3 * ZS_ROW_WORDS_MAX]; /* three, ZS_ROW_WORDS each; one size on all cores */
-#endif
 };
 
-#if !ZS_LEAN
 #define ZS_LIT_COLORS 64 /* palettes up to here are lit once for triangles of one light, not texel by texel */
 
 /* A texture whose palette is lit. */
@@ -113,7 +105,7 @@ struct zs_lit {
 
 #define ZS_ORDER_MAX 16u /* instances that are put in order at a time (order.c) */
 
-/* A large triangle, as its bounds need it (hidden.c). */
+/* A large triangle, as its bounds need it (fast/tiles.c). */
 struct zs_cover {
     struct zs_vertex v[3];  /* from the top */
     int32_t slope[3];       /* of its edges, 2^-shift ... */
@@ -123,41 +115,33 @@ struct zs_cover {
     int32_t done[2];        /* rows [0] .. [1] - 1: bounds are known there, from it and another */
     uint32_t farthest;      /* at least the farthest vertex's key */
 };
-#endif
+
+struct zs_job;
 
 struct zs_renderer { /* what is used most comes first: a Cortex-M0 reaches 31 bytes, 31 half-words, 31 words at once */
     struct zs_config config; /* strip_h <= height */
-#if !ZS_LEAN
+    int (*edges)(struct zs_job *job, int32_t row); /* accelerators; NULL: the core does it */
+    const struct zs_fast_touch *touch;
+    const struct zs_fast_tiles *tiles;
     uint8_t strip_shift;        /* row / strip_h = row * strip_mul >> strip_shift */
     uint8_t direct;             /* 1: vertex v of the current instance has place vert_base + v */
-#endif
     uint8_t counting;           /* 1 in the frame's first walk: triangles are counted once */
     uint8_t ready;              /* zs_init succeeded */
-#if !ZS_LEAN
     uint8_t large;              /* 1: the frame has triangles that may hide others: two tiles wide */
-    uint8_t fresh;              /* of the strip in hand, what holds no colours and keys yet: nothing, all, some (fresh.c) */
-#endif
+    uint8_t untouched;          /* of the strip in hand, what holds no colours and keys yet: nothing, all, some (zs_fast_touch) */
     uint16_t n_strips, strip;   /* strip: the next to be drawn */
     uint16_t band_end;          /* bins are complete for strips below it */
-#if !ZS_LEAN
     uint16_t walk_x, walk_end;  /* columns of the frame that the current instance is drawn in; ... */
     uint16_t walk_least, walk_most; /* ... that any in the pools is */
-#endif
-#if !ZS_LEAN
     uint16_t active;            /* list of triangles that went on from the strip before */
-#endif
     uint32_t n_tris, n_verts;   /* used of the pools */
     uint32_t vert_base;         /* pool vertices below it belong to earlier instances */
-#if !ZS_LEAN
     uint32_t vert_packed;       /* those below it were held by binned triangles when last looked at */
     uint32_t strip_mul;
-#endif
     uint16_t *color[2];      /* [strip_h][width], wire order: the next strip's, and the one given out last; one buffer: the same */
     uint16_t *depth;         /* [strip_h][width] */
-#if !ZS_LEAN
-    uint16_t *bound;         /* levels from [n_strips][ZS_TILES(width)]: no key of a strip's tile stays farther (hidden.c) */
+    uint16_t *bound;         /* levels from [n_strips][ZS_TILES(width)]: no key of a strip's tile stays farther (fast/tiles.c) */
     uint16_t *bin;           /* [n_strips]: newest triangle that begins in the strip, or ZS_NIL */
-#endif
     struct zs_tri *tri;      /* [max_tris] */
     struct zs_vertex *vert;  /* [max_verts] */
     uint16_t *vert_src;      /* [max_verts]: the vertex's number in the current mesh */
@@ -179,12 +163,9 @@ struct zs_renderer { /* what is used most comes first: a Cortex-M0 reaches 31 by
     uint16_t track_instances;     /* that there are records for */
     uint16_t window[2];           /* columns [0] .. [1] - 1 of the strip in hand are drawn */
     uint8_t track_columns;        /* 0: all columns of a strip that is due */
-#if !ZS_LEAN
-    int16_t (*drawn)[2];          /* [strip_h]: columns [0] .. [1] - 1 of a row hold colours and keys (fresh.c) */
+    int16_t (*drawn)[2];          /* [strip_h]: columns [0] .. [1] - 1 of a row hold colours and keys (fast/first_touch.c) */
     int16_t was[2];               /* the same of a row, before the triangle in hand */
-    uint32_t fresh_left;          /* how many pixels hold none, where some do */
-#endif
-#if !ZS_LEAN
+    uint32_t untouched_left;      /* how many pixels hold none, where some do */
     uint16_t turn[ZS_ORDER_MAX + 1]; /* their numbers, as they are drawn; one more, which has a state, is the last */
     uint8_t n_turns;              /* while they are put in order */
     uint16_t group;               /* the next that the walk comes to */
@@ -199,7 +180,6 @@ struct zs_renderer { /* what is used most comes first: a Cortex-M0 reaches 31 by
     uint8_t cover_next, cover_known, cover_waits; /* its own bounds are still to be found */
     uint8_t bound_new;            /* upper levels and bound_most are older than the lowest */
     struct zs_lit lit;
-#endif
 };
 
 #endif

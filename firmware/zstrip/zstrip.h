@@ -203,12 +203,8 @@ struct zs_pose {
     zs_uq16_16 scale; /* > 0; ZS_Q16_ONE leaves the mesh at its own scale */
 };
 
-struct zs_state_kernel;
-extern const struct zs_state_kernel zs_state_kernel; /* linked only where a state is named */
-
-/* How an instance meets the depth buffer, where not as usual. Make it by ZS_STATE. */
+/* How an instance meets the depth buffer, where not as usual. */
 struct zs_state {
-    const struct zs_state_kernel *kernel; /* &zs_state_kernel */
     uint8_t equal;     /* 0: less - on equal keys what was drawn stays. 1: less or equal - the later wins */
     uint8_t read_only; /* 1: tested, but keys are not written */
     int16_t offset;    /* buckets added to every key; < 0: towards the eye */
@@ -219,7 +215,7 @@ struct zs_state {
                           whole buckets, halves up, and added too. Keys stop at 0 and 2^bits - 2 */
 };
 #define ZS_STATE(equal, read_only, offset, slope) \
-    { &zs_state_kernel, equal, read_only, offset, slope }
+    { equal, read_only, offset, slope }
 
 struct zs_instance {
     const struct zs_mesh *mesh;
@@ -297,8 +293,7 @@ extern const struct zs_depth zs_depth_e5m11; /* to all distances */
  * orthographic cameras, which take zs_depth_linear alone (else ZS_ERR_DEPTH). NUMERICS.md has the measurements. */
 extern const struct zs_depth zs_depth_float;
 
-/* With ZS_LEAN = 1 (config.h) these have no effect.
- * Work that is left out where it cannot change the picture. All are on unless named in
+/* Work that is left out where it cannot change the picture. All are on unless named in
  * config.skip_off; switching one off costs time and changes no bit of the frame. */
 enum zs_skip {
     ZS_SKIP_FRUSTUM = 1,  /* instances whose sphere is outside the view */
@@ -318,6 +313,8 @@ enum zs_skip {
     ZS_SKIP_ALL = 16383
 };
 
+struct zs_fast;
+
 struct zs_config {
     uint16_t width, height; /* px, 1 .. ZS_SIZE_MAX */
     uint16_t strip_h;       /* rows to a strip, >= 1; more than height means height */
@@ -329,6 +326,7 @@ struct zs_config {
     uint8_t depth_bits;     /* 8 .. 16 */
     uint16_t skip_off;      /* enum zs_skip, or-ed; 0 in production */
     const struct zs_depth *depth;
+    const struct zs_fast *const *fast; /* accelerators, the last one NULL (zs_fast.h); kept by the caller; NULL: none */
 };
 
 /* Bytes of arena for a configuration: the sum of its pools. The same number on every machine:
@@ -339,31 +337,18 @@ struct zs_config {
     ((uint32_t)(buffers) * ZS_ROUND4((uint32_t)(width) * (uint32_t)(strip_h) * 2u))
 #define ZS_DEPTH_BYTES(width, strip_h) ZS_ROUND4((uint32_t)(width) * (uint32_t)(strip_h) * 2u)
 #define ZS_STRIPS(height, strip_h) (((uint32_t)(height) + (uint32_t)(strip_h) - 1u) / (uint32_t)(strip_h))
-#if ZS_LEAN
-#define ZS_DRAWN_BYTES(strip_h) 0u
-#else
 #define ZS_DRAWN_BYTES(strip_h) ((uint32_t)(strip_h) * 4u)
-#endif
 #define ZS_TILE_LOG2 5
 #define ZS_TILES(width) (((uint32_t)(width) + 31u) >> ZS_TILE_LOG2)
 #define ZS_BOUND_LEVELS 3
 #define ZS_BOUND_CELLS(width, strips, n) (((ZS_TILES(width) + (n) - 1u) / (n)) * (((strips) + (n) - 1u) / (n)))
-#if ZS_LEAN
-#define ZS_BOUND_BYTES(width, height, strip_h) 0u
-#else
 #define ZS_BOUND_BYTES(width, height, strip_h) \
     ZS_ROUND4(2u * (ZS_BOUND_CELLS(width, ZS_STRIPS(height, strip_h), 1u) + \
                     ZS_BOUND_CELLS(width, ZS_STRIPS(height, strip_h), 2u) + \
                     ZS_BOUND_CELLS(width, ZS_STRIPS(height, strip_h), 4u)))
-#endif
-#if ZS_LEAN
-#define ZS_BIN_BYTES(height, strip_h) 0u
-#define ZS_TRI_BYTES(max_tris) ZS_ROUND4((uint32_t)(max_tris) * 10u)
-#else
 #define ZS_BIN_BYTES(height, strip_h) \
     ZS_ROUND4((((uint32_t)(height) + (uint32_t)(strip_h) - 1u) / (uint32_t)(strip_h)) * 2u)
 #define ZS_TRI_BYTES(max_tris) ((uint32_t)(max_tris) * 12u)
-#endif
 #define ZS_VERT_BYTES(max_verts, attrs) \
     ((uint32_t)(max_verts) * 12u + 2u * ZS_ROUND4((uint32_t)(max_verts) * 2u) + \
      ZS_ROUND4((uint32_t)(max_verts) * (uint32_t)(attrs) * 2u))
@@ -537,8 +522,7 @@ int zs_track(struct zs_renderer *r, uint32_t *memory, uint32_t n_instances);
  * Exact    as zs_track: the columns given out are those of a full frame, bit for bit.
  * Cost     as zs_track, and 2,000 instructions more for an instance that differs, 25 to 80 for a triangle in a strip that is
  *          drawn in part. Where things that move fill most of the frame, whole strips are a little cheaper.
- * Return   ZS_OK; ZS_ERR_NULL; ZS_ERR_STATE (zs_track is not on, or a frame is open). zs_track and zs_init end it. With
- *          ZS_LEAN whole strips are drawn all the same. */
+ * Return   ZS_OK; ZS_ERR_NULL; ZS_ERR_STATE (zs_track is not on, or a frame is open). zs_track and zs_init end it. */
 #define ZS_TRACK_GRAIN 8u /* px: a byte or page of any panel's RAM */
 int zs_track_columns(struct zs_renderer *r, int on);
 

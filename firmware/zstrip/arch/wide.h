@@ -23,7 +23,7 @@
 #define ZS_DIVIDES 1
 #endif
 
-#if defined(__GNUC__) && defined(__ARM_ARCH_6M__) && !ZS_LEAN
+#if defined(__GNUC__) && defined(__ARM_ARCH_6M__) && !ZS_FOR_SIZE
 
 /* a b = a1 b1 2^32 + (a1 b0 + a0 b1) 2^16 + a0 b0, the halves shifted into place by AH, BH: asrs where the factor
  * is signed, lsrs where not. A middle product has a sign where its high half has. In: a, b. Out: hi in a, lo. */
@@ -61,6 +61,8 @@ static inline int64_t zs_mul_su(int32_t a, uint32_t b)
     return (int64_t)((uint64_t)hi << 32 | lo);
 }
 
+/* 1: zs_cross_short takes what its name says; 0: any */
+#define ZS_CROSS_SHORT 1
 /* (a1 b - c1 d) 2^16 + (a0 b - c0 d): the first below 2^30, the second below 2^31. */
 static inline int64_t zs_cross_short(int32_t a, int32_t b, int32_t c, int32_t d)
 {
@@ -93,7 +95,8 @@ static inline int64_t zs_mul_su(int32_t a, uint32_t b)
     return (int64_t)a * (int64_t)b;
 }
 
-/* a b - c d, |b| and |d| <= 2^14. */
+#define ZS_CROSS_SHORT 0
+/* a b - c d, |b| and |d| <= 2^14; here any below 2^31. */
 static inline int64_t zs_cross_short(int32_t a, int32_t b, int32_t c, int32_t d)
 {
     return (int64_t)a * b - (int64_t)c * d;
@@ -101,7 +104,7 @@ static inline int64_t zs_cross_short(int32_t a, int32_t b, int32_t c, int32_t d)
 
 #endif
 
-#if defined(__GNUC__) && defined(__thumb2__) && defined(__OPTIMIZE__) && !ZS_LEAN
+#if defined(__GNUC__) && defined(__thumb2__) && defined(__OPTIMIZE__) && !ZS_FOR_SIZE
 
 /* Fill 32 words at a time, up to n of them, eight a STM: 0.2 instructions a word. Return how many. at is 4-byte aligned. */
 static inline uint32_t zs_fill_blocks(void *at, uint32_t value, uint32_t n)
@@ -124,7 +127,7 @@ static inline uint32_t zs_fill_blocks(void *at, uint32_t value, uint32_t n)
     return n & ~31u;
 }
 
-#elif defined(__GNUC__) && defined(__thumb__) && !ZS_LEAN
+#elif defined(__GNUC__) && defined(__thumb__) && !ZS_FOR_SIZE
 
 /* Fill 16 words at a time, up to n of them, four a STM: 0.3 instructions, on Armv6-M 1.4 cycles a word. Return how many.
  * at is 4-byte aligned. */
@@ -142,7 +145,7 @@ static inline uint32_t zs_fill_blocks(void *at, uint32_t value, uint32_t n)
     return n - left;
 }
 
-#elif defined(__GNUC__) && defined(__OPTIMIZE__) && (defined(__x86_64__) || defined(__aarch64__)) && !ZS_LEAN
+#elif defined(__GNUC__) && defined(__OPTIMIZE__) && (defined(__x86_64__) || defined(__aarch64__)) && !ZS_FOR_SIZE
 
 /* As above, by vectors of four words: 0.4 instructions a word. */
 typedef uint32_t __attribute__((vector_size(16), aligned(4), may_alias)) zs_four;
@@ -297,7 +300,7 @@ static inline void zs_rows(const int32_t *row, const int16_t *p, int32_t *out, u
 
 /* Two words that lie side by side, by one load, made where it stands: a row's loop that is short of registers, whose compiler
  * would keep them and spill others. */
-#if defined(__GNUC__) && !defined(__clang__) && defined(__thumb2__) && defined(__OPTIMIZE__) && !ZS_LEAN
+#if defined(__GNUC__) && !defined(__clang__) && defined(__thumb2__) && defined(__OPTIMIZE__) && !ZS_FOR_SIZE
 
 /* p[at], p[at + 1], at a constant: an address of its own would take a register. */
 static inline __attribute__((always_inline)) void zs_two(const uint32_t *p, int at, uint32_t *a, uint32_t *b)
@@ -409,7 +412,7 @@ static inline int32_t zs_mulh_ss(int32_t a, int32_t b)
 }
 
 /* Leading zeros, v > 0. */
-#if defined(__GNUC__) && (!defined(__ARM_ARCH_6M__) || ZS_LEAN)
+#if defined(__GNUC__) && (!defined(__ARM_ARCH_6M__) || ZS_FOR_SIZE)
 
 static inline int zs_clz32(uint32_t v)
 {

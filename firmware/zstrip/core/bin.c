@@ -41,24 +41,6 @@ static void set_base(struct zs_renderer *r, uint32_t base)
     r->vert_base = ZS_OFF(r, ZS_SKIP_VCACHE) ? UINT32_MAX : base;
 }
 
-#if ZS_LEAN /* no bins: a strip looks at every triangle of the pool */
-
-static void pools_empty(struct zs_renderer *r)
-{
-    r->n_tris = r->n_verts = r->vert_base = 0;
-}
-
-/* Drop triangles that begin below the band; the rest moves up in order. */
-static void tris_compact(struct zs_renderer *r)
-{
-    struct zs_tri *kept = r->tri, *const end = kept + r->n_tris;
-    for (const struct zs_tri *t = kept; t < end; t++)
-        if (zs_first_sample(r->vert[t->v[0]].y) < r->band_end * r->config.strip_h)
-            *kept++ = *t;
-    r->n_tris = (uint32_t)(kept - r->tri);
-}
-
-#else
 
 static void bins_clear(struct zs_renderer *r)
 {
@@ -104,37 +86,7 @@ static ZS_RARE void tris_compact(struct zs_renderer *r)
     r->n_tris = kept;
 }
 
-#endif
 
-#if ZS_LEAN
-
-/* Drop vertices that no binned triangle holds; the current instance's are transformed again where they are asked for. */
-static void verts_compact(struct zs_renderer *r)
-{
-    uint16_t *to = r->vert_map; /* stale from now on */
-    const uint32_t attrs = r->config.attrs;
-    uint32_t kept = 0;
-    for (uint32_t v = 0; v < r->n_verts; v++)
-        to[v] = ZS_NIL;
-    for (uint16_t *v = r->tri->v, *const end = (r->tri + r->n_tris)->v; v != end; v += sizeof *r->tri / sizeof *v)
-        for (int k = 0; k < 3; k++)
-            to[v[k]] = 0;
-    for (uint32_t v = 0; v < r->n_verts; v++) {
-        if (to[v] == ZS_NIL)
-            continue;
-        to[v] = (uint16_t)kept;
-        r->vert[kept] = r->vert[v];
-        for (uint32_t k = 0; k < attrs; k++)
-            r->attr[kept * attrs + k] = r->attr[v * attrs + k];
-        kept++;
-    }
-    for (uint16_t *v = r->tri->v, *const end = (r->tri + r->n_tris)->v; v != end; v += sizeof *r->tri / sizeof *v)
-        for (int k = 0; k < 3; k++)
-            v[k] = to[v[k]];
-    r->n_verts = r->vert_base = kept;
-}
-
-#else
 
 /* Drop vertices that no binned triangle holds. */
 static ZS_RARE void verts_compact(struct zs_renderer *r)
@@ -171,7 +123,6 @@ static ZS_RARE void verts_compact(struct zs_renderer *r)
             r->vert_map[map_index(r->vert_src[v], r->config.max_verts)] = (uint16_t)v;
 }
 
-#endif
 
 static ZS_RARE int roomy(const struct zs_renderer *r)
 {
@@ -191,9 +142,7 @@ static ZS_RARE void high_water(struct zs_renderer *r)
 /* A pool is full: free at least a quarter of both. Slots change. */
 static ZS_RARE void make_room(struct zs_renderer *r)
 {
-#if !ZS_LEAN
     r->direct = 0;
-#endif
     high_water(r);
     verts_compact(r);
     while (!roomy(r)) {
@@ -233,11 +182,10 @@ static ZS_NOINLINE void vertex_light(struct zs_renderer *r, uint32_t slot, uint1
 static inline void corner_light(struct zs_renderer *r, uint32_t slot, uint32_t attrs)
 {
     uint16_t *attr = &r->attr[slot * attrs];
-    if (*attr == ATTR_UNLIT && (!ZS_LEAN || r->vert_src[slot] != NO_SOURCE))
+    if (*attr == ATTR_UNLIT)
         vertex_light(r, slot, attr);
 }
 
-#if !ZS_LEAN
 
 /* Attributes of a binned triangle's corners that no triangle before it needed. */
 static inline void corners_light(struct zs_renderer *r, const uint32_t slot[3])
@@ -273,7 +221,6 @@ static void verts_direct(struct zs_renderer *r, const struct zs_mesh *mesh)
         zs_bin_verts(r, base, 0, n);
 }
 
-#endif
 
 /* Transform vertex v into the next place of the pool; ZS_NIL: the pool is full. */
 static ZS_NOINLINE uint32_t vertex_add(struct zs_renderer *r, uint32_t v)
@@ -283,30 +230,18 @@ static ZS_NOINLINE uint32_t vertex_add(struct zs_renderer *r, uint32_t v)
     const uint32_t slot = r->n_verts++;
     r->vert_map[map_index(v, r->config.max_verts)] = (uint16_t)slot;
     verts_mark(r, slot, v, 1);
-#if ZS_LEAN
-    struct zs_point p;
-    zs_xform_vertex(&r->xform, v, &p);
-    const uint32_t code = zs_xform_outcode(&r->view, &p);
-    if (code)
-        r->vert[slot].d = ZS_D_OUT + code;
-    else
-        zs_xform_project(r, &p, &r->vert[slot]);
-#else
     zs_xform_screen(r, v, 1, &r->vert[slot]);
-#endif
     return slot;
 }
 
 /* The pool's places of a triangle's corners, transformed. Return 0: the pool is full. */
 static ZS_RARE ZS_NOINLINE int corner_slots(struct zs_renderer *r, const uint16_t index[3], uint32_t slot[3])
 {
-#if !ZS_LEAN
     if (r->direct) {
         for (int k = 0; k < 3; k++)
             slot[k] = r->vert_base + index[k];
         return 1;
     }
-#endif
     const uint16_t *map = r->vert_map, *src = r->vert_src;
     const uint32_t base = r->vert_base, cap = r->config.max_verts;
     uint32_t n = r->n_verts;
@@ -326,26 +261,6 @@ static ZS_RARE ZS_NOINLINE int corner_slots(struct zs_renderer *r, const uint16_
 
 /* ---- Triangles --------------------------------------------------------------------------------------- */
 
-#if ZS_LEAN
-
-/* In the order of zs_stats.tris_drawn and what follows it; tris_frustum and _cluster are not triangle by triangle. */
-enum fate { FATE_DRAWN, FATE_NEAR = 3, FATE_FAR, FATE_OFFSCREEN, FATE_FACING, FATE_ZERO, FATE_EMPTY, FATE_INDEX, FATES,
-            FATE_OPEN = FATES /* not known yet */ };
-#define FATE_PLACE(name) ((offsetof(struct zs_stats, name) - offsetof(struct zs_stats, tris_drawn)) / sizeof(uint32_t))
-_Static_assert(FATE_PLACE(tris_near) == FATE_NEAR && FATE_PLACE(tris_far) == FATE_FAR &&
-                   FATE_PLACE(tris_offscreen) == FATE_OFFSCREEN && FATE_PLACE(tris_facing) == FATE_FACING &&
-                   FATE_PLACE(tris_zero) == FATE_ZERO && FATE_PLACE(tris_empty) == FATE_EMPTY &&
-                   FATE_PLACE(tris_index) == FATE_INDEX,
-               "fates are places in zs_stats");
-
-static ZS_RARE void count(struct zs_stats *s, const uint32_t fate[FATES])
-{
-    uint32_t *const to = (uint32_t *)(void *)((char *)s + offsetof(struct zs_stats, tris_drawn));
-    for (uint32_t k = 0; k < FATES; k++)
-        to[k] += fate[k];
-}
-
-#else
 
 enum fate { FATE_DRAWN, FATE_OFFSCREEN, FATE_FACING, FATE_ZERO, FATE_EMPTY, FATE_NEAR, FATE_FAR,
             FATE_INDEX, FATES, FATE_OPEN = FATES /* not known yet */ };
@@ -362,7 +277,6 @@ static ZS_RARE void count(struct zs_stats *s, const uint32_t fate[FATES])
     s->tris_index += fate[FATE_INDEX];
 }
 
-#endif
 
 /* Twice the area, q_16 px^2; positive clockwise on the screen (y down). |.| < 2^45 */
 static int64_t signed_area(const struct zs_vertex *a, const struct zs_vertex *b,
@@ -371,7 +285,6 @@ static int64_t signed_area(const struct zs_vertex *a, const struct zs_vertex *b,
     return zs_mul_ss(b->x - a->x, c->y - a->y) - zs_mul_ss(c->x - a->x, b->y - a->y);
 }
 
-#if !ZS_LEAN
 
 static inline const int32_t *xy(const struct zs_vertex *v)
 {
@@ -390,7 +303,6 @@ static int32_t sense(const struct zs_vertex *a, const struct zs_vertex *b, const
     return (left > right) - (left < right);
 }
 
-#endif
 
 static inline int faces_away(int64_t area, uint32_t cull)
 {
@@ -412,50 +324,6 @@ ZS_ALWAYS_INLINE void turn(struct place *at)
     at->slot[2] = first;
 }
 
-#if ZS_LEAN
-
-/* Whether the box of a projected triangle holds a sample of the frame. */
-static enum fate box_fate(const struct zs_renderer *r, const struct zs_vertex *pool, struct place *at)
-{
-    int32_t x0 = INT32_MAX, x1 = INT32_MIN, y1 = INT32_MIN, first = 0;
-    const struct zs_vertex *top = &pool[at->slot[0]];
-    for (int k = 0; k < 3; k++) {
-        const struct zs_vertex *v = &pool[at->slot[k]];
-        x0 = zs_min32(x0, v->x);
-        x1 = zs_max32(x1, v->x);
-        y1 = zs_max32(y1, v->y);
-        if (v->y < top->y || (v->y == top->y && v->x < top->x)) {
-            top = v;
-            first = k;
-        }
-    }
-    while (first-- > 0)
-        turn(at);
-    x0 = zs_first_sample(x0);
-    x1 = zs_first_sample(x1);
-    at->y0 = zs_first_sample(top->y);
-    at->y1 = zs_first_sample(y1);
-    if (x1 <= 0 || x0 >= r->config.width || at->y1 <= 0 || at->y0 >= r->config.height)
-        return FATE_OFFSCREEN;
-    return x0 >= x1 || at->y0 >= at->y1 ? FATE_EMPTY : FATE_DRAWN;
-}
-
-static int in_band(const struct zs_renderer *r, const struct place *at)
-{
-    const int32_t h = r->config.strip_h;
-    return at->y1 > r->strip * h && at->y0 < r->band_end * h;
-}
-
-static void tri_push(struct zs_renderer *r, const struct place *at, uint16_t paint)
-{
-    struct zs_tri *t = &r->tri[r->n_tris++];
-    for (int k = 0; k < 3; k++)
-        t->v[k] = (uint16_t)at->slot[k];
-    t->paint = paint;
-    t->instance = (uint16_t)r->xform.number;
-}
-
-#else
 
 /* Whether the box of a projected triangle holds a sample of the frame. */
 ZS_ALWAYS_INLINE enum fate box_fate(struct zs_renderer *r, const struct zs_vertex *a, const struct zs_vertex *b,
@@ -522,7 +390,6 @@ ZS_ALWAYS_INLINE void bin_push(struct zs_renderer *r, const struct place *at, ui
     r->n_tris = n + 1u;
 }
 
-#endif
 
 /* ---- Clipped triangles ----------------------------------------------------------------------------- */
 
@@ -601,55 +468,6 @@ static ZS_RARE void polygon_project(struct zs_renderer *r, struct polygon *p)
     }
 }
 
-#if ZS_LEAN
-
-/* Bin a triangle, unless it lies outside the frame or the band. Return FATE_OPEN: the pool of triangles is full. */
-static enum fate place(struct zs_renderer *r, uint32_t t, struct place *at)
-{
-    const enum fate fate = box_fate(r, r->vert, at);
-    if (fate != FATE_DRAWN || !in_band(r, at))
-        return fate;
-    if (r->n_tris == r->config.max_tris)
-        return FATE_OPEN;
-    const struct zs_shader *shader = r->xform.instance->material->shader;
-    for (int k = 0; k < 3 && shader->vertex; k++)
-        corner_light(r, at->slot[k], r->config.attrs);
-    tri_push(r, at, shader->face ? shader->face(r, t) : 0u);
-    return FATE_DRAWN;
-}
-
-static enum fate polygon_bin(struct zs_renderer *r, const struct polygon *p, uint32_t t, int sense)
-{
-    uint8_t fan[ZS_CLIP_MAX];
-    const int64_t area = fan_corner(p, sense, fan);
-    if (area == 0)
-        return FATE_ZERO;
-    if (faces_away(area, r->xform.instance->material->cull))
-        return FATE_FACING;
-    enum fate all = FATE_EMPTY;
-    for (int k = 1; k + 1 < p->n; k++) {
-        struct place at;
-        const uint32_t corner[3] = { fan[area < 0 ? k + 1 : 0], fan[k], fan[area < 0 ? 0 : k + 1] };
-        if (signed_area(&p->v[corner[0]], &p->v[corner[1]], &p->v[corner[2]]) <= 0)
-            continue;
-        if (r->n_tris == r->config.max_tris || r->n_verts + 3u > r->config.max_verts)
-            make_room(r);
-        for (int i = 0; i < 3; i++) { /* dropped with the next compaction where it is not binned */
-            const uint32_t slot = r->n_verts++;
-            at.slot[i] = slot;
-            r->vert[slot] = p->v[corner[i]];
-            r->vert_src[slot] = NO_SOURCE;
-            for (uint32_t a = 0; a < r->config.attrs; a++)
-                r->attr[slot * r->config.attrs + a] = p->cv[corner[i]].attr[a];
-        }
-        const enum fate fate = place(r, t, &at);
-        if (all != FATE_DRAWN)
-            all = fate;
-    }
-    return all;
-}
-
-#else
 
 /* box: its slots are the corners' numbers in the polygon. */
 static ZS_RARE void polygon_push(struct zs_renderer *r, const struct polygon *p, const struct place *box,
@@ -694,7 +512,8 @@ static ZS_RARE enum fate polygon_bin(struct zs_renderer *r, const struct polygon
             continue;
         }
         all = FATE_DRAWN;
-        zs_hidden_cover(r, &p->v[box.slot[0]], &p->v[box.slot[1]], &p->v[box.slot[2]]);
+        if (r->tiles)
+            r->tiles->cover(r, &p->v[box.slot[0]], &p->v[box.slot[1]], &p->v[box.slot[2]]);
         const uint32_t strip = strip_in_band(r, &box);
         if (strip != ZS_NIL)
             polygon_push(r, p, &box, paint, strip);
@@ -702,7 +521,6 @@ static ZS_RARE enum fate polygon_bin(struct zs_renderer *r, const struct polygon
     return all;
 }
 
-#endif
 
 /* Why a triangle cannot be seen whose corners have an outcode in common. */
 static enum fate outside(uint32_t all)
@@ -710,35 +528,6 @@ static enum fate outside(uint32_t all)
     return all & ZS_OUT_NEAR ? FATE_NEAR : all & ZS_OUT_FAR ? FATE_FAR : FATE_OFFSCREEN;
 }
 
-#if ZS_LEAN
-
-/* As below: sides mean something only where near and far have cut, and a plane is asked only where a corner is beyond it. */
-static enum fate triangle_clip(struct zs_renderer *r, uint32_t t)
-{
-    const struct zs_shader *shader = r->xform.instance->material->shader;
-    struct polygon p;
-    for (int k = 0; k < 3; k++) {
-        const uint32_t v = r->xform.instance->mesh->tri[t][k];
-        zs_xform_vertex(&r->xform, v, &p.cv[k].p);
-        if (shader->vertex)
-            shader->vertex(r, v, p.cv[k].attr);
-    }
-    r->stats.tris_clipped += r->counting;
-    const int sense = sense_of(&r->view, p.cv);
-    p.n = 3;
-    for (uint32_t k = 0, planes = ZS_OUT_NEAR | ZS_OUT_FAR; k < 2; k++, planes = ZS_OUT_SIDES) {
-        uint32_t any = 0;
-        for (int i = 0; i < p.n; i++)
-            any |= zs_xform_outcode(&r->view, &p.cv[i].p);
-        p.n = zs_clip_polygon(&r->view, p.cv, p.n, any & planes, shader->n_attrs);
-    }
-    if (!p.n)
-        return FATE_OFFSCREEN;
-    polygon_project(r, &p);
-    return polygon_bin(r, &p, t, sense);
-}
-
-#else
 
 static ZS_RARE enum fate triangle_clip(struct zs_renderer *r, uint32_t t)
 {
@@ -774,11 +563,9 @@ static ZS_RARE enum fate triangle_clip(struct zs_renderer *r, uint32_t t)
     return polygon_bin(r, &p, t, sense);
 }
 
-#endif
 
 /* ---- The walk -------------------------------------------------------------------------------------- */
 
-#if !ZS_LEAN
 
 /* Triangles go through in batches: those that are turned away leave first. */
 #define BATCH 40 /* at most 64 */
@@ -851,7 +638,6 @@ static uint32_t sieve_none(struct batch *s, uint32_t n)
     return n;
 }
 
-#endif
 
 /* A triangle that is not wholly inside near, far and guard. */
 static enum fate cut(struct zs_renderer *r, uint32_t t, const struct zs_vertex *a, const struct zs_vertex *b,
@@ -877,11 +663,7 @@ static ZS_NOINLINE enum fate look(struct zs_renderer *r, uint32_t t, struct plac
     const struct zs_vertex *a = &r->vert[slot[0]], *b = &r->vert[slot[1]], *c = &r->vert[slot[2]];
     if (a->d >= ZS_D_OUT || b->d >= ZS_D_OUT || c->d >= ZS_D_OUT)
         return cut(r, t, a, b, c);
-#if ZS_LEAN
-    const int64_t turns = signed_area(a, b, c);
-#else
     const int32_t turns = sense(a, b, c);
-#endif
     if (turns == 0)
         return FATE_ZERO;
     if (turns < 0) {
@@ -892,7 +674,6 @@ static ZS_NOINLINE enum fate look(struct zs_renderer *r, uint32_t t, struct plac
     return faces_away(turns, r->xform.instance->material->cull) ? FATE_FACING : FATE_OPEN;
 }
 
-#if !ZS_LEAN
 
 /* Bin a triangle, unless it lies outside the frame or the band. Return FATE_OPEN: the pool of triangles is full. */
 ZS_ALWAYS_INLINE enum fate place(struct zs_renderer *r, const struct zs_shader *shader, uint32_t t, struct place *at)
@@ -911,39 +692,7 @@ ZS_ALWAYS_INLINE enum fate place(struct zs_renderer *r, const struct zs_shader *
     return FATE_DRAWN;
 }
 
-#endif
 
-#if ZS_LEAN
-
-static void walk_instance(struct zs_renderer *r, uint32_t number)
-{
-    struct zs_bounds b;
-    const uint32_t n = r->scene->instance[number].mesh->n_tris;
-    uint32_t fate[FATES] = { 0 };
-    if (r->counting) {
-        r->stats.instances_in++;
-        r->stats.tris_in += n;
-    }
-    if (zs_cull_walk(&b, r, number) || !zs_xform_instance(r, number, &b)) {
-        if (r->counting) {
-            r->stats.instances_culled++;
-            r->stats.tris_frustum += n;
-        }
-        return;
-    }
-    set_base(r, r->n_verts);
-    for (uint32_t t = 0; t < n; t++) {
-        struct place at;
-        enum fate f;
-        while ((f = look(r, t, &at)) == FATE_OPEN && (f = place(r, t, &at)) == FATE_OPEN)
-            make_room(r); /* slots are stale: look the vertices up again */
-        fate[f]++;
-    }
-    if (r->counting)
-        count(&r->stats, fate);
-}
-
-#else
 
 /* The n triangles from `from` on, as far as they are left. */
 static void batch_bin(struct zs_renderer *r, const struct batch *s, uint32_t from, uint32_t n, uint32_t fate[FATES])
@@ -969,7 +718,8 @@ static void batch_bin(struct zs_renderer *r, const struct batch *s, uint32_t fro
                     break;
                 }
                 at = looked;
-                zs_hidden_cover(r, &r->vert[looked.slot[0]], &r->vert[looked.slot[1]], &r->vert[looked.slot[2]]);
+                if (r->tiles)
+                    r->tiles->cover(r, &r->vert[looked.slot[0]], &r->vert[looked.slot[1]], &r->vert[looked.slot[2]]);
             }
             f = place(r, s->shader, t, &at);
             if (f != FATE_OPEN) {
@@ -1025,7 +775,7 @@ static ZS_RARE ZS_NOINLINE int instance_open(struct zs_renderer *r, uint32_t num
     }
     if (zs_cull_walk(&b, r, number) && !ZS_OFF(r, ZS_SKIP_FRUSTUM))
         return 0;
-    if (r->large && !(r->config.skip_off & ZS_SKIP_BEHIND) && !r->scene->instance[number].state && zs_hidden_sphere(r, &b)) {
+    if (r->large && !r->scene->instance[number].state && r->tiles->hides_sphere(r, &b)) {
         r->stats.instances_hidden += r->counting;
         return 0;
     }
@@ -1073,23 +823,16 @@ static ZS_RARE void walk_instance(struct zs_renderer *r, uint32_t number)
         count(&r->stats, fate);
 }
 
-#endif
 
 ZS_RARE void zs_bin_walk(struct zs_renderer *r)
 {
     pools_empty(r);
     r->band_end = ZS_OFF(r, ZS_SKIP_BINS) ? (uint16_t)(r->strip + 1u) : r->draw_end;
     r->stats.passes++;
-#if !ZS_LEAN
     r->group = 0;
     r->walk_x = r->walk_most = 0;
     r->walk_end = r->walk_least = r->config.width;
     r->n_turns = 0;
-#endif
-#if ZS_LEAN
-    for (uint32_t i = 0; i < r->scene->n_instances; i++)
-        walk_instance(r, i);
-#else
     const struct zs_scene *scene = r->scene;
     for (uint32_t i = 0, n = 0, left = 1; left;) {
         i = zs_cull_next(r, scene, i);
@@ -1110,7 +853,6 @@ ZS_RARE void zs_bin_walk(struct zs_renderer *r)
             walk_instance(r, r->turn[k]);
         n = 0;
     }
-#endif
     high_water(r);
     r->counting = 0;
 }

@@ -24,30 +24,7 @@ static int64_t inside(const struct zs_view *view, const struct zs_point *p, uint
     return plane & (ZS_OUT_LEFT | ZS_OUT_TOP) ? limit + at : limit - at;
 }
 
-#if ZS_LEAN
-uint32_t zs_xform_outcode(const struct zs_view *view, const struct zs_point *p)
-{
-    uint32_t code = 0;
-    for (uint32_t plane = ZS_OUT_NEAR; plane <= ZS_OUT_BOTTOM && code != ZS_OUT_NEAR; plane <<= 1)
-        if (inside(view, p, plane) < 0) /* the sides say nothing before the near plane */
-            code |= plane;
-    return code;
-}
-#endif
 
-#if ZS_LEAN
-
-/* a + (b - a) * num / den, nearest. |b - a| < 2^31.1 */
-static int32_t between(uint32_t num, uint32_t den, int32_t a, int32_t b)
-{
-    const uint32_t size = b < a ? (uint32_t)a - (uint32_t)b : (uint32_t)b - (uint32_t)a;
-    uint32_t part = (uint32_t)zs_muldiv_u64(size, num, den);
-    if (size * num - part * den >= den - den / 2u) /* modulo 2^32, and below den */
-        part++;
-    return (int32_t)(b < a ? (uint32_t)a - part : (uint32_t)a + part);
-}
-
-#else
 
 /* An edge cut at num / den of its length. */
 struct cut {
@@ -77,7 +54,6 @@ static int32_t between(const struct cut *cut, int32_t a, int32_t b)
     return (int32_t)(b < a ? (uint32_t)a - part : (uint32_t)a + part);
 }
 
-#endif
 
 /* The crossing of the edge from a (da >= 0) to b (db < 0). */
 static void cross_plane(const struct zs_view *view, struct zs_clip_vertex *out,
@@ -93,19 +69,12 @@ static void cross_plane(const struct zs_view *view, struct zs_clip_vertex *out,
         *out = *a;
         return;
     }
-#if ZS_LEAN
-    for (int k = 0; k < 3; k++)
-        out->p.c[k] = between((uint32_t)da, den, a->p.c[k], b->p.c[k]);
-    for (uint32_t k = 0; k < n_attrs; k++)
-        out->attr[k] = (uint16_t)between((uint32_t)da, den, a->attr[k], b->attr[k]);
-#else
     const int32_t lz = zs_clz32(den);
     const struct cut cut = { (uint32_t)da, den, zs_recip(den << lz), lz };
     for (int k = 0; k < 3; k++)
         out->p.c[k] = between(&cut, a->p.c[k], b->p.c[k]);
     for (uint32_t k = 0; k < n_attrs; k++)
         out->attr[k] = (uint16_t)between(&cut, a->attr[k], b->attr[k]);
-#endif
     if (plane == ZS_OUT_NEAR)
         out->p.c[2] = view->z_near;
     if (plane == ZS_OUT_FAR)

@@ -66,11 +66,9 @@ static ZS_RARE void split(struct zs_renderer *r, uint8_t *at)
     r->color[0] = take(&at, color);
     r->color[1] = c->buffers == 2 ? take(&at, color) : r->color[0];
     r->depth = take(&at, ZS_DEPTH_BYTES(c->width, c->strip_h));
-#if !ZS_LEAN
     r->drawn = take(&at, ZS_DRAWN_BYTES(c->strip_h));
     r->bound = take(&at, ZS_BOUND_BYTES(c->width, c->height, c->strip_h));
     r->bin = take(&at, ZS_BIN_BYTES(c->height, c->strip_h));
-#endif
     r->tri = take(&at, ZS_TRI_BYTES(c->max_tris));
     r->vert = take(&at, c->max_verts * 12u);
     r->vert_src = take(&at, half_words);
@@ -78,7 +76,6 @@ static ZS_RARE void split(struct zs_renderer *r, uint8_t *at)
     r->attr = take(&at, ZS_ROUND4((uint32_t)c->max_verts * c->attrs * 2u));
 }
 
-#if !ZS_LEAN
 /* For row / strip_h without a division. With 2^l <= strip_h < 2^(l + 1) and n = 19 + l, strip_mul exceeds
  * 2^n / strip_h by 1 at the most, which adds row / 2^n to a quotient: less than 2^-7 / strip_h, so it is exact. */
 static ZS_RARE void strip_divisor(struct zs_renderer *r)
@@ -88,7 +85,20 @@ static ZS_RARE void strip_divisor(struct zs_renderer *r)
     r->strip_shift = (uint8_t)n;
     r->strip_mul = (1u << n) / h + 1u; /* <= 2^19 + 1; times a row < 2^31.1 */
 }
-#endif
+
+/* Those of the frame: the first of each kind. */
+static ZS_RARE void accelerators(struct zs_renderer *r)
+{
+    r->touch = 0;
+    r->tiles = 0;
+    r->edges = 0;
+    for (const struct zs_fast *const *at = r->config.fast; at && *at; at++) {
+        const struct zs_fast *fast = *at;
+        r->touch = r->touch ? r->touch : fast->touch;
+        r->tiles = r->tiles ? r->tiles : fast->tiles;
+        r->edges = r->edges ? r->edges : fast->edges;
+    }
+}
 
 ZS_RARE int zs_init(struct zs_renderer *r, const struct zs_config *config, void *arena, size_t bytes)
 {
@@ -107,9 +117,7 @@ ZS_RARE int zs_init(struct zs_renderer *r, const struct zs_config *config, void 
     r->config = *config;
     r->config.strip_h = strip_rows(config);
     r->n_strips = (uint16_t)((config->height + r->config.strip_h - 1) / r->config.strip_h);
-#if !ZS_LEAN
     strip_divisor(r);
-#endif
     split(r, arena);
     for (uint32_t v = 0; v < config->max_verts; v++)
         r->vert_map[v] = r->vert_src[v] = 0; /* any value will do; junk would be as good */
@@ -117,10 +125,10 @@ ZS_RARE int zs_init(struct zs_renderer *r, const struct zs_config *config, void 
     r->stats = none;
     r->watch = 0;
     r->track = 0;
-    if (!ZS_LEAN) {
-        r->window[0] = 0;
-        r->window[1] = config->width;
-    }
+    r->window[0] = 0;
+    r->window[1] = config->width;
+    r->untouched = 0;
+    accelerators(r);
     r->ready = 1;
     return ZS_OK;
 }
@@ -138,8 +146,6 @@ static ZS_RARE int instance_check(const struct zs_renderer *r, const struct zs_i
         return ZS_ERR_MESH;
     if (material->shader->n_attrs > r->config.attrs)
         return ZS_ERR_ATTRS;
-    if (in->state && !in->state->kernel)
-        return ZS_ERR_NULL;
     return material->shader->check ? material->shader->check(in, &r->config) : ZS_OK;
 }
 
@@ -164,9 +170,7 @@ static ZS_RARE int scene_check(struct zs_renderer *r, const struct zs_scene *sce
     if (scene->groups && (!scene->groups->kernel || (!scene->groups->group && scene->groups->n_groups)))
         return ZS_ERR_NULL;
     *reach = 1;
-#if !ZS_LEAN
     r->group = 0;
-#endif
     /* zs_track asks for bounds of any instance later */
     for (uint32_t i = 0; (i = r->track ? i : zs_cull_next(r, scene, i)) < scene->n_instances; i++) {
         struct zs_bounds b;
@@ -186,10 +190,6 @@ ZS_RARE int zs_frame_check(struct zs_renderer *r, const struct zs_scene *scene)
     const struct zs_camera *camera = &r->camera;
     int64_t reach;
     int err = zs_view_camera(&r->view, &r->config, camera);
-#if ZS_LEAN
-    err = err ? err : scene_check(r, scene, &reach);
-    err = err ? err : zs_view_units(&r->view, &r->config, camera, reach);
-#else
     for (uint16_t slack = 1; !err; slack = 64) { /* at least 8 camera units, which are known afterwards */
         r->group_slack = slack;
         err = scene_check(r, scene, &reach);
@@ -198,7 +198,6 @@ ZS_RARE int zs_frame_check(struct zs_renderer *r, const struct zs_scene *scene)
         if (slack == 64 || r->view.shift >= 3 || !scene->groups)
             break;
     }
-#endif
     if (!err)
         err = r->config.depth->setup(&r->view, camera, r->config.depth_bits);
     return err;
@@ -225,10 +224,8 @@ ZS_RARE int zs_frame_begin(struct zs_renderer *r, const struct zs_scene *scene,
     r->strip = 0;
     r->band_end = 0; /* the first strip begins a walk */
     r->counting = 1;
-#if !ZS_LEAN
     r->large = 0;
     r->edge_of[0] = r->edge_of[1] = r->edge_of[2] = r->edge_of[3] = UINT16_MAX; /* edge[] holds another camera's */
-#endif
     r->scene = scene;
     return ZS_OK;
 }
@@ -246,13 +243,15 @@ int zs_frame_strip(struct zs_renderer *r, struct zs_strip *out)
     const struct zs_track_kernel *track = r->track;
     const int draw = !track || track->due(r);
     if (draw) {
-        zs_fresh_begin(r);
+        if (r->touch)
+            r->touch->begin(r);
+        else
+            zs_raster_clear(r);
         if (r->strip >= r->band_end)
             zs_bin_walk(r);
         zs_raster_strip(r);
-#if !ZS_LEAN
-        zs_fresh_end(r);
-#endif
+        if (r->untouched)
+            r->touch->end(r);
     }
 
     const uint32_t y0 = (uint32_t)r->strip * r->config.strip_h;
@@ -265,8 +264,8 @@ int zs_frame_strip(struct zs_renderer *r, struct zs_strip *out)
     out->px = (const uint8_t *)r->color[0];
     out->n_bytes = (uint32_t)out->w * out->h * 2u;
     out->depth = r->depth;
-    out->changed_x = !ZS_LEAN && draw ? r->window[0] : 0u;
-    out->changed_w = !draw ? 0u : ZS_LEAN ? out->w : (uint16_t)(r->window[1] - r->window[0]);
+    out->changed_x = draw ? r->window[0] : 0u;
+    out->changed_w = draw ? (uint16_t)(r->window[1] - r->window[0]) : 0u;
     const struct zs_watch_kernel *watch = r->watch;
     if (watch && draw)
         watch->look(r, out);

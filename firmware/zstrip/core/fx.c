@@ -15,7 +15,7 @@ const uint8_t zs_clz8[256] = {
     8, 7, CLZ_2(6), CLZ_2(5), CLZ_2(5), CLZ_8(4), CLZ_8(3), CLZ_8(3), CLZ_32(2), CLZ_64(1), CLZ_64(0), CLZ_64(0)
 };
 
-#if ZS_LEAN
+#if ZS_FOR_SIZE
 
 int64_t zs_round_shift(int64_t v, int n)
 {
@@ -41,7 +41,7 @@ int64_t zs_scale2(int64_t v, int n)
  * 2^-32, always from below; its two truncations add 2^-31 and 2^-32. Sum < 2^-30. */
 
 #define RECIP_AT(i) (uint16_t)(((33554432u + (256u + (i)) / 2u) / (256u + (i))) - 65536u - ((i) == 0u))
-#if ZS_LEAN
+#if ZS_FOR_SIZE
 
 uint32_t zs_recip_at(uint32_t i)
 {

@@ -12,10 +12,6 @@
 
 #include "config.h"
 
-#if ZS_LEAN && defined(__GNUC__) && !defined(__clang__) && defined(__OPTIMIZE__)
-#pragma GCC optimize("Os", "no-schedule-insns2") /* whatever else is chosen; the order of loads costs 0.5 % in bytes */
-#endif
-
 #include "arch/wide.h"
 
 _Static_assert((-3 >> 1) == -2, "right shift of negative values must be arithmetic");
@@ -39,7 +35,7 @@ typedef int32_t q24_8; /* screen x, y, px */
 #else
 #define ZS_KERNEL_INLINE static inline
 #endif
-#if ZS_LEAN /* the compiler's choice, by size */
+#if ZS_FOR_SIZE /* the compiler's choice, by size */
 #define ZS_RARE
 #define ZS_IN_ORDER
 #define ZS_ALWAYS_INLINE static inline
@@ -65,12 +61,8 @@ typedef int32_t q24_8; /* screen x, y, px */
 #define ZS_NOINLINE
 #endif
 
-/* 1: a piece of work that is not left out (enum zs_skip), for tests; with ZS_LEAN what can be is always. */
-#if ZS_LEAN
-#define ZS_OFF(r, skip) 0
-#else
+/* 1: a piece of work that is not left out (enum zs_skip), for tests. */
 #define ZS_OFF(r, skip) ((r)->config.skip_off & (skip))
-#endif
 
 /* Two 16-bit values at a time, in memory that is otherwise used as uint16_t. */
 #if defined(__GNUC__)
@@ -133,7 +125,7 @@ static inline uint32_t zs_maxu32(uint32_t a, uint32_t b)
     return a > b ? a : b;
 }
 
-#if ZS_LEAN /* fx.c */
+#if ZS_FOR_SIZE /* fx.c */
 int64_t zs_round_shift(int64_t v, int n);
 int64_t zs_scale2(int64_t v, int n);
 #else
@@ -161,7 +153,7 @@ static inline uint32_t zs_wrap_mul(uint32_t a, int32_t b)
 /* v * d modulo 2^64. */
 static inline uint64_t zs_times(uint64_t v, int32_t d)
 {
-#if ZS_LEAN
+#if ZS_FOR_SIZE
     return v * (uint64_t)(int64_t)d;
 #else
     return (uint64_t)zs_mul_su(d, (uint32_t)v) + ((uint64_t)((uint32_t)(v >> 32) * (uint32_t)d) << 32);
@@ -189,7 +181,7 @@ static inline uint16_t zs_wire16(uint16_t v)
  * Exact tests/test_fx.c compares all 2^31 arguments in steps that hit every table entry. */
 uint32_t zs_recip(uint32_t a);
 
-#if ZS_LEAN
+#if ZS_FOR_SIZE
 uint32_t zs_recip_at(uint32_t i); /* fx.c: the table's entries, each by a division */
 #else
 extern const uint16_t zs_recip_table[257]; /* fx.c */

@@ -6,12 +6,13 @@
 #ifndef ZS_PIPELINE_H
 #define ZS_PIPELINE_H
 
+#include "core/fast.h"
 #include "core/fx.h"
 #include "zstrip.h"
 
 #define ZS_NIL 65535u
 _Static_assert(ZS_POOL_MAX < ZS_NIL, "16-bit indices need a value for none");
-_Static_assert(sizeof(struct zs_tri) == (ZS_LEAN ? 10 : 12), "ZS_TRI_BYTES");
+_Static_assert(sizeof(struct zs_tri) == 12, "ZS_TRI_BYTES");
 _Static_assert(sizeof(struct zs_vertex) == 12, "ZS_VERT_BYTES");
 
 /* ---- Shaders and depth mappings ---------------------------------------------------------------- */
@@ -25,30 +26,14 @@ struct zs_shader {
     void (*vertex)(const struct zs_renderer *r, uint32_t v, uint16_t *out);
     /* What zs_tri.paint becomes for a face of the current instance; NULL: 0. */
     uint16_t (*face)(const struct zs_renderer *r, uint32_t t);
-#if !ZS_LEAN
-    /* Draw a triangle into its strip where keys are linear on the screen. */
-    void (*rows)(struct zs_job *job);
-#endif
-    /* Set-up of the triangle's colours, before span and run; NULL: none. */
+    /* Gradients of the triangle's colours, before run; NULL: none. */
     void (*start)(struct zs_job *job);
-#if !ZS_LEAN
-    /* Test and draw pixels [i0, i1) of a row, on which keys are linear: sum / 65536, half a bucket added,
-     * changing by gx. job->saturates is set. */
-    void (*span)(struct zs_job *job, const struct zs_row *row, int32_t i0, int32_t i1, uint32_t sum,
-                 uint32_t gx);
-#endif
     /* Colour pixels [from, to) of a row, already found nearest. */
     void (*run)(struct zs_job *job, const struct zs_row *row, int32_t from, int32_t to);
     /* ZS_OK, or why this instance cannot be drawn with it. */
     int (*check)(const struct zs_instance *instance, const struct zs_config *config);
     /* Textures: n pixels times light, uq1_31, which changes by step; NULL: none. */
     void (*light)(uint16_t *out, int32_t n, uint32_t level, uint32_t step);
-#if !ZS_LEAN
-    /* Set up and draw job->tri in job's strip if it is small, has no state, and its keys are linear and below saturation.
-     * Return 0: it is not, nothing is done. job->row_last is set where it returns 1. NULL: there is no such way. Called
-     * only on cores that divide (wide.h). */
-    int (*small)(struct zs_job *job);
-#endif
     uint8_t n_attrs;
 };
 
@@ -69,14 +54,8 @@ struct zs_track_kernel {
     int (*check)(struct zs_renderer *r, const struct zs_scene *scene);
     int (*due)(struct zs_renderer *r);                  /* 0: r->strip need not be drawn; passes on. 1: sets r->window */
     void (*forget)(struct zs_renderer *r, const struct zs_rect *rect);      /* NULL: all */
-#if !ZS_LEAN
     /* Rows and columns of the walk's strips that the instance may be in and that are due. 0: there are none. */
     int (*touches)(const struct zs_renderer *r, uint32_t number, struct zs_part *part);
-    /* A triangle of a strip of which only r->window is drawn: shall its rows go part by part? Then job->fresh is set. */
-    void (*split)(struct zs_job *job);
-    /* Where the part ends that begins at pixel i of such a row, at most at `end`: job->state is 0 where it is drawn. */
-    int32_t (*part)(struct zs_job *job, int32_t i, int32_t end);
-#endif
 };
 
 /* Which clusters of a mesh need not be drawn: of zs_mesh.cluster_kernel. */
@@ -97,36 +76,15 @@ struct zs_group_kernel {
     uint32_t (*next)(struct zs_renderer *r, const struct zs_scene *scene, uint32_t number);
 };
 
-/* How an instance with a state is drawn: of zs_state.kernel. */
-struct zs_state_kernel {
-    /* Buckets to be added to each key of a triangle: offset and slope. */
-    int32_t (*bias)(const struct zs_job *job);
-    /* As shader->span, with job->state and job->bias. */
-    void (*span)(struct zs_job *job, const struct zs_row *row, int32_t i0, int32_t i1, uint32_t sum,
-                 uint32_t gx);
-};
-
 /* Texture coordinates walked along a run: fractions of the texture's size, modulo 1. */
 struct zs_walk {
     uint32_t u, v, du, dv; /* uq0_32 */
 };
 
-struct zs_texel_rows;
-
 struct zs_texel {
     /* n texels along a walk, RGB565 in wire order. */
     void (*fetch)(const struct zs_texture *texture, uint16_t *out, int32_t n,
                   const struct zs_walk *walk);
-#if !ZS_LEAN
-    /* n texels by their numbers, row * width + column. */
-    void (*gather)(const struct zs_texture *texture, uint16_t *out, int32_t n, const uint32_t *at);
-    /* Test and draw a triangle, unlit, where job->c[0] and [1] are u and v, uq0_32, at column 0 of row 0; log2_w,
-     * log2_h > 0, and keys do not saturate. */
-    void (*rows)(struct zs_job *job);
-    /* Test and draw a small triangle from its record alone (small.h), unlit and lit: on cores that divide. */
-    void (*small)(struct zs_job *job, const struct zs_texture *texture, struct zs_texel_rows *rows);
-    void (*small_lit)(struct zs_job *job, const struct zs_texture *texture, struct zs_texel_rows *rows);
-#endif
     uint16_t colors_max; /* of the palette; 0: there is none */
     uint8_t log2_w_min;
 };
@@ -137,18 +95,16 @@ struct zs_depth {
     /* zs_vertex.d of a distance, near <= z <= far, camera units. Under perspective rcp is
      * 2^(63 - lz) / z with lz the leading zeros of z; orthographic: of no use. */
     uint32_t (*vertex)(const struct zs_view *view, int32_t z, uint32_t rcp, int32_t lz);
-    /* Draw a triangle where keys may not be linear on the screen (view.screen_linear is 0). */
-    void (*rows)(struct zs_job *job);
+    /* Where view.screen_linear is 0. 1: keys are linear on this triangle all the same. 0: they are not; row draws it then. */
+    int (*planes)(struct zs_job *job);
+    /* Draw a row by zs_rows_piece, where planes has returned 0. */
+    void (*row)(struct zs_job *job, const struct zs_row *row);
     /* Under perspective, w ~ 1/z of a vertex for perspective-correct attributes, 1 .. 2^62, same scale for all. */
     uint64_t (*inverse)(const struct zs_view *view, uint32_t d);
     /* Or, where this is not NULL, of a triangle's vertices: the largest brought to [2^30, 2^31). */
     void (*inverses)(const struct zs_view *view, const struct zs_vertex *const v[3], uint32_t w[3]);
     /* The key of a vertex, uq16_16, where zs_vertex.d is something else; NULL: d is the key. */
     uint32_t (*key)(const struct zs_view *view, uint32_t d);
-#if ZS_LEAN
-    /* Draw a row of the triangle that rows is drawing, by zs_raster_span. NULL: keys are always linear on the screen. */
-    void (*row)(struct zs_job *job, const struct zs_row *row);
-#endif
 };
 
 /* ---- cull.c: instances --------------------------------------------------------------------------- */
@@ -181,16 +137,10 @@ int64_t zs_cull_half_width(const struct zs_camera *camera, const struct zs_view 
 /* The first instance from number on that is in no group out of view; instances are asked for in order, from r->group = 0. */
 static inline uint32_t zs_cull_next(struct zs_renderer *r, const struct zs_scene *scene, uint32_t number)
 {
-#if ZS_LEAN
-    (void)r;
-    (void)scene;
-    return number;
-#else
     if (!scene->groups || ZS_OFF(r, ZS_SKIP_GROUP))
         return number;
     const struct zs_group_kernel *group = scene->groups->kernel;
     return group->next(r, scene, number);
-#endif
 }
 
 /* ---- frame.c --------------------------------------------------------------------------------------- */
@@ -233,11 +183,7 @@ void zs_xform_vertex(const struct zs_xform *xf, uint32_t v, struct zs_point *out
 uint32_t zs_xform_outcode(const struct zs_view *view, const struct zs_point *p);
 /* Screen position and depth. Return 1; 0 where the point is before near, beyond far (*out is not of use
  * then) or beside the guard band (*out is then just beside it). The lean build does not say which. */
-#if ZS_LEAN
-void zs_xform_project(const struct zs_renderer *r, const struct zs_point *p, struct zs_vertex *out);
-#else
 int zs_xform_project(const struct zs_renderer *r, const struct zs_point *p, struct zs_vertex *out);
-#endif
 /* All three for vertices [v, v + n) of the current instance: their places in the pool. One that is not inside near, far and
  * guard has d = ZS_D_OUT + outcode, and a position whose x or y is 2^16 or more away from any other vertex's. */
 void zs_xform_screen(const struct zs_renderer *r, uint32_t v, uint32_t n, struct zs_vertex *out);
@@ -274,49 +220,32 @@ void zs_bin_verts(struct zs_renderer *r, uint32_t slot, uint32_t from, uint32_t 
 /* Draw the strip r->strip's bin and the active list; leaves those that go on in r->active. */
 void zs_raster_strip(struct zs_renderer *r);
 /* Do not draw it, but pass its triangles on to the strip below. */
-#if ZS_LEAN
-static inline void zs_raster_pass(struct zs_renderer *r)
-{
-    (void)r;
-}
-#else
 void zs_raster_pass(struct zs_renderer *r);
-#endif
-/* Find the spans of rows from `row` on: of ZS_CUT_ROWS, or up to job->row_end. */
-void zs_raster_cuts(struct zs_job *job, int32_t row);
-/* Draw a job whose keys are linear on the screen, by its shader or its state. */
-void zs_raster_keys(struct zs_job *job);
-#if !ZS_LEAN
-/* Draw a job's rows, where keys are linear on the screen, by its shader's span or its state's. job->saturates is set. */
-void zs_raster_spans(struct zs_job *job);
-#endif
-#if ZS_LEAN
-/* Start the shader and draw the job's rows: those whose keys are linear by zs_raster_span, others by depth->row. */
-void zs_raster_rows(struct zs_job *job, int linear);
-/* Test and draw pixels [i0, i1) of a row, on which keys are linear: sum / 65536, half a bucket added, changing by gx. */
-void zs_raster_span(struct zs_job *job, const struct zs_row *row, int32_t i0, int32_t i1, uint32_t sum, uint32_t gx);
-#endif
+/* Background and ZS_DEPTH_CLEAR everywhere in the strip. */
+void zs_raster_clear(struct zs_renderer *r);
 
-/* ---- hidden.c --------------------------------------------------------------------------------------- */
+/* ---- tiles.c ---------------------------------------------------------------------------------------- */
 
 /* The key of a vertex, and what drawn keys may be nearer (sign -1) or farther by (1). */
 uint32_t zs_hidden_key(const struct zs_renderer *r, uint32_t d, int32_t sign);
-/* A triangle of the current instance that is drawn, clockwise: what it hides, if it is large. */
-void zs_hidden_cover(struct zs_renderer *r, const struct zs_vertex *a, const struct zs_vertex *b, const struct zs_vertex *c);
-/* Of r->strip, where r->large: a depth up to which a vertex shows that its triangle is not hidden; UINT32_MAX: nothing is. */
-uint32_t zs_hidden_seen(struct zs_renderer *r);
-/* 1: no pixel of job->tri can win in this strip, or it has none in the columns that are drawn. Sets job->row_last. */
-int zs_hidden(struct zs_job *job);
 /* 1: nothing in columns [x0, x1) and rows [y0, y1) can win whose vertices' zs_vertex.d are `nearest` or more, in no strip
  * that is still to be drawn. Without a state. */
 struct zs_box {
     int32_t x0, x1, y0, y1; /* px */
 };
 int zs_hidden_box(struct zs_renderer *r, const struct zs_box *box, uint32_t nearest);
-/* The same of a sphere: bounds as in a walk. */
-int zs_hidden_sphere(struct zs_renderer *r, const struct zs_bounds *b);
 /* The next level of bounds: out[(h + 1) / 2][(w + 1) / 2], each the farthest of four of in[h][w], of two or one at the ends. */
 void zs_hidden_up(const uint16_t *in, uint32_t w, uint32_t h, uint16_t *out);
+
+/* ---- test.c ----------------------------------------------------------------------------------------- */
+
+/* Buckets to be added to each key of a triangle with a depth state: offset and slope. */
+int32_t zs_depth_state_bias(const struct zs_job *job);
+
+/* ---- edges.c ---------------------------------------------------------------------------------------- */
+
+/* Find the spans of rows from `row` on: of ZS_CUT_ROWS, or up to job->row_end. */
+void zs_edges_cut(struct zs_job *job, int32_t row);
 
 /* The span of a row: first sample at or right of its left edge, and of its right edge. */
 struct zs_cut {
@@ -364,6 +293,15 @@ struct zs_geom {
     int32_t tiny;               /* 1: the four differences are at most ZS_TINY, the area is at least ZS_TINY_AREA */
 };
 
+/* Pixels [i0, i1) of a row, on which keys are linear: sum / 65536, half a bucket added, changing by step. */
+typedef void zs_piece_fn(struct zs_job *job, const struct zs_row *row, int32_t i0, int32_t i1, uint32_t sum, uint32_t step);
+
+/* What splits a row's pieces. */
+enum zs_split {
+    ZS_SPLIT_WINDOW = 1, /* pixels beside r->window are left out */
+    ZS_SPLIT_TOUCH = 2   /* pixels that nothing was drawn on yet: zs_fast_touch */
+};
+
 /* How a textured triangle's coordinates become fractions of the texture's size. */
 struct zs_sampler {
     const struct zs_texture *texture;
@@ -379,45 +317,37 @@ struct zs_sampler {
 /* One triangle in one strip: the wide record, alive only while it is drawn. What rows, spans and set-up need comes first:
  * a Cortex-M0 reaches 124 bytes beyond a pointer at no extra cost. */
 struct zs_job {
-    struct zs_plane key;          /* screen-linear mappings; half a bucket added */
-    struct zs_plane c[3], w;      /* attributes, or attributes times w, and w (persp.h) */
-    uint16_t *color, *depth;      /* the strip; row 0 is row y0 of the frame */
-    int32_t y0, y1, width;        /* the strip's rows [y0, y1) */
-    int32_t row, cut_end, row_end; /* rows in the frame; spans of [row, cut_end) are in cut; to row_end in this strip */
-    uint32_t sub_log2;            /* of the sub-span; ZS_AFFINE: plain affine */
+    uint8_t saturates;            /* a key may reach 2^bits - 1 (rows.h) */
+    uint8_t split;                /* enum zs_split, or-ed */
+    uint8_t mid_right;            /* the middle vertex is to the right of the long edge */
+    uint8_t two_octaves;          /* depth/float.c: w is in `key` */
     struct zs_renderer *r;
     const struct zs_tri *tri;
     const struct zs_shader *shader;
-    const struct zs_vertex *v[3]; /* the top one, then the others so that the area is positive */
-    const struct zs_state *state; /* of the instance; NULL: none ... */
-    int32_t bias;                 /* ... else buckets added to every key */
-    uint8_t two_octaves;          /* what depth_float.c has its rows drawn by, with ZS_LEAN */
-    uint8_t saturates;            /* a key may reach 2^bits - 1 (rows.h) */
-    uint8_t fresh;                /* not 0: rows go part by part (fresh.c) */
-    uint8_t mid_right;            /* the middle vertex is to the right of the long edge */
+    int (*rows)(struct zs_job *job); /* of fast, where it may be asked; NULL: not */
+    const struct zs_state *state; /* of the instance; NULL: the usual ... */
+    zs_piece_fn *span;            /* zs_rows_test, or what is in its place */
+    zs_piece_fn *piece;           /* the same, or what splits a row's pieces first */
+    uint16_t *color, *depth;      /* the strip; row 0 is row y0 of the frame */
+    int32_t y0, y1, width;        /* the strip's rows [y0, y1) */
+    int32_t row, cut_end, row_end; /* rows in the frame; spans of [row, cut_end) are in cut; to row_end in this strip */
     int32_t row_mid;              /* first row below the middle vertex, in the strip or not */
     int32_t row_last;             /* one beyond the triangle's last row, in the strip or below it */
+    const struct zs_vertex *v[3]; /* the top one, then the others so that the area is positive */
+    struct zs_plane key;          /* screen-linear mappings; half a bucket added */
+    uint32_t key_limit;           /* no key of a vertex below it can saturate when rounded */
+    struct zs_plane c[3], w;      /* attributes, or attributes times w, and w (persp.h) */
+    uint32_t sub_log2;            /* of the sub-span; ZS_AFFINE: plain affine */
+    const struct zs_fast *fast;   /* of the shader; NULL: none */
+    int32_t bias;                 /* ... else buckets added to every key */
+    const struct zs_texture *texture; /* of the instance's material */
+    const struct zs_fast_texel *texel; /* of the texture's format; NULL: none */
     struct zs_geom geom;
     struct zs_sampler sampler;
     struct zs_cut cut[ZS_CUT_ROWS];
     struct zs_plane64 w64;        /* depth that is not linear on the screen: 1/z ... */
     int32_t w64_scale;            /* ... and its scale */
 };
-
-/* ---- fresh.c ----------------------------------------------------------------------------------------- */
-
-/* Before anything is drawn into r->strip; after: clears what nothing was drawn on. */
-void zs_fresh_begin(struct zs_renderer *r);
-void zs_fresh_end(struct zs_renderer *r);
-/* While r->fresh: 1: job->tri can be drawn on what is fresh, job->state says how; 0: nothing is fresh any more. */
-int zs_fresh_takes(struct zs_job *job);
-/* 1: rows of job->tri may go part by part; job->state is what it was before. */
-int zs_fresh_splits(struct zs_job *job);
-enum { ZS_FRESH = 1, ZS_PART = 2 }; /* job->fresh: it meets fresh pixels; only r->window is drawn */
-/* Where job->fresh: before the pieces of a row, once; then where the part ends that begins at pixel i of it, at most at
- * `end`: job->state says how to draw that. Linear or not, keys are those of the whole piece. */
-void zs_fresh_row(struct zs_job *job, const struct zs_row *row);
-int32_t zs_fresh_to(struct zs_job *job, const struct zs_row *row, int32_t i, int32_t end);
 
 /* ---- plane.c ---------------------------------------------------------------------------------------- */
 
@@ -431,12 +361,9 @@ enum zs_plane_kind { /* the numbers: gradients of 2^(32 - n) and more are found 
     ZS_PLANE_KEY = 5   /* buckets or codes, uq16_16: error below 0.005 of one */
 };
 #define ZS_TOO_STEEP INT32_MIN
-/* 256 n / area of a tiny triangle, nearly nearest; ZS_TOO_STEEP where it is 2^(32 - least_shift) or more. |n| <= 2^46; rcp
- * is 2^63 / (area * 2^shift), shift the leading zeros of the area, 2 .. 18. Where n has 32 bits its leading zeros need not be
- * known: they would be shifted in and out again. */
-#if ZS_DIVIDES
-int32_t zs_plane_quotient(int64_t n, uint32_t rcp, int32_t shift, int32_t least_shift);
-#endif
+/* 256 n / area, nearly nearest; ZS_TOO_STEEP where it is 2^(32 - least_shift) or more. |n| <= 2^48; rcp is 2^63 / (area 2^lz),
+ * lz the leading zeros of the area, 1 .. 31. */
+int32_t zs_plane_quotient(int64_t n, uint32_t rcp, int32_t lz, int32_t least_shift);
 void zs_plane32(const struct zs_geom *g, uint32_t v0, uint32_t v1, uint32_t v2,
                 enum zs_plane_kind kind, struct zs_plane *out);
 void zs_plane64(const struct zs_geom *g, uint64_t v0, uint64_t v1, uint64_t v2,

@@ -28,8 +28,6 @@
  */
 #include "core/pipeline.h"
 
-#if !ZS_LEAN /* raster.c has both in one */
-
 #define SMALL_EXTENT ZS_SMALL_EXTENT
 
 void zs_plane_sides(struct zs_job *job, const struct zs_vertex *a, const struct zs_vertex *b, const struct zs_vertex *c)
@@ -86,79 +84,57 @@ void zs_plane_geom(struct zs_job *job)
     g->ay = ja * ZS_SUBPX_ONE + ZS_SUBPX_HALF - y;
 }
 
-#endif
-
 #define TOO_STEEP ZS_TOO_STEEP
 
-/* 256 * n / area of a small triangle, nearly nearest; TOO_STEEP where it is 2^(32 - least_shift) or more. */
-static ZS_NOINLINE int32_t small_gradient(const struct zs_geom *g, int64_t n, int32_t least_shift)
-{
-    const uint64_t mag = n < 0 ? 0u - (uint64_t)n : (uint64_t)n;
-    if (mag == 0)
-        return 0;
-    const int lz = zs_clz64(mag);
-    const uint32_t hi = (uint32_t)(mag >> 32), lo = (uint32_t)mag;
-    const uint32_t m = hi ? hi << lz | lo >> 1 >> (31 - lz) : lo << (lz - 32); /* top 32 bits of mag << lz */
-    /* mag = m 2^(32 - lz), area = a 2^exp: 256 mag / area = p 2^(32 + 8 + 32 - lz - 63 - exp), p = m (2^63 / a) / 2^32 */
-    const int32_t shift = lz + g->exp - 9;
-    if (shift < least_shift)
-        return TOO_STEEP;
-    const uint32_t p = zs_umulh(m, g->rcp); /* [2^30, 2^32) */
-    const uint32_t q = shift > 32 ? 0u : ((p >> (shift - 1)) + 1u) >> 1;
-    return n < 0 ? -(int32_t)q : (int32_t)q; /* q <= 2^30 */
-}
-
-#if !ZS_LEAN
-#if ZS_DIVIDES /* small.c calls it too */
-#define TINY_GRADIENT static inline
-ZS_NOINLINE
+/* One call a gradient. Where a core has few registers, the whole of it is one function; elsewhere the quotient alone, which
+ * fast/small.h calls too. */
+#if ZS_DIVIDES
+#define ZS_GRADIENT ZS_ALWAYS_INLINE
 #else
-#define TINY_GRADIENT static ZS_NOINLINE
-ZS_ALWAYS_INLINE
+#define ZS_GRADIENT static ZS_NOINLINE
 #endif
-int32_t zs_plane_quotient(int64_t n, uint32_t rcp, int32_t shift, int32_t least_shift)
+
+ZS_ALWAYS_INLINE int32_t quotient(int64_t n, uint32_t rcp, int32_t lz, int32_t least_shift)
 {
+    /* Of m = |n| 2^k: 256 |n| / area = p / 2^(down + k) with p = m (2^63 / (area 2^lz)) / 2^32. Leading zeros of m, where it
+     * is |n| itself, would be shifted in and out again: floors follow each other. */
     const int32_t sign = (int32_t)(n >> 32);
     uint32_t m = (uint32_t)n, hi = (uint32_t)sign;
     if (sign < 0) {
         m = 0u - m;
         hi = ~hi + (m == 0);
     }
-    ZS_FACT(hi <= 1u << 14);
-    int32_t down = 23 - shift; /* 5 .. */
-    if (hi) {
-        const int lz = zs_clz32(hi); /* 17 .. 31 */
-        m = hi << lz | m >> (32 - lz);
-        down -= 32 - lz;
+    ZS_FACT(hi <= 1u << 16);
+    int32_t down = 23 - lz;
+    if (hi || down < least_shift) {
+        if (!(hi | m))
+            return 0;
+        const int32_t up = hi ? zs_clz32(hi) : zs_clz32(m); /* hi: 15 .. 31 */
+        m = hi ? hi << up | m >> (32 - up) : m << up;
+        down += hi ? up - 32 : up;
         if (down < least_shift)
             return TOO_STEEP;
     }
-    m = ((zs_umulh(m, rcp) >> (down - 1)) + 1u) >> 1;
+    m = ((zs_umulh(m, rcp) >> (down - 1)) + 1u) >> 1; /* down is 2 .. 22; m <= 2^30 */
     return sign < 0 ? -(int32_t)m : (int32_t)m;
 }
 
-/* 256 (dv1 d[1] - dv2 d[0]) / area of a tiny triangle. */
-TINY_GRADIENT int32_t tiny_gradient(const struct zs_geom *g, int32_t dv1, int32_t dv2, const int32_t d[2], int32_t least_shift)
+ZS_NOINLINE int32_t zs_plane_quotient(int64_t n, uint32_t rcp, int32_t lz, int32_t least_shift)
 {
-    return zs_plane_quotient(zs_cross_short(dv1, d[1], dv2, d[0]), g->rcp, -g->exp, least_shift);
-}
-#endif
-
-#if ZS_LEAN
-
-/* n / d with 32 fraction bits: floor in *whole, fraction returned. d < 2^45. */
-static uint32_t divide(int64_t n, int64_t d, int64_t *whole)
-{
-    const int64_t below = n >> 63; /* of n < 0, what is divided is -1 - n */
-    const uint64_t mag = (uint64_t)(n ^ below), q = zs_muldiv_u64(mag, 1, (uint64_t)d);
-    uint64_t rest = mag - q * (uint64_t)d;
-    *whole = (int64_t)q ^ below;
-    if (below)
-        rest = (uint64_t)d - 1u - rest;
-    return (uint32_t)zs_muldiv_u64(rest, (uint64_t)1 << 32, (uint64_t)d);
+    return quotient(n, rcp, lz, least_shift);
 }
 
-#else
+static ZS_RARE ZS_NOINLINE int64_t cross(int32_t a, int32_t b, int32_t c, int32_t d)
+{
+    return zs_mul_ss(a, b) - zs_mul_ss(c, d);
+}
+
+/* 256 (dv1 d[1] - dv2 d[0]) / area. |dv| <= 2^31, |d| <= 2^16: |.| <= 2^48 */
+ZS_GRADIENT int32_t gradient(const struct zs_geom *g, int32_t dv1, int32_t dv2, const int32_t d[2], int32_t least)
+{
+    const int64_t n = !ZS_CROSS_SHORT || g->tiny ? zs_cross_short(dv1, d[1], dv2, d[0]) : cross(dv1, d[1], dv2, d[0]);
+    return ZS_DIVIDES ? zs_plane_quotient(n, g->rcp, -g->exp, least) : quotient(n, g->rcp, -g->exp, least);
+}
 
 /* n / d with 32 fraction bits: floor in *whole, fraction returned. d < 2^45. */
 static ZS_RARE ZS_NOINLINE uint32_t divide(int64_t n, int64_t d, int64_t *whole)
@@ -209,17 +185,11 @@ static ZS_RARE ZS_NOINLINE uint32_t small_divide(const struct zs_geom *g, int64_
     return part;
 }
 
-#endif
-
 /* A gradient in 40.24 bits modulo 2^64, and the step to the anchor added to *base. */
 static ZS_RARE uint64_t gradient64(const struct zs_geom *g, uint64_t n, int32_t to_anchor, uint64_t *base)
 {
     int64_t whole;
-#if ZS_LEAN
-    const uint32_t part = divide((int64_t)n, g->area, &whole);
-#else
     const uint32_t part = g->rcp ? small_divide(g, (int64_t)n, &whole) : divide((int64_t)n, g->area, &whole);
-#endif
     *base += (zs_times((uint64_t)whole, to_anchor) << 24) + (uint64_t)(zs_mul_su(to_anchor, part) >> 8);
     return ((uint64_t)whole << 32) + part;
 }
@@ -243,23 +213,9 @@ static inline void small_base(const struct zs_geom *g, struct zs_plane *out)
     out->base += (uint32_t)((gx >> 8) * ax + (gy >> 8) * ay + (low >> 8)); /* |.| < 2^31 */
 }
 
-/* Any triangle: the small way if it and its values are, else 24 bits more, rounded. */
-static ZS_NOINLINE void any_plane(const struct zs_geom *g, int32_t dv1, int32_t dv2, struct zs_plane *out,
-                                  int32_t least)
+/* By 24 bits more, rounded: any triangle and any values. */
+static ZS_NOINLINE void wide_plane(const struct zs_geom *g, uint32_t v0, uint32_t v1, uint32_t v2, struct zs_plane *out)
 {
-    const uint32_t v0 = out->base, v1 = v0 + (uint32_t)dv1, v2 = v0 + (uint32_t)dv2; /* modulo 2^32 */
-    /* differences that fit 32 bits: the borrow and the sign bit agree */
-    if (g->rcp && (dv1 < 0) == (v1 < v0) && (dv2 < 0) == (v2 < v0)) {
-        /* |dv| <= 2^31, |d| <= 2^16: |.| <= 2^48 */
-        const int32_t gx = small_gradient(g, zs_mul_ss(dv1, g->dy2) - zs_mul_ss(dv2, g->dy1), least);
-        const int32_t gy = small_gradient(g, zs_mul_ss(dv2, g->dx1) - zs_mul_ss(dv1, g->dx2), least);
-        if (gx != TOO_STEEP && gy != TOO_STEEP) {
-            out->gx = (uint32_t)gx;
-            out->gy = (uint32_t)gy;
-            small_base(g, out);
-            return;
-        }
-    }
     struct zs_plane64 wide;
     zs_plane64(g, v0, v1, v2, &wide);
     out->gx = (uint32_t)((wide.gx + (1u << 23)) >> 24);
@@ -276,10 +232,9 @@ void zs_plane32(const struct zs_geom *g, uint32_t v0, uint32_t v1, uint32_t v2,
         out->gx = out->gy = 0;
         return;
     }
-#if !ZS_LEAN
-    if (g->tiny && !(((v0 ^ v1) | (v0 ^ v2)) >> 31)) { /* all three in one half: differences fit 32 bits */
-        const int32_t gx = tiny_gradient(g, dv1, dv2, g->dy, kind);
-        const int32_t up = tiny_gradient(g, dv1, dv2, g->dx, kind); /* -gy, rounded alike */
+    /* differences that fit 32 bits: those of values in one half do */
+    if (g->rcp && ((int32_t)((v1 ^ v0) | (v2 ^ v0)) >= 0 || ((dv1 < 0) == (v1 < v0) && (dv2 < 0) == (v2 < v0)))) {
+        const int32_t gx = gradient(g, dv1, dv2, g->dy, kind), up = gradient(g, dv1, dv2, g->dx, kind); /* up: -gy */
         if (gx != TOO_STEEP && up != TOO_STEEP) {
             out->gx = (uint32_t)gx;
             out->gy = 0u - (uint32_t)up;
@@ -287,6 +242,5 @@ void zs_plane32(const struct zs_geom *g, uint32_t v0, uint32_t v1, uint32_t v2,
             return;
         }
     }
-#endif
-    any_plane(g, dv1, dv2, out, kind);
+    wide_plane(g, v0, v1, v2, out);
 }

@@ -1,200 +1,25 @@
-/* A strip's triangles: lists, wide set-up, edges.
+/* A strip's triangles: lists, set-up, rows.
  *
- * Lists are kept in pool order, which is scene order but for instances that have no key in common (order.c), so that "nearer
- * wins" with a strict comparison is "least (key, scene order) wins".
- *
- * Edges. The span of row j, sampled at Y = 256 j + 128, is [first sample at or right of the left edge,
- * first sample at or right of the right edge): samples on a left edge are in, on a right edge out;
- * rows from the first sample at or below the top to the one at or below the bottom: top in, bottom out.
- * That is the top-left rule, and two triangles on an edge compute the same column for it.
- *
- * For an edge from (xa, ya) to (xb, yb), dy > 0, the sample i is at or right of it when
- *   256 dy i >= (xa - 128) dy + (Y - ya) dx
- * so the column is the right side over 256 dy, rounded up, carried on as quotient and remainder.
+ * Lists are kept in pool order, which is scene order, so that "nearer wins" with a strict comparison is "least (key, scene
+ * order) wins".
  *
  * SPDX-License-Identifier: MIT
  */
 #include "core/rows.h"
 
-/* ---- Edges ----------------------------------------------------------------------------------------- */
-
-#define EDGE32_MAX (1 << 15) /* sub-pixels: edges shorter than this each way need 32 bits only */
-
-/* (fraction * dy + off * part) / span of an edge that is entered below its first row; apart, because few are.
- * At most 2^14. */
-static ZS_NOINLINE int32_t edge_below(int32_t fraction, int32_t dy, int32_t off, int32_t part)
+static int32_t strip_rows(const struct zs_renderer *r)
 {
-    if (dy < EDGE32_MAX)
-        return (fraction * dy + off * part) / (dy * ZS_SUBPX_ONE);        /* < 2^23 + 2^30 */
-#if ZS_LEAN /* the same without a division of 64 bits */
-    return (fraction + (int32_t)zs_muldiv_u64((uint32_t)off, (uint32_t)part, (uint32_t)dy)) >> ZS_SUBPX_BITS;
-#else
-    return (int32_t)((zs_mul_ss(fraction, dy) + zs_mul_ss(off, part)) / (dy * ZS_SUBPX_ONE)); /* < 2^44.1 */
-#endif
+    return zs_min32(r->config.strip_h, r->config.height - r->strip * r->config.strip_h);
 }
 
-/* Columns of the edge that runs down from a to b, in n > 0 rows from `row` on, all of them between the two.
- * out[0], out[2], ...
- *
- * With dx = q dy + part the right side above over 256 dy is
- *   (lead + off q) / 256 + off part / (256 dy),  off part / (256 dy) < 1 in the first row of the edge. */
-static ZS_NOINLINE void edge_columns(int16_t *out, int32_t n, const struct zs_vertex *a, const struct zs_vertex *b,
-                         int32_t row)
+ZS_RARE void zs_raster_clear(struct zs_renderer *r)
 {
-    const int32_t dx = b->x - a->x, dy = b->y - a->y;                 /* |dx|, dy < 2^22 */
-    int32_t q = dx < 0 ? -1 : 0;
-    if ((uint32_t)(dx + dy) > (uint32_t)dy * 2u) { /* not steep: |dx| > dy */
-        q = dx / dy;
-        q -= dx < q * dy;
-    }
-    int32_t part = dx - q * dy;                                       /* [0, dy] */
-    ZS_FACT(part >= 0 && part <= dy);
-    const int32_t off = row * ZS_SUBPX_ONE + ZS_SUBPX_HALF - a->y;    /* 0 <= off <= dy */
-    const int32_t at = a->x - ZS_SUBPX_HALF + off * q;                /* < 2^24 */
-    int32_t i = at >> ZS_SUBPX_BITS, fraction = at & (ZS_SUBPX_ONE - 1);
-    uint32_t rest = zs_wrap_mul((uint32_t)fraction, dy) + zs_wrap_mul((uint32_t)off, part); /* modulo 2^32 */
-    const int32_t span = dy * ZS_SUBPX_ONE;                           /* < 2^30 */
-    if (off >= ZS_SUBPX_ONE) {
-        const int32_t k = edge_below(fraction, dy, off, part);
-        rest -= zs_wrap_mul((uint32_t)k, span);
-        i += k;
-    }
-    ZS_FACT(rest < (uint32_t)span * 2u);
-    int32_t e = -(int32_t)rest;                                       /* (-2 span, 0]; becomes [0, span) */
-    for (; e < 0; e += span)
-        i++;
-    *out = (int16_t)i; /* |.| <= 2^14 + 1 in rows of the triangle; e = i * span - exact */
-    part *= ZS_SUBPX_ONE;
-    for (int16_t *const end = out + 2 * n; (out += 2) != end; *out = (int16_t)i) {
-        i += q;
-        e -= part;
-        if (e < 0) {
-            e += span;
-            i++;
-        }
-        ZS_FACT(e >= 0 && e < span);
-    }
-}
-
-#if !ZS_LEAN
-
-/* A side of a tiny triangle: columns are sum / span, counted from ZS_TINY_SIDE left of the top corner, so that what is divided is
- * positive; a product is below 2^29.1. */
-struct side {
-    uint32_t sum, span, step;
-};
-
-/* From a corner x right of column 0, off above a row's samples, along an edge. */
-static inline struct side side_of(int32_t x, int32_t off, int32_t dx, int32_t dy)
-{
-    const uint32_t span = (uint32_t)dy * ZS_SUBPX_ONE;
-    const struct side s = { (uint32_t)(x * dy + off * dx) + span - 1u, span, (uint32_t)dx * ZS_SUBPX_ONE };
-    return s;
-}
-
-/* The next n rows. */
-static inline struct zs_cut *sides_cut(struct zs_cut *cut, int32_t n, int32_t from, struct side *left, struct side *right)
-{
-    for (struct zs_cut *const end = cut + n; cut != end; cut++) {
-        ZS_FACT(left->span >= ZS_SUBPX_ONE && right->span >= ZS_SUBPX_ONE); /* no rows beside a level edge */
-        cut->x0 = (int16_t)(from + (int32_t)(left->sum / left->span));
-        cut->x1 = (int16_t)(from + (int32_t)(right->sum / right->span));
-        left->sum += left->step;
-        right->sum += right->step;
-    }
-    return cut;
-}
-
-/* zs_raster_cuts by division, both sides at once, of a tiny triangle on cores that divide. */
-ZS_IN_ORDER static ZS_NOINLINE void tiny_cuts(struct zs_job *job, int32_t row, int32_t end)
-{
-    const struct zs_geom *g = &job->geom;
-    const int32_t ax = job->v[0]->x, ay = job->v[0]->y, from = (ax >> ZS_SUBPX_BITS) - ZS_TINY_SIDE;
-    const int32_t x = ax - ZS_SUBPX_HALF - from * ZS_SUBPX_ONE, off = row * ZS_SUBPX_ONE + ZS_SUBPX_HALF - ay;
-    const int32_t upper = zs_max32(zs_min32(job->row_mid, end) - row, 0); /* rows above the middle vertex */
-    struct side left = side_of(x, off, g->dx2, g->dy2), right = side_of(x, off, g->dx1, g->dy1);
-    struct zs_cut *const cut = sides_cut(job->cut, upper, from, &left, &right);
-    const int32_t lower = end - row - upper, down = off + upper * ZS_SUBPX_ONE;
-    if (lower <= 0)
-        return;
-    if (job->mid_right)
-        right = side_of(x + g->dx1, down - g->dy1, g->dx2 - g->dx1, g->dy2 - g->dy1);
-    else
-        left = side_of(x + g->dx2, down - g->dy2, g->dx1 - g->dx2, g->dy1 - g->dy2);
-    (void)sides_cut(cut, lower, from, &left, &right);
-}
-
-#endif
-
-void zs_raster_cuts(struct zs_job *job, int32_t row)
-{
-    const int32_t mid_right = job->mid_right, end = zs_min32(job->row_end, row + ZS_CUT_ROWS);
-    const struct zs_vertex *mid = job->v[2 - mid_right];
-    int16_t *piece = mid_right ? &job->cut[0].x1 : &job->cut[0].x0;
-    job->row = row;
-    job->cut_end = end;
-#if !ZS_LEAN
-    if (ZS_DIVIDES && job->geom.tiny) {
-        tiny_cuts(job, row, end);
-        return;
-    }
-#endif
-    edge_columns(mid_right ? &job->cut[0].x0 : &job->cut[0].x1, end - row, job->v[0], job->v[1 + mid_right], row);
-    const int32_t upper = zs_min32(job->row_mid, end) - row; /* rows above the middle vertex */
-    if (upper > 0) {
-        edge_columns(piece, upper, job->v[0], mid, row);
-        piece += 2 * upper;
-        row += upper;
-    }
-    if (row < end)
-        edge_columns(piece, end - row, mid, job->v[1 + mid_right], row);
+    const uint32_t n = (uint32_t)(r->config.width * strip_rows(r));
+    zs_fill16(r->color[0], zs_wire16(r->scene->background), n);
+    zs_fill16(r->depth, ZS_DEPTH_CLEAR, n);
 }
 
 /* ---- Set-up ------------------------------------------------------------------------------------------ */
-
-#if ZS_LEAN
-
-/* Fill job for its triangle in its strip: rows, sides, plane.c's geometry. Return 0 where it has no row there. */
-static int job_setup(struct zs_job *job)
-{
-    const struct zs_vertex *pool = job->r->vert;
-    const struct zs_vertex *a = &pool[job->tri->v[0]], *b = &pool[job->tri->v[1]], *c = &pool[job->tri->v[2]];
-    const int32_t b_row = zs_first_sample(b->y), c_row = zs_first_sample(c->y);
-    struct zs_geom *g = &job->geom;
-    job->row = zs_max32(zs_first_sample(a->y), job->y0);
-    job->row_end = zs_min32(zs_max32(b_row, c_row), job->y1);
-    if (job->row >= job->row_end)
-        return 0;
-    job->row_mid = zs_min32(b_row, c_row);
-    job->v[0] = a;
-    job->v[1] = b;
-    job->v[2] = c;
-    job->mid_right = b->y < c->y || (b->y == c->y && b->x < c->x);
-    g->dx1 = b->x - a->x; /* |.| < 2^22 */
-    g->dx2 = c->x - a->x;
-    g->dy1 = b->y - a->y;
-    g->dy2 = c->y - a->y;
-    g->area = zs_mul_ss(g->dx1, g->dy2) - zs_mul_ss(g->dx2, g->dy1); /* < 2^45 */
-    g->ia = a->x >> ZS_SUBPX_BITS;
-    g->ja = a->y >> ZS_SUBPX_BITS;
-    const int32_t width = zs_max32(zs_max32(g->dx1, g->dx2), 0) - zs_min32(zs_min32(g->dx1, g->dx2), 0);
-    if (width + zs_max32(g->dy1, g->dy2) <= ZS_SMALL_EXTENT) { /* the first vertex is the top one */
-        const int lz = zs_clz32((uint32_t)g->area); /* 1 .. 31: area <= width * height <= 2^30 */
-        g->exp = -lz;
-        g->rcp = zs_recip((uint32_t)g->area << lz);
-    } else {
-        g->rcp = 0;
-        g->ia = zs_min32(zs_max32(g->ia, 0), job->width - 1);
-        g->ja = zs_min32(zs_max32(g->ja, 0), job->r->config.height - 1);
-    }
-    g->ax = g->ia * ZS_SUBPX_ONE + ZS_SUBPX_HALF - a->x; /* small: -127 .. 128; large: < 2^22.1 */
-    g->ay = g->ja * ZS_SUBPX_ONE + ZS_SUBPX_HALF - a->y;
-    job->r->stats.tris_setup++;
-    zs_raster_cuts(job, job->row);
-    return 1;
-}
-
-#else
 
 /* 1: no row has a pixel, and there are no more rows than have been cut. */
 static int covers_nothing(const struct zs_job *job)
@@ -229,153 +54,81 @@ static ZS_NOINLINE int job_setup(struct zs_job *job)
     if (!sides(job))
         return 0;
     job->r->stats.tris_setup++;
-    zs_raster_cuts(job, job->row);
+    zs_edges_cut(job, job->row);
     if (covers_nothing(job))
         return 0;
     zs_plane_geom(job);
     return 1;
 }
 
-#endif
+/* ---- Rows -------------------------------------------------------------------------------------------- */
 
-#if !ZS_LEAN
-
-ZS_ALWAYS_INLINE void keys_span(struct zs_job *job, const struct zs_row *row)
+/* The columns of a piece that are drawn. */
+static void window_piece(struct zs_job *job, const struct zs_row *row, int32_t i0, int32_t i1, uint32_t sum, uint32_t step)
 {
-    if (job->fresh)
-        zs_fresh_row(job, row);
-    zs_rows_piece(job, row, row->i0, row->i1 - row->i0, row->key + zs_wrap_mul(job->key.gx, row->i0), job->key.gx);
-}
-
-/* Not inline, so that its frame is not on the stack below start(). */
-ZS_NOINLINE void zs_raster_spans(struct zs_job *job)
-{
-    zs_rows_walk(job, keys_span);
-}
-
-#endif
-
-void zs_raster_keys(struct zs_job *job)
-{
-    const struct zs_shader *shader = job->shader;
-    zs_plane32(&job->geom, job->v[0]->d, job->v[1]->d, job->v[2]->d, ZS_PLANE_KEY, &job->key);
-    job->key.base += 0x8000u; /* nearest: half a bucket; keys stay below 2^32 - 2^15 (plane.c) */
-#if ZS_LEAN
-    (void)shader;
-    zs_raster_rows(job, 1);
-#else
-    if (!job->state) {
-        shader->rows(job);
+    const struct zs_renderer *r = job->r;
+    const int32_t from = zs_max32(i0, r->window[0]), to = zs_min32(i1, r->window[1]);
+    job->r->stats.pixels_tested -= (uint32_t)(i1 - i0 - zs_max32(to - from, 0)); /* they are counted by rows */
+    if (from >= to)
         return;
-    }
-    job->saturates = (uint8_t)zs_keys_may_saturate(job);
-    if (shader->start)
-        shader->start(job);
-    zs_raster_spans(job);
-#endif
+    sum += zs_wrap_mul(step, from - i0);
+    if (job->split & ZS_SPLIT_TOUCH)
+        r->touch->piece(job, row, from, to, sum, step);
+    else
+        job->span(job, row, from, to, sum, step);
 }
 
-#if ZS_LEAN
-
-/* Test pixels [i0, i1) of a row, and colour those runs of them that are nearest. */
-static void plain_span(struct zs_job *job, const struct zs_row *row, int32_t i0, int32_t i1, uint32_t sum, uint32_t gx)
+static void linear_span(struct zs_job *job, const struct zs_row *row)
 {
-    const struct zs_shader *shader = job->shader;
-    const uint32_t top = (job->r->view.key_top >> 16) - 1u;
-    uint16_t *const line = job->depth + row->at, *at = line + i0, *const end = line + i1;
-    for (; at < end; at++, sum += gx) { /* at a pixel that lost */
-        const uint16_t *const from = at;
-        for (uint32_t key; at < end && (key = zs_minu32(sum >> 16, top)) < *at; sum += gx)
-            *at++ = (uint16_t)key;
-        if (at > from) {
-            zs_rows_written(job, (int32_t)(at - from));
-            shader->run(job, row, (int32_t)(from - line), (int32_t)(at - line));
-        }
-    }
+    if (job->split & ZS_SPLIT_TOUCH)
+        job->r->touch->row(job, row);
+    job->piece(job, row, row->i0, row->i1, row->key + zs_wrap_mul(job->key.gx, row->i0), job->key.gx);
 }
 
-void zs_raster_span(struct zs_job *job, const struct zs_row *row, int32_t i0, int32_t i1, uint32_t sum, uint32_t gx)
+static void curved_span(struct zs_job *job, const struct zs_row *row)
 {
-    if (job->state) {
-        const struct zs_state_kernel *kernel = job->state->kernel;
-        kernel->span(job, row, i0, i1, sum, gx);
-    } else {
-        plain_span(job, row, i0, i1, sum, gx);
-    }
+    const struct zs_depth *depth = job->r->config.depth;
+    if (job->split & ZS_SPLIT_TOUCH)
+        job->r->touch->row(job, row);
+    depth->row(job, row);
 }
 
-void zs_raster_rows(struct zs_job *job, int linear)
+/* Both apart, so that their frames are not on the stack below start. */
+static ZS_NOINLINE void linear_walk(struct zs_job *job)
 {
-    struct zs_renderer *r = job->r;
-    const struct zs_depth *depth = r->config.depth;
-    const struct zs_shader *shader = job->shader;
-    struct zs_row row;
-    if (shader->start)
-        shader->start(job);
-    row.y = job->row;
-    row.at = (row.y - job->y0) * job->width; /* < 2^24 */
-    row.key = job->key.base - zs_wrap_mul(job->key.gx, job->geom.ia) + zs_wrap_mul(job->key.gy, row.y - job->geom.ja);
-    for (;;) {
-        for (const struct zs_cut *cut = job->cut; row.y < job->cut_end; row.y++, cut++) {
-            row.x0 = cut->x0;
-            row.x1 = cut->x1;
-            row.i0 = zs_max32(row.x0, 0);
-            row.i1 = zs_min32(row.x1, job->width);
-            if (row.i0 < row.i1) {
-                r->stats.pixels_tested += (uint32_t)(row.i1 - row.i0);
-                if (linear)
-                    zs_raster_span(job, &row, row.i0, row.i1, row.key + zs_wrap_mul(job->key.gx, row.i0), job->key.gx);
-                else
-                    depth->row(job, &row);
-            }
-            row.key += job->key.gy;
-            row.at += job->width;
-        }
-        if (row.y >= job->row_end)
-            break;
-        zs_raster_cuts(job, row.y);
-    }
+    zs_rows_walk(job, linear_span, 0);
 }
 
-#endif
+ZS_IN_ORDER static ZS_NOINLINE void curved_walk(struct zs_job *job)
+{
+    zs_rows_walk(job, curved_span, 1);
+}
 
+/* Gradients of a triangle whose edges are set up, and its rows. */
 static ZS_NOINLINE void draw(struct zs_job *job)
 {
     const struct zs_renderer *r = job->r;
     const struct zs_depth *depth = r->config.depth;
-    if (job->state) {
-        const struct zs_state_kernel *kernel = job->state->kernel;
-        job->bias = kernel->bias(job);
+    const struct zs_shader *shader = job->shader;
+    const int linear = r->view.screen_linear || depth->planes(job);
+    const uint32_t a = job->v[0]->d, b = job->v[1]->d, c = job->v[2]->d, limit = job->key_limit;
+    job->saturates = a >= limit || b >= limit || c >= limit;
+    if (linear) {
+        zs_plane32(&job->geom, a, b, c, ZS_PLANE_KEY, &job->key);
+        job->key.base += 0x8000u; /* nearest: half a bucket; keys stay below 2^32 - 2^15 (plane.c) */
     }
-    if (r->view.screen_linear)
-        zs_raster_keys(job);
+    if (job->state)
+        job->bias = zs_depth_state_bias(job);
+    if (shader->start)
+        shader->start(job);
+    if (linear && job->rows && !job->split && job->rows(job))
+        return;
+    job->piece = job->split & ZS_SPLIT_WINDOW ? window_piece : job->split ? r->touch->piece : job->span;
+    if (linear)
+        linear_walk(job);
     else
-        depth->rows(job);
+        curved_walk(job);
 }
-
-#if ZS_LEAN
-
-/* All triangles of the pool, which is in scene order, are looked at. */
-void zs_raster_strip(struct zs_renderer *r)
-{
-    struct zs_job job;
-    job.r = r;
-    job.color = r->color[0];
-    job.depth = r->depth;
-    job.y0 = r->strip * r->config.strip_h;
-    job.y1 = zs_min32(job.y0 + r->config.strip_h, r->config.height);
-    job.width = r->config.width;
-    for (uint32_t t = 0; t < r->n_tris; t++) {
-        job.tri = &r->tri[t];
-        const struct zs_instance *instance = &r->scene->instance[job.tri->instance];
-        job.shader = instance->material->shader;
-        job.state = instance->state;
-        if (job_setup(&job))
-            draw(&job);
-    }
-}
-
-#else
 
 /* ---- Lists ------------------------------------------------------------------------------------------- */
 
@@ -418,6 +171,35 @@ void zs_raster_pass(struct zs_renderer *r)
     r->active = take_list(r); /* those that end here too: they have no row in a strip below */
 }
 
+/* ---- The strip --------------------------------------------------------------------------------------- */
+
+/* What is hidden in a strip, or beside the columns of it that are drawn. */
+struct sight {
+    uint32_t seen;   /* zs_fast_tiles.seen; UINT32_MAX: nothing is asked any more */
+    int32_t in_vain; /* triangles in a row that turned out not to be hidden */
+    int beside;      /* 1: not all columns are drawn in which triangles are */
+};
+#define IN_VAIN 16 /* no more are asked */
+
+static struct sight sight_of(struct zs_renderer *r)
+{
+    struct sight s = { UINT32_MAX, 0, r->window[0] > r->walk_least || r->window[1] < r->walk_most };
+    if (r->large)
+        s.seen = r->tiles->seen(r);
+    return s;
+}
+
+/* Is a triangle beside the columns that are drawn? */
+static int beside(struct zs_job *job)
+{
+    const struct zs_vertex *pool = job->r->vert;
+    const uint16_t *v = job->tri->v, *window = job->r->window;
+    const struct zs_vertex *a = &pool[v[0]], *b = &pool[v[1]], *c = &pool[v[2]];
+    job->row_last = zs_first_sample(zs_max32(b->y, c->y)); /* a is the top one */
+    return zs_first_sample(zs_min32(zs_min32(a->x, b->x), c->x)) >= window[1] ||
+           zs_first_sample(zs_max32(zs_max32(a->x, b->x), c->x)) <= window[0];
+}
+
 /* Are all of a triangle's vertices beyond a depth? */
 static inline int beyond(const struct zs_job *job, uint32_t d)
 {
@@ -426,66 +208,117 @@ static inline int beyond(const struct zs_job *job, uint32_t d)
     return pool[v[0]].d > d && pool[v[1]].d > d && pool[v[2]].d > d;
 }
 
-#define IN_VAIN 16 /* triangles of a strip that turned out not to be hidden: no more are asked */
+/* 1: job->tri leaves no pixel in the strip; job->row_last is set. */
+static ZS_NOINLINE int unseen(struct zs_job *job, struct sight *s)
+{
+    if (s->beside && beside(job))
+        return 1;
+    if (s->seen == UINT32_MAX || !beyond(job, s->seen))
+        return 0;
+    const int hides = job->r->tiles->hides(job);
+    s->in_vain = hides ? 0 : s->in_vain + 1;
+    if (s->in_vain == IN_VAIN)
+        s->seen = UINT32_MAX;
+    return hides;
+}
+
+/* The accelerator of a shader, or of a texel format; NULL: there is none. */
+static const struct zs_fast *fast_of(const struct zs_renderer *r, const struct zs_shader *shader, const struct zs_texel *format)
+{
+    if (r->config.fast)
+        for (const struct zs_fast *const *at = r->config.fast; *at; at++)
+            if ((shader && (*at)->shader == shader) || (format && (*at)->format == format))
+                return *at;
+    return 0;
+}
+
+/* job's for triangles of another instance. Return what draws them before they are set up; NULL: nothing. */
+static ZS_NOINLINE int (*instance_begin(struct zs_job *job, uint32_t number))(struct zs_job *)
+{
+    const struct zs_renderer *r = job->r;
+    const struct zs_instance *instance = &r->scene->instance[number];
+    const struct zs_material *material = instance->material;
+    if (job->shader != material->shader) {
+        job->shader = material->shader;
+        job->fast = fast_of(r, job->shader, 0);
+    }
+    if (job->texture != material->texture) {
+        job->texture = material->texture;
+        const struct zs_fast *of = fast_of(r, 0, job->texture ? job->texture->format : 0);
+        job->texel = of ? of->texel : 0;
+    }
+    job->state = instance->state;
+    job->split = 0;
+    job->span = zs_rows_test;
+    job->rows = 0;
+    if (job->state || !job->fast)
+        return 0;
+    job->rows = job->fast->rows;
+    if (job->fast->span)
+        job->span = job->fast->span;
+    return !r->untouched && r->view.piece_shift ? job->fast->draw : 0;
+}
+
+#define ASIDE 24 /* columns beside those that are drawn: splitting rows costs less than so many pixels */
+
+/* Does so much of job->tri lie beside the columns that are drawn that its rows are split? */
+static int reaches_beside(const struct zs_job *job)
+{
+    const struct zs_vertex *pool = job->r->vert;
+    const uint16_t *v = job->tri->v, *window = job->r->window;
+    const int32_t a = pool[v[0]].x, b = pool[v[1]].x, c = pool[v[2]].x;
+    const int32_t left = window[0] * ZS_SUBPX_ONE - zs_min32(zs_min32(a, b), c);
+    const int32_t right = zs_max32(zs_max32(a, b), c) - window[1] * ZS_SUBPX_ONE;
+    return zs_max32(left, right) >= ASIDE * ZS_SUBPX_ONE;
+}
+
+static void job_begin(struct zs_job *job, struct zs_renderer *r)
+{
+    job->r = r;
+    job->color = r->color[0];
+    job->depth = r->depth;
+    job->y0 = r->strip * r->config.strip_h;
+    job->y1 = job->y0 + strip_rows(r);
+    job->width = r->config.width;
+    job->shader = 0;
+    job->fast = 0;
+    job->texture = 0;
+    job->texel = 0;
+    job->key_limit = r->view.key_top - 0x10000u; /* half a bucket and the error of the plane (plane.c) below B - 1 */
+    r->lit.of = 0;
+}
 
 void zs_raster_strip(struct zs_renderer *r)
 {
-    const int32_t y0 = r->strip * r->config.strip_h;
-    const int32_t y1 = zs_min32(y0 + r->config.strip_h, r->config.height);
     const int goes_on = r->strip + 1 < r->band_end;
-    uint16_t list = take_list(r);
-
+    const int part = r->window[1] - r->window[0] < r->config.width;
+    uint16_t list = take_list(r), *keep = &r->active; /* grows at its end: stays ascending */
+    uint32_t number = ZS_NIL;                         /* of the instance that is known; not one's, there are at most 65535 */
     struct zs_job job;
-    job.r = r;
-    job.color = r->color[0];
-    job.depth = r->depth;
-    job.y0 = y0;
-    job.y1 = y1;
-    job.width = r->config.width;
-    job.fresh = 0;
-    r->lit.of = 0;
-    uint32_t number = ZS_NIL; /* of the instance that is known; not one's, there are at most 65535 */
-    int small = 0;
-    uint16_t *keep = &r->active; /* grows at its end: stays ascending */
-    uint32_t seen = r->large ? zs_hidden_seen(r) : UINT32_MAX;
-    int32_t in_vain = 0;
-    if (r->window[0] > r->walk_least || r->window[1] < r->walk_most) { /* all are asked */
-        seen = 0;
-        in_vain = INT32_MIN;
-    }
-    const int part = r->window[1] - r->window[0] < r->config.width; /* then there is a track */
-    const struct zs_track_kernel *track = r->track;
+    int (*whole)(struct zs_job *) = 0;
+    job_begin(&job, r);
+    struct sight sight = sight_of(r);
+    const int asked = sight.beside || sight.seen != UINT32_MAX;
     while (list != ZS_NIL) {
         struct zs_tri *t = &r->tri[list];
         job.tri = t;
-        int hides = 0;
-        if (seen != UINT32_MAX && beyond(&job, seen)) {
-            hides = zs_hidden(&job);
-            r->stats.tris_hidden += (uint32_t)hides;
-            in_vain = hides ? 0 : in_vain + 1;
-            if (in_vain == IN_VAIN)
-                seen = UINT32_MAX;
-        }
-        if (t->instance != number) {
-            const struct zs_instance *instance = &r->scene->instance[t->instance];
-            number = t->instance;
-            job.shader = instance->material->shader;
-            job.state = instance->state;
-            job.fresh = 0;
-            small = ZS_DIVIDES && !r->fresh && r->view.piece_shift && !job.state && job.shader->small;
-        }
-        const struct zs_shader *shader = job.shader;
-        if (!hides) {
-            if (r->fresh && !zs_fresh_takes(&job))
+        if (asked && unseen(&job, &sight)) {
+            r->stats.tris_hidden++;
+        } else {
+            if (t->instance != number) {
+                number = t->instance;
+                whole = instance_begin(&job, number);
+            }
+            if (r->untouched && !r->touch->takes(&job))
                 number = ZS_NIL; /* small triangles from now on */
-            if (!(small && shader->small(&job))) {
-                if (part && !r->fresh)
-                    track->split(&job);
+            if (!whole || !whole(&job)) {
+                if (part && !r->untouched)
+                    job.split = reaches_beside(&job) ? ZS_SPLIT_WINDOW : 0;
                 if (job_setup(&job))
                     draw(&job);
             }
         }
-        if (goes_on && job.row_last > y1) {
+        if (goes_on && job.row_last > job.y1) {
             *keep = list;
             keep = &t->next;
         }
@@ -493,6 +326,3 @@ void zs_raster_strip(struct zs_renderer *r)
     }
     *keep = ZS_NIL;
 }
-
-
-#endif

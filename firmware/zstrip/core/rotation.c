@@ -91,12 +91,7 @@ int zs_unit(zs_q2_30 out[3], const int32_t v[3])
     const uint64_t square = scaled(w, v, zs_clz32(mag) - 1);
     const int64_t length = zs_isqrt64(square); /* [2^30, 2^31.8), floor: relative error < 2^-30 */
     for (int k = 0; k < 3; k++) {
-#if ZS_LEAN /* the same without a division of 64 bits */
-        const int64_t part = (int64_t)zs_muldiv_u64((uint64_t)(w[k] < 0 ? -w[k] : w[k]), (uint64_t)1 << 31, (uint64_t)length);
-        const int64_t n = w[k] < 0 ? -part : part;
-#else
         const int64_t n = w[k] * ((int64_t)1 << 31) / length; /* q1_31, truncated; < 2^62 / 2^30 */
-#endif
         out[k] = (int32_t)zs_round_shift(n, 1);
     }
     return ZS_OK;
@@ -120,24 +115,10 @@ void zs_cross(zs_q2_30 out[3], const zs_q2_30 a[3], const zs_q2_30 b[3])
         out[k] = (int32_t)zs_round_shift(zs_cross_at(a, b, k), 30);
 }
 
-#if ZS_LEAN
-int64_t zs_cross_at(const int32_t a[3], const int32_t b[3], int k)
-{
-    const int i = k == 2 ? 0 : k + 1, j = k == 0 ? 2 : k - 1;
-    return zs_mul_ss(a[i], b[j]) - zs_mul_ss(a[j], b[i]);
-}
-
-#define dot_q60 zs_dot
-int64_t zs_dot(const int32_t a[3], const int32_t b[3])
-{
-    return zs_mul_ss(a[0], b[0]) + zs_mul_ss(a[1], b[1]) + zs_mul_ss(a[2], b[2]);
-}
-#else
 static ZS_NOINLINE int64_t dot_q60(const zs_q2_30 *a, const zs_q2_30 *b)
 {
     return zs_dot(a, b);
 }
-#endif
 
 int zs_rotation_ok(const zs_q2_30 m[9])
 {

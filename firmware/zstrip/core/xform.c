@@ -19,86 +19,6 @@
 #define OUT_Y ((int32_t)1 << 30)
 _Static_assert(OUT_Y - 2 * ZS_GUARD_SUBPX > 65536, "vertices outside must be far from those inside");
 
-#if ZS_LEAN
-
-int zs_xform_instance(struct zs_renderer *r, uint32_t number, const struct zs_bounds *b)
-{
-    struct zs_xform *xf = &r->xform;
-    const struct zs_view *view = &r->view;
-    const struct zs_instance *in = &r->scene->instance[number];
-    if (zs_view_length(view, b->reach) >= 1 << 30)
-        return 0;
-    xf->instance = in;
-    xf->number = number;
-
-    /* scale = mantissa * 2^exp / 2^32, mantissa in [2^30, 2^31); m = rotation * mantissa / 2^31 */
-    const uint64_t scale = (uint64_t)in->mesh->scale * in->pose.scale; /* < 2^48 */
-    const int32_t exp = 33 - zs_clz64(scale);
-    const uint32_t mantissa = (uint32_t)zs_mulshift_s64((int64_t)scale, 1u << 31, exp + 31);
-    const int32_t all = 31 - exp - view->shift + (in->mesh->pos_lo ? 8 : 0); /* positions count in 1/256 steps */
-    ZS_ASSERT(all >= 0);
-    const int32_t shift = zs_min32(all, SHIFT_MAX), extra = zs_min32(all - shift, 30);
-    zs_q2_30 both[9];
-    int32_t from[3];
-    zs_rotation_mul(both, view->rot, in->pose.rot);
-    for (int k = 0; k < 3; k++)
-        from[k] = in->pose.pos[k] - view->pos[k];
-    for (int k = 0; k < 3; k++) {
-        int64_t sum = 0; /* transposed rotation: world to mesh */
-        for (int j = 0; j < 3; j++) {
-            sum += zs_mul_ss(in->pose.rot[3 * j + k], r->scene->light.dir[j]);
-            xf->m[k][j] = (int32_t)zs_round_shift(zs_mul_su(both[3 * k + j], mantissa), 31 + extra);
-        }
-        xf->light[k] = (int32_t)zs_round_shift(sum, 30); /* <= 2^30 (1 + 2^-19) */
-        xf->t[k] = zs_scale2(zs_dot(view->rot + 3 * k, from), view->shift + shift - 30);
-    }
-    xf->shift = shift;
-    return 1;
-}
-
-void zs_xform_vertex(const struct zs_xform *xf, uint32_t v, struct zs_point *out)
-{
-    const struct zs_mesh *mesh = xf->instance->mesh;
-    int32_t p[3];
-    for (int j = 0; j < 3; j++) {
-        p[j] = mesh->pos[v][j];
-        if (mesh->pos_lo)
-            p[j] = p[j] * 256 + mesh->pos_lo[v][j];
-    }
-    for (int k = 0; k < 3; k++)
-        out->c[k] = (int32_t)zs_round_shift(xf->t[k] + zs_dot(xf->m[k], p), xf->shift);
-}
-
-/* c * rcp / 2^shift, nearest by magnitude, so that a mirrored scene snaps to mirrored places; just beside the guard band
- * where beyond it. */
-static int32_t placed(const struct zs_view *view, int32_t c, uint32_t rcp, int32_t shift)
-{
-    const int32_t most = (int32_t)ZS_GUARD_SUBPX >> view->snap;
-    const int64_t twice = zs_mulshift_s64(c < 0 ? -(int64_t)c : c, rcp, shift + view->snap - 1);
-    int32_t v = (int32_t)((uint32_t)twice + 1u) >> 1 << view->snap;
-    if (twice > 2 * most)
-        v = (int32_t)ZS_GUARD_SUBPX + 1;
-    return c < 0 ? -v : v;
-}
-
-void zs_xform_project(const struct zs_renderer *r, const struct zs_point *p, struct zs_vertex *out)
-{
-    const struct zs_view *view = &r->view;
-    const struct zs_depth *depth = r->config.depth;
-    const int32_t z = p->c[2];
-    uint32_t rcp = 1u << 31;
-    int32_t lz = 0, shift = 31 + view->scale_bits;
-    if (view->perspective) {
-        lz = zs_clz32((uint32_t)z);            /* 1 .. 23: z in [2^8, 2^30] */
-        rcp = zs_recip((uint32_t)z << lz);     /* 2^(63 - lz) / z */
-        shift = 63 - lz - view->scale_bits;    /* 9 .. 54 */
-    }
-    out->x = view->cx + placed(view, p->c[0], rcp, shift);
-    out->y = view->cy + placed(view, p->c[1], rcp, shift);
-    out->d = depth->vertex(view, z, rcp, lz);
-}
-
-#else
 
 /* Clip tests that no vertex of the instance can fail are left out. */
 static ZS_RARE void clip_needs(struct zs_xform *xf, const struct zs_renderer *r, const struct zs_bounds *b,
@@ -430,4 +350,3 @@ void zs_xform_screen(const struct zs_renderer *r, uint32_t v, uint32_t n, struct
         screen_any(r, v, n, out);
 }
 
-#endif

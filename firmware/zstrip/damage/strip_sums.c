@@ -28,7 +28,7 @@ static void watch_look(struct zs_renderer *r, struct zs_strip *out)
     uint32_t first = out->w, end = 0;
     for (uint32_t x = 0; x < out->w; x += step, sum++) {
         const uint32_t w = out->w - x < step ? out->w - x : step;
-        if (!ZS_LEAN && (x < r->window[0] || x + w > r->window[1]))
+        if (x < r->window[0] || x + w > r->window[1])
             continue; /* not drawn, or drawn in part: as it was (make_due(), track.c) */
         const uint64_t now = cell_sum((const uint16_t *)(const void *)out->px + x, w, out->h, out->w, !(out->w & 1u));
         if (now == *sum)
@@ -54,7 +54,7 @@ static void watch_forget(struct zs_renderer *r, const struct zs_rect *rect)
     }
 }
 
-static const struct zs_watch_kernel zs_watch_sums = { watch_look, watch_forget };
+static const struct zs_watch_kernel zs_watch_sums = { .look = watch_look, .forget = watch_forget };
 
 int zs_watch(struct zs_renderer *r, uint64_t *sum, uint32_t columns)
 {

@@ -43,7 +43,7 @@ static ZS_NOINLINE void make_due(struct zs_renderer *r, uint32_t first, uint32_t
     const uint32_t width = r->config.width;
     if (x >= x_end)
         return;
-    if (!ZS_LEAN && r->watch) {
+    if (r->watch) {
         const uint32_t step = zs_watch_step(r);
         x = x / step * step;
         x_end = (x_end + step - 1u) / step * step;
@@ -52,7 +52,7 @@ static ZS_NOINLINE void make_due(struct zs_renderer *r, uint32_t first, uint32_t
     x_end = zs_minu32((x_end + ZS_TRACK_GRAIN - 1u) & (0u - ZS_TRACK_GRAIN), width);
     for (uint32_t *due = r->track_due + first, *const last = r->track_due + end; due < last; due++) {
         const uint32_t old = *due ? *due : width; /* first + end * 2^16 */
-        *due = ZS_LEAN ? width << 16 : zs_minu32(old & 65535u, x) | zs_maxu32(old >> 16, x_end) << 16;
+        *due = zs_minu32(old & 65535u, x) | zs_maxu32(old >> 16, x_end) << 16;
     }
 }
 
@@ -173,7 +173,7 @@ static void find_strips(struct zs_renderer *r, uint32_t number)
         return;
     rec->first = strip_at(r, at[0], 0);
     rec->end = strip_at(r, at[1], r->config.strip_h - 1u);
-    if (ZS_LEAN || !r->track_columns || rec->first >= rec->end || !sphere_extent(at, r, &b, 0))
+    if (!r->track_columns || rec->first >= rec->end || !sphere_extent(at, r, &b, 0))
         return;
     rec->x = (uint16_t)zs_max32(zs_first_sample(at[0]), 0);
     rec->x_end = (uint16_t)zs_max32(zs_min32(zs_first_sample(at[1]), rec->x_end), 0);
@@ -253,8 +253,7 @@ static int track_due(struct zs_renderer *r)
 {
     uint32_t *due = r->track_due + r->strip;
     const int draw = *due != 0;
-    if (!ZS_LEAN)
-        window_of(r->window, r, *due);
+    window_of(r->window, r, *due);
     *due = 0;
     if (!draw) {
         r->stats.strips_unchanged++;
@@ -264,8 +263,6 @@ static int track_due(struct zs_renderer *r)
     }
     return draw;
 }
-
-#if !ZS_LEAN
 
 static int track_touches(const struct zs_renderer *r, uint32_t number, struct zs_part *part)
 {
@@ -293,8 +290,6 @@ static int track_touches(const struct zs_renderer *r, uint32_t number, struct zs
     return end != 0;
 }
 
-#endif
-
 static void track_forget(struct zs_renderer *r, const struct zs_rect *rect)
 {
     const uint32_t width = r->config.width;
@@ -306,62 +301,8 @@ static void track_forget(struct zs_renderer *r, const struct zs_rect *rect)
     r->band_end = 0; /* in a frame: what is binned lacks instances of strips that were not due */
 }
 
-#if !ZS_LEAN
-
-/* ---- Columns of a strip ------------------------------------------------------------------------------------ */
-
-#define ASIDE 24 /* columns beside those that are drawn: splitting rows costs less than so many pixels */
-
-static int32_t no_bias(const struct zs_job *job)
-{
-    (void)job;
-    return 0;
-}
-
-/* A piece of a row that is not drawn. */
-static void beside_span(struct zs_job *job, const struct zs_row *row, int32_t i, int32_t to, uint32_t sum, uint32_t gx)
-{
-    (void)row;
-    (void)sum;
-    (void)gx;
-    job->r->stats.pixels_tested -= (uint32_t)(to - i); /* they are counted by rows */
-}
-
-static const struct zs_state_kernel zs_state_beside = { no_bias, beside_span };
-static const struct zs_state beside = { &zs_state_beside, 0, 0, 0, 0 };
-
-static void track_split(struct zs_job *job)
-{
-    const struct zs_vertex *pool = job->r->vert;
-    const int32_t a = pool[job->tri->v[0]].x, b = pool[job->tri->v[1]].x, c = pool[job->tri->v[2]].x;
-    const int32_t left = job->r->window[0] * ZS_SUBPX_ONE - zs_min32(zs_min32(a, b), c);
-    const int32_t right = zs_max32(zs_max32(a, b), c) - job->r->window[1] * ZS_SUBPX_ONE;
-    if (!zs_fresh_splits(job) || zs_max32(left, right) < ASIDE * ZS_SUBPX_ONE)
-        return;
-    job->state = &beside;
-    job->fresh = ZS_PART;
-}
-
-static int32_t track_part(struct zs_job *job, int32_t i, int32_t end)
-{
-    const uint16_t *window = job->r->window;
-    job->state = &beside;
-    if (i >= window[1])
-        return end;
-    if (i < window[0])
-        return zs_min32(end, window[0]);
-    job->state = 0;
-    return zs_min32(end, window[1]);
-}
-
-static const struct zs_track_kernel zs_track_sums = { track_check, track_due, track_forget, track_touches, track_split,
-                                                      track_part };
-
-#else
-
-static const struct zs_track_kernel zs_track_sums = { track_check, track_due, track_forget };
-
-#endif
+static const struct zs_track_kernel zs_track_sums = { .check = track_check, .due = track_due, .forget = track_forget,
+                                                      .touches = track_touches };
 
 int zs_track(struct zs_renderer *r, uint32_t *memory, uint32_t n_instances)
 {
@@ -375,10 +316,8 @@ int zs_track(struct zs_renderer *r, uint32_t *memory, uint32_t n_instances)
     r->track_memory = memory;
     r->track_instances = (uint16_t)n_instances;
     r->track_columns = 0;
-    if (!ZS_LEAN) {
-        r->window[0] = 0;
-        r->window[1] = r->config.width;
-    }
+    r->window[0] = 0;
+    r->window[1] = r->config.width;
     if (memory) {
         r->track_due = (uint32_t *)(void *)(records(r) + n_instances);
         memory[0] = memory[1] = 0; /* no frame's sum */

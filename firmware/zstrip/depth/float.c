@@ -174,8 +174,6 @@ static void float_inverses(const struct zs_view *view, const struct zs_vertex *c
         w[k] = (mantissa - (d[k] - nearest)) << up;
 }
 
-enum way { ONE_OCTAVE, TWO_OCTAVES, MORE_OCTAVES };
-
 #define W_BITS 39          /* plane.c: differences times 2^23 fit 63 bits */
 #define PAIR_END (1 << 30) /* two octaves: w where the farther one ends; the nearer one ends at twice that */
 #define PAIR_LEAST 4096u   /* ... and the least w of a vertex: its plane is off by up to 114 and must stay above 0 */
@@ -195,18 +193,9 @@ static int pair_planes(struct zs_job *job, const int32_t octave[3], int32_t near
     return 1;
 }
 
-#if ZS_LEAN
-static int tiny(const struct zs_geom *g)
-{
-    return zs_tiny(g->dx1, g->dx2, g->dy1, g->dy2) && g->area >= ZS_TINY_AREA;
-}
-#else
-#define tiny(g) ((g)->tiny)
-#endif
-
-/* r of a triangle over the screen, where its keys are not linear. job->w64_scale: the nearest vertex's octave. More
+/* r of a triangle over the screen, where its keys are not linear; 1: they are. job->w64_scale: the nearest vertex's octave. More
  * octaves: job->w64, w = r scaled so that this octave ends at 2^39; two: job->key, so that it ends at 2^31. */
-ZS_IN_ORDER static ZS_NOINLINE enum way float_planes(struct zs_job *job)
+ZS_IN_ORDER static ZS_NOINLINE int crossing_planes(struct zs_job *job)
 {
     const struct zs_view *view = &job->r->view;
     int32_t octave[3], nearest = 0, farthest = 32;
@@ -217,16 +206,17 @@ ZS_IN_ORDER static ZS_NOINLINE enum way float_planes(struct zs_job *job)
         farthest = zs_min32(farthest, octave[k]);
     }
     if (nearest == farthest) /* after all: the last has the codes of two */
-        return ONE_OCTAVE;
+        return 1;
     job->w64_scale = nearest;
-    if (tiny(&job->geom) && nearest - farthest == 1 && pair_planes(job, octave, nearest))
-        return TWO_OCTAVES;
+    job->two_octaves = job->geom.tiny && nearest - farthest == 1 && pair_planes(job, octave, nearest);
+    if (job->two_octaves)
+        return 0;
     for (int k = 0; k < 3; k++) {
         const int32_t up = W_BITS - 1 - (view->key_mantissa + 16) - (nearest - octave[k]); /* -19 .. 19 */
         w[k] = (uint64_t)zs_scale2((int64_t)mantissa_of(view, job->v[k]->d, octave[k]), up); /* <= 2^39 */
     }
     zs_plane64(&job->geom, w[0], w[1], w[2], &job->w64);
-    return MORE_OCTAVES;
+    return 0;
 }
 
 /* ---- Two octaves ----------------------------------------------------------------------------------- */
@@ -244,7 +234,7 @@ static ZS_NOINLINE void pair_piece(struct zs_job *job, const struct zs_row *row,
         code = ((code >> (shift - 1)) + 1u) >> 1;
         step = (int32_t)((uint32_t)(step >> (shift - 1)) + 1u) >> 1;
     }
-    zs_rows_piece(job, row, i, n, start - code, 0u - (uint32_t)step);
+    job->piece(job, row, i, i + n, start - code, 0u - (uint32_t)step);
 }
 
 /* w - PAIR_END has the sign that tells the octave: 0 <= w < 2^32 - 2^30. */
@@ -263,14 +253,6 @@ ZS_ALWAYS_INLINE void pair_span(struct zs_job *job, const struct zs_row *row)
     pair_piece(job, row, row->i0, first, w, above < 0);
     pair_piece(job, row, row->i0 + first, n - first, w + zs_wrap_mul((uint32_t)gx, first), above >= 0);
 }
-
-#if !ZS_LEAN
-/* Apart, so that its frame is not on the stack below start(). */
-static ZS_NOINLINE void pair_walk(struct zs_job *job)
-{
-    zs_rows_walk(job, pair_span);
-}
-#endif
 
 /* ---- More ---------------------------------------------------------------------------------------------- */
 
@@ -314,7 +296,7 @@ ZS_IN_ORDER static ZS_NOINLINE void float_piece(struct zs_job *job, const struct
     const uint32_t code = ((uint32_t)(job->w64_scale - down) << m) + rounded(w, shift, 0);
     const uint32_t sum = view->key_top + 0x10000u - code + 0x8000u;       /* modulo 2^32 */
     const uint32_t step = 0u - rounded(job->w64.gx, shift, 1);            /* gx may be any where n is 1 */
-    zs_rows_piece(job, row, i, n, sum, step);
+    job->piece(job, row, i, i + n, sum, step);
 }
 
 /* A row that may cross octaves; its last pixel is down_end down. */
@@ -348,95 +330,27 @@ static ZS_NOINLINE void float_row(struct zs_job *job, const struct zs_row *row, 
         crossing_row(job, row, w, down);
 }
 
-#if ZS_LEAN
-
 /* A row of a triangle in two octaves, which has no plane of 64 bits, or in more. */
 static void any_row(struct zs_job *job, const struct zs_row *row)
 {
-    const struct zs_plane64 *plane = &job->w64;
     if (job->two_octaves)
         pair_span(job, row);
     else
-        float_row(job, row, plane->base + zs_times(plane->gx, row->i0 - job->geom.ia) +
-                            zs_times(plane->gy, row->y - job->geom.ja));
+        float_row(job, row, row->w + zs_times(job->w64.gx, row->i0));
 }
 
-#else
-
-/* Rows as zs_rows_walk walks them, with w at column 0 carried on. */
-ZS_IN_ORDER static ZS_NOINLINE void float_walk(struct zs_job *job)
-{
-    const struct zs_plane64 *plane = &job->w64;
-    struct zs_row row;
-    uint64_t w = plane->base - zs_times(plane->gx, job->geom.ia) + zs_times(plane->gy, job->row - job->geom.ja);
-    row.y = job->row;
-    row.at = (row.y - job->y0) * job->width; /* < 2^24 */
-    row.key = 0;
-    for (;;) {
-        for (const struct zs_cut *cut = job->cut; row.y < job->cut_end; row.y++, cut++) {
-            row.x0 = cut->x0;
-            row.x1 = cut->x1;
-            row.i0 = zs_max32(row.x0, 0);
-            row.i1 = zs_min32(row.x1, job->width);
-            if (row.i0 < row.i1) {
-                job->r->stats.pixels_tested += (uint32_t)(row.i1 - row.i0);
-                if (job->fresh)
-                    zs_fresh_row(job, &row);
-                float_row(job, &row, w + zs_times(plane->gx, row.i0));
-            }
-            w += plane->gy;
-            row.at += job->width;
-        }
-        if (row.y >= job->row_end)
-            return;
-        zs_raster_cuts(job, row.y);
-    }
-}
-
-#endif
-
-#if ZS_LEAN
-
-static void float_rows(struct zs_job *job)
-{
-    const enum way way = float_planes(job);
-    job->two_octaves = way == TWO_OCTAVES;
-    if (way == ONE_OCTAVE)
-        zs_raster_keys(job);
-    else
-        zs_raster_rows(job, 0);
-}
-
-const struct zs_depth zs_depth_float = { any_setup, float_vertex, float_rows, 0, float_inverses, 0, any_row };
-const struct zs_depth zs_depth_e3m13 = { e3_setup, float_vertex, float_rows, 0, float_inverses, 0, any_row };
-const struct zs_depth zs_depth_e4m12 = { e4_setup, float_vertex, float_rows, 0, float_inverses, 0, any_row };
-const struct zs_depth zs_depth_e5m11 = { e5_setup, float_vertex, float_rows, 0, float_inverses, 0, any_row };
-
-#else
-
-static void float_rows(struct zs_job *job)
+static int float_planes(struct zs_job *job)
 {
     const struct zs_view *view = &job->r->view;
-    const struct zs_shader *shader = job->shader;
     const uint32_t code = below_code(view, job->v[0]->d);
     const uint32_t differ = (code ^ below_code(view, job->v[1]->d)) | (code ^ below_code(view, job->v[2]->d));
-    const enum way way = differ >> (view->key_mantissa + 16) ? float_planes(job) : ONE_OCTAVE;
-    if (way == ONE_OCTAVE) {
-        zs_raster_keys(job);
-        return;
-    }
-    job->saturates = (uint8_t)zs_keys_may_saturate(job);
-    if (shader->start)
-        shader->start(job);
-    if (way == TWO_OCTAVES)
-        pair_walk(job);
-    else
-        float_walk(job);
+    return !(differ >> (view->key_mantissa + 16)) || crossing_planes(job);
 }
 
-const struct zs_depth zs_depth_float = { any_setup, float_vertex, float_rows, 0, float_inverses, 0 };
-const struct zs_depth zs_depth_e3m13 = { e3_setup, float_vertex, float_rows, 0, float_inverses, 0 };
-const struct zs_depth zs_depth_e4m12 = { e4_setup, float_vertex, float_rows, 0, float_inverses, 0 };
-const struct zs_depth zs_depth_e5m11 = { e5_setup, float_vertex, float_rows, 0, float_inverses, 0 };
+#define FLOAT_DEPTH(setup_)                                                                                   \
+    { .setup = setup_, .vertex = float_vertex, .planes = float_planes, .row = any_row, .inverses = float_inverses }
 
-#endif
+const struct zs_depth zs_depth_float = FLOAT_DEPTH(any_setup);
+const struct zs_depth zs_depth_e3m13 = FLOAT_DEPTH(e3_setup);
+const struct zs_depth zs_depth_e4m12 = FLOAT_DEPTH(e4_setup);
+const struct zs_depth zs_depth_e5m11 = FLOAT_DEPTH(e5_setup);

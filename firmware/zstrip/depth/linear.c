@@ -62,11 +62,7 @@ static uint32_t linear_vertex(const struct zs_view *view, int32_t z, uint32_t rc
 static uint64_t linear_inverse(const struct zs_view *view, uint32_t d)
 {
     (void)view;
-#if ZS_LEAN
-    return zs_muldiv_u64((uint64_t)1 << 62, 1, d);
-#else
     return ((uint64_t)1 << 62) / d;
-#endif
 }
 
 static uint32_t linear_key(const struct zs_view *view, uint32_t d)
@@ -75,7 +71,7 @@ static uint32_t linear_key(const struct zs_view *view, uint32_t d)
     return view->perspective ? key_of(view, d > n ? d - n : 0u, view->key_shift - 16, view->key_top) : d;
 }
 
-static ZS_NOINLINE void linear_planes(struct zs_job *job)
+static int linear_planes(struct zs_job *job)
 {
     uint64_t w[3], most = 0;
     for (int k = 0; k < 3; k++) {
@@ -90,6 +86,7 @@ static ZS_NOINLINE void linear_planes(struct zs_job *job)
         w[k] = (uint64_t)zs_round_shift((int64_t)w[k], cut);
     zs_plane64(&job->geom, w[0], w[1], w[2], &job->w64);
     job->w64_scale = 9 + cut; /* z = reciprocal of w's top 32 bits * 2^(leading zeros - scale) */
+    return 0;
 }
 
 /* The key of a pixel from w in 40.24 bits. */
@@ -106,74 +103,13 @@ static uint32_t pixel_key(const struct zs_view *view, uint64_t w, int32_t scale)
     return key_of(view, above, view->key_shift + q, (view->key_top >> 16) - 1u);
 }
 
-#if ZS_LEAN
-
 /* Each pixel is a piece of its own. */
 static void linear_row(struct zs_job *job, const struct zs_row *row)
 {
-    uint64_t w = job->w64.base + job->w64.gx * (uint64_t)(int64_t)(row->i0 - job->geom.ia) +
-                 job->w64.gy * (uint64_t)(int64_t)(row->y - job->geom.ja);
+    uint64_t w = row->w + zs_times(job->w64.gx, row->i0);
     for (int32_t i = row->i0; i < row->i1; i++, w += job->w64.gx)
-        zs_raster_span(job, row, i, i + 1, pixel_key(&job->r->view, w, job->w64_scale) << 16, 0);
+        job->piece(job, row, i, i + 1, pixel_key(&job->r->view, w, job->w64_scale) << 16, 0);
 }
 
-static void linear_rows(struct zs_job *job)
-{
-    linear_planes(job);
-    zs_raster_rows(job, 0);
-}
-
-const struct zs_depth zs_depth_linear = { linear_setup, linear_vertex, linear_rows, linear_inverse, 0, linear_key,
-                                          linear_row };
-
-#else
-
-ZS_ALWAYS_INLINE void linear_span(struct zs_job *job, const struct zs_row *row)
-{
-    const struct zs_view *view = &job->r->view;
-    const struct zs_shader *shader = job->shader;
-    const struct zs_state *state = job->state;
-    const uint32_t top = (view->key_top >> 16) - 1u;
-    const uint64_t gx = job->w64.gx;
-    uint16_t *depth = job->depth + row->at;
-    uint64_t w = job->w64.base + gx * (uint64_t)(int64_t)(row->i0 - job->geom.ia) +
-                 job->w64.gy * (uint64_t)(int64_t)(row->y - job->geom.ja);
-    int32_t from = -1; /* first pixel of the current run */
-    for (int32_t i = row->i0; i < row->i1; i++, w += gx) {
-        const uint32_t key = pixel_key(view, w, job->w64_scale);
-        int seen = key < depth[i];
-        if (state)
-            seen = zs_rows_state(job, state, key, top, &depth[i]);
-        else if (seen)
-            depth[i] = (uint16_t)key;
-        if (seen) {
-            if (from < 0)
-                from = i;
-        } else {
-            zs_rows_run(job, shader, row, from, i);
-            from = -1;
-        }
-    }
-    zs_rows_run(job, shader, row, from, row->i1);
-}
-
-/* Apart, so that its frame is not on the stack below start(). */
-ZS_IN_ORDER static ZS_NOINLINE void linear_walk(struct zs_job *job)
-{
-    zs_rows_walk(job, linear_span);
-}
-
-static void linear_rows(struct zs_job *job)
-{
-    linear_planes(job);
-    const struct zs_shader *shader = job->shader;
-    job->key.base = job->key.gx = job->key.gy = 0; /* not used, but walked */
-    if (shader->start)
-        shader->start(job);
-    linear_walk(job);
-}
-
-const struct zs_depth zs_depth_linear = { linear_setup, linear_vertex, linear_rows, linear_inverse,
-                                          0, linear_key };
-
-#endif
+const struct zs_depth zs_depth_linear = { .setup = linear_setup, .vertex = linear_vertex, .planes = linear_planes,
+                                          .row = linear_row, .inverse = linear_inverse, .key = linear_key };

@@ -42,8 +42,4 @@ static uint64_t recip_inverse(const struct zs_view *view, uint32_t d)
     return view->key_far > d ? view->key_far - d : 1u;
 }
 
-#if ZS_LEAN
-const struct zs_depth zs_depth_recip = { recip_setup, recip_vertex, 0, recip_inverse, 0, 0, 0 };
-#else
-const struct zs_depth zs_depth_recip = { recip_setup, recip_vertex, 0, recip_inverse, 0, 0 };
-#endif
+const struct zs_depth zs_depth_recip = { .setup = recip_setup, .vertex = recip_vertex, .inverse = recip_inverse };

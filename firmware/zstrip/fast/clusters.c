@@ -46,11 +46,6 @@
  */
 #include "core/pipeline.h"
 
-#if ZS_LEAN
-
-const struct zs_cluster_kernel zs_cluster_kernel = { 0 }; /* named, not asked */
-
-#else
 
 #define CLUSTERS_MIN 5u /* in fewer, set-up takes what tests could save */
 #define PLANE_BITS 12
@@ -421,4 +416,3 @@ static int cluster_verts(struct zs_renderer *r)
 
 const struct zs_cluster_kernel zs_cluster_kernel = { cluster_edges, cluster_open, cluster_verts, cluster_run };
 
-#endif

@@ -1,38 +1,20 @@
 /* Pixels of a strip that nothing was drawn on yet: no clear before them, and no depth test.
  *
  * A strip begins as it was left: nothing is cleared. While wide triangles come first, each row keeps the columns that
- * hold colours and keys, one range a row; all others are fresh. A span's fresh pixels are drawn without a test, since
+ * hold colours and keys, one range a row; all others are untouched. A span's untouched pixels are drawn without a test, since
  * every key is nearer than ZS_DEPTH_CLEAR; the others as always. A gap between a span and the row's range is cleared,
- * so that it stays one range. With the first triangle for which this does not pay (narrow, with a state, keys found
- * pixel by pixel), or when the strip is done, what is still fresh is cleared. So each pixel is cleared or drawn first, never
+ * so that it stays one range. With the first triangle for which this does not pay (narrow, with a depth state, keys found
+ * pixel by pixel), or when the strip is done, what is still untouched is cleared. So each pixel is cleared or drawn first, never
  * both, and what is read was written before, but beside the columns that are drawn.
- *
- * Where zs_track_columns has only some columns of a strip drawn, triangles that reach beside them go part by part as well, and
- * parts beside are left out (track.c says from what width on).
  *
  * SPDX-License-Identifier: MIT
  */
 #include "core/rows.h"
+#include "zs_fast.h"
 
-#if ZS_LEAN
+#define WIDE 128 /* columns; a triangle's rows cost some 40 instructions more here, an untouched pixel 6 less and no clear */
 
-void zs_fresh_begin(struct zs_renderer *r)
-{
-    const uint32_t background = zs_wire16(r->scene->background), n = (uint32_t)r->config.width * r->config.strip_h;
-    zs_pair *color = (zs_pair *)(void *)r->color[0], *depth = (zs_pair *)(void *)r->depth;
-    for (zs_pair *const end = color + (n + ZS_PAIR - 1u) / ZS_PAIR; color != end;) { /* rows below the frame too */
-        *color++ = (zs_pair)(background << 16 | background);
-        *depth++ = (zs_pair)UINT32_MAX; /* ZS_DEPTH_CLEAR */
-    }
-}
-
-#else
-
-#define WIDE 128 /* columns; a triangle's rows cost some 40 instructions more here, a fresh pixel 6 less and no clear */
-
-_Static_assert(WIDE * ZS_SUBPX_ONE >= 2 * ZS_TINY, "depth_float.c draws tiny triangles without asking what is fresh");
-
-enum { NONE, ALL, SOME }; /* zs_renderer.fresh: what is fresh of the strip's columns that are drawn; SOME: outside r->drawn */
+enum { NONE, ALL, SOME }; /* zs_renderer.untouched: of the strip's columns that are drawn; SOME: outside r->drawn */
 
 static ZS_NOINLINE void fill(uint16_t *out, uint16_t value, uint32_t n)
 {
@@ -53,35 +35,31 @@ static uint32_t rows_of(const struct zs_renderer *r)
     return left < r->config.strip_h ? left : r->config.strip_h;
 }
 
-void zs_fresh_begin(struct zs_renderer *r)
+static void touch_begin(struct zs_renderer *r)
 {
-    r->fresh = ALL;
-    if (r->config.skip_off & ZS_SKIP_CLEAR)
-        clear(r, 0, (int32_t)(r->config.width * rows_of(r)));
-    if ((r->config.skip_off & (ZS_SKIP_CLEAR | ZS_SKIP_TEST)) == (ZS_SKIP_CLEAR | ZS_SKIP_TEST))
-        r->fresh = NONE;
+    r->untouched = ALL;
 }
 
-ZS_NOINLINE void zs_fresh_end(struct zs_renderer *r)
+static ZS_NOINLINE void touch_end(struct zs_renderer *r)
 {
     const int32_t width = r->config.width, n = (int32_t)rows_of(r);
-    const int fresh = r->fresh;
-    r->fresh = NONE;
+    const int left = r->untouched;
+    r->untouched = NONE;
     const int32_t x = r->window[0], end = r->window[1];
-    if (fresh == ALL && (end - x) * 2 > width) { /* in one go */
+    if (left == ALL && (end - x) * 2 > width) { /* in one go */
         clear(r, 0, width * n);
         return;
     }
-    if (fresh == NONE || (fresh == SOME && r->fresh_left == 0))
+    if (left == NONE || (left == SOME && r->untouched_left == 0))
         return;
     for (int32_t y = 0; y < n; y++) {
-        const int32_t from = fresh == ALL ? x : r->drawn[y][0], to = fresh == ALL ? x : r->drawn[y][1]; /* x <= from <= to <= end */
+        const int32_t from = left == ALL ? x : r->drawn[y][0], to = left == ALL ? x : r->drawn[y][1]; /* x <= from <= to <= end */
         clear(r, (uint32_t)(y * width + x), from - x);
         clear(r, (uint32_t)(y * width + to), end - to);
     }
 }
 
-void zs_fresh_row(struct zs_job *job, const struct zs_row *row)
+static void touch_row(struct zs_job *job, const struct zs_row *row)
 {
     struct zs_renderer *r = job->r;
     int16_t *const drawn = r->drawn[row->y - job->y0];
@@ -89,12 +67,10 @@ void zs_fresh_row(struct zs_job *job, const struct zs_row *row)
     int32_t x0 = drawn[0], x1 = drawn[1], i0 = row->i0, i1 = row->i1;
     r->was[0] = drawn[0];
     r->was[1] = drawn[1];
-    if (job->fresh != ZS_FRESH) {
-        i0 = zs_max32(i0, r->window[0]);
-        i1 = zs_min32(i1, r->window[1]);
-        if (job->fresh == ZS_PART || i0 >= i1)
-            return;
-    }
+    i0 = zs_max32(i0, r->window[0]);
+    i1 = zs_min32(i1, r->window[1]);
+    if (i0 >= i1)
+        return;
     if (x0 == x1)
         x0 = x1 = i0;
     const int32_t before = x1 - x0; /* window[0] <= x0 <= x1 <= window[1] */
@@ -106,7 +82,7 @@ void zs_fresh_row(struct zs_job *job, const struct zs_row *row)
     x1 = zs_max32(x1, i1);
     drawn[0] = (int16_t)x0;
     drawn[1] = (int16_t)x1;
-    r->fresh_left -= (uint32_t)(x1 - x0 - before);
+    r->untouched_left -= (uint32_t)(x1 - x0 - before);
 }
 
 /* n > 0 keys: sum / 65536, changing by gx. */
@@ -143,45 +119,23 @@ static ZS_NOINLINE void untested(struct zs_job *job, uint16_t *depth, int32_t n,
         keys(depth, n, sum, gx);
 }
 
-/* A piece of a row, all fresh. */
-static void fresh_span(struct zs_job *job, const struct zs_row *row, int32_t i, int32_t to, uint32_t sum, uint32_t gx)
-{
-    const struct zs_shader *shader = job->shader;
-    untested(job, job->depth + row->at + i, to - i, sum, gx);
-    zs_rows_run(job, shader, row, i, to);
-}
-
-static int32_t no_bias(const struct zs_job *job)
-{
-    (void)job;
-    return 0;
-}
-
-static const struct zs_state_kernel zs_fresh_kernel = { no_bias, fresh_span };
-static const struct zs_state fresh = { &zs_fresh_kernel, 0, 0, 0, 0 };
-
-int32_t zs_fresh_to(struct zs_job *job, const struct zs_row *row, int32_t i, int32_t end)
+/* Untouched pixels before and behind those that were drawn on. */
+static void touch_piece(struct zs_job *job, const struct zs_row *row, int32_t i, int32_t end, uint32_t sum, uint32_t step)
 {
     const struct zs_renderer *r = job->r;
+    const struct zs_shader *shader = job->shader;
     const int32_t x0 = r->was[0], x1 = r->was[1];
-    if (job->fresh != ZS_FRESH) {
-        const struct zs_track_kernel *track = r->track;
-        end = track->part(job, i, end);
-        if (job->state || job->fresh == ZS_PART)
-            return end;
+    for (int32_t to; i < end; sum += zs_wrap_mul(step, to - i), i = to) {
+        if (i >= x0 && i < x1) {
+            to = zs_min32(end, x1);
+            job->span(job, row, i, to, sum, step);
+            continue;
+        }
+        to = i < x0 ? zs_min32(end, x0) : end;
+        untested(job, job->depth + row->at + i, to - i, sum, step);
+        zs_rows_written(job, to - i);
+        shader->run(job, row, i, to);
     }
-    if (i >= x0 && i < x1) {
-        job->state = 0;
-        return zs_min32(end, x1);
-    }
-    if (i < x0)
-        end = zs_min32(end, x0);
-    job->state = &fresh;
-    if (r->config.skip_off & ZS_SKIP_TEST) {
-        fill(job->depth + row->at + i, ZS_DEPTH_CLEAR, (uint32_t)(end - i));
-        job->state = 0;
-    }
-    return end;
 }
 
 /* Is it wide in the frame, or nearly? */
@@ -192,32 +146,26 @@ static int wide(const struct zs_job *job)
     return zs_max32(zs_max32(a, b), c) - zs_min32(zs_min32(a, b), c) >= WIDE * ZS_SUBPX_ONE;
 }
 
-int zs_fresh_splits(struct zs_job *job)
-{
-    if (job->fresh)
-        job->state = 0; /* it was for a part; one that is split has no other */
-    job->fresh = 0;
-    return !job->state && !job->r->view.pixelwise;
-}
-
-int zs_fresh_takes(struct zs_job *job)
+static int touch_takes(struct zs_job *job)
 {
     struct zs_renderer *r = job->r;
     const int32_t drawn = r->window[1] - r->window[0];
-    if (!zs_fresh_splits(job) || !wide(job) || (r->fresh == SOME && r->fresh_left == 0)) {
-        zs_fresh_end(r);
+    if (job->state || r->view.pixelwise || !wide(job) || (r->untouched == SOME && r->untouched_left == 0)) {
+        job->split = 0;
+        touch_end(r);
         return 0;
     }
-    if (r->fresh == ALL) {
+    if (r->untouched == ALL) {
         const uint32_t n = rows_of(r);
         for (uint32_t y = 0; y < n; y++)
             r->drawn[y][0] = r->drawn[y][1] = (int16_t)r->window[0];
-        r->fresh_left = n * (uint32_t)drawn;
-        r->fresh = SOME;
+        r->untouched_left = n * (uint32_t)drawn;
+        r->untouched = SOME;
     }
-    job->state = &fresh;
-    job->fresh = drawn < r->config.width ? ZS_FRESH | ZS_PART : ZS_FRESH;
+    job->split = drawn < r->config.width ? ZS_SPLIT_TOUCH | ZS_SPLIT_WINDOW : ZS_SPLIT_TOUCH;
     return 1;
 }
 
-#endif
+static const struct zs_fast_touch touch = { .begin = touch_begin, .end = touch_end, .takes = touch_takes, .row = touch_row,
+                                            .piece = touch_piece };
+const struct zs_fast zs_fast_touch = { .touch = &touch };

@@ -18,11 +18,6 @@
 #include "core/cold.h"
 #include "core/pipeline.h"
 
-#if ZS_LEAN
-
-const struct zs_group_kernel zs_group_kernel = { 0 }; /* named, not asked */
-
-#else
 
 static int beside(const int32_t side[2], int64_t lateral, int64_t z, int64_t radius)
 {
@@ -78,4 +73,3 @@ static uint32_t group_next(struct zs_renderer *r, const struct zs_scene *scene, 
 
 const struct zs_group_kernel zs_group_kernel = { group_next };
 
-#endif

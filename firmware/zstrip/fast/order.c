@@ -15,7 +15,6 @@
 #include "core/pipeline.h"
 #include "core/rotation.h"
 
-#if !ZS_LEAN
 
 #ifndef ZS_ORDER_DENSE
 #define ZS_ORDER_DENSE 200u /* triangles; tests take less. Order takes 200 instructions an instance, 300 more if any is moved */
@@ -100,4 +99,3 @@ void zs_order_sort(struct zs_renderer *r)
     }
 }
 
-#endif

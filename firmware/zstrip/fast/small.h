@@ -1,6 +1,6 @@
 /* Triangles up to 64 pixels each way, set up and drawn in one go: what the stages would do one by one, with the same outcome
  * bit for bit, where a call a stage costs more than the pixels. For cores that divide; without, remainders are quicker
- * (raster.c). Internal: small.c draws those of one colour, small_texture.c those with a texture.
+ * (raster.c). Internal: fast/solid.c draws those of one colour, fast/texture.c those with a texture.
  *
  * Columns of an edge are as in raster.c, but counted from ZS_TINY_SIDE left of the top corner, so that the numerator is positive.
  * Extents are at most ZS_TINY = 2^14 sub-pixels, and so are offsets in rows of an edge: each product is below 2^29.1.
@@ -14,8 +14,6 @@
 
 #include "core/pipeline.h"
 #include <stddef.h>
-
-#if ZS_DIVIDES && !ZS_LEAN
 
 /* A triangle in its strip. Differences of the second and third corner from the top one, q24_8. */
 struct zs_small {
@@ -187,7 +185,5 @@ static inline void zs_small_turn(struct zs_sides *w)
     w->side[2 * turn + 1] = w->next[1];
     w->sum[turn] = w->next_sum;
 }
-
-#endif
 
 #endif

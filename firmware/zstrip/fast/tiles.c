@@ -21,8 +21,7 @@
  */
 #include "core/cold.h"
 #include "core/pipeline.h"
-
-#if !ZS_LEAN
+#include "zs_fast.h"
 
 #define TILE (1 << ZS_TILE_LOG2)
 #define LARGE (2 * TILE) /* columns: covers a tile wherever it lies */
@@ -201,8 +200,8 @@ static inline int above(const struct zs_vertex *a, const struct zs_vertex *b)
     return a->y < b->y || (a->y == b->y && a->x < b->x);
 }
 
-ZS_NOINLINE void zs_hidden_cover(struct zs_renderer *r, const struct zs_vertex *a, const struct zs_vertex *b,
-                                 const struct zs_vertex *c)
+static ZS_NOINLINE void tiles_cover(struct zs_renderer *r, const struct zs_vertex *a, const struct zs_vertex *b,
+                                    const struct zs_vertex *c)
 {
     const int32_t left = zs_min32(zs_min32(a->x, b->x), c->x), right = zs_max32(zs_max32(a->x, b->x), c->x);
     if (right - left < LARGE * ZS_SUBPX_ONE || right <= 0 || left >= r->config.width * ZS_SUBPX_ONE)
@@ -211,7 +210,7 @@ ZS_NOINLINE void zs_hidden_cover(struct zs_renderer *r, const struct zs_vertex *
     const int32_t row_end = zs_first_sample(zs_max32(zs_max32(a->y, b->y), c->y));
     if (row_end - row < r->config.strip_h && (row_end < r->config.height || row >= row_end))
         return; /* not all rows of a strip */
-    if (!r->counting || r->xform.instance->state || r->config.skip_off & ZS_SKIP_HIDDEN)
+    if (!r->counting || r->xform.instance->state)
         return; /* all is known by now; keys of its own */
     if (!r->large) { /* the frame's first */
         zs_fill16(r->bound, ZS_DEPTH_CLEAR, ZS_TILES(r->config.width) * r->n_strips);
@@ -254,7 +253,7 @@ ZS_NOINLINE void zs_hidden_cover(struct zs_renderer *r, const struct zs_vertex *
 
 /* ---- Questions --------------------------------------------------------------------------------------- */
 
-uint32_t zs_hidden_seen(struct zs_renderer *r)
+static uint32_t tiles_seen(struct zs_renderer *r)
 {
     bound_last(r);
     const uint32_t tiles = ZS_TILES(r->config.width);
@@ -269,28 +268,24 @@ uint32_t zs_hidden_seen(struct zs_renderer *r)
     return least == ZS_DEPTH_CLEAR ? UINT32_MAX : depth->key ? 0u : least << 16; /* least <= ZS_DEPTH_CLEAR - 1 */
 }
 
-int zs_hidden(struct zs_job *job)
+static int tiles_hide(struct zs_job *job)
 {
     const struct zs_renderer *r = job->r;
     const struct zs_tri *t = job->tri;
     const struct zs_vertex *a = &r->vert[t->v[0]], *b = &r->vert[t->v[1]], *c = &r->vert[t->v[2]];
-    const int known = r->large && !r->scene->instance[t->instance].state; /* a state: keys of its own */
-    uint32_t nearest = 0;
+    if (r->scene->instance[t->instance].state)
+        return 0; /* keys of its own */
     job->row_last = zs_first_sample(zs_max32(b->y, c->y)); /* a is the top one */
-    if (known) {
-        nearest = key_of(r, zs_minu32(zs_minu32(a->d, b->d), c->d), -MARGIN);
-        if (nearest > r->bound_strip)
-            return 1;
-    }
+    const uint32_t nearest = key_of(r, zs_minu32(zs_minu32(a->d, b->d), c->d), -MARGIN);
+    if (nearest > r->bound_strip)
+        return 1;
     const int32_t x0 = zs_max32(zs_first_sample(zs_min32(zs_min32(a->x, b->x), c->x)), r->window[0]);
     const int32_t x1 = zs_min32(zs_first_sample(zs_max32(zs_max32(a->x, b->x), c->x)), r->window[1]);
-    if (x1 <= x0)
-        return 1;
     const uint16_t *bound = r->bound + r->strip * ZS_TILES(r->config.width);
-    for (int32_t k = x0 >> ZS_TILE_LOG2; known && k <= (x1 - 1) >> ZS_TILE_LOG2; k++)
+    for (int32_t k = x0 >> ZS_TILE_LOG2; k <= (x1 - 1) >> ZS_TILE_LOG2; k++)
         if (nearest <= bound[k])
             return 0;
-    return known;
+    return 1;
 }
 
 int zs_hidden_box(struct zs_renderer *r, const struct zs_box *box, uint32_t nearest)
@@ -336,7 +331,7 @@ static int32_t units(const struct zs_view *view, int64_t length, int32_t off)
     return zs_view_length(view, length) + off;
 }
 
-int zs_hidden_sphere(struct zs_renderer *r, const struct zs_bounds *b)
+static int tiles_sphere(struct zs_renderer *r, const struct zs_bounds *b)
 {
     const struct zs_view *view = &r->view;
     const int64_t reach = b->r + b->slack;
@@ -360,4 +355,6 @@ int zs_hidden_sphere(struct zs_renderer *r, const struct zs_bounds *b)
     return zs_hidden_box(r, &box, at.d);
 }
 
-#endif
+static const struct zs_fast_tiles tiles = { .cover = tiles_cover, .seen = tiles_seen, .hides = tiles_hide,
+                                            .hides_sphere = tiles_sphere };
+const struct zs_fast zs_fast_tiles = { .tiles = &tiles };

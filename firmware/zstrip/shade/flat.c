@@ -24,9 +24,4 @@ static uint16_t flat_face(const struct zs_renderer *r, uint32_t t)
                                 code(zs_light_channel(c->b, light), 31)));
 }
 
-#if ZS_LEAN
-const struct zs_shader zs_shade_flat = { 0, flat_face, 0, zs_solid_run, 0, 0, 0 };
-#else
-const struct zs_shader zs_shade_flat = { 0, flat_face, zs_solid_rows, 0, zs_solid_span, zs_solid_run, 0, 0,
-                                         zs_small_draw, 0 };
-#endif
+const struct zs_shader zs_shade_flat = { .face = flat_face, .run = zs_solid_run };

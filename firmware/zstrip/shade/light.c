@@ -9,14 +9,6 @@
 uint32_t zs_light_intensity(const struct zs_renderer *r, const zs_q1_15 n[3])
 {
     const struct zs_light *light = &r->scene->light;
-#if ZS_LEAN
-    const int32_t normal[3] = { n[0], n[1], n[2] };
-    const int64_t dot = zs_dot(r->xform.light, normal); /* q19_45 */
-    if (dot <= 0)
-        return light->ambient;
-    const int32_t high = (int32_t)(dot >> 16);
-    const uint32_t low = (uint32_t)dot & 0xffffu;
-#else
     int32_t high = 0;  /* the product is high * 2^16 + low, q19_45, |.| < 2^46.6 */
     uint32_t low = 0;  /* < 3 * 2^16 */
     for (int k = 0; k < 3; k++) {
@@ -29,7 +21,6 @@ uint32_t zs_light_intensity(const struct zs_renderer *r, const zs_q1_15 n[3])
     low &= 0xffffu;
     if (high < 0 || !((uint32_t)high | low))
         return light->ambient;
-#endif
     /* normals end at 32767: dot / (32767 * 2^15) is dot / 2^30 (1 + 2^-15 + ...), (dot + (dot >> 15)) >> 15 */
     const uint32_t twice = 2u * (uint32_t)high; /* < 2^31.6 */
     const uint32_t lambert = twice + ((low + twice + (low >> 15)) >> 15); /* uq2_30, < 2^31.6 */

@@ -19,11 +19,6 @@
 #define ZS_AFFINE 31u       /* job->sub_log2: plain affine */
 #define ZS_SUB_LOG2_MAX 5u
 
-/* rows, after start, and span of a shader that colours runs: depth test, then its run. */
-void zs_persp_walk(struct zs_job *job);
-void zs_persp_span(struct zs_job *job, const struct zs_row *row, int32_t i0, int32_t i1, uint32_t sum,
-                   uint32_t gx);
-
 /* w of the three vertices, the largest in [2^30, 2^31); orthographic: all alike. */
 void zs_persp_w(const struct zs_job *job, uint32_t w[3]);
 
@@ -42,22 +37,15 @@ static inline int zs_persp_slow(const struct zs_job *job, uint32_t *change)
     const uint32_t a = job->v[0]->d, b = job->v[1]->d, c = job->v[2]->d;
     const uint32_t farthest = zs_maxu32(zs_maxu32(a, b), c);
     *change = farthest - zs_minu32(zs_minu32(a, b), c);
-    return !ZS_LEAN && farthest <= view->key_known && *change <= view->key_slow;
+    return farthest <= view->key_known && *change <= view->key_slow;
 }
 
 /* (2^32 - 1) / n of a last, shorter part of a row, n <= 2^ZS_SUB_LOG2_MAX; 0 of 0. */
-#if ZS_LEAN
-static inline uint32_t zs_one_over(int32_t n)
-{
-    return n ? UINT32_MAX / (uint32_t)n : 0u;
-}
-#else
 extern const uint32_t zs_one_over_table[(1 << ZS_SUB_LOG2_MAX) + 1];
 static inline uint32_t zs_one_over(int32_t n)
 {
     return zs_one_over_table[n];
 }
-#endif
 
 /* Move a plane's base to column 0 of row 0, for zs_plane_at. */
 static inline void zs_plane_origin(const struct zs_geom *g, struct zs_plane *p)
@@ -110,6 +98,12 @@ static inline void zs_persp_plane(const struct zs_geom *g, const uint32_t v[3], 
 {
     zs_plane32(g, v[0], v[1], v[2], kind, out);
     zs_plane_origin(g, out);
+}
+
+/* A smooth colour: codes with half a code added, at most 63.5, in their words' top bits. */
+static inline uint16_t zs_smooth_pack(uint32_t red, uint32_t green, uint32_t blue)
+{
+    return zs_wire16((uint16_t)((red >> 27 << 6 | green >> 26) << 5 | blue >> 27));
 }
 
 /* Attributes of a job's three vertices in the pool, job->v[] in the order of job->tri->v[]. */

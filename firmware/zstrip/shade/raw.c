@@ -11,9 +11,4 @@ static uint16_t raw_face(const struct zs_renderer *r, uint32_t t)
     return zs_wire16(in->mesh->face_raw ? in->mesh->face_raw[t] : zs_rgb565(c->r, c->g, c->b));
 }
 
-#if ZS_LEAN
-const struct zs_shader zs_shade_raw = { 0, raw_face, 0, zs_solid_run, 0, 0, 0 };
-#else
-const struct zs_shader zs_shade_raw = { 0, raw_face, zs_solid_rows, 0, zs_solid_span, zs_solid_run, 0, 0,
-                                         zs_small_draw, 0 };
-#endif
+const struct zs_shader zs_shade_raw = { .face = raw_face, .run = zs_solid_run };

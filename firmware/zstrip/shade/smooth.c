@@ -165,83 +165,17 @@ static void smooth_start(struct zs_job *job)
 
 /* ---- Runs ------------------------------------------------------------------------------------------- */
 
-/* Codes with half a code added, at most 63.5, in their words' top bits. */
-static inline uint16_t pack(uint32_t red, uint32_t green, uint32_t blue)
-{
-    return zs_wire16((uint16_t)((red >> 27 << 6 | green >> 26) << 5 | blue >> 27));
-}
-
 static void fill_linear(uint16_t *out, int32_t n, const uint32_t c[3], const uint32_t step[3])
 {
     uint32_t red = c[0], green = c[1], blue = c[2];
     const uint32_t by_red = step[0], by_green = step[1], by_blue = step[2];
     for (uint16_t *const end = out + n; out != end; out++) {
-        *out = pack(red, green, blue);
+        *out = zs_smooth_pack(red, green, blue);
         red += by_red;
         green += by_green;
         blue += by_blue;
     }
 }
-
-#if !ZS_LEAN
-
-/* Depth test and colour of an affine triangle whose keys do not saturate. */
-static ZS_NOINLINE void affine_rows(struct zs_job *job)
-{
-    const int32_t width = job->width;
-    const struct zs_plane *const c = job->c;
-    uint32_t by_key = job->key.gx, by_red = c[0].gx, by_green = c[1].gx, by_blue = c[2].gx;
-    uint32_t tested = 0;
-    int32_t written = 0, y = job->row, at = (y - job->y0) * width;
-    zs_plane_origin(&job->geom, &job->key);
-    for (;;) {
-        for (const struct zs_cut *cut = job->cut; y < job->cut_end; cut++, y++, at += width) {
-            const int32_t i0 = zs_max32(cut->x0, 0), n = zs_min32(cut->x1, width) - i0;
-            if (n <= 0)
-                continue;
-            uint32_t sum = zs_plane_at(&job->key, i0, y), red = zs_plane_at(&c[0], i0, y),
-                     green = zs_plane_at(&c[1], i0, y), blue = zs_plane_at(&c[2], i0, y);
-            uint16_t *depth = job->depth + at + i0, *color = job->color + at + i0;
-            const uint16_t *end = depth + n;
-            tested += (uint32_t)n;
-            do {
-                ZS_HIGH_REGISTER(by_key);
-                ZS_HIGH_REGISTER(by_red);
-                ZS_HIGH_REGISTER(by_green);
-                ZS_HIGH_REGISTER(by_blue);
-                ZS_HIGH_REGISTER(end);
-                if (sum >> 16 < *depth) {
-                    *depth = (uint16_t)zs_high(sum);
-                    *color = pack(red, green, blue);
-                    if (ZS_STATS)
-                        written++;
-                }
-                depth++;
-                color++;
-                sum += by_key;
-                red += by_red;
-                green += by_green;
-                blue += by_blue;
-            } while (depth != end);
-        }
-        if (y >= job->row_end)
-            break;
-        zs_raster_cuts(job, y);
-    }
-    job->r->stats.pixels_tested += tested;
-    zs_rows_written(job, written);
-}
-
-static void smooth_rows(struct zs_job *job)
-{
-    smooth_start(job);
-    if (job->sub_log2 == ZS_AFFINE && !zs_keys_may_saturate(job))
-        affine_rows(job);
-    else
-        zs_persp_walk(job);
-}
-
-#endif
 
 /* Colour at a covered pixel by division, codes with half a code added. */
 static void color_at(const struct zs_job *job, int32_t i, int32_t row, uint32_t out[3])
@@ -298,9 +232,5 @@ static void smooth_run(struct zs_job *job, const struct zs_row *row, int32_t r0,
     }
 }
 
-#if ZS_LEAN
-const struct zs_shader zs_shade_smooth = { smooth_vertex, 0, smooth_start, smooth_run, smooth_check, 0, ZS_ATTRS_SMOOTH };
-#else
-const struct zs_shader zs_shade_smooth = { smooth_vertex, 0, smooth_rows, smooth_start,
-                                           zs_persp_span, smooth_run, smooth_check, 0, 0, ZS_ATTRS_SMOOTH };
-#endif
+const struct zs_shader zs_shade_smooth = { .vertex = smooth_vertex, .start = smooth_start, .run = smooth_run,
+                                           .check = smooth_check, .n_attrs = ZS_ATTRS_SMOOTH };

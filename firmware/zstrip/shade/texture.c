@@ -31,8 +31,6 @@
 #define GROUP_LOG2 5
 #define GROUP (1 << GROUP_LOG2) /* pixels */
 #define COARSE_LOG2 ZS_TEXEL_COARSE_LOG2 /* texels that 15 bits place */
-#define PIECE 16       /* pixels divided at a time ... */
-#define FEW 2          /* ... which is not worth it for so many */
 #define LIGHT_MAX 65504u /* uq1_15, just below 2: light() adds a half */
 #define LIGHT_LOG2 7     /* codes that its 16 bits stand for: 126 */
 
@@ -218,46 +216,18 @@ ZS_IN_ORDER static ZS_NOINLINE void start_groups(struct zs_job *job, const uint1
     job->sub_log2 = GROUP_LOG2;
 }
 
-#if ZS_LEAN
-
-const struct zs_texture *zs_texture_lit(struct zs_job *job, const struct zs_texture *t)
+/* The texture to be drawn for job->tri: an accelerator may have lit its palette. */
+static const struct zs_texture *lit_texture(struct zs_job *job, const struct zs_texture *t)
 {
     const struct zs_shader *shader = job->shader;
-    job->sampler.unlit = !shader->light || (shader->n_attrs == 2 && job->tri->paint == 32768u);
-    return t;
+    job->sampler.unlit = !shader->light || (shader->n_attrs == 2 && job->tri->paint == ZS_TEXTURE_FULL_LIGHT);
+    return !job->sampler.unlit && job->fast && job->fast->lit ? job->fast->lit(job, t) : t;
 }
-
-#else
-
-ZS_NOINLINE const struct zs_texture *zs_texture_lit(struct zs_job *job, const struct zs_texture *t)
-{
-    const struct zs_shader *shader = job->shader;
-    struct zs_lit *lit = &job->r->lit;
-    const uint16_t level = job->tri->paint;
-    job->sampler.unlit = !shader->light || (shader->n_attrs == 2 && level == 32768u);
-    if (job->sampler.unlit || shader->n_attrs == 3 || !t->format->colors_max || t->n_colors > ZS_LIT_COLORS)
-        return t;
-    job->sampler.unlit = 1;
-    if (lit->of != t || lit->level != level) {
-        lit->of = t;
-        lit->level = level;
-        lit->texture = *t;
-        lit->texture.palette = lit->color;
-        for (uint32_t i = 0; i < t->n_colors; i++)
-            lit->color[i] = zs_wire16(t->palette[i]);
-        shader->light(lit->color, t->n_colors, (uint32_t)level << 16, 0);
-        for (uint32_t i = 0; i < t->n_colors; i++)
-            lit->color[i] = zs_wire16(lit->color[i]);
-    }
-    return &lit->texture;
-}
-
-#endif
 
 static void texture_start(struct zs_job *job)
 {
     const struct zs_instance *in = &job->r->scene->instance[job->tri->instance];
-    const struct zs_texture *t = zs_texture_lit(job, in->material->texture);
+    const struct zs_texture *t = lit_texture(job, in->material->texture);
     const uint32_t uv_bits = in->mesh->uv_bits;
     const int lit = job->shader->n_attrs == 3;
     const uint16_t *a[3];
@@ -356,7 +326,7 @@ static inline void fetch(const struct zs_job *job, uint16_t *out, int32_t n, con
                          const int32_t step[2], int32_t skip)
 {
     const struct zs_sampler *s = &job->sampler;
-    if (ZS_LEAN || s->wide) { /* the same modulo one repeat, in 64 bits */
+    if (s->wide) { /* the same modulo one repeat, in 64 bits */
         fetch_wide(s, out, n, c, step, skip);
         return;
     }
@@ -390,15 +360,6 @@ static uint32_t divide_at(const struct zs_job *job, int32_t i, int32_t row, int 
     return w;
 }
 
-static inline void lighten(const struct zs_job *job, uint16_t *out, int32_t n, uint32_t level, int32_t step)
-{
-    const struct zs_shader *shader = job->shader;
-    if (shader->n_attrs == 3)
-        shader->light(out, n, level << 1, (uint32_t)step << 1);
-    else if (!job->sampler.unlit)
-        shader->light(out, n, (uint32_t)job->tri->paint << 16, 0);
-}
-
 static void run_affine(struct zs_job *job, const struct zs_row *row, int32_t r0, int32_t n)
 {
     const struct zs_texture *t = job->sampler.texture;
@@ -416,23 +377,17 @@ static void run_affine(struct zs_job *job, const struct zs_row *row, int32_t r0,
         texel->fetch(t, out, n, &walk);
     }
     if (job->shader->n_attrs == 3)
-        lighten(job, out, n, zs_plane_at(&job->c[2], r0, row->y), (int32_t)job->c[2].gx);
+        zs_texture_lighten(job, out, n, zs_plane_at(&job->c[2], r0, row->y), (int32_t)job->c[2].gx);
     else
-        lighten(job, out, n, 0, 0);
+        zs_texture_lighten(job, out, n, 0, 0);
 }
 
 /* ---- Pixel by pixel --------------------------------------------------------------------------------- */
 
-/* attribute * w over w: uq2_30, a little below 0 or above 1 at most; 1/2 in 2^16 has been added to c. */
-static inline uint32_t coarse_over(uint32_t c, uint32_t rcp)
-{
-    return (uint32_t)((int32_t)c >> 16) * rcp; /* 16 bits with the sign, times 16: modulo 2^32 */
-}
-
 /* Attribute k at a pixel, c there shifted up like w, whose reciprocal of 15 bits is rcp. */
 static uint32_t coarse_at(const struct zs_job *job, int k, int32_t i, int32_t row, int32_t up, uint32_t rcp)
 {
-    return coarse_over((zs_plane_at(&job->c[k], i, row) << up) + 0x8000u, rcp);
+    return zs_texture_coarse((zs_plane_at(&job->c[k], i, row) << up) + 0x8000u, rcp);
 }
 
 static uint32_t place_at(const struct zs_sampler *s, int k, uint32_t over)
@@ -442,123 +397,28 @@ static uint32_t place_at(const struct zs_sampler *s, int k, uint32_t over)
     return (uint32_t)s->base[k] + turned(over, s->shift[k] + 1);
 }
 
-/* Pixel i of a row, by a reciprocal of 15 bits. 0 < w < 2^31 there. */
-static ZS_NOINLINE void run_coarse(struct zs_job *job, uint16_t *out, int32_t i, int32_t row, uint32_t w)
+ZS_NOINLINE void zs_texture_coarse_pixel(struct zs_job *job, uint16_t *out, int32_t i, int32_t row, uint32_t w)
 {
     const struct zs_sampler *s = &job->sampler;
     const struct zs_texture *t = s->texture;
-    const struct zs_texel *texel = t->format;
     const struct zs_shader *shader = job->shader;
     const int32_t up = zs_clz32(w) - 1;
     const uint32_t rcp = zs_recip15(w << up);
     const uint32_t u = place_at(s, 0, coarse_at(job, 0, i, row, up, rcp)), v = place_at(s, 1, coarse_at(job, 1, i, row, up, rcp));
-#if ZS_LEAN
-    const struct zs_walk walk = { u, v, 0, 0 };
-    texel->fetch(t, out, 1, &walk);
-#else
-    const uint32_t at = (v >> zs_texture_cut(t->log2_h) << t->log2_w) + (u >> zs_texture_cut(t->log2_w));
-    texel->gather(t, out, 1, &at);
-#endif
+    if (job->texel) {
+        const uint32_t at = (v >> zs_texture_cut(t->log2_h) << t->log2_w) + (u >> zs_texture_cut(t->log2_w));
+        job->texel->gather(t, out, 1, &at);
+    } else {
+        const struct zs_walk walk = { u, v, 0, 0 };
+        t->format->fetch(t, out, 1, &walk);
+    }
     if (shader->n_attrs == 3) { /* < 2^32: light is below LIGHT_MAX */
         const int32_t level = (int32_t)coarse_at(job, 2, i, row, up, rcp);
         shader->light(out, 1, level < 0 ? 0u : (uint32_t)level << 2, 0);
     } else {
-        lighten(job, out, 1, 0, 0);
+        zs_texture_lighten(job, out, 1, 0, 0);
     }
 }
-
-#if !ZS_LEAN
-
-/* n reciprocals, 15 bits, of w that stays in [2^30, 2^31). */
-static ZS_NOINLINE void reciprocals(uint32_t *at, int32_t n, uint32_t w, uint32_t step)
-{
-    for (uint32_t *end = at + n; at != end; at++, w += step) {
-        ZS_HIGH_REGISTER(end);
-        ZS_HIGH_REGISTER(step);
-        *at = zs_recip15(w);
-    }
-}
-
-/* A coordinate times w along a run, and how it becomes a column or row. */
-struct places {
-    uint32_t c, step;
-    uint32_t base;      /* modulo one repeat */
-    int32_t left, down; /* shifts that make 2^-32 repeats of 30 bits; one is 0 */
-    uint32_t cut;       /* a repeat's 32 bits shifted by it: the column */
-};
-
-/* Attribute k of a job from pixel i on. up: of w, to 31 bits */
-static void places_of(struct places *p, const struct zs_job *job, int k, int32_t i, int32_t row, int32_t up)
-{
-    const struct zs_sampler *s = &job->sampler;
-    const int32_t turn = s->shift[k] + 1;
-    p->c = (zs_plane_at(&job->c[k], i, row) << up) + 0x8000u;
-    p->step = job->c[k].gx << up;
-    p->base = (uint32_t)s->base[k];
-    p->left = zs_max32(turn, 0);
-    p->down = zs_max32(-turn, 0);
-    p->cut = 32u - (k ? s->texture->log2_h : s->texture->log2_w);
-}
-
-/* at[]: reciprocals, 16 bits; rows above them; then numbers of texels. Twice: v, u. */
-static ZS_NOINLINE void places(uint32_t *at, int32_t n, const struct places *p, uint32_t log2_w)
-{
-    const int32_t left = p->left, down = p->down;
-    uint32_t c = p->c, base = p->base, step = p->step, cut = p->cut;
-    for (uint32_t *end = at + n; at != end; at++, c += step) {
-        ZS_HIGH_REGISTER(end);
-        ZS_HIGH_REGISTER(step);
-        ZS_HIGH_REGISTER(base);
-        const uint32_t turned = (uint32_t)((int32_t)(coarse_over(c, *at & 65535u) << left) >> down);
-        const uint32_t place = (base + turned) >> cut;
-        *at = log2_w ? (*at >> 16 << log2_w) + place : place << 16 | *at;
-    }
-}
-
-/* Light that comes from the vertices; at[] are reciprocals. */
-static void light_places(const struct zs_job *job, uint16_t *out, const uint32_t *at, int32_t n, uint32_t c,
-                         uint32_t step)
-{
-    const struct zs_shader *shader = job->shader;
-    for (int32_t k = 0; k < n; k++, c += step) {
-        const int32_t level = (int32_t)coarse_over(c, at[k] & 65535u);
-        shader->light(out + k, 1, level < 0 ? 0u : (uint32_t)level << 2, 0); /* < 2^32: light is below LIGHT_MAX */
-    }
-}
-
-/* n <= PIECE pixels from i on in which w keeps its lz leading zeros, 1 .. 31. */
-static ZS_NOINLINE void divide_octave(struct zs_job *job, uint16_t *out, int32_t i, int32_t n, int32_t row, int32_t lz)
-{
-    const struct zs_texture *t = job->sampler.texture;
-    const struct zs_texel *texel = t->format;
-    const int32_t up = lz - 1;
-    struct places p;
-    uint32_t at[PIECE];
-    reciprocals(at, n, zs_plane_at(&job->w, i, row) << up, job->w.gx << up);
-    places_of(&p, job, 1, i, row, up);
-    places(at, n, &p, 0);
-    places_of(&p, job, 0, i, row, up);
-    places(at, n, &p, t->log2_w);
-    texel->gather(t, out, n, at);
-    if (job->shader->n_attrs != 3) {
-        lighten(job, out, n, 0, 0);
-        return;
-    }
-    reciprocals(at, n, zs_plane_at(&job->w, i, row) << up, job->w.gx << up);
-    light_places(job, out, at, n, (zs_plane_at(&job->c[2], i, row) << up) + 0x8000u, job->c[2].gx << up);
-}
-
-/* How many of n pixels, from one with w on, have its leading zeros. */
-static int32_t same_octave(uint32_t w, int32_t gx, int32_t lz, int32_t n)
-{
-    const uint32_t low = 1u << (31 - lz);
-    if (gx == 0)
-        return n;
-    const uint32_t more = gx < 0 ? (w - low) / (0u - (uint32_t)gx) : (low - 1u - (w - low)) / (uint32_t)gx;
-    return more < (uint32_t)n ? (int32_t)more + 1 : n;
-}
-
-#endif
 
 /* ---- Groups ------------------------------------------------------------------------------------------ */
 
@@ -583,42 +443,35 @@ ZS_IN_ORDER static ZS_NOINLINE void run_group(struct zs_job *job, const struct z
             step[k] = step_of((int32_t)(next[k] - c[k]), to - from);
     }
     fetch(job, out, i1 - i0, c, step, i0 - from);
-    lighten(job, out, i1 - i0, c[2] + zs_wrap_mul((uint32_t)step[2], i0 - from), step[2]);
+    zs_texture_lighten(job, out, i1 - i0, c[2] + zs_wrap_mul((uint32_t)step[2], i0 - from), step[2]);
 }
 
-/* Pixels [i, end) of a row, each by a division of its own. */
-static void run_divided(struct zs_job *job, const struct zs_row *row, int32_t i, int32_t end)
+void zs_texture_pixel(struct zs_job *job, const struct zs_row *row, int32_t i)
 {
-    while (i < end) {
-        const uint32_t w = zs_plane_at(&job->w, i, row->y);
-        uint16_t *const out = job->color + row->at + i;
-        int32_t n = 1;
-        if (w == 0 || w >> 31 || job->sampler.fine) {
-            run_group(job, row, i, i, i, i + 1);
-        } else if (ZS_LEAN || end - i <= FEW || job->sampler.wide) {
-            run_coarse(job, out, i, row->y, w);
-        } else {
-#if !ZS_LEAN
-            const int32_t lz = zs_clz32(w);
-            n = same_octave(w, (int32_t)job->w.gx, lz, zs_min32(end - i, PIECE));
-            divide_octave(job, out, i, n, row->y, lz);
-#endif
-        }
-        i += n;
-    }
+    const uint32_t w = zs_plane_at(&job->w, i, row->y);
+    if (w == 0 || w >> 31 || job->sampler.fine)
+        run_group(job, row, i, i, i, i + 1);
+    else
+        zs_texture_coarse_pixel(job, job->color + row->at + i, i, row->y, w);
 }
 
 static void run_groups(struct zs_job *job, const struct zs_row *row, int32_t r0, int32_t r1)
 {
     const int down = (int32_t)job->w.gx < 0;
     int32_t from = row->x0 + ((r0 - row->x0) & -GROUP);
+    void (*const divided)(struct zs_job *, const struct zs_row *, int32_t, int32_t) =
+        job->texel && !job->sampler.wide && !job->sampler.fine ? job->fast->divided : 0;
     for (; from < r1; from += GROUP) {
         const int32_t to = zs_min32(from + GROUP, row->x1 - 1); /* covered */
-        const int32_t i0 = zs_max32(from, r0), i1 = zs_min32(from + GROUP, r1);
+        int32_t i0 = zs_max32(from, r0);
+        const int32_t i1 = zs_min32(from + GROUP, r1);
         if (zs_persp_w_at(job, down ? to : from, row->y) >= job->sampler.least_w)
             run_group(job, row, from, to, i0, i1);
+        else if (divided)
+            divided(job, row, i0, i1);
         else
-            run_divided(job, row, i0, i1);
+            for (; i0 < i1; i0++)
+                zs_texture_pixel(job, row, i0);
     }
 }
 
@@ -630,35 +483,11 @@ static void texture_run(struct zs_job *job, const struct zs_row *row, int32_t r0
         run_groups(job, row, r0, r1);
 }
 
-#if ZS_LEAN
+#define TEXTURE(vertex_, face_, check_, light_, n)                                                                    \
+    { .vertex = vertex_, .face = face_, .start = texture_start, .run = texture_run, .check = check_, .light = light_, \
+      .n_attrs = n }
 
-const struct zs_shader zs_shade_texture = { texture_vertex, no_face, texture_start, texture_run, texture_check, 0,
-                                            ZS_ATTRS_TEXTURE };
-const struct zs_shader zs_shade_texture_flat = { texture_vertex, flat_face, texture_start, texture_run, texture_check, light,
-                                                 ZS_ATTRS_TEXTURE };
-const struct zs_shader zs_shade_texture_smooth = { smooth_vertex, no_face, texture_start, texture_run, smooth_check, light,
-                                                   ZS_ATTRS_TEXTURE_SMOOTH };
-
-#else
-
-static void texture_rows(struct zs_job *job)
-{
-    texture_start(job);
-    if (job->sampler.direct && job->sampler.unlit && !zs_keys_may_saturate(job)) {
-        const struct zs_texel *texel = job->sampler.texture->format;
-        texel->rows(job);
-    } else {
-        zs_persp_walk(job);
-    }
-}
-
-const struct zs_shader zs_shade_texture = { texture_vertex, no_face, texture_rows, texture_start, zs_persp_span, texture_run,
-                                            texture_check, 0, zs_small_texture, ZS_ATTRS_TEXTURE };
-const struct zs_shader zs_shade_texture_flat = { texture_vertex, flat_face, texture_rows, texture_start,
-                                                 zs_persp_span, texture_run, texture_check, light, zs_small_texture_lit,
-                                                 ZS_ATTRS_TEXTURE };
-const struct zs_shader zs_shade_texture_smooth = { smooth_vertex, no_face, texture_rows, texture_start,
-                                                   zs_persp_span, texture_run, smooth_check, light, zs_small_texture_lit,
-                                                   ZS_ATTRS_TEXTURE_SMOOTH };
-
-#endif
+const struct zs_shader zs_shade_texture = TEXTURE(texture_vertex, no_face, texture_check, 0, ZS_ATTRS_TEXTURE);
+const struct zs_shader zs_shade_texture_flat = TEXTURE(texture_vertex, flat_face, texture_check, light, ZS_ATTRS_TEXTURE);
+const struct zs_shader zs_shade_texture_smooth =
+    TEXTURE(smooth_vertex, no_face, smooth_check, light, ZS_ATTRS_TEXTURE_SMOOTH);

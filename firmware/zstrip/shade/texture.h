@@ -71,13 +71,26 @@ static inline uint32_t zs_texture_shine(uint32_t c, uint32_t level)
     return red << 11 | green << 5 | blue;
 }
 
-/* The texture to be drawn for job->tri: t, or a copy of it with the palette lit. Sets job->sampler.unlit. */
-const struct zs_texture *zs_texture_lit(struct zs_job *job, const struct zs_texture *t);
+/* Pixel i of a row of a triangle that is not affine, by a division of its own. */
+void zs_texture_pixel(struct zs_job *job, const struct zs_row *row, int32_t i);
+/* The same by a reciprocal of 15 bits. 0 < w < 2^31 there. */
+void zs_texture_coarse_pixel(struct zs_job *job, uint16_t *out, int32_t i, int32_t row, uint32_t w);
 
-#if !ZS_LEAN
-/* small_texture.c: zs_shader.small, without light and with it. */
-int zs_small_texture(struct zs_job *job);
-int zs_small_texture_lit(struct zs_job *job);
-#endif
+#define ZS_TEXTURE_FULL_LIGHT 32768u /* zs_tri.paint, uq1_15, where a texture's colours are as they are */
+
+/* attribute * w over w: uq2_30, a little below 0 or above 1 at most; 1/2 in 2^16 has been added to c. */
+static inline uint32_t zs_texture_coarse(uint32_t c, uint32_t rcp)
+{
+    return (uint32_t)((int32_t)c >> 16) * rcp; /* 16 bits with the sign, times 16: modulo 2^32 */
+}
+
+static inline void zs_texture_lighten(const struct zs_job *job, uint16_t *out, int32_t n, uint32_t level, int32_t step)
+{
+    const struct zs_shader *shader = job->shader;
+    if (shader->n_attrs == 3)
+        shader->light(out, n, level << 1, (uint32_t)step << 1);
+    else if (!job->sampler.unlit)
+        shader->light(out, n, (uint32_t)job->tri->paint << 16, 0);
+}
 
 #endif

@@ -1,4 +1,4 @@
-/* Instances that meet the depth buffer in their own way: less or equal, read only, offset.
+/* The depth test: which pixels of a span win, under any depth state, and handing over runs of them to the shader.
  *
  * The triangles of a strip are drawn in scene order, and sets from pools that are too small follow each
  * other in scene order, so the outcome is that of drawing one after another, whatever strips and pools are.
@@ -10,18 +10,13 @@
 #define BIAS_MAX 65536 /* buckets: beyond it, all keys stop at an end anyway */
 
 /* |256 n / area| in 2^-16 buckets a pixel, at most 2^46: slivers have any slope. |n| < 2^55 */
-static uint64_t steepness(int64_t n, int64_t area)
+static ZS_RARE uint64_t steepness(int64_t n, int64_t area)
 {
-    const uint64_t mag = n < 0 ? 0u - (uint64_t)n : (uint64_t)n;
-#if ZS_LEAN
-    const uint64_t q = zs_muldiv_u64(mag, 256, (uint64_t)area);
-#else
-    const uint64_t q = (mag << 8) / (uint64_t)area;
-#endif
+    const uint64_t q = ((uint64_t)zs_size64(n) << 8) / (uint64_t)area;
     return q >> 46 ? (uint64_t)1 << 46 : q;
 }
 
-static int32_t state_bias(const struct zs_job *job)
+ZS_RARE int32_t zs_depth_state_bias(const struct zs_job *job)
 {
     const struct zs_geom *g = &job->geom;
     const struct zs_state *state = job->state;
@@ -39,24 +34,38 @@ static int32_t state_bias(const struct zs_job *job)
     return bias > BIAS_MAX ? BIAS_MAX : bias < -BIAS_MAX ? -BIAS_MAX : (int32_t)bias;
 }
 
-static void state_span(struct zs_job *job, const struct zs_row *row, int32_t i0, int32_t i1, uint32_t sum,
-                       uint32_t gx)
+/* Whether a key wins its pixel, and its writing. */
+static inline int wins(const struct zs_job *job, uint32_t key, uint32_t top, uint16_t *depth)
 {
-    const struct zs_shader *shader = job->shader;
     const struct zs_state *state = job->state;
-    const uint32_t top = (job->r->view.key_top >> 16) - 1u;
-    uint16_t *depth = job->depth + row->at;
-    int32_t from = -1; /* first pixel of the current run */
-    for (int32_t i = i0; i < i1; i++, sum += gx) {
-        if (zs_rows_state(job, state, sum >> 16, top, &depth[i])) {
-            if (from < 0)
-                from = i;
-        } else {
-            zs_rows_run(job, shader, row, from, i);
-            from = -1;
-        }
+    key = zs_minu32(key, top);
+    if (!state) {
+        if (key >= *depth)
+            return 0;
+    } else {
+        const int32_t moved = (int32_t)key + job->bias;
+        key = moved < 0 ? 0u : zs_minu32((uint32_t)moved, top);
+        if (key >= (uint32_t)*depth + (state->equal != 0))
+            return 0;
+        if (state->read_only)
+            return 1;
     }
-    zs_rows_run(job, shader, row, from, i1);
+    *depth = (uint16_t)key;
+    return 1;
 }
 
-const struct zs_state_kernel zs_state_kernel = { state_bias, state_span };
+void zs_rows_test(struct zs_job *job, const struct zs_row *row, int32_t i0, int32_t i1, uint32_t sum, uint32_t step)
+{
+    const struct zs_shader *shader = job->shader;
+    const uint32_t top = (job->r->view.key_top >> 16) - 1u;
+    uint16_t *const line = job->depth + row->at;
+    for (int32_t i = i0; i < i1; i++, sum += step) { /* at a pixel that lost */
+        const int32_t from = i;
+        for (; i < i1 && wins(job, sum >> 16, top, &line[i]); sum += step)
+            i++;
+        if (i > from) {
+            zs_rows_written(job, i - from);
+            shader->run(job, row, from, i);
+        }
+    }
+}

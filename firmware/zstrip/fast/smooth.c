@@ -1,0 +1,64 @@
+/* Smooth shading, affine, keys that do not saturate: test and colours in one loop.
+ *
+ * SPDX-License-Identifier: MIT
+ */
+#include "fast/less.h"
+#include "shade/persp.h"
+#include "zs_fast.h"
+
+/* Depth test and colour of an affine triangle whose keys do not saturate. */
+static ZS_NOINLINE void affine_rows(struct zs_job *job)
+{
+    const int32_t width = job->width;
+    const struct zs_plane *const c = job->c;
+    uint32_t by_key = job->key.gx, by_red = c[0].gx, by_green = c[1].gx, by_blue = c[2].gx;
+    uint32_t tested = 0;
+    int32_t written = 0, y = job->row, at = (y - job->y0) * width;
+    zs_plane_origin(&job->geom, &job->key);
+    for (;;) {
+        for (const struct zs_cut *cut = job->cut; y < job->cut_end; cut++, y++, at += width) {
+            const int32_t i0 = zs_max32(cut->x0, 0), n = zs_min32(cut->x1, width) - i0;
+            if (n <= 0)
+                continue;
+            uint32_t sum = zs_plane_at(&job->key, i0, y), red = zs_plane_at(&c[0], i0, y),
+                     green = zs_plane_at(&c[1], i0, y), blue = zs_plane_at(&c[2], i0, y);
+            uint16_t *depth = job->depth + at + i0, *color = job->color + at + i0;
+            const uint16_t *end = depth + n;
+            tested += (uint32_t)n;
+            do {
+                ZS_HIGH_REGISTER(by_key);
+                ZS_HIGH_REGISTER(by_red);
+                ZS_HIGH_REGISTER(by_green);
+                ZS_HIGH_REGISTER(by_blue);
+                ZS_HIGH_REGISTER(end);
+                if (sum >> 16 < *depth) {
+                    *depth = (uint16_t)zs_high(sum);
+                    *color = zs_smooth_pack(red, green, blue);
+                    if (ZS_STATS)
+                        written++;
+                }
+                depth++;
+                color++;
+                sum += by_key;
+                red += by_red;
+                green += by_green;
+                blue += by_blue;
+            } while (depth != end);
+        }
+        if (y >= job->row_end)
+            break;
+        zs_edges_cut(job, y);
+    }
+    job->r->stats.pixels_tested += tested;
+    zs_rows_written(job, written);
+}
+
+static int smooth_rows(struct zs_job *job)
+{
+    if (job->sub_log2 != ZS_AFFINE || job->saturates)
+        return zs_fast_less_rows(job);
+    affine_rows(job);
+    return 1;
+}
+
+const struct zs_fast zs_fast_smooth = { .shader = &zs_shade_smooth, .rows = smooth_rows, .span = zs_fast_less };
