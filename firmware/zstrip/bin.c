@@ -1081,7 +1081,6 @@ ZS_RARE void zs_bin_walk(struct zs_renderer *r)
     r->band_end = ZS_OFF(r, ZS_SKIP_BINS) ? (uint16_t)(r->strip + 1u) : r->draw_end;
     r->stats.passes++;
 #if !ZS_LEAN
-    r->group = 0;
     r->walk_x = r->walk_most = 0;
     r->walk_end = r->walk_least = r->config.width;
     r->n_turns = 0;
@@ -1092,7 +1091,6 @@ ZS_RARE void zs_bin_walk(struct zs_renderer *r)
 #else
     const struct zs_scene *scene = r->scene;
     for (uint32_t i = 0, n = 0, left = 1; left;) {
-        i = zs_cull_next(r, scene, i);
         left = i < scene->n_instances;
         const int as_it_stands = left && scene->instance[i].state;
         if (left && !as_it_stands) {

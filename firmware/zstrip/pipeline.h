@@ -92,11 +92,6 @@ struct zs_cluster_kernel {
     int (*run)(struct zs_renderer *r);
 };
 
-/* Which instances need not be looked at: of zs_groups.kernel. */
-struct zs_group_kernel {
-    uint32_t (*next)(struct zs_renderer *r, const struct zs_scene *scene, uint32_t number);
-};
-
 /* How an instance with a state is drawn: of zs_state.kernel. */
 struct zs_state_kernel {
     /* Buckets to be added to each key of a triangle: offset and slope. */
@@ -177,21 +172,6 @@ void zs_cull_axes(zs_q2_30 out[9], const struct zs_instance *in, const struct zs
 
 /* Half of what an orthographic frame holds from left to right, q48_16, at least. */
 int64_t zs_cull_half_width(const struct zs_camera *camera, const struct zs_view *view);
-
-/* The first instance from number on that is in no group out of view; instances are asked for in order, from r->group = 0. */
-static inline uint32_t zs_cull_next(struct zs_renderer *r, const struct zs_scene *scene, uint32_t number)
-{
-#if ZS_LEAN
-    (void)r;
-    (void)scene;
-    return number;
-#else
-    if (!scene->groups || ZS_OFF(r, ZS_SKIP_GROUP))
-        return number;
-    const struct zs_group_kernel *group = scene->groups->kernel;
-    return group->next(r, scene, number);
-#endif
-}
 
 /* ---- frame.c --------------------------------------------------------------------------------------- */
 

@@ -187,8 +187,6 @@ struct zs_renderer { /* what is used most comes first: a Cortex-M0 reaches 31 by
 #if !ZS_LEAN
     uint16_t turn[ZS_ORDER_MAX + 1]; /* their numbers, as they are drawn; one more, which has a state, is the last */
     uint8_t n_turns;              /* while they are put in order */
-    uint16_t group;               /* the next that the walk comes to */
-    uint16_t group_slack;         /* world units that their spheres are taken to be larger by */
     uint16_t edge_of[4];          /* what edge[] holds: rows [0] .. [1] - 1 are drawn, and columns [2] .. [3] - 1 */
     struct zs_edge edge[4];
     const struct zs_cluster_kernel *cluster_kernel; /* of the current instance; NULL: all of it is drawn */
