@@ -245,8 +245,6 @@ static uint16_t on_face(const struct zs_renderer *r, uint32_t t)
 static uint32_t on_depth_vertex(const struct zs_view *view, int32_t z, uint32_t rcp, int32_t lz)
 {
     const struct zs_renderer *r = now.r;
-    if (r->n_turns)
-        return now.of->vertex(view, z, rcp, lz); /* where instances are put in order: no vertex of one */
     const enum sim_cost cost = !view->perspective              ? SIM_COST_vertex_ortho
                                : now.of == &zs_depth_recip     ? SIM_COST_vertex_recip
                                : now.of == &zs_depth_linear    ? SIM_COST_vertex_linear

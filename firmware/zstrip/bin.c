@@ -1083,32 +1083,9 @@ ZS_RARE void zs_bin_walk(struct zs_renderer *r)
 #if !ZS_LEAN
     r->walk_x = r->walk_most = 0;
     r->walk_end = r->walk_least = r->config.width;
-    r->n_turns = 0;
 #endif
-#if ZS_LEAN
     for (uint32_t i = 0; i < r->scene->n_instances; i++)
         walk_instance(r, i);
-#else
-    const struct zs_scene *scene = r->scene;
-    for (uint32_t i = 0, n = 0, left = 1; left;) {
-        left = i < scene->n_instances;
-        const int as_it_stands = left && scene->instance[i].state;
-        if (left && !as_it_stands) {
-            r->turn[n++] = (uint16_t)i++;
-            if (n < ZS_ORDER_MAX)
-                continue;
-        }
-        r->n_turns = (uint8_t)n;
-        if (n > 1u && !(r->config.skip_off & ZS_SKIP_ORDER))
-            zs_order_sort(r);
-        r->n_turns = 0;
-        if (as_it_stands)
-            r->turn[n++] = (uint16_t)i++;
-        for (uint32_t k = 0; k < n; k++)
-            walk_instance(r, r->turn[k]);
-        n = 0;
-    }
-#endif
     high_water(r);
     r->counting = 0;
 }

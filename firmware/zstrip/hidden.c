@@ -39,11 +39,6 @@ static uint32_t key_of(const struct zs_renderer *r, uint32_t d, int32_t add)
     return (key >= most ? most : zs_minu32(key + 0x8000u + (uint32_t)add, most)) >> 16; /* no carry: key < 2^32 - 2^17 */
 }
 
-uint32_t zs_hidden_key(const struct zs_renderer *r, uint32_t d, int32_t sign)
-{
-    return key_of(r, d, sign < 0 ? -MARGIN : MARGIN);
-}
-
 /* ---- Levels -------------------------------------------------------------------------------------------- */
 
 void zs_hidden_up(const uint16_t *in, uint32_t w, uint32_t h, uint16_t *out)

@@ -236,11 +236,6 @@ struct zs_clip_vertex {
 int zs_clip_polygon(const struct zs_view *view, struct zs_clip_vertex *v, int n, uint32_t planes,
                     uint32_t n_attrs);
 
-/* ---- order.c ---------------------------------------------------------------------------------------- */
-
-/* Put r->turn[0 .. r->n_turns - 1], none with a state, in the order in which they are drawn. */
-void zs_order_sort(struct zs_renderer *r);
-
 /* ---- bin.c ------------------------------------------------------------------------------------------ */
 
 /* Walk the scene and bin what lies in strips [r->strip, r->band_end); the band shrinks where the
@@ -279,8 +274,6 @@ void zs_raster_span(struct zs_job *job, const struct zs_row *row, int32_t i0, in
 
 /* ---- hidden.c --------------------------------------------------------------------------------------- */
 
-/* The key of a vertex, and what drawn keys may be nearer (sign -1) or farther by (1). */
-uint32_t zs_hidden_key(const struct zs_renderer *r, uint32_t d, int32_t sign);
 /* A triangle of the current instance that is drawn, clockwise: what it hides, if it is large. */
 void zs_hidden_cover(struct zs_renderer *r, const struct zs_vertex *a, const struct zs_vertex *b, const struct zs_vertex *c);
 /* Of r->strip, where r->large: a depth up to which a vertex shows that its triangle is not hidden; UINT32_MAX: nothing is. */

@@ -111,8 +111,6 @@ struct zs_lit {
     uint16_t color[ZS_LIT_COLORS];
 };
 
-#define ZS_ORDER_MAX 16u /* instances that are put in order at a time (order.c) */
-
 /* A large triangle, as its bounds need it (hidden.c). */
 struct zs_cover {
     struct zs_vertex v[3];  /* from the top */
@@ -185,8 +183,6 @@ struct zs_renderer { /* what is used most comes first: a Cortex-M0 reaches 31 by
     uint32_t fresh_left;          /* how many pixels hold none, where some do */
 #endif
 #if !ZS_LEAN
-    uint16_t turn[ZS_ORDER_MAX + 1]; /* their numbers, as they are drawn; one more, which has a state, is the last */
-    uint8_t n_turns;              /* while they are put in order */
     uint16_t edge_of[4];          /* what edge[] holds: rows [0] .. [1] - 1 are drawn, and columns [2] .. [3] - 1 */
     struct zs_edge edge[4];
     const struct zs_cluster_kernel *cluster_kernel; /* of the current instance; NULL: all of it is drawn */

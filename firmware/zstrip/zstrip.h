@@ -289,8 +289,7 @@ enum zs_skip {
     ZS_SKIP_CLUSTER = 512, /* clusters whose sphere is outside the view, or what is to be drawn of it */
     ZS_SKIP_CONE = 1024,  /* clusters that turn their backs */
     ZS_SKIP_ROWS = 2048,  /* second walks: meshes with clusters whose sphere is outside the strips that are to be drawn */
-    ZS_SKIP_ORDER = 4096, /* colouring what nearer instances cover: they are drawn first where no key can be equal */
-    ZS_SKIP_ALL = 8191
+    ZS_SKIP_ALL = 4095
 };
 
 struct zs_config {
@@ -355,7 +354,6 @@ struct zs_config {
 struct zs_stats {
     uint32_t instances_in, instances_culled; /* culled: the sphere is outside the view, or ... */
     uint32_t instances_hidden; /* ... these of them: behind large triangles of instances drawn before them */
-    uint32_t instances_earlier; /* put before an instance that comes before them in the scene (ZS_SKIP_ORDER) */
     uint32_t clusters_in, clusters_culled; /* of the instances that were not culled; culled: outside or turned away */
     uint32_t tris_in;         /* in all instances */
     uint32_t tris_drawn;      /* binned, whole or in clipped pieces */

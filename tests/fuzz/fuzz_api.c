@@ -144,7 +144,7 @@ static struct zs_config profile(struct prng *p, const struct zs_camera *camera)
 }
 
 /* Off where spheres and cones need not hold what they say: what is missing then depends on strips and pools. */
-#define UNTRUSTED (ZS_SKIP_CLUSTER | ZS_SKIP_CONE | ZS_SKIP_ROWS | ZS_SKIP_BEHIND | ZS_SKIP_ORDER) /* ask spheres */
+#define UNTRUSTED (ZS_SKIP_CLUSTER | ZS_SKIP_CONE | ZS_SKIP_ROWS | ZS_SKIP_BEHIND) /* ask spheres */
 
 /* How it is drawn: skips only where the scene keeps its word. */
 static struct zs_config way(struct prng *p, struct zs_config c, int trusted)

@@ -51,7 +51,6 @@ static void stop(int signal)
 
 static const char *const skip_name[STRESS_SKIPS] = {
     "frustum", "cliptest", "empty", "vcache", "bins", "hidden", "clear", "test", "behind", "cluster", "cone", "rows",
-    "order",
 };
 static const char *const seen_name[] = {
     "several passes", "two buffers", "fewer depth bits", "4 sub-pixel bits", "zs_watch", "zs_track", "both",

@@ -7,7 +7,7 @@
 
 #include <stdint.h>
 
-#define STRESS_SKIPS 13 /* bits of ZS_SKIP_ALL */
+#define STRESS_SKIPS 12 /* bits of ZS_SKIP_ALL */
 
 /* Frames of units in which something was there: of each skip off, on, and on with something left out by it; then what
  * else a way or a scene has. Named in stress.c. */

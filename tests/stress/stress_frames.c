@@ -441,7 +441,6 @@ static void see(const struct hand *hand, const struct zs_stats *plain, uint64_t 
     did |= s->tris_hidden ? ZS_SKIP_HIDDEN : 0;
     did |= s->pixels_untested ? ZS_SKIP_TEST | ZS_SKIP_CLEAR : 0;
     did |= s->instances_hidden ? ZS_SKIP_BEHIND : 0;
-    did |= s->instances_earlier ? ZS_SKIP_ORDER : 0;
     did |= s->clusters_culled && (on & both) != both ? both : 0; /* else: one of them */
     did |= walks && s->clusters_in ? ZS_SKIP_ROWS : 0; /* where it may */
     stress_saw_skips(seen, c->skip_off, did & on);
