@@ -1,5 +1,5 @@
-/* Instances in front of each other in any order: whatever is left out, the frame is that of the scene's order. Keys of few
- * bits, so that near things share buckets: there, the earlier instance wins.
+/* Instances in front of each other in any order: whatever is left out, the frame is that of the scene's order. Keys of
+ * few bits, so that near things share buckets: there, the earlier instance wins.
  *
  * SPDX-License-Identifier: MIT
  */

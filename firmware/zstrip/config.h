@@ -21,8 +21,8 @@
 /* 1: least flash, half of what it is with 0 (three fifths where all is used), for 2 to 3 times the instructions, and some 35
  * times where large surfaces hide each other. One general kernel for each stage, compiled for size: nothing that is only
  * quicker is there (bins, hidden.c, fresh.c, small.c, narrow twins of wide arithmetic). Frames are the same, bit for bit.
- * enum zs_skip has no effect; clusters may be named and leave nothing out. Statistics of hidden, clusters and untested are
- * 0. DESIGN.md has what it saves and costs.
+ * enum zs_skip has no effect; clusters may be named and leave nothing out. Statistics of hidden, clusters and untested
+ * are 0. DESIGN.md has what it saves and costs.
  * Every file of a program must have it alike: struct zs_renderer and ZS_ARENA_BYTES differ. */
 #ifndef ZS_LEAN
 #define ZS_LEAN 0

@@ -288,8 +288,6 @@ struct zs_box {
 int zs_hidden_box(struct zs_renderer *r, const struct zs_box *box, uint32_t nearest);
 /* The same of a sphere: bounds as in a walk. */
 int zs_hidden_sphere(struct zs_renderer *r, const struct zs_bounds *b);
-/* The next level of bounds: out[(h + 1) / 2][(w + 1) / 2], each the farthest of four of in[h][w], of two or one at the ends. */
-void zs_hidden_up(const uint16_t *in, uint32_t w, uint32_t h, uint16_t *out);
 
 /* The span of a row: first sample at or right of its left edge, and of its right edge. */
 struct zs_cut {

@@ -153,7 +153,7 @@ struct zs_renderer { /* what is used most comes first: a Cortex-M0 reaches 31 by
     uint16_t *color[2];      /* [strip_h][width], wire order: the next strip's, and the one given out last; one buffer: the same */
     uint16_t *depth;         /* [strip_h][width] */
 #if !ZS_LEAN
-    uint16_t *bound;         /* levels from [n_strips][ZS_TILES(width)]: no key of a strip's tile stays farther (hidden.c) */
+    uint16_t *bound;         /* [n_strips][ZS_TILES(width)]: no key of a strip's tile stays farther (hidden.c) */
     uint16_t *bin;           /* [n_strips]: newest triangle that begins in the strip, or ZS_NIL */
 #endif
     struct zs_tri *tri;      /* [max_tris] */
@@ -188,10 +188,8 @@ struct zs_renderer { /* what is used most comes first: a Cortex-M0 reaches 31 by
     const struct zs_cluster_kernel *cluster_kernel; /* of the current instance; NULL: all of it is drawn */
     struct zs_clusters clusters;
     struct zs_cover cover[2];     /* the last two large triangles: cover[!cover_next] is known if cover_known */
-    uint16_t bound_most;          /* no bound is farther ... */
-    uint16_t bound_strip;         /* ... and none of the strip in hand */
+    uint16_t bound_strip;         /* no bound of the strip in hand is farther */
     uint8_t cover_next, cover_known, cover_waits; /* its own bounds are still to be found */
-    uint8_t bound_new;            /* upper levels and bound_most are older than the lowest */
     struct zs_lit lit;
 #endif
 };

@@ -288,7 +288,7 @@ enum zs_skip {
     ZS_SKIP_BEHIND = 256, /* instances whose box lies behind large triangles of what is drawn before them */
     ZS_SKIP_CLUSTER = 512, /* clusters whose sphere is outside the view, or what is to be drawn of it */
     ZS_SKIP_CONE = 1024,  /* clusters that turn their backs */
-    ZS_SKIP_ROWS = 2048,  /* second walks: meshes with clusters whose sphere is outside the strips that are to be drawn */
+    ZS_SKIP_ROWS = 2048,  /* second walks: meshes with clusters whose sphere is outside the strips to be drawn */
     ZS_SKIP_ALL = 4095
 };
 
@@ -320,15 +320,10 @@ struct zs_config {
 #endif
 #define ZS_TILE_LOG2 5
 #define ZS_TILES(width) (((uint32_t)(width) + 31u) >> ZS_TILE_LOG2)
-#define ZS_BOUND_LEVELS 3
-#define ZS_BOUND_CELLS(width, strips, n) (((ZS_TILES(width) + (n) - 1u) / (n)) * (((strips) + (n) - 1u) / (n)))
 #if ZS_LEAN
 #define ZS_BOUND_BYTES(width, height, strip_h) 0u
 #else
-#define ZS_BOUND_BYTES(width, height, strip_h) \
-    ZS_ROUND4(2u * (ZS_BOUND_CELLS(width, ZS_STRIPS(height, strip_h), 1u) + \
-                    ZS_BOUND_CELLS(width, ZS_STRIPS(height, strip_h), 2u) + \
-                    ZS_BOUND_CELLS(width, ZS_STRIPS(height, strip_h), 4u)))
+#define ZS_BOUND_BYTES(width, height, strip_h) ZS_ROUND4(2u * ZS_TILES(width) * ZS_STRIPS(height, strip_h))
 #endif
 #if ZS_LEAN
 #define ZS_BIN_BYTES(height, strip_h) 0u

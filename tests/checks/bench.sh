@@ -201,8 +201,8 @@ for scene in $STRIPS_OF; do
     if [ -z "$over" ]; then ok "$name: $said"; else bad "$name" "$said"; fi
 done
 
-# What the same things cost in another order, per cent on top of front to back
-for scene in layers_btf layers_mixed crowd_btf; do
+# What the same layers cost in another order, per cent on top of front to back
+for scene in layers_btf layers_mixed; do
     said=$(for board in $boards; do
         awk -F, -v core="$(core "$board")" -v scene="$scene" -v first="${scene%%_*}_ftb" '
             $2 == "one-pass" { n[$1] = $13 }

@@ -1,5 +1,6 @@
 #!/bin/sh
-# What culling by clusters saves, and what instances out of view cost, on QEMU's Cortex-M3 (instructions, not cycles). Needs BUILD/zsim.
+# What culling by clusters saves, and what instances out of view cost, on QEMU's Cortex-M3 (instructions, not cycles).
+# Needs BUILD/zsim.
 #
 # SPDX-License-Identifier: MIT
 . "$(dirname "$0")/common.sh"

@@ -8,10 +8,10 @@
 # sp in them, summed, and the deepest callee.
 #
 # Calls through pointers. The compiler gives the place of each; the source line there must read
-# shader->FIELD(, depth->FIELD(, kernel->FIELD(, texel->FIELD(, watch->FIELD(, track->FIELD(, cluster->FIELD( or sink->FIELD(.
-# All but the last may reach every function that stands in that FIELD of any zs_shader, zs_depth, zs_state_kernel, zs_texel,
-# zs_watch_kernel, zs_track_kernel or zs_cluster_kernel table (from the tables' relocations); sink functions are the caller's:
-# their stack, and interrupts', comes on top. Any other pointer call fails.
+# shader->FIELD(, depth->FIELD(, kernel->FIELD(, texel->FIELD(, watch->FIELD(, track->FIELD(, cluster->FIELD( or
+# sink->FIELD(. All but the last may reach every function that stands in that FIELD of any zs_shader, zs_depth,
+# zs_state_kernel, zs_texel, zs_watch_kernel, zs_track_kernel or zs_cluster_kernel table (from the tables' relocations);
+# sink functions are the caller's: their stack, and interrupts', comes on top. Any other pointer call fails.
 #
 # SPDX-License-Identifier: MIT
 . "$(dirname "$0")/common.sh"

@@ -432,7 +432,8 @@ static void do_begin(struct room *m, struct desk *d, struct prng *p)
     const int want = !scene || !camera ? ZS_ERR_NULL : begin_answer(m, d, k);
     EXPECT(zs_frame_begin(NULL, scene, camera) == ZS_ERR_NULL);
     const int said = zs_frame_begin(d->r, scene, camera);
-    EXPECT(said == want || (said < 0 && scene && d->memory && want)); /* zs_track looks at instances first: of two errors that one */
+    /* zs_track looks at instances first: of two errors that one */
+    EXPECT(said == want || (said < 0 && scene && d->memory && want));
     d->open = said ? CLOSED : k;
     d->given = d->counted = 0;
     d->last_whole = 0;
