@@ -42,7 +42,6 @@
     X(cover, "set-up", "triangle of 64 columns or more: may it hide others")                                    \
     X(bound, "set-up", "more where it does")                                                                    \
     X(bound_strip, "set-up", "strip all of whose rows it passes")                                               \
-    X(bound_tile, "set-up", "tile of the frame, where bounds have changed before an instance")                  \
     X(setup_small, "set-up", "small triangle of one colour in a strip")                                         \
     X(setup_small_texel, "set-up", "small triangle with a texture, affine")                                      \
     X(setup_small_lit, "set-up", "more where that is lit")                                                      \

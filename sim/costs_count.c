@@ -58,7 +58,6 @@ static struct {
     uint8_t lit;       /* flag: the small triangle in hand is drawn by a lit kernel */
     uint8_t fresh;     /* flag: a triangle of this strip was drawn on fresh pixels */
     struct zs_vertex cover[3]; /* the last triangle that hides others */
-    uint32_t bounds;   /* checksum of the tiles' bounds, when an instance was last begun */
     uint32_t walk;     /* number of the walk, and of ... */
     uint32_t instance; /* ... the instance in hand, UINT32_MAX: none */
 } now;
@@ -191,16 +190,7 @@ static void count_instance(const struct zs_renderer *r)
         return;
     now.instance = r->xform.number;
     now.walk = r->stats.passes;
-    if (!r->large)
-        return;
-    const uint32_t tiles = ZS_TILES(r->config.width) * r->n_strips;
-    uint32_t sum = 2166136261u;
-    for (uint32_t t = 0; t < tiles; t++)
-        sum = (sum ^ r->bound[t]) * 16777619u;
-    if (sum != now.bounds)
-        now.n[SIM_COST_bound_tile] += tiles;
-    now.bounds = sum;
-    now.n[SIM_COST_instance_asked]++;
+    now.n[SIM_COST_instance_asked] += r->large;
 }
 
 /* Is a triangle of the instance in hand 128 px wide or high? In a mesh that is transformed at once. */
@@ -245,8 +235,6 @@ static uint16_t on_face(const struct zs_renderer *r, uint32_t t)
 static uint32_t on_depth_vertex(const struct zs_view *view, int32_t z, uint32_t rcp, int32_t lz)
 {
     const struct zs_renderer *r = now.r;
-    if (r->n_turns)
-        return now.of->vertex(view, z, rcp, lz); /* where instances are put in order: no vertex of one */
     const enum sim_cost cost = !view->perspective              ? SIM_COST_vertex_ortho
                                : now.of == &zs_depth_recip     ? SIM_COST_vertex_recip
                                : now.of == &zs_depth_linear    ? SIM_COST_vertex_linear

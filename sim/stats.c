@@ -63,7 +63,6 @@ static void counts(struct sim_json *json, const struct zs_stats *s, uint32_t vis
         { "vertices_transformed", s->verts_transformed },
         { "triangle_setups", s->tris_setup },
         { "instances_hidden", s->instances_hidden },
-        { "instances_earlier", s->instances_earlier },
         { "triangles_hidden", s->tris_hidden },
         { "pixels_tested", s->pixels_tested },
         { "pixels_untested", s->pixels_untested },

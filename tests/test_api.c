@@ -222,11 +222,8 @@ static uint32_t bytes_by_hand(const struct zs_config *c)
                           c->max_verts * 12u,
                           c->max_verts * 2u, (uint32_t)c->max_verts * c->attrs * 2u };
     uint32_t sum = (c->max_verts * 2u + 3u) / 4u * 4u; /* vert_map, the ninth */
-    uint32_t cells = 0, w = (c->width + 31u) / 32u, h = strips; /* bounds of tiles, the tenth: three levels */
-    for (int k = 0; k < 3; k++, w = (w + 1u) / 2u, h = (h + 1u) / 2u)
-        cells += w * h;
-    if (!ZS_LEAN)
-        sum += (cells * 2u + 3u) / 4u * 4u + rows * 4u; /* columns drawn, the eleventh */
+    if (!ZS_LEAN) /* bounds of tiles, the tenth; columns drawn, the eleventh */
+        sum += ((c->width + 31u) / 32u * strips * 2u + 3u) / 4u * 4u + rows * 4u;
     for (int k = 0; k < 8; k++)
         sum += (pools[k] + 3u) / 4u * 4u;
     return sum;

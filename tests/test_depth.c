@@ -1016,7 +1016,7 @@ static void keys_bound_how_much_w_changes(void **state)
 {
     (void)state;
     static const struct zs_depth *const depths[] = { &zs_depth_e3m13, &zs_depth_e4m12, &zs_depth_e5m11 };
-    static const struct zs_scene scene = { NULL, 0, { { 0, 0, ZS_Q30_ONE }, 0, 0 }, 0, NULL };
+    static const struct zs_scene scene = { NULL, 0, { { 0, 0, ZS_Q30_ONE }, 0, 0 }, 0 };
     static uint32_t arena[20000];
     for (int n = 0; n < 3 * 9; n++) {
         struct prng p = { (uint64_t)n + 1 };

@@ -154,23 +154,6 @@ static void layers_cost_one(void **state)
     }
 }
 
-/* Farthest of four, level by level: a worked example, and sides that are odd or one. */
-static void a_level_up_is_the_farthest_of_four(void **state)
-{
-    static const uint16_t in[16] = { 7, 1, 0, 6, 0, 3, 1, 2, 3, 9, 1, 2, 9, 1, 2, 2 }, up[4] = { 7, 6, 9, 2 };
-    static const uint16_t odd[6] = { 1, 2, 5, 4, 3, 1 }, ends[2] = { 4, 5 };
-    uint16_t out[5] = { 0, 0, 0, 0, 77 };
-    (void)state;
-    zs_hidden_up(in, 4, 4, out);
-    assert_memory_equal(out, up, sizeof up);
-    zs_hidden_up(up, 2, 2, out);
-    assert_int_equal(out[0], 9);
-    zs_hidden_up(odd, 3, 2, out);
-    assert_memory_equal(out, ends, sizeof ends);
-    zs_hidden_up(odd, 1, 3, out); /* 1 2 5 below each other */
-    assert_true(out[0] == 2 && out[1] == 5 && out[4] == 77);
-}
-
 /* Instances behind a wall that comes first are not transformed; those beside it and before it are. */
 static void instances_behind_a_wall(void **state)
 {
@@ -331,7 +314,6 @@ static void a_sphere_before_near_hides_nothing(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = { cmocka_unit_test(the_frame_is_the_same), cmocka_unit_test(layers_cost_one),
-                                        cmocka_unit_test(a_level_up_is_the_farthest_of_four),
                                         cmocka_unit_test(instances_behind_a_wall),
                                         cmocka_unit_test(equal_keys_hide_nothing),
                                         cmocka_unit_test(half_hidden_is_drawn),

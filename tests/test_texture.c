@@ -1319,7 +1319,7 @@ static void runs_do_not_tell_where_they_begin(void **state)
             wall[s].material = &paper;
             zs_pose_identity(&wall[s].pose);
         }
-        const struct zs_scene scene = { wall, 2, { { 0, 0, ZS_Q30_ONE }, ZS_Q16_ONE, 0 }, 0, 0 };
+        const struct zs_scene scene = { wall, 2, { { 0, 0, ZS_Q30_ONE }, ZS_Q16_ONE, 0 }, 0 };
         struct zs_camera camera;
         assert_int_equal(zs_camera_perspective(&camera, 12000, 96, 1000, 20000), ZS_OK);
         assert_int_equal(zs_camera_look_at(&camera, eye, at, up), ZS_OK);

@@ -87,7 +87,7 @@ $(B)/fuzz/fuzz_mesh: tests/fuzz/fuzz_mesh.c tests/picture.c $(CORE) $(HEADERS)
 
 # Stress: triangles against the oracle and frames against the plainest way, by seeds; under the sanitizers, and as
 # shipped. The oracle, the judge, is not slowed down by sanitizers.
-STRESS_CC = $(CC) -std=gnu11 $(CFLAGS) -DZS_ORDER_DENSE=1u -Wall -Wextra -Werror -Wshadow -Wno-missing-field-initializers $(INC) -Itests \
+STRESS_CC = $(CC) -std=gnu11 $(CFLAGS) -Wall -Wextra -Werror -Wshadow -Wno-missing-field-initializers $(INC) -Itests \
             -Itests/fuzz -Itests/stress
 stress-programs: $(B)/stress/san
 $(B)/stress/oracle.o: tests/oracle.c tests/oracle.h

@@ -268,8 +268,7 @@ static int skips(const struct demo *d)
                     { ZS_SKIP_EMPTY, "empty" }, { ZS_SKIP_VCACHE, "vcache" }, { ZS_SKIP_BINS, "bins" },
                     { ZS_SKIP_HIDDEN, "hidden" }, { ZS_SKIP_BEHIND, "behind" }, { ZS_SKIP_CLEAR, "clear" },
                     { ZS_SKIP_TEST, "test" },
-                    { ZS_SKIP_CLUSTER, "cluster" }, { ZS_SKIP_CONE, "cone" }, { ZS_SKIP_ROWS | ZS_SKIP_BINS, "rows" },
-                    { ZS_SKIP_ORDER, "order" } };
+                    { ZS_SKIP_CLUSTER, "cluster" }, { ZS_SKIP_CONE, "cone" }, { ZS_SKIP_ROWS | ZS_SKIP_BINS, "rows" } };
     struct zs_config c;
     struct result r = { 0 };
     uint32_t tris, verts;

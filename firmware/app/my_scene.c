@@ -51,7 +51,6 @@ static void pose(struct demo_frame *f, uint32_t t, uint16_t w, uint16_t h)
 
     f->scene.instance = f->instance;
     f->scene.n_instances = 2; /* at most DEMO_INSTANCES_MAX */
-    f->scene.groups = 0;
     f->scene.background = zs_rgb565(20, 28, 52);
     zs_unit(f->scene.light.dir, sun);
     f->scene.light.ambient = ZS_Q16_ONE / 4;

@@ -103,8 +103,6 @@ struct zs_lit {
     uint16_t color[ZS_LIT_COLORS];
 };
 
-#define ZS_ORDER_MAX 16u /* instances that are put in order at a time (order.c) */
-
 /* A large triangle, as its bounds need it (fast/tiles.c). */
 struct zs_cover {
     struct zs_vertex v[3];  /* from the top */
@@ -140,7 +138,7 @@ struct zs_renderer { /* what is used most comes first: a Cortex-M0 reaches 31 by
     uint32_t strip_mul;
     uint16_t *color[2];      /* [strip_h][width], wire order: the next strip's, and the one given out last; one buffer: the same */
     uint16_t *depth;         /* [strip_h][width] */
-    uint16_t *bound;         /* levels from [n_strips][ZS_TILES(width)]: no key of a strip's tile stays farther (fast/tiles.c) */
+    uint16_t *bound;         /* [n_strips][ZS_TILES(width)]: no key of a strip's tile stays farther (fast/tiles.c) */
     uint16_t *bin;           /* [n_strips]: newest triangle that begins in the strip, or ZS_NIL */
     struct zs_tri *tri;      /* [max_tris] */
     struct zs_vertex *vert;  /* [max_verts] */
@@ -166,19 +164,13 @@ struct zs_renderer { /* what is used most comes first: a Cortex-M0 reaches 31 by
     int16_t (*drawn)[2];          /* [strip_h]: columns [0] .. [1] - 1 of a row hold colours and keys (fast/first_touch.c) */
     int16_t was[2];               /* the same of a row, before the triangle in hand */
     uint32_t untouched_left;      /* how many pixels hold none, where some do */
-    uint16_t turn[ZS_ORDER_MAX + 1]; /* their numbers, as they are drawn; one more, which has a state, is the last */
-    uint8_t n_turns;              /* while they are put in order */
-    uint16_t group;               /* the next that the walk comes to */
-    uint16_t group_slack;         /* world units that their spheres are taken to be larger by */
     uint16_t edge_of[4];          /* what edge[] holds: rows [0] .. [1] - 1 are drawn, and columns [2] .. [3] - 1 */
     struct zs_edge edge[4];
     const struct zs_cluster_kernel *cluster_kernel; /* of the current instance; NULL: all of it is drawn */
     struct zs_clusters clusters;
     struct zs_cover cover[2];     /* the last two large triangles: cover[!cover_next] is known if cover_known */
-    uint16_t bound_most;          /* no bound is farther ... */
-    uint16_t bound_strip;         /* ... and none of the strip in hand */
+    uint16_t bound_strip;         /* no bound of the strip in hand is farther */
     uint8_t cover_next, cover_known, cover_waits; /* its own bounds are still to be found */
-    uint8_t bound_new;            /* upper levels and bound_most are older than the lowest */
     struct zs_lit lit;
 };
 

@@ -230,35 +230,11 @@ struct zs_light {
     zs_uq16_16 ambient, diffuse; /* 0 .. ZS_Q16_ONE */
 };
 
-struct zs_group_kernel;
-extern const struct zs_group_kernel zs_group_kernel; /* linked only where groups are named */
-
-/* A run of instances that stand close together, and the groups within it. */
-struct zs_group {
-    int32_t center[3];  /* world units, |.| <= 2 ZS_WORLD_MAX */
-    uint32_t radius;    /* of a sphere around the spheres of its instances, each a mesh step larger than its mesh's; world
-                           units, rounded up, at most 2^31 */
-    uint32_t origins;   /* of one with the same centre around the positions of their poses, the same */
-    uint16_t first, n;  /* its instances: [first, first + n) of the scene's, those of the groups within it among them */
-    uint16_t next;      /* the group after it and all those within it, n_groups after the last */
-};
-
-/* Groups in the order of `first`, each before those within it; what lies in none is looked at one by one. */
-struct zs_groups {
-    const struct zs_group_kernel *kernel; /* &zs_group_kernel */
-    const struct zs_group *group;         /* [n_groups] */
-    uint32_t n_groups;                    /* 0 .. 65535 */
-};
-#define ZS_GROUPS(group, n_groups) { &zs_group_kernel, group, n_groups }
-
 struct zs_scene {
     const struct zs_instance *instance; /* [n_instances], in scene order */
     uint32_t n_instances;               /* 0 .. 65535 */
     struct zs_light light;
     uint16_t background; /* RGB565 */
-    const struct zs_groups *groups; /* NULL: none. The instances of a group that is out of view are not looked at: not even
-                                       refused. What a group does not hold, as it says it does, may be missing
-                                       (zs_groups_check) */
 };
 
 enum zs_projection { ZS_PERSPECTIVE = 0, ZS_ORTHOGRAPHIC = 1 };
@@ -307,10 +283,8 @@ enum zs_skip {
     ZS_SKIP_BEHIND = 256, /* instances whose box lies behind large triangles of what is drawn before them */
     ZS_SKIP_CLUSTER = 512, /* clusters whose sphere is outside the view, or what is to be drawn of it */
     ZS_SKIP_CONE = 1024,  /* clusters that turn their backs */
-    ZS_SKIP_GROUP = 2048, /* groups of instances outside the view */
-    ZS_SKIP_ROWS = 4096,  /* second walks: meshes with clusters whose sphere is outside the strips that are to be drawn */
-    ZS_SKIP_ORDER = 8192, /* colouring what nearer instances cover: they are drawn first where no key can be equal */
-    ZS_SKIP_ALL = 16383
+    ZS_SKIP_ROWS = 2048,  /* second walks: meshes with clusters whose sphere is outside the strips to be drawn */
+    ZS_SKIP_ALL = 4095
 };
 
 struct zs_fast;
@@ -340,12 +314,7 @@ struct zs_config {
 #define ZS_DRAWN_BYTES(strip_h) ((uint32_t)(strip_h) * 4u)
 #define ZS_TILE_LOG2 5
 #define ZS_TILES(width) (((uint32_t)(width) + 31u) >> ZS_TILE_LOG2)
-#define ZS_BOUND_LEVELS 3
-#define ZS_BOUND_CELLS(width, strips, n) (((ZS_TILES(width) + (n) - 1u) / (n)) * (((strips) + (n) - 1u) / (n)))
-#define ZS_BOUND_BYTES(width, height, strip_h) \
-    ZS_ROUND4(2u * (ZS_BOUND_CELLS(width, ZS_STRIPS(height, strip_h), 1u) + \
-                    ZS_BOUND_CELLS(width, ZS_STRIPS(height, strip_h), 2u) + \
-                    ZS_BOUND_CELLS(width, ZS_STRIPS(height, strip_h), 4u)))
+#define ZS_BOUND_BYTES(width, height, strip_h) ZS_ROUND4(2u * ZS_TILES(width) * ZS_STRIPS(height, strip_h))
 #define ZS_BIN_BYTES(height, strip_h) \
     ZS_ROUND4((((uint32_t)(height) + (uint32_t)(strip_h) - 1u) / (uint32_t)(strip_h)) * 2u)
 #define ZS_TRI_BYTES(max_tris) ((uint32_t)(max_tris) * 12u)
@@ -363,10 +332,8 @@ struct zs_config {
  * zs_frame_end. Triangles are counted once, vertices and pixels as often as they are worked on.
  * tris_in = tris_drawn + all tris_* below it but tris_clipped. */
 struct zs_stats {
-    uint32_t instances_in, instances_culled; /* culled: the sphere is outside the view, or ... Those of a culled group, and
-                                 their triangles, are not counted */
+    uint32_t instances_in, instances_culled; /* culled: the sphere is outside the view, or ... */
     uint32_t instances_hidden; /* ... these of them: behind large triangles of instances drawn before them */
-    uint32_t instances_earlier; /* put before an instance that comes before them in the scene (ZS_SKIP_ORDER) */
     uint32_t clusters_in, clusters_culled; /* of the instances that were not culled; culled: outside or turned away */
     uint32_t tris_in;         /* in all instances */
     uint32_t tris_drawn;      /* binned, whole or in clipped pieces */
@@ -504,7 +471,7 @@ int zs_watch(struct zs_renderer *r, uint64_t *sum, uint32_t columns);
  * Cost         zs_frame_begin, where nothing differs: 400 instructions for an instance, instead of its checks; else on top of
  *              those, and 3,000 for an instance that differs. Each strip that is not drawn: 100. What a frame draws is
  *              walked as always: of an instance that reaches one strip all is transformed, but for clusters that do
- *              not. Every instance is read, in groups or not.
+ *              not. Every instance is read.
  * Return       ZS_OK; ZS_ERR_NULL; ZS_ERR_STATE (r is not set up, or a frame is open); ZS_ERR_SIZE: as before.
  *              zs_init ends it. */
 #define ZS_TRACK_WORDS(n_instances, height, strip_h) \
@@ -539,7 +506,7 @@ enum zs_flaw {
     ZS_FLAW_NONE = 0,
     ZS_FLAW_NULL,        /* pos, tri, cluster, texel, palette or format missing; a format of another kind */
     ZS_FLAW_ALIGN,       /* an array at an address that its elements cannot have */
-    ZS_FLAW_COUNT,       /* more than 65535 vertices, groups or grouped instances; index: how many, of the first two */
+    ZS_FLAW_COUNT,       /* more than 65535 vertices; index: how many */
     ZS_FLAW_SCALE,       /* scale is 0 */
     ZS_FLAW_INDEX,       /* index: a triangle with a vertex number >= n_verts */
     ZS_FLAW_SPHERE,      /* index: a vertex outside the mesh's sphere */
@@ -555,11 +522,7 @@ enum zs_flaw {
     ZS_FLAW_SIZE,        /* texture: log2_w or log2_h out of range; index: the one that is */
     ZS_FLAW_COLORS,      /* texture with a palette: n_colors out of range; index: n_colors */
     ZS_FLAW_CLAMP,       /* texture: not an enum zs_clamp; index: what it is */
-    ZS_FLAW_TEXEL,       /* texture: index: row * width + column of a texel >= n_colors */
-    ZS_FLAW_GROUPS,      /* index: a group that is empty, ends beyond the scene or the group that it is in, or whose `next`
-                            does not lead to what comes after it */
-    ZS_FLAW_GROUP_SPHERE, /* index: a group with an instance whose sphere it does not hold, or which no frame takes */
-    ZS_FLAW_GROUP_ORIGINS /* index: a group with an instance whose position `origins` does not hold */
+    ZS_FLAW_TEXEL        /* texture: index: row * width + column of a texel >= n_colors */
 };
 
 /* What is wrong first: everything that a renderer could read out of bounds or draw wrongly. Reads all of
@@ -570,24 +533,8 @@ enum zs_flaw {
  * Cost    linear; once after loading. */
 enum zs_flaw zs_mesh_check(const struct zs_mesh *mesh, uint32_t *index);
 enum zs_flaw zs_texture_check(const struct zs_texture *texture, uint32_t *index);
-/* The same for a scene's groups: ranges, links, and that spheres hold what they are said to hold, to 2 world units. */
-enum zs_flaw zs_groups_check(const struct zs_scene *scene, uint32_t *index);
 /* One English clause for a flaw, without a full stop; never NULL. Static storage. */
 const char *zs_strflaw(enum zs_flaw flaw);
-
-/* ---- Groups made at run time ------------------------------------------------------------------------- */
-
-/* Group instances by fours in the order of the scene, those groups by fours, and so on: good where neighbours in the array
- * stand near each other. After instances have moved out of their groups: again.
- *
- * group     [n_max], caller's, filled; ZS_GROUPS_MAX(n_instances) are enough.
- * *n_groups  how many; 0 on failure.
- * Cost      4,300 instructions an instance on a Cortex-M3.
- * Return    ZS_OK; ZS_ERR_NULL; ZS_ERR_SIZE (n_max, or n_instances above 65535); ZS_ERR_RANGE (an instance that no frame
- *           takes, or that stands too far out). */
-#define ZS_GROUPS_MAX(n_instances) ((uint32_t)(n_instances) / 3u + 9u)
-int zs_groups_build(struct zs_group *group, uint32_t n_max, const struct zs_instance *instance, uint32_t n_instances,
-                    uint32_t *n_groups);
 
 /* ---- Integer helpers: angles, poses, cameras -------------------------------------------------- */
 

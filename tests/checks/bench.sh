@@ -201,8 +201,8 @@ for scene in $STRIPS_OF; do
     if [ -z "$over" ]; then ok "$name: $said"; else bad "$name" "$said"; fi
 done
 
-# What the same things cost in another order, per cent on top of front to back
-for scene in layers_btf layers_mixed crowd_btf; do
+# What the same layers cost in another order, per cent on top of front to back
+for scene in layers_btf layers_mixed; do
     said=$(for board in $boards; do
         awk -F, -v core="$(core "$board")" -v scene="$scene" -v first="${scene%%_*}_ftb" '
             $2 == "one-pass" { n[$1] = $13 }
@@ -379,9 +379,9 @@ awk -F, '
     NF != 17 || $1 == "scene" { next }
     $2 == "all" { all = $13; printf "%s%-16s %7.2fM", n++ ? "\n" : head(), $1, $13 / 1e6; next }
     { printf " %8.3f", $13 / all }
-    function head() { return sprintf("%-16s %8s %8s %8s %8s %8s %8s %8s %8s %8s %8s %8s %8s %8s %8s\n", "scene", "all on",
+    function head() { return sprintf("%-16s %8s %8s %8s %8s %8s %8s %8s %8s %8s %8s %8s %8s %8s\n", "scene", "all on",
         "frustum", "cliptest", "empty", "vcache", "bins", "hidden", "behind", "clear", "test", "cluster", "cone",
-        "bins+rows", "order") }
+        "bins+rows") }
     END { print "" }' "$out/skips.csv"
 echo
 echo "CSV: $out/bench.csv, $out/skips.csv, and $out/BOARD.csv of all configurations"

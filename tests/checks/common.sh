@@ -88,20 +88,14 @@ EVERYTHING='extern struct zs_material other[5];
     instance.state = &state;
     material = other[anything[4]];
     material.texture = &texture[anything[6]];'
-# Clusters and groups, besides
-CULLING='extern const struct zs_groups groups;
-    (void)zs_groups_build((struct zs_group *)anything, 1, &instance, 1, anything);
-    anything[9] = (uint32_t)zs_groups_check(&scene, anything);
-    mesh.cluster_kernel = &zs_cluster_kernel;
-    scene.groups = &groups;'
+# Clusters, besides
+CULLING='mesh.cluster_kernel = &zs_cluster_kernel;'
 OTHERS='struct zs_material other[5] = { { &zs_shade_raw, { 0, 0, 0 }, 0 }, { &zs_shade_smooth, { 0, 0, 0 }, 0 },
     { &zs_shade_texture, { 0, 0, 0 }, 0 }, { &zs_shade_texture_flat, { 0, 0, 0 }, 0 },
     { &zs_shade_texture_smooth, { 0, 0, 0 }, 0 } };
 struct zs_texture texture[3] = { { &zs_texel_565 }, { &zs_texel_pal8 }, { &zs_texel_pal4 } };
 extern const struct zs_state state;
-const struct zs_state state = ZS_STATE(1, 0, 1, 2);
-extern const struct zs_groups groups;
-const struct zs_groups groups = ZS_GROUPS(0, 0);'
+const struct zs_state state = ZS_STATE(1, 0, 1, 2);'
 
 # A firmware that has one panel and sends a rectangle: FILE TYPE WIDTH HEIGHT [EXTRA STATEMENTS]
 minimal_panel() {

@@ -11,7 +11,7 @@ FLOAT='zs_depth_(e[345]|float)|float_|(e[345]|any)_setup'
 
 # Checks of loaded data, and what finds changes: in no firmware that does not call them.
 CHECKS='zs_watch watch_look zs_track track_check track_due zs_raster_pass zs_mesh_check zs_texture_check zs_strflaw
-        zs_cluster_kernel cluster_open cluster_verts cluster_run zs_group_kernel group_next zs_groups_build zs_groups_check'
+        zs_cluster_kernel cluster_open cluster_verts cluster_run'
 
 # SHADER DEPTH PATTERN...: a firmware with these must hold no symbol that matches.
 without() {

@@ -5,7 +5,7 @@
 # SPDX-License-Identifier: MIT
 . "$(dirname "$0")/common.sh"
 
-FLASH_MAX=${FLASH_MAX:-59392}           # everything but clusters and groups, Cortex-M3
+FLASH_MAX=${FLASH_MAX:-59392}           # everything but clusters, Cortex-M3
 FLASH_CLUSTERS_MAX=${FLASH_CLUSTERS_MAX:-3328} # what clusters take
 FLASH_FLAT_MAX=${FLASH_FLAT_MAX:-26880} # flat and recip alone, Cortex-M3
 # ZS_LEAN, -Os, Cortex-M3. The goals are 6,144 bytes for flat alone, 12,288 with textures, lighting and clipping.
@@ -68,14 +68,12 @@ for c in $CPUS; do
          (void)zs_camera_look_at(&camera, (int32_t *)anything, (int32_t *)anything + 3, (int32_t *)anything + 6);'
     flash "flat, recip, clusters" flat recip 'mesh.cluster_kernel = &zs_cluster_kernel;'
     clusters=$((core_bytes - flat))
-    flash "flat, recip, groups" flat recip 'extern const struct zs_groups groups; scene.groups = &groups;' \
-        'const struct zs_groups groups = ZS_GROUPS(0, 0);'
-    flash "everything, clusters, groups" flat recip "$EVERYTHING $CULLING" "$OTHERS"
-    flash "everything but clusters and groups" flat recip "$EVERYTHING" "$OTHERS"
+    flash "everything, clusters" flat recip "$EVERYTHING $CULLING" "$OTHERS"
+    flash "everything but clusters" flat recip "$EVERYTHING" "$OTHERS"
     if [ "$c" = cortex-m3 ]; then
         within "$c flat alone" "$flat" "$FLASH_FLAT_MAX"
         within "$c clusters" "$clusters" "$FLASH_CLUSTERS_MAX"
-        within "$c everything but clusters and groups" "$core_bytes" "$FLASH_MAX"
+        within "$c everything but clusters" "$core_bytes" "$FLASH_MAX"
     fi
 done
 

@@ -8,10 +8,10 @@
 # sp in them, summed, and the deepest callee.
 #
 # Calls through pointers. The compiler gives the place of each; the source line there must read
-# shader->FIELD(, depth->FIELD(, kernel->FIELD(, texel->FIELD(, watch->FIELD(, track->FIELD(, cluster->FIELD(, group->FIELD( or
-# sink->FIELD(. All but the last may reach every function that stands in that FIELD of any zs_shader, zs_depth, zs_state_kernel,
-# zs_texel, zs_watch_kernel, zs_track_kernel, zs_cluster_kernel or zs_group_kernel table (from the tables' relocations); sink functions are the caller's: their stack, and interrupts', comes on top. Any other
-# pointer call fails.
+# shader->FIELD(, depth->FIELD(, kernel->FIELD(, texel->FIELD(, watch->FIELD(, track->FIELD(, cluster->FIELD( or
+# sink->FIELD(. All but the last may reach every function that stands in that FIELD of any zs_shader, zs_depth,
+# zs_state_kernel, zs_texel, zs_watch_kernel, zs_track_kernel or zs_cluster_kernel table (from the tables' relocations);
+# sink functions are the caller's: their stack, and interrupts', comes on top. Any other pointer call fails.
 #
 # SPDX-License-Identifier: MIT
 . "$(dirname "$0")/common.sh"
@@ -47,7 +47,7 @@ facts() { # CPU DIR
             $1 == "local" { l[$2] = 1; next }
             function name(s) { sub(/[+-]0x.*/, "", s); return s in l ? u ":" s : s }
             /^RELOCATION RECORDS FOR/ { s = $4; gsub(/\[|\]|:/, "", s)
-                fn = s ~ /^\.text\./ ? name(substr(s, 7)) : ""; table = s ~ /\.zs_(shade|depth|texel|state|fresh|watch|track|cluster|group)_/ ? s : "" }
+                fn = s ~ /^\.text\./ ? name(substr(s, 7)) : ""; table = s ~ /\.zs_(shade|depth|texel|state|fresh|watch|track|cluster)_/ ? s : "" }
             fn != "" && $2 ~ /^R_ARM_THM_(CALL|JUMP)/ && $3 !~ /^\./ { print "call", fn, name($3) }
             table != "" && $2 == "R_ARM_ABS32" { print "slot", table, $1, name($3) }' "$2/$unit.locals" - |
             while read -r kind table offset fn; do
@@ -59,7 +59,6 @@ facts() { # CPU DIR
                     *zs_watch_*) kind=watch struct=zs_watch_kernel ;;
                     *zs_track_*) kind=track struct=zs_track_kernel ;;
                     *zs_cluster_*) kind=cluster struct=zs_cluster_kernel ;;
-                    *zs_group_*) kind=group struct=zs_group_kernel ;;
                     *) kind=depth struct=zs_depth ;;
                     esac
                     index=$((0x$offset / 4 + 1))
@@ -109,8 +108,8 @@ bound() { # CPU FACTS: prints public functions with their bound, then problems
             split(where[k], p, ":"); i = 0
             while ((getline text < p[1]) > 0) if (++i == p[2]) line = text
             close(p[1])
-            if (!match(line, /(shader|depth|kernel|texel|watch|track|cluster|group|sink)->[a-z_]+\(/)) {
-                fail("pointer calls", where[k] " is not shader->, depth->, kernel->, texel->, watch->, track->, cluster->, group-> or sink->"); return }
+            if (!match(line, /(shader|depth|kernel|texel|watch|track|cluster|sink)->[a-z_]+\(/)) {
+                fail("pointer calls", where[k] " is not shader->, depth->, kernel->, texel->, watch->, track->, cluster-> or sink->"); return }
             key = substr(line, RSTART, RLENGTH - 1)
             if (key ~ /^sink/) { sinks[from[k]] = 1; return }
             if (!(key in to)) { fail("pointer calls", where[k] ": no table fills " key); return }

@@ -79,7 +79,7 @@ static void count_frame(const struct world *w, const struct zs_config *c, const 
         reached.depth[k][w->camera.projection == ZS_PERSPECTIVE] += c->depth == kind_depths[k].depth;
     for (uint32_t i = 0; i < w->scene.n_instances; i++) {
         const struct zs_material *m = w->instance[i].material;
-        if (!m || !w->instance[i].mesh) /* in a group out of view: not looked at */
+        if (!m || !w->instance[i].mesh)
             continue;
         for (size_t k = 0; k < KINDS(kind_shaders); k++) {
             reached.shader[k] += m->shader == kind_shaders[k].shader;
@@ -144,7 +144,7 @@ static struct zs_config profile(struct prng *p, const struct zs_camera *camera)
 }
 
 /* Off where spheres and cones need not hold what they say: what is missing then depends on strips and pools. */
-#define UNTRUSTED (ZS_SKIP_CLUSTER | ZS_SKIP_CONE | ZS_SKIP_GROUP | ZS_SKIP_ROWS | ZS_SKIP_BEHIND | ZS_SKIP_ORDER) /* ask spheres */
+#define UNTRUSTED (ZS_SKIP_CLUSTER | ZS_SKIP_CONE | ZS_SKIP_ROWS | ZS_SKIP_BEHIND) /* ask spheres */
 
 /* How it is drawn: skips only where the scene keeps its word. */
 static struct zs_config way(struct prng *p, struct zs_config c, int trusted)
@@ -200,24 +200,20 @@ static void print_counts(const struct zs_stats *s)
 static void compare(const struct world *w, const struct picture *plain, uint32_t plain_off, const struct zs_config *c)
 {
     struct picture p = picture_draw(c, &w->scene, &w->camera);
-    if (p.err != plain->err && w->scene.groups && (c->skip_off ^ plain_off) & ZS_SKIP_GROUP) {
-        picture_free(&p); /* an instance to be refused, in a group out of view */
-        return;
-    }
     if (p.err != plain->err || (!p.err && !picture_same(plain, &p, "fuzz_api"))) {
         print_config(c);
         fprintf(stderr, "%s, and plainly: %s\n", zs_strerror(p.err), zs_strerror(plain->err));
         wrong(__LINE__, "the same picture");
     }
     if (!p.err) {
-        const uint32_t other = c->skip_off ^ plain_off; /* instances of groups out of view are not counted */
-        EXPECT(stats_add_up(&p.stats) && (p.stats.tris_in == plain->stats.tris_in || other & ZS_SKIP_GROUP));
+        const uint32_t other = c->skip_off ^ plain_off;
+        EXPECT(stats_add_up(&p.stats) && p.stats.tris_in == plain->stats.tris_in);
         EXPECT(p.stats.pixels_tested <= plain->stats.pixels_tested);
         EXPECT(p.stats.pixels_written <= p.stats.pixels_tested); /* a hidden triangle left out may let others write that lose to it */
         EXPECT(!(c->skip_off & ZS_SKIP_HIDDEN) || (p.stats.pixels_tested == plain->stats.pixels_tested &&
                                                    p.stats.pixels_written == plain->stats.pixels_written));
         EXPECT(p.stats.max_tris_used <= c->max_tris && p.stats.max_verts_used <= c->max_verts);
-        const uint32_t recounts = ZS_SKIP_FRUSTUM | ZS_SKIP_CLIPTEST | ZS_SKIP_EMPTY | ZS_SKIP_CLUSTER | ZS_SKIP_CONE | ZS_SKIP_GROUP;
+        const uint32_t recounts = ZS_SKIP_FRUSTUM | ZS_SKIP_CLIPTEST | ZS_SKIP_EMPTY | ZS_SKIP_CLUSTER | ZS_SKIP_CONE;
         const int hides = !(c->skip_off & (ZS_SKIP_HIDDEN | ZS_SKIP_BEHIND)); /* instances, then, that are counted as culled */
         if (!(other & recounts) && !hides && !same_counts(&p.stats, &plain->stats)) {
             print_config(c);
@@ -436,9 +432,8 @@ static void do_begin(struct room *m, struct desk *d, struct prng *p)
     const int want = !scene || !camera ? ZS_ERR_NULL : begin_answer(m, d, k);
     EXPECT(zs_frame_begin(NULL, scene, camera) == ZS_ERR_NULL);
     const int said = zs_frame_begin(d->r, scene, camera);
-    /* zs_track looks at all instances, and first: those to be refused in a group out of view too, and of two errors that one;
-     * so does ZS_SKIP_GROUP */
-    EXPECT(said == want || (said < 0 && scene && ((d->memory && want) || scene->groups)));
+    /* zs_track looks at instances first: of two errors that one */
+    EXPECT(said == want || (said < 0 && scene && d->memory && want));
     d->open = said ? CLOSED : k;
     d->given = d->counted = 0;
     d->last_whole = 0;
@@ -607,7 +602,7 @@ static void do_render(struct room *m, struct desk *d, struct prng *p)
     const int answer = begin_answer(m, d, k);
     const int got = zs_render(d->r, &m->w.scene, &m->camera[k], &sink);
     d->open = CLOSED;
-    const int refused = ((d->memory && answer) || m->w.scene.groups) && got < 0 && got > -1000; /* do_begin() says why */
+    const int refused = d->memory && answer && got < 0 && got > -1000; /* do_begin() says why */
     if (answer || refused) {
         EXPECT((got == answer || refused) && at.submits == 0);
         return;

@@ -449,22 +449,6 @@ void world_camera(struct world *w, struct prng *p, uint32_t odd)
     camera_make(w, p, size_of(w), odd);
 }
 
-/* Groups as they are built, or with a byte that is anything. */
-static void groups(struct world *w, struct prng *p, uint32_t odd)
-{
-    struct zs_group *group = block(w, ZS_GROUPS_MAX(w->n_instances) * sizeof *group);
-    uint32_t n;
-    if (zs_groups_build(group, ZS_GROUPS_MAX(w->n_instances), w->instance, w->n_instances, &n))
-        return;
-    if (n && odd_one(p, odd))
-        ((uint8_t *)group)[prng_pick(p, n * (uint32_t)sizeof *group)] = (uint8_t)prng_next(p);
-    const struct zs_groups made = ZS_GROUPS(group, n);
-    w->groups = made;
-    w->scene.groups = &w->groups;
-    if (zs_groups_check(&w->scene, NULL) != ZS_FLAW_NONE)
-        w->trusted = 0;
-}
-
 void world_make(struct world *w, struct prng *p, uint32_t odd)
 {
     memset(w, 0, sizeof *w);
@@ -491,8 +475,6 @@ void world_make(struct world *w, struct prng *p, uint32_t odd)
         if (odd_one(p, odd * 8u))
             m->scale = (uint32_t)any32(p);
     }
-    if (one_in(p, 3))
-        groups(w, p, odd);
     if (odd_one(p, odd * 8u)) {
         w->scene.n_instances = 65536u + prng_pick(p, 9);
     } else if (odd_one(p, odd * 8u)) {
@@ -510,7 +492,6 @@ void world_big(struct world *w, struct prng *p)
             in[i] = w->instance[i % w->n_instances];
         for (int i = 0; i < WORLD_MESHES; i++)
             w->mesh[i].n_tris %= 3u, w->mesh[i].cluster = NULL, w->mesh[i].n_clusters = 0;
-        w->scene.groups = NULL;
         w->scene.instance = w->instance = in;
         w->scene.n_instances = w->n_instances = n;
         return;

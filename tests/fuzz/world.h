@@ -25,10 +25,9 @@ struct world {
     struct zs_state state[WORLD_STATES];
     struct zs_instance *instance; /* [n_instances]; the scene may name fewer, none or too many */
     uint32_t n_instances;
-    struct zs_groups groups;
     struct zs_scene scene;
     struct zs_camera camera;
-    int trusted; /* 1: every mesh keeps its sphere and its clusters, groups hold theirs: what is skipped is empty */
+    int trusted; /* 1: every mesh keeps its sphere and its clusters: what is skipped is empty */
     void *block[WORLD_BLOCKS];
     size_t bytes[WORLD_BLOCKS];
     int n_blocks;

@@ -117,8 +117,8 @@ static void sides_drawn(uint64_t count)
     tell("sides", n, good, "rows of edges drawn: columns of covers as exact ones or further in, by the slope's error");
 }
 
-/* Boxes and levels: every box of tiles and strips in frames of up to 9 tiles and 9 strips, and drawn ones in larger: hidden
- * only where each of its tiles' bounds is nearer; of up to 2 x 2 tiles, always there. Nothing beyond the levels is read (ASan). */
+/* Boxes: every box of tiles and strips in frames of up to 9 tiles and 9 strips, and drawn ones in larger: hidden just
+ * where each of its tiles' bounds is nearer. Nothing beyond the bounds is read (ASan). */
 static int box_right(struct zs_renderer *r, const uint16_t *bound, int32_t tiles, int32_t x0, int32_t x1, int32_t y0, int32_t y1,
                      uint32_t key)
 {
@@ -132,7 +132,7 @@ static int box_right(struct zs_renderer *r, const uint16_t *bound, int32_t tiles
     for (int32_t y = y0; y <= y1 && y < r->n_strips; y++)
         for (int32_t x = x0; x <= x1 && x < tiles; x++)
             each &= bound[y * tiles + x] < key;
-    return hides <= each && (x1 - x0 > 1 || y1 - y0 > 1 || hides == each);
+    return hides == each;
 }
 
 static void boxes_all(uint64_t count)
@@ -157,7 +157,7 @@ static void boxes_all(uint64_t count)
         r.strip_shift = (uint8_t)n_bits;
         for (int32_t k = 0; k < tiles * strips; k++)
             bound[k] = (uint16_t)(in(0, 9) ? in(100, 110) : in(0, 65535));
-        r.large = r.bound_new = 1;
+        r.large = 1;
         for (int32_t x0 = 0; x0 < tiles; x0++)
             for (int32_t x1 = x0; x1 < tiles; x1++)
                 for (int32_t y0 = 0; y0 < strips; y0++)
@@ -168,7 +168,8 @@ static void boxes_all(uint64_t count)
                         }
         free(bound);
     }
-    tell("boxes", n, good, "boxes, every one of frames of up to 9 x 9 tiles, and of larger ones drawn: hidden only where all are");
+    tell("boxes", n, good,
+         "boxes, every one of frames of up to 9 x 9 tiles, and of larger ones drawn: hidden just where all are");
 }
 
 /* ---- cluster.c --------------------------------------------------------------------------------------- */

@@ -1,4 +1,4 @@
-/* hidden.c: slopes, keys. Its sides and its levels are facts.c's.
+/* hidden.c: slopes, keys. Its sides and its boxes are facts.c's.
  *
  * SPDX-License-Identifier: MIT
  */

@@ -50,12 +50,11 @@ static void stop(int signal)
 /* ---- What was seen --------------------------------------------------------------------------------------- */
 
 static const char *const skip_name[STRESS_SKIPS] = {
-    "frustum", "cliptest", "empty", "vcache", "bins", "hidden", "clear", "test", "behind", "cluster", "cone", "group",
-    "rows", "order",
+    "frustum", "cliptest", "empty", "vcache", "bins", "hidden", "clear", "test", "behind", "cluster", "cone", "rows",
 };
 static const char *const seen_name[] = {
     "several passes", "two buffers", "fewer depth bits", "4 sub-pixel bits", "zs_watch", "zs_track", "both",
-    "strips unchanged", "strips not drawn", "zs_invalidate", "two renderers", "clipped triangles", "clusters", "groups",
+    "strips unchanged", "strips not drawn", "zs_invalidate", "two renderers", "clipped triangles", "clusters",
     "camera inside", "orthographic", "states", "recip", "linear", "e3m13", "e4m12", "e5m11", "float", "raw", "flat",
     "smooth", "texture", "texture_flat", "texture_smooth", "565", "pal8", "pal4",
 };

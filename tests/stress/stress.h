@@ -7,7 +7,7 @@
 
 #include <stdint.h>
 
-#define STRESS_SKIPS 14 /* bits of ZS_SKIP_ALL */
+#define STRESS_SKIPS 12 /* bits of ZS_SKIP_ALL */
 
 /* Frames of units in which something was there: of each skip off, on, and on with something left out by it; then what
  * else a way or a scene has. Named in stress.c. */
@@ -28,7 +28,6 @@ enum stress_seen {
     SEEN_SHARED,
     SEEN_CLIPPED,
     SEEN_CLUSTERS,
-    SEEN_GROUPS,
     SEEN_INSIDE,
     SEEN_ORTHOGRAPHIC,
     SEEN_STATE,

@@ -32,8 +32,6 @@
 static struct {
     struct shape shape[SHAPES];
     struct zs_cluster cluster[SHAPES][SHAPE_TRIS];
-    struct zs_group group[ZS_GROUPS_MAX(INSTANCES)];
-    struct zs_groups groups;
     int crowd, inside, wall; /* instances at most; the camera was put into one; the first stands before the others */
     int walls;               /* all are few, large triangles that cross, with few texels of large textures a pixel */
     int16_t uv[SHAPE_VERTS][2];
@@ -176,20 +174,6 @@ static void light(struct prng *p)
     world.scene.light.diffuse = prng_pick(p, ZS_Q16_ONE);
 }
 
-/* Instances have moved, or others are there. Groups may be larger than need be. */
-static void group(struct prng *p)
-{
-    world.scene.groups = NULL;
-    if (!world.groups.kernel)
-        return;
-    if (zs_groups_build(world.group, ZS_GROUPS_MAX(INSTANCES), world.instance, world.scene.n_instances,
-                        &world.groups.n_groups))
-        abort();
-    if (prng_pick(p, 3) == 0)
-        world.group[prng_pick(p, world.groups.n_groups)].radius += prng_pick(p, 3000);
-    world.scene.groups = &world.groups;
-}
-
 static void count(struct prng *p)
 {
     world.scene.n_instances = 3 + prng_pick(p, (uint32_t)world.crowd - 2);
@@ -197,12 +181,10 @@ static void count(struct prng *p)
 
 static void world_open(struct prng *p, uint16_t h, int walls)
 {
-    static const struct zs_groups groups = ZS_GROUPS(world.group, 0), none = { NULL, NULL, 0 };
     world.h = h;
     world.wall = prng_pick(p, 6) == 0;
     world.walls = walls;
     world.crowd = prng_pick(p, 8) ? CROWD : INSTANCES;
-    world.groups = prng_pick(p, 2) ? groups : none;
     shapes(p);
     texels(p);
     for (int k = 0; k < 2; k++) {
@@ -221,7 +203,6 @@ static void world_open(struct prng *p, uint16_t h, int walls)
     world.camera.projection = (uint8_t)(prng_pick(p, 4) ? ZS_PERSPECTIVE : ZS_ORTHOGRAPHIC);
     light(p);
     look(p);
-    group(p);
 }
 
 /* One change; 1: of bytes behind pointers, which zs_track has to be told. */
@@ -460,15 +441,12 @@ static void see(const struct hand *hand, const struct zs_stats *plain, uint64_t 
     did |= s->tris_hidden ? ZS_SKIP_HIDDEN : 0;
     did |= s->pixels_untested ? ZS_SKIP_TEST | ZS_SKIP_CLEAR : 0;
     did |= s->instances_hidden ? ZS_SKIP_BEHIND : 0;
-    did |= s->instances_earlier ? ZS_SKIP_ORDER : 0;
     did |= s->clusters_culled && (on & both) != both ? both : 0; /* else: one of them */
-    did |= s->instances_in < world.scene.n_instances ? ZS_SKIP_GROUP : 0;
     did |= walks && s->clusters_in ? ZS_SKIP_ROWS : 0; /* where it may */
     stress_saw_skips(seen, c->skip_off, did & on);
     seen[SEEN_PASSES] += s->passes > 1;
     seen[SEEN_CLIPPED] += s->tris_clipped != 0;
     seen[SEEN_CLUSTERS] += s->clusters_in != 0;
-    seen[SEEN_GROUPS] += world.scene.groups != NULL;
     seen[SEEN_INSIDE] += (uint64_t)world.inside;
     seen[SEEN_ORTHOGRAPHIC] += world.camera.projection == ZS_ORTHOGRAPHIC;
     seen[SEEN_WATCH] += hand->sum != NULL;
@@ -541,7 +519,6 @@ static int frame_right(struct prng *p, struct hand *hand, const struct zs_config
             s->tris_drawn >= STRESS_TRIS || prng_pick(p, 32) == 0)
             break;
         look(p);
-        group(p);
     }
     if (zs_init(&r, plain, arena, sizeof arena))
         return stress_wrong("the plain renderer");
@@ -581,7 +558,6 @@ int stress_frames(uint64_t seed, struct stress_counts *c)
         int told = 0;
         for (uint32_t n = frame ? prng_pick(&p, 4) : 0; n; n--)
             told |= change(&p);
-        group(&p);
         for (int k = 0; k < HANDS && ok; k++) {
             const struct zs_rect part = { (uint16_t)prng_pick(&p, 90), (uint16_t)prng_pick(&p, 90), 9, 9 };
             if (told || (frame && prng_pick(&p, 8) == 0))

@@ -829,30 +829,10 @@ ZS_RARE void zs_bin_walk(struct zs_renderer *r)
     pools_empty(r);
     r->band_end = ZS_OFF(r, ZS_SKIP_BINS) ? (uint16_t)(r->strip + 1u) : r->draw_end;
     r->stats.passes++;
-    r->group = 0;
     r->walk_x = r->walk_most = 0;
     r->walk_end = r->walk_least = r->config.width;
-    r->n_turns = 0;
-    const struct zs_scene *scene = r->scene;
-    for (uint32_t i = 0, n = 0, left = 1; left;) {
-        i = zs_cull_next(r, scene, i);
-        left = i < scene->n_instances;
-        const int as_it_stands = left && scene->instance[i].state;
-        if (left && !as_it_stands) {
-            r->turn[n++] = (uint16_t)i++;
-            if (n < ZS_ORDER_MAX)
-                continue;
-        }
-        r->n_turns = (uint8_t)n;
-        if (n > 1u && !(r->config.skip_off & ZS_SKIP_ORDER))
-            zs_order_sort(r);
-        r->n_turns = 0;
-        if (as_it_stands)
-            r->turn[n++] = (uint16_t)i++;
-        for (uint32_t k = 0; k < n; k++)
-            walk_instance(r, r->turn[k]);
-        n = 0;
-    }
+    for (uint32_t i = 0; i < r->scene->n_instances; i++)
+        walk_instance(r, i);
     high_water(r);
     r->counting = 0;
 }

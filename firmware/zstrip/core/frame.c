@@ -159,7 +159,7 @@ static ZS_RARE int light_ok(const struct zs_light *light)
 }
 
 /* Check all instances and find how far what can be seen reaches. */
-static ZS_RARE int scene_check(struct zs_renderer *r, const struct zs_scene *scene, int64_t *reach)
+static ZS_RARE int scene_check(const struct zs_renderer *r, const struct zs_scene *scene, int64_t *reach)
 {
     if (scene->n_instances > 65535u)
         return ZS_ERR_SIZE;
@@ -167,12 +167,8 @@ static ZS_RARE int scene_check(struct zs_renderer *r, const struct zs_scene *sce
         return ZS_ERR_NULL;
     if (!light_ok(&scene->light))
         return ZS_ERR_RANGE;
-    if (scene->groups && (!scene->groups->kernel || (!scene->groups->group && scene->groups->n_groups)))
-        return ZS_ERR_NULL;
     *reach = 1;
-    r->group = 0;
-    /* zs_track asks for bounds of any instance later */
-    for (uint32_t i = 0; (i = r->track ? i : zs_cull_next(r, scene, i)) < scene->n_instances; i++) {
+    for (uint32_t i = 0; i < scene->n_instances; i++) {
         struct zs_bounds b;
         int err = instance_check(r, &scene->instance[i]);
         if (!err)
@@ -190,14 +186,8 @@ ZS_RARE int zs_frame_check(struct zs_renderer *r, const struct zs_scene *scene)
     const struct zs_camera *camera = &r->camera;
     int64_t reach;
     int err = zs_view_camera(&r->view, &r->config, camera);
-    for (uint16_t slack = 1; !err; slack = 64) { /* at least 8 camera units, which are known afterwards */
-        r->group_slack = slack;
-        err = scene_check(r, scene, &reach);
-        if (!err)
-            err = zs_view_units(&r->view, &r->config, camera, reach);
-        if (slack == 64 || r->view.shift >= 3 || !scene->groups)
-            break;
-    }
+    err = err ? err : scene_check(r, scene, &reach);
+    err = err ? err : zs_view_units(&r->view, &r->config, camera, reach);
     if (!err)
         err = r->config.depth->setup(&r->view, camera, r->config.depth_bits);
     return err;

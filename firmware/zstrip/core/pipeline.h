@@ -71,11 +71,6 @@ struct zs_cluster_kernel {
     int (*run)(struct zs_renderer *r);
 };
 
-/* Which instances need not be looked at: of zs_groups.kernel. */
-struct zs_group_kernel {
-    uint32_t (*next)(struct zs_renderer *r, const struct zs_scene *scene, uint32_t number);
-};
-
 /* Texture coordinates walked along a run: fractions of the texture's size, modulo 1. */
 struct zs_walk {
     uint32_t u, v, du, dv; /* uq0_32 */
@@ -133,15 +128,6 @@ void zs_cull_axes(zs_q2_30 out[9], const struct zs_instance *in, const struct zs
 
 /* Half of what an orthographic frame holds from left to right, q48_16, at least. */
 int64_t zs_cull_half_width(const struct zs_camera *camera, const struct zs_view *view);
-
-/* The first instance from number on that is in no group out of view; instances are asked for in order, from r->group = 0. */
-static inline uint32_t zs_cull_next(struct zs_renderer *r, const struct zs_scene *scene, uint32_t number)
-{
-    if (!scene->groups || ZS_OFF(r, ZS_SKIP_GROUP))
-        return number;
-    const struct zs_group_kernel *group = scene->groups->kernel;
-    return group->next(r, scene, number);
-}
 
 /* ---- frame.c --------------------------------------------------------------------------------------- */
 
@@ -202,11 +188,6 @@ struct zs_clip_vertex {
 int zs_clip_polygon(const struct zs_view *view, struct zs_clip_vertex *v, int n, uint32_t planes,
                     uint32_t n_attrs);
 
-/* ---- order.c ---------------------------------------------------------------------------------------- */
-
-/* Put r->turn[0 .. r->n_turns - 1], none with a state, in the order in which they are drawn. */
-void zs_order_sort(struct zs_renderer *r);
-
 /* ---- bin.c ------------------------------------------------------------------------------------------ */
 
 /* Walk the scene and bin what lies in strips [r->strip, r->band_end); the band shrinks where the
@@ -226,16 +207,12 @@ void zs_raster_clear(struct zs_renderer *r);
 
 /* ---- tiles.c ---------------------------------------------------------------------------------------- */
 
-/* The key of a vertex, and what drawn keys may be nearer (sign -1) or farther by (1). */
-uint32_t zs_hidden_key(const struct zs_renderer *r, uint32_t d, int32_t sign);
 /* 1: nothing in columns [x0, x1) and rows [y0, y1) can win whose vertices' zs_vertex.d are `nearest` or more, in no strip
  * that is still to be drawn. Without a state. */
 struct zs_box {
     int32_t x0, x1, y0, y1; /* px */
 };
 int zs_hidden_box(struct zs_renderer *r, const struct zs_box *box, uint32_t nearest);
-/* The next level of bounds: out[(h + 1) / 2][(w + 1) / 2], each the farthest of four of in[h][w], of two or one at the ends. */
-void zs_hidden_up(const uint16_t *in, uint32_t w, uint32_t h, uint16_t *out);
 
 /* ---- test.c ----------------------------------------------------------------------------------------- */
 

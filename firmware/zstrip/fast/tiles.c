@@ -38,41 +38,6 @@ static uint32_t key_of(const struct zs_renderer *r, uint32_t d, int32_t add)
     return (key >= most ? most : zs_minu32(key + 0x8000u + (uint32_t)add, most)) >> 16; /* no carry: key < 2^32 - 2^17 */
 }
 
-uint32_t zs_hidden_key(const struct zs_renderer *r, uint32_t d, int32_t sign)
-{
-    return key_of(r, d, sign < 0 ? -MARGIN : MARGIN);
-}
-
-/* ---- Levels -------------------------------------------------------------------------------------------- */
-
-void zs_hidden_up(const uint16_t *in, uint32_t w, uint32_t h, uint16_t *out)
-{
-    for (uint32_t y = 0; y < h; y += 2u) {
-        const uint16_t *a = in + y * w, *const b = y + 1u < h ? a + w : a, *const end = a + w;
-        for (uint32_t k = 0; a + k < end; k += 2u) {
-            const uint32_t right = a + k + 1u < end ? k + 1u : k;
-            *out++ = (uint16_t)zs_maxu32(zs_maxu32(a[k], a[right]), zs_maxu32(b[k], b[right]));
-        }
-    }
-}
-
-static void levels(struct zs_renderer *r)
-{
-    uint32_t w = ZS_TILES(r->config.width), h = r->n_strips;
-    uint16_t *at = r->bound;
-    for (int level = 1; level < ZS_BOUND_LEVELS; level++) {
-        uint16_t *const up = at + w * h;
-        zs_hidden_up(at, w, h, up);
-        at = up;
-        w = (w + 1u) / 2u;
-        h = (h + 1u) / 2u;
-    }
-    r->bound_most = 0;
-    for (uint32_t k = 0; k < w * h; k++)
-        r->bound_most = (uint16_t)zs_maxu32(r->bound_most, at[k]);
-    r->bound_new = 0;
-}
-
 /* ---- Bounds ------------------------------------------------------------------------------------------ */
 
 enum { LONG, UPPER, LOWER }; /* edges from the top to the bottom vertex, to the middle one, from there */
@@ -105,13 +70,10 @@ static void slope(struct zs_cover *c, int edge, const struct zs_vertex *a, const
 }
 
 /* Tiles [at, end) have no key farther than this. */
-static void bound_tiles(struct zs_renderer *r, uint16_t *at, const uint16_t *end, uint32_t farthest)
+static void bound_tiles(uint16_t *at, const uint16_t *end, uint32_t farthest)
 {
     for (; at < end; at++)
-        if (farthest < *at) {
-            *at = (uint16_t)farthest;
-            r->bound_new = 1;
-        }
+        *at = (uint16_t)zs_minu32(*at, farthest);
 }
 
 static int32_t strip_of(const struct zs_renderer *r, int32_t row) /* 0 .. ZS_SIZE_MAX - 1 */
@@ -138,7 +100,7 @@ static void bound_rows(struct zs_renderer *r, const struct zs_cover *left, const
     const int32_t first = s * h, last = zs_min32(end * h, height) - 1;
     if (column(left, first, 0) <= 0 && column(right, first, 1) >= width && column(left, last, 0) <= 0 &&
         column(right, last, 1) >= width) { /* then in all rows between */
-        bound_tiles(r, bound, r->bound + end * tiles, farthest);
+        bound_tiles(bound, r->bound + end * tiles, farthest);
         return;
     }
     for (int32_t y0 = first; s < end; s++, y0 += h, bound += tiles) {
@@ -147,7 +109,7 @@ static void bound_rows(struct zs_renderer *r, const struct zs_cover *left, const
             continue;
         const int32_t x0 = zs_max32(column(left, y0, 0), column(left, y1 - 1, 0));
         const int32_t x1 = zs_min32(column(right, y0, 1), column(right, y1 - 1, 1));
-        bound_tiles(r, bound + ((zs_max32(x0, 0) + TILE - 1) >> ZS_TILE_LOG2),
+        bound_tiles(bound + ((zs_max32(x0, 0) + TILE - 1) >> ZS_TILE_LOG2),
                     bound + (x1 >= width ? tiles : x1 >> ZS_TILE_LOG2), farthest);
     }
 }
@@ -185,14 +147,14 @@ static void bound_last(struct zs_renderer *r)
     r->cover_waits = 0;
 }
 
-/* 1: no bound is farther than a key; one tile is asked before all. */
-static int bounds_nothing(struct zs_renderer *r, uint32_t key)
+/* 1: no bound of a strip that is still to be drawn is farther than a key. Most keys end at the first tile. */
+static int bounds_nothing(const struct zs_renderer *r, uint32_t key)
 {
-    if (key < r->bound[r->strip * ZS_TILES(r->config.width)])
-        return 0;
-    if (r->bound_new)
-        levels(r);
-    return key >= r->bound_most;
+    const uint32_t tiles = ZS_TILES(r->config.width);
+    const uint16_t *bound = r->bound + r->strip * tiles, *const end = r->bound + r->draw_end * tiles;
+    while (bound < end && key >= *bound)
+        bound++;
+    return bound == end;
 }
 
 static inline int above(const struct zs_vertex *a, const struct zs_vertex *b)
@@ -215,8 +177,6 @@ static ZS_NOINLINE void tiles_cover(struct zs_renderer *r, const struct zs_verte
     if (!r->large) { /* the frame's first */
         zs_fill16(r->bound, ZS_DEPTH_CLEAR, ZS_TILES(r->config.width) * r->n_strips);
         r->large = 1;
-        r->bound_most = ZS_DEPTH_CLEAR;
-        r->bound_new = 1;
         r->cover_known = r->cover_waits = r->cover_next = 0;
     }
     const uint32_t nearest = zs_minu32(zs_minu32(a->d, b->d), c->d), farthest = zs_maxu32(zs_maxu32(a->d, b->d), c->d);
@@ -300,27 +260,11 @@ int zs_hidden_box(struct zs_renderer *r, const struct zs_box *box, uint32_t near
     x1 >>= ZS_TILE_LOG2;
     y0 = strip_of(r, y0);
     y1 = strip_of(r, y1);
-    const uint16_t *at = r->bound;
-    uint32_t w = ZS_TILES(r->config.width), rows = r->n_strips;
-    const uint32_t key = key_of(r, nearest, -MARGIN);
-    if (key <= at[(uint32_t)y0 * w + (uint32_t)x0])
-        return 0; /* in its first tile, without the levels */
-    if (r->bound_new)
-        levels(r);
-    if (key > r->bound_most)
-        return 1;
-    for (int level = 1; level < ZS_BOUND_LEVELS && (x1 - x0 > 1 || y1 - y0 > 1); level++) {
-        at += w * rows;
-        w = (w + 1u) / 2u;
-        rows = (rows + 1u) / 2u;
-        x0 >>= 1;
-        x1 >>= 1;
-        y0 >>= 1;
-        y1 >>= 1;
-    }
-    for (int32_t y = y0; y <= y1; y++)
+    const uint32_t key = key_of(r, nearest, -MARGIN), tiles = ZS_TILES(r->config.width);
+    const uint16_t *bound = r->bound + (uint32_t)y0 * tiles;
+    for (; y0 <= y1; y0++, bound += tiles)
         for (int32_t x = x0; x <= x1; x++)
-            if (key <= at[(uint32_t)y * w + (uint32_t)x])
+            if (key <= bound[x])
                 return 0;
     return 1;
 }

@@ -26,12 +26,9 @@ static const char *const flaws[] = {
     "a texture whose width or height is out of range",
     "a palette whose number of colours is out of range",
     "a clamp that is none",
-    "a texel that its palette does not hold",
-    "groups out of order",
-    "a group that is too small",
-    "a group whose origins are too small"
+    "a texel that its palette does not hold"
 };
-_Static_assert(sizeof flaws / sizeof flaws[0] == ZS_FLAW_GROUP_ORIGINS + 1, "a sentence for each flaw");
+_Static_assert(sizeof flaws / sizeof flaws[0] == ZS_FLAW_TEXEL + 1, "a sentence for each flaw");
 
 const char *zs_strflaw(enum zs_flaw flaw)
 {
