@@ -412,7 +412,8 @@ static void groups_of_any_bytes_are_harmless(void **state)
         crowd_open(&p, &w, 20);
     while (w.scene.n_instances < 20 || w.camera.projection);
     struct zs_instance *in = w.instance;
-    struct zs_group away[2] = { { { 0, 0, 0 }, 1, 1, 0, 1, 1 }, { { 0, 0, 0 }, 1, 1, 2, 7, 2 } };
+    struct zs_group away[2] = { { .radius = 1, .origins = 1, .first = 0, .n = 1, .next = 1 },
+                                { .radius = 1, .origins = 1, .first = 2, .n = 7, .next = 2 } };
     for (int k = 0; k < 3; k++) /* behind the eye */
         away[0].center[k] = away[1].center[k] = w.camera.pos[k] + w.camera.rot[6 + k] / 1000;
     const struct zs_groups groups = ZS_GROUPS(away, 2);
@@ -431,7 +432,7 @@ static void groups_of_any_bytes_are_harmless(void **state)
     got = picture_draw(&c, &w.scene, &w.camera);
     assert_int_equal(got.err, ZS_ERR_NULL);
     picture_free(&got);
-    const struct zs_groups none = { NULL, away, 2 }, no_array = ZS_GROUPS(NULL, 1);
+    const struct zs_groups none = { .group = away, .n_groups = 2 }, no_array = ZS_GROUPS(NULL, 1);
     w.scene.groups = &none;
     got = picture_draw(&c, &w.scene, &w.camera);
     assert_int_equal(got.err, ZS_ERR_NULL);
@@ -514,7 +515,7 @@ static void the_builder_takes_any_number(void **state)
     static struct zs_group group[ZS_GROUPS_MAX(MANY)];
     static const struct zs_mesh mesh = { .scale = ZS_Q16_ONE, .radius = 3, .center = { 5, 0, 0 } };
     struct zs_groups groups = ZS_GROUPS(group, 0);
-    struct zs_scene scene = { in, 0, { { 0, 0, 0 }, 0, 0 }, 0, &groups };
+    struct zs_scene scene = { .instance = in, .groups = &groups };
     static const uint32_t counts[] = { 0, 1, 7, 8, 9, 63, 64, 65, 511, 512, 513, 4096, 4097, 40000, MANY };
     uint32_t at;
     for (uint32_t i = 0; i < MANY; i++) {
@@ -573,8 +574,8 @@ static void the_builder_takes_any_number(void **state)
         two[side].pose.pos[0] = side ? -ZS_WORLD_MAX : ZS_WORLD_MAX;
     assert_int_equal(zs_groups_build(got, 2, two, 2, &n), ZS_ERR_RANGE);
     struct zs_group held = { .n = 1, .next = 1, .center = { INT32_MAX, 0, 0 }, .radius = INT32_MAX, .origins = INT32_MAX };
-    const struct zs_groups one_group = { &zs_group_kernel, &held, 1 };
-    const struct zs_scene far_scene = { two, 1, { { 0, 0, 0 }, 0, 0 }, 0, &one_group };
+    const struct zs_groups one_group = { .kernel = &zs_group_kernel, .group = &held, .n_groups = 1 };
+    const struct zs_scene far_scene = { .instance = two, .n_instances = 1, .groups = &one_group };
     zs_pose_identity(&two[0].pose);
     static const struct zs_mesh tiny = { .scale = 1, .radius = 0 };
     two[0].mesh = &tiny;
@@ -607,7 +608,7 @@ static void the_check_names_the_flaw(void **state)
     struct zs_group group[32];
     static const struct zs_mesh mesh = { .scale = ZS_Q16_ONE, .radius = 3 };
     struct zs_groups groups = ZS_GROUPS(group, 0);
-    struct zs_scene scene = { in, 70, { { 0, 0, 0 }, 0, 0 }, 0, &groups };
+    struct zs_scene scene = { .instance = in, .n_instances = 70, .groups = &groups };
     uint32_t at;
     for (uint32_t i = 0; i < 70; i++) {
         in[i].mesh = &mesh;

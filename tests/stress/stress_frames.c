@@ -197,7 +197,7 @@ static void count(struct prng *p)
 
 static void world_open(struct prng *p, uint16_t h, int walls)
 {
-    static const struct zs_groups groups = ZS_GROUPS(world.group, 0), none = { NULL, NULL, 0 };
+    static const struct zs_groups groups = ZS_GROUPS(world.group, 0), none = { 0 };
     world.h = h;
     world.wall = prng_pick(p, 6) == 0;
     world.walls = walls;
@@ -286,7 +286,7 @@ static int take(void *ctx, const struct zs_strip *s)
 
 static int hand_render(struct prng *p, struct hand *hand)
 {
-    const struct zs_sink sink = { take, NULL, hand };
+    const struct zs_sink sink = { .submit = take, .ctx = hand };
     if (!hand->sharing && !hand->by_hand)
         return zs_render(&hand->r[0], &world.scene, &world.camera, &sink);
     int err = ZS_OK;
@@ -528,7 +528,7 @@ static int frame_right(struct prng *p, struct hand *hand, const struct zs_config
     static struct glass want;
     want.w = plain->width;
     want.h = plain->height;
-    const struct zs_sink sink = { plain_take, NULL, &want };
+    const struct zs_sink sink = { .submit = plain_take, .ctx = &want };
     const struct zs_stats *s = zs_frame_stats(&r);
     struct zs_config quick = *plain;
     struct zs_strip first; /* with it all triangles have been looked at */
