@@ -9,6 +9,8 @@ build=$(cd "$1" && pwd) || exit 1
 SAN='-fsanitize=address,undefined -fno-sanitize-recover=all'
 set -- "$build/test/zsim" "$build/test/convert"
 . tests/cli/common.sh
+. "$top/tests/designated.sh"
+designated_headers headers || exit 1
 gcc -O1 -Wall -Wextra -Werror -I"$top/firmware/zstrip" -I"$build/gen" "$top/tests/convert/make.c" \
     "$top"/firmware/zstrip/*.c "$build/libmeshes.a" -lpng -lturbojpeg -lm -o make || exit 1
 
@@ -54,7 +56,7 @@ compile() { # TO PROGRAM.c
         $compiler -Wall -Wextra -Wpedantic -Werror -fsyntax-only -I"$top/firmware/zstrip" -include "$1/m.h" /dev/null \
             >cc.log 2>&1 || wrong "$compiler, the header: $(head -c 400 cc.log)"
     done
-    gcc -std=c11 -O0 -c -Wall -Wextra -Werror -I"$top/firmware/zstrip" "$1/m.c" -o "$1/m.o" >cc.log 2>&1 &&
+    gcc -std=c11 -O0 -c -Wall -Wextra -Werror -Iheaders "$1/m.c" -o "$1/m.o" >cc.log 2>&1 &&
         gcc -std=gnu11 -O1 -g $SAN -Wall -Wextra -Werror -I"$top/firmware/zstrip" -I"$1" "$top/tests/convert/$2.c" \
             "$1/m.o" "$build/test/libtest.a" -lm -o "$1/$2" >cc.log 2>&1 || wrong "$(head -c 400 cc.log)"
 }
