@@ -1,7 +1,7 @@
 /* C text. The same numbers make the same bytes: nothing of the machine, the day or the folder is
  * in them.
  *
- * Initialisers are complete and in the order of the members, so that C11 and C++14 take them alike.
+ * Initialisers name the fields that they set, in the order of the members, so that C11 and C++20 take them alike.
  *
  * SPDX-License-Identifier: MIT
  */
@@ -76,7 +76,7 @@ struct row {
 static void put(struct row *row, const char *format, ...) __attribute__((format(printf, 2, 3)));
 static void put(struct row *row, const char *format, ...)
 {
-    char text[80];
+    char text[160];
     va_list args;
     va_start(args, format);
     const int n = vsnprintf(text, sizeof text, format, args);
@@ -177,9 +177,10 @@ static void clusters(FILE *f, const char *name, uint32_t part, const struct sim_
     struct row row = begin(f, "struct zs_cluster", name, part, "cluster", p->n_clusters, "");
     for (uint32_t i = 0; i < p->n_clusters; i++) {
         const struct zs_cluster *c = &p->cluster[i];
-        put(&row, "{%" PRIu32 ",%u,{%d,%d,%d},%u,{%d,%d,%d},%d,%u},", c->first, c->n_tris,
-            c->center[0], c->center[1], c->center[2], c->radius, c->axis[0], c->axis[1], c->axis[2],
-            c->cutoff, c->height);
+        put(&row,
+            "{.first=%" PRIu32 ",.n_tris=%u,.center={%d,%d,%d},.radius=%u,.axis={%d,%d,%d},.cutoff=%d,.height=%u},",
+            c->first, c->n_tris, c->center[0], c->center[1], c->center[2], c->radius, c->axis[0], c->axis[1],
+            c->axis[2], c->cutoff, c->height);
     }
     end(f);
 }
@@ -236,20 +237,17 @@ static const char *format_name(enum sim_texels format)
     return format == SIM_TEXELS_565 ? "565" : format == SIM_TEXELS_PAL8 ? "pal8" : "pal4";
 }
 
-/* ", NAME_what_part" or ", 0" */
+/* ", .what = NAME_what_part", or nothing */
 static void pointer(FILE *f, int there, const char *name, const char *what, uint32_t part)
 {
     if (there)
-        (void)fprintf(f, "%s_%s_%" PRIu32 ", ", name, what, part);
-    else
-        (void)fputs("0, ", f);
+        (void)fprintf(f, ", .%s = %s_%s_%" PRIu32, what, name, what, part);
 }
 
 static void mesh_object(FILE *f, const char *name, uint32_t part, const struct sim_piece *p,
                         const struct sim_steps *s)
 {
-    (void)fputs("    { ", f);
-    pointer(f, 1, name, "pos", part);
+    (void)fprintf(f, "    { .pos = %s_pos_%" PRIu32, name, part);
     pointer(f, s->fine, name, "pos_lo", part);
     pointer(f, 1, name, "tri", part);
     pointer(f, p->normal != NULL, name, "normal", part);
@@ -257,24 +255,27 @@ static void mesh_object(FILE *f, const char *name, uint32_t part, const struct s
     pointer(f, p->vertex_rgb != NULL, name, "vertex_rgb", part);
     pointer(f, p->face_rgb != NULL, name, "face_rgb", part);
     pointer(f, p->face_raw != NULL, name, "face_raw", part);
-    (void)fprintf(f, "%" PRIu32 "u, %" PRIu32 "u,\n      %" PRIu32 "u, { %d, %d, %d }, %u, ",
+    (void)fprintf(f,
+                  ",\n      .n_verts = %" PRIu32 "u, .n_tris = %" PRIu32 "u, .scale = %" PRIu32
+                  "u, .center = { %d, %d, %d }, .radius = %u",
                   p->n_verts, p->n_tris, s->scale, p->center[0], p->center[1], p->center[2],
                   p->radius);
-    pointer(f, p->uv != NULL, name, "uv", part);
-    (void)fprintf(f, "%u, ", p->uv != NULL ? p->uv_bits : 0u);
-    pointer(f, p->cluster != NULL, name, "cluster", part);
-    (void)fprintf(f, "%" PRIu32 "u, %s },\n", p->n_clusters, p->n_clusters > 4 ? "&zs_cluster_kernel" : "0");
+    if (p->uv != NULL)
+        (void)fprintf(f, ",\n      .uv = %s_uv_%" PRIu32 ", .uv_bits = %u", name, part, p->uv_bits);
+    if (p->cluster != NULL)
+        (void)fprintf(f, ",\n      .cluster = %s_cluster_%" PRIu32 ", .n_clusters = %" PRIu32 "u%s", name, part,
+                      p->n_clusters, p->n_clusters > 4 ? ", .cluster_kernel = &zs_cluster_kernel" : "");
+    (void)fputs(" },\n", f);
 }
 
 static void material_object(FILE *f, const char *name, const struct sim_paint *p, int cull)
 {
     static const char *const culls[] = { "ZS_CULL_BACK", "ZS_CULL_FRONT", "ZS_CULL_NONE" };
-    (void)fprintf(f, "    { &%s, { %d, %d, %d }, %s, ", shader_name(p->shader), p->rgb.r, p->rgb.g,
-                  p->rgb.b, culls[cull]);
+    (void)fprintf(f, "    { .shader = &%s, .rgb = { %d, %d, %d }, .cull = %s", shader_name(p->shader),
+                  p->rgb.r, p->rgb.g, p->rgb.b, culls[cull]);
     if (p->texture != SIM_NO_TEXTURE)
-        (void)fprintf(f, "&%s_texture[%" PRIu32 "] },", name, p->texture);
-    else
-        (void)fputs("0 },", f);
+        (void)fprintf(f, ", .texture = &%s_texture[%" PRIu32 "]", name, p->texture);
+    (void)fputs(" },", f);
     if (p->name[0] != '\0') {
         (void)fputs(" /* ", f);
         quote(f, p->name);
@@ -287,10 +288,11 @@ static void texture_object(FILE *f, const char *name, uint32_t part, const struc
 {
     static const char *const clamps[] = { "0", "ZS_CLAMP_U", "ZS_CLAMP_V",
                                           "ZS_CLAMP_U | ZS_CLAMP_V" };
-    (void)fprintf(f, "    { &zs_texel_%s, %s_texel_%" PRIu32 ", ", format_name(s->format), name,
+    (void)fprintf(f, "    { .format = &zs_texel_%s, .texel = %s_texel_%" PRIu32, format_name(s->format), name,
                   part);
-    pointer(f, s->n_colors > 0, name, "palette", part);
-    (void)fprintf(f, "%" PRIu32 ", %u, %u, %s },\n", s->n_colors, sim_texture_log2(s->w),
+    if (s->n_colors > 0)
+        (void)fprintf(f, ", .palette = %s_palette_%" PRIu32 ", .n_colors = %" PRIu32, name, part, s->n_colors);
+    (void)fprintf(f, ",\n      .log2_w = %u, .log2_h = %u, .clamp = %s },\n", sim_texture_log2(s->w),
                   sim_texture_log2(s->h), clamps[s->clamp & 3]);
 }
 
@@ -335,9 +337,9 @@ static void meshes(FILE *f, const struct sim_conversion *c)
     for (uint32_t i = 0; i < p->n_pieces; i++)
         (void)fprintf(
             f,
-            "    { &%s_mesh[%" PRIu32 "], &%s_material[%" PRIu32 "],\n"
-            "      { { ZS_Q30_ONE, 0, 0, 0, ZS_Q30_ONE, 0, 0, 0, ZS_Q30_ONE }, { 0, 0, 0 }, "
-            "ZS_Q16_ONE }, 0 },\n",
+            "    { .mesh = &%s_mesh[%" PRIu32 "], .material = &%s_material[%" PRIu32 "],\n"
+            "      .pose = { .rot = { ZS_Q30_ONE, 0, 0, 0, ZS_Q30_ONE, 0, 0, 0, ZS_Q30_ONE }, .pos = { 0, 0, 0 },\n"
+            "                .scale = ZS_Q16_ONE } },\n",
             name, i, name, p->piece[i].paint);
     (void)fputs("};\n", f);
 }

@@ -653,7 +653,7 @@ int sim_costs_count(struct sim_counted *out, const struct zs_scene *scene, const
     const size_t n = scene->n_instances;
     struct zs_instance *instance = sim_alloc(n + 1u, sizeof *instance);
     struct thing *things = sim_alloc(n + 1u, sizeof *things);
-    const struct zs_sink sink = { on_submit, on_wait, NULL };
+    const struct zs_sink sink = { .submit = on_submit, .wait = on_wait };
     memset(out, 0, sizeof *out);
     memset(&now, 0, sizeof now);
     now.n = out->n;

@@ -145,7 +145,7 @@ int sim_counts_draw(struct sim_counts *counts, const struct zs_scene *scene, con
     const uint16_t rows = config->strip_h < config->height ? config->strip_h : config->height;
     struct tap tap = { .depth = *config->depth, .of = config->depth, .out = counts };
     struct zs_config with = *config;
-    const struct zs_sink sink = { tap_submit, tap_wait, &tap };
+    const struct zs_sink sink = { .submit = tap_submit, .wait = tap_wait, .ctx = &tap };
     memset(counts, 0, sizeof *counts);
     tap.depth.setup = tap_setup;
     tap.depth.rows = tap_rows;

@@ -711,7 +711,7 @@ int sim_exact_texels(struct sim_exact_texels *out, uint64_t seed, uint32_t n, ui
 {
     struct board *b = sim_alloc(1, sizeof *b);
     uint16_t *numbers = sim_alloc(65536, sizeof *numbers);
-    const struct zs_texture texture = { &zs_texel_565, numbers, NULL, 0, 8, 8, 0 };
+    const struct zs_texture texture = { .format = &zs_texel_565, .texel = numbers, .log2_w = 8, .log2_h = 8 };
     int ratio_log2 = 0, err = ZS_OK;
     while (1u << ratio_log2 < ratio)
         ratio_log2++;

@@ -124,7 +124,7 @@ int sim_frame_render_to(struct sim_frame *frame, const struct zs_scene *scene, c
         frame->rgb565 = sim_alloc(n, sizeof *frame->rgb565);
         frame->key = sim_alloc(n, sizeof *frame->key);
         struct receiver receiver = { .frame = frame, .what = what, .to = to };
-        const struct zs_sink sink = { submit, wait, &receiver };
+        const struct zs_sink sink = { .submit = submit, .wait = wait, .ctx = &receiver };
         err = zs_render(&renderer, scene, camera, &sink);
         frame->stats = *zs_frame_stats(&renderer);
         if (err == ZS_OK && (receiver.pending || receiver.next_y != config->height))

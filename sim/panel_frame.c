@@ -126,7 +126,7 @@ static int wait(void *ctx)
 
 struct zs_sink sim_panel_sink(struct sim_panel_frame *p)
 {
-    return (struct zs_sink){ submit, wait, p };
+    return (struct zs_sink){ .submit = submit, .wait = wait, .ctx = p };
 }
 
 int sim_panel_check(const struct sim_panel_frame *p, const struct sim_panel_wish *wish, const char *file)

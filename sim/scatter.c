@@ -219,9 +219,10 @@ static void textures_make(struct sim_scatter *s, struct sim_random *r)
     for (int i = 0; i < 16; i++)
         s->palette[i] = (uint16_t)sim_random_bits(r);
     const struct zs_texture all[SCATTER_TEXTURES] = {
-        { &zs_texel_565, s->texel, NULL, 0, 8, 8, 0 },
-        { &zs_texel_pal8, s->number, s->palette, 16, 6, 5, ZS_CLAMP_U | ZS_CLAMP_V },
-        { &zs_texel_565, s->texel, NULL, 0, 5, 9, ZS_CLAMP_U }
+        { .format = &zs_texel_565, .texel = s->texel, .log2_w = 8, .log2_h = 8 },
+        { .format = &zs_texel_pal8, .texel = s->number, .palette = s->palette, .n_colors = 16, .log2_w = 6, .log2_h = 5,
+          .clamp = ZS_CLAMP_U | ZS_CLAMP_V },
+        { .format = &zs_texel_565, .texel = s->texel, .log2_w = 5, .log2_h = 9, .clamp = ZS_CLAMP_U }
     };
     memcpy(s->texture, all, sizeof all);
 }

@@ -235,7 +235,7 @@ static void make_floor(struct stage *s, int value)
         s->texel[k] = (uint16_t)(((k >> 3 ^ k >> 11) & 1u ? 0xffffu : 0x3186u) ^ (k & 7u) << 6);
     put_triangle(s, 0, 1, 2);
     put_triangle(s, 0, 2, 3);
-    s->texture = (struct zs_texture){ &zs_texel_565, s->texel, NULL, 0, 8, 8, 0 };
+    s->texture = (struct zs_texture){ .format = &zs_texel_565, .texel = s->texel, .log2_w = 8, .log2_h = 8 };
     s->material = (struct zs_material){ .shader = &zs_shade_texture, .cull = ZS_CULL_NONE, .texture = &s->texture };
     s->mesh.pos_lo = (const uint8_t(*)[3])s->pos_lo;
     s->mesh.uv = (const int16_t(*)[2])s->uv;

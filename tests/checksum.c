@@ -39,7 +39,7 @@ static void add(struct page *p, const struct shape *s, const struct zs_shader *s
                 int32_t y, int32_t z, uint8_t cull)
 {
     const uint32_t n = p->scene.n_instances++;
-    const struct zs_material material = { shader, { 230, 140, 250 }, cull };
+    const struct zs_material material = { .shader = shader, .rgb = { 230, 140, 250 }, .cull = cull };
     p->material[n] = material;
     p->instance[n].mesh = &s->mesh;
     p->instance[n].material = &p->material[n];
@@ -62,7 +62,8 @@ static void begin(struct page *p, const char *name, const struct zs_depth *depth
 {
     const struct page none = { 0 };
     const struct zs_config config = {
-        W, H, STRIP, TRIS, VERTS, ZS_ATTRS_SMOOTH, 1, 8, 16, 0, depth
+        .width = W, .height = H, .strip_h = STRIP, .max_tris = TRIS, .max_verts = VERTS, .attrs = ZS_ATTRS_SMOOTH,
+        .buffers = 1, .subpixel_bits = 8, .depth_bits = 16, .depth = depth
     };
     const int32_t light[3] = { 3, 5, 4 };
     *p = none;
@@ -77,11 +78,13 @@ static void begin(struct page *p, const char *name, const struct zs_depth *depth
 
 /* ---- Textures -------------------------------------------------------------------------------- */
 
-static const struct zs_texture texture_565 = { &zs_texel_565, direct, 0, 0, 6, 5, 0 };
-static const struct zs_texture texture_pal8 = { &zs_texel_pal8, byte, colors, 256, 4, 6,
-                                                ZS_CLAMP_U };
-static const struct zs_texture texture_pal4 = { &zs_texel_pal4, nibble, colors, 16, 5, 5, 0 };
-static const struct zs_texture texture_line = { &zs_texel_565, direct, 0, 0, 6, 0, ZS_CLAMP_V };
+static const struct zs_texture texture_565 = { .format = &zs_texel_565, .texel = direct, .log2_w = 6, .log2_h = 5 };
+static const struct zs_texture texture_pal8 = { .format = &zs_texel_pal8, .texel = byte, .palette = colors,
+                                                .n_colors = 256, .log2_w = 4, .log2_h = 6, .clamp = ZS_CLAMP_U };
+static const struct zs_texture texture_pal4 = { .format = &zs_texel_pal4, .texel = nibble, .palette = colors,
+                                                .n_colors = 16, .log2_w = 5, .log2_h = 5 };
+static const struct zs_texture texture_line = { .format = &zs_texel_565, .texel = direct, .log2_w = 6, .log2_h = 0,
+                                                .clamp = ZS_CLAMP_V };
 
 static void make_textures(void)
 {

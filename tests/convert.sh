@@ -9,6 +9,8 @@ build=$(cd "$1" && pwd) || exit 1
 SAN='-fsanitize=address,undefined -fno-sanitize-recover=all'
 set -- "$build/test/zsim" "$build/test/convert"
 . tests/cli/common.sh
+. "$top/tests/designated.sh"
+designated_headers headers || exit 1
 gcc -O1 -Wall -Wextra -Werror -I"$top/firmware/zstrip" -I"$build/gen" "$top/tests/convert/make.c" \
     "$top"/firmware/zstrip/*/*.c "$build/libmeshes.a" -lpng -lturbojpeg -lm -o make || exit 1
 
@@ -43,13 +45,18 @@ convert() { # TO INPUT OPTION...
     place=$(sed -n 's/^ \* Positions *in the model.s units: \([^ ]*\) \([^ ]*\) \([^ ]*\) + \([^ ]*\) \* n.*/\1 \2 \3 \4/p' "$to/m.h")
     place="$place $(sed -n 's/.*a unit of the model is \([^ ]*\) of them.*/\1/p' "$to/m.h")"
 }
-# Four compilers' warnings, then a program of the converted file and the library, with sanitizers.
+# Four compilers' warnings, then a program of the converted file and the library, with sanitizers. The file names the
+# fields that it sets, which C++ takes since C++20; its header is for older C++ too.
 compile() { # TO PROGRAM.c
-    for compiler in 'gcc -std=c11' 'g++ -x c++ -std=c++14' 'clang -std=c11' 'clang++ -x c++ -std=c++14'; do
-        $compiler -Wall -Wextra -Wpedantic -Werror -fsyntax-only -I"$top/firmware/zstrip" "$1/m.c" >cc.log 2>&1 ||
-            wrong "$compiler: $(head -c 400 cc.log)"
+    for compiler in 'gcc -std=c11' 'g++ -x c++ -std=c++20' 'clang -std=c11' 'clang++ -x c++ -std=c++20'; do
+        $compiler -Wall -Wextra -Wpedantic -Werror -Wno-missing-field-initializers -fsyntax-only \
+            -I"$top/firmware/zstrip" "$1/m.c" >cc.log 2>&1 || wrong "$compiler: $(head -c 400 cc.log)"
     done
-    gcc -std=c11 -O0 -c -Wall -Wextra -Werror -I"$top/firmware/zstrip" "$1/m.c" -o "$1/m.o" >cc.log 2>&1 &&
+    for compiler in 'g++ -x c++ -std=c++14' 'clang++ -x c++ -std=c++14'; do
+        $compiler -Wall -Wextra -Wpedantic -Werror -fsyntax-only -I"$top/firmware/zstrip" -include "$1/m.h" /dev/null \
+            >cc.log 2>&1 || wrong "$compiler, the header: $(head -c 400 cc.log)"
+    done
+    gcc -std=c11 -O0 -c -Wall -Wextra -Werror -Iheaders "$1/m.c" -o "$1/m.o" >cc.log 2>&1 &&
         gcc -std=gnu11 -O1 -g $SAN -Wall -Wextra -Werror -I"$top/firmware/zstrip" -I"$1" "$top/tests/convert/$2.c" \
             "$1/m.o" "$build/test/libtest.a" -lm -o "$1/$2" >cc.log 2>&1 || wrong "$(head -c 400 cc.log)"
 }

@@ -119,17 +119,11 @@ void easel_draw(const struct easel *s, const struct easel_tri *t, uint32_t n,
                 struct easel_frame *out)
 {
     struct zs_renderer r;
-    const struct zs_config config = { (uint16_t)s->width,
-                                      (uint16_t)s->height,
-                                      (uint16_t)s->strip_h,
-                                      (uint16_t)(n ? n : 1),
-                                      (uint16_t)(n ? 3 * n : 3),
-                                      (uint8_t)attrs_of(s),
-                                      1,
-                                      8,
-                                      (uint8_t)s->depth_bits,
-                                      0,
-                                      s->depth };
+    const struct zs_config config = { .width = (uint16_t)s->width, .height = (uint16_t)s->height,
+                                      .strip_h = (uint16_t)s->strip_h, .max_tris = (uint16_t)(n ? n : 1),
+                                      .max_verts = (uint16_t)(n ? 3 * n : 3), .attrs = (uint8_t)attrs_of(s),
+                                      .buffers = 1, .subpixel_bits = 8, .depth_bits = (uint8_t)s->depth_bits,
+                                      .depth = s->depth };
     const uint32_t bytes = zs_arena_bytes(&config);
     void *arena = malloc(bytes);
     must(arena && zs_init(&r, &config, arena, bytes) == ZS_OK, "zs_init");
@@ -146,7 +140,7 @@ void easel_draw(const struct easel *s, const struct easel_tri *t, uint32_t n,
     if (shader.small)
         shader.small = counted_small;
 #endif
-    const struct zs_material material = { &shader, { 0, 0, 0 }, ZS_CULL_NONE, s->texture };
+    const struct zs_material material = { .shader = &shader, .cull = ZS_CULL_NONE, .texture = s->texture };
     struct zs_instance instance[EASEL_STATES_MAX + 1];
     memset(instance, 0, sizeof instance);
     must(s->n_states <= EASEL_STATES_MAX, "states");

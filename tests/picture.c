@@ -10,8 +10,9 @@
 
 struct zs_config picture_config(int32_t w, int32_t h, const struct zs_depth *depth)
 {
-    const struct zs_config c = { (uint16_t)w, (uint16_t)h, (uint16_t)h, 4000, 4000,
-                                 ZS_ATTRS_SMOOTH, 1, 8, 16, 0, depth };
+    const struct zs_config c = { .width = (uint16_t)w, .height = (uint16_t)h, .strip_h = (uint16_t)h, .max_tris = 4000,
+                                 .max_verts = 4000, .attrs = ZS_ATTRS_SMOOTH, .buffers = 1, .subpixel_bits = 8,
+                                 .depth_bits = 16, .depth = depth };
     return c;
 }
 
@@ -77,7 +78,7 @@ struct picture picture_draw(const struct zs_config *config, const struct zs_scen
     p.err = zs_init(r, config, arena, bytes);
     if (!p.err) {
         struct copy c = { .to = &p };
-        const struct zs_sink sink = { copy_submit, copy_wait, &c };
+        const struct zs_sink sink = { .submit = copy_submit, .wait = copy_wait, .ctx = &c };
         p.err = zs_render(r, scene, camera, &sink);
         if (!p.err && (c.rows != p.h || c.busy))
             p.err = -1002;

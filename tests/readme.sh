@@ -5,6 +5,8 @@
 set -eu
 build=$1
 out=$(mkdir -p "$1/test/readme" && cd "$1/test/readme" && pwd)
+. tests/designated.sh
+designated_headers "$out/headers"
 section() { # HEADING
     awk -v want="## $1" '/^## / { in_it = $0 == want } in_it' README.md
 }
@@ -35,7 +37,7 @@ int main(void)
     return err != 0;
 }
 MAIN
-gcc -std=c11 -Wall -Wextra -Werror -Wconversion -Ifirmware/zstrip -I"$out" "$out/main.c" \
+gcc -std=c11 -Wall -Wextra -Werror -Wconversion -I"$out/headers" -Ifirmware/zstrip -I"$out" "$out/main.c" \
     firmware/zstrip/*/*.c -o "$out/example"
 # shellcheck disable=SC2046
 set -- $("$out/example")
@@ -51,12 +53,14 @@ section 'On a panel' | code >"$out/panel_example.c"
 cat >"$out/panel_main.c" <<'MAIN'
 #include <stdio.h>
 #include "panel_example.c"
-static const struct zs_config config = { W, H, ROWS, 8, 8, ZS_ATTRS_FLAT, 2, 8, 16, 0, &zs_depth_recip };
+static const struct zs_config config = { .width = W, .height = H, .strip_h = ROWS, .max_tris = 8, .max_verts = 8,
+                                         .attrs = ZS_ATTRS_FLAT, .buffers = 2, .subpixel_bits = 8, .depth_bits = 16,
+                                         .depth = &zs_depth_recip };
 ZS_ARENA(arena, ZS_ARENA_BYTES(W, H, ROWS, 8, 8, ZS_ATTRS_FLAT, 2));
 int main(void)
 {
     static struct zs_renderer r;
-    struct zs_scene scene = { 0, 0, { { 0, 0, 0 }, 0, 0 }, 7, 0 };
+    struct zs_scene scene = { .background = 7 };
     struct zs_camera camera;
     int err = zs_init(&r, &config, arena, sizeof arena);
     err = err ? err : zs_camera_perspective(&camera, 8192, H, 10, 1000);
@@ -69,7 +73,7 @@ int main(void)
     return err != 0;
 }
 MAIN
-gcc -std=c11 -Wall -Wextra -Werror -Wconversion -Ifirmware/zstrip -Ihal -Ihal/panel -I"$out" "$out/panel_main.c" \
+gcc -std=c11 -Wall -Wextra -Werror -Wconversion -I"$out/headers" -Ifirmware/zstrip -Ihal -Ihal/panel -I"$out" "$out/panel_main.c" \
     firmware/zstrip/*/*.c hal/panel/*.c hal/null/*.c -o "$out/panel_example"
 said=$("$out/panel_example")
 [ "$said" = "0 15" ] && echo "ok readme_panel_example" || echo "FAILED readme_panel_example: $said"

@@ -34,7 +34,7 @@ static struct good good_scene(void)
     g.config = picture_config(40, 30, &zs_depth_recip);
     g.config.strip_h = 7;
     g.config.max_tris = g.config.max_verts = 200;
-    const struct zs_material m = { &zs_shade_flat, { 255, 200, 100 }, ZS_CULL_BACK };
+    const struct zs_material m = { .shader = &zs_shade_flat, .rgb = { 255, 200, 100 }, .cull = ZS_CULL_BACK };
     material = m;
     instance.mesh = &ball.mesh;
     instance.material = &material;
@@ -233,10 +233,10 @@ static int arena_case(uint64_t seed)
 {
     struct prng p = { seed };
     const struct zs_config c = {
-        (uint16_t)prng_range(&p, 1, 300), (uint16_t)prng_range(&p, 1, 300),
-        (uint16_t)prng_range(&p, 1, 400), (uint16_t)prng_range(&p, 1, 999),
-        (uint16_t)prng_range(&p, 3, 999), (uint8_t)prng_range(&p, 0, ZS_ATTRS_MAX),
-        (uint8_t)prng_range(&p, 1, 2), 8, 16, 0, &zs_depth_recip
+        .width = (uint16_t)prng_range(&p, 1, 300), .height = (uint16_t)prng_range(&p, 1, 300),
+        .strip_h = (uint16_t)prng_range(&p, 1, 400), .max_tris = (uint16_t)prng_range(&p, 1, 999),
+        .max_verts = (uint16_t)prng_range(&p, 3, 999), .attrs = (uint8_t)prng_range(&p, 0, ZS_ATTRS_MAX),
+        .buffers = (uint8_t)prng_range(&p, 1, 2), .subpixel_bits = 8, .depth_bits = 16, .depth = &zs_depth_recip
     };
     const uint32_t rows = c.strip_h < c.height ? c.strip_h : c.height;
     const uint32_t bytes = zs_arena_bytes(&c);
@@ -285,13 +285,15 @@ static void arena_macro_function_and_layout_agree(void **state)
 {
     (void)state;
     CASES(arena_case, 3000);
-    const struct zs_config c = { 64, 48, 16, 100, 80, 3, 2, 8, 16, 0, &zs_depth_recip };
+    const struct zs_config c = { .width = 64, .height = 48, .strip_h = 16, .max_tris = 100, .max_verts = 80, .attrs = 3,
+                                 .buffers = 2, .subpixel_bits = 8, .depth_bits = 16, .depth = &zs_depth_recip };
     struct zs_renderer r;
     assert_int_equal(sizeof static_arena, zs_arena_bytes(&c));
     assert_int_equal((uintptr_t)static_arena & 31u, 0);
     assert_int_equal(zs_init(&r, &c, static_arena, sizeof static_arena), ZS_OK);
-    const struct zs_config most = { ZS_SIZE_MAX, ZS_SIZE_MAX, ZS_SIZE_MAX, ZS_POOL_MAX, ZS_POOL_MAX,
-                                    ZS_ATTRS_MAX, 2, 8, 16, 0, &zs_depth_recip };
+    const struct zs_config most = { .width = ZS_SIZE_MAX, .height = ZS_SIZE_MAX, .strip_h = ZS_SIZE_MAX,
+                                    .max_tris = ZS_POOL_MAX, .max_verts = ZS_POOL_MAX, .attrs = ZS_ATTRS_MAX,
+                                    .buffers = 2, .subpixel_bits = 8, .depth_bits = 16, .depth = &zs_depth_recip };
     assert_int_equal(zs_arena_bytes(&most), bytes_by_hand(&most)); /* no wrap at the largest */
     assert_true(zs_arena_bytes(&most) > 3u * ZS_SIZE_MAX * ZS_SIZE_MAX * 2u);
 }
@@ -617,7 +619,7 @@ static void sink_errors_are_passed_on(void **state)
                 void *arena = malloc(bytes);
                 assert_int_equal(zs_init(&r, &c, arena, bytes), ZS_OK);
                 *(in_wait ? &f.fail_wait : &f.fail_submit) = at;
-                const struct zs_sink sink = { failing_submit, failing_wait, &f };
+                const struct zs_sink sink = { .submit = failing_submit, .wait = failing_wait, .ctx = &f };
                 const int want = at > 5 ? ZS_OK : in_wait ? -888 : -777; /* five strips */
                 assert_int_equal(zs_render(&r, &g.scene, &g.camera, &sink), want);
                 assert_int_equal(f.lent, 0); /* everything has been waited for */
@@ -629,11 +631,11 @@ static void sink_errors_are_passed_on(void **state)
                 free(arena);
             }
     struct zs_renderer r;
-    const struct zs_sink none = { NULL, NULL, NULL };
+    const struct zs_sink none = { 0 };
     memset(&r, 0, sizeof r);
     assert_int_equal(zs_render(&r, &g.scene, &g.camera, NULL), ZS_ERR_NULL);
     assert_int_equal(zs_render(&r, &g.scene, &g.camera, &none), ZS_ERR_NULL);
-    const struct zs_sink sink = { failing_submit, NULL, &(struct failing){ 0 } };
+    const struct zs_sink sink = { .submit = failing_submit, .ctx = &(struct failing){ 0 } };
     assert_int_equal(zs_render(&r, &g.scene, &g.camera, &sink), ZS_ERR_STATE);
     assert_int_equal(zs_render(NULL, &g.scene, &g.camera, &sink), ZS_ERR_NULL);
     picture_free(&plain);

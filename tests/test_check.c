@@ -57,8 +57,10 @@ static struct sample sample_new(void)
     };
     static const int16_t uv[VERTS][2] = { { -32768, 32767 } };
     /* normals lean out by a sine of 0.8165, 103.7 of 127 */
-    static const struct zs_cluster cluster[2] = { { 0, 4, { 0, 0, 0 }, 100, { 0, 127, 0 }, 104 },
-                                                  { 4, 4, { 0, 0, 0 }, 100, { 0, -127, 0 }, 104 } };
+    static const struct zs_cluster cluster[2] = {
+        { .first = 0, .n_tris = 4, .radius = 100, .axis = { 0, 127, 0 }, .cutoff = 104 },
+        { .first = 4, .n_tris = 4, .radius = 100, .axis = { 0, -127, 0 }, .cutoff = 104 }
+    };
     struct sample s;
     memset(&s, 0, sizeof s);
     s.mesh.pos = s.pos = block(pos, sizeof pos);
@@ -311,7 +313,7 @@ static void flat_clusters(void **state)
     (void)state;
     int16_t pos[3][3] = { { 0, 0, 7 }, { 10, 0, 7 }, { 0, 10, 7 } };
     const uint16_t tri[1][3] = { { 0, 1, 2 } };
-    struct zs_cluster c = { 0, 1, { 0, 0, 0 }, 13, { 0, 0, 127 }, 0 };
+    struct zs_cluster c = { .first = 0, .n_tris = 1, .radius = 13, .axis = { 0, 0, 127 } };
     const struct zs_mesh m = { .pos = (const int16_t (*)[3])pos, .tri = tri, .n_verts = 3, .n_tris = 1,
                                .scale = 1, .radius = 40000, .cluster = &c, .n_clusters = 1 };
     HAS(&m, ZS_FLAW_NONE, 0);
@@ -659,7 +661,7 @@ static void the_largest_sums(void **state)
                                 { 32767, -32768, 32767 }, { -32768, 32767, 32767 } };
     const uint8_t lo[4][3] = { { 0 }, { 255, 255, 0 }, { 255, 0, 255 }, { 0, 255, 255 } };
     const uint16_t tri[2][3] = { { 0, 1, 2 }, { 1, 3, 2 } };
-    struct zs_cluster c = { 0, 2, { 0, 0, 0 }, 65535, { 0, 0, 127 }, 126 };
+    struct zs_cluster c = { .first = 0, .n_tris = 2, .radius = 65535, .axis = { 0, 0, 127 }, .cutoff = 126 };
     struct zs_mesh m = { .pos = pos, .pos_lo = lo, .tri = tri, .n_verts = 4, .n_tris = 2, .scale = 1,
                          .radius = 65535, .cluster = &c, .n_clusters = 1 };
     for (int n = 0; n < 27; n++)

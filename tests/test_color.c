@@ -229,7 +229,7 @@ static void world_set(struct world *g, const struct shape *s, uint64_t seed)
     memset(g, 0, sizeof *g);
     g->w = 100;
     g->h = 90;
-    const struct zs_material m = { &zs_shade_raw, { 255, 180, 90 }, ZS_CULL_BACK };
+    const struct zs_material m = { .shader = &zs_shade_raw, .rgb = { 255, 180, 90 }, .cull = ZS_CULL_BACK };
     g->material = m;
     g->instance.mesh = &s->mesh;
     g->instance.material = &g->material;

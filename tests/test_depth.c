@@ -990,8 +990,8 @@ static int any_float_case(uint64_t seed)
     const double found = (double)camera.z_far / (double)camera.z_near;
     const int e = found <= 128 ? 3 : found <= 32768 ? 4 : 5;
     shape_torus(&s, 12, 9, 8000, 3000);
-    const struct zs_material material = { &zs_shade_raw, { 0, 0, 0 }, ZS_CULL_BACK };
-    struct zs_instance in = { &s.mesh, &material, { { 0 }, { 0 }, 0 } };
+    const struct zs_material material = { .shader = &zs_shade_raw, .cull = ZS_CULL_BACK };
+    struct zs_instance in = { .mesh = &s.mesh, .material = &material };
     zs_pose_identity(&in.pose);
     zs_pose_turn(&in.pose, (zs_turn)prng_next(&p), 3000, 0);
     in.pose.pos[2] = -(int32_t)(near >> 16) - 9000;
@@ -1016,14 +1016,16 @@ static void keys_bound_how_much_w_changes(void **state)
 {
     (void)state;
     static const struct zs_depth *const depths[] = { &zs_depth_e3m13, &zs_depth_e4m12, &zs_depth_e5m11 };
-    static const struct zs_scene scene = { NULL, 0, { { 0, 0, ZS_Q30_ONE }, 0, 0 }, 0 };
+    static const struct zs_scene scene = { .light = { .dir = { 0, 0, ZS_Q30_ONE } } };
     static uint32_t arena[20000];
     for (int n = 0; n < 3 * 9; n++) {
         struct prng p = { (uint64_t)n + 1 };
         struct zs_renderer r;
         struct zs_camera camera;
         const struct oracle_float f = { 3 + n / 9, 8 + n % 9 };
-        const struct zs_config config = { 16, 16, 16, 4, 4, 0, 1, 8, (uint8_t)f.bits, 0, depths[n / 9] };
+        const struct zs_config config = { .width = 16, .height = 16, .strip_h = 16, .max_tris = 4, .max_verts = 4,
+                                          .buffers = 1, .subpixel_bits = 8, .depth_bits = (uint8_t)f.bits,
+                                          .depth = depths[n / 9] };
         assert_int_equal(zs_init(&r, &config, arena, sizeof arena), ZS_OK);
         assert_int_equal(zs_camera_perspective(&camera, 8192, 16, 256, 1 << 14), ZS_OK);
         assert_int_equal(zs_frame_begin(&r, &scene, &camera), ZS_OK);
@@ -1073,7 +1075,7 @@ static int plain_state_case(uint64_t seed)
         &zs_shade_raw,     &zs_shade_flat,         &zs_shade_smooth,
         &zs_shade_texture, &zs_shade_texture_flat, &zs_shade_texture_smooth
     };
-    static const struct zs_texture texture = { &zs_texel_565, texel, NULL, 0, 6, 6, 0 };
+    static const struct zs_texture texture = { .format = &zs_texel_565, .texel = texel, .log2_w = 6, .log2_h = 6 };
     static const struct zs_state nothing = ZS_STATE(0, 0, 0, 0);
     struct prng p = { seed };
     const uint32_t which = (uint32_t)(seed % MAPPINGS);
@@ -1092,7 +1094,8 @@ static int plain_state_case(uint64_t seed)
         shape[n].mesh.uv = (const int16_t(*)[2])uv[n];
         shape[n].mesh.uv_bits = 12;
         const struct zs_material m = {
-            shaders[prng_pick(&p, 6)], { 200, 100, 50 }, (uint8_t)prng_pick(&p, 3), &texture
+            .shader = shaders[prng_pick(&p, 6)], .rgb = { 200, 100, 50 }, .cull = (uint8_t)prng_pick(&p, 3),
+            .texture = &texture
         };
         material[n] = m;
         in[n].mesh = &shape[n].mesh;
@@ -1102,7 +1105,9 @@ static int plain_state_case(uint64_t seed)
         in[n].pose.pos[1] = n == 2 ? -9000 : 0;
         in[n].pose.pos[2] = n == 2 ? -10000 : -20000;
     }
-    struct zs_scene scene = { in, 3, { { 0, ZS_Q30_ONE, 0 }, 20000, 40000 }, 0x1234 };
+    struct zs_scene scene = { .instance = in, .n_instances = 3,
+                              .light = { .dir = { 0, ZS_Q30_ONE, 0 }, .ambient = 20000, .diffuse = 40000 },
+                              .background = 0x1234 };
     struct zs_camera camera;
     (void)zs_camera_perspective(&camera, 10000, 60, 200, 60000);
     struct zs_config config = picture_config(80, 60, mappings[which]);

@@ -116,7 +116,7 @@ static void chain_close(struct chain *c)
 
 static int draw(struct chain *c, uint32_t t)
 {
-    const struct zs_sink sink = { submit, wait, &c->panel };
+    const struct zs_sink sink = { .submit = submit, .wait = wait, .ctx = &c->panel };
     demo_cubes.pose(&c->frame, t, c->config.width, c->config.height);
     const int err = zs_render(&c->r, &c->frame.scene, &c->frame.camera, &sink);
     assert_int_equal(c->locked, 0); /* the bus is nobody's, whatever happened */

@@ -46,12 +46,15 @@ static void quad(struct prng *p, uint32_t n, int32_t half, int32_t z, int32_t ti
 
 static void begin(struct prng *p, uint32_t n, int perspective)
 {
-    world.scene = (struct zs_scene){ world.instance, n, { { 0, 0, ZS_Q30_ONE }, ZS_Q16_ONE, 0 }, 0x1234 };
+    world.scene = (struct zs_scene){ .instance = world.instance, .n_instances = n,
+                                     .light = { .dir = { 0, 0, ZS_Q30_ONE }, .ambient = ZS_Q16_ONE },
+                                     .background = 0x1234 };
     for (uint32_t i = 0; i < n; i++) {
         world.mesh[i] = (struct zs_mesh){ .pos = (const int16_t(*)[3])world.pos[i], .tri = halves[prng_pick(p, 4)],
                                           .n_verts = 4, .n_tris = 2, .scale = SCALE * ZS_Q16_ONE, .radius = 32767 };
-        world.material[i] = (struct zs_material){ &zs_shade_raw, { (uint8_t)(40 + 20 * i), (uint8_t)(i * 77), 99 },
-                                                  ZS_CULL_NONE };
+        world.material[i] = (struct zs_material){ .shader = &zs_shade_raw,
+                                                  .rgb = { (uint8_t)(40 + 20 * i), (uint8_t)(i * 77), 99 },
+                                                  .cull = ZS_CULL_NONE };
         world.instance[i] = (struct zs_instance){ .mesh = &world.mesh[i], .material = &world.material[i] };
         zs_pose_identity(&world.instance[i].pose);
     }

@@ -32,7 +32,7 @@ static void add(const struct shape *s, const struct zs_shader *shader, int32_t x
 {
     const uint32_t n = set.scene.n_instances++;
     struct zs_instance *in = &set.instance[n];
-    const struct zs_material m = { shader, { 200, 120, 250 }, (uint8_t)cull };
+    const struct zs_material m = { .shader = shader, .rgb = { 200, 120, 250 }, .cull = (uint8_t)cull };
     set.material[n] = m;
     in->mesh = &s->mesh;
     in->material = &set.material[n];
@@ -336,7 +336,7 @@ static void junk_in_memory(void **state)
             assert_int_equal(zs_init(r, &c, block + 64, bytes), ZS_OK);
             for (int frame = 0; frame < 3; frame++) {
                 struct catch sum = { 14695981039346656037u };
-                const struct zs_sink sink = { catch_submit, NULL, &sum };
+                const struct zs_sink sink = { .submit = catch_submit, .ctx = &sum };
                 assert_int_equal(zs_render(r, &set.scene, &set.camera, &sink), ZS_OK);
                 if (n == 0 && frame == 0)
                     sums[0] = sum.sum;

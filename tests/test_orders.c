@@ -105,7 +105,7 @@ static int submit(void *ctx, const struct zs_strip *s)
 static int render(struct desk *d, int k)
 {
     struct onto at = { d, k, 1 };
-    const struct zs_sink sink = { submit, NULL, &at };
+    const struct zs_sink sink = { .submit = submit, .ctx = &at };
     CASE_CHECK(zs_render(&d->r, &scene[k], &camera, &sink) == ZS_OK && at.ok);
     d->open = -1;
     CASE_CHECK(memcmp(d->glass, want[k].color, sizeof d->glass) == 0);

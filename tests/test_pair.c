@@ -584,7 +584,7 @@ static void program(void)
     uint32_t *const arena[2] = { words[0], words[1] };
     const struct zs_config config = { .width = 240, .height = (uint16_t)(strips * 10), .strip_h = 10,
                                       .buffers = (uint8_t)buffers };
-    const struct zs_sink sink = { submit, wait_for, NULL };
+    const struct zs_sink sink = { .submit = submit, .wait = wait_for };
     if (pair_init(&config, arena, sizeof words[0], &sink) != ZS_OK)
         wrong("pair_init");
     for (uint32_t i = 0; i < FRAMES; i++) {

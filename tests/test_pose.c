@@ -751,7 +751,7 @@ static int light_case(uint64_t seed)
     struct zs_renderer r;
     struct zs_mesh mesh;
     struct zs_material material;
-    struct zs_instance in = { &mesh, &material, { { 0 }, { 0 }, 0 } };
+    struct zs_instance in = { .mesh = &mesh, .material = &material };
     struct zs_scene scene = { .instance = &in, .n_instances = 1 };
     memset(&r, 0, sizeof r);
     memset(&mesh, 0, sizeof mesh);
@@ -768,7 +768,8 @@ static int light_case(uint64_t seed)
     scene.light.diffuse = prng_pick(&p, ZS_Q16_ONE / 2 + 1); /* the sum is at most 1 */
     /* a frame sets r->xform up when it is walked: do as bin.c does */
     struct zs_camera camera;
-    struct zs_config config = { 8, 8, 8, 8, 8, 0, 1, 8, 16, 0, &zs_depth_recip };
+    struct zs_config config = { .width = 8, .height = 8, .strip_h = 8, .max_tris = 8, .max_verts = 8, .buffers = 1,
+                                .subpixel_bits = 8, .depth_bits = 16, .depth = &zs_depth_recip };
     uint32_t arena[2048];
     if (zs_camera_perspective(&camera, 8192, 8, 1, 2000) ||
         zs_init(&r, &config, arena, sizeof arena) || zs_frame_begin(&r, &scene, &camera))

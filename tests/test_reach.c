@@ -18,8 +18,9 @@ static uint32_t arena[200000];
 static uint32_t red_pixels(struct zs_renderer *r, const struct zs_scene *scene,
                            const struct zs_camera *camera, uint16_t skip_off)
 {
-    const struct zs_config config = { SIZE, SIZE, SIZE, 10, 20, 0, 1, 8, 16, skip_off,
-                                      &zs_depth_recip };
+    const struct zs_config config = { .width = SIZE, .height = SIZE, .strip_h = SIZE, .max_tris = 10, .max_verts = 20,
+                                      .buffers = 1, .subpixel_bits = 8, .depth_bits = 16, .skip_off = skip_off,
+                                      .depth = &zs_depth_recip };
     struct zs_strip strip;
     uint32_t red = 0;
     assert_int_equal(zs_init(r, &config, arena, sizeof arena), ZS_OK);
@@ -43,15 +44,16 @@ static void stress_26_skips_beside_a_far_reach(void **state)
                                       .scale = 65536, .radius = 42427 };
     const struct zs_mesh small_mesh = { .pos = small_p, .tri = t, .n_verts = 3, .n_tris = 1,
                                         .scale = 66, .center = { 497, 497, -100 }, .radius = 121 };
-    const struct zs_material blue = { &zs_shade_raw, { 0, 0, 80 }, ZS_CULL_NONE };
-    const struct zs_material red = { &zs_shade_raw, { 255, 0, 0 }, ZS_CULL_NONE };
+    const struct zs_material blue = { .shader = &zs_shade_raw, .rgb = { 0, 0, 80 }, .cull = ZS_CULL_NONE };
+    const struct zs_material red = { .shader = &zs_shade_raw, .rgb = { 255, 0, 0 }, .cull = ZS_CULL_NONE };
     struct zs_instance in[2] = { { .mesh = &far_mesh, .material = &blue },
                                  { .mesh = &small_mesh, .material = &red } };
     zs_pose_identity(&in[0].pose);
     zs_pose_identity(&in[1].pose);
     in[0].pose.pos[2] = -(1 << 28);
     in[1].pose.pos[2] = -300;
-    const struct zs_scene scene = { in, 2, { { 0, 0, ZS_Q30_ONE }, ZS_Q16_ONE, 0 }, 0 };
+    const struct zs_scene scene = { .instance = in, .n_instances = 2,
+                                    .light = { .dir = { 0, 0, ZS_Q30_ONE }, .ambient = ZS_Q16_ONE } };
     struct zs_camera camera;
     struct zs_renderer r;
     assert_int_equal(zs_camera_perspective(&camera, 500, SIZE, 300, 1 << 29), ZS_OK);
@@ -67,8 +69,9 @@ static void stress_26_skips_beside_a_far_reach(void **state)
 static void orthographic_heights(void **state)
 {
     (void)state;
-    const struct zs_config config = { 64, 64, 64, 1, 3, 0, 1, 8, 16, 0, &zs_depth_linear };
-    const struct zs_scene empty = { NULL, 0, { { 0, 0, ZS_Q30_ONE }, 0, 0 }, 0 };
+    const struct zs_config config = { .width = 64, .height = 64, .strip_h = 64, .max_tris = 1, .max_verts = 3,
+                                      .buffers = 1, .subpixel_bits = 8, .depth_bits = 16, .depth = &zs_depth_linear };
+    const struct zs_scene empty = { .light = { .dir = { 0, 0, ZS_Q30_ONE } } };
     struct zs_renderer r;
     struct zs_camera camera;
     assert_int_equal(zs_init(&r, &config, arena, sizeof arena), ZS_OK);
@@ -87,13 +90,15 @@ static void orthographic_heights(void **state)
 static void ratios_of_least_heights(void **state)
 {
     (void)state;
-    const struct zs_scene empty = { NULL, 0, { { 0, 0, ZS_Q30_ONE }, 0, 0 }, 0 };
+    const struct zs_scene empty = { .light = { .dir = { 0, 0, ZS_Q30_ONE } } };
     struct zs_renderer r;
     struct zs_camera camera;
     assert_int_equal(zs_camera_orthographic(&camera, 1, 1, 2), ZS_OK);
     for (int32_t px = 16; px <= 200; px++)
         for (int32_t height = (int32_t)ZS_HEIGHT_MIN; height < 80; height++) {
-            const struct zs_config config = { 8, (uint16_t)px, 8, 1, 3, 0, 1, 8, 16, 0, &zs_depth_linear };
+            const struct zs_config config = { .width = 8, .height = (uint16_t)px, .strip_h = 8, .max_tris = 1,
+                                              .max_verts = 3, .buffers = 1, .subpixel_bits = 8, .depth_bits = 16,
+                                              .depth = &zs_depth_linear };
             assert_int_equal(zs_init(&r, &config, arena, sizeof arena), ZS_OK);
             camera.height = height;
             if (zs_frame_begin(&r, &empty, &camera) != ZS_OK)
@@ -160,8 +165,9 @@ static void look_along_nearly_parallel(void **state)
 static void null_closes_the_frame(void **state)
 {
     (void)state;
-    const struct zs_config config = { 64, 64, 64, 1, 3, 0, 1, 8, 16, 0, &zs_depth_recip };
-    const struct zs_scene empty = { NULL, 0, { { 0, 0, ZS_Q30_ONE }, 0, 0 }, 0 };
+    const struct zs_config config = { .width = 64, .height = 64, .strip_h = 64, .max_tris = 1, .max_verts = 3,
+                                      .buffers = 1, .subpixel_bits = 8, .depth_bits = 16, .depth = &zs_depth_recip };
+    const struct zs_scene empty = { .light = { .dir = { 0, 0, ZS_Q30_ONE } } };
     struct zs_renderer r;
     struct zs_camera camera;
     struct zs_strip strip;

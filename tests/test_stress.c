@@ -671,8 +671,8 @@ static int plane_right(const struct plane_mesh *m, const struct zs_pose *pose,
                        const struct zs_camera *camera, const struct zs_config *config,
                        struct zs_stats *stats)
 {
-    const struct zs_material material = { &zs_shade_raw, { 0, 0, 0 }, ZS_CULL_NONE };
-    const struct zs_instance instance = { &m->s.mesh, &material, *pose };
+    const struct zs_material material = { .shader = &zs_shade_raw, .cull = ZS_CULL_NONE };
+    const struct zs_instance instance = { .mesh = &m->s.mesh, .material = &material, .pose = *pose };
     const struct zs_scene scene = { .instance = &instance, .n_instances = 1 };
     struct picture f = picture_draw(config, &scene, camera);
     const int32_t w = config->width, h = config->height;
@@ -875,8 +875,8 @@ static int tiny_polygon_case(uint64_t seed)
         shape_tri(&s, first, first + 1, first + 2);
     }
     shape_end(&s);
-    const struct zs_material material = { &zs_shade_raw, { 0, 0, 0 }, ZS_CULL_NONE };
-    struct zs_instance in = { &s.mesh, &material, { { 0 }, { 0 }, 0 } };
+    const struct zs_material material = { .shader = &zs_shade_raw, .cull = ZS_CULL_NONE };
+    struct zs_instance in = { .mesh = &s.mesh, .material = &material };
     zs_pose_identity(&in.pose);
     in.pose.pos[2] = -PIXEL_Z;
     const struct zs_scene scene = { .instance = &in, .n_instances = 1 };
@@ -1157,8 +1157,8 @@ static int scale_case(uint64_t seed)
     camera.z_far = (zs_q48_16)1 << (34 + power);
     const int64_t distance = (int64_t)1 << (16 + power);
     pose.pos[2] = (int32_t)(distance > INT32_MAX ? INT32_MIN : -distance);
-    const struct zs_material plain = { &zs_shade_raw, { 0, 0, 0 }, ZS_CULL_NONE };
-    const struct zs_instance there = { &m.s.mesh, &plain, pose };
+    const struct zs_material plain = { .shader = &zs_shade_raw, .cull = ZS_CULL_NONE };
+    const struct zs_instance there = { .mesh = &m.s.mesh, .material = &plain, .pose = pose };
     const struct zs_scene first = { .instance = &there, .n_instances = 1 };
     struct picture f = picture_draw(&config, &first, &camera);
     const int err = f.err;
@@ -1179,8 +1179,8 @@ static int scale_case(uint64_t seed)
         pose.scale = ZS_Q16_ONE;
         return plane_right(scaled, &pose, &camera, &config, NULL);
     }
-    const struct zs_material material = { &zs_shade_raw, { 0, 0, 0 }, ZS_CULL_NONE };
-    const struct zs_instance parts = { &scaled->s.mesh, &material, pose };
+    const struct zs_material material = { .shader = &zs_shade_raw, .cull = ZS_CULL_NONE };
+    const struct zs_instance parts = { .mesh = &scaled->s.mesh, .material = &material, .pose = pose };
     const struct zs_scene scene = { .instance = &parts, .n_instances = 1 };
     struct picture a = picture_draw(&config, &scene, &camera);
     scaled->s.mesh.scale = power >= 0 ? ZS_Q16_ONE << power : ZS_Q16_ONE >> -power;
@@ -1227,11 +1227,12 @@ static int twice_case(uint64_t seed)
     plain.face_rgb = NULL;
     plain.face_raw = NULL;
     const uint32_t shader = prng_pick(&p, 3);
-    struct zs_material material[2] = { { all_shaders[shader], { 0, 0, 0 }, ZS_CULL_NONE },
-                                       { all_shaders[shader], { 255, 255, 255 }, ZS_CULL_NONE } };
+    struct zs_material material[2] = { { .shader = all_shaders[shader], .cull = ZS_CULL_NONE },
+                                       { .shader = all_shaders[shader], .rgb = { 255, 255, 255 },
+                                         .cull = ZS_CULL_NONE } };
     if (seed % 5 == 0)
         material[1].shader = all_shaders[(shader + 1) % 3];
-    struct zs_instance in[3] = { { &s.mesh, &material[0], { { 0 }, { 0 }, 0 } } };
+    struct zs_instance in[3] = { { .mesh = &s.mesh, .material = &material[0] } };
     zs_pose_identity(&in[0].pose);
     in[0].pose.pos[2] = -PIXEL_Z;
     in[1] = in[2] = in[0];
@@ -1429,8 +1430,9 @@ static int snapped_away_case(uint64_t seed)
     shape_tri(&s, 0, 1, 2);
     shape_end(&s);
     s.mesh.scale = coarse ? ZS_Q16_ONE : ZS_Q16_ONE / 16;
-    const struct zs_material material = { all_shaders[seed / 4 % 3], { 9, 9, 9 }, ZS_CULL_NONE };
-    struct zs_instance in = { &s.mesh, &material, { { 0 }, { 0 }, 0 } };
+    const struct zs_material material = { .shader = all_shaders[seed / 4 % 3], .rgb = { 9, 9, 9 },
+                                          .cull = ZS_CULL_NONE };
+    struct zs_instance in = { .mesh = &s.mesh, .material = &material };
     zs_pose_identity(&in.pose);
     in.pose.pos[2] = -PIXEL_Z;
     const struct zs_scene scene = { .instance = &in, .n_instances = 1 };

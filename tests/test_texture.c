@@ -31,8 +31,8 @@ static uint16_t rows[1024 * 1024];
 static struct zs_texture texture_of(const void *texel, uint32_t log2_w, uint32_t log2_h,
                                     uint32_t clamp)
 {
-    const struct zs_texture t = { &zs_texel_565,   texel,           NULL,          0,
-                                  (uint8_t)log2_w, (uint8_t)log2_h, (uint8_t)clamp };
+    const struct zs_texture t = { .format = &zs_texel_565, .texel = texel, .log2_w = (uint8_t)log2_w,
+                                  .log2_h = (uint8_t)log2_h, .clamp = (uint8_t)clamp };
     return t;
 }
 
@@ -819,9 +819,12 @@ static int format_case(uint64_t seed)
         nibbles[n / 2] |= (uint8_t)(color << (n & 1u) * 4u);
     }
     const struct zs_texture textures[3] = {
-        { &zs_texel_565, direct, NULL, 0, (uint8_t)log2_w, (uint8_t)log2_h, (uint8_t)clamp },
-        { &zs_texel_pal8, bytes, palette, 256, (uint8_t)log2_w, (uint8_t)log2_h, (uint8_t)clamp },
-        { &zs_texel_pal4, nibbles, palette, 16, (uint8_t)log2_w, (uint8_t)log2_h, (uint8_t)clamp }
+        { .format = &zs_texel_565, .texel = direct, .log2_w = (uint8_t)log2_w, .log2_h = (uint8_t)log2_h,
+          .clamp = (uint8_t)clamp },
+        { .format = &zs_texel_pal8, .texel = bytes, .palette = palette, .n_colors = 256, .log2_w = (uint8_t)log2_w,
+          .log2_h = (uint8_t)log2_h, .clamp = (uint8_t)clamp },
+        { .format = &zs_texel_pal4, .texel = nibbles, .palette = palette, .n_colors = 16, .log2_w = (uint8_t)log2_w,
+          .log2_h = (uint8_t)log2_h, .clamp = (uint8_t)clamp }
     };
     struct easel_tri t;
     struct easel_frame f[3];
@@ -888,8 +891,9 @@ static int small_case(uint64_t seed)
     const uint32_t bits_of = format == &zs_texel_565 ? 16 : format == &zs_texel_pal8 ? 8 : 4;
     const uint16_t n_colors = prng_pick(&p, 2) || bits_of == 4 ? 16 : 100;
     void *const exact = malloc(texels * bits_of / 8);
-    const struct zs_texture texture = { format, exact, palette, n_colors, (uint8_t)log2_w, (uint8_t)log2_h,
-                                        prng_pick(&p, 8) ? 0u : (uint8_t)prng_pick(&p, 4) };
+    const struct zs_texture texture = { .format = format, .texel = exact, .palette = palette, .n_colors = n_colors,
+                                        .log2_w = (uint8_t)log2_w, .log2_h = (uint8_t)log2_h,
+                                        .clamp = prng_pick(&p, 8) ? 0u : (uint8_t)prng_pick(&p, 4) };
     struct easel_tri t[SMALL_TRIS];
     struct easel_frame f[2];
     for (size_t k = 0; k < texels * bits_of / 8; k++) {
@@ -1148,8 +1152,8 @@ static int invariance_case(uint64_t seed)
         palette[n] = (uint16_t)prng_next(&p);
     for (int i = 0; i < 128 * 64; i++)
         bytes[i] = (uint8_t)prng_next(&p);
-    const struct zs_texture texture = { &zs_texel_pal4,           bytes, palette, 16, 7, 6,
-                                        (uint8_t)prng_pick(&p, 4) };
+    const struct zs_texture texture = { .format = &zs_texel_pal4, .texel = bytes, .palette = palette, .n_colors = 16,
+                                        .log2_w = 7, .log2_h = 6, .clamp = (uint8_t)prng_pick(&p, 4) };
     if (seed % 2)
         shape_soup(&shape[0], 120, 9000, seed);
     else
@@ -1165,7 +1169,7 @@ static int invariance_case(uint64_t seed)
         shape[n].mesh.uv = (const int16_t(*)[2])uv[n];
         shape[n].mesh.uv_bits = (uint8_t)prng_range(&p, 8, 15);
         const struct zs_material m = {
-            shaders[prng_pick(&p, 3)], { 0, 0, 0 }, (uint8_t)prng_pick(&p, 3), &texture
+            .shader = shaders[prng_pick(&p, 3)], .cull = (uint8_t)prng_pick(&p, 3), .texture = &texture
         };
         material[n] = m;
         in[n].mesh = &shape[n].mesh;
@@ -1175,7 +1179,8 @@ static int invariance_case(uint64_t seed)
         in[n].pose.pos[1] = n ? -9000 : 0;
         in[n].pose.pos[2] = n ? -9000 : -20000;
     }
-    const struct zs_scene scene = { in, 2, { { 0, ZS_Q30_ONE, 0 }, 20000, 40000 }, 0 };
+    const struct zs_scene scene = { .instance = in, .n_instances = 2,
+                                    .light = { .dir = { 0, ZS_Q30_ONE, 0 }, .ambient = 20000, .diffuse = 40000 } };
     const int ortho = seed % 6 == 5;
     struct zs_camera camera;
     if (ortho)
@@ -1319,7 +1324,8 @@ static void runs_do_not_tell_where_they_begin(void **state)
             wall[s].material = &paper;
             zs_pose_identity(&wall[s].pose);
         }
-        const struct zs_scene scene = { wall, 2, { { 0, 0, ZS_Q30_ONE }, ZS_Q16_ONE, 0 }, 0 };
+        const struct zs_scene scene = { .instance = wall, .n_instances = 2,
+                                        .light = { .dir = { 0, 0, ZS_Q30_ONE }, .ambient = ZS_Q16_ONE } };
         struct zs_camera camera;
         assert_int_equal(zs_camera_perspective(&camera, 12000, 96, 1000, 20000), ZS_OK);
         assert_int_equal(zs_camera_look_at(&camera, eye, at, up), ZS_OK);

@@ -103,8 +103,9 @@ static void world_open(struct prng *p, struct world *w, uint16_t h)
         w->shape[i].mesh.uv_bits = 12;
         clusters_make(&w->shape[i].mesh, w->cluster[i], p, 6, 5); /* of them, what strips that are not due show is left out */
     }
-    const struct zs_texture texture[2] = { { &zs_texel_565, w->texel[0], NULL, 0, 3, 3, 0 },
-                                           { &zs_texel_pal8, w->texel[1], w->palette, 16, 3, 3, ZS_CLAMP_U } };
+    const struct zs_texture texture[2] = { { .format = &zs_texel_565, .texel = w->texel[0], .log2_w = 3, .log2_h = 3 },
+                                           { .format = &zs_texel_pal8, .texel = w->texel[1], .palette = w->palette,
+                                             .n_colors = 16, .log2_w = 3, .log2_h = 3, .clamp = ZS_CLAMP_U } };
     memcpy(w->texture, texture, sizeof texture);
     texels(p, w);
     w->state = state;
@@ -322,7 +323,7 @@ static int a_frame(struct prng *p, struct show *s, struct world *w)
     g->want = &want;
     g->calls = g->fail_at = g->sent = 0;
     if (!want.err && prng_pick(p, 2)) {
-        const struct zs_sink sink = { submit, wait, g };
+        const struct zs_sink sink = { .submit = submit, .wait = wait, .ctx = g };
         g->fail_at = trouble ? 1u + prng_pick(p, 12) : 0u;
         const int err = zs_render(&s->r, &w->scene, &w->camera, &sink);
         CASE_CHECK(err == 0 || (g->fail_at && (err == -777 || err == -888)));
@@ -377,9 +378,10 @@ static int frames_of(uint64_t seed)
             bad.focal = 2 * bad.focal + 1;
             bad.height = bad.height * 2;
             bad.z_far = prng_pick(&p, 2) ? bad.z_near : bad.z_far;
-            struct zs_instance junk = { &w.shape[0].mesh, prng_pick(&p, 2) ? NULL : &w.material[0], w.instance[0].pose, NULL };
+            struct zs_instance junk = { .mesh = &w.shape[0].mesh, .material = prng_pick(&p, 2) ? NULL : &w.material[0],
+                                        .pose = w.instance[0].pose };
             junk.pose.scale = 0;
-            const struct zs_scene scene = { &junk, 1, w.scene.light, 0 };
+            const struct zs_scene scene = { .instance = &junk, .n_instances = 1, .light = w.scene.light };
             assert_true(zs_frame_begin(&s.r, &scene, &bad) < 0);
         }
         if (w.scene.n_instances && !prng_pick(&p, 10)) { /* one that is like the last, but for an instance */
@@ -475,7 +477,7 @@ static int one_input(uint64_t seed)
     show_open(&s, &c);
     struct picture want[2];
     for (int k = 0; k < 2; k++) {
-        const struct zs_sink sink = { submit, wait, &s.glass };
+        const struct zs_sink sink = { .submit = submit, .wait = wait, .ctx = &s.glass };
         want[k] = full(&s, &w);
         s.glass.want = &want[k];
         CASE_CHECK(want[k].err == ZS_OK && zs_render(&s.r, &w.scene, &w.camera, &sink) == ZS_OK);
@@ -543,7 +545,7 @@ static int one_sphere(uint64_t seed)
         pose->pos[1] = prng_range(&p, -wide, wide);
         pose->pos[2] = -z;
         pose->scale = ZS_Q16_ONE / (1u + prng_pick(&p, 4));
-        const struct zs_sink sink = { submit, wait, &s.glass };
+        const struct zs_sink sink = { .submit = submit, .wait = wait, .ctx = &s.glass };
         struct picture want = full(&s, &w);
         s.glass.want = &want;
         CASE_CHECK(want.err == ZS_OK && zs_render(&s.r, &w.scene, &w.camera, &sink) == ZS_OK);
@@ -590,7 +592,7 @@ static int one_mover(uint64_t seed)
         (void)zs_camera_perspective(&w.camera, 6000, H_MAX, 1000, 60000);
     (void)zs_camera_orbit(&w.camera, at, 22000, (zs_turn)prng_next(&p), 3000);
     struct zs_instance *mover = &w.instance[INSTANCES - 1];
-    struct zs_material paint = { &zs_shade_raw, { 255, 255, 255 }, ZS_CULL_NONE, NULL };
+    struct zs_material paint = { .shader = &zs_shade_raw, .rgb = { 255, 255, 255 }, .cull = ZS_CULL_NONE };
     const struct zs_state first = ZS_STATE(0, 0, -32768, 0); /* before all others: its rows can be seen */
     mover->mesh = &w.shape[0].mesh;
     mover->material = &paint;
@@ -604,7 +606,7 @@ static int one_mover(uint64_t seed)
     int32_t rows[2][2], columns[2] = { W_MAX, 0 };
     uint32_t passes = 0;
     for (int k = 0; k < 2; k++) {
-        struct zs_scene lone = { mover, 1, w.scene.light, 0 };
+        struct zs_scene lone = { .instance = mover, .n_instances = 1, .light = w.scene.light };
         for (int axis = 0; axis < 3; axis++)
             mover->pose.pos[axis] = prng_range(&p, -3000, 3000);
         mover->pose.scale = ZS_Q16_ONE / 2;
@@ -620,7 +622,7 @@ static int one_mover(uint64_t seed)
             }
         picture_free(&alone);
         struct picture want = full(&s, &w);
-        const struct zs_sink sink = { submit, wait, &s.glass };
+        const struct zs_sink sink = { .submit = submit, .wait = wait, .ctx = &s.glass };
         s.glass.want = &want;
         s.glass.sent = s.glass.end = 0;
         s.glass.x = W_MAX;
@@ -670,7 +672,7 @@ static void a_still_scene_draws_nothing(void **state)
     c.max_tris = 20; /* several walks */
     show_open(&s, &c);
     struct picture want = full(&s, &w);
-    const struct zs_sink sink = { submit, wait, &s.glass };
+    const struct zs_sink sink = { .submit = submit, .wait = wait, .ctx = &s.glass };
     s.glass.want = &want;
     for (int k = 0; k < 3; k++) {
         s.glass.sent = 0;
@@ -764,7 +766,7 @@ static void wrong_calls_are_refused(void **state)
     assert_int_equal(zs_track(&s.r, s.memory, 2), ZS_OK);
     assert_int_equal(zs_frame_begin(&s.r, &w.scene, &w.camera), ZS_ERR_SIZE);
     assert_int_equal(zs_track(&s.r, s.memory, 3), ZS_OK);
-    const struct zs_scene none = { NULL, 2, w.scene.light, 0 };
+    const struct zs_scene none = { .n_instances = 2, .light = w.scene.light };
     assert_int_equal(zs_frame_begin(&s.r, &none, &w.camera), ZS_ERR_NULL);
     assert_int_equal(zs_frame_begin(&s.r, &w.scene, &w.camera), ZS_OK);
     assert_int_equal(zs_track(&s.r, NULL, 0), ZS_ERR_STATE);

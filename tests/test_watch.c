@@ -93,7 +93,7 @@ static void close_show(struct show *s)
 
 static int draw(struct show *s, uint32_t t)
 {
-    const struct zs_sink sink = { submit, wait, &s->glass };
+    const struct zs_sink sink = { .submit = submit, .wait = wait, .ctx = &s->glass };
     s->demo->pose(&s->frame, t, s->config.width, s->config.height);
     s->glass.n_submits = s->glass.n_waits = s->glass.n_px = 0;
     return zs_render(&s->r, &s->frame.scene, &s->frame.camera, &sink);
@@ -148,7 +148,7 @@ static void one_moving_thing_sends_its_own_part(void **state)
     open_show(&s, &demo_cubes, 80, 60, 4, 2, 10);
     assert_int_equal(draw(&s, 0), ZS_OK);
     /* by hand: the same frame, the last instance turned */
-    const struct zs_sink sink = { submit, wait, &s.glass };
+    const struct zs_sink sink = { .submit = submit, .wait = wait, .ctx = &s.glass };
     struct zs_instance *last = &s.frame.instance[s.frame.scene.n_instances - 1u];
     struct picture before = picture_draw(&s.config, &s.frame.scene, &s.frame.camera);
     zs_pose_turn(&last->pose, 5000, 300, 0);

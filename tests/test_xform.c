@@ -55,8 +55,9 @@ static int set_up(struct setting *s, struct prng *p)
     if (ortho ? zs_camera_orthographic(&s->camera, 1 + (int32_t)prng_pick(p, 1u << (20 + prng_pick(p, 11))), -deep, deep)
               : zs_camera_perspective(&s->camera, (zs_turn)(1000 + prng_pick(p, 20000)), 240, z_near, z_far))
         return 0;
-    const struct zs_config config = { 240, 240, 8, 8, 8, 0, 1, (uint8_t)(prng_pick(p, 2) ? 8 : 4), 16, 0,
-                                      depth[ortho ? 0 : prng_pick(p, 3)] };
+    const struct zs_config config = { .width = 240, .height = 240, .strip_h = 8, .max_tris = 8, .max_verts = 8,
+                                      .buffers = 1, .subpixel_bits = (uint8_t)(prng_pick(p, 2) ? 8 : 4),
+                                      .depth_bits = 16, .depth = depth[ortho ? 0 : prng_pick(p, 3)] };
     s->config = config;
     struct zs_bounds b;
     return !zs_init(&s->r, &config, s->arena, sizeof s->arena) && !zs_frame_begin(&s->r, &s->scene, &s->camera) &&
@@ -224,7 +225,9 @@ static void light_is_the_exact_product_rounded_once(void **state)
 static void focal_lengths_keep_their_bits(void **state)
 {
     (void)state;
-    static const struct zs_config config = { 16, 16, 16, 4, 4, 0, 1, 8, 16, 0, &zs_depth_recip };
+    static const struct zs_config config = { .width = 16, .height = 16, .strip_h = 16, .max_tris = 4, .max_verts = 4,
+                                             .buffers = 1, .subpixel_bits = 8, .depth_bits = 16,
+                                             .depth = &zs_depth_recip };
     struct prng p = { 1 };
     for (int k = 0; k < 2000; k++) {
         struct zs_view view;

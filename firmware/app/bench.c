@@ -126,7 +126,7 @@ static int configure(struct zs_config *c, const struct demo *d, uint16_t rows, u
 /* One frame to nowhere; its statistics stay in the renderer. */
 static int draw(void)
 {
-    const struct zs_sink sink = { send, wait, hal_bus() };
+    const struct zs_sink sink = { .submit = send, .wait = wait, .ctx = hal_bus() };
     return zs_render(&renderer, &frame.scene, &frame.camera, &sink);
 }
 
@@ -152,7 +152,7 @@ static void run(struct result *out)
 {
     uint64_t n[RUNS];
     out->checksum = REPORT_HASH;
-    const struct zs_sink sink = { report_hash, 0, &out->checksum };
+    const struct zs_sink sink = { .submit = report_hash, .ctx = &out->checksum };
     out->err = zs_render(&renderer, &frame.scene, &frame.camera, &sink);
     for (int i = 0; i < RUNS && !out->err; i++)
         n[i] = measure(&out->err);
@@ -411,7 +411,7 @@ static int same(const char *a, const char *b)
 int bench_frame(void);
 __attribute__((noinline)) int bench_frame(void)
 {
-    const struct zs_sink sink = { report_drop, 0, 0 };
+    const struct zs_sink sink = { .submit = report_drop };
     return zs_render(&renderer, &frame.scene, &frame.camera, &sink);
 }
 
@@ -430,7 +430,7 @@ static int counted(const struct demo *d)
     r.err = configure(&c, d, 24, 1, (uint32_t)((uint64_t)pools[i].tris * part / whole),
                       (uint32_t)((uint64_t)pools[i].verts * part / whole));
     r.checksum = REPORT_HASH;
-    const struct zs_sink sink = { report_hash, 0, &r.checksum };
+    const struct zs_sink sink = { .submit = report_hash, .ctx = &r.checksum };
     if (!r.err)
         r.err = zs_render(&renderer, &frame.scene, &frame.camera, &sink);
     hal_stack_paint();

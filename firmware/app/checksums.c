@@ -162,15 +162,16 @@ static int configure(const struct demo *d, uint8_t bits)
     const uint32_t strips = ZS_ARENA_BYTES(d->width, d->height, SUMS_ROWS, 0, 0, 0, 1) + 8u; /* 8: pools round up */
     const uint32_t fit = strips < SUMS_ARENA ? (SUMS_ARENA - strips) / (ZS_TRI_BYTES(1) + 16u + 2u * d->attrs) : 0;
     const uint16_t pool = (uint16_t)(fit < ZS_POOL_MAX ? fit : ZS_POOL_MAX);
-    const struct zs_config config = { d->width, d->height, SUMS_ROWS, pool, pool, (uint8_t)d->attrs, 1, bits, 16, 0,
-                                      d->depth };
+    const struct zs_config config = { .width = d->width, .height = d->height, .strip_h = SUMS_ROWS, .max_tris = pool,
+                                      .max_verts = pool, .attrs = (uint8_t)d->attrs, .buffers = 1,
+                                      .subpixel_bits = bits, .depth_bits = 16, .depth = d->depth };
     return zs_init(&renderer, &config, arena, sizeof arena);
 }
 
 static int draw(const struct look *k)
 {
     struct sums sums = { k, FNV_BASIS, FNV_BASIS };
-    const struct zs_sink sink = { k->y < 0 ? sum_up : print_pixels, 0, &sums };
+    const struct zs_sink sink = { .submit = k->y < 0 ? sum_up : print_pixels, .ctx = &sums };
     int err = configure(k->demo, k->bits);
     k->demo->pose(&frame, k->frame, k->demo->width, k->demo->height);
     err = err ? err : zs_render(&renderer, &frame.scene, &frame.camera, &sink);

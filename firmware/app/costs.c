@@ -35,7 +35,7 @@ static int draw(const struct zs_sink *sink)
 static int measure(uint32_t i)
 {
     uint32_t sum = 2166136261u;
-    const struct zs_sink summing = { hash, 0, &sum }, nowhere = { report_drop, 0, 0 };
+    const struct zs_sink summing = { .submit = hash, .ctx = &sum }, nowhere = { .submit = report_drop };
     int err = zs_init(&renderer, &probe.config, arena, sizeof arena);
     if (!COSTS_FEW)
         err = err ? err : draw(&summing);

@@ -34,9 +34,11 @@ static const struct zs_material red = { .shader = &zs_shade_flat, .rgb = { 230, 
 static uint64_t measure(const char *scene_name, const char *variant, const struct zs_scene *scene,
                         const struct zs_camera *camera, uint16_t skip_off, uint64_t *sum)
 {
-    const struct zs_config config = { W, H, 24, VERTS, VERTS, MODEL_ATTRS, 1, 8, 16, skip_off, &zs_depth_float };
+    const struct zs_config config = { .width = W, .height = H, .strip_h = 24, .max_tris = VERTS, .max_verts = VERTS,
+                                      .attrs = MODEL_ATTRS, .buffers = 1, .subpixel_bits = 8, .depth_bits = 16,
+                                      .skip_off = skip_off, .depth = &zs_depth_float };
     uint64_t now = REPORT_HASH;
-    const struct zs_sink sink = { report_drop, 0, 0 }, summing = { report_hash, 0, &now };
+    const struct zs_sink sink = { .submit = report_drop }, summing = { .submit = report_hash, .ctx = &now };
     int err = zs_init(&renderer, &config, arena, sizeof arena);
     err = err ? err : zs_render(&renderer, scene, camera, &summing);
     const uint64_t start = hal_ticks();
@@ -90,7 +92,9 @@ static void crowd_place(void)
 static uint32_t crowd_pick(const struct zs_scene *all, const struct zs_camera *camera)
 {
     uint32_t n = 0;
-    const struct zs_config config = { W, H, 24, VERTS, VERTS, MODEL_ATTRS, 1, 8, 16, 0, &zs_depth_float };
+    const struct zs_config config = { .width = W, .height = H, .strip_h = 24, .max_tris = VERTS, .max_verts = VERTS,
+                                      .attrs = MODEL_ATTRS, .buffers = 1, .subpixel_bits = 8, .depth_bits = 16,
+                                      .depth = &zs_depth_float };
     if (zs_init(&renderer, &config, arena, sizeof arena))
         return 0;
     for (uint32_t i = 0; i < all->n_instances; i++) {
@@ -113,7 +117,9 @@ static int crowd_measure(void)
 {
     static const int32_t eye[3] = { 51 * APART, 3 * APART, 57 * APART }, at[3] = { 50 * APART, 0, 50 * APART };
     static const int32_t up[3] = { 0, 1, 0 };
-    struct zs_scene all = { crowd, CROWD * CROWD, { { 0, 0, ZS_Q30_ONE }, ZS_Q16_ONE / 4, ZS_Q16_ONE / 2 }, 0 };
+    struct zs_scene all = { .instance = crowd, .n_instances = CROWD * CROWD,
+                            .light = { .dir = { 0, 0, ZS_Q30_ONE }, .ambient = ZS_Q16_ONE / 4,
+                                       .diffuse = ZS_Q16_ONE / 2 } };
     struct zs_camera camera;
     uint64_t sum = 0;
     crowd_place();
@@ -148,8 +154,9 @@ static int model_measure(void)
     } variant[] = { { "all on", 0 }, { "no cones", ZS_SKIP_CONE }, { "no spheres", ZS_SKIP_CLUSTER },
                     { "neither", ZS_SKIP_CLUSTER | ZS_SKIP_CONE } };
     static const int32_t middle[3] = MODEL_MIDDLE;
-    const struct zs_scene scene = { model_instance, MODEL_INSTANCES,
-                                    { { 0, 0, ZS_Q30_ONE }, ZS_Q16_ONE / 4, ZS_Q16_ONE / 2 }, 0 };
+    const struct zs_scene scene = { .instance = model_instance, .n_instances = MODEL_INSTANCES,
+                                    .light = { .dir = { 0, 0, ZS_Q30_ONE }, .ambient = ZS_Q16_ONE / 4,
+                                               .diffuse = ZS_Q16_ONE / 2 } };
     for (uint32_t v = 0; v < sizeof view / sizeof view[0]; v++) {
         struct zs_camera camera;
         uint64_t sum = 0;

@@ -26,8 +26,10 @@ static const struct {
 
 static int draw(const struct demo *d, uint32_t m)
 {
-    const struct zs_config config = { W, H, ROWS, TRIS, VERTS, ZS_ATTRS_FLAT, 1, 8, 16, 0, mappings[m].depth };
-    const struct zs_sink sink = { report_drop, 0, 0 };
+    const struct zs_config config = { .width = W, .height = H, .strip_h = ROWS, .max_tris = TRIS, .max_verts = VERTS,
+                                      .attrs = ZS_ATTRS_FLAT, .buffers = 1, .subpixel_bits = 8, .depth_bits = 16,
+                                      .depth = mappings[m].depth };
+    const struct zs_sink sink = { .submit = report_drop };
     int err = zs_init(&renderer, &config, arena, sizeof arena);
     d->pose(&frame, 0, W, H);
     const uint64_t start = hal_ticks();

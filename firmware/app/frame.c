@@ -20,10 +20,10 @@ static struct demo_frame frame;
 int main(void)
 {
     const struct demo *d = &OF_NAME(FRAME_DEMO);
-    struct zs_config c = { d->width, d->height, 24, 0, 0, (uint8_t)d->attrs, 1, 8, 16, 0, d->depth };
     static const struct zs_fast *const fast[] = { ZS_FAST_ALL, ZS_FAST_END };
-    c.fast = fast;
-    const struct zs_sink sink = { report_drop, 0, 0 };
+    struct zs_config c = { .width = d->width, .height = d->height, .strip_h = 24, .attrs = (uint8_t)d->attrs,
+                           .buffers = 1, .subpixel_bits = 8, .depth_bits = 16, .depth = d->depth, .fast = fast };
+    const struct zs_sink sink = { .submit = report_drop };
     uint32_t tris = 256, verts = 256;
     if (hal_init())
         hal_exit(1);

@@ -42,7 +42,9 @@ static struct zs_scene scene; /* what is drawn, through frame.camera */
 
 static struct zs_config config_of(const struct demo *like, uint16_t w, uint16_t h, uint16_t rows)
 {
-    const struct zs_config c = { w, h, rows, ZS_POOL_MAX, ZS_POOL_MAX, (uint8_t)like->attrs, 1, 8, 16, 0, like->depth };
+    const struct zs_config c = { .width = w, .height = h, .strip_h = rows, .max_tris = ZS_POOL_MAX,
+                                 .max_verts = ZS_POOL_MAX, .attrs = (uint8_t)like->attrs, .buffers = 1,
+                                 .subpixel_bits = 8, .depth_bits = 16, .depth = like->depth };
     return c;
 }
 
@@ -50,7 +52,7 @@ static struct zs_config config_of(const struct demo *like, uint16_t w, uint16_t 
 static int point(const char *series, const char *name, uint32_t x, const struct zs_config *c)
 {
     uint64_t sum = REPORT_HASH;
-    const struct zs_sink look = { report_hash, 0, &sum }, nowhere = { report_drop, 0, 0 };
+    const struct zs_sink look = { .submit = report_hash, .ctx = &sum }, nowhere = { .submit = report_drop };
     char hex[HEX_CHARS];
     int err = zs_init(&renderer, c, arena, sizeof arena);
     err = err ? err : zs_render(&renderer, &scene, &frame.camera, &look);

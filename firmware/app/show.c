@@ -203,7 +203,7 @@ static int wait_for_panel(void)
 static int start_drawing(const struct zs_config *config)
 {
     uint32_t *const arena[2] = { show.arena, show.arena_2 };
-    const struct zs_sink sink = { send, wait, &panel };
+    const struct zs_sink sink = { .submit = send, .wait = wait, .ctx = &panel };
     const int err = pair_init(config, arena, show.arena_bytes, &sink);
     hal_bus()->hooks.done = arrived;
     if (!err && pair_alone())
@@ -291,8 +291,10 @@ static int start_drawing(const struct zs_config *config)
 
 static int set_up(void)
 {
-    const struct zs_config config = { SHOW_WIDTH, SHOW_HEIGHT, show.rows, show.tris, show.verts, show.attrs,
-                                      SHOW_BUFFERS, SHOW_SUBPIXEL, 16, 0, show.demo->depth };
+    const struct zs_config config = { .width = SHOW_WIDTH, .height = SHOW_HEIGHT, .strip_h = show.rows,
+                                      .max_tris = show.tris, .max_verts = show.verts, .attrs = show.attrs,
+                                      .buffers = SHOW_BUFFERS, .subpixel_bits = SHOW_SUBPIXEL, .depth_bits = 16,
+                                      .depth = show.demo->depth };
     const int err = start_drawing(&config);
     if (err)
         return err;

@@ -27,7 +27,7 @@ static int count(void *ctx, const struct zs_strip *strip)
 /* Draw; add instructions, strips that were drawn and pixels that were sent to the line, unless it is quiet. */
 static int draw(uint64_t *instructions, uint32_t *sent, int quiet)
 {
-    const struct zs_sink sink = { count, 0, sent };
+    const struct zs_sink sink = { .submit = count, .ctx = sent };
     *sent = 0;
     const uint64_t start = hal_ticks();
     const int err = zs_render(&renderer, &frame.scene, &frame.camera, &sink);
@@ -56,7 +56,8 @@ static int wrong(const char *what)
 
 static int measure(const struct demo *d)
 {
-    struct zs_config c = { d->width, d->height, ROWS, 0, 0, (uint8_t)d->attrs, 1, 8, 16, 0, d->depth };
+    struct zs_config c = { .width = d->width, .height = d->height, .strip_h = ROWS, .attrs = (uint8_t)d->attrs,
+                           .buffers = 1, .subpixel_bits = 8, .depth_bits = 16, .depth = d->depth };
     uint64_t full, first, still, moved, part;
     uint32_t tris = 256, verts = 256, all, sent;
     d->pose(&frame, 0, d->width, d->height);

@@ -44,18 +44,20 @@ static struct demo_frame frame;
 int study_frame(void);
 __attribute__((noinline)) int study_frame(void)
 {
-    const struct zs_sink nowhere = { report_drop, 0, 0 };
+    const struct zs_sink nowhere = { .submit = report_drop };
     return zs_render(&renderer, &frame.scene, &frame.camera, &nowhere);
 }
 
 static int measure(const struct setting *s)
 {
     const struct demo *d = s->demo;
-    const struct zs_config config = { d->width, d->height, s->strip_h, s->max_tris, s->max_verts, (uint8_t)d->attrs,
-                                      s->buffers, s->subpixel_bits, s->depth_bits, 0, s->depth };
+    const struct zs_config config = { .width = d->width, .height = d->height, .strip_h = s->strip_h,
+                                      .max_tris = s->max_tris, .max_verts = s->max_verts, .attrs = (uint8_t)d->attrs,
+                                      .buffers = s->buffers, .subpixel_bits = s->subpixel_bits,
+                                      .depth_bits = s->depth_bits, .depth = s->depth };
     char room[NUMBER_CHARS], hex[HEX_CHARS];
     uint64_t checksum = REPORT_HASH, ticks = 0;
-    const struct zs_sink to_sum = { report_hash, 0, &checksum };
+    const struct zs_sink to_sum = { .submit = report_hash, .ctx = &checksum };
     d->pose(&frame, 0, d->width, d->height);
     int err = zs_init(&renderer, &config, arena, sizeof arena);
     if (!err)

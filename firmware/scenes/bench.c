@@ -9,8 +9,8 @@
 
 #define LAYERS 8u
 
-static const struct zs_material raw = { &zs_shade_raw, { 255, 255, 255 }, ZS_CULL_BACK };
-static const struct zs_material flat = { &zs_shade_flat, { 255, 255, 255 }, ZS_CULL_BACK };
+static const struct zs_material raw = { .shader = &zs_shade_raw, .rgb = { 255, 255, 255 }, .cull = ZS_CULL_BACK };
+static const struct zs_material flat = { .shader = &zs_shade_flat, .rgb = { 255, 255, 255 }, .cull = ZS_CULL_BACK };
 
 static void open_bench(struct demo_frame *f, uint16_t w)
 {
@@ -129,14 +129,14 @@ static void pose_floor_tex(struct demo_frame *f, uint32_t t, uint16_t w, uint16_
 static void put_layers(struct demo_frame *f, uint16_t w, const uint8_t order[LAYERS])
 {
     static const struct zs_material colors[LAYERS] = {
-        { &zs_shade_raw, { 230, 60, 60 }, ZS_CULL_BACK },
-        { &zs_shade_raw, { 230, 140, 40 }, ZS_CULL_BACK },
-        { &zs_shade_raw, { 220, 210, 50 }, ZS_CULL_BACK },
-        { &zs_shade_raw, { 70, 190, 80 }, ZS_CULL_BACK },
-        { &zs_shade_raw, { 50, 180, 190 }, ZS_CULL_BACK },
-        { &zs_shade_raw, { 60, 110, 220 }, ZS_CULL_BACK },
-        { &zs_shade_raw, { 130, 80, 210 }, ZS_CULL_BACK },
-        { &zs_shade_raw, { 200, 90, 180 }, ZS_CULL_BACK },
+        { .shader = &zs_shade_raw, .rgb = { 230, 60, 60 }, .cull = ZS_CULL_BACK },
+        { .shader = &zs_shade_raw, .rgb = { 230, 140, 40 }, .cull = ZS_CULL_BACK },
+        { .shader = &zs_shade_raw, .rgb = { 220, 210, 50 }, .cull = ZS_CULL_BACK },
+        { .shader = &zs_shade_raw, .rgb = { 70, 190, 80 }, .cull = ZS_CULL_BACK },
+        { .shader = &zs_shade_raw, .rgb = { 50, 180, 190 }, .cull = ZS_CULL_BACK },
+        { .shader = &zs_shade_raw, .rgb = { 60, 110, 220 }, .cull = ZS_CULL_BACK },
+        { .shader = &zs_shade_raw, .rgb = { 130, 80, 210 }, .cull = ZS_CULL_BACK },
+        { .shader = &zs_shade_raw, .rgb = { 200, 90, 180 }, .cull = ZS_CULL_BACK },
     };
     /* 1500 * 1.2^k bench units in uq16_16 of BENCH_LAYER_Z steps */
     static const uint32_t power[LAYERS] = { /* 1.2^k * 5^7 */

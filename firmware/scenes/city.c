@@ -8,11 +8,11 @@
 
 #define FRAMES 60u
 
-static const struct zs_material walls = { &zs_shade_flat, { 255, 255, 255 }, ZS_CULL_BACK };
+static const struct zs_material walls = { .shader = &zs_shade_flat, .rgb = { 255, 255, 255 }, .cull = ZS_CULL_BACK };
 static const struct zs_material cars[3] = {
-    { &zs_shade_flat, { 235, 60, 60 }, ZS_CULL_BACK },
-    { &zs_shade_flat, { 250, 205, 60 }, ZS_CULL_BACK },
-    { &zs_shade_flat, { 240, 244, 250 }, ZS_CULL_BACK },
+    { .shader = &zs_shade_flat, .rgb = { 235, 60, 60 }, .cull = ZS_CULL_BACK },
+    { .shader = &zs_shade_flat, .rgb = { 250, 205, 60 }, .cull = ZS_CULL_BACK },
+    { .shader = &zs_shade_flat, .rgb = { 240, 244, 250 }, .cull = ZS_CULL_BACK },
 };
 
 /* Once around the town in the animation, in the street between the blocks `street` - 1 and `street`

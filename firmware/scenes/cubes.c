@@ -9,7 +9,7 @@
 #define AROUND 8u
 #define RADIUS 27500
 
-static const struct zs_material paint = { &zs_shade_flat, { 255, 255, 255 }, ZS_CULL_BACK };
+static const struct zs_material paint = { .shader = &zs_shade_flat, .rgb = { 255, 255, 255 }, .cull = ZS_CULL_BACK };
 
 static void pose(struct demo_frame *f, uint32_t t, uint16_t w, uint16_t h)
 {

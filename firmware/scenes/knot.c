@@ -7,7 +7,7 @@
 
 #define FRAMES 60u
 
-static const struct zs_material ribbon = { &zs_shade_smooth, { 255, 255, 255 }, ZS_CULL_BACK };
+static const struct zs_material ribbon = { .shader = &zs_shade_smooth, .rgb = { 255, 255, 255 }, .cull = ZS_CULL_BACK };
 
 static void pose(struct demo_frame *f, uint32_t t, uint16_t w, uint16_t h)
 {

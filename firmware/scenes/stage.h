@@ -11,8 +11,9 @@
 void stage_open(struct demo_frame *f, struct zs_rgb background);
 
 /* A material that is a texture and nothing else. */
-#define STAGE_COVER(name, shader, texture) \
-    static const struct zs_material name = { &shader, { 255, 255, 255 }, ZS_CULL_BACK, &texture }
+#define STAGE_COVER(name, shade, image) \
+    static const struct zs_material name = { .shader = &shade, .rgb = { 255, 255, 255 }, .cull = ZS_CULL_BACK, \
+                                             .texture = &image }
 
 /* One parallel light from a direction of any length but 0; percent of full. */
 void stage_light(struct demo_frame *f, int32_t x, int32_t y, int32_t z, uint32_t ambient_percent,

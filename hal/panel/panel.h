@@ -1,7 +1,8 @@
 /* Panels: rectangles of RGB565 pixels to the bytes that a display controller takes, over one bus.
  *
  *   struct hal_bus *bus = hal_bus();
- *   static const struct panel_config config = { &panel_st7789, 240, 240, .rotate = 1, .invert = 1 };
+ *   static const struct panel_config config = { .type = &panel_st7789, .width = 240, .height = 240,
+ *                                               .rotate = 1, .invert = 1 };
  *   err = panel_init(&panel, &config, bus, NULL, 0);
  *   err = panel_send(&panel, &rect, px, 0);   begins; then, before px is written again:
  *   err = panel_wait(&panel);

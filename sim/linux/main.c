@@ -173,7 +173,7 @@ struct lost {
 /* One frame, counted. SIM_OK, also where it was broken off or not taken. */
 static int show_frame(uint32_t t, struct lost *lost)
 {
-    const struct zs_sink sink = { submit, wait, NULL };
+    const struct zs_sink sink = { .submit = submit, .wait = wait };
     if (wait_for_edge() != SIM_OK)
         return SIM_REFUSED;
     const uint64_t from = hal_ticks(), busy = tally.busy;
@@ -223,8 +223,10 @@ static int set_up_renderer(void)
 {
     const long height = options.size[1];
     const uint32_t rows = (uint32_t)(options.strip < height ? options.strip : height);
-    const struct zs_config config = { (uint16_t)options.size[0], (uint16_t)height, (uint16_t)rows, ZS_POOL_MAX,
-                                      ZS_POOL_MAX, source.attrs, 2, (uint8_t)options.subpixel, 16, 0, source.depth };
+    const struct zs_config config = { .width = (uint16_t)options.size[0], .height = (uint16_t)height,
+                                      .strip_h = (uint16_t)rows, .max_tris = ZS_POOL_MAX, .max_verts = ZS_POOL_MAX,
+                                      .attrs = source.attrs, .buffers = 2, .subpixel_bits = (uint8_t)options.subpixel,
+                                      .depth_bits = 16, .depth = source.depth };
     const uint32_t bytes = zs_arena_bytes(&config);
     arena = sim_alloc(bytes, 1);
     int err = zs_init(&renderer, &config, arena, bytes);

@@ -44,16 +44,18 @@ minimal() {
 struct zs_renderer renderer;
 ZS_ARENA(arena, ZS_ARENA_BYTES(240, 240, 24, 500, 500, 3, 1));
 struct zs_camera camera;
-struct zs_material material = { &zs_shade_$2, { 255, 255, 255 }, ZS_CULL_BACK };
+struct zs_material material = { .shader = &zs_shade_$2, .rgb = { 255, 255, 255 }, .cull = ZS_CULL_BACK };
 struct zs_mesh mesh;
-struct zs_instance instance = { &mesh, &material, { { 0 }, { 0 }, 0 } };
-struct zs_scene scene = { &instance, 1, { { 0 }, 0, 0 }, 0 };
+struct zs_instance instance = { .mesh = &mesh, .material = &material };
+struct zs_scene scene = { .instance = &instance, .n_instances = 1 };
 struct zs_sink sink;
 extern uint32_t anything[];
 uint32_t anything[16];
 int main(void)
 {
-    const struct zs_config config = { 240, 240, 24, 500, 500, 3, 1, 8, 16, 0, &zs_depth_$3 };
+    const struct zs_config config = { .width = 240, .height = 240, .strip_h = 24, .max_tris = 500, .max_verts = 500,
+                                      .attrs = 3, .buffers = 1, .subpixel_bits = 8, .depth_bits = 16,
+                                      .depth = &zs_depth_$3 };
     if (zs_init(&renderer, &config, arena, sizeof arena))
         return 1;
     ${4:-}
@@ -90,10 +92,10 @@ EVERYTHING='extern struct zs_material other[5];
     material.texture = &texture[anything[6]];'
 # Clusters, besides
 CULLING='mesh.cluster_kernel = &zs_cluster_kernel;'
-OTHERS='struct zs_material other[5] = { { &zs_shade_raw, { 0, 0, 0 }, 0 }, { &zs_shade_smooth, { 0, 0, 0 }, 0 },
-    { &zs_shade_texture, { 0, 0, 0 }, 0 }, { &zs_shade_texture_flat, { 0, 0, 0 }, 0 },
-    { &zs_shade_texture_smooth, { 0, 0, 0 }, 0 } };
-struct zs_texture texture[3] = { { &zs_texel_565 }, { &zs_texel_pal8 }, { &zs_texel_pal4 } };
+OTHERS='struct zs_material other[5] = { { .shader = &zs_shade_raw }, { .shader = &zs_shade_smooth },
+    { .shader = &zs_shade_texture }, { .shader = &zs_shade_texture_flat }, { .shader = &zs_shade_texture_smooth } };
+struct zs_texture texture[3] = { { .format = &zs_texel_565 }, { .format = &zs_texel_pal8 },
+    { .format = &zs_texel_pal4 } };
 extern const struct zs_state state;
 const struct zs_state state = ZS_STATE(1, 0, 1, 2);'
 
@@ -108,7 +110,7 @@ uint8_t px[4096], scratch[4096];
 volatile int anything;
 int main(void)
 {
-    static const struct panel_config config = { &panel_$2, $3, $4, .rotate = 1 };
+    static const struct panel_config config = { .type = &panel_$2, .width = $3, .height = $4, .rotate = 1 };
     static const struct panel_rect rect = { 0, 0, 16, 16 };
     if (hal_init() || panel_init(&panel, &config, hal_bus(), scratch, sizeof scratch))
         return 1;

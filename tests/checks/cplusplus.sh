@@ -48,19 +48,36 @@ int main()
     mesh.n_tris = 2;
     mesh.scale = ZS_Q16_ONE;
     mesh.radius = 13;
-    const zs_material material{ &zs_shade_raw, { 255, 255, 255 }, ZS_CULL_BACK, nullptr };
-    zs_instance instance{ &mesh, &material, {}, nullptr };
+    zs_material material{};
+    material.shader = &zs_shade_raw;
+    material.rgb = { 255, 255, 255 };
+    zs_instance instance{};
+    instance.mesh = &mesh;
+    instance.material = &material;
     zs_pose_identity(&instance.pose);
-    const zs_scene scene{ &instance, 1, {}, zs_rgb565(0, 0, 0), nullptr };
+    zs_scene scene{};
+    scene.instance = &instance;
+    scene.n_instances = 1;
+    scene.background = zs_rgb565(0, 0, 0);
     zs_camera camera{};
     const int32_t eye[3] = { 0, 0, 100 }, at[3] = { 0, 0, 0 }, up[3] = { 0, 1, 0 };
     if (zs_camera_orthographic(&camera, 36, 1, 200) || zs_camera_look_at(&camera, eye, at, up))
         return 2;
-    const zs_config config{ 16, 16, 4, 8, 8, ZS_ATTRS_FLAT, 2, 8, 16, 0, &zs_depth_linear };
+    zs_config config{};
+    config.width = config.height = 16;
+    config.strip_h = 4;
+    config.max_tris = config.max_verts = 8;
+    config.attrs = ZS_ATTRS_FLAT;
+    config.buffers = 2;
+    config.subpixel_bits = 8;
+    config.depth_bits = 16;
+    config.depth = &zs_depth_linear;
     if (zs_init(&renderer, &config, arena, sizeof arena))
         return 3;
     uint32_t lit = 0;
-    const zs_sink sink{ count, nullptr, &lit };
+    zs_sink sink{};
+    sink.submit = count;
+    sink.ctx = &lit;
     if (zs_render(&renderer, &scene, &camera, &sink))
         return 4;
     return lit == 2 * 8 * 8 ? 0 : 1; /* half the frame's width and height, two bytes a pixel */

@@ -58,9 +58,11 @@ for c in $CPUS; do
     flash "smooth, linear" smooth linear
     flash "flat, e3m13" flat e3m13
     flash "texture 565, recip" texture recip '
-         extern struct zs_texture texture; material.texture = &texture;' 'struct zs_texture texture = { &zs_texel_565 };'
+         extern struct zs_texture texture; material.texture = &texture;' \
+        'struct zs_texture texture = { .format = &zs_texel_565 };'
     flash "texture pal8 smooth, e3m13" texture_smooth e3m13 '
-         extern struct zs_texture texture; material.texture = &texture;' 'struct zs_texture texture = { &zs_texel_pal8 };'
+         extern struct zs_texture texture; material.texture = &texture;' \
+        'struct zs_texture texture = { .format = &zs_texel_pal8 };'
     flash "flat, recip, a state" flat recip '
          extern const struct zs_state state; instance.state = &state;' 'const struct zs_state state = ZS_STATE(1, 1, 2, 3);'
     flash "flat, recip, turn and look at" flat recip \
@@ -90,12 +92,15 @@ for c in $CPUS; do
     flash "smooth, recip" smooth recip
     flash "flat, e3m13" flat e3m13
     flash "texture 565, recip" texture recip '
-         extern struct zs_texture texture; material.texture = &texture;' 'struct zs_texture texture = { &zs_texel_565 };'
+         extern struct zs_texture texture; material.texture = &texture;' \
+        'struct zs_texture texture = { .format = &zs_texel_565 };'
     flash "texture 565 smooth, recip" texture_smooth recip '
-         extern struct zs_texture texture; material.texture = &texture;' 'struct zs_texture texture = { &zs_texel_565 };'
+         extern struct zs_texture texture; material.texture = &texture;' \
+        'struct zs_texture texture = { .format = &zs_texel_565 };'
     texture=$core_bytes
     flash "texture pal8 smooth, e3m13" texture_smooth e3m13 '
-         extern struct zs_texture texture; material.texture = &texture;' 'struct zs_texture texture = { &zs_texel_pal8 };'
+         extern struct zs_texture texture; material.texture = &texture;' \
+        'struct zs_texture texture = { .format = &zs_texel_pal8 };'
     flash "everything" flat recip "$EVERYTHING" "$OTHERS"
     [ "$c" = cortex-m3 ] || continue
     within "lean, $c flat alone (goal 6144)" "$flat" "$LEAN_FLAT_MAX"
@@ -151,8 +156,9 @@ int main(int argc, char **argv)
     printf("%-36s %6s %6s %7s %7s %5s %7s %7s %8s\n", "RAM, bytes", "tris", "verts", "color", "depth", "bins",
            "tris", "verts", "arena");
     for (unsigned i = 0; i < sizeof t / sizeof t[0]; i++) {
-        const struct zs_config c = { t[i].w, t[i].h, t[i].rows, t[i].tris, t[i].verts, t[i].attrs,
-                                     t[i].buffers, 8, 16, 0, &zs_depth_recip };
+        const struct zs_config c = { .width = t[i].w, .height = t[i].h, .strip_h = t[i].rows, .max_tris = t[i].tris,
+                                     .max_verts = t[i].verts, .attrs = t[i].attrs, .buffers = t[i].buffers,
+                                     .subpixel_bits = 8, .depth_bits = 16, .depth = &zs_depth_recip };
         const unsigned arena = ZS_ARENA_BYTES(t[i].w, t[i].h, t[i].rows, t[i].tris, t[i].verts, t[i].attrs, t[i].buffers);
         printf("  %-34s %6u %6u %7u %7u %5u %7u %7u %8u\n", t[i].name, t[i].tris, t[i].verts,
                (unsigned)ZS_COLOR_BYTES(t[i].w, t[i].rows, t[i].buffers), (unsigned)ZS_DEPTH_BYTES(t[i].w, t[i].rows),

@@ -39,7 +39,7 @@ flash() {
     list=''
     n=1
     for s in $SHADES; do
-        [ $(($3 & n)) -eq 0 ] || list="$list { &zs_shade_$s, { 0, 0, 0 }, 0 },"
+        [ $(($3 & n)) -eq 0 ] || list="$list { .shader = &zs_shade_$s },"
         n=$((n * 2))
     done
     minimal "$one.c" raw "$2" "extern struct zs_material other[]; material = other[anything[4]]; ${4:-}"
@@ -129,7 +129,8 @@ more() { # NAME STATEMENTS DECLARATIONS: what a program with all shaders and dep
 }
 for x in $TEXELS; do
     echo "static const struct record_bytes record_texel_$x[RECORD_CPUS] = { $(more texel \
-        'extern struct zs_texture texture; material.texture = &texture;' "struct zs_texture texture = { &zs_texel_$x };") };"
+        'extern struct zs_texture texture; material.texture = &texture;' \
+        "struct zs_texture texture = { .format = &zs_texel_$x };") };"
 done
 echo "static const struct record_bytes record_state[RECORD_CPUS] = { $(more state \
     'extern const struct zs_state state; instance.state = &state;' 'const struct zs_state state = ZS_STATE(1, 1, 2, 3);') };"

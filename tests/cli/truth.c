@@ -99,9 +99,11 @@ int main(void)
                   { "flat", &zs_shade_texture_flat, &zs_depth_e3m13 },
                   { "smooth", &zs_shade_texture_smooth, &zs_depth_e5m11 } };
     const struct zs_texture format[3] = {
-        { &zs_texel_565, texel565, NULL, 0, LOG2_W, LOG2_H, 0 },
-        { &zs_texel_pal8, texel8, palette, 16, LOG2_W, LOG2_H, 0 },
-        { &zs_texel_pal4, texel4, palette, 16, LOG2_W, LOG2_H, 0 },
+        { .format = &zs_texel_565, .texel = texel565, .log2_w = LOG2_W, .log2_h = LOG2_H },
+        { .format = &zs_texel_pal8, .texel = texel8, .palette = palette, .n_colors = 16, .log2_w = LOG2_W,
+          .log2_h = LOG2_H },
+        { .format = &zs_texel_pal4, .texel = texel4, .palette = palette, .n_colors = 16, .log2_w = LOG2_W,
+          .log2_h = LOG2_H },
     };
     const struct zs_mesh mesh = { .pos = pos, .tri = tri, .normal = normal, .n_verts = 8, .n_tris = 8,
                                   .scale = 100 * ZS_Q16_ONE, .radius = 180, .uv = uv, .uv_bits = 11 };
@@ -118,13 +120,15 @@ int main(void)
             for (int f = 0; f < 3; f++) {
                 struct zs_texture texture = format[f];
                 texture.clamp = (uint8_t)clamp;
-                const struct zs_material material = { kinds[kind].shader, { 9, 9, 9 }, ZS_CULL_NONE, &texture };
+                const struct zs_material material = { .shader = kinds[kind].shader, .rgb = { 9, 9, 9 },
+                                                      .cull = ZS_CULL_NONE, .texture = &texture };
                 struct zs_instance one = { .mesh = &mesh, .material = &material };
                 zs_pose_identity(&one.pose);
                 zs_pose_turn(&one.pose, 1234, 300, 0);
-                const struct zs_scene scene = { &one, 1,
-                                                { { 0, ZS_Q30_ONE / 2, ZS_Q30_ONE / 2 }, ZS_Q16_ONE / 3, ZS_Q16_ONE },
-                                                0x1234, NULL };
+                const struct zs_scene scene = { .instance = &one, .n_instances = 1,
+                                                .light = { .dir = { 0, ZS_Q30_ONE / 2, ZS_Q30_ONE / 2 },
+                                                           .ambient = ZS_Q16_ONE / 3, .diffuse = ZS_Q16_ONE },
+                                                .background = 0x1234 };
                 struct ref_diff d = { 0 };
                 const char *now = compare(&scene, &camera, kinds[kind].depth, &picture[f], &d);
                 if (f == 0)

@@ -216,18 +216,18 @@ static int take(void *ctx, const struct zs_strip *s)
 static void render(const struct zs_instance *instance, const struct zs_camera *camera,
                    uint16_t background)
 {
-    static const struct zs_config config = { W, H, ROWS, 20000, 20000,          M_ATTRS,
-                                             1, 8, 16,   0,     &zs_depth_recip };
+    static const struct zs_config config = { .width = W, .height = H, .strip_h = ROWS, .max_tris = 20000,
+                                             .max_verts = 20000, .attrs = M_ATTRS, .buffers = 1, .subpixel_bits = 8,
+                                             .depth_bits = 16, .depth = &zs_depth_recip };
     static struct zs_renderer renderer;
     ZS_ARENA(arena, ZS_ARENA_BYTES(W, H, ROWS, 20000, 20000, M_ATTRS, 1));
     const struct zs_scene scene = {
-        instance,
-        M_INSTANCES,
-        { { 400000000, 700000000, 700000000 }, ZS_Q16_ONE / 4, ZS_Q16_ONE * 3 / 4 },
-        background,
-        NULL
+        .instance = instance, .n_instances = M_INSTANCES,
+        .light = { .dir = { 400000000, 700000000, 700000000 }, .ambient = ZS_Q16_ONE / 4,
+                   .diffuse = ZS_Q16_ONE * 3 / 4 },
+        .background = background
     };
-    const struct zs_sink sink = { take, 0, 0 };
+    const struct zs_sink sink = { .submit = take };
     int err = zs_init(&renderer, &config, arena, sizeof arena);
     err = err ? err : zs_render(&renderer, &scene, camera, &sink);
     if (err)

@@ -594,7 +594,8 @@ static void do_render(struct room *m, struct desk *d, struct prng *p)
     const int k = (int)prng_pick(p, 2);
     struct panel at = { .m = m, .d = d };
     const int waits = (int)prng_pick(p, 2);
-    const struct zs_sink sink = { waits ? panel_submit : panel_gone, waits ? panel_wait : NULL, &at };
+    const struct zs_sink sink = { .submit = waits ? panel_submit : panel_gone, .wait = waits ? panel_wait : NULL,
+                                  .ctx = &at };
     if (one_in(p, 3))
         *(one_in(p, 2) ? &at.bad_submit : &at.bad_wait) = 1 + (int)prng_pick(p, 20);
     d->open = k; /* strip_expect looks there */
@@ -690,10 +691,13 @@ static int within(uint32_t v, uint32_t lo, uint32_t hi)
 
 static void case_config(struct prng *p, uint32_t odd)
 {
-    struct zs_config c = { any_size(p), any_size(p), any_size(p), any_size(p), any_size(p), (uint8_t)prng_pick(p, 5),
-                           (uint8_t)prng_pick(p, 4), one_in(p, 2) ? 8 : (uint8_t)prng_pick(p, 10),
-                           one_in(p, 2) ? 16 : (uint8_t)prng_pick(p, 20), (uint8_t)prng_next(p),
-                           kind_depths[prng_pick(p, KINDS(kind_depths))].depth };
+    struct zs_config c = { .width = any_size(p), .height = any_size(p), .strip_h = any_size(p), .max_tris = any_size(p),
+                           .max_verts = any_size(p), .attrs = (uint8_t)prng_pick(p, 5),
+                           .buffers = (uint8_t)prng_pick(p, 4),
+                           .subpixel_bits = one_in(p, 2) ? 8 : (uint8_t)prng_pick(p, 10),
+                           .depth_bits = one_in(p, 2) ? 16 : (uint8_t)prng_pick(p, 20),
+                           .skip_off = (uint8_t)prng_next(p),
+                           .depth = kind_depths[prng_pick(p, KINDS(kind_depths))].depth };
     const int ok = within(c.width, 1, ZS_SIZE_MAX) && within(c.height, 1, ZS_SIZE_MAX) && c.strip_h &&
                    within(c.max_tris, 1, ZS_POOL_MAX) && within(c.max_verts, 3, ZS_POOL_MAX) &&
                    c.attrs <= ZS_ATTRS_MAX && within(c.buffers, 1, 2) &&
@@ -761,8 +765,9 @@ static int camera_answer(const struct zs_camera *camera)
 {
     static uint32_t arena[400];
     struct zs_renderer r;
-    const struct zs_config c = { 4, 4, 4, 4, 4, 0, 1, 8, 16, 0, &zs_depth_linear };
-    const struct zs_scene empty = { NULL, 0, { { 0 }, 0, 0 }, 0 };
+    const struct zs_config c = { .width = 4, .height = 4, .strip_h = 4, .max_tris = 4, .max_verts = 4, .buffers = 1,
+                                 .subpixel_bits = 8, .depth_bits = 16, .depth = &zs_depth_linear };
+    const struct zs_scene empty = { 0 };
     EXPECT(zs_init(&r, &c, arena, sizeof arena) == ZS_OK);
     return zs_frame_begin(&r, &empty, camera);
 }

@@ -145,16 +145,18 @@ static void draw(struct card *c, const struct kind_shader *shader)
     const struct card_header *h = &c->header;
     if (shader->texture && (c->texture_flaw == ZS_FLAW_TEXEL || c->texture_flaw == ZS_FLAW_COLORS))
         return; /* only the check guards a palette */
-    const struct zs_material material = { shader->shader, { 200, 150, 100 }, (uint8_t)((h->look & CARD_CULL) >> 1),
-                                          &c->texture };
-    const struct zs_state state = { &zs_state_kernel, h->state & 1, h->state >> 1 & 1, (int16_t)(h->state * 77),
-                                    (int16_t)(h->state * 300) };
+    const struct zs_material material = { .shader = shader->shader, .rgb = { 200, 150, 100 },
+                                          .cull = (uint8_t)((h->look & CARD_CULL) >> 1), .texture = &c->texture };
+    const struct zs_state state = ZS_STATE(h->state & 1, h->state >> 1 & 1, (int16_t)(h->state * 77),
+                                           (int16_t)(h->state * 300));
     const struct zs_instance instance[2] = {
-        { &c->mesh, &material, pose_of(&c->mesh), NULL },
-        { &c->mesh, &material, pose_of(&c->mesh), h->state ? &state : NULL }
+        { .mesh = &c->mesh, .material = &material, .pose = pose_of(&c->mesh) },
+        { .mesh = &c->mesh, .material = &material, .pose = pose_of(&c->mesh), .state = h->state ? &state : NULL }
     };
-    const struct zs_scene scene = { instance, h->state ? 2u : 1u,
-                                    { { 0, ZS_Q30_ONE, 0 }, ZS_Q16_ONE / 4, ZS_Q16_ONE }, 0x1234 };
+    const struct zs_scene scene = { .instance = instance, .n_instances = h->state ? 2u : 1u,
+                                    .light = { .dir = { 0, ZS_Q30_ONE, 0 }, .ambient = ZS_Q16_ONE / 4,
+                                               .diffuse = ZS_Q16_ONE },
+                                    .background = 0x1234 };
     const struct zs_camera camera = camera_of(h);
     struct zs_config config = picture_config(24, 16, kind_depths[h->depth % KINDS(kind_depths)].depth);
     config.attrs = ZS_ATTRS_MAX;

@@ -267,7 +267,7 @@ static int take(void *ctx, const struct zs_strip *s)
 
 static int hand_render(struct prng *p, struct hand *hand)
 {
-    const struct zs_sink sink = { take, NULL, hand };
+    const struct zs_sink sink = { .submit = take, .ctx = hand };
     if (!hand->sharing && !hand->by_hand)
         return zs_render(&hand->r[0], &world.scene, &world.camera, &sink);
     int err = ZS_OK;
@@ -506,7 +506,7 @@ static int frame_right(struct prng *p, struct hand *hand, const struct zs_config
     static struct glass want;
     want.w = plain->width;
     want.h = plain->height;
-    const struct zs_sink sink = { plain_take, NULL, &want };
+    const struct zs_sink sink = { .submit = plain_take, .ctx = &want };
     const struct zs_stats *s = zs_frame_stats(&r);
     struct zs_config quick = *plain;
     struct zs_strip first; /* with it all triangles have been looked at */

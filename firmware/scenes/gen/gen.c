@@ -457,11 +457,13 @@ static uint32_t write_clusters(FILE *f, const struct gen_mesh *m)
         const uint32_t first = i * CLUSTER, left = m->n_tris - first, size = left < CLUSTER ? left : CLUSTER;
         int64_t center[3], axis[3] = { 0, 0, 0 }, cutoff;
         const uint64_t radius = sphere(m, first, size, center), high = cone(m, first, size, axis, &cutoff);
-        char text[128];
-        snprintf(text, sizeof text, "{%lu,%lu,{%lld,%lld,%lld},%llu,{%lld,%lld,%lld},%lld,%llu},", (unsigned long)first,
-                 (unsigned long)size, (long long)center[0], (long long)center[1], (long long)center[2],
-                 (unsigned long long)radius, (long long)axis[0], (long long)axis[1], (long long)axis[2], (long long)cutoff,
-                 (unsigned long long)high);
+        char text[200];
+        snprintf(text, sizeof text,
+                 "{.first=%lu,.n_tris=%lu,.center={%lld,%lld,%lld},.radius=%llu,.axis={%lld,%lld,%lld},.cutoff=%lld,"
+                 ".height=%llu},",
+                 (unsigned long)first, (unsigned long)size, (long long)center[0], (long long)center[1],
+                 (long long)center[2], (unsigned long long)radius, (long long)axis[0], (long long)axis[1],
+                 (long long)axis[2], (long long)cutoff, (unsigned long long)high);
         out_row(&r, text);
     }
     out_array_end(&r);

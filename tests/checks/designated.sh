@@ -1,0 +1,53 @@
+#!/bin/sh
+# Structs of zstrip.h are initialised by the names of their fields everywhere but in the renderer: in scenes,
+# applications, what generators write, the simulator and the tests.
+#
+# SPDX-License-Identifier: MIT
+. "$(dirname "$0")/common.sh"
+. tests/designated.sh
+
+gen=${1:-build}/gen
+dir=$B/designated
+rm -rf "$dir"
+mkdir -p "$dir/made" "$dir/gen"
+if ! designated_headers "$dir"; then
+    bad "headers for designated initialisers" "zstrip.h has not all of: $DESIGNATED"
+    exit 1
+fi
+# What other scripts write for applications and for the study
+cat >"$dir/made/model.h" <<'END'
+#include "zstrip.h"
+#define MODEL_ATTRS 0
+#define MODEL_INSTANCES 1u
+#define MODEL_MIDDLE { 0, 0, 0 }
+#define MODEL_RADIUS 1
+extern const struct zs_instance model_instance[1];
+END
+echo '#define STUDY_ARENA 4' >"$dir/made/study_settings.h"
+echo '#define STUDY_BUILD ""' >"$dir/gen/study_build.h"
+
+# NAME FLAGS FILES...
+by_name() {
+    name=$1 flags=$2
+    shift 2
+    if [ ! -e "$1" ]; then
+        bad "$name" "no files: $1"
+        return
+    fi
+    # shellcheck disable=SC2086
+    found=$(positional gcc -std=gnu11 -D_GNU_SOURCE -DZS_STATS=1 -I"$dir" -Ifirmware/scenes $flags "$@")
+    none "$name" "$found"
+}
+SIM="-Ihal -Ihal/panel -Ihal/fault -I$gen -I$dir/gen -Isim -Isim/reference -Isim/panel_model -Ihal/linux -Isim/linux"
+by_name "scenes name fields" "-I$gen" firmware/scenes/*.c
+by_name "mesh generators name fields" "" firmware/scenes/gen/*.c
+by_name "generated meshes name fields" "-I$gen" "$gen"/*.c
+by_name "applications name fields" \
+    "-Ihal -Ihal/panel -Ifirmware/app -I$gen -I$dir/made -DFRAME_DEMO=teapot -DSHOW_DEMO=teapot" firmware/app/*.c
+by_name "the simulator names fields" "$SIM" sim/*.c sim/linux/*.c
+by_name "tests name fields" "$SIM -Itests -Itests/fuzz -Itests/stress -Ifirmware/app" \
+    tests/*.c tests/cli/*.c tests/fuzz/*.c tests/stress/*.c
+minimal "$dir/minimal.c" flat recip "$EVERYTHING $CULLING"
+echo "$OTHERS" >>"$dir/minimal.c"
+by_name "firmware of checks names fields" "" "$dir/minimal.c"
+exit $failed

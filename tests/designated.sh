@@ -1,0 +1,29 @@
+# Headers of zstrip whose structs take designated initialisers alone, and what GCC then says. Sourced.
+#
+# SPDX-License-Identifier: MIT
+
+# Structs whose fields may be reordered, added or removed. Not zs_rgb and zs_rect, whose order is known to all, nor
+# those that macros of zstrip.h make.
+DESIGNATED='texture cluster mesh material pose instance light scene camera config strip sink'
+
+# DIR: firmware/zstrip's headers, of the repository in $top or here; fails where one of the structs is not found.
+designated_headers() {
+    mkdir -p "$1" && cp "${top:-.}"/firmware/zstrip/*.h "$1" || return 1
+    for struct in $DESIGNATED; do
+        sed -i "s/^struct zs_$struct {/struct __attribute__((designated_init)) zs_$struct {/" "$1/zstrip.h"
+        grep -q "designated_init)) zs_$struct {" "$1/zstrip.h" || return 1
+    done
+}
+
+# COMPILER ARGUMENT...: "file:line" of positional initialisers, but { 0 }, and errors. Nothing is compiled to a file.
+positional() {
+    LC_ALL=C "$@" -fsyntax-only -Wdesignated-init -fdiagnostics-color=never 2>&1 | awk '
+        / error: / { print; next }
+        /\[-Wdesignated-init\]/ {
+            split($1, at, ":")
+            getline
+            sub(/^ *[0-9]+ \| /, "")
+            if (substr($0, at[3] - 2, 5) != "{ 0 }")
+                print at[1] ":" at[2]
+        }'
+}
