@@ -174,11 +174,11 @@ pictures: sim
 
 ## size: flash of the renderer and RAM by pool
 ## stack: worst-case stack
-## check: rules on the Cortex-M objects, linking, includes, C++ and the stack
+## check: rules on the Cortex-M objects, linking, includes, headers in C and C++, and the stack
 size stack: $(B)/.setup-test
 	@sh tests/checks/$@.sh $(B)
 check: $(B)/.setup-test
-	@for c in objects kernels hal includes cplusplus stack; do sh tests/checks/$$c.sh $(B) || exit 1; done
+	@for c in objects kernels hal includes headers stack; do sh tests/checks/$$c.sh $(B) || exit 1; done
 
 ## clean: remove build/
 clean:

@@ -1,7 +1,7 @@
 #!/bin/sh
 # The lean build (ZS_LEAN, firmware/zstrip/config.h) draws what the full one draws: golden checksums by two compilers at two
-# levels and on big-endian PowerPC, every bench scene on Cortex-M3 and on Armv6-M code in all the bench's configurations, and the unit tests that
-# draw. tests/scene_sums.sh has the demo scenes.
+# levels and on big-endian PowerPC, every bench scene on Cortex-M3 and on Armv6-M code in all the bench's configurations,
+# and the unit tests that draw. tests/scene_sums.sh has the demo scenes.
 # Usage: tests/lean.sh BUILD          from the repository's top; needs BUILD/lean (make lean-programs) and BUILD/gen
 #        tests/lean.sh BUILD bench    the bench alone
 #
