@@ -23,7 +23,7 @@ PKG_SIM = gcc libc6-dev libassimp-dev libmeshoptimizer-dev libpng-dev libturbojp
 PKG_LINUX = $(PKG_SIM) libgpiod-dev pkg-config
 PKG_TEST = $(PKG_LINUX) gnuplot-nox g++ clang binutils libcmocka-dev gcc-arm-none-eabi libnewlib-arm-none-eabi qemu-system-arm \
            $(PKG_RISCV) qemu-system-misc gcc-arm-linux-gnueabihf libc6-dev-armhf-cross device-tree-compiler cpio \
-           $(if $(shell command -v npm),,nodejs npm)
+           gcc-powerpc-linux-gnu libc6-dev-powerpc-cross qemu-user-static $(if $(shell command -v npm),,nodejs npm)
 PKG_BENCH = $(PKG_TEST) valgrind
 PKG_SCALE = $(PKG_TEST) gnuplot-nox
 PKG_FUZZ = $(PKG_TEST) libclang-rt-14-dev
@@ -116,7 +116,7 @@ still: $(B)/.setup-test $(B)/gen/meshes.h
 cull: sim $(B)/.setup-test
 	@sh tests/checks/cull.sh $(B)
 
-## checksums: every scene's frames on Cortex-M0 to M7, RISC-V and x86-64: one table of checksums, all the same
+## checksums: every scene's frames on Cortex-M0 to M7, RISC-V, PowerPC (big-endian) and x86-64: one table of checksums, all the same
 checksums: $(B)/.setup-test $(B)/gen/meshes.h
 	@sh tests/scene_sums.sh $(B)
 
@@ -174,11 +174,11 @@ pictures: sim
 
 ## size: flash of the renderer and RAM by pool
 ## stack: worst-case stack
-## check: rules on the Cortex-M objects, linking, includes, initialisers, C++ and the stack
+## check: rules on the Cortex-M objects, linking, includes, initialisers, headers in C and C++, and the stack
 size stack: $(B)/.setup-test
 	@sh tests/checks/$@.sh $(B)
 check: $(B)/.setup-test $(B)/gen/meshes.h
-	@for c in objects kernels hal includes designated cplusplus stack; do sh tests/checks/$$c.sh $(B) || exit 1; done
+	@for c in objects kernels hal includes designated headers stack; do sh tests/checks/$$c.sh $(B) || exit 1; done
 
 ## clean: remove build/
 clean:

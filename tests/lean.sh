@@ -1,7 +1,7 @@
 #!/bin/sh
 # The lean build (ZS_LEAN, firmware/zstrip/config.h) draws what the full one draws: golden checksums by two compilers at two
-# levels, every bench scene on Cortex-M3 and on Armv6-M code in all the bench's configurations, and the unit tests that
-# draw. tests/scene_sums.sh has the demo scenes.
+# levels and on big-endian PowerPC, every bench scene on Cortex-M3 and on Armv6-M code in all the bench's configurations,
+# and the unit tests that draw. tests/scene_sums.sh has the demo scenes.
 # Usage: tests/lean.sh BUILD          from the repository's top; needs BUILD/lean (make lean-programs) and BUILD/gen
 #        tests/lean.sh BUILD bench    the bench alone
 #
@@ -55,9 +55,10 @@ done
 
 # ---- Golden checksums, unit tests -----------------------------------------------------------------------------------------
 
-for program in gcc-O0 gcc-O3 clang-O0 clang-O3; do
+for program in gcc-O0 gcc-O3 clang-O0 clang-O3 powerpc-Os; do
     name=lean_checksum_$(echo $program | tr - _)
-    "$lean/test/checksum-$program" >"$out/$name.out" 2>&1
+    case $program in powerpc-*) emulator=qemu-ppc-static ;; *) emulator= ;; esac
+    $emulator "$lean/test/checksum-$program" >"$out/$name.out" 2>&1
     if diff "$out/$name.out" tests/golden/checksums.txt >"$out/$name.diff"; then
         ok "$name ($(wc -l <"$out/$name.out") scenes)"
     else

@@ -74,7 +74,7 @@ boards() {
     run microbit sh tests/boards/microbit.sh "$build"
     run linux sh tests/linux.sh "$build"
     run scene_sums flock "$logs/lean" sh tests/scene_sums.sh "$build"
-    for check in wide objects kernels hal includes designated cplusplus stack size still cull scale bench; do
+    for check in wide objects kernels hal includes designated headers stack size still cull scale bench; do
         run "$check" sh "tests/checks/$check.sh" "$build"
     done
     run study sh tests/study.sh "$build/test/zsim" "$build/test/study" "$build"

@@ -12,7 +12,7 @@ build=$1
 out=$build/scene_sums
 record=tests/golden/scenes.txt
 COLUMNS='gcc_O0 gcc_O3 clang_O0 clang_O3 cortex_m0 cortex_m0plus cortex_m3 cortex_m4 cortex_m7 rv32
-         lean_x86 lean_m0 lean_m3' # ZS_LEAN: the same frames by the least code
+         ppc lean_x86 lean_m0 lean_m3' # ppc: PowerPC, big-endian; lean: ZS_LEAN: the same frames by the least code
 SCENES=$(grep -oE '&demo_[a-z_]+' firmware/scenes/demos.c | sed 's/&demo_//')
 . tests/boards/common.sh
 
@@ -20,12 +20,15 @@ SCENES=$(grep -oE '&demo_[a-z_]+' firmware/scenes/demos.c | sed 's/&demo_//')
 
 # Where a column is drawn: its board, what make is told besides, what memory the program takes
 column_is() { # COLUMN
-    with=
+    with= emulator=
     case $1 in
     gcc_* | clang_*)
         # clang's -Wconversion asks for more than gcc's
         board=host memory=
         with="BOARD_CC=${1%_*} OPT=-${1#*_} OUT=$build/fw/host_$1 BOARD_FLAGS=-Wno-sign-conversion" ;;
+    ppc) # a program for Linux
+        board=host memory= emulator=qemu-ppc-static
+        with="BOARD_CC=powerpc-linux-gnu-gcc BOARD_LINK=-static OUT=$build/fw/host_$1" ;;
     lean_x86) board=host memory= with="LEAN=1 OUT=$build/fw/host_$1" ;;
     lean_m0) board=m0 memory='-DSUMS_ROWS=5 -DSUMS_ARENA=10900' with=LEAN=1 ;;
     lean_m3) board=mps2 memory=-DSUMS_ROWS=9 with=LEAN=1 ;;
@@ -49,7 +52,7 @@ firmware() { # NAME FLAGS GOAL
 # Build the program under a name with these flags, run it, and write what it says
 say() { # NAME FLAGS
     case $board in
-    host) firmware "$1" "$2" all && "$build/fw/host_$column/$1.elf" ;;
+    host) firmware "$1" "$2" all && $emulator "$build/fw/host_$column/$1.elf" ;;
     pico) firmware "$1" "$2" image >&2 && node "$build/pico/parts.mjs" "$build/fw/pico/$1" | grep -v '^wire' ;;
     *) firmware "$1" "$2" all && timeout 240 make -s -f firmware/boards/firmware.mk BOARD=$board B="$build" $with NAME="$1" \
         APP_SRC=firmware/app/checksums.c APP_FLAGS="$memory $2" run 2>&1 ;; # semihosting writes to either
@@ -172,7 +175,7 @@ column cortex_m0plus
 for c in cortex_m0 $COLUMNS; do echo "$c"; done | awk '$0 != "cortex_m0plus" && !n[$0]++' |
     xargs -P 2 -n 1 sh tests/scene_sums.sh "$build" column
 touch "$record" && cp "$record" "$out/record"
-echo "Checksums (FNV-1a, 64 bits) of frames: x86-64 by gcc and clang at -O0 and -O3, Cortex-M0 to M7 and RISC-V."
+echo "Checksums (FNV-1a, 64 bits) of frames: x86-64 by gcc and clang at -O0 and -O3, Cortex-M0 to M7, RISC-V, PowerPC."
 echo "=: the same; y16: differs from row 16 on, in bands of eight rows; none: no such frame; record: $record"
 table | tee "$out/table"
 n=$(($(wc -l <"$out/table") - 1))

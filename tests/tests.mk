@@ -49,12 +49,15 @@ $(B)/test/test_linux: $(call t,tests/test_linux.c $(LINUX) $(filter-out $(MODEL)
 	@$(CC) $(SAN) -pthread $(LINUX_FAKED:%=-Wl,--wrap=%) -Wl,--start-group $(filter-out %/zsim,$^) -Wl,--end-group \
 	    -lcmocka $(LIBS) -o $@
 
-# One program, four compilers: its checksums must be the same
-CHECKSUMS = $(foreach c,gcc clang,$(foreach o,O0 O3,$(B)/test/checksum-$(c)-$(o)))
+# One program, two compilers at two levels, and one for a big-endian machine, run by QEMU: its checksums must be the same
+CHECKSUMS = $(foreach c,gcc clang,$(foreach o,O0 O3,$(B)/test/checksum-$(c)-$(o))) \
+            $(foreach o,$(if $(LEAN),Os,O0 O2 Os),$(B)/test/checksum-powerpc-$(o))
+$(B)/test/checksum-powerpc-%: CHECKSUM_CC = powerpc-linux-gnu-gcc -static
+CHECKSUM_CC = $(word 2,$(subst -, ,$(@F)))
 checksum-programs: $(CHECKSUMS)
 $(CHECKSUMS): tests/checksum.c $(CORE) $(HEADERS)
 	@mkdir -p $(@D)
-	@$(word 2,$(subst -, ,$(@F))) -std=c11 -$(word 3,$(subst -, ,$(@F))) $(LEAN:1=-DZS_LEAN=1) $(INC) $(filter %.c,$^) -o $@
+	@$(CHECKSUM_CC) -std=c11 -$(word 3,$(subst -, ,$(@F))) $(LEAN:1=-DZS_LEAN=1) $(INC) $(filter %.c,$^) -o $@
 
 # Fuzzers: the interface by seeds (fuzz_api); cards of meshes and textures by libFuzzer (fuzz_mesh, make fuzz
 # alone) and by mutations of its seeds (cards); model files, command lines and panels' streams likewise, by libFuzzer

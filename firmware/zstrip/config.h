@@ -44,6 +44,9 @@
 #endif
 
 /* What `zsim study time` varies, with ZS_STUDY = 1; errors are in NUMERICS.md. */
+#ifndef ZS_STUDY
+#define ZS_STUDY 0
+#endif
 #ifndef ZS_RECIP_STEPS
 #define ZS_RECIP_STEPS 1 /* Newton steps of a vertex's reciprocal: 1 for 30 bits, 0 for 16 */
 #endif

@@ -1,8 +1,10 @@
 /* The renderer's memory. Public in size, so that it can be a static object; its fields belong to the
- * library. Included by zstrip.h; do not include it by itself.
+ * library. Part of zstrip.h: whoever includes this one has all of that.
  *
  * SPDX-License-Identifier: MIT
  */
+#include "zstrip.h" /* which includes this one where it belongs */
+
 #ifndef ZS_RENDERER_H
 #define ZS_RENDERER_H
 

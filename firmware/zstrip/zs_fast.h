@@ -29,6 +29,10 @@ extern const struct zs_fast zs_fast_texture_flat; /* the same, and palettes lit 
 extern const struct zs_fast zs_fast_texture_smooth;
 extern const struct zs_fast zs_fast_565, zs_fast_pal8, zs_fast_pal4; /* loops of a texel format, besides one of the last three */
 
+#ifndef ZS_NO_FAST
+#define ZS_NO_FAST 0
+#endif
+
 #if ZS_NO_FAST
 #define ZS_FAST_END 0
 #define ZS_FAST_FRAME 0

@@ -69,6 +69,14 @@ const char *zs_strerror(int err);
 
 /* ---- Formats ------------------------------------------------------------------------------ */
 
+/* A cast that neither C nor C++ warns of, for the macros here. */
+#ifdef __cplusplus
+#define ZS_CAST(type, value) static_cast<type>(value)
+#else
+#define ZS_CAST(type, value) ((type)(value))
+#endif
+#define ZS_U32(value) ZS_CAST(uint32_t, value)
+
 typedef int32_t zs_q2_30;    /* -2 .. 2 - 2^-30; rotations and unit vectors */
 typedef int16_t zs_q1_15;    /* -1 .. 1 - 2^-15; normals */
 typedef uint32_t zs_uq16_16; /* 0 .. 65536 - 2^-16; scales and light */
@@ -76,13 +84,13 @@ typedef int64_t zs_q48_16;   /* lengths finer than a world unit */
 typedef uint64_t zs_uq32_32; /* focal lengths */
 typedef uint16_t zs_turn;    /* angles, 65536 to the turn */
 
-#define ZS_Q30_ONE ((zs_q2_30)1 << 30)
-#define ZS_Q16_ONE ((zs_uq16_16)1 << 16)
-#define ZS_WORLD_MAX ((int32_t)1 << 29) /* world units; also the largest extent of an instance */
-#define ZS_FAR_MAX ((int64_t)1 << 44)   /* world units; a far plane may lie beyond the world */
-#define ZS_FOCAL_MIN ((zs_uq32_32)1 << 16)
-#define ZS_FOCAL_MAX ((zs_uq32_32)1 << 55)
-#define ZS_HEIGHT_MIN ((zs_q48_16)8)
+#define ZS_Q30_ONE (ZS_CAST(zs_q2_30, 1) << 30)
+#define ZS_Q16_ONE (ZS_CAST(zs_uq16_16, 1) << 16)
+#define ZS_WORLD_MAX (ZS_CAST(int32_t, 1) << 29) /* world units; also the largest extent of an instance */
+#define ZS_FAR_MAX (ZS_CAST(int64_t, 1) << 44)   /* world units; a far plane may lie beyond the world */
+#define ZS_FOCAL_MIN (ZS_CAST(zs_uq32_32, 1) << 16)
+#define ZS_FOCAL_MAX (ZS_CAST(zs_uq32_32, 1) << 55)
+#define ZS_HEIGHT_MIN ZS_CAST(zs_q48_16, 8)
 #define ZS_DEPTH_CLEAR 65535u
 
 struct zs_rgb {
@@ -92,9 +100,8 @@ struct zs_rgb {
 /* The RGB565 value nearest to three 8-bit channels. */
 static inline uint16_t zs_rgb565(uint8_t r, uint8_t g, uint8_t b)
 {
-    return (uint16_t)((((uint32_t)r * 31u + 127u) / 255u) << 11 |
-                      (((uint32_t)g * 63u + 127u) / 255u) << 5 |
-                      (((uint32_t)b * 31u + 127u) / 255u));
+    return ZS_CAST(uint16_t, ((ZS_U32(r) * 31u + 127u) / 255u) << 11 | ((ZS_U32(g) * 63u + 127u) / 255u) << 5 |
+                                 ((ZS_U32(b) * 31u + 127u) / 255u));
 }
 
 /* ---- Scene: all of it const, all of it may lie in flash ------------------------------------- */
@@ -306,21 +313,20 @@ struct zs_config {
 /* Bytes of arena for a configuration: the sum of its pools. The same number on every machine:
  * indices and not pointers live in the arena. All arguments are constants or variables without side
  * effects; strip_h <= height. */
-#define ZS_ROUND4(n) (((uint32_t)(n) + 3u) & ~(uint32_t)3u)
+#define ZS_ROUND4(n) ((ZS_U32(n) + 3u) & ~ZS_U32(3))
 #define ZS_COLOR_BYTES(width, strip_h, buffers) \
-    ((uint32_t)(buffers) * ZS_ROUND4((uint32_t)(width) * (uint32_t)(strip_h) * 2u))
-#define ZS_DEPTH_BYTES(width, strip_h) ZS_ROUND4((uint32_t)(width) * (uint32_t)(strip_h) * 2u)
-#define ZS_STRIPS(height, strip_h) (((uint32_t)(height) + (uint32_t)(strip_h) - 1u) / (uint32_t)(strip_h))
-#define ZS_DRAWN_BYTES(strip_h) ((uint32_t)(strip_h) * 4u)
+    (ZS_U32(buffers) * ZS_ROUND4(ZS_U32(width) * ZS_U32(strip_h) * 2u))
+#define ZS_DEPTH_BYTES(width, strip_h) ZS_ROUND4(ZS_U32(width) * ZS_U32(strip_h) * 2u)
+#define ZS_STRIPS(height, strip_h) ((ZS_U32(height) + ZS_U32(strip_h) - 1u) / ZS_U32(strip_h))
+#define ZS_DRAWN_BYTES(strip_h) (ZS_U32(strip_h) * 4u)
 #define ZS_TILE_LOG2 5
-#define ZS_TILES(width) (((uint32_t)(width) + 31u) >> ZS_TILE_LOG2)
+#define ZS_TILES(width) ((ZS_U32(width) + 31u) >> ZS_TILE_LOG2)
 #define ZS_BOUND_BYTES(width, height, strip_h) ZS_ROUND4(2u * ZS_TILES(width) * ZS_STRIPS(height, strip_h))
-#define ZS_BIN_BYTES(height, strip_h) \
-    ZS_ROUND4((((uint32_t)(height) + (uint32_t)(strip_h) - 1u) / (uint32_t)(strip_h)) * 2u)
-#define ZS_TRI_BYTES(max_tris) ((uint32_t)(max_tris) * 12u)
+#define ZS_BIN_BYTES(height, strip_h) ZS_ROUND4(ZS_STRIPS(height, strip_h) * 2u)
+#define ZS_TRI_BYTES(max_tris) (ZS_U32(max_tris) * 12u)
 #define ZS_VERT_BYTES(max_verts, attrs) \
-    ((uint32_t)(max_verts) * 12u + 2u * ZS_ROUND4((uint32_t)(max_verts) * 2u) + \
-     ZS_ROUND4((uint32_t)(max_verts) * (uint32_t)(attrs) * 2u))
+    (ZS_U32(max_verts) * 12u + 2u * ZS_ROUND4(ZS_U32(max_verts) * 2u) + \
+     ZS_ROUND4(ZS_U32(max_verts) * ZS_U32(attrs) * 2u))
 #define ZS_ARENA_BYTES(width, height, strip_h, max_tris, max_verts, attrs, buffers) \
     (ZS_COLOR_BYTES(width, strip_h, buffers) + ZS_DEPTH_BYTES(width, strip_h) + \
      ZS_DRAWN_BYTES(strip_h) + ZS_BOUND_BYTES(width, height, strip_h) + ZS_BIN_BYTES(height, strip_h) + ZS_TRI_BYTES(max_tris) + ZS_VERT_BYTES(max_verts, attrs))
@@ -475,7 +481,7 @@ int zs_watch(struct zs_renderer *r, uint64_t *sum, uint32_t columns);
  * Return       ZS_OK; ZS_ERR_NULL; ZS_ERR_STATE (r is not set up, or a frame is open); ZS_ERR_SIZE: as before.
  *              zs_init ends it. */
 #define ZS_TRACK_WORDS(n_instances, height, strip_h) \
-    (2u + 4u * (uint32_t)(n_instances) + ZS_STRIPS(height, strip_h))
+    (2u + 4u * ZS_U32(n_instances) + ZS_STRIPS(height, strip_h))
 int zs_track(struct zs_renderer *r, uint32_t *memory, uint32_t n_instances);
 
 /* The same by columns as well: of a strip that zs_track has drawn, only the columns that an instance which differs could reach
