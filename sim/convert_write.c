@@ -263,8 +263,8 @@ static void mesh_object(FILE *f, const char *name, uint32_t part, const struct s
     if (p->uv != NULL)
         (void)fprintf(f, ",\n      .uv = %s_uv_%" PRIu32 ", .uv_bits = %u", name, part, p->uv_bits);
     if (p->cluster != NULL)
-        (void)fprintf(f, ",\n      .cluster = %s_cluster_%" PRIu32 ", .n_clusters = %" PRIu32 "u%s", name, part,
-                      p->n_clusters, p->n_clusters > 4 ? ", .cluster_kernel = &zs_cluster_kernel" : "");
+        (void)fprintf(f, ",\n      .cluster = %s_cluster_%" PRIu32 ", .n_clusters = %" PRIu32 "u", name, part,
+                      p->n_clusters);
     (void)fputs(" },\n", f);
 }
 

@@ -123,6 +123,8 @@ struct zs_renderer { /* what is used most comes first: a Cortex-M0 reaches 31 by
     int (*edges)(struct zs_job *job, int32_t row); /* accelerators; NULL: the core does it */
     const struct zs_fast_touch *touch;
     const struct zs_fast_tiles *tiles;
+    const struct zs_fast_batch *batch;
+    const struct zs_fast_clusters *clusters_hooks;
     uint8_t strip_shift;        /* row / strip_h = row * strip_mul >> strip_shift */
     uint8_t direct;             /* 1: vertex v of the current instance has place vert_base + v */
     uint8_t counting;           /* 1 in the frame's first walk: triangles are counted once */
@@ -168,7 +170,7 @@ struct zs_renderer { /* what is used most comes first: a Cortex-M0 reaches 31 by
     uint32_t untouched_left;      /* how many pixels hold none, where some do */
     uint16_t edge_of[4];          /* what edge[] holds: rows [0] .. [1] - 1 are drawn, and columns [2] .. [3] - 1 */
     struct zs_edge edge[4];
-    const struct zs_cluster_kernel *cluster_kernel; /* of the current instance; NULL: all of it is drawn */
+    uint8_t by_clusters;          /* 1: of the current instance, only some are drawn */
     struct zs_clusters clusters;
     struct zs_cover cover[2];     /* the last two large triangles: cover[!cover_next] is known if cover_known */
     uint16_t bound_strip;         /* no bound of the strip in hand is farther */

@@ -20,6 +20,8 @@ extern "C" {
 
 extern const struct zs_fast zs_fast_touch;        /* no clearing and no test where nothing was drawn before */
 extern const struct zs_fast zs_fast_tiles;        /* what large triangles hide is not set up */
+extern const struct zs_fast zs_fast_batch;        /* vertices and facing of a mesh in one go, where the pools hold it */
+extern const struct zs_fast zs_fast_clusters;     /* clusters that cannot be seen are left out, and vertices that only they use */
 extern const struct zs_fast zs_fast_edges;        /* columns of small triangles; nothing on a core that cannot divide */
 extern const struct zs_fast zs_fast_raw;          /* raw shading: test and store in one loop, small triangles in one go */
 extern const struct zs_fast zs_fast_flat;         /* flat shading: the same */
@@ -36,6 +38,7 @@ extern const struct zs_fast zs_fast_565, zs_fast_pal8, zs_fast_pal4; /* loops of
 #if ZS_NO_FAST
 #define ZS_FAST_END 0
 #define ZS_FAST_FRAME 0
+#define ZS_FAST_CLUSTERS 0
 #define ZS_FAST_RAW 0
 #define ZS_FAST_FLAT 0
 #define ZS_FAST_SMOOTH 0
@@ -48,7 +51,8 @@ extern const struct zs_fast zs_fast_565, zs_fast_pal8, zs_fast_pal4; /* loops of
 #define ZS_FAST_ALL 0
 #else
 #define ZS_FAST_END 0
-#define ZS_FAST_FRAME &zs_fast_touch, &zs_fast_tiles, &zs_fast_edges
+#define ZS_FAST_FRAME &zs_fast_batch, &zs_fast_touch, &zs_fast_tiles, &zs_fast_edges
+#define ZS_FAST_CLUSTERS &zs_fast_clusters
 #define ZS_FAST_RAW &zs_fast_raw
 #define ZS_FAST_FLAT &zs_fast_flat
 #define ZS_FAST_SMOOTH &zs_fast_smooth
@@ -59,7 +63,7 @@ extern const struct zs_fast zs_fast_565, zs_fast_pal8, zs_fast_pal4; /* loops of
 #define ZS_FAST_PAL8 &zs_fast_pal8
 #define ZS_FAST_PAL4 &zs_fast_pal4
 #define ZS_FAST_ALL                                                                                               \
-    ZS_FAST_FRAME, ZS_FAST_RAW, ZS_FAST_FLAT, ZS_FAST_SMOOTH, ZS_FAST_TEXTURE, ZS_FAST_TEXTURE_FLAT,              \
+    ZS_FAST_FRAME, ZS_FAST_CLUSTERS, ZS_FAST_RAW, ZS_FAST_FLAT, ZS_FAST_SMOOTH, ZS_FAST_TEXTURE, ZS_FAST_TEXTURE_FLAT,              \
         ZS_FAST_TEXTURE_SMOOTH, ZS_FAST_565, ZS_FAST_PAL8, ZS_FAST_PAL4
 #endif
 

@@ -142,9 +142,6 @@ struct zs_cluster {
                           corners in one place do not count. 0: not known, and the cone is not used */
 };
 
-struct zs_cluster_kernel;
-extern const struct zs_cluster_kernel zs_cluster_kernel; /* linked only where a mesh names it */
-
 /* Triangles over shared vertices. World position of a vertex before its instance's pose:
  * pos * scale, or (pos + pos_lo / 256) * scale where pos_lo is given. */
 struct zs_mesh {
@@ -168,8 +165,6 @@ struct zs_mesh {
                                         size + 3 or more, or texels there swim */
     const struct zs_cluster *cluster; /* [n_clusters], all triangles in order; NULL: not known */
     uint32_t n_clusters;
-    const struct zs_cluster_kernel *cluster_kernel; /* &zs_cluster_kernel: clusters that cannot be seen are left out,
-                                        vertices that only they use too; NULL: none is */
 };
 
 struct zs_shader; /* how a triangle gets its colour: one of the six below */

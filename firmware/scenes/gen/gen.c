@@ -510,7 +510,7 @@ void gen_write(const struct gen_mesh *m, unsigned parts, uint32_t scale)
     fprintf(f, "    .n_verts = %lu,\n    .n_tris = %lu,\n    .scale = %luu,\n",
             (unsigned long)m->n_verts, (unsigned long)m->n_tris, (unsigned long)scale);
     if (n_clusters)
-        fprintf(f, "    .cluster = cluster,\n    .n_clusters = %lu,\n    .cluster_kernel = &zs_cluster_kernel,\n",
+        fprintf(f, "    .cluster = cluster,\n    .n_clusters = %lu,\n",
                 (unsigned long)n_clusters);
     fprintf(f, "    .center = { %lld, %lld, %lld },\n    .radius = %llu,\n};\n",
             (long long)center[0], (long long)center[1], (long long)center[2],

@@ -67,15 +67,11 @@ static ZS_NOINLINE void edge_columns(int16_t *out, int32_t n, const struct zs_ve
     }
 }
 
-void zs_edges_cut(struct zs_job *job, int32_t row)
+void zs_edges_columns(struct zs_job *job, int32_t row)
 {
-    const int32_t mid_right = job->mid_right, end = zs_min32(job->row_end, row + ZS_CUT_ROWS);
+    const int32_t mid_right = job->mid_right, end = job->cut_end;
     const struct zs_vertex *mid = job->v[2 - mid_right];
     int16_t *piece = mid_right ? &job->cut[0].x1 : &job->cut[0].x0;
-    job->row = row;
-    job->cut_end = end;
-    if (job->r->edges && job->r->edges(job, row))
-        return;
     edge_columns(mid_right ? &job->cut[0].x0 : &job->cut[0].x1, end - row, job->v[0], job->v[1 + mid_right], row);
     const int32_t upper = zs_min32(job->row_mid, end) - row; /* rows above the middle vertex */
     if (upper > 0) {

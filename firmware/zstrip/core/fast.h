@@ -46,10 +46,35 @@ struct zs_fast_texel {
     void (*small_lit)(struct zs_job *job, const struct zs_texture *texture, struct zs_texel_rows *rows);
 };
 
+/* Meshes in batches. */
+struct zs_fast_batch {
+    /* Before an instance's triangles are binned: its vertices, where all have room; then sets r->direct. */
+    void (*open)(struct zs_renderer *r);
+    /* Bin triangles [from, end), where r->direct; fate as walk.c counts. Return how far it came: less than end, where a pool is
+     * full, or it declined. */
+    uint32_t (*bin)(struct zs_renderer *r, uint32_t from, uint32_t end, uint32_t *fate);
+    void (*screen)(const struct zs_renderer *r, uint32_t v, uint32_t n, struct zs_vertex *out); /* zs_xform_screen of several */
+};
+
+/* Clusters of a mesh that need not be drawn. */
+struct zs_fast_clusters {
+    /* Find the rows and columns that the walk draws of an instance, to r->edge. Return 0: it need not be drawn, as it is in
+     * none of them. */
+    int (*edges)(struct zs_renderer *r, const struct zs_bounds *b, uint32_t number);
+    /* Fill r->clusters for the instance that r->xform is for. Return 0: there is nothing that could be left out. */
+    int (*open)(struct zs_renderer *r, const struct zs_bounds *b);
+    /* Where vertex v has place vert_base + v: transform those that are needed. Return 0: all are, none is done. */
+    int (*verts)(struct zs_renderer *r);
+    /* The next run of triangles to r->clusters.from and .end. Return 0: there is none. */
+    int (*run)(struct zs_renderer *r);
+};
+
 struct zs_fast {
     /* Of the frame. The first of a list that has a hook serves it. */
     const struct zs_fast_touch *touch;
     const struct zs_fast_tiles *tiles;
+    const struct zs_fast_batch *batch;
+    const struct zs_fast_clusters *clusters;
     int (*edges)(struct zs_job *job, int32_t row); /* zs_edges_cut */
 
     /* Of triangles of one shader. */

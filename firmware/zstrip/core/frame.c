@@ -91,11 +91,15 @@ static ZS_RARE void accelerators(struct zs_renderer *r)
 {
     r->touch = 0;
     r->tiles = 0;
+    r->batch = 0;
+    r->clusters_hooks = 0;
     r->edges = 0;
     for (const struct zs_fast *const *at = r->config.fast; at && *at; at++) {
         const struct zs_fast *fast = *at;
         r->touch = r->touch ? r->touch : fast->touch;
         r->tiles = r->tiles ? r->tiles : fast->tiles;
+        r->batch = r->batch ? r->batch : fast->batch;
+        r->clusters_hooks = r->clusters_hooks ? r->clusters_hooks : fast->clusters;
         r->edges = r->edges ? r->edges : fast->edges;
     }
 }
@@ -238,7 +242,7 @@ int zs_frame_strip(struct zs_renderer *r, struct zs_strip *out)
         else
             zs_raster_clear(r);
         if (r->strip >= r->band_end)
-            zs_bin_walk(r);
+            zs_walk(r);
         zs_raster_strip(r);
         if (r->untouched)
             r->touch->end(r);

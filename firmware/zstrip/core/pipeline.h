@@ -58,19 +58,6 @@ struct zs_track_kernel {
     int (*touches)(const struct zs_renderer *r, uint32_t number, struct zs_part *part);
 };
 
-/* Which clusters of a mesh need not be drawn: of zs_mesh.cluster_kernel. */
-struct zs_cluster_kernel {
-    /* Find the rows and columns that the walk draws of an instance, to r->edge. Return 0: it need not be drawn, as it is in
-     * none of them. */
-    int (*edges)(struct zs_renderer *r, const struct zs_bounds *b, uint32_t number);
-    /* Fill r->clusters for the instance that r->xform is for. Return 0: there is nothing that could be left out. */
-    int (*open)(struct zs_renderer *r, const struct zs_bounds *b);
-    /* Where vertex v has place vert_base + v: transform those that are needed. Return 0: all are, none is done. */
-    int (*verts)(struct zs_renderer *r);
-    /* The next run of triangles to r->clusters.from and .end. Return 0: there is none. */
-    int (*run)(struct zs_renderer *r);
-};
-
 /* Texture coordinates walked along a run: fractions of the texture's size, modulo 1. */
 struct zs_walk {
     uint32_t u, v, du, dv; /* uq0_32 */
@@ -170,9 +157,12 @@ uint32_t zs_xform_outcode(const struct zs_view *view, const struct zs_point *p);
 /* Screen position and depth. Return 1; 0 where the point is before near, beyond far (*out is not of use
  * then) or beside the guard band (*out is then just beside it). The lean build does not say which. */
 int zs_xform_project(const struct zs_renderer *r, const struct zs_point *p, struct zs_vertex *out);
-/* All three for vertices [v, v + n) of the current instance: their places in the pool. One that is not inside near, far and
- * guard has d = ZS_D_OUT + outcode, and a position whose x or y is 2^16 or more away from any other vertex's. */
-void zs_xform_screen(const struct zs_renderer *r, uint32_t v, uint32_t n, struct zs_vertex *out);
+/* The same in place: z is d. */
+int zs_xform_project_at(const struct zs_renderer *r, struct zs_vertex *at);
+/* All three for vertex v of the current instance. One that is not inside near, far and guard has d = ZS_D_OUT + outcode. */
+void zs_xform_screen(const struct zs_renderer *r, uint32_t v, struct zs_vertex *out);
+/* A row of the transform, of a position in 1/256 steps, |p| <= 2^23. */
+int32_t zs_xform_fine(const int32_t row[ZS_ROW_WORDS], const int16_t pos[3], const uint8_t pos_lo[3]);
 
 /* ---- clip.c ----------------------------------------------------------------------------------------- */
 
@@ -188,13 +178,11 @@ struct zs_clip_vertex {
 int zs_clip_polygon(const struct zs_view *view, struct zs_clip_vertex *v, int n, uint32_t planes,
                     uint32_t n_attrs);
 
-/* ---- bin.c ------------------------------------------------------------------------------------------ */
+/* ---- walk.c ----------------------------------------------------------------------------------------- */
 
 /* Walk the scene and bin what lies in strips [r->strip, r->band_end); the band shrinks where the
  * pools are full, and a single strip's triangles are drawn in sets. */
-void zs_bin_walk(struct zs_renderer *r);
-/* Transform vertices [from, from + n) of the current instance to places from `slot` on. */
-void zs_bin_verts(struct zs_renderer *r, uint32_t slot, uint32_t from, uint32_t n);
+void zs_walk(struct zs_renderer *r);
 
 /* ---- raster.c --------------------------------------------------------------------------------------- */
 
@@ -221,8 +209,8 @@ int32_t zs_depth_state_bias(const struct zs_job *job);
 
 /* ---- edges.c ---------------------------------------------------------------------------------------- */
 
-/* Find the spans of rows from `row` on: of ZS_CUT_ROWS, or up to job->row_end. */
-void zs_edges_cut(struct zs_job *job, int32_t row);
+/* Columns of rows [row, job->cut_end), by quotient and remainder. */
+void zs_edges_columns(struct zs_job *job, int32_t row);
 
 /* The span of a row: first sample at or right of its left edge, and of its right edge. */
 struct zs_cut {
@@ -325,6 +313,16 @@ struct zs_job {
     struct zs_plane64 w64;        /* depth that is not linear on the screen: 1/z ... */
     int32_t w64_scale;            /* ... and its scale */
 };
+
+/* Find the spans of rows from `row` on: of ZS_CUT_ROWS, or up to job->row_end. */
+static inline void zs_edges_cut(struct zs_job *job, int32_t row)
+{
+    const struct zs_renderer *r = job->r;
+    job->row = row;
+    job->cut_end = zs_min32(job->row_end, row + ZS_CUT_ROWS);
+    if (!r->edges || !r->edges(job, row))
+        zs_edges_columns(job, row);
+}
 
 /* ---- plane.c ---------------------------------------------------------------------------------------- */
 

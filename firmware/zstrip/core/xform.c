@@ -16,8 +16,6 @@
 
 #define SHIFT_MAX 29 /* keeps t below 2^60, and shift_high 14 */
 #define SPLIT_MAX 15
-#define OUT_Y ((int32_t)1 << 30)
-_Static_assert(OUT_Y - 2 * ZS_GUARD_SUBPX > 65536, "vertices outside must be far from those inside");
 
 
 /* Clip tests that no vertex of the instance can fail are left out. */
@@ -31,7 +29,7 @@ static ZS_RARE void clip_needs(struct zs_xform *xf, const struct zs_renderer *r,
         if (side < c + b->r + b->slack)
             side = c + b->r + b->slack;
     }
-    const int always = ZS_OFF(r, ZS_SKIP_CLIPTEST);
+    const int always = 0;
     xf->clip_depth = always || z0 <= camera->z_near || z1 >= camera->z_far;
     /* |x| * focal <= guard * z; world units and whole pixels, rounded against us */
     const int64_t side_w = (side >> 16) + 1;                           /* <= 2^32 */
@@ -124,21 +122,7 @@ ZS_RARE int zs_xform_instance(struct zs_renderer *r, uint32_t number, const stru
 
 /* ---- Vertices --------------------------------------------------------------------------------------- */
 
-/* Exact, where rows are cut too: with m = high 2^s + low, t = t_high 2^shift + t_low, the sum is
- *   high . p 2^s + (low . p + t_low) + t_high 2^shift
- * and floors follow each other, so zs_row gives the bracket's part above 2^s to the first sum. |bracket| is below
- * 3 * 2^29 + 2^28. With a shift of 15 or less, s is the shift and all is modulo 2^32, as the result is. With a larger one
- * s is 15, and the sum of high fits, below 1.74 * 2^30 + 2^17: a row of the matrix is no longer than 2^30 (1 + 2^-18), p no
- * longer than 2^15 sqrt 3. */
-static void points(const struct zs_xform *xf, uint32_t v, uint32_t n, struct zs_vertex *out)
-{
-    zs_rows(xf->row, xf->instance->mesh->pos[v], &out->x, n);
-}
-_Static_assert(offsetof(struct zs_vertex, x) == 0 && offsetof(struct zs_vertex, y) == 4 && offsetof(struct zs_vertex, d) == 8,
-               "a vertex is three words");
-
-/* The same for positions in 1/256 steps, |p| <= 2^23, in 64 bits. */
-static int32_t fine(const int32_t row[ZS_ROW_WORDS], const int16_t pos[3], const uint8_t pos_lo[3])
+int32_t zs_xform_fine(const int32_t row[ZS_ROW_WORDS], const int16_t pos[3], const uint8_t pos_lo[3])
 {
 #if ZS_ROW_WIDE
     const int32_t shift = row[5], *const m = row;
@@ -155,32 +139,15 @@ static int32_t fine(const int32_t row[ZS_ROW_WORDS], const int16_t pos[3], const
     return (int32_t)(sum >> shift);
 }
 
-static void points_fine(const struct zs_xform *xf, uint32_t v, uint32_t n, struct zs_vertex *out)
-{
-    const struct zs_mesh *mesh = xf->instance->mesh;
-    for (struct zs_vertex *const end = out + n; out != end; out++, v++) {
-        out->x = fine(xf->row, mesh->pos[v], mesh->pos_lo[v]);
-        out->y = fine(xf->row + ZS_ROW_WORDS, mesh->pos[v], mesh->pos_lo[v]);
-        out->d = (uint32_t)fine(xf->row + 2 * ZS_ROW_WORDS, mesh->pos[v], mesh->pos_lo[v]);
-    }
-}
-
-/* Vertices [v, v + n) in camera units: x', y', and z as d. */
-static void transform(const struct zs_xform *xf, uint32_t v, uint32_t n, struct zs_vertex *out)
-{
-    if (xf->instance->mesh->pos_lo)
-        points_fine(xf, v, n, out);
-    else
-        points(xf, v, n, out);
-}
-
 void zs_xform_vertex(const struct zs_xform *xf, uint32_t v, struct zs_point *out)
 {
-    struct zs_vertex at;
-    transform(xf, v, 1, &at);
-    out->c[0] = at.x;
-    out->c[1] = at.y;
-    out->c[2] = (int32_t)at.d;
+    const struct zs_mesh *mesh = xf->instance->mesh;
+    if (!mesh->pos_lo) {
+        zs_rows(xf->row, mesh->pos[v], out->c, 1);
+        return;
+    }
+    for (int k = 0; k < 3; k++)
+        out->c[k] = zs_xform_fine(xf->row + k * ZS_ROW_WORDS, mesh->pos[v], mesh->pos_lo[v]);
 }
 
 /* The largest |x'| and |y'| at distance z > 0 that are inside the guard band. */
@@ -240,14 +207,8 @@ static ZS_NOINLINE int place_wide(const struct zs_view *view, uint32_t rcp, int3
     return sx <= most && sy <= most;
 }
 
-/* |c| * rcp / 2^(33 + down), nearest: the low half of the product cannot carry. |c| <= 2^31, 0 <= down <= 31 */
-static inline uint32_t steps_of(int32_t c, uint32_t rcp, int32_t down)
-{
-    return ((zs_umulh(zs_size32(c), rcp) >> down) + 1u) >> 1;
-}
-
 /* From camera units to the screen, in place: z is d. Return 0: before near, beyond far, or beside the guard band. */
-static ZS_NOINLINE int project(const struct zs_renderer *r, struct zs_vertex *at)
+ZS_NOINLINE int zs_xform_project_at(const struct zs_renderer *r, struct zs_vertex *at)
 {
     const struct zs_view *view = &r->view;
     const struct zs_depth *depth = r->config.depth;
@@ -271,82 +232,14 @@ int zs_xform_project(const struct zs_renderer *r, const struct zs_point *p, stru
     out->x = p->c[0];
     out->y = p->c[1];
     out->d = (uint32_t)p->c[2];
-    return project(r, out);
+    return zs_xform_project_at(r, out);
 }
 
-/* A vertex of the current instance that may be outside, or needs wider products: v is that of `first`. */
-static ZS_NOINLINE void screen_slowly(const struct zs_renderer *r, uint32_t v, const struct zs_vertex *first, struct zs_vertex *at)
+void zs_xform_screen(const struct zs_renderer *r, uint32_t v, struct zs_vertex *out)
 {
-    const struct zs_point p = { { at->x, at->y, (int32_t)at->d } };
-    uint32_t code = 0;
-    if (r->xform.clip_depth | r->xform.clip_guard)
-        code = zs_xform_outcode(&r->view, &p);
-    if (code == 0 && !project(r, at)) /* a sphere that is smaller than its mesh */
-        code = zs_xform_outcode(&r->view, &p);
-    if (code) {
-        at->x = (int32_t)((v + (uint32_t)(at - first)) << 16);
-        at->y = OUT_Y;
-        at->d = ZS_D_OUT + code;
-    }
+    struct zs_point p;
+    zs_xform_vertex(&r->xform, v, &p);
+    const uint32_t code = zs_xform_outcode(&r->view, &p);
+    if (code || !zs_xform_project(r, &p, out)) /* a sphere that is smaller than its mesh */
+        out->d = ZS_D_OUT + (code ? code : zs_xform_outcode(&r->view, &p));
 }
-
-#define NEAR_MIDDLE (1u << 20) /* sub-pixels, a power of two: both ways are tested at once */
-_Static_assert(NEAR_MIDDLE < ZS_GUARD_SUBPX, "inside the guard band");
-
-/* A vertex that lands a step or more inside the guard band is inside it in camera units too: its steps are off by 1/2 and
- * 2^-9. So what may be outside is tested only where it is far from the frame's middle. */
-ZS_ALWAYS_INLINE void screen(const struct zs_renderer *r, uint32_t v, uint32_t n, struct zs_vertex *out, int perspective,
-                             int32_t coarse)
-{
-    const struct zs_view *view = &r->view;
-    const struct zs_depth *depth = r->config.depth;
-    const int32_t cx = view->cx, cy = view->cy;
-    const int32_t shift = perspective ? 30 - view->scale_bits + coarse : view->scale_bits + coarse - 2;
-    const uint32_t most = NEAR_MIDDLE >> coarse;
-    const int32_t z_near = view->z_near;
-    const uint32_t depth_range = (uint32_t)view->z_far - (uint32_t)z_near; /* < 2^31.6 */
-    for (struct zs_vertex *const first = out, *const end = out + n; out != end; out++) {
-        const int32_t x = out->x, y = out->y, z = (int32_t)out->d;
-        if ((uint32_t)z - (uint32_t)z_near > depth_range) {
-            screen_slowly(r, v, first, out);
-            continue;
-        }
-        int32_t lz = 0;
-        uint32_t rcp = 1u << 31;
-        if (perspective) { /* as in project() */
-            lz = zs_clz32((uint32_t)z);
-            rcp = ZS_RECIP_STEPS ? zs_recip_inline((uint32_t)z << lz) : zs_recip16((uint32_t)z << lz);
-        }
-        ZS_NARROW(rcp);
-        const int32_t down = shift - lz;
-        if ((uint32_t)down > 31u) {
-            screen_slowly(r, v, first, out);
-            continue;
-        }
-        const uint32_t sx = steps_of(x, rcp, down), sy = steps_of(y, rcp, down);
-        if ((sx | sy) >= most) {
-            screen_slowly(r, v, first, out);
-            continue;
-        }
-        const int32_t px = (int32_t)(sx << coarse), py = (int32_t)(sy << coarse);
-        out->x = cx + ((px ^ x >> 31) - (x >> 31)); /* with the sign of x */
-        out->y = cy + ((py ^ y >> 31) - (y >> 31));
-        out->d = depth->vertex(view, z, rcp, lz);
-    }
-}
-
-/* An orthographic camera, or fewer sub-pixel bits. */
-static ZS_NOINLINE void screen_any(const struct zs_renderer *r, uint32_t v, uint32_t n, struct zs_vertex *out)
-{
-    screen(r, v, n, out, r->view.perspective, r->view.snap);
-}
-
-void zs_xform_screen(const struct zs_renderer *r, uint32_t v, uint32_t n, struct zs_vertex *out)
-{
-    transform(&r->xform, v, n, out);
-    if (r->view.perspective && r->view.snap == 0)
-        screen(r, v, n, out, 1, 0);
-    else
-        screen_any(r, v, n, out);
-}
-

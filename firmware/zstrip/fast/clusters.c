@@ -44,7 +44,8 @@
  *
  * SPDX-License-Identifier: MIT
  */
-#include "core/pipeline.h"
+#include "fast/screen.h"
+#include "zs_fast.h"
 
 
 #define CLUSTERS_MIN 5u /* in fewer, set-up takes what tests could save */
@@ -106,7 +107,7 @@ static ZS_RARE int cluster_edges(struct zs_renderer *r, const struct zs_bounds *
         r->edge_of[k] = edges[k];
         outside |= along(e->lateral, b->c[k < 2], e->z, b->c[2]) + e->at < -b->r - b->slack;
     }
-    return !outside || r->counting || ZS_OFF(r, ZS_SKIP_ROWS);
+    return !outside || r->counting;
 }
 
 /* ---- Set-up ------------------------------------------------------------------------------------------- */
@@ -186,7 +187,7 @@ static ZS_RARE void cone_open(struct zs_renderer *r, const struct zs_bounds *b, 
     const int32_t cull = r->xform.instance->material->cull;
     int64_t most = 0, all = 0, at[3] = { 0, 0, 0 };
     int32_t shift = 0, v[3];
-    if (cull == ZS_CULL_NONE || ZS_OFF(r, ZS_SKIP_CONE) || view->ratio < ZS_Q30_ONE / 2)
+    if (cull == ZS_CULL_NONE || view->ratio < ZS_Q30_ONE / 2)
         return;
     for (int k = 0; k < 3; k++) {
         const int64_t size = b->c[k] < 0 ? -b->c[k] : b->c[k];
@@ -252,7 +253,7 @@ static ZS_RARE int cluster_open(struct zs_renderer *r, const struct zs_bounds *b
     c->cone = 0;
     zs_cull_axes(axis, in, &r->camera);
     const int cut = r->xform.clip_depth | r->xform.clip_guard;
-    if ((!ZS_OFF(r, ZS_SKIP_CLUSTER) && planes_open(r, b, &by, axis)) || !cut)
+    if (planes_open(r, b, &by, axis) || !cut)
         cone_open(r, b, &by, axis);
     return c->n_planes || c->cone;
 }
@@ -397,7 +398,7 @@ static int cluster_verts(struct zs_renderer *r)
     const struct zs_mesh *mesh = r->xform.instance->mesh;
     const uint32_t n = mesh->n_verts, out = ask(r);
     if (out == 0)
-        r->cluster_kernel = 0;
+        r->by_clusters = 0;
     if (out * 3u < mesh->n_tris)
         return 0;
     mark(r);
@@ -409,10 +410,12 @@ static int cluster_verts(struct zs_renderer *r)
         while (v < n && flag[v])
             v++;
         if (from < v)
-            zs_bin_verts(r, r->vert_base + from, from, v - from);
+            zs_batch_verts(r, r->vert_base + from, from, v - from);
     }
     return 1;
 }
 
-const struct zs_cluster_kernel zs_cluster_kernel = { cluster_edges, cluster_open, cluster_verts, cluster_run };
+static const struct zs_fast_clusters clusters = { .edges = cluster_edges, .open = cluster_open, .verts = cluster_verts,
+                                                  .run = cluster_run };
+const struct zs_fast zs_fast_clusters = { .clusters = &clusters };
 

@@ -1,0 +1,148 @@
+/* The walk of the scene: instances that can be seen, their triangles into bins, and what happens where a pool is full.
+ *
+ * A walk goes on from a cursor - instance, triangle, piece of a clipped one - when there is room again. Where the pools are full
+ * of a single strip, what is binned is drawn into it and the pools are emptied: the least (key, scene order) wins in any number
+ * of sets.
+ *
+ * SPDX-License-Identifier: MIT
+ */
+#include "core/assemble.h"
+
+/* Where a walk is. */
+struct cursor {
+    uint32_t instance, tri, piece;
+    uint8_t open;            /* 1: the instance's triangles are being binned: tri is the next */
+    uint32_t fate[ZS_FATES]; /* what became of them */
+};
+
+static ZS_RARE void count(struct zs_renderer *r, const uint32_t fate[ZS_FATES])
+{
+    struct zs_stats *s = &r->stats;
+    if (!r->counting)
+        return;
+    s->tris_drawn += fate[ZS_FATE_DRAWN];
+    s->tris_offscreen += fate[ZS_FATE_OFFSCREEN];
+    s->tris_facing += fate[ZS_FATE_FACING];
+    s->tris_zero += fate[ZS_FATE_ZERO];
+    s->tris_empty += fate[ZS_FATE_EMPTY];
+    s->tris_near += fate[ZS_FATE_NEAR];
+    s->tris_far += fate[ZS_FATE_FAR];
+    s->tris_index += fate[ZS_FATE_INDEX];
+}
+
+/* Cull an instance, or make r->xform its own. Return 0: nothing of it can be seen, or no strip that shows it is drawn.
+ * Apart, so that its frame is not on the stack below the walk. */
+static ZS_RARE ZS_NOINLINE int instance_open(struct zs_renderer *r, uint32_t number)
+{
+    struct zs_bounds b;
+    const struct zs_instance *in = &r->scene->instance[number];
+    const struct zs_track_kernel *track = r->track;
+    const struct zs_fast_clusters *clusters = in->mesh->cluster ? r->clusters_hooks : 0;
+    struct zs_part part;
+    if (track) {
+        if (!track->touches(r, number, &part))
+            return 0;
+        r->walk_x = part.x;
+        r->walk_end = part.x_end;
+        r->walk_least = (uint16_t)zs_minu32(r->walk_least, part.x);
+        r->walk_most = (uint16_t)zs_maxu32(r->walk_most, part.x_end);
+    }
+    if (zs_cull_walk(&b, r, number))
+        return 0;
+    if (r->large && !in->state && r->tiles->hides_sphere(r, &b)) {
+        r->stats.instances_hidden += r->counting;
+        return 0;
+    }
+    if (clusters && !clusters->edges(r, &b, number))
+        return 0;
+    if (!zs_xform_instance(r, number, &b))
+        return 0;
+    r->clusters.from = r->clusters.end = 0;
+    r->by_clusters = clusters && clusters->open(r, &b);
+    return 1;
+}
+
+/* The next run of triangles of the current instance, [r->clusters.from, r->clusters.end). Return 0: there is none. */
+static ZS_RARE int next_run(struct zs_renderer *r)
+{
+    if (r->by_clusters)
+        return r->clusters_hooks->run(r);
+    r->clusters.from = r->clusters.end;
+    r->clusters.end = r->xform.instance->mesh->n_tris;
+    return r->clusters.from < r->clusters.end;
+}
+
+/* Open the cursor's instance. Return 0: it has nothing to bin. */
+static ZS_RARE int instance_begin(struct zs_renderer *r, struct cursor *at)
+{
+    const uint32_t n = r->scene->instance[at->instance].mesh->n_tris;
+    const int seen = instance_open(r, at->instance);
+    if (r->counting) {
+        r->stats.instances_in++;
+        r->stats.tris_in += n;
+        if (!seen) {
+            r->stats.instances_culled++;
+            r->stats.tris_frustum += n;
+        }
+    }
+    if (!seen)
+        return 0;
+    for (uint32_t k = 0; k < ZS_FATES; k++)
+        at->fate[k] = 0;
+    r->vert_base = r->n_verts;
+    r->direct = 0;
+    if (r->batch)
+        r->batch->open(r);
+    at->piece = 0;
+    if (!next_run(r))
+        return 0;
+    at->tri = r->clusters.from;
+    return 1;
+}
+
+/* Bin the open instance's triangles from the cursor on. Return 0: a pool is full. */
+static ZS_NOINLINE int instance_bin(struct zs_renderer *r, struct cursor *at)
+{
+    do {
+        if (r->batch && r->direct)
+            at->tri = r->batch->bin(r, at->tri, r->clusters.end, at->fate);
+        for (; at->tri < r->clusters.end; at->tri++) {
+            const enum zs_fate fate = zs_assemble_tri(r, at->tri, &at->piece);
+            if (fate == ZS_FATE_FULL)
+                return 0;
+            at->fate[fate]++;
+        }
+        if (!next_run(r))
+            break;
+        at->tri = r->clusters.from;
+    } while (1);
+    count(r, at->fate);
+    return 1;
+}
+
+ZS_RARE void zs_walk(struct zs_renderer *r)
+{
+    struct cursor at;
+    at.open = 0;
+    zs_bin_empty(r);
+    r->band_end = r->draw_end;
+    r->stats.passes++;
+    r->walk_x = r->walk_most = 0;
+    r->walk_end = r->walk_least = r->config.width;
+    for (at.instance = 0; at.instance < r->scene->n_instances;) {
+        if (!at.open)
+            at.open = (uint8_t)instance_begin(r, &at);
+        if (at.open && !instance_bin(r, &at)) {
+            if (!zs_bin_room(r)) {
+                zs_raster_strip(r);
+                zs_bin_empty(r);
+                r->stats.passes++;
+            }
+            continue;
+        }
+        at.open = 0;
+        at.instance++;
+    }
+    zs_bin_count(r);
+    r->counting = 0;
+}

@@ -1,0 +1,250 @@
+/* Meshes in batches: vertices of a mesh transformed in one go, where the pool has room for all; triangles that are turned away
+ * dropped by a loop in 32 bits, before the others are binned.
+ *
+ * SPDX-License-Identifier: MIT
+ */
+#include "core/assemble.h"
+#include "fast/screen.h"
+#include "zs_fast.h"
+
+static inline const int32_t *xy(const struct zs_vertex *v)
+{
+    return (const int32_t *)(const void *)v;
+}
+_Static_assert(offsetof(struct zs_vertex, x) == 0 && offsetof(struct zs_vertex, y) == 4, "x and y come first");
+
+/* ---- Vertices ------------------------------------------------------------------------------------------ */
+
+void zs_batch_verts(struct zs_renderer *r, uint32_t slot, uint32_t from, uint32_t n)
+{
+    zs_bin_mark(r, slot, from, n);
+    zs_screen(r, from, n, &r->vert[slot]);
+}
+
+/* Transform all of the current mesh, where there is room; not what only clusters need that are left out. */
+static void batch_open(struct zs_renderer *r)
+{
+    const uint32_t n = r->xform.instance->mesh->n_verts, room = r->config.max_verts - r->n_verts;
+    if (n > room && n - room <= r->n_verts - r->vert_packed) { /* there may be room */
+        zs_bin_count(r);
+        zs_bin_pack(r);
+    }
+    const uint32_t base = r->n_verts;
+    r->vert_base = base;
+    r->direct = n <= r->config.max_verts - base;
+    if (!r->direct)
+        return;
+    r->n_verts += n;
+    if (!r->by_clusters || !r->clusters_hooks->verts(r))
+        zs_batch_verts(r, base, 0, n);
+}
+
+/* ---- Facing -------------------------------------------------------------------------------------------- */
+
+/* Triangles go through in batches: those that are turned away leave first. */
+#define BATCH 40 /* at most 64 */
+struct batch {
+    const uint16_t (*tri)[3];     /* the batch's first */
+    const struct zs_vertex *pool; /* direct: of vertex 0 */
+    const struct zs_shader *shader;
+    uint32_t n_verts;
+    int32_t away;                 /* times the area: > 0 where the triangle is turned away and that matters */
+    uint32_t *fate;               /* [ZS_FATES]: counts of those that were dropped */
+    uint8_t left[BATCH];          /* the others: 4 * number in the batch, 1 more where it turns counter-clockwise, 2 where
+                                     that is not known */
+};
+
+static ZS_NOINLINE void dropped(struct batch *s, enum zs_fate fate)
+{
+    s->fate[fate]++;
+    s->fate[ZS_FATE_FACING]--; /* reject() counts it there */
+}
+
+/* A triangle that is large, or not wholly inside near, far and guard. Return 0: it lies outside, and is dropped. */
+static ZS_NOINLINE int slow_case(struct batch *s, const uint16_t index[3])
+{
+    const struct zs_vertex *const pool = s->pool;
+    if (index[0] >= s->n_verts || index[1] >= s->n_verts || index[2] >= s->n_verts)
+        return 1;
+    const uint32_t all = pool[index[0]].d & pool[index[1]].d & pool[index[2]].d;
+    if (all <= ZS_D_OUT)
+        return 1;
+    dropped(s, zs_fate_outside(all));
+    return 0;
+}
+
+/* Drop triangles that lie on one side outside, and small ones that are turned away, for which 32 bits are enough. Return how
+ * many are left. Vertices that are not inside near, far and guard need no test of their own: they are too far from all
+ * others for a small triangle (zs_xform_screen). */
+static ZS_NOINLINE uint32_t reject(struct batch *s, uint32_t n)
+{
+    const struct zs_vertex *const pool = s->pool;
+    const uint16_t (*tri)[3] = s->tri;
+    const uint32_t n_verts = s->n_verts;
+    const uint32_t end = 4u * n;
+    uint8_t *out = s->left;
+    for (uint32_t t = 0; t < end; t += 4u, tri++) {
+        const uint32_t i = (*tri)[0], j = (*tri)[1], k = (*tri)[2];
+        uint32_t wide = 1;
+        int32_t area = 0;
+        if (i < n_verts && j < n_verts && k < n_verts)
+            area = zs_area_short(xy(pool + i), xy(pool + j), xy(pool + k), &wide);
+        if (wide) {
+            if (slow_case(s, *tri))
+                *out++ = (uint8_t)(t + 2u);
+        } else if (area == 0) {
+            dropped(s, ZS_FATE_ZERO);
+        } else if (area * s->away <= 0) {
+            *out++ = (uint8_t)(t + ((uint32_t)area >> 31));
+        }
+    }
+    ZS_ANEW(s); /* s->left is found again: no register holds it in the loop */
+    const uint32_t left = (uint32_t)(out - s->left);
+    s->fate[ZS_FATE_FACING] += end / 4u - left;
+    return left;
+}
+
+/* ---- Boxes and bins ------------------------------------------------------------------------------------ */
+
+ZS_ALWAYS_INLINE void turn(struct zs_candidate *at)
+{
+    const uint32_t first = at->slot[0];
+    at->slot[0] = at->slot[1];
+    at->slot[1] = at->slot[2];
+    at->slot[2] = first;
+}
+
+/* As zs_assemble_box, in registers. */
+ZS_ALWAYS_INLINE enum zs_fate box(struct zs_renderer *r, const struct zs_vertex *a, const struct zs_vertex *b,
+                                 const struct zs_vertex *c, struct zs_candidate *at)
+{
+    const int32_t ax = a->x, ay = a->y, bx = b->x, by = b->y, cx = c->x, cy = c->y;
+    int32_t least = ax, most = bx, top = ay, bottom = by;
+    if (by < ay || (by == ay && bx < ax)) {
+        bottom = ay;
+        top = by;
+        turn(at);
+        if (cy < by || (cy == by && cx < bx)) {
+            top = cy;
+            turn(at);
+        } else if (cy > ay) {
+            bottom = cy;
+        }
+    } else if (cy < ay || (cy == ay && cx < ax)) {
+        top = cy;
+        turn(at);
+        turn(at);
+    } else if (cy > by) {
+        bottom = cy;
+    }
+    if (most < least) {
+        least = bx;
+        most = ax;
+    }
+    if (cx < least)
+        least = cx;
+    else if (cx > most)
+        most = cx;
+    const int32_t x0 = zs_first_sample(least), x1 = zs_first_sample(most);
+    const int32_t y0 = zs_first_sample(top), y1 = zs_first_sample(bottom);
+    at->y0 = y0;
+    at->y1 = y1;
+    if (x1 <= r->walk_x || x0 >= r->walk_end || y1 <= 0 || y0 >= r->config.height)
+        return ZS_FATE_OFFSCREEN;
+    if (x0 >= x1 || y0 >= y1)
+        return ZS_FATE_EMPTY;
+    return ZS_FATE_DRAWN;
+}
+
+/* A triangle that faces the eye, of a candidate whose address is not taken: in registers. */
+ZS_ALWAYS_INLINE enum zs_fate bin(struct zs_renderer *r, const struct zs_shader *shader, uint32_t t, struct zs_candidate *at)
+{
+    const enum zs_fate fate = box(r, &r->vert[at->slot[0]], &r->vert[at->slot[1]], &r->vert[at->slot[2]], at);
+    if (fate != ZS_FATE_DRAWN)
+        return fate;
+    const uint32_t strip = zs_bin_first(r, at->y0, at->y1);
+    if (strip == ZS_NIL)
+        return fate;
+    if (r->n_tris == r->config.max_tris)
+        return ZS_FATE_FULL;
+    if (shader->vertex) {
+        const uint32_t attrs = r->config.attrs;
+        zs_bin_corner(r, at->slot[0], attrs);
+        zs_bin_corner(r, at->slot[1], attrs);
+        zs_bin_corner(r, at->slot[2], attrs);
+    }
+    zs_bin_push(r, at->slot, shader->face ? shader->face(r, t) : 0u, strip);
+    return ZS_FATE_DRAWN;
+}
+
+/* What is left of a batch from triangle `from` on. Return how many of them are binned; fewer than n: a pool is full. */
+static uint32_t bin_all(struct zs_renderer *r, const struct batch *s, uint32_t from, uint32_t n, uint32_t fate[ZS_FATES])
+{
+    const uint32_t base = r->vert_base;
+    for (const uint8_t *left = s->left, *const end = left + n; left < end; left++) {
+        const uint32_t what = *left, t = from + what / 4u;
+        uint32_t piece = 0;
+        enum zs_fate f;
+        if (what & 2u) {
+            f = zs_assemble_tri(r, t, &piece);
+        } else {
+            const uint16_t *index = s->tri[what / 4u];
+            const uint32_t second = base + index[1], third = base + index[2];
+            struct zs_candidate at;
+            at.slot[0] = base + index[0];
+            at.slot[1] = what & 1u ? third : second;
+            at.slot[2] = what & 1u ? second : third;
+            f = bin(r, s->shader, t, &at);
+        }
+        if (f == ZS_FATE_FULL)
+            return (uint32_t)(left - s->left);
+        fate[f]++;
+    }
+    return n;
+}
+
+/* Triangles of up to 128 px are not asked what they hide (zs_fast_tiles.cover). In a small frame, these are. */
+static int asked(const struct zs_renderer *r, const struct zs_mesh *mesh)
+{
+    return r->tiles && r->config.width <= 160u && mesh->n_tris <= BATCH;
+}
+
+/* A batch went only as far as triangle t: what was dropped from it on is not counted. */
+static ZS_RARE ZS_NOINLINE void drop_less(struct batch *s, uint32_t from, uint32_t n, uint32_t t, uint32_t fate[ZS_FATES])
+{
+    uint32_t less[ZS_FATES] = { 0 };
+    s->fate = less;
+    s->tri += t - from;
+    (void)reject(s, from + n - t);
+    for (uint32_t k = 0; k < ZS_FATES; k++)
+        fate[k] -= less[k];
+}
+
+static ZS_NOINLINE uint32_t batch_bin(struct zs_renderer *r, uint32_t from, uint32_t end, uint32_t fate[ZS_FATES])
+{
+    const struct zs_instance *in = r->xform.instance;
+    const struct zs_mesh *mesh = in->mesh;
+    const uint32_t cull = in->material->cull;
+    struct batch s;
+    if (asked(r, mesh))
+        return from;
+    s.n_verts = mesh->n_verts;
+    s.away = cull == ZS_CULL_BACK ? 1 : cull == ZS_CULL_FRONT ? -1 : 0;
+    s.fate = fate;
+    s.shader = in->material->shader;
+    s.pool = &r->vert[r->vert_base];
+    for (; from < end; from += BATCH) {
+        const uint32_t n = zs_minu32(end - from, BATCH);
+        s.tri = mesh->tri + from;
+        const uint32_t left = reject(&s, n), done = bin_all(r, &s, from, left, fate);
+        if (done < left) {
+            const uint32_t t = from + s.left[done] / 4u;
+            drop_less(&s, from, n, t, fate);
+            return t;
+        }
+    }
+    return end;
+}
+
+static const struct zs_fast_batch batch = { .open = batch_open, .bin = batch_bin, .screen = zs_screen };
+const struct zs_fast zs_fast_batch = { .batch = &batch };
