@@ -271,24 +271,6 @@ extern const struct zs_depth zs_depth_e5m11; /* to all distances */
  * orthographic cameras, which take zs_depth_linear alone (else ZS_ERR_DEPTH). NUMERICS.md has the measurements. */
 extern const struct zs_depth zs_depth_float;
 
-/* Work that is left out where it cannot change the picture. All are on unless named in
- * config.skip_off; switching one off costs time and changes no bit of the frame. */
-enum zs_skip {
-    ZS_SKIP_FRUSTUM = 1,  /* instances whose sphere is outside the view */
-    ZS_SKIP_CLIPTEST = 2, /* clip tests of instances whose sphere is inside near, far and guard */
-    ZS_SKIP_EMPTY = 4,    /* triangles whose bounding box holds no sample */
-    ZS_SKIP_VCACHE = 8,   /* transforming a vertex again that is still in the pool */
-    ZS_SKIP_BINS = 16,    /* walking the scene again for every strip */
-    ZS_SKIP_HIDDEN = 32,  /* triangles behind large ones that cover their part of a strip */
-    ZS_SKIP_CLEAR = 64,   /* clearing pixels that wide triangles are drawn on first */
-    ZS_SKIP_TEST = 128,   /* comparing keys where nothing was drawn before */
-    ZS_SKIP_BEHIND = 256, /* instances whose box lies behind large triangles of what is drawn before them */
-    ZS_SKIP_CLUSTER = 512, /* clusters whose sphere is outside the view, or what is to be drawn of it */
-    ZS_SKIP_CONE = 1024,  /* clusters that turn their backs */
-    ZS_SKIP_ROWS = 2048,  /* second walks: meshes with clusters whose sphere is outside the strips to be drawn */
-    ZS_SKIP_ALL = 4095
-};
-
 struct zs_fast;
 
 struct zs_config {
@@ -300,7 +282,6 @@ struct zs_config {
     uint8_t buffers;        /* strip buffers, 1 or 2 */
     uint8_t subpixel_bits;  /* 8 or 4 */
     uint8_t depth_bits;     /* 8 .. 16 */
-    uint16_t skip_off;      /* enum zs_skip, or-ed; 0 in production */
     const struct zs_depth *depth;
     const struct zs_fast *const *fast; /* accelerators, the last one NULL (zs_fast.h); kept by the caller; NULL: none */
 };

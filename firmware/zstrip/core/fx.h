@@ -61,9 +61,6 @@ typedef int32_t q24_8; /* screen x, y, px */
 #define ZS_NOINLINE
 #endif
 
-/* 1: a piece of work that is not left out (enum zs_skip), for tests. */
-#define ZS_OFF(r, skip) ((r)->config.skip_off & (skip))
-
 /* Two 16-bit values at a time, in memory that is otherwise used as uint16_t. */
 #if defined(__GNUC__)
 typedef uint32_t __attribute__((may_alias)) zs_pair;
