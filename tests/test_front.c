@@ -163,7 +163,7 @@ static void what_is_apart_is_put_in_order(void **state)
     assert_int_equal(row_of(9, -900, dense, smooth, 0).instances_earlier, 0);      /* some are behind the eye */
 }
 
-const struct CMUnitTest tests[] = {
+static const struct CMUnitTest tests[] = {
     cmocka_unit_test(the_frame_is_the_scenes),
     cmocka_unit_test(what_is_apart_is_put_in_order),
 };
