@@ -8,19 +8,28 @@ MODEL = $(wildcard sim/panel_model/*.c) sim/panel_bus.c hal/fault/fault.c
 TEST_HELP = $(filter-out $(TESTS) tests/checksum.c,$(wildcard tests/*.c))
 t = $(patsubst %.c,$(B)/test/%.o,$(1))
 
-test-programs: $(patsubst tests/%.c,$(B)/test/%,$(TESTS)) $(B)/test/test_xform_narrow $(B)/test/zsim checksum-programs
+# Unit tests by name
+UNITS = $(TESTS:tests/%.c=%) test_xform_narrow
 
-$(B)/test/%.o: %.c $(HEADERS) $(B)/gen/meshes.h
+unit-programs: $(UNITS:%=$(B)/test/%)
+	@:
+test-programs: unit-programs $(B)/test/zsim checksum-programs
+.PHONY: unit-programs
+
+TEST_NOTE := $(call note,$(B)/test/cc,$(TEST_CC))
+$(B)/test/%.o: %.c $(TEST_NOTE) | $(B)/gen/meshes.h
 	@mkdir -p $(@D)
-	@$(TEST_CC) -c $< -o $@
+	@$(TEST_CC) $(DEP) -c $< -o $@
 $(B)/test/libtest.a: $(call t,$(CORE) $(SCENES) $(PANELS) $(MODEL) $(TEST_HELP))
 	@rm -f $@ && ar rcs $@ $^
 $(B)/test/test_%: $(B)/test/tests/test_%.o $(B)/test/libtest.a $(B)/libmeshes.a
 	@$(CC) $(SAN) -Wl,--start-group $^ -Wl,--end-group -lcmocka -lm -o $@
 # The same with the rows of a matrix as cores have them that do not add products to 64 bits (wide.h)
-$(B)/test/test_xform_narrow: tests/test_xform.c $(CORE) $(TEST_HELP) $(HEADERS)
+$(B)/test/narrow/%.o: %.c $(TEST_NOTE)
 	@mkdir -p $(@D)
-	@$(TEST_CC) -DZS_ROW_WIDE=0 $(filter %.c,$^) -lcmocka -lm -o $@
+	@$(TEST_CC) -DZS_ROW_WIDE=0 $(DEP) -c $< -o $@
+$(B)/test/test_xform_narrow: $(patsubst %.c,$(B)/test/narrow/%.o,tests/test_xform.c $(CORE) $(TEST_HELP))
+	@$(CC) $(SAN) $^ -lcmocka -lm -o $@
 $(B)/test/test_counts: $(call t,sim/counts.c sim/frame.c sim/share.c sim/sim.c)
 $(B)/test/test_threads $(B)/test/test_golden: $(call t,sim/frame.c sim/share.c sim/sim.c)
 $(B)/test/zsim: $(call t,$(SIM)) $(B)/test/libtest.a $(B)/libmeshes.a
@@ -28,10 +37,11 @@ $(B)/test/zsim: $(call t,$(SIM)) $(B)/test/libtest.a $(B)/libmeshes.a
 
 # firmware/app/pair.c, each of whose accesses to memory is a call into test_pair.c, which has neither renderer nor HAL
 $(B)/test/test_pair: SAN =
-$(B)/test/test_pair: tests/test_pair.c firmware/app/pair.c $(HEADERS)
+$(B)/test/test_pair: tests/test_pair.c firmware/app/pair.c $(TEST_NOTE)
 	@mkdir -p $(@D)
-	@$(TEST_CC) -Ifirmware/app -fsanitize=thread -c firmware/app/pair.c -o $@.pair.o
-	@$(TEST_CC) -Ifirmware/app $< $@.pair.o -lcmocka -o $@
+	@$(TEST_CC) -Ifirmware/app $(DEP) -MT $@ -fsanitize=thread -c firmware/app/pair.c -o $@.pair.o
+	@$(TEST_CC) -Ifirmware/app $(DEP) -MT $@ -MF $@.d $< $@.pair.o -lcmocka -o $@
+-include $(wildcard $(B)/test/test_pair*.d)
 
 # With LEAN=1, into a folder of its own: what draws pictures and looks into nothing that the lean build has not
 LEAN_TESTS = api color depth fx invariance orders raster reach stress texture track watch
@@ -69,9 +79,9 @@ $(FUZZ_TARGETS:%=$(B)/fuzz/%): $(B)/fuzz/%: $(B)/test/tests/fuzz/%.o $(call t,$(
                                             $(call fuzz_objects,drive input replay said) $(B)/libmeshes.a
 	@mkdir -p $(@D)
 	@$(CC) $(SAN) -Wl,--start-group $^ -Wl,--end-group $(LIBS) -o $@
-$(B)/fuzz/clang/%.o: %.c $(HEADERS) $(B)/gen/meshes.h
+$(B)/fuzz/clang/%.o: %.c $(TEST_NOTE) | $(B)/gen/meshes.h
 	@mkdir -p $(@D)
-	@$(subst $(CC) ,clang ,$(TEST_CC)) -fsanitize=fuzzer-no-link -c $< -o $@
+	@$(subst $(CC) ,clang ,$(TEST_CC)) -fsanitize=fuzzer-no-link $(DEP) -c $< -o $@
 $(FUZZ_TARGETS:%=$(B)/fuzz/lf_%): $(B)/fuzz/lf_%: $(B)/fuzz/clang/tests/fuzz/%.o $(B)/fuzz/clang/tests/fuzz/said.o \
     $(patsubst %.c,$(B)/fuzz/clang/%.o,$(FUZZ_SIM) $(MODEL) $(CORE) $(SCENES) $(PANELS)) $(B)/libmeshes.a
 	@clang $(SAN) -fsanitize=fuzzer $^ $(LIBS) -o $@
@@ -99,6 +109,7 @@ $(B)/stress/san: $(STRESS) $(B)/stress/oracle.o $(HEADERS)
 	    -lm -o $@
 $(B)/stress/fast: $(STRESS) $(B)/stress/oracle.o $(HEADERS)
 	@$(STRESS_CC) $(STRESS) $(B)/stress/oracle.o -lm -o $@
+
 # Mutants (tests/mutate): the units that run the renderer, as in make test but, by B and SAN, without sanitizers, all in
 # one program
 MUTATE_TESTS = $(filter-out test_linux test_pair test_panel%,$(TESTS:tests/%.c=%))
