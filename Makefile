@@ -92,7 +92,7 @@ complexity:
 
 ## mutate: MUTANTS=300 of the renderer, SEED=1: which of them the unit tests catch; goes on where it was stopped
 mutate: $(B)/.setup-test
-	@$(MAKE) --no-print-directory B=$(B)/mutate/plain SAN= mutate-objects
+	@$(MAKE) --no-print-directory B=$(B)/mutate/plain SAN= mutate-link
 	@node tests/mutate/mutate.mjs $(B) $(MUTANTS) $(SEED)
 
 ## bench: what frames take and how exact they are: instructions on Cortex-M0 to M7, RISC-V and here, cycles on an RP2040

@@ -13,9 +13,10 @@ UNITS = $(TESTS:tests/%.c=%) test_xform_narrow
 
 unit-programs: $(UNITS:%=$(B)/test/%)
 	@:
-test-programs: unit-programs $(B)/test/zsim checksum-programs
+test-programs: unit-programs $(B)/test/zsim checksum-programs mutate-link
 .PHONY: unit-programs
 
+.SECONDARY: $(call t,$(TESTS))
 TEST_NOTE := $(call note,$(B)/test/cc,$(TEST_CC))
 $(B)/test/%.o: %.c $(TEST_NOTE) | $(B)/gen/meshes.h
 	@mkdir -p $(@D)
@@ -111,17 +112,28 @@ $(B)/stress/fast: $(STRESS) $(B)/stress/oracle.o $(HEADERS)
 	@$(STRESS_CC) $(STRESS) $(B)/stress/oracle.o -lm -o $@
 
 # Mutants (tests/mutate): the units that run the renderer, as in make test but, by B and SAN, without sanitizers, all in
-# one program
+# one program; make test links it as well
 MUTATE_TESTS = $(filter-out test_linux test_pair test_panel%,$(TESTS:tests/%.c=%))
 MUTATE_SIM = sim/counts.c sim/frame.c sim/share.c sim/sim.c
 mutate-settings:
 	$(info tests $(MUTATE_TESTS))
 	$(info sources $(SCENES) $(TEST_HELP) $(MUTATE_SIM))
 	$(info cc $(TEST_CC))
-	$(info link $(CC) -Wl,--wrap=_cmocka_run_group_tests -Wl,--start-group OBJECTS $(call t,$(MUTATE_SIM)) $(B)/test/libtest.a \
-	    $(B)/libmeshes.a -Wl,--end-group -lcmocka -lm -pthread -o OUT)
+	$(info link $(call mutate_link,OBJECTS,OUT))
 	@:
-mutate-objects: $(call t,$(MUTATE_TESTS:%=tests/%.c) $(MUTATE_SIM)) $(B)/test/libtest.a $(B)/libmeshes.a
-.PHONY: mutate-settings mutate-objects
+mutate_link = $(CC) $(SAN) -Wl,--wrap=_cmocka_run_group_tests -Wl,--start-group $1 $(call t,$(MUTATE_SIM)) \
+    $(B)/test/libtest.a $(B)/libmeshes.a -Wl,--end-group -lcmocka -lm -pthread -o $2
+mutate-link: $(B)/test/mutate/runner
+	@:
+MUTATE_MAINS := $(call note,$(B)/test/mutate/programs.h,$(patsubst %,PROGRAM(%),$(MUTATE_TESTS)))
+$(B)/test/mutate/runner.o: tests/mutate/runner.c $(MUTATE_MAINS) $(TEST_NOTE)
+	@$(TEST_CC) -I$(B)/test/mutate -c $< -o $@
+$(B)/test/mutate/tests/%.o: $(B)/test/tests/%.o # each main by a name of its own
+	@mkdir -p $(@D)
+	@objcopy --redefine-sym main=main_$* $< $@
+$(B)/test/mutate/runner: $(B)/test/mutate/runner.o $(MUTATE_TESTS:%=$(B)/test/mutate/tests/%.o) $(call t,$(MUTATE_SIM)) \
+                         $(B)/test/libtest.a $(B)/libmeshes.a
+	@$(call mutate_link,$(filter $(B)/test/mutate/%,$^),$@)
+.PHONY: mutate-settings mutate-link
 coverage-programs: $(filter-out %/test_linux %/test_pair,$(TESTS:tests/%.c=$(B)/test/%))
 .PHONY: coverage-programs
