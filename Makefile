@@ -61,6 +61,16 @@ test: $(B)/.setup-test
 	@$(MAKE) --no-print-directory -j2 B=$(B)/lean LEAN=1 lean-programs
 	@sh tests/run.sh $(B)
 
+## quick: every unit test, for after each change: without AddressSanitizer, of UBSan what is cheap; half a minute
+quick: $(B)/.setup-test
+	@$(MAKE) --no-print-directory -j2 B=$(B)/quick SAN='$(SAN_QUICK)' unit-programs mutate-link
+	@sh tests/quick.sh $(B)/quick $(UNITS)
+## t: T=raster: the unit tests whose name holds that, as make test has them
+t: $(B)/.setup-test
+	$(if $(UNITS_T),,$(error T=$(T): no unit test's name holds that; there are $(UNITS:test_%=%)))
+	@$(MAKE) --no-print-directory -j2 $(UNITS_T:%=$(B)/test/%)
+	@sh tests/quick.sh $(B) $(UNITS_T)
+
 ## fuzz: each of the five fuzzers for SECONDS=600, two side by side, from SEED=1
 fuzz: $(B)/.setup-fuzz
 	@$(MAKE) --no-print-directory -j2 fuzz-programs lib-fuzz-programs
@@ -196,7 +206,7 @@ help:
 	@echo 'Boards, BOARD=:'
 	@for mk in firmware/boards/*/board.mk; do b=$${mk%/board.mk}; \
 	    printf '    %-10s %s\n' "$${b##*/}" "$$(sed -n 's/^BOARD_ABOUT = //p' $$mk)"; done
-.PHONY: all demo test report study-variants accuracy fuzz stress stress-record bench bench-record scale costs costs-record still cull checksums depth firmware pico boards \
+.PHONY: all demo test quick t report study-variants accuracy fuzz stress stress-record bench bench-record scale costs costs-record still cull checksums depth firmware pico boards \
         profile sim linux linux-sources pictures size stack check clean help test-programs fuzz-programs lib-fuzz-programs \
         stress-programs prove coverage complexity mutate
 

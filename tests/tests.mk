@@ -1,6 +1,8 @@
 # The test programs: every tests/test_*.c, with the helpers beside it, the core, the scenes, the panels and their
 # models, under ASan and UBSan and with the kernels' preconditions checked. zsim is built like that too.
 SAN = -fsanitize=address,undefined -fno-sanitize-recover=all
+# make quick: optimised, with what costs next to nothing; where it fails is a signal
+SAN_QUICK = -O2 -fsanitize=signed-integer-overflow,shift,bounds,integer-divide-by-zero -fsanitize-undefined-trap-on-error
 TEST_CC = $(CC) -std=gnu11 -O1 -g $(SAN) -Wall -Wextra -Werror -Wshadow -Wno-missing-field-initializers $(INC) -Itests \
           -DZS_STATS=1 '-DZS_ASSERT(c)=((c)?(void)0:__builtin_trap())' $(LEAN:1=-DZS_LEAN=1)
 TESTS = $(wildcard tests/test_*.c)
@@ -8,8 +10,9 @@ MODEL = $(wildcard sim/panel_model/*.c) sim/panel_bus.c hal/fault/fault.c
 TEST_HELP = $(filter-out $(TESTS) tests/checksum.c,$(wildcard tests/*.c))
 t = $(patsubst %.c,$(B)/test/%.o,$(1))
 
-# Unit tests by name
+# Unit tests by name, and those that T= names
 UNITS = $(TESTS:tests/%.c=%) test_xform_narrow
+UNITS_T = $(strip $(if $(T),$(foreach u,$(UNITS),$(if $(findstring $(T),$(u)),$(u)))))
 
 unit-programs: $(UNITS:%=$(B)/test/%)
 	@:
@@ -37,7 +40,7 @@ $(B)/test/zsim: $(call t,$(SIM)) $(B)/test/libtest.a $(B)/libmeshes.a
 	@$(CC) $(SAN) -Wl,--start-group $^ -Wl,--end-group $(LIBS) -o $@
 
 # firmware/app/pair.c, each of whose accesses to memory is a call into test_pair.c, which has neither renderer nor HAL
-$(B)/test/test_pair: SAN =
+$(B)/test/test_pair: override SAN =
 $(B)/test/test_pair: tests/test_pair.c firmware/app/pair.c $(TEST_NOTE)
 	@mkdir -p $(@D)
 	@$(TEST_CC) -Ifirmware/app $(DEP) -MT $@ -fsanitize=thread -c firmware/app/pair.c -o $@.pair.o
