@@ -18,6 +18,12 @@ LINUX_SIM = $(wildcard sim/panel_model/*.c) sim/option_table.c sim/panel_bus.c s
 HEADERS = $(wildcard firmware/*/*.h firmware/zstrip/*/*.h firmware/scenes/gen/*.h hal/*.h hal/*/*.h sim/*.h sim/*/*.h tests/*.h tests/*/*.h)
 LIBS = -lassimp -lmeshoptimizer -lpng -lturbojpeg -lm -pthread
 
+# An object depends on the headers that it includes, as the compiler noted them beside it (.d; HEADERS are for what is
+# compiled of many files at once), and on a note of its compiler's options, written anew where they change
+DEP = -MMD -MP
+same = $(and $(findstring <$1>,<$2>),$(findstring <$2>,<$1>))
+note = $(if $(call same,$(strip $(file <$1)),$(strip $2)),,$(shell mkdir -p $(dir $1))$(file >$1,$2))$1
+
 # Debian packages: what the simulator and zstrip-linux are built from, and what tests and fuzzers need besides
 PKG_SIM = gcc libc6-dev libassimp-dev libmeshoptimizer-dev libpng-dev libturbojpeg0-dev
 PKG_LINUX = $(PKG_SIM) libgpiod-dev pkg-config
@@ -55,6 +61,16 @@ test: $(B)/.setup-test
 	@$(MAKE) --no-print-directory -j2 B=$(B)/lean LEAN=1 lean-programs
 	@sh tests/run.sh $(B)
 
+## quick: every unit test, for after each change: without AddressSanitizer, of UBSan what is cheap; half a minute
+quick: $(B)/.setup-test
+	@$(MAKE) --no-print-directory -j2 B=$(B)/quick SAN='$(SAN_QUICK)' unit-programs mutate-link
+	@sh tests/quick.sh $(B)/quick $(UNITS)
+## t: T=raster: the unit tests whose name holds that, as make test has them
+t: $(B)/.setup-test
+	$(if $(UNITS_T),,$(error T=$(T): no unit test's name holds that; there are $(UNITS:test_%=%)))
+	@$(MAKE) --no-print-directory -j2 $(UNITS_T:%=$(B)/test/%)
+	@sh tests/quick.sh $(B) $(UNITS_T)
+
 ## fuzz: each of the five fuzzers for SECONDS=600, two side by side, from SEED=1
 fuzz: $(B)/.setup-fuzz
 	@$(MAKE) --no-print-directory -j2 fuzz-programs lib-fuzz-programs
@@ -86,7 +102,7 @@ complexity:
 
 ## mutate: MUTANTS=300 of the renderer, SEED=1: which of them the unit tests catch; goes on where it was stopped
 mutate: $(B)/.setup-test
-	@$(MAKE) --no-print-directory B=$(B)/mutate/plain SAN= mutate-objects
+	@$(MAKE) --no-print-directory B=$(B)/mutate/plain SAN= mutate-link
 	@node tests/mutate/mutate.mjs $(B) $(MUTANTS) $(SEED)
 
 ## bench: what frames take and how exact they are: instructions on Cortex-M0 to M7, RISC-V and here, cycles on an RP2040
@@ -190,7 +206,7 @@ help:
 	@echo 'Boards, BOARD=:'
 	@for mk in firmware/boards/*/board.mk; do b=$${mk%/board.mk}; \
 	    printf '    %-10s %s\n' "$${b##*/}" "$$(sed -n 's/^BOARD_ABOUT = //p' $$mk)"; done
-.PHONY: all demo test report study-variants accuracy fuzz stress stress-record bench bench-record scale costs costs-record still cull checksums depth firmware pico boards \
+.PHONY: all demo test quick t report study-variants accuracy fuzz stress stress-record bench bench-record scale costs costs-record still cull checksums depth firmware pico boards \
         profile sim linux linux-sources pictures size stack check clean help test-programs fuzz-programs lib-fuzz-programs \
         stress-programs prove coverage complexity mutate
 
@@ -213,26 +229,32 @@ $(B)/.setup-fuzz:
 	@mkdir -p $(B) && .ci/setup $(PKG_FUZZ) && touch $@ $(B)/.setup-test $(B)/.setup-linux $(B)/.setup-sim
 
 # Meshes: written by a generator, built into one archive
-$(B)/gen_meshes: $(GEN) $(CORE) $(HEADERS)
+$(B)/gen_meshes: $(GEN) $(CORE) $(filter firmware/zstrip/% firmware/scenes/%,$(HEADERS))
 	@mkdir -p $(B)
 	@$(CC) -std=c11 $(CFLAGS) $(WARN) $(INC) $(GEN) $(CORE) -o $@
-$(B)/gen/meshes.h: $(B)/gen_meshes
-	@mkdir -p $(B)/gen
+$(B)/gen/made: $(B)/gen_meshes
+	@rm -rf $(B)/gen/new && mkdir -p $(B)/gen/new
 	@echo 'meshes: $(B)/gen'
-	@$< $(B)/gen >$(B)/gen/meshes.txt
+	@$< $(B)/gen/new >$(B)/gen/new/meshes.txt
+	@cd $(B)/gen/new && for f in *; do cmp -s $$f ../$$f || { mv * ..; break; }; done # as old as what is in them
+	@rm -r $(B)/gen/new && touch $@
+$(B)/gen/meshes.h: $(B)/gen/made
+	@:
 $(B)/libmeshes.a: $(B)/gen/meshes.h
 	@cd $(B)/gen && $(CC) -std=c11 -O1 -I$(CURDIR)/firmware/zstrip -c mesh_*.c
 	@rm -f $@ && ar rcs $@ $(B)/gen/mesh_*.o
 
 # Rows of studies say which sources they were measured with
-$(B)/gen/study_build.h: $(CORE) $(SCENES) $(wildcard sim/*.c sim/reference/*.c) $(GEN) $(HEADERS)
+$(B)/gen/study_build.h: $(CORE) $(SCENES) $(wildcard sim/*.c sim/reference/*.c) $(GEN) $(filter-out tests/%,$(HEADERS))
 	@mkdir -p $(B)/gen
 	@cat $^ | cksum | awk '{ printf "#define STUDY_BUILD \"%08x\"\n", $$1 }' >$@
-$(B)/sim/sim/study.o $(B)/test/sim/study.o: $(B)/gen/study_build.h
+$(B)/sim/sim/study.o $(B)/test/sim/study.o $(B)/fuzz/clang/sim/study.o: $(B)/gen/study_build.h
 
-$(B)/sim/%.o: %.c $(HEADERS) $(B)/gen/meshes.h
+SIM_CC = $(CC) -std=gnu11 $(CFLAGS) $(WARN) $(INC) -DZS_STATS=1
+SIM_NOTE := $(call note,$(B)/sim/cc,$(SIM_CC))
+$(B)/sim/%.o: %.c $(SIM_NOTE) | $(B)/gen/meshes.h
 	@mkdir -p $(@D)
-	@$(CC) -std=gnu11 $(CFLAGS) $(WARN) $(INC) -DZS_STATS=1 -c $< -o $@
+	@$(SIM_CC) $(DEP) -c $< -o $@
 $(B)/zsim: $(patsubst %.c,$(B)/sim/%.o,$(CORE) $(SCENES) $(PANELS) $(SIM)) $(B)/libmeshes.a
 	@$(CC) $(CFLAGS) $^ $(LIBS) -o $@
 	@echo 'built $@'
@@ -248,9 +270,9 @@ STUDY_OF = $(patsubst %.c,$(1)/%.o,$(CORE) sim/study_time.c)
 STUDY_REST = $(patsubst %.c,$(B)/sim/%.o,$(SCENES) $(PANELS) $(filter-out sim/study_time.c,$(SIM))) $(B)/libmeshes.a
 study-variants: $(STUDY_BUILDS:%=$(B)/study/%/zsim)
 define study_build
-$(B)/study/$(1)/%.o: %.c $(HEADERS) $(B)/gen/meshes.h
+$(B)/study/$(1)/%.o: %.c $(SIM_NOTE) | $(B)/gen/meshes.h
 	@mkdir -p $$(@D)
-	@$(CC) -std=gnu11 $(CFLAGS) $(WARN) $(INC) -DZS_STATS=1 -DZS_STUDY=1 $(STUDY_$(1)) -c $$< -o $$@
+	@$(SIM_CC) -DZS_STUDY=1 $(STUDY_$(1)) $(DEP) -c $$< -o $$@
 $(B)/study/$(1)/zsim: $(call STUDY_OF,$(B)/study/$(1)) $(STUDY_REST)
 	@$(CC) $(CFLAGS) $$^ $(LIBS) -o $$@
 	@echo 'built $$@'
@@ -267,3 +289,5 @@ linux-sources:
 	@echo $(CORE) $(SCENES) $(PANELS) $(LINUX_SIM) $(LINUX)
 
 include tests/tests.mk
+-include $(foreach at,sim test test/narrow fuzz/clang study/*,$(foreach of,firmware hal sim tests,\
+    $(wildcard $(addprefix $(B)/$(at)/$(of)/,*.d */*.d */*/*.d))))

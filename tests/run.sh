@@ -2,6 +2,7 @@
 # Run every test that `make test` has built, two side by side, show each by its name, and end with what was skipped and
 # "N passed, N failed".
 # Usage: tests/run.sh BUILD [PATTERN]          only the programs and scripts whose name holds PATTERN
+#        tests/run.sh BUILD '' names            what there is
 #        tests/run.sh BUILD PATTERN lane LANE   one of the two, host or boards: of use to this script alone
 set -u
 cd "$(dirname "$0")/.." || exit 1
@@ -9,25 +10,11 @@ build=$1
 only=${2:-}
 logs=$build/test/logs
 skipped=$logs/skipped.txt
-mkdir -p "$logs"
-[ "${3:-}" = lane ] || rm -f "$logs"/counts.*
-ASAN_OPTIONS=detect_leaks=1
-LSAN_OPTIONS=suppressions=tests/lsan.txt:print_suppressions=0
-export ASAN_OPTIONS LSAN_OPTIONS
+mode=${3:-}
+. tests/tally.sh
 
-# Count lines of a log: ok and FAILED from scripts, [  OK ] and [ FAILED ] from cmocka. A program that
-# ends badly without having said so is a failure of its own.
-tally() { # NAME LOG STATUS
-    ok=$(grep -cE '^(ok |\[ +OK \])' "$2")
-    bad=$(grep -E '^(FAILED |\[  FAILED  \] [a-z0-9_]+$)' "$2" | sort -u | wc -l) # cmocka says it twice
-    if [ "$3" -ne 0 ] && [ "$bad" -eq 0 ]; then
-        echo "FAILED $1: ended with status $3" >>"$2"
-        bad=1
-    fi
-    if [ "$3" -eq 0 ] && [ "$ok" -eq 0 ] && [ "$bad" -eq 0 ]; then
-        echo "FAILED $1: ran no test" >>"$2"
-        bad=1
-    fi
+tell() { # NAME LOG STATUS
+    tally "$@"
     ( # one log after the other: the lock goes with the descriptor
         flock 9
         echo "== $1: $ok passed, $bad failed"
@@ -41,8 +28,9 @@ run() { # NAME COMMAND...
     name=$1
     shift
     case $name in *"$only"*) ;; *) return 0 ;; esac
+    [ "$mode" = names ] && echo "$name" && return
     "$@" >"$logs/$name.log" 2>&1
-    tally "$name" "$logs/$name.log" $?
+    tell "$name" "$logs/$name.log" $?
 }
 
 # What runs on this machine, and least flash, whose boards' objects are apart from others': scene_sums has some of them
@@ -81,8 +69,14 @@ boards() {
     run costs sh tests/checks/costs.sh "$build" quick
 }
 
+if [ "$mode" = names ]; then
+    host
+    boards
+    exit
+fi
+mkdir -p "$logs"
 # Each ends with a line of its own: one that stopped half way must not pass.
-if [ "${3:-}" = lane ]; then
+if [ "$mode" = lane ]; then
     counts=$logs/counts.$4
     : >"$counts"
     "$4"
@@ -90,6 +84,12 @@ if [ "${3:-}" = lane ]; then
     exit
 fi
 
+if [ -z "$(sh tests/run.sh "$build" "$only" names)" ]; then
+    # shellcheck disable=SC2046
+    echo "tests/run.sh: no name holds '$only'; there are" $(sh tests/run.sh "$build" '' names) >&2
+    exit 1
+fi
+rm -f "$logs"/counts.*
 : >"$skipped"
 # In groups of their own, so that they end with this one, whatever they are at.
 setsid sh tests/run.sh "$build" "$only" lane boards &

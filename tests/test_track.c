@@ -780,7 +780,7 @@ static void wrong_calls_are_refused(void **state)
     show_close(&s);
 }
 
-const struct CMUnitTest tests[] = {
+static const struct CMUnitTest tests[] = {
     cmocka_unit_test(the_glass_is_right_whatever_happens),
     cmocka_unit_test(every_input_counts),
     cmocka_unit_test(a_sphere_wherever_it_is),

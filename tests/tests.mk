@@ -1,6 +1,8 @@
 # The test programs: every tests/test_*.c, with the helpers beside it, the core, the scenes, the panels and their
 # models, under ASan and UBSan and with the kernels' preconditions checked. zsim is built like that too.
 SAN = -fsanitize=address,undefined -fno-sanitize-recover=all
+# make quick: optimised, with what costs next to nothing; where it fails is a signal
+SAN_QUICK = -O2 -fsanitize=signed-integer-overflow,shift,bounds,integer-divide-by-zero -fsanitize-undefined-trap-on-error
 TEST_CC = $(CC) -std=gnu11 -O1 -g $(SAN) -Wall -Wextra -Werror -Wshadow -Wno-missing-field-initializers $(INC) -Itests \
           -DZS_STATS=1 '-DZS_ASSERT(c)=((c)?(void)0:__builtin_trap())' $(LEAN:1=-DZS_LEAN=1)
 TESTS = $(wildcard tests/test_*.c)
@@ -8,30 +10,42 @@ MODEL = $(wildcard sim/panel_model/*.c) sim/panel_bus.c hal/fault/fault.c
 TEST_HELP = $(filter-out $(TESTS) tests/checksum.c,$(wildcard tests/*.c))
 t = $(patsubst %.c,$(B)/test/%.o,$(1))
 
-test-programs: $(patsubst tests/%.c,$(B)/test/%,$(TESTS)) $(B)/test/test_xform_narrow $(B)/test/zsim checksum-programs
+# Unit tests by name, and those that T= names
+UNITS = $(TESTS:tests/%.c=%) test_xform_narrow
+UNITS_T = $(strip $(if $(T),$(foreach u,$(UNITS),$(if $(findstring $(T),$(u)),$(u)))))
 
-$(B)/test/%.o: %.c $(HEADERS) $(B)/gen/meshes.h
+unit-programs: $(UNITS:%=$(B)/test/%)
+	@:
+test-programs: unit-programs $(B)/test/zsim checksum-programs mutate-link
+.PHONY: unit-programs
+
+.SECONDARY: $(call t,$(TESTS))
+TEST_NOTE := $(call note,$(B)/test/cc,$(TEST_CC))
+$(B)/test/%.o: %.c $(TEST_NOTE) | $(B)/gen/meshes.h
 	@mkdir -p $(@D)
-	@$(TEST_CC) -c $< -o $@
+	@$(TEST_CC) $(DEP) -c $< -o $@
 $(B)/test/libtest.a: $(call t,$(CORE) $(SCENES) $(PANELS) $(MODEL) $(TEST_HELP))
 	@rm -f $@ && ar rcs $@ $^
 $(B)/test/test_%: $(B)/test/tests/test_%.o $(B)/test/libtest.a $(B)/libmeshes.a
 	@$(CC) $(SAN) -Wl,--start-group $^ -Wl,--end-group -lcmocka -lm -o $@
 # The same with the rows of a matrix as cores have them that do not add products to 64 bits (wide.h)
-$(B)/test/test_xform_narrow: tests/test_xform.c $(CORE) $(TEST_HELP) $(HEADERS)
+$(B)/test/narrow/%.o: %.c $(TEST_NOTE)
 	@mkdir -p $(@D)
-	@$(TEST_CC) -DZS_ROW_WIDE=0 $(filter %.c,$^) -lcmocka -lm -o $@
+	@$(TEST_CC) -DZS_ROW_WIDE=0 $(DEP) -c $< -o $@
+$(B)/test/test_xform_narrow: $(patsubst %.c,$(B)/test/narrow/%.o,tests/test_xform.c $(CORE) $(TEST_HELP))
+	@$(CC) $(SAN) $^ -lcmocka -lm -o $@
 $(B)/test/test_counts: $(call t,sim/counts.c sim/frame.c sim/share.c sim/sim.c)
 $(B)/test/test_threads $(B)/test/test_golden: $(call t,sim/frame.c sim/share.c sim/sim.c)
 $(B)/test/zsim: $(call t,$(SIM)) $(B)/test/libtest.a $(B)/libmeshes.a
 	@$(CC) $(SAN) -Wl,--start-group $^ -Wl,--end-group $(LIBS) -o $@
 
 # firmware/app/pair.c, each of whose accesses to memory is a call into test_pair.c, which has neither renderer nor HAL
-$(B)/test/test_pair: SAN =
-$(B)/test/test_pair: tests/test_pair.c firmware/app/pair.c $(HEADERS)
+$(B)/test/test_pair: override SAN =
+$(B)/test/test_pair: tests/test_pair.c firmware/app/pair.c $(TEST_NOTE)
 	@mkdir -p $(@D)
-	@$(TEST_CC) -Ifirmware/app -fsanitize=thread -c firmware/app/pair.c -o $@.pair.o
-	@$(TEST_CC) -Ifirmware/app $< $@.pair.o -lcmocka -o $@
+	@$(TEST_CC) -Ifirmware/app $(DEP) -MT $@ -fsanitize=thread -c firmware/app/pair.c -o $@.pair.o
+	@$(TEST_CC) -Ifirmware/app $(DEP) -MT $@ -MF $@.d $< $@.pair.o -lcmocka -o $@
+-include $(wildcard $(B)/test/test_pair*.d)
 
 # With LEAN=1, into a folder of its own: what draws pictures and looks into nothing that the lean build has not
 LEAN_TESTS = api color depth fx invariance orders raster reach stress texture track watch
@@ -72,9 +86,9 @@ $(FUZZ_TARGETS:%=$(B)/fuzz/%): $(B)/fuzz/%: $(B)/test/tests/fuzz/%.o $(call t,$(
                                             $(call fuzz_objects,drive input replay said) $(B)/libmeshes.a
 	@mkdir -p $(@D)
 	@$(CC) $(SAN) -Wl,--start-group $^ -Wl,--end-group $(LIBS) -o $@
-$(B)/fuzz/clang/%.o: %.c $(HEADERS) $(B)/gen/meshes.h
+$(B)/fuzz/clang/%.o: %.c $(TEST_NOTE) | $(B)/gen/meshes.h
 	@mkdir -p $(@D)
-	@$(subst $(CC) ,clang ,$(TEST_CC)) -fsanitize=fuzzer-no-link -c $< -o $@
+	@$(subst $(CC) ,clang ,$(TEST_CC)) -fsanitize=fuzzer-no-link $(DEP) -c $< -o $@
 $(FUZZ_TARGETS:%=$(B)/fuzz/lf_%): $(B)/fuzz/lf_%: $(B)/fuzz/clang/tests/fuzz/%.o $(B)/fuzz/clang/tests/fuzz/said.o \
     $(patsubst %.c,$(B)/fuzz/clang/%.o,$(FUZZ_SIM) $(MODEL) $(CORE) $(SCENES) $(PANELS)) $(B)/libmeshes.a
 	@clang $(SAN) -fsanitize=fuzzer $^ $(LIBS) -o $@
@@ -102,18 +116,30 @@ $(B)/stress/san: $(STRESS) $(B)/stress/oracle.o $(HEADERS)
 	    -lm -o $@
 $(B)/stress/fast: $(STRESS) $(B)/stress/oracle.o $(HEADERS)
 	@$(STRESS_CC) $(STRESS) $(B)/stress/oracle.o -lm -o $@
+
 # Mutants (tests/mutate): the units that run the renderer, as in make test but, by B and SAN, without sanitizers, all in
-# one program
+# one program; make test links it as well
 MUTATE_TESTS = $(filter-out test_linux test_pair test_panel%,$(TESTS:tests/%.c=%))
 MUTATE_SIM = sim/counts.c sim/frame.c sim/share.c sim/sim.c
 mutate-settings:
 	$(info tests $(MUTATE_TESTS))
 	$(info sources $(SCENES) $(TEST_HELP) $(MUTATE_SIM))
 	$(info cc $(TEST_CC))
-	$(info link $(CC) -Wl,--wrap=_cmocka_run_group_tests -Wl,--start-group OBJECTS $(call t,$(MUTATE_SIM)) $(B)/test/libtest.a \
-	    $(B)/libmeshes.a -Wl,--end-group -lcmocka -lm -pthread -o OUT)
+	$(info link $(call mutate_link,OBJECTS,OUT))
 	@:
-mutate-objects: $(call t,$(MUTATE_TESTS:%=tests/%.c) $(MUTATE_SIM)) $(B)/test/libtest.a $(B)/libmeshes.a
-.PHONY: mutate-settings mutate-objects
+mutate_link = $(CC) $(SAN) -Wl,--wrap=_cmocka_run_group_tests -Wl,--start-group $1 $(call t,$(MUTATE_SIM)) \
+    $(B)/test/libtest.a $(B)/libmeshes.a -Wl,--end-group -lcmocka -lm -pthread -o $2
+mutate-link: $(B)/test/mutate/runner
+	@:
+MUTATE_MAINS := $(call note,$(B)/test/mutate/programs.h,$(patsubst %,PROGRAM(%),$(MUTATE_TESTS)))
+$(B)/test/mutate/runner.o: tests/mutate/runner.c $(MUTATE_MAINS) $(TEST_NOTE)
+	@$(TEST_CC) -I$(B)/test/mutate -c $< -o $@
+$(B)/test/mutate/tests/%.o: $(B)/test/tests/%.o # each main by a name of its own
+	@mkdir -p $(@D)
+	@objcopy --redefine-sym main=main_$* $< $@
+$(B)/test/mutate/runner: $(B)/test/mutate/runner.o $(MUTATE_TESTS:%=$(B)/test/mutate/tests/%.o) $(call t,$(MUTATE_SIM)) \
+                         $(B)/test/libtest.a $(B)/libmeshes.a
+	@$(call mutate_link,$(filter $(B)/test/mutate/%,$^),$@)
+.PHONY: mutate-settings mutate-link
 coverage-programs: $(filter-out %/test_linux %/test_pair,$(TESTS:tests/%.c=$(B)/test/%))
 .PHONY: coverage-programs

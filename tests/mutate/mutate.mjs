@@ -214,25 +214,20 @@ function bytesOfOwn(cc, file) {
 function link(exe, files, at, more = '') { // the objects of these files, in `at`, take the place of the program's own
     const mine = files.map((f) => '/' + f.replace(/\.c$/, '.o'));
     const rest = set.link.split(' ').filter((w) => !mine.some((o) => w.endsWith(o))).join(' ');
-    const tests = OWN.filter((f) => !files.includes(f)).map((f) => objectOf(base, f));
-    const objects = [`${base}/runner.o`, ...tests, ...files.map((f) => objectOf(at, f))];
+    const tests = OWN.filter((f) => !files.includes(f)).map((f) => objectOf(`${plain}/mutate`, f));
+    const objects = [`${plain}/mutate/runner.o`, ...tests, ...files.map((f) => objectOf(at, f))];
     must(rest.replace('OBJECTS', objects.join(' ')).replace('OUT', exe) + ' ' + more);
 }
 
 const textSha = (file) => sha(fs.readFileSync(file, 'utf8'));
 const timing = new Map(); // CASE: ms of the program itself
 function prepare() {
-    for (const t of TESTS)
-        renamed(t, `${plain}/tests/${t}.o`, `${base}/tests/${t}.o`);
-    fs.writeFileSync(`${base}/programs.h`, TESTS.map((t) => `PROGRAM(${t})\n`).join(''));
-    must(`gcc -O1 -Wall -Wextra -Werror -I${base} -c tests/mutate/runner.c -o ${base}/runner.o`);
-    link(`${base}/runner`, [], '');
     const file = path.join(dir, 'timing.json'), known = fs.existsSync(file) ? JSON.parse(fs.readFileSync(file, 'utf8')) : {};
     const core = sha(sources.map((f) => textOf[f]).join(''));
     const due = TESTS.filter((t) => known[t]?.of !== core + textSha(`tests/${t}.c`));
     for (const t of due)
         known[t] = { of: core + textSha(`tests/${t}.c`), ms: {} };
-    for (const line of due.length ? lines(must(`${base}/runner measure ${due.join(' ')}`)) : []) {
+    for (const line of due.length ? lines(must(`${plain}/mutate/runner measure ${due.join(' ')}`)) : []) {
         const [name, status, ms] = line.split(' ');
         if (status !== '0')
             throw new Error(`${name} does not pass without a mutant: ${status}`);
