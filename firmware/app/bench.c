@@ -23,7 +23,6 @@
 #include "number.h"
 #include "report.h"
 #include "scenes.h"
-#include "zs_fast.h"
 #include "zstrip.h"
 
 #ifndef BENCH_SKIPS
@@ -41,7 +40,6 @@
 #define BENCH_ARENA (3u << 20)
 #endif
 
-static const struct zs_fast *const fast[] = { ZS_FAST_ALL, ZS_FAST_END };
 ZS_ARENA(arena, BENCH_ARENA);
 static struct zs_renderer renderer;
 static struct demo_frame frame;
@@ -111,9 +109,8 @@ static void fill_config(struct zs_config *c, const struct demo *d, uint16_t rows
     c->buffers = buffers;
     c->subpixel_bits = 8;
     c->depth_bits = 16;
-    c->skip_off = 0;
     c->depth = d->depth;
-    c->fast = fast;
+    c->fast = d->fast;
 }
 
 static int configure(struct zs_config *c, const struct demo *d, uint16_t rows, uint8_t buffers,

@@ -6,7 +6,6 @@
 #include "hal.h"
 #include "report.h"
 #include "scenes.h"
-#include "zs_fast.h"
 #include "zstrip.h"
 
 #define ARENA_BYTES (3u << 20)
@@ -20,9 +19,8 @@ static struct demo_frame frame;
 int main(void)
 {
     const struct demo *d = &OF_NAME(FRAME_DEMO);
-    static const struct zs_fast *const fast[] = { ZS_FAST_ALL, ZS_FAST_END };
     struct zs_config c = { .width = d->width, .height = d->height, .strip_h = 24, .attrs = (uint8_t)d->attrs,
-                           .buffers = 1, .subpixel_bits = 8, .depth_bits = 16, .depth = d->depth, .fast = fast };
+                           .buffers = 1, .subpixel_bits = 8, .depth_bits = 16, .depth = d->depth, .fast = d->fast };
     const struct zs_sink sink = { .submit = report_drop };
     uint32_t tris = 256, verts = 256;
     if (hal_init())

@@ -223,22 +223,28 @@ static void pose_slivers(struct demo_frame *f, uint32_t t, uint16_t w, uint16_t 
     stage_put(f, &mesh_slivers, &raw, 0, 0, -BENCH_SLIVER_Z * BENCH_UNIT, ZS_Q16_ONE);
 }
 
-#define BENCH(id, what, pose) \
-    const struct demo demo_##id = { #id, what, 320, 240, 1, ZS_ATTRS_FLAT, 1, &zs_depth_float, \
-                                    pose }
-#define BENCH_TEX(id, what, attrs, pose) \
-    const struct demo demo_##id = { #id, what, 320, 240, 1, attrs, 1, &zs_depth_float, pose }
+#define BENCH_ATTRS(id, what_, attrs_, fast_, pose_)                                                             \
+    const struct demo demo_##id = { .name = #id, .what = what_, .width = 320, .height = 240, .frames = 1,           \
+                                    .attrs = attrs_, .bench = 1, .depth = &zs_depth_float, .fast = fast_,        \
+                                    .pose = pose_ }
+#define BENCH(id, what, pose) BENCH_ATTRS(id, what, ZS_ATTRS_FLAT, raw_fast, pose)
+
+static const struct zs_fast *const raw_fast[] = { ZS_FAST_FRAME, ZS_FAST_RAW, ZS_FAST_END };
+static const struct zs_fast *const flat_fast[] = { ZS_FAST_FRAME, ZS_FAST_FLAT, ZS_FAST_END };
+static const struct zs_fast *const tex_fast[] = { ZS_FAST_FRAME, ZS_FAST_TEXTURE, ZS_FAST_565, ZS_FAST_END };
+static const struct zs_fast *const lit_fast[] = { ZS_FAST_FRAME, ZS_FAST_TEXTURE_FLAT, ZS_FAST_PAL8, ZS_FAST_END };
+static const struct zs_fast *const smooth_fast[] = { ZS_FAST_FRAME, ZS_FAST_TEXTURE_SMOOTH, ZS_FAST_PAL8, ZS_FAST_END };
 
 BENCH(mesh, "A bumpy ball of 2,520 triangles over a third of the picture, unlit", pose_mesh);
-BENCH(mesh_lit, "The same ball, flat-shaded by its face normals", pose_mesh_lit);
-BENCH_TEX(mesh_tex, "The same ball, textured in RGB565, unlit", ZS_ATTRS_TEXTURE, pose_mesh_tex);
-BENCH_TEX(mesh_tex_lit, "The same ball, textured by palette, flat-shaded", ZS_ATTRS_TEXTURE,
+BENCH_ATTRS(mesh_lit, "The same ball, flat-shaded by its face normals", ZS_ATTRS_FLAT, flat_fast, pose_mesh_lit);
+BENCH_ATTRS(mesh_tex, "The same ball, textured in RGB565, unlit", ZS_ATTRS_TEXTURE, tex_fast, pose_mesh_tex);
+BENCH_ATTRS(mesh_tex_lit, "The same ball, textured by palette, flat-shaded", ZS_ATTRS_TEXTURE, lit_fast,
           pose_mesh_tex_lit);
-BENCH_TEX(mesh_tex_smooth, "The same ball, textured by palette, smooth-shaded",
-          ZS_ATTRS_TEXTURE_SMOOTH, pose_mesh_tex_smooth);
-BENCH_TEX(crowd_ftb, "Five such balls half behind one another, from front to back", ZS_ATTRS_TEXTURE_SMOOTH, pose_crowd_ftb);
-BENCH_TEX(crowd_btf, "The same from back to front", ZS_ATTRS_TEXTURE_SMOOTH, pose_crowd_btf);
-BENCH_TEX(floor_tex, "A textured plain to the horizon, cut at the near plane", ZS_ATTRS_TEXTURE,
+BENCH_ATTRS(mesh_tex_smooth, "The same ball, textured by palette, smooth-shaded",
+          ZS_ATTRS_TEXTURE_SMOOTH, smooth_fast, pose_mesh_tex_smooth);
+BENCH_ATTRS(crowd_ftb, "Five such balls half behind one another, from front to back", ZS_ATTRS_TEXTURE_SMOOTH, smooth_fast, pose_crowd_ftb);
+BENCH_ATTRS(crowd_btf, "The same from back to front", ZS_ATTRS_TEXTURE_SMOOTH, smooth_fast, pose_crowd_btf);
+BENCH_ATTRS(floor_tex, "A textured plain to the horizon, cut at the near plane", ZS_ATTRS_TEXTURE, tex_fast,
           pose_floor_tex);
 BENCH(layers_ftb, "Eight full-screen layers from front to back", pose_layers_ftb);
 BENCH(layers_btf, "Eight full-screen layers from back to front", pose_layers_btf);

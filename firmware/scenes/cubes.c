@@ -36,7 +36,9 @@ static void pose(struct demo_frame *f, uint32_t t, uint16_t w, uint16_t h)
     zs_camera_orbit(&f->camera, origin, 100000, 2000, 4400);
 }
 
+static const struct zs_fast *const fast[] = { ZS_FAST_FRAME, ZS_FAST_FLAT, ZS_FAST_END };
 const struct demo demo_cubes = {
-    "cubes", "Nine cubes tumble around each other, flat-shaded, a colour a side",
-    240, 240, FRAMES, ZS_ATTRS_FLAT, 0, &zs_depth_float, pose,
+    .name = "cubes",
+    .what = "Nine cubes tumble around each other, flat-shaded, a colour a side",
+    .width = 240, .height = 240, .frames = FRAMES, .attrs = ZS_ATTRS_FLAT, .depth = &zs_depth_float, .fast = fast, .pose = pose,
 };

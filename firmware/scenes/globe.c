@@ -28,7 +28,9 @@ static void pose(struct demo_frame *f, uint32_t t, uint16_t w, uint16_t h)
     zs_camera_orbit(&f->camera, origin, 116000, 0, 2600);
 }
 
+static const struct zs_fast *const fast[] = { ZS_FAST_FRAME, ZS_FAST_TEXTURE, ZS_FAST_TEXTURE_SMOOTH, ZS_FAST_PAL8, ZS_FAST_PAL4, ZS_FAST_END };
 const struct demo demo_globe = {
-    "globe", "A planet and its moon under the stars, smooth light over textures of three sizes",
-    240, 240, FRAMES, ZS_ATTRS_TEXTURE_SMOOTH, 0, &zs_depth_float, pose,
+    .name = "globe",
+    .what = "A planet and its moon under the stars, smooth light over textures of three sizes",
+    .width = 240, .height = 240, .frames = FRAMES, .attrs = ZS_ATTRS_TEXTURE_SMOOTH, .depth = &zs_depth_float, .fast = fast, .pose = pose,
 };

@@ -21,7 +21,9 @@ static void pose(struct demo_frame *f, uint32_t t, uint16_t w, uint16_t h)
                     (int16_t)stage_sin(5200, stage_turn(t, FRAMES, 1)));
 }
 
+static const struct zs_fast *const fast[] = { ZS_FAST_FRAME, ZS_FAST_SMOOTH, ZS_FAST_END };
 const struct demo demo_knot = {
-    "knot", "The camera goes around a torus knot in all colours, smooth-shaded",
-    240, 240, FRAMES, ZS_ATTRS_SMOOTH, 0, &zs_depth_float, pose,
+    .name = "knot",
+    .what = "The camera goes around a torus knot in all colours, smooth-shaded",
+    .width = 240, .height = 240, .frames = FRAMES, .attrs = ZS_ATTRS_SMOOTH, .depth = &zs_depth_float, .fast = fast, .pose = pose,
 };

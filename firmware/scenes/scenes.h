@@ -5,7 +5,7 @@
 #ifndef SCENES_H
 #define SCENES_H
 
-#include "zstrip.h"
+#include "zs_fast.h"
 
 #ifdef __cplusplus
 extern "C" {
@@ -28,6 +28,7 @@ struct demo {
     uint16_t attrs;               /* config.attrs that its shaders need */
     uint16_t bench;               /* 1: a bench scene */
     const struct zs_depth *depth; /* the mapping that its camera takes */
+    const struct zs_fast *const *fast; /* accelerators for what is in it, the last one NULL */
     /* Fill *f for frame t (any; taken modulo frames) of a w x h px picture. */
     void (*pose)(struct demo_frame *f, uint32_t t, uint16_t w, uint16_t h);
 };

@@ -38,12 +38,16 @@ static void pose_china(struct demo_frame *f, uint32_t t, uint16_t w, uint16_t h)
     set(f, t, w, h, &china);
 }
 
+static const struct zs_fast *const fast_teapot[] = { ZS_FAST_FRAME, ZS_FAST_SMOOTH, ZS_FAST_END };
 const struct demo demo_teapot = {
-    "teapot", "The Utah teapot turns on a table, lit from the upper left, smooth-shaded",
-    240, 240, FRAMES, ZS_ATTRS_SMOOTH, 0, &zs_depth_float, pose,
+    .name = "teapot",
+    .what = "The Utah teapot turns on a table, lit from the upper left, smooth-shaded",
+    .width = 240, .height = 240, .frames = FRAMES, .attrs = ZS_ATTRS_SMOOTH, .depth = &zs_depth_float, .fast = fast_teapot, .pose = pose,
 };
 
+static const struct zs_fast *const fast_china[] = { ZS_FAST_FRAME, ZS_FAST_SMOOTH, ZS_FAST_TEXTURE_SMOOTH, ZS_FAST_PAL8, ZS_FAST_END };
 const struct demo demo_china = {
-    "china", "The teapot in painted china: smooth light over a texture",
-    240, 240, FRAMES, ZS_ATTRS_TEXTURE_SMOOTH, 0, &zs_depth_float, pose_china,
+    .name = "china",
+    .what = "The teapot in painted china: smooth light over a texture",
+    .width = 240, .height = 240, .frames = FRAMES, .attrs = ZS_ATTRS_TEXTURE_SMOOTH, .depth = &zs_depth_float, .fast = fast_china, .pose = pose_china,
 };
