@@ -576,7 +576,6 @@ int probe_make(struct probe *p, uint32_t i)
     c->buffers = 1;
     c->subpixel_bits = 8;
     c->depth_bits = 16;
-    c->skip_off = 0;
     c->depth = depths[plan.depth];
     return 1;
 }

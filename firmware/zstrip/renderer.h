@@ -173,7 +173,8 @@ struct zs_renderer { /* what is used most comes first: a Cortex-M0 reaches 31 by
     uint8_t by_clusters;          /* 1: of the current instance, only some are drawn */
     struct zs_clusters clusters;
     struct zs_cover cover[2];     /* the last two large triangles: cover[!cover_next] is known if cover_known */
-    uint16_t bound_strip;         /* no bound of the strip in hand is farther */
+    uint16_t bound_most;          /* no bound is farther ... */
+    uint16_t bound_strip;         /* ... and none of the strip in hand */
     uint8_t cover_next, cover_known, cover_waits; /* its own bounds are still to be found */
     struct zs_lit lit;
 };

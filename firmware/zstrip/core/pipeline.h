@@ -56,6 +56,12 @@ struct zs_track_kernel {
     void (*forget)(struct zs_renderer *r, const struct zs_rect *rect);      /* NULL: all */
     /* Rows and columns of the walk's strips that the instance may be in and that are due. 0: there are none. */
     int (*touches)(const struct zs_renderer *r, uint32_t number, struct zs_part *part);
+    /* Of a strip of which only the columns of r->window are drawn. 1: job->tri lies beside them; job->row_last is set. */
+    int (*beside)(struct zs_job *job);
+    /* 1: so much of it lies beside them that its rows are split. */
+    int (*reaches)(const struct zs_job *job);
+    /* Draw the columns of a piece that lie in them; as zs_piece_fn. */
+    void (*piece)(struct zs_job *job, const struct zs_row *row, int32_t i0, int32_t i1, uint32_t sum, uint32_t step);
 };
 
 /* Texture coordinates walked along a run: fractions of the texture's size, modulo 1. */

@@ -57,6 +57,8 @@ static ZS_RARE ZS_NOINLINE int instance_open(struct zs_renderer *r, uint32_t num
         return 0;
     if (!zs_xform_instance(r, number, &b))
         return 0;
+    if (r->batch)
+        r->batch->needs(r, &b);
     r->clusters.from = r->clusters.end = 0;
     r->by_clusters = clusters && clusters->open(r, &b);
     return 1;

@@ -20,6 +20,7 @@
  * SPDX-License-Identifier: MIT
  */
 #include "core/cold.h" /* first: sums alone are made often, and their loop is short */
+#include "core/rows.h"
 #include "damage/changed.h"
 
 #define BESIDE 32 /* sub-pixels: corner and vertex are snapped by up to 8 each, their projections are within 2 each */
@@ -301,8 +302,50 @@ static void track_forget(struct zs_renderer *r, const struct zs_rect *rect)
     r->band_end = 0; /* in a frame: what is binned lacks instances of strips that were not due */
 }
 
+/* ---- Columns of a strip ---------------------------------------------------------------------------------- */
+
+/* Is a triangle beside the columns that are drawn? */
+static int beside(struct zs_job *job)
+{
+    const struct zs_vertex *pool = job->r->vert;
+    const uint16_t *v = job->tri->v, *window = job->r->window;
+    const struct zs_vertex *a = &pool[v[0]], *b = &pool[v[1]], *c = &pool[v[2]];
+    job->row_last = zs_first_sample(zs_max32(b->y, c->y)); /* a is the top one */
+    return zs_first_sample(zs_min32(zs_min32(a->x, b->x), c->x)) >= window[1] ||
+           zs_first_sample(zs_max32(zs_max32(a->x, b->x), c->x)) <= window[0];
+}
+
+#define ASIDE 24 /* columns beside those that are drawn: splitting rows costs less than so many pixels */
+
+/* Does so much of job->tri lie beside the columns that are drawn that its rows are split? */
+static int reaches_beside(const struct zs_job *job)
+{
+    const struct zs_vertex *pool = job->r->vert;
+    const uint16_t *v = job->tri->v, *window = job->r->window;
+    const int32_t a = pool[v[0]].x, b = pool[v[1]].x, c = pool[v[2]].x;
+    const int32_t left = window[0] * ZS_SUBPX_ONE - zs_min32(zs_min32(a, b), c);
+    const int32_t right = zs_max32(zs_max32(a, b), c) - window[1] * ZS_SUBPX_ONE;
+    return zs_max32(left, right) >= ASIDE * ZS_SUBPX_ONE;
+}
+
+/* The columns of a piece that are drawn. */
+static void window_piece(struct zs_job *job, const struct zs_row *row, int32_t i0, int32_t i1, uint32_t sum, uint32_t step)
+{
+    const struct zs_renderer *r = job->r;
+    const int32_t from = zs_max32(i0, r->window[0]), to = zs_min32(i1, r->window[1]);
+    job->r->stats.pixels_tested -= (uint32_t)(i1 - i0 - zs_max32(to - from, 0)); /* they are counted by rows */
+    if (from >= to)
+        return;
+    sum += zs_wrap_mul(step, from - i0);
+    if (job->split & ZS_SPLIT_TOUCH)
+        r->touch->piece(job, row, from, to, sum, step);
+    else
+        job->span(job, row, from, to, sum, step);
+}
+
 static const struct zs_track_kernel zs_track_sums = { .check = track_check, .due = track_due, .forget = track_forget,
-                                                      .touches = track_touches };
+                                                      .touches = track_touches, .beside = beside,
+                                                      .reaches = reaches_beside, .piece = window_piece };
 
 int zs_track(struct zs_renderer *r, uint32_t *memory, uint32_t n_instances)
 {

@@ -246,5 +246,5 @@ static ZS_NOINLINE uint32_t batch_bin(struct zs_renderer *r, uint32_t from, uint
     return end;
 }
 
-static const struct zs_fast_batch batch = { .open = batch_open, .bin = batch_bin, .screen = zs_screen };
+static const struct zs_fast_batch batch = { .needs = zs_screen_needs, .open = batch_open, .bin = batch_bin, .screen = zs_screen };
 const struct zs_fast zs_fast_batch = { .batch = &batch };
