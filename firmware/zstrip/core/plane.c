@@ -213,11 +213,12 @@ static inline void small_base(const struct zs_geom *g, struct zs_plane *out)
     out->base += (uint32_t)((gx >> 8) * ax + (gy >> 8) * ay + (low >> 8)); /* |.| < 2^31 */
 }
 
-/* By 24 bits more, rounded: any triangle and any values. */
-static ZS_NOINLINE void wide_plane(const struct zs_geom *g, uint32_t v0, uint32_t v1, uint32_t v2, struct zs_plane *out)
+/* By 24 bits more, rounded: any triangle and any values. out->base is the first one's. */
+static ZS_NOINLINE void wide_plane(const struct zs_geom *g, uint32_t dv1, uint32_t dv2, struct zs_plane *out)
 {
+    const uint32_t v0 = out->base;
     struct zs_plane64 wide;
-    zs_plane64(g, v0, v1, v2, &wide);
+    zs_plane64(g, v0, v0 + dv1, v0 + dv2, &wide); /* modulo 2^32 */
     out->gx = (uint32_t)((wide.gx + (1u << 23)) >> 24);
     out->gy = (uint32_t)((wide.gy + (1u << 23)) >> 24);
     out->base = (uint32_t)((wide.base + (1u << 23)) >> 24);
@@ -242,5 +243,5 @@ void zs_plane32(const struct zs_geom *g, uint32_t v0, uint32_t v1, uint32_t v2,
             return;
         }
     }
-    wide_plane(g, v0, v1, v2, out);
+    wide_plane(g, (uint32_t)dv1, (uint32_t)dv2, out);
 }

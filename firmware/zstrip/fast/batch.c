@@ -180,7 +180,6 @@ ZS_ALWAYS_INLINE enum zs_fate bin(struct zs_renderer *r, const struct zs_shader 
 /* What is left of a batch from triangle `from` on. Return how many of them are binned; fewer than n: a pool is full. */
 static uint32_t bin_all(struct zs_renderer *r, const struct batch *s, uint32_t from, uint32_t n, uint32_t fate[ZS_FATES])
 {
-    const uint32_t base = r->vert_base;
     for (const uint8_t *left = s->left, *const end = left + n; left < end; left++) {
         const uint32_t what = *left, t = from + what / 4u;
         uint32_t piece = 0;
@@ -189,7 +188,7 @@ static uint32_t bin_all(struct zs_renderer *r, const struct batch *s, uint32_t f
             f = zs_assemble_tri(r, t, &piece);
         } else {
             const uint16_t *index = s->tri[what / 4u];
-            const uint32_t second = base + index[1], third = base + index[2];
+            const uint32_t base = r->vert_base, second = base + index[1], third = base + index[2];
             struct zs_candidate at;
             at.slot[0] = base + index[0];
             at.slot[1] = what & 1u ? third : second;
