@@ -3,6 +3,11 @@
  * SPDX-License-Identifier: MIT
  */
 #include "core/assemble.h"
+#include "core/fast.h"
+#include "core/fx.h"
+#include "core/job.h"
+#include "core/shader.h"
+#include "core/xform.h"
 
 int64_t zs_assemble_area(const struct zs_vertex *a, const struct zs_vertex *b, const struct zs_vertex *c)
 {

@@ -12,6 +12,11 @@
  * SPDX-License-Identifier: MIT
  */
 #include "core/bin.h"
+#include "core/fast.h"
+#include "core/fx.h"
+#include "core/job.h"
+#include "core/shader.h"
+#include "core/xform.h"
 
 static void bins_clear(struct zs_renderer *r)
 {

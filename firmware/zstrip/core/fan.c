@@ -3,7 +3,12 @@
  * SPDX-License-Identifier: MIT
  */
 #include "core/assemble.h"
+#include "core/clip.h"
+#include "core/fast.h"
+#include "core/fx.h"
+#include "core/job.h"
 #include "core/rotation.h"
+#include "core/shader.h"
 
 struct polygon {
     struct zs_clip_vertex cv[ZS_CLIP_MAX];
@@ -11,7 +16,7 @@ struct polygon {
     int n;
 };
 
-#define COORD_MAX (((int32_t)1 << 30) + 2) /* camera units: pipeline.h */
+#define COORD_MAX (((int32_t)1 << 30) + 2) /* camera units: core/xform.h */
 
 /* Which way a triangle turns on the screen, from its corners in camera units, exactly: > 0 clockwise. Where all
  * three are before the eye, the sign of a . (b x c) is that of the area. */

@@ -2,7 +2,16 @@
  *
  * SPDX-License-Identifier: MIT
  */
-#include "core/pipeline.h"
+#include "core/cull.h"
+#include "core/damage.h"
+#include "core/depth.h"
+#include "core/fast.h"
+#include "core/frame.h"
+#include "core/fx.h"
+#include "core/raster.h"
+#include "core/shader.h"
+#include "core/view.h"
+#include "core/walk.h"
 
 static const char *const messages[] = {
     "no error",

@@ -8,7 +8,7 @@
  * clipped before), give or take the errors below, which are far less than the half bucket added.
  * base + gx * i + gy * j equals repeated addition bit for bit: strips cannot differ.
  *
- * Two ways, chosen by the triangle alone. Each has a narrower twin that gives the same bits: tiny triangles (pipeline.h) go
+ * Two ways, chosen by the triangle alone. Each has a narrower twin that gives the same bits: tiny triangles (core/job.h) go
  * the small way with 32-bit products, and where values are too steep for it, division is by the reciprocal with remainder.
  *
  * small   width + height <= 256 px, value differences below 2^31, gradients below 2^27: one
@@ -26,7 +26,8 @@
  *
  * SPDX-License-Identifier: MIT
  */
-#include "core/pipeline.h"
+#include "core/fx.h"
+#include "core/plane.h"
 
 #define SMALL_EXTENT ZS_SMALL_EXTENT
 

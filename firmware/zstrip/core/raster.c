@@ -5,7 +5,14 @@
  *
  * SPDX-License-Identifier: MIT
  */
+#include "core/damage.h"
+#include "core/depth.h"
+#include "core/fast.h"
+#include "core/fx.h"
+#include "core/plane.h"
+#include "core/raster.h"
 #include "core/rows.h"
+#include "core/shader.h"
 
 static int32_t strip_rows(const struct zs_renderer *r)
 {

@@ -7,6 +7,13 @@
  * SPDX-License-Identifier: MIT
  */
 #include "core/assemble.h"
+#include "core/cull.h"
+#include "core/damage.h"
+#include "core/fast.h"
+#include "core/fx.h"
+#include "core/raster.h"
+#include "core/walk.h"
+#include "core/xform.h"
 
 /* Where a walk is. */
 struct cursor {

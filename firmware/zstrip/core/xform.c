@@ -11,8 +11,11 @@
  *
  * SPDX-License-Identifier: MIT
  */
-#include "core/pipeline.h"
+#include "core/cull.h"
+#include "core/depth.h"
+#include "core/fx.h"
 #include "core/rotation.h"
+#include "core/xform.h"
 
 #define SHIFT_MAX 29 /* keeps t below 2^60, and shift_high 14 */
 #define SPLIT_MAX 15

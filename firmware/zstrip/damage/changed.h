@@ -5,7 +5,8 @@
 #ifndef ZS_CHANGED_H
 #define ZS_CHANGED_H
 
-#include "core/pipeline.h"
+#include "zstrip.h"
+
 
 #define ZS_LANES { 0x243f6a88u, 0x85a308d3u } /* where a sum begins */
 

@@ -3,6 +3,8 @@
  *
  * SPDX-License-Identifier: MIT
  */
+#include "core/damage.h"
+#include "core/fx.h"
 #include "damage/changed.h"
 
 /* w x h px from px on; in twos where rows and columns are even. */

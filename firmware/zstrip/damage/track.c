@@ -20,7 +20,15 @@
  * SPDX-License-Identifier: MIT
  */
 #include "core/cold.h" /* first: sums alone are made often, and their loop is short */
+#include "core/cull.h"
+#include "core/damage.h"
+#include "core/fast.h"
+#include "core/frame.h"
+#include "core/fx.h"
+#include "core/raster.h"
 #include "core/rows.h"
+#include "core/view.h"
+#include "core/xform.h"
 #include "damage/changed.h"
 
 #define BESIDE 32 /* sub-pixels: corner and vertex are snapped by up to 8 each, their projections are within 2 each */

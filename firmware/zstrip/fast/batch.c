@@ -4,6 +4,11 @@
  * SPDX-License-Identifier: MIT
  */
 #include "core/assemble.h"
+#include "core/fast.h"
+#include "core/fx.h"
+#include "core/job.h"
+#include "core/shader.h"
+#include "core/xform.h"
 #include "fast/screen.h"
 #include "zs_fast.h"
 

@@ -44,6 +44,11 @@
  *
  * SPDX-License-Identifier: MIT
  */
+#include "core/cull.h"
+#include "core/damage.h"
+#include "core/fast.h"
+#include "core/fx.h"
+#include "core/view.h"
 #include "fast/screen.h"
 #include "zs_fast.h"
 

@@ -9,7 +9,10 @@
  *
  * SPDX-License-Identifier: MIT
  */
+#include "core/fast.h"
+#include "core/fx.h"
 #include "core/rows.h"
+#include "core/shader.h"
 #include "zs_fast.h"
 
 #define WIDE 128 /* columns; a triangle's rows cost some 40 instructions more here, an untouched pixel 6 less and no clear */

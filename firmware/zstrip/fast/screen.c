@@ -2,6 +2,10 @@
  *
  * SPDX-License-Identifier: MIT
  */
+#include "core/cull.h"
+#include "core/depth.h"
+#include "core/fx.h"
+#include "core/xform.h"
 #include "fast/screen.h"
 
 #define OUT_Y ((int32_t)1 << 30)

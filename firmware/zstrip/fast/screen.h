@@ -5,7 +5,7 @@
 #ifndef ZS_FAST_SCREEN_H
 #define ZS_FAST_SCREEN_H
 
-#include "core/pipeline.h"
+#include "core/cull.h"
 
 /* Which clip tests the current instance's vertices need, to r->xform: those that none can fail are left out. */
 void zs_screen_needs(struct zs_renderer *r, const struct zs_bounds *b);

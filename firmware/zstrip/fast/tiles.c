@@ -20,7 +20,14 @@
  * SPDX-License-Identifier: MIT
  */
 #include "core/cold.h"
-#include "core/pipeline.h"
+#include "core/cull.h"
+#include "core/depth.h"
+#include "core/fast.h"
+#include "core/fx.h"
+#include "core/job.h"
+#include "core/view.h"
+#include "core/xform.h"
+#include "fast/tiles.h"
 #include "zs_fast.h"
 
 #define TILE (1 << ZS_TILE_LOG2)

@@ -2,6 +2,9 @@
  *
  * SPDX-License-Identifier: MIT
  */
+#include "core/fx.h"
+#include "core/shader.h"
+#include "shade/light.h"
 #include "shade/solid.h"
 
 /* 0 .. 65535 to 0 .. most, nearest. most <= 63 */

@@ -2,8 +2,9 @@
  *
  * SPDX-License-Identifier: MIT
  */
-#include "core/pipeline.h"
+#include "core/fx.h"
 #include "core/rotation.h"
+#include "shade/light.h"
 
 /* All in 32 bits, and exact up to the rounding at the end. The light is taken as upper * 2^16 + lower. */
 uint32_t zs_light_intensity(const struct zs_renderer *r, const zs_q1_15 n[3])

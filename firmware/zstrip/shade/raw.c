@@ -2,6 +2,8 @@
  *
  * SPDX-License-Identifier: MIT
  */
+#include "core/fx.h"
+#include "core/shader.h"
 #include "shade/solid.h"
 
 static uint16_t raw_face(const struct zs_renderer *r, uint32_t t)

@@ -6,6 +6,10 @@
  *
  * SPDX-License-Identifier: MIT
  */
+#include "core/fx.h"
+#include "core/plane.h"
+#include "core/shader.h"
+#include "shade/light.h"
 #include "shade/persp.h"
 
 #define SUB_LOG2_MAX 4u

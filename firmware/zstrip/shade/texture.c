@@ -26,6 +26,11 @@
  *
  * SPDX-License-Identifier: MIT
  */
+#include "core/fast.h"
+#include "core/fx.h"
+#include "core/plane.h"
+#include "core/shader.h"
+#include "shade/light.h"
 #include "shade/texture.h"
 
 #define GROUP_LOG2 5
