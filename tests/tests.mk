@@ -34,6 +34,7 @@ $(B)/test/narrow/%.o: %.c $(TEST_NOTE)
 	@$(TEST_CC) -DZS_ROW_WIDE=0 $(DEP) -c $< -o $@
 $(B)/test/test_xform_narrow: $(patsubst %.c,$(B)/test/narrow/%.o,tests/test_xform.c $(CORE) $(TEST_HELP))
 	@$(CC) $(SAN) $^ -lcmocka -lm -o $@
+$(B)/test/test_examples: $(call t,$(wildcard firmware/examples/*.c))
 $(B)/test/test_counts: $(call t,sim/counts.c sim/frame.c sim/share.c sim/sim.c)
 $(B)/test/test_threads $(B)/test/test_golden: $(call t,sim/frame.c sim/share.c sim/sim.c)
 $(B)/test/zsim: $(call t,$(SIM)) $(B)/test/libtest.a $(B)/libmeshes.a

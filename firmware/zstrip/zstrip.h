@@ -104,6 +104,17 @@ static inline uint16_t zs_rgb565(uint8_t r, uint8_t g, uint8_t b)
                                  ((ZS_U32(b) * 31u + 127u) / 255u));
 }
 
+/* The same as it lies in memory, most significant byte first: what frames consist of. */
+static inline uint16_t zs_wire565(uint8_t r, uint8_t g, uint8_t b)
+{
+    const uint16_t v = zs_rgb565(r, g, b);
+#if defined(__BYTE_ORDER__) && __BYTE_ORDER__ == __ORDER_BIG_ENDIAN__
+    return v;
+#else
+    return ZS_CAST(uint16_t, ZS_U32(v) << 8 | ZS_U32(v) >> 8);
+#endif
+}
+
 /* ---- Scene: all of it const, all of it may lie in flash ------------------------------------- */
 
 struct zs_texel; /* how texels are stored: one of the three below */
@@ -232,11 +243,45 @@ struct zs_light {
     zs_uq16_16 ambient, diffuse; /* 0 .. ZS_Q16_ONE */
 };
 
+struct zs_rect {
+    uint16_t x, y, w, h; /* px in the frame; may reach beyond it */
+};
+
+/* What is seen where nothing is drawn, pixel by pixel. */
+struct zs_background {
+    /* Colour pixels (x, y) .. (x + n - 1, y) of the frame: out[n], RGB565, most significant byte first (zs_wire565). The same
+     * pixel gets the same colour however a row is cut into calls. n >= 1. */
+    void (*fill)(void *ctx, uint16_t *out, uint16_t x, uint16_t y, uint16_t n);
+    void *ctx;
+};
+
+/* A finished strip of the frame that may still be drawn on. */
+struct zs_target {
+    uint16_t *color;       /* pixel (x, y) of the frame is color[(y - y0) * pitch + x]: RGB565, most significant byte first */
+    const uint16_t *depth; /* the keys, in the same places */
+    uint16_t y0, y1;       /* rows [y0, y1) of the frame */
+    uint16_t x0, x1;       /* columns [x0, x1); what lies beside them is not given out */
+    uint32_t pitch;        /* pixels from a row to the next */
+};
+
+/* A resolve hook: draws over each strip when the scene has been drawn, before the strip is compared and given out. */
+struct zs_resolve {
+    void (*draw)(void *ctx, const struct zs_target *target);
+    /* Under zs_track, once a frame: 1, and in *rect all that draw makes other than in the frame before (where it was and where it
+     * is), may reach beyond the frame; 0: nothing. NULL: always 0. Strips that are due for other reasons are drawn all the same. */
+    int (*changes)(void *ctx, struct zs_rect *rect);
+    void *ctx;
+};
+
 struct zs_scene {
     const struct zs_instance *instance; /* [n_instances], in scene order */
     uint32_t n_instances;               /* 0 .. 65535 */
     struct zs_light light;
-    uint16_t background; /* RGB565 */
+    uint16_t background;                /* RGB565 */
+    const struct zs_background *sky;    /* in place of background; NULL: background. After a change of what it fills:
+                                           zs_invalidate */
+    const struct zs_resolve *resolve;   /* [n_resolves], in their order; NULL: none */
+    uint32_t n_resolves;
 };
 
 enum zs_projection { ZS_PERSPECTIVE = 0, ZS_ORTHOGRAPHIC = 1 };
@@ -355,10 +400,6 @@ struct zs_strip {
     const uint16_t *depth; /* w * h keys of this strip, until the next strip is asked for */
     uint16_t changed_x, changed_w; /* px: columns that are not on the glass yet (zs_watch, zs_track); changed_w 0:
                                       none is. Without either 0 and w */
-};
-
-struct zs_rect {
-    uint16_t x, y, w, h; /* px in the frame; may reach beyond it */
 };
 
 /* Where zs_render sends strips. Either function may block. A return other than 0 ends the frame and

@@ -19,11 +19,29 @@ static int32_t strip_rows(const struct zs_renderer *r)
     return zs_min32(r->config.strip_h, r->config.height - r->strip * r->config.strip_h);
 }
 
-ZS_RARE void zs_raster_clear(struct zs_renderer *r)
+ZS_NOINLINE void zs_raster_clear(struct zs_renderer *r, int32_t row, int32_t x, int32_t n)
 {
-    const uint32_t n = (uint32_t)(r->config.width * strip_rows(r));
-    zs_fill16(r->color[0], zs_wire16(r->scene->background), n);
-    zs_fill16(r->depth, ZS_DEPTH_CLEAR, n);
+    const struct zs_background *sky = r->scene->sky;
+    const int32_t at = row * r->config.width + x;
+    if (n <= 0)
+        return;
+    zs_fill_run(r->depth + at, ZS_DEPTH_CLEAR, (uint32_t)n);
+    if (sky)
+        sky->fill(sky->ctx, r->color[0] + at, (uint16_t)x, (uint16_t)(r->strip * r->config.strip_h + row), (uint16_t)n);
+    else
+        zs_fill_run(r->color[0] + at, zs_wire16(r->scene->background), (uint32_t)n);
+}
+
+ZS_NOINLINE void zs_raster_clear_all(struct zs_renderer *r)
+{
+    const int32_t rows = strip_rows(r), width = r->config.width;
+    if (!r->scene->sky) {
+        zs_fill16(r->color[0], zs_wire16(r->scene->background), (uint32_t)(width * rows));
+        zs_fill16(r->depth, ZS_DEPTH_CLEAR, (uint32_t)(width * rows));
+        return;
+    }
+    for (int32_t row = 0; row < rows; row++)
+        zs_raster_clear(r, row, 0, width);
 }
 
 /* ---- Set-up ------------------------------------------------------------------------------------------ */

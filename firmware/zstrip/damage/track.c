@@ -126,14 +126,16 @@ static void instance_sum(uint32_t lane[2], const struct zs_instance *in, struct 
 static void frame_sum(uint32_t lane[2], const struct zs_renderer *r, const struct zs_scene *scene)
 {
     const struct zs_camera *camera = &r->camera;
-    const uint32_t others[2] = { camera->projection, scene->background | scene->n_instances << 16 };
+    const uint32_t others[3] = { camera->projection, scene->background | scene->n_instances << 16, scene->n_resolves };
     begin(lane);
     add(lane, camera->rot, sizeof camera->rot + sizeof camera->pos);
     add(lane, &camera->focal, sizeof *camera - offsetof(struct zs_camera, focal));
     add(lane, &scene->light, sizeof scene->light);
     add(lane, others, sizeof others);
+    add(lane, &scene->sky, 2u * sizeof(void *));
     lane[0] += !(lane[0] | lane[1]);
 }
+_Static_assert(offsetof(struct zs_scene, resolve) == offsetof(struct zs_scene, sky) + sizeof(void *), "sky and resolve, the same");
 _Static_assert(offsetof(struct zs_camera, pos) == sizeof(((struct zs_camera *)0)->rot), "rot and pos are summed as one");
 
 /* ---- The strips of a sphere ------------------------------------------------------------------------ */
@@ -224,6 +226,27 @@ static int sums_keep(struct zs_renderer *r, const struct zs_scene *scene, int al
     return changed;
 }
 
+/* Strips of a rectangle, and columns of them. */
+static void rect_due(struct zs_renderer *r, const struct zs_rect *rect)
+{
+    const uint32_t width = r->config.width;
+    const uint32_t x = rect ? zs_minu32(rect->x, width) : 0u, x_end = rect ? zs_minu32((uint32_t)rect->x + rect->w, width) : width;
+    for (uint32_t s = 0; s < r->n_strips; s++)
+        if (zs_strip_in(r, s, rect) && x < x_end)
+            make_due(r, s, s + 1u, x, x_end);
+}
+
+/* What resolve hooks draw otherwise than in the frame before. */
+static void resolves_due(struct zs_renderer *r, const struct zs_scene *scene)
+{
+    const struct zs_resolve *hook = scene->resolve;
+    for (uint32_t k = 0; k < scene->n_resolves; k++, hook++) {
+        struct zs_rect rect = { 0, 0, 0, 0 };
+        if (hook->changes && hook->changes(hook->ctx, &rect) && rect.w && rect.h)
+            rect_due(r, &rect);
+    }
+}
+
 static int track_check(struct zs_renderer *r, const struct zs_scene *scene)
 {
     uint32_t lane[2], *kept = r->track_memory;
@@ -253,6 +276,7 @@ static int track_check(struct zs_renderer *r, const struct zs_scene *scene)
         if (all)
             make_due(r, 0, r->n_strips, 0, r->config.width);
     }
+    resolves_due(r, scene);
     while (r->draw_end && !r->track_due[r->draw_end - 1u])
         r->draw_end--;
     return ZS_OK;
@@ -301,11 +325,7 @@ static int track_touches(const struct zs_renderer *r, uint32_t number, struct zs
 
 static void track_forget(struct zs_renderer *r, const struct zs_rect *rect)
 {
-    const uint32_t width = r->config.width;
-    const uint32_t x = rect ? zs_minu32(rect->x, width) : 0u, x_end = rect ? zs_minu32((uint32_t)rect->x + rect->w, width) : width;
-    for (uint32_t s = 0; s < r->n_strips; s++)
-        if (zs_strip_in(r, s, rect))
-            make_due(r, s, s + 1u, x, x_end);
+    rect_due(r, rect);
     r->draw_end = r->n_strips;
     r->band_end = 0; /* in a frame: what is binned lacks instances of strips that were not due */
 }
