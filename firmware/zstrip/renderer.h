@@ -156,8 +156,7 @@ struct zs_renderer { /* what is used most comes first: a Cortex-M0 reaches 31 by
     struct zs_camera camera;
     struct zs_stats stats;
     const struct zs_watch_kernel *watch; /* NULL: everything counts as changed */
-    uint64_t *watch_sum;          /* [n_strips][watch_columns], the caller's; 0: not known */
-    uint16_t watch_columns;
+    struct zs_sums *sums;         /* [n_strips][columns], the panel's; 0: not known */
     uint16_t draw_end;            /* strips from it on need not be drawn */
     const struct zs_track_kernel *track; /* NULL: all strips are drawn */
     uint32_t *track_memory;       /* the caller's: sum of the frame, records of instances ... */

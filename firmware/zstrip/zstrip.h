@@ -383,7 +383,7 @@ struct zs_stats {
     uint32_t pixels_written;  /* and nearer; 0 unless built with ZS_STATS = 1 */
     uint32_t strips;          /* given out so far */
     uint32_t strips_unchanged; /* of these: changed_w is 0; always 0 without zs_watch and zs_track */
-    uint32_t strips_skipped;  /* of these: not drawn (zs_track). What is in no other strip is not counted above, or as culled */
+    uint32_t strips_skipped;  /* of these: not drawn (zs_track, zs_frame_skip). What is in no other strip is not counted above, or as culled */
     uint32_t passes;          /* sets of triangles that the pools took the scene in */
     uint32_t max_tris_used, max_verts_used; /* high-water marks of the pools */
 };
@@ -465,17 +465,32 @@ const struct zs_stats *zs_frame_stats(const struct zs_renderer *r);
 
 /* ---- What is on the glass already -------------------------------------------------------------------- */
 
-/* Send only what has changed: from now on each strip is compared, by columns, with what was given out last. zs_render does
- * not submit a strip without a change; a sink may send changed_x and changed_w alone. Pictures are drawn as before.
+/* What a panel shows: sums of its strips, by columns. One for each panel, shared by all renderers that draw for it: one that
+ * had sums of its own would not know what another has drawn over its strips. The fields are the library's. */
+struct zs_sums {
+    uint64_t *sum;
+    uint16_t width, height, strip_h, columns;
+};
+
+/* Begin: nothing is known of what the panel shows.
  *
- * sum      [ZS_STRIPS(height, strip_h) * columns], caller's, kept; NULL: compare no more.
- * columns  1 .. width, equally wide but for the last ones.
+ * memory   [ZS_STRIPS(height, strip_h) * columns], caller's, kept; its contents do not matter.
+ * width, height, strip_h  as in the configuration of the renderers. columns  1 .. width, equally wide but for the last ones.
+ * Return   ZS_OK; ZS_ERR_NULL; ZS_ERR_SIZE: a number out of range, *sums as before. */
+int zs_sums_init(struct zs_sums *sums, uint64_t *memory, uint32_t width, uint32_t height, uint32_t strip_h, uint32_t columns);
+
+/* Send only what has changed: from now on each strip is compared, by columns, with what the panel shows. zs_render does
+ * not submit a strip without a change; a sink may send changed_x and changed_w alone. Pictures are drawn as before, and
+ * zs_track begins with all strips.
+ *
+ * sums     the panel's, kept by the caller; NULL: compare no more. Renderers on several cores may share it: each writes the
+ *          sums of the strips that it draws.
  * Exact    a change within one word of two pixels is always seen; others are missed with odds of 2^-64: sums are
  *          compared, not pixels. The one thing here that is not exact; who must have it exact does without.
  * Cost     about ten instructions for two pixels.
- * Return   ZS_OK; ZS_ERR_NULL; ZS_ERR_STATE (r is not set up, or a frame is open); ZS_ERR_SIZE: as before.
- *          zs_init ends it. */
-int zs_watch(struct zs_renderer *r, uint64_t *sum, uint32_t columns);
+ * Return   ZS_OK; ZS_ERR_NULL; ZS_ERR_STATE (r is not set up, or a frame is open); ZS_ERR_SIZE (the sums are for another
+ *          frame size or strip height): as before. zs_init ends it. */
+int zs_watch(struct zs_renderer *r, struct zs_sums *sums);
 
 /* Draw only what may have changed: from now on zs_frame_begin compares what every instance is drawn from (pose; fields of mesh,
  * material, texture and state, not the arrays) with the frame begun before, and a strip that no instance which differs could

@@ -315,6 +315,8 @@ int zs_frame_skip(struct zs_renderer *r)
     if (r->strip < r->band_end)
         zs_raster_pass(r);
     r->strip++;
+    r->stats.strips++;
+    r->stats.strips_skipped++;
     return 1;
 }
 
