@@ -19,12 +19,11 @@
 #include "core/plane.h"
 #include "core/raster.h"
 #include "core/rows.h"
-#include "core/shader.h"
+#include "zs_shader.h"
 #include "core/view.h"
 #include "core/walk.h"
 #include "core/xform.h"
 #include "fast/screen.h"
 #include "fast/tiles.h"
-#include "shade/light.h"
 
 #endif

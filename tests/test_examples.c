@@ -84,7 +84,36 @@ static void a_counter_costs_its_rectangle(void **state)
     assert_int_equal(p.pixels, 0);
 }
 
+static char ring_or_not(uint32_t c)
+{
+    return c == 0x000au ? '.' : '#';
+}
+
+static void a_shader_of_the_users(void **state)
+{
+    static const char *const rows[] = {
+        "........##..####......####......####..##........",
+        "........#..###.....##########.....###..#........",
+        "...........##....##############....##...........",
+        "..........###...################...###..........",
+        ".........###...######.......#####...###.........",
+        ".........##...#####..........#####...##.........",
+        ".........##...####............####...###........",
+        "........###..####..............####...##........",
+        "........##...####...............###...##........",
+        "........##...###................###...##........",
+        "........##...###................####..##........",
+        "........##..####................####..##........",
+    };
+    (void)state;
+    static struct panel p;
+    const struct zs_sink sink = { .submit = take, .ctx = &p };
+    assert_int_equal(example_user_shader(0, &sink), ZS_OK);
+    assert_rows(&p, 4, 12, rows, ring_or_not);
+}
+
 static const struct CMUnitTest tests[] = {
+    cmocka_unit_test(a_shader_of_the_users),
     cmocka_unit_test(a_sky_is_a_function_of_the_row),
     cmocka_unit_test(a_counter_costs_its_rectangle),
 };

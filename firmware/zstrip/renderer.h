@@ -89,7 +89,6 @@ struct zs_clusters {
 struct zs_xform {
     const struct zs_instance *instance;
     uint32_t number;    /* in the scene */
-    int32_t light[3];   /* q2_30: the light's direction in mesh space */
     uint8_t clip_depth; /* 1: vertices may be before near or beyond far */
     uint8_t clip_guard; /* 1: vertices may be outside the guard band */
     int32_t row[3 * ZS_ROW_WORDS_MAX]; /* three, ZS_ROW_WORDS each; one size on all cores */
@@ -152,6 +151,7 @@ struct zs_renderer { /* what is used most comes first: a Cortex-M0 reaches 31 by
 
     const struct zs_scene *scene; /* borrowed from begin to end; NULL: no frame is open */
     struct zs_xform xform;
+    struct zs_shading shading; /* of the current instance */
     struct zs_view view;
     struct zs_camera camera;
     struct zs_stats stats;

@@ -297,6 +297,13 @@ struct zs_camera {
                                 ZS_FAR_MAX, and perspective: near > 0, far - near >= far / 65536 */
 };
 
+/* What a shader's vertex and face stages see of the instance in hand (zs_shader.h). */
+struct zs_shading {
+    const struct zs_instance *instance;
+    const struct zs_light *light; /* the scene's */
+    zs_q2_30 dir[3];              /* its direction in mesh space */
+};
+
 /* ---- Renderer ----------------------------------------------------------------------------- */
 
 struct zs_depth; /* how a distance becomes a key, b bits, B = 2^b */

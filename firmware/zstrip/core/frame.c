@@ -9,7 +9,7 @@
 #include "core/frame.h"
 #include "core/fx.h"
 #include "core/raster.h"
-#include "core/shader.h"
+#include "zs_shader.h"
 #include "core/view.h"
 #include "core/walk.h"
 
@@ -157,6 +157,8 @@ static ZS_RARE int instance_check(const struct zs_renderer *r, const struct zs_i
     if ((!mesh->pos && mesh->n_verts) || (!mesh->tri && mesh->n_tris) || mesh->n_verts > 65535u ||
         mesh->scale == 0 || material->cull > ZS_CULL_NONE)
         return ZS_ERR_MESH;
+    if (!material->shader->run)
+        return ZS_ERR_NULL;
     if (material->shader->n_attrs > r->config.attrs)
         return ZS_ERR_ATTRS;
     return material->shader->check ? material->shader->check(in, &r->config) : ZS_OK;

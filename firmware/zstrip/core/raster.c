@@ -12,7 +12,7 @@
 #include "core/plane.h"
 #include "core/raster.h"
 #include "core/rows.h"
-#include "core/shader.h"
+#include "zs_shader.h"
 
 static int32_t strip_rows(const struct zs_renderer *r)
 {

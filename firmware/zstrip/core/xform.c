@@ -21,14 +21,16 @@
 #define SPLIT_MAX 15
 
 
-static ZS_RARE void light_direction(struct zs_xform *xf, const struct zs_light *light)
+static ZS_RARE void shading_set(struct zs_renderer *r, const struct zs_instance *in)
 {
-    const zs_q2_30 *rot = xf->instance->pose.rot;
+    struct zs_shading *s = &r->shading;
+    s->instance = in;
+    s->light = &r->scene->light;
     for (int k = 0; k < 3; k++) {
         int64_t sum = 0; /* transposed rotation: world to mesh */
         for (int j = 0; j < 3; j++)
-            sum += zs_mul_ss(rot[3 * j + k], light->dir[j]);
-        xf->light[k] = (int32_t)zs_round_shift(sum, 30); /* <= 2^30 (1 + 2^-19) */
+            sum += zs_mul_ss(in->pose.rot[3 * j + k], s->light->dir[j]);
+        s->dir[k] = (int32_t)zs_round_shift(sum, 30); /* <= 2^30 (1 + 2^-19) */
     }
 }
 
@@ -95,7 +97,7 @@ ZS_RARE int zs_xform_instance(struct zs_renderer *r, uint32_t number, const stru
         }
         row_set(xf->row + k * ZS_ROW_WORDS, m, zs_scale2(at, view->shift + shift - 30), shift);
     }
-    light_direction(xf, &r->scene->light);
+    shading_set(r, in);
     return 1;
 }
 

@@ -7,7 +7,7 @@
 #include "core/fast.h"
 #include "core/fx.h"
 #include "core/job.h"
-#include "core/shader.h"
+#include "zs_shader.h"
 #include "core/xform.h"
 #include "fast/screen.h"
 #include "zs_fast.h"
@@ -179,7 +179,7 @@ ZS_ALWAYS_INLINE enum zs_fate bin(struct zs_renderer *r, const struct zs_shader 
         zs_bin_corner(r, at->slot[1], attrs);
         zs_bin_corner(r, at->slot[2], attrs);
     }
-    zs_bin_push(r, at->slot, shader->face ? shader->face(r, t) : 0u, strip);
+    zs_bin_push(r, at->slot, shader->face ? shader->face(&r->shading, t) : 0u, strip);
     return ZS_FATE_DRAWN;
 }
 

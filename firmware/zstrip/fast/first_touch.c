@@ -13,7 +13,7 @@
 #include "core/fx.h"
 #include "core/raster.h"
 #include "core/rows.h"
-#include "core/shader.h"
+#include "zs_shader.h"
 #include "zs_fast.h"
 
 #define WIDE 128 /* columns; a triangle's rows cost some 40 instructions more here, an untouched pixel 6 less and no clear */

@@ -3,7 +3,7 @@
  * SPDX-License-Identifier: MIT
  */
 #include "core/job.h"
-#include "core/shader.h"
+#include "zs_shader.h"
 #include "fast/less.h"
 
 /* A key as it is tested. */

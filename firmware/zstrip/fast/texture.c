@@ -5,7 +5,7 @@
 #include "core/fast.h"
 #include "core/fx.h"
 #include "core/plane.h"
-#include "core/shader.h"
+#include "zs_shader.h"
 #include "fast/less.h"
 #include "fast/small.h"
 #include "shade/texture.h"

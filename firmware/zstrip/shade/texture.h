@@ -5,7 +5,7 @@
 #ifndef ZS_SHADE_TEXTURE_H
 #define ZS_SHADE_TEXTURE_H
 
-#include "core/shader.h"
+#include "zs_shader.h"
 #include "shade/persp.h"
 
 /* Texture coordinates walked along a run: fractions of the texture's size, modulo 1. */
