@@ -94,7 +94,7 @@ z render --help
 is status $status 0
 for option in --out --size --strip --eye --at --up --fov --near --far --projection --depth \
     --depth-bits --shade --cull --subpixel --background --tris --verts --depth-out --id-out --stats \
-    --reference --show --skip-off --threads; do
+    --reference --show --fast --threads; do
     grep -qE -- "^ .*$option( |,|\$)" stdout || wrong "--help does not name $option"
 done
 
@@ -368,17 +368,17 @@ show() { # NAME KIND SUM-OF MEAN-COUNT-IN-THE-MIDDLE OPTION...    each pixel as 
     is "beside $as" "$(color_at "$as" 60 120)" "$(block "$as" 0)"
 }
 begin show_eight_layers_before_and_after
-show tested tested pixels_tested 8 --skip-off 160
-show overdraw overdraw pixels_written 1 --skip-off 32
-show complexity complexity pixels_tested 8 --skip-off 32
+show tested tested pixels_tested 8 --fast all-tiles-touch
+show overdraw overdraw pixels_written 1 --fast all-tiles
+show complexity complexity pixels_tested 8 --fast all-tiles
 is "eight layers" "$(stat_of tested pixels_tested)" 128000
 before=$(stat_of tested show_sum)
 draw after layers.obj $plain --show tested
 is "sum after" "$(stat_of after show_sum)" $(($(stat_of after pixels_tested) - $(stat_of after pixels_untested)))
-[ "$(stat_of after show_sum)" -lt "$((before / 2))" ] || wrong "skips left $(stat_of after show_sum) of $before tests"
+[ "$(stat_of after show_sum)" -lt "$((before / 2))" ] || wrong "accelerators left $(stat_of after show_sum) of $before tests"
 draw after layers.obj $plain --show complexity
 is "complexity after" "$(stat_of after show_sum)" "$before"
-note="$before keys tested, $(stat_of after pixels_tested) with skips"
+note="$before keys tested, $(stat_of after pixels_tested) with accelerators"
 
 begin show_leaves_the_other_files_alone
 draw bare layers.obj $plain
