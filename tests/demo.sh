@@ -68,6 +68,8 @@ look pixel shown/layers_btf_000.png 160 120
 [ "$seen" != ffffff ] || wrong "accelerators made no difference"
 z demo --out shown --scene cubes --show overdraw --panel st7789:240x240
 one_line 2 --show
+z demo --out shown --scene cubes --fast all-none
+one_line 2 --fast
 
 begin strips_of_any_height
 demo strip_24 --scene city --size 70x60 --frames 2
