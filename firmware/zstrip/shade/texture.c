@@ -465,7 +465,7 @@ static void run_groups(struct zs_job *job, const struct zs_row *row, int32_t r0,
     const int down = (int32_t)job->w.gx < 0;
     int32_t from = row->x0 + ((r0 - row->x0) & -GROUP);
     void (*const divided)(struct zs_job *, const struct zs_row *, int32_t, int32_t) =
-        job->texel && !job->sampler.wide && !job->sampler.fine ? job->fast->divided : 0;
+        job->fast && job->texel && !job->sampler.wide && !job->sampler.fine ? job->fast->divided : 0;
     for (; from < r1; from += GROUP) {
         const int32_t to = zs_min32(from + GROUP, row->x1 - 1); /* covered */
         int32_t i0 = zs_max32(from, r0);
