@@ -109,7 +109,7 @@ ZS_ALWAYS_INLINE int32_t quotient(int64_t n, uint32_t rcp, int32_t lz, int32_t l
     if (hi || down < least_shift) {
         if (!(hi | m))
             return 0;
-        const int32_t up = hi ? zs_clz32(hi) : zs_clz32(m); /* hi: 15 .. 31 */
+        const int32_t up = hi ? zs_clz32(hi) : zs_min32(zs_clz32(m), 16); /* hi: 15 .. 31; 16: not too steep */
         m = hi ? hi << up | m >> (32 - up) : m << up;
         down += hi ? up - 32 : up;
         if (down < least_shift)
