@@ -109,8 +109,12 @@ static void instance_sum(uint32_t lane[2], const struct zs_instance *in, struct 
     begin(lane);
     add(lane, looks->sum, sizeof looks->sum);
     add(lane, in, sizeof *in);
-    if (in->state)
-        add(lane, in->state, sizeof *in->state);
+    if (in->state) { /* not words in memory: 6 bytes, at an even address */
+        const struct zs_state *s = in->state;
+        const uint32_t words[2] = { s->equal | (uint32_t)s->read_only << 8,
+                                    (uint16_t)s->offset | (uint32_t)(uint16_t)s->slope << 16 };
+        add(lane, words, sizeof words);
+    }
 }
 
 /* What holds for all of a frame but view.shift; never 0 0. Camera, configuration and shift make all of zs_view. */
