@@ -12,7 +12,7 @@
 #include <cmocka.h>
 
 #include "counts.h"
-#include "core/pipeline.h"
+#include "internals.h"
 #include "fast_lists.h"
 #include "scenes.h"
 
