@@ -99,50 +99,17 @@ static uint32_t attrs_of(const struct easel *s)
     return s->smooth ? ZS_ATTRS_SMOOTH : ZS_ATTRS_FLAT;
 }
 
-/* Accelerators that count what they draw before it is set up. */
-#define LIST_MAX 32
-
-static struct counted {
-    struct zs_fast fast; /* comes first: job->fast points to it */
-    int (*draw_of)(struct zs_job *job);
-} counted[LIST_MAX];
-static uint32_t at_once;
-
-static int counted_draw(struct zs_job *job)
-{
-    const int done = ((const struct counted *)(const void *)job->fast)->draw_of(job);
-    at_once += done != 0;
-    return done;
-}
-
-static void count_list(const struct zs_fast *const *fast, const struct zs_fast *out[LIST_MAX + 1])
-{
-    uint32_t n = 0;
-    for (; fast && fast[n]; n++) {
-        must(n < LIST_MAX, "accelerators");
-        counted[n].fast = *fast[n];
-        counted[n].draw_of = fast[n]->draw;
-        if (fast[n]->draw)
-            counted[n].fast.draw = counted_draw;
-        out[n] = &counted[n].fast;
-    }
-    out[n] = NULL;
-}
-
 void easel_draw(const struct easel *s, const struct easel_tri *t, uint32_t n,
                 struct easel_frame *out)
 {
     struct zs_renderer r;
-    const struct zs_fast *fast[LIST_MAX + 1];
     const struct zs_config config = { .width = (uint16_t)s->width, .height = (uint16_t)s->height,
                                       .strip_h = (uint16_t)s->strip_h, .max_tris = (uint16_t)(n ? n : 1),
                                       .max_verts = (uint16_t)(n ? 3 * n : 3), .attrs = (uint8_t)attrs_of(s),
                                       .buffers = 1, .subpixel_bits = 8, .depth_bits = (uint8_t)s->depth_bits,
-                                      .depth = s->depth, .fast = fast };
+                                      .depth = s->depth, .fast = fast_counting(s->fast) };
     const uint32_t bytes = zs_arena_bytes(&config);
     void *arena = malloc(bytes);
-    count_list(s->fast, fast);
-    at_once = 0;
     must(arena && zs_init(&r, &config, arena, bytes) == ZS_OK, "zs_init");
 
     static const zs_q1_15 normal[1][3] = { { 0, 0, 32767 } };
@@ -186,7 +153,7 @@ void easel_draw(const struct easel *s, const struct easel_tri *t, uint32_t n,
     out->tested = r.stats.pixels_tested;
     out->written = r.stats.pixels_written;
     out->setups = r.stats.tris_setup;
-    out->at_once = at_once;
+    out->at_once = fast_at_once;
     out->unit_near = r.view.z_near;
     out->shift = r.view.shift;
     out->key_far = (double)r.view.key_far / 65536.0;

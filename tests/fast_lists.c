@@ -6,6 +6,10 @@
 
 #include <assert.h>
 #include <stddef.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "core/fast.h"
 
 const struct zs_fast *const fast_all[] = { ZS_FAST_ALL, ZS_FAST_END };
 
@@ -22,7 +26,7 @@ static const struct {
 #define KNOWN (sizeof known / sizeof known[0])
 
 static_assert(KNOWN + 1 == sizeof fast_all / sizeof fast_all[0], "all that ZS_FAST_ALL names");
-static_assert(FAST_ALL == (1 << KNOWN) - 1, "a bit each");
+static_assert(FAST_COUNT == KNOWN, "a bit each");
 
 unsigned fast_count(void)
 {
@@ -54,4 +58,176 @@ const struct zs_fast *const *fast_without(unsigned k)
 const struct zs_fast *const *fast_any(struct prng *p)
 {
     return fast_of(prng_pick(p, FAST_ALL + 1));
+}
+
+/* ---- Lists that count -------------------------------------------------------------------------------------- */
+
+uint32_t fast_used[FAST_COUNT], fast_at_once;
+
+/* Copies, by their numbers, and what they are copies of. */
+static struct copy {
+    struct zs_fast fast; /* comes first: job->fast points to it */
+    const struct zs_fast *of;
+} copy[KNOWN];
+static struct texel_copy {
+    struct zs_fast_texel texel; /* comes first: job->texel points to it */
+    unsigned number;
+} texel_copy[KNOWN];
+static struct zs_fast_touch touch_copy;
+static struct zs_fast_tiles tiles_copy;
+static struct zs_fast_batch batch_copy;
+static struct zs_fast_clusters clusters_copy;
+
+enum { BATCH, TOUCH, TILES, CLUSTERS, EDGES }; /* as `known` has them */
+
+static unsigned number_of(const struct zs_job *job)
+{
+    return (unsigned)((const struct copy *)(const void *)job->fast - copy);
+}
+
+static int did(unsigned k, int what)
+{
+    fast_used[k] += what != 0;
+    return what;
+}
+
+static int count_draw(struct zs_job *job)
+{
+    const unsigned k = number_of(job);
+    const int done = did(k, copy[k].of->draw(job));
+    fast_at_once += done != 0;
+    return done;
+}
+
+static int count_rows(struct zs_job *job)
+{
+    const unsigned k = number_of(job);
+    return did(k, copy[k].of->rows(job));
+}
+
+static int count_edges(struct zs_job *job, int32_t row)
+{
+    return did(EDGES, known[EDGES].fast->edges(job, row));
+}
+
+static int count_takes(struct zs_job *job)
+{
+    return did(TOUCH, known[TOUCH].fast->touch->takes(job));
+}
+
+static int count_hides(struct zs_job *job)
+{
+    return did(TILES, known[TILES].fast->tiles->hides(job));
+}
+
+static int count_sphere(struct zs_renderer *r, const struct zs_bounds *b)
+{
+    return did(TILES, known[TILES].fast->tiles->hides_sphere(r, b));
+}
+
+static uint32_t count_bin(struct zs_renderer *r, uint32_t from, uint32_t end, uint32_t *fate)
+{
+    const uint32_t to = known[BATCH].fast->batch->bin(r, from, end, fate);
+    (void)did(BATCH, to > from);
+    return to;
+}
+
+static int count_run(struct zs_renderer *r)
+{
+    const uint32_t end = r->clusters.end;
+    const int more = known[CLUSTERS].fast->clusters->run(r);
+    (void)did(CLUSTERS, !more || r->clusters.from > end); /* some are left out */
+    return more;
+}
+
+static const struct texel_copy *texel_of(const struct zs_job *job)
+{
+    return (const struct texel_copy *)(const void *)job->texel;
+}
+
+static void count_texel_rows(struct zs_job *job)
+{
+    const unsigned k = texel_of(job)->number;
+    (void)did(k, 1);
+    known[k].fast->texel->rows(job);
+}
+
+static void count_small(struct zs_job *job, const struct zs_texture *texture, struct zs_texel_rows *rows)
+{
+    const unsigned k = texel_of(job)->number;
+    (void)did(k, 1);
+    known[k].fast->texel->small(job, texture, rows);
+}
+
+static void count_small_lit(struct zs_job *job, const struct zs_texture *texture, struct zs_texel_rows *rows)
+{
+    const unsigned k = texel_of(job)->number;
+    (void)did(k, 1);
+    known[k].fast->texel->small_lit(job, texture, rows);
+}
+
+static void copy_frame_hooks(struct zs_fast *fast)
+{
+    if (fast->touch) {
+        touch_copy = *fast->touch;
+        touch_copy.takes = count_takes;
+        fast->touch = &touch_copy;
+    }
+    if (fast->tiles) {
+        tiles_copy = *fast->tiles;
+        tiles_copy.hides = count_hides;
+        tiles_copy.hides_sphere = count_sphere;
+        fast->tiles = &tiles_copy;
+    }
+    if (fast->batch) {
+        batch_copy = *fast->batch;
+        batch_copy.bin = count_bin;
+        fast->batch = &batch_copy;
+    }
+    if (fast->clusters) {
+        clusters_copy = *fast->clusters;
+        clusters_copy.run = count_run;
+        fast->clusters = &clusters_copy;
+    }
+    if (fast->edges)
+        fast->edges = count_edges;
+}
+
+static void copy_hooks(struct zs_fast *fast, unsigned k)
+{
+    copy_frame_hooks(fast);
+    if (fast->draw)
+        fast->draw = count_draw;
+    if (fast->rows)
+        fast->rows = count_rows;
+    if (!fast->texel)
+        return;
+    struct texel_copy *t = &texel_copy[k];
+    t->number = k;
+    t->texel = *fast->texel;
+    t->texel.rows = count_texel_rows;
+    t->texel.small = t->texel.small ? count_small : NULL;
+    t->texel.small_lit = t->texel.small_lit ? count_small_lit : NULL;
+    fast->texel = &t->texel;
+}
+
+const struct zs_fast *const *fast_counting(const struct zs_fast *const *list)
+{
+    static const struct zs_fast *out[KNOWN + 1];
+    unsigned n = 0;
+    memset(fast_used, 0, sizeof fast_used);
+    fast_at_once = 0;
+    for (; list && *list; list++) {
+        unsigned k = 0;
+        while (k < KNOWN && known[k].fast != *list)
+            k++;
+        if (k == KNOWN || n == KNOWN)
+            abort();
+        copy[k].of = *list;
+        copy[k].fast = **list;
+        copy_hooks(&copy[k].fast, k);
+        out[n++] = &copy[k].fast;
+    }
+    out[n] = NULL;
+    return out;
 }

@@ -18,6 +18,12 @@ struct zs_config picture_config(int32_t w, int32_t h, const struct zs_depth *dep
     return c;
 }
 
+int watch_anew(struct zs_renderer *r, struct zs_sums *sums, uint64_t *memory, uint32_t columns)
+{
+    const int err = zs_sums_init(sums, memory, r->config.width, r->config.height, r->config.strip_h, columns);
+    return err ? err : zs_watch(r, sums);
+}
+
 struct copy {
     struct picture *to;
     int32_t rows;    /* arrived */

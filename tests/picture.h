@@ -22,6 +22,9 @@ struct picture {
 };
 
 /* Room for everything in one pass, one strip buffer, one strip, all accelerators. */
+/* zs_watch with sums of their own, of which nothing is known: `memory` is as in zs_sums_init. */
+int watch_anew(struct zs_renderer *r, struct zs_sums *sums, uint64_t *memory, uint32_t columns);
+
 struct zs_config picture_config(int32_t w, int32_t h, const struct zs_depth *depth);
 /* Draw a frame by zs_render. To be freed whatever err is. */
 struct picture picture_draw(const struct zs_config *config, const struct zs_scene *scene,

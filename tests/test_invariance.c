@@ -1,4 +1,4 @@
-/* What must not change a picture: strips, pools, buffers, skips, junk in memory, and moves of the
+/* What must not change a picture: strips, pools, buffers, accelerators, junk in memory, and moves of the
  * scene that the conventions say are moves of the picture.
  *
  * SPDX-License-Identifier: MIT
@@ -7,6 +7,8 @@
 #include <string.h>
 
 #include "cases.h"
+#include "clusters.h"
+#include "fast_lists.h"
 #include "oracle.h"
 #include "picture.h"
 #include "shapes.h"
@@ -160,9 +162,8 @@ static void same_with(const struct picture *plain, const struct zs_config *confi
 {
     char name[160];
     snprintf(name, sizeof name,
-             "%s, %s: strips of %u, %u triangles, %u vertices, %u buffers, skips off %u", set.name,
-             what, config->strip_h, config->max_tris, config->max_verts, config->buffers,
-             config->skip_off);
+             "%s, %s: strips of %u, %u triangles, %u vertices, %u buffers", set.name,
+             what, config->strip_h, config->max_tris, config->max_verts, config->buffers);
     struct picture p = drawn(config);
     assert_true(picture_same(plain, &p, name));
     assert_true(stats_add_up(&p.stats));
@@ -238,31 +239,181 @@ static void any_pool_down_to_one_triangle(void **state)
     print_message("pools: up to %u passes\n", most_passes);
 }
 
-static void stress_26_each_skip_on_or_off(void **state)
+/* None, all, all but one, one alone. */
+#define LISTS (2u + 2u * fast_count())
+
+static const struct zs_fast *const *list_of(uint32_t k, char name[40])
+{
+    const uint32_t n = fast_count(), one = (k - 2u) % n;
+    snprintf(name, 40, "%s%s", k < 2 ? k ? "all" : "no" : k < 2 + n ? "without " : "",
+             k < 2 ? " accelerators" : fast_name(one));
+    return k == 0 ? NULL : k == 1 ? fast_all : k < 2 + n ? fast_without(one) : fast_of(1u << one);
+}
+
+static void stress_26_each_accelerator_on_or_off(void **state)
 {
     (void)state;
     for (size_t s = 0; s < N_SETS; s++) {
         sets[s]();
-        struct picture plain = drawn(&set.config);
-        for (uint16_t off = 1; off <= ZS_SKIP_ALL; off++) {
-            if (off & (uint16_t)(off - 1) && off % (off < 64 ? 5 : 509) && off != ZS_SKIP_ALL)
-                continue; /* each alone, some together, all */
+        struct zs_config core = set.config;
+        core.fast = NULL;
+        struct picture plain = drawn(&core);
+        for (uint32_t k = 1; k < LISTS; k++)
             for (size_t h = 1; h < N_HEIGHTS; h += 2) {
+                char name[40];
                 struct zs_config c = set.config;
-                c.skip_off = off;
+                c.fast = list_of(k, name);
                 c.strip_h = heights[h];
-                same_with(&plain, &c, "skips");
+                same_with(&plain, &c, name);
                 c.max_tris = 9;
                 c.max_verts = 12;
-                same_with(&plain, &c, "skips and pools");
+                same_with(&plain, &c, name);
             }
-        }
         picture_free(&plain);
     }
 }
 
-/* A part of the scene out of view, wholly or partly, in every direction: what is skipped was empty.
- */
+/* ---- Random scenes, each accelerator on or off ----------------------------------------------- */
+
+static uint16_t texels[64 * 32], palette[256];
+static int16_t uv[4][SHAPE_VERTS][2];
+static struct zs_cluster clusters[4][SHAPE_TRIS];
+
+static const struct zs_texture textures[] = {
+    { .format = &zs_texel_565, .texel = texels, .log2_w = 6, .log2_h = 5 },
+    { .format = &zs_texel_pal8, .texel = texels, .palette = palette, .n_colors = 256, .log2_w = 5, .log2_h = 6 },
+    { .format = &zs_texel_pal4, .texel = texels, .palette = palette, .n_colors = 16, .log2_w = 5, .log2_h = 5 },
+    { .format = &zs_texel_565, .texel = texels, .log2_w = 6, .log2_h = 5, .clamp = ZS_CLAMP_U }
+};
+
+/* A square that faces +z, of 2 n^2 triangles. */
+static void shape_wall(struct shape *s, int32_t half, int32_t n)
+{
+    const int32_t forward[3] = { 0, 0, 1 };
+    shape_begin(s);
+    for (int32_t y = 0; y <= n; y++)
+        for (int32_t x = 0; x <= n; x++) {
+            const int32_t at[3] = { half * (2 * x - n) / n, half * (2 * y - n) / n, 0 };
+            (void)shape_vertex(s, at, forward);
+        }
+    for (int32_t y = 0; y < n; y++)
+        for (int32_t x = 0; x < n; x++) {
+            const uint32_t a = (uint32_t)(y * (n + 1) + x), b = a + (uint32_t)n + 1u;
+            shape_tri(s, a, a + 1u, b);
+            shape_tri(s, a + 1u, b + 1u, b);
+        }
+    shape_end(s);
+}
+
+static void shapes_random(struct prng *p)
+{
+    shape_wall(&set.shape[0], prng_range(p, 500, 20000), prng_range(p, 1, 4));
+    shape_sphere(&set.shape[1], (uint32_t)prng_range(p, 6, 12), (uint32_t)prng_range(p, 8, 14), 3000);
+    shape_torus(&set.shape[2], (uint32_t)prng_range(p, 8, 20), 10, 4200, 1200);
+    shape_soup(&set.shape[3], (uint32_t)prng_range(p, 5, 90), 6000, prng_next(p));
+    for (int n = 0; n < 4; n++) {
+        struct zs_mesh *mesh = &set.shape[n].mesh;
+        const int32_t most = prng_pick(p, 3) ? 200 << prng_pick(p, 6) : 32767;
+        for (uint32_t v = 0; v < mesh->n_verts; v++)
+            for (int axis = 0; axis < 2; axis++)
+                uv[n][v][axis] = (int16_t)prng_range(p, -most, most);
+        mesh->uv = (const int16_t (*)[2])uv[n];
+        mesh->uv_bits = (uint8_t)prng_range(p, 9, 13);
+        if (!prng_pick(p, 4))
+            mesh->pos_lo = (const uint8_t (*)[3])set.shape[n].pos_lo;
+        mesh->radius = (uint16_t)(mesh->radius + 2u);
+        clusters_make(mesh, clusters[n], p, 1 + prng_pick(p, 20), 9);
+    }
+}
+
+static void random_set(struct prng *p)
+{
+    static const struct zs_depth *const depths[] = { &zs_depth_recip, &zs_depth_linear, &zs_depth_e3m13, &zs_depth_e5m11,
+                                                     &zs_depth_float, &zs_depth_float };
+    static const struct zs_shader *const shaders[] = { &zs_shade_raw, &zs_shade_flat, &zs_shade_smooth, &zs_shade_texture,
+                                                       &zs_shade_texture_flat, &zs_shade_texture_smooth };
+    static const struct zs_state states[] = { ZS_STATE(1, 0, 0, 0), ZS_STATE(0, 1, -20, 0), ZS_STATE(0, 0, 30, 200) };
+    const int orthographic = !prng_pick(p, 5);
+    common("random", orthographic ? &zs_depth_linear : depths[prng_pick(p, 6)]);
+    set.config.width = (uint16_t)prng_range(p, 130, 300);
+    set.config.height = (uint16_t)prng_range(p, 20, 90);
+    set.config.strip_h = (uint16_t)prng_range(p, 1, 90);
+    set.config.depth_bits = (uint8_t)(prng_pick(p, 2) ? 16 : prng_range(p, 8, 16));
+    set.config.subpixel_bits = prng_pick(p, 4) ? 8 : 4;
+    for (size_t i = 0; i < sizeof texels / 2; i++)
+        texels[i] = (uint16_t)prng_next(p);
+    for (int i = 0; i < 256; i++)
+        palette[i] = (uint16_t)prng_next(p);
+    shapes_random(p);
+    if (orthographic)
+        (void)zs_camera_orthographic(&set.camera, prng_range(p, 4000, 20000), 100, 40000);
+    else
+        (void)zs_camera_perspective(&set.camera, (zs_turn)prng_range(p, 4000, 14000), set.config.height,
+                                    prng_range(p, 60, 2000), 60000);
+    for (int n = 0; n < INSTANCES; n++) {
+        const uint32_t of = n ? prng_pick(p, 4) : prng_pick(p, 2); /* a wall comes first in every other */
+        const int32_t z = n || of ? prng_range(p, 2000, 30000) : prng_range(p, 300, 5000);
+        add(&set.shape[of], shaders[prng_pick(p, 6)], prng_range(p, -z, z), prng_range(p, -z / 3, z / 3), -z, prng_pick(p, 3));
+        if (of == 0 && prng_pick(p, 3)) /* to the eye */
+            zs_pose_turn(&set.instance[n].pose, (zs_turn)prng_range(p, -2000, 2000), 0, 0);
+        if (!prng_pick(p, 8))
+            set.instance[n].state = &states[prng_pick(p, 3)];
+        set.material[n].texture = &textures[prng_pick(p, 4)];
+    }
+}
+
+static uint32_t used[FAST_COUNT]; /* of all scenes: fast_used */
+
+static int random_case(uint64_t seed)
+{
+    struct prng p = { seed };
+    random_set(&p);
+    struct zs_config core = set.config;
+    core.strip_h = core.height;
+    core.fast = NULL;
+    struct picture plain = drawn(&core);
+    int ok = plain.err == ZS_OK;
+    for (uint32_t k = 1; k < LISTS && ok; k++) {
+        char name[40];
+        struct zs_config c = set.config;
+        c.fast = list_of(k, name);
+        if (k % 3 == seed % 3) {
+            c.max_tris = (uint16_t)prng_range(&p, 1, 300);
+            c.max_verts = (uint16_t)prng_range(&p, 3, 300);
+        }
+        struct picture f = drawn(&c);
+        ok = picture_same(&plain, &f, name) && stats_add_up(&f.stats);
+        picture_free(&f);
+    }
+    struct zs_config c = set.config;
+    c.fast = fast_counting(fast_all);
+    struct picture f = drawn(&c);
+    ok = ok && picture_same(&plain, &f, "counted");
+    for (int k = 0; k < FAST_COUNT; k++)
+        used[k] += fast_used[k];
+    picture_free(&f);
+    picture_free(&plain);
+    return ok ? 1 : case_wrong("random scene");
+}
+
+static void stress_26_random_scenes_by_any_accelerators(void **state)
+{
+    (void)state;
+    memset(used, 0, sizeof used);
+    CASES(random_case, 150);
+    for (unsigned k = 0; k < FAST_COUNT; k++)
+        print_message("%s: %u\n", fast_name(k), used[k]);
+    for (unsigned k = 0; k < FAST_COUNT; k++)
+        assert_true(getenv("ZS_SEED") || used[k] > 100);
+}
+
+/* ---- What is left out ------------------------------------------------------------------------ */
+
+/* A part of the scene out of view, wholly or partly, in every direction: what is culled was empty, and tests that are left
+ * out would have found nothing. So it is where each sphere is said to be so large that nothing can be known by it; an empty
+ * mesh that is larger keeps camera units as they are. */
+static uint32_t instances_out;
+
 static int frustum_case(uint64_t seed)
 {
     struct prng p = { seed };
@@ -275,23 +426,34 @@ static int frustum_case(uint64_t seed)
     else
         (void)zs_camera_perspective(&set.camera, (zs_turn)(120 << prng_range(&p, 0, 7)), 70, 500,
                                     60000);
-    for (int n = 0; n < INSTANCES; n++)
+    for (int n = 0; n + 1 < INSTANCES; n++)
         add(&set.shape[n % 2], &zs_shade_raw, prng_range(&p, -9000, 9000),
             prng_range(&p, -9000, 9000), prng_range(&p, -16000, 6000), ZS_CULL_NONE);
+    shape_begin(&set.shape[2]);
+    set.shape[2].mesh.radius = 65535;
+    set.shape[2].mesh.scale = 4 * ZS_Q16_ONE;
+    add(&set.shape[2], &zs_shade_raw, 0, 0, 0, ZS_CULL_NONE);
     struct zs_config c = set.config;
     struct picture a = drawn(&c);
-    c.skip_off = ZS_SKIP_FRUSTUM | ZS_SKIP_CLIPTEST;
+    set.shape[0].mesh.radius = set.shape[1].mesh.radius = 40000;
+    c.fast = NULL;
     struct picture b = drawn(&c);
-    const int ok = picture_same(&a, &b, "frustum");
+    int ok = picture_same(&a, &b, "frustum");
+    if (b.stats.instances_culled)
+        ok = case_wrong("%u culled that nothing is known of", b.stats.instances_culled);
+    instances_out += a.stats.instances_culled;
     picture_free(&a);
     picture_free(&b);
     return ok;
 }
 
-static void skipped_instances_were_empty(void **state)
+static void culled_instances_were_empty(void **state)
 {
     (void)state;
+    instances_out = 0;
     CASES(frustum_case, 600);
+    print_message("frustum: %u instances culled\n", instances_out);
+    assert_true(getenv("ZS_SEED") || instances_out > 600);
 }
 
 /* ---- Memory ---------------------------------------------------------------------------------- */
@@ -613,8 +775,9 @@ static void stress_25_opaque_order_permuted(void **state)
 static const struct CMUnitTest tests[] = {
     cmocka_unit_test(stress_21_any_strip_height),
     cmocka_unit_test(any_pool_down_to_one_triangle),
-    cmocka_unit_test(stress_26_each_skip_on_or_off),
-    cmocka_unit_test(skipped_instances_were_empty),
+    cmocka_unit_test(stress_26_each_accelerator_on_or_off),
+    cmocka_unit_test(stress_26_random_scenes_by_any_accelerators),
+    cmocka_unit_test(culled_instances_were_empty),
     cmocka_unit_test(junk_in_memory),
     cmocka_unit_test(two_renderers_side_by_side),
     cmocka_unit_test(stress_22_vertices_rotated_in_a_triangle),

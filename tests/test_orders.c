@@ -66,6 +66,7 @@ struct desk { /* a renderer, all of its memory, what has arrived, and what it sh
     struct zs_renderer r;
     uint32_t arena[ARENA_BYTES / 4];
     uint64_t sum[STRIPS * COLUMNS];
+    struct zs_sums sums;
     uint32_t memory[ZS_TRACK_WORDS(3, H, ROWS)];
     uint16_t glass[W * H];
     int open; /* the scene, or -1 */
@@ -151,7 +152,9 @@ static int call(struct desk *d, enum op op)
         d->tracking ^= !open;
         return 1;
     case WATCH:
-        CASE_CHECK(zs_watch(&d->r, d->watching ? NULL : d->sum, COLUMNS) == (open ? ZS_ERR_STATE : ZS_OK));
+        if (!open && !d->watching)
+            CASE_CHECK(zs_sums_init(&d->sums, d->sum, W, H, d->r.config.strip_h, COLUMNS) == ZS_OK);
+        CASE_CHECK(zs_watch(&d->r, d->watching ? NULL : &d->sums) == (open ? ZS_ERR_STATE : ZS_OK));
         d->watching ^= !open;
         return 1;
     default: return render(d, 0);

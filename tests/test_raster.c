@@ -7,6 +7,7 @@
 #include <string.h>
 
 #include "cases.h"
+#include "fast_lists.h"
 #include "oracle.h"
 #include "easel.h"
 #include "internals.h"
@@ -14,6 +15,7 @@
 #define GUARD (8188 * 256)
 
 static uint64_t pixels_compared; /* of the current test */
+static uint64_t at_once, setups; /* triangles in strips: drawn before they were set up, all */
 static double worst_error;       /* in buckets; of frames of at most 640 px width + height ... */
 static double worst_big;         /* ... and of larger ones */
 
@@ -225,12 +227,27 @@ static int frame_right(const struct easel *s, const struct easel_tri *t,
     return 1;
 }
 
-/* Draw one triangle and compare its frame. */
+/* Draw one triangle and compare its frame; then the same by the core alone, and without zs_fast_touch, beside which a first
+ * triangle is not drawn in one go. */
 static int draws_right(const struct easel *s, const struct easel_tri *t, pixel_fn *pixel)
 {
+    const size_t bytes = (size_t)s->width * (size_t)s->height * 2;
+    const struct zs_fast *const *const lists[2] = { NULL, fast_of(FAST_ALL & ~FAST_TOUCH) };
     struct easel_frame f;
     easel_draw(s, t, 1, &f);
-    const int ok = frame_right(s, t, &f, pixel);
+    int ok = frame_right(s, t, &f, pixel);
+    for (int k = 0; k < 2 && ok; k++) {
+        struct easel other = *s;
+        struct easel_frame g;
+        other.fast = lists[k];
+        easel_draw(&other, t, 1, &g);
+        at_once += g.at_once;
+        setups += k ? g.setups : 0;
+        if (memcmp(f.color, g.color, bytes) || memcmp(f.key, g.key, bytes) || f.tested != g.tested ||
+            f.written != g.written || f.setups != g.setups)
+            ok = wrong_at(s, t, 0, 0, k ? "not the same without touch, set-ups" : "not the same by the core, set-ups", g.setups);
+        easel_free(&g);
+    }
     easel_free(&f);
     return ok;
 }
@@ -292,12 +309,14 @@ static int one_triangle(uint64_t seed)
 static void coverage_and_keys_of_single_triangles(void **state)
 {
     (void)state;
-    pixels_compared = 0;
+    pixels_compared = at_once = setups = 0;
     worst_error = worst_big = 0;
     CASES(one_triangle, 4000);
+    assert_true(getenv("ZS_SEED") || at_once > 1000);
     print_message("single triangles: %llu pixels compared, keys off by at most %.5f buckets, "
                   "%.5f in frames of 1032 px width + height\n",
                   (unsigned long long)pixels_compared, worst_error, worst_big);
+    print_message("single triangles: %llu of %llu in strips in one go\n", (unsigned long long)at_once, (unsigned long long)setups);
 }
 
 /* Frames up to the library's limit: the key's bound grows with them. */
@@ -324,36 +343,6 @@ static void coverage_and_keys_in_big_frames(void **state)
 }
 
 /* ---- Gradients ---------------------------------------------------------------------------- */
-
-#if ZS_LEAN /* the library has it in raster.c, all in one; here for what follows it */
-void zs_plane_sides(struct zs_job *job, const struct zs_vertex *a, const struct zs_vertex *b, const struct zs_vertex *c)
-{
-    struct zs_geom *g = &job->geom;
-    job->v[0] = a;
-    job->v[1] = b;
-    job->v[2] = c;
-    job->mid_right = b->y < c->y || (b->y == c->y && b->x < c->x);
-    g->dx1 = b->x - a->x;
-    g->dx2 = c->x - a->x;
-    g->dy1 = b->y - a->y;
-    g->dy2 = c->y - a->y;
-    g->area = (int64_t)g->dx1 * g->dy2 - (int64_t)g->dx2 * g->dy1;
-}
-
-void zs_plane_geom(struct zs_job *job)
-{
-    struct zs_geom *g = &job->geom;
-    const int small = zs_max32(zs_max32(g->dx1, g->dx2), 0) - zs_min32(zs_min32(g->dx1, g->dx2), 0) +
-                          zs_max32(g->dy1, g->dy2) <= ZS_SMALL_EXTENT;
-    const int32_t i = job->v[0]->x >> 8, j = job->v[0]->y >> 8;
-    g->exp = small ? -zs_clz32((uint32_t)g->area) : 0;
-    g->rcp = small ? zs_recip((uint32_t)g->area << -g->exp) : 0;
-    g->ia = small ? i : zs_min32(zs_max32(i, 0), job->width - 1);
-    g->ja = small ? j : zs_min32(zs_max32(j, 0), job->r->config.height - 1);
-    g->ax = g->ia * 256 + 128 - job->v[0]->x;
-    g->ay = g->ja * 256 + 128 - job->v[0]->y;
-}
-#endif
 
 /* |g - 256 n / area| in ulps, modulo 2^32 ulps. */
 static double gradient_error(uint32_t g, __int128 n, int64_t area)
@@ -412,18 +401,13 @@ static int tiny_is_small(const struct zs_geom *g, const struct easel_tri *t)
 }
 
 /* Of a snapped triangle: nearest where it is large, within 0.88 ulp where it is small (plane.c). */
-static int gradient_case(uint64_t seed)
+static int gradients_right(struct prng *p, const struct easel *s, const struct easel_tri *t)
 {
-    struct prng p = { seed };
-    const struct easel s = easel_default(320, 240);
-    struct easel_tri t;
-    random_tri(&p, seed % 3 ? KIND_SMALL : KIND_HUGE, &s, &t);
-    random_keys(&p, 65535u << 16, t.d);
-    struct oracle_tri o = to_oracle(&t);
+    struct oracle_tri o = to_oracle(t);
     struct zs_vertex v[3];
     const struct zs_vertex *down[3] = { &v[0], &v[1], &v[2] };
     for (int k = 0; k < 3; k++)
-        v[k] = (struct zs_vertex){ t.x[k], t.y[k], t.d[k] };
+        v[k] = (struct zs_vertex){ t->x[k], t->y[k], t->d[k] };
     for (int k = 0; k < 3; k++) /* by y, then x */
         for (int m = 0; m < 2; m++)
             if (down[m]->y > down[m + 1]->y || (down[m]->y == down[m + 1]->y && down[m]->x > down[m + 1]->x)) {
@@ -452,14 +436,40 @@ static int gradient_case(uint64_t seed)
     const int64_t dv1 = (int64_t)b->d - a->d, dv2 = (int64_t)c->d - a->d;
     const __int128 nx = (__int128)dv1 * (c->y - a->y) - (__int128)dv2 * (b->y - a->y);
     const __int128 ny = (__int128)dv2 * (b->x - a->x) - (__int128)dv1 * (c->x - a->x);
-    CASE_CHECK(planes64_exact(&p, &job.geom, area) && tiny_is_small(&job.geom, &t));
-    const double bound = spread(t.x) + spread(t.y) <= 65536 ? 0.88 : 0.5;
+    CASE_CHECK(planes64_exact(p, &job.geom, area) && tiny_is_small(&job.geom, t));
+    const double bound = spread(t->x) + spread(t->y) <= 65536 ? 0.88 : 0.5;
     const double error = fmax(gradient_error(job.key.gx, nx, area),
                               gradient_error(job.key.gy, ny, area));
     worst_error = fmax(worst_error, bound < 0.6 ? 0 : error);
     if (error > bound)
-        return wrong_at(&s, &t, 0, 0, "gradient, ulps", error);
+        return wrong_at(s, t, 0, 0, "gradient, ulps", error);
     return 1;
+}
+
+static int gradient_case(uint64_t seed)
+{
+    struct prng p = { seed };
+    const struct easel s = easel_default(320, 240);
+    struct easel_tri t;
+    random_tri(&p, seed % 3 ? KIND_SMALL : KIND_HUGE, &s, &t);
+    random_keys(&p, 65535u << 16, t.d);
+    return gradients_right(&p, &s, &t);
+}
+
+/* Areas of a few sub-pixels squared, keys that differ by a few 2^-16 buckets. */
+static int least_gradient_case(uint64_t seed)
+{
+    struct prng p = { seed };
+    const struct easel s = easel_default(320, 240);
+    struct easel_tri t;
+    const int32_t width = 1 << prng_pick(&p, 11), height = 1 << prng_pick(&p, 11);
+    memset(&t, 0, sizeof t);
+    for (int k = 0; k < 3; k++) {
+        t.x[k] = 20000 + prng_range(&p, 0, width);
+        t.y[k] = 20000 + prng_range(&p, 0, height);
+        t.d[k] = 0x30000000u + prng_pick(&p, 1u + (1u << prng_pick(&p, 6)));
+    }
+    return gradients_right(&p, &s, &t);
 }
 
 static void gradients_to_the_last_bit(void **state)
@@ -467,6 +477,7 @@ static void gradients_to_the_last_bit(void **state)
     (void)state;
     worst_error = 0;
     CASES(gradient_case, 200000);
+    CASES(least_gradient_case, 20000);
     print_message("gradients of small triangles: off by at most %.4f ulp\n", worst_error);
 }
 

@@ -230,6 +230,7 @@ struct show {
     void *arena;
     uint32_t *memory;
     uint64_t sum[H_MAX * 4];
+    struct zs_sums sums;
     struct glass glass;
 };
 
@@ -366,7 +367,8 @@ static int frames_of(uint64_t seed)
         if (told)
             assert_int_equal(zs_invalidate(&s.r, NULL), ZS_OK);
         if (!s.r.scene && !prng_pick(&p, 10))
-            assert_int_equal(zs_watch(&s.r, prng_pick(&p, 3) ? s.sum : NULL, 1 + prng_pick(&p, 4)), ZS_OK);
+            assert_int_equal(prng_pick(&p, 3) ? watch_anew(&s.r, &s.sums, s.sum, 1 + prng_pick(&p, 4)) : zs_watch(&s.r, NULL),
+                             ZS_OK);
         if (!s.r.scene && !prng_pick(&p, 20))
             s.glass.columns = zs_track(&s.r, prng_pick(&p, 3) ? s.memory : NULL, INSTANCES); /* 0 */
         if (!s.r.scene && s.r.track && !prng_pick(&p, 5)) {

@@ -58,6 +58,7 @@ struct show {
     struct zs_renderer r;
     uint32_t *arena;
     uint64_t *sum;
+    struct zs_sums sums;
     uint32_t n_sums, columns;
     struct glass glass;
     const struct demo *demo;
@@ -81,7 +82,7 @@ static void open_show(struct show *s, const struct demo *demo, uint16_t w, uint1
     memset(s->arena, 0xcd, bytes);
     memset(s->glass.px, 0xee, sizeof s->glass.px);
     assert_int_equal(zs_init(&s->r, &s->config, s->arena, bytes), ZS_OK);
-    assert_int_equal(zs_watch(&s->r, s->sum, columns), ZS_OK);
+    assert_int_equal(watch_anew(&s->r, &s->sums, s->sum, columns), ZS_OK);
     s->glass.partial = 1;
 }
 
@@ -135,7 +136,7 @@ static void a_still_scene_sends_nothing(void **state)
                 assert_int_equal(draw(&s, 4), ZS_OK);
                 assert_true(s.glass.n_submits > 0);
                 glass_is_right(&s);
-                assert_int_equal(zs_watch(&s.r, s.sum, columns), ZS_OK); /* begins anew */
+                assert_int_equal(watch_anew(&s.r, &s.sums, s.sum, columns), ZS_OK); /* begins anew */
                 assert_int_equal(draw(&s, 4), ZS_OK);
                 assert_int_equal(s.glass.n_px, s.config.width * 60);
                 close_show(&s);
@@ -230,6 +231,28 @@ static void failed_sends_are_sent_again(void **state)
             }
 }
 
+/* Two renderers take turns at the strips of one panel: A, B, A. What A draws the second time is what it drew the first time, but
+ * the panel shows B's. */
+static void renderers_that_take_turns_share_the_panels_sums(void **state)
+{
+    (void)state;
+    struct show a, b;
+    open_show(&a, &demo_cubes, 64, 48, 8, 1, 2);
+    open_show(&b, &demo_knot, 64, 48, 8, 1, 2);
+    assert_int_equal(zs_watch(&b.r, &a.sums), ZS_OK);
+    assert_int_equal(draw(&a, 0), ZS_OK);
+    memcpy(b.glass.px, a.glass.px, sizeof b.glass.px); /* one panel */
+    assert_int_equal(draw(&b, 0), ZS_OK);
+    assert_true(b.glass.n_submits > 0);
+    glass_is_right(&b);
+    memcpy(a.glass.px, b.glass.px, sizeof a.glass.px);
+    assert_int_equal(draw(&a, 0), ZS_OK);
+    assert_true(a.glass.n_submits > 0);
+    glass_is_right(&a);
+    close_show(&a);
+    close_show(&b);
+}
+
 static void wrong_calls_are_refused(void **state)
 {
     (void)state;
@@ -238,19 +261,27 @@ static void wrong_calls_are_refused(void **state)
     memset(&junk, 0xa5, sizeof junk);
     junk.ready = 0;
     open_show(&s, &demo_cubes, 64, 48, 8, 1, 2);
-    assert_int_equal(zs_watch(NULL, s.sum, 1), ZS_ERR_NULL);
+    assert_int_equal(zs_watch(NULL, &s.sums), ZS_ERR_NULL);
     assert_int_equal(zs_invalidate(NULL, NULL), ZS_ERR_NULL);
-    assert_int_equal(zs_watch(&junk, s.sum, 1), ZS_ERR_STATE);
+    assert_int_equal(zs_watch(&junk, &s.sums), ZS_ERR_STATE);
     assert_int_equal(zs_invalidate(&junk, NULL), ZS_ERR_STATE);
-    assert_int_equal(zs_watch(&s.r, s.sum, 0), ZS_ERR_SIZE);
-    assert_int_equal(zs_watch(&s.r, s.sum, 65), ZS_ERR_SIZE);
+    struct zs_sums other = s.sums;
+    assert_int_equal(zs_sums_init(NULL, s.sum, 64, 48, 8, 2), ZS_ERR_NULL);
+    assert_int_equal(zs_sums_init(&other, NULL, 64, 48, 8, 2), ZS_ERR_NULL);
+    assert_int_equal(zs_sums_init(&other, s.sum, 64, 48, 8, 0), ZS_ERR_SIZE);
+    assert_int_equal(zs_sums_init(&other, s.sum, 64, 48, 8, 65), ZS_ERR_SIZE);
+    assert_int_equal(zs_sums_init(&other, s.sum, 64, 48, 0, 2), ZS_ERR_SIZE);
+    assert_int_equal(zs_sums_init(&other, s.sum, 0, 48, 8, 2), ZS_ERR_SIZE);
+    assert_int_equal(zs_sums_init(&other, s.sum, 64, ZS_SIZE_MAX + 1, 8, 2), ZS_ERR_SIZE);
+    other.strip_h = 9;
+    assert_int_equal(zs_watch(&s.r, &other), ZS_ERR_SIZE);
     assert_int_equal(draw(&s, 0), ZS_OK);
     assert_int_equal(zs_frame_begin(&s.r, &s.frame.scene, &s.frame.camera), ZS_OK);
-    assert_int_equal(zs_watch(&s.r, NULL, 0), ZS_ERR_STATE);
+    assert_int_equal(zs_watch(&s.r, NULL), ZS_ERR_STATE);
     assert_int_equal(zs_frame_end(&s.r), ZS_OK);
     assert_int_equal(draw(&s, 0), ZS_OK); /* as before: still watching */
     assert_int_equal(s.glass.n_submits, 0);
-    assert_int_equal(zs_watch(&s.r, NULL, 0), ZS_OK);
+    assert_int_equal(zs_watch(&s.r, NULL), ZS_OK);
     assert_int_equal(draw(&s, 0), ZS_OK);
     assert_int_equal(s.glass.n_px, 64 * 48);
     assert_int_equal(zs_invalidate(&s.r, NULL), ZS_OK); /* no effect */
@@ -264,6 +295,7 @@ int main(void)
         cmocka_unit_test(one_moving_thing_sends_its_own_part),
         cmocka_unit_test(invalidated_parts_are_sent_again),
         cmocka_unit_test(failed_sends_are_sent_again),
+        cmocka_unit_test(renderers_that_take_turns_share_the_panels_sums),
         cmocka_unit_test(wrong_calls_are_refused),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

@@ -46,6 +46,7 @@ static struct panel_config glass;
 static struct tally tally;
 static void *arena, *scratch;
 static uint64_t *sums; /* of --partial */
+static struct zs_sums panel_sums;
 static uint64_t given; /* when panel_send returned that began the strip that is out */
 static int use_te, is_lit;
 
@@ -232,7 +233,8 @@ static int set_up_renderer(void)
     int err = zs_init(&renderer, &config, arena, bytes);
     if (err == ZS_OK && options.partial) {
         sums = sim_alloc(ZS_STRIPS(height, rows) * COLUMNS, sizeof *sums);
-        err = zs_watch(&renderer, sums, COLUMNS);
+        err = zs_sums_init(&panel_sums, sums, config.width, config.height, rows, COLUMNS);
+        err = err ? err : zs_watch(&renderer, &panel_sums);
     }
     return err == ZS_OK ? SIM_OK : sim_refuse(NULL, 0, "the renderer cannot be set up: %s", zs_strerror(err));
 }

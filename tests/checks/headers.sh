@@ -27,6 +27,7 @@ ZS_ARENA(arena, ZS_ARENA_BYTES(16, 16, 4, 8, 8, ZS_ATTRS_FLAT, 2));
 static struct zs_renderer renderer;
 static uint32_t memory[ZS_TRACK_WORDS(1, 16, 4)];
 static uint64_t sums[ZS_STRIPS(16, 4)];
+static struct zs_sums panel;
 static const int16_t pos[4][3] = { { -9, -9, 0 }, { 9, -9, 0 }, { 9, 9, 0 }, { -9, 9, 0 } };
 static const uint16_t tri[2][3] = { { 0, 1, 2 }, { 0, 2, 3 } };
 static const struct zs_material material = { &zs_shade_raw, { 255, 255, 255 }, ZS_CULL_BACK, 0 };
@@ -70,7 +71,7 @@ int main(void)
     if (ZS_WORLD_MAX > ZS_FAR_MAX || ZS_FOCAL_MIN > ZS_FOCAL_MAX || camera.height < ZS_HEIGHT_MIN ||
         instance.pose.rot[0] != ZS_Q30_ONE || zs_arena_bytes(&config) > sizeof arena)
         return 4;
-    if (zs_init(&renderer, &config, arena, sizeof arena) || zs_watch(&renderer, sums, 1) ||
+    if (zs_init(&renderer, &config, arena, sizeof arena) || zs_sums_init(&panel, sums, 16, 16, 4, 1) || zs_watch(&renderer, &panel) ||
         zs_track(&renderer, memory, 1))
         return 5;
     if (zs_render(&renderer, &scene, &camera, &sink))
@@ -88,6 +89,7 @@ ZS_ARENA(arena, bytes);
 zs_renderer renderer;
 uint32_t memory[ZS_TRACK_WORDS(1, 16, 4)];
 uint64_t sums[ZS_STRIPS(16, 4)];
+zs_sums panel;
 const int16_t pos[4][3] = { { -9, -9, 0 }, { 9, -9, 0 }, { 9, 9, 0 }, { -9, 9, 0 } };
 const uint16_t tri[2][3] = { { 0, 1, 2 }, { 0, 2, 3 } };
 const zs_fast *const fast[] = { ZS_FAST_FRAME, ZS_FAST_RAW, ZS_FAST_END };
@@ -122,7 +124,7 @@ int main()
     if (camera.height < ZS_HEIGHT_MIN || instance.pose.rot[0] != ZS_Q30_ONE)
         return 4;
     const zs_config config{ 16, 16, 4, 8, 8, ZS_ATTRS_FLAT, 2, 8, 16, 0, &zs_depth_linear, fast };
-    if (zs_init(&renderer, &config, arena, sizeof arena) || zs_watch(&renderer, sums, 1) ||
+    if (zs_init(&renderer, &config, arena, sizeof arena) || zs_sums_init(&panel, sums, 16, 16, 4, 1) || zs_watch(&renderer, &panel) ||
         zs_track(&renderer, memory, 1))
         return 5;
     uint32_t lit = 0;

@@ -329,6 +329,7 @@ struct desk { /* a renderer and what it should be in */
     uint64_t last_sum;
     int last_whole;
     uint64_t *sum;           /* zs_watch's; NULL: off */
+    struct zs_sums sums;     /* of the panel, over it */
     uint32_t *memory;        /* zs_track's; NULL: off */
     uint32_t room;           /* instances that it takes */
     int columns;             /* zs_track_columns is on */
@@ -513,9 +514,15 @@ static void do_watch(struct desk *d, struct prng *p)
     uint64_t *sum = off || open ? NULL : malloc(n * columns * sizeof *sum + 1);
     for (uint32_t i = 0; sum && i < n * columns; i++)
         sum[i] = one_in(p, 2) ? 0 : prng_next(p);
-    EXPECT(zs_watch(NULL, sum, columns) == ZS_ERR_NULL);
+    struct zs_sums sums = { 0 };
+    EXPECT(zs_watch(NULL, &sums) == ZS_ERR_NULL);
+    if (sum)
+        EXPECT(zs_sums_init(&sums, sum, d->config.width, d->config.height, d->config.strip_h, columns) ==
+               (bad ? ZS_ERR_SIZE : ZS_OK));
     const int want = open ? ZS_ERR_STATE : sum && bad ? ZS_ERR_SIZE : ZS_OK;
-    EXPECT(zs_watch(d->r, sum, columns) == want);
+    if (sum && !bad)
+        d->sums = sums;
+    EXPECT(zs_watch(d->r, sum ? bad ? &sums : &d->sums : NULL) == want);
     if (want) {
         free(sum);
         return;

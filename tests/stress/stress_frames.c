@@ -241,6 +241,7 @@ struct hand { /* one renderer, or two that share the strips */
     struct zs_renderer r[2];
     void *arena[2];
     uint64_t *sum;
+    struct zs_sums sums;
     uint32_t *track;
     struct zs_config config;
     uint32_t fasts;
@@ -338,9 +339,11 @@ static int hand_open(struct prng *p, struct hand *hand, struct zs_config c)
         err = zs_init(&hand->r[k], &c, hand->arena[k], bytes);
     }
     const uint32_t n = ZS_STRIPS(c.height, c.strip_h), columns = 1 + prng_pick(p, COLUMNS_MAX);
-    if (!err && !hand->sharing && prng_pick(p, 3) == 0) {
+    if (!err && prng_pick(p, 3) == 0) { /* one panel, whoever draws its strips */
         hand->sum = calloc(n * columns, sizeof *hand->sum);
-        err = zs_watch(&hand->r[0], hand->sum, columns);
+        err = zs_sums_init(&hand->sums, hand->sum, c.width, c.height, c.strip_h, columns);
+        for (int k = 0; k <= hand->sharing && !err; k++)
+            err = zs_watch(&hand->r[k], &hand->sums);
     }
     if (!err && !hand->sharing && prng_pick(p, 2)) {
         hand->track = words(ZS_TRACK_WORDS(INSTANCES, c.height, c.strip_h), junk[prng_pick(p, 4)]);
