@@ -20,7 +20,7 @@
 #define COLUMNS 100
 
 /* Structs on a 32-bit machine, bytes. */
-#define MESH_BYTES 72u
+#define MESH_BYTES 68u
 #define MATERIAL_BYTES 12u
 #define TEXTURE_BYTES 20u
 #define INSTANCE_BYTES 64u
