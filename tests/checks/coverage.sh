@@ -20,7 +20,7 @@ const files = JSON.parse(fs.readFileSync(process.argv[2], 'utf8')).files;
 const reasons = fs.existsSync('tests/COVERAGE.txt') ? fs.readFileSync('tests/COVERAGE.txt', 'utf8') : '';
 const sum = { lines: 0, hit: 0, branches: 0, taken: 0 };
 let unexplained = 0;
-console.log('file                              lines    reached   branches    taken');
+console.log('file                                  lines    reached   branches    taken');
 for (const f of files) {
     const text = fs.readFileSync(f.file, 'utf8').split('\n');
     const of = f.lines.filter((l) => !l['gcovr/noncode']);
@@ -29,7 +29,7 @@ for (const f of files) {
         taken: branches.filter((b) => b.count).length };
     for (const k in sum)
         sum[k] += count[k];
-    console.log(`${f.file.padEnd(32)} ${String(count.lines).padStart(6)} ${String(count.hit).padStart(10)} ` +
+    console.log(`${f.file.padEnd(36)} ${String(count.lines).padStart(6)} ${String(count.hit).padStart(10)} ` +
         `${String(count.branches).padStart(10)} ${String(count.taken).padStart(8)}`);
     for (const l of of.filter((x) => !x.count)) {
         const code = text[l.line_number - 1].trim();

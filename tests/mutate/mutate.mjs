@@ -184,7 +184,7 @@ function compile(cc, file, src, at) {
     const o = objectOf(at, file), mine = file.startsWith(FROM + '/');
     fs.mkdirSync(path.dirname(o), { recursive: true });
     const command = cc.replace(`-I${FROM}`, `-I${src}`).replace('-Werror', '');
-    const from = mine ? path.join(src, path.basename(file)) : file;
+    const from = mine ? path.join(src, path.relative(FROM, file)) : file;
     const r = sh(`${command} ${mine && cc === set.cc ? TRAPS : ''} -w -g0 -c ${from} -o ${o}`);
     return r.status === 0 ? o : null;
 }
@@ -392,9 +392,9 @@ function report(done, passed) {
     out.push(`Of the survivors ${same} change no outcome (equivalent, or only speed): of those that do, ` +
         `${percent(n, done.length - same)} % are caught.`);
     out.push(`Passed over: ${passed.invalid} that do not compile, ${passed.same} with the same object code.`, '');
-    out.push('file                 mutants  caught');
+    out.push('file                    mutants  caught');
     for (const [f, v] of Object.entries(files).sort())
-        out.push(`${f.padEnd(20)} ${String(v.n).padStart(7)} ${String(v.caught).padStart(7)}`);
+        out.push(`${f.padEnd(23)} ${String(v.n).padStart(7)} ${String(v.caught).padStart(7)}`);
     out.push('', 'caught by (the first that fails; the order is by what has caught most a second)');
     for (const [t, n] of Object.entries(by).sort((a, b) => b[1] - a[1]))
         out.push(`${t.padEnd(20)} ${String(n).padStart(7)}`);

@@ -52,7 +52,7 @@ void fine_positions(void)
         row[ZS_ROW_T_HIGH] = any_i32(-(1 << 30), 1 << 30);
         row[ZS_ROW_S] = s;
         row[ZS_ROW_S2] = shift - s;
-        (void)fine(row, pos, low);
+        (void)zs_xform_fine(row, pos, low);
     }
 }
 
@@ -83,7 +83,7 @@ static void projected(int32_t z_lo, int32_t z_hi)
     (void)zs_xform_outcode(&renderer.view, &p);
 }
 
-/* PROVE project_perspective -eva-split-return=auto: x', y' of 32 bits, any; z of 256 .. 2^30 by octave and all below; every scale_bits 8 .. 31,
+/* PROVE project_perspective -eva-split-return-function=zs_xform_project_at:0:1,zs_xform_project:0:1: x', y' of 32 bits, any; z of 256 .. 2^30 by octave and all below; every scale_bits 8 .. 31,
  * sub-pixel bits 4 and 8, frames of every size */
 void project_perspective(void)
 {
@@ -96,7 +96,7 @@ void project_perspective(void)
     }
 }
 
-/* PROVE project_orthographic -eva-split-return=auto: x', y', z of 32 bits, any; every scale_bits 0 .. 40, sub-pixel bits 4 and 8 */
+/* PROVE project_orthographic -eva-split-return-function=zs_xform_project_at:0:1,zs_xform_project:0:1: x', y', z of 32 bits, any; every scale_bits 0 .. 40, sub-pixel bits 4 and 8 */
 void project_orthographic(void)
 {
     for (int32_t snap = 0; snap <= 4; snap += 4) {

@@ -50,14 +50,14 @@ END
     done
     cat <<'END'
 
-tris: random triangles of all kinds whose corners lie on 1/256 px, thousands a frame, in strips, pools and with skips at
-random. Each pixel is that of the nearest triangle that covers it by whole numbers (within 1.0101 buckets, exactly where
+tris: random triangles of all kinds whose corners lie on 1/256 px, thousands a frame, in strips, pools and with
+accelerators at random. Each pixel is that of the nearest triangle that covers it by whole numbers (within 1.0101 buckets, exactly where
 keys are flat), its key within 0.505 bucket of the exact plane; hidden triangles count by the pixels that they test.
 frames: scenes that move, 64x64 (mostly) to 160x96, all shaders, mappings, states, clusters; strips, pools,
-buffers, skips, zs_watch, zs_track, zs_invalidate and shared strips at random, each frame eight ways against one strip,
-large pools and no skips. Counted are the ways compared, of frames of which 32 triangles and more were drawn (smaller
-ones were compared too). Left something out: as far as a frame's counts say; cliptest: always; clear: where pixels were
-drawn without a test; cluster, cone: where only one of both was on; rows: where meshes with clusters were walked again.
+buffers, accelerators, zs_watch, zs_track, zs_invalidate and shared strips at random, each frame eight ways against one
+strip, large pools and no accelerators. Counted are the ways compared, of frames of which 32 triangles and more were drawn (smaller
+ones were compared too). It did something: touch, tiles, clusters by what a frame's counts say; shaders and texel formats
+where an instance has them; batch and edges always.
 Pixels of tris are covered ones, of frames all.
 END
 }
@@ -75,7 +75,7 @@ cut)
             continue
         fi
         if "$S/san" $kind seen "$S/cut-$kind.txt" >"$S/cut.log"; then
-            echo "ok stress_${kind}_seen: every skip off and on, and all else that frames should have had"
+            echo "ok stress_${kind}_seen: every accelerator listed and not, and all else that frames should have had"
         else
             echo "FAILED stress_${kind}_seen: never were:"
             cat "$S/cut.log"

@@ -117,8 +117,11 @@ static int read_line(FILE *in, struct line *l)
         return 0;
     const struct stress_counts c = { v[0], v[1], v[2], v[3], v[4], v[5], { 0 } };
     l->sum = c;
-    for (int k = 0; k < SEEN_N && sscanf(text + at, "%llu%n", &v[0], &n) == 1; k++, at += n)
+    int k = 0;
+    for (; k < SEEN_N && sscanf(text + at, "%llu%n", &v[0], &n) == 1; k++, at += n)
         l->sum.seen[k] = v[0];
+    if (k < SEEN_N || sscanf(text + at, "%llu", &v[0]) == 1) /* of a runner that counted other things */
+        memset(l->sum.seen, 0, sizeof l->sum.seen);
     return 1;
 }
 
