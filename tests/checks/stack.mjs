@@ -384,5 +384,6 @@ if (!bounds.get(SHOWN[0]) || !pointers.length)
 else if (bounds.get(worst) > Number(LIMIT))
     fail(`stack within ${LIMIT} bytes`, `${worst} takes ${bounds.get(worst)}`);
 else
-    console.log(`ok ${NAME} stack within ${LIMIT} bytes: ${worst} ${bounds.get(worst)}, ${SHOWN[0]} ${bounds.get(SHOWN[0])}`);
+    console.log(`ok ${NAME} stack within ${LIMIT} bytes: ${worst === SHOWN[0] ? '' : `${worst} ${bounds.get(worst)}, `}` +
+        `${SHOWN[0]} ${bounds.get(SHOWN[0])}`);
 process.exitCode = failed ? 1 : 0;
