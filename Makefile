@@ -4,7 +4,7 @@ B = build
 CFLAGS = -O2 -g
 WARN = -Wall -Wextra -Werror -Wconversion -Wshadow -Wvla -Wstrict-prototypes \
        -Wmissing-prototypes -Wdouble-promotion -Wno-missing-field-initializers
-INC = -Ifirmware/zstrip -Ifirmware/scenes -Ihal -Ihal/panel -Ihal/fault -I$(B)/gen -Isim -Isim/reference -Isim/panel_model
+INC = -Ifirmware/zstrip -Ifirmware/examples -Ifirmware/scenes -Ihal -Ihal/panel -Ihal/fault -I$(B)/gen -Isim -Isim/reference -Isim/panel_model
 CORE = $(wildcard firmware/zstrip/*/*.c)
 SCENES = $(wildcard firmware/scenes/*.c)
 PANELS = $(wildcard hal/panel/*.c)

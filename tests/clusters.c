@@ -120,7 +120,6 @@ void clusters_make(struct zs_mesh *mesh, struct zs_cluster *out, struct prng *p,
     }
     mesh->cluster = out;
     mesh->n_clusters = n;
-    mesh->cluster_kernel = &zs_cluster_kernel;
     for (enum zs_flaw flaw; (flaw = zs_mesh_check(mesh, &flawed)) != ZS_FLAW_NONE;) {
         if (flaw != ZS_FLAW_CLUSTER_CONE || out[flawed].cutoff == 127)
             abort();

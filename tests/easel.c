@@ -8,12 +8,14 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "fast_lists.h"
 #include "oracle.h"
 #include "core/pipeline.h"
 
 struct easel easel_default(int32_t width, int32_t height)
 {
-    const struct easel s = { width, height, height, &zs_depth_recip, 16, 256, 1 << 20, 0 };
+    const struct easel s = { .width = width, .height = height, .strip_h = height, .depth = &zs_depth_recip, .depth_bits = 16,
+                             .z_near = 256, .z_far = 1 << 20, .fast = fast_all };
     return s;
 }
 
@@ -43,11 +45,9 @@ static int order_corners(const struct easel_tri *t, uint32_t order[3])
 static void fill_pools(struct zs_renderer *r, const struct easel_tri *t, uint32_t n,
                        uint32_t n_states, int lit)
 {
-    uint32_t n_tris = 0; /* in the pool: with ZS_LEAN, only those that are drawn */
-#if !ZS_LEAN
+    uint32_t n_tris = 0;
     for (uint32_t s = 0; s < r->n_strips; s++)
         r->bin[s] = ZS_NIL;
-#endif
     for (uint32_t k = 0; k < n; k++) {
         int32_t top = INT32_MAX;
         for (uint32_t v = 0; v < 3; v++) {
@@ -72,18 +72,16 @@ static void fill_pools(struct zs_renderer *r, const struct easel_tri *t, uint32_
         tri->paint = lit ? t[k].rgb[0][2] : zs_wire16((uint16_t)(k + 1));
         must(n_states == 0 || t[k].state <= n_states, "state");
         tri->instance = (uint16_t)(n_states ? t[k].state : 0);
-#if !ZS_LEAN
         const int32_t strip = row / r->config.strip_h;
         tri->next = r->bin[strip];
         r->bin[strip] = (uint16_t)n_tris;
-#endif
         n_tris++;
     }
     r->n_tris = n_tris;
     r->n_verts = 3 * n;
-#if !ZS_LEAN
     r->active = ZS_NIL;
-#endif
+    r->walk_x = r->walk_least = 0;
+    r->walk_end = r->walk_most = r->config.width;
     r->band_end = r->n_strips; /* bins are complete: no walk */
 }
 
@@ -101,31 +99,50 @@ static uint32_t attrs_of(const struct easel *s)
     return s->smooth ? ZS_ATTRS_SMOOTH : ZS_ATTRS_FLAT;
 }
 
-#if !ZS_LEAN
+/* Accelerators that count what they draw before it is set up. */
+#define LIST_MAX 32
 
-static const struct zs_shader *counted_of;
+static struct counted {
+    struct zs_fast fast; /* comes first: job->fast points to it */
+    int (*draw_of)(struct zs_job *job);
+} counted[LIST_MAX];
 static uint32_t at_once;
 
-static int counted_small(struct zs_job *job)
+static int counted_draw(struct zs_job *job)
 {
-    const int done = counted_of->small(job);
+    const int done = ((const struct counted *)(const void *)job->fast)->draw_of(job);
     at_once += done != 0;
     return done;
 }
 
-#endif
+static void count_list(const struct zs_fast *const *fast, const struct zs_fast *out[LIST_MAX + 1])
+{
+    uint32_t n = 0;
+    for (; fast && fast[n]; n++) {
+        must(n < LIST_MAX, "accelerators");
+        counted[n].fast = *fast[n];
+        counted[n].draw_of = fast[n]->draw;
+        if (fast[n]->draw)
+            counted[n].fast.draw = counted_draw;
+        out[n] = &counted[n].fast;
+    }
+    out[n] = NULL;
+}
 
 void easel_draw(const struct easel *s, const struct easel_tri *t, uint32_t n,
                 struct easel_frame *out)
 {
     struct zs_renderer r;
+    const struct zs_fast *fast[LIST_MAX + 1];
     const struct zs_config config = { .width = (uint16_t)s->width, .height = (uint16_t)s->height,
                                       .strip_h = (uint16_t)s->strip_h, .max_tris = (uint16_t)(n ? n : 1),
                                       .max_verts = (uint16_t)(n ? 3 * n : 3), .attrs = (uint8_t)attrs_of(s),
                                       .buffers = 1, .subpixel_bits = 8, .depth_bits = (uint8_t)s->depth_bits,
-                                      .depth = s->depth };
+                                      .depth = s->depth, .fast = fast };
     const uint32_t bytes = zs_arena_bytes(&config);
     void *arena = malloc(bytes);
+    count_list(s->fast, fast);
+    at_once = 0;
     must(arena && zs_init(&r, &config, arena, bytes) == ZS_OK, "zs_init");
 
     static const zs_q1_15 normal[1][3] = { { 0, 0, 32767 } };
@@ -133,14 +150,7 @@ void easel_draw(const struct easel *s, const struct easel_tri *t, uint32_t n,
     struct zs_mesh mesh = {
         .scale = ZS_Q16_ONE, .normal = normal, .radius = 1, .uv = uv, .uv_bits = (uint8_t)s->uv_bits
     };
-    struct zs_shader shader = *shader_of(s);
-#if !ZS_LEAN
-    counted_of = shader_of(s);
-    at_once = 0;
-    if (shader.small)
-        shader.small = counted_small;
-#endif
-    const struct zs_material material = { .shader = &shader, .cull = ZS_CULL_NONE, .texture = s->texture };
+    const struct zs_material material = { .shader = shader_of(s), .cull = ZS_CULL_NONE, .texture = s->texture };
     struct zs_instance instance[EASEL_STATES_MAX + 1];
     memset(instance, 0, sizeof instance);
     must(s->n_states <= EASEL_STATES_MAX, "states");
@@ -157,10 +167,6 @@ void easel_draw(const struct easel *s, const struct easel_tri *t, uint32_t n,
          "camera");
     must(zs_frame_begin(&r, &scene, &camera) == ZS_OK, "zs_frame_begin");
     fill_pools(&r, t, n, s->n_states, s->lit);
-#if !ZS_LEAN
-    if (s->general)
-        r.view.piece_shift = 0;
-#endif
 
     const size_t n_px = (size_t)s->width * (size_t)s->height;
     out->color = malloc(n_px * 2);
@@ -180,11 +186,7 @@ void easel_draw(const struct easel *s, const struct easel_tri *t, uint32_t n,
     out->tested = r.stats.pixels_tested;
     out->written = r.stats.pixels_written;
     out->setups = r.stats.tris_setup;
-#if ZS_LEAN
-    out->at_once = 0;
-#else
     out->at_once = at_once;
-#endif
     out->unit_near = r.view.z_near;
     out->shift = r.view.shift;
     out->key_far = (double)r.view.key_far / 65536.0;

@@ -36,7 +36,7 @@ struct easel {
     const struct zs_state *state; /* [n_states] */
     uint32_t n_states;
     int lit;     /* 1: a texture is lit by the first corner's intensity; not with smooth */
-    int general; /* 1: small triangles are not drawn in one go either */
+    const struct zs_fast *const *fast; /* accelerators, as zs_config.fast */
 };
 
 #define EASEL_STATES_MAX 16u
@@ -45,12 +45,12 @@ struct easel_frame {
     uint16_t *color; /* [height][width], RGB565; 0 where nothing was drawn, or k + 1 */
     uint16_t *key;   /* [height][width] */
     uint32_t tested, written, setups;
-    uint32_t at_once;        /* triangles in strips that zs_shader.small has drawn */
+    uint32_t at_once;        /* triangles in strips that zs_fast.draw has drawn */
     int32_t unit_near, shift; /* of the camera unit */
     double key_far;           /* recip: key of z at infinity, buckets; exact */
 };
 
-/* Reciprocal keys of 16 bits, near 256 and far 2^20 world units, one strip. */
+/* Reciprocal keys of 16 bits, near 256 and far 2^20 world units, one strip, all accelerators. */
 struct easel easel_default(int32_t width, int32_t height);
 /* Draw n <= 20000 triangles. Aborts on an error of the library: an easel is always valid. */
 void easel_draw(const struct easel *s, const struct easel_tri *t, uint32_t n,

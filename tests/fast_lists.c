@@ -22,6 +22,7 @@ static const struct {
 #define KNOWN (sizeof known / sizeof known[0])
 
 static_assert(KNOWN + 1 == sizeof fast_all / sizeof fast_all[0], "all that ZS_FAST_ALL names");
+static_assert(FAST_ALL == (1 << KNOWN) - 1, "a bit each");
 
 unsigned fast_count(void)
 {
@@ -48,4 +49,9 @@ const struct zs_fast *const *fast_of(unsigned bits)
 const struct zs_fast *const *fast_without(unsigned k)
 {
     return fast_of(~(1u << k));
+}
+
+const struct zs_fast *const *fast_any(struct prng *p)
+{
+    return fast_of(prng_pick(p, FAST_ALL + 1));
 }

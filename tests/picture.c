@@ -8,11 +8,13 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "fast_lists.h"
+
 struct zs_config picture_config(int32_t w, int32_t h, const struct zs_depth *depth)
 {
     const struct zs_config c = { .width = (uint16_t)w, .height = (uint16_t)h, .strip_h = (uint16_t)h, .max_tris = 4000,
                                  .max_verts = 4000, .attrs = ZS_ATTRS_SMOOTH, .buffers = 1, .subpixel_bits = 8,
-                                 .depth_bits = 16, .depth = depth };
+                                 .depth_bits = 16, .depth = depth, .fast = fast_all };
     return c;
 }
 

@@ -21,7 +21,7 @@ struct picture {
     struct zs_stats stats;
 };
 
-/* Room for everything in one pass, one strip buffer, one strip. */
+/* Room for everything in one pass, one strip buffer, one strip, all accelerators. */
 struct zs_config picture_config(int32_t w, int32_t h, const struct zs_depth *depth);
 /* Draw a frame by zs_render. To be freed whatever err is. */
 struct picture picture_draw(const struct zs_config *config, const struct zs_scene *scene,

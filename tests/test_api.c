@@ -7,6 +7,7 @@
 #include <string.h>
 
 #include "cases.h"
+#include "fast_lists.h"
 #include "picture.h"
 #include "core/pipeline.h"
 #include "shapes.h"
@@ -218,12 +219,11 @@ static uint32_t bytes_by_hand(const struct zs_config *c)
     const uint32_t rows = c->strip_h < c->height ? c->strip_h : c->height;
     const uint32_t strips = (c->height + rows - 1u) / rows;
     uint32_t pools[8] = { c->width * rows * 2u, c->buffers == 2 ? c->width * rows * 2u : 0u,
-                          c->width * rows * 2u, ZS_LEAN ? 0u : strips * 2u, c->max_tris * (ZS_LEAN ? 10u : 12u),
-                          c->max_verts * 12u,
+                          c->width * rows * 2u, strips * 2u, c->max_tris * 12u, c->max_verts * 12u,
                           c->max_verts * 2u, (uint32_t)c->max_verts * c->attrs * 2u };
     uint32_t sum = (c->max_verts * 2u + 3u) / 4u * 4u; /* vert_map, the ninth */
-    if (!ZS_LEAN) /* bounds of tiles, the tenth; columns drawn, the eleventh */
-        sum += ((c->width + 31u) / 32u * strips * 2u + 3u) / 4u * 4u + rows * 4u;
+    sum += ((c->width + 31u) / 32u * strips * 2u + 3u) / 4u * 4u; /* bounds of tiles, the tenth */
+    sum += rows * 4u;                                             /* columns drawn, the eleventh */
     for (int k = 0; k < 8; k++)
         sum += (pools[k] + 3u) / 4u * 4u;
     return sum;
@@ -254,12 +254,10 @@ static int arena_case(uint64_t seed)
     } pool[] = { { r.color[0], strip },
                   { r.color[1], strip },
                   { r.depth, strip },
-#if !ZS_LEAN
                   { r.drawn, 4u * rows },
                   { r.bound, ZS_BOUND_BYTES(c.width, c.height, rows) },
                   { r.bin, 2u * r.n_strips },
-#endif
-                  { r.tri, (ZS_LEAN ? 10u : 12u) * c.max_tris },
+                  { r.tri, 12u * c.max_tris },
                   { r.vert, 12u * c.max_verts },
                   { r.vert_src, 2u * c.max_verts },
                   { r.vert_map, 2u * c.max_verts },
@@ -763,7 +761,7 @@ static int sphere_case(uint64_t seed)
                                      prng_range(&p, 1, 50000));
     const int linear = camera.projection == ZS_ORTHOGRAPHIC || prng_pick(&p, 2);
     struct zs_config config = lone_config(25, 20, linear ? &zs_depth_linear : &zs_depth_recip);
-    config.skip_off = (uint16_t)prng_pick(&p, ZS_SKIP_ALL + 1);
+    config.fast = fast_any(&p);
     struct picture f = picture_draw(&config, &l.scene, &camera);
     const int ok = known_error(f.err);
     picture_free(&f);

@@ -7,11 +7,11 @@
 
 #include "cases.h"
 #include "clusters.h"
+#include "fast_lists.h"
 #include "picture.h"
 #include "core/pipeline.h"
 #include "shapes.h"
 
-#define OFF (ZS_SKIP_CLUSTER | ZS_SKIP_CONE | ZS_SKIP_ROWS | ZS_SKIP_BEHIND) /* what is behind is counted otherwise */
 #define SHAPES 3
 #define INSTANCES 6
 
@@ -164,6 +164,21 @@ static int same(const struct picture *a, const struct picture *b)
     return a->err || b->err ? a->err == b->err : picture_same(a, b, "test_cull");
 }
 
+/* Clusters that are left out where both sides of a triangle are drawn. */
+static uint32_t out_without_cones(const struct zs_config *config, struct world *w)
+{
+    struct zs_material keep[INSTANCES];
+    struct zs_config c = *config;
+    c.max_tris = c.max_verts = 2000; /* counts are those of the first walk */
+    memcpy(keep, w->material, sizeof keep);
+    for (uint32_t i = 0; i < INSTANCES; i++)
+        w->material[i].cull = ZS_CULL_NONE;
+    struct picture p = picture_draw(&c, &w->scene, &w->camera);
+    memcpy(w->material, keep, sizeof keep);
+    picture_free(&p);
+    return p.stats.clusters_culled;
+}
+
 static int clusters_of(uint64_t seed)
 {
     static struct world w;
@@ -173,15 +188,15 @@ static int clusters_of(uint64_t seed)
     struct zs_config plain = picture_config(width, height, w.camera.projection ? &zs_depth_linear : persp[prng_pick(&p, 3)]);
     plain.subpixel_bits = prng_pick(&p, 2) ? 8 : 4;
     plain.max_tris = plain.max_verts = 20000;
-    plain.skip_off = OFF;
+    plain.fast = NULL;
     const struct picture want = picture_draw(&plain, &w.scene, &w.camera);
     int right = want.err || stats_add_up(&want.stats);
     reached.refused += want.err != 0;
     for (int k = 0; k < 4 && right; k++) {
         struct zs_config c = plain;
-        c.skip_off = (uint16_t)(k < 2 ? 0 : k == 2 ? prng_pick(&p, ZS_SKIP_ALL + 1) : ZS_SKIP_CLUSTER);
-        if (k != 1)
-            c.skip_off |= ZS_SKIP_BEHIND;
+        const uint32_t of[4] = { FAST_ALL, FAST_ALL, prng_pick(&p, FAST_ALL + 1), FAST_CLUSTERS };
+        const uint32_t list = k == 1 ? of[k] : of[k] & ~(uint32_t)FAST_TILES; /* what is behind is counted otherwise */
+        c.fast = fast_of(list);
         if (k) {
             c.strip_h = (uint16_t)(1 + prng_pick(&p, height));
             c.max_tris = (uint16_t)(prng_pick(&p, 2) ? 2000 : 1 + prng_pick(&p, 60));
@@ -189,11 +204,10 @@ static int clusters_of(uint64_t seed)
         }
         struct picture got = picture_draw(&c, &w.scene, &w.camera);
         right = same(&want, &got) && (got.err || stats_add_up(&got.stats)) &&
-                (k == 1 || c.skip_off & ZS_SKIP_EMPTY || want.stats.tris_drawn == got.stats.tris_drawn);
+                (k == 1 || want.stats.tris_drawn == got.stats.tris_drawn);
         if (!right)
-            case_wrong("%ux%u, %u sub-pixel bits, strips of %u, pools %u %u, skips off %u, projection %u, culls %u", width,
-                       height, c.subpixel_bits, c.strip_h, c.max_tris, c.max_verts, c.skip_off, w.camera.projection,
-                       w.material[0].cull);
+            case_wrong("%ux%u, %u sub-pixel bits, strips of %u, pools %u %u, list %x, projection %u, culls %u", width, height,
+                       c.subpixel_bits, c.strip_h, c.max_tris, c.max_verts, list, w.camera.projection, w.material[0].cull);
         if (!got.err && k == 0) {
             reached.frames++;
             reached.pixels += got.covered;
@@ -203,8 +217,8 @@ static int clusters_of(uint64_t seed)
             reached.verts_plain += want.stats.verts_transformed;
             CASE_CHECK(got.stats.verts_transformed <= want.stats.verts_transformed);
         }
-        if (!got.err && k == 3)
-            reached.by_cone += got.stats.clusters_culled;
+        if (!got.err && k == 0)
+            reached.by_cone += got.stats.clusters_culled - out_without_cones(&c, &w);
         picture_free(&got);
     }
     picture_free((struct picture *)&want);

@@ -8,6 +8,7 @@
 #include <string.h>
 
 #include "cases.h"
+#include "fast_lists.h"
 #include "oracle.h"
 #include "picture.h"
 #include "shapes.h"
@@ -702,7 +703,7 @@ struct model {
 static void model_draw(struct model *m, const struct zs_state *s, int32_t key, int32_t offset,
                        int32_t most, uint16_t color)
 {
-    static const struct zs_state none = { 0, 0, 0, 0, 0 };
+    static const struct zs_state none = { 0, 0, 0, 0 };
     s = s ? s : &none;
     key = clamp((int64_t)key + offset, 0, most);
     if ((uint32_t)key > m->key || ((uint32_t)key == m->key && !s->equal))
@@ -945,7 +946,7 @@ static int state_scene_case(uint64_t seed)
         if (way) {
             c.strip_h = (uint16_t)prng_range(&p, 1, 60);
             c.buffers = (uint8_t)prng_range(&p, 1, 2);
-            c.skip_off = (uint16_t)prng_pick(&p, ZS_SKIP_ALL + 1);
+            c.fast = way == 1 ? NULL : fast_any(&p);
         }
         if (way > 2) {
             c.max_tris = (uint16_t)prng_range(&p, 1, 8);
@@ -1121,7 +1122,7 @@ static int plain_state_case(uint64_t seed)
             in[n].state = prng_pick(&p, 3) ? &nothing : NULL;
         if (way) {
             c.strip_h = (uint16_t)prng_range(&p, 1, 60);
-            c.skip_off = (uint16_t)prng_pick(&p, ZS_SKIP_ALL + 1);
+            c.fast = way == 1 ? NULL : fast_any(&p);
         }
         if (way > 2) {
             c.max_tris = (uint16_t)prng_range(&p, 1, 60);

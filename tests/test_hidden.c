@@ -10,6 +10,7 @@
 
 #include <cmocka.h>
 
+#include "fast_lists.h"
 #include "picture.h"
 #include "core/pipeline.h"
 #include "prng.h"
@@ -87,12 +88,13 @@ static uint32_t hidden_case(uint64_t seed)
     struct zs_config c = picture_config(prng_range(&p, 33, 330), prng_range(&p, 10, 130), depths[mapping]);
     c.depth_bits = (uint8_t)prng_range(&p, 8, 16);
     c.subpixel_bits = prng_pick(&p, 2) ? 8 : 4;
-    c.skip_off = ZS_SKIP_ALL;
+    c.fast = NULL;
     struct picture plain = picture_draw(&c, &world.scene, &world.camera);
     uint32_t hidden = 0;
     assert_int_equal(plain.err, ZS_OK);
     for (int k = 0; k < 3; k++) {
-        c.skip_off = (uint16_t)(prng_pick(&p, 2) ? 0 : prng_pick(&p, ZS_SKIP_ALL + 1) & ~(uint32_t)ZS_SKIP_HIDDEN);
+        const uint32_t list = prng_pick(&p, 2) ? FAST_ALL : prng_pick(&p, FAST_ALL + 1) | FAST_TILES;
+        c.fast = fast_of(list);
         c.strip_h = (uint16_t)prng_range(&p, 1, 40);
         if (k == 2) {
             c.max_tris = (uint16_t)prng_range(&p, 1, 5);
@@ -104,7 +106,7 @@ static uint32_t hidden_case(uint64_t seed)
         hidden += got.stats.tris_hidden > 0;
         setups_saved += got.stats.tris_hidden;
         untested += got.stats.pixels_untested > 0;
-        if (c.skip_off & ZS_SKIP_TEST && got.stats.pixels_untested)
+        if (!(list & FAST_TOUCH) && got.stats.pixels_untested)
             fail_msg("seed %llu: drawn without a test", (unsigned long long)seed);
         picture_free(&got);
     }
@@ -147,11 +149,16 @@ static void layers_cost_one(void **state)
         struct zs_config c = picture_config(320, 120, &zs_depth_float);
         c.strip_h = 24;
         struct picture with = picture_draw(&c, &world.scene, &world.camera);
-        c.skip_off = ZS_SKIP_ALL;
+        c.fast = NULL;
         struct picture without = picture_draw(&c, &world.scene, &world.camera);
+        c.fast = fast_of(FAST_TILES);
+        struct picture alone = picture_draw(&c, &world.scene, &world.camera);
         assert_true(picture_same(&without, &with, "layers"));
+        assert_true(picture_same(&without, &alone, "layers, nothing else"));
         assert_int_equal(without.stats.pixels_tested, 8 * 320 * 120);
         assert_int_equal(with.stats.pixels_tested, 320 * 120);
+        assert_int_equal(alone.stats.pixels_tested, 320 * 120);
+        picture_free(&alone);
         picture_free(&with);
         picture_free(&without);
     }
@@ -179,7 +186,7 @@ static void instances_behind_a_wall(void **state)
         }
         struct zs_config c = picture_config(320, 240, &zs_depth_float);
         c.strip_h = 24;
-        c.skip_off = (uint16_t)(off ? ZS_SKIP_BEHIND : 0);
+        c.fast = fast_of(off ? FAST_ALL & ~FAST_TILES : FAST_ALL);
         struct picture p0 = picture_draw(&c, &world.scene, &world.camera);
         assert_int_equal(p0.err, ZS_OK);
         assert_int_equal(p0.stats.instances_hidden, off ? 0 : 8);
@@ -216,9 +223,9 @@ static void equal_keys_hide_nothing(void **state)
         struct zs_config c = picture_config(320, 240, seed % 2 ? &zs_depth_recip : &zs_depth_e3m13);
         c.strip_h = 24;
         c.depth_bits = 8;
-        c.skip_off = ZS_SKIP_ALL;
+        c.fast = NULL;
         struct picture plain = picture_draw(&c, &world.scene, &world.camera);
-        c.skip_off = 0;
+        c.fast = fast_all;
         c.max_tris = (uint16_t)prng_range(&p, 2, 6);
         c.max_verts = (uint16_t)(3 * c.max_tris);
         struct picture small = picture_draw(&c, &world.scene, &world.camera);
@@ -270,9 +277,9 @@ static void half_hidden_is_drawn(void **state)
         struct zs_config c = picture_config(320, 240, seed % 3 ? &zs_depth_recip : &zs_depth_e3m13);
         c.strip_h = (uint16_t)prng_range(&p, 8, 40);
         c.depth_bits = 8;
-        c.skip_off = ZS_SKIP_ALL;
+        c.fast = NULL;
         struct picture plain = picture_draw(&c, &world.scene, &world.camera);
-        c.skip_off = 0;
+        c.fast = fast_all;
         if (prng_pick(&p, 2)) {
             c.max_tris = (uint16_t)prng_range(&p, 2, 5);
             c.max_verts = (uint16_t)(3 * c.max_tris);
@@ -304,7 +311,7 @@ static void a_sphere_before_near_hides_nothing(void **state)
         world.mesh[1].radius = (uint16_t)(middle + prng_range(&p, -30, 60));
         struct zs_config c = picture_config(320, 240, seed % 2 ? &zs_depth_recip : &zs_depth_e4m12);
         struct picture got = picture_draw(&c, &world.scene, &world.camera);
-        c.skip_off = ZS_SKIP_ALL;
+        c.fast = NULL;
         struct picture plain = picture_draw(&c, &world.scene, &world.camera);
         if (!picture_same(&plain, &got, "before near"))
             fail_msg("seed %llu", (unsigned long long)seed);

@@ -10,17 +10,18 @@
 #include <cmocka.h>
 #include <math.h>
 
+#include "fast_lists.h"
 #include "picture.h"
 
 #define SIZE 200
 static uint32_t arena[200000];
 
 static uint32_t red_pixels(struct zs_renderer *r, const struct zs_scene *scene,
-                           const struct zs_camera *camera, uint16_t skip_off)
+                           const struct zs_camera *camera, const struct zs_fast *const *fast)
 {
     const struct zs_config config = { .width = SIZE, .height = SIZE, .strip_h = SIZE, .max_tris = 10, .max_verts = 20,
-                                      .buffers = 1, .subpixel_bits = 8, .depth_bits = 16, .skip_off = skip_off,
-                                      .depth = &zs_depth_recip };
+                                      .buffers = 1, .subpixel_bits = 8, .depth_bits = 16, .depth = &zs_depth_recip,
+                                      .fast = fast };
     struct zs_strip strip;
     uint32_t red = 0;
     assert_int_equal(zs_init(r, &config, arena, sizeof arena), ZS_OK);
@@ -33,8 +34,9 @@ static uint32_t red_pixels(struct zs_renderer *r, const struct zs_scene *scene,
 }
 
 /* A small triangle that hangs a little before the near plane, and one so far away that a camera unit
- * is a quarter of a world unit: whether the small one's sphere is asked must not matter. */
-static void stress_26_skips_beside_a_far_reach(void **state)
+ * is a quarter of a world unit: whether the small one's sphere is that small, or reaches beyond all near planes, so that
+ * nothing is known by it, must not matter. Nor do accelerators. */
+static void stress_26_spheres_beside_a_far_reach(void **state)
 {
     (void)state;
     static const int16_t far_p[3][3] = { { -30000, -30000, 0 }, { 30000, -30000, 0 }, { 0, 30000, 0 } };
@@ -42,8 +44,9 @@ static void stress_26_skips_beside_a_far_reach(void **state)
     static const uint16_t t[1][3] = { { 0, 1, 2 } };
     const struct zs_mesh far_mesh = { .pos = far_p, .tri = t, .n_verts = 3, .n_tris = 1,
                                       .scale = 65536, .radius = 42427 };
-    const struct zs_mesh small_mesh = { .pos = small_p, .tri = t, .n_verts = 3, .n_tris = 1,
-                                        .scale = 66, .center = { 497, 497, -100 }, .radius = 121 };
+    struct zs_mesh small_mesh = { .pos = small_p, .tri = t, .n_verts = 3, .n_tris = 1,
+                                  .scale = 66, .center = { 497, 497, -100 }, .radius = 121 };
+    uint32_t culled = 0, drawn = 0;
     const struct zs_material blue = { .shader = &zs_shade_raw, .rgb = { 0, 0, 80 }, .cull = ZS_CULL_NONE };
     const struct zs_material red = { .shader = &zs_shade_raw, .rgb = { 255, 0, 0 }, .cull = ZS_CULL_NONE };
     struct zs_instance in[2] = { { .mesh = &far_mesh, .material = &blue },
@@ -57,12 +60,19 @@ static void stress_26_skips_beside_a_far_reach(void **state)
     struct zs_camera camera;
     struct zs_renderer r;
     assert_int_equal(zs_camera_perspective(&camera, 500, SIZE, 300, 1 << 29), ZS_OK);
-    for (int32_t n = 0; n < 200; n++) { /* near planes from before the small one to behind it */
+    for (int32_t n = 0; n < 600; n++) { /* near planes from before the small one to behind it */
         camera.z_near = 299 * 65536 + n * 1000;
-        const uint32_t on = red_pixels(&r, &scene, &camera, 0);
-        assert_int_equal(on, red_pixels(&r, &scene, &camera, ZS_SKIP_FRUSTUM));
-        assert_int_equal(on, red_pixels(&r, &scene, &camera, ZS_SKIP_CLIPTEST));
+        small_mesh.radius = 121;
+        const uint32_t on = red_pixels(&r, &scene, &camera, NULL);
+        culled += zs_frame_stats(&r)->instances_culled;
+        drawn += on > 0;
+        assert_int_equal(on, red_pixels(&r, &scene, &camera, fast_all));
+        small_mesh.radius = 65535;
+        assert_int_equal(on, red_pixels(&r, &scene, &camera, NULL));
+        assert_int_equal(zs_frame_stats(&r)->instances_culled, 0);
+        assert_int_equal(on, red_pixels(&r, &scene, &camera, fast_all));
     }
+    assert_true(culled > 20 && drawn > 20);
 }
 
 /* Orthographic views of any height are taken, whatever is in view. */
@@ -185,7 +195,7 @@ static void null_closes_the_frame(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(stress_26_skips_beside_a_far_reach),
+        cmocka_unit_test(stress_26_spheres_beside_a_far_reach),
         cmocka_unit_test(orthographic_heights),
         cmocka_unit_test(ratios_of_least_heights),
         cmocka_unit_test(beyond_the_guard_by_less_than_a_step),

@@ -9,6 +9,7 @@
 #include <string.h>
 
 #include "cases.h"
+#include "fast_lists.h"
 #include "oracle.h"
 #include "picture.h"
 #include "core/pipeline.h"
@@ -1107,7 +1108,7 @@ static int ends_case(uint64_t seed)
     struct zs_config config = lone_config(24, 16, perspective && prng_pick(&p, 2)
                                                       ? &zs_depth_recip : &zs_depth_linear);
     config.strip_h = 5;
-    config.skip_off = (uint16_t)prng_pick(&p, ZS_SKIP_ALL + 1);
+    config.fast = fast_any(&p);
     if (prng_pick(&p, 2)) {
         config.max_tris = 2;
         config.max_verts = 3;
@@ -1439,12 +1440,15 @@ static int snapped_away_case(uint64_t seed)
     const struct zs_camera camera = pixel_camera(80, perspective);
     struct zs_config config = picture_config(96, 80, perspective ? &zs_depth_float : &zs_depth_linear);
     config.subpixel_bits = coarse ? 4 : 8;
-    config.skip_off = ZS_SKIP_EMPTY;
-    struct picture f = picture_draw(&config, &scene, &camera);
-    const int ok = !f.err && f.covered == 0 && f.stats.tris_zero == 1 && f.stats.tris_drawn == 0;
-    picture_free(&f);
-    return ok ? 1 : case_wrong("error %d, %u pixels, zero %u, drawn %u", f.err, f.covered, f.stats.tris_zero,
-                               f.stats.tris_drawn);
+    for (int plain = 0; plain < 2; plain++) {
+        config.fast = plain ? NULL : fast_all;
+        struct picture f = picture_draw(&config, &scene, &camera);
+        picture_free(&f);
+        if (f.err || f.covered || f.stats.tris_zero != 1 || f.stats.tris_drawn)
+            return case_wrong("error %d, %u pixels, zero %u, drawn %u", f.err, f.covered, f.stats.tris_zero,
+                              f.stats.tris_drawn);
+    }
+    return 1;
 }
 
 static void others_no_area_after_snapping(void **state)

@@ -6,6 +6,7 @@
 #include <string.h>
 
 #include "cases.h"
+#include "fast_lists.h"
 #include "picture.h"
 #include "shapes.h"
 
@@ -91,9 +92,9 @@ static int one_scene(uint64_t seed)
     world_open(&p, orthographic);
     struct zs_config c = picture_config(W, H, orthographic ? &zs_depth_linear : mapping[prng_pick(&p, 4)]);
     c.depth_bits = (uint8_t)(8 + prng_pick(&p, 5));
-    c.skip_off = ZS_SKIP_ALL;
+    c.fast = NULL;
     struct picture plain = picture_draw(&c, &world.scene, &world.camera);
-    c.skip_off = (uint16_t)(prng_pick(&p, 2) ? 0 : prng_pick(&p, ZS_SKIP_ALL + 1));
+    c.fast = prng_pick(&p, 2) ? fast_all : fast_any(&p);
     c.strip_h = (uint16_t)(1 + prng_pick(&p, H));
     if (prng_pick(&p, 2)) {
         c.max_tris = (uint16_t)(20 + prng_pick(&p, 300));

@@ -7,6 +7,7 @@
 
 #include "cases.h"
 #include "clusters.h"
+#include "fast_lists.h"
 #include "picture.h"
 #include "shapes.h"
 
@@ -258,6 +259,7 @@ static struct picture full(const struct show *s, const struct world *w)
     struct zs_config plain = s->config;
     plain.strip_h = plain.height;
     plain.max_tris = plain.max_verts = 4000;
+    plain.fast = NULL;
     return picture_draw(&plain, &w->scene, &w->camera);
 }
 
@@ -354,7 +356,7 @@ static int frames_of(uint64_t seed)
     c.max_tris = (uint16_t)(prng_pick(&p, 2) ? 600 : 2 + prng_pick(&p, 80));
     c.max_verts = (uint16_t)(prng_pick(&p, 2) ? 600 : 9 + prng_pick(&p, 80));
     c.subpixel_bits = prng_pick(&p, 4) ? 8 : 4;
-    c.skip_off = prng_pick(&p, 4) ? 0 : (uint16_t)prng_pick(&p, ZS_SKIP_ALL + 1);
+    c.fast = prng_pick(&p, 4) ? fast_all : prng_pick(&p, 4) ? fast_any(&p) : NULL;
     show_open(&s, &c);
     int right = 1;
     for (int frame = 0; frame < 24 && right; frame++) {
@@ -642,7 +644,7 @@ static int one_mover(uint64_t seed)
         return case_wrong("%u strips are drawn, the mover has %u", (unsigned)s.glass.sent, (unsigned)own);
     CASE_CHECK(zs_frame_stats(&s.r)->strips_skipped == H_MAX / 2 - s.glass.sent);
     const uint32_t slack = 4u + ZS_TRACK_GRAIN; /* an octagon for a coarse sphere */
-    if (!ZS_LEAN && s.glass.columns && own &&
+    if (s.glass.columns && own &&
         (s.glass.x + slack < (uint32_t)columns[0] || s.glass.end > (uint32_t)columns[1] + slack))
         return case_wrong("columns %u to %u are drawn, the mover is in %u to %u", (unsigned)s.glass.x, (unsigned)s.glass.end,
                           (unsigned)columns[0], (unsigned)columns[1]);
@@ -657,7 +659,7 @@ static void one_moving_thing_draws_its_own_strips(void **state)
     (void)state;
     CASES(one_mover, 100);
     assert_true(getenv("ZS_SEED") || binned[0][1] + binned[1][1] < (binned[0][0] + binned[1][0]) * 3u / 4u);
-    assert_true(ZS_LEAN || getenv("ZS_SEED") || binned[1][1] < binned[1][0] * 5u / 8u);
+    assert_true(getenv("ZS_SEED") || binned[1][1] < binned[1][0] * 5u / 8u);
 }
 
 static void a_still_scene_draws_nothing(void **state)

@@ -104,6 +104,7 @@ static void glass_is_right(struct show *s)
 {
     struct zs_config plain = s->config;
     plain.strip_h = plain.height;
+    plain.fast = NULL;
     struct picture p = picture_draw(&plain, &s->frame.scene, &s->frame.camera);
     assert_int_equal(p.err, ZS_OK);
     for (int32_t y = 0; y < p.h; y++)

@@ -7,6 +7,13 @@
  * SPDX-License-Identifier: MIT
  */
 #include "core/assemble.h"
+#include "core/cull.h"
+#include "core/damage.h"
+#include "core/fast.h"
+#include "core/fx.h"
+#include "core/raster.h"
+#include "core/walk.h"
+#include "core/xform.h"
 
 /* Where a walk is. */
 struct cursor {
@@ -57,6 +64,8 @@ static ZS_RARE ZS_NOINLINE int instance_open(struct zs_renderer *r, uint32_t num
         return 0;
     if (!zs_xform_instance(r, number, &b))
         return 0;
+    if (r->batch)
+        r->batch->needs(r, &b);
     r->clusters.from = r->clusters.end = 0;
     r->by_clusters = clusters && clusters->open(r, &b);
     return 1;
@@ -105,7 +114,7 @@ static ZS_NOINLINE int instance_bin(struct zs_renderer *r, struct cursor *at)
 {
     do {
         if (r->batch && r->direct)
-            at->tri = r->batch->bin(r, at->tri, r->clusters.end, at->fate);
+            at->tri = r->batch->bin(r, at->tri, r->clusters.end, at->fate, &at->piece);
         for (; at->tri < r->clusters.end; at->tri++) {
             const enum zs_fate fate = zs_assemble_tri(r, at->tri, &at->piece);
             if (fate == ZS_FATE_FULL)
