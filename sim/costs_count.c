@@ -11,7 +11,10 @@
 #include "core/rows.h"
 #include "costs.h"
 #include "frame.h"
-#include "shade/persp.h"
+#include "core/fast.h"
+#include "core/xform.h"
+#include "shade/texture.h"
+#include "zs_shader.h"
 #include "sim.h"
 
 #define SIM_COST_NAME(name, stage, what) { #name, stage, what },
@@ -161,11 +164,17 @@ static void look(struct shape *s, const struct zs_job *job)
 
 /* ---- Looking on --------------------------------------------------------------------------------- */
 
-static void on_vertex(const struct zs_renderer *r, uint32_t v, uint16_t *out)
+/* The renderer that a stage is called by. */
+static const struct zs_renderer *renderer_of(const struct zs_shading *s)
 {
-    const struct our_shader *s = shader_of(r->xform.instance->material->shader);
+    return (const struct zs_renderer *)(const void *)((const char *)s - offsetof(struct zs_renderer, shading));
+}
+
+static void on_vertex(const struct zs_shading *shading, uint32_t v, uint16_t *out)
+{
+    const struct our_shader *s = shader_of(shading->instance->material->shader);
     now.n[s->vertex]++;
-    s->of->vertex(r, v, out);
+    s->of->vertex(shading, v, out);
 }
 
 /* Strips all of whose rows lie in [row, end). */
@@ -230,8 +239,9 @@ static int all_asked(uint32_t width, const struct zs_mesh *mesh)
     return now.tiles && width <= ASKED_WIDTH && mesh->n_tris <= ASKED_TRIS;
 }
 
-static uint16_t on_face(const struct zs_renderer *r, uint32_t t)
+static uint16_t on_face(const struct zs_shading *shading, uint32_t t)
 {
+    const struct zs_renderer *r = renderer_of(shading);
     const struct our_shader *s = shader_of(r->xform.instance->material->shader);
     count_cover(r);
     if (now.tiles && r->direct && !all_asked(r->config.width, r->xform.instance->mesh) && is_large(r, t))
@@ -241,7 +251,7 @@ static uint16_t on_face(const struct zs_renderer *r, uint32_t t)
         now.n[SIM_COST_face_flat_given]++;
     else if (s->face != SIM_COST_N)
         now.n[s->face]++;
-    return s->of->face ? s->of->face(r, t) : 0u;
+    return s->of->face ? s->of->face(shading, t) : 0u;
 }
 
 static uint32_t on_depth_vertex(const struct zs_view *view, int32_t z, uint32_t rcp, int32_t lz)

@@ -11,7 +11,11 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "core/depth.h"
+#include "core/fast.h"
 #include "core/rows.h"
+#include "core/xform.h"
+#include "zs_shader.h"
 #include "sim.h"
 
 #define FAST_MAX 64 /* entries of a list that are kept */

@@ -12,7 +12,7 @@
 #include <cmocka.h>
 
 #include "counts.h"
-#include "core/pipeline.h"
+#include "internals.h"
 #include "fast_lists.h"
 #include "scenes.h"
 
@@ -312,9 +312,37 @@ static void few_clusters_are_not_asked(void **state)
     assert_true(asked[1] + asked[2] + asked[3] + asked[4] == 0 && asked[5] > 0);
 }
 
+static int lists(const struct zs_fast *const *list, const struct zs_fast *fast)
+{
+    while (*list && *list != fast)
+        list++;
+    return *list == fast;
+}
+
+/* The scenes' own lists name what is for their shaders, texels and clusters, and nothing else of these. */
+static void lists_of_scenes_are_of_what_is_in_them(void **state)
+{
+    (void)state;
+    for (uint32_t d = 0; d < n_demos; d++)
+        for (const struct zs_fast *const *at = fast_all; *at; at++) {
+            struct demo_frame f;
+            int used = !(*at)->shader && !(*at)->format && !(*at)->clusters;
+            demos[d]->pose(&f, 0, W, H);
+            for (uint32_t i = 0; i < f.scene.n_instances; i++) {
+                const struct zs_material *m = f.scene.instance[i].material;
+                used |= (*at)->shader && (*at)->shader == m->shader;
+                used |= (*at)->format && m->texture && (*at)->format == m->texture->format;
+                used |= (*at)->clusters && f.scene.instance[i].mesh->n_clusters > 0;
+            }
+            if (lists(demos[d]->fast, *at) != used)
+                fail_msg("%s lists %s", demos[d]->name, used ? "too little" : "too much");
+        }
+}
+
 int main(void)
 {
-    const struct CMUnitTest tests[] = { cmocka_unit_test(sums_of_every_scene), cmocka_unit_test(pixels_of_every_triangle),
+    const struct CMUnitTest tests[] = { cmocka_unit_test(lists_of_scenes_are_of_what_is_in_them),
+                                        cmocka_unit_test(sums_of_every_scene), cmocka_unit_test(pixels_of_every_triangle),
                                         cmocka_unit_test(eight_layers), cmocka_unit_test(no_more_work_than_known),
                                         cmocka_unit_test(few_clusters_are_not_asked) };
     return cmocka_run_group_tests(tests, NULL, NULL);

@@ -9,7 +9,7 @@
 #include "cases.h"
 #include "oracle.h"
 #include "easel.h"
-#include "core/pipeline.h"
+#include "internals.h"
 
 #define GUARD (8188 * 256)
 

@@ -4,7 +4,7 @@
  */
 #include "prove.h"
 
-#include "core/pipeline.h"
+#include "../internals.h"
 
 /* Proved by planes (plane_proof.c). */
 /*@ requires values: v0 <= 0x10000000000 && v1 <= 0x10000000000 && v2 <= 0x10000000000;

@@ -9,7 +9,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "core/pipeline.h"
+#include "../internals.h"
 #include "core/rows.h"
 #include "zs_fast.h"
 

@@ -4,7 +4,7 @@
  */
 #include "prove.h"
 
-#include "core/pipeline.h"
+#include "../internals.h"
 
 /* Proved by quotients below, and what the planes' proofs know of it. */
 /*@ requires 1 <= lz <= 31 && (least_shift == 2 || least_shift == 5);

@@ -11,7 +11,7 @@
 /*@ assigns \result \from a;
     ensures bound: 0x80000000 <= \result; */
 static inline uint32_t zs_recip_inline(uint32_t a);
-#include "core/pipeline.h"
+#include "../internals.h"
 
 /* Proved by quotients (plane_proof.c). */
 /*@ requires 2 <= lz <= 18 && least_shift == 5;

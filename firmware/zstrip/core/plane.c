@@ -115,10 +115,8 @@ ZS_ALWAYS_INLINE int32_t quotient(int64_t n, uint32_t rcp, int32_t lz, int32_t l
         down += hi ? up - 32 : up;
         if (down < least_shift)
             return TOO_STEEP;
-        if (down > 32)
-            return 0;
     }
-    m = ((zs_umulh(m, rcp) >> (down - 1)) + 1u) >> 1; /* down is 2 .. 32; m <= 2^30 */
+    m = ((zs_umulh(m, rcp) >> (down - 1)) + 1u) >> 1; /* down is 2 .. 22; m <= 2^30 */
     return sign < 0 ? -(int32_t)m : (int32_t)m;
 }
 
