@@ -1,6 +1,6 @@
 #!/bin/sh
 # What zsim budget cannot ask the host: sizes of structs on a Cortex-M, flash by what is linked, worst-case stacks, as
-# sim/record_sizes.h.
+# sim/record_sizes.h. Programs name the accelerators of the frame, of their shaders and of their texels.
 #
 # Usage: tests/checks/sizes_record.sh BUILD           the header on standard output
 #        tests/checks/sizes_record.sh BUILD structs   sizes of structs alone: lines "name bytes"
@@ -33,18 +33,18 @@ taken() { # MAP PATTERN: as in size.sh
                     break } }
         END { print sum + 0 }' "$1"
 }
-# CPU DEPTH MASK [STATEMENTS [DECLARATIONS]]: "bytes library"
+# CPU DEPTH MASK [STATEMENTS [DECLARATIONS [ACCELERATORS]]]: "bytes library"
 flash() {
     one=$work/flash-$1-$2-$3
-    list=''
+    materials='' fast="ZS_FAST_FRAME,${6:-}"
     n=1
     for s in $SHADES; do
-        [ $(($3 & n)) -eq 0 ] || list="$list { .shader = &zs_shade_$s },"
+        [ $(($3 & n)) -eq 0 ] || materials="$materials { .shader = &zs_shade_$s }," fast="$fast &zs_fast_$s,"
         n=$((n * 2))
     done
-    minimal "$one.c" raw "$2" "extern struct zs_material other[]; material = other[anything[4]]; ${4:-}"
+    LIST=$fast minimal "$one.c" raw "$2" "extern struct zs_material other[]; material = other[anything[4]]; ${4:-}"
     sed -i '/^struct zs_material material = /s/.*/struct zs_material material;/' "$one.c"
-    echo "struct zs_material other[] = {$list }; ${5:-}" >>"$one.c"
+    echo "struct zs_material other[] = {$materials }; ${5:-}" >>"$one.c"
     link "$1" "$work/core-$1" "$one.c" "$one.elf" -Wl,-Map,"$one.map" || exit 1
     echo "$(taken "$one.map" "$work/core-$1/") $(taken "$one.map" 'lib(gcc|c|c_nano)\\.a')"
     rm -f "$one.c" "$one.elf" "$one.map"
@@ -119,18 +119,18 @@ echo "};"
 awk '$1 == "cortex-m3" && ($2 " " $3 == "float 2" || $2 " " $3 == "recip 63") {
     print "/* of which " $2 " " $3 " is " $4 " */" }' "$work/flash.txt"
 echo
-more() { # NAME STATEMENTS DECLARATIONS: what a program with all shaders and depth float takes more
+more() { # NAME STATEMENTS DECLARATIONS [ACCELERATORS]: what a program with all shaders and depth float takes more
     for c in $CPUS; do
         # shellcheck disable=SC2046
-        set -- "$1" "$2" "$3" $(flash "$c" float 63 "$2" "$3") \
+        set -- "$1" "$2" "$3" "${4:-}" $(flash "$c" float 63 "$2" "$3" "${4:-}") \
             $(awk -v c="$c" '$1 == c && $2 == "float" && $3 == 63 { print $4, $5 }' "$work/flash.txt")
-        printf '%s %s\n' $(($4 - $6)) $(($5 - $7))
+        printf '%s %s\n' $(($5 - $7)) $(($6 - $8))
     done | awk '{ printf "%s{ %d, %d }", n++ ? ", " : "", $1 < 0 ? 0 : $1, $2 < 0 ? 0 : $2 }'
 }
 for x in $TEXELS; do
     echo "static const struct record_bytes record_texel_$x[RECORD_CPUS] = { $(more texel \
         'extern struct zs_texture texture; material.texture = &texture;' \
-        "struct zs_texture texture = { .format = &zs_texel_$x };") };"
+        "struct zs_texture texture = { .format = &zs_texel_$x };" " &zs_fast_$x,") };"
 done
 echo "static const struct record_bytes record_state[RECORD_CPUS] = { $(more state \
     'extern const struct zs_state state; instance.state = &state;' 'const struct zs_state state = ZS_STATE(1, 1, 2, 3);') };"

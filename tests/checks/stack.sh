@@ -1,7 +1,7 @@
 #!/bin/sh
 # The worst case of the stack, from the compiler's own numbers: no recursion, no VLA, a bound for each
 # public function on Cortex-M0+ and M3, with all accelerators and without any. How: stack.mjs.
-# What functions of zs_sink, of a panel's bus and hooks take is the caller's, and interrupts: it comes on top.
+# What functions of zs_sink, of a program's own shaders and of a panel's bus and hooks take comes on top, as do interrupts.
 #
 # SPDX-License-Identifier: MIT
 . "$(dirname "$0")/common.sh"
@@ -26,7 +26,7 @@ render() { # CPU NAME EMPTY [FLAGS]: EMPTY as of stack.mjs
     echo "$OTHERS" >>"$dir/main.c"
     # shellcheck disable=SC2086
     link "$c" "$dir" "$dir/main.c" "$dir/all.elf" -Wl,--no-gc-sections ${4:-} || { bad "$name links" "see above"; return; }
-    stack "$name" "$dir" "$LIMIT" zs_ zs_sink "$empty" zs_render zs_init zs_frame_begin zs_frame_strip zs_frame_end zs_pose_turn \
+    stack "$name" "$dir" "$LIMIT" zs_ zs_sink,zs_shader.fragment "$empty" zs_render zs_init zs_frame_begin zs_frame_strip zs_frame_end zs_pose_turn \
         zs_pose_rotate zs_camera_perspective zs_camera_orthographic zs_camera_look_at zs_camera_look_along zs_camera_orbit \
         zs_unit zs_mesh_check zs_texture_check
 }
@@ -49,8 +49,8 @@ done
 # program's own frames are in what was painted, too.
 painted() { # BOARD CPU
     [ -s "${B%/checks}/$1/table.txt" ] || { echo "note $1: its test has not run, no painted stack"; return; }
-    render=$(sed -n 's/^ok .*, zs_render //p' "$B/stack-$2/bound.txt")
-    send=$(sed -n 's/^ok .*, panel_send //p' "$B/stack-panels-$2/bound.txt")
+    render=$(sed -n 's/^ok .* zs_render //p' "$B/stack-$2/bound.txt")
+    send=$(sed -n 's/^ok .* panel_send //p' "$B/stack-panels-$2/bound.txt")
     awk -v board="$1" -v bound=$((${render:-0} + ${send:-0})) '$5 > most { most = $5; scene = $2 }
         END { if (most + 0 > 0 && most <= bound) { print "ok " board " painted stack " most " (" scene ") within the bound, " bound; exit }
             print "FAILED " board " painted stack: " most + 0 ", bound " bound; exit 1 }' "${B%/checks}/$1/table.txt" || failed=1
