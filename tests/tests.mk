@@ -120,7 +120,7 @@ $(B)/stress/fast: $(STRESS) $(B)/stress/oracle.o $(HEADERS)
 
 # Mutants (tests/mutate): the units that run the renderer, as in make test but, by B and SAN, without sanitizers, all in
 # one program; make test links it as well
-MUTATE_TESTS = $(filter-out test_linux test_pair test_panel%,$(TESTS:tests/%.c=%))
+MUTATE_TESTS = $(filter-out test_linux test_pair test_examples test_panel%,$(TESTS:tests/%.c=%))
 MUTATE_SIM = sim/counts.c sim/frame.c sim/share.c sim/sim.c
 mutate-settings:
 	$(info tests $(MUTATE_TESTS))
