@@ -220,7 +220,7 @@ finds_nothing 'NR > 1 { sum[$5] = sum[$5] ? sum[$5] : $23; if ($23 != sum[$5]) p
 
 begin study_variants_are_for_studies_alone
 variant() { # FLAG...
-    gcc -std=c11 -fsyntax-only "$@" "$top/firmware/zstrip/shade/texture.c" 2>log
+    gcc -std=c11 -fsyntax-only -I"$top/firmware/zstrip" "$@" "$top/firmware/zstrip/shade/texture.c" 2>log
 }
 for flag in -DZS_RECIP_STEPS=0 -DZS_TEXEL_COARSE_LOG2=31 -DZS_SPAN_BOUND_LOG2=2; do
     ! variant $flag || wrong "$flag builds"
