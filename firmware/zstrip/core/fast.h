@@ -51,8 +51,8 @@ struct zs_fast_batch {
     /* Before an instance's triangles are binned: its vertices, where all have room; then sets r->direct. */
     void (*open)(struct zs_renderer *r);
     /* Bin triangles [from, end), where r->direct; fate as walk.c counts. Return how far it came: less than end, where a pool is
-     * full, or it declined. */
-    uint32_t (*bin)(struct zs_renderer *r, uint32_t from, uint32_t end, uint32_t *fate);
+     * full, or it declined. *piece: of the triangle that it came to, as zs_assemble_tri. */
+    uint32_t (*bin)(struct zs_renderer *r, uint32_t from, uint32_t end, uint32_t *fate, uint32_t *piece);
     void (*screen)(const struct zs_renderer *r, uint32_t v, uint32_t n, struct zs_vertex *out); /* zs_xform_screen of several */
 };
 

@@ -105,7 +105,7 @@ static ZS_NOINLINE int instance_bin(struct zs_renderer *r, struct cursor *at)
 {
     do {
         if (r->batch && r->direct)
-            at->tri = r->batch->bin(r, at->tri, r->clusters.end, at->fate);
+            at->tri = r->batch->bin(r, at->tri, r->clusters.end, at->fate, &at->piece);
         for (; at->tri < r->clusters.end; at->tri++) {
             const enum zs_fate fate = zs_assemble_tri(r, at->tri, &at->piece);
             if (fate == ZS_FATE_FULL)

@@ -178,15 +178,15 @@ ZS_ALWAYS_INLINE enum zs_fate bin(struct zs_renderer *r, const struct zs_shader 
 }
 
 /* What is left of a batch from triangle `from` on. Return how many of them are binned; fewer than n: a pool is full. */
-static uint32_t bin_all(struct zs_renderer *r, const struct batch *s, uint32_t from, uint32_t n, uint32_t fate[ZS_FATES])
+static uint32_t bin_all(struct zs_renderer *r, const struct batch *s, uint32_t from, uint32_t n, uint32_t fate[ZS_FATES],
+                        uint32_t *piece)
 {
     const uint32_t base = r->vert_base;
     for (const uint8_t *left = s->left, *const end = left + n; left < end; left++) {
         const uint32_t what = *left, t = from + what / 4u;
-        uint32_t piece = 0;
         enum zs_fate f;
         if (what & 2u) {
-            f = zs_assemble_tri(r, t, &piece);
+            f = zs_assemble_tri(r, t, piece);
         } else {
             const uint16_t *index = s->tri[what / 4u];
             const uint32_t second = base + index[1], third = base + index[2];
@@ -220,7 +220,7 @@ static ZS_RARE ZS_NOINLINE void drop_less(struct batch *s, uint32_t from, uint32
         fate[k] -= less[k];
 }
 
-static ZS_NOINLINE uint32_t batch_bin(struct zs_renderer *r, uint32_t from, uint32_t end, uint32_t fate[ZS_FATES])
+static ZS_NOINLINE uint32_t batch_bin(struct zs_renderer *r, uint32_t from, uint32_t end, uint32_t fate[ZS_FATES], uint32_t *piece)
 {
     const struct zs_instance *in = r->xform.instance;
     const struct zs_mesh *mesh = in->mesh;
@@ -236,7 +236,7 @@ static ZS_NOINLINE uint32_t batch_bin(struct zs_renderer *r, uint32_t from, uint
     for (; from < end; from += BATCH) {
         const uint32_t n = zs_minu32(end - from, BATCH);
         s.tri = mesh->tri + from;
-        const uint32_t left = reject(&s, n), done = bin_all(r, &s, from, left, fate);
+        const uint32_t left = reject(&s, n), done = bin_all(r, &s, from, left, fate, piece);
         if (done < left) {
             const uint32_t t = from + s.left[done] / 4u;
             drop_less(&s, from, n, t, fate);
