@@ -204,7 +204,7 @@ static void small_pools_count_the_same(void **state)
     passes = clipped = most_used = 0;
     CASES(scene_case, 200);
     print_message("%u passes, %u triangles clipped, ample pools held up to %u\n", passes, clipped, most_used);
-    assert_true(getenv("ZS_SEED") || (passes > 20000 && clipped > 5000));
+    assert_true(getenv("ZS_SEED") || (passes > 10000 && clipped > 5000));
 }
 
 static void clusters_with_small_pools(void **state)
