@@ -4,7 +4,7 @@ B = build
 CFLAGS = -O2 -g
 WARN = -Wall -Wextra -Werror -Wconversion -Wshadow -Wvla -Wstrict-prototypes \
        -Wmissing-prototypes -Wdouble-promotion -Wno-missing-field-initializers
-INC = -Ifirmware/zstrip -Ifirmware/scenes -Ihal -Ihal/panel -Ihal/fault -I$(B)/gen -Isim -Isim/reference -Isim/panel_model
+INC = -Ifirmware/zstrip -Ifirmware/examples -Ifirmware/scenes -Ihal -Ihal/panel -Ihal/fault -I$(B)/gen -Isim -Isim/reference -Isim/panel_model
 CORE = $(wildcard firmware/zstrip/*/*.c)
 SCENES = $(wildcard firmware/scenes/*.c)
 PANELS = $(wildcard hal/panel/*.c)
@@ -58,7 +58,6 @@ demo: sim
 ## test: set up and run every test
 test: $(B)/.setup-test
 	@$(MAKE) --no-print-directory -j2 $(B)/zsim test-programs fuzz-programs stress-programs
-	@$(MAKE) --no-print-directory -j2 B=$(B)/lean LEAN=1 lean-programs
 	@sh tests/run.sh $(B)
 
 ## quick: every unit test, for after each change: without AddressSanitizer, of UBSan what is cheap; half a minute
@@ -153,8 +152,8 @@ report: $(B)/.setup-report
 
 SHOW = $(MAKE) --no-print-directory -s -f firmware/boards/firmware.mk B=$(B) BOARD=$(BOARD) APP=show SCENE=$(SCENE) \
        $(if $(APP_SCENE),APP_SCENE=$(APP_SCENE)) $(if $(LEAN),LEAN=$(LEAN)) $(if $(CORES),CORES=$(CORES))
-## firmware: BOARD=pico SCENE=teapot (or mine, or APP_SCENE=my.c): what is flashed, into build/fw/pico/; LEAN=1: least flash;
-##     CORES=2: both cores of the Pico draw, build/fw/pico-2/
+## firmware: BOARD=pico SCENE=teapot (or mine, or APP_SCENE=my.c): what is flashed, into build/fw/pico/; LEAN=1: least flash,
+##     without accelerators; CORES=2: both cores of the Pico draw, build/fw/pico-2/
 firmware: $(B)/.setup-fw-$(BOARD) $(B)/gen/meshes.h
 	@$(SHOW) image
 
@@ -190,11 +189,11 @@ pictures: sim
 
 ## size: flash of the renderer and RAM by pool
 ## stack: worst-case stack
-## check: rules on the Cortex-M objects, linking, includes, initialisers, headers in C and C++, and the stack
+## check: rules on the Cortex-M objects, linking, includes, sizes of files, initialisers, headers in C and C++, and the stack
 size stack: $(B)/.setup-test
 	@sh tests/checks/$@.sh $(B)
 check: $(B)/.setup-test $(B)/gen/meshes.h
-	@for c in objects kernels hal includes designated headers stack; do sh tests/checks/$$c.sh $(B) || exit 1; done
+	@for c in objects kernels hal includes shape designated headers stack; do sh tests/checks/$$c.sh $(B) || exit 1; done
 
 ## clean: remove build/
 clean:

@@ -1,5 +1,5 @@
 /* What a frame costs, stage by stage: how often each thing is done in it, and what one takes on a core. Counts come
- * from the renderer itself, which is given shaders, texel formats, a depth mapping and a state kernel that look on and
+ * from the renderer itself, which is given shaders, texel formats, a depth mapping and accelerators that look on and
  * pass on; so they follow whatever ways it takes. What one takes is fitted from the probes (firmware/scenes/probes.h)
  * by make costs-record.
  *

@@ -1,15 +1,20 @@
 /* Counting by looking on. Instances are copied, with materials and textures, so that what they name is ours: each of
- * our structs begins with the renderer's and knows the one that it stands for. Rows and spans are found here, from a
- * triangle's corners, whatever way it is drawn; their pixels must be as many as the renderer says.
+ * our structs begins with the renderer's and knows the one that it stands for, and so do accelerators of their shaders and texel
+ * formats. Rows and spans are found here, from a triangle's corners, whatever way it is drawn; their pixels must be as many as the
+ * renderer says.
  *
  * SPDX-License-Identifier: MIT
  */
 #include <stdlib.h>
 #include <string.h>
 
+#include "core/rows.h"
 #include "costs.h"
 #include "frame.h"
-#include "shade/persp.h"
+#include "core/fast.h"
+#include "core/xform.h"
+#include "shade/texture.h"
+#include "zs_shader.h"
 #include "sim.h"
 
 #define SIM_COST_NAME(name, stage, what) { #name, stage, what },
@@ -26,19 +31,27 @@ struct our_shader {
 struct our_texel {
     struct zs_texel texel;
     const struct zs_texel *of;
+    const struct zs_fast_texel *fast_of; /* NULL: the list has none for it */
     enum sim_cost fetch, won;
 };
-struct our_kernel {
-    struct zs_state_kernel kernel;
-    const struct zs_state_kernel *of;
+struct our_fast {
+    struct zs_fast fast;
+    const struct zs_fast *of; /* NULL: the list has none for the shader */
 };
 struct thing { /* an instance's copies */
     struct our_shader shader;
     struct our_texel texel;
-    struct our_kernel kernel;
+    struct our_fast fast;      /* of the shader ... */
+    struct zs_fast texel_fast; /* ... and of the texel format */
+    struct zs_fast_texel texel_hooks;
     struct zs_material material;
     struct zs_texture texture;
-    struct zs_state state;
+};
+
+struct shape {
+    double rows, spans, px;
+    int tilted; /* flag: keys differ */
+    double edges, divided, divided64; /* edges taken up; of these, where a core without a divider divides; in 64 bits */
 };
 
 /* The frame in hand: callbacks that get texels alone know of no other way to it. */
@@ -53,10 +66,13 @@ static struct {
     uint8_t by_number; /* flag: some mesh was not transformed at once */
     const struct zs_job *job; /* whose run is coloured; NULL: none */
     uint8_t wide, huge; /* flags, of the triangle that was set up last: how its planes are found */
-    uint8_t keys;      /* flag, of the triangle in hand: its keys are linear */
     uint8_t linear;    /* flag: keys are linear on the screen in this view */
-    uint8_t lit;       /* flag: the small triangle in hand is drawn by a lit kernel */
+    uint8_t lit;       /* flag: the small triangle in hand is drawn lit */
+    uint8_t testing;   /* flag: the piece in hand is tested */
     uint8_t fresh;     /* flag: a triangle of this strip was drawn on fresh pixels */
+    uint8_t tiles;     /* flag: triangles are asked what they hide */
+    struct shape shape;  /* of the triangle that was set up last */
+    zs_piece_fn *piece;  /* what on_piece stands for */
     struct zs_vertex cover[3]; /* the last triangle that hides others */
     uint32_t walk;     /* number of the walk, and of ... */
     uint32_t instance; /* ... the instance in hand, UINT32_MAX: none */
@@ -72,13 +88,13 @@ static struct our_texel *texel_of(const struct zs_texel *texel)
     return (struct our_texel *)(uintptr_t)texel;
 }
 
-/* ---- A triangle's rows in a strip --------------------------------------------------------------- */
+/* Of the shader in hand. */
+static const struct our_fast *fast_of(const struct zs_job *job)
+{
+    return (const struct our_fast *)(const void *)job->fast;
+}
 
-struct shape {
-    double rows, spans, px;
-    int tilted; /* flag: keys differ */
-    double edges, divided, divided64; /* edges taken up; of these, where a core without a divider divides; in 64 bits */
-};
+/* ---- A triangle's rows in a strip --------------------------------------------------------------- */
 
 /* The first sample at or beyond an edge from a to b, at the middle of a row; exact. */
 static int32_t column(const struct zs_vertex *a, const struct zs_vertex *b, int32_t row)
@@ -88,8 +104,7 @@ static int32_t column(const struct zs_vertex *a, const struct zs_vertex *b, int3
     return (int32_t)(top >= 0 ? (top + by - 1) / by : -(-top / by));
 }
 
-/* Rows of the edge from a down to b in [row, end), cut ZS_CUT_ROWS at a time from `first` on, as zs_raster_cuts does
- * it. */
+/* Rows of the edge from a down to b in [row, end), cut ZS_CUT_ROWS at a time from `first` on, as zs_edges_cut does it. */
 static void look_edge(struct shape *s, const struct zs_vertex *a, const struct zs_vertex *b, int32_t first, int32_t row,
                       int32_t end)
 {
@@ -149,11 +164,17 @@ static void look(struct shape *s, const struct zs_job *job)
 
 /* ---- Looking on --------------------------------------------------------------------------------- */
 
-static void on_vertex(const struct zs_renderer *r, uint32_t v, uint16_t *out)
+/* The renderer that a stage is called by. */
+static const struct zs_renderer *renderer_of(const struct zs_shading *s)
 {
-    const struct our_shader *s = shader_of(r->xform.instance->material->shader);
+    return (const struct zs_renderer *)(const void *)((const char *)s - offsetof(struct zs_renderer, shading));
+}
+
+static void on_vertex(const struct zs_shading *shading, uint32_t v, uint16_t *out)
+{
+    const struct our_shader *s = shader_of(shading->instance->material->shader);
     now.n[s->vertex]++;
-    s->of->vertex(r, v, out);
+    s->of->vertex(shading, v, out);
 }
 
 /* Strips all of whose rows lie in [row, end). */
@@ -165,7 +186,7 @@ static int32_t strips_within(const struct zs_renderer *r, int32_t row, int32_t e
     return last > first ? last - first : 0;
 }
 
-/* Has a triangle left bounds behind, as hidden.c finds them? Those of a triangle that shares an edge with it are found
+/* Has a triangle left bounds behind, as fast/tiles.c finds them? Those of a triangle that shares an edge with it are found
  * for both at once. */
 static void count_cover(const struct zs_renderer *r)
 {
@@ -215,21 +236,22 @@ static int is_large(const struct zs_renderer *r, uint32_t t)
 
 static int all_asked(uint32_t width, const struct zs_mesh *mesh)
 {
-    return width <= ASKED_WIDTH && mesh->n_tris <= ASKED_TRIS;
+    return now.tiles && width <= ASKED_WIDTH && mesh->n_tris <= ASKED_TRIS;
 }
 
-static uint16_t on_face(const struct zs_renderer *r, uint32_t t)
+static uint16_t on_face(const struct zs_shading *shading, uint32_t t)
 {
+    const struct zs_renderer *r = renderer_of(shading);
     const struct our_shader *s = shader_of(r->xform.instance->material->shader);
     count_cover(r);
-    if (r->direct && !all_asked(r->config.width, r->xform.instance->mesh) && is_large(r, t))
+    if (now.tiles && r->direct && !all_asked(r->config.width, r->xform.instance->mesh) && is_large(r, t))
         now.n[SIM_COST_tri_asked]++;
     now.n[SIM_COST_tri_bin]++;
     if (s->face == SIM_COST_face_flat && r->xform.instance->mesh->face_normal)
         now.n[SIM_COST_face_flat_given]++;
     else if (s->face != SIM_COST_N)
         now.n[s->face]++;
-    return s->of->face ? s->of->face(r, t) : 0u;
+    return s->of->face ? s->of->face(shading, t) : 0u;
 }
 
 static uint32_t on_depth_vertex(const struct zs_view *view, int32_t z, uint32_t rcp, int32_t lz)
@@ -254,7 +276,8 @@ static int on_setup(struct zs_view *view, const struct zs_camera *camera, uint32
     now.r = (struct zs_renderer *)(void *)((char *)view - offsetof(struct zs_renderer, view));
     const int err = now.of->setup(view, camera, bits);
     now.linear = view->screen_linear;
-    view->screen_linear = 0; /* all triangles come by on_depth_rows */
+    view->screen_linear = 0; /* all triangles that are set up come by on_planes */
+    now.tiles = now.r->tiles != NULL;
     return err;
 }
 
@@ -310,75 +333,94 @@ static void on_start(struct zs_job *job)
     count_start(job, s);
 }
 
-/* Linear keys, no state: the kernel draws rows itself, or tests them and has runs coloured. */
-static void on_rows(struct zs_job *job)
+/* A row by what tests the shader's pieces; not by on_span. */
+ZS_ALWAYS_INLINE void row_tested(struct zs_job *job, const struct zs_row *row)
+{
+    const struct zs_fast *of = fast_of(job)->of;
+    zs_piece_fn *const span = of && of->span ? of->span : zs_rows_test;
+    span(job, row, row->i0, row->i1, row->key + zs_wrap_mul(job->key.gx, row->i0), job->key.gx);
+}
+
+/* Linear keys, no state, no pixel untouched: an accelerator draws rows itself, or they are tested and have runs coloured. */
+static int on_rows(struct zs_job *job)
 {
     const struct our_shader *s = shader_of(job->shader);
-    struct shape shape;
-    const double runs = now.n[SIM_COST_run], pieces = now.n[SIM_COST_piece];
+    const struct zs_fast *of = fast_of(job)->of;
+    const struct shape *shape = &now.shape;
+    const double runs = now.n[SIM_COST_run];
     const uint32_t before = written();
-    look(&shape, job);
-    look_plane(job);
-    count_setup(&shape);
-    now.keys = 1;
-    s->of->rows(job);
+    if (!of || !of->rows || !of->rows(job))
+        zs_rows_walk(job, row_tested, 0);
     const double won = written() - before;
     const int affine = job->sub_log2 == ZS_AFFINE && (s->kind == KIND_SMOOTH ||
                                                       (job->sampler.direct && job->sampler.unlit));
-    if (s->kind != KIND_SOLID)
-        count_start(job, s);
     if (s->kind == KIND_SOLID) {
-        now.n[SIM_COST_span_solid] += shape.spans;
-        if (now.n[SIM_COST_piece] == pieces) { /* else its keys may saturate, and on_span has counted pixels */
-            now.n[SIM_COST_px_solid] += shape.px;
-            now.n[SIM_COST_won_solid] += won;
-        }
-        now.n[SIM_COST_piece] = pieces;
+        now.n[SIM_COST_span_solid] += shape->spans;
+        now.n[SIM_COST_px_solid] += shape->px;
+        now.n[SIM_COST_won_solid] += won;
     } else if (!affine || runs < now.n[SIM_COST_run]) {
-        now.n[SIM_COST_span_runs] += shape.spans;
-        now.n[SIM_COST_px_runs] += shape.px;
+        now.n[SIM_COST_span_runs] += shape->spans;
+        now.n[SIM_COST_px_runs] += shape->px;
         now.n[SIM_COST_won_runs] += won;
     } else if (s->kind == KIND_SMOOTH) {
-        now.n[SIM_COST_span_smooth] += shape.spans;
-        now.n[SIM_COST_px_smooth] += shape.px;
+        now.n[SIM_COST_span_smooth] += shape->spans;
+        now.n[SIM_COST_px_smooth] += shape->px;
         now.n[SIM_COST_won_smooth] += won;
     } else {
-        now.n[SIM_COST_span_direct] += shape.spans;
-        now.n[SIM_COST_px_direct] += shape.px;
+        now.n[SIM_COST_span_direct] += shape->spans;
+        now.n[SIM_COST_px_direct] += shape->px;
         now.n[texel_of(job->sampler.texture->format)->won] += won;
     }
+    return 1;
 }
 
-/* A piece of a row, or all of one. */
+/* Is each pixel's key found by itself? */
+static int pixelwise(void)
+{
+    return !now.linear && now.of == &zs_depth_linear;
+}
+
+/* A piece of a row, or all of one, of an instance without a state. */
 static void on_span(struct zs_job *job, const struct zs_row *row, int32_t i0, int32_t i1, uint32_t sum, uint32_t gx)
 {
     const struct our_shader *s = shader_of(job->shader);
+    const struct zs_fast *of = fast_of(job)->of;
     const uint32_t before = written();
-    s->of->span(job, row, i0, i1, sum, gx);
+    now.testing = 1;
+    (of && of->span ? of->span : zs_rows_test)(job, row, i0, i1, sum, gx);
+    now.testing = 0;
     const double won = written() - before;
+    if (pixelwise()) { /* a piece a pixel; on_planes counts them */
+        now.n[SIM_COST_won_runs] += won;
+        return;
+    }
     now.n[SIM_COST_piece]++;
     now.n[s->kind == KIND_SOLID ? SIM_COST_px_solid : SIM_COST_px_runs] += i1 - i0;
     now.n[s->kind == KIND_SOLID ? SIM_COST_won_solid : SIM_COST_won_runs] += won;
 }
 
-static void on_state_span(struct zs_job *job, const struct zs_row *row, int32_t i0, int32_t i1, uint32_t sum, uint32_t gx);
+/* A piece of a row of an instance with a state, whose keys are not linear. */
+static void on_piece(struct zs_job *job, const struct zs_row *row, int32_t i0, int32_t i1, uint32_t sum, uint32_t gx)
+{
+    now.n[SIM_COST_piece]++;
+    now.n[SIM_COST_px_state] += i1 - i0;
+    now.piece(job, row, i0, i1, sum, gx);
+}
 
 #define NO_OCTAVES INT32_MIN /* job->w64_scale, where a triangle's keys lie in one */
-
-/* Drawn on pixels that nothing was drawn on before: by a kernel that is not an instance's. */
-static int on_fresh(const struct zs_job *job)
-{
-    return job->state && job->state->kernel->span != on_state_span;
-}
 
 static void on_run(struct zs_job *job, const struct zs_row *row, int32_t from, int32_t to)
 {
     const struct our_shader *s = shader_of(job->shader);
-    const int fresh = on_fresh(job);
+    const int fresh = job->split & ZS_SPLIT_TOUCH && !now.testing;
     now.n[SIM_COST_run]++;
     now.n[SIM_COST_run_fresh] += fresh;
+    if (fresh)
+        now.n[SIM_COST_px_fresh] += to - from;
     if (fresh && job->w64_scale != NO_OCTAVES)
         now.n[SIM_COST_piece]++;
+    if (job->state)
+        now.n[SIM_COST_won_runs] += to - from;
     if (s->kind == KIND_SOLID)
         now.n[fresh ? SIM_COST_fill_px : SIM_COST_run_solid_px] += to - from;
     if (s->kind == KIND_SMOOTH) {
@@ -399,12 +441,13 @@ static void on_light(uint16_t *out, int32_t n, uint32_t level, uint32_t step)
     zs_shade_texture_flat.light(out, n, level, step);
 }
 
-static int on_small(struct zs_job *job)
+/* A triangle that may be drawn in one go. */
+static int on_draw(struct zs_job *job)
 {
     const struct our_shader *s = shader_of(job->shader);
     const uint32_t setups = now.r->stats.tris_setup, px = tested(), before = written();
     now.lit = 0;
-    if (!s->of->small(job))
+    if (!fast_of(job)->of->draw(job))
         return 0;
     if (now.r->stats.tris_setup == setups)
         return 1;
@@ -433,55 +476,42 @@ static int on_small(struct zs_job *job)
     return 1;
 }
 
-static void on_state_span(struct zs_job *job, const struct zs_row *row, int32_t i0, int32_t i1, uint32_t sum,
-                          uint32_t gx)
+/* A triangle that has been set up, before its rows are drawn. on_rows counts those of linear keys, without a state and on pixels
+ * that were drawn on before. */
+static int on_planes(struct zs_job *job)
 {
-    const struct our_kernel *k = (const struct our_kernel *)(uintptr_t)job->state->kernel;
-    const uint32_t before = written();
-    k->of->span(job, row, i0, i1, sum, gx);
-    now.n[SIM_COST_piece]++;
-    now.n[SIM_COST_px_state] += i1 - i0;
-    now.n[SIM_COST_won_runs] += written() - before;
-}
-
-/* Depths whose keys may not be linear. */
-static void on_depth_rows(struct zs_job *job)
-{
-    struct shape shape;
-    const uint32_t before = written(), untested = now.r->stats.pixels_untested;
-    const int fresh = on_fresh(job);
-    look(&shape, job);
+    const struct shape *shape = &now.shape;
+    look(&now.shape, job);
     look_plane(job);
-    now.keys = 0;
+    count_setup(shape);
     job->w64_scale = NO_OCTAVES;
-    if (now.linear)
-        zs_raster_keys(job);
-    else
-        now.of->rows(job);
-    if (now.keys)
-        return; /* they were; counted there */
-    count_setup(&shape);
-    if (fresh) {
+    const int linear = now.linear || now.of->planes(job);
+    if (job->split & ZS_SPLIT_TOUCH) {
         now.fresh = 1;
         now.n[SIM_COST_setup_fresh]++;
         now.n[SIM_COST_setup_octaves] += job->w64_scale != NO_OCTAVES;
-        now.n[SIM_COST_row_fresh] += shape.spans;
-        now.n[SIM_COST_px_fresh] += now.r->stats.pixels_untested - untested;
-        return;
-    }
-    if (job->state && job->w64_scale == NO_OCTAVES && (now.linear || now.of != &zs_depth_linear)) { /* linear after all */
-        now.n[SIM_COST_span_runs] += shape.spans;
-        now.n[SIM_COST_piece] -= shape.spans; /* on_state_span took them for pieces */
-        return;
-    }
-    if (now.of != &zs_depth_linear) {
+        now.n[SIM_COST_row_fresh] += shape->spans;
+    } else if (linear && job->state) {
+        now.n[SIM_COST_span_runs] += shape->spans;
+        now.n[SIM_COST_px_state] += shape->px;
+    } else if (pixelwise()) {
+        now.n[SIM_COST_setup_linear]++;
+        now.n[SIM_COST_span_linear] += shape->spans;
+        now.n[SIM_COST_px_linear] += shape->px;
+    } else if (!linear) {
         now.n[SIM_COST_setup_octaves]++;
-        return;
     }
-    now.n[SIM_COST_setup_linear]++;
-    now.n[SIM_COST_span_linear] += shape.spans;
-    now.n[SIM_COST_px_linear] += shape.px;
-    now.n[SIM_COST_won_runs] += written() - before;
+    return linear;
+}
+
+/* A row whose keys are not linear. */
+static void on_row(struct zs_job *job, const struct zs_row *row)
+{
+    if (job->state && !pixelwise() && job->piece != on_piece) {
+        now.piece = job->piece;
+        job->piece = on_piece;
+    }
+    now.of->row(job, row);
 }
 
 static void on_fetch(const struct zs_texture *t, uint16_t *out, int32_t n, const struct zs_walk *walk)
@@ -504,13 +534,13 @@ static void on_gather(const struct zs_texture *t, uint16_t *out, int32_t n, cons
 {
     now.n[SIM_COST_divide]++;
     now.n[SIM_COST_divide_px] += n;
-    texel_of(t->format)->of->gather(t, out, n, at);
+    texel_of(t->format)->fast_of->gather(t, out, n, at);
 }
 
 static void on_small_lit(struct zs_job *job, const struct zs_texture *t, struct zs_texel_rows *rows)
 {
     now.lit = 1;
-    texel_of(t->format)->of->small_lit(job, t, rows);
+    texel_of(t->format)->fast_of->small_lit(job, t, rows);
 }
 
 /* ---- Copies ------------------------------------------------------------------------------------- */
@@ -527,12 +557,9 @@ static void copy_shader(struct our_shader *s, const struct zs_shader *of)
     s->face = of == &zs_shade_flat || of == &zs_shade_texture_flat ? SIM_COST_face_flat : SIM_COST_N;
     s->shader.vertex = of->vertex ? on_vertex : NULL;
     s->shader.face = on_face;
-    s->shader.rows = on_rows;
     s->shader.start = of->start ? on_start : NULL;
-    s->shader.span = on_span;
     s->shader.run = on_run;
     s->shader.light = of->light ? on_light : NULL;
-    s->shader.small = of->small ? on_small : NULL;
 }
 
 static void copy_texel(struct our_texel *x, const struct zs_texel *of)
@@ -543,11 +570,38 @@ static void copy_texel(struct our_texel *x, const struct zs_texel *of)
         SIM_COST_fetch_pal4_px;
     x->won = of == &zs_texel_565 ? SIM_COST_won_565 : of == &zs_texel_pal8 ? SIM_COST_won_pal8 : SIM_COST_won_pal4;
     x->texel.fetch = on_fetch;
-    x->texel.gather = on_gather;
-    x->texel.small_lit = on_small_lit;
 }
 
-static void copy(struct zs_instance *in, struct thing *t)
+/* The accelerator of a shader, or of a texel format; NULL: the list has none. */
+static const struct zs_fast *listed(const struct zs_fast *const *list, const struct zs_shader *shader, const struct zs_texel *format)
+{
+    for (; list && *list; list++)
+        if ((shader && (*list)->shader == shader) || (format && (*list)->format == format))
+            return *list;
+    return NULL;
+}
+
+static void copy_fast(struct thing *t, const struct zs_fast *const *list)
+{
+    const struct zs_fast *of = listed(list, t->shader.of, NULL);
+    if (of)
+        t->fast.fast = *of;
+    t->fast.of = of;
+    t->fast.fast.shader = &t->shader.shader;
+    t->fast.fast.draw = of && of->draw ? on_draw : NULL;
+    t->fast.fast.rows = on_rows;
+    t->fast.fast.span = on_span;
+    if (!t->texel.of || !(of = listed(list, NULL, t->texel.of)))
+        return;
+    t->texel.fast_of = of->texel;
+    t->texel_hooks = *of->texel;
+    t->texel_hooks.gather = on_gather;
+    t->texel_hooks.small_lit = on_small_lit;
+    t->texel_fast.format = &t->texel.texel;
+    t->texel_fast.texel = &t->texel_hooks;
+}
+
+static void copy(struct zs_instance *in, struct thing *t, const struct zs_fast *const *list)
 {
     const struct zs_texture *texture = in->material->texture;
     t->material = *in->material;
@@ -560,14 +614,25 @@ static void copy(struct zs_instance *in, struct thing *t)
         t->material.texture = &t->texture;
     }
     in->material = &t->material;
-    if (!in->state)
-        return;
-    t->state = *in->state;
-    t->kernel.kernel = *in->state->kernel;
-    t->kernel.of = in->state->kernel;
-    t->kernel.kernel.span = on_state_span;
-    t->state.kernel = &t->kernel.kernel;
-    in->state = &t->state;
+    copy_fast(t, list);
+}
+
+/* Accelerators of the frame, and those of n things. */
+static const struct zs_fast **list_of(const struct zs_fast *const *list, const struct thing *things, size_t n)
+{
+    size_t room = 2u * n + 1u, k = 0;
+    for (const struct zs_fast *const *at = list; at && *at; at++)
+        room++;
+    const struct zs_fast **out = sim_alloc(room, sizeof *out);
+    for (; list && *list; list++)
+        if (!(*list)->shader && !(*list)->format)
+            out[k++] = *list;
+    for (size_t i = 0; i < n; i++) {
+        out[k++] = &things[i].fast.fast;
+        if (things[i].texel.fast_of)
+            out[k++] = &things[i].texel_fast;
+    }
+    return out;
 }
 
 /* ---- The frame ---------------------------------------------------------------------------------- */
@@ -595,7 +660,7 @@ static int on_submit(void *ctx, const struct zs_strip *strip)
         now.walks++;
     now.band_end = now.r->band_end;
     count_bounds(strip);
-    if (now.fresh && now.r->fresh_left)
+    if (now.fresh && now.r->untouched_left)
         now.n[SIM_COST_row_clear] += strip->h;
     now.fresh = 0;
     for (uint32_t i = 0; i < strip->n_bytes; i++)
@@ -661,14 +726,17 @@ int sim_costs_count(struct sim_counted *out, const struct zs_scene *scene, const
     now.depth = *config->depth;
     now.depth.setup = on_setup;
     now.depth.vertex = on_depth_vertex;
-    now.depth.rows = on_depth_rows;
+    now.depth.planes = on_planes;
+    now.depth.row = on_row;
     now.checksum = 2166136261u;
     now.instance = UINT32_MAX;
     with.depth = &now.depth;
     for (size_t i = 0; i < n; i++) {
         instance[i] = scene->instance[i];
-        copy(&instance[i], &things[i]);
+        copy(&instance[i], &things[i], config->fast);
     }
+    const struct zs_fast **fast = list_of(config->fast, things, n);
+    with.fast = fast;
     ours.instance = instance;
     int err = sim_frame_render_to(&frame, &ours, camera, &with, NULL, &sink);
     if (err == ZS_OK) {
@@ -680,6 +748,7 @@ int sim_costs_count(struct sim_counted *out, const struct zs_scene *scene, const
             err = SIM_FRAME_BROKEN;
     }
     sim_frame_free(&frame);
+    free(fast);
     free(instance);
     free(things);
     return err;

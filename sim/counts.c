@@ -1,9 +1,8 @@
 /* Counts by pixel. The renderer knows none of this: it is given a depth mapping of our own, which passes on what it is
- * asked to the one that was wanted, and says of itself that keys are not linear on the screen, so that it is asked to
- * draw every triangle. It finds the triangle's pixels from its spans, and those that were written from the keys that
- * have changed: a key that wins is less than the one before; pixels that nothing was drawn on yet hold no key, and are known by
- * the rows' ranges that the renderer keeps. Of instances with a state, which may win without that, it
- * looks on at the shader's runs.
+ * asked to the one that was wanted, and says of itself that keys are not linear on the screen, so that it is asked about
+ * every triangle that is set up. It finds the triangle's pixels from its spans; those that are drawn without a test are known by
+ * the rows' ranges that zs_fast_touch keeps. The triangle's shader becomes one whose runs it looks on at: they are what is
+ * written, as accelerators of shaders and texels, which write pixels by themselves, are left out. Those of the frame are not.
  *
  * SPDX-License-Identifier: MIT
  */
@@ -12,21 +11,26 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "core/depth.h"
+#include "core/fast.h"
 #include "core/rows.h"
+#include "core/xform.h"
+#include "zs_shader.h"
 #include "sim.h"
+
+#define FAST_MAX 64 /* entries of a list that are kept */
 
 /* What renderers see of it is `depth`. */
 struct tap {
     struct zs_depth depth;
     const struct zs_depth *of;
     struct sim_counts *out;
-    struct zs_renderer *r;          /* that draws */
-    const struct zs_shader *shader; /* of the triangle in hand */
-    uint16_t *before;               /* [strip_h][width]: keys before it */
-    int16_t (*drawn)[2];            /* [strip_h]: columns that held keys before it; */
-    uint8_t fresh;                  /* 1: others held none */
-    uint32_t setups;                /* up to the strip before */
-    uint8_t linear, broken;         /* flags: what the mapping says of keys; counts disagree */
+    struct zs_renderer *r;            /* that draws */
+    struct zs_shader shader;          /* of the instance in hand, its runs ours ... */
+    const struct zs_shader *of_shader; /* ... and as it was */
+    const struct zs_fast *fast[FAST_MAX + 1];
+    uint32_t setups;                  /* up to the strip before */
+    uint8_t linear;                   /* flag: what the mapping says of keys */
 };
 
 static struct tap *tap_of(const struct zs_renderer *r)
@@ -42,7 +46,6 @@ static int tap_setup(struct zs_view *view, const struct zs_camera *camera, uint3
     tap->r = r;
     tap->linear = view->screen_linear;
     view->screen_linear = 0;
-    view->piece_shift = 0; /* nor the way of small triangles, which asks no mapping */
     return err;
 }
 
@@ -52,65 +55,54 @@ static void mark(uint32_t *map, const struct zs_job *job, int32_t y, int32_t fro
         map[(size_t)y * (size_t)job->width + (size_t)i]++;
 }
 
-/* A run of a triangle with a state. */
 static void tap_run(struct zs_job *job, const struct zs_row *row, int32_t from, int32_t to)
 {
     const struct tap *tap = tap_of(job->r);
     mark(tap->out->written, job, row->y, from, to);
-    tap->shader->run(job, row, from, to);
+    tap->of_shader->run(job, row, from, to);
 }
 
-/* Pixels of a triangle that is drawn by now. `job` is as it was before. Return how many. */
-static uint32_t count(const struct tap *tap, struct zs_job *job)
+/* Pixels of a triangle that is about to be drawn. */
+static void count(const struct tap *tap, const struct zs_job *job)
 {
-    uint32_t n = 0;
-    for (int32_t y = job->row; y < job->row_end; y++) {
-        if (y >= job->cut_end)
-            zs_raster_cuts(job, y);
-        const struct zs_cut *cut = &job->cut[y - job->row];
+    struct zs_job copy = *job; /* all its rows are cut */
+    for (int32_t y = copy.row; y < copy.row_end; y++) {
+        if (y >= copy.cut_end)
+            zs_edges_cut(&copy, y);
+        const struct zs_cut *cut = &copy.cut[y - copy.row];
         const int32_t from = zs_max32(cut->x0, 0), to = zs_min32(cut->x1, job->width);
         if (from >= to)
             continue;
         mark(tap->out->tested, job, y, from, to);
-        n += (uint32_t)(to - from);
-        const size_t at = (size_t)(y - job->y0) * (size_t)job->width;
-        const int16_t *const drawn = tap->drawn[y - job->y0];
-        for (int32_t i = from; i < to && (tap->fresh || !job->state); i++) {
-            const int fresh = tap->fresh && (i < drawn[0] || i >= drawn[1]);
-            if (fresh && !(job->r->config.skip_off & ZS_SKIP_TEST))
+        if (!(job->split & ZS_SPLIT_TOUCH))
+            continue;
+        const int16_t *const drawn = job->r->drawn[y - job->y0];
+        for (int32_t i = from; i < to; i++)
+            if (i < drawn[0] || i >= drawn[1])
                 mark(tap->out->untested, job, y, i, i + 1);
-            if (fresh || job->depth[at + (size_t)i] != tap->before[at + (size_t)i])
-                mark(tap->out->written, job, y, i, i + 1);
-        }
     }
-    return n;
 }
 
-static void tap_rows(struct zs_job *job)
+static int tap_planes(struct zs_job *job)
 {
     struct tap *tap = tap_of(job->r);
-    struct zs_renderer *r = job->r;
-    struct zs_job copy = *job;
-    struct zs_shader shader = *job->shader;
-    const uint32_t tested = r->stats.pixels_tested;
-    const size_t at = (size_t)(job->row - job->y0) * (size_t)job->width;
-    memcpy(tap->before + at, job->depth + at, (size_t)(job->row_end - job->row) * (size_t)job->width * 2u);
-    tap->fresh = job->fresh;
-    if (tap->fresh)
-        memcpy(tap->drawn, r->drawn, (size_t)(job->y1 - job->y0) * sizeof *tap->drawn);
-    if (job->state && !tap->fresh) {
-        tap->shader = job->shader;
-        shader.run = tap_run;
-        job->shader = &shader;
+    count(tap, job);
+    if (job->shader != &tap->shader) { /* else a triangle of the same instance was before it */
+        tap->of_shader = job->shader;
+        tap->shader = *job->shader;
+        tap->shader.run = tap_run;
+        job->shader = &tap->shader;
     }
-    r->view.screen_linear = tap->linear;
-    if (tap->linear)
-        zs_raster_keys(job);
-    else
-        tap->of->rows(job);
-    r->view.screen_linear = 0;
-    job->shader = copy.shader; /* the next triangle's too */
-    tap->broken |= count(tap, &copy) != r->stats.pixels_tested - tested;
+    return tap->linear || tap->of->planes(job);
+}
+
+/* Accelerators of the frame alone. */
+static void tap_fast(struct tap *tap, const struct zs_fast *const *fast)
+{
+    size_t n = 0;
+    for (; fast && *fast && n < FAST_MAX; fast++)
+        if (!(*fast)->shader && !(*fast)->format)
+            tap->fast[n++] = *fast;
 }
 
 /* ---- Strips ------------------------------------------------------------------------------------------ */
@@ -148,23 +140,21 @@ int sim_counts_draw(struct sim_counts *counts, const struct zs_scene *scene, con
     const struct zs_sink sink = { .submit = tap_submit, .wait = tap_wait, .ctx = &tap };
     memset(counts, 0, sizeof *counts);
     tap.depth.setup = tap_setup;
-    tap.depth.rows = tap_rows;
+    tap.depth.planes = tap_planes;
     with.depth = &tap.depth;
-    tap.before = sim_alloc((size_t)config->width * rows, sizeof *tap.before);
+    tap_fast(&tap, config->fast);
+    with.fast = tap.fast;
     counts->n_strips = ZS_STRIPS(config->height, rows);
     counts->tested = sim_alloc(n, sizeof *counts->tested);
-    tap.drawn = sim_alloc(rows, sizeof *tap.drawn);
     counts->untested = sim_alloc(n, sizeof *counts->untested);
     counts->written = sim_alloc(n, sizeof *counts->written);
     counts->setups = sim_alloc(counts->n_strips, sizeof *counts->setups);
     int err = sim_frame_render_to(&counts->frame, scene, camera, &with, "counting", &sink);
     const struct zs_stats *s = &counts->frame.stats;
-    if (err == ZS_OK && (tap.broken || sum(counts->tested, n) != s->pixels_tested ||
+    if (err == ZS_OK && (sum(counts->tested, n) != s->pixels_tested ||
                          sum(counts->untested, n) != s->pixels_untested || sum(counts->written, n) != s->pixels_written ||
                          sum(counts->setups, counts->n_strips) != s->tris_setup))
         err = SIM_FRAME_BROKEN;
-    free(tap.before);
-    free(tap.drawn);
     if (err != ZS_OK)
         sim_counts_free(counts);
     return err;

@@ -16,10 +16,11 @@ struct sim_counts {
     uint32_t n_strips;
 };
 
-/* Draw a frame and count. The renderer is the one of every frame, with a depth mapping that looks on.
+/* Draw a frame and count. The renderer is the one of every frame, with a depth mapping that looks on and without
+ * accelerators of shaders and texels.
  *
  * counts  any state; on ZS_OK it owns memory (sim_counts_free), else it is empty.
- * Return  as sim_frame_render; SIM_FRAME_BROKEN also where a triangle's pixels are not as many as the renderer says.
+ * Return  as sim_frame_render; SIM_FRAME_BROKEN also where pixels are not as many as the renderer says.
  *         Needs ZS_STATS = 1. */
 int sim_counts_draw(struct sim_counts *counts, const struct zs_scene *scene, const struct zs_camera *camera,
                     const struct zs_config *config);

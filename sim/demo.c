@@ -13,6 +13,7 @@
 #include <string.h>
 #include <sys/stat.h>
 
+#include "fast_names.h"
 #include "frame.h"
 #include "image.h"
 #include "option_table.h"
@@ -31,7 +32,8 @@ struct request {
     const char *out, *scenes;           /* folder; names with commas between, or NULL for all */
     long size[2], strip, subpixel;      /* size: a panel's picture's; without has_size, the scene's own */
     long start, step, frames;           /* frames start, start + step ...; at most so many of each scene, 0: all */
-    long skip_off;                      /* as in struct zs_config */
+    const char *fast_names;             /* NULL: all */
+    struct sim_fast fast;               /* accelerators, which it names */
     enum sim_show show;
     struct sim_panel_wish panel;
     int has_size, raw, help;            /* flags */
@@ -48,7 +50,7 @@ static const struct sim_option table[] = {
     { "--start", SIM_OPTION_COUNT, AT(start), 0, 0, FRAMES_MAX, NULL },
     { "--step", SIM_OPTION_COUNT, AT(step), 0, 1, FRAMES_MAX, NULL },
     { "--frames", SIM_OPTION_COUNT, AT(frames), 0, 1, FRAMES_MAX, NULL },
-    { "--skip-off", SIM_OPTION_COUNT, AT(skip_off), 0, 0, ZS_SKIP_ALL, NULL },
+    { "--fast", SIM_OPTION_TEXT, AT(fast_names), 0, 0, 0, NULL },
     { "--show", SIM_OPTION_CHOICE, AT(show), 0, 0, 0, SIM_SHOW_WORDS },
     SIM_PANEL_OPTIONS(struct request, panel),
     { "--raw", SIM_OPTION_FLAG, AT(raw), 0, 0, 0, NULL },
@@ -72,7 +74,9 @@ static const char usage[] =
     "  --subpixel 4|8    sub-pixel bits (8)\n"
     "  --start T --step N  frames T, T + N, T + 2 N ... to the animation's end (0, 1)\n"
     "  --frames N        at most so many of each scene\n"
-    "  --skip-off BITS   switch skips off, enum zs_skip or-ed (0)\n"
+    "  --fast LIST       accelerators to draw with, the same frames: all, none, names with commas between, or all but\n"
+    "                    some, as all-tiles-touch (all). There are:\n"
+    "                    %s\n"
     "  --show depth|complexity|overdraw|tested|strips\n"
     "                    pictures are false colours with a legend, as of zsim render\n"
     "  --panel NAME:WxH  frames go through this panel's driver and the model of its controller: pictures are what its\n"
@@ -114,7 +118,7 @@ static void configure(struct zs_config *config, const struct demo *demo, const s
     sim_frame_config(config, size.width, size.height, (uint8_t)demo->attrs);
     config->strip_h = (uint16_t)(rq->strip < size.height ? rq->strip : size.height);
     config->subpixel_bits = (uint8_t)rq->subpixel;
-    config->skip_off = (uint16_t)rq->skip_off;
+    config->fast = rq->fast.list;
     config->depth = demo->depth;
 }
 
@@ -413,7 +417,9 @@ static int parse(struct request *rq, int argc, char **argv)
         status = sim_option_take(table, N_TABLE, rq, seen, argc, argv, &i);
     if (status != SIM_OK || rq->help)
         return status;
-    status = sim_options_in_range(table, N_TABLE, rq, seen, NULL);
+    status = sim_fast_take(&rq->fast, rq->fast_names);
+    if (status == SIM_OK)
+        status = sim_options_in_range(table, N_TABLE, rq, seen, NULL);
     if (status == SIM_OK)
         status = sim_panel_take(&rq->panel, NULL, rq->has_size, rq->size, rq->strip, &glass);
     if (status == SIM_OK && rq->show != SIM_SHOW_FRAME && rq->panel.name != NULL)
@@ -456,7 +462,7 @@ int sim_demo(int argc, char **argv)
     if (!err && rq.help) {
         char scenes[1024];
         sim_wrap(scenes, sizeof scenes, scene_list(), 20);
-        printf(usage, scenes, sim_panel_list(20));
+        printf(usage, scenes, sim_fast_list(20), sim_panel_list(20));
         return SIM_OK;
     }
     if (!err)

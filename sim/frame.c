@@ -11,6 +11,7 @@
 
 #include "share.h"
 #include "sim.h"
+#include "zs_fast.h"
 
 #define ARENA_ALIGN 32u
 
@@ -73,6 +74,7 @@ static int wait(void *ctx)
 
 void sim_frame_config(struct zs_config *config, uint16_t width, uint16_t height, uint8_t attrs)
 {
+    static const struct zs_fast *const all[] = { ZS_FAST_ALL, ZS_FAST_END };
     memset(config, 0, sizeof *config);
     config->width = width;
     config->height = height;
@@ -84,6 +86,7 @@ void sim_frame_config(struct zs_config *config, uint16_t width, uint16_t height,
     config->subpixel_bits = 8;
     config->depth_bits = 16;
     config->depth = &zs_depth_float;
+    config->fast = all;
 }
 
 /* An arena of exactly the bytes that the configuration asks for, at the end of its block, so that

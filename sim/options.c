@@ -36,7 +36,9 @@ const char sim_options_help[] =
     "  --subpixel 4|8       sub-pixel bits (8)\n"
     "  --tris N, --verts N  pool sizes, up to 65534 (ample); small ones take more passes\n"
     "  --buffers 1|2        strip buffers (2)\n"
-    "  --skip-off BITS      switch skips off, enum zs_skip or-ed (0)\n"
+    "  --fast LIST          accelerators to draw with, the same frame: all, none, names with commas between,\n"
+    "                       or all but some, as all-tiles-touch (all). There are:\n"
+    "                       %s\n"
     "  --threads N          draw by N threads, 1 to 64, each with an arena of its own: the same frame;\n"
     "                       --stats has draw_us then, the time that drawing took, and draw_busiest_us, that\n"
     "                       of a processor for the thread that took most\n"
@@ -84,7 +86,7 @@ static const struct sim_option table[] = {
     { "--tris", SIM_OPTION_COUNT, AT(tris), 0, 1, ZS_POOL_MAX, NULL },
     { "--verts", SIM_OPTION_COUNT, AT(verts), 0, 3, ZS_POOL_MAX, NULL },
     { "--depth-bits", SIM_OPTION_COUNT, AT(depth_bits), 0, 8, 16, NULL },
-    { "--skip-off", SIM_OPTION_COUNT, AT(skip_off), 0, 0, ZS_SKIP_ALL, NULL },
+    { "--fast", SIM_OPTION_TEXT, AT(fast_names), 0, 0, 0, NULL },
     { "--threads", SIM_OPTION_COUNT, AT(threads), 0, 1, SIM_THREADS_MAX, NULL },
     { "--subpixel", SIM_OPTION_COUNT, AT(subpixel), 0, 0, 0, "4|8" },
     { "--buffers", SIM_OPTION_COUNT, AT(buffers), 0, 0, 0, "1|2" },
@@ -193,6 +195,7 @@ void sim_options_defaults(struct sim_options *o)
     o->shade = SIM_SHADE_FLAT;
     o->depth = SIM_DEPTH_DEFAULT;
     o->subpixel = 8;
+    (void)sim_fast_take(&o->fast, NULL);
 }
 
 static int take_arguments(struct sim_options *o, char seen[N_TABLE], int argc, char **argv)
@@ -235,6 +238,9 @@ int sim_options_parse(struct sim_options *o, int argc, char **argv)
         return sim_usage("--show is about what the renderer does: leave --reference out");
     if (o->show != SIM_SHOW_FRAME && o->panel.name != NULL)
         return sim_usage("--show does not go through a panel: leave --panel out");
+    status = sim_fast_take(&o->fast, o->fast_names);
+    if (status != SIM_OK)
+        return status;
     status = sim_options_in_range(table, N_TABLE, o, seen, o->model);
     if (status == SIM_OK)
         status = check_rest(o);

@@ -5,6 +5,7 @@
 #ifndef SIM_OPTIONS_H
 #define SIM_OPTIONS_H
 
+#include "fast_names.h"
 #include "panel_frame.h"
 #include "show.h"
 #include "zstrip.h"
@@ -33,7 +34,9 @@ struct sim_options {
     const char *model, *out, *depth_out, *id_out, *stats; /* files; NULL: not wanted */
     long size[2], strip;                                  /* px: width, height, rows */
     long tris, verts;                                     /* pool sizes; 0: ample */
-    long depth_bits, subpixel, buffers, skip_off;         /* as in struct zs_config */
+    long depth_bits, subpixel, buffers;                   /* as in struct zs_config */
+    const char *fast_names;                               /* NULL: all */
+    struct sim_fast fast;                                 /* accelerators, which it names */
     double eye[3], at[3], up[3];                          /* model units */
     double fov;                                           /* degrees, vertical */
     double near_z, far_z;                                 /* model units */
@@ -68,7 +71,7 @@ void sim_options_defaults(struct sim_options *o);
 int sim_options_textured(const struct sim_options *o);
 int sim_options_smooth(const struct sim_options *o);
 
-/* The help text of `zsim render`; %s in it is the list of panels. */
+/* The help text of `zsim render`; %s in it are the lists of accelerators and of panels. */
 extern const char sim_options_help[];
 
 #endif

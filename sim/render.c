@@ -92,7 +92,7 @@ static void set_config(struct job *job)
     c->buffers = (uint8_t)o->buffers;
     c->subpixel_bits = (uint8_t)o->subpixel;
     c->depth_bits = (uint8_t)o->depth_bits;
-    c->skip_off = (uint16_t)o->skip_off;
+    c->fast = o->fast.list;
     c->depth = of.depth[sim_depth_of(o, &job->view)];
 }
 
@@ -421,7 +421,7 @@ int sim_render(int argc, char **argv)
     struct job *job = sim_alloc(1, sizeof *job);
     int status = sim_options_parse(&job->options, argc, argv);
     if (status == SIM_OK && job->options.help) {
-        (void)printf(sim_options_help, sim_panel_list(23));
+        (void)printf(sim_options_help, sim_fast_list(23), sim_panel_list(23));
     } else {
         if (status == SIM_OK)
             status = check_files(&job->options);

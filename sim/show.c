@@ -12,6 +12,7 @@
 #include <string.h>
 
 #include "counts.h"
+#include "fast_names.h"
 #include "gen/font.h"
 #include "sim.h"
 #include "truth.h"
@@ -238,8 +239,10 @@ int sim_show_draw(struct sim_picture *out, struct sim_show_sum *sum, enum sim_sh
     struct sim_counts counts;
     struct sim_show_sum none, *to = sum != NULL ? sum : &none;
     struct zs_config with = *config;
+    struct sim_fast fast;
+    sim_fast_without(&fast, config->fast, &zs_fast_tiles);
     if (kind == SIM_SHOW_COMPLEXITY)
-        with.skip_off |= ZS_SKIP_HIDDEN;
+        with.fast = fast.list;
     memset(to, 0, sizeof *to);
     memset(out, 0, sizeof *out);
     const int err = sim_counts_draw(&counts, scene, camera, &with);

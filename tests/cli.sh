@@ -94,7 +94,7 @@ z render --help
 is status $status 0
 for option in --out --size --strip --eye --at --up --fov --near --far --projection --depth \
     --depth-bits --shade --cull --subpixel --background --tris --verts --depth-out --id-out --stats \
-    --reference --show --skip-off --threads; do
+    --reference --show --fast --threads; do
     grep -qE -- "^ .*$option( |,|\$)" stdout || wrong "--help does not name $option"
 done
 
@@ -368,17 +368,34 @@ show() { # NAME KIND SUM-OF MEAN-COUNT-IN-THE-MIDDLE OPTION...    each pixel as 
     is "beside $as" "$(color_at "$as" 60 120)" "$(block "$as" 0)"
 }
 begin show_eight_layers_before_and_after
-show tested tested pixels_tested 8 --skip-off 160
-show overdraw overdraw pixels_written 1 --skip-off 32
-show complexity complexity pixels_tested 8 --skip-off 32
+show tested tested pixels_tested 8 --fast all-tiles-touch
+show overdraw overdraw pixels_written 1 --fast all-tiles
+show complexity complexity pixels_tested 8 --fast all-tiles
 is "eight layers" "$(stat_of tested pixels_tested)" 128000
 before=$(stat_of tested show_sum)
 draw after layers.obj $plain --show tested
 is "sum after" "$(stat_of after show_sum)" $(($(stat_of after pixels_tested) - $(stat_of after pixels_untested)))
-[ "$(stat_of after show_sum)" -lt "$((before / 2))" ] || wrong "skips left $(stat_of after show_sum) of $before tests"
+[ "$(stat_of after show_sum)" -lt "$((before / 2))" ] || wrong "accelerators left $(stat_of after show_sum) of $before tests"
 draw after layers.obj $plain --show complexity
 is "complexity after" "$(stat_of after show_sum)" "$before"
-note="$before keys tested, $(stat_of after pixels_tested) with skips"
+note="$before keys tested, $(stat_of after pixels_tested) with accelerators"
+
+# Accelerators change no bit of a frame, but what it takes
+begin fast_lists_change_no_frame
+draw fast_all layers.obj $plain
+for list in none all-tiles all-touch all-batch-edges-clusters all-flat-texture batch touch tiles,flat; do
+    draw fast layers.obj $plain --fast $list
+    same fast_all fast
+    case $list in
+    none | batch | all-touch) is "$list: untested" "$(stat_of fast pixels_untested)" 0 ;;
+    *) [ "$(stat_of fast pixels_untested)" -gt 0 ] || [ "$list" = tiles,flat ] || wrong "$list: every pixel is tested" ;;
+    esac
+    hidden=$(stat_of fast triangles_hidden)
+    case $list in
+    all-tiles | none | batch | touch) is "$list: hidden" "$hidden" 0 ;;
+    *) [ "$hidden" -gt 0 ] || wrong "$list: no triangle is hidden" ;;
+    esac
+done
 
 begin show_leaves_the_other_files_alone
 draw bare layers.obj $plain
@@ -827,7 +844,7 @@ for option in --wat --outt --siz --Size -o --depthbits; do
     usage "unknown$(echo $option | tr - _)" "$option" render quad.obj --out refused/x.png $option 1
 done
 for option in --out --size --strip --eye --at --up --fov --near --far --projection --depth \
-    --depth-bits --shade --cull --subpixel --background --tris --verts --depth-out --id-out --stats; do
+    --depth-bits --shade --cull --subpixel --background --tris --verts --fast --depth-out --id-out --stats; do
     as=$(echo "${option#--}" | tr - _)
     usage "value_missing_$as" "$option" render quad.obj --out refused/x.png $option
     case $as in out | depth_out | id_out | stats) continue ;; esac
@@ -839,7 +856,8 @@ for pair in '--size 240' '--size 240x' '--size x240' '--size 1x2x3' '--size 1.5x
     '--strip 4rows' '--eye 1,2' '--eye 1,2,3,4' '--eye 1,,3' '--at 1;2;3' '--up 0,1,0,' '--fov 45deg' \
     '--near 0x10' '--far 1,5' '--depth-bits 9.5' '--tris 1e3' '--subpixel 5' '--subpixel 88' \
     '--background 12345' '--background 1234567' '--background 0x1234' '--shade Flat' '--cull both' \
-    '--projection ortho' '--depth recipe' '--depth lin'; do
+    '--projection ortho' '--depth recipe' '--depth lin' '--fast nothing' '--fast all-' '--fast all-tile' '--fast batch,' \
+    '--fast all,batch' '--fast allbatch' '--fast All'; do
     n=$((n + 1))
     as=$(echo "${pair#--}" | tr -c 'A-Za-z0-9\n' _)
     usage "${as}_$n" "${pair%% *}" render quad.obj --out refused/x.png $pair

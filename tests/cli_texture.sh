@@ -381,7 +381,7 @@ done
 
 begin strips_and_pools_change_nothing
 draw whole ball.obj --shade textured --texture numbers.png
-for how in '--strip 1' '--strip 240' '--tris 7' '--verts 9' '--buffers 1' '--skip-off 31'; do
+for how in '--strip 1' '--strip 240' '--tris 7' '--verts 9' '--buffers 1' '--fast none'; do
     draw part ball.obj --shade textured --texture numbers.png $how
     same whole part
 done

@@ -57,7 +57,7 @@ done
 is "the sheet" "$(png_size sized/contact.png)" 360x50
 
 begin false_colours
-demo shown --scene layers_btf,cubes --frames 1 --show overdraw --skip-off 32
+demo shown --scene layers_btf,cubes --frames 1 --show overdraw --fast all-tiles
 holds shown contact.png cubes_000.png layers_btf_000.png
 is "a picture and its legend" "$(png_size shown/layers_btf_000.png)" 320x276
 is "the sheet" "$(png_size shown/contact.png)" 1280x276
@@ -65,9 +65,11 @@ look pixel shown/layers_btf_000.png 160 120
 is "eight times over" "$seen" ffffff
 demo shown --scene layers_btf --frames 1 --show overdraw
 look pixel shown/layers_btf_000.png 160 120
-[ "$seen" != ffffff ] || wrong "skips made no difference"
+[ "$seen" != ffffff ] || wrong "accelerators made no difference"
 z demo --out shown --scene cubes --show overdraw --panel st7789:240x240
 one_line 2 --show
+z demo --out shown --scene cubes --fast all-none
+one_line 2 --fast
 
 begin strips_of_any_height
 demo strip_24 --scene city --size 70x60 --frames 2

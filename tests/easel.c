@@ -10,7 +10,7 @@
 
 #include "fast_lists.h"
 #include "oracle.h"
-#include "core/pipeline.h"
+#include "internals.h"
 
 struct easel easel_default(int32_t width, int32_t height)
 {

@@ -9,7 +9,8 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "core/pipeline.h"
+#include "core/fast.h"
+#include "core/job.h"
 
 const struct zs_fast *const fast_all[] = { ZS_FAST_ALL, ZS_FAST_END };
 

@@ -33,10 +33,10 @@ run() { # NAME COMMAND...
     tell "$name" "$logs/$name.log" $?
 }
 
-# What runs on this machine, and least flash, whose boards' objects are apart from others': scene_sums has some of them
-# too, and waits for it.
+# What runs on this machine, and what has no accelerators, whose boards' objects are apart from others': scene_sums has
+# some of them too, and waits for it.
 host() {
-    run lean flock "$logs/lean" sh tests/lean.sh "$build"
+    run bare flock "$logs/bare" sh tests/bare.sh "$build"
     for program in "$build"/test/test_*; do
         case $program in *.o | *.d) continue ;; esac
         [ -x "$program" ] && run "$(basename "$program")" "$program"
@@ -61,8 +61,8 @@ boards() {
     run stm32f405 sh tests/boards/stm32f405.sh "$build"
     run microbit sh tests/boards/microbit.sh "$build"
     run linux sh tests/linux.sh "$build"
-    run scene_sums flock "$logs/lean" sh tests/scene_sums.sh "$build"
-    for check in wide objects kernels hal includes designated headers stack size still cull scale bench; do
+    run scene_sums flock "$logs/bare" sh tests/scene_sums.sh "$build"
+    for check in wide objects kernels hal includes shape designated headers stack size still cull scale bench; do
         run "$check" sh "tests/checks/$check.sh" "$build"
     done
     run study sh tests/study.sh "$build/test/zsim" "$build/test/study" "$build"

@@ -9,7 +9,7 @@
 #include "cases.h"
 #include "fast_lists.h"
 #include "picture.h"
-#include "core/pipeline.h"
+#include "internals.h"
 #include "shapes.h"
 
 /* ---- A small scene that is all right --------------------------------------------------------- */

@@ -12,20 +12,31 @@
 #include <cmocka.h>
 
 #include "counts.h"
-#include "core/pipeline.h"
+#include "internals.h"
+#include "fast_lists.h"
 #include "scenes.h"
 
 #define W 96
 #define H 72
 #define N ((size_t)W * H)
 
-static struct zs_config config_of(const struct demo *demo, uint16_t skip_off)
+/* All accelerators but one. */
+static const struct zs_fast *const *all_but(const char *name)
+{
+    unsigned k = 0;
+    while (k < fast_count() && strcmp(fast_name(k), name) != 0)
+        k++;
+    assert_true(k < fast_count());
+    return fast_without(k);
+}
+
+static struct zs_config config_of(const struct demo *demo, const struct zs_fast *const *fast)
 {
     struct zs_config c;
     sim_frame_config(&c, W, H, (uint8_t)demo->attrs);
     c.strip_h = 10; /* seven strips, and one of two rows */
     c.depth = demo->depth;
-    c.skip_off = skip_off;
+    c.fast = fast;
     return c;
 }
 
@@ -37,8 +48,8 @@ static uint64_t sum(const uint32_t *map, size_t n)
     return s;
 }
 
-/* Counts of a configuration against the frame that zs_render draws by itself. */
-static void check_frame(const struct demo_frame *f, const struct zs_config *c)
+/* Counts of a configuration against the frame that zs_render draws by itself. Return what it says of it. */
+static struct zs_stats check_frame(const struct demo_frame *f, const struct zs_config *c)
 {
     struct sim_frame frame;
     struct sim_counts counts;
@@ -56,26 +67,35 @@ static void check_frame(const struct demo_frame *f, const struct zs_config *c)
         assert_true(counts.written[i] <= counts.tested[i]);
         assert_true((counts.written[i] > 0) == (frame.key[i] != ZS_DEPTH_CLEAR));
     }
+    const struct zs_stats stats = frame.stats;
     sim_counts_free(&counts);
     sim_frame_free(&frame);
+    return stats;
 }
 
 static void sums_of_every_scene(void **state)
 {
     (void)state;
-    static const uint16_t off[] = { 0, ZS_SKIP_HIDDEN, ZS_SKIP_ALL, ZS_SKIP_CLEAR, ZS_SKIP_TEST };
+    const struct zs_fast *const *const list[] = { fast_all, all_but("tiles"), NULL, all_but("touch"), all_but("edges") };
+    uint64_t untested = 0, hidden = 0;
     for (uint32_t d = 0; d < n_demos; d++)
         for (uint32_t t = 0; t < demos[d]->frames && t < 40; t += 21)
-            for (size_t k = 0; k < sizeof off / sizeof *off; k++) {
+            for (size_t k = 0; k < sizeof list / sizeof *list; k++) {
                 struct demo_frame f;
-                struct zs_config c = config_of(demos[d], off[k]);
+                struct zs_config c = config_of(demos[d], list[k]);
                 demos[d]->pose(&f, t, W, H);
-                check_frame(&f, &c);
+                const struct zs_stats s = check_frame(&f, &c);
+                if (k == 0) {
+                    untested += s.pixels_untested;
+                    hidden += s.tris_hidden;
+                }
+                assert_true(list[k] != NULL || s.pixels_untested + s.tris_hidden + s.clusters_in == 0);
                 c.max_tris = 300; /* several passes, most of them sets of one strip */
                 c.max_verts = 300;
                 c.buffers = 1;
                 check_frame(&f, &c);
             }
+    assert_true(untested > 0 && hidden > 0);
 }
 
 /* A scene of which parts are drawn: what is left out has no triangles, but its place. */
@@ -123,7 +143,7 @@ static void pixels_of_every_triangle(void **state)
         static struct part p;
         struct demo_frame f;
         struct sim_counts counts;
-        const struct zs_config c = config_of(some[d], ZS_SKIP_HIDDEN);
+        const struct zs_config c = config_of(some[d], all_but("tiles"));
         some[d]->pose(&f, 0, W, H);
         memset(before, 0xff, sizeof before);
         memset(cover, 0, sizeof cover);
@@ -153,65 +173,65 @@ static void eight_layers(void **state)
     (void)state;
     static const struct {
         const struct demo *demo;
-        uint32_t written; /* with nothing skipped */
+        uint32_t written; /* without zs_fast_tiles */
     } order[] = { { &demo_layers_ftb, 1 }, { &demo_layers_btf, 8 }, { &demo_layers_mixed, 2 } };
     for (size_t d = 0; d < 3; d++)
-        for (int skip = 0; skip < 2; skip++) {
+        for (int tiles = 0; tiles < 2; tiles++) {
             struct demo_frame f;
             struct sim_counts counts;
-            const struct zs_config c = config_of(order[d].demo, skip ? 0 : ZS_SKIP_HIDDEN);
+            const struct zs_config c = config_of(order[d].demo, tiles ? fast_all : all_but("tiles"));
             order[d].demo->pose(&f, 0, W, H);
             assert_int_equal(sim_counts_draw(&counts, &f.scene, &f.camera, &c), ZS_OK);
             for (size_t i = 0; i < N; i++) {
-                assert_int_equal(counts.tested[i], skip ? 1 : 8);
-                assert_int_equal(counts.written[i], skip ? 1 : order[d].written);
+                assert_int_equal(counts.tested[i], tiles ? 1 : 8);
+                assert_int_equal(counts.written[i], tiles ? 1 : order[d].written);
             }
             sim_counts_free(&counts);
         }
 }
 
 /* What a frame of every scene takes, in one pass and where pools are small: no more than this, which is what it took when
- * it was written down. A skip that skips less draws the same picture: here it shows. Less is welcome. */
+ * it was written down. An accelerator that saves less draws the same picture: here it shows. Less is welcome. */
 struct work {
     const char *scene;
     uint32_t verts[2], setups[2], tested[2], met[2]; /* met: tested where something had been drawn before */
     uint32_t binned, instances, clusters, clusters_in; /* drawn, or not left out, in one pass */
-    uint32_t at_once; /* triangles in strips that zs_shader.small has drawn, in one pass: no fewer */
+    uint32_t at_once; /* triangles in strips that zs_fast.draw has drawn, in one pass: no fewer */
 };
 
 static const struct work work[] = {
 #include "work.h"
 };
 
-/* Shaders that count what `small` takes. */
-static struct counted_shader {
-    struct zs_shader shader;
-    int (*small_of)(struct zs_job *job);
-} counted[DEMO_INSTANCES_MAX];
+/* Accelerators that count what `draw` takes. */
+#define FAST_MAX 32
+static struct counted_fast {
+    struct zs_fast fast;
+    int (*draw_of)(struct zs_job *job);
+} counted[FAST_MAX];
 static uint32_t at_once;
 
-static int counted_small(struct zs_job *job)
+static int counted_draw(struct zs_job *job)
 {
-    const int done = ((const struct counted_shader *)(const void *)job->shader)->small_of(job);
+    const int done = ((const struct counted_fast *)(const void *)job->fast)->draw_of(job);
     at_once += (uint32_t)done;
     return done;
 }
 
-static void count_small(struct part *p, const struct demo_frame *f)
+static const struct zs_fast *const *count_draws(void)
 {
-    static struct zs_material material[DEMO_INSTANCES_MAX];
-    p->scene = f->scene;
-    p->scene.instance = p->instance;
-    for (uint32_t k = 0; k < f->scene.n_instances; k++) {
-        p->instance[k] = f->scene.instance[k];
-        material[k] = *p->instance[k].material;
-        counted[k].shader = *material[k].shader;
-        counted[k].small_of = counted[k].shader.small;
-        if (counted[k].small_of)
-            counted[k].shader.small = counted_small;
-        p->instance[k].material = &material[k];
-        material[k].shader = &counted[k].shader;
+    static const struct zs_fast *list[FAST_MAX + 1];
+    unsigned n = 0;
+    for (; fast_all[n] != NULL; n++) {
+        assert_true(n < FAST_MAX);
+        counted[n].fast = *fast_all[n];
+        counted[n].draw_of = fast_all[n]->draw;
+        if (counted[n].draw_of)
+            counted[n].fast.draw = counted_draw;
+        list[n] = &counted[n].fast;
     }
+    list[n] = NULL;
+    return list;
 }
 
 static struct work work_of(const struct demo *demo)
@@ -221,14 +241,12 @@ static struct work work_of(const struct demo *demo)
         for (uint32_t t = 0; t < demo->frames && t < 40; t += 21) {
             struct demo_frame f;
             struct sim_frame frame;
-            struct zs_config c = config_of(demo, 0);
+            struct zs_config c = config_of(demo, count_draws());
             demo->pose(&f, t, W, H);
             if (small)
                 c.max_tris = c.max_verts = 300;
-            static struct part part;
             at_once = 0;
-            count_small(&part, &f);
-            assert_int_equal(sim_frame_render(&frame, &part.scene, &f.camera, &c, NULL), ZS_OK);
+            assert_int_equal(sim_frame_render(&frame, &f.scene, &f.camera, &c, NULL), ZS_OK);
             const struct zs_stats *s = &frame.stats;
             w.verts[small] += s->verts_transformed;
             w.setups[small] += s->tris_setup;
@@ -279,7 +297,7 @@ static void few_clusters_are_not_asked(void **state)
     for (uint32_t n = 1; n <= 5; n++) {
         struct demo_frame f;
         struct sim_frame frame;
-        const struct zs_config c = config_of(&demo_flyover, 0);
+        const struct zs_config c = config_of(&demo_flyover, fast_all);
         demo_flyover.pose(&f, 0, W, H);
         part_of(&p, &f, f.scene.n_instances - 1, 0, 0);
         p.scene.instance = p.instance;
@@ -294,9 +312,37 @@ static void few_clusters_are_not_asked(void **state)
     assert_true(asked[1] + asked[2] + asked[3] + asked[4] == 0 && asked[5] > 0);
 }
 
+static int lists(const struct zs_fast *const *list, const struct zs_fast *fast)
+{
+    while (*list && *list != fast)
+        list++;
+    return *list == fast;
+}
+
+/* The scenes' own lists name what is for their shaders, texels and clusters, and nothing else of these. */
+static void lists_of_scenes_are_of_what_is_in_them(void **state)
+{
+    (void)state;
+    for (uint32_t d = 0; d < n_demos; d++)
+        for (const struct zs_fast *const *at = fast_all; *at; at++) {
+            struct demo_frame f;
+            int used = !(*at)->shader && !(*at)->format && !(*at)->clusters;
+            demos[d]->pose(&f, 0, W, H);
+            for (uint32_t i = 0; i < f.scene.n_instances; i++) {
+                const struct zs_material *m = f.scene.instance[i].material;
+                used |= (*at)->shader && (*at)->shader == m->shader;
+                used |= (*at)->format && m->texture && (*at)->format == m->texture->format;
+                used |= (*at)->clusters && f.scene.instance[i].mesh->n_clusters > 0;
+            }
+            if (lists(demos[d]->fast, *at) != used)
+                fail_msg("%s lists %s", demos[d]->name, used ? "too little" : "too much");
+        }
+}
+
 int main(void)
 {
-    const struct CMUnitTest tests[] = { cmocka_unit_test(sums_of_every_scene), cmocka_unit_test(pixels_of_every_triangle),
+    const struct CMUnitTest tests[] = { cmocka_unit_test(lists_of_scenes_are_of_what_is_in_them),
+                                        cmocka_unit_test(sums_of_every_scene), cmocka_unit_test(pixels_of_every_triangle),
                                         cmocka_unit_test(eight_layers), cmocka_unit_test(no_more_work_than_known),
                                         cmocka_unit_test(few_clusters_are_not_asked) };
     return cmocka_run_group_tests(tests, NULL, NULL);

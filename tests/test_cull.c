@@ -9,7 +9,7 @@
 #include "clusters.h"
 #include "fast_lists.h"
 #include "picture.h"
-#include "core/pipeline.h"
+#include "internals.h"
 #include "shapes.h"
 
 #define SHAPES 3

@@ -12,7 +12,7 @@
 
 #include "fast_lists.h"
 #include "picture.h"
-#include "core/pipeline.h"
+#include "internals.h"
 #include "prng.h"
 
 #define QUADS_MAX 10

@@ -7,7 +7,7 @@
 #include <string.h>
 
 #include "cases.h"
-#include "core/pipeline.h"
+#include "internals.h"
 
 #define TURN (6.283185307179586476925 / 65536)
 
@@ -791,7 +791,7 @@ static int light_case(uint64_t seed)
             dot += world * q30(scene.light.dir[k]);
         }
         const double want = scene.light.ambient + scene.light.diffuse * fmax(0, dot);
-        const double off = fabs(zs_light_intensity(&r, normal) - want) / 65536;
+        const double off = fabs(zs_light_intensity(&r.shading, normal) - want) / 65536;
         light_worst = fmax(light_worst, off);
         if (off > 0x1p-14)
             return case_wrong("intensity off by %g", off);

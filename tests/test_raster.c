@@ -10,7 +10,7 @@
 #include "fast_lists.h"
 #include "oracle.h"
 #include "easel.h"
-#include "core/pipeline.h"
+#include "internals.h"
 
 #define GUARD (8188 * 256)
 

@@ -12,7 +12,7 @@
 #include "fast_lists.h"
 #include "oracle.h"
 #include "picture.h"
-#include "core/pipeline.h"
+#include "internals.h"
 #include "shapes.h"
 #include "easel.h"
 

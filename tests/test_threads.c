@@ -10,6 +10,8 @@
 
 #include <cmocka.h>
 
+#include "core/fast.h"
+#include "fast_lists.h"
 #include "frame.h"
 #include "prng.h"
 #include "scenes.h"
@@ -19,7 +21,8 @@
 #define H 72
 #define N ((size_t)W * H)
 
-/* Pools for everything, or (kind 1) so small that the scene is walked for a band of strips or for one, in sets. */
+/* Pools for everything, or (kind 1) so small that the scene is walked for a band of strips or for one, in sets; kind 2: no
+ * accelerators. */
 static struct zs_config config_of(const struct demo *demo, int kind, uint16_t strip_h)
 {
     struct zs_config c;
@@ -29,12 +32,42 @@ static struct zs_config config_of(const struct demo *demo, int kind, uint16_t st
     if (kind == 1)
         c.max_tris = c.max_verts = 150;
     if (kind == 2)
-        c.skip_off = ZS_SKIP_BINS;
+        c.fast = NULL;
     return c;
 }
 
-/* *parts: that the triangles were drawn in; NULL: not asked. */
-static void check(const struct demo_frame *f, const struct zs_config *c, uint32_t threads, uint32_t *parts)
+static int never(struct zs_renderer *r, const struct zs_bounds *b)
+{
+    (void)r, (void)b;
+    return 0;
+}
+
+/* All accelerators, of which zs_fast_tiles drops triangles alone: which instances are dropped depends on the strips to come. */
+static const struct zs_fast *const *whole_instances(void)
+{
+    static const struct zs_fast *list[32];
+    static struct zs_fast_tiles tiles;
+    static struct zs_fast fast;
+    size_t n = 0;
+    for (const struct zs_fast *const *at = fast_all; *at; at++) {
+        list[n] = *at;
+        if ((*at)->tiles) {
+            tiles = *(*at)->tiles;
+            tiles.hides_sphere = never;
+            fast = **at;
+            fast.tiles = &tiles;
+            list[n] = &fast;
+        }
+        n++;
+    }
+    list[n] = NULL;
+    return list;
+}
+
+static uint64_t hidden; /* set-ups that were saved in frames whose counts are compared */
+
+/* *parts: that the triangles were drawn in; NULL: not asked. drops, a flag: instances may be. */
+static void check_list(const struct demo_frame *f, const struct zs_config *c, int drops, uint32_t threads, uint32_t *parts)
 {
     struct sim_frame one, many;
     struct sim_frame_time time;
@@ -44,7 +77,7 @@ static void check(const struct demo_frame *f, const struct zs_config *c, uint32_
     assert_memory_equal(many.key, one.key, N * 2);
     const struct zs_stats *a = &one.stats, *b = &many.stats;
     assert_int_equal(b->tris_in, a->tris_in);
-    if (c->skip_off & ZS_SKIP_BEHIND) {
+    if (!drops) {
         assert_int_equal(b->tris_drawn, a->tris_drawn);
         assert_int_equal(b->tris_facing, a->tris_facing);
     }
@@ -52,14 +85,15 @@ static void check(const struct demo_frame *f, const struct zs_config *c, uint32_
     assert_int_equal(b->tris_in, b->tris_drawn + b->tris_frustum + b->tris_cluster + b->tris_near + b->tris_far +
                                      b->tris_offscreen + b->tris_facing + b->tris_zero + b->tris_empty + b->tris_index);
     assert_int_equal(b->instances_in, a->instances_in);
-    if (c->skip_off & ZS_SKIP_BEHIND) {
+    if (!drops) {
         assert_int_equal(b->tris_clipped, a->tris_clipped);
         assert_int_equal(b->instances_culled, a->instances_culled);
     }
     if (parts)
         *parts = time.parts;
     /* hidden triangles are not known across sets and parts; what is dropped depends on the strips that are to be drawn */
-    if (a->passes == 1 && !time.parts && c->skip_off & ZS_SKIP_BEHIND) {
+    if (a->passes == 1 && !time.parts && !drops) {
+        hidden += a->tris_hidden;
         assert_int_equal(b->tris_setup, a->tris_setup);
         assert_int_equal(b->tris_hidden, a->tris_hidden);
         assert_int_equal(b->pixels_tested, a->pixels_tested);
@@ -67,6 +101,11 @@ static void check(const struct demo_frame *f, const struct zs_config *c, uint32_
     }
     sim_frame_free(&one);
     sim_frame_free(&many);
+}
+
+static void check(const struct demo_frame *f, const struct zs_config *c, uint32_t threads, uint32_t *parts)
+{
+    check_list(f, c, c->fast != NULL, threads, parts);
 }
 
 static void frames_of_1_to_5_threads(void **state)
@@ -80,13 +119,14 @@ static void frames_of_1_to_5_threads(void **state)
             for (int kind = 0; kind < 3; kind++) {
                 struct zs_config c = config_of(demos[d], kind, kind == 0 ? 5 : 10);
                 check(&f, &c, threads, NULL);
-                c.skip_off |= ZS_SKIP_BEHIND;
-                check(&f, &c, threads, &parts);
+                c.fast = c.fast ? whole_instances() : NULL;
+                check_list(&f, &c, 0, threads, &parts);
                 by_parts += parts > 1 && parts % threads == 0;
                 by_strips += !parts;
             }
     }
     assert_true(by_parts > 20 && by_strips > 20); /* both ways have been taken */
+    assert_true(hidden > 0);
 }
 
 static void more_threads_than_strips(void **state)

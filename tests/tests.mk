@@ -4,7 +4,7 @@ SAN = -fsanitize=address,undefined -fno-sanitize-recover=all
 # make quick: optimised, with what costs next to nothing; where it fails is a signal
 SAN_QUICK = -O2 -fsanitize=signed-integer-overflow,shift,bounds,integer-divide-by-zero -fsanitize-undefined-trap-on-error
 TEST_CC = $(CC) -std=gnu11 -O1 -g $(SAN) -Wall -Wextra -Werror -Wshadow -Wno-missing-field-initializers $(INC) -Itests \
-          -DZS_STATS=1 '-DZS_ASSERT(c)=((c)?(void)0:__builtin_trap())' $(LEAN:1=-DZS_LEAN=1)
+          -DZS_STATS=1 '-DZS_ASSERT(c)=((c)?(void)0:__builtin_trap())'
 TESTS = $(wildcard tests/test_*.c)
 MODEL = $(wildcard sim/panel_model/*.c) sim/panel_bus.c hal/fault/fault.c
 TEST_HELP = $(filter-out $(TESTS) tests/checksum.c,$(wildcard tests/*.c))
@@ -34,6 +34,7 @@ $(B)/test/narrow/%.o: %.c $(TEST_NOTE)
 	@$(TEST_CC) -DZS_ROW_WIDE=0 $(DEP) -c $< -o $@
 $(B)/test/test_xform_narrow: $(patsubst %.c,$(B)/test/narrow/%.o,tests/test_xform.c $(CORE) $(TEST_HELP))
 	@$(CC) $(SAN) $^ -lcmocka -lm -o $@
+$(B)/test/test_examples: $(call t,$(wildcard firmware/examples/*.c))
 $(B)/test/test_counts: $(call t,sim/counts.c sim/frame.c sim/share.c sim/sim.c)
 $(B)/test/test_threads $(B)/test/test_golden: $(call t,sim/frame.c sim/share.c sim/sim.c)
 $(B)/test/zsim: $(call t,$(SIM)) $(B)/test/libtest.a $(B)/libmeshes.a
@@ -47,11 +48,6 @@ $(B)/test/test_pair: tests/test_pair.c firmware/app/pair.c $(TEST_NOTE)
 	@$(TEST_CC) -Ifirmware/app $(DEP) -MT $@ -MF $@.d $< $@.pair.o -lcmocka -o $@
 -include $(wildcard $(B)/test/test_pair*.d)
 
-# With LEAN=1, into a folder of its own: what draws pictures and looks into nothing that the lean build has not
-LEAN_TESTS = api color depth fx invariance orders raster reach stress texture track watch
-lean-programs: $(LEAN_TESTS:%=$(B)/test/test_%) checksum-programs
-.PHONY: lean-programs
-
 # zstrip-linux on a machine that test_linux.c makes up, in place of libgpiod and of these calls of the C library;
 # drawing takes as long as it wants
 LINUX_FAKED = open ioctl stat lstat access opendir nanosleep getgrgid sigaction zs_raster_strip
@@ -63,15 +59,20 @@ $(B)/test/test_linux: $(call t,tests/test_linux.c $(LINUX) $(filter-out $(MODEL)
 	@$(CC) $(SAN) -pthread $(LINUX_FAKED:%=-Wl,--wrap=%) -Wl,--start-group $(filter-out %/zsim,$^) -Wl,--end-group \
 	    -lcmocka $(LIBS) -o $@
 
-# One program, two compilers at two levels, and one for a big-endian machine, run by QEMU: its checksums must be the same
-CHECKSUMS = $(foreach c,gcc clang,$(foreach o,O0 O3,$(B)/test/checksum-$(c)-$(o))) \
-            $(foreach o,$(if $(LEAN),Os,O0 O2 Os),$(B)/test/checksum-powerpc-$(o))
-$(B)/test/checksum-powerpc-%: CHECKSUM_CC = powerpc-linux-gnu-gcc -static
+# One program, two compilers at two levels, and one for a big-endian machine, run by QEMU: its checksums must be the same;
+# those of bare-NAME too, which have no accelerators
+CHECKSUM_HOST = $(foreach c,gcc clang,$(foreach o,O0 O3,$(c)-$(o)))
+CHECKSUMS = $(CHECKSUM_HOST:%=$(B)/test/checksum-%) $(foreach o,O0 O2 Os,$(B)/test/checksum-powerpc-$(o))
+CHECKSUMS_BARE = $(patsubst %,$(B)/test/bare-%,$(CHECKSUM_HOST) powerpc-Os)
+$(B)/test/checksum-powerpc-% $(B)/test/bare-powerpc-%: CHECKSUM_CC = powerpc-linux-gnu-gcc -static
 CHECKSUM_CC = $(word 2,$(subst -, ,$(@F)))
-checksum-programs: $(CHECKSUMS)
+checksum-programs: $(CHECKSUMS) $(CHECKSUMS_BARE)
 $(CHECKSUMS): tests/checksum.c $(CORE) $(HEADERS)
+$(CHECKSUMS_BARE): tests/checksum.c $(filter-out firmware/zstrip/fast/%,$(CORE)) $(HEADERS)
+$(CHECKSUMS_BARE): INC += -DZS_NO_FAST=1
+$(CHECKSUMS) $(CHECKSUMS_BARE):
 	@mkdir -p $(@D)
-	@$(CHECKSUM_CC) -std=c11 -$(word 3,$(subst -, ,$(@F))) $(LEAN:1=-DZS_LEAN=1) $(INC) $(filter %.c,$^) -o $@
+	@$(CHECKSUM_CC) -std=c11 -$(word 3,$(subst -, ,$(@F))) $(INC) $(filter %.c,$^) -o $@
 
 # Fuzzers: the interface by seeds (fuzz_api); cards of meshes and textures by libFuzzer (fuzz_mesh, make fuzz
 # alone) and by mutations of its seeds (cards); model files, command lines and panels' streams likewise, by libFuzzer
@@ -98,7 +99,7 @@ $(B)/fuzz/fuzz_api: $(call fuzz_objects,fuzz_api replay world)
 $(B)/fuzz/cards: $(call fuzz_objects,cards fuzz_mesh input replay world)
 	@mkdir -p $(@D)
 	@$(CC) $(SAN) $^ -o $@
-$(B)/fuzz/fuzz_mesh: tests/fuzz/fuzz_mesh.c tests/picture.c tests/fast_lists.c $(CORE) $(HEADERS)
+$(B)/fuzz/fuzz_mesh: tests/fuzz/fuzz_mesh.c tests/fast_lists.c tests/picture.c $(CORE) $(HEADERS)
 	@mkdir -p $(@D)
 	@$(subst $(CC) ,clang ,$(TEST_CC)) -Itests/fuzz -O2 -fsanitize=fuzzer $(filter %.c,$^) -o $@
 
@@ -110,7 +111,7 @@ stress-programs: $(B)/stress/san
 $(B)/stress/oracle.o: tests/oracle.c tests/oracle.h
 	@mkdir -p $(@D)
 	@$(STRESS_CC) -c $< -o $@
-STRESS = $(wildcard tests/stress/*.c) tests/fuzz/replay.c tests/clusters.c tests/picture.c tests/fast_lists.c $(CORE)
+STRESS = $(wildcard tests/stress/*.c) tests/fuzz/replay.c tests/clusters.c tests/fast_lists.c tests/picture.c $(CORE)
 $(B)/stress/san: $(STRESS) $(B)/stress/oracle.o $(HEADERS)
 	@$(STRESS_CC) $(SAN) -DZS_STATS=1 '-DZS_ASSERT(c)=((c)?(void)0:__builtin_trap())' $(STRESS) $(B)/stress/oracle.o \
 	    -lm -o $@

@@ -10,8 +10,8 @@
  * and so must every machine's. Pools are chosen from counts alone, so that all machines draw the same
  * configurations.
  *
- * With BENCH_SKIPS=1: one-pass strips of 24 rows with pools for everything, all skips on (`all`) and then each of
- * enum zs_skip off by itself, named after it (`rows` with bins, as there is no second walk else).
+ * With BENCH_FAST=1: one-pass strips of 24 rows with pools for everything, with all accelerators of the scene's list (`all`),
+ * with none (`none`), and then with each of the list left out, named after it.
  *
  * With BENCH_POOLS, { name, max_tris, max_verts } of each scene's one-pass line: these once more, for an emulator that
  * counts what bench_frame takes from its call to its return; instructions are 0. Where BENCH_ARENA does not hold the
@@ -25,8 +25,8 @@
 #include "scenes.h"
 #include "zstrip.h"
 
-#ifndef BENCH_SKIPS
-#define BENCH_SKIPS 0
+#ifndef BENCH_FAST
+#define BENCH_FAST 0
 #endif
 #ifdef BENCH_POOLS
 #define BENCH_COUNTED 1
@@ -255,36 +255,64 @@ static int disagrees(const struct result *r, uint64_t checksum)
     return 1;
 }
 
-/* What each skip is worth. Return the number of configurations that failed. */
-static int skips(const struct demo *d)
+/* ---- Accelerators ---------------------------------------------------------------------------- */
+
+#define FAST_MAX 16 /* of a scene */
+
+static const struct {
+    const struct zs_fast *fast;
+    const char *name;
+} accelerators[] = { { &zs_fast_batch, "batch" }, { &zs_fast_touch, "touch" }, { &zs_fast_tiles, "tiles" },
+                     { &zs_fast_clusters, "clusters" }, { &zs_fast_edges, "edges" }, { &zs_fast_raw, "raw" },
+                     { &zs_fast_flat, "flat" }, { &zs_fast_smooth, "smooth" }, { &zs_fast_texture, "texture" },
+                     { &zs_fast_texture_flat, "texture_flat" }, { &zs_fast_texture_smooth, "texture_smooth" },
+                     { &zs_fast_565, "565" }, { &zs_fast_pal8, "pal8" }, { &zs_fast_pal4, "pal4" } };
+
+static const char *fast_name(const struct zs_fast *fast)
 {
-    static const struct {
-        uint16_t off;
-        const char *name;
-    } variant[] = { { 0, "all" }, { ZS_SKIP_FRUSTUM, "frustum" }, { ZS_SKIP_CLIPTEST, "cliptest" },
-                    { ZS_SKIP_EMPTY, "empty" }, { ZS_SKIP_VCACHE, "vcache" }, { ZS_SKIP_BINS, "bins" },
-                    { ZS_SKIP_HIDDEN, "hidden" }, { ZS_SKIP_BEHIND, "behind" }, { ZS_SKIP_CLEAR, "clear" },
-                    { ZS_SKIP_TEST, "test" },
-                    { ZS_SKIP_CLUSTER, "cluster" }, { ZS_SKIP_CONE, "cone" }, { ZS_SKIP_ROWS | ZS_SKIP_BINS, "rows" } };
+    for (uint32_t i = 0; i < sizeof accelerators / sizeof accelerators[0]; i++)
+        if (accelerators[i].fast == fast)
+            return accelerators[i].name;
+    return "error: an accelerator without a name";
+}
+
+/* Return 1 where the frame went wrong or is another one than *checksum; 0 there takes it from this frame. */
+static int fast_variant(const struct demo *d, const char *name, const struct zs_fast *const *fast, uint64_t *checksum)
+{
     struct zs_config c;
     struct result r = { 0 };
     uint32_t tris, verts;
-    uint64_t checksum = 0;
-    int failed = 0;
-    d->pose(&frame, 0, d->width, d->height);
     ample(&tris, &verts);
-    for (uint32_t i = 0; i < sizeof variant / sizeof variant[0]; i++) {
-        fill_config(&c, d, 24, 1, tris, verts + 3u * tris); /* without a cache, three vertices a triangle */
-        c.skip_off = variant[i].off;
-        r.err = zs_init(&renderer, &c, arena, sizeof arena);
-        if (!r.err)
-            run(&r);
-        if (i == 0)
-            checksum = r.checksum;
-        line(d, variant[i].name, &c, &r);
-        failed += disagrees(&r, checksum);
+    fill_config(&c, d, 24, 1, tris, verts);
+    c.fast = fast;
+    r.err = zs_init(&renderer, &c, arena, sizeof arena);
+    if (!r.err)
+        run(&r);
+    if (!*checksum)
+        *checksum = r.checksum;
+    line(d, name, &c, &r);
+    return disagrees(&r, *checksum);
+}
+
+/* What each accelerator is worth. Return the number of configurations that failed. */
+static int fast_worth(const struct demo *d)
+{
+    const struct zs_fast *without[FAST_MAX] = { 0 };
+    uint64_t checksum = 0;
+    uint32_t n = 0;
+    d->pose(&frame, 0, d->width, d->height);
+    int failed = fast_variant(d, "all", d->fast, &checksum) + fast_variant(d, "none", 0, &checksum);
+    while (d->fast && d->fast[n])
+        n++;
+    for (uint32_t left_out = 0; left_out < n && n < FAST_MAX; left_out++) {
+        uint32_t kept = 0;
+        for (uint32_t i = 0; i < n; i++)
+            if (i != left_out)
+                without[kept++] = d->fast[i];
+        without[kept] = 0;
+        failed += fast_variant(d, fast_name(d->fast[left_out]), without, &checksum);
     }
-    return failed;
+    return failed + (n >= FAST_MAX);
 }
 
 /* ---- All configurations of a scene ----------------------------------------------------------- */
@@ -447,7 +475,7 @@ int main(void)
     hal_write("scene,variant,max_tris,max_verts,passes,tris_in,drawn,setups,verts,fragments,arena,"
               "checksum,instructions,per_tri,per_fragment,stack,ram\n");
     for (uint32_t i = 0; i < n_demos; i++)
-        failed += BENCH_COUNTED ? counted(demos[i]) : BENCH_SKIPS ? skips(demos[i]) : bench(demos[i]);
+        failed += BENCH_COUNTED ? counted(demos[i]) : BENCH_FAST ? fast_worth(demos[i]) : bench(demos[i]);
     hal_write(failed ? "# failed\n" : "# ok: checksums, counts and RAM agree\n");
     hal_exit(failed != 0);
 }

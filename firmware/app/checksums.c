@@ -164,7 +164,7 @@ static int configure(const struct demo *d, uint8_t bits)
     const uint16_t pool = (uint16_t)(fit < ZS_POOL_MAX ? fit : ZS_POOL_MAX);
     const struct zs_config config = { .width = d->width, .height = d->height, .strip_h = SUMS_ROWS, .max_tris = pool,
                                       .max_verts = pool, .attrs = (uint8_t)d->attrs, .buffers = 1,
-                                      .subpixel_bits = bits, .depth_bits = 16, .depth = d->depth };
+                                      .subpixel_bits = bits, .depth_bits = 16, .depth = d->depth, .fast = d->fast };
     return zs_init(&renderer, &config, arena, sizeof arena);
 }
 

@@ -2,14 +2,14 @@
  * clusters and vertices that were looked at.
  *
  *   crowd   CROWD x CROWD cubes on a plane, of which SEEN are in view: those alone; all
- *   model   model_instance[], from afar, close by, and from within; all skips on, clusters not asked, cones not asked
+ *   model   model_instance[], from afar, close by, and from within; with zs_fast_clusters and without
  *
  * SPDX-License-Identifier: MIT
  */
 #include "hal.h"
 #include "model.h" /* made by zsim convert --name model */
 #include "report.h"
-#include "zstrip.h"
+#include "zs_fast.h"
 
 #define CROWD 100
 #define SEEN 20
@@ -28,15 +28,17 @@ static const uint16_t face[12][3] = { { 4, 5, 6 }, { 4, 6, 7 }, { 1, 0, 3 }, { 1
                                       { 0, 4, 7 }, { 0, 7, 3 }, { 7, 6, 2 }, { 7, 2, 3 }, { 0, 1, 5 }, { 0, 5, 4 } };
 static const struct zs_mesh cube = { .pos = corner, .tri = face, .n_verts = 8, .n_tris = 12,
                                      .scale = 100 * ZS_Q16_ONE, .radius = 16 };
+static const struct zs_fast *const fast[] = { ZS_FAST_FRAME, ZS_FAST_CLUSTERS, ZS_FAST_FLAT, ZS_FAST_SMOOTH, ZS_FAST_END };
+static const struct zs_fast *const plain[] = { ZS_FAST_FRAME, ZS_FAST_FLAT, ZS_FAST_SMOOTH, ZS_FAST_END };
 static const struct zs_material red = { .shader = &zs_shade_flat, .rgb = { 230, 60, 40 } };
 
 /* Draw and print. The frame must be the one that *sum is of, unless that is 0. Return instructions; 0: it went wrong. */
 static uint64_t measure(const char *scene_name, const char *variant, const struct zs_scene *scene,
-                        const struct zs_camera *camera, uint16_t skip_off, uint64_t *sum)
+                        const struct zs_camera *camera, const struct zs_fast *const *list, uint64_t *sum)
 {
     const struct zs_config config = { .width = W, .height = H, .strip_h = 24, .max_tris = VERTS, .max_verts = VERTS,
                                       .attrs = MODEL_ATTRS, .buffers = 1, .subpixel_bits = 8, .depth_bits = 16,
-                                      .skip_off = skip_off, .depth = &zs_depth_float };
+                                      .depth = &zs_depth_float, .fast = list };
     uint64_t now = REPORT_HASH;
     const struct zs_sink sink = { .submit = report_drop }, summing = { .submit = report_hash, .ctx = &now };
     int err = zs_init(&renderer, &config, arena, sizeof arena);
@@ -94,7 +96,7 @@ static uint32_t crowd_pick(const struct zs_scene *all, const struct zs_camera *c
     uint32_t n = 0;
     const struct zs_config config = { .width = W, .height = H, .strip_h = 24, .max_tris = VERTS, .max_verts = VERTS,
                                       .attrs = MODEL_ATTRS, .buffers = 1, .subpixel_bits = 8, .depth_bits = 16,
-                                      .depth = &zs_depth_float };
+                                      .depth = &zs_depth_float, .fast = fast };
     if (zs_init(&renderer, &config, arena, sizeof arena))
         return 0;
     for (uint32_t i = 0; i < all->n_instances; i++) {
@@ -135,8 +137,8 @@ static int crowd_measure(void)
     struct zs_scene few = all;
     few.instance = alone;
     few.n_instances = SEEN;
-    const uint64_t least = measure("crowd", "those alone", &few, &camera, 0, &sum);
-    const uint64_t took = measure("crowd", "all", &all, &camera, 0, &sum);
+    const uint64_t least = measure("crowd", "those alone", &few, &camera, fast, &sum);
+    const uint64_t took = measure("crowd", "all", &all, &camera, fast, &sum);
     return !least || !took;
 }
 
@@ -150,9 +152,8 @@ static int model_measure(void)
                  { "model from within", 0, { 3, 0, 0 }, 0 } };
     static const struct {
         const char *name;
-        uint16_t off;
-    } variant[] = { { "all on", 0 }, { "no cones", ZS_SKIP_CONE }, { "no spheres", ZS_SKIP_CLUSTER },
-                    { "neither", ZS_SKIP_CLUSTER | ZS_SKIP_CONE } };
+        const struct zs_fast *const *fast;
+    } variant[] = { { "clusters", fast }, { "no clusters", plain } };
     static const int32_t middle[3] = MODEL_MIDDLE;
     const struct zs_scene scene = { .instance = model_instance, .n_instances = MODEL_INSTANCES,
                                     .light = { .dir = { 0, 0, ZS_Q30_ONE }, .ambient = ZS_Q16_ONE / 4,
@@ -166,7 +167,7 @@ static int model_measure(void)
         int err = zs_camera_perspective(&camera, 8192, H, MODEL_RADIUS / 100 + 1, 5 * MODEL_RADIUS);
         err = err ? err : zs_camera_orbit(&camera, at, view[v].distance * (MODEL_RADIUS / 4) + 1, 3000, view[v].pitch);
         for (uint32_t k = 0; k < sizeof variant / sizeof variant[0] && !err; k++)
-            err = measure(view[v].name, variant[k].name, &scene, &camera, variant[k].off, &sum) == 0;
+            err = measure(view[v].name, variant[k].name, &scene, &camera, variant[k].fast, &sum) == 0;
         if (err)
             return 1;
     }

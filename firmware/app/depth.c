@@ -28,7 +28,7 @@ static int draw(const struct demo *d, uint32_t m)
 {
     const struct zs_config config = { .width = W, .height = H, .strip_h = ROWS, .max_tris = TRIS, .max_verts = VERTS,
                                       .attrs = ZS_ATTRS_FLAT, .buffers = 1, .subpixel_bits = 8, .depth_bits = 16,
-                                      .depth = mappings[m].depth };
+                                      .depth = mappings[m].depth, .fast = d->fast };
     const struct zs_sink sink = { .submit = report_drop };
     int err = zs_init(&renderer, &config, arena, sizeof arena);
     d->pose(&frame, 0, W, H);

@@ -294,7 +294,7 @@ static int set_up(void)
     const struct zs_config config = { .width = SHOW_WIDTH, .height = SHOW_HEIGHT, .strip_h = show.rows,
                                       .max_tris = show.tris, .max_verts = show.verts, .attrs = show.attrs,
                                       .buffers = SHOW_BUFFERS, .subpixel_bits = SHOW_SUBPIXEL, .depth_bits = 16,
-                                      .depth = show.demo->depth };
+                                      .depth = show.demo->depth, .fast = show.demo->fast };
     const int err = start_drawing(&config);
     if (err)
         return err;

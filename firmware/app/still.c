@@ -57,7 +57,7 @@ static int wrong(const char *what)
 static int measure(const struct demo *d)
 {
     struct zs_config c = { .width = d->width, .height = d->height, .strip_h = ROWS, .attrs = (uint8_t)d->attrs,
-                           .buffers = 1, .subpixel_bits = 8, .depth_bits = 16, .depth = d->depth };
+                           .buffers = 1, .subpixel_bits = 8, .depth_bits = 16, .depth = d->depth, .fast = d->fast };
     uint64_t full, first, still, moved, part;
     uint32_t tris = 256, verts = 256, all, sent;
     d->pose(&frame, 0, d->width, d->height);

@@ -5,7 +5,7 @@
 # NAME=name APP_SRC=files [APP_FLAGS=flags] [EXTRA=objects]: any other program
 # DEFINES='-DPIN_RESET=14 -DSPI_DIVIDER=4': what sources leave to the compiler's -D, before what the board says of them;
 #   another choice compiles all anew
-# LEAN=1: least flash (ZS_LEAN in firmware/zstrip/config.h), $(B)/fw/$(BOARD)-lean
+# LEAN=1: least flash: no accelerators (firmware/zstrip/fast is not compiled), -Os; $(B)/fw/$(BOARD)-lean
 # CORES=2: the show is drawn by two cores, $(B)/fw/$(BOARD)-2
 #
 # A board is a folder with a board.mk, which says:
@@ -73,14 +73,15 @@ endif
 endif
 
 # What names no scene is compiled once, the rest once a scene
-SRC = $(wildcard hal/$(BOARD_HAL)/*.c hal/panel/*.c) $(BOARD_SRC) $(wildcard firmware/zstrip/*/*.c) \
+CORE = $(filter-out $(if $(filter 1,$(LEAN)),firmware/zstrip/fast/%),$(wildcard firmware/zstrip/*/*.c))
+SRC = $(wildcard hal/$(BOARD_HAL)/*.c hal/panel/*.c) $(BOARD_SRC) $(CORE) \
       $(wildcard firmware/scenes/*.c) $(wildcard $(B)/gen/*.c)
 OBJ = $(patsubst %,$(OUT)/%.o,$(basename $(SRC))) $(patsubst %.c,$(OUT)/of-$(NAME)/%.o,$(APP_SRC))
 CFLAGS = -std=c11 $(BOARD_CPU) $(OPT) -g -ffunction-sections -fdata-sections -MMD -MP \
          -Wall -Wextra -Werror -Wconversion -Wshadow -Wvla -Wstrict-prototypes -Wmissing-prototypes \
          -Wno-missing-field-initializers \
          -Ihal -Ihal/null -Ihal/cortexm -Ihal/spi -Ihal/panel -Ifirmware/app -Ifirmware/zstrip -Ifirmware/scenes -I$(B)/gen \
-         $(if $(filter 1,$(LEAN)),-DZS_LEAN=1) $(BOARD_FLAGS) $(foreach d,$(DEFINES),-U$(firstword $(subst =, ,$(d:-D%=%))) $d)
+         $(if $(filter 1,$(LEAN)),-DZS_NO_FAST=1) $(BOARD_FLAGS) $(foreach d,$(DEFINES),-U$(firstword $(subst =, ,$(d:-D%=%))) $d)
 
 # Notes of what was built last, written anew where that changes: objects and images are as old as these
 note = $(shell mkdir -p $(dir $1); echo '$2' | cmp -s - $1 || echo '$2' >$1)$1

@@ -40,7 +40,7 @@ static void pose(struct demo_frame *f, uint32_t t, uint16_t w, uint16_t h)
     zs_camera_look_at(&f->camera, eye, at, up);
 }
 
-static const struct zs_fast *const fast[] = { ZS_FAST_FRAME, ZS_FAST_FLAT, ZS_FAST_END };
+static const struct zs_fast *const fast[] = { ZS_FAST_FRAME, ZS_FAST_CLUSTERS, ZS_FAST_FLAT, ZS_FAST_END };
 const struct demo demo_flyover = {
     .name = "flyover",
     .what = "A low flight along a river between hills, flat-shaded, cut at the near plane",

@@ -70,6 +70,7 @@ static const struct zs_shader *const shaders[SHADES] = {
     &zs_shade_texture, &zs_shade_texture_flat, &zs_shade_texture_flat, &zs_shade_texture_flat, &zs_shade_texture_smooth,
     &zs_shade_texture_smooth
 };
+static const struct zs_fast *const fast[] = { ZS_FAST_ALL, ZS_FAST_END };
 
 static uint32_t dice;
 static uint32_t roll(uint32_t n) /* 0 .. n - 1, n < 2^16 */
@@ -576,7 +577,7 @@ int probe_make(struct probe *p, uint32_t i)
     c->buffers = 1;
     c->subpixel_bits = 8;
     c->depth_bits = 16;
-    c->skip_off = 0;
     c->depth = depths[plan.depth];
+    c->fast = fast;
     return 1;
 }

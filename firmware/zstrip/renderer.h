@@ -89,7 +89,6 @@ struct zs_clusters {
 struct zs_xform {
     const struct zs_instance *instance;
     uint32_t number;    /* in the scene */
-    int32_t light[3];   /* q2_30: the light's direction in mesh space */
     uint8_t clip_depth; /* 1: vertices may be before near or beyond far */
     uint8_t clip_guard; /* 1: vertices may be outside the guard band */
     int32_t row[3 * ZS_ROW_WORDS_MAX]; /* three, ZS_ROW_WORDS each; one size on all cores */
@@ -152,12 +151,12 @@ struct zs_renderer { /* what is used most comes first: a Cortex-M0 reaches 31 by
 
     const struct zs_scene *scene; /* borrowed from begin to end; NULL: no frame is open */
     struct zs_xform xform;
+    struct zs_shading shading; /* of the current instance */
     struct zs_view view;
     struct zs_camera camera;
     struct zs_stats stats;
     const struct zs_watch_kernel *watch; /* NULL: everything counts as changed */
-    uint64_t *watch_sum;          /* [n_strips][watch_columns], the caller's; 0: not known */
-    uint16_t watch_columns;
+    struct zs_sums *sums;         /* [n_strips][columns], the panel's; 0: not known */
     uint16_t draw_end;            /* strips from it on need not be drawn */
     const struct zs_track_kernel *track; /* NULL: all strips are drawn */
     uint32_t *track_memory;       /* the caller's: sum of the frame, records of instances ... */
@@ -173,7 +172,8 @@ struct zs_renderer { /* what is used most comes first: a Cortex-M0 reaches 31 by
     uint8_t by_clusters;          /* 1: of the current instance, only some are drawn */
     struct zs_clusters clusters;
     struct zs_cover cover[2];     /* the last two large triangles: cover[!cover_next] is known if cover_known */
-    uint16_t bound_strip;         /* no bound of the strip in hand is farther */
+    uint16_t bound_most;          /* no bound is farther ... */
+    uint16_t bound_strip;         /* ... and none of the strip in hand */
     uint8_t cover_next, cover_known, cover_waits; /* its own bounds are still to be found */
     struct zs_lit lit;
 };

@@ -104,6 +104,17 @@ static inline uint16_t zs_rgb565(uint8_t r, uint8_t g, uint8_t b)
                                  ((ZS_U32(b) * 31u + 127u) / 255u));
 }
 
+/* The same as it lies in memory, most significant byte first: what frames consist of. */
+static inline uint16_t zs_wire565(uint8_t r, uint8_t g, uint8_t b)
+{
+    const uint16_t v = zs_rgb565(r, g, b);
+#if defined(__BYTE_ORDER__) && __BYTE_ORDER__ == __ORDER_BIG_ENDIAN__
+    return v;
+#else
+    return ZS_CAST(uint16_t, ZS_U32(v) << 8 | ZS_U32(v) >> 8);
+#endif
+}
+
 /* ---- Scene: all of it const, all of it may lie in flash ------------------------------------- */
 
 struct zs_texel; /* how texels are stored: one of the three below */
@@ -232,11 +243,45 @@ struct zs_light {
     zs_uq16_16 ambient, diffuse; /* 0 .. ZS_Q16_ONE */
 };
 
+struct zs_rect {
+    uint16_t x, y, w, h; /* px in the frame; may reach beyond it */
+};
+
+/* What is seen where nothing is drawn, pixel by pixel. */
+struct zs_background {
+    /* Colour pixels (x, y) .. (x + n - 1, y) of the frame: out[n], RGB565, most significant byte first (zs_wire565). The same
+     * pixel gets the same colour however a row is cut into calls. n >= 1. */
+    void (*fill)(void *ctx, uint16_t *out, uint16_t x, uint16_t y, uint16_t n);
+    void *ctx;
+};
+
+/* A finished strip of the frame that may still be drawn on. */
+struct zs_target {
+    uint16_t *color;       /* pixel (x, y) of the frame is color[(y - y0) * pitch + x]: RGB565, most significant byte first */
+    const uint16_t *depth; /* the keys, in the same places */
+    uint16_t y0, y1;       /* rows [y0, y1) of the frame */
+    uint16_t x0, x1;       /* columns [x0, x1); what lies beside them is not given out */
+    uint32_t pitch;        /* pixels from a row to the next */
+};
+
+/* A resolve hook: draws over each strip when the scene has been drawn, before the strip is compared and given out. */
+struct zs_resolve {
+    void (*draw)(void *ctx, const struct zs_target *target);
+    /* Under zs_track, once a frame: 1, and in *rect all that draw makes other than in the frame before (where it was and where it
+     * is), may reach beyond the frame; 0: nothing. NULL: always 0. Strips that are due for other reasons are drawn all the same. */
+    int (*changes)(void *ctx, struct zs_rect *rect);
+    void *ctx;
+};
+
 struct zs_scene {
     const struct zs_instance *instance; /* [n_instances], in scene order */
     uint32_t n_instances;               /* 0 .. 65535 */
     struct zs_light light;
-    uint16_t background; /* RGB565 */
+    uint16_t background;                /* RGB565 */
+    const struct zs_background *sky;    /* in place of background; NULL: background. After a change of what it fills:
+                                           zs_invalidate */
+    const struct zs_resolve *resolve;   /* [n_resolves], in their order; NULL: none */
+    uint32_t n_resolves;
 };
 
 enum zs_projection { ZS_PERSPECTIVE = 0, ZS_ORTHOGRAPHIC = 1 };
@@ -250,6 +295,13 @@ struct zs_camera {
                             with ZS_ERR_RANGE where a sub-pixel is below 2^-29 of what is in view */
     zs_q48_16 z_near, z_far; /* world units along the view axis, |near| <= ZS_WORLD_MAX, near < far <=
                                 ZS_FAR_MAX, and perspective: near > 0, far - near >= far / 65536 */
+};
+
+/* What a shader's vertex and face stages see of the instance in hand (zs_shader.h). */
+struct zs_shading {
+    const struct zs_instance *instance;
+    const struct zs_light *light; /* the scene's */
+    zs_q2_30 dir[3];              /* its direction in mesh space */
 };
 
 /* ---- Renderer ----------------------------------------------------------------------------- */
@@ -338,7 +390,7 @@ struct zs_stats {
     uint32_t pixels_written;  /* and nearer; 0 unless built with ZS_STATS = 1 */
     uint32_t strips;          /* given out so far */
     uint32_t strips_unchanged; /* of these: changed_w is 0; always 0 without zs_watch and zs_track */
-    uint32_t strips_skipped;  /* of these: not drawn (zs_track). What is in no other strip is not counted above, or as culled */
+    uint32_t strips_skipped;  /* of these: not drawn (zs_track, zs_frame_skip). What is in no other strip is not counted above, or as culled */
     uint32_t passes;          /* sets of triangles that the pools took the scene in */
     uint32_t max_tris_used, max_verts_used; /* high-water marks of the pools */
 };
@@ -355,10 +407,6 @@ struct zs_strip {
     const uint16_t *depth; /* w * h keys of this strip, until the next strip is asked for */
     uint16_t changed_x, changed_w; /* px: columns that are not on the glass yet (zs_watch, zs_track); changed_w 0:
                                       none is. Without either 0 and w */
-};
-
-struct zs_rect {
-    uint16_t x, y, w, h; /* px in the frame; may reach beyond it */
 };
 
 /* Where zs_render sends strips. Either function may block. A return other than 0 ends the frame and
@@ -424,17 +472,32 @@ const struct zs_stats *zs_frame_stats(const struct zs_renderer *r);
 
 /* ---- What is on the glass already -------------------------------------------------------------------- */
 
-/* Send only what has changed: from now on each strip is compared, by columns, with what was given out last. zs_render does
- * not submit a strip without a change; a sink may send changed_x and changed_w alone. Pictures are drawn as before.
+/* What a panel shows: sums of its strips, by columns. One for each panel, shared by all renderers that draw for it: one that
+ * had sums of its own would not know what another has drawn over its strips. The fields are the library's. */
+struct zs_sums {
+    uint64_t *sum;
+    uint16_t width, height, strip_h, columns;
+};
+
+/* Begin: nothing is known of what the panel shows.
  *
- * sum      [ZS_STRIPS(height, strip_h) * columns], caller's, kept; NULL: compare no more.
- * columns  1 .. width, equally wide but for the last ones.
+ * memory   [ZS_STRIPS(height, strip_h) * columns], caller's, kept; its contents do not matter.
+ * width, height, strip_h  as in the configuration of the renderers. columns  1 .. width, equally wide but for the last ones.
+ * Return   ZS_OK; ZS_ERR_NULL; ZS_ERR_SIZE: a number out of range, *sums as before. */
+int zs_sums_init(struct zs_sums *sums, uint64_t *memory, uint32_t width, uint32_t height, uint32_t strip_h, uint32_t columns);
+
+/* Send only what has changed: from now on each strip is compared, by columns, with what the panel shows. zs_render does
+ * not submit a strip without a change; a sink may send changed_x and changed_w alone. Pictures are drawn as before, and
+ * zs_track begins with all strips.
+ *
+ * sums     the panel's, kept by the caller; NULL: compare no more. Renderers on several cores may share it: each writes the
+ *          sums of the strips that it draws.
  * Exact    a change within one word of two pixels is always seen; others are missed with odds of 2^-64: sums are
  *          compared, not pixels. The one thing here that is not exact; who must have it exact does without.
  * Cost     about ten instructions for two pixels.
- * Return   ZS_OK; ZS_ERR_NULL; ZS_ERR_STATE (r is not set up, or a frame is open); ZS_ERR_SIZE: as before.
- *          zs_init ends it. */
-int zs_watch(struct zs_renderer *r, uint64_t *sum, uint32_t columns);
+ * Return   ZS_OK; ZS_ERR_NULL; ZS_ERR_STATE (r is not set up, or a frame is open); ZS_ERR_SIZE (the sums are for another
+ *          frame size or strip height): as before. zs_init ends it. */
+int zs_watch(struct zs_renderer *r, struct zs_sums *sums);
 
 /* Draw only what may have changed: from now on zs_frame_begin compares what every instance is drawn from (pose; fields of mesh,
  * material, texture and state, not the arrays) with the frame begun before, and a strip that no instance which differs could

@@ -13,6 +13,7 @@ struct source {
     const struct zs_scene *scene;   /* of the frame that was posed last */
     const struct zs_camera *camera;
     const struct zs_depth *depth;
+    const struct zs_fast *const *fast; /* accelerators; NULL: none */
     uint8_t attrs;                  /* as in struct zs_config */
 };
 

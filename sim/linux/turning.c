@@ -19,12 +19,14 @@
 #include "options.h"
 #include "quantise.h"
 #include "view.h"
+#include "zs_fast.h"
 
 static struct sim_model model;
 static struct sim_scene scene;
 
 int turning_open(struct source *s, const struct linux_options *o)
 {
+    static const struct zs_fast *const fast[] = { ZS_FAST_ALL, ZS_FAST_END };
     const struct sim_want want = { .normals = 1, .textures = 1 };
     struct sim_options as;
     struct sim_view view;
@@ -39,7 +41,7 @@ int turning_open(struct source *s, const struct linux_options *o)
         status = sim_view_plan(&view, &as, &model);
     if (status == SIM_OK)
         status = sim_scene_build(&scene, &model, &view, &as);
-    *s = (struct source){ o->model, &scene.scene, &scene.camera, &zs_depth_float,
+    *s = (struct source){ o->model, &scene.scene, &scene.camera, &zs_depth_float, fast,
                           textured ? ZS_ATTRS_TEXTURE_SMOOTH : ZS_ATTRS_SMOOTH };
     return status;
 }

@@ -18,6 +18,8 @@ none() {
 }
 
 # CPU DIR [FLAGS...]: firmware/zstrip, or hal/panel, as objects. Everything is compiled anew: it takes a second.
+# With BARE, which is in the flags then, without accelerators.
+BARE='-DZS_NO_FAST=1 -Os'
 core() {
     compile firmware/zstrip "$@"
 }
@@ -31,16 +33,19 @@ compile() {
     mkdir -p "$dir"
     for src in "$from"/*.c "$from"/*/*.c; do
         [ -e "$src" ] || continue
+        case "$src $*" in */fast/*ZS_NO_FAST=1*) continue ;; esac
         # shellcheck disable=SC2086
         ${ARM}gcc -std=c11 -mcpu="$cpu" -mthumb $OPT $WARN "$@" -Ifirmware/zstrip -c "$src" \
             -o "$dir/$(echo "${src%.c}" | sed "s|^$from/||; s|/|_|g").o" || return 1
     done
 }
 
-# A firmware of the least kind: FILE SHADER DEPTH [EXTRA STATEMENTS]
+# A firmware of the least kind: FILE SHADER DEPTH [EXTRA STATEMENTS]; LIST, ending with a comma: its accelerators, if any
 minimal() {
+    list=0 declared=
+    [ -z "${LIST:-}" ] || list=fast declared="static const struct zs_fast *const fast[] = { $LIST ZS_FAST_END };"
     cat >"$1" <<END
-#include "zstrip.h"
+#include "zs_fast.h"
 struct zs_renderer renderer;
 ZS_ARENA(arena, ZS_ARENA_BYTES(240, 240, 24, 500, 500, 3, 1));
 struct zs_camera camera;
@@ -51,11 +56,12 @@ struct zs_scene scene = { .instance = &instance, .n_instances = 1 };
 struct zs_sink sink;
 extern uint32_t anything[];
 uint32_t anything[16];
+$declared
 int main(void)
 {
     const struct zs_config config = { .width = 240, .height = 240, .strip_h = 24, .max_tris = 500, .max_verts = 500,
                                       .attrs = 3, .buffers = 1, .subpixel_bits = 8, .depth_bits = 16,
-                                      .depth = &zs_depth_$3 };
+                                      .depth = &zs_depth_$3, .fast = $list };
     if (zs_init(&renderer, &config, arena, sizeof arena))
         return 1;
     ${4:-}
@@ -90,8 +96,10 @@ EVERYTHING='extern struct zs_material other[5];
     instance.state = &state;
     material = other[anything[4]];
     material.texture = &texture[anything[6]];'
-# Clusters, besides
-CULLING='mesh.cluster_kernel = &zs_cluster_kernel;'
+# Accelerators that a program names of which it uses flat shading, or lit textures
+FAST_FLAT='ZS_FAST_FRAME, ZS_FAST_FLAT,'
+FAST_TEXTURE='ZS_FAST_FRAME, ZS_FAST_TEXTURE_SMOOTH, ZS_FAST_565,'
+FAST_ALL='ZS_FAST_ALL,'
 OTHERS='struct zs_material other[5] = { { .shader = &zs_shade_raw }, { .shader = &zs_shade_smooth },
     { .shader = &zs_shade_texture }, { .shader = &zs_shade_texture_flat }, { .shader = &zs_shade_texture_smooth } };
 struct zs_texture texture[3] = { { .format = &zs_texel_565 }, { .format = &zs_texel_pal8 },

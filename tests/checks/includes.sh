@@ -1,6 +1,7 @@
 #!/bin/sh
 # Includes point one way: sim, tests -> firmware/app -> firmware/zstrip, hal/hal.h. hal never includes
-# firmware, zstrip never includes hal, sim/reference knows neither.
+# firmware, zstrip never includes hal, sim/reference knows neither. In zstrip: fast -> shade; fast, shade, depth, damage,
+# support -> core -> arch, and all of them the headers at its root; no circle.
 #
 # SPDX-License-Identifier: MIT
 . "$(dirname "$0")/common.sh"
@@ -44,8 +45,31 @@ $(echo "$deps" | tr ' \\' '\n\n' | grep -E "$forbidden" | sed "s|^|$f->|")"
     none "$name" "$(printf '%s\n' "$found$broken" | sed '/^$/d')"
 }
 
-only "zstrip includes its own headers, stdint and stddef" "$(headers firmware/zstrip)|$STD" firmware/zstrip/*.[ch]
-reach "zstrip reaches nothing else" '^(hal|sim|tests|firmware/[^z])' firmware/zstrip/*.c
+zstrip=$(cd firmware/zstrip && ls ./*.h ./*/*.h | sed 's|^\./||; s/\./\\./' | tr '\n' '|')
+only "zstrip includes its own headers, stdint and stddef" "\"($zstrip)\"|$STD" firmware/zstrip/*.h firmware/zstrip/*/*.[ch]
+reach "zstrip reaches nothing else" '^(hal|sim|tests|firmware/[^z])' firmware/zstrip/*/*.c
+
+# Arrows between files, "from to", firmware/zstrip/ left out. renderer.h is a part of zstrip.h.
+includes firmware/zstrip/*.h firmware/zstrip/*/*.[ch] | grep -v '<' | tr -d '":' | sed 's|firmware/zstrip/||' |
+    sed 's|\<renderer\.h|zstrip.h|g' | awk '$1 != $2' >"$B/arrows.txt"
+awk 'function folder(f) { return sub(/\/.*/, "", f) ? f : "root" }
+    { n[folder($1), folder($2)]++; at[folder($1)]; at[folder($2)] }
+    END {
+        k = split("root arch core depth shade damage support fast", order, " ")
+        for (f in at) { known = 0; for (i = 1; i <= k; i++) known += order[i] == f; if (!known) order[++k] = f }
+        printf "%-9s", "includes"; for (j = 1; j <= k; j++) printf " %7s", order[j]; print ""
+        for (i = 1; i <= k; i++) { printf "%-9s", order[i]
+            for (j = 1; j <= k; j++) printf " %7s", n[order[i], order[j]] ? n[order[i], order[j]] : "."; print "" } }' "$B/arrows.txt"
+# core/fast.h has the types of accelerators; that core needs none of them by name, kernels.sh sees.
+wrong=$(awk 'function folder(f) { return sub(/\/.*/, "", f) ? f : "root" }
+    BEGIN { may["root"] = "root"; may["arch"] = "root arch"; may["core"] = "root arch core"
+        may["depth"] = may["shade"] = may["damage"] = may["support"] = may["core"]; may["fast"] = may["core"] " shade" }
+    { from = folder($1); to = folder($2)
+        if (from != to && index(" " may[from] " ", " " to " ") == 0) print $1 "->" $2 }' "$B/arrows.txt" | tr ' ' ':')
+if [ "$(wc -l <"$B/arrows.txt")" -ge 40 ]; then none "zstrip: fast, shade, depth, damage, support -> core -> arch" "$wrong"
+else bad "zstrip: arrows are found" "$(wc -l <"$B/arrows.txt")"; fi
+none "zstrip: no circle of includes" "$(tsort "$B/arrows.txt" 2>&1 >"$B/order.txt" | sed 's/.*: //' | tr '\n' ' ')"
+
 only "hal.h includes standard headers" "$STD" hal/*.h
 for dir in hal/*/; do # what is shared is null's bus and cortexm; only host and linux are hosted programs
     case $dir in hal/panel/) continue ;; hal/host/ | hal/linux/) std=$HOSTED ;; *) std=$STD ;; esac
@@ -56,8 +80,8 @@ only "hal/rp2040/second includes hal.h, second.h and its HAL's own" \
     "\"(hal|second|\.\./parts|\.\./regs)\.h\"|$STD" hal/rp2040/second/*.c
 only "panels include hal.h and their own headers" "\"hal\\.h\"|$(headers hal/panel)|$STD" hal/panel/*.[ch]
 reach "hal reaches nothing of firmware" '^(firmware|sim|tests)' hal/*.h hal/*/*.c hal/*/*/*.c
-only "app sees zstrip.h, hal.h, panel.h, scenes and its own" "\"(zstrip|scenes|sizes|hal|second|panel|show|pair|number|report|model|bench|probes|study_settings)\\.h\"|$STD" firmware/app/*.[ch]
-only "scenes see zstrip.h and their own" "\"(zstrip|meshes)\\.h\"|$(headers firmware/scenes)|$STD" firmware/scenes/*.[ch]
+only "app sees zstrip.h, zs_fast.h, hal.h, panel.h, scenes and its own" "\"(zstrip|zs_fast|scenes|sizes|hal|second|panel|show|pair|number|report|model|bench|probes|study_settings)\\.h\"|$STD" firmware/app/*.[ch]
+only "scenes see zstrip.h, zs_fast.h and their own" "\"(zstrip|zs_fast|meshes)\\.h\"|$(headers firmware/scenes)|$STD" firmware/scenes/*.[ch]
 only "mesh generators see their own" "$(headers firmware/scenes | sed 's|"(|"\\.\\./(|')|$(headers firmware/scenes/gen)|$HOSTED" firmware/scenes/gen/*.[ch]
 only "boards see nothing of ours" "$STD" firmware/boards/*/*.c
 # A judge in sim: includes its own and standard headers, reaches nothing of what it judges, has header names of its

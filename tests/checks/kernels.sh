@@ -1,25 +1,34 @@
 #!/bin/sh
-# Kernels and panels are linked only when used: what a scene or a board does not need is not in its firmware.
+# Shaders, mappings, accelerators and panels are linked only where they are named: what a scene or a board does not need is
+# not in its firmware. And the core needs nothing of any of them by name.
 #
 # SPDX-License-Identifier: MIT
 . "$(dirname "$0")/common.sh"
 
 # What no test below asks for but where it is named
-TEXTURE='zs_shade_texture|zs_texel|fetch|rows_|texture_|light$'
-STATE='zs_state|state_'
-FLOAT='zs_depth_(e[345]|float)|float_|(e[345]|any)_setup'
+TEXTURE='zs_shade_texture|zs_texel|fetch|texture_|light$'
+FLOAT='zs_depth_(e[345]|float)|float_|any_row|(e[345]|any)_setup'
 
 # Checks of loaded data, and what finds changes: in no firmware that does not call them.
-CHECKS='zs_watch watch_look zs_track track_check track_due zs_raster_pass zs_mesh_check zs_texture_check zs_strflaw
-        zs_cluster_kernel cluster_open cluster_verts cluster_run'
+CHECKS='zs_watch watch_look zs_track track_check track_due zs_raster_pass zs_mesh_check zs_texture_check zs_strflaw'
 
-# SHADER DEPTH PATTERN...: a firmware with these must hold no symbol that matches.
+# Names that files of fast/ alone define, FILES by a pattern
+names_of() {
+    for o in "$dir"/*.o; do
+        ${ARM}nm "$o" | awk -v f="$(basename "$o" .o)" '$2 ~ /[tTrRdD]/ && $3 !~ /^[$.]/ { print f, $3 }'
+    done | awk -v want="^fast_($1)\$" '$1 ~ want { ours[$2] } $1 !~ want { others[$2] } END { for (n in ours) if (!(n in others)) print n }'
+}
+# SHADER DEPTH PATTERN [FILES]: a firmware with these, and LIST, must hold no symbol that matches, and nothing of these
+# files of fast/; without a list, of none.
 without() {
-    name="$c $1 and $2 alone"
+    name="$c $1 and $2 alone${LIST:+, $LIST}"
     minimal "$dir/main.c" "$1" "$2"
     if link "$c" "$dir" "$dir/main.c" "$dir/part.elf"; then
-        none "$name" "$(${ARM}nm "$dir/part.elf" | awk '{ print $NF }' |
-            grep -E "$3|^($(echo $CHECKS | tr ' ' '|'))")"
+        ${ARM}nm "$dir/part.elf" | awk '{ print $NF }' >"$dir/part.txt"
+        names_of "${4:-.*}" >"$dir/fast.txt"
+        # shellcheck disable=SC2086
+        none "$name" "$(grep -E "$3|^($(echo $CHECKS | tr ' ' '|'))" "$dir/part.txt"; grep -xF -f "$dir/fast.txt" "$dir/part.txt")"
+        [ "$(wc -l <"$dir/fast.txt")" -ge 5 ] || bad "$name: names of fast/" "$(cat "$dir/fast.txt")"
     else
         bad "$name" "does not link"
     fi
@@ -28,26 +37,49 @@ without() {
 for c in $CPUS; do
     dir=$B/kernels-$c
     core "$c" "$dir" || { bad "$c compiles" "see above"; continue; }
-    without raw recip '^(zs_shade_(flat|smooth)|(flat|smooth)_|zs_light|zs_depth_linear|linear_|zs_(sin|cos|unit_|pose|camera|strerror)|'"$TEXTURE|$STATE|$FLOAT"')'
-    without flat recip '^(zs_shade_(raw|smooth)|(raw|smooth)_|zs_depth_linear|linear_|zs_(sin|cos|pose|camera|strerror)|'"$TEXTURE|$STATE|$FLOAT"')'
-    without smooth recip '^(zs_shade_(raw|flat)|(raw|flat)_|zs_solid_|zs_depth_linear|linear_|zs_(sin|cos|pose|camera|strerror)|'"$TEXTURE|$STATE|$FLOAT"')'
-    without flat linear '^(zs_shade_(raw|smooth)|(raw|smooth)_|zs_depth_recip|recip_(setup|vertex|inverse)|zs_(sin|cos|pose|camera|strerror)|'"$TEXTURE|$STATE|$FLOAT"')'
-    without texture recip '^(zs_shade_(raw|flat|smooth)|zs_solid_|zs_light|light|zs_depth_linear|linear_|zs_texel|fetch_(565|pal)|zs_shade_texture_|smooth_|'"$STATE|$FLOAT"')'
-    without flat e3m13 '^(zs_shade_(raw|smooth)|zs_depth_(recip|linear|e4m12|e5m11)|recip_(setup|vertex|inverse)|linear_|e[45]_setup|'"$TEXTURE|$STATE"')'
+    POSE='zs_(sin|cos|pose|camera|strerror)'
+    without raw recip '^(zs_shade_(flat|smooth)|(flat|smooth)_|zs_light|zs_depth_linear|linear_p|zs_unit_|'"$POSE|$TEXTURE|$FLOAT"')'
+    without flat recip '^(zs_shade_(raw|smooth)|(raw|smooth)_|zs_depth_linear|linear_p|'"$POSE|$TEXTURE|$FLOAT"')'
+    without smooth recip '^(zs_shade_(raw|flat)|(raw|flat)_|zs_solid_|zs_depth_linear|linear_p|'"$POSE|$TEXTURE|$FLOAT"')'
+    without flat linear '^(zs_shade_(raw|smooth)|(raw|smooth)_|zs_depth_recip|recip_(setup|vertex|inverse)|'"$POSE|$TEXTURE|$FLOAT"')'
+    without texture recip '^(zs_shade_(raw|flat|smooth)|zs_solid_|zs_light|light|zs_depth_linear|linear_p|zs_texel|fetch_(565|pal)|zs_shade_texture_|smooth_|'"$FLOAT"')'
+    without flat e3m13 '^(zs_shade_(raw|smooth)|zs_depth_(recip|linear|e4m12|e5m11)|recip_(setup|vertex|inverse)|linear_p|e[45]_setup|'"$TEXTURE"')'
+    LIST='ZS_FAST_FRAME,'
+    without flat recip '^(zs_fast_(raw|flat))' 'clusters|solid|smooth|less|texture|texels'
+    LIST=$FAST_FLAT
+    without flat recip '^(zs_fast_raw|zs_shade_(raw|smooth)|'"$TEXTURE"')' 'clusters|smooth|less|texture|texels'
+    LIST='ZS_FAST_FRAME, ZS_FAST_SMOOTH,'
+    without smooth recip "^($TEXTURE)" 'clusters|solid|texture|texels'
+    LIST='ZS_FAST_FRAME, ZS_FAST_TEXTURE,'
+    without texture recip '^(zs_fast_texture_|zs_shade_texture_|zs_texel|fetch_(565|pal))' 'clusters|solid|smooth|texels'
+    LIST=$FAST_TEXTURE
+    without texture_smooth recip '^(zs_fast_(texture$|texture_flat|pal)|zs_shade_texture(_flat)?$|zs_texel_pal|(fetch|rows|gather|small|small_lit)_pal)' \
+        'clusters|solid|smooth'
+    LIST=ZS_FAST_CLUSTERS,
+    without flat recip '^(zs_fast_(touch|batch|edges)|batch_)' 'first_touch|edges|solid|smooth|less|texture|texels'
+    LIST=
     # the names above must exist, or the patterns prove nothing
-    minimal "$dir/main.c" flat recip "$EVERYTHING $CULLING"
+    LIST=$FAST_ALL minimal "$dir/main.c" flat recip "$EVERYTHING"
     echo "$OTHERS" >>"$dir/main.c"
     link "$c" "$dir" "$dir/main.c" "$dir/all.elf" || bad "$c everything links" "see above"
     all=$(${ARM}nm "$dir/all.elf" | awk '{ print $NF }')
     gone=
     for s in $CHECKS zs_shade_raw zs_shade_flat zs_shade_smooth raw_face flat_face zs_depth_recip \
-        zs_depth_linear recip_setup linear_setup linear_rows zs_solid_rows zs_pose_turn \
+        zs_depth_linear recip_setup linear_setup linear_planes zs_solid_run zs_pose_turn zs_fast_touch zs_fast_tiles zs_fast_batch \
+        zs_fast_clusters zs_fast_edges zs_fast_raw zs_fast_flat zs_fast_smooth zs_fast_texture zs_fast_texture_flat zs_fast_texture_smooth \
+        zs_fast_565 zs_fast_pal8 zs_fast_pal4 zs_fast_less cluster_open solid_rows smooth_rows texture_rows touch_piece tiles_cover batch_bin \
         zs_camera_orbit zs_strerror zs_shade_texture zs_shade_texture_flat zs_shade_texture_smooth zs_texel_565 \
         zs_texel_pal8 zs_texel_pal4 fetch_565 fetch_pal8 fetch_pal4 rows_565 rows_pal8 rows_pal4 fetch_wide texture_run light texture_start \
-        zs_state_kernel state_span state_bias zs_depth_e3m13 zs_depth_e4m12 zs_depth_e5m11 float_rows e3_setup e4_setup e5_setup any_setup; do
+        zs_depth_e3m13 zs_depth_e4m12 zs_depth_e5m11 float_planes any_row e3_setup e4_setup e5_setup any_setup; do
         echo "$all" | grep -q "^$s" || gone="$gone $s"
     done
     none "$c everything holds every name looked for" "$gone"
+    # What core/ needs, core/ has, or the compiler's library: renamed objects are core_NAME.o
+    ${ARM}ld -r "$dir"/core_*.o -o "$dir/core.rel" || bad "$c core/ links" "see above"
+    ${ARM}nm -g "$dir"/[!c]*.o 2>/dev/null | awk 'NF == 3 && $2 ~ /[TRD]/ { print $3 }' >"$dir/others.txt"
+    none "$c core/ needs nothing of other folders" "$(${ARM}nm -u "$dir/core.rel" | awk '{ print $NF }' | grep -xF -f "$dir/others.txt")"
+    if [ "$(wc -l <"$dir/others.txt")" -ge 50 ]; then ok "$c names of other folders: $(wc -l <"$dir/others.txt")"
+    else bad "$c names of other folders" "$(cat "$dir/others.txt")"; fi
 done
 
 # Panels: what one brings along is panel.c and the conversion that it needs.

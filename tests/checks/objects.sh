@@ -37,18 +37,19 @@ rules() {
 for c in $CPUS; do
     dir=$B/objects-$c
     if core "$c" "$dir"; then
-        minimal "$dir/main.c" flat recip "$EVERYTHING"
+        LIST=$FAST_ALL minimal "$dir/main.c" flat recip "$EVERYTHING"
         echo "$OTHERS" >>"$dir/main.c"
         rules "$c" "$c" "$dir"
     else
         bad "$c compiles" "see above"
     fi
-    dir=$B/objects-lean-$c
-    if core "$c" "$dir" -DZS_LEAN=1 -Os; then
+    dir=$B/objects-bare-$c
+    # shellcheck disable=SC2086
+    if core "$c" "$dir" $BARE; then
         cp "$B/objects-$c/main.c" "$dir/main.c"
-        rules "lean, $c" "$c" "$dir" -DZS_LEAN=1 -Os
+        rules "bare, $c" "$c" "$dir" $BARE
     else
-        bad "lean, $c compiles" "see above"
+        bad "bare, $c compiles" "see above"
     fi
     dir=$B/objects-panels-$c
     if panels "$c" "$dir"; then

@@ -5,13 +5,13 @@
 # SPDX-License-Identifier: MIT
 . "$(dirname "$0")/common.sh"
 
-FLASH_MAX=${FLASH_MAX:-59392}           # everything but clusters, Cortex-M3
+FLASH_MAX=${FLASH_MAX:-59392}           # everything but clusters, Cortex-M3 -O2
 FLASH_CLUSTERS_MAX=${FLASH_CLUSTERS_MAX:-3328} # what clusters take
-FLASH_FLAT_MAX=${FLASH_FLAT_MAX:-26880} # flat and recip alone, Cortex-M3
-# ZS_LEAN, -Os, Cortex-M3. The goals are 6,144 bytes for flat alone, 12,288 with textures, lighting and clipping.
-LEAN_FLAT_MAX=${LEAN_FLAT_MAX:-11520}       # flat and recip alone
-LEAN_TEXTURE_MAX=${LEAN_TEXTURE_MAX:-14848} # a texture lit at the vertices, recip
-LEAN_MAX=${LEAN_MAX:-29440}                 # everything
+FLASH_FLAT_MAX=${FLASH_FLAT_MAX:-26880} # flat and recip, and the accelerators that such a program names, Cortex-M3 -O2
+# No accelerators, Cortex-M3 -Os
+BARE_FLAT_MAX=${BARE_FLAT_MAX:-16384}   # flat and recip; the goal is 12800
+BARE_TEXTURE_MAX=${BARE_TEXTURE_MAX:-20224} # a texture lit at the vertices, recip; the goal is 16384
+BARE_MAX=${BARE_MAX:-34816}             # everything
 FLASH_PANEL_MAX=${FLASH_PANEL_MAX:-3072} # a panel that converts nothing
 
 # MAP PATTERN: bytes that the link took from objects whose path matches.
@@ -27,86 +27,102 @@ taken() {
                     if ($(i + 2) ~ want) print substr($(i + 1), 3)
                     break } }' "$1" | { sum=0; while read -r hex; do sum=$((sum + 0x$hex)); done; echo $sum; }
 }
-# LABEL SHADER DEPTH [STATEMENTS [DECLARATIONS]]; lean: flags of the lean build, or nothing
+# LABEL SHADER DEPTH [STATEMENTS [DECLARATIONS]]; LIST: its accelerators; flags: those of the objects, if any
 flash() {
     minimal "$dir/main.c" "$2" "$3" "${4:-}"
     echo "${5:-}" >>"$dir/main.c"
     # shellcheck disable=SC2086
-    if ! link "$c" "$dir" "$dir/main.c" "$dir/size.elf" $lean -Wl,-Map,"$dir/size.map"; then
+    if ! link "$c" "$dir" "$dir/main.c" "$dir/size.elf" ${flags:-} -Wl,-Map,"$dir/size.map"; then
         bad "$c $1" "does not link"
+        core_bytes=0
         return
     fi
     core_bytes=$(taken "$dir/size.map" "$dir/")
     lib_bytes=$(taken "$dir/size.map" 'lib(gcc|c|c_nano)\\.a')
     printf '  %-34s %8d %8d\n' "$1" "$core_bytes" "$lib_bytes"
 }
-
-within() { # NAME BYTES MOST
-    if [ "$2" -le "$3" ]; then ok "$1 within $3 bytes: $2"; else bad "$1 within $3 bytes" "$2"; fi
+textured() { # LABEL SHADER DEPTH TEXELS
+    flash "$1" "$2" "$3" 'extern struct zs_texture texture; material.texture = &texture;' \
+        "struct zs_texture texture = { .format = &zs_texel_$4 };"
 }
 
-lean=
+within() { # NAME BYTES MOST
+    if [ "$2" -gt 0 ] && [ "$2" -le "$3" ]; then ok "$1 within $3 bytes: $2"; else bad "$1 within $3 bytes" "$2"; fi
+}
+
+# The core alone, for size and for speed. A figure of the first is a promise.
 for c in $CPUS; do
-    dir=$B/size-$c
+    for level in -Os -O2; do
+        flags="-DZS_NO_FAST=1 $level" dir=$B/size-bare$level-$c LIST=
+        # shellcheck disable=SC2086
+        core "$c" "$dir" $flags || { bad "bare, $c compiles" "see above"; continue; }
+        printf '%-36s %8s %8s\n' "Flash, bytes, $c $level, no fast/" zstrip "libgcc+c"
+        flash "raw, recip" raw recip
+        flash "flat, recip" flat recip
+        flat=$core_bytes
+        flash "smooth, recip" smooth recip
+        flash "flat, e3m13" flat e3m13
+        textured "texture 565, recip" texture recip 565
+        textured "texture 565 smooth, recip" texture_smooth recip 565
+        texture=$core_bytes
+        textured "texture pal8 smooth, e3m13" texture_smooth e3m13 pal8
+        flash "everything" flat recip "$EVERYTHING" "$OTHERS"
+        [ "$c$level" = cortex-m3-Os ] || continue
+        within "bare, $c flat alone (goal 12800)" "$flat" "$BARE_FLAT_MAX"
+        within "bare, $c texture, light, clipping (goal 16384)" "$texture" "$BARE_TEXTURE_MAX"
+        within "bare, $c everything" "$core_bytes" "$BARE_MAX"
+    done
+done
+
+# With the accelerators that a program names
+FRAME='ZS_FAST_FRAME,'
+names='batch touch tiles edges clusters raw flat smooth texture texture_flat texture_smooth 565 pal8 pal4'
+declared=$(sed -n '/^extern const struct zs_fast /{s/;.*//; s/.*struct zs_fast //; s/zs_fast_//g; s/, / /g; p}' firmware/zstrip/zs_fast.h)
+# shellcheck disable=SC2086
+none "accelerators are those of zs_fast.h" "$(printf '%s\n' $names $declared | sort | uniq -u)"
+flags=
+for c in $CPUS; do
+    dir=$B/size-$c LIST=
     core "$c" "$dir" || { bad "$c compiles" "see above"; continue; }
     printf '%-36s %8s %8s\n' "Flash, bytes, $c -O2" zstrip "libgcc+c"
-    flash "raw, recip" raw recip
+    LIST="$FRAME ZS_FAST_RAW," flash "raw, recip" raw recip
+    LIST=$FAST_FLAT
     flash "flat, recip" flat recip
     flat=$core_bytes
     flash "flat, linear" flat linear
-    flash "smooth, recip" smooth recip
-    flash "smooth, linear" smooth linear
     flash "flat, e3m13" flat e3m13
-    flash "texture 565, recip" texture recip '
-         extern struct zs_texture texture; material.texture = &texture;' \
-        'struct zs_texture texture = { .format = &zs_texel_565 };'
-    flash "texture pal8 smooth, e3m13" texture_smooth e3m13 '
-         extern struct zs_texture texture; material.texture = &texture;' \
-        'struct zs_texture texture = { .format = &zs_texel_pal8 };'
     flash "flat, recip, a state" flat recip '
          extern const struct zs_state state; instance.state = &state;' 'const struct zs_state state = ZS_STATE(1, 1, 2, 3);'
     flash "flat, recip, turn and look at" flat recip \
         'zs_pose_turn(&instance.pose, 1, 2, 3);
          (void)zs_camera_look_at(&camera, (int32_t *)anything, (int32_t *)anything + 3, (int32_t *)anything + 6);'
-    flash "flat, recip, clusters" flat recip 'mesh.cluster_kernel = &zs_cluster_kernel;'
+    LIST="$FAST_FLAT ZS_FAST_CLUSTERS," flash "flat, recip, clusters" flat recip
     clusters=$((core_bytes - flat))
-    flash "everything, clusters" flat recip "$EVERYTHING $CULLING" "$OTHERS"
-    flash "everything but clusters" flat recip "$EVERYTHING" "$OTHERS"
+    LIST="$FRAME ZS_FAST_SMOOTH," flash "smooth, recip" smooth recip
+    LIST="$FRAME ZS_FAST_SMOOTH," flash "smooth, linear" smooth linear
+    LIST="$FRAME ZS_FAST_TEXTURE, ZS_FAST_565," textured "texture 565, recip" texture recip 565
+    LIST=$FAST_TEXTURE textured "texture 565 smooth, recip" texture_smooth recip 565
+    LIST="$FRAME ZS_FAST_TEXTURE_SMOOTH, ZS_FAST_PAL8," textured "texture pal8 smooth, e3m13" texture_smooth e3m13 pal8
+    LIST= flash "everything, no accelerator" flat recip "$EVERYTHING" "$OTHERS"
+    LIST=$FAST_ALL flash "everything" flat recip "$EVERYTHING" "$OTHERS"
+    all=$core_bytes without_clusters=0
+    for name in $names; do # each is linked for itself: without it something is gone
+        LIST=
+        for other in $names; do [ "$other" = "$name" ] || LIST="$LIST &zs_fast_$other,"; done
+        flash "everything but zs_fast_$name" flat recip "$EVERYTHING" "$OTHERS" >"$dir/but.txt"
+        grep FAILED "$dir/but.txt"
+        printf '    %-32s %8d\n' "of which zs_fast_$name" $((all - core_bytes))
+        [ "$core_bytes" -gt 0 ] && [ $((all - core_bytes)) -gt 0 ] || bad "$c zs_fast_$name left out is gone" "$core_bytes of $all bytes"
+        [ "$name" = clusters ] && without_clusters=$core_bytes
+    done
+    ok "$c bytes go with each accelerator that is left out"
     if [ "$c" = cortex-m3 ]; then
-        within "$c flat alone" "$flat" "$FLASH_FLAT_MAX"
+        within "$c flat and its accelerators" "$flat" "$FLASH_FLAT_MAX"
         within "$c clusters" "$clusters" "$FLASH_CLUSTERS_MAX"
-        within "$c everything but clusters" "$core_bytes" "$FLASH_MAX"
+        within "$c everything but clusters" "$without_clusters" "$FLASH_MAX"
     fi
 done
-
-# The lean build, by size. The full one beside it is above.
-lean='-DZS_LEAN=1 -Os'
-for c in $CPUS; do
-    dir=$B/size-lean-$c
-    # shellcheck disable=SC2086
-    core "$c" "$dir" $lean || { bad "lean, $c compiles" "see above"; continue; }
-    printf '%-36s %8s %8s\n' "Flash, bytes, $c, ZS_LEAN -Os" zstrip "libgcc+c"
-    flash "raw, recip" raw recip
-    flash "flat, recip" flat recip
-    flat=$core_bytes
-    flash "smooth, recip" smooth recip
-    flash "flat, e3m13" flat e3m13
-    flash "texture 565, recip" texture recip '
-         extern struct zs_texture texture; material.texture = &texture;' \
-        'struct zs_texture texture = { .format = &zs_texel_565 };'
-    flash "texture 565 smooth, recip" texture_smooth recip '
-         extern struct zs_texture texture; material.texture = &texture;' \
-        'struct zs_texture texture = { .format = &zs_texel_565 };'
-    texture=$core_bytes
-    flash "texture pal8 smooth, e3m13" texture_smooth e3m13 '
-         extern struct zs_texture texture; material.texture = &texture;' \
-        'struct zs_texture texture = { .format = &zs_texel_pal8 };'
-    flash "everything" flat recip "$EVERYTHING" "$OTHERS"
-    [ "$c" = cortex-m3 ] || continue
-    within "lean, $c flat alone (goal 6144)" "$flat" "$LEAN_FLAT_MAX"
-    within "lean, $c texture, light, clipping (goal 12288)" "$texture" "$LEAN_TEXTURE_MAX"
-    within "lean, $c everything" "$core_bytes" "$LEAN_MAX"
-done
+LIST=
 
 # Panels: panel.c, the type, the conversion that it brings along; sizes as commonly sold
 for c in $CPUS; do
@@ -170,13 +186,12 @@ int main(int argc, char **argv)
     return wrong;
 }
 END
-for lean in 0 1; do
-    [ $lean = 0 ] || { name=", ZS_LEAN"; echo "The same with ZS_LEAN=1"; }
-    renderer=$(renderer_bytes -DZS_LEAN=$lean)
-    if gcc -std=c11 -DZS_LEAN=$lean -Ifirmware/zstrip "$B/ram.c" firmware/zstrip/*/*.c -o "$B/ram" && "$B/ram" "$renderer"; then
-        ok "ZS_ARENA_BYTES equals zs_arena_bytes${name:-}"
-    else
-        bad "ZS_ARENA_BYTES equals zs_arena_bytes${name:-}" "see above"
-    fi
-done
+renderer=$(renderer_bytes)
+if gcc -std=c11 -Ifirmware/zstrip "$B/ram.c" firmware/zstrip/*/*.c -o "$B/ram" && "$B/ram" "$renderer"; then
+    ok "ZS_ARENA_BYTES equals zs_arena_bytes"
+else
+    bad "ZS_ARENA_BYTES equals zs_arena_bytes" "see above"
+fi
+[ "$(renderer_bytes -DZS_NO_FAST=1)" = "$renderer" ] && ok "struct zs_renderer is the same without accelerators" ||
+    bad "struct zs_renderer is the same without accelerators" "$(renderer_bytes -DZS_NO_FAST=1), not $renderer"
 exit $failed

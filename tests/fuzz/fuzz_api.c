@@ -8,7 +8,7 @@
  * bounds, overflowed or asserted wrongly:
  *
  *   the same scene, camera and profile give the same picture and counts, or the same refusal, for any strips,
- *   pools, buffers and skips; an arena is exactly zs_arena_bytes() long; nothing that is const is written
+ *   pools, buffers and accelerators; an arena is exactly zs_arena_bytes() long; nothing that is const is written
  *   calls in any order are answered as zstrip.h says, a refused zs_init leaves arena and renderer as it says,
  *   each strip given out is that of the picture and stays as long as promised; sinks that fail are obeyed; a glass that
  *   gets changed columns alone (zs_watch, zs_track, zs_invalidate) shows the picture
@@ -22,6 +22,7 @@
 #include <time.h>
 #include <unistd.h>
 
+#include "fast_lists.h"
 #include "kinds.h"
 #include "picture.h"
 #include "replay.h"
@@ -140,13 +141,46 @@ static struct zs_config profile(struct prng *p, const struct zs_camera *camera)
     if (one_in(p, 64))
         *(one_in(p, 2) ? &c.width : &c.height) = ZS_SIZE_MAX;
     c.strip_h = c.height;
+    c.fast = NULL; /* the plainest way */
     return c;
 }
 
-/* Off where spheres and cones need not hold what they say: what is missing then depends on strips and pools. */
-#define UNTRUSTED (ZS_SKIP_CLUSTER | ZS_SKIP_CONE | ZS_SKIP_ROWS | ZS_SKIP_BEHIND) /* ask spheres */
+/* Those of a list by bits, as fast_of takes them. */
+static uint32_t bit_of(const char *name)
+{
+    for (unsigned k = 0; k < fast_count(); k++)
+        if (strcmp(fast_name(k), name) == 0)
+            return 1u << k;
+    abort();
+}
 
-/* How it is drawn: skips only where the scene keeps its word. */
+static uint32_t bits_of(const struct zs_fast *const *list)
+{
+    static const struct zs_fast *one[32];
+    uint32_t bits = 0;
+    for (unsigned k = 0; k < fast_count(); k++) {
+        one[k] = one[k] ? one[k] : fast_of(1u << k)[0];
+        for (const struct zs_fast *const *at = list; at && *at; at++)
+            bits |= (uint32_t)(*at == one[k]) << k;
+    }
+    return bits;
+}
+
+/* Any accelerators, all or none. Where spheres and cones need not hold what they say, without those that ask them: what is
+ * missing then depends on strips and pools. Static storage: the list of one way is gone in the next but seven. */
+static const struct zs_fast *const *lists(struct prng *p, int trusted)
+{
+    uint32_t bits = one_in(p, 2) ? prng_next(p) : ~0u;
+    if (one_in(p, 8))
+        return NULL;
+    if (one_in(p, 4))
+        bits = ~(1u << prng_pick(p, fast_count()));
+    if (!trusted)
+        bits &= ~(bit_of("clusters") | bit_of("tiles"));
+    return fast_of(bits);
+}
+
+/* How it is drawn. */
 static struct zs_config way(struct prng *p, struct zs_config c, int trusted)
 {
     static const uint16_t small[] = { 1, 2, 3, 4, 5, 7, 8, 11, 16, 23, 64, 200, 3000 };
@@ -156,9 +190,7 @@ static struct zs_config way(struct prng *p, struct zs_config c, int trusted)
     c.max_tris = one_in(p, 4) ? (uint16_t)(1 + prng_pick(p, 100)) : small[prng_pick(p, KINDS(small))];
     c.max_verts = (uint16_t)(3 + small[prng_pick(p, KINDS(small))] - 1);
     c.buffers = (uint8_t)(1 + prng_pick(p, 2));
-    c.skip_off = (uint16_t)(one_in(p, 2) ? 0 : prng_next(p));
-    if (!trusted)
-        c.skip_off = (uint16_t)((c.skip_off & ~(unsigned)(ZS_SKIP_FRUSTUM | ZS_SKIP_CLIPTEST)) | UNTRUSTED);
+    c.fast = lists(p, trusted);
     return c;
 }
 
@@ -169,16 +201,15 @@ static void print_config(const struct zs_config *c)
         if (kind_depths[k].depth == c->depth)
             depth = kind_depths[k].name;
     fprintf(stderr, "%ux%u, strips of %u, %u triangles, %u vertices, %u attributes, %u buffers, %u sub-pixel bits, "
-                    "%u bits of %s, skips off %u\n", c->width, c->height, c->strip_h, c->max_tris, c->max_verts,
-            c->attrs, c->buffers, c->subpixel_bits, c->depth_bits, depth, c->skip_off);
+                    "%u bits of %s, accelerators %#x\n", c->width, c->height, c->strip_h, c->max_tris, c->max_verts,
+            c->attrs, c->buffers, c->subpixel_bits, c->depth_bits, depth, bits_of(c->fast));
 }
 
 /* ---- The same picture every way ----------------------------------------------------------------- */
 
 static int same_counts(const struct zs_stats *a, const struct zs_stats *b)
 {
-    return a->tris_in == b->tris_in && a->tris_drawn == b->tris_drawn &&
-           a->tris_cluster == b->tris_cluster && a->clusters_in == b->clusters_in && a->clusters_culled == b->clusters_culled &&
+    return a->tris_in == b->tris_in && a->tris_drawn == b->tris_drawn && a->tris_cluster == b->tris_cluster &&
            a->tris_frustum == b->tris_frustum && a->tris_near == b->tris_near &&
            a->tris_far == b->tris_far && a->tris_offscreen == b->tris_offscreen &&
            a->tris_facing == b->tris_facing && a->tris_zero == b->tris_zero &&
@@ -196,8 +227,9 @@ static void print_counts(const struct zs_stats *s)
             s->tris_clipped);
 }
 
-/* Pixels are counted alike but for those of hidden triangles, how many depends on the strips; plain draws these too. */
-static void compare(const struct world *w, const struct picture *plain, uint32_t plain_off, const struct zs_config *c)
+/* Pixels are counted alike but for those of hidden triangles, how many depends on the strips; plain, without accelerators,
+ * draws these too. */
+static void compare(const struct world *w, const struct picture *plain, const struct zs_config *c)
 {
     struct picture p = picture_draw(c, &w->scene, &w->camera);
     if (p.err != plain->err || (!p.err && !picture_same(plain, &p, "fuzz_api"))) {
@@ -206,16 +238,15 @@ static void compare(const struct world *w, const struct picture *plain, uint32_t
         wrong(__LINE__, "the same picture");
     }
     if (!p.err) {
-        const uint32_t other = c->skip_off ^ plain_off;
         EXPECT(stats_add_up(&p.stats) && p.stats.tris_in == plain->stats.tris_in);
         EXPECT(p.stats.pixels_tested <= plain->stats.pixels_tested);
         EXPECT(p.stats.pixels_written <= p.stats.pixels_tested); /* a hidden triangle left out may let others write that lose to it */
-        EXPECT(!(c->skip_off & ZS_SKIP_HIDDEN) || (p.stats.pixels_tested == plain->stats.pixels_tested &&
-                                                   p.stats.pixels_written == plain->stats.pixels_written));
+        EXPECT(bits_of(c->fast) & bit_of("tiles") || (p.stats.pixels_tested == plain->stats.pixels_tested &&
+                                                      p.stats.pixels_written == plain->stats.pixels_written));
+        EXPECT(p.stats.tris_drawn == plain->stats.tris_drawn || (p.stats.instances_hidden && p.stats.tris_drawn < plain->stats.tris_drawn));
         EXPECT(p.stats.max_tris_used <= c->max_tris && p.stats.max_verts_used <= c->max_verts);
-        const uint32_t recounts = ZS_SKIP_FRUSTUM | ZS_SKIP_CLIPTEST | ZS_SKIP_EMPTY | ZS_SKIP_CLUSTER | ZS_SKIP_CONE;
-        const int hides = !(c->skip_off & (ZS_SKIP_HIDDEN | ZS_SKIP_BEHIND)); /* instances, then, that are counted as culled */
-        if (!(other & recounts) && !hides && !same_counts(&p.stats, &plain->stats)) {
+        const int fewer = p.stats.clusters_culled || p.stats.instances_hidden; /* instances are then counted as culled */
+        if (!fewer && !same_counts(&p.stats, &plain->stats)) {
             print_config(c);
             print_counts(&p.stats);
             print_counts(&plain->stats);
@@ -231,7 +262,6 @@ static void case_pictures(struct prng *p, uint32_t odd)
     struct world w;
     world_make(&w, p, odd);
     struct zs_config plain_config = profile(p, &w.camera);
-    plain_config.skip_off = (uint16_t)(ZS_SKIP_HIDDEN | (w.trusted ? 0 : UNTRUSTED));
     if (odd && one_in(p, odd))
         plain_config.attrs = (uint8_t)prng_pick(p, ZS_ATTRS_MAX + 1);
     if (now.alone) {
@@ -247,7 +277,7 @@ static void case_pictures(struct prng *p, uint32_t odd)
         EXPECT(plain.err || stats_add_up(&plain.stats));
         for (int n = plain.err ? 1 : 3; n > 0; n--) {
             const struct zs_config c = way(p, plain_config, w.trusted);
-            compare(&w, &plain, plain_config.skip_off, &c);
+            compare(&w, &plain, &c);
         }
         if (!w.trusted) { /* whatever it shows */
             struct zs_config c = way(p, plain_config, 1);
@@ -272,15 +302,13 @@ static void case_big(struct prng *p, uint32_t odd)
     struct zs_config c = profile(p, &w.camera);
     c.width = c.height = (uint16_t)(1 + prng_pick(p, 40));
     c.max_tris = c.max_verts = ZS_POOL_MAX;
-    const uint16_t off = (uint16_t)(ZS_SKIP_HIDDEN | (w.trusted ? 0 : UNTRUSTED));
-    c.skip_off = off;
     struct picture plain = picture_draw(&c, &w.scene, &w.camera);
     count_frame(&w, &c, &plain);
     c.max_tris = (uint16_t)(ZS_POOL_MAX - prng_pick(p, 60000));
     c.max_verts = (uint16_t)(ZS_POOL_MAX - prng_pick(p, 60000));
     c.strip_h = (uint16_t)(1 + prng_pick(p, 40));
-    c.skip_off = one_in(p, 2) ? off : off & (uint16_t)~ZS_SKIP_HIDDEN;
-    compare(&w, &plain, off, &c);
+    c.fast = lists(p, w.trusted);
+    compare(&w, &plain, &c);
     picture_free(&plain);
     world_free(&w);
 }
@@ -292,6 +320,7 @@ static void case_big(struct prng *p, uint32_t odd)
 struct desk { /* a renderer and what it should be in */
     struct zs_renderer *r;
     struct zs_config config; /* with strip_h cut to the height */
+    const struct zs_fast *fast[32]; /* config.fast, kept */
     uint8_t *arena;
     int ready, open;         /* open: the camera, or CLOSED */
     uint32_t given;          /* strips of the open frame, those left out too */
@@ -385,6 +414,9 @@ static void no_memory(struct desk *d)
 static void do_init(struct room *m, struct desk *d, struct prng *p)
 {
     struct zs_config c = way(p, m->profile, m->w.trusted);
+    for (uint32_t k = 0; c.fast && (k == 0 || d->fast[k - 1]); k++)
+        d->fast[k] = c.fast[k];
+    c.fast = c.fast ? d->fast : NULL;
     int want = ZS_OK;
     uint32_t bytes = zs_arena_bytes(&c), off = 0;
     EXPECT(bytes != 0);
@@ -625,7 +657,6 @@ static void case_calls(struct prng *p, uint32_t odd)
     memset(&m, 0, sizeof m);
     world_make(&m.w, p, odd);
     m.profile = profile(p, &m.w.camera);
-    m.profile.skip_off = m.w.trusted ? 0 : UNTRUSTED;
     for (int k = 0; k < 2; k++) {
         if (k)
             world_camera(&m.w, p, odd);
@@ -696,7 +727,6 @@ static void case_config(struct prng *p, uint32_t odd)
                            .buffers = (uint8_t)prng_pick(p, 4),
                            .subpixel_bits = one_in(p, 2) ? 8 : (uint8_t)prng_pick(p, 10),
                            .depth_bits = one_in(p, 2) ? 16 : (uint8_t)prng_pick(p, 20),
-                           .skip_off = (uint8_t)prng_next(p),
                            .depth = kind_depths[prng_pick(p, KINDS(kind_depths))].depth };
     const int ok = within(c.width, 1, ZS_SIZE_MAX) && within(c.height, 1, ZS_SIZE_MAX) && c.strip_h &&
                    within(c.max_tris, 1, ZS_POOL_MAX) && within(c.max_verts, 3, ZS_POOL_MAX) &&
@@ -728,17 +758,13 @@ static void case_config(struct prng *p, uint32_t odd)
                 w.mesh[i].cluster = NULL;
                 w.mesh[i].n_clusters = 0;
             }
-            if (c.height / rows > 64u)
-                c.skip_off &= (uint16_t)~ZS_SKIP_BINS;
-            c.skip_off &= (uint16_t)~(ZS_SKIP_FRUSTUM | ZS_SKIP_CLIPTEST | ZS_SKIP_EMPTY); /* counts alike */
-            c.skip_off |= ZS_SKIP_HIDDEN | UNTRUSTED;
             struct picture a = picture_draw(&c, &w.scene, &w.camera);
             count_frame(&w, &c, &a);
-            struct zs_config c2 = way(p, c, 0);
+            struct zs_config c2 = way(p, c, w.trusted);
             c2.attrs = c.attrs;
             c2.max_tris = (uint16_t)(c2.max_tris + 40u);
             c2.max_verts = (uint16_t)(c2.max_verts + 90u);
-            compare(&w, &a, c.skip_off, &c2);
+            compare(&w, &a, &c2);
             picture_free(&a);
             world_free(&w);
         }

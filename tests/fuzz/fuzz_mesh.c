@@ -13,6 +13,7 @@
 #include <string.h>
 
 #include "card.h"
+#include "fast_lists.h"
 #include "kinds.h"
 #include "picture.h"
 #include "target.h"
@@ -140,6 +141,16 @@ static int sphere_holds(const struct zs_mesh *m)
     return 1;
 }
 
+/* All accelerators or some; clusters only where they are sound. */
+static const struct zs_fast *const *lists(const struct card_header *h, int clusters)
+{
+    uint32_t bits = h->distance & 1u ? h->distance * 0x9e3779b1u >> 7 : ~0u;
+    for (unsigned k = 0; k < fast_count(); k++)
+        if (!clusters && strcmp(fast_name(k), "clusters") == 0)
+            bits &= ~(1u << k);
+    return fast_of(bits);
+}
+
 static void draw(struct card *c, const struct kind_shader *shader)
 {
     const struct card_header *h = &c->header;
@@ -161,6 +172,7 @@ static void draw(struct card *c, const struct kind_shader *shader)
     struct zs_config config = picture_config(24, 16, kind_depths[h->depth % KINDS(kind_depths)].depth);
     config.attrs = ZS_ATTRS_MAX;
     config.max_tris = config.max_verts = 400;
+    config.fast = NULL;
     struct picture a = picture_draw(&config, &scene, &camera);
     EXPECT(a.err <= 0);
     EXPECT(a.err != ZS_ERR_SIZE && a.err != ZS_ERR_ARENA && a.err != ZS_ERR_STATE && a.err != ZS_ERR_ATTRS);
@@ -176,7 +188,7 @@ static void draw(struct card *c, const struct kind_shader *shader)
         config.max_verts = 9;
     }
     config.strip_h = (uint16_t)(3 + (h->look & CARD_STRIPS) / 16);
-    config.skip_off = c->mesh_flaw ? 0 : h->distance; /* with spheres that hold nothing is lost */
+    config.fast = lists(h, !c->mesh_flaw); /* with spheres that hold nothing is lost */
     struct picture b = picture_draw(&config, &scene, &camera);
     EXPECT(a.err == b.err);
     if (!a.err && sphere_holds(&c->mesh)) /* else parts are lost: others in other walks */
@@ -184,10 +196,9 @@ static void draw(struct card *c, const struct kind_shader *shader)
     picture_free(&a);
     picture_free(&b);
     if (c->mesh_flaw) { /* clusters that are anything: whatever it shows */
-        c->mesh.cluster_kernel = &zs_cluster_kernel;
+        config.fast = fast_all;
         struct picture any = picture_draw(&config, &scene, &camera);
         picture_free(&any);
-        c->mesh.cluster_kernel = NULL;
     }
 }
 
@@ -205,7 +216,6 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
     read_texture(&c);
     uint32_t at = 0;
     c.mesh_flaw = zs_mesh_check(&c.mesh, &at);
-    c.mesh.cluster_kernel = c.mesh_flaw || c.header.distance & 1u ? NULL : &zs_cluster_kernel;
     c.texture_flaw = zs_texture_check(&c.texture, &at);
     EXPECT(zs_strflaw(c.mesh_flaw)[0] && zs_strflaw(c.texture_flaw)[0]);
     for (size_t k = 0; k < KINDS(kind_shaders); k++)

@@ -21,7 +21,7 @@ const char *const target_words[] = {
     "\n--out\n", "\n--depth-out\n", "\n--id-out\n", "\n--stats\n", "\n--reference\n", "\n--compare\n", "\n--show\n",
     "overdraw", "\n--size\n", "240x240", "4096x1", "4097x1", "0x0", "-1", "\n--strip\n", "\n--depth\n", "e4m12",
     "\n--depth-bits\n", "16", "\n--subpixel\n", "8", "\n--tris\n", "65534", "65535", "\n--verts\n", "\n--buffers\n",
-    "\n--skip-off\n", "63", "64", "\n--threads\n", "\n--panel\n", "st7789:240x240", "ssd1306:128x64", "\n--rotate\n",
+    "\n--fast\n", "all-tiles-touch", "batch,565", "\n--threads\n", "\n--panel\n", "st7789:240x240", "ssd1306:128x64", "\n--rotate\n",
     "90", "\n--invert\n", "\n--bgr\n", "\n--spi\n", "62500000", "\n--eye\n", "1,2,3", "\n--at\n", "\n--up\n", "0,0,0",
     "\n--fov\n", "180", "\n--near\n", "\n--far\n", "1e300", "\n--projection\n", "orthographic", "\n--shade\n",
     "textured-flat", "\n--texture\n", "\n--texture-format\n", "pal4", "\n--wrap\n", "clamp", "\n--cull\n", "none",
@@ -48,7 +48,11 @@ static void render_right(const struct sim_options *o)
     EXPECT(o->model && o->out);
     EXPECT(within((double)o->size[0], 1, 4096) && within((double)o->size[1], 1, 4096) && o->strip >= 1);
     EXPECT(within((double)o->depth_bits, 8, 16) && (o->subpixel == 4 || o->subpixel == 8));
-    EXPECT(within((double)o->buffers, 1, 2) && within((double)o->skip_off, 0, ZS_SKIP_ALL));
+    EXPECT(within((double)o->buffers, 1, 2));
+    int n = 0;
+    while (n <= SIM_FAST_MAX && o->fast.list[n])
+        n++;
+    EXPECT(n <= SIM_FAST_MAX);
     EXPECT(within((double)o->tris, 0, ZS_POOL_MAX) && within((double)o->verts, 0, ZS_POOL_MAX));
     EXPECT(within(o->fov, 0, 180) && within(o->ambient, 0, 1) && within(o->diffuse, 0, 1));
     EXPECT(within((double)o->threads, 0, 64) && within((int)o->cull, 0, 2));

@@ -190,7 +190,6 @@ static void clusters(struct world *w, struct zs_mesh *m, struct prng *p)
     }
     m->cluster = c;
     m->n_clusters = n;
-    m->cluster_kernel = one_in(p, 4) ? NULL : &zs_cluster_kernel;
     uint32_t at; /* give up on the cones that do not hold; find a height that does */
     enum zs_flaw flaw;
     while ((flaw = flaw_of(m, &at)) == ZS_FLAW_CLUSTER_HEIGHT || (flaw == ZS_FLAW_CLUSTER_CONE && c[at].cutoff != 127)) {
@@ -315,7 +314,6 @@ static void materials(struct world *w, struct prng *p, uint32_t odd)
     }
     for (int i = 0; i < WORLD_STATES; i++) {
         struct zs_state *s = &w->state[i];
-        s->kernel = odd_one(p, odd * 4u) ? NULL : &zs_state_kernel;
         s->equal = (uint8_t)prng_pick(p, 2);
         s->read_only = (uint8_t)prng_pick(p, 2);
         s->offset = one_in(p, 2) ? any16(p) : (int16_t)prng_range(p, -3, 3);

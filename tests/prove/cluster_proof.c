@@ -1,4 +1,4 @@
-/* cluster.c: what each cluster is asked. That the margins hold is facts.c's.
+/* clusters.c: what each cluster is asked. That the margins hold is facts.c's.
  *
  * SPDX-License-Identifier: MIT
  */

@@ -4,8 +4,12 @@
  */
 #include "prove.h"
 
-#include "core/pipeline.h"
+#include "../internals.h"
 
+/* Proved by planes (plane_proof.c). */
+/*@ requires values: v0 <= 0x10000000000 && v1 <= 0x10000000000 && v2 <= 0x10000000000;
+    assigns *out \from *g, v0, v1, v2; */
+void zs_plane64(const struct zs_geom *g, uint64_t v0, uint64_t v1, uint64_t v2, struct zs_plane64 *out);
 #include "depth/linear.c"
 
 static struct zs_view view;
@@ -50,4 +54,54 @@ void linear_perspective(void)
     (void)pixel_key(&view, 0, 9);
     (void)linear_inverse(&view, any_u32(256, 1u << 30));
     (void)linear_key(&view, any_u32(256, 1u << 30));
+}
+
+/* PROVE linear_triangles -eva-use-spec=zs_plane64: corners of every distance, the nearest by octave: w at most 2^40, its scale one
+ * that pixels take */
+void linear_triangles(void)
+{
+    static struct zs_renderer renderer;
+    static struct zs_job job;
+    static struct zs_vertex v[3];
+    job.r = &renderer;
+    for (int k = 8; k < 30; k++) {
+        for (int i = 0; i < 3; i++) {
+            v[i].d = any_u32((uint32_t)OCTAVE_LO(k), i ? 1u << 30 : (uint32_t)OCTAVE_HI(k));
+            job.v[i] = &v[i];
+        }
+        ASSERT(linear_planes(&job) == 0);
+        ASSERT(job.w64_scale >= 9 && job.w64_scale <= 9 + 15);
+    }
+}
+
+static int32_t next_piece;
+
+static void a_piece(struct zs_job *j, const struct zs_row *row, int32_t i0, int32_t i1, uint32_t sum, uint32_t step)
+{
+    ASSERT(i0 == next_piece && i1 == i0 + 1 && i1 <= row->i1 && step == 0);
+    ASSERT((sum & 0xffffu) == 0 && sum >> 16 <= j->r->view.key_top >> 16);
+    next_piece = i1;
+}
+
+/* PROVE linear_rows -eva-min-loop-unroll=24: rows of 1 .. 20 pixels, any w and step: each pixel is a piece, with a key of the
+ * mapping */
+void linear_rows(void)
+{
+    static struct zs_renderer renderer;
+    static struct zs_job job;
+    job.r = &renderer;
+    job.piece = a_piece;
+    renderer.view.perspective = 1;
+    renderer.view.z_near = any_i32(256, 1 << 30);
+    renderer.view.key_mul = any_u32(1u << 30, 0x7fffffffu);
+    renderer.view.key_shift = any_i32(-40, 128);
+    renderer.view.key_top = any_u32(255u, 65535u) << 16;
+    job.w64.gx = any_u64(0, UINT64_MAX);
+    job.w64_scale = any_i32(9, 9 + 15);
+    for (int32_t n = 1; n <= 20; n++) {
+        const struct zs_row row = { 0, 0, 0, -5, 4096, 4090 - n, 4090, any_u64(0, UINT64_MAX) };
+        next_piece = row.i0;
+        linear_row(&job, &row);
+        ASSERT(next_piece == row.i1);
+    }
 }

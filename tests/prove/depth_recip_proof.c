@@ -4,7 +4,7 @@
  */
 #include "prove.h"
 
-#include "core/pipeline.h"
+#include "../internals.h"
 
 #include "depth/recip.c"
 

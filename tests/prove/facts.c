@@ -8,6 +8,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 
+#include "core/edges.c"
 #include "core/raster.c"
 
 #include "core/plane.c"

@@ -1,4 +1,4 @@
-/* Facts of what draws into a strip: small.c, fresh.c, depth_float.c, against tests/oracle.c, which shares no code with
+/* Facts of what draws into a strip: solid.c, first_touch.c, float.c, against tests/oracle.c, which shares no code with
  * the renderer. Keys and colours of a strip are allocations of their own, of the very size: AddressSanitizer sees a
  * step beside either; a write beside a span within it is seen by what is compared, every pixel.
  *
@@ -9,9 +9,9 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "core/pipeline.h"
+#include "../internals.h"
 #include "core/rows.h"
-#include "shade/solid.h"
+#include "zs_fast.h"
 
 #include "../oracle.h"
 #include "../prng.h"
@@ -33,7 +33,8 @@ static int32_t in(int32_t lo, int32_t hi)
 static struct zs_renderer r;
 static struct zs_tri tri[TRIS];
 static struct zs_vertex vert[3 * TRIS];
-static struct zs_shader shader;
+static struct zs_fast raw;                        /* rows and spans of one colour, no small triangles */
+static const struct zs_fast *const fast[2] = { &raw };
 static struct zs_material material;
 static struct zs_instance instance;
 static struct zs_scene scene;
@@ -63,9 +64,11 @@ static void new_strip(int32_t w, int32_t h, int32_t strip, int32_t cut)
     scene.instance = &instance;
     scene.background = BACKGROUND;
     instance.material = &material;
-    material.shader = &shader;
-    shader = zs_shade_raw;
-    shader.small = 0;
+    material.shader = &zs_shade_raw;
+    raw = zs_fast_raw;
+    raw.draw = 0;
+    r.config.fast = in(0, 1) ? fast : 0;
+    r.edges = in(0, 1) ? zs_fast_edges.edges : 0;
     const size_t n = (size_t)(w * rows);
     r.color[0] = r.color[1] = malloc(n * 2);
     r.depth = malloc(n * 2);
@@ -130,7 +133,7 @@ static void any_corners(int32_t x[3], int32_t y[3], int32_t reach)
     }
 }
 
-/* ---- small.c --------------------------------------------------------------------------------------------- */
+/* ---- solid.c --------------------------------------------------------------------------------------------- */
 
 /* Three depths of one piece; a key of it or near it, or any. */
 static void any_piece(uint32_t d[3])
@@ -185,7 +188,7 @@ static int small_drawn(const int32_t x[3], const int32_t y[3], const uint32_t d[
     job.y0 = y0;
     job.y1 = y0 + rows;
     job.width = width;
-    const int done = zs_small_draw(&job);
+    const int done = zs_fast_raw.draw(&job);
     *good &= small_right(&t, of, done);
     if (done)
         *good &= job.row_last == (zs_max32(y[0], zs_max32(y[1], y[2])) + 127) >> 8;
@@ -235,7 +238,7 @@ static void small_grid(void)
          "small triangles, all with corners on half pixels of 3 x 3, and two of them a sub-pixel beside: the same");
 }
 
-/* ---- Strips by raster.c: depth_float.c, fresh.c --------------------------------------------------------------- */
+/* ---- Strips by raster.c: float.c, first_touch.c -------------------------------------------------------------- */
 
 struct scene_of {
     struct oracle_tri t[TRIS];
@@ -370,10 +373,12 @@ static void fresh_any(uint64_t count)
             s.as.e = 0;
             r.view.screen_linear = 1;
         }
-        zs_fresh_begin(&r);
+        r.touch = zs_fast_touch.touch;
+        r.touch->begin(&r);
         memset(r.depth, in(0, 255), (size_t)(width * rows) * 2); /* as it was left */
         zs_raster_strip(&r);
-        zs_fresh_end(&r);
+        if (r.untouched)
+            r.touch->end(&r);
         n += r.stats.pixels_untested > 0;
         good &= strip_right(&s, 1);
         end_strip();
@@ -382,40 +387,40 @@ static void fresh_any(uint64_t count)
          "strips of up to 3 triangles drawn without a clear: each pixel as exact arithmetic has it, or cleared");
 }
 
-/* A row with columns [x0, x1) drawn, and a span: parts, what is cleared, and what is fresh then. */
+/* A row with columns [x0, x1) drawn, and a span: parts, what is cleared, and what is untouched then. */
 static int one_row(int32_t x0, int32_t x1, int32_t i0, int32_t i1)
 {
-    static const struct zs_shader colour = { .run = zs_solid_run, .span = zs_solid_span };
     struct zs_job job;
     struct zs_row row;
     int good = 1;
     memset(&job, 0, sizeof job);
     job.r = &r;
     job.tri = &tri[0];
-    job.shader = &colour;
+    job.shader = &zs_shade_raw;
+    job.span = in(0, 1) ? zs_fast_raw.span : zs_rows_test;
     job.color = r.color[0];
     job.depth = r.depth;
     job.y0 = y0;
     job.y1 = y0 + rows;
     job.width = width;
-    job.fresh = 1;
+    r.touch = zs_fast_touch.touch;
     row.y = y0 + 1;
     row.at = width;
     row.i0 = i0;
     row.i1 = i1;
     for (int32_t k = 0; k < 3 * width; k++) {
-        r.depth[k] = (uint16_t)(k >= width + x0 && k < width + x1 ? 30000 : 5); /* what is fresh: as it was left */
+        r.depth[k] = (uint16_t)(k >= width + x0 && k < width + x1 ? 30000 : 5); /* what is untouched: as it was left */
         r.color[0][k] = 99;
     }
-    r.fresh_left = 1000;
+    r.untouched_left = 1000;
     r.drawn[1][0] = (int16_t)x0;
     r.drawn[1][1] = (int16_t)x1;
     tri[0].paint = 1;
     const uint32_t sum = (uint32_t)prng_next(&prng), gx = (uint32_t)prng_next(&prng);
-    zs_fresh_row(&job, &row);
-    zs_rows_piece(&job, &row, i0, i1 - i0, sum, gx);
+    r.touch->row(&job, &row);
+    r.touch->piece(&job, &row, i0, i1, sum, gx);
     const int32_t lo = x0 == x1 ? i0 : zs_min32(x0, i0), hi = x0 == x1 ? i1 : zs_max32(x1, i1);
-    good &= r.drawn[1][0] == lo && r.drawn[1][1] == hi && r.fresh_left == 1000u - (uint32_t)(hi - lo - (x1 - x0));
+    good &= r.drawn[1][0] == lo && r.drawn[1][1] == hi && r.untouched_left == 1000u - (uint32_t)(hi - lo - (x1 - x0));
     for (int32_t k = 0; k < 3 * width; k++) {
         const int32_t x = k - width, had = x >= x0 && x < x1, draws = x >= i0 && x < i1;
         const uint16_t key = (uint16_t)((uint32_t)(sum + (uint64_t)gx * (uint32_t)(x - i0)) >> 16);

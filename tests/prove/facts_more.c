@@ -1,4 +1,4 @@
-/* The rest of facts.c: turns, the sides and boxes of hidden.c, cones. What needs another file's static functions stands in
+/* The rest of facts.c: turns, the sides and boxes of tiles.c, cones. What needs another file's static functions stands in
  * a file of its own.
  *
  * SPDX-License-Identifier: MIT
@@ -89,7 +89,7 @@ static void turns_drawn(uint64_t count)
     tell("turns", count, good && n > count / 3 && n < count, "poses turned: axes to 2^-53, rotations to 2^-27, no overflow");
 }
 
-/* ---- hidden.c ---------------------------------------------------------------------------------------- */
+/* ---- tiles.c ----------------------------------------------------------------------------------------- */
 
 /* Sides of covers never beyond the edge, and inwards of it by little: against 64 bits, in every row of the edge. */
 static void sides_drawn(uint64_t count)
@@ -138,7 +138,7 @@ static int box_right(struct zs_renderer *r, const uint16_t *bound, int32_t tiles
 static void boxes_all(uint64_t count)
 {
     static struct zs_renderer r;
-    static const struct zs_depth depth = { 0, 0, 0, 0, 0, 0 };
+    static const struct zs_depth depth = { 0 };
     int good = 1;
     uint64_t n = 0;
     for (int32_t size = 0; size < 81 + (int32_t)(count / 1000); size++) {
@@ -172,7 +172,7 @@ static void boxes_all(uint64_t count)
          "boxes, every one of frames of up to 9 x 9 tiles, and of larger ones drawn: hidden just where all are");
 }
 
-/* ---- cluster.c --------------------------------------------------------------------------------------- */
+/* ---- clusters.c -------------------------------------------------------------------------------------- */
 
 /* What turned_away says yes to: the eye is behind every triangle that the header's promise allows, by more than the margin,
  * wherever in its sphere. */

@@ -1,4 +1,4 @@
-/* depth_float.c's rows across more than two octaves: what pieces, rows and their loop are given.
+/* float.c's rows across more than two octaves: what pieces, rows and their loop are given.
  *
  * SPDX-License-Identifier: MIT
  */
@@ -25,9 +25,10 @@ static ZS_NOINLINE void crossing_row(struct zs_job *job, const struct zs_row *ro
     requires rows: job->y0 <= row->y < job->y1 && 0 <= row->at <= (job->y1 - 1 - job->y0) * job->width;
     assigns \nothing; */
 static ZS_NOINLINE void float_row(struct zs_job *job, const struct zs_row *row, uint64_t w);
-/* fresh_proof.c */
-/*@ assigns \nothing; */
-void zs_fresh_row(struct zs_job *job, const struct zs_row *row);
+/*@ requires in_strip: 0 <= row->i0 && row->i1 <= job->width;
+    requires of_rows: job->y0 <= row->y < job->y1 && 0 <= row->at <= (job->y1 - 1 - job->y0) * job->width;
+    assigns \nothing; */
+static inline void pair_span(struct zs_job *job, const struct zs_row *row);
 #include "depth/float.c"
 
 #define ROWS 20
@@ -42,7 +43,7 @@ void float_crossings(void)
 {
     for (int32_t last = 1; last <= 31; last++)
         for (int32_t n = 1; n <= 5; n++) {
-            const struct zs_row row = { 0, 0, 0, -5, 4096, 4090 - n, 4090 };
+            const struct zs_row row = { 0, 0, 0, -5, 4096, 4090 - n, 4090, 0 };
             job.w64_scale = last;
             job.w64.gx = any_u64(0, UINT64_MAX);
             crossing_row(&job, &row, any_u64(0, UINT64_MAX), any_i32(1, last));
@@ -56,7 +57,7 @@ void float_row_ends(void)
     static const int32_t number[3] = { 1, 2, 4096 };
     for (int32_t last = 1; last <= 31; last++)
         for (int k = 0; k < 3; k++) {
-            const struct zs_row row = { 0, 0, 0, -5, 4096, 4096 - number[k], 4096 };
+            const struct zs_row row = { 0, 0, 0, -5, 4096, 4096 - number[k], 4096, 0 };
             job.width = 4096;
             job.y1 = 1;
             job.w64_scale = last;
@@ -65,18 +66,22 @@ void float_row_ends(void)
         }
 }
 
-/* As zs_raster_cuts: any columns. */
-void zs_raster_cuts(struct zs_job *j, int32_t row)
+/* Any columns. */
+void zs_edges_columns(struct zs_job *j, int32_t row)
 {
-    j->row = row;
-    j->cut_end = zs_min32(j->row_end, row + ZS_CUT_ROWS);
+    (void)row;
     for (int k = 0; k < ZS_CUT_ROWS; k++) {
         j->cut[k].x0 = (int16_t)any_i32(-(1 << 14) - 1, (1 << 14) + 1);
         j->cut[k].x1 = (int16_t)any_i32(-(1 << 14) - 1, (1 << 14) + 1);
     }
 }
 
-/* PROVE float_walks -eva-use-spec=float_row,zs_fresh_row -eva-min-loop-unroll=24 -eva-slevel=8: strips of 20 rows
+static void a_span(struct zs_job *j, const struct zs_row *row)
+{
+    any_row(j, row);
+}
+
+/* PROVE float_walks -eva-use-spec=float_row,pair_span -eva-min-loop-unroll=24 -eva-slevel=8: strips of 20 rows
  * of 1 and of 4096 columns, triangles of 1, 16 and up to 20 rows from the first, the fourth and the last on, any
  * columns, planes and anchors: what rows are given lies within the strip */
 void float_walks(void)
@@ -90,12 +95,12 @@ void float_walks(void)
     job.w64.base = any_u64(0, UINT64_MAX);
     job.geom.ia = any_i32(-(1 << 14), 1 << 14);
     job.geom.ja = any_i32(-(1 << 14), 1 << 14);
-    job.fresh = (uint8_t)any_u32(0, 1);
+    job.two_octaves = (uint8_t)any_u32(0, 1);
     for (int k = 0; k < 18; k++) {
         const int32_t row = job.y0 + from[k % 3], end = row + n[k / 3 % 3];
         job.width = width[k / 9];
         job.row_end = zs_min32(end, job.y1);
-        zs_raster_cuts(&job, row);
-        float_walk(&job);
+        zs_edges_cut(&job, row);
+        zs_rows_walk(&job, a_span, 1);
     }
 }

@@ -1,10 +1,10 @@
-/* fresh.c: what is cleared, what is drawn without a test, and that nothing else is touched.
+/* first_touch.c: what is cleared, what is drawn without a test, and that nothing else is touched.
  *
  * SPDX-License-Identifier: MIT
  */
 #include "prove.h"
 
-#include "core/pipeline.h"
+#include "../internals.h"
 
 #include "fast/first_touch.c"
 
@@ -27,7 +27,6 @@ static void strip(int32_t width)
     renderer.config.width = (uint16_t)width;
     renderer.config.strip_h = ROWS;
     renderer.config.height = 2 * ROWS;
-    renderer.config.skip_off = 0;
     renderer.window[0] = 0;
     renderer.window[1] = (uint16_t)width;
     renderer.strip = 1;
@@ -57,16 +56,16 @@ static void cells(int32_t from, int32_t to, int cleared)
 
 static void row_of(int32_t y, int32_t x0, int32_t x1, int32_t i0, int32_t i1)
 {
-    const struct zs_row row = { ROWS + y, y * WIDTH, 0, i0, i1, i0, i1 };
+    const struct zs_row row = { ROWS + y, y * WIDTH, 0, i0, i1, i0, i1, 0 };
     const int32_t lo = x0 == x1 ? i0 : zs_min32(x0, i0), hi = x0 == x1 ? i1 : zs_max32(x1, i1);
     strip(WIDTH);
     drawn[y][0] = (int16_t)x0;
     drawn[y][1] = (int16_t)x1;
-    renderer.fresh_left = ROWS * WIDTH;
-    job.fresh = ZS_FRESH;
-    zs_fresh_row(&job, &row);
+    renderer.untouched_left = ROWS * WIDTH;
+    touch_row(&job, &row);
+    ASSERT(renderer.was[0] == x0 && renderer.was[1] == x1);
     ASSERT(drawn[y][0] == lo && drawn[y][1] == hi);
-    ASSERT(renderer.fresh_left == ROWS * WIDTH - (uint32_t)(hi - lo - (x1 - x0)));
+    ASSERT(renderer.untouched_left == ROWS * WIDTH - (uint32_t)(hi - lo - (x1 - x0)));
     for (int32_t x = 0; x < WIDTH; x++)
         cells(y * WIDTH + x, y * WIDTH + x + 1, x0 < x1 && ((x >= x1 && x < i0) || (x >= i1 && x < x0)));
     cells(0, y * WIDTH, 0);
@@ -74,7 +73,7 @@ static void row_of(int32_t y, int32_t x0, int32_t x1, int32_t i0, int32_t i1)
 }
 
 /* PROVE fresh_row_of -eva-min-loop-unroll=80: a row of 5 columns, every range of them drawn, none too, every span:
- * the gap between is cleared, nothing else; the range, and how many are fresh */
+ * the gap between is cleared, nothing else; the range, and how many are untouched */
 void fresh_row_of(void)
 {
     for (int32_t x0 = 0; x0 <= WIDTH; x0++)
@@ -84,24 +83,52 @@ void fresh_row_of(void)
                     row_of((x0 + i1) % ROWS, x0, x1, i0, i1);
 }
 
-/* PROVE fresh_parts: rows of 6 columns, every range that was drawn, every first pixel of a part and every end
- * behind it, tests left out or not: a part has a pixel and ends within the span */
+static int32_t next_part, part_end;
+
+/* Parts follow each other: those that were drawn on are tested, the others are drawn. */
+static void a_part(struct zs_job *j, int32_t from, int32_t to, int tested)
+{
+    const int16_t *was = j->r->was;
+    ASSERT(from == next_part && from < to && to <= part_end);
+    for (int32_t x = from; x < to; x++)
+        ASSERT(tested == (x >= was[0] && x < was[1]));
+    next_part = to;
+}
+
+static void tested_part(struct zs_job *j, const struct zs_row *row, int32_t i0, int32_t i1, uint32_t sum, uint32_t step)
+{
+    (void)row;
+    ASSERT(sum == (uint32_t)i0 * 3u + 100u && step == 3u);
+    a_part(j, i0, i1, 1);
+}
+
+static void drawn_part(struct zs_job *j, const struct zs_row *row, int32_t from, int32_t to)
+{
+    (void)row;
+    a_part(j, from, to, 0);
+}
+
+/* PROVE fresh_parts -eva-min-loop-unroll=80: rows of 6 columns, every range that was drawn, every first pixel of a piece and every
+ * end behind it: each pixel is in one part, from left to right, tested where it was drawn on and else not, with its own key */
 void fresh_parts(void)
 {
-    static uint16_t line[8];
-    for (uint32_t off = 0; off < 2; off++)
-        for (int32_t i = 0; i < 6; i++)
-            for (int32_t end = i + 1; end <= 6; end++)
-                for (int32_t x0 = 0; x0 <= 6; x0++) {
-                    const struct zs_row row = { 0, 0, 0, i, end, i, end };
-                    renderer.config.skip_off = off ? ZS_SKIP_TEST : 0;
+    strip(6);
+    shader.run = drawn_part;
+    job.shader = &shader;
+    job.span = tested_part;
+    job.saturates = 0;
+    for (int32_t i = 0; i < 6; i++)
+        for (int32_t end = i + 1; end <= 6; end++)
+            for (int32_t x0 = 0; x0 <= 6; x0++)
+                for (int32_t x1 = x0; x1 <= 6; x1++) {
+                    const struct zs_row row = { ROWS, 0, 0, i, end, i, end, 0 };
                     renderer.was[0] = (int16_t)x0;
-                    renderer.was[1] = (int16_t)any_i32(x0, 6);
-                    job.r = &renderer;
-                    job.fresh = ZS_FRESH;
-                    job.depth = line;
-                    const int32_t to = zs_fresh_to(&job, &row, i, end);
-                    ASSERT(to > i && to <= end);
+                    renderer.was[1] = (int16_t)x1;
+                    renderer.stats.pixels_untested = renderer.stats.pixels_written = 0;
+                    next_part = i;
+                    part_end = end;
+                    touch_piece(&job, &row, i, end, (uint32_t)i * 3u + 100u, 3u);
+                    ASSERT(next_part == end);
                 }
 }
 
@@ -116,7 +143,7 @@ static void a_run(struct zs_job *j, const struct zs_row *row, int32_t from, int3
 
 static void piece_of(int32_t i, int32_t n, int saturates)
 {
-    const struct zs_row row = { ROWS + 1, LONG, 0, 0, LONG, 0, LONG };
+    const struct zs_row row = { ROWS + 1, LONG, 0, 0, LONG, 0, LONG, 0 };
     strip(LONG);
     shader.run = a_run;
     job.shader = &shader;
@@ -125,13 +152,14 @@ static void piece_of(int32_t i, int32_t n, int saturates)
     renderer.stats.pixels_untested = renderer.stats.pixels_written = 0;
     run_from = i;
     run_to = i + n;
-    fresh_span(&job, &row, i, i + n, any_u32(0, UINT32_MAX), any_u32(0, UINT32_MAX));
+    renderer.was[0] = renderer.was[1] = (int16_t)any_i32(0, LONG);
+    touch_piece(&job, &row, i, i + n, any_u32(0, UINT32_MAX), any_u32(0, UINT32_MAX));
     cells(0, LONG + i, 0);
     cells(LONG + i + n, ROWS * LONG, 0);
 }
 
 /* PROVE window_rows -eva-min-loop-unroll=80: a row of 5 columns of which a window is drawn, any; every range of it drawn,
- * every span: the same as a row of the window's own, if it meets fresh pixels; nothing beside the window; else nothing at all */
+ * every span: the same as a row of the window's own, if it lies in it; nothing beside the window */
 void window_rows(void)
 {
     for (int32_t w0 = 0; w0 < WIDTH; w0++)
@@ -139,27 +167,25 @@ void window_rows(void)
             for (int32_t x0 = w0; x0 <= w1; x0++)
                 for (int32_t x1 = x0; x1 <= w1; x1++)
                     for (int32_t i0 = 0; i0 < WIDTH; i0++)
-                        for (int32_t i1 = i0 + 1; i1 <= WIDTH; i1++)
-                            for (int first = 0; first < 2; first++) {
-                                const struct zs_row row = { ROWS + 1, WIDTH, 0, i0, i1, i0, i1 };
-                                const int32_t a = zs_max32(i0, w0), b = zs_min32(i1, w1);
-                                const int32_t lo = x0 == x1 ? a : zs_min32(x0, a), hi = x0 == x1 ? b : zs_max32(x1, b);
-                                const int moves = first && a < b;
-                                strip(WIDTH);
-                                renderer.window[0] = (uint16_t)w0;
-                                renderer.window[1] = (uint16_t)w1;
-                                drawn[1][0] = (int16_t)x0;
-                                drawn[1][1] = (int16_t)x1;
-                                renderer.fresh_left = ROWS * WIDTH;
-                                job.fresh = first ? ZS_FRESH | ZS_PART : ZS_PART;
-                                zs_fresh_row(&job, &row);
-                                ASSERT(drawn[1][0] == (moves ? lo : x0) && drawn[1][1] == (moves ? hi : x1));
-                                for (int32_t x = 0; x < WIDTH; x++)
-                                    cells(WIDTH + x, WIDTH + x + 1,
-                                          moves && x0 < x1 && ((x >= x1 && x < a) || (x >= b && x < x0)));
-                                cells(0, WIDTH, 0);
-                                cells(2 * WIDTH, ROWS * LONG, 0);
-                            }
+                        for (int32_t i1 = i0 + 1; i1 <= WIDTH; i1++) {
+                            const struct zs_row row = { ROWS + 1, WIDTH, 0, i0, i1, i0, i1, 0 };
+                            const int32_t a = zs_max32(i0, w0), b = zs_min32(i1, w1);
+                            const int32_t lo = x0 == x1 ? a : zs_min32(x0, a), hi = x0 == x1 ? b : zs_max32(x1, b);
+                            const int moves = a < b;
+                            strip(WIDTH);
+                            renderer.window[0] = (uint16_t)w0;
+                            renderer.window[1] = (uint16_t)w1;
+                            drawn[1][0] = (int16_t)x0;
+                            drawn[1][1] = (int16_t)x1;
+                            renderer.untouched_left = ROWS * WIDTH;
+                            touch_row(&job, &row);
+                            ASSERT(drawn[1][0] == (moves ? lo : x0) && drawn[1][1] == (moves ? hi : x1));
+                            for (int32_t x = 0; x < WIDTH; x++)
+                                cells(WIDTH + x, WIDTH + x + 1,
+                                      moves && x0 < x1 && ((x >= x1 && x < a) || (x >= b && x < x0)));
+                            cells(0, WIDTH, 0);
+                            cells(2 * WIDTH, ROWS * LONG, 0);
+                        }
 }
 
 /* PROVE window_ends -eva-min-loop-unroll=80: strips of 3 rows of 5 columns of which a window is drawn, any, and of it any range
@@ -170,7 +196,7 @@ void window_ends(void)
         for (int32_t w1 = w0 + 1; w1 <= WIDTH; w1++)
             for (int32_t x0 = w0; x0 <= w1; x0++)
                 for (int32_t x1 = x0; x1 <= w1; x1++)
-                    for (int fresh = ALL; fresh <= SOME; fresh++) {
+                    for (int left = ALL; left <= SOME; left++) {
                         strip(WIDTH);
                         renderer.window[0] = (uint16_t)w0;
                         renderer.window[1] = (uint16_t)w1;
@@ -178,13 +204,13 @@ void window_ends(void)
                             drawn[k][0] = (int16_t)(k == 1 ? x0 : w0);
                             drawn[k][1] = (int16_t)(k == 1 ? x1 : w0);
                         }
-                        renderer.fresh = (uint8_t)fresh;
-                        renderer.fresh_left = 1;
-                        zs_fresh_end(&renderer);
+                        renderer.untouched = (uint8_t)left;
+                        renderer.untouched_left = 1;
+                        touch_end(&renderer);
                         for (int32_t k = 0; k < ROWS * WIDTH; k++) {
                             const int32_t x = k % WIDTH, y = k / WIDTH;
                             if (x >= w0 && x < w1)
-                                cells(k, k + 1, fresh == ALL || y != 1 || x < x0 || x >= x1);
+                                cells(k, k + 1, left == ALL || y != 1 || x < x0 || x >= x1);
                         }
                         cells(ROWS * WIDTH, ROWS * LONG, 0);
                     }
@@ -203,7 +229,7 @@ void fresh_pieces(void)
 }
 
 /* PROVE fresh_ends -eva-min-loop-unroll=80: strips of 3 rows of 5 columns of which one row has any range drawn,
- * the others none or all, and strips of which all is fresh or none: what is not drawn is cleared, the rest stays */
+ * the others none or all, and strips of which all is untouched or none: what is not drawn is cleared, the rest stays */
 void fresh_ends(void)
 {
     for (int32_t x0 = 0; x0 <= WIDTH; x0++)
@@ -215,21 +241,21 @@ void fresh_ends(void)
                         drawn[k][0] = (int16_t)(k == y ? x0 : 0);
                         drawn[k][1] = (int16_t)(k == y ? x1 : all ? WIDTH : 0);
                     }
-                    renderer.fresh = SOME;
-                    renderer.fresh_left = any_u32(1, ROWS * WIDTH);
-                    zs_fresh_end(&renderer);
+                    renderer.untouched = SOME;
+                    renderer.untouched_left = any_u32(1, ROWS * WIDTH);
+                    touch_end(&renderer);
                     for (int32_t k = 0; k < ROWS * WIDTH; k++) {
                         const int32_t x = k % WIDTH;
                         cells(k, k + 1, k / WIDTH == y ? x < x0 || x >= x1 : !all);
                     }
                     cells(ROWS * WIDTH, ROWS * LONG, 0);
                 }
-    for (int fresh = NONE; fresh <= ALL; fresh++) {
+    for (int left = NONE; left <= ALL; left++) {
         strip(WIDTH);
-        renderer.fresh = (uint8_t)fresh;
-        zs_fresh_end(&renderer);
-        ASSERT(renderer.fresh == NONE);
-        cells(0, ROWS * WIDTH, fresh == ALL);
+        renderer.untouched = (uint8_t)left;
+        touch_end(&renderer);
+        ASSERT(renderer.untouched == NONE);
+        cells(0, ROWS * WIDTH, left == ALL);
         cells(ROWS * WIDTH, ROWS * LONG, 0);
     }
 }

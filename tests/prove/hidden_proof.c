@@ -1,10 +1,10 @@
-/* hidden.c: slopes, keys. Its sides and its boxes are facts.c's.
+/* tiles.c: slopes, keys. Its sides and its boxes are facts.c's.
  *
  * SPDX-License-Identifier: MIT
  */
 #include "prove.h"
 
-#include "core/pipeline.h"
+#include "../internals.h"
 
 #include "fast/tiles.c"
 
@@ -34,7 +34,7 @@ void slopes(void)
 /* PROVE bound_keys: every depth, a margin added or not or taken off, 8 .. 16 bits: a key below the one that keys saturate at */
 void bound_keys(void)
 {
-    static const struct zs_depth depth = { 0, 0, 0, 0, 0, 0 };
+    static const struct zs_depth depth = { 0 };
     renderer.config.depth = &depth;
     for (uint32_t bits = 8; bits <= 16; bits++)
         for (int32_t add = -MARGIN; add <= MARGIN; add += MARGIN) {

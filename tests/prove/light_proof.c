@@ -4,12 +4,12 @@
  */
 #include "prove.h"
 
-#include "core/pipeline.h"
+#include "../internals.h"
 
 #include "shade/light.c"
 
-static struct zs_renderer renderer;
-static struct zs_scene scene;
+static struct zs_shading shading;
+static struct zs_light light;
 
 #define CELL (1 << 28)
 #define REACH 7 /* cells: 1.75 * 2^30 is more than sqrt 3 * 2^30 */
@@ -23,19 +23,19 @@ static void normal_under(int x, int y, int z)
 {
     const zs_q1_15 n[3] = { (zs_q1_15)any_i32(-32768, 32767), (zs_q1_15)any_i32(-32768, 32767),
                             (zs_q1_15)any_i32(-32768, 32767) };
-    renderer.xform.light[0] = any_i32(x * CELL, x * CELL + CELL);
-    renderer.xform.light[1] = any_i32(y * CELL, y * CELL + CELL);
-    renderer.xform.light[2] = any_i32(z * CELL, z * CELL + CELL);
-    (void)zs_light_intensity(&renderer, n);
+    shading.dir[0] = any_i32(x * CELL, x * CELL + CELL);
+    shading.dir[1] = any_i32(y * CELL, y * CELL + CELL);
+    shading.dir[2] = any_i32(z * CELL, z * CELL + CELL);
+    (void)zs_light_intensity(&shading, n);
 }
 
 /* PROVE intensity -eva-min-loop-unroll=3: every light no longer than sqrt 3, in cells of 1/4 (those that touch its ball);
  * every normal of 16 bits; every ambient and diffuse */
 void intensity(void)
 {
-    renderer.scene = &scene;
-    scene.light.ambient = (uint16_t)any_u32(0, 65535);
-    scene.light.diffuse = (uint16_t)any_u32(0, 65535);
+    shading.light = &light;
+    light.ambient = (uint16_t)any_u32(0, 65535);
+    light.diffuse = (uint16_t)any_u32(0, 65535);
     for (int x = -REACH; x < REACH; x++)
         for (int y = -REACH; y < REACH; y++)
             for (int z = -REACH; z < REACH; z++)

@@ -1,4 +1,4 @@
-/* persp.c, persp.h, rows.h: w of vertices, division by w, the loops over rows and pixels.
+/* persp.c, persp.h, rows.h, less.c, test.c: w of vertices, division by w, the loops over rows and pixels, depth states.
  *
  * SPDX-License-Identifier: MIT
  */
@@ -6,6 +6,8 @@
 
 #include "shade/persp.h"
 
+#include "core/test.c"
+#include "fast/less.c"
 #include "shade/persp.c"
 
 #define WIDTH 40 /* of the strip in which the loops run */
@@ -27,7 +29,7 @@ static uint64_t any_inverse(const struct zs_view *view, uint32_t d)
 /* PROVE vertex_w: inverses of 1 .. 2^62 by octave of the largest: every shift, sums and what is kept of them */
 void vertex_w(void)
 {
-    static const struct zs_depth depth = { 0, 0, 0, any_inverse, 0, 0 };
+    static const struct zs_depth depth = { .inverse = any_inverse };
     static struct zs_vertex v[3];
     uint32_t w[3];
     renderer.config.depth = &depth;
@@ -63,10 +65,14 @@ static void a_run(struct zs_job *j, const struct zs_row *row, int32_t from, int3
     ASSERT(from >= row->i0 && from <= row->i1 && to >= row->i0 && to <= row->i1);
 }
 
-/* PROVE runs -eva-min-loop-unroll=12 -eva-slevel=1000: every piece of up to 6 pixels at nine places in a row of 40, any keys drawn and met, clamped or not: what is read and
- * written lies within the piece, and so do runs */
-void runs(void)
+/* state -1: of fast/less.c; 0: none; 1: any */
+static void runs_of(int state)
 {
+    static struct zs_state any;
+    any.equal = (uint8_t)any_u32(0, 255);
+    any.read_only = (uint8_t)any_u32(0, 255);
+    job.state = state > 0 ? &any : 0;
+    job.bias = any_i32(-BIAS_MAX, BIAS_MAX);
     struct zs_row row;
     shader.run = a_run;
     job.r = &renderer;
@@ -84,15 +90,69 @@ void runs(void)
                 row.at = (ROWS - 1) * WIDTH;
                 row.i0 = i0;
                 row.i1 = i0 + n;
-                zs_persp_span(&job, &row, i0, i0 + n, any_u32(0, UINT32_MAX), any_u32(0, UINT32_MAX));
+                if (state < 0)
+                    zs_fast_less(&job, &row, i0, i0 + n, any_u32(0, UINT32_MAX), any_u32(0, UINT32_MAX));
+                else
+                    zs_rows_test(&job, &row, i0, i0 + n, any_u32(0, UINT32_MAX), any_u32(0, UINT32_MAX));
             }
 }
 
-/* As zs_raster_cuts: any columns. */
-void zs_raster_cuts(struct zs_job *j, int32_t row)
+/* PROVE runs -eva-min-loop-unroll=12 -eva-slevel=1000: every piece of up to 6 pixels at nine places in a row of 40, any keys drawn and met, clamped or not: what is read and
+ * written lies within the piece, and so do runs */
+void runs(void)
 {
-    j->row = row;
-    j->cut_end = zs_min32(j->row_end, row + ZS_CUT_ROWS);
+    runs_of(-1);
+}
+
+/* PROVE tests -eva-min-loop-unroll=12 -eva-slevel=1000: the same pieces by the core's test, with a depth state, any, and without:
+ * the same */
+void tests(void)
+{
+    runs_of(0);
+    runs_of(1);
+}
+
+static uint32_t any_key(const struct zs_view *view, uint32_t d)
+{
+    (void)view;
+    (void)d;
+    return any_u32(0, UINT32_MAX);
+}
+
+/* PROVE biases: every offset, slope, depth and difference of corners below 2^22, areas below 2^46 by octave: at most BIAS_MAX
+ * either way */
+void biases(void)
+{
+    static struct zs_depth depth;
+    static struct zs_state state;
+    static struct zs_vertex v[3];
+    const int32_t most = ((int32_t)1 << ZS_EXTENT_BITS) - 1;
+    renderer.config.depth = &depth;
+    job.r = &renderer;
+    job.state = &state;
+    state.offset = (int16_t)any_i32(-32768, 32767);
+    state.slope = (int16_t)any_i32(-32768, 32767);
+    for (int k = 0; k < 3; k++) {
+        v[k].d = any_u32(0, UINT32_MAX);
+        job.v[k] = &v[k];
+    }
+    job.geom.dx1 = any_i32(-most, most);
+    job.geom.dx2 = any_i32(-most, most);
+    job.geom.dy1 = any_i32(-most, most);
+    job.geom.dy2 = any_i32(-most, most);
+    for (int by_key = 0; by_key < 2; by_key++)
+        for (int k = 0; k < 46; k++) {
+            depth.key = by_key ? any_key : 0;
+            job.geom.area = any_i64((int64_t)OCTAVE_LO(k), (int64_t)OCTAVE_HI(k));
+            const int32_t bias = zs_depth_state_bias(&job);
+            ASSERT(bias >= -BIAS_MAX && bias <= BIAS_MAX);
+        }
+}
+
+/* Any columns. */
+void zs_edges_columns(struct zs_job *j, int32_t row)
+{
+    (void)row;
     for (int k = 0; k < ZS_CUT_ROWS; k++) {
         j->cut[k].x0 = (int16_t)any_i32(-(1 << 14) - 1, (1 << 14) + 1);
         j->cut[k].x1 = (int16_t)any_i32(-(1 << 14) - 1, (1 << 14) + 1);
@@ -106,9 +166,7 @@ static void a_span(struct zs_job *j, const struct zs_row *row)
     ASSERT(row->at >= 0 && row->at <= (ROWS - 1) * j->width);
 }
 
-/* PROVE rows -eva-min-loop-unroll=24 -eva-slevel=8: strips of 20 rows of 1 and of 4096 columns, triangles of 1, 16 and up to 20 rows from the first, the fourth
- * and the last on, any columns: what spans are given lies within the strip */
-void rows(void)
+static void walks_of(int wide)
 {
     job.r = &renderer;
     job.y0 = 4 * ROWS;
@@ -123,7 +181,26 @@ void rows(void)
         const int32_t row = job.y0 + from[k % 3], end = row + n[k / 3 % 3];
         job.width = width[k / 9];
         job.row_end = zs_min32(end, job.y1);
-        zs_raster_cuts(&job, row);
-        zs_rows_walk(&job, a_span);
+        zs_edges_cut(&job, row);
+        if (wide)
+            zs_rows_walk(&job, a_span, 1);
+        else
+            zs_rows_walk(&job, a_span, 0);
     }
+}
+
+/* PROVE rows -eva-min-loop-unroll=24 -eva-slevel=8: strips of 20 rows of 1 and of 4096 columns, triangles of 1, 16 and up to 20 rows from the first, the fourth
+ * and the last on, any columns: what spans are given lies within the strip */
+void rows(void)
+{
+    walks_of(0);
+}
+
+/* PROVE wide_rows -eva-min-loop-unroll=24 -eva-slevel=8: the same with sums of 64 bits, any */
+void wide_rows(void)
+{
+    job.w64.gx = any_u64(0, UINT64_MAX);
+    job.w64.gy = any_u64(0, UINT64_MAX);
+    job.w64.base = any_u64(0, UINT64_MAX);
+    walks_of(1);
 }

@@ -4,17 +4,14 @@
  */
 #include "prove.h"
 
-#include "core/pipeline.h"
+#include "../internals.h"
 
-/* Proved by small_gradients and quotients below, and what the planes' proofs know of them. */
-/*@ requires least_shift == 2 || least_shift == 5;
-    assigns \result \from *g, n, least_shift;
+/* Proved by quotients below, and what the planes' proofs know of it. */
+/*@ requires 1 <= lz <= 31 && (least_shift == 2 || least_shift == 5);
+    requires -0x1000000000000 <= n <= 0x1000000000000;
+    assigns \result \from n, rcp, lz, least_shift;
     ensures bound: \result == -2147483648 || -1073741824 <= \result <= 1073741824; */
-static ZS_NOINLINE int32_t small_gradient(const struct zs_geom *g, int64_t n, int32_t least_shift);
-/*@ requires 2 <= shift <= 18 && (least_shift == 2 || least_shift == 5);
-    assigns \result \from n, rcp, shift, least_shift;
-    ensures bound: \result == -2147483648 || -1073741824 <= \result <= 1073741824; */
-int32_t zs_plane_quotient(int64_t n, uint32_t rcp, int32_t shift, int32_t least_shift);
+int32_t zs_plane_quotient(int64_t n, uint32_t rcp, int32_t lz, int32_t least_shift);
 #include "core/plane.c"
 
 /* Snapped coordinates: the guard band, a step beside it, and the place of the frame's middle. */
@@ -102,41 +99,42 @@ static void any_reciprocal(int least, int most)
     job.geom.exp = any_i32(least, most);
 }
 
-/* PROVE small_gradients: |n| < 2^50 by octave and sign, every area of a small triangle, both least shifts */
-void small_gradients(void)
-{
-    any_reciprocal(-31, -1);
-    (void)small_gradient(&job.geom, 0, 2);
-    for (int k = 0; k < 50; k++)
-        for (int least = 2; least <= 5; least += 3) {
-            const int64_t n = any_i64((int64_t)OCTAVE_LO(k), (int64_t)OCTAVE_HI(k));
-            (void)small_gradient(&job.geom, n, least);
-            (void)small_gradient(&job.geom, -n, least);
-        }
-}
-
-static void quotient(int64_t n, int32_t shift)
+static void quotient_of(int64_t n, int32_t lz)
 {
     for (int least = ZS_PLANE_WIDE; least <= ZS_PLANE_KEY; least += ZS_PLANE_KEY - ZS_PLANE_WIDE) {
-        const int32_t q = zs_plane_quotient(n, any_u32(1u << 31, UINT32_MAX), shift, least);
+        const int32_t q = zs_plane_quotient(n, any_u32(1u << 31, UINT32_MAX), lz, least);
         const int32_t most = 1 << (32 - least); /* 2^30 or 2^27 */
         ASSERT(q == ZS_TOO_STEEP || (q >= -most && q <= most));
     }
 }
 
-/* PROVE quotients -eva-split-return=full: |n| <= 2^46 by octave and sign, every shift 2 .. 18, every reciprocal, both least shifts: at most 2^30 or
- * 2^27, or too steep */
+/* PROVE quotients -eva-split-return=full: |n| <= 2^48 by octave and sign, leading zeros 1 .. 31 of the area, every reciprocal, both
+ * least shifts: at most 2^30 or 2^27, or too steep */
 void quotients(void)
 {
-    for (int32_t shift = 2; shift <= 18; shift++) {
-        quotient(0, shift);
-        for (int k = 0; k < 46; k++) {
+    for (int32_t lz = 1; lz <= 31; lz++) {
+        quotient_of(0, lz);
+        for (int k = 0; k < 48; k++) {
             const int64_t n = any_i64((int64_t)OCTAVE_LO(k), (int64_t)OCTAVE_HI(k));
-            quotient(n, shift);
-            quotient(-n, shift);
+            quotient_of(n, lz);
+            quotient_of(-n, lz);
         }
-        quotient((int64_t)1 << 46, shift);
-        quotient(-((int64_t)1 << 46), shift);
+        quotient_of((int64_t)1 << 48, lz);
+        quotient_of(-((int64_t)1 << 48), lz);
+    }
+}
+
+/* PROVE gradients -eva-use-spec=zs_plane_quotient: differences of values of 32 bits, of a tiny triangle's corners and of a small one's:
+ * what is divided is at most 2^48 */
+void gradients(void)
+{
+    static const int32_t most[2] = { SMALL_EXTENT, ZS_TINY };
+    for (int tiny = 0; tiny < 2; tiny++) {
+        const int32_t d[2] = { any_i32(-most[tiny], most[tiny]), any_i32(-most[tiny], most[tiny]) };
+        any_reciprocal(-31, -1);
+        job.geom.tiny = tiny;
+        for (int least = ZS_PLANE_WIDE; least <= ZS_PLANE_KEY; least += ZS_PLANE_KEY - ZS_PLANE_WIDE)
+            (void)gradient(&job.geom, any_i32(INT32_MIN, INT32_MAX), any_i32(INT32_MIN, INT32_MAX), d, least);
     }
 }
 
@@ -186,7 +184,7 @@ static void plane_of(int small, int tiny, int32_t exp)
     }
 }
 
-/* PROVE planes -eva-use-spec=zs_recip,small_gradient,zs_plane_quotient: three values of 32 bits, or of 2^40, any, over
+/* PROVE planes -eva-use-spec=zs_recip,zs_plane_quotient: three values of 32 bits, or of 2^40, any, over
  * triangles tiny, small and large, every difference and area of each, both kinds */
 void planes(void)
 {

@@ -54,7 +54,7 @@ rm -f "$out/list.$$"
 if [ -z "$only" ] || [ "$only" = facts ]; then # what they take as given
     gcc -std=c11 -O2 -fsanitize=undefined,address -fno-sanitize-recover=all -Ifirmware/zstrip \
         '-DZS_ASSERT(c)=((c)?(void)0:__builtin_trap())' tests/prove/facts.c tests/prove/facts_more.c \
-        tests/prove/facts_drawn.c tests/oracle.c $(ls firmware/zstrip/*/*.c | grep -vE '/(raster|plane|rotation|tiles|clusters).c') \
+        tests/prove/facts_drawn.c tests/oracle.c $(ls firmware/zstrip/*/*.c | grep -vE 'core/(edges|raster|plane|rotation).c|fast/(tiles|clusters).c') \
         -lm -o "$out/facts" && "$out/facts" "${FACTS:-20000000}" || failed=1
 fi
 echo "$proofs proofs"

@@ -1,4 +1,4 @@
-/* small.c: set-up, then rows. That columns lie where the set-up has looked is a fact (facts_drawn.c).
+/* solid.c, small.h: set-up, then rows. That columns lie where the set-up has looked is a fact (facts_drawn.c).
  *
  * SPDX-License-Identifier: MIT
  */
@@ -11,14 +11,14 @@
 /*@ assigns \result \from a;
     ensures bound: 0x80000000 <= \result; */
 static inline uint32_t zs_recip_inline(uint32_t a);
-#include "core/pipeline.h"
+#include "../internals.h"
 
 /* Proved by quotients (plane_proof.c). */
-/*@ requires 2 <= shift <= 18 && least_shift == 5;
+/*@ requires 2 <= lz <= 18 && least_shift == 5;
     requires -0x400000000000 <= n <= 0x400000000000;
-    assigns \result \from n, rcp, shift, least_shift;
+    assigns \result \from n, rcp, lz, least_shift;
     ensures bound: \result == -2147483648 || -134217728 <= \result <= 134217728; */
-int32_t zs_plane_quotient(int64_t n, uint32_t rcp, int32_t shift, int32_t least_shift);
+int32_t zs_plane_quotient(int64_t n, uint32_t rcp, int32_t lz, int32_t least_shift);
 /* What rows are given: struct zs_sides in words: span, step, span, step; two a row; two sums; key, gx; row, mid, end. */
 struct zs_sides;
 /*@ requires spans: ((unsigned int *)w)[0] < 0x400000 && ((unsigned int *)w)[2] < 0x400000;
@@ -26,7 +26,7 @@ struct zs_sides;
     requires middle: ((int *)w)[10] <= ((int *)w)[11] <= ((int *)w)[10] + 65;
     assigns \nothing; */
 static ZS_NOINLINE void small_rows(struct zs_job *job, struct zs_sides *w);
-#include "fast/small_flat.c"
+#include "fast/solid.c"
 
 #define COORD_LO (-ZS_GUARD_SUBPX - 1)
 #define COORD_HI (ZS_GUARD_SUBPX + 1 + ZS_SIZE_MAX * ZS_SUBPX_HALF)
@@ -56,7 +56,7 @@ static void any_small(int32_t x, int32_t y, int32_t from)
     job.width = any_i32(1, ZS_SIZE_MAX);
     job.y0 = zs_first_sample(y) + from;
     job.y1 = job.y0 + any_i32(1, ZS_SIZE_MAX);
-    (void)zs_small_draw(&job);
+    (void)small_draw(&job);
 }
 
 /* PROVE small_setups -eva-split-return-function=zs_small_look:0:1:2,zs_small_keys:0:1 -eva-use-spec=recip_in_line,zs_plane_quotient,small_rows: every triangle of up to 2^14

@@ -4,7 +4,7 @@
  */
 #include "prove.h"
 
-#include "core/pipeline.h"
+#include "../internals.h"
 
 #include "core/xform.c"
 
@@ -72,7 +72,7 @@ static void any_view(int perspective, int32_t snap)
 
 static void projected(int32_t z_lo, int32_t z_hi)
 {
-    static const struct zs_depth depth = { 0, any_depth, 0, 0, 0, 0 };
+    static const struct zs_depth depth = { .vertex = any_depth };
     const struct zs_point p = { { any_i32(INT32_MIN, INT32_MAX), any_i32(INT32_MIN, INT32_MAX), any_i32(z_lo, z_hi) } };
     struct zs_vertex out;
     renderer.config.depth = &depth;

@@ -19,6 +19,7 @@
 #include <time.h>
 #include <unistd.h>
 
+#include "fast_lists.h"
 #include "replay.h"
 #include "stress.h"
 #include "zstrip.h"
@@ -49,9 +50,6 @@ static void stop(int signal)
 
 /* ---- What was seen --------------------------------------------------------------------------------------- */
 
-static const char *const skip_name[STRESS_SKIPS] = {
-    "frustum", "cliptest", "empty", "vcache", "bins", "hidden", "clear", "test", "behind", "cluster", "cone", "rows",
-};
 static const char *const seen_name[] = {
     "several passes", "two buffers", "fewer depth bits", "4 sub-pixel bits", "zs_watch", "zs_track", "both",
     "strips unchanged", "strips not drawn", "zs_invalidate", "two renderers", "clipped triangles", "clusters",
@@ -59,14 +57,36 @@ static const char *const seen_name[] = {
     "smooth", "texture", "texture_flat", "texture_smooth", "565", "pal8", "pal4",
 };
 _Static_assert(SEEN_PASSES + sizeof seen_name / sizeof *seen_name == SEEN_N, "a name each");
-_Static_assert(ZS_SKIP_ALL == (1u << STRESS_SKIPS) - 1u, "a name each");
 
-void stress_saw_skips(uint64_t *seen, uint32_t skip_off, uint32_t did)
+uint32_t stress_fasts(struct prng *p)
 {
-    for (uint32_t k = 0; k < STRESS_SKIPS; k++) {
-        const uint32_t off = skip_off >> k & 1u;
-        seen[SEEN_OFF + k] += off;
-        seen[SEEN_ON + k] += 1u - off;
+    const uint32_t all = (1u << STRESS_FASTS) - 1u, one = 1u << prng_pick(p, STRESS_FASTS);
+    switch (prng_pick(p, 16)) {
+    case 0: return 0;
+    case 1: return one;
+    case 2:
+    case 3:
+    case 4: return prng_pick(p, all + 1u);
+    case 5:
+    case 6:
+    case 7:
+    case 8:
+    case 9: return all & ~one;
+    default: return all;
+    }
+}
+
+const struct zs_fast *const *stress_list(uint32_t fasts)
+{
+    return fasts ? fast_of(fasts) : NULL;
+}
+
+void stress_saw_fasts(uint64_t *seen, uint32_t fasts, uint32_t did)
+{
+    for (uint32_t k = 0; k < STRESS_FASTS; k++) {
+        const uint32_t on = fasts >> k & 1u;
+        seen[SEEN_OFF + k] += 1u - on;
+        seen[SEEN_ON + k] += on;
         seen[SEEN_DID + k] += did >> k & 1u;
     }
 }
@@ -150,7 +170,7 @@ static struct line *state_line(struct state *s, const char *name)
     return l;
 }
 
-/* Print it. Return 1: something never was; of triangles only skips are looked at, and whether they were on and off. */
+/* Print it. Return 1: something never was; of triangles only accelerators are looked at, and whether they were listed. */
 static int seen_print(const struct state *s, int frames)
 {
     uint64_t sum[SEEN_N] = { 0 };
@@ -158,10 +178,10 @@ static int seen_print(const struct state *s, int frames)
         for (int k = 0; k < SEEN_N; k++)
             sum[k] += s->line[i].sum.seen[k];
     int never = 0;
-    printf("%-20s %9s %9s%s\n", frames ? "frames with a skip" : "tris: frames with", "off", "on",
-           frames ? "   on, and something was left out" : "");
-    for (int k = 0; k < STRESS_SKIPS; k++) {
-        printf("  %-18s %9llu %9llu", skip_name[k], (unsigned long long)sum[SEEN_OFF + k],
+    printf("%-20s %9s %9s%s\n", frames ? "frames" : "tris: frames", "without", "with",
+           frames ? "   with, and it did something" : "");
+    for (int k = 0; k < STRESS_FASTS; k++) {
+        printf("  %-18s %9llu %9llu", fast_name((unsigned)k), (unsigned long long)sum[SEEN_OFF + k],
                (unsigned long long)sum[SEEN_ON + k]);
         if (frames)
             printf(" %9llu", (unsigned long long)sum[SEEN_DID + k]);
@@ -236,6 +256,10 @@ int main(int argc, char **argv)
     stress_fn *const fn = argc > 1 && strcmp(argv[1], "tris") == 0     ? stress_tris
                           : argc > 1 && strcmp(argv[1], "frames") == 0 ? stress_frames
                                                                        : NULL;
+    if (fast_count() != STRESS_FASTS) {
+        fprintf(stderr, "stress.h: there are %u accelerators\n", fast_count());
+        return 2;
+    }
     if (fn)
         replay_arm("stress", "%s %s case", argv[0], argv[1]);
     signal(SIGINT, stop);

@@ -7,15 +7,18 @@
 
 #include <stdint.h>
 
-#define STRESS_SKIPS 12 /* bits of ZS_SKIP_ALL */
+#include "prng.h"
+#include "zstrip.h"
 
-/* Frames of units in which something was there: of each skip off, on, and on with something left out by it; then what
- * else a way or a scene has. Named in stress.c. */
+#define STRESS_FASTS 14 /* fast_count() */
+
+/* Frames of units in which something was there: of each accelerator not listed, listed, and listed with something done by
+ * it; then what else a way or a scene has. Named in stress.c. */
 enum stress_seen {
     SEEN_OFF = 0,
-    SEEN_ON = SEEN_OFF + STRESS_SKIPS,
-    SEEN_DID = SEEN_ON + STRESS_SKIPS,
-    SEEN_PASSES = SEEN_DID + STRESS_SKIPS,
+    SEEN_ON = SEEN_OFF + STRESS_FASTS,
+    SEEN_DID = SEEN_ON + STRESS_FASTS,
+    SEEN_PASSES = SEEN_DID + STRESS_FASTS,
     SEEN_BUFFERS,
     SEEN_KEYS,
     SEEN_SUBPIXELS,
@@ -46,8 +49,12 @@ struct stress_counts {
     uint64_t seen[SEEN_N]; /* enum stress_seen */
 };
 
-/* A frame was drawn with the skips of skip_off off; did: those that left something out. */
-void stress_saw_skips(uint64_t *seen, uint32_t skip_off, uint32_t did);
+/* Accelerators by bits, as fast_of takes them: mostly all, or all but one; or none, or one; or any. */
+uint32_t stress_fasts(struct prng *p);
+/* The list of them: NULL where there is none. Static storage, as fast_of's. */
+const struct zs_fast *const *stress_list(uint32_t fasts);
+/* A frame was drawn with these accelerators; did: those that did something. */
+void stress_saw_fasts(uint64_t *seen, uint32_t fasts, uint32_t did);
 
 #define STRESS_TRIS 32u
 #define STRESS_PX 64 /* frames are at least as wide and high */

@@ -1,6 +1,6 @@
-/* Random scenes that move, drawn by several hands, each some way of its own - strips, pools, buffers, skips, zs_watch,
- * zs_track, zs_track_columns, zs_invalidate, two renderers that share the strips - onto a glass of its own that gets changed columns
- * alone, and the plainest way: one strip, large pools, all skips off, a renderer without memory of the frame before.
+/* Random scenes that move, drawn by several hands, each some way of its own - strips, pools, buffers, accelerators,
+ * zs_watch, zs_track, zs_track_columns, zs_invalidate, two renderers that share the strips - onto a glass of its own that gets changed columns
+ * alone, and the plainest way: one strip, large pools, no accelerators, a renderer without memory of the frame before.
  * Each glass must show the plain picture; keys are its keys.
  *
  * SPDX-License-Identifier: MIT
@@ -9,6 +9,7 @@
 #include <string.h>
 
 #include "clusters.h"
+#include "fast_lists.h"
 #include "kinds.h"
 #include "picture.h"
 #include "shapes.h"
@@ -242,6 +243,7 @@ struct hand { /* one renderer, or two that share the strips */
     uint64_t *sum;
     uint32_t *track;
     struct zs_config config;
+    uint32_t fasts;
     int sharing, by_hand, columns, told; /* told: zs_invalidate was called for this frame */
     struct glass glass;
 };
@@ -297,24 +299,6 @@ static uint32_t *words(uint32_t n, uint32_t junk)
     return w;
 }
 
-/* skip_off: mostly nothing, or one skip; or all, or all but one; or anything. */
-static uint16_t skips(struct prng *p)
-{
-    const uint16_t one = (uint16_t)(1u << prng_pick(p, STRESS_SKIPS));
-    switch (prng_pick(p, 16)) {
-    case 0: return ZS_SKIP_ALL;
-    case 1: return ZS_SKIP_ALL & (uint16_t)~one;
-    case 2:
-    case 3: return (uint16_t)prng_pick(p, ZS_SKIP_ALL + 1);
-    case 4:
-    case 5:
-    case 6:
-    case 7:
-    case 8: return one;
-    default: return 0;
-    }
-}
-
 /* Triangles of all instances that there may be. */
 static uint32_t tris(void)
 {
@@ -341,7 +325,8 @@ static int hand_open(struct prng *p, struct hand *hand, struct zs_config c)
     c.buffers = (uint8_t)(1 + prng_pick(p, 2));
     c.max_tris = pools[least + prng_pick(p, N_POOLS - least)];
     c.max_verts = (uint16_t)(2 + pools[least + prng_pick(p, N_POOLS - least)]);
-    c.skip_off = skips(p);
+    hand->fasts = stress_fasts(p);
+    c.fast = stress_list(hand->fasts); /* as many hands as fast_of keeps lists */
     hand->config = c;
     hand->sharing = prng_pick(p, 6) == 0;
     hand->by_hand = prng_pick(p, 3) == 0;
@@ -419,31 +404,37 @@ static int same(const struct glass *b, const struct hand *hand, int frame)
     for (int i = row * a->w; i < a->w * a->h; i++)
         if (a->color[i] != b->color[i] || a->key[i] != b->key[i])
             return stress_wrong("frame %d: (%d, %d) of %dx%d is colour %04x key %u, not %04x %u; strips of %u, "
-                                "%u triangles, %u vertices, %u buffers, skips off %u, watch %d, track %d %d, sharing %d",
+                                "%u triangles, %u vertices, %u buffers, accelerators %#x, watch %d, track %d %d, sharing %d",
                                 frame, i % a->w, i / a->w, a->w, a->h, a->color[i], a->key[i], b->color[i], b->key[i],
-                                c->strip_h, c->max_tris, c->max_verts, c->buffers, c->skip_off, hand->sum != NULL,
+                                c->strip_h, c->max_tris, c->max_verts, c->buffers, hand->fasts, hand->sum != NULL,
                                 hand->track != NULL, hand->columns, hand->sharing);
     return 0;
 }
 
-/* What the way of a frame was, and which skips left something out; plain: counts of the plainest way. */
-static void see(const struct hand *hand, const struct zs_stats *plain, uint64_t *seen)
+/* The accelerators that did something, as far as counts say; of the others: had something to do. */
+static uint32_t did(const struct hand *hand, const struct zs_stats *s, uint32_t shaders, uint32_t texels)
+{
+    uint32_t out = 0;
+    for (unsigned k = 0; k < STRESS_FASTS; k++) {
+        const char *name = fast_name(k);
+        int is = strcmp(name, "batch") == 0 || strcmp(name, "edges") == 0;
+        is |= strcmp(name, "touch") == 0 && s->pixels_untested;
+        is |= strcmp(name, "tiles") == 0 && (s->instances_hidden || (s->tris_hidden && !hand->columns));
+        is |= strcmp(name, "clusters") == 0 && s->clusters_culled;
+        for (uint32_t i = 0; i < KINDS(kind_shaders); i++)
+            is |= strcmp(name, kind_shaders[i].name) == 0 && shaders >> i & 1u;
+        for (uint32_t i = 0; i < KINDS(kind_texels); i++)
+            is |= strcmp(name, kind_texels[i].name) == 0 && texels >> i & 1u;
+        out |= (uint32_t)is << k;
+    }
+    return out & hand->fasts;
+}
+
+/* What the way of a frame was, and which accelerators did something. */
+static void see(const struct hand *hand, uint64_t *seen)
 {
     const struct zs_config *c = &hand->config;
     const struct zs_stats *s = zs_frame_stats(&hand->r[0]);
-    const int strips = ZS_STRIPS(c->height, c->strip_h) > 1, walks = s->passes > 1 && strips;
-    const uint32_t on = ZS_SKIP_ALL & ~(uint32_t)c->skip_off, both = ZS_SKIP_CLUSTER | ZS_SKIP_CONE;
-    uint32_t did = ZS_SKIP_CLIPTEST; /* nothing counts it */
-    did |= s->instances_culled > s->instances_hidden ? ZS_SKIP_FRUSTUM : 0;
-    did |= s->tris_empty ? ZS_SKIP_EMPTY : 0;
-    did |= s->passes == 1 && s->verts_transformed < plain->verts_transformed ? ZS_SKIP_VCACHE : 0;
-    did |= strips ? ZS_SKIP_BINS : 0;
-    did |= s->tris_hidden ? ZS_SKIP_HIDDEN : 0;
-    did |= s->pixels_untested ? ZS_SKIP_TEST | ZS_SKIP_CLEAR : 0;
-    did |= s->instances_hidden ? ZS_SKIP_BEHIND : 0;
-    did |= s->clusters_culled && (on & both) != both ? both : 0; /* else: one of them */
-    did |= walks && s->clusters_in ? ZS_SKIP_ROWS : 0; /* where it may */
-    stress_saw_skips(seen, c->skip_off, did & on);
     seen[SEEN_PASSES] += s->passes > 1;
     seen[SEEN_CLIPPED] += s->tris_clipped != 0;
     seen[SEEN_CLUSTERS] += s->clusters_in != 0;
@@ -474,6 +465,10 @@ static void see(const struct hand *hand, const struct zs_stats *plain, uint64_t 
     for (uint32_t k = 0; k < KINDS(kind_texels); k++)
         seen[SEEN_TEXEL + k] += texels >> k & 1u;
     seen[SEEN_STATE] += states;
+    uint32_t textured = 0;
+    for (uint32_t k = 0; k < KINDS(kind_shaders); k++)
+        textured |= kind_shaders[k].texture && shaders >> k & 1u;
+    stress_saw_fasts(seen, hand->fasts, did(hand, s, shaders, textured ? texels : 0));
 }
 
 static int hand_right(struct prng *p, struct hand *hand, const struct glass *want, int wanted,
@@ -492,7 +487,7 @@ static int hand_right(struct prng *p, struct hand *hand, const struct glass *wan
     c->pixels += (uint64_t)want->w * (uint64_t)want->h;
     if (plain->tris_drawn >= STRESS_TRIS) {
         c->units++;
-        see(hand, plain, c->seen);
+        see(hand, c->seen);
     }
     hand->told = 0;
     return 1;
@@ -510,7 +505,7 @@ static int frame_right(struct prng *p, struct hand *hand, const struct zs_config
     const struct zs_stats *s = zs_frame_stats(&r);
     struct zs_config quick = *plain;
     struct zs_strip first; /* with it all triangles have been looked at */
-    quick.skip_off = 0;
+    quick.fast = fast_all;
     quick.strip_h = 8;
     for (int tries = 0; tries < 16; tries++) { /* views of next to nothing are not counted: most are passed over */
         if (zs_init(&r, &quick, arena, sizeof arena))
@@ -550,7 +545,7 @@ int stress_frames(uint64_t seed, struct stress_counts *c)
     plain.depth_bits = (uint8_t)(prng_pick(&p, 3) ? 16 : prng_range(&p, 8, 15));
     if (world.camera.projection == ZS_PERSPECTIVE)
         plain.depth = kind_depths[prng_pick(&p, KINDS(kind_depths))].depth;
-    plain.skip_off = ZS_SKIP_ALL;
+    plain.fast = NULL;
     int ok = 1;
     for (int k = 0; k < HANDS; k++)
         ok &= !hand_open(&p, &hand[k], plain) || stress_wrong("a renderer cannot be set up");

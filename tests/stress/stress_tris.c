@@ -10,6 +10,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "fast_lists.h"
 #include "oracle.h"
 #include "picture.h"
 #include "prng.h"
@@ -147,7 +148,7 @@ static void part(struct prng *p, int number, uint32_t from, uint32_t to, int log
     in->pose.pos[2] = -PIXEL_Z;
 }
 
-static struct zs_config way(struct prng *p, int32_t w, int32_t h, const struct zs_depth *depth)
+static struct zs_config way(struct prng *p, int32_t w, int32_t h, const struct zs_depth *depth, uint32_t fasts)
 {
     struct zs_config c = picture_config(w, h, depth);
     const int passes = prng_pick(p, 4) == 0;
@@ -156,9 +157,7 @@ static struct zs_config way(struct prng *p, int32_t w, int32_t h, const struct z
     c.buffers = (uint8_t)(1 + prng_pick(p, 2));
     c.max_tris = (uint16_t)(passes ? prng_range(p, 200, 3000) : TRIS_MAX + 50);
     c.max_verts = (uint16_t)(passes ? prng_range(p, 600, 9000) : 3 * TRIS_MAX + 50);
-    c.skip_off = (uint16_t)prng_pick(p, ZS_SKIP_ALL + 1);
-    if (passes || c.strip_h < 16)
-        c.skip_off &= (uint16_t)~ZS_SKIP_BINS; /* not minutes */
+    c.fast = stress_list(fasts);
     return c;
 }
 
@@ -246,7 +245,8 @@ int stress_tris(uint64_t seed, struct stress_counts *c)
     g.scene.instance = g.instance;
     g.scene.n_instances = (uint32_t)n_parts;
     const struct zs_camera camera = pixel_camera(h, perspective);
-    const struct zs_config config = way(&p, w, h, perspective ? &zs_depth_recip : &zs_depth_linear);
+    const uint32_t fasts = stress_fasts(&p);
+    const struct zs_config config = way(&p, w, h, perspective ? &zs_depth_recip : &zs_depth_linear, fasts);
     struct picture f = picture_draw(&config, &g.scene, &camera);
     int ok = f.err ? stress_wrong("%s", zs_strerror(f.err)) : stats_add_up(&f.stats);
     if (ok && perspective) /* one key for all: take it from where it is */
@@ -258,8 +258,10 @@ int stress_tris(uint64_t seed, struct stress_counts *c)
             }
     uint64_t hits = 0;
     ok = ok && frame_right(&f, flat, &hits);
-    const int all = config.skip_off & ZS_SKIP_HIDDEN && config.skip_off & ZS_SKIP_BEHIND;
-    if (ok && all && hits != f.stats.pixels_tested)
+    int tiles = 0; /* then some may be left out */
+    for (unsigned k = 0; k < STRESS_FASTS; k++)
+        tiles |= strcmp(fast_name(k), "tiles") == 0 && fasts >> k & 1u;
+    if (ok && !tiles && hits != f.stats.pixels_tested)
         ok = stress_wrong("%u pixels tested, %llu covered", f.stats.pixels_tested, (unsigned long long)hits);
     if (ok && f.stats.pixels_tested > hits)
         ok = stress_wrong("%u pixels tested, %llu covered", f.stats.pixels_tested, (unsigned long long)hits);
@@ -267,7 +269,7 @@ int stress_tris(uint64_t seed, struct stress_counts *c)
     c->tris += g.n;
     c->frames++;
     c->pixels += hits;
-    stress_saw_skips(c->seen, config.skip_off, 0);
+    stress_saw_fasts(c->seen, fasts, 0);
     picture_free(&f);
     return ok;
 }

@@ -3,6 +3,11 @@
  * SPDX-License-Identifier: MIT
  */
 #include "core/assemble.h"
+#include "core/fast.h"
+#include "core/fx.h"
+#include "core/job.h"
+#include "zs_shader.h"
+#include "core/xform.h"
 
 int64_t zs_assemble_area(const struct zs_vertex *a, const struct zs_vertex *b, const struct zs_vertex *c)
 {
@@ -95,6 +100,6 @@ ZS_NOINLINE enum zs_fate zs_assemble_tri(struct zs_renderer *r, uint32_t t, uint
         return ZS_FATE_FULL;
     for (int k = 0; k < 3 && shader->vertex; k++)
         zs_bin_corner(r, at.slot[k], r->config.attrs);
-    zs_bin_push(r, at.slot, shader->face ? shader->face(r, t) : 0u, strip);
+    zs_bin_push(r, at.slot, shader->face ? shader->face(&r->shading, t) : 0u, strip);
     return ZS_FATE_DRAWN;
 }

@@ -6,6 +6,7 @@
 #define ZS_ASSEMBLE_H
 
 #include "core/bin.h"
+#include "core/xform.h"
 
 /* What became of a triangle. */
 enum zs_fate {

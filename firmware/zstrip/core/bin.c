@@ -12,6 +12,11 @@
  * SPDX-License-Identifier: MIT
  */
 #include "core/bin.h"
+#include "core/fast.h"
+#include "core/fx.h"
+#include "core/job.h"
+#include "zs_shader.h"
+#include "core/xform.h"
 
 static void bins_clear(struct zs_renderer *r)
 {
@@ -54,7 +59,7 @@ void zs_bin_mark(struct zs_renderer *r, uint32_t slot, uint32_t from, uint32_t n
 ZS_NOINLINE void zs_bin_attributes(struct zs_renderer *r, uint32_t slot, uint16_t *attr)
 {
     const struct zs_shader *shader = r->xform.instance->material->shader;
-    shader->vertex(r, r->vert_src[slot], attr);
+    shader->vertex(&r->shading, r->vert_src[slot], attr);
 }
 
 /* Transform vertex v into the next place of the pool; ZS_NIL: the pool is full. */

@@ -5,7 +5,8 @@
 #ifndef ZS_BIN_H
 #define ZS_BIN_H
 
-#include "core/pipeline.h"
+#include "core/fx.h"
+#include "core/job.h"
 
 #define ZS_NO_SOURCE 65535u   /* vert_src of a vertex made by clipping: meshes have at most 65535 */
 #define ZS_ATTR_UNKNOWN 0xa55au /* first attribute of a vertex that no binned triangle holds yet. One whose attribute is the same

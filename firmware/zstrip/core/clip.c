@@ -8,7 +8,8 @@
  * SPDX-License-Identifier: MIT
  */
 #include "core/cold.h"
-#include "core/pipeline.h"
+#include "core/clip.h"
+#include "core/fx.h"
 
 /* How far a point is inside a plane: >= 0 inside. |.| < 2^62. */
 static int64_t inside(const struct zs_view *view, const struct zs_point *p, uint32_t plane)

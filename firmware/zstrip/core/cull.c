@@ -3,7 +3,8 @@
  * SPDX-License-Identifier: MIT
  */
 #include "core/cold.h"
-#include "core/pipeline.h"
+#include "core/cull.h"
+#include "core/fx.h"
 #include "core/rotation.h"
 
 #define SCALE_MAX ((uint64_t)1 << 47) /* q32_32: 32768 steps are then 2^30 world units */

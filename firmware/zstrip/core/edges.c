@@ -11,7 +11,8 @@
  *
  * SPDX-License-Identifier: MIT
  */
-#include "core/pipeline.h"
+#include "core/edges.h"
+#include "core/fx.h"
 
 #define EDGE32_MAX (1 << 15) /* sub-pixels: edges shorter than this each way need 32 bits only */
 

@@ -3,7 +3,12 @@
  * SPDX-License-Identifier: MIT
  */
 #include "core/assemble.h"
+#include "core/clip.h"
+#include "core/fast.h"
+#include "core/fx.h"
+#include "core/job.h"
 #include "core/rotation.h"
+#include "zs_shader.h"
 
 struct polygon {
     struct zs_clip_vertex cv[ZS_CLIP_MAX];
@@ -11,7 +16,7 @@ struct polygon {
     int n;
 };
 
-#define COORD_MAX (((int32_t)1 << 30) + 2) /* camera units: pipeline.h */
+#define COORD_MAX (((int32_t)1 << 30) + 2) /* camera units: core/xform.h */
 
 /* Which way a triangle turns on the screen, from its corners in camera units, exactly: > 0 clockwise. Where all
  * three are before the eye, the sign of a . (b x c) is that of the area. */
@@ -107,7 +112,7 @@ static ZS_RARE enum zs_fate polygon_bin(struct zs_renderer *r, const struct poly
         return ZS_FATE_ZERO;
     if (zs_assemble_culled(area, material->cull))
         return ZS_FATE_FACING;
-    const uint16_t paint = shader->face ? shader->face(r, t) : 0u;
+    const uint16_t paint = shader->face ? shader->face(&r->shading, t) : 0u;
     enum zs_fate all = ZS_FATE_EMPTY;
     for (int k = 1; k + 1 < p->n; k++) {
         struct zs_candidate at = { { fan[area < 0 ? k + 1 : 0], fan[k], fan[area < 0 ? 0 : k + 1] }, 0, 0 };
@@ -144,7 +149,7 @@ ZS_RARE enum zs_fate zs_fan_bin(struct zs_renderer *r, uint32_t t, uint32_t *pie
         const uint32_t v = mesh->tri[t][k];
         zs_xform_vertex(&r->xform, v, &p.cv[k].p);
         if (shader->vertex)
-            shader->vertex(r, v, p.cv[k].attr);
+            shader->vertex(&r->shading, v, p.cv[k].attr);
         const uint32_t code = zs_xform_outcode(&r->view, &p.cv[k].p);
         any |= code;
         all &= code;

@@ -48,6 +48,7 @@ struct zs_fast_texel {
 
 /* Meshes in batches. */
 struct zs_fast_batch {
+    void (*needs)(struct zs_renderer *r, const struct zs_bounds *b); /* of the instance that r->xform is for: clip tests, to r->xform */
     /* Before an instance's triangles are binned: its vertices, where all have room; then sets r->direct. */
     void (*open)(struct zs_renderer *r);
     /* Bin triangles [from, end), where r->direct; fate as walk.c counts. Return how far it came: less than end, where a pool is

@@ -2,7 +2,16 @@
  *
  * SPDX-License-Identifier: MIT
  */
-#include "core/pipeline.h"
+#include "core/cull.h"
+#include "core/damage.h"
+#include "core/depth.h"
+#include "core/fast.h"
+#include "core/frame.h"
+#include "core/fx.h"
+#include "core/raster.h"
+#include "zs_shader.h"
+#include "core/view.h"
+#include "core/walk.h"
 
 static const char *const messages[] = {
     "no error",
@@ -148,6 +157,8 @@ static ZS_RARE int instance_check(const struct zs_renderer *r, const struct zs_i
     if ((!mesh->pos && mesh->n_verts) || (!mesh->tri && mesh->n_tris) || mesh->n_verts > 65535u ||
         mesh->scale == 0 || material->cull > ZS_CULL_NONE)
         return ZS_ERR_MESH;
+    if (!material->shader->run)
+        return ZS_ERR_NULL;
     if (material->shader->n_attrs > r->config.attrs)
         return ZS_ERR_ATTRS;
     return material->shader->check ? material->shader->check(in, &r->config) : ZS_OK;
@@ -171,6 +182,11 @@ static ZS_RARE int scene_check(const struct zs_renderer *r, const struct zs_scen
         return ZS_ERR_NULL;
     if (!light_ok(&scene->light))
         return ZS_ERR_RANGE;
+    if ((scene->sky && !scene->sky->fill) || (scene->n_resolves && !scene->resolve))
+        return ZS_ERR_NULL;
+    for (uint32_t k = 0; k < scene->n_resolves; k++)
+        if (!scene->resolve[k].draw)
+            return ZS_ERR_NULL;
     *reach = 1;
     for (uint32_t i = 0; i < scene->n_instances; i++) {
         struct zs_bounds b;
@@ -226,6 +242,24 @@ ZS_RARE int zs_frame_begin(struct zs_renderer *r, const struct zs_scene *scene,
 
 /* ---- Strips -------------------------------------------------------------------------------------------- */
 
+/* What is drawn over a finished strip. */
+static void resolve(const struct zs_renderer *r)
+{
+    const struct zs_resolve *hook = r->scene->resolve, *const end = hook + r->scene->n_resolves;
+    struct zs_target target;
+    if (!hook)
+        return;
+    target.color = r->color[0];
+    target.depth = r->depth;
+    target.y0 = (uint16_t)(r->strip * r->config.strip_h);
+    target.y1 = (uint16_t)zs_min32(target.y0 + r->config.strip_h, r->config.height);
+    target.x0 = r->window[0];
+    target.x1 = r->window[1];
+    target.pitch = r->config.width;
+    for (; hook < end; hook++)
+        hook->draw(hook->ctx, &target);
+}
+
 int zs_frame_strip(struct zs_renderer *r, struct zs_strip *out)
 {
     if (!r || !out)
@@ -240,12 +274,13 @@ int zs_frame_strip(struct zs_renderer *r, struct zs_strip *out)
         if (r->touch)
             r->touch->begin(r);
         else
-            zs_raster_clear(r);
+            zs_raster_clear_all(r);
         if (r->strip >= r->band_end)
             zs_walk(r);
         zs_raster_strip(r);
         if (r->untouched)
             r->touch->end(r);
+        resolve(r);
     }
 
     const uint32_t y0 = (uint32_t)r->strip * r->config.strip_h;
@@ -282,6 +317,8 @@ int zs_frame_skip(struct zs_renderer *r)
     if (r->strip < r->band_end)
         zs_raster_pass(r);
     r->strip++;
+    r->stats.strips++;
+    r->stats.strips_skipped++;
     return 1;
 }
 

@@ -8,7 +8,7 @@
  * clipped before), give or take the errors below, which are far less than the half bucket added.
  * base + gx * i + gy * j equals repeated addition bit for bit: strips cannot differ.
  *
- * Two ways, chosen by the triangle alone. Each has a narrower twin that gives the same bits: tiny triangles (pipeline.h) go
+ * Two ways, chosen by the triangle alone. Each has a narrower twin that gives the same bits: tiny triangles (core/job.h) go
  * the small way with 32-bit products, and where values are too steep for it, division is by the reciprocal with remainder.
  *
  * small   width + height <= 256 px, value differences below 2^31, gradients below 2^27: one
@@ -26,7 +26,8 @@
  *
  * SPDX-License-Identifier: MIT
  */
-#include "core/pipeline.h"
+#include "core/fx.h"
+#include "core/plane.h"
 
 #define SMALL_EXTENT ZS_SMALL_EXTENT
 
@@ -213,11 +214,12 @@ static inline void small_base(const struct zs_geom *g, struct zs_plane *out)
     out->base += (uint32_t)((gx >> 8) * ax + (gy >> 8) * ay + (low >> 8)); /* |.| < 2^31 */
 }
 
-/* By 24 bits more, rounded: any triangle and any values. */
-static ZS_NOINLINE void wide_plane(const struct zs_geom *g, uint32_t v0, uint32_t v1, uint32_t v2, struct zs_plane *out)
+/* By 24 bits more, rounded: any triangle and any values. out->base is the first one's. */
+static ZS_NOINLINE void wide_plane(const struct zs_geom *g, uint32_t dv1, uint32_t dv2, struct zs_plane *out)
 {
+    const uint32_t v0 = out->base;
     struct zs_plane64 wide;
-    zs_plane64(g, v0, v1, v2, &wide);
+    zs_plane64(g, v0, v0 + dv1, v0 + dv2, &wide); /* modulo 2^32 */
     out->gx = (uint32_t)((wide.gx + (1u << 23)) >> 24);
     out->gy = (uint32_t)((wide.gy + (1u << 23)) >> 24);
     out->base = (uint32_t)((wide.base + (1u << 23)) >> 24);
@@ -242,5 +244,5 @@ void zs_plane32(const struct zs_geom *g, uint32_t v0, uint32_t v1, uint32_t v2,
             return;
         }
     }
-    wide_plane(g, v0, v1, v2, out);
+    wide_plane(g, (uint32_t)dv1, (uint32_t)dv2, out);
 }

@@ -5,18 +5,48 @@
  *
  * SPDX-License-Identifier: MIT
  */
+#include "core/damage.h"
+#include "core/depth.h"
+#include "core/fast.h"
+#include "core/fx.h"
+#include "core/plane.h"
+#include "core/raster.h"
 #include "core/rows.h"
+#include "zs_shader.h"
 
 static int32_t strip_rows(const struct zs_renderer *r)
 {
     return zs_min32(r->config.strip_h, r->config.height - r->strip * r->config.strip_h);
 }
 
-ZS_RARE void zs_raster_clear(struct zs_renderer *r)
+static ZS_NOINLINE void fill(uint16_t *out, uint16_t value, uint32_t n)
 {
-    const uint32_t n = (uint32_t)(r->config.width * strip_rows(r));
-    zs_fill16(r->color[0], zs_wire16(r->scene->background), n);
-    zs_fill16(r->depth, ZS_DEPTH_CLEAR, n);
+    zs_fill_run(out, value, n);
+}
+
+ZS_NOINLINE void zs_raster_clear(struct zs_renderer *r, int32_t row, int32_t x, int32_t n)
+{
+    const struct zs_background *sky = r->scene->sky;
+    const int32_t at = row * r->config.width + x;
+    if (n <= 0)
+        return;
+    fill(r->depth + at, ZS_DEPTH_CLEAR, (uint32_t)n);
+    if (sky)
+        sky->fill(sky->ctx, r->color[0] + at, (uint16_t)x, (uint16_t)(r->strip * r->config.strip_h + row), (uint16_t)n);
+    else
+        fill(r->color[0] + at, zs_wire16(r->scene->background), (uint32_t)n);
+}
+
+ZS_NOINLINE void zs_raster_clear_all(struct zs_renderer *r)
+{
+    const int32_t rows = strip_rows(r), width = r->config.width;
+    if (!r->scene->sky) {
+        fill(r->color[0], zs_wire16(r->scene->background), (uint32_t)(width * rows));
+        fill(r->depth, ZS_DEPTH_CLEAR, (uint32_t)(width * rows));
+        return;
+    }
+    for (int32_t row = 0; row < rows; row++)
+        zs_raster_clear(r, row, 0, width);
 }
 
 /* ---- Set-up ------------------------------------------------------------------------------------------ */
@@ -63,21 +93,6 @@ static ZS_NOINLINE int job_setup(struct zs_job *job)
 
 /* ---- Rows -------------------------------------------------------------------------------------------- */
 
-/* The columns of a piece that are drawn. */
-static void window_piece(struct zs_job *job, const struct zs_row *row, int32_t i0, int32_t i1, uint32_t sum, uint32_t step)
-{
-    const struct zs_renderer *r = job->r;
-    const int32_t from = zs_max32(i0, r->window[0]), to = zs_min32(i1, r->window[1]);
-    job->r->stats.pixels_tested -= (uint32_t)(i1 - i0 - zs_max32(to - from, 0)); /* they are counted by rows */
-    if (from >= to)
-        return;
-    sum += zs_wrap_mul(step, from - i0);
-    if (job->split & ZS_SPLIT_TOUCH)
-        r->touch->piece(job, row, from, to, sum, step);
-    else
-        job->span(job, row, from, to, sum, step);
-}
-
 static void linear_span(struct zs_job *job, const struct zs_row *row)
 {
     if (job->split & ZS_SPLIT_TOUCH)
@@ -123,7 +138,7 @@ static ZS_NOINLINE void draw(struct zs_job *job)
         shader->start(job);
     if (linear && job->rows && !job->split && job->rows(job))
         return;
-    job->piece = job->split & ZS_SPLIT_WINDOW ? window_piece : job->split ? r->touch->piece : job->span;
+    job->piece = job->split & ZS_SPLIT_WINDOW ? r->track->piece : job->split ? r->touch->piece : job->span;
     if (linear)
         linear_walk(job);
     else
@@ -189,17 +204,6 @@ static struct sight sight_of(struct zs_renderer *r)
     return s;
 }
 
-/* Is a triangle beside the columns that are drawn? */
-static int beside(struct zs_job *job)
-{
-    const struct zs_vertex *pool = job->r->vert;
-    const uint16_t *v = job->tri->v, *window = job->r->window;
-    const struct zs_vertex *a = &pool[v[0]], *b = &pool[v[1]], *c = &pool[v[2]];
-    job->row_last = zs_first_sample(zs_max32(b->y, c->y)); /* a is the top one */
-    return zs_first_sample(zs_min32(zs_min32(a->x, b->x), c->x)) >= window[1] ||
-           zs_first_sample(zs_max32(zs_max32(a->x, b->x), c->x)) <= window[0];
-}
-
 /* Are all of a triangle's vertices beyond a depth? */
 static inline int beyond(const struct zs_job *job, uint32_t d)
 {
@@ -211,7 +215,7 @@ static inline int beyond(const struct zs_job *job, uint32_t d)
 /* 1: job->tri leaves no pixel in the strip; job->row_last is set. */
 static ZS_NOINLINE int unseen(struct zs_job *job, struct sight *s)
 {
-    if (s->beside && beside(job))
+    if (s->beside && job->r->track->beside(job))
         return 1;
     if (s->seen == UINT32_MAX || !beyond(job, s->seen))
         return 0;
@@ -259,19 +263,6 @@ static ZS_NOINLINE int (*instance_begin(struct zs_job *job, uint32_t number))(st
     return !r->untouched && r->view.piece_shift ? job->fast->draw : 0;
 }
 
-#define ASIDE 24 /* columns beside those that are drawn: splitting rows costs less than so many pixels */
-
-/* Does so much of job->tri lie beside the columns that are drawn that its rows are split? */
-static int reaches_beside(const struct zs_job *job)
-{
-    const struct zs_vertex *pool = job->r->vert;
-    const uint16_t *v = job->tri->v, *window = job->r->window;
-    const int32_t a = pool[v[0]].x, b = pool[v[1]].x, c = pool[v[2]].x;
-    const int32_t left = window[0] * ZS_SUBPX_ONE - zs_min32(zs_min32(a, b), c);
-    const int32_t right = zs_max32(zs_max32(a, b), c) - window[1] * ZS_SUBPX_ONE;
-    return zs_max32(left, right) >= ASIDE * ZS_SUBPX_ONE;
-}
-
 static void job_begin(struct zs_job *job, struct zs_renderer *r)
 {
     job->r = r;
@@ -291,7 +282,7 @@ static void job_begin(struct zs_job *job, struct zs_renderer *r)
 void zs_raster_strip(struct zs_renderer *r)
 {
     const int goes_on = r->strip + 1 < r->band_end;
-    const int part = r->window[1] - r->window[0] < r->config.width;
+    const int part = r->window[1] - r->window[0] < r->config.width; /* then there is a track */
     uint16_t list = take_list(r), *keep = &r->active; /* grows at its end: stays ascending */
     uint32_t number = ZS_NIL;                         /* of the instance that is known; not one's, there are at most 65535 */
     struct zs_job job;
@@ -313,7 +304,7 @@ void zs_raster_strip(struct zs_renderer *r)
                 number = ZS_NIL; /* small triangles from now on */
             if (!whole || !whole(&job)) {
                 if (part && !r->untouched)
-                    job.split = reaches_beside(&job) ? ZS_SPLIT_WINDOW : 0;
+                    job.split = r->track->reaches(&job) ? ZS_SPLIT_WINDOW : 0;
                 if (job_setup(&job))
                     draw(&job);
             }

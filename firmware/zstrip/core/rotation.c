@@ -3,6 +3,7 @@
  * SPDX-License-Identifier: MIT
  */
 #include "core/cold.h"
+#include "core/fx.h"
 #include "core/rotation.h"
 
 #define QUARTER 16384u

@@ -8,7 +8,7 @@
 #ifndef ZS_ROWS_H
 #define ZS_ROWS_H
 
-#include "core/pipeline.h"
+#include "core/edges.h"
 
 /* One row of a triangle in its strip. */
 struct zs_row {
@@ -55,6 +55,9 @@ ZS_ALWAYS_INLINE void zs_rows_walk(struct zs_job *job, zs_span_fn *span, int wid
     }
     job->r->stats.pixels_tested += tested;
 }
+
+/* Buckets to be added to each key of a triangle with a depth state: offset and slope. */
+int32_t zs_depth_state_bias(const struct zs_job *job);
 
 /* Test pixels [i0, i1) of a row under job's depth state, and colour those that win, run by run. */
 zs_piece_fn zs_rows_test;

@@ -5,7 +5,10 @@
  *
  * SPDX-License-Identifier: MIT
  */
+#include "core/depth.h"
+#include "core/fx.h"
 #include "core/rows.h"
+#include "zs_shader.h"
 
 #define BIAS_MAX 65536 /* buckets: beyond it, all keys stop at an end anyway */
 

@@ -11,8 +11,9 @@
  * SPDX-License-Identifier: MIT
  */
 #include "core/cold.h"
-#include "core/pipeline.h"
+#include "core/fx.h"
 #include "core/rotation.h"
+#include "core/view.h"
 
 #define NEAR_MIN 256 /* camera units: below, positions at the near plane are no longer exact enough */
 #define SCALE_BITS_MIN 8  /* keeps the shift of a projection below 63 bits */

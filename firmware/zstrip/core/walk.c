@@ -7,6 +7,13 @@
  * SPDX-License-Identifier: MIT
  */
 #include "core/assemble.h"
+#include "core/cull.h"
+#include "core/damage.h"
+#include "core/fast.h"
+#include "core/fx.h"
+#include "core/raster.h"
+#include "core/walk.h"
+#include "core/xform.h"
 
 /* Where a walk is. */
 struct cursor {
@@ -57,6 +64,8 @@ static ZS_RARE ZS_NOINLINE int instance_open(struct zs_renderer *r, uint32_t num
         return 0;
     if (!zs_xform_instance(r, number, &b))
         return 0;
+    if (r->batch)
+        r->batch->needs(r, &b);
     r->clusters.from = r->clusters.end = 0;
     r->by_clusters = clusters && clusters->open(r, &b);
     return 1;

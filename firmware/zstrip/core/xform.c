@@ -11,44 +11,26 @@
  *
  * SPDX-License-Identifier: MIT
  */
-#include "core/pipeline.h"
+#include "core/cull.h"
+#include "core/depth.h"
+#include "core/fx.h"
 #include "core/rotation.h"
+#include "core/xform.h"
 
 #define SHIFT_MAX 29 /* keeps t below 2^60, and shift_high 14 */
 #define SPLIT_MAX 15
 
 
-/* Clip tests that no vertex of the instance can fail are left out. */
-static ZS_RARE void clip_needs(struct zs_xform *xf, const struct zs_renderer *r, const struct zs_bounds *b,
-                       const struct zs_camera *camera)
+static ZS_RARE void shading_set(struct zs_renderer *r, const struct zs_instance *in)
 {
-    const int64_t z0 = b->c[2] - b->r - b->slack, z1 = b->c[2] + b->r + b->slack;
-    int64_t side = 0;
-    for (int k = 0; k < 2; k++) {
-        const int64_t c = b->c[k] < 0 ? -b->c[k] : b->c[k];
-        if (side < c + b->r + b->slack)
-            side = c + b->r + b->slack;
-    }
-    const int always = 0;
-    xf->clip_depth = always || z0 <= camera->z_near || z1 >= camera->z_far;
-    /* |x| * focal <= guard * z; world units and whole pixels, rounded against us */
-    const int64_t side_w = (side >> 16) + 1;                           /* <= 2^32 */
-    const int64_t guard_px = ZS_GUARD_PX - 2;
-    if (r->view.perspective)
-        xf->clip_guard = always || z0 <= 0 ||
-                         side_w * (int64_t)((camera->focal >> 32) + 1) > guard_px * (z0 >> 16);
-    else /* |x| * height_px / height <= guard */
-        xf->clip_guard = always || side_w * r->config.height > guard_px * (camera->height >> 16);
-}
-
-static ZS_RARE void light_direction(struct zs_xform *xf, const struct zs_light *light)
-{
-    const zs_q2_30 *rot = xf->instance->pose.rot;
+    struct zs_shading *s = &r->shading;
+    s->instance = in;
+    s->light = &r->scene->light;
     for (int k = 0; k < 3; k++) {
         int64_t sum = 0; /* transposed rotation: world to mesh */
         for (int j = 0; j < 3; j++)
-            sum += zs_mul_ss(rot[3 * j + k], light->dir[j]);
-        xf->light[k] = (int32_t)zs_round_shift(sum, 30); /* <= 2^30 (1 + 2^-19) */
+            sum += zs_mul_ss(in->pose.rot[3 * j + k], s->light->dir[j]);
+        s->dir[k] = (int32_t)zs_round_shift(sum, 30); /* <= 2^30 (1 + 2^-19) */
     }
 }
 
@@ -115,8 +97,7 @@ ZS_RARE int zs_xform_instance(struct zs_renderer *r, uint32_t number, const stru
         }
         row_set(xf->row + k * ZS_ROW_WORDS, m, zs_scale2(at, view->shift + shift - 30), shift);
     }
-    clip_needs(xf, r, b, &r->camera);
-    light_direction(xf, &r->scene->light);
+    shading_set(r, in);
     return 1;
 }
 

@@ -1,11 +1,12 @@
-/* What finding changes takes, in pixels (watch.c) and in what they are drawn from (track.c).
+/* What finding changes takes, in pixels (strip_sums.c) and in what they are drawn from (track.c).
  *
  * SPDX-License-Identifier: MIT
  */
 #ifndef ZS_CHANGED_H
 #define ZS_CHANGED_H
 
-#include "core/pipeline.h"
+#include "zstrip.h"
+
 
 #define ZS_LANES { 0x243f6a88u, 0x85a308d3u } /* where a sum begins */
 
@@ -25,7 +26,7 @@ static inline void zs_mix(uint32_t lane[2], uint32_t v)
 /* px to a column of zs_watch. Even where the width is, so that cells begin at even addresses. */
 static inline uint32_t zs_watch_step(const struct zs_renderer *r)
 {
-    const uint32_t w = (r->config.width + r->watch_columns - 1u) / r->watch_columns;
+    const uint32_t w = (r->config.width + r->sums->columns - 1u) / r->sums->columns;
     return r->config.width & 1u ? w : (w + 1u) & ~1u;
 }
 

@@ -3,6 +3,8 @@
  *
  * SPDX-License-Identifier: MIT
  */
+#include "core/damage.h"
+#include "core/fx.h"
 #include "damage/changed.h"
 
 /* w x h px from px on; in twos where rows and columns are even. */
@@ -24,7 +26,7 @@ static uint64_t cell_sum(const uint16_t *px, uint32_t w, uint32_t h, uint32_t st
 static void watch_look(struct zs_renderer *r, struct zs_strip *out)
 {
     const uint32_t step = zs_watch_step(r), row = out->y / (uint32_t)r->config.strip_h;
-    uint64_t *sum = r->watch_sum + row * r->watch_columns;
+    uint64_t *sum = r->sums->sum + row * r->sums->columns;
     uint32_t first = out->w, end = 0;
     for (uint32_t x = 0; x < out->w; x += step, sum++) {
         const uint32_t w = out->w - x < step ? out->w - x : step;
@@ -48,25 +50,43 @@ static void watch_forget(struct zs_renderer *r, const struct zs_rect *rect)
     for (uint32_t s = 0; s < r->n_strips; s++) {
         if (!zs_strip_in(r, s, rect))
             continue;
-        for (uint32_t c = 0; c < r->watch_columns; c++)
+        for (uint32_t c = 0; c < r->sums->columns; c++)
             if (!rect || (c * step < (uint32_t)rect->x + rect->w && (c + 1u) * step > rect->x))
-                r->watch_sum[s * r->watch_columns + c] = 0;
+                r->sums->sum[s * r->sums->columns + c] = 0;
     }
 }
 
 static const struct zs_watch_kernel zs_watch_sums = { .look = watch_look, .forget = watch_forget };
 
-int zs_watch(struct zs_renderer *r, uint64_t *sum, uint32_t columns)
+int zs_sums_init(struct zs_sums *sums, uint64_t *memory, uint32_t width, uint32_t height, uint32_t strip_h, uint32_t columns)
+{
+    if (!sums || !memory)
+        return ZS_ERR_NULL;
+    if (width < 1u || width > ZS_SIZE_MAX || height < 1u || height > ZS_SIZE_MAX || strip_h < 1u || columns < 1u ||
+        columns > width)
+        return ZS_ERR_SIZE;
+    sums->sum = memory;
+    sums->width = (uint16_t)width;
+    sums->height = (uint16_t)height;
+    sums->strip_h = (uint16_t)zs_minu32(strip_h, height);
+    sums->columns = (uint16_t)columns;
+    for (uint32_t k = 0; k < ZS_STRIPS(height, sums->strip_h) * columns; k++)
+        memory[k] = 0;
+    return ZS_OK;
+}
+
+int zs_watch(struct zs_renderer *r, struct zs_sums *sums)
 {
     if (!r)
         return ZS_ERR_NULL;
     if (r->ready != 1 || r->scene)
         return ZS_ERR_STATE;
-    if (sum && (columns < 1u || columns > r->config.width))
+    if (sums && (sums->width != r->config.width || sums->height != r->config.height || sums->strip_h != r->config.strip_h))
         return ZS_ERR_SIZE;
-    r->watch = sum ? &zs_watch_sums : 0;
-    r->watch_sum = sum;
-    r->watch_columns = (uint16_t)columns;
-    zs_invalidate(r, 0);
+    r->watch = sums ? &zs_watch_sums : 0;
+    r->sums = sums;
+    const struct zs_track_kernel *track = r->track;
+    if (track)
+        track->forget(r, 0);
     return ZS_OK;
 }

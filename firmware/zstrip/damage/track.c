@@ -20,6 +20,15 @@
  * SPDX-License-Identifier: MIT
  */
 #include "core/cold.h" /* first: sums alone are made often, and their loop is short */
+#include "core/cull.h"
+#include "core/damage.h"
+#include "core/fast.h"
+#include "core/frame.h"
+#include "core/fx.h"
+#include "core/raster.h"
+#include "core/rows.h"
+#include "core/view.h"
+#include "core/xform.h"
 #include "damage/changed.h"
 
 #define BESIDE 32 /* sub-pixels: corner and vertex are snapped by up to 8 each, their projections are within 2 each */
@@ -121,14 +130,16 @@ static void instance_sum(uint32_t lane[2], const struct zs_instance *in, struct 
 static void frame_sum(uint32_t lane[2], const struct zs_renderer *r, const struct zs_scene *scene)
 {
     const struct zs_camera *camera = &r->camera;
-    const uint32_t others[2] = { camera->projection, scene->background | scene->n_instances << 16 };
+    const uint32_t others[3] = { camera->projection, scene->background | scene->n_instances << 16, scene->n_resolves };
     begin(lane);
     add(lane, camera->rot, sizeof camera->rot + sizeof camera->pos);
     add(lane, &camera->focal, sizeof *camera - offsetof(struct zs_camera, focal));
     add(lane, &scene->light, sizeof scene->light);
     add(lane, others, sizeof others);
+    add(lane, &scene->sky, 2u * sizeof(void *));
     lane[0] += !(lane[0] | lane[1]);
 }
+_Static_assert(offsetof(struct zs_scene, resolve) == offsetof(struct zs_scene, sky) + sizeof(void *), "sky and resolve, the same");
 _Static_assert(offsetof(struct zs_camera, pos) == sizeof(((struct zs_camera *)0)->rot), "rot and pos are summed as one");
 
 /* ---- The strips of a sphere ------------------------------------------------------------------------ */
@@ -219,6 +230,27 @@ static int sums_keep(struct zs_renderer *r, const struct zs_scene *scene, int al
     return changed;
 }
 
+/* Strips of a rectangle, and columns of them. */
+static void rect_due(struct zs_renderer *r, const struct zs_rect *rect)
+{
+    const uint32_t width = r->config.width;
+    const uint32_t x = rect ? zs_minu32(rect->x, width) : 0u, x_end = rect ? zs_minu32((uint32_t)rect->x + rect->w, width) : width;
+    for (uint32_t s = 0; s < r->n_strips; s++)
+        if (zs_strip_in(r, s, rect) && x < x_end)
+            make_due(r, s, s + 1u, x, x_end);
+}
+
+/* What resolve hooks draw otherwise than in the frame before. */
+static void resolves_due(struct zs_renderer *r, const struct zs_scene *scene)
+{
+    const struct zs_resolve *hook = scene->resolve;
+    for (uint32_t k = 0; k < scene->n_resolves; k++, hook++) {
+        struct zs_rect rect = { 0, 0, 0, 0 };
+        if (hook->changes && hook->changes(hook->ctx, &rect) && rect.w && rect.h)
+            rect_due(r, &rect);
+    }
+}
+
 static int track_check(struct zs_renderer *r, const struct zs_scene *scene)
 {
     uint32_t lane[2], *kept = r->track_memory;
@@ -248,6 +280,7 @@ static int track_check(struct zs_renderer *r, const struct zs_scene *scene)
         if (all)
             make_due(r, 0, r->n_strips, 0, r->config.width);
     }
+    resolves_due(r, scene);
     while (r->draw_end && !r->track_due[r->draw_end - 1u])
         r->draw_end--;
     return ZS_OK;
@@ -296,17 +329,55 @@ static int track_touches(const struct zs_renderer *r, uint32_t number, struct zs
 
 static void track_forget(struct zs_renderer *r, const struct zs_rect *rect)
 {
-    const uint32_t width = r->config.width;
-    const uint32_t x = rect ? zs_minu32(rect->x, width) : 0u, x_end = rect ? zs_minu32((uint32_t)rect->x + rect->w, width) : width;
-    for (uint32_t s = 0; s < r->n_strips; s++)
-        if (zs_strip_in(r, s, rect))
-            make_due(r, s, s + 1u, x, x_end);
+    rect_due(r, rect);
     r->draw_end = r->n_strips;
     r->band_end = 0; /* in a frame: what is binned lacks instances of strips that were not due */
 }
 
+/* ---- Columns of a strip ---------------------------------------------------------------------------------- */
+
+/* Is a triangle beside the columns that are drawn? */
+static int beside(struct zs_job *job)
+{
+    const struct zs_vertex *pool = job->r->vert;
+    const uint16_t *v = job->tri->v, *window = job->r->window;
+    const struct zs_vertex *a = &pool[v[0]], *b = &pool[v[1]], *c = &pool[v[2]];
+    job->row_last = zs_first_sample(zs_max32(b->y, c->y)); /* a is the top one */
+    return zs_first_sample(zs_min32(zs_min32(a->x, b->x), c->x)) >= window[1] ||
+           zs_first_sample(zs_max32(zs_max32(a->x, b->x), c->x)) <= window[0];
+}
+
+#define ASIDE 24 /* columns beside those that are drawn: splitting rows costs less than so many pixels */
+
+/* Does so much of job->tri lie beside the columns that are drawn that its rows are split? */
+static int reaches_beside(const struct zs_job *job)
+{
+    const struct zs_vertex *pool = job->r->vert;
+    const uint16_t *v = job->tri->v, *window = job->r->window;
+    const int32_t a = pool[v[0]].x, b = pool[v[1]].x, c = pool[v[2]].x;
+    const int32_t left = window[0] * ZS_SUBPX_ONE - zs_min32(zs_min32(a, b), c);
+    const int32_t right = zs_max32(zs_max32(a, b), c) - window[1] * ZS_SUBPX_ONE;
+    return zs_max32(left, right) >= ASIDE * ZS_SUBPX_ONE;
+}
+
+/* The columns of a piece that are drawn. */
+static void window_piece(struct zs_job *job, const struct zs_row *row, int32_t i0, int32_t i1, uint32_t sum, uint32_t step)
+{
+    const struct zs_renderer *r = job->r;
+    const int32_t from = zs_max32(i0, r->window[0]), to = zs_min32(i1, r->window[1]);
+    job->r->stats.pixels_tested -= (uint32_t)(i1 - i0 - zs_max32(to - from, 0)); /* they are counted by rows */
+    if (from >= to)
+        return;
+    sum += zs_wrap_mul(step, from - i0);
+    if (job->split & ZS_SPLIT_TOUCH)
+        r->touch->piece(job, row, from, to, sum, step);
+    else
+        job->span(job, row, from, to, sum, step);
+}
+
 static const struct zs_track_kernel zs_track_sums = { .check = track_check, .due = track_due, .forget = track_forget,
-                                                      .touches = track_touches };
+                                                      .touches = track_touches, .beside = beside,
+                                                      .reaches = reaches_beside, .piece = window_piece };
 
 int zs_track(struct zs_renderer *r, uint32_t *memory, uint32_t n_instances)
 {

@@ -11,7 +11,7 @@
  * - any other carries r over the screen in 64 bits; a row is cut where an octave ends, and between cuts keys
  *   are linear again. The only work beyond the row's entry is one leading-zeros count for each end and, in rows
  *   that do cross an octave, a bisection. Nothing is encoded a pixel, on cores with CLZ and on those without;
- * - where it is tiny (pipeline.h) and its vertices lie in two octaves next to each other, 32 bits do for r.
+ * - where it is tiny (core/job.h) and its vertices lie in two octaves next to each other, 32 bits do for r.
  *
  * zs_vertex.d is the key in uq16_16. That is a float with m + 16 mantissa bits (27 to 29 in 16-bit keys), and
  * r is found from it exactly.
@@ -35,7 +35,9 @@
  *
  * SPDX-License-Identifier: MIT
  */
-#include "core/pipeline.h"
+#include "core/depth.h"
+#include "core/fx.h"
+#include "core/plane.h"
 #include "core/rows.h"
 
 static ZS_RARE int float_setup(struct zs_view *view, const struct zs_camera *camera, uint32_t bits,

@@ -13,7 +13,9 @@
  *
  * SPDX-License-Identifier: MIT
  */
-#include "core/pipeline.h"
+#include "core/depth.h"
+#include "core/fx.h"
+#include "core/plane.h"
 #include "core/rows.h"
 
 static ZS_RARE int linear_setup(struct zs_view *view, const struct zs_camera *camera, uint32_t bits)

@@ -5,7 +5,8 @@
  *
  * SPDX-License-Identifier: MIT
  */
-#include "core/pipeline.h"
+#include "core/depth.h"
+#include "core/fx.h"
 
 static ZS_RARE int recip_setup(struct zs_view *view, const struct zs_camera *camera, uint32_t bits)
 {

@@ -4,6 +4,11 @@
  * SPDX-License-Identifier: MIT
  */
 #include "core/assemble.h"
+#include "core/fast.h"
+#include "core/fx.h"
+#include "core/job.h"
+#include "zs_shader.h"
+#include "core/xform.h"
 #include "fast/screen.h"
 #include "zs_fast.h"
 
@@ -50,6 +55,7 @@ struct batch {
     uint32_t n_verts;
     int32_t away;                 /* times the area: > 0 where the triangle is turned away and that matters */
     uint32_t *fate;               /* [ZS_FATES]: counts of those that were dropped */
+    uint32_t *piece;              /* of a clipped triangle, as zs_assemble_tri */
     uint8_t left[BATCH];          /* the others: 4 * number in the batch, 1 more where it turns counter-clockwise, 2 where
                                      that is not known */
 };
@@ -173,23 +179,21 @@ ZS_ALWAYS_INLINE enum zs_fate bin(struct zs_renderer *r, const struct zs_shader 
         zs_bin_corner(r, at->slot[1], attrs);
         zs_bin_corner(r, at->slot[2], attrs);
     }
-    zs_bin_push(r, at->slot, shader->face ? shader->face(r, t) : 0u, strip);
+    zs_bin_push(r, at->slot, shader->face ? shader->face(&r->shading, t) : 0u, strip);
     return ZS_FATE_DRAWN;
 }
 
 /* What is left of a batch from triangle `from` on. Return how many of them are binned; fewer than n: a pool is full. */
-static uint32_t bin_all(struct zs_renderer *r, const struct batch *s, uint32_t from, uint32_t n, uint32_t fate[ZS_FATES],
-                        uint32_t *piece)
+static uint32_t bin_all(struct zs_renderer *r, const struct batch *s, uint32_t from, uint32_t n, uint32_t fate[ZS_FATES])
 {
-    const uint32_t base = r->vert_base;
     for (const uint8_t *left = s->left, *const end = left + n; left < end; left++) {
         const uint32_t what = *left, t = from + what / 4u;
         enum zs_fate f;
         if (what & 2u) {
-            f = zs_assemble_tri(r, t, piece);
+            f = zs_assemble_tri(r, t, s->piece);
         } else {
             const uint16_t *index = s->tri[what / 4u];
-            const uint32_t second = base + index[1], third = base + index[2];
+            const uint32_t base = r->vert_base, second = base + index[1], third = base + index[2];
             struct zs_candidate at;
             at.slot[0] = base + index[0];
             at.slot[1] = what & 1u ? third : second;
@@ -231,12 +235,13 @@ static ZS_NOINLINE uint32_t batch_bin(struct zs_renderer *r, uint32_t from, uint
     s.n_verts = mesh->n_verts;
     s.away = cull == ZS_CULL_BACK ? 1 : cull == ZS_CULL_FRONT ? -1 : 0;
     s.fate = fate;
+    s.piece = piece;
     s.shader = in->material->shader;
     s.pool = &r->vert[r->vert_base];
     for (; from < end; from += BATCH) {
         const uint32_t n = zs_minu32(end - from, BATCH);
         s.tri = mesh->tri + from;
-        const uint32_t left = reject(&s, n), done = bin_all(r, &s, from, left, fate, piece);
+        const uint32_t left = reject(&s, n), done = bin_all(r, &s, from, left, fate);
         if (done < left) {
             const uint32_t t = from + s.left[done] / 4u;
             drop_less(&s, from, n, t, fate);
@@ -246,5 +251,5 @@ static ZS_NOINLINE uint32_t batch_bin(struct zs_renderer *r, uint32_t from, uint
     return end;
 }
 
-static const struct zs_fast_batch batch = { .open = batch_open, .bin = batch_bin, .screen = zs_screen };
+static const struct zs_fast_batch batch = { .needs = zs_screen_needs, .open = batch_open, .bin = batch_bin, .screen = zs_screen };
 const struct zs_fast zs_fast_batch = { .batch = &batch };

@@ -44,6 +44,11 @@
  *
  * SPDX-License-Identifier: MIT
  */
+#include "core/cull.h"
+#include "core/damage.h"
+#include "core/fast.h"
+#include "core/fx.h"
+#include "core/view.h"
 #include "fast/screen.h"
 #include "zs_fast.h"
 
@@ -244,8 +249,10 @@ static ZS_RARE int cluster_open(struct zs_renderer *r, const struct zs_bounds *b
     const uint64_t scale = (uint64_t)mesh->scale * in->pose.scale;
     zs_q2_30 axis[9];
     struct ruler by;
-    if (mesh->n_clusters < CLUSTERS_MIN || !mesh->cluster)
+    if (mesh->n_clusters < CLUSTERS_MIN)
         return 0;
+    if (!r->batch)
+        zs_screen_needs(r, b);
     by.lz = zs_clz64(scale);
     by.rcp = zs_recip((uint32_t)(scale << by.lz >> 32));
     c->next = 0;

@@ -2,7 +2,9 @@
  *
  * SPDX-License-Identifier: MIT
  */
-#include "core/pipeline.h"
+#include "core/fast.h"
+#include "core/fx.h"
+#include "core/job.h"
 #include "zs_fast.h"
 
 /* A side of a tiny triangle: columns are sum / span, counted from ZS_TINY_SIDE left of the top corner, so that what is divided is

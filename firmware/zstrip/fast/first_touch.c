@@ -9,25 +9,16 @@
  *
  * SPDX-License-Identifier: MIT
  */
+#include "core/fast.h"
+#include "core/fx.h"
+#include "core/raster.h"
 #include "core/rows.h"
+#include "zs_shader.h"
 #include "zs_fast.h"
 
 #define WIDE 128 /* columns; a triangle's rows cost some 40 instructions more here, an untouched pixel 6 less and no clear */
 
 enum { NONE, ALL, SOME }; /* zs_renderer.untouched: of the strip's columns that are drawn; SOME: outside r->drawn */
-
-static ZS_NOINLINE void fill(uint16_t *out, uint16_t value, uint32_t n)
-{
-    zs_fill_run(out, value, n);
-}
-
-static ZS_NOINLINE void clear(struct zs_renderer *r, uint32_t at, int32_t n)
-{
-    if (n <= 0)
-        return;
-    fill(r->color[0] + at, zs_wire16(r->scene->background), (uint32_t)n);
-    fill(r->depth + at, ZS_DEPTH_CLEAR, (uint32_t)n);
-}
 
 static uint32_t rows_of(const struct zs_renderer *r)
 {
@@ -47,23 +38,23 @@ static ZS_NOINLINE void touch_end(struct zs_renderer *r)
     r->untouched = NONE;
     const int32_t x = r->window[0], end = r->window[1];
     if (left == ALL && (end - x) * 2 > width) { /* in one go */
-        clear(r, 0, width * n);
+        zs_raster_clear_all(r);
         return;
     }
     if (left == NONE || (left == SOME && r->untouched_left == 0))
         return;
     for (int32_t y = 0; y < n; y++) {
         const int32_t from = left == ALL ? x : r->drawn[y][0], to = left == ALL ? x : r->drawn[y][1]; /* x <= from <= to <= end */
-        clear(r, (uint32_t)(y * width + x), from - x);
-        clear(r, (uint32_t)(y * width + to), end - to);
+        zs_raster_clear(r, y, x, from - x);
+        zs_raster_clear(r, y, to, end - to);
     }
 }
 
 static void touch_row(struct zs_job *job, const struct zs_row *row)
 {
     struct zs_renderer *r = job->r;
-    int16_t *const drawn = r->drawn[row->y - job->y0];
-    const int32_t at = row->at; /* at + width <= 2^24 */
+    const int32_t y = row->y - job->y0;
+    int16_t *const drawn = r->drawn[y];
     int32_t x0 = drawn[0], x1 = drawn[1], i0 = row->i0, i1 = row->i1;
     r->was[0] = drawn[0];
     r->was[1] = drawn[1];
@@ -75,9 +66,9 @@ static void touch_row(struct zs_job *job, const struct zs_row *row)
         x0 = x1 = i0;
     const int32_t before = x1 - x0; /* window[0] <= x0 <= x1 <= window[1] */
     if (i1 < x0)
-        clear(r, (uint32_t)(at + i1), x0 - i1);
+        zs_raster_clear(r, y, i1, x0 - i1);
     if (i0 > x1)
-        clear(r, (uint32_t)(at + x1), i0 - x1);
+        zs_raster_clear(r, y, x1, i0 - x1);
     x0 = zs_min32(x0, i0);
     x1 = zs_max32(x1, i1);
     drawn[0] = (int16_t)x0;

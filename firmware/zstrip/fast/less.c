@@ -2,6 +2,8 @@
  *
  * SPDX-License-Identifier: MIT
  */
+#include "core/job.h"
+#include "zs_shader.h"
 #include "fast/less.h"
 
 /* A key as it is tested. */

@@ -2,6 +2,10 @@
  *
  * SPDX-License-Identifier: MIT
  */
+#include "core/cull.h"
+#include "core/depth.h"
+#include "core/fx.h"
+#include "core/xform.h"
 #include "fast/screen.h"
 
 #define OUT_Y ((int32_t)1 << 30)
@@ -39,6 +43,31 @@ static void transform(const struct zs_xform *xf, uint32_t v, uint32_t n, struct 
         points_fine(xf, v, n, out);
     else
         points(xf, v, n, out);
+}
+
+/* ---- Clip tests ------------------------------------------------------------------------------------------ */
+
+/* Clip tests that no vertex of the instance can fail are left out. */
+ZS_RARE void zs_screen_needs(struct zs_renderer *r, const struct zs_bounds *b)
+{
+    const struct zs_camera *camera = &r->camera;
+    struct zs_xform *xf = &r->xform;
+    const int64_t z0 = b->c[2] - b->r - b->slack, z1 = b->c[2] + b->r + b->slack;
+    int64_t side = 0;
+    for (int k = 0; k < 2; k++) {
+        const int64_t c = b->c[k] < 0 ? -b->c[k] : b->c[k];
+        if (side < c + b->r + b->slack)
+            side = c + b->r + b->slack;
+    }
+    xf->clip_depth = z0 <= camera->z_near || z1 >= camera->z_far;
+    /* |x| * focal <= guard * z; world units and whole pixels, rounded against us */
+    const int64_t side_w = (side >> 16) + 1;                           /* <= 2^32 */
+    const int64_t guard_px = ZS_GUARD_PX - 2;
+    if (r->view.perspective)
+        xf->clip_guard = z0 <= 0 ||
+                         side_w * (int64_t)((camera->focal >> 32) + 1) > guard_px * (z0 >> 16);
+    else /* |x| * height_px / height <= guard */
+        xf->clip_guard = side_w * r->config.height > guard_px * (camera->height >> 16);
 }
 
 /* ---- The screen ---------------------------------------------------------------------------------------- */

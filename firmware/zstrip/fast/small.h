@@ -12,7 +12,7 @@
 #ifndef ZS_SMALL_H
 #define ZS_SMALL_H
 
-#include "core/pipeline.h"
+#include "core/plane.h"
 #include <stddef.h>
 
 /* A triangle in its strip. Differences of the second and third corner from the top one, q24_8. */

@@ -2,6 +2,8 @@
  *
  * SPDX-License-Identifier: MIT
  */
+#include "core/fast.h"
+#include "core/fx.h"
 #include "fast/less.h"
 #include "shade/persp.h"
 #include "zs_fast.h"

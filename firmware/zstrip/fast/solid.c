@@ -4,6 +4,8 @@
  *
  * SPDX-License-Identifier: MIT
  */
+#include "core/fast.h"
+#include "core/fx.h"
 #include "core/rows.h"
 #include "fast/small.h"
 #include "zs_fast.h"

@@ -2,6 +2,8 @@
  *
  * SPDX-License-Identifier: MIT
  */
+#include "core/fx.h"
+#include "core/fast.h"
 #include "fast/small.h"
 #include "shade/texels.h"
 #include "zs_fast.h"

@@ -2,6 +2,10 @@
  *
  * SPDX-License-Identifier: MIT
  */
+#include "core/fast.h"
+#include "core/fx.h"
+#include "core/plane.h"
+#include "zs_shader.h"
 #include "fast/less.h"
 #include "fast/small.h"
 #include "shade/texture.h"

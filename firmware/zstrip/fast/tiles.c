@@ -20,7 +20,14 @@
  * SPDX-License-Identifier: MIT
  */
 #include "core/cold.h"
-#include "core/pipeline.h"
+#include "core/cull.h"
+#include "core/depth.h"
+#include "core/fast.h"
+#include "core/fx.h"
+#include "core/job.h"
+#include "core/view.h"
+#include "core/xform.h"
+#include "fast/tiles.h"
 #include "zs_fast.h"
 
 #define TILE (1 << ZS_TILE_LOG2)
@@ -147,14 +154,20 @@ static void bound_last(struct zs_renderer *r)
     r->cover_waits = 0;
 }
 
-/* 1: no bound of a strip that is still to be drawn is farther than a key. Most keys end at the first tile. */
-static int bounds_nothing(const struct zs_renderer *r, uint32_t key)
+/* 1: no bound of a strip that is still to be drawn is farther than a key. Most keys end at the first tile. Bounds only come
+ * nearer: what was so for one key is so for all that are farther. */
+static int bounds_nothing(struct zs_renderer *r, uint32_t key)
 {
+    if (key >= r->bound_most)
+        return 1;
     const uint32_t tiles = ZS_TILES(r->config.width);
     const uint16_t *bound = r->bound + r->strip * tiles, *const end = r->bound + r->draw_end * tiles;
     while (bound < end && key >= *bound)
         bound++;
-    return bound == end;
+    if (bound < end)
+        return 0;
+    r->bound_most = (uint16_t)key;
+    return 1;
 }
 
 static inline int above(const struct zs_vertex *a, const struct zs_vertex *b)
@@ -177,6 +190,7 @@ static ZS_NOINLINE void tiles_cover(struct zs_renderer *r, const struct zs_verte
     if (!r->large) { /* the frame's first */
         zs_fill16(r->bound, ZS_DEPTH_CLEAR, ZS_TILES(r->config.width) * r->n_strips);
         r->large = 1;
+        r->bound_most = ZS_DEPTH_CLEAR;
         r->cover_known = r->cover_waits = r->cover_next = 0;
     }
     const uint32_t nearest = zs_minu32(zs_minu32(a->d, b->d), c->d), farthest = zs_maxu32(zs_maxu32(a->d, b->d), c->d);

@@ -2,6 +2,8 @@
  *
  * SPDX-License-Identifier: MIT
  */
+#include "core/fx.h"
+#include "zs_shader.h"
 #include "shade/solid.h"
 
 /* 0 .. 65535 to 0 .. most, nearest. most <= 63 */
@@ -11,14 +13,14 @@ static uint32_t code(uint32_t channel, uint32_t most)
     return (t + (t >> 16)) >> 16;
 }
 
-static uint16_t flat_face(const struct zs_renderer *r, uint32_t t)
+static uint16_t flat_face(const struct zs_shading *s, uint32_t t)
 {
-    const struct zs_instance *in = r->xform.instance;
+    const struct zs_instance *in = s->instance;
     const struct zs_mesh *mesh = in->mesh;
     const struct zs_rgb *c = mesh->face_rgb ? &mesh->face_rgb[t] : &in->material->rgb;
     zs_q1_15 n[3];
     zs_light_face_normal(n, mesh, t);
-    const uint32_t light = zs_light_intensity(r, n);
+    const uint32_t light = zs_light_intensity(s, n);
     return zs_wire16((uint16_t)(code(zs_light_channel(c->r, light), 31) << 11 |
                                 code(zs_light_channel(c->g, light), 63) << 5 |
                                 code(zs_light_channel(c->b, light), 31)));

@@ -2,17 +2,18 @@
  *
  * SPDX-License-Identifier: MIT
  */
-#include "core/pipeline.h"
+#include "core/fx.h"
 #include "core/rotation.h"
+#include "zs_shader.h"
 
 /* All in 32 bits, and exact up to the rounding at the end. The light is taken as upper * 2^16 + lower. */
-uint32_t zs_light_intensity(const struct zs_renderer *r, const zs_q1_15 n[3])
+uint32_t zs_light_intensity(const struct zs_shading *s, const zs_q1_15 n[3])
 {
-    const struct zs_light *light = &r->scene->light;
+    const struct zs_light *light = s->light;
     int32_t high = 0;  /* the product is high * 2^16 + low, q19_45, |.| < 2^46.6 */
     uint32_t low = 0;  /* < 3 * 2^16 */
     for (int k = 0; k < 3; k++) {
-        const int32_t l = r->xform.light[k]; /* q2_30, |.| < 2^31: up to sqrt 3 where dir is no unit vector */
+        const int32_t l = s->dir[k]; /* q2_30, |.| < 2^31: up to sqrt 3 where dir is no unit vector */
         const int32_t part = (int32_t)((uint32_t)l & 0xffffu) * n[k]; /* |.| < 2^31 */
         high += (l >> 16) * n[k] + (part >> 16); /* |.| < 2^30.6 */
         low += (uint32_t)part & 0xffffu;

@@ -2,6 +2,8 @@
  *
  * SPDX-License-Identifier: MIT
  */
+#include "core/depth.h"
+#include "core/fx.h"
 #include "shade/persp.h"
 
 #define OVER(n) (UINT32_MAX / (n))

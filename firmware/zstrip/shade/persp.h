@@ -14,6 +14,8 @@
 #ifndef ZS_PERSP_H
 #define ZS_PERSP_H
 
+#include "core/depth.h"
+#include "core/plane.h"
 #include "core/rows.h"
 
 #define ZS_AFFINE 31u       /* job->sub_log2: plain affine */

@@ -2,11 +2,13 @@
  *
  * SPDX-License-Identifier: MIT
  */
+#include "core/fx.h"
+#include "zs_shader.h"
 #include "shade/solid.h"
 
-static uint16_t raw_face(const struct zs_renderer *r, uint32_t t)
+static uint16_t raw_face(const struct zs_shading *s, uint32_t t)
 {
-    const struct zs_instance *in = r->xform.instance;
+    const struct zs_instance *in = s->instance;
     const struct zs_rgb *c = &in->material->rgb;
     return zs_wire16(in->mesh->face_raw ? in->mesh->face_raw[t] : zs_rgb565(c->r, c->g, c->b));
 }

@@ -6,6 +6,9 @@
  *
  * SPDX-License-Identifier: MIT
  */
+#include "core/fx.h"
+#include "core/plane.h"
+#include "zs_shader.h"
 #include "shade/persp.h"
 
 #define SUB_LOG2_MAX 4u
@@ -18,11 +21,11 @@
 
 static const uint8_t code_most[3] = { 31, 63, 31 };
 
-static void smooth_vertex(const struct zs_renderer *r, uint32_t v, uint16_t *out)
+static void smooth_vertex(const struct zs_shading *s, uint32_t v, uint16_t *out)
 {
-    const struct zs_instance *in = r->xform.instance;
+    const struct zs_instance *in = s->instance;
     const struct zs_rgb *c = in->mesh->vertex_rgb ? &in->mesh->vertex_rgb[v] : &in->material->rgb;
-    const uint32_t light = zs_light_intensity(r, in->mesh->normal[v]);
+    const uint32_t light = zs_light_intensity(s, in->mesh->normal[v]);
     out[0] = (uint16_t)zs_light_channel(c->r, light);
     out[1] = (uint16_t)zs_light_channel(c->g, light);
     out[2] = (uint16_t)zs_light_channel(c->b, light);

@@ -2,6 +2,8 @@
  *
  * SPDX-License-Identifier: MIT
  */
+#include "core/fx.h"
+#include "core/job.h"
 #include "shade/solid.h"
 
 void zs_solid_run(struct zs_job *job, const struct zs_row *row, int32_t from, int32_t to)

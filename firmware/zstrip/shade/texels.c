@@ -5,6 +5,7 @@
  *
  * SPDX-License-Identifier: MIT
  */
+#include "core/fx.h"
 #include "shade/texels.h"
 
 ZS_KERNEL_INLINE void fetch(const struct zs_texture *t, uint16_t *out, int32_t n, const struct zs_walk *walk,

@@ -26,6 +26,10 @@
  *
  * SPDX-License-Identifier: MIT
  */
+#include "core/fast.h"
+#include "core/fx.h"
+#include "core/plane.h"
+#include "zs_shader.h"
 #include "shade/texture.h"
 
 #define GROUP_LOG2 5
@@ -36,38 +40,38 @@
 
 /* ---- Vertices and faces ---------------------------------------------------------------------------- */
 
-static void texture_vertex(const struct zs_renderer *r, uint32_t v, uint16_t *out)
+static void texture_vertex(const struct zs_shading *s, uint32_t v, uint16_t *out)
 {
-    const struct zs_mesh *mesh = r->xform.instance->mesh;
+    const struct zs_mesh *mesh = s->instance->mesh;
     out[0] = (uint16_t)(mesh->uv[v][0] + 32768);
     out[1] = (uint16_t)(mesh->uv[v][1] + 32768);
 }
 
 /* uq1_15 of an intensity. */
-static uint16_t light_word(const struct zs_renderer *r, const zs_q1_15 normal[3])
+static uint16_t light_word(const struct zs_shading *s, const zs_q1_15 normal[3])
 {
-    const uint32_t light = (zs_light_intensity(r, normal) + 1u) >> 1;
+    const uint32_t light = (zs_light_intensity(s, normal) + 1u) >> 1;
     return (uint16_t)(light > LIGHT_MAX ? LIGHT_MAX : light);
 }
 
-static void smooth_vertex(const struct zs_renderer *r, uint32_t v, uint16_t *out)
+static void smooth_vertex(const struct zs_shading *s, uint32_t v, uint16_t *out)
 {
-    texture_vertex(r, v, out);
-    out[2] = light_word(r, r->xform.instance->mesh->normal[v]);
+    texture_vertex(s, v, out);
+    out[2] = light_word(s, s->instance->mesh->normal[v]);
 }
 
-static uint16_t no_face(const struct zs_renderer *r, uint32_t t)
+static uint16_t no_face(const struct zs_shading *s, uint32_t t)
 {
-    (void)r;
+    (void)s;
     (void)t;
     return 0; /* the vertices carry everything */
 }
 
-static uint16_t flat_face(const struct zs_renderer *r, uint32_t t)
+static uint16_t flat_face(const struct zs_shading *s, uint32_t t)
 {
     zs_q1_15 n[3];
-    zs_light_face_normal(n, r->xform.instance->mesh, t);
-    return light_word(r, n);
+    zs_light_face_normal(n, s->instance->mesh, t);
+    return light_word(s, n);
 }
 
 static int texture_check(const struct zs_instance *in, const struct zs_config *config)

@@ -5,7 +5,21 @@
 #ifndef ZS_SHADE_TEXTURE_H
 #define ZS_SHADE_TEXTURE_H
 
+#include "zs_shader.h"
 #include "shade/persp.h"
+
+/* Texture coordinates walked along a run: fractions of the texture's size, modulo 1. */
+struct zs_walk {
+    uint32_t u, v, du, dv; /* uq0_32 */
+};
+
+struct zs_texel {
+    /* n texels along a walk, RGB565 in wire order. */
+    void (*fetch)(const struct zs_texture *texture, uint16_t *out, int32_t n,
+                  const struct zs_walk *walk);
+    uint16_t colors_max; /* of the palette; 0: there is none */
+    uint8_t log2_w_min;
+};
 
 #define ZS_TEXTURE_BIAS_LOG2 9   /* 2^-9 texel */
 #define ZS_TEXTURE_FLOOR_LOG2 7u /* smaller textures are held to 1/8 texel of one of 128 */

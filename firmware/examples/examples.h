@@ -1,0 +1,18 @@
+/* The examples, for the test that checks their pictures. An example needs nothing of this.
+ *
+ * SPDX-License-Identifier: MIT
+ */
+#ifndef EXAMPLES_H
+#define EXAMPLES_H
+
+#include "zstrip.h"
+
+#define EXAMPLE_W 48
+#define EXAMPLE_H 32
+
+/* Draw frame t into a sink. Return ZS_OK or an error. */
+int example_gradient_sky(uint32_t t, const struct zs_sink *sink);
+int example_frame_counter(uint32_t t, const struct zs_sink *sink);
+int example_user_shader(uint32_t t, const struct zs_sink *sink);
+
+#endif

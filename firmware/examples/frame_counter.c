@@ -1,0 +1,66 @@
+/* A number over the picture, by a resolve hook. The hook says where it draws otherwise than before, so that zs_track has only that
+ * rectangle drawn again while the scene stands still.
+ *
+ * SPDX-License-Identifier: MIT
+ */
+#include "examples.h"
+
+ZS_ARENA(arena, ZS_ARENA_BYTES(EXAMPLE_W, EXAMPLE_H, 8, 8, 8, ZS_ATTRS_FLAT, 1));
+static struct zs_renderer renderer;
+static uint32_t track[ZS_TRACK_WORDS(0, EXAMPLE_H, 8)];
+
+/* ---- The counter: three digits of 3 x 5 pixels, the last at the right edge -------------------------------------- */
+
+enum { TOP = 1, LEFT = EXAMPLE_W - 13 };
+static const uint16_t digit[10] = { /* rows from the top, three bits each, the leftmost highest */
+    075557, 026227, 071747, 071717, 055711, 074717, 074757, 071244, 075757, 075717
+};
+
+struct counter {
+    uint32_t shown, before;
+};
+
+static void counter_draw(void *ctx, const struct zs_target *target)
+{
+    const struct counter *c = (const struct counter *)ctx;
+    for (int y = 0; y < 5; y++)
+        for (int x = 0; x < 11; x++) {
+            const uint32_t place = x < 3 ? 100u : x < 7 ? 10u : 1u;
+            const int bit = x % 4 < 3 && digit[c->shown / place % 10u] >> (3 * (4 - y) + 2 - x % 4) & 1;
+            if (bit && TOP + y >= target->y0 && TOP + y < target->y1 && LEFT + x >= target->x0 && LEFT + x < target->x1)
+                target->color[(uint32_t)(TOP + y - target->y0) * target->pitch + (uint32_t)(LEFT + x)] = zs_wire565(255, 255, 255);
+        }
+}
+
+static int counter_changes(void *ctx, struct zs_rect *rect)
+{
+    struct counter *c = (struct counter *)ctx;
+    const struct zs_rect all = { LEFT, TOP, 11, 5 };
+    *rect = all;
+    const int changed = c->shown != c->before;
+    c->before = c->shown;
+    return changed;
+}
+
+/* ---- Frames ---------------------------------------------------------------------------------------------------- */
+
+int example_frame_counter(uint32_t t, const struct zs_sink *sink)
+{
+    static const struct zs_config config = { .width = EXAMPLE_W, .height = EXAMPLE_H, .strip_h = 8, .max_tris = 8,
+                                             .max_verts = 8, .buffers = 1, .subpixel_bits = 8, .depth_bits = 16,
+                                             .depth = &zs_depth_linear };
+    static struct counter counter;
+    static const struct zs_resolve hook = { .draw = counter_draw, .changes = counter_changes, .ctx = &counter };
+    const struct zs_scene scene = { .background = zs_rgb565(0, 0, 80), .resolve = &hook, .n_resolves = 1 };
+    struct zs_camera camera;
+    const int32_t eye[3] = { 0, 0, 0 }, along[3] = { 0, 0, -1 }, up[3] = { 0, 1, 0 };
+    int err = zs_camera_orthographic(&camera, 24, 1, 100);
+    err = err ? err : zs_camera_look_along(&camera, eye, along, up);
+    if (!err && t == 0) {
+        err = zs_init(&renderer, &config, arena, sizeof arena);
+        err = err ? err : zs_track(&renderer, track, 0);
+        err = err ? err : zs_track_columns(&renderer, 1);
+    }
+    counter.shown = t;
+    return err ? err : zs_render(&renderer, &scene, &camera, sink);
+}

@@ -1,0 +1,44 @@
+/* Shaders with a fragment stage of their own: varyings pixel by pixel, perspective-correct.
+ *
+ * A vertex's value, 16 bits, is carried as value * w; over w it is good to 2^-21 of its range (persp.h, plane.c), and rounded.
+ *
+ * SPDX-License-Identifier: MIT
+ */
+#include "shade/persp.h"
+#include "zs_shader.h"
+
+void zs_fragments_start(struct zs_job *job)
+{
+    const struct zs_shader *shader = job->shader;
+    const uint16_t *a[3];
+    uint32_t w[3], v[3];
+    zs_persp_attrs(job, a);
+    zs_persp_w(job, w);
+    zs_persp_plane(&job->geom, w, ZS_PLANE_WIDE, &job->w);
+    for (int c = 0; c < shader->n_attrs; c++) {
+        for (int k = 0; k < 3; k++)
+            v[k] = zs_umulh((uint32_t)a[k][c] << 16, w[k]);
+        zs_persp_plane(&job->geom, v, ZS_PLANE_WIDE, &job->c[c]);
+    }
+}
+
+void zs_fragments_run(struct zs_job *job, const struct zs_row *row, int32_t from, int32_t to)
+{
+    const struct zs_shader *shader = job->shader;
+    const struct zs_instance *instance = &job->r->scene->instance[job->tri->instance];
+    struct zs_fragment f;
+    f.y = (uint16_t)row->y;
+    f.paint = job->tri->paint;
+    for (int32_t i = from; i < to; i++) {
+        uint32_t w;
+        int32_t lz;
+        const uint32_t rcp = zs_persp_rcp(job, i, row->y, &w, &lz);
+        f.x = (uint16_t)i;
+        f.color = job->color + row->at + i;
+        for (int c = 0; c < shader->n_attrs; c++) {
+            const uint32_t at = zs_persp_over(zs_plane_at(&job->c[c], i, row->y), w, rcp, lz); /* uq1_31 */
+            f.v[c] = (uint16_t)zs_minu32((at + 0x4000u) >> 15, 65535u);
+        }
+        shader->fragment(instance, &f);
+    }
+}

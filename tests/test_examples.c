@@ -1,0 +1,120 @@
+/* The programs of firmware/examples: their pictures, as rows of characters, and what they send.
+ *
+ * SPDX-License-Identifier: MIT
+ */
+#include "cases.h"
+
+#include <string.h>
+
+#include "examples.h"
+
+/* What arrives at a panel: changed columns alone. */
+struct panel {
+    uint8_t px[EXAMPLE_H][EXAMPLE_W][2];
+    uint32_t pixels; /* that were sent */
+};
+
+static int take(void *ctx, const struct zs_strip *s)
+{
+    struct panel *p = ctx;
+    for (uint16_t y = 0; y < s->h; y++)
+        memcpy(p->px[s->y + y][s->changed_x], s->px + 2u * ((uint32_t)y * s->w + s->changed_x), 2u * s->changed_w);
+    p->pixels += (uint32_t)s->changed_w * s->h;
+    return 0;
+}
+
+static void assert_rows(const struct panel *p, int y, int n, const char *const *rows, char (*letter)(uint32_t rgb565))
+{
+    for (int row = 0; row < n; row++) {
+        char got[EXAMPLE_W + 1] = { 0 };
+        for (int x = 0; x < EXAMPLE_W; x++)
+            got[x] = letter((uint32_t)p->px[y + row][x][0] << 8 | p->px[y + row][x][1]);
+        assert_string_equal(got, rows[row]);
+    }
+}
+
+static char sky_or_hill(uint32_t c)
+{
+    return (c & 31u) == 31u ? "0123456789abcdefghijklmnopqrstuv"[c >> 11] : '#';
+}
+
+static void a_sky_is_a_function_of_the_row(void **state)
+{
+    static const char *const rows[] = {
+        "dddddddddddddddddd############dddddddddddddddddd", "eeeeeeeeeeeeeeeee##############eeeeeeeeeeeeeeeee",
+    };
+    (void)state;
+    static struct panel p;
+    const struct zs_sink sink = { .submit = take, .ctx = &p };
+    assert_int_equal(example_gradient_sky(0, &sink), ZS_OK);
+    for (int y = 0; y < EXAMPLE_H; y++)
+        for (int x = 0; x < EXAMPLE_W; x++) {
+            const char c = sky_or_hill((uint32_t)p.px[y][x][0] << 8 | p.px[y][x][1]);
+            const uint32_t level = (uint32_t)y * 255u / EXAMPLE_H;
+            if (c != '#')
+                assert_int_equal(c, "0123456789abcdefghijklmnopqrstuv"[(level * 31u + 127u) / 255u]);
+        }
+    assert_rows(&p, 14, 2, rows, sky_or_hill);
+}
+
+static char digit_or_not(uint32_t c)
+{
+    return c == 0xffffu ? '#' : '.';
+}
+
+static void a_counter_costs_its_rectangle(void **state)
+{
+    static const char *const rows[] = {
+        "................................................", "...................................###..#..###..",
+        "...................................#.#.##....#..", "...................................#.#..#..###..",
+        "...................................#.#..#..#....", "...................................###.###.###..",
+        "................................................",
+    };
+    (void)state;
+    static struct panel p;
+    const struct zs_sink sink = { .submit = take, .ctx = &p };
+    assert_int_equal(example_frame_counter(0, &sink), ZS_OK);
+    assert_int_equal(p.pixels, EXAMPLE_W * EXAMPLE_H);
+    p.pixels = 0;
+    assert_int_equal(example_frame_counter(12, &sink), ZS_OK);
+    assert_in_range(p.pixels, 1, 24 * 8); /* one strip, its columns widened to multiples of ZS_TRACK_GRAIN */
+    assert_rows(&p, 0, 7, rows, digit_or_not);
+    p.pixels = 0;
+    assert_int_equal(example_frame_counter(12, &sink), ZS_OK);
+    assert_int_equal(p.pixels, 0);
+}
+
+static char ring_or_not(uint32_t c)
+{
+    return c == 0x000au ? '.' : '#';
+}
+
+static void a_shader_of_the_users(void **state)
+{
+    static const char *const rows[] = {
+        "........##..####......####......####..##........",
+        "........#..###.....##########.....###..#........",
+        "...........##....##############....##...........",
+        "..........###...################...###..........",
+        ".........###...######.......#####...###.........",
+        ".........##...#####..........#####...##.........",
+        ".........##...####............####...###........",
+        "........###..####..............####...##........",
+        "........##...####...............###...##........",
+        "........##...###................###...##........",
+        "........##...###................####..##........",
+        "........##..####................####..##........",
+    };
+    (void)state;
+    static struct panel p;
+    const struct zs_sink sink = { .submit = take, .ctx = &p };
+    assert_int_equal(example_user_shader(0, &sink), ZS_OK);
+    assert_rows(&p, 4, 12, rows, ring_or_not);
+}
+
+static const struct CMUnitTest tests[] = {
+    cmocka_unit_test(a_shader_of_the_users),
+    cmocka_unit_test(a_sky_is_a_function_of_the_row),
+    cmocka_unit_test(a_counter_costs_its_rectangle),
+};
+CASES_MAIN(tests)
