@@ -1,5 +1,5 @@
-/* Frames on record: every scene's pixels and keys, bit for bit, as tests/golden/scenes.txt has them. The same table as
- * tests/scene_sums.sh holds boards to.
+/* Frames on record: every scene's pixels and keys, bit for bit, as tests/golden/scenes.txt has them; by the core alone, by the
+ * accelerators that the scene names, and by all. The same table as tests/scene_sums.sh holds boards to.
  *
  * SPDX-License-Identifier: MIT
  */
@@ -12,6 +12,7 @@
 
 #include <cmocka.h>
 
+#include "fast_lists.h"
 #include "frame.h"
 #include "scenes.h"
 
@@ -47,20 +48,25 @@ static void scenes_on_record(void **state)
     assert_non_null(file);
     while (fscanf(file, "%31s %u %u %llx %llx", name, &number, &bits, &pixels, &keys) == 5) {
         const struct demo *d = demo_of(name);
-        struct sim_frame frame;
         struct zs_config c;
         assert_non_null(d);
+        const struct zs_fast *const *const lists[] = { NULL, d->fast, fast_all };
         sim_frame_config(&c, d->width, d->height, (uint8_t)d->attrs);
         c.depth = d->depth;
         c.subpixel_bits = (uint8_t)bits;
         d->pose(&f, number, d->width, d->height);
-        assert_int_equal(sim_frame_render(&frame, &f.scene, &f.camera, &c, NULL), ZS_OK);
-        const size_t n = (size_t)d->width * d->height;
-        if (sum_of(frame.rgb565, n) != pixels || sum_of(frame.key, n) != keys) {
-            print_message("%s, frame %u, %u sub-pixel bits: not as on record\n", name, number, bits);
-            wrong++;
+        for (int k = 0; k < 3; k++) {
+            struct sim_frame frame;
+            c.fast = lists[k];
+            assert_int_equal(sim_frame_render(&frame, &f.scene, &f.camera, &c, NULL), ZS_OK);
+            const size_t n = (size_t)d->width * d->height;
+            if (sum_of(frame.rgb565, n) != pixels || sum_of(frame.key, n) != keys) {
+                print_message("%s, frame %u, %u sub-pixel bits, %s: not as on record\n", name, number, bits,
+                              k == 0 ? "the core" : k == 1 ? "its accelerators" : "all accelerators");
+                wrong++;
+            }
+            sim_frame_free(&frame);
         }
-        sim_frame_free(&frame);
         lines++;
     }
     (void)fclose(file);
