@@ -152,7 +152,7 @@ static void piece_of(int32_t i, int32_t n, int saturates)
     renderer.stats.pixels_untested = renderer.stats.pixels_written = 0;
     run_from = i;
     run_to = i + n;
-    renderer.was[0] = renderer.was[1] = (int16_t)any_i32(0, LONG);
+    renderer.was[0] = renderer.was[1] = 0;
     touch_piece(&job, &row, i, i + n, any_u32(0, UINT32_MAX), any_u32(0, UINT32_MAX));
     cells(0, LONG + i, 0);
     cells(LONG + i + n, ROWS * LONG, 0);
