@@ -208,7 +208,7 @@ static void add_stats(struct zs_stats *sum, const struct zs_stats *s, int whole)
         sum->tris_index += s->tris_index;
         sum->tris_clipped += s->tris_clipped;
     } else {
-        sum->strips += s->strips;
+        sum->strips += s->strips - s->strips_skipped; /* those that another worker draws count as given out too */
     }
     sum->verts_transformed += s->verts_transformed;
     sum->tris_setup += s->tris_setup;

@@ -6,8 +6,8 @@
 
 void stage_open(struct demo_frame *f, struct zs_rgb background)
 {
-    f->scene.instance = f->instance;
-    f->scene.n_instances = 0;
+    const struct zs_scene none = { .instance = f->instance };
+    f->scene = none;
     f->scene.background = zs_rgb565(background.r, background.g, background.b);
     stage_light(f, 0, 1, 0, 100, 0); /* unlit scenes stop here */
 }
