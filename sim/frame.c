@@ -208,7 +208,7 @@ static void add_stats(struct zs_stats *sum, const struct zs_stats *s, int whole)
         sum->tris_index += s->tris_index;
         sum->tris_clipped += s->tris_clipped;
     } else {
-        sum->strips += s->strips - s->strips_skipped; /* those that another worker draws count as given out too */
+        sum->strips += s->strips;
     }
     sum->verts_transformed += s->verts_transformed;
     sum->tris_setup += s->tris_setup;
@@ -256,6 +256,8 @@ static void draw_strips(struct worker *w)
     if (!w->err)
         w->err = got < 0 ? got : zs_frame_end(&w->renderer);
     w->stats = *zs_frame_stats(&w->renderer);
+    w->stats.strips -= w->stats.strips_skipped; /* those that others draw count as given out too */
+    w->stats.strips_skipped = 0;
 }
 
 /* ---- A share of the triangles */
