@@ -1,7 +1,7 @@
 /* Counting by looking on. Instances are copied, with materials and textures, so that what they name is ours: each of
- * our structs begins with the renderer's and knows the one that it stands for, and so do accelerators of their shaders and texel
- * formats. Rows and spans are found here, from a triangle's corners, whatever way it is drawn; their pixels must be as many as the
- * renderer says.
+ * our structs begins with the renderer's and knows the one that it stands for, and so do accelerators of their shaders
+ * and texel formats. Rows and spans are found here, from a triangle's corners, whatever way it is drawn; their pixels
+ * must be as many as the renderer says.
  *
  * SPDX-License-Identifier: MIT
  */
@@ -104,7 +104,8 @@ static int32_t column(const struct zs_vertex *a, const struct zs_vertex *b, int3
     return (int32_t)(top >= 0 ? (top + by - 1) / by : -(-top / by));
 }
 
-/* Rows of the edge from a down to b in [row, end), cut ZS_CUT_ROWS at a time from `first` on, as zs_edges_cut does it. */
+/* Rows of the edge from a down to b in [row, end), cut ZS_CUT_ROWS at a time from `first` on, as zs_edges_cut does
+ * it. */
 static void look_edge(struct shape *s, const struct zs_vertex *a, const struct zs_vertex *b, int32_t first, int32_t row,
                       int32_t end)
 {
@@ -186,8 +187,8 @@ static int32_t strips_within(const struct zs_renderer *r, int32_t row, int32_t e
     return last > first ? last - first : 0;
 }
 
-/* Has a triangle left bounds behind, as fast/tiles.c finds them? Those of a triangle that shares an edge with it are found
- * for both at once. */
+/* Has a triangle left bounds behind, as fast/tiles.c finds them? Those of a triangle that shares an edge with it are
+ * found for both at once. */
 static void count_cover(const struct zs_renderer *r)
 {
     if (!r->large || !r->cover_known) /* else cover_next is not set yet */
@@ -341,7 +342,8 @@ ZS_ALWAYS_INLINE void row_tested(struct zs_job *job, const struct zs_row *row)
     span(job, row, row->i0, row->i1, row->key + zs_wrap_mul(job->key.gx, row->i0), job->key.gx);
 }
 
-/* Linear keys, no state, no pixel untouched: an accelerator draws rows itself, or they are tested and have runs coloured. */
+/* Linear keys, no state, no pixel untouched: an accelerator draws rows itself, or they are tested and have runs
+ * coloured. */
 static int on_rows(struct zs_job *job)
 {
     const struct our_shader *s = shader_of(job->shader);
@@ -476,8 +478,8 @@ static int on_draw(struct zs_job *job)
     return 1;
 }
 
-/* A triangle that has been set up, before its rows are drawn. on_rows counts those of linear keys, without a state and on pixels
- * that were drawn on before. */
+/* A triangle that has been set up, before its rows are drawn. on_rows counts those of linear keys, without a state and
+ * on pixels that were drawn on before. */
 static int on_planes(struct zs_job *job)
 {
     const struct shape *shape = &now.shape;
@@ -573,7 +575,8 @@ static void copy_texel(struct our_texel *x, const struct zs_texel *of)
 }
 
 /* The accelerator of a shader, or of a texel format; NULL: the list has none. */
-static const struct zs_fast *listed(const struct zs_fast *const *list, const struct zs_shader *shader, const struct zs_texel *format)
+static const struct zs_fast *listed(const struct zs_fast *const *list, const struct zs_shader *shader,
+                                    const struct zs_texel *format)
 {
     for (; list && *list; list++)
         if ((shader && (*list)->shader == shader) || (format && (*list)->format == format))

@@ -1,8 +1,9 @@
 /* Counts by pixel. The renderer knows none of this: it is given a depth mapping of our own, which passes on what it is
- * asked to the one that was wanted, and says of itself that keys are not linear on the screen, so that it is asked about
- * every triangle that is set up. It finds the triangle's pixels from its spans; those that are drawn without a test are known by
- * the rows' ranges that zs_fast_touch keeps. The triangle's shader becomes one whose runs it looks on at: they are what is
- * written, as accelerators of shaders and texels, which write pixels by themselves, are left out. Those of the frame are not.
+ * asked to the one that was wanted, and says of itself that keys are not linear on the screen, so that it is asked
+ * about every triangle that is set up. It finds the triangle's pixels from its spans; those that are drawn without a
+ * test are known by the rows' ranges that zs_fast_touch keeps. The triangle's shader becomes one whose runs it looks on
+ * at: they are what is written, as accelerators of shaders and texels, which write pixels by themselves, are left out.
+ * Those of the frame are not.
  *
  * SPDX-License-Identifier: MIT
  */

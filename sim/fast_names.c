@@ -87,15 +87,12 @@ void sim_fast_without(struct sim_fast *fast, const struct zs_fast *const *list, 
 
 const char *sim_fast_list(int indent)
 {
-    static char text[512];
-    char names[512];
+    static char names[512], text[1024];
     size_t n = 0;
     for (size_t k = 0; k < KNOWN && n + 64 < sizeof names; k++)
         n += (size_t)snprintf(names + n, sizeof names - n, "%s%s", k == 0 ? "" : ", ", known[k].name);
-    if (indent == 0) {
-        memcpy(text, names, sizeof text);
-        return text;
-    }
+    if (indent == 0)
+        return names;
     sim_wrap(text, sizeof text, names, indent);
     return text;
 }

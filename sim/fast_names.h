@@ -1,4 +1,5 @@
-/* Accelerators by name, for command lines: "all", "none", names with commas between, or "all" without some: all-tiles-touch.
+/* Accelerators by name, for command lines: "all", "none", names with commas between, or "all" without some, as
+ * all-tiles-touch.
  *
  * SPDX-License-Identifier: MIT
  */
@@ -20,7 +21,8 @@ int sim_fast_take(struct sim_fast *fast, const char *text);
 /* A list without one of them, which zs_fast.h declares. */
 void sim_fast_without(struct sim_fast *fast, const struct zs_fast *const *list, const struct zs_fast *gone);
 
-/* All names, behind so many blanks in lines but the first. Static storage, overwritten by the next call. */
+/* All names: one line, or with an indent lines, all but the first behind so many blanks. Static storage, overwritten by
+ * the next call. */
 const char *sim_fast_list(int indent);
 
 #endif

@@ -21,8 +21,8 @@
 #define H 72
 #define N ((size_t)W * H)
 
-/* Pools for everything, or (kind 1) so small that the scene is walked for a band of strips or for one, in sets; kind 2: no
- * accelerators. */
+/* Pools for everything, or (kind 1) so small that the scene is walked for a band of strips or for one, in sets;
+ * kind 2: no accelerators. */
 static struct zs_config config_of(const struct demo *demo, int kind, uint16_t strip_h)
 {
     struct zs_config c;
@@ -42,7 +42,8 @@ static int never(struct zs_renderer *r, const struct zs_bounds *b)
     return 0;
 }
 
-/* All accelerators, of which zs_fast_tiles drops triangles alone: which instances are dropped depends on the strips to come. */
+/* All accelerators, of which zs_fast_tiles drops triangles alone: which instances are dropped depends on the strips to
+ * come. */
 static const struct zs_fast *const *whole_instances(void)
 {
     static const struct zs_fast *list[32];
@@ -67,7 +68,8 @@ static const struct zs_fast *const *whole_instances(void)
 static uint64_t hidden; /* set-ups that were saved in frames whose counts are compared */
 
 /* *parts: that the triangles were drawn in; NULL: not asked. drops, a flag: instances may be. */
-static void check_list(const struct demo_frame *f, const struct zs_config *c, int drops, uint32_t threads, uint32_t *parts)
+static void check_list(const struct demo_frame *f, const struct zs_config *c, int drops, uint32_t threads,
+                       uint32_t *parts)
 {
     struct sim_frame one, many;
     struct sim_frame_time time;

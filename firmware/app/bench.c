@@ -10,8 +10,8 @@
  * and so must every machine's. Pools are chosen from counts alone, so that all machines draw the same
  * configurations.
  *
- * With BENCH_FAST=1: one-pass strips of 24 rows with pools for everything, with all accelerators of the scene's list (`all`),
- * with none (`none`), and then with each of the list left out, named after it.
+ * With BENCH_FAST=1: one-pass strips of 24 rows with pools for everything, with all accelerators of the scene's list
+ * (`all`), with none (`none`), and then with each of the list left out, named after it.
  *
  * With BENCH_POOLS, { name, max_tris, max_verts } of each scene's one-pass line: these once more, for an emulator that
  * counts what bench_frame takes from its call to its return; instructions are 0. Where BENCH_ARENA does not hold the

@@ -28,7 +28,8 @@ static const uint16_t face[12][3] = { { 4, 5, 6 }, { 4, 6, 7 }, { 1, 0, 3 }, { 1
                                       { 0, 4, 7 }, { 0, 7, 3 }, { 7, 6, 2 }, { 7, 2, 3 }, { 0, 1, 5 }, { 0, 5, 4 } };
 static const struct zs_mesh cube = { .pos = corner, .tri = face, .n_verts = 8, .n_tris = 12,
                                      .scale = 100 * ZS_Q16_ONE, .radius = 16 };
-static const struct zs_fast *const fast[] = { ZS_FAST_FRAME, ZS_FAST_CLUSTERS, ZS_FAST_FLAT, ZS_FAST_SMOOTH, ZS_FAST_END };
+static const struct zs_fast *const fast[] = { ZS_FAST_FRAME, ZS_FAST_CLUSTERS, ZS_FAST_FLAT, ZS_FAST_SMOOTH,
+                                              ZS_FAST_END };
 static const struct zs_fast *const plain[] = { ZS_FAST_FRAME, ZS_FAST_FLAT, ZS_FAST_SMOOTH, ZS_FAST_END };
 static const struct zs_material red = { .shader = &zs_shade_flat, .rgb = { 230, 60, 40 } };
 

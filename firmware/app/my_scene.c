@@ -60,13 +60,14 @@ static void pose(struct demo_frame *f, uint32_t t, uint16_t w, uint16_t h)
     zs_camera_orbit(&f->camera, middle, 7000, 0, 4000);
 }
 
-/* Accelerators: what is named here is linked and makes frames quicker, the picture stays the same. Other shaders and textures
- * have others (firmware/zstrip/zs_fast.h), ZS_FAST_CLUSTERS is for large models from `zsim convert`; .fast = 0 takes least flash. */
+/* Accelerators: what is named here is linked and makes frames quicker; the picture stays the same. Other shaders and
+ * textures have others (firmware/zstrip/zs_fast.h), ZS_FAST_CLUSTERS is for large models from `zsim convert`. With
+ * .fast = 0 it takes least flash. */
 static const struct zs_fast *const fast[] = { ZS_FAST_FRAME, ZS_FAST_FLAT, ZS_FAST_END };
 
 static const struct demo mine = {
-    .name = "mine", .what = "A pyramid turns above a floor", .width = SHOW_WIDTH, .height = SHOW_HEIGHT, .frames = FRAMES,
-    .attrs = ZS_ATTRS_FLAT, .depth = &zs_depth_float, .fast = fast, .pose = pose,
+    .name = "mine", .what = "A pyramid turns above a floor", .width = SHOW_WIDTH, .height = SHOW_HEIGHT,
+    .frames = FRAMES, .attrs = ZS_ATTRS_FLAT, .depth = &zs_depth_float, .fast = fast, .pose = pose,
 };
 
 /* 60 rows to a strip, 100 triangles and 100 vertices at a time: more of each is quicker, until RAM ends. */

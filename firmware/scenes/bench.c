@@ -250,6 +250,6 @@ BENCH(layers_ftb, "Eight full-screen layers from front to back", pose_layers_ftb
 BENCH(layers_btf, "Eight full-screen layers from back to front", pose_layers_btf);
 BENCH(layers_mixed, "Eight full-screen layers in mixed order", pose_layers_mixed);
 BENCH(sheet, "A jittered sheet of 20,000 tiny triangles", pose_sheet);
-BENCH_ATTRS(corridor, "A corridor through the near plane with five boxes that cross each other", ZS_ATTRS_FLAT, flat_fast,
-            pose_corridor);
+BENCH_ATTRS(corridor, "A corridor through the near plane with five boxes that cross each other", ZS_ATTRS_FLAT,
+            flat_fast, pose_corridor);
 BENCH(slivers, "A grid of slivers from a twentieth of a pixel to two and a half", pose_slivers);
