@@ -35,6 +35,7 @@
 #define GROUP_LOG2 5
 #define GROUP (1 << GROUP_LOG2) /* pixels */
 #define COARSE_LOG2 ZS_TEXEL_COARSE_LOG2 /* texels that 15 bits place */
+#define FEW 2 /* pixels: each by itself, whatever an accelerator can do */
 #define LIGHT_MAX 65504u /* uq1_15, just below 2: light() adds a half */
 #define LIGHT_LOG2 7     /* codes that its 16 bits stand for: 126 */
 
@@ -401,8 +402,10 @@ static uint32_t place_at(const struct zs_sampler *s, int k, uint32_t over)
     return (uint32_t)s->base[k] + turned(over, s->shift[k] + 1);
 }
 
-ZS_NOINLINE void zs_texture_coarse_pixel(struct zs_job *job, uint16_t *out, int32_t i, int32_t row, uint32_t w)
+ZS_NOINLINE void zs_texture_coarse_pixel(struct zs_job *job, const struct zs_row *of, int32_t i, uint32_t w)
 {
+    uint16_t *const out = job->color + of->at + i;
+    const int32_t row = of->y;
     const struct zs_sampler *s = &job->sampler;
     const struct zs_texture *t = s->texture;
     const struct zs_shader *shader = job->shader;
@@ -456,7 +459,7 @@ static inline void pixel(struct zs_job *job, const struct zs_row *row, int32_t i
     if (w == 0 || w >> 31 || job->sampler.fine)
         run_group(job, row, i, i, i, i + 1);
     else
-        zs_texture_coarse_pixel(job, job->color + row->at + i, i, row->y, w);
+        zs_texture_coarse_pixel(job, row, i, w);
 }
 
 void zs_texture_pixel(struct zs_job *job, const struct zs_row *row, int32_t i)
@@ -476,7 +479,7 @@ static void run_groups(struct zs_job *job, const struct zs_row *row, int32_t r0,
         const int32_t i1 = zs_min32(from + GROUP, r1);
         if (zs_persp_w_at(job, down ? to : from, row->y) >= job->sampler.least_w)
             run_group(job, row, from, to, i0, i1);
-        else if (divided)
+        else if (divided && i1 - i0 > FEW)
             divided(job, row, i0, i1);
         else
             for (; i0 < i1; i0++)

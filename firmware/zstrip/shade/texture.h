@@ -88,7 +88,7 @@ static inline uint32_t zs_texture_shine(uint32_t c, uint32_t level)
 /* Pixel i of a row of a triangle that is not affine, by a division of its own. */
 void zs_texture_pixel(struct zs_job *job, const struct zs_row *row, int32_t i);
 /* The same by a reciprocal of 15 bits. 0 < w < 2^31 there. */
-void zs_texture_coarse_pixel(struct zs_job *job, uint16_t *out, int32_t i, int32_t row, uint32_t w);
+void zs_texture_coarse_pixel(struct zs_job *job, const struct zs_row *row, int32_t i, uint32_t w);
 
 #define ZS_TEXTURE_FULL_LIGHT 32768u /* zs_tri.paint, uq1_15, where a texture's colours are as they are */
 
