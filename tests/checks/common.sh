@@ -46,6 +46,7 @@ minimal() {
     [ -z "${LIST:-}" ] || list=fast declared="static const struct zs_fast *const fast[] = { $LIST ZS_FAST_END };"
     cat >"$1" <<END
 #include "zs_fast.h"
+#include "zs_shader.h"
 struct zs_renderer renderer;
 ZS_ARENA(arena, ZS_ARENA_BYTES(240, 240, 24, 500, 500, 3, 1));
 struct zs_camera camera;
@@ -88,7 +89,7 @@ EVERYTHING='extern struct zs_material other[5];
     (void)zs_camera_look_along(&camera, v, v + 3, v + 6);
     (void)zs_camera_orbit(&camera, v, 10, 20, 30);
     (void)zs_frame_skip(&renderer);
-    (void)zs_sums_init((struct zs_sums *)anything, (uint64_t *)anything, 1, 1, 1, 1);
+    (void)zs_sums_init((struct zs_sums *)anything, (uint64_t *)anything, 240, 240, 24, 1);
     (void)zs_watch(&renderer, (struct zs_sums *)anything);
     (void)zs_track(&renderer, anything, 1);
     anything[3] = zs_frame_stats(&renderer)->passes;
@@ -107,6 +108,12 @@ struct zs_texture texture[3] = { { .format = &zs_texel_565 }, { .format = &zs_te
     { .format = &zs_texel_pal4 } };
 extern const struct zs_state state;
 const struct zs_state state = ZS_STATE(1, 0, 1, 2);'
+
+# A shader of its own, besides
+OWN='extern const struct zs_shader own;
+    if (anything[9])
+        material.shader = &own;'
+OWN_SHADER='const struct zs_shader own = { ZS_FRAGMENTS };'
 
 # A firmware that has one panel and sends a rectangle: FILE TYPE WIDTH HEIGHT [EXTRA STATEMENTS]
 minimal_panel() {

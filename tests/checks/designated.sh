@@ -35,10 +35,11 @@ by_name() {
         return
     fi
     # shellcheck disable=SC2086
-    found=$(positional gcc -std=gnu11 -D_GNU_SOURCE -DZS_STATS=1 -I"$dir" -Ifirmware/scenes $flags "$@")
+    found=$(positional gcc -std=gnu11 -D_GNU_SOURCE -DZS_STATS=1 -I"$dir" -Ifirmware/scenes -Ifirmware/examples $flags "$@")
     none "$name" "$found"
 }
 SIM="-Ihal -Ihal/panel -Ihal/fault -I$gen -I$dir/gen -Isim -Isim/reference -Isim/panel_model -Ihal/linux -Isim/linux"
+by_name "examples name fields" "" firmware/examples/*.c
 by_name "scenes name fields" "-I$gen" firmware/scenes/*.c
 by_name "mesh generators name fields" "" firmware/scenes/gen/*.c
 by_name "generated meshes name fields" "-I$gen" "$gen"/*.c
@@ -47,7 +48,7 @@ by_name "applications name fields" \
 by_name "the simulator names fields" "$SIM" sim/*.c sim/linux/*.c
 by_name "tests name fields" "$SIM -Itests -Itests/fuzz -Itests/stress -Ifirmware/app" \
     tests/*.c tests/cli/*.c tests/fuzz/*.c tests/stress/*.c
-LIST=$FAST_ALL minimal "$dir/minimal.c" flat recip "$EVERYTHING"
-echo "$OTHERS" >>"$dir/minimal.c"
+LIST=$FAST_ALL minimal "$dir/minimal.c" flat recip "$EVERYTHING $OWN"
+echo "$OTHERS $OWN_SHADER" >>"$dir/minimal.c"
 by_name "firmware of checks names fields" "" "$dir/minimal.c"
 exit $failed

@@ -9,8 +9,9 @@
 TEXTURE='zs_shade_texture|zs_texel|fetch|texture_|light$'
 FLOAT='zs_depth_(e[345]|float)|float_|any_row|(e[345]|any)_setup'
 
-# Checks of loaded data, and what finds changes: in no firmware that does not call them.
-CHECKS='zs_watch watch_look zs_track track_check track_due zs_raster_pass zs_mesh_check zs_texture_check zs_strflaw'
+# Checks of loaded data, what finds changes, what a program's own shaders need: in no firmware that does not name them.
+CHECKS='zs_watch watch_look zs_track track_check track_due zs_raster_pass zs_mesh_check zs_texture_check zs_strflaw
+        zs_sums_init zs_fragments_start zs_fragments_run'
 
 # Names that files of fast/ alone define, FILES by a pattern
 names_of() {
@@ -59,8 +60,8 @@ for c in $CPUS; do
     without flat recip '^(zs_fast_(touch|batch|edges)|batch_)' 'first_touch|edges|solid|smooth|less|texture|texels'
     LIST=
     # the names above must exist, or the patterns prove nothing
-    LIST=$FAST_ALL minimal "$dir/main.c" flat recip "$EVERYTHING"
-    echo "$OTHERS" >>"$dir/main.c"
+    LIST=$FAST_ALL minimal "$dir/main.c" flat recip "$EVERYTHING $OWN"
+    echo "$OTHERS $OWN_SHADER" >>"$dir/main.c"
     link "$c" "$dir" "$dir/main.c" "$dir/all.elf" || bad "$c everything links" "see above"
     all=$(${ARM}nm "$dir/all.elf" | awk '{ print $NF }')
     gone=

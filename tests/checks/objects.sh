@@ -37,8 +37,8 @@ rules() {
 for c in $CPUS; do
     dir=$B/objects-$c
     if core "$c" "$dir"; then
-        LIST=$FAST_ALL minimal "$dir/main.c" flat recip "$EVERYTHING"
-        echo "$OTHERS" >>"$dir/main.c"
+        LIST=$FAST_ALL minimal "$dir/main.c" flat recip "$EVERYTHING $OWN"
+        echo "$OTHERS $OWN_SHADER" >>"$dir/main.c"
         rules "$c" "$c" "$dir"
     else
         bad "$c compiles" "see above"

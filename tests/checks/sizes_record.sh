@@ -134,7 +134,9 @@ for x in $TEXELS; do
 done
 echo "static const struct record_bytes record_state[RECORD_CPUS] = { $(more state \
     'extern const struct zs_state state; instance.state = &state;' 'const struct zs_state state = ZS_STATE(1, 1, 2, 3);') };"
-echo "static const struct record_bytes record_watch[RECORD_CPUS] = { $(more watch '(void)zs_sums_init((struct zs_sums *)anything, (uint64_t *)anything, 1, 1, 1, 1); (void)zs_watch(&renderer, (struct zs_sums *)anything);' '') };"
+echo "static const struct record_bytes record_watch[RECORD_CPUS] = { $(more watch \
+    'static struct zs_sums sums; (void)zs_sums_init(&sums, (uint64_t *)anything, 240, 240, 24, 1);
+     (void)zs_watch(&renderer, &sums);' '') };"
 echo "static const struct record_bytes record_track[RECORD_CPUS] = { $(more track '(void)zs_track(&renderer, anything, 1);' '') };"
 echo "/* Poses turned, a camera that looks at a point. */"
 echo "static const struct record_bytes record_pose[RECORD_CPUS] = { $(more pose \

@@ -1,7 +1,8 @@
 #!/bin/sh
 # The worst case of the stack, from the compiler's own numbers: no recursion, no VLA, a bound for each
 # public function on Cortex-M0+ and M3, with all accelerators and without any. How: stack.mjs.
-# What functions of zs_sink, of a program's own shaders and of a panel's bus and hooks take comes on top, as do interrupts.
+# What functions of zs_sink, of a program's own fragment, background and resolve stages and of a panel's bus and hooks take
+# comes on top, as do interrupts.
 #
 # SPDX-License-Identifier: MIT
 . "$(dirname "$0")/common.sh"
@@ -22,11 +23,11 @@ render() { # CPU NAME EMPTY [FLAGS]: EMPTY as of stack.mjs
     c=$1 name=$2 empty=$3 dir=$B/stack-$2
     # shellcheck disable=SC2086
     core "$c" "$dir" ${4:-} $MEASURED || { bad "$name compiles (-Wvla -Werror)" "see above"; return; }
-    LIST=$FAST_ALL minimal "$dir/main.c" flat recip "$EVERYTHING"
-    echo "$OTHERS" >>"$dir/main.c"
+    LIST=$FAST_ALL minimal "$dir/main.c" flat recip "$EVERYTHING $OWN"
+    echo "$OTHERS $OWN_SHADER" >>"$dir/main.c"
     # shellcheck disable=SC2086
     link "$c" "$dir" "$dir/main.c" "$dir/all.elf" -Wl,--no-gc-sections ${4:-} || { bad "$name links" "see above"; return; }
-    stack "$name" "$dir" "$LIMIT" zs_ zs_sink,zs_shader.fragment "$empty" zs_render zs_init zs_frame_begin zs_frame_strip zs_frame_end zs_pose_turn \
+    stack "$name" "$dir" "$LIMIT" zs_ zs_sink,zs_shader.fragment,zs_background,zs_resolve "$empty" zs_render zs_init zs_frame_begin zs_frame_strip zs_frame_end zs_pose_turn \
         zs_pose_rotate zs_camera_perspective zs_camera_orthographic zs_camera_look_at zs_camera_look_along zs_camera_orbit \
         zs_unit zs_mesh_check zs_texture_check
 }
