@@ -62,9 +62,10 @@ static void look_from(struct page *p, int32_t x, int32_t y, int32_t z)
 static void begin(struct page *p, const char *name, const struct zs_depth *depth)
 {
     const struct page none = { 0 };
+    static const struct zs_fast *const fast[] = { ZS_FAST_ALL, ZS_FAST_END };
     const struct zs_config config = {
         .width = W, .height = H, .strip_h = STRIP, .max_tris = TRIS, .max_verts = VERTS, .attrs = ZS_ATTRS_SMOOTH,
-        .buffers = 1, .subpixel_bits = 8, .depth_bits = 16, .depth = depth
+        .buffers = 1, .subpixel_bits = 8, .depth_bits = 16, .depth = depth, .fast = fast
     };
     const int32_t light[3] = { 3, 5, 4 };
     *p = none;

@@ -12,7 +12,7 @@ build=$1
 out=$build/scene_sums
 record=tests/golden/scenes.txt
 COLUMNS='gcc_O0 gcc_O3 clang_O0 clang_O3 cortex_m0 cortex_m0plus cortex_m3 cortex_m4 cortex_m7 rv32
-         ppc lean_x86 lean_m0 lean_m3' # ppc: PowerPC, big-endian; lean: ZS_LEAN: the same frames by the least code
+         ppc bare_x86 bare_m0 bare_m3' # ppc: PowerPC, big-endian; bare: no accelerators, -Os
 SCENES=$(grep -oE '&demo_[a-z_]+' firmware/scenes/demos.c | sed 's/&demo_//')
 . tests/boards/common.sh
 
@@ -29,9 +29,9 @@ column_is() { # COLUMN
     ppc) # a program for Linux
         board=host memory= emulator=qemu-ppc-static
         with="BOARD_CC=powerpc-linux-gnu-gcc BOARD_LINK=-static OUT=$build/fw/host_$1" ;;
-    lean_x86) board=host memory= with="LEAN=1 OUT=$build/fw/host_$1" ;;
-    lean_m0) board=m0 memory='-DSUMS_ROWS=5 -DSUMS_ARENA=10900' with=LEAN=1 ;;
-    lean_m3) board=mps2 memory=-DSUMS_ROWS=9 with=LEAN=1 ;;
+    bare_x86) board=host memory= with="LEAN=1 OUT=$build/fw/host_$1" ;;
+    bare_m0) board=m0 memory='-DSUMS_ROWS=5 -DSUMS_ARENA=10800' with=LEAN=1 ;;
+    bare_m3) board=mps2 memory=-DSUMS_ROWS=9 with=LEAN=1 ;;
     cortex_m0) # 16 KB of RAM; its flash takes a scene at a time, and the largest with the smaller code alone
         board=m0 memory='-DSUMS_ROWS=4 -DSUMS_ARENA=10800'
         with="OPT=-Os OUT=$build/fw/m0_small" ;;
