@@ -176,6 +176,68 @@ static void projection_is_the_exact_product_rounded_once(void **state)
     assert_true(getenv("ZS_SEED") || tiny >= 5);
 }
 
+/* ---- In one go (fast/screen.c) -------------------------------------------------------------------- */
+
+static uint32_t inside, outside, untested; /* vertices; settings in which none needs a test */
+
+static int far_apart(const struct zs_vertex *a, const struct zs_vertex *b)
+{
+    return llabs((int64_t)a->x - b->x) >= 65536 || llabs((int64_t)a->y - b->y) >= 65536;
+}
+
+/* Any run of them: each as it is alone; those outside are far from all others. */
+static int screen_case(uint64_t seed)
+{
+    struct prng p = { seed };
+    static struct setting s;
+    static uint8_t lo[N_VERTS][3];
+    struct zs_vertex got[N_VERTS], want;
+    struct zs_bounds b;
+    if (!set_up(&s, &p))
+        return 1;
+    const int small = prng_pick(&p, 3) != 0; /* near its middle, so that it may be in view as a whole */
+    for (int v = 0; v < N_VERTS; v++)
+        for (int k = 0; k < 3; k++) {
+            s.pos[v][k] = small ? (int16_t)prng_range(&p, -99, 99) : s.pos[v][k];
+            lo[v][k] = (uint8_t)prng_next(&p);
+        }
+    s.mesh.radius = small ? 175 : 56758;
+    if (prng_pick(&p, 2))
+        s.mesh.pos_lo = (const uint8_t (*)[3])lo;
+    if (zs_frame_begin(&s.r, &s.scene, &s.camera) || zs_cull_walk(&b, &s.r, 0) || !zs_xform_instance(&s.r, 0, &b))
+        return 1;
+    zs_screen_needs(&s.r, &b);
+    untested += !s.r.xform.clip_depth && !s.r.xform.clip_guard;
+    const uint32_t from = prng_pick(&p, N_VERTS), n = 1 + prng_pick(&p, N_VERTS - from);
+    struct zs_point point;
+    zs_xform_vertex(&s.r.xform, from, &point);
+    if (prng_pick(&p, 3) == 0 && point.c[2] > s.r.view.z_near + 1) { /* far is where one of them is, or beside it */
+        s.r.view.z_far = point.c[2] + prng_range(&p, -1, 1);
+        s.r.xform.clip_depth = 1;
+    }
+    zs_screen(&s.r, from, n, got);
+    for (uint32_t v = 0; v < n; v++) {
+        zs_xform_screen(&s.r, from + v, &want);
+        const int out = want.d >= ZS_D_OUT;
+        if (got[v].d != want.d || (!out && (got[v].x != want.x || got[v].y != want.y)))
+            return case_wrong("vertex %u: (%d, %d, %u), not (%d, %d, %u)", from + v, got[v].x, got[v].y, got[v].d, want.x,
+                              want.y, want.d);
+        for (uint32_t k = 0; k < n && out; k++)
+            CASE_CHECK(k == v || far_apart(&got[v], &got[k]));
+        *(out ? &outside : &inside) += 1;
+    }
+    return 1;
+}
+
+static void in_one_go_as_one_by_one(void **state)
+{
+    (void)state;
+    inside = outside = untested = 0;
+    CASES(screen_case, 20000);
+    print_message("%u vertices inside, %u outside; %u meshes without a test\n", inside, outside, untested);
+    assert_true(getenv("ZS_SEED") || (inside > 10000 && outside > 10000 && untested > 1000));
+}
+
 /* ---- Light --------------------------------------------------------------------------------------- */
 
 static uint32_t intensity(const struct zs_shading *s, const zs_q1_15 n[3])
@@ -249,6 +311,7 @@ static const struct CMUnitTest tests[] = {
     cmocka_unit_test(focal_lengths_keep_their_bits),
     cmocka_unit_test(vertices_are_the_exact_sum_rounded_once),
     cmocka_unit_test(projection_is_the_exact_product_rounded_once),
+    cmocka_unit_test(in_one_go_as_one_by_one),
     cmocka_unit_test(light_is_the_exact_product_rounded_once)
 };
 
