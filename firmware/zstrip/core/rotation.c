@@ -155,7 +155,7 @@ void zs_rotation_mul(zs_q2_30 out[9], const zs_q2_30 a[9], const zs_q2_30 b[9])
 void zs_pose_identity(struct zs_pose *pose)
 {
     const struct zs_pose identity = {
-        { ZS_Q30_ONE, 0, 0, 0, ZS_Q30_ONE, 0, 0, 0, ZS_Q30_ONE }, { 0, 0, 0 }, ZS_Q16_ONE
+        .rot = { ZS_Q30_ONE, 0, 0, 0, ZS_Q30_ONE, 0, 0, 0, ZS_Q30_ONE }, .scale = ZS_Q16_ONE
     };
     *pose = identity;
 }
