@@ -470,7 +470,7 @@ int zs_frame_end(struct zs_renderer *r);
 /* Counts of the frame begun last; never NULL. Valid as long as r. */
 const struct zs_stats *zs_frame_stats(const struct zs_renderer *r);
 
-/* ---- What is on the glass already -------------------------------------------------------------------- */
+/* ---- What is on the glass already ------------------------------------------------------------ */
 
 /* What a panel shows: sums of its strips, by columns. One for each panel, shared by all renderers that draw for it: one that
  * had sums of its own would not know what another has drawn over its strips. The fields are the library's. */
@@ -545,7 +545,7 @@ int zs_track_columns(struct zs_renderer *r, int on);
  * Return ZS_OK; ZS_ERR_NULL; ZS_ERR_STATE: r is not set up. Without zs_watch and zs_track: no effect. */
 int zs_invalidate(struct zs_renderer *r, const struct zs_rect *rect);
 
-/* ---- Data that cannot be trusted: a mesh from a card, a texture from a file ------------------------ */
+/* ---- Data that cannot be trusted: a mesh from a card, a texture from a file ------------------ */
 
 enum zs_flaw {
     ZS_FLAW_NONE = 0,
@@ -581,7 +581,7 @@ enum zs_flaw zs_texture_check(const struct zs_texture *texture, uint32_t *index)
 /* One English clause for a flaw, without a full stop; never NULL. Static storage. */
 const char *zs_strflaw(enum zs_flaw flaw);
 
-/* ---- Integer helpers: angles, poses, cameras -------------------------------------------------- */
+/* ---- Integer helpers: angles, poses, cameras ------------------------------------------------- */
 
 /* sin and cos of an angle. Error <= 2^-28. No table. */
 zs_q2_30 zs_sin(zs_turn a);

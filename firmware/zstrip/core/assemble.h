@@ -38,7 +38,7 @@ enum zs_fate zs_assemble_box(const struct zs_renderer *r, const struct zs_vertex
 /* Bin triangle t. *piece: of a clipped one, the next piece of its fan; 0 before and after. */
 enum zs_fate zs_assemble_tri(struct zs_renderer *r, uint32_t t, uint32_t *piece);
 
-/* ---- fan.c: a triangle that is cut at near, far or the guard band, in pieces ---------------------------- */
+/* ---- fan.c: a triangle that is cut at near, far or the guard band, in pieces ----------------- */
 
 enum zs_fate zs_fan_bin(struct zs_renderer *r, uint32_t t, uint32_t *piece);
 

@@ -31,7 +31,7 @@ void zs_bin_empty(struct zs_renderer *r)
     bins_clear(r);
 }
 
-/* ---- Vertices ---------------------------------------------------------------------------------------- */
+/* ---- Vertices -------------------------------------------------------------------------------- */
 
 /* Kept apart: where division is a call, only vertices beyond the pool's size pay for it. */
 static ZS_NOINLINE uint32_t fold(uint32_t v, uint32_t n)
@@ -93,7 +93,7 @@ ZS_RARE ZS_NOINLINE int zs_bin_corners(struct zs_renderer *r, const uint16_t ind
     return 1;
 }
 
-/* ---- Room ---------------------------------------------------------------------------------------------- */
+/* ---- Room ------------------------------------------------------------------------------------ */
 
 /* Drop binned triangles that begin below the band; the rest moves up in order. */
 static ZS_RARE void tris_pack(struct zs_renderer *r)

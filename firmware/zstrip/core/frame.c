@@ -35,7 +35,7 @@ const char *zs_strerror(int err)
     return n < sizeof messages / sizeof messages[0] ? messages[n] : "unknown error";
 }
 
-/* ---- Set-up ------------------------------------------------------------------------------------------ */
+/* ---- Set-up ---------------------------------------------------------------------------------- */
 
 static ZS_RARE int config_ok(const struct zs_config *c)
 {
@@ -146,7 +146,7 @@ ZS_RARE int zs_init(struct zs_renderer *r, const struct zs_config *config, void 
     return ZS_OK;
 }
 
-/* ---- Checks of a frame ----------------------------------------------------------------------------- */
+/* ---- Checks of a frame ----------------------------------------------------------------------- */
 
 static ZS_RARE int instance_check(const struct zs_renderer *r, const struct zs_instance *in)
 {
@@ -240,7 +240,7 @@ ZS_RARE int zs_frame_begin(struct zs_renderer *r, const struct zs_scene *scene,
     return ZS_OK;
 }
 
-/* ---- Strips -------------------------------------------------------------------------------------------- */
+/* ---- Strips ---------------------------------------------------------------------------------- */
 
 /* What is drawn over a finished strip. */
 static void resolve(const struct zs_renderer *r)

@@ -4,7 +4,7 @@
  */
 #include "core/fx.h"
 
-/* ---- Leading zeros ------------------------------------------------------------------------------ */
+/* ---- Leading zeros --------------------------------------------------------------------------- */
 
 #define CLZ_2(n) (n), (n)
 #define CLZ_8(n) CLZ_2(n), CLZ_2(n), CLZ_2(n), CLZ_2(n)
@@ -66,7 +66,7 @@ uint32_t zs_recip(uint32_t a)
     return zs_recip_inline(a);
 }
 
-/* ---- Square root: one result bit a turn, no multiplication ------------------------------------- */
+/* ---- Square root: one result bit a turn, no multiplication ----------------------------------- */
 
 ZS_RARE uint32_t zs_isqrt64(uint64_t v)
 {
@@ -82,7 +82,7 @@ ZS_RARE uint32_t zs_isqrt64(uint64_t v)
     return (uint32_t)root; /* < 2^32 */
 }
 
-/* ---- 128-bit products -------------------------------------------------------------------------- */
+/* ---- 128-bit products ------------------------------------------------------------------------ */
 
 struct wide {
     uint64_t hi, lo;

@@ -49,7 +49,7 @@ ZS_NOINLINE void zs_raster_clear_all(struct zs_renderer *r)
         zs_raster_clear(r, row, 0, width);
 }
 
-/* ---- Set-up ------------------------------------------------------------------------------------------ */
+/* ---- Set-up ---------------------------------------------------------------------------------- */
 
 /* 1: no row has a pixel, and there are no more rows than have been cut. */
 static int covers_nothing(const struct zs_job *job)
@@ -91,7 +91,7 @@ static ZS_NOINLINE int job_setup(struct zs_job *job)
     return 1;
 }
 
-/* ---- Rows -------------------------------------------------------------------------------------------- */
+/* ---- Rows ------------------------------------------------------------------------------------ */
 
 static void linear_span(struct zs_job *job, const struct zs_row *row)
 {
@@ -145,7 +145,7 @@ static ZS_NOINLINE void draw(struct zs_job *job)
         curved_walk(job);
 }
 
-/* ---- Lists ------------------------------------------------------------------------------------------- */
+/* ---- Lists ----------------------------------------------------------------------------------- */
 
 static uint16_t reversed(struct zs_tri *tri, uint16_t list)
 {
@@ -186,7 +186,7 @@ void zs_raster_pass(struct zs_renderer *r)
     r->active = take_list(r); /* those that end here too: they have no row in a strip below */
 }
 
-/* ---- The strip --------------------------------------------------------------------------------------- */
+/* ---- The strip ------------------------------------------------------------------------------- */
 
 /* What is hidden in a strip, or beside the columns of it that are drawn. */
 struct sight {

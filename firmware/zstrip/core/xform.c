@@ -101,7 +101,7 @@ ZS_RARE int zs_xform_instance(struct zs_renderer *r, uint32_t number, const stru
     return 1;
 }
 
-/* ---- Vertices --------------------------------------------------------------------------------------- */
+/* ---- Vertices -------------------------------------------------------------------------------- */
 
 int32_t zs_xform_fine(const int32_t row[ZS_ROW_WORDS], const int16_t pos[3], const uint8_t pos_lo[3])
 {
@@ -158,7 +158,7 @@ uint32_t zs_xform_outcode(const struct zs_view *view, const struct zs_point *p)
     return code;
 }
 
-/* ---- Projection ------------------------------------------------------------------------------------- */
+/* ---- Projection ------------------------------------------------------------------------------ */
 
 /* mag / 2^shift, nearest, saturated. mag < 2^63, 0 < shift <= 74 */
 static uint32_t steps_wide(uint64_t mag, int32_t shift)

@@ -72,7 +72,7 @@ static inline void window_of(uint16_t window[2], const struct zs_renderer *r, ui
     window[1] = r->track_columns ? (uint16_t)(due >> 16) : r->config.width;
 }
 
-/* ---- Sums -------------------------------------------------------------------------------------------- */
+/* ---- Sums ------------------------------------------------------------------------------------ */
 
 static void begin(uint32_t lane[2])
 {
@@ -142,7 +142,7 @@ static void frame_sum(uint32_t lane[2], const struct zs_renderer *r, const struc
 _Static_assert(offsetof(struct zs_scene, resolve) == offsetof(struct zs_scene, sky) + sizeof(void *), "sky and resolve, the same");
 _Static_assert(offsetof(struct zs_camera, pos) == sizeof(((struct zs_camera *)0)->rot), "rot and pos are summed as one");
 
-/* ---- The strips of a sphere ------------------------------------------------------------------------ */
+/* ---- The strips of a sphere ------------------------------------------------------------------ */
 
 /* Sub-pixels between which the sphere lies along axis 0 or 1, from the frame's left or top. Return 0: not known. */
 static int sphere_extent(int32_t at[2], const struct zs_renderer *r, const struct zs_bounds *b, int axis)
@@ -194,7 +194,7 @@ static void find_strips(struct zs_renderer *r, uint32_t number)
     rec->x_end = (uint16_t)zs_max32(zs_min32(zs_first_sample(at[1]), rec->x_end), 0);
 }
 
-/* ---- Frames ------------------------------------------------------------------------------------------ */
+/* ---- Frames ---------------------------------------------------------------------------------- */
 
 /* Keep a sum. Return 1: it was another one. */
 static ZS_NOINLINE int differs(uint32_t kept[2], const uint32_t lane[2])
@@ -334,7 +334,7 @@ static void track_forget(struct zs_renderer *r, const struct zs_rect *rect)
     r->band_end = 0; /* in a frame: what is binned lacks instances of strips that were not due */
 }
 
-/* ---- Columns of a strip ---------------------------------------------------------------------------------- */
+/* ---- Columns of a strip ---------------------------------------------------------------------- */
 
 /* Is a triangle beside the columns that are drawn? */
 static int beside(struct zs_job *job)

@@ -221,7 +221,7 @@ ZS_IN_ORDER static ZS_NOINLINE int crossing_planes(struct zs_job *job)
     return 0;
 }
 
-/* ---- Two octaves ----------------------------------------------------------------------------------- */
+/* ---- Two octaves ----------------------------------------------------------------------------- */
 
 /* Pixels [i, i + n) of a row, all in the nearer octave or in the farther one: code = (o - 1) 2^m + w / 2^shift. */
 static ZS_NOINLINE void pair_piece(struct zs_job *job, const struct zs_row *row, int32_t i, int32_t n, uint32_t w,
@@ -256,7 +256,7 @@ ZS_ALWAYS_INLINE void pair_span(struct zs_job *job, const struct zs_row *row)
     pair_piece(job, row, row->i0 + first, n - first, w + zs_wrap_mul((uint32_t)gx, first), above >= 0);
 }
 
-/* ---- More ---------------------------------------------------------------------------------------------- */
+/* ---- More ------------------------------------------------------------------------------------ */
 
 /* Leading zeros of w in 39.24 bits, 1 .. last: how many octaves below the nearest's end, and one. */
 static inline int32_t octaves_down(uint64_t w, int32_t last)

@@ -18,7 +18,7 @@ static inline const int32_t *xy(const struct zs_vertex *v)
 }
 _Static_assert(offsetof(struct zs_vertex, x) == 0 && offsetof(struct zs_vertex, y) == 4, "x and y come first");
 
-/* ---- Vertices ------------------------------------------------------------------------------------------ */
+/* ---- Vertices -------------------------------------------------------------------------------- */
 
 void zs_batch_verts(struct zs_renderer *r, uint32_t slot, uint32_t from, uint32_t n)
 {
@@ -44,7 +44,7 @@ static void batch_open(struct zs_renderer *r)
         zs_batch_verts(r, base, 0, n);
 }
 
-/* ---- Facing -------------------------------------------------------------------------------------------- */
+/* ---- Facing ---------------------------------------------------------------------------------- */
 
 /* Triangles go through in batches: those that are turned away leave first. */
 #define BATCH 40 /* at most 64 */
@@ -110,7 +110,7 @@ static ZS_NOINLINE uint32_t reject(struct batch *s, uint32_t n)
     return left;
 }
 
-/* ---- Boxes and bins ------------------------------------------------------------------------------------ */
+/* ---- Boxes and bins -------------------------------------------------------------------------- */
 
 ZS_ALWAYS_INLINE void turn(struct zs_candidate *at)
 {

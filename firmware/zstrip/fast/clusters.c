@@ -115,7 +115,7 @@ static ZS_RARE int cluster_edges(struct zs_renderer *r, const struct zs_bounds *
     return !outside || r->counting;
 }
 
-/* ---- Set-up ------------------------------------------------------------------------------------------- */
+/* ---- Set-up ---------------------------------------------------------------------------------- */
 
 /* What turns world units into steps. */
 struct ruler {
@@ -265,7 +265,7 @@ static ZS_RARE int cluster_open(struct zs_renderer *r, const struct zs_bounds *b
     return c->n_planes || c->cone;
 }
 
-/* ---- Tests -------------------------------------------------------------------------------------------- */
+/* ---- Tests ----------------------------------------------------------------------------------- */
 
 /* Is (*) true? Where it is not a promise of a sound mesh, sums wrap and mean nothing. */
 static int turned_away(const struct zs_clusters *k, const struct zs_mesh *mesh, const struct zs_cluster *c)
@@ -306,7 +306,7 @@ static int left_out(const struct zs_renderer *r, uint32_t i)
     return whole && turned_away(k, mesh, c);
 }
 
-/* ---- Runs --------------------------------------------------------------------------------------------- */
+/* ---- Runs ------------------------------------------------------------------------------------ */
 
 /* A mark a vertex, in bytes, and behind them a flag a cluster: vert_map, which is not used while places are direct. */
 static uint8_t *marks(const struct zs_renderer *r)

@@ -11,7 +11,7 @@
 #define OUT_Y ((int32_t)1 << 30)
 _Static_assert(OUT_Y - 2 * ZS_GUARD_SUBPX > 65536, "vertices outside must be far from those inside");
 
-/* ---- Camera units -------------------------------------------------------------------------------------- */
+/* ---- Camera units ---------------------------------------------------------------------------- */
 
 /* Exact, where rows are cut too: with m = high 2^s + low, t = t_high 2^shift + t_low, the sum is
  *   high . p 2^s + (low . p + t_low) + t_high 2^shift
@@ -45,7 +45,7 @@ static void transform(const struct zs_xform *xf, uint32_t v, uint32_t n, struct 
         points(xf, v, n, out);
 }
 
-/* ---- Clip tests ------------------------------------------------------------------------------------------ */
+/* ---- Clip tests ------------------------------------------------------------------------------ */
 
 /* Clip tests that no vertex of the instance can fail are left out. */
 ZS_RARE void zs_screen_needs(struct zs_renderer *r, const struct zs_bounds *b)
@@ -70,7 +70,7 @@ ZS_RARE void zs_screen_needs(struct zs_renderer *r, const struct zs_bounds *b)
         xf->clip_guard = side_w * r->config.height > guard_px * (camera->height >> 16);
 }
 
-/* ---- The screen ---------------------------------------------------------------------------------------- */
+/* ---- The screen ------------------------------------------------------------------------------ */
 
 /* |c| * rcp / 2^(33 + down), nearest: the low half of the product cannot carry. |c| <= 2^31, 0 <= down <= 31 */
 static inline uint32_t steps_of(int32_t c, uint32_t rcp, int32_t down)

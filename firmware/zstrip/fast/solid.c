@@ -38,7 +38,7 @@ ZS_ALWAYS_INLINE int32_t pixels(uint16_t *depth, uintptr_t beside, int32_t n, ui
     return written;
 }
 
-/* ---- Rows -------------------------------------------------------------------------------------------- */
+/* ---- Rows ------------------------------------------------------------------------------------ */
 
 /* Keys that do not saturate: as zs_rows_walk walks rows, with little else in registers. */
 static ZS_NOINLINE void solid_walk(struct zs_job *job)
@@ -93,7 +93,7 @@ static int solid_rows(struct zs_job *job)
     return 1;
 }
 
-/* ---- Small triangles ----------------------------------------------------------------------------------- */
+/* ---- Small triangles ------------------------------------------------------------------------- */
 
 /* The pixels right of `at` up to `end`, as zs_solid_pixels. */
 ZS_ALWAYS_INLINE int32_t small_pixels(uint16_t *at, uint16_t *const end, uintptr_t beside, uint32_t sum, uint32_t gx, uint16_t paint)

@@ -11,7 +11,7 @@
 #include "shade/texture.h"
 #include "zs_fast.h"
 
-/* ---- Palettes ---------------------------------------------------------------------------------------- */
+/* ---- Palettes -------------------------------------------------------------------------------- */
 
 /* t with its palette lit, if it has one that is small enough. */
 static ZS_NOINLINE const struct zs_texture *palette_lit(struct zs_job *job, const struct zs_texture *t)
@@ -188,7 +188,7 @@ ZS_IN_ORDER static int draw_lit(struct zs_job *job)
     return draw(job, 1);
 }
 
-/* ---- Pixels that are divided ---------------------------------------------------------------------------- */
+/* ---- Pixels that are divided ----------------------------------------------------------------- */
 
 #define PIECE 16 /* pixels divided at a time ... */
 #define FEW 2    /* ... which is not worth it for so many */
@@ -300,7 +300,7 @@ static void divided(struct zs_job *job, const struct zs_row *row, int32_t i, int
     }
 }
 
-/* ---- Rows -------------------------------------------------------------------------------------------- */
+/* ---- Rows ------------------------------------------------------------------------------------ */
 
 static int texture_rows(struct zs_job *job)
 {

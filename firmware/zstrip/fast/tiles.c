@@ -45,7 +45,7 @@ static uint32_t key_of(const struct zs_renderer *r, uint32_t d, int32_t add)
     return (key >= most ? most : zs_minu32(key + 0x8000u + (uint32_t)add, most)) >> 16; /* no carry: key < 2^32 - 2^17 */
 }
 
-/* ---- Bounds ------------------------------------------------------------------------------------------ */
+/* ---- Bounds ---------------------------------------------------------------------------------- */
 
 enum { LONG, UPPER, LOWER }; /* edges from the top to the bottom vertex, to the middle one, from there */
 
@@ -225,7 +225,7 @@ static ZS_NOINLINE void tiles_cover(struct zs_renderer *r, const struct zs_verte
     r->cover_next = !r->cover_next;
 }
 
-/* ---- Questions --------------------------------------------------------------------------------------- */
+/* ---- Questions ------------------------------------------------------------------------------- */
 
 static uint32_t tiles_seen(struct zs_renderer *r)
 {

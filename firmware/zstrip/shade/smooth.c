@@ -37,7 +37,7 @@ static int smooth_check(const struct zs_instance *in, const struct zs_config *co
     return in->mesh->normal ? ZS_OK : ZS_ERR_MESH;
 }
 
-/* ---- Set-up ------------------------------------------------------------------------------------------ */
+/* ---- Set-up ---------------------------------------------------------------------------------- */
 
 /* Largest change of a channel over the triangle, uq0_16. */
 static uint32_t color_range(const uint16_t *const a[3])
@@ -166,7 +166,7 @@ static void smooth_start(struct zs_job *job)
         start_by_w(job, a, range);
 }
 
-/* ---- Runs ------------------------------------------------------------------------------------------- */
+/* ---- Runs ------------------------------------------------------------------------------------ */
 
 static void fill_linear(uint16_t *out, int32_t n, const uint32_t c[3], const uint32_t step[3])
 {

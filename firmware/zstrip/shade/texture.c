@@ -39,7 +39,7 @@
 #define LIGHT_MAX 65504u /* uq1_15, just below 2: light() adds a half */
 #define LIGHT_LOG2 7     /* codes that its 16 bits stand for: 126 */
 
-/* ---- Vertices and faces ---------------------------------------------------------------------------- */
+/* ---- Vertices and faces ---------------------------------------------------------------------- */
 
 static void texture_vertex(const struct zs_shading *s, uint32_t v, uint16_t *out)
 {
@@ -92,7 +92,7 @@ static int smooth_check(const struct zs_instance *in, const struct zs_config *co
     return in->mesh->normal ? texture_check(in, config) : ZS_ERR_MESH;
 }
 
-/* ---- Set-up ------------------------------------------------------------------------------------------ */
+/* ---- Set-up ---------------------------------------------------------------------------------- */
 
 /* v * 2^shift in 64 bits, floor. |shift| < 32 */
 static inline uint64_t shifted(int32_t v, int32_t shift)
@@ -276,7 +276,7 @@ static void texture_start(struct zs_job *job)
     zs_plane_origin(&job->geom, &job->c[2]);
 }
 
-/* ---- Runs ------------------------------------------------------------------------------------------- */
+/* ---- Runs ------------------------------------------------------------------------------------ */
 
 /* A coordinate held to [0, 1) in q32_32. */
 static uint32_t held(uint64_t t)
@@ -387,7 +387,7 @@ static void run_affine(struct zs_job *job, const struct zs_row *row, int32_t r0,
         zs_texture_lighten(job, out, n, 0, 0);
 }
 
-/* ---- Pixel by pixel --------------------------------------------------------------------------------- */
+/* ---- Pixel by pixel -------------------------------------------------------------------------- */
 
 /* Attribute k at a pixel, c there shifted up like w, whose reciprocal of 15 bits is rcp. */
 static uint32_t coarse_at(const struct zs_job *job, int k, int32_t i, int32_t row, int32_t up, uint32_t rcp)
@@ -427,7 +427,7 @@ ZS_NOINLINE void zs_texture_coarse_pixel(struct zs_job *job, const struct zs_row
     }
 }
 
-/* ---- Groups ------------------------------------------------------------------------------------------ */
+/* ---- Groups ---------------------------------------------------------------------------------- */
 
 /* The step to a group's end, n pixels or a whole group further. |all| < 2^31 */
 static inline int32_t step_of(int32_t all, int32_t n)

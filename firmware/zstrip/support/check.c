@@ -49,7 +49,7 @@ static int aligned(const void *p, size_t bytes)
     return ((uintptr_t)p & (bytes - 1u)) == 0;
 }
 
-/* ---- Spheres ----------------------------------------------------------------------------------- */
+/* ---- Spheres --------------------------------------------------------------------------------- */
 
 /* A vertex from a point given in steps; out in 1/256 step. |.| < 2^24 */
 static void vertex_from(const struct zs_mesh *m, uint32_t v, const int16_t point[3], int32_t out[3])
@@ -69,7 +69,7 @@ static int in_sphere(const struct zs_mesh *m, uint32_t v, const int16_t center[3
     return square <= r * r;
 }
 
-/* ---- Normals ----------------------------------------------------------------------------------- */
+/* ---- Normals --------------------------------------------------------------------------------- */
 
 /* Length 0, or within 2 % of 32767. */
 static int unit_or_none(const zs_q1_15 n[3])
@@ -210,7 +210,7 @@ static int high_enough(const struct zs_mesh *mesh, uint32_t t, uint32_t height)
     return at_least(&left, &right);
 }
 
-/* ---- Clusters ---------------------------------------------------------------------------------- */
+/* ---- Clusters -------------------------------------------------------------------------------- */
 
 static int cluster_spheres(const struct zs_mesh *m, const struct zs_cluster *c)
 {
@@ -263,7 +263,7 @@ static enum zs_flaw clusters_check(const struct zs_mesh *m, uint32_t *index)
     return found(ZS_FLAW_NONE, index, 0);
 }
 
-/* ---- Meshes ------------------------------------------------------------------------------------ */
+/* ---- Meshes ---------------------------------------------------------------------------------- */
 
 static int mesh_aligned(const struct zs_mesh *m)
 {
@@ -301,7 +301,7 @@ enum zs_flaw zs_mesh_check(const struct zs_mesh *m, uint32_t *index)
     return m->cluster ? clusters_check(m, index) : found(ZS_FLAW_NONE, index, 0);
 }
 
-/* ---- Textures ---------------------------------------------------------------------------------- */
+/* ---- Textures -------------------------------------------------------------------------------- */
 
 /* Colours that a format's texels can name; 0: it has no palette. */
 static uint32_t colors_max(const struct zs_texel *format)
