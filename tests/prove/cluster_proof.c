@@ -7,7 +7,7 @@
 #include "fast/clusters.c"
 
 static struct zs_renderer renderer;
-static struct zs_clusters clusters;
+static struct zs_clusters kept;
 static struct zs_mesh mesh;
 static struct zs_instance instance;
 static struct zs_cluster cluster;
@@ -30,15 +30,15 @@ void turned(void)
 {
     for (int32_t shift = 0; shift <= EYE_SHIFT_MAX + 1; shift++) {
         any_cluster();
-        clusters.eye_shift = (uint8_t)(shift > EYE_SHIFT_MAX ? 31 : shift);
+        kept.eye_shift = (uint8_t)(shift > EYE_SHIFT_MAX ? 31 : shift);
         for (int k = 0; k < 3; k++)
-            clusters.eye[k] = any_i32(-(1 << 16), 1 << 16);
-        clusters.margin = any_u32(0, UINT32_MAX);
-        clusters.thin = any_u32(0, UINT32_MAX);
-        clusters.cone = -1;
-        (void)turned_away(&clusters, &mesh, &cluster);
-        clusters.cone = 1;
-        (void)turned_away(&clusters, &mesh, &cluster);
+            kept.eye[k] = any_i32(-(1 << 16), 1 << 16);
+        kept.margin = any_u32(0, UINT32_MAX);
+        kept.thin = any_u32(0, UINT32_MAX);
+        kept.cone = -1;
+        (void)turned_away(&kept, &mesh, &cluster);
+        kept.cone = 1;
+        (void)turned_away(&kept, &mesh, &cluster);
     }
 }
 

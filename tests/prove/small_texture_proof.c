@@ -22,9 +22,10 @@ static inline uint32_t zs_recip_inline(uint32_t a);
     ensures key: least_shift == 5 ==> (\result == -2147483648 || -134217728 <= \result <= 134217728); */
 int32_t zs_plane_quotient(int64_t n, uint32_t rcp, int32_t lz, int32_t least_shift);
 /* Proved by palettes below. */
-/*@ assigns \result \from t;
-    assigns job->sampler.unlit \from *t;
-    ensures same: \result == t;
+/*@ requires job->sampler.unlit == 0;
+    assigns \result \from t, job;
+    assigns job->sampler.unlit, job->r->lit \from *t, job->r->lit;
+    ensures either: \result == t || \result == &job->r->lit.texture;
     ensures unlit: job->sampler.unlit == 0 || job->sampler.unlit == 1; */
 static ZS_NOINLINE const struct zs_texture *palette_lit(struct zs_job *job, const struct zs_texture *t);
 #include "fast/texture.c"
@@ -152,9 +153,9 @@ void palettes(void)
         texture.n_colors = (uint16_t)n;
         tri.paint = (uint16_t)any_u32(0, 65535);
         renderer.lit.of = 0;
-        job.sampler.unlit = 0;
         const int takes = n > 0 && n <= ZS_LIT_COLORS;
         for (int twice = 0; twice < 2; twice++) {
+            job.sampler.unlit = 0;
             const struct zs_texture *const t = palette_lit(&job, &texture);
             ASSERT(t == (takes ? &renderer.lit.texture : &texture));
             ASSERT(job.sampler.unlit == takes);
