@@ -61,7 +61,7 @@ const struct zs_fast *const *fast_any(struct prng *p)
     return fast_of(prng_pick(p, FAST_ALL + 1));
 }
 
-/* ---- Lists that count -------------------------------------------------------------------------------------- */
+/* ---- Lists that count ------------------------------------------------------------------------ */
 
 uint32_t fast_used[FAST_COUNT], fast_at_once;
 

@@ -206,8 +206,9 @@ static int clusters_of(uint64_t seed)
         right = same(&want, &got) && (got.err || stats_add_up(&got.stats)) &&
                 (k == 1 || want.stats.tris_drawn == got.stats.tris_drawn);
         if (!right)
-            case_wrong("%ux%u, %u sub-pixel bits, strips of %u, pools %u %u, list %x, projection %u, culls %u", width, height,
-                       c.subpixel_bits, c.strip_h, c.max_tris, c.max_verts, list, w.camera.projection, w.material[0].cull);
+            case_wrong("%ux%u, %u sub-pixel bits, strips of %u, pools %u %u, list %x, projection %u, culls %u", width,
+                       height, c.subpixel_bits, c.strip_h, c.max_tris, c.max_verts, list, w.camera.projection,
+                       w.material[0].cull);
         if (!got.err && k == 0) {
             reached.frames++;
             reached.pixels += got.covered;

@@ -15,7 +15,7 @@
 
 static uint64_t rows_compared, cut_fast; /* of those, by fast/edges.c */
 
-/* ---- Exact ---------------------------------------------------------------------------------------------------- */
+/* ---- Exact ----------------------------------------------------------------------------------- */
 
 /* First column whose sample is at or right of the edge between two corners, in a row whose samples are between them. */
 static int32_t column_of(const struct zs_vertex *a, const struct zs_vertex *b, int32_t row)
@@ -34,11 +34,12 @@ static void exact(int32_t out[2], const struct zs_vertex *const v[3], int32_t ro
     out[1] = along < other ? other : along;
 }
 
-/* ---- Triangles ------------------------------------------------------------------------------------------------- */
+/* ---- Triangles ------------------------------------------------------------------------------- */
 
 static int64_t area_of(const struct zs_vertex v[3])
 {
-    return ((int64_t)v[1].x - v[0].x) * ((int64_t)v[2].y - v[0].y) - ((int64_t)v[2].x - v[0].x) * ((int64_t)v[1].y - v[0].y);
+    return ((int64_t)v[1].x - v[0].x) * ((int64_t)v[2].y - v[0].y) -
+           ((int64_t)v[2].x - v[0].x) * ((int64_t)v[1].y - v[0].y);
 }
 
 static int32_t held(int64_t c)
@@ -82,7 +83,7 @@ static int above(const struct zs_vertex *a, const struct zs_vertex *b)
     return a->y < b->y || (a->y == b->y && a->x < b->x);
 }
 
-/* ---- Rows --------------------------------------------------------------------------------------------------------- */
+/* ---- Rows ------------------------------------------------------------------------------------ */
 
 static int rows_right(const struct zs_job *job, const struct zs_vertex *const down[3], const char *what)
 {
@@ -91,8 +92,9 @@ static int rows_right(const struct zs_job *job, const struct zs_vertex *const do
         int32_t want[2];
         exact(want, down, row);
         if (cut->x0 != want[0] || cut->x1 != want[1])
-            return case_wrong("%s: row %d is [%d, %d), not [%d, %d): (%d %d) (%d %d) (%d %d)", what, row, cut->x0, cut->x1,
-                              want[0], want[1], down[0]->x, down[0]->y, down[1]->x, down[1]->y, down[2]->x, down[2]->y);
+            return case_wrong("%s: row %d is [%d, %d), not [%d, %d): (%d %d) (%d %d) (%d %d)", what, row, cut->x0,
+                              cut->x1, want[0], want[1], down[0]->x, down[0]->y, down[1]->x, down[1]->y, down[2]->x,
+                              down[2]->y);
     }
     return 1;
 }
@@ -108,7 +110,8 @@ static int edges_right(struct zs_job *job, const struct zs_vertex *const down[3]
         struct zs_renderer *r = job->r;
         r->edges = NULL;
         zs_edges_cut(job, row);
-        CASE_CHECK(job->row == row && job->cut_end > row && job->cut_end <= row + ZS_CUT_ROWS && job->cut_end <= job->row_end);
+        CASE_CHECK(job->row == row && job->cut_end > row);
+        CASE_CHECK(job->cut_end <= row + ZS_CUT_ROWS && job->cut_end <= job->row_end);
         if (!rows_right(job, down, "core/edges.c"))
             return 0;
         rows_compared += (uint64_t)(job->cut_end - row);

@@ -1,5 +1,5 @@
-/* Frames on record: every scene's pixels and keys, bit for bit, as tests/golden/scenes.txt has them; by the core alone, by the
- * accelerators that the scene names, and by all. The same table as tests/scene_sums.sh holds boards to.
+/* Frames on record: every scene's pixels and keys, bit for bit, as tests/golden/scenes.txt has them; by the core alone,
+ * by the accelerators that the scene names, and by all. The same table as tests/scene_sums.sh holds boards to.
  *
  * SPDX-License-Identifier: MIT
  */

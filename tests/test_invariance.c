@@ -328,10 +328,11 @@ static void shapes_random(struct prng *p)
 
 static void random_set(struct prng *p)
 {
-    static const struct zs_depth *const depths[] = { &zs_depth_recip, &zs_depth_linear, &zs_depth_e3m13, &zs_depth_e5m11,
-                                                     &zs_depth_float, &zs_depth_float };
-    static const struct zs_shader *const shaders[] = { &zs_shade_raw, &zs_shade_flat, &zs_shade_smooth, &zs_shade_texture,
-                                                       &zs_shade_texture_flat, &zs_shade_texture_smooth };
+    static const struct zs_depth *const depths[] = { &zs_depth_recip, &zs_depth_linear, &zs_depth_e3m13,
+                                                     &zs_depth_e5m11, &zs_depth_float, &zs_depth_float };
+    static const struct zs_shader *const shaders[] = { &zs_shade_raw, &zs_shade_flat, &zs_shade_smooth,
+                                                       &zs_shade_texture, &zs_shade_texture_flat,
+                                                       &zs_shade_texture_smooth };
     static const struct zs_state states[] = { ZS_STATE(1, 0, 0, 0), ZS_STATE(0, 1, -20, 0), ZS_STATE(0, 0, 30, 200) };
     const int orthographic = !prng_pick(p, 5);
     common("random", orthographic ? &zs_depth_linear : depths[prng_pick(p, 6)]);
@@ -353,7 +354,8 @@ static void random_set(struct prng *p)
     for (int n = 0; n < INSTANCES; n++) {
         const uint32_t of = n ? prng_pick(p, 4) : prng_pick(p, 2); /* a wall comes first in every other */
         const int32_t z = n || of ? prng_range(p, 2000, 30000) : prng_range(p, 300, 5000);
-        add(&set.shape[of], shaders[prng_pick(p, 6)], prng_range(p, -z, z), prng_range(p, -z / 3, z / 3), -z, prng_pick(p, 3));
+        add(&set.shape[of], shaders[prng_pick(p, 6)], prng_range(p, -z, z), prng_range(p, -z / 3, z / 3), -z,
+            prng_pick(p, 3));
         if (of == 0 && prng_pick(p, 3)) /* to the eye */
             zs_pose_turn(&set.instance[n].pose, (zs_turn)prng_range(p, -2000, 2000), 0, 0);
         if (!prng_pick(p, 8))
@@ -409,9 +411,9 @@ static void stress_26_random_scenes_by_any_accelerators(void **state)
 
 /* ---- What is left out ------------------------------------------------------------------------ */
 
-/* A part of the scene out of view, wholly or partly, in every direction: what is culled was empty, and tests that are left
- * out would have found nothing. So it is where each sphere is said to be so large that nothing can be known by it; an empty
- * mesh that is larger keeps camera units as they are. */
+/* A part of the scene out of view, wholly or partly, in every direction: what is culled was empty, and tests that are
+ * left out would have found nothing. So it is where each sphere is said to be so large that nothing can be known by it;
+ * an empty mesh that is larger keeps camera units as they are. */
 static uint32_t instances_out;
 
 static int frustum_case(uint64_t seed)

@@ -227,8 +227,8 @@ static int frame_right(const struct easel *s, const struct easel_tri *t,
     return 1;
 }
 
-/* Draw one triangle and compare its frame; then the same by the core alone, and without zs_fast_touch, beside which a first
- * triangle is not drawn in one go. */
+/* Draw one triangle and compare its frame; then the same by the core alone, and without zs_fast_touch, beside which a
+ * first triangle is not drawn in one go. */
 static int draws_right(const struct easel *s, const struct easel_tri *t, pixel_fn *pixel)
 {
     const size_t bytes = (size_t)s->width * (size_t)s->height * 2;
@@ -245,7 +245,8 @@ static int draws_right(const struct easel *s, const struct easel_tri *t, pixel_f
         setups += k ? g.setups : 0;
         if (memcmp(f.color, g.color, bytes) || memcmp(f.key, g.key, bytes) || f.tested != g.tested ||
             f.written != g.written || f.setups != g.setups)
-            ok = wrong_at(s, t, 0, 0, k ? "not the same without touch, set-ups" : "not the same by the core, set-ups", g.setups);
+            ok = wrong_at(s, t, 0, 0, k ? "another frame without touch, set-ups" : "another frame by the core, set-ups",
+                          g.setups);
         easel_free(&g);
     }
     easel_free(&f);
@@ -316,7 +317,8 @@ static void coverage_and_keys_of_single_triangles(void **state)
     print_message("single triangles: %llu pixels compared, keys off by at most %.5f buckets, "
                   "%.5f in frames of 1032 px width + height\n",
                   (unsigned long long)pixels_compared, worst_error, worst_big);
-    print_message("single triangles: %llu of %llu in strips in one go\n", (unsigned long long)at_once, (unsigned long long)setups);
+    print_message("single triangles: %llu of %llu in strips in one go\n", (unsigned long long)at_once,
+                  (unsigned long long)setups);
 }
 
 /* Frames up to the library's limit: the key's bound grows with them. */

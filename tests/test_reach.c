@@ -34,8 +34,8 @@ static uint32_t red_pixels(struct zs_renderer *r, const struct zs_scene *scene,
 }
 
 /* A small triangle that hangs a little before the near plane, and one so far away that a camera unit
- * is a quarter of a world unit: whether the small one's sphere is that small, or reaches beyond all near planes, so that
- * nothing is known by it, must not matter. Nor do accelerators. */
+ * is a quarter of a world unit: whether the small one's sphere is that small, or reaches beyond all near planes, so
+ * that nothing is known by it, must not matter. Nor do accelerators. */
 static void stress_26_spheres_beside_a_far_reach(void **state)
 {
     (void)state;

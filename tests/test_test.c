@@ -1,5 +1,5 @@
-/* The depth test (core/test.c): which pixels win, what is written, and the runs that shaders are handed; what takes its place
- * where there is no state (fast/less.c, fast/solid.c); a state's bias.
+/* The depth test (core/test.c): which pixels win, what is written, and the runs that shaders are handed; what takes its
+ * place where there is no state (fast/less.c, fast/solid.c); a state's bias.
  *
  * SPDX-License-Identifier: MIT
  */
@@ -16,7 +16,7 @@
 #define W 48
 #define PAINT 0x4711u
 
-/* ---- A row and a shader that notes its runs ---------------------------------------------------------------------- */
+/* ---- A row and a shader that notes its runs -------------------------------------------------- */
 
 static uint16_t depth[2 * W], color[2 * W]; /* two rows of a strip; the second is tested */
 static int32_t run[W][2];
@@ -57,7 +57,8 @@ static void piece_any(struct prng *p, struct piece *c, int with_state)
     c->i1 = prng_range(p, c->i0, W);
     const uint32_t n = (uint32_t)(c->i1 - c->i0) + 1u, slope = 1u << prng_pick(p, 29);
     const uint64_t most = prng_pick(p, 3) ? ((uint64_t)c->top + 1u) << 16 : ((uint64_t)c->top << 16) + 0x1ffffu;
-    uint64_t from = prng_pick(p, 4) ? prng_next(p) % most : most - 1u - prng_pick(p, 0x40000), to = prng_pick(p, 4) ? from + prng_pick(p, slope) : prng_next(p) % most;
+    const uint64_t from = prng_pick(p, 4) ? prng_next(p) % most : most - 1u - prng_pick(p, 0x40000);
+    uint64_t to = prng_pick(p, 4) ? from + prng_pick(p, slope) : prng_next(p) % most;
     to = to >= most ? most - 1u : to;
     c->step = (uint32_t)(((int64_t)to - (int64_t)from) / (int64_t)n); /* all sums are in [0, 2^32) */
     c->sum = (uint32_t)from;
@@ -78,11 +79,12 @@ static void piece_any(struct prng *p, struct piece *c, int with_state)
         int64_t there = key + (with_state ? c->job.bias : 0) + prng_range(p, -1, 1);
         if (prng_pick(p, 4) == 0)
             there = prng_pick(p, c->top + 1u);
-        c->depth[i] = (uint16_t)(prng_pick(p, 5) == 0 ? ZS_DEPTH_CLEAR : there < 0 ? 0 : there > c->top ? c->top : there);
+        there = there < 0 ? 0 : there > c->top ? c->top : there;
+        c->depth[i] = (uint16_t)(prng_pick(p, 5) == 0 ? ZS_DEPTH_CLEAR : there);
     }
 }
 
-/* ---- Pixel by pixel -------------------------------------------------------------------------------------------------- */
+/* ---- Pixel by pixel -------------------------------------------------------------------------- */
 
 /* Does pixel i win, and with which key? */
 static int model(const struct piece *c, int32_t i, uint16_t *key)
@@ -100,7 +102,7 @@ static int model(const struct piece *c, int32_t i, uint16_t *key)
 
 static uint32_t won, lost, ties, held, longest;
 
-/* Draw it by one way, and compare pixels, runs and counts. solid: the way has a loop of its own, and calls no shader. */
+/* Draw it by one way, and compare pixels, runs and counts. solid: the way has a loop of its own and calls no shader. */
 static int piece_right(struct piece *c, zs_piece_fn *way, int solid, const char *name)
 {
     uint32_t n = 0, n_model = 0;
@@ -181,7 +183,8 @@ static void counts_begin(void)
 
 static void counts_end(void)
 {
-    print_message("%u pixels won, %u lost, %u ties, %u keys held at the top, runs up to %u\n", won, lost, ties, held, longest);
+    print_message("%u pixels won, %u lost, %u ties, %u keys held at the top, runs up to %u\n", won, lost, ties, held,
+                  longest);
     assert_true(getenv("ZS_SEED") || (won > 100000 && lost > 100000 && ties > 10000 && held > 1000 && longest > 10));
 }
 
@@ -201,7 +204,7 @@ static void nearer_wins_without(void **state)
     counts_end();
 }
 
-/* ---- Bias ------------------------------------------------------------------------------------------------------------ */
+/* ---- Bias ------------------------------------------------------------------------------------ */
 
 static uint32_t at_an_end, sloped;
 
@@ -215,7 +218,8 @@ static int bias_case(uint64_t seed)
     struct zs_vertex v[3];
     const int32_t reach = 16 << prng_pick(&p, 17);
     const uint32_t keys = 1u + (uint32_t)(prng_next(&p) >> 32 >> prng_pick(&p, 32));
-    const struct zs_state s = ZS_STATE(0, 0, (int16_t)(prng_next(&p) >> 48), (int16_t)(prng_pick(&p, 8) ? prng_next(&p) >> 48 : 0));
+    const int16_t offset = (int16_t)(prng_next(&p) >> 48);
+    const struct zs_state s = ZS_STATE(0, 0, offset, (int16_t)(prng_pick(&p, 8) ? prng_next(&p) >> 48 : 0));
     memset(&job, 0, sizeof job);
     for (int k = 0; k < 3; k++)
         v[k] = (struct zs_vertex){ prng_range(&p, -reach, reach), prng_range(&p, -reach, reach), prng_pick(&p, keys) };
@@ -258,7 +262,8 @@ static void bias_is_offset_and_slope(void **state)
     assert_true(getenv("ZS_SEED") || (at_an_end > 1000 && sloped - at_an_end > 1000));
 }
 
-static const struct CMUnitTest tests[] = { cmocka_unit_test(pixels_under_any_state), cmocka_unit_test(nearer_wins_without),
+static const struct CMUnitTest tests[] = { cmocka_unit_test(pixels_under_any_state),
+                                           cmocka_unit_test(nearer_wins_without),
                                            cmocka_unit_test(bias_is_offset_and_slope) };
 
 CASES_MAIN(tests)

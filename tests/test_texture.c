@@ -947,8 +947,8 @@ static int small_case(uint64_t seed)
             ok = case_wrong("another picture in one go: %u x %u texels, smooth %d, lit %d, list %d", 1u << log2_w,
                             1u << log2_h, s.smooth, s.lit, k);
         if (f[0].tested != f[k].tested || f[0].written != f[k].written || f[0].setups != f[k].setups)
-            ok = case_wrong("other counts in one go: %u %u, %u %u, %u %u; list %d", f[0].tested, f[k].tested, f[0].written,
-                            f[k].written, f[0].setups, f[k].setups, k);
+            ok = case_wrong("other counts in one go: %u %u, %u %u, %u %u; list %d", f[0].tested, f[k].tested,
+                            f[0].written, f[k].written, f[0].setups, f[k].setups, k);
     }
     small_at_once += f[0].at_once;
     small_setups += f[0].setups;

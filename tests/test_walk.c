@@ -1,5 +1,5 @@
-/* The walk (core/walk.c): pools that hold next to nothing draw the same frame with the same counts, nothing twice, and go on
- * where they were full: in the middle of a mesh, of a clipped triangle's fan, of a cluster.
+/* The walk (core/walk.c): pools that hold next to nothing draw the same frame with the same counts, nothing twice, and
+ * go on where they were full: in the middle of a mesh, of a clipped triangle's fan, of a cluster.
  *
  * SPDX-License-Identifier: MIT
  */
@@ -14,7 +14,7 @@
 #define W 70
 #define H 50
 
-/* ---- Counts that pools and strips do not change ------------------------------------------------------------ */
+/* ---- Counts that pools and strips do not change ---------------------------------------------- */
 
 #define FIELD(name) { offsetof(struct zs_stats, name), #name }
 static const struct {
@@ -23,7 +23,8 @@ static const struct {
 } fields[] = {
     FIELD(instances_in), FIELD(instances_culled), FIELD(instances_hidden), FIELD(clusters_in), FIELD(clusters_culled),
     FIELD(tris_in), FIELD(tris_drawn), FIELD(tris_frustum), FIELD(tris_cluster), FIELD(tris_near), FIELD(tris_far),
-    FIELD(tris_offscreen), FIELD(tris_facing), FIELD(tris_zero), FIELD(tris_empty), FIELD(tris_index), FIELD(tris_clipped),
+    FIELD(tris_offscreen), FIELD(tris_facing), FIELD(tris_zero), FIELD(tris_empty), FIELD(tris_index),
+    FIELD(tris_clipped),
     /* of one strip height, where nothing is hidden: a triangle in a strip is set up once, in whichever set it is */
     FIELD(tris_setup), FIELD(pixels_tested), FIELD(pixels_written)
 };
@@ -42,7 +43,7 @@ static int counts_same(const struct zs_stats *a, const struct zs_stats *b, size_
     return 1;
 }
 
-/* ---- Fans ----------------------------------------------------------------------------------------------------- */
+/* ---- Fans ------------------------------------------------------------------------------------ */
 
 static uint32_t fans[10]; /* how many had so many pieces */
 
@@ -58,7 +59,8 @@ static int fan_case(uint64_t seed)
     lone_set(&l, (const int16_t (*)[3])pos, 3, ZS_Q16_ONE << prng_pick(&p, 8));
     l.instance.pose.pos[2] = -prng_range(&p, 0, reach);
     struct zs_camera camera;
-    (void)zs_camera_perspective(&camera, (zs_turn)prng_range(&p, 100, 20000), H, prng_range(&p, 1, 200), 3 * reach + 300);
+    (void)zs_camera_perspective(&camera, (zs_turn)prng_range(&p, 100, 20000), H, prng_range(&p, 1, 200),
+                                3 * reach + 300);
     struct zs_config c = lone_config(W, H, seed % 2 ? &zs_depth_recip : &zs_depth_e4m12);
     c.fast = seed % 3 ? NULL : fast_of(FAST_ALL & ~FAST_TILES & ~FAST_TOUCH);
     struct picture ample = picture_draw(&c, &l.scene, &camera);
@@ -89,11 +91,12 @@ static void a_fan_goes_on_with_its_next_piece(void **state)
     (void)state;
     memset(fans, 0, sizeof fans);
     CASES(fan_case, 4000);
-    print_message("fans of 1 to 7 pieces: %u %u %u %u %u %u %u\n", fans[1], fans[2], fans[3], fans[4], fans[5], fans[6], fans[7]);
+    print_message("fans of 1 to 7 pieces: %u %u %u %u %u %u %u\n", fans[1], fans[2], fans[3], fans[4], fans[5],
+                  fans[6], fans[7]);
     assert_true(getenv("ZS_SEED") || (fans[2] > 200 && fans[3] > 100 && fans[4] > 20 && fans[5] > 5));
 }
 
-/* ---- Scenes ----------------------------------------------------------------------------------------------------- */
+/* ---- Scenes ---------------------------------------------------------------------------------- */
 
 #define INSTANCES 5
 
@@ -111,7 +114,8 @@ static struct {
 static void world_open(struct prng *p, int clusters)
 {
     static const struct zs_shader *const shaders[] = { &zs_shade_raw, &zs_shade_flat, &zs_shade_smooth };
-    static const struct zs_depth *const depths[] = { &zs_depth_recip, &zs_depth_linear, &zs_depth_e3m13, &zs_depth_e5m11 };
+    static const struct zs_depth *const depths[] = { &zs_depth_recip, &zs_depth_linear, &zs_depth_e3m13,
+                                                     &zs_depth_e5m11 };
     memset(&world, 0, sizeof world);
     shape_soup(&world.shape[0], 5 + prng_pick(p, 40), 4000, prng_next(p));
     shape_sphere(&world.shape[1], 4 + prng_pick(p, 6), 5 + prng_pick(p, 8), 2500);
@@ -153,8 +157,8 @@ static int as_ample(const struct picture *plain, struct zs_config c, uint32_t tr
     c.max_verts = (uint16_t)verts;
     struct picture f = picture_draw(&c, &world.scene, &world.camera);
     const int all = !c.fast; /* what is hidden depends on what was binned before, what is untouched on sets */
-    int ok = picture_same(plain, &ample, "ample pools") && picture_same(plain, &f, "small pools") && stats_add_up(&f.stats) &&
-             counts_same(&ample.stats, &f.stats, all ? FIELDS : FIELDS_OF_SCENE);
+    int ok = picture_same(plain, &ample, "ample pools") && picture_same(plain, &f, "small pools") &&
+             stats_add_up(&f.stats) && counts_same(&ample.stats, &f.stats, all ? FIELDS : FIELDS_OF_SCENE);
     if (ok && (f.stats.max_tris_used > tris || f.stats.max_verts_used > verts))
         ok = case_wrong("%u triangles and %u vertices used", f.stats.max_tris_used, f.stats.max_verts_used);
     passes += f.stats.passes;
@@ -168,7 +172,8 @@ static int as_ample(const struct picture *plain, struct zs_config c, uint32_t tr
 
 static int scene_of(uint64_t seed, int clusters)
 {
-    static const uint16_t pools[][2] = { { 1, 3 }, { 1, 4 }, { 2, 3 }, { 1, 200 }, { 300, 3 }, { 2, 7 }, { 5, 9 }, { 40, 30 } };
+    static const uint16_t pools[][2] = { { 1, 3 },   { 1, 4 }, { 2, 3 }, { 1, 200 },
+                                         { 300, 3 }, { 2, 7 }, { 5, 9 }, { 40, 30 } };
     struct prng p = { seed };
     world_open(&p, clusters);
     world.config.fast = NULL;
@@ -177,9 +182,10 @@ static int scene_of(uint64_t seed, int clusters)
     for (uint32_t k = 0; k < 4 && ok; k++) {
         struct zs_config c = world.config;
         const uint16_t *pool = pools[prng_pick(&p, sizeof pools / sizeof pools[0])];
-        const struct zs_fast *const *const lists[2][4] = { { NULL, NULL, fast_all, fast_any(&p) },
-                                                           { fast_of(FAST_CLUSTERS), fast_of(FAST_CLUSTERS | FAST_BATCH),
-                                                             fast_all, fast_any(&p) } };
+        const struct zs_fast *const *const lists[2][4] = {
+            { NULL, NULL, fast_all, fast_any(&p) },
+            { fast_of(FAST_CLUSTERS), fast_of(FAST_CLUSTERS | FAST_BATCH), fast_all, fast_any(&p) }
+        };
         c.fast = lists[clusters][k];
         c.strip_h = (uint16_t)(prng_pick(&p, 2) ? H : prng_range(&p, 1, H));
         ok = as_ample(&plain, c, pool[0], pool[1]);
@@ -221,8 +227,9 @@ static void the_first_of_equals_stays_in_any_set(void **state)
 {
     (void)state;
     static struct lone l;
-    static const int16_t pos[9][3] = { { -3000, -3000, 0 }, { 3000, -3000, 0 }, { 3000, 3000, 0 }, { -3000, 3000, 0 },
-                                       { -3000, -2000, 0 }, { 2000, -3000, 0 }, { 3000, 1000, 0 }, { 0, 0, 0 }, { 9, 9, 0 } };
+    static const int16_t pos[9][3] = { { -3000, -3000, 0 }, { 3000, -3000, 0 }, { 3000, 3000, 0 },
+                                       { -3000, 3000, 0 },  { -3000, -2000, 0 }, { 2000, -3000, 0 },
+                                       { 3000, 1000, 0 },   { 0, 0, 0 },         { 9, 9, 0 } };
     lone_set(&l, pos, 9, ZS_Q16_ONE);
     l.instance.pose.pos[2] = -PIXEL_Z;
     const struct zs_camera camera = pixel_camera(H, 0);

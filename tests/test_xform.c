@@ -220,8 +220,8 @@ static int screen_case(uint64_t seed)
         zs_xform_screen(&s.r, from + v, &want);
         const int out = want.d >= ZS_D_OUT;
         if (got[v].d != want.d || (!out && (got[v].x != want.x || got[v].y != want.y)))
-            return case_wrong("vertex %u: (%d, %d, %u), not (%d, %d, %u)", from + v, got[v].x, got[v].y, got[v].d, want.x,
-                              want.y, want.d);
+            return case_wrong("vertex %u: (%d, %d, %u), not (%d, %d, %u)", from + v, got[v].x, got[v].y, got[v].d,
+                              want.x, want.y, want.d);
         for (uint32_t k = 0; k < n && out; k++)
             CASE_CHECK(k == v || far_apart(&got[v], &got[k]));
         *(out ? &outside : &inside) += 1;

@@ -5,7 +5,7 @@
 # SPDX-License-Identifier: MIT
 . "$(dirname "$0")/common.sh"
 
-HEADERS='firmware/zstrip/zstrip.h firmware/zstrip/zs_fast.h firmware/zstrip/config.h firmware/zstrip/renderer.h firmware/scenes/scenes.h
+HEADERS='firmware/zstrip/zstrip.h firmware/zstrip/zs_fast.h firmware/zstrip/zs_shader.h firmware/zstrip/config.h firmware/zstrip/renderer.h firmware/scenes/scenes.h
          hal/hal.h hal/second.h hal/panel/panel.h'
 INC='-Ifirmware/zstrip -Ifirmware/scenes -Ihal -Ihal/panel'
 # Freestanding, because glibc's own headers make _Static_assert C99
@@ -30,7 +30,7 @@ static uint64_t sums[ZS_STRIPS(16, 4)];
 static struct zs_sums panel;
 static const int16_t pos[4][3] = { { -9, -9, 0 }, { 9, -9, 0 }, { 9, 9, 0 }, { -9, 9, 0 } };
 static const uint16_t tri[2][3] = { { 0, 1, 2 }, { 0, 2, 3 } };
-static const struct zs_material material = { &zs_shade_raw, { 255, 255, 255 }, ZS_CULL_BACK, 0 };
+static const struct zs_material material = { .shader = &zs_shade_raw, .rgb = { 255, 255, 255 } };
 static const struct zs_state state = ZS_STATE(1, 0, -4, 0);
 static const struct zs_fast *const fast[] = { ZS_FAST_FRAME, ZS_FAST_RAW, ZS_FAST_END };
 static struct zs_mesh mesh;
@@ -48,7 +48,19 @@ static int count(void *ctx, const struct zs_strip *strip)
 
 int main(void)
 {
-    static const struct zs_config config = { 16, 16, 4, 8, 8, ZS_ATTRS_FLAT, 2, 8, 16, 0, &zs_depth_linear, fast };
+    static const struct zs_config config = {
+        .width = 16,
+        .height = 16,
+        .strip_h = 4,
+        .max_tris = 8,
+        .max_verts = 8,
+        .attrs = ZS_ATTRS_FLAT,
+        .buffers = 2,
+        .subpixel_bits = 8,
+        .depth_bits = 16,
+        .depth = &zs_depth_linear,
+        .fast = fast,
+    };
     static const int32_t eye[3] = { 0, 0, 100 }, at[3] = { 0, 0, 0 }, up[3] = { 0, 1, 0 };
     uint32_t lit = 0;
     struct zs_sink sink = { count, 0, 0 };
@@ -116,14 +128,17 @@ int main()
     const zs_material material{ &zs_shade_raw, { 255, 255, 255 }, ZS_CULL_BACK, nullptr };
     zs_instance instance{ &mesh, &material, {}, &state };
     zs_pose_identity(&instance.pose);
-    const zs_scene scene{ &instance, 1, {}, zs_rgb565(0, 0, 0) };
+    zs_scene scene{};
+    scene.instance = &instance;
+    scene.n_instances = 1;
+    scene.background = zs_rgb565(0, 0, 0);
     zs_camera camera{};
     const int32_t eye[3] = { 0, 0, 100 }, at[3] = { 0, 0, 0 }, up[3] = { 0, 1, 0 };
     if (zs_camera_orthographic(&camera, 36, 1, 200) || zs_camera_look_at(&camera, eye, at, up))
         return 2;
     if (camera.height < ZS_HEIGHT_MIN || instance.pose.rot[0] != ZS_Q30_ONE)
         return 4;
-    const zs_config config{ 16, 16, 4, 8, 8, ZS_ATTRS_FLAT, 2, 8, 16, 0, &zs_depth_linear, fast };
+    const zs_config config{ 16, 16, 4, 8, 8, ZS_ATTRS_FLAT, 2, 8, 16, &zs_depth_linear, fast };
     if (zs_init(&renderer, &config, arena, sizeof arena) || zs_sums_init(&panel, sums, 16, 16, 4, 1) || zs_watch(&renderer, &panel) ||
         zs_track(&renderer, memory, 1))
         return 5;
