@@ -99,7 +99,7 @@ $(B)/fuzz/fuzz_api: $(call fuzz_objects,fuzz_api replay world)
 $(B)/fuzz/cards: $(call fuzz_objects,cards fuzz_mesh input replay world)
 	@mkdir -p $(@D)
 	@$(CC) $(SAN) $^ -o $@
-$(B)/fuzz/fuzz_mesh: tests/fuzz/fuzz_mesh.c tests/fast_lists.c tests/picture.c $(CORE) $(HEADERS)
+$(B)/fuzz/fuzz_mesh: tests/fuzz/fuzz_mesh.c tests/fast_lists.c tests/own.c tests/picture.c $(CORE) $(HEADERS)
 	@mkdir -p $(@D)
 	@$(subst $(CC) ,clang ,$(TEST_CC)) -Itests/fuzz -O2 -fsanitize=fuzzer $(filter %.c,$^) -o $@
 
@@ -111,7 +111,7 @@ stress-programs: $(B)/stress/san
 $(B)/stress/oracle.o: tests/oracle.c tests/oracle.h
 	@mkdir -p $(@D)
 	@$(STRESS_CC) -c $< -o $@
-STRESS = $(wildcard tests/stress/*.c) tests/fuzz/replay.c tests/clusters.c tests/fast_lists.c tests/picture.c $(CORE)
+STRESS = $(wildcard tests/stress/*.c) tests/fuzz/replay.c tests/clusters.c tests/fast_lists.c tests/own.c tests/picture.c $(CORE)
 $(B)/stress/san: $(STRESS) $(B)/stress/oracle.o $(HEADERS)
 	@$(STRESS_CC) $(SAN) -DZS_STATS=1 '-DZS_ASSERT(c)=((c)?(void)0:__builtin_trap())' $(STRESS) $(B)/stress/oracle.o \
 	    -lm -o $@

@@ -6,6 +6,7 @@
 #ifndef TESTS_FUZZ_KINDS_H
 #define TESTS_FUZZ_KINDS_H
 
+#include "own.h"
 #include "zstrip.h"
 
 #define KINDS(table) (sizeof(table) / sizeof(table)[0])
@@ -24,6 +25,7 @@ static const struct kind_shader kind_shaders[] = {
     { &zs_shade_texture, "texture", ZS_ATTRS_TEXTURE, 1 },
     { &zs_shade_texture_flat, "texture_flat", ZS_ATTRS_TEXTURE, 1 },
     { &zs_shade_texture_smooth, "texture_smooth", ZS_ATTRS_TEXTURE_SMOOTH, 1 },
+    { &own_shader, "own", 3, 0 },
 };
 
 struct kind_depth {

@@ -389,6 +389,32 @@ static void light(struct zs_light *l, struct prng *p, uint32_t odd)
         l->ambient = (uint32_t)any32(p);
 }
 
+/* A sky, and what is drawn over strips. */
+static void around(struct world *w, struct prng *p, uint32_t odd)
+{
+    w->sky_seed = (uint16_t)prng_next(p);
+    w->sky.fill = own_fill;
+    w->sky.ctx = &w->sky_seed;
+    for (int k = 0; k < 2; k++) {
+        struct zs_rect *const r = &w->overlay[k];
+        r->x = (uint16_t)prng_pick(p, 40);
+        r->y = (uint16_t)prng_pick(p, 40);
+        r->w = (uint16_t)prng_pick(p, 80);
+        r->h = (uint16_t)prng_pick(p, 80);
+        w->resolve[k].draw = own_draw;
+        w->resolve[k].ctx = r;
+    }
+    w->scene.sky = one_in(p, 3) ? &w->sky : NULL;
+    w->scene.resolve = w->resolve;
+    w->scene.n_resolves = one_in(p, 4) ? 1u + prng_pick(p, 2) : 0u;
+    if (odd_one(p, odd * 8u))
+        w->sky.fill = NULL;
+    if (odd_one(p, odd * 8u))
+        w->resolve[1].draw = NULL;
+    if (odd_one(p, odd * 8u))
+        w->scene.resolve = NULL;
+}
+
 /* ---- Cameras ----------------------------------------------------------------------------------- */
 
 static void wild_camera(struct zs_camera *c, struct prng *p)
@@ -463,6 +489,7 @@ void world_make(struct world *w, struct prng *p, uint32_t odd)
     w->scene.instance = w->instance = block(w, w->n_instances * sizeof *w->instance);
     instances(w, p, size, odd);
     light(&w->scene.light, p, odd);
+    around(w, p, odd);
     camera_make(w, p, size, odd);
     w->trusted = 1;
     for (int i = 0; i < WORLD_MESHES; i++) {

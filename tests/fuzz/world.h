@@ -26,6 +26,10 @@ struct world {
     struct zs_instance *instance; /* [n_instances]; the scene may name fewer, none or too many */
     uint32_t n_instances;
     struct zs_scene scene;
+    struct zs_background sky;
+    struct zs_resolve resolve[2];
+    uint16_t sky_seed;
+    struct zs_rect overlay[2]; /* of own_draw */
     struct zs_camera camera;
     int trusted; /* 1: every mesh keeps its sphere and its clusters: what is skipped is empty */
     void *block[WORLD_BLOCKS];

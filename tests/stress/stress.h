@@ -34,9 +34,11 @@ enum stress_seen {
     SEEN_INSIDE,
     SEEN_ORTHOGRAPHIC,
     SEEN_STATE,
+    SEEN_SKY,
+    SEEN_RESOLVE,
     SEEN_DEPTH,
     SEEN_SHADER = SEEN_DEPTH + 6,
-    SEEN_TEXEL = SEEN_SHADER + 6,
+    SEEN_TEXEL = SEEN_SHADER + 7,
     SEEN_N = SEEN_TEXEL + 3
 };
 

@@ -43,6 +43,10 @@ static struct {
     struct zs_instance instance[INSTANCES];
     struct zs_scene scene;
     struct zs_camera camera;
+    struct zs_background sky;
+    uint16_t sky_seed;
+    struct zs_resolve resolve;     /* draws in `overlay`, which moves */
+    struct zs_rect overlay, moved; /* moved: what of the frame before and this one it is in */
     uint16_t h; /* px, of the frame */
 } world;
 
@@ -117,7 +121,7 @@ static void place(struct prng *p, struct zs_instance *in)
 
 static void cover(struct prng *p, struct zs_material *m)
 {
-    m->shader = kind_shaders[world.walls ? prng_range(p, 3, 5) : (int32_t)prng_pick(p, KINDS(kind_shaders))].shader;
+    m->shader = kind_shaders[world.walls ? prng_range(p, 3, 6) : (int32_t)prng_pick(p, KINDS(kind_shaders))].shader;
     m->rgb.r = (uint8_t)prng_next(p);
     m->rgb.g = (uint8_t)prng_next(p);
     m->rgb.b = (uint8_t)prng_next(p);
@@ -175,6 +179,52 @@ static void light(struct prng *p)
     world.scene.light.diffuse = prng_pick(p, ZS_Q16_ONE);
 }
 
+static int overlay_changes(void *ctx, struct zs_rect *rect)
+{
+    (void)ctx;
+    *rect = world.moved;
+    return world.moved.w != 0;
+}
+
+/* All of both. */
+static struct zs_rect both(const struct zs_rect *a, const struct zs_rect *b)
+{
+    const int32_t x = a->x < b->x ? a->x : b->x, y = a->y < b->y ? a->y : b->y;
+    const int32_t right = a->x + a->w > b->x + b->w ? a->x + a->w : b->x + b->w;
+    const int32_t down = a->y + a->h > b->y + b->h ? a->y + a->h : b->y + b->h;
+    const struct zs_rect r = { .x = (uint16_t)x, .y = (uint16_t)y, .w = (uint16_t)(right - x), .h = (uint16_t)(down - y) };
+    return r;
+}
+
+/* Where it is in the next frame. */
+static void overlay_move(struct prng *p, int moves)
+{
+    struct zs_rect to = world.overlay;
+    if (moves) {
+        to.x = (uint16_t)prng_pick(p, W_MAX);
+        to.y = (uint16_t)prng_pick(p, H_MAX);
+        to.w = (uint16_t)(1 + prng_pick(p, 40));
+        to.h = (uint16_t)(1 + prng_pick(p, 40));
+    }
+    world.moved = both(&world.overlay, &to);
+    world.moved.w = (uint16_t)(moves ? world.moved.w : 0);
+    world.overlay = to;
+}
+
+static void around(struct prng *p)
+{
+    world.sky.fill = own_fill;
+    world.sky.ctx = &world.sky_seed;
+    world.sky_seed = (uint16_t)prng_next(p);
+    world.resolve.draw = own_draw;
+    world.resolve.changes = overlay_changes;
+    world.resolve.ctx = &world.overlay;
+    world.scene.sky = prng_pick(p, 4) ? NULL : &world.sky;
+    world.scene.resolve = &world.resolve;
+    world.scene.n_resolves = prng_pick(p, 4) == 0;
+    overlay_move(p, 1);
+}
+
 static void count(struct prng *p)
 {
     world.scene.n_instances = 3 + prng_pick(p, (uint32_t)world.crowd - 2);
@@ -201,6 +251,7 @@ static void world_open(struct prng *p, uint16_t h, int walls)
     world.scene.instance = world.instance;
     count(p);
     world.scene.background = (uint16_t)prng_next(p);
+    around(p);
     world.camera.projection = (uint8_t)(prng_pick(p, 4) ? ZS_PERSPECTIVE : ZS_ORTHOGRAPHIC);
     light(p);
     look(p);
@@ -210,7 +261,7 @@ static void world_open(struct prng *p, uint16_t h, int walls)
 static int change(struct prng *p)
 {
     struct zs_instance *in = &world.instance[prng_pick(p, world.scene.n_instances)];
-    switch (prng_pick(p, 16)) {
+    switch (prng_pick(p, 18)) {
     case 0:
     case 1:
     case 2: look(p); return 0;
@@ -220,6 +271,8 @@ static int change(struct prng *p)
     case 6: world.scene.background ^= 1; return 0;
     case 7: world.texel[prng_pick(p, 64)] ^= 0x1111; return 1;
     case 8: stand(p, in); return 0;
+    case 16: world.sky_seed ^= 1; return world.scene.sky != NULL;
+    case 17: world.scene.sky = world.scene.sky ? NULL : &world.sky; return 0;
     case 9:
     case 10: in->pose.pos[prng_pick(p, 3)] += prng_range(p, -300, 300); return 0;
     default:
@@ -468,6 +521,8 @@ static void see(const struct hand *hand, uint64_t *seen)
     for (uint32_t k = 0; k < KINDS(kind_texels); k++)
         seen[SEEN_TEXEL + k] += texels >> k & 1u;
     seen[SEEN_STATE] += states;
+    seen[SEEN_SKY] += world.scene.sky != NULL;
+    seen[SEEN_RESOLVE] += world.scene.n_resolves;
     uint32_t textured = 0;
     for (uint32_t k = 0; k < KINDS(kind_shaders); k++)
         textured |= kind_shaders[k].texture && shaders >> k & 1u;
@@ -556,6 +611,8 @@ int stress_frames(uint64_t seed, struct stress_counts *c)
         int told = 0;
         for (uint32_t n = frame ? prng_pick(&p, 4) : 0; n; n--)
             told |= change(&p);
+        if (frame)
+            overlay_move(&p, prng_pick(&p, 3) != 0);
         for (int k = 0; k < HANDS && ok; k++) {
             const struct zs_rect part = { (uint16_t)prng_pick(&p, 90), (uint16_t)prng_pick(&p, 90), 9, 9 };
             if (told || (frame && prng_pick(&p, 8) == 0))
