@@ -123,7 +123,7 @@ costs-record: sim $(B)/.setup-test $(B)/gen/meshes.h
 	@sh tests/checks/costs.sh $(B) record
 	@$(MAKE) --no-print-directory -j2 $(B)/zsim
 
-## still: instructions of a still scene and of one moving thing with zs_track, on Cortex-M3
+## still: instructions of a still scene and of one moving thing with zs_damage_track, on Cortex-M3
 still: $(B)/.setup-test $(B)/gen/meshes.h
 	@sh tests/checks/still.sh $(B)
 

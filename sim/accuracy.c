@@ -161,7 +161,7 @@ static int look_draw(struct look *l, const struct zs_scene *scene, const struct 
         err = sim_frame_texels(l->ours.texel, scene, camera, config);
     if (err)
         return sim_refuse(NULL, 0, "a scene of the accuracy checks could not be drawn: %s",
-                          zs_strerror(err));
+                          zs_error_string(err));
     err = ref_render(l->tri, l->n_tris, &l->camera, &l->light, &l->depth, scene->background,
                      config->width, config->height, &l->truth, NULL, NULL);
     if (!err)
@@ -435,7 +435,7 @@ static int bench_frame(struct sums *s, struct ref_diff *diff, const struct demo 
     int textured = 0;
     for (uint32_t k = 0; k < f->scene.n_instances; k++)
         textured |= f->scene.instance[k].material->texture != NULL;
-    sim_frame_config(&config, demo->width, demo->height, (uint8_t)demo->attrs);
+    sim_frame_config(&config, demo->width, demo->height, (uint8_t)demo->varyings);
     config.depth = mapping ? mapping : demo->depth;
     const int status = look_open(&l, &f->scene, &f->camera, &config, textured);
     if (status != SIM_OK)

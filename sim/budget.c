@@ -29,7 +29,7 @@ static const char usage[] =
     "  --buffers 1|2      strip buffers (2)\n"
     "  --tris N --verts N pools (1000 and 700; of a scene or model: what takes it in one pass)\n"
     "  --instances N      of the scene, where that is numbers (1)\n"
-    "  --watch N          columns that zs_watch compares; --track N  instances that zs_track compares (0: not linked)\n"
+    "  --watch N          columns that zs_damage_compare compares; --track N  instances that zs_damage_track compares (0: not linked)\n"
     "Scene: a demo scene or a model, drawn here and counted, or else numbers\n"
     "  --scene NAME       a demo or bench scene; --frame T  of its animation (0)\n"
     "  MODEL              as of zsim render, with its --eye --at --up --fov --near --far --projection --texture\n"
@@ -39,7 +39,7 @@ static const char usage[] =
     "  --shade id|flat|smooth|textured|textured-flat|unlit (flat)\n"
     "  --texture-format 565|pal8|pal4 (565)\n"
     "  --depth float|recip|linear (float)\n"
-    "  --state            some instance has a struct zs_state: its code is linked\n"
+    "  --state            some instance has a struct zs_depth_state: its code is linked\n"
     "Part\n"
     "  --part NAME        the figures of one part. There are:\n"
     "                     %s\n"
@@ -187,7 +187,7 @@ static void print_ram(const struct budget_request *rq, const struct budget *b)
     printf("  triangles       %8u  %u of 12\n", r->tris, c->max_tris);
     printf("  vertices        %8u  %u of 12\n", r->verts, c->max_verts);
     printf("  their numbers   %8u\n", r->numbers);
-    printf("  attributes      %8u  %u words each\n", r->attrs, c->attrs);
+    printf("  attributes      %8u  %u words each\n", r->attrs, c->varyings);
     printf("  arena           %8u  ZS_ARENA_BYTES of these\n", r->arena);
     printf("  renderer        %8u\n", r->renderer);
     printf("  scene state     %8u  scene, camera, %u instance%s\n", r->scene, b->n_instances, b->n_instances == 1 ? ""
@@ -195,9 +195,9 @@ static void print_ram(const struct budget_request *rq, const struct budget *b)
     if (r->panel)
         printf("  panel           %8u  and %u to convert pixels in\n", r->panel, r->scratch);
     if (r->watch)
-        printf("  zs_watch        %8u\n", r->watch);
+        printf("  zs_damage_compare        %8u\n", r->watch);
     if (r->track)
-        printf("  zs_track        %8u\n", r->track);
+        printf("  zs_damage_track        %8u\n", r->track);
     printf("  stack           %8u  Cortex-M3; M0+ %u: the worst case, without sink and interrupts\n",
            r->stack[BUDGET_M3],
            r->stack[BUDGET_M0]);

@@ -26,13 +26,13 @@ void budget_ram(struct budget_ram *ram, const struct budget_request *rq, const s
     ram->bins = ZS_BIN_BYTES(c->height, rows);
     ram->tris = ZS_TRI_BYTES(c->max_tris);
     ram->verts = (uint32_t)sizeof(struct zs_vertex) * c->max_verts;
-    ram->attrs = ZS_VERT_BYTES(c->max_verts, c->attrs) - ZS_VERT_BYTES(c->max_verts, 0);
+    ram->attrs = ZS_VERT_BYTES(c->max_verts, c->varyings) - ZS_VERT_BYTES(c->max_verts, 0);
     ram->numbers = ZS_VERT_BYTES(c->max_verts, 0) - ram->verts;
-    ram->arena = ZS_ARENA_BYTES(c->width, c->height, rows, c->max_tris, c->max_verts, c->attrs, c->buffers);
+    ram->arena = ZS_ARENA_BYTES(c->width, c->height, rows, c->max_tris, c->max_verts, c->varyings, c->buffers);
     ram->renderer = RECORD_zs_renderer;
     ram->scene = RECORD_zs_scene + RECORD_zs_camera + n_instances * RECORD_zs_instance;
     ram->watch = (uint32_t)(ZS_STRIPS(c->height, rows) * 8u * (uint32_t)rq->watch);
-    ram->track = rq->track ? 4u * ZS_TRACK_WORDS(rq->track, c->height, rows) : 0u;
+    ram->track = rq->track ? 4u * ZS_DAMAGE_WORDS(rq->track, c->height, rows) : 0u;
     if (rq->o.panel.name != NULL) {
         struct panel_config config;
         struct pm_glass glass;
@@ -95,7 +95,7 @@ int budget_wire(struct budget_wire *wire, const struct budget_request *rq, const
     for (uint32_t y = 0; status == SIM_OK && y < c->height; y += c->strip_h) {
         const uint16_t h = (uint16_t)(c->height - y < c->strip_h ? c->height - y : c->strip_h);
         const struct zs_strip strip = { .y = (uint16_t)y, .w = c->width, .h = h, .px = (const uint8_t *)px,
-                                        .n_bytes = (uint32_t)c->width * h * 2u, .changed_w = c->width,
+                                        .n_bytes = (uint32_t)c->width * h * 2u, .dirty_w = c->width,
                                         .last = y + h == c->height };
         if (sink.submit(sink.ctx, &strip) || sink.wait(sink.ctx))
             status = sim_panel_check(&panel, &rq->o.panel, "budget");

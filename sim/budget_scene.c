@@ -52,7 +52,7 @@ static uint32_t mesh_bytes(const struct zs_mesh *m, const struct zs_shader *s, i
 {
     const int smooth = all || s == &zs_shade_smooth || s == &zs_shade_texture_smooth, raw = all || s == &zs_shade_raw;
     const int flat = all || s == &zs_shade_flat || s == &zs_shade_texture_flat, color = all || s == &zs_shade_smooth;
-    const int uv = all || s->n_attrs == ZS_ATTRS_TEXTURE || s == &zs_shade_texture_smooth;
+    const int uv = all || s->n_varyings == ZS_VARYINGS_TEXTURE || s == &zs_shade_texture_smooth;
     const uint32_t v = 6u + (m->pos_lo ? 3u : 0u) + (m->normal && smooth ? 6u : 0u) + (m->vertex_rgb && color ? 3u :
                                                                                        0u) +
                        (m->uv && uv ? 4u : 0u);
@@ -77,7 +77,7 @@ static void add_data(struct budget *b, const struct zs_scene *scene, int all)
         b->data += mesh ? mesh_bytes(in->mesh, in->material->shader, all) : 0u;
         b->data += (material ? RECORD_zs_material : 0u) + (texture ? texture_bytes(t) : 0u);
         b->shades |= shade_bit(in->material->shader);
-        b->states |= in->state != NULL;
+        b->states |= in->depth_state != NULL;
         if (t)
             b->texels |= texel_bit(t->format);
     }
@@ -117,7 +117,7 @@ static int count_scene(struct budget *b, const struct budget_request *rq, const 
     if (!err)
         err = sim_costs_count(&b->counted, scene, camera, c);
     if (err)
-        why = err == SIM_FRAME_BROKEN ? "its frame could not be counted" : zs_strerror(err);
+        why = err == SIM_FRAME_BROKEN ? "its frame could not be counted" : zs_error_string(err);
     b->n_instances = scene->n_instances;
     add_data(b, scene, rq->scene != NULL);
     return why ? sim_refuse(name, 0, "%s", why) : SIM_OK;
@@ -155,7 +155,7 @@ static int of_demo(struct budget *b, const struct budget_request *rq)
         const int own = !rq->o.has_size && rq->o.panel.name == NULL;
         const uint16_t w = own ? d->width : (uint16_t)rq->o.size[0], h = own ? d->height : (uint16_t)rq->o.size[1];
         struct demo_frame *f = sim_alloc(1, sizeof *f);
-        set_config(b, rq, w, h, (uint8_t)d->attrs, d->depth);
+        set_config(b, rq, w, h, (uint8_t)d->varyings, d->depth);
         d->pose(f, (uint32_t)rq->frame, w, h);
         const int status = count_scene(b, rq, d->name, &f->scene, &f->camera);
         free(f);
@@ -166,11 +166,11 @@ static int of_demo(struct budget *b, const struct budget_request *rq)
 
 static int of_model(struct budget *b, const struct budget_request *rq)
 {
-    static const uint8_t attrs[] = { [SIM_SHADE_ID] = ZS_ATTRS_FLAT, [SIM_SHADE_FLAT] = ZS_ATTRS_FLAT,
-                                     [SIM_SHADE_SMOOTH] = ZS_ATTRS_SMOOTH, [SIM_SHADE_TEXTURED] =
-                                         ZS_ATTRS_TEXTURE_SMOOTH,
-                                     [SIM_SHADE_TEXTURED_FLAT] = ZS_ATTRS_TEXTURE, [SIM_SHADE_UNLIT] =
-                                         ZS_ATTRS_TEXTURE };
+    static const uint8_t attrs[] = { [SIM_SHADE_ID] = ZS_VARYINGS_FLAT, [SIM_SHADE_FLAT] = ZS_VARYINGS_FLAT,
+                                     [SIM_SHADE_SMOOTH] = ZS_VARYINGS_SMOOTH, [SIM_SHADE_TEXTURED] =
+                                         ZS_VARYINGS_TEXTURE_SMOOTH,
+                                     [SIM_SHADE_TEXTURED_FLAT] = ZS_VARYINGS_TEXTURE, [SIM_SHADE_UNLIT] =
+                                         ZS_VARYINGS_TEXTURE };
     const struct sim_options *o = &rq->o;
     const struct sim_want want = { .normals = sim_options_smooth(o), .textures = sim_options_textured(o), .picture =
         o->texture };
@@ -295,9 +295,9 @@ static int of_numbers(struct budget *b, const struct budget_request *rq)
 {
     static const struct {
         uint8_t attrs, bit;
-    } of[] = { [SIM_SHADE_ID] = { ZS_ATTRS_FLAT, 1 }, [SIM_SHADE_FLAT] = { ZS_ATTRS_FLAT, 2 },
-               [SIM_SHADE_SMOOTH] = { ZS_ATTRS_SMOOTH, 4 }, [SIM_SHADE_TEXTURED] = { ZS_ATTRS_TEXTURE_SMOOTH, 32 },
-               [SIM_SHADE_TEXTURED_FLAT] = { ZS_ATTRS_TEXTURE, 16 }, [SIM_SHADE_UNLIT] = { ZS_ATTRS_TEXTURE, 8 } };
+    } of[] = { [SIM_SHADE_ID] = { ZS_VARYINGS_FLAT, 1 }, [SIM_SHADE_FLAT] = { ZS_VARYINGS_FLAT, 2 },
+               [SIM_SHADE_SMOOTH] = { ZS_VARYINGS_SMOOTH, 4 }, [SIM_SHADE_TEXTURED] = { ZS_VARYINGS_TEXTURE_SMOOTH, 32 },
+               [SIM_SHADE_TEXTURED_FLAT] = { ZS_VARYINGS_TEXTURE, 16 }, [SIM_SHADE_UNLIT] = { ZS_VARYINGS_TEXTURE, 8 } };
     const enum sim_shade shade = rq->o.shade;
     const uint32_t v = 6u + (sim_options_smooth(&rq->o) ? 6u : 0u) + (sim_options_textured(&rq->o) ? 4u : 0u);
     const uint32_t t = 6u + (shade == SIM_SHADE_FLAT || shade == SIM_SHADE_TEXTURED_FLAT ? 6u : 0u);

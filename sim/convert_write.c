@@ -226,10 +226,10 @@ static const char *attrs_name(const struct sim_pieces *p)
         smooth |= s == SIM_SHADER_SMOOTH;
         textured |= s == SIM_SHADER_TEXTURE || s == SIM_SHADER_TEXTURE_FLAT;
     }
-    return both       ? "ZS_ATTRS_TEXTURE_SMOOTH"
-           : smooth   ? "ZS_ATTRS_SMOOTH"
-           : textured ? "ZS_ATTRS_TEXTURE"
-                      : "ZS_ATTRS_FLAT";
+    return both       ? "ZS_VARYINGS_TEXTURE_SMOOTH"
+           : smooth   ? "ZS_VARYINGS_SMOOTH"
+           : textured ? "ZS_VARYINGS_TEXTURE"
+                      : "ZS_VARYINGS_FLAT";
 }
 
 static const char *format_name(enum sim_texels format)
@@ -541,7 +541,7 @@ static void defines(FILE *f, const struct sim_conversion *c, const char *big, co
     (void)fprintf(f, "#define %s_MATERIALS %" PRIu32 "u\n", big, p->n_paints);
     (void)fprintf(f, "#define %s_TRIANGLES %" PRIu32 "u\n", big, p->n_tris);
     (void)fprintf(f, "#define %s_VERTICES %" PRIu32 "u\n", big, p->n_verts);
-    (void)fprintf(f, "#define %s_ATTRS %s /* zs_config.attrs, at least */\n", big, attrs_name(p));
+    (void)fprintf(f, "#define %s_VARYINGS %s /* zs_config.varyings, at least */\n", big, attrs_name(p));
     (void)fprintf(f, "#define %s_LO { %ld, %ld, %ld } /* world units: its box, its middle, */\n",
                   big, b->lo[0], b->lo[1], b->lo[2]);
     (void)fprintf(f,

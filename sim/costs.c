@@ -83,7 +83,7 @@ static int count_probes(struct probes *p)
         if (err)
             status = sim_refuse(probe->name, 0, "cannot be counted: %s",
                                 err == SIM_FRAME_BROKEN ? "pixels found are not those that the renderer tested" :
-                                    zs_strerror(err));
+                                    zs_error_string(err));
         p->n = i + 1u;
     }
     free(probe);

@@ -321,10 +321,10 @@ static void count_start(const struct zs_job *job, const struct our_shader *s)
         now.n[affine ? SIM_COST_start_smooth : SIM_COST_start_smooth_w]++;
     else if (s->kind == KIND_TEXTURE)
         now.n[affine ? SIM_COST_start_texture : SIM_COST_start_texture_w]++;
-    if (s->kind == KIND_TEXTURE && s->of->n_attrs == 3)
+    if (s->kind == KIND_TEXTURE && s->of->n_varyings == 3)
         now.n[SIM_COST_start_light]++;
     if (s->kind != KIND_SOLID && now.wide)
-        now.n[now.huge ? SIM_COST_plane_wide : SIM_COST_plane_mid] += s->of->n_attrs + !affine;
+        now.n[now.huge ? SIM_COST_plane_wide : SIM_COST_plane_mid] += s->of->n_varyings + !affine;
 }
 
 static void on_start(struct zs_job *job)
@@ -421,7 +421,7 @@ static void on_run(struct zs_job *job, const struct zs_row *row, int32_t from, i
         now.n[SIM_COST_px_fresh] += to - from;
     if (fresh && job->w64_scale != NO_OCTAVES)
         now.n[SIM_COST_piece]++;
-    if (job->state)
+    if (job->depth_state)
         now.n[SIM_COST_won_runs] += to - from;
     if (s->kind == KIND_SOLID)
         now.n[fresh ? SIM_COST_fill_px : SIM_COST_run_solid_px] += to - from;
@@ -493,7 +493,7 @@ static int on_planes(struct zs_job *job)
         now.n[SIM_COST_setup_fresh]++;
         now.n[SIM_COST_setup_octaves] += job->w64_scale != NO_OCTAVES;
         now.n[SIM_COST_row_fresh] += shape->spans;
-    } else if (linear && job->state) {
+    } else if (linear && job->depth_state) {
         now.n[SIM_COST_span_runs] += shape->spans;
         now.n[SIM_COST_px_state] += shape->px;
     } else if (pixelwise()) {
@@ -509,7 +509,7 @@ static int on_planes(struct zs_job *job)
 /* A row whose keys are not linear. */
 static void on_row(struct zs_job *job, const struct zs_row *row)
 {
-    if (job->state && !pixelwise() && job->piece != on_piece) {
+    if (job->depth_state && !pixelwise() && job->piece != on_piece) {
         now.piece = job->piece;
         job->piece = on_piece;
     }

@@ -66,7 +66,7 @@ static int count_bench(struct sim_counted *out, const struct demo *d)
 {
     struct demo_frame *f = sim_alloc(1, sizeof *f);
     struct zs_config c;
-    sim_frame_config(&c, d->width, d->height, (uint8_t)d->attrs);
+    sim_frame_config(&c, d->width, d->height, (uint8_t)d->varyings);
     c.strip_h = 24;
     c.buffers = 1;
     c.depth = d->depth;

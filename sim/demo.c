@@ -115,7 +115,7 @@ static struct size size_of(const struct request *rq, const struct demo *demo)
 static void configure(struct zs_config *config, const struct demo *demo, const struct request *rq)
 {
     const struct size size = size_of(rq, demo);
-    sim_frame_config(config, size.width, size.height, (uint8_t)demo->attrs);
+    sim_frame_config(config, size.width, size.height, (uint8_t)demo->varyings);
     config->strip_h = (uint16_t)(rq->strip < size.height ? rq->strip : size.height);
     config->subpixel_bits = (uint8_t)rq->subpixel;
     config->fast = rq->fast.list;
@@ -145,7 +145,7 @@ static int fit_pools(struct zs_config *config, const struct demo *demo, const st
         demo->pose(&f, frame_number(rq, k), config->width, config->height);
         const int err = sim_frame_render(&frame, &f.scene, &f.camera, config, NULL);
         if (err)
-            return sim_refuse(demo->name, 0, "%s", zs_strerror(err));
+            return sim_refuse(demo->name, 0, "%s", zs_error_string(err));
         if (tris < frame.stats.max_tris_used)
             tris = frame.stats.max_tris_used;
         if (verts < frame.stats.max_verts_used)
@@ -238,7 +238,7 @@ static int draw(struct sim_frame *frame, struct sim_picture *seen, struct sim_pa
     if (!err && rq->show != SIM_SHOW_FRAME)
         err = sim_show_draw(seen, NULL, rq->show, &f->scene, &f->camera, config, 1.0);
     if (err && panel->err == HAL_OK)
-        return sim_refuse(scene, 0, "%s", zs_strerror(err));
+        return sim_refuse(scene, 0, "%s", zs_error_string(err));
     if (rq->show != SIM_SHOW_FRAME)
         return SIM_OK;
     if (rq->panel.name == NULL) {

@@ -76,7 +76,7 @@ int sim_depths_in_order(const struct zs_depth *depth, int bits, double far_over_
     const struct zs_scene scene = { .instance = in, .n_instances = 2 };
     (void)zs_camera_perspective(&camera, 8192, H, NEAR, 2 * NEAR);
     camera.z_far = (zs_q48_16)(far_over_near * NEAR * 65536.0);
-    sim_frame_config(&config, W, H, ZS_ATTRS_FLAT);
+    sim_frame_config(&config, W, H, ZS_VARYINGS_FLAT);
     config.depth = depth;
     config.depth_bits = (uint8_t)bits;
     config.max_tris = config.max_verts = 64;

@@ -70,7 +70,7 @@ static void board_open(struct board *b, int mapping)
     memset(&b->scene, 0, sizeof b->scene);
     b->scene.instance = &b->instance;
     b->scene.n_instances = 1;
-    sim_frame_config(&b->config, W, H, ZS_ATTRS_TEXTURE);
+    sim_frame_config(&b->config, W, H, ZS_VARYINGS_TEXTURE);
     b->config.depth = mappings[mapping];
     b->config.max_tris = 16;
     b->config.max_verts = 40;
@@ -113,7 +113,7 @@ static void board_tri(struct board *b, uint32_t a, uint32_t c, uint32_t d)
 static int refused(int err)
 {
     return sim_refuse(NULL, 0, "a scene of the accuracy checks could not be drawn: %s",
-                      zs_strerror(err));
+                      zs_error_string(err));
 }
 
 /* ---- Whole numbers -------------------------------------------------------------------------- */
@@ -382,7 +382,7 @@ struct last_wins {
     uint16_t (*tri)[3], *raw;
 };
 
-static const struct zs_state over = ZS_STATE(1, 1, 0, 0); /* nothing is written, so all pass */
+static const struct zs_depth_state over = { .func = ZS_DEPTH_LESS_EQUAL, .read_only = 1 }; /* nothing is written, so all pass */
 
 static void last_wins_fill(struct last_wins *l, const struct zs_scene *scene, uint32_t n_tris,
                            int reverse)
@@ -401,7 +401,7 @@ static void last_wins_fill(struct last_wins *l, const struct zs_scene *scene, ui
         l->mesh[k].cluster = NULL;
         l->instance[k].mesh = &l->mesh[k];
         l->instance[k].material = &l->material[k];
-        l->instance[k].state = &over;
+        l->instance[k].depth_state = &over;
         for (uint32_t t = 0; t < m->n_tris; t++, at++, number++) {
             memcpy(l->tri[at], m->tri[reverse ? m->n_tris - 1 - t : t], sizeof l->tri[0]);
             l->raw[at] = (uint16_t)(reverse ? n_tris - number : number + 1);
@@ -425,7 +425,7 @@ int sim_exact_double_hits(uint64_t *out, const struct zs_scene *scene,
     int err = ZS_OK;
     both.instance = l.instance;
     both.background = 0;
-    sim_frame_config(&config, width, height, ZS_ATTRS_FLAT);
+    sim_frame_config(&config, width, height, ZS_VARYINGS_FLAT);
     config.depth = camera->projection == ZS_ORTHOGRAPHIC ? &zs_depth_linear : &zs_depth_recip;
     memset(f, 0, sizeof f);
     *out = 0;
@@ -596,7 +596,7 @@ static void layers_open(struct layers *l, struct sim_random *r, const struct zs_
         zs_pose_identity(&l->in[k].pose);
     }
     l->scene.instance = l->in;
-    sim_frame_config(&l->config, LAYER_W, LAYER_H, ZS_ATTRS_FLAT);
+    sim_frame_config(&l->config, LAYER_W, LAYER_H, ZS_VARYINGS_FLAT);
     l->config.max_tris = 16;
     l->config.max_verts = 40;
     l->config.depth = mapping;

@@ -10,16 +10,11 @@
 
 #include "sim.h"
 
+#define ROW(name) { &zs_fast_##name, #name },
 static const struct {
     const struct zs_fast *fast;
     const char *name;
-} known[] = {
-    { &zs_fast_batch, "batch" }, { &zs_fast_touch, "touch" }, { &zs_fast_tiles, "tiles" },
-    { &zs_fast_clusters, "clusters" }, { &zs_fast_edges, "edges" }, { &zs_fast_raw, "raw" }, { &zs_fast_flat, "flat" },
-    { &zs_fast_smooth, "smooth" }, { &zs_fast_texture, "texture" }, { &zs_fast_texture_flat, "texture_flat" },
-    { &zs_fast_texture_smooth, "texture_smooth" }, { &zs_fast_565, "565" }, { &zs_fast_pal8, "pal8" },
-    { &zs_fast_pal4, "pal4" },
-};
+} known[] = { ZS_FAST_EACH(ROW) };
 #define KNOWN (sizeof known / sizeof known[0])
 
 static const struct zs_fast *const all[] = { ZS_FAST_ALL, ZS_FAST_END };

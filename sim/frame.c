@@ -81,7 +81,7 @@ void sim_frame_config(struct zs_config *config, uint16_t width, uint16_t height,
     config->strip_h = 16;
     config->max_tris = ZS_POOL_MAX;
     config->max_verts = ZS_POOL_MAX;
-    config->attrs = attrs;
+    config->varyings = attrs;
     config->buffers = 2;
     config->subpixel_bits = 8;
     config->depth_bits = 16;
@@ -368,7 +368,7 @@ static enum way way_of(const struct zs_scene *scene, const struct zs_config *con
             return BY_STRIPS; /* which refuses it */
         *n_tris += mesh->n_tris;
         verts += mesh->n_verts;
-        simple &= mesh->pos != NULL && mesh->tri != NULL && mesh->n_verts <= 65535u && scene->instance[i].state == NULL;
+        simple &= mesh->pos != NULL && mesh->tri != NULL && mesh->n_verts <= 65535u && scene->instance[i].depth_state == NULL;
     }
     const uint64_t pixels = (uint64_t)config->width * config->height;
     if (simple && n > 1 && *n_tris >= n && *n_tris * PIXELS_A_TRI >= pixels &&

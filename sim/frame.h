@@ -16,7 +16,7 @@ struct sim_frame {
 };
 
 /* A sound configuration: strips of 16 rows, two buffers, 8 sub-pixel bits, 16-bit float depth,
- * all accelerators, and pools that are as large as they may be. attrs: ZS_ATTRS_FLAT or ZS_ATTRS_SMOOTH. */
+ * all accelerators, and pools that are as large as they may be. attrs: ZS_VARYINGS_FLAT or ZS_VARYINGS_SMOOTH. */
 void sim_frame_config(struct zs_config *config, uint16_t width, uint16_t height, uint8_t attrs);
 
 /* Draw a frame through zs_render into buffers of its own. The arena is filled with rubbish first,

@@ -184,7 +184,7 @@ static int build_camera(struct sim_scene *s, const struct sim_view *v, const cha
     c->z_far = llrint(v->far_z / s->unit * 65536.0);
     const int err = zs_camera_look_along(c, eye, dir, up);
     if (err != ZS_OK)
-        return sim_refuse(file, 0, "the camera was refused: %s", zs_strerror(err));
+        return sim_refuse(file, 0, "the camera was refused: %s", zs_error_string(err));
     if (!v->orthographic && c->z_near <= 0)
         return sim_refuse(file, 0,
                           "near %g is too small beside a world that reaches %g; enlarge it",

@@ -78,9 +78,9 @@ static void set_config(struct job *job)
         uint8_t attrs[SIM_SHADE_UNLIT + 1];
         const struct zs_depth *depth[SIM_DEPTH_E5M11 + 1];
     } of = {
-        { [SIM_SHADE_ID] = ZS_ATTRS_FLAT, [SIM_SHADE_FLAT] = ZS_ATTRS_FLAT,
-          [SIM_SHADE_SMOOTH] = ZS_ATTRS_SMOOTH, [SIM_SHADE_TEXTURED] = ZS_ATTRS_TEXTURE_SMOOTH,
-          [SIM_SHADE_TEXTURED_FLAT] = ZS_ATTRS_TEXTURE, [SIM_SHADE_UNLIT] = ZS_ATTRS_TEXTURE },
+        { [SIM_SHADE_ID] = ZS_VARYINGS_FLAT, [SIM_SHADE_FLAT] = ZS_VARYINGS_FLAT,
+          [SIM_SHADE_SMOOTH] = ZS_VARYINGS_SMOOTH, [SIM_SHADE_TEXTURED] = ZS_VARYINGS_TEXTURE_SMOOTH,
+          [SIM_SHADE_TEXTURED_FLAT] = ZS_VARYINGS_TEXTURE, [SIM_SHADE_UNLIT] = ZS_VARYINGS_TEXTURE },
         { [SIM_DEPTH_RECIP] = &zs_depth_recip, [SIM_DEPTH_LINEAR] = &zs_depth_linear,
           [SIM_DEPTH_E3M13] = &zs_depth_e3m13, [SIM_DEPTH_E4M12] = &zs_depth_e4m12,
           [SIM_DEPTH_E5M11] = &zs_depth_e5m11 },
@@ -103,7 +103,7 @@ static int refuse_frame(const struct job *job, int err)
         return sim_refuse(job->model.file, 0, "the renderer broke its sink's contract");
     return sim_refuse(job->model.file, 0,
                       "the renderer cannot hold this view, near %.9g, far %.9g: %s", v->near_z,
-                      v->far_z, zs_strerror(err));
+                      v->far_z, zs_error_string(err));
 }
 
 /* The frame; with --panel its strips go there too. */

@@ -329,7 +329,7 @@ void sim_scatter_make(struct sim_scatter *s, uint64_t seed, uint16_t width, uint
 {
     struct sim_random r = { seed };
     struct lens lens;
-    sim_frame_config(&s->config, width, height, ZS_ATTRS_TEXTURE_SMOOTH);
+    sim_frame_config(&s->config, width, height, ZS_VARYINGS_TEXTURE_SMOOTH);
     s->textured = 0;
     textures_make(s, &r);
     for (int n = 0; n < SCATTER_MESHES; n++)

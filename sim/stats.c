@@ -93,8 +93,8 @@ void sim_stats_frame(struct sim_json *json, const struct sim_frame *frame,
         { "depth", depth, depth },
         { "bins", bins, bins },
         { "tris", ZS_TRI_BYTES(config->max_tris), ZS_TRI_BYTES(s->max_tris_used) },
-        { "verts", ZS_VERT_BYTES(config->max_verts, config->attrs),
-          ZS_VERT_BYTES(s->max_verts_used, config->attrs) },
+        { "verts", ZS_VERT_BYTES(config->max_verts, config->varyings),
+          ZS_VERT_BYTES(s->max_verts_used, config->varyings) },
     };
     char key[32];
     uint32_t used = 0;

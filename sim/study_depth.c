@@ -224,7 +224,7 @@ static void floors_make(struct floors *f, const struct run *r)
     (void)zs_camera_perspective(&f->camera, 8192, SIDE, NEAR, 2 * NEAR);
     f->camera.z_near = (zs_q48_16)(r->near_z * NEAR * 65536.0);
     f->camera.z_far = (zs_q48_16)(r->far_z * NEAR * 65536.0);
-    sim_frame_config(&f->config, SIDE, SIDE, ZS_ATTRS_FLAT);
+    sim_frame_config(&f->config, SIDE, SIDE, ZS_VARYINGS_FLAT);
     f->config.depth = study_mapping[r->mapping].depth;
     f->config.depth_bits = (uint8_t)r->bits;
     f->config.max_tris = f->config.max_verts = 256;
@@ -233,12 +233,12 @@ static void floors_make(struct floors *f, const struct run *r)
 static int floors_draw(struct study_frame *out, const struct run *r)
 {
     struct floors f;
-    const struct zs_state nearer = ZS_STATE(0, 0, (int16_t)(r->part == CURE ? cures[r->cure].offset : 0), 0);
+    const struct zs_depth_state nearer = { .bias = (int16_t)(r->part == CURE ? cures[r->cure].offset : 0) };
     floors_make(&f, r);
-    if (nearer.offset)
-        f.instance[1].state = &nearer;
+    if (nearer.bias)
+        f.instance[1].depth_state = &nearer;
     const int err = study_frame_open(out, &f.scene, &f.camera, &f.config);
-    return err ? sim_refuse(NULL, 0, "study depth: two floors could not be drawn: %s", zs_strerror(err)) : SIM_OK;
+    return err ? sim_refuse(NULL, 0, "study depth: two floors could not be drawn: %s", zs_error_string(err)) : SIM_OK;
 }
 
 static int measure_floors(const struct run *r, struct study_text *row)
@@ -270,12 +270,12 @@ static int measure_curve(const struct run *r, struct study_text *row)
     sim_depths_wall(&wall, r->z * 10 * 65536, square, 0.0);
     zs_pose_identity(&in.pose);
     (void)zs_camera_perspective(&camera, 8192, SIM_DEPTHS_H_PX, 65536, 655360);
-    sim_frame_config(&config, SIM_DEPTHS_W, SIM_DEPTHS_H_PX, ZS_ATTRS_FLAT);
+    sim_frame_config(&config, SIM_DEPTHS_W, SIM_DEPTHS_H_PX, ZS_VARYINGS_FLAT);
     config.depth = study_mapping[r->mapping].depth;
     config.max_tris = config.max_verts = 64;
     const int err = sim_frame_render(&frame, &scene, &camera, &config, NULL);
     if (err)
-        return sim_refuse(NULL, 0, "study depth: a wall could not be drawn: %s", zs_strerror(err));
+        return sim_refuse(NULL, 0, "study depth: a wall could not be drawn: %s", zs_error_string(err));
     study_skip(row, 5);
     study_put(row, "%u", frame.key[SIM_DEPTHS_W * SIM_DEPTHS_H_PX / 2 + SIM_DEPTHS_W / 2]);
     sim_frame_free(&frame);

@@ -41,7 +41,7 @@ static void find_whole(int s)
     struct demo_frame scene;
     struct zs_config config;
     struct sim_frame frame;
-    sim_frame_config(&config, d->width, d->height, (uint8_t)d->attrs);
+    sim_frame_config(&config, d->width, d->height, (uint8_t)d->varyings);
     config.depth = d->depth;
     d->pose(&scene, 0, d->width, d->height);
     if (sim_frame_render(&frame, &scene.scene, &scene.camera, &config, NULL) != ZS_OK)
@@ -75,7 +75,7 @@ static void configure(struct zs_config *config, const struct run *r)
     const struct demo *d = scenes[r->scene].demo;
     const uint32_t tris = whole[r->scene].tris * (uint32_t)r->percent / 100;
     const uint32_t verts = whole[r->scene].verts * (uint32_t)r->percent / 100;
-    sim_frame_config(config, d->width, d->height, (uint8_t)d->attrs);
+    sim_frame_config(config, d->width, d->height, (uint8_t)d->varyings);
     config->strip_h = (uint16_t)r->rows;
     config->max_tris = (uint16_t)(tris < 1 ? 1 : tris);
     config->max_verts = (uint16_t)(verts < 3 ? 3 : verts);
@@ -90,7 +90,7 @@ static void describe(size_t i, struct study_text *row)
     configure(&config, r);
     study_put(row, "%s", scenes[r->scene].demo->name);
     study_put(row, "%s", scenes[r->scene].format);
-    study_put(row, "%d", config.attrs);
+    study_put(row, "%d", config.varyings);
     study_put(row, "%d", r->rows);
     study_put(row, "%d", r->percent);
     study_put(row, "%u", config.max_tris);
@@ -111,14 +111,14 @@ static int measure(size_t i, struct study_text *row)
     d->pose(&scene, 0, d->width, d->height);
     const int err = sim_frame_render(&f, &scene.scene, &scene.camera, &c, NULL);
     if (err)
-        return sim_refuse(d->name, 0, "could not be drawn: %s", zs_strerror(err));
+        return sim_refuse(d->name, 0, "could not be drawn: %s", zs_error_string(err));
     const uint64_t checksum = study_checksum(f.rgb565, (size_t)c.width * c.height);
     study_put(row, "%u", f.arena_bytes);
     study_put(row, "%u", (unsigned)ZS_COLOR_BYTES(c.width, c.strip_h, c.buffers));
     study_put(row, "%u", (unsigned)(ZS_DEPTH_BYTES(c.width, c.strip_h) + ZS_DRAWN_BYTES(c.strip_h) +
                                     ZS_BOUND_BYTES(c.width, c.height, c.strip_h)));
     study_put(row, "%u", (unsigned)(ZS_TRI_BYTES(c.max_tris) + ZS_BIN_BYTES(c.height, c.strip_h)));
-    study_put(row, "%u", (unsigned)ZS_VERT_BYTES(c.max_verts, c.attrs));
+    study_put(row, "%u", (unsigned)ZS_VERT_BYTES(c.max_verts, c.varyings));
     study_put(row, "%u", f.stats.passes);
     study_put(row, "%u", f.stats.verts_transformed);
     study_put(row, "%u", f.stats.tris_setup);

@@ -101,7 +101,7 @@ static void stage_begin(struct stage *s)
     s->instance = (struct zs_instance){ .mesh = &s->mesh, .material = &s->material };
     zs_pose_identity(&s->instance.pose);
     s->scene = (struct zs_scene){ .instance = &s->instance, .n_instances = 1 };
-    sim_frame_config(&s->config, W, H, ZS_ATTRS_TEXTURE);
+    sim_frame_config(&s->config, W, H, ZS_VARYINGS_TEXTURE);
     s->config.max_tris = s->config.max_verts = 1024;
     (void)zs_camera_perspective(&s->camera, 8192, H, 1, 2);
 }
@@ -437,7 +437,7 @@ static int picture(struct study_page *page, const struct study_table *t)
     uint8_t *rgb = sim_alloc((size_t)2 * W * H, 3);
     make(s, &runs[worst]);
     const int err = study_frame_open(&f, &s->scene, &s->camera, &s->config);
-    int status = err ? sim_refuse(NULL, 0, "study stability: %s", zs_strerror(err)) : SIM_OK;
+    int status = err ? sim_refuse(NULL, 0, "study stability: %s", zs_error_string(err)) : SIM_OK;
     if (!err) {
         study_sheet_put(rgb, 2 * W, 0, 0, f.rgb565, NULL, W, H);
         study_sheet_put(rgb, 2 * W, W, 0, f.rgb565, f.wrong, W, H);

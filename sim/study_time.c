@@ -89,7 +89,7 @@ static void describe(size_t i, struct study_text *row)
 static void configure(struct zs_config *config, const struct run *r)
 {
     const struct demo *d = scenes[r->scene].demo;
-    sim_frame_config(config, d->width, d->height, (uint8_t)d->attrs);
+    sim_frame_config(config, d->width, d->height, (uint8_t)d->varyings);
     config->strip_h = 24;
     config->buffers = 1;
     config->subpixel_bits = (uint8_t)r->subpixel;
@@ -160,7 +160,7 @@ static int measure_own(size_t i, struct study_text *row)
     d->pose(&scene, 0, d->width, d->height);
     const int err = study_frame_open(&f, &scene.scene, &scene.camera, &config);
     if (err)
-        return sim_refuse(d->name, 0, "could not be drawn: %s", zs_strerror(err));
+        return sim_refuse(d->name, 0, "could not be drawn: %s", zs_error_string(err));
     const struct ref_diff *e = &f.diff;
     study_put(row, "%zu", e->ref_drawn);
     study_put(row, "%.4g", percent(e->id_differ, e->ref_drawn));

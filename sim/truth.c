@@ -156,9 +156,9 @@ static void collect(struct shelf *s, const struct zs_scene *scene)
 /* See truth.h. */
 static void move(struct ref_triangle *t, const struct zs_instance *in, const struct zs_camera *camera)
 {
-    if (in->state == NULL || camera == NULL || camera->projection == ZS_ORTHOGRAPHIC)
+    if (in->depth_state == NULL || camera == NULL || camera->projection == ZS_ORTHOGRAPHIC)
         return;
-    const double part = 1.0 + (in->state->offset + in->state->slope / 256.0) * 0x1p-13 / 100.0;
+    const double part = 1.0 + (in->depth_state->bias + in->depth_state->slope_bias / 256.0) * 0x1p-13 / 100.0;
     for (int k = 0; k < 3; k++)
         for (int c = 0; c < 3; c++)
             t->p[k][c] = camera->pos[c] + (t->p[k][c] - camera->pos[c]) * part;

@@ -33,7 +33,7 @@ shade_of() { # WORDS
     echo '    ZS_BIN_BYTES(h, r), ZS_TRI_BYTES(t), ZS_VERT_BYTES(v, a), ZS_ARENA_BYTES(w, h, r, t, v, a, b), \'
     echo '    sizeof(struct zs_renderer), \'
     echo '    sizeof(struct zs_scene) + sizeof(struct zs_camera) + n * sizeof(struct zs_instance), \'
-    echo '    8u * c * ZS_STRIPS(h, r), k ? 4u * ZS_TRACK_WORDS(k, h, r) : 0u, \'
+    echo '    8u * c * ZS_STRIPS(h, r), k ? 4u * ZS_DAMAGE_WORDS(k, h, r) : 0u, \'
     echo '    sizeof(struct zs_tri) * t, sizeof(struct zs_vertex) * v,'
     echo 'const uint32_t budget_rows[] __attribute__((section(".budget"), used)) = {'
     sed 's/ /, /g; s/^/ROW(/; s/$/)/' configs
@@ -164,7 +164,7 @@ done
 budget --size 240x240 --shade flat --csv
 flat=$(csv flash_zstrip)
 budget --size 240x240 --shade textured --state --watch 4 --track 3 --csv
-[ "$(csv flash_zstrip)" -gt "$flat" ] || wrong "textures, states, zs_watch and zs_track take no flash"
+[ "$(csv flash_zstrip)" -gt "$flat" ] || wrong "textures, states, zs_damage_compare and zs_damage_track take no flash"
 
 begin numbers_alone_are_a_third_off_at_most # of what the scene's frame takes
 for one in M3,mesh_lit,320x240,816,2520,1262,34.2,1,flat M3,teapot,240x240,1688,3130,1647,58,1.13,smooth \

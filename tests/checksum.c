@@ -19,7 +19,7 @@
 #define TRIS 2500
 #define VERTS 1500
 
-ZS_ARENA(arena, ZS_ARENA_BYTES(W, H, STRIP, TRIS, VERTS, ZS_ATTRS_SMOOTH, 2));
+ZS_ARENA(arena, ZS_ARENA_BYTES(W, H, STRIP, TRIS, VERTS, ZS_VARYINGS_SMOOTH, 2));
 
 static struct shape shapes[2];
 static int16_t uv[2][SHAPE_VERTS][2];
@@ -64,7 +64,7 @@ static void begin(struct page *p, const char *name, const struct zs_depth *depth
     const struct page none = { 0 };
     static const struct zs_fast *const fast[] = { ZS_FAST_ALL, ZS_FAST_END };
     const struct zs_config config = {
-        .width = W, .height = H, .strip_h = STRIP, .max_tris = TRIS, .max_verts = VERTS, .attrs = ZS_ATTRS_SMOOTH,
+        .width = W, .height = H, .strip_h = STRIP, .max_tris = TRIS, .max_verts = VERTS, .varyings = ZS_VARYINGS_SMOOTH,
         .buffers = 1, .subpixel_bits = 8, .depth_bits = 16, .depth = depth, .fast = fast
     };
     const int32_t light[3] = { 3, 5, 4 };
@@ -104,7 +104,7 @@ static void make_textures(void)
 /* Cover the page's instance n, drawn from shapes[shape], and let it meet depth by a state or NULL.
  * Coordinates are the position's: ten repeats to 20480 steps. */
 static void cover(struct page *p, uint32_t n, uint32_t shape, const struct zs_texture *texture,
-                  const struct zs_state *state)
+                  const struct zs_depth_state *state)
 {
     struct zs_mesh *mesh = &shapes[shape].mesh;
     for (uint32_t v = 0; v < mesh->n_verts; v++) {
@@ -114,7 +114,7 @@ static void cover(struct page *p, uint32_t n, uint32_t shape, const struct zs_te
     mesh->uv = (const int16_t (*)[2])uv[shape];
     mesh->uv_bits = 11;
     p->material[n].texture = texture;
-    p->instance[n].state = state;
+    p->instance[n].depth_state = state;
 }
 
 /* ---- Scenes ---------------------------------------------------------------------------------- */
@@ -273,8 +273,8 @@ static void page_textured_ortho(struct page *p)
  * and moved by its slope. */
 static void page_states(struct page *p)
 {
-    static const struct zs_state later = ZS_STATE(1, 0, 0, 0), lent = ZS_STATE(0, 1, -400, 0);
-    static const struct zs_state leans = ZS_STATE(0, 0, 40, -300);
+    static const struct zs_depth_state later = { .func = ZS_DEPTH_LESS_EQUAL }, lent = { .read_only = 1, .bias = -400 };
+    static const struct zs_depth_state leans = { .bias = 40, .slope_bias = -300 };
     page_clipped(p, "depth states, e5m11 keys", &zs_depth_e5m11);
     p->scene.n_instances = 1;
     add(p, &shapes[1], &zs_shade_flat, 0, 200, 0, ZS_CULL_NONE);
@@ -284,8 +284,8 @@ static void page_states(struct page *p)
     p->instance[2].pose = p->instance[1].pose;
     p->instance[4].pose = p->instance[0].pose;
     cover(p, 2, 1, &texture_565, &later);
-    p->instance[3].state = &lent;
-    p->instance[4].state = &leans;
+    p->instance[3].depth_state = &lent;
+    p->instance[4].depth_state = &leans;
 }
 
 static void page_coarse_float(struct page *p)
@@ -380,7 +380,7 @@ int main(int argc, char **argv)
         page.config.fast = fast;
         err = err ? err : draw(&page, &with);
         if (err) {
-            printf("%s: %s\n", page.name, zs_strerror(err));
+            printf("%s: %s\n", page.name, zs_error_string(err));
             bad = 1;
         } else if (with.hash != s.hash) {
             printf("%s: %08lx by the core, %08lx with accelerators\n", page.name, (unsigned long)s.hash,

@@ -56,8 +56,8 @@ static void fill_pools(struct zs_renderer *r, const struct easel_tri *t, uint32_
             out->y = t[k].y[v];
             out->d = t[k].d[v];
             top = out->y < top ? out->y : top;
-            for (uint32_t c = 0; c < r->config.attrs; c++)
-                r->attr[(3 * k + v) * r->config.attrs + c] = t[k].rgb[v][c];
+            for (uint32_t c = 0; c < r->config.varyings; c++)
+                r->attr[(3 * k + v) * r->config.varyings + c] = t[k].rgb[v][c];
         }
         uint32_t order[3];
         if (!order_corners(&t[k], order))
@@ -95,8 +95,8 @@ static const struct zs_shader *shader_of(const struct easel *s)
 static uint32_t attrs_of(const struct easel *s)
 {
     if (s->texture)
-        return s->smooth ? ZS_ATTRS_TEXTURE_SMOOTH : ZS_ATTRS_TEXTURE;
-    return s->smooth ? ZS_ATTRS_SMOOTH : ZS_ATTRS_FLAT;
+        return s->smooth ? ZS_VARYINGS_TEXTURE_SMOOTH : ZS_VARYINGS_TEXTURE;
+    return s->smooth ? ZS_VARYINGS_SMOOTH : ZS_VARYINGS_FLAT;
 }
 
 void easel_draw(const struct easel *s, const struct easel_tri *t, uint32_t n,
@@ -105,7 +105,7 @@ void easel_draw(const struct easel *s, const struct easel_tri *t, uint32_t n,
     struct zs_renderer r;
     const struct zs_config config = { .width = (uint16_t)s->width, .height = (uint16_t)s->height,
                                       .strip_h = (uint16_t)s->strip_h, .max_tris = (uint16_t)(n ? n : 1),
-                                      .max_verts = (uint16_t)(n ? 3 * n : 3), .attrs = (uint8_t)attrs_of(s),
+                                      .max_verts = (uint16_t)(n ? 3 * n : 3), .varyings = (uint8_t)attrs_of(s),
                                       .buffers = 1, .subpixel_bits = 8, .depth_bits = (uint8_t)s->depth_bits,
                                       .depth = s->depth, .fast = fast_counting(s->fast) };
     const uint32_t bytes = zs_arena_bytes(&config);
@@ -126,7 +126,7 @@ void easel_draw(const struct easel *s, const struct easel_tri *t, uint32_t n,
         instance[k].material = &material;
         zs_pose_identity(&instance[k].pose);
         instance[k].pose.pos[2] = -s->z_far; /* in view: the camera unit reaches to the far plane */
-        instance[k].state = k ? &s->state[k - 1] : NULL;
+        instance[k].depth_state = k ? &s->state[k - 1] : NULL;
     }
     struct zs_scene scene = { .instance = instance, .n_instances = s->n_states + 1 };
     struct zs_camera camera;

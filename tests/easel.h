@@ -33,7 +33,7 @@ struct easel {
                    the intensities of the corners */
     const struct zs_texture *texture; /* NULL: none */
     int32_t uv_bits;
-    const struct zs_state *state; /* [n_states] */
+    const struct zs_depth_state *state; /* [n_states] */
     uint32_t n_states;
     int lit;     /* 1: a texture is lit by the first corner's intensity; not with smooth */
     const struct zs_fast *const *fast; /* accelerators, as zs_config.fast */

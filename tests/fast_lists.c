@@ -14,16 +14,11 @@
 
 const struct zs_fast *const fast_all[] = { ZS_FAST_ALL, ZS_FAST_END };
 
+#define ROW(name) { &zs_fast_##name, #name },
 static const struct {
     const struct zs_fast *fast;
     const char *name;
-} known[] = {
-    { &zs_fast_batch, "batch" }, { &zs_fast_touch, "touch" }, { &zs_fast_tiles, "tiles" },
-    { &zs_fast_clusters, "clusters" }, { &zs_fast_edges, "edges" }, { &zs_fast_raw, "raw" }, { &zs_fast_flat, "flat" },
-    { &zs_fast_smooth, "smooth" }, { &zs_fast_texture, "texture" }, { &zs_fast_texture_flat, "texture_flat" },
-    { &zs_fast_texture_smooth, "texture_smooth" }, { &zs_fast_565, "565" }, { &zs_fast_pal8, "pal8" },
-    { &zs_fast_pal4, "pal4" },
-};
+} known[] = { ZS_FAST_EACH(ROW) };
 #define KNOWN (sizeof known / sizeof known[0])
 
 static_assert(KNOWN + 1 == sizeof fast_all / sizeof fast_all[0], "all that ZS_FAST_ALL names");
@@ -79,7 +74,12 @@ static struct zs_fast_tiles tiles_copy;
 static struct zs_fast_batch batch_copy;
 static struct zs_fast_clusters clusters_copy;
 
-enum { BATCH, TOUCH, TILES, CLUSTERS, EDGES }; /* as `known` has them */
+/* Numbers of those of the frame in `known`. */
+#define NUMBER(name) NUMBER_##name,
+enum { ZS_FAST_EACH(NUMBER) BATCH = NUMBER_batch, TOUCH = NUMBER_touch, TILES = NUMBER_tiles, CLUSTERS = NUMBER_clusters,
+       EDGES = NUMBER_edges };
+static_assert(FAST_BATCH == 1 << BATCH && FAST_TOUCH == 1 << TOUCH && FAST_TILES == 1 << TILES &&
+                  FAST_CLUSTERS == 1 << CLUSTERS && FAST_EDGES == 1 << EDGES, "bits as `known` has them");
 
 static unsigned number_of(const struct zs_job *job)
 {

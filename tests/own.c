@@ -24,7 +24,7 @@ static void own_fragment(const struct zs_instance *instance, struct zs_fragment 
 }
 
 const struct zs_shader own_shader = { .vertex = own_vertex, .face = own_face, .fragment = own_fragment, ZS_FRAGMENTS,
-                                      .n_attrs = 3 };
+                                      .n_varyings = 3 };
 
 void own_fill(void *ctx, uint16_t *out, uint16_t x, uint16_t y, uint16_t n)
 {

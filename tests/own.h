@@ -7,7 +7,7 @@
 
 #include "zs_shader.h"
 
-/* Three varyings, a face's value and the pixel's place go into a colour; needs config.attrs of 3. */
+/* Three varyings, a face's value and the pixel's place go into a colour; needs config.varyings of 3. */
 extern const struct zs_shader own_shader;
 /* struct zs_background.fill: differs from pixel to pixel. ctx: a uint16_t */
 void own_fill(void *ctx, uint16_t *out, uint16_t x, uint16_t y, uint16_t n);

@@ -13,15 +13,15 @@
 struct zs_config picture_config(int32_t w, int32_t h, const struct zs_depth *depth)
 {
     const struct zs_config c = { .width = (uint16_t)w, .height = (uint16_t)h, .strip_h = (uint16_t)h, .max_tris = 4000,
-                                 .max_verts = 4000, .attrs = ZS_ATTRS_SMOOTH, .buffers = 1, .subpixel_bits = 8,
+                                 .max_verts = 4000, .varyings = ZS_VARYINGS_SMOOTH, .buffers = 1, .subpixel_bits = 8,
                                  .depth_bits = 16, .depth = depth, .fast = fast_all };
     return c;
 }
 
-int watch_anew(struct zs_renderer *r, struct zs_sums *sums, uint64_t *memory, uint32_t columns)
+int watch_anew(struct zs_renderer *r, struct zs_strip_hashes *sums, uint64_t *memory, uint32_t columns)
 {
-    const int err = zs_sums_init(sums, memory, r->config.width, r->config.height, r->config.strip_h, columns);
-    return err ? err : zs_watch(r, sums);
+    const int err = zs_strip_hashes_init(sums, memory, r->config.width, r->config.height, r->config.strip_h, columns);
+    return err ? err : zs_damage_compare(r, sums);
 }
 
 struct copy {

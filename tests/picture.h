@@ -22,8 +22,8 @@ struct picture {
 };
 
 /* Room for everything in one pass, one strip buffer, one strip, all accelerators. */
-/* zs_watch with sums of their own, of which nothing is known: `memory` is as in zs_sums_init. */
-int watch_anew(struct zs_renderer *r, struct zs_sums *sums, uint64_t *memory, uint32_t columns);
+/* zs_damage_compare with sums of their own, of which nothing is known: `memory` is as in zs_strip_hashes_init. */
+int watch_anew(struct zs_renderer *r, struct zs_strip_hashes *sums, uint64_t *memory, uint32_t columns);
 
 struct zs_config picture_config(int32_t w, int32_t h, const struct zs_depth *depth);
 /* Draw a frame by zs_render. To be freed whatever err is. */

@@ -54,9 +54,9 @@ cat >"$out/panel_main.c" <<'MAIN'
 #include <stdio.h>
 #include "panel_example.c"
 static const struct zs_config config = { .width = W, .height = H, .strip_h = ROWS, .max_tris = 8, .max_verts = 8,
-                                         .attrs = ZS_ATTRS_FLAT, .buffers = 2, .subpixel_bits = 8, .depth_bits = 16,
+                                         .varyings = ZS_VARYINGS_FLAT, .buffers = 2, .subpixel_bits = 8, .depth_bits = 16,
                                          .depth = &zs_depth_recip };
-ZS_ARENA(arena, ZS_ARENA_BYTES(W, H, ROWS, 8, 8, ZS_ATTRS_FLAT, 2));
+ZS_ARENA(arena, ZS_ARENA_BYTES(W, H, ROWS, 8, 8, ZS_VARYINGS_FLAT, 2));
 int main(void)
 {
     static struct zs_renderer r;
@@ -69,7 +69,7 @@ int main(void)
     err = err ? err : start_panel(&r);
     for (int i = 0; !err && i < 3; i++)
         err = zs_render(&r, &scene, &camera, &sink);
-    printf("%d %u\n", err, (unsigned)zs_frame_stats(&r)->strips_unchanged);
+    printf("%d %u\n", err, (unsigned)zs_frame_stats(&r)->strips_clean);
     return err != 0;
 }
 MAIN

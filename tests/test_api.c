@@ -73,11 +73,11 @@ static void strerror_has_a_text_for_each(void **state)
     (void)state;
     for (int err = ZS_ERR_NEAR; err <= 0; err++)
         for (int other = ZS_ERR_NEAR; other < err; other++)
-            assert_string_not_equal(zs_strerror(err), zs_strerror(other));
-    assert_string_equal(zs_strerror(ZS_ERR_TEXTURE - 1), zs_strerror(INT32_MIN));
-    assert_non_null(zs_strerror(1));
-    assert_non_null(zs_strerror(INT32_MAX));
-    assert_string_not_equal(zs_strerror(-100), zs_strerror(ZS_OK));
+            assert_string_not_equal(zs_error_string(err), zs_error_string(other));
+    assert_string_equal(zs_error_string(ZS_ERR_TEXTURE - 1), zs_error_string(INT32_MIN));
+    assert_non_null(zs_error_string(1));
+    assert_non_null(zs_error_string(INT32_MAX));
+    assert_string_not_equal(zs_error_string(-100), zs_error_string(ZS_OK));
 }
 
 static int init_with(struct zs_config c)
@@ -119,7 +119,7 @@ static void init_refuses_by_name(void **state)
     REFUSED(max_verts, 2, ZS_ERR_SIZE);
     REFUSED(max_verts, 3, ZS_OK);
     REFUSED(max_verts, ZS_POOL_MAX + 1, ZS_ERR_SIZE);
-    REFUSED(attrs, ZS_ATTRS_MAX + 1, ZS_ERR_SIZE);
+    REFUSED(varyings, ZS_VARYINGS_MAX + 1, ZS_ERR_SIZE);
     REFUSED(buffers, 0, ZS_ERR_SIZE);
     REFUSED(buffers, 3, ZS_ERR_SIZE);
     REFUSED(subpixel_bits, 0, ZS_ERR_SIZE);
@@ -143,9 +143,9 @@ static void nothing_works_before_init(void **state)
     uint32_t arena[4];
     memset(&r, 0, sizeof r);
     for (int n = 0; n < 2; n++) {
-        assert_int_equal(zs_frame_begin(&r, &g.scene, &g.camera), ZS_ERR_STATE);
-        assert_int_equal(zs_frame_strip(&r, &strip), ZS_ERR_STATE);
-        assert_int_equal(zs_frame_end(&r), ZS_ERR_STATE);
+        assert_int_equal(zs_frame_begin(&r, &g.scene, &g.camera), ZS_ERR_SEQUENCE);
+        assert_int_equal(zs_frame_strip(&r, &strip), ZS_ERR_SEQUENCE);
+        assert_int_equal(zs_frame_end(&r), ZS_ERR_SEQUENCE);
         bad.buffers = 9;
         assert_int_equal(zs_init(&r, n ? &bad : &g.config, arena, sizeof arena),
                          n ? ZS_ERR_SIZE : ZS_ERR_ARENA);
@@ -196,8 +196,8 @@ static void stress_30_every_buffer_one_element_short(void **state)
     struct good smooth = good_scene();
     smooth.material.shader = &zs_shade_smooth;
     assert_int_equal(answer(&smooth), ZS_OK);
-    smooth.config.attrs = ZS_ATTRS_SMOOTH - 1;
-    assert_int_equal(answer(&smooth), ZS_ERR_ATTRS);
+    smooth.config.varyings = ZS_VARYINGS_SMOOTH - 1;
+    assert_int_equal(answer(&smooth), ZS_ERR_VARYINGS);
 
     /* the mesh: one vertex short, so that some triangles name one that is not there */
     struct good mesh = good_scene();
@@ -220,7 +220,7 @@ static uint32_t bytes_by_hand(const struct zs_config *c)
     const uint32_t strips = (c->height + rows - 1u) / rows;
     uint32_t pools[8] = { c->width * rows * 2u, c->buffers == 2 ? c->width * rows * 2u : 0u,
                           c->width * rows * 2u, strips * 2u, c->max_tris * 12u, c->max_verts * 12u,
-                          c->max_verts * 2u, (uint32_t)c->max_verts * c->attrs * 2u };
+                          c->max_verts * 2u, (uint32_t)c->max_verts * c->varyings * 2u };
     uint32_t sum = (c->max_verts * 2u + 3u) / 4u * 4u; /* vert_map, the ninth */
     sum += ((c->width + 31u) / 32u * strips * 2u + 3u) / 4u * 4u; /* bounds of tiles, the tenth */
     sum += rows * 4u;                                             /* columns drawn, the eleventh */
@@ -235,13 +235,13 @@ static int arena_case(uint64_t seed)
     const struct zs_config c = {
         .width = (uint16_t)prng_range(&p, 1, 300), .height = (uint16_t)prng_range(&p, 1, 300),
         .strip_h = (uint16_t)prng_range(&p, 1, 400), .max_tris = (uint16_t)prng_range(&p, 1, 999),
-        .max_verts = (uint16_t)prng_range(&p, 3, 999), .attrs = (uint8_t)prng_range(&p, 0, ZS_ATTRS_MAX),
+        .max_verts = (uint16_t)prng_range(&p, 3, 999), .varyings = (uint8_t)prng_range(&p, 0, ZS_VARYINGS_MAX),
         .buffers = (uint8_t)prng_range(&p, 1, 2), .subpixel_bits = 8, .depth_bits = 16, .depth = &zs_depth_recip
     };
     const uint32_t rows = c.strip_h < c.height ? c.strip_h : c.height;
     const uint32_t bytes = zs_arena_bytes(&c);
     CASE_CHECK(bytes == bytes_by_hand(&c));
-    CASE_CHECK(bytes == ZS_ARENA_BYTES(c.width, c.height, rows, c.max_tris, c.max_verts, c.attrs,
+    CASE_CHECK(bytes == ZS_ARENA_BYTES(c.width, c.height, rows, c.max_tris, c.max_verts, c.varyings,
                                        c.buffers));
     uint8_t *arena = malloc(bytes);
     struct zs_renderer r;
@@ -261,7 +261,7 @@ static int arena_case(uint64_t seed)
                   { r.vert, 12u * c.max_verts },
                   { r.vert_src, 2u * c.max_verts },
                   { r.vert_map, 2u * c.max_verts },
-                  { r.attr, 2u * c.max_verts * c.attrs } };
+                  { r.attr, 2u * c.max_verts * c.varyings } };
     const uint8_t *end = arena;
     for (size_t k = 0; k < sizeof pool / sizeof pool[0]; k++) {
         const uint8_t *at = pool[k].at;
@@ -283,14 +283,14 @@ static void arena_macro_function_and_layout_agree(void **state)
 {
     (void)state;
     CASES(arena_case, 3000);
-    const struct zs_config c = { .width = 64, .height = 48, .strip_h = 16, .max_tris = 100, .max_verts = 80, .attrs = 3,
+    const struct zs_config c = { .width = 64, .height = 48, .strip_h = 16, .max_tris = 100, .max_verts = 80, .varyings = 3,
                                  .buffers = 2, .subpixel_bits = 8, .depth_bits = 16, .depth = &zs_depth_recip };
     struct zs_renderer r;
     assert_int_equal(sizeof static_arena, zs_arena_bytes(&c));
     assert_int_equal((uintptr_t)static_arena & 31u, 0);
     assert_int_equal(zs_init(&r, &c, static_arena, sizeof static_arena), ZS_OK);
     const struct zs_config most = { .width = ZS_SIZE_MAX, .height = ZS_SIZE_MAX, .strip_h = ZS_SIZE_MAX,
-                                    .max_tris = ZS_POOL_MAX, .max_verts = ZS_POOL_MAX, .attrs = ZS_ATTRS_MAX,
+                                    .max_tris = ZS_POOL_MAX, .max_verts = ZS_POOL_MAX, .varyings = ZS_VARYINGS_MAX,
                                     .buffers = 2, .subpixel_bits = 8, .depth_bits = 16, .depth = &zs_depth_recip };
     assert_int_equal(zs_arena_bytes(&most), bytes_by_hand(&most)); /* no wrap at the largest */
     assert_true(zs_arena_bytes(&most) > 3u * ZS_SIZE_MAX * ZS_SIZE_MAX * 2u);
@@ -375,14 +375,14 @@ static void calls_out_of_order(void **state)
     const uint32_t bytes = zs_arena_bytes(&g.config);
     void *arena = malloc(bytes);
     assert_int_equal(zs_init(&r, &g.config, arena, bytes), ZS_OK);
-    assert_int_equal(zs_frame_strip(&r, &s), ZS_ERR_STATE);
-    assert_int_equal(zs_frame_end(&r), ZS_ERR_STATE);
+    assert_int_equal(zs_frame_strip(&r, &s), ZS_ERR_SEQUENCE);
+    assert_int_equal(zs_frame_end(&r), ZS_ERR_SEQUENCE);
     assert_int_equal(zs_frame_begin(NULL, &g.scene, &g.camera), ZS_ERR_NULL);
     assert_int_equal(zs_frame_begin(&r, NULL, &g.camera), ZS_ERR_NULL);
     assert_int_equal(zs_frame_begin(&r, &g.scene, NULL), ZS_ERR_NULL);
     assert_int_equal(zs_frame_strip(NULL, &s), ZS_ERR_NULL);
     assert_int_equal(zs_frame_end(NULL), ZS_ERR_NULL);
-    assert_int_equal(zs_frame_strip(&r, &s), ZS_ERR_STATE);
+    assert_int_equal(zs_frame_strip(&r, &s), ZS_ERR_SEQUENCE);
 
     assert_int_equal(zs_frame_begin(&r, &g.scene, &g.camera), ZS_OK);
     assert_int_equal(zs_frame_strip(&r, NULL), ZS_ERR_NULL);
@@ -396,8 +396,8 @@ static void calls_out_of_order(void **state)
     assert_int_equal(zs_frame_strip(&r, &s), 0);
     assert_int_equal(zs_frame_strip(&r, &s), 0);
     assert_int_equal(zs_frame_end(&r), ZS_OK);
-    assert_int_equal(zs_frame_end(&r), ZS_ERR_STATE);
-    assert_int_equal(zs_frame_strip(&r, &s), ZS_ERR_STATE);
+    assert_int_equal(zs_frame_end(&r), ZS_ERR_SEQUENCE);
+    assert_int_equal(zs_frame_strip(&r, &s), ZS_ERR_SEQUENCE);
     assert_int_equal(zs_frame_stats(&r)->strips, 5); /* still there */
 
     /* a frame that is refused leaves no frame open */
@@ -405,8 +405,8 @@ static void calls_out_of_order(void **state)
     struct zs_camera bad = g.camera;
     bad.focal = 0;
     assert_int_equal(zs_frame_begin(&r, &g.scene, &bad), ZS_ERR_CAMERA);
-    assert_int_equal(zs_frame_strip(&r, &s), ZS_ERR_STATE);
-    assert_int_equal(zs_frame_end(&r), ZS_ERR_STATE);
+    assert_int_equal(zs_frame_strip(&r, &s), ZS_ERR_SEQUENCE);
+    assert_int_equal(zs_frame_end(&r), ZS_ERR_SEQUENCE);
     free(arena);
 }
 
@@ -623,7 +623,7 @@ static void sink_errors_are_passed_on(void **state)
                 assert_int_equal(f.lent, 0); /* everything has been waited for */
                 assert_int_equal(f.most_lent, at == 1 && !in_wait ? 0 : 1);
                 /* no frame is open, and the next one is right */
-                assert_int_equal(zs_frame_end(&r), ZS_ERR_STATE);
+                assert_int_equal(zs_frame_end(&r), ZS_ERR_SEQUENCE);
                 assert_int_equal(zs_frame_begin(&r, &g.scene, &g.camera), ZS_OK);
                 strips_are(&r, &plain);
                 free(arena);
@@ -634,7 +634,7 @@ static void sink_errors_are_passed_on(void **state)
     assert_int_equal(zs_render(&r, &g.scene, &g.camera, NULL), ZS_ERR_NULL);
     assert_int_equal(zs_render(&r, &g.scene, &g.camera, &none), ZS_ERR_NULL);
     const struct zs_sink sink = { .submit = failing_submit, .ctx = &(struct failing){ 0 } };
-    assert_int_equal(zs_render(&r, &g.scene, &g.camera, &sink), ZS_ERR_STATE);
+    assert_int_equal(zs_render(&r, &g.scene, &g.camera, &sink), ZS_ERR_SEQUENCE);
     assert_int_equal(zs_render(NULL, &g.scene, &g.camera, &sink), ZS_ERR_NULL);
     picture_free(&plain);
 }

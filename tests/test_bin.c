@@ -104,7 +104,7 @@ static void no_run(struct zs_job *job, const struct zs_row *row, int32_t from, i
     abort();
 }
 
-static const struct zs_shader shader = { .vertex = own_vertex, .run = no_run, .n_attrs = ATTRS };
+static const struct zs_shader shader = { .vertex = own_vertex, .run = no_run, .n_varyings = ATTRS };
 
 static int instance_next(uint32_t number)
 {
@@ -140,7 +140,7 @@ static int world_open(struct prng *p)
     world.camera = pixel_camera(H, 0);
     world.config = picture_config(H, H, &zs_depth_linear);
     world.config.strip_h = STRIP;
-    world.config.attrs = ATTRS;
+    world.config.varyings = ATTRS;
     world.config.fast = NULL;
     world.config.max_tris = (uint16_t)prng_range(p, 1, TRIS_MAX);
     world.config.max_verts = (uint16_t)prng_range(p, 3, POOL_MAX);

@@ -141,7 +141,7 @@ static void every_mesh_of_the_scenes_passes(void **state)
         uint32_t at;
         const enum zs_flaw flaw = flaw_of(meshes[i], &at);
         if (flaw)
-            print_error("mesh %zu: %s, %u\n", i, zs_strflaw(flaw), at);
+            print_error("mesh %zu: %s, %u\n", i, zs_flaw_string(flaw), at);
         assert_int_equal(flaw, ZS_FLAW_NONE);
     }
 }
@@ -532,7 +532,7 @@ static int cone_case(uint64_t seed)
     uint32_t at;
     enum zs_flaw flaw = zs_mesh_check(&c.mesh, &at);
     if (flaw) /* what is made by the rule that check.c names must pass */
-        return case_wrong("%s, cutoff %d for %.9g", zs_strflaw(flaw), c.cluster.cutoff, sine);
+        return case_wrong("%s, cutoff %d for %.9g", zs_flaw_string(flaw), c.cluster.cutoff, sine);
     if (seed % 2) { /* now anything near it */
         c.cluster.cutoff = (int8_t)prng_range(&p, c.cluster.cutoff - 3, c.cluster.cutoff + 1);
         c.cluster.axis[prng_pick(&p, 3)] += (int8_t)prng_range(&p, -1, 1);
@@ -834,11 +834,11 @@ static void strflaw_has_a_text_for_each(void **state)
 {
     (void)state;
     for (int a = 0; a <= ZS_FLAW_TEXEL + 1; a++) {
-        assert_non_null(zs_strflaw((enum zs_flaw)a));
+        assert_non_null(zs_flaw_string((enum zs_flaw)a));
         for (int b = 0; b < a; b++)
-            assert_string_not_equal(zs_strflaw((enum zs_flaw)a), zs_strflaw((enum zs_flaw)b));
+            assert_string_not_equal(zs_flaw_string((enum zs_flaw)a), zs_flaw_string((enum zs_flaw)b));
     }
-    assert_string_equal(zs_strflaw((enum zs_flaw)-1), zs_strflaw((enum zs_flaw)1000));
+    assert_string_equal(zs_flaw_string((enum zs_flaw)-1), zs_flaw_string((enum zs_flaw)1000));
 }
 
 static const struct CMUnitTest tests[] = {

@@ -33,7 +33,7 @@ static const struct zs_fast *const *all_but(const char *name)
 static struct zs_config config_of(const struct demo *demo, const struct zs_fast *const *fast)
 {
     struct zs_config c;
-    sim_frame_config(&c, W, H, (uint8_t)demo->attrs);
+    sim_frame_config(&c, W, H, (uint8_t)demo->varyings);
     c.strip_h = 10; /* seven strips, and one of two rows */
     c.depth = demo->depth;
     c.fast = fast;

@@ -386,7 +386,7 @@ static int pipeline_case(uint64_t seed)
     oracle_project(&v, corner, 3, &o);
     const double unit = 57000.0 * scale * 1.05 / 0x1p28; /* lone_set's sphere is the reach */
     const double top = ldexp(1, bits) - 2;
-    int ok = f.err ? case_wrong("%s", zs_strerror(f.err)) : 1;
+    int ok = f.err ? case_wrong("%s", zs_error_string(f.err)) : 1;
     for (int j = 0; j < CLIP_H && ok; j++)
         for (int i = 0; i < CLIP_W && ok; i++) {
             const uint32_t key = f.key[j * CLIP_W + i];
@@ -503,7 +503,7 @@ static int layers_case(uint64_t seed)
     struct zs_config config = lone_config(CLIP_W, CLIP_H, mappings[which]);
     config.depth_bits = (uint8_t)bits;
     struct picture both = picture_draw(&config, &l.scene, &camera);
-    int ok = both.err ? case_wrong("%s", zs_strerror(both.err)) : 1;
+    int ok = both.err ? case_wrong("%s", zs_error_string(both.err)) : 1;
     struct picture alone[2];
     l.scene.n_instances = 1;
     for (int k = 0; k < 2; k++) {
@@ -667,16 +667,16 @@ static void stress_19_20_pairs_of_any_planes_under_all_mappings(void **state)
 #define CROWD 40
 #define N_STATES 12
 
-static struct zs_state random_state(struct prng *p, int32_t most, int slopes)
+static struct zs_depth_state random_state(struct prng *p, int32_t most, int slopes)
 {
     static const int16_t ends[] = { 0, 1, -1, 2, -3, 32767, -32768 };
-    struct zs_state s = ZS_STATE((uint8_t)prng_pick(p, 2), (uint8_t)prng_pick(p, 2), 0, 0);
+    struct zs_depth_state s = { .func = (uint8_t)prng_pick(p, 2), .read_only = (uint8_t)prng_pick(p, 2) };
     if (prng_pick(p, 2))
-        s.offset = prng_pick(p, 3) ? ends[prng_pick(p, 7)]
+        s.bias = prng_pick(p, 3) ? ends[prng_pick(p, 7)]
                                    : (int16_t)prng_range(p, -(most < 32768 ? most : 32768),
                                                          most < 32767 ? most : 32767);
     if (slopes && prng_pick(p, 2))
-        s.slope = prng_pick(p, 4) ? (int16_t)prng_range(p, -1024, 1024)
+        s.slope_bias = prng_pick(p, 4) ? (int16_t)prng_range(p, -1024, 1024)
                                   : (int16_t)prng_range(p, -32768, 32767);
     return s;
 }
@@ -700,13 +700,13 @@ struct model {
     uint16_t color;
 };
 
-static void model_draw(struct model *m, const struct zs_state *s, int32_t key, int32_t offset,
+static void model_draw(struct model *m, const struct zs_depth_state *s, int32_t key, int32_t offset,
                        int32_t most, uint16_t color)
 {
-    static const struct zs_state none = { 0, 0, 0, 0 };
+    static const struct zs_depth_state none = { 0, 0, 0, 0 };
     s = s ? s : &none;
     key = clamp((int64_t)key + offset, 0, most);
-    if ((uint32_t)key > m->key || ((uint32_t)key == m->key && !s->equal))
+    if ((uint32_t)key > m->key || ((uint32_t)key == m->key && !s->func))
         return;
     m->color = color;
     if (!s->read_only)
@@ -719,7 +719,7 @@ static int state_crowd_case(uint64_t seed)
     struct easel s = random_easel(&p, (uint32_t)(seed % MAPPINGS), sizes[1 + seed / MAPPINGS % 4]);
     const struct easel_frame unit = unit_of(&s);
     const int32_t most = (1 << s.depth_bits) - 2;
-    struct zs_state state[N_STATES];
+    struct zs_depth_state state[N_STATES];
     struct easel_tri t[CROWD];
     struct oracle_tri o[CROWD];
     int32_t key[CROWD];
@@ -743,9 +743,9 @@ static int state_crowd_case(uint64_t seed)
         for (int i = 0; i < s.width && ok; i++) {
             struct model m = { ZS_DEPTH_CLEAR, 0 };
             for (int k = 0; k < CROWD; k++) {
-                const struct zs_state *own = t[k].state ? &state[t[k].state - 1] : NULL;
+                const struct zs_depth_state *own = t[k].state ? &state[t[k].state - 1] : NULL;
                 if (oracle_covers(&o[k], i, j))
-                    model_draw(&m, own, key[k], own ? own->offset : 0, most, (uint16_t)(k + 1));
+                    model_draw(&m, own, key[k], own ? own->bias : 0, most, (uint16_t)(k + 1));
             }
             const int at = j * s.width + i;
             if (f.key[at] != m.key || f.color[at] != m.color)
@@ -798,7 +798,7 @@ static int slope_case(uint64_t seed)
     struct easel s = random_easel(&p, (uint32_t)(seed % MAPPINGS), sizes[seed / MAPPINGS % 4]);
     const struct easel_frame unit = unit_of(&s);
     const int32_t most = (1 << s.depth_bits) - 2;
-    struct zs_state state = random_state(&p, most, 1);
+    struct zs_depth_state state = random_state(&p, most, 1);
     struct easel_tri t;
     random_tri(&p, (enum kind)prng_pick(&p, KINDS), &s, &t);
     random_depths(&p, &s, &unit, t.d);
@@ -815,9 +815,9 @@ static int slope_case(uint64_t seed)
     easel_draw(&s, &t, 1, &plain);
     t.state = 1;
     easel_draw(&s, &t, 1, &f);
-    const long double exact = slope_offset(&s, &unit, &t, state.slope);
+    const long double exact = slope_offset(&s, &unit, &t, state.slope_bias);
     /* the gradient is known to an ulp of 2^-16 and the corners' keys to one each */
-    const long double doubt = 1e-4L + fabsl((long double)state.slope) / 256 * 4 / 65536 +
+    const long double doubt = 1e-4L + fabsl((long double)state.slope_bias) / 256 * 4 / 65536 +
                               fabsl(exact) / 65536;
     int32_t offset = INT32_MIN;
     int ok = 1;
@@ -828,22 +828,22 @@ static int slope_case(uint64_t seed)
             continue;
         const int at_end = f.key[i] == 0 || f.key[i] == most || plain.key[i] == most;
         const int32_t change = f.key[i] - plain.key[i];
-        const long double wanted = exact + state.offset; /* rounded: within half a bucket of it */
+        const long double wanted = exact + state.bias; /* rounded: within half a bucket of it */
         if (!at_end && offset == INT32_MIN)
             offset = change;
         if (!at_end && change != offset)
             ok = wrong_at(&s, &t, i % s.width, i / s.width, "another offset than before", change);
         else if (!at_end && fabsl(change - wanted) > 0.5L + doubt)
             ok = wrong_at(&s, &t, i % s.width, i / s.width, "offset", change) +
-                 case_wrong("not %.4Lf: state offset %d slope %d", wanted, state.offset,
-                            state.slope);
+                 case_wrong("not %.4Lf: state offset %d slope %d", wanted, state.bias,
+                            state.slope_bias);
         else if (at_end && f.key[i] != plain.key[i] &&
                  (f.key[i] == 0      ? plain.key[i] + wanted > 0.5L + doubt
                   : f.key[i] == most ? plain.key[i] + wanted < most - 0.5L - doubt
                                      : fabsl(change - wanted) > 1.5L + doubt))
             ok = wrong_at(&s, &t, i % s.width, i / s.width, "stopped at an end, offset", change) +
                  case_wrong("not %.4Lf: key %u became %u", wanted, plain.key[i], f.key[i]);
-        if (!at_end && state.slope) {
+        if (!at_end && state.slope_bias) {
             slopes_seen++;
             worst_slope = fmax(worst_slope, (double)fabsl(change - wanted));
         }
@@ -872,7 +872,7 @@ struct state_scene {
     struct shape shape[SCENE_N];
     struct zs_material material[SCENE_N];
     struct zs_instance in[SCENE_N];
-    struct zs_state state[SCENE_N];
+    struct zs_depth_state state[SCENE_N];
     struct zs_scene scene;
 };
 
@@ -894,12 +894,12 @@ static void state_scene_set(struct state_scene *s, struct prng *p, int32_t most)
         s->material[n].cull = ZS_CULL_NONE;
         s->state[n] = random_state(p, most, 1);
         if (prng_pick(p, 2)) { /* of the size of what is there */
-            s->state[n].offset = (int16_t)prng_range(p, -20, 20);
-            s->state[n].slope = (int16_t)prng_range(p, -600, 600);
+            s->state[n].bias = (int16_t)prng_range(p, -20, 20);
+            s->state[n].slope_bias = (int16_t)prng_range(p, -600, 600);
         }
         s->in[n].mesh = &s->shape[n].mesh;
         s->in[n].material = &s->material[n];
-        s->in[n].state = prng_pick(p, 4) ? &s->state[n] : NULL;
+        s->in[n].depth_state = prng_pick(p, 4) ? &s->state[n] : NULL;
         zs_pose_identity(&s->in[n].pose);
         s->in[n].pose.pos[2] = -16000;
     }
@@ -930,15 +930,15 @@ static int state_scene_case(uint64_t seed)
     one.n_instances = 1;
     for (uint32_t n = 0; n < SCENE_N && ok; n++) {
         struct zs_instance in = s.in[n];
-        struct zs_state writes = s.state[n];
+        struct zs_depth_state writes = s.state[n];
         writes.read_only = 0; /* to see the keys it compares with */
-        in.state = in.state ? &writes : NULL;
+        in.depth_state = in.depth_state ? &writes : NULL;
         one.instance = &in;
         struct picture f = picture_draw(&config, &one, &camera);
-        ok = f.err ? case_wrong("%s", zs_strerror(f.err)) : 1;
+        ok = f.err ? case_wrong("%s", zs_error_string(f.err)) : 1;
         for (int i = 0; i < 80 * 60 && ok; i++)
             if (f.key[i] != ZS_DEPTH_CLEAR)
-                model_draw(&m[i], s.in[n].state, f.key[i], 0, 65535, (uint16_t)(n + 1));
+                model_draw(&m[i], s.in[n].depth_state, f.key[i], 0, 65535, (uint16_t)(n + 1));
         picture_free(&f);
     }
     for (int way = 0; way < 5 && ok; way++) {
@@ -953,7 +953,7 @@ static int state_scene_case(uint64_t seed)
             c.max_verts = (uint16_t)prng_range(&p, 3, 12);
         }
         struct picture f = picture_draw(&c, &s.scene, &camera);
-        ok = f.err ? case_wrong("%s", zs_strerror(f.err)) : 1;
+        ok = f.err ? case_wrong("%s", zs_error_string(f.err)) : 1;
         for (int i = 0; i < 80 * 60 && ok; i++)
             if (f.color[i] != m[i].color || f.key[i] != m[i].key)
                 ok = case_wrong(
@@ -1077,7 +1077,7 @@ static int plain_state_case(uint64_t seed)
         &zs_shade_texture, &zs_shade_texture_flat, &zs_shade_texture_smooth
     };
     static const struct zs_texture texture = { .format = &zs_texel_565, .texel = texel, .log2_w = 6, .log2_h = 6 };
-    static const struct zs_state nothing = ZS_STATE(0, 0, 0, 0);
+    static const struct zs_depth_state nothing = { .func = ZS_DEPTH_LESS };
     struct prng p = { seed };
     const uint32_t which = (uint32_t)(seed % MAPPINGS);
     for (int i = 0; i < 64 * 64; i++)
@@ -1119,7 +1119,7 @@ static int plain_state_case(uint64_t seed)
     for (int way = 0; way < 6 && ok; way++) {
         struct zs_config c = config;
         for (uint32_t n = 0; n < 3; n++)
-            in[n].state = prng_pick(&p, 3) ? &nothing : NULL;
+            in[n].depth_state = prng_pick(&p, 3) ? &nothing : NULL;
         if (way) {
             c.strip_h = (uint16_t)prng_range(&p, 1, 60);
             c.fast = way == 1 ? NULL : fast_any(&p);

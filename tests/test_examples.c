@@ -18,8 +18,8 @@ static int take(void *ctx, const struct zs_strip *s)
 {
     struct panel *p = ctx;
     for (uint16_t y = 0; y < s->h; y++)
-        memcpy(p->px[s->y + y][s->changed_x], s->px + 2u * ((uint32_t)y * s->w + s->changed_x), 2u * s->changed_w);
-    p->pixels += (uint32_t)s->changed_w * s->h;
+        memcpy(p->px[s->y + y][s->dirty_x], s->px + 2u * ((uint32_t)y * s->w + s->dirty_x), 2u * s->dirty_w);
+    p->pixels += (uint32_t)s->dirty_w * s->h;
     return 0;
 }
 
@@ -77,7 +77,7 @@ static void a_counter_costs_its_rectangle(void **state)
     assert_int_equal(p.pixels, EXAMPLE_W * EXAMPLE_H);
     p.pixels = 0;
     assert_int_equal(example_frame_counter(12, &sink), ZS_OK);
-    assert_in_range(p.pixels, 1, 24 * 8); /* one strip, its columns widened to multiples of ZS_TRACK_GRAIN */
+    assert_in_range(p.pixels, 1, 24 * 8); /* one strip, its columns widened to multiples of ZS_DAMAGE_GRAIN */
     assert_rows(&p, 0, 7, rows, digit_or_not);
     p.pixels = 0;
     assert_int_equal(example_frame_counter(12, &sink), ZS_OK);

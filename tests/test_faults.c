@@ -39,8 +39,8 @@ struct chain {
     struct zs_config config;
     struct zs_renderer r;
     uint32_t *arena, *scratch;
-    uint64_t *sum; /* NULL: without zs_watch */
-    struct zs_sums sums;
+    uint64_t *sum; /* NULL: without zs_damage_compare */
+    struct zs_strip_hashes sums;
     struct demo_frame frame;
     int locked, n_idle, n_done;
     int ended; /* a semaphore: given by done, taken by idle */
@@ -293,7 +293,7 @@ static void each_transfer_is_done_once(void **state)
     chain_close(&c);
 }
 
-/* Power comes on, and all memory holds junk: renderer, arena, panel, scratch, what zs_watch and zs_track are given, and
+/* Power comes on, and all memory holds junk: renderer, arena, panel, scratch, what zs_damage_compare and zs_damage_track are given, and
  * the controller's RAM. */
 static void power_on_with_junk_in_memory(void **state)
 {
@@ -305,7 +305,7 @@ static void power_on_with_junk_in_memory(void **state)
             chain_open(&c, m, 2, 1);
             const struct zs_config config = c.config;
             const uint32_t n = demo_cubes_instances(&c), strips = ZS_STRIPS(config.height, ROWS);
-            const size_t words = ZS_TRACK_WORDS(n, config.height, ROWS);
+            const size_t words = ZS_DAMAGE_WORDS(n, config.height, ROWS);
             uint32_t *memory = malloc(words * sizeof *memory);
             const struct {
                 void *at;
@@ -326,7 +326,7 @@ static void power_on_with_junk_in_memory(void **state)
             if (k % 2)
                 assert_int_equal(watch_anew(&c.r, &c.sums, c.sum, COLUMNS), ZS_OK);
             if (k / 2 % 2)
-                assert_int_equal(zs_track(&c.r, memory, n), ZS_OK);
+                assert_int_equal(zs_damage_track(&c.r, memory, n), ZS_OK);
             for (uint32_t t = 0; t < 3; t++) {
                 assert_int_equal(draw(&c, 5 + t), ZS_OK);
                 glass_is_right(&c, m, 5 + t, "after power-on");

@@ -51,7 +51,7 @@ static void scenes_on_record(void **state)
         struct zs_config c;
         assert_non_null(d);
         const struct zs_fast *const *const lists[] = { NULL, d->fast, fast_all };
-        sim_frame_config(&c, d->width, d->height, (uint8_t)d->attrs);
+        sim_frame_config(&c, d->width, d->height, (uint8_t)d->varyings);
         c.depth = d->depth;
         c.subpixel_bits = (uint8_t)bits;
         d->pose(&f, number, d->width, d->height);

@@ -18,8 +18,8 @@
 #define QUADS_MAX 10
 #define SCALE 64 /* world units to a step of the mesh */
 
-static const struct zs_state states[] = { ZS_STATE(1, 0, 0, 0), ZS_STATE(0, 1, 0, 0), ZS_STATE(0, 0, -300, 0),
-                                          ZS_STATE(0, 0, 300, 0), ZS_STATE(1, 1, -5, 90) };
+static const struct zs_depth_state states[] = { { .func = ZS_DEPTH_LESS_EQUAL }, { .read_only = 1 }, { .bias = -300 },
+                                          { .bias = 300 }, { .func = ZS_DEPTH_LESS_EQUAL, .read_only = 1, .bias = -5, .slope_bias = 90 } };
 
 static struct {
     int16_t pos[QUADS_MAX][4][3];
@@ -83,7 +83,7 @@ static uint32_t hidden_case(uint64_t seed)
         if (prng_pick(&p, 5) == 0) /* the one before again: equal keys everywhere */
             world.instance[i].mesh = world.instance[i - 1].mesh;
         if (prng_pick(&p, 6) == 0)
-            world.instance[i].state = &states[prng_pick(&p, sizeof states / sizeof states[0])];
+            world.instance[i].depth_state = &states[prng_pick(&p, sizeof states / sizeof states[0])];
     }
     struct zs_config c = picture_config(prng_range(&p, 33, 330), prng_range(&p, 10, 130), depths[mapping]);
     c.depth_bits = (uint8_t)prng_range(&p, 8, 16);

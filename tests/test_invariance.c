@@ -151,7 +151,7 @@ static struct picture drawn(const struct zs_config *config)
 {
     struct picture p = picture_draw(config, &set.scene, &set.camera);
     if (p.err)
-        fprintf(stderr, "wrong: %s: %s\n", set.name, zs_strerror(p.err));
+        fprintf(stderr, "wrong: %s: %s\n", set.name, zs_error_string(p.err));
     else if (!stats_add_up(&p.stats))
         fprintf(stderr, "wrong: %s: statistics do not add up\n", set.name);
     return p;
@@ -333,7 +333,7 @@ static void random_set(struct prng *p)
     static const struct zs_shader *const shaders[] = { &zs_shade_raw, &zs_shade_flat, &zs_shade_smooth,
                                                        &zs_shade_texture, &zs_shade_texture_flat,
                                                        &zs_shade_texture_smooth };
-    static const struct zs_state states[] = { ZS_STATE(1, 0, 0, 0), ZS_STATE(0, 1, -20, 0), ZS_STATE(0, 0, 30, 200) };
+    static const struct zs_depth_state states[] = { { .func = ZS_DEPTH_LESS_EQUAL }, { .read_only = 1, .bias = -20 }, { .bias = 30, .slope_bias = 200 } };
     const int orthographic = !prng_pick(p, 5);
     common("random", orthographic ? &zs_depth_linear : depths[prng_pick(p, 6)]);
     set.config.width = (uint16_t)prng_range(p, 130, 300);
@@ -359,7 +359,7 @@ static void random_set(struct prng *p)
         if (of == 0 && prng_pick(p, 3)) /* to the eye */
             zs_pose_turn(&set.instance[n].pose, (zs_turn)prng_range(p, -2000, 2000), 0, 0);
         if (!prng_pick(p, 8))
-            set.instance[n].state = &states[prng_pick(p, 3)];
+            set.instance[n].depth_state = &states[prng_pick(p, 3)];
         set.material[n].texture = &textures[prng_pick(p, 4)];
     }
 }

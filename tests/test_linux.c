@@ -943,7 +943,7 @@ static void truth_of(uint8_t *rgb, const char *panel, int turns, const struct de
     assert_int_equal(sim_panel_begin(&p, &wish, panel, 8), 0);
     const uint16_t w = panel_width(&p.panel), h = panel_height(&p.panel);
     const struct zs_config config = { .width = w, .height = h, .strip_h = 8, .max_tris = ZS_POOL_MAX,
-                                      .max_verts = ZS_POOL_MAX, .attrs = (uint8_t)demo->attrs, .buffers = 1,
+                                      .max_verts = ZS_POOL_MAX, .varyings = (uint8_t)demo->varyings, .buffers = 1,
                                       .subpixel_bits = 8, .depth_bits = 16, .depth = demo->depth, .fast = demo->fast };
     void *arena = malloc(zs_arena_bytes(&config));
     assert_int_equal(zs_init(&r, &config, arena, zs_arena_bytes(&config)), ZS_OK);

@@ -37,10 +37,10 @@ static void scenes_make(void)
     config.strip_h = ROWS;
     config.max_tris = 3;
     config.max_verts = 9;
-    config.attrs = 0;
+    config.varyings = 0;
     config.buffers = 2;
     lone_set(&lone, pos, 3, ZS_Q16_ONE);
-    lone.mesh.radius = 200; /* within a strip or two: zs_track leaves others out */
+    lone.mesh.radius = 200; /* within a strip or two: zs_damage_track leaves others out */
     for (int k = 0; k < 2; k++) {
         for (int i = 0; i < 3; i++) {
             instances[k][i] = lone.instance;
@@ -66,8 +66,8 @@ struct desk { /* a renderer, all of its memory, what has arrived, and what it sh
     struct zs_renderer r;
     uint32_t arena[ARENA_BYTES / 4];
     uint64_t sum[STRIPS * COLUMNS];
-    struct zs_sums sums;
-    uint32_t memory[ZS_TRACK_WORDS(3, H, ROWS)];
+    struct zs_strip_hashes sums;
+    uint32_t memory[ZS_DAMAGE_WORDS(3, H, ROWS)];
     uint16_t glass[W * H];
     int open; /* the scene, or -1 */
     uint32_t given;
@@ -78,14 +78,14 @@ static uint64_t n_calls;
 
 static int arrive(struct desk *d, const struct zs_strip *s, int k)
 {
-    CASE_CHECK(s->y == d->given * ROWS && s->changed_x + s->changed_w <= W && s->last == (s->y + s->h == H));
+    CASE_CHECK(s->y == d->given * ROWS && s->dirty_x + s->dirty_w <= W && s->last == (s->y + s->h == H));
     CASE_CHECK(s->h == ROWS);
-    CASE_CHECK(d->tracking || d->watching || s->changed_w == W);
+    CASE_CHECK(d->tracking || d->watching || s->dirty_w == W);
     for (int j = 0; j < s->h; j++)
-        for (int i = s->changed_x; i < s->changed_x + s->changed_w; i++)
+        for (int i = s->dirty_x; i < s->dirty_x + s->dirty_w; i++)
             d->glass[(s->y + j) * W + i] = (uint16_t)(s->px[2 * (j * W + i)] << 8 | s->px[2 * (j * W + i) + 1]);
     CASE_CHECK(memcmp(d->glass + s->y * W, want[k].color + s->y * W, s->n_bytes) == 0);
-    if (s->changed_w || !d->tracking)
+    if (s->dirty_w || !d->tracking)
         CASE_CHECK(memcmp(s->depth, want[k].key + s->y * W, s->n_bytes) == 0);
     return 1;
 }
@@ -127,17 +127,17 @@ static int call(struct desk *d, enum op op)
         d->given = 0;
         return 1;
     case STRIP:
-        CASE_CHECK(zs_frame_strip(&d->r, &s) == (open ? left : ZS_ERR_STATE));
+        CASE_CHECK(zs_frame_strip(&d->r, &s) == (open ? left : ZS_ERR_SEQUENCE));
         if (left && !arrive(d, &s, d->open))
             return 0;
         d->given += (uint32_t)left;
         return 1;
     case SKIP:
-        CASE_CHECK(zs_frame_skip(&d->r) == (!open || d->tracking ? ZS_ERR_STATE : left));
+        CASE_CHECK(zs_frame_skip(&d->r) == (!open || d->tracking ? ZS_ERR_SEQUENCE : left));
         d->given += left && !d->tracking;
         return 1;
     case END:
-        CASE_CHECK(zs_frame_end(&d->r) == (open ? ZS_OK : ZS_ERR_STATE));
+        CASE_CHECK(zs_frame_end(&d->r) == (open ? ZS_OK : ZS_ERR_SEQUENCE));
         d->open = -1;
         return 1;
     case INVALIDATE: { /* a part between, which is gone from the glass */
@@ -148,13 +148,13 @@ static int call(struct desk *d, enum op op)
         return 1;
     }
     case TRACK:
-        CASE_CHECK(zs_track(&d->r, d->tracking ? NULL : d->memory, 3) == (open ? ZS_ERR_STATE : ZS_OK));
+        CASE_CHECK(zs_damage_track(&d->r, d->tracking ? NULL : d->memory, 3) == (open ? ZS_ERR_SEQUENCE : ZS_OK));
         d->tracking ^= !open;
         return 1;
     case WATCH:
         if (!open && !d->watching)
-            CASE_CHECK(zs_sums_init(&d->sums, d->sum, W, H, d->r.config.strip_h, COLUMNS) == ZS_OK);
-        CASE_CHECK(zs_watch(&d->r, d->watching ? NULL : &d->sums) == (open ? ZS_ERR_STATE : ZS_OK));
+            CASE_CHECK(zs_strip_hashes_init(&d->sums, d->sum, W, H, d->r.config.strip_h, COLUMNS) == ZS_OK);
+        CASE_CHECK(zs_damage_compare(&d->r, d->watching ? NULL : &d->sums) == (open ? ZS_ERR_SEQUENCE : ZS_OK));
         d->watching ^= !open;
         return 1;
     default: return render(d, 0);
@@ -188,7 +188,7 @@ static void every_order_of_calls(void **state)
     enum op said[LENGTH];
     n_calls = 0;
     scenes_make();
-    for (int before = 0; before < 2; before++) { /* a new renderer, and one that has drawn with zs_track and zs_watch */
+    for (int before = 0; before < 2; before++) { /* a new renderer, and one that has drawn with zs_damage_track and zs_damage_compare */
         memset(&d, before ? 0xa5 : 0x5a, sizeof d);
         d.open = -1;
         d.tracking = d.watching = 0;

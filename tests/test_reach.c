@@ -185,9 +185,9 @@ static void null_closes_the_frame(void **state)
     assert_int_equal(zs_camera_perspective(&camera, 8192, 64, 1000, 2000), ZS_OK);
     assert_int_equal(zs_frame_begin(&r, &empty, &camera), ZS_OK);
     assert_int_equal(zs_frame_begin(&r, NULL, &camera), ZS_ERR_NULL);
-    assert_int_equal(zs_frame_strip(&r, &strip), ZS_ERR_STATE);
+    assert_int_equal(zs_frame_strip(&r, &strip), ZS_ERR_SEQUENCE);
     assert_int_equal(zs_init(&r, &config, NULL, sizeof arena), ZS_ERR_NULL);
-    assert_int_equal(zs_frame_begin(&r, &empty, &camera), ZS_ERR_STATE);
+    assert_int_equal(zs_frame_begin(&r, &empty, &camera), ZS_ERR_SEQUENCE);
     assert_int_equal(zs_camera_perspective(&camera, 8192, 0, 1000, 2000), ZS_ERR_CAMERA);
     assert_int_equal(zs_camera_perspective(&camera, 1, 4096, 1000, 2000), ZS_ERR_CAMERA);
 }

@@ -35,7 +35,7 @@ static int exact_fan(const int16_t (*pos)[3], int n, int32_t w, int32_t h, int p
     struct zs_config config = lone_config(w, h, perspective ? &zs_depth_recip : &zs_depth_linear);
     config.strip_h = (uint16_t)(1 + n % 7);
     struct picture p = picture_draw(&config, &l.scene, &camera);
-    int ok = p.err ? case_wrong("%s", zs_strerror(p.err)) : stats_add_up(&p.stats);
+    int ok = p.err ? case_wrong("%s", zs_error_string(p.err)) : stats_add_up(&p.stats);
     uint32_t hits = 0;
     for (int j = 0; j < h && ok; j++)
         for (int i = 0; i < w && ok; i++) {
@@ -290,7 +290,7 @@ static int clipped_tri(const int16_t pos[3][3], const struct zs_camera *camera, 
     config.strip_h = (uint16_t)(1 + (pos[0][0] & 15));
     struct picture f = picture_draw(&config, &l.scene, camera);
     const struct oracle_view v = view_of(camera, w, h);
-    int ok = f.err ? case_wrong("%s", zs_strerror(f.err)) : 1;
+    int ok = f.err ? case_wrong("%s", zs_error_string(f.err)) : 1;
     ok = ok && polygon_right(&f, &v, corner, 3, unit_of(57000), depth == &zs_depth_linear, 16);
     if (ok && (!stats_add_up(&f.stats) || f.stats.max_tris_used > 7 ||
                f.stats.pixels_tested != f.covered))
@@ -697,7 +697,7 @@ static int plane_right(const struct plane_mesh *m, const struct zs_pose *pose,
     oracle_project(&v, corner, m->n_corners, &o);
     const double slack = pixel_slack(&v, unit_of(reach)) +
                          (config->subpixel_bits == 4 ? 0.05 : 0); /* sqrt(2) / 32 px and more */
-    int ok = f.err ? case_wrong("%s", zs_strerror(f.err)) : stats_add_up(&f.stats);
+    int ok = f.err ? case_wrong("%s", zs_error_string(f.err)) : stats_add_up(&f.stats);
     for (int j = 0; j < h && ok; j++)
         for (int i = 0; i < w && ok; i++) {
             const double inside = oracle_inside(&o, i, j);

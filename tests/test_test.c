@@ -40,7 +40,7 @@ static const struct zs_tri tri = { .paint = PAINT };
 struct piece {
     struct zs_job job;
     struct zs_row row;
-    struct zs_state state;
+    struct zs_depth_state state;
     int32_t i0, i1;
     uint32_t sum, step, top;
     uint16_t depth[2 * W]; /* before */
@@ -65,12 +65,12 @@ static void piece_any(struct prng *p, struct piece *c, int with_state)
     c->row.at = W;
     c->row.i0 = c->row.x0 = c->i0;
     c->row.i1 = c->row.x1 = c->i1;
-    c->state = (struct zs_state)ZS_STATE((uint8_t)prng_pick(p, 2), (uint8_t)prng_pick(p, 2), 0, 0);
+    c->state = (struct zs_depth_state){ .func = (uint8_t)prng_pick(p, 2), .read_only = (uint8_t)prng_pick(p, 2) };
     c->job.r = &r;
     c->job.shader = &shader;
     c->job.tri = &tri;
     c->job.width = W;
-    c->job.state = with_state ? &c->state : NULL;
+    c->job.depth_state = with_state ? &c->state : NULL;
     c->job.bias = prng_pick(p, 3) ? prng_range(p, -3, 3) : prng_range(p, -65536, 65536);
     c->job.saturates = 1;
     for (int32_t i = 0; i < 2 * W; i++) {
@@ -92,12 +92,12 @@ static int model(const struct piece *c, int32_t i, uint16_t *key)
     int64_t k = (c->sum + (uint32_t)(i - c->i0) * c->step) >> 16;
     const int64_t there = c->depth[W + i];
     k = k > c->top ? c->top : k;
-    if (c->job.state) {
+    if (c->job.depth_state) {
         k += c->job.bias;
         k = k < 0 ? 0 : k > c->top ? c->top : k;
     }
     *key = (uint16_t)k;
-    return k < there || (c->job.state && c->state.equal && k == there);
+    return k < there || (c->job.depth_state && c->state.func && k == there);
 }
 
 static uint32_t won, lost, ties, held, longest;
@@ -117,7 +117,7 @@ static int piece_right(struct piece *c, zs_piece_fn *way, int solid, const char 
     for (int32_t i = -W; i < W; i++) {
         uint16_t key = 0;
         const int in = i >= c->i0 && i < c->i1, wins = in && model(c, i, &key);
-        const uint16_t want = wins && !(c->job.state && c->state.read_only) ? key : c->depth[W + i];
+        const uint16_t want = wins && !(c->job.depth_state && c->state.read_only) ? key : c->depth[W + i];
         if (depth[W + i] != want || color[W + i] != (wins ? PAINT : 0))
             return case_wrong("%s: pixel %d of [%d, %d): key %u, not %u, %s", name, i, c->i0, c->i1, depth[W + i], want,
                               wins ? "wins" : "does not win");
@@ -219,13 +219,13 @@ static int bias_case(uint64_t seed)
     const int32_t reach = 16 << prng_pick(&p, 17);
     const uint32_t keys = 1u + (uint32_t)(prng_next(&p) >> 32 >> prng_pick(&p, 32));
     const int16_t offset = (int16_t)(prng_next(&p) >> 48);
-    const struct zs_state s = ZS_STATE(0, 0, offset, (int16_t)(prng_pick(&p, 8) ? prng_next(&p) >> 48 : 0));
+    const struct zs_depth_state s = { .bias = offset, .slope_bias = (int16_t)(prng_pick(&p, 8) ? prng_next(&p) >> 48 : 0) };
     memset(&job, 0, sizeof job);
     for (int k = 0; k < 3; k++)
         v[k] = (struct zs_vertex){ prng_range(&p, -reach, reach), prng_range(&p, -reach, reach), prng_pick(&p, keys) };
     renderer.config.depth = &mapping;
     job.r = &renderer;
-    job.state = &s;
+    job.depth_state = &s;
     for (int k = 0; k < 3; k++)
         job.v[k] = &v[k];
     job.geom.dx1 = v[1].x - v[0].x;
@@ -244,13 +244,13 @@ static int bias_case(uint64_t seed)
         const __int128 g = (n[k] < 0 ? -n[k] : n[k]) * 256 / area; /* 2^-16 buckets a pixel, cut */
         most = g > most ? g : most;
     }
-    const __int128 slope = (s.slope * most + (1 << 23)) >> 24;
-    __int128 want = s.offset + slope;
+    const __int128 slope = (s.slope_bias * most + (1 << 23)) >> 24;
+    __int128 want = s.bias + slope;
     want = want > 65536 ? 65536 : want < -65536 ? -65536 : want;
     const int32_t got = zs_depth_state_bias(&job);
     at_an_end += got == 65536 || got == -65536;
-    sloped += got != s.offset;
-    return got == want ? 1 : case_wrong("bias %d, not %d: offset %d, slope %d", got, (int)want, s.offset, s.slope);
+    sloped += got != s.bias;
+    return got == want ? 1 : case_wrong("bias %d, not %d: offset %d, slope %d", got, (int)want, s.bias, s.slope_bias);
 }
 
 static void bias_is_offset_and_slope(void **state)

@@ -1007,7 +1007,7 @@ static int ground_case(uint64_t seed)
     struct zs_config config = lone_config(GROUND_W, GROUND_H, mappings[seed % MAPPINGS]);
     config.strip_h = (uint16_t)prng_range(&p, 1, GROUND_H);
     struct picture f = picture_draw(&config, &l.scene, &camera);
-    int ok = f.err ? case_wrong("%s", zs_strerror(f.err)) : f.stats.tris_clipped > 0;
+    int ok = f.err ? case_wrong("%s", zs_error_string(f.err)) : f.stats.tris_clipped > 0;
     const double focal = ldexp((double)camera.focal, -32);
     double r[9];
     for (int k = 0; k < 9; k++)
@@ -1276,7 +1276,7 @@ static void far_end_of_a_plane(void **state)
                                      { .mesh = &ground, .material = &textured } };
         const struct zs_scene scene = { .instance = in, .n_instances = 2 };
         struct zs_camera camera;
-        config.attrs = ZS_ATTRS_TEXTURE;
+        config.varyings = ZS_VARYINGS_TEXTURE;
         assert_int_equal(zs_camera_perspective(&camera, 8192, 481, 8, 1 << 25), ZS_OK);
         camera.focal = (zs_uq32_32)(2 * width) << 32;
         camera.z_far = (zs_q48_16)40000000 * 65536;
@@ -1335,7 +1335,7 @@ static void runs_do_not_tell_where_they_begin(void **state)
         assert_int_equal(zs_camera_perspective(&camera, 12000, 96, 1000, 20000), ZS_OK);
         assert_int_equal(zs_camera_look_at(&camera, eye, at, up), ZS_OK);
         struct zs_config config = picture_config(320, 96, &zs_depth_float);
-        config.attrs = 2;
+        config.varyings = 2;
         struct picture one = picture_draw(&config, &scene, &camera);
         for (int how = 0; how < 3; how++) {
             config.fast = how == 0 ? fast_of(FAST_ALL & ~FAST_TOUCH) : how == 1 ? NULL : fast_all;

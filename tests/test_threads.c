@@ -26,7 +26,7 @@
 static struct zs_config config_of(const struct demo *demo, int kind, uint16_t strip_h)
 {
     struct zs_config c;
-    sim_frame_config(&c, W, H, (uint8_t)demo->attrs);
+    sim_frame_config(&c, W, H, (uint8_t)demo->varyings);
     c.strip_h = strip_h;
     c.depth = demo->depth;
     if (kind == 1)
@@ -188,7 +188,7 @@ static void strips_left_out_at_random(void **state)
             assert_int_equal(zs_frame_stats(&r)->strips - zs_frame_stats(&r)->strips_skipped, drawn);
             assert_int_equal(zs_frame_stats(&r)->strips, r.n_strips); /* those that were left out count as given out */
             assert_int_equal(zs_frame_end(&r), ZS_OK);
-            assert_int_equal(zs_frame_skip(&r), ZS_ERR_STATE);
+            assert_int_equal(zs_frame_skip(&r), ZS_ERR_SEQUENCE);
             assert_int_equal(zs_frame_skip(NULL), ZS_ERR_NULL);
             free(arena);
             sim_frame_free(&whole);
@@ -272,7 +272,7 @@ static void shares_are_sound_meshes(void **state)
 /* A state minds what was drawn before: such scenes are shared out by strips. */
 static void states_are_not_drawn_in_parts(void **state)
 {
-    static const struct zs_state later = ZS_STATE(1, 0, 0, 0);
+    static const struct zs_depth_state later = { .func = ZS_DEPTH_LESS_EQUAL };
     uint32_t parts;
     (void)state;
     struct demo_frame f;
@@ -281,7 +281,7 @@ static void states_are_not_drawn_in_parts(void **state)
     check(&f, &c, 2, &parts);
     assert_int_equal(parts, 2);
     f.instance[1] = f.instance[0];
-    f.instance[1].state = &later;
+    f.instance[1].depth_state = &later;
     f.scene.n_instances = 2;
     check(&f, &c, 2, &parts);
     assert_int_equal(parts, 0);
@@ -296,8 +296,8 @@ static void a_refused_frame(void **state)
     struct sim_frame_time time;
     struct zs_config c = config_of(&demo_teapot, 0, 10);
     demo_teapot.pose(&f, 0, W, H);
-    c.attrs = 0;
-    assert_int_equal(sim_frame_render_threads(&frame, &f.scene, &f.camera, &c, 3, &time), ZS_ERR_ATTRS);
+    c.varyings = 0;
+    assert_int_equal(sim_frame_render_threads(&frame, &f.scene, &f.camera, &c, 3, &time), ZS_ERR_VARYINGS);
     assert_null(frame.rgb565);
 }
 

@@ -64,8 +64,8 @@ static void world_open(struct prng *p, int orthographic)
     w->scene.instance = w->instance;
     w->scene.n_instances = 2 + prng_pick(p, INSTANCES - 1);
     int32_t z = 3000;
-    static const struct zs_state states[] = { ZS_STATE(1, 0, 0, 0), ZS_STATE(0, 1, 0, 0), ZS_STATE(0, 0, -20, 0),
-                                              ZS_STATE(0, 0, 20, 0) };
+    static const struct zs_depth_state states[] = { { .func = ZS_DEPTH_LESS_EQUAL }, { .read_only = 1 }, { .bias = -20 },
+                                              { .bias = 20 } };
     for (uint32_t i = 0; i < w->scene.n_instances; i++) {
         struct zs_instance *in = &w->instance[i];
         z = prng_pick(p, 2) ? prng_range(p, 400, 19000) : z + prng_range(p, z > 900 ? -400 : 0, z < 18000 ? 400 : 0);
@@ -75,7 +75,7 @@ static void world_open(struct prng *p, int orthographic)
         zs_pose_turn(&in->pose, (zs_turn)prng_next(p), (zs_turn)prng_next(p), (zs_turn)prng_next(p));
         in->pose.scale = ZS_Q16_ONE / 2 + prng_pick(p, ZS_Q16_ONE);
         stand(&w->camera, &in->pose, prng_range(p, -z / 8, z / 8), prng_range(p, -z / 8, z / 8), z);
-        in->state = prng_pick(p, 12) ? NULL : &states[prng_pick(p, 4)];
+        in->depth_state = prng_pick(p, 12) ? NULL : &states[prng_pick(p, 4)];
         w->material[i].shader = prng_pick(p, 2) ? &zs_shade_raw : &zs_shade_smooth;
         w->material[i].rgb.r = (uint8_t)(40u + i * 10u);
         w->material[i].rgb.b = (uint8_t)(255u - i * 10u);

@@ -1,4 +1,4 @@
-/* zs_track: what is not drawn is on the glass already. A glass that gets the changed columns alone shows, after every frame
+/* zs_damage_track: what is not drawn is on the glass already. A glass that gets the changed columns alone shows, after every frame
  * that was not broken off, what a full redraw shows; every strip that is given out as changed is that of a full redraw.
  *
  * SPDX-License-Identifier: MIT
@@ -25,7 +25,7 @@ struct world {
     uint16_t texel[2][64], palette[16];
     struct zs_texture texture[2];
     struct zs_material material[INSTANCES];
-    struct zs_state state;
+    struct zs_depth_state state;
     struct zs_instance instance[INSTANCES];
     struct zs_scene scene;
     struct zs_camera camera;
@@ -88,7 +88,7 @@ static void texels(struct prng *p, struct world *w)
 
 static void world_open(struct prng *p, struct world *w, uint16_t h)
 {
-    static const struct zs_state state = ZS_STATE(0, 0, 0, 0);
+    static const struct zs_depth_state state = { .func = ZS_DEPTH_LESS };
     memset(w, 0, sizeof *w);
     w->calm = prng_pick(p, 2) != 0;
     shape_sphere(&w->shape[0], 4, 6, 900);
@@ -115,7 +115,7 @@ static void world_open(struct prng *p, struct world *w, uint16_t h)
         w->instance[i].material = &w->material[i];
         cover(p, w, &w->material[i]);
         place(p, &w->instance[i], w->calm);
-        w->instance[i].state = prng_pick(p, 4) ? NULL : &w->state;
+        w->instance[i].depth_state = prng_pick(p, 4) ? NULL : &w->state;
     }
     w->scene.instance = w->instance;
     w->scene.n_instances = 1 + prng_pick(p, INSTANCES);
@@ -147,9 +147,9 @@ static int change(struct prng *p, struct world *w, uint16_t h)
     case 5: in->mesh = &w->shape[prng_pick(p, SHAPES)].mesh; return 0;
     case 6: cover(p, w, m); return 0;
     case 7: m->rgb.b ^= 0x10; return 0;
-    case 8: in->state = in->state ? NULL : &w->state; return 0;
-    case 9: w->state.offset = (int16_t)prng_range(p, -2000, 2000); return 0;
-    case 10: w->state.equal ^= 1; return 0;
+    case 8: in->depth_state = in->depth_state ? NULL : &w->state; return 0;
+    case 9: w->state.bias = (int16_t)prng_range(p, -2000, 2000); return 0;
+    case 10: w->state.func ^= 1; return 0;
     case 11: t->clamp = (uint8_t)prng_pick(p, 4); return 0;
     case 12: t->log2_w = (uint8_t)(1 + prng_pick(p, 3)); return 0;
     case 13: mesh->scale = ZS_Q16_ONE / 2 + prng_pick(p, ZS_Q16_ONE); return 0;
@@ -175,16 +175,16 @@ struct glass {
     struct zs_strip out; /* submitted, not yet waited for */
     uint32_t calls, fail_at; /* submit and wait, from 1; 0: never */
     uint32_t sent, wrong;
-    int columns; /* zs_track_columns is on */
+    int columns; /* zs_damage_columns is on */
     uint32_t x, end; /* columns that arrived, since they were set to the frame's end and 0 */
 };
 
 /* A strip that is given out as changed: is it what a full redraw has there, keys and all? By columns: where it is drawn, which
- * is as far as a range can be widened to ZS_TRACK_GRAIN. */
+ * is as far as a range can be widened to ZS_DAMAGE_GRAIN. */
 static void judge(struct glass *g, const struct zs_strip *s)
 {
-    const uint32_t x = g->columns ? s->changed_x & (0u - ZS_TRACK_GRAIN) : 0u;
-    const uint32_t end = g->columns ? (s->changed_x + s->changed_w + ZS_TRACK_GRAIN - 1u) & (0u - ZS_TRACK_GRAIN) : s->w;
+    const uint32_t x = g->columns ? s->dirty_x & (0u - ZS_DAMAGE_GRAIN) : 0u;
+    const uint32_t end = g->columns ? (s->dirty_x + s->dirty_w + ZS_DAMAGE_GRAIN - 1u) & (0u - ZS_DAMAGE_GRAIN) : s->w;
     for (uint32_t i = 0; i < (uint32_t)s->w * s->h; i++) {
         if (i % s->w < x || i % s->w >= end)
             continue;
@@ -196,9 +196,9 @@ static void judge(struct glass *g, const struct zs_strip *s)
 static void arrive(struct glass *g, const struct zs_strip *s)
 {
     for (uint32_t row = 0; row < s->h; row++)
-        memcpy(&g->px[s->y + row][s->changed_x * 2u], s->px + (row * s->w + s->changed_x) * 2u, s->changed_w * 2u);
-    g->x = s->changed_x < g->x ? s->changed_x : g->x;
-    g->end = (uint32_t)s->changed_x + s->changed_w > g->end ? (uint32_t)s->changed_x + s->changed_w : g->end;
+        memcpy(&g->px[s->y + row][s->dirty_x * 2u], s->px + (row * s->w + s->dirty_x) * 2u, s->dirty_w * 2u);
+    g->x = s->dirty_x < g->x ? s->dirty_x : g->x;
+    g->end = (uint32_t)s->dirty_x + s->dirty_w > g->end ? (uint32_t)s->dirty_x + s->dirty_w : g->end;
     g->sent++;
 }
 
@@ -206,7 +206,7 @@ static int submit(void *ctx, const struct zs_strip *s)
 {
     struct glass *g = ctx;
     judge(g, s);
-    g->wrong += s->changed_w == 0;
+    g->wrong += s->dirty_w == 0;
     if (++g->calls == g->fail_at)
         return -777;
     g->out = *s;
@@ -230,13 +230,13 @@ struct show {
     void *arena;
     uint32_t *memory;
     uint64_t sum[H_MAX * 4];
-    struct zs_sums sums;
+    struct zs_strip_hashes sums;
     struct glass glass;
 };
 
 static void show_open(struct show *s, const struct zs_config *config)
 {
-    const uint32_t bytes = zs_arena_bytes(config), words = ZS_TRACK_WORDS(INSTANCES, config->height, config->strip_h);
+    const uint32_t bytes = zs_arena_bytes(config), words = ZS_DAMAGE_WORDS(INSTANCES, config->height, config->strip_h);
     memset(s, 0, sizeof *s);
     memset(&s->r, 0xa5, sizeof s->r);
     s->config = *config;
@@ -246,7 +246,7 @@ static void show_open(struct show *s, const struct zs_config *config)
     memset(s->memory, 0xab, words * 4u);
     memset(s->glass.px, 0xee, sizeof s->glass.px);
     assert_int_equal(zs_init(&s->r, config, s->arena, bytes), ZS_OK);
-    assert_int_equal(zs_track(&s->r, s->memory, INSTANCES), ZS_OK);
+    assert_int_equal(zs_damage_track(&s->r, s->memory, INSTANCES), ZS_OK);
 }
 
 static void show_close(struct show *s)
@@ -295,8 +295,8 @@ static int own_loop(struct prng *p, struct show *s, const struct world *w, int t
     int right = smeared == UINT32_MAX;
     assert_int_equal(zs_frame_begin(&s->r, &w->scene, &w->camera), ZS_OK);
     while (n < stop && zs_frame_strip(&s->r, &out) == 1) {
-        skipped += out.changed_w == 0;
-        if (out.changed_w) {
+        skipped += out.dirty_w == 0;
+        if (out.dirty_w) {
             judge(&s->glass, &out);
             if (trouble && !prng_pick(p, 8)) {
                 const struct zs_rect rows = { 0, out.y, out.w, out.h };
@@ -311,7 +311,7 @@ static int own_loop(struct prng *p, struct show *s, const struct world *w, int t
     }
     const struct zs_stats *stats = zs_frame_stats(&s->r);
     assert_int_equal(stats->strips, n);
-    assert_int_equal(stats->strips_unchanged, skipped);
+    assert_int_equal(stats->strips_clean, skipped);
     assert_true(stats->strips_skipped <= skipped && stats_add_up(stats));
     if (!trouble || prng_pick(p, 2)) /* or the next begin drops the frame */
         assert_int_equal(zs_frame_end(&s->r), ZS_OK);
@@ -367,13 +367,13 @@ static int frames_of(uint64_t seed)
         if (told)
             assert_int_equal(zs_invalidate(&s.r, NULL), ZS_OK);
         if (!s.r.scene && !prng_pick(&p, 10))
-            assert_int_equal(prng_pick(&p, 3) ? watch_anew(&s.r, &s.sums, s.sum, 1 + prng_pick(&p, 4)) : zs_watch(&s.r, NULL),
+            assert_int_equal(prng_pick(&p, 3) ? watch_anew(&s.r, &s.sums, s.sum, 1 + prng_pick(&p, 4)) : zs_damage_compare(&s.r, NULL),
                              ZS_OK);
         if (!s.r.scene && !prng_pick(&p, 20))
-            s.glass.columns = zs_track(&s.r, prng_pick(&p, 3) ? s.memory : NULL, INSTANCES); /* 0 */
+            s.glass.columns = zs_damage_track(&s.r, prng_pick(&p, 3) ? s.memory : NULL, INSTANCES); /* 0 */
         if (!s.r.scene && s.r.track && !prng_pick(&p, 5)) {
             s.glass.columns = prng_pick(&p, 4) != 0;
-            assert_int_equal(zs_track_columns(&s.r, s.glass.columns), ZS_OK);
+            assert_int_equal(zs_damage_columns(&s.r, s.glass.columns), ZS_OK);
         }
         if (!prng_pick(&p, 6))
             smear(&p, &s);
@@ -430,10 +430,10 @@ static void change_input(struct world *w, uint32_t which)
     case 11: w->scene.light.diffuse /= 2; break;
     case 12: w->scene.background ^= 1; break;
     case 13: w->scene.n_instances--; break;
-    case 14: w->state.offset = 30000; break;
-    case 15: w->state.equal = 1; break;
+    case 14: w->state.bias = 30000; break;
+    case 15: w->state.func = 1; break;
     case 16: w->state.read_only = 1; break;
-    case 17: w->state.slope = 32000; break;
+    case 17: w->state.slope_bias = 32000; break;
     case 18: w->shape[1].mesh.scale /= 2; break;
     case 19: w->shape[1].mesh.center[1] += 1; w->shape[1].mesh.n_tris /= 2; break;
     case 20: in->material = &w->material[3]; break;
@@ -458,7 +458,7 @@ static int one_input(uint64_t seed)
     for (uint32_t i = 0; i < 4; i++) { /* two overlap; all of one material, but for the last */
         w.instance[i].mesh = &w.shape[i & 1u].mesh;
         w.instance[i].material = &w.material[i == 3];
-        w.instance[i].state = i < 2 ? &w.state : NULL;
+        w.instance[i].depth_state = i < 2 ? &w.state : NULL;
         place(&p, &w.instance[i], 1);
         w.instance[i].pose.scale = ZS_Q16_ONE;
     }
@@ -540,7 +540,7 @@ static int one_sphere(uint64_t seed)
     c.strip_h = 1;
     show_open(&s, &c);
     s.glass.columns = (int)(seed / 4u % 2u);
-    CASE_CHECK(zs_track_columns(&s.r, s.glass.columns) == ZS_OK);
+    CASE_CHECK(zs_damage_columns(&s.r, s.glass.columns) == ZS_OK);
     for (int k = 0; k < 12; k++) {
         struct zs_pose *pose = &w.instance[0].pose;
         const int32_t z = distant ? prng_range(&p, 1000, 1 << 19) << prng_pick(&p, 10) : prng_range(&p, -1000, 10500);
@@ -586,7 +586,7 @@ static int one_mover(uint64_t seed)
             place(&p, &w.instance[i], 0);
         while (abs(w.instance[i].pose.pos[0]) > 5000 || abs(w.instance[i].pose.pos[1]) > 5000 ||
                abs(w.instance[i].pose.pos[2]) > 5000);
-        w.instance[i].state = NULL;
+        w.instance[i].depth_state = NULL;
         w.material[i].shader = &zs_shade_flat;
     }
     const int32_t at[3] = { 0, 0, 0 };
@@ -597,16 +597,16 @@ static int one_mover(uint64_t seed)
     (void)zs_camera_orbit(&w.camera, at, 22000, (zs_turn)prng_next(&p), 3000);
     struct zs_instance *mover = &w.instance[INSTANCES - 1];
     struct zs_material paint = { .shader = &zs_shade_raw, .rgb = { 255, 255, 255 }, .cull = ZS_CULL_NONE };
-    const struct zs_state first = ZS_STATE(0, 0, -32768, 0); /* before all others: its rows can be seen */
+    const struct zs_depth_state first = { .bias = -32768 }; /* before all others: its rows can be seen */
     mover->mesh = &w.shape[0].mesh;
     mover->material = &paint;
-    mover->state = &first;
+    mover->depth_state = &first;
     struct zs_config c = picture_config(W_MAX, H_MAX, w.camera.projection ? &zs_depth_linear : &zs_depth_float);
     c.strip_h = 2;
     c.max_tris = seed & 2u ? 30 : 4000;
     show_open(&s, &c);
     s.glass.columns = (int)(seed / 4u % 2u);
-    CASE_CHECK(zs_track_columns(&s.r, s.glass.columns) == ZS_OK);
+    CASE_CHECK(zs_damage_columns(&s.r, s.glass.columns) == ZS_OK);
     int32_t rows[2][2], columns[2] = { W_MAX, 0 };
     uint32_t passes = 0;
     for (int k = 0; k < 2; k++) {
@@ -645,7 +645,7 @@ static int one_mover(uint64_t seed)
     if (s.glass.sent < own || s.glass.sent > own + 6) /* a strip beside each end, and an octagon for a coarse sphere */
         return case_wrong("%u strips are drawn, the mover has %u", (unsigned)s.glass.sent, (unsigned)own);
     CASE_CHECK(zs_frame_stats(&s.r)->strips_skipped == H_MAX / 2 - s.glass.sent);
-    const uint32_t slack = 4u + ZS_TRACK_GRAIN; /* an octagon for a coarse sphere */
+    const uint32_t slack = 4u + ZS_DAMAGE_GRAIN; /* an octagon for a coarse sphere */
     if (s.glass.columns && own &&
         (s.glass.x + slack < (uint32_t)columns[0] || s.glass.end > (uint32_t)columns[1] + slack))
         return case_wrong("columns %u to %u are drawn, the mover is in %u to %u", (unsigned)s.glass.x, (unsigned)s.glass.end,
@@ -732,7 +732,7 @@ static void invalidated_in_a_frame(void **state)
         s.glass.sent = 0;
         assert_int_equal(zs_frame_begin(&s.r, &w.scene, &w.camera), ZS_OK);
         for (uint32_t n = 0; zs_frame_strip(&s.r, &out) == 1; n++) {
-            if (out.changed_w) {
+            if (out.dirty_w) {
                 judge(&s.glass, &out);
                 arrive(&s.glass, &out);
             }
@@ -763,24 +763,24 @@ static void wrong_calls_are_refused(void **state)
     world_open(&p, &w, H_MAX);
     const struct zs_config c = picture_config(W_MAX, H_MAX, w.camera.projection ? &zs_depth_linear : &zs_depth_float);
     show_open(&s, &c);
-    assert_int_equal(zs_track(NULL, s.memory, 1), ZS_ERR_NULL);
-    assert_int_equal(zs_track(&junk, s.memory, 1), ZS_ERR_STATE);
-    assert_int_equal(zs_track(&s.r, s.memory, 65536), ZS_ERR_SIZE);
+    assert_int_equal(zs_damage_track(NULL, s.memory, 1), ZS_ERR_NULL);
+    assert_int_equal(zs_damage_track(&junk, s.memory, 1), ZS_ERR_SEQUENCE);
+    assert_int_equal(zs_damage_track(&s.r, s.memory, 65536), ZS_ERR_SIZE);
     w.scene.n_instances = 3;
-    assert_int_equal(zs_track(&s.r, s.memory, 2), ZS_OK);
+    assert_int_equal(zs_damage_track(&s.r, s.memory, 2), ZS_OK);
     assert_int_equal(zs_frame_begin(&s.r, &w.scene, &w.camera), ZS_ERR_SIZE);
-    assert_int_equal(zs_track(&s.r, s.memory, 3), ZS_OK);
+    assert_int_equal(zs_damage_track(&s.r, s.memory, 3), ZS_OK);
     const struct zs_scene none = { .n_instances = 2, .light = w.scene.light };
     assert_int_equal(zs_frame_begin(&s.r, &none, &w.camera), ZS_ERR_NULL);
     assert_int_equal(zs_frame_begin(&s.r, &w.scene, &w.camera), ZS_OK);
-    assert_int_equal(zs_track(&s.r, NULL, 0), ZS_ERR_STATE);
-    assert_int_equal(zs_track_columns(&s.r, 1), ZS_ERR_STATE);
+    assert_int_equal(zs_damage_track(&s.r, NULL, 0), ZS_ERR_SEQUENCE);
+    assert_int_equal(zs_damage_columns(&s.r, 1), ZS_ERR_SEQUENCE);
     assert_int_equal(zs_frame_end(&s.r), ZS_OK);
-    assert_int_equal(zs_track_columns(&s.r, 1), ZS_OK);
-    assert_int_equal(zs_track(&s.r, NULL, 0), ZS_OK);
-    assert_int_equal(zs_track_columns(&s.r, 1), ZS_ERR_STATE);
-    assert_int_equal(zs_track_columns(&junk, 1), ZS_ERR_STATE);
-    assert_int_equal(zs_track_columns(NULL, 1), ZS_ERR_NULL);
+    assert_int_equal(zs_damage_columns(&s.r, 1), ZS_OK);
+    assert_int_equal(zs_damage_track(&s.r, NULL, 0), ZS_OK);
+    assert_int_equal(zs_damage_columns(&s.r, 1), ZS_ERR_SEQUENCE);
+    assert_int_equal(zs_damage_columns(&junk, 1), ZS_ERR_SEQUENCE);
+    assert_int_equal(zs_damage_columns(NULL, 1), ZS_ERR_NULL);
     show_close(&s);
 }
 

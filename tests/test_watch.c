@@ -1,4 +1,4 @@
-/* zs_watch and zs_invalidate: only what has changed is sent, and the glass is right all the same, whatever failed
+/* zs_damage_compare and zs_invalidate: only what has changed is sent, and the glass is right all the same, whatever failed
  * before.
  *
  * SPDX-License-Identifier: MIT
@@ -31,7 +31,7 @@ struct glass {
 static int submit(void *ctx, const struct zs_strip *s)
 {
     struct glass *g = ctx;
-    assert_true(s->changed_w > 0 && s->changed_x + s->changed_w <= s->w);
+    assert_true(s->dirty_w > 0 && s->dirty_x + s->dirty_w <= s->w);
     if (++g->n_submits == g->fail_submit)
         return -777;
     g->strip = *s;
@@ -42,7 +42,7 @@ static int wait(void *ctx)
 {
     struct glass *g = ctx;
     const struct zs_strip *s = &g->strip;
-    const uint32_t x = g->partial ? s->changed_x : 0, w = g->partial ? s->changed_w : s->w;
+    const uint32_t x = g->partial ? s->dirty_x : 0, w = g->partial ? s->dirty_w : s->w;
     if (++g->n_waits == g->fail_wait) { /* half of it arrived, as junk */
         memset(g->px[s->y], 0x5a, s->w);
         return -888;
@@ -58,7 +58,7 @@ struct show {
     struct zs_renderer r;
     uint32_t *arena;
     uint64_t *sum;
-    struct zs_sums sums;
+    struct zs_strip_hashes sums;
     uint32_t n_sums, columns;
     struct glass glass;
     const struct demo *demo;
@@ -72,7 +72,7 @@ static void open_show(struct show *s, const struct demo *demo, uint16_t w, uint1
     s->config = picture_config(w, h, demo->depth);
     s->config.strip_h = rows;
     s->config.buffers = buffers;
-    s->config.attrs = (uint8_t)demo->attrs;
+    s->config.varyings = (uint8_t)demo->varyings;
     s->demo = demo;
     s->columns = columns;
     s->n_sums = ZS_STRIPS(h, rows) * columns;
@@ -131,7 +131,7 @@ static void a_still_scene_sends_nothing(void **state)
                 glass_is_right(&s);
                 assert_int_equal(draw(&s, 3), ZS_OK);
                 assert_int_equal(s.glass.n_submits, 0);
-                assert_int_equal(zs_frame_stats(&s.r)->strips_unchanged, ZS_STRIPS(60, rows[i]));
+                assert_int_equal(zs_frame_stats(&s.r)->strips_clean, ZS_STRIPS(60, rows[i]));
                 glass_is_right(&s);
                 assert_int_equal(draw(&s, 4), ZS_OK);
                 assert_true(s.glass.n_submits > 0);
@@ -239,7 +239,7 @@ static void renderers_that_take_turns_share_the_panels_sums(void **state)
     struct show a, b;
     open_show(&a, &demo_cubes, 64, 48, 8, 1, 2);
     open_show(&b, &demo_knot, 64, 48, 8, 1, 2);
-    assert_int_equal(zs_watch(&b.r, &a.sums), ZS_OK);
+    assert_int_equal(zs_damage_compare(&b.r, &a.sums), ZS_OK);
     assert_int_equal(draw(&a, 0), ZS_OK);
     memcpy(b.glass.px, a.glass.px, sizeof b.glass.px); /* one panel */
     assert_int_equal(draw(&b, 0), ZS_OK);
@@ -261,27 +261,27 @@ static void wrong_calls_are_refused(void **state)
     memset(&junk, 0xa5, sizeof junk);
     junk.ready = 0;
     open_show(&s, &demo_cubes, 64, 48, 8, 1, 2);
-    assert_int_equal(zs_watch(NULL, &s.sums), ZS_ERR_NULL);
+    assert_int_equal(zs_damage_compare(NULL, &s.sums), ZS_ERR_NULL);
     assert_int_equal(zs_invalidate(NULL, NULL), ZS_ERR_NULL);
-    assert_int_equal(zs_watch(&junk, &s.sums), ZS_ERR_STATE);
-    assert_int_equal(zs_invalidate(&junk, NULL), ZS_ERR_STATE);
-    struct zs_sums other = s.sums;
-    assert_int_equal(zs_sums_init(NULL, s.sum, 64, 48, 8, 2), ZS_ERR_NULL);
-    assert_int_equal(zs_sums_init(&other, NULL, 64, 48, 8, 2), ZS_ERR_NULL);
-    assert_int_equal(zs_sums_init(&other, s.sum, 64, 48, 8, 0), ZS_ERR_SIZE);
-    assert_int_equal(zs_sums_init(&other, s.sum, 64, 48, 8, 65), ZS_ERR_SIZE);
-    assert_int_equal(zs_sums_init(&other, s.sum, 64, 48, 0, 2), ZS_ERR_SIZE);
-    assert_int_equal(zs_sums_init(&other, s.sum, 0, 48, 8, 2), ZS_ERR_SIZE);
-    assert_int_equal(zs_sums_init(&other, s.sum, 64, ZS_SIZE_MAX + 1, 8, 2), ZS_ERR_SIZE);
+    assert_int_equal(zs_damage_compare(&junk, &s.sums), ZS_ERR_SEQUENCE);
+    assert_int_equal(zs_invalidate(&junk, NULL), ZS_ERR_SEQUENCE);
+    struct zs_strip_hashes other = s.sums;
+    assert_int_equal(zs_strip_hashes_init(NULL, s.sum, 64, 48, 8, 2), ZS_ERR_NULL);
+    assert_int_equal(zs_strip_hashes_init(&other, NULL, 64, 48, 8, 2), ZS_ERR_NULL);
+    assert_int_equal(zs_strip_hashes_init(&other, s.sum, 64, 48, 8, 0), ZS_ERR_SIZE);
+    assert_int_equal(zs_strip_hashes_init(&other, s.sum, 64, 48, 8, 65), ZS_ERR_SIZE);
+    assert_int_equal(zs_strip_hashes_init(&other, s.sum, 64, 48, 0, 2), ZS_ERR_SIZE);
+    assert_int_equal(zs_strip_hashes_init(&other, s.sum, 0, 48, 8, 2), ZS_ERR_SIZE);
+    assert_int_equal(zs_strip_hashes_init(&other, s.sum, 64, ZS_SIZE_MAX + 1, 8, 2), ZS_ERR_SIZE);
     other.strip_h = 9;
-    assert_int_equal(zs_watch(&s.r, &other), ZS_ERR_SIZE);
+    assert_int_equal(zs_damage_compare(&s.r, &other), ZS_ERR_SIZE);
     assert_int_equal(draw(&s, 0), ZS_OK);
     assert_int_equal(zs_frame_begin(&s.r, &s.frame.scene, &s.frame.camera), ZS_OK);
-    assert_int_equal(zs_watch(&s.r, NULL), ZS_ERR_STATE);
+    assert_int_equal(zs_damage_compare(&s.r, NULL), ZS_ERR_SEQUENCE);
     assert_int_equal(zs_frame_end(&s.r), ZS_OK);
     assert_int_equal(draw(&s, 0), ZS_OK); /* as before: still watching */
     assert_int_equal(s.glass.n_submits, 0);
-    assert_int_equal(zs_watch(&s.r, NULL), ZS_OK);
+    assert_int_equal(zs_damage_compare(&s.r, NULL), ZS_OK);
     assert_int_equal(draw(&s, 0), ZS_OK);
     assert_int_equal(s.glass.n_px, 64 * 48);
     assert_int_equal(zs_invalidate(&s.r, NULL), ZS_OK); /* no effect */

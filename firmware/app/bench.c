@@ -105,7 +105,7 @@ static void fill_config(struct zs_config *c, const struct demo *d, uint16_t rows
     c->strip_h = rows;
     c->max_tris = pool_of(tris, 1);
     c->max_verts = pool_of(verts, 3);
-    c->attrs = (uint8_t)d->attrs;
+    c->varyings = (uint8_t)d->varyings;
     c->buffers = buffers;
     c->subpixel_bits = 8;
     c->depth_bits = 16;
@@ -180,7 +180,7 @@ static void line(const struct demo *d, const char *variant, const struct zs_conf
     hal_write(variant);
     if (r->err) {
         hal_write(",error: ");
-        hal_write(zs_strerror(r->err));
+        hal_write(zs_error_string(r->err));
         hal_write("\n");
         return;
     }
@@ -259,14 +259,11 @@ static int disagrees(const struct result *r, uint64_t checksum)
 
 #define FAST_MAX 16 /* of a scene */
 
+#define ROW(name) { &zs_fast_##name, #name },
 static const struct {
     const struct zs_fast *fast;
     const char *name;
-} accelerators[] = { { &zs_fast_batch, "batch" }, { &zs_fast_touch, "touch" }, { &zs_fast_tiles, "tiles" },
-                     { &zs_fast_clusters, "clusters" }, { &zs_fast_edges, "edges" }, { &zs_fast_raw, "raw" },
-                     { &zs_fast_flat, "flat" }, { &zs_fast_smooth, "smooth" }, { &zs_fast_texture, "texture" },
-                     { &zs_fast_texture_flat, "texture_flat" }, { &zs_fast_texture_smooth, "texture_smooth" },
-                     { &zs_fast_565, "565" }, { &zs_fast_pal8, "pal8" }, { &zs_fast_pal4, "pal4" } };
+} accelerators[] = { ZS_FAST_EACH(ROW) };
 
 static const char *fast_name(const struct zs_fast *fast)
 {
@@ -343,7 +340,7 @@ static const struct bar bars[] = {
  * bar. */
 static int configure_bar(struct zs_config *c, const struct demo *d, const struct bar *bar, const struct zs_config *most)
 {
-    const uint32_t whole = ZS_TRI_BYTES(most->max_tris) + ZS_VERT_BYTES(most->max_verts, most->attrs);
+    const uint32_t whole = ZS_TRI_BYTES(most->max_tris) + ZS_VERT_BYTES(most->max_verts, most->varyings);
     fill_config(c, d, bar->rows, bar->buffers, 1, 3);
     c->width = bar->width ? bar->width : d->width;
     c->height = bar->height ? bar->height : d->height;
@@ -448,7 +445,7 @@ static int counted(const struct demo *d)
     uint32_t i = 0;
     while (i + 1u < sizeof pools / sizeof pools[0] && pools[i].name && !same(pools[i].name, d->name))
         i++;
-    const uint32_t whole = ZS_TRI_BYTES(pools[i].tris) + ZS_VERT_BYTES(pools[i].verts, d->attrs);
+    const uint32_t whole = ZS_TRI_BYTES(pools[i].tris) + ZS_VERT_BYTES(pools[i].verts, d->varyings);
     const uint32_t left = (uint32_t)sizeof arena - ZS_ARENA_BYTES(d->width, d->height, 24, 0, 0, 0, 1) - 8u;
     const uint32_t part = left < whole ? left : whole;
     d->pose(&frame, 0, d->width, d->height);

@@ -160,10 +160,10 @@ static int print_pixels(void *ctx, const struct zs_strip *s)
 static int configure(const struct demo *d, uint8_t bits)
 {
     const uint32_t strips = ZS_ARENA_BYTES(d->width, d->height, SUMS_ROWS, 0, 0, 0, 1) + 8u; /* 8: pools round up */
-    const uint32_t fit = strips < SUMS_ARENA ? (SUMS_ARENA - strips) / (ZS_TRI_BYTES(1) + 16u + 2u * d->attrs) : 0;
+    const uint32_t fit = strips < SUMS_ARENA ? (SUMS_ARENA - strips) / (ZS_TRI_BYTES(1) + 16u + 2u * d->varyings) : 0;
     const uint16_t pool = (uint16_t)(fit < ZS_POOL_MAX ? fit : ZS_POOL_MAX);
     const struct zs_config config = { .width = d->width, .height = d->height, .strip_h = SUMS_ROWS, .max_tris = pool,
-                                      .max_verts = pool, .attrs = (uint8_t)d->attrs, .buffers = 1,
+                                      .max_verts = pool, .varyings = (uint8_t)d->varyings, .buffers = 1,
                                       .subpixel_bits = bits, .depth_bits = 16, .depth = d->depth, .fast = d->fast };
     return zs_init(&renderer, &config, arena, sizeof arena);
 }
@@ -178,7 +178,7 @@ static int draw(const struct look *k)
     if (err) {
         put_look(k);
         put(",error: ");
-        put(zs_strerror(err));
+        put(zs_error_string(err));
         put_end();
     }
     return err;

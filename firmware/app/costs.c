@@ -50,7 +50,7 @@ static int measure(uint32_t i)
     report_field(COSTS_FEW ? 0u : sum);
     if (err) {
         hal_write(",error: ");
-        hal_write(zs_strerror(err));
+        hal_write(zs_error_string(err));
     }
     hal_write("\n");
     return err != 0;

@@ -18,7 +18,7 @@
 #define H 240
 #define VERTS 20000
 
-ZS_ARENA(arena, ZS_ARENA_BYTES(W, H, 24, VERTS, VERTS, MODEL_ATTRS, 1));
+ZS_ARENA(arena, ZS_ARENA_BYTES(W, H, 24, VERTS, VERTS, MODEL_VARYINGS, 1));
 static struct zs_renderer renderer;
 static struct zs_instance crowd[CROWD * CROWD], alone[SEEN];
 
@@ -38,7 +38,7 @@ static uint64_t measure(const char *scene_name, const char *variant, const struc
                         const struct zs_camera *camera, const struct zs_fast *const *list, uint64_t *sum)
 {
     const struct zs_config config = { .width = W, .height = H, .strip_h = 24, .max_tris = VERTS, .max_verts = VERTS,
-                                      .attrs = MODEL_ATTRS, .buffers = 1, .subpixel_bits = 8, .depth_bits = 16,
+                                      .varyings = MODEL_VARYINGS, .buffers = 1, .subpixel_bits = 8, .depth_bits = 16,
                                       .depth = &zs_depth_float, .fast = list };
     uint64_t now = REPORT_HASH;
     const struct zs_sink sink = { .submit = report_drop }, summing = { .submit = report_hash, .ctx = &now };
@@ -60,7 +60,7 @@ static uint64_t measure(const char *scene_name, const char *variant, const struc
     report_field(s->tris_drawn);
     hal_write(err ? "\n# FAILED: " : "\n");
     if (err)
-        hal_write(zs_strerror(err));
+        hal_write(zs_error_string(err));
     if (*sum && now != *sum) {
         err = 1;
         hal_write("# FAILED, the line above: another picture\n");
@@ -96,7 +96,7 @@ static uint32_t crowd_pick(const struct zs_scene *all, const struct zs_camera *c
 {
     uint32_t n = 0;
     const struct zs_config config = { .width = W, .height = H, .strip_h = 24, .max_tris = VERTS, .max_verts = VERTS,
-                                      .attrs = MODEL_ATTRS, .buffers = 1, .subpixel_bits = 8, .depth_bits = 16,
+                                      .varyings = MODEL_VARYINGS, .buffers = 1, .subpixel_bits = 8, .depth_bits = 16,
                                       .depth = &zs_depth_float, .fast = fast };
     if (zs_init(&renderer, &config, arena, sizeof arena))
         return 0;

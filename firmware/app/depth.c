@@ -14,7 +14,7 @@
 #define TRIS 160
 #define VERTS 160
 
-ZS_ARENA(arena, ZS_ARENA_BYTES(W, H, ROWS, TRIS, VERTS, ZS_ATTRS_FLAT, 1));
+ZS_ARENA(arena, ZS_ARENA_BYTES(W, H, ROWS, TRIS, VERTS, ZS_VARYINGS_FLAT, 1));
 static struct zs_renderer renderer;
 static struct demo_frame frame;
 
@@ -27,7 +27,7 @@ static const struct {
 static int draw(const struct demo *d, uint32_t m)
 {
     const struct zs_config config = { .width = W, .height = H, .strip_h = ROWS, .max_tris = TRIS, .max_verts = VERTS,
-                                      .attrs = ZS_ATTRS_FLAT, .buffers = 1, .subpixel_bits = 8, .depth_bits = 16,
+                                      .varyings = ZS_VARYINGS_FLAT, .buffers = 1, .subpixel_bits = 8, .depth_bits = 16,
                                       .depth = mappings[m].depth, .fast = d->fast };
     const struct zs_sink sink = { .submit = report_drop };
     int err = zs_init(&renderer, &config, arena, sizeof arena);
@@ -37,7 +37,7 @@ static int draw(const struct demo *d, uint32_t m)
     const uint64_t ticks = hal_ticks() - start;
     hal_write(d->name);
     hal_write(",");
-    hal_write(err ? zs_strerror(err) : mappings[m].name);
+    hal_write(err ? zs_error_string(err) : mappings[m].name);
     report_field(ticks);
     report_field(zs_frame_stats(&renderer)->pixels_tested);
     report_field(zs_frame_stats(&renderer)->tris_setup);

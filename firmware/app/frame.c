@@ -19,7 +19,7 @@ static struct demo_frame frame;
 int main(void)
 {
     const struct demo *d = &OF_NAME(FRAME_DEMO);
-    struct zs_config c = { .width = d->width, .height = d->height, .strip_h = 24, .attrs = (uint8_t)d->attrs,
+    struct zs_config c = { .width = d->width, .height = d->height, .strip_h = 24, .varyings = (uint8_t)d->varyings,
                            .buffers = 1, .subpixel_bits = 8, .depth_bits = 16, .depth = d->depth, .fast = d->fast };
     const struct zs_sink sink = { .submit = report_drop };
     uint32_t tris = 256, verts = 256;

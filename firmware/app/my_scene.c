@@ -67,8 +67,8 @@ static const struct zs_fast *const fast[] = { ZS_FAST_FRAME, ZS_FAST_FLAT, ZS_FA
 
 static const struct demo mine = {
     .name = "mine", .what = "A pyramid turns above a floor", .width = SHOW_WIDTH, .height = SHOW_HEIGHT,
-    .frames = FRAMES, .attrs = ZS_ATTRS_FLAT, .depth = &zs_depth_float, .fast = fast, .pose = pose,
+    .frames = FRAMES, .varyings = ZS_VARYINGS_FLAT, .depth = &zs_depth_float, .fast = fast, .pose = pose,
 };
 
 /* 60 rows to a strip, 100 triangles and 100 vertices at a time: more of each is quicker, until RAM ends. */
-SHOW(mine, RATE, 60, 100, 100, ZS_ATTRS_FLAT);
+SHOW(mine, RATE, 60, 100, 100, ZS_VARYINGS_FLAT);

@@ -43,7 +43,7 @@ static struct zs_scene scene; /* what is drawn, through frame.camera */
 static struct zs_config config_of(const struct demo *like, uint16_t w, uint16_t h, uint16_t rows)
 {
     const struct zs_config c = { .width = w, .height = h, .strip_h = rows, .max_tris = ZS_POOL_MAX,
-                                 .max_verts = ZS_POOL_MAX, .attrs = (uint8_t)like->attrs, .buffers = 1,
+                                 .max_verts = ZS_POOL_MAX, .varyings = (uint8_t)like->varyings, .buffers = 1,
                                  .subpixel_bits = 8, .depth_bits = 16, .depth = like->depth, .fast = like->fast };
     return c;
 }
@@ -66,7 +66,7 @@ static int point(const char *series, const char *name, uint32_t x, const struct 
     report_field(x ? x : s->passes);
     if (err) {
         hal_write(",error: ");
-        hal_write(zs_strerror(err));
+        hal_write(zs_error_string(err));
         hal_write("\n");
         return 1;
     }

@@ -102,7 +102,7 @@ static void report(int err)
     put(err == PAIR_ERR_STOPPED ? "core 1 stopped: core 0 draws alone" : "");
     if (err != PAIR_ERR_STOPPED)
 #endif
-        put(err > -100 ? zs_strerror(err) : panel_strerror(err));
+        put(err > -100 ? zs_error_string(err) : panel_strerror(err));
     put_end();
 }
 
@@ -292,7 +292,7 @@ static int start_drawing(const struct zs_config *config)
 static int set_up(void)
 {
     const struct zs_config config = { .width = SHOW_WIDTH, .height = SHOW_HEIGHT, .strip_h = show.rows,
-                                      .max_tris = show.tris, .max_verts = show.verts, .attrs = show.attrs,
+                                      .max_tris = show.tris, .max_verts = show.verts, .varyings = show.varyings,
                                       .buffers = SHOW_BUFFERS, .subpixel_bits = SHOW_SUBPIXEL, .depth_bits = 16,
                                       .depth = show.demo->depth, .fast = show.demo->fast };
     const int err = start_drawing(&config);

@@ -74,7 +74,7 @@ struct show {
     uint16_t rate; /* frames of its animation a second, 1 .. 1000 */
     uint16_t rows; /* of a strip */
     uint16_t tris, verts;
-    uint8_t attrs;
+    uint8_t varyings;
     uint32_t *arena, *scratch; /* scratch: for the panel */
     uint32_t arena_bytes, scratch_bytes;
 #if SHOW_CORES == 2
@@ -85,9 +85,9 @@ extern const struct show show;
 
 #define SHOW_LEAST(a, b) ((a) < (b) ? (a) : (b))
 #define SHOW_SCRATCH(rows) (SHOW_PIXEL_BITS < 16 ? (SHOW_WIDTH + 7) / 8 * SHOW_PIXEL_BITS * (rows) : 4)
-#define SHOW(scene, rate, rows, tris, verts, attrs) \
+#define SHOW(scene, rate, rows, tris, verts, varyings) \
     SHOW_CUT(scene, rate, SHOW_LEAST(rows, SHOW_ROWS_MAX), SHOW_LEAST(tris, SHOW_TRIS_MAX), \
-             SHOW_LEAST(verts, SHOW_VERTS_MAX), attrs)
+             SHOW_LEAST(verts, SHOW_VERTS_MAX), varyings)
 #if SHOW_CORES == 2
 #define SHOW_ARENA_2(bytes) ZS_ARENA(show_arena_2, bytes);
 #define SHOW_ITS_ARENA_2 , show_arena_2
@@ -95,11 +95,11 @@ extern const struct show show;
 #define SHOW_ARENA_2(bytes)
 #define SHOW_ITS_ARENA_2
 #endif
-#define SHOW_CUT(scene, rate, rows, tris, verts, attrs)                                                    \
-    ZS_ARENA(show_arena, ZS_ARENA_BYTES(SHOW_WIDTH, SHOW_HEIGHT, rows, tris, verts, attrs, SHOW_BUFFERS)); \
+#define SHOW_CUT(scene, rate, rows, tris, verts, varyings)                                                    \
+    ZS_ARENA(show_arena, ZS_ARENA_BYTES(SHOW_WIDTH, SHOW_HEIGHT, rows, tris, verts, varyings, SHOW_BUFFERS)); \
     SHOW_ARENA_2(sizeof show_arena)                                                                        \
     ZS_ARENA(show_scratch, SHOW_SCRATCH(rows));                                                            \
-    const struct show show = { &scene, rate, rows, tris, verts, attrs, show_arena, show_scratch,           \
+    const struct show show = { &scene, rate, rows, tris, verts, varyings, show_arena, show_scratch,           \
                                sizeof show_arena, sizeof show_scratch SHOW_ITS_ARENA_2 }
 
 #endif

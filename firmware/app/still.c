@@ -1,5 +1,5 @@
-/* What zs_track saves: scenes drawn whole, then again with nothing changed, then with their last instance moved, by strips and
- * by columns as well (zs_track_columns). One line of CSV a scene; instructions. Strips of 16 rows, one buffer, pools that
+/* What zs_damage_track saves: scenes drawn whole, then again with nothing changed, then with their last instance moved, by strips and
+ * by columns as well (zs_damage_columns). One line of CSV a scene; instructions. Strips of 16 rows, one buffer, pools that
  * take the scene in one pass.
  *
  * SPDX-License-Identifier: MIT
@@ -14,13 +14,13 @@
 #define ARENA_BYTES (3u << 20)
 
 ZS_ARENA(arena, ARENA_BYTES);
-static uint32_t memory[ZS_TRACK_WORDS(DEMO_INSTANCES_MAX, 240, ROWS)];
+static uint32_t memory[ZS_DAMAGE_WORDS(DEMO_INSTANCES_MAX, 240, ROWS)];
 static struct zs_renderer renderer;
 static struct demo_frame frame;
 
 static int count(void *ctx, const struct zs_strip *strip)
 {
-    *(uint32_t *)ctx += (uint32_t)strip->changed_w * strip->h;
+    *(uint32_t *)ctx += (uint32_t)strip->dirty_w * strip->h;
     return 0;
 }
 
@@ -56,7 +56,7 @@ static int wrong(const char *what)
 
 static int measure(const struct demo *d)
 {
-    struct zs_config c = { .width = d->width, .height = d->height, .strip_h = ROWS, .attrs = (uint8_t)d->attrs,
+    struct zs_config c = { .width = d->width, .height = d->height, .strip_h = ROWS, .varyings = (uint8_t)d->varyings,
                            .buffers = 1, .subpixel_bits = 8, .depth_bits = 16, .depth = d->depth, .fast = d->fast };
     uint64_t full, first, still, moved, part;
     uint32_t tris = 256, verts = 256, all, sent;
@@ -70,19 +70,19 @@ static int measure(const struct demo *d)
     hal_write(d->name);
     int err = zs_init(&renderer, &c, arena, sizeof arena);
     err = err ? err : draw(&full, &all, 0);
-    err = err ? err : zs_track(&renderer, memory, DEMO_INSTANCES_MAX);
+    err = err ? err : zs_damage_track(&renderer, memory, DEMO_INSTANCES_MAX);
     err = err ? err : draw(&first, &sent, 0);
     err = err ? err : draw(&still, &sent, 0);
     move(200);
     err = err ? err : draw(&moved, &sent, 0);
-    err = err ? err : zs_track_columns(&renderer, 1);
+    err = err ? err : zs_damage_columns(&renderer, 1);
     move(1); /* its columns become known */
     err = err ? err : draw(&part, &sent, 1);
     move(-201);
     err = err ? err : draw(&part, &sent, 0);
     if (err) {
         hal_write(",# ");
-        hal_write(zs_strerror(err));
+        hal_write(zs_error_string(err));
     }
     hal_write("\n");
     if (err || still * STILL_MAX > full)

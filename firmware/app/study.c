@@ -52,7 +52,7 @@ static int measure(const struct setting *s)
 {
     const struct demo *d = s->demo;
     const struct zs_config config = { .width = d->width, .height = d->height, .strip_h = s->strip_h,
-                                      .max_tris = s->max_tris, .max_verts = s->max_verts, .attrs = (uint8_t)d->attrs,
+                                      .max_tris = s->max_tris, .max_verts = s->max_verts, .varyings = (uint8_t)d->varyings,
                                       .buffers = s->buffers, .subpixel_bits = s->subpixel_bits,
                                       .depth_bits = s->depth_bits, .depth = s->depth, .fast = d->fast };
     char room[NUMBER_CHARS], hex[HEX_CHARS];
@@ -69,7 +69,7 @@ static int measure(const struct setting *s)
     }
     hal_write(number_text(room, s->run));
     hal_write(",");
-    hal_write(err ? zs_strerror(err) : number_hex(hex, checksum));
+    hal_write(err ? zs_error_string(err) : number_hex(hex, checksum));
     hal_write(",");
     hal_write(number_text(room, ticks * STUDY_TICK));
     hal_write("\n");

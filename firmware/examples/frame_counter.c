@@ -1,13 +1,13 @@
-/* A number over the picture, by a resolve hook. The hook says where it draws otherwise than before, so that zs_track has only that
+/* A number over the picture, by a resolve hook. The hook says where it draws otherwise than before, so that zs_damage_track has only that
  * rectangle drawn again while the scene stands still.
  *
  * SPDX-License-Identifier: MIT
  */
 #include "examples.h"
 
-ZS_ARENA(arena, ZS_ARENA_BYTES(EXAMPLE_W, EXAMPLE_H, 8, 8, 8, ZS_ATTRS_FLAT, 1));
+ZS_ARENA(arena, ZS_ARENA_BYTES(EXAMPLE_W, EXAMPLE_H, 8, 8, 8, ZS_VARYINGS_FLAT, 1));
 static struct zs_renderer renderer;
-static uint32_t track[ZS_TRACK_WORDS(0, EXAMPLE_H, 8)];
+static uint32_t track[ZS_DAMAGE_WORDS(0, EXAMPLE_H, 8)];
 
 /* ---- The counter: three digits of 3 x 5 pixels, the last at the right edge -------------------------------------- */
 
@@ -58,8 +58,8 @@ int example_frame_counter(uint32_t t, const struct zs_sink *sink)
     err = err ? err : zs_camera_look_along(&camera, eye, along, up);
     if (!err && t == 0) {
         err = zs_init(&renderer, &config, arena, sizeof arena);
-        err = err ? err : zs_track(&renderer, track, 0);
-        err = err ? err : zs_track_columns(&renderer, 1);
+        err = err ? err : zs_damage_track(&renderer, track, 0);
+        err = err ? err : zs_damage_columns(&renderer, 1);
     }
     counter.shown = t;
     return err ? err : zs_render(&renderer, &scene, &camera, sink);

@@ -4,7 +4,7 @@
  */
 #include "examples.h"
 
-ZS_ARENA(arena, ZS_ARENA_BYTES(EXAMPLE_W, EXAMPLE_H, 8, 8, 8, ZS_ATTRS_FLAT, 1));
+ZS_ARENA(arena, ZS_ARENA_BYTES(EXAMPLE_W, EXAMPLE_H, 8, 8, 8, ZS_VARYINGS_FLAT, 1));
 static struct zs_renderer renderer;
 
 static const int16_t pos[3][3] = { { -12, -9, 0 }, { 12, -9, 0 }, { 0, 7, 0 } };

@@ -21,7 +21,7 @@ static void rings_fragment(const struct zs_instance *instance, struct zs_fragmen
         *f->color = zs_wire565(c->r, c->g, c->b);
 }
 
-static const struct zs_shader rings = { .vertex = rings_vertex, .fragment = rings_fragment, ZS_FRAGMENTS, .n_attrs = 2 };
+static const struct zs_shader rings = { .vertex = rings_vertex, .fragment = rings_fragment, ZS_FRAGMENTS, .n_varyings = 2 };
 
 /* ---- A frame ---------------------------------------------------------------------------------------------------- */
 
@@ -36,7 +36,7 @@ static const struct zs_material yellow = { .shader = &rings, .rgb = { 255, 220, 
 int example_user_shader(uint32_t t, const struct zs_sink *sink)
 {
     static const struct zs_config config = { .width = EXAMPLE_W, .height = EXAMPLE_H, .strip_h = 8, .max_tris = 8,
-                                             .max_verts = 8, .attrs = 2, .buffers = 1, .subpixel_bits = 8, .depth_bits = 16,
+                                             .max_verts = 8, .varyings = 2, .buffers = 1, .subpixel_bits = 8, .depth_bits = 16,
                                              .depth = &zs_depth_float };
     struct zs_instance instance = { .mesh = &card, .material = &yellow };
     const struct zs_scene scene = { .instance = &instance, .n_instances = 1, .background = zs_rgb565(0, 0, 80) };

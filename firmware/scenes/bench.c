@@ -223,11 +223,11 @@ static void pose_slivers(struct demo_frame *f, uint32_t t, uint16_t w, uint16_t 
     stage_put(f, &mesh_slivers, &raw, 0, 0, -BENCH_SLIVER_Z * BENCH_UNIT, ZS_Q16_ONE);
 }
 
-#define BENCH_ATTRS(id, what_, attrs_, fast_, pose_)                                                             \
+#define BENCH_VARYINGS(id, what_, varyings_, fast_, pose_)                                                             \
     const struct demo demo_##id = { .name = #id, .what = what_, .width = 320, .height = 240, .frames = 1,           \
-                                    .attrs = attrs_, .bench = 1, .depth = &zs_depth_float, .fast = fast_,        \
+                                    .varyings = varyings_, .bench = 1, .depth = &zs_depth_float, .fast = fast_,        \
                                     .pose = pose_ }
-#define BENCH(id, what, pose) BENCH_ATTRS(id, what, ZS_ATTRS_FLAT, raw_fast, pose)
+#define BENCH(id, what, pose) BENCH_VARYINGS(id, what, ZS_VARYINGS_FLAT, raw_fast, pose)
 
 static const struct zs_fast *const raw_fast[] = { ZS_FAST_FRAME, ZS_FAST_RAW, ZS_FAST_END };
 static const struct zs_fast *const flat_fast[] = { ZS_FAST_FRAME, ZS_FAST_FLAT, ZS_FAST_END };
@@ -236,20 +236,20 @@ static const struct zs_fast *const lit_fast[] = { ZS_FAST_FRAME, ZS_FAST_TEXTURE
 static const struct zs_fast *const smooth_fast[] = { ZS_FAST_FRAME, ZS_FAST_TEXTURE_SMOOTH, ZS_FAST_PAL8, ZS_FAST_END };
 
 BENCH(mesh, "A bumpy ball of 2,520 triangles over a third of the picture, unlit", pose_mesh);
-BENCH_ATTRS(mesh_lit, "The same ball, flat-shaded by its face normals", ZS_ATTRS_FLAT, flat_fast, pose_mesh_lit);
-BENCH_ATTRS(mesh_tex, "The same ball, textured in RGB565, unlit", ZS_ATTRS_TEXTURE, tex_fast, pose_mesh_tex);
-BENCH_ATTRS(mesh_tex_lit, "The same ball, textured by palette, flat-shaded", ZS_ATTRS_TEXTURE, lit_fast,
+BENCH_VARYINGS(mesh_lit, "The same ball, flat-shaded by its face normals", ZS_VARYINGS_FLAT, flat_fast, pose_mesh_lit);
+BENCH_VARYINGS(mesh_tex, "The same ball, textured in RGB565, unlit", ZS_VARYINGS_TEXTURE, tex_fast, pose_mesh_tex);
+BENCH_VARYINGS(mesh_tex_lit, "The same ball, textured by palette, flat-shaded", ZS_VARYINGS_TEXTURE, lit_fast,
           pose_mesh_tex_lit);
-BENCH_ATTRS(mesh_tex_smooth, "The same ball, textured by palette, smooth-shaded",
-          ZS_ATTRS_TEXTURE_SMOOTH, smooth_fast, pose_mesh_tex_smooth);
-BENCH_ATTRS(crowd_ftb, "Five such balls half behind one another, from front to back", ZS_ATTRS_TEXTURE_SMOOTH, smooth_fast, pose_crowd_ftb);
-BENCH_ATTRS(crowd_btf, "The same from back to front", ZS_ATTRS_TEXTURE_SMOOTH, smooth_fast, pose_crowd_btf);
-BENCH_ATTRS(floor_tex, "A textured plain to the horizon, cut at the near plane", ZS_ATTRS_TEXTURE, tex_fast,
+BENCH_VARYINGS(mesh_tex_smooth, "The same ball, textured by palette, smooth-shaded",
+          ZS_VARYINGS_TEXTURE_SMOOTH, smooth_fast, pose_mesh_tex_smooth);
+BENCH_VARYINGS(crowd_ftb, "Five such balls half behind one another, from front to back", ZS_VARYINGS_TEXTURE_SMOOTH, smooth_fast, pose_crowd_ftb);
+BENCH_VARYINGS(crowd_btf, "The same from back to front", ZS_VARYINGS_TEXTURE_SMOOTH, smooth_fast, pose_crowd_btf);
+BENCH_VARYINGS(floor_tex, "A textured plain to the horizon, cut at the near plane", ZS_VARYINGS_TEXTURE, tex_fast,
           pose_floor_tex);
 BENCH(layers_ftb, "Eight full-screen layers from front to back", pose_layers_ftb);
 BENCH(layers_btf, "Eight full-screen layers from back to front", pose_layers_btf);
 BENCH(layers_mixed, "Eight full-screen layers in mixed order", pose_layers_mixed);
 BENCH(sheet, "A jittered sheet of 20,000 tiny triangles", pose_sheet);
-BENCH_ATTRS(corridor, "A corridor through the near plane with five boxes that cross each other", ZS_ATTRS_FLAT,
+BENCH_VARYINGS(corridor, "A corridor through the near plane with five boxes that cross each other", ZS_VARYINGS_FLAT,
             flat_fast, pose_corridor);
 BENCH(slivers, "A grid of slivers from a twentieth of a pixel to two and a half", pose_slivers);

@@ -32,5 +32,5 @@ static const struct zs_fast *const fast[] = { ZS_FAST_FRAME, ZS_FAST_TEXTURE, ZS
 const struct demo demo_globe = {
     .name = "globe",
     .what = "A planet and its moon under the stars, smooth light over textures of three sizes",
-    .width = 240, .height = 240, .frames = FRAMES, .attrs = ZS_ATTRS_TEXTURE_SMOOTH, .depth = &zs_depth_float, .fast = fast, .pose = pose,
+    .width = 240, .height = 240, .frames = FRAMES, .varyings = ZS_VARYINGS_TEXTURE_SMOOTH, .depth = &zs_depth_float, .fast = fast, .pose = pose,
 };

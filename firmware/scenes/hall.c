@@ -21,7 +21,7 @@ STAGE_COVER(crate, zs_shade_texture_flat, texture_crate);
 
 /* Before the wall that it lies in, by two buckets and a quarter of what a pixel changes them; the
  * wall keeps its own keys. */
-static const struct zs_state on_the_wall = ZS_STATE(0, 1, -2, -64);
+static const struct zs_depth_state on_the_wall = { .read_only = 1, .bias = -2, .slope_bias = -64 };
 
 static void put_hall(struct demo_frame *f)
 {
@@ -29,9 +29,9 @@ static void put_hall(struct demo_frame *f)
     stage_put(f, &mesh_hall_ceiling, &planks, 0, 0, 0, ZS_Q16_ONE);
     stage_put(f, &mesh_hall_walls, &bricks, 0, 0, 0, ZS_Q16_ONE);
     stage_put(f, &mesh_poster, &poster, 0, 0, 0, ZS_Q16_ONE);
-    f->instance[f->scene.n_instances - 1u].state = &on_the_wall;
+    f->instance[f->scene.n_instances - 1u].depth_state = &on_the_wall;
     stage_put(f, &mesh_sign, &sign, 0, 0, 0, ZS_Q16_ONE);
-    f->instance[f->scene.n_instances - 1u].state = &on_the_wall;
+    f->instance[f->scene.n_instances - 1u].depth_state = &on_the_wall;
     stage_put(f, &mesh_hall_columns, &marble, 0, 0, 0, ZS_Q16_ONE);
 }
 
@@ -73,5 +73,5 @@ static const struct zs_fast *const fast[] = { ZS_FAST_FRAME, ZS_FAST_TEXTURE, ZS
 const struct demo demo_hall = {
     .name = "hall",
     .what = "A walk through a hall of tiles, bricks, wood and marble, with pictures on its walls",
-    .width = 240, .height = 240, .frames = FRAMES, .attrs = ZS_ATTRS_TEXTURE_SMOOTH, .depth = &zs_depth_float, .fast = fast, .pose = pose,
+    .width = 240, .height = 240, .frames = FRAMES, .varyings = ZS_VARYINGS_TEXTURE_SMOOTH, .depth = &zs_depth_float, .fast = fast, .pose = pose,
 };

@@ -62,7 +62,7 @@ static uint8_t texel_pal8[TEX * TEX], texel_pal4[TEX * TEX / 2];
 static struct zs_mesh mesh, wall;
 static struct zs_material material, plain;
 static struct zs_texture texture;
-static const struct zs_state state = ZS_STATE(0, 1, -2, 0);
+static const struct zs_depth_state state = { .read_only = 1, .bias = -2 };
 static const struct zs_depth *const depths[] = { &zs_depth_float, &zs_depth_recip, &zs_depth_linear };
 static const struct zs_shader *const shaders[SHADES] = {
     &zs_shade_raw, &zs_shade_raw, &zs_shade_flat, &zs_shade_flat, &zs_shade_smooth, &zs_shade_texture,
@@ -232,7 +232,7 @@ static void instances(struct demo_frame *f, const struct plan *p)
     for (uint32_t k = 0; k < p->layers; k++) {
         const uint32_t away = p->order > 0 ? k : p->layers - 1u - k;
         stage_put(f, &mesh, &material, 0, 0, 0, ZS_Q16_ONE + ZS_Q16_ONE / 16u * away);
-        f->instance[f->scene.n_instances - 1u].state = p->flags & STATE ? &state : 0;
+        f->instance[f->scene.n_instances - 1u].depth_state = p->flags & STATE ? &state : 0;
         if (p->flags & BEHIND_US)
             stage_put(f, &mesh, &material, 0, 0, 200000, ZS_Q16_ONE);
     }
@@ -573,7 +573,7 @@ int probe_make(struct probe *p, uint32_t i)
     c->strip_h = plan.strip;
     c->max_tris = (uint16_t)(few ? 200u : PROBE_LAYERS * PROBE_TRIS + 64u);
     c->max_verts = (uint16_t)(few ? 200u : PROBE_LAYERS * PROBE_VERTS + 64u);
-    c->attrs = words[plan.shade];
+    c->varyings = words[plan.shade];
     c->buffers = 1;
     c->subpixel_bits = 8;
     c->depth_bits = 16;

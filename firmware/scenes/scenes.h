@@ -25,7 +25,7 @@ struct demo {
     const char *what;             /* one sentence, no full stop */
     uint16_t width, height;       /* px it was composed for; others work */
     uint16_t frames;              /* of its animation, which then repeats; 1 .. */
-    uint16_t attrs;               /* config.attrs that its shaders need */
+    uint16_t varyings;               /* config.varyings that its shaders need */
     uint16_t bench;               /* 1: a bench scene */
     const struct zs_depth *depth; /* the mapping that its camera takes */
     const struct zs_fast *const *fast; /* accelerators for what is in it, the last one NULL */

@@ -33,7 +33,7 @@ struct zs_pose *stage_put(struct demo_frame *f, const struct zs_mesh *mesh,
     i->pose.pos[1] = y;
     i->pose.pos[2] = z;
     i->pose.scale = scale;
-    i->state = 0;
+    i->depth_state = 0;
     return &i->pose;
 }
 

@@ -14,8 +14,8 @@
 #define ZS_GUARD_PX 8188 /* px from the frame's middle; triangles that reach further are clipped */
 #endif
 
-#ifndef ZS_ATTRS_MAX
-#define ZS_ATTRS_MAX 3 /* 16-bit attribute words a vertex */
+#ifndef ZS_VARYINGS_MAX
+#define ZS_VARYINGS_MAX 3 /* 16-bit attribute words a vertex */
 #endif
 
 /* 1: compiled for size (-Os): what arch/ has by table or by assembler is left to the compiler, and so is what is in line. */

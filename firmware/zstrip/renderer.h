@@ -147,7 +147,7 @@ struct zs_renderer { /* what is used most comes first: a Cortex-M0 reaches 31 by
     struct zs_vertex *vert;  /* [max_verts] */
     uint16_t *vert_src;      /* [max_verts]: the vertex's number in the current mesh */
     uint16_t *vert_map;      /* [max_verts]: number modulo max_verts -> pool, unless stale */
-    uint16_t *attr;          /* [max_verts][attrs] */
+    uint16_t *attr;          /* [max_verts][varyings] */
 
     const struct zs_scene *scene; /* borrowed from begin to end; NULL: no frame is open */
     struct zs_xform xform;
@@ -156,7 +156,7 @@ struct zs_renderer { /* what is used most comes first: a Cortex-M0 reaches 31 by
     struct zs_camera camera;
     struct zs_stats stats;
     const struct zs_watch_kernel *watch; /* NULL: everything counts as changed */
-    struct zs_sums *sums;         /* [n_strips][columns], the panel's; 0: not known */
+    struct zs_strip_hashes *sums;         /* [n_strips][columns], the panel's; 0: not known */
     uint16_t draw_end;            /* strips from it on need not be drawn */
     const struct zs_track_kernel *track; /* NULL: all strips are drawn */
     uint32_t *track_memory;       /* the caller's: sum of the frame, records of instances ... */

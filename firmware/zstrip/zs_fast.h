@@ -31,6 +31,11 @@ extern const struct zs_fast zs_fast_texture_flat; /* the same, and palettes lit 
 extern const struct zs_fast zs_fast_texture_smooth;
 extern const struct zs_fast zs_fast_565, zs_fast_pal8, zs_fast_pal4; /* loops of a texel format, besides one of the last three */
 
+/* Each of them by its name, for tables: X(batch) X(touch) ... */
+#define ZS_FAST_EACH(X)                                                                                       \
+    X(batch) X(touch) X(tiles) X(clusters) X(edges) X(raw) X(flat) X(smooth) X(texture) X(texture_flat)           \
+    X(texture_smooth) X(565) X(pal8) X(pal4)
+
 #ifndef ZS_NO_FAST
 #define ZS_NO_FAST 0
 #endif

@@ -14,7 +14,7 @@
  *           exactly the pixels of the top-left rule are drawn. Ends are half-open [y0, y1).
  * Depth     unsigned 16-bit keys, 0 nearest. Keys saturate at 2^bits - 2; ZS_DEPTH_CLEAR is what
  *           nothing writes. The least (key, scene order) wins: on equal keys the earlier triangle
- *           of the earlier instance stays. Instances can ask for something else (struct zs_state);
+ *           of the earlier instance stays. Instances can ask for something else (struct zs_depth_state);
  *           then what counts is scene order, as if triangles were drawn one after another.
  * Textures  u to the right, v down, texel (column, row) from the top left covers u in
  *           [column, column + 1) / width; the texel that holds the sample is taken (nearest).
@@ -56,8 +56,8 @@ enum zs_err {
     ZS_ERR_RANGE = -6,  /* a position, scale, extent or light that the integers cannot hold */
     ZS_ERR_MESH = -7,   /* a mesh lacks what its shader reads, or has a zero scale or too many
                            vertices */
-    ZS_ERR_STATE = -8,  /* begin, strip and end called out of order */
-    ZS_ERR_ATTRS = -9,  /* the shader needs more attributes a vertex than the arena was sized for */
+    ZS_ERR_SEQUENCE = -8,  /* begin, strip and end called out of order */
+    ZS_ERR_VARYINGS = -9,  /* the shader needs more attributes a vertex than the arena was sized for */
     ZS_ERR_VECTOR = -10, /* a direction of length 0, or two directions that are parallel */
     ZS_ERR_NEAR = -11,  /* the near plane is too close beside what can be seen: the farthest point of
                            the instances in view is more than 2^21 to 2^22 times as far away */
@@ -65,7 +65,7 @@ enum zs_err {
 };
 
 /* One English clause for an enum zs_err, without a full stop; never NULL. Static storage. */
-const char *zs_strerror(int err);
+const char *zs_error_string(int err);
 
 /* ---- Formats ------------------------------------------------------------------------------ */
 
@@ -183,18 +183,18 @@ extern const struct zs_shader zs_shade_raw;    /* a colour a face, unlit */
 extern const struct zs_shader zs_shade_flat;   /* a colour a face, lit once for the face */
 extern const struct zs_shader zs_shade_smooth; /* lit at the vertices, interpolated (Gouraud),
                                                   perspective-correct; needs mesh.normal and
-                                                  config.attrs >= ZS_ATTRS_SMOOTH */
+                                                  config.varyings >= ZS_VARYINGS_SMOOTH */
 /* Textured, perspective-correct: texels within 1/8 of a texel's width of where they belong (NUMERICS.md has
  * what comes on top: uv_bits, depth bits, triangles a million times as far as near);
  * need mesh.uv and material.texture. The texture's colour is multiplied by light, not by material.rgb. */
-extern const struct zs_shader zs_shade_texture;        /* unlit; config.attrs >= ZS_ATTRS_TEXTURE */
+extern const struct zs_shader zs_shade_texture;        /* unlit; config.varyings >= ZS_VARYINGS_TEXTURE */
 extern const struct zs_shader zs_shade_texture_flat;   /* lit once for the face; the same */
 extern const struct zs_shader zs_shade_texture_smooth; /* lit at the vertices; needs mesh.normal and
-                                                          config.attrs >= ZS_ATTRS_TEXTURE_SMOOTH */
-#define ZS_ATTRS_FLAT 0u   /* 16-bit words a vertex that raw and flat shading need */
-#define ZS_ATTRS_SMOOTH 3u /* the same for smooth shading */
-#define ZS_ATTRS_TEXTURE 2u
-#define ZS_ATTRS_TEXTURE_SMOOTH 3u
+                                                          config.varyings >= ZS_VARYINGS_TEXTURE_SMOOTH */
+#define ZS_VARYINGS_FLAT 0u   /* 16-bit words a vertex that raw and flat shading need */
+#define ZS_VARYINGS_SMOOTH 3u /* the same for smooth shading */
+#define ZS_VARYINGS_TEXTURE 2u
+#define ZS_VARYINGS_TEXTURE_SMOOTH 3u
 
 enum zs_cull {
     ZS_CULL_BACK = 0,  /* triangles that turn clockwise on the screen are not drawn */
@@ -216,25 +216,27 @@ struct zs_pose {
     zs_uq16_16 scale; /* > 0; ZS_Q16_ONE leaves the mesh at its own scale */
 };
 
-/* How an instance meets the depth buffer, where not as usual. */
-struct zs_state {
-    uint8_t equal;     /* 0: less - on equal keys what was drawn stays. 1: less or equal - the later wins */
-    uint8_t read_only; /* 1: tested, but keys are not written */
-    int16_t offset;    /* buckets added to every key; < 0: towards the eye */
-    int16_t slope;     /* meant for recip, and for linear under orthographic cameras, whose keys are planes.
-                          q8_8: times the larger of the changes of the key by one pixel right and one down
-                          (of the plane through the snapped vertices, of each piece of a clipped triangle
-                          for itself, and their keys), rounded to
-                          whole buckets, halves up, and added too. Keys stop at 0 and 2^bits - 2 */
+enum zs_depth_func { /* when a pixel is drawn over what is there */
+    ZS_DEPTH_LESS = 0,       /* its key is less: on equal keys the earlier stays */
+    ZS_DEPTH_LESS_EQUAL = 1  /* less or equal: on equal keys the later wins */
 };
-#define ZS_STATE(equal, read_only, offset, slope) \
-    { equal, read_only, offset, slope }
+
+/* How an instance is tested against the depth buffer. All fields 0: as an instance without one. */
+struct zs_depth_state {
+    uint8_t func;       /* enum zs_depth_func */
+    uint8_t read_only;  /* 1: tested, but keys are not written */
+    int16_t bias;       /* buckets added to every key; < 0: towards the eye */
+    int16_t slope_bias; /* q8_8: times the larger of the changes of the key by one pixel right and one down (of the plane
+                           through the snapped vertices; of each piece of a clipped triangle for itself), rounded to whole
+                           buckets, halves up, and added too. Meant for recip, and for linear under orthographic cameras,
+                           whose keys are planes. Keys stop at 0 and 2^bits - 2 */
+};
 
 struct zs_instance {
     const struct zs_mesh *mesh;
     const struct zs_material *material;
     struct zs_pose pose;
-    const struct zs_state *state; /* NULL: nearer wins and writes its key */
+    const struct zs_depth_state *depth_state; /* NULL: nearer wins and writes its key */
 };
 
 /* A colour channel becomes channel * (ambient + diffuse * max(0, normal . dir)), at most full. */
@@ -267,7 +269,7 @@ struct zs_target {
 /* A resolve hook: draws over each strip when the scene has been drawn, before the strip is compared and given out. */
 struct zs_resolve {
     void (*draw)(void *ctx, const struct zs_target *target);
-    /* Under zs_track, once a frame: 1, and in *rect all that draw makes other than in the frame before (where it was and where it
+    /* Under zs_damage_track, once a frame: 1, and in *rect all that draw makes other than in the frame before (where it was and where it
      * is), may reach beyond the frame; 0: nothing. NULL: always 0. Strips that are due for other reasons are drawn all the same. */
     int (*changes)(void *ctx, struct zs_rect *rect);
     void *ctx;
@@ -330,7 +332,7 @@ struct zs_config {
     uint16_t strip_h;       /* rows to a strip, >= 1; more than height means height */
     uint16_t max_tris;      /* binned triangles, 1 .. ZS_POOL_MAX */
     uint16_t max_verts;     /* transformed vertices, 3 .. ZS_POOL_MAX */
-    uint8_t attrs;          /* 16-bit words a vertex, 0 .. ZS_ATTRS_MAX: the largest ZS_ATTRS_* of its shaders */
+    uint8_t varyings;       /* 16-bit values a vertex, 0 .. ZS_VARYINGS_MAX: the largest ZS_VARYINGS_* of its shaders */
     uint8_t buffers;        /* strip buffers, 1 or 2 */
     uint8_t subpixel_bits;  /* 8 or 4 */
     uint8_t depth_bits;     /* 8 .. 16 */
@@ -352,12 +354,13 @@ struct zs_config {
 #define ZS_BOUND_BYTES(width, height, strip_h) ZS_ROUND4(2u * ZS_TILES(width) * ZS_STRIPS(height, strip_h))
 #define ZS_BIN_BYTES(height, strip_h) ZS_ROUND4(ZS_STRIPS(height, strip_h) * 2u)
 #define ZS_TRI_BYTES(max_tris) (ZS_U32(max_tris) * 12u)
-#define ZS_VERT_BYTES(max_verts, attrs) \
+#define ZS_VERT_BYTES(max_verts, varyings) \
     (ZS_U32(max_verts) * 12u + 2u * ZS_ROUND4(ZS_U32(max_verts) * 2u) + \
-     ZS_ROUND4(ZS_U32(max_verts) * ZS_U32(attrs) * 2u))
-#define ZS_ARENA_BYTES(width, height, strip_h, max_tris, max_verts, attrs, buffers) \
+     ZS_ROUND4(ZS_U32(max_verts) * ZS_U32(varyings) * 2u))
+#define ZS_ARENA_BYTES(width, height, strip_h, max_tris, max_verts, varyings, buffers) \
     (ZS_COLOR_BYTES(width, strip_h, buffers) + ZS_DEPTH_BYTES(width, strip_h) + \
-     ZS_DRAWN_BYTES(strip_h) + ZS_BOUND_BYTES(width, height, strip_h) + ZS_BIN_BYTES(height, strip_h) + ZS_TRI_BYTES(max_tris) + ZS_VERT_BYTES(max_verts, attrs))
+     ZS_DRAWN_BYTES(strip_h) + ZS_BOUND_BYTES(width, height, strip_h) + \
+     ZS_BIN_BYTES(height, strip_h) + ZS_TRI_BYTES(max_tris) + ZS_VERT_BYTES(max_verts, varyings))
 
 /* An arena as a static array, aligned for DMA and caches. */
 #define ZS_ARENA(name, bytes) static uint32_t name[((bytes) + 3u) / 4u] ZS_ALIGNED
@@ -384,13 +387,13 @@ struct zs_stats {
     uint32_t verts_transformed;
     uint32_t tris_setup;      /* wide set-ups: a triangle in a strip */
     uint32_t tris_hidden;     /* set-ups that were saved: a triangle in a strip, behind what covers it there, or beside the
-                                 columns that are drawn of it (zs_track_columns) */
+                                 columns that are drawn of it (zs_damage_columns) */
     uint32_t pixels_tested;   /* of triangles that are drawn: compared with the depth buffer ... */
     uint32_t pixels_untested; /* ... but for these of them, on which nothing was drawn before */
     uint32_t pixels_written;  /* and nearer; 0 unless built with ZS_STATS = 1 */
     uint32_t strips;          /* given out so far */
-    uint32_t strips_unchanged; /* of these: changed_w is 0; always 0 without zs_watch and zs_track */
-    uint32_t strips_skipped;  /* of these: not drawn (zs_track, zs_frame_skip). What is in no other strip is not counted above, or as culled */
+    uint32_t strips_clean; /* of these: dirty_w is 0; always 0 without zs_damage_compare and zs_damage_track */
+    uint32_t strips_skipped;  /* of these: not drawn (zs_damage_track, zs_frame_skip). What is in no other strip is not counted above, or as culled */
     uint32_t passes;          /* sets of triangles that the pools took the scene in */
     uint32_t max_tris_used, max_verts_used; /* high-water marks of the pools */
 };
@@ -400,12 +403,12 @@ struct zs_stats {
 struct zs_strip {
     uint16_t x, y, w, h;   /* px in the frame; x is 0 and w the frame's width */
     uint16_t last;         /* 1 in the frame's last strip */
-    const uint8_t *px;     /* w * h pixels, row-major, dense: RGB565, most significant byte first. With zs_track and
-                              changed_w 0, and beside the drawn columns of zs_track_columns: neither px nor depth
+    const uint8_t *px;     /* w * h pixels, row-major, dense: RGB565, most significant byte first. With zs_damage_track and
+                              dirty_w 0, and beside the drawn columns of zs_damage_columns: neither px nor depth
                               holds anything of use */
     uint32_t n_bytes;      /* w * h * 2 */
     const uint16_t *depth; /* w * h keys of this strip, until the next strip is asked for */
-    uint16_t changed_x, changed_w; /* px: columns that are not on the glass yet (zs_watch, zs_track); changed_w 0:
+    uint16_t dirty_x, dirty_w; /* px: columns that are not on the glass yet (zs_damage_compare, zs_damage_track); dirty_w 0:
                                       none is. Without either 0 and w */
 };
 
@@ -447,24 +450,24 @@ int zs_render(struct zs_renderer *r, const struct zs_scene *scene, const struct 
  * begin checks everything that a frame can be refused for, and draws nothing. scene and camera stay
  * borrowed, and unchanged, until end. A begin in the middle of a frame drops that frame.
  * Return  ZS_OK; ZS_ERR_NULL, _STATE (r is not set up), _SIZE, _CAMERA, _DEPTH, _RANGE, _NEAR, _MESH,
- *         _ATTRS, _TEXTURE: no frame is open then. */
+ *         _VARYINGS, _TEXTURE: no frame is open then. */
 int zs_frame_begin(struct zs_renderer *r, const struct zs_scene *scene,
                    const struct zs_camera *camera);
 
 /* Draw the next strip. *out is filled on 1. The strip that was given out config.buffers calls ago
  * is overwritten: it must be free.
  * Cost    one strip; where the pools are smaller than the scene, a walk of the scene as well.
- * Return  1; 0 when all strips have been given out; ZS_ERR_NULL, ZS_ERR_STATE. */
+ * Return  1; 0 when all strips have been given out; ZS_ERR_NULL, ZS_ERR_SEQUENCE. */
 int zs_frame_strip(struct zs_renderer *r, struct zs_strip *out);
 
 /* Leave the next strip out: it counts as given out, but nothing is drawn. So several renderers, each with an arena of its
- * own, draw a frame together on as many cores, each its share of the strips, bit for bit as one does. With zs_watch it
+ * own, draw a frame together on as many cores, each its share of the strips, bit for bit as one does. With zs_damage_compare it
  * stays as it was given out last.
  * Cost    a look at the strip's triangles; before the first strip that is drawn, nothing.
- * Return  1; 0 when there is none left; ZS_ERR_NULL; ZS_ERR_STATE, also where zs_track chooses the strips. */
+ * Return  1; 0 when there is none left; ZS_ERR_NULL; ZS_ERR_SEQUENCE, also where zs_damage_track chooses the strips. */
 int zs_frame_skip(struct zs_renderer *r);
 
-/* Close the frame, drawn to its end or not. Return ZS_OK; ZS_ERR_NULL; ZS_ERR_STATE: none open. */
+/* Close the frame, drawn to its end or not. Return ZS_OK; ZS_ERR_NULL; ZS_ERR_SEQUENCE: none open. */
 int zs_frame_end(struct zs_renderer *r);
 
 /* Counts of the frame begun last; never NULL. Valid as long as r. */
@@ -474,7 +477,7 @@ const struct zs_stats *zs_frame_stats(const struct zs_renderer *r);
 
 /* What a panel shows: sums of its strips, by columns. One for each panel, shared by all renderers that draw for it: one that
  * had sums of its own would not know what another has drawn over its strips. The fields are the library's. */
-struct zs_sums {
+struct zs_strip_hashes {
     uint64_t *sum;
     uint16_t width, height, strip_h, columns;
 };
@@ -484,30 +487,30 @@ struct zs_sums {
  * memory   [ZS_STRIPS(height, strip_h) * columns], caller's, kept; its contents do not matter.
  * width, height, strip_h  as in the configuration of the renderers. columns  1 .. width, equally wide but for the last ones.
  * Return   ZS_OK; ZS_ERR_NULL; ZS_ERR_SIZE: a number out of range, *sums as before. */
-int zs_sums_init(struct zs_sums *sums, uint64_t *memory, uint32_t width, uint32_t height, uint32_t strip_h, uint32_t columns);
+int zs_strip_hashes_init(struct zs_strip_hashes *sums, uint64_t *memory, uint32_t width, uint32_t height, uint32_t strip_h, uint32_t columns);
 
 /* Send only what has changed: from now on each strip is compared, by columns, with what the panel shows. zs_render does
- * not submit a strip without a change; a sink may send changed_x and changed_w alone. Pictures are drawn as before, and
- * zs_track begins with all strips.
+ * not submit a strip without a change; a sink may send dirty_x and dirty_w alone. Pictures are drawn as before, and
+ * zs_damage_track begins with all strips.
  *
  * sums     the panel's, kept by the caller; NULL: compare no more. Renderers on several cores may share it: each writes the
  *          sums of the strips that it draws.
  * Exact    a change within one word of two pixels is always seen; others are missed with odds of 2^-64: sums are
  *          compared, not pixels. The one thing here that is not exact; who must have it exact does without.
  * Cost     about ten instructions for two pixels.
- * Return   ZS_OK; ZS_ERR_NULL; ZS_ERR_STATE (r is not set up, or a frame is open); ZS_ERR_SIZE (the sums are for another
+ * Return   ZS_OK; ZS_ERR_NULL; ZS_ERR_SEQUENCE (r is not set up, or a frame is open); ZS_ERR_SIZE (the sums are for another
  *          frame size or strip height): as before. zs_init ends it. */
-int zs_watch(struct zs_renderer *r, struct zs_sums *sums);
+int zs_damage_compare(struct zs_renderer *r, struct zs_strip_hashes *sums);
 
 /* Draw only what may have changed: from now on zs_frame_begin compares what every instance is drawn from (pose; fields of mesh,
  * material, texture and state, not the arrays) with the frame begun before, and a strip that no instance which differs could
- * reach, then or now, is not drawn: zs_frame_strip gives it out with changed_w 0. All strips are drawn where camera, light,
+ * reach, then or now, is not drawn: zs_frame_strip gives it out with dirty_w 0. All strips are drawn where camera, light,
  * background or the number of instances differ, where an instance on its way changes how far the farthest in view is by a
  * power of two, and after a frame that was refused. Strips that are drawn are what they always are, bit for
- * bit. A strip once due stays so until it has been drawn, in whichever frame. Together with zs_watch: of what is drawn, the
+ * bit. A strip once due stays so until it has been drawn, in whichever frame. Together with zs_damage_compare: of what is drawn, the
  * columns that have changed.
  *
- * memory       [ZS_TRACK_WORDS(n_instances, height, strip_h)], caller's, kept, its contents do not matter; NULL: draw
+ * memory       [ZS_DAMAGE_WORDS(n_instances, height, strip_h)], caller's, kept, its contents do not matter; NULL: draw
  *              everything.
  * n_instances  0 .. 65535: what a scene may have at most; zs_frame_begin refuses one with more by ZS_ERR_SIZE.
  * Yours        after a change of bytes that meshes, textures or palettes point at: zs_invalidate. A mesh's sphere must hold it.
@@ -517,32 +520,32 @@ int zs_watch(struct zs_renderer *r, struct zs_sums *sums);
  *              those, and 3,000 for an instance that differs. Each strip that is not drawn: 100. What a frame draws is
  *              walked as always: of an instance that reaches one strip all is transformed, but for clusters that do
  *              not. Every instance is read.
- * Return       ZS_OK; ZS_ERR_NULL; ZS_ERR_STATE (r is not set up, or a frame is open); ZS_ERR_SIZE: as before.
+ * Return       ZS_OK; ZS_ERR_NULL; ZS_ERR_SEQUENCE (r is not set up, or a frame is open); ZS_ERR_SIZE: as before.
  *              zs_init ends it. */
-#define ZS_TRACK_WORDS(n_instances, height, strip_h) \
+#define ZS_DAMAGE_WORDS(n_instances, height, strip_h) \
     (2u + 4u * ZS_U32(n_instances) + ZS_STRIPS(height, strip_h))
-int zs_track(struct zs_renderer *r, uint32_t *memory, uint32_t n_instances);
+int zs_damage_track(struct zs_renderer *r, uint32_t *memory, uint32_t n_instances);
 
-/* The same by columns as well: of a strip that zs_track has drawn, only the columns that an instance which differs could reach
+/* The same by columns as well: of a strip that zs_damage_track has drawn, only the columns that an instance which differs could reach
  * are sure to be drawn. So one moving thing costs its own rectangle, and of others what lies in it: of wide triangles that part
  * alone; small ones, those with a state, and all under zs_depth_linear in perspective are drawn whole.
  *
- * on       0: whole strips again, as after zs_track.
- * Yours    a sink that sends changed_x and changed_w alone: px and depth hold something else beside them. Only so much is
- *          drawn besides that the range can be widened to multiples of ZS_TRACK_GRAIN, or the frame's end; of drawn
- *          columns zs_watch compares those of its own that lie in them wholly.
- * Exact    as zs_track: the columns given out are those of a full frame, bit for bit.
- * Cost     as zs_track, and 2,000 instructions more for an instance that differs, 25 to 80 for a triangle in a strip that is
+ * on       0: whole strips again, as after zs_damage_track.
+ * Yours    a sink that sends dirty_x and dirty_w alone: px and depth hold something else beside them. Only so much is
+ *          drawn besides that the range can be widened to multiples of ZS_DAMAGE_GRAIN, or the frame's end; of drawn
+ *          columns zs_damage_compare compares those of its own that lie in them wholly.
+ * Exact    as zs_damage_track: the columns given out are those of a full frame, bit for bit.
+ * Cost     as zs_damage_track, and 2,000 instructions more for an instance that differs, 25 to 80 for a triangle in a strip that is
  *          drawn in part. Where things that move fill most of the frame, whole strips are a little cheaper.
- * Return   ZS_OK; ZS_ERR_NULL; ZS_ERR_STATE (zs_track is not on, or a frame is open). zs_track and zs_init end it. */
-#define ZS_TRACK_GRAIN 8u /* px: a byte or page of any panel's RAM */
-int zs_track_columns(struct zs_renderer *r, int on);
+ * Return   ZS_OK; ZS_ERR_NULL; ZS_ERR_SEQUENCE (zs_damage_track is not on, or a frame is open). zs_damage_track and zs_init end it. */
+#define ZS_DAMAGE_GRAIN 8u /* px: a byte or page of any panel's RAM */
+int zs_damage_columns(struct zs_renderer *r, int on);
 
 /* The glass does not show there what was given out: it was reset, asleep, turned, or something else drew on it; or the
  * strip could not be sent by a caller that owns the loop (zs_render sees to that by itself). Strips and columns
  * that touch rect (NULL: all) count as changed the next time. At any time, in a frame too, which then walks the scene
  * again.
- * Return ZS_OK; ZS_ERR_NULL; ZS_ERR_STATE: r is not set up. Without zs_watch and zs_track: no effect. */
+ * Return ZS_OK; ZS_ERR_NULL; ZS_ERR_SEQUENCE: r is not set up. Without zs_damage_compare and zs_damage_track: no effect. */
 int zs_invalidate(struct zs_renderer *r, const struct zs_rect *rect);
 
 /* ---- Data that cannot be trusted: a mesh from a card, a texture from a file ------------------ */
@@ -579,7 +582,7 @@ enum zs_flaw {
 enum zs_flaw zs_mesh_check(const struct zs_mesh *mesh, uint32_t *index);
 enum zs_flaw zs_texture_check(const struct zs_texture *texture, uint32_t *index);
 /* One English clause for a flaw, without a full stop; never NULL. Static storage. */
-const char *zs_strflaw(enum zs_flaw flaw);
+const char *zs_flaw_string(enum zs_flaw flaw);
 
 /* ---- Integer helpers: angles, poses, cameras ------------------------------------------------- */
 

@@ -46,7 +46,7 @@ static struct panel_config glass;
 static struct tally tally;
 static void *arena, *scratch;
 static uint64_t *sums; /* of --partial */
-static struct zs_sums panel_sums;
+static struct zs_strip_hashes panel_sums;
 static uint64_t given; /* when panel_send returned that began the strip that is out */
 static int use_te, is_lit;
 
@@ -76,8 +76,8 @@ static void catch_signals(void)
 static struct panel_rect changed(const struct zs_strip *s)
 {
     const uint32_t grain = panel_grain(&glass).x;
-    const uint32_t x = s->changed_x / grain * grain;
-    const uint32_t end = (s->changed_x + s->changed_w + grain - 1u) / grain * grain;
+    const uint32_t x = s->dirty_x / grain * grain;
+    const uint32_t end = (s->dirty_x + s->dirty_w + grain - 1u) / grain * grain;
     return (struct panel_rect){ (uint16_t)x, s->y, (uint16_t)(end - x), s->h };
 }
 
@@ -113,7 +113,7 @@ static const char *words(int err)
 {
     if (err == HAL_ERR_BUS || err == HAL_ERR_TIMEOUT)
         return linux_why();
-    return err > -100 ? zs_strerror(err) : panel_strerror(err);
+    return err > -100 ? zs_error_string(err) : panel_strerror(err);
 }
 
 /* Averages of a frame. hidden: of the drawing, the percentage that went on while the strip before was on the wire. */
@@ -226,17 +226,17 @@ static int set_up_renderer(void)
     const uint32_t rows = (uint32_t)(options.strip < height ? options.strip : height);
     const struct zs_config config = { .width = (uint16_t)options.size[0], .height = (uint16_t)height,
                                       .strip_h = (uint16_t)rows, .max_tris = ZS_POOL_MAX, .max_verts = ZS_POOL_MAX,
-                                      .attrs = source.attrs, .buffers = 2, .subpixel_bits = (uint8_t)options.subpixel,
+                                      .varyings = source.attrs, .buffers = 2, .subpixel_bits = (uint8_t)options.subpixel,
                                       .depth_bits = 16, .depth = source.depth, .fast = source.fast };
     const uint32_t bytes = zs_arena_bytes(&config);
     arena = sim_alloc(bytes, 1);
     int err = zs_init(&renderer, &config, arena, bytes);
     if (err == ZS_OK && options.partial) {
         sums = sim_alloc(ZS_STRIPS(height, rows) * COLUMNS, sizeof *sums);
-        err = zs_sums_init(&panel_sums, sums, config.width, config.height, rows, COLUMNS);
-        err = err ? err : zs_watch(&renderer, &panel_sums);
+        err = zs_strip_hashes_init(&panel_sums, sums, config.width, config.height, rows, COLUMNS);
+        err = err ? err : zs_damage_compare(&renderer, &panel_sums);
     }
-    return err == ZS_OK ? SIM_OK : sim_refuse(NULL, 0, "the renderer cannot be set up: %s", zs_strerror(err));
+    return err == ZS_OK ? SIM_OK : sim_refuse(NULL, 0, "the renderer cannot be set up: %s", zs_error_string(err));
 }
 
 static int set_up_panel(void)

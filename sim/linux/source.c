@@ -25,7 +25,7 @@ int source_open(struct source *s, const struct linux_options *o)
             demo = demos[i];
     if (demo == NULL)
         return sim_refuse(NULL, 0, "--scene %s: there is no such scene; --help lists them", o->scene);
-    *s = (struct source){ demo->name, &frame.scene, &frame.camera, demo->depth, demo->fast, (uint8_t)demo->attrs };
+    *s = (struct source){ demo->name, &frame.scene, &frame.camera, demo->depth, demo->fast, (uint8_t)demo->varyings };
     return SIM_OK;
 }
 

@@ -42,7 +42,7 @@ int turning_open(struct source *s, const struct linux_options *o)
     if (status == SIM_OK)
         status = sim_scene_build(&scene, &model, &view, &as);
     *s = (struct source){ o->model, &scene.scene, &scene.camera, &zs_depth_float, fast,
-                          textured ? ZS_ATTRS_TEXTURE_SMOOTH : ZS_ATTRS_SMOOTH };
+                          textured ? ZS_VARYINGS_TEXTURE_SMOOTH : ZS_VARYINGS_SMOOTH };
     return status;
 }
 

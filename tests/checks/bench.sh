@@ -385,7 +385,7 @@ static const struct zs_fast *const fast[] = { $3, 0 };
 int main(void)
 {
     const struct zs_config config = { .width = 240, .height = 240, .strip_h = 24, .max_tris = 500, .max_verts = 500,
-                                      .attrs = 3, .buffers = 1, .subpixel_bits = 8, .depth_bits = 16,
+                                      .varyings = 3, .buffers = 1, .subpixel_bits = 8, .depth_bits = 16,
                                       .depth = &zs_depth_float, .fast = fast };
     if (zs_init(&renderer, &config, arena, sizeof arena))
         return 1;

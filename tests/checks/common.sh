@@ -17,6 +17,12 @@ none() {
     if [ -z "$2" ]; then ok "$1"; else bad "$1" "$(echo "$2" | sort -u | tr '\n' ' ')"; fi
 }
 
+# NAME FILE...: whether there is such a file; says so where a pattern matched none.
+files() {
+    [ -e "$2" ] || bad "$1" "no files: $2"
+    [ -e "$2" ]
+}
+
 # CPU DIR [FLAGS...]: firmware/zstrip, or hal/panel, as objects. Everything is compiled anew: it takes a second.
 # With BARE, which is in the flags then, without accelerators.
 BARE='-DZS_NO_FAST=1 -Os'
@@ -61,7 +67,7 @@ $declared
 int main(void)
 {
     const struct zs_config config = { .width = 240, .height = 240, .strip_h = 24, .max_tris = 500, .max_verts = 500,
-                                      .attrs = 3, .buffers = 1, .subpixel_bits = 8, .depth_bits = 16,
+                                      .varyings = 3, .buffers = 1, .subpixel_bits = 8, .depth_bits = 16,
                                       .depth = &zs_depth_$3, .fast = $list };
     if (zs_init(&renderer, &config, arena, sizeof arena))
         return 1;
@@ -73,13 +79,13 @@ END
 # What a firmware that uses all of it would also call.
 EVERYTHING='extern struct zs_material other[5];
     extern struct zs_texture texture[3];
-    extern const struct zs_state state;
+    extern const struct zs_depth_state state;
     static const struct zs_depth *const all_depths[] = { &zs_depth_linear, &zs_depth_e3m13, &zs_depth_e4m12, &zs_depth_e5m11, &zs_depth_float };
     const struct zs_depth *volatile depth = all_depths[anything[5]];
     const int32_t *v = (const int32_t *)anything;
     struct zs_pose *pose = &instance.pose;
     anything[0] = depth != 0;
-    anything[1] = (uint32_t)zs_strerror((int)anything[2])[0];
+    anything[1] = (uint32_t)zs_error_string((int)anything[2])[0];
     zs_pose_identity(pose);
     zs_pose_turn(pose, 1, 2, 3);
     (void)zs_pose_rotate(pose, v, 5);
@@ -89,13 +95,13 @@ EVERYTHING='extern struct zs_material other[5];
     (void)zs_camera_look_along(&camera, v, v + 3, v + 6);
     (void)zs_camera_orbit(&camera, v, 10, 20, 30);
     (void)zs_frame_skip(&renderer);
-    (void)zs_sums_init((struct zs_sums *)anything, (uint64_t *)anything, 240, 240, 24, 1);
-    (void)zs_watch(&renderer, (struct zs_sums *)anything);
-    (void)zs_track(&renderer, anything, 1);
+    (void)zs_strip_hashes_init((struct zs_strip_hashes *)anything, (uint64_t *)anything, 240, 240, 24, 1);
+    (void)zs_damage_compare(&renderer, (struct zs_strip_hashes *)anything);
+    (void)zs_damage_track(&renderer, anything, 1);
     anything[3] = zs_frame_stats(&renderer)->passes;
-    anything[7] = (uint32_t)zs_strflaw(zs_mesh_check(&mesh, anything))[0];
+    anything[7] = (uint32_t)zs_flaw_string(zs_mesh_check(&mesh, anything))[0];
     anything[8] = (uint32_t)zs_texture_check((const struct zs_texture *)anything, anything);
-    instance.state = &state;
+    instance.depth_state = &state;
     material = other[anything[4]];
     material.texture = &texture[anything[6]];'
 # Accelerators that a program names of which it uses flat shading, or lit textures
@@ -106,8 +112,8 @@ OTHERS='struct zs_material other[5] = { { .shader = &zs_shade_raw }, { .shader =
     { .shader = &zs_shade_texture }, { .shader = &zs_shade_texture_flat }, { .shader = &zs_shade_texture_smooth } };
 struct zs_texture texture[3] = { { .format = &zs_texel_565 }, { .format = &zs_texel_pal8 },
     { .format = &zs_texel_pal4 } };
-extern const struct zs_state state;
-const struct zs_state state = ZS_STATE(1, 0, 1, 2);'
+extern const struct zs_depth_state state;
+const struct zs_depth_state state = { .func = ZS_DEPTH_LESS_EQUAL, .bias = 1, .slope_bias = 2 };'
 
 # A shader of its own, besides
 OWN='extern const struct zs_shader own;

@@ -17,7 +17,7 @@ fi
 # What other scripts write for applications and for the study
 cat >"$dir/made/model.h" <<'END'
 #include "zstrip.h"
-#define MODEL_ATTRS 0
+#define MODEL_VARYINGS 0
 #define MODEL_INSTANCES 1u
 #define MODEL_MIDDLE { 0, 0, 0 }
 #define MODEL_RADIUS 1
@@ -30,10 +30,7 @@ echo '#define STUDY_BUILD ""' >"$dir/gen/study_build.h"
 by_name() {
     name=$1 flags=$2
     shift 2
-    if [ ! -e "$1" ]; then
-        bad "$name" "no files: $1"
-        return
-    fi
+    files "$name" "$1" || return
     # shellcheck disable=SC2086
     found=$(positional gcc -std=gnu11 -D_GNU_SOURCE -DZS_STATS=1 -I"$dir" -Ifirmware/scenes -Ifirmware/examples $flags "$@")
     none "$name" "$found"

@@ -23,15 +23,15 @@ cat >"$dir/main.c" <<'END'
 #include "zs_fast.h"
 #include "zstrip.h"
 
-ZS_ARENA(arena, ZS_ARENA_BYTES(16, 16, 4, 8, 8, ZS_ATTRS_FLAT, 2));
+ZS_ARENA(arena, ZS_ARENA_BYTES(16, 16, 4, 8, 8, ZS_VARYINGS_FLAT, 2));
 static struct zs_renderer renderer;
-static uint32_t memory[ZS_TRACK_WORDS(1, 16, 4)];
+static uint32_t memory[ZS_DAMAGE_WORDS(1, 16, 4)];
 static uint64_t sums[ZS_STRIPS(16, 4)];
-static struct zs_sums panel;
+static struct zs_strip_hashes panel;
 static const int16_t pos[4][3] = { { -9, -9, 0 }, { 9, -9, 0 }, { 9, 9, 0 }, { -9, 9, 0 } };
 static const uint16_t tri[2][3] = { { 0, 1, 2 }, { 0, 2, 3 } };
 static const struct zs_material material = { .shader = &zs_shade_raw, .rgb = { 255, 255, 255 } };
-static const struct zs_state state = ZS_STATE(1, 0, -4, 0);
+static const struct zs_depth_state state = { .func = ZS_DEPTH_LESS_EQUAL, .bias = -4 };
 static const struct zs_fast *const fast[] = { ZS_FAST_FRAME, ZS_FAST_RAW, ZS_FAST_END };
 static struct zs_mesh mesh;
 static struct zs_instance instance;
@@ -54,7 +54,7 @@ int main(void)
         .strip_h = 4,
         .max_tris = 8,
         .max_verts = 8,
-        .attrs = ZS_ATTRS_FLAT,
+        .varyings = ZS_VARYINGS_FLAT,
         .buffers = 2,
         .subpixel_bits = 8,
         .depth_bits = 16,
@@ -73,7 +73,7 @@ int main(void)
     mesh.radius = 13;
     instance.mesh = &mesh;
     instance.material = &material;
-    instance.state = &state;
+    instance.depth_state = &state;
     zs_pose_identity(&instance.pose);
     scene.instance = &instance;
     scene.n_instances = 1;
@@ -83,8 +83,8 @@ int main(void)
     if (ZS_WORLD_MAX > ZS_FAR_MAX || ZS_FOCAL_MIN > ZS_FOCAL_MAX || camera.height < ZS_HEIGHT_MIN ||
         instance.pose.rot[0] != ZS_Q30_ONE || zs_arena_bytes(&config) > sizeof arena)
         return 4;
-    if (zs_init(&renderer, &config, arena, sizeof arena) || zs_sums_init(&panel, sums, 16, 16, 4, 1) || zs_watch(&renderer, &panel) ||
-        zs_track(&renderer, memory, 1))
+    if (zs_init(&renderer, &config, arena, sizeof arena) || zs_strip_hashes_init(&panel, sums, 16, 16, 4, 1) || zs_damage_compare(&renderer, &panel) ||
+        zs_damage_track(&renderer, memory, 1))
         return 5;
     if (zs_render(&renderer, &scene, &camera, &sink))
         return 6;
@@ -96,16 +96,23 @@ cat >"$dir/main.cpp" <<'END'
 #include "zstrip.h"
 
 namespace {
-constexpr uint32_t bytes = ZS_ARENA_BYTES(16, 16, 4, 8, 8, ZS_ATTRS_FLAT, 2);
+constexpr uint32_t bytes = ZS_ARENA_BYTES(16, 16, 4, 8, 8, ZS_VARYINGS_FLAT, 2);
 ZS_ARENA(arena, bytes);
 zs_renderer renderer;
-uint32_t memory[ZS_TRACK_WORDS(1, 16, 4)];
+uint32_t memory[ZS_DAMAGE_WORDS(1, 16, 4)];
 uint64_t sums[ZS_STRIPS(16, 4)];
-zs_sums panel;
+zs_strip_hashes panel;
 const int16_t pos[4][3] = { { -9, -9, 0 }, { 9, -9, 0 }, { 9, 9, 0 }, { -9, 9, 0 } };
 const uint16_t tri[2][3] = { { 0, 1, 2 }, { 0, 2, 3 } };
 const zs_fast *const fast[] = { ZS_FAST_FRAME, ZS_FAST_RAW, ZS_FAST_END };
-const zs_state state = ZS_STATE(1, 0, -4, 0);
+zs_depth_state make_state()
+{
+    zs_depth_state s = zs_depth_state();
+    s.func = ZS_DEPTH_LESS_EQUAL;
+    s.bias = -4;
+    return s;
+}
+const zs_depth_state state = make_state();
 static_assert(ZS_WORLD_MAX < ZS_FAR_MAX && ZS_FOCAL_MIN < ZS_FOCAL_MAX, "limits are constants");
 
 int count(void *ctx, const zs_strip *strip)
@@ -138,9 +145,9 @@ int main()
         return 2;
     if (camera.height < ZS_HEIGHT_MIN || instance.pose.rot[0] != ZS_Q30_ONE)
         return 4;
-    const zs_config config{ 16, 16, 4, 8, 8, ZS_ATTRS_FLAT, 2, 8, 16, &zs_depth_linear, fast };
-    if (zs_init(&renderer, &config, arena, sizeof arena) || zs_sums_init(&panel, sums, 16, 16, 4, 1) || zs_watch(&renderer, &panel) ||
-        zs_track(&renderer, memory, 1))
+    const zs_config config{ 16, 16, 4, 8, 8, ZS_VARYINGS_FLAT, 2, 8, 16, &zs_depth_linear, fast };
+    if (zs_init(&renderer, &config, arena, sizeof arena) || zs_strip_hashes_init(&panel, sums, 16, 16, 4, 1) || zs_damage_compare(&renderer, &panel) ||
+        zs_damage_track(&renderer, memory, 1))
         return 5;
     uint32_t lit = 0;
     const zs_sink sink{ count, nullptr, &lit };

@@ -18,10 +18,7 @@ includes() {
 only() {
     name=$1 allowed=$2
     shift 2
-    if [ ! -e "$1" ]; then
-        bad "$name" "no files: $1"
-        return
-    fi
+    files "$name" "$1" || return
     none "$name" "$(includes "$@" | grep -vE ": ($allowed)\$" | tr -d ' ')"
 }
 # "a.h" or "b.h": the headers of some folders, as a pattern.

@@ -10,8 +10,8 @@ TEXTURE='zs_shade_texture|zs_texel|fetch|texture_|light$'
 FLOAT='zs_depth_(e[345]|float)|float_|any_row|(e[345]|any)_setup'
 
 # Checks of loaded data, what finds changes, what a program's own shaders need: in no firmware that does not name them.
-CHECKS='zs_watch watch_look zs_track track_check track_due zs_raster_pass zs_mesh_check zs_texture_check zs_strflaw
-        zs_sums_init zs_fragments_start zs_fragments_run'
+CHECKS='zs_damage_compare watch_look zs_damage_track track_check track_due zs_raster_pass zs_mesh_check zs_texture_check zs_flaw_string
+        zs_strip_hashes_init zs_fragments_start zs_fragments_run'
 
 # Names that files of fast/ alone define, FILES by a pattern
 names_of() {
@@ -69,7 +69,7 @@ for c in $CPUS; do
         zs_depth_linear recip_setup linear_setup linear_planes zs_solid_run zs_pose_turn zs_fast_touch zs_fast_tiles zs_fast_batch \
         zs_fast_clusters zs_fast_edges zs_fast_raw zs_fast_flat zs_fast_smooth zs_fast_texture zs_fast_texture_flat zs_fast_texture_smooth \
         zs_fast_565 zs_fast_pal8 zs_fast_pal4 zs_fast_less cluster_open solid_rows smooth_rows texture_rows touch_piece tiles_cover batch_bin \
-        zs_camera_orbit zs_strerror zs_shade_texture zs_shade_texture_flat zs_shade_texture_smooth zs_texel_565 \
+        zs_camera_orbit zs_error_string zs_shade_texture zs_shade_texture_flat zs_shade_texture_smooth zs_texel_565 \
         zs_texel_pal8 zs_texel_pal4 fetch_565 fetch_pal8 fetch_pal4 rows_565 rows_pal8 rows_pal4 fetch_wide texture_run light texture_start \
         zs_depth_e3m13 zs_depth_e4m12 zs_depth_e5m11 float_planes any_row e3_setup e4_setup e5_setup any_setup; do
         echo "$all" | grep -q "^$s" || gone="$gone $s"

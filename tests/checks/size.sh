@@ -93,7 +93,7 @@ for c in $CPUS; do
     flash "flat, linear" flat linear
     flash "flat, e3m13" flat e3m13
     flash "flat, recip, a state" flat recip '
-         extern const struct zs_state state; instance.state = &state;' 'const struct zs_state state = ZS_STATE(1, 1, 2, 3);'
+         extern const struct zs_depth_state state; instance.depth_state = &state;' 'const struct zs_depth_state state = { .func = ZS_DEPTH_LESS_EQUAL, .read_only = 1, .bias = 2, .slope_bias = 3 };'
     flash "flat, recip, turn and look at" flat recip \
         'zs_pose_turn(&instance.pose, 1, 2, 3);
          (void)zs_camera_look_at(&camera, (int32_t *)anything, (int32_t *)anything + 3, (int32_t *)anything + 6);'
@@ -159,7 +159,7 @@ cat >"$B/ram.c" <<'END'
 #include <stdlib.h>
 int main(int argc, char **argv)
 {
-    static const struct { const char *name; uint16_t w, h, rows, tris, verts; uint8_t attrs, buffers; } t[] = {
+    static const struct { const char *name; uint16_t w, h, rows, tris, verts; uint8_t varyings, buffers; } t[] = {
         { "240x240x24, 2 buffers, flat", 240, 240, 24, 500, 400, 0, 2 },
         { "240x240x16, 2 buffers, smooth", 240, 240, 16, 600, 400, 3, 2 },
         { "240x240x8, 1 buffer, flat", 240, 240, 8, 250, 200, 0, 1 },
@@ -175,13 +175,13 @@ int main(int argc, char **argv)
            "tris", "verts", "arena");
     for (unsigned i = 0; i < sizeof t / sizeof t[0]; i++) {
         const struct zs_config c = { .width = t[i].w, .height = t[i].h, .strip_h = t[i].rows, .max_tris = t[i].tris,
-                                     .max_verts = t[i].verts, .attrs = t[i].attrs, .buffers = t[i].buffers,
+                                     .max_verts = t[i].verts, .varyings = t[i].varyings, .buffers = t[i].buffers,
                                      .subpixel_bits = 8, .depth_bits = 16, .depth = &zs_depth_recip };
-        const unsigned arena = ZS_ARENA_BYTES(t[i].w, t[i].h, t[i].rows, t[i].tris, t[i].verts, t[i].attrs, t[i].buffers);
+        const unsigned arena = ZS_ARENA_BYTES(t[i].w, t[i].h, t[i].rows, t[i].tris, t[i].verts, t[i].varyings, t[i].buffers);
         printf("  %-34s %6u %6u %7u %7u %5u %7u %7u %8u\n", t[i].name, t[i].tris, t[i].verts,
                (unsigned)ZS_COLOR_BYTES(t[i].w, t[i].rows, t[i].buffers), (unsigned)ZS_DEPTH_BYTES(t[i].w, t[i].rows),
                (unsigned)ZS_BIN_BYTES(t[i].h, t[i].rows), (unsigned)ZS_TRI_BYTES(t[i].tris),
-               (unsigned)ZS_VERT_BYTES(t[i].verts, t[i].attrs), arena);
+               (unsigned)ZS_VERT_BYTES(t[i].verts, t[i].varyings), arena);
         wrong |= arena != zs_arena_bytes(&c);
     }
     printf("  and %u bytes of struct zs_renderer (Cortex-M), and the stack\n", renderer);

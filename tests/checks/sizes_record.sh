@@ -133,11 +133,11 @@ for x in $TEXELS; do
         "struct zs_texture texture = { .format = &zs_texel_$x };" " &zs_fast_$x,") };"
 done
 echo "static const struct record_bytes record_state[RECORD_CPUS] = { $(more state \
-    'extern const struct zs_state state; instance.state = &state;' 'const struct zs_state state = ZS_STATE(1, 1, 2, 3);') };"
+    'extern const struct zs_depth_state state; instance.depth_state = &state;' 'const struct zs_depth_state state = { .func = ZS_DEPTH_LESS_EQUAL, .read_only = 1, .bias = 2, .slope_bias = 3 };') };"
 echo "static const struct record_bytes record_watch[RECORD_CPUS] = { $(more watch \
-    'static struct zs_sums sums; (void)zs_sums_init(&sums, (uint64_t *)anything, 240, 240, 24, 1);
-     (void)zs_watch(&renderer, &sums);' '') };"
-echo "static const struct record_bytes record_track[RECORD_CPUS] = { $(more track '(void)zs_track(&renderer, anything, 1);' '') };"
+    'static struct zs_strip_hashes sums; (void)zs_strip_hashes_init(&sums, (uint64_t *)anything, 240, 240, 24, 1);
+     (void)zs_damage_compare(&renderer, &sums);' '') };"
+echo "static const struct record_bytes record_track[RECORD_CPUS] = { $(more track '(void)zs_damage_track(&renderer, anything, 1);' '') };"
 echo "/* Poses turned, a camera that looks at a point. */"
 echo "static const struct record_bytes record_pose[RECORD_CPUS] = { $(more pose \
     'zs_pose_turn(&instance.pose, 1, 2, 3); (void)zs_camera_orbit(&camera, (int32_t *)anything, 10, 20, 30);

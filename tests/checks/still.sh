@@ -1,5 +1,5 @@
 #!/bin/sh
-# What a still scene and one moving thing cost with zs_track, on QEMU's Cortex-M3 (instructions, not cycles).
+# What a still scene and one moving thing cost with zs_damage_track, on QEMU's Cortex-M3 (instructions, not cycles).
 #
 # SPDX-License-Identifier: MIT
 . "$(dirname "$0")/common.sh"
@@ -14,10 +14,10 @@ if $firmware >"$out/log" 2>&1 && timeout 120 $firmware run >"$out/csv" 2>"$out/e
     ok "one thing that moved and is small takes at most two fifths of it, by columns; no more than 5 % over strips: $n scenes"
 else
     cat "$out/log" "$out/err" "$out/csv"
-    bad "what zs_track saves" "see above"
+    bad "what zs_damage_track saves" "see above"
 fi
-echo "Instructions a frame (QEMU mps2-an385 -icount): all strips; with zs_track the first frame, nothing changed, the last"
-echo "instance moved: by strips and by columns (zs_track_columns); %: of all strips, and of their pixels what was sent"
+echo "Instructions a frame (QEMU mps2-an385 -icount): all strips; with zs_damage_track the first frame, nothing changed, the last"
+echo "instance moved: by strips and by columns (zs_damage_columns); %: of all strips, and of their pixels what was sent"
 awk -F, '$2 + 0 > 0 && NF == 16 {
     if (!n++)
         printf "%-14s %9s %9s %8s %6s %9s %6s %-9s %6s %9s %6s %6s\n", "scene", "full", "first", "still", "%", "moved", "%",

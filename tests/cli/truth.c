@@ -59,7 +59,7 @@ static const char *compare(const struct zs_scene *scene, const struct zs_camera 
     struct ref_camera ref_camera;
     struct ref_light light;
     size_t n;
-    sim_frame_config(&config, W, H, ZS_ATTRS_TEXTURE_SMOOTH);
+    sim_frame_config(&config, W, H, ZS_VARYINGS_TEXTURE_SMOOTH);
     config.depth = mapping;
     if (sim_frame_render(&frame, scene, camera, &config, NULL) != ZS_OK ||
         sim_frame_ids(ours_id, scene, camera, &config) != ZS_OK ||

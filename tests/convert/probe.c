@@ -119,7 +119,7 @@ static void check(void)
         if (m != &m_mesh[i])
             wrong("instance %u has another mesh", i);
         if (flaw != ZS_FLAW_NONE)
-            wrong("mesh %u: %s, %u", i, zs_strflaw(flaw), at);
+            wrong("mesh %u: %s, %u", i, zs_flaw_string(flaw), at);
         if (m->scale != m_mesh[0].scale)
             wrong("mesh %u has a scale of its own", i);
         for (uint32_t k = 0; k < m->n_clusters; k++) {
@@ -139,7 +139,7 @@ static void check(void)
         uint32_t at = 0;
         const enum zs_flaw flaw = zs_texture_check(&m_texture[i], &at);
         if (flaw != ZS_FLAW_NONE)
-            wrong("texture %u: %s, %u", i, zs_strflaw(flaw), at);
+            wrong("texture %u: %s, %u", i, zs_flaw_string(flaw), at);
     }
 #endif
     printf(
@@ -217,10 +217,10 @@ static void render(const struct zs_instance *instance, const struct zs_camera *c
                    uint16_t background)
 {
     static const struct zs_config config = { .width = W, .height = H, .strip_h = ROWS, .max_tris = 20000,
-                                             .max_verts = 20000, .attrs = M_ATTRS, .buffers = 1, .subpixel_bits = 8,
+                                             .max_verts = 20000, .varyings = M_VARYINGS, .buffers = 1, .subpixel_bits = 8,
                                              .depth_bits = 16, .depth = &zs_depth_recip };
     static struct zs_renderer renderer;
-    ZS_ARENA(arena, ZS_ARENA_BYTES(W, H, ROWS, 20000, 20000, M_ATTRS, 1));
+    ZS_ARENA(arena, ZS_ARENA_BYTES(W, H, ROWS, 20000, 20000, M_VARYINGS, 1));
     const struct zs_scene scene = {
         .instance = instance, .n_instances = M_INSTANCES,
         .light = { .dir = { 400000000, 700000000, 700000000 }, .ambient = ZS_Q16_ONE / 4,
@@ -231,7 +231,7 @@ static void render(const struct zs_instance *instance, const struct zs_camera *c
     int err = zs_init(&renderer, &config, arena, sizeof arena);
     err = err ? err : zs_render(&renderer, &scene, camera, &sink);
     if (err)
-        wrong("%s", zs_strerror(err));
+        wrong("%s", zs_error_string(err));
 }
 
 /* Number + 1 of the triangle at each pixel, counted over all meshes in order; 0: none. */

@@ -53,7 +53,7 @@ int main(int argc, char **argv)
     int exact = 1;
     double squared = 0.0, worst = 0.0, block = 0.0;
     if (argc != 4 || zs_texture_check(t, &at) != ZS_FLAW_NONE || tw > w || th > h) {
-        printf("wrong: flaw %s, %u\n", zs_strflaw(zs_texture_check(t, &at)), at);
+        printf("wrong: flaw %s, %u\n", zs_flaw_string(zs_texture_check(t, &at)), at);
         return 1;
     }
     for (uint32_t y = 0; y < th; y++)

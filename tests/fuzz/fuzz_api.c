@@ -11,7 +11,7 @@
  *   pools, buffers and accelerators; an arena is exactly zs_arena_bytes() long; nothing that is const is written
  *   calls in any order are answered as zstrip.h says, a refused zs_init leaves arena and renderer as it says,
  *   each strip given out is that of the picture and stays as long as promised; sinks that fail are obeyed; a glass that
- *   gets changed columns alone (zs_watch, zs_track, zs_invalidate) shows the picture
+ *   gets changed columns alone (zs_damage_compare, zs_damage_track, zs_invalidate) shows the picture
  *   helpers that succeed give what a frame accepts, and that fail leave what they were given
  *
  * SPDX-License-Identifier: MIT
@@ -88,7 +88,7 @@ static void count_frame(const struct world *w, const struct zs_config *c, const 
                 reached.texel[f] += kind_shaders[k].texture && m->texture /* none: the same */ &&
                                     m->texture->format == kind_texels[f].format;
         }
-        reached.state += w->instance[i].state != NULL;
+        reached.state += w->instance[i].depth_state != NULL;
         reached.cluster += w->instance[i].mesh->cluster != NULL;
     }
 }
@@ -97,12 +97,12 @@ static void count_frame(const struct world *w, const struct zs_config *c, const 
 static int reached_all(void)
 {
     static const int errors[] = { ZS_OK, ZS_ERR_NULL, ZS_ERR_SIZE, ZS_ERR_DEPTH, ZS_ERR_CAMERA, ZS_ERR_RANGE,
-                                  ZS_ERR_MESH, ZS_ERR_ATTRS, ZS_ERR_NEAR, ZS_ERR_TEXTURE };
+                                  ZS_ERR_MESH, ZS_ERR_VARYINGS, ZS_ERR_NEAR, ZS_ERR_TEXTURE };
     int all = reached.state && reached.cluster && reached.clipped && reached.passes && reached.unchanged &&
               reached.skipped;
     for (size_t k = 0; k < KINDS(errors); k++)
         if (!reached.refused[-errors[k]]) {
-            fprintf(stderr, "not reached: %s\n", zs_strerror(errors[k]));
+            fprintf(stderr, "not reached: %s\n", zs_error_string(errors[k]));
             all = 0;
         }
     for (size_t k = 0; k < KINDS(kind_depths); k++)
@@ -133,7 +133,7 @@ static struct zs_config profile(struct prng *p, const struct zs_camera *camera)
         depth = &kind_depths[prng_pick(p, KINDS(kind_depths))];
     struct zs_config c = picture_config(1 + (int32_t)prng_pick(p, 64), 1 + (int32_t)prng_pick(p, 64), depth->depth);
     c.max_tris = c.max_verts = 3000;
-    c.attrs = ZS_ATTRS_MAX;
+    c.varyings = ZS_VARYINGS_MAX;
     c.subpixel_bits = one_in(p, 4) ? 4 : 8;
     c.depth_bits = (uint8_t)(one_in(p, 2) ? 16 : prng_range(p, 8, 16));
     if (one_in(p, 16)) /* a long one */
@@ -202,7 +202,7 @@ static void print_config(const struct zs_config *c)
             depth = kind_depths[k].name;
     fprintf(stderr, "%ux%u, strips of %u, %u triangles, %u vertices, %u attributes, %u buffers, %u sub-pixel bits, "
                     "%u bits of %s, accelerators %#x\n", c->width, c->height, c->strip_h, c->max_tris, c->max_verts,
-            c->attrs, c->buffers, c->subpixel_bits, c->depth_bits, depth, bits_of(c->fast));
+            c->varyings, c->buffers, c->subpixel_bits, c->depth_bits, depth, bits_of(c->fast));
 }
 
 /* ---- The same picture every way ----------------------------------------------------------------- */
@@ -234,7 +234,7 @@ static void compare(const struct world *w, const struct picture *plain, const st
     struct picture p = picture_draw(c, &w->scene, &w->camera);
     if (p.err != plain->err || (!p.err && !picture_same(plain, &p, "fuzz_api"))) {
         print_config(c);
-        fprintf(stderr, "%s, and plainly: %s\n", zs_strerror(p.err), zs_strerror(plain->err));
+        fprintf(stderr, "%s, and plainly: %s\n", zs_error_string(p.err), zs_error_string(plain->err));
         wrong(__LINE__, "the same picture");
     }
     if (!p.err) {
@@ -263,7 +263,7 @@ static void case_pictures(struct prng *p, uint32_t odd)
     world_make(&w, p, odd);
     struct zs_config plain_config = profile(p, &w.camera);
     if (odd && one_in(p, odd))
-        plain_config.attrs = (uint8_t)prng_pick(p, ZS_ATTRS_MAX + 1);
+        plain_config.varyings = (uint8_t)prng_pick(p, ZS_VARYINGS_MAX + 1);
     if (now.alone) {
         world_print(&w);
         print_config(&plain_config);
@@ -272,7 +272,7 @@ static void case_pictures(struct prng *p, uint32_t odd)
     for (int cameras = 0; cameras < 2; cameras++) {
         struct picture plain = picture_draw(&plain_config, &w.scene, &w.camera);
         if (now.alone)
-            fprintf(stderr, "%s, %u pixels\n", zs_strerror(plain.err), plain.covered);
+            fprintf(stderr, "%s, %u pixels\n", zs_error_string(plain.err), plain.covered);
         count_frame(&w, &plain_config, &plain);
         EXPECT(plain.err || stats_add_up(&plain.stats));
         for (int n = plain.err ? 1 : 3; n > 0; n--) {
@@ -328,13 +328,13 @@ struct desk { /* a renderer and what it should be in */
     struct zs_strip last;    /* the one given out before, if last_whole */
     uint64_t last_sum;
     int last_whole;
-    uint64_t *sum;           /* zs_watch's; NULL: off */
-    struct zs_sums sums;     /* of the panel, over it */
-    uint32_t *memory;        /* zs_track's; NULL: off */
+    uint64_t *sum;           /* zs_damage_compare's; NULL: off */
+    struct zs_strip_hashes sums;     /* of the panel, over it */
+    uint32_t *memory;        /* zs_damage_track's; NULL: off */
     uint32_t room;           /* instances that it takes */
-    int columns;             /* zs_track_columns is on */
+    int columns;             /* zs_damage_columns is on */
     uint16_t *glass;         /* [height][width]: what arrived of what was given out as changed */
-    int loose;               /* 1: zs_track was given spheres that need not hold: whatever it shows */
+    int loose;               /* 1: zs_damage_track was given spheres that need not hold: whatever it shows */
 };
 
 struct room {
@@ -358,7 +358,7 @@ static uint64_t sum_bytes(const uint8_t *b, uint32_t n)
 static int glass_right(struct desk *d, const struct picture *p, const struct zs_strip *s)
 {
     for (int32_t j = 0; j < s->h; j++)
-        for (int32_t i = s->changed_x; i < s->changed_x + s->changed_w; i++) {
+        for (int32_t i = s->dirty_x; i < s->dirty_x + s->dirty_w; i++) {
             const uint8_t *px = s->px + 2 * (j * s->w + i);
             d->glass[(s->y + j) * p->w + i] = (uint16_t)(px[0] << 8 | px[1]);
         }
@@ -368,8 +368,8 @@ static int glass_right(struct desk *d, const struct picture *p, const struct zs_
 /* 1: the strip is rows [y, y + h) of the picture; by columns: in those that are drawn for sure. */
 static int strip_right(const struct picture *p, const struct zs_strip *s, int columns)
 {
-    const int32_t grain = (int32_t)ZS_TRACK_GRAIN, from = columns ? s->changed_x / grain * grain : 0;
-    const int32_t end = columns ? (s->changed_x + s->changed_w + grain - 1) / grain * grain : s->w;
+    const int32_t grain = (int32_t)ZS_DAMAGE_GRAIN, from = columns ? s->dirty_x / grain * grain : 0;
+    const int32_t end = columns ? (s->dirty_x + s->dirty_w + grain - 1) / grain * grain : s->w;
     for (int32_t i = 0; i < s->w * s->h; i++) {
         const int32_t at = s->y * p->w + i;
         if (i % s->w < from || i % s->w >= end)
@@ -387,9 +387,9 @@ static void strip_expect(const struct room *m, struct desk *d, const struct zs_s
     EXPECT(s->x == 0 && s->w == c->width && s->y == y);
     EXPECT(s->h == (left < c->strip_h ? left : c->strip_h));
     EXPECT(s->n_bytes == 2u * s->w * s->h && s->last == (y + s->h == c->height));
-    const int drawn = s->changed_w || !d->memory;
-    EXPECT(s->changed_x + s->changed_w <= s->w && (d->sum || d->columns || drawn == 0 || s->changed_w == s->w));
-    EXPECT((d->sum || d->memory || s->changed_w == s->w) && (drawn || s->changed_w == 0));
+    const int drawn = s->dirty_w || !d->memory;
+    EXPECT(s->dirty_x + s->dirty_w <= s->w && (d->sum || d->columns || drawn == 0 || s->dirty_w == s->w));
+    EXPECT((d->sum || d->memory || s->dirty_w == s->w) && (drawn || s->dirty_w == 0));
     EXPECT(!drawn || d->loose || strip_right(&m->picture[d->open], s, d->columns));
     EXPECT(glass_right(d, &m->picture[d->open], s) || d->loose);
     if (d->last_whole && c->buffers == 2) /* the one before is still whole */
@@ -399,7 +399,7 @@ static void strip_expect(const struct room *m, struct desk *d, const struct zs_s
     d->last_whole = drawn;
     d->given++;
     reached.strips++;
-    reached.unchanged += !s->changed_w;
+    reached.unchanged += !s->dirty_w;
 }
 
 static void no_memory(struct desk *d)
@@ -452,7 +452,7 @@ static void do_init(struct room *m, struct desk *d, struct prng *p)
 static int begin_answer(const struct room *m, const struct desk *d, int k)
 {
     if (!d->ready)
-        return ZS_ERR_STATE;
+        return ZS_ERR_SEQUENCE;
     return d->memory && m->w.scene.n_instances > d->room ? ZS_ERR_SIZE : m->picture[k].err;
 }
 
@@ -464,7 +464,7 @@ static void do_begin(struct room *m, struct desk *d, struct prng *p)
     const int want = !scene || !camera ? ZS_ERR_NULL : begin_answer(m, d, k);
     EXPECT(zs_frame_begin(NULL, scene, camera) == ZS_ERR_NULL);
     const int said = zs_frame_begin(d->r, scene, camera);
-    /* zs_track looks at instances first: of two errors that one */
+    /* zs_damage_track looks at instances first: of two errors that one */
     EXPECT(said == want || (said < 0 && scene && d->memory && want));
     d->open = said ? CLOSED : k;
     d->given = d->left_out = 0;
@@ -479,7 +479,7 @@ static void do_strip(struct room *m, struct desk *d)
     EXPECT(zs_frame_strip(d->r, NULL) == ZS_ERR_NULL && zs_frame_strip(NULL, &s) == ZS_ERR_NULL);
     const int got = zs_frame_strip(d->r, &s);
     if (!d->ready || d->open == CLOSED) {
-        EXPECT(got == ZS_ERR_STATE);
+        EXPECT(got == ZS_ERR_SEQUENCE);
         return;
     }
     const uint32_t n = (d->config.height + d->config.strip_h - 1u) / d->config.strip_h;
@@ -495,7 +495,7 @@ static void do_skip(struct desk *d)
     EXPECT(zs_frame_skip(NULL) == ZS_ERR_NULL);
     const int got = zs_frame_skip(d->r);
     if (!d->ready || d->open == CLOSED || d->memory) {
-        EXPECT(got == ZS_ERR_STATE);
+        EXPECT(got == ZS_ERR_SEQUENCE);
         return;
     }
     EXPECT(got == (d->given < ZS_STRIPS(d->config.height, d->config.strip_h)));
@@ -515,15 +515,15 @@ static void do_watch(struct desk *d, struct prng *p)
     uint64_t *sum = off || open ? NULL : malloc(n * columns * sizeof *sum + 1);
     for (uint32_t i = 0; sum && i < n * columns; i++)
         sum[i] = one_in(p, 2) ? 0 : prng_next(p);
-    struct zs_sums sums = { 0 };
-    EXPECT(zs_watch(NULL, &sums) == ZS_ERR_NULL);
+    struct zs_strip_hashes sums = { 0 };
+    EXPECT(zs_damage_compare(NULL, &sums) == ZS_ERR_NULL);
     if (sum)
-        EXPECT(zs_sums_init(&sums, sum, d->config.width, d->config.height, d->config.strip_h, columns) ==
+        EXPECT(zs_strip_hashes_init(&sums, sum, d->config.width, d->config.height, d->config.strip_h, columns) ==
                (bad ? ZS_ERR_SIZE : ZS_OK));
-    const int want = open ? ZS_ERR_STATE : sum && bad ? ZS_ERR_SIZE : ZS_OK;
+    const int want = open ? ZS_ERR_SEQUENCE : sum && bad ? ZS_ERR_SIZE : ZS_OK;
     if (sum && !bad)
         d->sums = sums;
-    EXPECT(zs_watch(d->r, sum ? bad ? &sums : &d->sums : NULL) == want);
+    EXPECT(zs_damage_compare(d->r, sum ? bad ? &sums : &d->sums : NULL) == want);
     if (want) {
         free(sum);
         return;
@@ -537,13 +537,13 @@ static void do_track(struct room *m, struct desk *d, struct prng *p)
     const int bad = one_in(p, 8), off = one_in(p, 4), open = !d->ready || d->open != CLOSED;
     const uint32_t n = m->w.scene.n_instances, few = n && one_in(p, 4) ? prng_pick(p, n > 20 ? 20 : n) : n;
     const uint32_t room = bad ? 65536 + prng_pick(p, 9) : few > 65535 ? 65535 : few;
-    const size_t words = open ? 2 : ZS_TRACK_WORDS(room, d->config.height, d->config.strip_h);
+    const size_t words = open ? 2 : ZS_DAMAGE_WORDS(room, d->config.height, d->config.strip_h);
     uint32_t *memory = off || open ? NULL : malloc(words * sizeof *memory);
     for (size_t i = 0; memory && i < words; i++)
         memory[i] = (uint32_t)prng_next(p);
-    EXPECT(zs_track(NULL, memory, room) == ZS_ERR_NULL);
-    const int want = open ? ZS_ERR_STATE : memory && bad ? ZS_ERR_SIZE : ZS_OK;
-    EXPECT(zs_track(d->r, memory, room) == want);
+    EXPECT(zs_damage_track(NULL, memory, room) == ZS_ERR_NULL);
+    const int want = open ? ZS_ERR_SEQUENCE : memory && bad ? ZS_ERR_SIZE : ZS_OK;
+    EXPECT(zs_damage_track(d->r, memory, room) == want);
     if (want) {
         free(memory);
         return;
@@ -558,8 +558,8 @@ static void do_track(struct room *m, struct desk *d, struct prng *p)
 static void do_columns(struct desk *d, struct prng *p)
 {
     const int on = (int)prng_pick(p, 2), may = d->ready && d->open == CLOSED && d->memory;
-    EXPECT(zs_track_columns(NULL, on) == ZS_ERR_NULL);
-    EXPECT(zs_track_columns(d->r, on) == (may ? ZS_OK : ZS_ERR_STATE));
+    EXPECT(zs_damage_columns(NULL, on) == ZS_ERR_NULL);
+    EXPECT(zs_damage_columns(d->r, on) == (may ? ZS_OK : ZS_ERR_SEQUENCE));
     if (may)
         d->columns = on;
 }
@@ -571,7 +571,7 @@ static void do_invalidate(struct desk *d, struct prng *p)
                                   (uint16_t)(one_in(p, 8) ? 65535 : prng_pick(p, 70)) };
     const struct zs_rect *part = one_in(p, 2) ? NULL : &rect;
     EXPECT(zs_invalidate(NULL, part) == ZS_ERR_NULL);
-    EXPECT(zs_invalidate(d->r, part) == (d->ready ? ZS_OK : ZS_ERR_STATE));
+    EXPECT(zs_invalidate(d->r, part) == (d->ready ? ZS_OK : ZS_ERR_SEQUENCE));
     if (!d->ready)
         return;
     const uint32_t w = d->config.width, h = d->config.height;
@@ -583,7 +583,7 @@ static void do_invalidate(struct desk *d, struct prng *p)
 static void do_end(struct desk *d)
 {
     EXPECT(zs_frame_end(NULL) == ZS_ERR_NULL);
-    EXPECT(zs_frame_end(d->r) == (d->ready && d->open != CLOSED ? ZS_OK : ZS_ERR_STATE));
+    EXPECT(zs_frame_end(d->r) == (d->ready && d->open != CLOSED ? ZS_OK : ZS_ERR_SEQUENCE));
     d->open = CLOSED;
 }
 
@@ -600,7 +600,7 @@ struct panel {
 static int panel_submit(void *ctx, const struct zs_strip *s)
 {
     struct panel *at = ctx;
-    EXPECT(at->lent == 0 && s->y >= at->rows && s->changed_w);
+    EXPECT(at->lent == 0 && s->y >= at->rows && s->dirty_w);
     at->rows = (uint32_t)s->y + s->h;
     if (++at->submits == at->bad_submit)
         return -1000;
@@ -731,14 +731,14 @@ static int within(uint32_t v, uint32_t lo, uint32_t hi)
 static void case_config(struct prng *p, uint32_t odd)
 {
     struct zs_config c = { .width = any_size(p), .height = any_size(p), .strip_h = any_size(p), .max_tris = any_size(p),
-                           .max_verts = any_size(p), .attrs = (uint8_t)prng_pick(p, 5),
+                           .max_verts = any_size(p), .varyings = (uint8_t)prng_pick(p, 5),
                            .buffers = (uint8_t)prng_pick(p, 4),
                            .subpixel_bits = one_in(p, 2) ? 8 : (uint8_t)prng_pick(p, 10),
                            .depth_bits = one_in(p, 2) ? 16 : (uint8_t)prng_pick(p, 20),
                            .depth = kind_depths[prng_pick(p, KINDS(kind_depths))].depth };
     const int ok = within(c.width, 1, ZS_SIZE_MAX) && within(c.height, 1, ZS_SIZE_MAX) && c.strip_h &&
                    within(c.max_tris, 1, ZS_POOL_MAX) && within(c.max_verts, 3, ZS_POOL_MAX) &&
-                   c.attrs <= ZS_ATTRS_MAX && within(c.buffers, 1, 2) &&
+                   c.varyings <= ZS_VARYINGS_MAX && within(c.buffers, 1, 2) &&
                    (c.subpixel_bits == 8 || c.subpixel_bits == 4);
     const uint32_t bytes = zs_arena_bytes(&c);
     EXPECT((bytes != 0) == ok);
@@ -753,7 +753,7 @@ static void case_config(struct prng *p, uint32_t odd)
         EXPECT(err == ZS_ERR_SIZE && none[0] == 1 && none[3] == 4);
     } else if (bytes < 2000000 && (uint32_t)c.width * c.height < 200000u) {
         const uint16_t rows = c.strip_h < c.height ? c.strip_h : c.height;
-        EXPECT(bytes == ZS_ARENA_BYTES(c.width, c.height, rows, c.max_tris, c.max_verts, c.attrs, c.buffers));
+        EXPECT(bytes == ZS_ARENA_BYTES(c.width, c.height, rows, c.max_tris, c.max_verts, c.varyings, c.buffers));
         if (c.depth_bits < 8 || c.depth_bits > 16) {
             struct picture p2 = picture_draw(&c, NULL, NULL);
             EXPECT(p2.err == ZS_ERR_DEPTH);
@@ -769,7 +769,7 @@ static void case_config(struct prng *p, uint32_t odd)
             struct picture a = picture_draw(&c, &w.scene, &w.camera);
             count_frame(&w, &c, &a);
             struct zs_config c2 = way(p, c, w.trusted);
-            c2.attrs = c.attrs;
+            c2.varyings = c.varyings;
             c2.max_tris = (uint16_t)(c2.max_tris + 40u);
             c2.max_verts = (uint16_t)(c2.max_verts + 90u);
             compare(&w, &a, &c2);
@@ -888,8 +888,8 @@ static void case_helpers(struct prng *p, uint32_t odd)
         helper_poses(p);
     }
     for (int n = 0; n < 4; n++) {
-        EXPECT(zs_strerror((int)(prng_log(p) >> 32))[0] != 0);
-        EXPECT(zs_strflaw((enum zs_flaw)(prng_log(p) >> 32))[0] != 0);
+        EXPECT(zs_error_string((int)(prng_log(p) >> 32))[0] != 0);
+        EXPECT(zs_flaw_string((enum zs_flaw)(prng_log(p) >> 32))[0] != 0);
     }
 }
 

@@ -158,11 +158,10 @@ static void draw(struct card *c, const struct kind_shader *shader)
         return; /* only the check guards a palette */
     const struct zs_material material = { .shader = shader->shader, .rgb = { 200, 150, 100 },
                                           .cull = (uint8_t)((h->look & CARD_CULL) >> 1), .texture = &c->texture };
-    const struct zs_state state = ZS_STATE(h->state & 1, h->state >> 1 & 1, (int16_t)(h->state * 77),
-                                           (int16_t)(h->state * 300));
+    const struct zs_depth_state state = { .func = h->state & 1, .read_only = h->state >> 1 & 1, .bias = (int16_t)(h->state * 77), .slope_bias = (int16_t)(h->state * 300) };
     const struct zs_instance instance[2] = {
         { .mesh = &c->mesh, .material = &material, .pose = pose_of(&c->mesh) },
-        { .mesh = &c->mesh, .material = &material, .pose = pose_of(&c->mesh), .state = h->state ? &state : NULL }
+        { .mesh = &c->mesh, .material = &material, .pose = pose_of(&c->mesh), .depth_state = h->state ? &state : NULL }
     };
     const struct zs_scene scene = { .instance = instance, .n_instances = h->state ? 2u : 1u,
                                     .light = { .dir = { 0, ZS_Q30_ONE, 0 }, .ambient = ZS_Q16_ONE / 4,
@@ -170,12 +169,12 @@ static void draw(struct card *c, const struct kind_shader *shader)
                                     .background = 0x1234 };
     const struct zs_camera camera = camera_of(h);
     struct zs_config config = picture_config(24, 16, kind_depths[h->depth % KINDS(kind_depths)].depth);
-    config.attrs = ZS_ATTRS_MAX;
+    config.varyings = ZS_VARYINGS_MAX;
     config.max_tris = config.max_verts = 400;
     config.fast = NULL;
     struct picture a = picture_draw(&config, &scene, &camera);
     EXPECT(a.err <= 0);
-    EXPECT(a.err != ZS_ERR_SIZE && a.err != ZS_ERR_ARENA && a.err != ZS_ERR_STATE && a.err != ZS_ERR_ATTRS);
+    EXPECT(a.err != ZS_ERR_SIZE && a.err != ZS_ERR_ARENA && a.err != ZS_ERR_SEQUENCE && a.err != ZS_ERR_VARYINGS);
     EXPECT(!must_be_refused(c, shader) || a.err);
     if (!c->mesh_flaw)
         EXPECT(a.err != ZS_ERR_MESH || material.cull > ZS_CULL_NONE || !c->mesh.normal || !c->mesh.uv);
@@ -217,7 +216,7 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
     uint32_t at = 0;
     c.mesh_flaw = zs_mesh_check(&c.mesh, &at);
     c.texture_flaw = zs_texture_check(&c.texture, &at);
-    EXPECT(zs_strflaw(c.mesh_flaw)[0] && zs_strflaw(c.texture_flaw)[0]);
+    EXPECT(zs_flaw_string(c.mesh_flaw)[0] && zs_flaw_string(c.texture_flaw)[0]);
     for (size_t k = 0; k < KINDS(kind_shaders); k++)
         draw(&c, &kind_shaders[k]);
     for (int i = 0; i < c.n_blocks; i++)

@@ -14,17 +14,17 @@
 struct kind_shader {
     const struct zs_shader *shader;
     const char *name;
-    uint8_t attrs;   /* config.attrs that it needs */
+    uint8_t attrs;   /* config.varyings that it needs */
     uint8_t texture; /* 1: reads material.texture and mesh.uv */
 };
 
 static const struct kind_shader kind_shaders[] = {
-    { &zs_shade_raw, "raw", ZS_ATTRS_FLAT, 0 },
-    { &zs_shade_flat, "flat", ZS_ATTRS_FLAT, 0 },
-    { &zs_shade_smooth, "smooth", ZS_ATTRS_SMOOTH, 0 },
-    { &zs_shade_texture, "texture", ZS_ATTRS_TEXTURE, 1 },
-    { &zs_shade_texture_flat, "texture_flat", ZS_ATTRS_TEXTURE, 1 },
-    { &zs_shade_texture_smooth, "texture_smooth", ZS_ATTRS_TEXTURE_SMOOTH, 1 },
+    { &zs_shade_raw, "raw", ZS_VARYINGS_FLAT, 0 },
+    { &zs_shade_flat, "flat", ZS_VARYINGS_FLAT, 0 },
+    { &zs_shade_smooth, "smooth", ZS_VARYINGS_SMOOTH, 0 },
+    { &zs_shade_texture, "texture", ZS_VARYINGS_TEXTURE, 1 },
+    { &zs_shade_texture_flat, "texture_flat", ZS_VARYINGS_TEXTURE, 1 },
+    { &zs_shade_texture_smooth, "texture_smooth", ZS_VARYINGS_TEXTURE_SMOOTH, 1 },
     { &own_shader, "own", 3, 0 },
 };
 

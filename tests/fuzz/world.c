@@ -313,13 +313,13 @@ static void materials(struct world *w, struct prng *p, uint32_t odd)
             m->cull = (uint8_t)prng_next(p);
     }
     for (int i = 0; i < WORLD_STATES; i++) {
-        struct zs_state *s = &w->state[i];
-        s->equal = (uint8_t)prng_pick(p, 2);
+        struct zs_depth_state *s = &w->state[i];
+        s->func = (uint8_t)prng_pick(p, 2);
         s->read_only = (uint8_t)prng_pick(p, 2);
-        s->offset = one_in(p, 2) ? any16(p) : (int16_t)prng_range(p, -3, 3);
-        s->slope = one_in(p, 2) ? any16(p) : (int16_t)(prng_range(p, -1, 1) * 256);
+        s->bias = one_in(p, 2) ? any16(p) : (int16_t)prng_range(p, -3, 3);
+        s->slope_bias = one_in(p, 2) ? any16(p) : (int16_t)(prng_range(p, -1, 1) * 256);
         if (odd_one(p, odd)) {
-            s->equal = (uint8_t)prng_next(p);
+            s->func = (uint8_t)prng_next(p);
             s->read_only = (uint8_t)prng_next(p);
         }
     }
@@ -350,7 +350,7 @@ static void instances(struct world *w, struct prng *p, int64_t size, uint32_t od
         struct zs_instance *in = &w->instance[i];
         in->mesh = &w->mesh[prng_pick(p, WORLD_MESHES)];
         in->material = &w->material[prng_pick(p, WORLD_MATERIALS)];
-        in->state = one_in(p, 3) ? &w->state[prng_pick(p, WORLD_STATES)] : NULL;
+        in->depth_state = one_in(p, 3) ? &w->state[prng_pick(p, WORLD_STATES)] : NULL;
         rotation(&in->pose, p, odd);
         const uint64_t steps = in->mesh->radius ? in->mesh->radius : 1u;
         const uint32_t larger = one_in(p, 6) ? prng_pick(p, 4) : 0u;
@@ -587,9 +587,9 @@ void world_print(const struct world *w)
                 in->mesh ? in->mesh->n_tris : 0, in->mesh && in->mesh->pos_lo ? ", 24 bits" : "", shader,
                 in->material ? in->material->cull : 0u, in->pose.pos[0], in->pose.pos[1], in->pose.pos[2],
                 in->pose.scale / 65536.0);
-        if (in->state)
-            fprintf(stderr, ", state equal %u read_only %u offset %d slope %d", in->state->equal,
-                    in->state->read_only, in->state->offset, in->state->slope);
+        if (in->depth_state)
+            fprintf(stderr, ", state equal %u read_only %u offset %d slope %d", in->depth_state->func,
+                    in->depth_state->read_only, in->depth_state->bias, in->depth_state->slope_bias);
         fputc('\n', stderr);
     }
 }

@@ -22,7 +22,7 @@ struct world {
     struct zs_mesh mesh[WORLD_MESHES];
     struct zs_texture texture[WORLD_TEXTURES];
     struct zs_material material[WORLD_MATERIALS];
-    struct zs_state state[WORLD_STATES];
+    struct zs_depth_state state[WORLD_STATES];
     struct zs_instance *instance; /* [n_instances]; the scene may name fewer, none or too many */
     uint32_t n_instances;
     struct zs_scene scene;

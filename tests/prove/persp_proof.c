@@ -73,7 +73,7 @@ static void a_run(struct zs_job *j, const struct zs_row *row, int32_t from, int3
 /* state -1: of fast/less.c; 0: none; 1: any */
 static void runs_of(int state)
 {
-    static struct zs_state any;
+    static struct zs_depth_state any;
     any.equal = (uint8_t)any_u32(0, 255);
     any.read_only = (uint8_t)any_u32(0, 255);
     job.state = state > 0 ? &any : 0;
@@ -137,7 +137,7 @@ void steeps(void)
 void biases(void)
 {
     static struct zs_depth depth;
-    static struct zs_state state;
+    static struct zs_depth_state state;
     static struct zs_vertex v[3];
     const int32_t most = ((int32_t)1 << ZS_EXTENT_BITS) - 1;
     renderer.config.depth = &depth;

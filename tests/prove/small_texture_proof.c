@@ -76,7 +76,7 @@ static void any_textured(int32_t x, int32_t y, int32_t from, uint32_t uv_bits)
         attr[3 * k + 2] = (uint16_t)any_u32(0, 65535);
     tri.paint = (uint16_t)any_u32(0, 65535);
     renderer.attr = attr;
-    renderer.config.attrs = 3;
+    renderer.config.varyings = 3;
     renderer.vert = pool;
     renderer.view.piece_base = any_u32(0x00ffffffu, UINT32_MAX);
     renderer.view.piece_shift = (uint8_t)any_u32(19, 31);
@@ -88,7 +88,7 @@ static void any_textured(int32_t x, int32_t y, int32_t from, uint32_t uv_bits)
     texture.log2_h = (uint8_t)any_u32(0, ZS_TEXTURE_LOG2_MAX);
     texture.clamp = (uint8_t)any_u32(0, 3);
     mesh.uv_bits = (uint8_t)uv_bits;
-    shader.n_attrs = (uint8_t)any_u32(2, 3);
+    shader.n_varyings = (uint8_t)any_u32(2, 3);
     material.shader = &shader;
     material.texture = &texture;
     instance.mesh = &mesh;
@@ -140,7 +140,7 @@ void palettes(void)
     static struct zs_texel format;
     lit_at = renderer.lit.color;
     shader.light = a_light;
-    shader.n_attrs = 2;
+    shader.n_varyings = 2;
     job.shader = &shader;
     job.r = &renderer;
     job.tri = &tri;

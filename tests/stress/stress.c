@@ -51,7 +51,7 @@ static void stop(int signal)
 /* ---- What was seen --------------------------------------------------------------------------------------- */
 
 static const char *const seen_name[] = {
-    "several passes", "two buffers", "fewer depth bits", "4 sub-pixel bits", "zs_watch", "zs_track", "both",
+    "several passes", "two buffers", "fewer depth bits", "4 sub-pixel bits", "zs_damage_compare", "zs_damage_track", "both",
     "strips unchanged", "strips not drawn", "zs_invalidate", "two renderers", "clipped triangles", "clusters",
     "camera inside", "orthographic", "states", "sky", "resolve", "recip", "linear", "e3m13", "e4m12", "e5m11", "float", "raw", "flat",
     "smooth", "texture", "texture_flat", "texture_smooth", "own", "565", "pal8", "pal4",

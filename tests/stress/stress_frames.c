@@ -1,5 +1,5 @@
 /* Random scenes that move, drawn by several hands, each some way of its own - strips, pools, buffers, accelerators,
- * zs_watch, zs_track, zs_track_columns, zs_invalidate, two renderers that share the strips - onto a glass of its own that gets changed columns
+ * zs_damage_compare, zs_damage_track, zs_damage_columns, zs_invalidate, two renderers that share the strips - onto a glass of its own that gets changed columns
  * alone, and the plainest way: one strip, large pools, no accelerators, a renderer without memory of the frame before.
  * Each glass must show the plain picture; keys are its keys.
  *
@@ -25,7 +25,7 @@
 #define H_MAX 96
 #define POOL 4000   /* of the plainest way: more than all instances have */
 #define MODEST 400  /* triangles in a scene that may be walked as often as it has triangles and strips */
-#define PLAIN_BYTES ZS_ARENA_BYTES(W_MAX, H_MAX, H_MAX, POOL, POOL, ZS_ATTRS_MAX, 1)
+#define PLAIN_BYTES ZS_ARENA_BYTES(W_MAX, H_MAX, H_MAX, POOL, POOL, ZS_VARYINGS_MAX, 1)
 #define COLUMNS_MAX 6u
 #define LOG2_MAX 8  /* of a texture's sides */
 #define TEXELS (1u << 2 * LOG2_MAX)
@@ -39,7 +39,7 @@ static struct {
     uint16_t texel[TEXELS], palette[256];
     struct zs_texture texture[3];
     struct zs_material material[INSTANCES];
-    struct zs_state state[2];
+    struct zs_depth_state state[2];
     struct zs_instance instance[INSTANCES];
     struct zs_scene scene;
     struct zs_camera camera;
@@ -133,7 +133,7 @@ static void stand(struct prng *p, struct zs_instance *in)
 {
     in->mesh = &world.shape[prng_pick(p, SHAPES)].mesh;
     place(p, in);
-    in->state = prng_pick(p, 5) ? NULL : &world.state[prng_pick(p, 2)];
+    in->depth_state = prng_pick(p, 5) ? NULL : &world.state[prng_pick(p, 2)];
 }
 
 /* The first instance becomes a wall at a distance from the eye, square to it. */
@@ -142,7 +142,7 @@ static void wall(struct prng *p, int32_t distance)
     struct zs_instance *in = &world.instance[0];
     const struct zs_camera *c = &world.camera;
     in->mesh = &world.shape[WALL].mesh;
-    in->state = NULL;
+    in->depth_state = NULL;
     in->pose.scale = ZS_Q16_ONE / 4 + prng_pick(p, ZS_Q16_ONE * 2);
     for (int k = 0; k < 3; k++) { /* its x, up and z go right, back and down */
         in->pose.rot[3 * k] = c->rot[k];
@@ -239,8 +239,7 @@ static void world_open(struct prng *p, uint16_t h, int walls)
     shapes(p);
     texels(p);
     for (int k = 0; k < 2; k++) {
-        const struct zs_state s = ZS_STATE((uint8_t)prng_pick(p, 2), (uint8_t)prng_pick(p, 2),
-                                           (int16_t)prng_range(p, -9, 9), (int16_t)prng_range(p, -400, 400));
+        const struct zs_depth_state s = { .func = (uint8_t)prng_pick(p, 2), .read_only = (uint8_t)prng_pick(p, 2), .bias = (int16_t)prng_range(p, -9, 9), .slope_bias = (int16_t)prng_range(p, -400, 400) };
         world.state[k] = s;
     }
     for (int k = 0; k < INSTANCES; k++) {
@@ -257,7 +256,7 @@ static void world_open(struct prng *p, uint16_t h, int walls)
     look(p);
 }
 
-/* One change; 1: of bytes behind pointers, which zs_track has to be told. */
+/* One change; 1: of bytes behind pointers, which zs_damage_track has to be told. */
 static int change(struct prng *p)
 {
     struct zs_instance *in = &world.instance[prng_pick(p, world.scene.n_instances)];
@@ -294,7 +293,7 @@ struct hand { /* one renderer, or two that share the strips */
     struct zs_renderer r[2];
     void *arena[2];
     uint64_t *sum;
-    struct zs_sums sums;
+    struct zs_strip_hashes sums;
     uint32_t *track;
     struct zs_config config;
     uint32_t fasts;
@@ -308,9 +307,9 @@ static int take(void *ctx, const struct zs_strip *s)
     struct hand *hand = ctx;
     struct glass *g = &hand->glass;
     for (int j = 0; j < s->h; j++)
-        memcpy(g->color + (s->y + j) * g->w + s->changed_x, s->px + 2 * (j * s->w + s->changed_x), 2u * s->changed_w);
-    const int from = hand->columns ? s->changed_x : 0, n = hand->columns ? s->changed_w : s->w;
-    if (!s->changed_w && hand->track)
+        memcpy(g->color + (s->y + j) * g->w + s->dirty_x, s->px + 2 * (j * s->w + s->dirty_x), 2u * s->dirty_w);
+    const int from = hand->columns ? s->dirty_x : 0, n = hand->columns ? s->dirty_w : s->w;
+    if (!s->dirty_w && hand->track)
         return 0;
     for (int j = 0; j < s->h; j++) {
         memcpy(g->key + (s->y + j) * g->w + from, s->depth + j * s->w + from, (size_t)n * sizeof *g->key);
@@ -394,16 +393,16 @@ static int hand_open(struct prng *p, struct hand *hand, struct zs_config c)
     const uint32_t n = ZS_STRIPS(c.height, c.strip_h), columns = 1 + prng_pick(p, COLUMNS_MAX);
     if (!err && prng_pick(p, 3) == 0) { /* one panel, whoever draws its strips */
         hand->sum = calloc(n * columns, sizeof *hand->sum);
-        err = zs_sums_init(&hand->sums, hand->sum, c.width, c.height, c.strip_h, columns);
+        err = zs_strip_hashes_init(&hand->sums, hand->sum, c.width, c.height, c.strip_h, columns);
         for (int k = 0; k <= hand->sharing && !err; k++)
-            err = zs_watch(&hand->r[k], &hand->sums);
+            err = zs_damage_compare(&hand->r[k], &hand->sums);
     }
     if (!err && !hand->sharing && prng_pick(p, 2)) {
-        hand->track = words(ZS_TRACK_WORDS(INSTANCES, c.height, c.strip_h), junk[prng_pick(p, 4)]);
-        err = zs_track(&hand->r[0], hand->track, INSTANCES);
+        hand->track = words(ZS_DAMAGE_WORDS(INSTANCES, c.height, c.strip_h), junk[prng_pick(p, 4)]);
+        err = zs_damage_track(&hand->r[0], hand->track, INSTANCES);
         hand->columns = (int)prng_pick(p, 2);
         if (!err)
-            err = zs_track_columns(&hand->r[0], hand->columns);
+            err = zs_damage_columns(&hand->r[0], hand->columns);
     }
     return err;
 }
@@ -440,7 +439,7 @@ static int plain_take(void *ctx, const struct zs_strip *s)
     return 0;
 }
 
-/* Keys of a row. zs_watch: they may change where colours do not. */
+/* Keys of a row. zs_damage_compare: they may change where colours do not. */
 static int keys_same(const struct glass *a, const struct glass *b, const struct hand *hand, int row)
 {
     const int from = hand->sum ? (a->given[row] ? a->from[row] : a->w) : 0, end = hand->sum && a->given[row] ? a->end[row] : a->w;
@@ -499,7 +498,7 @@ static void see(const struct hand *hand, uint64_t *seen)
     seen[SEEN_WATCH] += hand->sum != NULL;
     seen[SEEN_TRACK] += hand->track != NULL;
     seen[SEEN_BOTH] += hand->sum && hand->track;
-    seen[SEEN_UNCHANGED] += s->strips_unchanged != 0;
+    seen[SEEN_UNCHANGED] += s->strips_clean != 0;
     seen[SEEN_UNDRAWN] += s->strips_skipped != 0;
     seen[SEEN_INVALIDATED] += (uint64_t)hand->told;
     seen[SEEN_SHARED] += (uint64_t)hand->sharing;
@@ -514,7 +513,7 @@ static void see(const struct hand *hand, uint64_t *seen)
         for (uint32_t k = 0; k < KINDS(kind_shaders); k++)
             shaders |= (uint32_t)(m->shader == kind_shaders[k].shader) << k;
         texels |= 1u << (m->texture - world.texture);
-        states |= world.instance[i].state != NULL;
+        states |= world.instance[i].depth_state != NULL;
     }
     for (uint32_t k = 0; k < KINDS(kind_shaders); k++)
         seen[SEEN_SHADER + k] += shaders >> k & 1u;
@@ -535,7 +534,7 @@ static int hand_right(struct prng *p, struct hand *hand, const struct glass *wan
     memset(hand->glass.given, 0, sizeof hand->glass.given);
     const int err = hand_render(p, hand);
     if (err != wanted)
-        return stress_wrong("frame %d: %s, and plainly: %s", frame, zs_strerror(err), zs_strerror(wanted));
+        return stress_wrong("frame %d: %s, and plainly: %s", frame, zs_error_string(err), zs_error_string(wanted));
     if (err)
         return 1;
     if (!same(want, hand, frame))
@@ -598,7 +597,7 @@ int stress_frames(uint64_t seed, struct stress_counts *c)
     world_open(&p, (uint16_t)h, walls);
     struct zs_config plain = picture_config(w, h, &zs_depth_linear);
     plain.max_tris = plain.max_verts = POOL;
-    plain.attrs = ZS_ATTRS_MAX;
+    plain.varyings = ZS_VARYINGS_MAX;
     plain.subpixel_bits = prng_pick(&p, 4) ? 8 : 4;
     plain.depth_bits = (uint8_t)(prng_pick(&p, 3) ? 16 : prng_range(&p, 8, 15));
     if (world.camera.projection == ZS_PERSPECTIVE)

@@ -152,7 +152,7 @@ static struct zs_config way(struct prng *p, int32_t w, int32_t h, const struct z
 {
     struct zs_config c = picture_config(w, h, depth);
     const int passes = prng_pick(p, 4) == 0;
-    c.attrs = ZS_ATTRS_FLAT;
+    c.varyings = ZS_VARYINGS_FLAT;
     c.strip_h = (uint16_t)(prng_pick(p, 3) ? prng_range(p, 4, h) : prng_range(p, 1, h));
     c.buffers = (uint8_t)(1 + prng_pick(p, 2));
     c.max_tris = (uint16_t)(passes ? prng_range(p, 200, 3000) : TRIS_MAX + 50);
@@ -248,7 +248,7 @@ int stress_tris(uint64_t seed, struct stress_counts *c)
     const uint32_t fasts = stress_fasts(&p);
     const struct zs_config config = way(&p, w, h, perspective ? &zs_depth_recip : &zs_depth_linear, fasts);
     struct picture f = picture_draw(&config, &g.scene, &camera);
-    int ok = f.err ? stress_wrong("%s", zs_strerror(f.err)) : stats_add_up(&f.stats);
+    int ok = f.err ? stress_wrong("%s", zs_error_string(f.err)) : stats_add_up(&f.stats);
     if (ok && perspective) /* one key for all: take it from where it is */
         for (int i = 0; i < w * h; i++)
             if (f.key[i] != ZS_DEPTH_CLEAR) {

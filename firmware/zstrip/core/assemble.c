@@ -9,7 +9,8 @@
 #include "zs_shader.h"
 #include "core/xform.h"
 
-int64_t zs_assemble_area(const struct zs_vertex *a, const struct zs_vertex *b, const struct zs_vertex *c)
+int64_t zs_assemble_area(const struct zs_vertex *a, const struct zs_vertex *b,
+                         const struct zs_vertex *c)
 {
     return zs_mul_ss(b->x - a->x, c->y - a->y) - zs_mul_ss(c->x - a->x, b->y - a->y);
 }
@@ -27,7 +28,8 @@ static void turn(struct zs_candidate *at)
     at->slot[2] = first;
 }
 
-enum zs_fate zs_assemble_box(const struct zs_renderer *r, const struct zs_vertex *pool, struct zs_candidate *at)
+enum zs_fate zs_assemble_box(const struct zs_renderer *r, const struct zs_vertex *pool,
+                             struct zs_candidate *at)
 {
     int32_t x0 = INT32_MAX, x1 = INT32_MIN, y1 = INT32_MIN, first = 0;
     const struct zs_vertex *top = &pool[at->slot[0]];
@@ -53,7 +55,8 @@ enum zs_fate zs_assemble_box(const struct zs_renderer *r, const struct zs_vertex
 }
 
 /* The places of a triangle's corners, clockwise. Return ZS_FATE_OPEN where it faces the eye. */
-static enum zs_fate fetch(struct zs_renderer *r, uint32_t t, struct zs_candidate *at, uint32_t *piece)
+static enum zs_fate fetch(struct zs_renderer *r, uint32_t t, struct zs_candidate *at,
+                          uint32_t *piece)
 {
     const struct zs_mesh *mesh = r->xform.instance->mesh;
     const uint16_t *index = mesh->tri[t];
@@ -78,7 +81,8 @@ static enum zs_fate fetch(struct zs_renderer *r, uint32_t t, struct zs_candidate
         slot[0] = slot[2];
         slot[2] = first;
     }
-    return zs_assemble_culled(area, r->xform.instance->material->cull) ? ZS_FATE_FACING : ZS_FATE_OPEN;
+    return zs_assemble_culled(area, r->xform.instance->material->cull) ? ZS_FATE_FACING
+                                                                       : ZS_FATE_OPEN;
 }
 
 ZS_NOINLINE enum zs_fate zs_assemble_tri(struct zs_renderer *r, uint32_t t, uint32_t *piece)
@@ -99,7 +103,7 @@ ZS_NOINLINE enum zs_fate zs_assemble_tri(struct zs_renderer *r, uint32_t t, uint
     if (r->n_tris == r->config.max_tris)
         return ZS_FATE_FULL;
     for (int k = 0; k < 3 && shader->vertex; k++)
-        zs_bin_corner(r, at.slot[k], r->config.attrs);
+        zs_bin_corner(r, at.slot[k], r->config.varyings);
     zs_bin_push(r, at.slot, shader->face ? shader->face(&r->shading, t) : 0u, strip);
     return ZS_FATE_DRAWN;
 }

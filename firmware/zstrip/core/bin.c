@@ -1,13 +1,13 @@
 /* Pools and bins.
  *
- * The band. A walk of the scene starts with all strips from the current one down. When a pool is full, the band loses its lower
- * half and the triangles that begin there; vertices that no triangle holds go too. When the band is one strip and a pool is
- * still full, zs_bin_room says so, and what is binned is drawn (walk.c). So any pool that holds one triangle takes any scene, in
- * more passes.
+ * The band. A walk of the scene starts with all strips from the current one down. When a pool is
+ * full, the band loses its lower half and the triangles that begin there; vertices that no triangle
+ * holds go too. When the band is one strip and a pool is still full, zs_bin_room says so, and what
+ * is binned is drawn (walk.c). So any pool that holds one triangle takes any scene, in more passes.
  *
- * Places. vert_map[v] says where vertex v of the current mesh may lie in the pool; it is believed only if that place belongs to
- * the current instance and vert_src says v, so it needs no clearing. While r->direct, set by an accelerator, vertex v has the place
- * vert_base + v.
+ * Places. vert_map[v] says where vertex v of the current mesh may lie in the pool; it is believed
+ * only if that place belongs to the current instance and vert_src says v, so it needs no clearing.
+ * While r->direct, set by an accelerator, vertex v has the place vert_base + v.
  *
  * SPDX-License-Identifier: MIT
  */
@@ -47,12 +47,13 @@ static inline uint32_t map_index(uint32_t v, uint32_t n)
 
 void zs_bin_mark(struct zs_renderer *r, uint32_t slot, uint32_t from, uint32_t n)
 {
-    const uint32_t attrs = r->config.attrs;
+    const uint32_t varyings = r->config.varyings;
     r->stats.verts_transformed += n;
     for (uint32_t k = 0; k < n; k++)
         r->vert_src[slot + k] = (uint16_t)(from + k);
-    if (attrs)
-        for (uint16_t *at = &r->attr[slot * attrs], *const end = at + n * attrs; at < end; at += attrs)
+    if (varyings)
+        for (uint16_t *at = &r->attr[slot * varyings], *const end = at + n * varyings; at < end;
+             at += varyings)
             *at = ZS_ATTR_UNKNOWN;
 }
 
@@ -77,7 +78,8 @@ static ZS_NOINLINE uint32_t vertex_add(struct zs_renderer *r, uint32_t v)
     return slot;
 }
 
-ZS_RARE ZS_NOINLINE int zs_bin_corners(struct zs_renderer *r, const uint16_t index[3], uint32_t slot[3])
+ZS_RARE ZS_NOINLINE int zs_bin_corners(struct zs_renderer *r, const uint16_t index[3],
+                                       uint32_t slot[3])
 {
     const uint16_t *map = r->vert_map, *src = r->vert_src;
     const uint32_t base = r->vert_base, cap = r->config.max_verts;
@@ -116,7 +118,7 @@ static ZS_RARE void tris_pack(struct zs_renderer *r)
 ZS_RARE void zs_bin_pack(struct zs_renderer *r)
 {
     uint16_t *to = r->vert_map; /* its contents are rebuilt below */
-    const uint32_t attrs = r->config.attrs;
+    const uint32_t varyings = r->config.varyings;
     for (uint32_t v = 0; v < r->n_verts; v++)
         to[v] = ZS_NIL;
     for (uint32_t t = 0; t < r->n_tris; t++)
@@ -131,8 +133,8 @@ ZS_RARE void zs_bin_pack(struct zs_renderer *r)
         to[v] = (uint16_t)kept;
         r->vert[kept] = r->vert[v];
         r->vert_src[kept] = r->vert_src[v];
-        for (uint32_t k = 0; k < attrs; k++)
-            r->attr[kept * attrs + k] = r->attr[v * attrs + k];
+        for (uint32_t k = 0; k < varyings; k++)
+            r->attr[kept * varyings + k] = r->attr[v * varyings + k];
         kept++;
     }
     if (r->vert_base >= r->n_verts)
@@ -150,7 +152,8 @@ ZS_RARE void zs_bin_pack(struct zs_renderer *r)
 static ZS_RARE int roomy(const struct zs_renderer *r)
 {
     const uint32_t tris = r->config.max_tris, verts = r->config.max_verts;
-    return tris - r->n_tris >= tris / 4u + 1u && verts - r->n_verts >= zs_minu32(verts / 4u + 3u, verts);
+    return tris - r->n_tris >= tris / 4u + 1u &&
+           verts - r->n_verts >= zs_minu32(verts / 4u + 3u, verts);
 }
 
 ZS_RARE void zs_bin_count(struct zs_renderer *r)

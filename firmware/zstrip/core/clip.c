@@ -1,9 +1,9 @@
 /* Clipping in camera units: Sutherland and Hodgman, CACM 1974, plane after plane.
  *
- * A new vertex is always computed from the end of the edge that is inside towards the one outside, so
- * that the two triangles on an edge get the same vertex whatever order they name its ends in. Before
- * near and far the distances are exact, and the vertex is the exact crossing rounded once; at the
- * guard band, far outside the frame, they are cut to 31 bits: 2^-30 of the edge.
+ * A new vertex is always computed from the end of the edge that is inside towards the one outside,
+ * so that the two triangles on an edge get the same vertex whatever order they name its ends in.
+ * Before near and far the distances are exact, and the vertex is the exact crossing rounded once;
+ * at the guard band, far outside the frame, they are cut to 31 bits: 2^-30 of the edge.
  *
  * SPDX-License-Identifier: MIT
  */
@@ -19,13 +19,13 @@ static int64_t inside(const struct zs_view *view, const struct zs_point *p, uint
         return (int64_t)z - view->z_near;
     if (plane == ZS_OUT_FAR)
         return (int64_t)view->z_far - z;
-    const int64_t limit = view->perspective ? zs_mul_su(z, (uint32_t)view->guard) : (int64_t)view->guard;
+    const int64_t limit = view->perspective ? zs_mul_su(z, (uint32_t)view->guard)
+                                            : (int64_t)view->guard;
     const int32_t up = view->perspective ? view->scale_bits : 0; /* <= 31 */
-    const int64_t at = zs_mul_su(p->c[plane & (ZS_OUT_LEFT | ZS_OUT_RIGHT) ? 0 : 1], (uint32_t)1 << up);
+    const int64_t at = zs_mul_su(p->c[plane & (ZS_OUT_LEFT | ZS_OUT_RIGHT) ? 0 : 1],
+                                 (uint32_t)1 << up);
     return plane & (ZS_OUT_LEFT | ZS_OUT_TOP) ? limit + at : limit - at;
 }
-
-
 
 /* An edge cut at num / den of its length. */
 struct cut {
@@ -38,7 +38,8 @@ struct cut {
 static uint32_t quotient(const struct cut *cut, uint64_t n)
 {
     const uint32_t top = (uint32_t)(n << cut->lz >> 32);
-    uint32_t q = (uint32_t)(zs_mul_uu(top, cut->rcp) >> 31); /* within 2^32 / 2^31 for top and 4 for rcp, and q < 2^31.2 */
+    uint32_t q = (uint32_t)(zs_mul_uu(top, cut->rcp) >>
+                            31); /* within 2^32 / 2^31 for top and 4 for rcp, and q < 2^31.2 */
     int64_t rest = (int64_t)(n - zs_mul_uu(q, cut->den));
     for (; rest < 0; rest += cut->den)
         q--;
@@ -51,15 +52,15 @@ static uint32_t quotient(const struct cut *cut, uint64_t n)
 static int32_t between(const struct cut *cut, int32_t a, int32_t b)
 {
     const uint32_t size = b < a ? (uint32_t)a - (uint32_t)b : (uint32_t)b - (uint32_t)a;
-    const uint32_t part = quotient(cut, zs_mul_uu(size, cut->num) + cut->den / 2u); /* < 2^62.1 + 2^31 */
+    const uint32_t part = quotient(cut,
+                                   zs_mul_uu(size, cut->num) + cut->den / 2u); /* < 2^62.1 + 2^31 */
     return (int32_t)(b < a ? (uint32_t)a - part : (uint32_t)a + part);
 }
 
-
 /* The crossing of the edge from a (da >= 0) to b (db < 0). */
 static void cross_plane(const struct zs_view *view, struct zs_clip_vertex *out,
-                                const struct zs_clip_vertex *a, const struct zs_clip_vertex *b, int64_t da,
-                                int64_t db, uint32_t plane, uint32_t n_attrs)
+                        const struct zs_clip_vertex *a, const struct zs_clip_vertex *b, int64_t da,
+                        int64_t db, uint32_t plane, uint32_t n_varyings)
 {
     while ((da | -db) >> 31) { /* exact already for near and far */
         da >>= 1;
@@ -74,7 +75,7 @@ static void cross_plane(const struct zs_view *view, struct zs_clip_vertex *out,
     const struct cut cut = { (uint32_t)da, den, zs_recip(den << lz), lz };
     for (int k = 0; k < 3; k++)
         out->p.c[k] = between(&cut, a->p.c[k], b->p.c[k]);
-    for (uint32_t k = 0; k < n_attrs; k++)
+    for (uint32_t k = 0; k < n_varyings; k++)
         out->attr[k] = (uint16_t)between(&cut, a->attr[k], b->attr[k]);
     if (plane == ZS_OUT_NEAR)
         out->p.c[2] = view->z_near;
@@ -83,7 +84,7 @@ static void cross_plane(const struct zs_view *view, struct zs_clip_vertex *out,
 }
 
 static int clip_plane(const struct zs_view *view, struct zs_clip_vertex *out,
-                      const struct zs_clip_vertex *in, int n, uint32_t plane, uint32_t n_attrs)
+                      const struct zs_clip_vertex *in, int n, uint32_t plane, uint32_t n_varyings)
 {
     int kept = 0;
     int64_t d = n ? inside(view, &in[0].p, plane) : 0;
@@ -95,8 +96,8 @@ static int clip_plane(const struct zs_view *view, struct zs_clip_vertex *out,
         /* an end on the plane is its own crossing */
         if (d && d_next && (d ^ d_next) < 0 && kept < ZS_CLIP_MAX) {
             const int leaves = d > 0;
-            cross_plane(view, &out[kept++], &in[leaves ? i : j], &in[leaves ? j : i], leaves ? d : d_next,
-                        leaves ? d_next : d, plane, n_attrs);
+            cross_plane(view, &out[kept++], &in[leaves ? i : j], &in[leaves ? j : i],
+                        leaves ? d : d_next, leaves ? d_next : d, plane, n_varyings);
         }
         d = d_next;
     }
@@ -104,13 +105,13 @@ static int clip_plane(const struct zs_view *view, struct zs_clip_vertex *out,
 }
 
 int zs_clip_polygon(const struct zs_view *view, struct zs_clip_vertex *v, int n, uint32_t planes,
-                    uint32_t n_attrs)
+                    uint32_t n_varyings)
 {
     struct zs_clip_vertex other[ZS_CLIP_MAX];
     for (uint32_t plane = ZS_OUT_NEAR; plane <= ZS_OUT_BOTTOM; plane <<= 1) {
         if (!(planes & plane))
             continue;
-        n = clip_plane(view, other, v, n, plane, n_attrs);
+        n = clip_plane(view, other, v, n, plane, n_varyings);
         for (int i = 0; i < n; i++)
             v[i] = other[i];
     }

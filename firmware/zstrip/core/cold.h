@@ -1,5 +1,5 @@
-/* Included first by files all of whose functions run seldom: they are compiled for size whatever the
- * rest is compiled for. For a function in another file: ZS_RARE.
+/* Included first by files all of whose functions run seldom: they are compiled for size whatever
+ * the rest is compiled for. For a function in another file: ZS_RARE.
  *
  * SPDX-License-Identifier: MIT
  */

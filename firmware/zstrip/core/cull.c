@@ -26,7 +26,8 @@ static void axes(zs_q2_30 out[9], const struct zs_camera *camera)
     }
 }
 
-ZS_RARE void zs_cull_axes(zs_q2_30 out[9], const struct zs_instance *in, const struct zs_camera *camera)
+ZS_RARE void zs_cull_axes(zs_q2_30 out[9], const struct zs_instance *in,
+                          const struct zs_camera *camera)
 {
     zs_q2_30 view[9];
     axes(view, camera);
@@ -62,15 +63,15 @@ int zs_cull_bounds(struct zs_bounds *b, const struct zs_instance *in,
         center[k] = mesh->center[k];
     }
     for (int k = 0; k < 3; k++) {
-        const int64_t at = zs_dot(view + 3 * k, from);    /* <= 3 * 2^60 */
-        const int64_t off = zs_dot(both + 3 * k, center); /* <= 3 * 2^45 */
-        const int64_t origin = zs_round_shift(at, 14);        /* q48_16, <= 2^47.6 */
-        b->c[k] = origin + zs_mulshift_s64(off, scale, 46);   /* <= 2^46.6 * 2^47 / 2^46 */
+        const int64_t at = zs_dot(view + 3 * k, from);      /* <= 3 * 2^60 */
+        const int64_t off = zs_dot(both + 3 * k, center);   /* <= 3 * 2^45 */
+        const int64_t origin = zs_round_shift(at, 14);      /* q48_16, <= 2^47.6 */
+        b->c[k] = origin + zs_mulshift_s64(off, scale, 46); /* <= 2^46.6 * 2^47 / 2^46 */
         reach_out(&b->reach, b->c[k], b->r);
         reach_out(&b->reach, origin, 0);
     }
-    b->slack = (b->reach >> 16) + 16; /* errors are below 2^-26 of reach, rotations' below 2^-20; what
-                                         rounding to camera units adds is the walk's to add */
+    b->slack = (b->reach >> 16) + 16; /* errors are below 2^-26 of reach, rotations' below 2^-20;
+                                         what rounding to camera units adds is the walk's to add */
     return ZS_OK;
 }
 
@@ -89,8 +90,9 @@ int zs_cull_sphere(const struct zs_bounds *b, const struct zs_camera *camera,
         return 1;
     for (int k = 0; k < 2; k++) {
         const int64_t lateral = zs_size64(b->c[k]);
-        if (view->perspective ? side_distance(view->side[k], lateral, b->c[2]) < -r
-                              : lateral - r > (k ? camera->height / 2 + 1 : zs_cull_half_width(camera, view)))
+        if (view->perspective
+                ? side_distance(view->side[k], lateral, b->c[2]) < -r
+                : lateral - r > (k ? camera->height / 2 + 1 : zs_cull_half_width(camera, view)))
             return 1;
     }
     return 0;
@@ -98,13 +100,17 @@ int zs_cull_sphere(const struct zs_bounds *b, const struct zs_camera *camera,
 
 int64_t zs_cull_half_width(const struct zs_camera *camera, const struct zs_view *view)
 {
-    return (int64_t)zs_muldiv_u64((uint64_t)(camera->height / 2 + 1), (uint64_t)view->cx, (uint64_t)view->cy) + 1;
+    return (int64_t)zs_muldiv_u64((uint64_t)(camera->height / 2 + 1), (uint64_t)view->cx,
+                                  (uint64_t)view->cy) +
+           1;
 }
 
 int zs_cull_walk(struct zs_bounds *b, const struct zs_renderer *r, uint32_t number)
 {
-    (void)zs_cull_bounds(b, &r->scene->instance[number], &r->camera); /* cannot fail: zs_frame_begin has asked too */
-    const int32_t shift = zs_min32(r->view.shift, 28); /* -3 .. 30; from 20 on, it is the 1 that counts */
+    (void)zs_cull_bounds(b, &r->scene->instance[number],
+                         &r->camera); /* cannot fail: zs_frame_begin has asked too */
+    const int32_t shift = zs_min32(r->view.shift,
+                                   28);         /* -3 .. 30; from 20 on, it is the 1 that counts */
     b->slack += ((8 << 19) >> (shift + 3)) + 1; /* 8 camera units: what a vertex may be off by */
     return zs_cull_sphere(b, &r->camera, &r->view);
 }

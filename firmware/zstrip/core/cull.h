@@ -8,10 +8,10 @@
 #include "zstrip.h"
 
 struct zs_bounds {
-    int64_t c[3];    /* q48_16 world units, camera axes (right, down, distance), sphere's centre */
-    int64_t r;       /* q48_16, rounded up */
-    int64_t reach;   /* q48_16: no vertex, centre or origin lies further along an axis */
-    int64_t slack;   /* q48_16: more than the error of c and r; in a walk, of a vertex as well */
+    int64_t c[3];  /* q48_16 world units, camera axes (right, down, distance), sphere's centre */
+    int64_t r;     /* q48_16, rounded up */
+    int64_t reach; /* q48_16: no vertex, centre or origin lies further along an axis */
+    int64_t slack; /* q48_16: more than the error of c and r; in a walk, of a vertex as well */
 };
 
 /* The sphere of an instance in camera axes, unscaled. Return ZS_OK or ZS_ERR_RANGE. */
@@ -22,8 +22,8 @@ int zs_cull_bounds(struct zs_bounds *b, const struct zs_instance *in,
 int zs_cull_sphere(const struct zs_bounds *b, const struct zs_camera *camera,
                    const struct zs_view *view);
 
-/* In a walk, when camera units are known: bounds of an instance of the scene, with room for what a vertex may be off by.
- * Return 1: no part of it can be seen. */
+/* In a walk, when camera units are known: bounds of an instance of the scene, with room for what a
+ * vertex may be off by. Return 1: no part of it can be seen. */
 int zs_cull_walk(struct zs_bounds *b, const struct zs_renderer *r, uint32_t number);
 
 /* An instance's axes in camera axes (right, down, distance), row-major. */

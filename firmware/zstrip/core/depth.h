@@ -16,11 +16,13 @@ struct zs_depth {
     /* zs_vertex.d of a distance, near <= z <= far, camera units. Under perspective rcp is
      * 2^(63 - lz) / z with lz the leading zeros of z; orthographic: of no use. */
     uint32_t (*vertex)(const struct zs_view *view, int32_t z, uint32_t rcp, int32_t lz);
-    /* Where view.screen_linear is 0. 1: keys are linear on this triangle all the same. 0: they are not; row draws it then. */
+    /* Where view.screen_linear is 0. 1: keys are linear on this triangle all the same. 0: they are
+     * not; row draws it then. */
     int (*planes)(struct zs_job *job);
     /* Draw a row by zs_rows_piece, where planes has returned 0. */
     void (*row)(struct zs_job *job, const struct zs_row *row);
-    /* Under perspective, w ~ 1/z of a vertex for perspective-correct attributes, 1 .. 2^62, same scale for all. */
+    /* Under perspective, w ~ 1/z of a vertex for perspective-correct attributes, 1 .. 2^62, same
+     * scale for all. */
     uint64_t (*inverse)(const struct zs_view *view, uint32_t d);
     /* Or, where this is not NULL, of a triangle's vertices: the largest brought to [2^30, 2^31). */
     void (*inverses)(const struct zs_view *view, const struct zs_vertex *const v[3], uint32_t w[3]);

@@ -2,8 +2,8 @@
  *
  * The span of row j, sampled at Y = 256 j + 128, is [first sample at or right of the left edge,
  * first sample at or right of the right edge): samples on a left edge are in, on a right edge out;
- * rows from the first sample at or below the top to the one at or below the bottom: top in, bottom out.
- * That is the top-left rule, and two triangles on an edge compute the same column for it.
+ * rows from the first sample at or below the top to the one at or below the bottom: top in, bottom
+ * out. That is the top-left rule, and two triangles on an edge compute the same column for it.
  *
  * For an edge from (xa, ya) to (xb, yb), dy > 0, the sample i is at or right of it when
  *   256 dy i >= (xa - 128) dy + (Y - ya) dx
@@ -16,43 +16,46 @@
 
 #define EDGE32_MAX (1 << 15) /* sub-pixels: edges shorter than this each way need 32 bits only */
 
-/* (fraction * dy + off * part) / span of an edge that is entered below its first row; apart, because few are.
- * At most 2^14. */
+/* (fraction * dy + off * part) / span of an edge that is entered below its first row; apart,
+ * because few are. At most 2^14. */
 static ZS_NOINLINE int32_t edge_below(int32_t fraction, int32_t dy, int32_t off, int32_t part)
 {
     if (dy < EDGE32_MAX)
-        return (fraction * dy + off * part) / (dy * ZS_SUBPX_ONE);        /* < 2^23 + 2^30 */
-    return (int32_t)((zs_mul_ss(fraction, dy) + zs_mul_ss(off, part)) / (dy * ZS_SUBPX_ONE)); /* < 2^44.1 */
+        return (fraction * dy + off * part) / (dy * ZS_SUBPX_ONE); /* < 2^23 + 2^30 */
+    return (int32_t)((zs_mul_ss(fraction, dy) + zs_mul_ss(off, part)) /
+                     (dy * ZS_SUBPX_ONE)); /* < 2^44.1 */
 }
 
-/* Columns of the edge that runs down from a to b, in n > 0 rows from `row` on, all of them between the two.
- * out[0], out[2], ...
+/* Columns of the edge that runs down from a to b, in n > 0 rows from `row` on, all of them between
+ * the two. out[0], out[2], ...
  *
  * With dx = q dy + part the right side above over 256 dy is
- *   (lead + off q) / 256 + off part / (256 dy),  off part / (256 dy) < 1 in the first row of the edge. */
-static ZS_NOINLINE void edge_columns(int16_t *out, int32_t n, const struct zs_vertex *a, const struct zs_vertex *b,
-                         int32_t row)
+ *   (lead + off q) / 256 + off part / (256 dy),  off part / (256 dy) < 1 in the first row of the
+ * edge. */
+static ZS_NOINLINE void edge_columns(int16_t *out, int32_t n, const struct zs_vertex *a,
+                                     const struct zs_vertex *b, int32_t row)
 {
-    const int32_t dx = b->x - a->x, dy = b->y - a->y;                 /* |dx|, dy < 2^22 */
+    const int32_t dx = b->x - a->x, dy = b->y - a->y; /* |dx|, dy < 2^22 */
     int32_t q = dx < 0 ? -1 : 0;
     if ((uint32_t)(dx + dy) > (uint32_t)dy * 2u) { /* not steep: |dx| > dy */
         q = dx / dy;
         q -= dx < q * dy;
     }
-    int32_t part = dx - q * dy;                                       /* [0, dy] */
+    int32_t part = dx - q * dy; /* [0, dy] */
     ZS_FACT(part >= 0 && part <= dy);
-    const int32_t off = row * ZS_SUBPX_ONE + ZS_SUBPX_HALF - a->y;    /* 0 <= off <= dy */
-    const int32_t at = a->x - ZS_SUBPX_HALF + off * q;                /* < 2^24 */
+    const int32_t off = row * ZS_SUBPX_ONE + ZS_SUBPX_HALF - a->y; /* 0 <= off <= dy */
+    const int32_t at = a->x - ZS_SUBPX_HALF + off * q;             /* < 2^24 */
     int32_t i = at >> ZS_SUBPX_BITS, fraction = at & (ZS_SUBPX_ONE - 1);
-    uint32_t rest = zs_wrap_mul((uint32_t)fraction, dy) + zs_wrap_mul((uint32_t)off, part); /* modulo 2^32 */
-    const int32_t span = dy * ZS_SUBPX_ONE;                           /* < 2^30 */
+    uint32_t rest = zs_wrap_mul((uint32_t)fraction, dy) +
+                    zs_wrap_mul((uint32_t)off, part); /* modulo 2^32 */
+    const int32_t span = dy * ZS_SUBPX_ONE;           /* < 2^30 */
     if (off >= ZS_SUBPX_ONE) {
         const int32_t k = edge_below(fraction, dy, off, part);
         rest -= zs_wrap_mul((uint32_t)k, span);
         i += k;
     }
     ZS_FACT(rest < (uint32_t)span * 2u);
-    int32_t e = -(int32_t)rest;                                       /* (-2 span, 0]; becomes [0, span) */
+    int32_t e = -(int32_t)rest; /* (-2 span, 0]; becomes [0, span) */
     for (; e < 0; e += span)
         i++;
     *out = (int16_t)i; /* |.| <= 2^14 + 1 in rows of the triangle; e = i * span - exact */
@@ -73,7 +76,8 @@ void zs_edges_columns(struct zs_job *job, int32_t row)
     const int32_t mid_right = job->mid_right, end = job->cut_end;
     const struct zs_vertex *mid = job->v[2 - mid_right];
     int16_t *piece = mid_right ? &job->cut[0].x1 : &job->cut[0].x0;
-    edge_columns(mid_right ? &job->cut[0].x0 : &job->cut[0].x1, end - row, job->v[0], job->v[1 + mid_right], row);
+    edge_columns(mid_right ? &job->cut[0].x0 : &job->cut[0].x1, end - row, job->v[0],
+                 job->v[1 + mid_right], row);
     const int32_t upper = zs_min32(job->row_mid, end) - row; /* rows above the middle vertex */
     if (upper > 0) {
         edge_columns(piece, upper, job->v[0], mid, row);

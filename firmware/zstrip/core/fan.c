@@ -18,37 +18,41 @@ struct polygon {
 
 #define COORD_MAX (((int32_t)1 << 30) + 2) /* camera units: core/xform.h */
 
-/* Which way a triangle turns on the screen, from its corners in camera units, exactly: > 0 clockwise. Where all
- * three are before the eye, the sign of a . (b x c) is that of the area. */
-static ZS_RARE ZS_NOINLINE int sense_of(const struct zs_view *view, const struct zs_clip_vertex v[3])
+/* Which way a triangle turns on the screen, from its corners in camera units, exactly: > 0
+ * clockwise. Where all three are before the eye, the sign of a . (b x c) is that of the area. */
+static ZS_RARE ZS_NOINLINE int sense_of(const struct zs_view *view,
+                                        const struct zs_clip_vertex v[3])
 {
     int32_t p[3][3];
     const int32_t *a = p[0], *b = p[1], *c = p[2];
-    for (int k = 0; k < 9; k++) { /* only of a mesh that is larger than its sphere says; it loses parts */
+    for (int k = 0; k < 9;
+         k++) { /* only of a mesh that is larger than its sphere says; it loses parts */
         const int32_t c_k = v[k / 3].p.c[k % 3];
         if (c_k > COORD_MAX || c_k < -COORD_MAX)
             return 0;
-        p[k / 3][k % 3] = view->perspective || k % 3 < 2 ? c_k : 1; /* orthographic: the area is a . (b x c) with z = 1 */
+        p[k / 3][k % 3] = view->perspective || k % 3 < 2
+                              ? c_k
+                              : 1; /* orthographic: the area is a . (b x c) with z = 1 */
     }
     int64_t high = 0, low = 0; /* the sum is high * 2^32 + low, 0 <= low < 2^32 */
     for (int k = 0; k < 3; k++) {
-        const int64_t n = zs_cross_at(b, c, k);                          /* |.| < 2^61.1 */
-        high += zs_mul_ss((int32_t)(n >> 32), a[k]);                     /* |.| < 3 * 2^60 */
-        low += zs_mul_su(a[k], (uint32_t)n);                             /* |.| < 2^62.1 */
+        const int64_t n = zs_cross_at(b, c, k);      /* |.| < 2^61.1 */
+        high += zs_mul_ss((int32_t)(n >> 32), a[k]); /* |.| < 3 * 2^60 */
+        low += zs_mul_su(a[k], (uint32_t)n);         /* |.| < 2^62.1 */
         high += low >> 32;
         low &= 0xffffffff;
     }
     return high < 0 ? -1 : high > 0 || low > 0;
 }
 
-/* The snapped polygon's area, and a corner whose fan has no piece of the other sense: rounding can turn a
- * corner inwards by a sub-pixel. The first such from the least (y, x) on, so that it does not matter which corner
- * the triangle begins with. A polygon that is seen nearly edge-on may have none, because snapping made it cross
- * itself, and its snapped area may even have the wrong sign: then the sense of the triangle before it was cut
- * counts, and pieces of the other sense are dropped (polygon_bin). That leaves no hole: the samples of the right
- * sense are all in pieces of the right sense, whose signed sum the polygon is; it can draw beyond a thin
- * polygon's edge, by less than a sub-pixel's width.
- * fan: numbers of the corners, from that one on. */
+/* The snapped polygon's area, and a corner whose fan has no piece of the other sense: rounding can
+ * turn a corner inwards by a sub-pixel. The first such from the least (y, x) on, so that it does
+ * not matter which corner the triangle begins with. A polygon that is seen nearly edge-on may have
+ * none, because snapping made it cross itself, and its snapped area may even have the wrong sign:
+ * then the sense of the triangle before it was cut counts, and pieces of the other sense are
+ * dropped (polygon_bin). That leaves no hole: the samples of the right sense are all in pieces of
+ * the right sense, whose signed sum the polygon is; it can draw beyond a thin polygon's edge, by
+ * less than a sub-pixel's width. fan: numbers of the corners, from that one on. */
 static ZS_RARE int64_t fan_corner(const struct polygon *p, int sense, uint8_t fan[ZS_CLIP_MAX])
 {
     int64_t area = 0;
@@ -85,24 +89,24 @@ static ZS_RARE void polygon_project(struct zs_renderer *r, struct polygon *p)
     }
 }
 
-
 /* A piece into a bin. at: its slots are the corners' numbers in the polygon. */
-static ZS_RARE void piece_push(struct zs_renderer *r, const struct polygon *p, const struct zs_candidate *at, uint16_t paint,
-                               uint32_t strip)
+static ZS_RARE void piece_push(struct zs_renderer *r, const struct polygon *p,
+                               const struct zs_candidate *at, uint16_t paint, uint32_t strip)
 {
     uint32_t slot[3];
     for (int k = 0; k < 3; k++) {
         slot[k] = r->n_verts++;
         r->vert[slot[k]] = p->v[at->slot[k]];
         r->vert_src[slot[k]] = ZS_NO_SOURCE;
-        for (uint32_t a = 0; a < r->xform.instance->material->shader->n_attrs; a++)
-            r->attr[slot[k] * r->config.attrs + a] = p->cv[at->slot[k]].attr[a];
+        for (uint32_t a = 0; a < r->xform.instance->material->shader->n_varyings; a++)
+            r->attr[slot[k] * r->config.varyings + a] = p->cv[at->slot[k]].attr[a];
     }
     zs_bin_push(r, slot, paint, strip);
 }
 
 /* Pieces before *piece are binned already. */
-static ZS_RARE enum zs_fate polygon_bin(struct zs_renderer *r, const struct polygon *p, uint32_t t, int sense, uint32_t *piece)
+static ZS_RARE enum zs_fate polygon_bin(struct zs_renderer *r, const struct polygon *p, uint32_t t,
+                                        int sense, uint32_t *piece)
 {
     const struct zs_material *material = r->xform.instance->material;
     const struct zs_shader *shader = material->shader;
@@ -115,8 +119,11 @@ static ZS_RARE enum zs_fate polygon_bin(struct zs_renderer *r, const struct poly
     const uint16_t paint = shader->face ? shader->face(&r->shading, t) : 0u;
     enum zs_fate all = ZS_FATE_EMPTY;
     for (int k = 1; k + 1 < p->n; k++) {
-        struct zs_candidate at = { { fan[area < 0 ? k + 1 : 0], fan[k], fan[area < 0 ? 0 : k + 1] }, 0, 0 };
-        const struct zs_vertex *a = &p->v[at.slot[0]], *b = &p->v[at.slot[1]], *c = &p->v[at.slot[2]];
+        struct zs_candidate at = { { fan[area < 0 ? k + 1 : 0], fan[k], fan[area < 0 ? 0 : k + 1] },
+                                   0,
+                                   0 };
+        const struct zs_vertex *a = &p->v[at.slot[0]], *b = &p->v[at.slot[1]],
+                               *c = &p->v[at.slot[2]];
         if (zs_assemble_area(a, b, c) <= 0)
             continue;
         const enum zs_fate fate = zs_assemble_box(r, p->v, &at);
@@ -159,11 +166,11 @@ ZS_RARE enum zs_fate zs_fan_bin(struct zs_renderer *r, uint32_t t, uint32_t *pie
     if (r->counting && *piece == 0)
         r->stats.tris_clipped++;
     const int sense = sense_of(&r->view, p.cv);
-    p.n = zs_clip_polygon(&r->view, p.cv, 3, any & (ZS_OUT_NEAR | ZS_OUT_FAR), shader->n_attrs);
+    p.n = zs_clip_polygon(&r->view, p.cv, 3, any & (ZS_OUT_NEAR | ZS_OUT_FAR), shader->n_varyings);
     for (int k = 0; k < p.n; k++) /* sides mean something only now */
         sides |= zs_xform_outcode(&r->view, &p.cv[k].p) & ZS_OUT_SIDES;
     if (p.n && sides) {
-        p.n = zs_clip_polygon(&r->view, p.cv, p.n, sides, shader->n_attrs);
+        p.n = zs_clip_polygon(&r->view, p.cv, p.n, sides, shader->n_varyings);
         if (!p.n)
             return ZS_FATE_OFFSCREEN;
     }

@@ -23,13 +23,13 @@ static const char *const messages[] = {
     "a position, scale, extent or light that the integers cannot hold",
     "a mesh lacks what its shader reads, or has too many vertices",
     "frame functions called out of order",
-    "the shader needs more vertex attributes than config.attrs",
+    "the shader needs more vertex attributes than config.varyings",
     "a direction of length 0, or parallel directions",
     "the near plane is too close beside what is in view (more than 2^21 times as far): move it out",
     "a texture's size or clamping out of range"
 };
 
-const char *zs_strerror(int err)
+const char *zs_error_string(int err)
 {
     const unsigned n = err > 0 ? 0u : 0u - (unsigned)err;
     return n < sizeof messages / sizeof messages[0] ? messages[n] : "unknown error";
@@ -39,11 +39,10 @@ const char *zs_strerror(int err)
 
 static ZS_RARE int config_ok(const struct zs_config *c)
 {
-    return c->width >= 1 && c->width <= ZS_SIZE_MAX && c->height >= 1 &&
-           c->height <= ZS_SIZE_MAX && c->strip_h >= 1 && c->max_tris >= 1 &&
-           c->max_tris <= ZS_POOL_MAX && c->max_verts >= 3 && c->max_verts <= ZS_POOL_MAX &&
-           c->attrs <= ZS_ATTRS_MAX && (c->buffers == 1 || c->buffers == 2) &&
-           (c->subpixel_bits == 8 || c->subpixel_bits == 4);
+    return c->width >= 1 && c->width <= ZS_SIZE_MAX && c->height >= 1 && c->height <= ZS_SIZE_MAX &&
+           c->strip_h >= 1 && c->max_tris >= 1 && c->max_tris <= ZS_POOL_MAX && c->max_verts >= 3 &&
+           c->max_verts <= ZS_POOL_MAX && c->varyings <= ZS_VARYINGS_MAX &&
+           (c->buffers == 1 || c->buffers == 2) && (c->subpixel_bits == 8 || c->subpixel_bits == 4);
 }
 
 static uint16_t strip_rows(const struct zs_config *c)
@@ -55,8 +54,8 @@ uint32_t zs_arena_bytes(const struct zs_config *c)
 {
     if (!c || !config_ok(c))
         return 0;
-    return ZS_ARENA_BYTES(c->width, c->height, strip_rows(c), c->max_tris, c->max_verts, c->attrs,
-                          c->buffers);
+    return ZS_ARENA_BYTES(c->width, c->height, strip_rows(c), c->max_tris, c->max_verts,
+                          c->varyings, c->buffers);
 }
 
 /* The next pool of the arena. */
@@ -82,11 +81,12 @@ static ZS_RARE void split(struct zs_renderer *r, uint8_t *at)
     r->vert = take(&at, c->max_verts * 12u);
     r->vert_src = take(&at, half_words);
     r->vert_map = take(&at, half_words);
-    r->attr = take(&at, ZS_ROUND4((uint32_t)c->max_verts * c->attrs * 2u));
+    r->attr = take(&at, ZS_ROUND4((uint32_t)c->max_verts * c->varyings * 2u));
 }
 
-/* For row / strip_h without a division. With 2^l <= strip_h < 2^(l + 1) and n = 19 + l, strip_mul exceeds
- * 2^n / strip_h by 1 at the most, which adds row / 2^n to a quotient: less than 2^-7 / strip_h, so it is exact. */
+/* For row / strip_h without a division. With 2^l <= strip_h < 2^(l + 1) and n = 19 + l, strip_mul
+ * exceeds 2^n / strip_h by 1 at the most, which adds row / 2^n to a quotient: less than 2^-7 /
+ * strip_h, so it is exact. */
 static ZS_RARE void strip_divisor(struct zs_renderer *r)
 {
     const uint32_t h = r->config.strip_h;
@@ -113,7 +113,8 @@ static ZS_RARE void accelerators(struct zs_renderer *r)
     }
 }
 
-ZS_RARE int zs_init(struct zs_renderer *r, const struct zs_config *config, void *arena, size_t bytes)
+ZS_RARE int zs_init(struct zs_renderer *r, const struct zs_config *config, void *arena,
+                    size_t bytes)
 {
     if (!r)
         return ZS_ERR_NULL;
@@ -159,8 +160,8 @@ static ZS_RARE int instance_check(const struct zs_renderer *r, const struct zs_i
         return ZS_ERR_MESH;
     if (!material->shader->run)
         return ZS_ERR_NULL;
-    if (material->shader->n_attrs > r->config.attrs)
-        return ZS_ERR_ATTRS;
+    if (material->shader->n_varyings > r->config.varyings)
+        return ZS_ERR_VARYINGS;
     return material->shader->check ? material->shader->check(in, &r->config) : ZS_OK;
 }
 
@@ -174,7 +175,8 @@ static ZS_RARE int light_ok(const struct zs_light *light)
 }
 
 /* Check all instances and find how far what can be seen reaches. */
-static ZS_RARE int scene_check(const struct zs_renderer *r, const struct zs_scene *scene, int64_t *reach)
+static ZS_RARE int scene_check(const struct zs_renderer *r, const struct zs_scene *scene,
+                               int64_t *reach)
 {
     if (scene->n_instances > 65535u)
         return ZS_ERR_SIZE;
@@ -214,7 +216,7 @@ ZS_RARE int zs_frame_check(struct zs_renderer *r, const struct zs_scene *scene)
 }
 
 ZS_RARE int zs_frame_begin(struct zs_renderer *r, const struct zs_scene *scene,
-                   const struct zs_camera *camera)
+                           const struct zs_camera *camera)
 {
     if (!r)
         return ZS_ERR_NULL;
@@ -222,7 +224,7 @@ ZS_RARE int zs_frame_begin(struct zs_renderer *r, const struct zs_scene *scene,
     if (!scene || !camera)
         return ZS_ERR_NULL;
     if (r->ready != 1)
-        return ZS_ERR_STATE;
+        return ZS_ERR_SEQUENCE;
     r->camera = *camera;
     r->draw_end = r->n_strips;
     const struct zs_track_kernel *track = r->track;
@@ -235,7 +237,8 @@ ZS_RARE int zs_frame_begin(struct zs_renderer *r, const struct zs_scene *scene,
     r->band_end = 0; /* the first strip begins a walk */
     r->counting = 1;
     r->large = 0;
-    r->edge_of[0] = r->edge_of[1] = r->edge_of[2] = r->edge_of[3] = UINT16_MAX; /* edge[] holds another camera's */
+    r->edge_of[0] = r->edge_of[1] = r->edge_of[2] = r->edge_of[3] =
+        UINT16_MAX; /* edge[] holds another camera's */
     r->scene = scene;
     return ZS_OK;
 }
@@ -265,7 +268,7 @@ int zs_frame_strip(struct zs_renderer *r, struct zs_strip *out)
     if (!r || !out)
         return ZS_ERR_NULL;
     if (r->ready != 1 || !r->scene)
-        return ZS_ERR_STATE;
+        return ZS_ERR_SEQUENCE;
     if (r->strip == r->n_strips)
         return 0;
     const struct zs_track_kernel *track = r->track;
@@ -293,8 +296,8 @@ int zs_frame_strip(struct zs_renderer *r, struct zs_strip *out)
     out->px = (const uint8_t *)r->color[0];
     out->n_bytes = (uint32_t)out->w * out->h * 2u;
     out->depth = r->depth;
-    out->changed_x = draw ? r->window[0] : 0u;
-    out->changed_w = draw ? (uint16_t)(r->window[1] - r->window[0]) : 0u;
+    out->dirty_x = draw ? r->window[0] : 0u;
+    out->dirty_w = draw ? (uint16_t)(r->window[1] - r->window[0]) : 0u;
     const struct zs_watch_kernel *watch = r->watch;
     if (watch && draw)
         watch->look(r, out);
@@ -311,7 +314,7 @@ int zs_frame_skip(struct zs_renderer *r)
     if (!r)
         return ZS_ERR_NULL;
     if (r->ready != 1 || !r->scene || r->track)
-        return ZS_ERR_STATE;
+        return ZS_ERR_SEQUENCE;
     if (r->strip == r->n_strips)
         return 0;
     if (r->strip < r->band_end)
@@ -327,7 +330,7 @@ int zs_frame_end(struct zs_renderer *r)
     if (!r)
         return ZS_ERR_NULL;
     if (r->ready != 1 || !r->scene)
-        return ZS_ERR_STATE;
+        return ZS_ERR_SEQUENCE;
     r->scene = 0;
     return ZS_OK;
 }
@@ -342,7 +345,7 @@ int zs_invalidate(struct zs_renderer *r, const struct zs_rect *rect)
     if (!r)
         return ZS_ERR_NULL;
     if (r->ready != 1)
-        return ZS_ERR_STATE;
+        return ZS_ERR_SEQUENCE;
     const struct zs_watch_kernel *watch = r->watch;
     if (watch)
         watch->forget(r, rect);
@@ -355,8 +358,10 @@ int zs_invalidate(struct zs_renderer *r, const struct zs_rect *rect)
 /* The strips from the one in the sink's hands on may not have arrived. */
 static void not_sent(struct zs_renderer *r, const struct zs_strip *last)
 {
-    const uint32_t before = last->y < r->config.strip_h ? 0u : last->y - (uint32_t)r->config.strip_h;
-    const struct zs_rect rows = { 0, (uint16_t)before, last->w, (uint16_t)(last->y + last->h - before) };
+    const uint32_t before = last->y < r->config.strip_h ? 0u
+                                                        : last->y - (uint32_t)r->config.strip_h;
+    const struct zs_rect rows = { 0, (uint16_t)before, last->w,
+                                  (uint16_t)(last->y + last->h - before) };
     (void)zs_invalidate(r, &rows);
 }
 
@@ -376,7 +381,7 @@ int zs_render(struct zs_renderer *r, const struct zs_scene *scene, const struct 
         pending = 0;
         if (err)
             break;
-        if (!strip.changed_w)
+        if (!strip.dirty_w)
             continue;
         err = sink->submit(sink->ctx, &strip);
         pending = !err;

@@ -7,7 +7,8 @@
 
 #include "zstrip.h"
 
-/* Everything that a frame of r->camera can be refused for; fills r->view. Return ZS_OK or an error. */
+/* Everything that a frame of r->camera can be refused for; fills r->view. Return ZS_OK or an error.
+ */
 int zs_frame_check(struct zs_renderer *r, const struct zs_scene *scene);
 
 #endif

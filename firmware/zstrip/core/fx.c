@@ -11,9 +11,8 @@
 #define CLZ_32(n) CLZ_8(n), CLZ_8(n), CLZ_8(n), CLZ_8(n)
 #define CLZ_64(n) CLZ_32(n), CLZ_32(n)
 
-const uint8_t zs_clz8[256] = {
-    8, 7, CLZ_2(6), CLZ_2(5), CLZ_2(5), CLZ_8(4), CLZ_8(3), CLZ_8(3), CLZ_32(2), CLZ_64(1), CLZ_64(0), CLZ_64(0)
-};
+const uint8_t zs_clz8[256] = { 8,        7,        CLZ_2(6),  CLZ_2(5),  CLZ_2(5),  CLZ_8(4),
+                               CLZ_8(3), CLZ_8(3), CLZ_32(2), CLZ_64(1), CLZ_64(0), CLZ_64(0) };
 
 #if ZS_FOR_SIZE
 
@@ -40,7 +39,8 @@ int64_t zs_scale2(int64_t v, int n)
  * (2^-17 + 2^-17 = 2^-16; the two do not peak together). One Newton step y (2 - m y) squares it:
  * 2^-32, always from below; its two truncations add 2^-31 and 2^-32. Sum < 2^-30. */
 
-#define RECIP_AT(i) (uint16_t)(((33554432u + (256u + (i)) / 2u) / (256u + (i))) - 65536u - ((i) == 0u))
+#define RECIP_AT(i)                                                                                \
+    (uint16_t)(((33554432u + (256u + (i)) / 2u) / (256u + (i))) - 65536u - ((i) == 0u))
 #if ZS_FOR_SIZE
 
 uint32_t zs_recip_at(uint32_t i)
@@ -55,7 +55,8 @@ uint32_t zs_recip_at(uint32_t i)
 #define RECIP64(i) RECIP16(i), RECIP16((i) + 16u), RECIP16((i) + 32u), RECIP16((i) + 48u)
 
 const uint16_t zs_recip_table[257] = { /* uq0_16: 512 / (256 + i) - 1; entry 0 saturated */
-    RECIP64(0u), RECIP64(64u), RECIP64(128u), RECIP64(192u), RECIP_AT(256u)
+                                       RECIP64(0u), RECIP64(64u), RECIP64(128u), RECIP64(192u),
+                                       RECIP_AT(256u)
 };
 
 #endif
@@ -90,11 +91,13 @@ struct wide {
 
 static ZS_RARE struct wide wide_mul(uint64_t a, uint64_t b)
 {
-    const uint32_t a0 = (uint32_t)a, a1 = (uint32_t)(a >> 32), b0 = (uint32_t)b, b1 = (uint32_t)(b >> 32);
+    const uint32_t a0 = (uint32_t)a, a1 = (uint32_t)(a >> 32), b0 = (uint32_t)b,
+                   b1 = (uint32_t)(b >> 32);
     const uint64_t low = zs_mul_uu(a0, b0);
-    const uint64_t mid = zs_mul_uu(a1, b0) + (low >> 32);  /* <= (2^32-1)^2 + 2^32 - 1 < 2^64 */
+    const uint64_t mid = zs_mul_uu(a1, b0) + (low >> 32);    /* <= (2^32-1)^2 + 2^32 - 1 < 2^64 */
     const uint64_t mid2 = zs_mul_uu(a0, b1) + (uint32_t)mid; /* the same */
-    const struct wide w = { zs_mul_uu(a1, b1) + (mid >> 32) + (mid2 >> 32), mid2 << 32 | (uint32_t)low };
+    const struct wide w = { zs_mul_uu(a1, b1) + (mid >> 32) + (mid2 >> 32),
+                            mid2 << 32 | (uint32_t)low };
     return w;
 }
 

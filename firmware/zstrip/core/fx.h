@@ -26,12 +26,14 @@ _Static_assert(sizeof(int) >= 4, "int must hold 32 bits");
 #define ZS_EXTENT_BITS 22
 _Static_assert(2 * (ZS_GUARD_SUBPX + 8) < ((int64_t)1 << ZS_EXTENT_BITS), "guard band too wide");
 _Static_assert(ZS_GUARD_PX >= ZS_SIZE_MAX, "the guard band must hold the frame");
-_Static_assert(ZS_SIZE_MAX <= 4096, "see the step count in plane.c and the strip division in bin.c");
+_Static_assert(ZS_SIZE_MAX <= 4096,
+               "see the step count in plane.c and the strip division in bin.c");
 
 typedef int32_t q24_8; /* screen x, y, px */
 
 #if defined(__GNUC__)
-#define ZS_KERNEL_INLINE static inline __attribute__((always_inline)) /* functions passed to it are in line too */
+#define ZS_KERNEL_INLINE                                                                           \
+    static inline __attribute__((always_inline)) /* functions passed to it are in line too */
 #else
 #define ZS_KERNEL_INLINE static inline
 #endif
@@ -45,14 +47,18 @@ typedef int32_t q24_8; /* screen x, y, px */
 #if defined(__clang__)
 #define ZS_NOINLINE __attribute__((noinline))
 #else
-#define ZS_NOINLINE __attribute__((noinline, noclone)) /* nor with other arguments: fields as arguments spill */
+#define ZS_NOINLINE                                                                                \
+    __attribute__((noinline, noclone)) /* nor with other arguments: fields as arguments spill */
 #endif
 #if defined(__clang__) || !defined(__OPTIMIZE__)
 #define ZS_RARE
 #define ZS_IN_ORDER
 #else
-#define ZS_IN_ORDER __attribute__((optimize("no-schedule-insns"))) /* many values: to load them early is to spill them */
-#define ZS_RARE __attribute__((optimize("Os"))) /* seldom, or slow by nature: flash counts more than time */
+#define ZS_IN_ORDER                                                                                \
+    __attribute__((                                                                                \
+        optimize("no-schedule-insns"))) /* many values: to load them early is to spill them */
+#define ZS_RARE                                                                                    \
+    __attribute__((optimize("Os"))) /* seldom, or slow by nature: flash counts more than time */
 #endif
 #else
 #define ZS_RARE
@@ -153,7 +159,8 @@ static inline uint64_t zs_times(uint64_t v, int32_t d)
 #if ZS_FOR_SIZE
     return v * (uint64_t)(int64_t)d;
 #else
-    return (uint64_t)zs_mul_su(d, (uint32_t)v) + ((uint64_t)((uint32_t)(v >> 32) * (uint32_t)d) << 32);
+    return (uint64_t)zs_mul_su(d, (uint32_t)v) +
+           ((uint64_t)((uint32_t)(v >> 32) * (uint32_t)d) << 32);
 #endif
 }
 
@@ -202,18 +209,22 @@ ZS_ALWAYS_INLINE uint32_t zs_recip16(uint32_t a)
 ZS_ALWAYS_INLINE uint32_t zs_recip_inline(uint32_t a)
 {
     const uint32_t y = zs_recip16(a);
-    /* y (2 - m y) = y + y e with e = 1 - m y, |e| <= 2^14.6 in q_31: two narrow products instead of a wide one */
+    /* y (2 - m y) = y + y e with e = 1 - m y, |e| <= 2^14.6 in q_31: two narrow products instead of
+     * a wide one */
     const int32_t e = (int32_t)(0x80000000u - zs_umulh(a, y));
-    const int32_t upper = (int32_t)(y >> 16) * e, lower = (int32_t)(y & 0xffffu) * e; /* |.| < 2^30.6 */
-    const uint32_t r = y + (uint32_t)((upper + (lower >> 16)) >> 15); /* floor: exact below 2^32 + 2 */
+    const int32_t upper = (int32_t)(y >> 16) * e,
+                  lower = (int32_t)(y & 0xffffu) * e; /* |.| < 2^30.6 */
+    const uint32_t r = y +
+                       (uint32_t)((upper + (lower >> 16)) >> 15); /* floor: exact below 2^32 + 2 */
     return r >> 31 ? r : UINT32_MAX;
 }
 
-/* 2^45 / a, 15 bits and a half: within 2^-14 of it, at most 2^16 - 1. 2^30 <= a < 2^31. No long product. */
+/* 2^45 / a, 15 bits and a half: within 2^-14 of it, at most 2^16 - 1. 2^30 <= a < 2^31. No long
+ * product. */
 static inline uint32_t zs_recip15(uint32_t a)
 {
     const uint32_t at = a << 2 >> 24, y0 = zs_recip_at(at);
-    const uint32_t t = a << 10 >> 16;                         /* uq0_16 within the cell */
+    const uint32_t t = a << 10 >> 16; /* uq0_16 within the cell */
     return (0x10000u + y0 - ((y0 - zs_recip_at(at + 1u)) * t >> 16)) >> 1;
 }
 

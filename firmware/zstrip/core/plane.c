@@ -8,21 +8,22 @@
  * clipped before), give or take the errors below, which are far less than the half bucket added.
  * base + gx * i + gy * j equals repeated addition bit for bit: strips cannot differ.
  *
- * Two ways, chosen by the triangle alone. Each has a narrower twin that gives the same bits: tiny triangles (core/job.h) go
- * the small way with 32-bit products, and where values are too steep for it, division is by the reciprocal with remainder.
+ * Two ways, chosen by the triangle alone. Each has a narrower twin that gives the same bits: tiny
+ * triangles (core/job.h) go the small way with 32-bit products, and where values are too steep for
+ * it, division is by the reciprocal with remainder.
  *
  * small   width + height <= 256 px, value differences below 2^31, gradients below 2^27: one
  *         reciprocal of the area, a multiplication a gradient. Relative error of a gradient
- *         2^-30 (reciprocal) + 2^-31 + 2^-31 (mantissas cut) + 2^-30 (product cut) < 2^-28.4, so below
- *         2^-1.4 ulp, and rounded: e <= 0.88 ulp. The anchor is the first vertex's own pixel, at most
+ *         2^-30 (reciprocal) + 2^-31 + 2^-31 (mantissas cut) + 2^-30 (product cut) < 2^-28.4, so
+ * below 2^-1.4 ulp, and rounded: e <= 0.88 ulp. The anchor is the first vertex's own pixel, at most
  *         half a pixel away each way: 0.88 + 0.5. Anywhere in the triangle, 256 steps at the most:
  *         <= 0.88 * 256 + 1.4 < 227 ulp of 2^-16 bucket = 0.0035 bucket.
- *         Values of 31 significant bits (ZS_PLANE_WIDE: w, colour times w) take gradients up to 2^30 this
- *         way: e <= 2^1.6 + 1/2 ulp of 2^-31, 2^-21 over 256 steps.
- * large   division with remainder to 24 bits more, gradients rounded to nearest: e <= 1/2 ulp. The anchor is
- *         the pixel of the frame next to the first vertex, computed from N / A with 32 fraction bits
- *         (error < 2^-32 * 2^22 * 2 + 1/2). Anywhere in the frame: <= (W + H - 2) / 2 + 0.51 ulp
- *         < (W + H + 1) / 2 * 2^-16 bucket = 0.0049 for W + H = 640.
+ *         Values of 31 significant bits (ZS_PLANE_WIDE: w, colour times w) take gradients up to
+ * 2^30 this way: e <= 2^1.6 + 1/2 ulp of 2^-31, 2^-21 over 256 steps. large   division with
+ * remainder to 24 bits more, gradients rounded to nearest: e <= 1/2 ulp. The anchor is the pixel of
+ * the frame next to the first vertex, computed from N / A with 32 fraction bits (error < 2^-32 *
+ * 2^22 * 2 + 1/2). Anywhere in the frame: <= (W + H - 2) / 2 + 0.51 ulp < (W + H + 1) / 2 * 2^-16
+ * bucket = 0.0049 for W + H = 640.
  *
  * SPDX-License-Identifier: MIT
  */
@@ -31,10 +32,12 @@
 
 #define SMALL_EXTENT ZS_SMALL_EXTENT
 
-void zs_plane_sides(struct zs_job *job, const struct zs_vertex *a, const struct zs_vertex *b, const struct zs_vertex *c)
+void zs_plane_sides(struct zs_job *job, const struct zs_vertex *a, const struct zs_vertex *b,
+                    const struct zs_vertex *c)
 {
     struct zs_geom *g = &job->geom;
-    const int32_t dx1 = b->x - a->x, dx2 = c->x - a->x, dy1 = b->y - a->y, dy2 = c->y - a->y; /* |.| < 2^22 */
+    const int32_t dx1 = b->x - a->x, dx2 = c->x - a->x, dy1 = b->y - a->y,
+                  dy2 = c->y - a->y; /* |.| < 2^22 */
     job->v[0] = a;
     job->v[1] = b;
     job->v[2] = c;
@@ -56,7 +59,8 @@ void zs_plane_sides(struct zs_job *job, const struct zs_vertex *a, const struct 
 /* Width + height <= 256 px. */
 static int is_small(const struct zs_geom *g)
 {
-    const int32_t width = zs_max32(zs_max32(g->dx1, g->dx2), 0) - zs_min32(zs_min32(g->dx1, g->dx2), 0);
+    const int32_t width = zs_max32(zs_max32(g->dx1, g->dx2), 0) -
+                          zs_min32(zs_min32(g->dx1, g->dx2), 0);
     return width + zs_max32(g->dy1, g->dy2) <= SMALL_EXTENT; /* the first vertex is the top one */
 }
 
@@ -87,8 +91,8 @@ void zs_plane_geom(struct zs_job *job)
 
 #define TOO_STEEP ZS_TOO_STEEP
 
-/* One call a gradient. Where a core has few registers, the whole of it is one function; elsewhere the quotient alone, which
- * fast/small.h calls too. */
+/* One call a gradient. Where a core has few registers, the whole of it is one function; elsewhere
+ * the quotient alone, which fast/small.h calls too. */
 #if ZS_DIVIDES
 #define ZS_GRADIENT ZS_ALWAYS_INLINE
 #else
@@ -97,8 +101,9 @@ void zs_plane_geom(struct zs_job *job)
 
 ZS_ALWAYS_INLINE int32_t quotient(int64_t n, uint32_t rcp, int32_t lz, int32_t least_shift)
 {
-    /* Of m = |n| 2^k: 256 |n| / area = p / 2^(down + k) with p = m (2^63 / (area 2^lz)) / 2^32. Leading zeros of m, where it
-     * is |n| itself, would be shifted in and out again: floors follow each other. */
+    /* Of m = |n| 2^k: 256 |n| / area = p / 2^(down + k) with p = m (2^63 / (area 2^lz)) / 2^32.
+     * Leading zeros of m, where it is |n| itself, would be shifted in and out again: floors follow
+     * each other. */
     const int32_t sign = (int32_t)(n >> 32);
     uint32_t m = (uint32_t)n, hi = (uint32_t)sign;
     if (sign < 0) {
@@ -110,7 +115,8 @@ ZS_ALWAYS_INLINE int32_t quotient(int64_t n, uint32_t rcp, int32_t lz, int32_t l
     if (hi || down < least_shift) {
         if (!(hi | m))
             return 0;
-        const int32_t up = hi ? zs_clz32(hi) : zs_min32(zs_clz32(m), 16); /* hi: 15 .. 31; 16: not too steep */
+        const int32_t up = hi ? zs_clz32(hi)
+                              : zs_min32(zs_clz32(m), 16); /* hi: 15 .. 31; 16: not too steep */
         m = hi ? hi << up | m >> (32 - up) : m << up;
         down += hi ? up - 32 : up;
         if (down < least_shift)
@@ -131,10 +137,13 @@ static ZS_RARE ZS_NOINLINE int64_t cross(int32_t a, int32_t b, int32_t c, int32_
 }
 
 /* 256 (dv1 d[1] - dv2 d[0]) / area. |dv| <= 2^31, |d| <= 2^16: |.| <= 2^48 */
-ZS_GRADIENT int32_t gradient(const struct zs_geom *g, int32_t dv1, int32_t dv2, const int32_t d[2], int32_t least)
+ZS_GRADIENT int32_t gradient(const struct zs_geom *g, int32_t dv1, int32_t dv2, const int32_t d[2],
+                             int32_t least)
 {
-    const int64_t n = !ZS_CROSS_SHORT || g->tiny ? zs_cross_short(dv1, d[1], dv2, d[0]) : cross(dv1, d[1], dv2, d[0]);
-    return ZS_DIVIDES ? zs_plane_quotient(n, g->rcp, -g->exp, least) : quotient(n, g->rcp, -g->exp, least);
+    const int64_t n = !ZS_CROSS_SHORT || g->tiny ? zs_cross_short(dv1, d[1], dv2, d[0])
+                                                 : cross(dv1, d[1], dv2, d[0]);
+    return ZS_DIVIDES ? zs_plane_quotient(n, g->rcp, -g->exp, least)
+                      : quotient(n, g->rcp, -g->exp, least);
 }
 
 /* n / d with 32 fraction bits: floor in *whole, fraction returned. d < 2^45. */
@@ -152,8 +161,8 @@ static ZS_RARE ZS_NOINLINE uint32_t divide(int64_t n, int64_t d, int64_t *whole)
     return (uint32_t)(f1 << 16 | low / (uint64_t)d);
 }
 
-/* The next 32 bits of a quotient: (*rest 2^32 + next) / d. *rest < d, d >= 2^31, rcp at most 2^63 / d and no more
- * than 2^-28 of it less: the guess is never too large, and at most 18 too small. */
+/* The next 32 bits of a quotient: (*rest 2^32 + next) / d. *rest < d, d >= 2^31, rcp at most 2^63 /
+ * d and no more than 2^-28 of it less: the guess is never too large, and at most 18 too small. */
 static inline uint32_t digit(uint32_t *rest, uint32_t next, uint32_t d, uint32_t rcp)
 {
     uint32_t q = zs_umulh(*rest, rcp) * 2u;
@@ -168,10 +177,11 @@ static inline uint32_t digit(uint32_t *rest, uint32_t next, uint32_t d, uint32_t
 static ZS_RARE ZS_NOINLINE uint32_t small_divide(const struct zs_geom *g, int64_t n, int64_t *whole)
 {
     const uint64_t mag = n < 0 ? 0u - (uint64_t)n : (uint64_t)n;
-    const int32_t lz = -g->exp;                                      /* 1 .. 31, as area <= 2^30 */
-    const uint32_t d = (uint32_t)g->area << lz, rcp = g->rcp - 3u;   /* zs_recip is above by 2^-31 at the most */
+    const int32_t lz = -g->exp; /* 1 .. 31, as area <= 2^30 */
+    const uint32_t d = (uint32_t)g->area << lz,
+                   rcp = g->rcp - 3u; /* zs_recip is above by 2^-31 at the most */
     const uint32_t hi = (uint32_t)(mag >> 32), lo = (uint32_t)mag;
-    uint32_t rest = hi >> (32 - lz);                                 /* mag << lz in three words; < 2^24 */
+    uint32_t rest = hi >> (32 - lz); /* mag << lz in three words; < 2^24 */
     const uint32_t q1 = digit(&rest, hi << lz | lo >> (32 - lz), d, rcp);
     const uint32_t q0 = digit(&rest, lo << lz, d, rcp);
     uint32_t part = digit(&rest, 0, d, rcp);
@@ -187,11 +197,14 @@ static ZS_RARE ZS_NOINLINE uint32_t small_divide(const struct zs_geom *g, int64_
 }
 
 /* A gradient in 40.24 bits modulo 2^64, and the step to the anchor added to *base. */
-static ZS_RARE uint64_t gradient64(const struct zs_geom *g, uint64_t n, int32_t to_anchor, uint64_t *base)
+static ZS_RARE uint64_t gradient64(const struct zs_geom *g, uint64_t n, int32_t to_anchor,
+                                   uint64_t *base)
 {
     int64_t whole;
-    const uint32_t part = g->rcp ? small_divide(g, (int64_t)n, &whole) : divide((int64_t)n, g->area, &whole);
-    *base += (zs_times((uint64_t)whole, to_anchor) << 24) + (uint64_t)(zs_mul_su(to_anchor, part) >> 8);
+    const uint32_t part = g->rcp ? small_divide(g, (int64_t)n, &whole)
+                                 : divide((int64_t)n, g->area, &whole);
+    *base += (zs_times((uint64_t)whole, to_anchor) << 24) +
+             (uint64_t)(zs_mul_su(to_anchor, part) >> 8);
     return ((uint64_t)whole << 32) + part;
 }
 
@@ -200,22 +213,27 @@ void zs_plane64(const struct zs_geom *g, uint64_t v0, uint64_t v1, uint64_t v2,
 {
     const uint64_t dv1 = v1 - v0, dv2 = v2 - v0; /* |.| <= 2^40 */
     uint64_t base = v0 << 24;
-    out->gx = gradient64(g, zs_times(dv1, g->dy2) - zs_times(dv2, g->dy1), g->ax, &base); /* |.| < 2^63 */
+    out->gx = gradient64(g, zs_times(dv1, g->dy2) - zs_times(dv2, g->dy1), g->ax,
+                         &base); /* |.| < 2^63 */
     out->gy = gradient64(g, zs_times(dv2, g->dx1) - zs_times(dv1, g->dx2), g->ay, &base);
     out->base = base;
 }
 
-/* The small way, once the base holds the first vertex's value and the gradients are known: on to the anchor. */
+/* The small way, once the base holds the first vertex's value and the gradients are known: on to
+ * the anchor. */
 static inline void small_base(const struct zs_geom *g, struct zs_plane *out)
 {
-    const int32_t gx = (int32_t)out->gx, gy = (int32_t)out->gy, ax = g->ax, ay = g->ay; /* |g| <= 2^30, |a| <= 2^7 */
+    const int32_t gx = (int32_t)out->gx, gy = (int32_t)out->gy, ax = g->ax,
+                  ay = g->ay; /* |g| <= 2^30, |a| <= 2^7 */
     ZS_FACT(gx >= -(1 << 30) && gx <= 1 << 30 && gy >= -(1 << 30) && gy <= 1 << 30);
-    const int32_t low = (gx & 255) * ax + (gy & 255) * ay + 128; /* (gx ax + gy ay + 128) / 256, the low 8 bits apart */
+    const int32_t low = (gx & 255) * ax + (gy & 255) * ay +
+                        128; /* (gx ax + gy ay + 128) / 256, the low 8 bits apart */
     out->base += (uint32_t)((gx >> 8) * ax + (gy >> 8) * ay + (low >> 8)); /* |.| < 2^31 */
 }
 
 /* By 24 bits more, rounded: any triangle and any values. out->base is the first one's. */
-static ZS_NOINLINE void wide_plane(const struct zs_geom *g, uint32_t dv1, uint32_t dv2, struct zs_plane *out)
+static ZS_NOINLINE void wide_plane(const struct zs_geom *g, uint32_t dv1, uint32_t dv2,
+                                   struct zs_plane *out)
 {
     const uint32_t v0 = out->base;
     struct zs_plane64 wide;
@@ -235,8 +253,10 @@ void zs_plane32(const struct zs_geom *g, uint32_t v0, uint32_t v1, uint32_t v2,
         return;
     }
     /* differences that fit 32 bits: those of values in one half do */
-    if (g->rcp && ((int32_t)((v1 ^ v0) | (v2 ^ v0)) >= 0 || ((dv1 < 0) == (v1 < v0) && (dv2 < 0) == (v2 < v0)))) {
-        const int32_t gx = gradient(g, dv1, dv2, g->dy, kind), up = gradient(g, dv1, dv2, g->dx, kind); /* up: -gy */
+    if (g->rcp && ((int32_t)((v1 ^ v0) | (v2 ^ v0)) >= 0 ||
+                   ((dv1 < 0) == (v1 < v0) && (dv2 < 0) == (v2 < v0)))) {
+        const int32_t gx = gradient(g, dv1, dv2, g->dy, kind),
+                      up = gradient(g, dv1, dv2, g->dx, kind); /* up: -gy */
         if (gx != TOO_STEEP && up != TOO_STEEP) {
             out->gx = (uint32_t)gx;
             out->gy = 0u - (uint32_t)up;

@@ -1,7 +1,7 @@
 /* A strip's triangles: lists, set-up, rows.
  *
- * Lists are kept in pool order, which is scene order, so that "nearer wins" with a strict comparison is "least (key, scene
- * order) wins".
+ * Lists are kept in pool order, which is scene order, so that "nearer wins" with a strict
+ * comparison is "least (key, scene order) wins".
  *
  * SPDX-License-Identifier: MIT
  */
@@ -32,7 +32,8 @@ ZS_NOINLINE void zs_raster_clear(struct zs_renderer *r, int32_t row, int32_t x, 
         return;
     fill(r->depth + at, ZS_DEPTH_CLEAR, (uint32_t)n);
     if (sky)
-        sky->fill(sky->ctx, r->color[0] + at, (uint16_t)x, (uint16_t)(r->strip * r->config.strip_h + row), (uint16_t)n);
+        sky->fill(sky->ctx, r->color[0] + at, (uint16_t)x,
+                  (uint16_t)(r->strip * r->config.strip_h + row), (uint16_t)n);
     else
         fill(r->color[0] + at, zs_wire16(r->scene->background), (uint32_t)n);
 }
@@ -97,7 +98,8 @@ static void linear_span(struct zs_job *job, const struct zs_row *row)
 {
     if (job->split & ZS_SPLIT_TOUCH)
         job->r->touch->row(job, row);
-    job->piece(job, row, row->i0, row->i1, row->key + zs_wrap_mul(job->key.gx, row->i0), job->key.gx);
+    job->piece(job, row, row->i0, row->i1, row->key + zs_wrap_mul(job->key.gx, row->i0),
+               job->key.gx);
 }
 
 static void curved_span(struct zs_job *job, const struct zs_row *row)
@@ -130,15 +132,18 @@ static ZS_NOINLINE void draw(struct zs_job *job)
     job->saturates = a >= limit || b >= limit || c >= limit;
     if (linear) {
         zs_plane32(&job->geom, a, b, c, ZS_PLANE_KEY, &job->key);
-        job->key.base += 0x8000u; /* nearest: half a bucket; keys stay below 2^32 - 2^15 (plane.c) */
+        job->key.base +=
+            0x8000u; /* nearest: half a bucket; keys stay below 2^32 - 2^15 (plane.c) */
     }
-    if (job->state)
+    if (job->depth_state)
         job->bias = zs_depth_state_bias(job);
     if (shader->start)
         shader->start(job);
     if (linear && job->rows && !job->split && job->rows(job))
         return;
-    job->piece = job->split & ZS_SPLIT_WINDOW ? r->track->piece : job->split ? r->touch->piece : job->span;
+    job->piece = job->split & ZS_SPLIT_WINDOW ? r->track->piece
+                 : job->split                 ? r->touch->piece
+                                              : job->span;
     if (linear)
         linear_walk(job);
     else
@@ -227,7 +232,8 @@ static ZS_NOINLINE int unseen(struct zs_job *job, struct sight *s)
 }
 
 /* The accelerator of a shader, or of a texel format; NULL: there is none. */
-static const struct zs_fast *fast_of(const struct zs_renderer *r, const struct zs_shader *shader, const struct zs_texel *format)
+static const struct zs_fast *fast_of(const struct zs_renderer *r, const struct zs_shader *shader,
+                                     const struct zs_texel *format)
 {
     if (r->config.fast)
         for (const struct zs_fast *const *at = r->config.fast; *at; at++)
@@ -236,7 +242,8 @@ static const struct zs_fast *fast_of(const struct zs_renderer *r, const struct z
     return 0;
 }
 
-/* job's for triangles of another instance. Return what draws them before they are set up; NULL: nothing. */
+/* job's for triangles of another instance. Return what draws them before they are set up; NULL:
+ * nothing. */
 static ZS_NOINLINE int (*instance_begin(struct zs_job *job, uint32_t number))(struct zs_job *)
 {
     const struct zs_renderer *r = job->r;
@@ -251,11 +258,11 @@ static ZS_NOINLINE int (*instance_begin(struct zs_job *job, uint32_t number))(st
         const struct zs_fast *of = fast_of(r, 0, job->texture ? job->texture->format : 0);
         job->texel = of ? of->texel : 0;
     }
-    job->state = instance->state;
+    job->depth_state = instance->depth_state;
     job->split = 0;
     job->span = zs_rows_test;
     job->rows = 0;
-    if (job->state || !job->fast)
+    if (job->depth_state || !job->fast)
         return 0;
     job->rows = job->fast->rows;
     if (job->fast->span)
@@ -275,7 +282,8 @@ static void job_begin(struct zs_job *job, struct zs_renderer *r)
     job->fast = 0;
     job->texture = 0;
     job->texel = 0;
-    job->key_limit = r->view.key_top - 0x10000u; /* half a bucket and the error of the plane (plane.c) below B - 1 */
+    job->key_limit = r->view.key_top -
+                     0x10000u; /* half a bucket and the error of the plane (plane.c) below B - 1 */
     r->lit.of = 0;
 }
 
@@ -284,7 +292,8 @@ void zs_raster_strip(struct zs_renderer *r)
     const int goes_on = r->strip + 1 < r->band_end;
     const int part = r->window[1] - r->window[0] < r->config.width; /* then there is a track */
     uint16_t list = take_list(r), *keep = &r->active; /* grows at its end: stays ascending */
-    uint32_t number = ZS_NIL;                         /* of the instance that is known; not one's, there are at most 65535 */
+    uint32_t number =
+        ZS_NIL; /* of the instance that is known; not one's, there are at most 65535 */
     struct zs_job job;
     int (*whole)(struct zs_job *) = 0;
     job_begin(&job, r);

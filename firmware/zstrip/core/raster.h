@@ -11,7 +11,8 @@
 void zs_raster_strip(struct zs_renderer *r);
 /* Do not draw it, but pass its triangles on to the strip below. */
 void zs_raster_pass(struct zs_renderer *r);
-/* Background and ZS_DEPTH_CLEAR: n pixels of the strip's row, from column x on; everywhere in the strip. */
+/* Background and ZS_DEPTH_CLEAR: n pixels of the strip's row, from column x on; everywhere in the
+ * strip. */
 void zs_raster_clear(struct zs_renderer *r, int32_t row, int32_t x, int32_t n);
 void zs_raster_clear_all(struct zs_renderer *r);
 

@@ -17,8 +17,8 @@ static int32_t q30_mul(int32_t a, int32_t b)
 
 /* ---- Sine: Taylor on an eighth of a turn ------------------------------------------------------
  *
- * With x <= pi/4 the first term left out is x^11/11! < 2^-29 for sin and x^10/10! = 2.5e-8 * ... for
- * cos x^12/12! < 2^-32; each of the five products adds half an ulp of 2^-30. Sum < 2^-28. */
+ * With x <= pi/4 the first term left out is x^11/11! < 2^-29 for sin and x^10/10! = 2.5e-8 * ...
+ * for cos x^12/12! < 2^-32; each of the five products adds half an ulp of 2^-30. Sum < 2^-28. */
 
 /* x in q2_30 radians of an angle <= EIGHTH. */
 static int32_t radians(uint32_t a)
@@ -50,10 +50,9 @@ zs_q2_30 zs_sin(zs_turn a)
 {
     const uint32_t part = a & (QUARTER - 1u);
     const int odd = (a & QUARTER) != 0; /* second and fourth quarter: cosine of the part */
-    const int32_t s = odd ? (part <= EIGHTH ? cos_eighth(radians(part))
-                                            : sin_eighth(radians(QUARTER - part)))
-                          : (part <= EIGHTH ? sin_eighth(radians(part))
-                                            : cos_eighth(radians(QUARTER - part)));
+    const int32_t s =
+        odd ? (part <= EIGHTH ? cos_eighth(radians(part)) : sin_eighth(radians(QUARTER - part)))
+            : (part <= EIGHTH ? sin_eighth(radians(part)) : cos_eighth(radians(QUARTER - part)));
     return a & 32768u ? -s : s;
 }
 
@@ -172,17 +171,18 @@ void zs_pose_turn(struct zs_pose *pose, zs_turn yaw, zs_turn pitch, zs_turn roll
     zs_rotation_mul(pose->rot, yx, rz);
 }
 
-/* ---- Composed rotations --------------------------------------------------------------------------
+/* ---- Composed rotations
+ * --------------------------------------------------------------------------
  *
- * What is wrong with every step alike grows with the number of steps; what is wrong at random, with its
- * root. So a step's rotation is computed to 2^-52, and only the product is rounded to q2_30, at random:
- * 2^-29.6 rad a step, 2^-19.6 after a million (root mean square).
+ * What is wrong with every step alike grows with the number of steps; what is wrong at random, with
+ * its root. So a step's rotation is computed to 2^-52, and only the product is rounded to q2_30, at
+ * random: 2^-29.6 rad a step, 2^-19.6 after a million (root mean square).
  *
- * Why at random: rounded to nearest, a point near the axis, which moves a few ulps a step, is wrong the
- * same way for thousands of steps (axis -3 0 101919, turns of 1: 2^-15.4 rad after a million).
- * Why a count is kept in the low bits: turns that all but cancel (a half turn, a small one, again and
- * again) bring the pose back to the very bits that it had. What was drawn from these bits alone would be
- * drawn again, for ever, and the little that does not cancel would be lost every time. */
+ * Why at random: rounded to nearest, a point near the axis, which moves a few ulps a step, is wrong
+ * the same way for thousands of steps (axis -3 0 101919, turns of 1: 2^-15.4 rad after a million).
+ * Why a count is kept in the low bits: turns that all but cancel (a half turn, a small one, again
+ * and again) bring the pose back to the very bits that it had. What was drawn from these bits alone
+ * would be drawn again, for ever, and the little that does not cancel would be lost every time. */
 
 typedef int64_t q4_60;
 #define ONE_Q60 ((q4_60)1 << 60)
@@ -214,8 +214,8 @@ static q4_60 series(q4_60 xx, int n)
     return sum;
 }
 
-/* Within 2^-53. With |x| <= pi/4 the first terms left out are x^17/17! < 2^-54 and x^18/18! < 2^-58; x
- * is within 2^-54 of itself. */
+/* Within 2^-53. With |x| <= pi/4 the first terms left out are x^17/17! < 2^-54 and x^18/18! <
+ * 2^-58; x is within 2^-54 of itself. */
 static void fine_sin_cos(q4_60 *sine, q4_60 *cosine, zs_turn a)
 {
     const int quarters = (int)((a + EIGHTH) / QUARTER);
@@ -237,7 +237,8 @@ static int fine_unit(q4_60 out[3], const int32_t v[3])
     const uint64_t square = scaled(w, v, mag >> 31 ? 0 : zs_clz32(mag) - 1);
     /* 2^30 / length (1 + e), |e| < 2^-28, in q60. A Newton step leaves 1.5 e^2 of it. */
     const q4_60 guess = (q4_60)((uint64_t)ONE_Q60 / zs_isqrt64(square)) << 30;
-    const q4_60 sixteenth = q60_mul((q4_60)(square >> 4), q60_mul(guess, guess)); /* (1 + e)^2 / 16 */
+    const q4_60 sixteenth = q60_mul((q4_60)(square >> 4),
+                                    q60_mul(guess, guess)); /* (1 + e)^2 / 16 */
     const q4_60 inverse = guess + 8 * q60_mul(guess, (ONE_Q60 >> 4) - sixteenth);
     for (int k = 0; k < 3; k++)
         out[k] = w[k] * upper(inverse) + (w[k] * lower(inverse) >> 30);
@@ -259,8 +260,8 @@ static void fine_turn(q4_60 turn[9], const q4_60 u[3], zs_turn angle)
     }
 }
 
-/* Gram-Schmidt, for what is no rotation yet: the first row keeps its direction, the third is the product
- * of the other two. */
+/* Gram-Schmidt, for what is no rotation yet: the first row keeps its direction, the third is the
+ * product of the other two. */
 static void orthonormalise(zs_q2_30 m[9])
 {
     (void)zs_unit(m, m);
@@ -272,8 +273,8 @@ static void orthonormalise(zs_q2_30 m[9])
     zs_cross(m + 6, m, m + 3);
 }
 
-/* turn = turn (1 - (m m^T - 1) / 2): turn * m is then orthonormal but for the square of what m lacks. A
- * symmetric factor, so it turns nothing. m is orthonormal to 2^-20. */
+/* turn = turn (1 - (m m^T - 1) / 2): turn * m is then orthonormal but for the square of what m
+ * lacks. A symmetric factor, so it turns nothing. m is orthonormal to 2^-20. */
 static void correct(q4_60 turn[9], const zs_q2_30 m[9])
 {
     int32_t off[9]; /* m m^T - 1, q40 */
@@ -328,9 +329,9 @@ static int count_bits(int e)
     return e % 4 ? 2 : 1;
 }
 
-/* m = exact, rounded to the nearest value that ends in its part of the next count: off by up to 2 ulps, 1
- * on the diagonal. Before that up to 1/2 ulp is added, drawn from all bits of m, so that fractions count
- * too. The same m and turn give the same bits on every machine. */
+/* m = exact, rounded to the nearest value that ends in its part of the next count: off by up to 2
+ * ulps, 1 on the diagonal. Before that up to 1/2 ulp is added, drawn from all bits of m, so that
+ * fractions count too. The same m and turn give the same bits on every machine. */
 static void round_at_random(zs_q2_30 m[9], const q4_60 exact[9])
 {
     uint32_t count = 0, draw = 0;

@@ -12,7 +12,8 @@
 int zs_rotation_ok(const zs_q2_30 m[9]);
 /* out = a * b, nearest. out is neither a nor b. */
 void zs_rotation_mul(zs_q2_30 out[9], const zs_q2_30 a[9], const zs_q2_30 b[9]);
-/* v scaled to length 1, |component| < 2^63 - 2^32. Return ZS_OK; ZS_ERR_VECTOR (0: out untouched). */
+/* v scaled to length 1, |component| < 2^63 - 2^32. Return ZS_OK; ZS_ERR_VECTOR (0: out untouched).
+ */
 int zs_unit64(zs_q2_30 out[3], const int64_t v[3]);
 /* a . b, in the product of their units (of q2_30: q4_60); |a|, |b| in length below 2^31. */
 static inline int64_t zs_dot(const int32_t a[3], const int32_t b[3])

@@ -1,7 +1,7 @@
 /* Rows: from columns that edges.c has found to spans, and from spans to visible runs.
  *
- * The walker is in line: the core walks by it in its general way, and accelerators pass a function of their own as a constant, so
- * that the compiler builds one loop each.
+ * The walker is in line: the core walks by it in its general way, and accelerators pass a function
+ * of their own as a constant, so that the compiler builds one loop each.
  *
  * SPDX-License-Identifier: MIT
  */
@@ -33,7 +33,8 @@ ZS_ALWAYS_INLINE void zs_rows_walk(struct zs_job *job, zs_span_fn *span, int wid
     row.key = job->key.base - zs_wrap_mul(job->key.gx, job->geom.ia) +
               zs_wrap_mul(job->key.gy, row.y - job->geom.ja);
     if (wide)
-        row.w = job->w64.base - zs_times(job->w64.gx, job->geom.ia) + zs_times(job->w64.gy, row.y - job->geom.ja);
+        row.w = job->w64.base - zs_times(job->w64.gx, job->geom.ia) +
+                zs_times(job->w64.gy, row.y - job->geom.ja);
     for (;;) {
         for (const struct zs_cut *cut = job->cut; row.y < job->cut_end; row.y++, cut++) {
             row.x0 = cut->x0;

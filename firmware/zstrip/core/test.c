@@ -1,7 +1,9 @@
-/* The depth test: which pixels of a span win, under any depth state, and handing over runs of them to the shader.
+/* The depth test: which pixels of a span win, under any depth state, and handing over runs of them
+ * to the shader.
  *
- * The triangles of a strip are drawn in scene order, and sets from pools that are too small follow each
- * other in scene order, so the outcome is that of drawing one after another, whatever strips and pools are.
+ * The triangles of a strip are drawn in scene order, and sets from pools that are too small follow
+ * each other in scene order, so the outcome is that of drawing one after another, whatever strips
+ * and pools are.
  *
  * SPDX-License-Identifier: MIT
  */
@@ -22,25 +24,26 @@ static ZS_RARE uint64_t steepness(int64_t n, int64_t area)
 ZS_RARE int32_t zs_depth_state_bias(const struct zs_job *job)
 {
     const struct zs_geom *g = &job->geom;
-    const struct zs_state *state = job->state;
+    const struct zs_depth_state *state = job->depth_state;
     const struct zs_depth *depth = job->r->config.depth;
     int64_t key[3];
-    if (state->slope == 0)
-        return state->offset;
+    if (state->slope_bias == 0)
+        return state->bias;
     for (int k = 0; k < 3; k++)
         key[k] = depth->key ? depth->key(&job->r->view, job->v[k]->d) : job->v[k]->d;
     const int64_t d1 = key[1] - key[0], d2 = key[2] - key[0]; /* |.| < 2^32 */
     const uint64_t x = steepness(d1 * g->dy2 - d2 * g->dy1, g->area);
     const uint64_t y = steepness(d2 * g->dx1 - d1 * g->dx2, g->area);
-    const int64_t slope = zs_round_shift((int64_t)state->slope * (int64_t)(x > y ? x : y), 24); /* < 2^37 */
-    const int64_t bias = state->offset + slope;
+    const int64_t slope = zs_round_shift((int64_t)state->slope_bias * (int64_t)(x > y ? x : y),
+                                         24); /* < 2^37 */
+    const int64_t bias = state->bias + slope;
     return bias > BIAS_MAX ? BIAS_MAX : bias < -BIAS_MAX ? -BIAS_MAX : (int32_t)bias;
 }
 
 /* Whether a key wins its pixel, and its writing. */
 static inline int wins(const struct zs_job *job, uint32_t key, uint32_t top, uint16_t *depth)
 {
-    const struct zs_state *state = job->state;
+    const struct zs_depth_state *state = job->depth_state;
     key = zs_minu32(key, top);
     if (!state) {
         if (key >= *depth)
@@ -48,7 +51,7 @@ static inline int wins(const struct zs_job *job, uint32_t key, uint32_t top, uin
     } else {
         const int32_t moved = (int32_t)key + job->bias;
         key = moved < 0 ? 0u : zs_minu32((uint32_t)moved, top);
-        if (key >= (uint32_t)*depth + (state->equal != 0))
+        if (key >= (uint32_t)*depth + (state->func != ZS_DEPTH_LESS))
             return 0;
         if (state->read_only)
             return 1;
@@ -57,7 +60,8 @@ static inline int wins(const struct zs_job *job, uint32_t key, uint32_t top, uin
     return 1;
 }
 
-void zs_rows_test(struct zs_job *job, const struct zs_row *row, int32_t i0, int32_t i1, uint32_t sum, uint32_t step)
+void zs_rows_test(struct zs_job *job, const struct zs_row *row, int32_t i0, int32_t i1,
+                  uint32_t sum, uint32_t step)
 {
     const struct zs_shader *shader = job->shader;
     const uint32_t top = (job->r->view.key_top >> 16) - 1u;

@@ -1,11 +1,11 @@
 /* The camera of a frame.
  *
  * World units are the user's and may be coarse or fine; inside, everything is in camera units,
- * 2^shift to a world unit, with the shift chosen once a frame so that the farthest thing that can be
- * seen lies between 2^29 and 2^30. So 30 bits carry every position, whatever the user's unit is.
+ * 2^shift to a world unit, with the shift chosen once a frame so that the farthest thing that can
+ * be seen lies between 2^29 and 2^30. So 30 bits carry every position, whatever the user's unit is.
  *
- * x' and y' are the camera's x and -y times ratio, with focal length = ratio * 2^scale_bits sub-pixels
- * and 1/2 < ratio <= 1 (less for focal lengths below half a pixel): projection is then
+ * x' and y' are the camera's x and -y times ratio, with focal length = ratio * 2^scale_bits
+ * sub-pixels and 1/2 < ratio <= 1 (less for focal lengths below half a pixel): projection is then
  * x' * 2^scale_bits / z, and x' needs no more bits than x.
  *
  * SPDX-License-Identifier: MIT
@@ -15,7 +15,8 @@
 #include "core/rotation.h"
 #include "core/view.h"
 
-#define NEAR_MIN 256 /* camera units: below, positions at the near plane are no longer exact enough */
+#define NEAR_MIN                                                                                   \
+    256 /* camera units: below, positions at the near plane are no longer exact enough */
 #define SCALE_BITS_MIN 8  /* keeps the shift of a projection below 63 bits */
 #define SCALE_BITS_MAX 40 /* the same, orthographic */
 #define WORLD_MAX_Q16 ((zs_q48_16)ZS_WORLD_MAX * 65536)
@@ -86,11 +87,13 @@ static int scale_set(struct zs_view *view, const struct zs_config *config,
     int32_t bits;
     if (view->perspective) {
         const uint64_t focal = camera->focal << 8; /* uq32_32 sub-pixels, <= 2^63 */
-        const uint32_t high = (uint32_t)((focal - 1u) >> 32); /* the least bits with focal <= 2^(32 + bits) */
+        const uint32_t high = (uint32_t)((focal - 1u) >>
+                                         32); /* the least bits with focal <= 2^(32 + bits) */
         bits = high ? 32 - zs_clz32(high) : 0;
         if (bits < SCALE_BITS_MIN)
             bits = SCALE_BITS_MIN;
-        view->ratio = (int32_t)zs_round_shift((int64_t)(focal >> 1), bits + 1); /* focal / 2^(bits + 2), nearest */
+        view->ratio = (int32_t)zs_round_shift((int64_t)(focal >> 1),
+                                              bits + 1); /* focal / 2^(bits + 2), nearest */
         view->scale_bits = bits;
         view->guard = (uint64_t)ZS_GUARD_SUBPX;
         return ZS_OK;
@@ -99,7 +102,7 @@ static int scale_set(struct zs_view *view, const struct zs_config *config,
     view->ratio = split_ratio(num, (uint64_t)camera->height, &bits);
     view->scale_bits = view->shift - bits; /* camera units to a sub-pixel, as a power of 2 */
     if (view->scale_bits < 0)
-        return ZS_ERR_RANGE; /* units are coarser than sub-pixels */
+        return ZS_ERR_RANGE;                 /* units are coarser than sub-pixels */
     if (view->scale_bits > SCALE_BITS_MAX) { /* much finer than needed: nothing is lost */
         view->shift -= view->scale_bits - SCALE_BITS_MAX;
         view->scale_bits = SCALE_BITS_MAX;

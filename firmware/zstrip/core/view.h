@@ -15,7 +15,8 @@ int zs_view_units(struct zs_view *view, const struct zs_config *config,
                   const struct zs_camera *camera, int64_t reach);
 /* A length in camera units, nearest, at most 2^30 either way. */
 int32_t zs_view_length(const struct zs_view *view, zs_q48_16 length);
-/* Unit normal of the plane through the eye and what is so many sub-pixels beside the middle: (x or y, z). */
+/* Unit normal of the plane through the eye and what is so many sub-pixels beside the middle: (x or
+ * y, z). */
 void zs_view_side(int32_t out[2], uint64_t focal, uint32_t subpx);
 
 #endif

@@ -1,8 +1,9 @@
-/* The walk of the scene: instances that can be seen, their triangles into bins, and what happens where a pool is full.
+/* The walk of the scene: instances that can be seen, their triangles into bins, and what happens
+ * where a pool is full.
  *
- * A walk goes on from a cursor - instance, triangle, piece of a clipped one - when there is room again. Where the pools are full
- * of a single strip, what is binned is drawn into it and the pools are emptied: the least (key, scene order) wins in any number
- * of sets.
+ * A walk goes on from a cursor - instance, triangle, piece of a clipped one - when there is room
+ * again. Where the pools are full of a single strip, what is binned is drawn into it and the pools
+ * are emptied: the least (key, scene order) wins in any number of sets.
  *
  * SPDX-License-Identifier: MIT
  */
@@ -37,8 +38,8 @@ static ZS_RARE void count(struct zs_renderer *r, const uint32_t fate[ZS_FATES])
     s->tris_index += fate[ZS_FATE_INDEX];
 }
 
-/* Cull an instance, or make r->xform its own. Return 0: nothing of it can be seen, or no strip that shows it is drawn.
- * Apart, so that its frame is not on the stack below the walk. */
+/* Cull an instance, or make r->xform its own. Return 0: nothing of it can be seen, or no strip that
+ * shows it is drawn. Apart, so that its frame is not on the stack below the walk. */
 static ZS_RARE ZS_NOINLINE int instance_open(struct zs_renderer *r, uint32_t number)
 {
     struct zs_bounds b;
@@ -56,7 +57,7 @@ static ZS_RARE ZS_NOINLINE int instance_open(struct zs_renderer *r, uint32_t num
     }
     if (zs_cull_walk(&b, r, number))
         return 0;
-    if (r->large && !in->state && r->tiles->hides_sphere(r, &b)) {
+    if (r->large && !in->depth_state && r->tiles->hides_sphere(r, &b)) {
         r->stats.instances_hidden += r->counting;
         return 0;
     }
@@ -71,7 +72,8 @@ static ZS_RARE ZS_NOINLINE int instance_open(struct zs_renderer *r, uint32_t num
     return 1;
 }
 
-/* The next run of triangles of the current instance, [r->clusters.from, r->clusters.end). Return 0: there is none. */
+/* The next run of triangles of the current instance, [r->clusters.from, r->clusters.end). Return 0:
+ * there is none. */
 static ZS_RARE int next_run(struct zs_renderer *r)
 {
     if (r->by_clusters)

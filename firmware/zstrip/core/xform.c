@@ -1,10 +1,10 @@
 /* Vertices: mesh steps to camera units, camera units to the screen.
  *
  * Errors, in camera units (everything in view is below 2^30 of them):
- *   matrix         view, view times pose and scale are each rounded to 2^-30 of a row element, on a lever
- *                  of at most reach: about 1.3 in all, common to all vertices of a pose
- *   rounding       1/2, once, after the exact sum
- * On the screen: 2^scale_bits / z sub-pixels for each of them, and 1/2 sub-pixel of snapping.
+ *   matrix         view, view times pose and scale are each rounded to 2^-30 of a row element, on a
+ * lever of at most reach: about 1.3 in all, common to all vertices of a pose rounding       1/2,
+ * once, after the exact sum On the screen: 2^scale_bits / z sub-pixels for each of them, and 1/2
+ * sub-pixel of snapping.
  *
  * Vertices of two meshes that share pose and scale and stand on the same grid get the same camera
  * position, bit for bit: m, t and shift depend on pose, scale and frame alone.
@@ -20,7 +20,6 @@
 #define SHIFT_MAX 29 /* keeps t below 2^60, and shift_high 14 */
 #define SPLIT_MAX 15
 
-
 static ZS_RARE void shading_set(struct zs_renderer *r, const struct zs_instance *in)
 {
     struct zs_shading *s = &r->shading;
@@ -34,8 +33,8 @@ static ZS_RARE void shading_set(struct zs_renderer *r, const struct zs_instance 
     }
 }
 
-/* A row of c = (m . p + t) / 2^shift, nearest. |m| <= 2^30, |t| < 2^60, |t / 2^shift| < 2^30. A shift of at most 15 leaves
- * t_low in [0, 2^15), a larger one in [-2^28, 2^28). */
+/* A row of c = (m . p + t) / 2^shift, nearest. |m| <= 2^30, |t| < 2^60, |t / 2^shift| < 2^30. A
+ * shift of at most 15 leaves t_low in [0, 2^15), a larger one in [-2^28, 2^28). */
 static ZS_RARE void row_set(int32_t row[ZS_ROW_WORDS], const int32_t m[3], int64_t t, int32_t shift)
 {
     const int64_t half = ((int64_t)1 << shift) >> 1;
@@ -78,7 +77,7 @@ ZS_RARE int zs_xform_instance(struct zs_renderer *r, uint32_t number, const stru
     int32_t exp = 33 - zs_clz64(scale);
     const uint32_t mantissa = (uint32_t)(exp >= 0 ? scale >> exp : scale << -exp);
     if (in->mesh->pos_lo)
-        exp -= 8; /* positions count in 1/256 steps */
+        exp -= 8;                           /* positions count in 1/256 steps */
     int32_t shift = 31 - exp - view->shift; /* m = rotation * mantissa / 2^31 */
     ZS_ASSERT(shift >= 0);
     int32_t extra = 0;
@@ -103,14 +102,16 @@ ZS_RARE int zs_xform_instance(struct zs_renderer *r, uint32_t number, const stru
 
 /* ---- Vertices -------------------------------------------------------------------------------- */
 
-int32_t zs_xform_fine(const int32_t row[ZS_ROW_WORDS], const int16_t pos[3], const uint8_t pos_lo[3])
+int32_t zs_xform_fine(const int32_t row[ZS_ROW_WORDS], const int16_t pos[3],
+                      const uint8_t pos_lo[3])
 {
 #if ZS_ROW_WIDE
     const int32_t shift = row[5], *const m = row;
     int64_t sum = (int64_t)((uint64_t)(uint32_t)row[4] << 32 | (uint32_t)row[3]);
 #else
     const int32_t s = row[ZS_ROW_S], shift = s + row[ZS_ROW_S2];
-    int64_t sum = row[ZS_ROW_T_HIGH] * ((int64_t)1 << shift) + row[ZS_ROW_T_LOW]; /* |.| < 2^60 + 2^29 */
+    int64_t sum = row[ZS_ROW_T_HIGH] * ((int64_t)1 << shift) +
+                  row[ZS_ROW_T_LOW]; /* |.| < 2^60 + 2^29 */
     int32_t m[3];
     for (int j = 0; j < 3; j++)
         m[j] = row[ZS_ROW_HIGH + j] * (1 << s) + row[ZS_ROW_LOW + j];
@@ -169,16 +170,18 @@ static uint32_t steps_wide(uint64_t mag, int32_t shift)
     return steps > UINT32_MAX ? UINT32_MAX : (uint32_t)steps;
 }
 
-/* Steps from the frame's middle with the sign of the coordinate: magnitude first, so that a mirrored scene snaps to
- * mirrored places. Just beside the guard band where they are beyond it. */
+/* Steps from the frame's middle with the sign of the coordinate: magnitude first, so that a
+ * mirrored scene snaps to mirrored places. Just beside the guard band where they are beyond it. */
 static int32_t placed(uint32_t steps, int32_t coarse, int32_t sign)
 {
-    const int32_t v = steps > (uint32_t)ZS_GUARD_SUBPX >> coarse ? (int32_t)ZS_GUARD_SUBPX + 1 : (int32_t)(steps << coarse);
+    const int32_t v = steps > (uint32_t)ZS_GUARD_SUBPX >> coarse ? (int32_t)ZS_GUARD_SUBPX + 1
+                                                                 : (int32_t)(steps << coarse);
     return sign < 0 ? -v : v;
 }
 
 /* For any shift, and what is beyond the guard band. Return 1: inside it. */
-static ZS_NOINLINE int place_wide(const struct zs_view *view, uint32_t rcp, int32_t shift, struct zs_vertex *at)
+static ZS_NOINLINE int place_wide(const struct zs_view *view, uint32_t rcp, int32_t shift,
+                                  struct zs_vertex *at)
 {
     const uint32_t most = (uint32_t)ZS_GUARD_SUBPX >> view->snap;
     const uint32_t sx = steps_wide(zs_mul_uu(zs_size32(at->x), rcp), shift + view->snap);
@@ -188,7 +191,8 @@ static ZS_NOINLINE int place_wide(const struct zs_view *view, uint32_t rcp, int3
     return sx <= most && sy <= most;
 }
 
-/* From camera units to the screen, in place: z is d. Return 0: before near, beyond far, or beside the guard band. */
+/* From camera units to the screen, in place: z is d. Return 0: before near, beyond far, or beside
+ * the guard band. */
 ZS_NOINLINE int zs_xform_project_at(const struct zs_renderer *r, struct zs_vertex *at)
 {
     const struct zs_view *view = &r->view;
@@ -199,8 +203,9 @@ ZS_NOINLINE int zs_xform_project_at(const struct zs_renderer *r, struct zs_verte
     uint32_t rcp = 0;
     int32_t lz = 0;
     if (view->perspective) {
-        lz = zs_clz32((uint32_t)z);            /* 1 .. 23: z in [2^8, 2^30] */
-        rcp = ZS_RECIP_STEPS ? zs_recip((uint32_t)z << lz) : zs_recip16((uint32_t)z << lz); /* 2^(63 - lz) / z */
+        lz = zs_clz32((uint32_t)z); /* 1 .. 23: z in [2^8, 2^30] */
+        rcp = ZS_RECIP_STEPS ? zs_recip((uint32_t)z << lz)
+                             : zs_recip16((uint32_t)z << lz); /* 2^(63 - lz) / z */
     }
     at->d = depth->vertex(view, z, rcp, lz);
     if (view->perspective)

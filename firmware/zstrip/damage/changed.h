@@ -7,23 +7,26 @@
 
 #include "zstrip.h"
 
-
-#define ZS_LANES { 0x243f6a88u, 0x85a308d3u } /* where a sum begins */
+#define ZS_LANES                                                                                   \
+    {                                                                                              \
+        0x243f6a88u, 0x85a308d3u                                                                   \
+    } /* where a sum begins */
 
 static inline uint32_t zs_rotate_left(uint32_t v, int n)
 {
     return v << n | v >> (32 - n);
 }
 
-/* A sum of 64 bits in two lanes of 32. Each step is one-to-one in the lane for a given value and in the value for a given
- * lane, so that data which differ in one value only always show. */
+/* A sum of 64 bits in two lanes of 32. Each step is one-to-one in the lane for a given value and in
+ * the value for a given lane, so that data which differ in one value only always show. */
 static inline void zs_mix(uint32_t lane[2], uint32_t v)
 {
     lane[0] = zs_rotate_left(lane[0] ^ v, 13) * 0x9e3779b1u;
     lane[1] = zs_rotate_left(lane[1] + v, 19) * 0x85ebca77u;
 }
 
-/* px to a column of zs_watch. Even where the width is, so that cells begin at even addresses. */
+/* px to a column of zs_damage_compare. Even where the width is, so that cells begin at even
+ * addresses. */
 static inline uint32_t zs_watch_step(const struct zs_renderer *r)
 {
     const uint32_t w = (r->config.width + r->sums->columns - 1u) / r->sums->columns;

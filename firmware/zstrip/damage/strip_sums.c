@@ -1,5 +1,5 @@
-/* What is on the glass already: sums of what was given out last, by strip and column, so that only what has changed
- * travels. The frame is drawn as always; sending is what is saved.
+/* What is on the glass already: sums of what was given out last, by strip and column, so that only
+ * what has changed travels. The frame is drawn as always; sending is what is saved.
  *
  * SPDX-License-Identifier: MIT
  */
@@ -32,16 +32,17 @@ static void watch_look(struct zs_renderer *r, struct zs_strip *out)
         const uint32_t w = out->w - x < step ? out->w - x : step;
         if (x < r->window[0] || x + w > r->window[1])
             continue; /* not drawn, or drawn in part: as it was (make_due(), track.c) */
-        const uint64_t now = cell_sum((const uint16_t *)(const void *)out->px + x, w, out->h, out->w, !(out->w & 1u));
+        const uint64_t now = cell_sum((const uint16_t *)(const void *)out->px + x, w, out->h,
+                                      out->w, !(out->w & 1u));
         if (now == *sum)
             continue;
         *sum = now;
         first = first < x ? first : x;
         end = x + w;
     }
-    out->changed_x = (uint16_t)(end ? first : 0u);
-    out->changed_w = (uint16_t)(end ? end - first : 0u);
-    r->stats.strips_unchanged += !end;
+    out->dirty_x = (uint16_t)(end ? first : 0u);
+    out->dirty_w = (uint16_t)(end ? end - first : 0u);
+    r->stats.strips_clean += !end;
 }
 
 static void watch_forget(struct zs_renderer *r, const struct zs_rect *rect)
@@ -58,12 +59,13 @@ static void watch_forget(struct zs_renderer *r, const struct zs_rect *rect)
 
 static const struct zs_watch_kernel zs_watch_sums = { .look = watch_look, .forget = watch_forget };
 
-int zs_sums_init(struct zs_sums *sums, uint64_t *memory, uint32_t width, uint32_t height, uint32_t strip_h, uint32_t columns)
+int zs_strip_hashes_init(struct zs_strip_hashes *sums, uint64_t *memory, uint32_t width,
+                         uint32_t height, uint32_t strip_h, uint32_t columns)
 {
     if (!sums || !memory)
         return ZS_ERR_NULL;
-    if (width < 1u || width > ZS_SIZE_MAX || height < 1u || height > ZS_SIZE_MAX || strip_h < 1u || columns < 1u ||
-        columns > width)
+    if (width < 1u || width > ZS_SIZE_MAX || height < 1u || height > ZS_SIZE_MAX || strip_h < 1u ||
+        columns < 1u || columns > width)
         return ZS_ERR_SIZE;
     sums->sum = memory;
     sums->width = (uint16_t)width;
@@ -75,13 +77,14 @@ int zs_sums_init(struct zs_sums *sums, uint64_t *memory, uint32_t width, uint32_
     return ZS_OK;
 }
 
-int zs_watch(struct zs_renderer *r, struct zs_sums *sums)
+int zs_damage_compare(struct zs_renderer *r, struct zs_strip_hashes *sums)
 {
     if (!r)
         return ZS_ERR_NULL;
     if (r->ready != 1 || r->scene)
-        return ZS_ERR_STATE;
-    if (sums && (sums->width != r->config.width || sums->height != r->config.height || sums->strip_h != r->config.strip_h))
+        return ZS_ERR_SEQUENCE;
+    if (sums && (sums->width != r->config.width || sums->height != r->config.height ||
+                 sums->strip_h != r->config.strip_h))
         return ZS_ERR_SIZE;
     r->watch = sums ? &zs_watch_sums : 0;
     r->sums = sums;

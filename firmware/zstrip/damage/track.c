@@ -1,21 +1,24 @@
-/* Which strips may differ from the frame before, known before anything is drawn: from a sum of all that each instance is
- * drawn from, and from the strips that its sphere can reach. The others are on the glass as they should be, and are neither
- * cleared, binned, drawn nor sent.
+/* Which strips may differ from the frame before, known before anything is drawn: from a sum of all
+ * that each instance is drawn from, and from the strips that its sphere can reach. The others are
+ * on the glass as they should be, and are neither cleared, binned, drawn nor sent.
  *
- * A frame is a function of two things: what holds for all of it (camera, camera units, light, background, the number of
- * instances; the configuration stays) and what holds for each instance. Where the first differs from the frame before, every
- * strip is due. Else a pixel can differ only where an instance that differs covers it in one of the two frames, as a pixel
- * is the least (key, scene order) of what covers it, and neither changes for the other instances. So the strips of both
- * frames' places of that instance are due. Camera units are those of the farthest thing in view: where one instance's way changes
- * them, all strips are due.
+ * A frame is a function of two things: what holds for all of it (camera, camera units, light,
+ * background, the number of instances; the configuration stays) and what holds for each instance.
+ * Where the first differs from the frame before, every strip is due. Else a pixel can differ only
+ * where an instance that differs covers it in one of the two frames, as a pixel is the least (key,
+ * scene order) of what covers it, and neither changes for the other instances. So the strips of
+ * both frames' places of that instance are due. Camera units are those of the farthest thing in
+ * view: where one instance's way changes them, all strips are due.
  *
- * The strips of a sphere. Every vertex as computed lies in the sphere that the walk culls by (zs_cull_walk); clipping adds
- * points between vertices only. Of the sphere, seen along x, that is a circle of centre (y, z), down and away from the eye,
- * and radius R. The octagon of the corners (y -+ R, z -+ R/2) and (y -+ R/2, z -+ R) holds it: its slanting sides are 1.5 R /
- * sqrt(2) = 1.06 R from the centre. Where all of it lies between near and far, projection takes straight lines to straight
- * lines, so that the row of each point of the octagon lies between those of two corners; corners are projected by the function
- * that projects vertices. R is raised by 8 more camera units, as all of this is rounded to them. Where it does not, as where
- * a sphere holds the eye, no range is known: all strips.
+ * The strips of a sphere. Every vertex as computed lies in the sphere that the walk culls by
+ * (zs_cull_walk); clipping adds points between vertices only. Of the sphere, seen along x, that is
+ * a circle of centre (y, z), down and away from the eye, and radius R. The octagon of the corners
+ * (y -+ R, z -+ R/2) and (y -+ R/2, z -+ R) holds it: its slanting sides are 1.5 R / sqrt(2) = 1.06
+ * R from the centre. Where all of it lies between near and far, projection takes straight lines to
+ * straight lines, so that the row of each point of the octagon lies between those of two corners;
+ * corners are projected by the function that projects vertices. R is raised by 8 more camera units,
+ * as all of this is rounded to them. Where it does not, as where a sphere holds the eye, no range
+ * is known: all strips.
  *
  * SPDX-License-Identifier: MIT
  */
@@ -31,23 +34,27 @@
 #include "core/xform.h"
 #include "damage/changed.h"
 
-#define BESIDE 32 /* sub-pixels: corner and vertex are snapped by up to 8 each, their projections are within 2 each */
+#define BESIDE                                                                                     \
+    32 /* sub-pixels: corner and vertex are snapped by up to 8 each, their projections are within  \
+          2 each */
 
 struct zs_record { /* an instance in the frame begun last */
     uint32_t sum[2];
     uint16_t first, end; /* strips [first, end) may show it ... */
     uint16_t x, x_end;   /* ... in columns [x, x_end) */
 };
-_Static_assert(sizeof(struct zs_record) == 16 && ZS_TRACK_WORDS(1, 1, 1) == 2 + 4 + 1, "ZS_TRACK_WORDS");
+_Static_assert(sizeof(struct zs_record) == 16 && ZS_DAMAGE_WORDS(1, 1, 1) == 2 + 4 + 1,
+               "ZS_DAMAGE_WORDS");
 
 static struct zs_record *records(const struct zs_renderer *r)
 {
     return (struct zs_record *)(void *)(r->track_memory + 2);
 }
 
-/* Strips [first, end) are due in columns [x, x_end), widened to whole cells of zs_watch, which compares no other, and then to
- * ZS_TRACK_GRAIN. */
-static ZS_NOINLINE void make_due(struct zs_renderer *r, uint32_t first, uint32_t end, uint32_t x, uint32_t x_end)
+/* Strips [first, end) are due in columns [x, x_end), widened to whole cells of zs_damage_compare,
+ * which compares no other, and then to ZS_DAMAGE_GRAIN. */
+static ZS_NOINLINE void make_due(struct zs_renderer *r, uint32_t first, uint32_t end, uint32_t x,
+                                 uint32_t x_end)
 {
     const uint32_t width = r->config.width;
     if (x >= x_end)
@@ -57,9 +64,10 @@ static ZS_NOINLINE void make_due(struct zs_renderer *r, uint32_t first, uint32_t
         x = x / step * step;
         x_end = (x_end + step - 1u) / step * step;
     }
-    x &= 0u - ZS_TRACK_GRAIN;
-    x_end = zs_minu32((x_end + ZS_TRACK_GRAIN - 1u) & (0u - ZS_TRACK_GRAIN), width);
-    for (uint32_t *due = r->track_due + first, *const last = r->track_due + end; due < last; due++) {
+    x &= 0u - ZS_DAMAGE_GRAIN;
+    x_end = zs_minu32((x_end + ZS_DAMAGE_GRAIN - 1u) & (0u - ZS_DAMAGE_GRAIN), width);
+    for (uint32_t *due = r->track_due + first, *const last = r->track_due + end; due < last;
+         due++) {
         const uint32_t old = *due ? *due : width; /* first + end * 2^16 */
         *due = zs_minu32(old & 65535u, x) | zs_maxu32(old >> 16, x_end) << 16;
     }
@@ -81,7 +89,8 @@ static void begin(uint32_t lane[2])
     lane[1] = lanes[1];
 }
 
-/* A struct of the scene, as it lies in memory. Padding counts too: it can only make strips due that need not be. */
+/* A struct of the scene, as it lies in memory. Padding counts too: it can only make strips due that
+ * need not be. */
 static ZS_NOINLINE void add(uint32_t lane[2], const void *data, uint32_t bytes)
 {
     const zs_pair *at = data, *const end = (const zs_pair *)((const uint8_t *)data + bytes);
@@ -118,19 +127,21 @@ static void instance_sum(uint32_t lane[2], const struct zs_instance *in, struct 
     begin(lane);
     add(lane, looks->sum, sizeof looks->sum);
     add(lane, in, sizeof *in);
-    if (in->state) { /* not words in memory: 6 bytes, at an even address */
-        const struct zs_state *s = in->state;
-        const uint32_t words[2] = { s->equal | (uint32_t)s->read_only << 8,
-                                    (uint16_t)s->offset | (uint32_t)(uint16_t)s->slope << 16 };
+    if (in->depth_state) { /* not words in memory: 6 bytes, at an even address */
+        const struct zs_depth_state *s = in->depth_state;
+        const uint32_t words[2] = { s->func | (uint32_t)s->read_only << 8,
+                                    (uint16_t)s->bias | (uint32_t)(uint16_t)s->slope_bias << 16 };
         add(lane, words, sizeof words);
     }
 }
 
-/* What holds for all of a frame but view.shift; never 0 0. Camera, configuration and shift make all of zs_view. */
+/* What holds for all of a frame but view.shift; never 0 0. Camera, configuration and shift make all
+ * of zs_view. */
 static void frame_sum(uint32_t lane[2], const struct zs_renderer *r, const struct zs_scene *scene)
 {
     const struct zs_camera *camera = &r->camera;
-    const uint32_t others[3] = { camera->projection, scene->background | scene->n_instances << 16, scene->n_resolves };
+    const uint32_t others[3] = { camera->projection, scene->background | scene->n_instances << 16,
+                                 scene->n_resolves };
     begin(lane);
     add(lane, camera->rot, sizeof camera->rot + sizeof camera->pos);
     add(lane, &camera->focal, sizeof *camera - offsetof(struct zs_camera, focal));
@@ -139,13 +150,18 @@ static void frame_sum(uint32_t lane[2], const struct zs_renderer *r, const struc
     add(lane, &scene->sky, 2u * sizeof(void *));
     lane[0] += !(lane[0] | lane[1]);
 }
-_Static_assert(offsetof(struct zs_scene, resolve) == offsetof(struct zs_scene, sky) + sizeof(void *), "sky and resolve, the same");
-_Static_assert(offsetof(struct zs_camera, pos) == sizeof(((struct zs_camera *)0)->rot), "rot and pos are summed as one");
+_Static_assert(offsetof(struct zs_scene, resolve) ==
+                   offsetof(struct zs_scene, sky) + sizeof(void *),
+               "sky and resolve, the same");
+_Static_assert(offsetof(struct zs_camera, pos) == sizeof(((struct zs_camera *)0)->rot),
+               "rot and pos are summed as one");
 
 /* ---- The strips of a sphere ------------------------------------------------------------------ */
 
-/* Sub-pixels between which the sphere lies along axis 0 or 1, from the frame's left or top. Return 0: not known. */
-static int sphere_extent(int32_t at[2], const struct zs_renderer *r, const struct zs_bounds *b, int axis)
+/* Sub-pixels between which the sphere lies along axis 0 or 1, from the frame's left or top. Return
+ * 0: not known. */
+static int sphere_extent(int32_t at[2], const struct zs_renderer *r, const struct zs_bounds *b,
+                         int axis)
 {
     const struct zs_view *view = &r->view;
     const int32_t y = zs_view_length(view, b->c[axis]), z = zs_view_length(view, b->c[2]);
@@ -155,11 +171,13 @@ static int sphere_extent(int32_t at[2], const struct zs_renderer *r, const struc
     at[0] = INT32_MAX;
     at[1] = INT32_MIN;
     for (int k = 0; k < 8; k++) {
-        const int32_t dy = size >> !(k & 1), dz = size >> (k & 1), down = k & 2 ? y + dy : y - dy; /* < 2^30.6 */
+        const int32_t dy = size >> !(k & 1), dz = size >> (k & 1),
+                      down = k & 2 ? y + dy : y - dy; /* < 2^30.6 */
         struct zs_point p = { { 0, 0, k & 4 ? z + dz : z - dz } };
         struct zs_vertex v;
         p.c[axis] = (int32_t)zs_round_shift(zs_mul_ss(down, view->ratio), 30);
-        (void)zs_xform_project(r, &p, &v); /* beside the guard band: beside the frame, which is enough */
+        (void)zs_xform_project(r, &p,
+                               &v); /* beside the guard band: beside the frame, which is enough */
         const int32_t subpx = axis ? v.y : v.x;
         at[0] = zs_min32(at[0], subpx - BESIDE);
         at[1] = zs_max32(at[1], subpx + BESIDE);
@@ -167,7 +185,8 @@ static int sphere_extent(int32_t at[2], const struct zs_renderer *r, const struc
     return 1;
 }
 
-/* The strip of the first sample at or below a height, sub-pixels, `rows` rows further down; n_strips: none. */
+/* The strip of the first sample at or below a height, sub-pixels, `rows` rows further down;
+ * n_strips: none. */
 static ZS_NOINLINE uint16_t strip_at(const struct zs_renderer *r, int32_t y, uint32_t rows)
 {
     const int32_t row = zs_max32(zs_first_sample(y), 0);
@@ -207,8 +226,8 @@ static ZS_NOINLINE int differs(uint32_t kept[2], const uint32_t lane[2])
 
 #define OPEN 65535u /* zs_record.first: the strips are not known yet */
 
-/* Keep sums of a scene that has not been checked. all 0: what differs leaves its strips, which are due. Return 1: there is
- * something that differs, or cannot be read. */
+/* Keep sums of a scene that has not been checked. all 0: what differs leaves its strips, which are
+ * due. Return 1: there is something that differs, or cannot be read. */
 static int sums_keep(struct zs_renderer *r, const struct zs_scene *scene, int all)
 {
     uint32_t lane[2];
@@ -234,7 +253,8 @@ static int sums_keep(struct zs_renderer *r, const struct zs_scene *scene, int al
 static void rect_due(struct zs_renderer *r, const struct zs_rect *rect)
 {
     const uint32_t width = r->config.width;
-    const uint32_t x = rect ? zs_minu32(rect->x, width) : 0u, x_end = rect ? zs_minu32((uint32_t)rect->x + rect->w, width) : width;
+    const uint32_t x = rect ? zs_minu32(rect->x, width) : 0u,
+                   x_end = rect ? zs_minu32((uint32_t)rect->x + rect->w, width) : width;
     for (uint32_t s = 0; s < r->n_strips; s++)
         if (zs_strip_in(r, s, rect) && x < x_end)
             make_due(r, s, s + 1u, x, x_end);
@@ -293,7 +313,7 @@ static int track_due(struct zs_renderer *r)
     window_of(r->window, r, *due);
     *due = 0;
     if (!draw) {
-        r->stats.strips_unchanged++;
+        r->stats.strips_clean++;
         r->stats.strips_skipped++;
         if (r->strip < r->band_end)
             zs_raster_pass(r);
@@ -307,7 +327,9 @@ static int track_touches(const struct zs_renderer *r, uint32_t number, struct zs
     const uint32_t h = r->config.strip_h;
     uint32_t first = r->n_strips, end = 0, x = rec->x_end, x_end = 0;
     for (uint32_t s = zs_maxu32(rec->first, r->strip); s < rec->end && s < r->band_end; s++) {
-        uint16_t window[2] = { r->window[0], r->window[1] }; /* track_due has cleared the one that is being drawn */
+        uint16_t window[2] = {
+            r->window[0], r->window[1]
+        }; /* track_due has cleared the one that is being drawn */
         if (s != r->strip) {
             if (!r->track_due[s])
                 continue;
@@ -347,7 +369,8 @@ static int beside(struct zs_job *job)
            zs_first_sample(zs_max32(zs_max32(a->x, b->x), c->x)) <= window[0];
 }
 
-#define ASIDE 24 /* columns beside those that are drawn: splitting rows costs less than so many pixels */
+#define ASIDE                                                                                      \
+    24 /* columns beside those that are drawn: splitting rows costs less than so many pixels */
 
 /* Does so much of job->tri lie beside the columns that are drawn that its rows are split? */
 static int reaches_beside(const struct zs_job *job)
@@ -361,11 +384,13 @@ static int reaches_beside(const struct zs_job *job)
 }
 
 /* The columns of a piece that are drawn. */
-static void window_piece(struct zs_job *job, const struct zs_row *row, int32_t i0, int32_t i1, uint32_t sum, uint32_t step)
+static void window_piece(struct zs_job *job, const struct zs_row *row, int32_t i0, int32_t i1,
+                         uint32_t sum, uint32_t step)
 {
     const struct zs_renderer *r = job->r;
     const int32_t from = zs_max32(i0, r->window[0]), to = zs_min32(i1, r->window[1]);
-    job->r->stats.pixels_tested -= (uint32_t)(i1 - i0 - zs_max32(to - from, 0)); /* they are counted by rows */
+    job->r->stats.pixels_tested -=
+        (uint32_t)(i1 - i0 - zs_max32(to - from, 0)); /* they are counted by rows */
     if (from >= to)
         return;
     sum += zs_wrap_mul(step, from - i0);
@@ -375,16 +400,20 @@ static void window_piece(struct zs_job *job, const struct zs_row *row, int32_t i
         job->span(job, row, from, to, sum, step);
 }
 
-static const struct zs_track_kernel zs_track_sums = { .check = track_check, .due = track_due, .forget = track_forget,
-                                                      .touches = track_touches, .beside = beside,
-                                                      .reaches = reaches_beside, .piece = window_piece };
+static const struct zs_track_kernel zs_track_sums = { .check = track_check,
+                                                      .due = track_due,
+                                                      .forget = track_forget,
+                                                      .touches = track_touches,
+                                                      .beside = beside,
+                                                      .reaches = reaches_beside,
+                                                      .piece = window_piece };
 
-int zs_track(struct zs_renderer *r, uint32_t *memory, uint32_t n_instances)
+int zs_damage_track(struct zs_renderer *r, uint32_t *memory, uint32_t n_instances)
 {
     if (!r)
         return ZS_ERR_NULL;
     if (r->ready != 1 || r->scene)
-        return ZS_ERR_STATE;
+        return ZS_ERR_SEQUENCE;
     if (memory && n_instances > 65535u)
         return ZS_ERR_SIZE;
     r->track = memory ? &zs_track_sums : 0;
@@ -402,12 +431,12 @@ int zs_track(struct zs_renderer *r, uint32_t *memory, uint32_t n_instances)
     return ZS_OK;
 }
 
-int zs_track_columns(struct zs_renderer *r, int on)
+int zs_damage_columns(struct zs_renderer *r, int on)
 {
     if (!r)
         return ZS_ERR_NULL;
     if (r->ready != 1 || r->scene || !r->track)
-        return ZS_ERR_STATE;
+        return ZS_ERR_SEQUENCE;
     r->track_columns = on != 0;
     return ZS_OK;
 }

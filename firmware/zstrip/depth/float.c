@@ -1,37 +1,38 @@
-/* Keys whose step is a part of the distance: r = near / z as an unsigned float with e exponent and m = b - e
- * mantissa bits, taken from 2^b, so that near has the key 0.
+/* Keys whose step is a part of the distance: r = near / z as an unsigned float with e exponent and
+ * m = b - e mantissa bits, taken from 2^b, so that near has the key 0.
  *
- * With 2^-(k+1) <= r <= 2^-k and k at most 2^e - 2, octave o = 2^e - 1 - k in 1 .. 2^e - 1 (the last one, 1,
- * goes on to r = 0 with the same step):
- *   code(r) = (o - 1) 2^m + r 2^(k+1+m),   key = 2^b - code
- * which is continuous in r, and in each octave linear. r is linear on the screen. So
+ * With 2^-(k+1) <= r <= 2^-k and k at most 2^e - 2, octave o = 2^e - 1 - k in 1 .. 2^e - 1 (the
+ * last one, 1, goes on to r = 0 with the same step): code(r) = (o - 1) 2^m + r 2^(k+1+m),   key =
+ * 2^b - code which is continuous in r, and in each octave linear. r is linear on the screen. So
  *
- * - in a triangle whose vertices lie in one octave, keys are linear on the screen: it is drawn by the same
- *   kernels, at the same cost a pixel, as reciprocal keys are;
- * - any other carries r over the screen in 64 bits; a row is cut where an octave ends, and between cuts keys
- *   are linear again. The only work beyond the row's entry is one leading-zeros count for each end and, in rows
- *   that do cross an octave, a bisection. Nothing is encoded a pixel, on cores with CLZ and on those without;
- * - where it is tiny (core/job.h) and its vertices lie in two octaves next to each other, 32 bits do for r.
+ * - in a triangle whose vertices lie in one octave, keys are linear on the screen: it is drawn by
+ * the same kernels, at the same cost a pixel, as reciprocal keys are;
+ * - any other carries r over the screen in 64 bits; a row is cut where an octave ends, and between
+ * cuts keys are linear again. The only work beyond the row's entry is one leading-zeros count for
+ * each end and, in rows that do cross an octave, a bisection. Nothing is encoded a pixel, on cores
+ * with CLZ and on those without;
+ * - where it is tiny (core/job.h) and its vertices lie in two octaves next to each other, 32 bits
+ * do for r.
  *
- * zs_vertex.d is the key in uq16_16. That is a float with m + 16 mantissa bits (27 to 29 in 16-bit keys), and
- * r is found from it exactly.
+ * zs_vertex.d is the key in uq16_16. That is a float with m + 16 mantissa bits (27 to 29 in 16-bit
+ * keys), and r is found from it exactly.
  *
- * Keys that differ by D <= 2^m in 2^m steps an octave: w changes by at most D / 2^m of the least w (view.key_slow).
- * With the farther one s below the border to the nearer one's octave, s <= D: (s + 2 (D - s)) / (2^(m+1) - s), and
- * in one octave D / 2^m at most.
+ * Keys that differ by D <= 2^m in 2^m steps an octave: w changes by at most D / 2^m of the least w
+ * (view.key_slow). With the farther one s below the border to the nearer one's octave, s <= D: (s +
+ * 2 (D - s)) / (2^(m+1) - s), and in one octave D / 2^m at most.
  *
  * Errors of a key, as parts of a bucket:
- *   vertex        r from 32-bit mantissas and a reciprocal of 2^-30: below 2^-29 of r, at most 2^-15; stored
- *                 to 2^-17
- *   one octave    plane.c: at most the larger of 0.0035 and (W + H + 1) / 2^17
- *   more octaves  w = r scaled to below 2^39, rounded: 2^-39 of the nearest vertex's r; with rho the ratio of
- *                 the farthest vertex to the nearest that is rho 2^-39 of the farthest's, or rho 2^(m-38) buckets:
- *                 below 2^-5 at m = 13 for rho < 2^20, and for e3m13, e4m12 never above 2^-17, because beyond
- *                 2^7 or 2^15 times near a bucket's width in r stays. Steps of w are 2^-24 ulp: nothing. The key of
- *                 a piece's first pixel and its step are rounded to 2^-16: (W + 1) / 2^17 at the most
- *   two, tiny     w = r scaled so that the nearer octave ends at 2^31: the vertices' are exact. A bucket of it is
- *                 2^17 ulp or more, of the farther one 2^16; plane.c, 128 steps: 0.88 * 128 + 1.4 = 114 ulp. Rounding
- *                 of a piece's first pixel and its steps, in the nearer one: 129 / 2^17. At the most 0.0019
+ *   vertex        r from 32-bit mantissas and a reciprocal of 2^-30: below 2^-29 of r, at most
+ * 2^-15; stored to 2^-17 one octave    plane.c: at most the larger of 0.0035 and (W + H + 1) / 2^17
+ *   more octaves  w = r scaled to below 2^39, rounded: 2^-39 of the nearest vertex's r; with rho
+ * the ratio of the farthest vertex to the nearest that is rho 2^-39 of the farthest's, or rho
+ * 2^(m-38) buckets: below 2^-5 at m = 13 for rho < 2^20, and for e3m13, e4m12 never above 2^-17,
+ * because beyond 2^7 or 2^15 times near a bucket's width in r stays. Steps of w are 2^-24 ulp:
+ * nothing. The key of a piece's first pixel and its step are rounded to 2^-16: (W + 1) / 2^17 at
+ * the most two, tiny     w = r scaled so that the nearer octave ends at 2^31: the vertices' are
+ * exact. A bucket of it is 2^17 ulp or more, of the farther one 2^16; plane.c, 128 steps: 0.88 *
+ * 128 + 1.4 = 114 ulp. Rounding of a piece's first pixel and its steps, in the nearer one: 129 /
+ * 2^17. At the most 0.0019
  *
  * SPDX-License-Identifier: MIT
  */
@@ -41,7 +42,7 @@
 #include "core/rows.h"
 
 static ZS_RARE int float_setup(struct zs_view *view, const struct zs_camera *camera, uint32_t bits,
-                       uint32_t exponent_bits)
+                               uint32_t exponent_bits)
 {
     if (!view->perspective)
         return ZS_ERR_DEPTH; /* near / z has no meaning there */
@@ -49,7 +50,8 @@ static ZS_RARE int float_setup(struct zs_view *view, const struct zs_camera *cam
     view->key_top = ((1u << bits) - 1u) << 16;
     view->key_mantissa = (uint8_t)(bits - exponent_bits);
     view->key_octaves = (uint8_t)((1u << exponent_bits) - 1u);
-    const int lz = zs_clz64((uint64_t)camera->z_near); /* near = key_mul / 2^key_shift camera units */
+    const int lz = zs_clz64(
+        (uint64_t)camera->z_near); /* near = key_mul / 2^key_shift camera units */
     view->key_mul = (uint32_t)((uint64_t)camera->z_near << lz >> 32);
     view->key_shift = lz - 16 - view->shift;
     view->key_lz = view->key_octaves - 1 - view->key_shift;
@@ -60,7 +62,8 @@ static ZS_RARE int float_setup(struct zs_view *view, const struct zs_camera *cam
     view->piece_shift = (uint8_t)(view->key_mantissa + 16);
     view->key_far = 0;
     view->key_slow = (1u << (view->key_mantissa + 16)) - 1u;
-    view->key_known = view->key_top + 0xffffu - (2u << (view->key_mantissa + 16)); /* all but the last octave */
+    view->key_known = view->key_top + 0xffffu -
+                      (2u << (view->key_mantissa + 16)); /* all but the last octave */
     return ZS_OK;
 }
 
@@ -91,25 +94,29 @@ static int e5_setup(struct zs_view *view, const struct zs_camera *camera, uint32
     return float_setup(view, camera, bits, 5);
 }
 
-/* A code less 2^-16, uq16_16: the code itself is 2^16 at near in 16-bit keys, and would need a bit more. */
+/* A code less 2^-16, uq16_16: the code itself is 2^16 at near in 16-bit keys, and would need a bit
+ * more. */
 static inline uint32_t below_code(const struct zs_view *view, uint32_t key)
 {
     return view->key_top + 0xffffu - key;
 }
 
-/* r = p / 2^32 * 2^(octave - last), p >= 2^31, in the octaves where keys differ from the common case: beyond near, the two
- * farthest. */
-static ZS_RARE ZS_NOINLINE uint32_t last_vertex(const struct zs_view *view, uint32_t p, int32_t octave)
+/* r = p / 2^32 * 2^(octave - last), p >= 2^31, in the octaves where keys differ from the common
+ * case: beyond near, the two farthest. */
+static ZS_RARE ZS_NOINLINE uint32_t last_vertex(const struct zs_view *view, uint32_t p,
+                                                int32_t octave)
 {
     const int32_t m = view->key_mantissa + 16, last = view->key_octaves; /* m: 19 .. 29 */
     if (octave > last)
         return 0; /* at near, give or take the rounding of z */
     const int32_t shift = 31 - m + (octave < 1 ? 1 - octave : 0);
-    const uint32_t last_key = view->key_top + (view->key_top < 0xffff0000u ? 0xffffu : 0u); /* 16 bits: no room */
+    const uint32_t last_key = view->key_top +
+                              (view->key_top < 0xffff0000u ? 0xffffu : 0u); /* 16 bits: no room */
     if (shift > 31)
         return last_key;
     const uint32_t code = ((p >> (shift - 1)) + 1u) >> 1; /* 2 <= shift */
-    if (code <= view->key_top + 0x10000u - last_key && octave < last) /* the right side is modulo 2^32: 1 or 2^16 */
+    if (code <= view->key_top + 0x10000u - last_key &&
+        octave < last) /* the right side is modulo 2^32: 1 or 2^16 */
         return last_key;
     return view->key_top + 0x10000u - code; /* modulo 2^32: 0 where code came to 2^32 */
 }
@@ -118,7 +125,7 @@ static uint32_t float_vertex(const struct zs_view *view, int32_t z, uint32_t rcp
 {
     (void)z;
     uint32_t p = zs_umulh(view->key_mul, rcp); /* [2^30, 2^32): r = p / 2^(key_shift + 31 - lz) */
-    int32_t above = view->key_lz + lz; /* octave 2 */
+    int32_t above = view->key_lz + lz;         /* octave 2 */
     if (!(p >> 31)) {
         p <<= 1;
         above--;
@@ -129,7 +136,8 @@ static uint32_t float_vertex(const struct zs_view *view, int32_t z, uint32_t rcp
     return view->key_code - ((uint32_t)above << m) - (((p >> (30u - m)) + 1u) >> 1);
 }
 
-/* The octave of a key, 1 .. 2^e - 1; a border belongs to the farther one, which gives the same r. */
+/* The octave of a key, 1 .. 2^e - 1; a border belongs to the farther one, which gives the same r.
+ */
 static inline int32_t octave_of(const struct zs_view *view, uint32_t key)
 {
     const int32_t o = (int32_t)(below_code(view, key) >> (view->key_mantissa + 16));
@@ -139,11 +147,13 @@ static inline int32_t octave_of(const struct zs_view *view, uint32_t key)
 /* r of a key but for its octave: in (0, 2^(m+1)], r ~ mantissa * 2^octave. */
 static inline uint32_t mantissa_of(const struct zs_view *view, uint32_t key, int32_t octave)
 {
-    return below_code(view, key) - ((uint32_t)(octave - 1) << (view->key_mantissa + 16)) + 1u; /* <= 2^30 */
+    return below_code(view, key) - ((uint32_t)(octave - 1) << (view->key_mantissa + 16)) +
+           1u; /* <= 2^30 */
 }
 
 /* float_inverses of vertices in several octaves. */
-static ZS_NOINLINE void octaves_inverses(const struct zs_view *view, const uint32_t d[3], int32_t nearest, uint32_t w[3])
+static ZS_NOINLINE void octaves_inverses(const struct zs_view *view, const uint32_t d[3],
+                                         int32_t nearest, uint32_t w[3])
 {
     int32_t down[3];
     uint32_t any = 0;
@@ -160,7 +170,8 @@ static ZS_NOINLINE void octaves_inverses(const struct zs_view *view, const uint3
     }
 }
 
-static void float_inverses(const struct zs_view *view, const struct zs_vertex *const v[3], uint32_t w[3])
+static void float_inverses(const struct zs_view *view, const struct zs_vertex *const v[3],
+                           uint32_t w[3])
 {
     const uint32_t d[3] = { v[0]->d, v[1]->d, v[2]->d };
     const uint32_t nearest = zs_minu32(zs_minu32(d[0], d[1]), d[2]);
@@ -170,24 +181,30 @@ static void float_inverses(const struct zs_view *view, const struct zs_vertex *c
         octaves_inverses(view, d, o, w);
         return;
     }
-    const uint32_t mantissa = mantissa_of(view, nearest, o); /* 1 .. 2^30; the others' are less by what d is more */
+    const uint32_t mantissa = mantissa_of(
+        view, nearest, o); /* 1 .. 2^30; the others' are less by what d is more */
     const int32_t up = zs_clz32(mantissa) - 1;
     for (int k = 0; k < 3; k++)
         w[k] = (mantissa - (d[k] - nearest)) << up;
 }
 
-#define W_BITS 39          /* plane.c: differences times 2^23 fit 63 bits */
-#define PAIR_END (1 << 30) /* two octaves: w where the farther one ends; the nearer one ends at twice that */
-#define PAIR_LEAST 4096u   /* ... and the least w of a vertex: its plane is off by up to 114 and must stay above 0 */
+#define W_BITS 39 /* plane.c: differences times 2^23 fit 63 bits */
+#define PAIR_END                                                                                   \
+    (1 << 30) /* two octaves: w where the farther one ends; the nearer one ends at twice that */
+#define PAIR_LEAST                                                                                 \
+    4096u /* ... and the least w of a vertex: its plane is off by up to 114 and must stay above 0  \
+           */
 
-/* w of a tiny triangle in two octaves into job->key. Return 0 where a vertex is too far away for it. */
+/* w of a tiny triangle in two octaves into job->key. Return 0 where a vertex is too far away for
+ * it. */
 static int pair_planes(struct zs_job *job, const int32_t octave[3], int32_t nearest)
 {
     const struct zs_view *view = &job->r->view;
     const int32_t shift = 30 - (view->key_mantissa + 16); /* 1 .. 11 */
     uint32_t w[3];
     for (int k = 0; k < 3; k++) {
-        w[k] = mantissa_of(view, job->v[k]->d, octave[k]) << (shift - (nearest - octave[k])); /* exact, <= 2^31 */
+        w[k] = mantissa_of(view, job->v[k]->d, octave[k])
+               << (shift - (nearest - octave[k])); /* exact, <= 2^31 */
         if (w[k] < PAIR_LEAST)
             return 0;
     }
@@ -195,8 +212,9 @@ static int pair_planes(struct zs_job *job, const int32_t octave[3], int32_t near
     return 1;
 }
 
-/* r of a triangle over the screen, where its keys are not linear; 1: they are. job->w64_scale: the nearest vertex's octave. More
- * octaves: job->w64, w = r scaled so that this octave ends at 2^39; two: job->key, so that it ends at 2^31. */
+/* r of a triangle over the screen, where its keys are not linear; 1: they are. job->w64_scale: the
+ * nearest vertex's octave. More octaves: job->w64, w = r scaled so that this octave ends at 2^39;
+ * two: job->key, so that it ends at 2^31. */
 ZS_IN_ORDER static ZS_NOINLINE int crossing_planes(struct zs_job *job)
 {
     const struct zs_view *view = &job->r->view;
@@ -210,12 +228,15 @@ ZS_IN_ORDER static ZS_NOINLINE int crossing_planes(struct zs_job *job)
     if (nearest == farthest) /* after all: the last has the codes of two */
         return 1;
     job->w64_scale = nearest;
-    job->two_octaves = job->geom.tiny && nearest - farthest == 1 && pair_planes(job, octave, nearest);
+    job->two_octaves = job->geom.tiny && nearest - farthest == 1 &&
+                       pair_planes(job, octave, nearest);
     if (job->two_octaves)
         return 0;
     for (int k = 0; k < 3; k++) {
-        const int32_t up = W_BITS - 1 - (view->key_mantissa + 16) - (nearest - octave[k]); /* -19 .. 19 */
-        w[k] = (uint64_t)zs_scale2((int64_t)mantissa_of(view, job->v[k]->d, octave[k]), up); /* <= 2^39 */
+        const int32_t up = W_BITS - 1 - (view->key_mantissa + 16) -
+                           (nearest - octave[k]); /* -19 .. 19 */
+        w[k] = (uint64_t)zs_scale2((int64_t)mantissa_of(view, job->v[k]->d, octave[k]),
+                                   up); /* <= 2^39 */
     }
     zs_plane64(&job->geom, w[0], w[1], w[2], &job->w64);
     return 0;
@@ -223,13 +244,16 @@ ZS_IN_ORDER static ZS_NOINLINE int crossing_planes(struct zs_job *job)
 
 /* ---- Two octaves ----------------------------------------------------------------------------- */
 
-/* Pixels [i, i + n) of a row, all in the nearer octave or in the farther one: code = (o - 1) 2^m + w / 2^shift. */
-static ZS_NOINLINE void pair_piece(struct zs_job *job, const struct zs_row *row, int32_t i, int32_t n, uint32_t w,
-                                   int32_t farther)
+/* Pixels [i, i + n) of a row, all in the nearer octave or in the farther one: code = (o - 1) 2^m +
+ * w / 2^shift. */
+static ZS_NOINLINE void pair_piece(struct zs_job *job, const struct zs_row *row, int32_t i,
+                                   int32_t n, uint32_t w, int32_t farther)
 {
     const struct zs_view *view = &job->r->view;
-    const int32_t m = view->key_mantissa + 16, shift = 30 - m - farther;  /* m is 19 .. 29: 0 .. 11 */
-    const uint32_t start = view->key_top + 0x18000u - ((uint32_t)(job->w64_scale - 1 - farther) << m);
+    const int32_t m = view->key_mantissa + 16,
+                  shift = 30 - m - farther; /* m is 19 .. 29: 0 .. 11 */
+    const uint32_t start = view->key_top + 0x18000u -
+                           ((uint32_t)(job->w64_scale - 1 - farther) << m);
     uint32_t code = w;
     int32_t step = (int32_t)job->key.gx;
     if (shift > 0) {
@@ -242,23 +266,29 @@ static ZS_NOINLINE void pair_piece(struct zs_job *job, const struct zs_row *row,
 /* w - PAIR_END has the sign that tells the octave: 0 <= w < 2^32 - 2^30. */
 ZS_ALWAYS_INLINE void pair_span(struct zs_job *job, const struct zs_row *row)
 {
-    const int32_t gx = (int32_t)job->key.gx, n = row->i1 - row->i0; /* gx may be any where n is 1, else |gx| < 2^31 */
+    const int32_t gx = (int32_t)job->key.gx,
+                  n = row->i1 - row->i0; /* gx may be any where n is 1, else |gx| < 2^31 */
     const uint32_t w = row->key + zs_wrap_mul((uint32_t)gx, row->i0);
-    const int32_t above = (int32_t)(w - PAIR_END), above_end = (int32_t)((uint32_t)above + zs_wrap_mul((uint32_t)gx, n - 1));
+    const int32_t above = (int32_t)(w - PAIR_END),
+                  above_end = (int32_t)((uint32_t)above + zs_wrap_mul((uint32_t)gx, n - 1));
     if ((above ^ above_end) >= 0) {
         pair_piece(job, row, row->i0, n, w, above < 0);
         return;
     }
-    /* pixels before the first on the other side: 1 .. n - 1; gx is not 0, and what is divided below n |gx| */
-    const int32_t first = above < 0 ? (int32_t)(((uint32_t)gx - 1u - (uint32_t)above) / (uint32_t)gx)
-                                    : (int32_t)((uint32_t)above / (0u - (uint32_t)gx)) + 1;
+    /* pixels before the first on the other side: 1 .. n - 1; gx is not 0, and what is divided below
+     * n |gx| */
+    const int32_t first = above < 0
+                              ? (int32_t)(((uint32_t)gx - 1u - (uint32_t)above) / (uint32_t)gx)
+                              : (int32_t)((uint32_t)above / (0u - (uint32_t)gx)) + 1;
     pair_piece(job, row, row->i0, first, w, above < 0);
-    pair_piece(job, row, row->i0 + first, n - first, w + zs_wrap_mul((uint32_t)gx, first), above >= 0);
+    pair_piece(job, row, row->i0 + first, n - first, w + zs_wrap_mul((uint32_t)gx, first),
+               above >= 0);
 }
 
 /* ---- More ------------------------------------------------------------------------------------ */
 
-/* Leading zeros of w in 39.24 bits, 1 .. last: how many octaves below the nearest's end, and one. */
+/* Leading zeros of w in 39.24 bits, 1 .. last: how many octaves below the nearest's end, and one.
+ */
 static inline int32_t octaves_down(uint64_t w, int32_t last)
 {
     const int32_t lz = w ? zs_clz64(w) : 64; /* 0 only by an error of the last bits */
@@ -266,7 +296,8 @@ static inline int32_t octaves_down(uint64_t w, int32_t last)
 }
 
 /* Of n pixels from one with w on, how many lie in its octave; the n-th does not. */
-static ZS_NOINLINE int32_t pixels_within(uint64_t w, uint64_t gx, int32_t n, int32_t down, int32_t last)
+static ZS_NOINLINE int32_t pixels_within(uint64_t w, uint64_t gx, int32_t n, int32_t down,
+                                         int32_t last)
 {
     int32_t in = 0, out = n - 1; /* pixel `in` does, pixel `out` does not */
     while (out - in > 1) {
@@ -279,7 +310,8 @@ static ZS_NOINLINE int32_t pixels_within(uint64_t w, uint64_t gx, int32_t n, int
     return out;
 }
 
-/* The low 32 bits of (v + 2^(shift - 1)) / 2^shift, floor. 1 <= shift <= 63; v is signed or not, a constant */
+/* The low 32 bits of (v + 2^(shift - 1)) / 2^shift, floor. 1 <= shift <= 63; v is signed or not, a
+ * constant */
 ZS_ALWAYS_INLINE uint32_t rounded(uint64_t v, int32_t shift, int is_signed)
 {
     v += (uint64_t)1 << (shift - 1);
@@ -289,24 +321,28 @@ ZS_ALWAYS_INLINE uint32_t rounded(uint64_t v, int32_t shift, int is_signed)
     return is_signed ? (uint32_t)((int32_t)hi >> (shift - 32)) : hi >> (shift - 32);
 }
 
-/* Pixels [i, i + n) of a row, in one octave: code = (o - 1) 2^m + w / 2^shift with o = last + 1 - down. */
-ZS_IN_ORDER static ZS_NOINLINE void float_piece(struct zs_job *job, const struct zs_row *row, uint64_t w, int32_t down, int32_t i,
-                                    int32_t n)
+/* Pixels [i, i + n) of a row, in one octave: code = (o - 1) 2^m + w / 2^shift with o = last + 1 -
+ * down. */
+ZS_IN_ORDER static ZS_NOINLINE void float_piece(struct zs_job *job, const struct zs_row *row,
+                                                uint64_t w, int32_t down, int32_t i, int32_t n)
 {
     const struct zs_view *view = &job->r->view;
-    const int32_t m = view->key_mantissa + 16, shift = 63 - m - down;     /* 5 .. 43 */
+    const int32_t m = view->key_mantissa + 16, shift = 63 - m - down; /* 5 .. 43 */
     const uint32_t code = ((uint32_t)(job->w64_scale - down) << m) + rounded(w, shift, 0);
-    const uint32_t sum = view->key_top + 0x10000u - code + 0x8000u;       /* modulo 2^32 */
-    const uint32_t step = 0u - rounded(job->w64.gx, shift, 1);            /* gx may be any where n is 1 */
+    const uint32_t sum = view->key_top + 0x10000u - code + 0x8000u; /* modulo 2^32 */
+    const uint32_t step = 0u - rounded(job->w64.gx, shift, 1);      /* gx may be any where n is 1 */
     job->piece(job, row, i, i + n, sum, step);
 }
 
 /* A row that may cross octaves; its last pixel is down_end down. */
-static ZS_NOINLINE void crossing_row(struct zs_job *job, const struct zs_row *row, uint64_t w, int32_t down_end)
+static ZS_NOINLINE void crossing_row(struct zs_job *job, const struct zs_row *row, uint64_t w,
+                                     int32_t down_end)
 {
     const int32_t last = job->w64_scale;
     const uint64_t gx = job->w64.gx;
-    int32_t i = row->i0, left = row->i1 - i; /* of the last pixel w is the end's, modulo 2^64: it is not bisected */
+    int32_t i = row->i0,
+            left = row->i1 -
+                   i; /* of the last pixel w is the end's, modulo 2^64: it is not bisected */
     for (;;) {
         const int32_t down = octaves_down(w, last);
         const int32_t n = down == down_end ? left : pixels_within(w, gx, left, down, last);
@@ -345,12 +381,16 @@ static int float_planes(struct zs_job *job)
 {
     const struct zs_view *view = &job->r->view;
     const uint32_t code = below_code(view, job->v[0]->d);
-    const uint32_t differ = (code ^ below_code(view, job->v[1]->d)) | (code ^ below_code(view, job->v[2]->d));
+    const uint32_t differ = (code ^ below_code(view, job->v[1]->d)) |
+                            (code ^ below_code(view, job->v[2]->d));
     return !(differ >> (view->key_mantissa + 16)) || crossing_planes(job);
 }
 
-#define FLOAT_DEPTH(setup_)                                                                                   \
-    { .setup = setup_, .vertex = float_vertex, .planes = float_planes, .row = any_row, .inverses = float_inverses }
+#define FLOAT_DEPTH(setup_)                                                                        \
+    {                                                                                              \
+        .setup = setup_, .vertex = float_vertex, .planes = float_planes, .row = any_row,           \
+        .inverses = float_inverses                                                                 \
+    }
 
 const struct zs_depth zs_depth_float = FLOAT_DEPTH(any_setup);
 const struct zs_depth zs_depth_e3m13 = FLOAT_DEPTH(e3_setup);

@@ -2,14 +2,13 @@
  *
  * Orthographic: linear on the screen too, and nothing below is used but the set-up and the vertex.
  *
- * Perspective: not linear on the screen, but 1/z is. A triangle carries w = 2^62 / z, shifted until the
- * largest of its three values lies below 2^40, over the screen with 24 more fraction bits, and every
- * pixel takes a reciprocal. Errors, as parts of z, with r the triangle's ratio of farthest to nearest:
- *   rounding of w at the vertices     r * 2^-40 (largest w >= 2^39), or 2^-33 where no bit was shifted out
- *   steps, at most 2^13 of 2^-24 ulp  r * 2^-50
- *   cut to 32 bits, reciprocal        2^-31 + 2^-30
- * Times z / (f - n) * 65535 buckets: below 0.005 for r <= 2^15 and f >= 2n.
- * 64-bit sums are two instructions a pixel beside about forty for the reciprocal.
+ * Perspective: not linear on the screen, but 1/z is. A triangle carries w = 2^62 / z, shifted until
+ * the largest of its three values lies below 2^40, over the screen with 24 more fraction bits, and
+ * every pixel takes a reciprocal. Errors, as parts of z, with r the triangle's ratio of farthest to
+ * nearest: rounding of w at the vertices     r * 2^-40 (largest w >= 2^39), or 2^-33 where no bit
+ * was shifted out steps, at most 2^13 of 2^-24 ulp  r * 2^-50 cut to 32 bits, reciprocal 2^-31 +
+ * 2^-30 Times z / (f - n) * 65535 buckets: below 0.005 for r <= 2^15 and f >= 2n. 64-bit sums are
+ * two instructions a pixel beside about forty for the reciprocal.
  *
  * SPDX-License-Identifier: MIT
  */
@@ -31,7 +30,7 @@ static ZS_RARE int linear_setup(struct zs_view *view, const struct zs_camera *ca
     const uint64_t range = (uint64_t)(camera->z_far - camera->z_near); /* q48_16, < 2^61 */
     const int lz = zs_clz64(range);
     const uint64_t c = zs_muldiv_u64((uint64_t)(view->key_top >> 16) << 46, (uint64_t)1 << 32,
-                                     range << lz);                      /* [2^21, 2^31) */
+                                     range << lz); /* [2^21, 2^31) */
     const int up = zs_clz32((uint32_t)c) - 1;
     ZS_FACT(up >= 0 && up <= 9);
     view->key_mul = (uint32_t)c << up;
@@ -41,7 +40,8 @@ static ZS_RARE int linear_setup(struct zs_view *view, const struct zs_camera *ca
 }
 
 /* above * key_mul / 2^shift, nearest, at most `most`. -31 <= shift */
-static inline uint32_t key_of(const struct zs_view *view, uint32_t above, int32_t shift, uint32_t most)
+static inline uint32_t key_of(const struct zs_view *view, uint32_t above, int32_t shift,
+                              uint32_t most)
 {
     const uint64_t product = zs_mul_uu(above, view->key_mul); /* < 2^63 */
     ZS_FACT(shift >= -31);
@@ -70,7 +70,8 @@ static uint64_t linear_inverse(const struct zs_view *view, uint32_t d)
 static uint32_t linear_key(const struct zs_view *view, uint32_t d)
 {
     const uint32_t n = (uint32_t)view->z_near;
-    return view->perspective ? key_of(view, d > n ? d - n : 0u, view->key_shift - 16, view->key_top) : d;
+    return view->perspective ? key_of(view, d > n ? d - n : 0u, view->key_shift - 16, view->key_top)
+                             : d;
 }
 
 static int linear_planes(struct zs_job *job)
@@ -95,7 +96,8 @@ static int linear_planes(struct zs_job *job)
 static uint32_t pixel_key(const struct zs_view *view, uint64_t w, int32_t scale)
 {
     if (w == 0)
-        return view->key_top >> 16; /* cannot be on a covered pixel; a defined answer all the same */
+        return view->key_top >>
+               16; /* cannot be on a covered pixel; a defined answer all the same */
     const int lz = zs_clz64(w);
     const uint32_t rcp = zs_recip((uint32_t)(w << lz >> 32));
     const int32_t q = scale - lz; /* z = rcp / 2^q */
@@ -113,5 +115,9 @@ static void linear_row(struct zs_job *job, const struct zs_row *row)
         job->piece(job, row, i, i + 1, pixel_key(&job->r->view, w, job->w64_scale) << 16, 0);
 }
 
-const struct zs_depth zs_depth_linear = { .setup = linear_setup, .vertex = linear_vertex, .planes = linear_planes,
-                                          .row = linear_row, .inverse = linear_inverse, .key = linear_key };
+const struct zs_depth zs_depth_linear = { .setup = linear_setup,
+                                          .vertex = linear_vertex,
+                                          .planes = linear_planes,
+                                          .row = linear_row,
+                                          .inverse = linear_inverse,
+                                          .key = linear_key };

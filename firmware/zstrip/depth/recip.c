@@ -1,7 +1,7 @@
 /* Keys that are linear on the screen: (1/n - 1/z) / (1/n - 1/f) * (B - 1).
  *
- * Written as K (z - n) / z with K = (B - 1) f / (f - n): the difference z - n is exact, so the key's
- * error is relative to the key: 2^-29 of it from the reciprocal, plus one ulp of uq16_16.
+ * Written as K (z - n) / z with K = (B - 1) f / (f - n): the difference z - n is exact, so the
+ * key's error is relative to the key: 2^-29 of it from the reciprocal, plus one ulp of uq16_16.
  *
  * SPDX-License-Identifier: MIT
  */
@@ -31,9 +31,9 @@ static ZS_RARE int recip_setup(struct zs_view *view, const struct zs_camera *cam
 
 static uint32_t recip_vertex(const struct zs_view *view, int32_t z, uint32_t rcp, int32_t lz)
 {
-    const uint32_t above = (uint32_t)(z - view->z_near) << lz;           /* < z << lz < 2^32 */
-    const uint64_t t = zs_mul_uu(above, rcp) >> 31;                      /* (z - n) / z, uq0_32 */
-    const uint64_t key = t * view->key_mul >> view->key_shift;           /* < 2^64; floor */
+    const uint32_t above = (uint32_t)(z - view->z_near) << lz; /* < z << lz < 2^32 */
+    const uint64_t t = zs_mul_uu(above, rcp) >> 31;            /* (z - n) / z, uq0_32 */
+    const uint64_t key = t * view->key_mul >> view->key_shift; /* < 2^64; floor */
     return key > view->key_top ? view->key_top : (uint32_t)key;
 }
 
@@ -43,4 +43,6 @@ static uint64_t recip_inverse(const struct zs_view *view, uint32_t d)
     return view->key_far > d ? view->key_far - d : 1u;
 }
 
-const struct zs_depth zs_depth_recip = { .setup = recip_setup, .vertex = recip_vertex, .inverse = recip_inverse };
+const struct zs_depth zs_depth_recip = { .setup = recip_setup,
+                                         .vertex = recip_vertex,
+                                         .inverse = recip_inverse };

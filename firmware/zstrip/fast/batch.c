@@ -1,5 +1,5 @@
-/* Meshes in batches: vertices of a mesh transformed in one go, where the pool has room for all; triangles that are turned away
- * dropped by a loop in 32 bits, before the others are binned.
+/* Meshes in batches: vertices of a mesh transformed in one go, where the pool has room for all;
+ * triangles that are turned away dropped by a loop in 32 bits, before the others are binned.
  *
  * SPDX-License-Identifier: MIT
  */
@@ -16,7 +16,8 @@ static inline const int32_t *xy(const struct zs_vertex *v)
 {
     return (const int32_t *)(const void *)v;
 }
-_Static_assert(offsetof(struct zs_vertex, x) == 0 && offsetof(struct zs_vertex, y) == 4, "x and y come first");
+_Static_assert(offsetof(struct zs_vertex, x) == 0 && offsetof(struct zs_vertex, y) == 4,
+               "x and y come first");
 
 /* ---- Vertices -------------------------------------------------------------------------------- */
 
@@ -26,7 +27,8 @@ void zs_batch_verts(struct zs_renderer *r, uint32_t slot, uint32_t from, uint32_
     zs_screen(r, from, n, &r->vert[slot]);
 }
 
-/* Transform all of the current mesh, where there is room; not what only clusters need that are left out. */
+/* Transform all of the current mesh, where there is room; not what only clusters need that are left
+ * out. */
 static void batch_open(struct zs_renderer *r)
 {
     const uint32_t n = r->xform.instance->mesh->n_verts, room = r->config.max_verts - r->n_verts;
@@ -53,11 +55,11 @@ struct batch {
     const struct zs_vertex *pool; /* direct: of vertex 0 */
     const struct zs_shader *shader;
     uint32_t n_verts;
-    int32_t away;                 /* times the area: > 0 where the triangle is turned away and that matters */
-    uint32_t *fate;               /* [ZS_FATES]: counts of those that were dropped */
-    uint32_t *piece;              /* of a clipped triangle, as zs_assemble_tri */
-    uint8_t left[BATCH];          /* the others: 4 * number in the batch, 1 more where it turns counter-clockwise, 2 where
-                                     that is not known */
+    int32_t away;    /* times the area: > 0 where the triangle is turned away and that matters */
+    uint32_t *fate;  /* [ZS_FATES]: counts of those that were dropped */
+    uint32_t *piece; /* of a clipped triangle, as zs_assemble_tri */
+    uint8_t left[BATCH]; /* the others: 4 * number in the batch, 1 more where it turns
+                            counter-clockwise, 2 where that is not known */
 };
 
 static ZS_NOINLINE void dropped(struct batch *s, enum zs_fate fate)
@@ -66,7 +68,8 @@ static ZS_NOINLINE void dropped(struct batch *s, enum zs_fate fate)
     s->fate[ZS_FATE_FACING]--; /* reject() counts it there */
 }
 
-/* A triangle that is large, or not wholly inside near, far and guard. Return 0: it lies outside, and is dropped. */
+/* A triangle that is large, or not wholly inside near, far and guard. Return 0: it lies outside,
+ * and is dropped. */
 static ZS_NOINLINE int slow_case(struct batch *s, const uint16_t index[3])
 {
     const struct zs_vertex *const pool = s->pool;
@@ -79,13 +82,13 @@ static ZS_NOINLINE int slow_case(struct batch *s, const uint16_t index[3])
     return 0;
 }
 
-/* Drop triangles that lie on one side outside, and small ones that are turned away, for which 32 bits are enough. Return how
- * many are left. Vertices that are not inside near, far and guard need no test of their own: they are too far from all
- * others for a small triangle (zs_xform_screen). */
+/* Drop triangles that lie on one side outside, and small ones that are turned away, for which 32
+ * bits are enough. Return how many are left. Vertices that are not inside near, far and guard need
+ * no test of their own: they are too far from all others for a small triangle (zs_xform_screen). */
 static ZS_NOINLINE uint32_t reject(struct batch *s, uint32_t n)
 {
     const struct zs_vertex *const pool = s->pool;
-    const uint16_t (*tri)[3] = s->tri;
+    const uint16_t(*tri)[3] = s->tri;
     const uint32_t n_verts = s->n_verts;
     const uint32_t end = 4u * n;
     uint8_t *out = s->left;
@@ -121,8 +124,9 @@ ZS_ALWAYS_INLINE void turn(struct zs_candidate *at)
 }
 
 /* As zs_assemble_box, in registers. */
-ZS_ALWAYS_INLINE enum zs_fate box(struct zs_renderer *r, const struct zs_vertex *a, const struct zs_vertex *b,
-                                 const struct zs_vertex *c, struct zs_candidate *at)
+ZS_ALWAYS_INLINE enum zs_fate box(struct zs_renderer *r, const struct zs_vertex *a,
+                                  const struct zs_vertex *b, const struct zs_vertex *c,
+                                  struct zs_candidate *at)
 {
     const int32_t ax = a->x, ay = a->y, bx = b->x, by = b->y, cx = c->x, cy = c->y;
     int32_t least = ax, most = bx, top = ay, bottom = by;
@@ -163,9 +167,11 @@ ZS_ALWAYS_INLINE enum zs_fate box(struct zs_renderer *r, const struct zs_vertex 
 }
 
 /* A triangle that faces the eye, of a candidate whose address is not taken: in registers. */
-ZS_ALWAYS_INLINE enum zs_fate bin(struct zs_renderer *r, const struct zs_shader *shader, uint32_t t, struct zs_candidate *at)
+ZS_ALWAYS_INLINE enum zs_fate bin(struct zs_renderer *r, const struct zs_shader *shader, uint32_t t,
+                                  struct zs_candidate *at)
 {
-    const enum zs_fate fate = box(r, &r->vert[at->slot[0]], &r->vert[at->slot[1]], &r->vert[at->slot[2]], at);
+    const enum zs_fate fate = box(r, &r->vert[at->slot[0]], &r->vert[at->slot[1]],
+                                  &r->vert[at->slot[2]], at);
     if (fate != ZS_FATE_DRAWN)
         return fate;
     const uint32_t strip = zs_bin_first(r, at->y0, at->y1);
@@ -174,17 +180,19 @@ ZS_ALWAYS_INLINE enum zs_fate bin(struct zs_renderer *r, const struct zs_shader 
     if (r->n_tris == r->config.max_tris)
         return ZS_FATE_FULL;
     if (shader->vertex) {
-        const uint32_t attrs = r->config.attrs;
-        zs_bin_corner(r, at->slot[0], attrs);
-        zs_bin_corner(r, at->slot[1], attrs);
-        zs_bin_corner(r, at->slot[2], attrs);
+        const uint32_t varyings = r->config.varyings;
+        zs_bin_corner(r, at->slot[0], varyings);
+        zs_bin_corner(r, at->slot[1], varyings);
+        zs_bin_corner(r, at->slot[2], varyings);
     }
     zs_bin_push(r, at->slot, shader->face ? shader->face(&r->shading, t) : 0u, strip);
     return ZS_FATE_DRAWN;
 }
 
-/* What is left of a batch from triangle `from` on. Return how many of them are binned; fewer than n: a pool is full. */
-static uint32_t bin_all(struct zs_renderer *r, const struct batch *s, uint32_t from, uint32_t n, uint32_t fate[ZS_FATES])
+/* What is left of a batch from triangle `from` on. Return how many of them are binned; fewer than
+ * n: a pool is full. */
+static uint32_t bin_all(struct zs_renderer *r, const struct batch *s, uint32_t from, uint32_t n,
+                        uint32_t fate[ZS_FATES])
 {
     for (const uint8_t *left = s->left, *const end = left + n; left < end; left++) {
         const uint32_t what = *left, t = from + what / 4u;
@@ -207,14 +215,16 @@ static uint32_t bin_all(struct zs_renderer *r, const struct batch *s, uint32_t f
     return n;
 }
 
-/* Triangles of up to 128 px are not asked what they hide (zs_fast_tiles.cover). In a small frame, these are. */
+/* Triangles of up to 128 px are not asked what they hide (zs_fast_tiles.cover). In a small frame,
+ * these are. */
 static int asked(const struct zs_renderer *r, const struct zs_mesh *mesh)
 {
     return r->tiles && r->config.width <= 160u && mesh->n_tris <= BATCH;
 }
 
 /* A batch went only as far as triangle t: what was dropped from it on is not counted. */
-static ZS_RARE ZS_NOINLINE void drop_less(struct batch *s, uint32_t from, uint32_t n, uint32_t t, uint32_t fate[ZS_FATES])
+static ZS_RARE ZS_NOINLINE void drop_less(struct batch *s, uint32_t from, uint32_t n, uint32_t t,
+                                          uint32_t fate[ZS_FATES])
 {
     uint32_t less[ZS_FATES] = { 0 };
     s->fate = less;
@@ -224,7 +234,8 @@ static ZS_RARE ZS_NOINLINE void drop_less(struct batch *s, uint32_t from, uint32
         fate[k] -= less[k];
 }
 
-static ZS_NOINLINE uint32_t batch_bin(struct zs_renderer *r, uint32_t from, uint32_t end, uint32_t fate[ZS_FATES], uint32_t *piece)
+static ZS_NOINLINE uint32_t batch_bin(struct zs_renderer *r, uint32_t from, uint32_t end,
+                                      uint32_t fate[ZS_FATES], uint32_t *piece)
 {
     const struct zs_instance *in = r->xform.instance;
     const struct zs_mesh *mesh = in->mesh;
@@ -251,5 +262,7 @@ static ZS_NOINLINE uint32_t batch_bin(struct zs_renderer *r, uint32_t from, uint
     return end;
 }
 
-static const struct zs_fast_batch batch = { .needs = zs_screen_needs, .open = batch_open, .bin = batch_bin, .screen = zs_screen };
+static const struct zs_fast_batch batch = {
+    .needs = zs_screen_needs, .open = batch_open, .bin = batch_bin, .screen = zs_screen
+};
 const struct zs_fast zs_fast_batch = { .batch = &batch };

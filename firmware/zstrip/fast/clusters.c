@@ -1,46 +1,52 @@
 /* Clusters of a mesh that need not be drawn, and vertices that need not be transformed for them.
  *
- * Everything is tested in mesh steps: the planes of the view, and the eye, are brought there once an instance. What is left
- * out could not have left a pixel.
+ * Everything is tested in mesh steps: the planes of the view, and the eye, are brought there once
+ * an instance. What is left out could not have left a pixel.
  *
- * SPHERES. A cluster whose sphere lies outside one of the planes (near, far, the frame's sides, the upper and lower edge of
- * the rows that are drawn) by more than its radius. A plane's distance from the mesh's centre is exact to b->slack, in which
- * is what a vertex may be off by (zs_cull_walk); normals are rounded to 2^-13, which moves the cluster's centre by at most
- * 2^-13 sqrt 3 of its distance from the mesh's, in all below radius / 4096. Planes that the mesh's sphere does not reach are
- * not asked.
+ * SPHERES. A cluster whose sphere lies outside one of the planes (near, far, the frame's sides, the
+ * upper and lower edge of the rows that are drawn) by more than its radius. A plane's distance from
+ * the mesh's centre is exact to b->slack, in which is what a vertex may be off by (zs_cull_walk);
+ * normals are rounded to 2^-13, which moves the cluster's centre by at most 2^-13 sqrt 3 of its
+ * distance from the mesh's, in all below radius / 4096. Planes that the mesh's sphere does not
+ * reach are not asked.
  *
- * CONES. A cluster of which no triangle shows the side that is drawn. The header promises it of the eye, for the triangles as
- * they are; what is drawn is decided after vertices have been rounded to camera units and snapped, which may turn a triangle
- * that is nearly edge-on, or small. So the eye has to be behind every triangle by a margin.
+ * CONES. A cluster of which no triangle shows the side that is drawn. The header promises it of the
+ * eye, for the triangles as they are; what is drawn is decided after vertices have been rounded to
+ * camera units and snapped, which may turn a triangle that is nearly edge-on, or small. So the eye
+ * has to be behind every triangle by a margin.
  *
- * Let E be a length such that each vertex, as it is snapped (on its ray, at its distance), lies within E of where it should.
- * Move the three from there to here in straight lines. Where the triangle turns on the way, there is a moment when a plane P
- * through the eye holds all three; so each of the true ones lies within E of P. Let T be the triangle's plane, h the eye's
- * distance from it, a the angle between P and T, D the distance of a corner from the eye, t the triangle's least height.
- *   P and T parallel:   h <= E
- *   else, with L the line in both: the corners lie in T within E / sin a of L. A strip of that width holds no triangle of
- *   a least height above 2 E / sin a: sin a <= 2 E / t. The point of P next to a corner is at most E from T, so E / sin a from
- *   L, and at most D + E from the eye: h = sin a * (distance of the eye from L) <= sin a * (D + E) + E
- * So h > E + 2 E (D + E) / t =: M is enough. (Orthographic: all rays have one direction, P holds it, and sin a is at least
- * the sine s of its angle with T: s > 2 E / t is enough. That is the same with a distance D as the unit and no radii.)
+ * Let E be a length such that each vertex, as it is snapped (on its ray, at its distance), lies
+ * within E of where it should. Move the three from there to here in straight lines. Where the
+ * triangle turns on the way, there is a moment when a plane P through the eye holds all three; so
+ * each of the true ones lies within E of P. Let T be the triangle's plane, h the eye's distance
+ * from it, a the angle between P and T, D the distance of a corner from the eye, t the triangle's
+ * least height. P and T parallel:   h <= E else, with L the line in both: the corners lie in T
+ * within E / sin a of L. A strip of that width holds no triangle of a least height above 2 E / sin
+ * a: sin a <= 2 E / t. The point of P next to a corner is at most E from T, so E / sin a from L,
+ * and at most D + E from the eye: h = sin a * (distance of the eye from L) <= sin a * (D + E) + E
+ * So h > E + 2 E (D + E) / t =: M is enough. (Orthographic: all rays have one direction, P holds
+ * it, and sin a is at least the sine s of its angle with T: s > 2 E / t is enough. That is the same
+ * with a distance D as the unit and no radii.)
  *
- * With A = axis, C = cutoff (127 is 1), r = radius, d from the eye to the sphere's centre, N the normal of a triangle of the
- * cluster: zs_mesh_check (check.c) holds that |N - u A| <= u C for u = N . A / K > 0, K = |A|^2 - C^2 <= 128^2, and u >= |N| /
- * sqrt K. So where d . A >= C |d| + 128 r:  d . N >= u (d . A - C |d|) >= 128 r u >= r |N|, and the eye is behind the triangle,
- * whose distance from the sphere's centre is at most r; mirrored, with -d for d, it is before it. If that holds for every
- * eye within M, it is behind by at least M. A shift of the eye by m changes d . A by at most 128 m, C |d| by C m. So
- *   d . A >= C |d| + 128 r + (128 + C) M                                                                       (*)
+ * With A = axis, C = cutoff (127 is 1), r = radius, d from the eye to the sphere's centre, N the
+ * normal of a triangle of the cluster: zs_mesh_check (check.c) holds that |N - u A| <= u C for u =
+ * N . A / K > 0, K = |A|^2 - C^2 <= 128^2, and u >= |N| / sqrt K. So where d . A >= C |d| + 128 r:
+ * d . N >= u (d . A - C |d|) >= 128 r u >= r |N|, and the eye is behind the triangle, whose
+ * distance from the sphere's centre is at most r; mirrored, with -d for d, it is before it. If that
+ * holds for every eye within M, it is behind by at least M. A shift of the eye by m changes d . A
+ * by at most 128 m, C |d| by C m. So d . A >= C |d| + 128 r + (128 + C) M (*)
  *
- * E, world units: snapping, 1/2 step of 2^snap sub-pixels and less than 2^-8 of one of arithmetic, each way, times sqrt 2: below
- * 3/4 2^snap, times distance / focal length; and 32 camera units for what xform.c loses (3 an axis, twice that where it is
- * divided by a ratio above 1/2, sqrt 3 for three axes). D is at most D_all, the far side of the mesh's sphere.
- * The eye in mesh axes is off by b->slack and by 6 of the units (2^eye_shift steps) that d is counted in: rounding of three
- * coordinates, each to 1, turned; of their sums, 1/2 an axis; of the cluster's centre, 1 an axis: below 3 sqrt 3. Rotations
- * that are none by 2^-20 move it by less than b->slack.
+ * E, world units: snapping, 1/2 step of 2^snap sub-pixels and less than 2^-8 of one of arithmetic,
+ * each way, times sqrt 2: below 3/4 2^snap, times distance / focal length; and 32 camera units for
+ * what xform.c loses (3 an axis, twice that where it is divided by a ratio above 1/2, sqrt 3 for
+ * three axes). D is at most D_all, the far side of the mesh's sphere. The eye in mesh axes is off
+ * by b->slack and by 6 of the units (2^eye_shift steps) that d is counted in: rounding of three
+ * coordinates, each to 1, turned; of their sums, 1/2 an axis; of the cluster's centre, 1 an axis:
+ * below 3 sqrt 3. Rotations that are none by 2^-20 move it by less than b->slack.
  *
- * All this is about triangles that are not clipped: a piece of one is smaller than it is. A cluster that reaches the near or far
- * plane, or where the guard band clips at all any side, is not asked for its cone. A triangle with two corners in one place has
- * no area however it is rounded.
+ * All this is about triangles that are not clipped: a piece of one is smaller than it is. A cluster
+ * that reaches the near or far plane, or where the guard band clips at all any side, is not asked
+ * for its cone. A triangle with two corners in one place has no area however it is rounded.
  *
  * SPDX-License-Identifier: MIT
  */
@@ -52,7 +58,6 @@
 #include "fast/screen.h"
 #include "zs_fast.h"
 
-
 #define CLUSTERS_MIN 5u /* in fewer, set-up takes what tests could save */
 #define PLANE_BITS 12
 #define EYE_BITS 14 /* |d| in units */
@@ -60,10 +65,12 @@
 #define EYE_OFF 6
 #define MARGIN_MAX (1 << 16)
 
-/* ---- Rows and columns of the frame ----------------------------------------------------------------------
+/* ---- Rows and columns of the frame
+ * ----------------------------------------------------------------------
  *
- * What lies above the plane of a row's upper edge is snapped to at most half a step (8 sub-pixels) below it, and a row's
- * samples lie 128 below its edge: it is in rows above. The same holds the other way round, and for columns. */
+ * What lies above the plane of a row's upper edge is snapped to at most half a step (8 sub-pixels)
+ * below it, and a row's samples lie 128 below its edge: it is in rows above. The same holds the
+ * other way round, and for columns. */
 
 static ZS_RARE int64_t part_of(int64_t v, int32_t n)
 {
@@ -76,9 +83,10 @@ static ZS_RARE int64_t along(int32_t lateral, int64_t c, int32_t away, int64_t z
     return part_of(c, lateral) + part_of(z, away);
 }
 
-/* Where is drawn lies below the upper edge of a row, or right of the left edge of a column, which is `at` sub-pixels from the
- * frame's middle; sign -1: above or left of it. */
-static ZS_RARE void edge_set(struct zs_edge *e, const struct zs_renderer *r, int32_t at, int32_t sign)
+/* Where is drawn lies below the upper edge of a row, or right of the left edge of a column, which
+ * is `at` sub-pixels from the frame's middle; sign -1: above or left of it. */
+static ZS_RARE void edge_set(struct zs_edge *e, const struct zs_renderer *r, int32_t at,
+                             int32_t sign)
 {
     const struct zs_view *view = &r->view;
     int32_t n[2] = { ZS_Q30_ONE, 0 };
@@ -86,12 +94,16 @@ static ZS_RARE void edge_set(struct zs_edge *e, const struct zs_renderer *r, int
     if (view->perspective)
         zs_view_side(n, r->camera.focal, (uint32_t)zs_abs32(at));
     else
-        e->at = -sign * zs_mulshift_s64(at, zs_muldiv_u64((uint64_t)r->camera.height, (uint64_t)1 << 20, (uint64_t)view->cy), 21);
+        e->at = -sign * zs_mulshift_s64(at,
+                                        zs_muldiv_u64((uint64_t)r->camera.height, (uint64_t)1 << 20,
+                                                      (uint64_t)view->cy),
+                                        21);
     e->lateral = sign * n[0];
     e->z = at < 0 ? sign * n[1] : -sign * n[1];
 }
 
-/* The first walk takes the frame's rows for the band's, so that its counts do not depend on pools and strips. */
+/* The first walk takes the frame's rows for the band's, so that its counts do not depend on pools
+ * and strips. */
 static ZS_RARE int cluster_edges(struct zs_renderer *r, const struct zs_bounds *b, uint32_t number)
 {
     const struct zs_track_kernel *track = r->track;
@@ -103,12 +115,14 @@ static ZS_RARE int cluster_edges(struct zs_renderer *r, const struct zs_bounds *
     }
     if (track)
         (void)track->touches(r, number, &part);
-    const int columns = part.x > 0 || part.x_end < r->config.width; /* else they are the frame's sides */
+    const int columns = part.x > 0 ||
+                        part.x_end < r->config.width; /* else they are the frame's sides */
     const uint16_t edges[4] = { part.y, part.y_end, part.x, part.x_end };
     for (int k = 0; k < (columns ? 4 : 2); k++) {
         struct zs_edge *e = &r->edge[k];
         if (r->edge_of[k] != edges[k])
-            edge_set(e, r, edges[k] * ZS_SUBPX_ONE - (k < 2 ? r->view.cy : r->view.cx), 1 - 2 * (k & 1));
+            edge_set(e, r, edges[k] * ZS_SUBPX_ONE - (k < 2 ? r->view.cy : r->view.cx),
+                     1 - 2 * (k & 1));
         r->edge_of[k] = edges[k];
         outside |= along(e->lateral, b->c[k < 2], e->z, b->c[2]) + e->at < -b->r - b->slack;
     }
@@ -151,14 +165,17 @@ static ZS_RARE int64_t plane_of(const struct zs_renderer *r, int k, int32_t n[2]
 }
 
 /* Planes that cut the mesh's sphere. Return 1: they are known. */
-static ZS_RARE int planes_open(struct zs_renderer *r, const struct zs_bounds *b, const struct ruler *by, const zs_q2_30 axis[9])
+static ZS_RARE int planes_open(struct zs_renderer *r, const struct zs_bounds *b,
+                               const struct ruler *by, const zs_q2_30 axis[9])
 {
     struct zs_clusters *c = &r->clusters;
     const struct zs_mesh *mesh = r->xform.instance->mesh;
     const int64_t reach = b->r + b->slack;
-    if (b->slack > b->r) /* rounding is as large as the mesh: nothing to be gained, and steps() need not hold it */
+    if (b->slack > b->r) /* rounding is as large as the mesh: nothing to be gained, and steps() need
+                            not hold it */
         return 0;
-    const int32_t slack = steps(by, b->slack, PLANE_BITS) + (((mesh->radius >> 12) + 2) << PLANE_BITS);
+    const int32_t slack = steps(by, b->slack, PLANE_BITS) +
+                          (((mesh->radius >> 12) + 2) << PLANE_BITS);
     c->sure = 2 * slack;
     for (int k = 0; k < 6; k++) {
         int32_t n[2];
@@ -171,7 +188,8 @@ static ZS_RARE int planes_open(struct zs_renderer *r, const struct zs_bounds *b,
         int16_t *plane = c->plane[c->n_planes];
         int32_t at = steps(by, d, PLANE_BITS) + slack; /* |.| < 3 * 2^28 */
         for (int j = 0; j < 3; j++) {
-            const int64_t sum = zs_mul_ss(n[0], axis[3 * lateral + j]) + zs_mul_ss(n[1], axis[6 + j]); /* <= 2^61 */
+            const int64_t sum = zs_mul_ss(n[0], axis[3 * lateral + j]) +
+                                zs_mul_ss(n[1], axis[6 + j]); /* <= 2^61 */
             plane[j] = (int16_t)zs_round_shift(sum, 60 - PLANE_BITS);
             at -= plane[j] * mesh->center[j]; /* all three: <= 2^27.8 */
         }
@@ -183,7 +201,8 @@ static ZS_RARE int planes_open(struct zs_renderer *r, const struct zs_bounds *b,
 }
 
 /* The eye, and what (*) takes. */
-static ZS_RARE void cone_open(struct zs_renderer *r, const struct zs_bounds *b, const struct ruler *by, const zs_q2_30 axis[9])
+static ZS_RARE void cone_open(struct zs_renderer *r, const struct zs_bounds *b,
+                              const struct ruler *by, const zs_q2_30 axis[9])
 {
     struct zs_clusters *c = &r->clusters;
     const struct zs_view *view = &r->view;
@@ -199,10 +218,13 @@ static ZS_RARE void cone_open(struct zs_renderer *r, const struct zs_bounds *b, 
         most = size > most ? size : most;
         all += size;
     }
-    all = (all + most) / 2 + b->r + b->slack + 1; /* D_all: |c| <= (|x| + |y| + |z| + the largest) / 2; <= 2^49 */
-    uint64_t e = view->perspective ? zs_muldiv_u64((uint64_t)all, (uint64_t)step << 22, camera->focal)
-                                   : zs_muldiv_u64((uint64_t)camera->height, step, 8u * (uint64_t)view->cy);
-    e += (((uint64_t)1 << 24) >> (view->shift + 3)) + 2u; /* 32 camera units; shift is at least -3 */
+    all = (all + most) / 2 + b->r + b->slack +
+          1; /* D_all: |c| <= (|x| + |y| + |z| + the largest) / 2; <= 2^49 */
+    uint64_t e = view->perspective
+                     ? zs_muldiv_u64((uint64_t)all, (uint64_t)step << 22, camera->focal)
+                     : zs_muldiv_u64((uint64_t)camera->height, step, 8u * (uint64_t)view->cy);
+    e += (((uint64_t)1 << 24) >> (view->shift + 3)) +
+         2u; /* 32 camera units; shift is at least -3 */
     if (e >= (uint64_t)all)
         return;
     if (view->perspective) {
@@ -230,9 +252,11 @@ static ZS_RARE void cone_open(struct zs_renderer *r, const struct zs_bounds *b, 
     const uint64_t off = (uint64_t)steps(by, (int64_t)e, fine) + 1u; /* < 2^26 */
     uint64_t thin;
     if (view->perspective) {
-        const uint64_t d = ((uint64_t)steps(by, all, -shift) + 1u + (off >> 10) + 1u) * off; /* < 2^42 */
+        const uint64_t d = ((uint64_t)steps(by, all, -shift) + 1u + (off >> 10) + 1u) *
+                           off; /* < 2^42 */
         thin = (d << shift >> 5) + 1u;
-        c->margin = (uint32_t)(off >> 10) + 1u + EYE_OFF + (uint32_t)steps(by, b->slack, -shift) + 1u;
+        c->margin = (uint32_t)(off >> 10) + 1u + EYE_OFF + (uint32_t)steps(by, b->slack, -shift) +
+                    1u;
     } else {
         thin = (off << EYE_BITS >> 5) + 1u;
         c->margin = EYE_OFF;
@@ -268,23 +292,28 @@ static ZS_RARE int cluster_open(struct zs_renderer *r, const struct zs_bounds *b
 /* ---- Tests ----------------------------------------------------------------------------------- */
 
 /* Is (*) true? Where it is not a promise of a sound mesh, sums wrap and mean nothing. */
-static int turned_away(const struct zs_clusters *k, const struct zs_mesh *mesh, const struct zs_cluster *c)
+static int turned_away(const struct zs_clusters *k, const struct zs_mesh *mesh,
+                       const struct zs_cluster *c)
 {
     const int32_t down = k->eye_shift;
     if (c->height == 0 || c->cutoff == 127 || c->cutoff < 0)
         return 0;
-    const int32_t x = ((c->center[0] - mesh->center[0]) >> down) + k->eye[0]; /* |.| < 2^17 at worst */
+    const int32_t x = ((c->center[0] - mesh->center[0]) >> down) +
+                      k->eye[0]; /* |.| < 2^17 at worst */
     const int32_t y = ((c->center[1] - mesh->center[1]) >> down) + k->eye[1];
     const int32_t z = ((c->center[2] - mesh->center[2]) >> down) + k->eye[2];
-    int32_t ahead = (x * c->axis[0] + y * c->axis[1] + z * c->axis[2]) * k->cone - 128 * ((c->radius >> down) + 1);
+    int32_t ahead = (x * c->axis[0] + y * c->axis[1] + z * c->axis[2]) * k->cone -
+                    128 * ((c->radius >> down) + 1);
     if (ahead <= 0)
         return 0;
-    const uint32_t square = (uint32_t)x * (uint32_t)x + (uint32_t)y * (uint32_t)y + (uint32_t)z * (uint32_t)z; /* < 3 * 2^28.1 */
+    const uint32_t square = (uint32_t)x * (uint32_t)x + (uint32_t)y * (uint32_t)y +
+                            (uint32_t)z * (uint32_t)z; /* < 3 * 2^28.1 */
     const uint32_t margin = k->margin + k->thin / c->height + 1u;
     if (margin > MARGIN_MAX || k->margin > MARGIN_MAX)
         return 0;
     ahead -= (128 + c->cutoff) * (int32_t)margin; /* < 2^24 */
-    return ahead > 0 && zs_mul_uu((uint32_t)ahead, (uint32_t)ahead) >= zs_mul_uu((uint32_t)(c->cutoff * c->cutoff), square);
+    return ahead > 0 && zs_mul_uu((uint32_t)ahead, (uint32_t)ahead) >=
+                            zs_mul_uu((uint32_t)(c->cutoff * c->cutoff), square);
 }
 
 /* 1: cluster i need not be drawn. */
@@ -293,11 +322,13 @@ static int left_out(const struct zs_renderer *r, uint32_t i)
     const struct zs_clusters *k = &r->clusters;
     const struct zs_mesh *mesh = r->xform.instance->mesh;
     const struct zs_cluster *c = &mesh->cluster[i];
-    const int32_t x = c->center[0], y = c->center[1], z = c->center[2], reach = c->radius << PLANE_BITS; /* < 2^28 */
+    const int32_t x = c->center[0], y = c->center[1], z = c->center[2],
+                  reach = c->radius << PLANE_BITS; /* < 2^28 */
     int whole = k->cone;
     for (uint32_t p = 0; p < k->n_planes; p++) {
         const int16_t *n = k->plane[p];
-        const int32_t d = n[0] * x + n[1] * y + n[2] * z + k->at[p]; /* <= 2^27.8 + 2^27.8 + 3 * 2^28 < 2^30.4 */
+        const int32_t d = n[0] * x + n[1] * y + n[2] * z +
+                          k->at[p]; /* <= 2^27.8 + 2^27.8 + 3 * 2^28 < 2^30.4 */
         if (d < -reach)
             return 1;
         if (p < k->n_whole && d - reach <= k->sure)
@@ -308,7 +339,8 @@ static int left_out(const struct zs_renderer *r, uint32_t i)
 
 /* ---- Runs ------------------------------------------------------------------------------------ */
 
-/* A mark a vertex, in bytes, and behind them a flag a cluster: vert_map, which is not used while places are direct. */
+/* A mark a vertex, in bytes, and behind them a flag a cluster: vert_map, which is not used while
+ * places are direct. */
 static uint8_t *marks(const struct zs_renderer *r)
 {
     return (uint8_t *)r->vert_map;
@@ -384,7 +416,8 @@ static void mark(struct zs_renderer *r)
     uint8_t *mark = marks(r);
     zs_fill16(r->vert_map, 0, ZS_ROUND4(n_verts) / 2u);
     while (cluster_run(r)) {
-        const uint16_t (*tri)[3] = mesh->tri + r->clusters.from, (*const end)[3] = mesh->tri + r->clusters.end;
+        const uint16_t(*tri)[3] = mesh->tri + r->clusters.from,
+              (*const end)[3] = mesh->tri + r->clusters.end;
         for (; tri < end; tri++) {
             const uint32_t a = (*tri)[0], b = (*tri)[1], c = (*tri)[2];
             if (a < n_verts)
@@ -398,8 +431,8 @@ static void mark(struct zs_renderer *r)
     run_again(&r->clusters);
 }
 
-/* Finding out which vertices are needed takes half of what it takes to transform them: where less than a third of the
- * triangles are left out, all are. */
+/* Finding out which vertices are needed takes half of what it takes to transform them: where less
+ * than a third of the triangles are left out, all are. */
 static int cluster_verts(struct zs_renderer *r)
 {
     const struct zs_mesh *mesh = r->xform.instance->mesh;
@@ -422,7 +455,7 @@ static int cluster_verts(struct zs_renderer *r)
     return 1;
 }
 
-static const struct zs_fast_clusters clusters = { .edges = cluster_edges, .open = cluster_open, .verts = cluster_verts,
-                                                  .run = cluster_run };
+static const struct zs_fast_clusters clusters = {
+    .edges = cluster_edges, .open = cluster_open, .verts = cluster_verts, .run = cluster_run
+};
 const struct zs_fast zs_fast_clusters = { .clusters = &clusters };
-

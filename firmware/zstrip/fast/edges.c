@@ -1,4 +1,5 @@
-/* Columns of small triangles by a division an edge and row, for cores that divide: both sides at once (core/edges.c).
+/* Columns of small triangles by a division an edge and row, for cores that divide: both sides at
+ * once (core/edges.c).
  *
  * SPDX-License-Identifier: MIT
  */
@@ -7,8 +8,8 @@
 #include "core/job.h"
 #include "zs_fast.h"
 
-/* A side of a tiny triangle: columns are sum / span, counted from ZS_TINY_SIDE left of the top corner, so that what is divided is
- * positive; a product is below 2^29.1. */
+/* A side of a tiny triangle: columns are sum / span, counted from ZS_TINY_SIDE left of the top
+ * corner, so that what is divided is positive; a product is below 2^29.1. */
 struct side {
     uint32_t sum, span, step;
 };
@@ -17,15 +18,18 @@ struct side {
 static inline struct side side_of(int32_t x, int32_t off, int32_t dx, int32_t dy)
 {
     const uint32_t span = (uint32_t)dy * ZS_SUBPX_ONE;
-    const struct side s = { (uint32_t)(x * dy + off * dx) + span - 1u, span, (uint32_t)dx * ZS_SUBPX_ONE };
+    const struct side s = { (uint32_t)(x * dy + off * dx) + span - 1u, span,
+                            (uint32_t)dx * ZS_SUBPX_ONE };
     return s;
 }
 
 /* The next n rows. */
-static inline struct zs_cut *sides_cut(struct zs_cut *cut, int32_t n, int32_t from, struct side *left, struct side *right)
+static inline struct zs_cut *sides_cut(struct zs_cut *cut, int32_t n, int32_t from,
+                                       struct side *left, struct side *right)
 {
     for (struct zs_cut *const end = cut + n; cut != end; cut++) {
-        ZS_FACT(left->span >= ZS_SUBPX_ONE && right->span >= ZS_SUBPX_ONE); /* no rows beside a level edge */
+        ZS_FACT(left->span >= ZS_SUBPX_ONE &&
+                right->span >= ZS_SUBPX_ONE); /* no rows beside a level edge */
         cut->x0 = (int16_t)(from + (int32_t)(left->sum / left->span));
         cut->x1 = (int16_t)(from + (int32_t)(right->sum / right->span));
         left->sum += left->step;
@@ -41,8 +45,10 @@ ZS_IN_ORDER static ZS_NOINLINE int tiny_cuts(struct zs_job *job, int32_t row)
     if (!g->tiny)
         return 0;
     const int32_t ax = job->v[0]->x, ay = job->v[0]->y, from = (ax >> ZS_SUBPX_BITS) - ZS_TINY_SIDE;
-    const int32_t x = ax - ZS_SUBPX_HALF - from * ZS_SUBPX_ONE, off = row * ZS_SUBPX_ONE + ZS_SUBPX_HALF - ay;
-    const int32_t upper = zs_max32(zs_min32(job->row_mid, end) - row, 0); /* rows above the middle vertex */
+    const int32_t x = ax - ZS_SUBPX_HALF - from * ZS_SUBPX_ONE,
+                  off = row * ZS_SUBPX_ONE + ZS_SUBPX_HALF - ay;
+    const int32_t upper = zs_max32(zs_min32(job->row_mid, end) - row,
+                                   0); /* rows above the middle vertex */
     struct side left = side_of(x, off, g->dx2, g->dy2), right = side_of(x, off, g->dx1, g->dy1);
     struct zs_cut *const cut = sides_cut(job->cut, upper, from, &left, &right);
     const int32_t lower = end - row - upper, down = off + upper * ZS_SUBPX_ONE;

@@ -1,11 +1,13 @@
 /* Pixels of a strip that nothing was drawn on yet: no clear before them, and no depth test.
  *
- * A strip begins as it was left: nothing is cleared. While wide triangles come first, each row keeps the columns that
- * hold colours and keys, one range a row; all others are untouched. A span's untouched pixels are drawn without a test, since
- * every key is nearer than ZS_DEPTH_CLEAR; the others as always. A gap between a span and the row's range is cleared,
- * so that it stays one range. With the first triangle for which this does not pay (narrow, with a depth state, keys found
- * pixel by pixel), or when the strip is done, what is still untouched is cleared. So each pixel is cleared or drawn first, never
- * both, and what is read was written before, but beside the columns that are drawn.
+ * A strip begins as it was left: nothing is cleared. While wide triangles come first, each row
+ * keeps the columns that hold colours and keys, one range a row; all others are untouched. A span's
+ * untouched pixels are drawn without a test, since every key is nearer than ZS_DEPTH_CLEAR; the
+ * others as always. A gap between a span and the row's range is cleared, so that it stays one
+ * range. With the first triangle for which this does not pay (narrow, with a depth state, keys
+ * found pixel by pixel), or when the strip is done, what is still untouched is cleared. So each
+ * pixel is cleared or drawn first, never both, and what is read was written before, but beside the
+ * columns that are drawn.
  *
  * SPDX-License-Identifier: MIT
  */
@@ -16,9 +18,15 @@
 #include "zs_shader.h"
 #include "zs_fast.h"
 
-#define WIDE 128 /* columns; a triangle's rows cost some 40 instructions more here, an untouched pixel 6 less and no clear */
+#define WIDE                                                                                       \
+    128 /* columns; a triangle's rows cost some 40 instructions more here, an untouched pixel 6    \
+           less and no clear */
 
-enum { NONE, ALL, SOME }; /* zs_renderer.untouched: of the strip's columns that are drawn; SOME: outside r->drawn */
+enum {
+    NONE,
+    ALL,
+    SOME
+}; /* zs_renderer.untouched: of the strip's columns that are drawn; SOME: outside r->drawn */
 
 static uint32_t rows_of(const struct zs_renderer *r)
 {
@@ -44,7 +52,8 @@ static ZS_NOINLINE void touch_end(struct zs_renderer *r)
     if (left == NONE || (left == SOME && r->untouched_left == 0))
         return;
     for (int32_t y = 0; y < n; y++) {
-        const int32_t from = left == ALL ? x : r->drawn[y][0], to = left == ALL ? x : r->drawn[y][1]; /* x <= from <= to <= end */
+        const int32_t from = left == ALL ? x : r->drawn[y][0],
+                      to = left == ALL ? x : r->drawn[y][1]; /* x <= from <= to <= end */
         zs_raster_clear(r, y, x, from - x);
         zs_raster_clear(r, y, to, end - to);
     }
@@ -100,7 +109,8 @@ static void keys_held(uint16_t *at, int32_t n, uint32_t sum, uint32_t gx, uint32
 }
 
 /* Keys of n fresh pixels. */
-static ZS_NOINLINE void untested(struct zs_job *job, uint16_t *depth, int32_t n, uint32_t sum, uint32_t gx)
+static ZS_NOINLINE void untested(struct zs_job *job, uint16_t *depth, int32_t n, uint32_t sum,
+                                 uint32_t gx)
 {
     struct zs_renderer *r = job->r;
     r->stats.pixels_untested += (uint32_t)n;
@@ -111,7 +121,8 @@ static ZS_NOINLINE void untested(struct zs_job *job, uint16_t *depth, int32_t n,
 }
 
 /* Untouched pixels before and behind those that were drawn on. */
-static void touch_piece(struct zs_job *job, const struct zs_row *row, int32_t i, int32_t end, uint32_t sum, uint32_t step)
+static void touch_piece(struct zs_job *job, const struct zs_row *row, int32_t i, int32_t end,
+                        uint32_t sum, uint32_t step)
 {
     const struct zs_renderer *r = job->r;
     const struct zs_shader *shader = job->shader;
@@ -133,7 +144,8 @@ static void touch_piece(struct zs_job *job, const struct zs_row *row, int32_t i,
 static int wide(const struct zs_job *job)
 {
     const struct zs_vertex *pool = job->r->vert;
-    const int32_t a = pool[job->tri->v[0]].x, b = pool[job->tri->v[1]].x, c = pool[job->tri->v[2]].x;
+    const int32_t a = pool[job->tri->v[0]].x, b = pool[job->tri->v[1]].x,
+                  c = pool[job->tri->v[2]].x;
     return zs_max32(zs_max32(a, b), c) - zs_min32(zs_min32(a, b), c) >= WIDE * ZS_SUBPX_ONE;
 }
 
@@ -141,7 +153,8 @@ static int touch_takes(struct zs_job *job)
 {
     struct zs_renderer *r = job->r;
     const int32_t drawn = r->window[1] - r->window[0];
-    if (job->state || r->view.pixelwise || !wide(job) || (r->untouched == SOME && r->untouched_left == 0)) {
+    if (job->depth_state || r->view.pixelwise || !wide(job) ||
+        (r->untouched == SOME && r->untouched_left == 0)) {
         job->split = 0;
         touch_end(r);
         return 0;
@@ -157,6 +170,9 @@ static int touch_takes(struct zs_job *job)
     return 1;
 }
 
-static const struct zs_fast_touch touch = { .begin = touch_begin, .end = touch_end, .takes = touch_takes, .row = touch_row,
+static const struct zs_fast_touch touch = { .begin = touch_begin,
+                                            .end = touch_end,
+                                            .takes = touch_takes,
+                                            .row = touch_row,
                                             .piece = touch_piece };
 const struct zs_fast zs_fast_touch = { .touch = &touch };

@@ -1,4 +1,5 @@
-/* The usual test of a piece of a row: nearer wins. As zs_rows_test, without asking for a depth state pixel by pixel.
+/* The usual test of a piece of a row: nearer wins. As zs_rows_test, without asking for a depth
+ * state pixel by pixel.
  *
  * SPDX-License-Identifier: MIT
  */
@@ -40,8 +41,8 @@ ZS_ALWAYS_INLINE void test(struct zs_job *job, const struct zs_row *row, int32_t
     }
 }
 
-void zs_fast_less(struct zs_job *job, const struct zs_row *row, int32_t i0, int32_t i1, uint32_t sum,
-                   uint32_t gx)
+void zs_fast_less(struct zs_job *job, const struct zs_row *row, int32_t i0, int32_t i1,
+                  uint32_t sum, uint32_t gx)
 {
     if (job->saturates)
         test(job, row, i0, i1, sum, gx, 1);
@@ -51,7 +52,8 @@ void zs_fast_less(struct zs_job *job, const struct zs_row *row, int32_t i0, int3
 
 ZS_ALWAYS_INLINE void less_span(struct zs_job *job, const struct zs_row *row)
 {
-    zs_fast_less(job, row, row->i0, row->i1, row->key + zs_wrap_mul(job->key.gx, row->i0), job->key.gx);
+    zs_fast_less(job, row, row->i0, row->i1, row->key + zs_wrap_mul(job->key.gx, row->i0),
+                 job->key.gx);
 }
 
 int zs_fast_less_rows(struct zs_job *job)

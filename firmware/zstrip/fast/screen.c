@@ -9,21 +9,23 @@
 #include "fast/screen.h"
 
 #define OUT_Y ((int32_t)1 << 30)
-_Static_assert(OUT_Y - 2 * ZS_GUARD_SUBPX > 65536, "vertices outside must be far from those inside");
+_Static_assert(OUT_Y - 2 * ZS_GUARD_SUBPX > 65536,
+               "vertices outside must be far from those inside");
 
 /* ---- Camera units ---------------------------------------------------------------------------- */
 
 /* Exact, where rows are cut too: with m = high 2^s + low, t = t_high 2^shift + t_low, the sum is
  *   high . p 2^s + (low . p + t_low) + t_high 2^shift
- * and floors follow each other, so zs_row gives the bracket's part above 2^s to the first sum. |bracket| is below
- * 3 * 2^29 + 2^28. With a shift of 15 or less, s is the shift and all is modulo 2^32, as the result is. With a larger one
- * s is 15, and the sum of high fits, below 1.74 * 2^30 + 2^17: a row of the matrix is no longer than 2^30 (1 + 2^-18), p no
- * longer than 2^15 sqrt 3. */
+ * and floors follow each other, so zs_row gives the bracket's part above 2^s to the first sum.
+ * |bracket| is below 3 * 2^29 + 2^28. With a shift of 15 or less, s is the shift and all is modulo
+ * 2^32, as the result is. With a larger one s is 15, and the sum of high fits, below 1.74 * 2^30 +
+ * 2^17: a row of the matrix is no longer than 2^30 (1 + 2^-18), p no longer than 2^15 sqrt 3. */
 static void points(const struct zs_xform *xf, uint32_t v, uint32_t n, struct zs_vertex *out)
 {
     zs_rows(xf->row, xf->instance->mesh->pos[v], &out->x, n);
 }
-_Static_assert(offsetof(struct zs_vertex, x) == 0 && offsetof(struct zs_vertex, y) == 4 && offsetof(struct zs_vertex, d) == 8,
+_Static_assert(offsetof(struct zs_vertex, x) == 0 && offsetof(struct zs_vertex, y) == 4 &&
+                   offsetof(struct zs_vertex, d) == 8,
                "a vertex is three words");
 
 static void points_fine(const struct zs_xform *xf, uint32_t v, uint32_t n, struct zs_vertex *out)
@@ -61,7 +63,7 @@ ZS_RARE void zs_screen_needs(struct zs_renderer *r, const struct zs_bounds *b)
     }
     xf->clip_depth = z0 <= camera->z_near || z1 >= camera->z_far;
     /* |x| * focal <= guard * z; world units and whole pixels, rounded against us */
-    const int64_t side_w = (side >> 16) + 1;                           /* <= 2^32 */
+    const int64_t side_w = (side >> 16) + 1; /* <= 2^32 */
     const int64_t guard_px = ZS_GUARD_PX - 2;
     if (r->view.perspective)
         xf->clip_guard = z0 <= 0 ||
@@ -72,14 +74,17 @@ ZS_RARE void zs_screen_needs(struct zs_renderer *r, const struct zs_bounds *b)
 
 /* ---- The screen ------------------------------------------------------------------------------ */
 
-/* |c| * rcp / 2^(33 + down), nearest: the low half of the product cannot carry. |c| <= 2^31, 0 <= down <= 31 */
+/* |c| * rcp / 2^(33 + down), nearest: the low half of the product cannot carry. |c| <= 2^31, 0 <=
+ * down <= 31 */
 static inline uint32_t steps_of(int32_t c, uint32_t rcp, int32_t down)
 {
     return ((zs_umulh(zs_size32(c), rcp) >> down) + 1u) >> 1;
 }
 
-/* A vertex of the current instance that may be outside, or needs wider products: v is that of `first`. */
-static ZS_NOINLINE void screen_slowly(const struct zs_renderer *r, uint32_t v, const struct zs_vertex *first, struct zs_vertex *at)
+/* A vertex of the current instance that may be outside, or needs wider products: v is that of
+ * `first`. */
+static ZS_NOINLINE void screen_slowly(const struct zs_renderer *r, uint32_t v,
+                                      const struct zs_vertex *first, struct zs_vertex *at)
 {
     const struct zs_point p = { { at->x, at->y, (int32_t)at->d } };
     uint32_t code = 0;
@@ -97,15 +102,17 @@ static ZS_NOINLINE void screen_slowly(const struct zs_renderer *r, uint32_t v, c
 #define NEAR_MIDDLE (1u << 20) /* sub-pixels, a power of two: both ways are tested at once */
 _Static_assert(NEAR_MIDDLE < ZS_GUARD_SUBPX, "inside the guard band");
 
-/* A vertex that lands a step or more inside the guard band is inside it in camera units too: its steps are off by 1/2 and
- * 2^-9. So what may be outside is tested only where it is far from the frame's middle. */
-ZS_ALWAYS_INLINE void screen(const struct zs_renderer *r, uint32_t v, uint32_t n, struct zs_vertex *out, int perspective,
-                             int32_t coarse)
+/* A vertex that lands a step or more inside the guard band is inside it in camera units too: its
+ * steps are off by 1/2 and 2^-9. So what may be outside is tested only where it is far from the
+ * frame's middle. */
+ZS_ALWAYS_INLINE void screen(const struct zs_renderer *r, uint32_t v, uint32_t n,
+                             struct zs_vertex *out, int perspective, int32_t coarse)
 {
     const struct zs_view *view = &r->view;
     const struct zs_depth *depth = r->config.depth;
     const int32_t cx = view->cx, cy = view->cy;
-    const int32_t shift = perspective ? 30 - view->scale_bits + coarse : view->scale_bits + coarse - 2;
+    const int32_t shift = perspective ? 30 - view->scale_bits + coarse
+                                      : view->scale_bits + coarse - 2;
     const uint32_t most = NEAR_MIDDLE >> coarse;
     const int32_t z_near = view->z_near;
     const uint32_t depth_range = (uint32_t)view->z_far - (uint32_t)z_near; /* < 2^31.6 */
@@ -119,7 +126,8 @@ ZS_ALWAYS_INLINE void screen(const struct zs_renderer *r, uint32_t v, uint32_t n
         uint32_t rcp = 1u << 31;
         if (perspective) { /* as in project() */
             lz = zs_clz32((uint32_t)z);
-            rcp = ZS_RECIP_STEPS ? zs_recip_inline((uint32_t)z << lz) : zs_recip16((uint32_t)z << lz);
+            rcp = ZS_RECIP_STEPS ? zs_recip_inline((uint32_t)z << lz)
+                                 : zs_recip16((uint32_t)z << lz);
         }
         ZS_NARROW(rcp);
         const int32_t down = shift - lz;
@@ -140,7 +148,8 @@ ZS_ALWAYS_INLINE void screen(const struct zs_renderer *r, uint32_t v, uint32_t n
 }
 
 /* An orthographic camera, or fewer sub-pixel bits. */
-static ZS_NOINLINE void screen_any(const struct zs_renderer *r, uint32_t v, uint32_t n, struct zs_vertex *out)
+static ZS_NOINLINE void screen_any(const struct zs_renderer *r, uint32_t v, uint32_t n,
+                                   struct zs_vertex *out)
 {
     screen(r, v, n, out, r->view.perspective, r->view.snap);
 }
@@ -153,4 +162,3 @@ void zs_screen(const struct zs_renderer *r, uint32_t v, uint32_t n, struct zs_ve
     else
         screen_any(r, v, n, out);
 }
-

@@ -1,11 +1,13 @@
-/* Triangles up to 64 pixels each way, set up and drawn in one go: what the stages would do one by one, with the same outcome
- * bit for bit, where a call a stage costs more than the pixels. For cores that divide; without, remainders are quicker
- * (raster.c). Internal: fast/solid.c draws those of one colour, fast/texture.c those with a texture.
+/* Triangles up to 64 pixels each way, set up and drawn in one go: what the stages would do one by
+ * one, with the same outcome bit for bit, where a call a stage costs more than the pixels. For
+ * cores that divide; without, remainders are quicker (raster.c). Internal: fast/solid.c draws those
+ * of one colour, fast/texture.c those with a texture.
  *
- * Columns of an edge are as in raster.c, but counted from ZS_TINY_SIDE left of the top corner, so that the numerator is positive.
- * Extents are at most ZS_TINY = 2^14 sub-pixels, and so are offsets in rows of an edge: each product is below 2^29.1.
- * An edge's rows have 0 <= off < dy, so that x dy + off dx lies between x dy and (x + dx) dy, those of its ends: no column
- * lies beside the corners', which set-up has looked at.
+ * Columns of an edge are as in raster.c, but counted from ZS_TINY_SIDE left of the top corner, so
+ * that the numerator is positive. Extents are at most ZS_TINY = 2^14 sub-pixels, and so are offsets
+ * in rows of an edge: each product is below 2^29.1. An edge's rows have 0 <= off < dy, so that x dy
+ * + off dx lies between x dy and (x + dx) dy, those of its ends: no column lies beside the
+ * corners', which set-up has looked at.
  *
  * SPDX-License-Identifier: MIT
  */
@@ -17,34 +19,41 @@
 
 /* A triangle in its strip. Differences of the second and third corner from the top one, q24_8. */
 struct zs_small {
-    uint32_t d, key_a, key_b, key_c; /* the top corner's key; view.piece_base less the corners', one piece */
+    uint32_t d, key_a, key_b,
+        key_c; /* the top corner's key; view.piece_base less the corners', one piece */
     int32_t ax, ay, dx1, dx2, dy1, dy2, area;
-    int32_t column, row, n; /* the top corner's pixel column; the first row of the strip, and how many */
-    uint32_t rcp;           /* of the area << shift */
-    int32_t shift;          /* leading zeros of the area, 2 .. 18 */
-    int32_t x, off;         /* the top corner right of column 0's sample; the first row's samples below it */
+    int32_t column, row,
+        n;         /* the top corner's pixel column; the first row of the strip, and how many */
+    uint32_t rcp;  /* of the area << shift */
+    int32_t shift; /* leading zeros of the area, 2 .. 18 */
+    int32_t x,
+        off; /* the top corner right of column 0's sample; the first row's samples below it */
 };
 
-/* What rows are drawn from: apart from set-up, whose registers they need. The column of a side in the next row is
- * sum / span, counted from ZS_TINY_SIDE left of the top corner; the left side and the right one. */
+/* What rows are drawn from: apart from set-up, whose registers they need. The column of a side in
+ * the next row is sum / span, counted from ZS_TINY_SIDE left of the top corner; the left side and
+ * the right one. */
 struct zs_sides {
-    uint32_t side[4];           /* span, step; span, step */
-    uint32_t down[2];           /* a row: bytes of depth, key */
+    uint32_t side[4]; /* span, step; span, step */
+    uint32_t down[2]; /* a row: bytes of depth, key */
     uint32_t sum[2];
-    uint32_t key, gx;           /* at column 0 of them; a pixel */
-    int32_t row, mid, end;      /* in the frame: the first, the first below the middle corner, one beyond the last */
-    uintptr_t left;             /* from a row's first depth to one left of column 0 */
-    uint32_t turn;              /* the side that turns at the middle corner, and what it becomes there */
+    uint32_t key, gx; /* at column 0 of them; a pixel */
+    int32_t row, mid,
+        end; /* in the frame: the first, the first below the middle corner, one beyond the last */
+    uintptr_t left; /* from a row's first depth to one left of column 0 */
+    uint32_t turn;  /* the side that turns at the middle corner, and what it becomes there */
     uint32_t next[2], next_sum;
 };
 
-/* The same with a texture. Keys, u and v (uq0_32): at column 0 of the next row, a row further, a pixel further. */
+/* The same with a texture. Keys, u and v (uq0_32): at column 0 of the next row, a row further, a
+ * pixel further. */
 struct zs_texel_rows {
-    struct zs_sides sides;     /* but down[1], key, gx */
-    uint32_t at[4], down[3];   /* ... and how many pixels have been tested */
-    uint32_t right[3], width;  /* ... and the texture's */
-    uint32_t column, row;      /* shifts that make these of u and v */
-    uint32_t light, light_right, light_down; /* uq1_31, half of 2^-10 added; the same of it, where it is asked for */
+    struct zs_sides sides;    /* but down[1], key, gx */
+    uint32_t at[4], down[3];  /* ... and how many pixels have been tested */
+    uint32_t right[3], width; /* ... and the texture's */
+    uint32_t column, row;     /* shifts that make these of u and v */
+    uint32_t light, light_right,
+        light_down; /* uq1_31, half of 2^-10 added; the same of it, where it is asked for */
 };
 
 enum zs_small_fate {
@@ -62,25 +71,29 @@ ZS_ALWAYS_INLINE enum zs_small_fate zs_small_look(struct zs_job *job, struct zs_
     const struct zs_vertex *pool = r->vert;
     const uint16_t *v = job->tri->v;
     const struct zs_vertex *a = &pool[v[0]], *b = &pool[v[1]], *c = &pool[v[2]];
-    const int32_t ax = a->x, ay = a->y, dx1 = b->x - ax, dx2 = c->x - ax, dy1 = b->y - ay, dy2 = c->y - ay;
+    const int32_t ax = a->x, ay = a->y, dx1 = b->x - ax, dx2 = c->x - ax, dy1 = b->y - ay,
+                  dy2 = c->y - ay;
     if (!zs_tiny(dx1, dx2, dy1, dy2)) /* |.| < 2^22, 0 <= dy */
         return ZS_SMALL_NOT;
     const int32_t area = dx1 * dy2 - dx2 * dy1; /* <= 2^29 */
     if (area < ZS_TINY_AREA)
         return ZS_SMALL_NOT;
-    const uint32_t d = a->d, at = r->view.piece_base, key_a = at - d, key_b = at - b->d, key_c = at - c->d;
+    const uint32_t d = a->d, at = r->view.piece_base, key_a = at - d, key_b = at - b->d,
+                   key_c = at - c->d;
     const uint32_t shift_piece = r->view.piece_shift;
     if (((key_a ^ key_b) | (key_a ^ key_c)) >> shift_piece)
         return ZS_SMALL_NOT;
     /* below it they may reach B - 1 when rounded; all lie in the last piece: it has 2^19 or more */
-    if (!(key_a >> shift_piece) && (key_a < ZS_SMALL_SAFE || key_b < ZS_SMALL_SAFE || key_c < ZS_SMALL_SAFE))
+    if (!(key_a >> shift_piece) &&
+        (key_a < ZS_SMALL_SAFE || key_b < ZS_SMALL_SAFE || key_c < ZS_SMALL_SAFE))
         return ZS_SMALL_NOT;
     const int32_t column = ax >> ZS_SUBPX_BITS;
     if ((column < ZS_TINY_SIDE || column > job->width - ZS_TINY_SIDE) &&
         (zs_first_sample(ax + zs_min32(zs_min32(dx1, dx2), 0)) < 0 ||
          zs_first_sample(ax + zs_max32(zs_max32(dx1, dx2), 0)) > job->width))
         return ZS_SMALL_NOT;
-    const int32_t last = zs_first_sample(ay + zs_max32(dy1, dy2)), row = zs_max32(zs_first_sample(ay), job->y0);
+    const int32_t last = zs_first_sample(ay + zs_max32(dy1, dy2)),
+                  row = zs_max32(zs_first_sample(ay), job->y0);
     const int32_t n = zs_min32(last, job->y1) - row;
     job->row_last = last;
     if (n <= 0)
@@ -102,14 +115,17 @@ ZS_ALWAYS_INLINE enum zs_small_fate zs_small_look(struct zs_job *job, struct zs_
     return ZS_SMALL_ROWS;
 }
 
-/* zs_plane_quotient of a key: most need 32 bits. |n| <= 2^46; shift: leading zeros of the area, which came out of rcp */
+/* zs_plane_quotient of a key: most need 32 bits. |n| <= 2^46; shift: leading zeros of the area,
+ * which came out of rcp */
 static inline int32_t zs_small_gradient(int64_t n, uint32_t rcp, int32_t shift)
 {
     const int32_t low = (int32_t)n;
     if (n != low)
         return zs_plane_quotient(n, rcp, shift, ZS_PLANE_KEY);
     const int32_t sign = low >> 31; /* |low| = (low ^ sign) - sign <= 2^31, q <= 2^26 */
-    const uint32_t q = ((zs_umulh(((uint32_t)low ^ (uint32_t)sign) - (uint32_t)sign, rcp) >> (22 - shift)) + 1u) >> 1;
+    const uint32_t q =
+        ((zs_umulh(((uint32_t)low ^ (uint32_t)sign) - (uint32_t)sign, rcp) >> (22 - shift)) + 1u) >>
+        1;
     return (int32_t)(q ^ (uint32_t)sign) - sign;
 }
 
@@ -118,15 +134,19 @@ ZS_ALWAYS_INLINE int zs_small_keys(struct zs_small *s, struct zs_sides *w)
 {
     const int shift = s->shift = zs_clz32((uint32_t)s->area); /* 2 .. 18 */
     const uint32_t rcp = s->rcp = zs_recip_inline((uint32_t)s->area << shift);
-    const int32_t dv1 = (int32_t)(s->key_a - s->key_b), dv2 = (int32_t)(s->key_a - s->key_c); /* of one piece: |.| < 2^31 */
-    const int32_t gx = zs_small_gradient(zs_mul_ss(dv1, s->dy2) - zs_mul_ss(dv2, s->dy1), rcp, shift);
-    const int32_t up = zs_small_gradient(zs_mul_ss(dv1, s->dx2) - zs_mul_ss(dv2, s->dx1), rcp, shift);
+    const int32_t dv1 = (int32_t)(s->key_a - s->key_b),
+                  dv2 = (int32_t)(s->key_a - s->key_c); /* of one piece: |.| < 2^31 */
+    const int32_t gx = zs_small_gradient(zs_mul_ss(dv1, s->dy2) - zs_mul_ss(dv2, s->dy1), rcp,
+                                         shift);
+    const int32_t up = zs_small_gradient(zs_mul_ss(dv1, s->dx2) - zs_mul_ss(dv2, s->dx1), rcp,
+                                         shift);
     if (gx == ZS_TOO_STEEP || up == ZS_TOO_STEEP)
         return 0;
     /* |gx|, |up| <= 2^27; x is 2^14 .. 2^14.1, 0 <= off < 2^14: from is below 2^42.1 */
     const int32_t x = (s->ax & (ZS_SUBPX_ONE - 1)) + ZS_TINY_SIDE * ZS_SUBPX_ONE - ZS_SUBPX_HALF;
     const int32_t off = s->row * ZS_SUBPX_ONE + ZS_SUBPX_HALF - s->ay;
-    const int64_t from = zs_mul_ss(gx, x) + zs_mul_ss(up, off) - 128; /* to column 0 and row, negative, a half added */
+    const int64_t from = zs_mul_ss(gx, x) + zs_mul_ss(up, off) -
+                         128; /* to column 0 and row, negative, a half added */
     w->key = s->d + 0x8000u + (uint32_t)(-from >> 8);
     w->gx = (uint32_t)gx;
     w->down[1] = 0u - (uint32_t)up;
@@ -136,11 +156,13 @@ ZS_ALWAYS_INLINE int zs_small_keys(struct zs_small *s, struct zs_sides *w)
 }
 
 /* Its rows and sides. It is drawn, and counted. */
-ZS_ALWAYS_INLINE void zs_small_sides(struct zs_job *job, const struct zs_small *s, struct zs_sides *w)
+ZS_ALWAYS_INLINE void zs_small_sides(struct zs_job *job, const struct zs_small *s,
+                                     struct zs_sides *w)
 {
     job->r->stats.tris_setup++;
     w->down[0] = (uint32_t)job->width * 2u;
-    const int32_t x = s->x, off = s->off, dx1 = s->dx1, dx2 = s->dx2, dy1 = s->dy1, dy2 = s->dy2, row = s->row;
+    const int32_t x = s->x, off = s->off, dx1 = s->dx1, dx2 = s->dx2, dy1 = s->dy1, dy2 = s->dy2,
+                  row = s->row;
     w->row = row;
     w->end = row + s->n;
     w->left = (uintptr_t)(intptr_t)((s->column - ZS_TINY_SIDE - 1) * 2);
@@ -151,13 +173,17 @@ ZS_ALWAYS_INLINE void zs_small_sides(struct zs_job *job, const struct zs_small *
     w->sum[0] = (uint32_t)(x * dy2 + off * dx2) + w->side[0] - 1u;
     w->sum[1] = (uint32_t)(x * dy1 + off * dx1) + w->side[2] - 1u;
     w->turn = dy1 < dy2;
-    const int32_t mid_dx = w->turn ? dx1 : dx2, mid_dy = w->turn ? dy1 : dy2, dx = w->turn ? dx2 : dx1, dy = w->turn ? dy2 : dy1;
+    const int32_t mid_dx = w->turn ? dx1 : dx2, mid_dy = w->turn ? dy1 : dy2,
+                  dx = w->turn ? dx2 : dx1, dy = w->turn ? dy2 : dy1;
     w->mid = zs_max32(zs_min32(zs_first_sample(s->ay + mid_dy), w->end), row);
-    if (w->mid < w->end) { /* x + mid_dx is 2^7 .. 2^15.1, its offset 0 .. to_dy: both products below 2^29.1 */
+    if (w->mid < w->end) { /* x + mid_dx is 2^7 .. 2^15.1, its offset 0 .. to_dy: both products
+                              below 2^29.1 */
         const int32_t to_dx = dx - mid_dx, to_dy = dy - mid_dy; /* |.| < 2^15; 0 < to_dy < 2^14 */
         w->next[0] = (uint32_t)to_dy * ZS_SUBPX_ONE;
         w->next[1] = (uint32_t)to_dx * ZS_SUBPX_ONE;
-        w->next_sum = (uint32_t)((x + mid_dx) * to_dy + (off + (w->mid - row) * ZS_SUBPX_ONE - mid_dy) * to_dx) + w->next[0] - 1u;
+        w->next_sum = (uint32_t)((x + mid_dx) * to_dy +
+                                 (off + (w->mid - row) * ZS_SUBPX_ONE - mid_dy) * to_dx) +
+                      w->next[0] - 1u;
     }
 }
 

@@ -63,4 +63,6 @@ static int smooth_rows(struct zs_job *job)
     return 1;
 }
 
-const struct zs_fast zs_fast_smooth = { .shader = &zs_shade_smooth, .rows = smooth_rows, .span = zs_fast_less };
+const struct zs_fast zs_fast_smooth = { .shader = &zs_shade_smooth,
+                                        .rows = smooth_rows,
+                                        .span = zs_fast_less };

@@ -1,4 +1,5 @@
-/* Triangles of one colour: test and store in one loop, without a call a row or a run; small ones set up and drawn in one go.
+/* Triangles of one colour: test and store in one loop, without a call a row or a run; small ones
+ * set up and drawn in one go.
  *
  * Pixel: key = sum >> 16, compare, store both, add. Nothing is divided and nothing is 64 bits wide.
  *
@@ -16,10 +17,10 @@ static inline uintptr_t beside_of(const struct zs_job *job)
     return (uintptr_t)job->color - (uintptr_t)job->depth;
 }
 
-/* n > 0 pixels. sum modulo 2^32: at covered pixels key + 1/2 bucket, in [0, 2^32) (plane.c). Return how many are
- * written, where that is counted. */
-ZS_ALWAYS_INLINE int32_t pixels(uint16_t *depth, uintptr_t beside, int32_t n, uint32_t sum, uint32_t gx,
-                                      uint16_t paint, uint32_t top, int clamp)
+/* n > 0 pixels. sum modulo 2^32: at covered pixels key + 1/2 bucket, in [0, 2^32) (plane.c). Return
+ * how many are written, where that is counted. */
+ZS_ALWAYS_INLINE int32_t pixels(uint16_t *depth, uintptr_t beside, int32_t n, uint32_t sum,
+                                uint32_t gx, uint16_t paint, uint32_t top, int clamp)
 {
     const uint16_t *const end = depth + n;
     int32_t written = 0;
@@ -50,14 +51,16 @@ static ZS_NOINLINE void solid_walk(struct zs_job *job)
     int32_t written = 0, y = job->row;
     const uintptr_t beside = beside_of(job);
     uint16_t *depth = job->depth + (y - job->y0) * width;
-    uint32_t key = job->key.base - zs_wrap_mul(gx, job->geom.ia) + zs_wrap_mul(job->key.gy, y - job->geom.ja);
+    uint32_t key = job->key.base - zs_wrap_mul(gx, job->geom.ia) +
+                   zs_wrap_mul(job->key.gy, y - job->geom.ja);
     for (;;) {
         const struct zs_cut *cut = job->cut, *const end = cut + (job->cut_end - y);
         for (; cut != end; cut++) {
             const int32_t i0 = zs_max32(cut->x0, 0), n = zs_min32(cut->x1, width) - i0;
             if (n > 0) {
                 tested += (uint32_t)n;
-                written += pixels(depth + i0, beside, n, key + zs_wrap_mul(gx, i0), gx, paint, 0, 0);
+                written += pixels(depth + i0, beside, n, key + zs_wrap_mul(gx, i0), gx, paint, 0,
+                                  0);
             }
             depth += width;
             key += job->key.gy;
@@ -71,15 +74,16 @@ static ZS_NOINLINE void solid_walk(struct zs_job *job)
     zs_rows_written(job, written);
 }
 
-static void solid_span(struct zs_job *job, const struct zs_row *row, int32_t i0, int32_t i1, uint32_t sum,
-                   uint32_t gx)
+static void solid_span(struct zs_job *job, const struct zs_row *row, int32_t i0, int32_t i1,
+                       uint32_t sum, uint32_t gx)
 {
     const uintptr_t beside = beside_of(job);
     uint16_t *depth = job->depth + row->at + i0;
     const uint16_t paint = job->tri->paint;
     int32_t written;
     if (job->saturates)
-        written = pixels(depth, beside, i1 - i0, sum, gx, paint, (job->r->view.key_top >> 16) - 1u, 1);
+        written = pixels(depth, beside, i1 - i0, sum, gx, paint, (job->r->view.key_top >> 16) - 1u,
+                         1);
     else
         written = pixels(depth, beside, i1 - i0, sum, gx, paint, 0, 0);
     zs_rows_written(job, written);
@@ -96,7 +100,8 @@ static int solid_rows(struct zs_job *job)
 /* ---- Small triangles ------------------------------------------------------------------------- */
 
 /* The pixels right of `at` up to `end`, as zs_solid_pixels. */
-ZS_ALWAYS_INLINE int32_t small_pixels(uint16_t *at, uint16_t *const end, uintptr_t beside, uint32_t sum, uint32_t gx, uint16_t paint)
+ZS_ALWAYS_INLINE int32_t small_pixels(uint16_t *at, uint16_t *const end, uintptr_t beside,
+                                      uint32_t sum, uint32_t gx, uint16_t paint)
 {
     int32_t written = 0;
     do {
@@ -119,7 +124,8 @@ static ZS_NOINLINE void small_rows(struct zs_job *job, struct zs_sides *w)
     uintptr_t depth = (uintptr_t)job->depth + (uint32_t)(w->row - job->y0) * pitch + w->left;
     uintptr_t end = depth + (uint32_t)(w->mid - w->row) * pitch;
     const uintptr_t last = depth + (uint32_t)(w->end - w->row) * pitch;
-    uint32_t tested = 0, key = w->key; /* modulo 2^32, as sums are: below 2^29.2 in rows that are drawn */
+    uint32_t tested = 0,
+             key = w->key; /* modulo 2^32, as sums are: below 2^29.2 in rows that are drawn */
     int32_t written = 0;
     for (;;) {
         uint32_t left = w->sum[0], right = w->sum[1];
@@ -133,7 +139,8 @@ static ZS_NOINLINE void small_rows(struct zs_job *job, struct zs_sides *w)
             right += step;
             if (x0 < x1) {
                 tested += x1 - x0;
-                written += small_pixels((uint16_t *)depth + x0, (uint16_t *)depth + x1, beside, key + w->gx * x0, w->gx, paint);
+                written += small_pixels((uint16_t *)depth + x0, (uint16_t *)depth + x1, beside,
+                                        key + w->gx * x0, w->gx, paint);
             }
             zs_two(w->side, 4, &down, &by);
             depth += down;
@@ -164,7 +171,10 @@ static int small_draw(struct zs_job *job)
     return 1;
 }
 
-#define SOLID(of) { .shader = of, .draw = ZS_DIVIDES ? small_draw : 0, .rows = solid_rows, .span = solid_span }
+#define SOLID(of)                                                                                  \
+    {                                                                                              \
+        .shader = of, .draw = ZS_DIVIDES ? small_draw : 0, .rows = solid_rows, .span = solid_span  \
+    }
 
 const struct zs_fast zs_fast_raw = SOLID(&zs_shade_raw);
 const struct zs_fast zs_fast_flat = SOLID(&zs_shade_flat);

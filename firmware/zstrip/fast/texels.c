@@ -1,4 +1,5 @@
-/* Loops of each texel format: texels by their numbers, rows of an affine triangle and of a small one, with their depth test.
+/* Loops of each texel format: texels by their numbers, rows of an affine triangle and of a small
+ * one, with their depth test.
  *
  * SPDX-License-Identifier: MIT
  */
@@ -8,7 +9,8 @@
 #include "shade/texels.h"
 #include "zs_fast.h"
 
-ZS_ALWAYS_INLINE void gather(const struct zs_texture *t, uint16_t *out, int32_t n, const uint32_t *at, zs_read_fn *read)
+ZS_ALWAYS_INLINE void gather(const struct zs_texture *t, uint16_t *out, int32_t n,
+                             const uint32_t *at, zs_read_fn *read)
 {
     const void *texel = t->texel;
     const uint16_t *palette = t->palette;
@@ -22,7 +24,8 @@ ZS_ALWAYS_INLINE void rows(struct zs_job *job, zs_read_fn *read)
     const void *texel = t->texel;
     const uint16_t *palette = t->palette;
     const uint32_t right = 32u - t->log2_w, down = 32u - t->log2_h, log2_w = t->log2_w;
-    const uintptr_t beside = (uintptr_t)job->color - (uintptr_t)job->depth; /* from a depth to its colour */
+    const uintptr_t beside = (uintptr_t)job->color -
+                             (uintptr_t)job->depth; /* from a depth to its colour */
     uint32_t gx = job->key.gx, du = job->c[0].gx, dv = job->c[1].gx, tested = 0;
     int32_t written = 0, y = job->row;
     zs_plane_origin(&job->geom, &job->key);
@@ -32,7 +35,8 @@ ZS_ALWAYS_INLINE void rows(struct zs_job *job, zs_read_fn *read)
             const int32_t i0 = zs_max32(cut->x0, 0), n = zs_min32(cut->x1, job->width) - i0;
             if (n <= 0)
                 continue;
-            uint32_t sum = zs_plane_at(&job->key, i0, y), u = zs_plane_at(&job->c[0], i0, y), v = zs_plane_at(&job->c[1], i0, y);
+            uint32_t sum = zs_plane_at(&job->key, i0, y), u = zs_plane_at(&job->c[0], i0, y),
+                     v = zs_plane_at(&job->c[1], i0, y);
             uint16_t *depth = row + i0;
             const uint16_t *end = depth + n;
             tested += (uint32_t)n;
@@ -44,7 +48,8 @@ ZS_ALWAYS_INLINE void rows(struct zs_job *job, zs_read_fn *read)
                 const uint32_t key = sum >> 16;
                 if (key < *depth) {
                     *depth = (uint16_t)key;
-                    *(uint16_t *)((uintptr_t)depth + beside) = zs_wire16(read(texel, palette, ((v >> down) << log2_w) + (u >> right)));
+                    *(uint16_t *)((uintptr_t)depth + beside) = zs_wire16(
+                        read(texel, palette, ((v >> down) << log2_w) + (u >> right)));
                     if (ZS_STATS)
                         written++;
                 }
@@ -63,14 +68,18 @@ ZS_ALWAYS_INLINE void rows(struct zs_job *job, zs_read_fn *read)
 
 #define ZS_WORD(field) ((int)(offsetof(struct zs_texel_rows, field) / 4u))
 
-/* Rows of a small triangle. What goes from row to row lies in its record: pixels take all registers. */
-ZS_ALWAYS_INLINE void small(struct zs_job *job, const struct zs_texture *t, struct zs_texel_rows *w, zs_read_fn *read, int lit)
+/* Rows of a small triangle. What goes from row to row lies in its record: pixels take all
+ * registers. */
+ZS_ALWAYS_INLINE void small(struct zs_job *job, const struct zs_texture *t, struct zs_texel_rows *w,
+                            zs_read_fn *read, int lit)
 {
-    const uintptr_t beside = (uintptr_t)job->color - (uintptr_t)job->depth; /* from a depth to its colour */
+    const uintptr_t beside = (uintptr_t)job->color -
+                             (uintptr_t)job->depth; /* from a depth to its colour */
     const uint32_t pitch = w->sides.down[0];
     const void *const texel = t->texel;
     const uint16_t *const palette = t->palette;
-    uintptr_t row = (uintptr_t)job->depth + (uint32_t)(w->sides.row - job->y0) * pitch + w->sides.left;
+    uintptr_t row = (uintptr_t)job->depth + (uint32_t)(w->sides.row - job->y0) * pitch +
+                    w->sides.left;
     uintptr_t end = row + (uint32_t)(w->sides.mid - w->sides.row) * pitch;
     const uintptr_t last = row + (uint32_t)(w->sides.end - w->sides.row) * pitch;
     const uint32_t *const word = (const uint32_t *)(const void *)w;
@@ -129,26 +138,31 @@ ZS_ALWAYS_INLINE void small(struct zs_job *job, const struct zs_texture *t, stru
 }
 
 /* The loops of one format. */
-#define TEXEL(name)                                                                                                      \
-    static void gather_##name(const struct zs_texture *t, uint16_t *out, int32_t n, const uint32_t *at)                  \
-    {                                                                                                                    \
-        gather(t, out, n, at, zs_read_##name);                                                                           \
-    }                                                                                                                    \
-    ZS_IN_ORDER static void rows_##name(struct zs_job *job)                                                              \
-    {                                                                                                                    \
-        rows(job, zs_read_##name);                                                                                       \
-    }                                                                                                                    \
-    static void small_##name(struct zs_job *job, const struct zs_texture *t, struct zs_texel_rows *w)                    \
-    {                                                                                                                    \
-        small(job, t, w, zs_read_##name, 0);                                                                             \
-    }                                                                                                                    \
-    static void small_lit_##name(struct zs_job *job, const struct zs_texture *t, struct zs_texel_rows *w)                \
-    {                                                                                                                    \
-        small(job, t, w, zs_read_##name, 1);                                                                             \
-    }                                                                                                                    \
-    static const struct zs_fast_texel texel_##name = { .gather = gather_##name, .rows = rows_##name,                     \
-                                                       .small = ZS_DIVIDES ? small_##name : 0,                           \
-                                                       .small_lit = ZS_DIVIDES ? small_lit_##name : 0 };                 \
+#define TEXEL(name)                                                                                \
+    static void gather_##name(const struct zs_texture *t, uint16_t *out, int32_t n,                \
+                              const uint32_t *at)                                                  \
+    {                                                                                              \
+        gather(t, out, n, at, zs_read_##name);                                                     \
+    }                                                                                              \
+    ZS_IN_ORDER static void rows_##name(struct zs_job *job)                                        \
+    {                                                                                              \
+        rows(job, zs_read_##name);                                                                 \
+    }                                                                                              \
+    static void small_##name(struct zs_job *job, const struct zs_texture *t,                       \
+                             struct zs_texel_rows *w)                                              \
+    {                                                                                              \
+        small(job, t, w, zs_read_##name, 0);                                                       \
+    }                                                                                              \
+    static void small_lit_##name(struct zs_job *job, const struct zs_texture *t,                   \
+                                 struct zs_texel_rows *w)                                          \
+    {                                                                                              \
+        small(job, t, w, zs_read_##name, 1);                                                       \
+    }                                                                                              \
+    static const struct zs_fast_texel texel_##name = { .gather = gather_##name,                    \
+                                                       .rows = rows_##name,                        \
+                                                       .small = ZS_DIVIDES ? small_##name : 0,     \
+                                                       .small_lit = ZS_DIVIDES ? small_lit_##name  \
+                                                                               : 0 };              \
     const struct zs_fast zs_fast_##name = { .format = &zs_texel_##name, .texel = &texel_##name };
 
 TEXEL(565)

@@ -14,12 +14,13 @@
 /* ---- Palettes -------------------------------------------------------------------------------- */
 
 /* t with its palette lit, if it has one that is small enough. */
-static ZS_NOINLINE const struct zs_texture *palette_lit(struct zs_job *job, const struct zs_texture *t)
+static ZS_NOINLINE const struct zs_texture *palette_lit(struct zs_job *job,
+                                                        const struct zs_texture *t)
 {
     const struct zs_shader *shader = job->shader;
     struct zs_lit *lit = &job->r->lit;
     const uint16_t level = job->tri->paint;
-    if (shader->n_attrs == 3 || !t->format->colors_max || t->n_colors > ZS_LIT_COLORS)
+    if (shader->n_varyings == 3 || !t->format->colors_max || t->n_colors > ZS_LIT_COLORS)
         return t;
     job->sampler.unlit = 1;
     if (lit->of != t || lit->level != level) {
@@ -36,14 +37,16 @@ static ZS_NOINLINE const struct zs_texture *palette_lit(struct zs_job *job, cons
     return &lit->texture;
 }
 
-/* ---- Small triangles: repeated textures, affine by their keys alone ------------------------------------
+/* ---- Small triangles: repeated textures, affine by their keys alone
+ * ------------------------------------
  *
  * What is found here is what shade/texture.c would find, bit for bit. */
 
 /* v * rcp + more, rcp >= 2^31: one signed product, whose sum begins with what it lacks. */
 static inline int64_t times_rcp(int32_t v, uint32_t rcp, uint32_t more)
 {
-    return zs_mul_ss(v, (int32_t)(rcp - 0x80000000u) - 0x7fffffff - 1) + ((int64_t)v * ((int64_t)1 << 32) + more);
+    return zs_mul_ss(v, (int32_t)(rcp - 0x80000000u) - 0x7fffffff - 1) +
+           ((int64_t)v * ((int64_t)1 << 32) + more);
 }
 
 /* zs_texture_gradient, its usual case in line. *bad: not 0 where it is too steep. */
@@ -62,7 +65,8 @@ ZS_ALWAYS_INLINE uint32_t gradient(uint32_t rcp, int32_t n, int32_t shift, int32
     return low;
 }
 
-/* A coordinate: of the first corner, 2^-uv_bits repeats, unsigned; what the others have more; the largest above the least. */
+/* A coordinate: of the first corner, 2^-uv_bits repeats, unsigned; what the others have more; the
+ * largest above the least. */
 struct coordinate {
     int32_t a, d1, d2;
     uint32_t range;
@@ -77,36 +81,42 @@ ZS_ALWAYS_INLINE void coordinate(struct coordinate *out, int32_t a, int32_t b, i
     out->range = (uint32_t)(zs_max32(zs_max32(d1, d2), 0) - zs_min32(zs_min32(d1, d2), 0));
 }
 
-/* Its plane: at column 0 of the first row, a pixel, a row. Modulo one repeat: the 32768 that make coordinates unsigned are
- * whole repeats. Return not 0: too steep. */
-ZS_ALWAYS_INLINE int32_t plane(const struct zs_small *s, const struct coordinate *c, int32_t shift, uint32_t uv_bits, uint32_t log2,
-                           struct zs_texel_rows *w, int k)
+/* Its plane: at column 0 of the first row, a pixel, a row. Modulo one repeat: the 32768 that make
+ * coordinates unsigned are whole repeats. Return not 0: too steep. */
+ZS_ALWAYS_INLINE int32_t plane(const struct zs_small *s, const struct coordinate *c, int32_t shift,
+                               uint32_t uv_bits, uint32_t log2, struct zs_texel_rows *w, int k)
 {
     int32_t bad = 0;
     const uint32_t gx = gradient(s->rcp, c->d1 * s->dy2 - c->d2 * s->dy1, shift, &bad);
     const uint32_t gy = gradient(s->rcp, c->d2 * s->dx1 - c->d1 * s->dx2, shift, &bad);
-    const int64_t from = zs_mul_ss((int32_t)gy, s->off) - zs_mul_ss((int32_t)gx, s->x) + 128; /* |.| < 2^46.2 */
+    const int64_t from = zs_mul_ss((int32_t)gy, s->off) - zs_mul_ss((int32_t)gx, s->x) +
+                         128; /* |.| < 2^46.2 */
     w->right[k] = gx;
     w->down[k] = gy;
-    w->at[k] = ((uint32_t)c->a << 1 << (31u - uv_bits)) + (1u << (32u - ZS_TEXTURE_BIAS_LOG2 - log2)) + (uint32_t)(from >> 8);
+    w->at[k] = ((uint32_t)c->a << 1 << (31u - uv_bits)) +
+               (1u << (32u - ZS_TEXTURE_BIAS_LOG2 - log2)) + (uint32_t)(from >> 8);
     return bad;
 }
 
 /* The light: the face's, or the plane of the corners'. Return 0: it is not for this way. */
-static ZS_NOINLINE int light(const struct zs_job *job, const struct zs_small *s, uint32_t change, const uint16_t *a, const uint16_t *b,
-                             const uint16_t *c, struct zs_texel_rows *w)
+static ZS_NOINLINE int light(const struct zs_job *job, const struct zs_small *s, uint32_t change,
+                             const uint16_t *a, const uint16_t *b, const uint16_t *c,
+                             struct zs_texel_rows *w)
 {
-    if (job->shader->n_attrs == 2) {
+    if (job->shader->n_varyings == 2) {
         w->light = ((uint32_t)job->tri->paint << 16) + ZS_TEXTURE_LIGHT_HALF;
         w->light_right = w->light_down = 0;
         return 1;
     }
     const int32_t d1 = b[2] - a[2], d2 = c[2] - a[2]; /* |.| < 2^16 */
-    const uint32_t range = (uint32_t)(zs_max32(zs_max32(d1, d2), 0) - zs_min32(zs_min32(d1, d2), 0));
+    const uint32_t range = (uint32_t)(zs_max32(zs_max32(d1, d2), 0) -
+                                      zs_min32(zs_min32(d1, d2), 0));
     if (!zs_texture_light_affine(range, change, job->r->view.key_slow))
         return 0;
-    const int64_t nx = zs_mul_ss(d1, s->dy2) - zs_mul_ss(d2, s->dy1), ny = zs_mul_ss(d1, s->dx2) - zs_mul_ss(d2, s->dx1);
-    const int32_t gx = zs_plane_quotient(nx * 32768, s->rcp, s->shift, ZS_PLANE_WIDE); /* n: |.| < 2^31 */
+    const int64_t nx = zs_mul_ss(d1, s->dy2) - zs_mul_ss(d2, s->dy1),
+                  ny = zs_mul_ss(d1, s->dx2) - zs_mul_ss(d2, s->dx1);
+    const int32_t gx = zs_plane_quotient(nx * 32768, s->rcp, s->shift,
+                                         ZS_PLANE_WIDE); /* n: |.| < 2^31 */
     const int32_t up = zs_plane_quotient(ny * 32768, s->rcp, s->shift, ZS_PLANE_WIDE);
     if (gx == ZS_TOO_STEEP || up == ZS_TOO_STEEP)
         return 0;
@@ -129,30 +139,35 @@ ZS_ALWAYS_INLINE int draw(struct zs_job *job, int may_be_lit)
 
     const struct zs_renderer *r = job->r;
     const struct zs_view *view = &r->view;
-    const uint32_t nearest = zs_maxu32(zs_maxu32(s.key_a, s.key_b), s.key_c), farthest = zs_minu32(zs_minu32(s.key_a, s.key_b), s.key_c);
+    const uint32_t nearest = zs_maxu32(zs_maxu32(s.key_a, s.key_b), s.key_c),
+                   farthest = zs_minu32(zs_minu32(s.key_a, s.key_b), s.key_c);
     const uint32_t change = nearest - farthest; /* of d = piece_base - key */
     if (view->piece_base - farthest > view->key_known || change > view->key_slow)
         return 0;
     const struct zs_instance *in = &r->scene->instance[job->tri->instance];
     const struct zs_texture *t = in->material->texture;
-    const uint32_t log2_w = t->log2_w, log2_h = t->log2_h, uv_bits = in->mesh->uv_bits, attrs = r->config.attrs;
+    const uint32_t log2_w = t->log2_w, log2_h = t->log2_h, uv_bits = in->mesh->uv_bits,
+                   varyings = r->config.varyings;
     if (t->clamp || !log2_w || !log2_h)
         return 0;
     const uint16_t *const attr = r->attr, *v = job->tri->v;
-    const uint16_t *const a = attr + v[0] * attrs, *const b = attr + v[1] * attrs, *const c = attr + v[2] * attrs;
+    const uint16_t *const a = attr + v[0] * varyings, *const b = attr + v[1] * varyings,
+                          *const c = attr + v[2] * varyings;
     struct coordinate cu, cv;
     coordinate(&cu, a[0], b[0], c[0]);
     coordinate(&cv, a[1], b[1], c[1]);
     if ((cu.range | cv.range) >> 14)
         return 0;
-    const int32_t texels = zs_max32((int32_t)zs_maxu32(log2_w, ZS_TEXTURE_FLOOR_LOG2) - zs_clz32(cu.range | 1u),
-                                    (int32_t)zs_maxu32(log2_h, ZS_TEXTURE_FLOOR_LOG2) - zs_clz32(cv.range | 1u));
+    const int32_t texels = zs_max32(
+        (int32_t)zs_maxu32(log2_w, ZS_TEXTURE_FLOOR_LOG2) - zs_clz32(cu.range | 1u),
+        (int32_t)zs_maxu32(log2_h, ZS_TEXTURE_FLOOR_LOG2) - zs_clz32(cv.range | 1u));
     if (!zs_texture_affine(texels + 32 - (int32_t)uv_bits, change, view->key_slow))
         return 0;
     if (!zs_small_keys(&s, &w.sides))
         return 0;
     const int32_t shift = 23 + (int32_t)uv_bits - s.shift;
-    if (shift < 1 || (plane(&s, &cu, shift, uv_bits, log2_w, &w, 1) | plane(&s, &cv, shift, uv_bits, log2_h, &w, 2)))
+    if (shift < 1 || (plane(&s, &cu, shift, uv_bits, log2_w, &w, 1) |
+                      plane(&s, &cv, shift, uv_bits, log2_h, &w, 2)))
         return 0;
     w.at[0] = w.sides.key;
     w.down[0] = w.sides.down[1];
@@ -162,7 +177,8 @@ ZS_ALWAYS_INLINE int draw(struct zs_job *job, int may_be_lit)
     w.row = 32u - log2_h;
     const struct zs_fast_texel *texel = job->texel;
     if (may_be_lit) {
-        job->sampler.unlit = job->shader->n_attrs == 2 && job->tri->paint == ZS_TEXTURE_FULL_LIGHT;
+        job->sampler.unlit = job->shader->n_varyings == 2 &&
+                             job->tri->paint == ZS_TEXTURE_FULL_LIGHT;
         if (!job->sampler.unlit)
             t = palette_lit(job, t); /* of the same format */
         if (!job->sampler.unlit) {
@@ -212,7 +228,8 @@ struct places {
 };
 
 /* Attribute k of a job from pixel i on. up: of w, to 31 bits */
-static void places_of(struct places *p, const struct zs_job *job, int k, int32_t i, int32_t row, int32_t up)
+static void places_of(struct places *p, const struct zs_job *job, int k, int32_t i, int32_t row,
+                      int32_t up)
 {
     const struct zs_sampler *s = &job->sampler;
     const int32_t turn = s->shift[k] + 1;
@@ -233,25 +250,28 @@ static ZS_NOINLINE void places(uint32_t *at, int32_t n, const struct places *p, 
         ZS_HIGH_REGISTER(end);
         ZS_HIGH_REGISTER(step);
         ZS_HIGH_REGISTER(base);
-        const uint32_t turned = (uint32_t)((int32_t)(zs_texture_coarse(c, *at & 65535u) << left) >> down);
+        const uint32_t turned = (uint32_t)((int32_t)(zs_texture_coarse(c, *at & 65535u) << left) >>
+                                           down);
         const uint32_t place = (base + turned) >> cut;
         *at = log2_w ? (*at >> 16 << log2_w) + place : place << 16 | *at;
     }
 }
 
 /* Light that comes from the vertices; at[] are reciprocals. */
-static void light_places(const struct zs_job *job, uint16_t *out, const uint32_t *at, int32_t n, uint32_t c,
-                         uint32_t step)
+static void light_places(const struct zs_job *job, uint16_t *out, const uint32_t *at, int32_t n,
+                         uint32_t c, uint32_t step)
 {
     const struct zs_shader *shader = job->shader;
     for (int32_t k = 0; k < n; k++, c += step) {
         const int32_t level = (int32_t)zs_texture_coarse(c, at[k] & 65535u);
-        shader->light(out + k, 1, level < 0 ? 0u : (uint32_t)level << 2, 0); /* < 2^32: light is below LIGHT_MAX */
+        shader->light(out + k, 1, level < 0 ? 0u : (uint32_t)level << 2,
+                      0); /* < 2^32: light is below LIGHT_MAX */
     }
 }
 
 /* n <= PIECE pixels from i on in which w keeps its lz leading zeros, 1 .. 31. */
-static ZS_NOINLINE void divide_octave(struct zs_job *job, uint16_t *out, int32_t i, int32_t n, int32_t row, int32_t lz)
+static ZS_NOINLINE void divide_octave(struct zs_job *job, uint16_t *out, int32_t i, int32_t n,
+                                      int32_t row, int32_t lz)
 {
     const struct zs_texture *t = job->sampler.texture;
     const struct zs_fast_texel *texel = job->texel;
@@ -264,12 +284,13 @@ static ZS_NOINLINE void divide_octave(struct zs_job *job, uint16_t *out, int32_t
     places_of(&p, job, 0, i, row, up);
     places(at, n, &p, t->log2_w);
     texel->gather(t, out, n, at);
-    if (job->shader->n_attrs != 3) {
+    if (job->shader->n_varyings != 3) {
         zs_texture_lighten(job, out, n, 0, 0);
         return;
     }
     reciprocals(at, n, zs_plane_at(&job->w, i, row) << up, job->w.gx << up);
-    light_places(job, out, at, n, (zs_plane_at(&job->c[2], i, row) << up) + 0x8000u, job->c[2].gx << up);
+    light_places(job, out, at, n, (zs_plane_at(&job->c[2], i, row) << up) + 0x8000u,
+                 job->c[2].gx << up);
 }
 
 /* How many of n pixels, from one with w on, have its leading zeros. */
@@ -278,7 +299,8 @@ static int32_t same_octave(uint32_t w, int32_t gx, int32_t lz, int32_t n)
     const uint32_t low = 1u << (31 - lz);
     if (gx == 0)
         return n;
-    const uint32_t more = gx < 0 ? (w - low) / (0u - (uint32_t)gx) : (low - 1u - (w - low)) / (uint32_t)gx;
+    const uint32_t more = gx < 0 ? (w - low) / (0u - (uint32_t)gx)
+                                 : (low - 1u - (w - low)) / (uint32_t)gx;
     return more < (uint32_t)n ? (int32_t)more + 1 : n;
 }
 
@@ -310,9 +332,11 @@ static int texture_rows(struct zs_job *job)
     return 1;
 }
 
-#define TEXTURE(shader_, draw_, lit_)                                                                                    \
-    { .shader = shader_, .draw = ZS_DIVIDES ? draw_ : 0, .rows = texture_rows, .span = zs_fast_less, .lit = lit_,        \
-      .divided = divided }
+#define TEXTURE(shader_, draw_, lit_)                                                              \
+    {                                                                                              \
+        .shader = shader_, .draw = ZS_DIVIDES ? draw_ : 0, .rows = texture_rows,                   \
+        .span = zs_fast_less, .lit = lit_, .divided = divided                                      \
+    }
 
 const struct zs_fast zs_fast_texture = TEXTURE(&zs_shade_texture, draw_unlit, 0);
 const struct zs_fast zs_fast_texture_flat = TEXTURE(&zs_shade_texture_flat, draw_lit, palette_lit);

@@ -1,21 +1,25 @@
 /* What large triangles hide, known before anything is drawn.
  *
- * The frame is cut into tiles of 2^ZS_TILE_LOG2 columns, as high as a strip. A triangle that covers all of a tile, or two
- * that share an edge and cover it together, leave no key there beyond their farthest: the tile's bound. A triangle whose
- * nearest key lies beyond the bounds of all tiles that it touches wins no pixel, in whatever order the two are drawn,
- * because a pixel keeps the least key; equal keys prove nothing. So the frame is the same with and without. Nor is an
- * instance seen whose box lies beyond the bounds of all its tiles. What a tile's bound comes from is never among those: its
- * own nearest key is not beyond it.
+ * The frame is cut into tiles of 2^ZS_TILE_LOG2 columns, as high as a strip. A triangle that covers
+ * all of a tile, or two that share an edge and cover it together, leave no key there beyond their
+ * farthest: the tile's bound. A triangle whose nearest key lies beyond the bounds of all tiles that
+ * it touches wins no pixel, in whatever order the two are drawn, because a pixel keeps the least
+ * key; equal keys prove nothing. So the frame is the same with and without. Nor is an instance seen
+ * whose box lies beyond the bounds of all its tiles. What a tile's bound comes from is never among
+ * those: its own nearest key is not beyond it.
  *
- * Bounds are found where a frame's first walk meets a triangle of LARGE columns, for all strips at once, and hold for all
- * sets and later walks of the frame. Nothing is done in frames that have none.
+ * Bounds are found where a frame's first walk meets a triangle of LARGE columns, for all strips at
+ * once, and hold for all sets and later walks of the frame. Nothing is done in frames that have
+ * none.
  *
- * Columns: the left side of a triangle is a convex function of the row and the right side a concave one, so that both are
- * farthest inwards in the strip's first or last row. They are taken inwards by the error of the slope (side()).
+ * Columns: the left side of a triangle is a convex function of the row and the right side a concave
+ * one, so that both are farthest inwards in the strip's first or last row. They are taken inwards
+ * by the error of the slope (side()).
  *
- * Keys: a triangle's are at most its farthest vertex's. What is drawn is within 0.13 bucket of the exact (NUMERICS.md: 0.005 up
- * to 640 pixels of width and height, (W + H + 1) / 2^17 beyond), which MARGIN covers. The plane through the vertices' keys at a
- * tile's four corners is a closer bound, and was left out: DESIGN.md has the figures.
+ * Keys: a triangle's are at most its farthest vertex's. What is drawn is within 0.13 bucket of the
+ * exact (NUMERICS.md: 0.005 up to 640 pixels of width and height, (W + H + 1) / 2^17 beyond), which
+ * MARGIN covers. The plane through the vertices' keys at a tile's four corners is a closer bound,
+ * and was left out: DESIGN.md has the figures.
  *
  * SPDX-License-Identifier: MIT
  */
@@ -32,30 +36,39 @@
 
 #define TILE (1 << ZS_TILE_LOG2)
 #define LARGE (2 * TILE) /* columns: covers a tile wherever it lies */
-#define MARGIN 0x2200 /* of a bucket, in 2^-16: 0.13 */
-_Static_assert(2 * ZS_SIZE_MAX + 1 <= MARGIN, "the error of a plane's keys, (W + H + 1) / 2^17 bucket");
+#define MARGIN 0x2200    /* of a bucket, in 2^-16: 0.13 */
+_Static_assert(2 * ZS_SIZE_MAX + 1 <= MARGIN,
+               "the error of a plane's keys, (W + H + 1) / 2^17 bucket");
 
 static uint32_t key_of(const struct zs_renderer *r, uint32_t d, int32_t add)
 {
     const struct zs_depth *depth = r->config.depth;
     const uint32_t key = depth->key ? depth->key(&r->view, d) : d; /* uq16_16, <= key_top */
-    const uint32_t most = r->view.key_top - 0x10000u; /* keys saturate here */
+    const uint32_t most = r->view.key_top - 0x10000u;              /* keys saturate here */
     if (add < 0)
-        return (key < 0x8000u - (uint32_t)add ? 0u : zs_minu32(key + 0x8000u + (uint32_t)add, most)) >> 16;
-    return (key >= most ? most : zs_minu32(key + 0x8000u + (uint32_t)add, most)) >> 16; /* no carry: key < 2^32 - 2^17 */
+        return (key < 0x8000u - (uint32_t)add ? 0u
+                                              : zs_minu32(key + 0x8000u + (uint32_t)add, most)) >>
+               16;
+    return (key >= most ? most : zs_minu32(key + 0x8000u + (uint32_t)add, most)) >>
+           16; /* no carry: key < 2^32 - 2^17 */
 }
 
 /* ---- Bounds ---------------------------------------------------------------------------------- */
 
-enum { LONG, UPPER, LOWER }; /* edges from the top to the bottom vertex, to the middle one, from there */
+enum {
+    LONG,
+    UPPER,
+    LOWER
+}; /* edges from the top to the bottom vertex, to the middle one, from there */
 
-/* Where an edge passes a row's samples, no more than two sub-pixels beyond it, inwards or outwards: the slope is wrong by
- * less than 2^-shift, and so is its product, floored, by a sub-pixel more. */
+/* Where an edge passes a row's samples, no more than two sub-pixels beyond it, inwards or outwards:
+ * the slope is wrong by less than 2^-shift, and so is its product, floored, by a sub-pixel more. */
 static int32_t side(const struct zs_cover *c, int edge, int32_t row, int right)
 {
     const struct zs_vertex *a = &c->v[edge == LOWER];
     const int32_t off = row * ZS_SUBPX_ONE + ZS_SUBPX_HALF - a->y; /* 0 .. dy */
-    const int32_t x = a->x + (c->slope[edge] * off >> c->shift[edge]), error = (off >> c->shift[edge]) + 2;
+    const int32_t x = a->x + (c->slope[edge] * off >> c->shift[edge]),
+                  error = (off >> c->shift[edge]) + 2;
     return zs_first_sample(right ? x - error : x + error);
 }
 
@@ -67,7 +80,8 @@ static int32_t column(const struct zs_cover *c, int32_t row, int right)
 }
 
 /* dx / dy in 2^-shift, towards 0: |slope * dy| <= 2^30. */
-static void slope(struct zs_cover *c, int edge, const struct zs_vertex *a, const struct zs_vertex *b)
+static void slope(struct zs_cover *c, int edge, const struct zs_vertex *a,
+                  const struct zs_vertex *b)
 {
     const int32_t dx = b->x - a->x, dy = b->y - a->y;
     int32_t shift = zs_clz32((uint32_t)(zs_abs32(dx) | 1)) - 2; /* |dx| < 2^22: 8 or more */
@@ -88,10 +102,11 @@ static int32_t strip_of(const struct zs_renderer *r, int32_t row) /* 0 .. ZS_SIZ
     return (int32_t)((uint32_t)row * r->strip_mul >> r->strip_shift);
 }
 
-/* Bounds of strips whose rows are all in [row, row_end) and not all in [done, done_end), from a triangle, or from one to the
- * left and one to the right of an edge that passes all their rows. */
-static void bound_rows(struct zs_renderer *r, const struct zs_cover *left, const struct zs_cover *right, int32_t row,
-                       int32_t row_end, int32_t done, int32_t done_end)
+/* Bounds of strips whose rows are all in [row, row_end) and not all in [done, done_end), from a
+ * triangle, or from one to the left and one to the right of an edge that passes all their rows. */
+static void bound_rows(struct zs_renderer *r, const struct zs_cover *left,
+                       const struct zs_cover *right, int32_t row, int32_t row_end, int32_t done,
+                       int32_t done_end)
 {
     const int32_t h = r->config.strip_h, height = r->config.height, width = r->config.width;
     const int32_t tiles = (int32_t)ZS_TILES(width);
@@ -100,12 +115,14 @@ static void bound_rows(struct zs_renderer *r, const struct zs_cover *left, const
         return;
     int32_t s = strip_of(r, zs_max32(row, 0));
     s = zs_max32(s + (s * h < row), r->strip);
-    const int32_t end = zs_min32(row_end < height ? strip_of(r, row_end) : r->n_strips, r->draw_end);
+    const int32_t end = zs_min32(row_end < height ? strip_of(r, row_end) : r->n_strips,
+                                 r->draw_end);
     if (s >= end || (s * h >= done && zs_min32(end * h, height) <= done_end))
         return;
     uint16_t *bound = r->bound + s * tiles;
     const int32_t first = s * h, last = zs_min32(end * h, height) - 1;
-    if (column(left, first, 0) <= 0 && column(right, first, 1) >= width && column(left, last, 0) <= 0 &&
+    if (column(left, first, 0) <= 0 && column(right, first, 1) >= width &&
+        column(left, last, 0) <= 0 &&
         column(right, last, 1) >= width) { /* then in all rows between */
         bound_tiles(bound, r->bound + end * tiles, farthest);
         return;
@@ -124,25 +141,30 @@ static void bound_rows(struct zs_renderer *r, const struct zs_cover *left, const
 /* What a triangle covers by itself, but for what is known to be covered with others. */
 static void bound_one(struct zs_renderer *r, const struct zs_cover *c)
 {
-    bound_rows(r, c, c, zs_first_sample(c->v[0].y), zs_first_sample(c->v[2].y), c->done[0], c->done[1]);
+    bound_rows(r, c, c, zs_first_sample(c->v[0].y), zs_first_sample(c->v[2].y), c->done[0],
+               c->done[1]);
 }
 
-/* Two triangles with an edge of a surface in common, each on its own side of it: what they cover together. */
+/* Two triangles with an edge of a surface in common, each on its own side of it: what they cover
+ * together. */
 static void bound_both(struct zs_renderer *r, struct zs_cover *a, struct zs_cover *b)
 {
     int in_a = 0, in_b = 0; /* numbers of the vertices that are of both, or-ed as bits */
     for (int k = 0; k < 9; k++)
-        if (a->v[k / 3].x == b->v[k % 3].x && a->v[k / 3].y == b->v[k % 3].y && a->v[k / 3].d == b->v[k % 3].d) {
+        if (a->v[k / 3].x == b->v[k % 3].x && a->v[k / 3].y == b->v[k % 3].y &&
+            a->v[k / 3].d == b->v[k % 3].d) {
             in_a |= 1 << k / 3;
             in_b |= 1 << k % 3;
         }
     if ((in_a != 3 && in_a != 5 && in_a != 6) || (in_b != 3 && in_b != 5 && in_b != 6))
         return;
-    const int right_a = (in_a == 5) != a->mid_right, right_b = (in_b == 5) != b->mid_right; /* the edge is its right side */
+    const int right_a = (in_a == 5) != a->mid_right,
+              right_b = (in_b == 5) != b->mid_right; /* the edge is its right side */
     if (right_a == right_b)
         return;
     a->done[0] = b->done[0] = zs_max32(zs_first_sample(a->v[in_a == 6].y), 0);
-    a->done[1] = b->done[1] = zs_min32(zs_first_sample(a->v[in_a == 3 ? 1 : 2].y), r->config.height);
+    a->done[1] = b->done[1] = zs_min32(zs_first_sample(a->v[in_a == 3 ? 1 : 2].y),
+                                       r->config.height);
     bound_rows(r, right_a ? a : b, right_a ? b : a, a->done[0], a->done[1], 0, 0);
 }
 
@@ -154,14 +176,15 @@ static void bound_last(struct zs_renderer *r)
     r->cover_waits = 0;
 }
 
-/* 1: no bound of a strip that is still to be drawn is farther than a key. Most keys end at the first tile. Bounds only come
- * nearer: what was so for one key is so for all that are farther. */
+/* 1: no bound of a strip that is still to be drawn is farther than a key. Most keys end at the
+ * first tile. Bounds only come nearer: what was so for one key is so for all that are farther. */
 static int bounds_nothing(struct zs_renderer *r, uint32_t key)
 {
     if (key >= r->bound_most)
         return 1;
     const uint32_t tiles = ZS_TILES(r->config.width);
-    const uint16_t *bound = r->bound + r->strip * tiles, *const end = r->bound + r->draw_end * tiles;
+    const uint16_t *bound = r->bound + r->strip * tiles, *const end = r->bound +
+                                                                      r->draw_end * tiles;
     while (bound < end && key >= *bound)
         bound++;
     if (bound < end)
@@ -175,25 +198,28 @@ static inline int above(const struct zs_vertex *a, const struct zs_vertex *b)
     return a->y < b->y || (a->y == b->y && a->x < b->x);
 }
 
-static ZS_NOINLINE void tiles_cover(struct zs_renderer *r, const struct zs_vertex *a, const struct zs_vertex *b,
-                                    const struct zs_vertex *c)
+static ZS_NOINLINE void tiles_cover(struct zs_renderer *r, const struct zs_vertex *a,
+                                    const struct zs_vertex *b, const struct zs_vertex *c)
 {
-    const int32_t left = zs_min32(zs_min32(a->x, b->x), c->x), right = zs_max32(zs_max32(a->x, b->x), c->x);
+    const int32_t left = zs_min32(zs_min32(a->x, b->x), c->x),
+                  right = zs_max32(zs_max32(a->x, b->x), c->x);
     if (right - left < LARGE * ZS_SUBPX_ONE || right <= 0 || left >= r->config.width * ZS_SUBPX_ONE)
         return;
-    const int32_t row = zs_max32(zs_first_sample(zs_min32(zs_min32(a->y, b->y), c->y)), r->strip * r->config.strip_h);
+    const int32_t row = zs_max32(zs_first_sample(zs_min32(zs_min32(a->y, b->y), c->y)),
+                                 r->strip * r->config.strip_h);
     const int32_t row_end = zs_first_sample(zs_max32(zs_max32(a->y, b->y), c->y));
     if (row_end - row < r->config.strip_h && (row_end < r->config.height || row >= row_end))
         return; /* not all rows of a strip */
-    if (!r->counting || r->xform.instance->state)
-        return; /* all is known by now; keys of its own */
+    if (!r->counting || r->xform.instance->depth_state)
+        return;      /* all is known by now; keys of its own */
     if (!r->large) { /* the frame's first */
         zs_fill16(r->bound, ZS_DEPTH_CLEAR, ZS_TILES(r->config.width) * r->n_strips);
         r->large = 1;
         r->bound_most = ZS_DEPTH_CLEAR;
         r->cover_known = r->cover_waits = r->cover_next = 0;
     }
-    const uint32_t nearest = zs_minu32(zs_minu32(a->d, b->d), c->d), farthest = zs_maxu32(zs_maxu32(a->d, b->d), c->d);
+    const uint32_t nearest = zs_minu32(zs_minu32(a->d, b->d), c->d),
+                   farthest = zs_maxu32(zs_maxu32(a->d, b->d), c->d);
     if (bounds_nothing(r, key_of(r, nearest, 0)))
         return;
     struct zs_cover *now = &r->cover[r->cover_next], *const old = &r->cover[!r->cover_next];
@@ -239,7 +265,9 @@ static uint32_t tiles_seen(struct zs_renderer *r)
     }
     r->bound_strip = (uint16_t)most;
     const struct zs_depth *depth = r->config.depth;
-    return least == ZS_DEPTH_CLEAR ? UINT32_MAX : depth->key ? 0u : least << 16; /* least <= ZS_DEPTH_CLEAR - 1 */
+    return least == ZS_DEPTH_CLEAR ? UINT32_MAX
+           : depth->key            ? 0u
+                                   : least << 16; /* least <= ZS_DEPTH_CLEAR - 1 */
 }
 
 static int tiles_hide(struct zs_job *job)
@@ -247,14 +275,16 @@ static int tiles_hide(struct zs_job *job)
     const struct zs_renderer *r = job->r;
     const struct zs_tri *t = job->tri;
     const struct zs_vertex *a = &r->vert[t->v[0]], *b = &r->vert[t->v[1]], *c = &r->vert[t->v[2]];
-    if (r->scene->instance[t->instance].state)
-        return 0; /* keys of its own */
+    if (r->scene->instance[t->instance].depth_state)
+        return 0;                                          /* keys of its own */
     job->row_last = zs_first_sample(zs_max32(b->y, c->y)); /* a is the top one */
     const uint32_t nearest = key_of(r, zs_minu32(zs_minu32(a->d, b->d), c->d), -MARGIN);
     if (nearest > r->bound_strip)
         return 1;
-    const int32_t x0 = zs_max32(zs_first_sample(zs_min32(zs_min32(a->x, b->x), c->x)), r->window[0]);
-    const int32_t x1 = zs_min32(zs_first_sample(zs_max32(zs_max32(a->x, b->x), c->x)), r->window[1]);
+    const int32_t x0 = zs_max32(zs_first_sample(zs_min32(zs_min32(a->x, b->x), c->x)),
+                                r->window[0]);
+    const int32_t x1 = zs_min32(zs_first_sample(zs_max32(zs_max32(a->x, b->x), c->x)),
+                                r->window[1]);
     const uint16_t *bound = r->bound + r->strip * ZS_TILES(r->config.width);
     for (int32_t k = x0 >> ZS_TILE_LOG2; k <= (x1 - 1) >> ZS_TILE_LOG2; k++)
         if (nearest <= bound[k])
@@ -266,7 +296,8 @@ int zs_hidden_box(struct zs_renderer *r, const struct zs_box *box, uint32_t near
 {
     const int32_t h = r->config.strip_h;
     int32_t x0 = zs_max32(box->x0, 0), x1 = zs_min32(box->x1, r->config.width) - 1;
-    int32_t y0 = zs_max32(box->y0, r->strip * h), y1 = zs_min32(box->y1, zs_min32(r->draw_end * h, r->config.height)) - 1;
+    int32_t y0 = zs_max32(box->y0, r->strip * h),
+            y1 = zs_min32(box->y1, zs_min32(r->draw_end * h, r->config.height)) - 1;
     if (!r->large || x0 > x1 || y0 > y1)
         return 0;
     bound_last(r);
@@ -293,7 +324,8 @@ static int tiles_sphere(struct zs_renderer *r, const struct zs_bounds *b)
 {
     const struct zs_view *view = &r->view;
     const int64_t reach = b->r + b->slack;
-    const int32_t z[2] = { units(view, b->c[2] - reach, -1), zs_min32(units(view, b->c[2] + reach, 1), view->z_far) };
+    const int32_t z[2] = { units(view, b->c[2] - reach, -1),
+                           zs_min32(units(view, b->c[2] + reach, 1), view->z_far) };
     struct zs_box box = { INT32_MAX, INT32_MIN, INT32_MAX, INT32_MIN };
     struct zs_vertex at = { 0, 0, 0 };
     if (!r->large || z[0] < view->z_near || z[0] > z[1])
@@ -313,6 +345,7 @@ static int tiles_sphere(struct zs_renderer *r, const struct zs_bounds *b)
     return zs_hidden_box(r, &box, at.d);
 }
 
-static const struct zs_fast_tiles tiles = { .cover = tiles_cover, .seen = tiles_seen, .hides = tiles_hide,
-                                            .hides_sphere = tiles_sphere };
+static const struct zs_fast_tiles tiles = {
+    .cover = tiles_cover, .seen = tiles_seen, .hides = tiles_hide, .hides_sphere = tiles_sphere
+};
 const struct zs_fast zs_fast_tiles = { .tiles = &tiles };

@@ -7,8 +7,8 @@
 
 #include "zstrip.h"
 
-/* 1: nothing in columns [x0, x1) and rows [y0, y1) can win whose vertices' zs_vertex.d are `nearest` or more, in no strip
- * that is still to be drawn. Without a state. */
+/* 1: nothing in columns [x0, x1) and rows [y0, y1) can win whose vertices' zs_vertex.d are
+ * `nearest` or more, in no strip that is still to be drawn. Without a state. */
 struct zs_box {
     int32_t x0, x1, y0, y1; /* px */
 };

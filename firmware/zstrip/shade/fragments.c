@@ -1,6 +1,7 @@
 /* Shaders with a fragment stage of their own: varyings pixel by pixel, perspective-correct.
  *
- * A vertex's value, 16 bits, is carried as value * w; over w it is good to 2^-21 of its range (persp.h, plane.c), and rounded.
+ * A vertex's value, 16 bits, is carried as value * w; over w it is good to 2^-21 of its range
+ * (persp.h, plane.c), and rounded.
  *
  * SPDX-License-Identifier: MIT
  */
@@ -15,7 +16,7 @@ void zs_fragments_start(struct zs_job *job)
     zs_persp_attrs(job, a);
     zs_persp_w(job, w);
     zs_persp_plane(&job->geom, w, ZS_PLANE_WIDE, &job->w);
-    for (int c = 0; c < shader->n_attrs; c++) {
+    for (int c = 0; c < shader->n_varyings; c++) {
         for (int k = 0; k < 3; k++)
             v[k] = zs_umulh((uint32_t)a[k][c] << 16, w[k]);
         zs_persp_plane(&job->geom, v, ZS_PLANE_WIDE, &job->c[c]);
@@ -35,8 +36,9 @@ void zs_fragments_run(struct zs_job *job, const struct zs_row *row, int32_t from
         const uint32_t rcp = zs_persp_rcp(job, i, row->y, &w, &lz);
         f.x = (uint16_t)i;
         f.color = job->color + row->at + i;
-        for (int c = 0; c < shader->n_attrs; c++) {
-            const uint32_t at = zs_persp_over(zs_plane_at(&job->c[c], i, row->y), w, rcp, lz); /* uq1_31 */
+        for (int c = 0; c < shader->n_varyings; c++) {
+            const uint32_t at = zs_persp_over(zs_plane_at(&job->c[c], i, row->y), w, rcp,
+                                              lz); /* uq1_31 */
             f.v[c] = (uint16_t)zs_minu32((at + 0x4000u) >> 15, 65535u);
         }
         shader->fragment(instance, &f);

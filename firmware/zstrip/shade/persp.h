@@ -1,13 +1,14 @@
 /* Attributes that are linear in space, over the screen. Internal.
  *
- * Plain affine interpolation of a value that changes by du over a span in which w = 1/z changes by the
- * ratio rho is wrong by at most du (sqrt rho - 1) / (sqrt rho + 1) <= du (rho - 1) / 4 (Heckbert). Where
- * that is little enough over the whole triangle, attributes are affine. Otherwise attribute * w and w are
- * linear on the screen, and are divided at the ends of parts of a row. Smooth colours: sub-spans of 2^k pixels,
- * one k a triangle, for which the bound holds anywhere in it. Textures: groups of 32 pixels, affine or divided pixel by pixel. Both
- * count from the row's first covered pixel, on the screen or not, and the last part ends at the row's last
- * covered pixel: what is hidden, clipped or in another strip moves nothing, and w is never taken outside the
- * triangle.
+ * Plain affine interpolation of a value that changes by du over a span in which w = 1/z changes by
+ * the ratio rho is wrong by at most du (sqrt rho - 1) / (sqrt rho + 1) <= du (rho - 1) / 4
+ * (Heckbert). Where that is little enough over the whole triangle, attributes are affine. Otherwise
+ * attribute * w and w are linear on the screen, and are divided at the ends of parts of a row.
+ * Smooth colours: sub-spans of 2^k pixels, one k a triangle, for which the bound holds anywhere in
+ * it. Textures: groups of 32 pixels, affine or divided pixel by pixel. Both count from the row's
+ * first covered pixel, on the screen or not, and the last part ends at the row's last covered
+ * pixel: what is hidden, clipped or in another strip moves nothing, and w is never taken outside
+ * the triangle.
  *
  * SPDX-License-Identifier: MIT
  */
@@ -18,7 +19,7 @@
 #include "core/plane.h"
 #include "core/rows.h"
 
-#define ZS_AFFINE 31u       /* job->sub_log2: plain affine */
+#define ZS_AFFINE 31u /* job->sub_log2: plain affine */
 #define ZS_SUB_LOG2_MAX 5u
 
 /* w of the three vertices, the largest in [2^30, 2^31); orthographic: all alike. */
@@ -31,8 +32,8 @@ static inline uint32_t zs_persp_change(const uint32_t w[3], uint32_t *least)
     return zs_maxu32(zs_maxu32(w[0], w[1]), w[2]) - *least;
 }
 
-/* 1: w changes over a triangle by at most *change / view->key_slow of the least w, found from keys alone; 0: not known.
- * What is asked of w itself then has the same answer. */
+/* 1: w changes over a triangle by at most *change / view->key_slow of the least w, found from keys
+ * alone; 0: not known. What is asked of w itself then has the same answer. */
 static inline int zs_persp_slow(const struct zs_job *job, uint32_t *change)
 {
     const struct zs_view *view = &job->r->view;
@@ -61,9 +62,10 @@ static inline uint32_t zs_plane_at(const struct zs_plane *p, int32_t i, int32_t 
     return p->base + zs_wrap_mul(p->gx, i) + zs_wrap_mul(p->gy, row);
 }
 
-/* A sum of w's plane, at least 1. True values lie in (0, 2^31]; the plane is off by up to (W + H) / 2 ulp (plane.c),
- * and where a triangle's far end is a million times as far as its near one that may bring w below 0: around, to
- * 2^32 less a little. Held like this, w stays monotonous along a row. */
+/* A sum of w's plane, at least 1. True values lie in (0, 2^31]; the plane is off by up to (W + H) /
+ * 2 ulp (plane.c), and where a triangle's far end is a million times as far as its near one that
+ * may bring w below 0: around, to 2^32 less a little. Held like this, w stays monotonous along a
+ * row. */
 static inline uint32_t zs_persp_held(uint32_t w)
 {
     return w == 0 || w >> 30 == 3 ? 1u : w;
@@ -95,8 +97,8 @@ static inline uint32_t zs_persp_over(uint32_t cw, uint32_t w, uint32_t rcp, int3
 }
 
 /* zs_plane32 for zs_plane_at. */
-static inline void zs_persp_plane(const struct zs_geom *g, const uint32_t v[3], enum zs_plane_kind kind,
-                                  struct zs_plane *out)
+static inline void zs_persp_plane(const struct zs_geom *g, const uint32_t v[3],
+                                  enum zs_plane_kind kind, struct zs_plane *out)
 {
     zs_plane32(g, v[0], v[1], v[2], kind, out);
     zs_plane_origin(g, out);
@@ -112,7 +114,7 @@ static inline uint16_t zs_smooth_pack(uint32_t red, uint32_t green, uint32_t blu
 static inline void zs_persp_attrs(const struct zs_job *job, const uint16_t *a[3])
 {
     const struct zs_renderer *r = job->r;
-    const uint32_t n = r->config.attrs;
+    const uint32_t n = r->config.varyings;
     for (int k = 0; k < 3; k++)
         a[k] = &r->attr[job->tri->v[k] * n];
 }

@@ -14,7 +14,7 @@
 #define SUB_LOG2_MAX 4u
 
 /* uq0_16 of 65535 to codes, uq16_16: 31 and 63 times 2^16 / 65535 * 2^16, nearest. */
-#define CODE_SCALE(most) ((most) * 65537u)
+#define CODE_SCALE(most) ((most)*65537u)
 
 #define UP5 11u /* brings a code's highest bit, uq16_16, to a word's */
 #define UP6 10u
@@ -55,9 +55,11 @@ static uint32_t color_range(const uint16_t *const a[3])
 /* range / 65536 * 63 codes * (change / least) / 4 <= 1/8 code; 63 taken as 64. */
 static int affine_enough(uint32_t range, uint32_t change, uint32_t least)
 {
-    if (range * ((change >> 16) + 1u) <= least >> (ZS_SPAN_BOUND_LOG2 + 4)) /* < 2^32: enough to say yes */
+    if (range * ((change >> 16) + 1u) <= least >>
+        (ZS_SPAN_BOUND_LOG2 + 4)) /* < 2^32: enough to say yes */
         return 1;
-    return zs_mul_uu(range, change) <= (uint64_t)least << (12 - ZS_SPAN_BOUND_LOG2); /* < 2^16 * 2^32 */
+    return zs_mul_uu(range, change) <= (uint64_t)least
+                                           << (12 - ZS_SPAN_BOUND_LOG2); /* < 2^16 * 2^32 */
 }
 
 static uint32_t sub_span(const struct zs_plane *w, uint32_t range, uint32_t least)
@@ -76,19 +78,21 @@ static inline uint32_t code_of(uint32_t v, uint32_t most)
     return whole + (whole >> 16);
 }
 
-/* 256 * n / area in 32 bits, nearest. plane.c brings n to 32 bits first, which takes nothing from |n| < 2^31; floors of
- * floors are one floor; so the same number comes out, but for halves: up here, away from 0 there. |result| < 2^22 */
+/* 256 * n / area in 32 bits, nearest. plane.c brings n to 32 bits first, which takes nothing from
+ * |n| < 2^31; floors of floors are one floor; so the same number comes out, but for halves: up
+ * here, away from 0 there. |result| < 2^22 */
 static inline int32_t narrow_gradient(int32_t n, uint32_t rcp, int32_t shift)
 {
     return (((int32_t)(zs_mul_su(n, rcp) >> 32) >> shift) + 1) >> 1;
 }
 
-/* zs_plane32 for codes, in 32 bits. fits: differences below it times the triangle's extents stay below 2^30.
- * Return 0 where it is not for it. */
-static int narrow_plane(const struct zs_geom *g, const uint32_t v[3], int32_t fits, struct zs_plane *out)
+/* zs_plane32 for codes, in 32 bits. fits: differences below it times the triangle's extents stay
+ * below 2^30. Return 0 where it is not for it. */
+static int narrow_plane(const struct zs_geom *g, const uint32_t v[3], int32_t fits,
+                        struct zs_plane *out)
 {
     const int32_t dv1 = (int32_t)(v[1] - v[0]), dv2 = (int32_t)(v[2] - v[0]); /* |.| < 2^22 */
-    const int32_t shift = 22 + g->exp;                   /* 8 .. 21 */
+    const int32_t shift = 22 + g->exp;                                        /* 8 .. 21 */
     if (((dv1 ^ dv1 >> 31) | (dv2 ^ dv2 >> 31)) >= fits)
         return 0;
     const int32_t gx = narrow_gradient(dv1 * g->dy2 - dv2 * g->dy1, g->rcp, shift);
@@ -102,10 +106,12 @@ static int narrow_plane(const struct zs_geom *g, const uint32_t v[3], int32_t fi
 /* What narrow_plane calls fits, a power of two; 0: not for this triangle. */
 static int32_t narrow_fits(const struct zs_geom *g)
 {
-    if (g->rcp == 0 || g->exp < -14) /* large; or below 1 px^2, and a gradient may have more than 22 bits */
+    if (g->rcp == 0 ||
+        g->exp < -14) /* large; or below 1 px^2, and a gradient may have more than 22 bits */
         return 0;
     const int32_t extent = (g->dx1 ^ g->dx1 >> 31) | (g->dx2 ^ g->dx2 >> 31) | g->dy1 | g->dy2;
-    return 1 << (zs_clz32((uint32_t)extent) - 2); /* extents < 2^16, and not all -1, 0: 2^14 at least */
+    return 1 << (zs_clz32((uint32_t)extent) -
+                 2); /* extents < 2^16, and not all -1, 0: 2^14 at least */
 }
 
 /* Planes of codes with half a code added, codes in their words' top bits. */
@@ -192,10 +198,10 @@ static void color_at(const struct zs_job *job, int32_t i, int32_t row, uint32_t 
     }
 }
 
-/* The part of a sub-span that is in the run: n pixels from the skip-th on, of a colour that changes from c to next
- * in `length`; 0: it is a single pixel. */
-static void fill_part(uint16_t *out, int32_t n, const uint32_t c[3], const uint32_t next[3], int32_t length,
-                      int32_t skip)
+/* The part of a sub-span that is in the run: n pixels from the skip-th on, of a colour that changes
+ * from c to next in `length`; 0: it is a single pixel. */
+static void fill_part(uint16_t *out, int32_t n, const uint32_t c[3], const uint32_t next[3],
+                      int32_t length, int32_t skip)
 {
     uint32_t at[3], step[3];
     for (int k = 0; k < 3; k++) {
@@ -235,5 +241,8 @@ static void smooth_run(struct zs_job *job, const struct zs_row *row, int32_t r0,
     }
 }
 
-const struct zs_shader zs_shade_smooth = { .vertex = smooth_vertex, .start = smooth_start, .run = smooth_run,
-                                           .check = smooth_check, .n_attrs = ZS_ATTRS_SMOOTH };
+const struct zs_shader zs_shade_smooth = { .vertex = smooth_vertex,
+                                           .start = smooth_start,
+                                           .run = smooth_run,
+                                           .check = smooth_check,
+                                           .n_varyings = ZS_VARYINGS_SMOOTH };

@@ -1,19 +1,20 @@
 /* Texel formats: a run of texels.
  *
- * u and v are fractions of the texture in 32 bits: their top log2 bits are column and row, and repeating is
- * what unsigned sums do.
+ * u and v are fractions of the texture in 32 bits: their top log2 bits are column and row, and
+ * repeating is what unsigned sums do.
  *
  * SPDX-License-Identifier: MIT
  */
 #include "core/fx.h"
 #include "shade/texels.h"
 
-ZS_KERNEL_INLINE void fetch(const struct zs_texture *t, uint16_t *out, int32_t n, const struct zs_walk *walk,
-                            zs_read_fn *read)
+ZS_KERNEL_INLINE void fetch(const struct zs_texture *t, uint16_t *out, int32_t n,
+                            const struct zs_walk *walk, zs_read_fn *read)
 {
     const void *texel = t->texel;
     const uint16_t *palette = t->palette;
-    const uint32_t right = zs_texture_cut(t->log2_w), down = zs_texture_cut(t->log2_h), row = t->log2_w;
+    const uint32_t right = zs_texture_cut(t->log2_w), down = zs_texture_cut(t->log2_h),
+                   row = t->log2_w;
     uint32_t du = walk->du, dv = walk->dv, u = walk->u, v = walk->v;
     for (uint16_t *end = out + n; out != end; out++, u += du, v += dv) {
         ZS_HIGH_REGISTER(du);
@@ -23,17 +24,20 @@ ZS_KERNEL_INLINE void fetch(const struct zs_texture *t, uint16_t *out, int32_t n
     }
 }
 
-static void fetch_565(const struct zs_texture *t, uint16_t *out, int32_t n, const struct zs_walk *walk)
+static void fetch_565(const struct zs_texture *t, uint16_t *out, int32_t n,
+                      const struct zs_walk *walk)
 {
     fetch(t, out, n, walk, zs_read_565);
 }
 
-static void fetch_pal8(const struct zs_texture *t, uint16_t *out, int32_t n, const struct zs_walk *walk)
+static void fetch_pal8(const struct zs_texture *t, uint16_t *out, int32_t n,
+                       const struct zs_walk *walk)
 {
     fetch(t, out, n, walk, zs_read_pal8);
 }
 
-static void fetch_pal4(const struct zs_texture *t, uint16_t *out, int32_t n, const struct zs_walk *walk)
+static void fetch_pal4(const struct zs_texture *t, uint16_t *out, int32_t n,
+                       const struct zs_walk *walk)
 {
     fetch(t, out, n, walk, zs_read_pal4);
 }

@@ -1,28 +1,30 @@
 /* Textured shading: nearest texel, perspective-correct, unlit or times light.
  *
- * Coordinates. A vertex carries u and v as in the mesh, biased to be unsigned. A triangle takes the least u (v) of
- * its corners for its base and carries what is above it. Affine: in 2^-32 repeats, or in 2^s of them where that
- * would need more than 29 bits; shifted up at once, modulo one repeat, which a shift to the left survives. By
- * sub-spans: normalised to un, 16 bits, so that small differences keep their bits, times w (persp.h).
+ * Coordinates. A vertex carries u and v as in the mesh, biased to be unsigned. A triangle takes the
+ * least u (v) of its corners for its base and carries what is above it. Affine: in 2^-32 repeats,
+ * or in 2^s of them where that would need more than 29 bits; shifted up at once, modulo one repeat,
+ * which a shift to the left survives. By sub-spans: normalised to un, 16 bits, so that small
+ * differences keep their bits, times w (persp.h).
  *
- * Error of affine interpolation, in texels of the texture, or of one of 128 where it is smaller; held below 1/8.
- * Whole triangle: T (rho - 1) / 4, with T the texels that it spans, rho its ratio of w.
- * Groups of L = 32 pixels of a row: with W = w and C = U w, both linear along the row,
- *   u1 - u0 = (C' W0 - C0 W') L / (W0 W1),  rho - 1 = W' L / W0,  so the error is K |W'| L^2 / (4 W0^2 W1),
- * K = |C' W - C W'|, which is constant along a row and linear from row to row: its largest is at a vertex,
- * |C' - U W'| W. So a group may be affine where W^3 >= 2 T K |W'| L^2, W the less of its two ends. In any other each
- * pixel is divided: with 15 bits where the triangle has at most 2^COARSE_LOG2 texels (NUMERICS.md: 2^-13.4 of its
- * span), one or two by themselves, others in pieces in which w keeps its leading zeros, so that nothing is shifted a
- * pixel. A texture that is clamped counts in 64 bits. Groups start at multiples of 32 from the row's first covered
- * pixel; the last ends at the row's last covered pixel.
- * Light goes the same way, 128 codes to its whole range.
+ * Error of affine interpolation, in texels of the texture, or of one of 128 where it is smaller;
+ * held below 1/8. Whole triangle: T (rho - 1) / 4, with T the texels that it spans, rho its ratio
+ * of w. Groups of L = 32 pixels of a row: with W = w and C = U w, both linear along the row, u1 -
+ * u0 = (C' W0 - C0 W') L / (W0 W1),  rho - 1 = W' L / W0,  so the error is K |W'| L^2 / (4 W0^2
+ * W1), K = |C' W - C W'|, which is constant along a row and linear from row to row: its largest is
+ * at a vertex, |C' - U W'| W. So a group may be affine where W^3 >= 2 T K |W'| L^2, W the less of
+ * its two ends. In any other each pixel is divided: with 15 bits where the triangle has at most
+ * 2^COARSE_LOG2 texels (NUMERICS.md: 2^-13.4 of its span), one or two by themselves, others in
+ * pieces in which w keeps its leading zeros, so that nothing is shifted a pixel. A texture that is
+ * clamped counts in 64 bits. Groups start at multiples of 32 from the row's first covered pixel;
+ * the last ends at the row's last covered pixel. Light goes the same way, 128 codes to its whole
+ * range.
  *
- * Errors of a coordinate beyond that, in texels: planes the larger of 2^-21 and (W + H + 1) / 2^32 of the triangle's
- * span, times rho (plane.c, ZS_PLANE_WIDE), reciprocal 2^-29 of the span, vertices at the near plane half a step of
- * the mesh's.
+ * Errors of a coordinate beyond that, in texels: planes the larger of 2^-21 and (W + H + 1) / 2^32
+ * of the triangle's span, times rho (plane.c, ZS_PLANE_WIDE), reciprocal 2^-29 of the span,
+ * vertices at the near plane half a step of the mesh's.
  *
- * A sample exactly between two texels belongs to the right, lower one: 1/512 texel is added, more than the
- * planes' error in common triangles.
+ * A sample exactly between two texels belongs to the right, lower one: 1/512 texel is added, more
+ * than the planes' error in common triangles.
  *
  * SPDX-License-Identifier: MIT
  */
@@ -33,9 +35,9 @@
 #include "shade/texture.h"
 
 #define GROUP_LOG2 5
-#define GROUP (1 << GROUP_LOG2) /* pixels */
+#define GROUP (1 << GROUP_LOG2)          /* pixels */
 #define COARSE_LOG2 ZS_TEXEL_COARSE_LOG2 /* texels that 15 bits place */
-#define FEW 2 /* pixels: each by itself, whatever an accelerator can do */
+#define FEW 2            /* pixels: each by itself, whatever an accelerator can do */
 #define LIGHT_MAX 65504u /* uq1_15, just below 2: light() adds a half */
 #define LIGHT_LOG2 7     /* codes that its 16 bits stand for: 126 */
 
@@ -105,14 +107,16 @@ static inline uint64_t shifted(int32_t v, int32_t shift)
 /* v * 2^-uv_bits in 32 fraction bits. */
 static inline uint64_t repeats(int32_t v, uint32_t uv_bits)
 {
-    return (uint64_t)(uint32_t)(v >> uv_bits) << 32 | (uv_bits ? (uint32_t)v << (32 - uv_bits) : 0u);
+    return (uint64_t)(uint32_t)(v >> uv_bits) << 32 |
+           (uv_bits ? (uint32_t)v << (32 - uv_bits) : 0u);
 }
 
 /* One coordinate of a triangle: what its corners have above the least of them. */
 struct coordinate {
     uint32_t above[3]; /* 2^-uv_bits repeats */
     int32_t up;        /* above * 2^up has its largest in [2^15, 2^16), or all are 0 */
-    int32_t texels;    /* log2 of the texels (of 128 or more to a repeat) that those 16 bits stand for */
+    int32_t
+        texels; /* log2 of the texels (of 128 or more to a repeat) that those 16 bits stand for */
 };
 
 static void coordinate(struct zs_job *job, const uint16_t *const a[3], int c, uint32_t uv_bits,
@@ -130,17 +134,21 @@ static void coordinate(struct zs_job *job, const uint16_t *const a[3], int c, ui
     out->texels = zs_texture_texels(out->up, uv_bits, log2);
 }
 
-/* The same as affine_plane for small triangles with differences below 2^14. Return 0 where it is not for it. */
-static int direct_plane(const struct zs_job *job, const struct coordinate *c, uint32_t uv_bits, uint64_t base,
-                        struct zs_plane *out)
+/* The same as affine_plane for small triangles with differences below 2^14. Return 0 where it is
+ * not for it. */
+static int direct_plane(const struct zs_job *job, const struct coordinate *c, uint32_t uv_bits,
+                        uint64_t base, struct zs_plane *out)
 {
     const struct zs_geom *g = &job->geom;
-    const int32_t shift = g->exp + 23 + (int32_t)uv_bits; /* 2^8 * 2^(32 - uv_bits) / (2^63 * 2^exp) */
+    const int32_t shift = g->exp + 23 +
+                          (int32_t)uv_bits; /* 2^8 * 2^(32 - uv_bits) / (2^63 * 2^exp) */
     if (g->rcp == 0 || c->up < 2 || shift < 1)
         return 0;
-    const int32_t d1 = (int32_t)(c->above[1] - c->above[0]), d2 = (int32_t)(c->above[2] - c->above[0]);
+    const int32_t d1 = (int32_t)(c->above[1] - c->above[0]),
+                  d2 = (int32_t)(c->above[2] - c->above[0]);
     int ok = 1;
-    const uint32_t gx = zs_texture_gradient(g->rcp, d1 * g->dy2 - d2 * g->dy1, shift, &ok); /* |d| <= 2^16 */
+    const uint32_t gx = zs_texture_gradient(g->rcp, d1 * g->dy2 - d2 * g->dy1, shift,
+                                            &ok); /* |d| <= 2^16 */
     const uint32_t gy = zs_texture_gradient(g->rcp, d2 * g->dx1 - d1 * g->dx2, shift, &ok);
     /* (gx ax + gy ay + 128) / 256, floor, modulo 2^32: the low 8 bits of the gradients apart */
     const int32_t low = (int32_t)(gx & 255u) * g->ax + (int32_t)(gy & 255u) * g->ay + 128;
@@ -153,29 +161,33 @@ static int direct_plane(const struct zs_job *job, const struct coordinate *c, ui
 }
 
 /* The plane of a coordinate in 2^-32 repeats modulo one repeat, its base included. */
-static void affine_plane(struct zs_job *job, const struct coordinate *c, uint32_t uv_bits, uint64_t base,
-                         struct zs_plane *out)
+static void affine_plane(struct zs_job *job, const struct coordinate *c, uint32_t uv_bits,
+                         uint64_t base, struct zs_plane *out)
 {
     if (direct_plane(job, c, uv_bits, base, out))
         return;
     const int32_t whole = 32 - (int32_t)uv_bits, most = 13 + c->up; /* 29 bits */
     const int32_t up = zs_min32(whole, most), later = whole - up;
-    zs_plane32(&job->geom, c->above[0] << up, c->above[1] << up, c->above[2] << up, ZS_PLANE_WIDE, out);
+    zs_plane32(&job->geom, c->above[0] << up, c->above[1] << up, c->above[2] << up, ZS_PLANE_WIDE,
+               out);
     out->base = (out->base << later) + (uint32_t)base;
     out->gx <<= later;
     out->gy <<= later;
 }
 
-/* Whether a triangle may be affine: where w changes by `change`, the least is `least`, and light by light_range. */
-static int affine_enough(const struct coordinate c[2], uint32_t light_range, uint32_t change, uint32_t least)
+/* Whether a triangle may be affine: where w changes by `change`, the least is `least`, and light by
+ * light_range. */
+static int affine_enough(const struct coordinate c[2], uint32_t light_range, uint32_t change,
+                         uint32_t least)
 {
-    return zs_texture_affine(c[0].texels, change, least) && zs_texture_affine(c[1].texels, change, least) &&
+    return zs_texture_affine(c[0].texels, change, least) &&
+           zs_texture_affine(c[1].texels, change, least) &&
            zs_texture_light_affine(light_range, change, least);
 }
 
 /* ceil(log2(2^(texels + 1) K |W'|)) of an attribute; -128: it is 0. */
-static int32_t bend_log2(const struct zs_plane *c, const struct zs_plane *w_plane, const uint32_t un[3],
-                          const uint32_t w[3], int32_t texels)
+static int32_t bend_log2(const struct zs_plane *c, const struct zs_plane *w_plane,
+                         const uint32_t un[3], const uint32_t w[3], int32_t texels)
 {
     const int32_t c_gx = (int32_t)c->gx, w_gx = (int32_t)w_plane->gx;
     uint64_t most = 0;
@@ -188,23 +200,25 @@ static int32_t bend_log2(const struct zs_plane *c, const struct zs_plane *w_plan
     if (most == 0 || w_gx == 0)
         return -128;
     const int32_t cut = 64 - zs_clz64(most) > 31 ? 33 - zs_clz64(most) : 0;
-    const uint64_t product = zs_mul_uu((uint32_t)(most >> cut) + 1u, zs_size32(w_gx)); /* > most |W'| / 2^cut */
+    const uint64_t product = zs_mul_uu((uint32_t)(most >> cut) + 1u,
+                                       zs_size32(w_gx)); /* > most |W'| / 2^cut */
     return texels + ZS_SPAN_BOUND_LOG2 - 1 + cut + 64 - zs_clz64(product);
 }
 
 /* ceil(2^(n / 3)), held to 32 bits. */
 static uint32_t third_power(int32_t n)
 {
-    static const uint32_t part[3] = { 0x80000000u, 0xa14517ccu, 0xcb2ff52au }; /* 2^31 * 2^(i / 3), rounded up */
+    static const uint32_t part[3] = { 0x80000000u, 0xa14517ccu,
+                                      0xcb2ff52au }; /* 2^31 * 2^(i / 3), rounded up */
     if (n < 0)
         return 1;
     return n >= 96 ? UINT32_MAX : ((part[n % 3] - 1u) >> (31 - n / 3)) + 1u;
 }
 
-ZS_IN_ORDER static ZS_NOINLINE void start_groups(struct zs_job *job, const uint16_t *const a[3], const struct coordinate c[2],
-                   const uint32_t w[3])
+ZS_IN_ORDER static ZS_NOINLINE void start_groups(struct zs_job *job, const uint16_t *const a[3],
+                                                 const struct coordinate c[2], const uint32_t w[3])
 {
-    const int n = job->shader->n_attrs;
+    const int n = job->shader->n_varyings;
     int32_t need = -128;
     zs_persp_plane(&job->geom, w, ZS_PLANE_WIDE, &job->w);
     for (int i = 0; i < n; i++) {
@@ -214,7 +228,8 @@ ZS_IN_ORDER static ZS_NOINLINE void start_groups(struct zs_job *job, const uint1
             v[k] = zs_umulh(un[k] << 16, w[k]);
         }
         zs_persp_plane(&job->geom, v, ZS_PLANE_WIDE, &job->c[i]);
-        need = zs_max32(need, bend_log2(&job->c[i], &job->w, un, w, i < 2 ? c[i].texels : LIGHT_LOG2));
+        need = zs_max32(need,
+                        bend_log2(&job->c[i], &job->w, un, w, i < 2 ? c[i].texels : LIGHT_LOG2));
     }
     job->sampler.least_w = third_power(need + 2 * GROUP_LOG2);
     job->sampler.fine = zs_max32(c[0].texels, c[1].texels) > COARSE_LOG2;
@@ -225,7 +240,8 @@ ZS_IN_ORDER static ZS_NOINLINE void start_groups(struct zs_job *job, const uint1
 static const struct zs_texture *lit_texture(struct zs_job *job, const struct zs_texture *t)
 {
     const struct zs_shader *shader = job->shader;
-    job->sampler.unlit = !shader->light || (shader->n_attrs == 2 && job->tri->paint == ZS_TEXTURE_FULL_LIGHT);
+    job->sampler.unlit = !shader->light ||
+                         (shader->n_varyings == 2 && job->tri->paint == ZS_TEXTURE_FULL_LIGHT);
     return !job->sampler.unlit && job->fast && job->fast->lit ? job->fast->lit(job, t) : t;
 }
 
@@ -234,7 +250,7 @@ static void texture_start(struct zs_job *job)
     const struct zs_instance *in = &job->r->scene->instance[job->tri->instance];
     const struct zs_texture *t = lit_texture(job, in->material->texture);
     const uint32_t uv_bits = in->mesh->uv_bits;
-    const int lit = job->shader->n_attrs == 3;
+    const int lit = job->shader->n_varyings == 3;
     const uint16_t *a[3];
     uint32_t change, least, light_range = 0;
     struct coordinate c[2];
@@ -248,7 +264,8 @@ static void texture_start(struct zs_job *job)
         const int32_t lo = zs_min32(zs_min32(a[0][2], a[1][2]), a[2][2]);
         light_range = (uint32_t)(zs_max32(zs_max32(a[0][2], a[1][2]), a[2][2]) - lo);
     }
-    if (!zs_persp_slow(job, &change) || !affine_enough(c, light_range, change, job->r->view.key_slow)) {
+    if (!zs_persp_slow(job, &change) ||
+        !affine_enough(c, light_range, change, job->r->view.key_slow)) {
         uint32_t w[3];
         zs_persp_w(job, w);
         change = zs_persp_change(w, &least);
@@ -271,8 +288,8 @@ static void texture_start(struct zs_job *job)
         zs_plane_origin(&job->geom, &job->c[i]);
     if (!lit)
         return;
-    zs_plane32(&job->geom, (uint32_t)a[0][2] << 15, (uint32_t)a[1][2] << 15, (uint32_t)a[2][2] << 15,
-               ZS_PLANE_WIDE, &job->c[2]);
+    zs_plane32(&job->geom, (uint32_t)a[0][2] << 15, (uint32_t)a[1][2] << 15,
+               (uint32_t)a[2][2] << 15, ZS_PLANE_WIDE, &job->c[2]);
     zs_plane_origin(&job->geom, &job->c[2]);
 }
 
@@ -285,7 +302,8 @@ static uint32_t held(uint64_t t)
     return beyond ? ~(uint32_t)(beyond >> 31) : (uint32_t)t;
 }
 
-/* u (k = 0) or v of a texture that is clamped, or one texel wide or high: what a walk takes for q32_32. */
+/* u (k = 0) or v of a texture that is clamped, or one texel wide or high: what a walk takes for
+ * q32_32. */
 static uint32_t place_in(const struct zs_texture *t, int k, uint64_t at)
 {
     if ((k ? t->log2_h : t->log2_w) == 0)
@@ -293,11 +311,13 @@ static uint32_t place_in(const struct zs_texture *t, int k, uint64_t at)
     return t->clamp >> k & 1 ? held(at) : (uint32_t)at;
 }
 
-/* Textures that are clamped: q32_32, because what lies beyond [0, 1) counts. Runs that stay within are
- * fetched whole, others pixel by pixel. As in fetch(), c is where a group or a row begins, and the run `skip` pixels right of
- * it: shifts cut bits off, and where a run begins must not tell which. A step loses 2^-32 repeats, 12,000 of them 2^-18. */
+/* Textures that are clamped: q32_32, because what lies beyond [0, 1) counts. Runs that stay within
+ * are fetched whole, others pixel by pixel. As in fetch(), c is where a group or a row begins, and
+ * the run `skip` pixels right of it: shifts cut bits off, and where a run begins must not tell
+ * which. A step loses 2^-32 repeats, 12,000 of them 2^-18. */
 ZS_IN_ORDER static ZS_NOINLINE void fetch_wide(const struct zs_sampler *s, uint16_t *out, int32_t n,
-                                   const uint32_t c[2], const int32_t step[2], int32_t skip)
+                                               const uint32_t c[2], const int32_t step[2],
+                                               int32_t skip)
 {
     const struct zs_texture *t = s->texture;
     const struct zs_texel *texel = t->format;
@@ -326,7 +346,8 @@ static inline uint32_t turned(uint32_t c, int32_t shift)
     return shift >= 0 ? c << shift : (uint32_t)((int32_t)c >> -shift);
 }
 
-/* n texels from `skip` pixels right of coordinates c on, which change by step: in 2^-31 of the triangle's span. */
+/* n texels from `skip` pixels right of coordinates c on, which change by step: in 2^-31 of the
+ * triangle's span. */
 static inline void fetch(const struct zs_job *job, uint16_t *out, int32_t n, const uint32_t c[2],
                          const int32_t step[2], int32_t skip)
 {
@@ -336,8 +357,10 @@ static inline void fetch(const struct zs_job *job, uint16_t *out, int32_t n, con
         return;
     }
     const struct zs_texel *texel = s->texture->format;
-    const uint32_t du = turned((uint32_t)step[0], s->shift[0]), dv = turned((uint32_t)step[1], s->shift[1]);
-    const struct zs_walk walk = { /* modulo one repeat */
+    const uint32_t du = turned((uint32_t)step[0], s->shift[0]),
+                   dv = turned((uint32_t)step[1], s->shift[1]);
+    const struct zs_walk walk = {
+        /* modulo one repeat */
         (uint32_t)s->base[0] + turned(c[0], s->shift[0]) + zs_wrap_mul(du, skip),
         (uint32_t)s->base[1] + turned(c[1], s->shift[1]) + zs_wrap_mul(dv, skip), du, dv
     };
@@ -371,8 +394,10 @@ static void run_affine(struct zs_job *job, const struct zs_row *row, int32_t r0,
     const struct zs_texel *texel = t->format;
     uint16_t *out = job->color + row->at + r0;
     const int32_t from = job->sampler.direct ? r0 : row->x0;
-    const uint32_t u = zs_plane_at(&job->c[0], from, row->y), v = zs_plane_at(&job->c[1], from, row->y);
-    const uint32_t du = job->c[0].gx, dv = job->c[1].gx; /* beyond 31 bits only where a run is one pixel */
+    const uint32_t u = zs_plane_at(&job->c[0], from, row->y),
+                   v = zs_plane_at(&job->c[1], from, row->y);
+    const uint32_t du = job->c[0].gx,
+                   dv = job->c[1].gx; /* beyond 31 bits only where a run is one pixel */
     if (!job->sampler.direct) {
         const uint32_t c[2] = { u, v };
         const int32_t step[2] = { (int32_t)du, (int32_t)dv };
@@ -381,7 +406,7 @@ static void run_affine(struct zs_job *job, const struct zs_row *row, int32_t r0,
         const struct zs_walk walk = { u, v, du, dv };
         texel->fetch(t, out, n, &walk);
     }
-    if (job->shader->n_attrs == 3)
+    if (job->shader->n_varyings == 3)
         zs_texture_lighten(job, out, n, zs_plane_at(&job->c[2], r0, row->y), (int32_t)job->c[2].gx);
     else
         zs_texture_lighten(job, out, n, 0, 0);
@@ -390,7 +415,8 @@ static void run_affine(struct zs_job *job, const struct zs_row *row, int32_t r0,
 /* ---- Pixel by pixel -------------------------------------------------------------------------- */
 
 /* Attribute k at a pixel, c there shifted up like w, whose reciprocal of 15 bits is rcp. */
-static uint32_t coarse_at(const struct zs_job *job, int k, int32_t i, int32_t row, int32_t up, uint32_t rcp)
+static uint32_t coarse_at(const struct zs_job *job, int k, int32_t i, int32_t row, int32_t up,
+                          uint32_t rcp)
 {
     return zs_texture_coarse((zs_plane_at(&job->c[k], i, row) << up) + 0x8000u, rcp);
 }
@@ -402,7 +428,8 @@ static uint32_t place_at(const struct zs_sampler *s, int k, uint32_t over)
     return (uint32_t)s->base[k] + turned(over, s->shift[k] + 1);
 }
 
-ZS_NOINLINE void zs_texture_coarse_pixel(struct zs_job *job, const struct zs_row *of, int32_t i, uint32_t w)
+ZS_NOINLINE void zs_texture_coarse_pixel(struct zs_job *job, const struct zs_row *of, int32_t i,
+                                         uint32_t w)
 {
     uint16_t *const out = job->color + of->at + i;
     const int32_t row = of->y;
@@ -411,15 +438,17 @@ ZS_NOINLINE void zs_texture_coarse_pixel(struct zs_job *job, const struct zs_row
     const struct zs_shader *shader = job->shader;
     const int32_t up = zs_clz32(w) - 1;
     const uint32_t rcp = zs_recip15(w << up);
-    const uint32_t u = place_at(s, 0, coarse_at(job, 0, i, row, up, rcp)), v = place_at(s, 1, coarse_at(job, 1, i, row, up, rcp));
+    const uint32_t u = place_at(s, 0, coarse_at(job, 0, i, row, up, rcp)),
+                   v = place_at(s, 1, coarse_at(job, 1, i, row, up, rcp));
     if (job->texel) {
-        const uint32_t at = (v >> zs_texture_cut(t->log2_h) << t->log2_w) + (u >> zs_texture_cut(t->log2_w));
+        const uint32_t at = (v >> zs_texture_cut(t->log2_h) << t->log2_w) +
+                            (u >> zs_texture_cut(t->log2_w));
         job->texel->gather(t, out, 1, &at);
     } else {
         const struct zs_walk walk = { u, v, 0, 0 };
         t->format->fetch(t, out, 1, &walk);
     }
-    if (shader->n_attrs == 3) { /* < 2^32: light is below LIGHT_MAX */
+    if (shader->n_varyings == 3) { /* < 2^32: light is below LIGHT_MAX */
         const int32_t level = (int32_t)coarse_at(job, 2, i, row, up, rcp);
         shader->light(out, 1, level < 0 ? 0u : (uint32_t)level << 2, 0);
     } else {
@@ -436,10 +465,10 @@ static inline int32_t step_of(int32_t all, int32_t n)
 }
 
 /* Pixels [i0, i1) of the part from `from` to the covered pixel `to`, which is affine. */
-ZS_IN_ORDER static ZS_NOINLINE void run_group(struct zs_job *job, const struct zs_row *row, int32_t from, int32_t to, int32_t i0,
-                                  int32_t i1)
+ZS_IN_ORDER static ZS_NOINLINE void run_group(struct zs_job *job, const struct zs_row *row,
+                                              int32_t from, int32_t to, int32_t i0, int32_t i1)
 {
-    const int n = job->shader->n_attrs;
+    const int n = job->shader->n_varyings;
     uint16_t *out = job->color + row->at + i0;
     uint32_t c[3] = { 0 }, next[3];
     int32_t step[3] = { 0 };
@@ -450,7 +479,8 @@ ZS_IN_ORDER static ZS_NOINLINE void run_group(struct zs_job *job, const struct z
             step[k] = step_of((int32_t)(next[k] - c[k]), to - from);
     }
     fetch(job, out, i1 - i0, c, step, i0 - from);
-    zs_texture_lighten(job, out, i1 - i0, c[2] + zs_wrap_mul((uint32_t)step[2], i0 - from), step[2]);
+    zs_texture_lighten(job, out, i1 - i0, c[2] + zs_wrap_mul((uint32_t)step[2], i0 - from),
+                       step[2]);
 }
 
 static inline void pixel(struct zs_job *job, const struct zs_row *row, int32_t i)
@@ -472,7 +502,8 @@ static void run_groups(struct zs_job *job, const struct zs_row *row, int32_t r0,
     const int down = (int32_t)job->w.gx < 0;
     int32_t from = row->x0 + ((r0 - row->x0) & -GROUP);
     void (*const divided)(struct zs_job *, const struct zs_row *, int32_t, int32_t) =
-        job->fast && job->texel && !job->sampler.wide && !job->sampler.fine ? job->fast->divided : 0;
+        job->fast && job->texel && !job->sampler.wide && !job->sampler.fine ? job->fast->divided
+                                                                            : 0;
     for (; from < r1; from += GROUP) {
         const int32_t to = zs_min32(from + GROUP, row->x1 - 1); /* covered */
         int32_t i0 = zs_max32(from, r0);
@@ -495,11 +526,15 @@ static void texture_run(struct zs_job *job, const struct zs_row *row, int32_t r0
         run_groups(job, row, r0, r1);
 }
 
-#define TEXTURE(vertex_, face_, check_, light_, n)                                                                    \
-    { .vertex = vertex_, .face = face_, .start = texture_start, .run = texture_run, .check = check_, .light = light_, \
-      .n_attrs = n }
+#define TEXTURE(vertex_, face_, check_, light_, n)                                                 \
+    {                                                                                              \
+        .vertex = vertex_, .face = face_, .start = texture_start, .run = texture_run,              \
+        .check = check_, .light = light_, .n_varyings = n                                          \
+    }
 
-const struct zs_shader zs_shade_texture = TEXTURE(texture_vertex, no_face, texture_check, 0, ZS_ATTRS_TEXTURE);
-const struct zs_shader zs_shade_texture_flat = TEXTURE(texture_vertex, flat_face, texture_check, light, ZS_ATTRS_TEXTURE);
-const struct zs_shader zs_shade_texture_smooth =
-    TEXTURE(smooth_vertex, no_face, smooth_check, light, ZS_ATTRS_TEXTURE_SMOOTH);
+const struct zs_shader zs_shade_texture = TEXTURE(texture_vertex, no_face, texture_check, 0,
+                                                  ZS_VARYINGS_TEXTURE);
+const struct zs_shader zs_shade_texture_flat = TEXTURE(texture_vertex, flat_face, texture_check,
+                                                       light, ZS_VARYINGS_TEXTURE);
+const struct zs_shader zs_shade_texture_smooth = TEXTURE(smooth_vertex, no_face, smooth_check,
+                                                         light, ZS_VARYINGS_TEXTURE_SMOOTH);

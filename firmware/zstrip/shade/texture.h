@@ -24,8 +24,8 @@ struct zs_texel {
 #define ZS_TEXTURE_BIAS_LOG2 9   /* 2^-9 texel */
 #define ZS_TEXTURE_FLOOR_LOG2 7u /* smaller textures are held to 1/8 texel of one of 128 */
 
-/* log2 of the texels (of 128 or more to a repeat) that 16 bits stand for which are a difference of coordinates, in
- * 2^-uv_bits repeats, times 2^up. */
+/* log2 of the texels (of 128 or more to a repeat) that 16 bits stand for which are a difference of
+ * coordinates, in 2^-uv_bits repeats, times 2^up. */
 static inline int32_t zs_texture_texels(int32_t up, uint32_t uv_bits, uint32_t log2)
 {
     return 16 - up - (int32_t)uv_bits + (int32_t)zs_maxu32(log2, ZS_TEXTURE_FLOOR_LOG2);
@@ -45,8 +45,9 @@ static inline int zs_texture_affine(int32_t texels, uint32_t change, uint32_t le
     return texels < 31 && change <= (least >> (ZS_SPAN_BOUND_LOG2 - 2)) >> texels;
 }
 
-/* 256 * n / area * 2^(32 - uv_bits), nearest: a gradient in 2^-32 repeats, shift = 23 + uv_bits - the leading zeros of the
- * area, 1 .. 36. 0 in *ok where it does not fit 32 bits with its sign. |n| < 2^31. Error 2^-30 of it and 1/2 ulp. */
+/* 256 * n / area * 2^(32 - uv_bits), nearest: a gradient in 2^-32 repeats, shift = 23 + uv_bits -
+ * the leading zeros of the area, 1 .. 36. 0 in *ok where it does not fit 32 bits with its sign. |n|
+ * < 2^31. Error 2^-30 of it and 1/2 ulp. */
 static inline uint32_t zs_texture_gradient(uint32_t rcp, int32_t n, int32_t shift, int *ok)
 {
     const int64_t product = zs_mul_su(n, rcp); /* |.| < 2^63 */
@@ -90,18 +91,21 @@ void zs_texture_pixel(struct zs_job *job, const struct zs_row *row, int32_t i);
 /* The same by a reciprocal of 15 bits. 0 < w < 2^31 there. */
 void zs_texture_coarse_pixel(struct zs_job *job, const struct zs_row *row, int32_t i, uint32_t w);
 
-#define ZS_TEXTURE_FULL_LIGHT 32768u /* zs_tri.paint, uq1_15, where a texture's colours are as they are */
+#define ZS_TEXTURE_FULL_LIGHT                                                                      \
+    32768u /* zs_tri.paint, uq1_15, where a texture's colours are as they are */
 
-/* attribute * w over w: uq2_30, a little below 0 or above 1 at most; 1/2 in 2^16 has been added to c. */
+/* attribute * w over w: uq2_30, a little below 0 or above 1 at most; 1/2 in 2^16 has been added to
+ * c. */
 static inline uint32_t zs_texture_coarse(uint32_t c, uint32_t rcp)
 {
     return (uint32_t)((int32_t)c >> 16) * rcp; /* 16 bits with the sign, times 16: modulo 2^32 */
 }
 
-static inline void zs_texture_lighten(const struct zs_job *job, uint16_t *out, int32_t n, uint32_t level, int32_t step)
+static inline void zs_texture_lighten(const struct zs_job *job, uint16_t *out, int32_t n,
+                                      uint32_t level, int32_t step)
 {
     const struct zs_shader *shader = job->shader;
-    if (shader->n_attrs == 3)
+    if (shader->n_varyings == 3)
         shader->light(out, n, level << 1, (uint32_t)step << 1);
     else if (!job->sampler.unlit)
         shader->light(out, n, (uint32_t)job->tri->paint << 16, 0);

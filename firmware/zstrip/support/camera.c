@@ -18,7 +18,8 @@ int zs_camera_perspective(struct zs_camera *camera, zs_turn fov_y, uint16_t heig
 {
     if (fov_y == 0 || fov_y > 32767u || z_near <= 0 || z_near >= z_far || z_far > ZS_WORLD_MAX)
         return ZS_ERR_CAMERA;
-    /* focal = height / 2 / tan(fov / 2). Half of an odd angle is the mean of its neighbours' sines. */
+    /* focal = height / 2 / tan(fov / 2). Half of an odd angle is the mean of its neighbours' sines.
+     */
     const zs_turn low = (zs_turn)(fov_y / 2u), high = (zs_turn)(fov_y - low);
     const int64_t s = (int64_t)zs_sin(low) + zs_sin(high); /* both q2_30, twice sin and cos */
     const int64_t c = (int64_t)zs_cos(low) + zs_cos(high);
@@ -55,8 +56,8 @@ static int in_world(const int32_t p[3])
     return 1;
 }
 
-/* v times a power of two, the largest component in [2^30, 2^31): exact but for a component of -2^31,
- * with which all are halved. v is not 0. */
+/* v times a power of two, the largest component in [2^30, 2^31): exact but for a component of
+ * -2^31, with which all are halved. v is not 0. */
 static void stretch(int32_t out[3], const int32_t v[3])
 {
     uint32_t mag = 0;
@@ -78,7 +79,8 @@ int zs_camera_look_along(struct zs_camera *camera, const int32_t eye[3], const i
         return ZS_ERR_VECTOR; /* one of them is 0 */
     stretch(f, dir);
     stretch(u, up);
-    for (int k = 0; k < 3; k++) { /* of the vectors as given: exact, so no error grows near parallel */
+    for (int k = 0; k < 3;
+         k++) { /* of the vectors as given: exact, so no error grows near parallel */
         const int i = (k + 1) % 3, j = (k + 2) % 3;
         cross[k] = (int64_t)f[i] * u[j] - (int64_t)f[j] * u[i]; /* |.| < 2^63 - 2^32 */
         most |= cross[k] < 0 ? -cross[k] : cross[k];

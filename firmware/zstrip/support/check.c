@@ -1,7 +1,8 @@
-/* Data that cannot be trusted: what a mesh or a texture must keep so that drawing it reads nothing out
- * of bounds and draws what the header promises.
+/* Data that cannot be trusted: what a mesh or a texture must keep so that drawing it reads nothing
+ * out of bounds and draws what the header promises.
  *
- * Everything is exact, in integers that no content can overflow: bounds stand beside each intermediate.
+ * Everything is exact, in integers that no content can overflow: bounds stand beside each
+ * intermediate.
  *
  * SPDX-License-Identifier: MIT
  */
@@ -30,7 +31,7 @@ static const char *const flaws[] = {
 };
 _Static_assert(sizeof flaws / sizeof flaws[0] == ZS_FLAW_TEXEL + 1, "a sentence for each flaw");
 
-const char *zs_strflaw(enum zs_flaw flaw)
+const char *zs_flaw_string(enum zs_flaw flaw)
 {
     const unsigned n = (unsigned)flaw;
     return n < sizeof flaws / sizeof flaws[0] ? flaws[n] : "unknown flaw";
@@ -88,26 +89,27 @@ static int unit_or_none(const zs_q1_15 n[3])
  *
  *     d . A >= C |d| + 127 r                                                               (1)
  *
- * the eye is not in front of it: with N its normal (p1 - p0) x (p2 - p0), any length, and o = p0 - centre,
+ * the eye is not in front of it: with N its normal (p1 - p0) x (p2 - p0), any length, and o = p0 -
+ * centre,
  *
  *     (d + o) . N >= 0                                                                     (2)
  *
  * C < 0 holds for directions in more than a half space, which no plane has behind it: refused.
- * For C >= 0, (1) is a convex set of d, and the least d . N in it follows by duality: d . N - u (d . A -
- * C |d| - 127 r) is bounded below, by 127 r u, exactly where |N - u A| <= u C. So (2) holds in all of
- * (1) if, and where (1) has an inside only if, there is a u >= 0 with
+ * For C >= 0, (1) is a convex set of d, and the least d . N in it follows by duality: d . N - u (d
+ * . A - C |d| - 127 r) is bounded below, by 127 r u, exactly where |N - u A| <= u C. So (2) holds
+ * in all of (1) if, and where (1) has an inside only if, there is a u >= 0 with
  *
  *     |N - u A| <= u C   and   127 r u + o . N >= 0
  *
  * Squared, with K = |A|^2 - C^2 and m = N . A, the first is  K u^2 - 2 m u + |N|^2 <= 0.
  *
- * K <= 0: by Cauchy and Schwarz (1) holds for no eye unless r = 0; then all corners are one point (the
- *         sphere has been checked) and nothing is drawn. Nothing to hold.
- * K > 0:  a solution is there if m >= 0 and m^2 >= K |N|^2: the angle between N and A has a sine of at most
- *         C / |A|. That is exact. u = m / K is one of them, and 127 r m + K (o . N) >= 0 the second
- *         condition for it. (The largest u would be a little kinder. As |o . N| <= r |N|, the condition
- *         holds by itself while K <= 127^2; an axis that rounding made longer, at most 127.87, fails it
- *         only for a plane that cuts the sphere beyond 0.993 r behind the centre.)
+ * K <= 0: by Cauchy and Schwarz (1) holds for no eye unless r = 0; then all corners are one point
+ * (the sphere has been checked) and nothing is drawn. Nothing to hold. K > 0:  a solution is there
+ * if m >= 0 and m^2 >= K |N|^2: the angle between N and A has a sine of at most C / |A|. That is
+ * exact. u = m / K is one of them, and 127 r m + K (o . N) >= 0 the second condition for it. (The
+ * largest u would be a little kinder. As |o . N| <= r |N|, the condition holds by itself while K <=
+ * 127^2; an axis that rounding made longer, at most 127.87, fails it only for a plane that cuts the
+ * sphere beyond 0.993 r behind the centre.)
  *
  * A triangle without area has N = 0, and passes.
  *
@@ -159,7 +161,8 @@ static void plane_of(const struct zs_mesh *m, uint32_t t, const int16_t point[3]
 }
 
 /* excess: K above, 1 .. 2^14. */
-static int in_cone(const struct zs_mesh *mesh, const struct zs_cluster *c, uint32_t t, int32_t excess)
+static int in_cone(const struct zs_mesh *mesh, const struct zs_cluster *c, uint32_t t,
+                   int32_t excess)
 {
     int64_t n[3], m = 0; /* |m| <= |A| |N| < 2^7 * 2^49.8 */
     int32_t o[3];
@@ -184,8 +187,8 @@ static int in_cone(const struct zs_mesh *mesh, const struct zs_cluster *c, uint3
     return at_least(&front, &behind);
 }
 
-/* Twice the area, squared, is at least the square of height times longest side; or two corners are one point. height in
- * 1/256 step, < 2^20. */
+/* Twice the area, squared, is at least the square of height times longest side; or two corners are
+ * one point. height in 1/256 step, < 2^20. */
 static int high_enough(const struct zs_mesh *mesh, uint32_t t, uint32_t height)
 {
     const uint16_t *const tri = mesh->tri[t];
