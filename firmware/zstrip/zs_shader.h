@@ -1,11 +1,11 @@
 /* Write a shader: how triangles get their colours.
  *
- * A vertex stage gives each vertex up to ZS_VARYINGS_MAX values of 16 bits (varyings), a face stage
- * one value a triangle. Varyings are interpolated perspective-correctly. A fragment stage colours
- * one visible pixel after another:
+ * A vertex stage gives each vertex up to ZS_VARYINGS_MAX values of 16 bits (varyings), a face
+ * stage one value a triangle. Varyings are interpolated perspective-correctly. A fragment stage
+ * colours one visible pixel after another:
  *
  *     static const struct zs_shader mine = { .vertex = my_vertex, .fragment = my_fragment,
- * ZS_FRAGMENTS, .n_varyings = 2 };
+ *                                            ZS_FRAGMENTS, .n_varyings = 2 };
  *
  * Uniforms: a material of yours that begins with a struct zs_material; a stage finds it by
  * instance->material. Stages are called in no order that may be relied on, a vertex or face more

@@ -14,7 +14,7 @@ enum zs_fate {
     ZS_FATE_DRAWN, ZS_FATE_OFFSCREEN, ZS_FATE_FACING, ZS_FATE_ZERO, ZS_FATE_EMPTY,
     ZS_FATE_NEAR, ZS_FATE_FAR, ZS_FATE_INDEX, ZS_FATES,
     ZS_FATE_OPEN = ZS_FATES, /* nothing yet */
-    ZS_FATE_FULL /* a pool is full: nothing was done, or some pieces of a clipped triangle are binned */
+    ZS_FATE_FULL /* a pool is full: nothing was done, or pieces of a clipped triangle are binned */
 };
 /* clang-format on */
 

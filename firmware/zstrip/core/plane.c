@@ -13,17 +13,17 @@
  * it, division is by the reciprocal with remainder.
  *
  * small   width + height <= 256 px, value differences below 2^31, gradients below 2^27: one
- *         reciprocal of the area, a multiplication a gradient. Relative error of a gradient
- *         2^-30 (reciprocal) + 2^-31 + 2^-31 (mantissas cut) + 2^-30 (product cut) < 2^-28.4, so
- * below 2^-1.4 ulp, and rounded: e <= 0.88 ulp. The anchor is the first vertex's own pixel, at most
- *         half a pixel away each way: 0.88 + 0.5. Anywhere in the triangle, 256 steps at the most:
- *         <= 0.88 * 256 + 1.4 < 227 ulp of 2^-16 bucket = 0.0035 bucket.
- *         Values of 31 significant bits (ZS_PLANE_WIDE: w, colour times w) take gradients up to
- * 2^30 this way: e <= 2^1.6 + 1/2 ulp of 2^-31, 2^-21 over 256 steps. large   division with
- * remainder to 24 bits more, gradients rounded to nearest: e <= 1/2 ulp. The anchor is the pixel of
- * the frame next to the first vertex, computed from N / A with 32 fraction bits (error < 2^-32 *
- * 2^22 * 2 + 1/2). Anywhere in the frame: <= (W + H - 2) / 2 + 0.51 ulp < (W + H + 1) / 2 * 2^-16
- * bucket = 0.0049 for W + H = 640.
+ *         reciprocal of the area, a multiplication a gradient. Relative error of a gradient 2^-30
+ *         (reciprocal) + 2^-31 + 2^-31 (mantissas cut) + 2^-30 (product cut) < 2^-28.4, so below
+ *         2^-1.4 ulp, and rounded: e <= 0.88 ulp. The anchor is the first vertex's own pixel, at
+ *         most half a pixel away each way: 0.88 + 0.5. Anywhere in the triangle, 256 steps at the
+ *         most: <= 0.88 * 256 + 1.4 < 227 ulp of 2^-16 bucket = 0.0035 bucket. Values of 31
+ *         significant bits (ZS_PLANE_WIDE: w, colour times w) take gradients up to 2^30 this way:
+ *         e <= 2^1.6 + 1/2 ulp of 2^-31, 2^-21 over 256 steps.
+ * large   division with remainder to 24 bits more, gradients rounded to nearest: e <= 1/2 ulp. The
+ *         anchor is the pixel of the frame next to the first vertex, computed from N / A with 32
+ *         fraction bits (error < 2^-32 * 2^22 * 2 + 1/2). Anywhere in the frame: <= (W + H - 2) /
+ *         2 + 0.51 ulp < (W + H + 1) / 2 * 2^-16 bucket = 0.0049 for W + H = 640.
  *
  * SPDX-License-Identifier: MIT
  */

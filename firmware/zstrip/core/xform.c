@@ -1,10 +1,10 @@
 /* Vertices: mesh steps to camera units, camera units to the screen.
  *
  * Errors, in camera units (everything in view is below 2^30 of them):
- *   matrix         view, view times pose and scale are each rounded to 2^-30 of a row element, on a
- * lever of at most reach: about 1.3 in all, common to all vertices of a pose rounding       1/2,
- * once, after the exact sum On the screen: 2^scale_bits / z sub-pixels for each of them, and 1/2
- * sub-pixel of snapping.
+ *   matrix         view, view times pose and scale are each rounded to 2^-30 of a row element, on
+ *                  a lever of at most reach: about 1.3 in all, common to all vertices of a pose
+ *   rounding       1/2, once, after the exact sum
+ * On the screen: 2^scale_bits / z sub-pixels for each of them, and 1/2 sub-pixel of snapping.
  *
  * Vertices of two meshes that share pose and scale and stand on the same grid get the same camera
  * position, bit for bit: m, t and shift depend on pose, scale and frame alone.

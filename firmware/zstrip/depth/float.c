@@ -2,37 +2,41 @@
  * m = b - e mantissa bits, taken from 2^b, so that near has the key 0.
  *
  * With 2^-(k+1) <= r <= 2^-k and k at most 2^e - 2, octave o = 2^e - 1 - k in 1 .. 2^e - 1 (the
- * last one, 1, goes on to r = 0 with the same step): code(r) = (o - 1) 2^m + r 2^(k+1+m),   key =
- * 2^b - code which is continuous in r, and in each octave linear. r is linear on the screen. So
+ * last one, 1, goes on to r = 0 with the same step):
+ *   code(r) = (o - 1) 2^m + r 2^(k+1+m),   key = 2^b - code
+ * which is continuous in r, and in each octave linear. r is linear on the screen. So
  *
  * - in a triangle whose vertices lie in one octave, keys are linear on the screen: it is drawn by
- * the same kernels, at the same cost a pixel, as reciprocal keys are;
+ *   the same kernels, at the same cost a pixel, as reciprocal keys are;
  * - any other carries r over the screen in 64 bits; a row is cut where an octave ends, and between
- * cuts keys are linear again. The only work beyond the row's entry is one leading-zeros count for
- * each end and, in rows that do cross an octave, a bisection. Nothing is encoded a pixel, on cores
- * with CLZ and on those without;
+ *   cuts keys are linear again. The only work beyond the row's entry is one leading-zeros count
+ *   for each end and, in rows that do cross an octave, a bisection. Nothing is encoded a pixel, on
+ *   cores with CLZ and on those without;
  * - where it is tiny (core/job.h) and its vertices lie in two octaves next to each other, 32 bits
- * do for r.
+ *   do for r.
  *
  * zs_vertex.d is the key in uq16_16. That is a float with m + 16 mantissa bits (27 to 29 in 16-bit
  * keys), and r is found from it exactly.
  *
  * Keys that differ by D <= 2^m in 2^m steps an octave: w changes by at most D / 2^m of the least w
- * (view.key_slow). With the farther one s below the border to the nearer one's octave, s <= D: (s +
- * 2 (D - s)) / (2^(m+1) - s), and in one octave D / 2^m at most.
+ * (view.key_slow). With the farther one s below the border to the nearer one's octave, s <= D: (s
+ * + 2 (D - s)) / (2^(m+1) - s), and in one octave D / 2^m at most.
  *
  * Errors of a key, as parts of a bucket:
  *   vertex        r from 32-bit mantissas and a reciprocal of 2^-30: below 2^-29 of r, at most
- * 2^-15; stored to 2^-17 one octave    plane.c: at most the larger of 0.0035 and (W + H + 1) / 2^17
+ *                 2^-15; stored to 2^-17
+ *   one octave    plane.c: at most the larger of 0.0035 and (W + H + 1) / 2^17
  *   more octaves  w = r scaled to below 2^39, rounded: 2^-39 of the nearest vertex's r; with rho
- * the ratio of the farthest vertex to the nearest that is rho 2^-39 of the farthest's, or rho
- * 2^(m-38) buckets: below 2^-5 at m = 13 for rho < 2^20, and for e3m13, e4m12 never above 2^-17,
- * because beyond 2^7 or 2^15 times near a bucket's width in r stays. Steps of w are 2^-24 ulp:
- * nothing. The key of a piece's first pixel and its step are rounded to 2^-16: (W + 1) / 2^17 at
- * the most two, tiny     w = r scaled so that the nearer octave ends at 2^31: the vertices' are
- * exact. A bucket of it is 2^17 ulp or more, of the farther one 2^16; plane.c, 128 steps: 0.88 *
- * 128 + 1.4 = 114 ulp. Rounding of a piece's first pixel and its steps, in the nearer one: 129 /
- * 2^17. At the most 0.0019
+ *                 the ratio of the farthest vertex to the nearest that is rho 2^-39 of the
+ *                 farthest's, or rho 2^(m-38) buckets: below 2^-5 at m = 13 for rho < 2^20, and
+ *                 for e3m13, e4m12 never above 2^-17, because beyond 2^7 or 2^15 times near a
+ *                 bucket's width in r stays. Steps of w are 2^-24 ulp: nothing. The key of a
+ *                 piece's first pixel and its step are rounded to 2^-16: (W + 1) / 2^17 at the
+ *                 most
+ *   two, tiny     w = r scaled so that the nearer octave ends at 2^31: the vertices' are exact. A
+ *                 bucket of it is 2^17 ulp or more, of the farther one 2^16; plane.c, 128 steps:
+ *                 0.88 * 128 + 1.4 = 114 ulp. Rounding of a piece's first pixel and its steps, in
+ *                 the nearer one: 129 / 2^17. At the most 0.0019
  *
  * SPDX-License-Identifier: MIT
  */

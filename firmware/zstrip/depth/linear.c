@@ -2,13 +2,16 @@
  *
  * Orthographic: linear on the screen too, and nothing below is used but the set-up and the vertex.
  *
- * Perspective: not linear on the screen, but 1/z is. A triangle carries w = 2^62 / z, shifted until
- * the largest of its three values lies below 2^40, over the screen with 24 more fraction bits, and
- * every pixel takes a reciprocal. Errors, as parts of z, with r the triangle's ratio of farthest to
- * nearest: rounding of w at the vertices     r * 2^-40 (largest w >= 2^39), or 2^-33 where no bit
- * was shifted out steps, at most 2^13 of 2^-24 ulp  r * 2^-50 cut to 32 bits, reciprocal 2^-31 +
- * 2^-30 Times z / (f - n) * 65535 buckets: below 0.005 for r <= 2^15 and f >= 2n. 64-bit sums are
- * two instructions a pixel beside about forty for the reciprocal.
+ * Perspective: not linear on the screen, but 1/z is. A triangle carries w = 2^62 / z, shifted
+ * until the largest of its three values lies below 2^40, over the screen with 24 more fraction
+ * bits, and every pixel takes a reciprocal. Errors, as parts of z, with r the triangle's ratio of
+ * farthest to nearest:
+ *   rounding of w at the vertices     r * 2^-40 (largest w >= 2^39), or 2^-33 where no bit was
+ *                                     shifted out
+ *   steps, at most 2^13 of 2^-24 ulp  r * 2^-50
+ *   cut to 32 bits, reciprocal        2^-31 + 2^-30
+ * Times z / (f - n) * 65535 buckets: below 0.005 for r <= 2^15 and f >= 2n. 64-bit sums are two
+ * instructions a pixel beside about forty for the reciprocal.
  *
  * SPDX-License-Identifier: MIT
  */

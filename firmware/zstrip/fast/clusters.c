@@ -3,38 +3,41 @@
  * Everything is tested in mesh steps: the planes of the view, and the eye, are brought there once
  * an instance. What is left out could not have left a pixel.
  *
- * SPHERES. A cluster whose sphere lies outside one of the planes (near, far, the frame's sides, the
- * upper and lower edge of the rows that are drawn) by more than its radius. A plane's distance from
- * the mesh's centre is exact to b->slack, in which is what a vertex may be off by (zs_cull_walk);
- * normals are rounded to 2^-13, which moves the cluster's centre by at most 2^-13 sqrt 3 of its
- * distance from the mesh's, in all below radius / 4096. Planes that the mesh's sphere does not
- * reach are not asked.
+ * SPHERES. A cluster whose sphere lies outside one of the planes (near, far, the frame's sides,
+ * the upper and lower edge of the rows that are drawn) by more than its radius. A plane's distance
+ * from the mesh's centre is exact to b->slack, in which is what a vertex may be off by
+ * (zs_cull_walk); normals are rounded to 2^-13, which moves the cluster's centre by at most 2^-13
+ * sqrt 3 of its distance from the mesh's, in all below radius / 4096. Planes that the mesh's
+ * sphere does not reach are not asked.
  *
- * CONES. A cluster of which no triangle shows the side that is drawn. The header promises it of the
- * eye, for the triangles as they are; what is drawn is decided after vertices have been rounded to
- * camera units and snapped, which may turn a triangle that is nearly edge-on, or small. So the eye
- * has to be behind every triangle by a margin.
+ * CONES. A cluster of which no triangle shows the side that is drawn. The header promises it of
+ * the eye, for the triangles as they are; what is drawn is decided after vertices have been
+ * rounded to camera units and snapped, which may turn a triangle that is nearly edge-on, or small.
+ * So the eye has to be behind every triangle by a margin.
  *
  * Let E be a length such that each vertex, as it is snapped (on its ray, at its distance), lies
  * within E of where it should. Move the three from there to here in straight lines. Where the
  * triangle turns on the way, there is a moment when a plane P through the eye holds all three; so
  * each of the true ones lies within E of P. Let T be the triangle's plane, h the eye's distance
  * from it, a the angle between P and T, D the distance of a corner from the eye, t the triangle's
- * least height. P and T parallel:   h <= E else, with L the line in both: the corners lie in T
- * within E / sin a of L. A strip of that width holds no triangle of a least height above 2 E / sin
- * a: sin a <= 2 E / t. The point of P next to a corner is at most E from T, so E / sin a from L,
- * and at most D + E from the eye: h = sin a * (distance of the eye from L) <= sin a * (D + E) + E
+ * least height.
+ *   P and T parallel:   h <= E
+ *   else, with L the line in both: the corners lie in T within E / sin a of L. A strip of that
+ *   width holds no triangle of a least height above 2 E / sin a: sin a <= 2 E / t. The point of P
+ *   next to a corner is at most E from T, so E / sin a from L, and at most D + E from the eye:
+ *   h = sin a * (distance of the eye from L) <= sin a * (D + E) + E
  * So h > E + 2 E (D + E) / t =: M is enough. (Orthographic: all rays have one direction, P holds
- * it, and sin a is at least the sine s of its angle with T: s > 2 E / t is enough. That is the same
- * with a distance D as the unit and no radii.)
+ * it, and sin a is at least the sine s of its angle with T: s > 2 E / t is enough. That is the
+ * same with a distance D as the unit and no radii.)
  *
  * With A = axis, C = cutoff (127 is 1), r = radius, d from the eye to the sphere's centre, N the
  * normal of a triangle of the cluster: zs_mesh_check (check.c) holds that |N - u A| <= u C for u =
  * N . A / K > 0, K = |A|^2 - C^2 <= 128^2, and u >= |N| / sqrt K. So where d . A >= C |d| + 128 r:
  * d . N >= u (d . A - C |d|) >= 128 r u >= r |N|, and the eye is behind the triangle, whose
- * distance from the sphere's centre is at most r; mirrored, with -d for d, it is before it. If that
- * holds for every eye within M, it is behind by at least M. A shift of the eye by m changes d . A
- * by at most 128 m, C |d| by C m. So d . A >= C |d| + 128 r + (128 + C) M (*)
+ * distance from the sphere's centre is at most r; mirrored, with -d for d, it is before it. If
+ * that holds for every eye within M, it is behind by at least M. A shift of the eye by m changes d
+ * . A by at most 128 m, C |d| by C m. So
+ *   d . A >= C |d| + 128 r + (128 + C) M                                              (*)
  *
  * E, world units: snapping, 1/2 step of 2^snap sub-pixels and less than 2^-8 of one of arithmetic,
  * each way, times sqrt 2: below 3/4 2^snap, times distance / focal length; and 32 camera units for
@@ -44,9 +47,10 @@
  * coordinates, each to 1, turned; of their sums, 1/2 an axis; of the cluster's centre, 1 an axis:
  * below 3 sqrt 3. Rotations that are none by 2^-20 move it by less than b->slack.
  *
- * All this is about triangles that are not clipped: a piece of one is smaller than it is. A cluster
- * that reaches the near or far plane, or where the guard band clips at all any side, is not asked
- * for its cone. A triangle with two corners in one place has no area however it is rounded.
+ * All this is about triangles that are not clipped: a piece of one is smaller than it is. A
+ * cluster that reaches the near or far plane, or where the guard band clips at all any side, is
+ * not asked for its cone. A triangle with two corners in one place has no area however it is
+ * rounded.
  *
  * SPDX-License-Identifier: MIT
  */

@@ -82,7 +82,7 @@ static int unit_or_none(const zs_q1_15 n[3])
     return square == 0 || (percent2 >= 98 * 98 * full && percent2 <= 102 * 102 * full);
 }
 
-/* ---- Cones --------------------------------------------------------------------------------------
+/* ---- Cones -------------------------------------------------------------------------------------
  *
  * With A = axis, C = cutoff (127 is 1), r = radius, and d the vector from the eye to the sphere's
  * centre, the header promises for each triangle of the cluster: wherever
@@ -94,27 +94,29 @@ static int unit_or_none(const zs_q1_15 n[3])
  *
  *     (d + o) . N >= 0                                                                     (2)
  *
- * C < 0 holds for directions in more than a half space, which no plane has behind it: refused.
- * For C >= 0, (1) is a convex set of d, and the least d . N in it follows by duality: d . N - u (d
- * . A - C |d| - 127 r) is bounded below, by 127 r u, exactly where |N - u A| <= u C. So (2) holds
- * in all of (1) if, and where (1) has an inside only if, there is a u >= 0 with
+ * C < 0 holds for directions in more than a half space, which no plane has behind it: refused. For
+ * C >= 0, (1) is a convex set of d, and the least d . N in it follows by duality: d . N - u (d . A
+ * - C |d| - 127 r) is bounded below, by 127 r u, exactly where |N - u A| <= u C. So (2) holds in
+ * all of (1) if, and where (1) has an inside only if, there is a u >= 0 with
  *
  *     |N - u A| <= u C   and   127 r u + o . N >= 0
  *
  * Squared, with K = |A|^2 - C^2 and m = N . A, the first is  K u^2 - 2 m u + |N|^2 <= 0.
  *
  * K <= 0: by Cauchy and Schwarz (1) holds for no eye unless r = 0; then all corners are one point
- * (the sphere has been checked) and nothing is drawn. Nothing to hold. K > 0:  a solution is there
- * if m >= 0 and m^2 >= K |N|^2: the angle between N and A has a sine of at most C / |A|. That is
- * exact. u = m / K is one of them, and 127 r m + K (o . N) >= 0 the second condition for it. (The
- * largest u would be a little kinder. As |o . N| <= r |N|, the condition holds by itself while K <=
- * 127^2; an axis that rounding made longer, at most 127.87, fails it only for a plane that cuts the
- * sphere beyond 0.993 r behind the centre.)
+ *         (the sphere has been checked) and nothing is drawn. Nothing to hold.
+ * K > 0:  a solution is there if m >= 0 and m^2 >= K |N|^2: the angle between N and A has a sine
+ *         of at most C / |A|. That is exact. u = m / K is one of them, and 127 r m + K (o . N) >=
+ *         0 the second condition for it. (The largest u would be a little kinder. As |o . N| <= r
+ *         |N|, the condition holds by itself while K <= 127^2; an axis that rounding made longer,
+ *         at most 127.87, fails it only for a plane that cuts the sphere beyond 0.993 r behind the
+ *         centre.)
  *
  * A triangle without area has N = 0, and passes.
  *
- * For who makes clusters: A may be rounded as one likes; C = |A| times the sine of the widest angle
- * between A as rounded and a normal, rounded up; 127 where that angle is 90 degrees or more. */
+ * For who makes clusters: A may be rounded as one likes; C = |A| times the sine of the widest
+ * angle between A as rounded and a normal, rounded up; 127 where that angle is 90 degrees or
+ * more. */
 
 /* Sum of unsigned products, 128 bits. */
 struct wide {
