@@ -49,6 +49,8 @@ static int copy_submit(void *ctx, const struct zs_strip *s)
         return -1000;
     for (int32_t i = 0; i < s->w * s->h; i++) {
         p->color[s->y * p->w + i] = (uint16_t)(s->px[2 * i] << 8 | s->px[2 * i + 1]);
+        if (!s->depth)
+            continue;
         p->key[s->y * p->w + i] = s->depth[i];
         p->covered += s->depth[i] != ZS_DEPTH_CLEAR;
     }
@@ -68,8 +70,7 @@ static int copy_wait(void *ctx)
     return 0;
 }
 
-struct picture picture_draw(const struct zs_config *config, const struct zs_scene *scene,
-                            const struct zs_camera *camera)
+static struct picture drawn(const struct zs_config *config, const struct zs_pass *pass, uint32_t n)
 {
     struct picture p = { .w = config->width, .h = config->height };
     const uint32_t bytes = zs_arena_bytes(config);
@@ -87,14 +88,31 @@ struct picture picture_draw(const struct zs_config *config, const struct zs_scen
     if (!p.err) {
         struct copy c = { .to = &p };
         const struct zs_sink sink = { .submit = copy_submit, .wait = copy_wait, .ctx = &c };
-        p.err = zs_render(r, scene, camera, &sink);
+        struct zs_pass_memory *memory = malloc((n ? n : 1u) * sizeof *memory);
+        if (!memory)
+            abort();
+        memset(memory, 0xa5, (n ? n : 1u) * sizeof *memory);
+        p.err = n ? zs_render_passes(r, pass, memory, n, &sink) : zs_render(r, pass->scene, pass->camera, &sink);
         if (!p.err && (c.rows != p.h || c.busy))
             p.err = -1002;
         p.stats = *zs_frame_stats(r);
+        free(memory);
     }
     free(r);
     free(arena);
     return p;
+}
+
+struct picture picture_draw(const struct zs_config *config, const struct zs_scene *scene,
+                            const struct zs_camera *camera)
+{
+    const struct zs_pass pass = { .scene = scene, .camera = camera };
+    return drawn(config, &pass, 0);
+}
+
+struct picture picture_passes(const struct zs_config *config, const struct zs_pass *pass, uint32_t n)
+{
+    return drawn(config, pass, n);
 }
 
 void picture_free(struct picture *p)

@@ -10,13 +10,14 @@
 
 #include <stdint.h>
 
+#include "zs_pass.h"
 #include "zstrip.h"
 
 struct picture {
     int err;         /* of zs_init or zs_render; the rest is empty then */
     int32_t w, h;
     uint16_t *color; /* [h][w], RGB565 */
-    uint16_t *key;   /* [h][w] */
+    uint16_t *key;   /* [h][w]; 0 where there is no depth memory */
     uint32_t covered; /* pixels whose key is not ZS_DEPTH_CLEAR */
     struct zs_stats stats;
 };
@@ -29,6 +30,8 @@ struct zs_config picture_config(int32_t w, int32_t h, const struct zs_depth *dep
 /* Draw a frame by zs_render. To be freed whatever err is. */
 struct picture picture_draw(const struct zs_config *config, const struct zs_scene *scene,
                             const struct zs_camera *camera);
+/* The same in passes, by zs_render_passes. */
+struct picture picture_passes(const struct zs_config *config, const struct zs_pass *pass, uint32_t n);
 void picture_free(struct picture *p);
 /* 1: same size, colours and keys. Else say where they differ first, with a name for the case. */
 int picture_same(const struct picture *a, const struct picture *b, const char *name);

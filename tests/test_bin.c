@@ -6,6 +6,7 @@
 
 #include "cases.h"
 #include "core/bin.h"
+#include "core/view.h"
 #include "core/cull.h"
 #include "core/xform.h"
 #include "picture.h"
@@ -45,6 +46,7 @@ static int first_case(uint64_t seed)
                                  .max_verts = 3, .buffers = 1, .subpixel_bits = 8, .depth_bits = 16,
                                  .depth = &zs_depth_recip };
     CASE_CHECK(zs_init(&r, &c, arena, sizeof arena) == ZS_OK);
+    zs_view_frame(&r.view, &c);
     r.strip = (uint16_t)prng_pick(&p, r.n_strips);
     r.band_end = (uint16_t)prng_range(&p, r.strip + 1, r.n_strips);
     for (int n = 0; n < 50; n++) {

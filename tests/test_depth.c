@@ -670,7 +670,7 @@ static void stress_19_20_pairs_of_any_planes_under_all_mappings(void **state)
 static struct zs_depth_state random_state(struct prng *p, int32_t most, int slopes)
 {
     static const int16_t ends[] = { 0, 1, -1, 2, -3, 32767, -32768 };
-    struct zs_depth_state s = { .func = (uint8_t)prng_pick(p, 2), .read_only = (uint8_t)prng_pick(p, 2) };
+    struct zs_depth_state s = { .func = (uint8_t)prng_pick(p, 3), .read_only = (uint8_t)prng_pick(p, 2) };
     if (prng_pick(p, 2))
         s.bias = prng_pick(p, 3) ? ends[prng_pick(p, 7)]
                                    : (int16_t)prng_range(p, -(most < 32768 ? most : 32768),
@@ -706,7 +706,7 @@ static void model_draw(struct model *m, const struct zs_depth_state *s, int32_t 
     static const struct zs_depth_state none = { 0, 0, 0, 0 };
     s = s ? s : &none;
     key = clamp((int64_t)key + offset, 0, most);
-    if ((uint32_t)key > m->key || ((uint32_t)key == m->key && !s->func))
+    if (s->func != ZS_DEPTH_ALWAYS && ((uint32_t)key > m->key || ((uint32_t)key == m->key && !s->func)))
         return;
     m->color = color;
     if (!s->read_only)

@@ -333,7 +333,8 @@ static void random_set(struct prng *p)
     static const struct zs_shader *const shaders[] = { &zs_shade_raw, &zs_shade_flat, &zs_shade_smooth,
                                                        &zs_shade_texture, &zs_shade_texture_flat,
                                                        &zs_shade_texture_smooth };
-    static const struct zs_depth_state states[] = { { .func = ZS_DEPTH_LESS_EQUAL }, { .read_only = 1, .bias = -20 }, { .bias = 30, .slope_bias = 200 } };
+    static const struct zs_depth_state states[] = { { .func = ZS_DEPTH_LESS_EQUAL }, { .read_only = 1, .bias = -20 },
+                                                   { .bias = 30, .slope_bias = 200 }, { .func = ZS_DEPTH_ALWAYS } };
     const int orthographic = !prng_pick(p, 5);
     common("random", orthographic ? &zs_depth_linear : depths[prng_pick(p, 6)]);
     set.config.width = (uint16_t)prng_range(p, 130, 300);
@@ -359,7 +360,7 @@ static void random_set(struct prng *p)
         if (of == 0 && prng_pick(p, 3)) /* to the eye */
             zs_pose_turn(&set.instance[n].pose, (zs_turn)prng_range(p, -2000, 2000), 0, 0);
         if (!prng_pick(p, 8))
-            set.instance[n].depth_state = &states[prng_pick(p, 3)];
+            set.instance[n].depth_state = &states[prng_pick(p, sizeof states / sizeof states[0])];
         set.material[n].texture = &textures[prng_pick(p, 4)];
     }
 }

@@ -65,7 +65,7 @@ static void piece_any(struct prng *p, struct piece *c, int with_state)
     c->row.at = W;
     c->row.i0 = c->row.x0 = c->i0;
     c->row.i1 = c->row.x1 = c->i1;
-    c->state = (struct zs_depth_state){ .func = (uint8_t)prng_pick(p, 2), .read_only = (uint8_t)prng_pick(p, 2) };
+    c->state = (struct zs_depth_state){ .func = (uint8_t)prng_pick(p, 3), .read_only = (uint8_t)prng_pick(p, 2) };
     c->job.r = &r;
     c->job.shader = &shader;
     c->job.tri = &tri;
@@ -97,7 +97,8 @@ static int model(const struct piece *c, int32_t i, uint16_t *key)
         k = k < 0 ? 0 : k > c->top ? c->top : k;
     }
     *key = (uint16_t)k;
-    return k < there || (c->job.depth_state && c->state.func && k == there);
+    return k < there || (c->job.depth_state && c->state.func &&
+                         (k == there || c->state.func == ZS_DEPTH_ALWAYS));
 }
 
 static uint32_t won, lost, ties, held, longest;
@@ -223,7 +224,7 @@ static int bias_case(uint64_t seed)
     memset(&job, 0, sizeof job);
     for (int k = 0; k < 3; k++)
         v[k] = (struct zs_vertex){ prng_range(&p, -reach, reach), prng_range(&p, -reach, reach), prng_pick(&p, keys) };
-    renderer.config.depth = &mapping;
+    renderer.view.depth = &mapping;
     job.r = &renderer;
     job.depth_state = &s;
     for (int k = 0; k < 3; k++)

@@ -35,6 +35,7 @@ $(B)/test/narrow/%.o: %.c $(TEST_NOTE)
 $(B)/test/test_xform_narrow: $(patsubst %.c,$(B)/test/narrow/%.o,tests/test_xform.c $(CORE) $(TEST_HELP))
 	@$(CC) $(SAN) $^ -lcmocka -lm -o $@
 $(B)/test/test_examples: $(call t,$(wildcard firmware/examples/*.c))
+$(B)/test/test_pass: $(call t,tests/fuzz/world.c)
 $(B)/test/test_counts: $(call t,sim/counts.c sim/frame.c sim/share.c sim/sim.c)
 $(B)/test/test_threads $(B)/test/test_golden: $(call t,sim/frame.c sim/share.c sim/sim.c)
 $(B)/test/zsim: $(call t,$(SIM)) $(B)/test/libtest.a $(B)/libmeshes.a
@@ -121,7 +122,7 @@ $(B)/stress/fast: $(STRESS) $(B)/stress/oracle.o $(HEADERS)
 # Mutants (tests/mutate): the units that run the renderer, as in make test but, by B and SAN, without sanitizers, all in
 # one program; make test links it as well
 MUTATE_TESTS = $(filter-out test_linux test_pair test_examples test_panel%,$(TESTS:tests/%.c=%))
-MUTATE_SIM = sim/counts.c sim/frame.c sim/share.c sim/sim.c
+MUTATE_SIM = tests/fuzz/world.c sim/counts.c sim/frame.c sim/share.c sim/sim.c
 mutate-settings:
 	$(info tests $(MUTATE_TESTS))
 	$(info sources $(SCENES) $(TEST_HELP) $(MUTATE_SIM))

@@ -20,21 +20,24 @@ struct zs_tri {
     uint16_t v[3];     /* in the vertex pool: the top one, of two the left one, then clockwise */
     uint16_t next;     /* the next one in its strip's list, or ZS_NIL */
     uint16_t paint;    /* what the shader's face function gave: for solid colours RGB565, wire order */
-    uint16_t instance; /* in the scene */
+    uint16_t instance; /* in the frame: of all passes, one after the other */
 };
 
-/* The camera of a frame, brought to camera units: 2^shift to a world unit, so that everything that
+/* The camera of a pass, brought to camera units: 2^shift to a world unit, so that everything that
  * can be seen is below 2^30. */
 struct zs_view {
     int32_t rot[9];        /* q2_30: world to camera; rows x * ratio, -y * ratio, distance */
     int32_t pos[3];        /* world units */
     int32_t z_near, z_far; /* camera units */
-    int32_t cx, cy;        /* q24_8, the frame's middle */
+    int32_t cx, cy;        /* q24_8, the viewport's middle */
     int32_t shift;         /* log2 of camera units to a world unit */
     int32_t scale_bits;    /* screen q24_8 = x' * 2^scale_bits / z; orthographic: x' / 2^scale_bits */
     int32_t snap;          /* 8 - sub-pixel bits */
     int32_t ratio;         /* q2_30, (0, 1]: focal length over 2^scale_bits */
     int32_t side[2][2];   /* q2_30: unit normal of the side planes, (x or y, z) */
+    const struct zs_depth *depth; /* the mapping */
+    uint16_t width, height; /* px, of the viewport ... */
+    uint16_t x, y;          /* ... and where in the frame it begins; positions on the screen count from there */
     uint64_t guard;        /* |x'| << scale_bits beyond guard * z is outside the guard band */
     uint32_t key_mul;      /* the mapping's factor, 31 or 32 bits ... */
     int32_t key_shift;     /* ... and its shift */
@@ -88,7 +91,7 @@ struct zs_clusters {
 
 struct zs_xform {
     const struct zs_instance *instance;
-    uint32_t number;    /* in the scene */
+    uint32_t number;    /* in the frame */
     uint8_t clip_depth; /* 1: vertices may be before near or beyond far */
     uint8_t clip_guard; /* 1: vertices may be outside the guard band */
     int32_t row[3 * ZS_ROW_WORDS_MAX]; /* three, ZS_ROW_WORDS each; one size on all cores */
@@ -116,6 +119,9 @@ struct zs_cover {
 };
 
 struct zs_job;
+struct zs_pass;
+struct zs_pass_memory;
+struct zs_pass_kernel;
 
 struct zs_renderer { /* what is used most comes first: a Cortex-M0 reaches 31 bytes, 31 half-words, 31 words at once */
     struct zs_config config; /* strip_h <= height */
@@ -149,7 +155,15 @@ struct zs_renderer { /* what is used most comes first: a Cortex-M0 reaches 31 by
     uint16_t *vert_map;      /* [max_verts]: number modulo max_verts -> pool, unless stale */
     uint16_t *attr;          /* [max_verts][varyings] */
 
-    const struct zs_scene *scene; /* borrowed from begin to end; NULL: no frame is open */
+    const struct zs_scene *scene; /* borrowed from begin to end; NULL: no frame is open; of the pass in hand */
+    uint32_t n_instances;         /* of all passes */
+    uint32_t first, end;          /* instances of the pass in hand */
+    const struct zs_pass_kernel *passes; /* NULL: one pass, the whole frame */
+    const struct zs_pass *pass;   /* [n_passes], borrowed as scene is */
+    struct zs_pass_memory *pass_memory; /* [n_passes], the caller's */
+    uint16_t n_passes, pass_now;  /* the one in hand */
+    uint16_t passes_begun;        /* in the strip in hand: so many have been cleared for */
+    uint8_t refit;                /* 1: the frame left out accelerators that the next one may have */
     struct zs_xform xform;
     struct zs_shading shading; /* of the current instance */
     struct zs_view view;

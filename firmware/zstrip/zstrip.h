@@ -218,7 +218,8 @@ struct zs_pose {
 
 enum zs_depth_func { /* when a pixel is drawn over what is there */
     ZS_DEPTH_LESS = 0,       /* its key is less: on equal keys the earlier stays */
-    ZS_DEPTH_LESS_EQUAL = 1  /* less or equal: on equal keys the later wins */
+    ZS_DEPTH_LESS_EQUAL = 1, /* less or equal: on equal keys the later wins */
+    ZS_DEPTH_ALWAYS = 2      /* always: nothing is tested */
 };
 
 /* How an instance is tested against the depth buffer. All fields 0: as an instance without one. */
@@ -324,6 +325,10 @@ extern const struct zs_depth zs_depth_e5m11; /* to all distances */
 /* The first of the three that keeps its step to far, by far / near: what to take when in doubt, but for
  * orthographic cameras, which take zs_depth_linear alone (else ZS_ERR_DEPTH). NUMERICS.md has the measurements. */
 extern const struct zs_depth zs_depth_float;
+/* No depth memory: triangles cover each other in scene order, and the arena is ZS_DEPTH_BYTES smaller
+ * (zs_arena_bytes). For scenes that are flat, convex or sorted far to near. Any camera. Depth states
+ * have no effect; strips and targets have depth NULL. */
+extern const struct zs_depth zs_depth_none;
 
 struct zs_fast;
 

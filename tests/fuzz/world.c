@@ -314,7 +314,7 @@ static void materials(struct world *w, struct prng *p, uint32_t odd)
     }
     for (int i = 0; i < WORLD_STATES; i++) {
         struct zs_depth_state *s = &w->state[i];
-        s->func = (uint8_t)prng_pick(p, 2);
+        s->func = (uint8_t)prng_pick(p, 3);
         s->read_only = (uint8_t)prng_pick(p, 2);
         s->bias = one_in(p, 2) ? any16(p) : (int16_t)prng_range(p, -3, 3);
         s->slope_bias = one_in(p, 2) ? any16(p) : (int16_t)(prng_range(p, -1, 1) * 256);
@@ -588,7 +588,7 @@ void world_print(const struct world *w)
                 in->material ? in->material->cull : 0u, in->pose.pos[0], in->pose.pos[1], in->pose.pos[2],
                 in->pose.scale / 65536.0);
         if (in->depth_state)
-            fprintf(stderr, ", state equal %u read_only %u offset %d slope %d", in->depth_state->func,
+            fprintf(stderr, ", depth_state func %u read_only %u offset %d slope %d", in->depth_state->func,
                     in->depth_state->read_only, in->depth_state->bias, in->depth_state->slope_bias);
         fputc('\n', stderr);
     }

@@ -53,6 +53,8 @@ static void new_strip(int32_t w, int32_t h, int32_t strip, int32_t cut)
     r.window[1] = (uint16_t)w;
     r.config.strip_h = (uint16_t)h;
     r.config.height = (uint16_t)(y0 + rows);
+    r.view.width = r.config.width;
+    r.view.height = r.config.height;
     r.strip = (uint16_t)strip;
     r.band_end = (uint16_t)(strip + 1);
     r.active = ZS_NIL;
@@ -187,7 +189,7 @@ static int small_drawn(const int32_t x[3], const int32_t y[3], const uint32_t d[
     job.depth = r.depth;
     job.y0 = y0;
     job.y1 = y0 + rows;
-    job.width = width;
+    job.width = job.pitch = width;
     const int done = zs_fast_raw.draw(&job);
     *good &= small_right(&t, of, done);
     if (done)
@@ -298,7 +300,7 @@ static void any_mapping(struct scene_of *s)
     s->as.e = in(3, 5);
     s->as.bits = in(0, 1) ? 16 : in(8, 16);
     r.view.perspective = 1;
-    r.config.depth = mapping[s->as.e - 3];
+    r.view.depth = r.config.depth = mapping[s->as.e - 3];
     (void)r.config.depth->setup(&r.view, &camera, (uint32_t)s->as.bits);
 }
 
@@ -402,7 +404,7 @@ static int one_row(int32_t x0, int32_t x1, int32_t i0, int32_t i1)
     job.depth = r.depth;
     job.y0 = y0;
     job.y1 = y0 + rows;
-    job.width = width;
+    job.width = job.pitch = width;
     r.touch = zs_fast_touch.touch;
     row.y = y0 + 1;
     row.at = width;

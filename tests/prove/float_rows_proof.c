@@ -22,11 +22,11 @@ static ZS_NOINLINE int32_t pixels_within(uint64_t w, uint64_t gx, int32_t n, int
     assigns \nothing; */
 static ZS_NOINLINE void crossing_row(struct zs_job *job, const struct zs_row *row, uint64_t w, int32_t down_end);
 /*@ requires columns: 0 <= row->i0 && row->i1 <= job->width;
-    requires rows: job->y0 <= row->y < job->y1 && 0 <= row->at <= (job->y1 - 1 - job->y0) * job->width;
+    requires rows: job->y0 <= row->y < job->y1 && 0 <= row->at <= (job->y1 - 1 - job->y0) * job->pitch;
     assigns \nothing; */
 static ZS_NOINLINE void float_row(struct zs_job *job, const struct zs_row *row, uint64_t w);
 /*@ requires in_strip: 0 <= row->i0 && row->i1 <= job->width;
-    requires of_rows: job->y0 <= row->y < job->y1 && 0 <= row->at <= (job->y1 - 1 - job->y0) * job->width;
+    requires of_rows: job->y0 <= row->y < job->y1 && 0 <= row->at <= (job->y1 - 1 - job->y0) * job->pitch;
     assigns \nothing; */
 static inline void pair_span(struct zs_job *job, const struct zs_row *row);
 #include "depth/float.c"
@@ -58,7 +58,7 @@ void float_row_ends(void)
     for (int32_t last = 1; last <= 31; last++)
         for (int k = 0; k < 3; k++) {
             const struct zs_row row = { 0, 0, 0, -5, 4096, 4096 - number[k], 4096, 0 };
-            job.width = 4096;
+            job.width = job.pitch = 4096;
             job.y1 = 1;
             job.w64_scale = last;
             job.w64.gx = any_u64(0, UINT64_MAX);
@@ -98,7 +98,7 @@ void float_walks(void)
     job.two_octaves = (uint8_t)any_u32(0, 1);
     for (int k = 0; k < 18; k++) {
         const int32_t row = job.y0 + from[k % 3], end = row + n[k / 3 % 3];
-        job.width = width[k / 9];
+        job.width = job.pitch = width[k / 9];
         job.row_end = zs_min32(end, job.y1);
         zs_edges_cut(&job, row);
         zs_rows_walk(&job, a_span, 1);

@@ -40,7 +40,7 @@ static void strip(int32_t width)
     scene.sky = skies ? &a_sky : 0;
     renderer.config.width = (uint16_t)width;
     renderer.config.strip_h = ROWS;
-    renderer.config.height = 2 * ROWS;
+    renderer.config.height = renderer.view.height = 2 * ROWS;
     renderer.window[0] = 0;
     renderer.window[1] = (uint16_t)width;
     renderer.strip = 1;
@@ -50,7 +50,7 @@ static void strip(int32_t width)
     renderer.scene = &scene;
     scene.background = BACKGROUND;
     job.r = &renderer;
-    job.width = width;
+    job.width = job.pitch = width;
     job.y0 = ROWS;
     job.y1 = 2 * ROWS;
     job.color = color;

@@ -35,7 +35,7 @@ void slopes(void)
 void bound_keys(void)
 {
     static const struct zs_depth depth = { 0 };
-    renderer.config.depth = &depth;
+    renderer.view.depth = &depth;
     for (uint32_t bits = 8; bits <= 16; bits++)
         for (int32_t add = -MARGIN; add <= MARGIN; add += MARGIN) {
             const uint32_t top = ((1u << bits) - 1u) << 16;

@@ -37,7 +37,7 @@ void vertex_w(void)
     static const struct zs_depth depth = { .inverse = any_inverse };
     static struct zs_vertex v[3];
     uint32_t w[3];
-    renderer.config.depth = &depth;
+    renderer.view.depth = &depth;
     job.r = &renderer;
     for (int k = 0; k < 3; k++)
         job.v[k] = &v[k];
@@ -140,7 +140,7 @@ void biases(void)
     static struct zs_depth_state state;
     static struct zs_vertex v[3];
     const int32_t most = ((int32_t)1 << ZS_EXTENT_BITS) - 1;
-    renderer.config.depth = &depth;
+    renderer.view.depth = &depth;
     job.r = &renderer;
     job.state = &state;
     state.offset = (int16_t)any_i32(-32768, 32767);
@@ -192,7 +192,7 @@ static void walks_of(int wide)
     static const int32_t width[2] = { 1, ZS_SIZE_MAX }, from[3] = { 0, 3, ROWS - 1 }, n[3] = { 1, ZS_CUT_ROWS, ROWS };
     for (int k = 0; k < 18; k++) {
         const int32_t row = job.y0 + from[k % 3], end = row + n[k / 3 % 3];
-        job.width = width[k / 9];
+        job.width = job.pitch = width[k / 9];
         job.row_end = zs_min32(end, job.y1);
         zs_edges_cut(&job, row);
         if (wide)

@@ -64,8 +64,8 @@ static void any_sides(int32_t most)
     static struct zs_vertex v[3];
     job.r = &renderer;
     renderer.config.width = (uint16_t)any_u32(1, ZS_SIZE_MAX);
-    renderer.config.height = (uint16_t)any_u32(1, ZS_SIZE_MAX);
-    job.width = renderer.config.width;
+    renderer.config.height = renderer.view.height = (uint16_t)any_u32(1, ZS_SIZE_MAX);
+    job.width = job.pitch = renderer.config.width;
     for (int k = 0; k < 3; k++) {
         v[k].x = any_i32(COORD_LO, COORD_HI);
         v[k].y = any_i32(COORD_LO, COORD_HI);

@@ -53,7 +53,7 @@ static void any_small(int32_t x, int32_t y, int32_t from)
     renderer.stats.tris_setup = 0;
     job.r = &renderer;
     job.tri = &tri;
-    job.width = any_i32(1, ZS_SIZE_MAX);
+    job.width = job.pitch = any_i32(1, ZS_SIZE_MAX);
     job.y0 = zs_first_sample(y) + from;
     job.y1 = job.y0 + any_i32(1, ZS_SIZE_MAX);
     (void)small_draw(&job);
@@ -107,7 +107,7 @@ static void walked(int32_t first, int32_t mid, int32_t n, const int32_t at[2], c
     job.tri = &tri;
     job.depth = cells[0];
     job.color = cells[1];
-    job.width = WIDTH;
+    job.width = job.pitch = WIDTH;
     job.y0 = 40;
     for (int k = 0; k < 2; k++) {
         walk.side[2 * k] = ZS_SUBPX_ONE;

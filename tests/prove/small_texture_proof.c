@@ -100,7 +100,7 @@ static void any_textured(int32_t x, int32_t y, int32_t from, uint32_t uv_bits)
     job.texel = &texel;
     job.r = &renderer;
     job.tri = &tri;
-    job.width = any_i32(1, ZS_SIZE_MAX);
+    job.width = job.pitch = any_i32(1, ZS_SIZE_MAX);
     job.y0 = zs_first_sample(y) + from;
     job.y1 = job.y0 + any_i32(1, ZS_SIZE_MAX);
     if (any_u32(0, 1))

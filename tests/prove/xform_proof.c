@@ -75,7 +75,7 @@ static void projected(int32_t z_lo, int32_t z_hi)
     static const struct zs_depth depth = { .vertex = any_depth };
     const struct zs_point p = { { any_i32(INT32_MIN, INT32_MAX), any_i32(INT32_MIN, INT32_MAX), any_i32(z_lo, z_hi) } };
     struct zs_vertex out;
-    renderer.config.depth = &depth;
+    renderer.view.depth = &depth;
     if (zs_xform_project(&renderer, &p, &out)) {
         const int32_t most = ZS_GUARD_SUBPX + 1 + ZS_SIZE_MAX * ZS_SUBPX_HALF;
         ASSERT(out.x <= most && out.x >= -most && out.y <= most && out.y >= -most);

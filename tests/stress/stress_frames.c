@@ -239,7 +239,7 @@ static void world_open(struct prng *p, uint16_t h, int walls)
     shapes(p);
     texels(p);
     for (int k = 0; k < 2; k++) {
-        const struct zs_depth_state s = { .func = (uint8_t)prng_pick(p, 2), .read_only = (uint8_t)prng_pick(p, 2), .bias = (int16_t)prng_range(p, -9, 9), .slope_bias = (int16_t)prng_range(p, -400, 400) };
+        const struct zs_depth_state s = { .func = (uint8_t)prng_pick(p, 3), .read_only = (uint8_t)prng_pick(p, 2), .bias = (int16_t)prng_range(p, -9, 9), .slope_bias = (int16_t)prng_range(p, -400, 400) };
         world.state[k] = s;
     }
     for (int k = 0; k < INSTANCES; k++) {

@@ -28,7 +28,7 @@ int zs_bin_corners(struct zs_renderer *r, const uint16_t index[3], uint32_t slot
 /* High-water marks of both pools into the statistics. */
 void zs_bin_count(struct zs_renderer *r);
 
-/* 0 <= row < ZS_SIZE_MAX */
+/* 0 <= row < ZS_SIZE_MAX, of the frame */
 static inline int32_t zs_bin_strip(const struct zs_renderer *r, int32_t row)
 {
     return (int32_t)((uint32_t)row * r->strip_mul >> r->strip_shift);
@@ -38,9 +38,10 @@ static inline int32_t zs_bin_strip(const struct zs_renderer *r, int32_t row)
  * ZS_NIL. */
 static inline uint32_t zs_bin_first(const struct zs_renderer *r, int32_t y0, int32_t y1)
 {
-    uint32_t s = (uint32_t)zs_bin_strip(r, zs_max32(y0, 0));
+    const int32_t top = r->view.y;
+    uint32_t s = (uint32_t)zs_bin_strip(r, zs_max32(y0, 0) + top);
     if (s < r->strip)
-        s = y1 > r->strip * r->config.strip_h ? r->strip : ZS_NIL;
+        s = zs_min32(y1, r->view.height) + top > r->strip * r->config.strip_h ? r->strip : ZS_NIL;
     return s < r->band_end ? s : ZS_NIL;
 }
 

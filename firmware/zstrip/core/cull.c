@@ -5,6 +5,7 @@
 #include "core/cold.h"
 #include "core/cull.h"
 #include "core/fx.h"
+#include "core/pass.h"
 #include "core/rotation.h"
 
 #define SCALE_MAX ((uint64_t)1 << 47) /* q32_32: 32768 steps are then 2^30 world units */
@@ -107,7 +108,7 @@ int64_t zs_cull_half_width(const struct zs_camera *camera, const struct zs_view 
 
 int zs_cull_walk(struct zs_bounds *b, const struct zs_renderer *r, uint32_t number)
 {
-    (void)zs_cull_bounds(b, &r->scene->instance[number],
+    (void)zs_cull_bounds(b, zs_instance_of(r, number),
                          &r->camera); /* cannot fail: zs_frame_begin has asked too */
     const int32_t shift = zs_min32(r->view.shift,
                                    28);         /* -3 .. 30; from 20 on, it is the 1 that counts */

@@ -30,7 +30,7 @@ static ZS_NOINLINE int32_t edge_below(int32_t fraction, int32_t dy, int32_t off,
  * the two. out[0], out[2], ...
  *
  * With dx = q dy + part the right side above over 256 dy is
- *   (lead + off q) / 256 + off part / (256 dy),  off part / (256 dy) < 1 in the edge's first row. */
+ *   (lead + off q) / 256 + off part / (256 dy),  off part / (256 dy) < 1 in its first row. */
 static ZS_NOINLINE void edge_columns(int16_t *out, int32_t n, const struct zs_vertex *a,
                                      const struct zs_vertex *b, int32_t row)
 {

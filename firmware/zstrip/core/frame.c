@@ -8,6 +8,7 @@
 #include "core/fast.h"
 #include "core/frame.h"
 #include "core/fx.h"
+#include "core/pass.h"
 #include "core/raster.h"
 #include "zs_shader.h"
 #include "core/view.h"
@@ -50,12 +51,18 @@ static uint16_t strip_rows(const struct zs_config *c)
     return c->strip_h < c->height ? c->strip_h : c->height;
 }
 
+static int has_depth(const struct zs_config *c)
+{
+    return !c->depth || !c->depth->span;
+}
+
 uint32_t zs_arena_bytes(const struct zs_config *c)
 {
     if (!c || !config_ok(c))
         return 0;
     return ZS_ARENA_BYTES(c->width, c->height, strip_rows(c), c->max_tris, c->max_verts,
-                          c->varyings, c->buffers);
+                          c->varyings, c->buffers) -
+           (has_depth(c) ? 0u : ZS_DEPTH_BYTES(c->width, strip_rows(c)));
 }
 
 /* The next pool of the arena. */
@@ -73,7 +80,7 @@ static ZS_RARE void split(struct zs_renderer *r, uint8_t *at)
     const uint32_t half_words = ZS_ROUND4(c->max_verts * 2u);
     r->color[0] = take(&at, color);
     r->color[1] = c->buffers == 2 ? take(&at, color) : r->color[0];
-    r->depth = take(&at, ZS_DEPTH_BYTES(c->width, c->strip_h));
+    r->depth = has_depth(c) ? take(&at, ZS_DEPTH_BYTES(c->width, c->strip_h)) : 0;
     r->drawn = take(&at, ZS_DRAWN_BYTES(c->strip_h));
     r->bound = take(&at, ZS_BOUND_BYTES(c->width, c->height, c->strip_h));
     r->bin = take(&at, ZS_BIN_BYTES(c->height, c->strip_h));
@@ -95,7 +102,8 @@ static ZS_RARE void strip_divisor(struct zs_renderer *r)
     r->strip_mul = (1u << n) / h + 1u; /* <= 2^19 + 1; times a row < 2^31.1 */
 }
 
-/* Those of the frame: the first of each kind. */
+/* Those of the frame: the first of each kind. Bounds of keys, and first touch, need one pass with depth
+ * memory. */
 static ZS_RARE void accelerators(struct zs_renderer *r)
 {
     r->touch = 0;
@@ -111,6 +119,11 @@ static ZS_RARE void accelerators(struct zs_renderer *r)
         r->clusters_hooks = r->clusters_hooks ? r->clusters_hooks : fast->clusters;
         r->edges = r->edges ? r->edges : fast->edges;
     }
+    if (r->passes || !r->depth) {
+        r->touch = 0;
+        r->tiles = 0;
+    }
+    r->refit = r->passes != 0;
 }
 
 ZS_RARE int zs_init(struct zs_renderer *r, const struct zs_config *config, void *arena,
@@ -142,6 +155,7 @@ ZS_RARE int zs_init(struct zs_renderer *r, const struct zs_config *config, void 
     r->window[0] = 0;
     r->window[1] = config->width;
     r->untouched = 0;
+    r->passes = 0;
     accelerators(r);
     r->ready = 1;
     return ZS_OK;
@@ -162,6 +176,8 @@ static ZS_RARE int instance_check(const struct zs_renderer *r, const struct zs_i
         return ZS_ERR_NULL;
     if (material->shader->n_varyings > r->config.varyings)
         return ZS_ERR_VARYINGS;
+    if (in->depth_state && in->depth_state->func > ZS_DEPTH_ALWAYS)
+        return ZS_ERR_RANGE;
     return material->shader->check ? material->shader->check(in, &r->config) : ZS_OK;
 }
 
@@ -209,10 +225,23 @@ ZS_RARE int zs_frame_check(struct zs_renderer *r, const struct zs_scene *scene)
     int64_t reach;
     int err = zs_view_camera(&r->view, &r->config, camera);
     err = err ? err : scene_check(r, scene, &reach);
-    err = err ? err : zs_view_units(&r->view, &r->config, camera, reach);
+    err = err ? err : zs_view_units(&r->view, camera, reach);
     if (!err)
-        err = r->config.depth->setup(&r->view, camera, r->config.depth_bits);
+        err = r->view.depth->setup(&r->view, camera, r->config.depth_bits);
     return err;
+}
+
+ZS_RARE void zs_frame_open(struct zs_renderer *r)
+{
+    const struct zs_stats none = { 0 };
+    if (r->passes || r->refit)
+        accelerators(r);
+    r->stats = none;
+    r->strip = 0;
+    r->band_end = 0; /* the first strip begins a walk */
+    r->counting = 1;
+    r->large = 0;
+    zs_frame_forget_edges(r);
 }
 
 ZS_RARE int zs_frame_begin(struct zs_renderer *r, const struct zs_scene *scene,
@@ -227,28 +256,24 @@ ZS_RARE int zs_frame_begin(struct zs_renderer *r, const struct zs_scene *scene,
         return ZS_ERR_SEQUENCE;
     r->camera = *camera;
     r->draw_end = r->n_strips;
+    r->passes = 0;
+    r->first = 0;
+    r->end = r->n_instances = scene->n_instances;
+    zs_view_frame(&r->view, &r->config);
     const struct zs_track_kernel *track = r->track;
     const int err = track ? track->check(r, scene) : zs_frame_check(r, scene);
     if (err)
         return err;
-    const struct zs_stats none = { 0 };
-    r->stats = none;
-    r->strip = 0;
-    r->band_end = 0; /* the first strip begins a walk */
-    r->counting = 1;
-    r->large = 0;
-    r->edge_of[0] = r->edge_of[1] = r->edge_of[2] = r->edge_of[3] =
-        UINT16_MAX; /* edge[] holds another camera's */
+    zs_frame_open(r);
     r->scene = scene;
     return ZS_OK;
 }
 
 /* ---- Strips ---------------------------------------------------------------------------------- */
 
-/* What is drawn over a finished strip. */
-static void resolve(const struct zs_renderer *r)
+void zs_frame_resolve(const struct zs_renderer *r, const struct zs_scene *scene)
 {
-    const struct zs_resolve *hook = r->scene->resolve, *const end = hook + r->scene->n_resolves;
+    const struct zs_resolve *hook = scene->resolve, *const end = hook + scene->n_resolves;
     struct zs_target target;
     if (!hook)
         return;
@@ -274,6 +299,9 @@ int zs_frame_strip(struct zs_renderer *r, struct zs_strip *out)
     const struct zs_track_kernel *track = r->track;
     const int draw = !track || track->due(r);
     if (draw) {
+        const struct zs_pass_kernel *passes = r->passes;
+        if (passes)
+            passes->begin(r);
         if (r->touch)
             r->touch->begin(r);
         else
@@ -283,7 +311,10 @@ int zs_frame_strip(struct zs_renderer *r, struct zs_strip *out)
         zs_raster_strip(r);
         if (r->untouched)
             r->touch->end(r);
-        resolve(r);
+        if (passes)
+            passes->end(r);
+        else
+            zs_frame_resolve(r, r->scene);
     }
 
     const uint32_t y0 = (uint32_t)r->strip * r->config.strip_h;
@@ -365,16 +396,10 @@ static void not_sent(struct zs_renderer *r, const struct zs_strip *last)
     (void)zs_invalidate(r, &rows);
 }
 
-int zs_render(struct zs_renderer *r, const struct zs_scene *scene, const struct zs_camera *camera,
-              const struct zs_sink *sink)
+int zs_frame_send(struct zs_renderer *r, const struct zs_sink *sink)
 {
-    if (!sink || !sink->submit)
-        return ZS_ERR_NULL;
-    int err = zs_frame_begin(r, scene, camera);
-    if (err)
-        return err;
     struct zs_strip strip;
-    int pending = 0, got;
+    int err = ZS_OK, pending = 0, got;
     while (!err && (got = zs_frame_strip(r, &strip)) > 0) {
         if (pending && sink->wait) /* two buffers: the strip before is still in the sink's hands */
             err = sink->wait(sink->ctx);
@@ -398,4 +423,13 @@ int zs_render(struct zs_renderer *r, const struct zs_scene *scene, const struct 
         not_sent(r, &strip);
     (void)zs_frame_end(r);
     return err;
+}
+
+int zs_render(struct zs_renderer *r, const struct zs_scene *scene, const struct zs_camera *camera,
+              const struct zs_sink *sink)
+{
+    if (!sink || !sink->submit)
+        return ZS_ERR_NULL;
+    const int err = zs_frame_begin(r, scene, camera);
+    return err ? err : zs_frame_send(r, sink);
 }

@@ -108,9 +108,10 @@ struct zs_job {
     const struct zs_depth_state *depth_state; /* of the instance; NULL: the usual ... */
     zs_piece_fn *span;                        /* zs_rows_test, or what is in its place */
     zs_piece_fn *piece;                       /* the same, or what splits a row's pieces first */
-    uint16_t *color, *depth;                  /* the strip; row 0 is row y0 of the frame */
-    int32_t y0, y1, width;                    /* the strip's rows [y0, y1) */
-    int32_t row, cut_end, row_end; /* rows in the frame; spans of [row, cut_end) are in cut; to
+    uint16_t *color, *depth;                  /* the viewport's part of the strip, row y0 first */
+    int32_t y0, y1, width; /* rows [y0, y1) of the viewport that lie in the strip; its columns */
+    int32_t pitch;         /* pixels from a row of the strip to the next */
+    int32_t row, cut_end, row_end; /* rows in the viewport; spans of [row, cut_end) are in cut; to
                                       row_end in this strip */
     int32_t row_mid;               /* first row below the middle vertex, in the strip or not */
     int32_t row_last;             /* one beyond the triangle's last row, in the strip or below it */

@@ -9,6 +9,7 @@
 #include "core/depth.h"
 #include "core/fast.h"
 #include "core/fx.h"
+#include "core/pass.h"
 #include "core/plane.h"
 #include "core/raster.h"
 #include "core/rows.h"
@@ -24,18 +25,29 @@ static ZS_NOINLINE void fill(uint16_t *out, uint16_t value, uint32_t n)
     zs_fill_run(out, value, n);
 }
 
-ZS_NOINLINE void zs_raster_clear(struct zs_renderer *r, int32_t row, int32_t x, int32_t n)
+void zs_raster_background(struct zs_renderer *r, int32_t row, int32_t x, int32_t n)
 {
     const struct zs_background *sky = r->scene->sky;
-    const int32_t at = row * r->config.width + x;
+    uint16_t *const at = r->color[0] + row * r->config.width + x;
+    if (sky)
+        sky->fill(sky->ctx, at, (uint16_t)x, (uint16_t)(r->strip * r->config.strip_h + row),
+                  (uint16_t)n);
+    else
+        fill(at, zs_wire16(r->scene->background), (uint32_t)n);
+}
+
+void zs_raster_far(struct zs_renderer *r, int32_t row, int32_t x, int32_t n)
+{
+    if (r->depth)
+        fill(r->depth + row * r->config.width + x, ZS_DEPTH_CLEAR, (uint32_t)n);
+}
+
+ZS_NOINLINE void zs_raster_clear(struct zs_renderer *r, int32_t row, int32_t x, int32_t n)
+{
     if (n <= 0)
         return;
-    fill(r->depth + at, ZS_DEPTH_CLEAR, (uint32_t)n);
-    if (sky)
-        sky->fill(sky->ctx, r->color[0] + at, (uint16_t)x,
-                  (uint16_t)(r->strip * r->config.strip_h + row), (uint16_t)n);
-    else
-        fill(r->color[0] + at, zs_wire16(r->scene->background), (uint32_t)n);
+    zs_raster_far(r, row, x, n);
+    zs_raster_background(r, row, x, n);
 }
 
 ZS_NOINLINE void zs_raster_clear_all(struct zs_renderer *r)
@@ -43,7 +55,8 @@ ZS_NOINLINE void zs_raster_clear_all(struct zs_renderer *r)
     const int32_t rows = strip_rows(r), width = r->config.width;
     if (!r->scene->sky) {
         fill(r->color[0], zs_wire16(r->scene->background), (uint32_t)(width * rows));
-        fill(r->depth, ZS_DEPTH_CLEAR, (uint32_t)(width * rows));
+        if (r->depth)
+            fill(r->depth, ZS_DEPTH_CLEAR, (uint32_t)(width * rows));
         return;
     }
     for (int32_t row = 0; row < rows; row++)
@@ -104,7 +117,7 @@ static void linear_span(struct zs_job *job, const struct zs_row *row)
 
 static void curved_span(struct zs_job *job, const struct zs_row *row)
 {
-    const struct zs_depth *depth = job->r->config.depth;
+    const struct zs_depth *depth = job->r->view.depth;
     if (job->split & ZS_SPLIT_TOUCH)
         job->r->touch->row(job, row);
     depth->row(job, row);
@@ -125,12 +138,12 @@ ZS_IN_ORDER static ZS_NOINLINE void curved_walk(struct zs_job *job)
 static ZS_NOINLINE void draw(struct zs_job *job)
 {
     const struct zs_renderer *r = job->r;
-    const struct zs_depth *depth = r->config.depth;
+    const struct zs_depth *depth = r->view.depth;
     const struct zs_shader *shader = job->shader;
     const int linear = r->view.screen_linear || depth->planes(job);
     const uint32_t a = job->v[0]->d, b = job->v[1]->d, c = job->v[2]->d, limit = job->key_limit;
     job->saturates = a >= limit || b >= limit || c >= limit;
-    if (linear) {
+    if (linear && r->depth) {
         zs_plane32(&job->geom, a, b, c, ZS_PLANE_KEY, &job->key);
         job->key.base +=
             0x8000u; /* nearest: half a bucket; keys stay below 2^32 - 2^15 (plane.c) */
@@ -247,7 +260,7 @@ static const struct zs_fast *fast_of(const struct zs_renderer *r, const struct z
 static ZS_NOINLINE int (*instance_begin(struct zs_job *job, uint32_t number))(struct zs_job *)
 {
     const struct zs_renderer *r = job->r;
-    const struct zs_instance *instance = &r->scene->instance[number];
+    const struct zs_instance *instance = zs_instance_of(r, number);
     const struct zs_material *material = instance->material;
     if (job->shader != material->shader) {
         job->shader = material->shader;
@@ -258,11 +271,13 @@ static ZS_NOINLINE int (*instance_begin(struct zs_job *job, uint32_t number))(st
         const struct zs_fast *of = fast_of(r, 0, job->texture ? job->texture->format : 0);
         job->texel = of ? of->texel : 0;
     }
-    job->depth_state = instance->depth_state;
+    job->depth_state = r->depth ? instance->depth_state : 0;
     job->split = 0;
     job->span = zs_rows_test;
     job->rows = 0;
-    if (job->depth_state || !job->fast)
+    if (!r->depth)
+        job->span = r->view.depth->span;
+    if (job->depth_state || !job->fast || !r->depth)
         return 0;
     job->rows = job->fast->rows;
     if (job->fast->span)
@@ -270,26 +285,38 @@ static ZS_NOINLINE int (*instance_begin(struct zs_job *job, uint32_t number))(st
     return !r->untouched && r->view.piece_shift ? job->fast->draw : 0;
 }
 
+/* job's for triangles of another pass: the part of its viewport that lies in the strip. */
+static void job_target(struct zs_job *job)
+{
+    const struct zs_renderer *r = job->r;
+    const int32_t top = r->strip * r->config.strip_h -
+                        r->view.y; /* of the strip, in the viewport */
+    job->pitch = r->config.width;
+    job->width = r->view.width;
+    job->y0 = zs_max32(top, 0);
+    job->y1 = zs_min32(top + strip_rows(r), r->view.height);
+    const int32_t at = (job->y0 - top) * job->pitch + r->view.x;
+    job->color = r->color[0] + at;
+    job->depth = r->depth ? r->depth + at : 0;
+    job->key_limit = r->view.key_top - 0x10000u; /* half a bucket and the error of the plane
+                                                    (plane.c) below B - 1 */
+}
+
 static void job_begin(struct zs_job *job, struct zs_renderer *r)
 {
     job->r = r;
-    job->color = r->color[0];
-    job->depth = r->depth;
-    job->y0 = r->strip * r->config.strip_h;
-    job->y1 = job->y0 + strip_rows(r);
-    job->width = r->config.width;
+    job_target(job);
     job->shader = 0;
     job->fast = 0;
     job->texture = 0;
     job->texel = 0;
-    job->key_limit = r->view.key_top -
-                     0x10000u; /* half a bucket and the error of the plane (plane.c) below B - 1 */
+    job->key.base = job->key.gx = job->key.gy = 0; /* where there is no depth memory */
     r->lit.of = 0;
 }
 
 void zs_raster_strip(struct zs_renderer *r)
 {
-    const int goes_on = r->strip + 1 < r->band_end;
+    int goes_on = r->strip + 1 < r->band_end;
     const int part = r->window[1] - r->window[0] < r->config.width; /* then there is a track */
     uint16_t list = take_list(r), *keep = &r->active; /* grows at its end: stays ascending */
     uint32_t number =
@@ -307,6 +334,11 @@ void zs_raster_strip(struct zs_renderer *r)
         } else {
             if (t->instance != number) {
                 number = t->instance;
+                if (r->passes) {
+                    r->passes->reach(r, number);
+                    job_target(&job);
+                    goes_on = r->strip + 1 < r->band_end && job.y1 < r->view.height;
+                }
                 whole = instance_begin(&job, number);
             }
             if (r->untouched && !r->touch->takes(&job))

@@ -15,5 +15,8 @@ void zs_raster_pass(struct zs_renderer *r);
  * strip. */
 void zs_raster_clear(struct zs_renderer *r, int32_t row, int32_t x, int32_t n);
 void zs_raster_clear_all(struct zs_renderer *r);
+/* One of the two alone; n > 0. */
+void zs_raster_background(struct zs_renderer *r, int32_t row, int32_t x, int32_t n);
+void zs_raster_far(struct zs_renderer *r, int32_t row, int32_t x, int32_t n);
 
 #endif

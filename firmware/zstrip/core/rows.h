@@ -12,7 +12,7 @@
 
 /* One row of a triangle in its strip. */
 struct zs_row {
-    int32_t y;      /* in the frame */
+    int32_t y;      /* in the viewport */
     int32_t at;     /* of its first pixel in the strip's buffers */
     uint32_t key;   /* job->key at column 0, modulo 2^32; of no use where keys are not linear */
     int32_t x0, x1; /* the span, first sample to one beyond the last; may reach beyond the frame */
@@ -29,7 +29,7 @@ ZS_ALWAYS_INLINE void zs_rows_walk(struct zs_job *job, zs_span_fn *span, int wid
     uint32_t tested = 0;
     struct zs_row row;
     row.y = job->row;
-    row.at = (row.y - job->y0) * width; /* < 2^24 */
+    row.at = (row.y - job->y0) * job->pitch; /* < 2^24 */
     row.key = job->key.base - zs_wrap_mul(job->key.gx, job->geom.ia) +
               zs_wrap_mul(job->key.gy, row.y - job->geom.ja);
     if (wide)
@@ -48,7 +48,7 @@ ZS_ALWAYS_INLINE void zs_rows_walk(struct zs_job *job, zs_span_fn *span, int wid
             row.key += job->key.gy;
             if (wide)
                 row.w += job->w64.gy;
-            row.at += width;
+            row.at += job->pitch;
         }
         if (row.y >= job->row_end)
             break;

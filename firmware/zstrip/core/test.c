@@ -25,7 +25,7 @@ ZS_RARE int32_t zs_depth_state_bias(const struct zs_job *job)
 {
     const struct zs_geom *g = &job->geom;
     const struct zs_depth_state *state = job->depth_state;
-    const struct zs_depth *depth = job->r->config.depth;
+    const struct zs_depth *depth = job->r->view.depth;
     int64_t key[3];
     if (state->slope_bias == 0)
         return state->bias;
@@ -51,7 +51,8 @@ static inline int wins(const struct zs_job *job, uint32_t key, uint32_t top, uin
     } else {
         const int32_t moved = (int32_t)key + job->bias;
         key = moved < 0 ? 0u : zs_minu32((uint32_t)moved, top);
-        if (key >= (uint32_t)*depth + (state->func != ZS_DEPTH_LESS))
+        if (state->func != ZS_DEPTH_ALWAYS &&
+            key >= (uint32_t)*depth + (state->func != ZS_DEPTH_LESS))
             return 0;
         if (state->read_only)
             return 1;

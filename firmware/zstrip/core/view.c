@@ -61,6 +61,14 @@ void zs_view_side(int32_t out[2], uint64_t focal, uint32_t subpx)
     out[1] = n[1];
 }
 
+void zs_view_frame(struct zs_view *view, const struct zs_config *config)
+{
+    view->depth = config->depth;
+    view->width = config->width;
+    view->height = config->height;
+    view->x = view->y = 0;
+}
+
 int zs_view_camera(struct zs_view *view, const struct zs_config *config,
                    const struct zs_camera *camera)
 {
@@ -72,8 +80,8 @@ int zs_view_camera(struct zs_view *view, const struct zs_config *config,
         view->pos[k] = camera->pos[k];
     }
     view->perspective = camera->projection == ZS_PERSPECTIVE;
-    view->cx = config->width * ZS_SUBPX_HALF;
-    view->cy = config->height * ZS_SUBPX_HALF;
+    view->cx = view->width * ZS_SUBPX_HALF;
+    view->cy = view->height * ZS_SUBPX_HALF;
     view->snap = ZS_SUBPX_BITS - config->subpixel_bits;
     zs_view_side(view->side[0], camera->focal, (uint32_t)view->cx);
     zs_view_side(view->side[1], camera->focal, (uint32_t)view->cy);
@@ -81,8 +89,7 @@ int zs_view_camera(struct zs_view *view, const struct zs_config *config,
 }
 
 /* Sub-pixels to a camera unit (orthographic) or focal length in sub-pixels (perspective). */
-static int scale_set(struct zs_view *view, const struct zs_config *config,
-                     const struct zs_camera *camera)
+static int scale_set(struct zs_view *view, const struct zs_camera *camera)
 {
     int32_t bits;
     if (view->perspective) {
@@ -98,7 +105,7 @@ static int scale_set(struct zs_view *view, const struct zs_config *config,
         view->guard = (uint64_t)ZS_GUARD_SUBPX;
         return ZS_OK;
     }
-    const uint64_t num = (uint64_t)config->height << 24; /* q16 sub-pixels */
+    const uint64_t num = (uint64_t)view->height << 24; /* q16 sub-pixels */
     view->ratio = split_ratio(num, (uint64_t)camera->height, &bits);
     view->scale_bits = view->shift - bits; /* camera units to a sub-pixel, as a power of 2 */
     if (view->scale_bits < 0)
@@ -123,8 +130,7 @@ int32_t zs_view_length(const struct zs_view *view, zs_q48_16 length)
     return units > 1 << 30 ? 1 << 30 : units < -(1 << 30) ? -(1 << 30) : (int32_t)units;
 }
 
-int zs_view_units(struct zs_view *view, const struct zs_config *config,
-                  const struct zs_camera *camera, int64_t reach)
+int zs_view_units(struct zs_view *view, const struct zs_camera *camera, int64_t reach)
 {
     const int64_t near_mag = camera->z_near < 0 ? -camera->z_near : camera->z_near;
     if (reach < near_mag)
@@ -135,7 +141,7 @@ int zs_view_units(struct zs_view *view, const struct zs_config *config,
     view->shift = zs_clz64((uint64_t)reach) - 64 + 30 + 16; /* reach * 2^(shift - 16) < 2^30 */
     if (view->shift > 30)
         view->shift = 30;
-    const int err = scale_set(view, config, camera); /* may lower the shift */
+    const int err = scale_set(view, camera); /* may lower the shift */
     if (err)
         return err;
     view->z_near = zs_view_length(view, camera->z_near);

@@ -12,6 +12,7 @@
 #include "core/damage.h"
 #include "core/fast.h"
 #include "core/fx.h"
+#include "core/pass.h"
 #include "core/raster.h"
 #include "core/walk.h"
 #include "core/xform.h"
@@ -43,9 +44,10 @@ static ZS_RARE void count(struct zs_renderer *r, const uint32_t fate[ZS_FATES])
 static ZS_RARE ZS_NOINLINE int instance_open(struct zs_renderer *r, uint32_t number)
 {
     struct zs_bounds b;
-    const struct zs_instance *in = &r->scene->instance[number];
+    const struct zs_instance *in = zs_instance_of(r, number);
     const struct zs_track_kernel *track = r->track;
     const struct zs_fast_clusters *clusters = in->mesh->cluster ? r->clusters_hooks : 0;
+    const struct zs_depth_state *state = in->depth_state;
     struct zs_part part;
     if (track) {
         if (!track->touches(r, number, &part))
@@ -57,7 +59,12 @@ static ZS_RARE ZS_NOINLINE int instance_open(struct zs_renderer *r, uint32_t num
     }
     if (zs_cull_walk(&b, r, number))
         return 0;
-    if (r->large && !in->depth_state && r->tiles->hides_sphere(r, &b)) {
+    if (state && state->func == ZS_DEPTH_ALWAYS) {
+        r->tiles = 0; /* nothing bounds the keys that it leaves */
+        r->large = 0;
+        r->refit = 1;
+    }
+    if (r->large && !state && r->tiles->hides_sphere(r, &b)) {
         r->stats.instances_hidden += r->counting;
         return 0;
     }
@@ -86,7 +93,7 @@ static ZS_RARE int next_run(struct zs_renderer *r)
 /* Open the cursor's instance. Return 0: it has nothing to bin. */
 static ZS_RARE int instance_begin(struct zs_renderer *r, struct cursor *at)
 {
-    const uint32_t n = r->scene->instance[at->instance].mesh->n_tris;
+    const uint32_t n = zs_instance_of(r, at->instance)->mesh->n_tris;
     const int seen = instance_open(r, at->instance);
     if (r->counting) {
         r->stats.instances_in++;
@@ -139,8 +146,11 @@ ZS_RARE void zs_walk(struct zs_renderer *r)
     r->band_end = r->draw_end;
     r->stats.passes++;
     r->walk_x = r->walk_most = 0;
-    r->walk_end = r->walk_least = r->config.width;
-    for (at.instance = 0; at.instance < r->scene->n_instances;) {
+    r->walk_least = r->config.width;
+    r->walk_end = r->view.width;
+    for (at.instance = 0; at.instance < r->n_instances;) {
+        if (r->passes)
+            r->passes->use(r, at.instance);
         if (!at.open)
             at.open = (uint8_t)instance_begin(r, &at);
         if (at.open && !instance_bin(r, &at)) {

@@ -14,6 +14,7 @@
 #include "core/cull.h"
 #include "core/depth.h"
 #include "core/fx.h"
+#include "core/pass.h"
 #include "core/rotation.h"
 #include "core/xform.h"
 
@@ -64,7 +65,7 @@ ZS_RARE int zs_xform_instance(struct zs_renderer *r, uint32_t number, const stru
 {
     struct zs_xform *xf = &r->xform;
     const struct zs_view *view = &r->view;
-    const struct zs_instance *in = &r->scene->instance[number];
+    const struct zs_instance *in = zs_instance_of(r, number);
     const int32_t to_units = view->shift - 16;
     if (to_units >= 0 ? b->reach >= (int64_t)1 << (30 - to_units)
                       : b->reach >> -to_units >= 1 << 30)
@@ -196,7 +197,7 @@ static ZS_NOINLINE int place_wide(const struct zs_view *view, uint32_t rcp, int3
 ZS_NOINLINE int zs_xform_project_at(const struct zs_renderer *r, struct zs_vertex *at)
 {
     const struct zs_view *view = &r->view;
-    const struct zs_depth *depth = r->config.depth;
+    const struct zs_depth *depth = r->view.depth;
     const int32_t z = (int32_t)at->d;
     if (z < view->z_near || z > view->z_far)
         return 0;

@@ -111,16 +111,19 @@ static ZS_RARE void edge_set(struct zs_edge *e, const struct zs_renderer *r, int
 static ZS_RARE int cluster_edges(struct zs_renderer *r, const struct zs_bounds *b, uint32_t number)
 {
     const struct zs_track_kernel *track = r->track;
-    struct zs_part part = { 0, r->config.height, 0, r->config.width };
+    const int32_t h = r->config.strip_h, top = r->view.y;
+    struct zs_part part = { 0, r->view.height, 0, r->view.width };
     int outside = 0;
     if (!r->counting) {
-        part.y = (uint16_t)(r->strip * r->config.strip_h);
-        part.y_end = (uint16_t)zs_min32(r->band_end * r->config.strip_h, r->config.height);
+        part.y = (uint16_t)zs_max32(r->strip * h - top, 0);
+        part.y_end = (uint16_t)zs_min32(r->band_end * h - top, r->view.height);
+        if (part.y >= r->view.height || r->band_end * h <= top)
+            return 0;
     }
     if (track)
         (void)track->touches(r, number, &part);
     const int columns = part.x > 0 ||
-                        part.x_end < r->config.width; /* else they are the frame's sides */
+                        part.x_end < r->view.width; /* else they are the viewport's sides */
     const uint16_t edges[4] = { part.y, part.y_end, part.x, part.x_end };
     for (int k = 0; k < (columns ? 4 : 2); k++) {
         struct zs_edge *e = &r->edge[k];
@@ -157,7 +160,7 @@ static ZS_RARE int64_t plane_of(const struct zs_renderer *r, int k, int32_t n[2]
         return k ? r->camera.z_far : -r->camera.z_near;
     }
     const struct zs_edge *e = &r->edge[k < 4 ? k : k - 4];
-    if (k < 4 && r->walk_x == 0 && r->walk_end == r->config.width) {
+    if (k < 4 && r->walk_x == 0 && r->walk_end == r->view.width) {
         n[0] = view->perspective ? view->side[0][0] : ZS_Q30_ONE;
         n[0] = k & 1 ? -n[0] : n[0];
         n[1] = view->perspective ? view->side[0][1] : 0;

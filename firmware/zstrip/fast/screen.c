@@ -69,7 +69,7 @@ ZS_RARE void zs_screen_needs(struct zs_renderer *r, const struct zs_bounds *b)
         xf->clip_guard = z0 <= 0 ||
                          side_w * (int64_t)((camera->focal >> 32) + 1) > guard_px * (z0 >> 16);
     else /* |x| * height_px / height <= guard */
-        xf->clip_guard = side_w * r->config.height > guard_px * (camera->height >> 16);
+        xf->clip_guard = side_w * r->view.height > guard_px * (camera->height >> 16);
 }
 
 /* ---- The screen ------------------------------------------------------------------------------ */
@@ -109,7 +109,7 @@ ZS_ALWAYS_INLINE void screen(const struct zs_renderer *r, uint32_t v, uint32_t n
                              struct zs_vertex *out, int perspective, int32_t coarse)
 {
     const struct zs_view *view = &r->view;
-    const struct zs_depth *depth = r->config.depth;
+    const struct zs_depth *depth = r->view.depth;
     const int32_t cx = view->cx, cy = view->cy;
     const int32_t shift = perspective ? 30 - view->scale_bits + coarse
                                       : view->scale_bits + coarse - 2;

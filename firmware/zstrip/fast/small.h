@@ -160,7 +160,7 @@ ZS_ALWAYS_INLINE void zs_small_sides(struct zs_job *job, const struct zs_small *
                                      struct zs_sides *w)
 {
     job->r->stats.tris_setup++;
-    w->down[0] = (uint32_t)job->width * 2u;
+    w->down[0] = (uint32_t)job->pitch * 2u;
     const int32_t x = s->x, off = s->off, dx1 = s->dx1, dx2 = s->dx2, dy1 = s->dy1, dy2 = s->dy2,
                   row = s->row;
     w->row = row;

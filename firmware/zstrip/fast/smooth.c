@@ -15,10 +15,10 @@ static ZS_NOINLINE void affine_rows(struct zs_job *job)
     const struct zs_plane *const c = job->c;
     uint32_t by_key = job->key.gx, by_red = c[0].gx, by_green = c[1].gx, by_blue = c[2].gx;
     uint32_t tested = 0;
-    int32_t written = 0, y = job->row, at = (y - job->y0) * width;
+    int32_t written = 0, y = job->row, at = (y - job->y0) * job->pitch;
     zs_plane_origin(&job->geom, &job->key);
     for (;;) {
-        for (const struct zs_cut *cut = job->cut; y < job->cut_end; cut++, y++, at += width) {
+        for (const struct zs_cut *cut = job->cut; y < job->cut_end; cut++, y++, at += job->pitch) {
             const int32_t i0 = zs_max32(cut->x0, 0), n = zs_min32(cut->x1, width) - i0;
             if (n <= 0)
                 continue;

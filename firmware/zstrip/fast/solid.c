@@ -44,13 +44,13 @@ ZS_ALWAYS_INLINE int32_t pixels(uint16_t *depth, uintptr_t beside, int32_t n, ui
 /* Keys that do not saturate: as zs_rows_walk walks rows, with little else in registers. */
 static ZS_NOINLINE void solid_walk(struct zs_job *job)
 {
-    const int32_t width = job->width;
+    const int32_t width = job->width, pitch = job->pitch;
     const uint32_t gx = job->key.gx;
     const uint16_t paint = job->tri->paint;
     uint32_t tested = 0;
     int32_t written = 0, y = job->row;
     const uintptr_t beside = beside_of(job);
-    uint16_t *depth = job->depth + (y - job->y0) * width;
+    uint16_t *depth = job->depth + (y - job->y0) * pitch;
     uint32_t key = job->key.base - zs_wrap_mul(gx, job->geom.ia) +
                    zs_wrap_mul(job->key.gy, y - job->geom.ja);
     for (;;) {
@@ -62,7 +62,7 @@ static ZS_NOINLINE void solid_walk(struct zs_job *job)
                 written += pixels(depth + i0, beside, n, key + zs_wrap_mul(gx, i0), gx, paint, 0,
                                   0);
             }
-            depth += width;
+            depth += pitch;
             key += job->key.gy;
         }
         y = job->cut_end;

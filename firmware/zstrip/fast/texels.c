@@ -29,9 +29,9 @@ ZS_ALWAYS_INLINE void rows(struct zs_job *job, zs_read_fn *read)
     uint32_t gx = job->key.gx, du = job->c[0].gx, dv = job->c[1].gx, tested = 0;
     int32_t written = 0, y = job->row;
     zs_plane_origin(&job->geom, &job->key);
-    uint16_t *row = job->depth + (y - job->y0) * job->width;
+    uint16_t *row = job->depth + (y - job->y0) * job->pitch;
     for (;;) {
-        for (const struct zs_cut *cut = job->cut; y < job->cut_end; cut++, y++, row += job->width) {
+        for (const struct zs_cut *cut = job->cut; y < job->cut_end; cut++, y++, row += job->pitch) {
             const int32_t i0 = zs_max32(cut->x0, 0), n = zs_min32(cut->x1, job->width) - i0;
             if (n <= 0)
                 continue;

@@ -4,6 +4,7 @@
  */
 #include "core/fast.h"
 #include "core/fx.h"
+#include "core/pass.h"
 #include "core/plane.h"
 #include "zs_shader.h"
 #include "fast/less.h"
@@ -144,7 +145,7 @@ ZS_ALWAYS_INLINE int draw(struct zs_job *job, int may_be_lit)
     const uint32_t change = nearest - farthest; /* of d = piece_base - key */
     if (view->piece_base - farthest > view->key_known || change > view->key_slow)
         return 0;
-    const struct zs_instance *in = &r->scene->instance[job->tri->instance];
+    const struct zs_instance *in = zs_instance_of(r, job->tri->instance);
     const struct zs_texture *t = in->material->texture;
     const uint32_t log2_w = t->log2_w, log2_h = t->log2_h, uv_bits = in->mesh->uv_bits,
                    varyings = r->config.varyings;

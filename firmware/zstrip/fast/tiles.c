@@ -28,6 +28,7 @@
 #include "core/depth.h"
 #include "core/fast.h"
 #include "core/fx.h"
+#include "core/pass.h"
 #include "core/job.h"
 #include "core/view.h"
 #include "core/xform.h"
@@ -42,7 +43,7 @@ _Static_assert(2 * ZS_SIZE_MAX + 1 <= MARGIN,
 
 static uint32_t key_of(const struct zs_renderer *r, uint32_t d, int32_t add)
 {
-    const struct zs_depth *depth = r->config.depth;
+    const struct zs_depth *depth = r->view.depth;
     const uint32_t key = depth->key ? depth->key(&r->view, d) : d; /* uq16_16, <= key_top */
     const uint32_t most = r->view.key_top - 0x10000u;              /* keys saturate here */
     if (add < 0)
@@ -264,7 +265,7 @@ static uint32_t tiles_seen(struct zs_renderer *r)
         most = zs_maxu32(most, *bound);
     }
     r->bound_strip = (uint16_t)most;
-    const struct zs_depth *depth = r->config.depth;
+    const struct zs_depth *depth = r->view.depth;
     return least == ZS_DEPTH_CLEAR ? UINT32_MAX
            : depth->key            ? 0u
                                    : least << 16; /* least <= ZS_DEPTH_CLEAR - 1 */
@@ -275,7 +276,7 @@ static int tiles_hide(struct zs_job *job)
     const struct zs_renderer *r = job->r;
     const struct zs_tri *t = job->tri;
     const struct zs_vertex *a = &r->vert[t->v[0]], *b = &r->vert[t->v[1]], *c = &r->vert[t->v[2]];
-    if (r->scene->instance[t->instance].depth_state)
+    if (zs_instance_of(r, t->instance)->depth_state)
         return 0;                                          /* keys of its own */
     job->row_last = zs_first_sample(zs_max32(b->y, c->y)); /* a is the top one */
     const uint32_t nearest = key_of(r, zs_minu32(zs_minu32(a->d, b->d), c->d), -MARGIN);

@@ -5,6 +5,7 @@
  *
  * SPDX-License-Identifier: MIT
  */
+#include "core/pass.h"
 #include "shade/persp.h"
 #include "zs_shader.h"
 
@@ -26,15 +27,16 @@ void zs_fragments_start(struct zs_job *job)
 void zs_fragments_run(struct zs_job *job, const struct zs_row *row, int32_t from, int32_t to)
 {
     const struct zs_shader *shader = job->shader;
-    const struct zs_instance *instance = &job->r->scene->instance[job->tri->instance];
+    const struct zs_instance *instance = zs_instance_of(job->r, job->tri->instance);
+    const struct zs_view *view = &job->r->view;
     struct zs_fragment f;
-    f.y = (uint16_t)row->y;
+    f.y = (uint16_t)(row->y + view->y);
     f.paint = job->tri->paint;
     for (int32_t i = from; i < to; i++) {
         uint32_t w;
         int32_t lz;
         const uint32_t rcp = zs_persp_rcp(job, i, row->y, &w, &lz);
-        f.x = (uint16_t)i;
+        f.x = (uint16_t)(i + view->x);
         f.color = job->color + row->at + i;
         for (int c = 0; c < shader->n_varyings; c++) {
             const uint32_t at = zs_persp_over(zs_plane_at(&job->c[c], i, row->y), w, rcp,

@@ -17,7 +17,7 @@ const uint32_t zs_one_over_table[(1 << ZS_SUB_LOG2_MAX) + 1] = {
 
 void zs_persp_w(const struct zs_job *job, uint32_t w[3])
 {
-    const struct zs_depth *depth = job->r->config.depth;
+    const struct zs_depth *depth = job->r->view.depth;
     const struct zs_view *view = &job->r->view;
     uint64_t wide[3], most = 0;
     if (!view->perspective) {

@@ -30,6 +30,7 @@
  */
 #include "core/fast.h"
 #include "core/fx.h"
+#include "core/pass.h"
 #include "core/plane.h"
 #include "zs_shader.h"
 #include "shade/texture.h"
@@ -247,7 +248,7 @@ static const struct zs_texture *lit_texture(struct zs_job *job, const struct zs_
 
 static void texture_start(struct zs_job *job)
 {
-    const struct zs_instance *in = &job->r->scene->instance[job->tri->instance];
+    const struct zs_instance *in = zs_instance_of(job->r, job->tri->instance);
     const struct zs_texture *t = lit_texture(job, in->material->texture);
     const uint32_t uv_bits = in->mesh->uv_bits;
     const int lit = job->shader->n_varyings == 3;
