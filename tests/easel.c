@@ -82,6 +82,8 @@ static void fill_pools(struct zs_renderer *r, const struct easel_tri *t, uint32_
     r->active = ZS_NIL;
     r->walk_x = r->walk_least = 0;
     r->walk_end = r->walk_most = r->config.width;
+    r->walk_y = 0;
+    r->walk_y_end = r->config.height;
     r->band_end = r->n_strips; /* bins are complete: no walk */
 }
 

@@ -6,7 +6,6 @@
 
 #include "cases.h"
 #include "core/bin.h"
-#include "core/view.h"
 #include "core/cull.h"
 #include "core/xform.h"
 #include "picture.h"
@@ -46,7 +45,8 @@ static int first_case(uint64_t seed)
                                  .max_verts = 3, .buffers = 1, .subpixel_bits = 8, .depth_bits = 16,
                                  .depth = &zs_depth_recip };
     CASE_CHECK(zs_init(&r, &c, arena, sizeof arena) == ZS_OK);
-    zs_view_frame(&r.view, &c);
+    r.walk_y = 0;
+    r.walk_y_end = c.height;
     r.strip = (uint16_t)prng_pick(&p, r.n_strips);
     r.band_end = (uint16_t)prng_range(&p, r.strip + 1, r.n_strips);
     for (int n = 0; n < 50; n++) {
@@ -151,6 +151,8 @@ static int world_open(struct prng *p)
     CASE_CHECK(zs_frame_begin(&world.r, &world.scene, &world.camera) == ZS_OK);
     world.r.strip = (uint16_t)prng_pick(p, STRIPS);
     world.r.band_end = STRIPS;
+    world.r.walk_y = 0;
+    world.r.walk_y_end = world.config.height;
     zs_bin_empty(&world.r);
     return instance_next(0);
 }

@@ -425,6 +425,7 @@ static int gradients_right(struct prng *p, const struct easel *s, const struct e
     r.config.height = 240;
     job.r = &r;
     job.width = 320;
+    job.bottom = 240;
     const int64_t area = llabs(oracle_area(&o));
     if (area == 0)
         return 1;

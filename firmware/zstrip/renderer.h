@@ -29,7 +29,7 @@ struct zs_view {
     int32_t rot[9];        /* q2_30: world to camera; rows x * ratio, -y * ratio, distance */
     int32_t pos[3];        /* world units */
     int32_t z_near, z_far; /* camera units */
-    int32_t cx, cy;        /* q24_8, the viewport's middle */
+    int32_t cx, cy;        /* q24_8, the viewport's middle: from its left side, from the frame's top */
     int32_t shift;         /* log2 of camera units to a world unit */
     int32_t scale_bits;    /* screen q24_8 = x' * 2^scale_bits / z; orthographic: x' / 2^scale_bits */
     int32_t snap;          /* 8 - sub-pixel bits */
@@ -37,7 +37,8 @@ struct zs_view {
     int32_t side[2][2];   /* q2_30: unit normal of the side planes, (x or y, z) */
     const struct zs_depth *depth; /* the mapping */
     uint16_t width, height; /* px, of the viewport ... */
-    uint16_t x, y;          /* ... and where in the frame it begins; positions on the screen count from there */
+    uint16_t x, y;          /* ... and where in the frame it begins: columns count from there, rows from the
+                               frame's top */
     uint64_t guard;        /* |x'| << scale_bits beyond guard * z is outside the guard band */
     uint32_t key_mul;      /* the mapping's factor, 31 or 32 bits ... */
     int32_t key_shift;     /* ... and its shift */
@@ -138,7 +139,8 @@ struct zs_renderer { /* what is used most comes first: a Cortex-M0 reaches 31 by
     uint8_t untouched;          /* of the strip in hand, what holds no colours and keys yet: nothing, all, some (zs_fast_touch) */
     uint16_t n_strips, strip;   /* strip: the next to be drawn */
     uint16_t band_end;          /* bins are complete for strips below it */
-    uint16_t walk_x, walk_end;  /* columns of the frame that the current instance is drawn in; ... */
+    uint16_t walk_x, walk_end;  /* columns of the viewport that the current instance is drawn in; ... */
+    uint16_t walk_y, walk_y_end; /* rows of the frame that the pass in hand is drawn in */
     uint16_t walk_least, walk_most; /* ... that any in the pools is */
     uint16_t active;            /* list of triangles that went on from the strip before */
     uint32_t n_tris, n_verts;   /* used of the pools */

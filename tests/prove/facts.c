@@ -97,9 +97,10 @@ static void planes_drawn(uint64_t count)
     uint64_t n = 0;
     int good = 1;
     r.config.width = 320;
-    r.config.height = r.view.height = 240;
+    r.config.height = 240;
     job.r = &r;
     job.width = job.pitch = 320;
+    job.bottom = 240;
     for (uint64_t i = 0; i < count; i++) {
         const int32_t reach = (int32_t)1 << in(4, 21);
         struct zs_vertex v[3];

@@ -66,6 +66,7 @@ static void any_sides(int32_t most)
     renderer.config.width = (uint16_t)any_u32(1, ZS_SIZE_MAX);
     renderer.config.height = renderer.view.height = (uint16_t)any_u32(1, ZS_SIZE_MAX);
     job.width = job.pitch = renderer.config.width;
+    job.bottom = renderer.config.height;
     for (int k = 0; k < 3; k++) {
         v[k].x = any_i32(COORD_LO, COORD_HI);
         v[k].y = any_i32(COORD_LO, COORD_HI);

@@ -49,7 +49,8 @@ enum zs_fate zs_assemble_box(const struct zs_renderer *r, const struct zs_vertex
     x1 = zs_first_sample(x1);
     at->y0 = zs_first_sample(top->y);
     at->y1 = zs_first_sample(y1);
-    if (x1 <= r->walk_x || x0 >= r->walk_end || at->y1 <= 0 || at->y0 >= r->view.height)
+    if (x1 <= r->walk_x || x0 >= r->walk_end || at->y1 <= r->walk_y ||
+        at->y0 >= r->walk_y_end)
         return ZS_FATE_OFFSCREEN;
     return x0 >= x1 || at->y0 >= at->y1 ? ZS_FATE_EMPTY : ZS_FATE_DRAWN;
 }

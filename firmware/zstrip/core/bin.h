@@ -38,10 +38,9 @@ static inline int32_t zs_bin_strip(const struct zs_renderer *r, int32_t row)
  * ZS_NIL. */
 static inline uint32_t zs_bin_first(const struct zs_renderer *r, int32_t y0, int32_t y1)
 {
-    const int32_t top = r->view.y;
-    uint32_t s = (uint32_t)zs_bin_strip(r, zs_max32(y0, 0) + top);
+    uint32_t s = (uint32_t)zs_bin_strip(r, zs_max32(y0, r->walk_y));
     if (s < r->strip)
-        s = zs_min32(y1, r->view.height) + top > r->strip * r->config.strip_h ? r->strip : ZS_NIL;
+        s = zs_min32(y1, r->walk_y_end) > r->strip * r->config.strip_h ? r->strip : ZS_NIL;
     return s < r->band_end ? s : ZS_NIL;
 }
 

@@ -101,8 +101,8 @@ int zs_cull_sphere(const struct zs_bounds *b, const struct zs_camera *camera,
 
 int64_t zs_cull_half_width(const struct zs_camera *camera, const struct zs_view *view)
 {
-    return (int64_t)zs_muldiv_u64((uint64_t)(camera->height / 2 + 1), (uint64_t)view->cx,
-                                  (uint64_t)view->cy) +
+    return (int64_t)zs_muldiv_u64((uint64_t)(camera->height / 2 + 1), view->width,
+                                  view->height) +
            1;
 }
 

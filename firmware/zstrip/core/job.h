@@ -109,9 +109,9 @@ struct zs_job {
     zs_piece_fn *span;                        /* zs_rows_test, or what is in its place */
     zs_piece_fn *piece;                       /* the same, or what splits a row's pieces first */
     uint16_t *color, *depth;                  /* the viewport's part of the strip, row y0 first */
-    int32_t y0, y1, width; /* rows [y0, y1) of the viewport that lie in the strip; its columns */
+    int32_t y0, y1, width; /* rows [y0, y1) of the frame: the viewport's in the strip; its columns */
     int32_t pitch;         /* pixels from a row of the strip to the next */
-    int32_t row, cut_end, row_end; /* rows in the viewport; spans of [row, cut_end) are in cut; to
+    int32_t row, cut_end, row_end; /* rows in the frame; spans of [row, cut_end) are in cut; to
                                       row_end in this strip */
     int32_t row_mid;               /* first row below the middle vertex, in the strip or not */
     int32_t row_last;             /* one beyond the triangle's last row, in the strip or below it */
@@ -124,6 +124,7 @@ struct zs_job {
     int32_t bias;                 /* ... else buckets added to every key */
     const struct zs_texture *texture;  /* of the instance's material */
     const struct zs_fast_texel *texel; /* of the texture's format; NULL: none */
+    int32_t top, bottom;               /* rows [top, bottom) of the frame are the viewport's */
     struct zs_geom geom;
     struct zs_sampler sampler;
     struct zs_cut cut[ZS_CUT_ROWS];

@@ -26,6 +26,8 @@ static void load(struct zs_renderer *r, uint32_t k)
     r->end = m->end;
     r->walk_x = 0;
     r->walk_end = m->view.width;
+    r->walk_y = m->view.y;
+    r->walk_y_end = (uint16_t)(m->view.y + m->view.height);
     r->pass_now = (uint16_t)k;
     zs_frame_forget_edges(r);
 }

@@ -81,7 +81,7 @@ void zs_plane_geom(struct zs_job *job)
     } else {
         g->rcp = 0;
         ia = zs_min32(zs_max32(ia, 0), job->width - 1);
-        ja = zs_min32(zs_max32(ja, 0), job->r->view.height - 1);
+        ja = zs_min32(zs_max32(ja, job->top), job->bottom - 1);
     }
     g->ia = ia;
     g->ja = ja;

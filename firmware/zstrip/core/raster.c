@@ -289,13 +289,14 @@ static ZS_NOINLINE int (*instance_begin(struct zs_job *job, uint32_t number))(st
 static void job_target(struct zs_job *job)
 {
     const struct zs_renderer *r = job->r;
-    const int32_t top = r->strip * r->config.strip_h -
-                        r->view.y; /* of the strip, in the viewport */
+    const int32_t first = r->strip * r->config.strip_h;
+    job->top = r->view.y;
+    job->bottom = r->view.y + r->view.height;
     job->pitch = r->config.width;
     job->width = r->view.width;
-    job->y0 = zs_max32(top, 0);
-    job->y1 = zs_min32(top + strip_rows(r), r->view.height);
-    const int32_t at = (job->y0 - top) * job->pitch + r->view.x;
+    job->y0 = zs_max32(first, job->top);
+    job->y1 = zs_min32(first + strip_rows(r), job->bottom);
+    const int32_t at = (job->y0 - first) * job->pitch + r->view.x;
     job->color = r->color[0] + at;
     job->depth = r->depth ? r->depth + at : 0;
     job->key_limit = r->view.key_top - 0x10000u; /* half a bucket and the error of the plane
@@ -337,7 +338,7 @@ void zs_raster_strip(struct zs_renderer *r)
                 if (r->passes) {
                     r->passes->reach(r, number);
                     job_target(&job);
-                    goes_on = r->strip + 1 < r->band_end && job.y1 < r->view.height;
+                    goes_on = r->strip + 1 < r->band_end && job.y1 < job.bottom;
                 }
                 whole = instance_begin(&job, number);
             }

@@ -12,7 +12,7 @@
 
 /* One row of a triangle in its strip. */
 struct zs_row {
-    int32_t y;      /* in the viewport */
+    int32_t y;      /* in the frame */
     int32_t at;     /* of its first pixel in the strip's buffers */
     uint32_t key;   /* job->key at column 0, modulo 2^32; of no use where keys are not linear */
     int32_t x0, x1; /* the span, first sample to one beyond the last; may reach beyond the frame */

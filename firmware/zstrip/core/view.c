@@ -81,10 +81,10 @@ int zs_view_camera(struct zs_view *view, const struct zs_config *config,
     }
     view->perspective = camera->projection == ZS_PERSPECTIVE;
     view->cx = view->width * ZS_SUBPX_HALF;
-    view->cy = view->height * ZS_SUBPX_HALF;
+    view->cy = view->y * ZS_SUBPX_ONE + view->height * ZS_SUBPX_HALF;
     view->snap = ZS_SUBPX_BITS - config->subpixel_bits;
-    zs_view_side(view->side[0], camera->focal, (uint32_t)view->cx);
-    zs_view_side(view->side[1], camera->focal, (uint32_t)view->cy);
+    zs_view_side(view->side[0], camera->focal, view->width * (uint32_t)ZS_SUBPX_HALF);
+    zs_view_side(view->side[1], camera->focal, view->height * (uint32_t)ZS_SUBPX_HALF);
     return ZS_OK;
 }
 

@@ -159,7 +159,7 @@ ZS_ALWAYS_INLINE enum zs_fate box(struct zs_renderer *r, const struct zs_vertex 
     const int32_t y0 = zs_first_sample(top), y1 = zs_first_sample(bottom);
     at->y0 = y0;
     at->y1 = y1;
-    if (x1 <= r->walk_x || x0 >= r->walk_end || y1 <= 0 || y0 >= r->view.height)
+    if (x1 <= r->walk_x || x0 >= r->walk_end || y1 <= r->walk_y || y0 >= r->walk_y_end)
         return ZS_FATE_OFFSCREEN;
     if (x0 >= x1 || y0 >= y1)
         return ZS_FATE_EMPTY;

@@ -100,7 +100,7 @@ static ZS_RARE void edge_set(struct zs_edge *e, const struct zs_renderer *r, int
     else
         e->at = -sign * zs_mulshift_s64(at,
                                         zs_muldiv_u64((uint64_t)r->camera.height, (uint64_t)1 << 20,
-                                                      (uint64_t)view->cy),
+                                                      view->height * (uint64_t)ZS_SUBPX_HALF),
                                         21);
     e->lateral = sign * n[0];
     e->z = at < 0 ? sign * n[1] : -sign * n[1];
@@ -111,13 +111,13 @@ static ZS_RARE void edge_set(struct zs_edge *e, const struct zs_renderer *r, int
 static ZS_RARE int cluster_edges(struct zs_renderer *r, const struct zs_bounds *b, uint32_t number)
 {
     const struct zs_track_kernel *track = r->track;
-    const int32_t h = r->config.strip_h, top = r->view.y;
-    struct zs_part part = { 0, r->view.height, 0, r->view.width };
+    const int32_t h = r->config.strip_h;
+    struct zs_part part = { r->walk_y, r->walk_y_end, 0, r->view.width };
     int outside = 0;
     if (!r->counting) {
-        part.y = (uint16_t)zs_max32(r->strip * h - top, 0);
-        part.y_end = (uint16_t)zs_min32(r->band_end * h - top, r->view.height);
-        if (part.y >= r->view.height || r->band_end * h <= top)
+        part.y = (uint16_t)zs_max32(r->strip * h, part.y);
+        part.y_end = (uint16_t)zs_min32(r->band_end * h, part.y_end);
+        if (part.y >= part.y_end)
             return 0;
     }
     if (track)
@@ -229,7 +229,7 @@ static ZS_RARE void cone_open(struct zs_renderer *r, const struct zs_bounds *b,
           1; /* D_all: |c| <= (|x| + |y| + |z| + the largest) / 2; <= 2^49 */
     uint64_t e = view->perspective
                      ? zs_muldiv_u64((uint64_t)all, (uint64_t)step << 22, camera->focal)
-                     : zs_muldiv_u64((uint64_t)camera->height, step, 8u * (uint64_t)view->cy);
+                     : zs_muldiv_u64((uint64_t)camera->height, step, view->height * (uint64_t)(8 * ZS_SUBPX_HALF));
     e += (((uint64_t)1 << 24) >> (view->shift + 3)) +
          2u; /* 32 camera units; shift is at least -3 */
     if (e >= (uint64_t)all)

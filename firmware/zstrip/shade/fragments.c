@@ -30,7 +30,7 @@ void zs_fragments_run(struct zs_job *job, const struct zs_row *row, int32_t from
     const struct zs_instance *instance = zs_instance_of(job->r, job->tri->instance);
     const struct zs_view *view = &job->r->view;
     struct zs_fragment f;
-    f.y = (uint16_t)(row->y + view->y);
+    f.y = (uint16_t)row->y;
     f.paint = job->tri->paint;
     for (int32_t i = from; i < to; i++) {
         uint32_t w;
