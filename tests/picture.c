@@ -28,6 +28,7 @@ struct copy {
     struct picture *to;
     int32_t rows;    /* arrived */
     int busy;        /* strips lent and not waited for */
+    int ends;        /* calls of end */
     uint32_t before; /* checksum of a lent strip */
     struct zs_strip lent;
 };
@@ -45,7 +46,7 @@ static int copy_submit(void *ctx, const struct zs_strip *s)
     struct copy *c = ctx;
     struct picture *p = c->to;
     if (c->busy || s->y != c->rows || s->x != 0 || s->w != p->w || s->y + s->h > p->h ||
-        s->n_bytes != (uint32_t)s->w * s->h * 2u || s->last != (s->y + s->h == p->h))
+        s->n_bytes != (uint32_t)s->w * s->h * 2u)
         return -1000;
     for (int32_t i = 0; i < s->w * s->h; i++) {
         p->color[s->y * p->w + i] = (uint16_t)(s->px[2 * i] << 8 | s->px[2 * i + 1]);
@@ -68,6 +69,13 @@ static int copy_wait(void *ctx)
     return 0;
 }
 
+static int copy_end(void *ctx)
+{
+    struct copy *c = ctx;
+    c->ends++;
+    return c->busy ? -1003 : 0;
+}
+
 struct picture picture_draw(const struct zs_config *config, const struct zs_scene *scene,
                             const struct zs_camera *camera)
 {
@@ -86,9 +94,9 @@ struct picture picture_draw(const struct zs_config *config, const struct zs_scen
     p.err = zs_init(r, config, arena, bytes);
     if (!p.err) {
         struct copy c = { .to = &p };
-        const struct zs_sink sink = { .submit = copy_submit, .wait = copy_wait, .ctx = &c };
+        const struct zs_sink sink = { .submit = copy_submit, .wait = copy_wait, .end = copy_end, .ctx = &c };
         p.err = zs_render(r, scene, camera, &sink);
-        if (!p.err && (c.rows != p.h || c.busy))
+        if (!p.err && (c.rows != p.h || c.busy || c.ends != 1))
             p.err = -1002;
         p.stats = *zs_frame_stats(r);
     }

@@ -10,6 +10,7 @@
 
 #include <stdint.h>
 
+#include "zs_damage.h"
 #include "zstrip.h"
 
 struct picture {

@@ -4,6 +4,7 @@
  * SPDX-License-Identifier: MIT
  */
 #include "examples.h"
+#include "zs_damage.h"
 
 ZS_ARENA(arena, ZS_ARENA_BYTES(EXAMPLE_W, EXAMPLE_H, 8, 8, 8, ZS_VARYINGS_FLAT, 1));
 static struct zs_renderer renderer;

@@ -9,6 +9,8 @@
 #include "core/frame.h"
 #include "core/fx.h"
 #include "core/raster.h"
+#include "core/usual.h"
+#include "zs_damage.h"
 #include "zs_shader.h"
 #include "core/view.h"
 #include "core/walk.h"
@@ -26,7 +28,8 @@ static const char *const messages[] = {
     "the shader needs more vertex attributes than config.varyings",
     "a direction of length 0, or parallel directions",
     "the near plane is too close beside what is in view (more than 2^21 times as far): move it out",
-    "a texture's size or clamping out of range"
+    "a texture's size or clamping out of range",
+    "the program was compiled with other headers or limits than the library"
 };
 
 const char *zs_error_string(int err)
@@ -52,10 +55,14 @@ static uint16_t strip_rows(const struct zs_config *c)
 
 uint32_t zs_arena_bytes(const struct zs_config *c)
 {
-    if (!c || !config_ok(c))
+    if (!c)
+        return 0;
+    struct zs_config usual = *c;
+    zs_usual_config(&usual);
+    if (!config_ok(&usual))
         return 0;
     return ZS_ARENA_BYTES(c->width, c->height, strip_rows(c), c->max_tris, c->max_verts,
-                          c->varyings, c->buffers);
+                          c->varyings, usual.buffers);
 }
 
 /* The next pool of the arena. */
@@ -113,22 +120,30 @@ static ZS_RARE void accelerators(struct zs_renderer *r)
     }
 }
 
-ZS_RARE int zs_init(struct zs_renderer *r, const struct zs_config *config, void *arena,
-                    size_t bytes)
+/* No two parts of ZS_BUILD overlap. */
+_Static_assert(sizeof(struct zs_renderer) < 1u << 14 && ZS_VARYINGS_MAX < 1 << 4 &&
+                   ZS_SIZE_MAX < 1 << 14,
+               "ZS_BUILD tells sizes apart");
+
+ZS_RARE int zs_init_build(struct zs_renderer *r, const struct zs_config *config, void *arena,
+                          size_t bytes, uint32_t build)
 {
     if (!r)
         return ZS_ERR_NULL;
+    if (build != ZS_BUILD)
+        return ZS_ERR_BUILD;
     r->ready = 0;
     r->scene = 0;
     if (!config || !arena || !config->depth)
         return ZS_ERR_NULL;
-    if (!config_ok(config))
+    r->config = *config;
+    zs_usual_config(&r->config);
+    if (!config_ok(&r->config))
         return ZS_ERR_SIZE;
-    if (config->depth_bits < 8 || config->depth_bits > 16)
+    if (r->config.depth_bits < 8 || r->config.depth_bits > 16)
         return ZS_ERR_DEPTH;
     if (bytes < zs_arena_bytes(config) || ((uintptr_t)arena & 3u))
         return ZS_ERR_ARENA;
-    r->config = *config;
     r->config.strip_h = strip_rows(config);
     r->n_strips = (uint16_t)((config->height + r->config.strip_h - 1) / r->config.strip_h);
     strip_divisor(r);
@@ -156,7 +171,7 @@ static ZS_RARE int instance_check(const struct zs_renderer *r, const struct zs_i
     if (!mesh || !material || !material->shader)
         return ZS_ERR_NULL;
     if ((!mesh->pos && mesh->n_verts) || (!mesh->tri && mesh->n_tris) || mesh->n_verts > 65535u ||
-        mesh->scale == 0 || material->cull > ZS_CULL_NONE)
+        material->cull > ZS_CULL_NONE)
         return ZS_ERR_MESH;
     if (!material->shader->run)
         return ZS_ERR_NULL;
@@ -215,6 +230,16 @@ ZS_RARE int zs_frame_check(struct zs_renderer *r, const struct zs_scene *scene)
     return err;
 }
 
+static ZS_RARE void camera_set(struct zs_renderer *r, const struct zs_scene *scene,
+                               const struct zs_camera *camera)
+{
+    const zs_q2_30 *const rot = zs_usual_rotation(camera->rot);
+    r->camera = *camera;
+    for (int k = 0; k < 9; k++)
+        r->camera.rot[k] = rot[k];
+    zs_usual_light(&r->light, &scene->light, rot);
+}
+
 ZS_RARE int zs_frame_begin(struct zs_renderer *r, const struct zs_scene *scene,
                            const struct zs_camera *camera)
 {
@@ -225,7 +250,7 @@ ZS_RARE int zs_frame_begin(struct zs_renderer *r, const struct zs_scene *scene,
         return ZS_ERR_NULL;
     if (r->ready != 1)
         return ZS_ERR_SEQUENCE;
-    r->camera = *camera;
+    camera_set(r, scene, camera);
     r->draw_end = r->n_strips;
     const struct zs_track_kernel *track = r->track;
     const int err = track ? track->check(r, scene) : zs_frame_check(r, scene);
@@ -292,7 +317,6 @@ int zs_frame_strip(struct zs_renderer *r, struct zs_strip *out)
     out->y = (uint16_t)y0;
     out->w = r->config.width;
     out->h = (uint16_t)(left < r->config.strip_h ? left : r->config.strip_h);
-    out->last = r->strip + 1u == r->n_strips;
     out->px = (const uint8_t *)r->color[0];
     out->n_bytes = (uint32_t)out->w * out->h * 2u;
     out->depth = r->depth;
@@ -396,6 +420,12 @@ int zs_render(struct zs_renderer *r, const struct zs_scene *scene, const struct 
     }
     if (err)
         not_sent(r, &strip);
+    if (sink->end) {
+        const int at_end = sink->end(sink->ctx);
+        if (at_end && !err)
+            (void)zs_invalidate(r, 0); /* nobody knows which strips have arrived */
+        err = err ? err : at_end;
+    }
     (void)zs_frame_end(r);
     return err;
 }
