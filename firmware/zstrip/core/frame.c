@@ -45,7 +45,8 @@ static ZS_RARE int config_ok(const struct zs_config *c)
     return c->width >= 1 && c->width <= ZS_SIZE_MAX && c->height >= 1 && c->height <= ZS_SIZE_MAX &&
            c->strip_h >= 1 && c->max_tris >= 1 && c->max_tris <= ZS_POOL_MAX && c->max_verts >= 3 &&
            c->max_verts <= ZS_POOL_MAX && c->varyings <= ZS_VARYINGS_MAX &&
-           (c->buffers == 1 || c->buffers == 2) && (c->subpixel_bits == 8 || c->subpixel_bits == 4);
+           c->buffers <= 2 &&
+           (c->subpixel_bits == 0 || c->subpixel_bits == 8 || c->subpixel_bits == 4);
 }
 
 static uint16_t strip_rows(const struct zs_config *c)
@@ -55,14 +56,10 @@ static uint16_t strip_rows(const struct zs_config *c)
 
 uint32_t zs_arena_bytes(const struct zs_config *c)
 {
-    if (!c)
-        return 0;
-    struct zs_config usual = *c;
-    zs_usual_config(&usual);
-    if (!config_ok(&usual))
+    if (!c || !config_ok(c))
         return 0;
     return ZS_ARENA_BYTES(c->width, c->height, strip_rows(c), c->max_tris, c->max_verts,
-                          c->varyings, usual.buffers);
+                          c->varyings, c->buffers);
 }
 
 /* The next pool of the arena. */
@@ -136,14 +133,16 @@ ZS_RARE int zs_init_build(struct zs_renderer *r, const struct zs_config *config,
     r->scene = 0;
     if (!config || !arena || !config->depth)
         return ZS_ERR_NULL;
-    r->config = *config;
-    zs_usual_config(&r->config);
-    if (!config_ok(&r->config))
+    if (!config_ok(config))
         return ZS_ERR_SIZE;
-    if (r->config.depth_bits < 8 || r->config.depth_bits > 16)
+    if (config->depth_bits > 16 || (config->depth_bits < 8 && config->depth_bits))
         return ZS_ERR_DEPTH;
     if (bytes < zs_arena_bytes(config) || ((uintptr_t)arena & 3u))
         return ZS_ERR_ARENA;
+    r->config = *config;
+    r->config.buffers = config->buffers == 2 ? 2 : 1;
+    r->config.subpixel_bits = config->subpixel_bits == 4 ? 4 : 8;
+    r->config.depth_bits = config->depth_bits ? config->depth_bits : 16;
     r->config.strip_h = strip_rows(config);
     r->n_strips = (uint16_t)((config->height + r->config.strip_h - 1) / r->config.strip_h);
     strip_divisor(r);
@@ -230,16 +229,6 @@ ZS_RARE int zs_frame_check(struct zs_renderer *r, const struct zs_scene *scene)
     return err;
 }
 
-static ZS_RARE void camera_set(struct zs_renderer *r, const struct zs_scene *scene,
-                               const struct zs_camera *camera)
-{
-    const zs_q2_30 *const rot = zs_usual_rotation(camera->rot);
-    r->camera = *camera;
-    for (int k = 0; k < 9; k++)
-        r->camera.rot[k] = rot[k];
-    zs_usual_light(&r->light, &scene->light, rot);
-}
-
 ZS_RARE int zs_frame_begin(struct zs_renderer *r, const struct zs_scene *scene,
                            const struct zs_camera *camera)
 {
@@ -250,7 +239,7 @@ ZS_RARE int zs_frame_begin(struct zs_renderer *r, const struct zs_scene *scene,
         return ZS_ERR_NULL;
     if (r->ready != 1)
         return ZS_ERR_SEQUENCE;
-    camera_set(r, scene, camera);
+    zs_usual_camera(r, scene, camera);
     r->draw_end = r->n_strips;
     const struct zs_track_kernel *track = r->track;
     const int err = track ? track->check(r, scene) : zs_frame_check(r, scene);

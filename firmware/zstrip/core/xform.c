@@ -21,11 +21,11 @@
 #define SHIFT_MAX 29 /* keeps t below 2^60, and shift_high 14 */
 #define SPLIT_MAX 15
 
-static ZS_RARE void shading_set(struct zs_renderer *r, const struct zs_instance *in)
+static ZS_RARE void shading_set(struct zs_renderer *r, const struct zs_instance *in,
+                                const zs_q2_30 rot[9])
 {
     struct zs_shading *s = &r->shading;
     s->instance = in;
-    const zs_q2_30 *const rot = zs_usual_rotation(in->pose.rot);
     s->light = &r->light;
     for (int k = 0; k < 3; k++) {
         int64_t sum = 0; /* transposed rotation: world to mesh */
@@ -87,8 +87,9 @@ ZS_RARE int zs_xform_instance(struct zs_renderer *r, uint32_t number, const stru
         extra = shift - SHIFT_MAX > 30 ? 30 : shift - SHIFT_MAX;
         shift = SHIFT_MAX;
     }
+    const zs_q2_30 *const rot = zs_usual_rotation(in->pose.rot);
     zs_q2_30 both[9];
-    zs_rotation_mul(both, view->rot, zs_usual_rotation(in->pose.rot));
+    zs_rotation_mul(both, view->rot, rot);
     for (int k = 0; k < 3; k++) {
         int64_t at = 0; /* q2_30 * world units, |.| <= 2^60.6 */
         int32_t m[3];
@@ -98,7 +99,7 @@ ZS_RARE int zs_xform_instance(struct zs_renderer *r, uint32_t number, const stru
         }
         row_set(xf->row + k * ZS_ROW_WORDS, m, zs_scale2(at, view->shift + shift - 30), shift);
     }
-    shading_set(r, in);
+    shading_set(r, in, rot);
     return 1;
 }
 
