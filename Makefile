@@ -258,7 +258,7 @@ $(B)/zsim: $(patsubst %.c,$(B)/sim/%.o,$(CORE) $(SCENES) $(PANELS) $(SIM)) $(B)/
 	@$(CC) $(CFLAGS) $^ $(LIBS) -o $@
 	@echo 'built $@'
 
-# zsim with other reciprocals and sub-spans (config.h), for the study of time: BUILD/study/NAME/zsim
+# zsim with other reciprocals and sub-spans (zs_config.h), for the study of time: BUILD/study/NAME/zsim
 STUDY_bound2 = -DZS_SPAN_BOUND_LOG2=2
 STUDY_bound5 = -DZS_SPAN_BOUND_LOG2=5
 STUDY_recip16 = -DZS_RECIP_STEPS=0

@@ -178,7 +178,7 @@ static int look_open(struct look *l, const struct zs_scene *scene, const struct 
     memset(l, 0, sizeof *l);
     l->tri = sim_truth_triangles(scene, camera, &l->n_tris);
     sim_truth_camera(&l->camera, camera);
-    sim_truth_light(&l->light, &scene->light);
+    sim_truth_light(&l->light, &scene->light, camera);
     l->depth.mapping = sim_truth_mapping(config->depth, camera);
     l->depth.bits = config->depth_bits;
     l->ours.id = sim_alloc(n, sizeof(uint32_t));

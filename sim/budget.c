@@ -13,6 +13,7 @@
 #include "option_table.h"
 #include "record_sizes.h"
 #include "sim.h"
+#include "zs_damage.h"
 
 static const char usage[] =
     "usage: zsim budget [MODEL] [options]\n"

@@ -9,6 +9,7 @@
 #include "panel.h"
 #include "record_sizes.h"
 #include "sim.h"
+#include "zs_damage.h"
 
 enum budget_cpu budget_cpu_of(enum sim_core core)
 {
@@ -95,8 +96,7 @@ int budget_wire(struct budget_wire *wire, const struct budget_request *rq, const
     for (uint32_t y = 0; status == SIM_OK && y < c->height; y += c->strip_h) {
         const uint16_t h = (uint16_t)(c->height - y < c->strip_h ? c->height - y : c->strip_h);
         const struct zs_strip strip = { .y = (uint16_t)y, .w = c->width, .h = h, .px = (const uint8_t *)px,
-                                        .n_bytes = (uint32_t)c->width * h * 2u, .dirty_w = c->width,
-                                        .last = y + h == c->height };
+                                        .n_bytes = (uint32_t)c->width * h * 2u, .dirty_w = c->width };
         if (sink.submit(sink.ctx, &strip) || sink.wait(sink.ctx))
             status = sim_panel_check(&panel, &rq->o.panel, "budget");
     }

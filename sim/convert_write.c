@@ -337,9 +337,7 @@ static void meshes(FILE *f, const struct sim_conversion *c)
     for (uint32_t i = 0; i < p->n_pieces; i++)
         (void)fprintf(
             f,
-            "    { .mesh = &%s_mesh[%" PRIu32 "], .material = &%s_material[%" PRIu32 "],\n"
-            "      .pose = { .rot = { ZS_Q30_ONE, 0, 0, 0, ZS_Q30_ONE, 0, 0, 0, ZS_Q30_ONE }, .pos = { 0, 0, 0 },\n"
-            "                .scale = ZS_Q16_ONE } },\n",
+            "    { .mesh = &%s_mesh[%" PRIu32 "], .material = &%s_material[%" PRIu32 "] },\n",
             name, i, name, p->piece[i].paint);
     (void)fputs("};\n", f);
 }

@@ -186,7 +186,7 @@ static int compare(struct tally *sum, const struct demo_frame *f, const struct d
     size_t n_tris;
     struct ref_triangle *tris = sim_truth_triangles(&f->scene, &f->camera, &n_tris);
     sim_truth_camera(&camera, &f->camera);
-    sim_truth_light(&light, &f->scene.light);
+    sim_truth_light(&light, &f->scene.light, &f->camera);
     ours.texel = sim_alloc(n, sizeof *ours.texel); /* colours are compared where texels are the same */
     truth.texel = sim_alloc(n, sizeof *truth.texel);
     int err = sim_frame_ids(ours.id, &f->scene, &f->camera, config);

@@ -23,6 +23,7 @@ struct receiver {
     struct zs_strip strip; /* submitted, not yet fetched */
     uint32_t sum;          /* over its pixels when it was submitted */
     int pending;           /* flag */
+    int ends;              /* calls of end */
     uint16_t next_y;       /* first row that has not come yet */
 };
 
@@ -40,8 +41,7 @@ static int submit(void *ctx, const struct zs_strip *strip)
     struct sim_frame *f = to->frame;
     if (to->pending || strip->x != 0 || strip->w != f->width || strip->y != to->next_y ||
         strip->h == 0 || strip->h > f->height - strip->y ||
-        strip->n_bytes != (uint32_t)strip->w * strip->h * 2u ||
-        strip->last != (strip->y + strip->h == f->height))
+        strip->n_bytes != (uint32_t)strip->w * strip->h * 2u)
         return SIM_FRAME_BROKEN;
     const size_t n = (size_t)strip->w * strip->h;
     memcpy(f->key + (size_t)strip->y * f->width, strip->depth, n * sizeof *f->key);
@@ -70,6 +70,13 @@ static int wait(void *ctx)
         out[i] = (uint16_t)(s->px[2 * i] << 8 | s->px[2 * i + 1]);
     to->pending = 0;
     return 0;
+}
+
+static int end(void *ctx)
+{
+    struct receiver *to = ctx;
+    to->ends++;
+    return to->to != NULL && to->to->end != NULL ? to->to->end(to->to->ctx) : 0;
 }
 
 void sim_frame_config(struct zs_config *config, uint16_t width, uint16_t height, uint8_t attrs)
@@ -127,10 +134,10 @@ int sim_frame_render_to(struct sim_frame *frame, const struct zs_scene *scene, c
         frame->rgb565 = sim_alloc(n, sizeof *frame->rgb565);
         frame->key = sim_alloc(n, sizeof *frame->key);
         struct receiver receiver = { .frame = frame, .what = what, .to = to };
-        const struct zs_sink sink = { .submit = submit, .wait = wait, .ctx = &receiver };
+        const struct zs_sink sink = { .submit = submit, .wait = wait, .end = end, .ctx = &receiver };
         err = zs_render(&renderer, scene, camera, &sink);
         frame->stats = *zs_frame_stats(&renderer);
-        if (err == ZS_OK && (receiver.pending || receiver.next_y != config->height))
+        if (err == ZS_OK && (receiver.pending || receiver.next_y != config->height || receiver.ends != 1))
             err = SIM_FRAME_BROKEN;
     }
     free(block);

@@ -71,7 +71,7 @@ const char *study_error_name(int err)
 {
     static const char *const name[] = {
         "OK",          "ZS_ERR_NULL",  "ZS_ERR_SIZE",  "ZS_ERR_ARENA",  "ZS_ERR_DEPTH", "ZS_ERR_CAMERA", "ZS_ERR_RANGE",
-        "ZS_ERR_MESH", "ZS_ERR_SEQUENCE", "ZS_ERR_VARYINGS", "ZS_ERR_VECTOR", "ZS_ERR_NEAR",  "ZS_ERR_TEXTURE"
+        "ZS_ERR_MESH", "ZS_ERR_SEQUENCE", "ZS_ERR_VARYINGS", "ZS_ERR_VECTOR", "ZS_ERR_NEAR",  "ZS_ERR_TEXTURE", "ZS_ERR_BUILD"
     };
     return err <= 0 && err > -(int)(sizeof name / sizeof name[0]) ? name[-err] : "broken";
 }
@@ -108,7 +108,7 @@ static int truth_draw(struct truth *t, const struct zs_scene *scene, const struc
     memset(t, 0, sizeof *t);
     t->tri = sim_truth_triangles(scene, camera, &t->n_tris);
     sim_truth_camera(&t->camera, camera);
-    sim_truth_light(&t->light, &scene->light);
+    sim_truth_light(&t->light, &scene->light, camera);
     t->depth.mapping = sim_truth_mapping(config->depth, camera);
     t->depth.bits = config->depth_bits;
     t->image.rgb565 = sim_alloc(n, sizeof(uint16_t));

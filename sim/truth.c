@@ -15,18 +15,32 @@ static double q30(int32_t v)
     return (double)v / 1073741824.0;
 }
 
+/* Element e of a rotation; all 0 is none */
+static double turned(const zs_q2_30 rot[9], int e)
+{
+    for (int k = 0; k < 9; k++)
+        if (rot[k])
+            return q30(rot[e]);
+    return e % 4 == 0;
+}
+
+static double scale_of(zs_uq16_16 scale)
+{
+    return scale ? (double)scale / 65536.0 : 1.0;
+}
+
 /* world = rot * (scale * p) + pos, of the very numbers that the mesh and the pose hold */
 static void world_position(double out[3], const struct zs_instance *in, uint32_t v)
 {
     const struct zs_mesh *m = in->mesh;
-    const double scale = (double)m->scale / 65536.0 * ((double)in->pose.scale / 65536.0);
+    const double scale = scale_of(m->scale) * scale_of(in->pose.scale);
     double p[3];
     for (int k = 0; k < 3; k++)
         p[k] = (m->pos[v][k] + (m->pos_lo ? m->pos_lo[v][k] / 256.0 : 0.0)) * scale;
     for (int i = 0; i < 3; i++) {
         out[i] = in->pose.pos[i];
         for (int j = 0; j < 3; j++)
-            out[i] += q30(in->pose.rot[3 * i + j]) * p[j];
+            out[i] += turned(in->pose.rot, 3 * i + j) * p[j];
     }
 }
 
@@ -36,7 +50,7 @@ static void world_normal(double out[3], const struct zs_instance *in, const zs_q
     for (int i = 0; i < 3; i++) {
         out[i] = 0.0;
         for (int j = 0; j < 3 && length > 0.0; j++)
-            out[i] += q30(in->pose.rot[3 * i + j]) * n[j] / length;
+            out[i] += turned(in->pose.rot, 3 * i + j) * n[j] / length;
     }
 }
 
@@ -213,9 +227,9 @@ void sim_truth_camera(struct ref_camera *out, const struct zs_camera *camera)
     memset(out, 0, sizeof *out);
     for (int k = 0; k < 3; k++) {
         out->eye[k] = camera->pos[k];
-        out->right[k] = q30(camera->rot[k]);
-        out->up[k] = q30(camera->rot[3 + k]);
-        out->back[k] = q30(camera->rot[6 + k]);
+        out->right[k] = turned(camera->rot, k);
+        out->up[k] = turned(camera->rot, 3 + k);
+        out->back[k] = turned(camera->rot, 6 + k);
     }
     out->orthographic = camera->projection == ZS_ORTHOGRAPHIC;
     out->focal = (double)camera->focal / 4294967296.0;
@@ -224,8 +238,15 @@ void sim_truth_camera(struct ref_camera *out, const struct zs_camera *camera)
     out->far_z = (double)camera->z_far / 65536.0;
 }
 
-void sim_truth_light(struct ref_light *out, const struct zs_light *light)
+void sim_truth_light(struct ref_light *out, const struct zs_light *light, const struct zs_camera *camera)
 {
+    if (!light->dir[0] && !light->dir[1] && !light->dir[2] && !light->ambient && !light->diffuse) {
+        for (int k = 0; k < 3; k++)
+            out->dir[k] = (2 * turned(camera->rot, 6 + k) + 2 * turned(camera->rot, 3 + k) - turned(camera->rot, k)) / 3;
+        out->ambient = 0.25;
+        out->diffuse = 0.75;
+        return;
+    }
     for (int k = 0; k < 3; k++)
         out->dir[k] = q30(light->dir[k]);
     out->ambient = (double)light->ambient / 65536.0;

@@ -21,6 +21,6 @@ int sim_truth_mapping(const struct zs_depth *depth, const struct zs_camera *came
 
 /* The camera of a frame of height px, and the light. */
 void sim_truth_camera(struct ref_camera *out, const struct zs_camera *camera);
-void sim_truth_light(struct ref_light *out, const struct zs_light *light);
+void sim_truth_light(struct ref_light *out, const struct zs_light *light, const struct zs_camera *camera);
 
 #endif

@@ -7,6 +7,7 @@
 #define TESTS_CLUSTERS_H
 
 #include "prng.h"
+#include "zs_check.h"
 #include "zstrip.h"
 
 /* Fill out[n_tris], and the mesh's fields. Runs of 1 .. most triangles. loose: 1 in how many is made larger; 0: none. */

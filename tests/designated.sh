@@ -3,15 +3,15 @@
 # SPDX-License-Identifier: MIT
 
 # Structs whose fields may be reordered, added or removed. Not zs_rgb and zs_rect, whose order is known to all, nor
-# those that macros of zstrip.h make.
+# those that macros of its headers make.
 DESIGNATED='texture cluster mesh material pose instance light scene camera config strip sink'
 
 # DIR: firmware/zstrip's headers, of the repository in $top or here; fails where one of the structs is not found.
 designated_headers() {
     mkdir -p "$1" && to=$(cd "$1" && pwd) && (cd "${top:-.}/firmware/zstrip" && cp --parents ./*.h ./*/*.h "$to") || return 1
     for struct in $DESIGNATED; do
-        sed -i "s/^struct zs_$struct {/struct __attribute__((designated_init)) zs_$struct {/" "$1/zstrip.h"
-        grep -q "designated_init)) zs_$struct {" "$1/zstrip.h" || return 1
+        sed -i "s/^struct zs_$struct {/struct __attribute__((designated_init)) zs_$struct {/" "$1"/*.h
+        grep -q "designated_init)) zs_$struct {" "$1"/*.h || return 1
     done
 }
 

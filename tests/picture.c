@@ -28,6 +28,7 @@ struct copy {
     struct picture *to;
     int32_t rows;    /* arrived */
     int busy;        /* strips lent and not waited for */
+    int ends;        /* calls of end */
     uint32_t before; /* checksum of a lent strip */
     struct zs_strip lent;
 };
@@ -45,7 +46,7 @@ static int copy_submit(void *ctx, const struct zs_strip *s)
     struct copy *c = ctx;
     struct picture *p = c->to;
     if (c->busy || s->y != c->rows || s->x != 0 || s->w != p->w || s->y + s->h > p->h ||
-        s->n_bytes != (uint32_t)s->w * s->h * 2u || s->last != (s->y + s->h == p->h))
+        s->n_bytes != (uint32_t)s->w * s->h * 2u)
         return -1000;
     for (int32_t i = 0; i < s->w * s->h; i++) {
         p->color[s->y * p->w + i] = (uint16_t)(s->px[2 * i] << 8 | s->px[2 * i + 1]);
@@ -70,6 +71,13 @@ static int copy_wait(void *ctx)
     return 0;
 }
 
+static int copy_end(void *ctx)
+{
+    struct copy *c = ctx;
+    c->ends++;
+    return c->busy ? -1003 : 0;
+}
+
 static struct picture drawn(const struct zs_config *config, const struct zs_pass *pass, uint32_t n)
 {
     struct picture p = { .w = config->width, .h = config->height };
@@ -87,13 +95,13 @@ static struct picture drawn(const struct zs_config *config, const struct zs_pass
     p.err = zs_init(r, config, arena, bytes);
     if (!p.err) {
         struct copy c = { .to = &p };
-        const struct zs_sink sink = { .submit = copy_submit, .wait = copy_wait, .ctx = &c };
+        const struct zs_sink sink = { .submit = copy_submit, .wait = copy_wait, .end = copy_end, .ctx = &c };
         struct zs_pass_memory *memory = malloc((n ? n : 1u) * sizeof *memory);
         if (!memory)
             abort();
         memset(memory, 0xa5, (n ? n : 1u) * sizeof *memory);
         p.err = n ? zs_render_passes(r, pass, memory, n, &sink) : zs_render(r, pass->scene, pass->camera, &sink);
-        if (!p.err && (c.rows != p.h || c.busy))
+        if (!p.err && (c.rows != p.h || c.busy || c.ends != 1))
             p.err = -1002;
         p.stats = *zs_frame_stats(r);
         free(memory);

@@ -10,6 +10,7 @@
 
 #include <stdint.h>
 
+#include "zs_damage.h"
 #include "zs_pass.h"
 #include "zstrip.h"
 

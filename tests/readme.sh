@@ -54,7 +54,7 @@ cat >"$out/panel_main.c" <<'MAIN'
 #include <stdio.h>
 #include "panel_example.c"
 static const struct zs_config config = { .width = W, .height = H, .strip_h = ROWS, .max_tris = 8, .max_verts = 8,
-                                         .varyings = ZS_VARYINGS_FLAT, .buffers = 2, .subpixel_bits = 8, .depth_bits = 16,
+                                         .varyings = ZS_VARYINGS_FLAT, .buffers = 2,
                                          .depth = &zs_depth_recip };
 ZS_ARENA(arena, ZS_ARENA_BYTES(W, H, ROWS, 8, 8, ZS_VARYINGS_FLAT, 2));
 int main(void)

@@ -11,6 +11,7 @@
 
 #include "cases.h"
 #include "meshes.h"
+#include "zs_check.h"
 #include "zstrip.h"
 
 #define ANY_INDEX 0xfeedfaceu /* what index holds before a check */
@@ -180,7 +181,7 @@ static void counts_and_scale(void **state)
     (void)state;
     CHANGED(s.mesh.n_verts = 65536, ZS_FLAW_COUNT, 65536); /* nothing is read then */
     CHANGED(s.mesh.n_verts = UINT32_MAX, ZS_FLAW_COUNT, UINT32_MAX);
-    CHANGED(s.mesh.scale = 0, ZS_FLAW_SCALE, 0);
+    CHANGED(s.mesh.scale = 0, ZS_FLAW_NONE, 0); /* one world unit a step */
     CHANGED(s.mesh.scale = UINT32_MAX, ZS_FLAW_NONE, 0);
     CHANGED(s.mesh.uv_bits = 16, ZS_FLAW_UV_BITS, 16);
     CHANGED(s.mesh.uv_bits = 255, ZS_FLAW_UV_BITS, 255);

@@ -17,6 +17,7 @@
 #include "panel_bus.h"
 #include "picture.h"
 #include "scenes.h"
+#include "zs_damage.h"
 
 #define COLUMNS 5u
 #define ROWS 16

@@ -397,9 +397,9 @@ static void work(void)
     }
 }
 
-int zs_init(struct zs_renderer *r, const struct zs_config *config, void *arena, size_t bytes)
+int zs_init_build(struct zs_renderer *r, const struct zs_config *config, void *arena, size_t bytes, uint32_t build)
 {
-    (void)config, (void)arena, (void)bytes;
+    (void)config, (void)arena, (void)bytes, (void)build;
     renderers[n_renderers++].is = r;
     return ZS_OK;
 }

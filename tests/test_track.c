@@ -10,6 +10,7 @@
 #include "fast_lists.h"
 #include "picture.h"
 #include "shapes.h"
+#include "zs_damage.h"
 
 #define W_MAX 90
 #define H_MAX 70
@@ -384,13 +385,15 @@ static int frames_of(uint64_t seed)
             bad.z_far = prng_pick(&p, 2) ? bad.z_near : bad.z_far;
             struct zs_instance junk = { .mesh = &w.shape[0].mesh, .material = prng_pick(&p, 2) ? NULL : &w.material[0],
                                         .pose = w.instance[0].pose };
-            junk.pose.scale = 0;
+            junk.pose.rot[4] = 0;
             const struct zs_scene scene = { .instance = &junk, .n_instances = 1, .light = w.scene.light };
             assert_true(zs_frame_begin(&s.r, &scene, &bad) < 0);
         }
         if (w.scene.n_instances && !prng_pick(&p, 10)) { /* one that is like the last, but for an instance */
-            w.instance[0].pose.scale = 0;
+            const int32_t kept = w.instance[0].pose.rot[0];
+            w.instance[0].pose.rot[0] = INT32_MIN;
             assert_true(zs_frame_begin(&s.r, &w.scene, &w.camera) < 0);
+            w.instance[0].pose.rot[0] = kept;
             place(&p, &w.instance[0], w.calm);
         }
         right = a_frame(&p, &s, &w);

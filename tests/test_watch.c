@@ -14,6 +14,7 @@
 #include "picture.h"
 #include "prng.h"
 #include "scenes.h"
+#include "zs_damage.h"
 
 #define W_MAX 80
 #define H_MAX 60

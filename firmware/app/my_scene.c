@@ -18,8 +18,8 @@
 static const int16_t pyramid_at[5][3] = { { -1, 0, 1 }, { 1, 0, 1 }, { 1, 0, -1 }, { -1, 0, -1 }, { 0, 2, 0 } };
 static const uint16_t pyramid_tri[6][3] = { { 0, 1, 4 }, { 1, 2, 4 }, { 2, 3, 4 }, { 3, 0, 4 },
                                             { 0, 3, 2 }, { 0, 2, 1 } };
-static const struct zs_rgb pyramid_rgb[6] = { { 230, 70, 50 },  { 240, 190, 60 }, { 70, 170, 90 },
-                                              { 70, 110, 220 }, { 128, 128, 128 }, { 128, 128, 128 } };
+static const struct zs_rgb pyramid_rgb[6] = { ZS_RGB(0xe64632), ZS_RGB(0xf0be3c), ZS_RGB(0x46aa5a),
+                                              ZS_RGB(0x466edc), ZS_RGB(0x808080), ZS_RGB(0x808080) };
 static const struct zs_mesh pyramid = {
     .pos = pyramid_at, .tri = pyramid_tri, .face_rgb = pyramid_rgb, .n_verts = 5, .n_tris = 6,
     .scale = 1000 * ZS_Q16_ONE, /* a step of the mesh is a metre */
@@ -33,7 +33,7 @@ static const struct zs_mesh ground = {
 };
 
 static const struct zs_material painted = { .shader = &zs_shade_flat };
-static const struct zs_material grey = { .shader = &zs_shade_flat, .rgb = { 90, 96, 110 } };
+static const struct zs_material grey = { .shader = &zs_shade_flat, .rgb = ZS_RGB(0x5a606e) };
 
 /* ---- Frame t: what stands where, the light, the camera ----------------------------------------------------- */
 
@@ -43,21 +43,19 @@ static void pose(struct demo_frame *f, uint32_t t, uint16_t w, uint16_t h)
     const zs_turn angle = (zs_turn)(t % FRAMES * 65536u / FRAMES); /* 65536 is a full turn */
 
     f->instance[0] = (struct zs_instance){ .mesh = &ground, .material = &grey };
-    zs_pose_identity(&f->instance[0].pose);
     f->instance[1] = (struct zs_instance){ .mesh = &pyramid, .material = &painted };
-    zs_pose_identity(&f->instance[1].pose);
     zs_pose_turn(&f->instance[1].pose, angle, 0, 0);
     f->instance[1].pose.pos[1] = 300; /* above the floor */
 
     f->scene.instance = f->instance;
     f->scene.n_instances = 2; /* at most DEMO_INSTANCES_MAX */
-    f->scene.background = zs_rgb565(20, 28, 52);
+    f->scene.background = ZS_RGB565(0x141c34);
     zs_unit(f->scene.light.dir, sun);
     f->scene.light.ambient = ZS_Q16_ONE / 4;
     f->scene.light.diffuse = ZS_Q16_ONE * 3 / 4;
 
-    zs_camera_perspective(&f->camera, 8192, w < h ? w : h, 1000, 30000); /* 45 degrees; from 1 to 30 metres */
-    zs_camera_orbit(&f->camera, middle, 7000, 0, 4000);
+    zs_camera_perspective(&f->camera, ZS_DEGREES(45), w < h ? w : h, 1000, 30000); /* from 1 to 30 metres */
+    zs_camera_orbit(&f->camera, middle, 7000, 0, ZS_DEGREES(22));
 }
 
 /* Accelerators: what is named here is linked and makes frames quicker; the picture stays the same. Other shaders and

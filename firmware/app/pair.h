@@ -23,7 +23,8 @@
 /* Set both renderers up and start the second core.
  *
  * config  of either, copied. arena: one for each, `bytes` of them, as for zs_init.
- * sink    copied. submit begins a transfer; wait is called after pair_arrived alone, and must not block.
+ * sink    copied. submit begins a transfer; wait is called after pair_arrived alone, and must not block. end is not
+ *         called: strips of a frame leave while the next one is drawn.
  * Return  ZS_OK, also where the second core did not start: pair_alone; zs_init's errors. */
 int pair_init(const struct zs_config *config, uint32_t *const arena[2], uint32_t bytes, const struct zs_sink *sink);
 

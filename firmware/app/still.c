@@ -7,6 +7,7 @@
 #include "hal.h"
 #include "report.h"
 #include "scenes.h"
+#include "zs_damage.h"
 #include "zstrip.h"
 
 #define ROWS 16

@@ -3,7 +3,7 @@
  * own. On this machine instructions are 0, and callgrind counts study_frame.
  *
  * study_settings.h is what `zsim study NAME --settings` printed. A run of another build (reciprocals, sub-spans:
- * config.h) is left to that build.
+ * zs_config.h) is left to that build.
  *
  * SPDX-License-Identifier: MIT
  */

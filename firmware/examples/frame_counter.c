@@ -4,9 +4,9 @@
  * SPDX-License-Identifier: MIT
  */
 #include "examples.h"
+#include "zs_damage.h"
 
-ZS_ARENA(arena, ZS_ARENA_BYTES(EXAMPLE_W, EXAMPLE_H, 8, 8, 8, ZS_VARYINGS_FLAT, 1));
-static struct zs_renderer renderer;
+ZS_RENDERER(screen, EXAMPLE_W, EXAMPLE_H, 8, 8, 8, ZS_VARYINGS_FLAT);
 static uint32_t track[ZS_DAMAGE_WORDS(0, EXAMPLE_H, 8)];
 
 /* ---- The counter: three digits of 3 x 5 pixels, the last at the right edge -------------------------------------- */
@@ -35,7 +35,7 @@ static void counter_draw(void *ctx, const struct zs_target *target)
 static int counter_changes(void *ctx, struct zs_rect *rect)
 {
     struct counter *c = (struct counter *)ctx;
-    const struct zs_rect all = { LEFT, TOP, 11, 5 };
+    const struct zs_rect all = { .x = LEFT, .y = TOP, .w = 11, .h = 5 };
     *rect = all;
     const int changed = c->shown != c->before;
     c->before = c->shown;
@@ -46,21 +46,17 @@ static int counter_changes(void *ctx, struct zs_rect *rect)
 
 int example_frame_counter(uint32_t t, const struct zs_sink *sink)
 {
-    static const struct zs_config config = { .width = EXAMPLE_W, .height = EXAMPLE_H, .strip_h = 8, .max_tris = 8,
-                                             .max_verts = 8, .buffers = 1, .subpixel_bits = 8, .depth_bits = 16,
-                                             .depth = &zs_depth_linear };
     static struct counter counter;
     static const struct zs_resolve hook = { .draw = counter_draw, .changes = counter_changes, .ctx = &counter };
-    const struct zs_scene scene = { .background = zs_rgb565(0, 0, 80), .resolve = &hook, .n_resolves = 1 };
+    const struct zs_scene scene = { .background = ZS_RGB565(0x000050), .resolve = &hook, .n_resolves = 1 };
     struct zs_camera camera;
-    const int32_t eye[3] = { 0, 0, 0 }, along[3] = { 0, 0, -1 }, up[3] = { 0, 1, 0 };
     int err = zs_camera_orthographic(&camera, 24, 1, 100);
-    err = err ? err : zs_camera_look_along(&camera, eye, along, up);
     if (!err && t == 0) {
-        err = zs_init(&renderer, &config, arena, sizeof arena);
-        err = err ? err : zs_damage_track(&renderer, track, 0);
-        err = err ? err : zs_damage_columns(&renderer, 1);
+        screen_config.depth = &zs_depth_linear;
+        err = ZS_INIT(screen);
+        err = err ? err : zs_damage_track(&screen, track, 0);
+        err = err ? err : zs_damage_columns(&screen, 1);
     }
     counter.shown = t;
-    return err ? err : zs_render(&renderer, &scene, &camera, sink);
+    return err ? err : zs_render(&screen, &scene, &camera, sink);
 }

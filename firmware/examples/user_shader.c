@@ -25,27 +25,23 @@ static const struct zs_shader rings = { .vertex = rings_vertex, .fragment = ring
 
 /* ---- A frame ---------------------------------------------------------------------------------------------------- */
 
-ZS_ARENA(arena, ZS_ARENA_BYTES(EXAMPLE_W, EXAMPLE_H, 8, 8, 8, 2, 1));
-static struct zs_renderer renderer;
+ZS_RENDERER(screen, EXAMPLE_W, EXAMPLE_H, 8, 8, 8, 2);
 
 static const int16_t pos[4][3] = { { -16, -12, 0 }, { 16, -12, 0 }, { 16, 12, 0 }, { -16, 12, 0 } };
 static const uint16_t tri[2][3] = { { 0, 1, 2 }, { 0, 2, 3 } };
-static const struct zs_mesh card = { .pos = pos, .tri = tri, .n_verts = 4, .n_tris = 2, .scale = ZS_Q16_ONE, .radius = 21 };
-static const struct zs_material yellow = { .shader = &rings, .rgb = { 255, 220, 0 }, .cull = ZS_CULL_NONE };
+static const struct zs_mesh card = { .pos = pos, .tri = tri, .n_verts = 4, .n_tris = 2, .radius = 21 };
+static const struct zs_material yellow = { .shader = &rings, .rgb = ZS_RGB(0xffdc00), .cull = ZS_CULL_NONE };
 
 int example_user_shader(uint32_t t, const struct zs_sink *sink)
 {
-    static const struct zs_config config = { .width = EXAMPLE_W, .height = EXAMPLE_H, .strip_h = 8, .max_tris = 8,
-                                             .max_verts = 8, .varyings = 2, .buffers = 1, .subpixel_bits = 8, .depth_bits = 16,
-                                             .depth = &zs_depth_float };
     struct zs_instance instance = { .mesh = &card, .material = &yellow };
-    const struct zs_scene scene = { .instance = &instance, .n_instances = 1, .background = zs_rgb565(0, 0, 80) };
+    const struct zs_scene scene = { .instance = &instance, .n_instances = 1, .background = ZS_RGB565(0x000050) };
     struct zs_camera camera;
     const int32_t at[3] = { 0, 0, 0 };
-    zs_pose_identity(&instance.pose);
+    screen_config.depth = &zs_depth_float;
     zs_pose_turn(&instance.pose, (zs_turn)(t * 1000u), 0, 0);
-    int err = zs_camera_perspective(&camera, 10000, EXAMPLE_H, 5, 200);
+    int err = zs_camera_perspective(&camera, ZS_DEGREES(55), EXAMPLE_H, 5, 200);
     err = err ? err : zs_camera_orbit(&camera, at, 30, 0, 0);
-    err = err ? err : zs_init(&renderer, &config, arena, sizeof arena);
-    return err ? err : zs_render(&renderer, &scene, &camera, sink);
+    err = err ? err : ZS_INIT(screen);
+    return err ? err : zs_render(&screen, &scene, &camera, sink);
 }

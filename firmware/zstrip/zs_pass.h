@@ -40,6 +40,7 @@ struct zs_pass {
 struct zs_pass_memory {
     struct zs_view view;
     struct zs_camera camera;
+    struct zs_light light;
     uint32_t first, end;
 };
 

@@ -18,6 +18,7 @@
 #include "panel.h"
 #include "sim.h"
 #include "source.h"
+#include "zs_damage.h"
 #include "zstrip.h"
 
 #define RATE 30u          /* frames of the animation a second */

@@ -51,6 +51,8 @@ minimal() {
     list=0 declared=
     [ -z "${LIST:-}" ] || list=fast declared="static const struct zs_fast *const fast[] = { $LIST ZS_FAST_END };"
     cat >"$1" <<END
+#include "zs_check.h"
+#include "zs_damage.h"
 #include "zs_fast.h"
 #include "zs_shader.h"
 struct zs_renderer renderer;

@@ -1,5 +1,5 @@
 #!/bin/sh
-# Structs of zstrip.h are initialised by the names of their fields everywhere but in the renderer: in scenes,
+# Structs of the public headers are initialised by the names of their fields everywhere but in the renderer: in scenes,
 # applications, what generators write, the simulator and the tests.
 #
 # SPDX-License-Identifier: MIT
@@ -11,7 +11,7 @@ dir=$B/designated
 rm -rf "$dir"
 mkdir -p "$dir/made" "$dir/gen"
 if ! designated_headers "$dir"; then
-    bad "headers for designated initialisers" "zstrip.h has not all of: $DESIGNATED"
+    bad "headers for designated initialisers" "the headers have not all of: $DESIGNATED"
     exit 1
 fi
 # What other scripts write for applications and for the study

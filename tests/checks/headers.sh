@@ -1,12 +1,12 @@
 #!/bin/sh
 # The public headers, each alone in a file, and a program that uses their macros are clean C99 to C17 and C++11 to C++20 by gcc
-# and clang; the library is C11. And such a program, C99 or C++11, links with the C library and draws.
+# and clang; the library is C11. And such a program, C99 or C++11, links with the C library and draws. One that was compiled
+# with another ZS_VARYINGS_MAX or ZS_SIZE_MAX than the library is refused by zs_init.
 #
 # SPDX-License-Identifier: MIT
 . "$(dirname "$0")/common.sh"
 
-HEADERS='firmware/zstrip/zstrip.h firmware/zstrip/zs_fast.h firmware/zstrip/zs_shader.h firmware/zstrip/config.h firmware/zstrip/renderer.h firmware/scenes/scenes.h
-         hal/hal.h hal/second.h hal/panel/panel.h'
+HEADERS="$(echo firmware/zstrip/*.h) firmware/scenes/scenes.h hal/hal.h hal/second.h hal/panel/panel.h"
 INC='-Ifirmware/zstrip -Ifirmware/scenes -Ihal -Ihal/panel'
 # Freestanding, because glibc's own headers make _Static_assert C99
 STRICT='-ffreestanding -Wall -Wextra -Wpedantic -Wconversion -Wundef -Werror'
@@ -20,17 +20,21 @@ mkdir -p "$dir"
 # ---- The programs: a square, half as wide and high as the frame ---------------------------------------------------
 
 cat >"$dir/main.c" <<'END'
+#include "zs_damage.h"
 #include "zs_fast.h"
 #include "zstrip.h"
 
-ZS_ARENA(arena, ZS_ARENA_BYTES(16, 16, 4, 8, 8, ZS_VARYINGS_FLAT, 2));
-static struct zs_renderer renderer;
+ZS_RENDERER_BUFFERS(screen, 16, 16, 4, 8, 8, ZS_VARYINGS_FLAT, 2);
+ZS_RENDERER(other, 16, 16, 4, 8, 8, ZS_VARYINGS_FLAT); /* at file scope, more than one */
 static uint32_t memory[ZS_DAMAGE_WORDS(1, 16, 4)];
 static uint64_t sums[ZS_STRIPS(16, 4)];
 static struct zs_strip_hashes panel;
 static const int16_t pos[4][3] = { { -9, -9, 0 }, { 9, -9, 0 }, { 9, 9, 0 }, { -9, 9, 0 } };
 static const uint16_t tri[2][3] = { { 0, 1, 2 }, { 0, 2, 3 } };
-static const struct zs_material material = { .shader = &zs_shade_raw, .rgb = { 255, 255, 255 } };
+static const struct zs_material material = { .shader = &zs_shade_raw, .rgb = ZS_RGB(0xffffff) };
+static const zs_turn angle[3] = { ZS_DEGREES(45), ZS_DEGREES(-22.5), ZS_DEGREES(360u) };
+static const uint16_t navy = ZS_RGB565(0x000080);
+extern char constant[ZS_DEGREES(90) == 16384 && ZS_RGB565(0xffffff) == 65535 && ZS_VERSION > 0 ? 1 : -1];
 static const struct zs_depth_state state = { .func = ZS_DEPTH_LESS_EQUAL, .bias = -4 };
 static const struct zs_fast *const fast[] = { ZS_FAST_FRAME, ZS_FAST_RAW, ZS_FAST_END };
 static struct zs_mesh mesh;
@@ -48,57 +52,49 @@ static int count(void *ctx, const struct zs_strip *strip)
 
 int main(void)
 {
-    static const struct zs_config config = {
-        .width = 16,
-        .height = 16,
-        .strip_h = 4,
-        .max_tris = 8,
-        .max_verts = 8,
-        .varyings = ZS_VARYINGS_FLAT,
-        .buffers = 2,
-        .subpixel_bits = 8,
-        .depth_bits = 16,
-        .depth = &zs_depth_linear,
-        .fast = fast,
-    };
     static const int32_t eye[3] = { 0, 0, 100 }, at[3] = { 0, 0, 0 }, up[3] = { 0, 1, 0 };
     uint32_t lit = 0;
-    struct zs_sink sink = { count, 0, 0 };
+    struct zs_sink sink = { .submit = count };
     sink.ctx = &lit;
+    screen_config.depth = &zs_depth_linear;
+    screen_config.fast = fast;
+    other_config.depth = &zs_depth_linear;
+    if (angle[0] != 8192 || angle[1] != 61440 || angle[2] != 0 || navy != zs_rgb565(0, 0, 128))
+        return 3;
+    if (ZS_INIT(other) || ZS_INIT(screen))
+        return ZS_INIT(screen) == ZS_ERR_BUILD ? 7 : 5;
     mesh.pos = pos;
     mesh.tri = tri;
     mesh.n_verts = 4;
     mesh.n_tris = 2;
-    mesh.scale = ZS_Q16_ONE;
     mesh.radius = 13;
     instance.mesh = &mesh;
     instance.material = &material;
     instance.depth_state = &state;
-    zs_pose_identity(&instance.pose);
     scene.instance = &instance;
     scene.n_instances = 1;
     scene.background = zs_rgb565(0, 0, 0);
     if (zs_camera_orthographic(&camera, 36, 1, 200) || zs_camera_look_at(&camera, eye, at, up))
         return 2;
     if (ZS_WORLD_MAX > ZS_FAR_MAX || ZS_FOCAL_MIN > ZS_FOCAL_MAX || camera.height < ZS_HEIGHT_MIN ||
-        instance.pose.rot[0] != ZS_Q30_ONE || zs_arena_bytes(&config) > sizeof arena)
+        zs_arena_bytes(&screen_config) != sizeof screen_arena)
         return 4;
-    if (zs_init(&renderer, &config, arena, sizeof arena) || zs_strip_hashes_init(&panel, sums, 16, 16, 4, 1) || zs_damage_compare(&renderer, &panel) ||
-        zs_damage_track(&renderer, memory, 1))
+    if (zs_strip_hashes_init(&panel, sums, 16, 16, 4, 1) || zs_damage_compare(&screen, &panel) ||
+        zs_damage_track(&screen, memory, 1))
         return 5;
-    if (zs_render(&renderer, &scene, &camera, &sink))
+    if (zs_render(&screen, &scene, &camera, &sink))
         return 6;
     return lit == 2 * 8 * 8 ? 0 : 1; /* two bytes a pixel */
 }
 END
 cat >"$dir/main.cpp" <<'END'
+#include "zs_damage.h"
 #include "zs_fast.h"
 #include "zstrip.h"
 
+ZS_RENDERER(other, 16, 16, 4, 8, 8, ZS_VARYINGS_FLAT); // at file scope, more than one
 namespace {
-constexpr uint32_t bytes = ZS_ARENA_BYTES(16, 16, 4, 8, 8, ZS_VARYINGS_FLAT, 2);
-ZS_ARENA(arena, bytes);
-zs_renderer renderer;
+ZS_RENDERER_BUFFERS(screen, 16, 16, 4, 8, 8, ZS_VARYINGS_FLAT, 2);
 uint32_t memory[ZS_DAMAGE_WORDS(1, 16, 4)];
 uint64_t sums[ZS_STRIPS(16, 4)];
 zs_strip_hashes panel;
@@ -114,6 +110,10 @@ zs_depth_state make_state()
 }
 const zs_depth_state state = make_state();
 static_assert(ZS_WORLD_MAX < ZS_FAR_MAX && ZS_FOCAL_MIN < ZS_FOCAL_MAX, "limits are constants");
+constexpr zs_turn angle[3] = { ZS_DEGREES(45), ZS_DEGREES(-22.5), ZS_DEGREES(360u) };
+static_assert(angle[0] == 8192 && angle[1] == 61440 && angle[2] == 0, "angles are constants");
+static_assert(ZS_RGB565(0xffffff) == 65535 && ZS_VERSION > 0, "colours are constants");
+constexpr zs_rgb white = ZS_RGB(0xffffff);
 
 int count(void *ctx, const zs_strip *strip)
 {
@@ -130,11 +130,9 @@ int main()
     mesh.tri = tri;
     mesh.n_verts = 4;
     mesh.n_tris = 2;
-    mesh.scale = ZS_Q16_ONE;
     mesh.radius = 13;
-    const zs_material material{ &zs_shade_raw, { 255, 255, 255 }, ZS_CULL_BACK, nullptr };
-    zs_instance instance{ &mesh, &material, {}, &state };
-    zs_pose_identity(&instance.pose);
+    const zs_material material{ &zs_shade_raw, white, ZS_CULL_BACK, nullptr };
+    const zs_instance instance{ &mesh, &material, {}, &state };
     zs_scene scene{};
     scene.instance = &instance;
     scene.n_instances = 1;
@@ -143,15 +141,20 @@ int main()
     const int32_t eye[3] = { 0, 0, 100 }, at[3] = { 0, 0, 0 }, up[3] = { 0, 1, 0 };
     if (zs_camera_orthographic(&camera, 36, 1, 200) || zs_camera_look_at(&camera, eye, at, up))
         return 2;
-    if (camera.height < ZS_HEIGHT_MIN || instance.pose.rot[0] != ZS_Q30_ONE)
+    if (camera.height < ZS_HEIGHT_MIN || zs_arena_bytes(&screen_config) != sizeof screen_arena)
         return 4;
-    const zs_config config{ 16, 16, 4, 8, 8, ZS_VARYINGS_FLAT, 2, 8, 16, &zs_depth_linear, fast };
-    if (zs_init(&renderer, &config, arena, sizeof arena) || zs_strip_hashes_init(&panel, sums, 16, 16, 4, 1) || zs_damage_compare(&renderer, &panel) ||
-        zs_damage_track(&renderer, memory, 1))
+    screen_config.depth = other_config.depth = &zs_depth_linear;
+    screen_config.fast = fast;
+    if (ZS_INIT(other) || ZS_INIT(screen))
+        return ZS_INIT(screen) == ZS_ERR_BUILD ? 7 : 5;
+    if (zs_strip_hashes_init(&panel, sums, 16, 16, 4, 1) || zs_damage_compare(&screen, &panel) ||
+        zs_damage_track(&screen, memory, 1))
         return 5;
     uint32_t lit = 0;
-    const zs_sink sink{ count, nullptr, &lit };
-    if (zs_render(&renderer, &scene, &camera, &sink))
+    zs_sink sink{};
+    sink.submit = count;
+    sink.ctx = &lit;
+    if (zs_render(&screen, &scene, &camera, &sink))
         return 6;
     return lit == 2 * 8 * 8 ? 0 : 1; /* two bytes a pixel */
 }
@@ -176,7 +179,7 @@ clean() {
 }
 for h in $HEADERS; do
     name=$(basename "$h")
-    # twice, and a declaration, because config.h has none and C asks for one
+    # twice, and a declaration, because zs_config.h has none and C asks for one
     printf '#include "%s"\n' "$name" "$name" | sed '$a extern int declared;' | tee "$dir/only_${name%.h}.c" >"$dir/only_${name%.h}.cpp"
 done
 for compiler in gcc clang; do
@@ -188,14 +191,14 @@ done
 
 # ---- Linked -------------------------------------------------------------------------------------------------------
 
-# NAME COMPILER...
-draws() {
-    name=$1
-    shift
+# NAME EXIT COMPILER...: what the program ends with, 0 where it draws
+ends() {
+    name=$1 want=$2
+    shift 2
     if "$@" -Ifirmware/zstrip "$dir"/*.o -o "$dir/main" 2>"$B/headers.txt"; then
         "$dir/main"
         status=$?
-        if [ $status = 0 ]; then ok "$name program draws"; else bad "$name program draws" "exit $status"; fi
+        if [ $status = "$want" ]; then ok "$name"; else bad "$name" "exit $status, not $want"; fi
     else
         bad "$name program links" "$(first_error)"
     fi
@@ -203,6 +206,25 @@ draws() {
 for src in firmware/zstrip/*/*.c; do
     gcc -std=c11 -O0 -Ifirmware/zstrip -c "$src" -o "$dir/$(echo "${src#firmware/zstrip/}" | tr / _).o" || bad "$src compiles" "see above"
 done
-draws C99 gcc -std=c99 "$dir/main.c"
-draws C++11 g++ -std=c++11 "$dir/main.cpp"
+ends "C99 program draws" 0 gcc -std=c99 "$dir/main.c"
+ends "C++11 program draws" 0 g++ -std=c++11 "$dir/main.cpp"
+# ZS_ERR_BUILD
+ends "C99 program with fewer varyings than the library is refused" 7 gcc -std=c99 -DZS_VARYINGS_MAX=2 "$dir/main.c"
+ends "C++11 program with more varyings than the library is refused" 7 g++ -std=c++11 -DZS_VARYINGS_MAX=8 "$dir/main.cpp"
+ends "C99 program with larger frames than the library is refused" 7 gcc -std=c99 -DZS_SIZE_MAX=8000 "$dir/main.c"
+
+# ZS_DEGREES of a variable would be floating point at run time
+printf '#include "zstrip.h"\nzs_turn turn(int x);\nzs_turn turn(int x)\n{\n    return ZS_DEGREES(x);\n}\n' >"$dir/variable.c"
+sed 's/(x)/(30)/' "$dir/variable.c" >"$dir/fixed.c"
+for compiler in gcc clang g++ clang++; do
+    flags='-O2 -Wpedantic -Werror'
+    case $compiler in *++) flags="$flags -x c++ -std=c++11" ;; *) flags="$flags -std=c99" ;; esac
+    # shellcheck disable=SC2086
+    if $compiler $flags -Ifirmware/zstrip -c "$dir/fixed.c" -o /dev/null 2>"$B/headers.txt" &&
+        ! $compiler $flags -Ifirmware/zstrip -c "$dir/variable.c" -o /dev/null 2>"$B/headers.txt"; then
+        ok "ZS_DEGREES takes constants alone, $compiler"
+    else
+        bad "ZS_DEGREES takes constants alone, $compiler" "$(first_error)"
+    fi
+done
 exit $failed

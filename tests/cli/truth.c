@@ -69,7 +69,7 @@ static const char *compare(const struct zs_scene *scene, const struct zs_camera 
     const struct ref_depth depth = { sim_truth_mapping(mapping, camera), 16 };
     struct ref_triangle *all = sim_truth_triangles(scene, camera, &n);
     sim_truth_camera(&ref_camera, camera);
-    sim_truth_light(&light, &scene->light);
+    sim_truth_light(&light, &scene->light, camera);
     struct ref_image truth = { .rgb565 = true_565, .key = true_key, .id = id, .u = u, .v = v,
                                .texel = texel, .texture = texture };
     const struct ref_image ours = { .rgb565 = frame.rgb565, .key = frame.key, .id = ours_id,

@@ -18,6 +18,7 @@
 #include <string.h>
 
 #include "m.h"
+#include "zs_check.h"
 
 #define W 240
 #define H 240

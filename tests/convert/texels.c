@@ -12,6 +12,7 @@
 
 #include "m.h"
 #include "paint.h"
+#include "zs_check.h"
 
 static uint16_t texel(const struct zs_texture *t, uint32_t x, uint32_t y)
 {

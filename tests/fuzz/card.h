@@ -9,6 +9,7 @@
 #include <stddef.h>
 #include <stdint.h>
 
+#include "zs_check.h"
 #include "zstrip.h"
 
 /* Arrays that a header's bits name, in the order of the file: X(bit, field of struct zs_mesh, count).

@@ -122,7 +122,7 @@ static struct zs_camera camera_of(const struct card_header *h)
 static int must_be_refused(const struct card *c, const struct kind_shader *k)
 {
     const enum zs_flaw m = c->mesh_flaw, t = c->texture_flaw;
-    return m == ZS_FLAW_COUNT || m == ZS_FLAW_SCALE ||
+    return m == ZS_FLAW_COUNT ||
            (k->texture && (m == ZS_FLAW_UV_BITS || t == ZS_FLAW_NULL || t == ZS_FLAW_SIZE || t == ZS_FLAW_CLAMP));
 }
 

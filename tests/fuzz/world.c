@@ -9,6 +9,7 @@
 #include <string.h>
 
 #include "kinds.h"
+#include "zs_check.h"
 
 static void *block(struct world *w, size_t bytes)
 {

@@ -22,6 +22,7 @@
 #include "fast_lists.h"
 #include "replay.h"
 #include "stress.h"
+#include "zs_damage.h"
 #include "zstrip.h"
 
 #define CASE_SECONDS 120 /* a case that takes longer hangs */

@@ -14,6 +14,7 @@
 #include "picture.h"
 #include "shapes.h"
 #include "stress.h"
+#include "zs_damage.h"
 
 #define SHAPES 6
 #define WALL 0      /* the shape that is one: two large triangles */

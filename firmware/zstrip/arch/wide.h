@@ -14,7 +14,7 @@
 
 #include <stdint.h>
 
-#include "config.h"
+#include "zs_config.h"
 
 /* 1: the core divides 32 bits by an instruction. */
 #if defined(__ARM_ARCH) && !defined(__ARM_FEATURE_IDIV) || defined(__riscv) && !defined(__riscv_div)

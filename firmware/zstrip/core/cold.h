@@ -6,7 +6,7 @@
 #ifndef ZS_COLD_H
 #define ZS_COLD_H
 
-#include "config.h" /* before the pragma: ZS_FOR_SIZE is of the whole program */
+#include "zs_config.h" /* before the pragma: ZS_FOR_SIZE is of the whole program */
 
 #if defined(__GNUC__) && !defined(__clang__) && defined(__OPTIMIZE__)
 #pragma GCC optimize("Os")

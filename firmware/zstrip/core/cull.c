@@ -7,6 +7,7 @@
 #include "core/fx.h"
 #include "core/pass.h"
 #include "core/rotation.h"
+#include "core/usual.h"
 
 #define SCALE_MAX ((uint64_t)1 << 47) /* q32_32: 32768 steps are then 2^30 world units */
 
@@ -32,7 +33,7 @@ ZS_RARE void zs_cull_axes(zs_q2_30 out[9], const struct zs_instance *in,
 {
     zs_q2_30 view[9];
     axes(view, camera);
-    zs_rotation_mul(out, view, in->pose.rot);
+    zs_rotation_mul(out, view, zs_usual_rotation(in->pose.rot));
 }
 
 static int pose_ok(const struct zs_pose *pose)
@@ -40,14 +41,14 @@ static int pose_ok(const struct zs_pose *pose)
     for (int k = 0; k < 3; k++)
         if (pose->pos[k] > ZS_WORLD_MAX || pose->pos[k] < -ZS_WORLD_MAX)
             return 0;
-    return pose->scale > 0 && zs_rotation_ok(pose->rot);
+    return zs_rotation_ok(zs_usual_rotation(pose->rot));
 }
 
 int zs_cull_bounds(struct zs_bounds *b, const struct zs_instance *in,
                    const struct zs_camera *camera)
 {
     const struct zs_mesh *mesh = in->mesh;
-    const uint64_t scale = (uint64_t)mesh->scale * in->pose.scale; /* q32_32 */
+    const uint64_t scale = zs_usual_scale(in);
     if (!pose_ok(&in->pose) || scale > SCALE_MAX)
         return ZS_ERR_RANGE;
     const uint32_t radius = mesh->radius + 1u;
@@ -57,7 +58,7 @@ int zs_cull_bounds(struct zs_bounds *b, const struct zs_instance *in,
     zs_q2_30 view[9], both[9];
     int32_t from[3], center[3];
     axes(view, camera);
-    zs_rotation_mul(both, view, in->pose.rot);
+    zs_rotation_mul(both, view, zs_usual_rotation(in->pose.rot));
     b->reach = 0;
     for (int k = 0; k < 3; k++) {
         from[k] = in->pose.pos[k] - camera->pos[k];

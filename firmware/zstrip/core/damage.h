@@ -2,8 +2,8 @@
  *
  * SPDX-License-Identifier: MIT
  */
-#ifndef ZS_DAMAGE_H
-#define ZS_DAMAGE_H
+#ifndef ZS_CORE_DAMAGE_H
+#define ZS_CORE_DAMAGE_H
 
 #include "zstrip.h"
 

@@ -10,6 +10,8 @@
 #include "core/fx.h"
 #include "core/pass.h"
 #include "core/raster.h"
+#include "core/usual.h"
+#include "zs_damage.h"
 #include "zs_shader.h"
 #include "core/view.h"
 #include "core/walk.h"
@@ -27,7 +29,8 @@ static const char *const messages[] = {
     "the shader needs more vertex attributes than config.varyings",
     "a direction of length 0, or parallel directions",
     "the near plane is too close beside what is in view (more than 2^21 times as far): move it out",
-    "a texture's size or clamping out of range"
+    "a texture's size or clamping out of range",
+    "the program was compiled with other headers or limits than the library"
 };
 
 const char *zs_error_string(int err)
@@ -43,7 +46,8 @@ static ZS_RARE int config_ok(const struct zs_config *c)
     return c->width >= 1 && c->width <= ZS_SIZE_MAX && c->height >= 1 && c->height <= ZS_SIZE_MAX &&
            c->strip_h >= 1 && c->max_tris >= 1 && c->max_tris <= ZS_POOL_MAX && c->max_verts >= 3 &&
            c->max_verts <= ZS_POOL_MAX && c->varyings <= ZS_VARYINGS_MAX &&
-           (c->buffers == 1 || c->buffers == 2) && (c->subpixel_bits == 8 || c->subpixel_bits == 4);
+           c->buffers <= 2 &&
+           (c->subpixel_bits == 0 || c->subpixel_bits == 8 || c->subpixel_bits == 4);
 }
 
 static uint16_t strip_rows(const struct zs_config *c)
@@ -126,22 +130,32 @@ static ZS_RARE void accelerators(struct zs_renderer *r)
     r->refit = r->passes != 0;
 }
 
-ZS_RARE int zs_init(struct zs_renderer *r, const struct zs_config *config, void *arena,
-                    size_t bytes)
+/* No two parts of ZS_BUILD overlap. */
+_Static_assert(sizeof(struct zs_renderer) < 1u << 14 && ZS_VARYINGS_MAX < 1 << 4 &&
+                   ZS_SIZE_MAX < 1 << 14,
+               "ZS_BUILD tells sizes apart");
+
+ZS_RARE int zs_init_build(struct zs_renderer *r, const struct zs_config *config, void *arena,
+                          size_t bytes, uint32_t build)
 {
     if (!r)
         return ZS_ERR_NULL;
+    if (build != ZS_BUILD)
+        return ZS_ERR_BUILD;
     r->ready = 0;
     r->scene = 0;
     if (!config || !arena || !config->depth)
         return ZS_ERR_NULL;
     if (!config_ok(config))
         return ZS_ERR_SIZE;
-    if (config->depth_bits < 8 || config->depth_bits > 16)
+    if (config->depth_bits > 16 || (config->depth_bits < 8 && config->depth_bits))
         return ZS_ERR_DEPTH;
     if (bytes < zs_arena_bytes(config) || ((uintptr_t)arena & 3u))
         return ZS_ERR_ARENA;
     r->config = *config;
+    r->config.buffers = config->buffers == 2 ? 2 : 1;
+    r->config.subpixel_bits = config->subpixel_bits == 4 ? 4 : 8;
+    r->config.depth_bits = config->depth_bits ? config->depth_bits : 16;
     r->config.strip_h = strip_rows(config);
     r->n_strips = (uint16_t)((config->height + r->config.strip_h - 1) / r->config.strip_h);
     strip_divisor(r);
@@ -170,7 +184,7 @@ static ZS_RARE int instance_check(const struct zs_renderer *r, const struct zs_i
     if (!mesh || !material || !material->shader)
         return ZS_ERR_NULL;
     if ((!mesh->pos && mesh->n_verts) || (!mesh->tri && mesh->n_tris) || mesh->n_verts > 65535u ||
-        mesh->scale == 0 || material->cull > ZS_CULL_NONE)
+        material->cull > ZS_CULL_NONE)
         return ZS_ERR_MESH;
     if (!material->shader->run)
         return ZS_ERR_NULL;
@@ -254,7 +268,7 @@ ZS_RARE int zs_frame_begin(struct zs_renderer *r, const struct zs_scene *scene,
         return ZS_ERR_NULL;
     if (r->ready != 1)
         return ZS_ERR_SEQUENCE;
-    r->camera = *camera;
+    zs_usual_camera(r, scene, camera);
     r->draw_end = r->n_strips;
     r->passes = 0;
     r->first = 0;
@@ -323,7 +337,6 @@ int zs_frame_strip(struct zs_renderer *r, struct zs_strip *out)
     out->y = (uint16_t)y0;
     out->w = r->config.width;
     out->h = (uint16_t)(left < r->config.strip_h ? left : r->config.strip_h);
-    out->last = r->strip + 1u == r->n_strips;
     out->px = (const uint8_t *)r->color[0];
     out->n_bytes = (uint32_t)out->w * out->h * 2u;
     out->depth = r->depth;
@@ -421,6 +434,12 @@ int zs_frame_send(struct zs_renderer *r, const struct zs_sink *sink)
     }
     if (err)
         not_sent(r, &strip);
+    if (sink->end) {
+        const int at_end = sink->end(sink->ctx);
+        if (at_end && !err)
+            (void)zs_invalidate(r, 0); /* nobody knows which strips have arrived */
+        err = err ? err : at_end;
+    }
     (void)zs_frame_end(r);
     return err;
 }

@@ -10,7 +10,7 @@
 
 #include <stdint.h>
 
-#include "config.h"
+#include "zs_config.h"
 
 #include "arch/wide.h"
 

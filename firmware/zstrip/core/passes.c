@@ -13,6 +13,7 @@
 #include "core/fx.h"
 #include "core/pass.h"
 #include "core/raster.h"
+#include "core/usual.h"
 #include "core/view.h"
 #include "zs_pass.h"
 
@@ -21,6 +22,7 @@ static void load(struct zs_renderer *r, uint32_t k)
     const struct zs_pass_memory *m = &r->pass_memory[k];
     r->view = m->view;
     r->camera = m->camera;
+    r->light = m->light;
     r->scene = r->pass[k].scene;
     r->first = m->first;
     r->end = m->end;
@@ -116,12 +118,13 @@ static int pass_check(struct zs_renderer *r, const struct zs_pass *p, struct zs_
     if (!p->scene || !p->camera)
         return ZS_ERR_NULL;
     int err = target_set(r, p);
-    r->camera = *p->camera;
+    zs_usual_camera(r, p->scene, p->camera);
     err = err ? err : zs_frame_check(r, p->scene);
     if (err)
         return err;
     m->view = r->view;
     m->camera = r->camera;
+    m->light = r->light;
     m->first = first;
     m->end = first + p->scene->n_instances; /* < 2^32: first < 2^16 */
     return m->end > 65535u ? ZS_ERR_SIZE : ZS_OK;

@@ -16,20 +16,22 @@
 #include "core/fx.h"
 #include "core/pass.h"
 #include "core/rotation.h"
+#include "core/usual.h"
 #include "core/xform.h"
 
 #define SHIFT_MAX 29 /* keeps t below 2^60, and shift_high 14 */
 #define SPLIT_MAX 15
 
-static ZS_RARE void shading_set(struct zs_renderer *r, const struct zs_instance *in)
+static ZS_RARE void shading_set(struct zs_renderer *r, const struct zs_instance *in,
+                                const zs_q2_30 rot[9])
 {
     struct zs_shading *s = &r->shading;
     s->instance = in;
-    s->light = &r->scene->light;
+    s->light = &r->light;
     for (int k = 0; k < 3; k++) {
         int64_t sum = 0; /* transposed rotation: world to mesh */
         for (int j = 0; j < 3; j++)
-            sum += zs_mul_ss(in->pose.rot[3 * j + k], s->light->dir[j]);
+            sum += zs_mul_ss(rot[3 * j + k], r->light.dir[j]);
         s->dir[k] = (int32_t)zs_round_shift(sum, 30); /* <= 2^30 (1 + 2^-19) */
     }
 }
@@ -74,7 +76,7 @@ ZS_RARE int zs_xform_instance(struct zs_renderer *r, uint32_t number, const stru
     xf->number = number;
 
     /* scale = mantissa * 2^exp / 2^32, mantissa in [2^30, 2^31) */
-    const uint64_t scale = (uint64_t)in->mesh->scale * in->pose.scale;
+    const uint64_t scale = zs_usual_scale(in);
     int32_t exp = 33 - zs_clz64(scale);
     const uint32_t mantissa = (uint32_t)(exp >= 0 ? scale >> exp : scale << -exp);
     if (in->mesh->pos_lo)
@@ -86,8 +88,9 @@ ZS_RARE int zs_xform_instance(struct zs_renderer *r, uint32_t number, const stru
         extra = shift - SHIFT_MAX > 30 ? 30 : shift - SHIFT_MAX;
         shift = SHIFT_MAX;
     }
+    const zs_q2_30 *const rot = zs_usual_rotation(in->pose.rot);
     zs_q2_30 both[9];
-    zs_rotation_mul(both, view->rot, in->pose.rot);
+    zs_rotation_mul(both, view->rot, rot);
     for (int k = 0; k < 3; k++) {
         int64_t at = 0; /* q2_30 * world units, |.| <= 2^60.6 */
         int32_t m[3];
@@ -97,7 +100,7 @@ ZS_RARE int zs_xform_instance(struct zs_renderer *r, uint32_t number, const stru
         }
         row_set(xf->row + k * ZS_ROW_WORDS, m, zs_scale2(at, view->shift + shift - 30), shift);
     }
-    shading_set(r, in);
+    shading_set(r, in, rot);
     return 1;
 }
 

@@ -5,7 +5,7 @@
 #ifndef ZS_CHANGED_H
 #define ZS_CHANGED_H
 
-#include "zstrip.h"
+#include "zs_damage.h"
 
 #define ZS_LANES                                                                                   \
     {                                                                                              \

@@ -58,6 +58,7 @@
 #include "core/damage.h"
 #include "core/fast.h"
 #include "core/fx.h"
+#include "core/usual.h"
 #include "core/view.h"
 #include "fast/screen.h"
 #include "zs_fast.h"
@@ -277,7 +278,7 @@ static ZS_RARE int cluster_open(struct zs_renderer *r, const struct zs_bounds *b
     struct zs_clusters *c = &r->clusters;
     const struct zs_instance *in = r->xform.instance;
     const struct zs_mesh *mesh = in->mesh;
-    const uint64_t scale = (uint64_t)mesh->scale * in->pose.scale;
+    const uint64_t scale = zs_usual_scale(in);
     zs_q2_30 axis[9];
     struct ruler by;
     if (mesh->n_clusters < CLUSTERS_MIN)

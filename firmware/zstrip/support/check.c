@@ -7,14 +7,13 @@
  * SPDX-License-Identifier: MIT
  */
 #include "core/cold.h"
-#include "zstrip.h"
+#include "zs_check.h"
 
 static const char *const flaws[] = {
     "no flaw",
     "an array, a palette or a texel format is missing or not known",
     "an array is not aligned as its elements",
     "more than 65535 vertices",
-    "a scale of 0",
     "a triangle names a vertex that is not there",
     "a vertex outside the mesh's sphere",
     "a vertex normal whose length is neither 1 nor 0",
@@ -286,8 +285,6 @@ enum zs_flaw zs_mesh_check(const struct zs_mesh *m, uint32_t *index)
         return found(ZS_FLAW_ALIGN, index, 0);
     if (m->n_verts > 65535u)
         return found(ZS_FLAW_COUNT, index, m->n_verts);
-    if (m->scale == 0)
-        return found(ZS_FLAW_SCALE, index, 0);
     for (uint32_t t = 0; t < m->n_tris; t++)
         for (int k = 0; k < 3; k++)
             if (m->tri[t][k] >= m->n_verts)

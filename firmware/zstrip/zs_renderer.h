@@ -1,12 +1,12 @@
-/* The renderer's memory. Public in size, so that it can be a static object; its fields belong to the
- * library. Part of zstrip.h: whoever includes this one has all of that.
+/* The renderer's memory. Its size is public, so that it can be a static object; its fields belong to
+ * the library. zstrip.h includes this header.
  *
  * SPDX-License-Identifier: MIT
  */
-#include "zstrip.h" /* which includes this one where it belongs */
-
 #ifndef ZS_RENDERER_H
 #define ZS_RENDERER_H
+
+#include "zs_setup.h"
 
 /* A transformed vertex, in the vertex pool. 12 bytes on every machine. */
 struct zs_vertex {
@@ -169,7 +169,8 @@ struct zs_renderer { /* what is used most comes first: a Cortex-M0 reaches 31 by
     struct zs_xform xform;
     struct zs_shading shading; /* of the current instance */
     struct zs_view view;
-    struct zs_camera camera;
+    struct zs_camera camera;   /* its rotation is never all 0: no rotation is written out */
+    struct zs_light light;     /* the scene's, or the usual one */
     struct zs_stats stats;
     const struct zs_watch_kernel *watch; /* NULL: everything counts as changed */
     struct zs_strip_hashes *sums;         /* [n_strips][columns], the panel's; 0: not known */
