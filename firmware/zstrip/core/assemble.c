@@ -94,7 +94,7 @@ ZS_NOINLINE enum zs_fate zs_assemble_tri(struct zs_renderer *r, uint32_t t, uint
     enum zs_fate fate = fetch(r, t, &at, piece);
     if (fate != ZS_FATE_OPEN)
         return fate;
-    if (r->tiles)
+    if (ZS_IF_FAST(r->tiles))
         r->tiles->cover(r, &r->vert[at.slot[0]], &r->vert[at.slot[1]], &r->vert[at.slot[2]]);
     fate = zs_assemble_box(r, r->vert, &at);
     const uint32_t strip = fate == ZS_FATE_DRAWN ? zs_bin_first(r, at.y0, at.y1) : ZS_NIL;

@@ -131,7 +131,7 @@ static ZS_RARE enum zs_fate polygon_bin(struct zs_renderer *r, const struct poly
             all = fate;
         if (fate != ZS_FATE_DRAWN || (uint32_t)k < *piece)
             continue;
-        if (r->tiles)
+        if (ZS_IF_FAST(r->tiles))
             r->tiles->cover(r, a, b, c);
         const uint32_t strip = zs_bin_first(r, at.y0, at.y1);
         if (strip == ZS_NIL)

@@ -103,7 +103,7 @@ static ZS_RARE void accelerators(struct zs_renderer *r)
     r->batch = 0;
     r->clusters_hooks = 0;
     r->edges = 0;
-    for (const struct zs_fast *const *at = r->config.fast; at && *at; at++) {
+    for (const struct zs_fast *const *at = ZS_IF_FAST(r->config.fast); at && *at; at++) {
         const struct zs_fast *fast = *at;
         r->touch = r->touch ? r->touch : fast->touch;
         r->tiles = r->tiles ? r->tiles : fast->tiles;
@@ -274,14 +274,14 @@ int zs_frame_strip(struct zs_renderer *r, struct zs_strip *out)
     const struct zs_track_kernel *track = r->track;
     const int draw = !track || track->due(r);
     if (draw) {
-        if (r->touch)
+        if (ZS_IF_FAST(r->touch))
             r->touch->begin(r);
         else
             zs_raster_clear_all(r);
         if (r->strip >= r->band_end)
             zs_walk(r);
         zs_raster_strip(r);
-        if (r->untouched)
+        if (ZS_IF_FAST(r->untouched))
             r->touch->end(r);
         resolve(r);
     }

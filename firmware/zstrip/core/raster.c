@@ -96,7 +96,7 @@ static ZS_NOINLINE int job_setup(struct zs_job *job)
 
 static void linear_span(struct zs_job *job, const struct zs_row *row)
 {
-    if (job->split & ZS_SPLIT_TOUCH)
+    if (ZS_IF_FAST(job->split & ZS_SPLIT_TOUCH))
         job->r->touch->row(job, row);
     job->piece(job, row, row->i0, row->i1, row->key + zs_wrap_mul(job->key.gx, row->i0),
                job->key.gx);
@@ -105,7 +105,7 @@ static void linear_span(struct zs_job *job, const struct zs_row *row)
 static void curved_span(struct zs_job *job, const struct zs_row *row)
 {
     const struct zs_depth *depth = job->r->config.depth;
-    if (job->split & ZS_SPLIT_TOUCH)
+    if (ZS_IF_FAST(job->split & ZS_SPLIT_TOUCH))
         job->r->touch->row(job, row);
     depth->row(job, row);
 }
@@ -139,10 +139,10 @@ static ZS_NOINLINE void draw(struct zs_job *job)
         job->bias = zs_depth_state_bias(job);
     if (shader->start)
         shader->start(job);
-    if (linear && job->rows && !job->split && job->rows(job))
+    if (linear && ZS_IF_FAST(job->rows) && !job->split && job->rows(job))
         return;
     job->piece = job->split & ZS_SPLIT_WINDOW ? r->track->piece
-                 : job->split                 ? r->touch->piece
+                 : ZS_IF_FAST(job->split)     ? r->touch->piece
                                               : job->span;
     if (linear)
         linear_walk(job);
@@ -204,7 +204,7 @@ struct sight {
 static struct sight sight_of(struct zs_renderer *r)
 {
     struct sight s = { UINT32_MAX, 0, r->window[0] > r->walk_least || r->window[1] < r->walk_most };
-    if (r->large)
+    if (ZS_IF_FAST(r->large))
         s.seen = r->tiles->seen(r);
     return s;
 }
@@ -222,7 +222,7 @@ static ZS_NOINLINE int unseen(struct zs_job *job, struct sight *s)
 {
     if (s->beside && job->r->track->beside(job))
         return 1;
-    if (s->seen == UINT32_MAX || !beyond(job, s->seen))
+    if (!ZS_IF_FAST(s->seen != UINT32_MAX) || !beyond(job, s->seen))
         return 0;
     const int hides = job->r->tiles->hides(job);
     s->in_vain = hides ? 0 : s->in_vain + 1;
@@ -235,7 +235,7 @@ static ZS_NOINLINE int unseen(struct zs_job *job, struct sight *s)
 static const struct zs_fast *fast_of(const struct zs_renderer *r, const struct zs_shader *shader,
                                      const struct zs_texel *format)
 {
-    if (r->config.fast)
+    if (ZS_IF_FAST(r->config.fast))
         for (const struct zs_fast *const *at = r->config.fast; *at; at++)
             if ((shader && (*at)->shader == shader) || (format && (*at)->format == format))
                 return *at;
@@ -262,7 +262,7 @@ static ZS_NOINLINE int (*instance_begin(struct zs_job *job, uint32_t number))(st
     job->split = 0;
     job->span = zs_rows_test;
     job->rows = 0;
-    if (job->depth_state || !job->fast)
+    if (job->depth_state || !ZS_IF_FAST(job->fast))
         return 0;
     job->rows = job->fast->rows;
     if (job->fast->span)
@@ -309,10 +309,10 @@ void zs_raster_strip(struct zs_renderer *r)
                 number = t->instance;
                 whole = instance_begin(&job, number);
             }
-            if (r->untouched && !r->touch->takes(&job))
+            if (ZS_IF_FAST(r->untouched) && !r->touch->takes(&job))
                 number = ZS_NIL; /* small triangles from now on */
-            if (!whole || !whole(&job)) {
-                if (part && !r->untouched)
+            if (!ZS_IF_FAST(whole) || !whole(&job)) {
+                if (part && !ZS_IF_FAST(r->untouched))
                     job.split = r->track->reaches(&job) ? ZS_SPLIT_WINDOW : 0;
                 if (job_setup(&job))
                     draw(&job);

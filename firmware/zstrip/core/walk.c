@@ -45,7 +45,7 @@ static ZS_RARE ZS_NOINLINE int instance_open(struct zs_renderer *r, uint32_t num
     struct zs_bounds b;
     const struct zs_instance *in = &r->scene->instance[number];
     const struct zs_track_kernel *track = r->track;
-    const struct zs_fast_clusters *clusters = in->mesh->cluster ? r->clusters_hooks : 0;
+    const struct zs_fast_clusters *clusters = in->mesh->cluster ? ZS_IF_FAST(r->clusters_hooks) : 0;
     struct zs_part part;
     if (track) {
         if (!track->touches(r, number, &part))
@@ -57,7 +57,7 @@ static ZS_RARE ZS_NOINLINE int instance_open(struct zs_renderer *r, uint32_t num
     }
     if (zs_cull_walk(&b, r, number))
         return 0;
-    if (r->large && !in->depth_state && r->tiles->hides_sphere(r, &b)) {
+    if (ZS_IF_FAST(r->large) && !in->depth_state && r->tiles->hides_sphere(r, &b)) {
         r->stats.instances_hidden += r->counting;
         return 0;
     }
@@ -65,7 +65,7 @@ static ZS_RARE ZS_NOINLINE int instance_open(struct zs_renderer *r, uint32_t num
         return 0;
     if (!zs_xform_instance(r, number, &b))
         return 0;
-    if (r->batch)
+    if (ZS_IF_FAST(r->batch))
         r->batch->needs(r, &b);
     r->clusters.from = r->clusters.end = 0;
     r->by_clusters = clusters && clusters->open(r, &b);
@@ -76,7 +76,7 @@ static ZS_RARE ZS_NOINLINE int instance_open(struct zs_renderer *r, uint32_t num
  * there is none. */
 static ZS_RARE int next_run(struct zs_renderer *r)
 {
-    if (r->by_clusters)
+    if (ZS_IF_FAST(r->by_clusters))
         return r->clusters_hooks->run(r);
     r->clusters.from = r->clusters.end;
     r->clusters.end = r->xform.instance->mesh->n_tris;
@@ -102,7 +102,7 @@ static ZS_RARE int instance_begin(struct zs_renderer *r, struct cursor *at)
         at->fate[k] = 0;
     r->vert_base = r->n_verts;
     r->direct = 0;
-    if (r->batch)
+    if (ZS_IF_FAST(r->batch))
         r->batch->open(r);
     at->piece = 0;
     if (!next_run(r))
@@ -115,7 +115,7 @@ static ZS_RARE int instance_begin(struct zs_renderer *r, struct cursor *at)
 static ZS_NOINLINE int instance_bin(struct zs_renderer *r, struct cursor *at)
 {
     do {
-        if (r->batch && r->direct)
+        if (ZS_IF_FAST(r->batch) && r->direct)
             at->tri = r->batch->bin(r, at->tri, r->clusters.end, at->fate, &at->piece);
         for (; at->tri < r->clusters.end; at->tri++) {
             const enum zs_fate fate = zs_assemble_tri(r, at->tri, &at->piece);

@@ -242,7 +242,8 @@ static const struct zs_texture *lit_texture(struct zs_job *job, const struct zs_
     const struct zs_shader *shader = job->shader;
     job->sampler.unlit = !shader->light ||
                          (shader->n_varyings == 2 && job->tri->paint == ZS_TEXTURE_FULL_LIGHT);
-    return !job->sampler.unlit && job->fast && job->fast->lit ? job->fast->lit(job, t) : t;
+    return !job->sampler.unlit && ZS_IF_FAST(job->fast) && job->fast->lit ? job->fast->lit(job, t)
+                                                                          : t;
 }
 
 static void texture_start(struct zs_job *job)
@@ -440,7 +441,7 @@ ZS_NOINLINE void zs_texture_coarse_pixel(struct zs_job *job, const struct zs_row
     const uint32_t rcp = zs_recip15(w << up);
     const uint32_t u = place_at(s, 0, coarse_at(job, 0, i, row, up, rcp)),
                    v = place_at(s, 1, coarse_at(job, 1, i, row, up, rcp));
-    if (job->texel) {
+    if (ZS_IF_FAST(job->texel)) {
         const uint32_t at = (v >> zs_texture_cut(t->log2_h) << t->log2_w) +
                             (u >> zs_texture_cut(t->log2_w));
         job->texel->gather(t, out, 1, &at);
@@ -502,8 +503,9 @@ static void run_groups(struct zs_job *job, const struct zs_row *row, int32_t r0,
     const int down = (int32_t)job->w.gx < 0;
     int32_t from = row->x0 + ((r0 - row->x0) & -GROUP);
     void (*const divided)(struct zs_job *, const struct zs_row *, int32_t, int32_t) =
-        job->fast && job->texel && !job->sampler.wide && !job->sampler.fine ? job->fast->divided
-                                                                            : 0;
+        ZS_IF_FAST(job->fast) && job->texel && !job->sampler.wide && !job->sampler.fine
+            ? job->fast->divided
+            : 0;
     for (; from < r1; from += GROUP) {
         const int32_t to = zs_min32(from + GROUP, row->x1 - 1); /* covered */
         int32_t i0 = zs_max32(from, r0);
