@@ -34,29 +34,39 @@ ZS_RARE void zs_cull_axes(zs_q2_30 out[9], const struct zs_instance *in,
     zs_rotation_mul(out, view, in->pose.rot);
 }
 
-static int pose_ok(const struct zs_pose *pose)
+/* q32_32 world units to a mesh step */
+static uint64_t scale_of(const struct zs_instance *in)
 {
-    for (int k = 0; k < 3; k++)
-        if (pose->pos[k] > ZS_WORLD_MAX || pose->pos[k] < -ZS_WORLD_MAX)
-            return 0;
-    return pose->scale > 0 && zs_rotation_ok(pose->rot);
+    return (uint64_t)in->mesh->scale * in->pose.scale;
 }
 
-int zs_cull_bounds(struct zs_bounds *b, const struct zs_instance *in,
+/* Of the sphere, q48_16 world units, rounded up. <= 2^17 * 2^47 */
+static int64_t radius_of(const struct zs_instance *in)
+{
+    return (int64_t)((in->mesh->radius + 1u) * scale_of(in) >> 16) + 1;
+}
+
+static int range_ok(const struct zs_instance *in)
+{
+    const struct zs_pose *pose = &in->pose;
+    for (int k = 0; k < 3; k++)
+        if (zs_size32(pose->pos[k]) > ZS_WORLD_MAX)
+            return 0;
+    return pose->scale > 0 && scale_of(in) <= SCALE_MAX &&
+           radius_of(in) <= (int64_t)ZS_WORLD_MAX * 65536 && zs_rotation_ok(pose->rot);
+}
+
+/* Of an instance whose numbers are in range. */
+static void bounds(struct zs_bounds *b, const struct zs_instance *in,
                    const struct zs_camera *camera)
 {
     const struct zs_mesh *mesh = in->mesh;
-    const uint64_t scale = (uint64_t)mesh->scale * in->pose.scale; /* q32_32 */
-    if (!pose_ok(&in->pose) || scale > SCALE_MAX)
-        return ZS_ERR_RANGE;
-    const uint32_t radius = mesh->radius + 1u;
-    b->r = (int64_t)(radius * scale >> 16) + 1; /* <= 2^17 * 2^47 */
-    if (b->r > (int64_t)ZS_WORLD_MAX * 65536)
-        return ZS_ERR_RANGE;
+    const uint64_t scale = scale_of(in);
     zs_q2_30 view[9], both[9];
     int32_t from[3], center[3];
     axes(view, camera);
     zs_rotation_mul(both, view, in->pose.rot);
+    b->r = radius_of(in);
     b->reach = 0;
     for (int k = 0; k < 3; k++) {
         from[k] = in->pose.pos[k] - camera->pos[k];
@@ -72,6 +82,14 @@ int zs_cull_bounds(struct zs_bounds *b, const struct zs_instance *in,
     }
     b->slack = (b->reach >> 16) + 16; /* errors are below 2^-26 of reach, rotations' below 2^-20;
                                          what rounding to camera units adds is the walk's to add */
+}
+
+int zs_cull_bounds(struct zs_bounds *b, const struct zs_instance *in,
+                   const struct zs_camera *camera)
+{
+    if (!range_ok(in))
+        return ZS_ERR_RANGE;
+    bounds(b, in, camera);
     return ZS_OK;
 }
 
@@ -107,8 +125,7 @@ int64_t zs_cull_half_width(const struct zs_camera *camera, const struct zs_view 
 
 int zs_cull_walk(struct zs_bounds *b, const struct zs_renderer *r, uint32_t number)
 {
-    (void)zs_cull_bounds(b, &r->scene->instance[number],
-                         &r->camera); /* cannot fail: zs_frame_begin has asked too */
+    bounds(b, &r->scene->instance[number], &r->camera); /* zs_frame_begin has looked at ranges */
     const int32_t shift = zs_min32(r->view.shift,
                                    28);         /* -3 .. 30; from 20 on, it is the 1 that counts */
     b->slack += ((8 << 19) >> (shift + 3)) + 1; /* 8 camera units: what a vertex may be off by */

@@ -67,6 +67,13 @@ typedef int32_t q24_8; /* screen x, y, px */
 #define ZS_NOINLINE
 #endif
 
+/* For functions with several callers, of which compilers make copies even for size. */
+#if defined(__GNUC__)
+#define ZS_SHARED __attribute__((noinline))
+#else
+#define ZS_SHARED
+#endif
+
 /* Two 16-bit values at a time, in memory that is otherwise used as uint16_t. */
 #if defined(__GNUC__)
 typedef uint32_t __attribute__((may_alias)) zs_pair;

@@ -148,8 +148,9 @@ int zs_rotation_ok(const zs_q2_30 m[9])
 void zs_rotation_row(zs_q2_30 out[3], const zs_q2_30 a[3], const zs_q2_30 b[9])
 {
     for (int k = 0; k < 3; k++) {
-        const int32_t column[3] = { b[k], b[3 + k], b[6 + k] };
-        out[k] = (int32_t)zs_round_shift(zs_dot(a, column), 30); /* |.| <= 2^60 (1 + 2^-19) */
+        const int64_t sum = zs_mul_ss(a[0], b[k]) + zs_mul_ss(a[1], b[3 + k]) +
+                            zs_mul_ss(a[2], b[6 + k]); /* |.| <= 2^60 (1 + 2^-19) */
+        out[k] = (int32_t)zs_round_shift(sum, 30);
     }
 }
 
