@@ -122,6 +122,10 @@ void zs_xform_vertex(const struct zs_xform *xf, uint32_t v, struct zs_point *out
     const struct zs_mesh *mesh = xf->instance->mesh;
     const int16_t *p = mesh->pos[v];
     const int32_t *row = xf->row;
+    if (!ZS_FOR_SIZE && !mesh->pos_lo) {
+        zs_rows(row, p, out->c, 1);
+        return;
+    }
     for (int k = 0; k < 3; k++, row += ZS_ROW_WORDS)
         out->c[k] = mesh->pos_lo ? zs_xform_fine(row, p, mesh->pos_lo[v])
                                  : zs_row(row, p[0], p[1], p[2]);
