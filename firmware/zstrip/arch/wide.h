@@ -441,9 +441,13 @@ static inline int zs_clz32(uint32_t v)
 #endif
 
 /* v > 0. */
+#if ZS_FOR_SIZE
+int zs_clz64(uint64_t v); /* fx.c */
+#else
 static inline int zs_clz64(uint64_t v)
 {
     return v >> 32 ? zs_clz32((uint32_t)(v >> 32)) : 32 + zs_clz32((uint32_t)v);
 }
+#endif
 
 #endif

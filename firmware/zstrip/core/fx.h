@@ -83,32 +83,8 @@ typedef uint16_t zs_pair;
 #define ZS_PAIR 1u
 #endif
 
-/* Fill n 16-bit values, and the one after them where n is odd (pools are rounded up to 4 bytes).
- * out is 4-byte aligned. */
-static inline void zs_fill16(uint16_t *out, uint16_t value, uint32_t n)
-{
-    const zs_pair pair = (zs_pair)((uint32_t)value << 16 | value);
-    zs_pair *at = (zs_pair *)(void *)out, *const end = at + (n + ZS_PAIR - 1u) / ZS_PAIR;
-    at += zs_fill_blocks(at, pair, (n + ZS_PAIR - 1u) / ZS_PAIR);
-    for (; end - at >= 8; at += 8) {
-        at[0] = at[1] = at[2] = at[3] = pair;
-        at[4] = at[5] = at[6] = at[7] = pair;
-    }
-    while (at < end)
-        *at++ = pair;
-}
-
 /* Fill n > 0 16-bit values, anywhere. */
-static inline void zs_fill_run(uint16_t *out, uint16_t value, uint32_t n)
-{
-    if ((uintptr_t)out & 2u) {
-        *out++ = value;
-        n--;
-    }
-    if (n & 1u)
-        out[n - 1u] = value;
-    zs_fill16(out, value, n & ~1u);
-}
+void zs_fill_run(uint16_t *out, uint16_t value, uint32_t n);
 
 static inline int32_t zs_abs32(int32_t v)
 {
@@ -135,24 +111,10 @@ static inline uint32_t zs_maxu32(uint32_t a, uint32_t b)
     return a > b ? a : b;
 }
 
-#if ZS_FOR_SIZE /* fx.c */
-int64_t zs_round_shift(int64_t v, int n);
-int64_t zs_scale2(int64_t v, int n);
-#else
 /* v / 2^n, nearest. 0 <= n <= 62, |v| < 2^62. */
-static inline int64_t zs_round_shift(int64_t v, int n)
-{
-    return (v + (((int64_t)1 << n) >> 1)) >> n;
-}
-
+int64_t zs_round_shift(int64_t v, int n);
 /* v * 2^n, n of either sign, nearest. |result| < 2^62. */
-static inline int64_t zs_scale2(int64_t v, int n)
-{
-    if (n >= 0)
-        return v * ((int64_t)1 << n);
-    return n < -62 ? 0 : zs_round_shift(v, -n);
-}
-#endif
+int64_t zs_scale2(int64_t v, int n);
 
 /* Intended wrap: sums modulo 2^32, product's low half. */
 static inline uint32_t zs_wrap_mul(uint32_t a, int32_t b)
@@ -161,15 +123,15 @@ static inline uint32_t zs_wrap_mul(uint32_t a, int32_t b)
 }
 
 /* v * d modulo 2^64. */
+#if ZS_FOR_SIZE
+uint64_t zs_times(uint64_t v, int32_t d); /* fx.c */
+#else
 static inline uint64_t zs_times(uint64_t v, int32_t d)
 {
-#if ZS_FOR_SIZE
-    return v * (uint64_t)(int64_t)d;
-#else
     return (uint64_t)zs_mul_su(d, (uint32_t)v) +
            ((uint64_t)((uint32_t)(v >> 32) * (uint32_t)d) << 32);
-#endif
 }
+#endif
 
 /* First sample (row or column) at or after a coordinate: ceil((c - 1/2 px) / 1 px). */
 static inline int32_t zs_first_sample(q24_8 c)

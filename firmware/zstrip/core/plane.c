@@ -208,7 +208,7 @@ static ZS_RARE uint64_t gradient64(const struct zs_geom *g, uint64_t n, int32_t 
     return ((uint64_t)whole << 32) + part;
 }
 
-ZS_SHARED uint64_t zs_plane_numerator(uint64_t dv1, uint64_t dv2, const int32_t d[2])
+uint64_t zs_plane_numerator(uint64_t dv1, uint64_t dv2, const int32_t d[2])
 {
     return zs_times(dv1, d[1]) - zs_times(dv2, d[0]);
 }

@@ -19,31 +19,26 @@ static int32_t strip_rows(const struct zs_renderer *r)
     return zs_min32(r->config.strip_h, r->config.height - r->strip * r->config.strip_h);
 }
 
-static ZS_NOINLINE void fill(uint16_t *out, uint16_t value, uint32_t n)
-{
-    zs_fill_run(out, value, n);
-}
-
 ZS_NOINLINE void zs_raster_clear(struct zs_renderer *r, int32_t row, int32_t x, int32_t n)
 {
     const struct zs_background *sky = r->scene->sky;
     const int32_t at = row * r->config.width + x;
     if (n <= 0)
         return;
-    fill(r->depth + at, ZS_DEPTH_CLEAR, (uint32_t)n);
+    zs_fill_run(r->depth + at, ZS_DEPTH_CLEAR, (uint32_t)n);
     if (sky)
         sky->fill(sky->ctx, r->color[0] + at, (uint16_t)x,
                   (uint16_t)(r->strip * r->config.strip_h + row), (uint16_t)n);
     else
-        fill(r->color[0] + at, zs_wire16(r->scene->background), (uint32_t)n);
+        zs_fill_run(r->color[0] + at, zs_wire16(r->scene->background), (uint32_t)n);
 }
 
 ZS_NOINLINE void zs_raster_clear_all(struct zs_renderer *r)
 {
     const int32_t rows = strip_rows(r), width = r->config.width;
     if (!r->scene->sky) {
-        fill(r->color[0], zs_wire16(r->scene->background), (uint32_t)(width * rows));
-        fill(r->depth, ZS_DEPTH_CLEAR, (uint32_t)(width * rows));
+        zs_fill_run(r->color[0], zs_wire16(r->scene->background), (uint32_t)(width * rows));
+        zs_fill_run(r->depth, ZS_DEPTH_CLEAR, (uint32_t)(width * rows));
         return;
     }
     for (int32_t row = 0; row < rows; row++)

@@ -150,7 +150,7 @@ void zs_rotation_row(zs_q2_30 out[3], const zs_q2_30 a[3], const zs_q2_30 b[9])
     for (int k = 0; k < 3; k++) {
         const int64_t sum = zs_mul_ss(a[0], b[k]) + zs_mul_ss(a[1], b[3 + k]) +
                             zs_mul_ss(a[2], b[6 + k]); /* |.| <= 2^60 (1 + 2^-19) */
-        out[k] = (int32_t)zs_round_shift(sum, 30);
+        out[k] = (int32_t)((sum + ZS_Q30_ONE / 2) >> 30);
     }
 }
 
