@@ -19,7 +19,8 @@ struct zs_depth {
     /* Where view.screen_linear is 0. 1: keys are linear on this triangle all the same. 0: they are
      * not; row draws it then. */
     int (*planes)(struct zs_job *job);
-    /* Draw a row by zs_rows_piece, where planes has returned 0. */
+    /* Where planes has returned 0: zs_depth_walk, and a row of it, by job->piece. */
+    void (*walk)(struct zs_job *job);
     void (*row)(struct zs_job *job, const struct zs_row *row);
     /* Under perspective, w ~ 1/z of a vertex for perspective-correct attributes, 1 .. 2^62, same
      * scale for all. */
@@ -29,5 +30,8 @@ struct zs_depth {
     /* The key of a vertex, uq16_16, where zs_vertex.d is something else; NULL: d is the key. */
     uint32_t (*key)(const struct zs_view *view, uint32_t d);
 };
+
+/* All rows of a job, each by the mapping's row: depth/curved.c. */
+void zs_depth_walk(struct zs_job *job);
 
 #endif

@@ -32,13 +32,13 @@ uint64_t zs_times(uint64_t v, int32_t d)
 
 ZS_RARE int64_t zs_round_shift(int64_t v, int n)
 {
-    return (v + (((int64_t)1 << n) >> 1)) >> n;
+    return n ? ((v >> (n - 1)) + 1) >> 1 : v;
 }
 
 ZS_RARE int64_t zs_scale2(int64_t v, int n)
 {
     if (n >= 0)
-        return v * ((int64_t)1 << n);
+        return (int64_t)((uint64_t)v << n);
     return n < -62 ? 0 : zs_round_shift(v, -n);
 }
 

@@ -35,14 +35,8 @@ ZS_NOINLINE void zs_raster_clear(struct zs_renderer *r, int32_t row, int32_t x, 
 
 ZS_NOINLINE void zs_raster_clear_all(struct zs_renderer *r)
 {
-    const int32_t rows = strip_rows(r), width = r->config.width;
-    if (!r->scene->sky) {
-        zs_fill_run(r->color[0], zs_wire16(r->scene->background), (uint32_t)(width * rows));
-        zs_fill_run(r->depth, ZS_DEPTH_CLEAR, (uint32_t)(width * rows));
-        return;
-    }
-    for (int32_t row = 0; row < rows; row++)
-        zs_raster_clear(r, row, 0, width);
+    for (int32_t row = 0; row < strip_rows(r); row++)
+        zs_raster_clear(r, row, 0, r->config.width);
 }
 
 /* ---- Set-up ---------------------------------------------------------------------------------- */
@@ -97,23 +91,10 @@ static void linear_span(struct zs_job *job, const struct zs_row *row)
                job->key.gx);
 }
 
-static void curved_span(struct zs_job *job, const struct zs_row *row)
-{
-    const struct zs_depth *depth = job->r->config.depth;
-    if (ZS_IF_FAST(job->split & ZS_SPLIT_TOUCH))
-        job->r->touch->row(job, row);
-    depth->row(job, row);
-}
-
-/* Both apart, so that their frames are not on the stack below start. */
+/* Apart, so that its frame is not on the stack below start. */
 static ZS_NOINLINE void linear_walk(struct zs_job *job)
 {
     zs_rows_walk(job, linear_span, 0);
-}
-
-ZS_IN_ORDER static ZS_NOINLINE void curved_walk(struct zs_job *job)
-{
-    zs_rows_walk(job, curved_span, 1);
 }
 
 /* Gradients of a triangle whose edges are set up, and its rows. */
@@ -142,7 +123,7 @@ static ZS_NOINLINE void draw(struct zs_job *job)
     if (linear)
         linear_walk(job);
     else
-        curved_walk(job);
+        depth->walk(job);
 }
 
 /* ---- Lists ----------------------------------------------------------------------------------- */

@@ -25,17 +25,15 @@ struct cursor {
 
 static ZS_RARE void count(struct zs_renderer *r, const uint32_t fate[ZS_FATES])
 {
-    struct zs_stats *s = &r->stats;
-    if (!r->counting)
-        return;
-    s->tris_drawn += fate[ZS_FATE_DRAWN];
-    s->tris_offscreen += fate[ZS_FATE_OFFSCREEN];
-    s->tris_facing += fate[ZS_FATE_FACING];
-    s->tris_zero += fate[ZS_FATE_ZERO];
-    s->tris_empty += fate[ZS_FATE_EMPTY];
-    s->tris_near += fate[ZS_FATE_NEAR];
-    s->tris_far += fate[ZS_FATE_FAR];
-    s->tris_index += fate[ZS_FATE_INDEX];
+#define COUNTS(fate_, field) [fate_] = offsetof(struct zs_stats, field)
+    static const uint8_t at[ZS_FATES] = {
+        COUNTS(ZS_FATE_DRAWN, tris_drawn),   COUNTS(ZS_FATE_OFFSCREEN, tris_offscreen),
+        COUNTS(ZS_FATE_FACING, tris_facing), COUNTS(ZS_FATE_ZERO, tris_zero),
+        COUNTS(ZS_FATE_EMPTY, tris_empty),   COUNTS(ZS_FATE_NEAR, tris_near),
+        COUNTS(ZS_FATE_FAR, tris_far),       COUNTS(ZS_FATE_INDEX, tris_index)
+    };
+    for (int k = 0; k < ZS_FATES && r->counting; k++)
+        *(uint32_t *)(void *)((uint8_t *)&r->stats + at[k]) += fate[k];
 }
 
 /* Cull an instance, or make r->xform its own. Return 0: nothing of it can be seen, or no strip that
