@@ -97,13 +97,13 @@ ZS_NOINLINE enum zs_fate zs_assemble_tri(struct zs_renderer *r, uint32_t t, uint
     if (ZS_IF_FAST(r->tiles))
         r->tiles->cover(r, &r->vert[at.slot[0]], &r->vert[at.slot[1]], &r->vert[at.slot[2]]);
     fate = zs_assemble_box(r, r->vert, &at);
-    const uint32_t strip = fate == ZS_FATE_DRAWN ? zs_bin_first(r, at.y0, at.y1) : ZS_NIL;
+    const uint32_t strip = fate == ZS_FATE_DRAWN ? zs_bin_place(r, at.y0, at.y1) : ZS_NIL;
     if (strip == ZS_NIL)
         return fate;
     if (r->n_tris == r->config.max_tris)
         return ZS_FATE_FULL;
     for (int k = 0; k < 3 && shader->vertex; k++)
         zs_bin_corner(r, at.slot[k], r->config.varyings);
-    zs_bin_push(r, at.slot, shader->face ? shader->face(&r->shading, t) : 0u, strip);
+    zs_bin_add(r, at.slot, shader->face ? shader->face(&r->shading, t) : 0u, strip);
     return ZS_FATE_DRAWN;
 }

@@ -31,6 +31,16 @@ void zs_bin_empty(struct zs_renderer *r)
     bins_clear(r);
 }
 
+uint32_t zs_bin_place(const struct zs_renderer *r, int32_t y0, int32_t y1)
+{
+    return zs_bin_first(r, y0, y1);
+}
+
+void zs_bin_add(struct zs_renderer *r, const uint32_t slot[3], uint16_t paint, uint32_t strip)
+{
+    zs_bin_push(r, slot, paint, strip);
+}
+
 /* ---- Vertices -------------------------------------------------------------------------------- */
 
 /* Kept apart: where division is a call, only vertices beyond the pool's size pay for it. */

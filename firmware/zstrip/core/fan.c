@@ -111,7 +111,7 @@ static ZS_RARE void piece_push(struct zs_renderer *r, const struct polygon *p,
         for (uint32_t a = 0; a < r->xform.instance->material->shader->n_varyings; a++)
             r->attr[slot[k] * r->config.varyings + a] = p->cv[at->slot[k]].attr[a];
     }
-    zs_bin_push(r, slot, paint, strip);
+    zs_bin_add(r, slot, paint, strip);
 }
 
 /* Pieces before *piece are binned already. */
@@ -142,7 +142,7 @@ static ZS_RARE enum zs_fate polygon_bin(struct zs_renderer *r, const struct poly
             continue;
         if (ZS_IF_FAST(r->tiles))
             r->tiles->cover(r, &p->v[at.slot[0]], &p->v[at.slot[1]], &p->v[at.slot[2]]);
-        const uint32_t strip = zs_bin_first(r, at.y0, at.y1);
+        const uint32_t strip = zs_bin_place(r, at.y0, at.y1);
         if (strip == ZS_NIL)
             continue;
         if (r->n_tris == r->config.max_tris || r->n_verts + 3u > r->config.max_verts) {

@@ -59,14 +59,15 @@ uint32_t zs_arena_bytes(const struct zs_config *c)
 }
 
 /* The next pool of the arena. */
-static void *take(uint8_t **at, uint32_t bytes)
+static void *take(uintptr_t *at, uint32_t bytes)
 {
-    void *pool = *at;
+    void *pool = (void *)*at;
     *at += bytes;
     return pool;
 }
 
-static ZS_RARE void split(struct zs_renderer *r, uint8_t *at)
+/* All pools, from an address on. Return what the arena reaches to, ZS_ARENA_BYTES further. */
+static ZS_RARE uintptr_t split(struct zs_renderer *r, uintptr_t at)
 {
     const struct zs_config *c = &r->config;
     const uint32_t color = ZS_COLOR_BYTES(c->width, c->strip_h, 1u);
@@ -82,6 +83,7 @@ static ZS_RARE void split(struct zs_renderer *r, uint8_t *at)
     r->vert_src = take(&at, half_words);
     r->vert_map = take(&at, half_words);
     r->attr = take(&at, ZS_ROUND4((uint32_t)c->max_verts * c->varyings * 2u));
+    return at;
 }
 
 /* For row / strip_h without a division. With 2^l <= strip_h < 2^(l + 1) and n = 19 + l, strip_mul
@@ -126,13 +128,13 @@ ZS_RARE int zs_init(struct zs_renderer *r, const struct zs_config *config, void 
         return ZS_ERR_SIZE;
     if (config->depth_bits < 8 || config->depth_bits > 16)
         return ZS_ERR_DEPTH;
-    if (bytes < zs_arena_bytes(config) || ((uintptr_t)arena & 3u))
-        return ZS_ERR_ARENA;
     r->config = *config;
     r->config.strip_h = strip_rows(config);
     r->n_strips = (uint16_t)((config->height + r->config.strip_h - 1) / r->config.strip_h);
     strip_divisor(r);
-    split(r, arena);
+    const uintptr_t at = (uintptr_t)arena;
+    if (split(r, at) - at > bytes || (at & 3u))
+        return ZS_ERR_ARENA;
     for (uint32_t v = 0; v < config->max_verts; v++)
         r->vert_map[v] = r->vert_src[v] = 0; /* any value will do; junk would be as good */
     const struct zs_stats none = { 0 };
