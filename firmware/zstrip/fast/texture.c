@@ -176,21 +176,17 @@ ZS_ALWAYS_INLINE int draw(struct zs_job *job, int may_be_lit)
     w.column = 32u - log2_w;
     w.row = 32u - log2_h;
     const struct zs_fast_texel *texel = job->texel;
-    if (may_be_lit) {
-        job->sampler.unlit = job->shader->n_varyings == 2 &&
-                             job->tri->paint == ZS_TEXTURE_FULL_LIGHT;
-        if (!job->sampler.unlit)
-            t = palette_lit(job, t); /* of the same format */
-        if (!job->sampler.unlit) {
-            if (!light(job, &s, change, a, b, c, &w))
-                return 0;
-            zs_small_sides(job, &s, &w.sides);
-            texel->small_lit(job, t, &w);
-            return 1;
-        }
-    }
+    job->sampler.unlit = !may_be_lit ||
+                         (job->shader->n_varyings == 2 && job->tri->paint == ZS_TEXTURE_FULL_LIGHT);
+    if (!job->sampler.unlit)
+        t = palette_lit(job, t); /* of the same format; may set unlit */
+    if (may_be_lit && !job->sampler.unlit && !light(job, &s, change, a, b, c, &w))
+        return 0;
     zs_small_sides(job, &s, &w.sides);
-    texel->small(job, t, &w);
+    if (may_be_lit && !job->sampler.unlit)
+        texel->small_lit(job, t, &w);
+    else
+        texel->small(job, t, &w);
     return 1;
 }
 
