@@ -20,14 +20,6 @@ int zs_assemble_culled(int64_t area, uint32_t cull)
     return (cull == ZS_CULL_BACK && area > 0) || (cull == ZS_CULL_FRONT && area < 0);
 }
 
-static void turn(struct zs_candidate *at)
-{
-    const uint32_t first = at->slot[0];
-    at->slot[0] = at->slot[1];
-    at->slot[1] = at->slot[2];
-    at->slot[2] = first;
-}
-
 enum zs_fate zs_assemble_box(const struct zs_renderer *r, const struct zs_vertex *pool,
                              struct zs_candidate *at)
 {
@@ -43,8 +35,12 @@ enum zs_fate zs_assemble_box(const struct zs_renderer *r, const struct zs_vertex
             first = k;
         }
     }
-    while (first-- > 0)
-        turn(at);
+    for (; first > 0; first--) {
+        const uint32_t turned = at->slot[0];
+        at->slot[0] = at->slot[1];
+        at->slot[1] = at->slot[2];
+        at->slot[2] = turned;
+    }
     x0 = zs_first_sample(x0);
     x1 = zs_first_sample(x1);
     at->y0 = zs_first_sample(top->y);

@@ -48,8 +48,8 @@ static ZS_RARE ZS_SHARED int64_t piece_area(const struct polygon *p, const uint8
     return zs_assemble_area(&p->v[fan[0]], &p->v[fan[k]], &p->v[fan[k + 1]]);
 }
 
-/* The snapped polygon's area, and in *fan the corners from one on whose fan has no piece of the other sense:
- * rounding can turn a corner inwards by a sub-pixel. The first such from the least (y, x) on, so
+/* The snapped polygon's area, and in *fan the corners from one on whose fan has no piece of the
+ * other sense: rounding can turn a corner inwards by a sub-pixel. The first such from the least (y, x) on, so
  * that it does not matter which corner the triangle begins with. A polygon that is seen nearly
  * edge-on may have none, because snapping made it cross itself, and its snapped area may even have
  * the wrong sign: then the sense of the triangle before it was cut counts, and pieces of the other
@@ -81,21 +81,15 @@ static ZS_RARE int64_t fan_corner(const struct polygon *p, int sense,
     return sense;
 }
 
-/* v held to middle - reach .. middle + reach */
-static ZS_RARE ZS_SHARED int32_t held(int32_t v, int32_t middle, int32_t reach)
-{
-    return zs_min32(zs_max32(v, middle - reach), middle + reach);
-}
-
 static ZS_RARE void polygon_project(struct zs_renderer *r, struct polygon *p)
 {
-    const int32_t reach = (int32_t)ZS_GUARD_SUBPX;
+    const int32_t cx = r->view.cx, cy = r->view.cy;
     for (int k = 0; k < p->n; k++) {
         struct zs_vertex *v = &p->v[k];
         (void)zs_xform_project(r, &p->cv[k].p, v); /* clipped: near <= z <= far */
         /* rounding in camera units may leave a new vertex a little outside the guard band */
-        v->x = held(v->x, r->view.cx, reach);
-        v->y = held(v->y, r->view.cy, reach);
+        v->x = cx + (int32_t)zs_held64(v->x - cx, ZS_GUARD_SUBPX);
+        v->y = cy + (int32_t)zs_held64(v->y - cy, ZS_GUARD_SUBPX);
     }
 }
 

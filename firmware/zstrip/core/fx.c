@@ -42,6 +42,11 @@ ZS_RARE int64_t zs_scale2(int64_t v, int n)
     return n < -62 ? 0 : zs_round_shift(v, -n);
 }
 
+ZS_RARE int64_t zs_held64(int64_t v, int64_t most)
+{
+    return v > most ? most : v < -most ? -most : v;
+}
+
 /* ---- Filling --------------------------------------------------------------------------------- */
 
 void zs_fill_run(uint16_t *out, uint16_t value, uint32_t n)

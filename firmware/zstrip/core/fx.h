@@ -203,6 +203,9 @@ uint32_t zs_isqrt64(uint64_t v);
 /* floor(a * b / d) with a 128-bit product. d > 0, result < 2^64. For set-up, not for loops. */
 uint64_t zs_muldiv_u64(uint64_t a, uint64_t b, uint64_t d);
 
+/* v, held to -most .. most. */
+int64_t zs_held64(int64_t v, int64_t most);
+
 static inline uint32_t zs_size32(int32_t v)
 {
     return v < 0 ? 0u - (uint32_t)v : (uint32_t)v;

@@ -20,14 +20,6 @@
 #define SHIFT_MAX 29 /* keeps t below 2^60, and shift_high 14 */
 #define SPLIT_MAX 15
 
-static ZS_RARE void shading_set(struct zs_renderer *r, const struct zs_instance *in)
-{
-    struct zs_shading *s = &r->shading;
-    s->instance = in;
-    s->light = &r->scene->light;
-    zs_rotation_row(s->dir, s->light->dir, in->pose.rot); /* transposed: world to mesh */
-}
-
 /* A row of c = (m . p + t) / 2^shift, nearest. |m| <= 2^30, |t| < 2^60, |t / 2^shift| < 2^30. A
  * shift of at most 15 leaves t_low in [0, 2^15), a larger one in [-2^28, 2^28). */
 static ZS_RARE void row_set(int32_t row[ZS_ROW_WORDS], const int32_t m[3], int64_t t, int32_t shift)
@@ -92,7 +84,9 @@ ZS_RARE int zs_xform_instance(struct zs_renderer *r, uint32_t number, const stru
             m[j] = (int32_t)zs_round_shift(zs_mul_su(both[3 * k + j], mantissa), 31 + extra);
         row_set(xf->row + k * ZS_ROW_WORDS, m, zs_scale2(at, view->shift + shift - 30), shift);
     }
-    shading_set(r, in);
+    r->shading.instance = in;
+    r->shading.light = &r->scene->light;
+    zs_rotation_row(r->shading.dir, r->scene->light.dir, in->pose.rot); /* transposed: to mesh */
     return 1;
 }
 

@@ -1,4 +1,5 @@
-/* What texture.c, texture_run.c and accelerators share: a textured triangle's coordinates. Internal.
+/* A textured triangle's coordinates: what texture.c, texture_run.c and accelerators share.
+ * Internal.
  *
  * SPDX-License-Identifier: MIT
  */

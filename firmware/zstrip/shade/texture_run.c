@@ -209,18 +209,13 @@ ZS_IN_ORDER static ZS_NOINLINE void run_group(struct zs_job *job, const struct z
                        step[2]);
 }
 
-static inline void pixel(struct zs_job *job, const struct zs_row *row, int32_t i)
+void zs_texture_pixel(struct zs_job *job, const struct zs_row *row, int32_t i)
 {
     const uint32_t w = zs_plane_at(&job->w, i, row->y);
     if (w == 0 || w >> 31 || job->sampler.fine)
         run_group(job, row, i, i, i, i + 1);
     else
         zs_texture_coarse_pixel(job, row, i, w);
-}
-
-void zs_texture_pixel(struct zs_job *job, const struct zs_row *row, int32_t i)
-{
-    pixel(job, row, i);
 }
 
 static void run_groups(struct zs_job *job, const struct zs_row *row, int32_t r0, int32_t r1)
@@ -241,7 +236,7 @@ static void run_groups(struct zs_job *job, const struct zs_row *row, int32_t r0,
             divided(job, row, i0, i1);
         else
             for (; i0 < i1; i0++)
-                pixel(job, row, i0);
+                zs_texture_pixel(job, row, i0);
     }
 }
 
