@@ -34,26 +34,21 @@ ZS_RARE void zs_cull_axes(zs_q2_30 out[9], const struct zs_instance *in,
     zs_rotation_mul(out, view, in->pose.rot);
 }
 
-/* q32_32 world units to a mesh step */
-static uint64_t scale_of(const struct zs_instance *in)
+/* Of the sphere, q48_16 world units, rounded up; scale: q32_32, of a mesh step. <= 2^17 * 2^47 */
+static int64_t radius_of(const struct zs_mesh *mesh, uint64_t scale)
 {
-    return (uint64_t)in->mesh->scale * in->pose.scale;
-}
-
-/* Of the sphere, q48_16 world units, rounded up. <= 2^17 * 2^47 */
-static int64_t radius_of(const struct zs_instance *in)
-{
-    return (int64_t)((in->mesh->radius + 1u) * scale_of(in) >> 16) + 1;
+    return (int64_t)((mesh->radius + 1u) * scale >> 16) + 1;
 }
 
 static int range_ok(const struct zs_instance *in)
 {
     const struct zs_pose *pose = &in->pose;
+    const uint64_t scale = (uint64_t)in->mesh->scale * pose->scale;
     for (int k = 0; k < 3; k++)
         if (zs_size32(pose->pos[k]) > ZS_WORLD_MAX)
             return 0;
-    return pose->scale > 0 && scale_of(in) <= SCALE_MAX &&
-           radius_of(in) <= (int64_t)ZS_WORLD_MAX * 65536 && zs_rotation_ok(pose->rot);
+    return pose->scale > 0 && scale <= SCALE_MAX &&
+           radius_of(in->mesh, scale) <= (int64_t)ZS_WORLD_MAX * 65536 && zs_rotation_ok(pose->rot);
 }
 
 /* Of an instance whose numbers are in range. */
@@ -61,12 +56,12 @@ static void bounds(struct zs_bounds *b, const struct zs_instance *in,
                    const struct zs_camera *camera)
 {
     const struct zs_mesh *mesh = in->mesh;
-    const uint64_t scale = scale_of(in);
+    const uint64_t scale = (uint64_t)mesh->scale * in->pose.scale;
     zs_q2_30 view[9], both[9];
     int32_t from[3], center[3];
     axes(view, camera);
     zs_rotation_mul(both, view, in->pose.rot);
-    b->r = radius_of(in);
+    b->r = radius_of(mesh, scale);
     b->reach = 0;
     for (int k = 0; k < 3; k++) {
         from[k] = in->pose.pos[k] - camera->pos[k];

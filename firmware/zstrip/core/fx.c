@@ -21,11 +21,6 @@ int zs_clz64(uint64_t v)
     return v >> 32 ? zs_clz32((uint32_t)(v >> 32)) : 32 + zs_clz32((uint32_t)v);
 }
 
-uint64_t zs_times(uint64_t v, int32_t d)
-{
-    return v * (uint64_t)(int64_t)d;
-}
-
 #endif
 
 /* ---- Shifts ---------------------------------------------------------------------------------- */

@@ -123,15 +123,11 @@ static inline uint32_t zs_wrap_mul(uint32_t a, int32_t b)
 }
 
 /* v * d modulo 2^64. */
-#if ZS_FOR_SIZE
-uint64_t zs_times(uint64_t v, int32_t d); /* fx.c */
-#else
 static inline uint64_t zs_times(uint64_t v, int32_t d)
 {
     return (uint64_t)zs_mul_su(d, (uint32_t)v) +
            ((uint64_t)((uint32_t)(v >> 32) * (uint32_t)d) << 32);
 }
-#endif
 
 /* First sample (row or column) at or after a coordinate: ceil((c - 1/2 px) / 1 px). */
 static inline int32_t zs_first_sample(q24_8 c)

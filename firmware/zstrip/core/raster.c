@@ -35,8 +35,10 @@ ZS_NOINLINE void zs_raster_clear(struct zs_renderer *r, int32_t row, int32_t x, 
 
 ZS_NOINLINE void zs_raster_clear_all(struct zs_renderer *r)
 {
-    for (int32_t row = 0; row < strip_rows(r); row++)
-        zs_raster_clear(r, row, 0, r->config.width);
+    const int sky = r->scene->sky != 0; /* it fills row by row */
+    const int32_t width = r->config.width, rows = strip_rows(r);
+    for (int32_t row = 0; row < (sky ? rows : 1); row++)
+        zs_raster_clear(r, row, 0, sky ? width : width * rows);
 }
 
 /* ---- Set-up ---------------------------------------------------------------------------------- */

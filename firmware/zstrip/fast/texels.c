@@ -68,14 +68,6 @@ ZS_ALWAYS_INLINE void rows(struct zs_job *job, zs_read_fn *read)
 
 #define ZS_WORD(field) ((int)(offsetof(struct zs_texel_rows, field) / 4u))
 
-/* A texel to its pixel; lit, a constant: times light. */
-ZS_ALWAYS_INLINE void put(uint16_t *out, uint32_t color, uint32_t light, int lit)
-{
-    if (lit)
-        color = zs_texture_shine(color, light >> ZS_TEXTURE_LIGHT_SHIFT);
-    *out = zs_wire16((uint16_t)color);
-}
-
 /* Rows of a small triangle. What goes from row to row lies in its record: pixels take all
  * registers. */
 ZS_ALWAYS_INLINE void small(struct zs_job *job, const struct zs_texture *t, struct zs_texel_rows *w,
@@ -95,14 +87,15 @@ ZS_ALWAYS_INLINE void small(struct zs_job *job, const struct zs_texture *t, stru
     w->at[3] = 0;
     for (;;) {
         for (; row != end; row += w->sides.down[0]) {
-            uint32_t x0, x1, sum, u, v, tested, gx, du, dv, width, down, right, by[2];
+            uint32_t x0, x1, sum, u, v, tested, gx, du, dv, width, down, right, by[2], by_v;
             zs_small_columns(&w->sides, &x0, &x1);
             zs_two(word, ZS_WORD(at), &sum, &u);
             zs_two(word, ZS_WORD(at) + 2, &v, &tested);
             zs_two(word, ZS_WORD(down), &by[0], &by[1]);
+            by_v = w->down[2];
             w->at[0] = sum + by[0];
             w->at[1] = u + by[1];
-            w->at[2] = v + w->down[2];
+            w->at[2] = v + by_v;
             uint32_t light = lit ? w->light : 0;
             if (lit)
                 w->light = light + w->light_down;
@@ -121,9 +114,12 @@ ZS_ALWAYS_INLINE void small(struct zs_job *job, const struct zs_texture *t, stru
             do {
                 if (sum >> 16 < *++depth) {
                     *depth = (uint16_t)zs_high(sum);
-                    put((uint16_t *)((uintptr_t)depth + beside),
-                        read(texel, palette, (v >> down) * width + (u >> right)), light, lit);
-                    written += ZS_STATS ? 1 : 0;
+                    uint32_t color = read(texel, palette, (v >> down) * width + (u >> right));
+                    if (lit)
+                        color = zs_texture_shine(color, light >> ZS_TEXTURE_LIGHT_SHIFT);
+                    *(uint16_t *)((uintptr_t)depth + beside) = zs_wire16((uint16_t)color);
+                    if (ZS_STATS)
+                        written++;
                 }
                 sum += gx;
                 u += du;
