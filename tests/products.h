@@ -114,16 +114,17 @@ static inline int wide_clz_right(uint32_t v)
     return zs_clz32(v) == n && zs_clz64(v) == 32 + n && zs_clz64((uint64_t)v << 32 | (v >> 7)) == n;
 }
 
-/* n values are filled, one more where n is odd, and none beside them. */
+/* n values are filled, and none beside them. */
 static inline int wide_fill_right(uint32_t n)
 {
     static uint32_t words[160];
     uint16_t *const at = (uint16_t *)(void *)words;
     for (uint32_t k = 0; k < 320; k++)
         at[k] = (uint16_t)k;
-    zs_fill16(at + 4, 0xabcd, n);
+    if (n)
+        zs_fill_run(at + 4, 0xabcd, n);
     for (uint32_t k = 0; k < 320; k++)
-        if (at[k] != (k >= 4 && k < 4 + (n + 1u) / 2u * 2u ? 0xabcdu : k))
+        if (at[k] != (k >= 4 && k < 4 + n ? 0xabcdu : k))
             return 0;
     return 1;
 }

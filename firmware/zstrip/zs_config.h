@@ -39,6 +39,12 @@
 #define ZS_ROW_WORDS_MAX 10
 #define ZS_ROW_WORDS (ZS_ROW_WIDE ? 7 : ZS_ROW_WORDS_MAX)
 
+/* 1: no program lists an accelerator, and fast/ need not be there; the core does not ask for any
+ * then. Every file of a program must have it alike. */
+#ifndef ZS_NO_FAST
+#define ZS_NO_FAST 0
+#endif
+
 #ifndef ZS_STATS
 #define ZS_STATS 0 /* 1: count written pixels too, which costs an instruction a pixel */
 #endif

@@ -36,10 +36,6 @@ extern const struct zs_fast zs_fast_565, zs_fast_pal8, zs_fast_pal4; /* loops of
     X(batch) X(touch) X(tiles) X(clusters) X(edges) X(raw) X(flat) X(smooth) X(texture) X(texture_flat)           \
     X(texture_smooth) X(565) X(pal8) X(pal4)
 
-#ifndef ZS_NO_FAST
-#define ZS_NO_FAST 0
-#endif
-
 #if ZS_NO_FAST
 #define ZS_FAST_END 0
 #define ZS_FAST_FRAME 0

@@ -51,7 +51,7 @@ void crossings(void)
     any_vertex(&a);
     any_vertex(&b);
     for (uint32_t plane = ZS_OUT_NEAR; plane <= ZS_OUT_BOTTOM; plane <<= 1)
-        cross_plane(&view, &out, &a, &b, any_i64(1, ((int64_t)1 << 62) - 1), any_i64(1 - ((int64_t)1 << 62), -1), plane,
+        cross_plane(&view, &out, &a, &b, any_i64(1, ((int64_t)1 << 62) - 1), any_i64(1, ((int64_t)1 << 62) - 1), plane,
                     any_u32(0, 3));
 }
 

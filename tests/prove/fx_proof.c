@@ -117,10 +117,11 @@ void row(void)
     }
 }
 
-/* PROVE fill: 0 .. 70 values */
+/* PROVE fill: 1 .. 70 values, from an even and from an odd place */
 void fill(void)
 {
     static uint32_t out[36];
-    for (uint32_t n = 0; n <= 70; n++)
-        zs_fill16((uint16_t *)out, (uint16_t)any_u32(0, 65535), n);
+    for (uint32_t n = 1; n <= 70; n++)
+        for (int from = 0; from < 2; from++)
+            zs_fill_run((uint16_t *)out + from, (uint16_t)any_u32(0, 65535), n);
 }

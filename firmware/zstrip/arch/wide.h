@@ -16,6 +16,13 @@
 
 #include "zs_config.h"
 
+/* Compiled for size: called, where a compiler would make copies. */
+#if ZS_FOR_SIZE && defined(__GNUC__)
+#define ZS_AS_CALL __attribute__((noinline))
+#else
+#define ZS_AS_CALL
+#endif
+
 /* 1: the core divides 32 bits by an instruction. */
 #if defined(__ARM_ARCH) && !defined(__ARM_FEATURE_IDIV) || defined(__riscv) && !defined(__riscv_div)
 #define ZS_DIVIDES 0
@@ -441,9 +448,13 @@ static inline int zs_clz32(uint32_t v)
 #endif
 
 /* v > 0. */
+#if ZS_FOR_SIZE
+int zs_clz64(uint64_t v); /* fx.c */
+#else
 static inline int zs_clz64(uint64_t v)
 {
     return v >> 32 ? zs_clz32((uint32_t)(v >> 32)) : 32 + zs_clz32((uint32_t)v);
 }
+#endif
 
 #endif

@@ -20,14 +20,6 @@ int zs_assemble_culled(int64_t area, uint32_t cull)
     return (cull == ZS_CULL_BACK && area > 0) || (cull == ZS_CULL_FRONT && area < 0);
 }
 
-static void turn(struct zs_candidate *at)
-{
-    const uint32_t first = at->slot[0];
-    at->slot[0] = at->slot[1];
-    at->slot[1] = at->slot[2];
-    at->slot[2] = first;
-}
-
 enum zs_fate zs_assemble_box(const struct zs_renderer *r, const struct zs_vertex *pool,
                              struct zs_candidate *at)
 {
@@ -43,8 +35,12 @@ enum zs_fate zs_assemble_box(const struct zs_renderer *r, const struct zs_vertex
             first = k;
         }
     }
-    while (first-- > 0)
-        turn(at);
+    for (; first > 0; first--) {
+        const uint32_t turned = at->slot[0];
+        at->slot[0] = at->slot[1];
+        at->slot[1] = at->slot[2];
+        at->slot[2] = turned;
+    }
     x0 = zs_first_sample(x0);
     x1 = zs_first_sample(x1);
     at->y0 = zs_first_sample(top->y);
@@ -95,16 +91,16 @@ ZS_NOINLINE enum zs_fate zs_assemble_tri(struct zs_renderer *r, uint32_t t, uint
     enum zs_fate fate = fetch(r, t, &at, piece);
     if (fate != ZS_FATE_OPEN)
         return fate;
-    if (r->tiles)
+    if (ZS_IF_FAST(r->tiles))
         r->tiles->cover(r, &r->vert[at.slot[0]], &r->vert[at.slot[1]], &r->vert[at.slot[2]]);
     fate = zs_assemble_box(r, r->vert, &at);
-    const uint32_t strip = fate == ZS_FATE_DRAWN ? zs_bin_first(r, at.y0, at.y1) : ZS_NIL;
+    const uint32_t strip = fate == ZS_FATE_DRAWN ? zs_bin_place(r, at.y0, at.y1) : ZS_NIL;
     if (strip == ZS_NIL)
         return fate;
     if (r->n_tris == r->config.max_tris)
         return ZS_FATE_FULL;
     for (int k = 0; k < 3 && shader->vertex; k++)
         zs_bin_corner(r, at.slot[k], r->config.varyings);
-    zs_bin_push(r, at.slot, shader->face ? shader->face(&r->shading, t) : 0u, strip);
+    zs_bin_add(r, at.slot, shader->face ? shader->face(&r->shading, t) : 0u, strip);
     return ZS_FATE_DRAWN;
 }

@@ -31,6 +31,16 @@ void zs_bin_empty(struct zs_renderer *r)
     bins_clear(r);
 }
 
+uint32_t zs_bin_place(const struct zs_renderer *r, int32_t y0, int32_t y1)
+{
+    return zs_bin_first(r, y0, y1);
+}
+
+void zs_bin_add(struct zs_renderer *r, const uint32_t slot[3], uint16_t paint, uint32_t strip)
+{
+    zs_bin_push(r, slot, paint, strip);
+}
+
 /* ---- Vertices -------------------------------------------------------------------------------- */
 
 /* Kept apart: where division is a call, only vertices beyond the pool's size pay for it. */
@@ -71,7 +81,7 @@ static ZS_NOINLINE uint32_t vertex_add(struct zs_renderer *r, uint32_t v)
     const uint32_t slot = r->n_verts++;
     r->vert_map[map_index(v, r->config.max_verts)] = (uint16_t)slot;
     zs_bin_mark(r, slot, v, 1);
-    if (r->batch)
+    if (ZS_IF_FAST(r->batch))
         r->batch->screen(r, v, 1, &r->vert[slot]);
     else
         zs_xform_screen(r, v, &r->vert[slot]);
@@ -85,8 +95,8 @@ ZS_RARE ZS_NOINLINE int zs_bin_corners(struct zs_renderer *r, const uint16_t ind
     const uint32_t base = r->vert_base, cap = r->config.max_verts;
     for (int k = 0; k < 3; k++) {
         const uint32_t v = index[k];
-        uint32_t s = r->direct ? base + v : map[map_index(v, cap)];
-        if (!r->direct && (s >= r->n_verts || s < base || src[s] != v))
+        uint32_t s = ZS_IF_FAST(r->direct) ? base + v : map[map_index(v, cap)];
+        if (!ZS_IF_FAST(r->direct) && (s >= r->n_verts || s < base || src[s] != v))
             s = vertex_add(r, v);
         if (s == ZS_NIL)
             return 0;

@@ -60,6 +60,10 @@ static inline void zs_bin_push(struct zs_renderer *r, const uint32_t slot[3], ui
     r->n_tris = n + 1u;
 }
 
+/* Both, called: where few triangles come. */
+uint32_t zs_bin_place(const struct zs_renderer *r, int32_t y0, int32_t y1);
+void zs_bin_add(struct zs_renderer *r, const uint32_t slot[3], uint16_t paint, uint32_t strip);
+
 /* Attributes of a vertex, made when the first triangle that holds it is binned. */
 void zs_bin_attributes(struct zs_renderer *r, uint32_t slot, uint16_t *attr);
 static inline void zs_bin_corner(struct zs_renderer *r, uint32_t slot, uint32_t varyings)

@@ -37,6 +37,8 @@ struct cut {
 /* n / den, floor, exactly: n < den 2^32. */
 static uint32_t quotient(const struct cut *cut, uint64_t n)
 {
+    if (ZS_FOR_SIZE)
+        return (uint32_t)(n / cut->den);
     const uint32_t top = (uint32_t)(n << cut->lz >> 32);
     uint32_t q = (uint32_t)(zs_mul_uu(top, cut->rcp) >>
                             31); /* within 2^32 / 2^31 for top and 4 for rcp, and q < 2^31.2 */
@@ -57,22 +59,17 @@ static int32_t between(const struct cut *cut, int32_t a, int32_t b)
     return (int32_t)(b < a ? (uint32_t)a - part : (uint32_t)a + part);
 }
 
-/* The crossing of the edge from a (da >= 0) to b (db < 0). */
+/* The crossing of the edge from a, da > 0 inside, to b, db > 0 outside. */
 static void cross_plane(const struct zs_view *view, struct zs_clip_vertex *out,
-                        const struct zs_clip_vertex *a, const struct zs_clip_vertex *b, int64_t da,
-                        int64_t db, uint32_t plane, uint32_t n_varyings)
+                        const struct zs_clip_vertex *a, const struct zs_clip_vertex *b, uint64_t da,
+                        uint64_t db, uint32_t plane, uint32_t n_varyings)
 {
-    while ((da | -db) >> 31) { /* exact already for near and far */
+    for (; (da | db) >> 31; db >>= 1) /* exact already for near and far */
         da >>= 1;
-        db /= 2;
-    }
-    const uint32_t den = (uint32_t)(da - db);
-    if (den == 0) { /* both distances vanished beside each other: cannot be for da, -db >= 1 */
-        *out = *a;
-        return;
-    }
-    const int32_t lz = zs_clz32(den);
-    const struct cut cut = { (uint32_t)da, den, zs_recip(den << lz), lz };
+    const uint32_t den = (uint32_t)da + (uint32_t)db; /* the larger is at least 2^30, or uncut */
+    ZS_FACT(den > 0);
+    const int32_t lz = ZS_FOR_SIZE ? 0 : zs_clz32(den);
+    const struct cut cut = { (uint32_t)da, den, ZS_FOR_SIZE ? 0 : zs_recip(den << lz), lz };
     for (int k = 0; k < 3; k++)
         out->p.c[k] = between(&cut, a->p.c[k], b->p.c[k]);
     for (uint32_t k = 0; k < n_varyings; k++)
@@ -97,7 +94,8 @@ static int clip_plane(const struct zs_view *view, struct zs_clip_vertex *out,
         if (d && d_next && (d ^ d_next) < 0 && kept < ZS_CLIP_MAX) {
             const int leaves = d > 0;
             cross_plane(view, &out[kept++], &in[leaves ? i : j], &in[leaves ? j : i],
-                        leaves ? d : d_next, leaves ? d_next : d, plane, n_varyings);
+                        (uint64_t)(leaves ? d : d_next), 0u - (uint64_t)(leaves ? d_next : d),
+                        plane, n_varyings);
         }
         d = d_next;
     }

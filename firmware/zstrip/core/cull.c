@@ -36,29 +36,34 @@ ZS_RARE void zs_cull_axes(zs_q2_30 out[9], const struct zs_instance *in,
     zs_rotation_mul(out, view, zs_usual_rotation(in->pose.rot));
 }
 
-static int pose_ok(const struct zs_pose *pose)
+/* Of the sphere, q48_16 world units, rounded up; scale: q32_32, of a mesh step. <= 2^17 * 2^47 */
+static int64_t radius_of(const struct zs_mesh *mesh, uint64_t scale)
 {
-    for (int k = 0; k < 3; k++)
-        if (pose->pos[k] > ZS_WORLD_MAX || pose->pos[k] < -ZS_WORLD_MAX)
-            return 0;
-    return zs_rotation_ok(zs_usual_rotation(pose->rot));
+    return (int64_t)((mesh->radius + 1u) * scale >> 16) + 1;
 }
 
-int zs_cull_bounds(struct zs_bounds *b, const struct zs_instance *in,
+static int range_ok(const struct zs_instance *in)
+{
+    const struct zs_pose *pose = &in->pose;
+    const uint64_t scale = zs_usual_scale(in);
+    for (int k = 0; k < 3; k++)
+        if (zs_size32(pose->pos[k]) > ZS_WORLD_MAX)
+            return 0;
+    return scale <= SCALE_MAX && radius_of(in->mesh, scale) <= (int64_t)ZS_WORLD_MAX * 65536 &&
+           zs_rotation_ok(zs_usual_rotation(pose->rot));
+}
+
+/* Of an instance whose numbers are in range. */
+static void bounds(struct zs_bounds *b, const struct zs_instance *in,
                    const struct zs_camera *camera)
 {
     const struct zs_mesh *mesh = in->mesh;
     const uint64_t scale = zs_usual_scale(in);
-    if (!pose_ok(&in->pose) || scale > SCALE_MAX)
-        return ZS_ERR_RANGE;
-    const uint32_t radius = mesh->radius + 1u;
-    b->r = (int64_t)(radius * scale >> 16) + 1; /* <= 2^17 * 2^47 */
-    if (b->r > (int64_t)ZS_WORLD_MAX * 65536)
-        return ZS_ERR_RANGE;
     zs_q2_30 view[9], both[9];
     int32_t from[3], center[3];
     axes(view, camera);
     zs_rotation_mul(both, view, zs_usual_rotation(in->pose.rot));
+    b->r = radius_of(mesh, scale);
     b->reach = 0;
     for (int k = 0; k < 3; k++) {
         from[k] = in->pose.pos[k] - camera->pos[k];
@@ -74,6 +79,14 @@ int zs_cull_bounds(struct zs_bounds *b, const struct zs_instance *in,
     }
     b->slack = (b->reach >> 16) + 16; /* errors are below 2^-26 of reach, rotations' below 2^-20;
                                          what rounding to camera units adds is the walk's to add */
+}
+
+int zs_cull_bounds(struct zs_bounds *b, const struct zs_instance *in,
+                   const struct zs_camera *camera)
+{
+    if (!range_ok(in))
+        return ZS_ERR_RANGE;
+    bounds(b, in, camera);
     return ZS_OK;
 }
 
@@ -102,15 +115,13 @@ int zs_cull_sphere(const struct zs_bounds *b, const struct zs_camera *camera,
 
 int64_t zs_cull_half_width(const struct zs_camera *camera, const struct zs_view *view)
 {
-    return (int64_t)zs_muldiv_u64((uint64_t)(camera->height / 2 + 1), view->width,
-                                  view->height) +
+    return (int64_t)zs_muldiv_u64((uint64_t)(camera->height / 2 + 1), view->width, view->height) +
            1;
 }
 
 int zs_cull_walk(struct zs_bounds *b, const struct zs_renderer *r, uint32_t number)
 {
-    (void)zs_cull_bounds(b, zs_instance_of(r, number),
-                         &r->camera); /* cannot fail: zs_frame_begin has asked too */
+    bounds(b, zs_instance_of(r, number), &r->camera); /* zs_frame_begin has looked at ranges */
     const int32_t shift = zs_min32(r->view.shift,
                                    28);         /* -3 .. 30; from 20 on, it is the 1 that counts */
     b->slack += ((8 << 19) >> (shift + 3)) + 1; /* 8 camera units: what a vertex may be off by */

@@ -19,7 +19,8 @@ struct zs_depth {
     /* Where view.screen_linear is 0. 1: keys are linear on this triangle all the same. 0: they are
      * not; row draws it then. */
     int (*planes)(struct zs_job *job);
-    /* Draw a row by zs_rows_piece, where planes has returned 0. */
+    /* Where planes has returned 0: zs_depth_walk, and a row of it, by job->piece. */
+    void (*walk)(struct zs_job *job);
     void (*row)(struct zs_job *job, const struct zs_row *row);
     /* Under perspective, w ~ 1/z of a vertex for perspective-correct attributes, 1 .. 2^62, same
      * scale for all. */
@@ -33,5 +34,8 @@ struct zs_depth {
     void (*span)(struct zs_job *job, const struct zs_row *row, int32_t i0, int32_t i1, uint32_t sum,
                  uint32_t step);
 };
+
+/* All rows of a job, each by the mapping's row: depth/curved.c. */
+void zs_depth_walk(struct zs_job *job);
 
 #endif

@@ -5,6 +5,7 @@
 #ifndef ZS_EDGES_H
 #define ZS_EDGES_H
 
+#include "core/fast.h"
 #include "core/job.h"
 
 /* Columns of rows [row, job->cut_end), by quotient and remainder. */
@@ -16,7 +17,7 @@ static inline void zs_edges_cut(struct zs_job *job, int32_t row)
     const struct zs_renderer *r = job->r;
     job->row = row;
     job->cut_end = zs_min32(job->row_end, row + ZS_CUT_ROWS);
-    if (!r->edges || !r->edges(job, row))
+    if (!ZS_IF_FAST(r->edges) || !r->edges(job, row))
         zs_edges_columns(job, row);
 }
 

@@ -23,69 +23,73 @@ struct polygon {
 static ZS_RARE ZS_NOINLINE int sense_of(const struct zs_view *view,
                                         const struct zs_clip_vertex v[3])
 {
-    int32_t p[3][3];
-    const int32_t *a = p[0], *b = p[1], *c = p[2];
-    for (int k = 0; k < 9;
-         k++) { /* only of a mesh that is larger than its sphere says; it loses parts */
-        const int32_t c_k = v[k / 3].p.c[k % 3];
-        if (c_k > COORD_MAX || c_k < -COORD_MAX)
+    int32_t p[9]; /* a, b, c */
+    for (int k = 0; k < 9; k++) {
+        p[k] = v[k / 3].p.c[k % 3];
+        if (zs_abs32(p[k]) > COORD_MAX) /* only of a mesh that is larger than its sphere says */
             return 0;
-        p[k / 3][k % 3] = view->perspective || k % 3 < 2
-                              ? c_k
-                              : 1; /* orthographic: the area is a . (b x c) with z = 1 */
     }
+    if (!view->perspective) /* the area is a . (b x c) with z = 1 */
+        p[2] = p[5] = p[8] = 1;
     int64_t high = 0, low = 0; /* the sum is high * 2^32 + low, 0 <= low < 2^32 */
     for (int k = 0; k < 3; k++) {
-        const int64_t n = zs_cross_at(b, c, k);      /* |.| < 2^61.1 */
-        high += zs_mul_ss((int32_t)(n >> 32), a[k]); /* |.| < 3 * 2^60 */
-        low += zs_mul_su(a[k], (uint32_t)n);         /* |.| < 2^62.1 */
+        const int64_t n = zs_cross_at(p + 3, p + 6, k); /* |.| < 2^61.1 */
+        high += zs_mul_ss((int32_t)(n >> 32), p[k]);    /* |.| < 3 * 2^60 */
+        low += zs_mul_su(p[k], (uint32_t)n);            /* |.| < 2^62.1 */
         high += low >> 32;
         low &= 0xffffffff;
     }
     return high < 0 ? -1 : high > 0 || low > 0;
 }
 
-/* The snapped polygon's area, and a corner whose fan has no piece of the other sense: rounding can
- * turn a corner inwards by a sub-pixel. The first such from the least (y, x) on, so that it does
- * not matter which corner the triangle begins with. A polygon that is seen nearly edge-on may have
- * none, because snapping made it cross itself, and its snapped area may even have the wrong sign:
- * then the sense of the triangle before it was cut counts, and pieces of the other sense are
- * dropped (polygon_bin). That leaves no hole: the samples of the right sense are all in pieces of
- * the right sense, whose signed sum the polygon is; it can draw beyond a thin polygon's edge, by
- * less than a sub-pixel's width. fan: numbers of the corners, from that one on. */
-static ZS_RARE int64_t fan_corner(const struct polygon *p, int sense, uint8_t fan[ZS_CLIP_MAX])
+/* The area of the k-th piece of the fan around corner fan[0]. */
+static ZS_RARE ZS_SHARED int64_t piece_area(const struct polygon *p, const uint8_t *fan, int k)
 {
-    int64_t area = 0;
-    int start = 0;
-    for (int k = 1; k < p->n; k++) {
-        if (k + 1 < p->n)
-            area += zs_assemble_area(&p->v[0], &p->v[k], &p->v[k + 1]); /* |.| < 7 * 2^45 */
-        if (p->v[k].y < p->v[start].y || (p->v[k].y == p->v[start].y && p->v[k].x < p->v[start].x))
-            start = k;
+    return zs_assemble_area(&p->v[fan[0]], &p->v[fan[k]], &p->v[fan[k + 1]]);
+}
+
+/* The snapped polygon's area, and in *fan the corners from one on whose fan has no piece of the
+ * other sense: rounding can turn a corner inwards by a sub-pixel. The first such from the least
+ * (y, x) on, so that it does not matter which corner the triangle begins with. A polygon that is seen nearly
+ * edge-on may have none, because snapping made it cross itself, and its snapped area may even have
+ * the wrong sign: then the sense of the triangle before it was cut counts, and pieces of the other
+ * sense are dropped (polygon_bin). That leaves no hole: the samples of the right sense are all in
+ * pieces of the right sense, whose signed sum the polygon is; it can draw beyond a thin polygon's
+ * edge, by less than a sub-pixel's width. */
+static ZS_RARE int64_t fan_corner(const struct polygon *p, int sense,
+                                  uint8_t around[2 * ZS_CLIP_MAX], const uint8_t **fan)
+{
+    int first = 0;
+    for (int k = 0; k < p->n; k++) {
+        around[k] = around[p->n + k] = (uint8_t)k;
+        if (p->v[k].y < p->v[first].y || (p->v[k].y == p->v[first].y && p->v[k].x < p->v[first].x))
+            first = k;
     }
-    for (int i = 0; i <= p->n; i++, start++) { /* the last turn is the first again */
-        int good = 1;
-        for (int k = 0; k < p->n; k++)
-            fan[k] = (uint8_t)((start + k) % p->n);
+    for (int i = 0; i < p->n; i++) {
+        int64_t area = 0; /* |.| < 7 * 2^45 */
+        int signs = 0;
+        *fan = around + around[first + i];
         for (int k = 1; k + 1 < p->n; k++) {
-            const int64_t piece = zs_assemble_area(&p->v[fan[0]], &p->v[fan[k]], &p->v[fan[k + 1]]);
-            good &= area > 0 ? piece >= 0 : piece <= 0;
+            const int64_t piece = piece_area(p, *fan, k);
+            area += piece;
+            signs |= piece > 0 ? 1 : piece < 0 ? 2 : 0;
         }
-        if (good)
+        if (signs != 3)
             return area;
     }
+    *fan = around + first;
     return sense;
 }
 
 static ZS_RARE void polygon_project(struct zs_renderer *r, struct polygon *p)
 {
-    const int32_t reach = (int32_t)ZS_GUARD_SUBPX;
+    const int32_t cx = r->view.cx, cy = r->view.cy;
     for (int k = 0; k < p->n; k++) {
         struct zs_vertex *v = &p->v[k];
         (void)zs_xform_project(r, &p->cv[k].p, v); /* clipped: near <= z <= far */
         /* rounding in camera units may leave a new vertex a little outside the guard band */
-        v->x = zs_min32(zs_max32(v->x, r->view.cx - reach), r->view.cx + reach);
-        v->y = zs_min32(zs_max32(v->y, r->view.cy - reach), r->view.cy + reach);
+        v->x = cx + (int32_t)zs_held64(v->x - cx, ZS_GUARD_SUBPX);
+        v->y = cy + (int32_t)zs_held64(v->y - cy, ZS_GUARD_SUBPX);
     }
 }
 
@@ -101,7 +105,7 @@ static ZS_RARE void piece_push(struct zs_renderer *r, const struct polygon *p,
         for (uint32_t a = 0; a < r->xform.instance->material->shader->n_varyings; a++)
             r->attr[slot[k] * r->config.varyings + a] = p->cv[at->slot[k]].attr[a];
     }
-    zs_bin_push(r, slot, paint, strip);
+    zs_bin_add(r, slot, paint, strip);
 }
 
 /* Pieces before *piece are binned already. */
@@ -110,8 +114,10 @@ static ZS_RARE enum zs_fate polygon_bin(struct zs_renderer *r, const struct poly
 {
     const struct zs_material *material = r->xform.instance->material;
     const struct zs_shader *shader = material->shader;
-    uint8_t fan[ZS_CLIP_MAX];
-    const int64_t area = fan_corner(p, sense, fan);
+    uint8_t around[2 * ZS_CLIP_MAX];
+    const uint8_t *fan;
+    const int64_t area = fan_corner(p, sense, around, &fan);
+    const int back = area < 0; /* corners of its pieces are named the other way round */
     if (area == 0)
         return ZS_FATE_ZERO;
     if (zs_assemble_culled(area, material->cull))
@@ -119,21 +125,18 @@ static ZS_RARE enum zs_fate polygon_bin(struct zs_renderer *r, const struct poly
     const uint16_t paint = shader->face ? shader->face(&r->shading, t) : 0u;
     enum zs_fate all = ZS_FATE_EMPTY;
     for (int k = 1; k + 1 < p->n; k++) {
-        struct zs_candidate at = { { fan[area < 0 ? k + 1 : 0], fan[k], fan[area < 0 ? 0 : k + 1] },
-                                   0,
-                                   0 };
-        const struct zs_vertex *a = &p->v[at.slot[0]], *b = &p->v[at.slot[1]],
-                               *c = &p->v[at.slot[2]];
-        if (zs_assemble_area(a, b, c) <= 0)
+        const int64_t piece_size = piece_area(p, fan, k);
+        if (back ? piece_size >= 0 : piece_size <= 0)
             continue;
+        struct zs_candidate at = { { fan[back ? k + 1 : 0], fan[k], fan[back ? 0 : k + 1] }, 0, 0 };
         const enum zs_fate fate = zs_assemble_box(r, p->v, &at);
         if (all != ZS_FATE_DRAWN)
             all = fate;
         if (fate != ZS_FATE_DRAWN || (uint32_t)k < *piece)
             continue;
-        if (r->tiles)
-            r->tiles->cover(r, a, b, c);
-        const uint32_t strip = zs_bin_first(r, at.y0, at.y1);
+        if (ZS_IF_FAST(r->tiles))
+            r->tiles->cover(r, &p->v[at.slot[0]], &p->v[at.slot[1]], &p->v[at.slot[2]]);
+        const uint32_t strip = zs_bin_place(r, at.y0, at.y1);
         if (strip == ZS_NIL)
             continue;
         if (r->n_tris == r->config.max_tris || r->n_verts + 3u > r->config.max_verts) {

@@ -12,6 +12,10 @@
 
 #include "zstrip.h"
 
+/* What an accelerator has set or given; 0 where the library is compiled without them, so that what
+ * depends on it is not linked. */
+#define ZS_IF_FAST(hook) (ZS_NO_FAST ? 0 : (hook))
+
 struct zs_bounds;
 struct zs_job;
 struct zs_row;

@@ -45,8 +45,7 @@ static ZS_RARE int config_ok(const struct zs_config *c)
 {
     return c->width >= 1 && c->width <= ZS_SIZE_MAX && c->height >= 1 && c->height <= ZS_SIZE_MAX &&
            c->strip_h >= 1 && c->max_tris >= 1 && c->max_tris <= ZS_POOL_MAX && c->max_verts >= 3 &&
-           c->max_verts <= ZS_POOL_MAX && c->varyings <= ZS_VARYINGS_MAX &&
-           c->buffers <= 2 &&
+           c->max_verts <= ZS_POOL_MAX && c->varyings <= ZS_VARYINGS_MAX && c->buffers <= 2 &&
            (c->subpixel_bits == 0 || c->subpixel_bits == 8 || c->subpixel_bits == 4);
 }
 
@@ -70,14 +69,15 @@ uint32_t zs_arena_bytes(const struct zs_config *c)
 }
 
 /* The next pool of the arena. */
-static void *take(uint8_t **at, uint32_t bytes)
+static void *take(uintptr_t *at, uint32_t bytes)
 {
-    void *pool = *at;
+    void *pool = (void *)*at;
     *at += bytes;
     return pool;
 }
 
-static ZS_RARE void split(struct zs_renderer *r, uint8_t *at)
+/* All pools, from an address on. Return what the arena reaches to, ZS_ARENA_BYTES further. */
+static ZS_RARE uintptr_t split(struct zs_renderer *r, uintptr_t at)
 {
     const struct zs_config *c = &r->config;
     const uint32_t color = ZS_COLOR_BYTES(c->width, c->strip_h, 1u);
@@ -93,6 +93,7 @@ static ZS_RARE void split(struct zs_renderer *r, uint8_t *at)
     r->vert_src = take(&at, half_words);
     r->vert_map = take(&at, half_words);
     r->attr = take(&at, ZS_ROUND4((uint32_t)c->max_verts * c->varyings * 2u));
+    return at;
 }
 
 /* For row / strip_h without a division. With 2^l <= strip_h < 2^(l + 1) and n = 19 + l, strip_mul
@@ -115,7 +116,7 @@ static ZS_RARE void accelerators(struct zs_renderer *r)
     r->batch = 0;
     r->clusters_hooks = 0;
     r->edges = 0;
-    for (const struct zs_fast *const *at = r->config.fast; at && *at; at++) {
+    for (const struct zs_fast *const *at = ZS_IF_FAST(r->config.fast); at && *at; at++) {
         const struct zs_fast *fast = *at;
         r->touch = r->touch ? r->touch : fast->touch;
         r->tiles = r->tiles ? r->tiles : fast->tiles;
@@ -150,8 +151,6 @@ ZS_RARE int zs_init_build(struct zs_renderer *r, const struct zs_config *config,
         return ZS_ERR_SIZE;
     if (config->depth_bits > 16 || (config->depth_bits < 8 && config->depth_bits))
         return ZS_ERR_DEPTH;
-    if (bytes < zs_arena_bytes(config) || ((uintptr_t)arena & 3u))
-        return ZS_ERR_ARENA;
     r->config = *config;
     r->config.buffers = config->buffers == 2 ? 2 : 1;
     r->config.subpixel_bits = config->subpixel_bits == 4 ? 4 : 8;
@@ -159,7 +158,9 @@ ZS_RARE int zs_init_build(struct zs_renderer *r, const struct zs_config *config,
     r->config.strip_h = strip_rows(config);
     r->n_strips = (uint16_t)((config->height + r->config.strip_h - 1) / r->config.strip_h);
     strip_divisor(r);
-    split(r, arena);
+    const uintptr_t at = (uintptr_t)arena;
+    if (split(r, at) - at > bytes || (at & 3u))
+        return ZS_ERR_ARENA;
     for (uint32_t v = 0; v < config->max_verts; v++)
         r->vert_map[v] = r->vert_src[v] = 0; /* any value will do; junk would be as good */
     const struct zs_stats none = { 0 };
@@ -316,14 +317,14 @@ int zs_frame_strip(struct zs_renderer *r, struct zs_strip *out)
         const struct zs_pass_kernel *passes = r->passes;
         if (passes)
             passes->begin(r);
-        if (r->touch)
+        if (ZS_IF_FAST(r->touch))
             r->touch->begin(r);
         else
             zs_raster_clear_all(r);
         if (r->strip >= r->band_end)
             zs_walk(r);
         zs_raster_strip(r);
-        if (r->untouched)
+        if (ZS_IF_FAST(r->untouched))
             r->touch->end(r);
         if (passes)
             passes->end(r);

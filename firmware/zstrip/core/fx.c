@@ -16,19 +16,52 @@ const uint8_t zs_clz8[256] = { 8,        7,        CLZ_2(6),  CLZ_2(5),  CLZ_2(5
 
 #if ZS_FOR_SIZE
 
-int64_t zs_round_shift(int64_t v, int n)
+int zs_clz64(uint64_t v)
 {
-    return (v + (((int64_t)1 << n) >> 1)) >> n;
-}
-
-int64_t zs_scale2(int64_t v, int n)
-{
-    if (n >= 0)
-        return v * ((int64_t)1 << n);
-    return n < -62 ? 0 : zs_round_shift(v, -n);
+    return v >> 32 ? zs_clz32((uint32_t)(v >> 32)) : 32 + zs_clz32((uint32_t)v);
 }
 
 #endif
+
+/* ---- Shifts ---------------------------------------------------------------------------------- */
+
+ZS_RARE int64_t zs_round_shift(int64_t v, int n)
+{
+    return n ? ((v >> (n - 1)) + 1) >> 1 : v;
+}
+
+ZS_RARE int64_t zs_scale2(int64_t v, int n)
+{
+    if (n >= 0)
+        return (int64_t)((uint64_t)v << n);
+    return n < -62 ? 0 : zs_round_shift(v, -n);
+}
+
+ZS_RARE int64_t zs_held64(int64_t v, int64_t most)
+{
+    return v > most ? most : v < -most ? -most : v;
+}
+
+/* ---- Filling --------------------------------------------------------------------------------- */
+
+void zs_fill_run(uint16_t *out, uint16_t value, uint32_t n)
+{
+    const zs_pair pair = (zs_pair)((uint32_t)value << 16 | value);
+    if ((uintptr_t)out & 2u) {
+        *out++ = value;
+        n--;
+    }
+    if (n & 1u)
+        out[n - 1u] = value;
+    zs_pair *at = (zs_pair *)(void *)out, *const end = at + n / 2u * (2u / ZS_PAIR);
+    at += zs_fill_blocks(at, pair, (uint32_t)(end - at));
+    for (; !ZS_FOR_SIZE && end - at >= 8; at += 8) {
+        at[0] = at[1] = at[2] = at[3] = pair;
+        at[4] = at[5] = at[6] = at[7] = pair;
+    }
+    while (at < end)
+        *at++ = pair;
+}
 
 /* ---- Reciprocal ------------------------------------------------------------------------------
  *

@@ -67,6 +67,13 @@ typedef int32_t q24_8; /* screen x, y, px */
 #define ZS_NOINLINE
 #endif
 
+/* For functions with several callers, of which compilers make copies even for size. */
+#if defined(__GNUC__)
+#define ZS_SHARED __attribute__((noinline))
+#else
+#define ZS_SHARED
+#endif
+
 /* Two 16-bit values at a time, in memory that is otherwise used as uint16_t. */
 #if defined(__GNUC__)
 typedef uint32_t __attribute__((may_alias)) zs_pair;
@@ -76,32 +83,8 @@ typedef uint16_t zs_pair;
 #define ZS_PAIR 1u
 #endif
 
-/* Fill n 16-bit values, and the one after them where n is odd (pools are rounded up to 4 bytes).
- * out is 4-byte aligned. */
-static inline void zs_fill16(uint16_t *out, uint16_t value, uint32_t n)
-{
-    const zs_pair pair = (zs_pair)((uint32_t)value << 16 | value);
-    zs_pair *at = (zs_pair *)(void *)out, *const end = at + (n + ZS_PAIR - 1u) / ZS_PAIR;
-    at += zs_fill_blocks(at, pair, (n + ZS_PAIR - 1u) / ZS_PAIR);
-    for (; end - at >= 8; at += 8) {
-        at[0] = at[1] = at[2] = at[3] = pair;
-        at[4] = at[5] = at[6] = at[7] = pair;
-    }
-    while (at < end)
-        *at++ = pair;
-}
-
 /* Fill n > 0 16-bit values, anywhere. */
-static inline void zs_fill_run(uint16_t *out, uint16_t value, uint32_t n)
-{
-    if ((uintptr_t)out & 2u) {
-        *out++ = value;
-        n--;
-    }
-    if (n & 1u)
-        out[n - 1u] = value;
-    zs_fill16(out, value, n & ~1u);
-}
+void zs_fill_run(uint16_t *out, uint16_t value, uint32_t n);
 
 static inline int32_t zs_abs32(int32_t v)
 {
@@ -128,24 +111,10 @@ static inline uint32_t zs_maxu32(uint32_t a, uint32_t b)
     return a > b ? a : b;
 }
 
-#if ZS_FOR_SIZE /* fx.c */
-int64_t zs_round_shift(int64_t v, int n);
-int64_t zs_scale2(int64_t v, int n);
-#else
 /* v / 2^n, nearest. 0 <= n <= 62, |v| < 2^62. */
-static inline int64_t zs_round_shift(int64_t v, int n)
-{
-    return (v + (((int64_t)1 << n) >> 1)) >> n;
-}
-
+int64_t zs_round_shift(int64_t v, int n);
 /* v * 2^n, n of either sign, nearest. |result| < 2^62. */
-static inline int64_t zs_scale2(int64_t v, int n)
-{
-    if (n >= 0)
-        return v * ((int64_t)1 << n);
-    return n < -62 ? 0 : zs_round_shift(v, -n);
-}
-#endif
+int64_t zs_scale2(int64_t v, int n);
 
 /* Intended wrap: sums modulo 2^32, product's low half. */
 static inline uint32_t zs_wrap_mul(uint32_t a, int32_t b)
@@ -156,12 +125,8 @@ static inline uint32_t zs_wrap_mul(uint32_t a, int32_t b)
 /* v * d modulo 2^64. */
 static inline uint64_t zs_times(uint64_t v, int32_t d)
 {
-#if ZS_FOR_SIZE
-    return v * (uint64_t)(int64_t)d;
-#else
     return (uint64_t)zs_mul_su(d, (uint32_t)v) +
            ((uint64_t)((uint32_t)(v >> 32) * (uint32_t)d) << 32);
-#endif
 }
 
 /* First sample (row or column) at or after a coordinate: ceil((c - 1/2 px) / 1 px). */
@@ -233,6 +198,9 @@ uint32_t zs_isqrt64(uint64_t v);
 
 /* floor(a * b / d) with a 128-bit product. d > 0, result < 2^64. For set-up, not for loops. */
 uint64_t zs_muldiv_u64(uint64_t a, uint64_t b, uint64_t d);
+
+/* v, held to -most .. most. */
+int64_t zs_held64(int64_t v, int64_t most);
 
 static inline uint32_t zs_size32(int32_t v)
 {

@@ -201,11 +201,16 @@ static ZS_RARE uint64_t gradient64(const struct zs_geom *g, uint64_t n, int32_t 
                                    uint64_t *base)
 {
     int64_t whole;
-    const uint32_t part = g->rcp ? small_divide(g, (int64_t)n, &whole)
-                                 : divide((int64_t)n, g->area, &whole);
+    const uint32_t part = !ZS_FOR_SIZE && g->rcp ? small_divide(g, (int64_t)n, &whole)
+                                                 : divide((int64_t)n, g->area, &whole);
     *base += (zs_times((uint64_t)whole, to_anchor) << 24) +
              (uint64_t)(zs_mul_su(to_anchor, part) >> 8);
     return ((uint64_t)whole << 32) + part;
+}
+
+uint64_t zs_plane_numerator(uint64_t dv1, uint64_t dv2, const int32_t d[2])
+{
+    return zs_times(dv1, d[1]) - zs_times(dv2, d[0]);
 }
 
 void zs_plane64(const struct zs_geom *g, uint64_t v0, uint64_t v1, uint64_t v2,
@@ -213,9 +218,8 @@ void zs_plane64(const struct zs_geom *g, uint64_t v0, uint64_t v1, uint64_t v2,
 {
     const uint64_t dv1 = v1 - v0, dv2 = v2 - v0; /* |.| <= 2^40 */
     uint64_t base = v0 << 24;
-    out->gx = gradient64(g, zs_times(dv1, g->dy2) - zs_times(dv2, g->dy1), g->ax,
-                         &base); /* |.| < 2^63 */
-    out->gy = gradient64(g, zs_times(dv2, g->dx1) - zs_times(dv1, g->dx2), g->ay, &base);
+    out->gx = gradient64(g, zs_plane_numerator(dv1, dv2, g->dy), g->ax, &base); /* |.| < 2^63 */
+    out->gy = gradient64(g, 0u - zs_plane_numerator(dv1, dv2, g->dx), g->ay, &base);
     out->base = base;
 }
 

@@ -22,6 +22,8 @@ enum zs_plane_kind { /* the numbers: gradients of 2^(32 - n) and more are found 
 /* 256 n / area, nearly nearest; ZS_TOO_STEEP where it is 2^(32 - least_shift) or more. |n| <= 2^48;
  * rcp is 2^63 / (area 2^lz), lz the leading zeros of the area, 1 .. 31. */
 int32_t zs_plane_quotient(int64_t n, uint32_t rcp, int32_t lz, int32_t least_shift);
+/* dv1 d[1] - dv2 d[0], modulo 2^64. */
+uint64_t zs_plane_numerator(uint64_t dv1, uint64_t dv2, const int32_t d[2]);
 void zs_plane32(const struct zs_geom *g, uint32_t v0, uint32_t v1, uint32_t v2,
                 enum zs_plane_kind kind, struct zs_plane *out);
 void zs_plane64(const struct zs_geom *g, uint64_t v0, uint64_t v1, uint64_t v2,

@@ -20,11 +20,6 @@ static int32_t strip_rows(const struct zs_renderer *r)
     return zs_min32(r->config.strip_h, r->config.height - r->strip * r->config.strip_h);
 }
 
-static ZS_NOINLINE void fill(uint16_t *out, uint16_t value, uint32_t n)
-{
-    zs_fill_run(out, value, n);
-}
-
 void zs_raster_background(struct zs_renderer *r, int32_t row, int32_t x, int32_t n)
 {
     const struct zs_background *sky = r->scene->sky;
@@ -33,13 +28,13 @@ void zs_raster_background(struct zs_renderer *r, int32_t row, int32_t x, int32_t
         sky->fill(sky->ctx, at, (uint16_t)x, (uint16_t)(r->strip * r->config.strip_h + row),
                   (uint16_t)n);
     else
-        fill(at, zs_wire16(r->scene->background), (uint32_t)n);
+        zs_fill_run(at, zs_wire16(r->scene->background), (uint32_t)n);
 }
 
 void zs_raster_far(struct zs_renderer *r, int32_t row, int32_t x, int32_t n)
 {
     if (r->depth)
-        fill(r->depth + row * r->config.width + x, ZS_DEPTH_CLEAR, (uint32_t)n);
+        zs_fill_run(r->depth + row * r->config.width + x, ZS_DEPTH_CLEAR, (uint32_t)n);
 }
 
 ZS_NOINLINE void zs_raster_clear(struct zs_renderer *r, int32_t row, int32_t x, int32_t n)
@@ -52,15 +47,10 @@ ZS_NOINLINE void zs_raster_clear(struct zs_renderer *r, int32_t row, int32_t x, 
 
 ZS_NOINLINE void zs_raster_clear_all(struct zs_renderer *r)
 {
-    const int32_t rows = strip_rows(r), width = r->config.width;
-    if (!r->scene->sky) {
-        fill(r->color[0], zs_wire16(r->scene->background), (uint32_t)(width * rows));
-        if (r->depth)
-            fill(r->depth, ZS_DEPTH_CLEAR, (uint32_t)(width * rows));
-        return;
-    }
-    for (int32_t row = 0; row < rows; row++)
-        zs_raster_clear(r, row, 0, width);
+    const int sky = r->scene->sky != 0; /* it fills row by row */
+    const int32_t width = r->config.width, rows = strip_rows(r);
+    for (int32_t row = 0; row < (sky ? rows : 1); row++)
+        zs_raster_clear(r, row, 0, sky ? width : width * rows);
 }
 
 /* ---- Set-up ---------------------------------------------------------------------------------- */
@@ -109,29 +99,16 @@ static ZS_NOINLINE int job_setup(struct zs_job *job)
 
 static void linear_span(struct zs_job *job, const struct zs_row *row)
 {
-    if (job->split & ZS_SPLIT_TOUCH)
+    if (ZS_IF_FAST(job->split & ZS_SPLIT_TOUCH))
         job->r->touch->row(job, row);
     job->piece(job, row, row->i0, row->i1, row->key + zs_wrap_mul(job->key.gx, row->i0),
                job->key.gx);
 }
 
-static void curved_span(struct zs_job *job, const struct zs_row *row)
-{
-    const struct zs_depth *depth = job->r->view.depth;
-    if (job->split & ZS_SPLIT_TOUCH)
-        job->r->touch->row(job, row);
-    depth->row(job, row);
-}
-
-/* Both apart, so that their frames are not on the stack below start. */
+/* Apart, so that its frame is not on the stack below start. */
 static ZS_NOINLINE void linear_walk(struct zs_job *job)
 {
     zs_rows_walk(job, linear_span, 0);
-}
-
-ZS_IN_ORDER static ZS_NOINLINE void curved_walk(struct zs_job *job)
-{
-    zs_rows_walk(job, curved_span, 1);
 }
 
 /* Gradients of a triangle whose edges are set up, and its rows. */
@@ -152,15 +129,15 @@ static ZS_NOINLINE void draw(struct zs_job *job)
         job->bias = zs_depth_state_bias(job);
     if (shader->start)
         shader->start(job);
-    if (linear && job->rows && !job->split && job->rows(job))
+    if (linear && ZS_IF_FAST(job->rows) && !job->split && job->rows(job))
         return;
     job->piece = job->split & ZS_SPLIT_WINDOW ? r->track->piece
-                 : job->split                 ? r->touch->piece
+                 : ZS_IF_FAST(job->split)     ? r->touch->piece
                                               : job->span;
     if (linear)
         linear_walk(job);
     else
-        curved_walk(job);
+        depth->walk(job);
 }
 
 /* ---- Lists ----------------------------------------------------------------------------------- */
@@ -217,7 +194,7 @@ struct sight {
 static struct sight sight_of(struct zs_renderer *r)
 {
     struct sight s = { UINT32_MAX, 0, r->window[0] > r->walk_least || r->window[1] < r->walk_most };
-    if (r->large)
+    if (ZS_IF_FAST(r->large))
         s.seen = r->tiles->seen(r);
     return s;
 }
@@ -235,7 +212,7 @@ static ZS_NOINLINE int unseen(struct zs_job *job, struct sight *s)
 {
     if (s->beside && job->r->track->beside(job))
         return 1;
-    if (s->seen == UINT32_MAX || !beyond(job, s->seen))
+    if (!ZS_IF_FAST(s->seen != UINT32_MAX) || !beyond(job, s->seen))
         return 0;
     const int hides = job->r->tiles->hides(job);
     s->in_vain = hides ? 0 : s->in_vain + 1;
@@ -248,7 +225,7 @@ static ZS_NOINLINE int unseen(struct zs_job *job, struct sight *s)
 static const struct zs_fast *fast_of(const struct zs_renderer *r, const struct zs_shader *shader,
                                      const struct zs_texel *format)
 {
-    if (r->config.fast)
+    if (ZS_IF_FAST(r->config.fast))
         for (const struct zs_fast *const *at = r->config.fast; *at; at++)
             if ((shader && (*at)->shader == shader) || (format && (*at)->format == format))
                 return *at;
@@ -277,7 +254,7 @@ static ZS_NOINLINE int (*instance_begin(struct zs_job *job, uint32_t number))(st
     job->rows = 0;
     if (!r->depth)
         job->span = r->view.depth->span;
-    if (job->depth_state || !job->fast || !r->depth)
+    if (job->depth_state || !ZS_IF_FAST(job->fast) || !r->depth)
         return 0;
     job->rows = job->fast->rows;
     if (job->fast->span)
@@ -342,10 +319,10 @@ void zs_raster_strip(struct zs_renderer *r)
                 }
                 whole = instance_begin(&job, number);
             }
-            if (r->untouched && !r->touch->takes(&job))
+            if (ZS_IF_FAST(r->untouched) && !r->touch->takes(&job))
                 number = ZS_NIL; /* small triangles from now on */
-            if (!whole || !whole(&job)) {
-                if (part && !r->untouched)
+            if (!ZS_IF_FAST(whole) || !whole(&job)) {
+                if (part && !ZS_IF_FAST(r->untouched))
                     job.split = r->track->reaches(&job) ? ZS_SPLIT_WINDOW : 0;
                 if (job_setup(&job))
                     draw(&job);

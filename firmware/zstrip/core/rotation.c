@@ -109,15 +109,21 @@ int zs_unit64(zs_q2_30 out[3], const int64_t v[3])
     return zs_unit(out, w);
 }
 
+ZS_NOINLINE int64_t zs_dot(const int32_t a[3], const int32_t b[3])
+{
+    return zs_mul_ss(a[0], b[0]) + zs_mul_ss(a[1], b[1]) + zs_mul_ss(a[2], b[2]);
+}
+
+ZS_NOINLINE int64_t zs_cross_at(const int32_t a[3], const int32_t b[3], int k)
+{
+    const int i = k == 2 ? 0 : k + 1, j = 3 - k - i;
+    return zs_mul_ss(a[i], b[j]) - zs_mul_ss(a[j], b[i]);
+}
+
 void zs_cross(zs_q2_30 out[3], const zs_q2_30 a[3], const zs_q2_30 b[3])
 {
     for (int k = 0; k < 3; k++)
         out[k] = (int32_t)zs_round_shift(zs_cross_at(a, b, k), 30);
-}
-
-static ZS_NOINLINE int64_t dot_q60(const zs_q2_30 *a, const zs_q2_30 *b)
-{
-    return zs_dot(a, b);
 }
 
 int zs_rotation_ok(const zs_q2_30 m[9])
@@ -130,23 +136,28 @@ int zs_rotation_ok(const zs_q2_30 m[9])
     for (int i = 0; i < 3; i++)
         for (int j = 0; j <= i; j++) {
             const int64_t want = i == j ? (int64_t)1 << 60 : 0;
-            const int64_t off = dot_q60(m + 3 * i, m + 3 * j) - want;
+            const int64_t off = zs_dot(m + 3 * i, m + 3 * j) - want;
             if (off > tolerance || off < -tolerance)
                 return 0;
         }
     zs_q2_30 right_handed[3];
     zs_cross(right_handed, m, m + 3);
-    return dot_q60(right_handed, m + 6) > 0; /* a mirror would turn faces inside out */
+    return zs_dot(right_handed, m + 6) > 0; /* a mirror would turn faces inside out */
+}
+
+void zs_rotation_row(zs_q2_30 out[3], const zs_q2_30 a[3], const zs_q2_30 b[9])
+{
+    for (int k = 0; k < 3; k++) {
+        const int64_t sum = zs_mul_ss(a[0], b[k]) + zs_mul_ss(a[1], b[3 + k]) +
+                            zs_mul_ss(a[2], b[6 + k]); /* |.| <= 2^60 (1 + 2^-19) */
+        out[k] = (int32_t)((sum + ZS_Q30_ONE / 2) >> 30);
+    }
 }
 
 void zs_rotation_mul(zs_q2_30 out[9], const zs_q2_30 a[9], const zs_q2_30 b[9])
 {
-    for (int i = 0; i < 3; i++)
-        for (int j = 0; j < 3; j++) {
-            const int64_t sum = zs_mul_ss(a[3 * i], b[j]) + zs_mul_ss(a[3 * i + 1], b[3 + j]) +
-                                zs_mul_ss(a[3 * i + 2], b[6 + j]); /* |.| <= 2^60 (1 + 2^-19) */
-            out[3 * i + j] = (int32_t)zs_round_shift(sum, 30);
-        }
+    for (int k = 0; k < 9; k += 3)
+        zs_rotation_row(out + k, a + k, b);
 }
 
 /* ---- Poses ----------------------------------------------------------------------------------- */
@@ -265,7 +276,7 @@ static void fine_turn(q4_60 turn[9], const q4_60 u[3], zs_turn angle)
 static void orthonormalise(zs_q2_30 m[9])
 {
     (void)zs_unit(m, m);
-    const int64_t along = zs_round_shift(dot_q60(m, m + 3), 30); /* < 2^31.8 */
+    const int64_t along = zs_round_shift(zs_dot(m, m + 3), 30); /* < 2^31.8 */
     int64_t second[3];
     for (int k = 0; k < 3; k++)
         second[k] = m[3 + k] - zs_round_shift(along * m[k], 30);
@@ -280,14 +291,14 @@ static void correct(q4_60 turn[9], const zs_q2_30 m[9])
     int32_t off[9]; /* m m^T - 1, q40 */
     for (int i = 0; i < 3; i++)
         for (int j = 0; j <= i; j++) {
-            const int64_t dot = dot_q60(m + 3 * i, m + 3 * j) - (i == j ? ONE_Q60 : 0);
+            const int64_t dot = zs_dot(m + 3 * i, m + 3 * j) - (i == j ? ONE_Q60 : 0);
             off[3 * i + j] = off[3 * j + i] = (int32_t)(dot >> 20);
         }
     for (int i = 0; i < 3; i++) {
         q4_60 *const row = turn + 3 * i;
         const int32_t was[3] = { upper(row[0]), upper(row[1]), upper(row[2]) };
         for (int j = 0; j < 3; j++)
-            row[j] -= dot_q60(was, off + 3 * j) >> 11;
+            row[j] -= zs_dot(was, off + 3 * j) >> 11;
     }
 }
 

@@ -15,17 +15,12 @@ void zs_rotation_mul(zs_q2_30 out[9], const zs_q2_30 a[9], const zs_q2_30 b[9]);
 /* v scaled to length 1, |component| < 2^63 - 2^32. Return ZS_OK; ZS_ERR_VECTOR (0: out untouched).
  */
 int zs_unit64(zs_q2_30 out[3], const int64_t v[3]);
+/* A row of it: out = a * b. out is neither. */
+void zs_rotation_row(zs_q2_30 out[3], const zs_q2_30 a[3], const zs_q2_30 b[9]);
 /* a . b, in the product of their units (of q2_30: q4_60); |a|, |b| in length below 2^31. */
-static inline int64_t zs_dot(const int32_t a[3], const int32_t b[3])
-{
-    return zs_mul_ss(a[0], b[0]) + zs_mul_ss(a[1], b[1]) + zs_mul_ss(a[2], b[2]);
-}
+int64_t zs_dot(const int32_t a[3], const int32_t b[3]);
 /* Component k of a x b, |.| < 2^63. */
-static inline int64_t zs_cross_at(const int32_t a[3], const int32_t b[3], int k)
-{
-    const int i = (k + 1) % 3, j = (k + 2) % 3;
-    return zs_mul_ss(a[i], b[j]) - zs_mul_ss(a[j], b[i]);
-}
+int64_t zs_cross_at(const int32_t a[3], const int32_t b[3], int k);
 /* out = a x b for unit vectors, q2_30. out is neither. */
 void zs_cross(zs_q2_30 out[3], const zs_q2_30 a[3], const zs_q2_30 b[3]);
 

@@ -9,17 +9,11 @@
  */
 #include "core/depth.h"
 #include "core/fx.h"
+#include "core/plane.h"
 #include "core/rows.h"
 #include "zs_shader.h"
 
 #define BIAS_MAX 65536 /* buckets: beyond it, all keys stop at an end anyway */
-
-/* |256 n / area| in 2^-16 buckets a pixel, at most 2^46: slivers have any slope. |n| < 2^55 */
-static ZS_RARE uint64_t steepness(int64_t n, int64_t area)
-{
-    const uint64_t q = ((uint64_t)zs_size64(n) << 8) / (uint64_t)area;
-    return q >> 46 ? (uint64_t)1 << 46 : q;
-}
 
 ZS_RARE int32_t zs_depth_state_bias(const struct zs_job *job)
 {
@@ -32,12 +26,13 @@ ZS_RARE int32_t zs_depth_state_bias(const struct zs_job *job)
     for (int k = 0; k < 3; k++)
         key[k] = depth->key ? depth->key(&job->r->view, job->v[k]->d) : job->v[k]->d;
     const int64_t d1 = key[1] - key[0], d2 = key[2] - key[0]; /* |.| < 2^32 */
-    const uint64_t x = steepness(d1 * g->dy2 - d2 * g->dy1, g->area);
-    const uint64_t y = steepness(d2 * g->dx1 - d1 * g->dx2, g->area);
-    const int64_t slope = zs_round_shift((int64_t)state->slope_bias * (int64_t)(x > y ? x : y),
-                                         24); /* < 2^37 */
-    const int64_t bias = state->bias + slope;
-    return bias > BIAS_MAX ? BIAS_MAX : bias < -BIAS_MAX ? -BIAS_MAX : (int32_t)bias;
+    /* the larger gradient, |256 n / area| in 2^-16 buckets a pixel; at most 2^46 (slivers) */
+    const int64_t nx = zs_size64((int64_t)zs_plane_numerator((uint64_t)d1, (uint64_t)d2, g->dy));
+    const int64_t ny = zs_size64((int64_t)zs_plane_numerator((uint64_t)d1, (uint64_t)d2, g->dx));
+    const uint64_t q = ((uint64_t)(nx > ny ? nx : ny) << 8) / (uint64_t)g->area; /* < 2^55 */
+    const int64_t steep = q >> 46 ? (int64_t)1 << 46 : (int64_t)q;
+    const int64_t slope = zs_round_shift(state->slope_bias * steep, 24); /* < 2^37 */
+    return (int32_t)zs_held64(state->bias + slope, BIAS_MAX);
 }
 
 /* Whether a key wins its pixel, and its writing. */

@@ -26,17 +26,15 @@ struct cursor {
 
 static ZS_RARE void count(struct zs_renderer *r, const uint32_t fate[ZS_FATES])
 {
-    struct zs_stats *s = &r->stats;
-    if (!r->counting)
-        return;
-    s->tris_drawn += fate[ZS_FATE_DRAWN];
-    s->tris_offscreen += fate[ZS_FATE_OFFSCREEN];
-    s->tris_facing += fate[ZS_FATE_FACING];
-    s->tris_zero += fate[ZS_FATE_ZERO];
-    s->tris_empty += fate[ZS_FATE_EMPTY];
-    s->tris_near += fate[ZS_FATE_NEAR];
-    s->tris_far += fate[ZS_FATE_FAR];
-    s->tris_index += fate[ZS_FATE_INDEX];
+#define COUNTS(fate_, field) [fate_] = offsetof(struct zs_stats, field)
+    static const uint8_t at[ZS_FATES] = {
+        COUNTS(ZS_FATE_DRAWN, tris_drawn),   COUNTS(ZS_FATE_OFFSCREEN, tris_offscreen),
+        COUNTS(ZS_FATE_FACING, tris_facing), COUNTS(ZS_FATE_ZERO, tris_zero),
+        COUNTS(ZS_FATE_EMPTY, tris_empty),   COUNTS(ZS_FATE_NEAR, tris_near),
+        COUNTS(ZS_FATE_FAR, tris_far),       COUNTS(ZS_FATE_INDEX, tris_index)
+    };
+    for (int k = 0; k < ZS_FATES && r->counting; k++)
+        *(uint32_t *)(void *)((uint8_t *)&r->stats + at[k]) += fate[k];
 }
 
 /* Cull an instance, or make r->xform its own. Return 0: nothing of it can be seen, or no strip that
@@ -46,7 +44,7 @@ static ZS_RARE ZS_NOINLINE int instance_open(struct zs_renderer *r, uint32_t num
     struct zs_bounds b;
     const struct zs_instance *in = zs_instance_of(r, number);
     const struct zs_track_kernel *track = r->track;
-    const struct zs_fast_clusters *clusters = in->mesh->cluster ? r->clusters_hooks : 0;
+    const struct zs_fast_clusters *clusters = in->mesh->cluster ? ZS_IF_FAST(r->clusters_hooks) : 0;
     const struct zs_depth_state *state = in->depth_state;
     struct zs_part part;
     if (track) {
@@ -64,7 +62,7 @@ static ZS_RARE ZS_NOINLINE int instance_open(struct zs_renderer *r, uint32_t num
         r->large = 0;
         r->refit = 1;
     }
-    if (r->large && !state && r->tiles->hides_sphere(r, &b)) {
+    if (ZS_IF_FAST(r->large) && !state && r->tiles->hides_sphere(r, &b)) {
         r->stats.instances_hidden += r->counting;
         return 0;
     }
@@ -72,7 +70,7 @@ static ZS_RARE ZS_NOINLINE int instance_open(struct zs_renderer *r, uint32_t num
         return 0;
     if (!zs_xform_instance(r, number, &b))
         return 0;
-    if (r->batch)
+    if (ZS_IF_FAST(r->batch))
         r->batch->needs(r, &b);
     r->clusters.from = r->clusters.end = 0;
     r->by_clusters = clusters && clusters->open(r, &b);
@@ -83,7 +81,7 @@ static ZS_RARE ZS_NOINLINE int instance_open(struct zs_renderer *r, uint32_t num
  * there is none. */
 static ZS_RARE int next_run(struct zs_renderer *r)
 {
-    if (r->by_clusters)
+    if (ZS_IF_FAST(r->by_clusters))
         return r->clusters_hooks->run(r);
     r->clusters.from = r->clusters.end;
     r->clusters.end = r->xform.instance->mesh->n_tris;
@@ -109,7 +107,7 @@ static ZS_RARE int instance_begin(struct zs_renderer *r, struct cursor *at)
         at->fate[k] = 0;
     r->vert_base = r->n_verts;
     r->direct = 0;
-    if (r->batch)
+    if (ZS_IF_FAST(r->batch))
         r->batch->open(r);
     at->piece = 0;
     if (!next_run(r))
@@ -122,7 +120,7 @@ static ZS_RARE int instance_begin(struct zs_renderer *r, struct cursor *at)
 static ZS_NOINLINE int instance_bin(struct zs_renderer *r, struct cursor *at)
 {
     do {
-        if (r->batch && r->direct)
+        if (ZS_IF_FAST(r->batch) && r->direct)
             at->tri = r->batch->bin(r, at->tri, r->clusters.end, at->fate, &at->piece);
         for (; at->tri < r->clusters.end; at->tri++) {
             const enum zs_fate fate = zs_assemble_tri(r, at->tri, &at->piece);

@@ -22,20 +22,6 @@
 #define SHIFT_MAX 29 /* keeps t below 2^60, and shift_high 14 */
 #define SPLIT_MAX 15
 
-static ZS_RARE void shading_set(struct zs_renderer *r, const struct zs_instance *in,
-                                const zs_q2_30 rot[9])
-{
-    struct zs_shading *s = &r->shading;
-    s->instance = in;
-    s->light = &r->light;
-    for (int k = 0; k < 3; k++) {
-        int64_t sum = 0; /* transposed rotation: world to mesh */
-        for (int j = 0; j < 3; j++)
-            sum += zs_mul_ss(rot[3 * j + k], r->light.dir[j]);
-        s->dir[k] = (int32_t)zs_round_shift(sum, 30); /* <= 2^30 (1 + 2^-19) */
-    }
-}
-
 /* A row of c = (m . p + t) / 2^shift, nearest. |m| <= 2^30, |t| < 2^60, |t / 2^shift| < 2^30. A
  * shift of at most 15 leaves t_low in [0, 2^15), a larger one in [-2^28, 2^28). */
 static ZS_RARE void row_set(int32_t row[ZS_ROW_WORDS], const int32_t m[3], int64_t t, int32_t shift)
@@ -68,17 +54,17 @@ ZS_RARE int zs_xform_instance(struct zs_renderer *r, uint32_t number, const stru
     struct zs_xform *xf = &r->xform;
     const struct zs_view *view = &r->view;
     const struct zs_instance *in = zs_instance_of(r, number);
-    const int32_t to_units = view->shift - 16;
-    if (to_units >= 0 ? b->reach >= (int64_t)1 << (30 - to_units)
-                      : b->reach >> -to_units >= 1 << 30)
+    ZS_ASSERT(view->shift >= -16 && view->shift <= 30);
+    if (b->reach >> (46 - view->shift)) /* 2^30 camera units */
         return 0;
     xf->instance = in;
     xf->number = number;
 
     /* scale = mantissa * 2^exp / 2^32, mantissa in [2^30, 2^31) */
     const uint64_t scale = zs_usual_scale(in);
-    int32_t exp = 33 - zs_clz64(scale);
-    const uint32_t mantissa = (uint32_t)(exp >= 0 ? scale >> exp : scale << -exp);
+    const int32_t lz = zs_clz64(scale);
+    const uint32_t mantissa = (uint32_t)(scale << lz >> 33);
+    int32_t exp = 33 - lz;
     if (in->mesh->pos_lo)
         exp -= 8;                           /* positions count in 1/256 steps */
     int32_t shift = 31 - exp - view->shift; /* m = rotation * mantissa / 2^31 */
@@ -91,16 +77,19 @@ ZS_RARE int zs_xform_instance(struct zs_renderer *r, uint32_t number, const stru
     const zs_q2_30 *const rot = zs_usual_rotation(in->pose.rot);
     zs_q2_30 both[9];
     zs_rotation_mul(both, view->rot, rot);
+    int32_t from[3];
+    for (int k = 0; k < 3; k++)
+        from[k] = in->pose.pos[k] - view->pos[k];
     for (int k = 0; k < 3; k++) {
-        int64_t at = 0; /* q2_30 * world units, |.| <= 2^60.6 */
+        const int64_t at = zs_dot(view->rot + 3 * k, from); /* q2_30 * world units, <= 2^60.6 */
         int32_t m[3];
-        for (int j = 0; j < 3; j++) {
-            at += zs_mul_ss(view->rot[3 * k + j], in->pose.pos[j] - view->pos[j]);
+        for (int j = 0; j < 3; j++)
             m[j] = (int32_t)zs_round_shift(zs_mul_su(both[3 * k + j], mantissa), 31 + extra);
-        }
         row_set(xf->row + k * ZS_ROW_WORDS, m, zs_scale2(at, view->shift + shift - 30), shift);
     }
-    shading_set(r, in, rot);
+    r->shading.instance = in;
+    r->shading.light = &r->light;
+    zs_rotation_row(r->shading.dir, r->light.dir, rot); /* transposed: to mesh */
     return 1;
 }
 
@@ -128,12 +117,15 @@ int32_t zs_xform_fine(const int32_t row[ZS_ROW_WORDS], const int16_t pos[3],
 void zs_xform_vertex(const struct zs_xform *xf, uint32_t v, struct zs_point *out)
 {
     const struct zs_mesh *mesh = xf->instance->mesh;
-    if (!mesh->pos_lo) {
-        zs_rows(xf->row, mesh->pos[v], out->c, 1);
+    const int16_t *p = mesh->pos[v];
+    const int32_t *row = xf->row;
+    if (!ZS_FOR_SIZE && !mesh->pos_lo) {
+        zs_rows(row, p, out->c, 1);
         return;
     }
-    for (int k = 0; k < 3; k++)
-        out->c[k] = zs_xform_fine(xf->row + k * ZS_ROW_WORDS, mesh->pos[v], mesh->pos_lo[v]);
+    for (int k = 0; k < 3; k++, row += ZS_ROW_WORDS)
+        out->c[k] = mesh->pos_lo ? zs_xform_fine(row, p, mesh->pos_lo[v])
+                                 : zs_row(row, p[0], p[1], p[2]);
 }
 
 /* The largest |x'| and |y'| at distance z > 0 that are inside the guard band. */
@@ -165,34 +157,17 @@ uint32_t zs_xform_outcode(const struct zs_view *view, const struct zs_point *p)
 
 /* ---- Projection ------------------------------------------------------------------------------ */
 
-/* mag / 2^shift, nearest, saturated. mag < 2^63, 0 < shift <= 74 */
-static uint32_t steps_wide(uint64_t mag, int32_t shift)
-{
-    if (shift > 63) /* below a half */
-        return 0;
-    const uint64_t steps = (mag + ((uint64_t)1 << (shift - 1))) >> shift;
-    return steps > UINT32_MAX ? UINT32_MAX : (uint32_t)steps;
-}
-
-/* Steps from the frame's middle with the sign of the coordinate: magnitude first, so that a
- * mirrored scene snaps to mirrored places. Just beside the guard band where they are beyond it. */
-static int32_t placed(uint32_t steps, int32_t coarse, int32_t sign)
-{
-    const int32_t v = steps > (uint32_t)ZS_GUARD_SUBPX >> coarse ? (int32_t)ZS_GUARD_SUBPX + 1
-                                                                 : (int32_t)(steps << coarse);
-    return sign < 0 ? -v : v;
-}
-
-/* For any shift, and what is beyond the guard band. Return 1: inside it. */
-static ZS_NOINLINE int place_wide(const struct zs_view *view, uint32_t rcp, int32_t shift,
-                                  struct zs_vertex *at)
+/* A coordinate's distance from the frame's middle, sub-pixels: at * rcp / 2^shift, nearest, in
+ * steps of 2^snap. Magnitude first, so that a mirrored scene snaps to mirrored places. Just beside
+ * the guard band where it is beyond it. 0 < shift <= 64 */
+static ZS_NOINLINE int32_t placed(const struct zs_view *view, int32_t at, uint32_t rcp,
+                                  int32_t shift)
 {
     const uint32_t most = (uint32_t)ZS_GUARD_SUBPX >> view->snap;
-    const uint32_t sx = steps_wide(zs_mul_uu(zs_size32(at->x), rcp), shift + view->snap);
-    const uint32_t sy = steps_wide(zs_mul_uu(zs_size32(at->y), rcp), shift + view->snap);
-    at->x = view->cx + placed(sx, view->snap, at->x);
-    at->y = view->cy + placed(sy, view->snap, at->y);
-    return sx <= most && sy <= most;
+    const uint64_t twice = zs_mul_uu(zs_size32(at), rcp) >> (shift - 1); /* the product: < 2^63 */
+    const uint64_t steps = (twice + 1u) >> 1;
+    const int32_t v = steps > most ? (int32_t)ZS_GUARD_SUBPX + 1 : (int32_t)steps << view->snap;
+    return at < 0 ? -v : v;
 }
 
 /* From camera units to the screen, in place: z is d. Return 0: before near, beyond far, or beside
@@ -204,17 +179,21 @@ ZS_NOINLINE int zs_xform_project_at(const struct zs_renderer *r, struct zs_verte
     const int32_t z = (int32_t)at->d;
     if (z < view->z_near || z > view->z_far)
         return 0;
-    uint32_t rcp = 0;
-    int32_t lz = 0;
+    uint32_t rcp = 1u << 31;
+    int32_t lz = 0, shift = 31 + view->scale_bits;
     if (view->perspective) {
         lz = zs_clz32((uint32_t)z); /* 1 .. 23: z in [2^8, 2^30] */
         rcp = ZS_RECIP_STEPS ? zs_recip((uint32_t)z << lz)
                              : zs_recip16((uint32_t)z << lz); /* 2^(63 - lz) / z */
+        shift = 63 - lz - view->scale_bits;                   /* 9 .. 54 */
     }
     at->d = depth->vertex(view, z, rcp, lz);
-    if (view->perspective)
-        return place_wide(view, rcp, 63 - lz - view->scale_bits, at); /* 9 .. 54 */
-    return place_wide(view, 1u << 31, 31 + view->scale_bits, at);
+    shift = zs_min32(shift + view->snap,
+                     64); /* from 64 on nothing is left of what was below 2^63 */
+    const int32_t x = placed(view, at->x, rcp, shift), y = placed(view, at->y, rcp, shift);
+    at->x = view->cx + x;
+    at->y = view->cy + y;
+    return zs_abs32(x) <= ZS_GUARD_SUBPX && zs_abs32(y) <= ZS_GUARD_SUBPX;
 }
 
 int zs_xform_project(const struct zs_renderer *r, const struct zs_point *p, struct zs_vertex *out)

@@ -392,8 +392,8 @@ static int float_planes(struct zs_job *job)
 
 #define FLOAT_DEPTH(setup_)                                                                        \
     {                                                                                              \
-        .setup = setup_, .vertex = float_vertex, .planes = float_planes, .row = any_row,           \
-        .inverses = float_inverses                                                                 \
+        .setup = setup_, .vertex = float_vertex, .planes = float_planes, .walk = zs_depth_walk,    \
+        .row = any_row, .inverses = float_inverses                                                 \
     }
 
 const struct zs_depth zs_depth_float = FLOAT_DEPTH(any_setup);

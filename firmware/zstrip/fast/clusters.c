@@ -422,7 +422,7 @@ static void mark(struct zs_renderer *r)
     const struct zs_mesh *mesh = r->xform.instance->mesh;
     const uint32_t n_verts = mesh->n_verts;
     uint8_t *mark = marks(r);
-    zs_fill16(r->vert_map, 0, ZS_ROUND4(n_verts) / 2u);
+    zs_fill_run(r->vert_map, 0, ZS_ROUND4(n_verts) / 2u);
     while (cluster_run(r)) {
         const uint16_t(*tri)[3] = mesh->tri + r->clusters.from,
               (*const end)[3] = mesh->tri + r->clusters.end;

@@ -128,6 +128,17 @@ static ZS_NOINLINE int light(const struct zs_job *job, const struct zs_small *s,
     return 1;
 }
 
+/* Whether plain affine coordinates are good enough. */
+ZS_ALWAYS_INLINE int is_affine(const struct zs_texture *t, const struct coordinate *u,
+                               const struct coordinate *v, uint32_t uv_bits, uint32_t change,
+                               uint32_t least)
+{
+    const int32_t texels = zs_max32(
+        (int32_t)zs_maxu32(t->log2_w, ZS_TEXTURE_FLOOR_LOG2) - zs_clz32(u->range | 1u),
+        (int32_t)zs_maxu32(t->log2_h, ZS_TEXTURE_FLOOR_LOG2) - zs_clz32(v->range | 1u));
+    return zs_texture_affine(texels + 32 - (int32_t)uv_bits, change, least);
+}
+
 ZS_ALWAYS_INLINE int draw(struct zs_job *job, int may_be_lit)
 {
     struct zs_small s;
@@ -157,14 +168,8 @@ ZS_ALWAYS_INLINE int draw(struct zs_job *job, int may_be_lit)
     struct coordinate cu, cv;
     coordinate(&cu, a[0], b[0], c[0]);
     coordinate(&cv, a[1], b[1], c[1]);
-    if ((cu.range | cv.range) >> 14)
-        return 0;
-    const int32_t texels = zs_max32(
-        (int32_t)zs_maxu32(log2_w, ZS_TEXTURE_FLOOR_LOG2) - zs_clz32(cu.range | 1u),
-        (int32_t)zs_maxu32(log2_h, ZS_TEXTURE_FLOOR_LOG2) - zs_clz32(cv.range | 1u));
-    if (!zs_texture_affine(texels + 32 - (int32_t)uv_bits, change, view->key_slow))
-        return 0;
-    if (!zs_small_keys(&s, &w.sides))
+    if ((cu.range | cv.range) >> 14 || !is_affine(t, &cu, &cv, uv_bits, change, view->key_slow) ||
+        !zs_small_keys(&s, &w.sides))
         return 0;
     const int32_t shift = 23 + (int32_t)uv_bits - s.shift;
     if (shift < 1 || (plane(&s, &cu, shift, uv_bits, log2_w, &w, 1) |

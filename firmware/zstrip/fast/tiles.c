@@ -214,7 +214,7 @@ static ZS_NOINLINE void tiles_cover(struct zs_renderer *r, const struct zs_verte
     if (!r->counting || r->xform.instance->depth_state)
         return;      /* all is known by now; keys of its own */
     if (!r->large) { /* the frame's first */
-        zs_fill16(r->bound, ZS_DEPTH_CLEAR, ZS_TILES(r->config.width) * r->n_strips);
+        zs_fill_run(r->bound, ZS_DEPTH_CLEAR, ZS_TILES(r->config.width) * r->n_strips);
         r->large = 1;
         r->bound_most = ZS_DEPTH_CLEAR;
         r->cover_known = r->cover_waits = r->cover_next = 0;

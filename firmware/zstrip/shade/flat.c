@@ -6,10 +6,11 @@
 #include "zs_shader.h"
 #include "shade/solid.h"
 
-/* 0 .. 65535 to 0 .. most, nearest. most <= 63 */
-static uint32_t code(uint32_t channel, uint32_t most)
+/* A channel under light, 0 .. most, nearest. most <= 63 */
+static ZS_AS_CALL uint32_t code(uint8_t channel, uint32_t light, uint32_t most)
 {
-    const uint32_t t = channel * most + 0x8000u; /* < 2^22; t / 65535 by two shifts */
+    const uint32_t t = zs_light_channel(channel, light) * most +
+                       0x8000u; /* < 2^22; t / 65535 by two shifts */
     return (t + (t >> 16)) >> 16;
 }
 
@@ -21,9 +22,8 @@ static uint16_t flat_face(const struct zs_shading *s, uint32_t t)
     zs_q1_15 n[3];
     zs_light_face_normal(n, mesh, t);
     const uint32_t light = zs_light_intensity(s, n);
-    return zs_wire16((uint16_t)(code(zs_light_channel(c->r, light), 31) << 11 |
-                                code(zs_light_channel(c->g, light), 63) << 5 |
-                                code(zs_light_channel(c->b, light), 31)));
+    return zs_wire16((uint16_t)(code(c->r, light, 31) << 11 | code(c->g, light, 63) << 5 |
+                                code(c->b, light, 31)));
 }
 
 const struct zs_shader zs_shade_flat = { .face = flat_face, .run = zs_solid_run };

@@ -52,8 +52,7 @@ static ZS_RARE ZS_NOINLINE void edges_normal(zs_q1_15 out[3], const struct zs_me
     zs_q2_30 unit[3] = { 0, 0, 0 };        /* no area: no light falls on it */
     (void)zs_unit64(unit, n);
     for (int k = 0; k < 3; k++) {
-        const int32_t q15 = (int32_t)zs_round_shift(unit[k], 15);
-        out[k] = (zs_q1_15)zs_min32(zs_max32(q15, -32767), 32767);
+        out[k] = (zs_q1_15)zs_held64(zs_round_shift(unit[k], 15), 32767);
     }
 }
 

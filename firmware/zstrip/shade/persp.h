@@ -44,11 +44,7 @@ static inline int zs_persp_slow(const struct zs_job *job, uint32_t *change)
 }
 
 /* (2^32 - 1) / n of a last, shorter part of a row, n <= 2^ZS_SUB_LOG2_MAX; 0 of 0. */
-extern const uint32_t zs_one_over_table[(1 << ZS_SUB_LOG2_MAX) + 1];
-static inline uint32_t zs_one_over(int32_t n)
-{
-    return zs_one_over_table[n];
-}
+extern const uint32_t zs_one_over[(1 << ZS_SUB_LOG2_MAX) + 1];
 
 /* Move a plane's base to column 0 of row 0, for zs_plane_at. */
 static inline void zs_plane_origin(const struct zs_geom *g, struct zs_plane *p)

@@ -1,4 +1,5 @@
-/* What shade_texture.c and small_texture.c share: a textured triangle's coordinates. Internal.
+/* A textured triangle's coordinates: what texture.c, texture_run.c and accelerators share.
+ * Internal.
  *
  * SPDX-License-Identifier: MIT
  */
@@ -21,7 +22,9 @@ struct zs_texel {
     uint8_t log2_w_min;
 };
 
-#define ZS_TEXTURE_BIAS_LOG2 9   /* 2^-9 texel */
+#define ZS_TEXTURE_GROUP_LOG2                                                                      \
+    5                          /* pixels of a row that are affine together, or divided one by one */
+#define ZS_TEXTURE_BIAS_LOG2 9 /* 2^-9 texel */
 #define ZS_TEXTURE_FLOOR_LOG2 7u /* smaller textures are held to 1/8 texel of one of 128 */
 
 /* log2 of the texels (of 128 or more to a repeat) that 16 bits stand for which are a difference of
@@ -86,6 +89,9 @@ static inline uint32_t zs_texture_shine(uint32_t c, uint32_t level)
     return red << 11 | green << 5 | blue;
 }
 
+/* As zs_shader.run and .light. */
+void zs_texture_run(struct zs_job *job, const struct zs_row *row, int32_t r0, int32_t r1);
+void zs_texture_light(uint16_t *out, int32_t n, uint32_t l, uint32_t step);
 /* Pixel i of a row of a triangle that is not affine, by a division of its own. */
 void zs_texture_pixel(struct zs_job *job, const struct zs_row *row, int32_t i);
 /* The same by a reciprocal of 15 bits. 0 < w < 2^31 there. */
