@@ -3,7 +3,8 @@
 SAN = -fsanitize=address,undefined -fno-sanitize-recover=all
 # make quick: optimised, with what costs next to nothing; where it fails is a signal
 SAN_QUICK = -O2 -fsanitize=signed-integer-overflow,shift,bounds,integer-divide-by-zero -fsanitize-undefined-trap-on-error
-TEST_CC = $(CC) -std=gnu11 -O1 -g $(SAN) -Wall -Wextra -Werror -Wshadow -Wno-missing-field-initializers $(INC) -Itests \
+# -g1: lines for the sanitizers' reports; all of -g takes a fifth longer to compile
+TEST_CC = $(CC) -std=gnu11 -O1 -g1 $(SAN) -Wall -Wextra -Werror -Wshadow -Wno-missing-field-initializers $(INC) -Itests \
           -DZS_STATS=1 '-DZS_ASSERT(c)=((c)?(void)0:__builtin_trap())'
 TESTS = $(wildcard tests/test_*.c)
 MODEL = $(wildcard sim/panel_model/*.c) sim/panel_bus.c hal/fault/fault.c
@@ -21,6 +22,8 @@ test-programs: unit-programs $(B)/test/zsim checksum-programs mutate-link
 
 .SECONDARY: $(call t,$(TESTS))
 TEST_NOTE := $(call note,$(B)/test/cc,$(TEST_CC))
+# The oracle, the judge, is not slowed down by AddressSanitizer.
+$(B)/test/tests/oracle.o: override SAN := $(if $(SAN),$(SAN_QUICK))
 $(B)/test/%.o: %.c $(TEST_NOTE) | $(B)/gen/meshes.h
 	@mkdir -p $(@D)
 	@$(TEST_CC) $(DEP) -c $< -o $@
@@ -104,10 +107,16 @@ $(B)/fuzz/fuzz_mesh: tests/fuzz/fuzz_mesh.c tests/fast_lists.c tests/own.c tests
 	@$(subst $(CC) ,clang ,$(TEST_CC)) -Itests/fuzz -O2 -fsanitize=fuzzer $(filter %.c,$^) -o $@
 
 # Stress: triangles against the oracle and frames against the plainest way, by seeds; under the sanitizers, and as
-# shipped. The oracle, the judge, is not slowed down by sanitizers.
+# shipped. The oracle, the judge, is not slowed down by sanitizers. cut is for make test: of its objects, at -O1.
 STRESS_CC = $(CC) -std=gnu11 $(CFLAGS) -Wall -Wextra -Werror -Wshadow -Wno-missing-field-initializers $(INC) -Itests \
             -Itests/fuzz -Itests/stress
+stress-cut: $(B)/stress/cut
 stress-programs: $(B)/stress/san
+$(B)/test/tests/stress/%.o: TEST_CC += -Itests/fuzz -Itests/stress
+$(B)/stress/cut: $(call t,$(wildcard tests/stress/*.c) tests/fuzz/replay.c) $(B)/test/libtest.a
+	@mkdir -p $(@D)
+	@$(CC) $(SAN) $^ -lm -o $@
+.PHONY: stress-cut
 $(B)/stress/oracle.o: tests/oracle.c tests/oracle.h
 	@mkdir -p $(@D)
 	@$(STRESS_CC) -c $< -o $@
