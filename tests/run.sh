@@ -19,11 +19,13 @@ skipped=$logs/skipped.txt
 mode=${3:-}
 parts=tests/parts.txt
 . tests/tally.sh
-# Many parts compile the same source with the same options: once, where ccache is installed. Nothing of another run counts
-# but of this build folder.
-if [ -d /usr/lib/ccache ]; then
-    PATH=/usr/lib/ccache:$PATH
-    CCACHE_DIR=$(mkdir -p "$build/ccache" && cd "$build/ccache" && pwd)
+# Many parts compile the same source for a Cortex-M with the same options: once, where ccache is installed. Of other
+# compilers no object is made twice. The cache is of this build folder.
+ccache=$(command -v ccache)
+if [ -n "$ccache" ] && mkdir -p "$build/ccache/bin"; then
+    CCACHE_DIR=$(cd "$build/ccache" && pwd)
+    ln -sf "$ccache" "$CCACHE_DIR/bin/arm-none-eabi-gcc"
+    PATH=$CCACHE_DIR/bin:$PATH
     export PATH CCACHE_DIR
 fi
 
