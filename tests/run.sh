@@ -137,13 +137,14 @@ record)
     exit 1 ;;
 esac
 
-mkdir -p "$logs"
-list >"$logs/queue"
-if [ ! -s "$logs/queue" ]; then
+queue=$(list)
+if [ -z "$queue" ]; then
     # shellcheck disable=SC2046
     echo "tests/run.sh: no name holds '$only'; there are" $(sh tests/run.sh "$build" '' names) >&2
     exit 1
 fi
+mkdir -p "$logs"
+echo "$queue" >"$logs/queue"
 for file in counts begun skipped.txt lane.1 lane.2; do : >"$logs/$file"; done
 begun=$(date +%s)
 # In groups of their own, so that they end with this one, whatever they are at.
