@@ -53,6 +53,7 @@ start() { # NAME
 
 run() { # NAME
     begun=$(date +%s%N)
+    : >"$logs/$1.times"
     (
         start "$1" >"$logs/$1.log" 2>&1
         status=$?
