@@ -27,7 +27,7 @@ note = $(if $(call same,$(strip $(file <$1)),$(strip $2)),,$(shell mkdir -p $(di
 # Debian packages: what the simulator and zstrip-linux are built from, and what tests and fuzzers need besides
 PKG_SIM = gcc libc6-dev libassimp-dev libmeshoptimizer-dev libpng-dev libturbojpeg0-dev
 PKG_LINUX = $(PKG_SIM) libgpiod-dev pkg-config
-PKG_TEST = $(PKG_LINUX) gnuplot-nox g++ clang binutils libcmocka-dev gcc-arm-none-eabi libnewlib-arm-none-eabi qemu-system-arm \
+PKG_TEST = $(PKG_LINUX) ccache gnuplot-nox g++ clang binutils libcmocka-dev gcc-arm-none-eabi libnewlib-arm-none-eabi qemu-system-arm \
            $(PKG_RISCV) qemu-system-misc gcc-arm-linux-gnueabihf libc6-dev-armhf-cross device-tree-compiler cpio \
            gcc-powerpc-linux-gnu libc6-dev-powerpc-cross qemu-user-static $(if $(shell command -v npm),,nodejs npm)
 PKG_BENCH = $(PKG_TEST) valgrind
@@ -57,7 +57,7 @@ demo: sim
 
 ## test: set up and run every test
 test: $(B)/.setup-test
-	@$(MAKE) --no-print-directory -j2 $(B)/zsim test-programs fuzz-programs stress-programs
+	@$(MAKE) --no-print-directory -j2 $(B)/zsim test-programs fuzz-programs stress-cut
 	@sh tests/run.sh $(B)
 
 ## quick: every unit test, for after each change: without AddressSanitizer, of UBSan what is cheap; half a minute
@@ -133,7 +133,7 @@ cull: sim $(B)/.setup-test
 
 ## checksums: every scene's frames on Cortex-M0 to M7, RISC-V, PowerPC (big-endian) and x86-64: one table of checksums, all the same
 checksums: $(B)/.setup-test $(B)/gen/meshes.h
-	@sh tests/scene_sums.sh $(B)
+	@SUMS_PICO=1 sh tests/scene_sums.sh $(B)
 
 ## depth: which depth mapping separates what, and what each costs on Cortex-M3 and M0
 depth: sim $(B)/.setup-test
@@ -190,7 +190,7 @@ pictures: sim
 ## size: flash of the renderer and RAM by pool
 ## stack: worst-case stack
 ## check: rules on the Cortex-M objects, linking, includes, sizes of files, initialisers, headers in C and C++, and the stack
-size stack: $(B)/.setup-test
+size stack: $(B)/.setup-test $(B)/libcore.a
 	@sh tests/checks/$@.sh $(B)
 check: $(B)/.setup-test $(B)/gen/meshes.h
 	@for c in objects kernels hal includes shape designated headers stack; do sh tests/checks/$$c.sh $(B) || exit 1; done
@@ -227,10 +227,19 @@ $(B)/.setup-report:
 $(B)/.setup-fuzz:
 	@mkdir -p $(B) && .ci/setup $(PKG_FUZZ) && touch $@ $(B)/.setup-test $(B)/.setup-linux $(B)/.setup-sim
 
+# The renderer for programs of this machine that only use it: the generator of meshes, and those of tests
+CORE_CC = $(CC) -std=c11 $(CFLAGS) $(WARN) -Ifirmware/zstrip
+CORE_NOTE := $(call note,$(B)/core/cc,$(CORE_CC))
+$(B)/core/%.o: %.c $(CORE_NOTE)
+	@mkdir -p $(@D)
+	@$(CORE_CC) $(DEP) -c $< -o $@
+$(B)/libcore.a: $(CORE:%.c=$(B)/core/%.o)
+	@rm -f $@ && ar rcs $@ $^
+
 # Meshes: written by a generator, built into one archive
-$(B)/gen_meshes: $(GEN) $(CORE) $(filter firmware/zstrip/% firmware/scenes/%,$(HEADERS))
+$(B)/gen_meshes: $(GEN) $(B)/libcore.a $(filter firmware/zstrip/% firmware/scenes/%,$(HEADERS))
 	@mkdir -p $(B)
-	@$(CC) -std=c11 $(CFLAGS) $(WARN) $(INC) $(GEN) $(CORE) -o $@
+	@$(CC) -std=c11 $(CFLAGS) $(WARN) $(INC) $(GEN) $(B)/libcore.a -o $@
 $(B)/gen/made: $(B)/gen_meshes
 	@rm -rf $(B)/gen/new && mkdir -p $(B)/gen/new
 	@echo 'meshes: $(B)/gen'
@@ -288,5 +297,5 @@ linux-sources:
 	@echo $(CORE) $(SCENES) $(PANELS) $(LINUX_SIM) $(LINUX)
 
 include tests/tests.mk
--include $(foreach at,sim test test/narrow fuzz/clang study/*,$(foreach of,firmware hal sim tests,\
+-include $(foreach at,core sim test test/narrow fuzz/clang study/*,$(foreach of,firmware hal sim tests,\
     $(wildcard $(addprefix $(B)/$(at)/$(of)/,*.d */*.d */*/*.d))))

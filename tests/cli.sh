@@ -451,8 +451,8 @@ is "drawn beyond the far plane" "$(stat_of stats triangles_drawn) $(stat_of stat
 is "complexity of nothing" "$(stat_of stats depth_complexity)" 0
 
 begin no_progress_and_no_words_in_a_pipe
-{ "$zsim" render hills.obj --size 3000x3000 --reference --out out/pipe.png 2>&1 | cat >words; } &
-last=" zsim render hills.obj --size 3000x3000 --reference --out out/tty.png"
+{ "$zsim" render hills.obj --size 2000x2000 --reference --out out/pipe.png 2>&1 | cat >words; } &
+last=" zsim render hills.obj --size 2000x2000 --reference --out out/tty.png"
 script -qec "'$zsim' ${last# zsim }" /dev/null </dev/null >tty_words 2>&1
 status=$?
 wait

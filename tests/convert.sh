@@ -1,7 +1,7 @@
 #!/bin/sh
 # zsim convert, from outside: what it writes is compiled, checked and drawn, and compared with what zsim draws
 # of the original.
-# Usage: tests/convert.sh BUILD     from the repository's top; BUILD/test/zsim, BUILD/zsim and BUILD/test/libtest.a
+# Usage: tests/convert.sh BUILD     from the repository's top; BUILD/test/zsim, BUILD/zsim, BUILD/libcore.a, BUILD/test/libtest.a
 #
 # `ok NAME` or `FAILED NAME: reason` a test; models and programs stay in BUILD/test/convert.
 set -u
@@ -12,7 +12,7 @@ set -- "$build/test/zsim" "$build/test/convert"
 . "$top/tests/designated.sh"
 designated_headers headers || exit 1
 gcc -O1 -Wall -Wextra -Werror -I"$top/firmware/zstrip" -I"$build/gen" "$top/tests/convert/make.c" \
-    "$top"/firmware/zstrip/*/*.c "$build/libmeshes.a" -lpng -lturbojpeg -lm -o make || exit 1
+    "$build/libcore.a" "$build/libmeshes.a" -lpng -lturbojpeg -lm -o make || exit 1
 
 below() { # WHAT HAVE LIMIT
     awk -v a="$2" -v b="$3" 'BEGIN { exit !(a == a + 0 && a + 0 < b + 0) }' || wrong "$1 is $2, not below $3"
@@ -57,7 +57,7 @@ compile() { # TO PROGRAM.c
             >cc.log 2>&1 || wrong "$compiler, the header: $(head -c 400 cc.log)"
     done
     gcc -std=c11 -O0 -c -Wall -Wextra -Werror -Iheaders "$1/m.c" -o "$1/m.o" >cc.log 2>&1 &&
-        gcc -std=gnu11 -O1 -g $SAN -Wall -Wextra -Werror -I"$top/firmware/zstrip" -I"$1" "$top/tests/convert/$2.c" \
+        gcc -std=gnu11 -O0 -g1 $SAN -Wall -Wextra -Werror -I"$top/firmware/zstrip" -I"$1" "$top/tests/convert/$2.c" \
             "$1/m.o" "$build/test/libtest.a" -lm -o "$1/$2" >cc.log 2>&1 || wrong "$(head -c 400 cc.log)"
 }
 # What is printed as flash is what a Cortex-M's linker would take.

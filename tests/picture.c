@@ -10,6 +10,20 @@
 
 #include "fast_lists.h"
 
+#if defined __has_feature /* clang's */
+#if __has_feature(address_sanitizer)
+#define __SANITIZE_ADDRESS__ 1
+#endif
+#endif
+#ifdef __SANITIZE_ADDRESS__
+#include <sanitizer/asan_interface.h>
+#define poison(at, bytes) __asan_poison_memory_region(at, bytes)
+#define unpoison(at, bytes) __asan_unpoison_memory_region(at, bytes)
+#else
+#define poison(at, bytes) (void)(bytes)
+#define unpoison(at, bytes) (void)(bytes)
+#endif
+
 struct zs_config picture_config(int32_t w, int32_t h, const struct zs_depth *depth)
 {
     const struct zs_config c = { .width = (uint16_t)w, .height = (uint16_t)h, .strip_h = (uint16_t)h, .max_tris = 4000,
@@ -78,20 +92,41 @@ static int copy_end(void *ctx)
     return c->busy ? -1003 : 0;
 }
 
+/* An arena of exactly that many bytes of junk at the end of a block that is kept, because new pages for each frame take
+ * longer than the frame. What lies before it is poisoned, as it is after a malloc. */
+static uint8_t *junk(uint32_t bytes)
+{
+    static uint8_t *block;
+    static uint32_t room;
+    const uint32_t want = (bytes ? bytes + 7u : 8u) & ~7u, period = 4099;
+    if (want > room) {
+        free(block);
+        block = malloc(room = want);
+        if (!block)
+            abort();
+    }
+    uint8_t *arena = block + room - (bytes ? bytes : 4);
+    unpoison(block, room);
+    for (uint32_t i = 0; i < bytes && i < period; i++)
+        arena[i] = (uint8_t)(i * 2654435761u >> 13);
+    for (uint32_t done = period; done < bytes; done *= 2)
+        memcpy(arena + done, arena, done < bytes - done ? done : bytes - done);
+    poison(block, (size_t)(arena - block));
+    return arena;
+}
+
 static struct picture drawn(const struct zs_config *config, const struct zs_pass *pass, uint32_t n)
 {
     struct picture p = { .w = config->width, .h = config->height };
     const uint32_t bytes = zs_arena_bytes(config);
-    uint8_t *arena = malloc(bytes ? bytes : 4);
+    uint8_t *arena = junk(bytes);
     struct zs_renderer *r = malloc(sizeof *r);
     const size_t px = (size_t)p.w * (size_t)p.h;
     p.color = calloc(px ? px : 1, 2);
     p.key = calloc(px ? px : 1, 2);
-    if (!arena || !r || !p.color || !p.key)
+    if (!r || !p.color || !p.key)
         abort();
     memset(r, 0xa5, sizeof *r);
-    for (uint32_t i = 0; i < bytes; i++)
-        arena[i] = (uint8_t)(i * 2654435761u >> 13);
     p.err = zs_init(r, config, arena, bytes);
     if (!p.err) {
         struct copy c = { .to = &p };
@@ -107,7 +142,6 @@ static struct picture drawn(const struct zs_config *config, const struct zs_pass
         free(memory);
     }
     free(r);
-    free(arena);
     return p;
 }
 

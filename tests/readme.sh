@@ -1,7 +1,7 @@
 #!/bin/sh
 # The README's C, as it stands there: compiled as it would be on a board (warnings on), run, and its pictures
 # looked at by number. The section about a model of one's own is followed to the letter: its commands too.
-# Usage: tests/readme.sh BUILD
+# Usage: tests/readme.sh BUILD     BUILD/libcore.a, BUILD/libmeshes.a
 set -eu
 build=$1
 out=$(mkdir -p "$1/test/readme" && cd "$1/test/readme" && pwd)
@@ -38,7 +38,7 @@ int main(void)
 }
 MAIN
 gcc -std=c11 -Wall -Wextra -Werror -Wconversion -I"$out/headers" -Ifirmware/zstrip -I"$out" "$out/main.c" \
-    firmware/zstrip/*/*.c -o "$out/example"
+    "$build/libcore.a" -o "$out/example"
 # shellcheck disable=SC2046
 set -- $("$out/example")
 [ "$lines" -le 40 ] && echo "ok readme_example_is_$lines""_lines" || echo "FAILED readme_example: $lines lines"
@@ -74,7 +74,7 @@ int main(void)
 }
 MAIN
 gcc -std=c11 -Wall -Wextra -Werror -Wconversion -I"$out/headers" -Ifirmware/zstrip -Ihal -Ihal/panel -I"$out" "$out/panel_main.c" \
-    firmware/zstrip/*/*.c hal/panel/*.c hal/null/*.c -o "$out/panel_example"
+    "$build/libcore.a" hal/panel/*.c hal/null/*.c -o "$out/panel_example"
 said=$("$out/panel_example")
 [ "$said" = "0 15" ] && echo "ok readme_panel_example" || echo "FAILED readme_panel_example: $said"
 
@@ -108,7 +108,7 @@ follow() { # NAME LEAST-PIXELS MOST-PIXELS COLOURS    MODEL.obj and what belongs
 }
 build=$(cd "$build" && pwd)
 make=$out/make
-gcc -O1 -Ifirmware/zstrip -I"$build/gen" tests/convert/make.c firmware/zstrip/*/*.c "$build/libmeshes.a" -lpng -lturbojpeg -lm -o "$make"
+gcc -O1 -Ifirmware/zstrip -I"$build/gen" tests/convert/make.c "$build/libcore.a" "$build/libmeshes.a" -lpng -lturbojpeg -lm -o "$make"
 mkdir -p "$out/teapot" "$out/boxes" "$out/torus"
 "$make" teapot >"$out/teapot/MODEL.obj"
 "$make" boxes 5 3 >"$out/boxes/MODEL.obj"

@@ -1,9 +1,15 @@
 #!/bin/sh
-# Run every test that `make test` has built, two side by side, show each by its name, and end with what was skipped and
-# "N passed, N failed".
-# Usage: tests/run.sh BUILD [PATTERN]          only the programs and scripts whose name holds PATTERN
+# Run every test that `make test` has built, two parts at a time: a line each with its seconds and its tests, what was
+# skipped, which parts took longest, and at the end "N passed, N failed".
+# Usage: tests/run.sh BUILD [PATTERN]           only the parts whose name holds PATTERN
 #        tests/run.sh BUILD '' names            what there is
-#        tests/run.sh BUILD PATTERN lane LANE   one of the two, host or boards: of use to this script alone
+#        tests/run.sh BUILD '' record           tests/parts.txt with the seconds of the last whole run, on standard output
+#        tests/run.sh BUILD PATTERN lane LANE   one of the two workers: of use to this script alone
+#
+# tests/parts.txt lists the parts. The longest is started first, unless it waits for another or uses what one that runs
+# uses. Seconds are of CPU, user and system, so that other work on the machine hardly counts.
+#
+# SPDX-License-Identifier: MIT
 set -u
 cd "$(dirname "$0")/.." || exit 1
 build=$1
@@ -11,105 +17,179 @@ only=${2:-}
 logs=$build/test/logs
 skipped=$logs/skipped.txt
 mode=${3:-}
+parts=tests/parts.txt
 . tests/tally.sh
+# Many parts compile the same source for a Cortex-M with the same options: once, where ccache is installed. Of other
+# compilers no object is made twice. The cache is of this build folder.
+ccache=$(command -v ccache)
+if [ -n "$ccache" ] && mkdir -p "$build/ccache/bin"; then
+    CCACHE_DIR=$(cd "$build/ccache" && pwd)
+    ln -sf "$ccache" "$CCACHE_DIR/bin/arm-none-eabi-gcc"
+    PATH=$CCACHE_DIR/bin:$PATH
+    export PATH CCACHE_DIR
+fi
 
-tell() { # NAME LOG STATUS
-    tally "$@"
+# Name, seconds, uses and after of every part of this run, the longest first
+list() {
+    {
+        grep -v '^#' $parts
+        for program in tests/test_*.c test_xform_narrow.c; do # those that have no line yet
+            name=$(basename "$program" .c)
+            grep -q "^$name " $parts || echo "$name - - -"
+        done
+    } | while read -r name seconds uses after _; do
+        case $name in *"$only"*) echo "$name $seconds ${uses:--} ${after:--}" ;; esac
+    done | sort -k 2,2rn
+}
+
+# The command of a part: the rest of its line, or the program of its name
+start() { # NAME
+    command=$(awk -v name="$1" '$1 == name { $1 = $2 = $3 = $4 = ""; print }' $parts)
+    case $command in
+    *[!\ ]*) eval "$command" ;;
+    *) "$build/test/$1" ;;
+    esac
+}
+
+run() { # NAME
+    begun=$(date +%s%N)
+    : >"$logs/$1.times"
+    (
+        start "$1" >"$logs/$1.log" 2>&1
+        status=$?
+        times >"$logs/$1.times"
+        exit $status
+    )
+    status=$?
+    ms=$((($(date +%s%N) - begun) / 1000000))
+    tally "$1" "$logs/$1.log" $status
+    # what the shell itself took, and what all took that it has waited for
+    cpu=$(tr 'ms' '  ' <"$logs/$1.times" | awk '{ s += $1 * 60 + $2 + $3 * 60 + $4 } END { printf "%.1f", s }')
     ( # one log after the other: the lock goes with the descriptor
         flock 9
-        echo "== $1: $ok passed, $bad failed"
-        grep -vE '^\[( RUN  |======|  PASSED)' "$2" # verdicts and what was measured
+        # shellcheck disable=SC2154
+        echo "== $1: $ok passed, $bad failed, $((ms / 1000)).$((ms % 1000 / 100)) s, of CPU $cpu s"
+        grep -vE '^(\[( RUN  |======|  PASSED)|SKIPPED )' "$logs/$1.log" # verdicts and what was measured
+        grep '^SKIPPED ' "$logs/$1.log" | tee -a "$skipped"
+        echo "$1 $ok $bad $ms $cpu" >>"$logs/counts"
     ) 9>"$logs/lock"
-    grep '^SKIPPED ' "$2" >>"$skipped"
-    echo "$ok $bad" >>"$counts"
 }
 
-run() { # NAME COMMAND...
-    name=$1
-    shift
-    case $name in *"$only"*) ;; *) return 0 ;; esac
-    [ "$mode" = names ] && echo "$name" && return
-    "$@" >"$logs/$name.log" 2>&1
-    tell "$name" "$logs/$name.log" $?
+# What is to be run next; - where all that is left waits for something that runs; nothing at the end
+next() {
+    (
+        flock 8
+        awk -v begun="$logs/begun" -v counts="$logs/counts" '
+            function free(uses, n, use, i) {
+                n = split(uses, use, ",")
+                for (i = 1; i <= n; i++)
+                    if (use[i] != "-" && use[i] in used) return 0
+                return 1
+            }
+            function ready(after, n, name, i) {
+                n = split(after, name, ",")
+                for (i = 1; i <= n; i++)
+                    if (name[i] in uses && !(name[i] in ended)) return 0
+                return 1
+            }
+            { order[++n] = $1; uses[$1] = $3; after[$1] = $4 }
+            END {
+                while ((getline line <counts) > 0) { split(line, f, " "); ended[f[1]] = 1 }
+                while ((getline name <begun) > 0) {
+                    started[name] = 1
+                    if (name in ended) continue
+                    m = split(uses[name], use, ",")
+                    for (i = 1; i <= m; i++) used[use[i]] = 1
+                }
+                for (i = 1; i <= n; i++) {
+                    if (order[i] in started) continue
+                    if (free(uses[order[i]]) && ready(after[order[i]])) { print order[i]; print order[i] >>begun; exit }
+                    left++
+                }
+                if (left) print "-"
+            }' "$logs/queue"
+    ) 8>"$logs/queue.lock"
 }
 
-# What runs on this machine, and what has no accelerators, whose boards' objects are apart from others': scene_sums has
-# some of them too, and waits for it.
-host() {
-    run bare flock "$logs/bare" sh tests/bare.sh "$build"
-    for program in "$build"/test/test_*; do
-        case $program in *.o | *.d) continue ;; esac
-        [ -x "$program" ] && run "$(basename "$program")" "$program"
+case $mode in
+names)
+    list | cut -d ' ' -f 1
+    exit ;;
+lane)
+    echo $$ >"$logs/lane.$4"
+    while name=$(next) && [ -n "$name" ]; do
+        if [ "$name" != - ]; then
+            run "$name"
+        elif [ -s "$logs/lane.$((3 - $4))" ] && ! kill -0 "$(cat "$logs/lane.$((3 - $4))")" 2>/dev/null; then
+            exit # the other was ended by force: what waits for its part would wait for ever
+        else
+            sleep 0.2
+        fi
     done
-    run readme sh tests/readme.sh "$build"
-    run checksums sh tests/checksums.sh "$build"
-    run convert sh tests/convert.sh "$build"
-    run fuzz sh tests/fuzz/run.sh "$build" cut
-    run stress sh tests/stress/run.sh "$build" cut
-    run accuracy sh tests/accuracy.sh "$build/test/zsim"
-    run cli sh tests/cli.sh "$build/test/zsim" "$build/test/cli"
-    run cli_texture sh tests/cli_texture.sh "$build/test/zsim" "$build/test/cli_texture"
-    run panels sh tests/panels.sh "$build/test/zsim" "$build/test/panels"
-    run budget sh tests/budget.sh "$build/test/zsim" "$build/test/budget"
-    run demo sh tests/demo.sh "$build/test/zsim" "$build/test/demo"
-}
+    exit ;;
+record)
+    awk 'FILENAME != "'$parts'" { seconds[$1] = $5; next }
+        /^#/ || !($1 in seconds) { print; next }
+        { line = $0; sub(/^[^ ]+ +[^ ]+/, "", line); printf "%-20s %5.1f%s\n", $1, seconds[$1], line }' "$logs/counts" $parts
+    exit ;;
+'') ;;
+*)
+    echo "tests/run.sh: $mode is not names, record or lane" >&2
+    exit 1 ;;
+esac
 
-# What builds firmware, one after the other, because they share objects.
-boards() {
-    run pico sh tests/pico.sh "$build"
-    run lm3s6965 sh tests/boards/lm3s6965.sh "$build"
-    run stm32f405 sh tests/boards/stm32f405.sh "$build"
-    run microbit sh tests/boards/microbit.sh "$build"
-    run linux sh tests/linux.sh "$build"
-    run scene_sums flock "$logs/bare" sh tests/scene_sums.sh "$build"
-    for check in wide objects kernels hal includes shape designated headers stack size still cull scale bench; do
-        run "$check" sh "tests/checks/$check.sh" "$build"
-    done
-    run study sh tests/study.sh "$build/test/zsim" "$build/test/study" "$build"
-    run costs sh tests/checks/costs.sh "$build" quick
-}
-
-if [ "$mode" = names ]; then
-    host
-    boards
-    exit
-fi
-mkdir -p "$logs"
-# Each ends with a line of its own: one that stopped half way must not pass.
-if [ "$mode" = lane ]; then
-    counts=$logs/counts.$4
-    : >"$counts"
-    "$4"
-    echo end >>"$counts"
-    exit
-fi
-
-if [ -z "$(sh tests/run.sh "$build" "$only" names)" ]; then
+queue=$(list)
+if [ -z "$queue" ]; then
     # shellcheck disable=SC2046
     echo "tests/run.sh: no name holds '$only'; there are" $(sh tests/run.sh "$build" '' names) >&2
     exit 1
 fi
-rm -f "$logs"/counts.*
-: >"$skipped"
+mkdir -p "$logs"
+echo "$queue" >"$logs/queue"
+for file in counts begun skipped.txt lane.1 lane.2; do : >"$logs/$file"; done
+begun=$(date +%s)
 # In groups of their own, so that they end with this one, whatever they are at.
-setsid sh tests/run.sh "$build" "$only" lane boards &
-lane_boards=$!
-setsid sh tests/run.sh "$build" "$only" lane host &
-lane_host=$!
+setsid sh tests/run.sh "$build" "$only" lane 1 &
+lane_1=$!
+setsid sh tests/run.sh "$build" "$only" lane 2 &
+lane_2=$!
 end_both() {
-    kill -TERM "-$lane_boards" 2>/dev/null
-    kill -TERM "-$lane_host" 2>/dev/null
+    kill -TERM "-$lane_1" 2>/dev/null
+    kill -TERM "-$lane_2" 2>/dev/null
     wait
 }
 trap 'trap "" PIPE; end_both; exit 1' HUP INT PIPE TERM
 wait
 
-echo
-cat "$skipped"
-for lane in host boards; do cat "$logs/counts.$lane"; done | awk '
-    $1 == "end" { ends++; next }
-    { passed += $1; failed += $2 }
+# Seconds, and shares scaled by what this machine took for all of it: part, passed, failed, seconds, of CPU, share
+awk -v seconds=$(($(date +%s) - begun)) '
+    FILENAME ~ /queue$/ { share[$1] = $2; next }
+    { line[++n] = $0; name[n] = $1; cpu[n] = $5; all += $5; if (share[$1] > 0) { known += $5; shares += share[$1] } }
     END {
-        if (ends != 2) { print "FAILED tests: not all of them were run"; failed++ }
+        scale = shares ? known / shares : 1
+        for (i = 1; i <= n; i++) {
+            split(line[i], f, " ")
+            printf "%-20s %6d %6d %8.1f %8.1f %8s\n", f[1], f[2], f[3], f[4] / 1000, f[5],
+                (share[f[1]] > 0 ? sprintf("%.1f", share[f[1]] * scale) : "-")
+        }
+        printf "all %d %.1f\n", seconds, all
+    }' "$logs/queue" "$logs/counts" >"$logs/times"
+{
+    printf '%-20s %6s %6s %8s %8s %8s\n' part passed failed seconds CPU share
+    grep -v '^all ' "$logs/times" | sort -k 5,5rn
+} >"$logs/times.txt"
+
+echo
+head -16 "$logs/times.txt"
+awk '$1 == "all" { printf "%d s, of CPU %d s; every part: '"$logs"'/times.txt\n", $2, $3 }' "$logs/times"
+# more than twice its share is told, not failed; half a second more or less does not count
+awk '$1 != "all" && $6 > 0 && $5 > 2 * $6 + 1 { print "SLOW " $1 ": " $5 " s of CPU, its share is " $6 " s (tests/parts.txt)" }
+    $1 != "all" && $6 == "-" { print "NO SHARE " $1 ": it has no seconds in tests/parts.txt" }' "$logs/times"
+cat "$skipped"
+awk '
+    FILENAME ~ /queue$/ { todo[$1] = 1; next }
+    { delete todo[$1]; passed += $2; failed += $3 }
+    END {
+        for (name in todo) { print "FAILED " name ": it was not run to its end"; failed++ }
         print passed + 0 " passed, " failed + 0 " failed"
-        exit failed > 0 }'
+        exit failed > 0 }' "$logs/queue" "$logs/counts"

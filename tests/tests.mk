@@ -3,7 +3,8 @@
 SAN = -fsanitize=address,undefined -fno-sanitize-recover=all
 # make quick: optimised, with what costs next to nothing; where it fails is a signal
 SAN_QUICK = -O2 -fsanitize=signed-integer-overflow,shift,bounds,integer-divide-by-zero -fsanitize-undefined-trap-on-error
-TEST_CC = $(CC) -std=gnu11 -O1 -g $(SAN) -Wall -Wextra -Werror -Wshadow -Wno-missing-field-initializers $(INC) -Itests \
+# -g1: lines for the sanitizers' reports; all of -g takes a fifth longer to compile
+TEST_CC = $(CC) -std=gnu11 -O1 -g1 $(SAN) -Wall -Wextra -Werror -Wshadow -Wno-missing-field-initializers $(INC) -Itests \
           -DZS_STATS=1 '-DZS_ASSERT(c)=((c)?(void)0:__builtin_trap())'
 TESTS = $(wildcard tests/test_*.c)
 MODEL = $(wildcard sim/panel_model/*.c) sim/panel_bus.c hal/fault/fault.c
@@ -21,6 +22,8 @@ test-programs: unit-programs $(B)/test/zsim checksum-programs mutate-link
 
 .SECONDARY: $(call t,$(TESTS))
 TEST_NOTE := $(call note,$(B)/test/cc,$(TEST_CC))
+# The oracle, the judge, is not slowed down by AddressSanitizer.
+$(B)/test/tests/oracle.o: override SAN := $(if $(SAN),$(SAN_QUICK))
 $(B)/test/%.o: %.c $(TEST_NOTE) | $(B)/gen/meshes.h
 	@mkdir -p $(@D)
 	@$(TEST_CC) $(DEP) -c $< -o $@
@@ -28,12 +31,14 @@ $(B)/test/libtest.a: $(call t,$(CORE) $(SCENES) $(PANELS) $(MODEL) $(TEST_HELP))
 	@rm -f $@ && ar rcs $@ $^
 $(B)/test/test_%: $(B)/test/tests/test_%.o $(B)/test/libtest.a $(B)/libmeshes.a
 	@$(CC) $(SAN) -Wl,--start-group $^ -Wl,--end-group -lcmocka -lm -o $@
-# The same with the rows of a matrix as cores have them that do not add products to 64 bits (wide.h)
+# The same with the rows of a matrix as cores have them that do not add products to 64 bits (wide.h): what reads rows is
+# compiled so, the rest is no other (renderer.h gives rows one size)
+NARROW = tests/test_xform.c $(shell grep -lwE 'ZS_ROW_WORDS|zs_rows' $(CORE))
 $(B)/test/narrow/%.o: %.c $(TEST_NOTE)
 	@mkdir -p $(@D)
 	@$(TEST_CC) -DZS_ROW_WIDE=0 $(DEP) -c $< -o $@
-$(B)/test/test_xform_narrow: $(patsubst %.c,$(B)/test/narrow/%.o,tests/test_xform.c $(CORE) $(TEST_HELP))
-	@$(CC) $(SAN) $^ -lcmocka -lm -o $@
+$(B)/test/test_xform_narrow: $(NARROW:%.c=$(B)/test/narrow/%.o) $(B)/test/libtest.a $(B)/libmeshes.a
+	@$(CC) $(SAN) -Wl,--start-group $^ -Wl,--end-group -lcmocka -lm -o $@
 $(B)/test/test_examples: $(call t,$(wildcard firmware/examples/*.c))
 $(B)/test/test_pass: $(call t,tests/fuzz/world.c)
 $(B)/test/test_counts: $(call t,sim/counts.c sim/frame.c sim/share.c sim/sim.c)
@@ -105,10 +110,16 @@ $(B)/fuzz/fuzz_mesh: tests/fuzz/fuzz_mesh.c tests/fast_lists.c tests/own.c tests
 	@$(subst $(CC) ,clang ,$(TEST_CC)) -Itests/fuzz -O2 -fsanitize=fuzzer $(filter %.c,$^) -o $@
 
 # Stress: triangles against the oracle and frames against the plainest way, by seeds; under the sanitizers, and as
-# shipped. The oracle, the judge, is not slowed down by sanitizers.
+# shipped. The oracle, the judge, is not slowed down by sanitizers. cut is for make test: of its objects, at -O1.
 STRESS_CC = $(CC) -std=gnu11 $(CFLAGS) -Wall -Wextra -Werror -Wshadow -Wno-missing-field-initializers $(INC) -Itests \
             -Itests/fuzz -Itests/stress
+stress-cut: $(B)/stress/cut
 stress-programs: $(B)/stress/san
+$(B)/test/tests/stress/%.o: TEST_CC += -Itests/fuzz -Itests/stress
+$(B)/stress/cut: $(call t,$(wildcard tests/stress/*.c) tests/fuzz/replay.c) $(B)/test/libtest.a
+	@mkdir -p $(@D)
+	@$(CC) $(SAN) $^ -lm -o $@
+.PHONY: stress-cut
 $(B)/stress/oracle.o: tests/oracle.c tests/oracle.h
 	@mkdir -p $(@D)
 	@$(STRESS_CC) -c $< -o $@

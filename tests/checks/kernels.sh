@@ -13,11 +13,15 @@ FLOAT='zs_depth_(e[345]|float)|float_|any_row|(e[345]|any)_setup'
 CHECKS='zs_damage_compare watch_look zs_damage_track track_check track_due zs_raster_pass zs_mesh_check zs_texture_check zs_flaw_string
         zs_strip_hashes_init zs_fragments_start zs_fragments_run'
 
+# Names that each object defines: "file name" a line
+names() {
+    ${ARM}nm -A "$dir"/*.o | awk '$2 ~ /[tTrRdD]/ && $3 !~ /^[$.]/ {
+        sub(/\.o:.*/, "", $1); sub(/.*\//, "", $1); print $1, $3 }' >"$dir/names.txt"
+}
 # Names that files of fast/ alone define, FILES by a pattern
 names_of() {
-    for o in "$dir"/*.o; do
-        ${ARM}nm "$o" | awk -v f="$(basename "$o" .o)" '$2 ~ /[tTrRdD]/ && $3 !~ /^[$.]/ { print f, $3 }'
-    done | awk -v want="^fast_($1)\$" '$1 ~ want { ours[$2] } $1 !~ want { others[$2] } END { for (n in ours) if (!(n in others)) print n }'
+    awk -v want="^fast_($1)\$" '$1 ~ want { ours[$2] } $1 !~ want { others[$2] }
+        END { for (n in ours) if (!(n in others)) print n }' "$dir/names.txt"
 }
 # SHADER DEPTH PATTERN [FILES]: a firmware with these, and LIST, must hold no symbol that matches, and nothing of these
 # files of fast/; without a list, of none.
@@ -38,6 +42,7 @@ without() {
 for c in $CPUS; do
     dir=$B/kernels-$c
     core "$c" "$dir" || { bad "$c compiles" "see above"; continue; }
+    names
     POSE='zs_(sin|cos|pose|camera|strerror)'
     without raw recip '^(zs_shade_(flat|smooth)|(flat|smooth)_|zs_light|zs_depth_linear|linear_p|zs_unit_|'"$POSE|$TEXTURE|$FLOAT"')'
     without flat recip '^(zs_shade_(raw|smooth)|(raw|smooth)_|zs_depth_linear|linear_p|'"$POSE|$TEXTURE|$FLOAT"')'

@@ -9,6 +9,7 @@
 
 LIMIT=${STACK_LIMIT:-2048} # bytes, any public function
 PANEL_LIMIT=${PANEL_STACK_LIMIT:-288} # bytes, any function of panel.h
+export CCACHE_DISABLE=1 # it keeps no .ci files
 MEASURED='-g -MMD -fstack-usage -fcallgraph-info=su'
 
 stack() { # NAME DIR ARGUMENTS of stack.mjs...

@@ -68,13 +68,13 @@ cut)
     failed=0
     for kind in tris frames; do
         rm -f "$S/cut-$kind.txt"
-        if ! "$S/san" $kind "$S/cut-$kind.txt" cut cases $((cases - 1)) >"$S/cut.log" 2>&1 ||
-            ! "$S/san" $kind "$S/cut-$kind.txt" cut cases 1 >>"$S/cut.log" 2>&1; then
+        if ! "$S/cut" $kind "$S/cut-$kind.txt" cut cases $((cases - 1)) >"$S/cut.log" 2>&1 ||
+            ! "$S/cut" $kind "$S/cut-$kind.txt" cut cases 1 >>"$S/cut.log" 2>&1; then
             cat "$S/cut.log"
             failed=1
             continue
         fi
-        if "$S/san" $kind seen "$S/cut-$kind.txt" >"$S/cut.log"; then
+        if "$S/cut" $kind seen "$S/cut-$kind.txt" >"$S/cut.log"; then
             echo "ok stress_${kind}_seen: every accelerator listed and not, and all else that frames should have had"
         else
             echo "FAILED stress_${kind}_seen: never were:"
