@@ -48,7 +48,7 @@ for c in $CPUS; do
     without flat recip '^(zs_shade_(raw|smooth)|(raw|smooth)_|zs_depth_linear|linear_p|'"$POSE|$TEXTURE|$FLOAT"')'
     without smooth recip '^(zs_shade_(raw|flat)|(raw|flat)_|zs_solid_|zs_depth_linear|linear_p|'"$POSE|$TEXTURE|$FLOAT"')'
     without flat linear '^(zs_shade_(raw|smooth)|(raw|smooth)_|zs_depth_recip|recip_(setup|vertex|inverse)|'"$POSE|$TEXTURE|$FLOAT"')'
-    without texture recip '^(zs_shade_(raw|flat|smooth)|zs_solid_|zs_light|light|zs_depth_linear|linear_p|zs_texel|fetch_(565|pal)|zs_shade_texture_|smooth_|'"$FLOAT"')'
+    without texture recip '^(zs_shade_(raw|flat|smooth)|zs_solid_|zs_light|zs_texture_light|zs_depth_walk|zs_depth_linear|linear_p|zs_texel|fetch_(565|pal)|zs_shade_texture_|smooth_|'"$FLOAT"')'
     without flat e3m13 '^(zs_shade_(raw|smooth)|zs_depth_(recip|linear|e4m12|e5m11)|recip_(setup|vertex|inverse)|linear_p|e[45]_setup|'"$TEXTURE"')'
     LIST='ZS_FAST_FRAME,'
     without flat recip '^(zs_fast_(raw|flat))' 'clusters|solid|smooth|less|texture|texels'
@@ -75,7 +75,7 @@ for c in $CPUS; do
         zs_fast_clusters zs_fast_edges zs_fast_raw zs_fast_flat zs_fast_smooth zs_fast_texture zs_fast_texture_flat zs_fast_texture_smooth \
         zs_fast_565 zs_fast_pal8 zs_fast_pal4 zs_fast_less cluster_open solid_rows smooth_rows texture_rows touch_piece tiles_cover batch_bin \
         zs_camera_orbit zs_error_string zs_shade_texture zs_shade_texture_flat zs_shade_texture_smooth zs_texel_565 \
-        zs_texel_pal8 zs_texel_pal4 fetch_565 fetch_pal8 fetch_pal4 rows_565 rows_pal8 rows_pal4 fetch_wide texture_run light texture_start \
+        zs_texel_pal8 zs_texel_pal4 fetch_565 fetch_pal8 fetch_pal4 rows_565 rows_pal8 rows_pal4 fetch_wide zs_texture_run zs_texture_light texture_start \
         zs_depth_e3m13 zs_depth_e4m12 zs_depth_e5m11 float_planes any_row e3_setup e4_setup e5_setup any_setup; do
         echo "$all" | grep -q "^$s" || gone="$gone $s"
     done
