@@ -30,7 +30,8 @@ static const char usage[] =
     "  --buffers 1|2      strip buffers (2)\n"
     "  --tris N --verts N pools (1000 and 700; of a scene or model: what takes it in one pass)\n"
     "  --instances N      of the scene, where that is numbers (1)\n"
-    "  --watch N          columns that zs_damage_compare compares; --track N  instances that zs_damage_track compares (0: not linked)\n"
+    "  --watch N          columns that zs_damage_compare compares; --track N  instances that zs_damage_track compares "
+    "(0: not linked)\n"
     "Scene: a demo scene or a model, drawn here and counted, or else numbers\n"
     "  --scene NAME       a demo or bench scene; --frame T  of its animation (0)\n"
     "  MODEL              as of zsim render, with its --eye --at --up --fov --near --far --projection --texture\n"
@@ -258,9 +259,10 @@ static void print_drawing(const struct budget_request *rq, const struct budget *
         }
     printf("\n");
     if (b->guessed)
-        printf("  Numbers alone may be off by a third. A scene that is drawn and counted (--scene, a model) is at most\n"
-               "  %.0f %% off on this core, of the demo and bench scenes, none of which is in the fit.\n",
-               ceil(sim_cost_error(to.core)));
+        printf(
+            "  Numbers alone may be off by a third. A scene that is drawn and counted (--scene, a model) is at most\n"
+            "  %.0f %% off on this core, of the demo and bench scenes, none of which is in the fit.\n",
+            ceil(sim_cost_error(to.core)));
     else
         printf("  Of the demo and bench scenes, none of which is in the fit, none is more than %.0f %% off on this "
                "core.\n", ceil(sim_cost_error(to.core)));

@@ -234,7 +234,8 @@ static void guess(struct budget *b, const struct budget_request *rq)
           SIM_COST_attr_texture] = in_sight;
     /* keys of recip do not say that texels are affine */
     if (!smooth && !linear && (solid || c->depth != &zs_depth_recip) && high <= 64.0) {
-        const int lit = shade == SIM_SHADE_TEXTURED || (shade == SIM_SHADE_TEXTURED_FLAT && rq->o.texel != SIM_TEXEL_PAL4);
+        const int lit = shade == SIM_SHADE_TEXTURED ||
+                        (shade == SIM_SHADE_TEXTURED_FLAT && rq->o.texel != SIM_TEXEL_PAL4);
         n[solid ? SIM_COST_setup_small : SIM_COST_setup_small_texel] = n[SIM_COST_tilt_small] = setups;
         n[SIM_COST_edge_small_div] = divided;
         n[solid ? SIM_COST_row_small : SIM_COST_row_small_texel] = rows;
@@ -295,9 +296,12 @@ static int of_numbers(struct budget *b, const struct budget_request *rq)
 {
     static const struct {
         uint8_t attrs, bit;
-    } of[] = { [SIM_SHADE_ID] = { ZS_VARYINGS_FLAT, 1 }, [SIM_SHADE_FLAT] = { ZS_VARYINGS_FLAT, 2 },
-               [SIM_SHADE_SMOOTH] = { ZS_VARYINGS_SMOOTH, 4 }, [SIM_SHADE_TEXTURED] = { ZS_VARYINGS_TEXTURE_SMOOTH, 32 },
-               [SIM_SHADE_TEXTURED_FLAT] = { ZS_VARYINGS_TEXTURE, 16 }, [SIM_SHADE_UNLIT] = { ZS_VARYINGS_TEXTURE, 8 } };
+    } of[] = { [SIM_SHADE_ID] = { ZS_VARYINGS_FLAT, 1 },
+               [SIM_SHADE_FLAT] = { ZS_VARYINGS_FLAT, 2 },
+               [SIM_SHADE_SMOOTH] = { ZS_VARYINGS_SMOOTH, 4 },
+               [SIM_SHADE_TEXTURED] = { ZS_VARYINGS_TEXTURE_SMOOTH, 32 },
+               [SIM_SHADE_TEXTURED_FLAT] = { ZS_VARYINGS_TEXTURE, 16 },
+               [SIM_SHADE_UNLIT] = { ZS_VARYINGS_TEXTURE, 8 } };
     const enum sim_shade shade = rq->o.shade;
     const uint32_t v = 6u + (sim_options_smooth(&rq->o) ? 6u : 0u) + (sim_options_textured(&rq->o) ? 4u : 0u);
     const uint32_t t = 6u + (shade == SIM_SHADE_FLAT || shade == SIM_SHADE_TEXTURED_FLAT ? 6u : 0u);

@@ -152,9 +152,9 @@ int sim_counts_draw(struct sim_counts *counts, const struct zs_scene *scene, con
     counts->setups = sim_alloc(counts->n_strips, sizeof *counts->setups);
     int err = sim_frame_render_to(&counts->frame, scene, camera, &with, "counting", &sink);
     const struct zs_stats *s = &counts->frame.stats;
-    if (err == ZS_OK && (sum(counts->tested, n) != s->pixels_tested ||
-                         sum(counts->untested, n) != s->pixels_untested || sum(counts->written, n) != s->pixels_written ||
-                         sum(counts->setups, counts->n_strips) != s->tris_setup))
+    if (err == ZS_OK &&
+        (sum(counts->tested, n) != s->pixels_tested || sum(counts->untested, n) != s->pixels_untested ||
+         sum(counts->written, n) != s->pixels_written || sum(counts->setups, counts->n_strips) != s->tris_setup))
         err = SIM_FRAME_BROKEN;
     if (err != ZS_OK)
         sim_counts_free(counts);

@@ -164,7 +164,8 @@ int sim_depths(int argc, char **argv)
     }
     if (argc > 0)
         return sim_usage("depths: takes no arguments, not '%s'", argv[0]);
-    puts("Least separation that is never swapped, in percent of the distance (16-bit keys; walls tilted in 6 ways, both\n"
+    puts("Least separation that is never swapped, in percent of the distance (16-bit keys; walls tilted in 6 ways, "
+         "both\n"
          "orders, 96x72). A wall spans up to 11 % of its distance, so that the finest place in it decides.");
     for (size_t r = 0; r < sizeof ratios / sizeof ratios[0]; r++) {
         table(ratios[r]);

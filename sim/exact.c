@@ -382,7 +382,8 @@ struct last_wins {
     uint16_t (*tri)[3], *raw;
 };
 
-static const struct zs_depth_state over = { .func = ZS_DEPTH_LESS_EQUAL, .read_only = 1 }; /* nothing is written, so all pass */
+static const struct zs_depth_state over = { .func = ZS_DEPTH_LESS_EQUAL,
+                                            .read_only = 1 }; /* nothing is written, so all pass */
 
 static void last_wins_fill(struct last_wins *l, const struct zs_scene *scene, uint32_t n_tris,
                            int reverse)

@@ -69,10 +69,20 @@ uint64_t study_checksum(const uint16_t *rgb565, size_t n)
 
 const char *study_error_name(int err)
 {
-    static const char *const name[] = {
-        "OK",          "ZS_ERR_NULL",  "ZS_ERR_SIZE",  "ZS_ERR_ARENA",  "ZS_ERR_DEPTH", "ZS_ERR_CAMERA", "ZS_ERR_RANGE",
-        "ZS_ERR_MESH", "ZS_ERR_SEQUENCE", "ZS_ERR_VARYINGS", "ZS_ERR_VECTOR", "ZS_ERR_NEAR",  "ZS_ERR_TEXTURE", "ZS_ERR_BUILD"
-    };
+    static const char *const name[] = { "OK",
+                                        "ZS_ERR_NULL",
+                                        "ZS_ERR_SIZE",
+                                        "ZS_ERR_ARENA",
+                                        "ZS_ERR_DEPTH",
+                                        "ZS_ERR_CAMERA",
+                                        "ZS_ERR_RANGE",
+                                        "ZS_ERR_MESH",
+                                        "ZS_ERR_SEQUENCE",
+                                        "ZS_ERR_VARYINGS",
+                                        "ZS_ERR_VECTOR",
+                                        "ZS_ERR_NEAR",
+                                        "ZS_ERR_TEXTURE",
+                                        "ZS_ERR_BUILD" };
     return err <= 0 && err > -(int)(sizeof name / sizeof name[0]) ? name[-err] : "broken";
 }
 

@@ -242,7 +242,8 @@ void sim_truth_light(struct ref_light *out, const struct zs_light *light, const 
 {
     if (!light->dir[0] && !light->dir[1] && !light->dir[2] && !light->ambient && !light->diffuse) {
         for (int k = 0; k < 3; k++)
-            out->dir[k] = (2 * turned(camera->rot, 6 + k) + 2 * turned(camera->rot, 3 + k) - turned(camera->rot, k)) / 3;
+            out->dir[k] = (2 * turned(camera->rot, 6 + k) + 2 * turned(camera->rot, 3 + k) - turned(camera->rot, k)) /
+                          3;
         out->ambient = 0.25;
         out->diffuse = 0.75;
         return;

@@ -14,8 +14,14 @@
 
 struct easel easel_default(int32_t width, int32_t height)
 {
-    const struct easel s = { .width = width, .height = height, .strip_h = height, .depth = &zs_depth_recip, .depth_bits = 16,
-                             .z_near = 256, .z_far = 1 << 20, .fast = fast_all };
+    const struct easel s = { .width = width,
+                             .height = height,
+                             .strip_h = height,
+                             .depth = &zs_depth_recip,
+                             .depth_bits = 16,
+                             .z_near = 256,
+                             .z_far = 1 << 20,
+                             .fast = fast_all };
     return s;
 }
 

@@ -76,8 +76,13 @@ static struct zs_fast_clusters clusters_copy;
 
 /* Numbers of those of the frame in `known`. */
 #define NUMBER(name) NUMBER_##name,
-enum { ZS_FAST_EACH(NUMBER) BATCH = NUMBER_batch, TOUCH = NUMBER_touch, TILES = NUMBER_tiles, CLUSTERS = NUMBER_clusters,
-       EDGES = NUMBER_edges };
+enum {
+    ZS_FAST_EACH(NUMBER) BATCH = NUMBER_batch,
+    TOUCH = NUMBER_touch,
+    TILES = NUMBER_tiles,
+    CLUSTERS = NUMBER_clusters,
+    EDGES = NUMBER_edges
+};
 static_assert(FAST_BATCH == 1 << BATCH && FAST_TOUCH == 1 << TOUCH && FAST_TILES == 1 << TILES &&
                   FAST_CLUSTERS == 1 << CLUSTERS && FAST_EDGES == 1 << EDGES, "bits as `known` has them");
 

@@ -35,8 +35,13 @@ static inline int wide_row_right(uint32_t a, uint32_t b)
     const int32_t shift = (int32_t)(a % 30u);
     const int32_t x = (int16_t)a, y = (int16_t)b, z = (int16_t)(a >> 16);
     const int64_t t = (int64_t)((uint64_t)a << 32 | b) >> 4; /* 60 bits: the result is modulo 2^32 */
-    volatile int32_t row[10] = { (int32_t)(b % 2147483647u) - (1 << 30), 1 << 30, (int32_t)(a % 2147483647u) - (1 << 30),
-                                 (int32_t)(uint32_t)t, (int32_t)(t >> 32), shift, 32 - shift };
+    volatile int32_t row[10] = { (int32_t)(b % 2147483647u) - (1 << 30),
+                                 1 << 30,
+                                 (int32_t)(a % 2147483647u) - (1 << 30),
+                                 (int32_t)(uint32_t)t,
+                                 (int32_t)(t >> 32),
+                                 shift,
+                                 32 - shift };
     const int64_t sum = (int64_t)row[0] * x + (int64_t)row[1] * y + (int64_t)row[2] * z + t;
     return zs_row((const int32_t *)row, x, y, z) == (int32_t)(uint32_t)(sum >> shift);
 }
@@ -58,7 +63,9 @@ static inline int wide_row_right(uint32_t a, uint32_t b)
 static inline int wide_rows_right(uint32_t a, uint32_t b)
 {
     int32_t row[3 * ZS_ROW_WORDS], out[7];
-    const int16_t p[6] = { (int16_t)a, (int16_t)b, (int16_t)(a >> 16), (int16_t)(b >> 16), (int16_t)~a, (int16_t)(a ^ b) };
+    const int16_t p[6] = {
+        (int16_t)a, (int16_t)b, (int16_t)(a >> 16), (int16_t)(b >> 16), (int16_t)~a, (int16_t)(a ^ b)
+    };
     int right = 1;
     for (int k = 0; k < 3 * ZS_ROW_WORDS; k++)
         row[k] = (int32_t)((a * (uint32_t)(2 * k + 1)) ^ b) >> 18;
@@ -101,8 +108,8 @@ static inline int wide_area_right(uint32_t a, uint32_t b)
         fits &= d[k] >= -32768 && d[k] <= 32767;
     }
     uint32_t wide;
-    const int32_t area = zs_area_short((const int32_t *)corner[0], (const int32_t *)corner[1], (const int32_t *)corner[2],
-                                       &wide);
+    const int32_t area = zs_area_short((const int32_t *)corner[0], (const int32_t *)corner[1],
+                                       (const int32_t *)corner[2], &wide);
     return (wide == 0) == fits && (wide || area == d[0] * d[3] - d[2] * d[1]);
 }
 

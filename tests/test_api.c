@@ -285,8 +285,16 @@ static void arena_macro_function_and_layout_agree(void **state)
 {
     (void)state;
     CASES(arena_case, 3000);
-    const struct zs_config c = { .width = 64, .height = 48, .strip_h = 16, .max_tris = 100, .max_verts = 80, .varyings = 3,
-                                 .buffers = 2, .subpixel_bits = 8, .depth_bits = 16, .depth = &zs_depth_recip };
+    const struct zs_config c = { .width = 64,
+                                 .height = 48,
+                                 .strip_h = 16,
+                                 .max_tris = 100,
+                                 .max_verts = 80,
+                                 .varyings = 3,
+                                 .buffers = 2,
+                                 .subpixel_bits = 8,
+                                 .depth_bits = 16,
+                                 .depth = &zs_depth_recip };
     struct zs_renderer r;
     assert_int_equal(sizeof static_arena, zs_arena_bytes(&c));
     assert_int_equal((uintptr_t)static_arena & 31u, 0);
@@ -333,7 +341,8 @@ static void frames_refused_by_name(void **state)
             ZS_ERR_RANGE); /* 1, not 0 */
     REFUSED((g.instance.pose.scale = UINT32_MAX, mesh.scale = UINT32_MAX), ZS_ERR_RANGE);
     /* the largest scale, 2^15 units a step, and one more; without vertices and extent, so that nothing else refuses it */
-    REFUSED((mesh.scale = 1u << 31, g.instance.pose.scale = 65536, mesh.radius = 0, mesh.n_verts = mesh.n_tris = 0), ZS_OK);
+    REFUSED((mesh.scale = 1u << 31, g.instance.pose.scale = 65536, mesh.radius = 0, mesh.n_verts = mesh.n_tris = 0),
+            ZS_OK);
     REFUSED((mesh.scale = (1u << 31) + 1u, g.instance.pose.scale = 65536, mesh.radius = 0,
              mesh.n_verts = mesh.n_tris = 0), ZS_ERR_RANGE);
     REFUSED(g.instance.pose.rot[0] = ZS_Q30_ONE / 2, ZS_ERR_RANGE);

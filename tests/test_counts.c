@@ -76,7 +76,8 @@ static struct zs_stats check_frame(const struct demo_frame *f, const struct zs_c
 static void sums_of_every_scene(void **state)
 {
     (void)state;
-    const struct zs_fast *const *const list[] = { fast_all, all_but("tiles"), NULL, all_but("touch"), all_but("edges") };
+    const struct zs_fast *const *const list[] = { fast_all, all_but("tiles"), NULL, all_but("touch"),
+                                                  all_but("edges") };
     uint64_t untested = 0, hidden = 0;
     for (uint32_t d = 0; d < n_demos; d++)
         for (uint32_t t = 0; t < demos[d]->frames && t < 40; t += 21)
@@ -271,9 +272,10 @@ static void no_more_work_than_known(void **state)
     for (uint32_t d = 0; d < n_demos; d++) {
         const struct work now = work_of(demos[d]), *known = NULL;
         if (print)
-            print_message("{ \"%s\", { %u, %u }, { %u, %u }, { %u, %u }, { %u, %u }, %u, %u, %u, %u, %u },\n", now.scene, now.verts[0],
-                          now.verts[1], now.setups[0], now.setups[1], now.tested[0], now.tested[1], now.met[0], now.met[1],
-                          now.binned, now.instances, now.clusters, now.clusters_in, now.at_once);
+            print_message("{ \"%s\", { %u, %u }, { %u, %u }, { %u, %u }, { %u, %u }, %u, %u, %u, %u, %u },\n",
+                          now.scene, now.verts[0], now.verts[1], now.setups[0], now.setups[1], now.tested[0],
+                          now.tested[1], now.met[0], now.met[1], now.binned, now.instances, now.clusters,
+                          now.clusters_in, now.at_once);
         for (size_t k = 0; k < sizeof work / sizeof *work; k++)
             if (!strcmp(work[k].scene, now.scene))
                 known = &work[k];
@@ -342,8 +344,10 @@ static void lists_of_scenes_are_of_what_is_in_them(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = { cmocka_unit_test(lists_of_scenes_are_of_what_is_in_them),
-                                        cmocka_unit_test(sums_of_every_scene), cmocka_unit_test(pixels_of_every_triangle),
-                                        cmocka_unit_test(eight_layers), cmocka_unit_test(no_more_work_than_known),
+                                        cmocka_unit_test(sums_of_every_scene),
+                                        cmocka_unit_test(pixels_of_every_triangle),
+                                        cmocka_unit_test(eight_layers),
+                                        cmocka_unit_test(no_more_work_than_known),
                                         cmocka_unit_test(few_clusters_are_not_asked) };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

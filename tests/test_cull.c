@@ -78,8 +78,12 @@ static void shape_any(struct shape *s, struct prng *p)
 {
     switch (prng_pick(p, 6)) {
     case 0: shape_sphere(s, 3 + prng_pick(p, 12), 4 + prng_pick(p, 12), 20 << prng_pick(p, 10)); break;
-    case 1: shape_torus(s, 3 + prng_pick(p, 12), 3 + prng_pick(p, 12), 1200 << prng_pick(p, 4), 400 << prng_pick(p, 3)); break;
-    case 2: shape_ground(s, 1 + prng_pick(p, 14), 500 << prng_pick(p, 6), 1 + prng_range(p, 0, 300), prng_next(p)); break;
+    case 1:
+        shape_torus(s, 3 + prng_pick(p, 12), 3 + prng_pick(p, 12), 1200 << prng_pick(p, 4), 400 << prng_pick(p, 3));
+        break;
+    case 2:
+        shape_ground(s, 1 + prng_pick(p, 14), 500 << prng_pick(p, 6), 1 + prng_range(p, 0, 300), prng_next(p));
+        break;
     case 3: shape_soup(s, 2 + prng_pick(p, 80), 50 << prng_pick(p, 9), prng_next(p)); break;
     default: shape_flat(s, p, 1 + prng_range(p, 0, 6000), 1 + prng_range(p, 0, 1 << prng_pick(p, 11))); break;
     }
@@ -185,7 +189,8 @@ static int clusters_of(uint64_t seed)
     struct prng p = { seed };
     const uint16_t width = (uint16_t)(8 + prng_pick(&p, 90)), height = (uint16_t)(8 + prng_pick(&p, 90));
     world_open(&p, &w, height);
-    struct zs_config plain = picture_config(width, height, w.camera.projection ? &zs_depth_linear : persp[prng_pick(&p, 3)]);
+    struct zs_config plain = picture_config(width, height,
+                                            w.camera.projection ? &zs_depth_linear : persp[prng_pick(&p, 3)]);
     plain.subpixel_bits = prng_pick(&p, 2) ? 8 : 4;
     plain.max_tris = plain.max_verts = 20000;
     plain.fast = NULL;
@@ -231,11 +236,13 @@ static void clusters_change_no_bit(void **state)
     (void)state;
     memset(&reached, 0, sizeof reached);
     CASES(clusters_of, 6000);
-    printf("%lu frames (%lu refused), %lu pixels: %lu clusters, %lu left out, by cones alone %lu; vertices %lu of %lu\n",
-           reached.frames, reached.refused, reached.pixels, reached.in, reached.out, reached.by_cone, reached.verts,
-           reached.verts_plain);
+    printf(
+        "%lu frames (%lu refused), %lu pixels: %lu clusters, %lu left out, by cones alone %lu; vertices %lu of %lu\n",
+        reached.frames, reached.refused, reached.pixels, reached.in, reached.out, reached.by_cone, reached.verts,
+        reached.verts_plain);
     if (reached.frames > 2000)
-        assert_true(reached.out > reached.in / 5 && reached.by_cone > reached.in / 20 && reached.frames * 100 < reached.pixels);
+        assert_true(reached.out > reached.in / 5 && reached.by_cone > reached.in / 20 &&
+                    reached.frames * 100 < reached.pixels);
 }
 
 static const struct CMUnitTest tests[] = { cmocka_unit_test(clusters_change_no_bit) };

@@ -18,8 +18,14 @@
 #define QUADS_MAX 10
 #define SCALE 64 /* world units to a step of the mesh */
 
-static const struct zs_depth_state states[] = { { .func = ZS_DEPTH_ALWAYS }, { .func = ZS_DEPTH_LESS_EQUAL }, { .read_only = 1 }, { .bias = -300 },
-                                          { .bias = 300 }, { .func = ZS_DEPTH_LESS_EQUAL, .read_only = 1, .bias = -5, .slope_bias = 90 } };
+static const struct zs_depth_state states[] = {
+    { .func = ZS_DEPTH_ALWAYS },
+    { .func = ZS_DEPTH_LESS_EQUAL },
+    { .read_only = 1 },
+    { .bias = -300 },
+    { .bias = 300 },
+    { .func = ZS_DEPTH_LESS_EQUAL, .read_only = 1, .bias = -5, .slope_bias = 90 }
+};
 
 static struct {
     int16_t pos[QUADS_MAX][4][3];

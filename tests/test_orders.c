@@ -189,7 +189,8 @@ static void every_order_of_calls(void **state)
     enum op said[LENGTH];
     n_calls = 0;
     scenes_make();
-    for (int before = 0; before < 2; before++) { /* a new renderer, and one that has drawn with zs_damage_track and zs_damage_compare */
+    for (int before = 0; before < 2;
+         before++) { /* a new renderer, and one that has drawn with zs_damage_track and zs_damage_compare */
         memset(&d, before ? 0xa5 : 0x5a, sizeof d);
         d.open = -1;
         d.tracking = d.watching = 0;

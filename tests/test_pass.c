@@ -205,8 +205,10 @@ static int cut_case(uint64_t seed)
     part[1].n_instances -= part[0].n_instances;
     part[1].instance += part[0].n_instances;
     part[1].background = (uint16_t)~w.scene.background; /* not to be seen */
-    const struct zs_pass pass[2] = { { .scene = &part[0], .camera = &w.camera },
-                                     { .scene = &part[1], .camera = &w.camera, .keep = ZS_KEEP_COLOR | ZS_KEEP_DEPTH } };
+    const struct zs_pass pass[2] = {
+        { .scene = &part[0], .camera = &w.camera },
+        { .scene = &part[1], .camera = &w.camera, .keep = ZS_KEEP_COLOR | ZS_KEEP_DEPTH }
+    };
     if (zs_init(&r, &c, arena, sizeof arena) || zs_frame_begin(&r, &w.scene, &w.camera))
         goto out;
     const int32_t shift = r.view.shift;
@@ -270,7 +272,8 @@ static void places_are_of_the_frame(void **state)
     static const struct zs_material material = { .shader = &place };
     static const struct zs_background sky = { .fill = place_fill };
     uint32_t pixels[2] = { 0, 0 };
-    struct zs_resolve hook[2] = { { .draw = place_draw, .ctx = &pixels[0] }, { .draw = place_draw, .ctx = &pixels[1] } };
+    struct zs_resolve hook[2] = { { .draw = place_draw, .ctx = &pixels[0] },
+                                  { .draw = place_draw, .ctx = &pixels[1] } };
     struct zs_instance instance = { .mesh = &mesh, .material = &material };
     struct zs_camera camera;
     (void)state;

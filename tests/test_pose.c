@@ -734,7 +734,8 @@ static void cameras_refused_by_name(void **state)
     assert_int_equal(zs_camera_orbit(&c, zero, 10, 0, -16384), ZS_ERR_VECTOR);
     assert_int_equal(zs_camera_orbit(&c, zero, INT32_MAX, 0, 0), ZS_ERR_RANGE);
     assert_int_equal(zs_camera_orbit(&c, least, 10, 0, 0), ZS_ERR_RANGE);
-    const int32_t west[3] = { -ZS_WORLD_MAX, 0, 0 }, beyond[3] = { ZS_WORLD_MAX + 1, 0, 0 }; /* the eye would be inside */
+    const int32_t west[3] = { -ZS_WORLD_MAX, 0, 0 },
+                  beyond[3] = { ZS_WORLD_MAX + 1, 0, 0 }; /* the eye would be inside */
     assert_int_equal(zs_camera_orbit(&c, west, 2 * ZS_WORLD_MAX, 16384, 0), ZS_ERR_RANGE);
     assert_int_equal(zs_camera_orbit(&c, beyond, 10, 49152, 0), ZS_ERR_RANGE);
     assert_memory_equal(&c, &before, sizeof c); /* none of them touched it */

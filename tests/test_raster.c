@@ -397,7 +397,8 @@ static int tiny_is_small(const struct zs_geom *g, const struct easel_tri *t)
             zs_plane32(&small, d[0], d[1], d[2], kinds[k], &b);
             CASE_CHECK(a.base == b.base && a.gx == b.gx && a.gy == b.gy);
             const __int128 step = (__int128)(int32_t)a.gx * g->ax + (__int128)(int32_t)a.gy * g->ay; /* to the anchor */
-            CASE_CHECK(!g->tiny || cut < 20 || a.base == d[0] + (uint32_t)floored(step + 128, 256)); /* never too steep */
+            CASE_CHECK(!g->tiny || cut < 20 ||
+                       a.base == d[0] + (uint32_t)floored(step + 128, 256)); /* never too steep */
         }
     return 1;
 }

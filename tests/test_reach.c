@@ -124,7 +124,9 @@ static void ratios_of_least_heights(void **state)
 static void beyond_the_guard_by_less_than_a_step(void **state)
 {
     (void)state;
-    static const int16_t corner[3][3] = { { 32752, -16, 0 }, { 32753, 16, 0 }, { 32752, 16, 0 } }; /* 64 units: 8188 px */
+    static const int16_t corner[3][3] = { { 32752, -16, 0 },
+                                          { 32753, 16, 0 },
+                                          { 32752, 16, 0 } }; /* 64 units: 8188 px */
     static struct lone l;
     struct zs_config config = lone_config(64, 48, &zs_depth_linear);
     struct zs_camera camera;

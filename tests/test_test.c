@@ -220,7 +220,8 @@ static int bias_case(uint64_t seed)
     const int32_t reach = 16 << prng_pick(&p, 17);
     const uint32_t keys = 1u + (uint32_t)(prng_next(&p) >> 32 >> prng_pick(&p, 32));
     const int16_t offset = (int16_t)(prng_next(&p) >> 48);
-    const struct zs_depth_state s = { .bias = offset, .slope_bias = (int16_t)(prng_pick(&p, 8) ? prng_next(&p) >> 48 : 0) };
+    const struct zs_depth_state s = { .bias = offset,
+                                      .slope_bias = (int16_t)(prng_pick(&p, 8) ? prng_next(&p) >> 48 : 0) };
     memset(&job, 0, sizeof job);
     for (int k = 0; k < 3; k++)
         v[k] = (struct zs_vertex){ prng_range(&p, -reach, reach), prng_range(&p, -reach, reach), prng_pick(&p, keys) };

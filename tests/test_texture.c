@@ -563,7 +563,8 @@ static int smooth_light_case(uint64_t seed)
     const double ratio[] = { 1, 1.3, 16, 1000 };
     struct easel_tri t;
     random_tri(&p, &s, &unit, (enum uv_kind)prng_pick(&p, UV_KINDS), ratio[prng_pick(&p, 4)], &t);
-    const int alone = seed % 4 == 1; /* nothing but the light changes, and that at one corner, where it is less or more */
+    const int alone = seed % 4 ==
+                      1; /* nothing but the light changes, and that at one corner, where it is less or more */
     const int constant = prng_pick(&p, 3) == 0 || alone;
     const uint16_t level[2] = { (uint16_t)prng_pick(&p, 65505), (uint16_t)prng_pick(&p, 65505) };
     for (int k = 0; k < 3 && alone; k++) {
@@ -858,7 +859,8 @@ static void texel_gradients_are_rounded_once(void **state)
     uint32_t refused = 0;
     for (int i = 0; i < 200000; i++) {
         const uint32_t rcp = (uint32_t)prng_next(&p) | 0x80000000u;
-        const int32_t n = (int32_t)((uint32_t)prng_next(&p) & 0x7fffffffu) >> prng_pick(&p, 31), shift = prng_range(&p, 1, 36);
+        const int32_t n = (int32_t)((uint32_t)prng_next(&p) & 0x7fffffffu) >> prng_pick(&p, 31),
+                      shift = prng_range(&p, 1, 36);
         const int32_t signed_n = prng_pick(&p, 2) ? n : -n;
         const __int128 one = 1, exact = ((__int128)signed_n * rcp + (one << (shift - 1))) >> shift;
         int ok = 1;
@@ -886,7 +888,8 @@ static int small_case(uint64_t seed)
     struct easel s = random_easel(&p, seed);
     const struct easel_frame unit = unit_of(&s);
     const struct zs_texel *format = formats[prng_pick(&p, 3)];
-    const uint32_t log2_w = 1u + prng_pick(&p, prng_pick(&p, 16) ? 8 : 10), log2_h = prng_pick(&p, prng_pick(&p, 16) ? 9 : 11);
+    const uint32_t log2_w = 1u + prng_pick(&p, prng_pick(&p, 16) ? 8 : 10),
+                   log2_h = prng_pick(&p, prng_pick(&p, 16) ? 9 : 11);
     const size_t texels = (size_t)1 << (log2_w + log2_h);
     uint8_t *const texel = malloc(texels * 2); /* exactly as many as there are, below */
     const uint32_t bits_of = format == &zs_texel_565 ? 16 : format == &zs_texel_pal8 ? 8 : 4;

@@ -64,8 +64,9 @@ static void world_open(struct prng *p, int orthographic)
     w->scene.instance = w->instance;
     w->scene.n_instances = 2 + prng_pick(p, INSTANCES - 1);
     int32_t z = 3000;
-    static const struct zs_depth_state states[] = { { .func = ZS_DEPTH_LESS_EQUAL }, { .read_only = 1 }, { .bias = -20 },
-                                              { .bias = 20 } };
+    static const struct zs_depth_state states[] = {
+        { .func = ZS_DEPTH_LESS_EQUAL }, { .read_only = 1 }, { .bias = -20 }, { .bias = 20 }
+    };
     for (uint32_t i = 0; i < w->scene.n_instances; i++) {
         struct zs_instance *in = &w->instance[i];
         z = prng_pick(p, 2) ? prng_range(p, 400, 19000) : z + prng_range(p, z > 900 ? -400 : 0, z < 18000 ? 400 : 0);
@@ -86,7 +87,8 @@ static void world_open(struct prng *p, int orthographic)
 
 static int one_scene(uint64_t seed)
 {
-    static const struct zs_depth *const mapping[] = { &zs_depth_float, &zs_depth_recip, &zs_depth_linear, &zs_depth_e4m12 };
+    static const struct zs_depth *const mapping[] = { &zs_depth_float, &zs_depth_recip, &zs_depth_linear,
+                                                      &zs_depth_e4m12 };
     struct prng p = { seed };
     const int orthographic = !prng_pick(&p, 4);
     world_open(&p, orthographic);

@@ -103,7 +103,8 @@ static void world_open(struct prng *p, struct world *w, uint16_t h)
     for (uint32_t i = 0; i < SHAPES; i++) {
         w->shape[i].mesh.uv = (const int16_t (*)[2])w->uv;
         w->shape[i].mesh.uv_bits = 12;
-        clusters_make(&w->shape[i].mesh, w->cluster[i], p, 6, 5); /* of them, what strips that are not due show is left out */
+        clusters_make(&w->shape[i].mesh, w->cluster[i], p, 6,
+                      5); /* of them, what strips that are not due show is left out */
     }
     const struct zs_texture texture[2] = { { .format = &zs_texel_565, .texel = w->texel[0], .log2_w = 3, .log2_h = 3 },
                                            { .format = &zs_texel_pal8, .texel = w->texel[1], .palette = w->palette,
@@ -350,9 +351,11 @@ static int frames_of(uint64_t seed)
     static struct show s;
     static const struct zs_depth *const persp[] = { &zs_depth_float, &zs_depth_recip, &zs_depth_linear };
     struct prng p = { seed };
-    const uint16_t width = (uint16_t)(40 + prng_pick(&p, W_MAX - 39)), height = (uint16_t)(30 + prng_pick(&p, H_MAX - 29));
+    const uint16_t width = (uint16_t)(40 + prng_pick(&p, W_MAX - 39)),
+                   height = (uint16_t)(30 + prng_pick(&p, H_MAX - 29));
     world_open(&p, &w, height);
-    struct zs_config c = picture_config(width, height, w.camera.projection ? &zs_depth_linear : persp[prng_pick(&p, 3)]);
+    struct zs_config c = picture_config(width, height,
+                                        w.camera.projection ? &zs_depth_linear : persp[prng_pick(&p, 3)]);
     c.strip_h = (uint16_t)(prng_pick(&p, 2) ? 1 + prng_pick(&p, 6) : 1 + prng_pick(&p, height));
     c.buffers = (uint8_t)(1 + prng_pick(&p, 2));
     c.max_tris = (uint16_t)(prng_pick(&p, 2) ? 600 : 2 + prng_pick(&p, 80));
@@ -368,7 +371,8 @@ static int frames_of(uint64_t seed)
         if (told)
             assert_int_equal(zs_invalidate(&s.r, NULL), ZS_OK);
         if (!s.r.scene && !prng_pick(&p, 10))
-            assert_int_equal(prng_pick(&p, 3) ? watch_anew(&s.r, &s.sums, s.sum, 1 + prng_pick(&p, 4)) : zs_damage_compare(&s.r, NULL),
+            assert_int_equal(prng_pick(&p, 3) ? watch_anew(&s.r, &s.sums, s.sum, 1 + prng_pick(&p, 4))
+                                              : zs_damage_compare(&s.r, NULL),
                              ZS_OK);
         if (!s.r.scene && !prng_pick(&p, 20))
             s.glass.columns = zs_damage_track(&s.r, prng_pick(&p, 3) ? s.memory : NULL, INSTANCES); /* 0 */
@@ -651,8 +655,8 @@ static int one_mover(uint64_t seed)
     const uint32_t slack = 4u + ZS_DAMAGE_GRAIN; /* an octagon for a coarse sphere */
     if (s.glass.columns && own &&
         (s.glass.x + slack < (uint32_t)columns[0] || s.glass.end > (uint32_t)columns[1] + slack))
-        return case_wrong("columns %u to %u are drawn, the mover is in %u to %u", (unsigned)s.glass.x, (unsigned)s.glass.end,
-                          (unsigned)columns[0], (unsigned)columns[1]);
+        return case_wrong("columns %u to %u are drawn, the mover is in %u to %u", (unsigned)s.glass.x,
+                          (unsigned)s.glass.end, (unsigned)columns[0], (unsigned)columns[1]);
     CASE_CHECK(s.glass.columns || !own || (s.glass.x == 0 && s.glass.end == W_MAX));
     CASE_CHECK(zs_frame_stats(&s.r)->passes <= passes);
     show_close(&s);

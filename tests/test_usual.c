@@ -19,9 +19,10 @@ static const struct {
     double degrees;
 } angles[] = {
 #define ANGLE(d) { ZS_DEGREES(d), d }
-    ANGLE(0), ANGLE(1), ANGLE(45), ANGLE(90), ANGLE(180), ANGLE(270), ANGLE(359), ANGLE(360), ANGLE(361), ANGLE(720),
-    ANGLE(-1), ANGLE(-45), ANGLE(-90), ANGLE(-359), ANGLE(-360), ANGLE(-100000), ANGLE(100000), ANGLE(22.5), ANGLE(-22.5),
-    ANGLE(0.001), ANGLE(-0.001), ANGLE(0.003), ANGLE(-0.003), ANGLE(33.333333), ANGLE(-179.99), ANGLE(60u), ANGLE(30 + 2 * 4)
+    ANGLE(0),     ANGLE(1),       ANGLE(45),        ANGLE(90),      ANGLE(180),   ANGLE(270),       ANGLE(359),
+    ANGLE(360),   ANGLE(361),     ANGLE(720),       ANGLE(-1),      ANGLE(-45),   ANGLE(-90),       ANGLE(-359),
+    ANGLE(-360),  ANGLE(-100000), ANGLE(100000),    ANGLE(22.5),    ANGLE(-22.5), ANGLE(0.001),     ANGLE(-0.001),
+    ANGLE(0.003), ANGLE(-0.003),  ANGLE(33.333333), ANGLE(-179.99), ANGLE(60u),   ANGLE(30 + 2 * 4)
 };
 
 static void degrees_are_rounded_turns(void **state)
@@ -74,7 +75,8 @@ static void a_renderer_by_macro(void **state)
     /* another build: the renderer is not touched */
     struct zs_renderer before = two;
     for (int bit = 0; bit < 32; bit++)
-        assert_int_equal(zs_init_build(&two, &two_config, two_arena, sizeof two_arena, ZS_BUILD ^ 1u << bit), ZS_ERR_BUILD);
+        assert_int_equal(zs_init_build(&two, &two_config, two_arena, sizeof two_arena, ZS_BUILD ^ 1u << bit),
+                         ZS_ERR_BUILD);
     assert_memory_equal(&before, &two, sizeof two);
     assert_int_equal(zs_init_build(NULL, &two_config, two_arena, sizeof two_arena, ZS_BUILD), ZS_ERR_NULL);
 }
@@ -246,7 +248,8 @@ static int light_case(uint64_t seed)
     zs_pose_turn(&s.instance.pose, (zs_turn)prng_next(&p), (zs_turn)prng_next(&p), (zs_turn)prng_next(&p));
     memset(&s.scene.light, 0, sizeof s.scene.light);
     const int32_t at[3] = { 0, 0, 0 };
-    CASE_CHECK(zs_camera_orbit(&s.camera, at, 2000, (zs_turn)prng_next(&p), (int16_t)prng_range(&p, -16000, 16000)) == ZS_OK);
+    CASE_CHECK(zs_camera_orbit(&s.camera, at, 2000, (zs_turn)prng_next(&p), (int16_t)prng_range(&p, -16000, 16000)) ==
+               ZS_OK);
     memset(&seen, 0, sizeof seen);
     struct picture a = picture_draw(&s.config, &s.scene, &s.camera);
     picture_free(&a);

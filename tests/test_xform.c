@@ -52,8 +52,9 @@ static int set_up(struct setting *s, struct prng *p)
     const int32_t z_near = 1 + (int32_t)prng_pick(p, 1000), z_far = z_near + 1 + (int32_t)prng_pick(p, 1u << 29);
     const int ortho = prng_pick(p, 3) == 0;
     const int32_t deep = prng_pick(p, 2) ? z_far : 1 + (int32_t)prng_pick(p, 1000); /* few units: fine ones */
-    if (ortho ? zs_camera_orthographic(&s->camera, 1 + (int32_t)prng_pick(p, 1u << (20 + prng_pick(p, 11))), -deep, deep)
-              : zs_camera_perspective(&s->camera, (zs_turn)(1000 + prng_pick(p, 20000)), 240, z_near, z_far))
+    if (ortho
+            ? zs_camera_orthographic(&s->camera, 1 + (int32_t)prng_pick(p, 1u << (20 + prng_pick(p, 11))), -deep, deep)
+            : zs_camera_perspective(&s->camera, (zs_turn)(1000 + prng_pick(p, 20000)), 240, z_near, z_far))
         return 0;
     const struct zs_config config = { .width = 240, .height = 240, .strip_h = 8, .max_tris = 8, .max_verts = 8,
                                       .buffers = 1, .subpixel_bits = (uint8_t)(prng_pick(p, 2) ? 8 : 4),
@@ -162,8 +163,8 @@ static int project_case(uint64_t seed)
         int32_t want[2] = { 0, 0 };
         const int inside = exact_place(view, &point, want);
         if (zs_xform_project(&s.r, &point, &got) != inside || (inside && (got.x != want[0] || got.y != want[1])))
-            return case_wrong("(%d, %d, %d): (%d, %d), not (%d, %d), %d", point.c[0], point.c[1], point.c[2], got.x, got.y,
-                              want[0], want[1], inside);
+            return case_wrong("(%d, %d, %d): (%d, %d), not (%d, %d), %d", point.c[0], point.c[1], point.c[2], got.x,
+                              got.y, want[0], want[1], inside);
     }
     return 1;
 }

@@ -102,7 +102,8 @@ int main(void)
     int failed = 0;
     if (hal_init())
         hal_exit(1);
-    hal_write("scene,full,strips,pixels,first,strips,pixels,still,strips,pixels,moved,strips,pixels,columns,strips,pixels\n");
+    hal_write(
+        "scene,full,strips,pixels,first,strips,pixels,still,strips,pixels,moved,strips,pixels,columns,strips,pixels\n");
     for (uint32_t i = 0; i < sizeof scenes / sizeof scenes[0]; i++)
         failed += measure(scenes[i]);
     hal_exit(failed != 0);

@@ -28,7 +28,8 @@ static void counter_draw(void *ctx, const struct zs_target *target)
             const uint32_t place = x < 3 ? 100u : x < 7 ? 10u : 1u;
             const int bit = x % 4 < 3 && digit[c->shown / place % 10u] >> (3 * (4 - y) + 2 - x % 4) & 1;
             if (bit && TOP + y >= target->y0 && TOP + y < target->y1 && LEFT + x >= target->x0 && LEFT + x < target->x1)
-                target->color[(uint32_t)(TOP + y - target->y0) * target->pitch + (uint32_t)(LEFT + x)] = zs_wire565(255, 255, 255);
+                target->color[(uint32_t)(TOP + y - target->y0) * target->pitch + (uint32_t)(LEFT + x)] = zs_wire565(
+                    255, 255, 255);
         }
 }
 

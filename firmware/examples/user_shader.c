@@ -21,7 +21,9 @@ static void rings_fragment(const struct zs_instance *instance, struct zs_fragmen
         *f->color = zs_wire565(c->r, c->g, c->b);
 }
 
-static const struct zs_shader rings = { .vertex = rings_vertex, .fragment = rings_fragment, ZS_FRAGMENTS, .n_varyings = 2 };
+static const struct zs_shader rings = {
+    .vertex = rings_vertex, .fragment = rings_fragment, ZS_FRAGMENTS, .n_varyings = 2
+};
 
 /* ---- A frame ---------------------------------------------------------------------------------------------------- */
 

@@ -95,7 +95,8 @@ static void put_crowd(struct demo_frame *f, uint16_t w, int back_to_front)
     for (int i = 0; i < CROWD; i++) {
         const int32_t k = back_to_front ? CROWD - 1 - i : i;
         const int32_t px = (BENCH_BUMPY_Z + 1300 * k) * BENCH_UNIT / 320; /* a pixel there */
-        zs_pose_turn(stage_put(f, &mesh_bumpy_uv, &tex_smooth, (k & 1 ? 40 : -40) * px, (12 * k - 20) * px, -320 * px, ZS_Q16_ONE),
+        zs_pose_turn(stage_put(f, &mesh_bumpy_uv, &tex_smooth, (k & 1 ? 40 : -40) * px, (12 * k - 20) * px, -320 * px,
+                               ZS_Q16_ONE),
                      (zs_turn)(5000 + 3000 * k), 3500, 0);
     }
 }
@@ -242,7 +243,8 @@ BENCH_VARYINGS(mesh_tex_lit, "The same ball, textured by palette, flat-shaded", 
           pose_mesh_tex_lit);
 BENCH_VARYINGS(mesh_tex_smooth, "The same ball, textured by palette, smooth-shaded",
           ZS_VARYINGS_TEXTURE_SMOOTH, smooth_fast, pose_mesh_tex_smooth);
-BENCH_VARYINGS(crowd_ftb, "Five such balls half behind one another, from front to back", ZS_VARYINGS_TEXTURE_SMOOTH, smooth_fast, pose_crowd_ftb);
+BENCH_VARYINGS(crowd_ftb, "Five such balls half behind one another, from front to back", ZS_VARYINGS_TEXTURE_SMOOTH,
+               smooth_fast, pose_crowd_ftb);
 BENCH_VARYINGS(crowd_btf, "The same from back to front", ZS_VARYINGS_TEXTURE_SMOOTH, smooth_fast, pose_crowd_btf);
 BENCH_VARYINGS(floor_tex, "A textured plain to the horizon, cut at the near plane", ZS_VARYINGS_TEXTURE, tex_fast,
           pose_floor_tex);

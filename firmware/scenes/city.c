@@ -55,5 +55,11 @@ static const struct zs_fast *const fast[] = { ZS_FAST_FRAME, ZS_FAST_FLAT, ZS_FA
 const struct demo demo_city = {
     .name = "city",
     .what = "A town turns under an orthographic camera while cars go round in its streets",
-    .width = 240, .height = 240, .frames = FRAMES, .varyings = ZS_VARYINGS_FLAT, .depth = &zs_depth_linear, .fast = fast, .pose = pose,
+    .width = 240,
+    .height = 240,
+    .frames = FRAMES,
+    .varyings = ZS_VARYINGS_FLAT,
+    .depth = &zs_depth_linear,
+    .fast = fast,
+    .pose = pose,
 };

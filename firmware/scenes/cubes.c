@@ -40,5 +40,11 @@ static const struct zs_fast *const fast[] = { ZS_FAST_FRAME, ZS_FAST_FLAT, ZS_FA
 const struct demo demo_cubes = {
     .name = "cubes",
     .what = "Nine cubes tumble around each other, flat-shaded, a colour a side",
-    .width = 240, .height = 240, .frames = FRAMES, .varyings = ZS_VARYINGS_FLAT, .depth = &zs_depth_float, .fast = fast, .pose = pose,
+    .width = 240,
+    .height = 240,
+    .frames = FRAMES,
+    .varyings = ZS_VARYINGS_FLAT,
+    .depth = &zs_depth_float,
+    .fast = fast,
+    .pose = pose,
 };

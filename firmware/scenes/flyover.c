@@ -44,5 +44,11 @@ static const struct zs_fast *const fast[] = { ZS_FAST_FRAME, ZS_FAST_CLUSTERS, Z
 const struct demo demo_flyover = {
     .name = "flyover",
     .what = "A low flight along a river between hills, flat-shaded, cut at the near plane",
-    .width = 240, .height = 240, .frames = FRAMES, .varyings = ZS_VARYINGS_FLAT, .depth = &zs_depth_float, .fast = fast, .pose = pose,
+    .width = 240,
+    .height = 240,
+    .frames = FRAMES,
+    .varyings = ZS_VARYINGS_FLAT,
+    .depth = &zs_depth_float,
+    .fast = fast,
+    .pose = pose,
 };

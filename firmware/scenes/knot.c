@@ -25,5 +25,11 @@ static const struct zs_fast *const fast[] = { ZS_FAST_FRAME, ZS_FAST_SMOOTH, ZS_
 const struct demo demo_knot = {
     .name = "knot",
     .what = "The camera goes around a torus knot in all colours, smooth-shaded",
-    .width = 240, .height = 240, .frames = FRAMES, .varyings = ZS_VARYINGS_SMOOTH, .depth = &zs_depth_float, .fast = fast, .pose = pose,
+    .width = 240,
+    .height = 240,
+    .frames = FRAMES,
+    .varyings = ZS_VARYINGS_SMOOTH,
+    .depth = &zs_depth_float,
+    .fast = fast,
+    .pose = pose,
 };

@@ -42,12 +42,25 @@ static const struct zs_fast *const fast_teapot[] = { ZS_FAST_FRAME, ZS_FAST_SMOO
 const struct demo demo_teapot = {
     .name = "teapot",
     .what = "The Utah teapot turns on a table, lit from the upper left, smooth-shaded",
-    .width = 240, .height = 240, .frames = FRAMES, .varyings = ZS_VARYINGS_SMOOTH, .depth = &zs_depth_float, .fast = fast_teapot, .pose = pose,
+    .width = 240,
+    .height = 240,
+    .frames = FRAMES,
+    .varyings = ZS_VARYINGS_SMOOTH,
+    .depth = &zs_depth_float,
+    .fast = fast_teapot,
+    .pose = pose,
 };
 
-static const struct zs_fast *const fast_china[] = { ZS_FAST_FRAME, ZS_FAST_SMOOTH, ZS_FAST_TEXTURE_SMOOTH, ZS_FAST_PAL8, ZS_FAST_END };
+static const struct zs_fast *const fast_china[] = { ZS_FAST_FRAME, ZS_FAST_SMOOTH, ZS_FAST_TEXTURE_SMOOTH, ZS_FAST_PAL8,
+                                                    ZS_FAST_END };
 const struct demo demo_china = {
     .name = "china",
     .what = "The teapot in painted china: smooth light over a texture",
-    .width = 240, .height = 240, .frames = FRAMES, .varyings = ZS_VARYINGS_TEXTURE_SMOOTH, .depth = &zs_depth_float, .fast = fast_china, .pose = pose_china,
+    .width = 240,
+    .height = 240,
+    .frames = FRAMES,
+    .varyings = ZS_VARYINGS_TEXTURE_SMOOTH,
+    .depth = &zs_depth_float,
+    .fast = fast_china,
+    .pose = pose_china,
 };

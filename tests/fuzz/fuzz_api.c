@@ -242,12 +242,15 @@ static void compare(const struct world *w, const struct picture *plain, const st
     if (!p.err) {
         EXPECT(stats_add_up(&p.stats) && p.stats.tris_in == plain->stats.tris_in);
         EXPECT(p.stats.pixels_tested <= plain->stats.pixels_tested);
-        EXPECT(p.stats.pixels_written <= p.stats.pixels_tested); /* a hidden triangle left out may let others write that lose to it */
+        EXPECT(p.stats.pixels_written <=
+               p.stats.pixels_tested); /* a hidden triangle left out may let others write that lose to it */
         EXPECT(bits_of(c->fast) & bit_of("tiles") || (p.stats.pixels_tested == plain->stats.pixels_tested &&
                                                       p.stats.pixels_written == plain->stats.pixels_written));
-        EXPECT(p.stats.tris_drawn == plain->stats.tris_drawn || (p.stats.instances_hidden && p.stats.tris_drawn < plain->stats.tris_drawn));
+        EXPECT(p.stats.tris_drawn == plain->stats.tris_drawn ||
+               (p.stats.instances_hidden && p.stats.tris_drawn < plain->stats.tris_drawn));
         EXPECT(p.stats.max_tris_used <= c->max_tris && p.stats.max_verts_used <= c->max_verts);
-        const int fewer = p.stats.clusters_culled || p.stats.instances_hidden; /* instances are then counted as culled */
+        const int fewer = p.stats.clusters_culled ||
+                          p.stats.instances_hidden; /* instances are then counted as culled */
         if (!fewer && !same_counts(&p.stats, &plain->stats)) {
             print_config(c);
             print_counts(&p.stats);

@@ -158,7 +158,10 @@ static void draw(struct card *c, const struct kind_shader *shader)
         return; /* only the check guards a palette */
     const struct zs_material material = { .shader = shader->shader, .rgb = { 200, 150, 100 },
                                           .cull = (uint8_t)((h->look & CARD_CULL) >> 1), .texture = &c->texture };
-    const struct zs_depth_state state = { .func = h->state & 1, .read_only = h->state >> 1 & 1, .bias = (int16_t)(h->state * 77), .slope_bias = (int16_t)(h->state * 300) };
+    const struct zs_depth_state state = { .func = h->state & 1,
+                                          .read_only = h->state >> 1 & 1,
+                                          .bias = (int16_t)(h->state * 77),
+                                          .slope_bias = (int16_t)(h->state * 300) };
     const struct zs_instance instance[2] = {
         { .mesh = &c->mesh, .material = &material, .pose = pose_of(&c->mesh) },
         { .mesh = &c->mesh, .material = &material, .pose = pose_of(&c->mesh), .depth_state = h->state ? &state : NULL }

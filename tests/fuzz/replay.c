@@ -67,6 +67,7 @@ void replay_case(unsigned long long number, unsigned seconds)
 {
     const int n = snprintf(line + command_bytes, sizeof line - command_bytes, " %llu\n", number);
     bytes = command_bytes + (size_t)n;
-    const struct itimerval time = { .it_value.tv_sec = (time_t)seconds }; /* of the processor's: a busy machine hangs nothing */
+    const struct itimerval time = { .it_value.tv_sec =
+                                        (time_t)seconds }; /* of the processor's: a busy machine hangs nothing */
     (void)setitimer(ITIMER_PROF, &time, NULL);
 }

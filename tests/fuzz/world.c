@@ -193,7 +193,8 @@ static void clusters(struct world *w, struct zs_mesh *m, struct prng *p)
     m->n_clusters = n;
     uint32_t at; /* give up on the cones that do not hold; find a height that does */
     enum zs_flaw flaw;
-    while ((flaw = flaw_of(m, &at)) == ZS_FLAW_CLUSTER_HEIGHT || (flaw == ZS_FLAW_CLUSTER_CONE && c[at].cutoff != 127)) {
+    while ((flaw = flaw_of(m, &at)) == ZS_FLAW_CLUSTER_HEIGHT ||
+           (flaw == ZS_FLAW_CLUSTER_CONE && c[at].cutoff != 127)) {
         c[at].cutoff = flaw == ZS_FLAW_CLUSTER_CONE ? 127 : c[at].cutoff;
         c[at].height = (uint16_t)(flaw == ZS_FLAW_CLUSTER_HEIGHT ? c[at].height / 2 : c[at].height);
     }

@@ -108,7 +108,8 @@ static int run(int program, const char *name, long ms, const char *cover, long *
     kill(-child, SIGKILL); /* what it has started and left */
     getrusage(RUSAGE_CHILDREN, &after);
     *took = (after.ru_utime.tv_sec - before.ru_utime.tv_sec + after.ru_stime.tv_sec - before.ru_stime.tv_sec) * 1000 +
-            (after.ru_utime.tv_usec - before.ru_utime.tv_usec + after.ru_stime.tv_usec - before.ru_stime.tv_usec) / 1000;
+            (after.ru_utime.tv_usec - before.ru_utime.tv_usec + after.ru_stime.tv_usec - before.ru_stime.tv_usec) /
+                1000;
     if (WIFSIGNALED(status))
         return WTERMSIG(status) == SIGPROF || WTERMSIG(status) == SIGALRM ? -1 : 128 + WTERMSIG(status);
     return WEXITSTATUS(status);

@@ -18,7 +18,8 @@ static void any_view(int perspective)
     view.z_near = perspective ? any_i32(256, 1 << 30) : any_i32(-(1 << 30), 1 << 30);
     view.z_far = any_i32(-(1 << 30), 1 << 30);
     view.scale_bits = perspective ? any_i32(8, 31) : any_i32(0, 40);
-    view.guard = perspective ? (uint64_t)ZS_GUARD_SUBPX : any_u64((uint64_t)ZS_GUARD_SUBPX, (uint64_t)ZS_GUARD_SUBPX << 40);
+    view.guard = perspective ? (uint64_t)ZS_GUARD_SUBPX
+                             : any_u64((uint64_t)ZS_GUARD_SUBPX, (uint64_t)ZS_GUARD_SUBPX << 40);
 }
 
 static void any_vertex(struct zs_clip_vertex *v)

@@ -21,8 +21,8 @@ void recip_keys(void)
         if (recip_setup(&view, &camera, bits))
             continue;
         for (int k = 8; k <= 30; k++)
-            ASSERT(recip_vertex(&view, any_i32((int32_t)OCTAVE_LO(k), (int32_t)OCTAVE_HI(k)), any_u32(1u << 31, UINT32_MAX),
-                                31 - k) <= view.key_top);
+            ASSERT(recip_vertex(&view, any_i32((int32_t)OCTAVE_LO(k), (int32_t)OCTAVE_HI(k)),
+                                any_u32(1u << 31, UINT32_MAX), 31 - k) <= view.key_top);
         (void)recip_inverse(&view, any_u32(0, UINT32_MAX));
     }
 }

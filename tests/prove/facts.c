@@ -71,7 +71,8 @@ static void edges_drawn(uint64_t count)
         const int32_t most = (1 << ZS_EXTENT_BITS) - 1;
         const int32_t y = drawn(-(int32_t)ZS_GUARD_SUBPX, (int32_t)ZS_GUARD_SUBPX);
         struct zs_vertex a = { drawn(-(int32_t)ZS_GUARD_SUBPX, (int32_t)ZS_GUARD_SUBPX), y, 0 };
-        struct zs_vertex b = { zs_min32(zs_max32(a.x + drawn(-most, most), -(int32_t)ZS_GUARD_SUBPX), (int32_t)ZS_GUARD_SUBPX),
+        struct zs_vertex b = { zs_min32(zs_max32(a.x + drawn(-most, most), -(int32_t)ZS_GUARD_SUBPX),
+                                        (int32_t)ZS_GUARD_SUBPX),
                                y + drawn(1, most), 0 };
         const int32_t first = zs_first_sample(a.y), last = zs_first_sample(b.y);
         if (first >= last)
@@ -81,7 +82,8 @@ static void edges_drawn(uint64_t count)
         edge_columns(out, n, &a, &b, row);
         const int64_t dx = (int64_t)b.x - a.x, dy = (int64_t)b.y - a.y;
         for (int32_t k = 0; k < n; k++) {
-            const int64_t right = (int64_t)(a.x - 128) * dy + ((int64_t)(row + k) * 256 + 128 - a.y) * dx, span = 256 * dy;
+            const int64_t right = (int64_t)(a.x - 128) * dy + ((int64_t)(row + k) * 256 + 128 - a.y) * dx,
+                          span = 256 * dy;
             const int64_t column = right / span + (right % span > 0);
             good &= out[2 * k] == column;
         }
@@ -114,7 +116,8 @@ static void planes_drawn(uint64_t count)
             if (v[k].y < v[top].y || (v[k].y == v[top].y && v[k].x < v[top].x))
                 top = k;
         const struct zs_vertex *const a = &v[top], *b = &v[(top + 1) % 3], *c = &v[(top + 2) % 3];
-        const int64_t area = ((int64_t)b->x - a->x) * ((int64_t)c->y - a->y) - ((int64_t)c->x - a->x) * ((int64_t)b->y - a->y);
+        const int64_t area = ((int64_t)b->x - a->x) * ((int64_t)c->y - a->y) -
+                             ((int64_t)c->x - a->x) * ((int64_t)b->y - a->y);
         if (area == 0)
             continue;
         if (area < 0) { /* clockwise */
@@ -142,7 +145,8 @@ static void wide_drawn(uint64_t count)
         const int down = in(0, 63);
         const uint64_t a = ((uint64_t)(uint32_t)prng_next(&prng) << 32 | (uint32_t)prng_next(&prng)) >> down;
         const uint64_t b = ((uint64_t)(uint32_t)prng_next(&prng) << 32 | (uint32_t)prng_next(&prng)) >> in(0, 63);
-        const uint64_t d = (((uint64_t)(uint32_t)prng_next(&prng) << 32 | (uint32_t)prng_next(&prng)) >> in(0, 63)) | 1u;
+        const uint64_t d = (((uint64_t)(uint32_t)prng_next(&prng) << 32 | (uint32_t)prng_next(&prng)) >> in(0, 63)) |
+                           1u;
         const unsigned __int128 product = (unsigned __int128)a * b;
         if (product / d <= UINT64_MAX)
             good &= zs_muldiv_u64(a, b, d) == (uint64_t)(product / d);

@@ -86,7 +86,8 @@ static void turns_drawn(uint64_t count)
                 good &= fabsl(dot) < 0x1p-26L;
             }
     }
-    tell("turns", count, good && n > count / 3 && n < count, "poses turned: axes to 2^-53, rotations to 2^-27, no overflow");
+    tell("turns", count, good && n > count / 3 && n < count,
+         "poses turned: axes to 2^-53, rotations to 2^-27, no overflow");
 }
 
 /* ---- tiles.c ----------------------------------------------------------------------------------------- */
@@ -107,7 +108,8 @@ static void sides_drawn(uint64_t count)
         const int32_t first = zs_first_sample(a.y), last = zs_first_sample(b.y);
         for (int k = 0; k < 8 && first < last; k++, n++) {
             const int32_t row = k == 0 ? first : k == 1 ? last - 1 : in(first, last - 1);
-            const int64_t dy = b.y - a.y, dx = (int64_t)b.x - a.x, right = (int64_t)(a.x - 128) * dy + ((int64_t)row * 256 + 128 - a.y) * dx;
+            const int64_t dy = b.y - a.y, dx = (int64_t)b.x - a.x,
+                          right = (int64_t)(a.x - 128) * dy + ((int64_t)row * 256 + 128 - a.y) * dx;
             const int64_t column = right / (256 * dy) + (right % (256 * dy) > 0);
             const int32_t off = row * 256 + 128 - a.y, most = 2 + (off >> c.shift[LONG]) * 2 / 256 + 1;
             good &= side(&c, LONG, row, 0) >= column && side(&c, LONG, row, 0) <= column + most;
@@ -119,8 +121,8 @@ static void sides_drawn(uint64_t count)
 
 /* Boxes: every box of tiles and strips in frames of up to 9 tiles and 9 strips, and drawn ones in larger: hidden just
  * where each of its tiles' bounds is nearer. Nothing beyond the bounds is read (ASan). */
-static int box_right(struct zs_renderer *r, const uint16_t *bound, int32_t tiles, int32_t x0, int32_t x1, int32_t y0, int32_t y1,
-                     uint32_t key)
+static int box_right(struct zs_renderer *r, const uint16_t *bound, int32_t tiles, int32_t x0, int32_t x1, int32_t y0,
+                     int32_t y1, uint32_t key)
 {
     const int32_t tile = 1 << ZS_TILE_LOG2, h = r->config.strip_h;
     const struct zs_box box = { x0 * tile + in(0, tile - 1), x1 * tile + 1 + in(0, tile - 1), y0 * h + in(0, h - 1),
@@ -230,7 +232,8 @@ static void cones_drawn(uint64_t count)
             good &= h / sqrtl(n) >= c.radius / unit + margin;
         }
     }
-    tell("cones", count, good && yes > count / 50, "clusters and eyes drawn: those turned away are so by radius and margin");
+    tell("cones", count, good && yes > count / 50,
+         "clusters and eyes drawn: those turned away are so by radius and margin");
 }
 
 void facts_more(uint64_t count)

@@ -27,7 +27,8 @@ void differences(void)
 {
     /* both lie within the guard band around one middle, which is the larger part of COORD_HI */
     const int32_t mid = any_i32(0, ZS_SIZE_MAX * ZS_SUBPX_HALF);
-    const int32_t a = any_i32(-ZS_GUARD_SUBPX - 1, ZS_GUARD_SUBPX + 1), b = any_i32(-ZS_GUARD_SUBPX - 1, ZS_GUARD_SUBPX + 1);
+    const int32_t a = any_i32(-ZS_GUARD_SUBPX - 1, ZS_GUARD_SUBPX + 1),
+                  b = any_i32(-ZS_GUARD_SUBPX - 1, ZS_GUARD_SUBPX + 1);
     ASSERT(mid + a >= COORD_LO && mid + a <= COORD_HI);
     ASSERT(b - a <= SPAN_MAX && b - a >= -SPAN_MAX);
 }
@@ -180,8 +181,10 @@ static void plane_of(int small, int tiny, int32_t exp)
     for (int kind = ZS_PLANE_WIDE; kind <= ZS_PLANE_KEY; kind += ZS_PLANE_KEY - ZS_PLANE_WIDE) {
         struct zs_plane out;
         struct zs_plane64 wide;
-        zs_plane32(g, any_u32(0, UINT32_MAX), any_u32(0, UINT32_MAX), any_u32(0, UINT32_MAX), (enum zs_plane_kind)kind, &out);
-        zs_plane64(g, any_u64(0, (uint64_t)1 << 40), any_u64(0, (uint64_t)1 << 40), any_u64(0, (uint64_t)1 << 40), &wide);
+        zs_plane32(g, any_u32(0, UINT32_MAX), any_u32(0, UINT32_MAX), any_u32(0, UINT32_MAX), (enum zs_plane_kind)kind,
+                   &out);
+        zs_plane64(g, any_u64(0, (uint64_t)1 << 40), any_u64(0, (uint64_t)1 << 40), any_u64(0, (uint64_t)1 << 40),
+                   &wide);
     }
 }
 

@@ -17,7 +17,8 @@ void edge_below_first_row(void)
 {
     for (int k = 0; k < ZS_EXTENT_BITS; k++) {
         const int32_t most = (int32_t)OCTAVE_HI(k);
-        const int32_t n = edge_below(any_i32(0, 255), any_i32((int32_t)OCTAVE_LO(k), most), any_i32(0, most), any_i32(0, most));
+        const int32_t n = edge_below(any_i32(0, 255), any_i32((int32_t)OCTAVE_LO(k), most), any_i32(0, most),
+                                     any_i32(0, most));
         ASSERT(n >= 0 && n <= 1 << (k > 6 ? k - 5 : 1));
     }
 }

@@ -112,7 +112,8 @@ void turns(void)
 void sines(void)
 {
     for (uint32_t a = 0; a < 65536u; a += EIGHTH) {
-        const int32_t s = zs_sin((zs_turn)any_u32(a, a + EIGHTH - 1u)), c = zs_cos((zs_turn)any_u32(a, a + EIGHTH - 1u));
+        const int32_t s = zs_sin((zs_turn)any_u32(a, a + EIGHTH - 1u)),
+                      c = zs_cos((zs_turn)any_u32(a, a + EIGHTH - 1u));
         ASSERT(s >= -ZS_Q30_ONE - 4 && s <= ZS_Q30_ONE + 4 && c >= -ZS_Q30_ONE - 4 && c <= ZS_Q30_ONE + 4);
     }
 }

@@ -42,6 +42,7 @@ void window_pieces(void)
                         pieces = 0;
                         window_piece(&drawn, &of_piece, i0, i1, (uint32_t)i0 * 3u + 100u, 3u);
                         ASSERT(pieces == (piece_from < piece_to));
-                        ASSERT(renderer.stats.pixels_tested == 100u - (uint32_t)(i1 - i0 - zs_max32(piece_to - piece_from, 0)));
+                        ASSERT(renderer.stats.pixels_tested ==
+                               100u - (uint32_t)(i1 - i0 - zs_max32(piece_to - piece_from, 0)));
                     }
 }

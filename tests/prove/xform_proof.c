@@ -41,7 +41,8 @@ void fine_positions(void)
 {
     for (int shift = 0; shift <= SHIFT_MAX; shift++) {
         const int32_t s = shift < SPLIT_MAX ? shift : SPLIT_MAX, high = (1 << (30 - s)) + 1;
-        const int16_t pos[3] = { (int16_t)any_i32(-32768, 32767), (int16_t)any_i32(-32768, 32767), (int16_t)any_i32(-32768, 32767) };
+        const int16_t pos[3] = { (int16_t)any_i32(-32768, 32767), (int16_t)any_i32(-32768, 32767),
+                                 (int16_t)any_i32(-32768, 32767) };
         const uint8_t low[3] = { (uint8_t)any_u32(0, 255), (uint8_t)any_u32(0, 255), (uint8_t)any_u32(0, 255) };
         int32_t row[ZS_ROW_WORDS];
         for (int j = 0; j < 3; j++) {
@@ -67,7 +68,8 @@ static void any_view(int perspective, int32_t snap)
     view->snap = snap;
     view->cx = any_i32(ZS_SUBPX_HALF, ZS_SIZE_MAX * ZS_SUBPX_HALF);
     view->cy = any_i32(ZS_SUBPX_HALF, ZS_SIZE_MAX * ZS_SUBPX_HALF);
-    view->guard = perspective ? (uint64_t)ZS_GUARD_SUBPX : any_u64((uint64_t)ZS_GUARD_SUBPX, (uint64_t)ZS_GUARD_SUBPX << 40);
+    view->guard = perspective ? (uint64_t)ZS_GUARD_SUBPX
+                              : any_u64((uint64_t)ZS_GUARD_SUBPX, (uint64_t)ZS_GUARD_SUBPX << 40);
 }
 
 static void projected(int32_t z_lo, int32_t z_hi)

@@ -193,7 +193,9 @@ static struct zs_rect both(const struct zs_rect *a, const struct zs_rect *b)
     const int32_t x = a->x < b->x ? a->x : b->x, y = a->y < b->y ? a->y : b->y;
     const int32_t right = a->x + a->w > b->x + b->w ? a->x + a->w : b->x + b->w;
     const int32_t down = a->y + a->h > b->y + b->h ? a->y + a->h : b->y + b->h;
-    const struct zs_rect r = { .x = (uint16_t)x, .y = (uint16_t)y, .w = (uint16_t)(right - x), .h = (uint16_t)(down - y) };
+    const struct zs_rect r = {
+        .x = (uint16_t)x, .y = (uint16_t)y, .w = (uint16_t)(right - x), .h = (uint16_t)(down - y)
+    };
     return r;
 }
 
@@ -240,7 +242,10 @@ static void world_open(struct prng *p, uint16_t h, int walls)
     shapes(p);
     texels(p);
     for (int k = 0; k < 2; k++) {
-        const struct zs_depth_state s = { .func = (uint8_t)prng_pick(p, 3), .read_only = (uint8_t)prng_pick(p, 2), .bias = (int16_t)prng_range(p, -9, 9), .slope_bias = (int16_t)prng_range(p, -400, 400) };
+        const struct zs_depth_state s = { .func = (uint8_t)prng_pick(p, 3),
+                                          .read_only = (uint8_t)prng_pick(p, 2),
+                                          .bias = (int16_t)prng_range(p, -9, 9),
+                                          .slope_bias = (int16_t)prng_range(p, -400, 400) };
         world.state[k] = s;
     }
     for (int k = 0; k < INSTANCES; k++) {
@@ -443,7 +448,8 @@ static int plain_take(void *ctx, const struct zs_strip *s)
 /* Keys of a row. zs_damage_compare: they may change where colours do not. */
 static int keys_same(const struct glass *a, const struct glass *b, const struct hand *hand, int row)
 {
-    const int from = hand->sum ? (a->given[row] ? a->from[row] : a->w) : 0, end = hand->sum && a->given[row] ? a->end[row] : a->w;
+    const int from = hand->sum ? (a->given[row] ? a->from[row] : a->w) : 0,
+              end = hand->sum && a->given[row] ? a->end[row] : a->w;
     return memcmp(a->key + row * a->w + from, b->key + row * a->w + from, (size_t)(end - from) * 2) == 0;
 }
 
@@ -459,11 +465,12 @@ static int same(const struct glass *b, const struct hand *hand, int frame)
     const struct zs_config *c = &hand->config;
     for (int i = row * a->w; i < a->w * a->h; i++)
         if (a->color[i] != b->color[i] || a->key[i] != b->key[i])
-            return stress_wrong("frame %d: (%d, %d) of %dx%d is colour %04x key %u, not %04x %u; strips of %u, "
-                                "%u triangles, %u vertices, %u buffers, accelerators %#x, watch %d, track %d %d, sharing %d",
-                                frame, i % a->w, i / a->w, a->w, a->h, a->color[i], a->key[i], b->color[i], b->key[i],
-                                c->strip_h, c->max_tris, c->max_verts, c->buffers, hand->fasts, hand->sum != NULL,
-                                hand->track != NULL, hand->columns, hand->sharing);
+            return stress_wrong(
+                "frame %d: (%d, %d) of %dx%d is colour %04x key %u, not %04x %u; strips of %u, "
+                "%u triangles, %u vertices, %u buffers, accelerators %#x, watch %d, track %d %d, sharing %d",
+                frame, i % a->w, i / a->w, a->w, a->h, a->color[i], a->key[i], b->color[i], b->key[i], c->strip_h,
+                c->max_tris, c->max_verts, c->buffers, hand->fasts, hand->sum != NULL, hand->track != NULL,
+                hand->columns, hand->sharing);
     return 0;
 }
 

@@ -29,8 +29,8 @@ struct zs_depth {
     void (*inverses)(const struct zs_view *view, const struct zs_vertex *const v[3], uint32_t w[3]);
     /* The key of a vertex, uq16_16, where zs_vertex.d is something else; NULL: d is the key. */
     uint32_t (*key)(const struct zs_view *view, uint32_t d);
-    /* Where there is no depth memory: colours pixels in place of zs_rows_test, as zs_piece_fn. NULL:
-     * there is. */
+    /* Where there is no depth memory: colours pixels in place of zs_rows_test, as zs_piece_fn.
+     * NULL: there is. */
     void (*span)(struct zs_job *job, const struct zs_row *row, int32_t i0, int32_t i1, uint32_t sum,
                  uint32_t step);
 };

@@ -107,8 +107,8 @@ static ZS_RARE void strip_divisor(struct zs_renderer *r)
     r->strip_mul = (1u << n) / h + 1u; /* <= 2^19 + 1; times a row < 2^31.1 */
 }
 
-/* Those of the frame: the first of each kind. Bounds of keys, and first touch, need one pass with depth
- * memory. */
+/* Those of the frame: the first of each kind. Bounds of keys, and first touch, need one pass with
+ * depth memory. */
 static ZS_RARE void accelerators(struct zs_renderer *r)
 {
     r->touch = 0;

@@ -109,7 +109,7 @@ struct zs_job {
     zs_piece_fn *span;                        /* zs_rows_test, or what is in its place */
     zs_piece_fn *piece;                       /* the same, or what splits a row's pieces first */
     uint16_t *color, *depth;                  /* the viewport's part of the strip, row y0 first */
-    int32_t y0, y1, width; /* rows [y0, y1) of the frame: the viewport's in the strip; its columns */
+    int32_t y0, y1, width; /* the viewport's rows in the strip, counted in the frame; its columns */
     int32_t pitch;         /* pixels from a row of the strip to the next */
     int32_t row, cut_end, row_end; /* rows in the frame; spans of [row, cut_end) are in cut; to
                                       row_end in this strip */

@@ -15,7 +15,7 @@ struct zs_pass_kernel {
     void (*use)(struct zs_renderer *r, uint32_t number);
     /* While r->strip is drawn: the same, and the viewports of all passes up to it are cleared. */
     void (*reach)(struct zs_renderer *r, uint32_t number);
-    /* When it has been drawn: viewports of the other passes are cleared; the resolve hooks of all. */
+    /* When it has been drawn: the other passes' viewports are cleared; the resolve hooks of all. */
     void (*end)(struct zs_renderer *r);
 };
 

@@ -230,7 +230,8 @@ static ZS_RARE void cone_open(struct zs_renderer *r, const struct zs_bounds *b,
           1; /* D_all: |c| <= (|x| + |y| + |z| + the largest) / 2; <= 2^49 */
     uint64_t e = view->perspective
                      ? zs_muldiv_u64((uint64_t)all, (uint64_t)step << 22, camera->focal)
-                     : zs_muldiv_u64((uint64_t)camera->height, step, view->height * (uint64_t)(8 * ZS_SUBPX_HALF));
+                     : zs_muldiv_u64((uint64_t)camera->height, step,
+                                     view->height * (uint64_t)(8 * ZS_SUBPX_HALF));
     e += (((uint64_t)1 << 24) >> (view->shift + 3)) +
          2u; /* 32 camera units; shift is at least -3 */
     if (e >= (uint64_t)all)
