@@ -15,7 +15,10 @@
 #endif
 
 #ifndef ZS_VARYINGS_MAX
-#define ZS_VARYINGS_MAX 3 /* 16-bit attribute words a vertex */
+#define ZS_VARYINGS_MAX 3 /* 16-bit values a vertex that shaders may interpolate; at most 8 */
+#endif
+#if ZS_VARYINGS_MAX > 8
+#error "ZS_VARYINGS_MAX: at most 8"
 #endif
 
 /* 1: compiled for size (-Os): what arch/ has by table or by assembler is left to the compiler, and so is what is in line. */

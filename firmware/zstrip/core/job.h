@@ -118,7 +118,8 @@ struct zs_job {
     const struct zs_vertex *v[3]; /* the top one, then the others so that the area is positive */
     struct zs_plane key;          /* screen-linear mappings; half a bucket added */
     uint32_t key_limit;           /* no key of a vertex below it can saturate when rounded */
-    struct zs_plane c[3], w;      /* attributes, or attributes times w, and w (persp.h) */
+    struct zs_plane c[ZS_VARYINGS_MAX > 3 ? ZS_VARYINGS_MAX : 3], w; /* varyings, or varyings times
+                                                                        w, and w (persp.h) */
     uint32_t sub_log2;            /* of the sub-span; ZS_AFFINE: plain affine */
     const struct zs_fast *fast;   /* of the shader; NULL: none */
     int32_t bias;                 /* ... else buckets added to every key */
