@@ -1,6 +1,6 @@
 /* Write a shader: how triangles get their colours.
  *
- * A vertex stage gives each vertex up to ZS_VARYINGS_MAX values of 16 bits (varyings), a face
+ * A vertex stage gives each vertex up to ZS_VARYINGS_MAX (3, or 8 by -D) values of 16 bits (varyings), a face
  * stage one value a triangle. Varyings are interpolated perspective-correctly. A fragment stage
  * colours one visible pixel after another:
  *
@@ -8,7 +8,7 @@
  *                                            ZS_FRAGMENTS, .n_varyings = 2 };
  *
  * Uniforms: a material of yours that begins with a struct zs_material; a stage finds it by
- * instance->material. Stages are called in no order that may be relied on, a vertex or face more
+ * instance->material. zs_damage_track does not see uniforms change: call zs_invalidate then. Stages are called in no order that may be relied on, a vertex or face more
  * than once, only for what may be seen. They must depend on nothing but what they are given, or
  * frames depend on strips and pools. Integers only; no stage may call the renderer.
  * firmware/examples/user_shader.c is a shader in twenty lines.
@@ -53,10 +53,15 @@ struct zs_shader {
     int (*check)(const struct zs_instance *instance, const struct zs_config *config);
     /* Textures of the library: n pixels times light, uq1_31, which changes by step; NULL: none. */
     void (*light)(uint16_t *out, int32_t n, uint32_t level, uint32_t step);
-    uint8_t n_varyings; /* varyings, 0 .. ZS_VARYINGS_MAX; config.varyings must be as many */
+    uint8_t n_varyings; /* 0 .. ZS_VARYINGS_MAX, 1 or more with vertex; config.varyings must be as
+                           many */
+    uint8_t opaque; /* 1: every pixel that has won the test is coloured, and its old colour is not read.
+                       Accelerators may then leave out what it hides. 0 is right for any shader; from
+                       the first instance with 0 on, the frame goes without zs_fast_tiles */
+    uint8_t by_fragment; /* set by ZS_FRAGMENTS */
 };
 
-#define ZS_FRAGMENTS .start = zs_fragments_start, .run = zs_fragments_run
+#define ZS_FRAGMENTS .start = zs_fragments_start, .run = zs_fragments_run, .by_fragment = 1
 void zs_fragments_start(struct zs_job *job);
 void zs_fragments_run(struct zs_job *job, const struct zs_row *row, int32_t from, int32_t to);
 

@@ -187,9 +187,10 @@ static ZS_RARE int instance_check(const struct zs_renderer *r, const struct zs_i
     if ((!mesh->pos && mesh->n_verts) || (!mesh->tri && mesh->n_tris) || mesh->n_verts > 65535u ||
         material->cull > ZS_CULL_NONE)
         return ZS_ERR_MESH;
-    if (!material->shader->run)
+    const struct zs_shader *shader = material->shader;
+    if (!shader->run || (shader->by_fragment && !shader->fragment))
         return ZS_ERR_NULL;
-    if (material->shader->n_varyings > r->config.varyings)
+    if (shader->n_varyings > r->config.varyings || (shader->vertex && !shader->n_varyings))
         return ZS_ERR_VARYINGS;
     if (in->depth_state && in->depth_state->func > ZS_DEPTH_ALWAYS)
         return ZS_ERR_RANGE;

@@ -16,6 +16,7 @@
 #include "core/raster.h"
 #include "core/walk.h"
 #include "core/xform.h"
+#include "zs_shader.h"
 
 /* Where a walk is. */
 struct cursor {
@@ -57,8 +58,8 @@ static ZS_RARE ZS_NOINLINE int instance_open(struct zs_renderer *r, uint32_t num
     }
     if (zs_cull_walk(&b, r, number))
         return 0;
-    if (state && state->func == ZS_DEPTH_ALWAYS) {
-        r->tiles = 0; /* nothing bounds the keys that it leaves */
+    if (!in->material->shader->opaque || (state && state->func == ZS_DEPTH_ALWAYS)) {
+        r->tiles = 0; /* what it hides may be seen; nothing bounds the keys that it leaves */
         r->large = 0;
         r->refit = 1;
     }

@@ -280,7 +280,7 @@ static void texture_start(struct zs_job *job)
 #define TEXTURE(vertex_, face_, check_, light_, n)                                                 \
     {                                                                                              \
         .vertex = vertex_, .face = face_, .start = texture_start, .run = zs_texture_run,           \
-        .check = check_, .light = light_, .n_varyings = n                                          \
+        .check = check_, .light = light_, .n_varyings = n, .opaque = 1                                          \
     }
 
 const struct zs_shader zs_shade_texture = TEXTURE(texture_vertex, 0, texture_check, 0,
