@@ -158,14 +158,11 @@ struct zs_renderer { /* what is used most comes first: a Cortex-M0 reaches 31 by
     uint16_t *attr;          /* [max_verts][varyings] */
 
     const struct zs_scene *scene; /* borrowed from begin to end; NULL: no frame is open; of the pass in hand */
-    uint32_t n_instances;         /* of all passes */
-    uint32_t first, end;          /* instances of the pass in hand */
     const struct zs_pass_kernel *passes; /* NULL: one pass, the whole frame */
-    const struct zs_pass *pass;   /* [n_passes], borrowed as scene is */
-    struct zs_pass_memory *pass_memory; /* [n_passes], the caller's */
-    uint16_t n_passes, pass_now;  /* the one in hand */
-    uint16_t passes_begun;        /* in the strip in hand: so many have been cleared for */
-    uint8_t refit;                /* 1: the frame left out accelerators that the next one may have */
+    struct zs_pass_memory *pass_memory;  /* of all passes, the caller's; the first one holds their list */
+    uint16_t n_instances; /* of all passes */
+    uint16_t first;       /* of the pass in hand: its first instance's number */
+    uint8_t refit;        /* 1: the frame left out accelerators that the next one may have */
     struct zs_xform xform;
     struct zs_shading shading; /* of the current instance */
     struct zs_view view;

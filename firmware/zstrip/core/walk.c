@@ -144,11 +144,9 @@ ZS_RARE void zs_walk(struct zs_renderer *r)
     zs_bin_empty(r);
     r->band_end = r->draw_end;
     r->stats.passes++;
-    r->walk_x = r->walk_most = 0;
+    r->walk_most = 0;
     r->walk_least = r->config.width;
-    r->walk_end = r->view.width;
-    r->walk_y = r->view.y;
-    r->walk_y_end = (uint16_t)(r->view.y + r->view.height);
+    zs_walk_region(r);
     for (at.instance = 0; at.instance < r->n_instances;) {
         if (r->passes)
             r->passes->use(r, at.instance);
