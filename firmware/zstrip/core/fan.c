@@ -50,12 +50,12 @@ static ZS_RARE ZS_SHARED int64_t piece_area(const struct polygon *p, const uint8
 
 /* The snapped polygon's area, and in *fan the corners from one on whose fan has no piece of the
  * other sense: rounding can turn a corner inwards by a sub-pixel. The first such from the least
- * (y, x) on, so that it does not matter which corner the triangle begins with. A polygon seen nearly
- * edge-on may have none, because snapping made it cross itself, and its snapped area may even have
- * the wrong sign: then the sense of the triangle before it was cut counts, and pieces of the other
- * sense are dropped (polygon_bin). That leaves no hole: the samples of the right sense are all in
- * pieces of the right sense, whose signed sum the polygon is; it can draw beyond a thin polygon's
- * edge, by less than a sub-pixel's width. */
+ * (y, x) on, so that it does not matter which corner the triangle begins with. A polygon seen
+ * nearly edge-on may have none, because snapping made it cross itself, and its snapped area may
+ * even have the wrong sign: then the sense of the triangle before it was cut counts, and pieces of
+ * the other sense are dropped (polygon_bin). That leaves no hole: the samples of the right sense
+ * are all in pieces of the right sense, whose signed sum the polygon is; it can draw beyond a thin
+ * polygon's edge, by less than a sub-pixel's width. */
 static ZS_RARE int64_t fan_corner(const struct polygon *p, int sense,
                                   uint8_t around[2 * ZS_CLIP_MAX], const uint8_t **fan)
 {

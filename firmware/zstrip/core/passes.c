@@ -1,10 +1,10 @@
 /* Frames in several passes.
  *
- * One walk bins the triangles of all passes, one pass after the other; instances are numbered through
- * all passes. Columns count from the viewport's left side, so that a pass is worked on as a frame of
- * the viewport's size is; rows count from the frame's top, so that bins are those of the frame. In a
- * strip, the number of a triangle's instance says where the next pass begins: its viewport is cleared,
- * once a strip, and its view is loaded.
+ * One walk bins the triangles of all passes, one pass after the other; instances are numbered
+ * through all passes. Columns count from the viewport's left side, so that a pass is worked on as a
+ * frame of the viewport's size is; rows count from the frame's top, so that bins are those of the
+ * frame. In a strip, the number of a triangle's instance says where the next pass begins: its
+ * viewport is cleared, once a strip, and its view is loaded.
  *
  * SPDX-License-Identifier: MIT
  */

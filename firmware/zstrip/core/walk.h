@@ -7,9 +7,11 @@
 
 #include "zstrip.h"
 
-/* Traverse the scene and bin the triangles that begin in strips [r->strip, r->band_end). If a pool
- * gets full, the band shrinks. If the band is a single strip and a pool is still full, the binned
- * triangles are drawn, and traversal goes on with empty pools. */
+/* Traverse the scene and bin its triangles in strips [r->strip, r->band_end). The band begins with
+ * all strips up to r->draw_end. If a pool gets full, the band shrinks. If the band is a single
+ * strip and a pool is still full, the binned triangles are drawn, and traversal goes on with empty
+ * pools.
+ */
 void zs_walk(struct zs_renderer *r);
 
 #endif
