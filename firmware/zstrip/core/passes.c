@@ -1,10 +1,10 @@
 /* Frames in several passes.
  *
- * One walk bins the triangles of all passes, one pass after the other; instances are numbered
- * through all passes. Columns count from the viewport's left side, so that a pass is worked on as a
- * frame of the viewport's size is; rows count from the frame's top, so that bins are those of the
- * frame. In a strip, the number of a triangle's instance says where the next pass begins: its
- * viewport is cleared, once a strip, and its view is loaded.
+ * One traversal bins the triangles of all passes, one pass after the other. Instances are numbered
+ * through all passes. Columns count from the viewport's left side, so that a pass is drawn like a
+ * frame of the viewport's size. Rows count from the frame's top, so that all passes share the
+ * frame's bins. While a strip is drawn, the number of a triangle's instance tells where the next
+ * pass begins. Its view is then loaded, and its viewport is cleared, once for each strip.
  *
  * SPDX-License-Identifier: MIT
  */
@@ -18,6 +18,7 @@
 #include "core/view.h"
 #include "zs_pass.h"
 
+/* Make pass k the current one. */
 static void load(struct zs_renderer *r, uint32_t k)
 {
     const struct zs_pass_memory *m = &r->pass_memory[k];
@@ -35,6 +36,7 @@ static void load(struct zs_renderer *r, uint32_t k)
     zs_frame_forget_edges(r);
 }
 
+/* Load the pass of an instance, unless it is the current one. */
 static void pass_use(struct zs_renderer *r, uint32_t number)
 {
     uint32_t k = 0;
@@ -45,7 +47,8 @@ static void pass_use(struct zs_renderer *r, uint32_t number)
     load(r, k);
 }
 
-/* Clear the viewports of passes up to k; the last of them is loaded then. */
+/* Clear the viewports of the passes up to k that are not cleared yet. The last of them is then the
+ * current pass. */
 static void clear_to(struct zs_renderer *r, uint32_t k)
 {
     for (; r->passes_begun <= k; r->passes_begun++) {
@@ -66,7 +69,7 @@ static void clear_to(struct zs_renderer *r, uint32_t k)
 static void pass_begin(struct zs_renderer *r)
 {
     load(r, 0);
-    r->passes_begun = 1; /* the whole strip is cleared for the first */
+    r->passes_begun = 1; /* for the first pass, the whole strip is cleared */
 }
 
 static void pass_reach(struct zs_renderer *r, uint32_t number)
@@ -89,7 +92,7 @@ static const struct zs_pass_kernel kernel = {
     .begin = pass_begin, .use = pass_use, .reach = pass_reach, .end = pass_end
 };
 
-/* Viewport and mapping of a pass into r->view. */
+/* Set viewport and depth mapping of a pass in r->view. */
 static int target_set(struct zs_renderer *r, const struct zs_pass *p)
 {
     const struct zs_rect *v = &p->viewport;

@@ -8,7 +8,8 @@
 #include "core/fx.h"
 #include "zstrip.h"
 
-/* Return 1 if the rows have length 1 and are orthogonal, to 2^-20. */
+/* Return 1 if the rows have length 1 and are orthogonal, to 2^-20, and form a right-handed system.
+ */
 int zs_rotation_ok(const zs_q2_30 m[9]);
 /* out = a * b, nearest. out is neither a nor b. */
 void zs_rotation_mul(zs_q2_30 out[9], const zs_q2_30 a[9], const zs_q2_30 b[9]);
