@@ -42,7 +42,7 @@
  *   d . A >= C |d| + 128 r + (128 + C) M                                              (*)
  *
  * E, in world units, has two parts. Snapping: 1/2 step of 2^snap sub-pixels, and less than 2^-8 of
- * a sub-pixel of arithmetic, in each direction, times sqrt 2: below 3/4 2^snap, times distance /
+ * a step for arithmetic, in each direction, times sqrt 2: below 3/4 2^snap, times distance /
  * focal length. And 32 camera units for the rounding in core/xform.c (3 for each axis, twice that
  * where it is divided by a ratio above 1/2, sqrt 3 for three axes). D is at most D_all, the far
  * side of the mesh's sphere. The position of the eye in mesh axes has an error of b->slack and of 6
