@@ -34,8 +34,9 @@ static void glass_fragment(const struct zs_instance *instance, struct zs_fragmen
     *f->color = (uint16_t)(*f->color * 3u + (f->v[1] >> 9) + f->paint);
 }
 
-const struct zs_shader glass_shader = { .vertex = own_vertex, .face = own_face, .fragment = glass_fragment, ZS_FRAGMENTS,
-                                        .n_varyings = 3 };
+const struct zs_shader glass_shader = {
+    .vertex = own_vertex, .face = own_face, .fragment = glass_fragment, ZS_FRAGMENTS, .n_varyings = 3
+};
 
 void own_fill(void *ctx, uint16_t *out, uint16_t x, uint16_t y, uint16_t n)
 {

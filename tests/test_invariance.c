@@ -356,8 +356,8 @@ static void random_set(struct prng *p)
     for (int n = 0; n < INSTANCES; n++) {
         const uint32_t of = n ? prng_pick(p, 4) : prng_pick(p, 2); /* a wall comes first in every other */
         const int32_t z = n || of ? prng_range(p, 2000, 30000) : prng_range(p, 300, 5000);
-        add(&set.shape[of], shaders[prng_pick(p, 6) ? prng_pick(p, 6) : 6 + prng_pick(p, 2)], prng_range(p, -z, z), prng_range(p, -z / 3, z / 3), -z,
-            prng_pick(p, 3));
+        add(&set.shape[of], shaders[prng_pick(p, 6) ? prng_pick(p, 6) : 6 + prng_pick(p, 2)], prng_range(p, -z, z),
+            prng_range(p, -z / 3, z / 3), -z, prng_pick(p, 3));
         if (of == 0 && prng_pick(p, 3)) /* to the eye */
             zs_pose_turn(&set.instance[n].pose, (zs_turn)prng_range(p, -2000, 2000), 0, 0);
         if (!prng_pick(p, 8))

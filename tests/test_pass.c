@@ -304,7 +304,8 @@ static void places_are_of_the_frame(void **state)
         assert_int_equal(pixels[1], 50 * 30);
         assert_int_equal(hooks, 2 * 50 * 30);
         picture_free(&got);
-        const struct zs_pass twice[2] = { pass[0], { .scene = &scene[0], .camera = &camera, .viewport = { 0, 0, 9, 9 } } };
+        const struct zs_pass twice[2] = { pass[0],
+                                          { .scene = &scene[0], .camera = &camera, .viewport = { 0, 0, 9, 9 } } };
         pixels[0] = 0;
         got = picture_passes(&c, twice, 2);
         assert_int_equal(got.err, ZS_OK);

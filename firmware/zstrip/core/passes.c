@@ -1,10 +1,10 @@
 /* Frames in several passes.
  *
- * One walk bins the triangles of all passes, one pass after the other; instances are numbered through
- * all passes. Columns count from the viewport's left side, so that a pass is worked on as a frame of
- * the viewport's size is; rows count from the frame's top, so that bins are those of the frame. In a
- * strip, the number of a triangle's instance says where the next pass begins: its viewport is cleared,
- * once a strip, and its view is loaded.
+ * One traversal bins the triangles of all passes, one pass after the other. Instances are numbered
+ * through all passes. Columns count from the viewport's left side, so that a pass is drawn like a
+ * frame of the viewport's size. Rows count from the frame's top, so that all passes share the
+ * frame's bins. While a strip is drawn, the number of a triangle's instance tells where the next
+ * pass begins. Its view is then loaded, and its viewport is cleared, once for each strip.
  *
  * SPDX-License-Identifier: MIT
  */
@@ -19,6 +19,7 @@
 #include "core/walk.h"
 #include "zs_pass.h"
 
+/* Make pass k the current one. */
 static void load(struct zs_renderer *r, uint32_t k)
 {
     struct zs_pass_memory *const list = r->pass_memory, *const m = &list[k];
@@ -32,6 +33,7 @@ static void load(struct zs_renderer *r, uint32_t k)
     zs_frame_forget_edges(r);
 }
 
+/* Load the pass of an instance, unless it is the current one. */
 static void pass_use(struct zs_renderer *r, uint32_t number)
 {
     const struct zs_pass_memory *const list = r->pass_memory;
@@ -97,7 +99,7 @@ static const struct zs_pass_kernel kernel = {
     .begin = pass_begin, .use = pass_use, .reach = pass_reach, .end = pass_end
 };
 
-/* Viewport and mapping of a pass into r->view. */
+/* Set viewport and depth mapping of a pass in r->view. */
 static int target_set(struct zs_renderer *r, const struct zs_pass *p)
 {
     const struct zs_rect *v = &p->viewport;

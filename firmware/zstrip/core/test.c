@@ -1,9 +1,9 @@
-/* The depth test: which pixels of a span win, under any depth state, and handing over runs of them
- * to the shader.
+/* The depth test of a span's pixels, with any depth state. Runs of pixels that pass go to the
+ * shader.
  *
- * The triangles of a strip are drawn in scene order, and sets from pools that are too small follow
- * each other in scene order, so the outcome is that of drawing one after another, whatever strips
- * and pools are.
+ * The triangles of a strip are drawn in scene order. If the pools are too small for the scene, it
+ * is drawn in several sets, which are in scene order too. So the picture is that of drawing all
+ * triangles one after another, whatever strip height and pool sizes are.
  *
  * SPDX-License-Identifier: MIT
  */
@@ -13,7 +13,7 @@
 #include "core/rows.h"
 #include "zs_shader.h"
 
-#define BIAS_MAX 65536 /* buckets: beyond it, all keys stop at an end anyway */
+#define BIAS_MAX 65536 /* buckets: a larger bias would only saturate every key */
 
 ZS_RARE int32_t zs_depth_state_bias(const struct zs_job *job)
 {
@@ -35,7 +35,8 @@ ZS_RARE int32_t zs_depth_state_bias(const struct zs_job *job)
     return (int32_t)zs_held64(state->bias + slope, BIAS_MAX);
 }
 
-/* Whether a key wins its pixel, and its writing. */
+/* Depth-test a key, and write it if the pixel passes and the depth state allows. Return 1: passed.
+ */
 static inline int wins(const struct zs_job *job, uint32_t key, uint32_t top, uint16_t *depth)
 {
     const struct zs_depth_state *state = job->depth_state;
@@ -62,7 +63,7 @@ void zs_rows_test(struct zs_job *job, const struct zs_row *row, int32_t i0, int3
     const struct zs_shader *shader = job->shader;
     const uint32_t top = (job->r->view.key_top >> 16) - 1u;
     uint16_t *const line = job->depth + row->at;
-    for (int32_t i = i0; i < i1; i++, sum += step) { /* at a pixel that lost */
+    for (int32_t i = i0; i < i1; i++, sum += step) { /* the step skips the pixel that failed */
         const int32_t from = i;
         for (; i < i1 && wins(job, sum >> 16, top, &line[i]); sum += step)
             i++;
