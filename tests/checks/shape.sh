@@ -15,7 +15,7 @@ FUNCTION_MAX=${FUNCTION_MAX:-64}   # lines of code of a function, from { to }; t
 COLUMNS_MAX=${COLUMNS_MAX:-133}    # columns of a line in firmware/zstrip; the goal is 100
 COLUMNS_MANY=${COLUMNS_MANY:-44}    # ... and lines that have more
 ELSE_MAX=${ELSE_MAX:-239}          # columns of a line of what else is written here; the goal is 120
-ELSE_MANY=${ELSE_MANY:-312}
+ELSE_MANY=${ELSE_MANY:-314}
 
 # "FILE lines code" of each file; of each function "function FILE:LINE NAME code"
 lines() {
@@ -52,6 +52,8 @@ code() { # PATTERN of files: their lines of code
 awk 'NF == 3 { split($1, p, "/"); d = index($1, "/") ? p[1] "/" : "public headers"; files[d]++; code[d] += $3; lines[d] += $2 }
     END { for (d in files) printf "  %-16s %3d files %6d lines %6d of code\n", d, files[d], lines[d], code[d] }' "$B/shape.txt" | sort
 within "core/ and public headers, lines of code" "$(code '^core/|^[^/]*$')" "$CORE_MAX"
+# Object files of a build without folders would overwrite each other.
+none "files of firmware/zstrip have names of their own" "$(find firmware/zstrip -name '*.c' -exec basename {} \; | sort | uniq -d)"
 within "firmware/zstrip, lines of code" "$(code .)" "$ALL_MAX" 7000
 within "shade/, lines of code" "$(code ^shade/)" "$SHADE_MAX"
 

@@ -366,7 +366,7 @@ int zs_frame_skip(struct zs_renderer *r)
     if (r->strip == r->n_strips)
         return 0;
     if (r->strip < r->band_end)
-        zs_raster_pass(r);
+        zs_raster_leave(r);
     r->strip++;
     r->stats.strips++;
     r->stats.strips_skipped++;

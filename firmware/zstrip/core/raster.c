@@ -178,7 +178,7 @@ static uint16_t take_list(struct zs_renderer *r)
     return list;
 }
 
-void zs_raster_pass(struct zs_renderer *r)
+void zs_raster_leave(struct zs_renderer *r)
 {
     r->active = take_list(r); /* also those that end here; they have no row in a strip below */
 }

@@ -319,7 +319,7 @@ static int track_due(struct zs_renderer *r)
         r->stats.strips_clean++;
         r->stats.strips_skipped++;
         if (r->strip < r->band_end)
-            zs_raster_pass(r);
+            zs_raster_leave(r);
     }
     return draw;
 }

@@ -1,8 +1,8 @@
 /* The small-triangle fast path: triangles of up to 64 pixels in each direction are set up and drawn
  * by one function. For them, a call for each stage of the core would cost more than the pixels. The
  * picture is the same, bit for bit. It is for cores with a divide instruction; on others, stepping
- * by remainders is faster (core/edges.c). fast/solid.c uses it for triangles of one colour,
- * fast/texture.c for textured ones. Internal.
+ * by remainders is faster (core/edges.c). fast/fast_solid.c uses it for triangles of one colour,
+ * fast/fast_texture.c for textured ones. Internal.
  *
  * The columns of an edge are computed as in core/edges.c, but count from ZS_TINY_SIDE left of the
  * top vertex, so that the numerator is positive. Extents are at most ZS_TINY = 2^14 sub-pixels, and
