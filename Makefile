@@ -4,18 +4,19 @@ B = build
 CFLAGS = -O2 -g
 WARN = -Wall -Wextra -Werror -Wconversion -Wshadow -Wvla -Wstrict-prototypes \
        -Wmissing-prototypes -Wdouble-promotion -Wno-missing-field-initializers
-INC = -Ifirmware/zstrip -Ifirmware/examples -Ifirmware/scenes -Ihal -Ihal/panel -Ihal/fault -I$(B)/gen -Isim -Isim/reference -Isim/panel_model
+SIM_DIRS = cli load convert frame panel budget study compare lab reference panel_model
+INC = -Ifirmware/zstrip -Ifirmware/examples -Ifirmware/scenes -Ihal -Ihal/panel -Ihal/fault -I$(B)/gen $(SIM_DIRS:%=-Isim/%)
 CORE = $(wildcard firmware/zstrip/*/*.c)
 SCENES = $(wildcard firmware/scenes/*.c)
 PANELS = $(wildcard hal/panel/*.c)
-SIM = $(wildcard sim/*.c sim/reference/*.c sim/panel_model/*.c) firmware/scenes/gen/font.c
+SIM = $(wildcard $(SIM_DIRS:%=sim/%/*.c)) firmware/scenes/gen/font.c
 GEN = $(wildcard firmware/scenes/gen/*.c)
 # zstrip-linux: libgpiod's version 1 or 2 decides which of hal/linux's two files is taken. LINUX_SIM: what it needs of
 # sim where it is built without models (-DLINUX_MODELS=0)
 GPIOD = $(firstword $(subst ., ,$(shell pkg-config --modversion libgpiod 2>/dev/null)))
 LINUX = $(filter-out hal/linux/gpio_v%,$(wildcard hal/linux/*.c)) $(wildcard sim/linux/*.c)
-LINUX_SIM = $(wildcard sim/panel_model/*.c) sim/option_table.c sim/panel_bus.c sim/panel_frame.c sim/sim.c sim/value.c
-HEADERS = $(wildcard firmware/*/*.h firmware/zstrip/*/*.h firmware/scenes/gen/*.h hal/*.h hal/*/*.h sim/*.h sim/*/*.h tests/*.h tests/*/*.h)
+LINUX_SIM = $(wildcard sim/panel_model/*.c) sim/cli/option_table.c sim/panel/panel_bus.c sim/panel/panel_frame.c sim/cli/sim.c sim/cli/value.c
+HEADERS = $(wildcard firmware/*/*.h firmware/zstrip/*/*.h firmware/scenes/gen/*.h hal/*.h hal/*/*.h sim/*/*.h tests/*.h tests/*/*.h)
 LIBS = -lassimp -lmeshoptimizer -lpng -lturbojpeg -lm -pthread
 
 # An object depends on the headers that it includes, as the compiler noted them beside it (.d; HEADERS are for what is
@@ -147,8 +148,8 @@ accuracy: sim
 report: $(B)/.setup-report
 	@$(MAKE) --no-print-directory -j2 $(B)/zsim study-variants
 	@for s in depth stability; do $(B)/zsim study $$s --redo --out $(B)/study || exit 1; done
-	@sh sim/study.sh $(B) memory --redo
-	@CORES='m3 m0 pico host' sh sim/study.sh $(B) time --full --redo
+	@sh sim/study/study.sh $(B) memory --redo
+	@CORES='m3 m0 pico host' sh sim/study/study.sh $(B) time --full --redo
 
 SHOW = $(MAKE) --no-print-directory -s -f firmware/boards/firmware.mk B=$(B) BOARD=$(BOARD) APP=show SCENE=$(SCENE) \
        $(if $(APP_SCENE),APP_SCENE=$(APP_SCENE)) $(if $(LEAN),LEAN=$(LEAN)) $(if $(CORES),CORES=$(CORES))
@@ -253,10 +254,10 @@ $(B)/libmeshes.a: $(B)/gen/meshes.h
 	@rm -f $@ && ar rcs $@ $(B)/gen/mesh_*.o
 
 # Rows of studies say which sources they were measured with
-$(B)/gen/study_build.h: $(CORE) $(SCENES) $(wildcard sim/*.c sim/reference/*.c) $(GEN) $(filter-out tests/%,$(HEADERS))
+$(B)/gen/study_build.h: $(CORE) $(SCENES) $(filter sim/%,$(SIM)) $(GEN) $(filter-out tests/%,$(HEADERS))
 	@mkdir -p $(B)/gen
 	@cat $^ | cksum | awk '{ printf "#define STUDY_BUILD \"%08x\"\n", $$1 }' >$@
-$(B)/sim/sim/study.o $(B)/test/sim/study.o $(B)/fuzz/clang/sim/study.o: $(B)/gen/study_build.h
+$(B)/sim/sim/study/study.o $(B)/test/sim/study/study.o $(B)/fuzz/clang/sim/study/study.o: $(B)/gen/study_build.h
 
 SIM_CC = $(CC) -std=gnu11 $(CFLAGS) $(WARN) $(INC) -DZS_STATS=1
 SIM_NOTE := $(call note,$(B)/sim/cc,$(SIM_CC))
@@ -274,8 +275,8 @@ STUDY_recip16 = -DZS_RECIP_STEPS=0
 STUDY_texels30 = -DZS_TEXEL_COARSE_LOG2=0
 STUDY_texels15 = -DZS_TEXEL_COARSE_LOG2=31
 STUDY_BUILDS = bound2 bound5 recip16 texels30 texels15
-STUDY_OF = $(patsubst %.c,$(1)/%.o,$(CORE) sim/study_time.c)
-STUDY_REST = $(patsubst %.c,$(B)/sim/%.o,$(SCENES) $(PANELS) $(filter-out sim/study_time.c,$(SIM))) $(B)/libmeshes.a
+STUDY_OF = $(patsubst %.c,$(1)/%.o,$(CORE) sim/study/study_time.c)
+STUDY_REST = $(patsubst %.c,$(B)/sim/%.o,$(SCENES) $(PANELS) $(filter-out sim/study/study_time.c,$(SIM))) $(B)/libmeshes.a
 study-variants: $(STUDY_BUILDS:%=$(B)/study/%/zsim)
 define study_build
 $(B)/study/$(1)/%.o: %.c $(SIM_NOTE) | $(B)/gen/meshes.h
@@ -289,7 +290,7 @@ $(foreach v,$(STUDY_BUILDS),$(eval $(call study_build,$(v))))
 
 $(B)/sim/hal/linux/%.o $(B)/sim/sim/linux/%.o: INC += -Ihal/linux -Isim/linux -pthread
 $(B)/zstrip-linux: $(patsubst %.c,$(B)/sim/%.o,$(LINUX) hal/linux/gpio_v$(GPIOD).c $(CORE) $(SCENES) $(PANELS) \
-                                                $(filter-out sim/main.c,$(SIM))) $(B)/libmeshes.a
+                                                $(filter-out sim/cli/main.c,$(SIM))) $(B)/libmeshes.a
 	@$(CC) $(CFLAGS) -pthread $^ $(LIBS) $$(pkg-config --libs libgpiod) -o $@
 	@echo 'built $@'
 # What a cross compiler takes besides $(B)/gen's meshes and hal/linux/gpio_v1.c or gpio_v2.c

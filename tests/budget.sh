@@ -292,7 +292,7 @@ awk 'NR > 1 && /  vertex to the screen, depth float/ {
     END { exit bad || !seen }' stdout || wrong "a vertex costs $(grep 'depth float$' stdout)"
 begin error_is_stated
 # the RP2040's, the last
-stated=$(sed -n 's/^static const double stage_error.* \([0-9.]*\) };$/\1/p' "$top/sim/stage_costs.h")
+stated=$(sed -n 's/^static const double stage_error.* \([0-9.]*\) };$/\1/p' "$top/sim/budget/stage_costs.h")
 budget --scene cubes --part rp2040
 is "percent" "$(sed -n 's/^  Of the demo .* none is more than \([0-9]*\) % off on this core.$/\1/p' stdout)" \
     "$(awk -v e="$stated" 'BEGIN { n = int(e); print n < e ? n + 1 : n }')"

@@ -232,9 +232,9 @@ variant || wrong "the default does not build"
 begin study_time_counted
 cores=m3
 ! command -v valgrind >/dev/null || cores='m3 host'
-(cd "$top" && ZSIM=$zsim OUT=$work/counted CORES=$cores sh sim/study.sh "$build" time --quick) >stdout 2>stderr
+(cd "$top" && ZSIM=$zsim OUT=$work/counted CORES=$cores sh sim/study/study.sh "$build" time --quick) >stdout 2>stderr
 status=$?
-last=" sim/study.sh BUILD time --quick"
+last=" sim/study/study.sh BUILD time --quick"
 [ $status -eq 0 ] || wrong "status $status: $(said)"
 finds_nothing 'NR > 1 && !($26 > 500000 && $26 < 20000000) { print "row", NR, $26 }
     END { if (NR < 12) print NR, "rows" }' counted/time.csv

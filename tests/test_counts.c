@@ -11,7 +11,7 @@
 
 #include <cmocka.h>
 
-#include "counts.h"
+#include "pixel_counts.h"
 #include "internals.h"
 #include "fast_lists.h"
 #include "scenes.h"

@@ -112,7 +112,50 @@ static void a_shader_of_the_users(void **state)
     assert_rows(&p, 4, 12, rows, ring_or_not);
 }
 
+static char color_of(uint32_t c)
+{
+    static const char letter[] = ".bgcrmyw"; /* red, green, blue: a bit each */
+    return letter[(c >> 15 & 1u) << 2 | (c >> 10 & 1u) << 1 | (c >> 4 & 1u)];
+}
+
+static void two_pictures_in_one_frame(void **state)
+{
+    static const char *const rows[] = {
+        "bbrrrrrrrrrrrrrrrr...bbb......wwwwwwwwwwwwwwww..",
+        "brrrrrrrrrrrrrrrrr...bbb......wwwwwwwwwwwwwwwww.",
+        "brrrrrrrrrrrrrrrrr....bb......wwwwwwwwwwwwwwwww.",
+        "brrrrrrrrrrrrrrrrr....bb......wwwwwwwwwwwwwwwww.",
+        "rrrrrrrrrrrrrrrrrr....bb......wwwwwwwwwwwwwwwwww",
+        "rrrrrrrrrrrrrrrrrr....bb......wwwwwwwwwwwwwwwwww",
+        "rrrrrrrrrrrrrrrrr.....bb.......wwwwwwwwwwwwwwwww",
+        "rrrrrrrrrrrrrrrrr.....bb.......wwwwwwwwwwwwwwwww",
+    };
+    (void)state;
+    static struct panel p;
+    const struct zs_sink sink = { .submit = take, .ctx = &p };
+    assert_int_equal(example_split_screen(0, &sink), ZS_OK);
+    assert_int_equal(p.pixels, EXAMPLE_W * EXAMPLE_H);
+    assert_rows(&p, 16, 8, rows, color_of);
+}
+
+static void without_depth_memory(void **state)
+{
+    static const char *const rows[] = {
+        ".........rrrrrrrrrrrrr..........................",
+        ".........rrrrrrrrgggggggggggggg.................",
+        ".........rrrrrrrrgggggggggbbbbbbbbbbbbbbbb......",
+        ".........rrrrrrrrgggggggggbbbbbbbbbbbbbbbb......",
+    };
+    (void)state;
+    static struct panel p;
+    const struct zs_sink sink = { .submit = take, .ctx = &p };
+    assert_int_equal(example_no_depth(0, &sink), ZS_OK);
+    assert_rows(&p, 4, 4, rows, color_of);
+}
+
 static const struct CMUnitTest tests[] = {
+    cmocka_unit_test(two_pictures_in_one_frame),
+    cmocka_unit_test(without_depth_memory),
     cmocka_unit_test(a_shader_of_the_users),
     cmocka_unit_test(a_sky_is_a_function_of_the_row),
     cmocka_unit_test(a_counter_costs_its_rectangle),

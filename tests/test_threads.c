@@ -15,7 +15,7 @@
 #include "frame.h"
 #include "prng.h"
 #include "scenes.h"
-#include "share.h"
+#include "scene_share.h"
 #include "zs_check.h"
 
 #define W 96

@@ -7,7 +7,7 @@ SAN_QUICK = -O2 -fsanitize=signed-integer-overflow,shift,bounds,integer-divide-b
 TEST_CC = $(CC) -std=gnu11 -O1 -g1 $(SAN) -Wall -Wextra -Werror -Wshadow -Wno-missing-field-initializers $(INC) -Itests \
           -DZS_STATS=1 '-DZS_ASSERT(c)=((c)?(void)0:__builtin_trap())'
 TESTS = $(wildcard tests/test_*.c)
-MODEL = $(wildcard sim/panel_model/*.c) sim/panel_bus.c hal/fault/fault.c
+MODEL = $(wildcard sim/panel_model/*.c) sim/panel/panel_bus.c hal/fault/fault.c
 TEST_HELP = $(filter-out $(TESTS) tests/checksum.c,$(wildcard tests/*.c))
 t = $(patsubst %.c,$(B)/test/%.o,$(1))
 
@@ -41,8 +41,8 @@ $(B)/test/test_xform_narrow: $(NARROW:%.c=$(B)/test/narrow/%.o) $(B)/test/libtes
 	@$(CC) $(SAN) -Wl,--start-group $^ -Wl,--end-group -lcmocka -lm -o $@
 $(B)/test/test_examples: $(call t,$(wildcard firmware/examples/*.c))
 $(B)/test/test_pass: $(call t,tests/fuzz/world.c)
-$(B)/test/test_counts: $(call t,sim/counts.c sim/frame.c sim/share.c sim/sim.c)
-$(B)/test/test_threads $(B)/test/test_golden: $(call t,sim/frame.c sim/share.c sim/sim.c)
+$(B)/test/test_counts: $(call t,sim/frame/pixel_counts.c sim/frame/frame.c sim/frame/scene_share.c sim/cli/sim.c)
+$(B)/test/test_threads $(B)/test/test_golden: $(call t,sim/frame/frame.c sim/frame/scene_share.c sim/cli/sim.c)
 $(B)/test/zsim: $(call t,$(SIM)) $(B)/test/libtest.a $(B)/libmeshes.a
 	@$(CC) $(SAN) -Wl,--start-group $^ -Wl,--end-group $(LIBS) -o $@
 
@@ -60,7 +60,7 @@ LINUX_FAKED = open ioctl stat lstat access opendir nanosleep getgrgid sigaction 
 $(B)/test/hal/linux/%.o $(B)/test/sim/linux/%.o $(B)/test/tests/test_linux.o: \
     TEST_CC += -Ihal/linux -Isim/linux -pthread
 $(B)/test/sim/linux/main.o: TEST_CC += -Dmain=zstrip_linux
-$(B)/test/test_linux: $(call t,tests/test_linux.c $(LINUX) $(filter-out $(MODEL) sim/main.c,$(SIM))) \
+$(B)/test/test_linux: $(call t,tests/test_linux.c $(LINUX) $(filter-out $(MODEL) sim/cli/main.c,$(SIM))) \
                       $(B)/test/libtest.a $(B)/libmeshes.a $(B)/test/zsim
 	@$(CC) $(SAN) -pthread $(LINUX_FAKED:%=-Wl,--wrap=%) -Wl,--start-group $(filter-out %/zsim,$^) -Wl,--end-group \
 	    -lcmocka $(LIBS) -o $@
@@ -88,7 +88,7 @@ FUZZ_TARGETS = fuzz_scan fuzz_options fuzz_panel
 fuzz-programs: $(B)/fuzz/fuzz_api $(B)/fuzz/cards $(FUZZ_TARGETS:%=$(B)/fuzz/%)
 lib-fuzz-programs: $(B)/fuzz/fuzz_mesh $(FUZZ_TARGETS:%=$(B)/fuzz/lf_%)
 $(B)/test/tests/fuzz/%.o $(B)/fuzz/clang/%.o: TEST_CC += -Itests/fuzz -Isim/linux -Ihal/linux -D_GNU_SOURCE
-FUZZ_SIM = $(filter-out $(MODEL) sim/main.c,$(SIM)) sim/linux/linux_options.c
+FUZZ_SIM = $(filter-out $(MODEL) sim/cli/main.c,$(SIM)) sim/linux/linux_options.c
 $(FUZZ_TARGETS:%=$(B)/fuzz/%): $(B)/fuzz/%: $(B)/test/tests/fuzz/%.o $(call t,$(FUZZ_SIM)) $(B)/test/libtest.a \
                                             $(call fuzz_objects,drive input replay said) $(B)/libmeshes.a
 	@mkdir -p $(@D)
@@ -133,7 +133,7 @@ $(B)/stress/fast: $(STRESS) $(B)/stress/oracle.o $(HEADERS)
 # Mutants (tests/mutate): the units that run the renderer, as in make test but, by B and SAN, without sanitizers, all in
 # one program; make test links it as well
 MUTATE_TESTS = $(filter-out test_linux test_pair test_examples test_panel%,$(TESTS:tests/%.c=%))
-MUTATE_SIM = tests/fuzz/world.c sim/counts.c sim/frame.c sim/share.c sim/sim.c
+MUTATE_SIM = tests/fuzz/world.c sim/frame/pixel_counts.c sim/frame/frame.c sim/frame/scene_share.c sim/cli/sim.c
 mutate-settings:
 	$(info tests $(MUTATE_TESTS))
 	$(info sources $(SCENES) $(TEST_HELP) $(MUTATE_SIM))

@@ -17,7 +17,10 @@
 #endif
 
 #ifndef ZS_VARYINGS_MAX
-#define ZS_VARYINGS_MAX 3 /* most varyings (16-bit attributes) of a vertex */
+#define ZS_VARYINGS_MAX 3 /* most varyings (16-bit attributes) of a vertex; at most 8 */
+#endif
+#if ZS_VARYINGS_MAX > 8
+#error "ZS_VARYINGS_MAX: at most 8"
 #endif
 
 /* 1: optimise for size (-Os). The tables and the assembler of arch/ are not used, and the compiler

@@ -2,8 +2,8 @@
  *
  * SPDX-License-Identifier: MIT
  */
-#ifndef SIM_LINUX_SOURCE_H
-#define SIM_LINUX_SOURCE_H
+#ifndef SIM_SOURCE_H
+#define SIM_SOURCE_H
 
 #include "linux_options.h"
 #include "zstrip.h"

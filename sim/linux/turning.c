@@ -16,9 +16,9 @@
 #include <math.h>
 
 #include "model.h"
-#include "options.h"
+#include "render_options.h"
 #include "quantise.h"
-#include "view.h"
+#include "framing.h"
 #include "zs_fast.h"
 
 static struct sim_model model;

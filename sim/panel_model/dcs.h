@@ -2,8 +2,8 @@
  *
  * SPDX-License-Identifier: MIT
  */
-#ifndef PM_DCS_H
-#define PM_DCS_H
+#ifndef SIM_DCS_H
+#define SIM_DCS_H
 
 #include "inside.h"
 

@@ -2,8 +2,8 @@
  *
  * SPDX-License-Identifier: MIT
  */
-#ifndef PM_INSIDE_H
-#define PM_INSIDE_H
+#ifndef SIM_INSIDE_H
+#define SIM_INSIDE_H
 
 #include "panel_model.h"
 

@@ -19,8 +19,8 @@
  *
  * SPDX-License-Identifier: MIT
  */
-#ifndef PM_MODEL_H
-#define PM_MODEL_H
+#ifndef SIM_PANEL_MODEL_H
+#define SIM_PANEL_MODEL_H
 
 #include <stddef.h>
 #include <stdint.h>

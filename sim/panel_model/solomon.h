@@ -2,8 +2,8 @@
  *
  * SPDX-License-Identifier: MIT
  */
-#ifndef PM_SOLOMON_H
-#define PM_SOLOMON_H
+#ifndef SIM_SOLOMON_H
+#define SIM_SOLOMON_H
 
 #include "inside.h"
 

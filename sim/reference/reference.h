@@ -23,8 +23,8 @@
  *
  * Threads: no global state; calls on different images may run at once.
  */
-#ifndef ZSTRIP_SIM_REFERENCE_H
-#define ZSTRIP_SIM_REFERENCE_H
+#ifndef SIM_REFERENCE_H
+#define SIM_REFERENCE_H
 
 #include <stddef.h>
 #include <stdint.h>

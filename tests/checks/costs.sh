@@ -6,7 +6,7 @@
 # Usage: tests/checks/costs.sh BUILD          the table, and how far it is from the scenes: what make bench has on
 # record
 #                                             and, where make pico was run before, what it measured
-#        tests/checks/costs.sh BUILD record   sim/stage_costs.h from it, and sim/record_sizes.h (sizes_record.sh)
+#        tests/checks/costs.sh BUILD record   sim/budget/stage_costs.h from it, and sim/budget/record_sizes.h (sizes_record.sh)
 #        tests/checks/costs.sh BUILD quick    a test: probes on the Cortex-M3 alone; what is on record still is what
 #                                             they say, and on no core is a scene more than 15 % off
 # Needs BUILD/zsim and BUILD/gen.
@@ -71,8 +71,8 @@ done
 case $what in
 record)
     "$top/zsim" costs $files --header --error "$out/scenes.txt" >"$out/stage_costs.h" &&
-        mv "$out/stage_costs.h" sim/stage_costs.h || exit 1
-    sh tests/checks/sizes_record.sh "$top" >"$out/record_sizes.h" && mv "$out/record_sizes.h" sim/record_sizes.h
+        mv "$out/stage_costs.h" sim/budget/stage_costs.h || exit 1
+    sh tests/checks/sizes_record.sh "$top" >"$out/record_sizes.h" && mv "$out/record_sizes.h" sim/budget/record_sizes.h
     exit ;;
 quick)
     "$top/zsim" costs $files --drift 5 >"$out/quick.txt" 2>&1 && reason='' || reason=$(tail -1 "$out/quick.txt")
@@ -81,7 +81,7 @@ quick)
     grep -q ' layers_btf ' "$record" || reason="layers_btf is not among the scenes"
     none "no scene's estimate is 15 % off: $(sed -n 's/^\([^ ]*\) .* scenes, none.* at most \([-+0-9.]*\) %.*/\1 \2 %/p' \
         "$out/error.txt" | tr '\n' ',' | sed 's/,$//; s/,/, /g') at most" "$reason"
-    stated=$(sed -n 's/^static const double stage_error.* { [^,]*, \([0-9.]*\),.*/\1/p' sim/stage_costs.h)
+    stated=$(sed -n 's/^static const double stage_error.* { [^,]*, \([0-9.]*\),.*/\1/p' sim/budget/stage_costs.h)
     now=$(sed -n 's/^M3 .* scenes, none.* at most [-+]*\([0-9.]*\) %.*/\1/p' "$out/error.txt")
     none "the error that zsim budget states on Cortex-M3, $stated %" \
         "$(awk -v a="$stated" -v b="$now" 'BEGIN { if (b > a + 1) print "it_is_" b ":_make_costs-record" }')"
@@ -89,14 +89,14 @@ quick)
     for c in $CPUS; do
         sh tests/checks/sizes_record.sh "$top" structs "$c" |
             sed 's/^\([a-z_]*\) \(.*\)/#define RECORD_\1 \2u/' >"$out/structs-$c.txt"
-        none "sizes of structs on record, $c" "$(grep -vxFf sim/record_sizes.h "$out/structs-$c.txt" | tr ' ' '_')"
+        none "sizes of structs on record, $c" "$(grep -vxFf sim/budget/record_sizes.h "$out/structs-$c.txt" | tr ' ' '_')"
     done
     core cortex-m3 "$out/core-cortex-m3" || exit 1
     reason=''
     for depth_mask in 'float 2' 'recip 63'; do
         # shellcheck disable=SC2086
         now=$(sh tests/checks/sizes_record.sh "$top" flash cortex-m3 $depth_mask | cut -d' ' -f4)
-        then=$(sed -n "s|^/\* of which $depth_mask is \([0-9]*\) .*|\1|p" sim/record_sizes.h)
+        then=$(sed -n "s|^/\* of which $depth_mask is \([0-9]*\) .*|\1|p" sim/budget/record_sizes.h)
         awk -v a="$now" -v b="$then" 'BEGIN { exit !(a > b * 1.02 || a < b * 0.98) }' &&
             reason="$reason $depth_mask: $now, $then on record: make costs-record"
     done
@@ -105,7 +105,7 @@ quick)
         for c in $CPUS; do
             sed -n "s/^ok $c stack within [0-9]* bytes: zs_render \([0-9]*\)/\1/p" "$top/test/logs/stack.log"
         done | tr '\n' ' ' | sed 's/ $//; s/ /, /' >"$out/stack-now.txt"
-        grep -qF "record_stack_render[RECORD_CPUS] = { $(cat "$out/stack-now.txt") };" sim/record_sizes.h &&
+        grep -qF "record_stack_render[RECORD_CPUS] = { $(cat "$out/stack-now.txt") };" sim/budget/record_sizes.h &&
             reason='' || reason="make_stack_says_$(tr ' ' '_' <"$out/stack-now.txt"):_make_costs-record"
         none "stack on record" "$reason"
     fi

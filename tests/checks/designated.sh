@@ -35,14 +35,14 @@ by_name() {
     found=$(positional gcc -std=gnu11 -D_GNU_SOURCE -DZS_STATS=1 -I"$dir" -Ifirmware/scenes -Ifirmware/examples $flags "$@")
     none "$name" "$found"
 }
-SIM="-Ihal -Ihal/panel -Ihal/fault -I$gen -I$dir/gen -Isim -Isim/reference -Isim/panel_model -Ihal/linux -Isim/linux"
+SIM="-Ihal -Ihal/panel -Ihal/fault -I$gen -I$dir/gen $(printf -- '-I%s ' sim/*/)-Ihal/linux"
 by_name "examples name fields" "" firmware/examples/*.c
 by_name "scenes name fields" "-I$gen" firmware/scenes/*.c
 by_name "mesh generators name fields" "" firmware/scenes/gen/*.c
 by_name "generated meshes name fields" "-I$gen" "$gen"/*.c
 by_name "applications name fields" \
     "-Ihal -Ihal/panel -Ifirmware/app -I$gen -I$dir/made -DFRAME_DEMO=teapot -DSHOW_DEMO=teapot" firmware/app/*.c
-by_name "the simulator names fields" "$SIM" sim/*.c sim/linux/*.c
+by_name "the simulator names fields" "$SIM" sim/*/*.c
 by_name "tests name fields" "$SIM -Itests -Itests/fuzz -Itests/stress -Ifirmware/app" \
     tests/*.c tests/cli/*.c tests/fuzz/*.c tests/stress/*.c
 LIST=$FAST_ALL minimal "$dir/minimal.c" flat recip "$EVERYTHING $OWN"

@@ -224,4 +224,65 @@ for compiler in gcc clang g++ clang++; do
         bad "ZS_DEGREES takes constants alone, $compiler" "$(first_error)"
     fi
 done
+
+# Eight varyings: a library that is compiled for them interpolates all alike, whole and cut at the near plane.
+cat >"$dir/eight.c" <<'END'
+#include "zs_shader.h"
+
+static unsigned seen, wrong;
+
+static void vertex(const struct zs_shading *s, uint32_t v, uint16_t *out)
+{
+    const int16_t *p = s->instance->mesh->pos[v];
+    for (int k = 0; k < 8; k++)
+        out[k] = (uint16_t)(20000 + p[k % 3 % 2] * (100 + 50 * (k % 3)));
+}
+static void fragment(const struct zs_instance *instance, struct zs_fragment *f)
+{
+    (void)instance;
+    seen++;
+    for (int k = 3; k < 8; k++)
+        wrong += f->v[k] != f->v[k % 3];
+}
+static const struct zs_shader shader = { .vertex = vertex, .fragment = fragment, ZS_FRAGMENTS, .n_varyings = 8 };
+ZS_RENDERER(screen, 64, 48, 8, 40, 40, 8);
+static const int16_t pos[4][3] = { { -30, -40, 60 }, { 35, -40, 70 }, { 45, 35, -70 }, { -35, 40, -90 } };
+static const uint16_t tri[2][3] = { { 0, 1, 2 }, { 0, 2, 3 } };
+static const struct zs_mesh mesh = { .pos = pos, .tri = tri, .n_verts = 4, .n_tris = 2, .radius = 120 };
+static const struct zs_material material = { .shader = &shader, .cull = ZS_CULL_NONE };
+static int take(void *ctx, const struct zs_strip *strip)
+{
+    (void)ctx, (void)strip;
+    return 0;
+}
+int main(void)
+{
+    const struct zs_instance instance = { .mesh = &mesh, .material = &material };
+    const struct zs_scene scene = { .instance = &instance, .n_instances = 1 };
+    const struct zs_sink sink = { .submit = take };
+    struct zs_camera camera;
+    const int32_t at[3] = { 0, 0, 0 };
+    screen_config.depth = &zs_depth_recip;
+    int err = zs_camera_perspective(&camera, ZS_DEGREES(60), 48, 40, 400);
+    for (int32_t away = 70; away < 200 && !err; away += 30) {
+        err = zs_camera_orbit(&camera, at, away, ZS_DEGREES(20), ZS_DEGREES(15));
+        err = err ? err : ZS_INIT(screen);
+        err = err ? err : zs_render(&screen, &scene, &camera, &sink);
+        err = err ? err : zs_frame_stats(&screen)->tris_clipped == 0 && away == 70 ? 99 : 0;
+    }
+    return err ? 1 : wrong ? 2 : seen < 4000 ? 3 : 0;
+}
+END
+if gcc -std=c11 -DZS_VARYINGS_MAX=8 -Ifirmware/zstrip "$dir/eight.c" firmware/zstrip/*/*.c -o "$dir/eight" 2>"$B/headers.txt"; then
+    "$dir/eight"
+    status=$?
+    if [ $status = 0 ]; then ok "eight varyings are interpolated alike"; else bad "eight varyings are interpolated alike" "exit $status"; fi
+else
+    bad "a library with eight varyings compiles" "$(first_error)"
+fi
+if gcc -std=c11 -DZS_VARYINGS_MAX=9 -Ifirmware/zstrip -c firmware/zstrip/core/frame.c -o /dev/null 2>/dev/null; then
+    bad "nine varyings are refused by the compiler" "they are not"
+else
+    ok "nine varyings are refused by the compiler"
+fi
 exit $failed

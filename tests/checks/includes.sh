@@ -33,8 +33,9 @@ reach() {
     shift 2
     found= broken=
     for f in "$@"; do
-        deps=$(gcc -MM -Ifirmware/zstrip -Ifirmware/scenes -Ihal -Ihal/null -Ihal/cortexm -Ihal/spi -Ihal/panel -Isim -Isim/reference \
-            -Isim/panel_model "$f" 2>"$B/reach.txt") ||
+        # shellcheck disable=SC2046
+        deps=$(gcc -MM -Ifirmware/zstrip -Ifirmware/scenes -Ihal -Ihal/null -Ihal/cortexm -Ihal/spi -Ihal/panel \
+            $(printf -- '-I%s ' sim/*/) "$f" 2>"$B/reach.txt") ||
             broken="$broken $f"
         found="$found
 $(echo "$deps" | tr ' \\' '\n\n' | grep -E "$forbidden" | sed "s|^|$f->|")"

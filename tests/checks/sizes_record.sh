@@ -1,6 +1,6 @@
 #!/bin/sh
 # What zsim budget cannot ask the host: sizes of structs on a Cortex-M, flash by what is linked, worst-case stacks, as
-# sim/record_sizes.h. Programs name the accelerators of the frame, of their shaders and of their texels.
+# sim/budget/record_sizes.h. Programs name the accelerators of the frame, of their shaders and of their texels.
 #
 # Usage: tests/checks/sizes_record.sh BUILD           the header on standard output
 #        tests/checks/sizes_record.sh BUILD structs   sizes of structs alone: lines "name bytes"

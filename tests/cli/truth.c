@@ -1,4 +1,4 @@
-/* sim/truth.c against the renderer: one scene in every texel format, clamping and shader.
+/* sim/compare/scene_reference.c against the renderer: one scene in every texel format, clamping and shader.
  *
  * A prism of four walls round the eye, the texture 2 x 3 times on each, through zs_render and through the
  * reference. "ok" and "FAILED" lines.
@@ -11,8 +11,8 @@
 
 #include "frame.h"
 #include "reference.h"
-#include "texels.h"
-#include "truth.h"
+#include "texel_numbers.h"
+#include "scene_reference.h"
 
 #define W 160
 #define H 120

@@ -27,6 +27,7 @@
 #include "picture.h"
 #include "replay.h"
 #include "world.h"
+#include "zs_pass.h"
 #include "zs_check.h"
 #include "zs_damage.h"
 
@@ -55,7 +56,7 @@ static void wrong(int line, const char *what)
 /* ---- What was reached ------------------------------------------------------------------------- */
 
 static struct {
-    uint64_t frames, pixels, tris, clipped, passes, strips, unchanged, skipped, refused[16];
+    uint64_t frames, pixels, tris, clipped, passes, strips, unchanged, skipped, in_passes, refused[16];
     uint64_t depth[KINDS(kind_depths)][2]; /* [perspective] */
     uint64_t shader[KINDS(kind_shaders)], texel[KINDS(kind_texels)], state, cluster;
 } reached;
@@ -101,7 +102,7 @@ static int reached_all(void)
     static const int errors[] = { ZS_OK, ZS_ERR_NULL, ZS_ERR_SIZE, ZS_ERR_DEPTH, ZS_ERR_CAMERA, ZS_ERR_RANGE,
                                   ZS_ERR_MESH, ZS_ERR_VARYINGS, ZS_ERR_NEAR, ZS_ERR_TEXTURE };
     int all = reached.state && reached.cluster && reached.clipped && reached.passes && reached.unchanged &&
-              reached.skipped;
+              reached.skipped && reached.in_passes;
     for (size_t k = 0; k < KINDS(errors); k++)
         if (!reached.refused[-errors[k]]) {
             fprintf(stderr, "not reached: %s\n", zs_error_string(errors[k]));
@@ -321,6 +322,7 @@ static void case_big(struct prng *p, uint32_t odd)
 /* ---- Calls in any order --------------------------------------------------------------------------- */
 
 #define CLOSED (-1)
+#define DESK_PASSES 3
 
 struct desk { /* a renderer and what it should be in */
     struct zs_renderer *r;
@@ -339,6 +341,9 @@ struct desk { /* a renderer and what it should be in */
     uint32_t room;           /* instances that it takes */
     int columns;             /* zs_damage_columns is on */
     uint16_t *glass;         /* [height][width]: what arrived of what was given out as changed */
+    struct zs_pass pass[DESK_PASSES]; /* of the open frame, if it is in passes */
+    struct zs_pass_memory pass_memory[DESK_PASSES];
+    struct zs_scene behind;  /* of the passes but the last */
     int loose;               /* 1: zs_damage_track was given spheres that need not hold: whatever it shows */
 };
 
@@ -476,6 +481,35 @@ static void do_begin(struct room *m, struct desk *d, struct prng *p)
     d->last_whole = 0;
     if (said == ZS_OK)
         EXPECT(zs_frame_stats(d->r)->strips == 0);
+}
+
+/* As do_begin, in passes that each fill the frame: the last one is what is seen. */
+static void do_begin_passes(struct room *m, struct desk *d, struct prng *p)
+{
+    const uint32_t n = 1 + prng_pick(p, DESK_PASSES), total = n * m->w.scene.n_instances;
+    int k = 0, want = d->ready && !d->memory ? ZS_OK : ZS_ERR_SEQUENCE;
+    d->behind = m->w.scene;
+    d->behind.resolve = NULL;
+    d->behind.n_resolves = 0;
+    for (uint32_t i = 0; i < n; i++) {
+        k = (int)prng_pick(p, 2);
+        d->pass[i] = (struct zs_pass){ .scene = i + 1u < n ? &d->behind : &m->w.scene, .camera = &m->camera[k] };
+        want = want ? want : m->picture[k].err;
+        if (one_in(p, 2))
+            d->pass[i].viewport = (struct zs_rect){ 0, 0, d->config.width, d->config.height };
+    }
+    if (want == ZS_OK && total > 65535u)
+        want = ZS_ERR_SIZE;
+    if (want == ZS_OK && one_in(p, 8)) {
+        d->pass[prng_pick(p, n)].viewport = (struct zs_rect){ 1, 0, d->config.width, 1 };
+        want = ZS_ERR_SIZE;
+    }
+    const int said = zs_frame_begin_passes(d->r, d->pass, d->pass_memory, n);
+    EXPECT(said == want || (said == ZS_ERR_SIZE && want && total > 65535u));
+    reached.in_passes += !said;
+    d->open = said ? CLOSED : k;
+    d->given = d->left_out = 0;
+    d->last_whole = 0;
 }
 
 static void do_strip(struct room *m, struct desk *d)
@@ -690,8 +724,10 @@ static void case_calls(struct prng *p, uint32_t odd)
         const uint32_t op = prng_pick(p, 51);
         if (op == 0)
             do_init(&m, d, p);
-        else if (op < 5)
+        else if (op < 4)
             do_begin(&m, d, p);
+        else if (op < 5)
+            do_begin_passes(&m, d, p);
         else if (op < 7)
             do_end(d);
         else if (op < 10)
@@ -743,8 +779,8 @@ static void case_config(struct prng *p, uint32_t odd)
                            .depth = kind_depths[prng_pick(p, KINDS(kind_depths))].depth };
     const int ok = within(c.width, 1, ZS_SIZE_MAX) && within(c.height, 1, ZS_SIZE_MAX) && c.strip_h &&
                    within(c.max_tris, 1, ZS_POOL_MAX) && within(c.max_verts, 3, ZS_POOL_MAX) &&
-                   c.varyings <= ZS_VARYINGS_MAX && within(c.buffers, 1, 2) &&
-                   (c.subpixel_bits == 8 || c.subpixel_bits == 4);
+                   c.varyings <= ZS_VARYINGS_MAX && c.buffers <= 2 &&
+                   (c.subpixel_bits == 8 || c.subpixel_bits == 4 || c.subpixel_bits == 0);
     const uint32_t bytes = zs_arena_bytes(&c);
     EXPECT((bytes != 0) == ok);
     if (now.alone)
@@ -759,7 +795,7 @@ static void case_config(struct prng *p, uint32_t odd)
     } else if (bytes < 2000000 && (uint32_t)c.width * c.height < 200000u) {
         const uint16_t rows = c.strip_h < c.height ? c.strip_h : c.height;
         EXPECT(bytes == ZS_ARENA_BYTES(c.width, c.height, rows, c.max_tris, c.max_verts, c.varyings, c.buffers));
-        if (c.depth_bits < 8 || c.depth_bits > 16) {
+        if ((c.depth_bits < 8 && c.depth_bits) || c.depth_bits > 16) {
             struct picture p2 = picture_draw(&c, NULL, NULL);
             EXPECT(p2.err == ZS_ERR_DEPTH);
             picture_free(&p2);

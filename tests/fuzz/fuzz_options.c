@@ -10,7 +10,7 @@
 
 #include "convert_options.h"
 #include "linux_options.h"
-#include "options.h"
+#include "render_options.h"
 #include "sim.h"
 #include "target.h"
 

@@ -10,7 +10,7 @@ STATIC = -static -Wl,--no-fix-cortex-a8
 CFLAGS = -O2 -Wall -Wextra -Werror -Wno-missing-field-initializers
 B = build
 D = $(B)/linux
-INC = -Ifirmware/zstrip -Ifirmware/scenes -Ihal -Ihal/panel -Ihal/linux -Isim -Isim/linux -Isim/panel_model -I$(B)/gen
+INC = -Ifirmware/zstrip -Ifirmware/scenes -Ihal -Ihal/panel -Ihal/linux $(patsubst %/,-I%,$(wildcard sim/*/)) -I$(B)/gen
 SOURCES := $(shell $(MAKE) -s --no-print-directory -f Makefile B=$(B) linux-sources)
 MESHES = $(wildcard $(B)/gen/mesh_*.c)
 OBJECTS = $(patsubst %.c,$(D)/obj/%.o,$(SOURCES)) $(patsubst $(B)/gen/%.c,$(D)/obj/gen/%.o,$(MESHES))

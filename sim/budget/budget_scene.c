@@ -1,0 +1,325 @@
+/* The scene that a budget is for: a demo scene or a model, drawn here and counted; or numbers alone.
+ *
+ * SPDX-License-Identifier: MIT
+ */
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "budget.h"
+#include "frame.h"
+#include "model.h"
+#include "core/frame.h"
+#include "core/fx.h"
+#include "core/job.h"
+#include "core/view.h"
+#include "core/xform.h"
+#include "zs_shader.h"
+#include "core/cull.h"
+#include "quantise.h"
+#include "record_sizes.h"
+#include "scenes.h"
+#include "sim.h"
+#include "framing.h"
+
+/* ---- What is linked, and its data --------------------------------------------------------------- */
+
+static uint32_t shade_bit(const struct zs_shader *s)
+{
+    const struct zs_shader *const order[] = { &zs_shade_raw,     &zs_shade_flat,         &zs_shade_smooth,
+                                              &zs_shade_texture, &zs_shade_texture_flat, &zs_shade_texture_smooth };
+    uint32_t bit = 0;
+    for (uint32_t i = 0; i < sizeof order / sizeof order[0]; i++)
+        bit |= order[i] == s ? 1u << i : 0u;
+    return bit;
+}
+
+static uint32_t texel_bit(const struct zs_texel *t)
+{
+    return t == &zs_texel_565 ? 1u : t == &zs_texel_pal8 ? 2u : 4u;
+}
+
+static uint32_t texture_bytes(const struct zs_texture *t)
+{
+    const uint32_t texels = 1u << (t->log2_w + t->log2_h);
+    return RECORD_zs_texture + (t->format == &zs_texel_565 ? 2u * texels : t->format == &zs_texel_pal8 ? texels :
+                                texels / 2u) +
+           (t->palette ? 2u * t->n_colors : 0u);
+}
+
+/* Arrays that its shader reads, as zsim convert writes them; all: every one that there is. */
+static uint32_t mesh_bytes(const struct zs_mesh *m, const struct zs_shader *s, int all)
+{
+    const int smooth = all || s == &zs_shade_smooth || s == &zs_shade_texture_smooth, raw = all || s == &zs_shade_raw;
+    const int flat = all || s == &zs_shade_flat || s == &zs_shade_texture_flat, color = all || s == &zs_shade_smooth;
+    const int uv = all || s->n_varyings == ZS_VARYINGS_TEXTURE || s == &zs_shade_texture_smooth;
+    const uint32_t v = 6u + (m->pos_lo ? 3u : 0u) + (m->normal && smooth ? 6u : 0u) + (m->vertex_rgb && color ? 3u :
+                                                                                       0u) +
+                       (m->uv && uv ? 4u : 0u);
+    const uint32_t t = 6u + (m->face_normal && flat ? 6u : 0u) + (m->face_rgb && (all || s == &zs_shade_flat) ? 3u :
+                                                                  0u) +
+                       (m->face_raw && raw ? 2u : 0u);
+    return RECORD_zs_mesh + v * m->n_verts + t * m->n_tris + (uint32_t)sizeof(struct zs_cluster) * m->n_clusters;
+}
+
+/* Each mesh and texture once. */
+static void add_data(struct budget *b, const struct zs_scene *scene, int all)
+{
+    for (uint32_t i = 0; i < scene->n_instances; i++) {
+        const struct zs_instance *in = &scene->instance[i];
+        const struct zs_texture *t = in->material->texture;
+        int mesh = 1, material = 1, texture = t != NULL;
+        for (uint32_t k = 0; k < i; k++) {
+            mesh &= scene->instance[k].mesh != in->mesh;
+            material &= scene->instance[k].material != in->material;
+            texture &= scene->instance[k].material->texture != t;
+        }
+        b->data += mesh ? mesh_bytes(in->mesh, in->material->shader, all) : 0u;
+        b->data += (material ? RECORD_zs_material : 0u) + (texture ? texture_bytes(t) : 0u);
+        b->shades |= shade_bit(in->material->shader);
+        b->states |= in->depth_state != NULL;
+        if (t)
+            b->texels |= texel_bit(t->format);
+    }
+}
+
+/* ---- Frames ------------------------------------------------------------------------------------- */
+
+static uint32_t next_size(uint32_t verts)
+{
+    const uint32_t n = verts + verts / 16u + 1u;
+    return n < ZS_POOL_MAX ? n : ZS_POOL_MAX;
+}
+
+/* Pools that take the scene in one pass, where none were asked for; then counts. */
+static int count_scene(struct budget *b, const struct budget_request *rq, const char *name,
+                       const struct zs_scene *scene, const struct zs_camera *camera)
+{
+    struct zs_config *c = &b->config;
+    const char *why = NULL;
+    int err = ZS_OK;
+    for (int tries = 0; !err && !(rq->has_tris && rq->has_verts) && tries < 64; tries++) {
+        struct sim_frame frame;
+        err = sim_frame_render(&frame, scene, camera, c, NULL);
+        if (err)
+            break;
+        const uint32_t tris = frame.stats.max_tris_used, verts = frame.stats.max_verts_used;
+        const uint32_t passes = frame.stats.passes;
+        sim_frame_free(&frame);
+        if (tries > 0 && (passes == 1u || rq->has_tris || rq->has_verts))
+            break;
+        if (!rq->has_tris && tries == 0)
+            c->max_tris = (uint16_t)(tris ? tris : 1u);
+        if (!rq->has_verts)
+            c->max_verts = (uint16_t)(tries == 0 ? (verts < 3u ? 3u : verts)
+                                                 : next_size(c->max_verts));
+    }
+    if (!err)
+        err = sim_costs_count(&b->counted, scene, camera, c);
+    if (err)
+        why = err == SIM_FRAME_BROKEN ? "its frame could not be counted" : zs_error_string(err);
+    b->n_instances = scene->n_instances;
+    add_data(b, scene, rq->scene != NULL);
+    return why ? sim_refuse(name, 0, "%s", why) : SIM_OK;
+}
+
+static void set_config(struct budget *b, const struct budget_request *rq, uint16_t width, uint16_t height,
+                       uint8_t attrs,
+                       const struct zs_depth *depth)
+{
+    struct zs_config *c = &b->config;
+    sim_frame_config(c, width, height, attrs);
+    c->strip_h = (uint16_t)(rq->o.strip < height ? rq->o.strip : height);
+    c->buffers = (uint8_t)rq->o.buffers;
+    c->depth = depth;
+    if (rq->has_tris)
+        c->max_tris = (uint16_t)rq->o.tris;
+    if (rq->has_verts)
+        c->max_verts = (uint16_t)rq->o.verts;
+}
+
+static const struct zs_depth *mapping(const struct budget_request *rq)
+{
+    return rq->o.depth == SIM_DEPTH_RECIP ? &zs_depth_recip : rq->o.depth == SIM_DEPTH_LINEAR ? &zs_depth_linear :
+        &zs_depth_float;
+}
+
+static int of_demo(struct budget *b, const struct budget_request *rq)
+{
+    char names[512] = "";
+    for (uint32_t i = 0; i < n_demos; i++) {
+        const struct demo *d = demos[i];
+        (void)snprintf(names + strlen(names), sizeof names - strlen(names), "%s%s", i ? ", " : "", d->name);
+        if (strcmp(d->name, rq->scene) != 0)
+            continue;
+        const int own = !rq->o.has_size && rq->o.panel.name == NULL;
+        const uint16_t w = own ? d->width : (uint16_t)rq->o.size[0], h = own ? d->height : (uint16_t)rq->o.size[1];
+        struct demo_frame *f = sim_alloc(1, sizeof *f);
+        set_config(b, rq, w, h, (uint8_t)d->varyings, d->depth);
+        d->pose(f, (uint32_t)rq->frame, w, h);
+        const int status = count_scene(b, rq, d->name, &f->scene, &f->camera);
+        free(f);
+        return status;
+    }
+    return sim_refuse(NULL, 0, "--scene %s: there is no such scene; there are %s", rq->scene, names);
+}
+
+static int of_model(struct budget *b, const struct budget_request *rq)
+{
+    static const uint8_t attrs[] = { [SIM_SHADE_ID] = ZS_VARYINGS_FLAT, [SIM_SHADE_FLAT] = ZS_VARYINGS_FLAT,
+                                     [SIM_SHADE_SMOOTH] = ZS_VARYINGS_SMOOTH, [SIM_SHADE_TEXTURED] =
+                                         ZS_VARYINGS_TEXTURE_SMOOTH,
+                                     [SIM_SHADE_TEXTURED_FLAT] = ZS_VARYINGS_TEXTURE, [SIM_SHADE_UNLIT] =
+                                         ZS_VARYINGS_TEXTURE };
+    const struct sim_options *o = &rq->o;
+    const struct sim_want want = { .normals = sim_options_smooth(o), .textures = sim_options_textured(o), .picture =
+        o->texture };
+    struct sim_model model = { 0 };
+    struct sim_view view;
+    struct sim_scene scene = { 0 };
+    int status = sim_model_load(&model, o->model, &want);
+    if (status == SIM_OK)
+        status = sim_view_plan(&view, o, &model);
+    if (status == SIM_OK)
+        status = sim_scene_build(&scene, &model, &view, o);
+    if (status == SIM_OK) {
+        set_config(b, rq, (uint16_t)o->size[0], (uint16_t)o->size[1], attrs[o->shade], mapping(rq));
+        if (view.orthographic)
+            b->config.depth = &zs_depth_linear;
+        status = count_scene(b, rq, o->model, &scene.scene, &scene.camera);
+    }
+    sim_scene_free(&scene);
+    sim_model_free(&model);
+    return status;
+}
+
+/* ---- Numbers
+ * ------------------------------------------------------------------------------------------------------------ */
+
+/* Counts of a scene of which only numbers are known: triangles of one size all over what is covered, half as high again
+ * as wide at worst, in no order; most of them as near to affine as such triangles are. */
+static void guess(struct budget *b, const struct budget_request *rq)
+{
+    const struct zs_config *c = &b->config;
+    const enum sim_shade shade = rq->o.shade;
+    const int solid = shade == SIM_SHADE_ID || shade == SIM_SHADE_FLAT, smooth = shade == SIM_SHADE_SMOOTH;
+    const int linear = c->depth == &zs_depth_linear;
+    const double tris = c->max_tris, all = (double)rq->scene_tris, verts = (double)rq->scene_verts;
+    const double covered = rq->coverage / 100.0 * c->width * c->height, tested = covered * rq->complexity;
+    /* each of n wins by odds of 1/n */
+    const double won = covered * (1.0 + 0.9 * log(rq->complexity < 1.0 ? 1.0 : rq->complexity));
+    const double area = tested / tris, high = 1.1 * sqrt(2.0 * area), rows = tris * high;
+    const double spans = rows * (area < 4.0 ? 0.35 + 0.65 * area / 4.0 : 1.0);
+    const double setups = tris * (1.0 + high / c->strip_h), in_sight = verts * (tris / all + 0.1 > 1.0 ? 1.0 :
+                                                                                tris / all + 0.1);
+    const enum sim_cost texel = rq->o.texel == SIM_TEXEL_565 ? SIM_COST_fetch_565_px
+                                : rq->o.texel == SIM_TEXEL_PAL8 ? SIM_COST_fetch_pal8_px : SIM_COST_fetch_pal4_px;
+    const enum sim_cost direct = rq->o.texel == SIM_TEXEL_565 ? SIM_COST_won_565
+                                 : rq->o.texel == SIM_TEXEL_PAL8 ? SIM_COST_won_pal8 : SIM_COST_won_pal4;
+    /* three edges, half of them not steep; taken up again every 16 rows and in every strip, both of the sides */
+    const double again = rows / 16.0 + setups - tris;
+    const double edges = 3.0 * tris + 2.0 * again, divided = 1.5 * tris + 2.0 * again;
+    double *n = b->counted.n;
+    n[SIM_COST_frame] = 1;
+    n[SIM_COST_strip] = ZS_STRIPS(c->height, c->strip_h);
+    n[SIM_COST_clear_px] = n[SIM_COST_strip] * c->width * c->strip_h;
+    n[SIM_COST_instance] = (double)b->n_instances;
+    n[linear ? SIM_COST_vertex_linear : c->depth == &zs_depth_recip ? SIM_COST_vertex_recip : SIM_COST_vertex] = verts;
+    n[SIM_COST_tri] = all;
+    n[SIM_COST_tri_box] = n[SIM_COST_tri_bin] = tris;
+    if (shade == SIM_SHADE_FLAT || shade == SIM_SHADE_TEXTURED_FLAT)
+        n[SIM_COST_face_flat_given] = tris;
+    if (!solid)
+        n[smooth ? SIM_COST_light_smooth : shade == SIM_SHADE_TEXTURED ? SIM_COST_light_texture :
+          SIM_COST_attr_texture] = in_sight;
+    /* keys of recip do not say that texels are affine */
+    if (!smooth && !linear && (solid || c->depth != &zs_depth_recip) && high <= 64.0) {
+        const int lit = shade == SIM_SHADE_TEXTURED ||
+                        (shade == SIM_SHADE_TEXTURED_FLAT && rq->o.texel != SIM_TEXEL_PAL4);
+        n[solid ? SIM_COST_setup_small : SIM_COST_setup_small_texel] = n[SIM_COST_tilt_small] = setups;
+        n[SIM_COST_edge_small_div] = divided;
+        n[solid ? SIM_COST_row_small : SIM_COST_row_small_texel] = rows;
+        n[solid ? SIM_COST_span_small : SIM_COST_span_small_texel] = spans;
+        n[solid ? SIM_COST_px_small : SIM_COST_px_small_texel] = tested;
+        n[solid ? SIM_COST_won_small : direct] = won;
+        n[SIM_COST_setup_small_lit] = lit ? setups : 0.0;
+        n[SIM_COST_span_small_lit] = lit ? spans : 0.0;
+        n[SIM_COST_won_small_lit] = lit ? won : 0.0;
+        return;
+    }
+    const int wide = high > 64.0, huge = high > 128.0;
+    const double planes = smooth ? 3.0 : solid ? 0.0 : shade == SIM_SHADE_TEXTURED ? 3.0 : 2.0;
+    n[SIM_COST_setup] = setups;
+    n[SIM_COST_setup_wide] = wide ? setups : 0.0;
+    n[SIM_COST_tilt] = huge ? 0.0 : setups;
+    n[SIM_COST_plane_mid] = wide && !huge ? planes * setups : 0.0;
+    n[SIM_COST_plane_wide] = huge ? (1.0 + planes) * setups : 0.0;
+    n[SIM_COST_row] = rows;
+    n[SIM_COST_edge] = edges;
+    n[huge ? SIM_COST_edge_div64 : SIM_COST_edge_div] = divided;
+    if (smooth)
+        n[SIM_COST_start_smooth] = setups;
+    else if (!solid)
+        n[SIM_COST_start_texture] = setups;
+    if (shade == SIM_SHADE_TEXTURED)
+        n[SIM_COST_start_light] = setups;
+    if (solid && !linear) {
+        n[SIM_COST_span_solid] = spans;
+        n[SIM_COST_px_solid] = tested;
+        n[SIM_COST_won_solid] = won;
+    } else if (smooth && !linear) {
+        n[SIM_COST_span_smooth] = spans;
+        n[SIM_COST_px_smooth] = tested;
+        n[SIM_COST_won_smooth] = won;
+    } else if (shade == SIM_SHADE_UNLIT && !linear) {
+        n[SIM_COST_span_direct] = spans;
+        n[SIM_COST_px_direct] = tested;
+        n[direct] = won;
+    } else {
+        const double runs = spans * won / tested;
+        n[linear ? SIM_COST_span_linear : SIM_COST_span_runs] = spans;
+        n[linear ? SIM_COST_px_linear : SIM_COST_px_runs] = tested;
+        n[SIM_COST_setup_linear] = linear ? setups : 0.0;
+        n[SIM_COST_won_runs] = won;
+        n[SIM_COST_run] = runs;
+        n[smooth ? SIM_COST_run_smooth_px : solid ? SIM_COST_run_solid_px : texel] = won;
+        if (!solid && !smooth)
+            n[SIM_COST_fetch] = runs;
+        if (shade == SIM_SHADE_TEXTURED || shade == SIM_SHADE_TEXTURED_FLAT) {
+            n[SIM_COST_shine] = runs;
+            n[SIM_COST_shine_px] = won;
+        }
+    }
+}
+
+static int of_numbers(struct budget *b, const struct budget_request *rq)
+{
+    static const struct {
+        uint8_t attrs, bit;
+    } of[] = { [SIM_SHADE_ID] = { ZS_VARYINGS_FLAT, 1 },
+               [SIM_SHADE_FLAT] = { ZS_VARYINGS_FLAT, 2 },
+               [SIM_SHADE_SMOOTH] = { ZS_VARYINGS_SMOOTH, 4 },
+               [SIM_SHADE_TEXTURED] = { ZS_VARYINGS_TEXTURE_SMOOTH, 32 },
+               [SIM_SHADE_TEXTURED_FLAT] = { ZS_VARYINGS_TEXTURE, 16 },
+               [SIM_SHADE_UNLIT] = { ZS_VARYINGS_TEXTURE, 8 } };
+    const enum sim_shade shade = rq->o.shade;
+    const uint32_t v = 6u + (sim_options_smooth(&rq->o) ? 6u : 0u) + (sim_options_textured(&rq->o) ? 4u : 0u);
+    const uint32_t t = 6u + (shade == SIM_SHADE_FLAT || shade == SIM_SHADE_TEXTURED_FLAT ? 6u : 0u);
+    set_config(b, rq, (uint16_t)rq->o.size[0], (uint16_t)rq->o.size[1], of[shade].attrs, mapping(rq));
+    b->shades = of[shade].bit;
+    if (sim_options_textured(&rq->o))
+        b->texels = rq->o.texel == SIM_TEXEL_565 ? 1u : rq->o.texel == SIM_TEXEL_PAL8 ? 2u : 4u;
+    b->n_instances = (uint32_t)rq->instances;
+    b->data =
+        (uint32_t)rq->scene_verts * v + (uint32_t)rq->scene_tris * t +
+        b->n_instances * (RECORD_zs_mesh + RECORD_zs_material);
+    b->guessed = 1;
+    guess(b, rq);
+    return SIM_OK;
+}
+
+int budget_scene(struct budget *b, const struct budget_request *rq)
+{
+    memset(b, 0, sizeof *b);
+    return rq->scene ? of_demo(b, rq) : rq->o.model ? of_model(b, rq) : of_numbers(b, rq);
+}

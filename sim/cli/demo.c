@@ -1,0 +1,497 @@
+/* `zsim demo`: demo scenes through zs_render, strip by strip, and through a panel's driver and the model of its
+ * controller where one is named; frames and a contact sheet as PNG, a table of what the pipeline did, and how far the
+ * frames are from the double-precision reference.
+ *
+ * SPDX-License-Identifier: MIT
+ */
+#include "demo.h"
+
+#include <errno.h>
+#include <stddef.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/stat.h>
+
+#include "accelerator_names.h"
+#include "frame.h"
+#include "image.h"
+#include "option_table.h"
+#include "panel_frame.h"
+#include "reference.h"
+#include "scenes.h"
+#include "false_colors.h"
+#include "sim.h"
+#include "texel_numbers.h"
+#include "scene_reference.h"
+
+#define SHEET_COLUMNS 4
+#define FRAMES_MAX 65535 /* of a scene, uint16_t */
+
+struct request {
+    const char *out, *scenes;           /* folder; names with commas between, or NULL for all */
+    long size[2], strip, subpixel;      /* size: a panel's picture's; without has_size, the scene's own */
+    long start, step, frames;           /* frames start, start + step ...; at most so many of each scene, 0: all */
+    const char *fast_names;             /* NULL: all */
+    struct sim_fast fast;               /* accelerators, which it names */
+    enum sim_show show;
+    struct sim_panel_wish panel;
+    int has_size, raw, help;            /* flags */
+};
+
+#define AT(field) offsetof(struct request, field)
+
+static const struct sim_option table[] = {
+    { "--out", SIM_OPTION_TEXT, AT(out), 0, 0, 0, NULL },
+    { "--scene", SIM_OPTION_TEXT, AT(scenes), 0, 0, 0, NULL },
+    { "--size", SIM_OPTION_SIZE, AT(size), AT(has_size), 1, ZS_SIZE_MAX, NULL },
+    { "--strip", SIM_OPTION_COUNT, AT(strip), 0, 1, ZS_SIZE_MAX, NULL },
+    { "--subpixel", SIM_OPTION_COUNT, AT(subpixel), 0, 0, 0, "4|8" },
+    { "--start", SIM_OPTION_COUNT, AT(start), 0, 0, FRAMES_MAX, NULL },
+    { "--step", SIM_OPTION_COUNT, AT(step), 0, 1, FRAMES_MAX, NULL },
+    { "--frames", SIM_OPTION_COUNT, AT(frames), 0, 1, FRAMES_MAX, NULL },
+    { "--fast", SIM_OPTION_TEXT, AT(fast_names), 0, 0, 0, NULL },
+    { "--show", SIM_OPTION_CHOICE, AT(show), 0, 0, 0, SIM_SHOW_WORDS },
+    SIM_PANEL_OPTIONS(struct request, panel),
+    { "--raw", SIM_OPTION_FLAG, AT(raw), 0, 0, 0, NULL },
+    { "--help", SIM_OPTION_FLAG, AT(help), 0, 0, 0, NULL },
+    { "-h", SIM_OPTION_FLAG, AT(help), 0, 0, 0, NULL },
+};
+
+#define N_TABLE (sizeof table / sizeof table[0])
+
+static const char usage[] =
+    "usage: zsim demo [options]\n"
+    "Draws demo and bench scenes strip by strip as a board would: DIR/SCENE_NNN.png, where NNN is the frame of the\n"
+    "animation, a contact sheet DIR/contact.png of their first frames, and a table of what they took and of how far\n"
+    "the frames, before any panel, are from the double-precision reference.\n"
+    "\n"
+    "  --out DIR         the folder, made if there is none (build/demo)\n"
+    "  --scene NAME,...  these alone (all). There are:\n"
+    "                    %s\n"
+    "  --size WxH        px, 1 to 4096 (what each scene was composed for)\n"
+    "  --strip ROWS      rows to a strip (24)\n"
+    "  --subpixel 4|8    sub-pixel bits (8)\n"
+    "  --start T --step N  frames T, T + N, T + 2 N ... to the animation's end (0, 1)\n"
+    "  --frames N        at most so many of each scene\n"
+    "  --fast LIST       accelerators to draw with, the same frames: all, none, names with commas between, or all but\n"
+    "                    some, as all-tiles-touch (all). There are:\n"
+    "                    %s\n"
+    "  --show depth|complexity|overdraw|tested|strips\n"
+    "                    pictures are false colours with a legend, as of zsim render\n"
+    "  --panel NAME:WxH  frames go through this panel's driver and the model of its controller: pictures are what its\n"
+    "                    viewer sees, of its size. There are:\n"
+    "                    %s\n"
+    "  --rotate DEGREES  0, 90, 180 or 270: how far the picture is turned clockwise on the glass (0)\n"
+    "  --invert, --bgr   the glass shows negatives, or has blue for red, and the driver is told so\n"
+    "  --raw             DIR/SCENE_NNN.bin too: RGB565, most significant byte first, row by row; of grey and one-bit\n"
+    "                    panels a byte for each level or bit\n"
+    "\n"
+    "An option's value may follow after a space or an equals sign.\n"
+    "Exit status: 0 done; 1 refused; 2 the command line makes no sense.\n";
+
+/* Sums over the frames of a scene. */
+struct tally {
+    struct zs_stats stats; /* of the first frame */
+    uint32_t arena, passes_max, frames;
+    struct ref_diff diff;  /* counts summed, worst values kept */
+    uint64_t off_by_one;
+    double z_sum;
+};
+
+/* ---- One frame --------------------------------------------------------------------------------------- */
+
+struct size {
+    uint16_t width, height;
+};
+
+static struct size size_of(const struct request *rq, const struct demo *demo)
+{
+    if (!rq->has_size)
+        return (struct size){ demo->width, demo->height };
+    return (struct size){ (uint16_t)rq->size[0], (uint16_t)rq->size[1] };
+}
+
+static void configure(struct zs_config *config, const struct demo *demo, const struct request *rq)
+{
+    const struct size size = size_of(rq, demo);
+    sim_frame_config(config, size.width, size.height, (uint8_t)demo->varyings);
+    config->strip_h = (uint16_t)(rq->strip < size.height ? rq->strip : size.height);
+    config->subpixel_bits = (uint8_t)rq->subpixel;
+    config->fast = rq->fast.list;
+    config->depth = demo->depth;
+}
+
+static uint32_t count_frames(const struct request *rq, const struct demo *demo)
+{
+    const long all = (demo->frames - rq->start + rq->step - 1) / rq->step;
+    return (uint32_t)(rq->frames > 0 && rq->frames < all ? rq->frames : all);
+}
+
+/* The frame of the animation that is the k-th to be drawn. */
+static uint32_t frame_number(const struct request *rq, uint32_t k)
+{
+    return (uint32_t)rq->start + k * (uint32_t)rq->step;
+}
+
+/* Pools for one pass and nothing more, as a firmware author would size them: from a first drawing of all frames with
+ * pools as large as can be. */
+static int fit_pools(struct zs_config *config, const struct demo *demo, const struct request *rq)
+{
+    uint32_t tris = 1, verts = 3;
+    for (uint32_t k = 0; k < count_frames(rq, demo); k++) {
+        struct demo_frame f;
+        struct sim_frame frame;
+        demo->pose(&f, frame_number(rq, k), config->width, config->height);
+        const int err = sim_frame_render(&frame, &f.scene, &f.camera, config, NULL);
+        if (err)
+            return sim_refuse(demo->name, 0, "%s", zs_error_string(err));
+        if (tris < frame.stats.max_tris_used)
+            tris = frame.stats.max_tris_used;
+        if (verts < frame.stats.max_verts_used)
+            verts = frame.stats.max_verts_used;
+        sim_frame_free(&frame);
+    }
+    config->max_tris = (uint16_t)tris;
+    config->max_verts = (uint16_t)verts;
+    return SIM_OK;
+}
+
+static void add_diff(struct tally *sum, const struct ref_diff *d)
+{
+    struct ref_diff *s = &sum->diff;
+    s->pixels += d->pixels;
+    s->ref_drawn += d->ref_drawn;
+    s->id_differ += d->id_differ;
+    s->missing += d->missing;
+    s->extra += d->extra;
+    s->channels += d->channels;
+    s->channel_off += d->channel_off;
+    s->channel_off_one += d->channel_off_one;
+    s->z_compared += d->z_compared;
+    sum->z_sum += d->z_mean_rel * (double)d->z_compared;
+}
+
+static int compare(struct tally *sum, const struct demo_frame *f, const struct demo *demo,
+                   const struct zs_config *config, const struct sim_frame *frame)
+{
+    const size_t n = (size_t)config->width * config->height;
+    struct ref_image ours = { frame->rgb565, frame->key, sim_alloc(n, sizeof(uint32_t)), 0, 0, 0 };
+    struct ref_image truth = { sim_alloc(n, 2), sim_alloc(n, 2), sim_alloc(n, sizeof(uint32_t)),
+                               sim_alloc(n, sizeof(double)), 0, 0 };
+    struct ref_camera camera;
+    struct ref_light light;
+    struct ref_diff diff;
+    const struct ref_depth depth = { sim_truth_mapping(demo->depth, &f->camera), config->depth_bits };
+    size_t n_tris;
+    struct ref_triangle *tris = sim_truth_triangles(&f->scene, &f->camera, &n_tris);
+    sim_truth_camera(&camera, &f->camera);
+    sim_truth_light(&light, &f->scene.light, &f->camera);
+    ours.texel = sim_alloc(n, sizeof *ours.texel); /* colours are compared where texels are the same */
+    truth.texel = sim_alloc(n, sizeof *truth.texel);
+    int err = sim_frame_ids(ours.id, &f->scene, &f->camera, config);
+    if (!err)
+        err = sim_frame_texels(ours.texel, &f->scene, &f->camera, config);
+    if (!err)
+        err = ref_render(tris, n_tris, &camera, &light, &depth, f->scene.background, config->width,
+                         config->height, &truth, NULL, NULL);
+    if (!err)
+        err = ref_compare(&ours, &truth, &depth, &camera, config->width, config->height, &diff);
+    if (!err)
+        add_diff(sum, &diff);
+    free(tris);
+    free(ours.id);
+    free(ours.texel);
+    free(truth.texel);
+    free(truth.rgb565);
+    free(truth.key);
+    free(truth.id);
+    free(truth.z);
+    return err ? sim_refuse(demo->name, 0, "the reference could not draw it (%d)", err) : SIM_OK;
+}
+
+/* ---- Contact sheet ------------------------------------------------------------------------------------ */
+
+struct sheet {
+    uint8_t *rgb; /* [rows * cell_h][SHEET_COLUMNS * cell_w][3] */
+    uint32_t cell_w, cell_h, rows, next;
+};
+
+static void sheet_add(struct sheet *s, const struct sim_picture *p)
+{
+    const uint32_t width = SHEET_COLUMNS * s->cell_w;
+    const uint32_t x0 = s->next % SHEET_COLUMNS * s->cell_w + (s->cell_w - p->width) / 2u;
+    const uint32_t y0 = s->next / SHEET_COLUMNS * s->cell_h + (s->cell_h - p->height) / 2u;
+    s->next++;
+    for (uint32_t y = 0; y < p->height; y++)
+        memcpy(s->rgb + ((size_t)(y0 + y) * width + x0) * 3u, p->rgb + (size_t)y * p->width * 3u, p->width * 3u);
+}
+
+/* ---- Scenes -------------------------------------------------------------------------------------------- */
+
+/* The frame, and what is seen of it: through the panel, if there is one. */
+static int draw(struct sim_frame *frame, struct sim_picture *seen, struct sim_panel_frame *panel,
+                const struct demo_frame *f, const struct zs_config *config, const struct request *rq, const char *scene)
+{
+    const struct zs_sink sink = sim_panel_sink(panel);
+    int err = sim_frame_render_to(frame, &f->scene, &f->camera, config, NULL, rq->panel.name ? &sink : NULL);
+    if (!err && rq->show != SIM_SHOW_FRAME)
+        err = sim_show_draw(seen, NULL, rq->show, &f->scene, &f->camera, config, 1.0);
+    if (err && panel->err == HAL_OK)
+        return sim_refuse(scene, 0, "%s", zs_error_string(err));
+    if (rq->show != SIM_SHOW_FRAME)
+        return SIM_OK;
+    if (rq->panel.name == NULL) {
+        sim_picture_565(seen, config->width, config->height, frame->rgb565);
+        return SIM_OK;
+    }
+    const int status = sim_panel_check(panel, &rq->panel, scene);
+    if (status == SIM_OK)
+        sim_panel_picture(seen, panel->model, &panel->glass, rq->panel.turns);
+    return status;
+}
+
+static int save(const struct sim_picture *seen, const struct request *rq, const char *scene, uint32_t t)
+{
+    char png[4096], raw[4096];
+    (void)snprintf(png, sizeof png, "%s/%s_%03u.png", rq->out, scene, (unsigned)t);
+    (void)snprintf(raw, sizeof raw, "%s/%s_%03u.bin", rq->out, scene, (unsigned)t);
+    return sim_picture_save(seen, png, rq->raw ? raw : NULL);
+}
+
+/* Frame t into its files, the table's sums and, the first one, the sheet. */
+static int draw_frame(const struct demo *demo, uint32_t t, const struct zs_config *config, const struct request *rq,
+                      struct sim_panel_frame *panel, struct tally *sum, struct sheet *sheet)
+{
+    struct demo_frame f;
+    struct sim_frame frame;
+    struct sim_picture seen = { 0 };
+    demo->pose(&f, t, config->width, config->height);
+    int err = draw(&frame, &seen, panel, &f, config, rq, demo->name);
+    if (!err && sum->frames == 0) {
+        sum->stats = frame.stats;
+        sheet_add(sheet, &seen);
+    }
+    sum->arena = frame.arena_bytes;
+    if (sum->passes_max < frame.stats.passes)
+        sum->passes_max = frame.stats.passes;
+    if (!err)
+        err = save(&seen, rq, demo->name, t);
+    if (!err)
+        err = compare(sum, &f, demo, config, &frame);
+    sim_picture_free(&seen);
+    sim_frame_free(&frame);
+    sum->frames++;
+    return err;
+}
+
+static int draw_scene(const struct demo *demo, const struct request *rq, struct tally *sum,
+                      struct sheet *sheet)
+{
+    const uint32_t frames = count_frames(rq, demo);
+    struct sim_panel_frame panel = { 0 };
+    struct zs_config config;
+    configure(&config, demo, rq);
+    int err = fit_pools(&config, demo, rq);
+    if (!err && rq->panel.name != NULL)
+        err = sim_panel_begin(&panel, &rq->panel, demo->name, config.strip_h);
+    for (uint32_t k = 0; !err && k < frames; k++) {
+        err = draw_frame(demo, frame_number(rq, k), &config, rq, &panel, sum, sheet);
+        sim_progress(demo->name, k + 1u, frames);
+    }
+    sim_panel_free(&panel);
+    sim_progress_end();
+    return err;
+}
+
+static void table_head(const struct request *rq)
+{
+    printf("Triangles and pixels: frame %ld. Error against the double-precision reference: all frames.\n\n", rq->start);
+    printf("%-13s %6s %6s | %6s %5s %5s %5s %5s %5s %5s | %7s %7s | %7s %6s %6s | %7s %7s %7s %6s %7s\n",
+           "scene", "in", "drawn", "view", "near", "far", "side", "back", "zero", "empty", "tested",
+           "written", "arena", "passes", "frames", "wrong", "cover", "depth", "colour", "by one");
+}
+
+static double percent(size_t part, size_t whole)
+{
+    return whole ? 100.0 * (double)part / (double)whole : 0.0;
+}
+
+static void table_row(const struct demo *demo, const struct tally *t)
+{
+    const struct zs_stats *s = &t->stats;
+    const struct ref_diff *d = &t->diff;
+    printf("%-13s %6u %6u | %6u %5u %5u %5u %5u %5u %5u | %7u %7u | %7u %6u %6u |", demo->name,
+           s->tris_in, s->tris_drawn, s->tris_frustum, s->tris_near, s->tris_far, s->tris_offscreen,
+           s->tris_facing, s->tris_zero, s->tris_empty, s->pixels_tested, s->pixels_written,
+           t->arena, t->passes_max, t->frames);
+    printf(" %6.3f%% %6.3f%% %7.1e %6zu %6.2f%%\n", percent(d->id_differ, d->ref_drawn),
+           percent(d->missing + d->extra, d->ref_drawn),
+           d->z_compared ? t->z_sum / (double)d->z_compared : 0.0, d->channel_off,
+           percent(d->channel_off_one, d->channels));
+}
+
+static void table_foot(void)
+{
+    puts("\nin, drawn: triangles. Rejected because: view - the instance's sphere is out of view; near, far;\n"
+         "side - beside the frame; back - the culled face; zero - no area after snapping; empty - no sample\n"
+         "in the box. tested, written: pixels. arena: bytes, all of the renderer's RAM but its own struct.\n"
+         "wrong: drawn pixels that show another triangle than the reference does. cover: pixels missing or\n"
+         "too many. depth: mean relative error of the distances that 16-bit keys stand for. colour: channel\n"
+         "values more than one RGB565 code off, where triangle and texel are the same. by one: those one code\n"
+         "off.");
+}
+
+/* ---- Command line ---------------------------------------------------------------------------------- */
+
+static int make_folder(const char *path)
+{
+    char part[4096];
+    if (strlen(path) + 64u > sizeof part)
+        return sim_refuse(NULL, 0, "--out: the path is too long");
+    for (size_t i = 1; i <= strlen(path); i++)
+        if (path[i] == '/' || path[i] == '\0') {
+            memcpy(part, path, i);
+            part[i] = '\0';
+            if (mkdir(part, 0777) && errno != EEXIST)
+                return sim_refuse(part, 0, "cannot make this folder: %s", strerror(errno));
+        }
+    return SIM_OK;
+}
+
+static int is_name(const struct demo *demo, const char *text, size_t length)
+{
+    return strlen(demo->name) == length && !memcmp(demo->name, text, length);
+}
+
+/* The name behind that at `at`; NULL: it was the last. */
+static const char *next_name(const char *at)
+{
+    const char *comma = strchr(at, ',');
+    return comma ? comma + 1 : NULL;
+}
+
+static int wanted(const struct request *rq, const struct demo *demo)
+{
+    for (const char *at = rq->scenes; at; at = next_name(at))
+        if (is_name(demo, at, strcspn(at, ",")))
+            return 1;
+    return !rq->scenes;
+}
+
+/* The names of all scenes. Static storage. */
+static const char *scene_list(void)
+{
+    static char text[1024];
+    size_t n = 0;
+    for (uint32_t i = 0; i < n_demos && n + 64u < sizeof text; i++)
+        n += (size_t)snprintf(text + n, sizeof text - n, "%s%s", i == 0 ? "" : ", ", demos[i]->name);
+    return text;
+}
+
+/* Are names and frames such as there are? */
+static int check_scenes(const struct request *rq)
+{
+    for (const char *at = rq->scenes; at; at = next_name(at)) {
+        const size_t length = strcspn(at, ",");
+        uint32_t i = 0;
+        while (i < n_demos && !is_name(demos[i], at, length))
+            i++;
+        if (i == n_demos)
+            return sim_refuse(NULL, 0, "--scene %.*s: there is no such scene; there are %s", (int)length, at,
+                              scene_list());
+    }
+    for (uint32_t i = 0; i < n_demos; i++)
+        if (wanted(rq, demos[i]) && rq->start >= demos[i]->frames)
+            return sim_refuse(NULL, 0, "--start %ld: frames of %s are 0 to %u; start at one of them%s", rq->start,
+                              demos[i]->name, demos[i]->frames - 1u, rq->scenes ? "" : ", or name scenes by --scene");
+    return SIM_OK;
+}
+
+static int parse(struct request *rq, int argc, char **argv)
+{
+    char seen[N_TABLE] = { 0 };
+    struct pm_glass glass;
+    int status = SIM_OK;
+    for (int i = 0; status == SIM_OK && i < argc; i++)
+        status = sim_option_take(table, N_TABLE, rq, seen, argc, argv, &i);
+    if (status != SIM_OK || rq->help)
+        return status;
+    status = sim_fast_take(&rq->fast, rq->fast_names);
+    if (status == SIM_OK)
+        status = sim_options_in_range(table, N_TABLE, rq, seen, NULL);
+    if (status == SIM_OK)
+        status = sim_panel_take(&rq->panel, NULL, rq->has_size, rq->size, rq->strip, &glass);
+    if (status == SIM_OK && rq->show != SIM_SHOW_FRAME && rq->panel.name != NULL)
+        return sim_usage("--show does not go through a panel: leave --panel out");
+    rq->has_size |= rq->panel.name != NULL;
+    return status == SIM_OK ? check_scenes(rq) : status;
+}
+
+/* What a picture of it takes. */
+static struct size picture_size(const struct request *rq, const struct demo *demo)
+{
+    const struct size size = size_of(rq, demo);
+    if (rq->show == SIM_SHOW_FRAME)
+        return size;
+    return (struct size){ (uint16_t)sim_show_width(size.width), (uint16_t)sim_show_height(size.height) };
+}
+
+/* A sheet for the wanted scenes. */
+static void sheet_begin(struct sheet *sheet, const struct request *rq)
+{
+    uint32_t found = 0;
+    memset(sheet, 0, sizeof *sheet);
+    for (uint32_t i = 0; i < n_demos; i++)
+        if (wanted(rq, demos[i])) {
+            const struct size size = picture_size(rq, demos[i]);
+            found++;
+            if (sheet->cell_w < size.width)
+                sheet->cell_w = size.width;
+            if (sheet->cell_h < size.height)
+                sheet->cell_h = size.height;
+        }
+    sheet->rows = (found + SHEET_COLUMNS - 1u) / SHEET_COLUMNS;
+    sheet->rgb = sim_alloc((size_t)sheet->rows * sheet->cell_h * SHEET_COLUMNS * sheet->cell_w, 3);
+}
+
+int sim_demo(int argc, char **argv)
+{
+    struct request rq = { .out = "build/demo", .strip = 24, .subpixel = 8, .step = 1 };
+    int err = parse(&rq, argc, argv);
+    if (!err && rq.help) {
+        char scenes[1024];
+        sim_wrap(scenes, sizeof scenes, scene_list(), 20);
+        printf(usage, scenes, sim_fast_list(20), sim_panel_list(20));
+        return SIM_OK;
+    }
+    if (!err)
+        err = make_folder(rq.out);
+    if (err)
+        return err;
+    struct sheet sheet;
+    sheet_begin(&sheet, &rq);
+    table_head(&rq);
+    for (uint32_t i = 0; !err && i < n_demos; i++) {
+        struct tally sum;
+        memset(&sum, 0, sizeof sum);
+        if (!wanted(&rq, demos[i]))
+            continue;
+        err = draw_scene(demos[i], &rq, &sum, &sheet);
+        if (!err)
+            table_row(demos[i], &sum);
+        (void)fflush(stdout);
+    }
+    if (!err) {
+        char path[4096];
+        (void)snprintf(path, sizeof path, "%s/contact.png", rq.out);
+        err = sim_png_save(path, SHEET_COLUMNS * sheet.cell_w, sheet.rows * sheet.cell_h,
+                           sheet.rgb);
+        if (!err) {
+            table_foot();
+            printf("\n%s and %s/SCENE_NNN.png\n", path, rq.out);
+        }
+    }
+    free(sheet.rgb);
+    return err;
+}

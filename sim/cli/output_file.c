@@ -1,0 +1,178 @@
+/* Atomic files.
+ *
+ * SPDX-License-Identifier: MIT
+ */
+#include "output_file.h"
+
+#include <errno.h>
+#include <signal.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include "sim.h"
+
+#define OPEN_MAX_OUTPUTS 16
+
+/* Temporary files that exist, for the signal handler: pointers are set and cleared whole. */
+static char *volatile pending[OPEN_MAX_OUTPUTS];
+
+static void remove_pending(void)
+{
+    for (int i = 0; i < OPEN_MAX_OUTPUTS; i++)
+        if (pending[i] != NULL)
+            (void)unlink(pending[i]);
+}
+
+static void on_signal(int number)
+{
+    remove_pending();
+    (void)signal(number, SIG_DFL);
+    (void)raise(number);
+}
+
+static void watch(char *temporary)
+{
+    static int installed;
+    if (!installed) {
+        installed = 1;
+        (void)atexit(remove_pending);
+        (void)signal(SIGXFSZ, SIG_IGN); /* a write beyond a limit of size fails instead */
+        const int numbers[] = { SIGINT, SIGTERM, SIGHUP, SIGQUIT, SIGPIPE };
+        for (size_t i = 0; i < sizeof numbers / sizeof numbers[0]; i++)
+            if (signal(numbers[i], on_signal) == SIG_IGN)
+                (void)signal(numbers[i], SIG_IGN); /* nohup stays nohup */
+    }
+    for (int i = 0; i < OPEN_MAX_OUTPUTS; i++)
+        if (pending[i] == NULL) {
+            pending[i] = temporary;
+            return;
+        }
+}
+
+static void unwatch(const char *temporary)
+{
+    for (int i = 0; i < OPEN_MAX_OUTPUTS; i++)
+        if (pending[i] == temporary)
+            pending[i] = NULL;
+}
+
+/* The folder of a path, malloc'ed. */
+static char *folder_of(const char *path)
+{
+    const char *slash = strrchr(path, '/');
+    const size_t n = slash == NULL ? 0 : slash == path ? 1 : (size_t)(slash - path);
+    char *folder = sim_alloc(n + 2, 1);
+    memcpy(folder, n > 0 ? path : ".", n > 0 ? n : 1);
+    return folder;
+}
+
+int sim_output_check(const char *name, const char *source)
+{
+    struct stat st, from;
+    const int exists = stat(name, &st) == 0;
+    if (exists && S_ISDIR(st.st_mode))
+        return sim_refuse(name, 0, "cannot be written: it is a directory");
+    if (exists && source != NULL && stat(source, &from) == 0 && from.st_dev == st.st_dev &&
+        from.st_ino == st.st_ino)
+        return sim_refuse(name, 0, "cannot be written: it is the model itself");
+    if (exists && access(name, W_OK) != 0)
+        return sim_refuse(name, 0, "cannot be written: %s", strerror(errno));
+    if (exists && !S_ISREG(st.st_mode))
+        return SIM_OK;
+    char *folder = folder_of(name);
+    int status = SIM_OK;
+    if (name[0] == '\0' || name[strlen(name) - 1] == '/')
+        status = sim_refuse(name, 0, "cannot be written: not the name of a file");
+    else if (stat(folder, &st) != 0)
+        status = sim_refuse(name, 0, "cannot be written: no folder %s", folder);
+    else if (access(folder, W_OK | X_OK) != 0)
+        status = sim_refuse(name, 0, "cannot be written: %s: %s", folder, strerror(errno));
+    free(folder);
+    return status;
+}
+
+/* A new file beside the path, with the mode that the path has or would get. */
+static FILE *open_beside(struct sim_output *out, const struct stat *st)
+{
+    char *folder = folder_of(out->path);
+    const size_t room = strlen(folder) + 20;
+    out->temporary = sim_alloc(room, 1);
+    (void)snprintf(out->temporary, room, "%s/.zsim-XXXXXX", folder);
+    free(folder);
+    const int fd = mkstemp(out->temporary);
+    if (fd < 0) {
+        free(out->temporary);
+        out->temporary = NULL;
+        return NULL;
+    }
+    watch(out->temporary);
+    const mode_t mask = umask(0);
+    (void)umask(mask);
+    (void)fchmod(fd, st != NULL ? st->st_mode & 0777u : 0666u & ~mask);
+    FILE *f = fdopen(fd, "wb");
+    if (f == NULL)
+        (void)close(fd);
+    return f;
+}
+
+int sim_output_open(struct sim_output *out, const char *name)
+{
+    struct stat st;
+    memset(out, 0, sizeof *out);
+    const int exists = stat(name, &st) == 0;
+    out->name = name;
+    out->path = exists ? realpath(name, NULL) : NULL;
+    if (out->path == NULL)
+        out->path = strcpy(sim_alloc(strlen(name) + 1, 1), name);
+    if (exists && !S_ISREG(st.st_mode))
+        out->file = fopen(out->path, "wb");
+    else
+        out->file = open_beside(out, exists ? &st : NULL);
+    if (out->file != NULL)
+        return SIM_OK;
+    const int why = errno;
+    sim_output_abort(out);
+    return sim_refuse(name, 0, "cannot be written: %s", strerror(why));
+}
+
+void sim_output_abort(struct sim_output *out)
+{
+    if (out->file != NULL)
+        (void)fclose(out->file);
+    if (out->temporary != NULL) {
+        (void)unlink(out->temporary);
+        unwatch(out->temporary);
+    }
+    free(out->temporary);
+    free(out->path);
+    memset(out, 0, sizeof *out);
+}
+
+int sim_output_commit(struct sim_output *out, size_t n)
+{
+    int status = SIM_OK;
+    for (size_t i = 0; i < n; i++) {
+        const int bad = ferror(out[i].file);
+        errno = 0;
+        const int closed = fclose(out[i].file);
+        out[i].file = NULL;
+        if ((bad || closed != 0) && status == SIM_OK)
+            status = sim_refuse(out[i].name, 0, "cannot be written: %s",
+                                errno != 0 ? strerror(errno) : "the disk may be full");
+    }
+    for (size_t i = 0; i < n; i++) {
+        if (status == SIM_OK && out[i].temporary != NULL) {
+            if (rename(out[i].temporary, out[i].path) == 0) {
+                unwatch(out[i].temporary);
+                free(out[i].temporary);
+                out[i].temporary = NULL;
+            } else {
+                status = sim_refuse(out[i].name, 0, "cannot be written: %s", strerror(errno));
+            }
+        }
+        sim_output_abort(&out[i]);
+    }
+    return status;
+}

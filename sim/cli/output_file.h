@@ -1,0 +1,33 @@
+/* Output files that are whole or not there: written beside their place, then moved into it.
+ *
+ * SPDX-License-Identifier: MIT
+ */
+#ifndef SIM_OUTPUT_FILE_H
+#define SIM_OUTPUT_FILE_H
+
+#include <stdio.h>
+
+struct sim_output {
+    FILE *file;       /* write here */
+    char *path;       /* where it will be; symbolic links followed */
+    char *temporary;  /* where it is; NULL: a device or pipe, written directly */
+    const char *name; /* as given, for messages; borrowed */
+};
+
+/* Could this path be written, as far as one can tell without writing? SIM_OK; SIM_REFUSED, said
+ * why. source: a file that must not be overwritten, or NULL. */
+int sim_output_check(const char *name, const char *source);
+
+/* Open an output. Until sim_output_commit, what was at the path stays as it was.
+ * SIM_OK; SIM_REFUSED, said why, nothing open. */
+int sim_output_open(struct sim_output *out, const char *name);
+
+/* Close all and move them into place; on a failure none is moved that can be held back.
+ * SIM_OK; SIM_REFUSED, said why. Outputs are closed and free in either case. */
+int sim_output_commit(struct sim_output *out, size_t n);
+
+/* Close and remove. Harmless on an output that is not open. Also done for every open output when
+ * zsim exits or is interrupted. */
+void sim_output_abort(struct sim_output *out);
+
+#endif

@@ -1,0 +1,445 @@
+/* Options, model, view, scene, frame, files, in this order. Files come last, so that whatever is
+ * refused leaves none.
+ *
+ * SPDX-License-Identifier: MIT
+ */
+#include "render.h"
+
+#include <stdlib.h>
+#include <string.h>
+#include <sys/stat.h>
+
+#include "frame.h"
+#include "image.h"
+#include "model.h"
+#include "render_options.h"
+#include "model_reference.h"
+#include "output_file.h"
+#include "panel_frame.h"
+#include "quantise.h"
+#include "false_colors.h"
+#include "sim.h"
+#include "stats.h"
+#include "texel_numbers.h"
+#include "vec.h"
+#include "framing.h"
+
+#define N_OUTPUTS 4
+#define GUARD_PX (ZS_GUARD_PX - 64.0) /* safely inside the guard band */
+#define PIECES 7u     /* triangles that clipping can make of one */
+#define NEW_VERTS 9u  /* vertices of what it makes */
+
+/* One command, from its options to its frame. Whatever is not set is all zero. */
+struct job {
+    struct sim_options options;
+    struct sim_model model;
+    struct sim_view view;
+    struct sim_scene scene;
+    struct zs_config config;
+    struct sim_frame frame;
+    struct sim_panel_frame panel; /* with --panel */
+    uint32_t *id;    /* of the frame; NULL: not wanted */
+    uint32_t *texel; /* with --compare and textures; else NULL */
+    struct sim_original original;
+    struct ref_diff diff; /* with --compare */
+    struct sim_picture shown; /* with --show */
+    struct sim_show_sum show_sum;
+    struct sim_frame_time time; /* with --threads */
+};
+
+/* ---- Frame ----------------------------------------------------------------------------------- */
+
+/* Could any triangle need clipping? By the model's sphere. */
+static int may_clip(const struct sim_view *v, const struct sim_model *model)
+{
+    double to[3];
+    sim_sub(to, model->center, v->eye);
+    const double z = -sim_dot(to, v->back), r = model->radius;
+    const double x = fabs(sim_dot(to, v->right)) + r, y = fabs(sim_dot(to, v->up)) + r;
+    if (z - r <= v->near_z || z + r >= v->far_z)
+        return 1;
+    const double px = v->orthographic ? v->height / v->span : v->focal / (z - r);
+    return fmax(x, y) * px > GUARD_PX;
+}
+
+static uint16_t pool_size(long wanted, uint64_t ample, uint64_t least)
+{
+    const uint64_t n = wanted > 0 ? (uint64_t)wanted : ample < least ? least : ample;
+    return (uint16_t)(n < ZS_POOL_MAX ? n : ZS_POOL_MAX);
+}
+
+static void set_config(struct job *job)
+{
+    const struct sim_options *o = &job->options;
+    struct zs_config *c = &job->config;
+    const uint64_t n = job->model.n_tris;
+    const int clips = may_clip(&job->view, &job->model);
+    static const struct {
+        uint8_t attrs[SIM_SHADE_UNLIT + 1];
+        const struct zs_depth *depth[SIM_DEPTH_E5M11 + 1];
+    } of = {
+        { [SIM_SHADE_ID] = ZS_VARYINGS_FLAT, [SIM_SHADE_FLAT] = ZS_VARYINGS_FLAT,
+          [SIM_SHADE_SMOOTH] = ZS_VARYINGS_SMOOTH, [SIM_SHADE_TEXTURED] = ZS_VARYINGS_TEXTURE_SMOOTH,
+          [SIM_SHADE_TEXTURED_FLAT] = ZS_VARYINGS_TEXTURE, [SIM_SHADE_UNLIT] = ZS_VARYINGS_TEXTURE },
+        { [SIM_DEPTH_RECIP] = &zs_depth_recip, [SIM_DEPTH_LINEAR] = &zs_depth_linear,
+          [SIM_DEPTH_E3M13] = &zs_depth_e3m13, [SIM_DEPTH_E4M12] = &zs_depth_e4m12,
+          [SIM_DEPTH_E5M11] = &zs_depth_e5m11 },
+    };
+    sim_frame_config(c, (uint16_t)o->size[0], (uint16_t)o->size[1], of.attrs[o->shade]);
+    c->strip_h = (uint16_t)(o->strip < o->size[1] ? o->strip : o->size[1]);
+    c->max_tris = pool_size(o->tris, clips ? n * PIECES : n, 1);
+    c->max_verts = pool_size(o->verts, job->scene.n_verts + (clips ? n * NEW_VERTS : 0), 3);
+    c->buffers = (uint8_t)o->buffers;
+    c->subpixel_bits = (uint8_t)o->subpixel;
+    c->depth_bits = (uint8_t)o->depth_bits;
+    c->fast = o->fast.list;
+    c->depth = of.depth[sim_depth_of(o, &job->view)];
+}
+
+static int refuse_frame(const struct job *job, int err)
+{
+    const struct sim_view *v = &job->view;
+    if (err == SIM_FRAME_BROKEN)
+        return sim_refuse(job->model.file, 0, "the renderer broke its sink's contract");
+    return sim_refuse(job->model.file, 0,
+                      "the renderer cannot hold this view, near %.9g, far %.9g: %s", v->near_z,
+                      v->far_z, zs_error_string(err));
+}
+
+/* The frame; with --panel its strips go there too. */
+static int draw_strips(struct job *job)
+{
+    const struct sim_panel_wish *wish = &job->options.panel;
+    const struct zs_sink sink = sim_panel_sink(&job->panel);
+    if (wish->name != NULL) {
+        const int status = sim_panel_begin(&job->panel, wish, job->options.model, job->config.strip_h);
+        if (status != SIM_OK)
+            return status;
+    }
+    const int err = job->options.threads > 0
+        ? sim_frame_render_threads(&job->frame, &job->scene.scene, &job->scene.camera, &job->config,
+                                   (uint32_t)job->options.threads, &job->time)
+        : sim_frame_render_to(&job->frame, &job->scene.scene, &job->scene.camera, &job->config, "drawing",
+                              wish->name != NULL ? &sink : NULL);
+    if (err != ZS_OK && job->panel.err == HAL_OK)
+        return refuse_frame(job, err);
+    return wish->name != NULL ? sim_panel_check(&job->panel, wish, job->options.model) : SIM_OK;
+}
+
+static int draw_frame(struct job *job)
+{
+    const struct sim_options *o = &job->options;
+    const size_t pixels = (size_t)o->size[0] * (size_t)o->size[1];
+    int status = sim_scene_build(&job->scene, &job->model, &job->view, o);
+    if (status != SIM_OK)
+        return status;
+    set_config(job);
+    status = draw_strips(job);
+    if (status != SIM_OK)
+        return status;
+    int err = ZS_OK;
+    if (o->id_out != NULL || o->compare) {
+        job->id = sim_alloc(pixels, sizeof *job->id);
+        err = sim_frame_ids(job->id, &job->scene.scene, &job->scene.camera, &job->config);
+    }
+    if (err == ZS_OK && o->compare && sim_options_textured(o)) {
+        job->texel = sim_alloc(pixels, sizeof *job->texel);
+        err = sim_frame_texels(job->texel, &job->scene.scene, &job->scene.camera, &job->config);
+    }
+    if (err == ZS_OK && o->show != SIM_SHOW_FRAME)
+        err = sim_show_draw(&job->shown, &job->show_sum, o->show, &job->scene.scene, &job->scene.camera, &job->config,
+                            job->scene.unit);
+    return err == ZS_OK ? SIM_OK : refuse_frame(job, err);
+}
+
+static int load(struct job *job)
+{
+    const struct sim_options *o = &job->options;
+    const struct sim_want want = { .normals = sim_options_smooth(o),
+                                   .textures = sim_options_textured(o),
+                                   .picture = o->texture,
+                                   .wrap = !o->has_wrap ? SIM_WRAP_FILE
+                                           : o->clamp   ? SIM_WRAP_CLAMP
+                                                        : SIM_WRAP_REPEAT,
+                                   .color = o->has_color ? &o->color : NULL };
+    const int status = sim_model_load(&job->model, o->model, &want);
+    if (status != SIM_OK || !want.textures || job->model.n_textures > 0)
+        return status;
+    if (job->model.lost_materials != NULL)
+        return sim_refuse(o->model, 0,
+                          "no textures: its material file %s cannot be read; put it beside the "
+                          "model, or name a picture by --texture",
+                          job->model.lost_materials);
+    return sim_refuse(o->model, 0,
+                      "no face of it has a texture and coordinates for it; name a picture by "
+                      "--texture, or draw it with --shade smooth");
+}
+
+static int draw(struct job *job)
+{
+    const struct sim_options *o = &job->options;
+    int status = load(job);
+    if (status == SIM_OK)
+        status = sim_view_plan(&job->view, o, &job->model);
+    if (status == SIM_OK && !o->reference)
+        status = draw_frame(job);
+    if (status == SIM_OK && (o->reference || o->compare))
+        status = sim_original_render(&job->original, &job->model, &job->view, o);
+    if (status == SIM_OK && o->compare) {
+        const struct ref_image ours = { .rgb565 = job->frame.rgb565, .key = job->frame.key,
+                                        .id = job->id, .texel = job->texel };
+        if (ref_compare(&ours, &job->original.image, &job->original.depth, &job->original.camera,
+                        job->view.width, job->view.height, &job->diff) != REF_OK)
+            status = sim_refuse(o->model, 0, "the reference cannot compare these frames");
+    }
+    sim_progress_end();
+    return status;
+}
+
+/* ---- Files ----------------------------------------------------------------------------------- */
+
+static void stats_reference(struct sim_json *json, const struct job *job)
+{
+    const size_t n = (size_t)job->view.width * (size_t)job->view.height;
+    double visible = 0.0;
+    for (size_t i = 0; i < n; i++)
+        visible += job->original.image.key[i] != ZS_DEPTH_CLEAR;
+    sim_json_number(json, "triangles_in", (double)job->model.n_tris);
+    sim_json_number(json, "pixels_visible", visible);
+}
+
+static void stats_view(struct sim_json *json, const struct job *job)
+{
+    const struct sim_view *v = &job->view;
+    sim_json_number(json, "width", v->width);
+    sim_json_number(json, "height", v->height);
+    sim_json_vector(json, "eye", v->eye);
+    sim_json_vector(json, "at", v->at);
+    sim_json_vector(json, "up", v->up);
+    sim_json_vector(json, "light", v->light);
+    sim_json_number(json, "near", v->near_z);
+    sim_json_number(json, "far", v->far_z);
+    sim_json_number(json, "focal_px", v->orthographic ? 0.0 : v->focal);
+    sim_json_number(json, "view_height", v->orthographic ? v->span : 0.0);
+}
+
+static void stats_diff(struct sim_json *json, const struct ref_diff *d)
+{
+    const double n = (double)d->pixels;
+    sim_json_number(json, "compare_missing", (double)d->missing);
+    sim_json_number(json, "compare_extra", (double)d->extra);
+    sim_json_number(json, "compare_wrong_triangle", (double)d->id_differ);
+    sim_json_number(json, "compare_wrong_fraction",
+                    (double)(d->missing + d->extra + d->id_differ) / n);
+    sim_json_number(json, "compare_key_max_diff", d->key_max_diff);
+    sim_json_number(json, "compare_key_max_error", d->key_max_error);
+    sim_json_number(json, "compare_key_off", (double)d->key_off);
+    sim_json_number(json, "compare_z_mean_relative", d->z_mean_rel);
+    sim_json_number(json, "compare_z_max_relative", d->z_max_rel);
+    sim_json_number(json, "compare_channel_max_diff", d->channel_max_diff);
+    sim_json_number(json, "compare_channel_off_one_fraction", d->off_one_fraction);
+    sim_json_number(json, "compare_channel_off", (double)d->channel_off);
+    sim_json_number(json, "compare_psnr_db", fmin(d->psnr_db, 999.0));
+    sim_json_number(json, "compare_texels", (double)d->texels);
+    sim_json_number(json, "compare_texel_differ", (double)d->texel_differ);
+    sim_json_number(json, "compare_texel_far", (double)d->texel_far);
+    sim_json_number(json, "compare_texel_max_distance", d->texel_max_distance);
+}
+
+static void stats_textures(struct sim_json *json, const struct sim_model *model)
+{
+    double texels = 0.0, resampled = 0.0;
+    for (uint32_t i = 0; i < model->n_textures; i++) {
+        const struct sim_texture *t = &model->texture[i];
+        texels += (double)t->image.width * t->image.height;
+        resampled += t->image.width != t->file_width || t->image.height != t->file_height;
+    }
+    sim_json_number(json, "textures", model->n_textures);
+    sim_json_number(json, "texture_texels", texels);
+    sim_json_number(json, "texture_resampled", resampled);
+}
+
+/* The frame's bytes, without those that set the panel up. */
+static void stats_panel(struct sim_json *json, const struct job *job)
+{
+    const struct pm_counts *now = pm_counts(job->panel.model), *then = &job->panel.setup;
+    const double bytes = (double)(now->bytes - then->bytes), hz = (double)job->options.spi_hz;
+    sim_json_number(json, "panel_setup_bytes", (double)then->bytes);
+    sim_json_number(json, "panel_bytes", bytes);
+    sim_json_number(json, "panel_pixel_bytes", (double)(now->pixel_bytes - then->pixel_bytes));
+    sim_json_number(json, "panel_transactions", (double)(now->transactions - then->transactions));
+    sim_json_number(json, "panel_windows", (double)(now->windows - then->windows));
+    sim_json_number(json, "panel_spi_hz", hz);
+    sim_json_number(json, "panel_wire_us", 8e6 * bytes / hz);
+}
+
+static void write_stats(FILE *f, const struct job *job)
+{
+    const struct sim_options *o = &job->options;
+    struct sim_json json;
+    sim_json_begin(&json, f);
+    sim_json_number(&json, "reference", o->reference);
+    if (o->reference)
+        stats_reference(&json, job);
+    else
+        sim_stats_frame(&json, &job->frame, &job->config);
+    stats_view(&json, job);
+    stats_textures(&json, &job->model);
+    if (!o->reference) {
+        sim_json_number(&json, "strip_rows", job->config.strip_h);
+        sim_json_number(&json, "parts", (double)job->scene.n_parts);
+        sim_json_number(&json, "vertices_in", (double)job->scene.n_verts);
+        sim_json_number(&json, "quantisation_step", job->scene.step);
+        sim_json_number(&json, "quantisation_error", job->scene.error);
+        sim_json_number(&json, "world_unit", job->scene.unit);
+        sim_json_number(&json, "uv_bits_least", job->scene.uv_bits_least);
+        sim_json_number(&json, "uv_error_texels", job->scene.uv_error);
+        sim_json_number(&json, "texture_psnr_db", fmin(job->scene.psnr_db, 999.0));
+    }
+    if (o->panel.name != NULL)
+        stats_panel(&json, job);
+    if (o->threads > 0) {
+        sim_json_number(&json, "threads", (double)o->threads);
+        sim_json_number(&json, "thread_parts", job->time.parts);
+        sim_json_number(&json, "draw_us", 1e6 * job->time.wall);
+        sim_json_number(&json, "draw_busiest_us", 1e6 * job->time.busiest);
+    }
+    if (o->show > SIM_SHOW_DEPTH) {
+        sim_json_number(&json, "show_sum", job->show_sum.sum);
+        sim_json_number(&json, "show_most", job->show_sum.most);
+    }
+    if (o->compare)
+        stats_diff(&json, &job->diff);
+    sim_json_end(&json);
+}
+
+static void names(const struct sim_options *o, const char *name[N_OUTPUTS])
+{
+    name[0] = o->out;
+    name[1] = o->depth_out;
+    name[2] = o->id_out;
+    name[3] = o->stats;
+}
+
+/* One file of the four. */
+static int write_one(FILE *f, const struct job *job, int which, const char *name)
+{
+    const int is_reference = job->options.reference;
+    const struct ref_image *ref = &job->original.image;
+    const uint32_t w = (uint32_t)job->view.width, h = (uint32_t)job->view.height;
+    const size_t n = (size_t)w * h;
+    if (which == 0 && job->options.show != SIM_SHOW_FRAME)
+        return sim_png_write(f, name, job->shown.width, job->shown.height, job->shown.rgb);
+    if (which == 0) {
+        struct sim_picture seen;
+        if (job->options.panel.name != NULL)
+            sim_panel_picture(&seen, job->panel.model, &job->panel.glass, job->options.panel.turns);
+        else
+            sim_picture_565(&seen, w, h, is_reference ? ref->rgb565 : job->frame.rgb565);
+        const int status = sim_png_write(f, name, w, h, seen.rgb);
+        sim_picture_free(&seen);
+        return status;
+    }
+    if (which == 1)
+        sim_pgm_write(f, w, h, is_reference ? ref->key : job->frame.key);
+    else if (which == 2)
+        sim_u32_write(f, is_reference ? ref->id : job->id, n);
+    else
+        write_stats(f, job);
+    return SIM_OK;
+}
+
+static int write_files(const struct job *job)
+{
+    const char *name[N_OUTPUTS];
+    struct sim_output out[N_OUTPUTS];
+    size_t n = 0;
+    int status = SIM_OK;
+    names(&job->options, name);
+    for (int i = 0; status == SIM_OK && i < N_OUTPUTS; i++) {
+        if (name[i] == NULL)
+            continue;
+        status = sim_output_open(&out[n], name[i]);
+        if (status == SIM_OK)
+            status = write_one(out[n++].file, job, i, name[i]);
+    }
+    if (status == SIM_OK)
+        return sim_output_commit(out, n);
+    while (n > 0)
+        sim_output_abort(&out[--n]);
+    return status;
+}
+
+static int same_file(const char *a, const char *b)
+{
+    struct stat sa, sb;
+    if (strcmp(a, b) == 0)
+        return stat(a, &sa) != 0 || S_ISREG(sa.st_mode);
+    return stat(a, &sa) == 0 && stat(b, &sb) == 0 && S_ISREG(sa.st_mode) &&
+           sa.st_dev == sb.st_dev && sa.st_ino == sb.st_ino;
+}
+
+/* Before the work, what can be known about the files. */
+static int check_files(const struct sim_options *o)
+{
+    const char *name[N_OUTPUTS];
+    names(o, name);
+    for (int i = 0; i < N_OUTPUTS; i++) {
+        if (name[i] == NULL)
+            continue;
+        for (int k = 0; k < i; k++)
+            if (name[k] != NULL && same_file(name[i], name[k]))
+                return sim_refuse(name[i], 0, "is named for two outputs; give each its own");
+        const int status = sim_output_check(name[i], o->model);
+        if (status != SIM_OK)
+            return status;
+    }
+    return SIM_OK;
+}
+
+/* ---- Command --------------------------------------------------------------------------------- */
+
+static void print_diff(const struct ref_diff *d)
+{
+    (void)printf(
+        "%zu of %zu pixels drawn in the reference; missing %zu, extra %zu, another triangle "
+        "%zu. Depth: at most %.3f keys from the exact one, %zu of %zu more than 1 apart, mean "
+        "relative error of z %.2g. Colour: %.2f %% of channel values one code off, %zu more "
+        "than one (at most %d), PSNR %.1f dB.\n",
+        d->ref_drawn, d->pixels, d->missing, d->extra, d->id_differ, d->key_max_error, d->key_off,
+        d->key_compared, d->z_mean_rel, 100.0 * d->off_one_fraction, d->channel_off,
+        d->channel_max_diff, d->psnr_db);
+    if (d->texels > 0)
+        (void)printf("Texels: %zu of %zu are not the reference's, %zu of them more than 1/8 texel "
+                     "from where they belong (at most %.3f). Colours are compared where they "
+                     "are.\n",
+                     d->texel_differ, d->texels, d->texel_far, d->texel_max_distance);
+}
+
+int sim_render(int argc, char **argv)
+{
+    struct job *job = sim_alloc(1, sizeof *job);
+    int status = sim_options_parse(&job->options, argc, argv);
+    if (status == SIM_OK && job->options.help) {
+        (void)printf(sim_options_help, sim_fast_list(23), sim_panel_list(23));
+    } else {
+        if (status == SIM_OK)
+            status = check_files(&job->options);
+        if (status == SIM_OK)
+            status = draw(job);
+        if (status == SIM_OK)
+            status = write_files(job);
+        if (status == SIM_OK && job->options.compare)
+            print_diff(&job->diff);
+    }
+    sim_picture_free(&job->shown);
+    sim_original_free(&job->original);
+    free(job->id);
+    free(job->texel);
+    sim_frame_free(&job->frame);
+    sim_panel_free(&job->panel);
+    sim_scene_free(&job->scene);
+    sim_model_free(&job->model);
+    free(job);
+    return status;
+}

@@ -1,0 +1,77 @@
+/* The command line of `zsim render`.
+ *
+ * SPDX-License-Identifier: MIT
+ */
+#ifndef SIM_RENDER_OPTIONS_H
+#define SIM_RENDER_OPTIONS_H
+
+#include "accelerator_names.h"
+#include "panel_frame.h"
+#include "false_colors.h"
+#include "zstrip.h"
+
+enum sim_shade {
+    SIM_SHADE_ID,
+    SIM_SHADE_FLAT,
+    SIM_SHADE_SMOOTH,
+    SIM_SHADE_TEXTURED,      /* texels times smooth light; faces without a texture: smooth */
+    SIM_SHADE_TEXTURED_FLAT, /* texels times flat light; others: flat */
+    SIM_SHADE_UNLIT          /* texels; others: their colour */
+};
+enum sim_depth {
+    SIM_DEPTH_RECIP,
+    SIM_DEPTH_LINEAR,
+    SIM_DEPTH_E3M13,
+    SIM_DEPTH_E4M12,
+    SIM_DEPTH_E5M11,
+    SIM_DEPTH_FLOAT,  /* the one of the three that far / near asks for: see sim_depth_of */
+    SIM_DEPTH_DEFAULT /* float; orthographic: linear */
+};
+enum sim_texel { SIM_TEXEL_565, SIM_TEXEL_PAL8, SIM_TEXEL_PAL4 };
+
+/* has_* is 0 where the user said nothing and the simulator chooses. Strings point into argv. */
+struct sim_options {
+    const char *model, *out, *depth_out, *id_out, *stats; /* files; NULL: not wanted */
+    long size[2], strip;                                  /* px: width, height, rows */
+    long tris, verts;                                     /* pool sizes; 0: ample */
+    long depth_bits, subpixel, buffers;                   /* as in struct zs_config */
+    const char *fast_names;                               /* NULL: all */
+    struct sim_fast fast;                                 /* accelerators, which it names */
+    double eye[3], at[3], up[3];                          /* model units */
+    double fov;                                           /* degrees, vertical */
+    double near_z, far_z;                                 /* model units */
+    double light[3];                                      /* towards the light, any length but 0 */
+    double ambient, diffuse;                              /* 0 .. 1 */
+    enum zs_projection projection;
+    enum sim_depth depth;
+    enum sim_shade shade;
+    enum zs_cull cull;
+    enum sim_show show;
+    const char *texture;    /* a file for all faces; NULL: the model's own */
+    enum sim_texel texel;   /* how textures are stored */
+    int clamp;              /* with has_wrap: 1 clamp, 0 repeat, both ways */
+    struct zs_rgb background, color;
+    int has_eye, has_at, has_near, has_far, has_light, has_color, has_wrap; /* flags */
+    int reference, compare, help;                                 /* flags */
+    struct sim_panel_wish panel; /* size is its picture's, where it has a name */
+    long threads;                /* 0: not given */
+    long spi_hz;                 /* of its wire */
+    int has_size, has_spi;
+};
+
+/* Fill *o from the arguments after "render". SIM_USAGE where they make no sense, SIM_REFUSED where
+ * a value is outside what zsim can do; *o is only complete on SIM_OK. With o->help nothing else
+ * counts. */
+int sim_options_parse(struct sim_options *o, int argc, char **argv);
+
+/* What they are where nothing is said: no model, 240x240, flat. */
+void sim_options_defaults(struct sim_options *o);
+
+/* Do these options ask for textures; for normals at the vertices? */
+int sim_options_textured(const struct sim_options *o);
+int sim_options_smooth(const struct sim_options *o);
+
+/* The help text of `zsim render`; %s in it are the lists of accelerators and of panels. */
+extern const char sim_options_help[];
+
+#endif

@@ -1,0 +1,42 @@
+/* What every part of zsim shares: exit codes, the one-line messages, memory, progress.
+ *
+ * SPDX-License-Identifier: MIT
+ */
+#ifndef SIM_SIM_H
+#define SIM_SIM_H
+
+#include <stddef.h>
+#include <stdio.h>
+
+enum sim_status {
+    SIM_OK = 0,
+    SIM_REFUSED = 1, /* understood, and cannot be done: one line on stderr said why */
+    SIM_USAGE = 2    /* the command line was not understood: one line on stderr said why */
+};
+
+/* The program's name in its messages: "zsim" where this is not set. Borrowed. */
+extern const char *sim_program;
+
+/* Print "zsim: FILE:LINE: ..." to stderr, one line whatever the names and values hold. file NULL
+ * and line 0 are left out. Return SIM_REFUSED. */
+int sim_refuse(const char *file, unsigned long line, const char *format, ...)
+    __attribute__((format(printf, 3, 4)));
+
+/* The same for a command line, with a hint at --help. Return SIM_USAGE. */
+int sim_usage(const char *format, ...) __attribute__((format(printf, 1, 2)));
+
+/* Zeroed memory for n things of a size, and a block made larger. Never NULL: where there is no
+ * memory, zsim says so and exits with SIM_REFUSED. free() it. */
+void *sim_alloc(size_t n, size_t size);
+void *sim_grow(void *block, size_t n, size_t size);
+
+/* A list with blanks between, as lines of less than 100 columns, all but the first behind `indent` blanks. What does not
+ * fit is left out. */
+void sim_wrap(char *to, size_t room, const char *list, int indent);
+
+/* Say on stderr how far a long job is. Prints nothing unless stderr is a terminal and the job has
+ * taken half a second. sim_progress_end wipes the line; sim_refuse does too. */
+void sim_progress(const char *what, size_t done, size_t total);
+void sim_progress_end(void);
+
+#endif

@@ -1,0 +1,151 @@
+/* The reference's view of a model.
+ *
+ * SPDX-License-Identifier: MIT
+ */
+#include "model_reference.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+#include "sim.h"
+
+static void channels(double out[3], struct zs_rgb c)
+{
+    out[0] = c.r / 255.0;
+    out[1] = c.g / 255.0;
+    out[2] = c.b / 255.0;
+}
+
+static int plain_shade(const struct sim_options *o)
+{
+    return o->shade == SIM_SHADE_ID || o->shade == SIM_SHADE_UNLIT ? REF_SHADE_RAW
+           : sim_options_smooth(o)                                 ? REF_SHADE_SMOOTH
+                                                                   : REF_SHADE_FLAT;
+}
+
+static int texture_shade(const struct sim_options *o)
+{
+    return o->shade == SIM_SHADE_UNLIT           ? REF_SHADE_TEXTURE
+           : o->shade == SIM_SHADE_TEXTURED_FLAT ? REF_SHADE_TEXTURE_FLAT
+                                                 : REF_SHADE_TEXTURE_SMOOTH;
+}
+
+static void fill(struct ref_triangle *to, const struct sim_model *model, uint32_t t,
+                 const struct sim_options *o, const struct ref_texture *textures)
+{
+    const struct sim_texture *texture =
+        sim_options_textured(o) ? sim_model_texture(model, t) : NULL;
+    const struct zs_rgb rgb = sim_model_face_rgb(model, t);
+    to->id = t + 1u;
+    to->raw = o->shade == SIM_SHADE_ID ? (uint16_t)(t + 1u) : zs_rgb565(rgb.r, rgb.g, rgb.b);
+    to->shade = texture != NULL ? texture_shade(o) : plain_shade(o);
+    to->texture = texture != NULL ? &textures[texture - model->texture] : NULL;
+    to->cull = o->cull == ZS_CULL_BACK    ? REF_CULL_BACK
+               : o->cull == ZS_CULL_FRONT ? REF_CULL_FRONT
+                                          : REF_CULL_NONE;
+    for (int k = 0; k < 3; k++) {
+        memcpy(to->p[k], model->point[model->tri[t][k]], sizeof to->p[k]);
+        channels(to->rgb[k], model->rgb[t][k]);
+        for (int i = 0; i < 3 && sim_options_smooth(o); i++)
+            to->n[k][i] = (double)model->normal[t][k][i];
+        if (texture != NULL)
+            memcpy(to->uv[k], model->uv[t][k], sizeof to->uv[k]);
+    }
+    if (to->shade == REF_SHADE_FLAT)
+        channels(to->rgb[0], rgb);
+}
+
+static struct ref_texture *textures_of(const struct sim_model *model)
+{
+    struct ref_texture *all = sim_alloc(model->n_textures, sizeof *all);
+    for (uint32_t i = 0; i < model->n_textures; i++) {
+        const struct sim_texture *t = &model->texture[i];
+        all[i] = (struct ref_texture){ .width = (int)t->image.width,
+                                       .height = (int)t->image.height,
+                                       .rgb = t->image.rgb[0],
+                                       .clamp_u = (t->clamp & ZS_CLAMP_U) != 0,
+                                       .clamp_v = (t->clamp & ZS_CLAMP_V) != 0 };
+    }
+    return all;
+}
+
+static void set_up(struct sim_original *out, struct ref_light *light, const struct sim_view *view,
+                   const struct sim_options *o)
+{
+    struct ref_camera *c = &out->camera;
+    memcpy(c->eye, view->eye, sizeof c->eye);
+    memcpy(c->right, view->right, sizeof c->right);
+    memcpy(c->up, view->up, sizeof c->up);
+    memcpy(c->back, view->back, sizeof c->back);
+    c->orthographic = view->orthographic;
+    c->focal = view->focal;
+    c->height = view->span;
+    c->near_z = view->near_z;
+    c->far_z = view->far_z;
+    memcpy(light->dir, view->light, sizeof light->dir);
+    light->ambient = o->ambient;
+    light->diffuse = o->diffuse;
+    static const int mapping[] = {
+        [SIM_DEPTH_RECIP] = REF_DEPTH_RECIP, [SIM_DEPTH_LINEAR] = REF_DEPTH_LINEAR,
+        [SIM_DEPTH_E3M13] = REF_DEPTH_E3M13, [SIM_DEPTH_E4M12] = REF_DEPTH_E4M12,
+        [SIM_DEPTH_E5M11] = REF_DEPTH_E5M11,
+    };
+    out->depth.mapping = mapping[sim_depth_of(o, view)];
+    out->depth.bits = (int)o->depth_bits;
+}
+
+static void report(void *user, size_t done, size_t total)
+{
+    (void)user;
+    sim_progress("reference", done, total);
+}
+
+int sim_original_render(struct sim_original *out, const struct sim_model *model,
+                        const struct sim_view *view, const struct sim_options *o)
+{
+    struct ref_light light;
+    memset(out, 0, sizeof *out);
+    memset(&light, 0, sizeof light);
+    set_up(out, &light, view, o);
+    const size_t n = (size_t)view->width * (size_t)view->height;
+    out->image.rgb565 = sim_alloc(n, sizeof *out->image.rgb565);
+    out->image.key = sim_alloc(n, sizeof *out->image.key);
+    out->image.id = sim_alloc(n, sizeof *out->image.id);
+    out->image.z = sim_alloc(n, sizeof *out->image.z);
+    out->image.exact_key = sim_alloc(n, sizeof *out->image.exact_key);
+    if (sim_options_textured(o)) {
+        out->image.u = sim_alloc(n, sizeof *out->image.u);
+        out->image.v = sim_alloc(n, sizeof *out->image.v);
+        out->image.texel = sim_alloc(n, sizeof *out->image.texel);
+        out->image.texture = sim_alloc(n, sizeof(void *));
+        out->texture = textures_of(model);
+    }
+    struct ref_triangle *tris = sim_alloc(model->n_tris, sizeof *tris);
+    for (uint32_t t = 0; t < model->n_tris; t++)
+        fill(&tris[t], model, t, o, out->texture);
+    const uint16_t background = zs_rgb565(o->background.r, o->background.g, o->background.b);
+    const int err = ref_render(tris, model->n_tris, &out->camera, &light, &out->depth, background,
+                               view->width, view->height, &out->image, report, NULL);
+    free(tris);
+    sim_progress_end();
+    if (err == REF_OK)
+        return SIM_OK;
+    sim_original_free(out);
+    return sim_refuse(model->file, 0, "the reference cannot draw it: %s",
+                      err == REF_NO_MEMORY ? "out of memory" : "a value is outside its range");
+}
+
+void sim_original_free(struct sim_original *original)
+{
+    free(original->image.rgb565);
+    free(original->image.key);
+    free(original->image.id);
+    free(original->image.z);
+    free(original->image.exact_key);
+    free(original->image.u);
+    free(original->image.v);
+    free(original->image.texel);
+    free(original->image.texture);
+    free(original->texture);
+    memset(original, 0, sizeof *original);
+}

@@ -1,0 +1,229 @@
+/* Options, model, grid, meshes, textures, files, in this order. Files come last and all at once, so
+ * that whatever is refused leaves none.
+ *
+ * SPDX-License-Identifier: MIT
+ */
+#include "convert.h"
+
+#include <errno.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include "output_file.h"
+#include "sim.h"
+
+#define N_OUTPUTS 3
+
+/* ---- Reading --------------------------------------------------------------------------------- */
+
+/* Does the file begin as a PNG or a JPEG? What cannot be read is left to the loader to refuse. */
+static int is_picture(const char *file)
+{
+    static const unsigned char png[4] = { 0x89, 'P', 'N', 'G' }, jpeg[3] = { 0xff, 0xd8, 0xff };
+    unsigned char head[4] = { 0 };
+    struct stat st;
+    FILE *f = stat(file, &st) == 0 && S_ISREG(st.st_mode) ? fopen(file, "rb") : NULL;
+    if (f == NULL)
+        return 0;
+    const size_t n = fread(head, 1, sizeof head, f);
+    (void)fclose(f);
+    return n == sizeof head &&
+           (memcmp(head, png, sizeof png) == 0 || memcmp(head, jpeg, sizeof jpeg) == 0);
+}
+
+static int make_skin(struct sim_conversion *c, const struct sim_texture *texture)
+{
+    c->skin = sim_grow(c->skin, (size_t)c->n_skins + 1, sizeof *c->skin);
+    c->skin_name = sim_grow(c->skin_name, (size_t)c->n_skins + 1, sizeof *c->skin_name);
+    c->skin_name[c->n_skins] = texture->name;
+    const int status = sim_skin_make(&c->skin[c->n_skins], texture, c->options.input, &c->options);
+    c->n_skins += status == SIM_OK;
+    return status;
+}
+
+/* A picture becomes a model's only texture, without the model. */
+static int read_picture(struct sim_conversion *c)
+{
+    const struct sim_convert_options *o = &c->options;
+    struct sim_image image;
+    if (o->for_models)
+        return sim_refuse(o->input, 0, "is a picture, and %s is for models; leave it out",
+                          o->model_option);
+    const int status = sim_image_load(&image, o->input);
+    if (status != SIM_OK)
+        return status;
+    c->model.texture = sim_alloc(1, sizeof *c->model.texture);
+    c->model.n_textures = 1;
+    sim_texture_make(&c->model.texture[0], &image, o->input, NULL);
+    c->model.texture[0].clamp = o->wrap == SIM_WRAP_CLAMP ? ZS_CLAMP_U | ZS_CLAMP_V : 0;
+    return make_skin(c, &c->model.texture[0]);
+}
+
+/* A look that was asked for, and is not there. */
+static int refuse_untextured(const struct sim_conversion *c)
+{
+    const char *file = c->options.input;
+    if (c->model.lost_materials != NULL)
+        return sim_refuse(file, 0,
+                          "no textures: its material file %s cannot be read; put it beside the "
+                          "model, or name a picture by --texture",
+                          c->model.lost_materials);
+    return sim_refuse(file, 0,
+                      "no face of it has a texture and coordinates for it; name a picture by "
+                      "--texture, or give --shade smooth, flat or raw");
+}
+
+/* Without a word from the user, --color makes textures unwanted. */
+static int load(struct sim_conversion *c)
+{
+    struct sim_convert_options *o = &c->options;
+    const int asked = o->look == SIM_LOOK_TEXTURED || o->look == SIM_LOOK_TEXTURED_FLAT ||
+                      o->look == SIM_LOOK_UNLIT || o->texture != NULL;
+    const int free_choice = o->look == SIM_LOOK_DEFAULT;
+    const struct sim_want want = { .normals = 1,
+                                   .textures = asked || (free_choice && !o->has_color),
+                                   .picture = o->texture,
+                                   .wrap = (enum sim_wrap)o->wrap,
+                                   .color = o->has_color ? &o->color : NULL };
+    if (o->texture != NULL && (o->look == SIM_LOOK_FLAT || o->look == SIM_LOOK_SMOOTH ||
+                               o->look == SIM_LOOK_RAW))
+        return sim_refuse(o->input, 0, "--texture needs --shade textured, textured-flat or unlit");
+    const int status = sim_model_load(&c->model, o->input, &want);
+    if (status != SIM_OK)
+        return status;
+    if (asked && c->model.n_textures == 0)
+        return refuse_untextured(c);
+    if (free_choice)
+        o->look = c->model.n_textures > 0 ? SIM_LOOK_TEXTURED
+                  : c->model.file_normals ? SIM_LOOK_SMOOTH
+                                          : SIM_LOOK_FLAT;
+    return SIM_OK;
+}
+
+/* ---- Converting ------------------------------------------------------------------------------ */
+
+static int convert_model(struct sim_conversion *c)
+{
+    const struct sim_convert_options *o = &c->options;
+    const struct sim_steps_want want = { o->unit, o->keep_origin, o->precise };
+    int status = load(c);
+    if (status == SIM_OK)
+        status = sim_steps_choose(&c->steps, &c->model, &want);
+    if (status != SIM_OK)
+        return status;
+    uint32_t(*size)[2] = sim_alloc(c->model.n_textures, sizeof *size);
+    for (uint32_t i = 0; i < c->model.n_textures; i++)
+        sim_skin_size(size[i], &c->model.texture[i], o->texture_size);
+    status = sim_pieces_make(&c->pieces, &c->model, &c->steps, o, (const uint32_t(*)[2])size);
+    free(size);
+    for (uint32_t i = 0; status == SIM_OK && i < c->model.n_textures; i++)
+        status = make_skin(c, &c->model.texture[i]);
+    return status;
+}
+
+/* ---- Files ----------------------------------------------------------------------------------- */
+
+/* DIR/NAME.c, .h and the map; malloc'ed, NULL where it is not wanted. */
+static void name_files(char *path[N_OUTPUTS], const struct sim_convert_options *o)
+{
+    static const char *const ends[2] = { ".h", ".c" };
+    const size_t room = strlen(o->out) + strlen(o->name) + 4;
+    for (int i = 0; i < 2; i++) {
+        path[i] = sim_alloc(room, 1);
+        (void)snprintf(path[i], room, "%s/%s%s", o->out, o->name, ends[i]);
+    }
+    path[2] = o->map != NULL ? strcpy(sim_alloc(strlen(o->map) + 1, 1), o->map) : NULL;
+}
+
+/* The output folder may be missing, but not its parent. *made: it was. */
+static int make_folder(const char *folder, int *made)
+{
+    struct stat st;
+    *made = 0;
+    if (mkdir(folder, 0777) == 0) {
+        *made = 1;
+        return SIM_OK;
+    }
+    if (errno == EEXIST && stat(folder, &st) == 0 && S_ISDIR(st.st_mode))
+        return SIM_OK;
+    return sim_refuse(folder, 0, "cannot be made a folder: %s",
+                      strerror(errno == EEXIST ? ENOTDIR : errno));
+}
+
+static int write_files(const struct sim_conversion *c, char *path[N_OUTPUTS])
+{
+    struct sim_output out[N_OUTPUTS];
+    size_t n = 0;
+    int status = SIM_OK;
+    for (int i = 0; status == SIM_OK && i < N_OUTPUTS; i++) {
+        if (path[i] == NULL)
+            continue;
+        status = sim_output_check(path[i], c->options.input);
+        if (status == SIM_OK)
+            status = sim_output_open(&out[n], path[i]);
+        if (status != SIM_OK)
+            break;
+        FILE *f = out[n++].file;
+        if (i == 0)
+            sim_convert_header(f, c);
+        else if (i == 1)
+            sim_convert_source(f, c);
+        else
+            sim_convert_map(f, c);
+    }
+    if (status == SIM_OK)
+        return sim_output_commit(out, n);
+    while (n > 0)
+        sim_output_abort(&out[--n]);
+    return status;
+}
+
+static int write_all(const struct sim_conversion *c)
+{
+    char *path[N_OUTPUTS];
+    int made;
+    name_files(path, &c->options);
+    int status = make_folder(c->options.out, &made);
+    if (status == SIM_OK && path[2] != NULL &&
+        (strcmp(path[2], path[0]) == 0 || strcmp(path[2], path[1]) == 0))
+        status = sim_refuse(path[2], 0, "is named for two outputs; give --map another");
+    if (status == SIM_OK)
+        status = write_files(c, path);
+    if (status != SIM_OK && made)
+        (void)rmdir(c->options.out);
+    for (int i = 0; i < N_OUTPUTS; i++)
+        free(path[i]);
+    return status;
+}
+
+/* ---- Command --------------------------------------------------------------------------------- */
+
+int sim_convert(int argc, char **argv)
+{
+    struct sim_conversion *c = sim_alloc(1, sizeof *c);
+    int status = sim_convert_parse(&c->options, argc, argv);
+    if (status == SIM_OK && c->options.help) {
+        (void)fputs(sim_convert_help, stdout);
+    } else if (status == SIM_OK) {
+        status = is_picture(c->options.input) ? read_picture(c) : convert_model(c);
+        if (status == SIM_OK)
+            status = write_all(c);
+        sim_progress_end();
+        if (status == SIM_OK) {
+            (void)printf("%s/%s.h, %s/%s.c\n", c->options.out, c->options.name, c->options.out,
+                         c->options.name);
+            sim_convert_figures(stdout, c, "  ");
+        }
+    }
+    for (uint32_t i = 0; i < c->n_skins; i++)
+        sim_skin_free(&c->skin[i]);
+    free(c->skin);
+    free(c->skin_name);
+    sim_pieces_free(&c->pieces);
+    sim_model_free(&c->model);
+    free(c->options.command);
+    free(c);
+    return status;
+}

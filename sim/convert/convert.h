@@ -1,0 +1,37 @@
+/* `zsim convert`: a model or a picture to const C.
+ *
+ * SPDX-License-Identifier: MIT
+ */
+#ifndef SIM_CONVERT_H
+#define SIM_CONVERT_H
+
+#include <stdio.h>
+
+#include "convert_options.h"
+#include "mesh_pieces.h"
+#include "texel_pack.h"
+#include "grid_step.h"
+
+/* All that is written. Of a picture: textures alone. */
+struct sim_conversion {
+    struct sim_convert_options options;
+    struct sim_model model;
+    struct sim_steps steps;
+    struct sim_pieces pieces;
+    struct sim_skin *skin;  /* [n_skins] */
+    const char **skin_name; /* [n_skins], borrowed: the pictures' names */
+    uint32_t n_skins;
+};
+
+/* argv: the arguments after "convert". Return an enum sim_status. */
+int sim_convert(int argc, char **argv);
+
+/* NAME.h, NAME.c and the --map file into open streams; errors show in ferror. */
+void sim_convert_header(FILE *f, const struct sim_conversion *c);
+void sim_convert_source(FILE *f, const struct sim_conversion *c);
+void sim_convert_map(FILE *f, const struct sim_conversion *c);
+
+/* Flash by part and what was lost, each line after `lead`. */
+void sim_convert_figures(FILE *f, const struct sim_conversion *c, const char *lead);
+
+#endif

@@ -1,0 +1,53 @@
+/* A model in double precision as a zstrip scene of integers.
+ *
+ * SPDX-License-Identifier: MIT
+ */
+#ifndef SIM_QUANTISE_H
+#define SIM_QUANTISE_H
+
+#include "model.h"
+#include "palette.h"
+#include "framing.h"
+#include "zstrip.h"
+
+/* A consecutive run of triangles with one texture, or none, whose vertices fit 16-bit indices.
+ * Memory of its own. */
+struct sim_part {
+    struct zs_mesh mesh;
+    const struct zs_material *material;
+    int16_t (*uv)[2];
+    int16_t (*pos)[3];
+    uint8_t (*pos_lo)[3];
+    uint16_t (*tri)[3];
+    zs_q1_15 (*normal)[3], (*face_normal)[3];
+    struct zs_rgb *vertex_rgb, *face_rgb;
+    uint16_t *face_raw;
+};
+
+/* Everything that a frame is drawn from. All parts lie on one grid of 24 bits a component:
+ * position = origin + step * n, n = 256 * pos + pos_lo; a mesh step is 2^k world units. */
+struct sim_scene {
+    struct zs_scene scene;
+    struct zs_camera camera;
+    struct zs_material *material; /* [n_textures + 1]: faces without a texture, then by texture */
+    struct zs_texture *texture;   /* [n_textures] */
+    uint16_t (*palette)[SIM_PALETTE_MAX]; /* [n_textures] */
+    uint32_t n_textures;
+    struct zs_instance *instance; /* [n_parts] */
+    struct sim_part *part;        /* [n_parts] */
+    uint32_t n_parts;
+    uint64_t n_verts;             /* of all parts */
+    double origin[3], step, unit; /* model units: of n = 0, of 1, and of a world unit */
+    double error;                 /* largest |position - its place on the grid|, model units */
+    double uv_error;              /* the same of texture coordinates, texels; at most 1/16 */
+    uint32_t uv_bits_least;       /* of all textured parts; 0 where there are none */
+    double psnr_db; /* least of all textures as they are stored against 8 bits a channel; INFINITY */
+};
+
+/* Quantise for one view. The scene points into *out: do not move it.
+ * Return  SIM_OK; SIM_REFUSED, said why, *out empty. sim_scene_free in either case. */
+int sim_scene_build(struct sim_scene *out, const struct sim_model *model,
+                    const struct sim_view *view, const struct sim_options *o);
+void sim_scene_free(struct sim_scene *scene);
+
+#endif

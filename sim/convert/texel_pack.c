@@ -1,0 +1,140 @@
+/* Texels: size, format, packing.
+ *
+ * SPDX-License-Identifier: MIT
+ */
+#include "texel_pack.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "sim.h"
+
+#define GOOD_DB 36.0 /* a difference that one must look for */
+#define PAL4_MAX 16u
+
+void sim_skin_size(uint32_t size[2], const struct sim_texture *texture, const long most[2])
+{
+    size[0] = texture->image.width;
+    size[1] = texture->image.height;
+    for (int k = 0; k < 2; k++)
+        while (size[k] > (uint32_t)most[k])
+            size[k] /= 2;
+}
+
+/* The mean of what each new texel covers, as the file holds the values; malloc'ed. */
+static uint8_t (*shrink(const struct sim_image *image, const uint32_t size[2]))[3]
+{
+    uint8_t(*out)[3] = sim_alloc((size_t)size[0] * size[1], sizeof *out);
+    const uint32_t across = image->width / size[0], down = image->height / size[1],
+                   n = across * down;
+    for (uint32_t y = 0; y < size[1]; y++)
+        for (uint32_t x = 0; x < size[0]; x++)
+            for (int c = 0; c < 3; c++) {
+                uint32_t sum = n / 2; /* 2^20 * 255 < 2^32 */
+                for (uint32_t i = 0; i < n; i++)
+                    sum += image->rgb[(size_t)(y * down + i / across) * image->width + x * across +
+                                      i % across][c];
+                out[(size_t)y * size[0] + x][c] = (uint8_t)(sum / n);
+            }
+    return out;
+}
+
+static void make_565(struct sim_skin *s, const struct sim_pixels *px, int dither)
+{
+    const size_t n = (size_t)px->w * px->h;
+    s->format = SIM_TEXELS_565;
+    s->texel = sim_alloc(n, sizeof *s->texel);
+    s->texel_bytes = 2 * n;
+    sim_rgb565_map(s->texel, px, dither);
+    s->loss = sim_rgb565_loss(px, s->texel);
+    s->exact = 1;
+}
+
+/* The left texel in the low four bits. */
+static void pack(uint8_t *index, size_t n)
+{
+    for (size_t i = 0; i < n / 2; i++)
+        index[i] = (uint8_t)(index[2 * i] | index[2 * i + 1] << 4);
+}
+
+static void make_palette(struct sim_skin *s, const struct sim_pixels *px, enum sim_texels format,
+                         int dither)
+{
+    const size_t n = (size_t)px->w * px->h;
+    uint16_t *shown = sim_alloc(n, sizeof *shown), *best = sim_alloc(n, sizeof *best);
+    s->format = format;
+    s->index = sim_alloc(n, 1);
+    s->n_colors =
+        sim_palette_build(s->palette, format == SIM_TEXELS_PAL4 ? PAL4_MAX : SIM_PALETTE_MAX, px);
+    sim_palette_map(s->index, px, s->palette, s->n_colors, 0);
+    sim_rgb565_map(best, px, 0);
+    for (size_t i = 0; i < n; i++)
+        shown[i] = s->palette[s->index[i]];
+    s->exact = memcmp(shown, best, n * sizeof *shown) == 0;
+    if (dither && !s->exact)
+        sim_palette_map(s->index, px, s->palette, s->n_colors, 1);
+    for (size_t i = 0; i < n; i++)
+        shown[i] = s->palette[s->index[i]];
+    s->loss = sim_rgb565_loss(px, shown);
+    s->palette_bytes = 2 * s->n_colors;
+    s->texel_bytes = format == SIM_TEXELS_PAL4 ? n / 2 : n;
+    if (format == SIM_TEXELS_PAL4)
+        pack(s->index, n);
+    free(shown);
+    free(best);
+}
+
+/* The smallest format that is good enough. */
+static void choose(struct sim_skin *s, const struct sim_pixels *px, int dither)
+{
+    static const enum sim_texels small[2] = { SIM_TEXELS_PAL4, SIM_TEXELS_PAL8 };
+    for (int i = px->w < 2; i < 2; i++) {
+        make_palette(s, px, small[i], 0);
+        const int good = s->exact || s->loss.psnr_db >= GOOD_DB;
+        if (good && s->palette_bytes + s->texel_bytes <= 2 * (size_t)px->w * px->h) {
+            if (dither && !s->exact) {
+                free(s->index);
+                make_palette(s, px, small[i], 1);
+            }
+            return;
+        }
+        free(s->index);
+        s->index = NULL;
+        s->n_colors = 0;
+        s->palette_bytes = 0;
+    }
+    make_565(s, px, dither);
+}
+
+int sim_skin_make(struct sim_skin *out, const struct sim_texture *texture, const char *file,
+                  const struct sim_convert_options *o)
+{
+    uint32_t size[2];
+    memset(out, 0, sizeof *out);
+    sim_skin_size(size, texture, o->texture_size);
+    if (o->texels == SIM_TEXELS_PAL4 && size[0] < 2)
+        return sim_refuse(
+            file, 0, "pal4 stores two texels in a byte and the texture is one wide; take pal8");
+    uint8_t(*rgb)[3] = shrink(&texture->image, size);
+    const struct sim_pixels px = { size[0], size[1], (const uint8_t(*)[3])rgb };
+    out->w = size[0];
+    out->h = size[1];
+    out->clamp = texture->clamp;
+    sim_progress("texture", 0, 1);
+    if (o->texels == SIM_TEXELS_AUTO)
+        choose(out, &px, o->dither);
+    else if (o->texels == SIM_TEXELS_565)
+        make_565(out, &px, o->dither);
+    else
+        make_palette(out, &px, (enum sim_texels)o->texels, o->dither);
+    free(rgb);
+    return SIM_OK;
+}
+
+void sim_skin_free(struct sim_skin *skin)
+{
+    free(skin->texel);
+    free(skin->index);
+    memset(skin, 0, sizeof *skin);
+}

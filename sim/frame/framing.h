@@ -1,0 +1,38 @@
+/* Where the camera stands, in double precision and the model's units.
+ *
+ * SPDX-License-Identifier: MIT
+ */
+#ifndef SIM_FRAMING_H
+#define SIM_FRAMING_H
+
+#include "model.h"
+#include "render_options.h"
+
+struct sim_view {
+    int orthographic; /* flag */
+    int width, height; /* px */
+    double eye[3], at[3];
+    double right[3], up[3], back[3]; /* orthonormal, of the camera */
+    double near_z, far_z;            /* along the view axis */
+    double focal;                    /* perspective: px */
+    double span;                     /* orthographic: what the frame's height shows */
+    double light[3];                 /* unit, towards the light */
+};
+
+/* Take what the user gave and choose the rest so that the model is seen whole:
+ *
+ *   at        the middle of the model's box
+ *   eye       from at along (0.5, 0.35, 1), so far that the sphere around `at` that holds the model
+ *             fits the frame both ways with 5 % to spare
+ *   near, far just before and behind the sphere around the model, at most 1000 to 1 apart where the
+ *             eye is inside it; one that is given pushes the other away
+ *   light     over the camera's left shoulder: 0.8 back - 0.5 right + 0.8 up
+ *
+ * Return SIM_OK; SIM_REFUSED, said why. */
+int sim_view_plan(struct sim_view *view, const struct sim_options *o,
+                  const struct sim_model *model);
+
+/* The mapping that is meant by the options for a view, one by name: never FLOAT or DEFAULT. */
+enum sim_depth sim_depth_of(const struct sim_options *o, const struct sim_view *view);
+
+#endif

@@ -1,0 +1,82 @@
+/* A model file as triangles in file order, in double precision.
+ *
+ * SPDX-License-Identifier: MIT
+ */
+#ifndef SIM_MODEL_H
+#define SIM_MODEL_H
+
+#include <stdint.h>
+
+#include "resample.h"
+#include "zstrip.h"
+
+#define SIM_NO_TEXTURE UINT32_MAX
+#define SIM_UV_MAX 1e6 /* repeats */
+
+/* A material that triangles name. */
+struct sim_material {
+    char *name;        /* as in the file; "" where it has none */
+    struct zs_rgb rgb; /* diffuse; 204 204 204 where the file says nothing */
+    uint32_t texture;  /* into sim_model.texture, or SIM_NO_TEXTURE */
+};
+
+struct sim_model {
+    const char *file;        /* borrowed: its name, for messages */
+    double (*point)[3];      /* [n_points], distinct positions that faces use, model units */
+    uint32_t (*tri)[3];      /* [n_tris], into point; file order, polygons as fans */
+    float (*normal)[3][3];   /* [n_tris], unit, by corner; NULL: not asked for */
+    struct zs_rgb (*rgb)[3]; /* [n_tris], by corner */
+    double (*uv)[3][2];      /* [n_tris], by corner: u to the right, v down from the top of the
+                                picture, 1 is once around; |uv| <= SIM_UV_MAX; NULL: not
+                                asked for */
+    uint8_t *has_uv;         /* [n_tris], 0: the file gives this face none, uv is 0; NULL as uv */
+    uint32_t *tri_material;  /* [n_tris], into material */
+    struct sim_material *material; /* [n_materials]; some may be used by no triangle */
+    struct sim_texture *texture;   /* [n_textures]; each is used */
+    char *lost_materials;    /* OBJ: its first material file that could not be read; else NULL */
+    uint32_t n_points, n_tris, n_materials, n_textures;
+    int single;              /* 1: positions came through single precision */
+    int file_normals;        /* 1: normals were asked for, and the file gives some corner one */
+    double lo[3], hi[3];     /* box around the points */
+    double center[3], radius; /* of a sphere around the points, > 0 */
+};
+
+enum sim_wrap { SIM_WRAP_FILE, SIM_WRAP_REPEAT, SIM_WRAP_CLAMP };
+
+/* What of a model is wanted besides its shape and colours. All zero: nothing. */
+struct sim_want {
+    int normals;  /* flag: fill normal, from the file where it has them, else from the faces around
+                     a point, weighted by their angles there */
+    int textures; /* flag: fill uv, has_uv and texture */
+    const char *picture;        /* with textures: this file for all faces in place of the model's
+                                   own; NULL: its own */
+    enum sim_wrap wrap;         /* with textures: as the file says, or one mode for all, both axes */
+    const struct zs_rgb *color; /* of everything; NULL: as below */
+};
+
+/* Load a model. file stays borrowed.
+ *
+ * Colours: want->color, else vertex colours, else the material's diffuse colour, else 204 204 204.
+ *
+ * Textures: OBJ with MTL (map_Kd with -s, -o and -clamp, times Kd unless that is black), glTF
+ * (baseColorTexture, times baseColorFactor), and what else assimp gives as diffuse texture; PNG or
+ * JPEG, in files, data URIs or the model itself. A file is looked for at the path that the model
+ * gives, from the model's folder, then under its bare name there. Refused: a picture that is
+ * missing or broken; want->picture where no face has uv; mirrored repeat where a face leaves the picture,
+ * unless want->wrap says otherwise; uv that a material rotates. Vertex colours are not multiplied
+ * into textures, and alpha is dropped.
+ *
+ * Return  SIM_OK; SIM_REFUSED, said why, *model empty. sim_model_free in either case. */
+int sim_model_load(struct sim_model *model, const char *file, const struct sim_want *want);
+void sim_model_free(struct sim_model *model);
+
+/* The texture of a face; NULL: its material has none, or the face no uv. */
+const struct sim_texture *sim_model_texture(const struct sim_model *model, uint32_t tri);
+
+/* Unit normal of a triangle in double; 0 0 0 where it has no area. */
+void sim_model_face_normal(const struct sim_model *model, uint32_t tri, double out[3]);
+
+/* The colour of a face: the mean of its corners'. */
+struct zs_rgb sim_model_face_rgb(const struct sim_model *model, uint32_t tri);
+
+#endif

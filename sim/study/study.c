@@ -1,0 +1,669 @@
+/* `zsim study`: the command. A row is study,build,effort,run, then the study's parameters and results. Rows are written
+ * as they are measured, to DIR/NAME.csv.part, which becomes DIR/NAME.csv when it is whole; a sweep that was killed goes
+ * on where the last whole row ended. Run k belongs to shard k mod N + 1.
+ *
+ * SPDX-License-Identifier: MIT
+ */
+#include "study.h"
+
+#include <errno.h>
+#include <fcntl.h>
+#include <math.h>
+#include <stdarg.h>
+#include <stdint.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/file.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include "option_table.h"
+#include "output_file.h"
+#include "sim.h"
+#include "study_build.h"
+
+#define COMMON "study,build,effort,run"
+#define CORES_MAX 4
+
+static const struct study *const studies[] = { &study_time, &study_depth, &study_memory, &study_stability };
+#define N_STUDIES (sizeof studies / sizeof studies[0])
+
+static const char *const effort_name[] = { "quick", "usual", "full" };
+
+static const char usage[] =
+    "usage: zsim study NAME [options]\n"
+    "       zsim study merge FILE... [--out DIR]\n"
+    "Sweeps settings and measures what they give: DIR/NAME.csv, a row a run; plots and pictures; and the page\n"
+    "DIR/index.html of all studies in DIR, which needs no other file.\n"
+    "\n"
+    "  time       run time against error: sub-pixel bits, reciprocals, sub-spans, depth mapping and bits, shading\n"
+    "  depth      what the depth mappings keep apart; z-fighting and its cures\n"
+    "  memory     strip height, pools and formats: bytes, passes, time\n"
+    "  stability  scale, distance, near plane, slivers, rotations, ratio of w: the worst error of each\n"
+    "\n"
+    "  --out DIR         the folder, made if there is none (build/study)\n"
+    "  --quick, --full   fewer runs (seconds), or more\n"
+    "  --shard I/N       only runs I, I + N, I + 2 N ...: DIR/NAME.I-of-N.csv, no plots. merge joins the shards, in\n"
+    "                    any order, to the same bytes as one run, and makes the plots\n"
+    "  --redo            start over where DIR holds rows of another build, effort or counts; else go on\n"
+    "  --run K           measure run K alone and print its results\n"
+    "  --settings        print the runs for firmware/app/study.c, and measure nothing (time, memory)\n"
+    "  --counts CORE=FILE,...  what that counted on a core (time, memory); make report does all of it\n"
+    "\n"
+    "A sweep that was interrupted goes on where it was. Plots need gnuplot (package gnuplot-nox).\n"
+    "Exit status: 0 done; 1 refused; 2 the command line makes no sense.\n";
+
+struct request {
+    const char *out, *shard, *counts;
+    int quick, full, redo, settings, help, has_run; /* flags */
+    long run;
+    enum study_effort effort;
+    size_t part, of; /* shard part of `of`, from 1 */
+};
+
+#define AT(field) offsetof(struct request, field)
+static const struct sim_option table[] = {
+    { "--out", SIM_OPTION_TEXT, AT(out), 0, 0, 0, NULL },
+    { "--shard", SIM_OPTION_TEXT, AT(shard), 0, 0, 0, NULL },
+    { "--counts", SIM_OPTION_TEXT, AT(counts), 0, 0, 0, NULL },
+    { "--quick", SIM_OPTION_FLAG, AT(quick), 0, 0, 0, NULL },
+    { "--full", SIM_OPTION_FLAG, AT(full), 0, 0, 0, NULL },
+    { "--redo", SIM_OPTION_FLAG, AT(redo), 0, 0, 0, NULL },
+    { "--settings", SIM_OPTION_FLAG, AT(settings), 0, 0, 0, NULL },
+    { "--run", SIM_OPTION_COUNT, AT(run), AT(has_run), 0, 1000000, NULL },
+    { "--help", SIM_OPTION_FLAG, AT(help), 0, 0, 0, NULL },
+    { "-h", SIM_OPTION_FLAG, AT(help), 0, 0, 0, NULL },
+};
+#define N_TABLE (sizeof table / sizeof table[0])
+
+/* ---- Rows -------------------------------------------------------------------------------------------------------- */
+
+void study_put(struct study_text *row, const char *format, ...)
+{
+    va_list args;
+    if (row->n > 0 && row->n + 1 < sizeof row->text)
+        row->text[row->n++] = ',';
+    va_start(args, format);
+    const int n = vsnprintf(row->text + row->n, sizeof row->text - row->n, format, args);
+    va_end(args);
+    row->n += n < 0 ? 0 : (size_t)n;
+    if (row->n >= sizeof row->text) {
+        (void)sim_refuse(NULL, 0, "a row of a study is too long");
+        exit(SIM_REFUSED);
+    }
+}
+
+void study_skip(struct study_text *row, int n)
+{
+    for (; n > 0; n--)
+        study_put(row, "%s", "");
+}
+
+static void header_of(const struct study *study, struct study_text *row)
+{
+    row->n = 0;
+    study_put(row, "%s", COMMON);
+    study_put(row, "%s", study->params);
+    study_put(row, "%s", study->results);
+}
+
+/* A row's beginning: all that is known before it is measured. */
+static void begin_row(const struct study *study, enum study_effort effort, size_t run, struct study_text *row)
+{
+    row->n = 0;
+    study_put(row, "%s,%s,%s,%zu", study->name, STUDY_BUILD, effort_name[effort], run);
+    study->describe(run, row);
+}
+
+/* ---- Tables ------------------------------------------------------------------------------------------------------ */
+
+static size_t count_commas(const char *text)
+{
+    size_t n = 0;
+    for (; *text; text++)
+        n += *text == ',';
+    return n;
+}
+
+static size_t column_of(const struct study *study, const char *name)
+{
+    struct study_text head;
+    const size_t length = strlen(name);
+    size_t k = 0;
+    header_of(study, &head);
+    for (const char *at = head.text; at; k++) {
+        const char *comma = strchr(at, ',');
+        const size_t n = comma ? (size_t)(comma - at) : strlen(at);
+        if (n == length && !memcmp(at, name, n))
+            return k;
+        at = comma ? comma + 1 : NULL;
+    }
+    (void)sim_refuse(NULL, 0, "study %s has no column %s", study->name, name);
+    abort();
+}
+
+const char *study_cell(const struct study_table *t, size_t row, const char *column)
+{
+    return t->cell[row * t->n_columns + column_of(t->study, column)];
+}
+
+double study_number(const struct study_table *t, size_t row, const char *column)
+{
+    const char *text = study_cell(t, row, column);
+    char *end;
+    const double v = strtod(text, &end);
+    return end == text || *end ? (double)NAN : v;
+}
+
+int study_is(const struct study_table *t, size_t row, const char *column, const char *text)
+{
+    return !strcmp(study_cell(t, row, column), text);
+}
+
+/* A file's text, with a 0 behind it. NULL: it cannot be read, errno says why. */
+static char *read_text(const char *path, size_t *n)
+{
+    FILE *f = fopen(path, "rb");
+    size_t room = 65536;
+    if (!f)
+        return NULL;
+    char *text = sim_alloc(room, 1);
+    *n = 0;
+    for (size_t got; (got = fread(text + *n, 1, room - *n - 1, f)) > 0;)
+        if (*n += got, room - *n < 2)
+            text = sim_grow(text, room *= 2, 1);
+    text[*n] = '\0';
+    const int bad = ferror(f);
+    (void)fclose(f);
+    if (bad) {
+        free(text);
+        return NULL;
+    }
+    return text;
+}
+
+static int table_load(struct study_table *t, const struct study *study, enum study_effort effort, const char *path)
+{
+    size_t n;
+    struct study_text head;
+    memset(t, 0, sizeof *t);
+    t->bytes = read_text(path, &n);
+    if (!t->bytes)
+        return sim_refuse(path, 0, "cannot be read: %s", strerror(errno));
+    header_of(study, &head);
+    t->study = study;
+    t->effort = effort;
+    t->n_columns = count_commas(head.text) + 1;
+    for (const char *at = strchr(t->bytes, '\n'); at && at[1]; at = strchr(at + 1, '\n'))
+        t->n_rows++;
+    t->cell = sim_alloc(t->n_rows * t->n_columns, sizeof *t->cell);
+    char *at = strchr(t->bytes, '\n');
+    for (size_t r = 0; at && r < t->n_rows; r++)
+        for (size_t c = 0; c < t->n_columns; c++) {
+            *at++ = '\0';
+            t->cell[r * t->n_columns + c] = at;
+            at += strcspn(at, ",\n");
+        }
+    if (at)
+        *at = '\0';
+    return SIM_OK;
+}
+
+static void table_free(struct study_table *t)
+{
+    free(t->cell);
+    free(t->bytes);
+}
+
+/* ---- Counts from boards ------------------------------------------------------------------------------------------ */
+
+static struct core {
+    char name[16];
+    size_t n;
+    struct {
+        unsigned long long instructions, checksum;
+    } *run;
+} cores[CORES_MAX];
+static size_t n_cores;
+
+unsigned long long study_counted(const char *core, size_t run, unsigned long long *checksum)
+{
+    for (size_t k = 0; k < n_cores; k++)
+        if (!strcmp(cores[k].name, core) && run < cores[k].n) {
+            *checksum = cores[k].run[run].checksum;
+            return cores[k].run[run].instructions;
+        }
+    return 0;
+}
+
+const char *study_cores(void)
+{
+    static char text[CORES_MAX * 17];
+    size_t n = 0;
+    for (size_t k = 0; k < n_cores; k++)
+        n += (size_t)snprintf(text + n, sizeof text - n, "%s%s", k ? "+" : "", cores[k].name);
+    return n_cores ? text : "none";
+}
+
+/* Lines "run,checksum,instructions" among others. */
+static int core_load(const char *name, const char *path)
+{
+    size_t n;
+    char *text = read_text(path, &n);
+    struct core *c = &cores[n_cores++];
+    if (!text)
+        return sim_refuse(path, 0, "cannot be read: %s", strerror(errno));
+    (void)snprintf(c->name, sizeof c->name, "%s", name);
+    for (char *line = text; *line;) {
+        unsigned long long run, checksum, instructions;
+        if (sscanf(line, "%llu,%llx,%llu", &run, &checksum, &instructions) == 3 && run < 1000000) {
+            if (run >= c->n) {
+                c->run = sim_grow(c->run, run + 1, sizeof *c->run);
+                memset(c->run + c->n, 0, (run + 1 - c->n) * sizeof *c->run);
+                c->n = run + 1;
+            }
+            c->run[run].checksum = checksum;
+            c->run[run].instructions = instructions;
+        }
+        line += strcspn(line, "\n");
+        line += *line == '\n';
+    }
+    free(text);
+    return c->n ? SIM_OK
+                : sim_refuse(path, 0,
+                             "holds no counts: lines of run,checksum,instructions as firmware/app/study.c "
+                             "writes them");
+}
+
+static int cores_load(const char *list)
+{
+    char text[4096];
+    if (strlen(list) >= sizeof text)
+        return sim_usage("--counts: too long");
+    (void)snprintf(text, sizeof text, "%s", list);
+    for (char *save, *word = strtok_r(text, ",", &save); word; word = strtok_r(NULL, ",", &save)) {
+        char *file = strchr(word, '=');
+        if (!file || file == word || file - word > 15 || !file[1] || n_cores == CORES_MAX)
+            return sim_usage("--counts takes CORE=FILE, at most %d with commas between, not '%s'", CORES_MAX, word);
+        *file++ = '\0';
+        const int status = core_load(word, file);
+        if (status != SIM_OK)
+            return status;
+    }
+    return SIM_OK;
+}
+
+/* ---- A sweep ----------------------------------------------------------------------------------------------------- */
+
+struct sweep {
+    const struct study *study;
+    const struct request *rq;
+    size_t runs;                /* of all shards */
+    char csv[4096], part[4104]; /* whole, and in the making */
+    FILE *file;                 /* part */
+};
+
+static size_t first_run(const struct request *rq)
+{
+    return rq->part - 1;
+}
+
+/* How much of a text is rows of this sweep, *next the run behind them. -1: it holds something else, and *why what. */
+static long kept_bytes(const struct sweep *s, const char *text, size_t *next, const char **why)
+{
+    struct study_text row;
+    const char *at = text;
+    header_of(s->study, &row);
+    row.text[row.n] = '\0';
+    *next = first_run(s->rq);
+    if (!strchr(text, '\n'))
+        return 0; /* not even the header is whole */
+    *why = "its columns are others";
+    if (strncmp(at, row.text, row.n) || at[row.n] != '\n')
+        return -1;
+    at += row.n + 1;
+    for (const char *end; (end = strchr(at, '\n')) != NULL; at = end + 1) {
+        char build[64] = "", effort[16] = "";
+        (void)sscanf(at, "%*[^,],%63[^,],%15[^,]", build, effort);
+        *why = strcmp(build, STUDY_BUILD)                   ? "its rows are of another build"
+               : strcmp(effort, effort_name[s->rq->effort]) ? "its rows are of another effort"
+                                                            : "its parameters are others";
+        if (*next >= s->runs)
+            return -1;
+        begin_row(s->study, s->rq->effort, *next, &row);
+        if (strncmp(at, row.text, row.n) || at[row.n] != ',')
+            return -1;
+        *next += s->rq->of;
+    }
+    return at - text;
+}
+
+static int refuse_kept(const char *path, const char *why)
+{
+    return sim_refuse(path, 0, "is not of this sweep: %s; --redo starts over, another --out leaves it as it is", why);
+}
+
+/* What there is already. *next: the run to go on with; past the last: all is there in DIR/NAME.csv. */
+static int sweep_open(struct sweep *s, size_t *next)
+{
+    const char *why = NULL;
+    size_t n;
+    long keep = 0;
+    char *text = read_text(s->csv, &n);
+    *next = first_run(s->rq);
+    if (text) {
+        keep = kept_bytes(s, text, next, &why);
+        free(text);
+        if (keep >= 0 && *next >= s->runs)
+            return SIM_OK;
+        if (!s->rq->redo)
+            return refuse_kept(s->csv, keep < 0 ? why : "rows are missing");
+    }
+    const int fd = open(s->part, O_RDWR | O_CREAT | O_CLOEXEC, 0666);
+    if (fd < 0 || (s->file = fdopen(fd, "r+b")) == NULL)
+        return sim_refuse(s->part, 0, "cannot be written: %s", strerror(errno));
+    if (flock(fd, LOCK_EX | LOCK_NB))
+        return sim_refuse(s->part, 0, "another zsim is writing this sweep; wait for it, or take another --out");
+    keep = 0;
+    text = read_text(s->part, &n);
+    if (text)
+        keep = kept_bytes(s, text, next, &why);
+    free(text);
+    if (keep < 0 && !s->rq->redo)
+        return refuse_kept(s->part, why);
+    if (keep <= 0) {
+        keep = 0;
+        *next = first_run(s->rq);
+    }
+    if (ftruncate(fd, keep) || fseek(s->file, keep, SEEK_SET))
+        return sim_refuse(s->part, 0, "cannot be written: %s", strerror(errno));
+    if (keep == 0) {
+        struct study_text row;
+        header_of(s->study, &row);
+        (void)fprintf(s->file, "%.*s\n", (int)row.n, row.text);
+    }
+    return SIM_OK;
+}
+
+static int sweep_run(struct sweep *s)
+{
+    size_t next;
+    int status = sweep_open(s, &next);
+    for (; status == SIM_OK && next < s->runs; next += s->rq->of) {
+        struct study_text row;
+        sim_progress(s->study->name, next, s->runs);
+        begin_row(s->study, s->rq->effort, next, &row);
+        status = s->study->measure(next, &row);
+        if (status == SIM_OK && (fprintf(s->file, "%.*s\n", (int)row.n, row.text) < 0 || fflush(s->file)))
+            status = sim_refuse(s->part, 0, "cannot be written: %s", strerror(errno));
+    }
+    sim_progress_end();
+    if (!s->file)
+        return status;
+    if (status == SIM_OK && (fflush(s->file) || rename(s->part, s->csv)))
+        status = sim_refuse(s->csv, 0, "cannot be written: %s", strerror(errno));
+    (void)fclose(s->file);
+    return status;
+}
+
+static int report(const struct study *study, enum study_effort effort, const char *dir, const char *csv)
+{
+    struct study_table t;
+    int status = table_load(&t, study, effort, csv);
+    if (status != SIM_OK)
+        return status;
+    struct study_page *page = study_page_open(dir, study, t.n_rows);
+    status = page ? study_page_close(page, study->report(page, &t)) : SIM_REFUSED;
+    table_free(&t);
+    if (status == SIM_OK)
+        printf("%s, %s/index.html\n", csv, dir);
+    return status;
+}
+
+static int make_folder(const char *path)
+{
+    char part[3000];
+    if (strlen(path) >= sizeof part)
+        return sim_refuse(NULL, 0, "--out: the path is too long");
+    for (size_t i = 1; i <= strlen(path); i++)
+        if (path[i] == '/' || path[i] == '\0') {
+            memcpy(part, path, i);
+            part[i] = '\0';
+            if (mkdir(part, 0777) && errno != EEXIST)
+                return sim_refuse(part, 0, "cannot make this folder: %s", strerror(errno));
+        }
+    struct stat st;
+    if (stat(path, &st) || !S_ISDIR(st.st_mode))
+        return sim_refuse(path, 0, "is not a folder; name another by --out");
+    return SIM_OK;
+}
+
+static int sweep(const struct study *study, const struct request *rq)
+{
+    struct sweep s = { .study = study, .rq = rq };
+    s.runs = study->runs(rq->effort);
+    if (rq->of == 1)
+        (void)snprintf(s.csv, sizeof s.csv, "%s/%s.csv", rq->out, study->name);
+    else
+        (void)snprintf(s.csv, sizeof s.csv, "%s/%s.%zu-of-%zu.csv", rq->out, study->name, rq->part, rq->of);
+    (void)snprintf(s.part, sizeof s.part, "%s.part", s.csv);
+    int status = make_folder(rq->out);
+    if (status == SIM_OK)
+        status = sweep_run(&s);
+    if (status == SIM_OK && rq->of == 1)
+        status = report(study, rq->effort, rq->out, s.csv);
+    else if (status == SIM_OK)
+        printf("%s\n", s.csv);
+    return status;
+}
+
+/* ---- Merging ----------------------------------------------------------------------------------------------------- */
+
+/* A file of rows to be merged: which study and effort it is of, and its rows. */
+struct merge {
+    const struct study *study;
+    int effort;
+    char **row; /* [runs]: malloc'ed lines; NULL: not seen */
+    size_t runs;
+    char build[64];
+};
+
+static int merge_begin(struct merge *m, const char *path, const char *line)
+{
+    char name[32] = "", effort[16] = "";
+    (void)sscanf(line, "%31[^,],%63[^,],%15[^,]", name, m->build, effort);
+    m->effort = -1;
+    for (size_t k = 0; k < N_STUDIES; k++)
+        if (!strcmp(studies[k]->name, name))
+            m->study = studies[k];
+    for (int e = 0; e < 3; e++)
+        if (!strcmp(effort_name[e], effort))
+            m->effort = e;
+    if (!m->study || m->effort < 0)
+        return sim_refuse(path, 2, "is no row of a study; name files that zsim study has written");
+    if (strcmp(m->build, STUDY_BUILD))
+        return sim_refuse(path, 2, "is of another build; make its rows again with this zsim");
+    m->runs = m->study->runs((enum study_effort)m->effort);
+    m->row = sim_alloc(m->runs, sizeof *m->row);
+    return SIM_OK;
+}
+
+static int merge_row(struct merge *m, const char *path, unsigned long number, const char *line)
+{
+    char name[32] = "", build[64] = "", effort[16] = "";
+    size_t run = 0;
+    const int got = sscanf(line, "%31[^,],%63[^,],%15[^,],%zu,", name, build, effort, &run);
+    if (got != 4 || strcmp(name, m->study->name) || strcmp(build, m->build) || run >= m->runs ||
+        strcmp(effort, effort_name[m->effort]))
+        return sim_refuse(path, number, "is not of the same study, build and effort (%s, %s, %s)", m->study->name,
+                          m->build, effort_name[m->effort]);
+    if (m->row[run] && strcmp(m->row[run], line))
+        return sim_refuse(path, number, "run %zu has another row in another file; leave one of them out", run);
+    if (!m->row[run]) {
+        m->row[run] = sim_alloc(strlen(line) + 1, 1);
+        memcpy(m->row[run], line, strlen(line) + 1);
+    }
+    return SIM_OK;
+}
+
+static int merge_file(struct merge *m, const char *path)
+{
+    size_t n;
+    int status = SIM_OK;
+    char *text = read_text(path, &n);
+    if (!text)
+        return sim_refuse(path, 0, "cannot be read: %s", strerror(errno));
+    unsigned long number = 1;
+    for (char *line = text; status == SIM_OK && *line; number++) {
+        char *end = strchr(line, '\n');
+        struct study_text head;
+        if (!end) {
+            status = sim_refuse(path, number, "ends in half a row; run that shard again, it goes on from there");
+            break;
+        }
+        *end = '\0';
+        if (number == 2 && !m->study)
+            status = merge_begin(m, path, line);
+        if (status == SIM_OK && number > 1)
+            status = merge_row(m, path, number, line);
+        if (number == 2 && status == SIM_OK) {
+            header_of(m->study, &head);
+            if (strcmp(text, head.text))
+                status = sim_refuse(path, 1, "has other columns than study %s; make its rows again with this zsim",
+                                    m->study->name);
+        }
+        line = end + 1;
+    }
+    free(text);
+    return status;
+}
+
+static int merge_write(const struct merge *m, const char *csv)
+{
+    struct sim_output out = { 0 };
+    struct study_text head;
+    for (size_t k = 0; k < m->runs; k++)
+        if (!m->row[k])
+            return sim_refuse(NULL, 0, "merge: run %zu of %zu of study %s is in none of the files; name all shards", k,
+                              m->runs, m->study->name);
+    int status = sim_output_open(&out, csv);
+    if (status != SIM_OK)
+        return status;
+    header_of(m->study, &head);
+    (void)fprintf(out.file, "%.*s\n", (int)head.n, head.text);
+    for (size_t k = 0; k < m->runs; k++)
+        (void)fprintf(out.file, "%s\n", m->row[k]);
+    return sim_output_commit(&out, 1);
+}
+
+static int merge(const struct request *rq, int n, char **file)
+{
+    struct merge m = { 0 };
+    char csv[4096];
+    int status = n ? SIM_OK : sim_usage("study merge: name the files that the shards have written");
+    for (int k = 0; status == SIM_OK && k < n; k++)
+        status = merge_file(&m, file[k]);
+    if (status == SIM_OK && !m.study)
+        status = sim_refuse(file[0], 0, "holds no rows");
+    if (status == SIM_OK)
+        status = make_folder(rq->out);
+    if (status == SIM_OK) {
+        (void)snprintf(csv, sizeof csv, "%s/%s.csv", rq->out, m.study->name);
+        status = merge_write(&m, csv);
+    }
+    if (status == SIM_OK)
+        status = report(m.study, (enum study_effort)m.effort, rq->out, csv);
+    for (size_t k = 0; m.row && k < m.runs; k++)
+        free(m.row[k]);
+    free(m.row);
+    return status;
+}
+
+/* ---- Command line ------------------------------------------------------------------------------------------------ */
+
+static int parse_shard(struct request *rq)
+{
+    char behind;
+    unsigned part, of;
+    rq->part = rq->of = 1;
+    if (!rq->shard)
+        return SIM_OK;
+    if (sscanf(rq->shard, "%u/%u%c", &part, &of, &behind) != 2 || part < 1 || part > of || of > 100000 ||
+        strspn(rq->shard, "0123456789/") != strlen(rq->shard))
+        return sim_usage("study: --shard takes I/N with I from 1 to N, not '%s'", rq->shard);
+    rq->part = part;
+    rq->of = of;
+    return SIM_OK;
+}
+
+/* Options to *rq, other words to the front of argv; *words: how many. */
+static int parse(struct request *rq, int argc, char **argv, int *words)
+{
+    char seen[N_TABLE] = { 0 };
+    int status = SIM_OK;
+    *words = 0;
+    for (int i = 0; status == SIM_OK && i < argc; i++)
+        if (argv[i][0] == '-')
+            status = sim_option_take(table, N_TABLE, rq, seen, argc, argv, &i);
+        else
+            argv[(*words)++] = argv[i];
+    if (status == SIM_OK && rq->quick && rq->full)
+        status = sim_usage("study: --quick or --full, not both");
+    rq->effort = rq->quick ? STUDY_QUICK : rq->full ? STUDY_FULL : STUDY_USUAL;
+    return status == SIM_OK ? parse_shard(rq) : status;
+}
+
+static int print_settings(const struct study *study, enum study_effort effort)
+{
+    if (!study->settings)
+        return sim_usage("study %s runs on no board; --settings are of time and memory", study->name);
+    const size_t n = study->runs(effort);
+    printf("/* zsim study %s --settings: build %s, %s */\n", study->name, STUDY_BUILD, effort_name[effort]);
+    for (size_t k = 0; k < n; k++)
+        study->settings(k, stdout);
+    return SIM_OK;
+}
+
+/* The results of one run alone. */
+static int print_run(const struct study *study, const struct request *rq)
+{
+    struct study_text row = { .n = 0 };
+    const size_t runs = study->runs(rq->effort);
+    if (rq->run < 0 || (size_t)rq->run >= runs)
+        return sim_usage("study: --run takes 0 to %zu, not %ld", runs - 1, rq->run);
+    const int status = study->measure((size_t)rq->run, &row);
+    if (status == SIM_OK)
+        printf("%.*s\n", (int)row.n, row.text);
+    return status;
+}
+
+int sim_study(int argc, char **argv)
+{
+    struct request rq = { .out = "build/study" };
+    int words;
+    int status = parse(&rq, argc, argv, &words);
+    if (status != SIM_OK)
+        return status;
+    if (rq.help) {
+        (void)fputs(usage, stdout);
+        return SIM_OK;
+    }
+    if (words == 0)
+        return sim_usage("study: name one of time, depth, memory, stability");
+    if (!strcmp(argv[0], "merge"))
+        return merge(&rq, words - 1, argv + 1);
+    if (words > 1)
+        return sim_usage("study: one name at a time, not '%s'", argv[1]);
+    for (size_t k = 0; k < N_STUDIES; k++)
+        if (!strcmp(studies[k]->name, argv[0])) {
+            if (rq.settings)
+                return print_settings(studies[k], rq.effort);
+            if (rq.has_run)
+                return print_run(studies[k], &rq);
+            status = rq.counts && !studies[k]->settings ? sim_usage("study %s takes no --counts", argv[0])
+                     : rq.counts                        ? cores_load(rq.counts)
+                                                        : SIM_OK;
+            return status == SIM_OK ? sweep(studies[k], &rq) : status;
+        }
+    return sim_usage("study: there is no '%s'; there are time, depth, memory, stability, and merge", argv[0]);
+}
