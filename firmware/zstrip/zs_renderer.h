@@ -187,16 +187,12 @@ struct zs_renderer {
 
     const struct zs_scene *scene; /* of the current pass, borrowed from begin to end; NULL: no frame
                                      is open */
-    uint32_t n_instances;         /* of all passes */
-    uint32_t first, end;          /* instances [first, end) are those of the current pass */
     const struct zs_pass_kernel *passes; /* functions for frames in passes; NULL: one pass that is
                                             the whole frame */
-    const struct zs_pass *pass;   /* [n_passes], borrowed like scene */
-    struct zs_pass_memory *pass_memory; /* [n_passes], the caller's */
-    uint16_t n_passes, pass_now;  /* pass_now: the current pass */
-    uint16_t passes_begun;        /* passes whose viewports are cleared in the current strip */
-    uint8_t refit;                /* 1: this frame disabled an accelerator; the next one enables it
-                                     again */
+    struct zs_pass_memory *pass_memory;  /* of all passes, the caller's; [0] holds their list */
+    uint16_t n_instances; /* of all passes */
+    uint16_t first;       /* the number of the current pass's first instance */
+    uint8_t refit;        /* 1: this frame disabled an accelerator; the next one enables it again */
     struct zs_xform xform;
     struct zs_shading shading; /* of the current instance */
     struct zs_view view;

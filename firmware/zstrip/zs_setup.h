@@ -30,10 +30,10 @@ extern const struct zs_depth zs_depth_e5m11; /* to all distances */
  * cameras only (else ZS_ERR_DEPTH); orthographic ones take zs_depth_linear or zs_depth_none.
  * NUMERICS.md has measurements. */
 extern const struct zs_depth zs_depth_float;
-/* No depth memory: triangles are drawn in scene order, each over the ones before. The arena is
- * smaller by ZS_DEPTH_BYTES (zs_arena_bytes gives its size). For scenes that are flat, convex or
- * sorted from far to near; any camera. Depth states have no effect; strips and targets have depth
- * NULL. */
+/* No depth memory: a triangle covers what was drawn before it, in scene order. The arena is
+ * ZS_DEPTH_BYTES smaller (ZS_RENDERER_NO_DEPTH). For one convex mesh whose back faces are culled,
+ * or for instances and triangles that are listed from far to near. Any camera. Depth states have
+ * no effect; strips and targets have depth NULL. */
 extern const struct zs_depth zs_depth_none;
 
 struct zs_fast;

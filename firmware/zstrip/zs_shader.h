@@ -1,14 +1,16 @@
 /* Write a shader: how triangles get their colours.
  *
- * The vertex stage computes up to ZS_VARYINGS_MAX varyings of 16 bits for each vertex. The face
- * stage computes one value for each triangle. Varyings are interpolated perspective-correctly over
- * the triangle. The fragment stage colours one visible pixel at a time:
+ * The vertex stage computes up to ZS_VARYINGS_MAX varyings of 16 bits for each vertex (3, or up
+ * to 8 where library and program are compiled for more). The face stage computes one value for
+ * each triangle. Varyings are interpolated perspective-correctly over the triangle. The fragment
+ * stage colours one visible pixel at a time:
  *
  *     static const struct zs_shader mine = { .vertex = my_vertex, .fragment = my_fragment,
  *                                            ZS_FRAGMENTS, .n_varyings = 2 };
  *
  * Uniforms: define your own material struct whose first member is a struct zs_material. A stage
- * reads it through instance->material.
+ * reads it through instance->material. zs_damage_track does not see that uniforms change: call
+ * zs_invalidate after a change.
  *
  * Rules: the order of the calls is not defined. A stage may be called more than once for a vertex
  * or a face, and is called only for those that may be visible. Its result must depend on its
@@ -58,10 +60,15 @@ struct zs_shader {
     /* The library's textured shaders: multiply n pixels by the light level, uq1_31, which changes
      * by step from pixel to pixel. NULL: unlit. */
     void (*light)(uint16_t *out, int32_t n, uint32_t level, uint32_t step);
-    uint8_t n_varyings; /* 0 .. ZS_VARYINGS_MAX, and at most config.varyings */
+    uint8_t n_varyings; /* 0 .. ZS_VARYINGS_MAX, at most config.varyings; with `vertex` 1 or more */
+    uint8_t opaque;     /* 1: the shader colours every pixel that has passed the depth test, and
+                           does not read its old colour; accelerators may leave out what it covers.
+                           0 is right for every shader: from the first such instance on, the frame
+                           is drawn without the accelerator `tiles` */
+    uint8_t by_fragment; /* set by ZS_FRAGMENTS */
 };
 
-#define ZS_FRAGMENTS .start = zs_fragments_start, .run = zs_fragments_run
+#define ZS_FRAGMENTS .start = zs_fragments_start, .run = zs_fragments_run, .by_fragment = 1
 void zs_fragments_start(struct zs_job *job);
 void zs_fragments_run(struct zs_job *job, const struct zs_row *row, int32_t from, int32_t to);
 

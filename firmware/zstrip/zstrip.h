@@ -92,10 +92,11 @@ enum zs_err {
     ZS_ERR_VECTOR = -10,  /* a direction of length 0, or two directions that are parallel */
     ZS_ERR_NEAR = -11, /* the near plane is too close: the farthest point of the instances in view
                           is more than 2^21 to 2^22 times as far away */
-    ZS_ERR_TEXTURE =
-        -12,           /* a texture's size or clamp is out of range (zs_texture_check says which) */
-    ZS_ERR_BUILD = -13 /* the program was compiled with other headers, or another ZS_VARYINGS_MAX
-                          or ZS_SIZE_MAX, than the library */
+    ZS_ERR_TEXTURE = -12, /* a texture's size or clamp is out of range: zs_texture_check */
+    ZS_ERR_BUILD = -13,   /* the program was compiled with other headers, or another
+                             ZS_VARYINGS_MAX or ZS_SIZE_MAX, than the library */
+    ZS_ERR_PASS = -14     /* a pass's viewport is not inside the frame; what it keeps is of another
+                             mapping; some passes have depth memory and some have none */
 };
 
 /* One English clause for an enum zs_err, without a full stop; never NULL. Static storage. */
@@ -149,19 +150,29 @@ struct zs_sink {
     ZS_ARENA(name##_arena,                                                                         \
              ZS_ARENA_BYTES(width, height, strip_h, max_tris, max_verts, varyings, buffers));      \
     static struct zs_config name##_config = ZS_CONFIG_OF(width, height, strip_h, max_tris,         \
-                                                         max_verts, varyings, buffers);            \
+                                                         max_verts, varyings, buffers, 0);         \
     static struct zs_renderer name
+
+/* A renderer without depth memory: ZS_DEPTH_BYTES less. Its mapping is zs_depth_none. */
+#define ZS_RENDERER_NO_DEPTH(name, width, height, strip_h, max_tris, max_verts, varyings)          \
+    ZS_ARENA(name##_arena,                                                                         \
+             ZS_ARENA_BYTES(width, height, strip_h, max_tris, max_verts, varyings, 1) -            \
+                 ZS_DEPTH_BYTES(width, strip_h));                                                  \
+    static struct zs_config name##_config = ZS_CONFIG_OF(                                          \
+        width, height, strip_h, max_tris, max_verts, varyings, 1, &zs_depth_none);                 \
+    static struct zs_renderer name
+
 #ifdef __cplusplus
-#define ZS_CONFIG_OF(width, height, strip_h, max_tris, max_verts, varyings, buffers)               \
+#define ZS_CONFIG_OF(width, height, strip_h, max_tris, max_verts, varyings, buffers, depth)        \
     {                                                                                              \
-        width, height, strip_h, max_tris, max_verts, varyings, buffers, 0, 0, nullptr, nullptr     \
+        width, height, strip_h, max_tris, max_verts, varyings, buffers, 0, 0, depth, nullptr       \
     }
 #else
-#define ZS_CONFIG_OF(w, h, rows, tris, verts, vars, bufs)                                          \
+#define ZS_CONFIG_OF(w, h, rows, tris, verts, vars, bufs, mapping)                                 \
     {                                                                                              \
         .width = (w), .height = (h), .strip_h = (rows), .max_tris = (tris), .max_verts = (verts),  \
-        .varyings = (vars), .buffers = (bufs), .subpixel_bits = 0, .depth_bits = 0, .depth = 0,    \
-        .fast = 0                                                                                  \
+        .varyings = (vars), .buffers = (bufs), .subpixel_bits = 0, .depth_bits = 0,                \
+        .depth = (mapping), .fast = 0                                                              \
     }
 #endif
 

@@ -26,11 +26,12 @@ static const char *const messages[] = {
     "a position, scale, extent or light that the integers cannot hold",
     "a mesh lacks what its shader reads, or has too many vertices",
     "frame functions called out of order",
-    "the shader needs more vertex attributes than config.varyings",
+    "the shader has more varyings than config.varyings, or a vertex stage and none",
     "a direction of length 0, or parallel directions",
     "the near plane is too close beside what is in view (more than 2^21 times as far): move it out",
     "a texture's size or clamping out of range",
-    "the program was compiled with other headers or limits than the library"
+    "the program was compiled with other headers or limits than the library",
+    "a pass whose viewport is not inside the frame, or that keeps what is not there to be kept"
 };
 
 const char *zs_error_string(int err)
@@ -187,9 +188,10 @@ static ZS_RARE int instance_check(const struct zs_renderer *r, const struct zs_i
     if ((!mesh->pos && mesh->n_verts) || (!mesh->tri && mesh->n_tris) || mesh->n_verts > 65535u ||
         material->cull > ZS_CULL_NONE)
         return ZS_ERR_MESH;
-    if (!material->shader->run)
+    const struct zs_shader *shader = material->shader;
+    if (!shader->run || (shader->by_fragment && !shader->fragment))
         return ZS_ERR_NULL;
-    if (material->shader->n_varyings > r->config.varyings)
+    if (shader->n_varyings > r->config.varyings || (shader->vertex && !shader->n_varyings))
         return ZS_ERR_VARYINGS;
     if (in->depth_state && in->depth_state->func > ZS_DEPTH_ALWAYS)
         return ZS_ERR_RANGE;
@@ -274,7 +276,7 @@ ZS_RARE int zs_frame_begin(struct zs_renderer *r, const struct zs_scene *scene,
     r->draw_end = r->n_strips;
     r->passes = 0;
     r->first = 0;
-    r->end = r->n_instances = scene->n_instances;
+    r->n_instances = (uint16_t)scene->n_instances;
     zs_view_frame(&r->view, &r->config);
     const struct zs_track_kernel *track = r->track;
     const int err = track ? track->check(r, scene) : zs_frame_check(r, scene);

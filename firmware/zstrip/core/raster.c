@@ -273,8 +273,10 @@ static void job_target(struct zs_job *job)
     job->bottom = r->view.y + r->view.height;
     job->pitch = r->config.width;
     job->width = r->view.width;
-    job->y0 = zs_max32(first, job->top);
-    job->y1 = zs_min32(first + strip_rows(r), job->bottom);
+    const int32_t last = first +
+                         strip_rows(r); /* y0 == y1 where the viewport is not in the strip */
+    job->y0 = zs_min32(zs_max32(first, job->top), last);
+    job->y1 = zs_max32(zs_min32(last, job->bottom), job->y0);
     const int32_t at = (job->y0 - first) * job->pitch + r->view.x;
     job->color = r->color[0] + at;
     job->depth = r->depth ? r->depth + at : 0;

@@ -16,6 +16,7 @@
 #include "core/raster.h"
 #include "core/walk.h"
 #include "core/xform.h"
+#include "zs_shader.h"
 
 /* The position of the traversal. */
 struct cursor {
@@ -25,7 +26,6 @@ struct cursor {
 };
 
 /* Add an instance's counts to the statistics. */
-
 static ZS_RARE void count(struct zs_renderer *r, const uint32_t fate[ZS_FATES])
 {
 #define COUNTS(fate_, field) [fate_] = offsetof(struct zs_stats, field)
@@ -60,8 +60,8 @@ static ZS_RARE ZS_NOINLINE int instance_open(struct zs_renderer *r, uint32_t num
     }
     if (zs_cull_walk(&b, r, number))
         return 0;
-    if (state && state->func == ZS_DEPTH_ALWAYS) {
-        r->tiles = 0; /* the keys that it writes have no bound */
+    if (!in->material->shader->opaque || (state && state->func == ZS_DEPTH_ALWAYS)) {
+        r->tiles = 0; /* what it covers may be seen; the keys that it writes have no bound */
         r->large = 0;
         r->refit = 1;
     }
@@ -146,11 +146,9 @@ ZS_RARE void zs_walk(struct zs_renderer *r)
     zs_bin_empty(r);
     r->band_end = r->draw_end;
     r->stats.passes++;
-    r->walk_x = r->walk_most = 0;
+    r->walk_most = 0;
     r->walk_least = r->config.width;
-    r->walk_end = r->view.width;
-    r->walk_y = r->view.y;
-    r->walk_y_end = (uint16_t)(r->view.y + r->view.height);
+    zs_walk_region(r);
     for (at.instance = 0; at.instance < r->n_instances;) {
         if (r->passes)
             r->passes->use(r, at.instance);

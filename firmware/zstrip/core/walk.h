@@ -14,4 +14,13 @@
  */
 void zs_walk(struct zs_renderer *r);
 
+/* What is drawn of the pass in hand: all of its viewport. */
+static inline void zs_walk_region(struct zs_renderer *r)
+{
+    r->walk_x = 0;
+    r->walk_end = r->view.width;
+    r->walk_y = r->view.y;
+    r->walk_y_end = (uint16_t)(r->view.y + r->view.height);
+}
+
 #endif

@@ -158,7 +158,7 @@ static int touch_takes(struct zs_job *job)
 {
     struct zs_renderer *r = job->r;
     const int32_t drawn = r->window[1] - r->window[0];
-    if (job->depth_state || r->view.pixelwise || !wide(job) ||
+    if (job->depth_state || !job->shader->opaque || r->view.pixelwise || !wide(job) ||
         (r->untouched == SOME && r->untouched_left == 0)) {
         job->split = 0;
         touch_end(r);

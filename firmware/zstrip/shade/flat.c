@@ -26,4 +26,4 @@ static uint16_t flat_face(const struct zs_shading *s, uint32_t t)
                                 code(c->b, light, 31)));
 }
 
-const struct zs_shader zs_shade_flat = { .face = flat_face, .run = zs_solid_run };
+const struct zs_shader zs_shade_flat = { .face = flat_face, .run = zs_solid_run, .opaque = 1 };

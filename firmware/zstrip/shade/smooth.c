@@ -245,7 +245,8 @@ static void smooth_run(struct zs_job *job, const struct zs_row *row, int32_t r0,
     }
 }
 
-const struct zs_shader zs_shade_smooth = { .vertex = smooth_vertex,
+const struct zs_shader zs_shade_smooth = { .opaque = 1,
+                                           .vertex = smooth_vertex,
                                            .start = smooth_start,
                                            .run = smooth_run,
                                            .check = smooth_check,

@@ -101,8 +101,7 @@ static inline uint64_t repeats(int32_t v, uint32_t uv_bits)
 struct coordinate {
     uint32_t above[3]; /* 2^-uv_bits repeats */
     int32_t up;        /* the largest above * 2^up is in [2^15, 2^16), or all are 0 */
-    int32_t
-        texels; /* log2 of the texels that those 16 bits span, at least 128 for each repeat */
+    int32_t texels; /* log2 of the texels that those 16 bits span, at least 128 for each repeat */
 };
 
 static void coordinate(struct zs_job *job, const uint16_t *const a[3], int c, uint32_t uv_bits,
@@ -285,7 +284,7 @@ static void texture_start(struct zs_job *job)
 #define TEXTURE(vertex_, face_, check_, light_, n)                                                 \
     {                                                                                              \
         .vertex = vertex_, .face = face_, .start = texture_start, .run = zs_texture_run,           \
-        .check = check_, .light = light_, .n_varyings = n                                          \
+        .check = check_, .light = light_, .n_varyings = n, .opaque = 1                             \
     }
 
 const struct zs_shader zs_shade_texture = TEXTURE(texture_vertex, 0, texture_check, 0,
