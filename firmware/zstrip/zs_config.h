@@ -17,7 +17,7 @@
 #endif
 
 #ifndef ZS_VARYINGS_MAX
-#define ZS_VARYINGS_MAX 3 /* most varyings (16-bit values) of a vertex; at most 8 */
+#define ZS_VARYINGS_MAX 3 /* most varyings (16-bit attributes) of a vertex; at most 8 */
 #endif
 #if ZS_VARYINGS_MAX > 8
 #error "ZS_VARYINGS_MAX: at most 8"

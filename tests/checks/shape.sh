@@ -12,8 +12,8 @@ ALL_MAX=${ALL_MAX:-8968}           # ... in all of firmware/zstrip; the goal is 
 SHADE_MAX=${SHADE_MAX:-1500}       # ... in shade/
 FILE_MAX=${FILE_MAX:-540}          # lines of a file; the goal is 450
 FUNCTION_MAX=${FUNCTION_MAX:-64}   # lines of code of a function, from { to }; the goal is 60
-COLUMNS_MAX=${COLUMNS_MAX:-133}    # columns of a line in firmware/zstrip; the goal is 100
-COLUMNS_MANY=${COLUMNS_MANY:-44}    # ... and lines that have more
+COLUMNS_MAX=${COLUMNS_MAX:-126}    # columns of a line in firmware/zstrip; the goal is 100
+COLUMNS_MANY=${COLUMNS_MANY:-22}    # ... and lines that have more
 ELSE_MAX=${ELSE_MAX:-239}          # columns of a line of what else is written here; the goal is 120
 ELSE_MANY=${ELSE_MANY:-314}
 

@@ -27,8 +27,7 @@ struct zs_candidate {
     int32_t y0, y1;
 };
 
-/* The reason why a triangle is outside the view, from the outcode bits that all its vertices share.
- */
+/* The reason why a triangle is outside the view, from the outcode bits that its vertices share. */
 static inline enum zs_fate zs_fate_outside(uint32_t all)
 {
     return all & ZS_OUT_NEAR ? ZS_FATE_NEAR : all & ZS_OUT_FAR ? ZS_FATE_FAR : ZS_FATE_OFFSCREEN;

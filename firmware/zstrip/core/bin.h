@@ -36,8 +36,7 @@ static inline int32_t zs_bin_strip(const struct zs_renderer *r, int32_t row)
     return (int32_t)((uint32_t)row * r->strip_mul >> r->strip_shift);
 }
 
-/* The first strip in [r->strip, r->band_end) that intersects rows [y0, y1) of the frame, or ZS_NIL.
- */
+/* The first strip in [r->strip, r->band_end) that intersects rows [y0, y1), or ZS_NIL. */
 static inline uint32_t zs_bin_first(const struct zs_renderer *r, int32_t y0, int32_t y1)
 {
     uint32_t s = (uint32_t)zs_bin_strip(r, zs_max32(y0, r->walk_y));

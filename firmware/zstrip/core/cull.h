@@ -29,8 +29,7 @@ int zs_cull_sphere(const struct zs_bounds *b, const struct zs_camera *camera,
  * the rounding of its vertices. Return 1 if the instance is outside the view frustum. */
 int zs_cull_walk(struct zs_bounds *b, const struct zs_renderer *r, uint32_t number);
 
-/* Compute the rotation from an instance's axes to camera axes (right, down, distance), row-major.
- */
+/* Compute the rotation from instance axes to camera axes (right, down, distance), row-major. */
 void zs_cull_axes(zs_q2_30 out[9], const struct zs_instance *in, const struct zs_camera *camera);
 
 /* Half of the width that an orthographic camera sees, q48_16 world units, rounded up. */

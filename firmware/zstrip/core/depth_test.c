@@ -35,8 +35,7 @@ ZS_RARE int32_t zs_depth_state_bias(const struct zs_job *job)
     return (int32_t)zs_held64(state->bias + slope, BIAS_MAX);
 }
 
-/* Depth-test a key, and write it if the pixel passes and the depth state allows. Return 1: passed.
- */
+/* Depth-test a key, and write it if it passes and the depth state allows. Return 1: it passed. */
 static inline int wins(const struct zs_job *job, uint32_t key, uint32_t top, uint16_t *depth)
 {
     const struct zs_depth_state *state = job->depth_state;

@@ -198,8 +198,7 @@ static inline uint32_t zs_recip15(uint32_t a)
 /* floor(sqrt(v)). */
 uint32_t zs_isqrt64(uint64_t v);
 
-/* floor(a * b / d) with a 128-bit product. d > 0, result < 2^64. Slow: for set-up, not for loops.
- */
+/* floor(a * b / d) with a 128-bit product. d > 0, result < 2^64. For set-up, not for loops. */
 uint64_t zs_muldiv_u64(uint64_t a, uint64_t b, uint64_t d);
 
 /* Clamp v to -most .. most. */

@@ -123,10 +123,9 @@ struct zs_job {
     int32_t row_last;             /* one beyond the triangle's last row, inside the strip or not */
     const struct zs_vertex *v[3]; /* the top one, then the others so that the area is positive */
     struct zs_plane key;          /* keys, if linear on the screen, half a bucket added */
-    uint32_t key_limit;           /* if no vertex has a key from this on, no pixel's key saturates
-                                     */
+    uint32_t key_limit;           /* if all vertices' keys are below it, no pixel's key saturates */
     struct zs_plane c[ZS_VARYINGS_MAX > 3 ? ZS_VARYINGS_MAX : 3], w; /* varyings, or varyings times
-                                                                        w, and w (shade/persp.h) */
+                                                                         w, and w (shade/persp.h) */
     uint32_t sub_log2;            /* log2 of a sub-span's pixels; ZS_AFFINE: plain affine */
     const struct zs_fast *fast;   /* the shader's accelerator; NULL: none */
     int32_t bias;                 /* with a depth_state: buckets added to every key */

@@ -140,8 +140,7 @@ static ZS_RARE ZS_NOINLINE int64_t cross(int32_t a, int32_t b, int32_t c, int32_
     return zs_mul_ss(a, b) - zs_mul_ss(c, d);
 }
 
-/* Return 256 (dv1 d[1] - dv2 d[0]) / area. |dv| <= 2^31, |d| <= 2^16: the numerator is |.| <= 2^48
- */
+/* Return 256 (dv1 d[1] - dv2 d[0]) / area. |dv| <= 2^31, |d| <= 2^16: |numerator| <= 2^48 */
 ZS_GRADIENT int32_t gradient(const struct zs_geom *g, int32_t dv1, int32_t dv2, const int32_t d[2],
                              int32_t least)
 {
@@ -151,8 +150,7 @@ ZS_GRADIENT int32_t gradient(const struct zs_geom *g, int32_t dv1, int32_t dv2, 
                       : quotient(n, g->rcp, -g->exp, least);
 }
 
-/* Divide n / d to 32 fraction bits: the floor goes to *whole, the fraction is returned. d < 2^45.
- */
+/* Divide n / d to 32 fraction bits. Store the floor in *whole, return the fraction. d < 2^45. */
 static ZS_RARE ZS_NOINLINE uint32_t divide(int64_t n, int64_t d, int64_t *whole)
 {
     int64_t q = n / d, rest = n % d;

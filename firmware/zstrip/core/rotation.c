@@ -241,8 +241,7 @@ static void fine_sin_cos(q4_60 *sine, q4_60 *cosine, zs_turn a)
     *cosine = quarters & 2 ? -odd_c : odd_c;
 }
 
-/* Scale v to length 1, within 2^-54. Return ZS_OK; ZS_ERR_VECTOR: v is 0 0 0, and out is untouched.
- */
+/* Scale v to length 1, within 2^-54. Return ZS_OK; ZS_ERR_VECTOR: v is 0 0 0, out is untouched. */
 static int fine_unit(q4_60 out[3], const int32_t v[3])
 {
     const uint32_t mag = magnitude(v);

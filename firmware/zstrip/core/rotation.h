@@ -8,8 +8,7 @@
 #include "core/fx.h"
 #include "zstrip.h"
 
-/* Return 1 if the rows have length 1 and are orthogonal, to 2^-20, and form a right-handed system.
- */
+/* Return 1 if the rows are orthonormal, to 2^-20, and form a right-handed system. */
 int zs_rotation_ok(const zs_q2_30 m[9]);
 /* out = a * b, nearest. out is neither a nor b. */
 void zs_rotation_mul(zs_q2_30 out[9], const zs_q2_30 a[9], const zs_q2_30 b[9]);
@@ -18,8 +17,7 @@ void zs_rotation_mul(zs_q2_30 out[9], const zs_q2_30 a[9], const zs_q2_30 b[9]);
 int zs_unit64(zs_q2_30 out[3], const int64_t v[3]);
 /* out = a * b for one row a, nearest. out is neither a nor b. */
 void zs_rotation_row(zs_q2_30 out[3], const zs_q2_30 a[3], const zs_q2_30 b[9]);
-/* a . b, in the product of their units (for q2_30: q4_60). The lengths |a| and |b| are below 2^31.
- */
+/* a . b, in the product of their units (for q2_30: q4_60). The lengths are below 2^31. */
 int64_t zs_dot(const int32_t a[3], const int32_t b[3]);
 /* Component k of a x b, |.| < 2^63. */
 int64_t zs_cross_at(const int32_t a[3], const int32_t b[3], int k);

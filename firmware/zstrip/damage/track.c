@@ -90,7 +90,7 @@ static void begin(uint32_t lane[2])
     lane[1] = lanes[1];
 }
 
-/* Add a struct of the scene to a hash, byte by byte as it lies in memory. That includes padding,
+/* Add a struct of the scene to a hash, as it lies in memory. That includes padding,
  * which can at worst mark strips as dirty that are not. */
 static ZS_NOINLINE void add(uint32_t lane[2], const void *data, uint32_t bytes)
 {

@@ -12,8 +12,7 @@
 #include "fast/small.h"
 #include "zs_fast.h"
 
-/* The distance in bytes from a pixel's key to its colour, so that the loop steps one pointer only.
- */
+/* The distance in bytes from a pixel's key to its colour, for loops that step one pointer only. */
 static inline uintptr_t beside_of(const struct zs_job *job)
 {
     return (uintptr_t)job->color - (uintptr_t)job->depth;
