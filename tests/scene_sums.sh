@@ -35,7 +35,7 @@ column_is() { # COLUMN
     bare_m0) board=m0 memory='-DSUMS_ROWS=5 -DSUMS_ARENA=10800' with=LEAN=1 ;;
     bare_m3) board=mps2 memory=-DSUMS_ROWS=9 with=LEAN=1 ;;
     cortex_m0) # 16 KB of RAM; its flash takes a scene at a time, and the largest with the smaller code alone
-        board=m0 memory='-DSUMS_ROWS=4 -DSUMS_ARENA=10800'
+        board=m0 memory='-DSUMS_ROWS=4 -DSUMS_ARENA=10752'
         with="OPT=-Os OUT=$build/fw/m0_small" ;;
     cortex_m0plus) # the Pico's code, with the library's division, on the machine of the M3
         board=mps2 memory='-DSUMS_ROWS=16 -DSUMS_ARENA=160000'
