@@ -87,11 +87,11 @@ struct zs_sampler {
     const struct zs_texture *texture;
     uint64_t base[2]; /* q32_32 repeats at coordinate 0, a little added: see shade_texture.c */
     int8_t shift[2];  /* coordinate * 2^shift is in 2^-32 repeats */
-    uint32_t least_w; /* groups of pixels need at least this w to be affine */
     uint8_t fine;     /* 1: of so many texels that 15 bits do not place them */
     uint8_t wide;     /* 1: the texture is clamped, or one texel wide or high */
     uint8_t direct;   /* 1: affine and not wide: job->c[0] and [1] are u and v, uq0_32 */
     uint8_t unlit;    /* 1: texels are drawn as they are in `texture` */
+    uint32_t least_w; /* groups of pixels need at least this w to be affine */
 };
 
 /* One triangle in one strip: the wide record, alive only while it is drawn. What rows, spans and

@@ -99,7 +99,8 @@ void zs_plane_geom(struct zs_job *job)
 #define ZS_GRADIENT static ZS_NOINLINE
 #endif
 
-ZS_ALWAYS_INLINE int32_t quotient(int64_t n, uint32_t rcp, int32_t lz, int32_t least_shift)
+ZS_ALWAYS_INLINE int32_t quotient(int64_t n, uint32_t rcp, int32_t lz, int32_t least_shift,
+                                  int tiny)
 {
     /* Of m = |n| 2^k: 256 |n| / area = p / 2^(down + k) with p = m (2^63 / (area 2^lz)) / 2^32.
      * Leading zeros of m, where it is |n| itself, would be shifted in and out again: floors follow
@@ -112,13 +113,18 @@ ZS_ALWAYS_INLINE int32_t quotient(int64_t n, uint32_t rcp, int32_t lz, int32_t l
     }
     ZS_FACT(hi <= 1u << 16);
     int32_t down = 23 - lz;
-    if (hi || down < least_shift) {
-        if (!(hi | m))
+    if (hi) {
+        const int32_t up = zs_clz32(hi), less = 32 - up; /* up: 15 .. 31 */
+        m = hi << up | m >> less;
+        down -= less;
+        if (down < least_shift)
+            return TOO_STEEP;
+    } else if (!tiny && down < least_shift) { /* tiny: lz <= 18 */
+        if (!m)
             return 0;
-        const int32_t up = hi ? zs_clz32(hi)
-                              : zs_min32(zs_clz32(m), 16); /* hi: 15 .. 31; 16: not too steep */
-        m = hi ? hi << up | m >> (32 - up) : m << up;
-        down += hi ? up - 32 : up;
+        const int32_t up = zs_min32(zs_clz32(m), 16); /* 16: not too steep */
+        m <<= up;
+        down += up;
         if (down < least_shift)
             return TOO_STEEP;
     }
@@ -128,22 +134,23 @@ ZS_ALWAYS_INLINE int32_t quotient(int64_t n, uint32_t rcp, int32_t lz, int32_t l
 
 ZS_NOINLINE int32_t zs_plane_quotient(int64_t n, uint32_t rcp, int32_t lz, int32_t least_shift)
 {
-    return quotient(n, rcp, lz, least_shift);
-}
-
-static ZS_RARE ZS_NOINLINE int64_t cross(int32_t a, int32_t b, int32_t c, int32_t d)
-{
-    return zs_mul_ss(a, b) - zs_mul_ss(c, d);
+    return quotient(n, rcp, lz, least_shift, 0);
 }
 
 /* 256 (dv1 d[1] - dv2 d[0]) / area. |dv| <= 2^31, |d| <= 2^16: |.| <= 2^48 */
 ZS_GRADIENT int32_t gradient(const struct zs_geom *g, int32_t dv1, int32_t dv2, const int32_t d[2],
                              int32_t least)
 {
-    const int64_t n = !ZS_CROSS_SHORT || g->tiny ? zs_cross_short(dv1, d[1], dv2, d[0])
-                                                 : cross(dv1, d[1], dv2, d[0]);
+    const int64_t n = zs_cross_short(dv1, d[1], dv2, d[0]);
     return ZS_DIVIDES ? zs_plane_quotient(n, g->rcp, -g->exp, least)
-                      : quotient(n, g->rcp, -g->exp, least);
+                      : quotient(n, g->rcp, -g->exp, least, ZS_CROSS_SHORT);
+}
+
+/* The same of a triangle that is not tiny, where zs_cross_short and gradient() ask for one. */
+static ZS_RARE ZS_NOINLINE int32_t small_gradient(const struct zs_geom *g, int32_t dv1, int32_t dv2,
+                                                  const int32_t d[2], int32_t least)
+{
+    return zs_plane_quotient(zs_mul_ss(dv1, d[1]) - zs_mul_ss(dv2, d[0]), g->rcp, -g->exp, least);
 }
 
 /* n / d with 32 fraction bits: floor in *whole, fraction returned. d < 2^45. */
@@ -259,8 +266,14 @@ void zs_plane32(const struct zs_geom *g, uint32_t v0, uint32_t v1, uint32_t v2,
     /* differences that fit 32 bits: those of values in one half do */
     if (g->rcp && ((int32_t)((v1 ^ v0) | (v2 ^ v0)) >= 0 ||
                    ((dv1 < 0) == (v1 < v0) && (dv2 < 0) == (v2 < v0)))) {
-        const int32_t gx = gradient(g, dv1, dv2, g->dy, kind),
-                      up = gradient(g, dv1, dv2, g->dx, kind); /* up: -gy */
+        int32_t gx, up; /* up: -gy */
+        if (!ZS_CROSS_SHORT || g->tiny) {
+            gx = gradient(g, dv1, dv2, g->dy, kind);
+            up = gradient(g, dv1, dv2, g->dx, kind);
+        } else {
+            gx = small_gradient(g, dv1, dv2, g->dy, kind);
+            up = small_gradient(g, dv1, dv2, g->dx, kind);
+        }
         if (gx != TOO_STEEP && up != TOO_STEEP) {
             out->gx = (uint32_t)gx;
             out->gy = 0u - (uint32_t)up;

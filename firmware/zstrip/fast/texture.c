@@ -315,10 +315,8 @@ static void divided(struct zs_job *job, const struct zs_row *row, int32_t i, int
     while (i < end) {
         const uint32_t w = zs_plane_at(&job->w, i, row->y);
         int32_t n = 1;
-        if (w == 0 || w >> 31) {
+        if (w == 0 || w >> 31 || end - i <= FEW) {
             zs_texture_pixel(job, row, i);
-        } else if (end - i <= FEW) {
-            zs_texture_coarse_pixel(job, row, i, w);
         } else {
             const int32_t lz = zs_clz32(w);
             n = same_octave(w, (int32_t)job->w.gx, lz, zs_min32(end - i, PIECE));

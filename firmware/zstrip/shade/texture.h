@@ -92,10 +92,9 @@ static inline uint32_t zs_texture_shine(uint32_t c, uint32_t level)
 /* As zs_shader.run and .light. */
 void zs_texture_run(struct zs_job *job, const struct zs_row *row, int32_t r0, int32_t r1);
 void zs_texture_light(uint16_t *out, int32_t n, uint32_t l, uint32_t step);
-/* Pixel i of a row of a triangle that is not affine, by a division of its own. */
+/* Pixel i of a row of a triangle that is not affine, by a division of its own; by a reciprocal of
+ * 15 bits where that does. */
 void zs_texture_pixel(struct zs_job *job, const struct zs_row *row, int32_t i);
-/* The same by a reciprocal of 15 bits. 0 < w < 2^31 there. */
-void zs_texture_coarse_pixel(struct zs_job *job, const struct zs_row *row, int32_t i, uint32_t w);
 
 #define ZS_TEXTURE_FULL_LIGHT                                                                      \
     32768u /* zs_tri.paint, uq1_15, where a texture's colours are as they are */
