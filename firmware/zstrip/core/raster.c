@@ -119,7 +119,7 @@ static ZS_NOINLINE void draw(struct zs_job *job)
     const struct zs_shader *shader = job->shader;
     const int linear = r->view.screen_linear || depth->planes(job);
     const uint32_t a = job->v[0]->d, b = job->v[1]->d, c = job->v[2]->d, limit = job->key_limit;
-    job->saturates = a >= limit || b >= limit || c >= limit;
+    job->saturates = zs_maxu32(zs_maxu32(a, b), c) >= limit;
     if (linear && r->depth) {
         zs_plane32(&job->geom, a, b, c, ZS_PLANE_KEY, &job->key);
         job->key.base +=

@@ -314,15 +314,15 @@ static ZS_NOINLINE int32_t pixels_within(uint64_t w, uint64_t gx, int32_t n, int
     return out;
 }
 
-/* The low 32 bits of (v + 2^(shift - 1)) / 2^shift, floor. 1 <= shift <= 63; v is signed or not, a
+/* The low 32 bits of (v + 2^(shift - 1)) / 2^shift, floor. 2 <= shift <= 63; v is signed or not, a
  * constant */
 ZS_ALWAYS_INLINE uint32_t rounded(uint64_t v, int32_t shift, int is_signed)
 {
-    v += (uint64_t)1 << (shift - 1);
     const uint32_t hi = (uint32_t)(v >> 32);
-    if (shift < 32)
-        return hi << (32 - shift) | (uint32_t)v >> shift;
-    return is_signed ? (uint32_t)((int32_t)hi >> (shift - 32)) : hi >> (shift - 32);
+    if (shift <= 32)
+        return (hi << (32 - shift)) + ((((uint32_t)v >> (shift - 1)) + 1u) >> 1);
+    const uint32_t more = hi + (1u << (shift - 33));
+    return is_signed ? (uint32_t)((int32_t)more >> (shift - 32)) : more >> (shift - 32);
 }
 
 /* Pixels [i, i + n) of a row, in one octave: code = (o - 1) 2^m + w / 2^shift with o = last + 1 -
