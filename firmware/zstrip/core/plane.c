@@ -132,7 +132,8 @@ ZS_ALWAYS_INLINE int32_t quotient(int64_t n, uint32_t rcp, int32_t lz, int32_t l
     return sign < 0 ? -(int32_t)m : (int32_t)m;
 }
 
-ZS_NOINLINE int32_t zs_plane_quotient(int64_t n, uint32_t rcp, int32_t lz, int32_t least_shift)
+ZS_IN_ORDER ZS_NOINLINE int32_t zs_plane_quotient(int64_t n, uint32_t rcp, int32_t lz,
+                                                  int32_t least_shift)
 {
     return quotient(n, rcp, lz, least_shift, 0);
 }

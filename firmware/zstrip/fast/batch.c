@@ -85,7 +85,7 @@ static ZS_NOINLINE int slow_case(struct batch *s, const uint16_t index[3])
 /* Drop triangles that lie on one side outside, and small ones that are turned away, for which 32
  * bits are enough. Return how many are left. Vertices that are not inside near, far and guard need
  * no test of their own: they are too far from all others for a small triangle (zs_xform_screen). */
-static ZS_NOINLINE uint32_t reject(struct batch *s, uint32_t n)
+ZS_IN_ORDER static ZS_NOINLINE uint32_t reject(struct batch *s, uint32_t n)
 {
     const struct zs_vertex *const pool = s->pool;
     const uint16_t(*tri)[3] = s->tri;

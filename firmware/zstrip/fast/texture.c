@@ -248,7 +248,7 @@ static void places_of(struct places *p, const struct zs_job *job, int k, int32_t
 }
 
 /* at[]: reciprocals, 16 bits; rows above them; then numbers of texels. Twice: v, u. */
-static ZS_NOINLINE void places(uint32_t *at, int32_t n, const struct places *p, uint32_t log2_w)
+ZS_IN_ORDER static ZS_NOINLINE void places(uint32_t *at, int32_t n, const struct places *p, uint32_t log2_w)
 {
     const int32_t left = p->left, down = p->down;
     uint32_t c = p->c, base = p->base, step = p->step, cut = p->cut;

@@ -101,7 +101,7 @@ void zs_texture_light(uint16_t *out, int32_t n, uint32_t l, uint32_t step)
 }
 
 /* Attributes at a covered pixel by division: 2^-31 of their span. Return w there. */
-static uint32_t divide_at(const struct zs_job *job, int32_t i, int32_t row, int n, uint32_t out[3])
+ZS_IN_ORDER static uint32_t divide_at(const struct zs_job *job, int32_t i, int32_t row, int n, uint32_t out[3])
 {
     uint32_t w;
     int32_t lz;
