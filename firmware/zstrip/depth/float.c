@@ -250,8 +250,8 @@ ZS_IN_ORDER static ZS_NOINLINE int crossing_planes(struct zs_job *job)
 
 /* Pixels [i, i + n) of a row, all in the nearer octave or in the farther one: code = (o - 1) 2^m +
  * w / 2^shift. */
-static ZS_NOINLINE void pair_piece(struct zs_job *job, const struct zs_row *row, int32_t i,
-                                   int32_t n, uint32_t w, int32_t farther)
+ZS_IN_ORDER static ZS_NOINLINE void pair_piece(struct zs_job *job, const struct zs_row *row,
+                                               int32_t i, int32_t n, uint32_t w, int32_t farther)
 {
     const struct zs_view *view = &job->r->view;
     const int32_t m = view->key_mantissa + 16,
@@ -373,7 +373,7 @@ static ZS_NOINLINE void float_row(struct zs_job *job, const struct zs_row *row, 
 }
 
 /* A row of a triangle in two octaves, which has no plane of 64 bits, or in more. */
-static void any_row(struct zs_job *job, const struct zs_row *row)
+ZS_IN_ORDER static void any_row(struct zs_job *job, const struct zs_row *row)
 {
     if (job->two_octaves)
         pair_span(job, row);

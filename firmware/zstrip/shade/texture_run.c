@@ -181,7 +181,8 @@ ZS_IN_ORDER static ZS_NOINLINE void run_group(struct zs_job *job, const struct z
                        step[2]);
 }
 
-ZS_NOINLINE void zs_texture_pixel(struct zs_job *job, const struct zs_row *of, int32_t i)
+ZS_IN_ORDER ZS_NOINLINE void zs_texture_pixel(struct zs_job *job, const struct zs_row *of,
+                                              int32_t i)
 {
     const uint32_t w = zs_plane_at(&job->w, i, of->y);
     if (w == 0 || w >> 31 || job->sampler.fine) {
