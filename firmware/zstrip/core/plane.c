@@ -256,7 +256,7 @@ static ZS_NOINLINE void wide_plane(const struct zs_geom *g, uint32_t dv1, uint32
 }
 
 void zs_plane32(const struct zs_geom *g, uint32_t v0, uint32_t v1, uint32_t v2,
-                enum zs_plane_kind kind, struct zs_plane *out)
+                int32_t kind, struct zs_plane *out)
 {
     const int32_t dv1 = (int32_t)(v1 - v0), dv2 = (int32_t)(v2 - v0);
     out->base = v0;
