@@ -24,7 +24,19 @@ static void own_fragment(const struct zs_instance *instance, struct zs_fragment 
 }
 
 const struct zs_shader own_shader = { .vertex = own_vertex, .face = own_face, .fragment = own_fragment, ZS_FRAGMENTS,
-                                      .n_varyings = 3 };
+                                      .n_varyings = 3, .opaque = 1 };
+
+static void glass_fragment(const struct zs_instance *instance, struct zs_fragment *f)
+{
+    (void)instance;
+    if (f->v[0] >> 13 & 1u)
+        return;
+    *f->color = (uint16_t)(*f->color * 3u + (f->v[1] >> 9) + f->paint);
+}
+
+const struct zs_shader glass_shader = {
+    .vertex = own_vertex, .face = own_face, .fragment = glass_fragment, ZS_FRAGMENTS, .n_varyings = 3
+};
 
 void own_fill(void *ctx, uint16_t *out, uint16_t x, uint16_t y, uint16_t n)
 {

@@ -1,4 +1,4 @@
-/* Columns of a triangle's rows: core/edges.c, and fast/edges.c where it takes one, against exact ones.
+/* Columns of a triangle's rows: core/edges.c, and fast/fast_edges.c where it takes one, against exact ones.
  *
  * SPDX-License-Identifier: MIT
  */
@@ -13,7 +13,7 @@
 #define GUARD (8188 * 256)
 #define SIDE 4096 /* rows and columns of the frame */
 
-static uint64_t rows_compared, cut_fast; /* of those, by fast/edges.c */
+static uint64_t rows_compared, cut_fast; /* of those, by fast/fast_edges.c */
 
 /* ---- Exact ----------------------------------------------------------------------------------- */
 
@@ -118,7 +118,7 @@ static int edges_right(struct zs_job *job, const struct zs_vertex *const down[3]
         memset(job->cut, 0x55, sizeof job->cut);
         const int taken = zs_fast_edges.edges && zs_fast_edges.edges(job, row);
         CASE_CHECK(taken == (ZS_DIVIDES && job->geom.tiny));
-        if (taken && !rows_right(job, down, "fast/edges.c"))
+        if (taken && !rows_right(job, down, "fast/fast_edges.c"))
             return 0;
         cut_fast += taken ? (uint64_t)(job->cut_end - row) : 0;
         r->edges = zs_fast_edges.edges; /* the one, or the other where it declines */

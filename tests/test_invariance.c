@@ -10,6 +10,7 @@
 #include "clusters.h"
 #include "fast_lists.h"
 #include "oracle.h"
+#include "own.h"
 #include "picture.h"
 #include "shapes.h"
 
@@ -332,7 +333,7 @@ static void random_set(struct prng *p)
                                                      &zs_depth_e5m11, &zs_depth_float, &zs_depth_float };
     static const struct zs_shader *const shaders[] = { &zs_shade_raw, &zs_shade_flat, &zs_shade_smooth,
                                                        &zs_shade_texture, &zs_shade_texture_flat,
-                                                       &zs_shade_texture_smooth };
+                                                       &zs_shade_texture_smooth, &own_shader, &glass_shader };
     static const struct zs_depth_state states[] = { { .func = ZS_DEPTH_LESS_EQUAL }, { .read_only = 1, .bias = -20 },
                                                    { .bias = 30, .slope_bias = 200 }, { .func = ZS_DEPTH_ALWAYS } };
     const int orthographic = !prng_pick(p, 5);
@@ -355,8 +356,8 @@ static void random_set(struct prng *p)
     for (int n = 0; n < INSTANCES; n++) {
         const uint32_t of = n ? prng_pick(p, 4) : prng_pick(p, 2); /* a wall comes first in every other */
         const int32_t z = n || of ? prng_range(p, 2000, 30000) : prng_range(p, 300, 5000);
-        add(&set.shape[of], shaders[prng_pick(p, 6)], prng_range(p, -z, z), prng_range(p, -z / 3, z / 3), -z,
-            prng_pick(p, 3));
+        add(&set.shape[of], shaders[prng_pick(p, 6) ? prng_pick(p, 6) : 6 + prng_pick(p, 2)], prng_range(p, -z, z),
+            prng_range(p, -z / 3, z / 3), -z, prng_pick(p, 3));
         if (of == 0 && prng_pick(p, 3)) /* to the eye */
             zs_pose_turn(&set.instance[n].pose, (zs_turn)prng_range(p, -2000, 2000), 0, 0);
         if (!prng_pick(p, 8))

@@ -46,7 +46,7 @@ static void world_sound(struct world *w, struct prng *p)
         world_free(w);
 }
 
-/* A world whose pixels do not depend on where in the frame they are. */
+/* A world whose pixels do not depend on where in the frame they are, nor on what was there. */
 static void world_anywhere(struct world *w, struct prng *p)
 {
     world_sound(w, p);
@@ -54,7 +54,7 @@ static void world_anywhere(struct world *w, struct prng *p)
     w->scene.resolve = NULL;
     w->scene.n_resolves = 0;
     for (int k = 0; k < WORLD_MATERIALS; k++)
-        if (w->material[k].shader == &own_shader)
+        if (w->material[k].shader == &own_shader || w->material[k].shader == &glass_shader)
             w->material[k].shader = &zs_shade_raw;
 }
 
@@ -304,6 +304,13 @@ static void places_are_of_the_frame(void **state)
         assert_int_equal(pixels[1], 50 * 30);
         assert_int_equal(hooks, 2 * 50 * 30);
         picture_free(&got);
+        const struct zs_pass twice[2] = { pass[0],
+                                          { .scene = &scene[0], .camera = &camera, .viewport = { 0, 0, 9, 9 } } };
+        pixels[0] = 0;
+        got = picture_passes(&c, twice, 2);
+        assert_int_equal(got.err, ZS_OK);
+        assert_int_equal(pixels[0], 50 * 30); /* one scene in two passes: once */
+        picture_free(&got);
     }
 }
 
@@ -341,14 +348,20 @@ static void wrong_passes_are_refused(void **state)
     } while (0)
     REFUSED(scene, NULL, ZS_ERR_NULL);
     REFUSED(camera, NULL, ZS_ERR_NULL);
-    REFUSED(viewport.w, 31, ZS_ERR_SIZE);
-    REFUSED(viewport.w, 0, ZS_ERR_SIZE);
-    REFUSED(viewport.h, 21, ZS_ERR_SIZE);
-    REFUSED(viewport.h, 0, ZS_ERR_SIZE);
-    REFUSED(viewport.x, 11, ZS_ERR_SIZE);
-    REFUSED(viewport.y, 65535, ZS_ERR_SIZE);
-    REFUSED(keep, 4, ZS_ERR_RANGE);
-    REFUSED(depth, &zs_depth_none, ZS_ERR_DEPTH);
+    REFUSED(viewport.w, 31, ZS_ERR_PASS);
+    REFUSED(viewport.w, 0, ZS_ERR_PASS);
+    REFUSED(viewport.h, 21, ZS_ERR_PASS);
+    REFUSED(viewport.h, 0, ZS_ERR_PASS);
+    REFUSED(viewport.x, 11, ZS_ERR_PASS);
+    REFUSED(viewport.y, 65535, ZS_ERR_PASS);
+    REFUSED(keep, 4, ZS_ERR_PASS);
+    REFUSED(depth, &zs_depth_none, ZS_ERR_PASS);
+    pass[1].viewport.w = pass[1].viewport.h = 0;
+    REFUSED(viewport.x, 1, ZS_ERR_PASS); /* 0 by 0 is the whole frame only at 0, 0 */
+    pass[1].depth = &zs_depth_e3m13;
+    pass[1].camera = &w.camera;
+    pass[1].scene = &w.scene;
+    REFUSED(keep, ZS_KEEP_DEPTH, ZS_ERR_PASS); /* keys of another mapping */
     REFUSED(depth, &zs_depth_recip, ZS_ERR_DEPTH); /* orthographic */
     assert_int_equal(zs_frame_begin_passes(&r, pass, memory, 0), ZS_ERR_SIZE);
     assert_int_equal(zs_frame_begin_passes(&r, pass, memory, 65536), ZS_ERR_SIZE);

@@ -5,11 +5,7 @@
  */
 #include "examples.h"
 
-#define ROWS 8
-#define POOL 16
-ZS_ARENA(arena, ZS_ARENA_BYTES(EXAMPLE_W, EXAMPLE_H, ROWS, POOL, POOL, ZS_VARYINGS_FLAT, 1) -
-                    ZS_DEPTH_BYTES(EXAMPLE_W, ROWS));
-static struct zs_renderer screen;
+ZS_RENDERER_NO_DEPTH(screen, EXAMPLE_W, EXAMPLE_H, 8, 16, 16, ZS_VARYINGS_FLAT);
 
 static const int16_t pos[4][3] = { { -4, -6, 0 }, { 4, -6, 0 }, { 4, 6, 0 }, { -4, 6, 0 } };
 static const uint16_t tri[2][3] = { { 0, 1, 2 }, { 0, 2, 3 } };
@@ -20,8 +16,6 @@ static const struct zs_material red = { .shader = &zs_shade_raw, .rgb = ZS_RGB(0
 
 int example_no_depth(uint32_t t, const struct zs_sink *sink)
 {
-    const struct zs_config config = { .width = EXAMPLE_W, .height = EXAMPLE_H, .strip_h = ROWS, .max_tris = POOL,
-                                      .max_verts = POOL, .depth = &zs_depth_none };
     const struct zs_instance cards[3] = { /* the farthest first */
         { .mesh = &card, .material = &red, .pose.pos = { -5 + (int32_t)t, 1, -30 } },
         { .mesh = &card, .material = &green, .pose.pos = { 0, 0, -28 } },
@@ -29,6 +23,6 @@ int example_no_depth(uint32_t t, const struct zs_sink *sink)
     const struct zs_scene scene = { .instance = cards, .n_instances = 3 };
     struct zs_camera camera;
     int err = zs_camera_perspective(&camera, ZS_DEGREES(35), EXAMPLE_H, 5, 200);
-    err = err ? err : zs_init(&screen, &config, arena, sizeof arena);
+    err = err ? err : ZS_INIT(screen);
     return err ? err : zs_render(&screen, &scene, &camera, sink);
 }

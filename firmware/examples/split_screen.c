@@ -8,7 +8,9 @@
 ZS_RENDERER(screen, EXAMPLE_W, EXAMPLE_H, 8, 32, 32, ZS_VARYINGS_FLAT);
 
 /* A ridge: the left side of its roof is red, the right one is white. */
-static const int16_t pos[6][3] = { { -6, -6, 6 }, { 6, -6, 6 }, { 0, 6, 6 }, { -6, -6, -6 }, { 6, -6, -6 }, { 0, 6, -6 } };
+static const int16_t pos[6][3] = {
+    { -6, -6, 6 }, { 6, -6, 6 }, { 0, 6, 6 }, { -6, -6, -6 }, { 6, -6, -6 }, { 0, 6, -6 }
+};
 static const uint16_t tri[8][3] = { { 0, 1, 2 }, { 4, 3, 5 }, { 3, 0, 2 }, { 3, 2, 5 },
                                     { 1, 4, 5 }, { 1, 5, 2 }, { 0, 3, 4 }, { 0, 4, 1 } };
 static const uint16_t raw[8] = { ZS_RGB565(0x5a3c1e), ZS_RGB565(0x5a3c1e), ZS_RGB565(0xff0000), ZS_RGB565(0xff0000),

@@ -1,5 +1,6 @@
-/* zstrip: sizes and budgets. Each can be set by the compiler's -D; the proofs in fx.h, xform.c,
- * plane.c and raster.c depend on them and are checked there when the library is built.
+/* zstrip: limits and options that are fixed when the library is compiled. The compiler's -D can set
+ * each of them. The error bounds in fx.h, xform.c, plane.c and raster.c depend on them; static
+ * assertions in the library check that a value is within what the bounds allow.
  *
  * SPDX-License-Identifier: MIT
  */
@@ -11,17 +12,19 @@
 #endif
 
 #ifndef ZS_GUARD_PX
-#define ZS_GUARD_PX 8188 /* px from the frame's middle; triangles that reach further are clipped */
+#define ZS_GUARD_PX 8188 /* px: half the width and height of the guard band around the frame's
+                            centre; triangles that reach beyond it are clipped */
 #endif
 
 #ifndef ZS_VARYINGS_MAX
-#define ZS_VARYINGS_MAX 3 /* 16-bit values a vertex that shaders may interpolate; at most 8 */
+#define ZS_VARYINGS_MAX 3 /* most varyings (16-bit attributes) of a vertex; at most 8 */
 #endif
 #if ZS_VARYINGS_MAX > 8
 #error "ZS_VARYINGS_MAX: at most 8"
 #endif
 
-/* 1: compiled for size (-Os): what arch/ has by table or by assembler is left to the compiler, and so is what is in line. */
+/* 1: optimise for size (-Os). The tables and the assembler of arch/ are not used, and the compiler
+ * alone decides what is inlined. */
 #ifndef ZS_FOR_SIZE
 #ifdef __OPTIMIZE_SIZE__
 #define ZS_FOR_SIZE 1
@@ -30,8 +33,8 @@
 #endif
 #endif
 
-/* 1: rows of a matrix are added up in 64 bits, where that is as cheap as in 32 (wide.h). Every file of a program must have it
- * alike. */
+/* 1: sum the products of a matrix row and a vector in 64 bits. That is the default on cores where
+ * it costs no more than 32 bits (arch/wide.h). All files of a program must agree on the value. */
 #ifndef ZS_ROW_WIDE
 #if (defined(__ARM_ARCH) && __ARM_ARCH >= 7) || defined(__x86_64__)
 #define ZS_ROW_WIDE 1
@@ -42,31 +45,35 @@
 #define ZS_ROW_WORDS_MAX 10
 #define ZS_ROW_WORDS (ZS_ROW_WIDE ? 7 : ZS_ROW_WORDS_MAX)
 
-/* 1: no program lists an accelerator, and fast/ need not be there; the core does not ask for any
- * then. Every file of a program must have it alike. */
+/* 1: compile without accelerators. The lists of zs_fast.h are empty, the core calls no hook, and
+ * the folder fast/ can be left out. All files of a program must agree on the value. */
 #ifndef ZS_NO_FAST
 #define ZS_NO_FAST 0
 #endif
 
 #ifndef ZS_STATS
-#define ZS_STATS 0 /* 1: count written pixels too, which costs an instruction a pixel */
+#define ZS_STATS 0 /* 1: also count written pixels, which costs one instruction for each pixel */
 #endif
 
-/* What `zsim study time` varies, with ZS_STUDY = 1; errors are in NUMERICS.md. */
+/* Parameters that `zsim study time` varies. They may be changed only with ZS_STUDY = 1. NUMERICS.md
+ * lists the errors that other values give. */
 #ifndef ZS_STUDY
 #define ZS_STUDY 0
 #endif
 #ifndef ZS_RECIP_STEPS
-#define ZS_RECIP_STEPS 1 /* Newton steps of a vertex's reciprocal: 1 for 30 bits, 0 for 16 */
+#define ZS_RECIP_STEPS 1 /* Newton steps for the reciprocal of a vertex's z: 1 gives 30 bits, 0
+                            gives 16 */
 #endif
 #ifndef ZS_TEXEL_COARSE_LOG2
-#define ZS_TEXEL_COARSE_LOG2 10 /* texels, across a triangle, up to which a pixel's reciprocal has 15 bits; else 30 */
+#define ZS_TEXEL_COARSE_LOG2 10 /* log2 of texels across a triangle. Up to this, the reciprocal of a
+                                   pixel's w has 15 bits; above, 30 */
 #endif
 #ifndef ZS_SPAN_BOUND_LOG2
-#define ZS_SPAN_BOUND_LOG2 3 /* affine where that is off by at most 2^-this texel, or code of colour; 2 .. 6 */
+#define ZS_SPAN_BOUND_LOG2 3 /* interpolate affinely where the error is at most 2^-this of a texel,
+                                or of a code of colour (a step of an RGB565 channel); 2 .. 6 */
 #endif
 #if !ZS_STUDY && (ZS_RECIP_STEPS != 1 || ZS_TEXEL_COARSE_LOG2 != 10 || ZS_SPAN_BOUND_LOG2 != 3)
-#error "ZS_RECIP_STEPS, ZS_TEXEL_COARSE_LOG2 and ZS_SPAN_BOUND_LOG2 are for studies: the error bounds are those of 1, 10, 3"
+#error "ZS_RECIP_STEPS, ZS_TEXEL_COARSE_LOG2, ZS_SPAN_BOUND_LOG2: error bounds hold for 1, 10, 3"
 #endif
 
 #ifndef ZS_ALIGNED
@@ -77,17 +84,17 @@
 #endif
 #endif
 
-/* Preconditions restated at run time: on in test builds, nothing on a target. */
+/* Check a precondition at run time. Test builds define it; on a target it compiles to nothing. */
 #ifndef ZS_ASSERT
 #define ZS_ASSERT(condition) ((void)0)
 #endif
 
-/* Relations between values, which the proofs (make prove) cannot see from ranges alone and take as given: asserted in
- * test builds, and tried by tests/prove/facts.c. */
+/* A relation between values that the proofs (make prove) cannot derive from ranges alone. The
+ * proofs assume it, test builds assert it, and tests/prove/facts.c tests it. */
 #ifndef ZS_FACT
 #define ZS_FACT(condition) ZS_ASSERT(condition)
 #endif
 
-#define ZS_POOL_MAX 65534u /* records in a pool: 16-bit indices, one value for "none" */
+#define ZS_POOL_MAX 65534u /* most records of a pool: indices have 16 bits, and 65535 means none */
 
 #endif

@@ -63,10 +63,11 @@ int zs_damage_compare(struct zs_renderer *r, struct zs_strip_hashes *sums);
  *              each, because 64-bit hashes are compared; then the picture stays wrong until the
  *              instance changes again.
  * Cost         zs_frame_begin: 400 instructions for an instance where nothing differs, in place of
- * its checks; 3,000 more for each instance that differs. 100 for a strip that is not drawn. An
- *              instance that reaches a strip that is drawn is transformed as a whole, but for
- * clusters that lie elsewhere. Return       ZS_OK; ZS_ERR_NULL; ZS_ERR_SEQUENCE (r is not set up,
- * or a frame is open); ZS_ERR_SIZE: nothing changes. zs_init ends it. */
+ *              its checks; 3,000 more for each instance that differs. 100 for a strip that is not
+ *              drawn. An instance that reaches a strip that is drawn is transformed as a whole, but
+ *              for clusters that lie elsewhere.
+ * Return       ZS_OK; ZS_ERR_NULL; ZS_ERR_SEQUENCE (r is not set up, or a frame is open);
+ *              ZS_ERR_SIZE: nothing changes. zs_init ends it. */
 #define ZS_DAMAGE_WORDS(n_instances, height, strip_h)                                              \
     (2u + 4u * ZS_U32(n_instances) + ZS_STRIPS(height, strip_h))
 int zs_damage_track(struct zs_renderer *r, uint32_t *memory, uint32_t n_instances);
@@ -80,11 +81,13 @@ int zs_damage_track(struct zs_renderer *r, uint32_t *memory, uint32_t n_instance
  * Your duty  send dirty_x and dirty_w alone, because px and depth are undefined beside them. The
  *            columns are widened so that dirty_x and its end can be rounded to multiples of
  *            ZS_DAMAGE_GRAIN, or to the frame's end. zs_damage_compare compares those of its
- * columns that were drawn whole. Exact      the columns given out equal those of a full frame, bit
- * for bit. Cost       2,000 instructions more than zs_damage_track for an instance that differs,
- * and 25 to 80 for a triangle in a strip that is drawn in part. Where moving objects fill most of
- * the frame, whole strips are a little cheaper. Return     ZS_OK; ZS_ERR_NULL; ZS_ERR_SEQUENCE
- * (zs_damage_track is not on, or a frame is open). zs_damage_track and zs_init end it. */
+ *            columns that were drawn whole.
+ * Exact      the columns given out equal those of a full frame, bit for bit.
+ * Cost       2,000 instructions more than zs_damage_track for an instance that differs, and 25 to
+ *            80 for a triangle in a strip that is drawn in part. Where moving objects fill most of
+ *            the frame, whole strips are a little cheaper.
+ * Return     ZS_OK; ZS_ERR_NULL; ZS_ERR_SEQUENCE (zs_damage_track is not on, or a frame is open).
+ *            zs_damage_track and zs_init end it. */
 #define ZS_DAMAGE_GRAIN 8u /* px: a byte or page of any panel's RAM */
 int zs_damage_columns(struct zs_renderer *r, int on);
 
@@ -93,8 +96,9 @@ int zs_damage_columns(struct zs_renderer *r, int on);
  * call it when bytes behind pointers of the scene change.
  *
  * rect    the strips and columns that touch it are dirty from now on; NULL: all. May be called
- * within a frame, which then walks the scene again. Return  ZS_OK; ZS_ERR_NULL; ZS_ERR_SEQUENCE (r
- * is not set up). No effect without zs_damage_compare and zs_damage_track. */
+ *         within a frame, which then walks the scene again.
+ * Return  ZS_OK; ZS_ERR_NULL; ZS_ERR_SEQUENCE (r is not set up). No effect without
+ *         zs_damage_compare and zs_damage_track. */
 int zs_invalidate(struct zs_renderer *r, const struct zs_rect *rect);
 
 #ifdef __cplusplus

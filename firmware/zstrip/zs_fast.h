@@ -1,11 +1,14 @@
-/* The accelerators that there are, and lists of them for zs_config.fast.
+/* The accelerators, and lists of them for zs_config.fast.
  *
  *     static const struct zs_fast *const fast[] = { ZS_FAST_FRAME, ZS_FAST_FLAT, ZS_FAST_END };
  *     config.fast = fast;
  *
- * Each override part of the renderer where that is quicker; the frame is the same, bit for bit, with any of them or none.
- * Only those that are named are linked. `make bench` prints what each is worth, in instructions and in bytes.
- * A list is kept for as long as the renderer is used. With ZS_NO_FAST = 1 all lists are empty, and fast/ need not be there.
+ * An accelerator overrides a part of the renderer where a special case is faster. The frame is the
+ * same, bit for bit, with all of them, some, or none. Only accelerators that a program names are
+ * linked. `make bench` prints what each one saves in instructions and costs in bytes.
+ *
+ * The caller keeps the list alive while the renderer is in use. With ZS_NO_FAST = 1 all lists are
+ * empty, and the folder fast/ can be left out.
  *
  * SPDX-License-Identifier: MIT
  */
@@ -18,23 +21,35 @@
 extern "C" {
 #endif
 
-extern const struct zs_fast zs_fast_touch;        /* no clearing and no test where nothing was drawn before */
-extern const struct zs_fast zs_fast_tiles;        /* what large triangles hide is not set up */
-extern const struct zs_fast zs_fast_batch;        /* vertices and facing of a mesh in one go, where the pools hold it */
-extern const struct zs_fast zs_fast_clusters;     /* clusters that cannot be seen are left out, and vertices that only they use */
-extern const struct zs_fast zs_fast_edges;        /* columns of small triangles; nothing on a core that cannot divide */
-extern const struct zs_fast zs_fast_raw;          /* raw shading: test and store in one loop, small triangles in one go */
-extern const struct zs_fast zs_fast_flat;         /* flat shading: the same */
-extern const struct zs_fast zs_fast_smooth;       /* smooth shading: test and colours in one loop */
-extern const struct zs_fast zs_fast_texture;      /* textures: set-up of small triangles, several divided pixels at a time */
-extern const struct zs_fast zs_fast_texture_flat; /* the same, and palettes lit at once */
-extern const struct zs_fast zs_fast_texture_smooth;
-extern const struct zs_fast zs_fast_565, zs_fast_pal8, zs_fast_pal4; /* loops of a texel format, besides one of the last three */
+/* Of the frame. */
+extern const struct zs_fast zs_fast_touch;    /* first touch: a pixel that is still uncleared is
+                                                 drawn without a clear and a depth test */
+extern const struct zs_fast zs_fast_tiles;    /* occlusion culling: triangles and instances behind
+                                                 large triangles are rejected before set-up */
+extern const struct zs_fast zs_fast_batch;    /* transforms and assembles a whole mesh at a time, if
+                                                 the vertex pool holds it */
+extern const struct zs_fast zs_fast_clusters; /* culls clusters, and transforms no vertices that
+                                                 only culled clusters use */
+extern const struct zs_fast zs_fast_edges;    /* spans of small triangles; does nothing on a core
+                                                 without a divide instruction */
 
-/* Each of them by its name, for tables: X(batch) X(touch) ... */
-#define ZS_FAST_EACH(X)                                                                                       \
-    X(batch) X(touch) X(tiles) X(clusters) X(edges) X(raw) X(flat) X(smooth) X(texture) X(texture_flat)           \
-    X(texture_smooth) X(565) X(pal8) X(pal4)
+/* Of one shader. */
+extern const struct zs_fast zs_fast_raw;          /* depth test and store in one loop; a path for
+                                                     small triangles */
+extern const struct zs_fast zs_fast_flat;         /* the same for flat shading */
+extern const struct zs_fast zs_fast_smooth;       /* depth test and colours in one loop */
+extern const struct zs_fast zs_fast_texture;      /* set-up of small triangles; several pixels with
+                                                     a perspective division at a time */
+extern const struct zs_fast zs_fast_texture_flat; /* the same, and lights a whole palette at once */
+extern const struct zs_fast zs_fast_texture_smooth; /* as zs_fast_texture */
+
+/* Of one texel format: its inner loops. Each is named together with one of the last three. */
+extern const struct zs_fast zs_fast_565, zs_fast_pal8, zs_fast_pal4;
+
+/* The names of all accelerators, for tables: X(batch) X(touch) ... */
+#define ZS_FAST_EACH(X)                                                                            \
+    X(batch) X(touch) X(tiles) X(clusters) X(edges) X(raw) X(flat) X(smooth) X(texture)            \
+    X(texture_flat) X(texture_smooth) X(565) X(pal8) X(pal4)
 
 #if ZS_NO_FAST
 #define ZS_FAST_END 0
@@ -63,9 +78,9 @@ extern const struct zs_fast zs_fast_565, zs_fast_pal8, zs_fast_pal4; /* loops of
 #define ZS_FAST_565 &zs_fast_565
 #define ZS_FAST_PAL8 &zs_fast_pal8
 #define ZS_FAST_PAL4 &zs_fast_pal4
-#define ZS_FAST_ALL                                                                                               \
-    ZS_FAST_FRAME, ZS_FAST_CLUSTERS, ZS_FAST_RAW, ZS_FAST_FLAT, ZS_FAST_SMOOTH, ZS_FAST_TEXTURE, ZS_FAST_TEXTURE_FLAT,              \
-        ZS_FAST_TEXTURE_SMOOTH, ZS_FAST_565, ZS_FAST_PAL8, ZS_FAST_PAL4
+#define ZS_FAST_ALL                                                                                \
+    ZS_FAST_FRAME, ZS_FAST_CLUSTERS, ZS_FAST_RAW, ZS_FAST_FLAT, ZS_FAST_SMOOTH, ZS_FAST_TEXTURE,   \
+        ZS_FAST_TEXTURE_FLAT, ZS_FAST_TEXTURE_SMOOTH, ZS_FAST_565, ZS_FAST_PAL8, ZS_FAST_PAL4
 #endif
 
 #ifdef __cplusplus

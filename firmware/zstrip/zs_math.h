@@ -42,7 +42,7 @@ int zs_pose_rotate(struct zs_pose *pose, const int32_t axis[3], zs_turn angle);
 /* Set a perspective camera at the origin that looks down -z.
  *
  * fov_y     the vertical angle of view, 1 .. 32767: ZS_DEGREES(45).
- * height_px the frame's height.
+ * height_px the height of the frame, or of the viewport that a pass draws into (zs_pass.h).
  * z_near, z_far  world units, 0 < near < far <= ZS_WORLD_MAX.
  * Return    ZS_OK; ZS_ERR_CAMERA (one of them, or the focal length, is out of range): camera is
  *           untouched. */

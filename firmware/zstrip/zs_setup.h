@@ -26,12 +26,14 @@ extern const struct zs_depth zs_depth_linear; /* (z - n) / (f - n) * (B - 1), an
 extern const struct zs_depth zs_depth_e3m13; /* to z = 128 n; finest */
 extern const struct zs_depth zs_depth_e4m12; /* to z = 32,768 n */
 extern const struct zs_depth zs_depth_e5m11; /* to all distances */
-/* The first of the three that keeps its precision up to far. Take it when in doubt; orthographic
- * cameras take zs_depth_linear alone (else ZS_ERR_DEPTH). NUMERICS.md has measurements. */
+/* The first of the three that keeps its precision up to far. Take it when in doubt. Perspective
+ * cameras only (else ZS_ERR_DEPTH); orthographic ones take zs_depth_linear or zs_depth_none.
+ * NUMERICS.md has measurements. */
 extern const struct zs_depth zs_depth_float;
 /* No depth memory: a triangle covers what was drawn before it, in scene order. The arena is
- * ZS_DEPTH_BYTES smaller (zs_arena_bytes says how large). For scenes that are flat, convex or sorted
- * from far to near; any camera. Depth states have no effect; strips and targets have depth NULL. */
+ * ZS_DEPTH_BYTES smaller (ZS_RENDERER_NO_DEPTH). For one convex mesh whose back faces are culled,
+ * or for instances and triangles that are listed from far to near. Any camera. Depth states have
+ * no effect; strips and targets have depth NULL. */
 extern const struct zs_depth zs_depth_none;
 
 struct zs_fast;

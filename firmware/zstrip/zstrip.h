@@ -4,6 +4,7 @@
  *       zs_scene.h   meshes, textures, materials, instances, scene, camera, colours, angles
  *       zs_setup.h   depth mappings, the configuration, bytes of arena, counts
  *       zs_math.h    sine, vectors, poses, cameras from angles and points
+ *     zs_pass.h    several scenes or cameras in one frame
  *     zs_fast.h    accelerators: the same picture in less time
  *     zs_shader.h  write a shader
  *     zs_damage.h  send and draw only what changed
@@ -20,22 +21,27 @@
  * Angles    16-bit turns: 65536 is one full turn, 16384 a right angle; ZS_DEGREES(90).
  * Screen    x to the right, y down, pixel (i, j) is sampled at (i + 1/2, j + 1/2).
  * Coverage  vertices are snapped to 8 sub-pixel bits (4 on request). Of the snapped triangle,
- * exactly the pixels of the top-left rule are drawn. Ranges are half-open: [y0, y1). Depth unsigned
- * 16-bit keys, 0 nearest. Keys saturate at 2^bits - 2; no triangle writes ZS_DEPTH_CLEAR. The least
- * (key, scene order) wins: on equal keys the earlier triangle of the earlier instance stays.
- * Instances can ask for another test (struct zs_depth_state); they are drawn as if triangles were
- * drawn one after another, in scene order. Textures  u to the right, v down. The texel in some
- * column and row, counted from the top left, covers u in [column, column + 1) / width; the texel
- * that holds the sample is taken (nearest). Colour    light is linear in the given RGB values. The
- * frame leaves as RGB565, most significant byte first. Numbers   qI_F is signed and uqI_F unsigned
- * fixed point: I integer bits (sign included), F fraction bits, I + F the storage width. Zero 0 in
- * a field means the usual value, where there is one: the field's comment says which. Initialise
- * structs by the names of their fields; the others are 0 then. Promise   the frame is a function of
- * scene, camera and profile (frame size, sub-pixel bits, depth mapping and bits). Strip height,
- * pool sizes, buffers, accelerators, compiler and machine do not change a bit of it. Not here
- * texture filtering, mipmaps, blending, anti-aliasing, perspective shadows, more than one light,
- * lighting of back faces (a face that is turned away from the light gets ambient light alone),
- * non-uniform or negative scale, more than one thread in one renderer.
+ *           exactly the pixels of the top-left rule are drawn. Ranges are half-open: [y0, y1).
+ * Depth     unsigned 16-bit keys, 0 nearest. Keys saturate at 2^bits - 2; no triangle writes
+ *           ZS_DEPTH_CLEAR. The least (key, scene order) wins: on equal keys the earlier triangle
+ *           of the earlier instance stays. Instances can ask for another test (struct
+ *           zs_depth_state); they are drawn as if triangles were drawn one after another, in scene
+ *           order.
+ * Textures  u to the right, v down. The texel in some column and row, counted from the top left,
+ *           covers u in [column, column + 1) / width; the texel that holds the sample is taken
+ *           (nearest).
+ * Colour    light is linear in the given RGB values. The frame leaves as RGB565, most significant
+ *           byte first.
+ * Numbers   qI_F is signed and uqI_F unsigned fixed point: I integer bits (sign included), F
+ *           fraction bits, I + F the storage width.
+ * Zero      0 in a field means the usual value, where there is one: the field's comment says
+ *           which. Initialise structs by the names of their fields; the others are 0 then.
+ * Promise   the frame is a function of scene, camera and profile (frame size, sub-pixel bits, depth
+ *           mapping and bits). Strip height, pool sizes, buffers, accelerators, compiler and
+ *           machine do not change a bit of it.
+ * Not here  texture filtering, mipmaps, blending, anti-aliasing, perspective shadows, more than one
+ *           light, lighting of back faces (a face that is turned away from the light gets ambient
+ *           light alone), non-uniform or negative scale, more than one thread in one renderer.
  *
  * A renderer holds no global state: two renderers can be used side by side. While a function works
  * on a renderer, no interrupt may call another one for it.
@@ -86,10 +92,11 @@ enum zs_err {
     ZS_ERR_VECTOR = -10,  /* a direction of length 0, or two directions that are parallel */
     ZS_ERR_NEAR = -11, /* the near plane is too close: the farthest point of the instances in view
                           is more than 2^21 to 2^22 times as far away */
-    ZS_ERR_TEXTURE =
-        -12,           /* a texture's size or clamp is out of range (zs_texture_check says which) */
-    ZS_ERR_BUILD = -13 /* the program was compiled with other headers, or another ZS_VARYINGS_MAX
-                          or ZS_SIZE_MAX, than the library */
+    ZS_ERR_TEXTURE = -12, /* a texture's size or clamp is out of range: zs_texture_check */
+    ZS_ERR_BUILD = -13,   /* the program was compiled with other headers, or another
+                             ZS_VARYINGS_MAX or ZS_SIZE_MAX, than the library */
+    ZS_ERR_PASS = -14     /* a pass's viewport is not inside the frame; what it keeps is of another
+                             mapping; some passes have depth memory and some have none */
 };
 
 /* One English clause for an enum zs_err, without a full stop; never NULL. Static storage. */
@@ -143,19 +150,29 @@ struct zs_sink {
     ZS_ARENA(name##_arena,                                                                         \
              ZS_ARENA_BYTES(width, height, strip_h, max_tris, max_verts, varyings, buffers));      \
     static struct zs_config name##_config = ZS_CONFIG_OF(width, height, strip_h, max_tris,         \
-                                                         max_verts, varyings, buffers);            \
+                                                         max_verts, varyings, buffers, 0);         \
     static struct zs_renderer name
+
+/* A renderer without depth memory: ZS_DEPTH_BYTES less. Its mapping is zs_depth_none. */
+#define ZS_RENDERER_NO_DEPTH(name, width, height, strip_h, max_tris, max_verts, varyings)          \
+    ZS_ARENA(name##_arena,                                                                         \
+             ZS_ARENA_BYTES(width, height, strip_h, max_tris, max_verts, varyings, 1) -            \
+                 ZS_DEPTH_BYTES(width, strip_h));                                                  \
+    static struct zs_config name##_config = ZS_CONFIG_OF(                                          \
+        width, height, strip_h, max_tris, max_verts, varyings, 1, &zs_depth_none);                 \
+    static struct zs_renderer name
+
 #ifdef __cplusplus
-#define ZS_CONFIG_OF(width, height, strip_h, max_tris, max_verts, varyings, buffers)               \
+#define ZS_CONFIG_OF(width, height, strip_h, max_tris, max_verts, varyings, buffers, depth)        \
     {                                                                                              \
-        width, height, strip_h, max_tris, max_verts, varyings, buffers, 0, 0, nullptr, nullptr     \
+        width, height, strip_h, max_tris, max_verts, varyings, buffers, 0, 0, depth, nullptr       \
     }
 #else
-#define ZS_CONFIG_OF(w, h, rows, tris, verts, vars, bufs)                                          \
+#define ZS_CONFIG_OF(w, h, rows, tris, verts, vars, bufs, mapping)                                 \
     {                                                                                              \
         .width = (w), .height = (h), .strip_h = (rows), .max_tris = (tris), .max_verts = (verts),  \
-        .varyings = (vars), .buffers = (bufs), .subpixel_bits = 0, .depth_bits = 0, .depth = 0,    \
-        .fast = 0                                                                                  \
+        .varyings = (vars), .buffers = (bufs), .subpixel_bits = 0, .depth_bits = 0,                \
+        .depth = (mapping), .fast = 0                                                              \
     }
 #endif
 
@@ -194,7 +211,7 @@ uint32_t zs_arena_bytes(const struct zs_config *config);
  *
  * scene, camera  borrowed until the return; constant data is read many times.
  * Return  ZS_OK; an error of zs_frame_begin, before anything was submitted; or the sink's own. On
- * every return, each submitted strip has been waited for. */
+ *         every return, each submitted strip has been waited for. */
 int zs_render(struct zs_renderer *r, const struct zs_scene *scene, const struct zs_camera *camera,
               const struct zs_sink *sink);
 
@@ -203,8 +220,10 @@ int zs_render(struct zs_renderer *r, const struct zs_scene *scene, const struct 
  *
  * zs_frame_begin makes every check that can refuse a frame, and draws nothing. scene and camera
  * stay borrowed, and unchanged, until zs_frame_end. A begin in the middle of a frame drops that
- * frame. Return  ZS_OK; ZS_ERR_NULL, _SEQUENCE (r is not set up), _SIZE, _CAMERA, _DEPTH, _RANGE,
- * _NEAR, _MESH, _VARYINGS, _TEXTURE: no frame is open. */
+ * frame.
+ *
+ * Return  ZS_OK; ZS_ERR_NULL, _SEQUENCE (r is not set up), _SIZE, _CAMERA, _DEPTH, _RANGE, _NEAR,
+ *         _MESH, _VARYINGS, _TEXTURE: no frame is open. */
 int zs_frame_begin(struct zs_renderer *r, const struct zs_scene *scene,
                    const struct zs_camera *camera);
 
@@ -218,10 +237,11 @@ int zs_frame_strip(struct zs_renderer *r, struct zs_strip *out);
 
 /* Leave out the next strip: it counts as given out, but is not drawn. Several renderers, each with
  * its own arena, can so draw a frame together on as many cores, each its share of the strips. The
- * picture is the same, bit for bit. Under zs_damage_compare the strip's hash stays. Cost    a look
- * at the strip's triangles; nothing before the first strip that is drawn. Return  1; 0 when all
- * strips have been given out; ZS_ERR_NULL; ZS_ERR_SEQUENCE, also under zs_damage_track, which
- * chooses the strips itself. */
+ * picture is the same, bit for bit. Under zs_damage_compare the strip's hash stays.
+ *
+ * Cost    the strip's list of triangles is read; nothing before the first strip that is drawn.
+ * Return  1; 0 when all strips have been given out; ZS_ERR_NULL; ZS_ERR_SEQUENCE, also under
+ *         zs_damage_track, which chooses the strips itself. */
 int zs_frame_skip(struct zs_renderer *r);
 
 /* Close the frame, whether or not all strips were drawn.

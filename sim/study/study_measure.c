@@ -82,7 +82,8 @@ const char *study_error_name(int err)
                                         "ZS_ERR_VECTOR",
                                         "ZS_ERR_NEAR",
                                         "ZS_ERR_TEXTURE",
-                                        "ZS_ERR_BUILD" };
+                                        "ZS_ERR_BUILD",
+                                        "ZS_ERR_PASS" };
     return err <= 0 && err > -(int)(sizeof name / sizeof name[0]) ? name[-err] : "broken";
 }
 

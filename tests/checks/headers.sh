@@ -26,6 +26,7 @@ cat >"$dir/main.c" <<'END'
 
 ZS_RENDERER_BUFFERS(screen, 16, 16, 4, 8, 8, ZS_VARYINGS_FLAT, 2);
 ZS_RENDERER(other, 16, 16, 4, 8, 8, ZS_VARYINGS_FLAT); /* at file scope, more than one */
+ZS_RENDERER_NO_DEPTH(bare, 16, 16, 4, 8, 8, ZS_VARYINGS_FLAT);
 static uint32_t memory[ZS_DAMAGE_WORDS(1, 16, 4)];
 static uint64_t sums[ZS_STRIPS(16, 4)];
 static struct zs_strip_hashes panel;
@@ -61,7 +62,7 @@ int main(void)
     other_config.depth = &zs_depth_linear;
     if (angle[0] != 8192 || angle[1] != 61440 || angle[2] != 0 || navy != zs_rgb565(0, 0, 128))
         return 3;
-    if (ZS_INIT(other) || ZS_INIT(screen))
+    if (ZS_INIT(other) || ZS_INIT(bare) || ZS_INIT(screen))
         return ZS_INIT(screen) == ZS_ERR_BUILD ? 7 : 5;
     mesh.pos = pos;
     mesh.tri = tri;
@@ -93,6 +94,7 @@ cat >"$dir/main.cpp" <<'END'
 #include "zstrip.h"
 
 ZS_RENDERER(other, 16, 16, 4, 8, 8, ZS_VARYINGS_FLAT); // at file scope, more than one
+ZS_RENDERER_NO_DEPTH(bare, 16, 16, 4, 8, 8, ZS_VARYINGS_FLAT);
 namespace {
 ZS_RENDERER_BUFFERS(screen, 16, 16, 4, 8, 8, ZS_VARYINGS_FLAT, 2);
 uint32_t memory[ZS_DAMAGE_WORDS(1, 16, 4)];
@@ -145,7 +147,7 @@ int main()
         return 4;
     screen_config.depth = other_config.depth = &zs_depth_linear;
     screen_config.fast = fast;
-    if (ZS_INIT(other) || ZS_INIT(screen))
+    if (ZS_INIT(other) || ZS_INIT(bare) || ZS_INIT(screen))
         return ZS_INIT(screen) == ZS_ERR_BUILD ? 7 : 5;
     if (zs_strip_hashes_init(&panel, sums, 16, 16, 4, 1) || zs_damage_compare(&screen, &panel) ||
         zs_damage_track(&screen, memory, 1))

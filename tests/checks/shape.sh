@@ -8,14 +8,14 @@
 . "$(dirname "$0")/common.sh"
 
 CORE_MAX=${CORE_MAX:-4200}         # lines of code in core/ and the public headers
-ALL_MAX=${ALL_MAX:-8944}           # ... in all of firmware/zstrip; the goal is 7000
+ALL_MAX=${ALL_MAX:-8968}           # ... in all of firmware/zstrip; the goal is 7000
 SHADE_MAX=${SHADE_MAX:-1500}       # ... in shade/
 FILE_MAX=${FILE_MAX:-540}          # lines of a file; the goal is 450
 FUNCTION_MAX=${FUNCTION_MAX:-64}   # lines of code of a function, from { to }; the goal is 60
-COLUMNS_MAX=${COLUMNS_MAX:-133}    # columns of a line in firmware/zstrip; the goal is 100
-COLUMNS_MANY=${COLUMNS_MANY:-98}    # ... and lines that have more
+COLUMNS_MAX=${COLUMNS_MAX:-126}    # columns of a line in firmware/zstrip; the goal is 100
+COLUMNS_MANY=${COLUMNS_MANY:-22}    # ... and lines that have more
 ELSE_MAX=${ELSE_MAX:-239}          # columns of a line of what else is written here; the goal is 120
-ELSE_MANY=${ELSE_MANY:-303}
+ELSE_MANY=${ELSE_MANY:-314}
 
 # "FILE lines code" of each file; of each function "function FILE:LINE NAME code"
 lines() {
@@ -52,6 +52,8 @@ code() { # PATTERN of files: their lines of code
 awk 'NF == 3 { split($1, p, "/"); d = index($1, "/") ? p[1] "/" : "public headers"; files[d]++; code[d] += $3; lines[d] += $2 }
     END { for (d in files) printf "  %-16s %3d files %6d lines %6d of code\n", d, files[d], lines[d], code[d] }' "$B/shape.txt" | sort
 within "core/ and public headers, lines of code" "$(code '^core/|^[^/]*$')" "$CORE_MAX"
+# Object files of a build without folders would overwrite each other.
+none "files of firmware/zstrip have names of their own" "$(find firmware/zstrip -name '*.c' -exec basename {} \; | sort | uniq -d)"
 within "firmware/zstrip, lines of code" "$(code .)" "$ALL_MAX" 7000
 within "shade/, lines of code" "$(code ^shade/)" "$SHADE_MAX"
 

@@ -502,7 +502,7 @@ static void do_begin_passes(struct room *m, struct desk *d, struct prng *p)
         want = ZS_ERR_SIZE;
     if (want == ZS_OK && one_in(p, 8)) {
         d->pass[prng_pick(p, n)].viewport = (struct zs_rect){ 1, 0, d->config.width, 1 };
-        want = ZS_ERR_SIZE;
+        want = ZS_ERR_PASS;
     }
     const int said = zs_frame_begin_passes(d->r, d->pass, d->pass_memory, n);
     EXPECT(said == want || (said == ZS_ERR_SIZE && want && total > 65535u));

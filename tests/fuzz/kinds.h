@@ -26,6 +26,7 @@ static const struct kind_shader kind_shaders[] = {
     { &zs_shade_texture_flat, "texture_flat", ZS_VARYINGS_TEXTURE, 1 },
     { &zs_shade_texture_smooth, "texture_smooth", ZS_VARYINGS_TEXTURE_SMOOTH, 1 },
     { &own_shader, "own", 3, 0 },
+    { &glass_shader, "glass", 3, 0 },
 };
 
 struct kind_depth {

@@ -11,7 +11,7 @@
     assigns \result \from n, area;
     ensures bound: \result <= 0x400000000000; */
 static ZS_RARE uint64_t steepness(int64_t n, int64_t area);
-#include "core/test.c"
+#include "core/depth_test.c"
 #include "fast/less.c"
 #include "shade/persp.c"
 

@@ -7,7 +7,7 @@
 #include "../internals.h"
 
 #include "core/edges.c"
-#include "fast/edges.c"
+#include "fast/fast_edges.c"
 
 #define COORD_LO (-ZS_GUARD_SUBPX - 1)
 #define COORD_HI (ZS_GUARD_SUBPX + 1 + ZS_SIZE_MAX * ZS_SUBPX_HALF)

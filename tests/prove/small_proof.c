@@ -26,7 +26,7 @@ struct zs_sides;
     requires middle: ((int *)w)[10] <= ((int *)w)[11] <= ((int *)w)[10] + 65;
     assigns \nothing; */
 static ZS_NOINLINE void small_rows(struct zs_job *job, struct zs_sides *w);
-#include "fast/solid.c"
+#include "fast/fast_solid.c"
 
 #define COORD_LO (-ZS_GUARD_SUBPX - 1)
 #define COORD_HI (ZS_GUARD_SUBPX + 1 + ZS_SIZE_MAX * ZS_SUBPX_HALF)

@@ -28,7 +28,7 @@ int32_t zs_plane_quotient(int64_t n, uint32_t rcp, int32_t lz, int32_t least_shi
     ensures either: \result == t || \result == &job->r->lit.texture;
     ensures unlit: job->sampler.unlit == 0 || job->sampler.unlit == 1; */
 static ZS_NOINLINE const struct zs_texture *palette_lit(struct zs_job *job, const struct zs_texture *t);
-#include "fast/texture.c"
+#include "fast/fast_texture.c"
 
 #define COORD_LO (-ZS_GUARD_SUBPX - 1)
 #define COORD_HI (ZS_GUARD_SUBPX + 1 + ZS_SIZE_MAX * ZS_SUBPX_HALF)

@@ -1,9 +1,12 @@
-/* Products of 32 x 32 bits with 64, leading zeros, rows of a matrix, filling: what is worth assembler on some core.
+/* Functions that are worth assembler on some core: 32 x 32-bit products with 64 bits, leading
+ * zeros, rows of a matrix, filling.
  *
- * A Cortex-M0 or M0+ multiplies 32 x 32 bits to the low 32 in one cycle and has neither the high half nor CLZ.
- * Its compiler calls the library for both, some 40 and 25 cycles and all low registers. Here they are in line:
- * four products of 16-bit halves, about 18 cycles; a table, about 12. Armv7-M has a row of a matrix and runs of keys in
- * assembler, where a compiler loads and stores word by word. Each has a twin in plain C, for all other cores.
+ * A Cortex-M0 or M0+ computes the low 32 bits of a 32 x 32-bit product in one cycle. It has neither
+ * the high half nor CLZ. Its compiler calls the library for both, which takes some 40 and 25 cycles
+ * and all low registers. Here they are inlined: four products of 16-bit halves take about 18
+ * cycles, a table for leading zeros about 12. On Armv7-M, a row of a matrix and runs of keys are in
+ * assembler, because a compiler loads and stores word by word. Every function also exists in plain
+ * C for all other cores.
  *
  * Exact: tests/test_fx.c on the host, tests/checks/wide.sh on an emulated Cortex-M0, M3 and M4.
  *
@@ -16,14 +19,14 @@
 
 #include "zs_config.h"
 
-/* Compiled for size: called, where a compiler would make copies. */
+/* With ZS_FOR_SIZE: not inlined, where a compiler would make copies. */
 #if ZS_FOR_SIZE && defined(__GNUC__)
 #define ZS_AS_CALL __attribute__((noinline))
 #else
 #define ZS_AS_CALL
 #endif
 
-/* 1: the core divides 32 bits by an instruction. */
+/* 1: the core has a 32-bit divide instruction. */
 #if defined(__ARM_ARCH) && !defined(__ARM_FEATURE_IDIV) || defined(__riscv) && !defined(__riscv_div)
 #define ZS_DIVIDES 0
 #else
@@ -32,8 +35,9 @@
 
 #if defined(__GNUC__) && defined(__ARM_ARCH_6M__) && !ZS_FOR_SIZE
 
-/* a b = a1 b1 2^32 + (a1 b0 + a0 b1) 2^16 + a0 b0, the halves shifted into place by AH, BH: asrs where the factor
- * is signed, lsrs where not. A middle product has a sign where its high half has. In: a, b. Out: hi in a, lo. */
+/* a b = a1 b1 2^32 + (a1 b0 + a0 b1) 2^16 + a0 b0. AH and BH are the shifts that extract the high
+ * halves: asrs for a signed factor, lsrs for an unsigned one. A middle product is signed if its
+ * high half is. In: a, b. Out: hi in a, lo. */
 #define ZS_WIDE_PRODUCT(AH, BH)                                                         \
     __asm__(".syntax unified\n\t"                                                       \
             "uxth %3, %0\n\t" AH " %0, %0, #16\n\tuxth %4, %1\n\t" BH " %1, %1, #16\n\t" \
@@ -68,7 +72,7 @@ static inline int64_t zs_mul_su(int32_t a, uint32_t b)
     return (int64_t)((uint64_t)hi << 32 | lo);
 }
 
-/* 1: zs_cross_short takes what its name says; 0: any */
+/* 1: zs_cross_short takes short arguments only; 0: any */
 #define ZS_CROSS_SHORT 1
 /* (a1 b - c1 d) 2^16 + (a0 b - c0 d): the first below 2^30, the second below 2^31. */
 static inline int64_t zs_cross_short(int32_t a, int32_t b, int32_t c, int32_t d)
@@ -113,7 +117,8 @@ static inline int64_t zs_cross_short(int32_t a, int32_t b, int32_t c, int32_t d)
 
 #if defined(__GNUC__) && defined(__thumb2__) && defined(__OPTIMIZE__) && !ZS_FOR_SIZE
 
-/* Fill 32 words at a time, up to n of them, eight a STM: 0.2 instructions a word. Return how many. at is 4-byte aligned. */
+/* Fill up to n words, 32 at a time, eight with each STM: 0.2 instructions a word. Return how many
+ * were filled. at is 4-byte aligned. */
 static inline uint32_t zs_fill_blocks(void *at, uint32_t value, uint32_t n)
 {
     uint32_t left = n - 32u;
@@ -136,8 +141,8 @@ static inline uint32_t zs_fill_blocks(void *at, uint32_t value, uint32_t n)
 
 #elif defined(__GNUC__) && defined(__thumb__) && !ZS_FOR_SIZE
 
-/* Fill 16 words at a time, up to n of them, four a STM: 0.3 instructions, on Armv6-M 1.4 cycles a word. Return how many.
- * at is 4-byte aligned. */
+/* Fill up to n words, 16 at a time, four with each STM: 0.3 instructions, on Armv6-M 1.4 cycles a
+ * word. Return how many were filled. at is 4-byte aligned. */
 static inline uint32_t zs_fill_blocks(void *at, uint32_t value, uint32_t n)
 {
     register uint32_t a __asm__("r3") = value, b __asm__("r4") = value, c __asm__("r5") = value, d __asm__("r6") = value;
@@ -154,7 +159,7 @@ static inline uint32_t zs_fill_blocks(void *at, uint32_t value, uint32_t n)
 
 #elif defined(__GNUC__) && defined(__OPTIMIZE__) && (defined(__x86_64__) || defined(__aarch64__)) && !ZS_FOR_SIZE
 
-/* As above, by vectors of four words: 0.4 instructions a word. */
+/* The same with vectors of four words: 0.4 instructions a word. */
 typedef uint32_t __attribute__((vector_size(16), aligned(4), may_alias)) zs_four;
 static inline uint32_t zs_fill_blocks(void *at, uint32_t value, uint32_t n)
 {
@@ -170,7 +175,7 @@ static inline uint32_t zs_fill_blocks(void *at, uint32_t value, uint32_t n)
 
 #else
 
-/* Elsewhere a compiler's loop is as good. */
+/* On other cores, the compiler's loop is as good. */
 static inline uint32_t zs_fill_blocks(void *at, uint32_t value, uint32_t n)
 {
     (void)at;
@@ -181,8 +186,9 @@ static inline uint32_t zs_fill_blocks(void *at, uint32_t value, uint32_t n)
 
 #endif
 
-/* at[k] = (sum + k step) >> 16, modulo 2^32, for k < n. n is a multiple of 8, at 4-byte aligned. Armv7-M: two at a time,
- * from sums of even k and of odd ones, 2.4 instructions each, 1.9 where halves are brought together by one. */
+/* at[k] = (sum + k step) >> 16, modulo 2^32, for k < n. n is a multiple of 8, at is 4-byte aligned.
+ * Armv7-M: two at a time, from the sums of an even and an odd k, 2.4 instructions each; 1.9 if the
+ * core has an instruction that combines two halves. */
 #if defined(__GNUC__) && defined(__ARM_ARCH) && __ARM_ARCH >= 7 && defined(__thumb2__) && !defined(__ARM_BIG_ENDIAN)
 
 #if defined(__ARM_FEATURE_DSP)
@@ -214,12 +220,13 @@ static inline void zs_high_halves(uint16_t *at, uint32_t n, uint32_t sum, uint32
 
 #endif
 
-/* A row of an affine map, for points of 16 bits: (m . p + t) / 2^shift, floor, below 2^30. Where 64 bits are added to as easily
- * as 32 (ZS_ROW_WIDE): row = { m[3], t's low half, its high half, shift, 32 - shift }. Elsewhere 32 bits carry every sum:
- * row = { low[3], t_low, s, high[3], s2, t_high } gives
+/* One row of an affine map, for points of 16 bits: (m . p + t) / 2^shift, floor, below 2^30. With
+ * ZS_ROW_WIDE, on cores where a 64-bit sum costs no more than a 32-bit one: row = { m[3], t's low
+ * half, its high half, shift, 32 - shift }. Otherwise 32 bits hold every sum: row = { low[3],
+ * t_low, s, high[3], s2, t_high } gives
  *   ((((low . p + t_low) >> s) + high . p) >> s2) + t_high
- * low . p + t_low fits 32 bits, the rest is modulo 2^32; s, s2 < 32. Armv6-M: 30 cycles and no register but the seven
- * here, where a compiler takes 45 and spills. */
+ * low . p + t_low fits 32 bits; the other sums are modulo 2^32; s, s2 < 32. Armv6-M: 30 cycles and
+ * the seven registers here; a compiler takes 45 cycles and spills. */
 #if ZS_ROW_WIDE
 
 static inline int32_t zs_row(const int32_t *row, int32_t x, int32_t y, int32_t z)
@@ -261,7 +268,7 @@ static inline int32_t zs_row(const int32_t *row, int32_t x, int32_t y, int32_t z
 
 #endif
 
-/* n > 0 points, p[3] each, by three rows, one behind the other; out[3] each. */
+/* Transform n > 0 points, p[3] each, by three consecutive rows; out[3] each. */
 #if ZS_ROW_WIDE && defined(__GNUC__) && !defined(__clang__) && defined(__thumb2__) && defined(__OPTIMIZE__)
 
 static inline void zs_rows(const int32_t *row, const int16_t *p, int32_t *out, uint32_t n)
@@ -298,30 +305,30 @@ static inline void zs_rows(const int32_t *row, const int16_t *p, int32_t *out, u
 
 #endif
 
-/* x has 32 bits: keep a compiler from carrying it as 64 because products of it are. */
+/* x has 32 bits: keep the compiler from holding it in 64 bits because it is used in products. */
 #if defined(__GNUC__)
 #define ZS_NARROW(x) __asm__("" : "+r"(x))
 #else
 #define ZS_NARROW(x) ((void)0)
 #endif
 
-/* Two words that lie side by side, by one load, made where it stands: a row's loop that is short of registers, whose compiler
- * would keep them and spill others. */
+/* Load two adjacent words with one instruction, exactly here: for a scanline loop that is short of
+ * registers, where the compiler would keep these values in registers and spill others. */
 #if defined(__GNUC__) && !defined(__clang__) && defined(__thumb2__) && defined(__OPTIMIZE__) && !ZS_FOR_SIZE
 
-/* p[at], p[at + 1], at a constant: an address of its own would take a register. */
+/* Load p[at] and p[at + 1]; at is a constant, because a computed address would take a register. */
 static inline __attribute__((always_inline)) void zs_two(const uint32_t *p, int at, uint32_t *a, uint32_t *b)
 {
     __asm__ volatile("ldrd %0, %1, [%2, %3]" : "=&r"(*a), "=r"(*b) : "r"(p), "n"(4 * at) : "memory");
 }
 
-/* x[0] and x[1] at once. */
+/* Load x[0] and x[1] with one instruction. */
 static inline void zs_xy(const int32_t *x, int32_t *a, int32_t *b)
 {
     __asm__("ldrd %0, %1, %2" : "=&r"(*a), "=r"(*b) : "Q"(*(const struct { int32_t word[2]; } *)(const void *)x));
 }
 
-/* v >> 16, where it is asked for: not before. */
+/* v >> 16, computed here and not earlier. */
 static inline uint32_t zs_high(uint32_t v)
 {
     uint32_t out;
@@ -350,24 +357,26 @@ static inline void zs_two(const uint32_t *p, int at, uint32_t *a, uint32_t *b)
 
 #endif
 
-/* Ask that x live in a register that only ADD, CMP and MOV reach: the step of a sum in an inner loop that is short
- * of the other eight. Where the set is not split, or the compiler is another: nothing. */
+/* Ask the compiler to keep x in a high register, which only ADD, CMP and MOV reach: for the step of
+ * a sum, in an inner loop that is short of the eight low ones. Without effect on cores whose
+ * registers are all alike, and with other compilers. */
 #if defined(__GNUC__) && defined(__ARM_ARCH_6M__)
 #define ZS_HIGH_REGISTER(x) __asm__("" : "+h"(x))
 #else
 #define ZS_HIGH_REGISTER(x) ((void)0)
 #endif
 
-/* Hide from the compiler where x came from. */
+/* Hide the origin of x from the compiler. */
 #if defined(__GNUC__)
 #define ZS_ANEW(x) __asm__("" : "+r"(x))
 #else
 #define ZS_ANEW(x) ((void)0)
 #endif
 
-/* Twice the area of a triangle with corners { x, y }: (b - a) x (c - a). *wide: not 0 where a difference, modulo 2^32, does
- * not fit 16 bits; the area is of no use then. Else it is below 2^31 in size: of the two products, at most 2^30 each, those
- * of that size have one sign. Armv6-M: 30 cycles and six registers. */
+/* Return twice the area of a triangle with the vertices { x, y }: (b - a) x (c - a). *wide becomes
+ * not 0 if a difference, modulo 2^32, does not fit 16 bits; the result is then undefined. Otherwise
+ * |result| < 2^31: both products are at most 2^30, and if both are 2^30, they have the same sign.
+ * Armv6-M: 30 cycles and six registers. */
 #if defined(__GNUC__) && defined(__ARM_ARCH_6M__) && defined(__OPTIMIZE__)
 
 static inline int32_t zs_area_short(const int32_t *a, const int32_t *b, const int32_t *c, uint32_t *wide)

@@ -1,4 +1,4 @@
-/* Triangles of the current instance, one by one: corners, facing, box, bin.
+/* Triangle assembly: fetch the vertices, test facing and bounding box, bin.
  *
  * SPDX-License-Identifier: MIT
  */
@@ -51,7 +51,8 @@ enum zs_fate zs_assemble_box(const struct zs_renderer *r, const struct zs_vertex
     return x0 >= x1 || at->y0 >= at->y1 ? ZS_FATE_EMPTY : ZS_FATE_DRAWN;
 }
 
-/* The places of a triangle's corners, clockwise. Return ZS_FATE_OPEN where it faces the eye. */
+/* Fetch a triangle's vertices, in clockwise order. Return ZS_FATE_OPEN if the triangle is to be
+ * drawn, else its outcome; a triangle that has to be clipped is done here (zs_fan_bin). */
 static enum zs_fate fetch(struct zs_renderer *r, uint32_t t, struct zs_candidate *at,
                           uint32_t *piece)
 {
@@ -62,12 +63,12 @@ static enum zs_fate fetch(struct zs_renderer *r, uint32_t t, struct zs_candidate
         if (index[k] >= mesh->n_verts)
             return ZS_FATE_INDEX;
     if (index[0] == index[1] && index[0] == index[2])
-        return ZS_FATE_ZERO; /* wherever it is */
+        return ZS_FATE_ZERO; /* even if it is outside the view */
     if (!zs_bin_corners(r, index, slot))
         return ZS_FATE_FULL;
     const struct zs_vertex *a = &r->vert[slot[0]], *b = &r->vert[slot[1]], *c = &r->vert[slot[2]];
     if (a->d >= ZS_D_OUT || b->d >= ZS_D_OUT || c->d >= ZS_D_OUT) {
-        const uint32_t all = a->d & b->d & c->d; /* above ZS_D_OUT: a bit of all three outcodes */
+        const uint32_t all = a->d & b->d & c->d; /* above ZS_D_OUT: the outcodes share a bit */
         return all > ZS_D_OUT ? zs_fate_outside(all) : zs_fan_bin(r, t, piece);
     }
     const int64_t area = zs_assemble_area(a, b, c);

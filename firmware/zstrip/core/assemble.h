@@ -1,4 +1,4 @@
-/* Triangles of the current instance: corners, facing, box. Internal.
+/* Triangle assembly for the current instance: vertices, facing, bounding box. Internal.
  *
  * SPDX-License-Identifier: MIT
  */
@@ -8,43 +8,49 @@
 #include "core/bin.h"
 #include "core/xform.h"
 
-/* What became of a triangle. */
+/* The outcome of assembly: drawn, or the reason of the reject. */
 /* clang-format off: a table */
 enum zs_fate {
     ZS_FATE_DRAWN, ZS_FATE_OFFSCREEN, ZS_FATE_FACING, ZS_FATE_ZERO, ZS_FATE_EMPTY,
     ZS_FATE_NEAR, ZS_FATE_FAR, ZS_FATE_INDEX, ZS_FATES,
-    ZS_FATE_OPEN = ZS_FATES, /* nothing yet */
-    ZS_FATE_FULL /* a pool is full: nothing was done, or pieces of a clipped triangle are binned */
+    ZS_FATE_OPEN = ZS_FATES, /* not decided yet */
+    ZS_FATE_FULL /* a pool is full. Nothing was binned, or only the first pieces of a clipped
+                    triangle */
 };
 /* clang-format on */
 
-/* A candidate: the places of its corners, clockwise; once it has been looked at, the top one first
- * (of two the left one), and its rows [y0, y1). */
+/* A candidate triangle. slot: its vertices in the pool, clockwise. zs_assemble_box rotates slot so
+ * that the topmost vertex comes first (the left one, if two are level), and sets the rows [y0, y1).
+ */
 struct zs_candidate {
     uint32_t slot[3];
     int32_t y0, y1;
 };
 
-/* Why a triangle cannot be seen whose corners have these outcodes in common. */
+/* The reason why a triangle is outside the view, from the outcode bits that its vertices share. */
 static inline enum zs_fate zs_fate_outside(uint32_t all)
 {
     return all & ZS_OUT_NEAR ? ZS_FATE_NEAR : all & ZS_OUT_FAR ? ZS_FATE_FAR : ZS_FATE_OFFSCREEN;
 }
 
-/* Twice the area, q_16 px^2; positive clockwise on the screen (y down). |.| < 2^45 */
+/* Return twice the signed area, q_16 px^2; positive if a, b, c are clockwise on the screen (y
+ * down). |.| < 2^45 */
 int64_t zs_assemble_area(const struct zs_vertex *a, const struct zs_vertex *b,
                          const struct zs_vertex *c);
-/* Whether a triangle of that area is culled. */
+/* Return 1 if a triangle with this signed area is culled by its facing. */
 int zs_assemble_culled(int64_t area, uint32_t cull);
-/* Whether the box of a projected triangle holds a sample of the columns that are drawn; slots are
- * numbers in `pool`. */
+/* Test the bounding box of a projected triangle against the rows and columns that are drawn; slots
+ * index `pool`. Return ZS_FATE_DRAWN if the box holds a sample, ZS_FATE_OFFSCREEN or
+ * ZS_FATE_EMPTY if not. */
 enum zs_fate zs_assemble_box(const struct zs_renderer *r, const struct zs_vertex *pool,
                              struct zs_candidate *at);
-/* Bin triangle t. *piece: of a clipped one, the next piece of its fan; 0 before and after. */
+/* Assemble and bin triangle t. *piece is the next piece of the fan of a clipped triangle; it is 0
+ * before the first call and after the triangle is done. */
 enum zs_fate zs_assemble_tri(struct zs_renderer *r, uint32_t t, uint32_t *piece);
 
-/* ---- fan.c: a triangle that is cut at near, far or the guard band, in pieces ----------------- */
+/* ---- fan.c: a triangle that is clipped at near, far or the guard band, in pieces ------------- */
 
+/* As zs_assemble_tri, for a triangle that has to be clipped. */
 enum zs_fate zs_fan_bin(struct zs_renderer *r, uint32_t t, uint32_t *piece);
 
 #endif

@@ -1,13 +1,15 @@
-/* Pools and bins.
+/* Binning: the pools of vertices and triangles, and a bin for each strip.
  *
- * The band. A walk of the scene starts with all strips from the current one down. When a pool is
- * full, the band loses its lower half and the triangles that begin there; vertices that no triangle
- * holds go too. When the band is one strip and a pool is still full, zs_bin_room says so, and what
- * is binned is drawn (walk.c). So any pool that holds one triangle takes any scene, in more passes.
+ * The band. A traversal bins triangles for a band of strips. It starts with all strips from the
+ * current one down. When a pool is full, the band loses its lower half; the triangles that begin
+ * there are removed, and so are the vertices that no triangle uses any more. If the band is a
+ * single strip and a pool is still full, zs_bin_room returns 0, and walk.c draws the binned
+ * triangles. So a pool that holds one triangle is enough for any scene; it only takes more
+ * traversals.
  *
- * Places. vert_map[v] says where vertex v of the current mesh may lie in the pool; it is believed
- * only if that place belongs to the current instance and vert_src says v, so it needs no clearing.
- * While r->direct, set by an accelerator, vertex v has the place vert_base + v.
+ * The vertex cache. vert_map[v] is the index in the pool where vertex v of the current mesh may be.
+ * It is used only if that index belongs to the current instance and vert_src holds v there, so the
+ * map needs no clearing. While r->direct is set, by an accelerator, vertex v is at vert_base + v.
  *
  * SPDX-License-Identifier: MIT
  */
@@ -43,13 +45,14 @@ void zs_bin_add(struct zs_renderer *r, const uint32_t slot[3], uint16_t paint, u
 
 /* ---- Vertices -------------------------------------------------------------------------------- */
 
-/* Kept apart: where division is a call, only vertices beyond the pool's size pay for it. */
+/* Not inlined: on a core without a divide instruction, v % n is a library call, and only vertex
+ * numbers beyond the pool's size need it. */
 static ZS_NOINLINE uint32_t fold(uint32_t v, uint32_t n)
 {
     return v % n;
 }
 
-/* Where vert_map, of n entries, looks for vertex v. */
+/* The entry of vertex v in vert_map, which has n entries. */
 static inline uint32_t map_index(uint32_t v, uint32_t n)
 {
     return v < n ? v : fold(v, n);
@@ -73,7 +76,7 @@ ZS_NOINLINE void zs_bin_attributes(struct zs_renderer *r, uint32_t slot, uint16_
     shader->vertex(&r->shading, r->vert_src[slot], attr);
 }
 
-/* Transform vertex v into the next place of the pool; ZS_NIL: the pool is full. */
+/* Transform vertex v, and append it to the pool. Return its index; ZS_NIL: the pool is full. */
 static ZS_NOINLINE uint32_t vertex_add(struct zs_renderer *r, uint32_t v)
 {
     if (r->n_verts == r->config.max_verts)
@@ -107,7 +110,7 @@ ZS_RARE ZS_NOINLINE int zs_bin_corners(struct zs_renderer *r, const uint16_t ind
 
 /* ---- Room ------------------------------------------------------------------------------------ */
 
-/* Drop binned triangles that begin below the band; the rest moves up in order. */
+/* Remove the binned triangles that begin below the band. The others keep their order. */
 static ZS_RARE void tris_pack(struct zs_renderer *r)
 {
     uint32_t kept = 0;
@@ -127,7 +130,7 @@ static ZS_RARE void tris_pack(struct zs_renderer *r)
 
 ZS_RARE void zs_bin_pack(struct zs_renderer *r)
 {
-    uint16_t *to = r->vert_map; /* its contents are rebuilt below */
+    uint16_t *to = r->vert_map; /* used for new indices; the map is rebuilt below */
     const uint32_t varyings = r->config.varyings;
     for (uint32_t v = 0; v < r->n_verts; v++)
         to[v] = ZS_NIL;
@@ -159,6 +162,7 @@ ZS_RARE void zs_bin_pack(struct zs_renderer *r)
             r->vert_map[map_index(r->vert_src[v], r->config.max_verts)] = (uint16_t)v;
 }
 
+/* Return 1 if a quarter of both pools is free. */
 static ZS_RARE int roomy(const struct zs_renderer *r)
 {
     const uint32_t tris = r->config.max_tris, verts = r->config.max_verts;

@@ -1,4 +1,4 @@
-/* Pools and bins: what waits for its strip. Internal.
+/* Binning: the pools of vertices and triangles, and a bin of triangles for each strip. Internal.
  *
  * SPDX-License-Identifier: MIT
  */
@@ -9,33 +9,34 @@
 #include "core/job.h"
 
 #define ZS_NO_SOURCE 65535u /* vert_src of a vertex made by clipping: meshes have at most 65535 */
-#define ZS_ATTR_UNKNOWN                                                                            \
-    0xa55au /* first attribute of a vertex that no binned triangle holds yet. One whose attribute  \
-               is the same is made again, with the same outcome */
+/* The first attribute of a vertex whose attributes are not computed yet, because no binned triangle
+ * uses it. If a computed attribute has this value by chance, it is computed again, with the same
+ * result. */
+#define ZS_ATTR_UNKNOWN 0xa55au
 
-/* Both empty, the bins too; the next vertex is the current instance's first. */
+/* Empty both pools and the bins. The next vertex will be the current instance's first. */
 void zs_bin_empty(struct zs_renderer *r);
-/* Drop vertices that no binned triangle holds. Places change. */
+/* Remove the vertices that no binned triangle uses. Indices in the pool change. */
 void zs_bin_pack(struct zs_renderer *r);
-/* Free at least a quarter of both pools; the band may lose strips. Return 0: the band is one strip,
- * and they are full of it. */
+/* Make room: free at least a quarter of both pools. The band may lose strips. Return 0: the band is
+ * a single strip, and there is still no room. */
 int zs_bin_room(struct zs_renderer *r);
-/* Whose vertices [from, from + n) of the mesh are, which have been transformed to places from
- * `slot` on. */
+/* Record that the pool's vertices [slot, slot + n) are the mesh's vertices [from, from + n), with
+ * attributes not computed yet. */
 void zs_bin_mark(struct zs_renderer *r, uint32_t slot, uint32_t from, uint32_t n);
-/* The pool's places of a triangle's corners, transformed. Return 0: the pool is full. */
+/* Find a triangle's three vertices in the pool, or transform them into it. Return 0: the pool is
+ * full. */
 int zs_bin_corners(struct zs_renderer *r, const uint16_t index[3], uint32_t slot[3]);
-/* High-water marks of both pools into the statistics. */
+/* Update the pools' high-water marks in the statistics. */
 void zs_bin_count(struct zs_renderer *r);
 
-/* 0 <= row < ZS_SIZE_MAX, of the frame */
+/* The strip of a row of the frame, 0 <= row < ZS_SIZE_MAX. */
 static inline int32_t zs_bin_strip(const struct zs_renderer *r, int32_t row)
 {
     return (int32_t)((uint32_t)row * r->strip_mul >> r->strip_shift);
 }
 
-/* The first strip of [r->strip, r->band_end) that rows [y0, y1) of the frame have a part in, or
- * ZS_NIL. */
+/* The first strip in [r->strip, r->band_end) that intersects rows [y0, y1), or ZS_NIL. */
 static inline uint32_t zs_bin_first(const struct zs_renderer *r, int32_t y0, int32_t y1)
 {
     uint32_t s = (uint32_t)zs_bin_strip(r, zs_max32(y0, r->walk_y));
@@ -44,7 +45,7 @@ static inline uint32_t zs_bin_first(const struct zs_renderer *r, int32_t y0, int
     return s < r->band_end ? s : ZS_NIL;
 }
 
-/* A triangle into a strip's bin; there is room for it. */
+/* Append a triangle to the pool and to a strip's bin. The pool must have room. */
 static inline void zs_bin_push(struct zs_renderer *r, const uint32_t slot[3], uint16_t paint,
                                uint32_t strip)
 {
@@ -60,11 +61,12 @@ static inline void zs_bin_push(struct zs_renderer *r, const uint32_t slot[3], ui
     r->n_tris = n + 1u;
 }
 
-/* Both, called: where few triangles come. */
+/* zs_bin_first and zs_bin_push as calls that are not inlined, for code that few triangles reach. */
 uint32_t zs_bin_place(const struct zs_renderer *r, int32_t y0, int32_t y1);
 void zs_bin_add(struct zs_renderer *r, const uint32_t slot[3], uint16_t paint, uint32_t strip);
 
-/* Attributes of a vertex, made when the first triangle that holds it is binned. */
+/* Compute the attributes of a vertex. zs_bin_corner does so when the first triangle that uses the
+ * vertex is binned. */
 void zs_bin_attributes(struct zs_renderer *r, uint32_t slot, uint16_t *attr);
 static inline void zs_bin_corner(struct zs_renderer *r, uint32_t slot, uint32_t varyings)
 {

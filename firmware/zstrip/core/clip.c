@@ -1,9 +1,10 @@
-/* Clipping in camera units: Sutherland and Hodgman, CACM 1974, plane after plane.
+/* Polygon clipping in camera units, one plane after another (Sutherland and Hodgman, CACM 1974).
  *
- * A new vertex is always computed from the end of the edge that is inside towards the one outside,
- * so that the two triangles on an edge get the same vertex whatever order they name its ends in.
- * Before near and far the distances are exact, and the vertex is the exact crossing rounded once;
- * at the guard band, far outside the frame, they are cut to 31 bits: 2^-30 of the edge.
+ * A new vertex is always computed from the inside end of the edge towards the outside end. So two
+ * triangles that share an edge get the same vertex, in whatever order they list its ends. At near
+ * and far the distances from the plane are exact, and the vertex is the exact intersection rounded
+ * once. At the guard band, far outside the frame, distances are truncated to 31 bits, an error of
+ * 2^-30 of the edge.
  *
  * SPDX-License-Identifier: MIT
  */
@@ -11,7 +12,7 @@
 #include "core/clip.h"
 #include "core/fx.h"
 
-/* How far a point is inside a plane: >= 0 inside. |.| < 2^62. */
+/* Return the signed distance of a point from a plane, >= 0 inside. |.| < 2^62. */
 static int64_t inside(const struct zs_view *view, const struct zs_point *p, uint32_t plane)
 {
     const int32_t z = p->c[2];
@@ -27,21 +28,21 @@ static int64_t inside(const struct zs_view *view, const struct zs_point *p, uint
     return plane & (ZS_OUT_LEFT | ZS_OUT_TOP) ? limit + at : limit - at;
 }
 
-/* An edge cut at num / den of its length. */
+/* An edge that is cut at num / den of its length. */
 struct cut {
     uint32_t num, den; /* num < 2^31, num < den < 2^32 */
     uint32_t rcp;      /* 2^63 / (den 2^lz) */
     int32_t lz;        /* leading zeros of den */
 };
 
-/* n / den, floor, exactly: n < den 2^32. */
+/* Return floor(n / den), exact, for n < den 2^32. */
 static uint32_t quotient(const struct cut *cut, uint64_t n)
 {
     if (ZS_FOR_SIZE)
         return (uint32_t)(n / cut->den);
     const uint32_t top = (uint32_t)(n << cut->lz >> 32);
     uint32_t q = (uint32_t)(zs_mul_uu(top, cut->rcp) >>
-                            31); /* within 2^32 / 2^31 for top and 4 for rcp, and q < 2^31.2 */
+                            31); /* off by at most 2^32 / 2^31 for top and 4 for rcp; < 2^31.2 */
     int64_t rest = (int64_t)(n - zs_mul_uu(q, cut->den));
     for (; rest < 0; rest += cut->den)
         q--;
@@ -50,7 +51,7 @@ static uint32_t quotient(const struct cut *cut, uint64_t n)
     return q;
 }
 
-/* a + (b - a) * num / den, nearest. |b - a| < 2^31.1 */
+/* Return a + (b - a) * num / den, nearest. |b - a| < 2^31.1 */
 static int32_t between(const struct cut *cut, int32_t a, int32_t b)
 {
     const uint32_t size = b < a ? (uint32_t)a - (uint32_t)b : (uint32_t)b - (uint32_t)a;
@@ -59,14 +60,15 @@ static int32_t between(const struct cut *cut, int32_t a, int32_t b)
     return (int32_t)(b < a ? (uint32_t)a - part : (uint32_t)a + part);
 }
 
-/* The crossing of the edge from a, da > 0 inside, to b, db > 0 outside. */
+/* Compute the intersection of a plane and the edge from a, at distance da > 0 inside, to b, at db >
+ * 0 outside. */
 static void cross_plane(const struct zs_view *view, struct zs_clip_vertex *out,
                         const struct zs_clip_vertex *a, const struct zs_clip_vertex *b, uint64_t da,
                         uint64_t db, uint32_t plane, uint32_t n_varyings)
 {
-    for (; (da | db) >> 31; db >>= 1) /* exact already for near and far */
+    for (; (da | db) >> 31; db >>= 1) /* near and far: already below 2^31, so they stay exact */
         da >>= 1;
-    const uint32_t den = (uint32_t)da + (uint32_t)db; /* the larger is at least 2^30, or uncut */
+    const uint32_t den = (uint32_t)da + (uint32_t)db; /* one is >= 2^30, or nothing was shifted */
     ZS_FACT(den > 0);
     const int32_t lz = ZS_FOR_SIZE ? 0 : zs_clz32(den);
     const struct cut cut = { (uint32_t)da, den, ZS_FOR_SIZE ? 0 : zs_recip(den << lz), lz };
@@ -90,7 +92,7 @@ static int clip_plane(const struct zs_view *view, struct zs_clip_vertex *out,
         const int64_t d_next = inside(view, &in[j].p, plane);
         if (d >= 0 && kept < ZS_CLIP_MAX)
             out[kept++] = in[i];
-        /* an end on the plane is its own crossing */
+        /* an end that lies on the plane is the intersection itself: no new vertex */
         if (d && d_next && (d ^ d_next) < 0 && kept < ZS_CLIP_MAX) {
             const int leaves = d > 0;
             cross_plane(view, &out[kept++], &in[leaves ? i : j], &in[leaves ? j : i],

@@ -1,4 +1,4 @@
-/* Polygons against near, far and the guard band. Internal.
+/* Polygon clipping at the near and far planes and the guard band. Internal.
  *
  * SPDX-License-Identifier: MIT
  */
@@ -14,8 +14,8 @@ struct zs_clip_vertex {
     uint16_t attr[ZS_VARYINGS_MAX ? ZS_VARYINGS_MAX : 1];
 };
 
-/* Clip a convex polygon of n vertices in place at the planes of the outcodes in `planes`.
- * v has room for ZS_CLIP_MAX. Return the number of vertices left, 0 or 3 .. ZS_CLIP_MAX. */
+/* Clip a convex polygon of n vertices in place, at the planes whose outcode bits are in `planes`. v
+ * has room for ZS_CLIP_MAX vertices. Return the new number of vertices, 0 or 3 .. ZS_CLIP_MAX. */
 int zs_clip_polygon(const struct zs_view *view, struct zs_clip_vertex *v, int n, uint32_t planes,
                     uint32_t n_varyings);
 

@@ -1,4 +1,4 @@
-/* Instances: the sphere that holds a mesh, against the view.
+/* Instance culling: bounding spheres against the view frustum.
  *
  * SPDX-License-Identifier: MIT
  */
@@ -18,7 +18,7 @@ static void reach_out(int64_t *reach, int64_t at, int64_t r)
         *reach = far_side;
 }
 
-/* Row k of camera axes: right, down, distance. */
+/* The camera axes in world axes, as rows: right, down, distance. */
 static void axes(zs_q2_30 out[9], const struct zs_camera *camera)
 {
     for (int k = 0; k < 3; k++) {
@@ -36,7 +36,8 @@ ZS_RARE void zs_cull_axes(zs_q2_30 out[9], const struct zs_instance *in,
     zs_rotation_mul(out, view, zs_usual_rotation(in->pose.rot));
 }
 
-/* Of the sphere, q48_16 world units, rounded up; scale: q32_32, of a mesh step. <= 2^17 * 2^47 */
+/* Return the bounding sphere's radius, q48_16 world units, rounded up. scale: world units of a mesh
+ * step, q32_32. The product is at most 2^17 * 2^47. */
 static int64_t radius_of(const struct zs_mesh *mesh, uint64_t scale)
 {
     return (int64_t)((mesh->radius + 1u) * scale >> 16) + 1;
@@ -53,7 +54,7 @@ static int range_ok(const struct zs_instance *in)
            zs_rotation_ok(zs_usual_rotation(pose->rot));
 }
 
-/* Of an instance whose numbers are in range. */
+/* Compute the bounding sphere of an instance whose fields are in range. */
 static void bounds(struct zs_bounds *b, const struct zs_instance *in,
                    const struct zs_camera *camera)
 {
@@ -77,8 +78,9 @@ static void bounds(struct zs_bounds *b, const struct zs_instance *in,
         reach_out(&b->reach, b->c[k], b->r);
         reach_out(&b->reach, origin, 0);
     }
-    b->slack = (b->reach >> 16) + 16; /* errors are below 2^-26 of reach, rotations' below 2^-20;
-                                         what rounding to camera units adds is the walk's to add */
+    b->slack = (b->reach >> 16) + 16; /* arithmetic errors are below 2^-26 of reach, those of the
+                                         rotations below 2^-20; zs_cull_walk adds the error of
+                                         rounding to camera units */
 }
 
 int zs_cull_bounds(struct zs_bounds *b, const struct zs_instance *in,
@@ -90,7 +92,8 @@ int zs_cull_bounds(struct zs_bounds *b, const struct zs_instance *in,
     return ZS_OK;
 }
 
-/* Distance inwards from a side plane, q48_16, nearest. lateral is x or y, mirrored to be >= 0. */
+/* Return the signed distance from a side plane, positive inside, q48_16, nearest. lateral is |x| or
+ * |y|. */
 static int64_t side_distance(const int32_t normal[2], int64_t lateral, int64_t z)
 {
     return zs_mulshift_s64(z, (uint64_t)normal[1], 30) -
@@ -121,9 +124,9 @@ int64_t zs_cull_half_width(const struct zs_camera *camera, const struct zs_view 
 
 int zs_cull_walk(struct zs_bounds *b, const struct zs_renderer *r, uint32_t number)
 {
-    bounds(b, zs_instance_of(r, number), &r->camera); /* zs_frame_begin has looked at ranges */
+    bounds(b, zs_instance_of(r, number), &r->camera); /* zs_frame_begin has checked the ranges */
     const int32_t shift = zs_min32(r->view.shift,
-                                   28);         /* -3 .. 30; from 20 on, it is the 1 that counts */
-    b->slack += ((8 << 19) >> (shift + 3)) + 1; /* 8 camera units: what a vertex may be off by */
+                                   28);         /* -3 .. 30; from 20 on, the 1 below dominates */
+    b->slack += ((8 << 19) >> (shift + 3)) + 1; /* 8 camera units: the error of a vertex */
     return zs_cull_sphere(b, &r->camera, &r->view);
 }

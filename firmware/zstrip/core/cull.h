@@ -1,4 +1,4 @@
-/* Instances: the sphere that holds a mesh, against the view. Internal.
+/* Instance culling: bounding spheres against the view frustum. Internal.
  *
  * SPDX-License-Identifier: MIT
  */
@@ -7,29 +7,32 @@
 
 #include "zstrip.h"
 
+/* An instance's bounding sphere, relative to the eye, in camera axes (right, down, distance). */
 struct zs_bounds {
-    int64_t c[3];  /* q48_16 world units, camera axes (right, down, distance), sphere's centre */
-    int64_t r;     /* q48_16, rounded up */
-    int64_t reach; /* q48_16: no vertex, centre or origin lies further along an axis */
-    int64_t slack; /* q48_16: more than the error of c and r; in a walk, of a vertex as well */
+    int64_t c[3];  /* centre, q48_16 world units */
+    int64_t r;     /* radius, q48_16, rounded up */
+    int64_t reach; /* q48_16: upper bound of |coordinate| along any axis, for the sphere and for the
+                      instance's origin */
+    int64_t slack; /* q48_16: above the error of c and r; from zs_cull_walk, of a transformed vertex
+                      as well */
 };
 
-/* The sphere of an instance in camera axes, unscaled. Return ZS_OK or ZS_ERR_RANGE. */
+/* Compute the bounding sphere of an instance, in world units. Return ZS_OK or ZS_ERR_RANGE. */
 int zs_cull_bounds(struct zs_bounds *b, const struct zs_instance *in,
                    const struct zs_camera *camera);
 
-/* 1: no part of the sphere can be seen. Conservative. */
+/* Return 1 if the sphere is outside the view frustum. Conservative: 0 if in doubt. */
 int zs_cull_sphere(const struct zs_bounds *b, const struct zs_camera *camera,
                    const struct zs_view *view);
 
-/* In a walk, when camera units are known: bounds of an instance of the scene, with room for what a
- * vertex may be off by. Return 1: no part of it can be seen. */
+/* During traversal, when camera units are known: compute the bounds of an instance, with slack for
+ * the rounding of its vertices. Return 1 if the instance is outside the view frustum. */
 int zs_cull_walk(struct zs_bounds *b, const struct zs_renderer *r, uint32_t number);
 
-/* An instance's axes in camera axes (right, down, distance), row-major. */
+/* Compute the rotation from instance axes to camera axes (right, down, distance), row-major. */
 void zs_cull_axes(zs_q2_30 out[9], const struct zs_instance *in, const struct zs_camera *camera);
 
-/* Half of what an orthographic frame holds from left to right, q48_16, at least. */
+/* Half of the width that an orthographic camera sees, q48_16 world units, rounded up. */
 int64_t zs_cull_half_width(const struct zs_camera *camera, const struct zs_view *view);
 
 #endif

@@ -1,23 +1,26 @@
-/* Edges: the columns of a triangle's rows.
+/* Edges: the columns at which they cross the scanlines of a triangle.
  *
- * The span of row j, sampled at Y = 256 j + 128, is [first sample at or right of the left edge,
- * first sample at or right of the right edge): samples on a left edge are in, on a right edge out;
- * rows from the first sample at or below the top to the one at or below the bottom: top in, bottom
- * out. That is the top-left rule, and two triangles on an edge compute the same column for it.
+ * Scanline j is sampled at Y = 256 j + 128. Its span is [first sample at or right of the left edge,
+ * first sample at or right of the right edge): a sample on a left edge is inside, one on a right
+ * edge outside. The rows are those from the first sample at or below the top vertex up to, but not
+ * including, the first at or below the bottom vertex: a sample level with the top is inside, one
+ * level with the bottom outside. Together that is the top-left rule. Two triangles that share an
+ * edge compute the same columns for it.
  *
- * For an edge from (xa, ya) to (xb, yb), dy > 0, the sample i is at or right of it when
+ * For an edge from (xa, ya) to (xb, yb), dy > 0, sample i is at or right of it if
  *   256 dy i >= (xa - 128) dy + (Y - ya) dx
- * so the column is the right side over 256 dy, rounded up, carried on as quotient and remainder.
+ * So the column is the right-hand side divided by 256 dy, rounded up. It is stepped from row to row
+ * as a quotient and a remainder.
  *
  * SPDX-License-Identifier: MIT
  */
 #include "core/edges.h"
 #include "core/fx.h"
 
-#define EDGE32_MAX (1 << 15) /* sub-pixels: edges shorter than this each way need 32 bits only */
+#define EDGE32_MAX (1 << 15) /* sub-pixels: for an edge with dy below this, 32 bits suffice */
 
-/* (fraction * dy + off * part) / span of an edge that is entered below its first row; apart,
- * because few are. At most 2^14. */
+/* Return (fraction * dy + off * part) / span, for an edge that is entered below its first row. Not
+ * inlined, because that is rare. At most 2^14. */
 static ZS_NOINLINE int32_t edge_below(int32_t fraction, int32_t dy, int32_t off, int32_t part)
 {
     if (dy < EDGE32_MAX)
@@ -26,11 +29,12 @@ static ZS_NOINLINE int32_t edge_below(int32_t fraction, int32_t dy, int32_t off,
                      (dy * ZS_SUBPX_ONE)); /* < 2^44.1 */
 }
 
-/* Columns of the edge that runs down from a to b, in n > 0 rows from `row` on, all of them between
- * the two. out[0], out[2], ...
+/* Find the columns of the edge that runs down from a to b, in n > 0 rows from `row` on, into
+ * out[0], out[2], ... All rows lie between a and b.
  *
- * With dx = q dy + part the right side above over 256 dy is
- *   (lead + off q) / 256 + off part / (256 dy),  off part / (256 dy) < 1 in its first row. */
+ * With dx = q dy + part, the right-hand side above divided by 256 dy is
+ *   (lead + off q) / 256 + off part / (256 dy)
+ * where lead = xa - 128 and off = Y - ya. In the edge's first row, off part / (256 dy) < 1. */
 static ZS_NOINLINE void edge_columns(int16_t *out, int32_t n, const struct zs_vertex *a,
                                      const struct zs_vertex *b, int32_t row)
 {

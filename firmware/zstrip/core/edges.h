@@ -1,4 +1,4 @@
-/* The columns of a triangle's rows. Internal.
+/* Edges: where they cross the scanlines, which gives the span of each scanline. Internal.
  *
  * SPDX-License-Identifier: MIT
  */
@@ -8,10 +8,11 @@
 #include "core/fast.h"
 #include "core/job.h"
 
-/* Columns of rows [row, job->cut_end), by quotient and remainder. */
+/* Find the spans of rows [row, job->cut_end) into job->cut; each edge is stepped by quotient and
+ * remainder. */
 void zs_edges_columns(struct zs_job *job, int32_t row);
 
-/* Find the spans of rows from `row` on: of ZS_CUT_ROWS, or up to job->row_end. */
+/* Find the spans of the next ZS_CUT_ROWS rows from `row` on, or fewer, up to job->row_end. */
 static inline void zs_edges_cut(struct zs_job *job, int32_t row)
 {
     const struct zs_renderer *r = job->r;

@@ -1,4 +1,5 @@
-/* A triangle that is cut at near, far or the guard band: clipped to a polygon, drawn as a fan.
+/* A triangle that reaches beyond near, far or the guard band is clipped to a polygon, and the
+ * polygon is binned as a fan of triangles.
  *
  * SPDX-License-Identifier: MIT
  */
@@ -18,15 +19,16 @@ struct polygon {
 
 #define COORD_MAX (((int32_t)1 << 30) + 2) /* camera units: core/xform.h */
 
-/* Which way a triangle turns on the screen, from its corners in camera units, exactly: > 0
- * clockwise. Where all three are before the eye, the sign of a . (b x c) is that of the area. */
+/* Return the winding of a triangle on the screen, computed exactly from its vertices in camera
+ * units: > 0 if clockwise. If all three vertices are in front of the eye, the sign of a . (b x c)
+ * is the sign of the projected area. */
 static ZS_RARE ZS_NOINLINE int sense_of(const struct zs_view *view,
                                         const struct zs_clip_vertex v[3])
 {
     int32_t p[9]; /* a, b, c */
     for (int k = 0; k < 9; k++) {
         p[k] = v[k / 3].p.c[k % 3];
-        if (zs_abs32(p[k]) > COORD_MAX) /* only of a mesh that is larger than its sphere says */
+        if (zs_abs32(p[k]) > COORD_MAX) /* only if a mesh is larger than its bounding sphere */
             return 0;
     }
     if (!view->perspective) /* the area is a . (b x c) with z = 1 */
@@ -42,20 +44,23 @@ static ZS_RARE ZS_NOINLINE int sense_of(const struct zs_view *view,
     return high < 0 ? -1 : high > 0 || low > 0;
 }
 
-/* The area of the k-th piece of the fan around corner fan[0]. */
+/* Return twice the area of the k-th piece of the fan around corner fan[0]. */
 static ZS_RARE ZS_SHARED int64_t piece_area(const struct polygon *p, const uint8_t *fan, int k)
 {
     return zs_assemble_area(&p->v[fan[0]], &p->v[fan[k]], &p->v[fan[k + 1]]);
 }
 
-/* The snapped polygon's area, and in *fan the corners from one on whose fan has no piece of the
- * other sense: rounding can turn a corner inwards by a sub-pixel. The first such from the least
- * (y, x) on, so that it does not matter which corner the triangle begins with. A polygon seen nearly
- * edge-on may have none, because snapping made it cross itself, and its snapped area may even have
- * the wrong sign: then the sense of the triangle before it was cut counts, and pieces of the other
- * sense are dropped (polygon_bin). That leaves no hole: the samples of the right sense are all in
- * pieces of the right sense, whose signed sum the polygon is; it can draw beyond a thin polygon's
- * edge, by less than a sub-pixel's width. */
+/* Return twice the area of the snapped polygon, and in *fan its corners in order, starting with one
+ * whose fan has no piece of the opposite winding. Not every corner will do, because rounding can
+ * make the polygon concave by a sub-pixel. The search starts at the corner with the least (y, x),
+ * so that the result does not depend on which corner the triangle lists first.
+ *
+ * A polygon that is seen nearly edge-on may have no such corner, because snapping made it cross
+ * itself; its snapped area may even have the wrong sign. Then the function returns `sense`, the
+ * winding of the triangle before it was clipped, and polygon_bin drops the pieces of the opposite
+ * winding. That leaves no hole: the polygon is the signed sum of the pieces, so every sample with
+ * the right winding lies in a piece with the right winding. But it can draw beyond the edge of a
+ * thin polygon, by less than a sub-pixel's width. */
 static ZS_RARE int64_t fan_corner(const struct polygon *p, int sense,
                                   uint8_t around[2 * ZS_CLIP_MAX], const uint8_t **fan)
 {
@@ -87,13 +92,14 @@ static ZS_RARE void polygon_project(struct zs_renderer *r, struct polygon *p)
     for (int k = 0; k < p->n; k++) {
         struct zs_vertex *v = &p->v[k];
         (void)zs_xform_project(r, &p->cv[k].p, v); /* clipped: near <= z <= far */
-        /* rounding in camera units may leave a new vertex a little outside the guard band */
+        /* rounding to camera units may put a new vertex slightly outside the guard band */
         v->x = cx + (int32_t)zs_held64(v->x - cx, ZS_GUARD_SUBPX);
         v->y = cy + (int32_t)zs_held64(v->y - cy, ZS_GUARD_SUBPX);
     }
 }
 
-/* A piece into a bin. at: its slots are the corners' numbers in the polygon. */
+/* Append a piece and its three vertices to the pools and bin it. at->slot: numbers of its corners
+ * in the polygon. */
 static ZS_RARE void piece_push(struct zs_renderer *r, const struct polygon *p,
                                const struct zs_candidate *at, uint16_t paint, uint32_t strip)
 {
@@ -108,7 +114,7 @@ static ZS_RARE void piece_push(struct zs_renderer *r, const struct polygon *p,
     zs_bin_add(r, slot, paint, strip);
 }
 
-/* Pieces before *piece are binned already. */
+/* Bin the pieces of a polygon from *piece on; those before it are binned already. */
 static ZS_RARE enum zs_fate polygon_bin(struct zs_renderer *r, const struct polygon *p, uint32_t t,
                                         int sense, uint32_t *piece)
 {
@@ -117,7 +123,7 @@ static ZS_RARE enum zs_fate polygon_bin(struct zs_renderer *r, const struct poly
     uint8_t around[2 * ZS_CLIP_MAX];
     const uint8_t *fan;
     const int64_t area = fan_corner(p, sense, around, &fan);
-    const int back = area < 0; /* corners of its pieces are named the other way round */
+    const int back = area < 0; /* then the corners of each piece are listed in reverse order */
     if (area == 0)
         return ZS_FATE_ZERO;
     if (zs_assemble_culled(area, material->cull))
@@ -170,7 +176,7 @@ ZS_RARE enum zs_fate zs_fan_bin(struct zs_renderer *r, uint32_t t, uint32_t *pie
         r->stats.tris_clipped++;
     const int sense = sense_of(&r->view, p.cv);
     p.n = zs_clip_polygon(&r->view, p.cv, 3, any & (ZS_OUT_NEAR | ZS_OUT_FAR), shader->n_varyings);
-    for (int k = 0; k < p.n; k++) /* sides mean something only now */
+    for (int k = 0; k < p.n; k++) /* outcodes of the sides are defined only between near and far */
         sides |= zs_xform_outcode(&r->view, &p.cv[k].p) & ZS_OUT_SIDES;
     if (p.n && sides) {
         p.n = zs_clip_polygon(&r->view, p.cv, p.n, sides, shader->n_varyings);

@@ -1,9 +1,9 @@
-/* Accelerators: what overrides a stage of the core where that is quicker. Without any, every frame
- * is the same, bit for bit.
+/* Accelerators: hooks that override a stage of the core where a special case is faster. With or
+ * without them, every frame is the same, bit for bit.
  *
- * Each is a const struct zs_fast of optional hooks, named in zs_config.fast and linked only then
- * (zs_fast.h has the lists). A hook that returns 0 has declined and changed nothing: the core goes
- * on.
+ * An accelerator is a const struct zs_fast of optional hooks. It is used, and linked, only if
+ * zs_config.fast names it (zs_fast.h has the lists). A hook that returns 0 has declined and has
+ * changed nothing; the core then does the work itself.
  *
  * SPDX-License-Identifier: MIT
  */
@@ -12,8 +12,8 @@
 
 #include "zstrip.h"
 
-/* What an accelerator has set or given; 0 where the library is compiled without them, so that what
- * depends on it is not linked. */
+/* A hook, or a value that only accelerators set. It is the constant 0 if the library is compiled
+ * without accelerators, so that code that depends on it is removed. */
 #define ZS_IF_FAST(hook) (ZS_NO_FAST ? 0 : (hook))
 
 struct zs_bounds;
@@ -21,44 +21,46 @@ struct zs_job;
 struct zs_row;
 struct zs_texel_rows;
 
-/* Pixels of a strip that nothing was drawn on yet: not cleared before they are drawn, and not
- * tested. */
+/* First touch: a strip is not cleared before it is drawn. The first triangle at an uncleared pixel
+ * is drawn without a depth test. */
 struct zs_fast_touch {
-    void (*begin)(
-        struct zs_renderer *r); /* before anything is drawn into r->strip; sets r->untouched */
-    void (*end)(struct zs_renderer *r); /* clears what nothing was drawn on; r->untouched is 0 */
-    /* While r->untouched: 1: job->tri is drawn on such pixels, job->split says so. 0: none are
-     * left. */
+    /* Called before anything is drawn into r->strip. Sets r->untouched. */
+    void (*begin)(struct zs_renderer *r);
+    /* Clear the pixels that are still uncleared. r->untouched is 0 afterwards. */
+    void (*end)(struct zs_renderer *r);
+    /* Called for each triangle while r->untouched is not 0. Return 1: job->tri is drawn with first
+     * touch, and job->split is set. Return 0: no pixel is uncleared any more. */
     int (*takes)(struct zs_job *job);
-    void (*row)(
-        struct zs_job *job,
-        const struct zs_row *row); /* of a triangle that it takes: once, before the row's pieces */
-    /* Draw a piece of such a row; what was drawn on before goes to job->span. As zs_piece_fn. */
+    /* For a triangle with first touch: called once for each scanline, before its pieces. */
+    void (*row)(struct zs_job *job, const struct zs_row *row);
+    /* Draw a piece of such a scanline: uncleared pixels directly, the others through job->span.
+     * Arguments as zs_piece_fn. */
     void (*piece)(struct zs_job *job, const struct zs_row *row, int32_t i0, int32_t i1,
                   uint32_t sum, uint32_t step);
 };
 
-/* What large triangles hide. */
+/* Occlusion culling: large triangles hide others. */
 struct zs_fast_tiles {
-    /* A triangle of the current instance that is drawn, clockwise: what it hides, if it is large.
-     * Sets r->large. */
+    /* Called for each triangle of the current instance that is drawn; a, b, c are clockwise. If it
+     * is large, record which tiles it covers and how far, and set r->large. */
     void (*cover)(struct zs_renderer *r, const struct zs_vertex *a, const struct zs_vertex *b,
                   const struct zs_vertex *c);
-    /* Of r->strip, where r->large: a depth up to which a vertex shows that its triangle is not
-     * hidden; UINT32_MAX: none is. */
+    /* Called for r->strip if r->large is set. Return a depth: a triangle with a vertex up to this
+     * depth is not hidden. UINT32_MAX: no triangle of the strip is hidden. */
     uint32_t (*seen)(struct zs_renderer *r);
-    int (*hides)(struct zs_job *job); /* 1: no pixel of job->tri can win in this strip */
-    int (*hides_sphere)(
-        struct zs_renderer *r,
-        const struct zs_bounds *b); /* 1: nothing in it can win in a strip to come */
+    /* Return 1 if no pixel of job->tri can pass the depth test in this strip. */
+    int (*hides)(struct zs_job *job);
+    /* Return 1 if no pixel inside a bounding sphere can pass the depth test in a strip that is
+     * still to be drawn. */
+    int (*hides_sphere)(struct zs_renderer *r, const struct zs_bounds *b);
 };
 
-/* A texel format's loops. */
+/* The inner loops of a texel format. */
 struct zs_fast_texel {
-    void (*gather)(const struct zs_texture *texture, uint16_t *out, int32_t n,
-                   const uint32_t *at); /* by row * width + column */
-    /* Test and draw a triangle, unlit, affine, repeated, log2_w and log2_h > 0, keys that do not
-     * saturate. */
+    /* Fetch n texels; at[k] is row * width + column. */
+    void (*gather)(const struct zs_texture *texture, uint16_t *out, int32_t n, const uint32_t *at);
+    /* Test and draw a triangle: unlit, affine, texture repeated, log2_w and log2_h > 0, keys that
+     * do not saturate. */
     void (*rows)(struct zs_job *job);
     /* Test and draw a small triangle from its record alone (fast/small.h), unlit and lit. */
     void (*small)(struct zs_job *job, const struct zs_texture *texture, struct zs_texel_rows *rows);
@@ -66,66 +68,66 @@ struct zs_fast_texel {
                       struct zs_texel_rows *rows);
 };
 
-/* Meshes in batches. */
+/* Whole meshes at a time. */
 struct zs_fast_batch {
-    void (*needs)(struct zs_renderer *r,
-                  const struct zs_bounds
-                      *b); /* of the instance that r->xform is for: clip tests, to r->xform */
-    /* Before an instance's triangles are binned: its vertices, where all have room; then sets
-     * r->direct. */
+    /* Find out which clip tests the instance of r->xform needs; set r->xform.clip_*. */
+    void (*needs)(struct zs_renderer *r, const struct zs_bounds *b);
+    /* Called before the triangles of an instance are binned. If the pool has room for all its
+     * vertices, transform them and set r->direct. */
     void (*open)(struct zs_renderer *r);
-    /* Bin triangles [from, end), where r->direct; fate as walk.c counts. Return how far it came:
-     * less than end, where a pool is full, or it declined. *piece: of the triangle that it came to,
-     * as zs_assemble_tri. */
+    /* Bin triangles [from, end) while r->direct is set, and count their outcomes in fate[]. Return
+     * the triangle that it reached; less than end if a pool is full or it declined. *piece is that
+     * triangle's, as in zs_assemble_tri. */
     uint32_t (*bin)(struct zs_renderer *r, uint32_t from, uint32_t end, uint32_t *fate,
                     uint32_t *piece);
-    void (*screen)(const struct zs_renderer *r, uint32_t v, uint32_t n,
-                   struct zs_vertex *out); /* zs_xform_screen of several */
+    /* zs_xform_screen for n vertices from v on. */
+    void (*screen)(const struct zs_renderer *r, uint32_t v, uint32_t n, struct zs_vertex *out);
 };
 
-/* Clusters of a mesh that need not be drawn. */
+/* Culling of a mesh's clusters. */
 struct zs_fast_clusters {
-    /* Find the rows and columns that the walk draws of an instance, to r->edge. Return 0: it need
-     * not be drawn, as it is in none of them. */
+    /* Set r->edge to the rows and columns in which this traversal draws an instance. Return 0 if
+     * the instance lies outside of them and need not be drawn. */
     int (*edges)(struct zs_renderer *r, const struct zs_bounds *b, uint32_t number);
-    /* Fill r->clusters for the instance that r->xform is for. Return 0: there is nothing that could
-     * be left out. */
+    /* Fill r->clusters for the instance of r->xform. Return 0 if none of its clusters can be
+     * culled. */
     int (*open)(struct zs_renderer *r, const struct zs_bounds *b);
-    /* Where vertex v has place vert_base + v: transform those that are needed. Return 0: all are,
-     * none is done. */
+    /* Called while vertex v is vert[vert_base + v]: transform the vertices that are needed. Return
+     * 0 if all are needed; none is transformed then. */
     int (*verts)(struct zs_renderer *r);
-    /* The next run of triangles to r->clusters.from and .end. Return 0: there is none. */
+    /* Set r->clusters.from and .end to the next run of triangles. Return 0 if there is none. */
     int (*run)(struct zs_renderer *r);
 };
 
 struct zs_fast {
-    /* Of the frame. The first of a list that has a hook serves it. */
+    /* Hooks of the frame. For each of them, the first accelerator in the list that has it is used.
+     */
     const struct zs_fast_touch *touch;
     const struct zs_fast_tiles *tiles;
     const struct zs_fast_batch *batch;
     const struct zs_fast_clusters *clusters;
-    int (*edges)(struct zs_job *job, int32_t row); /* zs_edges_cut */
+    int (*edges)(struct zs_job *job, int32_t row); /* in place of zs_edges_columns */
 
-    /* Of triangles of one shader. */
+    /* Hooks for triangles of one shader. */
     const struct zs_shader *shader;
-    /* In place of set-up and rows: draw job->tri in its strip. Called where it has no depth state,
-     * keys may be linear on it and no pixel of the strip is untouched. Sets job->row_last where it
-     * returns 1. */
+    /* In place of set-up and rasterisation: draw job->tri in its strip. Called if the triangle has
+     * no depth state, its keys may be linear, and no pixel of the strip is uncleared. Sets
+     * job->row_last if it returns 1. */
     int (*draw)(struct zs_job *job);
-    /* In place of walking rows: draw job, which is set up. Called where keys are linear, and rows
-     * are not split. */
+    /* In place of the walk over scanlines: draw a job that is set up. Called if its keys are linear
+     * and job->split is 0. */
     int (*rows)(struct zs_job *job);
-    /* In place of zs_rows_test: test pixels [i0, i1) of a row and colour those that are nearest. */
+    /* In place of zs_rows_test: test pixels [i0, i1) of a scanline and colour those that pass. */
     void (*span)(struct zs_job *job, const struct zs_row *row, int32_t i0, int32_t i1, uint32_t sum,
                  uint32_t step);
 
-    /* Textured: a texture with its palette lit, or the same one. */
+    /* Textured shaders: return a copy of the texture with a lit palette, or the texture itself. */
     const struct zs_texture *(*lit)(struct zs_job *job, const struct zs_texture *texture);
-    /* Pixels [i, end) of a row, each as zs_texture_pixel draws it. Called where job->texel is
-     * known, the texture is repeated and 15 bits place its texels. */
+    /* Draw pixels [i, end) of a scanline, each as zs_texture_pixel does. Called if job->texel is
+     * set, the texture repeats, and a reciprocal of 15 bits is precise enough for its texels. */
     void (*divided)(struct zs_job *job, const struct zs_row *row, int32_t i, int32_t end);
 
-    /* Of one texel format. */
+    /* Loops of one texel format. */
     const struct zs_texel *format;
     const struct zs_fast_texel *texel;
 };

@@ -1,4 +1,4 @@
-/* Renderers and frames: set-up, checks, the loop over strips.
+/* Set-up of a renderer, the checks of a frame, and the loop over strips.
  *
  * SPDX-License-Identifier: MIT
  */
@@ -26,11 +26,12 @@ static const char *const messages[] = {
     "a position, scale, extent or light that the integers cannot hold",
     "a mesh lacks what its shader reads, or has too many vertices",
     "frame functions called out of order",
-    "the shader needs more vertex attributes than config.varyings",
+    "the shader has more varyings than config.varyings, or a vertex stage and none",
     "a direction of length 0, or parallel directions",
     "the near plane is too close beside what is in view (more than 2^21 times as far): move it out",
     "a texture's size or clamping out of range",
-    "the program was compiled with other headers or limits than the library"
+    "the program was compiled with other headers or limits than the library",
+    "a pass whose viewport is not inside the frame, or that keeps what is not there to be kept"
 };
 
 const char *zs_error_string(int err)
@@ -68,7 +69,7 @@ uint32_t zs_arena_bytes(const struct zs_config *c)
            (has_depth(c) ? 0u : ZS_DEPTH_BYTES(c->width, strip_rows(c)));
 }
 
-/* The next pool of the arena. */
+/* Take the next pool from the arena. */
 static void *take(uintptr_t *at, uint32_t bytes)
 {
     void *pool = (void *)*at;
@@ -76,7 +77,7 @@ static void *take(uintptr_t *at, uint32_t bytes)
     return pool;
 }
 
-/* All pools, from an address on. Return what the arena reaches to, ZS_ARENA_BYTES further. */
+/* Place all pools from an address on. Return the arena's end, zs_arena_bytes further on. */
 static ZS_RARE uintptr_t split(struct zs_renderer *r, uintptr_t at)
 {
     const struct zs_config *c = &r->config;
@@ -96,9 +97,9 @@ static ZS_RARE uintptr_t split(struct zs_renderer *r, uintptr_t at)
     return at;
 }
 
-/* For row / strip_h without a division. With 2^l <= strip_h < 2^(l + 1) and n = 19 + l, strip_mul
- * exceeds 2^n / strip_h by 1 at the most, which adds row / 2^n to a quotient: less than 2^-7 /
- * strip_h, so it is exact. */
+/* Compute the factor and shift that replace the division row / strip_h. With 2^l <= strip_h < 2^(l
+ * + 1) and n = 19 + l, strip_mul exceeds 2^n / strip_h by at most 1. That adds at most row / 2^n to
+ * a quotient, which is less than 2^-7 / strip_h; so the result is exact. */
 static ZS_RARE void strip_divisor(struct zs_renderer *r)
 {
     const uint32_t h = r->config.strip_h;
@@ -107,8 +108,8 @@ static ZS_RARE void strip_divisor(struct zs_renderer *r)
     r->strip_mul = (1u << n) / h + 1u; /* <= 2^19 + 1; times a row < 2^31.1 */
 }
 
-/* Those of the frame: the first of each kind. Bounds of keys, and first touch, need one pass with
- * depth memory. */
+/* Choose the accelerators of the frame: the first of each kind in the list. `touch` and `tiles`
+ * work only in a frame of one pass with depth memory. */
 static ZS_RARE void accelerators(struct zs_renderer *r)
 {
     r->touch = 0;
@@ -131,7 +132,7 @@ static ZS_RARE void accelerators(struct zs_renderer *r)
     r->refit = r->passes != 0;
 }
 
-/* No two parts of ZS_BUILD overlap. */
+/* The bit fields of ZS_BUILD must not overlap. */
 _Static_assert(sizeof(struct zs_renderer) < 1u << 14 && ZS_VARYINGS_MAX < 1 << 4 &&
                    ZS_SIZE_MAX < 1 << 14,
                "ZS_BUILD tells sizes apart");
@@ -162,7 +163,7 @@ ZS_RARE int zs_init_build(struct zs_renderer *r, const struct zs_config *config,
     if (split(r, at) - at > bytes || (at & 3u))
         return ZS_ERR_ARENA;
     for (uint32_t v = 0; v < config->max_verts; v++)
-        r->vert_map[v] = r->vert_src[v] = 0; /* any value will do; junk would be as good */
+        r->vert_map[v] = r->vert_src[v] = 0; /* any value is correct: entries are checked */
     const struct zs_stats none = { 0 };
     r->stats = none;
     r->watch = 0;
@@ -187,9 +188,10 @@ static ZS_RARE int instance_check(const struct zs_renderer *r, const struct zs_i
     if ((!mesh->pos && mesh->n_verts) || (!mesh->tri && mesh->n_tris) || mesh->n_verts > 65535u ||
         material->cull > ZS_CULL_NONE)
         return ZS_ERR_MESH;
-    if (!material->shader->run)
+    const struct zs_shader *shader = material->shader;
+    if (!shader->run || (shader->by_fragment && !shader->fragment))
         return ZS_ERR_NULL;
-    if (material->shader->n_varyings > r->config.varyings)
+    if (shader->n_varyings > r->config.varyings || (shader->vertex && !shader->n_varyings))
         return ZS_ERR_VARYINGS;
     if (in->depth_state && in->depth_state->func > ZS_DEPTH_ALWAYS)
         return ZS_ERR_RANGE;
@@ -205,7 +207,8 @@ static ZS_RARE int light_ok(const struct zs_light *light)
     return light->ambient <= ZS_Q16_ONE && light->diffuse <= ZS_Q16_ONE;
 }
 
-/* Check all instances and find how far what can be seen reaches. */
+/* Check all instances, and find the reach: the largest |coordinate| in camera axes among the
+ * instances in view. */
 static ZS_RARE int scene_check(const struct zs_renderer *r, const struct zs_scene *scene,
                                int64_t *reach)
 {
@@ -253,7 +256,7 @@ ZS_RARE void zs_frame_open(struct zs_renderer *r)
         accelerators(r);
     r->stats = none;
     r->strip = 0;
-    r->band_end = 0; /* the first strip begins a walk */
+    r->band_end = 0; /* so the first strip starts a traversal */
     r->counting = 1;
     r->large = 0;
     zs_frame_forget_edges(r);
@@ -273,7 +276,7 @@ ZS_RARE int zs_frame_begin(struct zs_renderer *r, const struct zs_scene *scene,
     r->draw_end = r->n_strips;
     r->passes = 0;
     r->first = 0;
-    r->end = r->n_instances = scene->n_instances;
+    r->n_instances = (uint16_t)scene->n_instances;
     zs_view_frame(&r->view, &r->config);
     const struct zs_track_kernel *track = r->track;
     const int err = track ? track->check(r, scene) : zs_frame_check(r, scene);
@@ -363,7 +366,7 @@ int zs_frame_skip(struct zs_renderer *r)
     if (r->strip == r->n_strips)
         return 0;
     if (r->strip < r->band_end)
-        zs_raster_pass(r);
+        zs_raster_leave(r);
     r->strip++;
     r->stats.strips++;
     r->stats.strips_skipped++;
@@ -400,7 +403,8 @@ int zs_invalidate(struct zs_renderer *r, const struct zs_rect *rect)
     return ZS_OK;
 }
 
-/* The strips from the one in the sink's hands on may not have arrived. */
+/* A sink failed. The last strip and the one before it may not have reached the panel; mark them as
+ * dirty. */
 static void not_sent(struct zs_renderer *r, const struct zs_strip *last)
 {
     const uint32_t before = last->y < r->config.strip_h ? 0u
@@ -415,7 +419,7 @@ int zs_frame_send(struct zs_renderer *r, const struct zs_sink *sink)
     struct zs_strip strip;
     int err = ZS_OK, pending = 0, got;
     while (!err && (got = zs_frame_strip(r, &strip)) > 0) {
-        if (pending && sink->wait) /* two buffers: the strip before is still in the sink's hands */
+        if (pending && sink->wait) /* two buffers: the strip before is still being sent */
             err = sink->wait(sink->ctx);
         pending = 0;
         if (err)
@@ -438,7 +442,7 @@ int zs_frame_send(struct zs_renderer *r, const struct zs_sink *sink)
     if (sink->end) {
         const int at_end = sink->end(sink->ctx);
         if (at_end && !err)
-            (void)zs_invalidate(r, 0); /* nobody knows which strips have arrived */
+            (void)zs_invalidate(r, 0); /* it is not known which strips reached the panel */
         err = err ? err : at_end;
     }
     (void)zs_frame_end(r);

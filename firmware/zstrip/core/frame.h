@@ -1,4 +1,4 @@
-/* Frames: checks, and the loop over strips. Internal.
+/* Frames: the checks before a frame, and the loop over strips. Internal.
  *
  * SPDX-License-Identifier: MIT
  */
@@ -7,16 +7,16 @@
 
 #include "zstrip.h"
 
-/* Everything that a frame of r->camera can be refused for; fills r->view. Return ZS_OK or an error.
- */
+/* Make all checks that can refuse a frame with r->camera, and fill r->view. Return ZS_OK or an
+ * error. */
 int zs_frame_check(struct zs_renderer *r, const struct zs_scene *scene);
-/* Begin the frame that has been checked; r->scene is set, or will be. */
+/* Begin a frame after its checks. The caller sets r->scene before or after. */
 void zs_frame_open(struct zs_renderer *r);
-/* The frame's strips to a sink, and its end. */
+/* Send all strips of the frame to a sink, and end the frame. Return ZS_OK or the sink's error. */
 int zs_frame_send(struct zs_renderer *r, const struct zs_sink *sink);
-/* What the scene's resolve hooks draw over the strip in hand. */
+/* Call the scene's resolve hooks for the current strip. */
 void zs_frame_resolve(const struct zs_renderer *r, const struct zs_scene *scene);
-/* r->edge holds those of another camera. */
+/* Invalidate r->edge, because the camera is another one. */
 static inline void zs_frame_forget_edges(struct zs_renderer *r)
 {
     r->edge_of[0] = r->edge_of[1] = r->edge_of[2] = r->edge_of[3] = UINT16_MAX;

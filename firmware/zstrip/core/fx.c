@@ -65,12 +65,12 @@ void zs_fill_run(uint16_t *out, uint16_t value, uint32_t n)
 
 /* ---- Reciprocal ------------------------------------------------------------------------------
  *
- * a / 2^32 = m in [1/2, 1); wanted 1/m in (1, 2], as r = 2^31 / m. A table of 1/m - 1 in uq0_16 at
- * 257 points and linear interpolation give y with a relative error e <= 2^-16.4:
+ * With m = a / 2^32 in [1/2, 1), the result is r = 2^31 / m, for 1/m in (1, 2]. A table of 1/m - 1
+ * in uq0_16 at 257 points and linear interpolation give y with a relative error e <= 2^-16.4:
  *   interpolation  h^2/8 * max |f''| / min f = (1/512)^2 / 8 * 16 / 1    = 2^-17
  *   rounding of the table                    2^-17 of a value >= 1       = 2^-17
- * (2^-17 + 2^-17 = 2^-16; the two do not peak together). One Newton step y (2 - m y) squares it:
- * 2^-32, always from below; its two truncations add 2^-31 and 2^-32. Sum < 2^-30. */
+ * (2^-17 + 2^-17 = 2^-16; the two maxima do not coincide.) One Newton step y (2 - m y) squares the
+ * error: 2^-32, always from below. Its two truncations add 2^-31 and 2^-32. Sum < 2^-30. */
 
 #define RECIP_AT(i)                                                                                \
     (uint16_t)(((33554432u + (256u + (i)) / 2u) / (256u + (i))) - 65536u - ((i) == 0u))
@@ -100,7 +100,7 @@ uint32_t zs_recip(uint32_t a)
     return zs_recip_inline(a);
 }
 
-/* ---- Square root: one result bit a turn, no multiplication ----------------------------------- */
+/* ---- Square root: one bit of the result in each step, without multiplication ----------------- */
 
 ZS_RARE uint32_t zs_isqrt64(uint64_t v)
 {

@@ -17,12 +17,13 @@
 _Static_assert((-3 >> 1) == -2, "right shift of negative values must be arithmetic");
 _Static_assert(sizeof(int) >= 4, "int must hold 32 bits");
 
-#define ZS_SUBPX_BITS 8 /* of every coordinate kept; 4-bit profiles snap to multiples of 16 */
+#define ZS_SUBPX_BITS 8 /* of every stored coordinate; 4-bit profiles snap to multiples of 16 */
 #define ZS_SUBPX_ONE 256
 #define ZS_SUBPX_HALF 128
 #define ZS_GUARD_SUBPX ((int64_t)ZS_GUARD_PX * ZS_SUBPX_ONE)
 
-/* Extents of a binned triangle: 2 * guard. plane.c and raster.c rely on 2^22. */
+/* The extent of a binned triangle is at most twice the guard band. plane.c and raster.c rely on a
+ * bound of 2^22 sub-pixels. */
 #define ZS_EXTENT_BITS 22
 _Static_assert(2 * (ZS_GUARD_SUBPX + 8) < ((int64_t)1 << ZS_EXTENT_BITS), "guard band too wide");
 _Static_assert(ZS_GUARD_PX >= ZS_SIZE_MAX, "the guard band must hold the frame");
@@ -33,11 +34,11 @@ typedef int32_t q24_8; /* screen x, y, px */
 
 #if defined(__GNUC__)
 #define ZS_KERNEL_INLINE                                                                           \
-    static inline __attribute__((always_inline)) /* functions passed to it are in line too */
+    static inline __attribute__((always_inline)) /* so functions passed to it are inlined too */
 #else
 #define ZS_KERNEL_INLINE static inline
 #endif
-#if ZS_FOR_SIZE /* the compiler's choice, by size */
+#if ZS_FOR_SIZE /* the compiler decides, for size */
 #define ZS_RARE
 #define ZS_IN_ORDER
 #define ZS_ALWAYS_INLINE static inline
@@ -48,7 +49,7 @@ typedef int32_t q24_8; /* screen x, y, px */
 #define ZS_NOINLINE __attribute__((noinline))
 #else
 #define ZS_NOINLINE                                                                                \
-    __attribute__((noinline, noclone)) /* nor with other arguments: fields as arguments spill */
+    __attribute__((noinline, noclone)) /* a clone takes fields as arguments, and spills them */
 #endif
 #if defined(__clang__) || !defined(__OPTIMIZE__)
 #define ZS_RARE
@@ -56,9 +57,9 @@ typedef int32_t q24_8; /* screen x, y, px */
 #else
 #define ZS_IN_ORDER                                                                                \
     __attribute__((                                                                                \
-        optimize("no-schedule-insns"))) /* many values: to load them early is to spill them */
+        optimize("no-schedule-insns"))) /* for many live values: early loads would be spilled */
 #define ZS_RARE                                                                                    \
-    __attribute__((optimize("Os"))) /* seldom, or slow by nature: flash counts more than time */
+    __attribute__((optimize("Os"))) /* runs seldom, or is slow anyway: flash matters, not time */
 #endif
 #else
 #define ZS_RARE
@@ -67,14 +68,14 @@ typedef int32_t q24_8; /* screen x, y, px */
 #define ZS_NOINLINE
 #endif
 
-/* For functions with several callers, of which compilers make copies even for size. */
+/* For functions with several callers: compilers would inline copies of them even at -Os. */
 #if defined(__GNUC__)
 #define ZS_SHARED __attribute__((noinline))
 #else
 #define ZS_SHARED
 #endif
 
-/* Two 16-bit values at a time, in memory that is otherwise used as uint16_t. */
+/* Access to two 16-bit values at a time, in memory that is an array of uint16_t. */
 #if defined(__GNUC__)
 typedef uint32_t __attribute__((may_alias)) zs_pair;
 #define ZS_PAIR 2u
@@ -83,7 +84,7 @@ typedef uint16_t zs_pair;
 #define ZS_PAIR 1u
 #endif
 
-/* Fill n > 0 16-bit values, anywhere. */
+/* Fill n > 0 16-bit values, at any even address. */
 void zs_fill_run(uint16_t *out, uint16_t value, uint32_t n);
 
 static inline int32_t zs_abs32(int32_t v)
@@ -116,7 +117,7 @@ int64_t zs_round_shift(int64_t v, int n);
 /* v * 2^n, n of either sign, nearest. |result| < 2^62. */
 int64_t zs_scale2(int64_t v, int n);
 
-/* Intended wrap: sums modulo 2^32, product's low half. */
+/* The low half of a product, for sums that wrap modulo 2^32 by design. */
 static inline uint32_t zs_wrap_mul(uint32_t a, int32_t b)
 {
     return a * (uint32_t)b;
@@ -129,13 +130,13 @@ static inline uint64_t zs_times(uint64_t v, int32_t d)
            ((uint64_t)((uint32_t)(v >> 32) * (uint32_t)d) << 32);
 }
 
-/* First sample (row or column) at or after a coordinate: ceil((c - 1/2 px) / 1 px). */
+/* The first sample (row or column) at or after a coordinate: ceil((c - 1/2 px) / 1 px). */
 static inline int32_t zs_first_sample(q24_8 c)
 {
     return (c + (ZS_SUBPX_HALF - 1)) >> ZS_SUBPX_BITS;
 }
 
-/* The value of a 16-bit number as it lies in memory, most significant byte first. */
+/* Convert a 16-bit value so that its most significant byte is first in memory. */
 static inline uint16_t zs_wire16(uint16_t v)
 {
 #if defined(__BYTE_ORDER__) && __BYTE_ORDER__ == __ORDER_BIG_ENDIAN__
@@ -147,11 +148,12 @@ static inline uint16_t zs_wire16(uint16_t v)
 
 /* 2^63 / a, at most 2^32 - 1, within 2^-30 of it. a >= 2^31.
  * Cost  one table look-up, one wide and three narrow multiplications; no division.
- * Exact tests/test_fx.c compares all 2^31 arguments in steps that hit every table entry. */
+ * Exact tests/test_fx.c checks the bound for arguments from 2^31 up in steps that reach every table
+ *       entry. */
 uint32_t zs_recip(uint32_t a);
 
 #if ZS_FOR_SIZE
-uint32_t zs_recip_at(uint32_t i); /* fx.c: the table's entries, each by a division */
+uint32_t zs_recip_at(uint32_t i); /* fx.c: computes a table entry with a division */
 #else
 extern const uint16_t zs_recip_table[257]; /* fx.c */
 static inline uint32_t zs_recip_at(uint32_t i)
@@ -160,7 +162,7 @@ static inline uint32_t zs_recip_at(uint32_t i)
 }
 #endif
 
-/* The same to 16 bits, within 2^-16 of it. */
+/* 2^63 / a to 16 bits, with a relative error within 2^-16. a >= 2^31. */
 ZS_ALWAYS_INLINE uint32_t zs_recip16(uint32_t a)
 {
     const uint32_t at = a << 1 >> 24;
@@ -170,7 +172,7 @@ ZS_ALWAYS_INLINE uint32_t zs_recip16(uint32_t a)
     return 0x80000000u + (y0 << 15) - (dy * t >> 1); /* uq1_31, dy * t < 2^24.1 */
 }
 
-/* zs_recip in line, for loops that have few other calls. fx.c has its error. */
+/* zs_recip, inlined, for loops with few other calls. fx.c derives its error. */
 ZS_ALWAYS_INLINE uint32_t zs_recip_inline(uint32_t a)
 {
     const uint32_t y = zs_recip16(a);
@@ -184,8 +186,8 @@ ZS_ALWAYS_INLINE uint32_t zs_recip_inline(uint32_t a)
     return r >> 31 ? r : UINT32_MAX;
 }
 
-/* 2^45 / a, 15 bits and a half: within 2^-14 of it, at most 2^16 - 1. 2^30 <= a < 2^31. No long
- * product. */
+/* 2^45 / a to 15 and a half bits: within 2^-14 of it, at most 2^16 - 1. 2^30 <= a < 2^31. Needs no
+ * 64-bit product. */
 static inline uint32_t zs_recip15(uint32_t a)
 {
     const uint32_t at = a << 2 >> 24, y0 = zs_recip_at(at);
@@ -199,15 +201,16 @@ uint32_t zs_isqrt64(uint64_t v);
 /* floor(a * b / d) with a 128-bit product. d > 0, result < 2^64. For set-up, not for loops. */
 uint64_t zs_muldiv_u64(uint64_t a, uint64_t b, uint64_t d);
 
-/* v, held to -most .. most. */
+/* Clamp v to -most .. most. */
 int64_t zs_held64(int64_t v, int64_t most);
 
+/* |v|, also of INT32_MIN */
 static inline uint32_t zs_size32(int32_t v)
 {
     return v < 0 ? 0u - (uint32_t)v : (uint32_t)v;
 }
 
-/* |v| < 2^63 */
+/* |v|, for |v| < 2^63 */
 static inline int64_t zs_size64(int64_t v)
 {
     return v < 0 ? -v : v;

@@ -1,4 +1,4 @@
-/* Passes: what the stages see of a frame that is drawn in several. Internal.
+/* Passes: the functions that stages call in a frame of several passes. Internal.
  *
  * SPDX-License-Identifier: MIT
  */
@@ -7,19 +7,21 @@
 
 #include "zstrip.h"
 
-/* Linked where zs_frame_begin_passes is named. */
+/* Linked if the program calls zs_frame_begin_passes. */
 struct zs_pass_kernel {
-    /* Before a strip is drawn: the first pass, nothing cleared for the others. */
+    /* Before a strip is drawn: load the first pass. No viewport of another pass is cleared yet. */
     void (*begin)(struct zs_renderer *r);
-    /* In a walk: r->scene, camera and view are those of the pass that the instance is in. */
+    /* During traversal: load the pass of an instance into r->scene, r->camera and r->view. */
     void (*use)(struct zs_renderer *r, uint32_t number);
-    /* While r->strip is drawn: the same, and the viewports of all passes up to it are cleared. */
+    /* While r->strip is drawn: load the pass of an instance, and clear the viewports of all passes
+     * up to it. */
     void (*reach)(struct zs_renderer *r, uint32_t number);
-    /* When it has been drawn: the other passes' viewports are cleared; the resolve hooks of all. */
+    /* After a strip is drawn: clear the viewports of the remaining passes, and call the resolve
+     * hooks of all passes. */
     void (*end)(struct zs_renderer *r);
 };
 
-/* An instance of the frame: of the pass in hand. */
+/* An instance by its number in the frame. It must belong to the current pass. */
 static inline const struct zs_instance *zs_instance_of(const struct zs_renderer *r, uint32_t number)
 {
     return &r->scene->instance[number - r->first];

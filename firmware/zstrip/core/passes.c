@@ -1,10 +1,10 @@
 /* Frames in several passes.
  *
- * One walk bins the triangles of all passes, one pass after the other; instances are numbered through
- * all passes. Columns count from the viewport's left side, so that a pass is worked on as a frame of
- * the viewport's size is; rows count from the frame's top, so that bins are those of the frame. In a
- * strip, the number of a triangle's instance says where the next pass begins: its viewport is cleared,
- * once a strip, and its view is loaded.
+ * One traversal bins the triangles of all passes, one pass after the other. Instances are numbered
+ * through all passes. Columns count from the viewport's left side, so that a pass is drawn like a
+ * frame of the viewport's size. Rows count from the frame's top, so that all passes share the
+ * frame's bins. While a strip is drawn, the number of a triangle's instance tells where the next
+ * pass begins. Its view is then loaded, and its viewport is cleared, once for each strip.
  *
  * SPDX-License-Identifier: MIT
  */
@@ -16,44 +16,46 @@
 #include "core/raster.h"
 #include "core/usual.h"
 #include "core/view.h"
+#include "core/walk.h"
 #include "zs_pass.h"
 
+/* Make pass k the current one. */
 static void load(struct zs_renderer *r, uint32_t k)
 {
-    const struct zs_pass_memory *m = &r->pass_memory[k];
+    struct zs_pass_memory *const list = r->pass_memory, *const m = &list[k];
     r->view = m->view;
     r->camera = m->camera;
     r->light = m->light;
-    r->scene = r->pass[k].scene;
+    r->scene = list->pass[k].scene;
     r->first = m->first;
-    r->end = m->end;
-    r->walk_x = 0;
-    r->walk_end = m->view.width;
-    r->walk_y = m->view.y;
-    r->walk_y_end = (uint16_t)(m->view.y + m->view.height);
-    r->pass_now = (uint16_t)k;
+    list->now = (uint16_t)k;
+    zs_walk_region(r);
     zs_frame_forget_edges(r);
 }
 
+/* Load the pass of an instance, unless it is the current one. */
 static void pass_use(struct zs_renderer *r, uint32_t number)
 {
-    uint32_t k = 0;
-    if (number >= r->first && number < r->end)
-        return;
-    while (number >= r->pass_memory[k].end)
+    const struct zs_pass_memory *const list = r->pass_memory;
+    uint32_t k = number < r->first ? 0u : list->now;
+    while (number >= list[k].end)
         k++;
-    load(r, k);
+    if (k != list->now)
+        load(r, k);
 }
 
-/* Clear the viewports of passes up to k; the last of them is loaded then. */
+/* Clear the viewports of passes up to k. Another pass may be in hand then. */
 static void clear_to(struct zs_renderer *r, uint32_t k)
 {
-    for (; r->passes_begun <= k; r->passes_begun++) {
-        load(r, r->passes_begun);
-        const struct zs_view *view = &r->view;
-        const uint32_t keep = r->pass[r->passes_begun].keep;
-        const int32_t top = r->strip * r->config.strip_h, from = zs_max32(view->y, top) - top,
+    struct zs_pass_memory *const list = r->pass_memory;
+    const int32_t top = r->strip * r->config.strip_h;
+    for (; list->begun <= k; list->begun++) {
+        const struct zs_view *view = &list[list->begun].view;
+        const uint32_t keep = list->pass[list->begun].keep;
+        const int32_t from = zs_max32(view->y, top) - top,
                       to = zs_min32(view->y + view->height, top + r->config.strip_h) - top;
+        if (from < to && !(keep & ZS_KEEP_COLOR))
+            load(r, list->begun); /* the background is its scene's */
         for (int32_t row = from; row < to; row++) {
             if (!(keep & ZS_KEEP_COLOR))
                 zs_raster_background(r, row, view->x, view->width);
@@ -66,30 +68,38 @@ static void clear_to(struct zs_renderer *r, uint32_t k)
 static void pass_begin(struct zs_renderer *r)
 {
     load(r, 0);
-    r->passes_begun = 1; /* the whole strip is cleared for the first */
+    r->pass_memory->begun = 1; /* the whole strip is cleared for the first */
 }
 
 static void pass_reach(struct zs_renderer *r, uint32_t number)
 {
-    pass_use(r, number);
-    const uint32_t k = r->pass_now;
-    if (k < r->passes_begun)
-        return;
+    uint32_t k = 0;
+    while (number >= r->pass_memory[k].end)
+        k++;
     clear_to(r, k);
+    if (k != r->pass_memory->now)
+        load(r, k);
 }
 
 static void pass_end(struct zs_renderer *r)
 {
-    clear_to(r, r->n_passes - 1u);
-    for (uint32_t k = 0; k < r->n_passes; k++)
-        zs_frame_resolve(r, r->pass[k].scene);
+    const struct zs_pass_memory *const list = r->pass_memory;
+    const struct zs_pass *const pass = list->pass;
+    clear_to(r, list->n - 1u);
+    for (uint32_t k = 0; k < list->n; k++) {
+        uint32_t before = 0; /* one scene in several passes is resolved once */
+        while (pass[before].scene != pass[k].scene)
+            before++;
+        if (before == k)
+            zs_frame_resolve(r, pass[k].scene);
+    }
 }
 
 static const struct zs_pass_kernel kernel = {
     .begin = pass_begin, .use = pass_use, .reach = pass_reach, .end = pass_end
 };
 
-/* Viewport and mapping of a pass into r->view. */
+/* Set viewport and depth mapping of a pass in r->view. */
 static int target_set(struct zs_renderer *r, const struct zs_pass *p)
 {
     const struct zs_rect *v = &p->viewport;
@@ -97,15 +107,13 @@ static int target_set(struct zs_renderer *r, const struct zs_pass *p)
     zs_view_frame(view, &r->config);
     if (p->depth)
         view->depth = p->depth;
-    if (!view->depth->span != (r->depth != 0))
-        return ZS_ERR_DEPTH;
-    if (p->keep > (ZS_KEEP_COLOR | ZS_KEEP_DEPTH))
-        return ZS_ERR_RANGE;
-    if (v->w == 0 && v->h == 0)
+    if (!view->depth->span != (r->depth != 0) || p->keep > (ZS_KEEP_COLOR | ZS_KEEP_DEPTH))
+        return ZS_ERR_PASS;
+    if (!(v->x | v->y | v->w | v->h))
         return ZS_OK;
     if (v->w == 0 || v->h == 0 || (uint32_t)v->x + v->w > r->config.width ||
         (uint32_t)v->y + v->h > r->config.height)
-        return ZS_ERR_SIZE;
+        return ZS_ERR_PASS;
     view->x = v->x;
     view->y = v->y;
     view->width = v->w;
@@ -126,9 +134,9 @@ static int pass_check(struct zs_renderer *r, const struct zs_pass *p, struct zs_
     m->view = r->view;
     m->camera = r->camera;
     m->light = r->light;
-    m->first = first;
-    m->end = first + p->scene->n_instances; /* < 2^32: first < 2^16 */
-    return m->end > 65535u ? ZS_ERR_SIZE : ZS_OK;
+    m->first = (uint16_t)first;
+    m->end = (uint16_t)(first + p->scene->n_instances); /* < 2^17 */
+    return first + p->scene->n_instances > 65535u ? ZS_ERR_SIZE : ZS_OK;
 }
 
 int zs_frame_begin_passes(struct zs_renderer *r, const struct zs_pass *pass,
@@ -148,14 +156,16 @@ int zs_frame_begin_passes(struct zs_renderer *r, const struct zs_pass *pass,
         const int err = pass_check(r, &pass[k], &memory[k], instances);
         if (err)
             return err;
+        if (k && (pass[k].keep & ZS_KEEP_DEPTH) && memory[k].view.depth != memory[k - 1].view.depth)
+            return ZS_ERR_PASS;
         instances = memory[k].end;
     }
     r->passes = &kernel;
     r->draw_end = r->n_strips;
-    r->pass = pass;
     r->pass_memory = memory;
-    r->n_passes = (uint16_t)n;
-    r->n_instances = instances;
+    memory->pass = pass;
+    memory->n = (uint16_t)n;
+    r->n_instances = (uint16_t)instances;
     zs_frame_open(r);
     load(r, 0);
     return ZS_OK;

@@ -1,29 +1,31 @@
-/* Planes over the screen: gradients of a snapped triangle, exact where they must be.
+/* Gradients: planes over the screen for a snapped triangle, with proved error bounds.
  *
  * value(x, y) = v0 + (Nx (x - x0) + Ny (y - y0)) / A with
  *   A  = dx1 dy2 - dx2 dy1 > 0,  Nx = dv1 dy2 - dv2 dy1,  Ny = dv2 dx1 - dv1 dx2.
  *
- * Sums are kept modulo 2^32. That is exact wherever the true value fits, and it does on covered
- * pixels: they lie inside the triangle, so the value lies between the vertices' (near and far are
- * clipped before), give or take the errors below, which are far less than the half bucket added.
- * base + gx * i + gy * j equals repeated addition bit for bit: strips cannot differ.
+ * Sums wrap modulo 2^32. The result is exact where the true value fits 32 bits. It does so on
+ * covered pixels: they are inside the triangle, so the value is between those of the vertices (near
+ * and far are clipped before), up to the errors below, which are far less than the half bucket that
+ * is added. base + gx * i + gy * j equals repeated addition bit for bit, so strips cannot differ.
  *
- * Two ways, chosen by the triangle alone. Each has a narrower twin that gives the same bits: tiny
- * triangles (core/job.h) go the small way with 32-bit products, and where values are too steep for
- * it, division is by the reciprocal with remainder.
+ * There are two methods, `small` and `large`; the triangle alone decides which one is used. Each
+ * has a cheaper variant with the same bits: tiny triangles (core/job.h) use `small` with 32-bit
+ * products, and small triangles whose values are too steep for `small` use `large` with a division
+ * by the reciprocal, corrected by the remainder.
  *
- * small   width + height <= 256 px, value differences below 2^31, gradients below 2^27: one
- *         reciprocal of the area, a multiplication a gradient. Relative error of a gradient 2^-30
- *         (reciprocal) + 2^-31 + 2^-31 (mantissas cut) + 2^-30 (product cut) < 2^-28.4, so below
- *         2^-1.4 ulp, and rounded: e <= 0.88 ulp. The anchor is the first vertex's own pixel, at
- *         most half a pixel away each way: 0.88 + 0.5. Anywhere in the triangle, 256 steps at the
- *         most: <= 0.88 * 256 + 1.4 < 227 ulp of 2^-16 bucket = 0.0035 bucket. Values of 31
- *         significant bits (ZS_PLANE_WIDE: w, colour times w) take gradients up to 2^30 this way:
- *         e <= 2^1.6 + 1/2 ulp of 2^-31, 2^-21 over 256 steps.
- * large   division with remainder to 24 bits more, gradients rounded to nearest: e <= 1/2 ulp. The
- *         anchor is the pixel of the frame next to the first vertex, computed from N / A with 32
- *         fraction bits (error < 2^-32 * 2^22 * 2 + 1/2). Anywhere in the frame: <= (W + H - 2) /
- *         2 + 0.51 ulp < (W + H + 1) / 2 * 2^-16 bucket = 0.0049 for W + H = 640.
+ * small   For width + height <= 256 px, value differences below 2^31 and gradients below 2^27. One
+ *         reciprocal of the area, then one multiplication for each gradient. The relative error of
+ *         a gradient is 2^-30 (reciprocal) + 2^-31 + 2^-31 (truncated mantissas) + 2^-30 (truncated
+ *         product) < 2^-28.4, so below 2^-1.4 ulp, and with rounding e <= 0.88 ulp. The anchor is
+ *         the pixel of the first vertex, at most half a pixel away in each direction: 0.88 + 0.5.
+ *         Anywhere in the triangle, after at most 256 steps: <= 0.88 * 256 + 1.4 < 227 ulp of 2^-16
+ *         bucket = 0.0035 bucket. Values of 31 significant bits (ZS_PLANE_WIDE: w, colour times w)
+ *         may have gradients up to 2^30: e <= 2^1.6 + 1/2 ulp of 2^-31, 2^-21 over 256 steps.
+ * large   For all others. A division with remainder to 24 more bits; gradients are rounded to
+ *         nearest: e <= 1/2 ulp. The anchor is the pixel of the frame that is nearest to the first
+ *         vertex; its value is computed from N / A with 32 fraction bits (error < 2^-32 * 2^22 * 2
+ *         + 1/2). Anywhere in the frame: <= (W + H - 2) / 2 + 0.51 ulp < (W + H + 1) / 2 * 2^-16
+ *         bucket = 0.0049 for W + H = 640.
  *
  * SPDX-License-Identifier: MIT
  */
@@ -56,7 +58,7 @@ void zs_plane_sides(struct zs_job *job, const struct zs_vertex *a, const struct 
     g->tiny = area >= ZS_TINY_AREA;
 }
 
-/* Width + height <= 256 px. */
+/* Return 1 if width + height <= 256 px. */
 static int is_small(const struct zs_geom *g)
 {
     const int32_t width = zs_max32(zs_max32(g->dx1, g->dx2), 0) -
@@ -91,8 +93,9 @@ void zs_plane_geom(struct zs_job *job)
 
 #define TOO_STEEP ZS_TOO_STEEP
 
-/* One call a gradient. Where a core has few registers, the whole of it is one function; elsewhere
- * the quotient alone, which fast/small.h calls too. */
+/* One call for each gradient. On a core with few registers, gradient() is a function of its own,
+ * with the quotient inlined; elsewhere gradient() is inlined and the quotient is the function,
+ * which fast/small.h calls too. */
 #if ZS_DIVIDES
 #define ZS_GRADIENT ZS_ALWAYS_INLINE
 #else
@@ -102,9 +105,9 @@ void zs_plane_geom(struct zs_job *job)
 ZS_ALWAYS_INLINE int32_t quotient(int64_t n, uint32_t rcp, int32_t lz, int32_t least_shift,
                                   int tiny)
 {
-    /* Of m = |n| 2^k: 256 |n| / area = p / 2^(down + k) with p = m (2^63 / (area 2^lz)) / 2^32.
-     * Leading zeros of m, where it is |n| itself, would be shifted in and out again: floors follow
-     * each other. */
+    /* With m = |n| 2^k: 256 |n| / area = p / 2^(down + k), where p = m (2^63 / (area 2^lz)) / 2^32.
+     * If |n| fits 32 bits, k is 0: to normalise m would only shift zeros in and out again, with the
+     * same result, because successive floors compose. */
     const int32_t sign = (int32_t)(n >> 32);
     uint32_t m = (uint32_t)n, hi = (uint32_t)sign;
     if (sign < 0) {
@@ -122,7 +125,7 @@ ZS_ALWAYS_INLINE int32_t quotient(int64_t n, uint32_t rcp, int32_t lz, int32_t l
     } else if (!tiny && down < least_shift) { /* tiny: lz <= 18 */
         if (!m)
             return 0;
-        const int32_t up = zs_min32(zs_clz32(m), 16); /* 16: not too steep */
+        const int32_t up = zs_min32(zs_clz32(m), 16); /* by 16, it is not too steep any more */
         m <<= up;
         down += up;
         if (down < least_shift)
@@ -138,7 +141,7 @@ ZS_IN_ORDER ZS_NOINLINE int32_t zs_plane_quotient(int64_t n, uint32_t rcp, int32
     return quotient(n, rcp, lz, least_shift, 0);
 }
 
-/* 256 (dv1 d[1] - dv2 d[0]) / area. |dv| <= 2^31, |d| <= 2^16: |.| <= 2^48 */
+/* Return 256 (dv1 d[1] - dv2 d[0]) / area. |dv| <= 2^31, |d| <= 2^16: |numerator| <= 2^48 */
 ZS_GRADIENT int32_t gradient(const struct zs_geom *g, int32_t dv1, int32_t dv2, const int32_t d[2],
                              int32_t least)
 {
@@ -147,14 +150,14 @@ ZS_GRADIENT int32_t gradient(const struct zs_geom *g, int32_t dv1, int32_t dv2, 
                       : quotient(n, g->rcp, -g->exp, least, ZS_CROSS_SHORT);
 }
 
-/* The same of a triangle that is not tiny, where zs_cross_short and gradient() ask for one. */
+/* The same for a triangle that is not tiny, if zs_cross_short and gradient() take tiny ones only. */
 static ZS_RARE ZS_NOINLINE int32_t small_gradient(const struct zs_geom *g, int32_t dv1, int32_t dv2,
                                                   const int32_t d[2], int32_t least)
 {
     return zs_plane_quotient(zs_mul_ss(dv1, d[1]) - zs_mul_ss(dv2, d[0]), g->rcp, -g->exp, least);
 }
 
-/* n / d with 32 fraction bits: floor in *whole, fraction returned. d < 2^45. */
+/* Divide n / d to 32 fraction bits. Store the floor in *whole, return the fraction. d < 2^45. */
 static ZS_RARE ZS_NOINLINE uint32_t divide(int64_t n, int64_t d, int64_t *whole)
 {
     int64_t q = n / d, rest = n % d;
@@ -169,8 +172,9 @@ static ZS_RARE ZS_NOINLINE uint32_t divide(int64_t n, int64_t d, int64_t *whole)
     return (uint32_t)(f1 << 16 | low / (uint64_t)d);
 }
 
-/* The next 32 bits of a quotient: (*rest 2^32 + next) / d. *rest < d, d >= 2^31, rcp at most 2^63 /
- * d and no more than 2^-28 of it less: the guess is never too large, and at most 18 too small. */
+/* Return the next 32 bits of a quotient, (*rest 2^32 + next) / d, and its remainder in *rest. *rest
+ * < d, d >= 2^31. rcp is at most 2^63 / d, and less by at most 2^-28 of it, so that the first guess
+ * is never too large, and too small by at most 18. */
 static inline uint32_t digit(uint32_t *rest, uint32_t next, uint32_t d, uint32_t rcp)
 {
     uint32_t q = zs_umulh(*rest, rcp) * 2u;
@@ -181,20 +185,20 @@ static inline uint32_t digit(uint32_t *rest, uint32_t next, uint32_t d, uint32_t
     return q;
 }
 
-/* divide(n, area) of a small triangle, by its area's reciprocal. |n| < 2^57 */
+/* divide(n, area) for a small triangle, with the reciprocal of its area. |n| < 2^57 */
 static ZS_RARE ZS_NOINLINE uint32_t small_divide(const struct zs_geom *g, int64_t n, int64_t *whole)
 {
     const uint64_t mag = n < 0 ? 0u - (uint64_t)n : (uint64_t)n;
     const int32_t lz = -g->exp; /* 1 .. 31, as area <= 2^30 */
     const uint32_t d = (uint32_t)g->area << lz,
-                   rcp = g->rcp - 3u; /* zs_recip is above by 2^-31 at the most */
+                   rcp = g->rcp - 3u; /* zs_recip is too large by at most 2^-31 */
     const uint32_t hi = (uint32_t)(mag >> 32), lo = (uint32_t)mag;
     uint32_t rest = hi >> (32 - lz); /* mag << lz in three words; < 2^24 */
     const uint32_t q1 = digit(&rest, hi << lz | lo >> (32 - lz), d, rcp);
     const uint32_t q0 = digit(&rest, lo << lz, d, rcp);
     uint32_t part = digit(&rest, 0, d, rcp);
     uint64_t q = (uint64_t)q1 << 32 | q0;
-    if (n < 0) { /* floor: -q - 1 where anything is left, bit by bit */
+    if (n < 0) { /* floor: -q if the remainder is 0, else the complement of q */
         part = ~part;
         q = ~q;
         if (rest == 0 && ++part == 0)
@@ -204,7 +208,7 @@ static ZS_RARE ZS_NOINLINE uint32_t small_divide(const struct zs_geom *g, int64_
     return part;
 }
 
-/* A gradient in 40.24 bits modulo 2^64, and the step to the anchor added to *base. */
+/* Return a gradient in 40.24 bits modulo 2^64, and add the step to the anchor to *base. */
 static ZS_RARE uint64_t gradient64(const struct zs_geom *g, uint64_t n, int32_t to_anchor,
                                    uint64_t *base)
 {
@@ -231,8 +235,8 @@ void zs_plane64(const struct zs_geom *g, uint64_t v0, uint64_t v1, uint64_t v2,
     out->base = base;
 }
 
-/* The small way, once the base holds the first vertex's value and the gradients are known: on to
- * the anchor. */
+/* The method `small`: move the base from the first vertex to the anchor. On entry out->base is the
+ * first vertex's value, and the gradients are known. */
 static inline void small_base(const struct zs_geom *g, struct zs_plane *out)
 {
     const int32_t gx = (int32_t)out->gx, gy = (int32_t)out->gy, ax = g->ax,
@@ -243,7 +247,8 @@ static inline void small_base(const struct zs_geom *g, struct zs_plane *out)
     out->base += (uint32_t)((gx >> 8) * ax + (gy >> 8) * ay + (low >> 8)); /* |.| < 2^31 */
 }
 
-/* By 24 bits more, rounded: any triangle and any values. out->base is the first one's. */
+/* The method `large`, for any triangle and any values: compute with 24 more bits, then round. On
+ * entry out->base is the first vertex's value. */
 static ZS_NOINLINE void wide_plane(const struct zs_geom *g, uint32_t dv1, uint32_t dv2,
                                    struct zs_plane *out)
 {
@@ -264,7 +269,7 @@ void zs_plane32(const struct zs_geom *g, uint32_t v0, uint32_t v1, uint32_t v2,
         out->gx = out->gy = 0;
         return;
     }
-    /* differences that fit 32 bits: those of values in one half do */
+    /* if the differences fit 32 bits; they do if all values are in the same half of the range */
     if (g->rcp && ((int32_t)((v1 ^ v0) | (v2 ^ v0)) >= 0 ||
                    ((dv1 < 0) == (v1 < v0) && (dv2 < 0) == (v2 < v0)))) {
         int32_t gx, up; /* up: -gy */

@@ -7,23 +7,25 @@
 
 #include "core/job.h"
 
-/* From the corners, the top one first, clockwise: job->v, job->mid_right, job->geom's differences
- * and area. */
+/* Set job->v, job->mid_right, and the differences and area in job->geom. a is the top vertex; a, b,
+ * c are clockwise. */
 void zs_plane_sides(struct zs_job *job, const struct zs_vertex *a, const struct zs_vertex *b,
                     const struct zs_vertex *c);
-/* Fill the rest of job->geom. */
+/* Set the other fields of job->geom. */
 void zs_plane_geom(struct zs_job *job);
-enum zs_plane_kind { /* the numbers: gradients of 2^(32 - n) and more are found by division */
+enum zs_plane_kind { /* for value n, gradients of 2^(32 - n) and more are computed by division */
                      ZS_PLANE_WIDE = 2, /* 31 significant bits: error below the larger of 2^-21 of
                                            the largest value and (W + H + 1) / 2 * 2^-31 */
                      ZS_PLANE_KEY = 5   /* buckets or codes, uq16_16: error below 0.005 of one */
 };
 #define ZS_TOO_STEEP INT32_MIN
-/* 256 n / area, nearly nearest; ZS_TOO_STEEP where it is 2^(32 - least_shift) or more. |n| <= 2^48;
- * rcp is 2^63 / (area 2^lz), lz the leading zeros of the area, 1 .. 31. */
+/* Return 256 n / area, nearly nearest, or ZS_TOO_STEEP if it is 2^(32 - least_shift) or more. |n|
+ * <= 2^48; lz is the number of leading zeros of the area, 1 .. 31, and rcp is 2^63 / (area 2^lz).
+ */
 int32_t zs_plane_quotient(int64_t n, uint32_t rcp, int32_t lz, int32_t least_shift);
-/* dv1 d[1] - dv2 d[0], modulo 2^64. */
+/* Return dv1 d[1] - dv2 d[0], modulo 2^64. */
 uint64_t zs_plane_numerator(uint64_t dv1, uint64_t dv2, const int32_t d[2]);
+/* Compute the gradients of a value from its values at job->v[0 .. 2]. */
 void zs_plane32(const struct zs_geom *g, uint32_t v0, uint32_t v1, uint32_t v2,
                 int32_t kind, struct zs_plane *out); /* enum zs_plane_kind, as a word */
 void zs_plane64(const struct zs_geom *g, uint64_t v0, uint64_t v1, uint64_t v2,

@@ -1,7 +1,7 @@
-/* A strip's triangles: lists, set-up, rows.
+/* Rasterisation of one strip: the lists of its triangles, their set-up, their scanlines.
  *
- * Lists are kept in pool order, which is scene order, so that "nearer wins" with a strict
- * comparison is "least (key, scene order) wins".
+ * Lists are kept in pool order, which is scene order. So a strict depth comparison gives each pixel
+ * to the least (key, scene order).
  *
  * SPDX-License-Identifier: MIT
  */
@@ -47,7 +47,7 @@ ZS_NOINLINE void zs_raster_clear(struct zs_renderer *r, int32_t row, int32_t x, 
 
 ZS_NOINLINE void zs_raster_clear_all(struct zs_renderer *r)
 {
-    const int sky = r->scene->sky != 0; /* it fills row by row */
+    const int sky = r->scene->sky != 0; /* its fill function takes one row at a time */
     const int32_t width = r->config.width, rows = strip_rows(r);
     for (int32_t row = 0; row < (sky ? rows : 1); row++)
         zs_raster_clear(r, row, 0, sky ? width : width * rows);
@@ -55,7 +55,7 @@ ZS_NOINLINE void zs_raster_clear_all(struct zs_renderer *r)
 
 /* ---- Set-up ---------------------------------------------------------------------------------- */
 
-/* 1: no row has a pixel, and there are no more rows than have been cut. */
+/* Return 1 if the spans of all rows are known and empty. */
 static int covers_nothing(const struct zs_job *job)
 {
     if (job->cut_end < job->row_end)
@@ -66,6 +66,7 @@ static int covers_nothing(const struct zs_job *job)
     return 1;
 }
 
+/* Set the rows of job->tri in its strip, and its sides. Return 0 if it has no row there. */
 static int sides(struct zs_job *job)
 {
     const struct zs_vertex *pool = job->r->vert;
@@ -82,7 +83,7 @@ static int sides(struct zs_job *job)
     return 1;
 }
 
-/* Fill job for its triangle in its strip. Return 0 where it has no pixel there. */
+/* Set up job for its triangle in its strip. Return 0 if the triangle covers no pixel there. */
 static ZS_NOINLINE int job_setup(struct zs_job *job)
 {
     if (!sides(job))
@@ -105,23 +106,23 @@ static void linear_span(struct zs_job *job, const struct zs_row *row)
                job->key.gx);
 }
 
-/* Apart, so that its frame is not on the stack below start. */
+/* Not inlined, so that its variables are not on the stack while shader->start runs. */
 static ZS_NOINLINE void linear_walk(struct zs_job *job)
 {
     zs_rows_walk(job, linear_span, 0);
 }
 
-/* Gradients of a triangle whose edges are set up, and its rows. */
+/* Compute the gradients of a triangle whose edges are set up, and draw its scanlines. */
 static ZS_NOINLINE void draw(struct zs_job *job)
 {
-    const struct zs_renderer *r = job->r; /* all else is asked for again: few registers to save */
+    const struct zs_renderer *r = job->r; /* all else is loaded again: fewer registers to save */
     const int linear = r->view.screen_linear || r->view.depth->planes(job);
     const uint32_t a = job->v[0]->d, b = job->v[1]->d, c = job->v[2]->d;
     job->saturates = zs_maxu32(zs_maxu32(a, b), c) >= job->key_limit;
     if (linear && r->depth) {
         zs_plane32(&job->geom, a, b, c, ZS_PLANE_KEY, &job->key);
         job->key.base +=
-            0x8000u; /* nearest: half a bucket; keys stay below 2^32 - 2^15 (plane.c) */
+            0x8000u; /* half a bucket, to round to nearest; keys are below 2^32 - 2^15 (plane.c) */
     }
     if (job->depth_state)
         job->bias = zs_depth_state_bias(job);
@@ -140,6 +141,7 @@ static ZS_NOINLINE void draw(struct zs_job *job)
 
 /* ---- Lists ----------------------------------------------------------------------------------- */
 
+/* Reverse a list. */
 static uint16_t reversed(struct zs_tri *tri, uint16_t list)
 {
     uint16_t out = ZS_NIL;
@@ -152,7 +154,7 @@ static uint16_t reversed(struct zs_tri *tri, uint16_t list)
     return out;
 }
 
-/* Two ascending lists into one. */
+/* Merge two ascending lists. */
 static uint16_t merged(struct zs_tri *tri, uint16_t a, uint16_t b)
 {
     uint16_t head = ZS_NIL, *tail = &head;
@@ -166,7 +168,7 @@ static uint16_t merged(struct zs_tri *tri, uint16_t a, uint16_t b)
     return head;
 }
 
-/* The strip's triangles, out of their bin and the list of those that went on. */
+/* Take the strip's triangles: those in its bin and those that continue from the strip above. */
 static uint16_t take_list(struct zs_renderer *r)
 {
     const uint16_t list = merged(r->tri, r->active, reversed(r->tri, r->bin[r->strip]));
@@ -174,20 +176,20 @@ static uint16_t take_list(struct zs_renderer *r)
     return list;
 }
 
-void zs_raster_pass(struct zs_renderer *r)
+void zs_raster_leave(struct zs_renderer *r)
 {
-    r->active = take_list(r); /* those that end here too: they have no row in a strip below */
+    r->active = take_list(r); /* also those that end here; they have no row in a strip below */
 }
 
 /* ---- The strip ------------------------------------------------------------------------------- */
 
-/* What is hidden in a strip, or beside the columns of it that are drawn. */
+/* Which rejects to try in a strip: triangles that are hidden, or outside the columns drawn. */
 struct sight {
-    uint32_t seen;   /* zs_fast_tiles.seen; UINT32_MAX: nothing is asked any more */
-    int32_t in_vain; /* triangles in a row that turned out not to be hidden */
-    int beside;      /* 1: not all columns are drawn in which triangles are */
+    uint32_t seen;   /* zs_fast_tiles.seen; UINT32_MAX: do not test for hidden triangles */
+    int32_t in_vain; /* successive triangles that were tested and not hidden */
+    int beside;      /* 1: some binned triangles may lie outside the columns that are drawn */
 };
-#define IN_VAIN 16 /* no more are asked */
+#define IN_VAIN 16 /* stop testing after so many */
 
 static struct sight sight_of(struct zs_renderer *r)
 {
@@ -197,7 +199,7 @@ static struct sight sight_of(struct zs_renderer *r)
     return s;
 }
 
-/* Are all of a triangle's vertices beyond a depth? */
+/* Return 1 if all vertices of a triangle are beyond a depth. */
 static inline int beyond(const struct zs_job *job, uint32_t d)
 {
     const struct zs_vertex *pool = job->r->vert;
@@ -205,7 +207,7 @@ static inline int beyond(const struct zs_job *job, uint32_t d)
     return pool[v[0]].d > d && pool[v[1]].d > d && pool[v[2]].d > d;
 }
 
-/* 1: job->tri leaves no pixel in the strip; job->row_last is set. */
+/* Return 1 if job->tri draws no pixel in the strip; job->row_last is then set. */
 static ZS_NOINLINE int unseen(struct zs_job *job, struct sight *s)
 {
     if (s->beside && job->r->track->beside(job))
@@ -219,7 +221,7 @@ static ZS_NOINLINE int unseen(struct zs_job *job, struct sight *s)
     return hides;
 }
 
-/* The accelerator of a shader, or of a texel format; NULL: there is none. */
+/* Find the accelerator of a shader or of a texel format. NULL: there is none. */
 static const struct zs_fast *fast_of(const struct zs_renderer *r, const struct zs_shader *shader,
                                      const struct zs_texel *format)
 {
@@ -230,8 +232,8 @@ static const struct zs_fast *fast_of(const struct zs_renderer *r, const struct z
     return 0;
 }
 
-/* job's for triangles of another instance. Return what draws them before they are set up; NULL:
- * nothing. */
+/* Set the fields of job that depend on the instance. Return the accelerator's function that draws
+ * its triangles without set-up; NULL: there is none. */
 static ZS_NOINLINE int (*instance_begin(struct zs_job *job, uint32_t number))(struct zs_job *)
 {
     const struct zs_renderer *r = job->r;
@@ -260,7 +262,7 @@ static ZS_NOINLINE int (*instance_begin(struct zs_job *job, uint32_t number))(st
     return !r->untouched && r->view.piece_shift ? job->fast->draw : 0;
 }
 
-/* job's for triangles of another pass: the part of its viewport that lies in the strip. */
+/* Set the fields of job that depend on the pass: the part of its viewport in the strip. */
 static void job_target(struct zs_job *job)
 {
     const struct zs_renderer *r = job->r;
@@ -269,13 +271,15 @@ static void job_target(struct zs_job *job)
     job->bottom = r->view.y + r->view.height;
     job->pitch = r->config.width;
     job->width = r->view.width;
-    job->y0 = zs_max32(first, job->top);
-    job->y1 = zs_min32(first + strip_rows(r), job->bottom);
+    const int32_t last = first +
+                         strip_rows(r); /* y0 == y1 where the viewport is not in the strip */
+    job->y0 = zs_min32(zs_max32(first, job->top), last);
+    job->y1 = zs_max32(zs_min32(last, job->bottom), job->y0);
     const int32_t at = (job->y0 - first) * job->pitch + r->view.x;
     job->color = r->color[0] + at;
     job->depth = r->depth ? r->depth + at : 0;
-    job->key_limit = r->view.key_top - 0x10000u; /* half a bucket and the error of the plane
-                                                    (plane.c) below B - 1 */
+    job->key_limit = r->view.key_top - 0x10000u; /* a bucket below B - 1: room for half a bucket and
+                                                    the error of the plane (plane.c) */
 }
 
 static void job_begin(struct zs_job *job, struct zs_renderer *r)
@@ -286,17 +290,17 @@ static void job_begin(struct zs_job *job, struct zs_renderer *r)
     job->fast = 0;
     job->texture = 0;
     job->texel = 0;
-    job->key.base = job->key.gx = job->key.gy = 0; /* where there is no depth memory */
+    job->key.base = job->key.gx = job->key.gy = 0; /* for a pass without depth memory */
     r->lit.of = 0;
 }
 
 void zs_raster_strip(struct zs_renderer *r)
 {
     int goes_on = r->strip + 1 < r->band_end;
-    const int part = r->window[1] - r->window[0] < r->config.width; /* then there is a track */
-    uint16_t list = take_list(r), *keep = &r->active; /* grows at its end: stays ascending */
+    const int part = r->window[1] - r->window[0] < r->config.width; /* r->track is not NULL then */
+    uint16_t list = take_list(r), *keep = &r->active; /* appended to, so it stays ascending */
     uint32_t number =
-        ZS_NIL; /* of the instance that is known; not one's, there are at most 65535 */
+        ZS_NIL; /* the instance that job is set for; ZS_NIL is none: they end at 65534 */
     struct zs_job job;
     int (*whole)(struct zs_job *) = 0;
     job_begin(&job, r);
@@ -318,7 +322,8 @@ void zs_raster_strip(struct zs_renderer *r)
                 whole = instance_begin(&job, number);
             }
             if (ZS_IF_FAST(r->untouched) && !r->touch->takes(&job))
-                number = ZS_NIL; /* small triangles from now on */
+                number = ZS_NIL; /* first touch has ended: call instance_begin again, which may now
+                                    return a function for small triangles */
             if (!ZS_IF_FAST(whole) || !whole(&job)) {
                 if (part && !ZS_IF_FAST(r->untouched))
                     job.split = r->track->reaches(&job) ? ZS_SPLIT_WINDOW : 0;

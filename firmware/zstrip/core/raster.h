@@ -1,4 +1,4 @@
-/* A strip's triangles. Internal.
+/* Rasterisation of one strip. Internal.
  *
  * SPDX-License-Identifier: MIT
  */
@@ -7,15 +7,16 @@
 
 #include "zstrip.h"
 
-/* Draw the strip r->strip's bin and the active list; leaves those that go on in r->active. */
+/* Draw the triangles of strip r->strip: those in its bin and those in r->active. Triangles that
+ * continue in the strip below are left in r->active. */
 void zs_raster_strip(struct zs_renderer *r);
-/* Do not draw it, but pass its triangles on to the strip below. */
-void zs_raster_pass(struct zs_renderer *r);
-/* Background and ZS_DEPTH_CLEAR: n pixels of the strip's row, from column x on; everywhere in the
- * strip. */
+/* Skip strip r->strip: pass its triangles on to the strip below without drawing them. */
+void zs_raster_leave(struct zs_renderer *r);
+/* Clear colour and depth, to the background and ZS_DEPTH_CLEAR: n pixels of a row of the strip from
+ * column x on, or the whole strip. */
 void zs_raster_clear(struct zs_renderer *r, int32_t row, int32_t x, int32_t n);
 void zs_raster_clear_all(struct zs_renderer *r);
-/* One of the two alone; n > 0. */
+/* Clear colour alone, or depth alone; n > 0. */
 void zs_raster_background(struct zs_renderer *r, int32_t row, int32_t x, int32_t n);
 void zs_raster_far(struct zs_renderer *r, int32_t row, int32_t x, int32_t n);
 

@@ -1,4 +1,4 @@
-/* Angles, unit vectors, rotations and poses, from integers.
+/* Sine, unit vectors, rotations and poses, in integers.
  *
  * SPDX-License-Identifier: MIT
  */
@@ -15,12 +15,12 @@ static int32_t q30_mul(int32_t a, int32_t b)
     return (int32_t)zs_round_shift((int64_t)a * b, 30); /* |a|, |b| <= 2^31: < 2^62 */
 }
 
-/* ---- Sine: Taylor on an eighth of a turn ------------------------------------------------------
+/* ---- Sine: Taylor series on an eighth of a turn -----------------------------------------------
  *
- * With x <= pi/4 the first term left out is x^11/11! < 2^-29 for sin and x^10/10! = 2.5e-8 * ...
- * for cos x^12/12! < 2^-32; each of the five products adds half an ulp of 2^-30. Sum < 2^-28. */
+ * With x <= pi/4, the first omitted term is x^11/11! < 2^-29 for sin and x^12/12! < 2^-32 for cos.
+ * Each of the five products adds half an ulp of 2^-30. Sum < 2^-28. */
 
-/* x in q2_30 radians of an angle <= EIGHTH. */
+/* Convert an angle <= EIGHTH to radians, q2_30. */
 static int32_t radians(uint32_t a)
 {
     return (int32_t)(((int64_t)a * TWO_PI_Q28 + (1 << 13)) >> 14); /* a 2 pi / 2^16 * 2^30 */
@@ -49,7 +49,7 @@ static int32_t cos_eighth(int32_t x)
 zs_q2_30 zs_sin(zs_turn a)
 {
     const uint32_t part = a & (QUARTER - 1u);
-    const int odd = (a & QUARTER) != 0; /* second and fourth quarter: cosine of the part */
+    const int odd = (a & QUARTER) != 0; /* second or fourth quarter: the cosine of the part */
     const int32_t s =
         odd ? (part <= EIGHTH ? cos_eighth(radians(part)) : sin_eighth(radians(QUARTER - part)))
             : (part <= EIGHTH ? sin_eighth(radians(part)) : cos_eighth(radians(QUARTER - part)));
@@ -63,6 +63,7 @@ zs_q2_30 zs_cos(zs_turn a)
 
 /* ---- Vectors --------------------------------------------------------------------------------- */
 
+/* Return a value with the bit length of the largest |component|; 0 for 0 0 0. */
 static uint32_t magnitude(const int32_t v[3])
 {
     uint32_t mag = 0;
@@ -71,7 +72,7 @@ static uint32_t magnitude(const int32_t v[3])
     return mag;
 }
 
-/* w = v * 2^n, at most 2^31 a component. Return its square, <= 3 * 2^62. */
+/* w = v * 2^n, each component at most 2^31. Return w . w, <= 3 * 2^62. */
 static ZS_NOINLINE uint64_t scaled(int64_t w[3], const int32_t v[3], int n)
 {
     uint64_t square = 0;
@@ -142,7 +143,7 @@ int zs_rotation_ok(const zs_q2_30 m[9])
         }
     zs_q2_30 right_handed[3];
     zs_cross(right_handed, m, m + 3);
-    return zs_dot(right_handed, m + 6) > 0; /* a mirror would turn faces inside out */
+    return zs_dot(right_handed, m + 6) > 0; /* a reflection would swap front and back faces */
 }
 
 void zs_rotation_row(zs_q2_30 out[3], const zs_q2_30 a[3], const zs_q2_30 b[9])
@@ -182,18 +183,18 @@ void zs_pose_turn(struct zs_pose *pose, zs_turn yaw, zs_turn pitch, zs_turn roll
     zs_rotation_mul(pose->rot, yx, rz);
 }
 
-/* ---- Composed rotations
- * --------------------------------------------------------------------------
+/* ---- Composed rotations ----------------------------------------------------------------------
  *
- * What is wrong with every step alike grows with the number of steps; what is wrong at random, with
- * its root. So a step's rotation is computed to 2^-52, and only the product is rounded to q2_30, at
- * random: 2^-29.6 rad a step, 2^-19.6 after a million (root mean square).
+ * An error that is the same in every step grows with the number of steps; a random error grows with
+ * its square root. So the rotation of a step is computed to 2^-52, and only the product is rounded
+ * to q2_30, at random: 2^-29.6 rad for one step, 2^-19.6 after a million (root mean square).
  *
- * Why at random: rounded to nearest, a point near the axis, which moves a few ulps a step, is wrong
- * the same way for thousands of steps (axis -3 0 101919, turns of 1: 2^-15.4 rad after a million).
- * Why a count is kept in the low bits: turns that all but cancel (a half turn, a small one, again
- * and again) bring the pose back to the very bits that it had. What was drawn from these bits alone
- * would be drawn again, for ever, and the little that does not cancel would be lost every time. */
+ * Rounding has to be random: with rounding to nearest, a point near the axis, which moves by a few
+ * ulps in each step, gets the same error for thousands of steps (axis -3 0 101919, turns of 1:
+ * 2^-15.4 rad after a million). The low bits of the matrix hold a counter: rotations that almost
+ * cancel (a half turn and a small turn, again and again) bring the pose back to the same bits.
+ * Random numbers that depend on these bits alone would then repeat for ever, and the small
+ * remainder would be lost every time. */
 
 typedef int64_t q4_60;
 #define ONE_Q60 ((q4_60)1 << 60)
@@ -204,19 +205,21 @@ static int32_t upper(q4_60 v) /* q2_30, floor. |v| < 2 */
     return (int32_t)(v >> 30);
 }
 
-static int32_t lower(q4_60 v) /* the 30 bits below it */
+static int32_t lower(q4_60 v) /* the 30 bits below those of upper() */
 {
     return (int32_t)(v & (ZS_Q30_ONE - 1));
 }
 
-/* a * b, less than 2^-59 too small. |a|, |b| < 2. Called for the flash that it saves: 500 bytes. */
+/* Return a * b, too small by less than 2^-59. |a|, |b| < 2. Not inlined: that saves 500 bytes of
+ * flash. */
 static ZS_NOINLINE q4_60 q60_mul(q4_60 a, q4_60 b)
 {
     const int64_t mid = (int64_t)upper(a) * lower(b) + (int64_t)lower(a) * upper(b); /* < 2^62 */
     return (int64_t)upper(a) * upper(b) + (mid >> 30);
 }
 
-/* 1 - xx / n (n - 1) * (1 - xx / (n - 2) (n - 3) * (1 - ...)): n even, cosine; n odd, sine / x. */
+/* Return 1 - xx / n (n - 1) * (1 - xx / (n - 2) (n - 3) * (1 - ...)): for even n the cosine, for
+ * odd n the sine / x. */
 static q4_60 series(q4_60 xx, int n)
 {
     q4_60 sum = ONE_Q60;
@@ -225,8 +228,8 @@ static q4_60 series(q4_60 xx, int n)
     return sum;
 }
 
-/* Within 2^-53. With |x| <= pi/4 the first terms left out are x^17/17! < 2^-54 and x^18/18! <
- * 2^-58; x is within 2^-54 of itself. */
+/* Compute sine and cosine within 2^-53. With |x| <= pi/4, the first omitted terms are x^17/17! <
+ * 2^-54 and x^18/18! < 2^-58; the error of x is below 2^-54. */
 static void fine_sin_cos(q4_60 *sine, q4_60 *cosine, zs_turn a)
 {
     const int quarters = (int)((a + EIGHTH) / QUARTER);
@@ -238,7 +241,7 @@ static void fine_sin_cos(q4_60 *sine, q4_60 *cosine, zs_turn a)
     *cosine = quarters & 2 ? -odd_c : odd_c;
 }
 
-/* v scaled to length 1, within 2^-54. Return ZS_OK; ZS_ERR_VECTOR (0: out untouched). */
+/* Scale v to length 1, within 2^-54. Return ZS_OK; ZS_ERR_VECTOR: v is 0 0 0, out is untouched. */
 static int fine_unit(q4_60 out[3], const int32_t v[3])
 {
     const uint32_t mag = magnitude(v);
@@ -246,7 +249,7 @@ static int fine_unit(q4_60 out[3], const int32_t v[3])
         return ZS_ERR_VECTOR;
     int64_t w[3]; /* exact, largest component in [2^30, 2^31] */
     const uint64_t square = scaled(w, v, mag >> 31 ? 0 : zs_clz32(mag) - 1);
-    /* 2^30 / length (1 + e), |e| < 2^-28, in q60. A Newton step leaves 1.5 e^2 of it. */
+    /* guess: 2^30 / length (1 + e), |e| < 2^-28, in q60. One Newton step reduces e to 1.5 e^2. */
     const q4_60 guess = (q4_60)((uint64_t)ONE_Q60 / zs_isqrt64(square)) << 30;
     const q4_60 sixteenth = q60_mul((q4_60)(square >> 4),
                                     q60_mul(guess, guess)); /* (1 + e)^2 / 16 */
@@ -256,7 +259,8 @@ static int fine_unit(q4_60 out[3], const int32_t v[3])
     return ZS_OK;
 }
 
-/* Rodrigues: u u^T + cos (1 - u u^T) + sin [u], within 2^-52 an element. */
+/* Compute the rotation about u (Rodrigues): u u^T + cos (1 - u u^T) + sin [u], within 2^-52 for
+ * each element. */
 static void fine_turn(q4_60 turn[9], const q4_60 u[3], zs_turn angle)
 {
     q4_60 s, c;
@@ -271,8 +275,8 @@ static void fine_turn(q4_60 turn[9], const q4_60 u[3], zs_turn angle)
     }
 }
 
-/* Gram-Schmidt, for what is no rotation yet: the first row keeps its direction, the third is the
- * product of the other two. */
+/* Make a matrix a rotation (Gram-Schmidt). The first row keeps its direction; the third becomes the
+ * cross product of the other two. */
 static void orthonormalise(zs_q2_30 m[9])
 {
     (void)zs_unit(m, m);
@@ -284,8 +288,8 @@ static void orthonormalise(zs_q2_30 m[9])
     zs_cross(m + 6, m, m + 3);
 }
 
-/* turn = turn (1 - (m m^T - 1) / 2): turn * m is then orthonormal but for the square of what m
- * lacks. A symmetric factor, so it turns nothing. m is orthonormal to 2^-20. */
+/* turn = turn (1 - (m m^T - 1) / 2). Then turn * m is orthonormal up to the square of m's own
+ * error; m is orthonormal to 2^-20. The factor is symmetric, so it adds no rotation. */
 static void correct(q4_60 turn[9], const zs_q2_30 m[9])
 {
     int32_t off[9]; /* m m^T - 1, q40 */
@@ -302,7 +306,7 @@ static void correct(q4_60 turn[9], const zs_q2_30 m[9])
     }
 }
 
-/* out = turn * m, within 2^-59 of it. */
+/* out = turn * m, within 2^-59. */
 static void product(q4_60 out[9], const q4_60 turn[9], const zs_q2_30 m[9])
 {
     for (int e = 0; e < 9; e++) {
@@ -317,7 +321,7 @@ static void product(q4_60 out[9], const q4_60 turn[9], const zs_q2_30 m[9])
     }
 }
 
-/* 1: all elements are 0, 1 or -1, to 2^-47. */
+/* Return 1 if all elements are 0, 1 or -1, to 2^-47. */
 static int along_axes(const q4_60 m[9])
 {
     for (int e = 0; e < 9; e++)
@@ -326,7 +330,8 @@ static int along_axes(const q4_60 m[9])
     return 1;
 }
 
-/* Of the 15-bit count: takes all 32768 values before it comes round, in no visible order. */
+/* Return the successor of a 15-bit counter. The sequence takes all 32768 values before it repeats,
+ * in an order that looks random. */
 static uint32_t count_next(uint32_t n)
 {
     n = (n * 17483u + 10672u) & 0x7fffu;
@@ -334,15 +339,16 @@ static uint32_t count_next(uint32_t n)
     return n ^ n >> 8;
 }
 
-/* How many of the count's bits are the low bits of element e; element 0 has the count's lowest. */
+/* The number of counter bits in the low bits of element e. Element 0 holds the counter's lowest. */
 static int count_bits(int e)
 {
     return e % 4 ? 2 : 1;
 }
 
-/* m = exact, rounded to the nearest value that ends in its part of the next count: off by up to 2
- * ulps, 1 on the diagonal. Before that up to 1/2 ulp is added, drawn from all bits of m, so that
- * fractions count too. The same m and turn give the same bits on every machine. */
+/* Round `exact` to m. Each element is rounded to the nearest value whose low bits are its part of
+ * the next counter value; that moves it by up to 2 ulps, on the diagonal by up to 1. Before that, a
+ * random number within 1/2 ulp is added, so that fractions of an ulp are not lost on average. It is
+ * computed from all bits of m, so the same m and turn give the same bits on every machine. */
 static void round_at_random(zs_q2_30 m[9], const q4_60 exact[9])
 {
     uint32_t count = 0, draw = 0;
@@ -373,12 +379,12 @@ int zs_pose_rotate(struct zs_pose *pose, const int32_t axis[3], zs_turn angle)
         correct(turn, pose->rot);
     } else {
         orthonormalise(pose->rot);
-        if (!zs_rotation_ok(pose->rot)) /* rows that are parallel, or 0 */
+        if (!zs_rotation_ok(pose->rot)) /* its first two rows were parallel, or 0 */
             for (int e = 0; e < 9; e++)
                 pose->rot[e] = e % 4 ? 0 : ZS_Q30_ONE;
     }
     product(exact, turn, pose->rot);
-    if (along_axes(exact)) /* quarter turns of what is along the axes: keep it there */
+    if (along_axes(exact)) /* quarter turns of an axis-aligned object: keep them exact */
         for (int e = 0; e < 9; e++)
             pose->rot[e] = (int32_t)zs_round_shift(exact[e], 30);
     else

@@ -8,20 +8,20 @@
 #include "core/fx.h"
 #include "zstrip.h"
 
-/* 1: rows are of length 1 and at right angles, to 2^-20. */
+/* Return 1 if the rows are orthonormal, to 2^-20, and form a right-handed system. */
 int zs_rotation_ok(const zs_q2_30 m[9]);
 /* out = a * b, nearest. out is neither a nor b. */
 void zs_rotation_mul(zs_q2_30 out[9], const zs_q2_30 a[9], const zs_q2_30 b[9]);
-/* v scaled to length 1, |component| < 2^63 - 2^32. Return ZS_OK; ZS_ERR_VECTOR (0: out untouched).
- */
+/* Scale v to length 1. |component| < 2^63 - 2^32. Return ZS_OK; ZS_ERR_VECTOR: v is 0 0 0, and out
+ * is untouched. */
 int zs_unit64(zs_q2_30 out[3], const int64_t v[3]);
-/* A row of it: out = a * b. out is neither. */
+/* out = a * b for one row a, nearest. out is neither a nor b. */
 void zs_rotation_row(zs_q2_30 out[3], const zs_q2_30 a[3], const zs_q2_30 b[9]);
-/* a . b, in the product of their units (of q2_30: q4_60); |a|, |b| in length below 2^31. */
+/* a . b, in the product of their units (for q2_30: q4_60). The lengths are below 2^31. */
 int64_t zs_dot(const int32_t a[3], const int32_t b[3]);
 /* Component k of a x b, |.| < 2^63. */
 int64_t zs_cross_at(const int32_t a[3], const int32_t b[3], int k);
-/* out = a x b for unit vectors, q2_30. out is neither. */
+/* out = a x b for unit vectors, q2_30. out is neither a nor b. */
 void zs_cross(zs_q2_30 out[3], const zs_q2_30 a[3], const zs_q2_30 b[3]);
 
 #endif

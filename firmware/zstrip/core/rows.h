@@ -1,7 +1,8 @@
-/* Rows: from columns that edges.c has found to spans, and from spans to visible runs.
+/* The walk over the scanlines of a triangle: from the columns that edges.c has found to spans, and
+ * from spans to visible runs.
  *
- * The walker is in line: the core walks by it in its general way, and accelerators pass a function
- * of their own as a constant, so that the compiler builds one loop each.
+ * The walk is inlined. The core calls it for its general path. Accelerators pass it a function of
+ * their own as a constant, so that the compiler builds a separate loop for each.
  *
  * SPDX-License-Identifier: MIT
  */
@@ -10,19 +11,20 @@
 
 #include "core/edges.h"
 
-/* One row of a triangle in its strip. */
+/* One scanline of a triangle. Columns count from the viewport's left side. */
 struct zs_row {
-    int32_t y;      /* in the frame */
-    int32_t at;     /* of its first pixel in the strip's buffers */
-    uint32_t key;   /* job->key at column 0, modulo 2^32; of no use where keys are not linear */
-    int32_t x0, x1; /* the span, first sample to one beyond the last; may reach beyond the frame */
-    int32_t i0, i1; /* the part of it that is in the frame, i0 < i1 */
-    uint64_t w;     /* job->w64 at column 0, where keys are not linear */
+    int32_t y;      /* row of the frame */
+    int32_t at;     /* index of column 0 of this row in job->color and job->depth */
+    uint32_t key;   /* job->key at column 0, modulo 2^32; undefined if keys are not linear */
+    int32_t x0, x1; /* the span [x0, x1); it may reach beyond the viewport */
+    int32_t i0, i1; /* the span, clipped to the viewport: [i0, i1), i0 < i1 */
+    uint64_t w;     /* job->w64 at column 0, if keys are not linear */
 };
 
 typedef void zs_span_fn(struct zs_job *job, const struct zs_row *row);
 
-/* The rows of a job: those that are cut, then cut more. wide, a constant: row.w is carried too. */
+/* Call span() for each scanline of a job that has pixels in the viewport. Spans come from job->cut,
+ * which is filled again when it is used up. wide is a constant: 1 steps row.w as well. */
 ZS_ALWAYS_INLINE void zs_rows_walk(struct zs_job *job, zs_span_fn *span, int wide)
 {
     const int32_t width = job->width;
@@ -57,12 +59,14 @@ ZS_ALWAYS_INLINE void zs_rows_walk(struct zs_job *job, zs_span_fn *span, int wid
     job->r->stats.pixels_tested += tested;
 }
 
-/* Buckets to be added to each key of a triangle with a depth state: offset and slope. */
+/* Return the buckets to add to each key of a triangle with a depth state: bias and slope bias. */
 int32_t zs_depth_state_bias(const struct zs_job *job);
 
-/* Test pixels [i0, i1) of a row under job's depth state, and colour those that win, run by run. */
+/* Depth-test pixels [i0, i1) of a scanline with the job's depth state, and call the shader for each
+ * run of pixels that pass. */
 zs_piece_fn zs_rows_test;
 
+/* Count n written pixels, if ZS_STATS is 1. */
 ZS_ALWAYS_INLINE void zs_rows_written(struct zs_job *job, int32_t n)
 {
     if (ZS_STATS)

@@ -1,4 +1,4 @@
-/* What 0 stands for in scenes and cameras.
+/* The usual values that 0 stands for in scenes and cameras.
  *
  * SPDX-License-Identifier: MIT
  */
@@ -12,7 +12,7 @@ const zs_q2_30 *zs_usual_rotation(const zs_q2_30 m[9])
     static const zs_q2_30 identity[9] = { ZS_Q30_ONE, 0, 0, 0, ZS_Q30_ONE, 0, 0, 0, ZS_Q30_ONE };
     for (int k = 0; k < 9; k++)
         if (m[k])
-            return m; /* a rotation's first row has one */
+            return m; /* a rotation has an element that is not 0 */
     return identity;
 }
 
@@ -34,7 +34,7 @@ void zs_usual_camera(struct zs_renderer *r, const struct zs_scene *scene,
     *light = scene->light;
     if ((uint32_t)(light->dir[0] | light->dir[1] | light->dir[2]) | light->ambient | light->diffuse)
         return;
-    for (int k = 0; k < 3; k++) { /* from the camera's axes to the world's */
+    for (int k = 0; k < 3; k++) { /* from camera axes to world axes */
         const int32_t axis[3] = { rot[k], rot[3 + k], rot[6 + k] };
         light->dir[k] = (zs_q2_30)zs_round_shift(zs_dot(axis, over_left), 30);
     }

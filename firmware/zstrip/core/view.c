@@ -1,12 +1,13 @@
-/* The camera of a frame.
+/* The view: a camera in camera units.
  *
- * World units are the user's and may be coarse or fine; inside, everything is in camera units,
- * 2^shift to a world unit, with the shift chosen once a frame so that the farthest thing that can
- * be seen lies between 2^29 and 2^30. So 30 bits carry every position, whatever the user's unit is.
+ * World units are the user's choice, and may be coarse or fine. The renderer works in camera units,
+ * 2^shift for each world unit. The shift is chosen once for each frame, so that the farthest
+ * coordinate in view lies between 2^29 and 2^30. So 30 bits hold every position, whatever the
+ * user's unit is.
  *
- * x' and y' are the camera's x and -y times ratio, with focal length = ratio * 2^scale_bits
- * sub-pixels and 1/2 < ratio <= 1 (less for focal lengths below half a pixel): projection is then
- * x' * 2^scale_bits / z, and x' needs no more bits than x.
+ * x' and y' are the camera's x and -y times ratio. The focal length is ratio * 2^scale_bits
+ * sub-pixels, with 1/2 < ratio <= 1 (less for focal lengths below half a pixel). So the projection
+ * is x' * 2^scale_bits / z, and x' needs no more bits than x.
  *
  * SPDX-License-Identifier: MIT
  */
@@ -16,9 +17,9 @@
 #include "core/view.h"
 
 #define NEAR_MIN                                                                                   \
-    256 /* camera units: below, positions at the near plane are no longer exact enough */
-#define SCALE_BITS_MIN 8  /* keeps the shift of a projection below 63 bits */
-#define SCALE_BITS_MAX 40 /* the same, orthographic */
+    256 /* camera units; with a smaller z_near, positions at the near plane are not exact enough */
+#define SCALE_BITS_MIN 8  /* perspective: keeps the shift of a projection below 63 bits */
+#define SCALE_BITS_MAX 40 /* orthographic: the same */
 #define WORLD_MAX_Q16 ((zs_q48_16)ZS_WORLD_MAX * 65536)
 
 static int range_ok(const struct zs_camera *camera)
@@ -56,7 +57,7 @@ void zs_view_side(int32_t out[2], uint64_t focal, uint32_t subpx)
     }
     const int32_t v[3] = { (int32_t)focal, (int32_t)half, 0 };
     int32_t n[3] = { 0, ZS_Q30_ONE, 0 };
-    (void)zs_unit(n, v); /* v[0] > 0 unless half is 2^13 times larger: the default is right then */
+    (void)zs_unit(n, v); /* if half is 2^13 times larger, v may be 0; the default is right then */
     out[0] = n[0];
     out[1] = n[1];
 }
@@ -88,14 +89,15 @@ int zs_view_camera(struct zs_view *view, const struct zs_config *config,
     return ZS_OK;
 }
 
-/* Sub-pixels to a camera unit (orthographic) or focal length in sub-pixels (perspective). */
+/* Set ratio, scale_bits and guard. They express the focal length in sub-pixels (perspective) or the
+ * sub-pixels for each camera unit (orthographic). */
 static int scale_set(struct zs_view *view, const struct zs_camera *camera)
 {
     int32_t bits;
     if (view->perspective) {
         const uint64_t focal = camera->focal << 8; /* uq32_32 sub-pixels, <= 2^63 */
         const uint32_t high = (uint32_t)((focal - 1u) >>
-                                         32); /* the least bits with focal <= 2^(32 + bits) */
+                                         32); /* bits: the least with focal <= 2^(32 + bits) */
         bits = high ? 32 - zs_clz32(high) : 0;
         if (bits < SCALE_BITS_MIN)
             bits = SCALE_BITS_MIN;
@@ -107,10 +109,10 @@ static int scale_set(struct zs_view *view, const struct zs_camera *camera)
     }
     const uint64_t num = (uint64_t)view->height << 24; /* q16 sub-pixels */
     view->ratio = split_ratio(num, (uint64_t)camera->height, &bits);
-    view->scale_bits = view->shift - bits; /* camera units to a sub-pixel, as a power of 2 */
+    view->scale_bits = view->shift - bits; /* log2 of camera units for each sub-pixel */
     if (view->scale_bits < 0)
         return ZS_ERR_RANGE;                 /* units are coarser than sub-pixels */
-    if (view->scale_bits > SCALE_BITS_MAX) { /* much finer than needed: nothing is lost */
+    if (view->scale_bits > SCALE_BITS_MAX) { /* finer than needed: coarser units lose nothing */
         view->shift -= view->scale_bits - SCALE_BITS_MAX;
         view->scale_bits = SCALE_BITS_MAX;
     }
@@ -137,7 +139,7 @@ int zs_view_units(struct zs_view *view, const struct zs_camera *camera, int64_t 
         reach = near_mag; /* keys count from the near plane */
     if (view->perspective && camera->z_far <= 2 * camera->z_near && reach < camera->z_far)
         reach = camera->z_far;
-    reach += reach / 64 + 1; /* room for rounding, and z_far > z_near in camera units */
+    reach += reach / 64 + 1; /* for rounding, and so that z_far > z_near in camera units */
     view->shift = zs_clz64((uint64_t)reach) - 64 + 30 + 16; /* reach * 2^(shift - 16) < 2^30 */
     if (view->shift > 30)
         view->shift = 30;

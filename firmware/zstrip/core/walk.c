@@ -1,9 +1,9 @@
-/* The walk of the scene: instances that can be seen, their triangles into bins, and what happens
- * where a pool is full.
+/* Traversal of the scene: cull instances, bin their triangles, and handle full pools.
  *
- * A walk goes on from a cursor - instance, triangle, piece of a clipped one - when there is room
- * again. Where the pools are full of a single strip, what is binned is drawn into it and the pools
- * are emptied: the least (key, scene order) wins in any number of sets.
+ * When a pool is full, traversal stops at a cursor (instance, triangle, piece of a clipped
+ * triangle), makes room, and goes on from there. If a single strip fills the pools, the binned
+ * triangles are drawn into it and the pools are emptied. The picture does not depend on the number
+ * of such sets, because the least (key, scene order) wins a pixel.
  *
  * SPDX-License-Identifier: MIT
  */
@@ -16,14 +16,16 @@
 #include "core/raster.h"
 #include "core/walk.h"
 #include "core/xform.h"
+#include "zs_shader.h"
 
-/* Where a walk is. */
+/* The position of the traversal. */
 struct cursor {
     uint32_t instance, tri, piece;
-    uint8_t open;            /* 1: the instance's triangles are being binned: tri is the next */
-    uint32_t fate[ZS_FATES]; /* what became of them */
+    uint8_t open;            /* 1: the instance's triangles are being binned; tri is the next one */
+    uint32_t fate[ZS_FATES]; /* the instance's triangles so far, counted by outcome */
 };
 
+/* Add an instance's counts to the statistics. */
 static ZS_RARE void count(struct zs_renderer *r, const uint32_t fate[ZS_FATES])
 {
 #define COUNTS(fate_, field) [fate_] = offsetof(struct zs_stats, field)
@@ -37,8 +39,9 @@ static ZS_RARE void count(struct zs_renderer *r, const uint32_t fate[ZS_FATES])
         *(uint32_t *)(void *)((uint8_t *)&r->stats + at[k]) += fate[k];
 }
 
-/* Cull an instance, or make r->xform its own. Return 0: nothing of it can be seen, or no strip that
- * shows it is drawn. Apart, so that its frame is not on the stack below the walk. */
+/* Cull an instance, or set r->xform for it. Return 0 if it is culled, or if no strip that it can
+ * reach is dirty. Not inlined, so that its variables are off the stack while triangles are binned.
+ */
 static ZS_RARE ZS_NOINLINE int instance_open(struct zs_renderer *r, uint32_t number)
 {
     struct zs_bounds b;
@@ -57,8 +60,8 @@ static ZS_RARE ZS_NOINLINE int instance_open(struct zs_renderer *r, uint32_t num
     }
     if (zs_cull_walk(&b, r, number))
         return 0;
-    if (state && state->func == ZS_DEPTH_ALWAYS) {
-        r->tiles = 0; /* nothing bounds the keys that it leaves */
+    if (!in->material->shader->opaque || (state && state->func == ZS_DEPTH_ALWAYS)) {
+        r->tiles = 0; /* what it covers may be seen; the keys that it writes have no bound */
         r->large = 0;
         r->refit = 1;
     }
@@ -77,8 +80,8 @@ static ZS_RARE ZS_NOINLINE int instance_open(struct zs_renderer *r, uint32_t num
     return 1;
 }
 
-/* The next run of triangles of the current instance, [r->clusters.from, r->clusters.end). Return 0:
- * there is none. */
+/* Find the next run of triangles of the current instance, [r->clusters.from, r->clusters.end).
+ * Return 0 if there is none. */
 static ZS_RARE int next_run(struct zs_renderer *r)
 {
     if (ZS_IF_FAST(r->by_clusters))
@@ -88,7 +91,7 @@ static ZS_RARE int next_run(struct zs_renderer *r)
     return r->clusters.from < r->clusters.end;
 }
 
-/* Open the cursor's instance. Return 0: it has nothing to bin. */
+/* Open the cursor's instance and count it. Return 0 if it has nothing to bin. */
 static ZS_RARE int instance_begin(struct zs_renderer *r, struct cursor *at)
 {
     const uint32_t n = zs_instance_of(r, at->instance)->mesh->n_tris;
@@ -116,7 +119,7 @@ static ZS_RARE int instance_begin(struct zs_renderer *r, struct cursor *at)
     return 1;
 }
 
-/* Bin the open instance's triangles from the cursor on. Return 0: a pool is full. */
+/* Bin the open instance's triangles from the cursor on. Return 0 if a pool is full. */
 static ZS_NOINLINE int instance_bin(struct zs_renderer *r, struct cursor *at)
 {
     do {
@@ -143,11 +146,9 @@ ZS_RARE void zs_walk(struct zs_renderer *r)
     zs_bin_empty(r);
     r->band_end = r->draw_end;
     r->stats.passes++;
-    r->walk_x = r->walk_most = 0;
+    r->walk_most = 0;
     r->walk_least = r->config.width;
-    r->walk_end = r->view.width;
-    r->walk_y = r->view.y;
-    r->walk_y_end = (uint16_t)(r->view.y + r->view.height);
+    zs_walk_region(r);
     for (at.instance = 0; at.instance < r->n_instances;) {
         if (r->passes)
             r->passes->use(r, at.instance);

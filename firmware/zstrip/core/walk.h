@@ -1,4 +1,4 @@
-/* The walk of the scene. Internal.
+/* Traversal of the scene. Internal.
  *
  * SPDX-License-Identifier: MIT
  */
@@ -7,8 +7,20 @@
 
 #include "zstrip.h"
 
-/* Walk the scene and bin what lies in strips [r->strip, r->band_end); the band shrinks where the
- * pools are full, and a single strip's triangles are drawn in sets. */
+/* Traverse the scene and bin its triangles in strips [r->strip, r->band_end). The band begins with
+ * all strips up to r->draw_end. If a pool gets full, the band shrinks. If the band is a single
+ * strip and a pool is still full, the binned triangles are drawn, and traversal goes on with empty
+ * pools.
+ */
 void zs_walk(struct zs_renderer *r);
+
+/* What is drawn of the pass in hand: all of its viewport. */
+static inline void zs_walk_region(struct zs_renderer *r)
+{
+    r->walk_x = 0;
+    r->walk_end = r->view.width;
+    r->walk_y = r->view.y;
+    r->walk_y_end = (uint16_t)(r->view.y + r->view.height);
+}
 
 #endif

@@ -1,13 +1,14 @@
-/* Vertices: mesh steps to camera units, camera units to the screen.
+/* Vertex transform: mesh steps to camera units, camera units to the screen.
  *
  * Errors, in camera units (everything in view is below 2^30 of them):
- *   matrix         view, view times pose and scale are each rounded to 2^-30 of a row element, on
- *                  a lever of at most reach: about 1.3 in all, common to all vertices of a pose
+ *   matrix         the view matrix, its product with the pose, and the scale are each rounded to
+ *                  2^-30 of a row element, which is multiplied by at most reach: about 1.3 in all,
+ *                  the same for all vertices of a pose
  *   rounding       1/2, once, after the exact sum
- * On the screen: 2^scale_bits / z sub-pixels for each of them, and 1/2 sub-pixel of snapping.
+ * On the screen, each camera unit is 2^scale_bits / z sub-pixels; snapping adds 1/2 sub-pixel.
  *
- * Vertices of two meshes that share pose and scale and stand on the same grid get the same camera
- * position, bit for bit: m, t and shift depend on pose, scale and frame alone.
+ * If two meshes share pose and scale, vertices at the same position get the same camera position,
+ * bit for bit, because m, t and shift depend on pose, scale and frame alone.
  *
  * SPDX-License-Identifier: MIT
  */
@@ -22,8 +23,8 @@
 #define SHIFT_MAX 29 /* keeps t below 2^60, and shift_high 14 */
 #define SPLIT_MAX 15
 
-/* A row of c = (m . p + t) / 2^shift, nearest. |m| <= 2^30, |t| < 2^60, |t / 2^shift| < 2^30. A
- * shift of at most 15 leaves t_low in [0, 2^15), a larger one in [-2^28, 2^28). */
+/* Set one row of c = (m . p + t) / 2^shift, nearest. |m| <= 2^30, |t| < 2^60, |t / 2^shift| < 2^30.
+ * With a shift of at most 15, t_low is in [0, 2^15); with a larger one, in [-2^28, 2^28). */
 static ZS_RARE void row_set(int32_t row[ZS_ROW_WORDS], const int32_t m[3], int64_t t, int32_t shift)
 {
     const int64_t half = ((int64_t)1 << shift) >> 1;
@@ -66,7 +67,7 @@ ZS_RARE int zs_xform_instance(struct zs_renderer *r, uint32_t number, const stru
     const uint32_t mantissa = (uint32_t)(scale << lz >> 33);
     int32_t exp = 33 - lz;
     if (in->mesh->pos_lo)
-        exp -= 8;                           /* positions count in 1/256 steps */
+        exp -= 8;                           /* positions are in 1/256 steps */
     int32_t shift = 31 - exp - view->shift; /* m = rotation * mantissa / 2^31 */
     ZS_ASSERT(shift >= 0);
     int32_t extra = 0;
@@ -89,7 +90,7 @@ ZS_RARE int zs_xform_instance(struct zs_renderer *r, uint32_t number, const stru
     }
     r->shading.instance = in;
     r->shading.light = &r->light;
-    zs_rotation_row(r->shading.dir, r->light.dir, rot); /* transposed: to mesh */
+    zs_rotation_row(r->shading.dir, r->light.dir, rot); /* by the transpose: world to mesh */
     return 1;
 }
 
@@ -128,7 +129,7 @@ void zs_xform_vertex(const struct zs_xform *xf, uint32_t v, struct zs_point *out
                                  : zs_row(row, p[0], p[1], p[2]);
 }
 
-/* The largest |x'| and |y'| at distance z > 0 that are inside the guard band. */
+/* Return the largest |x'| or |y'| inside the guard band at distance z > 0. */
 static uint32_t guard_at(const struct zs_view *view, int32_t z)
 {
     if (!view->perspective)
@@ -144,7 +145,7 @@ uint32_t zs_xform_outcode(const struct zs_view *view, const struct zs_point *p)
     const int32_t x = p->c[0], y = p->c[1], z = p->c[2];
     uint32_t code = 0;
     if (z < view->z_near)
-        return ZS_OUT_NEAR; /* the sides say nothing before the near plane */
+        return ZS_OUT_NEAR; /* the sides are not defined before the near plane */
     if (z > view->z_far)
         code = ZS_OUT_FAR;
     const uint32_t limit = guard_at(view, z);
@@ -157,9 +158,10 @@ uint32_t zs_xform_outcode(const struct zs_view *view, const struct zs_point *p)
 
 /* ---- Projection ------------------------------------------------------------------------------ */
 
-/* A coordinate's distance from the frame's middle, sub-pixels: at * rcp / 2^shift, nearest, in
- * steps of 2^snap. Magnitude first, so that a mirrored scene snaps to mirrored places. Just beside
- * the guard band where it is beyond it. 0 < shift <= 64 */
+/* Return a screen coordinate relative to the viewport's centre, sub-pixels: at * rcp / 2^shift,
+ * rounded to the nearest multiple of 2^snap. The magnitude is rounded, so that a mirrored scene
+ * snaps to mirrored positions. A coordinate beyond the guard band is clamped to one sub-pixel
+ * outside it. 0 < shift <= 64 */
 static ZS_NOINLINE int32_t placed(const struct zs_view *view, int32_t at, uint32_t rcp,
                                   int32_t shift)
 {
@@ -170,8 +172,8 @@ static ZS_NOINLINE int32_t placed(const struct zs_view *view, int32_t at, uint32
     return at < 0 ? -v : v;
 }
 
-/* From camera units to the screen, in place: z is d. Return 0: before near, beyond far, or beside
- * the guard band. */
+/* Project in place, from camera units to the screen; on entry d is z. Return 0 if the point is
+ * before near, beyond far or outside the guard band. */
 ZS_NOINLINE int zs_xform_project_at(const struct zs_renderer *r, struct zs_vertex *at)
 {
     const struct zs_view *view = &r->view;
@@ -189,7 +191,7 @@ ZS_NOINLINE int zs_xform_project_at(const struct zs_renderer *r, struct zs_verte
     }
     at->d = depth->vertex(view, z, rcp, lz);
     shift = zs_min32(shift + view->snap,
-                     64); /* from 64 on nothing is left of what was below 2^63 */
+                     64); /* products are below 2^63: a shift of 64 or more gives 0 */
     const int32_t x = placed(view, at->x, rcp, shift), y = placed(view, at->y, rcp, shift);
     at->x = view->cx + x;
     at->y = view->cy + y;
@@ -209,6 +211,6 @@ void zs_xform_screen(const struct zs_renderer *r, uint32_t v, struct zs_vertex *
     struct zs_point p;
     zs_xform_vertex(&r->xform, v, &p);
     const uint32_t code = zs_xform_outcode(&r->view, &p);
-    if (code || !zs_xform_project(r, &p, out)) /* a sphere that is smaller than its mesh */
+    if (code || !zs_xform_project(r, &p, out)) /* only if a mesh exceeds its sphere */
         out->d = ZS_D_OUT + (code ? code : zs_xform_outcode(&r->view, &p));
 }

@@ -1,5 +1,5 @@
-/* What is on the glass already: sums of what was given out last, by strip and column, so that only
- * what has changed travels. The frame is drawn as always; sending is what is saved.
+/* Strip hashes: one hash of the panel's pixels for each strip and column of cells, so that only
+ * changed cells are sent. The frame is drawn as usual; only sending is saved.
  *
  * SPDX-License-Identifier: MIT
  */
@@ -7,7 +7,7 @@
 #include "core/fx.h"
 #include "damage/changed.h"
 
-/* w x h px from px on; in twos where rows and columns are even. */
+/* Hash w x h pixels from px on; two at a time if rows and columns are even. */
 static uint64_t cell_sum(const uint16_t *px, uint32_t w, uint32_t h, uint32_t stride, int even)
 {
     uint32_t lane[2] = ZS_LANES;
@@ -31,7 +31,7 @@ static void watch_look(struct zs_renderer *r, struct zs_strip *out)
     for (uint32_t x = 0; x < out->w; x += step, sum++) {
         const uint32_t w = out->w - x < step ? out->w - x : step;
         if (x < r->window[0] || x + w > r->window[1])
-            continue; /* not drawn, or drawn in part: as it was (make_due(), track.c) */
+            continue; /* not drawn as a whole: not changed (make_due(), damage/track.c) */
         const uint64_t now = cell_sum((const uint16_t *)(const void *)out->px + x, w, out->h,
                                       out->w, !(out->w & 1u));
         if (now == *sum)

@@ -1,28 +1,29 @@
-/* Which strips may differ from the frame before, known before anything is drawn: from a sum of all
- * that each instance is drawn from, and from the strips that its sphere can reach. The others are
- * on the glass as they should be, and are neither cleared, binned, drawn nor sent.
+/* Damage tracking: which strips may differ from the frame before, found before anything is drawn.
+ * Each instance has a hash of everything that it is drawn from, and the range of strips that its
+ * bounding sphere can reach. A strip that cannot differ is already right on the panel; it is
+ * neither cleared, binned, drawn nor sent.
  *
- * A frame is a function of two things: what holds for all of it (camera, camera units, light,
- * background, the number of instances; the configuration stays) and what holds for each instance.
- * Where the first differs from the frame before, every strip is due. Else a pixel can differ only
- * where an instance that differs covers it in one of the two frames, as a pixel is the least (key,
- * scene order) of what covers it, and neither changes for the other instances. So the strips of
- * both frames' places of that instance are due. Camera units are those of the farthest thing in
- * view: where one instance's way changes them, all strips are due.
+ * A frame is a function of two things: state of the whole frame (camera, camera units, light,
+ * background, number of instances; the configuration is fixed), and state of each instance. If the
+ * first differs from the frame before, every strip is dirty. Otherwise a pixel can differ only
+ * where an instance that differs covers it in one of the two frames, because a pixel is the least
+ * (key, scene order) of what covers it, and neither changes for the other instances. So the strips
+ * that such an instance can reach, in either frame, are dirty. Camera units depend on the farthest
+ * thing in view; if one instance's movement changes them, all strips are dirty.
  *
- * The strips of a sphere. Every vertex as computed lies in the sphere that the walk culls by
- * (zs_cull_walk); clipping adds points between vertices only. Of the sphere, seen along x, that is
- * a circle of centre (y, z), down and away from the eye, and radius R. The octagon of the corners
- * (y -+ R, z -+ R/2) and (y -+ R/2, z -+ R) holds it: its slanting sides are 1.5 R / sqrt(2) = 1.06
- * R from the centre. Where all of it lies between near and far, projection takes straight lines to
- * straight lines, so that the row of each point of the octagon lies between those of two corners;
- * corners are projected by the function that projects vertices. R is raised by 8 more camera units,
- * as all of this is rounded to them. Where it does not, as where a sphere holds the eye, no range
- * is known: all strips.
+ * The strips of a sphere. Every computed vertex lies in the sphere that zs_cull_walk uses; clipping
+ * only adds points between vertices. Seen along x, the sphere is a circle with centre (y, z), down
+ * and away from the eye, and radius R. The octagon with the corners (y -+ R, z -+ R/2) and (y -+
+ * R/2, z -+ R) contains it: its slanting sides are 1.5 R / sqrt(2) = 1.06 R from the centre. If the
+ * octagon lies between near and far, projection maps straight lines to straight lines, so the row
+ * of each of its points is between those of two corners. Corners are projected by the function that
+ * projects vertices. R is increased by 8 camera units, because all of this is rounded to camera
+ * units. If the octagon does not lie between near and far (for example, if the sphere contains the
+ * eye), no range is known, and the instance counts for all strips.
  *
  * SPDX-License-Identifier: MIT
  */
-#include "core/cold.h" /* first: sums alone are made often, and their loop is short */
+#include "core/cold.h" /* first: only hashing runs often, and its loop is short */
 #include "core/cull.h"
 #include "core/damage.h"
 #include "core/fast.h"
@@ -35,13 +36,13 @@
 #include "damage/changed.h"
 
 #define BESIDE                                                                                     \
-    32 /* sub-pixels: corner and vertex are snapped by up to 8 each, their projections are within  \
-          2 each */
+    32 /* sub-pixels: a corner and a vertex are snapped by up to 8 each, and each projection has   \
+          an error of up to 2 */
 
-struct zs_record { /* an instance in the frame begun last */
+struct zs_record { /* an instance in the last frame */
     uint32_t sum[2];
-    uint16_t first, end; /* strips [first, end) may show it ... */
-    uint16_t x, x_end;   /* ... in columns [x, x_end) */
+    uint16_t first, end; /* the strips [first, end) that it can reach ... */
+    uint16_t x, x_end;   /* ... and the columns [x, x_end) */
 };
 _Static_assert(sizeof(struct zs_record) == 16 && ZS_DAMAGE_WORDS(1, 1, 1) == 2 + 4 + 1,
                "ZS_DAMAGE_WORDS");
@@ -51,8 +52,8 @@ static struct zs_record *records(const struct zs_renderer *r)
     return (struct zs_record *)(void *)(r->track_memory + 2);
 }
 
-/* Strips [first, end) are due in columns [x, x_end), widened to whole cells of zs_damage_compare,
- * which compares no other, and then to ZS_DAMAGE_GRAIN. */
+/* Mark columns [x, x_end) of strips [first, end) as dirty. The columns are widened to whole cells
+ * of zs_damage_compare, which compares only those, and then to ZS_DAMAGE_GRAIN. */
 static ZS_NOINLINE void make_due(struct zs_renderer *r, uint32_t first, uint32_t end, uint32_t x,
                                  uint32_t x_end)
 {
@@ -73,14 +74,14 @@ static ZS_NOINLINE void make_due(struct zs_renderer *r, uint32_t first, uint32_t
     }
 }
 
-/* The columns of a strip that are drawn where they are due. */
+/* Find the columns to draw of a strip with the dirty columns `due`. */
 static inline void window_of(uint16_t window[2], const struct zs_renderer *r, uint32_t due)
 {
     window[0] = r->track_columns ? (uint16_t)due : 0u;
     window[1] = r->track_columns ? (uint16_t)(due >> 16) : r->config.width;
 }
 
-/* ---- Sums ------------------------------------------------------------------------------------ */
+/* ---- Hashes ---------------------------------------------------------------------------------- */
 
 static void begin(uint32_t lane[2])
 {
@@ -89,8 +90,8 @@ static void begin(uint32_t lane[2])
     lane[1] = lanes[1];
 }
 
-/* A struct of the scene, as it lies in memory. Padding counts too: it can only make strips due that
- * need not be. */
+/* Add a struct of the scene to a hash, as it lies in memory. That includes padding,
+ * which can at worst mark strips as dirty that are not. */
 static ZS_NOINLINE void add(uint32_t lane[2], const void *data, uint32_t bytes)
 {
     const zs_pair *at = data, *const end = (const zs_pair *)((const uint8_t *)data + bytes);
@@ -101,7 +102,7 @@ static ZS_NOINLINE void add(uint32_t lane[2], const void *data, uint32_t bytes)
     lane[1] = l[1];
 }
 
-/* What instances may have in common, so that the next one need not add it up again. */
+/* The hash of a mesh and a material, kept for the next instance, which may share them. */
 struct looks {
     const struct zs_mesh *mesh;
     const struct zs_material *material;
@@ -127,7 +128,7 @@ static void instance_sum(uint32_t lane[2], const struct zs_instance *in, struct 
     begin(lane);
     add(lane, looks->sum, sizeof looks->sum);
     add(lane, in, sizeof *in);
-    if (in->depth_state) { /* not words in memory: 6 bytes, at an even address */
+    if (in->depth_state) { /* packed to words here: in memory it is 6 bytes at an even address */
         const struct zs_depth_state *s = in->depth_state;
         const uint32_t words[2] = { s->func | (uint32_t)s->read_only << 8,
                                     (uint16_t)s->bias | (uint32_t)(uint16_t)s->slope_bias << 16 };
@@ -135,8 +136,8 @@ static void instance_sum(uint32_t lane[2], const struct zs_instance *in, struct 
     }
 }
 
-/* What holds for all of a frame but view.shift; never 0 0. Camera, configuration and shift make all
- * of zs_view. */
+/* Hash the state of the whole frame, except view.shift; never 0 0. zs_view is a function of camera,
+ * configuration and shift. */
 static void frame_sum(uint32_t lane[2], const struct zs_renderer *r, const struct zs_scene *scene)
 {
     const struct zs_camera *camera = &r->camera;
@@ -158,8 +159,8 @@ _Static_assert(offsetof(struct zs_camera, pos) == sizeof(((struct zs_camera *)0)
 
 /* ---- The strips of a sphere ------------------------------------------------------------------ */
 
-/* Sub-pixels between which the sphere lies along axis 0 or 1, from the frame's left or top. Return
- * 0: not known. */
+/* Find the range of sub-pixels that contains the sphere along axis 0 (from the frame's left) or 1
+ * (from its top). Return 0 if it is not known. */
 static int sphere_extent(int32_t at[2], const struct zs_renderer *r, const struct zs_bounds *b,
                          int axis)
 {
@@ -177,7 +178,8 @@ static int sphere_extent(int32_t at[2], const struct zs_renderer *r, const struc
         struct zs_vertex v;
         p.c[axis] = (int32_t)zs_round_shift(zs_mul_ss(down, view->ratio), 30);
         (void)zs_xform_project(r, &p,
-                               &v); /* beside the guard band: beside the frame, which is enough */
+                               &v); /* 0: outside the guard band, so outside the frame; exact enough
+                                       */
         const int32_t subpx = axis ? v.y : v.x;
         at[0] = zs_min32(at[0], subpx - BESIDE);
         at[1] = zs_max32(at[1], subpx + BESIDE);
@@ -185,14 +187,15 @@ static int sphere_extent(int32_t at[2], const struct zs_renderer *r, const struc
     return 1;
 }
 
-/* The strip of the first sample at or below a height, sub-pixels, `rows` rows further down;
- * n_strips: none. */
+/* Return the strip of the row that is `rows` below the first sample at or below y, sub-pixels;
+ * n_strips if the row is below the frame. */
 static ZS_NOINLINE uint16_t strip_at(const struct zs_renderer *r, int32_t y, uint32_t rows)
 {
     const int32_t row = zs_max32(zs_first_sample(y), 0);
     return (uint16_t)zs_minu32(((uint32_t)row + rows) / r->config.strip_h, r->n_strips);
 }
 
+/* Set the strips and columns that an instance can reach. */
 static void find_strips(struct zs_renderer *r, uint32_t number)
 {
     struct zs_record *rec = &records(r)[number];
@@ -215,7 +218,7 @@ static void find_strips(struct zs_renderer *r, uint32_t number)
 
 /* ---- Frames ---------------------------------------------------------------------------------- */
 
-/* Keep a sum. Return 1: it was another one. */
+/* Store a hash. Return 1 if it differs from the one before. */
 static ZS_NOINLINE int differs(uint32_t kept[2], const uint32_t lane[2])
 {
     const uint32_t differ = (kept[0] ^ lane[0]) | (kept[1] ^ lane[1]);
@@ -224,10 +227,10 @@ static ZS_NOINLINE int differs(uint32_t kept[2], const uint32_t lane[2])
     return differ != 0;
 }
 
-#define OPEN 65535u /* zs_record.first: the strips are not known yet */
+#define OPEN 65535u /* zs_record.first: the strips of this frame are not known yet */
 
-/* Keep sums of a scene that has not been checked. all 0: what differs leaves its strips, which are
- * due. Return 1: there is something that differs, or cannot be read. */
+/* Store the hashes of a scene that has not been checked. If all is 0, the old strips of each
+ * instance that differs become dirty. Return 1 if anything differs, or if a pointer is missing. */
 static int sums_keep(struct zs_renderer *r, const struct zs_scene *scene, int all)
 {
     uint32_t lane[2];
@@ -249,7 +252,7 @@ static int sums_keep(struct zs_renderer *r, const struct zs_scene *scene, int al
     return changed;
 }
 
-/* Strips of a rectangle, and columns of them. */
+/* Mark the strips and columns of a rectangle as dirty. NULL: all. */
 static void rect_due(struct zs_renderer *r, const struct zs_rect *rect)
 {
     const uint32_t width = r->config.width;
@@ -260,7 +263,7 @@ static void rect_due(struct zs_renderer *r, const struct zs_rect *rect)
             make_due(r, s, s + 1u, x, x_end);
 }
 
-/* What resolve hooks draw otherwise than in the frame before. */
+/* Mark what the resolve hooks change as dirty. */
 static void resolves_due(struct zs_renderer *r, const struct zs_scene *scene)
 {
     const struct zs_resolve *hook = scene->resolve;
@@ -282,7 +285,7 @@ static int track_check(struct zs_renderer *r, const struct zs_scene *scene)
     int all = differs(kept, lane);
     if (sums_keep(r, scene, all)) {
         const int32_t shift = r->view.shift;
-        kept[0] = kept[1] = 0; /* not known: so it stays where the frame is refused */
+        kept[0] = kept[1] = 0; /* not known; it stays so if the frame is refused */
         const int err = zs_frame_check(r, scene);
         if (err)
             return err;
@@ -316,7 +319,7 @@ static int track_due(struct zs_renderer *r)
         r->stats.strips_clean++;
         r->stats.strips_skipped++;
         if (r->strip < r->band_end)
-            zs_raster_pass(r);
+            zs_raster_leave(r);
     }
     return draw;
 }
@@ -329,7 +332,7 @@ static int track_touches(const struct zs_renderer *r, uint32_t number, struct zs
     for (uint32_t s = zs_maxu32(rec->first, r->strip); s < rec->end && s < r->band_end; s++) {
         uint16_t window[2] = {
             r->window[0], r->window[1]
-        }; /* track_due has cleared the one that is being drawn */
+        }; /* of the current strip: track_due has cleared its entry */
         if (s != r->strip) {
             if (!r->track_due[s])
                 continue;
@@ -353,12 +356,12 @@ static void track_forget(struct zs_renderer *r, const struct zs_rect *rect)
 {
     rect_due(r, rect);
     r->draw_end = r->n_strips;
-    r->band_end = 0; /* in a frame: what is binned lacks instances of strips that were not due */
+    r->band_end = 0; /* in a frame: bins lack the instances of strips that were clean */
 }
 
 /* ---- Columns of a strip ---------------------------------------------------------------------- */
 
-/* Is a triangle beside the columns that are drawn? */
+/* Return 1 if job->tri lies outside the columns that are drawn. */
 static int beside(struct zs_job *job)
 {
     const struct zs_vertex *pool = job->r->vert;
@@ -370,9 +373,10 @@ static int beside(struct zs_job *job)
 }
 
 #define ASIDE                                                                                      \
-    24 /* columns beside those that are drawn: splitting rows costs less than so many pixels */
+    24 /* columns outside r->window: to split scanlines costs less than to draw so many pixels */
 
-/* Does so much of job->tri lie beside the columns that are drawn that its rows are split? */
+/* Return 1 if job->tri reaches so far beyond the columns that are drawn that its scanlines are
+ * split. */
 static int reaches_beside(const struct zs_job *job)
 {
     const struct zs_vertex *pool = job->r->vert;
@@ -383,14 +387,14 @@ static int reaches_beside(const struct zs_job *job)
     return zs_max32(left, right) >= ASIDE * ZS_SUBPX_ONE;
 }
 
-/* The columns of a piece that are drawn. */
+/* Draw the part of a piece that is inside the columns that are drawn. */
 static void window_piece(struct zs_job *job, const struct zs_row *row, int32_t i0, int32_t i1,
                          uint32_t sum, uint32_t step)
 {
     const struct zs_renderer *r = job->r;
     const int32_t from = zs_max32(i0, r->window[0]), to = zs_min32(i1, r->window[1]);
     job->r->stats.pixels_tested -=
-        (uint32_t)(i1 - i0 - zs_max32(to - from, 0)); /* they are counted by rows */
+        (uint32_t)(i1 - i0 - zs_max32(to - from, 0)); /* zs_rows_walk has counted them */
     if (from >= to)
         return;
     sum += zs_wrap_mul(step, from - i0);
@@ -424,7 +428,7 @@ int zs_damage_track(struct zs_renderer *r, uint32_t *memory, uint32_t n_instance
     r->window[1] = r->config.width;
     if (memory) {
         r->track_due = (uint32_t *)(void *)(records(r) + n_instances);
-        memory[0] = memory[1] = 0; /* no frame's sum */
+        memory[0] = memory[1] = 0; /* the hash of no frame */
         for (uint32_t s = 0; s < r->n_strips; s++)
             r->track_due[s] = (uint32_t)r->config.width << 16;
     }

@@ -1,4 +1,5 @@
-/* Rows of triangles on which keys are not linear. Linked where a mapping has such.
+/* The walk over scanlines for triangles whose keys are not linear. Linked only with mappings that
+ * need it.
  *
  * SPDX-License-Identifier: MIT
  */

@@ -1,26 +1,26 @@
-/* Keys whose step is a part of the distance: r = near / z as an unsigned float with e exponent and
- * m = b - e mantissa bits, taken from 2^b, so that near has the key 0.
+/* Keys whose step is a fixed fraction of the distance: r = near / z as an unsigned float with e
+ * exponent and m = b - e mantissa bits, subtracted from 2^b, so that near has the key 0.
  *
  * With 2^-(k+1) <= r <= 2^-k and k at most 2^e - 2, octave o = 2^e - 1 - k in 1 .. 2^e - 1 (the
  * last one, 1, goes on to r = 0 with the same step):
  *   code(r) = (o - 1) 2^m + r 2^(k+1+m),   key = 2^b - code
- * which is continuous in r, and in each octave linear. r is linear on the screen. So
+ * The key is continuous in r, and linear in r within each octave; r is linear on the screen. So
  *
- * - in a triangle whose vertices lie in one octave, keys are linear on the screen: it is drawn by
- *   the same kernels, at the same cost a pixel, as reciprocal keys are;
- * - any other carries r over the screen in 64 bits; a row is cut where an octave ends, and between
- *   cuts keys are linear again. The only work beyond the row's entry is one leading-zeros count
- *   for each end and, in rows that do cross an octave, a bisection. Nothing is encoded a pixel, on
- *   cores with CLZ and on those without;
- * - where it is tiny (core/job.h) and its vertices lie in two octaves next to each other, 32 bits
- *   do for r.
+ * - if the vertices of a triangle are in one octave, its keys are linear on the screen. It is drawn
+ *   by the same code, at the same cost for each pixel, as reciprocal keys;
+ * - for any other triangle, r is interpolated over the screen in 64 bits. A scanline is split where
+ *   an octave ends, and within each part keys are linear again. The extra work for a scanline is a
+ *   count of leading zeros at each end and, if it does cross an octave, a bisection. No pixel is
+ *   encoded by itself, on cores with a CLZ instruction and on those without;
+ * - if that triangle is tiny (core/job.h) and its vertices are in two adjacent octaves, 32 bits
+ *   suffice for r.
  *
  * zs_vertex.d is the key in uq16_16. That is a float with m + 16 mantissa bits (27 to 29 in 16-bit
- * keys), and r is found from it exactly.
+ * keys), and r is computed from it exactly.
  *
- * Keys that differ by D <= 2^m in 2^m steps an octave: w changes by at most D / 2^m of the least w
- * (view.key_slow). With the farther one s below the border to the nearer one's octave, s <= D: (s
- * + 2 (D - s)) / (2^(m+1) - s), and in one octave D / 2^m at most.
+ * view.key_slow: an octave has 2^m steps. If two keys differ by D <= 2^m, w changes by at most D /
+ * 2^m of the least w. Within one octave that is direct. Otherwise let the farther key be s below
+ * the border to the nearer one's octave, s <= D: the change is (s + 2 (D - s)) / (2^(m+1) - s).
  *
  * Errors of a key, as parts of a bucket:
  *   vertex        r from 32-bit mantissas and a reciprocal of 2^-30: below 2^-29 of r, at most
@@ -49,7 +49,7 @@ static ZS_RARE int float_setup(struct zs_view *view, const struct zs_camera *cam
                                uint32_t exponent_bits)
 {
     if (!view->perspective)
-        return ZS_ERR_DEPTH; /* near / z has no meaning there */
+        return ZS_ERR_DEPTH; /* with an orthographic camera, near / z is not linear on the screen */
     view->screen_linear = view->pixelwise = 0;
     view->key_top = ((1u << bits) - 1u) << 16;
     view->key_mantissa = (uint8_t)(bits - exponent_bits);
@@ -71,13 +71,13 @@ static ZS_RARE int float_setup(struct zs_view *view, const struct zs_camera *cam
     return ZS_OK;
 }
 
-/* far <= near * 2^log2 */
+/* Return 1 if far <= near * 2^log2. */
 static int within(const struct zs_camera *camera, int log2)
 {
     return (camera->z_far - 1) >> log2 < camera->z_near;
 }
 
-/* The finest of the three that keeps its step to far. */
+/* Choose the finest of the three formats that keeps its step up to far. */
 static int any_setup(struct zs_view *view, const struct zs_camera *camera, uint32_t bits)
 {
     return float_setup(view, camera, bits, within(camera, 7) ? 3u : within(camera, 15) ? 4u : 5u);
@@ -98,21 +98,21 @@ static int e5_setup(struct zs_view *view, const struct zs_camera *camera, uint32
     return float_setup(view, camera, bits, 5);
 }
 
-/* A code less 2^-16, uq16_16: the code itself is 2^16 at near in 16-bit keys, and would need a bit
- * more. */
+/* Return the code minus 2^-16, uq16_16. The code itself is 2^16 at near in 16-bit keys, and would
+ * need one more bit. */
 static inline uint32_t below_code(const struct zs_view *view, uint32_t key)
 {
     return view->key_top + 0xffffu - key;
 }
 
-/* r = p / 2^32 * 2^(octave - last), p >= 2^31, in the octaves where keys differ from the common
- * case: beyond near, the two farthest. */
+/* Return the key of r = p / 2^32 * 2^(octave - last), p >= 2^31, in the special cases: nearer than
+ * near, and the farthest octaves. */
 static ZS_RARE ZS_NOINLINE uint32_t last_vertex(const struct zs_view *view, uint32_t p,
                                                 int32_t octave)
 {
     const int32_t m = view->key_mantissa + 16, last = view->key_octaves; /* m: 19 .. 29 */
     if (octave > last)
-        return 0; /* at near, give or take the rounding of z */
+        return 0; /* at near, up to the rounding of z */
     const int32_t shift = 31 - m + (octave < 1 ? 1 - octave : 0);
     const uint32_t last_key = view->key_top +
                               (view->key_top < 0xffff0000u ? 0xffffu : 0u); /* 16 bits: no room */
@@ -140,22 +140,22 @@ static uint32_t float_vertex(const struct zs_view *view, int32_t z, uint32_t rcp
     return view->key_code - ((uint32_t)above << m) - (((p >> (30u - m)) + 1u) >> 1);
 }
 
-/* The octave of a key, 1 .. 2^e - 1; a border belongs to the farther one, which gives the same r.
- */
+/* Return the octave of a key, 1 .. 2^e - 1. A key on a border counts to the farther octave; r is
+ * the same. */
 static inline int32_t octave_of(const struct zs_view *view, uint32_t key)
 {
     const int32_t o = (int32_t)(below_code(view, key) >> (view->key_mantissa + 16));
     return o < 1 ? 1 : o;
 }
 
-/* r of a key but for its octave: in (0, 2^(m+1)], r ~ mantissa * 2^octave. */
+/* Return the mantissa of a key, in (0, 2^(m+1)]; r is proportional to mantissa * 2^octave. */
 static inline uint32_t mantissa_of(const struct zs_view *view, uint32_t key, int32_t octave)
 {
     return below_code(view, key) - ((uint32_t)(octave - 1) << (view->key_mantissa + 16)) +
            1u; /* <= 2^30 */
 }
 
-/* float_inverses of vertices in several octaves. */
+/* float_inverses for vertices in several octaves. */
 static ZS_NOINLINE void octaves_inverses(const struct zs_view *view, const uint32_t d[3],
                                          int32_t nearest, uint32_t w[3])
 {
@@ -186,21 +186,20 @@ static void float_inverses(const struct zs_view *view, const struct zs_vertex *c
         return;
     }
     const uint32_t mantissa = mantissa_of(
-        view, nearest, o); /* 1 .. 2^30; the others' are less by what d is more */
+        view, nearest, o); /* 1 .. 2^30; less for the others, as d is more */
     const int32_t up = zs_clz32(mantissa) - 1;
     for (int k = 0; k < 3; k++)
         w[k] = (mantissa - (d[k] - nearest)) << up;
 }
 
-#define W_BITS 39 /* plane.c: differences times 2^23 fit 63 bits */
+#define W_BITS 39 /* so differences times 2^23 fit 63 bits (core/plane.c) */
 #define PAIR_END                                                                                   \
-    (1 << 30) /* two octaves: w where the farther one ends; the nearer one ends at twice that */
+    (1 << 30) /* two octaves: w at the near end of the farther one; the nearer ends at twice it */
 #define PAIR_LEAST                                                                                 \
-    4096u /* ... and the least w of a vertex: its plane is off by up to 114 and must stay above 0  \
-           */
+    4096u /* two octaves: the least w of a vertex; w with its error of up to 114 must be > 0 */
 
-/* w of a tiny triangle in two octaves into job->key. Return 0 where a vertex is too far away for
- * it. */
+/* Compute the gradients of w for a tiny triangle in two octaves, into job->key. Return 0 if a
+ * vertex is too far away. */
 static int pair_planes(struct zs_job *job, const int32_t octave[3], int32_t nearest)
 {
     const struct zs_view *view = &job->r->view;
@@ -216,9 +215,10 @@ static int pair_planes(struct zs_job *job, const int32_t octave[3], int32_t near
     return 1;
 }
 
-/* r of a triangle over the screen, where its keys are not linear; 1: they are. job->w64_scale: the
- * nearest vertex's octave. More octaves: job->w64, w = r scaled so that this octave ends at 2^39;
- * two: job->key, so that it ends at 2^31. */
+/* Compute the gradients of r, for a triangle whose keys are not linear. Return 1 if they are linear
+ * after all. job->w64_scale becomes the nearest vertex's octave. The result is job->w64, w = r
+ * scaled so that this octave ends at 2^39; for a tiny triangle in two octaves it is job->key,
+ * scaled so that the octave ends at 2^31. */
 ZS_IN_ORDER static ZS_NOINLINE int crossing_planes(struct zs_job *job)
 {
     const struct zs_view *view = &job->r->view;
@@ -229,7 +229,7 @@ ZS_IN_ORDER static ZS_NOINLINE int crossing_planes(struct zs_job *job)
         nearest = zs_max32(nearest, octave[k]);
         farthest = zs_min32(farthest, octave[k]);
     }
-    if (nearest == farthest) /* after all: the last has the codes of two */
+    if (nearest == farthest) /* octave 1 has the codes of two octaves */
         return 1;
     job->w64_scale = nearest;
     job->two_octaves = job->geom.tiny && nearest - farthest == 1 &&
@@ -248,8 +248,8 @@ ZS_IN_ORDER static ZS_NOINLINE int crossing_planes(struct zs_job *job)
 
 /* ---- Two octaves ----------------------------------------------------------------------------- */
 
-/* Pixels [i, i + n) of a row, all in the nearer octave or in the farther one: code = (o - 1) 2^m +
- * w / 2^shift. */
+/* Draw pixels [i, i + n) of a scanline, which are all in the nearer octave or all in the farther
+ * one: code = (o - 1) 2^m + w / 2^shift. */
 ZS_IN_ORDER static ZS_NOINLINE void pair_piece(struct zs_job *job, const struct zs_row *row,
                                                int32_t i, int32_t n, uint32_t w, int32_t farther)
 {
@@ -267,7 +267,8 @@ ZS_IN_ORDER static ZS_NOINLINE void pair_piece(struct zs_job *job, const struct 
     job->piece(job, row, i, i + n, start - code, 0u - (uint32_t)step);
 }
 
-/* w - PAIR_END has the sign that tells the octave: 0 <= w < 2^32 - 2^30. */
+/* Draw a scanline in two octaves. The sign of w - PAIR_END tells the octave: 0 <= w < 2^32 - 2^30.
+ */
 ZS_ALWAYS_INLINE void pair_span(struct zs_job *job, const struct zs_row *row)
 {
     const int32_t gx = (int32_t)job->key.gx,
@@ -279,7 +280,7 @@ ZS_ALWAYS_INLINE void pair_span(struct zs_job *job, const struct zs_row *row)
         pair_piece(job, row, row->i0, n, w, above < 0);
         return;
     }
-    /* pixels before the first on the other side: 1 .. n - 1; gx is not 0, and what is divided below
+    /* first: number of pixels before the border, 1 .. n - 1; gx is not 0, and the dividend is below
      * n |gx| */
     const int32_t first = above < 0
                               ? (int32_t)(((uint32_t)gx - 1u - (uint32_t)above) / (uint32_t)gx)
@@ -289,17 +290,18 @@ ZS_ALWAYS_INLINE void pair_span(struct zs_job *job, const struct zs_row *row)
                above >= 0);
 }
 
-/* ---- More ------------------------------------------------------------------------------------ */
+/* ---- More octaves ---------------------------------------------------------------------------- */
 
-/* Leading zeros of w in 39.24 bits, 1 .. last: how many octaves below the nearest's end, and one.
- */
+/* Return the leading zeros of w in 39.24 bits, clamped to 1 .. last: 1 + the number of octaves
+ * between w's octave and the nearest vertex's. */
 static inline int32_t octaves_down(uint64_t w, int32_t last)
 {
-    const int32_t lz = w ? zs_clz64(w) : 64; /* 0 only by an error of the last bits */
+    const int32_t lz = w ? zs_clz64(w) : 64; /* 0 only by rounding errors */
     return lz < 1 ? 1 : lz > last ? last : lz;
 }
 
-/* Of n pixels from one with w on, how many lie in its octave; the n-th does not. */
+/* Return how many of n pixels, beginning with one with this w, are in the same octave. The n-th is
+ * not. */
 static ZS_NOINLINE int32_t pixels_within(uint64_t w, uint64_t gx, int32_t n, int32_t down,
                                          int32_t last)
 {
@@ -314,8 +316,8 @@ static ZS_NOINLINE int32_t pixels_within(uint64_t w, uint64_t gx, int32_t n, int
     return out;
 }
 
-/* The low 32 bits of (v + 2^(shift - 1)) / 2^shift, floor. 2 <= shift <= 63; v is signed or not, a
- * constant */
+/* Return the low 32 bits of (v + 2^(shift - 1)) / 2^shift, floor. 2 <= shift <= 63. is_signed: a
+ * constant. */
 ZS_ALWAYS_INLINE uint32_t rounded(uint64_t v, int32_t shift, int is_signed)
 {
     const uint32_t hi = (uint32_t)(v >> 32);
@@ -325,8 +327,8 @@ ZS_ALWAYS_INLINE uint32_t rounded(uint64_t v, int32_t shift, int is_signed)
     return is_signed ? (uint32_t)((int32_t)more >> (shift - 32)) : more >> (shift - 32);
 }
 
-/* Pixels [i, i + n) of a row, in one octave: code = (o - 1) 2^m + w / 2^shift with o = last + 1 -
- * down. */
+/* Draw pixels [i, i + n) of a scanline, all in one octave: code = (o - 1) 2^m + w / 2^shift with o
+ * = last + 1 - down. */
 ZS_IN_ORDER static ZS_NOINLINE void float_piece(struct zs_job *job, const struct zs_row *row,
                                                 uint64_t w, int32_t down, int32_t i, int32_t n)
 {
@@ -338,7 +340,7 @@ ZS_IN_ORDER static ZS_NOINLINE void float_piece(struct zs_job *job, const struct
     job->piece(job, row, i, i + n, sum, step);
 }
 
-/* A row that may cross octaves; its last pixel is down_end down. */
+/* Draw a scanline that may cross octaves. down_end: octaves_down() of its last pixel. */
 static ZS_NOINLINE void crossing_row(struct zs_job *job, const struct zs_row *row, uint64_t w,
                                      int32_t down_end)
 {
@@ -346,7 +348,7 @@ static ZS_NOINLINE void crossing_row(struct zs_job *job, const struct zs_row *ro
     const uint64_t gx = job->w64.gx;
     int32_t i = row->i0,
             left = row->i1 -
-                   i; /* of the last pixel w is the end's, modulo 2^64: it is not bisected */
+                   i; /* at the last pixel, w is that of the row's end, modulo 2^64: no bisection */
     for (;;) {
         const int32_t down = octaves_down(w, last);
         const int32_t n = down == down_end ? left : pixels_within(w, gx, left, down, last);
@@ -359,20 +361,22 @@ static ZS_NOINLINE void crossing_row(struct zs_job *job, const struct zs_row *ro
     }
 }
 
-/* A row whose first pixel has w. */
+/* Draw a scanline whose first pixel has this w. */
 static ZS_NOINLINE void float_row(struct zs_job *job, const struct zs_row *row, uint64_t w)
 {
     const int32_t n = row->i1 - row->i0;
     const uint64_t end = w + zs_times(job->w64.gx, n - 1);
     const int32_t down = octaves_down(end, job->w64_scale);
     const uint32_t hi = (uint32_t)(w >> 32), hi_end = (uint32_t)(end >> 32);
-    if ((hi ^ hi_end) < (hi & hi_end)) /* as many leading zeros */
+    if ((hi ^ hi_end) < (hi & hi_end)) /* equal leading zeros */
         float_piece(job, row, w, down, row->i0, n);
     else
         crossing_row(job, row, w, down);
 }
 
-/* A row of a triangle in two octaves, which has no plane of 64 bits, or in more. */
+/* Draw a scanline: of a tiny triangle in two octaves, for which job->w64 is not set, or of any
+ * other.
+ */
 ZS_IN_ORDER static void any_row(struct zs_job *job, const struct zs_row *row)
 {
     if (job->two_octaves)

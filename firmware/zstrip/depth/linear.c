@@ -1,17 +1,17 @@
 /* Keys that are linear in distance: (z - n) / (f - n) * (B - 1).
  *
- * Orthographic: linear on the screen too, and nothing below is used but the set-up and the vertex.
+ * Orthographic: keys are linear on the screen too; only set-up and vertex function are used.
  *
- * Perspective: not linear on the screen, but 1/z is. A triangle carries w = 2^62 / z, shifted
- * until the largest of its three values lies below 2^40, over the screen with 24 more fraction
- * bits, and every pixel takes a reciprocal. Errors, as parts of z, with r the triangle's ratio of
- * farthest to nearest:
- *   rounding of w at the vertices     r * 2^-40 (largest w >= 2^39), or 2^-33 where no bit was
- *                                     shifted out
+ * Perspective: keys are not linear on the screen, but 1/z is. w = 2^62 / z is shifted until the
+ * largest of a triangle's three values is below 2^40, and interpolated over the screen with 24 more
+ * fraction bits. Every pixel takes a reciprocal. Errors, as parts of z, with r the triangle's ratio
+ * of farthest to nearest:
+ *   rounding of w at the vertices     r * 2^-40 (largest w >= 2^39), or 2^-33 if no bit was shifted
+ *                                     out
  *   steps, at most 2^13 of 2^-24 ulp  r * 2^-50
- *   cut to 32 bits, reciprocal        2^-31 + 2^-30
- * Times z / (f - n) * 65535 buckets: below 0.005 for r <= 2^15 and f >= 2n. 64-bit sums are two
- * instructions a pixel beside about forty for the reciprocal.
+ *   truncation to 32 bits, reciprocal 2^-31 + 2^-30
+ * Times z / (f - n) * 65535 buckets: below 0.005 for r <= 2^15 and f >= 2n. For each pixel, a
+ * 64-bit sum takes two instructions, the reciprocal about forty.
  *
  * SPDX-License-Identifier: MIT
  */
@@ -42,7 +42,7 @@ static ZS_RARE int linear_setup(struct zs_view *view, const struct zs_camera *ca
     return ZS_OK;
 }
 
-/* above * key_mul / 2^shift, nearest, at most `most`. -31 <= shift */
+/* Return above * key_mul / 2^shift, nearest, clamped to `most`. -31 <= shift */
 static inline uint32_t key_of(const struct zs_view *view, uint32_t above, int32_t shift,
                               uint32_t most)
 {
@@ -95,12 +95,12 @@ static int linear_planes(struct zs_job *job)
     return 0;
 }
 
-/* The key of a pixel from w in 40.24 bits. */
+/* Return the key of a pixel from w in 40.24 bits. */
 static uint32_t pixel_key(const struct zs_view *view, uint64_t w, int32_t scale)
 {
     if (w == 0)
         return view->key_top >>
-               16; /* cannot be on a covered pixel; a defined answer all the same */
+               16; /* does not happen on a covered pixel, but the result is defined */
     const int lz = zs_clz64(w);
     const uint32_t rcp = zs_recip((uint32_t)(w << lz >> 32));
     const int32_t q = scale - lz; /* z = rcp / 2^q */
@@ -110,7 +110,7 @@ static uint32_t pixel_key(const struct zs_view *view, uint64_t w, int32_t scale)
     return key_of(view, above, view->key_shift + q, (view->key_top >> 16) - 1u);
 }
 
-/* Each pixel is a piece of its own. */
+/* Draw a scanline: each pixel is a piece of its own. */
 static void linear_row(struct zs_job *job, const struct zs_row *row)
 {
     uint64_t w = row->w + zs_times(job->w64.gx, row->i0);

@@ -1,6 +1,6 @@
-/* No depth memory: what is drawn later covers what was drawn before.
+/* No depth memory: a triangle is drawn over the earlier ones.
  *
- * A vertex carries its distance, which perspective-correct attributes need.
+ * zs_vertex.d is the distance, which perspective-correct attributes need.
  *
  * SPDX-License-Identifier: MIT
  */

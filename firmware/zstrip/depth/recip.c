@@ -1,7 +1,7 @@
 /* Keys that are linear on the screen: (1/n - 1/z) / (1/n - 1/f) * (B - 1).
  *
- * Written as K (z - n) / z with K = (B - 1) f / (f - n): the difference z - n is exact, so the
- * key's error is relative to the key: 2^-29 of it from the reciprocal, plus one ulp of uq16_16.
+ * The key is computed as K (z - n) / z with K = (B - 1) f / (f - n). The difference z - n is exact,
+ * so the error is relative to the key: 2^-29 of it from the reciprocal, plus one ulp of uq16_16.
  *
  * SPDX-License-Identifier: MIT
  */
@@ -25,7 +25,7 @@ static ZS_RARE int recip_setup(struct zs_view *view, const struct zs_camera *cam
     const int up = zs_clz64(k);
     ZS_FACT(up >= 1 && up <= 26);
     view->key_mul = (uint32_t)(k << up >> 32); /* K in uq_16 * 2^(14 + up - 32), >= 2^31 */
-    view->key_shift = 14 + up;                 /* undoes that and t's 32 bits; 15 .. 40 */
+    view->key_shift = 14 + up;                 /* for that factor and t's 32 bits; 15 .. 40 */
     return ZS_OK;
 }
 
@@ -37,7 +37,7 @@ static uint32_t recip_vertex(const struct zs_view *view, int32_t z, uint32_t rcp
     return key > view->key_top ? view->key_top : (uint32_t)key;
 }
 
-/* w ~ n / z = 1 - key / K. */
+/* Return w, proportional to n / z = 1 - key / K. */
 static uint64_t recip_inverse(const struct zs_view *view, uint32_t d)
 {
     return view->key_far > d ? view->key_far - d : 1u;

@@ -1,5 +1,6 @@
-/* Meshes in batches: vertices of a mesh transformed in one go, where the pool has room for all;
- * triangles that are turned away dropped by a loop in 32 bits, before the others are binned.
+/* Whole meshes at a time. If the pool has room for all vertices of a mesh, they are transformed in
+ * one loop. Triangles are assembled in batches: a loop with 32-bit products rejects those that face
+ * away, then the others are binned.
  *
  * SPDX-License-Identifier: MIT
  */
@@ -27,8 +28,8 @@ void zs_batch_verts(struct zs_renderer *r, uint32_t slot, uint32_t from, uint32_
     zs_screen(r, from, n, &r->vert[slot]);
 }
 
-/* Transform all of the current mesh, where there is room; not what only clusters need that are left
- * out. */
+/* Transform all vertices of the current mesh, if there is room; without those that only culled
+ * clusters use. */
 static void batch_open(struct zs_renderer *r)
 {
     const uint32_t n = r->xform.instance->mesh->n_verts, room = r->config.max_verts - r->n_verts;
@@ -48,28 +49,29 @@ static void batch_open(struct zs_renderer *r)
 
 /* ---- Facing ---------------------------------------------------------------------------------- */
 
-/* Triangles go through in batches: those that are turned away leave first. */
+/* Triangles are assembled in batches. The first loop rejects those that face away. */
 #define BATCH 40 /* at most 64 */
 struct batch {
-    const uint16_t (*tri)[3];     /* the batch's first */
-    const struct zs_vertex *pool; /* direct: of vertex 0 */
+    const uint16_t (*tri)[3];     /* the batch's first triangle */
+    const struct zs_vertex *pool; /* the mesh's vertex 0 in the pool */
     const struct zs_shader *shader;
     uint32_t n_verts;
-    int32_t away;    /* times the area: > 0 where the triangle is turned away and that matters */
-    uint32_t *fate;  /* [ZS_FATES]: counts of those that were dropped */
-    uint32_t *piece; /* of a clipped triangle, as zs_assemble_tri */
-    uint8_t left[BATCH]; /* the others: 4 * number in the batch, 1 more where it turns
-                            counter-clockwise, 2 where that is not known */
+    int32_t away;    /* 1, -1 or 0: area * away > 0 means culled by its facing */
+    uint32_t *fate;  /* [ZS_FATES]: counts of rejected triangles */
+    uint32_t *piece; /* of a clipped triangle, as in zs_assemble_tri */
+    uint8_t left[BATCH]; /* the triangles that remain: 4 * number in the batch, + 1 if the triangle
+                            is counter-clockwise, + 2 if it is a slow case */
 };
 
+/* Count a rejected triangle, for a reason other than its facing. */
 static ZS_NOINLINE void dropped(struct batch *s, enum zs_fate fate)
 {
     s->fate[fate]++;
-    s->fate[ZS_FATE_FACING]--; /* reject() counts it there */
+    s->fate[ZS_FATE_FACING]--; /* because reject() counts all rejected triangles there */
 }
 
-/* A triangle that is large, or not wholly inside near, far and guard. Return 0: it lies outside,
- * and is dropped. */
+/* Handle a triangle that is large, or has a vertex outside near, far or the guard band. Return 0 if
+ * it is outside the view, and reject it; 1: zs_assemble_tri takes it. */
 static ZS_NOINLINE int slow_case(struct batch *s, const uint16_t index[3])
 {
     const struct zs_vertex *const pool = s->pool;
@@ -82,9 +84,10 @@ static ZS_NOINLINE int slow_case(struct batch *s, const uint16_t index[3])
     return 0;
 }
 
-/* Drop triangles that lie on one side outside, and small ones that are turned away, for which 32
- * bits are enough. Return how many are left. Vertices that are not inside near, far and guard need
- * no test of their own: they are too far from all others for a small triangle (zs_xform_screen). */
+/* Reject the triangles that are outside a plane of the view, and the small ones that face away, for
+ * which 32-bit products suffice. Return how many remain. Vertices outside near, far or the guard
+ * band need no test of their own: zs_screen places them so far from all others that their triangles
+ * are never small. */
 ZS_IN_ORDER static ZS_NOINLINE uint32_t reject(struct batch *s, uint32_t n)
 {
     const struct zs_vertex *const pool = s->pool;
@@ -107,7 +110,7 @@ ZS_IN_ORDER static ZS_NOINLINE uint32_t reject(struct batch *s, uint32_t n)
             *out++ = (uint8_t)(t + ((uint32_t)area >> 31));
         }
     }
-    ZS_ANEW(s); /* s->left is found again: no register holds it in the loop */
+    ZS_ANEW(s); /* so the compiler does not keep s->left in a register during the loop */
     const uint32_t left = (uint32_t)(out - s->left);
     s->fate[ZS_FATE_FACING] += end / 4u - left;
     return left;
@@ -123,7 +126,7 @@ ZS_ALWAYS_INLINE void turn(struct zs_candidate *at)
     at->slot[2] = first;
 }
 
-/* As zs_assemble_box, in registers. */
+/* The same as zs_assemble_box, with all values in registers. */
 ZS_ALWAYS_INLINE enum zs_fate box(struct zs_renderer *r, const struct zs_vertex *a,
                                   const struct zs_vertex *b, const struct zs_vertex *c,
                                   struct zs_candidate *at)
@@ -166,7 +169,7 @@ ZS_ALWAYS_INLINE enum zs_fate box(struct zs_renderer *r, const struct zs_vertex 
     return ZS_FATE_DRAWN;
 }
 
-/* A triangle that faces the eye, of a candidate whose address is not taken: in registers. */
+/* Bin a candidate that passed the facing test. Inlined, so that *at stays in registers. */
 ZS_ALWAYS_INLINE enum zs_fate bin(struct zs_renderer *r, const struct zs_shader *shader, uint32_t t,
                                   struct zs_candidate *at)
 {
@@ -189,8 +192,8 @@ ZS_ALWAYS_INLINE enum zs_fate bin(struct zs_renderer *r, const struct zs_shader 
     return ZS_FATE_DRAWN;
 }
 
-/* What is left of a batch from triangle `from` on. Return how many of them are binned; fewer than
- * n: a pool is full. */
+/* Bin the n remaining triangles of the batch that begins at triangle `from`. Return how many are
+ * done; fewer than n if a pool is full. */
 static uint32_t bin_all(struct zs_renderer *r, const struct batch *s, uint32_t from, uint32_t n,
                         uint32_t fate[ZS_FATES])
 {
@@ -215,14 +218,15 @@ static uint32_t bin_all(struct zs_renderer *r, const struct batch *s, uint32_t f
     return n;
 }
 
-/* Triangles of up to 128 px are not asked what they hide (zs_fast_tiles.cover). In a small frame,
- * these are. */
+/* Return 1 if a mesh should not be drawn in batches. Batches do not call zs_fast_tiles.cover for
+ * triangles of up to 128 px; in a small frame such triangles can be good occluders. */
 static int asked(const struct zs_renderer *r, const struct zs_mesh *mesh)
 {
     return r->tiles && r->config.width <= 160u && mesh->n_tris <= BATCH;
 }
 
-/* A batch went only as far as triangle t: what was dropped from it on is not counted. */
+/* A pool got full at triangle t of a batch. Subtract the rejects from t on, because they will be
+ * counted again. */
 static ZS_RARE ZS_NOINLINE void drop_less(struct batch *s, uint32_t from, uint32_t n, uint32_t t,
                                           uint32_t fate[ZS_FATES])
 {

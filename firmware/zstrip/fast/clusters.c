@@ -1,56 +1,59 @@
-/* Clusters of a mesh that need not be drawn, and vertices that need not be transformed for them.
+/* Cluster culling: clusters of a mesh that cannot be seen are not drawn, and the vertices that only
+ * they use are not transformed.
  *
- * Everything is tested in mesh steps: the planes of the view, and the eye, are brought there once
- * an instance. What is left out could not have left a pixel.
+ * All tests are in mesh steps. The planes of the view and the eye are converted to them once for
+ * each instance. A cluster is culled only if it could not have drawn a pixel.
  *
- * SPHERES. A cluster whose sphere lies outside one of the planes (near, far, the frame's sides,
- * the upper and lower edge of the rows that are drawn) by more than its radius. A plane's distance
- * from the mesh's centre is exact to b->slack, in which is what a vertex may be off by
- * (zs_cull_walk); normals are rounded to 2^-13, which moves the cluster's centre by at most 2^-13
- * sqrt 3 of its distance from the mesh's, in all below radius / 4096. Planes that the mesh's
- * sphere does not reach are not asked.
+ * SPHERES. A cluster is culled if its sphere lies outside one of the planes: near, far, the sides
+ * of the frame, the upper and lower edge of the rows that are drawn. The distance of a plane from
+ * the mesh's centre is exact to b->slack, which includes the error of a vertex (zs_cull_walk).
+ * Normals are rounded to 2^-13. That changes the distance of a cluster's centre by at most 2^-13
+ * sqrt 3 of its distance from the mesh's centre, in all below radius / 4096. Planes that the mesh's
+ * sphere does not reach are not tested.
  *
- * CONES. A cluster of which no triangle shows the side that is drawn. The header promises it of
- * the eye, for the triangles as they are; what is drawn is decided after vertices have been
- * rounded to camera units and snapped, which may turn a triangle that is nearly edge-on, or small.
- * So the eye has to be behind every triangle by a margin.
+ * CONES. A cluster is culled if all its triangles show the culled side. struct zs_cluster
+ * (zs_scene.h) states the condition for the exact triangles. But facing is decided after the
+ * vertices have been rounded to camera units and snapped, which may flip a triangle that is small
+ * or nearly edge-on. So the eye has to be behind every triangle by a margin.
  *
- * Let E be a length such that each vertex, as it is snapped (on its ray, at its distance), lies
- * within E of where it should. Move the three from there to here in straight lines. Where the
- * triangle turns on the way, there is a moment when a plane P through the eye holds all three; so
- * each of the true ones lies within E of P. Let T be the triangle's plane, h the eye's distance
- * from it, a the angle between P and T, D the distance of a corner from the eye, t the triangle's
- * least height.
+ * Let E be a length such that each snapped vertex (on its ray, at its distance) lies within E of
+ * its exact position. Move the three vertices from the exact to the snapped positions in straight
+ * lines. If the triangle flips on the way, there is a moment when a plane P through the eye
+ * contains all three; so each exact vertex lies within E of P. Let T be the triangle's plane, h the
+ * eye's distance from T, a the angle between P and T, D the distance of a vertex from the eye, t
+ * the triangle's least height.
  *   P and T parallel:   h <= E
- *   else, with L the line in both: the corners lie in T within E / sin a of L. A strip of that
- *   width holds no triangle of a least height above 2 E / sin a: sin a <= 2 E / t. The point of P
- *   next to a corner is at most E from T, so E / sin a from L, and at most D + E from the eye:
- *   h = sin a * (distance of the eye from L) <= sin a * (D + E) + E
- * So h > E + 2 E (D + E) / t =: M is enough. (Orthographic: all rays have one direction, P holds
- * it, and sin a is at least the sine s of its angle with T: s > 2 E / t is enough. That is the
- * same with a distance D as the unit and no radii.)
+ *   else, with L the line where they intersect: the vertices lie in T within E / sin a of L. A
+ *   strip of that width holds no triangle with a least height above 2 E / sin a, so sin a <= 2 E /
+ *   t. The point of P nearest to a vertex is at most E from T, so E / sin a from L, and at most D +
+ *   E from the eye. So h = sin a * (distance of the eye from L) <= sin a * (D + E) + E
+ * So h > E + 2 E (D + E) / t =: M is sufficient. (Orthographic: all rays have one direction, P
+ * contains it, and sin a is at least the sine s of its angle with T; s > 2 E / t is sufficient.
+ * That is the same condition with a distance D as the unit and without radii.)
  *
- * With A = axis, C = cutoff (127 is 1), r = radius, d from the eye to the sphere's centre, N the
- * normal of a triangle of the cluster: zs_mesh_check (check.c) holds that |N - u A| <= u C for u =
- * N . A / K > 0, K = |A|^2 - C^2 <= 128^2, and u >= |N| / sqrt K. So where d . A >= C |d| + 128 r:
- * d . N >= u (d . A - C |d|) >= 128 r u >= r |N|, and the eye is behind the triangle, whose
- * distance from the sphere's centre is at most r; mirrored, with -d for d, it is before it. If
- * that holds for every eye within M, it is behind by at least M. A shift of the eye by m changes d
- * . A by at most 128 m, C |d| by C m. So
+ * With A = axis, C = cutoff (127 is 1), r = radius, d the vector from the eye to the sphere's
+ * centre, N the normal of a triangle of the cluster: zs_mesh_check (support/check.c) checks that |N
+ * - u A| <= u C for u = N . A / K > 0, K = |A|^2 - C^2 <= 128^2, and u >= |N| / sqrt K. So if d . A
+ * >= C |d| + 128 r, then d . N >= u (d . A - C |d|) >= 128 r u >= r |N|, and the eye is behind the
+ * triangle, because the distance of the triangle's plane from the sphere's centre is at most r.
+ * With -d for d, the eye is in front of it. If the condition holds for every eye within M, the eye
+ * is behind by at least M. Moving the eye by m changes d . A by at most 128 m, and C |d| by C m. So
+ * the condition is
  *   d . A >= C |d| + 128 r + (128 + C) M                                              (*)
  *
- * E, world units: snapping, 1/2 step of 2^snap sub-pixels and less than 2^-8 of one of arithmetic,
- * each way, times sqrt 2: below 3/4 2^snap, times distance / focal length; and 32 camera units for
- * what xform.c loses (3 an axis, twice that where it is divided by a ratio above 1/2, sqrt 3 for
- * three axes). D is at most D_all, the far side of the mesh's sphere. The eye in mesh axes is off
- * by b->slack and by 6 of the units (2^eye_shift steps) that d is counted in: rounding of three
- * coordinates, each to 1, turned; of their sums, 1/2 an axis; of the cluster's centre, 1 an axis:
- * below 3 sqrt 3. Rotations that are none by 2^-20 move it by less than b->slack.
+ * E, in world units, has two parts. Snapping: 1/2 step of 2^snap sub-pixels, and less than 2^-8 of
+ * a step for arithmetic, in each direction, times sqrt 2: below 3/4 2^snap, times distance /
+ * focal length. And 32 camera units for the rounding in core/xform.c (3 for each axis, twice that
+ * where it is divided by a ratio above 1/2, sqrt 3 for three axes). D is at most D_all, the far
+ * side of the mesh's sphere. The position of the eye in mesh axes has an error of b->slack and of 6
+ * units of d (2^eye_shift steps): the rounding of three coordinates, each to 1, rotated; that of
+ * their sums, 1/2 for each axis; that of the cluster's centre, 1 for each axis: below 3 sqrt 3.
+ * Rotations that are inexact by 2^-20 move it by less than b->slack.
  *
- * All this is about triangles that are not clipped: a piece of one is smaller than it is. A
- * cluster that reaches the near or far plane, or where the guard band clips at all any side, is
- * not asked for its cone. A triangle with two corners in one place has no area however it is
- * rounded.
+ * All this holds for triangles that are not clipped; a piece of a clipped triangle is smaller than
+ * the triangle. So a cluster that reaches the near or far plane gets no cone test, and, if any
+ * vertex may be outside the guard band, neither does one that reaches a side plane. A triangle with
+ * two equal vertices has no area, however it is rounded.
  *
  * SPDX-License-Identifier: MIT
  */
@@ -70,26 +73,27 @@
 #define EYE_OFF 6
 #define MARGIN_MAX (1 << 16)
 
-/* ---- Rows and columns of the frame
- * ----------------------------------------------------------------------
+/* ---- Rows and columns of the frame -----------------------------------------------------------
  *
- * What lies above the plane of a row's upper edge is snapped to at most half a step (8 sub-pixels)
- * below it, and a row's samples lie 128 below its edge: it is in rows above. The same holds the
- * other way round, and for columns. */
+ * A point above the plane of a row's upper edge is snapped to at most half a step (8 sub-pixels)
+ * below it. The samples of the row are 128 sub-pixels below its upper edge, so the point only
+ * affects the rows above. The same holds for lower edges, and for columns. */
 
+/* Return v * n / 2^30, truncated. */
 static ZS_RARE int64_t part_of(int64_t v, int32_t n)
 {
     return n < 0 ? -zs_mulshift_s64(v, 0u - (uint64_t)n, 30) : zs_mulshift_s64(v, (uint64_t)n, 30);
 }
 
-/* n . c for a unit normal of the parts `lateral` and `away`: q48_16, nearest 2 */
+/* Return n . c for a unit normal with the components `lateral` and `away`, q48_16, within 2. */
 static ZS_RARE int64_t along(int32_t lateral, int64_t c, int32_t away, int64_t z)
 {
     return part_of(c, lateral) + part_of(z, away);
 }
 
-/* Where is drawn lies below the upper edge of a row, or right of the left edge of a column, which
- * is `at` sub-pixels from the frame's middle; sign -1: above or left of it. */
+/* Set the plane of an edge of the part that is drawn, `at` sub-pixels from the viewport's centre.
+ * sign 1: the part is below the edge (a row) or to its right (a column); -1: above, or to its left.
+ */
 static ZS_RARE void edge_set(struct zs_edge *e, const struct zs_renderer *r, int32_t at,
                              int32_t sign)
 {
@@ -107,8 +111,8 @@ static ZS_RARE void edge_set(struct zs_edge *e, const struct zs_renderer *r, int
     e->z = at < 0 ? sign * n[1] : -sign * n[1];
 }
 
-/* The first walk takes the frame's rows for the band's, so that its counts do not depend on pools
- * and strips. */
+/* zs_fast_clusters.edges. The first traversal tests against all rows of the pass in place of the
+ * band's, so that its counts do not depend on pool sizes and strip height. */
 static ZS_RARE int cluster_edges(struct zs_renderer *r, const struct zs_bounds *b, uint32_t number)
 {
     const struct zs_track_kernel *track = r->track;
@@ -124,7 +128,7 @@ static ZS_RARE int cluster_edges(struct zs_renderer *r, const struct zs_bounds *
     if (track)
         (void)track->touches(r, number, &part);
     const int columns = part.x > 0 ||
-                        part.x_end < r->view.width; /* else they are the viewport's sides */
+                        part.x_end < r->view.width; /* else: the viewport's side planes */
     const uint16_t edges[4] = { part.y, part.y_end, part.x, part.x_end };
     for (int k = 0; k < (columns ? 4 : 2); k++) {
         struct zs_edge *e = &r->edge[k];
@@ -139,19 +143,20 @@ static ZS_RARE int cluster_edges(struct zs_renderer *r, const struct zs_bounds *
 
 /* ---- Set-up ---------------------------------------------------------------------------------- */
 
-/* What turns world units into steps. */
+/* The conversion from world units to mesh steps. */
 struct ruler {
-    uint32_t rcp; /* 2^63 / scale's leading 32 bits */
-    int32_t lz;   /* of scale */
+    uint32_t rcp; /* 2^63 / the leading 32 bits of scale */
+    int32_t lz;   /* leading zeros of scale */
 };
 
-/* q48_16 world units in 2^-bits steps, towards 0. bits -20 .. 12, |steps| < 2^30 */
+/* Convert q48_16 world units to 2^-bits steps, truncated. bits -20 .. 12, |steps| < 2^30 */
 static ZS_RARE int32_t steps(const struct ruler *by, int64_t length, int32_t bits)
 {
     return (int32_t)zs_mulshift_s64(length, by->rcp, 79 - by->lz - bits);
 }
 
-/* Plane k: its normal's part aside and away, and what is added; which lateral axis it has. */
+/* Return the offset of plane k, and its normal as (lateral, away). The planes are near, far, then
+ * the left, right, upper and lower edge of what is drawn. */
 static ZS_RARE int64_t plane_of(const struct zs_renderer *r, int k, int32_t n[2])
 {
     const struct zs_view *view = &r->view;
@@ -172,15 +177,15 @@ static ZS_RARE int64_t plane_of(const struct zs_renderer *r, int k, int32_t n[2]
     return e->at;
 }
 
-/* Planes that cut the mesh's sphere. Return 1: they are known. */
+/* Set the planes that intersect the mesh's sphere. Return 0 if that is not possible. */
 static ZS_RARE int planes_open(struct zs_renderer *r, const struct zs_bounds *b,
                                const struct ruler *by, const zs_q2_30 axis[9])
 {
     struct zs_clusters *c = &r->clusters;
     const struct zs_mesh *mesh = r->xform.instance->mesh;
     const int64_t reach = b->r + b->slack;
-    if (b->slack > b->r) /* rounding is as large as the mesh: nothing to be gained, and steps() need
-                            not hold it */
+    if (b->slack > b->r) /* the error is larger than the mesh: nothing to gain, and steps() might
+                            overflow */
         return 0;
     const int32_t slack = steps(by, b->slack, PLANE_BITS) +
                           (((mesh->radius >> 12) + 2) << PLANE_BITS);
@@ -208,7 +213,7 @@ static ZS_RARE int planes_open(struct zs_renderer *r, const struct zs_bounds *b,
     return 1;
 }
 
-/* The eye, and what (*) takes. */
+/* Set the eye and the margins of (*). Leaves cone at 0 if the cone test cannot be used. */
 static ZS_RARE void cone_open(struct zs_renderer *r, const struct zs_bounds *b,
                               const struct ruler *by, const zs_q2_30 axis[9])
 {
@@ -247,7 +252,7 @@ static ZS_RARE void cone_open(struct zs_renderer *r, const struct zs_bounds *b,
     } else {
         v[0] = v[1] = 0;
         v[2] = 1 << EYE_BITS;
-        c->eye_shift = 31; /* neither the cluster's place nor its radius counts, but for 1 */
+        c->eye_shift = 31; /* so the cluster's position and radius count for at most 1 */
     }
     for (int j = 0; j < 3; j++) {
         for (int k = 0; k < 3; k++)
@@ -257,7 +262,7 @@ static ZS_RARE void cone_open(struct zs_renderer *r, const struct zs_bounds *b,
     /* 1/1024 unit; thin: 2 E (D + E) / t with t in 1/16 step */
     const int32_t fine = view->perspective ? 10 - shift : 10;
     if (e > (uint64_t)b->r && !view->perspective)
-        return; /* larger than the mesh: steps() need not hold it */
+        return; /* E exceeds the mesh: steps() might overflow */
     const uint64_t off = (uint64_t)steps(by, (int64_t)e, fine) + 1u; /* < 2^26 */
     uint64_t thin;
     if (view->perspective) {
@@ -300,7 +305,8 @@ static ZS_RARE int cluster_open(struct zs_renderer *r, const struct zs_bounds *b
 
 /* ---- Tests ----------------------------------------------------------------------------------- */
 
-/* Is (*) true? Where it is not a promise of a sound mesh, sums wrap and mean nothing. */
+/* Return 1 if (*) holds. For a mesh that zs_mesh_check would refuse, sums may wrap, and the result
+ * is arbitrary. */
 static int turned_away(const struct zs_clusters *k, const struct zs_mesh *mesh,
                        const struct zs_cluster *c)
 {
@@ -325,7 +331,7 @@ static int turned_away(const struct zs_clusters *k, const struct zs_mesh *mesh,
                             zs_mul_uu((uint32_t)(c->cutoff * c->cutoff), square);
 }
 
-/* 1: cluster i need not be drawn. */
+/* Return 1 if cluster i is culled. */
 static int left_out(const struct zs_renderer *r, uint32_t i)
 {
     const struct zs_clusters *k = &r->clusters;
@@ -348,14 +354,15 @@ static int left_out(const struct zs_renderer *r, uint32_t i)
 
 /* ---- Runs ------------------------------------------------------------------------------------ */
 
-/* A mark a vertex, in bytes, and behind them a flag a cluster: vert_map, which is not used while
- * places are direct. */
+/* Bytes: a mark for each vertex, then a flag for each cluster. They are stored in vert_map, which
+ * is not used while r->direct is set. */
 static uint8_t *marks(const struct zs_renderer *r)
 {
     return (uint8_t *)r->vert_map;
 }
 
-/* Triangles of cluster i, where those before it end at t: never beyond the mesh's. */
+/* Return the number of triangles of cluster i, which begins at triangle t; limited to the mesh's.
+ */
 static uint32_t tris_of(const struct zs_mesh *mesh, uint32_t i, uint32_t t)
 {
     return zs_minu32(mesh->cluster[i].n_tris, mesh->n_tris - t);
@@ -372,7 +379,7 @@ static ZS_RARE int cluster_run(struct zs_renderer *r)
         const uint32_t n = tris_of(mesh, k->next, k->end);
         const int out = flag ? flag[k->next] : left_out(r, k->next);
         if (out && k->from < k->end)
-            return 1; /* it is asked again */
+            return 1; /* the next call tests this cluster again */
         if (counting) {
             r->stats.clusters_in++;
             r->stats.clusters_culled += (uint32_t)out;
@@ -382,7 +389,7 @@ static ZS_RARE int cluster_run(struct zs_renderer *r)
         if (out)
             k->from = k->end;
     }
-    k->end = mesh->n_tris; /* what no cluster holds is drawn */
+    k->end = mesh->n_tris; /* triangles in no cluster are drawn */
     return k->from < k->end;
 }
 
@@ -391,7 +398,7 @@ static void run_again(struct zs_clusters *k)
     k->next = k->from = k->end = 0;
 }
 
-/* Ask all clusters. Return how many triangles are left out. */
+/* Test all clusters. Return the number of triangles in culled ones. */
 static uint32_t ask(struct zs_renderer *r)
 {
     struct zs_clusters *k = &r->clusters;
@@ -417,7 +424,7 @@ static uint32_t ask(struct zs_renderer *r)
     return tris;
 }
 
-/* Vertices of what is drawn. */
+/* Mark the vertices of the triangles that are drawn. */
 static void mark(struct zs_renderer *r)
 {
     const struct zs_mesh *mesh = r->xform.instance->mesh;
@@ -440,8 +447,8 @@ static void mark(struct zs_renderer *r)
     run_again(&r->clusters);
 }
 
-/* Finding out which vertices are needed takes half of what it takes to transform them: where less
- * than a third of the triangles are left out, all are. */
+/* zs_fast_clusters.verts. To find out which vertices are needed takes half the time of transforming
+ * them. So if less than a third of the triangles are culled, all vertices are transformed. */
 static int cluster_verts(struct zs_renderer *r)
 {
     const struct zs_mesh *mesh = r->xform.instance->mesh;

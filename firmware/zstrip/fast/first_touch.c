@@ -1,13 +1,15 @@
-/* Pixels of a strip that nothing was drawn on yet: no clear before them, and no depth test.
+/* First touch: the first triangle at a pixel of a strip needs no clear before it and no depth test.
  *
- * A strip begins as it was left: nothing is cleared. While wide triangles come first, each row
- * keeps the columns that hold colours and keys, one range a row; all others are untouched. A span's
- * untouched pixels are drawn without a test, since every key is nearer than ZS_DEPTH_CLEAR; the
- * others as always. A gap between a span and the row's range is cleared, so that it stays one
- * range. With the first triangle for which this does not pay (narrow, with a depth state, keys
- * found pixel by pixel), or when the strip is done, what is still untouched is cleared. So each
- * pixel is cleared or drawn first, never both, and what is read was written before, but beside the
- * columns that are drawn.
+ * A strip is not cleared before it is drawn. As long as its triangles are wide, each row records
+ * the columns that hold colours and keys, as a single range; all other pixels are uncleared. The
+ * pixels of a span that are uncleared are drawn without a test, because every key is less than
+ * ZS_DEPTH_CLEAR; the others are drawn as usual. A gap between a span and the row's range is
+ * cleared, so that there is still a single range. The first triangle for which this does not pay
+ * (narrow, with a depth state, or with keys that are computed pixel by pixel) ends first touch, and
+ * so does the end of the strip: the pixels that are still uncleared are then cleared.
+ *
+ * So each pixel is initialised once, by a clear or by a triangle, and nothing is read before it was
+ * written, except outside the columns that are drawn (r->window).
  *
  * SPDX-License-Identifier: MIT
  */
@@ -19,14 +21,15 @@
 #include "zs_fast.h"
 
 #define WIDE                                                                                       \
-    128 /* columns; a triangle's rows cost some 40 instructions more here, an untouched pixel 6    \
+    128 /* columns; here a scanline costs some 40 instructions more, and an uncleared pixel 6      \
            less and no clear */
 
 enum {
     NONE,
     ALL,
     SOME
-}; /* zs_renderer.untouched: of the strip's columns that are drawn; SOME: outside r->drawn */
+}; /* zs_renderer.untouched: which pixels in r->window are uncleared; SOME: those outside r->drawn
+      */
 
 static uint32_t rows_of(const struct zs_renderer *r)
 {
@@ -45,7 +48,7 @@ static ZS_NOINLINE void touch_end(struct zs_renderer *r)
     const int left = r->untouched;
     r->untouched = NONE;
     const int32_t x = r->window[0], end = r->window[1];
-    if (left == ALL && (end - x) * 2 > width) { /* in one go */
+    if (left == ALL && (end - x) * 2 > width) { /* faster than row by row */
         zs_raster_clear_all(r);
         return;
     }
@@ -59,6 +62,7 @@ static ZS_NOINLINE void touch_end(struct zs_renderer *r)
     }
 }
 
+/* Extend a row's range by a span, and clear the gap between them. r->was is the range before. */
 static void touch_row(struct zs_job *job, const struct zs_row *row)
 {
     struct zs_renderer *r = job->r;
@@ -85,7 +89,7 @@ static void touch_row(struct zs_job *job, const struct zs_row *row)
     r->untouched_left -= (uint32_t)(x1 - x0 - before);
 }
 
-/* n > 0 keys: sum / 65536, changing by gx. */
+/* Store n > 0 keys: sum / 65536, where sum changes by gx from pixel to pixel. */
 static void keys(uint16_t *at, int32_t n, uint32_t sum, uint32_t gx)
 {
     uint16_t *const end = at + n;
@@ -101,14 +105,14 @@ static void keys(uint16_t *at, int32_t n, uint32_t sum, uint32_t gx)
         *at = (uint16_t)(sum >> 16);
 }
 
-/* The same where keys may saturate. */
+/* The same, with keys clamped to `top`. */
 static void keys_held(uint16_t *at, int32_t n, uint32_t sum, uint32_t gx, uint32_t top)
 {
     for (uint16_t *const end = at + n; at < end; at++, sum += gx)
         *at = (uint16_t)zs_minu32(sum >> 16, top);
 }
 
-/* Keys of n fresh pixels. */
+/* Store the keys of n uncleared pixels. */
 static ZS_NOINLINE void untested(struct zs_job *job, uint16_t *depth, int32_t n, uint32_t sum,
                                  uint32_t gx)
 {
@@ -120,7 +124,8 @@ static ZS_NOINLINE void untested(struct zs_job *job, uint16_t *depth, int32_t n,
         keys(depth, n, sum, gx);
 }
 
-/* Untouched pixels before and behind those that were drawn on. */
+/* Draw a piece: the pixels left and right of the row's earlier range are uncleared, those inside it
+ * are tested. */
 ZS_IN_ORDER static void touch_piece(struct zs_job *job, const struct zs_row *row, int32_t i,
                                     int32_t end, uint32_t sum, uint32_t step)
 {
@@ -140,7 +145,7 @@ ZS_IN_ORDER static void touch_piece(struct zs_job *job, const struct zs_row *row
     }
 }
 
-/* Is it wide in the frame, or nearly? */
+/* Return 1 if job->tri is at least WIDE columns wide. */
 static int wide(const struct zs_job *job)
 {
     const struct zs_vertex *pool = job->r->vert;
@@ -153,7 +158,7 @@ static int touch_takes(struct zs_job *job)
 {
     struct zs_renderer *r = job->r;
     const int32_t drawn = r->window[1] - r->window[0];
-    if (job->depth_state || r->view.pixelwise || !wide(job) ||
+    if (job->depth_state || !job->shader->opaque || r->view.pixelwise || !wide(job) ||
         (r->untouched == SOME && r->untouched_left == 0)) {
         job->split = 0;
         touch_end(r);

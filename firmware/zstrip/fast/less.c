@@ -1,5 +1,5 @@
-/* The usual test of a piece of a row: nearer wins. As zs_rows_test, without asking for a depth
- * state pixel by pixel.
+/* The usual depth test (less) for a piece of a scanline. It does what zs_rows_test does for a
+ * triangle without a depth state, without the tests for one at each pixel.
  *
  * SPDX-License-Identifier: MIT
  */
@@ -7,14 +7,14 @@
 #include "zs_shader.h"
 #include "fast/less.h"
 
-/* A key as it is tested. */
+/* Return the key of a sum, clamped if it may saturate. */
 ZS_ALWAYS_INLINE uint32_t tested_key(uint32_t sum, uint32_t top, int clamp)
 {
     const uint32_t key = sum >> 16;
     return clamp && key > top ? top : key;
 }
 
-/* Find runs of pixels that are seen, and colour them. */
+/* Find the runs of pixels that pass the test, and colour them. */
 ZS_ALWAYS_INLINE void test(struct zs_job *job, const struct zs_row *row, int32_t i0, int32_t i1,
                            uint32_t sum, uint32_t gx, int clamp)
 {
@@ -37,7 +37,7 @@ ZS_ALWAYS_INLINE void test(struct zs_job *job, const struct zs_row *row, int32_t
         const int32_t to = i1 - (int32_t)(end - at);
         zs_rows_written(job, (int32_t)(at - from));
         shader->run(job, row, to - (int32_t)(at - from), to);
-        at++; /* hidden, or beyond the end */
+        at++; /* skip the pixel that failed, or step beyond the end */
     }
 }
 

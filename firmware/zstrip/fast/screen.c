@@ -1,4 +1,4 @@
-/* Vertices of a mesh to the screen, in one go.
+/* Transform and projection of many vertices in one loop.
  *
  * SPDX-License-Identifier: MIT
  */
@@ -14,12 +14,14 @@ _Static_assert(OUT_Y - 2 * ZS_GUARD_SUBPX > 65536,
 
 /* ---- Camera units ---------------------------------------------------------------------------- */
 
-/* Exact, where rows are cut too: with m = high 2^s + low, t = t_high 2^shift + t_low, the sum is
+/* The result is exact, also if the rows are split (without ZS_ROW_WIDE). With m = high 2^s + low
+ * and t = t_high 2^shift + t_low, the sum is
  *   high . p 2^s + (low . p + t_low) + t_high 2^shift
- * and floors follow each other, so zs_row gives the bracket's part above 2^s to the first sum.
- * |bracket| is below 3 * 2^29 + 2^28. With a shift of 15 or less, s is the shift and all is modulo
- * 2^32, as the result is. With a larger one s is 15, and the sum of high fits, below 1.74 * 2^30 +
- * 2^17: a row of the matrix is no longer than 2^30 (1 + 2^-18), p no longer than 2^15 sqrt 3. */
+ * Successive floors compose, so zs_row may add the part of the bracket above 2^s to the first sum.
+ * |bracket| is below 3 * 2^29 + 2^28. With a shift of 15 or less, s is the shift, and sums wrap
+ * modulo 2^32, as the result does. With a larger shift, s is 15, and the sum with high fits 32
+ * bits: it is below 1.74 * 2^30 + 2^17, because a row of the matrix is no longer than 2^30 (1 +
+ * 2^-18), and p no longer than 2^15 sqrt 3. */
 static void points(const struct zs_xform *xf, uint32_t v, uint32_t n, struct zs_vertex *out)
 {
     zs_rows(xf->row, xf->instance->mesh->pos[v], &out->x, n);
@@ -38,7 +40,7 @@ static void points_fine(const struct zs_xform *xf, uint32_t v, uint32_t n, struc
     }
 }
 
-/* Vertices [v, v + n) in camera units: x', y', and z as d. */
+/* Transform vertices [v, v + n) to camera units: x', y', and z in d. */
 static void transform(const struct zs_xform *xf, uint32_t v, uint32_t n, struct zs_vertex *out)
 {
     if (xf->instance->mesh->pos_lo)
@@ -49,7 +51,7 @@ static void transform(const struct zs_xform *xf, uint32_t v, uint32_t n, struct 
 
 /* ---- Clip tests ------------------------------------------------------------------------------ */
 
-/* Clip tests that no vertex of the instance can fail are left out. */
+/* From the bounding sphere, find the clip tests that a vertex of the instance may fail. */
 ZS_RARE void zs_screen_needs(struct zs_renderer *r, const struct zs_bounds *b)
 {
     const struct zs_camera *camera = &r->camera;
@@ -62,7 +64,7 @@ ZS_RARE void zs_screen_needs(struct zs_renderer *r, const struct zs_bounds *b)
             side = c + b->r + b->slack;
     }
     xf->clip_depth = z0 <= camera->z_near || z1 >= camera->z_far;
-    /* |x| * focal <= guard * z; world units and whole pixels, rounded against us */
+    /* |x| * focal <= guard * z, in world units and whole pixels, rounded to the safe side */
     const int64_t side_w = (side >> 16) + 1; /* <= 2^32 */
     const int64_t guard_px = ZS_GUARD_PX - 2;
     if (r->view.perspective)
@@ -74,15 +76,15 @@ ZS_RARE void zs_screen_needs(struct zs_renderer *r, const struct zs_bounds *b)
 
 /* ---- The screen ------------------------------------------------------------------------------ */
 
-/* |c| * rcp / 2^(33 + down), nearest: the low half of the product cannot carry. |c| <= 2^31, 0 <=
- * down <= 31 */
+/* Return |c| * rcp / 2^(33 + down), nearest. The low half of the product does not matter. |c| <=
+ * 2^31, 0 <= down <= 31 */
 static inline uint32_t steps_of(int32_t c, uint32_t rcp, int32_t down)
 {
     return ((zs_umulh(zs_size32(c), rcp) >> down) + 1u) >> 1;
 }
 
-/* A vertex of the current instance that may be outside, or needs wider products: v is that of
- * `first`. */
+/* Project a vertex that may be outside the view, or needs wider products. v is the number of the
+ * vertex at `first`. */
 static ZS_NOINLINE void screen_slowly(const struct zs_renderer *r, uint32_t v,
                                       const struct zs_vertex *first, struct zs_vertex *at)
 {
@@ -90,7 +92,7 @@ static ZS_NOINLINE void screen_slowly(const struct zs_renderer *r, uint32_t v,
     uint32_t code = 0;
     if (r->xform.clip_depth | r->xform.clip_guard)
         code = zs_xform_outcode(&r->view, &p);
-    if (code == 0 && !zs_xform_project_at(r, at)) /* a sphere that is smaller than its mesh */
+    if (code == 0 && !zs_xform_project_at(r, at)) /* 0: the mesh exceeds its bounding sphere */
         code = zs_xform_outcode(&r->view, &p);
     if (code) {
         at->x = (int32_t)((v + (uint32_t)(at - first)) << 16);
@@ -99,12 +101,13 @@ static ZS_NOINLINE void screen_slowly(const struct zs_renderer *r, uint32_t v,
     }
 }
 
-#define NEAR_MIDDLE (1u << 20) /* sub-pixels, a power of two: both ways are tested at once */
+#define NEAR_MIDDLE (1u << 20) /* sub-pixels; a power of two, so that one comparison tests x and y
+                                  */
 _Static_assert(NEAR_MIDDLE < ZS_GUARD_SUBPX, "inside the guard band");
 
-/* A vertex that lands a step or more inside the guard band is inside it in camera units too: its
- * steps are off by 1/2 and 2^-9. So what may be outside is tested only where it is far from the
- * frame's middle. */
+/* Project vertices. A vertex that is projected to a step or more inside the guard band is inside it
+ * in camera units too, because its error is 1/2 step and 2^-9. So only vertices far from the
+ * viewport's centre need the tests of screen_slowly(). */
 ZS_ALWAYS_INLINE void screen(const struct zs_renderer *r, uint32_t v, uint32_t n,
                              struct zs_vertex *out, int perspective, int32_t coarse)
 {
@@ -124,7 +127,7 @@ ZS_ALWAYS_INLINE void screen(const struct zs_renderer *r, uint32_t v, uint32_t n
         }
         int32_t lz = 0;
         uint32_t rcp = 1u << 31;
-        if (perspective) { /* as in project() */
+        if (perspective) { /* as in zs_xform_project_at */
             lz = zs_clz32((uint32_t)z);
             rcp = ZS_RECIP_STEPS ? zs_recip_inline((uint32_t)z << lz)
                                  : zs_recip16((uint32_t)z << lz);
@@ -147,7 +150,7 @@ ZS_ALWAYS_INLINE void screen(const struct zs_renderer *r, uint32_t v, uint32_t n
     }
 }
 
-/* An orthographic camera, or fewer sub-pixel bits. */
+/* For an orthographic camera, or with 4 sub-pixel bits. */
 static ZS_NOINLINE void screen_any(const struct zs_renderer *r, uint32_t v, uint32_t n,
                                    struct zs_vertex *out)
 {

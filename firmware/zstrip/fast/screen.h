@@ -1,4 +1,4 @@
-/* Vertices in one go. Internal.
+/* Transform of many vertices in one call. Internal.
  *
  * SPDX-License-Identifier: MIT
  */
@@ -7,13 +7,15 @@
 
 #include "core/cull.h"
 
-/* Which clip tests the current instance's vertices need, to r->xform: those that none can fail are
- * left out. */
+/* Set r->xform.clip_depth and clip_guard: 0 if no vertex of the current instance can fail that clip
+ * test. */
 void zs_screen_needs(struct zs_renderer *r, const struct zs_bounds *b);
-/* Vertices [v, v + n) of the current instance, as zs_xform_screen. One that is not inside near, far
- * and guard has, besides, an x or y that is 2^16 or more away from any other vertex's. */
+/* Transform and project vertices [v, v + n) of the current instance, as zs_xform_screen. In
+ * addition, a vertex with an outcode other than 0 gets an x or y that differs by 2^16 or more from
+ * that of any other vertex. */
 void zs_screen(const struct zs_renderer *r, uint32_t v, uint32_t n, struct zs_vertex *out);
-/* The same into places from `slot` on, and whose they are. */
+/* Transform and project vertices [from, from + n) of the mesh into the pool from `slot` on, and
+ * record them (zs_bin_mark). */
 void zs_batch_verts(struct zs_renderer *r, uint32_t slot, uint32_t from, uint32_t n);
 
 #endif

@@ -1,13 +1,15 @@
-/* Triangles up to 64 pixels each way, set up and drawn in one go: what the stages would do one by
- * one, with the same outcome bit for bit, where a call a stage costs more than the pixels. For
- * cores that divide; without, remainders are quicker (raster.c). Internal: fast/solid.c draws those
- * of one colour, fast/texture.c those with a texture.
+/* The small-triangle fast path: triangles of up to 64 pixels in each direction are set up and drawn
+ * by one function. For them, a call for each stage of the core would cost more than the pixels. The
+ * picture is the same, bit for bit. It is for cores with a divide instruction; on others, stepping
+ * by remainders is faster (core/edges.c). fast/fast_solid.c uses it for triangles of one colour,
+ * fast/fast_texture.c for textured ones. Internal.
  *
- * Columns of an edge are as in raster.c, but counted from ZS_TINY_SIDE left of the top corner, so
- * that the numerator is positive. Extents are at most ZS_TINY = 2^14 sub-pixels, and so are offsets
- * in rows of an edge: each product is below 2^29.1. An edge's rows have 0 <= off < dy, so that x dy
- * + off dx lies between x dy and (x + dx) dy, those of its ends: no column lies beside the
- * corners', which set-up has looked at.
+ * The columns of an edge are computed as in core/edges.c, but count from ZS_TINY_SIDE left of the
+ * top vertex, so that the numerator is positive. Extents are at most ZS_TINY = 2^14 sub-pixels, and
+ * so are the offsets of rows from the upper end of an edge; so each product is below 2^29.1. In the
+ * rows of an edge 0 <= off < dy, so x dy + off dx is between x dy and (x + dx) dy, its values at
+ * the ends. So no column lies outside those of the vertices, which zs_small_look has tested against
+ * the viewport.
  *
  * SPDX-License-Identifier: MIT
  */
@@ -17,54 +19,58 @@
 #include "core/plane.h"
 #include <stddef.h>
 
-/* A triangle in its strip. Differences of the second and third corner from the top one, q24_8. */
+/* A small triangle in its strip, for set-up. Positions and differences are q24_8. */
 struct zs_small {
     uint32_t d, key_a, key_b,
-        key_c; /* the top corner's key; view.piece_base less the corners', one piece */
-    int32_t ax, ay, dx1, dx2, dy1, dy2, area;
+        key_c; /* d: the top vertex's key. The others: view.piece_base - key of the three vertices;
+                  all three are in one linear piece of the mapping */
+    int32_t ax, ay, dx1, dx2, dy1, dy2, area; /* top vertex; differences of the others from it */
     int32_t column, row,
-        n;         /* the top corner's pixel column; the first row of the strip, and how many */
-    uint32_t rcp;  /* of the area << shift */
+        n;         /* column of the top vertex's pixel; first row in the strip; number of rows */
+    uint32_t rcp;  /* reciprocal of area << shift */
     int32_t shift; /* leading zeros of the area, 2 .. 18 */
     int32_t x,
-        off; /* the top corner right of column 0's sample; the first row's samples below it */
+        off; /* distance of the top vertex right of the sample in column 0; distance of the first
+                row's samples below the top vertex */
 };
 
-/* What rows are drawn from: apart from set-up, whose registers they need. The column of a side in
- * the next row is sum / span, counted from ZS_TINY_SIDE left of the top corner; the left side and
- * the right one. */
+/* The state of the walk over scanlines; separate from set-up, because both need all registers.
+ * Sides are the left one, then the right one. The column of a side in the next row is sum / span.
+ * Column 0 is ZS_TINY_SIDE left of the top vertex. */
 struct zs_sides {
     uint32_t side[4]; /* span, step; span, step */
-    uint32_t down[2]; /* a row: bytes of depth, key */
+    uint32_t down[2]; /* added for each row: bytes to the depth pointer; to the key */
     uint32_t sum[2];
-    uint32_t key, gx; /* at column 0 of them; a pixel */
+    uint32_t key, gx; /* key at column 0 of the next row; added for each pixel */
     int32_t row, mid,
-        end; /* in the frame: the first, the first below the middle corner, one beyond the last */
-    uintptr_t left; /* from a row's first depth to one left of column 0 */
-    uint32_t turn;  /* the side that turns at the middle corner, and what it becomes there */
-    uint32_t next[2], next_sum;
+        end; /* rows of the frame: the first; the first below the middle vertex; one beyond the
+                last */
+    uintptr_t left; /* bytes from a row's first depth key to one left of column 0 */
+    uint32_t turn;  /* the side that bends at the middle vertex: 0 left, 1 right; below it ... */
+    uint32_t next[2], next_sum; /* ... that side's span, step and sum */
 };
 
-/* The same with a texture. Keys, u and v (uq0_32): at column 0 of the next row, a row further, a
- * pixel further. */
+/* The same for a textured triangle. at, down and right are the key, u and v (uq0_32): at column 0
+ * of the next row; added for each row; added for each pixel. */
 struct zs_texel_rows {
-    struct zs_sides sides;    /* but down[1], key, gx */
-    uint32_t at[4], down[3];  /* ... and how many pixels have been tested */
-    uint32_t right[3], width; /* ... and the texture's */
-    uint32_t column, row;     /* shifts that make these of u and v */
+    struct zs_sides sides;    /* without down[1], key and gx */
+    uint32_t at[4], down[3];  /* at[3]: number of pixels tested so far */
+    uint32_t right[3], width; /* width: of the texture */
+    uint32_t column, row;     /* shifts from u and v to column and row of the texture */
     uint32_t light, light_right,
-        light_down; /* uq1_31, half of 2^-10 added; the same of it, where it is asked for */
+        light_down; /* uq1_31, half of 2^-10 added, in the same way; only for lit triangles */
 };
 
 enum zs_small_fate {
-    ZS_SMALL_NOT = 0,  /* not for this way */
+    ZS_SMALL_NOT = 0,  /* declined */
     ZS_SMALL_DONE = 1, /* no row in the strip */
     ZS_SMALL_ROWS = 2
 };
 
-#define ZS_SMALL_SAFE 0x20000u /* of piece_base - d, which is 0xffff where a key is B - 1 */
+#define ZS_SMALL_SAFE 0x20000u /* a bound for piece_base - d, which is 0xffff for the key B - 1 */
 
-/* Corners, keys and rows of job->tri. Sets job->row_last unless it is not for this way. */
+/* Fetch vertices, keys and rows of job->tri, and decline it or not. Sets job->row_last unless it
+ * declines. */
 ZS_ALWAYS_INLINE enum zs_small_fate zs_small_look(struct zs_job *job, struct zs_small *s)
 {
     const struct zs_renderer *r = job->r;
@@ -83,7 +89,8 @@ ZS_ALWAYS_INLINE enum zs_small_fate zs_small_look(struct zs_job *job, struct zs_
     const uint32_t shift_piece = r->view.piece_shift;
     if (((key_a ^ key_b) | (key_a ^ key_c)) >> shift_piece)
         return ZS_SMALL_NOT;
-    /* below it they may reach B - 1 when rounded; all lie in the last piece: it has 2^19 or more */
+    /* keys below this bound may reach B - 1 when rounded. They are in the last piece, because a
+     * piece is 2^19 or more */
     if (!(key_a >> shift_piece) &&
         (key_a < ZS_SMALL_SAFE || key_b < ZS_SMALL_SAFE || key_c < ZS_SMALL_SAFE))
         return ZS_SMALL_NOT;
@@ -115,8 +122,8 @@ ZS_ALWAYS_INLINE enum zs_small_fate zs_small_look(struct zs_job *job, struct zs_
     return ZS_SMALL_ROWS;
 }
 
-/* zs_plane_quotient of a key: most need 32 bits. |n| <= 2^46; shift: leading zeros of the area,
- * which came out of rcp */
+/* zs_plane_quotient for a key; most take 32 bits only. |n| <= 2^46; shift: leading zeros of the
+ * area, by which it was shifted for rcp */
 static inline int32_t zs_small_gradient(int64_t n, uint32_t rcp, int32_t shift)
 {
     const int32_t low = (int32_t)n;
@@ -129,13 +136,13 @@ static inline int32_t zs_small_gradient(int64_t n, uint32_t rcp, int32_t shift)
     return (int32_t)(q ^ (uint32_t)sign) - sign;
 }
 
-/* The plane of the keys. Return 0: too steep for this way. */
+/* Compute the gradients of the keys. Return 0 if they are too steep for this path. */
 ZS_ALWAYS_INLINE int zs_small_keys(struct zs_small *s, struct zs_sides *w)
 {
     const int shift = s->shift = zs_clz32((uint32_t)s->area); /* 2 .. 18 */
     const uint32_t rcp = s->rcp = zs_recip_inline((uint32_t)s->area << shift);
     const int32_t dv1 = (int32_t)(s->key_a - s->key_b),
-                  dv2 = (int32_t)(s->key_a - s->key_c); /* of one piece: |.| < 2^31 */
+                  dv2 = (int32_t)(s->key_a - s->key_c); /* in one piece, so |.| < 2^31 */
     const int32_t gx = zs_small_gradient(zs_mul_ss(dv1, s->dy2) - zs_mul_ss(dv2, s->dy1), rcp,
                                          shift);
     const int32_t up = zs_small_gradient(zs_mul_ss(dv1, s->dx2) - zs_mul_ss(dv2, s->dx1), rcp,
@@ -155,7 +162,7 @@ ZS_ALWAYS_INLINE int zs_small_keys(struct zs_small *s, struct zs_sides *w)
     return 1;
 }
 
-/* Its rows and sides. It is drawn, and counted. */
+/* Set up rows and sides. From here on the triangle is drawn, and it is counted. */
 ZS_ALWAYS_INLINE void zs_small_sides(struct zs_job *job, const struct zs_small *s,
                                      struct zs_sides *w)
 {
@@ -187,7 +194,7 @@ ZS_ALWAYS_INLINE void zs_small_sides(struct zs_job *job, const struct zs_small *
     }
 }
 
-/* The columns of the next row: pixels [x0, x1) from one right of column 0. */
+/* Find the pixels [x0, x1) of the next row, counted from column 0, and step to the row below. */
 ZS_ALWAYS_INLINE void zs_small_columns(struct zs_sides *w, uint32_t *x0, uint32_t *x1)
 {
     const uint32_t *const word = (const uint32_t *)(const void *)w; /* side[] comes first */
@@ -203,7 +210,7 @@ ZS_ALWAYS_INLINE void zs_small_columns(struct zs_sides *w, uint32_t *x0, uint32_
     w->sum[1] = right;
 }
 
-/* At the middle corner: the side that turns there. */
+/* At the middle vertex, replace the side that bends there. */
 static inline void zs_small_turn(struct zs_sides *w)
 {
     const uint32_t turn = w->turn;

@@ -1,25 +1,27 @@
-/* What large triangles hide, known before anything is drawn.
+/* Occlusion culling: triangles that large triangles hide are rejected before set-up.
  *
- * The frame is cut into tiles of 2^ZS_TILE_LOG2 columns, as high as a strip. A triangle that covers
- * all of a tile, or two that share an edge and cover it together, leave no key there beyond their
- * farthest: the tile's bound. A triangle whose nearest key lies beyond the bounds of all tiles that
- * it touches wins no pixel, in whatever order the two are drawn, because a pixel keeps the least
- * key; equal keys prove nothing. So the frame is the same with and without. Nor is an instance seen
- * whose box lies beyond the bounds of all its tiles. What a tile's bound comes from is never among
- * those: its own nearest key is not beyond it.
+ * The frame is divided into tiles, 2^ZS_TILE_LOG2 columns wide and as high as a strip. When a
+ * triangle covers all of a tile, or two triangles that share an edge cover it together, no final
+ * key in the tile is above the farthest key of these triangles: that is the tile's bound. If the
+ * nearest key of another triangle is above the bounds of all tiles that it touches, the triangle
+ * wins no pixel, in whatever order they are drawn, because a pixel keeps the least key. (Equal keys
+ * decide nothing, so the comparison is strict.) So the frame is the same with and without this
+ * file. In the same way an instance is hidden if the nearest key of its bounding box is above the
+ * bounds of all its tiles. A triangle never hides itself: its own nearest key is not above a bound
+ * that it set.
  *
- * Bounds are found where a frame's first walk meets a triangle of LARGE columns, for all strips at
- * once, and hold for all sets and later walks of the frame. Nothing is done in frames that have
- * none.
+ * Bounds are computed when the first traversal of a frame meets a triangle at least LARGE columns
+ * wide. They are computed for all strips at once, and hold for all sets and later traversals of the
+ * frame. A frame without such triangles costs nothing.
  *
  * Columns: the left side of a triangle is a convex function of the row and the right side a concave
- * one, so that both are farthest inwards in the strip's first or last row. They are taken inwards
- * by the error of the slope (side()).
+ * one. So in a strip, each side is farthest inwards in the first or the last row. Sides are moved
+ * inwards by the error of the slope (side()).
  *
- * Keys: a triangle's are at most its farthest vertex's. What is drawn is within 0.13 bucket of the
- * exact (NUMERICS.md: 0.005 up to 640 pixels of width and height, (W + H + 1) / 2^17 beyond), which
- * MARGIN covers. The plane through the vertices' keys at a tile's four corners is a closer bound,
- * and was left out: DESIGN.md has the figures.
+ * Keys: the keys of a triangle are at most that of its farthest vertex. The keys that are drawn are
+ * within 0.13 bucket of the exact ones (NUMERICS.md: 0.005 up to 640 pixels of width and height, (W
+ * + H + 1) / 2^17 beyond); MARGIN covers that. The plane through the vertices' keys, evaluated at a
+ * tile's four corners, would be a tighter bound. It is not used; DESIGN.md has the figures.
  *
  * SPDX-License-Identifier: MIT
  */
@@ -36,11 +38,12 @@
 #include "zs_fast.h"
 
 #define TILE (1 << ZS_TILE_LOG2)
-#define LARGE (2 * TILE) /* columns: covers a tile wherever it lies */
+#define LARGE (2 * TILE) /* columns: so wide that a row covers a tile wherever it begins */
 #define MARGIN 0x2200    /* of a bucket, in 2^-16: 0.13 */
 _Static_assert(2 * ZS_SIZE_MAX + 1 <= MARGIN,
                "the error of a plane's keys, (W + H + 1) / 2^17 bucket");
 
+/* Return the key of a depth d, rounded, with a margin added (add > 0) or subtracted, saturated. */
 static uint32_t key_of(const struct zs_renderer *r, uint32_t d, int32_t add)
 {
     const struct zs_depth *depth = r->view.depth;
@@ -60,10 +63,11 @@ enum {
     LONG,
     UPPER,
     LOWER
-}; /* edges from the top to the bottom vertex, to the middle one, from there */
+}; /* edges: top to bottom vertex; top to middle; middle to bottom */
 
-/* Where an edge passes a row's samples, no more than two sub-pixels beyond it, inwards or outwards:
- * the slope is wrong by less than 2^-shift, and so is its product, floored, by a sub-pixel more. */
+/* Return the column where an edge crosses a scanline, moved inwards by the error, so that the
+ * result is never outside the edge. The error of the slope is below 2^-shift; flooring the product
+ * adds less than a sub-pixel. */
 static int32_t side(const struct zs_cover *c, int edge, int32_t row, int right)
 {
     const struct zs_vertex *a = &c->v[edge == LOWER];
@@ -73,14 +77,15 @@ static int32_t side(const struct zs_cover *c, int edge, int32_t row, int right)
     return zs_first_sample(right ? x - error : x + error);
 }
 
-/* The first column, or one beyond the last, of a row. */
+/* Return the first column of a row (right = 0), or one beyond the last (right = 1), moved inwards.
+ */
 static int32_t column(const struct zs_cover *c, int32_t row, int right)
 {
     const int edge = c->mid_right != right ? LONG : row < c->row_mid ? UPPER : LOWER;
     return side(c, edge, row, right);
 }
 
-/* dx / dy in 2^-shift, towards 0: |slope * dy| <= 2^30. */
+/* Compute the slope dx / dy of an edge in 2^-shift, truncated: |slope * dy| <= 2^30. */
 static void slope(struct zs_cover *c, int edge, const struct zs_vertex *a,
                   const struct zs_vertex *b)
 {
@@ -91,7 +96,7 @@ static void slope(struct zs_cover *c, int edge, const struct zs_vertex *a,
     c->slope[edge] = dy ? dx * (1 << shift) / dy : 0;
 }
 
-/* Tiles [at, end) have no key farther than this. */
+/* Lower the bounds of tiles [at, end) to `farthest`. */
 static void bound_tiles(uint16_t *at, const uint16_t *end, uint32_t farthest)
 {
     for (; at < end; at++)
@@ -103,8 +108,9 @@ static int32_t strip_of(const struct zs_renderer *r, int32_t row) /* 0 .. ZS_SIZ
     return (int32_t)((uint32_t)row * r->strip_mul >> r->strip_shift);
 }
 
-/* Bounds of strips whose rows are all in [row, row_end) and not all in [done, done_end), from a
- * triangle, or from one to the left and one to the right of an edge that passes all their rows. */
+/* Set bounds in the strips whose rows are all in [row, row_end) but not all in [done, done_end).
+ * The tiles are covered by one triangle (left == right), or by two that share an edge across all
+ * these rows, one to the left and one to the right of it. */
 static void bound_rows(struct zs_renderer *r, const struct zs_cover *left,
                        const struct zs_cover *right, int32_t row, int32_t row_end, int32_t done,
                        int32_t done_end)
@@ -124,7 +130,7 @@ static void bound_rows(struct zs_renderer *r, const struct zs_cover *left,
     const int32_t first = s * h, last = zs_min32(end * h, height) - 1;
     if (column(left, first, 0) <= 0 && column(right, first, 1) >= width &&
         column(left, last, 0) <= 0 &&
-        column(right, last, 1) >= width) { /* then in all rows between */
+        column(right, last, 1) >= width) { /* so the rows between are covered as well */
         bound_tiles(bound, r->bound + end * tiles, farthest);
         return;
     }
@@ -139,18 +145,19 @@ static void bound_rows(struct zs_renderer *r, const struct zs_cover *left,
     }
 }
 
-/* What a triangle covers by itself, but for what is known to be covered with others. */
+/* Set the bounds of the tiles that a triangle covers by itself, except in rows that bound_both has
+ * done already. */
 static void bound_one(struct zs_renderer *r, const struct zs_cover *c)
 {
     bound_rows(r, c, c, zs_first_sample(c->v[0].y), zs_first_sample(c->v[2].y), c->done[0],
                c->done[1]);
 }
 
-/* Two triangles with an edge of a surface in common, each on its own side of it: what they cover
- * together. */
+/* If two triangles share an edge and lie on opposite sides of it, set the bounds of the tiles that
+ * they cover together. */
 static void bound_both(struct zs_renderer *r, struct zs_cover *a, struct zs_cover *b)
 {
-    int in_a = 0, in_b = 0; /* numbers of the vertices that are of both, or-ed as bits */
+    int in_a = 0, in_b = 0; /* bit k: vertex k is shared */
     for (int k = 0; k < 9; k++)
         if (a->v[k / 3].x == b->v[k % 3].x && a->v[k / 3].y == b->v[k % 3].y &&
             a->v[k / 3].d == b->v[k % 3].d) {
@@ -160,7 +167,7 @@ static void bound_both(struct zs_renderer *r, struct zs_cover *a, struct zs_cove
     if ((in_a != 3 && in_a != 5 && in_a != 6) || (in_b != 3 && in_b != 5 && in_b != 6))
         return;
     const int right_a = (in_a == 5) != a->mid_right,
-              right_b = (in_b == 5) != b->mid_right; /* the edge is its right side */
+              right_b = (in_b == 5) != b->mid_right; /* 1: the edge is its right side */
     if (right_a == right_b)
         return;
     a->done[0] = b->done[0] = zs_max32(zs_first_sample(a->v[in_a == 6].y), 0);
@@ -169,7 +176,8 @@ static void bound_both(struct zs_renderer *r, struct zs_cover *a, struct zs_cove
     bound_rows(r, right_a ? a : b, right_a ? b : a, a->done[0], a->done[1], 0, 0);
 }
 
-/* The last triangle waits for one that it covers tiles with. */
+/* Set the bounds for the last large triangle alone. That was postponed until it was known whether
+ * the next one shares an edge with it. */
 static void bound_last(struct zs_renderer *r)
 {
     if (r->cover_waits)
@@ -177,8 +185,9 @@ static void bound_last(struct zs_renderer *r)
     r->cover_waits = 0;
 }
 
-/* 1: no bound of a strip that is still to be drawn is farther than a key. Most keys end at the
- * first tile. Bounds only come nearer: what was so for one key is so for all that are farther. */
+/* Return 1 if no bound in the strips still to be drawn is above a key; a triangle with this nearest
+ * key cannot lower any bound. Usually the first tile decides. Bounds only decrease, so the answer 1
+ * for a key holds for all larger keys (bound_most). */
 static int bounds_nothing(struct zs_renderer *r, uint32_t key)
 {
     if (key >= r->bound_most)
@@ -210,10 +219,10 @@ static ZS_NOINLINE void tiles_cover(struct zs_renderer *r, const struct zs_verte
                                  r->strip * r->config.strip_h);
     const int32_t row_end = zs_first_sample(zs_max32(zs_max32(a->y, b->y), c->y));
     if (row_end - row < r->config.strip_h && (row_end < r->config.height || row >= row_end))
-        return; /* not all rows of a strip */
+        return; /* it does not cover all rows of any strip */
     if (!r->counting || r->xform.instance->depth_state)
-        return;      /* all is known by now; keys of its own */
-    if (!r->large) { /* the frame's first */
+        return;      /* bounds are complete by now; a depth state changes the keys */
+    if (!r->large) { /* the frame's first large triangle */
         zs_fill_run(r->bound, ZS_DEPTH_CLEAR, ZS_TILES(r->config.width) * r->n_strips);
         r->large = 1;
         r->bound_most = ZS_DEPTH_CLEAR;
@@ -224,7 +233,7 @@ static ZS_NOINLINE void tiles_cover(struct zs_renderer *r, const struct zs_verte
     if (bounds_nothing(r, key_of(r, nearest, 0)))
         return;
     struct zs_cover *now = &r->cover[r->cover_next], *const old = &r->cover[!r->cover_next];
-    while (above(b, a) || above(c, a)) { /* the top one first */
+    while (above(b, a) || above(c, a)) { /* rotate the top vertex to the front */
         const struct zs_vertex *const first = a;
         a = b;
         b = c;
@@ -252,7 +261,7 @@ static ZS_NOINLINE void tiles_cover(struct zs_renderer *r, const struct zs_verte
     r->cover_next = !r->cover_next;
 }
 
-/* ---- Questions ------------------------------------------------------------------------------- */
+/* ---- Tests ----------------------------------------------------------------------------------- */
 
 static uint32_t tiles_seen(struct zs_renderer *r)
 {
@@ -277,8 +286,8 @@ static int tiles_hide(struct zs_job *job)
     const struct zs_tri *t = job->tri;
     const struct zs_vertex *a = &r->vert[t->v[0]], *b = &r->vert[t->v[1]], *c = &r->vert[t->v[2]];
     if (zs_instance_of(r, t->instance)->depth_state)
-        return 0;                                          /* keys of its own */
-    job->row_last = zs_first_sample(zs_max32(b->y, c->y)); /* a is the top one */
+        return 0;                                          /* a depth state changes the keys */
+    job->row_last = zs_first_sample(zs_max32(b->y, c->y)); /* a is the top vertex */
     const uint32_t nearest = key_of(r, zs_minu32(zs_minu32(a->d, b->d), c->d), -MARGIN);
     if (nearest > r->bound_strip)
         return 1;
@@ -315,7 +324,7 @@ int zs_hidden_box(struct zs_renderer *r, const struct zs_box *box, uint32_t near
     return 1;
 }
 
-/* A length in camera units, and what it may be off by. */
+/* Return a length in camera units, plus its error bound. */
 static int32_t units(const struct zs_view *view, int64_t length, int32_t off)
 {
     return zs_view_length(view, length) + off;
@@ -331,13 +340,13 @@ static int tiles_sphere(struct zs_renderer *r, const struct zs_bounds *b)
     struct zs_vertex at = { 0, 0, 0 };
     if (!r->large || z[0] < view->z_near || z[0] > z[1])
         return 0;
-    for (int k = 3; k >= 0; k--) { /* its cube's corners; the nearest ones last */
+    for (int k = 3; k >= 0; k--) { /* corners of the sphere's bounding cube, the nearest last */
         struct zs_point p = { { 0, 0, z[k >> 1] } };
         for (int i = 0; i < 2; i++) {
             const int32_t c = units(view, b->c[i] + (k & 1 ? reach : -reach), k & 1 ? 1 : -1);
             p.c[i] = (int32_t)(zs_mul_ss(c, view->ratio) >> 30) + (k & 1);
         }
-        (void)zs_xform_project(r, &p, &at); /* beside the guard band: still outside the frame */
+        (void)zs_xform_project(r, &p, &at); /* 0: outside the guard band, so outside the frame */
         box.x0 = zs_min32(box.x0, (at.x >> ZS_SUBPX_BITS) - 1);
         box.x1 = zs_max32(box.x1, (at.x >> ZS_SUBPX_BITS) + 2);
         box.y0 = zs_min32(box.y0, (at.y >> ZS_SUBPX_BITS) - 1);

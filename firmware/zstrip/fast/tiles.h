@@ -1,4 +1,4 @@
-/* What large triangles hide. Internal.
+/* Occlusion culling by large triangles. Internal.
  *
  * SPDX-License-Identifier: MIT
  */
@@ -7,11 +7,11 @@
 
 #include "zstrip.h"
 
-/* 1: nothing in columns [x0, x1) and rows [y0, y1) can win whose vertices' zs_vertex.d are
- * `nearest` or more, in no strip that is still to be drawn. Without a state. */
 struct zs_box {
-    int32_t x0, x1, y0, y1; /* px */
+    int32_t x0, x1, y0, y1; /* px: columns [x0, x1), rows [y0, y1) */
 };
+/* Return 1 if a triangle inside the box, without a depth state and with no vertex nearer than the
+ * depth `nearest` (zs_vertex.d), cannot pass the depth test in any strip still to be drawn. */
 int zs_hidden_box(struct zs_renderer *r, const struct zs_box *box, uint32_t nearest);
 
 #endif

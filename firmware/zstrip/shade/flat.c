@@ -1,4 +1,4 @@
-/* Flat shading: one normal and one lit colour a face.
+/* Flat shading: one normal and one lit colour for each face.
  *
  * SPDX-License-Identifier: MIT
  */
@@ -6,7 +6,7 @@
 #include "zs_shader.h"
 #include "shade/solid.h"
 
-/* A channel under light, 0 .. most, nearest. most <= 63 */
+/* Return a lit channel as a code, 0 .. most, rounded to nearest. most <= 63 */
 static ZS_AS_CALL uint32_t code(uint8_t channel, uint32_t light, uint32_t most)
 {
     const uint32_t t = zs_light_channel(channel, light) * most +
@@ -26,4 +26,4 @@ static uint16_t flat_face(const struct zs_shading *s, uint32_t t)
                                 code(c->b, light, 31)));
 }
 
-const struct zs_shader zs_shade_flat = { .face = flat_face, .run = zs_solid_run };
+const struct zs_shader zs_shade_flat = { .face = flat_face, .run = zs_solid_run, .opaque = 1 };

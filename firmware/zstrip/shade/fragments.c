@@ -1,7 +1,7 @@
-/* Shaders with a fragment stage of their own: varyings pixel by pixel, perspective-correct.
+/* Shaders with a fragment stage: varyings are interpolated perspective-correctly at each pixel.
  *
- * A vertex's value, 16 bits, is carried as value * w; over w it is good to 2^-21 of its range
- * (persp.h, plane.c), and rounded.
+ * A varying of 16 bits is interpolated as value * w. Divided by w, it is exact to 2^-21 of its
+ * range (shade/persp.h, core/plane.c), and then rounded.
  *
  * SPDX-License-Identifier: MIT
  */

@@ -1,4 +1,4 @@
-/* What shaders with interpolated attributes share.
+/* Perspective-correct interpolation: functions that shaders share.
  *
  * SPDX-License-Identifier: MIT
  */

@@ -13,4 +13,4 @@ static uint16_t raw_face(const struct zs_shading *s, uint32_t t)
     return zs_wire16(in->mesh->face_raw ? in->mesh->face_raw[t] : zs_rgb565(c->r, c->g, c->b));
 }
 
-const struct zs_shader zs_shade_raw = { .face = raw_face, .run = zs_solid_run };
+const struct zs_shader zs_shade_raw = { .face = raw_face, .run = zs_solid_run, .opaque = 1 };

@@ -1,8 +1,8 @@
-/* Smooth (Gouraud) shading: lit at the vertices, interpolated perspective-correctly.
+/* Smooth (Gouraud) shading: colours are lit at the vertices and interpolated perspective-correctly.
  *
- * Colours are carried as codes (0 .. 31, 0 .. 63) with 16 fraction bits.
- *
- * How they go over the screen is in persp.h; the bound is 1/8 code, sub-spans are up to 16 pixels.
+ * Colours are kept as codes, the values of RGB565 channels (0 .. 31, 0 .. 63), with 16 fraction
+ * bits. shade/persp.h explains the interpolation. The error bound is 1/8 code; sub-spans have up to
+ * 16 pixels.
  *
  * SPDX-License-Identifier: MIT
  */
@@ -13,11 +13,12 @@
 
 #define SUB_LOG2_MAX 4u
 
-/* uq0_16 of 65535 to codes, uq16_16: 31 and 63 times 2^16 / 65535 * 2^16, nearest. */
+/* The factor from a channel, 0 .. 65535, to codes in uq16_16: 31 or 63 times 2^16 / 65535 * 2^16,
+ * nearest. */
 #define CODE_SCALE(most) ((most)*65537u)
 
-#define UP5 11u /* brings a code's highest bit, uq16_16, to a word's */
-#define UP6 10u
+#define UP5 11u /* shift that moves the top bit of a 5-bit code, uq16_16, to the top of a word */
+#define UP6 10u /* the same for 6 bits */
 
 static const uint32_t code_scale[3] = { CODE_SCALE(31u), CODE_SCALE(63u), CODE_SCALE(31u) };
 
@@ -39,7 +40,7 @@ static int smooth_check(const struct zs_instance *in, const struct zs_config *co
 
 /* ---- Set-up ---------------------------------------------------------------------------------- */
 
-/* Largest change of a channel over the triangle, uq0_16. */
+/* Return the largest change of a channel over the triangle, uq0_16. */
 static uint32_t color_range(const uint16_t *const a[3])
 {
     uint32_t range = 0;
@@ -52,16 +53,18 @@ static uint32_t color_range(const uint16_t *const a[3])
     return range;
 }
 
-/* range / 65536 * 63 codes * (change / least) / 4 <= 1/8 code; 63 taken as 64. */
+/* Return 1 if range / 65536 * 63 codes * (change / least) / 4 <= 1/8 code, with 64 in place of 63.
+ */
 static int affine_enough(uint32_t range, uint32_t change, uint32_t least)
 {
     if (range * ((change >> 16) + 1u) <= least >>
-        (ZS_SPAN_BOUND_LOG2 + 4)) /* < 2^32: enough to say yes */
+        (ZS_SPAN_BOUND_LOG2 + 4)) /* < 2^32; a cheaper, sufficient test */
         return 1;
     return zs_mul_uu(range, change) <= (uint64_t)least
                                            << (12 - ZS_SPAN_BOUND_LOG2); /* < 2^16 * 2^32 */
 }
 
+/* Return log2 of the longest sub-span for which the bound holds anywhere in the triangle. */
 static uint32_t sub_span(const struct zs_plane *w, uint32_t range, uint32_t least)
 {
     const uint32_t slope = (uint32_t)((int32_t)w->gx < 0 ? 0u - w->gx : w->gx);
@@ -71,23 +74,23 @@ static uint32_t sub_span(const struct zs_plane *w, uint32_t range, uint32_t leas
     return log2;
 }
 
-/* A channel in codes, uq16_16: floor(v * CODE_SCALE / 2^16). v < 2^16 */
+/* Convert a channel to codes, uq16_16: floor(v * CODE_SCALE / 2^16). v < 2^16 */
 static inline uint32_t code_of(uint32_t v, uint32_t most)
 {
     const uint32_t whole = v * most; /* < 2^22 */
     return whole + (whole >> 16);
 }
 
-/* 256 * n / area in 32 bits, nearest. plane.c brings n to 32 bits first, which takes nothing from
- * |n| < 2^31; floors of floors are one floor; so the same number comes out, but for halves: up
- * here, away from 0 there. |result| < 2^22 */
+/* Return 256 * n / area in 32 bits, nearest. core/plane.c truncates n to 32 bits first, which
+ * changes nothing for |n| < 2^31, and successive floors compose. So the result is the same, except
+ * for exact halves: they are rounded up here, and away from 0 there. |result| < 2^22 */
 static inline int32_t narrow_gradient(int32_t n, uint32_t rcp, int32_t shift)
 {
     return (((int32_t)(zs_mul_su(n, rcp) >> 32) >> shift) + 1) >> 1;
 }
 
-/* zs_plane32 for codes, in 32 bits. fits: differences below it times the triangle's extents stay
- * below 2^30. Return 0 where it is not for it. */
+/* zs_plane32 for codes, in 32 bits. fits: a bound such that differences below it, times the
+ * triangle's extents, are below 2^30. Return 0 if the differences are not below it. */
 static int narrow_plane(const struct zs_geom *g, const uint32_t v[3], int32_t fits,
                         struct zs_plane *out)
 {
@@ -103,18 +106,18 @@ static int narrow_plane(const struct zs_geom *g, const uint32_t v[3], int32_t fi
     return 1;
 }
 
-/* What narrow_plane calls fits, a power of two; 0: not for this triangle. */
+/* Return the bound `fits` for narrow_plane, a power of two; 0: narrow_plane cannot be used. */
 static int32_t narrow_fits(const struct zs_geom *g)
 {
     if (g->rcp == 0 ||
-        g->exp < -14) /* large; or below 1 px^2, and a gradient may have more than 22 bits */
+        g->exp < -14) /* large; or area below 1 px^2: a gradient may need more than 22 bits */
         return 0;
     const int32_t extent = (g->dx1 ^ g->dx1 >> 31) | (g->dx2 ^ g->dx2 >> 31) | g->dy1 | g->dy2;
     return 1 << (zs_clz32((uint32_t)extent) -
-                 2); /* extents < 2^16, and not all -1, 0: 2^14 at least */
+                 2); /* extents < 2^16, and not all are -1 or 0: the result is at least 2^14 */
 }
 
-/* Planes of codes with half a code added, codes in their words' top bits. */
+/* Compute the gradients of the colours: codes in the top bits of words, with half a code added. */
 ZS_IN_ORDER static ZS_NOINLINE void affine_planes(struct zs_job *job, const uint16_t *const a[3])
 {
     const struct zs_geom *g = &job->geom;
@@ -128,13 +131,13 @@ ZS_IN_ORDER static ZS_NOINLINE void affine_planes(struct zs_job *job, const uint
             zs_plane32(g, v[0], v[1], v[2], ZS_PLANE_KEY, out);
         zs_plane_origin(g, out);
         const uint32_t up = c == 1 ? UP6 : UP5;
-        out->base = (out->base + 0x8000u) << up; /* nearest; at covered pixels at most 63.5 codes */
+        out->base = (out->base + 0x8000u) << up; /* half a code; <= 63.5 codes at covered pixels */
         out->gx <<= up;
         out->gy <<= up;
     }
 }
 
-/* Planes of w and colour times w. */
+/* Compute the gradients of colour times w. */
 static void persp_planes(struct zs_job *job, const uint16_t *const a[3], const uint32_t w[3])
 {
     for (int c = 0; c < 3; c++) {
@@ -145,7 +148,7 @@ static void persp_planes(struct zs_job *job, const uint16_t *const a[3], const u
     }
 }
 
-/* What is left where keys do not say that colours are affine. */
+/* Set-up if the keys alone do not show that colours may be affine: find out from w. */
 static ZS_NOINLINE void start_by_w(struct zs_job *job, const uint16_t *const a[3], uint32_t range)
 {
     uint32_t w[3], least;
@@ -175,6 +178,7 @@ static void smooth_start(struct zs_job *job)
 
 /* ---- Runs ------------------------------------------------------------------------------------ */
 
+/* Fill n > 0 pixels with colours that change by step. */
 static void fill_linear(uint16_t *out, int32_t n, const uint32_t c[3], const uint32_t step[3])
 {
     uint32_t red = c[0], green = c[1], blue = c[2];
@@ -187,7 +191,7 @@ static void fill_linear(uint16_t *out, int32_t n, const uint32_t c[3], const uin
     }
 }
 
-/* Colour at a covered pixel by division, codes with half a code added. */
+/* Compute the colour at a covered pixel by division: codes, with half a code added. */
 ZS_IN_ORDER static ZS_NOINLINE void color_at(const struct zs_job *job, int32_t i, int32_t row,
                                              uint32_t out[3])
 {
@@ -200,8 +204,8 @@ ZS_IN_ORDER static ZS_NOINLINE void color_at(const struct zs_job *job, int32_t i
     }
 }
 
-/* The part of a sub-span that is in the run: n pixels from the skip-th on, of a colour that changes
- * from c to next in `length`; 0: it is a single pixel. */
+/* Fill the part of a sub-span that is in the run: n pixels, from the skip-th on. The colour changes
+ * from c to next over `length` pixels; 0: the sub-span is a single pixel. */
 static void fill_part(uint16_t *out, int32_t n, const uint32_t c[3], const uint32_t next[3],
                       int32_t length, int32_t skip)
 {
@@ -233,7 +237,7 @@ static void smooth_run(struct zs_job *job, const struct zs_row *row, int32_t r0,
     int32_t from = row->x0 + ((r0 - row->x0) & -length);
     color_at(job, from, row->y, next);
     for (; from < r1; from += length) {
-        const int32_t to = zs_min32(from + length, row->x1 - 1); /* its far end, covered */
+        const int32_t to = zs_min32(from + length, row->x1 - 1); /* its far end: a covered pixel */
         for (int k = 0; k < 3; k++)
             c[k] = next[k];
         if (to > from)
@@ -243,7 +247,8 @@ static void smooth_run(struct zs_job *job, const struct zs_row *row, int32_t r0,
     }
 }
 
-const struct zs_shader zs_shade_smooth = { .vertex = smooth_vertex,
+const struct zs_shader zs_shade_smooth = { .opaque = 1,
+                                           .vertex = smooth_vertex,
                                            .start = smooth_start,
                                            .run = smooth_run,
                                            .check = smooth_check,

@@ -1,4 +1,4 @@
-/* One colour a triangle: what raw and flat shading share. Internal.
+/* Triangles of one colour: the run function of raw and flat shading. Internal.
  *
  * SPDX-License-Identifier: MIT
  */

@@ -1,7 +1,7 @@
-/* Texel formats: a run of texels.
+/* Texel formats: how a run of texels is fetched.
  *
- * u and v are fractions of the texture in 32 bits: their top log2 bits are column and row, and
- * repeating is what unsigned sums do.
+ * u and v are fractions of the texture's size in 32 bits. Their top log2 bits are column and row.
+ * Unsigned sums wrap, so the texture repeats.
  *
  * SPDX-License-Identifier: MIT
  */

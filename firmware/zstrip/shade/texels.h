@@ -1,4 +1,4 @@
-/* How texels are stored, for the loops of core and accelerators. Internal.
+/* How texels are stored: read functions for the loops of shaders and accelerators. Internal.
  *
  * SPDX-License-Identifier: MIT
  */
@@ -7,7 +7,7 @@
 
 #include "shade/texture.h"
 
-/* A texel's value from its number, row * width + column. */
+/* Return the RGB565 value of a texel by its index, row * width + column. */
 typedef uint16_t zs_read_fn(const void *texel, const uint16_t *palette, uint32_t at);
 
 ZS_ALWAYS_INLINE uint16_t zs_read_565(const void *texel, const uint16_t *palette, uint32_t at)

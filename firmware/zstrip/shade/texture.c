@@ -1,30 +1,33 @@
-/* Textured shading: nearest texel, perspective-correct, unlit or times light.
+/* Textured shading: nearest texel, perspective-correct, unlit or multiplied by light.
  *
- * Coordinates. A vertex carries u and v as in the mesh, biased to be unsigned. A triangle takes the
- * least u (v) of its corners for its base and carries what is above it. Affine: in 2^-32 repeats,
- * or in 2^s of them where that would need more than 29 bits; shifted up at once, modulo one repeat,
- * which a shift to the left survives. By sub-spans: normalised to un, 16 bits, so that small
- * differences keep their bits, times w (persp.h).
+ * Coordinates. A vertex has u and v as in the mesh, biased to be unsigned. A triangle takes the
+ * least u (v) of its vertices as its base, and interpolates the differences from it. Affine: in
+ * 2^-32 repeats, or in 2^s of them if that would need more than 29 bits. They are then shifted left
+ * at once, modulo one repeat, which a shift to the left preserves. With perspective: normalised to
+ * un, 16 bits, so that small differences keep their bits, times w (shade/persp.h).
  *
- * Error of affine interpolation, in texels of the texture, or of one of 128 where it is smaller;
- * held below 1/8. Whole triangle: T (rho - 1) / 4, with T the texels that it spans, rho its ratio
- * of w. Groups of L = 32 pixels of a row: with W = w and C = U w, both linear along the row, u1 -
- * u0 = (C' W0 - C0 W') L / (W0 W1),  rho - 1 = W' L / W0,  so the error is K |W'| L^2 / (4 W0^2
- * W1), K = |C' W - C W'|, which is constant along a row and linear from row to row: its largest is
- * at a vertex, |C' - U W'| W. So a group may be affine where W^3 >= 2 T K |W'| L^2, W the less of
- * its two ends. In any other each pixel is divided: with 15 bits where the triangle has at most
- * 2^COARSE_LOG2 texels (NUMERICS.md: 2^-13.4 of its span), one or two by themselves, others in
- * pieces in which w keeps its leading zeros, so that nothing is shifted a pixel. A texture that is
- * clamped counts in 64 bits. Groups start at multiples of 32 from the row's first covered pixel;
- * the last ends at the row's last covered pixel. Light goes the same way, 128 codes to its whole
- * range.
+ * The error of affine interpolation is kept below 1/8 texel of the texture, or of one with 128
+ * texels if the texture is smaller. For a whole triangle the error is T (rho - 1) / 4, where T is
+ * the number of texels that it spans, and rho its ratio of w. For groups of L = 32 pixels of a
+ * scanline, let W = w and C = U w; both are linear along the scanline. Then u1 - u0 = (C' W0 - C0
+ * W') L / (W0 W1) and rho - 1 = W' L / W0, so the error is K |W'| L^2 / (4 W0^2 W1) with K = |C' W
+ * - C W'|. K is constant along a scanline and linear from one to the next, so its maximum is at a
+ * vertex: |C' - U W'| W. So a group may be affine if W^3 >= 2 T K |W'| L^2, with W the lesser of
+ * its two ends.
  *
- * Errors of a coordinate beyond that, in texels: planes the larger of 2^-21 and (W + H + 1) / 2^32
- * of the triangle's span, times rho (plane.c, ZS_PLANE_WIDE), reciprocal 2^-29 of the span,
- * vertices at the near plane half a step of the mesh's.
+ * In other groups, each pixel is divided. If the triangle has at most 2^COARSE_LOG2 texels, a
+ * reciprocal of 15 bits is used (NUMERICS.md: 2^-13.4 of its span). One or two pixels are divided
+ * one by one, more of them in pieces in which w keeps its leading zeros, so that no shift depends
+ * on the pixel. Clamped textures use 64 bits. Groups start at multiples of 32 from the scanline's
+ * first covered pixel; the last ends at its last covered pixel. Light is interpolated in the same
+ * way, with 128 codes for its whole range.
  *
- * A sample exactly between two texels belongs to the right, lower one: 1/512 texel is added, more
- * than the planes' error in common triangles.
+ * Further errors of a coordinate, in texels: gradients, the larger of 2^-21 and (W + H + 1) / 2^32
+ * of the triangle's span, times rho (core/plane.c, ZS_PLANE_WIDE); reciprocal, 2^-29 of the span;
+ * vertices made at the near plane, half a step of the mesh's coordinates.
+ *
+ * A sample exactly between two texels belongs to the right or lower one. For that, 1/512 texel is
+ * added, which is more than the error of gradients in common triangles.
  *
  * SPDX-License-Identifier: MIT
  */
@@ -35,9 +38,9 @@
 #include "zs_shader.h"
 #include "shade/texture.h"
 
-#define COARSE_LOG2 ZS_TEXEL_COARSE_LOG2 /* texels that 15 bits place */
-#define LIGHT_MAX 65504u                 /* uq1_15, just below 2: light() adds a half */
-#define LIGHT_LOG2 7                     /* codes that its 16 bits stand for: 126 */
+#define COARSE_LOG2 ZS_TEXEL_COARSE_LOG2 /* texels for which a reciprocal of 15 bits is enough */
+#define LIGHT_MAX 65504u                 /* uq1_15, just below 2, because light() adds a half */
+#define LIGHT_LOG2 7                     /* log2 of the codes that 16 bits of light span: 126 */
 
 /* ---- Vertices and faces ---------------------------------------------------------------------- */
 
@@ -48,7 +51,7 @@ static void texture_vertex(const struct zs_shading *s, uint32_t v, uint16_t *out
     out[1] = (uint16_t)(mesh->uv[v][1] + 32768);
 }
 
-/* uq1_15 of an intensity. */
+/* Return the light intensity at a normal as uq1_15. */
 static uint16_t light_word(const struct zs_shading *s, const zs_q1_15 normal[3])
 {
     const uint32_t light = (zs_light_intensity(s, normal) + 1u) >> 1;
@@ -87,19 +90,18 @@ static int smooth_check(const struct zs_instance *in, const struct zs_config *co
 
 /* ---- Set-up ---------------------------------------------------------------------------------- */
 
-/* v * 2^-uv_bits in 32 fraction bits. */
+/* Convert v * 2^-uv_bits to 32 fraction bits. */
 static inline uint64_t repeats(int32_t v, uint32_t uv_bits)
 {
     return (uint64_t)(uint32_t)(v >> uv_bits) << 32 |
            (uv_bits ? (uint32_t)v << (32 - uv_bits) : 0u);
 }
 
-/* One coordinate of a triangle: what its corners have above the least of them. */
+/* A texture coordinate at the vertices of a triangle, relative to the least of the three. */
 struct coordinate {
     uint32_t above[3]; /* 2^-uv_bits repeats */
-    int32_t up;        /* above * 2^up has its largest in [2^15, 2^16), or all are 0 */
-    int32_t
-        texels; /* log2 of the texels (of 128 or more to a repeat) that those 16 bits stand for */
+    int32_t up;        /* the largest above * 2^up is in [2^15, 2^16), or all are 0 */
+    int32_t texels; /* log2 of the texels that those 16 bits span, at least 128 for each repeat */
 };
 
 static void coordinate(struct zs_job *job, const uint16_t *const a[3], int c, uint32_t uv_bits,
@@ -117,8 +119,8 @@ static void coordinate(struct zs_job *job, const uint16_t *const a[3], int c, ui
     out->texels = zs_texture_texels(out->up, uv_bits, log2);
 }
 
-/* The same as affine_plane for small triangles with differences below 2^14. Return 0 where it is
- * not for it. */
+/* affine_plane for small triangles with differences below 2^14; the result is the same. Return 0 if
+ * the triangle is not one of these. */
 static int direct_plane(const struct zs_job *job, const struct coordinate *c, uint32_t uv_bits,
                         uint64_t base, struct zs_plane *out)
 {
@@ -143,7 +145,8 @@ static int direct_plane(const struct zs_job *job, const struct coordinate *c, ui
     return ok;
 }
 
-/* The plane of a coordinate in 2^-32 repeats modulo one repeat, its base included. */
+/* Compute the gradients of a coordinate in 2^-32 repeats, modulo one repeat; its base is included.
+ */
 static void affine_plane(struct zs_job *job, const struct coordinate *c, uint32_t uv_bits,
                          uint64_t base, struct zs_plane *out)
 {
@@ -158,8 +161,8 @@ static void affine_plane(struct zs_job *job, const struct coordinate *c, uint32_
     out->gy <<= later;
 }
 
-/* Whether a triangle may be affine: where w changes by `change`, the least is `least`, and light by
- * light_range. */
+/* Return 1 if a triangle may be affine, when w changes by `change`, its least value is `least`, and
+ * light changes by light_range. */
 static int affine_enough(const struct coordinate c[2], uint32_t light_range, uint32_t change,
                          uint32_t least)
 {
@@ -168,14 +171,15 @@ static int affine_enough(const struct coordinate c[2], uint32_t light_range, uin
            zs_texture_light_affine(light_range, change, least);
 }
 
-/* ceil(log2(2^(texels + 1) K |W'|)) of an attribute; -128: it is 0. */
+/* Return ceil(log2(2^(texels + 1) K |W'|)) for an attribute; -128 if the product is 0. */
 static int32_t bend_log2(const struct zs_plane *c, const struct zs_plane *w_plane,
                          const uint32_t un[3], const uint32_t w[3], int32_t texels)
 {
     const int32_t c_gx = (int32_t)c->gx, w_gx = (int32_t)w_plane->gx;
     uint64_t most = 0;
     for (int k = 0; k < 3; k++) {
-        const int64_t d = c_gx - (zs_mul_su(w_gx, un[k]) >> 16); /* |.| <= 2^32: half of it fits */
+        const int64_t d = c_gx - (zs_mul_su(w_gx, un[k]) >> 16); /* |.| <= 2^32; half fits 32 bits
+                                                                    */
         const uint64_t size = zs_mul_uu((uint32_t)(((d < 0 ? -d : d) + 1) >> 1), w[k]);
         if (most < size)
             most = size;
@@ -188,7 +192,7 @@ static int32_t bend_log2(const struct zs_plane *c, const struct zs_plane *w_plan
     return texels + ZS_SPAN_BOUND_LOG2 - 1 + cut + 64 - zs_clz64(product);
 }
 
-/* ceil(2^(n / 3)), held to 32 bits. */
+/* Return ceil(2^(n / 3)), clamped to 32 bits. */
 static uint32_t third_power(int32_t n)
 {
     static const uint32_t part[3] = { 0x80000000u, 0xa14517ccu,
@@ -219,7 +223,7 @@ ZS_IN_ORDER static ZS_NOINLINE void start_groups(struct zs_job *job, const uint1
     job->sub_log2 = ZS_TEXTURE_GROUP_LOG2;
 }
 
-/* The texture to be drawn for job->tri: an accelerator may have lit its palette. */
+/* Return the texture to draw job->tri with: t, or a copy whose palette an accelerator has lit. */
 static const struct zs_texture *lit_texture(struct zs_job *job, const struct zs_texture *t)
 {
     const struct zs_shader *shader = job->shader;
@@ -260,7 +264,7 @@ static void texture_start(struct zs_job *job)
     }
     job->sub_log2 = ZS_AFFINE;
     job->sampler.direct = !job->sampler.wide;
-    if (job->sampler.wide) { /* what lies beyond one repeat counts */
+    if (job->sampler.wide) { /* values beyond one repeat matter */
         for (int i = 0; i < 2; i++)
             zs_plane32(&job->geom, c[i].above[0] << (15 + c[i].up), c[i].above[1] << (15 + c[i].up),
                        c[i].above[2] << (15 + c[i].up), ZS_PLANE_WIDE, &job->c[i]);
@@ -280,7 +284,7 @@ static void texture_start(struct zs_job *job)
 #define TEXTURE(vertex_, face_, check_, light_, n)                                                 \
     {                                                                                              \
         .vertex = vertex_, .face = face_, .start = texture_start, .run = zs_texture_run,           \
-        .check = check_, .light = light_, .n_varyings = n                                          \
+        .check = check_, .light = light_, .n_varyings = n, .opaque = 1                             \
     }
 
 const struct zs_shader zs_shade_texture = TEXTURE(texture_vertex, 0, texture_check, 0,

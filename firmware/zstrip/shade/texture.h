@@ -1,5 +1,5 @@
-/* A textured triangle's coordinates: what texture.c, texture_run.c and accelerators share.
- * Internal.
+/* Texture coordinates of a triangle: shared by shade/texture.c, shade/texture_run.c and
+ * accelerators. Internal.
  *
  * SPDX-License-Identifier: MIT
  */
@@ -9,13 +9,13 @@
 #include "zs_shader.h"
 #include "shade/persp.h"
 
-/* Texture coordinates walked along a run: fractions of the texture's size, modulo 1. */
+/* Texture coordinates that are stepped along a run: fractions of the texture's size, modulo 1. */
 struct zs_walk {
     uint32_t u, v, du, dv; /* uq0_32 */
 };
 
 struct zs_texel {
-    /* n texels along a walk, RGB565 in wire order. */
+    /* Fetch n texels along a walk: RGB565, most significant byte first. */
     void (*fetch)(const struct zs_texture *texture, uint16_t *out, int32_t n,
                   const struct zs_walk *walk);
     uint16_t colors_max; /* of the palette; 0: there is none */
@@ -23,24 +23,27 @@ struct zs_texel {
 };
 
 #define ZS_TEXTURE_GROUP_LOG2                                                                      \
-    5                          /* pixels of a row that are affine together, or divided one by one */
-#define ZS_TEXTURE_BIAS_LOG2 9 /* 2^-9 texel */
-#define ZS_TEXTURE_FLOOR_LOG2 7u /* smaller textures are held to 1/8 texel of one of 128 */
+    5                          /* log2 of a group's pixels: affine, or divided one by one */
+#define ZS_TEXTURE_BIAS_LOG2 9 /* 2^-9 texel is added to coordinates (shade/texture.c) */
+#define ZS_TEXTURE_FLOOR_LOG2 7u /* the error bound of a smaller texture is that of one with 128
+                                    texels: 1/8 of its texels */
 
-/* log2 of the texels (of 128 or more to a repeat) that 16 bits stand for which are a difference of
- * coordinates, in 2^-uv_bits repeats, times 2^up. */
+/* A difference of coordinates, in 2^-uv_bits repeats, times 2^up is a value of 16 bits. Return log2
+ * of the texels that its full range spans, with at least 128 texels for each repeat. */
 static inline int32_t zs_texture_texels(int32_t up, uint32_t uv_bits, uint32_t log2)
 {
     return 16 - up - (int32_t)uv_bits + (int32_t)zs_maxu32(log2, ZS_TEXTURE_FLOOR_LOG2);
 }
 
-/* The shift that leaves a column or row of uq0_32. A texture of one: 31, and u or v is 0. */
+/* Return the shift from uq0_32 to a column or row. For a size of one texel it is 31; u or v is then
+ * 0. */
 static inline uint32_t zs_texture_cut(uint32_t log2)
 {
     return log2 ? 32u - log2 : 31u;
 }
 
-/* Plain affine: 2^texels * change / least / 4 <= 1/8, for a range of all 16 bits. */
+/* Return 1 if affine interpolation is exact enough: 2^texels * change / least / 4 <= 1/8, for a
+ * range of all 16 bits. */
 static inline int zs_texture_affine(int32_t texels, uint32_t change, uint32_t least)
 {
     if (texels < 0)
@@ -48,9 +51,9 @@ static inline int zs_texture_affine(int32_t texels, uint32_t change, uint32_t le
     return texels < 31 && change <= (least >> (ZS_SPAN_BOUND_LOG2 - 2)) >> texels;
 }
 
-/* 256 * n / area * 2^(32 - uv_bits), nearest: a gradient in 2^-32 repeats, shift = 23 + uv_bits -
- * the leading zeros of the area, 1 .. 36. 0 in *ok where it does not fit 32 bits with its sign. |n|
- * < 2^31. Error 2^-30 of it and 1/2 ulp. */
+/* Return 256 * n / area * 2^(32 - uv_bits), nearest: a gradient in 2^-32 repeats. shift = 23 +
+ * uv_bits - the leading zeros of the area, 1 .. 36. Clears *ok if the result does not fit 32 bits
+ * with its sign. |n| < 2^31. The error is 2^-30 of the result, and 1/2 ulp. */
 static inline uint32_t zs_texture_gradient(uint32_t rcp, int32_t n, int32_t shift, int *ok)
 {
     const int64_t product = zs_mul_su(n, rcp); /* |.| < 2^63 */
@@ -65,7 +68,8 @@ static inline uint32_t zs_texture_gradient(uint32_t rcp, int32_t n, int32_t shif
     return low;
 }
 
-/* The light's words: range * 2^-15 * 64 codes * change / least / 4 <= 1/8. */
+/* Return 1 if affine interpolation of the light is exact enough: range * 2^-15 * 64 codes * change
+ * / least / 4 <= 1/8. */
 static inline int zs_texture_light_affine(uint32_t range, uint32_t change, uint32_t least)
 {
     return zs_mul_uu(range, change) <= (uint64_t)least << (11 - ZS_SPAN_BOUND_LOG2);
@@ -75,7 +79,7 @@ static inline int zs_texture_light_affine(uint32_t range, uint32_t change, uint3
 #define ZS_TEXTURE_LIGHT_SHIFT 21        /* ... of uq1_31 ... */
 #define ZS_TEXTURE_LIGHT_HALF (1u << 20) /* ... to which a half of it is added */
 
-/* RGB565 times light of 0 .. 2047 */
+/* Multiply an RGB565 value by light, uq1_10, 0 .. 2047. */
 static inline uint32_t zs_texture_shine(uint32_t c, uint32_t level)
 {
     const uint32_t rb = (((c & 0xf800u) << 5) | (c & 31u)) * level + 0x02000200u; /* 2 x 16 bits */
@@ -89,23 +93,23 @@ static inline uint32_t zs_texture_shine(uint32_t c, uint32_t level)
     return red << 11 | green << 5 | blue;
 }
 
-/* As zs_shader.run and .light. */
+/* zs_shader.run and zs_shader.light of textured shaders. */
 void zs_texture_run(struct zs_job *job, const struct zs_row *row, int32_t r0, int32_t r1);
 void zs_texture_light(uint16_t *out, int32_t n, uint32_t l, uint32_t step);
-/* Pixel i of a row of a triangle that is not affine, by a division of its own; by a reciprocal of
- * 15 bits where that does. */
+/* Colour pixel i of a scanline with a perspective division, in a triangle that is not affine. */
 void zs_texture_pixel(struct zs_job *job, const struct zs_row *row, int32_t i);
 
 #define ZS_TEXTURE_FULL_LIGHT                                                                      \
-    32768u /* zs_tri.paint, uq1_15, where a texture's colours are as they are */
+    32768u /* zs_tri.paint, uq1_15: light that leaves the texture's colours unchanged */
 
-/* attribute * w over w: uq2_30, a little below 0 or above 1 at most; 1/2 in 2^16 has been added to
- * c. */
+/* Divide attribute * w by w: uq2_30, at most slightly below 0 or above 1. The caller has added 1/2
+ * in 2^16 to c. */
 static inline uint32_t zs_texture_coarse(uint32_t c, uint32_t rcp)
 {
-    return (uint32_t)((int32_t)c >> 16) * rcp; /* 16 bits with the sign, times 16: modulo 2^32 */
+    return (uint32_t)((int32_t)c >> 16) * rcp; /* 16 signed bits times 16 bits, modulo 2^32 */
 }
 
+/* Light n pixels: by the interpolated light, or by that of the face. */
 static inline void zs_texture_lighten(const struct zs_job *job, uint16_t *out, int32_t n,
                                       uint32_t level, int32_t step)
 {

@@ -1,4 +1,5 @@
-/* Textured shading: colours of visible pixels. How coordinates go over a triangle is in texture.c.
+/* Textured shading: colours of visible pixels. shade/texture.c explains how coordinates are
+ * interpolated.
  *
  * SPDX-License-Identifier: MIT
  */
@@ -8,9 +9,9 @@
 #include "shade/texture.h"
 
 #define GROUP (1 << ZS_TEXTURE_GROUP_LOG2) /* pixels */
-#define FEW 2 /* pixels: each by itself, whatever an accelerator can do */
+#define FEW 2 /* so few pixels are drawn one by one, even if an accelerator has a loop for more */
 
-/* v * 2^shift in 64 bits, floor. |shift| < 32 */
+/* Return v * 2^shift in 64 bits, floor. |shift| < 32 */
 static inline uint64_t shifted(int32_t v, int32_t shift)
 {
     if (shift <= 0)
@@ -20,15 +21,15 @@ static inline uint64_t shifted(int32_t v, int32_t shift)
 
 /* ---- Runs ------------------------------------------------------------------------------------ */
 
-/* A coordinate held to [0, 1) in q32_32. */
+/* Clamp a coordinate, q32_32, to [0, 1). */
 static uint32_t held(uint64_t t)
 {
     const int32_t beyond = (int32_t)(t >> 32);
     return beyond ? ~(uint32_t)(beyond >> 31) : (uint32_t)t;
 }
 
-/* u (k = 0) or v of a texture that is clamped, or one texel wide or high: what a walk takes for
- * q32_32. */
+/* Return u (k = 0) or v (k = 1) as zs_walk takes it, from q32_32, for a texture that is clamped, or
+ * one texel wide or high. */
 static uint32_t place_in(const struct zs_texture *t, int k, uint64_t at)
 {
     if ((k ? t->log2_h : t->log2_w) == 0)
@@ -36,10 +37,11 @@ static uint32_t place_in(const struct zs_texture *t, int k, uint64_t at)
     return t->clamp >> k & 1 ? held(at) : (uint32_t)at;
 }
 
-/* Textures that are clamped: q32_32, because what lies beyond [0, 1) counts. Runs that stay within
- * are fetched whole, others pixel by pixel. As in fetch(), c is where a group or a row begins, and
- * the run `skip` pixels right of it: shifts cut bits off, and where a run begins must not tell
- * which. A step loses 2^-32 repeats, 12,000 of them 2^-18. */
+/* fetch() for clamped textures. Coordinates are q32_32, because values outside [0, 1) matter. A run
+ * that stays inside is fetched as a whole, others pixel by pixel. As in fetch(), c is the
+ * coordinate at the begin of a group or scanline, and the run begins `skip` pixels right of it:
+ * shifts discard bits, and the discarded bits must not depend on where a run begins. A step loses
+ * 2^-32 repeats, 12,000 steps 2^-18. */
 ZS_IN_ORDER static ZS_NOINLINE void fetch_wide(const struct zs_sampler *s, uint16_t *out, int32_t n,
                                                const uint32_t c[2], const int32_t step[2],
                                                int32_t skip)
@@ -66,18 +68,19 @@ ZS_IN_ORDER static ZS_NOINLINE void fetch_wide(const struct zs_sampler *s, uint1
     }
 }
 
+/* Shift left, or right if shift is negative. */
 static inline uint32_t turned(uint32_t c, int32_t shift)
 {
     return shift >= 0 ? c << shift : (uint32_t)((int32_t)c >> -shift);
 }
 
-/* n texels from `skip` pixels right of coordinates c on, which change by step: in 2^-31 of the
- * triangle's span. */
+/* Fetch n texels, beginning `skip` pixels right of the pixel with coordinates c. c and step are in
+ * 2^-31 of the triangle's span. */
 static inline void fetch(const struct zs_job *job, uint16_t *out, int32_t n, const uint32_t c[2],
                          const int32_t step[2], int32_t skip)
 {
     const struct zs_sampler *s = &job->sampler;
-    if (s->wide) { /* the same modulo one repeat, in 64 bits */
+    if (s->wide) { /* in 64 bits; modulo one repeat it is the same */
         fetch_wide(s, out, n, c, step, skip);
         return;
     }
@@ -92,7 +95,7 @@ static inline void fetch(const struct zs_job *job, uint16_t *out, int32_t n, con
     texel->fetch(s->texture, out, n, &walk);
 }
 
-/* n pixels times light, which is uq1_15 with 16 more fraction bits and changes by step. */
+/* Multiply n pixels by light, uq1_31, which changes by step from pixel to pixel. */
 void zs_texture_light(uint16_t *out, int32_t n, uint32_t l, uint32_t step)
 {
     l += ZS_TEXTURE_LIGHT_HALF;
@@ -100,8 +103,9 @@ void zs_texture_light(uint16_t *out, int32_t n, uint32_t l, uint32_t step)
         *out = zs_wire16((uint16_t)zs_texture_shine(zs_wire16(*out), l >> ZS_TEXTURE_LIGHT_SHIFT));
 }
 
-/* Attributes at a covered pixel by division: 2^-31 of their span. Return w there. */
-ZS_IN_ORDER static uint32_t divide_at(const struct zs_job *job, int32_t i, int32_t row, int n, uint32_t out[3])
+/* Compute the attributes at a covered pixel by division, in 2^-31 of their span. Return its w. */
+ZS_IN_ORDER static uint32_t divide_at(const struct zs_job *job, int32_t i, int32_t row, int n,
+                                      uint32_t out[3])
 {
     uint32_t w;
     int32_t lz;
@@ -122,7 +126,7 @@ static void run_affine(struct zs_job *job, const struct zs_row *row, int32_t r0,
     const uint32_t u = zs_plane_at(&job->c[0], from, row->y),
                    v = zs_plane_at(&job->c[1], from, row->y);
     const uint32_t du = job->c[0].gx,
-                   dv = job->c[1].gx; /* beyond 31 bits only where a run is one pixel */
+                   dv = job->c[1].gx; /* exceeds 31 bits only if a run is a single pixel */
     if (!job->sampler.direct) {
         const uint32_t c[2] = { u, v };
         const int32_t step[2] = { (int32_t)du, (int32_t)dv };
@@ -139,7 +143,8 @@ static void run_affine(struct zs_job *job, const struct zs_row *row, int32_t r0,
 
 /* ---- Pixel by pixel -------------------------------------------------------------------------- */
 
-/* Attribute k at a pixel, c there shifted up like w, whose reciprocal of 15 bits is rcp. */
+/* Compute attribute k at a pixel. `up` is the shift that normalises w; rcp is the reciprocal, 15
+ * bits, of w shifted like that. */
 static uint32_t coarse_at(const struct zs_job *job, int k, int32_t i, int32_t row, int32_t up,
                           uint32_t rcp)
 {
@@ -155,14 +160,15 @@ ZS_ALWAYS_INLINE uint32_t place_at(const struct zs_sampler *s, int k, uint32_t o
 
 /* ---- Groups ---------------------------------------------------------------------------------- */
 
-/* The step to a group's end, n pixels or a whole group further. |all| < 2^31 */
+/* Return the change for each pixel, all / n, where n is the length of a part. |all| < 2^31 */
 static inline int32_t step_of(int32_t all, int32_t n)
 {
     return n == GROUP ? all >> ZS_TEXTURE_GROUP_LOG2
                       : (int32_t)(zs_mul_su(all, zs_one_over[n]) >> 32);
 }
 
-/* Pixels [i0, i1) of the part from `from` to the covered pixel `to`, which is affine. */
+/* Draw pixels [i0, i1) of an affine part of the scanline, which goes from the pixel `from` to the
+ * covered pixel `to`. */
 ZS_IN_ORDER static ZS_NOINLINE void run_group(struct zs_job *job, const struct zs_row *row,
                                               int32_t from, int32_t to, int32_t i0, int32_t i1)
 {

@@ -1,4 +1,4 @@
-/* Cameras from integers.
+/* Cameras from angles, points and directions, in integers.
  *
  * SPDX-License-Identifier: MIT
  */
@@ -56,8 +56,8 @@ static int in_world(const int32_t p[3])
     return 1;
 }
 
-/* v times a power of two, the largest component in [2^30, 2^31): exact but for a component of
- * -2^31, with which all are halved. v is not 0. */
+/* Scale v by a power of two, so that the largest component is in [2^30, 2^31). That is exact,
+ * except with a component of -2^31: then all are halved. v is not 0 0 0. */
 static void stretch(int32_t out[3], const int32_t v[3])
 {
     uint32_t mag = 0;
@@ -80,12 +80,12 @@ int zs_camera_look_along(struct zs_camera *camera, const int32_t eye[3], const i
     stretch(f, dir);
     stretch(u, up);
     for (int k = 0; k < 3;
-         k++) { /* of the vectors as given: exact, so no error grows near parallel */
+         k++) { /* of the vectors as given: exact, also if they are nearly parallel */
         const int i = (k + 1) % 3, j = (k + 2) % 3;
         cross[k] = (int64_t)f[i] * u[j] - (int64_t)f[j] * u[i]; /* |.| < 2^63 - 2^32 */
         most |= cross[k] < 0 ? -cross[k] : cross[k];
     }
-    if (most >> 40 == 0) /* sin of the angle below about 2^-21: up says nothing any more */
+    if (most >> 40 == 0) /* sine of the angle below about 2^-21: treated as parallel */
         return ZS_ERR_VECTOR;
     (void)zs_unit64(right, cross);
     for (int k = 0; k < 3; k++) {

@@ -1,8 +1,8 @@
-/* Data that cannot be trusted: what a mesh or a texture must keep so that drawing it reads nothing
- * out of bounds and draws what the header promises.
+/* Checks of data that cannot be trusted. A mesh or texture that passes is drawn without a read out
+ * of bounds, and as the headers promise.
  *
- * Everything is exact, in integers that no content can overflow: bounds stand beside each
- * intermediate.
+ * All tests are exact, in integers that no data can overflow; comments give the bound of each
+ * intermediate result.
  *
  * SPDX-License-Identifier: MIT
  */
@@ -43,7 +43,7 @@ static enum zs_flaw found(enum zs_flaw flaw, uint32_t *index, uint32_t at)
     return flaw;
 }
 
-/* Where the core would trap on an access. NULL is. */
+/* Return 1 if a pointer is aligned, so that no core traps on an access. NULL is aligned. */
 static int aligned(const void *p, size_t bytes)
 {
     return ((uintptr_t)p & (bytes - 1u)) == 0;
@@ -51,7 +51,7 @@ static int aligned(const void *p, size_t bytes)
 
 /* ---- Spheres --------------------------------------------------------------------------------- */
 
-/* A vertex from a point given in steps; out in 1/256 step. |.| < 2^24 */
+/* Compute the vector from a point, in steps, to a vertex; out in 1/256 step. |.| < 2^24 */
 static void vertex_from(const struct zs_mesh *m, uint32_t v, const int16_t point[3], int32_t out[3])
 {
     for (int k = 0; k < 3; k++)
@@ -71,7 +71,7 @@ static int in_sphere(const struct zs_mesh *m, uint32_t v, const int16_t center[3
 
 /* ---- Normals --------------------------------------------------------------------------------- */
 
-/* Length 0, or within 2 % of 32767. */
+/* Return 1 if the length of a normal is 0, or within 2 % of 32767. */
 static int unit_or_none(const zs_q1_15 n[3])
 {
     int64_t square = 0; /* <= 3 * 2^30 */
@@ -84,40 +84,43 @@ static int unit_or_none(const zs_q1_15 n[3])
 /* ---- Cones -------------------------------------------------------------------------------------
  *
  * With A = axis, C = cutoff (127 is 1), r = radius, and d the vector from the eye to the sphere's
- * centre, the header promises for each triangle of the cluster: wherever
+ * centre, struct zs_cluster (zs_scene.h) promises for each triangle of the cluster: if
  *
  *     d . A >= C |d| + 127 r                                                               (1)
  *
- * the eye is not in front of it: with N its normal (p1 - p0) x (p2 - p0), any length, and o = p0 -
- * centre,
+ * then the eye is not in front of the triangle. With N its normal (p1 - p0) x (p2 - p0), of any
+ * length, and o = p0 - centre, that is
  *
  *     (d + o) . N >= 0                                                                     (2)
  *
- * C < 0 holds for directions in more than a half space, which no plane has behind it: refused. For
- * C >= 0, (1) is a convex set of d, and the least d . N in it follows by duality: d . N - u (d . A
- * - C |d| - 127 r) is bounded below, by 127 r u, exactly where |N - u A| <= u C. So (2) holds in
- * all of (1) if, and where (1) has an inside only if, there is a u >= 0 with
+ * With C < 0, (1) holds for directions in more than a half space. No plane has all of these behind
+ * it, so C < 0 is refused. For C >= 0, (1) is a convex set of d, and the least d . N in it follows
+ * by duality: d . N - u (d . A - C |d| - 127 r) is bounded below, by 127 r u, exactly if |N - u A|
+ * <= u C. So (2) holds in all of (1) if (and, where (1) has an interior, only if) there is a u >= 0
+ * with
  *
  *     |N - u A| <= u C   and   127 r u + o . N >= 0
  *
  * Squared, with K = |A|^2 - C^2 and m = N . A, the first is  K u^2 - 2 m u + |N|^2 <= 0.
  *
- * K <= 0: by Cauchy and Schwarz (1) holds for no eye unless r = 0; then all corners are one point
- *         (the sphere has been checked) and nothing is drawn. Nothing to hold.
- * K > 0:  a solution is there if m >= 0 and m^2 >= K |N|^2: the angle between N and A has a sine
- *         of at most C / |A|. That is exact. u = m / K is one of them, and 127 r m + K (o . N) >=
- *         0 the second condition for it. (The largest u would be a little kinder. As |o . N| <= r
- *         |N|, the condition holds by itself while K <= 127^2; an axis that rounding made longer,
- *         at most 127.87, fails it only for a plane that cuts the sphere beyond 0.993 r behind the
- *         centre.)
+ * K <= 0: By the Cauchy-Schwarz inequality, (1) holds for no eye unless r = 0. If r = 0, all
+ * vertices
+ *         are one point (the sphere has been checked), and nothing is drawn. So there is nothing to
+ *         check.
+ * K > 0:  A solution exists if m >= 0 and m^2 >= K |N|^2: the sine of the angle between N and A is
+ *         at most C / |A|. That is exact. u = m / K is one solution, and 127 r m + K (o . N) >= 0
+ *         is the second condition for it. (The largest u would be slightly less strict. As |o . N|
+ *         <= r |N|, the condition always holds while K <= 127^2. An axis that rounding made longer,
+ *         at most 127.87, fails it only for a plane that intersects the sphere beyond 0.993 r
+ *         behind the centre.)
  *
  * A triangle without area has N = 0, and passes.
  *
- * For who makes clusters: A may be rounded as one likes; C = |A| times the sine of the widest
- * angle between A as rounded and a normal, rounded up; 127 where that angle is 90 degrees or
+ * For a tool that makes clusters: A may be rounded in any way. C is |A| times the sine of the
+ * widest angle between the rounded A and a normal, rounded up; 127 if that angle is 90 degrees or
  * more. */
 
-/* Sum of unsigned products, 128 bits. */
+/* A sum of unsigned products, 128 bits. */
 struct wide {
     uint64_t hi, lo;
 };
@@ -143,7 +146,8 @@ static uint64_t magnitude(int64_t v)
     return v < 0 ? 0u - (uint64_t)v : (uint64_t)v;
 }
 
-/* Normal and first corner from a point, 1/256 step. |n| components < 2^49, |o| < 2^24 */
+/* Compute the normal of a triangle, and the vector from a point to its first vertex, in 1/256 step.
+ * |n| components < 2^49, |o| < 2^24 */
 static void plane_of(const struct zs_mesh *m, uint32_t t, const int16_t point[3], int64_t n[3],
                      int32_t o[3])
 {
@@ -152,7 +156,7 @@ static void plane_of(const struct zs_mesh *m, uint32_t t, const int16_t point[3]
     vertex_from(m, m->tri[t][1], point, b);
     vertex_from(m, m->tri[t][2], point, c);
     for (int k = 0; k < 3; k++) {
-        b[k] -= o[k]; /* the point drops out: a difference of two positions */
+        b[k] -= o[k]; /* a difference of two vertices: the point cancels out */
         c[k] -= o[k];
     }
     for (int k = 0; k < 3; k++) {
@@ -161,7 +165,7 @@ static void plane_of(const struct zs_mesh *m, uint32_t t, const int16_t point[3]
     }
 }
 
-/* excess: K above, 1 .. 2^14. */
+/* Return 1 if a triangle passes the test above. excess: K, 1 .. 2^14. */
 static int in_cone(const struct zs_mesh *mesh, const struct zs_cluster *c, uint32_t t,
                    int32_t excess)
 {
@@ -188,8 +192,8 @@ static int in_cone(const struct zs_mesh *mesh, const struct zs_cluster *c, uint3
     return at_least(&front, &behind);
 }
 
-/* Twice the area, squared, is at least the square of height times longest side; or two corners are
- * one point. height in 1/256 step, < 2^20. */
+/* Return 1 if twice the area, squared, is at least the square of height times longest side, or if
+ * two vertices are one point. height in 1/256 step, < 2^20. */
 static int high_enough(const struct zs_mesh *mesh, uint32_t t, uint32_t height)
 {
     const uint16_t *const tri = mesh->tri[t];
@@ -305,13 +309,13 @@ enum zs_flaw zs_mesh_check(const struct zs_mesh *m, uint32_t *index)
 
 /* ---- Textures -------------------------------------------------------------------------------- */
 
-/* Colours that a format's texels can name; 0: it has no palette. */
+/* Return the number of colours that the texels of a format can index; 0: it has no palette. */
 static uint32_t colors_max(const struct zs_texel *format)
 {
     return format == &zs_texel_pal8 ? 256u : format == &zs_texel_pal4 ? 16u : 0u;
 }
 
-/* at: row * width + column, < 2^20. Width is even where two texels share a byte. */
+/* at: row * width + column, < 2^20. The width is even if two texels share a byte. */
 static uint32_t texel_at(const struct zs_texture *x, uint32_t at)
 {
     const uint8_t *texel = x->texel;
@@ -325,7 +329,7 @@ enum zs_flaw zs_texture_check(const struct zs_texture *x, uint32_t *index)
     if (!x || !x->texel)
         return found(ZS_FLAW_NULL, index, 0);
     const uint32_t most = colors_max(x->format);
-    if (most ? !x->palette : x->format != &zs_texel_565) /* also where it is NULL */
+    if (most ? !x->palette : x->format != &zs_texel_565) /* also if it is NULL */
         return found(ZS_FLAW_NULL, index, 0);
     if (!aligned(most ? x->palette : x->texel, sizeof(uint16_t)))
         return found(ZS_FLAW_ALIGN, index, 0);

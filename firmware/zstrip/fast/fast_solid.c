@@ -1,7 +1,8 @@
-/* Triangles of one colour: test and store in one loop, without a call a row or a run; small ones
- * set up and drawn in one go.
+/* Triangles of one colour: depth test and store in one loop, without a call for each row or run.
+ * Small triangles have a path of their own (fast/small.h).
  *
- * Pixel: key = sum >> 16, compare, store both, add. Nothing is divided and nothing is 64 bits wide.
+ * For each pixel: key = sum >> 16, compare, store key and colour, add. There is no division and no
+ * 64-bit arithmetic in the loop.
  *
  * SPDX-License-Identifier: MIT
  */
@@ -11,14 +12,14 @@
 #include "fast/small.h"
 #include "zs_fast.h"
 
-/* From a pixel's depth to its colour: so that one pointer is walked, not two. */
+/* The distance in bytes from a pixel's key to its colour, for loops that step one pointer only. */
 static inline uintptr_t beside_of(const struct zs_job *job)
 {
     return (uintptr_t)job->color - (uintptr_t)job->depth;
 }
 
-/* n > 0 pixels. sum modulo 2^32: at covered pixels key + 1/2 bucket, in [0, 2^32) (plane.c). Return
- * how many are written, where that is counted. */
+/* Test and draw n > 0 pixels. sum is modulo 2^32; at covered pixels it is the key + 1/2 bucket, in
+ * [0, 2^32) (plane.c). Return the number of pixels written, if ZS_STATS is 1. */
 ZS_ALWAYS_INLINE int32_t pixels(uint16_t *depth, uintptr_t beside, int32_t n, uint32_t sum,
                                 uint32_t gx, uint16_t paint, uint32_t top, int clamp)
 {
@@ -41,7 +42,8 @@ ZS_ALWAYS_INLINE int32_t pixels(uint16_t *depth, uintptr_t beside, int32_t n, ui
 
 /* ---- Rows ------------------------------------------------------------------------------------ */
 
-/* Keys that do not saturate: as zs_rows_walk walks rows, with little else in registers. */
+/* Draw a triangle whose keys do not saturate. Does the work of zs_rows_walk, with fewer values in
+ * registers. */
 static ZS_NOINLINE void solid_walk(struct zs_job *job)
 {
     const int32_t width = job->width, pitch = job->pitch;
@@ -99,7 +101,7 @@ static int solid_rows(struct zs_job *job)
 
 /* ---- Small triangles ------------------------------------------------------------------------- */
 
-/* The pixels right of `at` up to `end`, as zs_solid_pixels. */
+/* The same as pixels() for the pixels after `at`, up to and including `end`; no key saturates. */
 ZS_ALWAYS_INLINE int32_t small_pixels(uint16_t *at, uint16_t *const end, uintptr_t beside,
                                       uint32_t sum, uint32_t gx, uint16_t paint)
 {
@@ -125,7 +127,8 @@ static ZS_NOINLINE void small_rows(struct zs_job *job, struct zs_sides *w)
     uintptr_t end = depth + (uint32_t)(w->mid - w->row) * pitch;
     const uintptr_t last = depth + (uint32_t)(w->end - w->row) * pitch;
     uint32_t tested = 0,
-             key = w->key; /* modulo 2^32, as sums are: below 2^29.2 in rows that are drawn */
+             key = w->key; /* modulo 2^32, like left and right, which are below 2^29.2 in rows that
+                              are drawn */
     int32_t written = 0;
     for (;;) {
         uint32_t left = w->sum[0], right = w->sum[1];

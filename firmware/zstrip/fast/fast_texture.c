@@ -1,4 +1,5 @@
-/* Textures: small triangles in one go, palettes lit at once, pixels divided several at a time.
+/* Textured triangles: a path for small triangles, lighting of a whole palette at once, and a loop
+ * for the perspective division of several pixels.
  *
  * SPDX-License-Identifier: MIT
  */
@@ -14,7 +15,7 @@
 
 /* ---- Palettes -------------------------------------------------------------------------------- */
 
-/* t with its palette lit, if it has one that is small enough. */
+/* Return a copy of t with a lit palette, if t has a palette that is small enough; else t. */
 static ZS_NOINLINE const struct zs_texture *palette_lit(struct zs_job *job,
                                                         const struct zs_texture *t)
 {
@@ -38,19 +39,21 @@ static ZS_NOINLINE const struct zs_texture *palette_lit(struct zs_job *job,
     return &lit->texture;
 }
 
-/* ---- Small triangles: repeated textures, affine by their keys alone
- * ------------------------------------
+/* ---- Small triangles -------------------------------------------------------------------------
  *
- * What is found here is what shade/texture.c would find, bit for bit. */
+ * For repeated textures on triangles whose keys alone prove that affine coordinates are exact
+ * enough. The results equal those of shade/texture.c, bit for bit. */
 
-/* v * rcp + more, rcp >= 2^31: one signed product, whose sum begins with what it lacks. */
+/* Return v * rcp + more, rcp >= 2^31, with one signed product: rcp - 2^32 fits 32 bits with a sign,
+ * and v * 2^32 is added. */
 static inline int64_t times_rcp(int32_t v, uint32_t rcp, uint32_t more)
 {
     return zs_mul_ss(v, (int32_t)(rcp - 0x80000000u) - 0x7fffffff - 1) +
            ((int64_t)v * ((int64_t)1 << 32) + more);
 }
 
-/* zs_texture_gradient, its usual case in line. *bad: not 0 where it is too steep. */
+/* zs_texture_gradient, with its common case inlined. Sets *bad to not 0 if the gradient is too
+ * steep. */
 ZS_ALWAYS_INLINE uint32_t gradient(uint32_t rcp, int32_t n, int32_t shift, int32_t *bad)
 {
     if (shift > 31) {
@@ -66,8 +69,8 @@ ZS_ALWAYS_INLINE uint32_t gradient(uint32_t rcp, int32_t n, int32_t shift, int32
     return low;
 }
 
-/* A coordinate: of the first corner, 2^-uv_bits repeats, unsigned; what the others have more; the
- * largest above the least. */
+/* A texture coordinate, 2^-uv_bits repeats: a of the first vertex, unsigned; d1 and d2, the
+ * differences of the others from it; range, the largest minus the least. */
 struct coordinate {
     int32_t a, d1, d2;
     uint32_t range;
@@ -82,8 +85,9 @@ ZS_ALWAYS_INLINE void coordinate(struct coordinate *out, int32_t a, int32_t b, i
     out->range = (uint32_t)(zs_max32(zs_max32(d1, d2), 0) - zs_min32(zs_min32(d1, d2), 0));
 }
 
-/* Its plane: at column 0 of the first row, a pixel, a row. Modulo one repeat: the 32768 that make
- * coordinates unsigned are whole repeats. Return not 0: too steep. */
+/* Compute the gradients of a coordinate, and its value at column 0 of the first row, modulo one
+ * repeat. The 32768 that make coordinates unsigned are whole repeats. Return not 0 if a gradient is
+ * too steep. */
 ZS_ALWAYS_INLINE int32_t plane(const struct zs_small *s, const struct coordinate *c, int32_t shift,
                                uint32_t uv_bits, uint32_t log2, struct zs_texel_rows *w, int k)
 {
@@ -99,7 +103,8 @@ ZS_ALWAYS_INLINE int32_t plane(const struct zs_small *s, const struct coordinate
     return bad;
 }
 
-/* The light: the face's, or the plane of the corners'. Return 0: it is not for this way. */
+/* Set the light: that of the face, or gradients from the vertices. Return 0 if this path cannot
+ * draw it. */
 static ZS_NOINLINE int light(const struct zs_job *job, const struct zs_small *s, uint32_t change,
                              const uint16_t *a, const uint16_t *b, const uint16_t *c,
                              struct zs_texel_rows *w)
@@ -128,7 +133,7 @@ static ZS_NOINLINE int light(const struct zs_job *job, const struct zs_small *s,
     return 1;
 }
 
-/* Whether plain affine coordinates are good enough. */
+/* Return 1 if affine coordinates are exact enough. */
 ZS_ALWAYS_INLINE int is_affine(const struct zs_texture *t, const struct coordinate *u,
                                const struct coordinate *v, uint32_t uv_bits, uint32_t change,
                                uint32_t least)
@@ -210,12 +215,12 @@ ZS_IN_ORDER static int draw_lit(struct zs_job *job)
     return draw(job, 1);
 }
 
-/* ---- Pixels that are divided ----------------------------------------------------------------- */
+/* ---- Perspective division, several pixels at a time ------------------------------------------ */
 
-#define PIECE 16 /* pixels divided at a time ... */
-#define FEW 2    /* ... which is not worth it for so many */
+#define PIECE 16 /* most pixels at a time */
+#define FEW 2    /* so few pixels are faster one by one */
 
-/* n reciprocals, 15 bits, of w that stays in [2^30, 2^31). */
+/* Compute n reciprocals, 15 bits, of w, which stays in [2^30, 2^31). */
 static ZS_NOINLINE void reciprocals(uint32_t *at, int32_t n, uint32_t w, uint32_t step)
 {
     for (uint32_t *end = at + n; at != end; at++, w += step) {
@@ -225,15 +230,16 @@ static ZS_NOINLINE void reciprocals(uint32_t *at, int32_t n, uint32_t w, uint32_
     }
 }
 
-/* A coordinate times w along a run, and how it becomes a column or row. */
+/* A texture coordinate times w along a run, and its conversion to a column or row of the texture.
+ */
 struct places {
     uint32_t c, step;
     uint32_t base;      /* modulo one repeat */
     int32_t left, down; /* shifts that make 2^-32 repeats of 30 bits; one is 0 */
-    uint32_t cut;       /* a repeat's 32 bits shifted by it: the column */
+    uint32_t cut;       /* shift from uq0_32 repeats to the column or row */
 };
 
-/* Attribute k of a job from pixel i on. up: of w, to 31 bits */
+/* Set up attribute k of a job from pixel i on. up: the shift that brings w to 31 bits. */
 static void places_of(struct places *p, const struct zs_job *job, int k, int32_t i, int32_t row,
                       int32_t up)
 {
@@ -247,8 +253,10 @@ static void places_of(struct places *p, const struct zs_job *job, int k, int32_t
     p->cut = 32u - (k ? s->texture->log2_h : s->texture->log2_w);
 }
 
-/* at[]: reciprocals, 16 bits; rows above them; then numbers of texels. Twice: v, u. */
-ZS_IN_ORDER static ZS_NOINLINE void places(uint32_t *at, int32_t n, const struct places *p, uint32_t log2_w)
+/* Replace the reciprocals in at[] by texel indices. Called twice: for v, with log2_w = 0, it stores
+ * the row above the reciprocal's 16 bits; for u, it combines row and column to the index. */
+ZS_IN_ORDER static ZS_NOINLINE void places(uint32_t *at, int32_t n, const struct places *p,
+                                           uint32_t log2_w)
 {
     const int32_t left = p->left, down = p->down;
     uint32_t c = p->c, base = p->base, step = p->step, cut = p->cut;
@@ -263,7 +271,7 @@ ZS_IN_ORDER static ZS_NOINLINE void places(uint32_t *at, int32_t n, const struct
     }
 }
 
-/* Light that comes from the vertices; at[] are reciprocals. */
+/* Apply light that is interpolated from the vertices. at[]: reciprocals. */
 static void light_places(const struct zs_job *job, uint16_t *out, const uint32_t *at, int32_t n,
                          uint32_t c, uint32_t step)
 {
@@ -275,7 +283,7 @@ static void light_places(const struct zs_job *job, uint16_t *out, const uint32_t
     }
 }
 
-/* n <= PIECE pixels from i on in which w keeps its lz leading zeros, 1 .. 31. */
+/* Draw n <= PIECE pixels from i on, on all of which w has lz leading zeros, 1 .. 31. */
 static ZS_NOINLINE void divide_octave(struct zs_job *job, uint16_t *out, int32_t i, int32_t n,
                                       int32_t row, int32_t lz)
 {
@@ -299,7 +307,8 @@ static ZS_NOINLINE void divide_octave(struct zs_job *job, uint16_t *out, int32_t
                  job->c[2].gx << up);
 }
 
-/* How many of n pixels, from one with w on, have its leading zeros. */
+/* Return how many of n pixels, beginning with one with this w, have the same number of leading
+ * zeros in w. */
 static int32_t same_octave(uint32_t w, int32_t gx, int32_t lz, int32_t n)
 {
     const uint32_t low = 1u << (31 - lz);

@@ -1,9 +1,9 @@
-/* The depth test: which pixels of a span win, under any depth state, and handing over runs of them
- * to the shader.
+/* The depth test of a span's pixels, with any depth state. Runs of pixels that pass go to the
+ * shader.
  *
- * The triangles of a strip are drawn in scene order, and sets from pools that are too small follow
- * each other in scene order, so the outcome is that of drawing one after another, whatever strips
- * and pools are.
+ * The triangles of a strip are drawn in scene order. If the pools are too small for the scene, it
+ * is drawn in several sets, which are in scene order too. So the picture is that of drawing all
+ * triangles one after another, whatever strip height and pool sizes are.
  *
  * SPDX-License-Identifier: MIT
  */
@@ -13,7 +13,7 @@
 #include "core/rows.h"
 #include "zs_shader.h"
 
-#define BIAS_MAX 65536 /* buckets: beyond it, all keys stop at an end anyway */
+#define BIAS_MAX 65536 /* buckets: a larger bias would only saturate every key */
 
 ZS_RARE int32_t zs_depth_state_bias(const struct zs_job *job)
 {
@@ -35,7 +35,8 @@ ZS_RARE int32_t zs_depth_state_bias(const struct zs_job *job)
     return (int32_t)zs_held64(state->bias + slope, BIAS_MAX);
 }
 
-/* Keys are moved by the bias, and stay in 0 .. top. Without a depth state they are moved by 0. */
+/* Depth-test the keys of a piece, write those that pass, and colour each run of them. A key is moved
+ * by the bias and held to 0 .. top; without a depth state the bias is 0. */
 void zs_rows_test(struct zs_job *job, const struct zs_row *row, int32_t i0, int32_t i1,
                   uint32_t sum, uint32_t step)
 {
@@ -44,12 +45,12 @@ void zs_rows_test(struct zs_job *job, const struct zs_row *row, int32_t i0, int3
     const int32_t top = (int32_t)(job->r->view.key_top >> 16) - 1, bias = state ? job->bias : 0;
     const int32_t most = top + zs_min32(bias, 0);
     const uint32_t func = state ? state->func : ZS_DEPTH_LESS;
-    const uint32_t more = func == ZS_DEPTH_LESS     ? 0u /* than the depth there: keys that win */
+    const uint32_t more = func == ZS_DEPTH_LESS     ? 0u /* a key passes if it is below depth + more */
                           : func == ZS_DEPTH_ALWAYS ? 65536u
                                                     : 1u;
     const int writes = !state || !state->read_only;
     uint16_t *const line = job->depth + row->at;
-    for (int32_t i = i0; i < i1; i++, sum += step) { /* at a pixel that lost */
+    for (int32_t i = i0; i < i1; i++, sum += step) { /* the step skips the pixel that failed */
         const int32_t from = i;
         for (; i < i1; i++, sum += step) {
             const int32_t moved = zs_min32((int32_t)(sum >> 16) + bias, most);

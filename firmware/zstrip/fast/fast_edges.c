@@ -1,5 +1,5 @@
-/* Columns of small triangles by a division an edge and row, for cores that divide: both sides at
- * once (core/edges.c).
+/* Spans of tiny triangles, both sides in one loop, with a division for each side and row, for cores
+ * with a divide instruction (compare core/edges.c).
  *
  * SPDX-License-Identifier: MIT
  */
@@ -8,13 +8,14 @@
 #include "core/job.h"
 #include "zs_fast.h"
 
-/* A side of a tiny triangle: columns are sum / span, counted from ZS_TINY_SIDE left of the top
- * corner, so that what is divided is positive; a product is below 2^29.1. */
+/* A side of a tiny triangle. Its column is sum / span, counted from ZS_TINY_SIDE left of the top
+ * vertex, so that sum is positive. Each product is below 2^29.1. */
 struct side {
     uint32_t sum, span, step;
 };
 
-/* From a corner x right of column 0, off above a row's samples, along an edge. */
+/* Set up a side along an edge (dx, dy) whose upper end is x right of the sample in column 0 and off
+ * above the samples of the first row. */
 static inline struct side side_of(int32_t x, int32_t off, int32_t dx, int32_t dy)
 {
     const uint32_t span = (uint32_t)dy * ZS_SUBPX_ONE;
@@ -23,13 +24,13 @@ static inline struct side side_of(int32_t x, int32_t off, int32_t dx, int32_t dy
     return s;
 }
 
-/* The next n rows. */
+/* Find the spans of the next n rows. */
 static inline struct zs_cut *sides_cut(struct zs_cut *cut, int32_t n, int32_t from,
                                        struct side *left, struct side *right)
 {
     for (struct zs_cut *const end = cut + n; cut != end; cut++) {
         ZS_FACT(left->span >= ZS_SUBPX_ONE &&
-                right->span >= ZS_SUBPX_ONE); /* no rows beside a level edge */
+                right->span >= ZS_SUBPX_ONE); /* a horizontal edge has no rows */
         cut->x0 = (int16_t)(from + (int32_t)(left->sum / left->span));
         cut->x1 = (int16_t)(from + (int32_t)(right->sum / right->span));
         left->sum += left->step;

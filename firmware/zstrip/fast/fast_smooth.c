@@ -1,4 +1,5 @@
-/* Smooth shading, affine, keys that do not saturate: test and colours in one loop.
+/* Smooth shading: depth test and colours in one loop, for affine triangles whose keys do not
+ * saturate.
  *
  * SPDX-License-Identifier: MIT
  */
@@ -8,7 +9,7 @@
 #include "shade/persp.h"
 #include "zs_fast.h"
 
-/* Depth test and colour of an affine triangle whose keys do not saturate. */
+/* Draw an affine triangle whose keys do not saturate. */
 static ZS_NOINLINE void affine_rows(struct zs_job *job)
 {
     const int32_t width = job->width;

@@ -1,5 +1,5 @@
-/* The depth test (core/test.c): which pixels win, what is written, and the runs that shaders are handed; what takes its
- * place where there is no state (fast/less.c, fast/solid.c); a state's bias.
+/* The depth test (core/depth_test.c): which pixels win, what is written, and the runs that shaders are handed; what takes its
+ * place where there is no state (fast/less.c, fast/fast_solid.c); a state's bias.
  *
  * SPDX-License-Identifier: MIT
  */
@@ -161,7 +161,7 @@ static int plain_case(uint64_t seed)
     struct prng p = { seed };
     struct piece c;
     piece_any(&p, &c, 0);
-    if (!piece_right(&c, zs_rows_test, 0, "core/test.c"))
+    if (!piece_right(&c, zs_rows_test, 0, "core/depth_test.c"))
         return 0;
     for (size_t k = 0; k < sizeof others / sizeof others[0] && c.i0 < c.i1; k++) {
         const uint32_t last = c.sum + (uint32_t)(c.i1 - 1 - c.i0) * c.step;

@@ -1,5 +1,5 @@
-/* Loops of each texel format: texels by their numbers, rows of an affine triangle and of a small
- * one, with their depth test.
+/* The inner loops of each texel format: gathering of texels by index, and the scanlines of affine
+ * and of small triangles, with their depth test.
  *
  * SPDX-License-Identifier: MIT
  */
@@ -25,7 +25,7 @@ ZS_ALWAYS_INLINE void rows(struct zs_job *job, zs_read_fn *read)
     const uint16_t *palette = t->palette;
     const uint32_t right = 32u - t->log2_w, down = 32u - t->log2_h, log2_w = t->log2_w;
     const uintptr_t beside = (uintptr_t)job->color -
-                             (uintptr_t)job->depth; /* from a depth to its colour */
+                             (uintptr_t)job->depth; /* bytes from a key to its colour */
     uint32_t gx = job->key.gx, du = job->c[0].gx, dv = job->c[1].gx, tested = 0;
     int32_t written = 0, y = job->row;
     zs_plane_origin(&job->geom, &job->key);
@@ -68,13 +68,13 @@ ZS_ALWAYS_INLINE void rows(struct zs_job *job, zs_read_fn *read)
 
 #define ZS_WORD(field) ((int)(offsetof(struct zs_texel_rows, field) / 4u))
 
-/* Rows of a small triangle. What goes from row to row lies in its record: pixels take all
- * registers. */
+/* Draw the scanlines of a small triangle. The values that step from row to row are kept in *w,
+ * because the pixel loop needs all registers. */
 ZS_ALWAYS_INLINE void small(struct zs_job *job, const struct zs_texture *t, struct zs_texel_rows *w,
                             zs_read_fn *read, int lit)
 {
     const uintptr_t beside = (uintptr_t)job->color -
-                             (uintptr_t)job->depth; /* from a depth to its colour */
+                             (uintptr_t)job->depth; /* bytes from a key to its colour */
     const uint32_t pitch = w->sides.down[0];
     const void *const texel = t->texel;
     const uint16_t *const palette = t->palette;
