@@ -35,37 +35,31 @@ ZS_RARE int32_t zs_depth_state_bias(const struct zs_job *job)
     return (int32_t)zs_held64(state->bias + slope, BIAS_MAX);
 }
 
-/* Depth-test a key, and write it if it passes and the depth state allows. Return 1: it passed. */
-static inline int wins(const struct zs_job *job, uint32_t key, uint32_t top, uint16_t *depth)
-{
-    const struct zs_depth_state *state = job->depth_state;
-    key = zs_minu32(key, top);
-    if (!state) {
-        if (key >= *depth)
-            return 0;
-    } else {
-        const int32_t moved = (int32_t)key + job->bias;
-        key = moved < 0 ? 0u : zs_minu32((uint32_t)moved, top);
-        if (state->func != ZS_DEPTH_ALWAYS &&
-            key >= (uint32_t)*depth + (state->func != ZS_DEPTH_LESS))
-            return 0;
-        if (state->read_only)
-            return 1;
-    }
-    *depth = (uint16_t)key;
-    return 1;
-}
-
+/* Depth-test the keys of a piece, write those that pass, and colour each run of them. A key is moved
+ * by the bias and held to 0 .. top; without a depth state the bias is 0. */
 void zs_rows_test(struct zs_job *job, const struct zs_row *row, int32_t i0, int32_t i1,
                   uint32_t sum, uint32_t step)
 {
     const struct zs_shader *shader = job->shader;
-    const uint32_t top = (job->r->view.key_top >> 16) - 1u;
+    const struct zs_depth_state *state = job->depth_state;
+    const int32_t top = (int32_t)(job->r->view.key_top >> 16) - 1, bias = state ? job->bias : 0;
+    const int32_t most = top + zs_min32(bias, 0);
+    const uint32_t func = state ? state->func : ZS_DEPTH_LESS;
+    const uint32_t more = func == ZS_DEPTH_LESS     ? 0u /* a key passes if it is below depth + more */
+                          : func == ZS_DEPTH_ALWAYS ? 65536u
+                                                    : 1u;
+    const int writes = !state || !state->read_only;
     uint16_t *const line = job->depth + row->at;
     for (int32_t i = i0; i < i1; i++, sum += step) { /* the step skips the pixel that failed */
         const int32_t from = i;
-        for (; i < i1 && wins(job, sum >> 16, top, &line[i]); sum += step)
-            i++;
+        for (; i < i1; i++, sum += step) {
+            const int32_t moved = zs_min32((int32_t)(sum >> 16) + bias, most);
+            const uint32_t key = moved < 0 ? 0u : (uint32_t)moved;
+            if (key >= line[i] + more)
+                break;
+            if (writes)
+                line[i] = (uint16_t)key;
+        }
         if (i > from) {
             zs_rows_written(job, i - from);
             shader->run(job, row, from, i);

@@ -91,12 +91,12 @@ struct zs_sampler {
     const struct zs_texture *texture;
     uint64_t base[2]; /* q32_32 repeats at coordinate 0, plus 1/512 texel (shade/texture.c) */
     int8_t shift[2];  /* coordinate * 2^shift is in 2^-32 repeats */
-    uint32_t least_w; /* a group of pixels is affine if w at its ends is at least this */
     uint8_t fine;     /* 1: the triangle spans so many texels that a reciprocal of 15 bits is too
-                         coarse */
+                          coarse */
     uint8_t wide;     /* 1: the texture is clamped, or one texel wide or high */
     uint8_t direct;   /* 1: affine and not wide: job->c[0] and [1] are u and v, uq0_32 */
     uint8_t unlit;    /* 1: texels are drawn as they are in `texture` */
+    uint32_t least_w; /* a group of pixels is affine if w at its ends is at least this */
 };
 
 /* The job lives only while its triangle is drawn in one strip. The fields that scanlines, spans and

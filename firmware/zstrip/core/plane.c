@@ -102,7 +102,8 @@ void zs_plane_geom(struct zs_job *job)
 #define ZS_GRADIENT static ZS_NOINLINE
 #endif
 
-ZS_ALWAYS_INLINE int32_t quotient(int64_t n, uint32_t rcp, int32_t lz, int32_t least_shift)
+ZS_ALWAYS_INLINE int32_t quotient(int64_t n, uint32_t rcp, int32_t lz, int32_t least_shift,
+                                  int tiny)
 {
     /* With m = |n| 2^k: 256 |n| / area = p / 2^(down + k), where p = m (2^63 / (area 2^lz)) / 2^32.
      * If |n| fits 32 bits, k is 0: to normalise m would only shift zeros in and out again, with the
@@ -115,14 +116,18 @@ ZS_ALWAYS_INLINE int32_t quotient(int64_t n, uint32_t rcp, int32_t lz, int32_t l
     }
     ZS_FACT(hi <= 1u << 16);
     int32_t down = 23 - lz;
-    if (hi || down < least_shift) {
-        if (!(hi | m))
+    if (hi) {
+        const int32_t up = zs_clz32(hi), less = 32 - up; /* up: 15 .. 31 */
+        m = hi << up | m >> less;
+        down -= less;
+        if (down < least_shift)
+            return TOO_STEEP;
+    } else if (!tiny && down < least_shift) { /* tiny: lz <= 18 */
+        if (!m)
             return 0;
-        const int32_t up = hi ? zs_clz32(hi)
-                              : zs_min32(zs_clz32(m), 16); /* hi: 15 .. 31; by 16, it is not too
-                                                              steep any more */
-        m = hi ? hi << up | m >> (32 - up) : m << up;
-        down += hi ? up - 32 : up;
+        const int32_t up = zs_min32(zs_clz32(m), 16); /* by 16, it is not too steep any more */
+        m <<= up;
+        down += up;
         if (down < least_shift)
             return TOO_STEEP;
     }
@@ -130,24 +135,26 @@ ZS_ALWAYS_INLINE int32_t quotient(int64_t n, uint32_t rcp, int32_t lz, int32_t l
     return sign < 0 ? -(int32_t)m : (int32_t)m;
 }
 
-ZS_NOINLINE int32_t zs_plane_quotient(int64_t n, uint32_t rcp, int32_t lz, int32_t least_shift)
+ZS_IN_ORDER ZS_NOINLINE int32_t zs_plane_quotient(int64_t n, uint32_t rcp, int32_t lz,
+                                                  int32_t least_shift)
 {
-    return quotient(n, rcp, lz, least_shift);
-}
-
-static ZS_RARE ZS_NOINLINE int64_t cross(int32_t a, int32_t b, int32_t c, int32_t d)
-{
-    return zs_mul_ss(a, b) - zs_mul_ss(c, d);
+    return quotient(n, rcp, lz, least_shift, 0);
 }
 
 /* Return 256 (dv1 d[1] - dv2 d[0]) / area. |dv| <= 2^31, |d| <= 2^16: |numerator| <= 2^48 */
 ZS_GRADIENT int32_t gradient(const struct zs_geom *g, int32_t dv1, int32_t dv2, const int32_t d[2],
                              int32_t least)
 {
-    const int64_t n = !ZS_CROSS_SHORT || g->tiny ? zs_cross_short(dv1, d[1], dv2, d[0])
-                                                 : cross(dv1, d[1], dv2, d[0]);
+    const int64_t n = zs_cross_short(dv1, d[1], dv2, d[0]);
     return ZS_DIVIDES ? zs_plane_quotient(n, g->rcp, -g->exp, least)
-                      : quotient(n, g->rcp, -g->exp, least);
+                      : quotient(n, g->rcp, -g->exp, least, ZS_CROSS_SHORT);
+}
+
+/* The same for a triangle that is not tiny, if zs_cross_short and gradient() take tiny ones only. */
+static ZS_RARE ZS_NOINLINE int32_t small_gradient(const struct zs_geom *g, int32_t dv1, int32_t dv2,
+                                                  const int32_t d[2], int32_t least)
+{
+    return zs_plane_quotient(zs_mul_ss(dv1, d[1]) - zs_mul_ss(dv2, d[0]), g->rcp, -g->exp, least);
 }
 
 /* Divide n / d to 32 fraction bits. Store the floor in *whole, return the fraction. d < 2^45. */
@@ -254,7 +261,7 @@ static ZS_NOINLINE void wide_plane(const struct zs_geom *g, uint32_t dv1, uint32
 }
 
 void zs_plane32(const struct zs_geom *g, uint32_t v0, uint32_t v1, uint32_t v2,
-                enum zs_plane_kind kind, struct zs_plane *out)
+                int32_t kind, struct zs_plane *out)
 {
     const int32_t dv1 = (int32_t)(v1 - v0), dv2 = (int32_t)(v2 - v0);
     out->base = v0;
@@ -265,8 +272,14 @@ void zs_plane32(const struct zs_geom *g, uint32_t v0, uint32_t v1, uint32_t v2,
     /* if the differences fit 32 bits; they do if all values are in the same half of the range */
     if (g->rcp && ((int32_t)((v1 ^ v0) | (v2 ^ v0)) >= 0 ||
                    ((dv1 < 0) == (v1 < v0) && (dv2 < 0) == (v2 < v0)))) {
-        const int32_t gx = gradient(g, dv1, dv2, g->dy, kind),
-                      up = gradient(g, dv1, dv2, g->dx, kind); /* up: -gy */
+        int32_t gx, up; /* up: -gy */
+        if (!ZS_CROSS_SHORT || g->tiny) {
+            gx = gradient(g, dv1, dv2, g->dy, kind);
+            up = gradient(g, dv1, dv2, g->dx, kind);
+        } else {
+            gx = small_gradient(g, dv1, dv2, g->dy, kind);
+            up = small_gradient(g, dv1, dv2, g->dx, kind);
+        }
         if (gx != TOO_STEEP && up != TOO_STEEP) {
             out->gx = (uint32_t)gx;
             out->gy = 0u - (uint32_t)up;

@@ -27,7 +27,7 @@ int32_t zs_plane_quotient(int64_t n, uint32_t rcp, int32_t lz, int32_t least_shi
 uint64_t zs_plane_numerator(uint64_t dv1, uint64_t dv2, const int32_t d[2]);
 /* Compute the gradients of a value from its values at job->v[0 .. 2]. */
 void zs_plane32(const struct zs_geom *g, uint32_t v0, uint32_t v1, uint32_t v2,
-                enum zs_plane_kind kind, struct zs_plane *out);
+                int32_t kind, struct zs_plane *out); /* enum zs_plane_kind, as a word */
 void zs_plane64(const struct zs_geom *g, uint64_t v0, uint64_t v1, uint64_t v2,
                 struct zs_plane64 *out);
 

@@ -115,12 +115,10 @@ static ZS_NOINLINE void linear_walk(struct zs_job *job)
 /* Compute the gradients of a triangle whose edges are set up, and draw its scanlines. */
 static ZS_NOINLINE void draw(struct zs_job *job)
 {
-    const struct zs_renderer *r = job->r;
-    const struct zs_depth *depth = r->view.depth;
-    const struct zs_shader *shader = job->shader;
-    const int linear = r->view.screen_linear || depth->planes(job);
-    const uint32_t a = job->v[0]->d, b = job->v[1]->d, c = job->v[2]->d, limit = job->key_limit;
-    job->saturates = a >= limit || b >= limit || c >= limit;
+    const struct zs_renderer *r = job->r; /* all else is loaded again: fewer registers to save */
+    const int linear = r->view.screen_linear || r->view.depth->planes(job);
+    const uint32_t a = job->v[0]->d, b = job->v[1]->d, c = job->v[2]->d;
+    job->saturates = zs_maxu32(zs_maxu32(a, b), c) >= job->key_limit;
     if (linear && r->depth) {
         zs_plane32(&job->geom, a, b, c, ZS_PLANE_KEY, &job->key);
         job->key.base +=
@@ -128,8 +126,8 @@ static ZS_NOINLINE void draw(struct zs_job *job)
     }
     if (job->depth_state)
         job->bias = zs_depth_state_bias(job);
-    if (shader->start)
-        shader->start(job);
+    if (job->shader->start)
+        job->shader->start(job);
     if (linear && ZS_IF_FAST(job->rows) && !job->split && job->rows(job))
         return;
     job->piece = job->split & ZS_SPLIT_WINDOW ? r->track->piece
@@ -138,7 +136,7 @@ static ZS_NOINLINE void draw(struct zs_job *job)
     if (linear)
         linear_walk(job);
     else
-        depth->walk(job);
+        r->view.depth->walk(job);
 }
 
 /* ---- Lists ----------------------------------------------------------------------------------- */

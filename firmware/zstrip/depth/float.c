@@ -250,8 +250,8 @@ ZS_IN_ORDER static ZS_NOINLINE int crossing_planes(struct zs_job *job)
 
 /* Draw pixels [i, i + n) of a scanline, which are all in the nearer octave or all in the farther
  * one: code = (o - 1) 2^m + w / 2^shift. */
-static ZS_NOINLINE void pair_piece(struct zs_job *job, const struct zs_row *row, int32_t i,
-                                   int32_t n, uint32_t w, int32_t farther)
+ZS_IN_ORDER static ZS_NOINLINE void pair_piece(struct zs_job *job, const struct zs_row *row,
+                                               int32_t i, int32_t n, uint32_t w, int32_t farther)
 {
     const struct zs_view *view = &job->r->view;
     const int32_t m = view->key_mantissa + 16,
@@ -316,15 +316,15 @@ static ZS_NOINLINE int32_t pixels_within(uint64_t w, uint64_t gx, int32_t n, int
     return out;
 }
 
-/* Return the low 32 bits of (v + 2^(shift - 1)) / 2^shift, floor. 1 <= shift <= 63. is_signed: a
+/* Return the low 32 bits of (v + 2^(shift - 1)) / 2^shift, floor. 2 <= shift <= 63. is_signed: a
  * constant. */
 ZS_ALWAYS_INLINE uint32_t rounded(uint64_t v, int32_t shift, int is_signed)
 {
-    v += (uint64_t)1 << (shift - 1);
     const uint32_t hi = (uint32_t)(v >> 32);
-    if (shift < 32)
-        return hi << (32 - shift) | (uint32_t)v >> shift;
-    return is_signed ? (uint32_t)((int32_t)hi >> (shift - 32)) : hi >> (shift - 32);
+    if (shift <= 32)
+        return (hi << (32 - shift)) + ((((uint32_t)v >> (shift - 1)) + 1u) >> 1);
+    const uint32_t more = hi + (1u << (shift - 33));
+    return is_signed ? (uint32_t)((int32_t)more >> (shift - 32)) : more >> (shift - 32);
 }
 
 /* Draw pixels [i, i + n) of a scanline, all in one octave: code = (o - 1) 2^m + w / 2^shift with o
@@ -377,7 +377,7 @@ static ZS_NOINLINE void float_row(struct zs_job *job, const struct zs_row *row, 
 /* Draw a scanline: of a tiny triangle in two octaves, for which job->w64 is not set, or of any
  * other.
  */
-static void any_row(struct zs_job *job, const struct zs_row *row)
+ZS_IN_ORDER static void any_row(struct zs_job *job, const struct zs_row *row)
 {
     if (job->two_octaves)
         pair_span(job, row);

@@ -88,7 +88,7 @@ static ZS_NOINLINE int slow_case(struct batch *s, const uint16_t index[3])
  * which 32-bit products suffice. Return how many remain. Vertices outside near, far or the guard
  * band need no test of their own: zs_screen places them so far from all others that their triangles
  * are never small. */
-static ZS_NOINLINE uint32_t reject(struct batch *s, uint32_t n)
+ZS_IN_ORDER static ZS_NOINLINE uint32_t reject(struct batch *s, uint32_t n)
 {
     const struct zs_vertex *const pool = s->pool;
     const uint16_t(*tri)[3] = s->tri;

@@ -153,8 +153,8 @@ ZS_ALWAYS_INLINE void small(struct zs_job *job, const struct zs_texture *t, stru
     {                                                                                              \
         small(job, t, w, zs_read_##name, 0);                                                       \
     }                                                                                              \
-    static void small_lit_##name(struct zs_job *job, const struct zs_texture *t,                   \
-                                 struct zs_texel_rows *w)                                          \
+    ZS_IN_ORDER static void small_lit_##name(struct zs_job *job, const struct zs_texture *t,       \
+                                             struct zs_texel_rows *w)                              \
     {                                                                                              \
         small(job, t, w, zs_read_##name, 1);                                                       \
     }                                                                                              \

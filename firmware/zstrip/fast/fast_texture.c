@@ -255,7 +255,8 @@ static void places_of(struct places *p, const struct zs_job *job, int k, int32_t
 
 /* Replace the reciprocals in at[] by texel indices. Called twice: for v, with log2_w = 0, it stores
  * the row above the reciprocal's 16 bits; for u, it combines row and column to the index. */
-static ZS_NOINLINE void places(uint32_t *at, int32_t n, const struct places *p, uint32_t log2_w)
+ZS_IN_ORDER static ZS_NOINLINE void places(uint32_t *at, int32_t n, const struct places *p,
+                                           uint32_t log2_w)
 {
     const int32_t left = p->left, down = p->down;
     uint32_t c = p->c, base = p->base, step = p->step, cut = p->cut;
@@ -323,10 +324,8 @@ static void divided(struct zs_job *job, const struct zs_row *row, int32_t i, int
     while (i < end) {
         const uint32_t w = zs_plane_at(&job->w, i, row->y);
         int32_t n = 1;
-        if (w == 0 || w >> 31) {
+        if (w == 0 || w >> 31 || end - i <= FEW) {
             zs_texture_pixel(job, row, i);
-        } else if (end - i <= FEW) {
-            zs_texture_coarse_pixel(job, row, i, w);
         } else {
             const int32_t lz = zs_clz32(w);
             n = same_octave(w, (int32_t)job->w.gx, lz, zs_min32(end - i, PIECE));

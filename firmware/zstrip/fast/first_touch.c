@@ -126,8 +126,8 @@ static ZS_NOINLINE void untested(struct zs_job *job, uint16_t *depth, int32_t n,
 
 /* Draw a piece: the pixels left and right of the row's earlier range are uncleared, those inside it
  * are tested. */
-static void touch_piece(struct zs_job *job, const struct zs_row *row, int32_t i, int32_t end,
-                        uint32_t sum, uint32_t step)
+ZS_IN_ORDER static void touch_piece(struct zs_job *job, const struct zs_row *row, int32_t i,
+                                    int32_t end, uint32_t sum, uint32_t step)
 {
     const struct zs_renderer *r = job->r;
     const struct zs_shader *shader = job->shader;

@@ -87,7 +87,7 @@ static inline uint32_t zs_persp_rcp(const struct zs_job *job, int32_t i, int32_t
 /* Divide attribute * w by w: uq1_31, at most 2^31 - 1. */
 static inline uint32_t zs_persp_over(uint32_t cw, uint32_t w, uint32_t rcp, int32_t lz)
 {
-    if ((int32_t)(cw ^ 0x80000000u) >= 0)
+    if ((int32_t)cw < 0)
         cw = 0; /* rounding made it negative */
     if (cw > w)
         cw = w;

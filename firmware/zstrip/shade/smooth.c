@@ -20,7 +20,7 @@
 #define UP5 11u /* shift that moves the top bit of a 5-bit code, uq16_16, to the top of a word */
 #define UP6 10u /* the same for 6 bits */
 
-static const uint8_t code_most[3] = { 31, 63, 31 };
+static const uint32_t code_scale[3] = { CODE_SCALE(31u), CODE_SCALE(63u), CODE_SCALE(31u) };
 
 static void smooth_vertex(const struct zs_shading *s, uint32_t v, uint16_t *out)
 {
@@ -124,8 +124,9 @@ ZS_IN_ORDER static ZS_NOINLINE void affine_planes(struct zs_job *job, const uint
     const int32_t fits = narrow_fits(g);
     for (int c = 0; c < 3; c++) {
         struct zs_plane *const out = &job->c[c];
-        const uint32_t v[3] = { code_of(a[0][c], code_most[c]), code_of(a[1][c], code_most[c]),
-                                code_of(a[2][c], code_most[c]) };
+        const uint32_t most = code_scale[c] & 0xffffu;
+        const uint32_t v[3] = { code_of(a[0][c], most), code_of(a[1][c], most),
+                                code_of(a[2][c], most) };
         if (!narrow_plane(g, v, fits, out))
             zs_plane32(g, v[0], v[1], v[2], ZS_PLANE_KEY, out);
         zs_plane_origin(g, out);
@@ -191,14 +192,15 @@ static void fill_linear(uint16_t *out, int32_t n, const uint32_t c[3], const uin
 }
 
 /* Compute the colour at a covered pixel by division: codes, with half a code added. */
-static void color_at(const struct zs_job *job, int32_t i, int32_t row, uint32_t out[3])
+ZS_IN_ORDER static ZS_NOINLINE void color_at(const struct zs_job *job, int32_t i, int32_t row,
+                                             uint32_t out[3])
 {
     uint32_t w;
     int32_t lz;
     const uint32_t rcp = zs_persp_rcp(job, i, row, &w, &lz);
     for (int c = 0; c < 3; c++) {
         const uint32_t level = zs_persp_over(zs_plane_at(&job->c[c], i, row), w, rcp, lz);
-        out[c] = zs_umulh(level << 1, CODE_SCALE(code_most[c])) + 0x8000u; /* <= 63.5 codes */
+        out[c] = zs_umulh(level << 1, code_scale[c]) + 0x8000u; /* <= 63.5 codes */
     }
 }
 

@@ -98,8 +98,6 @@ void zs_texture_run(struct zs_job *job, const struct zs_row *row, int32_t r0, in
 void zs_texture_light(uint16_t *out, int32_t n, uint32_t l, uint32_t step);
 /* Colour pixel i of a scanline with a perspective division, in a triangle that is not affine. */
 void zs_texture_pixel(struct zs_job *job, const struct zs_row *row, int32_t i);
-/* The same with a reciprocal of 15 bits. 0 < w < 2^31 at the pixel. */
-void zs_texture_coarse_pixel(struct zs_job *job, const struct zs_row *row, int32_t i, uint32_t w);
 
 #define ZS_TEXTURE_FULL_LIGHT                                                                      \
     32768u /* zs_tri.paint, uq1_15: light that leaves the texture's colours unchanged */

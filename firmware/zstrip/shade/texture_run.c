@@ -104,7 +104,8 @@ void zs_texture_light(uint16_t *out, int32_t n, uint32_t l, uint32_t step)
 }
 
 /* Compute the attributes at a covered pixel by division, in 2^-31 of their span. Return its w. */
-static uint32_t divide_at(const struct zs_job *job, int32_t i, int32_t row, int n, uint32_t out[3])
+ZS_IN_ORDER static uint32_t divide_at(const struct zs_job *job, int32_t i, int32_t row, int n,
+                                      uint32_t out[3])
 {
     uint32_t w;
     int32_t lz;
@@ -150,39 +151,11 @@ static uint32_t coarse_at(const struct zs_job *job, int k, int32_t i, int32_t ro
     return zs_texture_coarse((zs_plane_at(&job->c[k], i, row) << up) + 0x8000u, rcp);
 }
 
-static uint32_t place_at(const struct zs_sampler *s, int k, uint32_t over)
+ZS_ALWAYS_INLINE uint32_t place_at(const struct zs_sampler *s, int k, uint32_t over)
 {
     if (s->wide)
         return place_in(s->texture, k, s->base[k] + shifted((int32_t)over, s->shift[k] + 1));
     return (uint32_t)s->base[k] + turned(over, s->shift[k] + 1);
-}
-
-ZS_NOINLINE void zs_texture_coarse_pixel(struct zs_job *job, const struct zs_row *of, int32_t i,
-                                         uint32_t w)
-{
-    uint16_t *const out = job->color + of->at + i;
-    const int32_t row = of->y;
-    const struct zs_sampler *s = &job->sampler;
-    const struct zs_texture *t = s->texture;
-    const struct zs_shader *shader = job->shader;
-    const int32_t up = zs_clz32(w) - 1;
-    const uint32_t rcp = zs_recip15(w << up);
-    const uint32_t u = place_at(s, 0, coarse_at(job, 0, i, row, up, rcp)),
-                   v = place_at(s, 1, coarse_at(job, 1, i, row, up, rcp));
-    if (ZS_IF_FAST(job->texel)) {
-        const uint32_t at = (v >> zs_texture_cut(t->log2_h) << t->log2_w) +
-                            (u >> zs_texture_cut(t->log2_w));
-        job->texel->gather(t, out, 1, &at);
-    } else {
-        const struct zs_walk walk = { u, v, 0, 0 };
-        t->format->fetch(t, out, 1, &walk);
-    }
-    if (shader->n_varyings == 3) { /* < 2^32: light is below LIGHT_MAX */
-        const int32_t level = (int32_t)coarse_at(job, 2, i, row, up, rcp);
-        shader->light(out, 1, level < 0 ? 0u : (uint32_t)level << 2, 0);
-    } else {
-        zs_texture_lighten(job, out, 1, 0, 0);
-    }
 }
 
 /* ---- Groups ---------------------------------------------------------------------------------- */
@@ -214,13 +187,37 @@ ZS_IN_ORDER static ZS_NOINLINE void run_group(struct zs_job *job, const struct z
                        step[2]);
 }
 
-void zs_texture_pixel(struct zs_job *job, const struct zs_row *row, int32_t i)
+ZS_IN_ORDER ZS_NOINLINE void zs_texture_pixel(struct zs_job *job, const struct zs_row *of,
+                                              int32_t i)
 {
-    const uint32_t w = zs_plane_at(&job->w, i, row->y);
-    if (w == 0 || w >> 31 || job->sampler.fine)
-        run_group(job, row, i, i, i, i + 1);
-    else
-        zs_texture_coarse_pixel(job, row, i, w);
+    const uint32_t w = zs_plane_at(&job->w, i, of->y);
+    if (w == 0 || w >> 31 || job->sampler.fine) {
+        run_group(job, of, i, i, i, i + 1);
+        return;
+    }
+    uint16_t *const out = job->color + of->at + i;
+    const int32_t row = of->y;
+    const struct zs_sampler *s = &job->sampler;
+    const struct zs_texture *t = s->texture;
+    const struct zs_shader *shader = job->shader;
+    const int32_t up = zs_clz32(w) - 1;
+    const uint32_t rcp = zs_recip15(w << up);
+    const uint32_t u = place_at(s, 0, coarse_at(job, 0, i, row, up, rcp)),
+                   v = place_at(s, 1, coarse_at(job, 1, i, row, up, rcp));
+    if (ZS_IF_FAST(job->texel)) {
+        const uint32_t at = (v >> zs_texture_cut(t->log2_h) << t->log2_w) +
+                            (u >> zs_texture_cut(t->log2_w));
+        job->texel->gather(t, out, 1, &at);
+    } else {
+        const struct zs_walk walk = { u, v, 0, 0 };
+        t->format->fetch(t, out, 1, &walk);
+    }
+    if (shader->n_varyings == 3) { /* < 2^32: light is below LIGHT_MAX */
+        const int32_t level = (int32_t)coarse_at(job, 2, i, row, up, rcp);
+        shader->light(out, 1, level < 0 ? 0u : (uint32_t)level << 2, 0);
+    } else if (!s->unlit) {
+        shader->light(out, 1, (uint32_t)job->tri->paint << 16, 0);
+    }
 }
 
 static void run_groups(struct zs_job *job, const struct zs_row *row, int32_t r0, int32_t r1)
