@@ -35,8 +35,8 @@ ZS_RARE int32_t zs_depth_state_bias(const struct zs_job *job)
     return (int32_t)zs_held64(state->bias + slope, BIAS_MAX);
 }
 
-/* Depth-test the keys of a piece, write those that pass, and colour each run of them. A key is moved
- * by the bias and held to 0 .. top; without a depth state the bias is 0. */
+/* Depth-test the keys of a piece, write those that pass, and colour each run of them. A key is
+ * moved by the bias and held to 0 .. top; without a depth state the bias is 0. */
 void zs_rows_test(struct zs_job *job, const struct zs_row *row, int32_t i0, int32_t i1,
                   uint32_t sum, uint32_t step)
 {
@@ -45,7 +45,8 @@ void zs_rows_test(struct zs_job *job, const struct zs_row *row, int32_t i0, int3
     const int32_t top = (int32_t)(job->r->view.key_top >> 16) - 1, bias = state ? job->bias : 0;
     const int32_t most = top + zs_min32(bias, 0);
     const uint32_t func = state ? state->func : ZS_DEPTH_LESS;
-    const uint32_t more = func == ZS_DEPTH_LESS     ? 0u /* a key passes if it is below depth + more */
+    /* a key passes if it is below depth + more */
+    const uint32_t more = func == ZS_DEPTH_LESS     ? 0u
                           : func == ZS_DEPTH_ALWAYS ? 65536u
                                                     : 1u;
     const int writes = !state || !state->read_only;

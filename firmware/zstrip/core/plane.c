@@ -150,7 +150,7 @@ ZS_GRADIENT int32_t gradient(const struct zs_geom *g, int32_t dv1, int32_t dv2, 
                       : quotient(n, g->rcp, -g->exp, least, ZS_CROSS_SHORT);
 }
 
-/* The same for a triangle that is not tiny, if zs_cross_short and gradient() take tiny ones only. */
+/* The same for a triangle that is not tiny, where gradient() takes tiny ones only. */
 static ZS_RARE ZS_NOINLINE int32_t small_gradient(const struct zs_geom *g, int32_t dv1, int32_t dv2,
                                                   const int32_t d[2], int32_t least)
 {
