@@ -245,6 +245,128 @@ static void clusters_change_no_bit(void **state)
                     reached.frames * 100 < reached.pixels);
 }
 
-static const struct CMUnitTest tests[] = { cmocka_unit_test(clusters_change_no_bit) };
+/* ---- Instances --------------------------------------------------------------------------------------- */
+
+static uint32_t beside; /* spheres outside the view whose triangles cover pixels */
+
+/* Something far away makes camera units as long as world units. A small thing close to the eye is just outside the
+ * frame, and its vertices, rounded to such units, may come to lie inside. It is drawn as it is with a sphere so large
+ * that it is never culled. */
+static int slack_case(uint64_t seed)
+{
+    static struct lone near;
+    static struct zs_instance in[2];
+    struct prng p = { seed };
+    const int32_t focal = 3000, half = 45; /* px */
+    const int axis = (int)(seed % 2u), sign = seed / 2u % 2u ? 1 : -1;
+    const int32_t reach = 5120 + prng_range(&p, 0, 255); /* steps of 1/256: about 20 world units */
+    int16_t pos[9][3];
+    for (int k = 0; k < 9; k++) {
+        int64_t square;
+        do {
+            square = 0;
+            for (int j = 0; j < 3; j++) {
+                pos[k][j] = (int16_t)prng_range(&p, -reach, reach);
+                square += pos[k][j] * pos[k][j];
+            }
+        } while (square > reach * reach);
+    }
+    for (int k = 0; k < 2; k++) { /* towards the frame, 0.1 from the sphere's edge */
+        pos[k][axis] = (int16_t)(-sign * (reach - 26));
+        pos[k][!axis] = (int16_t)(k ? 512 : -512);
+        pos[k][2] = 0;
+    }
+    lone_set(&near, (const int16_t (*)[3])pos, 9, ZS_Q16_ONE / 256);
+    const int32_t z = 310 + prng_range(&p, 0, 400);
+    const int32_t away = (256 * half * z / focal + reach) / 256 + 1;
+    near.mesh.radius = (uint16_t)reach;
+    for (int k = 0; k < 2; k++) {
+        in[k] = near.instance;
+        zs_pose_identity(&in[k].pose);
+    }
+    in[0].pose.pos[2] = 4096 - ZS_WORLD_MAX; /* in view, and far away */
+    in[1].pose.pos[2] = -z;
+    in[1].pose.pos[axis] = sign * away;
+    near.scene.instance = in;
+    near.scene.n_instances = 2;
+    struct zs_camera camera;
+    (void)zs_camera_perspective(&camera, 8000, 90, 280, ZS_WORLD_MAX);
+    camera.focal = (zs_uq32_32)focal << 32;
+    struct zs_config c = lone_config(90, 90, &zs_depth_float);
+    c.fast = seed % 3 ? NULL : fast_all;
+    struct picture got = picture_draw(&c, &near.scene, &camera);
+    near.mesh.radius = 32767;
+    c.fast = NULL;
+    struct picture want = picture_draw(&c, &near.scene, &camera);
+    const int right = same(&want, &got);
+    const double gap = (away * focal - half * z) / sqrt(focal * focal + half * half) - (reach + 1) / 256.0;
+    beside += want.covered > 20 && gap > 0;
+    CASE_CHECK(want.err == ZS_OK);
+    picture_free(&want);
+    picture_free(&got);
+    return right;
+}
+
+static void what_rounding_moves_into_the_frame_is_drawn(void **state)
+{
+    (void)state;
+    beside = 0;
+    CASES(slack_case, 1000);
+    printf("%u spheres beside the frame are drawn\n", beside);
+    assert_true(getenv("ZS_SEED") || beside > 20);
+}
+
+static uint64_t most_off; /* 1/65536 of its slack */
+
+/* A sphere's centre is no farther from the exact one than its slack. */
+static int bounds_case(uint64_t seed)
+{
+    struct prng p = { seed };
+    const int32_t far = 2 << prng_pick(&p, 27), away = 2 << prng_pick(&p, 27);
+    const int32_t at[3] = { prng_range(&p, -far, far), prng_range(&p, -far, far), prng_range(&p, -far, far) };
+    struct zs_mesh mesh = { .scale = 1u + (prng_next(&p) >> (34 + prng_pick(&p, 28))), .radius = 100 };
+    struct zs_instance in = { .mesh = &mesh };
+    struct zs_camera camera;
+    struct zs_bounds b;
+    zs_pose_identity(&in.pose);
+    zs_pose_turn(&in.pose, (zs_turn)prng_next(&p), (zs_turn)prng_next(&p), (zs_turn)prng_next(&p));
+    for (int k = 0; k < 3; k++) {
+        mesh.center[k] = (int16_t)prng_next(&p);
+        in.pose.pos[k] = prng_range(&p, -far, far);
+    }
+    CASE_CHECK(zs_camera_perspective(&camera, 8000, 90, 1, 1000) == ZS_OK);
+    CASE_CHECK(zs_camera_orbit(&camera, at, away, (zs_turn)prng_next(&p), (int16_t)prng_range(&p, -16000, 16000)) ==
+               ZS_OK);
+    CASE_CHECK(zs_cull_bounds(&b, &in, &camera) == ZS_OK);
+    const long double one = ZS_Q30_ONE, scale = (long double)mesh.scale * in.pose.scale / 4294967296.0L;
+    long double world[3];
+    for (int k = 0; k < 3; k++) {
+        world[k] = in.pose.pos[k] - camera.pos[k];
+        for (int j = 0; j < 3; j++)
+            world[k] += in.pose.rot[3 * k + j] / one * mesh.center[j] * scale;
+    }
+    for (int k = 0; k < 3; k++) {
+        long double c = 0;
+        for (int j = 0; j < 3; j++)
+            c += (k ? -1 : 1) * camera.rot[3 * k + j] / one * world[j];
+        const long double off = fabsl(c * 65536 - b.c[k]);
+        if (off > b.slack)
+            return case_wrong("axis %d is off by %.3Lf, the slack is %ld", k, off, (long)b.slack);
+        most_off = off * 65536 / b.slack > most_off ? (uint64_t)(off * 65536 / b.slack) : most_off;
+    }
+    return 1;
+}
+
+static void a_center_is_as_exact_as_its_slack(void **state)
+{
+    (void)state;
+    most_off = 0;
+    CASES(bounds_case, 4000);
+    printf("off by up to %lu / 65536 of the slack\n", (unsigned long)most_off);
+}
+
+static const struct CMUnitTest tests[] = { cmocka_unit_test(clusters_change_no_bit),
+                                           cmocka_unit_test(what_rounding_moves_into_the_frame_is_drawn),
+                                           cmocka_unit_test(a_center_is_as_exact_as_its_slack) };
 
 CASES_MAIN(tests)

@@ -14,6 +14,7 @@
 #include "picture.h"
 #include "internals.h"
 #include "prng.h"
+#include "shapes.h"
 
 #define QUADS_MAX 10
 #define SCALE 64 /* world units to a step of the mesh */
@@ -327,12 +328,138 @@ static void a_sphere_before_near_hides_nothing(void **state)
     }
 }
 
+/* ---- Sides and keys at their margins ----------------------------------------------------------------------- */
+
+#define MARGIN_W 2048
+#define MARGIN_H 128
+
+static struct {
+    struct lone wall;
+    struct shape bits; /* one small triangle for each row, or for some tiles */
+    struct zs_material bit;
+    struct zs_instance instance[2]; /* the bits, the wall */
+    struct zs_scene scene;
+} edge;
+
+static void edge_begin(const int16_t (*wall)[3], zs_uq16_16 scale)
+{
+    lone_set(&edge.wall, wall, 3, scale);
+    shape_begin(&edge.bits);
+    edge.bit = edge.wall.material;
+    edge.instance[0] = edge.instance[1] = edge.wall.instance;
+    edge.instance[0].mesh = &edge.bits.mesh;
+    edge.instance[0].material = &edge.bit;
+    edge.scene = edge.wall.scene;
+    edge.scene.instance = edge.instance;
+    edge.scene.n_instances = 2;
+}
+
+static void edge_bit(const int32_t corner[3][3])
+{
+    static const int32_t up[3] = { 0, 0, 1 };
+    const uint32_t v = edge.bits.mesh.n_verts;
+    for (int k = 0; k < 3; k++)
+        (void)shape_vertex(&edge.bits, corner[k], up);
+    shape_tri(&edge.bits, v, v + 1u, v + 2u);
+}
+
+/* The frame by tiles is the frame without. Returns its picture, to be freed. */
+static struct picture edge_same(struct zs_config *c, const struct zs_camera *camera, uint64_t seed)
+{
+    c->fast = NULL;
+    struct picture plain = picture_draw(c, &edge.scene, camera);
+    c->fast = fast_of(FAST_TILES);
+    struct picture got = picture_draw(c, &edge.scene, camera);
+    if (!picture_same(&plain, &got, "at the margin"))
+        fail_msg("seed %llu", (unsigned long long)seed);
+    picture_free(&plain);
+    return got;
+}
+
+/* A wall whose left or right side crosses the frame at 16 columns a row. It begins 370 rows above: its slope is known
+ * to 1/256, so a column to two pixels. What lies behind it, in the one column of a tile that the wall may just not
+ * cover, is drawn. */
+static void a_long_side_covers_no_more_than_it_does(void **state)
+{
+    (void)state;
+    uint32_t beside = 0, hidden = 0;
+    for (uint64_t seed = 1; seed <= 24; seed++) {
+        struct prng p = { seed };
+        const int32_t sign = seed % 2 ? 1 : -1; /* -1: mirrored, the right side */
+        const int32_t ax = -7024 * 4 + prng_range(&p, -90, 90), ay = -434 * 4, bx = 992 * 4 + prng_range(&p, -90, 90),
+                      by = 67 * 4; /* quarters of a pixel, from the frame's middle */
+        const int16_t wall[3][3] = { { (int16_t)(sign * ax), (int16_t)-ay, 0 },
+                                     { (int16_t)(sign * bx), (int16_t)-by, 0 },
+                                     { (int16_t)(sign * 6976 * 4), (int16_t)-ay, 0 } };
+        edge_begin(wall, 64 * ZS_Q16_ONE);
+        for (int32_t row = 0; row < MARGIN_H; row++) {
+            const int32_t y = (row - MARGIN_H / 2) * 4 + 2, x = ax + (bx - ax) * (y - ay) / (by - ay);
+            const int32_t tile = (x + MARGIN_W * 2) / 128, at = tile * 32 - MARGIN_W / 2;
+            const int32_t down = 32 * (row - MARGIN_H / 2); /* 1/32 px */
+            const int32_t corner[3][3] = { { sign * (32 * at + 7), -(down + 7), 0 },
+                                           { sign * (32 * at + 28), -(down + 16), 0 },
+                                           { sign * (32 * at + 7), -(down + 26), 0 } };
+            if (at >= -MARGIN_W / 2 && at < MARGIN_W / 2)
+                edge_bit(corner);
+        }
+        shape_end(&edge.bits);
+        edge.bits.mesh.scale = 8 * ZS_Q16_ONE;
+        edge.instance[0].pose.pos[2] = -30000;
+        edge.instance[1].pose.pos[2] = -1000;
+        struct zs_config c = picture_config(MARGIN_W, MARGIN_H, &zs_depth_linear);
+        c.strip_h = 1;
+        const struct zs_camera camera = pixel_camera(MARGIN_H, 0);
+        struct picture got = edge_same(&c, &camera, seed);
+        for (int32_t i = 0; i < MARGIN_W * MARGIN_H; i++)
+            beside += got.key[i] > 20000 && got.key[i] != ZS_DEPTH_CLEAR;
+        hidden += got.stats.tris_hidden;
+        picture_free(&got);
+    }
+    print_message("%u drawn beside the wall, %u hidden behind it\n", beside, hidden);
+    assert_true(beside > 1000 && hidden > 30);
+}
+
+/* A wall so wide that its keys, as drawn, rise above that of its farthest corner, by up to 0.03 of a bucket: small
+ * triangles of the keys that it is drawn with, which come first, stay. */
+static void keys_above_the_farthest_corner_count(void **state)
+{
+    (void)state;
+    uint32_t shown = 0, hidden = 0;
+    for (int32_t off = 0; off < 1024; off += 20) { /* 1/1024 bucket: through all of one */
+        const int16_t z = (int16_t)(-5000 - off), rise = 34; /* a gradient just above half of its unit */
+        const int16_t wall[3][3] = { { -4 * 2056, 4 * 5, z }, { 4 * 2132, 4 * 5, (int16_t)(z - rise) },
+                                     { -4 * 2056, -4 * 7996, z } }; /* quarters of a pixel */
+        edge_begin(wall, 1024 * ZS_Q16_ONE);
+        for (int32_t k = 0; k < 24; k++) {
+            const int32_t x = 4 * (2032 - 32 * k), far = z - 60 * k - 50;
+            const int32_t corner[3][3] = { { x, 8, far }, { x + 20, 8, far }, { x, -12, far } };
+            edge_bit(corner);
+        }
+        shape_end(&edge.bits);
+        edge.bits.mesh.scale = 1024 * ZS_Q16_ONE;
+        struct zs_config c = picture_config(4096, 8, &zs_depth_linear);
+        c.depth_bits = 8;
+        struct zs_camera camera;
+        assert_int_equal(zs_camera_orthographic(&camera, 8 * 4096, 1, 1 << 28), ZS_OK);
+        edge.bit.rgb.r = 255;
+        struct picture got = edge_same(&c, &camera, (uint64_t)off);
+        for (int32_t i = 0; i < 4096 * 8; i++)
+            shown += got.color[i] != got.color[0];
+        hidden += got.stats.tris_hidden;
+        picture_free(&got);
+    }
+    print_message("%u pixels before the wall, %u triangles hidden\n", shown, hidden);
+    assert_true(shown > 1000 && hidden > 300);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = { cmocka_unit_test(the_frame_is_the_same), cmocka_unit_test(layers_cost_one),
                                         cmocka_unit_test(instances_behind_a_wall),
                                         cmocka_unit_test(equal_keys_hide_nothing),
                                         cmocka_unit_test(half_hidden_is_drawn),
-                                        cmocka_unit_test(a_sphere_before_near_hides_nothing) };
+                                        cmocka_unit_test(a_sphere_before_near_hides_nothing),
+                                        cmocka_unit_test(a_long_side_covers_no_more_than_it_does),
+                                        cmocka_unit_test(keys_above_the_farthest_corner_count) };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

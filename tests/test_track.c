@@ -513,6 +513,53 @@ static void every_input_counts(void **state)
             fail_msg("input %u never shows", (unsigned)i);
 }
 
+/* Two neighbours in the scene share a mesh, and each has a material of its own: a change of the second material, or of
+ * its texture, shows. */
+static void a_shared_mesh_hides_no_material(void **state)
+{
+    (void)state;
+    static struct world w;
+    static struct show s;
+    struct prng p = { 11 };
+    world_open(&p, &w, H_MAX);
+    const int32_t at[3] = { 0, 0, 0 };
+    w.scene.n_instances = 2;
+    w.shape[0].mesh.face_rgb = NULL; /* the material's colour */
+    for (int i = 0; i < 2; i++) {
+        w.instance[i].mesh = &w.shape[0].mesh;
+        w.instance[i].depth_state = NULL;
+        w.material[i] = (struct zs_material){ .shader = &zs_shade_flat, .rgb = { 200, 100, 50 },
+                                              .cull = ZS_CULL_NONE };
+        zs_pose_identity(&w.instance[i].pose);
+        w.instance[i].pose.pos[0] = i ? 1500 : -1500;
+    }
+    w.scene.light = (struct zs_light){ .dir = { 0, 0, ZS_Q30_ONE }, .ambient = ZS_Q16_ONE };
+    w.camera.projection = ZS_PERSPECTIVE;
+    (void)zs_camera_perspective(&w.camera, 8000, H_MAX, 400, 60000);
+    (void)zs_camera_orbit(&w.camera, at, 9000, 0, 0);
+    struct zs_config c = picture_config(W_MAX, H_MAX, &zs_depth_float);
+    c.strip_h = 5;
+    show_open(&s, &c);
+    for (int k = 0; k < 4; k++) {
+        const struct zs_sink sink = { .submit = submit, .wait = wait, .ctx = &s.glass };
+        struct picture want = full(&s, &w);
+        s.glass.want = &want;
+        s.glass.sent = 0;
+        assert_int_equal(zs_render(&s.r, &w.scene, &w.camera, &sink), ZS_OK);
+        assert_true(want.covered > 200);
+        assert_true(s.glass.wrong == 0 && glass_shows(&s.glass, &want));
+        assert_true(s.glass.sent > 0);
+        picture_free(&want);
+        switch (k) {
+        case 0: w.material[1].rgb.g = 240; break;
+        case 1: w.material[1].shader = &zs_shade_texture; w.material[1].texture = &w.texture[0]; break;
+        case 2: w.texture[0].log2_w = 1; break;
+        default: break;
+        }
+    }
+    show_close(&s);
+}
+
 /* A sphere alone, of strips of one row, wherever it can be: across near and far, at the frame's edge, far beside the axis;
  * and so far away that camera units become coarse for what stands near. */
 static int one_sphere(uint64_t seed)
@@ -572,6 +619,63 @@ static void a_sphere_wherever_it_is(void **state)
 {
     (void)state;
     CASES(one_sphere, 200);
+}
+
+static uint32_t dots; /* frames in which the sphere covers the pixel in the middle */
+
+/* A focal length of a few thousandths of a pixel, and camera units as long as world units: a sphere of 700 is a few
+ * sub-pixels, and its vertices are rounded one by one. One of them may come to lie a sub-pixel beyond all corners of
+ * the octagon around the sphere: the pixel whose sample lies there is drawn. */
+static int one_dot(uint64_t seed)
+{
+    static struct world w;
+    static struct show s;
+    struct prng p = { seed };
+    memset(&w, 0, sizeof w);
+    shape_sphere(&w.shape[0], 12, 16, 700);
+    w.material[0] = (struct zs_material){ .shader = &zs_shade_raw, .rgb = { 0, 255, 0 }, .cull = ZS_CULL_NONE };
+    for (int i = 0; i < 2; i++) {
+        w.instance[i].mesh = &w.shape[0].mesh;
+        w.instance[i].material = &w.material[0];
+        zs_pose_identity(&w.instance[i].pose);
+    }
+    w.instance[1].pose.pos[2] = 4096 - ZS_WORLD_MAX;
+    w.scene.instance = w.instance;
+    w.scene.n_instances = 2;
+    (void)zs_camera_perspective(&w.camera, 8000, 69, 256, ZS_WORLD_MAX);
+    w.camera.focal = ((zs_uq32_32)1 << 32) / (200u + prng_pick(&p, 800));
+    struct zs_config c = picture_config(89, 69, &zs_depth_float); /* odd: a sample lies in the middle */
+    c.strip_h = 1;
+    show_open(&s, &c);
+    s.glass.columns = (int)(seed % 2u);
+    CASE_CHECK(zs_damage_columns(&s.r, s.glass.columns) == ZS_OK);
+    for (int k = 0; k < 8; k++) {
+        struct zs_pose *pose = &w.instance[0].pose;
+        pose->pos[0] = k % 2 ? prng_range(&p, -600, 600) : 10000000;
+        pose->pos[1] = prng_range(&p, -600, 600);
+        pose->pos[2] = -prng_range(&p, 970, 1010);
+        zs_pose_turn(pose, (zs_turn)prng_next(&p), (zs_turn)prng_next(&p), 0);
+        const struct zs_sink sink = { .submit = submit, .wait = wait, .ctx = &s.glass };
+        struct picture want = full(&s, &w);
+        s.glass.want = &want;
+        CASE_CHECK(want.err == ZS_OK && zs_render(&s.r, &w.scene, &w.camera, &sink) == ZS_OK);
+        if (s.glass.wrong || !glass_shows(&s.glass, &want))
+            return case_wrong("frame %d, sphere at %d %d %d", k, (int)pose->pos[0], (int)pose->pos[1],
+                              (int)pose->pos[2]);
+        dots += k % 2 && want.covered;
+        picture_free(&want);
+    }
+    show_close(&s);
+    return 1;
+}
+
+static void a_vertex_rounded_beyond_its_sphere_is_drawn(void **state)
+{
+    (void)state;
+    dots = 0;
+    CASES(one_dot, 150);
+    print_message("%u frames with a dot\n", dots);
+    assert_true(getenv("ZS_SEED") || dots > 50);
 }
 
 /* ---- What it saves ------------------------------------------------------------------------------------ */
@@ -794,7 +898,9 @@ static void wrong_calls_are_refused(void **state)
 static const struct CMUnitTest tests[] = {
     cmocka_unit_test(the_glass_is_right_whatever_happens),
     cmocka_unit_test(every_input_counts),
+    cmocka_unit_test(a_shared_mesh_hides_no_material),
     cmocka_unit_test(a_sphere_wherever_it_is),
+    cmocka_unit_test(a_vertex_rounded_beyond_its_sphere_is_drawn),
     cmocka_unit_test(one_moving_thing_draws_its_own_strips),
     cmocka_unit_test(a_still_scene_draws_nothing),
     cmocka_unit_test(invalidated_in_a_frame),
