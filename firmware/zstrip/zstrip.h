@@ -139,7 +139,7 @@ struct zs_sink {
  * has their ranges); strip_h <= height.
  *
  * The configuration can be changed before ZS_INIT(name). .depth must be: it has no usual value,
- * because a value in this macro would link zs_depth_float, some 3 KB, into every program that takes
+ * because a value in this macro would link zs_depth_float, 2.3 KB, into every program that takes
  * another. */
 #define ZS_RENDERER(name, width, height, strip_h, max_tris, max_verts, varyings)                   \
     ZS_RENDERER_BUFFERS(name, width, height, strip_h, max_tris, max_verts, varyings, 1)
