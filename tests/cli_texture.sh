@@ -545,10 +545,11 @@ draw flat gone.obj $plain --shade smooth
 # ---- Scenes as the reference sees them, from inside ----------------------------------------------------------
 finish
 built=$(dirname "$zsim")
-if gcc -std=gnu11 -O1 -g -fsanitize=address,undefined -Wall -Wextra -Werror -I"$top/sim" \
-    -I"$top/sim/reference" -I"$top/firmware/zstrip" "$top/tests/cli/truth.c" "$built/sim/truth.o" \
-    "$built/sim/frame.o" "$built/sim/share.o" "$built/sim/texels.o" "$built/sim/sim.o" \
-    "$built/sim/reference/reference.o" "$built/libtest.a" -lm -o truth; then
+if gcc -std=gnu11 -O1 -g -fsanitize=address,undefined -Wall -Wextra -Werror -I"$top/sim/cli" -I"$top/sim/frame" \
+    -I"$top/sim/compare" -I"$top/sim/reference" -I"$top/firmware/zstrip" "$top/tests/cli/truth.c" \
+    "$built/sim/compare/scene_reference.o" "$built/sim/frame/frame.o" "$built/sim/frame/scene_share.o" \
+    "$built/sim/frame/texel_numbers.o" "$built/sim/cli/sim.o" "$built/sim/reference/reference.o" "$built/libtest.a" \
+    -lm -o truth; then
     ./truth || n_failed=$((n_failed + 1))
 else
     echo 'FAILED truth: tests/cli/truth.c does not build'
