@@ -16,7 +16,7 @@ GEN = $(wildcard firmware/scenes/gen/*.c)
 GPIOD = $(firstword $(subst ., ,$(shell pkg-config --modversion libgpiod 2>/dev/null)))
 LINUX = $(filter-out hal/linux/gpio_v%,$(wildcard hal/linux/*.c)) $(wildcard sim/linux/*.c)
 LINUX_SIM = $(wildcard sim/panel_model/*.c) sim/cli/option_table.c sim/panel/panel_bus.c sim/panel/panel_frame.c sim/cli/sim.c sim/cli/value.c
-HEADERS = $(wildcard firmware/*/*.h firmware/zstrip/*/*.h firmware/scenes/gen/*.h hal/*.h hal/*/*.h sim/*/*.h tests/*.h tests/*/*.h)
+HEADERS = $(wildcard firmware/*/*.h firmware/zstrip/*/*.h firmware/scenes/gen/*.h hal/*.h hal/*/*.h sim/*/*.h tests/lib/*.h tests/lab/*/*.h)
 LIBS = -lassimp -lmeshoptimizer -lpng -lturbojpeg -lm -pthread
 
 # An object depends on the headers that it includes, as the compiler noted them beside it (.d; HEADERS are for what is
@@ -74,71 +74,71 @@ t: $(B)/.setup-test
 ## fuzz: each of the five fuzzers for SECONDS=600, two side by side, from SEED=1
 fuzz: $(B)/.setup-fuzz
 	@$(MAKE) --no-print-directory -j2 fuzz-programs lib-fuzz-programs
-	@sh tests/fuzz/run.sh $(B) $(SECONDS) $(SEED)
+	@sh tests/lab/fuzz/run.sh $(B) $(SECONDS) $(SEED)
 
 ## stress: random triangles against whole numbers, random frames against the plainest way, for SECONDS=600 more
 stress: $(B)/.setup-test $(B)/gen/meshes.h
 	@$(MAKE) --no-print-directory -j2 stress-programs $(if $(filter fast,$(BUILD)),$(B)/stress/fast)
-	@sh tests/stress/run.sh $(B) $(SECONDS) '$(KIND)' $(BUILD)
-## stress-record: what all runs have reached becomes tests/STRESS.txt
+	@sh tests/lab/stress/run.sh $(B) $(SECONDS) '$(KIND)' $(BUILD)
+## stress-record: what all runs have reached becomes tests/records/STRESS.txt
 stress-record:
-	@sh tests/stress/run.sh $(B) figures >$(B)/stress/figures.txt && cp $(B)/stress/figures.txt tests/STRESS.txt
+	@sh tests/lab/stress/run.sh $(B) figures >$(B)/stress/figures.txt && cp $(B)/stress/figures.txt tests/records/STRESS.txt
 
 ## prove: no overflow, bad shift, division by zero or stray access in the kernels, over all their inputs; minutes
 prove:
 	@mkdir -p $(B) && .ci/setup $(PKG_PROVE)
-	@sh tests/prove/run.sh $(B) $(PROOFS)
+	@sh tests/lab/prove/run.sh $(B) $(PROOFS)
 
 ## coverage: lines and branches of firmware/zstrip and hal/panel that the unit tests reach
 coverage: $(B)/.setup-test
 	@.ci/setup $(PKG_COVERAGE)
 	@$(MAKE) --no-print-directory B=$(B)/coverage SAN='--coverage -fprofile-update=atomic' coverage-programs
-	@sh tests/checks/coverage.sh $(B)
+	@sh tests/lab/coverage.sh $(B)
 
 ## complexity: of functions, and what the code says twice
 complexity:
 	@.ci/setup $(PKG_COMPLEXITY)
-	@sh tests/checks/complexity.sh
+	@sh tests/lab/complexity.sh
 
 ## mutate: MUTANTS=300 of the renderer, SEED=1: which of them the unit tests catch; goes on where it was stopped
 mutate: $(B)/.setup-test
 	@$(MAKE) --no-print-directory B=$(B)/mutate/plain SAN= mutate-link
-	@node tests/mutate/mutate.mjs $(B) $(MUTANTS) $(SEED)
+	@node tests/lab/mutate/mutate.mjs $(B) $(MUTANTS) $(SEED)
 
 ## bench: what frames take and how exact they are: instructions on Cortex-M0 to M7, RISC-V and here, cycles on an RP2040
 bench: sim $(B)/.setup-bench $(B)/gen/meshes.h
-	@sh tests/checks/bench.sh $(B) all
+	@sh tests/lab/bench.sh $(B) all
 ## bench-record: what the bench's frames take now becomes what make test compares them with
 bench-record: $(B)/.setup-test $(B)/gen/meshes.h
-	@sh tests/checks/bench.sh $(B) record >$(B)/bench.txt && mv $(B)/bench.txt tests/golden/bench.txt
+	@sh tests/lab/bench.sh $(B) record >$(B)/bench.txt && mv $(B)/bench.txt tests/records/bench.txt
 
 ## scale: how instructions grow with triangles, pixels, strips, passes, depth complexity: CSV and plots in build/scale
 scale: $(B)/.setup-scale $(B)/gen/meshes.h
-	@sh tests/checks/scale.sh $(B) plots
+	@sh tests/lab/scale.sh $(B) plots
 
 ## costs: what each stage costs on each core, fitted from scenes that isolate it, and how far that is from other scenes
 costs: sim $(B)/.setup-test $(B)/gen/meshes.h
-	@sh tests/checks/costs.sh $(B)
+	@sh tests/lab/costs.sh $(B)
 ## costs-record: what stages cost now, and flash, stack and sizes on Cortex-M, become what zsim budget reckons with
 costs-record: sim $(B)/.setup-test $(B)/gen/meshes.h
-	@sh tests/checks/costs.sh $(B) record
+	@sh tests/lab/costs.sh $(B) record
 	@$(MAKE) --no-print-directory -j2 $(B)/zsim
 
 ## still: instructions of a still scene and of one moving thing with zs_damage_track, on Cortex-M3
 still: $(B)/.setup-test $(B)/gen/meshes.h
-	@sh tests/checks/still.sh $(B)
+	@sh tests/lab/still.sh $(B)
 
 ## cull: instructions of 10,000 instances of which 20 are in view, and of a large model from afar, close by and within
 cull: sim $(B)/.setup-test
-	@sh tests/checks/cull.sh $(B)
+	@sh tests/lab/cull.sh $(B)
 
 ## checksums: every scene's frames on Cortex-M0 to M7, RISC-V, PowerPC (big-endian) and x86-64: one table of checksums, all the same
 checksums: $(B)/.setup-test $(B)/gen/meshes.h
-	@SUMS_PICO=1 sh tests/scene_sums.sh $(B)
+	@SUMS_PICO=1 sh tests/property/scene_sums.sh $(B)
 
 ## depth: which depth mapping separates what, and what each costs on Cortex-M3 and M0
 depth: sim $(B)/.setup-test
-	@sh tests/checks/depth.sh $(B)
+	@sh tests/lab/depth.sh $(B)
 
 ## accuracy: how exact it is, against whole numbers and the double-precision reference; about a minute
 accuracy: sim
@@ -161,7 +161,7 @@ firmware: $(B)/.setup-fw-$(BOARD) $(B)/gen/meshes.h
 ## pico: the demo scenes on an emulated Raspberry Pi Pico: cycles, wire, frames a second
 pico: $(B)/.setup-test
 	@$(MAKE) --no-print-directory -j2 $(B)/zsim
-	@sh tests/pico.sh $(B) table
+	@sh tests/boards/pico.sh $(B) table
 
 ## boards: two demo scenes on every board with a panel: flash, RAM, stack, instructions or cycles a frame
 boards: $(B)/.setup-test
@@ -171,7 +171,7 @@ boards: $(B)/.setup-test
 ## profile: SCENE=teapot [BOARD=mps2]: cycles a frame by function on the emulated Pico; instructions on a board of QEMU's
 profile: $(B)/.setup-test $(B)/gen/meshes.h
 ifeq ($(BOARD),pico)
-	@PICO_SCENES=$(SCENE) sh tests/pico.sh $(B) profile
+	@PICO_SCENES=$(SCENE) sh tests/boards/pico.sh $(B) profile
 else
 	@sh tests/boards/profile.sh $(B) $(BOARD) $(SCENE) $(FUNCTION)
 endif

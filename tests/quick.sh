@@ -12,7 +12,7 @@ shift
 logs=$build/test/logs
 counts=$logs/counts.quick
 mkdir -p "$logs"
-. tests/tally.sh
+. tests/lib/tally.sh
 
 if [ "$1" = one ]; then
     name=$2

@@ -18,7 +18,7 @@ logs=$build/test/logs
 skipped=$logs/skipped.txt
 mode=${3:-}
 parts=tests/parts.txt
-. tests/tally.sh
+. tests/lib/tally.sh
 # Many parts compile the same source for a Cortex-M with the same options: once, where ccache is installed. Of other
 # compilers no object is made twice. The cache is of this build folder.
 ccache=$(command -v ccache)
@@ -33,7 +33,7 @@ fi
 list() {
     {
         grep -v '^#' $parts
-        for program in tests/test_*.c test_xform_narrow.c; do # those that have no line yet
+        for program in tests/*/test_*.c test_xform_narrow.c; do # those that have no line yet
             name=$(basename "$program" .c)
             grep -q "^$name " $parts || echo "$name - - -"
         done

@@ -90,7 +90,7 @@
 #endif
 
 /* A relation between values that the proofs (make prove) cannot derive from ranges alone. The
- * proofs assume it, test builds assert it, and tests/prove/facts.c tests it. */
+ * proofs assume it, test builds assert it, and tests/lab/prove/facts.c tests it. */
 #ifndef ZS_FACT
 #define ZS_FACT(condition) ZS_ASSERT(condition)
 #endif

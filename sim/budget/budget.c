@@ -56,7 +56,7 @@ static const char usage[] =
     "                     exceeded. Times need --part, or --core and --mhz\n"
     "  --elf F.elf        flash and RAM of this build in place of the sums (--check, --part)\n"
     "  --csv              figure,value,unit a line\n"
-    "  --error F [--bar PERCENT]  how far estimates are from measured scenes: tests/golden/bench.txt (15)\n"
+    "  --error F [--bar PERCENT]  how far estimates are from measured scenes: tests/records/bench.txt (15)\n"
     "A frame in RAM, as others keep it\n"
     "  --buffer WxH --color BITS --depth-bits BITS --samples N  its bytes (of RGBA together: 32; 32; 1)\n"
     "  --fragments N --accesses N --access-bits N  depth complexity, accesses a fragment: bytes a frame (4, 0, 32)\n"

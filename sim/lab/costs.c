@@ -353,7 +353,7 @@ static const char usage[] =
     "              that on record too\n"
     "  --probes    each probe: taken, and how far the fit is from it\n"
     "  --error F   how far it is from what the demo and bench scenes take, which are not in the fit: lines of\n"
-    "              core, scene and number, as in tests/golden/bench.txt\n"
+    "              core, scene and number, as in tests/records/bench.txt\n"
     "  --bar N     with it: exit status 1 where one is more than N percent off (15)\n"
     "  --scene NAME\n"
     "              what is counted in frame 0 of a demo or bench scene as make bench draws it, and what that costs\n"

@@ -138,7 +138,7 @@ int sim_costs_count(struct sim_counted *out, const struct zs_scene *scene, const
 /* ---- What one costs ----------------------------------------------------------------------------- */
 
 enum sim_core { SIM_CORE_M0, SIM_CORE_M3, SIM_CORE_M4, SIM_CORE_M7, SIM_CORE_RV32, SIM_CORE_RP2040, SIM_CORES };
-extern const char *const sim_core_names[SIM_CORES]; /* as tests/golden/bench.txt names them; "RP2040" is in cycles */
+extern const char *const sim_core_names[SIM_CORES]; /* as tests/records/bench.txt names them; "RP2040" is in cycles */
 
 /* Instructions (RP2040: cycles) of one, as on record. */
 double sim_cost_of(enum sim_core core, enum sim_cost cost);
@@ -151,7 +151,7 @@ double sim_costs_sum(enum sim_core core, const struct sim_counted *counted);
 void sim_costs_set(enum sim_core core, const double cost[SIM_COST_N]);
 
 /* Print how far the estimate is from what frames of the demo and bench scenes took: lines "CORE SCENE NUMBER" of a
- * file, as of tests/golden/bench.txt. SIM_OK; SIM_REFUSED: it cannot be read, or a scene is more than bar percent off.
+ * file, as of tests/records/bench.txt. SIM_OK; SIM_REFUSED: it cannot be read, or a scene is more than bar percent off.
  * */
 int sim_costs_error(const char *file, double bar);
 /* The same in numbers: the most on each core, and left alone where the file has no line of it. SIM_OK; SIM_REFUSED. */

@@ -78,7 +78,7 @@ static int count_bench(struct sim_counted *out, const struct demo *d)
     return err ? sim_refuse(d->name, 0, "cannot be counted (%d)", err) : SIM_OK;
 }
 
-/* The mean of frames 26 and 39 as the Pico's image draws them, which tests/pico.sh measures. */
+/* The mean of frames 26 and 39 as the Pico's image draws them, which tests/boards/pico.sh measures. */
 static int count_pico(struct sim_counted *out, const struct demo *d)
 {
 #define SIZE(name) { #name, { SIZES_##name } }
@@ -160,7 +160,7 @@ static int read_lines(struct line *lines, size_t *n, const char *file)
     FILE *f = fopen(file, "r");
     if (!f)
         return sim_refuse(file, 0,
-                          "cannot be read; give tests/golden/bench.txt, or lines of core, scene and number");
+                          "cannot be read; give tests/records/bench.txt, or lines of core, scene and number");
     *n = 0;
     while (fgets(text, sizeof text, f))
         if (text[0] != '#' && sscanf(text, "%15s %31s %lf", core, scene, &taken) == 3 && core_named(core) >= 0 &&

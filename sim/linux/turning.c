@@ -1,5 +1,5 @@
 /* A model that turns about the upright axis through its middle, once in 256 frames. Frame 0 is what `zsim render`
- * draws. Built with -DLINUX_MODELS=0 (for tests/linux.sh) there are no models: assimp need not be linked then.
+ * draws. Built with -DLINUX_MODELS=0 (for tests/boards/linux.sh) there are no models: assimp need not be linked then.
  *
  * SPDX-License-Identifier: MIT
  */

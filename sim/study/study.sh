@@ -84,7 +84,7 @@ host_counts() {
 builds=$(awk '/^\{/ { gsub(/[{},]/, " "); print $(NF - 2), $(NF - 1), $NF }' "$settings/study_settings.h" | sort -u)
 which=
 for core in ${CORES:-m3 m0}; do
-    [ "$core" != pico ] || sh tests/pico.sh "$build" set-up
+    [ "$core" != pico ] || sh tests/boards/pico.sh "$build" set-up
     : >"$counts/$name-$core.part"
     echo "$builds" | while read -r steps coarse bound; do
         count "$core" "$steps" "$coarse" "$bound" >>"$counts/$name-$core.part" || {

@@ -6,7 +6,7 @@
 # Leaves BUILD/lm3s6965/table.txt: lm3s6965 SCENE FLASH RAM STACK INSTRUCTIONS, of drawing a frame, without the panel.
 # QEMU's model has the SSD0323's windows, its two directions of addresses and its commands' lengths. It takes and
 # ignores A0h's mirrors and splits, offset, inversion, contrast, on and off, power and timing: those are the panel
-# model's matter (tests/test_panel_model.c). Its SSI0 and UART0 have no speed, and no pin but D/C and the card's select
+# model's matter (tests/unit/test_panel_model.c). Its SSI0 and UART0 have no speed, and no pin but D/C and the card's select
 # reaches the panel.
 set -u
 build=$1
@@ -17,7 +17,7 @@ FRAMES=4
 STEP=13
 RAM=65536
 shift=0 # an instruction takes 2^shift ns
-. tests/boards/common.sh
+. tests/boards/image.sh
 
 # Boot ELF's image: STEM ELF OPTIONS-OF-QEMU.MJS...   What QEMU says of what it lacks is known, and how often: of a SysTick
 # without clock once, before the first instruction; of $resets resets of a block, into one and out of it each time that

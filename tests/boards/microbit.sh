@@ -16,7 +16,7 @@ FRAMES=4
 STEP=13
 RAM=16384
 rm -rf "$out"
-. tests/boards/common.sh
+. tests/boards/image.sh
 
 # Boot ELF until OUT, what its UART says, holds a line with UNTIL; the high bytes of text words do not count.
 #   boot ELF OUT UNTIL [QEMU-OPTIONS...]

@@ -8,7 +8,7 @@ set -u
 build=$1 board=$2 scene=$3 function=${4:-}
 out=$build/profile
 stem=$out/${board}_$scene
-. tests/boards/common.sh
+. tests/boards/image.sh
 
 mkdir -p "$out"
 set -- NAME="frame_$scene" APP_SRC=firmware/app/frame.c APP_FLAGS="-DFRAME_DEMO=$scene"

@@ -9,7 +9,7 @@ set -u
 build=$1
 out=$build/stm32f405
 fw=$build/fw/stm32f405
-. tests/boards/common.sh
+. tests/boards/image.sh
 
 STEP=13 # frames of the animation between two that are drawn
 

@@ -24,7 +24,7 @@ board() {
             board == "pico" ? "cycles" : "instructions" }' "$build/$name/table.txt" >>"$rows"
 }
 
-board pico 'Cortex-M0+, ST7789 240x240' 270336 env PICO_SCENES='cubes teapot' sh tests/pico.sh "$build" table
+board pico 'Cortex-M0+, ST7789 240x240' 270336 env PICO_SCENES='cubes teapot' sh tests/boards/pico.sh "$build" table
 board microbit 'Cortex-M0, ILI9341 160x128, 4 bits' 16384 sh tests/boards/microbit.sh "$build"
 board lm3s6965 'Cortex-M3, SSD0323 128x64 grey' 65536 sh tests/boards/lm3s6965.sh "$build"
 board stm32f405 'Cortex-M4, ST7789 240x240' 131072 sh tests/boards/stm32f405.sh "$build"

@@ -3,8 +3,8 @@
 # applications, what generators write, the simulator and the tests.
 #
 # SPDX-License-Identifier: MIT
-. "$(dirname "$0")/common.sh"
-. tests/designated.sh
+. "$(dirname "$0")/../lib/cortexm.sh"
+. tests/lib/positional.sh
 
 gen=${1:-build}/gen
 dir=$B/designated
@@ -43,8 +43,8 @@ by_name "generated meshes name fields" "-I$gen" "$gen"/*.c
 by_name "applications name fields" \
     "-Ihal -Ihal/panel -Ifirmware/app -I$gen -I$dir/made -DFRAME_DEMO=teapot -DSHOW_DEMO=teapot" firmware/app/*.c
 by_name "the simulator names fields" "$SIM" sim/*/*.c
-by_name "tests name fields" "$SIM -Itests -Itests/fuzz -Itests/stress -Ifirmware/app" \
-    tests/*.c tests/cli/*.c tests/fuzz/*.c tests/stress/*.c
+by_name "tests name fields" "$SIM -Itests/lib -Itests/lab/fuzz -Itests/lab/stress -Ifirmware/app" \
+    tests/lib/*.c tests/unit/*.c tests/property/*.c tests/tools/*.c tests/lab/fuzz/*.c tests/lab/stress/*.c
 LIST=$FAST_ALL minimal "$dir/minimal.c" flat recip "$EVERYTHING $OWN"
 echo "$OTHERS $OWN_SHADER" >>"$dir/minimal.c"
 by_name "firmware of checks names fields" "" "$dir/minimal.c"

@@ -2,7 +2,7 @@
 # Boards are peers: each one's HAL defines every function of hal.h once; hal/null compiles with anything.
 #
 # SPDX-License-Identifier: MIT
-. "$(dirname "$0")/common.sh"
+. "$(dirname "$0")/../lib/cortexm.sh"
 
 wanted=$(gcc -fpreprocessed -dD -E -P hal/hal.h | tr '\n' ' ' |
     grep -oE '\<hal_[a-z_]+\([^()]*\);' | sed 's/(.*//' | sort -u)

@@ -4,7 +4,7 @@
 # with another ZS_VARYINGS_MAX or ZS_SIZE_MAX than the library is refused by zs_init.
 #
 # SPDX-License-Identifier: MIT
-. "$(dirname "$0")/common.sh"
+. "$(dirname "$0")/../lib/cortexm.sh"
 
 HEADERS="$(echo firmware/zstrip/*.h) firmware/scenes/scenes.h hal/hal.h hal/second.h hal/panel/panel.h"
 INC='-Ifirmware/zstrip -Ifirmware/scenes -Ihal -Ihal/panel'

@@ -4,7 +4,7 @@
 # support -> core -> arch, and all of them the headers at its root; no circle.
 #
 # SPDX-License-Identifier: MIT
-. "$(dirname "$0")/common.sh"
+. "$(dirname "$0")/../lib/cortexm.sh"
 
 STD='<(stdint|stddef)\.h>'
 HOSTED='<[a-z0-9/]+\.h>'

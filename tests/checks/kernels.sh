@@ -3,7 +3,7 @@
 # not in its firmware. And the core needs nothing of any of them by name.
 #
 # SPDX-License-Identifier: MIT
-. "$(dirname "$0")/common.sh"
+. "$(dirname "$0")/../lib/cortexm.sh"
 
 # What no test below asks for but where it is named
 TEXTURE='zs_shade_texture|zs_texel|fetch|texture_|light$'

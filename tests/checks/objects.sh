@@ -3,7 +3,7 @@
 # state, nothing called that is not named here.
 #
 # SPDX-License-Identifier: MIT
-. "$(dirname "$0")/common.sh"
+. "$(dirname "$0")/../lib/cortexm.sh"
 
 # Soft-float helpers: the Arm ABI's names and libgcc's own.
 FLOAT='^(__aeabi_(f|d|cf|cd|h)[a-z0-9]+|__aeabi_(i|ui|l|ul)2[fd]|__(add|sub|mul|div|neg|cmp|eq|ne|lt|le|gt|ge|unord|pow)[sdtx]f[0-9]*|__(float|fix|extend|trunc)[a-z0-9]+|(sqrt|sin|cos|tan|atan2?|floor|ceil|fabs|pow|exp|log|fmod|round)f?)$'

@@ -5,7 +5,7 @@
 #        tests/checks/shape.sh BUILD columns  the lines that are too long, besides
 #
 # SPDX-License-Identifier: MIT
-. "$(dirname "$0")/common.sh"
+. "$(dirname "$0")/../lib/cortexm.sh"
 
 CORE_MAX=${CORE_MAX:-4200}         # lines of code in core/ and the public headers
 ALL_MAX=${ALL_MAX:-8968}           # ... in all of firmware/zstrip; the goal is 7000

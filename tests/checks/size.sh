@@ -3,7 +3,7 @@
 # read in review; a budget that is exceeded fails. Needs BUILD/libcore.a.
 #
 # SPDX-License-Identifier: MIT
-. "$(dirname "$0")/common.sh"
+. "$(dirname "$0")/../lib/cortexm.sh"
 
 FLASH_MAX=${FLASH_MAX:-58880}           # everything but clusters, Cortex-M3 -O2
 FLASH_CLUSTERS_MAX=${FLASH_CLUSTERS_MAX:-3264} # what clusters take

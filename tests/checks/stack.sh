@@ -5,7 +5,7 @@
 # comes on top, as do interrupts.
 #
 # SPDX-License-Identifier: MIT
-. "$(dirname "$0")/common.sh"
+. "$(dirname "$0")/../lib/cortexm.sh"
 
 LIMIT=${STACK_LIMIT:-2048} # bytes, any public function
 PANEL_LIMIT=${PANEL_STACK_LIMIT:-288} # bytes, any function of panel.h

@@ -3,7 +3,7 @@
  * SPDX-License-Identifier: MIT
  */
 #include "hal.h"
-#include "../products.h"
+#include "../lib/products.h"
 
 #define RANDOM_PAIRS 100000u
 

@@ -3,7 +3,7 @@
 # no library is called for it.
 #
 # SPDX-License-Identifier: MIT
-. "$(dirname "$0")/common.sh"
+. "$(dirname "$0")/../lib/cortexm.sh"
 
 dir=$B/wide
 top=${B%/checks}

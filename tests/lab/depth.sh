@@ -1,0 +1,37 @@
+#!/bin/sh
+# What chooses a depth mapping: the separation that each keeps, drawn on this machine, and what each costs on two
+# emulated cores, one with CLZ and 64-bit products (Cortex-M3), one without (Cortex-M0, Armv6-M as the M0+).
+#
+# SPDX-License-Identifier: MIT
+. "$(dirname "$0")/../lib/cortexm.sh"
+
+top=${B%/checks}
+out=$top/depth
+mkdir -p "$out"
+"$top/zsim" depths || bad "zsim depths" "see above"
+for board in mps2 m0; do
+    if make -s -f firmware/boards/firmware.mk BOARD=$board APP=depth B="$top" >"$out/$board.log" 2>&1 &&
+        timeout 300 make -s -f firmware/boards/firmware.mk BOARD=$board APP=depth B="$top" run \
+            >"$out/$board.csv" 2>"$out/$board.err"; then
+        cat "$out/$board.err" >>"$out/$board.csv" # semihosting may write to either
+    else
+        cat "$out/$board.log" "$out/$board.err"
+        bad "cost on $board" "see above"
+    fi
+done
+echo
+echo "Instructions a pixel tested, whole frames of 96x72 in strips of 8 rows with pools of 160 (QEMU -icount, not cycles):"
+awk -F, '
+    function note(cpu, per_tick) {
+        if (!($1 in seen)) { seen[$1] = 1; scene[++n] = $1 }
+        if (!(($2) in is)) { is[$2] = 1; map[++k] = $2 }
+        cost[cpu, $1, $2] = $3 * per_tick / $4; whole[cpu, $1, $2] = $3 * per_tick }
+    NF == 5 { note(FILENAME ~ /mps2/ ? "M3" : "M0", FILENAME ~ /mps2/ ? 40 : 62.5) }
+    END {
+        printf "%-22s", ""; for (j = 1; j <= k; j++) printf " %9s", map[j]; print ""
+        for (c = 1; c <= 2; c++) for (i = 1; i <= n; i++) {
+            cpu = c == 1 ? "M3" : "M0"
+            printf "%-3s %-18s", cpu, scene[i]
+            for (j = 1; j <= k; j++) printf " %9.1f", cost[cpu, scene[i], map[j]]
+            print "" } }' "$out/mps2.csv" "$out/m0.csv"
+exit $failed

@@ -1,0 +1,354 @@
+#!/bin/sh
+# `zsim budget` and `zsim costs`: bytes are those of sizeof and ZS_ARENA_BYTES on this machine and on Cortex-M, the
+# wire's are those of the driver, what fits fits and one more does not, limits are kept, the textbook is right; what
+# makes no sense is refused by name.
+# Usage: tests/tools/budget.sh ZSIM WORKDIR     as tests/tools/cli.sh
+set -u
+. tests/tools/zsim.sh
+ARM=${ARM:-arm-none-eabi-}
+
+budget() {
+    z budget "$@"
+    [ $status -eq 0 ] || wrong "status $status: $(said)"
+    [ ! -s stderr ] || wrong "it talks: $(said)"
+}
+csv() { # FIGURE    of the last budget --csv
+    sed -n "s/^$1,\([^,]*\),.*/\1/p" stdout
+}
+
+# ---- Bytes ----------------------------------------------------------------------------------------------
+# Random configurations, each a line: width height rows tris verts words buffers instances track columns
+awk 'BEGIN { srand(7)
+    for (i = 0; i < 12; i++) {
+        h = 1 + int(rand() * 320); r = 1 + int(rand() * 40); if (r > h) r = h
+        print 1 + int(rand() * 400), h, r, 1 + int(rand() * 9000), 3 + int(rand() * 7000), substr("0323", 1 + i % 4, 1),
+            1 + int(rand() * 2), 1 + int(rand() * 300), int(rand() * 50), int(rand() * 20) } }' >configs
+shade_of() { # WORDS
+    case $1 in 0) echo flat ;; 2) echo unlit ;; 3) echo smooth ;; esac
+}
+# What the compiler says: a line each of pools, arena, statics
+{
+    echo '#include "zs_damage.h"'
+    echo '#define ROW(w, h, r, t, v, a, b, n, k, c) ZS_COLOR_BYTES(w, r, b), ZS_DEPTH_BYTES(w, r), ZS_DRAWN_BYTES(r) + ZS_BOUND_BYTES(w, h, r), \'
+    echo '    ZS_BIN_BYTES(h, r), ZS_TRI_BYTES(t), ZS_VERT_BYTES(v, a), ZS_ARENA_BYTES(w, h, r, t, v, a, b), \'
+    echo '    sizeof(struct zs_renderer), \'
+    echo '    sizeof(struct zs_scene) + sizeof(struct zs_camera) + n * sizeof(struct zs_instance), \'
+    echo '    8u * c * ZS_STRIPS(h, r), k ? 4u * ZS_DAMAGE_WORDS(k, h, r) : 0u, \'
+    echo '    sizeof(struct zs_tri) * t, sizeof(struct zs_vertex) * v,'
+    echo 'const uint32_t budget_rows[] __attribute__((section(".budget"), used)) = {'
+    sed 's/ /, /g; s/^/ROW(/; s/$/)/' configs
+    echo '};'
+} >rows.c
+columns=13
+cat >print.c <<'END'
+#include <stdio.h>
+#include "rows.c"
+int main(void)
+{
+    for (unsigned i = 0; i < sizeof budget_rows / 4; i++)
+        printf("%u\n", budget_rows[i]);
+    return 0;
+}
+END
+machine() { # NAME    rows of all configurations into NAME.rows
+    paste -d ' ' - - - - - - - - - - - - - <"$1.numbers" >"$1.rows"
+}
+gcc -I"$top/firmware/zstrip" print.c -o print && ./print >host.numbers && machine host
+for cpu in cortex-m0plus cortex-m3; do
+    "${ARM}gcc" -mcpu=$cpu -mthumb -I"$top/firmware/zstrip" -c rows.c -o $cpu.o &&
+        "${ARM}objcopy" -O binary -j .budget $cpu.o $cpu.bin
+    od -An -v -tu4 -w4 $cpu.bin | tr -d ' ' >$cpu.numbers
+    machine $cpu
+done
+
+begin bytes_are_those_of_the_compilers
+[ "$(wc -w <host.rows)" -eq $((12 * columns)) ] || wrong "$(wc -w <host.rows) numbers from the host's compiler"
+n=0
+while read -r w h r t v a b instances track watch; do
+    n=$((n + 1))
+    budget --size "${w}x$h" --strip "$r" --tris "$t" --verts "$v" --shade "$(shade_of "$a")" --buffers "$b" \
+        --instances "$instances" --track "$track" --watch "$watch" --csv
+    pools="$(csv color) $(csv depth) $(csv tiles) $(csv bins) $(csv tris)"
+    ours="$pools $(($(csv verts) + $(csv numbers) + $(csv attrs))) $(csv arena)"
+    rest="$(csv renderer) $(csv scene) $(csv watch) $(csv track) $(csv tris) $(csv verts)"
+    for m in host cortex-m0plus cortex-m3; do
+        row=$(sed -n "${n}p" $m.rows)
+        is "pools and arena, $w $h $r $t $v $a $b on $m" "$ours" "$(echo "$row" | cut -d' ' -f1-7)"
+        [ $m = host ] || is "statics on $m" "$rest" "$(echo "$row" | cut -d' ' -f8-13)"
+    done
+    is "all of it" "$(csv ram)" \
+        $(($(csv arena) + $(csv renderer) + $(csv scene) + $(csv watch) + $(csv track) + $(csv panel) +
+            $(csv scratch) + $(csv stack)))
+done <configs
+note="$n configurations, host, Cortex-M0+ and M3"
+
+begin report_and_csv_agree
+budget --panel st7789:240x240 --tris 2000 --verts 1200 --shade smooth --csv
+want="$(csv color) $(csv tris) $(csv arena) $(csv ram) $(csv wire_bytes)"
+budget --panel st7789:240x240 --tris 2000 --verts 1200 --shade smooth
+have="$(sed -n 's/^  strip buffers *\([0-9]*\).*/\1/p' stdout) $(sed -n 's/^  triangles *\([0-9]*\).*/\1/p' stdout)"
+have="$have $(sed -n 's/^  arena *\([0-9]*\).*/\1/p' stdout) $(sed -n 's/^  together *\([0-9]*\)  M0.*/\1/p' stdout)"
+is "the report" "$have $(sed -n 's/^  \([0-9]*\) bytes, .* windows.*/\1/p' stdout)" "$want"
+for part in rp2040 stm32f103c8 stm32f405 stm32f411 nrf51822 nrf52832 lm3s6965 esp32-c3; do
+    grep -q "^$part " stdout || wrong "no line for $part"
+done
+
+# ---- The wire ---------------------------------------------------------------------------------------------
+begin wire_is_the_drivers
+obj tri 'v 0 0 0' 'v 1 0 0' 'v 0 1 0' 'f 1 2 3'
+mkdir -p out
+for panel in st7789:240x240,16 st7789:135x240,7 ssd0323:128x64,10 ssd1306:128x64,8; do
+    z render tri.obj --panel "${panel%,*}" --strip "${panel#*,}" --out out/p.png --stats out/p.json
+    [ $status -eq 0 ] || wrong "status $status: $(said)"
+    want="$(stat_of p panel_bytes) $(stat_of p panel_windows) $(stat_of p panel_wire_us)"
+    budget --panel "${panel%,*}" --strip "${panel#*,}" --csv
+    is "bytes, windows, time of $panel" "$(csv wire_bytes) $(csv wire_windows) $(csv wire_ms)" \
+        "$(echo "$want" | awk '{ printf "%d %d %.3f", $1, $2, $3 / 1000 }')"
+done
+budget --panel ssd1306:128x64 --strip 8 --csv
+is "what a one-bit panel converts in" "$(csv scratch)" 128
+budget --panel st7789:240x240 --spi 31250000 --csv
+is "twice the time at half the clock" "$(csv wire_ms)" "$(awk 'BEGIN { printf "%.3f", 115365 * 8 / 31250 }')"
+
+begin wire_is_no_faster_than_the_part
+budget --panel st7789:240x240 --part stm32f103c8 --csv
+is "18 MHz" "$(csv wire_ms)" "$(awk 'BEGIN { printf "%.3f", 115365 * 8 / 18000 }')"
+budget --panel st7789:240x240 --part stm32f103c8 --spi 36000000 --csv
+is "what was asked for" "$(csv wire_ms)" "$(awk 'BEGIN { printf "%.3f", 115365 * 8 / 36000 }')"
+budget --panel st7789:240x240 --part nrf52840 --csv
+alone="$(csv wire_ms | awk '{ printf "%.1f", $1 }') $(csv fps)"
+budget --panel st7789:240x240
+is "in the table of all parts" "$(awk '$1 == "nrf52840" { print $7, $9 }' stdout)" "$alone"
+
+begin part_by_how_its_name_begins
+budget --part nRF51 --csv
+begun=$(csv ram_left)
+budget --part nrf51822 --csv
+is "nRF51" "$begun" "$(csv ram_left)"
+
+# ---- Scenes ------------------------------------------------------------------------------------------------
+begin scene_is_counted
+budget --scene layers_ftb --strip 24
+grep -q ': 14 of 16 triangles seen, 1 pass, 76800 pixels tested' stdout || wrong "$(head -1 stdout)"
+budget --scene cubes --size 120x80 --tris 20 --csv
+is "the pool that was asked for" "$(csv tris)" 240
+budget tri.obj --size 100x100 --shade smooth --csv
+is "a vertex of a model: 12, 4 and 3 words" "$(csv verts) $(csv numbers) $(csv attrs)" "36 16 20"
+is "a triangle's mesh in flash" "$(csv flash_data)" "$((68 + 12 + 3 * (6 + 3 + 6 + 3) + 6))"
+budget tri.obj --size 100x100 --shade flat --csv
+is "the same, flat" "$(csv flash_data)" "$((68 + 12 + 3 * (6 + 3) + 6 + 6 + 3))"
+z budget --scene cubes --frame 7 --csv && frame7=$(csv draw_M3)
+z budget --scene cubes --csv
+[ "$frame7" != "$(csv draw_M3)" ] || wrong "--frame changes nothing"
+
+begin more_of_anything_takes_longer
+base="--size 240x240 --tris 2000 --verts 1200 --shade smooth"
+# shellcheck disable=SC2086
+budget $base --csv
+least=$(csv draw_M3)
+for more in '--tris 3000' '--scene-tris 9000' '--verts 2400' '--coverage 90' '--complexity 4' '--strip 4' \
+    '--depth linear'; do
+    # shellcheck disable=SC2086
+    budget $base $more --csv
+    [ "$(csv draw_M3)" -gt "$least" ] || wrong "$more: $(csv draw_M3) instructions, $least without"
+done
+# Of shaders, the same with light or colours besides: smooth and textured are drawn in ways of their own, as dear as each other
+for more in 'flat smooth' 'unlit textured'; do
+    # shellcheck disable=SC2086
+    budget $base --shade "${more% *}" --csv
+    least=$(csv draw_M3)
+    # shellcheck disable=SC2086
+    budget $base --shade "${more#* }" --csv
+    [ "$(csv draw_M3)" -gt "$least" ] || wrong "$more: $(csv draw_M3) instructions, $least without"
+done
+budget --size 240x240 --shade flat --csv
+flat=$(csv flash_zstrip)
+budget --size 240x240 --shade textured --state --watch 4 --track 3 --csv
+[ "$(csv flash_zstrip)" -gt "$flat" ] || wrong "textures, states, zs_damage_compare and zs_damage_track take no flash"
+
+begin numbers_alone_are_a_third_off_at_most # of what the scene's frame takes
+for one in M3,mesh_lit,320x240,816,2520,1262,34.2,1,flat M3,teapot,240x240,1688,3130,1647,58,1.13,smooth \
+    M0,city,240x240,1282,2404,1544,60,1.14,flat M3,sheet,320x240,20000,20000,10201,93,1,flat; do
+    echo "$one" | tr ',' ' ' >one
+    read -r core scene size tris all verts part times shade <one
+    budget --size "$size" --strip 24 --buffers 1 --tris "$tris" --scene-tris "$all" --verts "$verts" \
+        --scene-verts "$verts" --coverage "$part" --complexity "$times" --shade "$shade" --csv
+    awk -v a="$(csv draw_$core)" -v b="$(sed -n "s/^$core $scene //p" "$top/tests/records/bench.txt")" \
+        'BEGIN { exit !(b > 0 && a / b < 1.34 && a / b > 0.66) }' || wrong "$scene: $(csv draw_$core) on $core"
+done
+
+begin frames_a_second
+budget --panel st7789:240x240 --part rp2040 --csv
+is "two buffers: the longer of drawing and wire" "$(csv frame_ms)" "$(csv draw_ms)"
+is "frames a second" "$(csv fps)" "$(awk -v d="$(csv draw_ms)" 'BEGIN { printf "%.1f", 1000 / d }')"
+budget --panel st7789:240x240 --part rp2040 --buffers 1 --csv
+awk -v f="$(csv frame_ms)" -v d="$(csv draw_ms)" -v w="$(csv wire_ms)" \
+    'BEGIN { e = f - d - w; exit !(f > 0 && e < 0.0015 && e > -0.0015) }' || # each is rounded to 0.001
+    wrong "one buffer: $(csv draw_ms) and $(csv wire_ms) make $(csv frame_ms)"
+budget --core M3 --mhz 50 --cpi 2 --csv
+is "instructions to time" "$(csv draw_ms)" "$(awk -v n="$(csv draw_M3)" 'BEGIN { printf "%.3f", n * 2 / 50000 }')"
+
+# ---- What fits -------------------------------------------------------------------------------------------------
+ram_left() { # PART OPTION...
+    part=$1
+    shift
+    budget --part "$part" "$@" --csv
+    csv ram_left
+}
+begin what_fits_fits_and_no_more
+for one in rp2040,240x240,2000,1200 nrf52832,160x128,700,500 stm32f405,320x240,1500,1501; do
+    echo "$one" | tr ',' ' ' >one
+    read -r part size tris verts <one
+    budget --fit "$part" --size "$size" --strip 12 --tris "$tris" --verts "$verts" --shade smooth --csv
+    rows=$(csv fit_strip) most=$(csv fit_tris) with=$(csv fit_verts)
+    [ "$rows" -gt 1 ] && [ "$most" -gt 1 ] || { wrong "$part: $rows rows, $most triangles"; continue; }
+    set -- --size "$size" --shade smooth
+    [ "$(ram_left "$part" "$@" --tris "$tris" --verts "$verts" --strip "$rows")" -ge 0 ] ||
+        wrong "$part: $rows rows do not fit"
+    [ "$rows" -eq "${size#*x}" ] ||
+        [ "$(ram_left "$part" "$@" --tris "$tris" --verts "$verts" --strip $((rows + 1)))" -lt 0 ] ||
+        wrong "$part: $((rows + 1)) rows fit too"
+    [ "$(ram_left "$part" "$@" --tris "$most" --verts "$with" --strip 12)" -ge 0 ] ||
+        wrong "$part: $most triangles do not fit"
+    with=$((((most + 1) * verts + tris - 1) / tris))
+    [ "$(ram_left "$part" "$@" --tris $((most + 1)) --verts $with --strip 12)" -lt 0 ] ||
+        wrong "$part: $((most + 1)) triangles fit too"
+done
+budget --fit nrf51822 --panel ssd1306:128x64 --strip 8 --csv
+is "pages of 8 rows" $(($(csv fit_strip) % 8)) 0
+last_most=$(csv fit_tris)
+budget --fit nrf51822 --panel ssd1306:128x64 --strip 8 --app-ram 1200 --csv
+less=$((last_most - $(csv fit_tris)))
+is "1,200 bytes are up to 100 triangles less, and their vertices" $((less < 100 && less > 40)) 1
+
+# ---- Limits -------------------------------------------------------------------------------------------------------
+limits() { # LINE...
+    printf '%s\n' "$@" >limits
+}
+on_m4='--panel st7789:240x240 --part stm32f411'
+begin limits_kept
+limits '# ours' 'ram = 131072' '' ' flash=400000 # with meshes' 'fps = 5' 'stack = 2048' 'wire_ms = 20' \
+    'frame_ms=400' 'ram_left = 0'
+# shellcheck disable=SC2086
+z budget $on_m4 --check limits
+[ $status -eq 0 ] || wrong "status $status: $(said)"
+is "limits" "$(grep -c '^ok ' stdout)" 7
+begin limits_exceeded
+limits 'ram = 40000' 'flash = 400000' 'fps = 5000'
+# shellcheck disable=SC2086
+z budget $on_m4 --check limits
+[ $status -eq 1 ] || wrong "status $status instead of 1"
+is "exceeded" "$(sed -n 's/^EXCEEDED \([a-z_]*\):.*/\1/p' stdout | tr '\n' ' ')" 'ram fps '
+grep -q 'limits: 2 of 3 limits exceeded' stderr || wrong "$(said)"
+not_limits() { # NAME SAID LINE...
+    begin "limits_$1"
+    what=$2
+    shift 2
+    limits "$@"
+    z budget --check limits
+    one_line 1 "$what"
+}
+not_limits unknown 'limits:2: rom is not known here; there are ram, arena, stack, flash' '# x' 'rom = 3'
+not_limits without_a_clock 'limits:1: fps is not known here' 'fps = 3'
+not_limits not_a_number 'limits:1: a limit reads name = number' 'ram = much'
+not_limits not_a_line 'limits:1: a limit reads name = number' 'ram 65536'
+not_limits none 'holds no limit' '# nothing'
+
+begin a_build_in_place_of_sums
+cat >tiny.c <<'END'
+int table[100] = { 1 }, zeros[1000];
+const int fixed[50] = { 2 };
+int main(void) { return table[zeros[0]] + fixed[zeros[1]]; }
+END
+"${ARM}gcc" -mcpu=cortex-m3 -mthumb -O1 -nostdlib -Wl,-e,main tiny.c -o tiny.elf 2>/dev/null
+want=$("${ARM}size" -B tiny.elf | awk 'NR == 2 { print $1 + $2, $2 + $3 }')
+budget --part lm3s6965 --elf tiny.elf --csv
+is "flash and RAM" "$(csv flash) $(csv ram)" "$want"
+limits 'ram = 4399' # 4,400 are taken
+z budget --elf tiny.elf --check limits
+[ $status -eq 1 ] || wrong "status $status: a build beyond its limit passes"
+
+# ---- The textbook --------------------------------------------------------------------------------------------------
+begin textbook
+budget --textbook
+is "24 MB, 100 MB with four samples, 105 MB a frame" \
+    "$(sed 's/.* \([0-9.]*\) MB$/\1/' stdout | tr '\n' ' ')" '24.9 99.5 104.9 '
+budget --buffer 1920x1080 --color 64 --depth-bits 32 --samples 4 --csv
+is "colour, depth, both" "$(csv buffer_color) $(csv buffer_depth) $(csv buffer)" '66355200 33177600 99532800'
+budget --buffer 1280x1024 --fragments 4 --accesses 5 --csv
+is "traffic" "$(csv traffic)" 104857600
+budget --buffer 240x240 --color 16 --depth-bits 16 --csv
+is "this panel's frame, and why there are strips" "$(csv buffer)" 230400
+
+# ---- Costs -----------------------------------------------------------------------------------------------------------
+begin costs_on_record
+z costs
+[ $status -eq 0 ] || wrong "status $status: $(said)"
+for core in M0 M3 M4 M7 rv32imc RP2040; do
+    head -1 stdout | grep -q " $core" || wrong "no column of $core"
+done
+awk 'NR > 1 && /  vertex to the screen, depth float/ {
+        for (i = 2; i <= 7; i++) if ($i < 20 || $i > 5000) bad = 1; seen = 1 }
+    END { exit bad || !seen }' stdout || wrong "a vertex costs $(grep 'depth float$' stdout)"
+begin error_is_stated
+# the RP2040's, the last
+stated=$(sed -n 's/^static const double stage_error.* \([0-9.]*\) };$/\1/p' "$top/sim/budget/stage_costs.h")
+budget --scene cubes --part rp2040
+is "percent" "$(sed -n 's/^  Of the demo .* none is more than \([0-9]*\) % off on this core.$/\1/p' stdout)" \
+    "$(awk -v e="$stated" 'BEGIN { n = int(e); print n < e ? n + 1 : n }')"
+awk -v e="$stated" 'BEGIN { exit !(e > 0 && e < 15) }' || wrong "$stated % is not under 15"
+begin counts_of_a_scene
+z costs --scene layers_ftb
+[ $status -eq 0 ] || wrong "status $status: $(said)"
+is "pixels without a test, rows, runs, bounds, instances asked" "$(awk '
+    / key of a pixel drawn without a test$/ { px = $2 } / row with pixels, more where nothing/ { rows = $2 }
+    / run of pixels that win, any other way$/ { runs = $2 } / more where it does$/ { bounds = $2 }
+    / more where it may lie behind large triangles$/ { asked = $2 }
+    END { print px, rows, runs, bounds, asked }' stdout)" '76800 480 480 2 7'
+z costs --scene moon
+one_line 1 'moon: is no demo or bench scene'
+begin error_of_estimates
+grep -E '^M3 (mesh|cubes|sheet|hall) ' "$top/tests/records/bench.txt" >scenes
+z costs --error scenes
+[ $status -eq 0 ] || wrong "status $status: $(tail -1 stdout) $(said)"
+note=$(tail -1 stdout)
+sed 's/^\(M3 mesh\) .*/\1 3000000/' scenes >far
+z budget --error far
+[ $status -eq 1 ] && grep -q 'too far' stdout || wrong "status $status: a scene 40 % off passes"
+begin probes_of_another_build
+printf 'probe,name,instructions,checksum\n0,raw_c18_f1_z10_s24,744560,1\n' >other.csv
+z costs --m3 other.csv
+one_line 1 'other.csv:2: raw_c18_f1_z10_s24: its frame is not the one that this zsim draws'
+
+# ---- Refused --------------------------------------------------------------------------------------------------------
+mkdir -p refused && echo older >refused/old.png
+no() { # NAME STATUS SAID ARGUMENT...
+    begin "budget_$1"
+    code=$2 what=$3
+    shift 3
+    z budget "$@"
+    one_line "$code" "$what"
+}
+no part 1 '--part z80: there is no such part; there are rp2040, stm32f103c8' --part z80
+no parts 1 '--part nrf52: which of them? There are nrf52832, nrf52840' --part nrf52
+no fits 1 '--fit stm32f103: which of them? There are stm32f103c8, stm32f103rc' --fit stm32f103
+no fit 1 '--fit z80: there is no such part' --fit z80
+no fit_none 1 'not even one triangle fits' --fit nrf51822 --size 240x240 --strip 240
+no scene 1 '--scene moon: there is no such scene; there are teapot, cubes' --scene moon
+no model 1 'none.obj' none.obj
+no panel 1 '--panel oled is not known; there are st7789:240x240' --panel oled
+no strip 1 '--strip 12: ssd1306:128x64 takes 8 rows at a time' --panel ssd1306:128x64 --strip 12
+no tris 1 '--tris 70000 is outside its range' --tris 70000
+no scene_tris 1 '--scene-tris 5 is less than the 1000 of --tris' --scene-tris 5
+no check 1 'nowhere: cannot be read' --check nowhere
+no elf 1 'tri.obj: --elf: no linked program' --elf tri.obj
+no error 1 'nowhere: cannot be read' --error nowhere
+no core 2 '--core is the part' --part rp2040 --core M3
+no both 2 '--scene and a model' tri.obj --scene cubes
+no two 2 'one model at a time' tri.obj tri.obj
+no spi 2 '--spi is for a --panel' --spi 1000000
+no unknown 2 "unknown option '--rows'" --rows 3
+no word 2 '--shade wants id|flat' --shade metal
+no value 2 '--tris wants a whole number' --tris many
+finish
+exit $((n_failed > 0))

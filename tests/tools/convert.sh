@@ -1,0 +1,397 @@
+#!/bin/sh
+# zsim convert, from outside: what it writes is compiled, checked and drawn, and compared with what zsim draws
+# of the original.
+# Usage: tests/tools/convert.sh BUILD     from the repository's top; BUILD/test/zsim, BUILD/zsim, BUILD/libcore.a, BUILD/test/libtest.a
+#
+# `ok NAME` or `FAILED NAME: reason` a test; models and programs stay in BUILD/test/convert.
+set -u
+build=$(cd "$1" && pwd) || exit 1
+SAN='-fsanitize=address,undefined -fno-sanitize-recover=all'
+set -- "$build/test/zsim" "$build/test/convert"
+. tests/tools/zsim.sh
+. "$top/tests/lib/positional.sh"
+designated_headers headers || exit 1
+gcc -O1 -Wall -Wextra -Werror -I"$top/firmware/zstrip" -I"$build/gen" "$top/tests/tools/convert/make.c" \
+    "$build/libcore.a" "$build/libmeshes.a" -lpng -lturbojpeg -lm -o make || exit 1
+
+below() { # WHAT HAVE LIMIT
+    awk -v a="$2" -v b="$3" 'BEGIN { exit !(a == a + 0 && a + 0 < b + 0) }' || wrong "$1 is $2, not below $3"
+}
+above() { # WHAT HAVE LIMIT
+    awk -v a="$2" -v b="$3" 'BEGIN { exit !(a == a + 0 && a + 0 > b + 0) }' || wrong "$1 is $2, not above $3"
+}
+holds() { # FILE TEXT    fixed text that a file must hold
+    grep -qF -- "$2" "$1" || wrong "no '$2' in $1"
+}
+lacks() { # FILE TEXT
+    ! grep -qF -- "$2" "$1" || wrong "there is '$2' in $1"
+}
+run() { # PROGRAM ARGUMENT...    its words in $seen
+    seen=$("$@" 2>run.err) || wrong "$*: $seen $(head -c 300 run.err)"
+}
+
+# Convert as name m into to/, map to to.u32; nothing may be said on stderr.
+convert() { # TO INPUT OPTION...
+    to=$1
+    shift
+    rm -rf "$to" "$to.u32"
+    case $1 in
+    *.png | *.jpg) z convert "$@" --name m --out "$to" ;;
+    *) z convert "$@" --name m --out "$to" --map "$to.u32" ;;
+    esac
+    [ $status -eq 0 ] || wrong "status $status: $(head -c 300 stderr)"
+    [ ! -s stderr ] || wrong "it talks in a pipe: $(head -c 300 stderr)"
+    [ -s "$to/m.h" ] && [ -s "$to/m.c" ] || wrong "m.h or m.c is missing"
+    place=$(sed -n 's/^ \* Positions *in the model.s units: \([^ ]*\) \([^ ]*\) \([^ ]*\) + \([^ ]*\) \* n.*/\1 \2 \3 \4/p' "$to/m.h")
+    place="$place $(sed -n 's/.*a unit of the model is \([^ ]*\) of them.*/\1/p' "$to/m.h")"
+}
+# Four compilers' warnings, then a program of the converted file and the library, with sanitizers. The file names the
+# fields that it sets, which C++ takes since C++20; its header is for older C++ too.
+compile() { # TO PROGRAM.c
+    for compiler in 'gcc -std=c11' 'g++ -x c++ -std=c++20' 'clang -std=c11' 'clang++ -x c++ -std=c++20'; do
+        $compiler -Wall -Wextra -Wpedantic -Werror -Wno-missing-field-initializers -fsyntax-only \
+            -I"$top/firmware/zstrip" "$1/m.c" >cc.log 2>&1 || wrong "$compiler: $(head -c 400 cc.log)"
+    done
+    for compiler in 'g++ -x c++ -std=c++14' 'clang++ -x c++ -std=c++14'; do
+        $compiler -Wall -Wextra -Wpedantic -Werror -fsyntax-only -I"$top/firmware/zstrip" -include "$1/m.h" /dev/null \
+            >cc.log 2>&1 || wrong "$compiler, the header: $(head -c 400 cc.log)"
+    done
+    gcc -std=c11 -O0 -c -Wall -Wextra -Werror -Iheaders "$1/m.c" -o "$1/m.o" >cc.log 2>&1 &&
+        gcc -std=gnu11 -O0 -g1 $SAN -Wall -Wextra -Werror -I"$top/firmware/zstrip" -I"$1" "$top/tests/tools/convert/$2.c" \
+            "$1/m.o" "$build/test/libtest.a" -lm -o "$1/$2" >cc.log 2>&1 || wrong "$(head -c 400 cc.log)"
+}
+# What is printed as flash is what a Cortex-M's linker would take.
+same_flash() { # TO
+    arm-none-eabi-gcc -mcpu=cortex-m3 -mthumb -std=c11 -Os -c -I"$top/firmware/zstrip" "$1/m.c" -o "$1/arm.o" ||
+        wrong "the Cortex-M compiler refuses it"
+    linked=$(arm-none-eabi-nm -S --defined-only "$1/arm.o" |
+        awk 'function hex(s,  i, n) { for (i = 1; i <= length(s); i++) n = 16 * n + index("123456789abcdef", substr(s, i, 1)); return n }
+             { sum += hex($2) } END { print sum }')
+    printed=$(awk '$1 == "flash" { print $2 }' stdout)
+    is "flash" "$printed" "$linked"
+    is "flash, by its parts" "$(awk '$NF == "bytes" && $1 != "flash" { s += $(NF - 1) } END { print s }' stdout)" "$printed"
+    note="$printed bytes"
+}
+sound() { # TO
+    run "$1/probe" check
+}
+# Every pixel of every view: the same triangle, or a reason.
+same_pixels() { # TO INPUT
+    all=0
+    for view in 0 1 2 3; do
+        # shellcheck disable=SC2086
+        run "$1/probe" view $view $place
+        # shellcheck disable=SC2086
+        "$zsim" render "$2" $seen --out "$1/o.png" --id-out "$1/o.u32" >stdout.render 2>&1 || wrong "$(cat stdout.render)"
+        # shellcheck disable=SC2086
+        run "$1/probe" compare $view $place "$1/o.u32" "$1.u32"
+        # shellcheck disable=SC2086
+        above "pixels of view $view" "$(word 1 $seen)" 500
+        # shellcheck disable=SC2086
+        all=$((all + $(word 2 $seen)))
+    done
+    note="$note${note:+, }$all pixels differ, all at edges or equally far"
+}
+# The pictures too, by the model's own shaders and textures, against zsim's of the original.
+same_colours() { # TO INPUT SHADE
+    for view in 0 1 2 3; do
+        # shellcheck disable=SC2086
+        run "$1/probe" view $view $place
+        # shellcheck disable=SC2086
+        "$zsim" render "$2" $seen --shade "$3" --light 4,7,7 --background 0a143c --out "$1/o.png" \
+            >stdout.render 2>&1 || wrong "$(cat stdout.render)"
+        "$1/probe" draw $view >"$1/o.ppm" || wrong "$1/probe draw $view"
+        run ./make psnr "$1/o.png" "$1/o.ppm"
+        above "PSNR of view $view" "$seen" 42
+        note="$note, $seen dB"
+    done
+}
+same_places() { # TO FILE.obj STEP-SHARE    coordinates to half a step, or a share of it
+    # shellcheck disable=SC2086
+    run "$1/probe" places 0 $place "$2" "$1.u32"
+    # shellcheck disable=SC2086
+    below "error of a coordinate" "$(word 1 $seen)" "$(awk -v s="$(word 4 $place)" -v f="$3" 'BEGIN { printf "%.17g", s * f }')"
+    # shellcheck disable=SC2086
+    below "error of u or v" "$(word 2 $seen)" 0.0001
+    # shellcheck disable=SC2086
+    below "error of a normal, degrees" "$(word 3 $seen)" 0.003
+}
+round_trip() { # NAME INPUT OPTION...
+    begin "$1"
+    convert "$@"
+    compile "$1" probe
+    same_flash "$1"
+    sound "$1"
+    same_pixels "$1" "$2"
+    case $2 in *.obj) same_places "$1" "$2" 0.5002 ;; esac
+}
+
+# ---- Models ------------------------------------------------------------------------------------
+./make torus 48 24 4 - >torus.obj
+printf 'newmtl skin\nmap_Kd photo.png\n' >torus.mtl
+./make torus 48 24 4 torus.mtl >skinned.obj
+./make torus 400 200 1 - >large.obj
+./make teapot >teapot.obj
+./make soup 300 5 >soup.obj
+./make boxes 3 2 >boxes3.obj
+./make boxes 300 3 >boxes300.obj
+./make boxes 130 130 >colors130.obj
+./make boxes.mtl 130 >boxes.mtl
+mkdir gltf
+./make gltf gltf
+for k in 4 16 200 photo; do ./make png $k 256 128 $k.png; done
+./make png photo 100 50 odd.png
+./make jpeg 64 64 photo.jpg
+tetra='v 0 0 0
+v 1 0 0
+v 0 1 0
+v 0 0 1
+f 1 3 2
+f 1 2 4
+f 2 3 4
+f 1 4 3'
+echo "$tetra" >tetra.obj
+
+# ---- Round trips -------------------------------------------------------------------------------
+round_trip torus_smooth torus.obj
+holds stdout 'normals: off by at most 0.00'
+same_colours torus_smooth torus.obj smooth
+holds torus_smooth/m.c zs_shade_smooth
+round_trip torus_precise torus.obj --precise --shade flat
+holds torus_precise/m.c pos_lo
+round_trip torus_textured skinned.obj --texture-format 565
+same_colours torus_textured skinned.obj textured
+holds torus_textured/m.c 'zs_shade_texture_smooth'
+holds torus_textured/m.c '&m_texture[0]'
+round_trip torus_own_origin torus.obj --center no
+holds torus_own_origin/m.h '0,0,0 is the model'\''s own origin'
+is "origin" "$(word 1 $place) $(word 2 $place) $(word 3 $place)" "0 0 0"
+round_trip torus_by_unit torus.obj --unit 25.4 --cull none
+is "unit" "$(word 5 $place)" 25.4
+holds torus_by_unit/m.c ZS_CULL_NONE
+round_trip teapot teapot.obj
+same_colours teapot teapot.obj flat
+round_trip triangle_soup soup.obj
+holds stdout '30 triangles left out'
+round_trip boxes_by_face boxes3.obj
+round_trip boxes_by_material boxes300.obj
+round_trip many_materials gltf/balls.gltf
+same_colours many_materials gltf/balls.gltf textured
+holds many_materials/m.c '4 meshes, 4 materials'
+round_trip large_in_parts large.obj
+holds stdout '2 meshes, 1 material'
+case $name in large_in_parts) above "vertices" "$(awk '/triangles,/ { print $3 }' stdout)" 79999 ;; esac
+rm -f large_in_parts/m.o large_in_parts/arm.o
+
+begin exact_coordinates_are_exact
+convert exact boxes300.obj
+compile exact probe
+same_places exact boxes300.obj 1e-9
+holds stdout 'positions: exact'
+
+begin step_uses_the_range
+convert range torus.obj
+above "largest coordinate" "$(tr '{},' '\n' <range/m.c | awk '/tri_0/ { exit } $1 + 0 > m { m = $1 + 0 } END { print m }')" 32750
+
+# ---- What is written, and no more --------------------------------------------------------------
+arrays() { # TO    the arrays of its first mesh
+    sed -n 's/^static const [a-z0-9_ ]* m_\([a-z_]*\)_0\[.*/\1/p' "$1/m.c" | tr '\n' ' '
+}
+shade() { # SHADE INPUT ARRAYS SHADERS
+    begin "shade_$(echo "$1" | tr - _)_writes_what_it_reads_of_${2%.obj}"
+    convert shaded "$2" --shade "$1"
+    is "arrays" "$(arrays shaded)" "$3 "
+    is "shaders" "$(sed -n 's/.*&zs_shade_\([a-z_]*\),.*/\1/p' shaded/m.c | sort -u | tr '\n' ' ')" "$4 "
+    compile shaded probe
+    run shaded/probe check
+    run shaded/probe draw 0 >/dev/null
+}
+shade flat skinned.obj 'pos tri face_normal cluster' flat
+shade smooth skinned.obj 'pos tri normal cluster' smooth
+shade textured skinned.obj 'texel pos tri normal uv cluster' texture_smooth
+shade textured-flat skinned.obj 'texel pos tri face_normal uv cluster' texture_flat
+shade unlit skinned.obj 'texel pos tri uv cluster' texture
+shade raw skinned.obj 'pos tri cluster' raw
+shade raw colors130.obj 'pos tri face_raw cluster' raw
+shade flat colors130.obj 'pos tri face_normal face_rgb cluster' flat
+shade smooth colors130.obj 'pos tri normal vertex_rgb cluster' smooth
+begin shade_unlit_without_texture_is_raw
+convert shaded gltf/balls.gltf --shade unlit
+is "shaders" "$(sed -n 's/.*&zs_shade_\([a-z_]*\),.*/\1/p' shaded/m.c | sort | tr '\n' ' ')" "raw raw texture texture "
+begin face_normals_are_left_out_on_request
+convert shaded torus.obj --shade flat --face-normals no
+is "arrays" "$(arrays shaded)" 'pos tri cluster '
+begin one_colour_for_all
+convert shaded colors130.obj --color 3366cc
+holds shaded/m.c '{ 51, 102, 204 }'
+is "arrays" "$(arrays shaded)" 'pos tri face_normal cluster '
+begin colours_take_the_smaller_form
+convert shaded boxes3.obj
+holds stdout '1 mesh, 1 material'
+convert shaded boxes300.obj
+holds stdout '3 meshes, 3 materials'
+holds shaded/m.c '"paint2"'
+
+# ---- Textures ----------------------------------------------------------------------------------
+picture() { # NAME KIND W H FORMAT EXACT LEAST-DB INPUT OPTION...
+    begin "picture_$1"
+    kind=$2 w=$3 h=$4 format=$5 exact=$6 least=$7
+    shift 7
+    convert pic "$@"
+    compile pic texels
+    same_flash pic
+    holds pic/m.c "zs_texel_$format"
+    run pic/texels "$kind" "$w" "$h"
+    # shellcheck disable=SC2086
+    set -- $seen
+    is "exactness" "$1" "$exact"
+    above "PSNR" "$2" "$least"
+    block=$4
+    note="$format, PSNR $2 dB"
+    holds stdout "PSNR $2 dB, a channel off by at most $3 of 255"
+}
+picture of_4_colours 4 256 128 pal4 exact 38 4.png
+picture of_16_colours 16 256 128 pal4 exact 38 16.png
+picture of_200_colours 200 256 128 pal8 exact 38 200.png
+picture of_many photo 256 128 565 exact 41 photo.png
+picture of_many_in_256 photo 256 128 pal8 near 28.3 photo.png --texture-format pal8
+undithered=$block
+picture of_many_in_256_dithered photo 256 128 pal8 near 26 photo.png --texture-format pal8 --dither
+above "PSNR of means of 8 x 8 texels, dithered" "$block" "$(awk -v b="$undithered" 'BEGIN { print b + 1 }')"
+picture of_many_in_16 photo 256 128 pal4 near 18.7 photo.png --texture-format pal4
+picture in_565_dithered photo 256 128 565 near 38 photo.png --texture-format 565 --dither
+above "PSNR of means of 8 x 8 texels, dithered" "$block" 66 # 56 without
+picture halved photo 256 128 565 exact 41 photo.png --texture-size 64x32
+holds stdout '64 x 32'
+picture in_4_colours_dithered_stays_exact 4 256 128 pal4 exact 38 4.png --dither
+begin picture_of_odd_size
+convert pic odd.png
+holds stdout '128 x 64'
+begin picture_jpeg_clamped
+convert pic photo.jpg --wrap clamp
+holds stdout '64 x 64'
+holds pic/m.c 'ZS_CLAMP_U | ZS_CLAMP_V'
+begin picture_header_has_no_mesh
+lacks pic/m.h instance
+holds pic/m.h 'm_texture[M_TEXTURES]'
+begin texture_in_place_of_the_models
+convert pic skinned.obj --texture 4.png --shade unlit
+holds stdout 'texture 0 "4.png": 256 x 128, pal4, 4 colours'
+
+# ---- The same bytes, wherever and whenever -----------------------------------------------------
+begin deterministic
+convert same1 gltf/balls.gltf --dither --texture-format pal8
+mkdir -p elsewhere
+cp -r gltf elsewhere/there
+(cd elsewhere && LC_ALL=C.UTF-8 "$zsim" convert "$work/elsewhere/there/balls.gltf" --dither --texture-format pal8 --name m \
+    --out "$work/same2" >/dev/null) || wrong "status $?"
+"$build/zsim" convert gltf/balls.gltf --dither --texture-format pal8 --name m --out same3 >/dev/null || wrong "status $?"
+for f in m.h m.c; do
+    cmp same1/$f same2/$f >/dev/null || wrong "$f depends on the folder"
+    cmp same1/$f same3/$f >/dev/null || wrong "$f depends on the compiler's options"
+done
+begin first_line_names_the_command
+is "first line" "$(head -1 same1/m.c)" '/* Made by: zsim convert balls.gltf --dither --texture-format pal8 --name m'
+lacks same1/m.c "$work"
+lacks same1/m.h gltf/
+begin names_that_would_end_a_comment
+cp tetra.obj 'a *? b\.obj'
+convert odd 'a *? b\.obj'
+compile odd probe
+holds odd/m.c 'convert a____b_.obj'
+holds many_materials/m.c '"red __ paint"'
+
+# ---- Refused -----------------------------------------------------------------------------------
+mkdir kept
+echo old >kept/m.h
+refused() { # NAME STATUS TEXT ARGUMENT...    nothing is written or touched
+    begin "refused_$1"
+    want=$2 text=$3
+    shift 3
+    z convert "$@"
+    is status $status "$want"
+    is "lines on standard error" "$(wc -l <stderr | tr -d ' ')" 1
+    holds stderr "$text"
+    [ ! -s stdout ] || wrong "it talks: $(head -c 200 stdout)"
+    [ ! -e none ] || wrong "none/ was made"
+    is "what is in kept/" "$(ls -A kept) $(cat kept/m.h)" "m.h old"
+}
+n=0
+for bad_name in 1a a-b 'a b' _a 'a*/' ü; do
+    n=$((n + 1))
+    refused "name_${n}_$(printf %s "$bad_name" | tr -c 'a-z0-9' _)" 1 'is not a C identifier' tetra.obj --name "$bad_name" --out none
+done
+for word in int class static_assert while; do
+    refused name_$word 1 'is a keyword' tetra.obj --name $word --out none
+done
+refused name_of_a_header 1 'would hide the header math.h' tetra.obj --name math --out none
+refused name_of_the_library 1 'belongs to the library' tetra.obj --name zs_x --out none
+refused name_too_long 1 'more than 40' tetra.obj --name a123456789012345678901234567890123456789012345 --out none
+refused name_empty 2 '--name wants a name' tetra.obj --name '' --out none
+refused no_name 2 '--name is missing' tetra.obj --out none
+refused no_out 2 '--out is missing' tetra.obj --name m
+refused no_model 2 'a model is missing' --name m --out none
+refused two_models 2 'one too many' tetra.obj teapot.obj --name m --out none
+refused unknown_option 2 "'--wat'" tetra.obj --name m --out none --wat
+refused option_of_words 2 '--unit wants a number' tetra.obj --name m --out none --unit ten
+refused choice 2 'flat|smooth|textured|textured-flat|unlit|raw' tetra.obj --name m --out none --shade phong
+refused flag_with_a_value 2 '--precise wants no value' tetra.obj --name m --out none --precise=1
+refused value_missing 2 '--unit wants a value' tetra.obj --name m --out none --unit
+refused missing_file 1 'nowhere.obj' nowhere.obj --name m --out none
+refused missing_parent 1 'no/where' tetra.obj --name m --out no/where
+refused folder_is_a_file 1 'Not a directory' tetra.obj --name m --out tetra.obj
+refused picture_with_a_unit 1 'is a picture, and --unit is for models' 4.png --name m --out none --unit 3
+refused missing_picture 1 'cut.png' cut.png --name m --out none
+head -c 200 4.png >cut.png
+refused broken_picture 1 'cut.png' cut.png --name m --out none
+refused texture_size 1 'a power of two' 4.png --name m --out none --texture-size 100x64
+refused texture_size_huge 1 'a power of two' 4.png --name m --out none --texture-size 2048x64
+./make png 4 1 8 thin.png
+refused pal4_of_one_column 1 'take pal8' thin.png --name m --out none --texture-format pal4
+refused texture_that_is_not_shown 1 '--texture needs' skinned.obj --texture 4.png --shade flat --name m --out none
+refused textured_without_texture 1 'name a picture by --texture' teapot.obj --shade textured --name m --out none
+./make torus 8 4 1 gone.mtl >lost.obj
+refused textured_without_material_file 1 'gone.mtl cannot be read' lost.obj --shade unlit --name m --out none
+refused unit_0 1 'outside its range' tetra.obj --name m --out none --unit 0
+refused unit_below_0 1 'outside its range' tetra.obj --name m --out none --unit -2
+refused unit_nan 1 'outside its range' tetra.obj --name m --out none --unit nan
+refused unit_too_large 1 'the world ends' tetra.obj --name m --out none --unit 1e12
+refused unit_too_small 1 'give --unit' tetra.obj --name m --out none --unit 0.5
+printf 'v 1 1 1\nv 1 1 1\nv 1 1 1\nf 1 2 3\n' >point.obj
+refused no_extent 1 'no extent' point.obj --name m --out none
+printf 'v 0 0 0\nv 1 0 0\nv 3 0 0\nf 1 2 3\n' >line.obj
+refused no_area 1 'none of its 1 triangles has an area' line.obj --name m --out none
+printf 'v 0 0 0\nv 1 0 0\nv 3 0 0\n' >empty.obj
+refused no_triangles 1 'no faces' empty.obj --name m --out none
+printf 'v 1000000.5 0.3 0\nv 1000001.7 0 0\nv 1000000 1 0\nf 1 2 3\n' >far.obj
+refused far_from_its_origin 1 'or --center yes' far.obj --name m --out none --center no
+refused too_far_from_its_origin 1 'steps wide; give --center yes' far.obj --name m --out none --center no --unit 100
+{ echo 'mtllib torus.mtl' && echo 'usemtl skin' && printf 'v 0 0 0\nv 1 0 0\nv 0 1 0\nvt 0 0\nvt 400 0\nvt 0 400\nf 1/1 2/2 3/3\n'; } >wide.obj
+refused texture_coordinates_too_wide 1 'repeat the picture less often' wide.obj --name m --out none
+refused map_onto_the_output 1 'two outputs' tetra.obj --name m --out kept --map kept/m.c
+refused map_onto_the_model 1 'it is the model itself' tetra.obj --name m --out kept --map tetra.obj
+refused map_on_a_full_disk 1 '/dev/full' tetra.obj --name m --out kept --map /dev/full
+refused full_disk_and_new_folder 1 '/dev/full' tetra.obj --name m --out none --map /dev/full
+begin taken_wide_but_smaller_texture
+convert wide wide.obj --texture-size 64x64
+holds stdout '64 x 64'
+begin taken_without_material_file
+convert lost lost.obj
+holds stdout '"gone.mtl" cannot be read'
+begin taken_far_from_its_origin
+convert far far.obj
+compile far probe
+run far/probe check
+
+begin help_lists_every_option
+z convert --help
+is status $status 0
+for option in --name --out --shade --unit --center --precise --face-normals --cull --color --map --texture --wrap \
+    --texture-size --texture-format --dither; do
+    holds stdout "  $option "
+done
+while read -r line; do
+    [ ${#line} -le 110 ] || wrong "a line of ${#line} characters"
+done <stdout
+finish
+[ $n_failed -eq 0 ]
