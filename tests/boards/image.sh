@@ -1,5 +1,5 @@
-# Shared by the tests of boards; sourced with BUILD in $build, a folder of the test's own in $out. `ok NAME` or
-# `FAILED NAME: reason` a test.
+# Images of boards and what they should draw, for tests of boards; sourced with BUILD in $build, a folder of the test's own in
+# $out. `ok NAME` or `FAILED NAME: reason` a test.
 #
 # SPDX-License-Identifier: MIT
 . tests/lib/ok.sh

@@ -1,5 +1,5 @@
 /* The stress cases of clipping, coverage and depth, each by its number, through the public
- * interface. 17 is in test_pose.c, 21 to 26 in test_invariance.c, 28 in checksum.c, 30 in
+ * interface. 17 is in test_rotation.c, 21 to 26 in test_invariance.c, 28 in checksum.c, 30 in
  * test_api.c.
  *
  * SPDX-License-Identifier: MIT
