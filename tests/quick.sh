@@ -1,6 +1,6 @@
 #!/bin/sh
-# Run unit test programs two side by side, those first that took longest the last time: a line each with its seconds, the
-# log of what fails, and at the end "N passed, N failed".
+# Run unit test programs, as many side by side as there are processors, those first that took longest the last time: a line
+# each with its seconds, the log of what fails, and at the end "N passed, N failed".
 # Usage: tests/quick.sh BUILD NAME...
 #        tests/quick.sh BUILD one NAME   of use to this script alone
 #
@@ -35,7 +35,7 @@ fi
 start=$(date +%s)
 for name; do
     echo "$(cat "$logs/$name.ms" 2>/dev/null || echo 999999) $name"
-done | sort -rn | cut -d ' ' -f 2 | xargs -P 2 -n 1 sh tests/quick.sh "$build" one
+done | sort -rn | cut -d ' ' -f 2 | xargs -P "$(nproc)" -n 1 sh tests/quick.sh "$build" one
 echo "$# programs in $(($(date +%s) - start)) s"
 awk -v programs=$# '
     { passed += $1; failed += $2 }

@@ -19,6 +19,8 @@ skipped=$logs/skipped.txt
 mode=${3:-}
 parts=tests/parts.txt
 . tests/lib/tally.sh
+WERROR=-Werror # what parts compile by make
+export WERROR
 # Many parts compile the same source for a Cortex-M with the same options: once, where ccache is installed. Of other
 # compilers no object is made twice. The cache is of this build folder.
 ccache=$(command -v ccache)

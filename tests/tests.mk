@@ -1,5 +1,7 @@
-# The test programs: every test_*.c, with the helpers of tests/lib, the core, the scenes, the panels and their
-# models, under ASan and UBSan and with the kernels' preconditions checked. zsim is built like that too.
+# Tests of the tree and of what it builds
+#
+# The test programs: every test_*.c, with tests/lib, the core, the scenes, the panels and their models, under ASan and
+# UBSan and with the kernels' preconditions checked. zsim is built like that too.
 SAN = -fsanitize=address,undefined -fno-sanitize-recover=all
 # make quick: optimised, with what costs next to nothing; where it fails is a signal
 SAN_QUICK = -O2 -fsanitize=signed-integer-overflow,shift,bounds,integer-divide-by-zero -fsanitize-undefined-trap-on-error
@@ -82,81 +84,15 @@ $(CHECKSUMS) $(CHECKSUMS_BARE):
 	@mkdir -p $(@D)
 	@$(CHECKSUM_CC) -std=c11 -$(word 3,$(subst -, ,$(@F))) $(INC) $(filter %.c,$^) -o $@
 
-# Fuzzers: the interface by seeds (fuzz_api); cards of meshes and textures by libFuzzer (fuzz_mesh, make fuzz
-# alone) and by mutations of its seeds (cards); model files, command lines and panels' streams likewise, by libFuzzer
-# (lf_NAME, make fuzz alone) and by mutations of their corpora (NAME)
-fuzz_objects = $(call t,$(patsubst %,tests/lab/fuzz/%.c,$(1))) $(B)/test/libtest.a
-FUZZ_TARGETS = fuzz_scan fuzz_options fuzz_panel
-fuzz-programs: $(B)/fuzz/fuzz_api $(B)/fuzz/cards $(FUZZ_TARGETS:%=$(B)/fuzz/%)
-lib-fuzz-programs: $(B)/fuzz/fuzz_mesh $(FUZZ_TARGETS:%=$(B)/fuzz/lf_%)
-$(B)/test/tests/lab/fuzz/%.o $(B)/fuzz/clang/%.o: TEST_CC += -Itests/lab/fuzz -Isim/linux -Ihal/linux -D_GNU_SOURCE
-FUZZ_SIM = $(filter-out $(MODEL) sim/cli/main.c,$(SIM)) sim/linux/linux_options.c
-$(FUZZ_TARGETS:%=$(B)/fuzz/%): $(B)/fuzz/%: $(B)/test/tests/lab/fuzz/%.o $(call t,$(FUZZ_SIM)) $(B)/test/libtest.a \
-                                            $(call fuzz_objects,drive input replay said) $(B)/libmeshes.a
-	@mkdir -p $(@D)
-	@$(CC) $(SAN) -Wl,--start-group $^ -Wl,--end-group $(LIBS) -o $@
-$(B)/fuzz/clang/%.o: %.c $(TEST_NOTE) | $(B)/gen/meshes.h
-	@mkdir -p $(@D)
-	@$(subst $(CC) ,clang ,$(TEST_CC)) -fsanitize=fuzzer-no-link $(DEP) -c $< -o $@
-$(FUZZ_TARGETS:%=$(B)/fuzz/lf_%): $(B)/fuzz/lf_%: $(B)/fuzz/clang/tests/lab/fuzz/%.o $(B)/fuzz/clang/tests/lab/fuzz/said.o \
-    $(patsubst %.c,$(B)/fuzz/clang/%.o,$(FUZZ_SIM) $(MODEL) $(CORE) $(SCENES) $(PANELS)) $(B)/libmeshes.a
-	@clang $(SAN) -fsanitize=fuzzer $^ $(LIBS) -o $@
-$(B)/fuzz/fuzz_api: $(call fuzz_objects,fuzz_api replay world)
-	@mkdir -p $(@D)
-	@$(CC) $(SAN) $^ -o $@
-$(B)/fuzz/cards: $(call fuzz_objects,cards fuzz_mesh input replay world)
-	@mkdir -p $(@D)
-	@$(CC) $(SAN) $^ -o $@
-$(B)/fuzz/fuzz_mesh: tests/lab/fuzz/fuzz_mesh.c tests/lib/fast_lists.c tests/lib/own.c tests/lib/picture.c $(CORE) $(HEADERS)
-	@mkdir -p $(@D)
-	@$(subst $(CC) ,clang ,$(TEST_CC)) -Itests/lab/fuzz -O2 -fsanitize=fuzzer $(filter %.c,$^) -o $@
+## size: flash of the renderer and RAM by pool
+## stack: worst-case stack
+## check: rules on the Cortex-M objects, linking, includes, sizes of files, initialisers, headers in C and C++, and the stack
+size stack: $(B)/.setup-test $(B)/libcore.a
+	@sh tests/checks/$@.sh $(B)
+check: $(B)/.setup-test $(B)/gen/meshes.h
+	@for c in objects kernels hal includes shape designated headers stack; do sh tests/checks/$$c.sh $(B) || exit 1; done
 
-# Stress: triangles against the oracle and frames against the plainest way, by seeds; under the sanitizers, and as
-# shipped. The oracle, the judge, is not slowed down by sanitizers. cut is for make test: of its objects, at -O1.
-STRESS_CC = $(CC) -std=gnu11 $(CFLAGS) -Wall -Wextra -Werror -Wshadow -Wno-missing-field-initializers $(INC) -Itests/lib \
-            -Itests/lab/fuzz -Itests/lab/stress
-stress-cut: $(B)/stress/cut
-stress-programs: $(B)/stress/san
-$(B)/test/tests/lab/stress/%.o: TEST_CC += -Itests/lab/fuzz -Itests/lab/stress
-$(B)/stress/cut: $(call t,$(wildcard tests/lab/stress/*.c) tests/lab/fuzz/replay.c) $(B)/test/libtest.a
-	@mkdir -p $(@D)
-	@$(CC) $(SAN) $^ -lm -o $@
-.PHONY: stress-cut
-$(B)/stress/oracle.o: tests/lib/oracle.c tests/lib/oracle.h
-	@mkdir -p $(@D)
-	@$(STRESS_CC) -c $< -o $@
-STRESS = $(wildcard tests/lab/stress/*.c) tests/lab/fuzz/replay.c tests/lib/clusters.c tests/lib/fast_lists.c tests/lib/own.c tests/lib/picture.c $(CORE)
-$(B)/stress/san: $(STRESS) $(B)/stress/oracle.o $(HEADERS)
-	@$(STRESS_CC) $(SAN) -DZS_STATS=1 '-DZS_ASSERT(c)=((c)?(void)0:__builtin_trap())' $(STRESS) $(B)/stress/oracle.o \
-	    -lm -o $@
-$(B)/stress/fast: $(STRESS) $(B)/stress/oracle.o $(HEADERS)
-	@$(STRESS_CC) $(STRESS) $(B)/stress/oracle.o -lm -o $@
-
-# Mutants (tests/lab/mutate): the units that run the renderer, as in make test but, by B and SAN, without sanitizers, all in
-# one program; make test links it as well
-MUTATE_FILES = $(filter-out %/test_linux.c %/test_pair.c %/test_examples.c tests/unit/test_panel% tests/property/test_panel%,$(TESTS))
-MUTATE_TESTS = $(basename $(notdir $(MUTATE_FILES)))
-MUTATE_SIM = tests/lab/fuzz/world.c sim/frame/pixel_counts.c sim/frame/frame.c sim/frame/scene_share.c sim/cli/sim.c
-mutate-settings:
-	$(info tests $(MUTATE_TESTS))
-	$(info files $(MUTATE_FILES))
-	$(info sources $(SCENES) $(TEST_HELP) $(MUTATE_SIM))
-	$(info cc $(TEST_CC))
-	$(info link $(call mutate_link,OBJECTS,OUT))
-	@:
-mutate_link = $(CC) $(SAN) -Wl,--wrap=_cmocka_run_group_tests -Wl,--start-group $1 $(call t,$(MUTATE_SIM)) \
-    $(B)/test/libtest.a $(B)/libmeshes.a -Wl,--end-group -lcmocka -lm -pthread -o $2
-mutate-link: $(B)/test/mutate/runner
-	@:
-MUTATE_MAINS := $(call note,$(B)/test/mutate/programs.h,$(patsubst %,PROGRAM(%),$(MUTATE_TESTS)))
-$(B)/test/mutate/runner.o: tests/lab/mutate/runner.c $(MUTATE_MAINS) $(TEST_NOTE)
-	@$(TEST_CC) -I$(B)/test/mutate -c $< -o $@
-$(B)/test/mutate/tests/%.o: $(B)/test/tests/%.o # each main by a name of its own
-	@mkdir -p $(@D)
-	@objcopy --redefine-sym main=main_$(*F) $< $@
-$(B)/test/mutate/runner: $(B)/test/mutate/runner.o $(MUTATE_FILES:%.c=$(B)/test/mutate/%.o) $(call t,$(MUTATE_SIM)) \
-                         $(B)/test/libtest.a $(B)/libmeshes.a
-	@$(call mutate_link,$(filter $(B)/test/mutate/%,$^),$@)
-.PHONY: mutate-settings mutate-link
-coverage-programs: $(filter-out %/test_linux %/test_pair,$(patsubst %.c,$(B)/test/%,$(notdir $(TESTS))))
-.PHONY: coverage-programs
+## checksums: every scene's frames on Cortex-M0 to M7, RISC-V, PowerPC (big-endian) and x86-64: one table of checksums, all the same
+checksums: $(B)/.setup-test $(B)/gen/meshes.h
+	@SUMS_PICO=1 sh tests/property/scene_sums.sh $(B)
+.PHONY: size stack check checksums test-programs checksum-programs

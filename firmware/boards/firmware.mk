@@ -78,7 +78,7 @@ SRC = $(wildcard hal/$(BOARD_HAL)/*.c hal/panel/*.c) $(BOARD_SRC) $(CORE) \
       $(wildcard firmware/scenes/*.c) $(wildcard $(B)/gen/*.c)
 OBJ = $(patsubst %,$(OUT)/%.o,$(basename $(SRC))) $(patsubst %.c,$(OUT)/of-$(NAME)/%.o,$(APP_SRC))
 CFLAGS = -std=c11 $(BOARD_CPU) $(OPT) -g -ffunction-sections -fdata-sections -MMD -MP \
-         -Wall -Wextra -Werror -Wconversion -Wshadow -Wvla -Wstrict-prototypes -Wmissing-prototypes \
+         -Wall -Wextra $(WERROR) -Wconversion -Wshadow -Wvla -Wstrict-prototypes -Wmissing-prototypes \
          -Wno-missing-field-initializers \
          -Ihal -Ihal/null -Ihal/cortexm -Ihal/spi -Ihal/panel -Ifirmware/app -Ifirmware/zstrip -Ifirmware/scenes -I$(B)/gen \
          $(if $(filter 1,$(LEAN)),-DZS_NO_FAST=1) $(BOARD_FLAGS) $(foreach d,$(DEFINES),-U$(firstword $(subst =, ,$(d:-D%=%))) $d)

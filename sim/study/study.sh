@@ -48,7 +48,7 @@ firmware() { # GOAL CORE STEPS COARSE BOUND
         defines="-DZS_STUDY=1 -DZS_RECIP_STEPS=$3 -DZS_TEXEL_COARSE_LOG2=$4 -DZS_SPAN_BOUND_LOG2=$5"
         folder=$folder-$3-$4-$5
     }
-    make -s -j2 -f firmware/boards/firmware.mk BOARD=$board B="$build" OUT="$folder" BOARD_CPU="$cpu" \
+    make -s -j"$(nproc)" -f firmware/boards/firmware.mk BOARD=$board B="$build" OUT="$folder" BOARD_CPU="$cpu" \
         NAME="study_$name" APP_SRC=firmware/app/study.c APP_FLAGS="$flags" DEFINES="$defines" "$goal"
 }
 count() { # CORE STEPS COARSE BOUND

@@ -1,5 +1,5 @@
-# Images of boards and what they should draw, for tests of boards; sourced with BUILD in $build, a folder of the test's own in
-# $out. `ok NAME` or `FAILED NAME: reason` a test.
+# Images of boards and what they should draw, for tests of boards. Sourced with BUILD in $build, a folder of the test's
+# own in $out. `ok NAME` or `FAILED NAME: reason` a test.
 #
 # SPDX-License-Identifier: MIT
 . tests/lib/ok.sh
@@ -16,7 +16,7 @@ field() { # FILE NAME    the value in lines "name value"
 image() {
     board=$1
     shift
-    make -s -j2 -f firmware/boards/firmware.mk BOARD="$board" B="$build" "$@" image >"$out/make.log" 2>&1 && return
+    make -s -j"$(nproc)" -f firmware/boards/firmware.mk BOARD="$board" B="$build" "$@" image >"$out/make.log" 2>&1 && return
     cat "$out/make.log"
     bad "${board}_builds $*" "see above"
     exit 1

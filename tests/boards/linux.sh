@@ -331,7 +331,7 @@ for half in bookworm:1 trixie:2; do
 done
 [ -n "$halves" ] || exit 1
 releases=$(echo "$halves" | sed 's/:[0-9]//g')
-make -s -j2 -f tests/boards/linux/linux.mk B="$build" $releases >"$out/make.log" 2>&1 ||
+make -s -j"$(nproc)" -f tests/boards/linux/linux.mk B="$build" $releases >"$out/make.log" 2>&1 ||
     { cat "$out/make.log"; bad linux_builds "see above"; exit 1; }
 verdict linux_decoder "$(decoder_test | head -3 | tr '\n' ' ')"
 device_tree

@@ -42,7 +42,7 @@ firmware() { # BOARD NAME FLAGS GOAL
     shift
     [ "$board" != m0 ] || set -- "$@" BOARD_CPU='-mcpu=cortex-m0 -mthumb' OUT="$top/fw/mps2-armv6m"
     [ "$board" != m0 ] || board=mps2
-    make -s -j2 -f firmware/boards/firmware.mk BOARD="$board" B="$top" "$@"
+    make -s -j"$(nproc)" -f firmware/boards/firmware.mk BOARD="$board" B="$top" "$@"
 }
 build() { # BOARD NAME FLAGS [GOAL]
     firmware "$1" "$2" "$3" "${4:-all}" >"$out/$1.log" 2>&1 && return
@@ -106,7 +106,7 @@ if [ "$what" = all ]; then # the pools that take a scene in one pass, as C that 
     sh tests/boards/pico.sh "$top" set-up || exit 1
 fi
 # shellcheck disable=SC2086
-printf '%s\n' $counted $boards | xargs -P 2 -n 1 sh "$0" "$top" run
+printf '%s\n' $counted $boards | xargs -P "$(nproc)" -n 1 sh "$0" "$top" run
 progress
 
 # ---- One-pass frames against what is on record ------------------------------------------------------------------

@@ -26,7 +26,7 @@ firmware() { # BOARD GOAL
     [ "$board" != m0 ] || set -- "$@" BOARD_CPU='-mcpu=cortex-m0 -mthumb' OUT="$top/fw/mps2-armv6m"
     [ "$board" != pico ] && [ -z "${COSTS_FEW:-}" ] || set -- "$@" APP_FLAGS=-DCOSTS_FEW=1
     [ "$board" != m0 ] || board=mps2
-    make -s -j2 -f firmware/boards/firmware.mk BOARD="$board" "$@" "$goal"
+    make -s -j"$(nproc)" -f firmware/boards/firmware.mk BOARD="$board" "$@" "$goal"
 }
 if [ "$what" = run ]; then # BOARD, by xargs
     if [ "$3" = pico ]; then
@@ -54,7 +54,7 @@ for board in $boards; do
     [ $board != pico ] || sh tests/boards/pico.sh "$top" set-up || exit 1
 done
 # shellcheck disable=SC2086
-printf '%s\n' $boards | xargs -P 2 -n 1 sh "$0" "$top" run
+printf '%s\n' $boards | xargs -P "$(nproc)" -n 1 sh "$0" "$top" run
 
 files="--m3 $out/mps2.csv"
 [ "$what" = quick ] ||

@@ -23,7 +23,7 @@ top=${B%/checks}
 out=$top/scale
 mkdir -p "$out"
 for board in host mps2; do
-    firmware="make -s -j2 -f firmware/boards/firmware.mk BOARD=$board APP=scale B=$top"
+    firmware="make -s -j$(nproc) -f firmware/boards/firmware.mk BOARD=$board APP=scale B=$top"
     if ! $firmware all >"$out/log" 2>&1; then
         cat "$out/log"
         bad "scale on $board" "does not build"

@@ -78,7 +78,7 @@ for c in $CPUS; do
 done
 for c in $CPUS; do for d in $DEPTHS; do for m in $(seq 1 63); do
     echo "$top flash $c $d $m"
-done; done; done | xargs -P 2 -L 1 sh "$0" >"$work/flash.txt" || exit 1
+done; done; done | xargs -P "$(nproc)" -L 1 sh "$0" >"$work/flash.txt" || exit 1
 
 cat <<'END'
 /* Sizes of structs on a Cortex-M, flash by what is linked and worst-case stacks, bytes: what zsim budget cannot ask the

@@ -1,5 +1,6 @@
-# For the Cortex-M: the renderer and panels as objects, the least firmware, linking; and verdicts on lists. Sourced, not run.
-# Each script may be given a build directory (build).
+# For the Cortex-M: the renderer and panels as objects, the least firmware, linking; and verdicts on lists. Sourced,
+# not run. Each script may be given a build directory (build).
+#
 # SPDX-License-Identifier: MIT
 set -u
 cd "$(dirname "$0")/../.." || exit 2

@@ -18,7 +18,7 @@ mkdir -p "$out"
 # ---- Bench scenes: "scene checksum" of every line; the full build's are of this machine ---------------------------------
 
 firmware() { # MAKE-VARIABLES... GOAL
-    make -s -j2 -f firmware/boards/firmware.mk B="$build" NAME=bench APP_SRC=firmware/app/bench.c "$@"
+    make -s -j"$(nproc)" -f firmware/boards/firmware.mk B="$build" NAME=bench APP_SRC=firmware/app/bench.c "$@"
 }
 bench() { # NAME MAKE-VARIABLES...
     name=$1

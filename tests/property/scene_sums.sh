@@ -182,7 +182,7 @@ if [ -n "${SUMS_PICO:-}" ]; then
     column $first
 fi
 for c in cortex_m0 $COLUMNS; do echo "$c"; done | awk -v first="$first" '$0 != first && !n[$0]++' |
-    xargs -P 2 -n 1 sh tests/property/scene_sums.sh "$build" column
+    xargs -P "$(nproc)" -n 1 sh tests/property/scene_sums.sh "$build" column
 touch "$record" && cp "$record" "$out/record"
 echo "Checksums (FNV-1a, 64 bits) of frames: x86-64 by gcc and clang at -O0 and -O3, Cortex-M0 to M7, RISC-V, PowerPC."
 echo "=: the same; y16: differs from row 16 on, in bands of eight rows; none: no such frame; record: $record"

@@ -1,0 +1,94 @@
+# The simulator
+#
+# zsim, zstrip-linux and what they are built of: the renderer, the scenes' meshes, the panels and their models
+
+SIM = $(wildcard $(SIM_DIRS:%=sim/%/*.c)) firmware/scenes/gen/font.c
+GEN = $(wildcard firmware/scenes/gen/*.c)
+# zstrip-linux: libgpiod's version 1 or 2 decides which of hal/linux's two files is taken. LINUX_SIM: what it needs of
+# sim where it is built without models (-DLINUX_MODELS=0)
+GPIOD = $(firstword $(subst ., ,$(shell pkg-config --modversion libgpiod 2>/dev/null)))
+LINUX = $(filter-out hal/linux/gpio_v%,$(wildcard hal/linux/*.c)) $(wildcard sim/linux/*.c)
+LINUX_SIM = $(wildcard sim/panel_model/*.c) sim/cli/option_table.c sim/panel/panel_bus.c sim/panel/panel_frame.c sim/cli/sim.c sim/cli/value.c
+LIBS = -lassimp -lmeshoptimizer -lpng -lturbojpeg -lm -pthread
+
+## report: every study, frames counted on emulated cores, into build/study/index.html; ten minutes
+report: $(B)/.setup-report
+	@$(MAKE_ALL) $(B)/zsim study-variants
+	@for s in depth stability; do $(B)/zsim study $$s --redo --out $(B)/study || exit 1; done
+	@sh sim/study/study.sh $(B) memory --redo
+	@CORES='m3 m0 pico host' sh sim/study/study.sh $(B) time --full --redo
+
+## pictures: the README's pictures, drawn again
+pictures: sim
+	@sh sim/pictures/make.sh $(B)
+
+.PHONY: report pictures study-variants linux-sources
+
+# The renderer for programs of this machine that only use it: the generator of meshes, and those of tests
+CORE_CC = $(CC) -std=c11 $(CFLAGS) $(WARN) -Ifirmware/zstrip
+CORE_NOTE := $(call note,$(B)/core/cc,$(CORE_CC))
+$(B)/core/%.o: %.c $(CORE_NOTE)
+	@mkdir -p $(@D)
+	@$(CORE_CC) $(WERROR) $(DEP) -c $< -o $@
+$(B)/libcore.a: $(CORE:%.c=$(B)/core/%.o)
+	@rm -f $@ && ar rcs $@ $^
+
+# Meshes: written by a generator, built into one archive
+$(B)/gen_meshes: $(GEN) $(B)/libcore.a $(filter firmware/zstrip/% firmware/scenes/%,$(HEADERS))
+	@mkdir -p $(B)
+	@$(CC) -std=c11 $(CFLAGS) $(WARN) $(WERROR) $(INC) $(GEN) $(B)/libcore.a -o $@
+$(B)/gen/made: $(B)/gen_meshes
+	@rm -rf $(B)/gen/new && mkdir -p $(B)/gen/new
+	@echo 'meshes: $(B)/gen'
+	@$< $(B)/gen/new >$(B)/gen/new/meshes.txt
+	@cd $(B)/gen/new && for f in *; do cmp -s $$f ../$$f || { mv * ..; break; }; done # as old as what is in them
+	@rm -r $(B)/gen/new && touch $@
+$(B)/gen/meshes.h: $(B)/gen/made
+	@:
+$(B)/libmeshes.a: $(B)/gen/meshes.h
+	@cd $(B)/gen && $(CC) -std=c11 -O1 -I$(CURDIR)/firmware/zstrip -c mesh_*.c
+	@rm -f $@ && ar rcs $@ $(B)/gen/mesh_*.o
+
+# Rows of studies say which sources they were measured with
+$(B)/gen/study_build.h: $(CORE) $(SCENES) $(filter sim/%,$(SIM)) $(GEN) $(filter-out tests/%,$(HEADERS))
+	@mkdir -p $(B)/gen
+	@cat $^ | cksum | awk '{ printf "#define STUDY_BUILD \"%08x\"\n", $$1 }' >$@
+$(B)/sim/sim/study/study.o $(B)/test/sim/study/study.o $(B)/fuzz/clang/sim/study/study.o: $(B)/gen/study_build.h
+
+SIM_CC = $(CC) -std=gnu11 $(CFLAGS) $(WARN) $(INC) -DZS_STATS=1
+SIM_NOTE := $(call note,$(B)/sim/cc,$(SIM_CC))
+$(B)/sim/%.o: %.c $(SIM_NOTE) | $(B)/gen/meshes.h
+	@mkdir -p $(@D)
+	@$(SIM_CC) $(WERROR) $(DEP) -c $< -o $@
+$(B)/zsim: $(patsubst %.c,$(B)/sim/%.o,$(CORE) $(SCENES) $(PANELS) $(SIM)) $(B)/libmeshes.a
+	@$(CC) $(CFLAGS) $^ $(LIBS) -o $@
+	@echo 'built $@'
+
+# zsim with other reciprocals and sub-spans (zs_config.h), for the study of time: BUILD/study/NAME/zsim
+STUDY_bound2 = -DZS_SPAN_BOUND_LOG2=2
+STUDY_bound5 = -DZS_SPAN_BOUND_LOG2=5
+STUDY_recip16 = -DZS_RECIP_STEPS=0
+STUDY_texels30 = -DZS_TEXEL_COARSE_LOG2=0
+STUDY_texels15 = -DZS_TEXEL_COARSE_LOG2=31
+STUDY_BUILDS = bound2 bound5 recip16 texels30 texels15
+STUDY_OF = $(patsubst %.c,$(1)/%.o,$(CORE) sim/study/study_time.c)
+STUDY_REST = $(patsubst %.c,$(B)/sim/%.o,$(SCENES) $(PANELS) $(filter-out sim/study/study_time.c,$(SIM))) $(B)/libmeshes.a
+study-variants: $(STUDY_BUILDS:%=$(B)/study/%/zsim)
+define study_build
+$(B)/study/$(1)/%.o: %.c $(SIM_NOTE) | $(B)/gen/meshes.h
+	@mkdir -p $$(@D)
+	@$(SIM_CC) $(WERROR) -DZS_STUDY=1 $(STUDY_$(1)) $(DEP) -c $$< -o $$@
+$(B)/study/$(1)/zsim: $(call STUDY_OF,$(B)/study/$(1)) $(STUDY_REST)
+	@$(CC) $(CFLAGS) $$^ $(LIBS) -o $$@
+	@echo 'built $$@'
+endef
+$(foreach v,$(STUDY_BUILDS),$(eval $(call study_build,$(v))))
+
+$(B)/sim/hal/linux/%.o $(B)/sim/sim/linux/%.o: INC += -Ihal/linux -Isim/linux -pthread
+$(B)/zstrip-linux: $(patsubst %.c,$(B)/sim/%.o,$(LINUX) hal/linux/gpio_v$(GPIOD).c $(CORE) $(SCENES) $(PANELS) \
+                                                $(filter-out sim/cli/main.c,$(SIM))) $(B)/libmeshes.a
+	@$(CC) $(CFLAGS) -pthread $^ $(LIBS) $$(pkg-config --libs libgpiod) -o $@
+	@echo 'built $@'
+# What a cross compiler takes besides $(B)/gen's meshes and hal/linux/gpio_v1.c or gpio_v2.c
+linux-sources:
+	@echo $(CORE) $(SCENES) $(PANELS) $(LINUX_SIM) $(LINUX)

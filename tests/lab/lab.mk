@@ -1,0 +1,157 @@
+# The lab
+#
+# What developers of the renderer run: how exact and how fast it is, what it costs, and what shows that tests are good
+SECONDS = 600
+SEED = 1
+MUTANTS = 300
+
+## fuzz: each of the five fuzzers for SECONDS=600, two side by side, from SEED=1
+fuzz: $(B)/.setup-fuzz
+	@$(MAKE_ALL) fuzz-programs lib-fuzz-programs
+	@sh tests/lab/fuzz/run.sh $(B) $(SECONDS) $(SEED)
+
+## stress: random triangles against whole numbers, random frames against the plainest way, for SECONDS=600 more
+stress: $(B)/.setup-test $(B)/gen/meshes.h
+	@$(MAKE_ALL) stress-programs $(if $(filter fast,$(BUILD)),$(B)/stress/fast)
+	@sh tests/lab/stress/run.sh $(B) $(SECONDS) '$(KIND)' $(BUILD)
+## stress-record: what all runs have reached becomes tests/records/STRESS.txt
+stress-record:
+	@sh tests/lab/stress/run.sh $(B) figures >$(B)/stress/figures.txt && cp $(B)/stress/figures.txt tests/records/STRESS.txt
+
+## prove: no overflow, bad shift, division by zero or stray access in the kernels, over all their inputs; minutes
+prove:
+	@mkdir -p $(B) && .ci/setup $(PKG_PROVE)
+	@sh tests/lab/prove/run.sh $(B) $(PROOFS)
+
+## coverage: lines and branches of firmware/zstrip and hal/panel that the unit tests reach
+coverage: $(B)/.setup-test
+	@.ci/setup $(PKG_COVERAGE)
+	@$(MAKE_ALL) B=$(B)/coverage SAN='--coverage -fprofile-update=atomic' coverage-programs
+	@sh tests/lab/coverage.sh $(B)
+
+## complexity: of functions, and what the code says twice
+complexity:
+	@.ci/setup $(PKG_COMPLEXITY)
+	@sh tests/lab/complexity.sh
+
+## mutate: MUTANTS=300 of the renderer, SEED=1: which of them the unit tests catch; goes on where it was stopped
+mutate: $(B)/.setup-test
+	@$(MAKE_ALL) B=$(B)/mutate/plain SAN= mutate-link
+	@node tests/lab/mutate/mutate.mjs $(B) $(MUTANTS) $(SEED)
+
+## bench: what frames take and how exact they are: instructions on Cortex-M0 to M7, RISC-V and here, cycles on an RP2040
+bench: sim $(B)/.setup-bench $(B)/gen/meshes.h
+	@sh tests/lab/bench.sh $(B) all
+## bench-record: what the bench's frames take now becomes what make test compares them with
+bench-record: $(B)/.setup-test $(B)/gen/meshes.h
+	@sh tests/lab/bench.sh $(B) record >$(B)/bench.txt && mv $(B)/bench.txt tests/records/bench.txt
+
+## scale: how instructions grow with triangles, pixels, strips, passes, depth complexity: CSV and plots in build/scale
+scale: $(B)/.setup-scale $(B)/gen/meshes.h
+	@sh tests/lab/scale.sh $(B) plots
+
+## costs: what each stage costs on each core, fitted from scenes that isolate it, and how far that is from other scenes
+costs: sim $(B)/.setup-test $(B)/gen/meshes.h
+	@sh tests/lab/costs.sh $(B)
+## costs-record: what stages cost now, and flash, stack and sizes on Cortex-M, become what zsim budget reckons with
+costs-record: sim $(B)/.setup-test $(B)/gen/meshes.h
+	@sh tests/lab/costs.sh $(B) record
+	@$(MAKE_ALL) $(B)/zsim
+
+## still: instructions of a still scene and of one moving thing with zs_damage_track, on Cortex-M3
+still: $(B)/.setup-test $(B)/gen/meshes.h
+	@sh tests/lab/still.sh $(B)
+
+## cull: instructions of 10,000 instances of which 20 are in view, and of a large model from afar, close by and within
+cull: sim $(B)/.setup-test
+	@sh tests/lab/cull.sh $(B)
+
+## depth: which depth mapping separates what, and what each costs on Cortex-M3 and M0
+depth: sim $(B)/.setup-test
+	@sh tests/lab/depth.sh $(B)
+
+## accuracy: how exact it is, against whole numbers and the double-precision reference; about a minute
+accuracy: sim
+	@$(B)/zsim accuracy
+
+.PHONY: fuzz stress stress-record prove coverage complexity mutate bench bench-record scale costs costs-record still cull depth \
+        accuracy fuzz-programs lib-fuzz-programs stress-programs
+
+# Fuzzers: the interface by seeds (fuzz_api); cards of meshes and textures by libFuzzer (fuzz_mesh, make fuzz
+# alone) and by mutations of its seeds (cards); model files, command lines and panels' streams likewise, by libFuzzer
+# (lf_NAME, make fuzz alone) and by mutations of their corpora (NAME)
+fuzz_objects = $(call t,$(patsubst %,tests/lab/fuzz/%.c,$(1))) $(B)/test/libtest.a
+FUZZ_TARGETS = fuzz_scan fuzz_options fuzz_panel
+fuzz-programs: $(B)/fuzz/fuzz_api $(B)/fuzz/cards $(FUZZ_TARGETS:%=$(B)/fuzz/%)
+lib-fuzz-programs: $(B)/fuzz/fuzz_mesh $(FUZZ_TARGETS:%=$(B)/fuzz/lf_%)
+$(B)/test/tests/lab/fuzz/%.o $(B)/fuzz/clang/%.o: TEST_CC += -Itests/lab/fuzz -Isim/linux -Ihal/linux -D_GNU_SOURCE
+FUZZ_SIM = $(filter-out $(MODEL) sim/cli/main.c,$(SIM)) sim/linux/linux_options.c
+$(FUZZ_TARGETS:%=$(B)/fuzz/%): $(B)/fuzz/%: $(B)/test/tests/lab/fuzz/%.o $(call t,$(FUZZ_SIM)) $(B)/test/libtest.a \
+                                            $(call fuzz_objects,drive input replay said) $(B)/libmeshes.a
+	@mkdir -p $(@D)
+	@$(CC) $(SAN) -Wl,--start-group $^ -Wl,--end-group $(LIBS) -o $@
+$(B)/fuzz/clang/%.o: %.c $(TEST_NOTE) | $(B)/gen/meshes.h
+	@mkdir -p $(@D)
+	@$(subst $(CC) ,clang ,$(TEST_CC)) -fsanitize=fuzzer-no-link $(DEP) -c $< -o $@
+$(FUZZ_TARGETS:%=$(B)/fuzz/lf_%): $(B)/fuzz/lf_%: $(B)/fuzz/clang/tests/lab/fuzz/%.o $(B)/fuzz/clang/tests/lab/fuzz/said.o \
+    $(patsubst %.c,$(B)/fuzz/clang/%.o,$(FUZZ_SIM) $(MODEL) $(CORE) $(SCENES) $(PANELS)) $(B)/libmeshes.a
+	@clang $(SAN) -fsanitize=fuzzer $^ $(LIBS) -o $@
+$(B)/fuzz/fuzz_api: $(call fuzz_objects,fuzz_api replay world)
+	@mkdir -p $(@D)
+	@$(CC) $(SAN) $^ -o $@
+$(B)/fuzz/cards: $(call fuzz_objects,cards fuzz_mesh input replay world)
+	@mkdir -p $(@D)
+	@$(CC) $(SAN) $^ -o $@
+$(B)/fuzz/fuzz_mesh: tests/lab/fuzz/fuzz_mesh.c tests/lib/fast_lists.c tests/lib/own.c tests/lib/picture.c $(CORE) $(HEADERS)
+	@mkdir -p $(@D)
+	@$(subst $(CC) ,clang ,$(TEST_CC)) -Itests/lab/fuzz -O2 -fsanitize=fuzzer $(filter %.c,$^) -o $@
+
+# Stress: triangles against the oracle and frames against the plainest way, by seeds; under the sanitizers, and as
+# shipped. The oracle, the judge, is not slowed down by sanitizers. cut is for make test: of its objects, at -O1.
+STRESS_CC = $(CC) -std=gnu11 $(CFLAGS) -Wall -Wextra -Werror -Wshadow -Wno-missing-field-initializers $(INC) -Itests/lib \
+            -Itests/lab/fuzz -Itests/lab/stress
+stress-cut: $(B)/stress/cut
+stress-programs: $(B)/stress/san
+$(B)/test/tests/lab/stress/%.o: TEST_CC += -Itests/lab/fuzz -Itests/lab/stress
+$(B)/stress/cut: $(call t,$(wildcard tests/lab/stress/*.c) tests/lab/fuzz/replay.c) $(B)/test/libtest.a
+	@mkdir -p $(@D)
+	@$(CC) $(SAN) $^ -lm -o $@
+.PHONY: stress-cut
+$(B)/stress/oracle.o: tests/lib/oracle.c tests/lib/oracle.h
+	@mkdir -p $(@D)
+	@$(STRESS_CC) -c $< -o $@
+STRESS = $(wildcard tests/lab/stress/*.c) tests/lab/fuzz/replay.c tests/lib/clusters.c tests/lib/fast_lists.c tests/lib/own.c tests/lib/picture.c $(CORE)
+$(B)/stress/san: $(STRESS) $(B)/stress/oracle.o $(HEADERS)
+	@$(STRESS_CC) $(SAN) -DZS_STATS=1 '-DZS_ASSERT(c)=((c)?(void)0:__builtin_trap())' $(STRESS) $(B)/stress/oracle.o \
+	    -lm -o $@
+$(B)/stress/fast: $(STRESS) $(B)/stress/oracle.o $(HEADERS)
+	@$(STRESS_CC) $(STRESS) $(B)/stress/oracle.o -lm -o $@
+
+# Mutants (tests/lab/mutate): the units that run the renderer, as in make test but, by B and SAN, without sanitizers, all in
+# one program; make test links it as well
+MUTATE_FILES = $(filter-out %/test_linux.c %/test_pair.c %/test_examples.c tests/unit/test_panel% tests/property/test_panel%,$(TESTS))
+MUTATE_TESTS = $(basename $(notdir $(MUTATE_FILES)))
+MUTATE_SIM = tests/lab/fuzz/world.c sim/frame/pixel_counts.c sim/frame/frame.c sim/frame/scene_share.c sim/cli/sim.c
+mutate-settings:
+	$(info tests $(MUTATE_TESTS))
+	$(info files $(MUTATE_FILES))
+	$(info sources $(SCENES) $(TEST_HELP) $(MUTATE_SIM))
+	$(info cc $(TEST_CC))
+	$(info link $(call mutate_link,OBJECTS,OUT))
+	@:
+mutate_link = $(CC) $(SAN) -Wl,--wrap=_cmocka_run_group_tests -Wl,--start-group $1 $(call t,$(MUTATE_SIM)) \
+    $(B)/test/libtest.a $(B)/libmeshes.a -Wl,--end-group -lcmocka -lm -pthread -o $2
+mutate-link: $(B)/test/mutate/runner
+	@:
+MUTATE_MAINS := $(call note,$(B)/test/mutate/programs.h,$(patsubst %,PROGRAM(%),$(MUTATE_TESTS)))
+$(B)/test/mutate/runner.o: tests/lab/mutate/runner.c $(MUTATE_MAINS) $(TEST_NOTE)
+	@$(TEST_CC) -I$(B)/test/mutate -c $< -o $@
+$(B)/test/mutate/tests/%.o: $(B)/test/tests/%.o # each main by a name of its own
+	@mkdir -p $(@D)
+	@objcopy --redefine-sym main=main_$(*F) $< $@
+$(B)/test/mutate/runner: $(B)/test/mutate/runner.o $(MUTATE_FILES:%.c=$(B)/test/mutate/%.o) $(call t,$(MUTATE_SIM)) \
+                         $(B)/test/libtest.a $(B)/libmeshes.a
+	@$(call mutate_link,$(filter $(B)/test/mutate/%,$^),$@)
+.PHONY: mutate-settings mutate-link
+coverage-programs: $(filter-out %/test_linux %/test_pair,$(patsubst %.c,$(B)/test/%,$(notdir $(TESTS))))
+.PHONY: coverage-programs
