@@ -74,7 +74,11 @@ depth: sim $(B)/.setup-test
 accuracy: sim
 	@$(B)/zsim accuracy
 
-.PHONY: fuzz stress stress-record prove coverage complexity mutate bench bench-record scale costs costs-record still cull depth \
+## records-age: which reports of tests/records are of an older commit than what they speak of
+records-age:
+	@sh tests/records/age.sh
+
+.PHONY: records-age fuzz stress stress-record prove coverage complexity mutate bench bench-record scale costs costs-record still cull depth \
         accuracy fuzz-programs lib-fuzz-programs stress-programs
 
 # Fuzzers: the interface by seeds (fuzz_api); cards of meshes and textures by libFuzzer (fuzz_mesh, make fuzz

@@ -20,7 +20,9 @@ code() {
     echo "${commit:-unknown}"
 }
 
-figures() {
+figures() { # the first line as tests/records/age.sh reads it: the code of the newest seeds
+    echo "Of commit $(tail -qn 1 "$S"/tris.txt "$S"/frames.txt 2>/dev/null | cut -d/ -f1 | tr -d + | tail -1): firmware/zstrip"
+    echo
     echo "Stress (make stress): what has been reached with which commit of the renderer; san: under ASan and UBSan"
     echo
     echo "kind    renderer   build      seeds                triangles        frames          pixels  a CPU s findings"
