@@ -14,19 +14,6 @@ BARE_TEXTURE_MAX=${BARE_TEXTURE_MAX:-18624} # a texture lit at the vertices, rec
 BARE_MAX=${BARE_MAX:-34112}             # everything
 FLASH_PANEL_MAX=${FLASH_PANEL_MAX:-3072} # a panel that converts nothing
 
-# MAP PATTERN: bytes that the link took from objects whose path matches.
-taken() {
-    awk -v want="$2" '
-        /^Linker script and memory map/ { on = 1 }
-        !on || /^ \*fill\*/ { next }
-        /^ \.(text|rodata|data)[^ ]*$/ { wrapped = 1; next }         # a long name: the rest follows
-        wrapped || /^ \.(text|rodata|data)/ {
-            wrapped = 0
-            for (i = 1; i < NF; i++)
-                if ($i ~ /^0x/ && $(i + 1) ~ /^0x/) {
-                    if ($(i + 2) ~ want) print substr($(i + 1), 3)
-                    break } }' "$1" | { sum=0; while read -r hex; do sum=$((sum + 0x$hex)); done; echo $sum; }
-}
 # LABEL SHADER DEPTH [STATEMENTS [DECLARATIONS]]; LIST: its accelerators; flags: those of the objects, if any
 flash() {
     minimal "$dir/main.c" "$2" "$3" "${4:-}"

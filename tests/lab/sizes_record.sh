@@ -17,22 +17,6 @@ DEPTHS="float recip linear"
 TEXELS="565 pal8 pal4"
 PANELS="st7789 ili9341 gc9a01 ssd1351 ssd0323 ssd1306"
 
-taken() { # MAP PATTERN: as in size.sh
-    awk -v want="$2" '
-        function hex(s, n, i) {
-            n = 0
-            for (i = 3; i <= length(s); i++) n = n * 16 + index("0123456789abcdef", substr(s, i, 1)) - 1; return n }
-        /^Linker script and memory map/ { on = 1 }
-        !on || /^ \*fill\*/ { next }
-        /^ \.(text|rodata|data)[^ ]*$/ { wrapped = 1; next }
-        wrapped || /^ \.(text|rodata|data)/ {
-            wrapped = 0
-            for (i = 1; i < NF; i++)
-                if ($i ~ /^0x/ && $(i + 1) ~ /^0x/) {
-                    if ($(i + 2) ~ want) sum += hex($(i + 1))
-                    break } }
-        END { print sum + 0 }' "$1"
-}
 # CPU DEPTH MASK [STATEMENTS [DECLARATIONS [ACCELERATORS]]]: "bytes library"
 flash() {
     one=$work/flash-$1-$2-$3

@@ -160,3 +160,22 @@ link() {
     ${ARM}gcc -std=c11 -mcpu="$cpu" -mthumb $OPT -Ifirmware/zstrip -I. -Ihal -Ihal/null -Ihal/panel "$main" "$dir"/*.o -nostartfiles \
         -Wl,--gc-sections,-e,main "$@" -o "$out"
 }
+
+# MAP PATTERN: bytes that the link took from objects whose path matches, by the linker's map.
+taken() {
+    awk -v want="$2" '
+        function hex(s, n, i) {
+            n = 0
+            for (i = 3; i <= length(s); i++) n = n * 16 + index("0123456789abcdef", substr(s, i, 1)) - 1
+            return n }
+        /^Linker script and memory map/ { on = 1 }
+        !on || /^ \*fill\*/ { next }
+        /^ \.(text|rodata|data)[^ ]*$/ { wrapped = 1; next }         # a long name: the rest follows
+        wrapped || /^ \.(text|rodata|data)/ {
+            wrapped = 0
+            for (i = 1; i < NF; i++)
+                if ($i ~ /^0x/ && $(i + 1) ~ /^0x/) {
+                    if ($(i + 2) ~ want) sum += hex($(i + 1))
+                    break } }
+        END { print sum + 0 }' "$1"
+}

@@ -354,7 +354,7 @@ function reasons() { // "FILE: CODE: WHAT (column N)" of tests/records/MUTATION.
         return out;
     let at = null;
     for (const line of fs.readFileSync(REPORT, 'utf8').split('\n')) {
-        const m = /^([a-z_0-9]+\.[ch])(?::\d+)?: (.*)$/.exec(line);
+        const m = /^([a-z_0-9/]+\.[ch])(?::\d+)?: (.*)$/.exec(line);
         if (m)
             out.set(at = `${m[1]}: ${m[2]}`, []);
         else if (at && /^ {4}\S/.test(line))
