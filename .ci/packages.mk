@@ -1,7 +1,8 @@
 # Debian packages: what the simulator and zstrip-linux are built from, and what tests and fuzzers need besides
 PKG_SIM = gcc libc6-dev libassimp-dev libmeshoptimizer-dev libpng-dev libturbojpeg0-dev
 PKG_LINUX = $(PKG_SIM) libgpiod-dev pkg-config
-PKG_TEST = $(PKG_LINUX) ccache gnuplot-nox g++ clang binutils libcmocka-dev gcc-arm-none-eabi libnewlib-arm-none-eabi qemu-system-arm \
+PKG_TEST = $(PKG_LINUX) ccache gnuplot-nox g++ clang binutils libcmocka-dev \
+           gcc-arm-none-eabi libnewlib-arm-none-eabi qemu-system-arm \
            $(PKG_RISCV) qemu-system-misc gcc-arm-linux-gnueabihf libc6-dev-armhf-cross device-tree-compiler cpio \
            gcc-powerpc-linux-gnu libc6-dev-powerpc-cross qemu-user-static $(if $(shell command -v npm),,nodejs npm)
 PKG_BENCH = $(PKG_TEST) valgrind

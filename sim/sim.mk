@@ -8,7 +8,8 @@ GEN = $(wildcard firmware/scenes/gen/*.c)
 # sim where it is built without models (-DLINUX_MODELS=0)
 GPIOD = $(firstword $(subst ., ,$(shell pkg-config --modversion libgpiod 2>/dev/null)))
 LINUX = $(filter-out hal/linux/gpio_v%,$(wildcard hal/linux/*.c)) $(wildcard sim/linux/*.c)
-LINUX_SIM = $(wildcard sim/panel_model/*.c) sim/cli/option_table.c sim/panel/panel_bus.c sim/panel/panel_frame.c sim/cli/sim.c sim/cli/value.c
+LINUX_SIM = $(wildcard sim/panel_model/*.c) sim/cli/option_table.c sim/panel/panel_bus.c sim/panel/panel_frame.c \
+            sim/cli/sim.c sim/cli/value.c
 LIBS = -lassimp -lmeshoptimizer -lpng -lturbojpeg -lm -pthread
 
 ## report: every study, frames counted on emulated cores, into build/study/index.html; ten minutes
@@ -72,7 +73,8 @@ STUDY_texels30 = -DZS_TEXEL_COARSE_LOG2=0
 STUDY_texels15 = -DZS_TEXEL_COARSE_LOG2=31
 STUDY_BUILDS = bound2 bound5 recip16 texels30 texels15
 STUDY_OF = $(patsubst %.c,$(1)/%.o,$(CORE) sim/study/study_time.c)
-STUDY_REST = $(patsubst %.c,$(B)/sim/%.o,$(SCENES) $(PANELS) $(filter-out sim/study/study_time.c,$(SIM))) $(B)/libmeshes.a
+STUDY_REST = $(patsubst %.c,$(B)/sim/%.o,$(SCENES) $(PANELS) $(filter-out sim/study/study_time.c,$(SIM))) \
+             $(B)/libmeshes.a
 study-variants: $(STUDY_BUILDS:%=$(B)/study/%/zsim)
 define study_build
 $(B)/study/$(1)/%.o: %.c $(SIM_NOTE) | $(B)/gen/meshes.h

@@ -1,6 +1,6 @@
 #!/bin/sh
-# Run unit test programs, as many side by side as there are processors, those first that took longest the last time: a line
-# each with its seconds, the log of what fails, and at the end "N passed, N failed".
+# Run unit test programs, as many side by side as there are processors, those first that took longest the last time:
+# a line each with its seconds, the log of what fails, and at the end "N passed, N failed".
 # Usage: tests/quick.sh BUILD NAME...
 #        tests/quick.sh BUILD one NAME   of use to this script alone
 #

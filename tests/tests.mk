@@ -6,8 +6,8 @@ SAN = -fsanitize=address,undefined -fno-sanitize-recover=all
 # make quick: optimised, with what costs next to nothing; where it fails is a signal
 SAN_QUICK = -O2 -fsanitize=signed-integer-overflow,shift,bounds,integer-divide-by-zero -fsanitize-undefined-trap-on-error
 # -g1: lines for the sanitizers' reports; all of -g takes a fifth longer to compile
-TEST_CC = $(CC) -std=gnu11 -O1 -g1 $(SAN) -Wall -Wextra -Werror -Wshadow -Wno-missing-field-initializers $(INC) -Itests/lib \
-          -DZS_STATS=1 '-DZS_ASSERT(c)=((c)?(void)0:__builtin_trap())'
+TEST_CC = $(CC) -std=gnu11 -O1 -g1 $(SAN) -Wall -Wextra -Werror -Wshadow -Wno-missing-field-initializers $(INC) \
+          -Itests/lib -DZS_STATS=1 '-DZS_ASSERT(c)=((c)?(void)0:__builtin_trap())'
 TESTS = $(foreach d,unit property tools,$(wildcard tests/$d/test_*.c))
 MODEL = $(wildcard sim/panel_model/*.c) sim/panel/panel_bus.c hal/fault/fault.c
 TEST_HELP = $(wildcard tests/lib/*.c)
@@ -86,13 +86,13 @@ $(CHECKSUMS) $(CHECKSUMS_BARE):
 
 ## size: flash of the renderer and RAM by pool
 ## stack: worst-case stack
-## check: rules on the Cortex-M objects, linking, includes, sizes of files, initialisers, headers in C and C++, and the stack
+## check: rules on the Cortex-M objects, linking, includes, sizes of files, initialisers, headers in C and C++; stack
 size stack: $(B)/.setup-test $(B)/libcore.a
 	@sh tests/checks/$@.sh $(B)
 check: $(B)/.setup-test $(B)/gen/meshes.h
 	@for c in objects kernels hal includes shape designated headers stack; do sh tests/checks/$$c.sh $(B) || exit 1; done
 
-## checksums: every scene's frames on Cortex-M0 to M7, RISC-V, PowerPC (big-endian) and x86-64: one table of checksums, all the same
+## checksums: every scene's frames on Cortex-M0 to M7, RISC-V, PowerPC (big-endian) and x86-64: one table, all the same
 checksums: $(B)/.setup-test $(B)/gen/meshes.h
 	@SUMS_PICO=1 sh tests/property/scene_sums.sh $(B)
 .PHONY: size stack check checksums test-programs checksum-programs

@@ -5,8 +5,8 @@
  *      (name, revision, section) in the file's first comment, and what its modules have soldered: which way
  *      up rotate 0 is, what config.bgr means, what brightness does.
  *   2. A line in panel.h (extern) and one in types.c (panel_types).
- *   3. Rows in the tables of tests/unit/test_panel.c (the glass and its window commands; rotation, inversion, brightness),
- *      read in the datasheet and not in the file of step 1.
+ *   3. Rows in the tables of tests/unit/test_panel.c (the glass and its window commands; rotation, inversion,
+ *      brightness), read in the datasheet and not in the file of step 1.
  * A set-up script is bytes: n, then n bytes of which the first is the command, and so on; n = 0 ends it. It must
  * leave the controller the same when it is sent a second time, at any moment, with the glass on, and it
  * must contain no command that waits. Where arguments go with D/C low, begin it with as many NOPs as the longest

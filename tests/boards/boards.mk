@@ -5,7 +5,7 @@ boards: $(B)/.setup-test
 	@$(MAKE_ALL) $(B)/zsim
 	@sh tests/boards/table.sh $(B)
 
-## profile: SCENE=teapot [BOARD=mps2]: cycles a frame by function on the emulated Pico; instructions on a board of QEMU's
+## profile: SCENE=teapot [BOARD=mps2]: cycles a frame by function on the emulated Pico; instructions on QEMU's
 profile: $(B)/.setup-test $(B)/gen/meshes.h
 ifeq ($(BOARD),pico)
 	@PICO_SCENES=$(SCENE) sh tests/boards/pico.sh $(B) profile

@@ -16,7 +16,8 @@ field() { # FILE NAME    the value in lines "name value"
 image() {
     board=$1
     shift
-    make -s -j"$(nproc)" -f firmware/boards/firmware.mk BOARD="$board" B="$build" "$@" image >"$out/make.log" 2>&1 && return
+    make -s -j"$(nproc)" -f firmware/boards/firmware.mk BOARD="$board" B="$build" "$@" image \
+        >"$out/make.log" 2>&1 && return
     cat "$out/make.log"
     bad "${board}_builds $*" "see above"
     exit 1

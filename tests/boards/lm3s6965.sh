@@ -6,8 +6,8 @@
 # Leaves BUILD/lm3s6965/table.txt: lm3s6965 SCENE FLASH RAM STACK INSTRUCTIONS, of drawing a frame, without the panel.
 # QEMU's model has the SSD0323's windows, its two directions of addresses and its commands' lengths. It takes and
 # ignores A0h's mirrors and splits, offset, inversion, contrast, on and off, power and timing: those are the panel
-# model's matter (tests/unit/test_panel_model.c). Its SSI0 and UART0 have no speed, and no pin but D/C and the card's select
-# reaches the panel.
+# model's matter (tests/unit/test_panel_model.c). Its SSI0 and UART0 have no speed, and no pin but D/C and the card's
+# select reaches the panel.
 set -u
 build=$1
 out=$build/lm3s6965

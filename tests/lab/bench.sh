@@ -1,8 +1,8 @@
 #!/bin/sh
 # The bench on QEMU's Cortex-M0, M3, M4, M7 and RISC-V beside the same program on this machine: every frame's checksum,
 # counts and pools must agree line by line, and no one-pass frame may take over 2 % more instructions than
-# tests/records/bench.txt has on record. Strips cost less than 15 % more than one strip of the frame's height; frames fit
-# into the RAM that is promised. Instructions are not cycles.
+# tests/records/bench.txt has on record. Strips cost less than 15 % more than one strip of the frame's height; frames
+# fit into the RAM that is promised. Instructions are not cycles.
 #
 # M0: code for Armv6-M, counted on the machine of the M3, which has the same instructions and more of them; QEMU's
 # only M0 has 16 KB of RAM.

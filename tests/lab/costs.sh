@@ -6,7 +6,7 @@
 # Usage: tests/lab/costs.sh BUILD          the table, and how far it is from the scenes: what make bench has on
 # record
 #                                             and, where make pico was run before, what it measured
-#        tests/lab/costs.sh BUILD record   sim/budget/stage_costs.h from it, and sim/budget/record_sizes.h (sizes_record.sh)
+#        tests/lab/costs.sh BUILD record   sim/budget/stage_costs.h from it; record_sizes.h beside it (sizes_record.sh)
 #        tests/lab/costs.sh BUILD quick    a test: probes on the Cortex-M3 alone; what is on record still is what
 #                                             they say, and on no core is a scene more than 15 % off
 # Needs BUILD/zsim and BUILD/gen.

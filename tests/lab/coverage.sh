@@ -1,7 +1,7 @@
 #!/bin/sh
 # Lines and branches of firmware/zstrip and hal/panel that the unit tests reach on the host, by gcovr. What is not
-# reached is printed; tests/records/COVERAGE.txt says why of each. Less than 100 % of lines or 95 % of branches without a reason
-# fails.
+# reached is printed; tests/records/COVERAGE.txt says why of each. Less than 100 % of lines or 95 % of branches
+# without a reason fails.
 # Usage: tests/lab/coverage.sh BUILD (built by make coverage)
 #
 # SPDX-License-Identifier: MIT
@@ -17,7 +17,8 @@ gcovr --root . --filter firmware/zstrip/ --filter hal/panel/ --json "$at/all.jso
 node - "$at/all.json" <<'END'
 const fs = require('fs');
 const files = JSON.parse(fs.readFileSync(process.argv[2], 'utf8')).files;
-const reasons = fs.existsSync('tests/records/COVERAGE.txt') ? fs.readFileSync('tests/records/COVERAGE.txt', 'utf8') : '';
+const REPORT = 'tests/records/COVERAGE.txt';
+const reasons = fs.existsSync(REPORT) ? fs.readFileSync(REPORT, 'utf8') : '';
 const sum = { lines: 0, hit: 0, branches: 0, taken: 0 };
 let unexplained = 0;
 console.log('file                                  lines    reached   branches    taken');
@@ -42,6 +43,7 @@ const percent = (a, b) => (100 * a / b).toFixed(2);
 console.log(`${sum.hit} of ${sum.lines} lines, ${percent(sum.hit, sum.lines)} %; ` +
     `${sum.taken} of ${sum.branches} branches, ${percent(sum.taken, sum.branches)} %`);
 const good = !unexplained && sum.taken >= 0.95 * sum.branches;
-console.log(good ? 'ok coverage' : `FAILED coverage: ${unexplained} lines without a reason in tests/records/COVERAGE.txt, or branches below 95 %`);
+console.log(good ? 'ok coverage' :
+    `FAILED coverage: ${unexplained} lines without a reason in ${REPORT}, or branches below 95 %`);
 process.exit(good ? 0 : 1);
 END

@@ -16,7 +16,8 @@ stress: $(B)/.setup-test $(B)/gen/meshes.h
 	@sh tests/lab/stress/run.sh $(B) $(SECONDS) '$(KIND)' $(BUILD)
 ## stress-record: what all runs have reached becomes tests/records/STRESS.txt
 stress-record:
-	@sh tests/lab/stress/run.sh $(B) figures >$(B)/stress/figures.txt && cp $(B)/stress/figures.txt tests/records/STRESS.txt
+	@sh tests/lab/stress/run.sh $(B) figures >$(B)/stress/figures.txt
+	@cp $(B)/stress/figures.txt tests/records/STRESS.txt
 
 ## prove: no overflow, bad shift, division by zero or stray access in the kernels, over all their inputs; minutes
 prove:
@@ -78,8 +79,8 @@ accuracy: sim
 records-age:
 	@sh tests/records/age.sh
 
-.PHONY: records-age fuzz stress stress-record prove coverage complexity mutate bench bench-record scale costs costs-record still cull depth \
-        accuracy fuzz-programs lib-fuzz-programs stress-programs
+.PHONY: records-age fuzz stress stress-record prove coverage complexity mutate bench bench-record scale costs \
+        costs-record still cull depth accuracy fuzz-programs lib-fuzz-programs stress-programs
 
 # Fuzzers: the interface by seeds (fuzz_api); cards of meshes and textures by libFuzzer (fuzz_mesh, make fuzz
 # alone) and by mutations of its seeds (cards); model files, command lines and panels' streams likewise, by libFuzzer
@@ -97,7 +98,8 @@ $(FUZZ_TARGETS:%=$(B)/fuzz/%): $(B)/fuzz/%: $(B)/test/tests/lab/fuzz/%.o $(call 
 $(B)/fuzz/clang/%.o: %.c $(TEST_NOTE) | $(B)/gen/meshes.h
 	@mkdir -p $(@D)
 	@$(subst $(CC) ,clang ,$(TEST_CC)) -fsanitize=fuzzer-no-link $(DEP) -c $< -o $@
-$(FUZZ_TARGETS:%=$(B)/fuzz/lf_%): $(B)/fuzz/lf_%: $(B)/fuzz/clang/tests/lab/fuzz/%.o $(B)/fuzz/clang/tests/lab/fuzz/said.o \
+$(FUZZ_TARGETS:%=$(B)/fuzz/lf_%): $(B)/fuzz/lf_%: \
+    $(B)/fuzz/clang/tests/lab/fuzz/%.o $(B)/fuzz/clang/tests/lab/fuzz/said.o \
     $(patsubst %.c,$(B)/fuzz/clang/%.o,$(FUZZ_SIM) $(MODEL) $(CORE) $(SCENES) $(PANELS)) $(B)/libmeshes.a
 	@clang $(SAN) -fsanitize=fuzzer $^ $(LIBS) -o $@
 $(B)/fuzz/fuzz_api: $(call fuzz_objects,fuzz_api replay world)
@@ -106,14 +108,14 @@ $(B)/fuzz/fuzz_api: $(call fuzz_objects,fuzz_api replay world)
 $(B)/fuzz/cards: $(call fuzz_objects,cards fuzz_mesh input replay world)
 	@mkdir -p $(@D)
 	@$(CC) $(SAN) $^ -o $@
-$(B)/fuzz/fuzz_mesh: tests/lab/fuzz/fuzz_mesh.c tests/lib/fast_lists.c tests/lib/own.c tests/lib/picture.c $(CORE) $(HEADERS)
+$(B)/fuzz/fuzz_mesh: tests/lab/fuzz/fuzz_mesh.c $(patsubst %,tests/lib/%.c,fast_lists own picture) $(CORE) $(HEADERS)
 	@mkdir -p $(@D)
 	@$(subst $(CC) ,clang ,$(TEST_CC)) -Itests/lab/fuzz -O2 -fsanitize=fuzzer $(filter %.c,$^) -o $@
 
 # Stress: triangles against the oracle and frames against the plainest way, by seeds; under the sanitizers, and as
 # shipped. The oracle, the judge, is not slowed down by sanitizers. cut is for make test: of its objects, at -O1.
-STRESS_CC = $(CC) -std=gnu11 $(CFLAGS) -Wall -Wextra -Werror -Wshadow -Wno-missing-field-initializers $(INC) -Itests/lib \
-            -Itests/lab/fuzz -Itests/lab/stress
+STRESS_CC = $(CC) -std=gnu11 $(CFLAGS) -Wall -Wextra -Werror -Wshadow -Wno-missing-field-initializers $(INC) \
+            -Itests/lib -Itests/lab/fuzz -Itests/lab/stress
 stress-cut: $(B)/stress/cut
 stress-programs: $(B)/stress/san
 $(B)/test/tests/lab/stress/%.o: TEST_CC += -Itests/lab/fuzz -Itests/lab/stress
@@ -124,16 +126,18 @@ $(B)/stress/cut: $(call t,$(wildcard tests/lab/stress/*.c) tests/lab/fuzz/replay
 $(B)/stress/oracle.o: tests/lib/oracle.c tests/lib/oracle.h
 	@mkdir -p $(@D)
 	@$(STRESS_CC) -c $< -o $@
-STRESS = $(wildcard tests/lab/stress/*.c) tests/lab/fuzz/replay.c tests/lib/clusters.c tests/lib/fast_lists.c tests/lib/own.c tests/lib/picture.c $(CORE)
+STRESS = $(wildcard tests/lab/stress/*.c) tests/lab/fuzz/replay.c \
+         $(patsubst %,tests/lib/%.c,clusters fast_lists own picture) $(CORE)
 $(B)/stress/san: $(STRESS) $(B)/stress/oracle.o $(HEADERS)
 	@$(STRESS_CC) $(SAN) -DZS_STATS=1 '-DZS_ASSERT(c)=((c)?(void)0:__builtin_trap())' $(STRESS) $(B)/stress/oracle.o \
 	    -lm -o $@
 $(B)/stress/fast: $(STRESS) $(B)/stress/oracle.o $(HEADERS)
 	@$(STRESS_CC) $(STRESS) $(B)/stress/oracle.o -lm -o $@
 
-# Mutants (tests/lab/mutate): the units that run the renderer, as in make test but, by B and SAN, without sanitizers, all in
-# one program; make test links it as well
-MUTATE_FILES = $(filter-out %/test_linux.c %/test_pair.c %/test_examples.c tests/unit/test_panel% tests/property/test_panel%,$(TESTS))
+# Mutants (tests/lab/mutate): the units that run the renderer, as in make test but, by B and SAN, without sanitizers,
+# all in one program; make test links it as well
+MUTATE_NOT = linux.c pair.c examples.c panel.c panel_model.c panel_bytes.c panel_picture.c
+MUTATE_FILES = $(filter-out $(MUTATE_NOT:%=\%/test_%),$(TESTS))
 MUTATE_TESTS = $(basename $(notdir $(MUTATE_FILES)))
 MUTATE_SIM = tests/lab/fuzz/world.c sim/frame/pixel_counts.c sim/frame/frame.c sim/frame/scene_share.c sim/cli/sim.c
 mutate-settings:

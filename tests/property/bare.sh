@@ -4,7 +4,7 @@
 # Cortex-M3 and in Armv6-M code in all the bench's configurations. tests/property/scene_sums.sh has the demo scenes.
 # That it is so: no name of fast/ is in these programs, all are in the full one, and they take more instructions than those on
 # record.
-# Usage: tests/property/bare.sh BUILD          from the repository's top; needs BUILD/test (make checksum-programs) and BUILD/gen
+# Usage: tests/property/bare.sh BUILD          from the repository's top; needs BUILD/test (checksum-programs), BUILD/gen
 #        tests/property/bare.sh BUILD bench    the bench alone
 #
 # SPDX-License-Identifier: MIT
@@ -49,8 +49,9 @@ frames full >"$out/full.frames"
 # Names that fast/ defines and no other file has as a word; the full program has all accelerators and these loops of theirs,
 # or they prove nothing
 for o in "$build"/fw/host/firmware/zstrip/fast/*.o; do names nm "$o"; done | sort -u >"$out/of_fast.names"
-find firmware/zstrip firmware/app firmware/scenes hal tests/property/checksum.c tests/lib/shapes.h "$build/gen" -name '*.[ch]' |
-    grep -v '^firmware/zstrip/fast/' | xargs cat | tr -cs 'A-Za-z0-9_' '\n' | grep -v '^zs_fast_' | sort -u >"$out/words"
+find firmware/zstrip firmware/app firmware/scenes hal tests/property/checksum.c tests/lib/shapes.h "$build/gen" \
+    -name '*.[ch]' | grep -v '^firmware/zstrip/fast/' | xargs cat |
+    tr -cs 'A-Za-z0-9_' '\n' | grep -v '^zs_fast_' | sort -u >"$out/words"
 comm -23 "$out/of_fast.names" "$out/words" >"$out/fast.names"
 names nm "$build/fw/host/bench.elf" >"$out/full.names"
 gone=$(for name in $(sed -n 's/^extern const struct zs_fast //p' firmware/zstrip/zs_fast.h | sed 's/;.*//; s/,/ /g') \

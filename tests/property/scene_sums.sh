@@ -3,7 +3,7 @@
 # those on record (tests/records/scenes.txt). A frame that differs is drawn again, and its first differing pixel named.
 # The program is firmware/app/checksums.c; its head says what is summed up. Strip heights and pools are a column's own.
 # Usage: tests/property/scene_sums.sh BUILD           from the repository's top; needs BUILD/gen
-#        tests/property/scene_sums.sh BUILD record    the same frames as lines for tests/records/scenes.txt, from gcc -O0
+#        tests/property/scene_sums.sh BUILD record    the same frames as lines for records/scenes.txt, from gcc -O0
 #        tests/property/scene_sums.sh BUILD column C  one column's lines into BUILD/scene_sums/C.txt
 # SUMS_PICO=1: the Cortex-M0+ is that of the emulated Pico, with its divider, and takes minutes. Without, as in make test,
 # its code runs on QEMU's M3; tests/boards/pico.sh looks at the emulated Pico's own pictures, of the demo scenes.

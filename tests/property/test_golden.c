@@ -1,5 +1,5 @@
-/* Frames on record: every scene's pixels and keys, bit for bit, as tests/records/scenes.txt has them; by the core alone,
- * by the accelerators that the scene names, and by all. The same table as tests/property/scene_sums.sh holds boards to.
+/* Frames on record: every scene's pixels and keys, bit for bit, as tests/records/scenes.txt has them; by the core
+ * alone, by the accelerators that the scene names, and by all. The same table as scene_sums.sh holds boards to.
  *
  * SPDX-License-Identifier: MIT
  */

@@ -1,6 +1,6 @@
 #!/bin/sh
-# How old the reports of this folder are. The first line of each, "Of commit HASH: PATH...", says which commit it was made
-# of and what it speaks of: a line each, with the commits since that changed one of these paths.
+# How old the reports of this folder are. The first line of each, "Of commit HASH: PATH...", says which commit it was
+# made of and what it speaks of: a line each, with the commits since that changed one of these paths.
 # Usage: tests/records/age.sh
 #
 # SPDX-License-Identifier: MIT

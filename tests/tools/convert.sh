@@ -1,7 +1,8 @@
 #!/bin/sh
 # zsim convert, from outside: what it writes is compiled, checked and drawn, and compared with what zsim draws
 # of the original.
-# Usage: tests/tools/convert.sh BUILD     from the repository's top; BUILD/test/zsim, BUILD/zsim, BUILD/libcore.a, BUILD/test/libtest.a
+# Usage: tests/tools/convert.sh BUILD     from the repository's top; BUILD/test/zsim, BUILD/zsim, BUILD/libcore.a,
+#        BUILD/test/libtest.a
 #
 # `ok NAME` or `FAILED NAME: reason` a test; models and programs stay in BUILD/test/convert.
 set -u
@@ -57,8 +58,9 @@ compile() { # TO PROGRAM.c
             >cc.log 2>&1 || wrong "$compiler, the header: $(head -c 400 cc.log)"
     done
     gcc -std=c11 -O0 -c -Wall -Wextra -Werror -Iheaders "$1/m.c" -o "$1/m.o" >cc.log 2>&1 &&
-        gcc -std=gnu11 -O0 -g1 $SAN -Wall -Wextra -Werror -I"$top/firmware/zstrip" -I"$1" "$top/tests/tools/convert/$2.c" \
-            "$1/m.o" "$build/test/libtest.a" -lm -o "$1/$2" >cc.log 2>&1 || wrong "$(head -c 400 cc.log)"
+        gcc -std=gnu11 -O0 -g1 $SAN -Wall -Wextra -Werror -I"$top/firmware/zstrip" -I"$1" \
+            "$top/tests/tools/convert/$2.c" "$1/m.o" "$build/test/libtest.a" -lm -o "$1/$2" >cc.log 2>&1 ||
+        wrong "$(head -c 400 cc.log)"
 }
 # What is printed as flash is what a Cortex-M's linker would take.
 same_flash() { # TO

@@ -1,4 +1,4 @@
-/* Is a picture what a panel shows of a frame, and does a file hold its values? For tests/tools/panels.sh and tests/tools/demo.sh.
+/* Is a picture what a panel shows of a frame, and does a file hold its values? For panels.sh, demo.sh.
  *
  *   seen P.png F.png colour|grey|mono [P.bin]    "WIDTH HEIGHT COLOURS" of P
  *

@@ -8,7 +8,7 @@
  * assembler, because a compiler loads and stores word by word. Every function also exists in plain
  * C for all other cores.
  *
- * Exact: tests/unit/test_fx.c on the host, tests/checks/wide.sh on an emulated Cortex-M0, M3 and M4.
+ * Exact: tests/unit/test_fx.c here, tests/checks/wide.sh on an emulated Cortex-M0, M3 and M4.
  *
  * SPDX-License-Identifier: MIT
  */

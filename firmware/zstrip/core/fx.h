@@ -148,8 +148,8 @@ static inline uint16_t zs_wire16(uint16_t v)
 
 /* 2^63 / a, at most 2^32 - 1, within 2^-30 of it. a >= 2^31.
  * Cost  one table look-up, one wide and three narrow multiplications; no division.
- * Exact tests/unit/test_fx.c checks the bound for arguments from 2^31 up in steps that reach every table
- *       entry. */
+ * Exact tests/unit/test_fx.c checks the bound for arguments from 2^31 up in steps that reach every
+ *       table entry. */
 uint32_t zs_recip(uint32_t a);
 
 #if ZS_FOR_SIZE

@@ -1,5 +1,5 @@
-# For tests/boards/linux.sh: zstrip-linux for armhf, static, with libgpiod of two Debian releases (tests/boards/linux/packages.sh);
-# the virtual machine's first process; the decoder of its pins.
+# For tests/boards/linux.sh: zstrip-linux for armhf, static, with libgpiod of two Debian releases
+# (tests/boards/linux/packages.sh); the virtual machine's first process; the decoder of its pins.
 # --no-fix-cortex-a8: where a branch lies across a page's end, binutils 2.40 redirects it, as that part's erratum asks,
 # and forgets that memcpy is an ifunc in a static program: strncpy at such an address called memcpy's resolver and
 # copied nothing.

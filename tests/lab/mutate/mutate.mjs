@@ -123,8 +123,9 @@ function placesOf(file, text) {
 
 const sources = fs.readdirSync(FROM, { recursive: true }).filter((f) => /\.[ch]$/.test(f)).sort();
 const textOf = Object.fromEntries(sources.map((f) => [f, fs.readFileSync(path.join(FROM, f), 'utf8')]));
-const testsSha = sha(['unit', 'property', 'lib'].flatMap((d) => fs.readdirSync(`tests/${d}`).filter((f) => /\.[ch]$/.test(f))
-    .sort().map((f) => fs.readFileSync(`tests/${d}/${f}`, 'utf8'))).join('\n')).slice(0, 12);
+const testsSha = sha(['unit', 'property', 'lib'].flatMap((d) => fs.readdirSync(`tests/${d}`)
+    .filter((f) => /\.[ch]$/.test(f)).sort().map((f) => fs.readFileSync(`tests/${d}/${f}`, 'utf8')))
+    .join('\n')).slice(0, 12);
 
 function sample() {
     const places = new Map(); // by place: one of its mutants is drawn

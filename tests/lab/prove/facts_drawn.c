@@ -1,6 +1,6 @@
-/* Facts of what draws into a strip: solid.c, first_touch.c, float.c, against tests/lib/oracle.c, which shares no code with
- * the renderer. Keys and colours of a strip are allocations of their own, of the very size: AddressSanitizer sees a
- * step beside either; a write beside a span within it is seen by what is compared, every pixel.
+/* Facts of what draws into a strip: solid.c, first_touch.c, float.c, against tests/lib/oracle.c, which shares no code
+ * with the renderer. Keys and colours of a strip are allocations of their own, of the very size: AddressSanitizer sees
+ * a step beside either; a write beside a span within it is seen by what is compared, every pixel.
  *
  * SPDX-License-Identifier: MIT
  */

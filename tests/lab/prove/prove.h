@@ -24,7 +24,7 @@ void prove_given(void);
 #define any_i64(lo, hi) Frama_C_long_long_interval(lo, hi)
 #define any_u64(lo, hi) Frama_C_unsigned_long_long_interval(lo, hi)
 
-/* Every argument of it is tried by tests/lab/prove/facts.c: no sum or product in it overflows, and the result is this. */
+/* Every argument of it is tried by tests/lab/prove/facts.c: no sum or product in it overflows; the result is this. */
 /*@ assigns \result \from a;
     ensures bound: 0x80000000 <= \result; */
 uint32_t zs_recip(uint32_t a);

@@ -33,7 +33,8 @@ for file in tests/lab/prove/*_proof.c; do
         [ "$file" = tests/lab/prove/fx_proof.c ] && tables=
         # shellcheck disable=SC2086
         frama-c -c11 -eva -eva-precision 2 -eva-slevel 30 -eva-auto-loop-unroll 300 $flags -main "$name" \
-            -cpp-extra-args="-U__GNUC__ -Ifirmware/zstrip -Itests/lab/prove -DZS_STATS=1 -DZS_ROW_WIDE=0" "$file" $tables >"$log" 2>&1
+            -cpp-extra-args="-U__GNUC__ -Ifirmware/zstrip -Itests/lab/prove -DZS_STATS=1 -DZS_ROW_WIDE=0" \
+            "$file" $tables >"$log" 2>&1
         proofs=$((proofs + 1))
         awk -v name="$name" -v covers="$covers" -v log_file="$log" '
             / functions? analyzed / { functions = $1 }
@@ -54,7 +55,8 @@ rm -f "$out/list.$$"
 if [ -z "$only" ] || [ "$only" = facts ]; then # what they take as given
     gcc -std=c11 -O2 -fsanitize=undefined,address -fno-sanitize-recover=all -Ifirmware/zstrip \
         '-DZS_ASSERT(c)=((c)?(void)0:__builtin_trap())' tests/lab/prove/facts.c tests/lab/prove/facts_more.c \
-        tests/lab/prove/facts_drawn.c tests/lib/oracle.c $(ls firmware/zstrip/*/*.c | grep -vE 'core/(edges|raster|plane|rotation).c|fast/(tiles|clusters).c') \
+        tests/lab/prove/facts_drawn.c tests/lib/oracle.c \
+        $(ls firmware/zstrip/*/*.c | grep -vE 'core/(edges|raster|plane|rotation).c|fast/(tiles|clusters).c') \
         -lm -o "$out/facts" && "$out/facts" "${FACTS:-20000000}" || failed=1
 fi
 echo "$proofs proofs"

@@ -1,8 +1,8 @@
 #!/bin/sh
 # The stress runner: triangles against whole numbers, frames against the plainest way. What was reached is kept in
 # BUILD/stress/tris.txt and frames.txt; another run goes on behind the last seed.
-# Usage: tests/lab/stress/run.sh BUILD SECONDS [tris|frames] [fast]   so long, both kinds half of it each, under ASan and
-#                                            UBSan; fast: as shipped, without them
+# Usage: tests/lab/stress/run.sh BUILD SECONDS [tris|frames] [fast]   so long, both kinds half of it each, under ASan
+#                                            and UBSan; fast: as shipped, without them
 #        tests/lab/stress/run.sh BUILD cut       a small, fixed part; what was reached stays as it is
 #        tests/lab/stress/run.sh BUILD figures   what was reached
 #
@@ -21,7 +21,8 @@ code() {
 }
 
 figures() { # the first line as tests/records/age.sh reads it: the code of the newest seeds
-    echo "Of commit $(tail -qn 1 "$S"/tris.txt "$S"/frames.txt 2>/dev/null | cut -d/ -f1 | tr -d + | tail -1): firmware/zstrip"
+    newest=$(tail -qn 1 "$S"/tris.txt "$S"/frames.txt 2>/dev/null | cut -d/ -f1 | tr -d + | tail -1)
+    echo "Of commit $newest: firmware/zstrip"
     echo
     echo "Stress (make stress): what has been reached with which commit of the renderer; san: under ASan and UBSan"
     echo
