@@ -8,6 +8,7 @@ WARN = -Wall -Wextra -Wconversion -Wshadow -Wvla -Wstrict-prototypes \
 WERROR ?=
 test quick t check size stack: export WERROR = -Werror
 JOBS := $(shell nproc 2>/dev/null || getconf _NPROCESSORS_ONLN 2>/dev/null || echo 2)
+# Its lines begin with +, as make sees a make in a recipe only where it is written out
 MAKE_ALL = $(MAKE) --no-print-directory -j$(JOBS)
 SIM_DIRS = cli load convert frame panel budget study compare lab reference panel_model
 INC = -Ifirmware/zstrip -Ifirmware/examples -Ifirmware/scenes -Ihal -Ihal/panel -Ihal/fault -I$(B)/gen $(SIM_DIRS:%=-Isim/%)
@@ -36,23 +37,23 @@ demo: sim
 
 ## test: set up and run every test
 test: $(B)/.setup-test
-	@$(MAKE_ALL) $(B)/zsim test-programs fuzz-programs stress-cut
+	+@$(MAKE_ALL) $(B)/zsim test-programs fuzz-programs stress-cut
 	@sh tests/run.sh $(B)
 
 ## quick: every unit test, for after each change: without AddressSanitizer, of UBSan what is cheap; half a minute
 quick: $(B)/.setup-test
-	@$(MAKE_ALL) B=$(B)/quick SAN='$(SAN_QUICK)' unit-programs mutate-link
+	+@$(MAKE_ALL) B=$(B)/quick SAN='$(SAN_QUICK)' unit-programs mutate-link
 	@sh tests/quick.sh $(B)/quick $(UNITS)
 
 ## t: T=raster: the unit tests whose name holds that, as make test has them
 t: $(B)/.setup-test
 	$(if $(UNITS_T),,$(error T=$(T): no unit test's name holds that; there are $(UNITS:test_%=%)))
-	@$(MAKE_ALL) $(UNITS_T:%=$(B)/test/%)
+	+@$(MAKE_ALL) $(UNITS_T:%=$(B)/test/%)
 	@sh tests/quick.sh $(B) $(UNITS_T)
 
 ## sim: build/zsim
 sim: $(B)/.setup-sim
-	@$(MAKE_ALL) $(B)/zsim
+	+@$(MAKE_ALL) $(B)/zsim
 
 SHOW = $(MAKE_ALL) -s -f firmware/boards/firmware.mk B=$(B) BOARD=$(BOARD) APP=show SCENE=$(SCENE) \
        $(if $(APP_SCENE),APP_SCENE=$(APP_SCENE)) $(if $(LEAN),LEAN=$(LEAN)) $(if $(CORES),CORES=$(CORES))
@@ -63,12 +64,12 @@ firmware: $(B)/.setup-fw-$(BOARD) $(B)/gen/meshes.h
 
 ## pico: the demo scenes on an emulated Raspberry Pi Pico: cycles, wire, frames a second
 pico: $(B)/.setup-test
-	@$(MAKE_ALL) $(B)/zsim
+	+@$(MAKE_ALL) $(B)/zsim
 	@sh tests/boards/pico.sh $(B) table
 
 ## linux: build/zstrip-linux, which drives a panel on this machine's own SPI and GPIO (a Raspberry Pi's, say)
 linux: $(B)/.setup-linux
-	@$(MAKE_ALL) $(B)/zstrip-linux
+	+@$(MAKE_ALL) $(B)/zstrip-linux
 
 ## clean: remove build/
 clean:

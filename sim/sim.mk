@@ -14,7 +14,7 @@ LIBS = -lassimp -lmeshoptimizer -lpng -lturbojpeg -lm -pthread
 
 ## report: every study, frames counted on emulated cores, into build/study/index.html; ten minutes
 report: $(B)/.setup-report
-	@$(MAKE_ALL) $(B)/zsim study-variants
+	+@$(MAKE_ALL) $(B)/zsim study-variants
 	@for s in depth stability; do $(B)/zsim study $$s --redo --out $(B)/study || exit 1; done
 	@sh sim/study/study.sh $(B) memory --redo
 	@CORES='m3 m0 pico host' sh sim/study/study.sh $(B) time --full --redo

@@ -2,7 +2,7 @@
 
 ## boards: two demo scenes on every board with a panel: flash, RAM, stack, instructions or cycles a frame
 boards: $(B)/.setup-test
-	@$(MAKE_ALL) $(B)/zsim
+	+@$(MAKE_ALL) $(B)/zsim
 	@sh tests/boards/table.sh $(B)
 
 ## profile: SCENE=teapot [BOARD=mps2]: cycles a frame by function on the emulated Pico; instructions on QEMU's

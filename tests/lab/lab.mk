@@ -7,12 +7,12 @@ MUTANTS = 300
 
 ## fuzz: each of the five fuzzers for SECONDS=600, two side by side, from SEED=1
 fuzz: $(B)/.setup-fuzz
-	@$(MAKE_ALL) fuzz-programs lib-fuzz-programs
+	+@$(MAKE_ALL) fuzz-programs lib-fuzz-programs
 	@sh tests/lab/fuzz/run.sh $(B) $(SECONDS) $(SEED)
 
 ## stress: random triangles against whole numbers, random frames against the plainest way, for SECONDS=600 more
 stress: $(B)/.setup-test $(B)/gen/meshes.h
-	@$(MAKE_ALL) stress-programs $(if $(filter fast,$(BUILD)),$(B)/stress/fast)
+	+@$(MAKE_ALL) stress-programs $(if $(filter fast,$(BUILD)),$(B)/stress/fast)
 	@sh tests/lab/stress/run.sh $(B) $(SECONDS) '$(KIND)' $(BUILD)
 ## stress-record: what all runs have reached becomes tests/records/STRESS.txt
 stress-record:
@@ -27,7 +27,7 @@ prove:
 ## coverage: lines and branches of firmware/zstrip and hal/panel that the unit tests reach
 coverage: $(B)/.setup-test
 	@.ci/setup $(PKG_COVERAGE)
-	@$(MAKE_ALL) B=$(B)/coverage SAN='--coverage -fprofile-update=atomic' coverage-programs
+	+@$(MAKE_ALL) B=$(B)/coverage SAN='--coverage -fprofile-update=atomic' coverage-programs
 	@sh tests/lab/coverage.sh $(B)
 
 ## complexity: of functions, and what the code says twice
@@ -37,7 +37,7 @@ complexity:
 
 ## mutate: MUTANTS=300 of the renderer, SEED=1: which of them the unit tests catch; goes on where it was stopped
 mutate: $(B)/.setup-test
-	@$(MAKE_ALL) B=$(B)/mutate/plain SAN= mutate-link
+	+@$(MAKE_ALL) B=$(B)/mutate/plain SAN= mutate-link
 	@node tests/lab/mutate/mutate.mjs $(B) $(MUTANTS) $(SEED)
 
 ## bench: what frames take and how exact they are: instructions on Cortex-M0 to M7, RISC-V and here, cycles on an RP2040
@@ -57,7 +57,7 @@ costs: sim $(B)/.setup-test $(B)/gen/meshes.h
 ## costs-record: what stages cost now, and flash, stack and sizes on Cortex-M, become what zsim budget reckons with
 costs-record: sim $(B)/.setup-test $(B)/gen/meshes.h
 	@sh tests/lab/costs.sh $(B) record
-	@$(MAKE_ALL) $(B)/zsim
+	+@$(MAKE_ALL) $(B)/zsim
 
 ## still: instructions of a still scene and of one moving thing with zs_damage_track, on Cortex-M3
 still: $(B)/.setup-test $(B)/gen/meshes.h
