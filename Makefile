@@ -4,12 +4,13 @@ B = build
 CFLAGS = -O2 -g
 WARN = -Wall -Wextra -Werror -Wconversion -Wshadow -Wvla -Wstrict-prototypes \
        -Wmissing-prototypes -Wdouble-promotion -Wno-missing-field-initializers
-SIM_DIRS = cli load convert frame panel budget study compare lab reference panel_model
+SIM_DIRS = cli load convert frame panel budget study compare reference panel_model
 INC = -Ifirmware/zstrip -Ifirmware/examples -Ifirmware/scenes -Ihal -Ihal/panel -Ihal/fault -I$(B)/gen $(SIM_DIRS:%=-Isim/%)
 CORE = $(wildcard firmware/zstrip/*/*.c)
 SCENES = $(wildcard firmware/scenes/*.c)
 PANELS = $(wildcard hal/panel/*.c)
 SIM = $(wildcard $(SIM_DIRS:%=sim/%/*.c)) firmware/scenes/gen/font.c
+ZLAB = $(filter-out sim/cli/main.c,$(SIM)) $(wildcard sim/lab/*.c)
 GEN = $(wildcard firmware/scenes/gen/*.c)
 # zstrip-linux: libgpiod's version 1 or 2 decides which of hal/linux's two files is taken. LINUX_SIM: what it needs of
 # sim where it is built without models (-DLINUX_MODELS=0)
@@ -58,7 +59,7 @@ demo: sim
 
 ## test: set up and run every test
 test: $(B)/.setup-test
-	@$(MAKE) --no-print-directory -j2 $(B)/zsim test-programs fuzz-programs stress-cut
+	@$(MAKE) --no-print-directory -j2 $(B)/zsim $(B)/zlab test-programs fuzz-programs stress-cut
 	@sh tests/run.sh $(B)
 
 ## quick: every unit test, for after each change: without AddressSanitizer, of UBSan what is cheap; half a minute
@@ -117,10 +118,10 @@ scale: $(B)/.setup-scale $(B)/gen/meshes.h
 	@sh tests/checks/scale.sh $(B) plots
 
 ## costs: what each stage costs on each core, fitted from scenes that isolate it, and how far that is from other scenes
-costs: sim $(B)/.setup-test $(B)/gen/meshes.h
+costs: lab $(B)/.setup-test $(B)/gen/meshes.h
 	@sh tests/checks/costs.sh $(B)
 ## costs-record: what stages cost now, and flash, stack and sizes on Cortex-M, become what zsim budget reckons with
-costs-record: sim $(B)/.setup-test $(B)/gen/meshes.h
+costs-record: lab $(B)/.setup-test $(B)/gen/meshes.h
 	@sh tests/checks/costs.sh $(B) record
 	@$(MAKE) --no-print-directory -j2 $(B)/zsim
 
@@ -141,8 +142,8 @@ depth: sim $(B)/.setup-test
 	@sh tests/checks/depth.sh $(B)
 
 ## accuracy: how exact it is, against whole numbers and the double-precision reference; about a minute
-accuracy: sim
-	@$(B)/zsim accuracy
+accuracy: lab
+	@$(B)/zlab accuracy
 
 ## report: every study, frames counted on emulated cores, into build/study/index.html; ten minutes
 report: $(B)/.setup-report
@@ -180,6 +181,10 @@ endif
 sim: $(B)/.setup-sim
 	@$(MAKE) --no-print-directory -j2 $(B)/zsim
 
+## lab: build/zlab, which measures how exact the renderer is and what its stages cost
+lab: $(B)/.setup-sim
+	@$(MAKE) --no-print-directory -j2 $(B)/zlab
+
 ## linux: build/zstrip-linux, which drives a panel on this machine's own SPI and GPIO (a Raspberry Pi's, say)
 linux: $(B)/.setup-linux
 	@$(MAKE) --no-print-directory -j2 $(B)/zstrip-linux
@@ -207,7 +212,7 @@ help:
 	@for mk in firmware/boards/*/board.mk; do b=$${mk%/board.mk}; \
 	    printf '    %-10s %s\n' "$${b##*/}" "$$(sed -n 's/^BOARD_ABOUT = //p' $$mk)"; done
 .PHONY: all demo test quick t report study-variants accuracy fuzz stress stress-record bench bench-record scale costs costs-record still cull checksums depth firmware pico boards \
-        profile sim linux linux-sources pictures size stack check clean help test-programs fuzz-programs lib-fuzz-programs \
+        profile sim lab linux linux-sources pictures size stack check clean help test-programs fuzz-programs lib-fuzz-programs \
         stress-programs prove coverage complexity mutate
 
 $(B)/.setup-sim:
@@ -265,6 +270,9 @@ $(B)/sim/%.o: %.c $(SIM_NOTE) | $(B)/gen/meshes.h
 	@mkdir -p $(@D)
 	@$(SIM_CC) $(DEP) -c $< -o $@
 $(B)/zsim: $(patsubst %.c,$(B)/sim/%.o,$(CORE) $(SCENES) $(PANELS) $(SIM)) $(B)/libmeshes.a
+	@$(CC) $(CFLAGS) $^ $(LIBS) -o $@
+	@echo 'built $@'
+$(B)/zlab: $(patsubst %.c,$(B)/sim/%.o,$(CORE) $(SCENES) $(PANELS) $(ZLAB)) $(B)/libmeshes.a
 	@$(CC) $(CFLAGS) $^ $(LIBS) -o $@
 	@echo 'built $@'
 

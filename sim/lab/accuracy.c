@@ -1,4 +1,4 @@
-/* `zsim accuracy`: see accuracy.h. One row of the table after another: what is exactly known
+/* `zlab accuracy`: see accuracy.h. One row of the table after another: what is exactly known
  * (exact_cases.h), the bench scenes, rotations, random scenes (random_scenes.h, error_bound.h).
  *
  * SPDX-License-Identifier: MIT
@@ -14,8 +14,9 @@
 #include "exact_cases.h"
 #include "frame.h"
 #include "error_bound.h"
-#include "random.h"
+#include "prng.h"
 #include "random_scenes.h"
+#include "rotation_drift.h"
 #include "scenes.h"
 #include "sim.h"
 #include "texel_numbers.h"
@@ -26,7 +27,7 @@
 #define MOVES 32 /* of a bench scene, by parts of a pixel */
 
 static const char usage[] =
-    "zsim accuracy [--scenes N=1000] [--seed S=1] [--quick]\n"
+    "zlab accuracy [--scenes N=1000] [--seed S=1] [--quick]\n"
     "  Measures coverage, order, depth, texels, colours and rotations against whole numbers and the\n"
     "  double-precision reference, on the bench scenes and on N random ones, and prints a table.\n"
     "  Ends with status 1 where a row fails. --quick: less of everything, 40 scenes unless told.\n";
@@ -472,7 +473,7 @@ struct moved { /* a scene as it stands, and moved by parts of a pixel */
 static int moved_draw(struct moved *m, const struct request *rq, const struct demo *demo, int flat)
 {
     const uint32_t n = rq->quick ? 4 : MOVES;
-    struct sim_random r = { rq->seed };
+    struct prng r = { rq->seed };
     int status = SIM_OK;
     memset(m, 0, sizeof *m);
     for (uint32_t k = 0; k < n && status == SIM_OK; k++) {
@@ -481,7 +482,7 @@ static int moved_draw(struct moved *m, const struct request *rq, const struct de
         uint64_t twice = 0;
         demo->pose(&f, 0, demo->width, demo->height);
         for (int c = 0; c < 2 && k; c++) /* the eye is at the origin; focal length: the width */
-            f.instance[0].pose.pos[c] += (int32_t)(sim_random_real(&r, -0.5, 0.5) *
+            f.instance[0].pose.pos[c] += (int32_t)(prng_real(&r, -0.5, 0.5) *
                                                    -f.instance[0].pose.pos[2] / demo->width);
         status = bench_frame(&m->sums, &d, demo, &f, NULL);
         if (status == SIM_OK && flat)
@@ -634,96 +635,13 @@ static int texture_rows(void)
 
 /* ---- Rotations ------------------------------------------------------------------------------ */
 
-#define LEVER 160 /* px: half of 320 */
-
-/* Rodrigues' rotation about an axis of whole numbers by 16-bit turns. */
-static void exact_turn(long double out[9], const int32_t axis[3], zs_turn angle)
-{
-    const long double turn = (long double)angle / 65536 * 6.283185307179586476925286766559L;
-    const long double length = sqrtl((long double)axis[0] * axis[0] +
-                                     (long double)axis[1] * axis[1] +
-                                     (long double)axis[2] * axis[2]);
-    const long double c = cosl(turn), s = sinl(turn);
-    const long double u[3] = { axis[0] / length, axis[1] / length, axis[2] / length };
-    for (int i = 0; i < 3; i++)
-        for (int j = 0; j < 3; j++)
-            out[3 * i + j] = (i == j ? c : 0) + (1 - c) * u[i] * u[j];
-    for (int k = 0; k < 3; k++) {
-        const int i = (k + 1) % 3, j = (k + 2) % 3;
-        out[3 * j + i] += s * u[k];
-        out[3 * i + j] -= s * u[k];
-    }
-}
-
-static void exact_compose(long double m[9], const long double turn[9])
-{
-    long double out[9];
-    for (int i = 0; i < 3; i++)
-        for (int j = 0; j < 3; j++)
-            out[3 * i + j] = turn[3 * i] * m[j] + turn[3 * i + 1] * m[3 + j] +
-                             turn[3 * i + 2] * m[6 + j];
-    memcpy(m, out, sizeof out);
-}
-
-/* Sub-pixels that a point at the lever is off by, at most: the longest of the columns' differences.
- */
-static double apart(const zs_q2_30 rot[9], const long double m[9])
-{
-    double worst = 0;
-    for (int j = 0; j < 3; j++) {
-        double square = 0;
-        for (int i = 0; i < 3; i++) {
-            const double off = (double)(rot[3 * i + j] / 1073741824.0L - m[3 * i + j]);
-            square += off * off;
-        }
-        worst = fmax(worst, sqrt(square));
-    }
-    return worst * LEVER * 256;
-}
-
-static double drift(struct sim_random *r, uint32_t n, int wander)
-{
-    int32_t axis[3] = { 1, 2, 3 };
-    zs_turn angle = 4099;
-    struct zs_pose pose;
-    long double m[9] = { 1, 0, 0, 0, 1, 0, 0, 0, 1 }, turn[9];
-    double worst = 0;
-    zs_pose_identity(&pose);
-    for (uint32_t k = 0; k < n; k++) {
-        if (wander) {
-            for (int c = 0; c < 3; c++)
-                axis[c] = sim_random_range(r, -1000, 1000);
-            axis[0] |= 1;
-            const uint32_t shift = sim_random_pick(r, 12);
-            angle = (zs_turn)((sim_random_bits(r) & 65535u) >> shift);
-        }
-        (void)zs_pose_rotate(&pose, axis, angle);
-        if (k == 0 || wander)
-            exact_turn(turn, axis, angle);
-        exact_compose(m, turn);
-        if (k % 64 == 0 || k == n - 1)
-            worst = fmax(worst, apart(pose.rot, m));
-        if (k % 4096 == 0)
-            sim_progress("rotations", k, n);
-    }
-    sim_progress_end();
-    return worst;
-}
-
-double sim_accuracy_drift(uint64_t seed, uint32_t n, int wander)
-{
-    struct sim_random r = { seed };
-    return drift(&r, n, wander);
-}
-
 static void rotation_rows(const struct request *rq)
 {
     const uint32_t n = rq->quick ? 65536 : 1000000;
-    struct sim_random r = { rq->seed };
     section("zs_pose_rotate, composed, against long double");
-    const char *over = text("%u rotations; sub-pixels of 1/256 at %d px from the middle", n, LEVER);
-    row_value("drift, the same step again and again", drift(&r, n, 0), 1, " sub-pixel", over);
-    row_value("drift, a random step each time", drift(&r, n, 1), 1, " sub-pixel", over);
+    const char *over = text("%u rotations; sub-pixels of 1/256 at %d px from the middle", n, SIM_ROTATION_LEVER);
+    row_value("drift, the same step again and again", sim_rotation_drift(rq->seed, n, 0), 1, " sub-pixel", over);
+    row_value("drift, a random step each time", sim_rotation_drift(rq->seed, n, 1), 1, " sub-pixel", over);
 }
 
 /* ---- Random scenes -------------------------------------------------------------------------- */
@@ -747,7 +665,7 @@ static int random_rows(const struct request *rq)
         }
         if (s.wrong + s.colors_wrong + s.texels_wrong > bad ||
             (s.key_beyond > worst && s.key_beyond > KEY_BOUND))
-            (void)printf("  wrong: zsim accuracy --quick --scenes 1 --seed %llu\n", rq->seed + k);
+            (void)printf("  wrong: zlab accuracy --quick --scenes 1 --seed %llu\n", rq->seed + k);
         sim_progress("random scenes", k, n);
     }
     sim_progress_end();
