@@ -33,3 +33,9 @@ void cases_run(const char *test, case_fn *fn, uint64_t n)
         fail();
     }
 }
+
+void cases_test(void **state)
+{
+    const struct cases *cases = *state;
+    cases_run(cases->test, cases->fn, cases->n);
+}

@@ -784,12 +784,6 @@ static int sphere_case(uint64_t seed)
     return ok ? 1 : case_wrong("error %d", f.err);
 }
 
-static void a_wrong_sphere_loses_parts_at_worst(void **state)
-{
-    (void)state;
-    CASES(sphere_case, 20000);
-}
-
 static const struct CMUnitTest tests[] = {
     cmocka_unit_test(strerror_has_a_text_for_each),
     cmocka_unit_test(init_refuses_by_name),
@@ -805,7 +799,7 @@ static const struct CMUnitTest tests[] = {
     cmocka_unit_test(the_largest_mesh),
     cmocka_unit_test(sink_errors_are_passed_on),
     cmocka_unit_test(garbage_gets_a_defined_answer),
-    cmocka_unit_test(a_wrong_sphere_loses_parts_at_worst)
+    CASES_TEST(a_wrong_sphere_loses_parts_at_worst, sphere_case, 20000)
 };
 
 CASES_MAIN(tests)

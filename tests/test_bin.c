@@ -62,12 +62,6 @@ static int first_case(uint64_t seed)
     return 1;
 }
 
-static void the_first_strip_of_rows(void **state)
-{
-    (void)state;
-    CASES(first_case, 20000);
-}
-
 /* ---- A scene of one mesh, binned by hand ----------------------------------------------------- */
 
 #define VERTS 300
@@ -353,7 +347,7 @@ static void room_is_made_from_below(void **state)
 }
 
 static const struct CMUnitTest tests[] = { cmocka_unit_test(rows_have_their_strips),
-                                           cmocka_unit_test(the_first_strip_of_rows),
+                                           CASES_TEST(the_first_strip_of_rows, first_case, 20000),
                                            cmocka_unit_test(packing_keeps_what_is_held),
                                            cmocka_unit_test(room_is_made_from_below) };
 

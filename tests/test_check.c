@@ -648,12 +648,6 @@ static int noise_case(uint64_t seed)
     return 1;
 }
 
-static void any_content_is_checked_without_overflow(void **state)
-{
-    (void)state;
-    CASES(noise_case, 20000);
-}
-
 /* The largest numbers that the sums can meet. */
 static void the_largest_sums(void **state)
 {
@@ -857,7 +851,7 @@ static const struct CMUnitTest tests[] = {
     cmocka_unit_test(flat_clusters),
     cmocka_unit_test(no_front_is_seen_where_a_cone_passes),
     cmocka_unit_test(what_a_cone_is_refused_for_can_be_seen),
-    cmocka_unit_test(any_content_is_checked_without_overflow),
+    CASES_TEST(any_content_is_checked_without_overflow, noise_case, 20000),
     cmocka_unit_test(the_largest_sums),
     cmocka_unit_test(the_largest_counts),
     cmocka_unit_test(sound_textures_pass),

@@ -207,12 +207,6 @@ static int constant_case(uint64_t seed)
     return ok;
 }
 
-static void a_constant_colour_stays_constant(void **state)
-{
-    (void)state;
-    CASES(constant_case, 400);
-}
-
 /* ---- Whole scenes ---------------------------------------------------------------------------- */
 
 struct world {
@@ -470,7 +464,7 @@ static const struct CMUnitTest tests[] = {
     cmocka_unit_test(raw_colours_are_exact),
     cmocka_unit_test(flat_colours_against_doubles),
     cmocka_unit_test(smooth_is_perspective_correct),
-    cmocka_unit_test(a_constant_colour_stays_constant),
+    CASES_TEST(a_constant_colour_stays_constant, constant_case, 400),
     cmocka_unit_test(smooth_colours_against_doubles)
 };
 

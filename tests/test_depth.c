@@ -966,12 +966,6 @@ static int state_scene_case(uint64_t seed)
     return ok;
 }
 
-static void states_in_scenes_whatever_the_pools(void **state)
-{
-    (void)state;
-    CASES(state_scene_case, 240);
-}
-
 /* ---- The mapping that far / near asks for --------------------------------------------------- */
 
 /* zs_depth_float draws the frame of e3m13 up to far = 2^7 near, of e4m12 up to 2^15 near, else of
@@ -1136,12 +1130,6 @@ static int plain_state_case(uint64_t seed)
     return ok;
 }
 
-static void a_state_that_asks_for_nothing_is_none(void **state)
-{
-    (void)state;
-    CASES(plain_state_case, 100);
-}
-
 /* From near to 256 times near within 255/256 of a pixel: the gradient of 1/z uses all of its 64 bits. */
 static void octaves_within_a_pixel(void **state)
 {
@@ -1183,9 +1171,9 @@ static const struct CMUnitTest tests[] = {
     cmocka_unit_test(stress_19_20_pairs_of_any_planes_under_all_mappings),
     cmocka_unit_test(states_one_triangle_after_another),
     cmocka_unit_test(offsets_and_slopes_in_buckets),
-    cmocka_unit_test(states_in_scenes_whatever_the_pools),
+    CASES_TEST(states_in_scenes_whatever_the_pools, state_scene_case, 240),
     cmocka_unit_test(keys_bound_how_much_w_changes), cmocka_unit_test(float_takes_the_bits_that_far_asks_for),
-    cmocka_unit_test(a_state_that_asks_for_nothing_is_none),
+    CASES_TEST(a_state_that_asks_for_nothing_is_none, plain_state_case, 100),
     cmocka_unit_test(octaves_within_a_pixel)
 };
 

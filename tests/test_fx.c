@@ -95,12 +95,6 @@ static int muldiv_case(uint64_t seed)
     return 1;
 }
 
-static void muldiv_against_128_bits(void **state)
-{
-    (void)state;
-    CASES(muldiv_case, 1000);
-}
-
 static int mulshift_case(uint64_t seed)
 {
     struct prng p = { seed };
@@ -118,12 +112,6 @@ static int mulshift_case(uint64_t seed)
                               (unsigned long long)b, n);
     }
     return 1;
-}
-
-static void mulshift_against_128_bits(void **state)
-{
-    (void)state;
-    CASES(mulshift_case, 1000);
 }
 
 static void products_and_leading_zeros(void **state)
@@ -184,8 +172,8 @@ static const struct CMUnitTest tests[] = {
     cmocka_unit_test(recip_over_every_table_entry),
     cmocka_unit_test(recip_in_steps),
     cmocka_unit_test(isqrt_is_the_floor),
-    cmocka_unit_test(muldiv_against_128_bits),
-    cmocka_unit_test(mulshift_against_128_bits),
+    CASES_TEST(muldiv_against_128_bits, muldiv_case, 1000),
+    CASES_TEST(mulshift_against_128_bits, mulshift_case, 1000),
     cmocka_unit_test(products_and_leading_zeros),
     cmocka_unit_test(samples_leading_zeros_and_shifts)
 };

@@ -656,12 +656,6 @@ static int turned_case(uint64_t seed)
     return ok;
 }
 
-static void stress_22_vertices_rotated_in_a_triangle(void **state)
-{
-    (void)state;
-    CASES(turned_case, 100);
-}
-
 static int mirrored_case(uint64_t seed)
 {
     static struct loose l;
@@ -694,12 +688,6 @@ static int mirrored_case(uint64_t seed)
     picture_free(&a);
     picture_free(&b);
     return ok;
-}
-
-static void stress_23_mirrored_scene(void **state)
-{
-    (void)state;
-    CASES(mirrored_case, 200);
 }
 
 /* The picture moved by whole pixels, colours and keys. Triangles with width + height <= 256 px keep
@@ -736,12 +724,6 @@ static int moved_case(uint64_t seed)
     return ok;
 }
 
-static void stress_24_moved_by_whole_pixels(void **state)
-{
-    (void)state;
-    CASES(moved_case, 150);
-}
-
 static int order_case(uint64_t seed)
 {
     struct prng p = { seed };
@@ -770,12 +752,6 @@ static int order_case(uint64_t seed)
     return ok;
 }
 
-static void stress_25_opaque_order_permuted(void **state)
-{
-    (void)state;
-    CASES(order_case, 100);
-}
-
 static const struct CMUnitTest tests[] = {
     cmocka_unit_test(stress_21_any_strip_height),
     cmocka_unit_test(any_pool_down_to_one_triangle),
@@ -784,10 +760,10 @@ static const struct CMUnitTest tests[] = {
     cmocka_unit_test(culled_instances_were_empty),
     cmocka_unit_test(junk_in_memory),
     cmocka_unit_test(two_renderers_side_by_side),
-    cmocka_unit_test(stress_22_vertices_rotated_in_a_triangle),
-    cmocka_unit_test(stress_23_mirrored_scene),
-    cmocka_unit_test(stress_24_moved_by_whole_pixels),
-    cmocka_unit_test(stress_25_opaque_order_permuted)
+    CASES_TEST(stress_22_vertices_rotated_in_a_triangle, turned_case, 100),
+    CASES_TEST(stress_23_mirrored_scene, mirrored_case, 200),
+    CASES_TEST(stress_24_moved_by_whole_pixels, moved_case, 150),
+    CASES_TEST(stress_25_opaque_order_permuted, order_case, 100)
 };
 
 CASES_MAIN(tests)

@@ -871,12 +871,6 @@ static int failure_case(uint64_t seed)
     return 1;
 }
 
-static void every_failure_is_said_and_mended(void **state)
-{
-    (void)state;
-    CASES(failure_case, N_SHEETS);
-}
-
 /* The first send after a failure sends the set-up, whatever failed: that is what fails_at skips over. */
 static void set_up_follows_each_kind_of_failure(void **state)
 {
@@ -976,7 +970,7 @@ static const struct CMUnitTest tests[] = {
     cmocka_unit_test(bad_rectangles),
     cmocka_unit_test(one_thing_at_a_time),
     cmocka_unit_test(sleeping),
-    cmocka_unit_test(every_failure_is_said_and_mended),
+    CASES_TEST(every_failure_is_said_and_mended, failure_case, N_SHEETS),
     cmocka_unit_test(set_up_follows_each_kind_of_failure),
     cmocka_unit_test(settings_outlive_failures)
 };

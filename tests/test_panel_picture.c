@@ -197,12 +197,6 @@ static int rectangles(uint64_t number)
     return right;
 }
 
-static void rectangles_are_where_they_belong(void **state)
-{
-    (void)state;
-    CASES(rectangles, 240);
-}
-
 /* ---- The other functions ------------------------------------------------------------------------------- */
 
 /* Negative of what should be seen. */
@@ -292,7 +286,7 @@ static void cruel_bus(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(rectangles_are_where_they_belong),
+        CASES_TEST(rectangles_are_where_they_belong, rectangles, 240),
         cmocka_unit_test(light_sleep_and_turning),
         cmocka_unit_test(cruel_bus),
     };

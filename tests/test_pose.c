@@ -544,12 +544,6 @@ static int repair_case(uint64_t seed)
     return 1;
 }
 
-static void any_matrix_becomes_a_rotation(void **state)
-{
-    (void)state;
-    CASES(repair_case, 20000);
-}
-
 static int wander_case(uint64_t seed)
 {
     struct prng p = { seed };
@@ -562,12 +556,6 @@ static int wander_case(uint64_t seed)
     }
     CASE_CHECK(not_a_rotation(pose.rot) <= 0x1p-27);
     return 1;
-}
-
-static void random_rotations_stay_rotations(void **state)
-{
-    (void)state;
-    CASES(wander_case, 20);
 }
 
 /* ---- Cameras --------------------------------------------------------------------------------- */
@@ -669,12 +657,6 @@ static int orbit_case(uint64_t seed)
     return 1;
 }
 
-static void orbit_against_doubles(void **state)
-{
-    (void)state;
-    CASES(orbit_case, 10000);
-}
-
 static int focal_case(uint64_t seed)
 {
     struct prng p = { seed };
@@ -689,12 +671,6 @@ static int focal_case(uint64_t seed)
     if (fabs(want - got) > bound)
         return case_wrong("fov %u, %u px: focal %.9f, not %.9f", fov, height, got, want);
     return 1;
-}
-
-static void focal_length_against_doubles(void **state)
-{
-    (void)state;
-    CASES(focal_case, 20000);
 }
 
 static void cameras_refused_by_name(void **state)
@@ -819,11 +795,11 @@ static const struct CMUnitTest tests[] = {
     cmocka_unit_test(stress_17_drift_searched),
     cmocka_unit_test(poses_do_not_come_round),
     cmocka_unit_test(quarter_turns_are_exact),
-    cmocka_unit_test(any_matrix_becomes_a_rotation),
-    cmocka_unit_test(random_rotations_stay_rotations),
+    CASES_TEST(any_matrix_becomes_a_rotation, repair_case, 20000),
+    CASES_TEST(random_rotations_stay_rotations, wander_case, 20),
     cmocka_unit_test(look_at_against_doubles),
-    cmocka_unit_test(orbit_against_doubles),
-    cmocka_unit_test(focal_length_against_doubles),
+    CASES_TEST(orbit_against_doubles, orbit_case, 10000),
+    CASES_TEST(focal_length_against_doubles, focal_case, 20000),
     cmocka_unit_test(cameras_refused_by_name),
     cmocka_unit_test(light_intensity_against_doubles)
 };

@@ -939,12 +939,6 @@ static int far_steep_case(uint64_t seed)
     return draws_right(&s, &t, plane_pixel);
 }
 
-static void others_16_16_overflow_of_a_far_steep_edge(void **state)
-{
-    (void)state;
-    CASES(far_steep_case, 400);
-}
-
 /* Spans that run backwards: two edges of a triangle that is nowhere a sub-pixel wide, rounded, cross each other. Every
  * slope, the corner between anywhere on the long edge, in all orders. */
 static int crossed_edges_case(uint64_t seed)
@@ -976,12 +970,6 @@ static int crossed_edges_case(uint64_t seed)
     turned.x[1] = t.x[0];
     turned.y[1] = t.y[0];
     return draws_right(&s, &t, plane_pixel) && draws_right(&s, &turned, plane_pixel);
-}
-
-static void others_spans_that_run_backwards(void **state)
-{
-    (void)state;
-    CASES(crossed_edges_case, 1200);
 }
 
 /* A division by the area, where that is 0, 1 or 2 sub-pixels squared: every triangle whose corners lie within one
@@ -1025,8 +1013,8 @@ static const struct CMUnitTest tests[] = {
     cmocka_unit_test(keys_saturate_and_never_wrap),
     cmocka_unit_test(least_key_then_scene_order),
     cmocka_unit_test(shared_edges_hit_every_pixel_once),
-    cmocka_unit_test(others_16_16_overflow_of_a_far_steep_edge),
-    cmocka_unit_test(others_spans_that_run_backwards),
+    CASES_TEST(others_16_16_overflow_of_a_far_steep_edge, far_steep_case, 400),
+    CASES_TEST(others_spans_that_run_backwards, crossed_edges_case, 1200),
     cmocka_unit_test(others_division_by_a_tiny_area)
 };
 

@@ -145,30 +145,6 @@ static int straight_case(uint64_t seed)
     return exact_case(seed, straight_corners);
 }
 
-static void stress_03_slivers_of_one_sub_pixel(void **state)
-{
-    (void)state;
-    CASES(sliver_case, 600);
-}
-
-static void stress_05_vertices_on_pixel_centres(void **state)
-{
-    (void)state;
-    CASES(center_case, 600);
-}
-
-static void stress_06_one_sub_pixel_beside_centres(void **state)
-{
-    (void)state;
-    CASES(beside_case, 600);
-}
-
-static void stress_07_horizontal_and_vertical_edges(void **state)
-{
-    (void)state;
-    CASES(straight_case, 600);
-}
-
 static void stress_04_zero_area_and_duplicate_vertices(void **state)
 {
     (void)state;
@@ -449,12 +425,6 @@ static int guard_case(uint64_t seed)
                        perspective ? &zs_depth_recip : &zs_depth_linear, NULL);
 }
 
-static void stress_09_beyond_the_guard_band(void **state)
-{
-    (void)state;
-    CASES(guard_case, 1500);
-}
-
 static int on_plane_case(uint64_t seed)
 {
     struct prng p = { seed };
@@ -486,12 +456,6 @@ static int on_plane_case(uint64_t seed)
     return 1;
 }
 
-static void stress_10_vertex_on_near_plane(void **state)
-{
-    (void)state;
-    CASES(on_plane_case, 1120);
-}
-
 static int behind_case(uint64_t seed)
 {
     struct prng p = { seed };
@@ -510,12 +474,6 @@ static int behind_case(uint64_t seed)
     return 1;
 }
 
-static void stress_11_all_behind(void **state)
-{
-    (void)state;
-    CASES(behind_case, 400);
-}
-
 static int through_zero_case(uint64_t seed)
 {
     struct prng p = { seed };
@@ -530,12 +488,6 @@ static int through_zero_case(uint64_t seed)
             pos[k][c] = (int16_t)(prng_pick(&p, 5) == 0 ? 0 : prng_range(&p, -600, 600));
     }
     return clipped_tri((const int16_t (*)[3])pos, &camera, CLIP_W, CLIP_H, &zs_depth_recip, NULL);
-}
-
-static void stress_12_w_through_zero(void **state)
-{
-    (void)state;
-    CASES(through_zero_case, 1000);
 }
 
 /* A plane that crosses near: with near moved by an ulp of 2^-16 the pictures differ at most where
@@ -587,12 +539,6 @@ static int near_ulp_case(uint64_t seed)
     for (int k = 0; k < 3; k++)
         picture_free(&f[k]);
     return ok;
-}
-
-static void stress_13_near_by_one_ulp(void **state)
-{
-    (void)state;
-    CASES(near_ulp_case, 500);
 }
 
 /* ---- 1, 2, 15: meshes on a plane, seen at any angle ------------------------------------------ */
@@ -1268,12 +1214,6 @@ static int twice_case(uint64_t seed)
     return ok;
 }
 
-static void stress_18_the_first_of_equals_stays(void **state)
-{
-    (void)state;
-    CASES(twice_case, 300);
-}
-
 /* A key plane that is exact at every sub-pixel: d = base + gx x + gy y, uq16_16 a sub-pixel. */
 struct key_plane {
     int64_t base, gx, gy;
@@ -1335,12 +1275,6 @@ static int pair_case(uint64_t seed)
     return ok;
 }
 
-static void stress_19_parallel_pair_at_1_01_buckets(void **state)
-{
-    (void)state;
-    CASES(pair_case, 120);
-}
-
 static int crossing_case(uint64_t seed)
 {
     struct prng p = { seed };
@@ -1367,12 +1301,6 @@ static int crossing_case(uint64_t seed)
         }
     easel_free(&f);
     return ok;
-}
-
-static void stress_20_interpenetration(void **state)
-{
-    (void)state;
-    CASES(crossing_case, 120);
 }
 
 /* ---- Failures that other renderers shipped --------------------------------------------------------- */
@@ -1451,34 +1379,28 @@ static int snapped_away_case(uint64_t seed)
     return 1;
 }
 
-static void others_no_area_after_snapping(void **state)
-{
-    (void)state;
-    CASES(snapped_away_case, 800);
-}
-
 static const struct CMUnitTest tests[] = {
     cmocka_unit_test(stress_01_shared_edge_mesh),
     cmocka_unit_test(stress_02_fans_clipped_or_not),
-    cmocka_unit_test(stress_03_slivers_of_one_sub_pixel),
+    CASES_TEST(stress_03_slivers_of_one_sub_pixel, sliver_case, 600),
     cmocka_unit_test(stress_04_zero_area_and_duplicate_vertices),
-    cmocka_unit_test(stress_05_vertices_on_pixel_centres),
-    cmocka_unit_test(stress_06_one_sub_pixel_beside_centres),
-    cmocka_unit_test(stress_07_horizontal_and_vertical_edges),
+    CASES_TEST(stress_05_vertices_on_pixel_centres, center_case, 600),
+    CASES_TEST(stress_06_one_sub_pixel_beside_centres, beside_case, 600),
+    CASES_TEST(stress_07_horizontal_and_vertical_edges, straight_case, 600),
     cmocka_unit_test(stress_08_coordinates_at_the_ends),
-    cmocka_unit_test(stress_09_beyond_the_guard_band),
-    cmocka_unit_test(stress_10_vertex_on_near_plane),
-    cmocka_unit_test(stress_11_all_behind),
-    cmocka_unit_test(stress_12_w_through_zero),
-    cmocka_unit_test(stress_13_near_by_one_ulp),
+    CASES_TEST(stress_09_beyond_the_guard_band, guard_case, 1500),
+    CASES_TEST(stress_10_vertex_on_near_plane, on_plane_case, 1120),
+    CASES_TEST(stress_11_all_behind, behind_case, 400),
+    CASES_TEST(stress_12_w_through_zero, through_zero_case, 1000),
+    CASES_TEST(stress_13_near_by_one_ulp, near_ulp_case, 500),
     cmocka_unit_test(stress_14_26_directions_by_1_2_3_vertices),
     cmocka_unit_test(folded_polygons_face_as_they_did), cmocka_unit_test(stress_15_seam_cut_by_the_clip),
     cmocka_unit_test(stress_16_matrix_scale_2_to_15),
-    cmocka_unit_test(stress_18_the_first_of_equals_stays),
-    cmocka_unit_test(stress_19_parallel_pair_at_1_01_buckets),
-    cmocka_unit_test(stress_20_interpenetration),
+    CASES_TEST(stress_18_the_first_of_equals_stays, twice_case, 300),
+    CASES_TEST(stress_19_parallel_pair_at_1_01_buckets, pair_case, 120),
+    CASES_TEST(stress_20_interpenetration, crossing_case, 120),
     cmocka_unit_test(others_overflow_that_loops_for_ever),
-    cmocka_unit_test(others_no_area_after_snapping)
+    CASES_TEST(others_no_area_after_snapping, snapped_away_case, 800)
 };
 
 CASES_MAIN(tests)

@@ -645,12 +645,6 @@ static int full_light_case(uint64_t seed)
     return ok ? 1 : wrong_at(&s, &t, 0, 0, "light of 1 changes a texel", 0);
 }
 
-static void full_light_is_no_light(void **state)
-{
-    (void)state;
-    CASES(full_light_case, 200);
-}
-
 /* ---- Moved, mirrored, hidden ---------------------------------------------------------------- */
 
 static int moved_case(uint64_t seed)
@@ -792,12 +786,6 @@ static int hidden_case(uint64_t seed)
     return ok;
 }
 
-static void what_is_hidden_moves_no_texel(void **state)
-{
-    (void)state;
-    CASES(hidden_case, 200);
-}
-
 /* ---- Formats -------------------------------------------------------------------------------- */
 
 /* Sixteen colours in all three formats. */
@@ -843,12 +831,6 @@ static int format_case(uint64_t seed)
     for (int n = 0; n < 3; n++)
         easel_free(&f[n]);
     return ok;
-}
-
-static void three_formats_one_picture(void **state)
-{
-    (void)state;
-    CASES(format_case, 400);
 }
 
 /* Gradients of coordinates are products rounded once, and those that do not fit are refused. */
@@ -1218,12 +1200,6 @@ static int invariance_case(uint64_t seed)
     return ok;
 }
 
-static void textured_whatever_strips_and_pools(void **state)
-{
-    (void)state;
-    CASES(invariance_case, 120);
-}
-
 /* Floors seen level: w hardly changes along a row, so that blocks are as long as they may be and a row's last
  * one, of any length, carries much of the change of u. */
 static int level_case(uint64_t seed)
@@ -1246,12 +1222,6 @@ static int level_case(uint64_t seed)
             t.rgb[k][c] = EASEL_UV(prng_range(&p, -32768, 32767));
     }
     return texels_right(&s, 8, 8, 0, &t, 0);
-}
-
-static void level_floors(void **state)
-{
-    (void)state;
-    CASES(level_case, 900);
 }
 
 /* A plane to the horizon, a million times as far as near, so that rounding takes its w below 0 at the far end;
@@ -1357,18 +1327,18 @@ static const struct CMUnitTest tests[] = { cmocka_unit_test(texels_by_ratio_of_w
                                            cmocka_unit_test(sizes_from_1_to_1024),
                                            cmocka_unit_test(repeat_and_clamp_to_the_texel),
                                            cmocka_unit_test(light_over_a_texture_against_doubles),
-                                           cmocka_unit_test(full_light_is_no_light),
+                                           CASES_TEST(full_light_is_no_light, full_light_case, 200),
                                            cmocka_unit_test(moved_by_whole_pixels_the_same_texels),
                                            cmocka_unit_test(mirrored_the_same_texels),
-                                           cmocka_unit_test(what_is_hidden_moves_no_texel),
-                                           cmocka_unit_test(three_formats_one_picture),
+                                           CASES_TEST(what_is_hidden_moves_no_texel, hidden_case, 200),
+                                           CASES_TEST(three_formats_one_picture, format_case, 400),
                                            cmocka_unit_test(texel_gradients_are_rounded_once),
                                            cmocka_unit_test(small_ones_in_one_go_the_same),
                                            cmocka_unit_test(clipped_at_near_u_and_v_stay),
                                            cmocka_unit_test(
                                                flat_light_over_a_texture_against_doubles),
-                                           cmocka_unit_test(textured_whatever_strips_and_pools),
-                                           cmocka_unit_test(level_floors),
+                                           CASES_TEST(textured_whatever_strips_and_pools, invariance_case, 120),
+                                           CASES_TEST(level_floors, level_case, 900),
                                            cmocka_unit_test(runs_do_not_tell_where_they_begin),
                                            cmocka_unit_test(far_end_of_a_plane) };
 

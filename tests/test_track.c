@@ -615,12 +615,6 @@ static int one_sphere(uint64_t seed)
     return 1;
 }
 
-static void a_sphere_wherever_it_is(void **state)
-{
-    (void)state;
-    CASES(one_sphere, 200);
-}
-
 static uint32_t dots; /* frames in which the sphere covers the pixel in the middle */
 
 /* A focal length of a few thousandths of a pixel, and camera units as long as world units: a sphere of 700 is a few
@@ -899,7 +893,7 @@ static const struct CMUnitTest tests[] = {
     cmocka_unit_test(the_glass_is_right_whatever_happens),
     cmocka_unit_test(every_input_counts),
     cmocka_unit_test(a_shared_mesh_hides_no_material),
-    cmocka_unit_test(a_sphere_wherever_it_is),
+    CASES_TEST(a_sphere_wherever_it_is, one_sphere, 200),
     cmocka_unit_test(a_vertex_rounded_beyond_its_sphere_is_drawn),
     cmocka_unit_test(one_moving_thing_draws_its_own_strips),
     cmocka_unit_test(a_still_scene_draws_nothing),

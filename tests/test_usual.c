@@ -274,12 +274,6 @@ static int light_case(uint64_t seed)
     return 1;
 }
 
-static void the_usual_light_turns_with_the_camera(void **state)
-{
-    (void)state;
-    CASES(light_case, 500);
-}
-
 /* ---- Damage tracking, and the end of frames -------------------------------------------------------------------- */
 
 struct panel {
@@ -430,7 +424,7 @@ static const struct CMUnitTest tests[] = {
     cmocka_unit_test(zeros_draw_what_they_stand_for),
     cmocka_unit_test(zeros_leave_out_the_same),
     cmocka_unit_test(zero_poses_turn),
-    cmocka_unit_test(the_usual_light_turns_with_the_camera),
+    CASES_TEST(the_usual_light_turns_with_the_camera, light_case, 500),
     cmocka_unit_test(tracking_sees_the_usual_light_turn),
     cmocka_unit_test(frames_end_once),
 };

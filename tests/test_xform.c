@@ -278,12 +278,6 @@ static int light_case(uint64_t seed)
     return 1;
 }
 
-static void light_is_the_exact_product_rounded_once(void **state)
-{
-    (void)state;
-    CASES(light_case, 3000);
-}
-
 /* The focal length as a power of two and a factor of 1/2 to 1: the least bits, also where it is a power of two itself. */
 static void focal_lengths_keep_their_bits(void **state)
 {
@@ -314,7 +308,7 @@ static const struct CMUnitTest tests[] = {
     cmocka_unit_test(vertices_are_the_exact_sum_rounded_once),
     cmocka_unit_test(projection_is_the_exact_product_rounded_once),
     cmocka_unit_test(in_one_go_as_one_by_one),
-    cmocka_unit_test(light_is_the_exact_product_rounded_once)
+    CASES_TEST(light_is_the_exact_product_rounded_once, light_case, 3000)
 };
 
 CASES_MAIN(tests)

@@ -7,7 +7,6 @@
 #ifndef SIM_PRNG_H
 #define SIM_PRNG_H
 
-#include <math.h>
 #include <stdint.h>
 
 struct prng {
@@ -45,12 +44,6 @@ static inline int64_t prng_log(struct prng *p)
 static inline double prng_real(struct prng *p, double lo, double hi)
 {
     return lo + (hi - lo) * (double)(prng_next(p) >> 11) * 0x1p-53;
-}
-
-/* The same, all magnitudes equally likely; 0 < lo < hi. */
-static inline double prng_real_log(struct prng *p, double lo, double hi)
-{
-    return lo * pow(hi / lo, prng_real(p, 0, 1));
 }
 
 #endif
