@@ -307,15 +307,6 @@ static int slack_case(uint64_t seed)
     return right;
 }
 
-static void what_rounding_moves_into_the_frame_is_drawn(void **state)
-{
-    (void)state;
-    beside = 0;
-    CASES(slack_case, 1000);
-    printf("%u spheres beside the frame are drawn\n", beside);
-    assert_true(getenv("ZS_SEED") || beside > 20);
-}
-
 static uint64_t most_off; /* 1/65536 of its slack */
 
 /* A sphere's centre is no farther from the exact one than its slack. */
@@ -365,8 +356,11 @@ static void a_center_is_as_exact_as_its_slack(void **state)
     printf("off by up to %lu / 65536 of the slack\n", (unsigned long)most_off);
 }
 
-static const struct CMUnitTest tests[] = { cmocka_unit_test(clusters_change_no_bit),
-                                           cmocka_unit_test(what_rounding_moves_into_the_frame_is_drawn),
-                                           cmocka_unit_test(a_center_is_as_exact_as_its_slack) };
+static const struct CMUnitTest tests[] = {
+    cmocka_unit_test(clusters_change_no_bit),
+    CASES_COUNT(what_rounding_moves_into_the_frame_is_drawn, slack_case, 1000,
+                &beside, 20, "spheres beside the frame are drawn"),
+    cmocka_unit_test(a_center_is_as_exact_as_its_slack),
+};
 
 CASES_MAIN(tests)

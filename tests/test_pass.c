@@ -128,14 +128,6 @@ static int viewports_case(uint64_t seed)
     return ok;
 }
 
-static void viewports_hold_frames_of_their_size(void **state)
-{
-    (void)state;
-    drawn_cases = 0;
-    CASES(viewports_case, 100);
-    assert_true(getenv("ZS_SEED") || drawn_cases > 200);
-}
-
 /* ---- What is kept ------------------------------------------------------------------------------ */
 
 /* A second pass over the colours of the first: where it draws nothing, those stay. Its depth begins anew, so that it is in
@@ -181,14 +173,6 @@ static int over_case(uint64_t seed)
     return ok;
 }
 
-static void a_pass_over_the_colours_of_another(void **state)
-{
-    (void)state;
-    passes_kept = 0;
-    CASES(over_case, 60);
-    assert_true(getenv("ZS_SEED") || passes_kept > 40);
-}
-
 /* One scene cut in two passes that keep colours and keys is the scene, where both have its units. */
 static int cut_case(uint64_t seed)
 {
@@ -224,14 +208,6 @@ static int cut_case(uint64_t seed)
 out:
     world_free(&w);
     return ok;
-}
-
-static void a_scene_cut_in_two_passes(void **state)
-{
-    (void)state;
-    passes_kept = 0;
-    CASES(cut_case, 100);
-    assert_true(getenv("ZS_SEED") || passes_kept > 20);
 }
 
 /* ---- Where a pixel is ---------------------------------------------------------------------------- */
@@ -473,22 +449,14 @@ static int untested_case(uint64_t seed)
     return ok;
 }
 
-static void without_depth_memory_the_later_covers(void **state)
-{
-    (void)state;
-    drawn_cases = 0;
-    CASES(untested_case, 100);
-    assert_true(getenv("ZS_SEED") || drawn_cases > 60);
-}
-
 static const struct CMUnitTest tests[] = {
-    cmocka_unit_test(viewports_hold_frames_of_their_size),
-    cmocka_unit_test(a_pass_over_the_colours_of_another),
-    cmocka_unit_test(a_scene_cut_in_two_passes),
+    CASES_COUNT(viewports_hold_frames_of_their_size, viewports_case, 100, &drawn_cases, 200, "frames drawn"),
+    CASES_COUNT(a_pass_over_the_colours_of_another, over_case, 60, &passes_kept, 40, "passes over others"),
+    CASES_COUNT(a_scene_cut_in_two_passes, cut_case, 100, &passes_kept, 20, "scenes cut"),
     cmocka_unit_test(places_are_of_the_frame),
     cmocka_unit_test(wrong_passes_are_refused),
     cmocka_unit_test(instances_of_all_passes_are_counted),
     cmocka_unit_test(a_plain_frame_after_passes),
-    cmocka_unit_test(without_depth_memory_the_later_covers),
+    CASES_COUNT(without_depth_memory_the_later_covers, untested_case, 100, &drawn_cases, 60, "frames drawn"),
 };
 CASES_MAIN(tests)

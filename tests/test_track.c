@@ -663,15 +663,6 @@ static int one_dot(uint64_t seed)
     return 1;
 }
 
-static void a_vertex_rounded_beyond_its_sphere_is_drawn(void **state)
-{
-    (void)state;
-    dots = 0;
-    CASES(one_dot, 150);
-    print_message("%u frames with a dot\n", dots);
-    assert_true(getenv("ZS_SEED") || dots > 50);
-}
-
 /* ---- What it saves ------------------------------------------------------------------------------------ */
 
 static uint32_t binned[2][2]; /* triangles, of whole frames and of those with one mover, by strips and by columns */
@@ -894,7 +885,7 @@ static const struct CMUnitTest tests[] = {
     cmocka_unit_test(every_input_counts),
     cmocka_unit_test(a_shared_mesh_hides_no_material),
     CASES_TEST(a_sphere_wherever_it_is, one_sphere, 200),
-    cmocka_unit_test(a_vertex_rounded_beyond_its_sphere_is_drawn),
+    CASES_COUNT(a_vertex_rounded_beyond_its_sphere_is_drawn, one_dot, 150, &dots, 50, "frames with a dot"),
     cmocka_unit_test(one_moving_thing_draws_its_own_strips),
     cmocka_unit_test(a_still_scene_draws_nothing),
     cmocka_unit_test(invalidated_in_a_frame),
