@@ -544,10 +544,7 @@ int sim_frame_ids(uint32_t *id, const struct zs_scene *scene, const struct zs_ca
                 id[i] |= (uint32_t)frame.rgb565[i] << shift;
         sim_frame_free(&frame);
     }
-    free(p.instance);
-    free(p.mesh);
-    free(p.material);
-    free(p.raw);
+    SIM_FREE(p.instance, p.mesh, p.material, p.raw);
     return err;
 }
 

@@ -104,13 +104,8 @@ static double percent(uint64_t part, uint64_t whole)
 
 struct look {
     struct sim_frame frame;
-    struct ref_image ours, truth;
-    struct ref_triangle *tri;
-    size_t n_tris;
-    struct ref_camera camera;
-    struct ref_light light;
-    struct ref_depth depth;
-    struct sim_judge judge;
+    struct ref_image ours;
+    struct sim_truth truth;
     struct ref_diff diff;
 };
 
@@ -134,19 +129,8 @@ struct sums {
 static void look_close(struct look *l)
 {
     sim_frame_free(&l->frame);
-    free(l->tri);
-    free(l->ours.id);
-    free(l->ours.texel);
-    free(l->truth.rgb565);
-    free(l->truth.key);
-    free(l->truth.id);
-    free(l->truth.z);
-    free(l->truth.exact_key);
-    free(l->truth.rgb);
-    free(l->truth.u);
-    free(l->truth.v);
-    free(l->truth.texel);
-    free((void *)l->truth.texture);
+    SIM_FREE(l->ours.id, l->ours.texel);
+    sim_truth_free(&l->truth);
 }
 
 static int look_draw(struct look *l, const struct zs_scene *scene, const struct zs_camera *camera,
@@ -163,11 +147,10 @@ static int look_draw(struct look *l, const struct zs_scene *scene, const struct 
     if (err)
         return sim_refuse(NULL, 0, "a scene of the accuracy checks could not be drawn: %s",
                           zs_error_string(err));
-    err = ref_render(l->tri, l->n_tris, &l->camera, &l->light, &l->depth, scene->background,
-                     config->width, config->height, &l->truth, NULL, NULL);
+    err = sim_truth_draw(&l->truth, scene, camera, config);
     if (!err)
-        err = ref_compare(&l->ours, &l->truth, &l->depth, &l->camera, config->width, config->height,
-                          &l->diff);
+        err = ref_compare(&l->ours, &l->truth.image, &l->truth.depth, &l->truth.camera, config->width,
+                          config->height, &l->diff);
     return err ? sim_refuse(NULL, 0, "the reference could not draw a scene (%d)", err) : SIM_OK;
 }
 
@@ -177,32 +160,8 @@ static int look_open(struct look *l, const struct zs_scene *scene, const struct 
 {
     const size_t n = (size_t)config->width * config->height;
     memset(l, 0, sizeof *l);
-    l->tri = sim_truth_triangles(scene, camera, &l->n_tris);
-    sim_truth_camera(&l->camera, camera);
-    sim_truth_light(&l->light, &scene->light, camera);
-    l->depth.mapping = sim_truth_mapping(config->depth, camera);
-    l->depth.bits = config->depth_bits;
     l->ours.id = sim_alloc(n, sizeof(uint32_t));
     l->ours.texel = textured ? sim_alloc(n, sizeof(uint32_t)) : NULL;
-    l->truth.rgb565 = sim_alloc(n, sizeof(uint16_t));
-    l->truth.key = sim_alloc(n, sizeof(uint16_t));
-    l->truth.id = sim_alloc(n, sizeof(uint32_t));
-    l->truth.z = sim_alloc(n, sizeof(double));
-    l->truth.exact_key = sim_alloc(n, sizeof(double));
-    l->truth.rgb = sim_alloc(3 * n, sizeof(double));
-    l->truth.u = sim_alloc(n, sizeof(double));
-    l->truth.v = sim_alloc(n, sizeof(double));
-    l->truth.texel = sim_alloc(n, sizeof(uint32_t));
-    l->truth.texture = sim_alloc(n, sizeof(void *));
-    const struct sim_judge judge = { l->tri,
-                                     &l->camera,
-                                     &l->light,
-                                     &l->depth,
-                                     config->width,
-                                     config->height,
-                                     1.0 / (1 << config->subpixel_bits),
-                                     sim_judge_unit(l->tri, l->n_tris, &l->camera) };
-    l->judge = judge;
     const int status = look_draw(l, scene, camera, config, textured);
     if (status != SIM_OK)
         look_close(l);
@@ -213,11 +172,11 @@ static int look_open(struct look *l, const struct zs_scene *scene, const struct 
 
 static void sum_visible(struct sums *s, const struct look *l, int x, int y)
 {
-    const size_t at = (size_t)y * (size_t)l->judge.width + (size_t)x;
-    const uint32_t ours = l->ours.id[at], truth = l->truth.id[at];
-    const enum sim_verdict verdict = sim_judge_pixel(&l->judge, ours, truth, x, y);
+    const size_t at = (size_t)y * (size_t)l->truth.judge.width + (size_t)x;
+    const uint32_t ours = l->ours.id[at], truth = l->truth.image.id[at];
+    const enum sim_verdict verdict = sim_judge_pixel(&l->truth.judge, ours, truth, x, y);
     const int surface = !ours || !truth ||
-                        !sim_judge_same_plane(&l->tri[ours - 1], &l->tri[truth - 1]);
+                        !sim_judge_same_plane(&l->truth.tri[ours - 1], &l->truth.tri[truth - 1]);
     if (verdict == SIM_SAME)
         return;
     s->differ++;
@@ -227,23 +186,23 @@ static void sum_visible(struct sums *s, const struct look *l, int x, int y)
     s->surfaces += (uint64_t)surface;
     s->surfaces_wrong += surface && verdict == SIM_WRONG;
     s->uncovered += !ours || !truth;
-    if (ours || x == 0 || y == 0 || x == l->judge.width - 1 || y == l->judge.height - 1)
+    if (ours || x == 0 || y == 0 || x == l->truth.judge.width - 1 || y == l->truth.judge.height - 1)
         return;
     for (int k = 0; k < 9; k++)
-        if (!l->truth.id[at + (size_t)(k / 3) * (size_t)l->judge.width + (size_t)(k % 3) -
-                         (size_t)l->judge.width - 1])
+        if (!l->truth.image.id[at + (size_t)(k / 3) * (size_t)l->truth.judge.width + (size_t)(k % 3) -
+                         (size_t)l->truth.judge.width - 1])
             return;
     s->cracks++;
 }
 
 static void sum_key(struct sums *s, const struct look *l, int x, int y)
 {
-    const size_t at = (size_t)y * (size_t)l->judge.width + (size_t)x;
-    const double top = ldexp(1, l->depth.bits) - 2;
-    double off = fabs(l->ours.key[at] - fmin(fmax(l->truth.exact_key[at], 0), top));
+    const size_t at = (size_t)y * (size_t)l->truth.judge.width + (size_t)x;
+    const double top = ldexp(1, l->truth.depth.bits) - 2;
+    double off = fabs(l->ours.key[at] - fmin(fmax(l->truth.image.exact_key[at], 0), top));
     s->keys++;
     if (off > 0.5) /* speed: or nothing needs explaining */
-        off -= sim_judge_key_slack(&l->judge, l->ours.id[at], x, y);
+        off -= sim_judge_key_slack(&l->truth.judge, l->ours.id[at], x, y);
     s->key_beyond = fmax(s->key_beyond, off);
 }
 
@@ -283,10 +242,10 @@ static double texel_bound(const struct ref_triangle *t, int axis, double ratio)
 static void sum_axis(struct sums *s, const struct look *l, int x, int y, int axis, uint32_t ours,
                      uint32_t truth)
 {
-    const size_t at = (size_t)y * (size_t)l->judge.width + (size_t)x;
-    const struct ref_texture *t = l->truth.texture[at];
+    const size_t at = (size_t)y * (size_t)l->truth.judge.width + (size_t)x;
+    const struct ref_texture *t = l->truth.image.texture[at];
     const int size = axis ? t->height : t->width, clamped = axis ? t->clamp_v : t->clamp_u;
-    const double exact = (axis ? l->truth.v : l->truth.u)[at] * size;
+    const double exact = (axis ? l->truth.image.v : l->truth.image.u)[at] * size;
     const uint32_t apart = ours > truth ? ours - truth : truth - ours;
     const double off = outside(exact, exact, ours, size, clamped);
     double light[2], lo[2], hi[2];
@@ -296,15 +255,15 @@ static void sum_axis(struct sums *s, const struct look *l, int x, int y, int axi
     s->texels_differ++;
     s->texels_far += apart > 1 && (clamped || (int)apart < size - 1);
     s->texel_worst = fmax(s->texel_worst, off);
-    const double ratio = sim_judge_texture(&l->judge, l->ours.id[at], x, y, light, lo, hi);
+    const double ratio = sim_judge_texture(&l->truth.judge, l->ours.id[at], x, y, light, lo, hi);
     s->texels_wrong += outside(lo[axis], hi[axis], ours, size, clamped) >
-                       texel_bound(&l->tri[l->ours.id[at] - 1], axis, ratio);
+                       texel_bound(&l->truth.tri[l->ours.id[at] - 1], axis, ratio);
 }
 
 static void sum_texel(struct sums *s, const struct look *l, int x, int y, size_t at)
 {
-    const uint32_t ours = l->ours.texel[at] - 1, truth = l->truth.texel[at] - 1;
-    const uint32_t width = (uint32_t)l->truth.texture[at]->width;
+    const uint32_t ours = l->ours.texel[at] - 1, truth = l->truth.image.texel[at] - 1;
+    const uint32_t width = (uint32_t)l->truth.image.texture[at]->width;
     sum_axis(s, l, x, y, 0, ours % width, truth % width);
     sum_axis(s, l, x, y, 1, ours / width, truth / width);
 }
@@ -320,11 +279,11 @@ static const int most_code[3] = { 31, 63, 31 };
 /* The reference's texel, under light from as far around as snapping may reach. */
 static int texture_explains(const struct look *l, int x, int y, size_t at, const int code[3])
 {
-    const struct ref_texture *t = l->truth.texture[at];
+    const struct ref_texture *t = l->truth.image.texture[at];
     double light[2], lo[2], hi[2];
     int base[3], right = 1;
-    (void)sim_judge_texture(&l->judge, l->ours.id[at], x, y, light, lo, hi);
-    split(t->rgb565[l->truth.texel[at] - 1], base);
+    (void)sim_judge_texture(&l->truth.judge, l->ours.id[at], x, y, light, lo, hi);
+    split(t->rgb565[l->truth.image.texel[at] - 1], base);
     for (int c = 0; c < 3; c++)
         right &= code_right(code[c], fmin(base[c] * light[0], most_code[c]),
                             fmin(base[c] * light[1], most_code[c]));
@@ -336,17 +295,17 @@ static void sum_color(struct sums *s, const struct look *l, int x, int y, size_t
     int ours[3], truth[3], far = 0, right = 1;
     double lo[3], hi[3];
     split(l->ours.rgb565[at], ours);
-    split(l->truth.rgb565[at], truth);
+    split(l->truth.image.rgb565[at], truth);
     for (int c = 0; c < 3; c++)
         far += abs(ours[c] - truth[c]) > 1;
     s->colors += 3;
     s->colors_far += (uint64_t)far;
     if (!far)
         return;
-    if (l->truth.texture[at]) {
+    if (l->truth.image.texture[at]) {
         right = texture_explains(l, x, y, at, ours);
     } else {
-        sim_judge_color(&l->judge, l->ours.id[at], x, y, lo, hi);
+        sim_judge_color(&l->truth.judge, l->ours.id[at], x, y, lo, hi);
         for (int c = 0; c < 3; c++)
             right &= code_right(ours[c], lo[c], hi[c]);
     }
@@ -356,10 +315,10 @@ static void sum_color(struct sums *s, const struct look *l, int x, int y, size_t
 static void sum_up(struct sums *s, const struct look *l)
 {
     const uint64_t before = s->differ;
-    for (int y = 0; y < l->judge.height; y++)
-        for (int x = 0; x < l->judge.width; x++) {
-            const size_t at = (size_t)y * (size_t)l->judge.width + (size_t)x;
-            if (l->ours.id[at] != l->truth.id[at]) {
+    for (int y = 0; y < l->truth.judge.height; y++)
+        for (int x = 0; x < l->truth.judge.width; x++) {
+            const size_t at = (size_t)y * (size_t)l->truth.judge.width + (size_t)x;
+            if (l->ours.id[at] != l->truth.image.id[at]) {
                 sum_visible(s, l, x, y);
             } else if (l->ours.id[at]) {
                 /* texels under too little light cannot be told */
@@ -367,7 +326,7 @@ static void sum_up(struct sums *s, const struct look *l)
                 sum_key(s, l, x, y);
                 if (texel)
                     sum_texel(s, l, x, y, at);
-                if (texel == l->truth.texel[at])
+                if (texel == l->truth.image.texel[at])
                     sum_color(s, l, x, y, at);
             }
         }

@@ -4,12 +4,13 @@
  */
 #include "exact_cases.h"
 
+#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
 #include "frame.h"
 #include "error_bound.h"
-#include "prng.h"
+#include "prng_log.h"
 #include "reference.h"
 #include "sim.h"
 #include "scene_reference.h"

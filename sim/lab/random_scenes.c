@@ -8,7 +8,7 @@
 #include <string.h>
 
 #include "frame.h"
-#include "prng.h"
+#include "prng_log.h"
 #include "sim.h"
 
 #define VERTS 256

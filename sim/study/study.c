@@ -422,20 +422,11 @@ static int report(const struct study *study, enum study_effort effort, const cha
 
 static int make_folder(const char *path)
 {
-    char part[3000];
-    if (strlen(path) >= sizeof part)
-        return sim_refuse(NULL, 0, "--out: the path is too long");
-    for (size_t i = 1; i <= strlen(path); i++)
-        if (path[i] == '/' || path[i] == '\0') {
-            memcpy(part, path, i);
-            part[i] = '\0';
-            if (mkdir(part, 0777) && errno != EEXIST)
-                return sim_refuse(part, 0, "cannot make this folder: %s", strerror(errno));
-        }
     struct stat st;
-    if (stat(path, &st) || !S_ISDIR(st.st_mode))
+    const int status = sim_output_folder(path, 2999);
+    if (status == SIM_OK && (stat(path, &st) || !S_ISDIR(st.st_mode)))
         return sim_refuse(path, 0, "is not a folder; name another by --out");
-    return SIM_OK;
+    return status;
 }
 
 static int sweep(const struct study *study, const struct request *rq)
