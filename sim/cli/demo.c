@@ -41,20 +41,18 @@ struct request {
 #define AT(field) offsetof(struct request, field)
 
 static const struct sim_option table[] = {
-    { "--out", SIM_OPTION_TEXT, AT(out), 0, 0, 0, NULL },
-    { "--scene", SIM_OPTION_TEXT, AT(scenes), 0, 0, 0, NULL },
-    { "--size", SIM_OPTION_SIZE, AT(size), AT(has_size), 1, ZS_SIZE_MAX, NULL },
-    { "--strip", SIM_OPTION_COUNT, AT(strip), 0, 1, ZS_SIZE_MAX, NULL },
-    { "--subpixel", SIM_OPTION_COUNT, AT(subpixel), 0, 0, 0, "4|8" },
-    { "--start", SIM_OPTION_COUNT, AT(start), 0, 0, FRAMES_MAX, NULL },
-    { "--step", SIM_OPTION_COUNT, AT(step), 0, 1, FRAMES_MAX, NULL },
-    { "--frames", SIM_OPTION_COUNT, AT(frames), 0, 1, FRAMES_MAX, NULL },
-    { "--fast", SIM_OPTION_TEXT, AT(fast_names), 0, 0, 0, NULL },
-    { "--show", SIM_OPTION_CHOICE, AT(show), 0, 0, 0, SIM_SHOW_WORDS },
+    { "--out", SIM_OPTION_TEXT, AT(out) }, { "--scene", SIM_OPTION_TEXT, AT(scenes) },
+    { "--size", SIM_OPTION_SIZE, AT(size), AT(has_size), 1, ZS_SIZE_MAX },
+    { "--strip", SIM_OPTION_COUNT, AT(strip), 0, 1, ZS_SIZE_MAX },
+    { "--subpixel", SIM_OPTION_COUNT, AT(subpixel), .words = "4|8" },
+    { "--start", SIM_OPTION_COUNT, AT(start), 0, 0, FRAMES_MAX },
+    { "--step", SIM_OPTION_COUNT, AT(step), 0, 1, FRAMES_MAX },
+    { "--frames", SIM_OPTION_COUNT, AT(frames), 0, 1, FRAMES_MAX },
+    { "--fast", SIM_OPTION_TEXT, AT(fast_names) },
+    { "--show", SIM_OPTION_CHOICE, AT(show), .words = SIM_SHOW_WORDS },
     SIM_PANEL_OPTIONS(struct request, panel),
-    { "--raw", SIM_OPTION_FLAG, AT(raw), 0, 0, 0, NULL },
-    { "--help", SIM_OPTION_FLAG, AT(help), 0, 0, 0, NULL },
-    { "-h", SIM_OPTION_FLAG, AT(help), 0, 0, 0, NULL },
+    { "--raw", SIM_OPTION_FLAG, AT(raw) },
+    SIM_HELP_OPTIONS(AT(help)),
 };
 
 #define N_TABLE (sizeof table / sizeof table[0])

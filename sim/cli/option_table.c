@@ -34,6 +34,7 @@ static int take_value(const struct sim_option *opt, const char *text, void *to)
     int word;
     switch (opt->kind) {
     case SIM_OPTION_FILE:
+    case SIM_OPTION_PATH:
     case SIM_OPTION_TEXT:
         *(const char **)to = text;
         return text[0] != '\0';
@@ -60,7 +61,8 @@ static int take_value(const struct sim_option *opt, const char *text, void *to)
 static const char *wanted(const struct sim_option *opt)
 {
     static const char *const names[] = {
-        [SIM_OPTION_FILE] = "a file name",     [SIM_OPTION_TEXT] = "a name",
+        [SIM_OPTION_FILE] = "a file name",     [SIM_OPTION_PATH] = "a file or folder",
+        [SIM_OPTION_TEXT] = "a name",
         [SIM_OPTION_SIZE] = "WIDTHxHEIGHT",    [SIM_OPTION_COUNT] = "a whole number",
         [SIM_OPTION_NUMBER] = "a number",      [SIM_OPTION_VECTOR] = "numbers x,y,z",
         [SIM_OPTION_RGB] = "a colour RRGGBB",  [SIM_OPTION_CHOICE] = "a word",

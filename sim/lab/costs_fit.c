@@ -286,20 +286,15 @@ struct request {
 
 #define AT(field) offsetof(struct request, field)
 static const struct sim_option table[] = {
-    { "--m0", SIM_OPTION_FILE, AT(files[SIM_CORE_M0]), 0, 0, 0, NULL },
-    { "--m3", SIM_OPTION_FILE, AT(files[SIM_CORE_M3]), 0, 0, 0, NULL },
-    { "--m4", SIM_OPTION_FILE, AT(files[SIM_CORE_M4]), 0, 0, 0, NULL },
-    { "--m7", SIM_OPTION_FILE, AT(files[SIM_CORE_M7]), 0, 0, 0, NULL },
-    { "--rv32", SIM_OPTION_FILE, AT(files[SIM_CORE_RV32]), 0, 0, 0, NULL },
-    { "--rp2040", SIM_OPTION_FILE, AT(files[SIM_CORE_RP2040]), 0, 0, 0, NULL },
-    { "--error", SIM_OPTION_FILE, AT(error), 0, 0, 0, NULL },
-    { "--scene", SIM_OPTION_TEXT, AT(scene), 0, 0, 0, NULL },
-    { "--bar", SIM_OPTION_NUMBER, AT(bar), 0, 0, 1000, NULL },
-    { "--drift", SIM_OPTION_NUMBER, AT(drift), AT(has_drift), 0, 1000, NULL },
-    { "--header", SIM_OPTION_FLAG, AT(header), 0, 0, 0, NULL },
-    { "--probes", SIM_OPTION_FLAG, AT(probes), 0, 0, 0, NULL },
-    { "--help", SIM_OPTION_FLAG, AT(help), 0, 0, 0, NULL },
-    { "-h", SIM_OPTION_FLAG, AT(help), 0, 0, 0, NULL },
+    { "--m0", SIM_OPTION_FILE, AT(files[SIM_CORE_M0]) }, { "--m3", SIM_OPTION_FILE, AT(files[SIM_CORE_M3]) },
+    { "--m4", SIM_OPTION_FILE, AT(files[SIM_CORE_M4]) }, { "--m7", SIM_OPTION_FILE, AT(files[SIM_CORE_M7]) },
+    { "--rv32", SIM_OPTION_FILE, AT(files[SIM_CORE_RV32]) },
+    { "--rp2040", SIM_OPTION_FILE, AT(files[SIM_CORE_RP2040]) }, { "--error", SIM_OPTION_FILE, AT(error) },
+    { "--scene", SIM_OPTION_TEXT, AT(scene) },
+    { "--bar", SIM_OPTION_NUMBER, AT(bar), 0, 0, 1000 },
+    { "--drift", SIM_OPTION_NUMBER, AT(drift), AT(has_drift), 0, 1000 },
+    { "--header", SIM_OPTION_FLAG, AT(header) }, { "--probes", SIM_OPTION_FLAG, AT(probes) },
+    SIM_HELP_OPTIONS(AT(help)),
 };
 #define N_TABLE (sizeof table / sizeof table[0])
 

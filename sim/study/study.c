@@ -63,16 +63,12 @@ struct request {
 
 #define AT(field) offsetof(struct request, field)
 static const struct sim_option table[] = {
-    { "--out", SIM_OPTION_TEXT, AT(out), 0, 0, 0, NULL },
-    { "--shard", SIM_OPTION_TEXT, AT(shard), 0, 0, 0, NULL },
-    { "--counts", SIM_OPTION_TEXT, AT(counts), 0, 0, 0, NULL },
-    { "--quick", SIM_OPTION_FLAG, AT(quick), 0, 0, 0, NULL },
-    { "--full", SIM_OPTION_FLAG, AT(full), 0, 0, 0, NULL },
-    { "--redo", SIM_OPTION_FLAG, AT(redo), 0, 0, 0, NULL },
-    { "--settings", SIM_OPTION_FLAG, AT(settings), 0, 0, 0, NULL },
-    { "--run", SIM_OPTION_COUNT, AT(run), AT(has_run), 0, 1000000, NULL },
-    { "--help", SIM_OPTION_FLAG, AT(help), 0, 0, 0, NULL },
-    { "-h", SIM_OPTION_FLAG, AT(help), 0, 0, 0, NULL },
+    { "--out", SIM_OPTION_TEXT, AT(out) }, { "--shard", SIM_OPTION_TEXT, AT(shard) },
+    { "--counts", SIM_OPTION_TEXT, AT(counts) }, { "--quick", SIM_OPTION_FLAG, AT(quick) },
+    { "--full", SIM_OPTION_FLAG, AT(full) }, { "--redo", SIM_OPTION_FLAG, AT(redo) },
+    { "--settings", SIM_OPTION_FLAG, AT(settings) },
+    { "--run", SIM_OPTION_COUNT, AT(run), AT(has_run), 0, 1000000 },
+    SIM_HELP_OPTIONS(AT(help)),
 };
 #define N_TABLE (sizeof table / sizeof table[0])
 
