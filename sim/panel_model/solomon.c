@@ -139,11 +139,7 @@ void solomon_window(struct pm_model *m, int is_row, uint8_t from, uint8_t to, in
 {
     struct solomon *s = m->state;
     s->moved = 1;
-    if (from > to)
-        pm_note(m, PM_WINDOW, s->now_at, "%s from %d to %d ends before it starts", s->now->name, from, to);
-    else if (to >= limit)
-        pm_note(m, PM_WINDOW, s->now_at, "%s from %d to %d reaches out of the RAM, which ends at %d", s->now->name,
-                from, to, limit - 1);
+    pm_check_window(m, s->now_at, s->now->name, from, to, limit);
     const uint8_t bits = (uint8_t)(limit <= 8 ? 7 : limit <= 64 ? 63 : 127); /* the registers have no more */
     if (is_row) {
         s->y0 = from & bits;
