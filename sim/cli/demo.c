@@ -22,7 +22,7 @@
 #include "false_colors.h"
 #include "sim.h"
 #include "texel_numbers.h"
-#include "scene_reference.h"
+#include "truth.h"
 
 #define SHEET_COLUMNS 4
 #define FRAMES_MAX 65535 /* of a scene, uint16_t */

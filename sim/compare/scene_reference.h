@@ -5,7 +5,6 @@
 #ifndef SIM_SCENE_REFERENCE_H
 #define SIM_SCENE_REFERENCE_H
 
-#include "error_bound.h"
 #include "reference.h"
 #include "zstrip.h"
 
@@ -23,21 +22,5 @@ int sim_truth_mapping(const struct zs_depth *depth, const struct zs_camera *came
 /* The camera of a frame of height px, and the light. */
 void sim_truth_camera(struct ref_camera *out, const struct zs_camera *camera);
 void sim_truth_light(struct ref_light *out, const struct zs_light *light, const struct zs_camera *camera);
-
-/* A frame as the reference draws it, and what it was drawn with. Points into itself: keep it where it is. */
-struct sim_truth {
-    struct ref_triangle *tri;
-    size_t n_tris;
-    struct ref_camera camera;
-    struct ref_light light;
-    struct ref_depth depth;
-    struct ref_image image; /* all that there is of it */
-    struct sim_judge judge;
-};
-
-/* SIM_OK, or what ref_render says; sim_truth_free is due in either case. */
-int sim_truth_draw(struct sim_truth *t, const struct zs_scene *scene, const struct zs_camera *camera,
-                   const struct zs_config *config);
-void sim_truth_free(struct sim_truth *t);
 
 #endif

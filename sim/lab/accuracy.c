@@ -20,7 +20,7 @@
 #include "scenes.h"
 #include "sim.h"
 #include "texel_numbers.h"
-#include "scene_reference.h"
+#include "truth.h"
 
 #define KEY_BOUND 0.505 /* buckets, for width + height <= 640 */
 

@@ -13,7 +13,7 @@
 #include "error_bound.h"
 #include "sim.h"
 #include "texel_numbers.h"
-#include "scene_reference.h"
+#include "truth.h"
 
 const struct study_mapping study_mapping[STUDY_MAPPINGS] = {
     { "recip", &zs_depth_recip, "#d62728" }, { "linear", &zs_depth_linear, "#8c8c8c" },
