@@ -20,7 +20,6 @@
 /* Every row by every strip height, without a division. */
 static void rows_have_their_strips(void **state)
 {
-    (void)state;
     static uint32_t arena[200000];
     for (uint32_t h = 1; h <= ZS_SIZE_MAX; h++) {
         struct zs_renderer r;
@@ -327,7 +326,6 @@ static int room_case(uint64_t seed)
 
 static void room_is_made_from_below(void **state)
 {
-    (void)state;
     dropped_tris = no_room = 0;
     memset(bands, 0, sizeof bands);
     CASES(room_case, 6000);

@@ -167,7 +167,6 @@ static int extreme_case(uint64_t seed)
 
 static void smooth_is_perspective_correct(void **state)
 {
-    (void)state;
     CASES(mild_case, 400);
     tally_print("smooth, w ratio 1.3");
     CASES(strong_case, 700);
@@ -338,7 +337,6 @@ static int flat_case(uint64_t seed)
 
 static void flat_colours_against_doubles(void **state)
 {
-    (void)state;
     CASES(flat_case, 150);
     assert_true(psnr() >= 50);
     tally_print("flat");
@@ -422,7 +420,6 @@ static int smooth_case(uint64_t seed)
 
 static void smooth_colours_against_doubles(void **state)
 {
-    (void)state;
     CASES(smooth_case, 150);
     assert_true(psnr() >= 50);
     tally_print("smooth scenes");
@@ -431,7 +428,6 @@ static void smooth_colours_against_doubles(void **state)
 /* Raw colours leave as they are, most significant byte first; RGB565 is the nearest there is. */
 static void raw_colours_are_exact(void **state)
 {
-    (void)state;
     for (int v = 0; v < 256; v++) {
         const int got = zs_rgb565((uint8_t)v, (uint8_t)v, (uint8_t)v);
         for (int c = 0; c < 3; c++)

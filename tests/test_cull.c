@@ -233,7 +233,6 @@ static int clusters_of(uint64_t seed)
 
 static void clusters_change_no_bit(void **state)
 {
-    (void)state;
     memset(&reached, 0, sizeof reached);
     CASES(clusters_of, 6000);
     printf(
@@ -350,7 +349,6 @@ static int bounds_case(uint64_t seed)
 
 static void a_center_is_as_exact_as_its_slack(void **state)
 {
-    (void)state;
     most_off = 0;
     CASES(bounds_case, 4000);
     printf("off by up to %lu / 65536 of the slack\n", (unsigned long)most_off);

@@ -221,7 +221,6 @@ static int float_case(uint64_t seed)
 
 static void float_keys_against_exact_arithmetic(void **state)
 {
-    (void)state;
     pixels_compared = 0;
     worst_small = worst_big = 0;
     CASES(float_case, 3600);
@@ -244,7 +243,6 @@ static int float_big_case(uint64_t seed)
 
 static void float_keys_in_big_frames(void **state)
 {
-    (void)state;
     worst_big = 0;
     CASES(float_big_case, 48);
     print_message("float keys in frames up to 4096 px: off by at most %.5f buckets\n", worst_big);
@@ -280,7 +278,6 @@ static int boundary_case(uint64_t seed)
 
 static void octave_boundaries_on_samples(void **state)
 {
-    (void)state;
     worst_small = 0;
     CASES(boundary_case, 600);
     print_message("octave boundaries on samples: off by at most %.5f buckets\n", worst_small);
@@ -290,7 +287,6 @@ static void octave_boundaries_on_samples(void **state)
  * bits although nothing asks for it (UBSan). */
 static void the_steepest_step_of_a_pixel(void **state)
 {
-    (void)state;
     struct easel s = easel_default(64, 48);
     struct easel_tri t = { { -100, 154, -100 }, { 100, 100, 2100 }, { 0xfeffffffu, 0xa0000000u, 0xa0000000u } };
     s.depth = &zs_depth_e3m13;
@@ -301,7 +297,6 @@ static void the_steepest_step_of_a_pixel(void **state)
 
 static void the_float_oracle_agrees_with_the_definition(void **state)
 {
-    (void)state;
     for (int e = 3; e <= 5; e++)
         for (int bits = 8; bits <= 16; bits++) {
             const struct oracle_float f = { e, bits };
@@ -415,7 +410,6 @@ static int pipeline_case(uint64_t seed)
 
 static void keys_of_clipped_triangles_under_all_mappings(void **state)
 {
-    (void)state;
     pixels_compared = 0;
     worst_pipeline = 0;
     CASES(pipeline_case, 3000);
@@ -530,7 +524,6 @@ static int layers_case(uint64_t seed)
 
 static void stress_19_layers_at_1_01_buckets_under_all_mappings(void **state)
 {
-    (void)state;
     pairs_swapped = pairs_drawn = 0;
     CASES(layers_case, 4000);
     print_message(
@@ -653,7 +646,6 @@ static int pair_case(uint64_t seed)
 
 static void stress_19_20_pairs_of_any_planes_under_all_mappings(void **state)
 {
-    (void)state;
     pairs_swapped = pairs_drawn = 0;
     CASES(pair_case, 500);
     print_message(
@@ -760,7 +752,6 @@ static int state_crowd_case(uint64_t seed)
 
 static void states_one_triangle_after_another(void **state)
 {
-    (void)state;
     pixels_compared = 0;
     CASES(state_crowd_case, 120);
     print_message("states: %llu pixels compared\n", (unsigned long long)pixels_compared);
@@ -855,7 +846,6 @@ static int slope_case(uint64_t seed)
 
 static void offsets_and_slopes_in_buckets(void **state)
 {
-    (void)state;
     slopes_seen = 0;
     worst_slope = 0;
     CASES(slope_case, 1500);
@@ -1009,7 +999,6 @@ static int any_float_case(uint64_t seed)
 /* What keys alone say of 1/z, by which colours and texels are taken to be affine: never less than it changes. */
 static void keys_bound_how_much_w_changes(void **state)
 {
-    (void)state;
     static const struct zs_depth *const depths[] = { &zs_depth_e3m13, &zs_depth_e4m12, &zs_depth_e5m11 };
     static const struct zs_scene scene = { .light = { .dir = { 0, 0, ZS_Q30_ONE } } };
     static uint32_t arena[20000];
@@ -1042,7 +1031,6 @@ static void keys_bound_how_much_w_changes(void **state)
 
 static void float_takes_the_bits_that_far_asks_for(void **state)
 {
-    (void)state;
     CASES(any_float_case, 300);
     struct zs_scene none = { .n_instances = 0 };
     struct zs_camera ortho;
@@ -1143,7 +1131,6 @@ static void octaves_within_a_pixel(void **state)
                                               .cull = ZS_CULL_NONE };
     static const struct zs_depth *const mapping[] = { &zs_depth_float, &zs_depth_e3m13, &zs_depth_e4m12,
                                                       &zs_depth_e5m11 };
-    (void)state;
     for (int m = 0; m < 4; m++) {
         const struct zs_config config = picture_config(64, 64, mapping[m]);
         struct zs_instance in = { .mesh = &mesh, .material = &white };

@@ -43,7 +43,6 @@ static void a_sky_is_a_function_of_the_row(void **state)
     static const char *const rows[] = {
         "dddddddddddddddddd############dddddddddddddddddd", "eeeeeeeeeeeeeeeee##############eeeeeeeeeeeeeeeee",
     };
-    (void)state;
     static struct panel p;
     const struct zs_sink sink = { .submit = take, .ctx = &p };
     assert_int_equal(example_gradient_sky(0, &sink), ZS_OK);
@@ -70,7 +69,6 @@ static void a_counter_costs_its_rectangle(void **state)
         "...................................#.#..#..#....", "...................................###.###.###..",
         "................................................",
     };
-    (void)state;
     static struct panel p;
     const struct zs_sink sink = { .submit = take, .ctx = &p };
     assert_int_equal(example_frame_counter(0, &sink), ZS_OK);
@@ -105,7 +103,6 @@ static void a_shader_of_the_users(void **state)
         "........##...###................####..##........",
         "........##..####................####..##........",
     };
-    (void)state;
     static struct panel p;
     const struct zs_sink sink = { .submit = take, .ctx = &p };
     assert_int_equal(example_user_shader(0, &sink), ZS_OK);
@@ -130,7 +127,6 @@ static void two_pictures_in_one_frame(void **state)
         "rrrrrrrrrrrrrrrrr.....bb.......wwwwwwwwwwwwwwwww",
         "rrrrrrrrrrrrrrrrr.....bb.......wwwwwwwwwwwwwwwww",
     };
-    (void)state;
     static struct panel p;
     const struct zs_sink sink = { .submit = take, .ctx = &p };
     assert_int_equal(example_split_screen(0, &sink), ZS_OK);
@@ -146,7 +142,6 @@ static void without_depth_memory(void **state)
         ".........rrrrrrrrgggggggggbbbbbbbbbbbbbbbb......",
         ".........rrrrrrrrgggggggggbbbbbbbbbbbbbbbb......",
     };
-    (void)state;
     static struct panel p;
     const struct zs_sink sink = { .submit = take, .ctx = &p };
     assert_int_equal(example_no_depth(0, &sink), ZS_OK);

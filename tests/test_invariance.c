@@ -179,7 +179,6 @@ static const uint16_t heights[] = { 1, 2, 3, 5, 8, 16, 70 };
 
 static void stress_21_any_strip_height(void **state)
 {
-    (void)state;
     for (size_t s = 0; s < N_SETS; s++) {
         sets[s]();
         struct picture plain = drawn(&set.config);
@@ -216,7 +215,6 @@ static const struct pools pools[] = {
 
 static void any_pool_down_to_one_triangle(void **state)
 {
-    (void)state;
     uint32_t most_passes = 0;
     for (size_t s = 0; s < N_SETS; s++) {
         sets[s]();
@@ -253,7 +251,6 @@ static const struct zs_fast *const *list_of(uint32_t k, char name[40])
 
 static void stress_26_each_accelerator_on_or_off(void **state)
 {
-    (void)state;
     for (size_t s = 0; s < N_SETS; s++) {
         sets[s]();
         struct zs_config core = set.config;
@@ -402,7 +399,6 @@ static int random_case(uint64_t seed)
 
 static void stress_26_random_scenes_by_any_accelerators(void **state)
 {
-    (void)state;
     memset(used, 0, sizeof used);
     CASES(random_case, 150);
     for (unsigned k = 0; k < FAST_COUNT; k++)
@@ -470,7 +466,6 @@ static int catch_submit(void *ctx, const struct zs_strip *s)
 /* Junk in the arena and the renderer, canaries on both sides, three frames one after another. */
 static void junk_in_memory(void **state)
 {
-    (void)state;
     for (size_t s = 0; s < N_SETS; s++) {
         uint64_t sums[6];
         for (int n = 0; n < 6; n++) {
@@ -510,7 +505,6 @@ static void junk_in_memory(void **state)
 /* Two renderers, their strips interleaved. */
 static void two_renderers_side_by_side(void **state)
 {
-    (void)state;
     lit_set();
     struct zs_config c[2] = { set.config, set.config };
     c[0].strip_h = 7;

@@ -246,7 +246,6 @@ static int manners(uint64_t number)
 
 static void light_sleep_and_turning(void **state)
 {
-    (void)state;
     char name[32];
     unsigned modules = 0;
     while (nth_module(modules, name))
@@ -257,7 +256,6 @@ static void light_sleep_and_turning(void **state)
 /* The bus itself: what it must not let pass. */
 static void cruel_bus(void **state)
 {
-    (void)state;
     static _Alignas(4) uint8_t two[2] = { 0x12, 0x34 };
     assert_true(pm_glass_named(&s.glass, "st7789:240x240"));
     struct pm_model *m = pm_new(&s.glass);

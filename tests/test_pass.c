@@ -221,7 +221,6 @@ static const struct zs_shader place = { .fragment = place_fragment, ZS_FRAGMENTS
 
 static void place_fill(void *ctx, uint16_t *out, uint16_t x, uint16_t y, uint16_t n)
 {
-    (void)ctx;
     for (uint16_t k = 0; k < n; k++)
         out[k] = (uint16_t)((x + k) << 8 | y);
 }
@@ -252,7 +251,6 @@ static void places_are_of_the_frame(void **state)
                                   { .draw = place_draw, .ctx = &pixels[1] } };
     struct zs_instance instance = { .mesh = &mesh, .material = &material };
     struct zs_camera camera;
-    (void)state;
     zs_pose_identity(&instance.pose);
     instance.pose.pos[2] = -20;
     assert_int_equal(zs_camera_orthographic(&camera, 24, 1, 100), ZS_OK);
@@ -299,7 +297,6 @@ static void wrong_passes_are_refused(void **state)
     static uint32_t arena[9000], track[ZS_DAMAGE_WORDS(4, 30, 8)];
     static struct world w;
     struct prng p = { 7 };
-    (void)state;
     world_anywhere(&w, &p);
     w.camera.projection = ZS_PERSPECTIVE;
     struct zs_config c = plain_config(40, 30, &zs_depth_linear);
@@ -361,7 +358,6 @@ static void instances_of_all_passes_are_counted(void **state)
     static const struct zs_mesh mesh = { .scale = ZS_Q16_ONE };
     static const struct zs_material material = { .shader = &zs_shade_raw };
     struct zs_config c = plain_config(40, 30, &zs_depth_linear);
-    (void)state;
     c.max_tris = c.max_verts = 100;
     for (size_t k = 0; k < 40000; k++) {
         many[k] = (struct zs_instance){ .mesh = &mesh, .material = &material };
@@ -387,7 +383,6 @@ static void a_plain_frame_after_passes(void **state)
     static struct zs_pass_memory memory[2];
     static uint32_t arena[60000];
     static struct world w;
-    (void)state;
     for (uint64_t seed = 1; seed < 20; seed++) {
         struct prng p = { seed };
         world_anywhere(&w, &p);

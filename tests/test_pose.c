@@ -20,7 +20,6 @@ static double q30(int64_t v)
 
 static void sine_and_cosine_of_every_angle(void **state)
 {
-    (void)state;
     double worst = 0;
     for (uint32_t a = 0; a < 65536; a++) {
         const double s = fabs(q30(zs_sin((zs_turn)a)) - sin(a * TURN));
@@ -60,7 +59,6 @@ static int unit_case(uint64_t seed)
 
 static void unit_vectors(void **state)
 {
-    (void)state;
     CASES(unit_case, 2000);
     const int32_t none[3] = { 0, 0, 0 };
     zs_q2_30 out[3] = { 1, 2, 3 };
@@ -140,7 +138,6 @@ static int turn_case(uint64_t seed)
 
 static void pose_turn_is_yaw_pitch_roll(void **state)
 {
-    (void)state;
     pose_worst = 0;
     CASES(turn_case, 20000);
     print_message("zs_pose_turn: off by at most 2^-27 * %.3f\n", pose_worst * 0x1p27);
@@ -178,7 +175,6 @@ static int rotate_case(uint64_t seed)
 
 static void pose_rotate_by_any_angle(void **state)
 {
-    (void)state;
     pose_worst = 0;
     CASES(rotate_case, 20000);
     print_message("zs_pose_rotate, once: off by at most 2^-27 * %.3f\n", pose_worst * 0x1p27);
@@ -186,7 +182,6 @@ static void pose_rotate_by_any_angle(void **state)
 
 static void pose_rotate_by_half_a_turn(void **state)
 {
-    (void)state;
     struct zs_pose pose;
     for (int n = 0; n < 27; n++) {
         const int32_t axis[3] = { n % 3 - 1, n / 3 % 3 - 1, n / 9 - 1 };
@@ -359,7 +354,6 @@ static void drift_of_frames(const struct frame *f, size_t count, uint32_t n)
  * rounding could lose in the same way for ever), and the worst that was found in a search. */
 static void stress_17_drift_of_a_million_rotations(void **state)
 {
-    (void)state;
     static const struct frame frames[] = {
         { { { { 1, 2, 3 }, 4099 } }, 1 },
         { { { { 0, 1, 0 }, 300 }, { { 1, 0, 0 }, 200 }, { { 30000, -1, 7 }, 65435 } }, 3 },
@@ -373,7 +367,6 @@ static void stress_17_drift_of_a_million_rotations(void **state)
  * nearest, or drawn from the pose's bits without a count. */
 static void stress_17_drift_of_many_axes(void **state)
 {
-    (void)state;
     static const struct frame frames[] = {
         { { { { 0, 1, 0 }, 8192 } }, 1 },
         { { { { 0, 1, 0 }, 1 } }, 1 },
@@ -443,7 +436,6 @@ static int search_case(uint64_t seed)
 
 static void stress_17_drift_searched(void **state)
 {
-    (void)state;
     skew_worst = 0;
     CASES(search_case, full_stress() ? 400 : 8);
 }
@@ -452,7 +444,6 @@ static void stress_17_drift_searched(void **state)
  * been there: whatever is lost by a rounding is not lost again and again. */
 static void poses_do_not_come_round(void **state)
 {
-    (void)state;
     static uint8_t seen[32768];
     static const int32_t axis[2][3] = { { -1, 0, 6 }, { 0, 1, 0 } };
     static const zs_turn angle[2] = { 14, 32768 };
@@ -472,7 +463,6 @@ static void poses_do_not_come_round(void **state)
 /* What lies along the axes stays there, exactly, if it is turned by quarters. */
 static void quarter_turns_are_exact(void **state)
 {
-    (void)state;
     struct prng p = { 17 };
     struct zs_pose pose;
     zs_pose_identity(&pose);
@@ -627,7 +617,6 @@ static int look_case(uint64_t seed)
 
 static void look_at_against_doubles(void **state)
 {
-    (void)state;
     look_worst = 0;
     CASES(look_case, 20000);
     print_message("look-at, up at any angle above 2^-19: off by at most 2^-27 * %.3f\n",
@@ -675,7 +664,6 @@ static int focal_case(uint64_t seed)
 
 static void cameras_refused_by_name(void **state)
 {
-    (void)state;
     struct zs_camera c;
     memset(&c, 0x5a, sizeof c);
     const struct zs_camera before = c;
@@ -778,7 +766,6 @@ static int light_case(uint64_t seed)
 
 static void light_intensity_against_doubles(void **state)
 {
-    (void)state;
     light_worst = 0;
     CASES(light_case, 2000);
     print_message("light: off by at most 2^-16 * %.3f\n", light_worst * 0x1p16);

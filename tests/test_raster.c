@@ -309,7 +309,6 @@ static int one_triangle(uint64_t seed)
 
 static void coverage_and_keys_of_single_triangles(void **state)
 {
-    (void)state;
     pixels_compared = at_once = setups = 0;
     worst_error = worst_big = 0;
     CASES(one_triangle, 4000);
@@ -338,7 +337,6 @@ static int big_frame(uint64_t seed)
 
 static void coverage_and_keys_in_big_frames(void **state)
 {
-    (void)state;
     worst_big = 0;
     CASES(big_frame, 32);
     print_message("frames up to 4096 px: keys off by at most %.5f buckets\n", worst_big);
@@ -478,7 +476,6 @@ static int least_gradient_case(uint64_t seed)
 
 static void gradients_to_the_last_bit(void **state)
 {
-    (void)state;
     worst_error = 0;
     CASES(gradient_case, 200000);
     CASES(least_gradient_case, 20000);
@@ -546,7 +543,6 @@ static int linear_triangle(uint64_t seed)
 
 static void linear_keys_under_perspective(void **state)
 {
-    (void)state;
     worst_error = worst_big = 0;
     CASES(linear_triangle, 700);
     print_message("linear keys, far / near 2 to 16384: off by at most %.5f buckets\n",
@@ -601,7 +597,6 @@ static int crowd_case(uint64_t seed)
 
 static void least_key_then_scene_order(void **state)
 {
-    (void)state;
     pixels_compared = 0;
     CASES(crowd_case, 60);
     print_message("crowds: %llu pixels compared\n", (unsigned long long)pixels_compared);
@@ -766,7 +761,6 @@ static int shared_case(uint64_t seed)
 
 static void shared_edges_hit_every_pixel_once(void **state)
 {
-    (void)state;
     pixels_compared = 0;
     CASES(shared_case, 150);
     print_message("shared edges: %llu pixels inside, each hit once\n",
@@ -858,7 +852,6 @@ static const struct drawing drawings[] = {
 
 static void triangles_drawn_by_hand(void **state)
 {
-    (void)state;
     for (size_t n = 0; n < sizeof drawings / sizeof drawings[0]; n++)
         for (int turn = 0; turn < 6; turn++) { /* every order of the corners */
             const struct drawing *d = &drawings[n];
@@ -890,7 +883,6 @@ static void triangles_drawn_by_hand(void **state)
 
 static void keys_saturate_and_never_wrap(void **state)
 {
-    (void)state;
     for (int bits = 8; bits <= 16; bits++) {
         struct easel s = easel_default(320, 240);
         s.depth_bits = bits;
@@ -976,7 +968,6 @@ static int crossed_edges_case(uint64_t seed)
  * sub-pixel of a sample, or of a sample and its neighbours, in all orders. */
 static void others_division_by_a_tiny_area(void **state)
 {
-    (void)state;
     struct prng p = { 1 };
     struct easel s = easel_default(3, 2);
     uint32_t n_zero = 0, n_one = 0, drawn = 0;

@@ -147,7 +147,6 @@ static int straight_case(uint64_t seed)
 
 static void stress_04_zero_area_and_duplicate_vertices(void **state)
 {
-    (void)state;
     struct prng p = { 4 };
     for (int n = 0; n < 200; n++) {
         int16_t pos[3][3] = { { 0 } };
@@ -397,7 +396,6 @@ static int nonagon_case(uint64_t seed)
 
 static void stress_14_26_directions_by_1_2_3_vertices(void **state)
 {
-    (void)state;
     looked = (struct looked){ 0, 0, 0 };
     CASES(direction_case, 26 * 7 * 24);
     CASES(nonagon_case, 300);
@@ -682,7 +680,6 @@ static int mesh_case(uint64_t seed)
 
 static void stress_01_shared_edge_mesh(void **state)
 {
-    (void)state;
     plane_pixels = 0;
     CASES(mesh_case, 120);
     print_message("shared-edge meshes: %llu pixels, each hit once\n",
@@ -737,7 +734,6 @@ static int fan_case(uint64_t seed)
 
 static void stress_02_fans_clipped_or_not(void **state)
 {
-    (void)state;
     plane_pixels = 0;
     CASES(fan_case, 200);
     print_message("fans: %llu pixels, each hit once\n", (unsigned long long)plane_pixels);
@@ -923,7 +919,6 @@ static int folded_case(uint64_t seed)
 
 static void folded_polygons_face_as_they_did(void **state)
 {
-    (void)state;
     folded = 0;
     CASES(folded_case, 20000);
     print_message("%llu polygons whose sides cross\n", (unsigned long long)folded);
@@ -996,7 +991,6 @@ static int seam_vertex_case(uint64_t seed)
 
 static void stress_15_seam_cut_by_the_clip(void **state)
 {
-    (void)state;
     plane_pixels = triangles_cut = 0;
     CASES(seam_case, 200);
     CASES(tiny_polygon_case, 400);
@@ -1074,7 +1068,6 @@ static int ends_case(uint64_t seed)
 
 static void stress_08_coordinates_at_the_ends(void **state)
 {
-    (void)state;
     ends_drawn = ends_refused = 0;
     CASES(ends_case, 40000);
     print_message("ends of the ranges: %u frames with pixels, %u refused by name\n", ends_drawn,
@@ -1144,7 +1137,6 @@ static int scale_case(uint64_t seed)
 
 static void stress_16_matrix_scale_2_to_15(void **state)
 {
-    (void)state;
     CASES(scale_case, 31 * 8);
     print_message("scales 2^-15 to 2^15: %u drawn and compared, %u refused by name\n", scales_drawn, scales_refused);
 }
@@ -1330,7 +1322,6 @@ static int huge_case(uint64_t seed)
 
 static void others_overflow_that_loops_for_ever(void **state)
 {
-    (void)state;
     looked = (struct looked){ 0, 0, 0 };
     CASES(huge_case, 1500);
     print_message("huge triangles: %llu pixels compared, %llu too close to an edge to tell\n",

@@ -358,7 +358,6 @@ static int border_case(uint64_t seed)
 
 static void less_than_a_texel(void **state)
 {
-    (void)state;
     memset(&tally, 0, sizeof tally);
     CASES(border_case, 300);
     tally_print("less than a texel");
@@ -372,7 +371,6 @@ static void texels_by_ratio_of_w(void **state)
     } ratios[] = { { ratio_1, "w ratio 1" },   { ratio_2, "w ratio 2" },
                    { ratio_4, "w ratio 4" },   { ratio_8, "w ratio 8" },
                    { ratio_16, "w ratio 16" }, { ratio_1000, "w ratio 1000" } };
-    (void)state;
     for (size_t n = 0; n < sizeof ratios / sizeof ratios[0]; n++) {
         memset(&tally, 0, sizeof tally);
         cases_run(__func__, ratios[n].fn, 300);
@@ -399,7 +397,6 @@ static int half_texel_case(uint64_t seed)
 
 static void stress_27_uv_at_a_w_ratio_of_16(void **state)
 {
-    (void)state;
     memset(&tally, 0, sizeof tally);
     CASES(half_texel_case, 800);
     tally_print("stress 27, w ratio 16");
@@ -422,7 +419,6 @@ static int size_case(uint64_t seed)
 
 static void sizes_from_1_to_1024(void **state)
 {
-    (void)state;
     memset(&tally, 0, sizeof tally);
     CASES(size_case, 121 * 3);
     tally_print("all sizes");
@@ -505,7 +501,6 @@ static int aligned_case(uint64_t seed)
 
 static void repeat_and_clamp_to_the_texel(void **state)
 {
-    (void)state;
     memset(&tally, 0, sizeof tally);
     CASES(aligned_case, 1500);
     print_message("aligned: %llu coordinates, all in the right texel\n",
@@ -613,7 +608,6 @@ static int smooth_light_case(uint64_t seed)
 
 static void light_over_a_texture_against_doubles(void **state)
 {
-    (void)state;
     memset(&colors, 0, sizeof colors);
     CASES(smooth_light_case, 900);
     colors_print("smooth light over texels");
@@ -688,7 +682,6 @@ static int moved_case(uint64_t seed)
 
 static void moved_by_whole_pixels_the_same_texels(void **state)
 {
-    (void)state;
     memset(&tally, 0, sizeof tally);
     CASES(moved_case, 600);
     print_message("moved: %llu pixels, all of the same texel\n",
@@ -746,7 +739,6 @@ static int mirrored_case(uint64_t seed)
 
 static void mirrored_the_same_texels(void **state)
 {
-    (void)state;
     memset(&tally, 0, sizeof tally);
     CASES(mirrored_case, 400);
     print_message("mirrored: %llu coordinates, %.3f %% in the texel beside\n",
@@ -836,7 +828,6 @@ static int format_case(uint64_t seed)
 /* Gradients of coordinates are products rounded once, and those that do not fit are refused. */
 static void texel_gradients_are_rounded_once(void **state)
 {
-    (void)state;
     struct prng p = { 3 };
     uint32_t refused = 0;
     for (int i = 0; i < 200000; i++) {
@@ -945,7 +936,6 @@ static int small_case(uint64_t seed)
 
 static void small_ones_in_one_go_the_same(void **state)
 {
-    (void)state;
     CASES(small_case, 1500);
     print_message("%llu of %llu in one go\n", (unsigned long long)small_at_once, (unsigned long long)small_setups);
     assert_true(small_at_once > small_setups / 10);
@@ -1047,7 +1037,6 @@ static int ground_case(uint64_t seed)
 
 static void clipped_at_near_u_and_v_stay(void **state)
 {
-    (void)state;
     memset(&tally, 0, sizeof tally);
     CASES(ground_case, 250);
     print_message(
@@ -1121,7 +1110,6 @@ static int flat_light_case(uint64_t seed)
 
 static void flat_light_over_a_texture_against_doubles(void **state)
 {
-    (void)state;
     memset(&colors, 0, sizeof colors);
     CASES(flat_light_case, 500);
     colors_print("flat light over texels");
@@ -1234,7 +1222,6 @@ static void far_end_of_a_plane(void **state)
     static const int16_t wall_pos[4][3] = { { -2000, -2000, 0 }, { 0, -2000, 0 }, { 0, 2000, 0 },
                                             { -2000, 2000, 0 } };
     const struct zs_texture texture = texture_of(numbers, 8, 8, 0);
-    (void)state;
     for (int32_t column = 1; column < 1024; column += 7) { /* of the wall's right edge */
         const int32_t width = column % 2 ? 640 : 1024;
         struct zs_config config = picture_config(width, 481, &zs_depth_float);
@@ -1275,7 +1262,6 @@ static void runs_do_not_tell_where_they_begin(void **state)
     static const int32_t eye[3] = { 0, 0, 0 }, at[3] = { 0, 0, -1000 }, up[3] = { 0, 1, 0 };
     static uint16_t texel[1024 * 1024];
     struct prng random = { 99 };
-    (void)state;
     for (size_t i = 0; i < sizeof texel / sizeof *texel; i++)
         texel[i] = (uint16_t)prng_next(&random);
     for (size_t n = 0; n < 2 * sizeof known / sizeof *known; n++) {

@@ -410,7 +410,6 @@ static int frames_of(uint64_t seed)
 
 static void the_glass_is_right_whatever_happens(void **state)
 {
-    (void)state;
     CASES(frames_of, 250); /* 6,000 frames */
 }
 
@@ -506,7 +505,6 @@ static int one_input(uint64_t seed)
 
 static void every_input_counts(void **state)
 {
-    (void)state;
     CASES(one_input, 12 * INPUTS);
     for (uint32_t i = 0; i < INPUTS && !getenv("ZS_SEED"); i++)
         if (!shown[i])
@@ -517,7 +515,6 @@ static void every_input_counts(void **state)
  * its texture, shows. */
 static void a_shared_mesh_hides_no_material(void **state)
 {
-    (void)state;
     static struct world w;
     static struct show s;
     struct prng p = { 11 };
@@ -754,7 +751,6 @@ static int one_mover(uint64_t seed)
 
 static void one_moving_thing_draws_its_own_strips(void **state)
 {
-    (void)state;
     CASES(one_mover, 100);
     assert_true(getenv("ZS_SEED") || binned[0][1] + binned[1][1] < (binned[0][0] + binned[1][0]) * 3u / 4u);
     assert_true(getenv("ZS_SEED") || binned[1][1] < binned[1][0] * 5u / 8u);
@@ -762,7 +758,6 @@ static void one_moving_thing_draws_its_own_strips(void **state)
 
 static void a_still_scene_draws_nothing(void **state)
 {
-    (void)state;
     static struct world w;
     static struct show s;
     struct prng p = { 3 };
@@ -800,7 +795,6 @@ static void a_still_scene_draws_nothing(void **state)
  * that frame: they are drawn with what stands there. */
 static void invalidated_in_a_frame(void **state)
 {
-    (void)state;
     static struct world w;
     static struct show s;
     memset(&w, 0, sizeof w);
@@ -849,7 +843,6 @@ static void invalidated_in_a_frame(void **state)
 
 static void wrong_calls_are_refused(void **state)
 {
-    (void)state;
     static struct world w;
     static struct show s;
     struct prng p = { 5 };

@@ -89,7 +89,6 @@ static int fan_case(uint64_t seed)
 
 static void a_fan_goes_on_with_its_next_piece(void **state)
 {
-    (void)state;
     memset(fans, 0, sizeof fans);
     CASES(fan_case, 4000);
     print_message("fans of 1 to 7 pieces: %u %u %u %u %u %u %u\n", fans[1], fans[2], fans[3], fans[4], fans[5],
@@ -243,7 +242,6 @@ static int cluster_case(uint64_t seed)
 
 static void small_pools_count_the_same(void **state)
 {
-    (void)state;
     passes = clipped = most_used = 0;
     CASES(scene_case, 200);
     print_message("%u passes, %u triangles clipped, ample pools held up to %u\n", passes, clipped, most_used);
@@ -252,7 +250,6 @@ static void small_pools_count_the_same(void **state)
 
 static void clusters_with_small_pools(void **state)
 {
-    (void)state;
     passes = out = 0;
     CASES(cluster_case, 120);
     print_message("%u passes, %u clusters left out\n", passes, out);
@@ -262,7 +259,6 @@ static void clusters_with_small_pools(void **state)
 /* One triangle a pass, in scene order: of equal keys the first stays, in whichever set it is. */
 static void the_first_of_equals_stays_in_any_set(void **state)
 {
-    (void)state;
     static struct lone l;
     static const int16_t pos[9][3] = { { -3000, -3000, 0 }, { 3000, -3000, 0 }, { 3000, 3000, 0 },
                                        { -3000, 3000, 0 },  { -3000, -2000, 0 }, { 2000, -3000, 0 },

@@ -4,7 +4,8 @@ SAN = -fsanitize=address,undefined -fno-sanitize-recover=all
 # make quick: optimised, with what costs next to nothing; where it fails is a signal
 SAN_QUICK = -O2 -fsanitize=signed-integer-overflow,shift,bounds,integer-divide-by-zero -fsanitize-undefined-trap-on-error
 # -g1: lines for the sanitizers' reports; all of -g takes a fifth longer to compile
-TEST_CC = $(CC) -std=gnu11 -O1 -g1 $(SAN) -Wall -Wextra -Werror -Wshadow -Wno-missing-field-initializers $(INC) -Itests \
+TEST_CC = $(CC) -std=gnu11 -O1 -g1 $(SAN) -Wall -Wextra -Werror -Wshadow -Wno-missing-field-initializers \
+          -Wno-unused-parameter $(INC) -Itests \
           -DZS_STATS=1 '-DZS_ASSERT(c)=((c)?(void)0:__builtin_trap())'
 TESTS = $(wildcard tests/test_*.c)
 MODEL = $(wildcard sim/panel_model/*.c) sim/panel/panel_bus.c hal/fault/fault.c
