@@ -47,13 +47,7 @@ static void shape_flat(struct shape *s, struct prng *p, int32_t half, int32_t st
             const int32_t up[3] = { 0, 1, 0 };
             (void)shape_vertex(s, at, up);
         }
-    for (uint32_t z = 0; z < n; z++)
-        for (uint32_t x = 0; x < n; x++) {
-            const uint32_t a = z * (n + 1u) + x, b = a + n + 1u;
-            shape_tri(s, a, b, a + 1u);
-            shape_tri(s, a + 1u, b, b + 1u);
-        }
-    shape_end(s);
+    shape_cells(s, n);
 }
 
 /* Away from where it turns, by up to its radius along each axis. */

@@ -91,12 +91,6 @@ static void random_tri(struct prng *p, enum kind kind, const struct easel *s, st
     }
 }
 
-static struct oracle_tri to_oracle(const struct easel_tri *t)
-{
-    const struct oracle_tri o = { { t->x[0], t->x[1], t->x[2] }, { t->y[0], t->y[1], t->y[2] } };
-    return o;
-}
-
 static int wrong_at(const struct easel *s, const struct easel_tri *t, int i, int j,
                     const char *what, double value)
 {
@@ -167,7 +161,7 @@ static int float_frame_right(const struct easel *s, const struct easel_tri *t,
                              const struct easel_frame *f)
 {
     const struct oracle_float as_float = { easel_float_bits(s->depth), s->depth_bits };
-    const struct oracle_tri o = to_oracle(t);
+    const struct oracle_tri o = easel_oracle(t);
     const double bound = key_bound(s);
     double *worst = s->width + s->height <= 640 ? &worst_small : &worst_big;
     for (int j = 0; j < s->height; j++)
@@ -612,7 +606,7 @@ static int pair_case(uint64_t seed)
         t[0] = t[1];
         t[1] = swap;
     }
-    const struct oracle_tri o = to_oracle(&t[0]);
+    const struct oracle_tri o = easel_oracle(&t[0]);
     const long double top = (1 << s.depth_bits) - 2;
     struct easel_frame both, alone[2];
     easel_draw(&s, t, 2, &both);
@@ -726,7 +720,7 @@ static int state_crowd_case(uint64_t seed)
                        most);
         t[k].d[0] = t[k].d[1] = t[k].d[2] = flat_depth(&p, &s, &unit, (uint32_t)key[k]);
         t[k].state = prng_pick(&p, N_STATES + 1);
-        o[k] = to_oracle(&t[k]);
+        o[k] = easel_oracle(&t[k]);
     }
     struct easel_frame f;
     easel_draw(&s, t, CROWD, &f);
@@ -762,7 +756,7 @@ static void states_one_triangle_after_another(void **state)
 static long double slope_offset(const struct easel *s, const struct easel_frame *unit,
                                 const struct easel_tri *t, int32_t slope)
 {
-    const struct oracle_tri o = to_oracle(t);
+    const struct oracle_tri o = easel_oracle(t);
     long double key[3];
     for (int k = 0; k < 3; k++)
         if (s->depth == &zs_depth_linear) {
@@ -800,7 +794,7 @@ static int slope_case(uint64_t seed)
         for (int k = 1; k < 3; k++)
             t.d[k] = moved(&s, &unit, t.d[0], prng_range(&p, -3000, 3000) / 10.0);
     struct easel_frame plain, f;
-    const struct oracle_tri o = to_oracle(&t);
+    const struct oracle_tri o = easel_oracle(&t);
     if (oracle_area(&o) == 0)
         return 1;
     easel_draw(&s, &t, 1, &plain);

@@ -184,12 +184,6 @@ static void random_keys(struct prng *p, uint32_t top, uint32_t d[3])
         }
 }
 
-static struct oracle_tri to_oracle(const struct easel_tri *t)
-{
-    const struct oracle_tri o = { { t->x[0], t->x[1], t->x[2] }, { t->y[0], t->y[1], t->y[2] } };
-    return o;
-}
-
 static int wrong_at(const struct easel *s, const struct easel_tri *t, int i, int j,
                     const char *what, double value)
 {
@@ -207,7 +201,7 @@ typedef int pixel_fn(const struct easel *s, const struct easel_tri *t, const str
 static int frame_right(const struct easel *s, const struct easel_tri *t,
                        const struct easel_frame *f, pixel_fn *pixel)
 {
-    const struct oracle_tri o = to_oracle(t);
+    const struct oracle_tri o = easel_oracle(t);
     uint32_t covered = 0;
     for (int j = 0; j < s->height; j++)
         for (int i = 0; i < s->width; i++) {
@@ -279,7 +273,7 @@ static int plane_pixel(const struct easel *s, const struct easel_tri *t,
                        const struct easel_frame *f, int i, int j, uint32_t key)
 {
     (void)f;
-    const struct oracle_tri o = to_oracle(t);
+    const struct oracle_tri o = easel_oracle(t);
     const uint32_t most = (1u << s->depth_bits) - 2u;
     const double error = fabs(oracle_key_error(&o, t->d, i, j, key, most));
     note_error(s, error);
@@ -404,7 +398,7 @@ static int tiny_is_small(const struct zs_geom *g, const struct easel_tri *t)
 /* Of a snapped triangle: nearest where it is large, within 0.88 ulp where it is small (plane.c). */
 static int gradients_right(struct prng *p, const struct easel *s, const struct easel_tri *t)
 {
-    struct oracle_tri o = to_oracle(t);
+    struct oracle_tri o = easel_oracle(t);
     struct zs_vertex v[3];
     const struct zs_vertex *down[3] = { &v[0], &v[1], &v[2] };
     for (int k = 0; k < 3; k++)
@@ -489,7 +483,7 @@ static void gradients_to_the_last_bit(void **state)
 static long double linear_exact(const struct easel *s, const struct easel_tri *t,
                                 const struct easel_frame *f, int i, int j)
 {
-    const struct oracle_tri o = to_oracle(t);
+    const struct oracle_tri o = easel_oracle(t);
     int64_t w[3];
     oracle_weights(&o, i, j, w);
     long double inverse = 0, area = fabsl((long double)oracle_area(&o));
@@ -565,7 +559,7 @@ static int crowd_case(uint64_t seed)
         random_tri(&p, (enum kind)prng_pick(&p, KINDS), &s, &t[k]);
         const uint32_t d = prng_pick(&p, levels) * (most / levels) * 65536u + prng_pick(&p, 0x8000);
         t[k].d[0] = t[k].d[1] = t[k].d[2] = d;
-        o[k] = to_oracle(&t[k]);
+        o[k] = easel_oracle(&t[k]);
         key[k] = (d + 0x8000u) >> 16;
     }
     struct easel_frame f;
@@ -677,7 +671,7 @@ static void dropped_points(struct prng *p, struct partition *m, const int32_t bo
                 (int32_t)(((int64_t)(t.y[1] - t.y[0]) * u + (int64_t)(t.y[2] - t.y[0]) * v) / 65536)
         };
         /* rounded outside? then not here */
-        const struct oracle_tri whole = to_oracle(&t);
+        const struct oracle_tri whole = easel_oracle(&t);
         int64_t parts = 0;
         for (int k = 0; k < 3; k++) {
             struct oracle_tri o = whole;
@@ -980,7 +974,7 @@ static void others_division_by_a_tiny_area(void **state)
             t.x[k] = 128 + next + (int32_t)(at[k] % 3) - 1;
             t.y[k] = 128 + (int32_t)(at[k] / 3) - 1;
         }
-        const struct oracle_tri o = to_oracle(&t);
+        const struct oracle_tri o = easel_oracle(&t);
         const int64_t area = oracle_area(&o);
         n_zero += area == 0;
         n_one += area == 1 || area == -1;

@@ -47,10 +47,7 @@ static int column(const uint8_t reg[256][DCS_KEPT], int x, int columns)
 }
 
 static const struct dcs_type gc9a01 = {
-    .command = commands,
-    .n_commands = sizeof commands / sizeof commands[0],
-    .bits_12 = 1,
-    .line = line,
+    .command = commands, .n_commands = sizeof commands / sizeof commands[0], .bits_12 = 1, .line = line,
     .column = column,
 };
 

@@ -72,14 +72,8 @@ static const char *wrong(uint8_t code, const uint8_t reg[256][DCS_KEPT])
 }
 
 static const struct dcs_type ili9341 = {
-    .command = commands,
-    .n_commands = sizeof commands / sizeof commands[0],
-    .defaults = defaults,
-    .madctl = madctl,
-    .inverts = inverts,
-    .line = line,
-    .column = column,
-    .drops_excess = drops_excess,
+    .command = commands, .n_commands = sizeof commands / sizeof commands[0], .defaults = defaults,
+    .madctl = madctl, .inverts = inverts, .line = line, .column = column, .drops_excess = drops_excess,
     .wrong = wrong,
 };
 

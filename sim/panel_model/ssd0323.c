@@ -118,7 +118,6 @@ static const struct solomon_type type = { commands, sizeof commands / sizeof com
 static void reset(struct pm_model *m)
 {
     struct solomon *s = m->state;
-    s->type = m->type->of;
     s->x1 = COLUMNS - 1;
     s->y1 = ROWS - 1;
     s->rows = ROWS;

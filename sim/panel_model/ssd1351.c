@@ -163,7 +163,6 @@ static const struct solomon_type type = { commands, sizeof commands / sizeof com
 static void reset(struct pm_model *m)
 {
     struct solomon *s = m->state;
-    s->type = m->type->of;
     s->x1 = s->y1 = 127;
     s->rows = 128;
     s->remap = 0x40;

@@ -74,14 +74,8 @@ static const char *wrong(uint8_t code, const uint8_t reg[256][DCS_KEPT])
 }
 
 static const struct dcs_type st7789 = {
-    .command = commands,
-    .n_commands = sizeof commands / sizeof commands[0],
-    .bits_12 = 1,
-    .defaults = defaults,
-    .madctl = madctl,
-    .inverts = inverts,
-    .line = line,
-    .little_endian = little_endian,
+    .command = commands, .n_commands = sizeof commands / sizeof commands[0], .bits_12 = 1,
+    .defaults = defaults, .madctl = madctl, .inverts = inverts, .line = line, .little_endian = little_endian,
     .wrong = wrong,
 };
 

@@ -621,15 +621,11 @@ static int report(struct study_page *page, const struct study_table *t)
 }
 
 const struct study study_time = {
-    .name = "time",
-    .what = "run time against error",
+    .name = "time", .what = "run time against error",
     .params = "scene,shading,subpixel,mapping,bits,recip_bits,texel_recip,span_bound,counted",
     .results = "pixels,wrong,cover,surface,depth_mean,depth_worst,texels_off,texel_worst,colour_off,colour_by_one,psnr,"
                "checksum,"
                "m3,m0,rp2040,host",
-    .runs = plan,
-    .describe = describe,
-    .measure = measure,
-    .report = report,
+    .runs = plan, .describe = describe, .measure = measure, .report = report,
     .settings = settings,
 };
