@@ -150,20 +150,9 @@ static int smooth_triangle(uint64_t seed, double ratio)
     return ok;
 }
 
-static int mild_case(uint64_t seed)
-{
-    return smooth_triangle(seed, 1.3);
-}
-
-static int strong_case(uint64_t seed)
-{
-    return smooth_triangle(seed, 16);
-}
-
-static int extreme_case(uint64_t seed)
-{
-    return smooth_triangle(seed, 1000);
-}
+static int mild_case(uint64_t seed) { return smooth_triangle(seed, 1.3); }
+static int strong_case(uint64_t seed) { return smooth_triangle(seed, 16); }
+static int extreme_case(uint64_t seed) { return smooth_triangle(seed, 1000); }
 
 static void smooth_is_perspective_correct(void **state)
 {

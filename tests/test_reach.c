@@ -74,11 +74,16 @@ static void stress_26_spheres_beside_a_far_reach(void **state)
     assert_true(culled > 20 && drawn > 20);
 }
 
+static struct zs_config one_strip(const struct zs_depth *depth)
+{
+    return (struct zs_config){ .width = 64, .height = 64, .strip_h = 64, .max_tris = 1, .max_verts = 3,
+                               .buffers = 1, .subpixel_bits = 8, .depth_bits = 16, .depth = depth };
+}
+
 /* Orthographic views of any height are taken, whatever is in view. */
 static void orthographic_heights(void **state)
 {
-    const struct zs_config config = { .width = 64, .height = 64, .strip_h = 64, .max_tris = 1, .max_verts = 3,
-                                      .buffers = 1, .subpixel_bits = 8, .depth_bits = 16, .depth = &zs_depth_linear };
+    const struct zs_config config = one_strip(&zs_depth_linear);
     const struct zs_scene empty = { .light = { .dir = { 0, 0, ZS_Q30_ONE } } };
     struct zs_renderer r;
     struct zs_camera camera;
@@ -171,8 +176,7 @@ static void look_along_nearly_parallel(void **state)
 /* A frame that is refused for a missing pointer leaves none open. */
 static void null_closes_the_frame(void **state)
 {
-    const struct zs_config config = { .width = 64, .height = 64, .strip_h = 64, .max_tris = 1, .max_verts = 3,
-                                      .buffers = 1, .subpixel_bits = 8, .depth_bits = 16, .depth = &zs_depth_recip };
+    const struct zs_config config = one_strip(&zs_depth_recip);
     const struct zs_scene empty = { .light = { .dir = { 0, 0, ZS_Q30_ONE } } };
     struct zs_renderer r;
     struct zs_camera camera;

@@ -315,30 +315,12 @@ static int ratio_case(uint64_t seed, double ratio)
     return texels_right(&s, 8, 8, prng_pick(&p, 4), &t, 0);
 }
 
-static int ratio_1(uint64_t seed)
-{
-    return ratio_case(seed, 1);
-}
-static int ratio_2(uint64_t seed)
-{
-    return ratio_case(seed, 2);
-}
-static int ratio_4(uint64_t seed)
-{
-    return ratio_case(seed, 4);
-}
-static int ratio_8(uint64_t seed)
-{
-    return ratio_case(seed, 8);
-}
-static int ratio_16(uint64_t seed)
-{
-    return ratio_case(seed, 16);
-}
-static int ratio_1000(uint64_t seed)
-{
-    return ratio_case(seed, 1000);
-}
+static int ratio_1(uint64_t seed) { return ratio_case(seed, 1); }
+static int ratio_2(uint64_t seed) { return ratio_case(seed, 2); }
+static int ratio_4(uint64_t seed) { return ratio_case(seed, 4); }
+static int ratio_8(uint64_t seed) { return ratio_case(seed, 8); }
+static int ratio_16(uint64_t seed) { return ratio_case(seed, 16); }
+static int ratio_1000(uint64_t seed) { return ratio_case(seed, 1000); }
 
 /* Less than a texel of 1024 from corner to corner, across a border. */
 static int border_case(uint64_t seed)

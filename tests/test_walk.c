@@ -230,15 +230,8 @@ static int scene_of(uint64_t seed, int clusters)
     return ok;
 }
 
-static int scene_case(uint64_t seed)
-{
-    return scene_of(seed, 0);
-}
-
-static int cluster_case(uint64_t seed)
-{
-    return scene_of(seed, 1);
-}
+static int scene_case(uint64_t seed) { return scene_of(seed, 0); }
+static int cluster_case(uint64_t seed) { return scene_of(seed, 1); }
 
 static void small_pools_count_the_same(void **state)
 {

@@ -147,3 +147,20 @@ int sim_options_in_range(const struct sim_option *table, size_t n, const void *a
             status = in_range(&table[k], (const char *)at + table[k].to, file);
     return status;
 }
+
+int sim_is_option(const char *arg)
+{
+    return arg[0] == '-' && arg[1] != '\0' && strcmp(arg, "--") != 0;
+}
+
+int sim_model_take(const char **model, const char *arg, int *only_names)
+{
+    if (!*only_names && strcmp(arg, "--") == 0) {
+        *only_names = 1;
+        return SIM_OK;
+    }
+    if (*model != NULL)
+        return sim_usage("one model at a time: '%s' is one too many", arg);
+    *model = arg;
+    return SIM_OK;
+}

@@ -40,4 +40,11 @@ int sim_option_take(const struct sim_option *table, size_t n, void *to, char *se
 /* Do the options that were seen lie in their ranges? SIM_OK; SIM_REFUSED, said why about `file`. */
 int sim_options_in_range(const struct sim_option *table, size_t n, const void *at, const char *seen, const char *file);
 
+/* Is an argument an option? Not a lone "-", a name, nor "--", behind which all are names. */
+int sim_is_option(const char *arg);
+
+/* Any other argument: "--", which *only_names notes, or the name of a model, of which there is one. SIM_OK; SIM_USAGE,
+ * said why. */
+int sim_model_take(const char **model, const char *arg, int *only_names);
+
 #endif

@@ -192,21 +192,11 @@ void sim_options_defaults(struct sim_options *o)
 
 static int take_arguments(struct sim_options *o, char seen[N_TABLE], int argc, char **argv)
 {
-    int only_names = 0;
-    for (int i = 0; i < argc; i++) {
-        int status = SIM_OK;
-        if (!only_names && strcmp(argv[i], "--") == 0)
-            only_names = 1;
-        else if (!only_names && argv[i][0] == '-' && argv[i][1] != '\0')
-            status = sim_option_take(table, N_TABLE, o, seen, argc, argv, &i);
-        else if (o->model != NULL)
-            status = sim_usage("one model at a time: '%s' is one too many", argv[i]);
-        else
-            o->model = argv[i];
-        if (status != SIM_OK)
-            return status;
-    }
-    return SIM_OK;
+    int only_names = 0, status = SIM_OK;
+    for (int i = 0; status == SIM_OK && i < argc; i++)
+        status = !only_names && sim_is_option(argv[i]) ? sim_option_take(table, N_TABLE, o, seen, argc, argv, &i)
+                                                       : sim_model_take(&o->model, argv[i], &only_names);
+    return status;
 }
 
 int sim_options_parse(struct sim_options *o, int argc, char **argv)

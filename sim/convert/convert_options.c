@@ -295,21 +295,11 @@ static int take_option(struct sim_convert_options *o, char **said, int argc, cha
 
 static int take_arguments(struct sim_convert_options *o, char **said, int argc, char **argv)
 {
-    int only_names = 0;
-    for (int i = 0; i < argc; i++) {
-        int status = SIM_OK;
-        if (!only_names && strcmp(argv[i], "--") == 0)
-            only_names = 1;
-        else if (!only_names && argv[i][0] == '-' && argv[i][1] != '\0')
-            status = take_option(o, said, argc, argv, &i);
-        else if (o->input != NULL)
-            status = sim_usage("one model at a time: '%s' is one too many", argv[i]);
-        else
-            o->input = argv[i];
-        if (status != SIM_OK)
-            return status;
-    }
-    return SIM_OK;
+    int only_names = 0, status = SIM_OK;
+    for (int i = 0; status == SIM_OK && i < argc; i++)
+        status = !only_names && sim_is_option(argv[i]) ? take_option(o, said, argc, argv, &i)
+                                                       : sim_model_take(&o->input, argv[i], &only_names);
+    return status;
 }
 
 static int check_values(const struct sim_convert_options *o)

@@ -484,8 +484,7 @@ int sim_frame_render_threads(struct sim_frame *frame, const struct zs_scene *sce
 
 void sim_frame_free(struct sim_frame *frame)
 {
-    free(frame->rgb565);
-    free(frame->key);
+    SIM_FREE(frame->rgb565, frame->key);
     memset(frame, 0, sizeof *frame);
 }
 
