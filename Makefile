@@ -10,7 +10,7 @@ test quick t check size stack: export WERROR = -Werror
 JOBS := $(shell nproc 2>/dev/null || getconf _NPROCESSORS_ONLN 2>/dev/null || echo 2)
 # Its lines begin with +, as make sees a make in a recipe only where it is written out
 MAKE_ALL = $(MAKE) --no-print-directory -j$(JOBS)
-SIM_DIRS = cli load convert frame panel budget study compare lab reference panel_model
+SIM_DIRS = cli load convert frame panel budget study compare reference panel_model
 INC = -Ifirmware/zstrip -Ifirmware/examples -Ifirmware/scenes -Ihal -Ihal/panel -Ihal/fault -I$(B)/gen $(SIM_DIRS:%=-Isim/%)
 CORE = $(wildcard firmware/zstrip/*/*.c)
 SCENES = $(wildcard firmware/scenes/*.c)
@@ -37,7 +37,7 @@ demo: sim
 
 ## test: set up and run every test
 test: $(B)/.setup-test
-	+@$(MAKE_ALL) $(B)/zsim test-programs fuzz-programs stress-cut
+	+@$(MAKE_ALL) $(B)/zsim $(B)/zlab test-programs fuzz-programs stress-cut
 	@sh tests/run.sh $(B)
 
 ## quick: every unit test, for after each change: without AddressSanitizer, of UBSan what is cheap; half a minute

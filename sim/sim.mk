@@ -3,6 +3,7 @@
 # zsim, zstrip-linux and what they are built of: the renderer, the scenes' meshes, the panels and their models
 
 SIM = $(wildcard $(SIM_DIRS:%=sim/%/*.c)) firmware/scenes/gen/font.c
+ZLAB = $(filter-out sim/cli/main.c,$(SIM)) $(wildcard sim/lab/*.c)
 GEN = $(wildcard firmware/scenes/gen/*.c)
 # zstrip-linux: libgpiod's version 1 or 2 decides which of hal/linux's two files is taken. LINUX_SIM: what it needs of
 # sim where it is built without models (-DLINUX_MODELS=0)
@@ -62,6 +63,9 @@ $(B)/sim/%.o: %.c $(SIM_NOTE) | $(B)/gen/meshes.h
 	@mkdir -p $(@D)
 	@$(SIM_CC) $(WERROR) $(DEP) -c $< -o $@
 $(B)/zsim: $(patsubst %.c,$(B)/sim/%.o,$(CORE) $(SCENES) $(PANELS) $(SIM)) $(B)/libmeshes.a
+	@$(CC) $(CFLAGS) $^ $(LIBS) -o $@
+	@echo 'built $@'
+$(B)/zlab: $(patsubst %.c,$(B)/sim/%.o,$(CORE) $(SCENES) $(PANELS) $(ZLAB)) $(B)/libmeshes.a
 	@$(CC) $(CFLAGS) $^ $(LIBS) -o $@
 	@echo 'built $@'
 

@@ -51,15 +51,5 @@ static void pose(struct demo_frame *f, uint32_t t, uint16_t w, uint16_t h)
     zs_camera_orbit(&f->camera, middle, 60000, (zs_turn)(8192u + stage_turn(t, FRAMES, 1)), 6200);
 }
 
-static const struct zs_fast *const fast[] = { ZS_FAST_FRAME, ZS_FAST_FLAT, ZS_FAST_END };
-const struct demo demo_city = {
-    .name = "city",
-    .what = "A town turns under an orthographic camera while cars go round in its streets",
-    .width = 240,
-    .height = 240,
-    .frames = FRAMES,
-    .varyings = ZS_VARYINGS_FLAT,
-    .depth = &zs_depth_linear,
-    .fast = fast,
-    .pose = pose,
-};
+STAGE_DEMO(city, "A town turns under an orthographic camera while cars go round in its streets",
+           FRAMES, ZS_VARYINGS_FLAT, zs_depth_linear, pose, ZS_FAST_FRAME, ZS_FAST_FLAT);

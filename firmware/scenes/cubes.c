@@ -36,15 +36,5 @@ static void pose(struct demo_frame *f, uint32_t t, uint16_t w, uint16_t h)
     zs_camera_orbit(&f->camera, origin, 100000, 2000, 4400);
 }
 
-static const struct zs_fast *const fast[] = { ZS_FAST_FRAME, ZS_FAST_FLAT, ZS_FAST_END };
-const struct demo demo_cubes = {
-    .name = "cubes",
-    .what = "Nine cubes tumble around each other, flat-shaded, a colour a side",
-    .width = 240,
-    .height = 240,
-    .frames = FRAMES,
-    .varyings = ZS_VARYINGS_FLAT,
-    .depth = &zs_depth_float,
-    .fast = fast,
-    .pose = pose,
-};
+STAGE_DEMO(cubes, "Nine cubes tumble around each other, flat-shaded, a colour a side",
+           FRAMES, ZS_VARYINGS_FLAT, zs_depth_float, pose, ZS_FAST_FRAME, ZS_FAST_FLAT);

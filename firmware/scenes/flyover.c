@@ -40,15 +40,5 @@ static void pose(struct demo_frame *f, uint32_t t, uint16_t w, uint16_t h)
     zs_camera_look_at(&f->camera, eye, at, up);
 }
 
-static const struct zs_fast *const fast[] = { ZS_FAST_FRAME, ZS_FAST_CLUSTERS, ZS_FAST_FLAT, ZS_FAST_END };
-const struct demo demo_flyover = {
-    .name = "flyover",
-    .what = "A low flight along a river between hills, flat-shaded, cut at the near plane",
-    .width = 240,
-    .height = 240,
-    .frames = FRAMES,
-    .varyings = ZS_VARYINGS_FLAT,
-    .depth = &zs_depth_float,
-    .fast = fast,
-    .pose = pose,
-};
+STAGE_DEMO(flyover, "A low flight along a river between hills, flat-shaded, cut at the near plane",
+           FRAMES, ZS_VARYINGS_FLAT, zs_depth_float, pose, ZS_FAST_FRAME, ZS_FAST_CLUSTERS, ZS_FAST_FLAT);

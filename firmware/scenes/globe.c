@@ -28,16 +28,6 @@ static void pose(struct demo_frame *f, uint32_t t, uint16_t w, uint16_t h)
     zs_camera_orbit(&f->camera, origin, 116000, 0, 2600);
 }
 
-static const struct zs_fast *const fast[] = { ZS_FAST_FRAME, ZS_FAST_TEXTURE, ZS_FAST_TEXTURE_SMOOTH,
-                                              ZS_FAST_PAL8,  ZS_FAST_PAL4,    ZS_FAST_END };
-const struct demo demo_globe = {
-    .name = "globe",
-    .what = "A planet and its moon under the stars, smooth light over textures of three sizes",
-    .width = 240,
-    .height = 240,
-    .frames = FRAMES,
-    .varyings = ZS_VARYINGS_TEXTURE_SMOOTH,
-    .depth = &zs_depth_float,
-    .fast = fast,
-    .pose = pose,
-};
+STAGE_DEMO(globe, "A planet and its moon under the stars, smooth light over textures of three sizes",
+           FRAMES, ZS_VARYINGS_TEXTURE_SMOOTH, zs_depth_float, pose, ZS_FAST_FRAME, ZS_FAST_TEXTURE,
+           ZS_FAST_TEXTURE_SMOOTH, ZS_FAST_PAL8, ZS_FAST_PAL4);

@@ -68,17 +68,6 @@ static void pose(struct demo_frame *f, uint32_t t, uint16_t w, uint16_t h)
     zs_camera_look_at(&f->camera, eye, at, up);
 }
 
-static const struct zs_fast *const fast[] = { ZS_FAST_FRAME,          ZS_FAST_TEXTURE, ZS_FAST_TEXTURE_FLAT,
-                                              ZS_FAST_TEXTURE_SMOOTH, ZS_FAST_565,     ZS_FAST_PAL8,
-                                              ZS_FAST_PAL4,           ZS_FAST_END };
-const struct demo demo_hall = {
-    .name = "hall",
-    .what = "A walk through a hall of tiles, bricks, wood and marble, with pictures on its walls",
-    .width = 240,
-    .height = 240,
-    .frames = FRAMES,
-    .varyings = ZS_VARYINGS_TEXTURE_SMOOTH,
-    .depth = &zs_depth_float,
-    .fast = fast,
-    .pose = pose,
-};
+STAGE_DEMO(hall, "A walk through a hall of tiles, bricks, wood and marble, with pictures on its walls",
+           FRAMES, ZS_VARYINGS_TEXTURE_SMOOTH, zs_depth_float, pose, ZS_FAST_FRAME, ZS_FAST_TEXTURE,
+           ZS_FAST_TEXTURE_FLAT, ZS_FAST_TEXTURE_SMOOTH, ZS_FAST_565, ZS_FAST_PAL8, ZS_FAST_PAL4);

@@ -21,15 +21,5 @@ static void pose(struct demo_frame *f, uint32_t t, uint16_t w, uint16_t h)
                     (int16_t)stage_sin(5200, stage_turn(t, FRAMES, 1)));
 }
 
-static const struct zs_fast *const fast[] = { ZS_FAST_FRAME, ZS_FAST_SMOOTH, ZS_FAST_END };
-const struct demo demo_knot = {
-    .name = "knot",
-    .what = "The camera goes around a torus knot in all colours, smooth-shaded",
-    .width = 240,
-    .height = 240,
-    .frames = FRAMES,
-    .varyings = ZS_VARYINGS_SMOOTH,
-    .depth = &zs_depth_float,
-    .fast = fast,
-    .pose = pose,
-};
+STAGE_DEMO(knot, "The camera goes around a torus knot in all colours, smooth-shaded",
+           FRAMES, ZS_VARYINGS_SMOOTH, zs_depth_float, pose, ZS_FAST_FRAME, ZS_FAST_SMOOTH);

@@ -7,6 +7,12 @@
 
 #include "scenes.h"
 
+/* A demo scene, demo_ID: composed for 240 x 240 px; last the accelerators for what is in it. */
+#define STAGE_DEMO(id, what_, frames_, varyings_, depth_, pose_, ...) \
+    static const struct zs_fast *const fast_##id[] = { __VA_ARGS__, ZS_FAST_END }; \
+    const struct demo demo_##id = { .name = #id, .what = what_, .width = 240, .height = 240, .frames = frames_, \
+                                    .varyings = varyings_, .depth = &depth_, .fast = fast_##id, .pose = pose_ }
+
 /* Begin: no instances, this background. */
 void stage_open(struct demo_frame *f, struct zs_rgb background);
 

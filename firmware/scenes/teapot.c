@@ -38,29 +38,9 @@ static void pose_china(struct demo_frame *f, uint32_t t, uint16_t w, uint16_t h)
     set(f, t, w, h, &china);
 }
 
-static const struct zs_fast *const fast_teapot[] = { ZS_FAST_FRAME, ZS_FAST_SMOOTH, ZS_FAST_END };
-const struct demo demo_teapot = {
-    .name = "teapot",
-    .what = "The Utah teapot turns on a table, lit from the upper left, smooth-shaded",
-    .width = 240,
-    .height = 240,
-    .frames = FRAMES,
-    .varyings = ZS_VARYINGS_SMOOTH,
-    .depth = &zs_depth_float,
-    .fast = fast_teapot,
-    .pose = pose,
-};
+STAGE_DEMO(teapot, "The Utah teapot turns on a table, lit from the upper left, smooth-shaded",
+           FRAMES, ZS_VARYINGS_SMOOTH, zs_depth_float, pose, ZS_FAST_FRAME, ZS_FAST_SMOOTH);
 
-static const struct zs_fast *const fast_china[] = { ZS_FAST_FRAME, ZS_FAST_SMOOTH, ZS_FAST_TEXTURE_SMOOTH, ZS_FAST_PAL8,
-                                                    ZS_FAST_END };
-const struct demo demo_china = {
-    .name = "china",
-    .what = "The teapot in painted china: smooth light over a texture",
-    .width = 240,
-    .height = 240,
-    .frames = FRAMES,
-    .varyings = ZS_VARYINGS_TEXTURE_SMOOTH,
-    .depth = &zs_depth_float,
-    .fast = fast_china,
-    .pose = pose_china,
-};
+STAGE_DEMO(china, "The teapot in painted china: smooth light over a texture",
+           FRAMES, ZS_VARYINGS_TEXTURE_SMOOTH, zs_depth_float, pose_china, ZS_FAST_FRAME, ZS_FAST_SMOOTH,
+           ZS_FAST_TEXTURE_SMOOTH, ZS_FAST_PAL8);

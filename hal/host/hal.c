@@ -55,22 +55,25 @@ uint32_t hal_tick_instructions(void)
 
 /* ---- The bus: bytes to nowhere ------------------------------------------------------------------------ */
 
+/* Why a call is refused: for its arguments, or for what it comes after. */
+static int refusal(int bad_argument)
+{
+    return bad_argument ? HAL_ERR_ARG : !ready || out ? HAL_ERR_STATE : HAL_OK;
+}
+
 static int command(struct hal_bus *bus, uint8_t code, const uint8_t *args, uint32_t n)
 {
     (void)bus;
     (void)code;
-    if (n && !args)
-        return HAL_ERR_ARG;
-    return !ready || out ? HAL_ERR_STATE : HAL_OK;
+    return refusal(n && !args);
 }
 
 static int data(struct hal_bus *bus, const uint8_t *bytes, uint32_t n)
 {
     (void)bus;
-    if (!bytes || !n)
-        return HAL_ERR_ARG;
-    if (!ready || out)
-        return HAL_ERR_STATE;
+    const int err = refusal(!bytes || !n);
+    if (err)
+        return err;
     out = bytes;
     n_out = n;
     out_sum = fnv1a(out, n_out);

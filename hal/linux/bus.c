@@ -86,14 +86,17 @@ static int set_dc(int level)
     return dc_level == level ? HAL_OK : linux_fail_line("D/C");
 }
 
+/* Why a call is refused: for its arguments, or for what it comes after. */
+static int refusal(int bad_argument)
+{
+    return bad_argument ? HAL_ERR_ARG : !ready || begun ? HAL_ERR_STATE : HAL_OK;
+}
+
 static int command(struct hal_bus *bus, uint8_t code, const uint8_t *args, uint32_t n)
 {
     (void)bus;
-    if (n && !args)
-        return HAL_ERR_ARG;
-    if (!ready || begun)
-        return HAL_ERR_STATE;
-    int err = set_dc(0);
+    int err = refusal(n && !args);
+    err = err ? err : set_dc(0);
     err = err ? err : linux_spi_send(&code, 1);
     err = err || !n ? err : set_dc(1);
     return err || !n ? err : linux_spi_send(args, n);
@@ -102,11 +105,7 @@ static int command(struct hal_bus *bus, uint8_t code, const uint8_t *args, uint3
 static int data(struct hal_bus *bus, const uint8_t *bytes, uint32_t n)
 {
     (void)bus;
-    if (!bytes || !n)
-        return HAL_ERR_ARG;
-    if (!ready || begun)
-        return HAL_ERR_STATE;
-    const int err = set_dc(1);
+    const int refused = refusal(!bytes || !n), err = refused ? refused : set_dc(1);
     if (err)
         return err;
     begun = 1;

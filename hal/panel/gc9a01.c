@@ -70,10 +70,7 @@ static const struct panel_glass glass[] = { { 240, 240, 0, 0, NULL } };
 const struct panel_type panel_gc9a01 = {
     PANEL_DCS,
     .name = "gc9a01",
-    .ram_width = 240,
-    .ram_height = 240,
-    .glass = glass,
-    .n_glass = sizeof glass / sizeof *glass,
+    .ram_width = 240, .ram_height = 240, .glass = glass, .n_glass = sizeof glass / sizeof *glass,
     .setup = setup,
     .rotation = { 0x00, 0x60, 0xc0, 0xa0 }, /* none; MX MV; MX MY; MY MV */
     .convert = panel_convert_swap

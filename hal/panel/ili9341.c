@@ -44,12 +44,8 @@ static const struct panel_glass glass[] = { { 240, 320, 0, 0, NULL } };
 const struct panel_type panel_ili9341 = {
     PANEL_DCS,
     .name = "ili9341",
-    .ram_width = 240,
-    .ram_height = 320,
-    .glass = glass,
-    .n_glass = sizeof glass / sizeof *glass,
-    .reset = reset,
-    .setup = setup,
+    .ram_width = 240, .ram_height = 320, .glass = glass, .n_glass = sizeof glass / sizeof *glass,
+    .reset = reset, .setup = setup,
     .rotation = { 0x40, 0x20, 0x80, 0xe0 }, /* MX; MV; MY; MX MY MV */
     .convert = panel_convert_swap
 };

@@ -36,24 +36,10 @@ static const uint8_t wake[] = { 2, 0xad, 0x03, 0 }, sleep[] = { 2, 0xad, 0x02, 0
 static const struct panel_glass glass[] = { { 128, 64, 0, 0, NULL } };
 
 const struct panel_type panel_ssd0323 = {
-    .name = "ssd0323",
-    .format = PANEL_GREY4,
-    .grain = { 2, 1 },
-    .ram_width = 128,
-    .ram_height = 80,
-    .glass = glass,
-    .n_glass = sizeof glass / sizeof *glass,
-    .strict = 1,
-    .setup = setup,
-    .wake = wake,
-    .sleep = sleep,
-    .on = 0xaf,
-    .off = 0xae,
-    .args_low = 1,
-    .columns = 0x15,
-    .rows = 0x75,
-    .invert = { 0xa4, 0xa7 },
-    .level = 0x81,
-    .level_shift = 1,
+    .name = "ssd0323", .format = PANEL_GREY4, .grain = { 2, 1 },
+    .ram_width = 128, .ram_height = 80, .glass = glass, .n_glass = sizeof glass / sizeof *glass,
+    .strict = 1, .setup = setup, .wake = wake, .sleep = sleep,
+    .on = 0xaf, .off = 0xae, .args_low = 1, .columns = 0x15, .rows = 0x75,
+    .invert = { 0xa4, 0xa7 }, .level = 0x81, .level_shift = 1,
     .convert = panel_convert_grey4
 };

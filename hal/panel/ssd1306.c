@@ -39,23 +39,10 @@ static const struct panel_glass glass[] = { { 128, 64, 0, 0, lines_64 }, { 128, 
                                             { 64, 48, 32, 0, lines_48 }, { 72, 40, 28, 0, lines_40 } };
 
 const struct panel_type panel_ssd1306 = {
-    .name = "ssd1306",
-    .format = PANEL_MONO,
-    .grain = { 1, 8 },
-    .ram_width = 128,
-    .ram_height = 64,
-    .glass = glass,
-    .n_glass = sizeof glass / sizeof *glass,
-    .strict = 1,
-    .setup = setup,
-    .wake = wake,
-    .sleep = sleep,
-    .on = 0xaf,
-    .off = 0xae,
-    .args_low = 1,
-    .columns = 0x21,
-    .rows = 0x22,
-    .invert = { 0xa6, 0xa7 },
-    .level = 0x81,
+    .name = "ssd1306", .format = PANEL_MONO, .grain = { 1, 8 },
+    .ram_width = 128, .ram_height = 64, .glass = glass, .n_glass = sizeof glass / sizeof *glass,
+    .strict = 1, .setup = setup, .wake = wake, .sleep = sleep,
+    .on = 0xaf, .off = 0xae, .args_low = 1, .columns = 0x21, .rows = 0x22,
+    .invert = { 0xa6, 0xa7 }, .level = 0x81,
     .convert = panel_convert_mono
 };

@@ -35,26 +35,14 @@ static const uint8_t lines_128[] = { 2, 0xca, 127, 0 }, lines_96[] = { 2, 0xca, 
 static const struct panel_glass glass[] = { { 128, 128, 0, 0, lines_128 }, { 128, 96, 0, 0, lines_96 } };
 
 const struct panel_type panel_ssd1351 = {
-    .name = "ssd1351",
-    .format = PANEL_RGB565,
-    .grain = { 1, 1 },
-    .ram_width = 128,
-    .ram_height = 128,
-    .glass = glass,
-    .n_glass = sizeof glass / sizeof *glass,
-    .strict = 1,
-    .setup = setup,
-    .on = 0xaf,
-    .off = 0xae,
-    .columns = 0x15,
-    .rows = 0x75,
-    .write = 0x5c,
+    .name = "ssd1351", .format = PANEL_RGB565, .grain = { 1, 1 },
+    .ram_width = 128, .ram_height = 128, .glass = glass, .n_glass = sizeof glass / sizeof *glass,
+    .strict = 1, .setup = setup,
+    .on = 0xaf, .off = 0xae, .columns = 0x15, .rows = 0x75, .write = 0x5c,
     .rotate = 0xa0,
     .rotation = { 0x74, 0x77, 0x66, 0x65 }, /* 65k colours and commons split throughout */
     .bgr = 0x04,
     .by_scan = 1,
-    .invert = { 0xa6, 0xa7 },
-    .level = 0xc7,
-    .level_shift = 4,
+    .invert = { 0xa6, 0xa7 }, .level = 0xc7, .level_shift = 4,
     .convert = panel_convert_swap
 };

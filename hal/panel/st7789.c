@@ -29,12 +29,7 @@ static const struct panel_glass glass[] = { { 240, 320, 0, 0, NULL }, { 240, 240
 const struct panel_type panel_st7789 = {
     PANEL_DCS,
     .name = "st7789",
-    .ram_width = 240,
-    .ram_height = 320,
-    .glass = glass,
-    .n_glass = sizeof glass / sizeof *glass,
-    .reset = reset,
-    .setup = setup,
-    .lsb_first = lsb_first,
+    .ram_width = 240, .ram_height = 320, .glass = glass, .n_glass = sizeof glass / sizeof *glass,
+    .reset = reset, .setup = setup, .lsb_first = lsb_first,
     .rotation = { 0x00, 0x60, 0xc0, 0xa0 }, /* none; MX MV; MX MY; MY MV */
 };

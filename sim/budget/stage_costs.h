@@ -1,4 +1,4 @@
-/* Instructions of one of each, cycles on the RP2040 (sim/lab/costs.h says of what): fitted from the probes of
+/* Instructions of one of each, cycles on the RP2040 (sim/budget/costs.h says of what): fitted from the probes of
  * firmware/scenes/probes.h. Recorded by make costs-record.
  *
  * SPDX-License-Identifier: MIT

@@ -8,14 +8,8 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "accelerator_table.h"
 #include "sim.h"
-
-#define ROW(name) { &zs_fast_##name, #name },
-static const struct {
-    const struct zs_fast *fast;
-    const char *name;
-} known[] = { ZS_FAST_EACH(ROW) };
-#define KNOWN (sizeof known / sizeof known[0])
 
 static const struct zs_fast *const all[] = { ZS_FAST_ALL, ZS_FAST_END };
 static_assert(KNOWN + 1 == sizeof all / sizeof all[0] && KNOWN <= SIM_FAST_MAX, "all that ZS_FAST_ALL names");

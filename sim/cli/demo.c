@@ -6,24 +6,23 @@
  */
 #include "demo.h"
 
-#include <errno.h>
 #include <stddef.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include <sys/stat.h>
 
 #include "accelerator_names.h"
 #include "frame.h"
 #include "image.h"
 #include "option_table.h"
+#include "output_file.h"
 #include "panel_frame.h"
 #include "reference.h"
 #include "scenes.h"
 #include "false_colors.h"
 #include "sim.h"
 #include "texel_numbers.h"
-#include "scene_reference.h"
+#include "truth.h"
 
 #define SHEET_COLUMNS 4
 #define FRAMES_MAX 65535 /* of a scene, uint16_t */
@@ -42,20 +41,18 @@ struct request {
 #define AT(field) offsetof(struct request, field)
 
 static const struct sim_option table[] = {
-    { "--out", SIM_OPTION_TEXT, AT(out), 0, 0, 0, NULL },
-    { "--scene", SIM_OPTION_TEXT, AT(scenes), 0, 0, 0, NULL },
-    { "--size", SIM_OPTION_SIZE, AT(size), AT(has_size), 1, ZS_SIZE_MAX, NULL },
-    { "--strip", SIM_OPTION_COUNT, AT(strip), 0, 1, ZS_SIZE_MAX, NULL },
-    { "--subpixel", SIM_OPTION_COUNT, AT(subpixel), 0, 0, 0, "4|8" },
-    { "--start", SIM_OPTION_COUNT, AT(start), 0, 0, FRAMES_MAX, NULL },
-    { "--step", SIM_OPTION_COUNT, AT(step), 0, 1, FRAMES_MAX, NULL },
-    { "--frames", SIM_OPTION_COUNT, AT(frames), 0, 1, FRAMES_MAX, NULL },
-    { "--fast", SIM_OPTION_TEXT, AT(fast_names), 0, 0, 0, NULL },
-    { "--show", SIM_OPTION_CHOICE, AT(show), 0, 0, 0, SIM_SHOW_WORDS },
+    { "--out", SIM_OPTION_TEXT, AT(out) }, { "--scene", SIM_OPTION_TEXT, AT(scenes) },
+    { "--size", SIM_OPTION_SIZE, AT(size), AT(has_size), 1, ZS_SIZE_MAX },
+    { "--strip", SIM_OPTION_COUNT, AT(strip), 0, 1, ZS_SIZE_MAX },
+    { "--subpixel", SIM_OPTION_COUNT, AT(subpixel), .words = "4|8" },
+    { "--start", SIM_OPTION_COUNT, AT(start), 0, 0, FRAMES_MAX },
+    { "--step", SIM_OPTION_COUNT, AT(step), 0, 1, FRAMES_MAX },
+    { "--frames", SIM_OPTION_COUNT, AT(frames), 0, 1, FRAMES_MAX },
+    { "--fast", SIM_OPTION_TEXT, AT(fast_names) },
+    { "--show", SIM_OPTION_CHOICE, AT(show), .words = SIM_SHOW_WORDS },
     SIM_PANEL_OPTIONS(struct request, panel),
-    { "--raw", SIM_OPTION_FLAG, AT(raw), 0, 0, 0, NULL },
-    { "--help", SIM_OPTION_FLAG, AT(help), 0, 0, 0, NULL },
-    { "-h", SIM_OPTION_FLAG, AT(help), 0, 0, 0, NULL },
+    { "--raw", SIM_OPTION_FLAG, AT(raw) },
+    SIM_HELP_OPTIONS(AT(help)),
 };
 
 #define N_TABLE (sizeof table / sizeof table[0])
@@ -176,37 +173,24 @@ static int compare(struct tally *sum, const struct demo_frame *f, const struct d
                    const struct zs_config *config, const struct sim_frame *frame)
 {
     const size_t n = (size_t)config->width * config->height;
-    struct ref_image ours = { frame->rgb565, frame->key, sim_alloc(n, sizeof(uint32_t)), 0, 0, 0 };
-    struct ref_image truth = { sim_alloc(n, 2), sim_alloc(n, 2), sim_alloc(n, sizeof(uint32_t)),
-                               sim_alloc(n, sizeof(double)), 0, 0 };
-    struct ref_camera camera;
-    struct ref_light light;
+    struct ref_image ours = { .rgb565 = frame->rgb565,
+                              .key = frame->key,
+                              .id = sim_alloc(n, sizeof(uint32_t)),
+                              .texel = sim_alloc(n, sizeof(uint32_t)) }; /* colours are compared where it is the same */
+    struct sim_truth truth;
     struct ref_diff diff;
-    const struct ref_depth depth = { sim_truth_mapping(demo->depth, &f->camera), config->depth_bits };
-    size_t n_tris;
-    struct ref_triangle *tris = sim_truth_triangles(&f->scene, &f->camera, &n_tris);
-    sim_truth_camera(&camera, &f->camera);
-    sim_truth_light(&light, &f->scene.light, &f->camera);
-    ours.texel = sim_alloc(n, sizeof *ours.texel); /* colours are compared where texels are the same */
-    truth.texel = sim_alloc(n, sizeof *truth.texel);
     int err = sim_frame_ids(ours.id, &f->scene, &f->camera, config);
     if (!err)
         err = sim_frame_texels(ours.texel, &f->scene, &f->camera, config);
-    if (!err)
-        err = ref_render(tris, n_tris, &camera, &light, &depth, f->scene.background, config->width,
-                         config->height, &truth, NULL, NULL);
-    if (!err)
-        err = ref_compare(&ours, &truth, &depth, &camera, config->width, config->height, &diff);
+    if (!err) {
+        err = sim_truth_draw(&truth, &f->scene, &f->camera, config);
+        if (!err)
+            err = ref_compare(&ours, &truth.image, &truth.depth, &truth.camera, config->width, config->height, &diff);
+        sim_truth_free(&truth);
+    }
     if (!err)
         add_diff(sum, &diff);
-    free(tris);
-    free(ours.id);
-    free(ours.texel);
-    free(truth.texel);
-    free(truth.rgb565);
-    free(truth.key);
-    free(truth.id);
-    free(truth.z);
+    SIM_FREE(ours.id, ours.texel);
     return err ? sim_refuse(demo->name, 0, "the reference could not draw it (%d)", err) : SIM_OK;
 }
 
@@ -344,21 +328,6 @@ static void table_foot(void)
 
 /* ---- Command line ---------------------------------------------------------------------------------- */
 
-static int make_folder(const char *path)
-{
-    char part[4096];
-    if (strlen(path) + 64u > sizeof part)
-        return sim_refuse(NULL, 0, "--out: the path is too long");
-    for (size_t i = 1; i <= strlen(path); i++)
-        if (path[i] == '/' || path[i] == '\0') {
-            memcpy(part, path, i);
-            part[i] = '\0';
-            if (mkdir(part, 0777) && errno != EEXIST)
-                return sim_refuse(part, 0, "cannot make this folder: %s", strerror(errno));
-        }
-    return SIM_OK;
-}
-
 static int is_name(const struct demo *demo, const char *text, size_t length)
 {
     return strlen(demo->name) == length && !memcmp(demo->name, text, length);
@@ -466,7 +435,7 @@ int sim_demo(int argc, char **argv)
         return SIM_OK;
     }
     if (!err)
-        err = make_folder(rq.out);
+        err = sim_output_folder(rq.out, 4096 - 64);
     if (err)
         return err;
     struct sheet sheet;

@@ -34,6 +34,7 @@ static int take_value(const struct sim_option *opt, const char *text, void *to)
     int word;
     switch (opt->kind) {
     case SIM_OPTION_FILE:
+    case SIM_OPTION_PATH:
     case SIM_OPTION_TEXT:
         *(const char **)to = text;
         return text[0] != '\0';
@@ -60,7 +61,8 @@ static int take_value(const struct sim_option *opt, const char *text, void *to)
 static const char *wanted(const struct sim_option *opt)
 {
     static const char *const names[] = {
-        [SIM_OPTION_FILE] = "a file name",     [SIM_OPTION_TEXT] = "a name",
+        [SIM_OPTION_FILE] = "a file name",     [SIM_OPTION_PATH] = "a file or folder",
+        [SIM_OPTION_TEXT] = "a name",
         [SIM_OPTION_SIZE] = "WIDTHxHEIGHT",    [SIM_OPTION_COUNT] = "a whole number",
         [SIM_OPTION_NUMBER] = "a number",      [SIM_OPTION_VECTOR] = "numbers x,y,z",
         [SIM_OPTION_RGB] = "a colour RRGGBB",  [SIM_OPTION_CHOICE] = "a word",
@@ -144,4 +146,21 @@ int sim_options_in_range(const struct sim_option *table, size_t n, const void *a
         if (seen[k])
             status = in_range(&table[k], (const char *)at + table[k].to, file);
     return status;
+}
+
+int sim_is_option(const char *arg)
+{
+    return arg[0] == '-' && arg[1] != '\0' && strcmp(arg, "--") != 0;
+}
+
+int sim_model_take(const char **model, const char *arg, int *only_names)
+{
+    if (!*only_names && strcmp(arg, "--") == 0) {
+        *only_names = 1;
+        return SIM_OK;
+    }
+    if (*model != NULL)
+        return sim_usage("one model at a time: '%s' is one too many", arg);
+    *model = arg;
+    return SIM_OK;
 }

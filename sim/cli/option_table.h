@@ -9,6 +9,7 @@
 
 enum sim_option_kind {
     SIM_OPTION_FILE,   /* const char *, not empty */
+    SIM_OPTION_PATH,   /* the same, of a file or a folder */
     SIM_OPTION_TEXT,   /* the same, of something else */
     SIM_OPTION_SIZE,   /* long[2] */
     SIM_OPTION_COUNT,  /* long */
@@ -26,7 +27,11 @@ struct sim_option {
     size_t has;        /* offset of an int that becomes 1; 0: none */
     double lo, hi;     /* range of a count, number or side, both ends inside; equal: none */
     const char *words; /* "a|b|c": choices, or the only counts there are; else NULL */
+    int use;           /* flags of the program's own, which nothing here reads */
 };
+
+/* The rows that every table ends with: a flag at the offset `to`. */
+#define SIM_HELP_OPTIONS(to) { "--help", SIM_OPTION_FLAG, to }, { "-h", SIM_OPTION_FLAG, to }
 
 /* The option at argv[*i], with its value, into the struct at `to`; *i is at the last word that was taken. seen[k]
  * becomes 1 for row k of the table. SIM_OK; SIM_USAGE where there is no such option or its value is not of its kind. */
@@ -34,5 +39,12 @@ int sim_option_take(const struct sim_option *table, size_t n, void *to, char *se
 
 /* Do the options that were seen lie in their ranges? SIM_OK; SIM_REFUSED, said why about `file`. */
 int sim_options_in_range(const struct sim_option *table, size_t n, const void *at, const char *seen, const char *file);
+
+/* Is an argument an option? Not a lone "-", a name, nor "--", behind which all are names. */
+int sim_is_option(const char *arg);
+
+/* Any other argument: "--", which *only_names notes, or the name of a model, of which there is one. SIM_OK; SIM_USAGE,
+ * said why. */
+int sim_model_take(const char **model, const char *arg, int *only_names);
 
 #endif

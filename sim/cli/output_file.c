@@ -176,3 +176,18 @@ int sim_output_commit(struct sim_output *out, size_t n)
     }
     return status;
 }
+
+int sim_output_folder(const char *path, size_t most)
+{
+    char part[4096];
+    if (strlen(path) > most)
+        return sim_refuse(NULL, 0, "--out: the path is too long");
+    for (size_t i = 1; i <= strlen(path); i++)
+        if (path[i] == '/' || path[i] == '\0') {
+            memcpy(part, path, i);
+            part[i] = '\0';
+            if (mkdir(part, 0777) && errno != EEXIST)
+                return sim_refuse(part, 0, "cannot make this folder: %s", strerror(errno));
+        }
+    return SIM_OK;
+}

@@ -5,6 +5,7 @@
 #ifndef SIM_OUTPUT_FILE_H
 #define SIM_OUTPUT_FILE_H
 
+#include <stddef.h>
 #include <stdio.h>
 
 struct sim_output {
@@ -29,5 +30,9 @@ int sim_output_commit(struct sim_output *out, size_t n);
 /* Close and remove. Harmless on an output that is not open. Also done for every open output when
  * zsim exits or is interrupted. */
 void sim_output_abort(struct sim_output *out);
+
+/* Make the folder of --out and those above it, where they are missing; a path has at most `most` characters, up to
+ * 4095. SIM_OK; SIM_REFUSED, said why. What stands at the path may still be another thing than a folder. */
+int sim_output_folder(const char *path, size_t most);
 
 #endif

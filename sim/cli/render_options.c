@@ -77,44 +77,36 @@ const char sim_options_help[] =
 #define AT(field) offsetof(struct sim_options, field)
 
 static const struct sim_option table[] = {
-    { "--out", SIM_OPTION_FILE, AT(out), 0, 0, 0, NULL },
-    { "--depth-out", SIM_OPTION_FILE, AT(depth_out), 0, 0, 0, NULL },
-    { "--id-out", SIM_OPTION_FILE, AT(id_out), 0, 0, 0, NULL },
-    { "--stats", SIM_OPTION_FILE, AT(stats), 0, 0, 0, NULL },
-    { "--size", SIM_OPTION_SIZE, AT(size), AT(has_size), 1, ZS_SIZE_MAX, NULL },
-    { "--strip", SIM_OPTION_COUNT, AT(strip), 0, 0, 0, NULL },
-    { "--tris", SIM_OPTION_COUNT, AT(tris), 0, 1, ZS_POOL_MAX, NULL },
-    { "--verts", SIM_OPTION_COUNT, AT(verts), 0, 3, ZS_POOL_MAX, NULL },
-    { "--depth-bits", SIM_OPTION_COUNT, AT(depth_bits), 0, 8, 16, NULL },
-    { "--fast", SIM_OPTION_TEXT, AT(fast_names), 0, 0, 0, NULL },
-    { "--threads", SIM_OPTION_COUNT, AT(threads), 0, 1, SIM_THREADS_MAX, NULL },
-    { "--subpixel", SIM_OPTION_COUNT, AT(subpixel), 0, 0, 0, "4|8" },
-    { "--buffers", SIM_OPTION_COUNT, AT(buffers), 0, 0, 0, "1|2" },
-    { "--eye", SIM_OPTION_VECTOR, AT(eye), AT(has_eye), 0, 0, NULL },
-    { "--at", SIM_OPTION_VECTOR, AT(at), AT(has_at), 0, 0, NULL },
-    { "--up", SIM_OPTION_VECTOR, AT(up), 0, 0, 0, NULL },
-    { "--light", SIM_OPTION_VECTOR, AT(light), AT(has_light), 0, 0, NULL },
-    { "--fov", SIM_OPTION_NUMBER, AT(fov), 0, 0, 0, NULL },
-    { "--near", SIM_OPTION_NUMBER, AT(near_z), AT(has_near), 0, 0, NULL },
-    { "--far", SIM_OPTION_NUMBER, AT(far_z), AT(has_far), 0, 0, NULL },
-    { "--ambient", SIM_OPTION_NUMBER, AT(ambient), 0, 0, 1, NULL },
-    { "--diffuse", SIM_OPTION_NUMBER, AT(diffuse), 0, 0, 1, NULL },
-    { "--background", SIM_OPTION_RGB, AT(background), 0, 0, 0, NULL },
-    { "--color", SIM_OPTION_RGB, AT(color), AT(has_color), 0, 0, NULL },
-    { "--projection", SIM_OPTION_CHOICE, AT(projection), 0, 0, 0, "perspective|orthographic" },
-    { "--depth", SIM_OPTION_CHOICE, AT(depth), 0, 0, 0, "recip|linear|e3m13|e4m12|e5m11|float" },
-    { "--shade", SIM_OPTION_CHOICE, AT(shade), 0, 0, 0, "id|flat|smooth|textured|textured-flat|unlit" },
-    { "--texture", SIM_OPTION_FILE, AT(texture), 0, 0, 0, NULL },
-    { "--texture-format", SIM_OPTION_CHOICE, AT(texel), 0, 0, 0, "565|pal8|pal4" },
-    { "--wrap", SIM_OPTION_CHOICE, AT(clamp), AT(has_wrap), 0, 0, "repeat|clamp" },
-    { "--show", SIM_OPTION_CHOICE, AT(show), 0, 0, 0, SIM_SHOW_WORDS },
-    { "--cull", SIM_OPTION_CHOICE, AT(cull), 0, 0, 0, "back|front|none" },
+    { "--out", SIM_OPTION_FILE, AT(out) }, { "--depth-out", SIM_OPTION_FILE, AT(depth_out) },
+    { "--id-out", SIM_OPTION_FILE, AT(id_out) }, { "--stats", SIM_OPTION_FILE, AT(stats) },
+    { "--size", SIM_OPTION_SIZE, AT(size), AT(has_size), 1, ZS_SIZE_MAX },
+    { "--strip", SIM_OPTION_COUNT, AT(strip) },
+    { "--tris", SIM_OPTION_COUNT, AT(tris), 0, 1, ZS_POOL_MAX },
+    { "--verts", SIM_OPTION_COUNT, AT(verts), 0, 3, ZS_POOL_MAX },
+    { "--depth-bits", SIM_OPTION_COUNT, AT(depth_bits), 0, 8, 16 },
+    { "--fast", SIM_OPTION_TEXT, AT(fast_names) },
+    { "--threads", SIM_OPTION_COUNT, AT(threads), 0, 1, SIM_THREADS_MAX },
+    { "--subpixel", SIM_OPTION_COUNT, AT(subpixel), .words = "4|8" },
+    { "--buffers", SIM_OPTION_COUNT, AT(buffers), .words = "1|2" },
+    { "--eye", SIM_OPTION_VECTOR, AT(eye), AT(has_eye) }, { "--at", SIM_OPTION_VECTOR, AT(at), AT(has_at) },
+    { "--up", SIM_OPTION_VECTOR, AT(up) }, { "--light", SIM_OPTION_VECTOR, AT(light), AT(has_light) },
+    { "--fov", SIM_OPTION_NUMBER, AT(fov) }, { "--near", SIM_OPTION_NUMBER, AT(near_z), AT(has_near) },
+    { "--far", SIM_OPTION_NUMBER, AT(far_z), AT(has_far) },
+    { "--ambient", SIM_OPTION_NUMBER, AT(ambient), 0, 0, 1 },
+    { "--diffuse", SIM_OPTION_NUMBER, AT(diffuse), 0, 0, 1 },
+    { "--background", SIM_OPTION_RGB, AT(background) }, { "--color", SIM_OPTION_RGB, AT(color), AT(has_color) },
+    { "--projection", SIM_OPTION_CHOICE, AT(projection), .words = "perspective|orthographic" },
+    { "--depth", SIM_OPTION_CHOICE, AT(depth), .words = "recip|linear|e3m13|e4m12|e5m11|float" },
+    { "--shade", SIM_OPTION_CHOICE, AT(shade), .words = "id|flat|smooth|textured|textured-flat|unlit" },
+    { "--texture", SIM_OPTION_FILE, AT(texture) },
+    { "--texture-format", SIM_OPTION_CHOICE, AT(texel), .words = "565|pal8|pal4" },
+    { "--wrap", SIM_OPTION_CHOICE, AT(clamp), AT(has_wrap), .words = "repeat|clamp" },
+    { "--show", SIM_OPTION_CHOICE, AT(show), .words = SIM_SHOW_WORDS },
+    { "--cull", SIM_OPTION_CHOICE, AT(cull), .words = "back|front|none" },
     SIM_PANEL_OPTIONS(struct sim_options, panel),
-    { "--spi", SIM_OPTION_COUNT, AT(spi_hz), AT(has_spi), 1000, 1e9, NULL },
-    { "--reference", SIM_OPTION_FLAG, AT(reference), 0, 0, 0, NULL },
-    { "--compare", SIM_OPTION_FLAG, AT(compare), 0, 0, 0, NULL },
-    { "--help", SIM_OPTION_FLAG, AT(help), 0, 0, 0, NULL },
-    { "-h", SIM_OPTION_FLAG, AT(help), 0, 0, 0, NULL },
+    { "--spi", SIM_OPTION_COUNT, AT(spi_hz), AT(has_spi), 1000, 1e9 },
+    { "--reference", SIM_OPTION_FLAG, AT(reference) }, { "--compare", SIM_OPTION_FLAG, AT(compare) },
+    SIM_HELP_OPTIONS(AT(help)),
 };
 
 #define N_TABLE (sizeof table / sizeof table[0])
@@ -200,21 +192,11 @@ void sim_options_defaults(struct sim_options *o)
 
 static int take_arguments(struct sim_options *o, char seen[N_TABLE], int argc, char **argv)
 {
-    int only_names = 0;
-    for (int i = 0; i < argc; i++) {
-        int status = SIM_OK;
-        if (!only_names && strcmp(argv[i], "--") == 0)
-            only_names = 1;
-        else if (!only_names && argv[i][0] == '-' && argv[i][1] != '\0')
-            status = sim_option_take(table, N_TABLE, o, seen, argc, argv, &i);
-        else if (o->model != NULL)
-            status = sim_usage("one model at a time: '%s' is one too many", argv[i]);
-        else
-            o->model = argv[i];
-        if (status != SIM_OK)
-            return status;
-    }
-    return SIM_OK;
+    int only_names = 0, status = SIM_OK;
+    for (int i = 0; status == SIM_OK && i < argc; i++)
+        status = !only_names && sim_is_option(argv[i]) ? sim_option_take(table, N_TABLE, o, seen, argc, argv, &i)
+                                                       : sim_model_take(&o->model, argv[i], &only_names);
+    return status;
 }
 
 int sim_options_parse(struct sim_options *o, int argc, char **argv)

@@ -74,6 +74,12 @@ void *sim_alloc(size_t n, size_t size)
     return p;
 }
 
+void sim_free_all(void *const *blocks, size_t n)
+{
+    for (size_t i = 0; i < n; i++)
+        free(blocks[i]);
+}
+
 void sim_wrap(char *to, size_t room, const char *list, int indent)
 {
     size_t n = 0, column = (size_t)indent;

@@ -30,6 +30,11 @@ int sim_usage(const char *format, ...) __attribute__((format(printf, 1, 2)));
 void *sim_alloc(size_t n, size_t size);
 void *sim_grow(void *block, size_t n, size_t size);
 
+/* free() each of these. */
+void sim_free_all(void *const *blocks, size_t n);
+#define SIM_FREE(...) \
+    sim_free_all((void *const[]){ __VA_ARGS__ }, sizeof((void *const[]){ __VA_ARGS__ }) / sizeof(void *))
+
 /* A list with blanks between, as lines of less than 100 columns, all but the first behind `indent` blanks. What does not
  * fit is left out. */
 void sim_wrap(char *to, size_t room, const char *list, int indent);

@@ -137,15 +137,7 @@ int sim_original_render(struct sim_original *out, const struct sim_model *model,
 
 void sim_original_free(struct sim_original *original)
 {
-    free(original->image.rgb565);
-    free(original->image.key);
-    free(original->image.id);
-    free(original->image.z);
-    free(original->image.exact_key);
-    free(original->image.u);
-    free(original->image.v);
-    free(original->image.texel);
-    free(original->image.texture);
-    free(original->texture);
+    const struct ref_image *i = &original->image;
+    SIM_FREE(i->rgb565, i->key, i->id, i->z, i->exact_key, i->u, i->v, i->texel, i->texture, original->texture);
     memset(original, 0, sizeof *original);
 }

@@ -1,5 +1,4 @@
-/* Parsing of `zsim convert`: one table of options. A value that is not of its kind is a usage
- * error; one that is, but lies outside its range, is refused.
+/* Parsing of `zsim convert`, by sim's option table.
  *
  * SPDX-License-Identifier: MIT
  */
@@ -12,8 +11,8 @@
 #include <string.h>
 #include <strings.h>
 
+#include "option_table.h"
 #include "sim.h"
-#include "value.h"
 
 #define NAME_MAX_CHARS 40
 #define UNIT_MIN 1e-30
@@ -61,76 +60,35 @@ const char sim_convert_help[] =
     "An option's value may follow after a space or an equals sign.\n"
     "Exit status: 0 done; 1 refused, nothing written; 2 the command line makes no sense.\n";
 
-enum kind { KIND_TEXT, KIND_PATH, KIND_NUMBER, KIND_SIZE, KIND_RGB, KIND_CHOICE, KIND_FLAG };
-
-/* Choices are written as the number of the word. */
-struct option {
-    const char *name;
-    enum kind kind;
-    size_t to;         /* offset of the value */
-    int for_models;    /* 1: pictures have no use for it */
-    int shown;         /* 1: part of what the generated files say made them */
-    const char *words; /* "a|b|c" */
+/* How an option is used. */
+enum {
+    FOR_MODELS = 1, /* pictures have no use for it */
+    SHOWN = 2       /* part of what the generated files say made them */
 };
 
 #define AT(field) offsetof(struct sim_convert_options, field)
 
-static const struct option table[] = {
-    { "--name", KIND_TEXT, AT(name), 0, 1, NULL },
-    { "--out", KIND_PATH, AT(out), 0, 0, NULL },
-    { "--shade", KIND_CHOICE, AT(look), 1, 1, "flat|smooth|textured|textured-flat|unlit|raw" },
-    { "--unit", KIND_NUMBER, AT(unit), 1, 1, NULL },
-    { "--center", KIND_CHOICE, AT(keep_origin), 1, 1, "yes|no" },
-    { "--precise", KIND_FLAG, AT(precise), 1, 1, NULL },
-    { "--face-normals", KIND_CHOICE, AT(no_face_normals), 1, 1, "yes|no" },
-    { "--cull", KIND_CHOICE, AT(cull), 1, 1, "back|front|none" },
-    { "--color", KIND_RGB, AT(color), 1, 1, NULL },
-    { "--map", KIND_PATH, AT(map), 1, 0, NULL },
-    { "--texture", KIND_PATH, AT(texture), 1, 1, NULL },
-    { "--wrap", KIND_CHOICE, AT(wrap), 0, 1, "file|repeat|clamp" },
-    { "--texture-size", KIND_SIZE, AT(texture_size), 0, 1, NULL },
-    { "--texture-format", KIND_CHOICE, AT(texels), 0, 1, "auto|565|pal8|pal4" },
-    { "--dither", KIND_FLAG, AT(dither), 0, 1, NULL },
-    { "--help", KIND_FLAG, AT(help), 0, 0, NULL },
-    { "-h", KIND_FLAG, AT(help), 0, 0, NULL },
+static const struct sim_option table[] = {
+    { "--name", SIM_OPTION_TEXT, AT(name), .use = SHOWN },
+    { "--out", SIM_OPTION_PATH, AT(out) },
+    { "--shade", SIM_OPTION_CHOICE, AT(look), .use = FOR_MODELS | SHOWN,
+      .words = "flat|smooth|textured|textured-flat|unlit|raw" },
+    { "--unit", SIM_OPTION_NUMBER, AT(unit), AT(has_unit), .use = FOR_MODELS | SHOWN },
+    { "--center", SIM_OPTION_CHOICE, AT(keep_origin), .use = FOR_MODELS | SHOWN, .words = "yes|no" },
+    { "--precise", SIM_OPTION_FLAG, AT(precise), .use = FOR_MODELS | SHOWN },
+    { "--face-normals", SIM_OPTION_CHOICE, AT(no_face_normals), .use = FOR_MODELS | SHOWN, .words = "yes|no" },
+    { "--cull", SIM_OPTION_CHOICE, AT(cull), .use = FOR_MODELS | SHOWN, .words = "back|front|none" },
+    { "--color", SIM_OPTION_RGB, AT(color), AT(has_color), .use = FOR_MODELS | SHOWN },
+    { "--map", SIM_OPTION_PATH, AT(map), .use = FOR_MODELS },
+    { "--texture", SIM_OPTION_PATH, AT(texture), .use = FOR_MODELS | SHOWN },
+    { "--wrap", SIM_OPTION_CHOICE, AT(wrap), .use = SHOWN, .words = "file|repeat|clamp" },
+    { "--texture-size", SIM_OPTION_SIZE, AT(texture_size), .use = SHOWN },
+    { "--texture-format", SIM_OPTION_CHOICE, AT(texels), .use = SHOWN, .words = "auto|565|pal8|pal4" },
+    { "--dither", SIM_OPTION_FLAG, AT(dither), .use = SHOWN },
+    SIM_HELP_OPTIONS(AT(help)),
 };
 
 #define N_TABLE (sizeof table / sizeof table[0])
-
-/* ---- Values ---------------------------------------------------------------------------------- */
-
-static int take_value(const struct option *opt, const char *text, void *to)
-{
-    const char *end;
-    switch (opt->kind) {
-    case KIND_TEXT:
-    case KIND_PATH:
-        *(const char **)to = text;
-        return text[0] != '\0';
-    case KIND_NUMBER:
-        return sim_value_double(text, '\0', &end, to);
-    case KIND_SIZE:
-        return sim_value_size(text, to);
-    case KIND_RGB:
-        return sim_value_rgb(text, to);
-    case KIND_CHOICE:
-        *(int *)to = sim_value_choice(text, opt->words);
-        return *(int *)to >= 0;
-    case KIND_FLAG:
-        break;
-    }
-    return 0;
-}
-
-static const char *wanted(const struct option *opt)
-{
-    static const char *const names[] = {
-        [KIND_TEXT] = "a name",       [KIND_PATH] = "a file or folder", [KIND_NUMBER] = "a number",
-        [KIND_SIZE] = "WIDTHxHEIGHT", [KIND_RGB] = "a colour RRGGBB",   [KIND_CHOICE] = "a word",
-        [KIND_FLAG] = "no value",
-    };
-    return opt->words != NULL ? opt->words : names[opt->kind];
-}
 
 /* ---- The name -------------------------------------------------------------------------------- */
 
@@ -307,73 +265,41 @@ static void say(char **command, const char *word)
     *to = '\0';
 }
 
-static void say_option(char **command, const struct option *opt, const char *value)
+static void say_option(char **command, const struct sim_option *opt, const char *value)
 {
-    if (!opt->shown)
+    if (!(opt->use & SHOWN))
         return;
     say(command, opt->name);
     if (value != NULL)
-        say(command, opt->kind == KIND_PATH ? bare(value) : value);
+        say(command, opt->kind == SIM_OPTION_PATH ? bare(value) : value);
 }
 
 /* ---- Arguments ------------------------------------------------------------------------------- */
 
-static const struct option *find(const char *arg, size_t length)
-{
-    for (size_t k = 0; k < N_TABLE; k++)
-        if (strlen(table[k].name) == length && memcmp(table[k].name, arg, length) == 0)
-            return &table[k];
-    return NULL;
-}
-
 static int take_option(struct sim_convert_options *o, char **said, int argc, char **argv, int *i)
 {
-    const char *arg = argv[*i];
-    const size_t length = strcspn(arg, "=");
-    const struct option *opt = find(arg, length);
-    if (opt == NULL)
-        return sim_usage("unknown option '%s'", arg);
-    char *to = (char *)o + opt->to;
-    const char *value = arg[length] == '=' ? arg + length + 1 : NULL;
-    if (opt->kind == KIND_FLAG) {
-        if (value != NULL)
-            return sim_usage("%s wants no value, not '%s'", opt->name, value);
-        *(int *)(void *)to = 1;
-    } else {
-        if (value == NULL && *i + 1 >= argc)
-            return sim_usage("%s wants a value: %s", opt->name, wanted(opt));
-        if (value == NULL)
-            value = argv[++*i];
-        if (!take_value(opt, value, to))
-            return sim_usage("%s wants %s, not '%s'", opt->name, wanted(opt), value);
-    }
-    if (opt->for_models && !o->for_models) {
+    char seen[N_TABLE] = { 0 };
+    const int at = *i;
+    const int status = sim_option_take(table, N_TABLE, o, seen, argc, argv, i);
+    if (status != SIM_OK)
+        return status;
+    const struct sim_option *opt = &table[(const char *)memchr(seen, 1, N_TABLE) - seen];
+    const char *equals = strchr(argv[at], '=');
+    if ((opt->use & FOR_MODELS) && !o->for_models) {
         o->for_models = 1;
         o->model_option = opt->name;
     }
-    o->has_color |= opt->kind == KIND_RGB;
-    o->has_unit |= opt->kind == KIND_NUMBER;
-    say_option(said, opt, value);
+    say_option(said, opt, equals != NULL ? equals + 1 : *i > at ? argv[*i] : NULL);
     return SIM_OK;
 }
 
 static int take_arguments(struct sim_convert_options *o, char **said, int argc, char **argv)
 {
-    int only_names = 0;
-    for (int i = 0; i < argc; i++) {
-        int status = SIM_OK;
-        if (!only_names && strcmp(argv[i], "--") == 0)
-            only_names = 1;
-        else if (!only_names && argv[i][0] == '-' && argv[i][1] != '\0')
-            status = take_option(o, said, argc, argv, &i);
-        else if (o->input != NULL)
-            status = sim_usage("one model at a time: '%s' is one too many", argv[i]);
-        else
-            o->input = argv[i];
-        if (status != SIM_OK)
-            return status;
-    }
-    return SIM_OK;
+    int only_names = 0, status = SIM_OK;
+    for (int i = 0; status == SIM_OK && i < argc; i++)
+        status = !only_names && sim_is_option(argv[i]) ? take_option(o, said, argc, argv, &i)
+                                                       : sim_model_take(&o->input, argv[i], &only_names);
+    return status;
 }
 
 static int check_values(const struct sim_convert_options *o)

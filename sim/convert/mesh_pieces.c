@@ -445,10 +445,7 @@ static void sort_piece(struct work *w, struct sim_piece *p, const struct shape *
         list[i] = old_list[order[i]];
     }
     sim_sphere(p->center, &p->radius, (const int32_t(*)[3])fine, p->n_verts);
-    free(fine);
-    free(order);
-    free(old);
-    free(old_list);
+    SIM_FREE(fine, order, old, old_list);
 }
 
 /* A piece from the triangles of a list; slot: all zero, and again afterwards. */
@@ -473,10 +470,7 @@ static void make_piece(struct work *w, const struct shape *s, uint32_t *list, ui
         now[remap[v]] = from[v];
     copy_vertices(&p, s, now);
     copy_faces(w, &p, s);
-    free(tri);
-    free(from);
-    free(remap);
-    free(now);
+    SIM_FREE(tri, from, remap, now);
     out->piece = sim_grow(out->piece, (size_t)out->n_pieces + 1, sizeof *out->piece);
     out->piece[out->n_pieces++] = p;
     out->n_verts += p.n_verts;
@@ -591,9 +585,7 @@ static int make_group(struct work *w, uint32_t group)
         join(w, &s, group);
         cut(w, &s);
     }
-    free(s.corner);
-    free(s.tri);
-    free(s.source);
+    SIM_FREE(s.corner, s.tri, s.source);
     return status;
 }
 
@@ -705,19 +697,9 @@ void sim_pieces_free(struct sim_pieces *pieces)
 {
     for (uint32_t i = 0; i < pieces->n_pieces; i++) {
         struct sim_piece *p = &pieces->piece[i];
-        free(p->fine);
-        free(p->normal);
-        free(p->face_normal);
-        free(p->vertex_rgb);
-        free(p->face_rgb);
-        free(p->face_raw);
-        free(p->uv);
-        free(p->tri);
-        free(p->source);
-        free(p->cluster);
+        SIM_FREE(p->fine, p->normal, p->face_normal, p->vertex_rgb, p->face_rgb, p->face_raw, p->uv, p->tri,
+                 p->source, p->cluster);
     }
-    free(pieces->piece);
-    free(pieces->paint);
-    free(pieces->uv_error);
+    SIM_FREE(pieces->piece, pieces->paint, pieces->uv_error);
     memset(pieces, 0, sizeof *pieces);
 }

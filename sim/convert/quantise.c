@@ -539,9 +539,7 @@ static int build_parts(struct build *b)
                                 "%u vertices; sort its faces by texture",
                                 UINT16_MAX, PART_VERTS_MAX);
     }
-    free(b->slot);
-    free(b->slot_of);
-    free(b->key);
+    SIM_FREE(b->slot, b->slot_of, b->key);
     return status;
 }
 
@@ -668,22 +666,11 @@ void sim_scene_free(struct sim_scene *scene)
 {
     for (uint32_t i = 0; i < scene->n_parts; i++) {
         struct sim_part *p = &scene->part[i];
-        free(p->pos);
-        free(p->pos_lo);
-        free(p->tri);
-        free(p->normal);
-        free(p->face_normal);
-        free(p->vertex_rgb);
-        free(p->face_rgb);
-        free(p->face_raw);
-        free(p->uv);
+        SIM_FREE(p->pos, p->pos_lo, p->tri, p->normal, p->face_normal, p->vertex_rgb, p->face_rgb,
+                 p->face_raw, p->uv);
     }
     for (uint32_t i = 0; i < scene->n_textures; i++)
         free((void *)(uintptr_t)scene->texture[i].texel);
-    free(scene->texture);
-    free(scene->palette);
-    free(scene->material);
-    free(scene->part);
-    free(scene->instance);
+    SIM_FREE(scene->texture, scene->palette, scene->material, scene->part, scene->instance);
     memset(scene, 0, sizeof *scene);
 }

@@ -134,7 +134,6 @@ int sim_skin_make(struct sim_skin *out, const struct sim_texture *texture, const
 
 void sim_skin_free(struct sim_skin *skin)
 {
-    free(skin->texel);
-    free(skin->index);
+    SIM_FREE(skin->texel, skin->index);
     memset(skin, 0, sizeof *skin);
 }

@@ -484,8 +484,7 @@ int sim_frame_render_threads(struct sim_frame *frame, const struct zs_scene *sce
 
 void sim_frame_free(struct sim_frame *frame)
 {
-    free(frame->rgb565);
-    free(frame->key);
+    SIM_FREE(frame->rgb565, frame->key);
     memset(frame, 0, sizeof *frame);
 }
 
@@ -544,10 +543,7 @@ int sim_frame_ids(uint32_t *id, const struct zs_scene *scene, const struct zs_ca
                 id[i] |= (uint32_t)frame.rgb565[i] << shift;
         sim_frame_free(&frame);
     }
-    free(p.instance);
-    free(p.mesh);
-    free(p.material);
-    free(p.raw);
+    SIM_FREE(p.instance, p.mesh, p.material, p.raw);
     return err;
 }
 

@@ -101,10 +101,7 @@ static void drop(struct numbered *c)
 {
     for (uint32_t i = 0; i < c->n; i++)
         free((void *)(uintptr_t)c->texture[i].texel);
-    free(c->instance);
-    free(c->mesh);
-    free(c->material);
-    free(c->texture);
+    SIM_FREE(c->instance, c->mesh, c->material, c->texture);
 }
 
 int sim_frame_texels(uint32_t *texel, const struct zs_scene *scene, const struct zs_camera *camera,

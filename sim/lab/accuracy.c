@@ -1,4 +1,4 @@
-/* `zsim accuracy`: see accuracy.h. One row of the table after another: what is exactly known
+/* `zlab accuracy`: see accuracy.h. One row of the table after another: what is exactly known
  * (exact_cases.h), the bench scenes, rotations, random scenes (random_scenes.h, error_bound.h).
  *
  * SPDX-License-Identifier: MIT
@@ -14,19 +14,20 @@
 #include "exact_cases.h"
 #include "frame.h"
 #include "error_bound.h"
-#include "random.h"
+#include "prng.h"
 #include "random_scenes.h"
+#include "rotation_drift.h"
 #include "scenes.h"
 #include "sim.h"
 #include "texel_numbers.h"
-#include "scene_reference.h"
+#include "truth.h"
 
 #define KEY_BOUND 0.505 /* buckets, for width + height <= 640 */
 
 #define MOVES 32 /* of a bench scene, by parts of a pixel */
 
 static const char usage[] =
-    "zsim accuracy [--scenes N=1000] [--seed S=1] [--quick]\n"
+    "zlab accuracy [--scenes N=1000] [--seed S=1] [--quick]\n"
     "  Measures coverage, order, depth, texels, colours and rotations against whole numbers and the\n"
     "  double-precision reference, on the bench scenes and on N random ones, and prints a table.\n"
     "  Ends with status 1 where a row fails. --quick: less of everything, 40 scenes unless told.\n";
@@ -103,13 +104,8 @@ static double percent(uint64_t part, uint64_t whole)
 
 struct look {
     struct sim_frame frame;
-    struct ref_image ours, truth;
-    struct ref_triangle *tri;
-    size_t n_tris;
-    struct ref_camera camera;
-    struct ref_light light;
-    struct ref_depth depth;
-    struct sim_judge judge;
+    struct ref_image ours;
+    struct sim_truth truth;
     struct ref_diff diff;
 };
 
@@ -133,19 +129,8 @@ struct sums {
 static void look_close(struct look *l)
 {
     sim_frame_free(&l->frame);
-    free(l->tri);
-    free(l->ours.id);
-    free(l->ours.texel);
-    free(l->truth.rgb565);
-    free(l->truth.key);
-    free(l->truth.id);
-    free(l->truth.z);
-    free(l->truth.exact_key);
-    free(l->truth.rgb);
-    free(l->truth.u);
-    free(l->truth.v);
-    free(l->truth.texel);
-    free((void *)l->truth.texture);
+    SIM_FREE(l->ours.id, l->ours.texel);
+    sim_truth_free(&l->truth);
 }
 
 static int look_draw(struct look *l, const struct zs_scene *scene, const struct zs_camera *camera,
@@ -162,11 +147,10 @@ static int look_draw(struct look *l, const struct zs_scene *scene, const struct 
     if (err)
         return sim_refuse(NULL, 0, "a scene of the accuracy checks could not be drawn: %s",
                           zs_error_string(err));
-    err = ref_render(l->tri, l->n_tris, &l->camera, &l->light, &l->depth, scene->background,
-                     config->width, config->height, &l->truth, NULL, NULL);
+    err = sim_truth_draw(&l->truth, scene, camera, config);
     if (!err)
-        err = ref_compare(&l->ours, &l->truth, &l->depth, &l->camera, config->width, config->height,
-                          &l->diff);
+        err = ref_compare(&l->ours, &l->truth.image, &l->truth.depth, &l->truth.camera, config->width,
+                          config->height, &l->diff);
     return err ? sim_refuse(NULL, 0, "the reference could not draw a scene (%d)", err) : SIM_OK;
 }
 
@@ -176,32 +160,8 @@ static int look_open(struct look *l, const struct zs_scene *scene, const struct 
 {
     const size_t n = (size_t)config->width * config->height;
     memset(l, 0, sizeof *l);
-    l->tri = sim_truth_triangles(scene, camera, &l->n_tris);
-    sim_truth_camera(&l->camera, camera);
-    sim_truth_light(&l->light, &scene->light, camera);
-    l->depth.mapping = sim_truth_mapping(config->depth, camera);
-    l->depth.bits = config->depth_bits;
     l->ours.id = sim_alloc(n, sizeof(uint32_t));
     l->ours.texel = textured ? sim_alloc(n, sizeof(uint32_t)) : NULL;
-    l->truth.rgb565 = sim_alloc(n, sizeof(uint16_t));
-    l->truth.key = sim_alloc(n, sizeof(uint16_t));
-    l->truth.id = sim_alloc(n, sizeof(uint32_t));
-    l->truth.z = sim_alloc(n, sizeof(double));
-    l->truth.exact_key = sim_alloc(n, sizeof(double));
-    l->truth.rgb = sim_alloc(3 * n, sizeof(double));
-    l->truth.u = sim_alloc(n, sizeof(double));
-    l->truth.v = sim_alloc(n, sizeof(double));
-    l->truth.texel = sim_alloc(n, sizeof(uint32_t));
-    l->truth.texture = sim_alloc(n, sizeof(void *));
-    const struct sim_judge judge = { l->tri,
-                                     &l->camera,
-                                     &l->light,
-                                     &l->depth,
-                                     config->width,
-                                     config->height,
-                                     1.0 / (1 << config->subpixel_bits),
-                                     sim_judge_unit(l->tri, l->n_tris, &l->camera) };
-    l->judge = judge;
     const int status = look_draw(l, scene, camera, config, textured);
     if (status != SIM_OK)
         look_close(l);
@@ -212,11 +172,11 @@ static int look_open(struct look *l, const struct zs_scene *scene, const struct 
 
 static void sum_visible(struct sums *s, const struct look *l, int x, int y)
 {
-    const size_t at = (size_t)y * (size_t)l->judge.width + (size_t)x;
-    const uint32_t ours = l->ours.id[at], truth = l->truth.id[at];
-    const enum sim_verdict verdict = sim_judge_pixel(&l->judge, ours, truth, x, y);
+    const size_t at = (size_t)y * (size_t)l->truth.judge.width + (size_t)x;
+    const uint32_t ours = l->ours.id[at], truth = l->truth.image.id[at];
+    const enum sim_verdict verdict = sim_judge_pixel(&l->truth.judge, ours, truth, x, y);
     const int surface = !ours || !truth ||
-                        !sim_judge_same_plane(&l->tri[ours - 1], &l->tri[truth - 1]);
+                        !sim_judge_same_plane(&l->truth.tri[ours - 1], &l->truth.tri[truth - 1]);
     if (verdict == SIM_SAME)
         return;
     s->differ++;
@@ -226,23 +186,23 @@ static void sum_visible(struct sums *s, const struct look *l, int x, int y)
     s->surfaces += (uint64_t)surface;
     s->surfaces_wrong += surface && verdict == SIM_WRONG;
     s->uncovered += !ours || !truth;
-    if (ours || x == 0 || y == 0 || x == l->judge.width - 1 || y == l->judge.height - 1)
+    if (ours || x == 0 || y == 0 || x == l->truth.judge.width - 1 || y == l->truth.judge.height - 1)
         return;
     for (int k = 0; k < 9; k++)
-        if (!l->truth.id[at + (size_t)(k / 3) * (size_t)l->judge.width + (size_t)(k % 3) -
-                         (size_t)l->judge.width - 1])
+        if (!l->truth.image.id[at + (size_t)(k / 3) * (size_t)l->truth.judge.width + (size_t)(k % 3) -
+                         (size_t)l->truth.judge.width - 1])
             return;
     s->cracks++;
 }
 
 static void sum_key(struct sums *s, const struct look *l, int x, int y)
 {
-    const size_t at = (size_t)y * (size_t)l->judge.width + (size_t)x;
-    const double top = ldexp(1, l->depth.bits) - 2;
-    double off = fabs(l->ours.key[at] - fmin(fmax(l->truth.exact_key[at], 0), top));
+    const size_t at = (size_t)y * (size_t)l->truth.judge.width + (size_t)x;
+    const double top = ldexp(1, l->truth.depth.bits) - 2;
+    double off = fabs(l->ours.key[at] - fmin(fmax(l->truth.image.exact_key[at], 0), top));
     s->keys++;
     if (off > 0.5) /* speed: or nothing needs explaining */
-        off -= sim_judge_key_slack(&l->judge, l->ours.id[at], x, y);
+        off -= sim_judge_key_slack(&l->truth.judge, l->ours.id[at], x, y);
     s->key_beyond = fmax(s->key_beyond, off);
 }
 
@@ -282,10 +242,10 @@ static double texel_bound(const struct ref_triangle *t, int axis, double ratio)
 static void sum_axis(struct sums *s, const struct look *l, int x, int y, int axis, uint32_t ours,
                      uint32_t truth)
 {
-    const size_t at = (size_t)y * (size_t)l->judge.width + (size_t)x;
-    const struct ref_texture *t = l->truth.texture[at];
+    const size_t at = (size_t)y * (size_t)l->truth.judge.width + (size_t)x;
+    const struct ref_texture *t = l->truth.image.texture[at];
     const int size = axis ? t->height : t->width, clamped = axis ? t->clamp_v : t->clamp_u;
-    const double exact = (axis ? l->truth.v : l->truth.u)[at] * size;
+    const double exact = (axis ? l->truth.image.v : l->truth.image.u)[at] * size;
     const uint32_t apart = ours > truth ? ours - truth : truth - ours;
     const double off = outside(exact, exact, ours, size, clamped);
     double light[2], lo[2], hi[2];
@@ -295,15 +255,15 @@ static void sum_axis(struct sums *s, const struct look *l, int x, int y, int axi
     s->texels_differ++;
     s->texels_far += apart > 1 && (clamped || (int)apart < size - 1);
     s->texel_worst = fmax(s->texel_worst, off);
-    const double ratio = sim_judge_texture(&l->judge, l->ours.id[at], x, y, light, lo, hi);
+    const double ratio = sim_judge_texture(&l->truth.judge, l->ours.id[at], x, y, light, lo, hi);
     s->texels_wrong += outside(lo[axis], hi[axis], ours, size, clamped) >
-                       texel_bound(&l->tri[l->ours.id[at] - 1], axis, ratio);
+                       texel_bound(&l->truth.tri[l->ours.id[at] - 1], axis, ratio);
 }
 
 static void sum_texel(struct sums *s, const struct look *l, int x, int y, size_t at)
 {
-    const uint32_t ours = l->ours.texel[at] - 1, truth = l->truth.texel[at] - 1;
-    const uint32_t width = (uint32_t)l->truth.texture[at]->width;
+    const uint32_t ours = l->ours.texel[at] - 1, truth = l->truth.image.texel[at] - 1;
+    const uint32_t width = (uint32_t)l->truth.image.texture[at]->width;
     sum_axis(s, l, x, y, 0, ours % width, truth % width);
     sum_axis(s, l, x, y, 1, ours / width, truth / width);
 }
@@ -319,11 +279,11 @@ static const int most_code[3] = { 31, 63, 31 };
 /* The reference's texel, under light from as far around as snapping may reach. */
 static int texture_explains(const struct look *l, int x, int y, size_t at, const int code[3])
 {
-    const struct ref_texture *t = l->truth.texture[at];
+    const struct ref_texture *t = l->truth.image.texture[at];
     double light[2], lo[2], hi[2];
     int base[3], right = 1;
-    (void)sim_judge_texture(&l->judge, l->ours.id[at], x, y, light, lo, hi);
-    split(t->rgb565[l->truth.texel[at] - 1], base);
+    (void)sim_judge_texture(&l->truth.judge, l->ours.id[at], x, y, light, lo, hi);
+    split(t->rgb565[l->truth.image.texel[at] - 1], base);
     for (int c = 0; c < 3; c++)
         right &= code_right(code[c], fmin(base[c] * light[0], most_code[c]),
                             fmin(base[c] * light[1], most_code[c]));
@@ -335,17 +295,17 @@ static void sum_color(struct sums *s, const struct look *l, int x, int y, size_t
     int ours[3], truth[3], far = 0, right = 1;
     double lo[3], hi[3];
     split(l->ours.rgb565[at], ours);
-    split(l->truth.rgb565[at], truth);
+    split(l->truth.image.rgb565[at], truth);
     for (int c = 0; c < 3; c++)
         far += abs(ours[c] - truth[c]) > 1;
     s->colors += 3;
     s->colors_far += (uint64_t)far;
     if (!far)
         return;
-    if (l->truth.texture[at]) {
+    if (l->truth.image.texture[at]) {
         right = texture_explains(l, x, y, at, ours);
     } else {
-        sim_judge_color(&l->judge, l->ours.id[at], x, y, lo, hi);
+        sim_judge_color(&l->truth.judge, l->ours.id[at], x, y, lo, hi);
         for (int c = 0; c < 3; c++)
             right &= code_right(ours[c], lo[c], hi[c]);
     }
@@ -355,10 +315,10 @@ static void sum_color(struct sums *s, const struct look *l, int x, int y, size_t
 static void sum_up(struct sums *s, const struct look *l)
 {
     const uint64_t before = s->differ;
-    for (int y = 0; y < l->judge.height; y++)
-        for (int x = 0; x < l->judge.width; x++) {
-            const size_t at = (size_t)y * (size_t)l->judge.width + (size_t)x;
-            if (l->ours.id[at] != l->truth.id[at]) {
+    for (int y = 0; y < l->truth.judge.height; y++)
+        for (int x = 0; x < l->truth.judge.width; x++) {
+            const size_t at = (size_t)y * (size_t)l->truth.judge.width + (size_t)x;
+            if (l->ours.id[at] != l->truth.image.id[at]) {
                 sum_visible(s, l, x, y);
             } else if (l->ours.id[at]) {
                 /* texels under too little light cannot be told */
@@ -366,7 +326,7 @@ static void sum_up(struct sums *s, const struct look *l)
                 sum_key(s, l, x, y);
                 if (texel)
                     sum_texel(s, l, x, y, at);
-                if (texel == l->truth.texel[at])
+                if (texel == l->truth.image.texel[at])
                     sum_color(s, l, x, y, at);
             }
         }
@@ -472,7 +432,7 @@ struct moved { /* a scene as it stands, and moved by parts of a pixel */
 static int moved_draw(struct moved *m, const struct request *rq, const struct demo *demo, int flat)
 {
     const uint32_t n = rq->quick ? 4 : MOVES;
-    struct sim_random r = { rq->seed };
+    struct prng r = { rq->seed };
     int status = SIM_OK;
     memset(m, 0, sizeof *m);
     for (uint32_t k = 0; k < n && status == SIM_OK; k++) {
@@ -481,7 +441,7 @@ static int moved_draw(struct moved *m, const struct request *rq, const struct de
         uint64_t twice = 0;
         demo->pose(&f, 0, demo->width, demo->height);
         for (int c = 0; c < 2 && k; c++) /* the eye is at the origin; focal length: the width */
-            f.instance[0].pose.pos[c] += (int32_t)(sim_random_real(&r, -0.5, 0.5) *
+            f.instance[0].pose.pos[c] += (int32_t)(prng_real(&r, -0.5, 0.5) *
                                                    -f.instance[0].pose.pos[2] / demo->width);
         status = bench_frame(&m->sums, &d, demo, &f, NULL);
         if (status == SIM_OK && flat)
@@ -634,96 +594,13 @@ static int texture_rows(void)
 
 /* ---- Rotations ------------------------------------------------------------------------------ */
 
-#define LEVER 160 /* px: half of 320 */
-
-/* Rodrigues' rotation about an axis of whole numbers by 16-bit turns. */
-static void exact_turn(long double out[9], const int32_t axis[3], zs_turn angle)
-{
-    const long double turn = (long double)angle / 65536 * 6.283185307179586476925286766559L;
-    const long double length = sqrtl((long double)axis[0] * axis[0] +
-                                     (long double)axis[1] * axis[1] +
-                                     (long double)axis[2] * axis[2]);
-    const long double c = cosl(turn), s = sinl(turn);
-    const long double u[3] = { axis[0] / length, axis[1] / length, axis[2] / length };
-    for (int i = 0; i < 3; i++)
-        for (int j = 0; j < 3; j++)
-            out[3 * i + j] = (i == j ? c : 0) + (1 - c) * u[i] * u[j];
-    for (int k = 0; k < 3; k++) {
-        const int i = (k + 1) % 3, j = (k + 2) % 3;
-        out[3 * j + i] += s * u[k];
-        out[3 * i + j] -= s * u[k];
-    }
-}
-
-static void exact_compose(long double m[9], const long double turn[9])
-{
-    long double out[9];
-    for (int i = 0; i < 3; i++)
-        for (int j = 0; j < 3; j++)
-            out[3 * i + j] = turn[3 * i] * m[j] + turn[3 * i + 1] * m[3 + j] +
-                             turn[3 * i + 2] * m[6 + j];
-    memcpy(m, out, sizeof out);
-}
-
-/* Sub-pixels that a point at the lever is off by, at most: the longest of the columns' differences.
- */
-static double apart(const zs_q2_30 rot[9], const long double m[9])
-{
-    double worst = 0;
-    for (int j = 0; j < 3; j++) {
-        double square = 0;
-        for (int i = 0; i < 3; i++) {
-            const double off = (double)(rot[3 * i + j] / 1073741824.0L - m[3 * i + j]);
-            square += off * off;
-        }
-        worst = fmax(worst, sqrt(square));
-    }
-    return worst * LEVER * 256;
-}
-
-static double drift(struct sim_random *r, uint32_t n, int wander)
-{
-    int32_t axis[3] = { 1, 2, 3 };
-    zs_turn angle = 4099;
-    struct zs_pose pose;
-    long double m[9] = { 1, 0, 0, 0, 1, 0, 0, 0, 1 }, turn[9];
-    double worst = 0;
-    zs_pose_identity(&pose);
-    for (uint32_t k = 0; k < n; k++) {
-        if (wander) {
-            for (int c = 0; c < 3; c++)
-                axis[c] = sim_random_range(r, -1000, 1000);
-            axis[0] |= 1;
-            const uint32_t shift = sim_random_pick(r, 12);
-            angle = (zs_turn)((sim_random_bits(r) & 65535u) >> shift);
-        }
-        (void)zs_pose_rotate(&pose, axis, angle);
-        if (k == 0 || wander)
-            exact_turn(turn, axis, angle);
-        exact_compose(m, turn);
-        if (k % 64 == 0 || k == n - 1)
-            worst = fmax(worst, apart(pose.rot, m));
-        if (k % 4096 == 0)
-            sim_progress("rotations", k, n);
-    }
-    sim_progress_end();
-    return worst;
-}
-
-double sim_accuracy_drift(uint64_t seed, uint32_t n, int wander)
-{
-    struct sim_random r = { seed };
-    return drift(&r, n, wander);
-}
-
 static void rotation_rows(const struct request *rq)
 {
     const uint32_t n = rq->quick ? 65536 : 1000000;
-    struct sim_random r = { rq->seed };
     section("zs_pose_rotate, composed, against long double");
-    const char *over = text("%u rotations; sub-pixels of 1/256 at %d px from the middle", n, LEVER);
-    row_value("drift, the same step again and again", drift(&r, n, 0), 1, " sub-pixel", over);
-    row_value("drift, a random step each time", drift(&r, n, 1), 1, " sub-pixel", over);
+    const char *over = text("%u rotations; sub-pixels of 1/256 at %d px from the middle", n, SIM_ROTATION_LEVER);
+    row_value("drift, the same step again and again", sim_rotation_drift(rq->seed, n, 0), 1, " sub-pixel", over);
+    row_value("drift, a random step each time", sim_rotation_drift(rq->seed, n, 1), 1, " sub-pixel", over);
 }
 
 /* ---- Random scenes -------------------------------------------------------------------------- */
@@ -747,7 +624,7 @@ static int random_rows(const struct request *rq)
         }
         if (s.wrong + s.colors_wrong + s.texels_wrong > bad ||
             (s.key_beyond > worst && s.key_beyond > KEY_BOUND))
-            (void)printf("  wrong: zsim accuracy --quick --scenes 1 --seed %llu\n", rq->seed + k);
+            (void)printf("  wrong: zlab accuracy --quick --scenes 1 --seed %llu\n", rq->seed + k);
         sim_progress("random scenes", k, n);
     }
     sim_progress_end();

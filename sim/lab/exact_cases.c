@@ -4,12 +4,13 @@
  */
 #include "exact_cases.h"
 
+#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
 #include "frame.h"
 #include "error_bound.h"
-#include "random.h"
+#include "prng_log.h"
 #include "reference.h"
 #include "sim.h"
 #include "scene_reference.h"
@@ -157,51 +158,51 @@ static int edges_at(const struct edges *e, int i, int j, int64_t w[3])
 
 enum shape { AROUND, TINY, SLIVER, HUGE_ONE, STEEP, ON_SAMPLES, BESIDE, STRAIGHT, FLAT, SHAPES };
 
-static int32_t corner(struct sim_random *r, enum shape shape, int32_t size, int32_t first, int k)
+static int32_t corner(struct prng *r, enum shape shape, int32_t size, int32_t first, int k)
 {
-    const int32_t half = size * 128, shift = (int32_t)sim_random_pick(r, 8);
+    const int32_t half = size * 128, shift = (int32_t)prng_pick(r, 8);
     switch (shape) {
-    case TINY: return k ? first + sim_random_range(r, -900, 900) : sim_random_range(r, -half, half);
+    case TINY: return k ? first + prng_range(r, -900, 900) : prng_range(r, -half, half);
     case HUGE_ONE:
-    case STEEP: return sim_random_range(r, -GUARD, GUARD) / (1 << shift);
-    case ON_SAMPLES: return sim_random_range(r, -size / 2 - 2, size / 2 + 2) * 256 + 128;
-    case BESIDE: return sim_random_range(r, -size / 2 - 2, size / 2 + 2) * 256 + 127 + shift % 3;
-    default: return sim_random_range(r, -2 * half, 2 * half);
+    case STEEP: return prng_range(r, -GUARD, GUARD) / (1 << shift);
+    case ON_SAMPLES: return prng_range(r, -size / 2 - 2, size / 2 + 2) * 256 + 128;
+    case BESIDE: return prng_range(r, -size / 2 - 2, size / 2 + 2) * 256 + 127 + shift % 3;
+    default: return prng_range(r, -2 * half, 2 * half);
     }
 }
 
-static void triangle_make(struct board *b, struct sim_random *r, int ratio_log2)
+static void triangle_make(struct board *b, struct prng *r, int ratio_log2)
 {
-    const enum shape shape = (enum shape)sim_random_pick(r, SHAPES);
+    const enum shape shape = (enum shape)prng_pick(r, SHAPES);
     int32_t x[3], y[3];
     for (int k = 0; k < 3; k++) {
         x[k] = corner(r, shape, W, x[0], k);
         y[k] = corner(r, shape, H, y[0], k);
     }
     if (shape == SLIVER || shape == STEEP) {
-        const int64_t along = sim_random_range(r, 0, 65536);
-        x[2] = x[0] + (int32_t)((x[1] - x[0]) * along / 65536) + sim_random_range(r, -2, 2);
-        y[2] = y[0] + (int32_t)((y[1] - y[0]) * along / 65536) + sim_random_range(r, -2, 2);
+        const int64_t along = prng_range(r, 0, 65536);
+        x[2] = x[0] + (int32_t)((x[1] - x[0]) * along / 65536) + prng_range(r, -2, 2);
+        y[2] = y[0] + (int32_t)((y[1] - y[0]) * along / 65536) + prng_range(r, -2, 2);
     }
     if (shape == STRAIGHT)
         x[1] = x[0];
-    if (shape == STRAIGHT && sim_random_pick(r, 2))
+    if (shape == STRAIGHT && prng_pick(r, 2))
         y[2] = y[0];
     if (shape == FLAT)
-        y[1] = y[0] + sim_random_range(r, -400, 400);
-    const int least = (int)sim_random_pick(r, (uint32_t)(FAR_LOG2 - ratio_log2));
+        y[1] = y[0] + prng_range(r, -400, 400);
+    const int least = (int)prng_pick(r, (uint32_t)(FAR_LOG2 - ratio_log2));
     b->mesh.n_verts = b->mesh.n_tris = 0;
     for (int k = 0; k < 3; k++) {
         int far = least + (k == 0   ? ratio_log2
                            : k == 1 ? 0
-                                    : (int)sim_random_pick(r, (uint32_t)ratio_log2 + 1));
+                                    : (int)prng_pick(r, (uint32_t)ratio_log2 + 1));
         int32_t at[2] = { x[k], y[k] };
         for (int c = 0; c < 2; c++) { /* the mesh ends at 32767 px of its own */
             const int32_t most = (32767 * 256 >> far) < GUARD ? 32767 * 256 >> far : GUARD;
             at[c] = at[c] > most ? most : at[c] < -most ? -most : at[c];
         }
         (void)board_vertex(b, at[0], at[1], far,
-                           sim_random_range(r, EXACT_Z / 2, EXACT_Z << FAR_LOG2));
+                           prng_range(r, EXACT_Z / 2, EXACT_Z << FAR_LOG2));
     }
     board_tri(b, 0, 1, 2);
 }
@@ -248,13 +249,13 @@ int sim_exact_triangles(struct sim_exact_triangles *out, uint64_t seed, uint32_t
     int err = ZS_OK;
     memset(out, 0, sizeof *out);
     for (uint32_t k = 0; k < n && !err; k++) {
-        struct sim_random r = { seed + k };
+        struct prng r = { seed + k };
         struct sim_frame f;
         const int mapping = (int)(k % SIM_EXACT_MAPPINGS);
         board_open(b, mapping);
-        b->config.depth_bits = (uint8_t)(sim_random_pick(&r, 2) ? 16 : sim_random_range(&r, 8, 16));
-        b->config.strip_h = (uint16_t)sim_random_range(&r, 8, H);
-        triangle_make(b, &r, (int)sim_random_pick(&r, FAR_LOG2));
+        b->config.depth_bits = (uint8_t)(prng_pick(&r, 2) ? 16 : prng_range(&r, 8, 16));
+        b->config.strip_h = (uint16_t)prng_range(&r, 8, H);
+        triangle_make(b, &r, (int)prng_pick(&r, FAR_LOG2));
         err = sim_frame_render(&f, &b->scene, &b->camera, &b->config, NULL);
         if (!err)
             compare_triangle(out, b, &f, mapping);
@@ -275,15 +276,15 @@ static int64_t turn(const struct board *b, uint32_t a, uint32_t c, uint32_t d)
            (int64_t)(b->x[d] - b->x[a]) * (b->y[c] - b->y[a]);
 }
 
-static void fill_grid(struct board *b, struct sim_random *r, const int32_t box[4])
+static void fill_grid(struct board *b, struct prng *r, const int32_t box[4])
 {
-    const int nx = sim_random_range(r, 1, 32), ny = sim_random_range(r, 1, 32);
+    const int nx = prng_range(r, 1, 32), ny = prng_range(r, 1, 32);
     const int32_t w = box[2] - box[0], h = box[3] - box[1];
     const int32_t jx = w / nx * 49 / 100, jy = h / ny * 49 / 100;
     for (int y = 0; y <= ny; y++)
         for (int x = 0; x <= nx; x++) {
-            const int32_t mx = x && x < nx ? sim_random_range(r, -jx, jx) : 0;
-            const int32_t my = y && y < ny ? sim_random_range(r, -jy, jy) : 0;
+            const int32_t mx = x && x < nx ? prng_range(r, -jx, jx) : 0;
+            const int32_t my = y && y < ny ? prng_range(r, -jy, jy) : 0;
             (void)board_vertex(b, box[0] + (int32_t)((int64_t)w * x / nx) + mx,
                                box[1] + (int32_t)((int64_t)h * y / ny) + my, 0, EXACT_Z);
         }
@@ -302,15 +303,15 @@ static void fill_grid(struct board *b, struct sim_random *r, const int32_t box[4
         }
 }
 
-static void fill_fan(struct board *b, struct sim_random *r, const int32_t box[4], int steps)
+static void fill_fan(struct board *b, struct prng *r, const int32_t box[4], int steps)
 {
     const int32_t corner_at[4][2] = {
         { box[0], box[1] }, { box[2], box[1] }, { box[2], box[3] }, { box[0], box[3] }
     };
-    const int n = sim_random_range(r, 1, steps);
+    const int n = prng_range(r, 1, steps);
     const uint32_t rim = 4 * (uint32_t)n;
-    const int32_t hub_x = sim_random_range(r, box[0], box[2]),
-                  hub_y = sim_random_range(r, box[1], box[3]);
+    const int32_t hub_x = prng_range(r, box[0], box[2]),
+                  hub_y = prng_range(r, box[1], box[3]);
     (void)board_vertex(b, hub_x, hub_y, 0, EXACT_Z);
     for (int s = 0; s < 4; s++)
         for (int k = 0; k < n; k++) {
@@ -323,16 +324,16 @@ static void fill_fan(struct board *b, struct sim_random *r, const int32_t box[4]
 }
 
 /* Two triangles, and points dropped into them one after another: slivers without end. */
-static void fill_dropped(struct board *b, struct sim_random *r, const int32_t box[4])
+static void fill_dropped(struct board *b, struct prng *r, const int32_t box[4])
 {
     for (int k = 0; k < 4; k++)
         (void)board_vertex(b, box[k == 1 || k == 2 ? 2 : 0], box[k >= 2 ? 3 : 1], 0, EXACT_Z);
     board_tri(b, 0, 1, 2);
     board_tri(b, 0, 2, 3);
-    for (int n = sim_random_range(r, 1, 1000); n > 0; n--) {
-        const uint32_t at = sim_random_pick(r, b->mesh.n_tris);
+    for (int n = prng_range(r, 1, 1000); n > 0; n--) {
+        const uint32_t at = prng_pick(r, b->mesh.n_tris);
         const uint32_t v[3] = { b->tri[at][0], b->tri[at][1], b->tri[at][2] };
-        double u = sim_random_real(r, 0, 1), s = sim_random_real(r, 0, 1);
+        double u = prng_real(r, 0, 1), s = prng_real(r, 0, 1);
         if (u + s > 1) {
             u = 1 - u;
             s = 1 - s;
@@ -360,9 +361,9 @@ static void fill_dropped(struct board *b, struct sim_random *r, const int32_t bo
 }
 
 /* Return 1 where there may be triangles thinner than a sub-pixel. */
-static int fill_make(struct board *b, struct sim_random *r, const int32_t box[4])
+static int fill_make(struct board *b, struct prng *r, const int32_t box[4])
 {
-    const uint32_t kind = sim_random_pick(r, 4);
+    const uint32_t kind = prng_pick(r, 4);
     b->mesh.n_verts = b->mesh.n_tris = 0;
     if (kind == 0)
         fill_grid(b, r, box);
@@ -509,28 +510,28 @@ static int count_tilted(struct sim_exact_edges *out, struct board *b, const stru
 
 static int draw_edges(struct sim_exact_edges *out, struct board *b, uint64_t seed)
 {
-    struct sim_random r = { seed };
+    struct prng r = { seed };
     struct sim_frame f;
     uint64_t twice;
     const int tilted = (int)(seed % 2);
-    const int to_guard = sim_random_pick(&r, 4) == 0;
+    const int to_guard = prng_pick(&r, 4) == 0;
     int32_t box[4]; /* left, top, right, bottom */
     for (int k = 0; k < 4; k++) {
-        const int32_t reach = to_guard ? GUARD : sim_random_range(&r, 20, (k % 2 ? H : W) * 140);
+        const int32_t reach = to_guard ? GUARD : prng_range(&r, 20, (k % 2 ? H : W) * 140);
         box[k] = k < 2 ? -reach : reach;
     }
     board_open(b, 0);
     b->config.max_tris = b->config.max_verts = MESH_TRIS + 200;
-    b->config.strip_h = (uint16_t)sim_random_range(&r, 1, H);
+    b->config.strip_h = (uint16_t)prng_range(&r, 1, H);
     const int slivers = fill_make(b, &r, box);
     if (tilted) {
         for (uint32_t v = 0; v < b->mesh.n_verts; v++) /* around the middle of the mesh */
             b->pos[v][2] = b->pos_lo[v][2] = 0;
-        b->camera.z_near = (zs_q48_16)sim_random_range(&r, 2000, 30000) * 65536;
-        b->instance.pose.pos[2] = -sim_random_range(&r, 1000, 3 * EXACT_Z);
-        const int32_t yaw = sim_random_range(&r, -12000, 12000),
-                      pitch = sim_random_range(&r, -12000, 12000);
-        zs_pose_turn(&b->instance.pose, (zs_turn)yaw, (zs_turn)pitch, (zs_turn)sim_random_bits(&r));
+        b->camera.z_near = (zs_q48_16)prng_range(&r, 2000, 30000) * 65536;
+        b->instance.pose.pos[2] = -prng_range(&r, 1000, 3 * EXACT_Z);
+        const int32_t yaw = prng_range(&r, -12000, 12000),
+                      pitch = prng_range(&r, -12000, 12000);
+        zs_pose_turn(&b->instance.pose, (zs_turn)yaw, (zs_turn)pitch, (zs_turn)prng_next(&r));
     }
     int err = sim_frame_render(&f, &b->scene, &b->camera, &b->config, NULL);
     if (err)
@@ -576,7 +577,7 @@ struct layers { /* squares that face the camera and more than fill the frame; th
     struct zs_config config;
 };
 
-static void layers_open(struct layers *l, struct sim_random *r, const struct zs_depth *mapping)
+static void layers_open(struct layers *l, struct prng *r, const struct zs_depth *mapping)
 {
     static const int16_t pos[4][3] = {
         { -32000, -32000, 0 }, { 32000, -32000, 0 }, { 32000, 32000, 0 }, { -32000, 32000, 0 }
@@ -601,19 +602,19 @@ static void layers_open(struct layers *l, struct sim_random *r, const struct zs_
     l->config.max_tris = 16;
     l->config.max_verts = 40;
     l->config.depth = mapping;
-    l->config.depth_bits = (uint8_t)(sim_random_pick(r, 2) ? 16 : sim_random_range(r, 8, 16));
+    l->config.depth_bits = (uint8_t)(prng_pick(r, 2) ? 16 : prng_range(r, 8, 16));
     (void)zs_camera_perspective(&l->camera, 8192, LAYER_H, 1, 2);
     l->camera.focal = (zs_uq32_32)LAYER_W << 32;
 }
 
 /* Place the layers so many buckets apart. Return 0 where the keys there are saturated. */
-static int layers_place(struct layers *l, struct sim_random *r, double buckets)
+static int layers_place(struct layers *l, struct prng *r, double buckets)
 {
     const struct ref_depth depth = { sim_truth_mapping(l->config.depth, &l->camera),
                                      l->config.depth_bits };
-    const double ratio = sim_random_log(r, 10, 1e5);
-    const int32_t z = LAYER_Z + (int32_t)sim_random_pick(r, 1 << 20);
-    const double near = floor(fmax(64, z / sim_random_log(r, 1, ratio)));
+    const double ratio = prng_real_log(r, 10, 1e5);
+    const int32_t z = LAYER_Z + (int32_t)prng_pick(r, 1 << 20);
+    const double near = floor(fmax(64, z / prng_real_log(r, 1, ratio)));
     struct ref_camera camera;
     l->camera.z_near = (zs_q48_16)near * 65536;
     l->camera.z_far = (zs_q48_16)(near * ratio * 1.001) * 65536;
@@ -660,7 +661,7 @@ int sim_exact_layers(struct sim_exact_layers *out, uint64_t seed, uint32_t n, do
     int status = SIM_OK;
     memset(out, 0, sizeof *out);
     for (uint32_t k = 0; k < n && status == SIM_OK; k++) {
-        struct sim_random r = { seed + k };
+        struct prng r = { seed + k };
         struct layers l;
         layers_open(&l, &r, mappings[k % (SIM_EXACT_MAPPINGS - 1)]);
         if (layers_place(&l, &r, buckets))
@@ -720,16 +721,16 @@ int sim_exact_texels(struct sim_exact_texels *out, uint64_t seed, uint32_t n, ui
         numbers[i] = (uint16_t)i;
     memset(out, 0, sizeof *out);
     for (uint32_t k = 0; k < n && !err; k++) {
-        struct sim_random r = { seed + k };
+        struct prng r = { seed + k };
         struct sim_frame f;
         board_open(b, (int)(k % SIM_EXACT_MAPPINGS) % 5);
         triangle_make(b, &r, ratio_log2);
         b->material.shader = &zs_shade_texture;
         b->material.texture = &texture;
-        const int32_t span = (int32_t)sim_random_log(&r, 16, 32768); /* a texel to eight repeats */
+        const int32_t span = (int32_t)prng_real_log(&r, 16, 32768); /* a texel to eight repeats */
         for (int v = 0; v < 3; v++)
             for (int axis = 0; axis < 2; axis++)
-                b->uv[v][axis] = (int16_t)sim_random_range(&r, -span, span - 1);
+                b->uv[v][axis] = (int16_t)prng_range(&r, -span, span - 1);
         err = sim_frame_render(&f, &b->scene, &b->camera, &b->config, NULL);
         if (!err)
             compare_texels(out, b, &f);

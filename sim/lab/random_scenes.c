@@ -8,7 +8,7 @@
 #include <string.h>
 
 #include "frame.h"
-#include "random.h"
+#include "prng_log.h"
 #include "sim.h"
 
 #define VERTS 256
@@ -44,7 +44,7 @@ void sim_scatter_free(struct sim_scatter *s)
 
 /* ---- Meshes --------------------------------------------------------------------------------- */
 
-static uint16_t add_vertex(struct sim_scatter_mesh *m, struct sim_random *r, double x, double y,
+static uint16_t add_vertex(struct sim_scatter_mesh *m, struct prng *r, double x, double y,
                            double z)
 {
     const uint32_t v = m->mesh.n_verts++;
@@ -55,7 +55,7 @@ static uint16_t add_vertex(struct sim_scatter_mesh *m, struct sim_random *r, dou
         const double p = at[c] > 16000 ? 16000 : at[c] < -16000 ? -16000 : at[c];
         m->pos[v][c] = (int16_t)floor(p);
         m->pos_lo[v][c] = (uint8_t)((p - floor(p)) * 256);
-        dir[c] = (int32_t)p + sim_random_range(r, -SIZE / 4, SIZE / 4);
+        dir[c] = (int32_t)p + prng_range(r, -SIZE / 4, SIZE / 4);
     }
     (void)zs_unit(unit, dir);
     for (int c = 0; c < 3; c++)
@@ -73,34 +73,34 @@ static void add_tri(struct sim_scatter_mesh *m, uint32_t a, uint32_t b, uint32_t
     t[2] = (uint16_t)c;
 }
 
-static void soup(struct sim_scatter_mesh *m, struct sim_random *r)
+static void soup(struct sim_scatter_mesh *m, struct prng *r)
 {
-    const uint32_t n = 3 + sim_random_pick(r, 60);
+    const uint32_t n = 3 + prng_pick(r, 60);
     for (uint32_t k = 0; k < n; k++) {
-        const double size = sim_random_log(r, SIZE / 500.0, SIZE);
+        const double size = prng_real_log(r, SIZE / 500.0, SIZE);
         double first[3], at[3];
         for (int c = 0; c < 3; c++)
-            first[c] = sim_random_real(r, -SIZE, SIZE);
+            first[c] = prng_real(r, -SIZE, SIZE);
         for (int v = 0; v < 3; v++) {
             for (int c = 0; c < 3; c++)
-                at[c] = first[c] + sim_random_real(r, -size, size);
+                at[c] = first[c] + prng_real(r, -size, size);
             (void)add_vertex(m, r, at[0], at[1], at[2]);
         }
         add_tri(m, 3 * k, 3 * k + 1, 3 * k + 2);
-        const uint32_t again = sim_random_pick(r, 10);
+        const uint32_t again = prng_pick(r, 10);
         if (again < 2) /* the same once more */
             add_tri(m, 3 * k + again, 3 * k + (1 + again) % 3, 3 * k + (2 + again) % 3);
     }
 }
 
-static void box(struct sim_scatter_mesh *m, struct sim_random *r)
+static void box(struct sim_scatter_mesh *m, struct prng *r)
 {
     static const uint16_t faces[12][3] = { { 4, 5, 7 }, { 4, 7, 6 }, { 1, 0, 2 }, { 1, 2, 3 },
                                            { 5, 1, 3 }, { 5, 3, 7 }, { 0, 4, 6 }, { 0, 6, 2 },
                                            { 6, 7, 3 }, { 6, 3, 2 }, { 0, 1, 5 }, { 0, 5, 4 } };
     double half[3];
     for (int c = 0; c < 3; c++)
-        half[c] = sim_random_log(r, SIZE / 50.0, SIZE);
+        half[c] = prng_real_log(r, SIZE / 50.0, SIZE);
     for (int v = 0; v < 8; v++)
         (void)add_vertex(m, r, v & 1 ? half[0] : -half[0], v & 2 ? half[1] : -half[1],
                          v & 4 ? half[2] : -half[2]);
@@ -108,16 +108,16 @@ static void box(struct sim_scatter_mesh *m, struct sim_random *r)
         add_tri(m, faces[t][0], faces[t][1], faces[t][2]);
 }
 
-static void ball(struct sim_scatter_mesh *m, struct sim_random *r)
+static void ball(struct sim_scatter_mesh *m, struct prng *r)
 {
-    const uint32_t rings = 3 + sim_random_pick(r, 8), sectors = 3 + sim_random_pick(r, 12);
-    const int bumpy = (int)sim_random_pick(r, 2);
-    const double bump = bumpy ? sim_random_real(r, 0, 0.2) : 0;
+    const uint32_t rings = 3 + prng_pick(r, 8), sectors = 3 + prng_pick(r, 12);
+    const int bumpy = (int)prng_pick(r, 2);
+    const double bump = bumpy ? prng_real(r, 0, 0.2) : 0;
     for (uint32_t y = 0; y <= rings; y++)
         for (uint32_t x = 0; x < sectors; x++) {
             const double up = 3.14159265 * (0.5 - (double)y / rings),
                          round = 6.2831853 * x / sectors;
-            const double size = SIZE * (1 + bump * sim_random_real(r, -1, 1));
+            const double size = SIZE * (1 + bump * prng_real(r, -1, 1));
             (void)add_vertex(m, r, size * cos(up) * cos(round), size * sin(up),
                              -size * cos(up) * sin(round));
         }
@@ -129,30 +129,30 @@ static void ball(struct sim_scatter_mesh *m, struct sim_random *r)
         }
 }
 
-static void ribbon(struct sim_scatter_mesh *m, struct sim_random *r)
+static void ribbon(struct sim_scatter_mesh *m, struct prng *r)
 {
-    const uint32_t n = 4 + sim_random_pick(r, 100);
-    const double width = sim_random_log(r, SIZE / 300.0, SIZE / 2.0);
+    const uint32_t n = 4 + prng_pick(r, 100);
+    const double width = prng_real_log(r, SIZE / 300.0, SIZE / 2.0);
     double at[3] = { -SIZE, 0, 0 };
     for (uint32_t k = 0; k < n; k++) {
-        at[0] += 2.0 * SIZE / n * sim_random_real(r, 0.3, 1.6);
-        at[1] += sim_random_real(r, -width, width) / 2;
-        at[2] += sim_random_real(r, -width, width);
+        at[0] += 2.0 * SIZE / n * prng_real(r, 0.3, 1.6);
+        at[1] += prng_real(r, -width, width) / 2;
+        at[2] += prng_real(r, -width, width);
         (void)add_vertex(m, r, at[0], at[1] + (k % 2 ? width : -width) / 2, at[2]);
         if (k >= 2)
             add_tri(m, k % 2 ? k - 1 : k - 2, k % 2 ? k - 2 : k - 1, k);
     }
 }
 
-static void ground(struct sim_scatter_mesh *m, struct sim_random *r)
+static void ground(struct sim_scatter_mesh *m, struct prng *r)
 {
-    const uint32_t n = 1 + sim_random_pick(r, 12);
-    const double bump = SIZE * 0.1 * sim_random_pick(r, 2), jitter = 0.8 * SIZE / n;
+    const uint32_t n = 1 + prng_pick(r, 12);
+    const double bump = SIZE * 0.1 * prng_pick(r, 2), jitter = 0.8 * SIZE / n;
     for (uint32_t z = 0; z <= n; z++)
         for (uint32_t x = 0; x <= n; x++) {
             const double jx = x && x < n ? jitter : 0, jz = z && z < n ? jitter : 0;
-            const double off_x = sim_random_real(r, -jx, jx), off_z = sim_random_real(r, -jz, jz);
-            const double up = sim_random_real(r, -bump, bump);
+            const double off_x = prng_real(r, -jx, jx), off_z = prng_real(r, -jz, jz);
+            const double up = prng_real(r, -bump, bump);
             (void)add_vertex(m, r, SIZE * (2.0 * x / n - 1) + off_x, up,
                              SIZE * (2.0 * z / n - 1) + off_z);
         }
@@ -164,9 +164,9 @@ static void ground(struct sim_scatter_mesh *m, struct sim_random *r)
         }
 }
 
-static struct zs_rgb random_rgb(struct sim_random *r)
+static struct zs_rgb random_rgb(struct prng *r)
 {
-    const uint64_t bits = sim_random_bits(r);
+    const uint64_t bits = prng_next(r);
     const struct zs_rgb c = { (uint8_t)bits, (uint8_t)(bits >> 8), (uint8_t)(bits >> 16) };
     return c;
 }
@@ -183,17 +183,17 @@ static void bound(struct sim_scatter_mesh *m)
     m->mesh.radius = (uint16_t)(sqrt(most) + 3);
 }
 
-static void mesh_make(struct sim_scatter_mesh *m, struct sim_random *r)
+static void mesh_make(struct sim_scatter_mesh *m, struct prng *r)
 {
     static void (*const kinds[])(struct sim_scatter_mesh *,
-                                 struct sim_random *) = { soup, box, ball, ribbon, ground };
+                                 struct prng *) = { soup, box, ball, ribbon, ground };
     memset(&m->mesh, 0, sizeof m->mesh);
-    kinds[sim_random_pick(r, 5)](m, r);
+    kinds[prng_pick(r, 5)](m, r);
     for (uint32_t v = 0; v < m->mesh.n_verts; v++)
         m->vertex_rgb[v] = random_rgb(r);
     for (uint32_t t = 0; t < m->mesh.n_tris; t++) {
         m->face_rgb[t] = random_rgb(r);
-        m->face_raw[t] = (uint16_t)sim_random_bits(r);
+        m->face_raw[t] = (uint16_t)prng_next(r);
     }
     bound(m);
     m->mesh.scale = ZS_Q16_ONE;
@@ -203,21 +203,21 @@ static void mesh_make(struct sim_scatter_mesh *m, struct sim_random *r)
     m->mesh.uv = (const int16_t(*)[2])m->uv;
     m->mesh.uv_bits = 12;
     m->mesh.tri = (const uint16_t(*)[3])m->tri;
-    m->mesh.vertex_rgb = sim_random_pick(r, 4) ? m->vertex_rgb : NULL;
-    m->mesh.face_rgb = sim_random_pick(r, 4) ? m->face_rgb : NULL;
-    m->mesh.face_raw = sim_random_pick(r, 4) ? m->face_raw : NULL;
+    m->mesh.vertex_rgb = prng_pick(r, 4) ? m->vertex_rgb : NULL;
+    m->mesh.face_rgb = prng_pick(r, 4) ? m->face_rgb : NULL;
+    m->mesh.face_raw = prng_pick(r, 4) ? m->face_raw : NULL;
 }
 
 /* ---- What they look like -------------------------------------------------------------------- */
 
-static void textures_make(struct sim_scatter *s, struct sim_random *r)
+static void textures_make(struct sim_scatter *s, struct prng *r)
 {
     for (int i = 0; i < 256 * 256; i++)
-        s->texel[i] = (uint16_t)sim_random_bits(r);
+        s->texel[i] = (uint16_t)prng_next(r);
     for (int i = 0; i < 64 * 32; i++)
-        s->number[i] = (uint8_t)sim_random_pick(r, 16);
+        s->number[i] = (uint8_t)prng_pick(r, 16);
     for (int i = 0; i < 16; i++)
-        s->palette[i] = (uint16_t)sim_random_bits(r);
+        s->palette[i] = (uint16_t)prng_next(r);
     const struct zs_texture all[SCATTER_TEXTURES] = {
         { .format = &zs_texel_565, .texel = s->texel, .log2_w = 8, .log2_h = 8 },
         { .format = &zs_texel_pal8, .texel = s->number, .palette = s->palette, .n_colors = 16, .log2_w = 6, .log2_h = 5,
@@ -227,33 +227,33 @@ static void textures_make(struct sim_scatter *s, struct sim_random *r)
     memcpy(s->texture, all, sizeof all);
 }
 
-static void material_make(struct sim_scatter *s, struct sim_random *r, struct zs_material *m)
+static void material_make(struct sim_scatter *s, struct prng *r, struct zs_material *m)
 {
     static const struct zs_shader *const shaders[] = {
         &zs_shade_raw,    &zs_shade_flat,    &zs_shade_smooth,       &zs_shade_flat,
         &zs_shade_smooth, &zs_shade_texture, &zs_shade_texture_flat, &zs_shade_texture_smooth
     };
-    const uint32_t shader = sim_random_pick(r, 8);
+    const uint32_t shader = prng_pick(r, 8);
     memset(m, 0, sizeof *m);
     m->shader = shaders[shader];
     m->rgb = random_rgb(r);
-    m->cull = (uint8_t)(sim_random_pick(r, 3)   ? ZS_CULL_BACK
-                        : sim_random_pick(r, 2) ? ZS_CULL_NONE
+    m->cull = (uint8_t)(prng_pick(r, 3)   ? ZS_CULL_BACK
+                        : prng_pick(r, 2) ? ZS_CULL_NONE
                                                 : ZS_CULL_FRONT);
     if (shader >= 5) {
-        m->texture = &s->texture[sim_random_pick(r, SCATTER_TEXTURES)];
+        m->texture = &s->texture[prng_pick(r, SCATTER_TEXTURES)];
         s->textured = 1;
     }
 }
 
-static void light_make(struct zs_light *light, struct sim_random *r)
+static void light_make(struct zs_light *light, struct prng *r)
 {
     int32_t dir[3];
     for (int c = 0; c < 3; c++)
-        dir[c] = sim_random_range(r, c < 2 ? -99 : 1, 99);
+        dir[c] = prng_range(r, c < 2 ? -99 : 1, 99);
     (void)zs_unit(light->dir, dir);
-    light->ambient = sim_random_pick(r, ZS_Q16_ONE + 1);
-    light->diffuse = sim_random_pick(r, ZS_Q16_ONE + 1);
+    light->ambient = prng_pick(r, ZS_Q16_ONE + 1);
+    light->diffuse = prng_pick(r, ZS_Q16_ONE + 1);
 }
 
 /* ---- Where they stand ----------------------------------------------------------------------- */
@@ -262,25 +262,25 @@ struct lens {                        /* world units and pixels */
     double near, far, focal, height; /* height: orthographic, of the frame */
 };
 
-static void camera_make(struct sim_scatter *s, struct sim_random *r, struct lens *lens)
+static void camera_make(struct sim_scatter *s, struct prng *r, struct lens *lens)
 {
     int32_t up[3], eye[3], dir[3];
     struct zs_camera *c = &s->camera;
-    const int ortho = sim_random_pick(r, 7) == 0;
-    const double near = floor(sim_random_log(r, 500, 5000));
-    const double far = floor(near * sim_random_log(r, 10, 5000));
+    const int ortho = prng_pick(r, 7) == 0;
+    const double near = floor(prng_real_log(r, 500, 5000));
+    const double far = floor(near * prng_real_log(r, 10, 5000));
     for (int k = 0; k < 3; k++) {
-        up[k] = k == 1 ? 100 : sim_random_range(r, -20, 20);
-        eye[k] = sim_random_range(r, -100000, 100000);
-        dir[k] = sim_random_range(r, -99, 99);
+        up[k] = k == 1 ? 100 : prng_range(r, -20, 20);
+        eye[k] = prng_range(r, -100000, 100000);
+        dir[k] = prng_range(r, -99, 99);
     }
     dir[2] = dir[2] < 0 ? dir[2] - 30 : dir[2] + 30; /* not along up */
     (void)zs_camera_perspective(c, 8192, s->config.height, 1, 2);
     (void)zs_camera_look_along(c, eye, dir, up);
     lens->near = near;
     lens->far = far;
-    lens->focal = s->config.width * sim_random_log(r, 0.4, 3);
-    lens->height = floor(far * sim_random_log(r, 0.05, 1));
+    lens->focal = s->config.width * prng_real_log(r, 0.4, 3);
+    lens->height = floor(far * prng_real_log(r, 0.05, 1));
     c->projection = (uint8_t)(ortho ? ZS_ORTHOGRAPHIC : ZS_PERSPECTIVE);
     c->z_near = (zs_q48_16)(near * 65536);
     c->z_far = (zs_q48_16)(far * 65536);
@@ -289,30 +289,30 @@ static void camera_make(struct sim_scatter *s, struct sim_random *r, struct lens
 }
 
 /* A mapping that the camera can take, and bits that reach to far. */
-static void depth_make(struct sim_scatter *s, struct sim_random *r, const struct lens *lens)
+static void depth_make(struct sim_scatter *s, struct prng *r, const struct lens *lens)
 {
     static const struct zs_depth *const mappings[] = { &zs_depth_recip, &zs_depth_linear,
                                                        &zs_depth_float, &zs_depth_e3m13,
                                                        &zs_depth_e4m12, &zs_depth_e5m11 };
     s->config.depth = s->camera.projection == ZS_ORTHOGRAPHIC ? &zs_depth_linear
-                                                              : mappings[sim_random_pick(r, 6)];
-    s->config.depth_bits = (uint8_t)(sim_random_pick(r, 3) ? 16 : sim_random_range(r, 8, 15));
+                                                              : mappings[prng_pick(r, 6)];
+    s->config.depth_bits = (uint8_t)(prng_pick(r, 3) ? 16 : prng_range(r, 8, 15));
     if (s->config.depth == &zs_depth_e3m13) /* its last key stands for 2^(4 + bits) near */
         while (ldexp(lens->near, 4 + s->config.depth_bits) < lens->far * 2)
             s->config.depth_bits++;
 }
 
-static void place(struct sim_scatter *s, struct sim_random *r, const struct lens *lens,
+static void place(struct sim_scatter *s, struct prng *r, const struct lens *lens,
                   struct zs_instance *in)
 {
     const struct zs_camera *c = &s->camera;
     const int ortho = c->projection == ZS_ORTHOGRAPHIC;
-    const double z = sim_random_log(r, lens->near * 0.4, lens->far * 1.2);
+    const double z = prng_real_log(r, lens->near * 0.4, lens->far * 1.2);
     const double px = ortho ? lens->height / s->config.height : z / lens->focal; /* world units */
-    const double size = fmin(sim_random_log(r, 0.3, 2.0 * s->config.width) * px, lens->far);
-    const double right = sim_random_real(r, -0.8, 0.8), up = sim_random_real(r, -0.8, 0.8);
+    const double size = fmin(prng_real_log(r, 0.3, 2.0 * s->config.width) * px, lens->far);
+    const double right = prng_real(r, -0.8, 0.8), up = prng_real(r, -0.8, 0.8);
     const double at[3] = { right * s->config.width * px, up * s->config.height * px, -z };
-    const uint64_t turns = sim_random_bits(r);
+    const uint64_t turns = prng_next(r);
     zs_pose_identity(&in->pose);
     zs_pose_turn(&in->pose, (zs_turn)turns, (zs_turn)(turns >> 16), (zs_turn)(turns >> 32));
     for (int k = 0; k < 3; k++) {
@@ -327,7 +327,7 @@ static void place(struct sim_scatter *s, struct sim_random *r, const struct lens
 
 void sim_scatter_make(struct sim_scatter *s, uint64_t seed, uint16_t width, uint16_t height)
 {
-    struct sim_random r = { seed };
+    struct prng r = { seed };
     struct lens lens;
     sim_frame_config(&s->config, width, height, ZS_VARYINGS_TEXTURE_SMOOTH);
     s->textured = 0;
@@ -337,19 +337,19 @@ void sim_scatter_make(struct sim_scatter *s, uint64_t seed, uint16_t width, uint
     camera_make(s, &r, &lens);
     depth_make(s, &r, &lens);
     s->scene.instance = s->instance;
-    s->scene.n_instances = 3 + sim_random_pick(&r, SCATTER_INSTANCES - 2);
-    s->scene.background = (uint16_t)sim_random_bits(&r);
+    s->scene.n_instances = 3 + prng_pick(&r, SCATTER_INSTANCES - 2);
+    s->scene.background = (uint16_t)prng_next(&r);
     light_make(&s->scene.light, &r);
     for (uint32_t n = 0; n < s->scene.n_instances; n++) {
         memset(&s->instance[n], 0, sizeof s->instance[n]);
         material_make(s, &r, &s->material[n]);
-        s->instance[n].mesh = &s->mesh[sim_random_pick(&r, SCATTER_MESHES)].mesh;
+        s->instance[n].mesh = &s->mesh[prng_pick(&r, SCATTER_MESHES)].mesh;
         s->instance[n].material = &s->material[n];
         place(s, &r, &lens, &s->instance[n]);
     }
-    s->config.strip_h = (uint16_t)sim_random_range(&r, 1, height);
-    if (sim_random_pick(&r, 2)) {
-        s->config.max_tris = (uint16_t)sim_random_range(&r, 20, 2000);
-        s->config.max_verts = (uint16_t)sim_random_range(&r, 20, 2000);
+    s->config.strip_h = (uint16_t)prng_range(&r, 1, height);
+    if (prng_pick(&r, 2)) {
+        s->config.max_tris = (uint16_t)prng_range(&r, 20, 2000);
+        s->config.max_verts = (uint16_t)prng_range(&r, 20, 2000);
     }
 }

@@ -773,20 +773,13 @@ int sim_model_load(struct sim_model *model, const char *file, const struct sim_w
 
 void sim_model_free(struct sim_model *model)
 {
-    free(model->point);
-    free(model->tri);
-    free(model->normal);
-    free(model->rgb);
-    free(model->uv);
-    free(model->has_uv);
-    free(model->tri_material);
+    SIM_FREE(model->point, model->tri, model->normal, model->rgb, model->uv, model->has_uv,
+             model->tri_material);
     for (uint32_t i = 0; i < model->n_materials; i++)
         free(model->material[i].name);
     for (uint32_t i = 0; i < model->n_textures; i++)
         sim_texture_free(&model->texture[i]);
-    free(model->material);
-    free(model->texture);
-    free(model->lost_materials);
+    SIM_FREE(model->material, model->texture, model->lost_materials);
     memset(model, 0, sizeof *model);
 }
 

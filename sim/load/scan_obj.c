@@ -379,20 +379,12 @@ int sim_obj_scan(struct sim_obj *obj, const char *file, const char *text, size_t
     } else {
         sim_obj_free(obj);
     }
-    free(s.vertices.text);
-    free(s.body.text);
-    free(s.corner_normal);
-    free(s.face_line);
+    SIM_FREE(s.vertices.text, s.body.text, s.corner_normal, s.face_line);
     return status;
 }
 
 void sim_obj_free(struct sim_obj *obj)
 {
-    free(obj->point);
-    free(obj->corner);
-    free(obj->corner_uv);
-    free(obj->uv);
-    free(obj->count);
-    free(obj->text);
+    SIM_FREE(obj->point, obj->corner, obj->corner_uv, obj->uv, obj->count, obj->text);
     memset(obj, 0, sizeof *obj);
 }

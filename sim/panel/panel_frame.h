@@ -21,11 +21,10 @@ struct sim_panel_wish {
 
 /* Rows of an option table: a wish, of its name in a struct. */
 #define SIM_PANEL_OPTIONS(type, wish)                                                                                \
-    { "--panel", SIM_OPTION_TEXT, offsetof(type, wish.name), 0, 0, 0, NULL },                                        \
-    { "--rotate", SIM_OPTION_CHOICE, offsetof(type, wish.turns), offsetof(type, wish.has_turns), 0, 0,               \
-      "0|90|180|270" },                                                                                              \
-    { "--invert", SIM_OPTION_FLAG, offsetof(type, wish.invert), 0, 0, 0, NULL },                                     \
-    { "--bgr", SIM_OPTION_FLAG, offsetof(type, wish.bgr), 0, 0, 0, NULL }
+    { "--panel", SIM_OPTION_TEXT, offsetof(type, wish.name) },                                                       \
+    { "--rotate", SIM_OPTION_CHOICE, offsetof(type, wish.turns), offsetof(type, wish.has_turns),                     \
+      .words = "0|90|180|270" },                                                                                     \
+    { "--invert", SIM_OPTION_FLAG, offsetof(type, wish.invert) }, { "--bgr", SIM_OPTION_FLAG, offsetof(type, wish.bgr) }
 
 struct sim_panel_frame {
     struct pm_glass glass;

@@ -39,44 +39,18 @@ enum { MY = 0x80, MX = 0x40, MV = 0x20, BGR = 0x08 };
 
 /* What all three have. */
 static const struct dcs_command common[] = {
-    { NOP, "NOP", 0, 0 },
-    { SLPIN, "SLPIN", 0, 0 },
-    { SLPOUT, "SLPOUT", 0, 0 },
-    { PTLON, "PTLON", 0, 0 },
-    { NORON, "NORON", 0, 0 },
-    { INVOFF, "INVOFF", 0, 0 },
-    { INVON, "INVON", 0, 0 },
-    { DISPOFF, "DISPOFF", 0, 0 },
-    { DISPON, "DISPON", 0, 0 },
-    { CASET, "CASET", 4, 4 },
-    { RASET, "RASET", 4, 4 },
-    { RAMWR, "RAMWR", 0, 0 },
-    { PTLAR, "PTLAR", 4, 4 },
-    { VSCRDEF, "VSCRDEF", 6, 6 },
-    { 0x34, "TEOFF", 0, 0 },
-    { 0x35, "TEON", 1, 1 },
-    { MADCTL, "MADCTL", 1, 1 },
-    { VSCSAD, "VSCSAD", 2, 2 },
-    { IDMOFF, "IDMOFF", 0, 0 },
-    { IDMON, "IDMON", 0, 0 },
-    { COLMOD, "COLMOD", 1, 1 },
-    { RAMWRC, "RAMWRC", 0, 0 },
-    { 0x44, "TESCAN", 2, 2 },
-    { WRDISBV, "WRDISBV", 1, 1 },
+    { NOP, "NOP", 0, 0 }, { SLPIN, "SLPIN", 0, 0 }, { SLPOUT, "SLPOUT", 0, 0 }, { PTLON, "PTLON", 0, 0 },
+    { NORON, "NORON", 0, 0 }, { INVOFF, "INVOFF", 0, 0 }, { INVON, "INVON", 0, 0 },
+    { DISPOFF, "DISPOFF", 0, 0 }, { DISPON, "DISPON", 0, 0 }, { CASET, "CASET", 4, 4 },
+    { RASET, "RASET", 4, 4 }, { RAMWR, "RAMWR", 0, 0 }, { PTLAR, "PTLAR", 4, 4 }, { VSCRDEF, "VSCRDEF", 6, 6 },
+    { 0x34, "TEOFF", 0, 0 }, { 0x35, "TEON", 1, 1 }, { MADCTL, "MADCTL", 1, 1 }, { VSCSAD, "VSCSAD", 2, 2 },
+    { IDMOFF, "IDMOFF", 0, 0 }, { IDMON, "IDMON", 0, 0 }, { COLMOD, "COLMOD", 1, 1 },
+    { RAMWRC, "RAMWRC", 0, 0 }, { 0x44, "TESCAN", 2, 2 }, { WRDISBV, "WRDISBV", 1, 1 },
     { WRCTRLD, "WRCTRLD", 1, 1 },
     /* read out over another line; on this one they are commands without arguments */
-    { 0x04, "RDDID", 0, 0 },
-    { 0x09, "RDDST", 0, 0 },
-    { 0x0a, "RDDPM", 0, 0 },
-    { 0x0b, "RDDMADCTL", 0, 0 },
-    { 0x0c, "RDDCOLMOD", 0, 0 },
-    { 0x0d, "RDDIM", 0, 0 },
-    { 0x0e, "RDDSM", 0, 0 },
-    { 0x0f, "RDDSDR", 0, 0 },
-    { 0x45, "RDTESCAN", 0, 0 },
-    { 0xda, "RDID1", 0, 0 },
-    { 0xdb, "RDID2", 0, 0 },
-    { 0xdc, "RDID3", 0, 0 },
+    { 0x04, "RDDID", 0, 0 }, { 0x09, "RDDST", 0, 0 }, { 0x0a, "RDDPM", 0, 0 }, { 0x0b, "RDDMADCTL", 0, 0 },
+    { 0x0c, "RDDCOLMOD", 0, 0 }, { 0x0d, "RDDIM", 0, 0 }, { 0x0e, "RDDSM", 0, 0 }, { 0x0f, "RDDSDR", 0, 0 },
+    { 0x45, "RDTESCAN", 0, 0 }, { 0xda, "RDID1", 0, 0 }, { 0xdb, "RDID2", 0, 0 }, { 0xdc, "RDID3", 0, 0 },
 };
 
 static const struct dcs_command *find_in(const struct dcs_command *list, size_t n, uint8_t code)
@@ -142,10 +116,10 @@ static void defaults(struct pm_model *m)
     set_word(d->reg[VSCRDEF] + 2, m->type->ram_h);
 }
 
-void dcs_reset(struct pm_model *m, const struct dcs_type *type)
+void dcs_reset(struct pm_model *m)
 {
     struct dcs *d = m->state;
-    d->type = type;
+    d->type = m->type->of;
     d->reg[COLMOD][0] = 0x66;
     d->reg[MADCTL][0] = 0;
     defaults(m);
@@ -259,11 +233,7 @@ static void check_window(struct pm_model *m, uint8_t code)
     const int start = word(d->reg[code]), end = word(d->reg[code] + 2);
     const int n = code == CASET ? n_columns(m) : n_pages(m);
     d->moved = 1;
-    if (start > end)
-        pm_note(m, PM_WINDOW, d->now_at, "%s from %d to %d ends before it starts", d->now->name, start, end);
-    else if (end >= n)
-        pm_note(m, PM_WINDOW, d->now_at, "%s from %d to %d reaches out of the RAM, which ends at %d", d->now->name,
-                start, end, n - 1);
+    pm_check_window(m, d->now_at, d->now->name, start, end, n);
 }
 
 static void check_scroll(struct pm_model *m)

@@ -50,12 +50,15 @@ struct dcs {
     uint8_t full;                  /* flag: the window's end was passed and excess is dropped */
 };
 
-/* The functions of a pm_type; reset wants the dcs_type. */
-void dcs_reset(struct pm_model *m, const struct dcs_type *type);
+/* The functions of a pm_type. */
+void dcs_reset(struct pm_model *m);
 void dcs_byte(struct pm_model *m, uint8_t byte, int data);
 void dcs_end(struct pm_model *m, const char *how);
 int dcs_lit(const struct pm_model *m);
 uint32_t dcs_seen(const struct pm_model *m, int x, int y);
 struct pm_light dcs_light(const struct pm_model *m);
+
+/* What follows a pm_type's reset_us: their state, these functions, and the dcs_type. */
+#define DCS_MODEL(type) sizeof(struct dcs), dcs_reset, dcs_byte, dcs_end, dcs_lit, dcs_seen, dcs_light, &type
 
 #endif

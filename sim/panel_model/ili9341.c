@@ -8,55 +8,21 @@
 enum { SWRESET = 0x01, MADCTL = 0x36, DISCTRL = 0xb6, IFCTL = 0xf6 };
 
 static const struct dcs_command commands[] = {
-    { SWRESET, "SWRESET", 0, 0 },
-    { 0x26, "GAMSET", 1, 1 },
-    { 0x2d, "RGBSET", 128, 128 },
-    { 0x2e, "RAMRD", 0, 0 },
-    { 0x3e, "RAMRDC", 0, 0 },
-    { 0x52, "RDDISBV", 0, 0 },
-    { 0x54, "RDCTRLD", 0, 0 },
-    { 0x55, "WRCABC", 1, 1 },
-    { 0x56, "RDCABC", 0, 0 },
-    { 0x5e, "WRCABCMB", 1, 1 },
-    { 0x5f, "RDCABCMB", 0, 0 },
-    { 0xb0, "IFMODE", 1, 1 },
-    { 0xb1, "FRMCTR1", 2, 2 },
-    { 0xb2, "FRMCTR2", 2, 2 },
-    { 0xb3, "FRMCTR3", 2, 2 },
-    { 0xb4, "INVTR", 1, 1 },
-    { 0xb5, "PRCTR", 4, 4 },
+    { SWRESET, "SWRESET", 0, 0 }, { 0x26, "GAMSET", 1, 1 }, { 0x2d, "RGBSET", 128, 128 },
+    { 0x2e, "RAMRD", 0, 0 }, { 0x3e, "RAMRDC", 0, 0 }, { 0x52, "RDDISBV", 0, 0 }, { 0x54, "RDCTRLD", 0, 0 },
+    { 0x55, "WRCABC", 1, 1 }, { 0x56, "RDCABC", 0, 0 }, { 0x5e, "WRCABCMB", 1, 1 }, { 0x5f, "RDCABCMB", 0, 0 },
+    { 0xb0, "IFMODE", 1, 1 }, { 0xb1, "FRMCTR1", 2, 2 }, { 0xb2, "FRMCTR2", 2, 2 }, { 0xb3, "FRMCTR3", 2, 2 },
+    { 0xb4, "INVTR", 1, 1 }, { 0xb5, "PRCTR", 4, 4 },
     { DISCTRL, "DISCTRL", 3, 4 }, /* the fourth is for an external clock */
-    { 0xb7, "ETMOD", 1, 1 },
-    { 0xb8, "BLCTRL1", 1, 1 },
-    { 0xb9, "BLCTRL2", 1, 1 },
-    { 0xba, "BLCTRL3", 1, 1 },
-    { 0xbb, "BLCTRL4", 1, 1 },
-    { 0xbc, "BLCTRL5", 1, 1 },
-    { 0xbe, "BLCTRL7", 1, 1 },
-    { 0xbf, "BLCTRL8", 1, 1 },
-    { 0xc0, "PWCTRL1", 1, 1 },
-    { 0xc1, "PWCTRL2", 1, 1 },
-    { 0xc5, "VMCTRL1", 2, 2 },
-    { 0xc7, "VMCTRL2", 1, 1 },
-    { 0xcb, "PWCTRA", 5, 5 },
-    { 0xcf, "PWCTRB", 3, 3 },
-    { 0xd0, "NVMWR", 2, 2 },
-    { 0xd1, "NVMPKEY", 3, 3 },
-    { 0xd2, "RDNVM", 0, 0 },
-    { 0xd3, "RDID4", 0, 0 },
-    { 0xd9, "SPI register index", 1, 1 },
-    { 0xe0, "PGAMCTRL", 15, 15 },
-    { 0xe1, "NGAMCTRL", 15, 15 },
-    { 0xe2, "DGAMCTRL1", 16, 16 },
-    { 0xe3, "DGAMCTRL2", 64, 64 },
-    { 0xe8, "DRVTIMCTLA1", 3, 3 },
-    { 0xe9, "DRVTIMCTLA2", 3, 3 },
-    { 0xea, "DRVTIMCTLB", 2, 2 },
-    { 0xed, "PWONSEQ", 4, 4 },
-    { 0xef, "0xEF of the maker's code", 3, 3 },
-    { 0xf2, "EN3GAMMA", 1, 1 },
-    { IFCTL, "IFCTL", 3, 3 },
-    { 0xf7, "PUMPCTL", 1, 1 },
+    { 0xb7, "ETMOD", 1, 1 }, { 0xb8, "BLCTRL1", 1, 1 }, { 0xb9, "BLCTRL2", 1, 1 }, { 0xba, "BLCTRL3", 1, 1 },
+    { 0xbb, "BLCTRL4", 1, 1 }, { 0xbc, "BLCTRL5", 1, 1 }, { 0xbe, "BLCTRL7", 1, 1 }, { 0xbf, "BLCTRL8", 1, 1 },
+    { 0xc0, "PWCTRL1", 1, 1 }, { 0xc1, "PWCTRL2", 1, 1 }, { 0xc5, "VMCTRL1", 2, 2 }, { 0xc7, "VMCTRL2", 1, 1 },
+    { 0xcb, "PWCTRA", 5, 5 }, { 0xcf, "PWCTRB", 3, 3 }, { 0xd0, "NVMWR", 2, 2 }, { 0xd1, "NVMPKEY", 3, 3 },
+    { 0xd2, "RDNVM", 0, 0 }, { 0xd3, "RDID4", 0, 0 }, { 0xd9, "SPI register index", 1, 1 },
+    { 0xe0, "PGAMCTRL", 15, 15 }, { 0xe1, "NGAMCTRL", 15, 15 }, { 0xe2, "DGAMCTRL1", 16, 16 },
+    { 0xe3, "DGAMCTRL2", 64, 64 }, { 0xe8, "DRVTIMCTLA1", 3, 3 }, { 0xe9, "DRVTIMCTLA2", 3, 3 },
+    { 0xea, "DRVTIMCTLB", 2, 2 }, { 0xed, "PWONSEQ", 4, 4 }, { 0xef, "0xEF of the maker's code", 3, 3 },
+    { 0xf2, "EN3GAMMA", 1, 1 }, { IFCTL, "IFCTL", 3, 3 }, { 0xf7, "PUMPCTL", 1, 1 },
 };
 
 static void defaults(uint8_t reg[256][DCS_KEPT])
@@ -106,23 +72,9 @@ static const char *wrong(uint8_t code, const uint8_t reg[256][DCS_KEPT])
 }
 
 static const struct dcs_type ili9341 = {
-    .command = commands,
-    .n_commands = sizeof commands / sizeof commands[0],
-    .defaults = defaults,
-    .madctl = madctl,
-    .inverts = inverts,
-    .line = line,
-    .column = column,
-    .drops_excess = drops_excess,
+    .command = commands, .n_commands = sizeof commands / sizeof commands[0], .defaults = defaults,
+    .madctl = madctl, .inverts = inverts, .line = line, .column = column, .drops_excess = drops_excess,
     .wrong = wrong,
 };
 
-static void reset(struct pm_model *m)
-{
-    dcs_reset(m, &ili9341);
-}
-
-const struct pm_type pm_type_ili9341 = {
-    "ili9341", 240, 320, PM_RGB565, 5000, sizeof(struct dcs), reset, dcs_byte, dcs_end, dcs_lit,
-    dcs_seen, dcs_light
-};
+const struct pm_type pm_type_ili9341 = { "ili9341", 240, 320, PM_RGB565, 5000, DCS_MODEL(ili9341) };

@@ -20,6 +20,7 @@ struct pm_type {
     int (*lit)(const struct pm_model *m);
     uint32_t (*seen)(const struct pm_model *m, int x, int y); /* value at a pixel of the glass, lit */
     struct pm_light (*light)(const struct pm_model *m);
+    const void *of; /* what else those functions know it by: its dcs_type or solomon_type */
 };
 
 extern const struct pm_type pm_type_st7789, pm_type_ili9341, pm_type_gc9a01, pm_type_ssd1351, pm_type_ssd0323,
@@ -43,6 +44,9 @@ struct pm_model {
 /* Note a problem at a byte; "byte N: " is put before the sentence. */
 void pm_note(struct pm_model *m, enum pm_problem_kind kind, uint64_t at, const char *format, ...)
     __attribute__((format(printf, 4, 5)));
+
+/* Note it where a window's ends, of n columns or rows, are not in order or reach beyond them: "WHAT from ..." */
+void pm_check_window(struct pm_model *m, uint64_t at, const char *what, int start, int end, int n);
 
 /* A command byte begins: counts it, and checks that it is not too early. */
 void pm_command_begins(struct pm_model *m, const char *name);

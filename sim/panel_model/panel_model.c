@@ -179,6 +179,14 @@ void pm_end(struct pm_model *model)
     model->type->end(model, "the stream ends");
 }
 
+void pm_check_window(struct pm_model *m, uint64_t at, const char *what, int start, int end, int n)
+{
+    if (start > end)
+        pm_note(m, PM_WINDOW, at, "%s from %d to %d ends before it starts", what, start, end);
+    else if (end >= n)
+        pm_note(m, PM_WINDOW, at, "%s from %d to %d reaches out of the RAM, which ends at %d", what, start, end, n - 1);
+}
+
 void pm_command_begins(struct pm_model *m, const char *name)
 {
     m->counts.commands++;

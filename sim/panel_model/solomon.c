@@ -8,6 +8,11 @@
 
 /* ---- Commands ------------------------------------------------------------------------------------------ */
 
+static const struct solomon_type *type_of(const struct pm_model *m)
+{
+    return m->type->of;
+}
+
 static const struct solomon_command *find(const struct solomon_type *type, uint8_t code)
 {
     for (size_t i = 0; i < type->n_commands; i++)
@@ -51,7 +56,7 @@ static void take_command(struct pm_model *m, uint8_t code)
     struct solomon *s = m->state;
     complain_of_missing(m);
     close_pixels(m);
-    const struct solomon_command *c = find(s->type, code);
+    const struct solomon_command *c = find(type_of(m), code);
     pm_command_begins(m, c != NULL ? c->name : "a command");
     s->now = c;
     s->now_at = m->at;
@@ -63,7 +68,7 @@ static void take_command(struct pm_model *m, uint8_t code)
     if (c == NULL)
         pm_note(m, PM_UNKNOWN, m->at, "0x%02X is not a command of this controller", code);
     else if (c->n_args == 0)
-        s->type->run(m, code, s->arg);
+        type_of(m)->run(m, code, s->arg);
 }
 
 static void take_argument(struct pm_model *m, uint8_t byte)
@@ -71,7 +76,7 @@ static void take_argument(struct pm_model *m, uint8_t byte)
     struct solomon *s = m->state;
     s->arg[s->n_args++] = byte;
     if (!wants_more(s))
-        s->type->run(m, s->code, s->arg);
+        type_of(m)->run(m, s->code, s->arg);
 }
 
 static void take_data(struct pm_model *m, uint8_t byte)
@@ -80,7 +85,7 @@ static void take_data(struct pm_model *m, uint8_t byte)
     m->counts.windows += s->moved;
     s->moved = 0;
     m->counts.pixel_bytes++;
-    s->type->data(m, byte);
+    type_of(m)->data(m, byte);
 }
 
 /* Arguments with D/C high, too many or without a command. */
@@ -102,10 +107,10 @@ static void take_stray(struct pm_model *m)
 void solomon_byte(struct pm_model *m, uint8_t byte, int data)
 {
     struct solomon *s = m->state;
-    if (s->type->args_low && data) {
+    if (type_of(m)->args_low && data) {
         complain_of_missing(m);
         take_data(m, byte);
-    } else if (s->type->args_low) {
+    } else if (type_of(m)->args_low) {
         if (wants_more(s))
             take_argument(m, byte);
         else
@@ -139,11 +144,7 @@ void solomon_window(struct pm_model *m, int is_row, uint8_t from, uint8_t to, in
 {
     struct solomon *s = m->state;
     s->moved = 1;
-    if (from > to)
-        pm_note(m, PM_WINDOW, s->now_at, "%s from %d to %d ends before it starts", s->now->name, from, to);
-    else if (to >= limit)
-        pm_note(m, PM_WINDOW, s->now_at, "%s from %d to %d reaches out of the RAM, which ends at %d", s->now->name,
-                from, to, limit - 1);
+    pm_check_window(m, s->now_at, s->now->name, from, to, limit);
     const uint8_t bits = (uint8_t)(limit <= 8 ? 7 : limit <= 64 ? 63 : 127); /* the registers have no more */
     if (is_row) {
         s->y0 = from & bits;
@@ -218,7 +219,7 @@ static int com_on(int pin, int coms, int split, int sides)
 int solomon_ram_row(const struct pm_model *m, int glass_row, int split_as_wired)
 {
     const struct solomon *s = m->state;
-    const int n = s->type->coms, last = s->type->turns_whole ? n - 1 : s->rows - 1;
+    const int n = type_of(m)->coms, last = type_of(m)->turns_whole ? n - 1 : s->rows - 1;
     const int pin = pin_of(m->glass.y0 + m->glass.height - 1 - glass_row, n, split_as_wired);
     const int com = com_on(pin, n, s->split, s->sides);
     const int row = ((s->reversed ? last - com : com) + s->offset + 2 * n) % n;

@@ -26,7 +26,6 @@ struct solomon_type {
 enum solomon_show { SHOW_RAM, SHOW_ALL, SHOW_NONE, SHOW_NEGATIVE };
 
 struct solomon {
-    const struct solomon_type *type;
     const struct solomon_command *now; /* whose arguments come, or which came last; NULL: none, or unknown */
     uint64_t now_at;
     uint8_t code;

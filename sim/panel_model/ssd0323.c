@@ -12,33 +12,18 @@
 enum { COLUMNS = 64, ROWS = 80 };
 
 static const struct solomon_command commands[] = {
-    { 0x15, 0x15, "set column address", 2 },
-    { 0x23, 0x23, "graphic acceleration options", 1 },
-    { 0x24, 0x24, "draw rectangle", 5 },
-    { 0x25, 0x25, "copy", 6 },
-    { 0x26, 0x26, "horizontal scroll", 4 },
-    { 0x2e, 0x2e, "stop moving", 0 },
-    { 0x2f, 0x2f, "start moving", 0 },
-    { 0x75, 0x75, "set row address", 2 },
-    { 0x81, 0x81, "set contrast", 1 },
-    { 0x84, 0x86, "set current range", 0 },
-    { 0xa0, 0xa0, "set remap", 1 },
-    { 0xa1, 0xa1, "set display start line", 1 },
-    { 0xa2, 0xa2, "set display offset", 1 },
-    { 0xa4, 0xa7, "set display mode", 0 },
-    { 0xa8, 0xa8, "set multiplex ratio", 1 },
-    { 0xad, 0xad, "set master configuration", 1 },
-    { 0xae, 0xaf, "set display on or off", 0 },
-    { 0xb0, 0xb0, "set precharge compensation enable", 1 },
-    { 0xb1, 0xb1, "set phase length", 1 },
-    { 0xb2, 0xb2, "set row period", 1 },
-    { 0xb3, 0xb3, "set clock", 1 },
-    { 0xb4, 0xb4, "set precharge compensation level", 1 },
-    { 0xb8, 0xb8, "set grey scale table", 8 },
-    { 0xbc, 0xbc, "set precharge voltage", 1 },
-    { 0xbe, 0xbe, "set VCOMH", 1 },
-    { 0xbf, 0xbf, "set segment low voltage", 1 },
-    { 0xe3, 0xe3, "NOP", 0 },
+    { 0x15, 0x15, "set column address", 2 }, { 0x23, 0x23, "graphic acceleration options", 1 },
+    { 0x24, 0x24, "draw rectangle", 5 }, { 0x25, 0x25, "copy", 6 }, { 0x26, 0x26, "horizontal scroll", 4 },
+    { 0x2e, 0x2e, "stop moving", 0 }, { 0x2f, 0x2f, "start moving", 0 }, { 0x75, 0x75, "set row address", 2 },
+    { 0x81, 0x81, "set contrast", 1 }, { 0x84, 0x86, "set current range", 0 }, { 0xa0, 0xa0, "set remap", 1 },
+    { 0xa1, 0xa1, "set display start line", 1 }, { 0xa2, 0xa2, "set display offset", 1 },
+    { 0xa4, 0xa7, "set display mode", 0 }, { 0xa8, 0xa8, "set multiplex ratio", 1 },
+    { 0xad, 0xad, "set master configuration", 1 }, { 0xae, 0xaf, "set display on or off", 0 },
+    { 0xb0, 0xb0, "set precharge compensation enable", 1 }, { 0xb1, 0xb1, "set phase length", 1 },
+    { 0xb2, 0xb2, "set row period", 1 }, { 0xb3, 0xb3, "set clock", 1 },
+    { 0xb4, 0xb4, "set precharge compensation level", 1 }, { 0xb8, 0xb8, "set grey scale table", 8 },
+    { 0xbc, 0xbc, "set precharge voltage", 1 }, { 0xbe, 0xbe, "set VCOMH", 1 },
+    { 0xbf, 0xbf, "set segment low voltage", 1 }, { 0xe3, 0xe3, "NOP", 0 },
 };
 
 static void set_remap(struct pm_model *m, uint8_t remap)
@@ -133,7 +118,6 @@ static const struct solomon_type type = { commands, sizeof commands / sizeof com
 static void reset(struct pm_model *m)
 {
     struct solomon *s = m->state;
-    s->type = &type;
     s->x1 = COLUMNS - 1;
     s->y1 = ROWS - 1;
     s->rows = ROWS;
@@ -148,5 +132,5 @@ static uint32_t seen(const struct pm_model *m, int x, int y)
 
 const struct pm_type pm_type_ssd0323 = {
     "ssd0323", 2 * COLUMNS, ROWS, PM_GREY4, 3, sizeof(struct solomon), reset, solomon_byte, solomon_end,
-    solomon_lit, seen, solomon_light
+    solomon_lit, seen, solomon_light, &type
 };

@@ -10,36 +10,20 @@
 enum { COLUMNS = 128, PAGES = 8, ROWS = 64 };
 
 static const struct solomon_command commands[] = {
-    { 0x00, 0x0f, "set lower column start", 0 },
-    { 0x10, 0x1f, "set higher column start", 0 },
-    { 0x20, 0x20, "set memory addressing mode", 1 },
-    { 0x21, 0x21, "set column address", 2 },
-    { 0x22, 0x22, "set page address", 2 },
-    { 0x23, 0x23, "set fade out and blinking", 1 },
-    { 0x26, 0x27, "horizontal scroll", 6 },
-    { 0x29, 0x2a, "vertical and horizontal scroll", 5 },
-    { 0x2e, 0x2e, "deactivate scroll", 0 },
-    { 0x2f, 0x2f, "activate scroll", 0 },
-    { 0x40, 0x7f, "set display start line", 0 },
-    { 0x81, 0x81, "set contrast", 1 },
-    { 0x8d, 0x8d, "charge pump setting", 1 },
-    { 0xa0, 0xa1, "set segment remap", 0 },
-    { 0xa3, 0xa3, "set vertical scroll area", 2 },
-    { 0xa4, 0xa5, "entire display on", 0 },
-    { 0xa6, 0xa7, "set inverse display", 0 },
-    { 0xa8, 0xa8, "set multiplex ratio", 1 },
-    { 0xad, 0xad, "set current reference", 1 },
-    { 0xae, 0xaf, "set display on or off", 0 },
-    { 0xb0, 0xb7, "set page start", 0 },
-    { 0xc0, 0xc0, "set COM scan direction", 0 },
-    { 0xc8, 0xc8, "set COM scan direction", 0 },
-    { 0xd3, 0xd3, "set display offset", 1 },
-    { 0xd5, 0xd5, "set clock", 1 },
-    { 0xd6, 0xd6, "set zoom in", 1 },
-    { 0xd9, 0xd9, "set precharge period", 1 },
-    { 0xda, 0xda, "set COM pins", 1 },
-    { 0xdb, 0xdb, "set VCOMH", 1 },
-    { 0xe3, 0xe3, "NOP", 0 },
+    { 0x00, 0x0f, "set lower column start", 0 }, { 0x10, 0x1f, "set higher column start", 0 },
+    { 0x20, 0x20, "set memory addressing mode", 1 }, { 0x21, 0x21, "set column address", 2 },
+    { 0x22, 0x22, "set page address", 2 }, { 0x23, 0x23, "set fade out and blinking", 1 },
+    { 0x26, 0x27, "horizontal scroll", 6 }, { 0x29, 0x2a, "vertical and horizontal scroll", 5 },
+    { 0x2e, 0x2e, "deactivate scroll", 0 }, { 0x2f, 0x2f, "activate scroll", 0 },
+    { 0x40, 0x7f, "set display start line", 0 }, { 0x81, 0x81, "set contrast", 1 },
+    { 0x8d, 0x8d, "charge pump setting", 1 }, { 0xa0, 0xa1, "set segment remap", 0 },
+    { 0xa3, 0xa3, "set vertical scroll area", 2 }, { 0xa4, 0xa5, "entire display on", 0 },
+    { 0xa6, 0xa7, "set inverse display", 0 }, { 0xa8, 0xa8, "set multiplex ratio", 1 },
+    { 0xad, 0xad, "set current reference", 1 }, { 0xae, 0xaf, "set display on or off", 0 },
+    { 0xb0, 0xb7, "set page start", 0 }, { 0xc0, 0xc0, "set COM scan direction", 0 },
+    { 0xc8, 0xc8, "set COM scan direction", 0 }, { 0xd3, 0xd3, "set display offset", 1 },
+    { 0xd5, 0xd5, "set clock", 1 }, { 0xd6, 0xd6, "set zoom in", 1 }, { 0xd9, 0xd9, "set precharge period", 1 },
+    { 0xda, 0xda, "set COM pins", 1 }, { 0xdb, 0xdb, "set VCOMH", 1 }, { 0xe3, 0xe3, "NOP", 0 },
 };
 
 static void set_mode(struct pm_model *m, uint8_t mode)
@@ -206,7 +190,6 @@ static const struct solomon_type type = { commands, sizeof commands / sizeof com
 static void reset(struct pm_model *m)
 {
     struct solomon *s = m->state;
-    s->type = &type;
     s->x1 = COLUMNS - 1;
     s->y1 = PAGES - 1;
     s->rows = ROWS;
@@ -234,5 +217,5 @@ static uint32_t seen(const struct pm_model *m, int x, int y)
 
 const struct pm_type pm_type_ssd1306 = {
     "ssd1306", COLUMNS, ROWS, PM_MONO, 3, sizeof(struct solomon), reset, solomon_byte, solomon_end, lit,
-    seen, solomon_light
+    seen, solomon_light, &type
 };

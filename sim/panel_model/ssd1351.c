@@ -8,36 +8,18 @@
 #include "solomon.h"
 
 static const struct solomon_command commands[] = {
-    { 0x15, 0x15, "set column address", 2 },
-    { 0x5c, 0x5c, "write RAM", 0 },
-    { 0x5d, 0x5d, "read RAM", 0 },
-    { 0x75, 0x75, "set row address", 2 },
-    { 0x96, 0x96, "horizontal scroll", 5 },
-    { 0x9e, 0x9e, "stop moving", 0 },
-    { 0x9f, 0x9f, "start moving", 0 },
-    { 0xa0, 0xa0, "set remap", 1 },
-    { 0xa1, 0xa1, "set display start line", 1 },
-    { 0xa2, 0xa2, "set display offset", 1 },
-    { 0xa4, 0xa7, "set display mode", 0 },
-    { 0xab, 0xab, "function selection", 1 },
-    { 0xad, 0xad, "NOP", 0 },
-    { 0xae, 0xaf, "set sleep mode", 0 },
-    { 0xb0, 0xb0, "NOP", 0 },
-    { 0xb1, 0xb1, "set phase length", 1 },
-    { 0xb2, 0xb2, "display enhancement", 3 },
-    { 0xb3, 0xb3, "set clock", 1 },
-    { 0xb4, 0xb4, "set segment low voltage", 3 },
-    { 0xb5, 0xb5, "set GPIO", 1 },
-    { 0xb6, 0xb6, "set second precharge", 1 },
-    { 0xb8, 0xb8, "look-up table", 63 },
-    { 0xb9, 0xb9, "linear look-up table", 0 },
-    { 0xbb, 0xbb, "set precharge voltage", 1 },
-    { 0xbe, 0xbe, "set VCOMH", 1 },
-    { 0xc1, 0xc1, "set contrast", 3 },
-    { 0xc7, 0xc7, "master contrast", 1 },
-    { 0xca, 0xca, "set multiplex ratio", 1 },
-    { 0xd1, 0xd1, "NOP", 0 },
-    { 0xe3, 0xe3, "NOP", 0 },
+    { 0x15, 0x15, "set column address", 2 }, { 0x5c, 0x5c, "write RAM", 0 }, { 0x5d, 0x5d, "read RAM", 0 },
+    { 0x75, 0x75, "set row address", 2 }, { 0x96, 0x96, "horizontal scroll", 5 },
+    { 0x9e, 0x9e, "stop moving", 0 }, { 0x9f, 0x9f, "start moving", 0 }, { 0xa0, 0xa0, "set remap", 1 },
+    { 0xa1, 0xa1, "set display start line", 1 }, { 0xa2, 0xa2, "set display offset", 1 },
+    { 0xa4, 0xa7, "set display mode", 0 }, { 0xab, 0xab, "function selection", 1 }, { 0xad, 0xad, "NOP", 0 },
+    { 0xae, 0xaf, "set sleep mode", 0 }, { 0xb0, 0xb0, "NOP", 0 }, { 0xb1, 0xb1, "set phase length", 1 },
+    { 0xb2, 0xb2, "display enhancement", 3 }, { 0xb3, 0xb3, "set clock", 1 },
+    { 0xb4, 0xb4, "set segment low voltage", 3 }, { 0xb5, 0xb5, "set GPIO", 1 },
+    { 0xb6, 0xb6, "set second precharge", 1 }, { 0xb8, 0xb8, "look-up table", 63 },
+    { 0xb9, 0xb9, "linear look-up table", 0 }, { 0xbb, 0xbb, "set precharge voltage", 1 },
+    { 0xbe, 0xbe, "set VCOMH", 1 }, { 0xc1, 0xc1, "set contrast", 3 }, { 0xc7, 0xc7, "master contrast", 1 },
+    { 0xca, 0xca, "set multiplex ratio", 1 }, { 0xd1, 0xd1, "NOP", 0 }, { 0xe3, 0xe3, "NOP", 0 },
     { 0xfd, 0xfd, "set command lock", 1 },
 };
 
@@ -181,7 +163,6 @@ static const struct solomon_type type = { commands, sizeof commands / sizeof com
 static void reset(struct pm_model *m)
 {
     struct solomon *s = m->state;
-    s->type = &type;
     s->x1 = s->y1 = 127;
     s->rows = 128;
     s->remap = 0x40;
@@ -199,5 +180,5 @@ static uint32_t seen(const struct pm_model *m, int x, int y)
 
 const struct pm_type pm_type_ssd1351 = {
     "ssd1351", 128, 128, PM_RGB565, 3, sizeof(struct solomon), reset, solomon_byte, solomon_end,
-    solomon_lit, seen, solomon_light
+    solomon_lit, seen, solomon_light, &type
 };

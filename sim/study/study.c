@@ -63,16 +63,12 @@ struct request {
 
 #define AT(field) offsetof(struct request, field)
 static const struct sim_option table[] = {
-    { "--out", SIM_OPTION_TEXT, AT(out), 0, 0, 0, NULL },
-    { "--shard", SIM_OPTION_TEXT, AT(shard), 0, 0, 0, NULL },
-    { "--counts", SIM_OPTION_TEXT, AT(counts), 0, 0, 0, NULL },
-    { "--quick", SIM_OPTION_FLAG, AT(quick), 0, 0, 0, NULL },
-    { "--full", SIM_OPTION_FLAG, AT(full), 0, 0, 0, NULL },
-    { "--redo", SIM_OPTION_FLAG, AT(redo), 0, 0, 0, NULL },
-    { "--settings", SIM_OPTION_FLAG, AT(settings), 0, 0, 0, NULL },
-    { "--run", SIM_OPTION_COUNT, AT(run), AT(has_run), 0, 1000000, NULL },
-    { "--help", SIM_OPTION_FLAG, AT(help), 0, 0, 0, NULL },
-    { "-h", SIM_OPTION_FLAG, AT(help), 0, 0, 0, NULL },
+    { "--out", SIM_OPTION_TEXT, AT(out) }, { "--shard", SIM_OPTION_TEXT, AT(shard) },
+    { "--counts", SIM_OPTION_TEXT, AT(counts) }, { "--quick", SIM_OPTION_FLAG, AT(quick) },
+    { "--full", SIM_OPTION_FLAG, AT(full) }, { "--redo", SIM_OPTION_FLAG, AT(redo) },
+    { "--settings", SIM_OPTION_FLAG, AT(settings) },
+    { "--run", SIM_OPTION_COUNT, AT(run), AT(has_run), 0, 1000000 },
+    SIM_HELP_OPTIONS(AT(help)),
 };
 #define N_TABLE (sizeof table / sizeof table[0])
 
@@ -422,20 +418,11 @@ static int report(const struct study *study, enum study_effort effort, const cha
 
 static int make_folder(const char *path)
 {
-    char part[3000];
-    if (strlen(path) >= sizeof part)
-        return sim_refuse(NULL, 0, "--out: the path is too long");
-    for (size_t i = 1; i <= strlen(path); i++)
-        if (path[i] == '/' || path[i] == '\0') {
-            memcpy(part, path, i);
-            part[i] = '\0';
-            if (mkdir(part, 0777) && errno != EEXIST)
-                return sim_refuse(part, 0, "cannot make this folder: %s", strerror(errno));
-        }
     struct stat st;
-    if (stat(path, &st) || !S_ISDIR(st.st_mode))
+    const int status = sim_output_folder(path, 2999);
+    if (status == SIM_OK && (stat(path, &st) || !S_ISDIR(st.st_mode)))
         return sim_refuse(path, 0, "is not a folder; name another by --out");
-    return SIM_OK;
+    return status;
 }
 
 static int sweep(const struct study *study, const struct request *rq)

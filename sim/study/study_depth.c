@@ -12,12 +12,12 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "depths.h"
+#include "study_walls.h"
 #include "frame.h"
 #include "sim.h"
 #include "study_measure.h"
 
-#define NEAR SIM_DEPTHS_NEAR
+#define NEAR STUDY_WALLS_NEAR
 #define SIDE 240  /* px, of the floors' pictures */
 #define HEIGHT 20 /* of the eye above the floors, times near */
 #define FAR 1000  /* of the floors, times near */
@@ -115,12 +115,12 @@ static int holds(const struct run *r, double gap, double bucket)
     for (int k = 0; k < n; k++)
         for (int swap = 1; swap >= 0; swap--) {
             const double z = (r->z - bucket * k / n) * NEAR;
-            struct sim_depths_wall w[2];
+            struct study_wall w[2];
             if (z < 1.01 * NEAR)
                 continue;
-            sim_depths_wall(&w[0], z, slope[k % 2], 0.0);
-            sim_depths_wall(&w[1], z + gap * NEAR, slope[k % 2], 0.0); /* the same plane, farther */
-            const int good = sim_depths_in_order(study_mapping[r->mapping].depth, r->bits, r->far_z, w, swap);
+            study_wall(&w[0], z, slope[k % 2]);
+            study_wall(&w[1], z + gap * NEAR, slope[k % 2]); /* the same plane, farther */
+            const int good = study_walls_in_order(study_mapping[r->mapping].depth, r->bits, r->far_z, w, swap);
             if (good != 1)
                 return good;
         }
@@ -261,23 +261,23 @@ static int measure_floors(const struct run *r, struct study_text *row)
 static int measure_curve(const struct run *r, struct study_text *row)
 {
     static const double square[2] = { 0, 0 };
-    struct sim_depths_wall wall;
+    struct study_wall wall;
     struct zs_instance in = { .mesh = &wall.mesh, .material = &paint[0] };
     struct zs_camera camera;
     struct zs_config config;
     struct sim_frame frame;
     const struct zs_scene scene = { .instance = &in, .n_instances = 1 };
-    sim_depths_wall(&wall, r->z * 10 * 65536, square, 0.0);
+    study_wall(&wall, r->z * 10 * 65536, square);
     zs_pose_identity(&in.pose);
-    (void)zs_camera_perspective(&camera, 8192, SIM_DEPTHS_H_PX, 65536, 655360);
-    sim_frame_config(&config, SIM_DEPTHS_W, SIM_DEPTHS_H_PX, ZS_VARYINGS_FLAT);
+    (void)zs_camera_perspective(&camera, 8192, STUDY_WALLS_H, 65536, 655360);
+    sim_frame_config(&config, STUDY_WALLS_W, STUDY_WALLS_H, ZS_VARYINGS_FLAT);
     config.depth = study_mapping[r->mapping].depth;
     config.max_tris = config.max_verts = 64;
     const int err = sim_frame_render(&frame, &scene, &camera, &config, NULL);
     if (err)
         return sim_refuse(NULL, 0, "study depth: a wall could not be drawn: %s", zs_error_string(err));
     study_skip(row, 5);
-    study_put(row, "%u", frame.key[SIM_DEPTHS_W * SIM_DEPTHS_H_PX / 2 + SIM_DEPTHS_W / 2]);
+    study_put(row, "%u", frame.key[STUDY_WALLS_W * STUDY_WALLS_H / 2 + STUDY_WALLS_W / 2]);
     sim_frame_free(&frame);
     return SIM_OK;
 }
@@ -564,12 +564,8 @@ static int report(struct study_page *page, const struct study_table *t)
 }
 
 const struct study study_depth = {
-    .name = "depth",
-    .what = "what depth mappings keep apart",
+    .name = "depth", .what = "what depth mappings keep apart",
     .params = "part,mapping,bits,near,far,z,cure",
     .results = "separation,bucket,buckets,wrong,pixels,key",
-    .runs = plan,
-    .describe = describe,
-    .measure = measure,
-    .report = report,
+    .runs = plan, .describe = describe, .measure = measure, .report = report,
 };

@@ -13,7 +13,7 @@
 #include "error_bound.h"
 #include "sim.h"
 #include "texel_numbers.h"
-#include "scene_reference.h"
+#include "truth.h"
 
 const struct study_mapping study_mapping[STUDY_MAPPINGS] = {
     { "recip", &zs_depth_recip, "#d62728" }, { "linear", &zs_depth_linear, "#8c8c8c" },
@@ -89,63 +89,10 @@ const char *study_error_name(int err)
 
 /* ---- A frame and its truth --------------------------------------------------------------------------------------- */
 
-struct truth {
-    struct ref_triangle *tri;
-    size_t n_tris;
-    struct ref_camera camera;
-    struct ref_light light;
-    struct ref_depth depth;
-    struct ref_image image;
-};
-
-static void truth_free(struct truth *t)
-{
-    free(t->tri);
-    free(t->image.rgb565);
-    free(t->image.key);
-    free(t->image.id);
-    free(t->image.z);
-    free(t->image.exact_key);
-    free(t->image.u);
-    free(t->image.v);
-    free(t->image.texel);
-    free((void *)t->image.texture);
-}
-
-static int truth_draw(struct truth *t, const struct zs_scene *scene, const struct zs_camera *camera,
-                      const struct zs_config *config)
-{
-    const size_t n = (size_t)config->width * config->height;
-    memset(t, 0, sizeof *t);
-    t->tri = sim_truth_triangles(scene, camera, &t->n_tris);
-    sim_truth_camera(&t->camera, camera);
-    sim_truth_light(&t->light, &scene->light, camera);
-    t->depth.mapping = sim_truth_mapping(config->depth, camera);
-    t->depth.bits = config->depth_bits;
-    t->image.rgb565 = sim_alloc(n, sizeof(uint16_t));
-    t->image.key = sim_alloc(n, sizeof(uint16_t));
-    t->image.id = sim_alloc(n, sizeof(uint32_t));
-    t->image.z = sim_alloc(n, sizeof(double));
-    t->image.exact_key = sim_alloc(n, sizeof(double));
-    t->image.u = sim_alloc(n, sizeof(double));
-    t->image.v = sim_alloc(n, sizeof(double));
-    t->image.texel = sim_alloc(n, sizeof(uint32_t));
-    t->image.texture = sim_alloc(n, sizeof(void *));
-    return ref_render(t->tri, t->n_tris, &t->camera, &t->light, &t->depth, scene->background, config->width,
-                      config->height, &t->image, NULL, NULL);
-}
-
-static void judge_pixels(struct study_frame *f, const struct truth *t, const struct ref_image *ours,
+static void judge_pixels(struct study_frame *f, const struct sim_truth *t, const struct ref_image *ours,
                          const struct zs_config *config)
 {
-    const struct sim_judge judge = { t->tri,
-                                     &t->camera,
-                                     &t->light,
-                                     &t->depth,
-                                     config->width,
-                                     config->height,
-                                     1.0 / (1 << config->subpixel_bits),
-                                     sim_judge_unit(t->tri, t->n_tris, &t->camera) };
+    const struct sim_judge *judge = &t->judge;
     const double top = ldexp(1, config->depth_bits) - 2;
     for (int y = 0; y < config->height; y++)
         for (int x = 0; x < config->width; x++) {
@@ -154,11 +101,11 @@ static void judge_pixels(struct study_frame *f, const struct truth *t, const str
             if (a != b) {
                 f->wrong[at] = a && b && !sim_judge_same_plane(&t->tri[a - 1], &t->tri[b - 1]);
                 f->surface += f->wrong[at];
-                f->unexplained += sim_judge_pixel(&judge, a, b, x, y) == SIM_WRONG;
+                f->unexplained += sim_judge_pixel(judge, a, b, x, y) == SIM_WRONG;
             } else if (a) {
                 double off = fabs(ours->key[at] - fmin(fmax(t->image.exact_key[at], 0), top));
                 if (off > 0.5)
-                    off -= sim_judge_key_slack(&judge, a, x, y);
+                    off -= sim_judge_key_slack(judge, a, x, y);
                 f->key_beyond = fmax(f->key_beyond, off);
             }
         }
@@ -169,7 +116,7 @@ int study_frame_open(struct study_frame *f, const struct zs_scene *scene, const 
 {
     const size_t n = (size_t)config->width * config->height;
     struct sim_frame frame;
-    struct truth truth;
+    struct sim_truth truth;
     int textured = 0;
     memset(f, 0, sizeof *f);
     int err = sim_frame_render(&frame, scene, camera, config, NULL);
@@ -187,14 +134,14 @@ int study_frame_open(struct study_frame *f, const struct zs_scene *scene, const 
     if (!err && textured)
         err = sim_frame_texels(ours.texel, scene, camera, config);
     if (!err) {
-        err = truth_draw(&truth, scene, camera, config);
+        err = sim_truth_draw(&truth, scene, camera, config);
         if (!err)
             err =
                 ref_compare(&ours, &truth.image, &truth.depth, &truth.camera, config->width, config->height, &f->diff);
         if (!err)
             judge_pixels(f, &truth, &ours, config);
         err = err ? SIM_FRAME_BROKEN + err : 0;
-        truth_free(&truth);
+        sim_truth_free(&truth);
     }
     free(ours.id);
     free(ours.texel);

@@ -334,13 +334,9 @@ static int report(struct study_page *page, const struct study_table *t)
 }
 
 const struct study study_memory = {
-    .name = "memory",
-    .what = "strip height, pools and formats: bytes, passes, time",
+    .name = "memory", .what = "strip height, pools and formats: bytes, passes, time",
     .params = "scene,format,attrs,strip_h,pools,max_tris,max_verts,buffers,counted",
     .results = "arena,colour,depth,triangles,vertices,passes,verts,setups,tested,checksum,m3,m0",
-    .runs = plan,
-    .describe = describe,
-    .measure = measure,
-    .report = report,
+    .runs = plan, .describe = describe, .measure = measure, .report = report,
     .settings = settings,
 };

@@ -15,9 +15,9 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "accuracy.h"
 #include "frame.h"
-#include "random.h"
+#include "prng.h"
+#include "rotation_drift.h"
 #include "sim.h"
 #include "study_measure.h"
 
@@ -194,11 +194,11 @@ static void put_exact(struct stage *s, int v, int32_t x, int32_t y, int farther)
 
 static void make_slivers(struct stage *s, int value)
 {
-    struct sim_random r = { (uint64_t)value + 1 };
+    struct prng r = { (uint64_t)value + 1 };
     for (int k = 0; k < SLIVERS; k++) {
-        const double angle = sim_random_real(&r, 0, 6.28), length = 110 * 256;
+        const double angle = prng_real(&r, 0, 6.28), length = 110 * 256;
         const double wide = fmax(length * ldexp(1, -value), 1);
-        const int32_t x = sim_random_range(&r, -60 * 256, 60 * 256), y = sim_random_range(&r, -45 * 256, 45 * 256);
+        const int32_t x = prng_range(&r, -60 * 256, 60 * 256), y = prng_range(&r, -45 * 256, 45 * 256);
         const int32_t dx = (int32_t)(length / 2 * cos(angle)), dy = (int32_t)(length / 2 * sin(angle));
         const int32_t ex = (int32_t)lround(-wide * sin(angle)), ey = (int32_t)lround(wide * cos(angle));
         put_exact(s, 3 * k, x - dx, y - dy, k & 1);
@@ -272,7 +272,7 @@ static int measure(size_t i, struct study_text *row)
     if (r->part == ROTATION || r->part == WANDER) {
         study_put(row, "OK");
         study_skip(row, 7);
-        study_put(row, "%.4g", sim_accuracy_drift(1, (uint32_t)r->value, r->part == WANDER));
+        study_put(row, "%.4g", sim_rotation_drift(1, (uint32_t)r->value, r->part == WANDER));
         return SIM_OK;
     }
     struct stage *s = sim_alloc(1, sizeof *s);
@@ -508,12 +508,8 @@ static int report(struct study_page *page, const struct study_table *t)
 }
 
 const struct study study_stability = {
-    .name = "stability",
-    .what = "the worst error where ranges end",
+    .name = "stability", .what = "the worst error where ranges end",
     .params = "part,value",
     .results = "status,pixels,wrong,cover,unexplained,key_beyond,texels_off,texel_worst,drift",
-    .runs = plan,
-    .describe = describe,
-    .measure = measure,
-    .report = report,
+    .runs = plan, .describe = describe, .measure = measure, .report = report,
 };

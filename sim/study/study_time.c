@@ -149,18 +149,23 @@ static double percent(size_t part, size_t whole)
     return whole ? 100.0 * (double)part / (double)whole : 0.0;
 }
 
-static int measure_own(size_t i, struct study_text *row)
+/* What study_frame_open says of a run's first frame. */
+static int draw(struct study_frame *f, const struct run *r)
 {
-    const struct run *r = &runs[i];
     const struct demo *d = scenes[r->scene].demo;
     struct demo_frame scene;
     struct zs_config config;
-    struct study_frame f;
     configure(&config, r);
     d->pose(&scene, 0, d->width, d->height);
-    const int err = study_frame_open(&f, &scene.scene, &scene.camera, &config);
+    return study_frame_open(f, &scene.scene, &scene.camera, &config);
+}
+
+static int measure_own(size_t i, struct study_text *row)
+{
+    struct study_frame f;
+    const int err = draw(&f, &runs[i]);
     if (err)
-        return sim_refuse(d->name, 0, "could not be drawn: %s", zs_error_string(err));
+        return sim_refuse(scenes[runs[i].scene].demo->name, 0, "could not be drawn: %s", zs_error_string(err));
     const struct ref_diff *e = &f.diff;
     study_put(row, "%zu", e->ref_drawn);
     study_put(row, "%.4g", percent(e->id_differ, e->ref_drawn));
@@ -513,14 +518,9 @@ static int picture(struct study_page *page, const struct study_table *t)
     for (size_t r = 1; r < t->n_rows; r++)
         if (study_number(t, r, "surface") > study_number(t, worst, "surface"))
             worst = r;
-    const struct run *run = &runs[worst];
-    const struct demo *d = scenes[run->scene].demo;
-    struct demo_frame scene;
-    struct zs_config config;
+    const struct demo *d = scenes[runs[worst].scene].demo;
     struct study_frame f;
-    configure(&config, run);
-    d->pose(&scene, 0, d->width, d->height);
-    if (study_frame_open(&f, &scene.scene, &scene.camera, &config) != ZS_OK)
+    if (draw(&f, &runs[worst]) != ZS_OK)
         return sim_refuse(d->name, 0, "could not be drawn");
     uint8_t *rgb = sim_alloc((size_t)2 * d->width * d->height, 3);
     study_sheet_put(rgb, 2u * d->width, 0, 0, f.rgb565, NULL, d->width, d->height);
@@ -621,15 +621,11 @@ static int report(struct study_page *page, const struct study_table *t)
 }
 
 const struct study study_time = {
-    .name = "time",
-    .what = "run time against error",
+    .name = "time", .what = "run time against error",
     .params = "scene,shading,subpixel,mapping,bits,recip_bits,texel_recip,span_bound,counted",
     .results = "pixels,wrong,cover,surface,depth_mean,depth_worst,texels_off,texel_worst,colour_off,colour_by_one,psnr,"
                "checksum,"
                "m3,m0,rp2040,host",
-    .runs = plan,
-    .describe = describe,
-    .measure = measure,
-    .report = report,
+    .runs = plan, .describe = describe, .measure = measure, .report = report,
     .settings = settings,
 };

@@ -1,11 +1,11 @@
 #!/bin/sh
-# `zsim accuracy`, the smaller cut: every row of its table is a test.
-# Usage: tests/lab/accuracy.sh ZSIM
+# `zlab accuracy`, the smaller cut: every row of its table is a test.
+# Usage: tests/lab/accuracy.sh ZLAB
 set -u
-zsim=$1
+zlab=$1
 
 # Rows are "  ok   WHAT  MEASURED  ALLOWED  OVER", with two or more spaces between.
-table=$("$zsim" accuracy --quick)
+table=$("$zlab" accuracy --quick)
 status=$?
 printf '%s\n' "$table" | awk -F '  +' '
     $2 == "ok" || $2 == "FAIL" {
@@ -27,11 +27,11 @@ fi
 refused() { # NAME ARGUMENT...    not understood: status 2 and one line
     name=$1
     shift
-    said=$("$zsim" accuracy "$@" 2>&1 >/dev/null)
+    said=$("$zlab" accuracy "$@" 2>&1 >/dev/null)
     if [ $? -eq 2 ] && [ "$(printf '%s\n' "$said" | wc -l)" -eq 1 ]; then
         echo "ok $name"
     else
-        echo "FAILED $name: zsim accuracy $*: $said"
+        echo "FAILED $name: zlab accuracy $*: $said"
         status=1
     fi
 }

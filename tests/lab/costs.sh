@@ -9,7 +9,7 @@
 #        tests/lab/costs.sh BUILD record   sim/budget/stage_costs.h from it; record_sizes.h beside it (sizes_record.sh)
 #        tests/lab/costs.sh BUILD quick    a test: probes on the Cortex-M3 alone; what is on record still is what
 #                                             they say, and on no core is a scene more than 15 % off
-# Needs BUILD/zsim and BUILD/gen.
+# Needs BUILD/zlab and BUILD/gen.
 #
 # SPDX-License-Identifier: MIT
 . "$(dirname "$0")/../lib/cortexm.sh"
@@ -70,14 +70,14 @@ done
 # shellcheck disable=SC2086
 case $what in
 record)
-    "$top/zsim" costs $files --header --error "$out/scenes.txt" >"$out/stage_costs.h" &&
+    "$top/zlab" costs $files --header --error "$out/scenes.txt" >"$out/stage_costs.h" &&
         mv "$out/stage_costs.h" sim/budget/stage_costs.h || exit 1
     sh tests/lab/sizes_record.sh "$top" >"$out/record_sizes.h" && mv "$out/record_sizes.h" sim/budget/record_sizes.h
     exit ;;
 quick)
-    "$top/zsim" costs $files --drift 5 >"$out/quick.txt" 2>&1 && reason='' || reason=$(tail -1 "$out/quick.txt")
+    "$top/zlab" costs $files --drift 5 >"$out/quick.txt" 2>&1 && reason='' || reason=$(tail -1 "$out/quick.txt")
     none "costs on record are what probes take on Cortex-M3: $(sed -n 's/^M3 .*probes: //p' "$out/quick.txt")" "$reason"
-    "$top/zsim" costs --error "$record" >"$out/error.txt" 2>&1 && reason='' || reason=$(tail -1 "$out/error.txt")
+    "$top/zlab" costs --error "$record" >"$out/error.txt" 2>&1 && reason='' || reason=$(tail -1 "$out/error.txt")
     grep -q ' layers_btf ' "$record" || reason="layers_btf is not among the scenes"
     none "no scene's estimate is 15 % off: $(sed -n 's/^\([^ ]*\) .* scenes, none.* at most \([-+0-9.]*\) %.*/\1 \2 %/p' \
         "$out/error.txt" | tr '\n' ',' | sed 's/,$//; s/,/, /g') at most" "$reason"
@@ -112,4 +112,4 @@ quick)
     exit $failed ;;
 esac
 echo "Instructions of one (QEMU -icount), cycles on the RP2040 (rp2040js)"
-"$top/zsim" costs $files --error "$out/scenes.txt"
+"$top/zlab" costs $files --error "$out/scenes.txt"

@@ -8,7 +8,23 @@
 top=${B%/checks}
 out=$top/depth
 mkdir -p "$out"
-"$top/zsim" depths || bad "zsim depths" "see above"
+"$top/zsim" study depth --out "$top/study" || bad "zsim study depth" "see above"
+echo "Least separation of two walls that is never swapped, keys of 16 bits, percent of the distance, the worst one:"
+awk -F, '
+    NR == 1 { for (i = 1; i <= NF; i++) at[$i] = i }
+    $at["part"] == "separation" && $at["bits"] == 16 {
+        far = $at["far"]; map = $at["mapping"]; gap = $at["separation"]
+        if (!(map in is)) { is[map] = 1; name[++k] = map }
+        of = gap == "" ? "none" : 100 * gap / $at["z"]
+        if (of == "none" || worst[far, map] != "none" && of > worst[far, map]) worst[far, map] = of }
+    END {
+        printf "%-12s", "far / near"; for (j = 1; j <= k; j++) printf " %9s", name[j]; print ""
+        for (far = 10; far <= 100000; far *= 10) {
+            printf "%-12s", far
+            for (j = 1; j <= k; j++) {
+                of = worst[far, name[j]]
+                if (of == "none") printf " %9s", of; else printf " %8.4f%%", of }
+            print "" } }' "$top/study/depth.csv"
 for board in mps2 m0; do
     if make -s -f firmware/boards/firmware.mk BOARD=$board APP=depth B="$top" >"$out/$board.log" 2>&1 &&
         timeout 300 make -s -f firmware/boards/firmware.mk BOARD=$board APP=depth B="$top" run \

@@ -52,10 +52,10 @@ scale: $(B)/.setup-scale $(B)/gen/meshes.h
 	@sh tests/lab/scale.sh $(B) plots
 
 ## costs: what each stage costs on each core, fitted from scenes that isolate it, and how far that is from other scenes
-costs: sim $(B)/.setup-test $(B)/gen/meshes.h
+costs: lab $(B)/.setup-test $(B)/gen/meshes.h
 	@sh tests/lab/costs.sh $(B)
 ## costs-record: what stages cost now, and flash, stack and sizes on Cortex-M, become what zsim budget reckons with
-costs-record: sim $(B)/.setup-test $(B)/gen/meshes.h
+costs-record: lab $(B)/.setup-test $(B)/gen/meshes.h
 	@sh tests/lab/costs.sh $(B) record
 	+@$(MAKE_ALL) $(B)/zsim
 
@@ -71,15 +71,19 @@ cull: sim $(B)/.setup-test
 depth: sim $(B)/.setup-test
 	@sh tests/lab/depth.sh $(B)
 
+## lab: build/zlab, which measures how exact the renderer is and what its stages cost
+lab: $(B)/.setup-sim
+	+@$(MAKE_ALL) $(B)/zlab
+
 ## accuracy: how exact it is, against whole numbers and the double-precision reference; about a minute
-accuracy: sim
-	@$(B)/zsim accuracy
+accuracy: lab
+	@$(B)/zlab accuracy
 
 ## records-age: which reports of tests/records are of an older commit than what they speak of
 records-age:
 	@sh tests/records/age.sh
 
-.PHONY: records-age fuzz stress stress-record prove coverage complexity mutate bench bench-record scale costs \
+.PHONY: lab records-age fuzz stress stress-record prove coverage complexity mutate bench bench-record scale costs \
         costs-record still cull depth accuracy fuzz-programs lib-fuzz-programs stress-programs
 
 # Fuzzers: the interface by seeds (fuzz_api); cards of meshes and textures by libFuzzer (fuzz_mesh, make fuzz

@@ -33,3 +33,15 @@ void cases_run(const char *test, case_fn *fn, uint64_t n)
         fail();
     }
 }
+
+void cases_test(void **state)
+{
+    const struct cases *cases = *state;
+    if (cases->count)
+        *cases->count = 0;
+    cases_run(cases->test, cases->fn, cases->n);
+    if (!cases->count)
+        return;
+    print_message("%u %s\n", *cases->count, cases->what);
+    assert_true(getenv("ZS_SEED") || *cases->count > cases->least);
+}

@@ -26,6 +26,23 @@ typedef int case_fn(uint64_t seed);
 void cases_run(const char *test, case_fn *fn, uint64_t n);
 #define CASES(fn, n) cases_run(__func__, fn, n)
 
+/* A row of a program's table of tests that is nothing but cases: its name, and what CASES takes. */
+struct cases {
+    const char *test;
+    case_fn *fn;
+    uint64_t n;
+    unsigned *count; /* what they count; NULL: nothing */
+    unsigned least;  /* it is more than this in the end, where all are run */
+    const char *what;
+};
+void cases_test(void **state); /* *state: a struct cases */
+#define CASES_TEST(name_, fn_, n_) CASES_COUNT(name_, fn_, n_, NULL, 0, NULL)
+/* The same where cases count what they met, so that it is known that they met it often enough. */
+#define CASES_COUNT(name_, fn_, n_, count_, least_, what_) \
+    { .name = #name_, \
+      .test_func = cases_test, \
+      .initial_state = &(struct cases){ #name_, fn_, n_, count_, least_, what_ } }
+
 /* Say what is wrong; always 0, to be returned. */
 int case_wrong(const char *format, ...) __attribute__((format(printf, 1, 2)));
 

@@ -195,3 +195,9 @@ int64_t easel_inverse(const struct easel *s, const struct easel_frame *f, const 
     const int64_t above = (int64_t)(f->key_far * 65536.0) - d[k]; /* the reciprocal mapping */
     return above > 0 ? above : 1;
 }
+
+struct oracle_tri easel_oracle(const struct easel_tri *t)
+{
+    const struct oracle_tri o = { { t->x[0], t->x[1], t->x[2] }, { t->y[0], t->y[1], t->y[2] } };
+    return o;
+}

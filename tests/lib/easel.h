@@ -10,6 +10,7 @@
 
 #include <stdint.h>
 
+#include "oracle.h"
 #include "zstrip.h"
 
 struct easel_tri {
@@ -62,5 +63,8 @@ int64_t easel_inverse(const struct easel *s, const struct easel_frame *f, const 
                       int k);
 /* Exponent bits of a float mapping, 0 of another. */
 int easel_float_bits(const struct zs_depth *depth);
+
+/* The triangle as the oracle has it. */
+struct oracle_tri easel_oracle(const struct easel_tri *t);
 
 #endif

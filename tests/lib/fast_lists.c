@@ -9,17 +9,11 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "accelerator_table.h"
 #include "core/fast.h"
 #include "core/job.h"
 
 const struct zs_fast *const fast_all[] = { ZS_FAST_ALL, ZS_FAST_END };
-
-#define ROW(name) { &zs_fast_##name, #name },
-static const struct {
-    const struct zs_fast *fast;
-    const char *name;
-} known[] = { ZS_FAST_EACH(ROW) };
-#define KNOWN (sizeof known / sizeof known[0])
 
 static_assert(KNOWN + 1 == sizeof fast_all / sizeof fast_all[0], "all that ZS_FAST_ALL names");
 static_assert(FAST_COUNT == KNOWN, "a bit each");

@@ -146,6 +146,18 @@ static inline void shape_torus(struct shape *s, uint32_t rings, uint32_t sectors
     shape_end(s);
 }
 
+/* End a shape whose vertices are (n + 1) rows of n + 1: n x n cells between them. */
+static inline void shape_cells(struct shape *s, uint32_t n)
+{
+    for (uint32_t z = 0; z < n; z++)
+        for (uint32_t x = 0; x < n; x++) {
+            const uint32_t a = z * (n + 1u) + x, b = a + n + 1u;
+            shape_tri(s, a, b, a + 1u);
+            shape_tri(s, a + 1u, b, b + 1u);
+        }
+    shape_end(s);
+}
+
 /* n x n cells over the xz square of half side `half`, bumps of at most `bump`. */
 static inline void shape_ground(struct shape *s, uint32_t n, int32_t half, int32_t bump,
                                 uint64_t seed)
@@ -160,13 +172,7 @@ static inline void shape_ground(struct shape *s, uint32_t n, int32_t half, int32
             const int32_t up[3] = { prng_range(&p, -50, 50), 100, prng_range(&p, -50, 50) };
             (void)shape_vertex(s, at, up);
         }
-    for (uint32_t z = 0; z < n; z++)
-        for (uint32_t x = 0; x < n; x++) {
-            const uint32_t a = z * (n + 1u) + x, b = a + n + 1u;
-            shape_tri(s, a, b, a + 1u);
-            shape_tri(s, a + 1u, b, b + 1u);
-        }
-    shape_end(s);
+    shape_cells(s, n);
 }
 
 /* n loose triangles in a cube; some twice, some without area, all sizes. */

@@ -70,7 +70,6 @@ static int answer(const struct good *g)
 
 static void strerror_has_a_text_for_each(void **state)
 {
-    (void)state;
     for (int err = ZS_ERR_PASS; err <= 0; err++)
         for (int other = ZS_ERR_PASS; other < err; other++)
             assert_string_not_equal(zs_error_string(err), zs_error_string(other));
@@ -89,7 +88,6 @@ static int init_with(struct zs_config c)
 
 static void init_refuses_by_name(void **state)
 {
-    (void)state;
     const struct zs_config ok = good_scene().config;
     struct zs_renderer r;
     static uint32_t arena[200000];
@@ -137,7 +135,6 @@ static void init_refuses_by_name(void **state)
 /* A renderer whose set-up failed, or that never had one, can only be set up. */
 static void nothing_works_before_init(void **state)
 {
-    (void)state;
     const struct good g = good_scene();
     struct zs_renderer r;
     struct zs_strip strip;
@@ -156,7 +153,6 @@ static void nothing_works_before_init(void **state)
 
 static void stress_30_every_buffer_one_element_short(void **state)
 {
-    (void)state;
     const struct good g = good_scene();
     const uint32_t bytes = zs_arena_bytes(&g.config);
     uint8_t *block = malloc(bytes + 8);
@@ -283,7 +279,6 @@ ZS_ARENA(static_arena, ZS_ARENA_BYTES(64, 48, 16, 100, 80, 3, 2));
 
 static void arena_macro_function_and_layout_agree(void **state)
 {
-    (void)state;
     CASES(arena_case, 3000);
     const struct zs_config c = { .width = 64,
                                  .height = 48,
@@ -310,7 +305,6 @@ static void arena_macro_function_and_layout_agree(void **state)
 
 static void frames_refused_by_name(void **state)
 {
-    (void)state;
     assert_int_equal(({ const struct good g = good_scene(); answer(&g); }), ZS_OK);
 #define REFUSED(change, err) \
     do { \
@@ -385,7 +379,6 @@ static void frames_refused_by_name(void **state)
 
 static void calls_out_of_order(void **state)
 {
-    (void)state;
     const struct good g = good_scene();
     struct zs_renderer r;
     struct zs_strip s;
@@ -443,7 +436,6 @@ static void strips_are(struct zs_renderer *r, const struct picture *p)
 
 static void begin_in_the_middle_of_a_frame(void **state)
 {
-    (void)state;
     const struct good g = good_scene();
     struct zs_config small = g.config;
     struct zs_strip s;
@@ -475,7 +467,6 @@ static void begin_in_the_middle_of_a_frame(void **state)
 
 static void an_empty_scene_is_background(void **state)
 {
-    (void)state;
     struct good g = good_scene();
     g.scene.n_instances = 0;
     g.scene.instance = NULL;
@@ -491,7 +482,6 @@ static void an_empty_scene_is_background(void **state)
 
 static void bad_indices_are_not_drawn_and_counted(void **state)
 {
-    (void)state;
     struct good g = good_scene();
     static struct shape s;
     shape_sphere(&s, 6, 8, 3000);
@@ -520,7 +510,6 @@ static void bad_indices_are_not_drawn_and_counted(void **state)
 /* Counter-clockwise on the screen is the front, whole or cut at near. */
 static void faces_are_culled_by_their_turn(void **state)
 {
-    (void)state;
     static const int16_t pos[2][3][3] = {
         { { -9000, -9000, 0 }, { 9000, -9000, 0 }, { 0, 9000, 0 } },
         { { -9000, -9000, 0 },
@@ -554,7 +543,6 @@ static void faces_are_culled_by_their_turn(void **state)
 /* 65535 vertices, all indices used; vertex 65534 is the last one, 65535 never one. */
 static void the_largest_mesh(void **state)
 {
-    (void)state;
     static int16_t pos[65535][3];
     static uint16_t tri[21846][3];
     for (uint32_t v = 0; v < 65535; v++) {
@@ -619,7 +607,6 @@ static int failing_wait(void *ctx)
 
 static void sink_errors_are_passed_on(void **state)
 {
-    (void)state;
     const struct good g = good_scene();
     struct picture plain = picture_draw(&g.config, &g.scene, &g.camera);
     for (uint8_t buffers = 1; buffers <= 2; buffers++)
@@ -744,7 +731,6 @@ static int garbage_case(uint64_t seed)
 
 static void garbage_gets_a_defined_answer(void **state)
 {
-    (void)state;
     garbage_drawn = garbage_refused = 0;
     CASES(garbage_case, 100000);
     print_message("garbage: %u frames with pixels, %u refused by name\n", garbage_drawn,
@@ -784,12 +770,6 @@ static int sphere_case(uint64_t seed)
     return ok ? 1 : case_wrong("error %d", f.err);
 }
 
-static void a_wrong_sphere_loses_parts_at_worst(void **state)
-{
-    (void)state;
-    CASES(sphere_case, 20000);
-}
-
 static const struct CMUnitTest tests[] = {
     cmocka_unit_test(strerror_has_a_text_for_each),
     cmocka_unit_test(init_refuses_by_name),
@@ -805,7 +785,7 @@ static const struct CMUnitTest tests[] = {
     cmocka_unit_test(the_largest_mesh),
     cmocka_unit_test(sink_errors_are_passed_on),
     cmocka_unit_test(garbage_gets_a_defined_answer),
-    cmocka_unit_test(a_wrong_sphere_loses_parts_at_worst)
+    CASES_TEST(a_wrong_sphere_loses_parts_at_worst, sphere_case, 20000)
 };
 
 CASES_MAIN(tests)

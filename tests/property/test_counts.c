@@ -75,7 +75,6 @@ static struct zs_stats check_frame(const struct demo_frame *f, const struct zs_c
 
 static void sums_of_every_scene(void **state)
 {
-    (void)state;
     const struct zs_fast *const *const list[] = { fast_all, all_but("tiles"), NULL, all_but("touch"),
                                                   all_but("edges") };
     uint64_t untested = 0, hidden = 0;
@@ -136,7 +135,6 @@ static void part_of(struct part *p, const struct demo_frame *f, uint32_t i, uint
 /* Coverage is the sum of every triangle alone; a pixel is written where a triangle more changes its key. */
 static void pixels_of_every_triangle(void **state)
 {
-    (void)state;
     static const struct demo *const some[] = { &demo_cubes, &demo_corridor, &demo_layers_mixed };
     for (size_t d = 0; d < sizeof some / sizeof some[0]; d++) {
         static uint16_t alone[N], before[N], now[N];
@@ -171,7 +169,6 @@ static void pixels_of_every_triangle(void **state)
 /* Eight layers that fill the frame: how often each pixel is compared and written, in which order they come. */
 static void eight_layers(void **state)
 {
-    (void)state;
     static const struct {
         const struct demo *demo;
         uint32_t written; /* without zs_fast_tiles */
@@ -267,7 +264,6 @@ static struct work work_of(const struct demo *demo)
 
 static void no_more_work_than_known(void **state)
 {
-    (void)state;
     const int print = getenv("ZS_WORK") != NULL; /* the lines of work.h */
     for (uint32_t d = 0; d < n_demos; d++) {
         const struct work now = work_of(demos[d]), *known = NULL;
@@ -293,7 +289,6 @@ static void no_more_work_than_known(void **state)
 /* Meshes of four clusters are drawn whole, without asking; of five they are asked. */
 static void few_clusters_are_not_asked(void **state)
 {
-    (void)state;
     static struct part p;
     uint32_t asked[6] = { 0 };
     for (uint32_t n = 1; n <= 5; n++) {
@@ -324,7 +319,6 @@ static int lists(const struct zs_fast *const *list, const struct zs_fast *fast)
 /* The scenes' own lists name what is for their shaders, texels and clusters, and nothing else of these. */
 static void lists_of_scenes_are_of_what_is_in_them(void **state)
 {
-    (void)state;
     for (uint32_t d = 0; d < n_demos; d++)
         for (const struct zs_fast *const *at = fast_all; *at; at++) {
             struct demo_frame f;

@@ -161,7 +161,6 @@ static const struct {
 /* Every kind at every verb of a frame. Two frames of motion before and one after. */
 static void the_frame_after_a_fault_is_right(void **state)
 {
-    (void)state;
     unsigned n_hit = 0;
     for (unsigned m = 0; m < sizeof modules / sizeof modules[0]; m++)
         for (unsigned k = 0; k < sizeof kinds / sizeof kinds[0]; k++)
@@ -193,7 +192,6 @@ static void the_frame_after_a_fault_is_right(void **state)
 /* Several in a row: each frame says so, the first good one is right. */
 static void a_bus_that_stays_broken(void **state)
 {
-    (void)state;
     struct chain c;
     chain_open(&c, 0, 2, 1);
     assert_int_equal(draw(&c, 0), ZS_OK);
@@ -212,7 +210,6 @@ static void a_bus_that_stays_broken(void **state)
  * never becomes ready: the caller is told, and it can be tried again. */
 static void a_panel_that_was_reset_or_is_dead(void **state)
 {
-    (void)state;
     for (unsigned m = 0; m < sizeof modules / sizeof modules[0]; m++)
         for (int watch = 0; watch < 2; watch++) {
             struct chain c;
@@ -238,7 +235,6 @@ static void a_panel_that_was_reset_or_is_dead(void **state)
 /* What broke the transfer also reset the controller, as a discharge does: that the bus failed is enough to know. */
 static void a_fault_that_resets_the_panel(void **state)
 {
-    (void)state;
     for (unsigned m = 0; m < sizeof modules / sizeof modules[0]; m++) {
         struct chain c;
         chain_open(&c, m, 2, 0);
@@ -256,13 +252,11 @@ static void a_fault_that_resets_the_panel(void **state)
 /* Another user holds the bus: nothing is sent, the caller is told. */
 static int busy(void *ctx)
 {
-    (void)ctx;
     return 1;
 }
 
 static void a_bus_that_is_taken(void **state)
 {
-    (void)state;
     struct chain c;
     chain_open(&c, 0, 2, 1);
     assert_int_equal(draw(&c, 0), ZS_OK);
@@ -279,7 +273,6 @@ static void a_bus_that_is_taken(void **state)
 /* hooks.done comes once for all bytes that data has taken over, whatever became of them: a semaphore is given once. */
 static void each_transfer_is_done_once(void **state)
 {
-    (void)state;
     static const _Alignas(2) uint8_t px[64] = { 0 };
     struct chain c;
     chain_open(&c, 0, 2, 0);
@@ -298,7 +291,6 @@ static void each_transfer_is_done_once(void **state)
  * the controller's RAM. */
 static void power_on_with_junk_in_memory(void **state)
 {
-    (void)state;
     static const uint8_t patterns[] = { 0x00, 0xff, 0xa5, 0x5a, 0x80, 0x01 };
     for (unsigned m = 0; m < sizeof modules / sizeof modules[0]; m++)
         for (unsigned k = 0; k <= sizeof patterns; k++) {

@@ -39,7 +39,6 @@ static const struct demo *demo_of(const char *name)
 
 static void scenes_on_record(void **state)
 {
-    (void)state;
     static struct demo_frame f;
     char name[32];
     unsigned number, bits, lines = 0, wrong = 0;

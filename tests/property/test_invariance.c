@@ -179,7 +179,6 @@ static const uint16_t heights[] = { 1, 2, 3, 5, 8, 16, 70 };
 
 static void stress_21_any_strip_height(void **state)
 {
-    (void)state;
     for (size_t s = 0; s < N_SETS; s++) {
         sets[s]();
         struct picture plain = drawn(&set.config);
@@ -216,7 +215,6 @@ static const struct pools pools[] = {
 
 static void any_pool_down_to_one_triangle(void **state)
 {
-    (void)state;
     uint32_t most_passes = 0;
     for (size_t s = 0; s < N_SETS; s++) {
         sets[s]();
@@ -253,7 +251,6 @@ static const struct zs_fast *const *list_of(uint32_t k, char name[40])
 
 static void stress_26_each_accelerator_on_or_off(void **state)
 {
-    (void)state;
     for (size_t s = 0; s < N_SETS; s++) {
         sets[s]();
         struct zs_config core = set.config;
@@ -402,7 +399,6 @@ static int random_case(uint64_t seed)
 
 static void stress_26_random_scenes_by_any_accelerators(void **state)
 {
-    (void)state;
     memset(used, 0, sizeof used);
     CASES(random_case, 150);
     for (unsigned k = 0; k < FAST_COUNT; k++)
@@ -451,15 +447,6 @@ static int frustum_case(uint64_t seed)
     return ok;
 }
 
-static void culled_instances_were_empty(void **state)
-{
-    (void)state;
-    instances_out = 0;
-    CASES(frustum_case, 600);
-    print_message("frustum: %u instances culled\n", instances_out);
-    assert_true(getenv("ZS_SEED") || instances_out > 600);
-}
-
 /* ---- Memory ---------------------------------------------------------------------------------- */
 
 struct catch {
@@ -479,7 +466,6 @@ static int catch_submit(void *ctx, const struct zs_strip *s)
 /* Junk in the arena and the renderer, canaries on both sides, three frames one after another. */
 static void junk_in_memory(void **state)
 {
-    (void)state;
     for (size_t s = 0; s < N_SETS; s++) {
         uint64_t sums[6];
         for (int n = 0; n < 6; n++) {
@@ -519,7 +505,6 @@ static void junk_in_memory(void **state)
 /* Two renderers, their strips interleaved. */
 static void two_renderers_side_by_side(void **state)
 {
-    (void)state;
     lit_set();
     struct zs_config c[2] = { set.config, set.config };
     c[0].strip_h = 7;
@@ -656,12 +641,6 @@ static int turned_case(uint64_t seed)
     return ok;
 }
 
-static void stress_22_vertices_rotated_in_a_triangle(void **state)
-{
-    (void)state;
-    CASES(turned_case, 100);
-}
-
 static int mirrored_case(uint64_t seed)
 {
     static struct loose l;
@@ -694,12 +673,6 @@ static int mirrored_case(uint64_t seed)
     picture_free(&a);
     picture_free(&b);
     return ok;
-}
-
-static void stress_23_mirrored_scene(void **state)
-{
-    (void)state;
-    CASES(mirrored_case, 200);
 }
 
 /* The picture moved by whole pixels, colours and keys. Triangles with width + height <= 256 px keep
@@ -736,12 +709,6 @@ static int moved_case(uint64_t seed)
     return ok;
 }
 
-static void stress_24_moved_by_whole_pixels(void **state)
-{
-    (void)state;
-    CASES(moved_case, 150);
-}
-
 static int order_case(uint64_t seed)
 {
     struct prng p = { seed };
@@ -770,24 +737,18 @@ static int order_case(uint64_t seed)
     return ok;
 }
 
-static void stress_25_opaque_order_permuted(void **state)
-{
-    (void)state;
-    CASES(order_case, 100);
-}
-
 static const struct CMUnitTest tests[] = {
     cmocka_unit_test(stress_21_any_strip_height),
     cmocka_unit_test(any_pool_down_to_one_triangle),
     cmocka_unit_test(stress_26_each_accelerator_on_or_off),
     cmocka_unit_test(stress_26_random_scenes_by_any_accelerators),
-    cmocka_unit_test(culled_instances_were_empty),
+    CASES_COUNT(culled_instances_were_empty, frustum_case, 600, &instances_out, 600, "instances culled"),
     cmocka_unit_test(junk_in_memory),
     cmocka_unit_test(two_renderers_side_by_side),
-    cmocka_unit_test(stress_22_vertices_rotated_in_a_triangle),
-    cmocka_unit_test(stress_23_mirrored_scene),
-    cmocka_unit_test(stress_24_moved_by_whole_pixels),
-    cmocka_unit_test(stress_25_opaque_order_permuted)
+    CASES_TEST(stress_22_vertices_rotated_in_a_triangle, turned_case, 100),
+    CASES_TEST(stress_23_mirrored_scene, mirrored_case, 200),
+    CASES_TEST(stress_24_moved_by_whole_pixels, moved_case, 150),
+    CASES_TEST(stress_25_opaque_order_permuted, order_case, 100)
 };
 
 CASES_MAIN(tests)

@@ -184,7 +184,6 @@ static int all_orders(struct desk *d, struct desk *saved, enum op *said, int n)
 
 static void every_order_of_calls(void **state)
 {
-    (void)state;
     static struct desk d, saved[LENGTH];
     enum op said[LENGTH];
     n_calls = 0;
@@ -307,7 +306,6 @@ static int two_case(uint64_t seed)
 
 static void two_renderers_are_each_as_alone(void **state)
 {
-    (void)state;
     shape_sphere(&both[0], 6, 8, 1200);
     shape_torus(&both[1], 8, 6, 1200, 400);
     CASES(two_case, 120);

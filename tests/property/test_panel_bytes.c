@@ -55,7 +55,6 @@ static int data(struct hal_bus *bus, const uint8_t *bytes, uint32_t n)
 
 static int wait(struct hal_bus *bus)
 {
-    (void)bus;
     return HAL_OK;
 }
 
@@ -226,7 +225,6 @@ static void expect_seen(struct tape *t, const struct pm_glass *glass, int args_l
 
 static void st7789_bytes_are_seen(void **state)
 {
-    (void)state;
     static const struct silent list[] = {
         { 0x01, 0, 0x039, "NOP, RDDST, SLPOUT, INVON in place of a software reset: RESET was pulled before" },
         { 0x13, 0, 0x001, "PTLON: the partial area is all of the RAM" },
@@ -248,7 +246,6 @@ static void st7789_bytes_are_seen(void **state)
 
 static void ssd1306_bytes_are_seen(void **state)
 {
-    (void)state;
     static const uint8_t n_args[256] = { [0x20] = 1, [0x21] = 2, [0x22] = 2, [0x81] = 1, [0x8d] = 1, [0xa8] = 1,
                                          [0xad] = 1, [0xd3] = 1, [0xd5] = 1, [0xd9] = 1, [0xda] = 1, [0xdb] = 1 };
     static const struct silent list[] = {

@@ -197,12 +197,6 @@ static int rectangles(uint64_t number)
     return right;
 }
 
-static void rectangles_are_where_they_belong(void **state)
-{
-    (void)state;
-    CASES(rectangles, 240);
-}
-
 /* ---- The other functions ------------------------------------------------------------------------------- */
 
 /* Negative of what should be seen. */
@@ -252,7 +246,6 @@ static int manners(uint64_t number)
 
 static void light_sleep_and_turning(void **state)
 {
-    (void)state;
     char name[32];
     unsigned modules = 0;
     while (nth_module(modules, name))
@@ -263,7 +256,6 @@ static void light_sleep_and_turning(void **state)
 /* The bus itself: what it must not let pass. */
 static void cruel_bus(void **state)
 {
-    (void)state;
     static _Alignas(4) uint8_t two[2] = { 0x12, 0x34 };
     assert_true(pm_glass_named(&s.glass, "st7789:240x240"));
     struct pm_model *m = pm_new(&s.glass);
@@ -292,7 +284,7 @@ static void cruel_bus(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(rectangles_are_where_they_belong),
+        CASES_TEST(rectangles_are_where_they_belong, rectangles, 240),
         cmocka_unit_test(light_sleep_and_turning),
         cmocka_unit_test(cruel_bus),
     };

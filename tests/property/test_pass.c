@@ -128,14 +128,6 @@ static int viewports_case(uint64_t seed)
     return ok;
 }
 
-static void viewports_hold_frames_of_their_size(void **state)
-{
-    (void)state;
-    drawn_cases = 0;
-    CASES(viewports_case, 100);
-    assert_true(getenv("ZS_SEED") || drawn_cases > 200);
-}
-
 /* ---- What is kept ------------------------------------------------------------------------------ */
 
 /* A second pass over the colours of the first: where it draws nothing, those stay. Its depth begins anew, so that it is in
@@ -181,14 +173,6 @@ static int over_case(uint64_t seed)
     return ok;
 }
 
-static void a_pass_over_the_colours_of_another(void **state)
-{
-    (void)state;
-    passes_kept = 0;
-    CASES(over_case, 60);
-    assert_true(getenv("ZS_SEED") || passes_kept > 40);
-}
-
 /* One scene cut in two passes that keep colours and keys is the scene, where both have its units. */
 static int cut_case(uint64_t seed)
 {
@@ -226,14 +210,6 @@ out:
     return ok;
 }
 
-static void a_scene_cut_in_two_passes(void **state)
-{
-    (void)state;
-    passes_kept = 0;
-    CASES(cut_case, 100);
-    assert_true(getenv("ZS_SEED") || passes_kept > 20);
-}
-
 /* ---- Where a pixel is ---------------------------------------------------------------------------- */
 
 static void place_fragment(const struct zs_instance *instance, struct zs_fragment *f)
@@ -245,7 +221,6 @@ static const struct zs_shader place = { .fragment = place_fragment, ZS_FRAGMENTS
 
 static void place_fill(void *ctx, uint16_t *out, uint16_t x, uint16_t y, uint16_t n)
 {
-    (void)ctx;
     for (uint16_t k = 0; k < n; k++)
         out[k] = (uint16_t)((x + k) << 8 | y);
 }
@@ -276,7 +251,6 @@ static void places_are_of_the_frame(void **state)
                                   { .draw = place_draw, .ctx = &pixels[1] } };
     struct zs_instance instance = { .mesh = &mesh, .material = &material };
     struct zs_camera camera;
-    (void)state;
     zs_pose_identity(&instance.pose);
     instance.pose.pos[2] = -20;
     assert_int_equal(zs_camera_orthographic(&camera, 24, 1, 100), ZS_OK);
@@ -323,7 +297,6 @@ static void wrong_passes_are_refused(void **state)
     static uint32_t arena[9000], track[ZS_DAMAGE_WORDS(4, 30, 8)];
     static struct world w;
     struct prng p = { 7 };
-    (void)state;
     world_anywhere(&w, &p);
     w.camera.projection = ZS_PERSPECTIVE;
     struct zs_config c = plain_config(40, 30, &zs_depth_linear);
@@ -385,7 +358,6 @@ static void instances_of_all_passes_are_counted(void **state)
     static const struct zs_mesh mesh = { .scale = ZS_Q16_ONE };
     static const struct zs_material material = { .shader = &zs_shade_raw };
     struct zs_config c = plain_config(40, 30, &zs_depth_linear);
-    (void)state;
     c.max_tris = c.max_verts = 100;
     for (size_t k = 0; k < 40000; k++) {
         many[k] = (struct zs_instance){ .mesh = &mesh, .material = &material };
@@ -411,7 +383,6 @@ static void a_plain_frame_after_passes(void **state)
     static struct zs_pass_memory memory[2];
     static uint32_t arena[60000];
     static struct world w;
-    (void)state;
     for (uint64_t seed = 1; seed < 20; seed++) {
         struct prng p = { seed };
         world_anywhere(&w, &p);
@@ -473,22 +444,14 @@ static int untested_case(uint64_t seed)
     return ok;
 }
 
-static void without_depth_memory_the_later_covers(void **state)
-{
-    (void)state;
-    drawn_cases = 0;
-    CASES(untested_case, 100);
-    assert_true(getenv("ZS_SEED") || drawn_cases > 60);
-}
-
 static const struct CMUnitTest tests[] = {
-    cmocka_unit_test(viewports_hold_frames_of_their_size),
-    cmocka_unit_test(a_pass_over_the_colours_of_another),
-    cmocka_unit_test(a_scene_cut_in_two_passes),
+    CASES_COUNT(viewports_hold_frames_of_their_size, viewports_case, 100, &drawn_cases, 200, "frames drawn"),
+    CASES_COUNT(a_pass_over_the_colours_of_another, over_case, 60, &passes_kept, 40, "passes over others"),
+    CASES_COUNT(a_scene_cut_in_two_passes, cut_case, 100, &passes_kept, 20, "scenes cut"),
     cmocka_unit_test(places_are_of_the_frame),
     cmocka_unit_test(wrong_passes_are_refused),
     cmocka_unit_test(instances_of_all_passes_are_counted),
     cmocka_unit_test(a_plain_frame_after_passes),
-    cmocka_unit_test(without_depth_memory_the_later_covers),
+    CASES_COUNT(without_depth_memory_the_later_covers, untested_case, 100, &drawn_cases, 60, "frames drawn"),
 };
 CASES_MAIN(tests)

@@ -38,7 +38,6 @@ static uint32_t red_pixels(struct zs_renderer *r, const struct zs_scene *scene,
  * that nothing is known by it, must not matter. Nor do accelerators. */
 static void stress_26_spheres_beside_a_far_reach(void **state)
 {
-    (void)state;
     static const int16_t far_p[3][3] = { { -30000, -30000, 0 }, { 30000, -30000, 0 }, { 0, 30000, 0 } };
     static const int16_t small_p[3][3] = { { 412, 412, -100 }, { 582, 412, -100 }, { 412, 582, -100 } };
     static const uint16_t t[1][3] = { { 0, 1, 2 } };
@@ -75,12 +74,16 @@ static void stress_26_spheres_beside_a_far_reach(void **state)
     assert_true(culled > 20 && drawn > 20);
 }
 
+static struct zs_config one_strip(const struct zs_depth *depth)
+{
+    return (struct zs_config){ .width = 64, .height = 64, .strip_h = 64, .max_tris = 1, .max_verts = 3,
+                               .buffers = 1, .subpixel_bits = 8, .depth_bits = 16, .depth = depth };
+}
+
 /* Orthographic views of any height are taken, whatever is in view. */
 static void orthographic_heights(void **state)
 {
-    (void)state;
-    const struct zs_config config = { .width = 64, .height = 64, .strip_h = 64, .max_tris = 1, .max_verts = 3,
-                                      .buffers = 1, .subpixel_bits = 8, .depth_bits = 16, .depth = &zs_depth_linear };
+    const struct zs_config config = one_strip(&zs_depth_linear);
     const struct zs_scene empty = { .light = { .dir = { 0, 0, ZS_Q30_ONE } } };
     struct zs_renderer r;
     struct zs_camera camera;
@@ -99,7 +102,6 @@ static void orthographic_heights(void **state)
  * sub-pixels by height to 2^-29. */
 static void ratios_of_least_heights(void **state)
 {
-    (void)state;
     const struct zs_scene empty = { .light = { .dir = { 0, 0, ZS_Q30_ONE } } };
     struct zs_renderer r;
     struct zs_camera camera;
@@ -123,7 +125,6 @@ static void ratios_of_least_heights(void **state)
 /* A mesh beyond its sphere, outside one side of the guard band: two corners by so little that they snap onto its edge. */
 static void beyond_the_guard_by_less_than_a_step(void **state)
 {
-    (void)state;
     static const int16_t corner[3][3] = { { 32752, -16, 0 },
                                           { 32753, 16, 0 },
                                           { 32752, 16, 0 } }; /* 64 units: 8188 px */
@@ -147,7 +148,6 @@ static void beyond_the_guard_by_less_than_a_step(void **state)
 /* The basis stays exact to 2^-27 however close up is to the view. */
 static void look_along_nearly_parallel(void **state)
 {
-    (void)state;
     const int32_t eye[3] = { 0, 0, 0 };
     double worst = 0.0;
     for (int32_t step = 1; step <= 1 << 29; step *= 2) {
@@ -176,9 +176,7 @@ static void look_along_nearly_parallel(void **state)
 /* A frame that is refused for a missing pointer leaves none open. */
 static void null_closes_the_frame(void **state)
 {
-    (void)state;
-    const struct zs_config config = { .width = 64, .height = 64, .strip_h = 64, .max_tris = 1, .max_verts = 3,
-                                      .buffers = 1, .subpixel_bits = 8, .depth_bits = 16, .depth = &zs_depth_recip };
+    const struct zs_config config = one_strip(&zs_depth_recip);
     const struct zs_scene empty = { .light = { .dir = { 0, 0, ZS_Q30_ONE } } };
     struct zs_renderer r;
     struct zs_camera camera;

@@ -145,33 +145,8 @@ static int straight_case(uint64_t seed)
     return exact_case(seed, straight_corners);
 }
 
-static void stress_03_slivers_of_one_sub_pixel(void **state)
-{
-    (void)state;
-    CASES(sliver_case, 600);
-}
-
-static void stress_05_vertices_on_pixel_centres(void **state)
-{
-    (void)state;
-    CASES(center_case, 600);
-}
-
-static void stress_06_one_sub_pixel_beside_centres(void **state)
-{
-    (void)state;
-    CASES(beside_case, 600);
-}
-
-static void stress_07_horizontal_and_vertical_edges(void **state)
-{
-    (void)state;
-    CASES(straight_case, 600);
-}
-
 static void stress_04_zero_area_and_duplicate_vertices(void **state)
 {
-    (void)state;
     struct prng p = { 4 };
     for (int n = 0; n < 200; n++) {
         int16_t pos[3][3] = { { 0 } };
@@ -421,7 +396,6 @@ static int nonagon_case(uint64_t seed)
 
 static void stress_14_26_directions_by_1_2_3_vertices(void **state)
 {
-    (void)state;
     looked = (struct looked){ 0, 0, 0 };
     CASES(direction_case, 26 * 7 * 24);
     CASES(nonagon_case, 300);
@@ -447,12 +421,6 @@ static int guard_case(uint64_t seed)
     }
     return clipped_tri((const int16_t (*)[3])pos, &camera, CLIP_W, CLIP_H,
                        perspective ? &zs_depth_recip : &zs_depth_linear, NULL);
-}
-
-static void stress_09_beyond_the_guard_band(void **state)
-{
-    (void)state;
-    CASES(guard_case, 1500);
 }
 
 static int on_plane_case(uint64_t seed)
@@ -486,12 +454,6 @@ static int on_plane_case(uint64_t seed)
     return 1;
 }
 
-static void stress_10_vertex_on_near_plane(void **state)
-{
-    (void)state;
-    CASES(on_plane_case, 1120);
-}
-
 static int behind_case(uint64_t seed)
 {
     struct prng p = { seed };
@@ -510,12 +472,6 @@ static int behind_case(uint64_t seed)
     return 1;
 }
 
-static void stress_11_all_behind(void **state)
-{
-    (void)state;
-    CASES(behind_case, 400);
-}
-
 static int through_zero_case(uint64_t seed)
 {
     struct prng p = { seed };
@@ -530,12 +486,6 @@ static int through_zero_case(uint64_t seed)
             pos[k][c] = (int16_t)(prng_pick(&p, 5) == 0 ? 0 : prng_range(&p, -600, 600));
     }
     return clipped_tri((const int16_t (*)[3])pos, &camera, CLIP_W, CLIP_H, &zs_depth_recip, NULL);
-}
-
-static void stress_12_w_through_zero(void **state)
-{
-    (void)state;
-    CASES(through_zero_case, 1000);
 }
 
 /* A plane that crosses near: with near moved by an ulp of 2^-16 the pictures differ at most where
@@ -587,12 +537,6 @@ static int near_ulp_case(uint64_t seed)
     for (int k = 0; k < 3; k++)
         picture_free(&f[k]);
     return ok;
-}
-
-static void stress_13_near_by_one_ulp(void **state)
-{
-    (void)state;
-    CASES(near_ulp_case, 500);
 }
 
 /* ---- 1, 2, 15: meshes on a plane, seen at any angle ------------------------------------------ */
@@ -736,7 +680,6 @@ static int mesh_case(uint64_t seed)
 
 static void stress_01_shared_edge_mesh(void **state)
 {
-    (void)state;
     plane_pixels = 0;
     CASES(mesh_case, 120);
     print_message("shared-edge meshes: %llu pixels, each hit once\n",
@@ -791,7 +734,6 @@ static int fan_case(uint64_t seed)
 
 static void stress_02_fans_clipped_or_not(void **state)
 {
-    (void)state;
     plane_pixels = 0;
     CASES(fan_case, 200);
     print_message("fans: %llu pixels, each hit once\n", (unsigned long long)plane_pixels);
@@ -977,7 +919,6 @@ static int folded_case(uint64_t seed)
 
 static void folded_polygons_face_as_they_did(void **state)
 {
-    (void)state;
     folded = 0;
     CASES(folded_case, 20000);
     print_message("%llu polygons whose sides cross\n", (unsigned long long)folded);
@@ -1050,7 +991,6 @@ static int seam_vertex_case(uint64_t seed)
 
 static void stress_15_seam_cut_by_the_clip(void **state)
 {
-    (void)state;
     plane_pixels = triangles_cut = 0;
     CASES(seam_case, 200);
     CASES(tiny_polygon_case, 400);
@@ -1128,7 +1068,6 @@ static int ends_case(uint64_t seed)
 
 static void stress_08_coordinates_at_the_ends(void **state)
 {
-    (void)state;
     ends_drawn = ends_refused = 0;
     CASES(ends_case, 40000);
     print_message("ends of the ranges: %u frames with pixels, %u refused by name\n", ends_drawn,
@@ -1198,7 +1137,6 @@ static int scale_case(uint64_t seed)
 
 static void stress_16_matrix_scale_2_to_15(void **state)
 {
-    (void)state;
     CASES(scale_case, 31 * 8);
     print_message("scales 2^-15 to 2^15: %u drawn and compared, %u refused by name\n", scales_drawn, scales_refused);
 }
@@ -1268,12 +1206,6 @@ static int twice_case(uint64_t seed)
     return ok;
 }
 
-static void stress_18_the_first_of_equals_stays(void **state)
-{
-    (void)state;
-    CASES(twice_case, 300);
-}
-
 /* A key plane that is exact at every sub-pixel: d = base + gx x + gy y, uq16_16 a sub-pixel. */
 struct key_plane {
     int64_t base, gx, gy;
@@ -1335,12 +1267,6 @@ static int pair_case(uint64_t seed)
     return ok;
 }
 
-static void stress_19_parallel_pair_at_1_01_buckets(void **state)
-{
-    (void)state;
-    CASES(pair_case, 120);
-}
-
 static int crossing_case(uint64_t seed)
 {
     struct prng p = { seed };
@@ -1367,12 +1293,6 @@ static int crossing_case(uint64_t seed)
         }
     easel_free(&f);
     return ok;
-}
-
-static void stress_20_interpenetration(void **state)
-{
-    (void)state;
-    CASES(crossing_case, 120);
 }
 
 /* ---- Failures that other renderers shipped --------------------------------------------------------- */
@@ -1402,7 +1322,6 @@ static int huge_case(uint64_t seed)
 
 static void others_overflow_that_loops_for_ever(void **state)
 {
-    (void)state;
     looked = (struct looked){ 0, 0, 0 };
     CASES(huge_case, 1500);
     print_message("huge triangles: %llu pixels compared, %llu too close to an edge to tell\n",
@@ -1451,34 +1370,28 @@ static int snapped_away_case(uint64_t seed)
     return 1;
 }
 
-static void others_no_area_after_snapping(void **state)
-{
-    (void)state;
-    CASES(snapped_away_case, 800);
-}
-
 static const struct CMUnitTest tests[] = {
     cmocka_unit_test(stress_01_shared_edge_mesh),
     cmocka_unit_test(stress_02_fans_clipped_or_not),
-    cmocka_unit_test(stress_03_slivers_of_one_sub_pixel),
+    CASES_TEST(stress_03_slivers_of_one_sub_pixel, sliver_case, 600),
     cmocka_unit_test(stress_04_zero_area_and_duplicate_vertices),
-    cmocka_unit_test(stress_05_vertices_on_pixel_centres),
-    cmocka_unit_test(stress_06_one_sub_pixel_beside_centres),
-    cmocka_unit_test(stress_07_horizontal_and_vertical_edges),
+    CASES_TEST(stress_05_vertices_on_pixel_centres, center_case, 600),
+    CASES_TEST(stress_06_one_sub_pixel_beside_centres, beside_case, 600),
+    CASES_TEST(stress_07_horizontal_and_vertical_edges, straight_case, 600),
     cmocka_unit_test(stress_08_coordinates_at_the_ends),
-    cmocka_unit_test(stress_09_beyond_the_guard_band),
-    cmocka_unit_test(stress_10_vertex_on_near_plane),
-    cmocka_unit_test(stress_11_all_behind),
-    cmocka_unit_test(stress_12_w_through_zero),
-    cmocka_unit_test(stress_13_near_by_one_ulp),
+    CASES_TEST(stress_09_beyond_the_guard_band, guard_case, 1500),
+    CASES_TEST(stress_10_vertex_on_near_plane, on_plane_case, 1120),
+    CASES_TEST(stress_11_all_behind, behind_case, 400),
+    CASES_TEST(stress_12_w_through_zero, through_zero_case, 1000),
+    CASES_TEST(stress_13_near_by_one_ulp, near_ulp_case, 500),
     cmocka_unit_test(stress_14_26_directions_by_1_2_3_vertices),
     cmocka_unit_test(folded_polygons_face_as_they_did), cmocka_unit_test(stress_15_seam_cut_by_the_clip),
     cmocka_unit_test(stress_16_matrix_scale_2_to_15),
-    cmocka_unit_test(stress_18_the_first_of_equals_stays),
-    cmocka_unit_test(stress_19_parallel_pair_at_1_01_buckets),
-    cmocka_unit_test(stress_20_interpenetration),
+    CASES_TEST(stress_18_the_first_of_equals_stays, twice_case, 300),
+    CASES_TEST(stress_19_parallel_pair_at_1_01_buckets, pair_case, 120),
+    CASES_TEST(stress_20_interpenetration, crossing_case, 120),
     cmocka_unit_test(others_overflow_that_loops_for_ever),
-    cmocka_unit_test(others_no_area_after_snapping)
+    CASES_TEST(others_no_area_after_snapping, snapped_away_case, 800)
 };
 
 CASES_MAIN(tests)

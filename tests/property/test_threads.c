@@ -114,7 +114,6 @@ static void check(const struct demo_frame *f, const struct zs_config *c, uint32_
 static void frames_of_1_to_5_threads(void **state)
 {
     uint32_t by_parts = 0, by_strips = 0, parts;
-    (void)state;
     for (uint32_t d = 0; d < n_demos; d++) {
         struct demo_frame f;
         demos[d]->pose(&f, 7, W, H);
@@ -134,7 +133,6 @@ static void frames_of_1_to_5_threads(void **state)
 
 static void more_threads_than_strips(void **state)
 {
-    (void)state;
     struct demo_frame f;
     demo_cubes.pose(&f, 0, W, H);
     for (int kind = 0; kind < 2; kind++) {
@@ -152,7 +150,6 @@ static void strip_is(const struct zs_strip *s, const struct sim_frame *whole)
 /* Any strips may be left out: the others are as they are, with two buffers the one that was given out before too. */
 static void strips_left_out_at_random(void **state)
 {
-    (void)state;
     struct prng p = { 11 };
     for (uint32_t d = 0; d < n_demos; d++)
         for (int k = 0; k < 12; k++) {
@@ -202,7 +199,6 @@ static void parts_meet_anywhere(void **state)
     static uint16_t tri[2520][3], raw[2520];
     static struct zs_cluster cluster[40];
     struct prng p = { 5 };
-    (void)state;
     struct demo_frame f;
     struct zs_mesh odd = *(demo_mesh.pose(&f, 0, W, H), f.instance[0].mesh);
     assert_int_equal(odd.n_tris, 2520);
@@ -244,7 +240,6 @@ static void shares_are_sound_meshes(void **state)
 {
     struct zs_cluster cluster[40];
     struct prng p = { 6 };
-    (void)state;
     struct demo_frame f;
     struct zs_mesh whole = *(demo_mesh.pose(&f, 0, W, H), f.instance[0].mesh);
     for (uint32_t i = 0; i < 40; i++) {
@@ -274,7 +269,6 @@ static void states_are_not_drawn_in_parts(void **state)
 {
     static const struct zs_depth_state later = { .func = ZS_DEPTH_LESS_EQUAL };
     uint32_t parts;
-    (void)state;
     struct demo_frame f;
     demo_mesh.pose(&f, 0, W, H);
     const struct zs_config c = config_of(&demo_mesh, 0, 7);
@@ -290,7 +284,6 @@ static void states_are_not_drawn_in_parts(void **state)
 /* What a frame is refused for comes from each thread, once. */
 static void a_refused_frame(void **state)
 {
-    (void)state;
     struct demo_frame f;
     struct sim_frame frame;
     struct sim_frame_time time;

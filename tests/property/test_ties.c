@@ -110,12 +110,6 @@ static int one_scene(uint64_t seed)
     return same ? 1 : case_wrong("%u instances", (unsigned)world.scene.n_instances);
 }
 
-static void the_frame_is_the_scenes(void **state)
-{
-    (void)state;
-    CASES(one_scene, 3000);
-}
-
-static const struct CMUnitTest tests[] = { cmocka_unit_test(the_frame_is_the_scenes) };
+static const struct CMUnitTest tests[] = { CASES_TEST(the_frame_is_the_scenes, one_scene, 3000) };
 
 CASES_MAIN(tests)

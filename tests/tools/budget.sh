@@ -1,8 +1,8 @@
 #!/bin/sh
-# `zsim budget` and `zsim costs`: bytes are those of sizeof and ZS_ARENA_BYTES on this machine and on Cortex-M, the
+# `zsim budget` and `zlab costs`: bytes are those of sizeof and ZS_ARENA_BYTES on this machine and on Cortex-M, the
 # wire's are those of the driver, what fits fits and one more does not, limits are kept, the textbook is right; what
 # makes no sense is refused by name.
-# Usage: tests/tools/budget.sh ZSIM WORKDIR     as tests/tools/cli.sh
+# Usage: tests/tools/budget.sh ZSIM WORKDIR     as tests/tools/cli.sh; ZLAB is beside ZSIM
 set -u
 . tests/tools/zsim.sh
 ARM=${ARM:-arm-none-eabi-}
@@ -11,6 +11,11 @@ budget() {
     z budget "$@"
     [ $status -eq 0 ] || wrong "status $status: $(said)"
     [ ! -s stderr ] || wrong "it talks: $(said)"
+}
+costs() { # ARGUMENT...    zlab costs, as z
+    zsim=${zsim%zsim}zlab
+    z costs "$@"
+    zsim=${zsim%zlab}zsim
 }
 csv() { # FIGURE    of the last budget --csv
     sed -n "s/^$1,\([^,]*\),.*/\1/p" stdout
@@ -282,7 +287,7 @@ is "this panel's frame, and why there are strips" "$(csv buffer)" 230400
 
 # ---- Costs -----------------------------------------------------------------------------------------------------------
 begin costs_on_record
-z costs
+costs
 [ $status -eq 0 ] || wrong "status $status: $(said)"
 for core in M0 M3 M4 M7 rv32imc RP2040; do
     head -1 stdout | grep -q " $core" || wrong "no column of $core"
@@ -298,18 +303,18 @@ is "percent" "$(sed -n 's/^  Of the demo .* none is more than \([0-9]*\) % off o
     "$(awk -v e="$stated" 'BEGIN { n = int(e); print n < e ? n + 1 : n }')"
 awk -v e="$stated" 'BEGIN { exit !(e > 0 && e < 15) }' || wrong "$stated % is not under 15"
 begin counts_of_a_scene
-z costs --scene layers_ftb
+costs --scene layers_ftb
 [ $status -eq 0 ] || wrong "status $status: $(said)"
 is "pixels without a test, rows, runs, bounds, instances asked" "$(awk '
     / key of a pixel drawn without a test$/ { px = $2 } / row with pixels, more where nothing/ { rows = $2 }
     / run of pixels that win, any other way$/ { runs = $2 } / more where it does$/ { bounds = $2 }
     / more where it may lie behind large triangles$/ { asked = $2 }
     END { print px, rows, runs, bounds, asked }' stdout)" '76800 480 480 2 7'
-z costs --scene moon
+costs --scene moon
 one_line 1 'moon: is no demo or bench scene'
 begin error_of_estimates
 grep -E '^M3 (mesh|cubes|sheet|hall) ' "$top/tests/records/bench.txt" >scenes
-z costs --error scenes
+costs --error scenes
 [ $status -eq 0 ] || wrong "status $status: $(tail -1 stdout) $(said)"
 note=$(tail -1 stdout)
 sed 's/^\(M3 mesh\) .*/\1 3000000/' scenes >far
@@ -317,8 +322,8 @@ z budget --error far
 [ $status -eq 1 ] && grep -q 'too far' stdout || wrong "status $status: a scene 40 % off passes"
 begin probes_of_another_build
 printf 'probe,name,instructions,checksum\n0,raw_c18_f1_z10_s24,744560,1\n' >other.csv
-z costs --m3 other.csv
-one_line 1 'other.csv:2: raw_c18_f1_z10_s24: its frame is not the one that this zsim draws'
+costs --m3 other.csv
+one_line 1 'other.csv:2: raw_c18_f1_z10_s24: its frame is not the one that this zlab draws'
 
 # ---- Refused --------------------------------------------------------------------------------------------------------
 mkdir -p refused && echo older >refused/old.png

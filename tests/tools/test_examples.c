@@ -23,6 +23,15 @@ static int take(void *ctx, const struct zs_strip *s)
     return 0;
 }
 
+static struct panel drawn_by(int example(uint32_t frame, const struct zs_sink *sink))
+{
+    static struct panel p;
+    const struct zs_sink sink = { .submit = take, .ctx = &p };
+    memset(&p, 0, sizeof p);
+    assert_int_equal(example(0, &sink), ZS_OK);
+    return p;
+}
+
 static void assert_rows(const struct panel *p, int y, int n, const char *const *rows, char (*letter)(uint32_t rgb565))
 {
     for (int row = 0; row < n; row++) {
@@ -43,10 +52,7 @@ static void a_sky_is_a_function_of_the_row(void **state)
     static const char *const rows[] = {
         "dddddddddddddddddd############dddddddddddddddddd", "eeeeeeeeeeeeeeeee##############eeeeeeeeeeeeeeeee",
     };
-    (void)state;
-    static struct panel p;
-    const struct zs_sink sink = { .submit = take, .ctx = &p };
-    assert_int_equal(example_gradient_sky(0, &sink), ZS_OK);
+    const struct panel p = drawn_by(example_gradient_sky);
     for (int y = 0; y < EXAMPLE_H; y++)
         for (int x = 0; x < EXAMPLE_W; x++) {
             const char c = sky_or_hill((uint32_t)p.px[y][x][0] << 8 | p.px[y][x][1]);
@@ -70,7 +76,6 @@ static void a_counter_costs_its_rectangle(void **state)
         "...................................#.#..#..#....", "...................................###.###.###..",
         "................................................",
     };
-    (void)state;
     static struct panel p;
     const struct zs_sink sink = { .submit = take, .ctx = &p };
     assert_int_equal(example_frame_counter(0, &sink), ZS_OK);
@@ -105,10 +110,7 @@ static void a_shader_of_the_users(void **state)
         "........##...###................####..##........",
         "........##..####................####..##........",
     };
-    (void)state;
-    static struct panel p;
-    const struct zs_sink sink = { .submit = take, .ctx = &p };
-    assert_int_equal(example_user_shader(0, &sink), ZS_OK);
+    const struct panel p = drawn_by(example_user_shader);
     assert_rows(&p, 4, 12, rows, ring_or_not);
 }
 
@@ -130,10 +132,7 @@ static void two_pictures_in_one_frame(void **state)
         "rrrrrrrrrrrrrrrrr.....bb.......wwwwwwwwwwwwwwwww",
         "rrrrrrrrrrrrrrrrr.....bb.......wwwwwwwwwwwwwwwww",
     };
-    (void)state;
-    static struct panel p;
-    const struct zs_sink sink = { .submit = take, .ctx = &p };
-    assert_int_equal(example_split_screen(0, &sink), ZS_OK);
+    const struct panel p = drawn_by(example_split_screen);
     assert_int_equal(p.pixels, EXAMPLE_W * EXAMPLE_H);
     assert_rows(&p, 16, 8, rows, color_of);
 }
@@ -146,10 +145,7 @@ static void without_depth_memory(void **state)
         ".........rrrrrrrrgggggggggbbbbbbbbbbbbbbbb......",
         ".........rrrrrrrrgggggggggbbbbbbbbbbbbbbbb......",
     };
-    (void)state;
-    static struct panel p;
-    const struct zs_sink sink = { .submit = take, .ctx = &p };
-    assert_int_equal(example_no_depth(0, &sink), ZS_OK);
+    const struct panel p = drawn_by(example_no_depth);
     assert_rows(&p, 4, 4, rows, color_of);
 }
 

@@ -20,7 +20,6 @@
 /* Every row by every strip height, without a division. */
 static void rows_have_their_strips(void **state)
 {
-    (void)state;
     static uint32_t arena[200000];
     for (uint32_t h = 1; h <= ZS_SIZE_MAX; h++) {
         struct zs_renderer r;
@@ -60,12 +59,6 @@ static int first_case(uint64_t seed)
                               zs_bin_first(&r, y0, y1), want);
     }
     return 1;
-}
-
-static void the_first_strip_of_rows(void **state)
-{
-    (void)state;
-    CASES(first_case, 20000);
 }
 
 /* ---- A scene of one mesh, binned by hand ----------------------------------------------------- */
@@ -297,15 +290,6 @@ static int pack_case(uint64_t seed)
     return found_again();
 }
 
-static void packing_keeps_what_is_held(void **state)
-{
-    (void)state;
-    dropped_verts = 0;
-    CASES(pack_case, 4000);
-    print_message("%u vertices dropped\n", dropped_verts);
-    assert_true(getenv("ZS_SEED") || dropped_verts > 4000);
-}
-
 static int room_case(uint64_t seed)
 {
     static struct copy before[TRIS_MAX], after[TRIS_MAX];
@@ -342,7 +326,6 @@ static int room_case(uint64_t seed)
 
 static void room_is_made_from_below(void **state)
 {
-    (void)state;
     dropped_tris = no_room = 0;
     memset(bands, 0, sizeof bands);
     CASES(room_case, 6000);
@@ -352,9 +335,11 @@ static void room_is_made_from_below(void **state)
                 (dropped_tris > 10000 && bands[1] > 200 && bands[2] > 200 && bands[5] > 20 && no_room > 100));
 }
 
-static const struct CMUnitTest tests[] = { cmocka_unit_test(rows_have_their_strips),
-                                           cmocka_unit_test(the_first_strip_of_rows),
-                                           cmocka_unit_test(packing_keeps_what_is_held),
-                                           cmocka_unit_test(room_is_made_from_below) };
+static const struct CMUnitTest tests[] = {
+    cmocka_unit_test(rows_have_their_strips),
+    CASES_TEST(the_first_strip_of_rows, first_case, 20000),
+    CASES_COUNT(packing_keeps_what_is_held, pack_case, 4000, &dropped_verts, 4000, "vertices dropped"),
+    cmocka_unit_test(room_is_made_from_below),
+};
 
 CASES_MAIN(tests)

@@ -47,13 +47,7 @@ static void shape_flat(struct shape *s, struct prng *p, int32_t half, int32_t st
             const int32_t up[3] = { 0, 1, 0 };
             (void)shape_vertex(s, at, up);
         }
-    for (uint32_t z = 0; z < n; z++)
-        for (uint32_t x = 0; x < n; x++) {
-            const uint32_t a = z * (n + 1u) + x, b = a + n + 1u;
-            shape_tri(s, a, b, a + 1u);
-            shape_tri(s, a + 1u, b, b + 1u);
-        }
-    shape_end(s);
+    shape_cells(s, n);
 }
 
 /* Away from where it turns, by up to its radius along each axis. */
@@ -233,7 +227,6 @@ static int clusters_of(uint64_t seed)
 
 static void clusters_change_no_bit(void **state)
 {
-    (void)state;
     memset(&reached, 0, sizeof reached);
     CASES(clusters_of, 6000);
     printf(
@@ -307,15 +300,6 @@ static int slack_case(uint64_t seed)
     return right;
 }
 
-static void what_rounding_moves_into_the_frame_is_drawn(void **state)
-{
-    (void)state;
-    beside = 0;
-    CASES(slack_case, 1000);
-    printf("%u spheres beside the frame are drawn\n", beside);
-    assert_true(getenv("ZS_SEED") || beside > 20);
-}
-
 static uint64_t most_off; /* 1/65536 of its slack */
 
 /* A sphere's centre is no farther from the exact one than its slack. */
@@ -359,14 +343,16 @@ static int bounds_case(uint64_t seed)
 
 static void a_center_is_as_exact_as_its_slack(void **state)
 {
-    (void)state;
     most_off = 0;
     CASES(bounds_case, 4000);
     printf("off by up to %lu / 65536 of the slack\n", (unsigned long)most_off);
 }
 
-static const struct CMUnitTest tests[] = { cmocka_unit_test(clusters_change_no_bit),
-                                           cmocka_unit_test(what_rounding_moves_into_the_frame_is_drawn),
-                                           cmocka_unit_test(a_center_is_as_exact_as_its_slack) };
+static const struct CMUnitTest tests[] = {
+    cmocka_unit_test(clusters_change_no_bit),
+    CASES_COUNT(what_rounding_moves_into_the_frame_is_drawn, slack_case, 1000,
+                &beside, 20, "spheres beside the frame are drawn"),
+    cmocka_unit_test(a_center_is_as_exact_as_its_slack),
+};
 
 CASES_MAIN(tests)

@@ -91,12 +91,6 @@ static void random_tri(struct prng *p, enum kind kind, const struct easel *s, st
     }
 }
 
-static struct oracle_tri to_oracle(const struct easel_tri *t)
-{
-    const struct oracle_tri o = { { t->x[0], t->x[1], t->x[2] }, { t->y[0], t->y[1], t->y[2] } };
-    return o;
-}
-
 static int wrong_at(const struct easel *s, const struct easel_tri *t, int i, int j,
                     const char *what, double value)
 {
@@ -167,7 +161,7 @@ static int float_frame_right(const struct easel *s, const struct easel_tri *t,
                              const struct easel_frame *f)
 {
     const struct oracle_float as_float = { easel_float_bits(s->depth), s->depth_bits };
-    const struct oracle_tri o = to_oracle(t);
+    const struct oracle_tri o = easel_oracle(t);
     const double bound = key_bound(s);
     double *worst = s->width + s->height <= 640 ? &worst_small : &worst_big;
     for (int j = 0; j < s->height; j++)
@@ -221,7 +215,6 @@ static int float_case(uint64_t seed)
 
 static void float_keys_against_exact_arithmetic(void **state)
 {
-    (void)state;
     pixels_compared = 0;
     worst_small = worst_big = 0;
     CASES(float_case, 3600);
@@ -244,7 +237,6 @@ static int float_big_case(uint64_t seed)
 
 static void float_keys_in_big_frames(void **state)
 {
-    (void)state;
     worst_big = 0;
     CASES(float_big_case, 48);
     print_message("float keys in frames up to 4096 px: off by at most %.5f buckets\n", worst_big);
@@ -280,7 +272,6 @@ static int boundary_case(uint64_t seed)
 
 static void octave_boundaries_on_samples(void **state)
 {
-    (void)state;
     worst_small = 0;
     CASES(boundary_case, 600);
     print_message("octave boundaries on samples: off by at most %.5f buckets\n", worst_small);
@@ -290,7 +281,6 @@ static void octave_boundaries_on_samples(void **state)
  * bits although nothing asks for it (UBSan). */
 static void the_steepest_step_of_a_pixel(void **state)
 {
-    (void)state;
     struct easel s = easel_default(64, 48);
     struct easel_tri t = { { -100, 154, -100 }, { 100, 100, 2100 }, { 0xfeffffffu, 0xa0000000u, 0xa0000000u } };
     s.depth = &zs_depth_e3m13;
@@ -301,7 +291,6 @@ static void the_steepest_step_of_a_pixel(void **state)
 
 static void the_float_oracle_agrees_with_the_definition(void **state)
 {
-    (void)state;
     for (int e = 3; e <= 5; e++)
         for (int bits = 8; bits <= 16; bits++) {
             const struct oracle_float f = { e, bits };
@@ -415,7 +404,6 @@ static int pipeline_case(uint64_t seed)
 
 static void keys_of_clipped_triangles_under_all_mappings(void **state)
 {
-    (void)state;
     pixels_compared = 0;
     worst_pipeline = 0;
     CASES(pipeline_case, 3000);
@@ -530,7 +518,6 @@ static int layers_case(uint64_t seed)
 
 static void stress_19_layers_at_1_01_buckets_under_all_mappings(void **state)
 {
-    (void)state;
     pairs_swapped = pairs_drawn = 0;
     CASES(layers_case, 4000);
     print_message(
@@ -619,7 +606,7 @@ static int pair_case(uint64_t seed)
         t[0] = t[1];
         t[1] = swap;
     }
-    const struct oracle_tri o = to_oracle(&t[0]);
+    const struct oracle_tri o = easel_oracle(&t[0]);
     const long double top = (1 << s.depth_bits) - 2;
     struct easel_frame both, alone[2];
     easel_draw(&s, t, 2, &both);
@@ -653,7 +640,6 @@ static int pair_case(uint64_t seed)
 
 static void stress_19_20_pairs_of_any_planes_under_all_mappings(void **state)
 {
-    (void)state;
     pairs_swapped = pairs_drawn = 0;
     CASES(pair_case, 500);
     print_message(
@@ -734,7 +720,7 @@ static int state_crowd_case(uint64_t seed)
                        most);
         t[k].d[0] = t[k].d[1] = t[k].d[2] = flat_depth(&p, &s, &unit, (uint32_t)key[k]);
         t[k].state = prng_pick(&p, N_STATES + 1);
-        o[k] = to_oracle(&t[k]);
+        o[k] = easel_oracle(&t[k]);
     }
     struct easel_frame f;
     easel_draw(&s, t, CROWD, &f);
@@ -760,7 +746,6 @@ static int state_crowd_case(uint64_t seed)
 
 static void states_one_triangle_after_another(void **state)
 {
-    (void)state;
     pixels_compared = 0;
     CASES(state_crowd_case, 120);
     print_message("states: %llu pixels compared\n", (unsigned long long)pixels_compared);
@@ -771,7 +756,7 @@ static void states_one_triangle_after_another(void **state)
 static long double slope_offset(const struct easel *s, const struct easel_frame *unit,
                                 const struct easel_tri *t, int32_t slope)
 {
-    const struct oracle_tri o = to_oracle(t);
+    const struct oracle_tri o = easel_oracle(t);
     long double key[3];
     for (int k = 0; k < 3; k++)
         if (s->depth == &zs_depth_linear) {
@@ -809,7 +794,7 @@ static int slope_case(uint64_t seed)
         for (int k = 1; k < 3; k++)
             t.d[k] = moved(&s, &unit, t.d[0], prng_range(&p, -3000, 3000) / 10.0);
     struct easel_frame plain, f;
-    const struct oracle_tri o = to_oracle(&t);
+    const struct oracle_tri o = easel_oracle(&t);
     if (oracle_area(&o) == 0)
         return 1;
     easel_draw(&s, &t, 1, &plain);
@@ -855,7 +840,6 @@ static int slope_case(uint64_t seed)
 
 static void offsets_and_slopes_in_buckets(void **state)
 {
-    (void)state;
     slopes_seen = 0;
     worst_slope = 0;
     CASES(slope_case, 1500);
@@ -966,12 +950,6 @@ static int state_scene_case(uint64_t seed)
     return ok;
 }
 
-static void states_in_scenes_whatever_the_pools(void **state)
-{
-    (void)state;
-    CASES(state_scene_case, 240);
-}
-
 /* ---- The mapping that far / near asks for --------------------------------------------------- */
 
 /* zs_depth_float draws the frame of e3m13 up to far = 2^7 near, of e4m12 up to 2^15 near, else of
@@ -1015,7 +993,6 @@ static int any_float_case(uint64_t seed)
 /* What keys alone say of 1/z, by which colours and texels are taken to be affine: never less than it changes. */
 static void keys_bound_how_much_w_changes(void **state)
 {
-    (void)state;
     static const struct zs_depth *const depths[] = { &zs_depth_e3m13, &zs_depth_e4m12, &zs_depth_e5m11 };
     static const struct zs_scene scene = { .light = { .dir = { 0, 0, ZS_Q30_ONE } } };
     static uint32_t arena[20000];
@@ -1048,7 +1025,6 @@ static void keys_bound_how_much_w_changes(void **state)
 
 static void float_takes_the_bits_that_far_asks_for(void **state)
 {
-    (void)state;
     CASES(any_float_case, 300);
     struct zs_scene none = { .n_instances = 0 };
     struct zs_camera ortho;
@@ -1136,12 +1112,6 @@ static int plain_state_case(uint64_t seed)
     return ok;
 }
 
-static void a_state_that_asks_for_nothing_is_none(void **state)
-{
-    (void)state;
-    CASES(plain_state_case, 100);
-}
-
 /* From near to 256 times near within 255/256 of a pixel: the gradient of 1/z uses all of its 64 bits. */
 static void octaves_within_a_pixel(void **state)
 {
@@ -1155,7 +1125,6 @@ static void octaves_within_a_pixel(void **state)
                                               .cull = ZS_CULL_NONE };
     static const struct zs_depth *const mapping[] = { &zs_depth_float, &zs_depth_e3m13, &zs_depth_e4m12,
                                                       &zs_depth_e5m11 };
-    (void)state;
     for (int m = 0; m < 4; m++) {
         const struct zs_config config = picture_config(64, 64, mapping[m]);
         struct zs_instance in = { .mesh = &mesh, .material = &white };
@@ -1183,9 +1152,9 @@ static const struct CMUnitTest tests[] = {
     cmocka_unit_test(stress_19_20_pairs_of_any_planes_under_all_mappings),
     cmocka_unit_test(states_one_triangle_after_another),
     cmocka_unit_test(offsets_and_slopes_in_buckets),
-    cmocka_unit_test(states_in_scenes_whatever_the_pools),
+    CASES_TEST(states_in_scenes_whatever_the_pools, state_scene_case, 240),
     cmocka_unit_test(keys_bound_how_much_w_changes), cmocka_unit_test(float_takes_the_bits_that_far_asks_for),
-    cmocka_unit_test(a_state_that_asks_for_nothing_is_none),
+    CASES_TEST(a_state_that_asks_for_nothing_is_none, plain_state_case, 100),
     cmocka_unit_test(octaves_within_a_pixel)
 };
 

@@ -191,7 +191,6 @@ static void counts_end(void)
 
 static void pixels_under_any_state(void **state)
 {
-    (void)state;
     counts_begin();
     CASES(state_case, 40000);
     counts_end();
@@ -199,7 +198,6 @@ static void pixels_under_any_state(void **state)
 
 static void nearer_wins_without(void **state)
 {
-    (void)state;
     counts_begin();
     CASES(plain_case, 40000);
     counts_end();
@@ -257,7 +255,6 @@ static int bias_case(uint64_t seed)
 
 static void bias_is_offset_and_slope(void **state)
 {
-    (void)state;
     at_an_end = sloped = 0;
     CASES(bias_case, 40000);
     print_message("bias: %u at an end, %u with a slope\n", at_an_end, sloped);

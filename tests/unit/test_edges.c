@@ -158,7 +158,6 @@ static int edges_case(uint64_t seed)
 
 static void columns_are_exact(void **state)
 {
-    (void)state;
     rows_compared = cut_fast = 0;
     CASES(edges_case, 60000);
     print_message("%llu rows, %llu by divisions\n", (unsigned long long)rows_compared, (unsigned long long)cut_fast);

@@ -20,7 +20,6 @@ static uint64_t recip_error(uint32_t a)
 
 static void recip_over_every_table_entry(void **state)
 {
-    (void)state;
     struct prng p = { 1 };
     uint64_t most = 0;
     for (uint32_t cell = 0; cell < 256; cell++) {
@@ -42,7 +41,6 @@ static void recip_over_every_table_entry(void **state)
 
 static void recip_in_steps(void **state)
 {
-    (void)state;
     for (uint64_t a = 0x80000000u; a <= 0xffffffffu; a += 41) /* 52 M values */
         assert_true(recip_error((uint32_t)a) <= RECIP_BOUND);
     assert_int_equal(zs_recip(0x80000000u), 0xffffffffu);
@@ -68,7 +66,6 @@ static int isqrt_case(uint64_t seed)
 
 static void isqrt_is_the_floor(void **state)
 {
-    (void)state;
     assert_int_equal(zs_isqrt64(0), 0);
     assert_int_equal(zs_isqrt64(UINT64_MAX), UINT32_MAX);
     CASES(isqrt_case, 1000);
@@ -95,12 +92,6 @@ static int muldiv_case(uint64_t seed)
     return 1;
 }
 
-static void muldiv_against_128_bits(void **state)
-{
-    (void)state;
-    CASES(muldiv_case, 1000);
-}
-
 static int mulshift_case(uint64_t seed)
 {
     struct prng p = { seed };
@@ -120,15 +111,8 @@ static int mulshift_case(uint64_t seed)
     return 1;
 }
 
-static void mulshift_against_128_bits(void **state)
-{
-    (void)state;
-    CASES(mulshift_case, 1000);
-}
-
 static void products_and_leading_zeros(void **state)
 {
-    (void)state;
     uint32_t wrong[2];
     const int right = wide_right(3000000, wrong);
     if (!right)
@@ -165,7 +149,6 @@ static int small_case(uint64_t seed)
 
 static void samples_leading_zeros_and_shifts(void **state)
 {
-    (void)state;
     assert_int_equal(zs_first_sample(128), 0);  /* on a sample: that one */
     assert_int_equal(zs_first_sample(129), 1);
     assert_int_equal(zs_first_sample(-128), -1);
@@ -184,8 +167,8 @@ static const struct CMUnitTest tests[] = {
     cmocka_unit_test(recip_over_every_table_entry),
     cmocka_unit_test(recip_in_steps),
     cmocka_unit_test(isqrt_is_the_floor),
-    cmocka_unit_test(muldiv_against_128_bits),
-    cmocka_unit_test(mulshift_against_128_bits),
+    CASES_TEST(muldiv_against_128_bits, muldiv_case, 1000),
+    CASES_TEST(mulshift_against_128_bits, mulshift_case, 1000),
     cmocka_unit_test(products_and_leading_zeros),
     cmocka_unit_test(samples_leading_zeros_and_shifts)
 };

@@ -499,7 +499,6 @@ static void expect_shut(void)
 
 static void lines_are_held_from_first_to_last(void **state)
 {
-    (void)state;
     machine();
     open_as(&all_wired);
     assert_int_equal(m.requests, 4);
@@ -529,7 +528,6 @@ static void lines_by_name_label_and_number(void **state)
         int chip, line;
     } t[] = { { "DC", 0, 4 },          { "gpiochip1:3", 1, 3 }, { "1:3", 1, 3 },          { "/dev/gpiochip2:1", 2, 1 },
               { "expander:5", 1, 5 },  { "expander2:0", 2, 0 }, { "pinctrl-test:DC", 0, 4 }, { "0:TEAR", 0, 3 } };
-    (void)state;
     for (size_t i = 0; i < sizeof t / sizeof t[0]; i++) {
         const struct linux_wiring w = { "/dev/spidev0.0", 1000000, 0, t[i].text, NULL, NULL, NULL };
         machine();
@@ -597,7 +595,6 @@ static void refusals(void **state)
         { { spi, 0, 0, "DC", 0, 0, 0 }, HAL_ERR_ARG, "0 Hz", "needs", 0, 0, 0, 0, 0 },
         { { spi, 1, 0, NULL, 0, 0, 0 }, HAL_ERR_ARG, "D/C", "needs", 0, 0, 0, 0, 0 },
     };
-    (void)state;
     for (size_t i = 0; i < sizeof t / sizeof t[0]; i++) {
         machine();
         if (t[i].nodes)
@@ -625,7 +622,6 @@ static void names_of_devices(void **state)
     struct gpio_place place;
     char text[4096] = { 0 };
     FILE *to = fmemopen(text, sizeof text, "w");
-    (void)state;
     machine();
     devices("gpiochip2 gpiochip1@ gpiochip0 gpiochipX gpiochip null");
     linux_list_lines(to);
@@ -688,7 +684,6 @@ static void picture_both_ways(const char *name, int rotate, const char *bufsiz, 
 
 static void pictures_are_the_simulators(void **state)
 {
-    (void)state;
     for (int rotate = 0; rotate < 4; rotate++) {
         picture_both_ways("st7789:135x240", rotate, "4096\n", 4096);
         picture_both_ways("ssd0323:128x64", rotate, "4096\n", 4096);
@@ -709,7 +704,6 @@ static void messages(void **state)
     static const uint32_t limits[] = { 1, 7, 64, 4096, 65536 }, sizes[] = { 1, 6, 7, 8, 4095, 4096, 4097, 11520 };
     static _Alignas(4) uint8_t px[11520];
     const uint8_t args[4] = { 1, 2, 3, 4 };
-    (void)state;
     for (size_t i = 0; i < sizeof limits / sizeof limits[0]; i++)
         for (size_t k = 0; k < sizeof sizes / sizeof sizes[0]; k++) {
             char text[16];
@@ -767,7 +761,6 @@ static void data_leaves_while_the_caller_goes_on(void **state)
     static uint8_t px[64];
     struct counted c = { .caller = pthread_self() };
     struct hal_bus *bus = hal_bus();
-    (void)state;
     machine();
     assert_int_equal(sem_init(&c.begun, 0, 0) | sem_init(&c.go, 0, 0), 0);
     m.begun = &c.begun;
@@ -810,7 +803,6 @@ static void failed_messages(void **state)
               { ESHUTDOWN, HAL_ERR_BUS, "is gone" }, { EINVAL, HAL_ERR_BUS, "another speed" } };
     static uint8_t px[9000];
     struct hal_bus *bus = hal_bus();
-    (void)state;
     for (size_t i = 0; i < sizeof t / sizeof t[0]; i++) {
         machine();
         open_as(&all_wired);
@@ -835,7 +827,6 @@ static void failed_messages(void **state)
 
 static void edges(void **state)
 {
-    (void)state;
     machine();
     open_as(&all_wired);
     m.edges_before = 5;
@@ -975,7 +966,6 @@ static void program_draws_what_the_simulator_draws(void **state)
               { "ssd0323:128x64", 2, &demo_globe, 2, 3, "--te TEAR" },
               { "st7789:240x240", 0, &demo_cubes, 5, 2, "--partial --te TEAR --strip 1" } };
     static uint8_t truth[240 * 320 * 3];
-    (void)state;
     for (size_t i = 0; i < sizeof t / sizeof t[0]; i++) {
         char line[512];
         (void)snprintf(line, sizeof line, WIRED "--panel %s --rotate %d --scene %s --frames %u --step %u --stats %s",
@@ -1013,7 +1003,6 @@ static void program_turns_a_model(void **state)
     static uint8_t first[240 * 240 * 3];
     char path[64], line[512];
     uint32_t other = 0, lit = 0;
-    (void)state;
     machine();
     (void)snprintf(path, sizeof path, "%s/box.obj", folder);
     FILE *f = fopen(path, "w");
@@ -1042,7 +1031,6 @@ static void program_turns_a_model(void **state)
  * many, behind one window. Set-up's and sleep's commands besides. */
 static void program_sends_few_messages(void **state)
 {
-    (void)state;
     machine();
     model_of("st7789:240x240");
     expect_dark(run(WIRED "--panel st7789:240x240 --scene cubes --frames 1 --stats"));
@@ -1055,7 +1043,6 @@ static void partial_saves_bytes(void **state)
 {
     static const char line[] = WIRED "--panel st7789:240x240 --scene cubes --frames 3 --step 0";
     char partial[512];
-    (void)state;
     machine();
     model_of("st7789:240x240");
     expect_dark(run(line));
@@ -1070,7 +1057,6 @@ static void partial_saves_bytes(void **state)
 /* SIGTERM in whatever message: the panel ends dark and asleep, status 0. */
 static void signals_at_any_moment(void **state)
 {
-    (void)state;
     for (uint32_t at = 1; at < 400; at += at < 40 ? 1 : 37) {
         machine();
         model_of("ssd1306:128x64");
@@ -1107,7 +1093,6 @@ static void drawing_hides_behind_the_wire(void **state)
 {
     unsigned long frames, draw, wire, hidden;
     double rate;
-    (void)state;
     machine();
     m.draw_us = 5000;
     m.wire_hz = 15000000;
@@ -1128,7 +1113,6 @@ static void program_goes_on_after_failures(void **state)
     static uint8_t truth[240 * 320 * 3];
     static const char line[] = WIRED "--panel ssd1306:128x64 --scene cubes";
     char frames[256];
-    (void)state;
     truth_of(truth, "ssd1306:128x64", 0, &demo_cubes, 2);
     machine();
     model_of("ssd1306:128x64");
@@ -1159,7 +1143,6 @@ static void program_gives_up(void **state)
               { 45, "--frames 1", "frame 0: /dev/spidev0.0: ", 0 },
               { 45, "", "frame ", 0 },
               { 90, "", "frame ", 1 } };
-    (void)state;
     for (size_t i = 0; i < sizeof t / sizeof t[0]; i++) {
         char line[256];
         (void)snprintf(line, sizeof line, WIRED "--panel ssd1306:128x64 --scene cubes %s", t[i].frames);
@@ -1181,7 +1164,6 @@ static void program_gives_up(void **state)
 static void panel_that_does_not_sleep(void **state)
 {
     static const char line[] = WIRED "--panel ssd1306:128x64 --scene cubes --frames 1";
-    (void)state;
     machine();
     model_of("ssd1306:128x64");
     expect_dark(run(line));
@@ -1196,7 +1178,6 @@ static void panel_that_does_not_sleep(void **state)
 
 static void no_edge_comes(void **state)
 {
-    (void)state;
     machine();
     model_of("ssd1306:128x64");
     m.edges = 2;
@@ -1235,7 +1216,6 @@ static void command_lines(void **state)
         { WIRED "--panel st7789:240x240 --scene cubes --te CE0 --dry-run", 1, "TE: line /dev/gpiochip0:2, CE0 is" },
         { WIRED "--panel st7789:240x240 --scene cubes --te NOPE --dry-run", 1, "gpiochip2:7" },
     };
-    (void)state;
     for (size_t i = 0; i < sizeof t / sizeof t[0]; i++) {
         machine();
         const int status = run(t[i].line);
@@ -1249,14 +1229,12 @@ static void command_lines(void **state)
 
 static int begin(void **state)
 {
-    (void)state;
     left = mmap(NULL, sizeof *left, PROT_READ | PROT_WRITE, MAP_SHARED | MAP_ANONYMOUS, -1, 0);
     return left == MAP_FAILED || mkdtemp(folder) == NULL;
 }
 
 static int end(void **state)
 {
-    (void)state;
     char line[64];
     pm_free(m.model);
     (void)snprintf(line, sizeof line, "rm -rf %s", folder);

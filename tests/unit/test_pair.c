@@ -467,7 +467,6 @@ static uint32_t expected; /* strip */
 
 static int submit(void *ctx, const struct zs_strip *s)
 {
-    (void)ctx;
     const struct buffer *const b = (const struct buffer *)(const void *)s->px;
     if (running != INTERRUPT || flight.px)
         wrong("submit outside of the interrupt, or with a strip out");
@@ -492,7 +491,6 @@ static int submit(void *ctx, const struct zs_strip *s)
 
 static int wait_for(void *ctx)
 {
-    (void)ctx;
     struct buffer *const b = (struct buffer *)(uintptr_t)flight.px;
     if (running != INTERRUPT || !flight.px || !flight.landed)
         wrong("wait outside of the interrupt, or too early");

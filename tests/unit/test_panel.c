@@ -314,14 +314,12 @@ static int window_case(uint64_t seed)
 
 static void rectangles_send_their_window_and_no_more(void **state)
 {
-    (void)state;
     CASES(window_case, 4 * N_SHEETS * 4);
 }
 
 /* Glass of any size anywhere in the RAM: mirrored, what is left of the RAM on its other side comes first. */
 static void glass_of_ones_own(void **state)
 {
-    (void)state;
     static const uint8_t at[4][2] = { { 10, 30 }, { 30, 130 }, { 130, 90 }, { 90, 10 } }; /* 240 x 320 of RAM */
     for (int rotate = 0; rotate < 4; rotate++) {
         const struct panel_config c = { &panel_st7789, 100, 200, 10, 30, .rotate = (uint8_t)rotate };
@@ -342,7 +340,6 @@ static void glass_of_ones_own(void **state)
 /* Colour goes out as it is, from where it is; rows apart, one by one. */
 static void colour_is_not_copied(void **state)
 {
-    (void)state;
     const struct sheet *s = &sheets[0];
     struct wire w = wire_new();
     struct panel panel;
@@ -449,7 +446,6 @@ static int convert_case(uint64_t seed)
 
 static void conversion_is_the_formula(void **state)
 {
-    (void)state;
     assert_int_equal(bayer_of(7, 0), 42);
     assert_int_equal(bayer_of(0, 1), 48);
     CASES(convert_case, 600);
@@ -479,7 +475,6 @@ static uint32_t count(const struct wire *w, const uint16_t *entries, uint32_t n)
 static void dark_until_black(void **state)
 {
     static const uint32_t rooms[] = { 8, 1003, sizeof scratch };
-    (void)state;
     for (uint32_t k = 0; k < 4 * N_SHEETS * 3; k++) {
         const uint32_t room = rooms[k / 4 / N_SHEETS], most = room > 128 ? room / 4 * 4 : 128;
         const struct sheet *s = &sheets[k / 4 % N_SHEETS];
@@ -522,7 +517,6 @@ static void dark_until_black(void **state)
 /* Rotation, colour order, inversion and brightness, read in the datasheets. */
 static void settings_are_sent(void **state)
 {
-    (void)state;
     static const struct {
         const struct panel_type *type;
         uint8_t turn, at[4], bgr;      /* command of rotation, its argument, what bgr toggles */
@@ -560,7 +554,6 @@ static void settings_are_sent(void **state)
 
 static void bytes_of_the_other_order(void **state)
 {
-    (void)state;
     struct panel_config c = config_of(&sheets[0], 0);
     struct wire w = wire_new();
     struct panel panel;
@@ -580,7 +573,6 @@ static void bytes_of_the_other_order(void **state)
 /* TEON only where it was asked for, and only where there is a pin for it. */
 static void tearing_effect(void **state)
 {
-    (void)state;
     for (uint32_t i = 0; i < N_SHEETS; i++)
         for (uint8_t te = 0; te < 2; te++) {
             struct panel_config c = config_of(&sheets[i], 0);
@@ -598,7 +590,6 @@ static void tearing_effect(void **state)
 /* What the grain is, and which glass has which commons. */
 static void tables(void **state)
 {
-    (void)state;
     assert_int_equal(n_panel_types, 6);
     for (uint32_t i = 0; i < n_panel_types; i++)
         for (uint32_t k = 0; k < i; k++)
@@ -639,7 +630,6 @@ static void tables(void **state)
 
 static void bad_configurations(void **state)
 {
-    (void)state;
     const struct {
         struct panel_config config;
         uint32_t n_scratch;
@@ -690,7 +680,6 @@ static void bad_configurations(void **state)
 
 static void bad_rectangles(void **state)
 {
-    (void)state;
     struct wire w = wire_new();
     struct panel panel;
     const struct panel_config c = config_of(&sheets[11], 1); /* 72x40 turned: 40 x 72, grain 8 x 1 */
@@ -742,7 +731,6 @@ static void bad_rectangles(void **state)
 
 static void one_thing_at_a_time(void **state)
 {
-    (void)state;
     struct wire w = wire_new();
     struct panel panel;
     const struct panel_config c = config_of(&sheets[0], 0);
@@ -774,7 +762,6 @@ static void one_thing_at_a_time(void **state)
 /* Sleep and wake as the datasheets want them, with what they want between. */
 static void sleeping(void **state)
 {
-    (void)state;
     for (uint32_t k = 0; k < N_SHEETS; k++) {
         const struct sheet *s = &sheets[k];
         const struct panel_config c = config_of(s, 0);
@@ -871,16 +858,9 @@ static int failure_case(uint64_t seed)
     return 1;
 }
 
-static void every_failure_is_said_and_mended(void **state)
-{
-    (void)state;
-    CASES(failure_case, N_SHEETS);
-}
-
 /* The first send after a failure sends the set-up, whatever failed: that is what fails_at skips over. */
 static void set_up_follows_each_kind_of_failure(void **state)
 {
-    (void)state;
     for (uint32_t k = 0; k < N_SHEETS; k++) {
         const struct panel_config c = config_of(&sheets[k], 0);
         const struct panel_rect r = { 0, 0, 16, 8 };
@@ -918,7 +898,6 @@ static void set_up_follows_each_kind_of_failure(void **state)
 /* What the bus failed to tell is told with the next set-up; sleep that failed is left by panel_wake alone. */
 static void settings_outlive_failures(void **state)
 {
-    (void)state;
     const struct panel_rect r = { 0, 0, 16, 8 };
     const struct panel_config c = config_of(&sheets[2], 0);
     struct wire w = wire_new();
@@ -976,7 +955,7 @@ static const struct CMUnitTest tests[] = {
     cmocka_unit_test(bad_rectangles),
     cmocka_unit_test(one_thing_at_a_time),
     cmocka_unit_test(sleeping),
-    cmocka_unit_test(every_failure_is_said_and_mended),
+    CASES_TEST(every_failure_is_said_and_mended, failure_case, N_SHEETS),
     cmocka_unit_test(set_up_follows_each_kind_of_failure),
     cmocka_unit_test(settings_outlive_failures)
 };

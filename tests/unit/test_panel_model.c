@@ -145,7 +145,6 @@ static void expect_problem(const struct pm_model *m, size_t nth, enum pm_problem
 
 static void dark_until_awake_and_on(void **state)
 {
-    (void)state;
     struct view v = open_named("st7789:240x240");
     feed(v.m, "! 3A 55; 2A 00 00 00 00; 2B 00 00 00 00; 2C FF FF;");
     assert_false(pm_lit(v.m));
@@ -176,7 +175,6 @@ static void dark_until_awake_and_on(void **state)
 /* Where the first and the second pixel of a window land on 240x320, by MADCTL (datasheet: data access control). */
 static void madctl_places(void **state)
 {
-    (void)state;
     static const struct {
         const char *madctl;
         int x0, y0, x1, y1; /* of address (5, 7) and (6, 7) */
@@ -201,7 +199,6 @@ static void madctl_places(void **state)
 
 static void window_wraps_and_goes_on(void **state)
 {
-    (void)state;
     struct view v = open_named("st7789:240x240");
     feed(v.m, AWAKE "2A 00 0A 00 0B; 2B 00 14 00 15; 2C 00 01 00 02 00 03; 3C 00 04 00 05");
     look(&v);
@@ -220,7 +217,6 @@ static void window_wraps_and_goes_on(void **state)
 
 static void pixel_formats(void **state)
 {
-    (void)state;
     struct view v = open_named("st7789:240x240");
     feed(v.m, AWAKE "2A 00 00 00 EF; 2B 00 00 00 00;"
                     "3A 05; 2C F8 00 07 E0;"                     /* red, green */
@@ -240,7 +236,6 @@ static void pixel_formats(void **state)
 
 static void colours_of_the_glass(void **state)
 {
-    (void)state;
     static const struct {
         uint8_t inverted, bgr;
         const char *text;
@@ -269,7 +264,6 @@ static void colours_of_the_glass(void **state)
 /* A glass that shows a part of the RAM: its first pixel is at 52, 40; turned over, at 53, 40. */
 static void glass_in_the_ram(void **state)
 {
-    (void)state;
     struct view v = open_named("st7789:135x240");
     feed(v.m, AWAKE "2A 00 34 00 34; 2B 00 28 00 28; 2C 11 11; 2A 00 BA 00 BA; 2B 01 17 01 17; 2C 22 22;"
                     "36 C0; 2A 00 36 00 36; 2B 00 29 00 29; 2C 33 33");
@@ -295,7 +289,6 @@ static void number_rows(struct view *v)
 
 static void scrolling_and_parts(void **state)
 {
-    (void)state;
     struct view v = open_named("st7789:240x320");
     number_rows(&v);
     feed(v.m, "; 33 00 0A 01 22 00 14; 37 00 0D"); /* 10 rows stay, 290 scroll by 3, 20 stay */
@@ -330,7 +323,6 @@ static void scrolling_and_parts(void **state)
 
 static void resets(void **state)
 {
-    (void)state;
     struct view v = open_named("st7789:240x320");
     const char *odd = "! 11; 29; 36 60; 3A 55; 21; 39; 2A 00 05 00 06; 2B 00 07 00 08; B0 00 F8; 37 00 05; 53 24;"
                       "51 80;";
@@ -352,7 +344,6 @@ static void resets(void **state)
 
 static void counts(void **state)
 {
-    (void)state;
     struct view v = open_named("st7789:240x240");
     feed(v.m, "! 11;| 3A 55;| 2A 00 00 00 01;| 2B 00 00 00 00;| 2C;|");
     pm_byte(v.m, 1, 1);
@@ -373,7 +364,6 @@ static void counts(void **state)
 
 static void views(void **state)
 {
-    (void)state;
     const struct pm_glass glass = { .controller = PM_ST7789, .width = 2, .height = 3 };
     static const uint16_t on_glass[6] = { 1, 2, 3, 4, 5, 6 }; /* 12 / 34 / 56 */
     static const uint16_t want[4][6] = { { 1, 2, 3, 4, 5, 6 }, { 2, 4, 6, 1, 3, 5 }, { 6, 5, 4, 3, 2, 1 },
@@ -389,7 +379,6 @@ static void views(void **state)
 
 static void dcs_problems(void **state)
 {
-    (void)state;
     static const struct {
         const char *text;
         enum pm_problem_kind kind;
@@ -428,7 +417,6 @@ static void dcs_problems(void **state)
 
 static void data_before_any_command(void **state)
 {
-    (void)state;
     struct view v = open_named("st7789:240x240");
     pm_reset(v.m);
     pm_byte(v.m, 0x12, 1);
@@ -443,7 +431,6 @@ static void data_before_any_command(void **state)
 /* Some libraries set windows one column too wide: told of, and the pixels beyond are lost. */
 static void pixels_out_of_the_ram(void **state)
 {
-    (void)state;
     struct view v = open_named("st7789:240x240");
     feed(v.m, AWAKE "2A 00 EF 00 F0; 2B 00 00 00 01; 2C 00 01 00 02 00 03 00 04;");
     look(&v);
@@ -458,7 +445,6 @@ static void pixels_out_of_the_ram(void **state)
 /* Arguments that did arrive count, the others stay (datasheet: data transfer recovery). */
 static void broken_off_arguments(void **state)
 {
-    (void)state;
     struct view v = open_named("st7789:240x240");
     feed(v.m, AWAKE "2A 00 05 00 08; 2B 00 00 00 00; 2A 00 07; 2C 12 34;");
     look(&v);
@@ -470,7 +456,6 @@ static void broken_off_arguments(void **state)
 
 static void too_early(void **state)
 {
-    (void)state;
     struct view v = open_named("st7789:240x240");
     pm_elapsed(v.m, 0);
     feed(v.m, "!");
@@ -499,7 +484,6 @@ static void too_early(void **state)
 
 static void ili9341_rules(void **state)
 {
-    (void)state;
     struct view v = open_named("ili9341:240x320");
     /* mounted for MX: its first column is on the right of the glass */
     feed(v.m, AWAKE "2A 00 05 00 05; 2B 00 07 00 07; 2C 12 34; 36 40; 2C 56 78");
@@ -532,7 +516,6 @@ static void ili9341_rules(void **state)
 
 static void gc9a01_rules(void **state)
 {
-    (void)state;
     struct view v = open_named("gc9a01:240x240");
     feed(v.m, "! EF; EB 14; FE; EF; B6 00 20; 90 08 08 08 08; 62 18 0D 71 ED 70 70 18 0F 71 EF 70 70; E8 34; 36 08;"
               "3A 05; 35; 35 00; 11; 29; 2A 00 05 00 06; 2B 00 EF 00 EF; 2C F8 00 00 1F");
@@ -552,7 +535,6 @@ static void gc9a01_rules(void **state)
 /* LCMCTRL turns over what MADCTL says; its default of 2C is what modules are built for. */
 static void st7789_lcmctrl(void **state)
 {
-    (void)state;
     static const struct {
         const char *text;
         int x, y;
@@ -572,7 +554,6 @@ static void st7789_lcmctrl(void **state)
 /* Set-up sequences as other libraries send them: the shape of the widespread one for ILI9341. */
 static void ili9341_set_up_of_others(void **state)
 {
-    (void)state;
     struct view v = open_named("ili9341:240x320");
     feed(v.m, "! EF 03 80 02; CF 00 C1 30; ED 64 03 12 81; E8 85 00 78; CB 39 2C 00 34 02; F7 20; EA 00 00; C0 23;"
               "C1 10;"
@@ -591,7 +572,6 @@ static void ili9341_set_up_of_others(void **state)
 
 static void ssd1351_rules(void **state)
 {
-    (void)state;
     struct view v = open_named("ssd1351:128x128");
     feed(v.m, "! FD 12; FD B1; A2 00; A0 74; 15 05 06; 75 07 08; 5C F8 00 00 1F 07 E0;");
     assert_false(pm_lit(v.m));
@@ -628,7 +608,6 @@ static void ssd1351_rules(void **state)
 /* Columns, colours and the direction of steps are settled when pixels are written. */
 static void ssd1351_writing(void **state)
 {
-    (void)state;
     struct view v = open_named("ssd1351:128x128");
     feed(v.m, UP_1351 "15 00 01; 75 00 01; 5C 00 01 00 02 00 03 00 04 00 05; A0 76; 15 00 01; 75 02 02;"
                       "5C 00 06 00 07;"
@@ -655,7 +634,6 @@ static void ssd1351_writing(void **state)
 /* As a widespread library turns it by 180 degrees; and the start line of 128 that it sends, one too many, is 0. */
 static void ssd1351_as_others_turn_it(void **state)
 {
-    (void)state;
     struct view v = open_named("ssd1351:128x128");
     feed(v.m, UP_1351 "A1 80; 15 00 00; 75 00 00; 5C 11 11; A0 66; A1 00; 15 00 00; 75 01 01; 5C 22 22");
     look(&v);
@@ -671,7 +649,6 @@ static void ssd1351_as_others_turn_it(void **state)
 /* 96 rows on COM0 to COM95: with 96 lines multiplexed its row 0 is the RAM's, with 128 it is 32. */
 static void ssd1351_96_rows(void **state)
 {
-    (void)state;
     struct view v = open_named("ssd1351:128x96");
     feed(v.m, UP_1351 "CA 5F; 15 00 00; 75 00 00; 5C 11 11; 75 5F 5F; 15 00 00; 5C 22 22; 75 20 20; 15 00 00;"
                       "5C 33 33");
@@ -687,7 +664,6 @@ static void ssd1351_96_rows(void **state)
 
 static void ssd1351_problems(void **state)
 {
-    (void)state;
     static const struct {
         const char *text;
         enum pm_problem_kind kind;
@@ -721,7 +697,6 @@ static void ssd1351_problems(void **state)
 
 static void ssd1351_light(void **state)
 {
-    (void)state;
     struct view v = open_named("ssd1351:128x128");
     feed(v.m, UP_1351 "C1 C8 80 C9; C7 07");
     static const uint8_t want[4] = { 0xc8, 0x80, 0xc9, 0x07 };
@@ -741,7 +716,6 @@ static void ssd1351_light(void **state)
 
 static void ssd0323_rules(void **state)
 {
-    (void)state;
     struct view v = open_named("ssd0323:128x64");
     feed_low(v.m, UP_0323 "15 02 03 75 05 06 [12 34 56 78 9A]");
     look(&v);
@@ -787,7 +761,6 @@ static void ssd0323_rules(void **state)
 
 static void ssd0323_problems(void **state)
 {
-    (void)state;
     static const struct {
         const char *text;
         enum pm_problem_kind kind;
@@ -825,7 +798,6 @@ static void clear_1306(struct view *v)
 
 static void ssd1306_addressing(void **state)
 {
-    (void)state;
     struct view v = open_named("ssd1306:128x64");
     feed_low(v.m, UP_1306);
     clear_1306(&v);
@@ -856,7 +828,6 @@ static void ssd1306_addressing(void **state)
 /* Widespread: all pages as 0 to FF. The register has three bits, so that is told of and works. */
 static void ssd1306_pages_to_ff(void **state)
 {
-    (void)state;
     struct view v = open_named("ssd1306:128x64");
     feed_low(v.m, UP_1306);
     clear_1306(&v);
@@ -875,7 +846,6 @@ static void ssd1306_pages_to_ff(void **state)
 /* One pixel at column 5, row 12 of the RAM; where it is seen, by what the commands do. */
 static void ssd1306_scan(void **state)
 {
-    (void)state;
     static const struct {
         const char *glass, *text;
         int x, y; /* -1: nowhere */
@@ -919,7 +889,6 @@ static void ssd1306_scan(void **state)
 
 static void ssd1306_glass_and_light(void **state)
 {
-    (void)state;
     struct view v = open_named("ssd1306:64x48");
     feed_low(v.m, UP_1306 "A8 2F");
     clear_1306(&v);
@@ -959,7 +928,6 @@ static void ssd1306_glass_and_light(void **state)
 
 static void ssd1306_problems(void **state)
 {
-    (void)state;
     static const struct {
         const char *text;
         enum pm_problem_kind kind;
@@ -994,7 +962,6 @@ static void ssd1306_problems(void **state)
 
 static void names(void **state)
 {
-    (void)state;
     struct pm_glass glass = { .controller = PM_SSD1306, .width = 7 };
     assert_false(pm_glass_named(&glass, "st7789:241x240"));
     assert_false(pm_glass_named(&glass, "st7789"));
@@ -1077,7 +1044,6 @@ static void check_set(const char *name, int low, const char *set, uint8_t known[
  * and those between the two ends of a range. */
 static void command_sets(void **state)
 {
-    (void)state;
     static const struct {
         const char *name, *set[2], *more;
         int low;
@@ -1105,7 +1071,6 @@ static void command_sets(void **state)
 /* Any bytes at all: no step outside of anything (the sanitizer looks on), and looking is always possible. */
 static void junk(void **state)
 {
-    (void)state;
     char list[1024];
     uint32_t seed = 1;
     (void)snprintf(list, sizeof list, "%s", pm_glass_list());

@@ -184,12 +184,6 @@ static void random_keys(struct prng *p, uint32_t top, uint32_t d[3])
         }
 }
 
-static struct oracle_tri to_oracle(const struct easel_tri *t)
-{
-    const struct oracle_tri o = { { t->x[0], t->x[1], t->x[2] }, { t->y[0], t->y[1], t->y[2] } };
-    return o;
-}
-
 static int wrong_at(const struct easel *s, const struct easel_tri *t, int i, int j,
                     const char *what, double value)
 {
@@ -207,7 +201,7 @@ typedef int pixel_fn(const struct easel *s, const struct easel_tri *t, const str
 static int frame_right(const struct easel *s, const struct easel_tri *t,
                        const struct easel_frame *f, pixel_fn *pixel)
 {
-    const struct oracle_tri o = to_oracle(t);
+    const struct oracle_tri o = easel_oracle(t);
     uint32_t covered = 0;
     for (int j = 0; j < s->height; j++)
         for (int i = 0; i < s->width; i++) {
@@ -279,7 +273,7 @@ static int plane_pixel(const struct easel *s, const struct easel_tri *t,
                        const struct easel_frame *f, int i, int j, uint32_t key)
 {
     (void)f;
-    const struct oracle_tri o = to_oracle(t);
+    const struct oracle_tri o = easel_oracle(t);
     const uint32_t most = (1u << s->depth_bits) - 2u;
     const double error = fabs(oracle_key_error(&o, t->d, i, j, key, most));
     note_error(s, error);
@@ -309,7 +303,6 @@ static int one_triangle(uint64_t seed)
 
 static void coverage_and_keys_of_single_triangles(void **state)
 {
-    (void)state;
     pixels_compared = at_once = setups = 0;
     worst_error = worst_big = 0;
     CASES(one_triangle, 4000);
@@ -338,7 +331,6 @@ static int big_frame(uint64_t seed)
 
 static void coverage_and_keys_in_big_frames(void **state)
 {
-    (void)state;
     worst_big = 0;
     CASES(big_frame, 32);
     print_message("frames up to 4096 px: keys off by at most %.5f buckets\n", worst_big);
@@ -406,7 +398,7 @@ static int tiny_is_small(const struct zs_geom *g, const struct easel_tri *t)
 /* Of a snapped triangle: nearest where it is large, within 0.88 ulp where it is small (plane.c). */
 static int gradients_right(struct prng *p, const struct easel *s, const struct easel_tri *t)
 {
-    struct oracle_tri o = to_oracle(t);
+    struct oracle_tri o = easel_oracle(t);
     struct zs_vertex v[3];
     const struct zs_vertex *down[3] = { &v[0], &v[1], &v[2] };
     for (int k = 0; k < 3; k++)
@@ -478,7 +470,6 @@ static int least_gradient_case(uint64_t seed)
 
 static void gradients_to_the_last_bit(void **state)
 {
-    (void)state;
     worst_error = 0;
     CASES(gradient_case, 200000);
     CASES(least_gradient_case, 20000);
@@ -492,7 +483,7 @@ static void gradients_to_the_last_bit(void **state)
 static long double linear_exact(const struct easel *s, const struct easel_tri *t,
                                 const struct easel_frame *f, int i, int j)
 {
-    const struct oracle_tri o = to_oracle(t);
+    const struct oracle_tri o = easel_oracle(t);
     int64_t w[3];
     oracle_weights(&o, i, j, w);
     long double inverse = 0, area = fabsl((long double)oracle_area(&o));
@@ -546,7 +537,6 @@ static int linear_triangle(uint64_t seed)
 
 static void linear_keys_under_perspective(void **state)
 {
-    (void)state;
     worst_error = worst_big = 0;
     CASES(linear_triangle, 700);
     print_message("linear keys, far / near 2 to 16384: off by at most %.5f buckets\n",
@@ -569,7 +559,7 @@ static int crowd_case(uint64_t seed)
         random_tri(&p, (enum kind)prng_pick(&p, KINDS), &s, &t[k]);
         const uint32_t d = prng_pick(&p, levels) * (most / levels) * 65536u + prng_pick(&p, 0x8000);
         t[k].d[0] = t[k].d[1] = t[k].d[2] = d;
-        o[k] = to_oracle(&t[k]);
+        o[k] = easel_oracle(&t[k]);
         key[k] = (d + 0x8000u) >> 16;
     }
     struct easel_frame f;
@@ -601,7 +591,6 @@ static int crowd_case(uint64_t seed)
 
 static void least_key_then_scene_order(void **state)
 {
-    (void)state;
     pixels_compared = 0;
     CASES(crowd_case, 60);
     print_message("crowds: %llu pixels compared\n", (unsigned long long)pixels_compared);
@@ -682,7 +671,7 @@ static void dropped_points(struct prng *p, struct partition *m, const int32_t bo
                 (int32_t)(((int64_t)(t.y[1] - t.y[0]) * u + (int64_t)(t.y[2] - t.y[0]) * v) / 65536)
         };
         /* rounded outside? then not here */
-        const struct oracle_tri whole = to_oracle(&t);
+        const struct oracle_tri whole = easel_oracle(&t);
         int64_t parts = 0;
         for (int k = 0; k < 3; k++) {
             struct oracle_tri o = whole;
@@ -766,7 +755,6 @@ static int shared_case(uint64_t seed)
 
 static void shared_edges_hit_every_pixel_once(void **state)
 {
-    (void)state;
     pixels_compared = 0;
     CASES(shared_case, 150);
     print_message("shared edges: %llu pixels inside, each hit once\n",
@@ -858,7 +846,6 @@ static const struct drawing drawings[] = {
 
 static void triangles_drawn_by_hand(void **state)
 {
-    (void)state;
     for (size_t n = 0; n < sizeof drawings / sizeof drawings[0]; n++)
         for (int turn = 0; turn < 6; turn++) { /* every order of the corners */
             const struct drawing *d = &drawings[n];
@@ -890,7 +877,6 @@ static void triangles_drawn_by_hand(void **state)
 
 static void keys_saturate_and_never_wrap(void **state)
 {
-    (void)state;
     for (int bits = 8; bits <= 16; bits++) {
         struct easel s = easel_default(320, 240);
         s.depth_bits = bits;
@@ -939,12 +925,6 @@ static int far_steep_case(uint64_t seed)
     return draws_right(&s, &t, plane_pixel);
 }
 
-static void others_16_16_overflow_of_a_far_steep_edge(void **state)
-{
-    (void)state;
-    CASES(far_steep_case, 400);
-}
-
 /* Spans that run backwards: two edges of a triangle that is nowhere a sub-pixel wide, rounded, cross each other. Every
  * slope, the corner between anywhere on the long edge, in all orders. */
 static int crossed_edges_case(uint64_t seed)
@@ -978,17 +958,10 @@ static int crossed_edges_case(uint64_t seed)
     return draws_right(&s, &t, plane_pixel) && draws_right(&s, &turned, plane_pixel);
 }
 
-static void others_spans_that_run_backwards(void **state)
-{
-    (void)state;
-    CASES(crossed_edges_case, 1200);
-}
-
 /* A division by the area, where that is 0, 1 or 2 sub-pixels squared: every triangle whose corners lie within one
  * sub-pixel of a sample, or of a sample and its neighbours, in all orders. */
 static void others_division_by_a_tiny_area(void **state)
 {
-    (void)state;
     struct prng p = { 1 };
     struct easel s = easel_default(3, 2);
     uint32_t n_zero = 0, n_one = 0, drawn = 0;
@@ -1001,7 +974,7 @@ static void others_division_by_a_tiny_area(void **state)
             t.x[k] = 128 + next + (int32_t)(at[k] % 3) - 1;
             t.y[k] = 128 + (int32_t)(at[k] / 3) - 1;
         }
-        const struct oracle_tri o = to_oracle(&t);
+        const struct oracle_tri o = easel_oracle(&t);
         const int64_t area = oracle_area(&o);
         n_zero += area == 0;
         n_one += area == 1 || area == -1;
@@ -1025,8 +998,8 @@ static const struct CMUnitTest tests[] = {
     cmocka_unit_test(keys_saturate_and_never_wrap),
     cmocka_unit_test(least_key_then_scene_order),
     cmocka_unit_test(shared_edges_hit_every_pixel_once),
-    cmocka_unit_test(others_16_16_overflow_of_a_far_steep_edge),
-    cmocka_unit_test(others_spans_that_run_backwards),
+    CASES_TEST(others_16_16_overflow_of_a_far_steep_edge, far_steep_case, 400),
+    CASES_TEST(others_spans_that_run_backwards, crossed_edges_case, 1200),
     cmocka_unit_test(others_division_by_a_tiny_area)
 };
 

@@ -14,7 +14,6 @@
 
 static void sine_and_cosine_of_every_angle(void **state)
 {
-    (void)state;
     double worst = 0;
     for (uint32_t a = 0; a < 65536; a++) {
         const double s = fabs(q30(zs_sin((zs_turn)a)) - sin(a * TURN));
@@ -54,7 +53,6 @@ static int unit_case(uint64_t seed)
 
 static void unit_vectors(void **state)
 {
-    (void)state;
     CASES(unit_case, 2000);
     const int32_t none[3] = { 0, 0, 0 };
     zs_q2_30 out[3] = { 1, 2, 3 };
@@ -112,7 +110,6 @@ static int turn_case(uint64_t seed)
 
 static void pose_turn_is_yaw_pitch_roll(void **state)
 {
-    (void)state;
     pose_worst = 0;
     CASES(turn_case, 20000);
     print_message("zs_pose_turn: off by at most 2^-27 * %.3f\n", pose_worst * 0x1p27);
@@ -150,7 +147,6 @@ static int rotate_case(uint64_t seed)
 
 static void pose_rotate_by_any_angle(void **state)
 {
-    (void)state;
     pose_worst = 0;
     CASES(rotate_case, 20000);
     print_message("zs_pose_rotate, once: off by at most 2^-27 * %.3f\n", pose_worst * 0x1p27);
@@ -158,7 +154,6 @@ static void pose_rotate_by_any_angle(void **state)
 
 static void pose_rotate_by_half_a_turn(void **state)
 {
-    (void)state;
     struct zs_pose pose;
     for (int n = 0; n < 27; n++) {
         const int32_t axis[3] = { n % 3 - 1, n / 3 % 3 - 1, n / 9 - 1 };
@@ -331,7 +326,6 @@ static void drift_of_frames(const struct frame *f, size_t count, uint32_t n)
  * rounding could lose in the same way for ever), and the worst that was found in a search. */
 static void stress_17_drift_of_a_million_rotations(void **state)
 {
-    (void)state;
     static const struct frame frames[] = {
         { { { { 1, 2, 3 }, 4099 } }, 1 },
         { { { { 0, 1, 0 }, 300 }, { { 1, 0, 0 }, 200 }, { { 30000, -1, 7 }, 65435 } }, 3 },
@@ -345,7 +339,6 @@ static void stress_17_drift_of_a_million_rotations(void **state)
  * nearest, or drawn from the pose's bits without a count. */
 static void stress_17_drift_of_many_axes(void **state)
 {
-    (void)state;
     static const struct frame frames[] = {
         { { { { 0, 1, 0 }, 8192 } }, 1 },
         { { { { 0, 1, 0 }, 1 } }, 1 },
@@ -415,7 +408,6 @@ static int search_case(uint64_t seed)
 
 static void stress_17_drift_searched(void **state)
 {
-    (void)state;
     skew_worst = 0;
     CASES(search_case, full_stress() ? 400 : 8);
 }
@@ -424,7 +416,6 @@ static void stress_17_drift_searched(void **state)
  * been there: whatever is lost by a rounding is not lost again and again. */
 static void poses_do_not_come_round(void **state)
 {
-    (void)state;
     static uint8_t seen[32768];
     static const int32_t axis[2][3] = { { -1, 0, 6 }, { 0, 1, 0 } };
     static const zs_turn angle[2] = { 14, 32768 };
@@ -444,7 +435,6 @@ static void poses_do_not_come_round(void **state)
 /* What lies along the axes stays there, exactly, if it is turned by quarters. */
 static void quarter_turns_are_exact(void **state)
 {
-    (void)state;
     struct prng p = { 17 };
     struct zs_pose pose;
     zs_pose_identity(&pose);
@@ -516,12 +506,6 @@ static int repair_case(uint64_t seed)
     return 1;
 }
 
-static void any_matrix_becomes_a_rotation(void **state)
-{
-    (void)state;
-    CASES(repair_case, 20000);
-}
-
 static int wander_case(uint64_t seed)
 {
     struct prng p = { seed };
@@ -536,12 +520,6 @@ static int wander_case(uint64_t seed)
     return 1;
 }
 
-static void random_rotations_stay_rotations(void **state)
-{
-    (void)state;
-    CASES(wander_case, 20);
-}
-
 static const struct CMUnitTest tests[] = {
     cmocka_unit_test(sine_and_cosine_of_every_angle),
     cmocka_unit_test(unit_vectors),
@@ -553,8 +531,8 @@ static const struct CMUnitTest tests[] = {
     cmocka_unit_test(stress_17_drift_searched),
     cmocka_unit_test(poses_do_not_come_round),
     cmocka_unit_test(quarter_turns_are_exact),
-    cmocka_unit_test(any_matrix_becomes_a_rotation),
-    cmocka_unit_test(random_rotations_stay_rotations)
+    CASES_TEST(any_matrix_becomes_a_rotation, repair_case, 20000),
+    CASES_TEST(random_rotations_stay_rotations, wander_case, 20)
 };
 
 CASES_MAIN(tests)

@@ -120,7 +120,6 @@ static void glass_is_right(struct show *s)
 
 static void a_still_scene_sends_nothing(void **state)
 {
-    (void)state;
     static const uint16_t rows[] = { 1, 7, 8, 60 };
     for (uint8_t buffers = 1; buffers <= 2; buffers++)
         for (uint32_t i = 0; i < 4; i++)
@@ -146,7 +145,6 @@ static void a_still_scene_sends_nothing(void **state)
 
 static void one_moving_thing_sends_its_own_part(void **state)
 {
-    (void)state;
     struct show s;
     open_show(&s, &demo_cubes, 80, 60, 4, 2, 10);
     assert_int_equal(draw(&s, 0), ZS_OK);
@@ -184,7 +182,6 @@ static void one_moving_thing_sends_its_own_part(void **state)
 /* Invalidated rectangles are sent again, and nothing else. */
 static void invalidated_parts_are_sent_again(void **state)
 {
-    (void)state;
     struct prng p = { 77 };
     for (int run = 0; run < 60; run++) {
         struct show s;
@@ -211,7 +208,6 @@ static void invalidated_parts_are_sent_again(void **state)
 /* A failed send: the error reaches the caller, and the next good frame is right. */
 static void failed_sends_are_sent_again(void **state)
 {
-    (void)state;
     for (uint8_t buffers = 1; buffers <= 2; buffers++)
         for (uint32_t at = 1; at <= 10; at++)
             for (int in_wait = 0; in_wait < 2; in_wait++) {
@@ -236,7 +232,6 @@ static void failed_sends_are_sent_again(void **state)
  * the panel shows B's. */
 static void renderers_that_take_turns_share_the_panels_sums(void **state)
 {
-    (void)state;
     struct show a, b;
     open_show(&a, &demo_cubes, 64, 48, 8, 1, 2);
     open_show(&b, &demo_knot, 64, 48, 8, 1, 2);
@@ -256,7 +251,6 @@ static void renderers_that_take_turns_share_the_panels_sums(void **state)
 
 static void wrong_calls_are_refused(void **state)
 {
-    (void)state;
     struct show s;
     struct zs_renderer junk;
     memset(&junk, 0xa5, sizeof junk);

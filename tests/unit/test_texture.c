@@ -315,30 +315,12 @@ static int ratio_case(uint64_t seed, double ratio)
     return texels_right(&s, 8, 8, prng_pick(&p, 4), &t, 0);
 }
 
-static int ratio_1(uint64_t seed)
-{
-    return ratio_case(seed, 1);
-}
-static int ratio_2(uint64_t seed)
-{
-    return ratio_case(seed, 2);
-}
-static int ratio_4(uint64_t seed)
-{
-    return ratio_case(seed, 4);
-}
-static int ratio_8(uint64_t seed)
-{
-    return ratio_case(seed, 8);
-}
-static int ratio_16(uint64_t seed)
-{
-    return ratio_case(seed, 16);
-}
-static int ratio_1000(uint64_t seed)
-{
-    return ratio_case(seed, 1000);
-}
+static int ratio_1(uint64_t seed) { return ratio_case(seed, 1); }
+static int ratio_2(uint64_t seed) { return ratio_case(seed, 2); }
+static int ratio_4(uint64_t seed) { return ratio_case(seed, 4); }
+static int ratio_8(uint64_t seed) { return ratio_case(seed, 8); }
+static int ratio_16(uint64_t seed) { return ratio_case(seed, 16); }
+static int ratio_1000(uint64_t seed) { return ratio_case(seed, 1000); }
 
 /* Less than a texel of 1024 from corner to corner, across a border. */
 static int border_case(uint64_t seed)
@@ -358,7 +340,6 @@ static int border_case(uint64_t seed)
 
 static void less_than_a_texel(void **state)
 {
-    (void)state;
     memset(&tally, 0, sizeof tally);
     CASES(border_case, 300);
     tally_print("less than a texel");
@@ -372,7 +353,6 @@ static void texels_by_ratio_of_w(void **state)
     } ratios[] = { { ratio_1, "w ratio 1" },   { ratio_2, "w ratio 2" },
                    { ratio_4, "w ratio 4" },   { ratio_8, "w ratio 8" },
                    { ratio_16, "w ratio 16" }, { ratio_1000, "w ratio 1000" } };
-    (void)state;
     for (size_t n = 0; n < sizeof ratios / sizeof ratios[0]; n++) {
         memset(&tally, 0, sizeof tally);
         cases_run(__func__, ratios[n].fn, 300);
@@ -399,7 +379,6 @@ static int half_texel_case(uint64_t seed)
 
 static void stress_27_uv_at_a_w_ratio_of_16(void **state)
 {
-    (void)state;
     memset(&tally, 0, sizeof tally);
     CASES(half_texel_case, 800);
     tally_print("stress 27, w ratio 16");
@@ -422,7 +401,6 @@ static int size_case(uint64_t seed)
 
 static void sizes_from_1_to_1024(void **state)
 {
-    (void)state;
     memset(&tally, 0, sizeof tally);
     CASES(size_case, 121 * 3);
     tally_print("all sizes");
@@ -505,7 +483,6 @@ static int aligned_case(uint64_t seed)
 
 static void repeat_and_clamp_to_the_texel(void **state)
 {
-    (void)state;
     memset(&tally, 0, sizeof tally);
     CASES(aligned_case, 1500);
     print_message("aligned: %llu coordinates, all in the right texel\n",
@@ -613,7 +590,6 @@ static int smooth_light_case(uint64_t seed)
 
 static void light_over_a_texture_against_doubles(void **state)
 {
-    (void)state;
     memset(&colors, 0, sizeof colors);
     CASES(smooth_light_case, 900);
     colors_print("smooth light over texels");
@@ -643,12 +619,6 @@ static int full_light_case(uint64_t seed)
     easel_free(&lit);
     easel_free(&plain);
     return ok ? 1 : wrong_at(&s, &t, 0, 0, "light of 1 changes a texel", 0);
-}
-
-static void full_light_is_no_light(void **state)
-{
-    (void)state;
-    CASES(full_light_case, 200);
 }
 
 /* ---- Moved, mirrored, hidden ---------------------------------------------------------------- */
@@ -694,7 +664,6 @@ static int moved_case(uint64_t seed)
 
 static void moved_by_whole_pixels_the_same_texels(void **state)
 {
-    (void)state;
     memset(&tally, 0, sizeof tally);
     CASES(moved_case, 600);
     print_message("moved: %llu pixels, all of the same texel\n",
@@ -752,7 +721,6 @@ static int mirrored_case(uint64_t seed)
 
 static void mirrored_the_same_texels(void **state)
 {
-    (void)state;
     memset(&tally, 0, sizeof tally);
     CASES(mirrored_case, 400);
     print_message("mirrored: %llu coordinates, %.3f %% in the texel beside\n",
@@ -790,12 +758,6 @@ static int hidden_case(uint64_t seed)
     taken_free(&alone);
     taken_free(&before);
     return ok;
-}
-
-static void what_is_hidden_moves_no_texel(void **state)
-{
-    (void)state;
-    CASES(hidden_case, 200);
 }
 
 /* ---- Formats -------------------------------------------------------------------------------- */
@@ -845,16 +807,9 @@ static int format_case(uint64_t seed)
     return ok;
 }
 
-static void three_formats_one_picture(void **state)
-{
-    (void)state;
-    CASES(format_case, 400);
-}
-
 /* Gradients of coordinates are products rounded once, and those that do not fit are refused. */
 static void texel_gradients_are_rounded_once(void **state)
 {
-    (void)state;
     struct prng p = { 3 };
     uint32_t refused = 0;
     for (int i = 0; i < 200000; i++) {
@@ -963,7 +918,6 @@ static int small_case(uint64_t seed)
 
 static void small_ones_in_one_go_the_same(void **state)
 {
-    (void)state;
     CASES(small_case, 1500);
     print_message("%llu of %llu in one go\n", (unsigned long long)small_at_once, (unsigned long long)small_setups);
     assert_true(small_at_once > small_setups / 10);
@@ -1065,7 +1019,6 @@ static int ground_case(uint64_t seed)
 
 static void clipped_at_near_u_and_v_stay(void **state)
 {
-    (void)state;
     memset(&tally, 0, sizeof tally);
     CASES(ground_case, 250);
     print_message(
@@ -1139,7 +1092,6 @@ static int flat_light_case(uint64_t seed)
 
 static void flat_light_over_a_texture_against_doubles(void **state)
 {
-    (void)state;
     memset(&colors, 0, sizeof colors);
     CASES(flat_light_case, 500);
     colors_print("flat light over texels");
@@ -1218,12 +1170,6 @@ static int invariance_case(uint64_t seed)
     return ok;
 }
 
-static void textured_whatever_strips_and_pools(void **state)
-{
-    (void)state;
-    CASES(invariance_case, 120);
-}
-
 /* Floors seen level: w hardly changes along a row, so that blocks are as long as they may be and a row's last
  * one, of any length, carries much of the change of u. */
 static int level_case(uint64_t seed)
@@ -1248,12 +1194,6 @@ static int level_case(uint64_t seed)
     return texels_right(&s, 8, 8, 0, &t, 0);
 }
 
-static void level_floors(void **state)
-{
-    (void)state;
-    CASES(level_case, 900);
-}
-
 /* A plane to the horizon, a million times as far as near, so that rounding takes its w below 0 at the far end;
  * a wall before it, so that a run begins inside a block. Nothing but its pixels may be written. */
 static void far_end_of_a_plane(void **state)
@@ -1264,7 +1204,6 @@ static void far_end_of_a_plane(void **state)
     static const int16_t wall_pos[4][3] = { { -2000, -2000, 0 }, { 0, -2000, 0 }, { 0, 2000, 0 },
                                             { -2000, 2000, 0 } };
     const struct zs_texture texture = texture_of(numbers, 8, 8, 0);
-    (void)state;
     for (int32_t column = 1; column < 1024; column += 7) { /* of the wall's right edge */
         const int32_t width = column % 2 ? 640 : 1024;
         struct zs_config config = picture_config(width, 481, &zs_depth_float);
@@ -1305,7 +1244,6 @@ static void runs_do_not_tell_where_they_begin(void **state)
     static const int32_t eye[3] = { 0, 0, 0 }, at[3] = { 0, 0, -1000 }, up[3] = { 0, 1, 0 };
     static uint16_t texel[1024 * 1024];
     struct prng random = { 99 };
-    (void)state;
     for (size_t i = 0; i < sizeof texel / sizeof *texel; i++)
         texel[i] = (uint16_t)prng_next(&random);
     for (size_t n = 0; n < 2 * sizeof known / sizeof *known; n++) {
@@ -1357,18 +1295,18 @@ static const struct CMUnitTest tests[] = { cmocka_unit_test(texels_by_ratio_of_w
                                            cmocka_unit_test(sizes_from_1_to_1024),
                                            cmocka_unit_test(repeat_and_clamp_to_the_texel),
                                            cmocka_unit_test(light_over_a_texture_against_doubles),
-                                           cmocka_unit_test(full_light_is_no_light),
+                                           CASES_TEST(full_light_is_no_light, full_light_case, 200),
                                            cmocka_unit_test(moved_by_whole_pixels_the_same_texels),
                                            cmocka_unit_test(mirrored_the_same_texels),
-                                           cmocka_unit_test(what_is_hidden_moves_no_texel),
-                                           cmocka_unit_test(three_formats_one_picture),
+                                           CASES_TEST(what_is_hidden_moves_no_texel, hidden_case, 200),
+                                           CASES_TEST(three_formats_one_picture, format_case, 400),
                                            cmocka_unit_test(texel_gradients_are_rounded_once),
                                            cmocka_unit_test(small_ones_in_one_go_the_same),
                                            cmocka_unit_test(clipped_at_near_u_and_v_stay),
                                            cmocka_unit_test(
                                                flat_light_over_a_texture_against_doubles),
-                                           cmocka_unit_test(textured_whatever_strips_and_pools),
-                                           cmocka_unit_test(level_floors),
+                                           CASES_TEST(textured_whatever_strips_and_pools, invariance_case, 120),
+                                           CASES_TEST(level_floors, level_case, 900),
                                            cmocka_unit_test(runs_do_not_tell_where_they_begin),
                                            cmocka_unit_test(far_end_of_a_plane) };
 

@@ -123,7 +123,6 @@ static uint32_t hidden_case(uint64_t seed)
 
 static void the_frame_is_the_same(void **state)
 {
-    (void)state;
     uint32_t some = 0;
     for (uint64_t seed = 1; seed <= 1500; seed++)
         some += hidden_case(seed);
@@ -137,7 +136,6 @@ static void layers_cost_one(void **state)
 {
     static const uint8_t order[3][8] = { { 0, 1, 2, 3, 4, 5, 6, 7 }, { 7, 6, 5, 4, 3, 2, 1, 0 },
                                          { 3, 6, 0, 5, 7, 1, 4, 2 } };
-    (void)state;
     for (int o = 0; o < 3; o++) {
         struct prng p = { 5 };
         begin(&p, 8, 1);
@@ -174,7 +172,6 @@ static void layers_cost_one(void **state)
 /* Instances behind a wall that comes first are not transformed; those beside it and before it are. */
 static void instances_behind_a_wall(void **state)
 {
-    (void)state;
     for (int off = 0; off < 2; off++) {
         struct prng p = { 7 };
         begin(&p, 10, 1);
@@ -207,7 +204,6 @@ static void instances_behind_a_wall(void **state)
  * walks after the first. */
 static void equal_keys_hide_nothing(void **state)
 {
-    (void)state;
     uint32_t passes = 0;
     for (uint64_t seed = 1; seed <= 40; seed++) {
         struct prng p = { seed };
@@ -264,7 +260,6 @@ static void rectangle(uint32_t n, int32_t x0, int32_t x1, int32_t y0, int32_t y1
  * its very bucket: what is half hidden is drawn. */
 static void half_hidden_is_drawn(void **state)
 {
-    (void)state;
     uint32_t hidden = 0, passes = 0;
     for (uint64_t seed = 1; seed <= 400; seed++) {
         static const int32_t far = 16000;
@@ -306,7 +301,6 @@ static void half_hidden_is_drawn(void **state)
 /* A sphere that reaches before the near plane: what it holds may lie before the wall. */
 static void a_sphere_before_near_hides_nothing(void **state)
 {
-    (void)state;
     for (uint64_t seed = 1; seed <= 60; seed++) {
         struct prng p = { seed };
         const int32_t x = prng_range(&p, -200, 200), y = prng_range(&p, -200, 200), z = prng_range(&p, 100, 1200);
@@ -381,7 +375,6 @@ static struct picture edge_same(struct zs_config *c, const struct zs_camera *cam
  * cover, is drawn. */
 static void a_long_side_covers_no_more_than_it_does(void **state)
 {
-    (void)state;
     uint32_t beside = 0, hidden = 0;
     for (uint64_t seed = 1; seed <= 24; seed++) {
         struct prng p = { seed };
@@ -423,7 +416,6 @@ static void a_long_side_covers_no_more_than_it_does(void **state)
  * triangles of the keys that it is drawn with, which come first, stay. */
 static void keys_above_the_farthest_corner_count(void **state)
 {
-    (void)state;
     uint32_t shown = 0, hidden = 0;
     for (int32_t off = 0; off < 1024; off += 20) { /* 1/1024 bucket: through all of one */
         const int16_t z = (int16_t)(-5000 - off), rise = 34; /* a gradient just above half of its unit */

@@ -410,7 +410,6 @@ static int frames_of(uint64_t seed)
 
 static void the_glass_is_right_whatever_happens(void **state)
 {
-    (void)state;
     CASES(frames_of, 250); /* 6,000 frames */
 }
 
@@ -506,7 +505,6 @@ static int one_input(uint64_t seed)
 
 static void every_input_counts(void **state)
 {
-    (void)state;
     CASES(one_input, 12 * INPUTS);
     for (uint32_t i = 0; i < INPUTS && !getenv("ZS_SEED"); i++)
         if (!shown[i])
@@ -517,7 +515,6 @@ static void every_input_counts(void **state)
  * its texture, shows. */
 static void a_shared_mesh_hides_no_material(void **state)
 {
-    (void)state;
     static struct world w;
     static struct show s;
     struct prng p = { 11 };
@@ -615,12 +612,6 @@ static int one_sphere(uint64_t seed)
     return 1;
 }
 
-static void a_sphere_wherever_it_is(void **state)
-{
-    (void)state;
-    CASES(one_sphere, 200);
-}
-
 static uint32_t dots; /* frames in which the sphere covers the pixel in the middle */
 
 /* A focal length of a few thousandths of a pixel, and camera units as long as world units: a sphere of 700 is a few
@@ -667,15 +658,6 @@ static int one_dot(uint64_t seed)
     }
     show_close(&s);
     return 1;
-}
-
-static void a_vertex_rounded_beyond_its_sphere_is_drawn(void **state)
-{
-    (void)state;
-    dots = 0;
-    CASES(one_dot, 150);
-    print_message("%u frames with a dot\n", dots);
-    assert_true(getenv("ZS_SEED") || dots > 50);
 }
 
 /* ---- What it saves ------------------------------------------------------------------------------------ */
@@ -769,7 +751,6 @@ static int one_mover(uint64_t seed)
 
 static void one_moving_thing_draws_its_own_strips(void **state)
 {
-    (void)state;
     CASES(one_mover, 100);
     assert_true(getenv("ZS_SEED") || binned[0][1] + binned[1][1] < (binned[0][0] + binned[1][0]) * 3u / 4u);
     assert_true(getenv("ZS_SEED") || binned[1][1] < binned[1][0] * 5u / 8u);
@@ -777,7 +758,6 @@ static void one_moving_thing_draws_its_own_strips(void **state)
 
 static void a_still_scene_draws_nothing(void **state)
 {
-    (void)state;
     static struct world w;
     static struct show s;
     struct prng p = { 3 };
@@ -815,7 +795,6 @@ static void a_still_scene_draws_nothing(void **state)
  * that frame: they are drawn with what stands there. */
 static void invalidated_in_a_frame(void **state)
 {
-    (void)state;
     static struct world w;
     static struct show s;
     memset(&w, 0, sizeof w);
@@ -864,7 +843,6 @@ static void invalidated_in_a_frame(void **state)
 
 static void wrong_calls_are_refused(void **state)
 {
-    (void)state;
     static struct world w;
     static struct show s;
     struct prng p = { 5 };
@@ -899,8 +877,8 @@ static const struct CMUnitTest tests[] = {
     cmocka_unit_test(the_glass_is_right_whatever_happens),
     cmocka_unit_test(every_input_counts),
     cmocka_unit_test(a_shared_mesh_hides_no_material),
-    cmocka_unit_test(a_sphere_wherever_it_is),
-    cmocka_unit_test(a_vertex_rounded_beyond_its_sphere_is_drawn),
+    CASES_TEST(a_sphere_wherever_it_is, one_sphere, 200),
+    CASES_COUNT(a_vertex_rounded_beyond_its_sphere_is_drawn, one_dot, 150, &dots, 50, "frames with a dot"),
     cmocka_unit_test(one_moving_thing_draws_its_own_strips),
     cmocka_unit_test(a_still_scene_draws_nothing),
     cmocka_unit_test(invalidated_in_a_frame),

@@ -27,7 +27,6 @@ static const struct {
 
 static void degrees_are_rounded_turns(void **state)
 {
-    (void)state;
     for (size_t i = 0; i < sizeof angles / sizeof angles[0]; i++)
         assert_int_equal(angles[i].turn, (uint16_t)(int32_t)floor(angles[i].degrees * 65536 / 360 + 0.5));
     assert_int_equal(ZS_DEGREES(90), 16384);
@@ -35,7 +34,6 @@ static void degrees_are_rounded_turns(void **state)
 
 static void colours_are_the_functions(void **state)
 {
-    (void)state;
     static const struct zs_rgb c = ZS_RGB(0x12a4f6);
     assert_int_equal(c.r, 0x12);
     assert_int_equal(c.g, 0xa4);
@@ -59,7 +57,6 @@ ZS_RENDERER_BUFFERS(two, 48, 32, 8, 100, 80, ZS_VARYINGS_SMOOTH, 2);
 
 static void a_renderer_by_macro(void **state)
 {
-    (void)state;
     assert_int_equal(ZS_INIT(one), ZS_ERR_NULL); /* no mapping */
     one_config.depth = two_config.depth = &zs_depth_float;
     assert_int_equal(ZS_INIT(one), ZS_OK);
@@ -142,7 +139,6 @@ static uint16_t differ_from(const struct still *zero, const struct still *writte
 /* By every shader, with all accelerators and none: what is left out draws what is written out. */
 static void zeros_draw_what_they_stand_for(void **state)
 {
-    (void)state;
     static struct still zero, written;
     for (uint32_t k = 0; k < SHADERS; k++)
         for (int bare = 0; bare < 2; bare++) {
@@ -176,7 +172,6 @@ static void zeros_draw_what_they_stand_for(void **state)
 /* Clusters and the hidden test read the scale as well: as many triangles are left out. */
 static void zeros_leave_out_the_same(void **state)
 {
-    (void)state;
     static struct still zero, written;
     static struct shape large;
     static struct zs_cluster cluster[SHAPE_TRIS];
@@ -208,7 +203,6 @@ static void zeros_leave_out_the_same(void **state)
 /* A pose of zeros is turned as no rotation is. */
 static void zero_poses_turn(void **state)
 {
-    (void)state;
     static const int32_t axis[3] = { 1, 2, 3 };
     struct zs_pose zero, whole;
     memset(&zero, 0, sizeof zero);
@@ -274,12 +268,6 @@ static int light_case(uint64_t seed)
     return 1;
 }
 
-static void the_usual_light_turns_with_the_camera(void **state)
-{
-    (void)state;
-    CASES(light_case, 500);
-}
-
 /* ---- Damage tracking, and the end of frames -------------------------------------------------------------------- */
 
 struct panel {
@@ -327,7 +315,6 @@ static void panel_ready(struct panel *p)
 /* Of a scene without a light, the camera alone moves the light: everything is drawn anew. */
 static void tracking_sees_the_usual_light_turn(void **state)
 {
-    (void)state;
     static struct still s;
     static struct panel panel;
     static uint32_t memory[ZS_DAMAGE_WORDS(1, 48, 13)];
@@ -362,7 +349,6 @@ static void tracking_sees_the_usual_light_turn(void **state)
 /* end is called once for each frame that has begun, after everything, and its error counts if there was none. */
 static void frames_end_once(void **state)
 {
-    (void)state;
     static struct still s;
     static struct panel panel;
     still_open(&s);
@@ -430,7 +416,7 @@ static const struct CMUnitTest tests[] = {
     cmocka_unit_test(zeros_draw_what_they_stand_for),
     cmocka_unit_test(zeros_leave_out_the_same),
     cmocka_unit_test(zero_poses_turn),
-    cmocka_unit_test(the_usual_light_turns_with_the_camera),
+    CASES_TEST(the_usual_light_turns_with_the_camera, light_case, 500),
     cmocka_unit_test(tracking_sees_the_usual_light_turn),
     cmocka_unit_test(frames_end_once),
 };

@@ -115,7 +115,6 @@ static int transform_case(uint64_t seed)
 
 static void vertices_are_the_exact_sum_rounded_once(void **state)
 {
-    (void)state;
     CASES(transform_case, 30000);
     uint32_t below = 0, above = 0;
     for (int k = 0; k < 30; k++)
@@ -171,7 +170,6 @@ static int project_case(uint64_t seed)
 
 static void projection_is_the_exact_product_rounded_once(void **state)
 {
-    (void)state;
     CASES(project_case, 10000);
     print_message("%u orthographic scenes smaller than a sub-pixel\n", tiny);
     assert_true(getenv("ZS_SEED") || tiny >= 5);
@@ -232,7 +230,6 @@ static int screen_case(uint64_t seed)
 
 static void in_one_go_as_one_by_one(void **state)
 {
-    (void)state;
     inside = outside = untested = 0;
     CASES(screen_case, 20000);
     print_message("%u vertices inside, %u outside; %u meshes without a test\n", inside, outside, untested);
@@ -278,16 +275,9 @@ static int light_case(uint64_t seed)
     return 1;
 }
 
-static void light_is_the_exact_product_rounded_once(void **state)
-{
-    (void)state;
-    CASES(light_case, 3000);
-}
-
 /* The focal length as a power of two and a factor of 1/2 to 1: the least bits, also where it is a power of two itself. */
 static void focal_lengths_keep_their_bits(void **state)
 {
-    (void)state;
     static const struct zs_config config = { .width = 16, .height = 16, .strip_h = 16, .max_tris = 4, .max_verts = 4,
                                              .buffers = 1, .subpixel_bits = 8, .depth_bits = 16,
                                              .depth = &zs_depth_recip };
@@ -314,7 +304,7 @@ static const struct CMUnitTest tests[] = {
     cmocka_unit_test(vertices_are_the_exact_sum_rounded_once),
     cmocka_unit_test(projection_is_the_exact_product_rounded_once),
     cmocka_unit_test(in_one_go_as_one_by_one),
-    cmocka_unit_test(light_is_the_exact_product_rounded_once)
+    CASES_TEST(light_is_the_exact_product_rounded_once, light_case, 3000)
 };
 
 CASES_MAIN(tests)

@@ -13,7 +13,7 @@
 
 #include "core/plane.c"
 
-#include "../../lib/prng.h"
+#include "../../../sim/reference/prng.h"
 #include "facts.h"
 
 static int failed;

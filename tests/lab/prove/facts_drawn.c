@@ -14,7 +14,7 @@
 #include "zs_fast.h"
 
 #include "../../lib/oracle.h"
-#include "../../lib/prng.h"
+#include "../../../sim/reference/prng.h"
 #include "facts.h"
 
 #define BOUND 0.505 /* buckets a key is off by at most: NUMERICS.md */

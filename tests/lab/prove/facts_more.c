@@ -18,7 +18,7 @@
 
 #include "fast/clusters.c"
 
-#include "../../lib/prng.h"
+#include "../../../sim/reference/prng.h"
 #include "facts.h"
 
 static struct prng prng = { 7 };

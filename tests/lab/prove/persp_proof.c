@@ -162,15 +162,7 @@ void biases(void)
         }
 }
 
-/* Any columns. */
-void zs_edges_columns(struct zs_job *j, int32_t row)
-{
-    (void)row;
-    for (int k = 0; k < ZS_CUT_ROWS; k++) {
-        j->cut[k].x0 = (int16_t)any_i32(-(1 << 14) - 1, (1 << 14) + 1);
-        j->cut[k].x1 = (int16_t)any_i32(-(1 << 14) - 1, (1 << 14) + 1);
-    }
-}
+#include "any_columns.h"
 
 static void a_span(struct zs_job *j, const struct zs_row *row)
 {

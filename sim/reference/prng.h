@@ -1,10 +1,11 @@
-/* Seeded random numbers: case n of a test is seed n, everywhere the same.
+/* Seeded random numbers: case n of a test is seed n, everywhere the same. One draw to an expression, because C leaves
+ * the order of two open.
  *
  * Source  SplitMix64, Steele, Lea and Flood, OOPSLA 2014.
  * SPDX-License-Identifier: MIT
  */
-#ifndef TESTS_PRNG_H
-#define TESTS_PRNG_H
+#ifndef SIM_PRNG_H
+#define SIM_PRNG_H
 
 #include <stdint.h>
 
@@ -37,6 +38,12 @@ static inline uint32_t prng_pick(struct prng *p, uint32_t n)
 static inline int64_t prng_log(struct prng *p)
 {
     return (int64_t)prng_next(p) >> prng_pick(p, 64);
+}
+
+/* lo <= x < hi. */
+static inline double prng_real(struct prng *p, double lo, double hi)
+{
+    return lo + (hi - lo) * (double)(prng_next(p) >> 11) * 0x1p-53;
 }
 
 #endif

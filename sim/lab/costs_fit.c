@@ -1,4 +1,4 @@
-/* `zsim costs`: what a stage costs, fitted from what probes took on a core and how often each thing was done in them;
+/* `zlab costs`: what a stage costs, fitted from what probes took on a core and how often each thing was done in them;
  * and how well that tells what other scenes take.
  *
  * The fit: costs c >= 0 that make the sum over probes of (1 - sum_k n_k c_k / taken)^2 least, by Lawson and Hanson's
@@ -6,58 +6,22 @@
  *
  * SPDX-License-Identifier: MIT
  */
-#include "costs.h"
+#include "costs_fit.h"
 
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
+#include "costs.h"
 #include "frame.h"
 #include "option_table.h"
 #include "probes.h"
-#include "scenes.h"
 #include "sim.h"
-#include "stage_costs.h"
-
-const char *const sim_core_names[SIM_CORES] = { "M0", "M3", "M4", "M7", "rv32imc", "RP2040" };
 
 #define N SIM_COST_N
 #define RIDGE 1e-10 /* of the Gram matrix's diagonal: settles what probes do not tell apart */
 #define PICO_HZ 125e6
 #define PICO_TICK_HZ 1e6
-
-static double replaced[SIM_CORES][SIM_COST_N];
-static char is_replaced[SIM_CORES];
-
-void sim_costs_set(enum sim_core core, const double cost[SIM_COST_N])
-{
-    memcpy(replaced[core], cost, sizeof replaced[core]);
-    is_replaced[core] = 1;
-}
-
-double sim_cost_of(enum sim_core core, enum sim_cost cost)
-{
-    if (is_replaced[core])
-        return replaced[core][cost];
-    for (size_t i = 0; i < sizeof stage_costs / sizeof stage_costs[0]; i++)
-        if (strcmp(stage_costs[i].name, sim_cost_names[cost].name) == 0)
-            return stage_costs[i].cost[core];
-    return 0.0;
-}
-
-double sim_cost_error(enum sim_core core)
-{
-    return stage_error[core];
-}
-
-double sim_costs_sum(enum sim_core core, const struct sim_counted *counted)
-{
-    double sum = 0.0;
-    for (int k = 0; k < N; k++)
-        if (counted->n[k] != 0.0)
-            sum += counted->n[k] * sim_cost_of(core, (enum sim_cost)k);
-    return sum;
-}
 
 /* ---- Probes, counted ---------------------------------------------------------------------------- */
 
@@ -114,11 +78,11 @@ static int read_taken(double *taken, const char *file, const struct probes *p)
             status = sim_refuse(file, at, "the probe failed there: %.100s", line);
         else if (sscanf(line, "%lu,%47[a-z0-9_],%lf,%lu", &number, name, &count, &sum) == 4) {
             if (number < found || (number > found && sum) || number >= p->n || strcmp(name, p->at[number].name) != 0)
-                status = sim_refuse(file, at, "probe %lu, %s, is not the one that this zsim has there; measure again",
+                status = sim_refuse(file, at, "probe %lu, %s, is not the one that this zlab has there; measure again",
                                     number,
                                     name);
             else if (sum && sum != p->at[number].counted.checksum)
-                status = sim_refuse(file, at, "%s: its frame is not the one that this zsim draws", name);
+                status = sim_refuse(file, at, "%s: its frame is not the one that this zlab draws", name);
             else {
                 taken[number] = count * scale;
                 found = number + 1u;
@@ -285,7 +249,7 @@ static struct residual residual_of(const double cost[N], const struct probes *p,
 
 static void print_header(double cost[SIM_CORES][N], const double error[SIM_CORES])
 {
-    puts("/* Instructions of one of each, cycles on the RP2040 (sim/lab/costs.h says of what): fitted from the probes of\n"
+    puts("/* Instructions of one of each, cycles on the RP2040 (sim/budget/costs.h says of what): fitted from the probes of\n"
          " * firmware/scenes/probes.h. Recorded by make costs-record.\n"
          " *\n"
          " * SPDX-License-Identifier: MIT\n"
@@ -322,25 +286,20 @@ struct request {
 
 #define AT(field) offsetof(struct request, field)
 static const struct sim_option table[] = {
-    { "--m0", SIM_OPTION_FILE, AT(files[SIM_CORE_M0]), 0, 0, 0, NULL },
-    { "--m3", SIM_OPTION_FILE, AT(files[SIM_CORE_M3]), 0, 0, 0, NULL },
-    { "--m4", SIM_OPTION_FILE, AT(files[SIM_CORE_M4]), 0, 0, 0, NULL },
-    { "--m7", SIM_OPTION_FILE, AT(files[SIM_CORE_M7]), 0, 0, 0, NULL },
-    { "--rv32", SIM_OPTION_FILE, AT(files[SIM_CORE_RV32]), 0, 0, 0, NULL },
-    { "--rp2040", SIM_OPTION_FILE, AT(files[SIM_CORE_RP2040]), 0, 0, 0, NULL },
-    { "--error", SIM_OPTION_FILE, AT(error), 0, 0, 0, NULL },
-    { "--scene", SIM_OPTION_TEXT, AT(scene), 0, 0, 0, NULL },
-    { "--bar", SIM_OPTION_NUMBER, AT(bar), 0, 0, 1000, NULL },
-    { "--drift", SIM_OPTION_NUMBER, AT(drift), AT(has_drift), 0, 1000, NULL },
-    { "--header", SIM_OPTION_FLAG, AT(header), 0, 0, 0, NULL },
-    { "--probes", SIM_OPTION_FLAG, AT(probes), 0, 0, 0, NULL },
-    { "--help", SIM_OPTION_FLAG, AT(help), 0, 0, 0, NULL },
-    { "-h", SIM_OPTION_FLAG, AT(help), 0, 0, 0, NULL },
+    { "--m0", SIM_OPTION_FILE, AT(files[SIM_CORE_M0]) }, { "--m3", SIM_OPTION_FILE, AT(files[SIM_CORE_M3]) },
+    { "--m4", SIM_OPTION_FILE, AT(files[SIM_CORE_M4]) }, { "--m7", SIM_OPTION_FILE, AT(files[SIM_CORE_M7]) },
+    { "--rv32", SIM_OPTION_FILE, AT(files[SIM_CORE_RV32]) },
+    { "--rp2040", SIM_OPTION_FILE, AT(files[SIM_CORE_RP2040]) }, { "--error", SIM_OPTION_FILE, AT(error) },
+    { "--scene", SIM_OPTION_TEXT, AT(scene) },
+    { "--bar", SIM_OPTION_NUMBER, AT(bar), 0, 0, 1000 },
+    { "--drift", SIM_OPTION_NUMBER, AT(drift), AT(has_drift), 0, 1000 },
+    { "--header", SIM_OPTION_FLAG, AT(header) }, { "--probes", SIM_OPTION_FLAG, AT(probes) },
+    SIM_HELP_OPTIONS(AT(help)),
 };
 #define N_TABLE (sizeof table / sizeof table[0])
 
 static const char usage[] =
-    "usage: zsim costs [options]\n"
+    "usage: zlab costs [options]\n"
     "What each stage of the renderer costs, instructions on a core (cycles on the RP2040): as on record, or fitted\n"
     "from what the probes took, scenes that isolate a stage each (make costs measures them).\n"
     "\n"
@@ -404,7 +363,7 @@ static int run(const struct request *rq)
                    100.0 * (sum_of(cost[c], &p.at[i].counted) / taken[i] - 1.0));
     }
     for (int c = 0; c < SIM_CORES; c++)
-        error[c] = stage_error[c];
+        error[c] = sim_cost_error((enum sim_core)c);
     if (status == SIM_OK && rq->header && rq->error)
         status = sim_costs_worst(rq->error, error);
     if (status == SIM_OK && rq->header)

@@ -161,7 +161,4 @@ int sim_costs_worst(const char *file, double worst[SIM_CORES]);
  * or SIM_REFUSED: there is no such scene. */
 int sim_costs_scene(const char *name);
 
-/* `zsim costs`: the arguments after the name. */
-int sim_costs(int argc, char **argv);
-
 #endif
