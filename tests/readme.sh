@@ -1,12 +1,12 @@
 #!/bin/sh
-# Every README.md as its reader follows it: each command in a code block is run, each C program compiled and run, each link
-# and make target looked up, each figure that a command prints compared with what it prints now.
+# Every README.md as its reader follows it: each command in a code block is run, each C program compiled and run, each
+# link and make target looked up, each figure that a command prints compared with what it prints now.
 # Usage: tests/readme.sh BUILD           BUILD/libcore.a, BUILD/libmeshes.a, BUILD/zsim
 #        tests/readme.sh BUILD write     first write the tables and outputs in the READMEs anew
 #
 # Blocks of code:
-#   ```sh           run, all of a README in order, in a copy of the repository where MODEL.obj and T.png lie. Of make, targets
-#                   that take long are looked up only (make -n): the other parts of make test run what they run.
+#   ```sh           run, all of a README in order, in a copy of the repository where MODEL.obj and T.png lie. Targets
+#                   of make that take long are looked up only (make -n); other parts of make test run what they run.
 #   ```sh not run: REASON
 #   ```text         what the ```sh before it prints, to the letter
 #   ```c            a program; see below for each
@@ -34,6 +34,7 @@ golden=$(find tests -name bench.txt)
 peers=$(find tests -name peers.txt)
 "$build/zsim" demo --scene sheet,slivers --frames 1 --out "$out/frames" >"$out/wrong.txt"
 "$build/zsim" budget --scene mesh --size 320x240 --strip 8 >"$out/budget.txt"
+"$build/zsim" budget --scene sheet --size 320x240 --strip 24 --buffers 1 >"$out/sheet.txt"
 awk '
     FILENAME ~ /bench.txt$/ { if ($1 == "M3") ours[$2] = three($3 / 1e6); next }
     FILENAME ~ /wrong.txt$/ {
@@ -43,6 +44,9 @@ awk '
         if (/^Flash/) flash = 1
         if ($1 == "together" && !flash) ours["RAM"] = sprintf("%.0f KB", $2 / 1000)
         if ($1 == "renderer" && flash) ours["flash"] = sprintf("%.0f KB", $2 / 1000)
+        next }
+    FILENAME ~ /sheet.txt$/ {
+        if ($1 == "together" && !sheet++) ours["RAM sheet"] = sprintf("%.0f KB", $2 / 1000)
         next }
     /^#/ { next }
     { peer[$1 " " $2, $3] = $4 }
@@ -62,15 +66,19 @@ awk '
     END {
         split("small3dlib Pico3D TinyGL TGX", who, " ")
         print "| | zstrip | small3dlib | Pico3D | TinyGL | TGX |"
-        print "| --- | --- | --- | --- | --- | --- |"
+        print "|---|---|---|---|---|---|"
         row("`layers`, front to back", ours["layers_ftb"], "M3 layers_ftb", "")
         row("`layers`, back to front", ours["layers_btf"], "M3 layers_btf", "")
         row("`sheet`", ours["sheet"], "M3 sheet", "")
         row("wrong pixels, `sheet`", ours["wrong sheet"], "wrong sheet", " %")
         row("wrong pixels, `slivers`", ours["wrong slivers"], "wrong slivers", " %")
-        row("RAM for 320x240", ours["RAM"], "RAM 320x240", " KB")
+        row("RAM, `mesh`", ours["RAM"], "RAM 320x240", " KB")
+        row("RAM, `sheet`", ours["RAM sheet"], "RAM 320x240", " KB")
         row("flash", ours["flash"], "flash", " KB")
-    }' "$golden" "$out/wrong.txt" "$out/budget.txt" "$peers" >"$out/table"
+        print "| arithmetic | integers | integers | integers | floats | floats |"
+        print "| textures | perspective | affine; perspective on request | affine | perspective | perspective |"
+        print "| brings | panel drivers, simulator, model converter | one header | a game | OpenGL calls | 2D drawing |"
+    }' "$golden" "$out/wrong.txt" "$out/budget.txt" "$out/sheet.txt" "$peers" >"$out/table"
 if [ "$mode" = write ]; then
     awk -v table="$out/table" '
         /^\| \| zstrip \|/ { while ((getline line <table) > 0) { print line; rows++ } old = rows }
@@ -89,7 +97,10 @@ fi
 awk '/^\| [0-9]+x[0-9]+, RGB565 / {
         split($2, size, /[x,]/); split("10 20 32 62.5", mhz, " ")
         line = "| " $2 " RGB565 |"
-        for (i = 1; i <= 4; i++) { x = mhz[i] * 1e6 / (size[1] * size[2] * 16); line = line sprintf(x < 10 ? " %.1f |" : " %.0f |", x) }
+        for (i = 1; i <= 4; i++) {
+            rate = mhz[i] * 1e6 / (size[1] * size[2] * 16)
+            line = line sprintf(rate < 10 ? " %.1f |" : " %.0f |", rate)
+        }
         n++
         if (line != $0) { print "FAILED readme_wire: " $0 " is " line; bad = 1 }
     }
@@ -97,7 +108,11 @@ awk '/^\| [0-9]+x[0-9]+, RGB565 / {
 
 # ---- Words, links, make targets --------------------------------------------------------------------------------------
 words=$(wc -w <README.md)
-if [ "$words" -le 1200 ]; then echo "ok readme_is_short ($words words)"; else echo "FAILED readme_is_short: $words words"; fi
+if [ "$words" -le 1200 ]; then
+    echo "ok readme_is_short ($words words)"
+else
+    echo "FAILED readme_is_short: $words words, at most 1200"
+fi
 links=0
 broken=
 while read -r file; do
@@ -113,7 +128,11 @@ missing=
 for target in $targets; do
     grep -qE "^## $target:" Makefile $(find tests -name "*.mk") || missing="$missing $target"
 done
-if [ -z "$missing" ]; then echo "ok readme_targets ($(echo "$targets" | wc -w))"; else echo "FAILED readme_targets:$missing"; fi
+if [ -z "$missing" ]; then
+    echo "ok readme_targets ($(echo "$targets" | wc -w))"
+else
+    echo "FAILED readme_targets:$missing"
+fi
 
 # ---- firmware/zstrip: the cube, as it would be compiled for a board ---------------------------------------------
 section firmware/zstrip/README.md 'A first picture' | code >"$out/example.c"
@@ -280,7 +299,8 @@ while read -r file; do
         *.sh | *.other)
             ran=$((ran + $(grep -cvE '^ |^#|^$' "$block" || :)))
             last=$block.out
-            (cd "$tree" && cat "$out/prelude" "$block" >commands && timeout 300 sh -eu commands >"$last" 2>"$block.err" </dev/null) || {
+            cat "$out/prelude" "$block" >"$tree/commands"
+            (cd "$tree" && timeout 300 sh -eu commands >"$last" 2>"$block.err" </dev/null) || {
                 failed="$(tail -1 "$block"): $(tail -2 "$block.err" | tr '\n' ' ')"
                 break
             } ;;
