@@ -258,7 +258,8 @@ cp "$out/torus/picture.c" "$tree"
 cat >"$out/prelude" <<'PRELUDE'
 make() {
     case " $* " in
-    *' demo '* | *' sim '* | *' help '* | *' firmware '* | *' -f '*) command make "$@" ;;
+    *' CORES=2 '* | *' LEAN=1 '* | *' -f '*) command make -n "$@" >make.log ;; # as pico, bare and scene_sums build
+    *' demo '* | *' sim '* | *' help '* | *' firmware '*) command make "$@" ;;
     *) command make -n "$@" >make.log ;;
     esac
 }
