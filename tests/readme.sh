@@ -195,8 +195,8 @@ int main(void)
     return err != 0;
 }
 MAIN
-gcc -std=c11 -Wall -Wextra -Werror -Wconversion -I"$out/headers" -Ifirmware/zstrip -Ihal -Ihal/panel -I"$out" "$out/panel_main.c" \
-    "$build/libcore.a" hal/panel/*.c hal/null/*.c -o "$out/panel_example"
+gcc -std=c11 -Wall -Wextra -Werror -Wconversion -I"$out/headers" -Ifirmware/zstrip -Ihal -Ihal/panel -I"$out" \
+    "$out/panel_main.c" "$build/libcore.a" hal/panel/*.c hal/null/*.c -o "$out/panel_example"
 said=$("$out/panel_example")
 [ "$said" = "0 15" ] && echo "ok readme_panel_example" || echo "FAILED readme_panel_example: $said"
 
@@ -238,7 +238,11 @@ mkdir -p "$out/teapot" "$out/boxes" "$out/torus"
 printf 'newmtl skin\nmap_Kd photo.png\n' >"$out/torus/torus.mtl"
 "$make" png photo 128 128 "$out/torus/photo.png"
 lines=$(section README.md "$own" | code | wc -l)
-[ "$lines" -gt 0 ] && [ "$lines" -lt 40 ] && echo "ok readme_own_is_$lines""_lines" || echo "FAILED readme_own: $lines lines"
+if [ "$lines" -gt 0 ] && [ "$lines" -lt 40 ]; then
+    echo "ok readme_own_is_$lines""_lines"
+else
+    echo "FAILED readme_own: $lines lines"
+fi
 follow teapot 8000 30000 20
 follow boxes 2000 30000 6
 follow torus 8000 40000 500
