@@ -1,19 +1,141 @@
 #!/bin/sh
-# The README's C, as it stands there: compiled as it would be on a board (warnings on), run, and its pictures
-# looked at by number. The section about a model of one's own is followed to the letter: its commands too.
-# Usage: tests/tools/readme.sh BUILD     BUILD/libcore.a, BUILD/libmeshes.a
+# Every README.md as its reader follows it: each command in a code block is run, each C program compiled and run, each
+# link and make target looked up, each figure that a command prints compared with what it prints now.
+# Usage: tests/tools/readme.sh BUILD           BUILD/libcore.a, BUILD/libmeshes.a, BUILD/zsim
+#        tests/tools/readme.sh BUILD write     first write the tables and outputs in the READMEs anew
+#
+# Blocks of code:
+#   ```sh           run, all of a README in order, in a copy of the repository where MODEL.obj and T.png lie. Targets
+#                   of make that take long are looked up only (make -n); other parts of make test run what they run.
+#   ```sh not run: REASON
+#   ```text         what the ```sh before it prints, to the letter
+#   ```c            a program; see below for each
+#   others          lines that begin with make, sh or build/ are run
+#
+# SPDX-License-Identifier: MIT
 set -eu
-build=$1
+build=$(cd "$1" && pwd)
+mode=${2:-}
+top=$PWD
 out=$(mkdir -p "$1/test/readme" && cd "$1/test/readme" && pwd)
+unset MAKEFLAGS MFLAGS MAKELEVEL MAKEOVERRIDES
 . tests/lib/positional.sh
 designated_headers "$out/headers"
-section() { # HEADING
-    awk -v want="## $1" '/^## / { in_it = $0 == want } in_it' README.md
+find . -name README.md -not -path './.git/*' -not -path '*/build/*' | sed 's/^..//' | sort >"$out/readmes"
+section() { # README HEADING
+    awk -v want="## $2" '/^## / { in_it = $0 == want } in_it' "$1"
 }
 code() {
     awk '/^```c$/ { on = 1; next } /^```$/ { on = 0 } on'
 }
-section 'Use the library' | code >"$out/example.c"
+
+# ---- The table beside others ---------------------------------------------------------------------------------------
+golden=$(find tests -name bench.txt)
+peers=$(find tests -name peers.txt)
+"$build/zsim" demo --scene sheet,slivers --frames 1 --out "$out/frames" >"$out/wrong.txt"
+"$build/zsim" budget --scene mesh --size 320x240 --strip 8 >"$out/budget.txt"
+"$build/zsim" budget --scene sheet --size 320x240 --strip 24 --buffers 1 >"$out/sheet.txt"
+awk '
+    FILENAME ~ /bench.txt$/ { if ($1 == "M3") ours[$2] = three($3 / 1e6); next }
+    FILENAME ~ /wrong.txt$/ {
+        if (!/%/ || ($1 != "sheet" && $1 != "slivers")) next
+        split($0, part, "|"); n = split(part[5], f, " "); ours["wrong " $1] = sprintf("%.2f %%", f[1]); next }
+    FILENAME ~ /budget.txt$/ {
+        if (/^Flash/) flash = 1
+        if ($1 == "together" && !flash) ours["RAM"] = sprintf("%.0f KB", $2 / 1000)
+        if ($1 == "renderer" && flash) ours["flash"] = sprintf("%.0f KB", $2 / 1000)
+        next }
+    FILENAME ~ /sheet.txt$/ {
+        if ($1 == "together" && !sheet++) ours["RAM sheet"] = sprintf("%.0f KB", $2 / 1000)
+        next }
+    /^#/ { next }
+    { peer[$1 " " $2, $3] = $4 }
+    function three(x) { return x < 10 ? sprintf("%.2f", x) : sprintf("%.1f", x) }
+    function row(name, own, key, unit, i, line, value) {
+        line = "| " name " | " own " |"
+        for (i = 1; i <= 4; i++) {
+            value = peer[key, who[i]]
+            if (value == "" && key == "flash" && (("flash least", who[i]) in peer)) {
+                value = peer["flash least", who[i]]
+                if (peer["flash most", who[i]] != value) value = value " to " peer["flash most", who[i]]
+            }
+            line = line " " (value == "" ? "–" : value unit) " |"
+        }
+        print line
+    }
+    END {
+        split("small3dlib Pico3D TinyGL TGX", who, " ")
+        print "| | zstrip | small3dlib | Pico3D | TinyGL | TGX |"
+        print "|---|---|---|---|---|---|"
+        row("`layers`, front to back", ours["layers_ftb"], "M3 layers_ftb", "")
+        row("`layers`, back to front", ours["layers_btf"], "M3 layers_btf", "")
+        row("`sheet`", ours["sheet"], "M3 sheet", "")
+        row("wrong pixels, `sheet`", ours["wrong sheet"], "wrong sheet", " %")
+        row("wrong pixels, `slivers`", ours["wrong slivers"], "wrong slivers", " %")
+        row("RAM, `mesh`", ours["RAM"], "RAM 320x240", " KB")
+        row("RAM, `sheet`", ours["RAM sheet"], "RAM 320x240", " KB")
+        row("flash", ours["flash"], "flash", " KB")
+        print "| arithmetic | integers | integers | integers | floats | floats |"
+        print "| textures | perspective | affine; perspective on request | affine | perspective | perspective |"
+        print "| brings | panel drivers, simulator, model converter | one header | a game | OpenGL calls | 2D drawing |"
+    }' "$golden" "$out/wrong.txt" "$out/budget.txt" "$out/sheet.txt" "$peers" >"$out/table"
+if [ "$mode" = write ]; then
+    awk -v table="$out/table" '
+        /^\| \| zstrip \|/ { while ((getline line <table) > 0) { print line; rows++ } old = rows }
+        old > 0 && /^\|/ { old--; next }
+        { old = 0; print }' README.md >"$out/new" && cp "$out/new" README.md
+fi
+awk '/^\| \| zstrip \|/ { on = 1 } on && !/^\|/ { exit } on' README.md >"$out/table.is"
+if other=$(grep -vxFf "$out/table.is" "$out/table"); then
+    echo "FAILED readme_beside_others: now $(echo "$other" | head -1) (sh tests/tools/readme.sh build write)"
+elif ! grep -q "816 of 2520 triangles" "$out/budget.txt"; then
+    echo "FAILED readme_beside_others: $(head -1 "$out/budget.txt")"
+else
+    echo "ok readme_beside_others: $(($(wc -l <"$out/table") - 2)) rows as measured"
+fi
+# Frames a second that a wire carries
+awk '/^\| [0-9]+x[0-9]+, RGB565 / {
+        split($2, size, /[x,]/); split("10 20 32 62.5", mhz, " ")
+        line = "| " $2 " RGB565 |"
+        for (i = 1; i <= 4; i++) {
+            rate = mhz[i] * 1e6 / (size[1] * size[2] * 16)
+            line = line sprintf(rate < 10 ? " %.1f |" : " %.0f |", rate)
+        }
+        n++
+        if (line != $0) { print "FAILED readme_wire: " $0 " is " line; bad = 1 }
+    }
+    END { if (!bad) print (n == 3 ? "ok" : "FAILED") " readme_wire: " n + 0 " rows" }' hal/linux/README.md
+
+# ---- Words, links, make targets --------------------------------------------------------------------------------------
+words=$(wc -w <README.md)
+if [ "$words" -le 1200 ]; then
+    echo "ok readme_is_short ($words words)"
+else
+    echo "FAILED readme_is_short: $words words, at most 1200"
+fi
+links=0
+broken=
+while read -r file; do
+    at=$(dirname "$file")
+    for link in $(grep -oE '\]\([^)# ]+' "$file" | cut -c3- | grep -v '://'); do
+        links=$((links + 1))
+        [ -e "$at/$link" ] || broken="$broken $file:$link"
+    done
+done <"$out/readmes"
+if [ -z "$broken" ]; then echo "ok readme_links ($links)"; else echo "FAILED readme_links:$broken"; fi
+targets=$(xargs grep -ohE '`make [a-z][a-z-]*' <"$out/readmes" | cut -d ' ' -f 2 | sort -u)
+missing=
+for target in $targets; do
+    grep -qE "^## $target:" Makefile $(find tests -name "*.mk") || missing="$missing $target"
+done
+if [ -z "$missing" ]; then
+    echo "ok readme_targets ($(echo "$targets" | wc -w))"
+else
+    echo "FAILED readme_targets:$missing"
+fi
+
+# ---- firmware/zstrip: the cube, as it would be compiled for a board ---------------------------------------------
+section firmware/zstrip/README.md 'A first picture' | code >"$out/example.c"
 lines=$(wc -l <"$out/example.c")
 cat >"$out/main.c" <<'MAIN'
 #include <stdio.h>
@@ -48,8 +170,8 @@ else
     echo "FAILED readme_example_draws_a_cube: error $1, $2 strips, $3 pixels"
 fi
 
-# ---- On a panel: compiled as it stands, and three frames of a scene through it ---------------------------------
-section 'On a panel' | code >"$out/panel_example.c"
+# ---- hal/panel: compiled as it stands, and three frames of a scene through it -----------------------------------
+code <hal/panel/README.md >"$out/panel_example.c"
 cat >"$out/panel_main.c" <<'MAIN'
 #include <stdio.h>
 #include "panel_example.c"
@@ -73,21 +195,21 @@ int main(void)
     return err != 0;
 }
 MAIN
-gcc -std=c11 -Wall -Wextra -Werror -Wconversion -I"$out/headers" -Ifirmware/zstrip -Ihal -Ihal/panel -I"$out" "$out/panel_main.c" \
-    "$build/libcore.a" hal/panel/*.c hal/null/*.c -o "$out/panel_example"
+gcc -std=c11 -Wall -Wextra -Werror -Wconversion -I"$out/headers" -Ifirmware/zstrip -Ihal -Ihal/panel -I"$out" \
+    "$out/panel_main.c" "$build/libcore.a" hal/panel/*.c hal/null/*.c -o "$out/panel_example"
 said=$("$out/panel_example")
 [ "$said" = "0 15" ] && echo "ok readme_panel_example" || echo "FAILED readme_panel_example: $said"
 
-# ---- From your .obj to a picture on a board ------------------------------------------------------
+# ---- README.md: a model of one's own, to the letter -------------------------------------------------------------
 # A folder as the reader has it: zsim built, the library, a model; then the section's program and commands.
+own='Example: your model'
 follow() { # NAME LEAST-PIXELS MOST-PIXELS COLOURS    MODEL.obj and what belongs to it lie in $out/NAME
     home=$out/$1
-    ln -sfn "$PWD/firmware" "$home/firmware"
-    ln -sfn "$PWD/build" "$home/build"
-    [ "$build" = "$PWD/build" ] || ln -sfn "$build" "$home/build"
-    section 'From your .obj to a picture on a board' | code >"$home/picture.c"
-    section 'From your .obj to a picture on a board' | sed -n 's/^    \(build\|gcc\|\.\/\)/\1/p' >"$home/commands"
-    if ! (cd "$home" && [ "$(wc -l <commands)" -eq 3 ] && sh -eu commands >log 2>&1); then
+    ln -sfn "$top/firmware" "$home/firmware"
+    ln -sfn "$build" "$home/build"
+    section README.md "$own" | code >"$home/picture.c"
+    section README.md "$own" | awk '/^```sh$/ { on = 1; next } /^```$/ { on = 0 } on' >"$home/commands"
+    if ! (cd "$home" && [ "$(wc -l <commands)" -eq 4 ] && sh -eu commands >log 2>&1); then
         echo "FAILED readme_own_$1: $(tail -3 "$home/log" | tr '\n' ' ')"
         return
     fi
@@ -106,7 +228,6 @@ follow() { # NAME LEAST-PIXELS MOST-PIXELS COLOURS    MODEL.obj and what belongs
         echo "FAILED readme_own_$1: $5 pixels of $6 colours, $(wc -c <"$home/picture.ppm") bytes"
     fi
 }
-build=$(cd "$build" && pwd)
 make=$out/make
 gcc -O1 -Ifirmware/zstrip -I"$build/gen" tests/tools/convert/make.c \
     "$build/libcore.a" "$build/libmeshes.a" -lpng -lturbojpeg -lm -o "$make"
@@ -117,8 +238,96 @@ mkdir -p "$out/teapot" "$out/boxes" "$out/torus"
 "$make" torus 48 24 4 torus.mtl >"$out/torus/MODEL.obj"
 printf 'newmtl skin\nmap_Kd photo.png\n' >"$out/torus/torus.mtl"
 "$make" png photo 128 128 "$out/torus/photo.png"
-lines=$(section 'From your .obj to a picture on a board' | code | wc -l)
-[ "$lines" -lt 40 ] && echo "ok readme_own_is_$lines""_lines" || echo "FAILED readme_own: $lines lines"
+lines=$(section README.md "$own" | code | wc -l)
+if [ "$lines" -gt 0 ] && [ "$lines" -lt 40 ]; then
+    echo "ok readme_own_is_$lines""_lines"
+else
+    echo "FAILED readme_own: $lines lines"
+fi
 follow teapot 8000 30000 20
 follow boxes 2000 30000 6
 follow torus 8000 40000 500
+
+# ---- All commands of all READMEs ---------------------------------------------------------------------------------
+# A copy of the repository, as old as it is, with the build folder's programs; images for boards are built in its own.
+tree=$out/tree
+rm -rf "$tree"
+mkdir -p "$tree/build"
+cp -a Makefile .ci firmware hal sim tests README.md "$tree"
+for file in "$build"/* "$build"/.setup*; do
+    case ${file##*/} in fw | test | demo | study | shards | pictures | quick) ;; *) ln -s "$file" "$tree/build/" ;; esac
+done
+cp "$out/torus/MODEL.obj" "$out/torus/torus.mtl" "$out/torus/photo.png" "$tree"
+cp "$out/torus/photo.png" "$tree/T.png"
+cp "$out/torus/picture.c" "$tree"
+cat >"$out/prelude" <<'PRELUDE'
+make() {
+    case " $* " in
+    *' CORES=2 '* | *' LEAN=1 '* | *' -f '*) command make -n "$@" >make.log ;; # as pico, bare and scene_sums build
+    *' demo '* | *' sim '* | *' help '* | *' firmware '*) command make "$@" ;;
+    *) command make -n "$@" >make.log ;;
+    esac
+}
+sh() {
+    case $1 in
+    tests/*) command sh -n "$1" ;;
+    *) command sh "$@" ;;
+    esac
+}
+PRELUDE
+# Each block into DIR/NNN.sh or DIR/NNN.text
+split_blocks() { # README DIR
+    awk -v dir="$2" '
+        function open_file(kind) { n++; file = sprintf("%s/%03d.%s", dir, n, kind); printf "" >file; now = kind }
+        !now && match($0, /^ *```/) {
+            indent = RLENGTH - 3
+            info = substr($0, RLENGTH + 1)
+            open_file(info == "sh" ? "sh" : info == "text" ? "text" : info == "c" ? "c" : \
+                info ~ /^sh not run: ./ ? "unrun" : "other")
+            next }
+        now && /^ *```$/ { now = ""; next }
+        now == "other" { if (/^(\$ )?(make|sh|build\/)/) { sub(/^\$ /, ""); print >file }; next }
+        now { print substr($0, indent + 1) >file; next }
+        /^    +(make|sh|build\/)[^:]/ { open_file("other"); now = ""; sub(/^ +/, ""); print >file }' "$1"
+}
+while read -r file; do
+    name=$(dirname "$file" | sed 's/^\.$/top/' | tr / _)
+    blocks=$out/blocks/$name
+    rm -rf "$blocks"
+    mkdir -p "$blocks"
+    split_blocks "$file" "$blocks"
+    ran=0
+    unrun=0
+    failed=
+    last=
+    for block in "$blocks"/*; do
+        case $block in
+        *.sh | *.other)
+            ran=$((ran + $(grep -cvE '^ |^#|^$' "$block" || :)))
+            last=$block.out
+            cat "$out/prelude" "$block" >"$tree/commands"
+            (cd "$tree" && timeout 300 sh -eu commands >"$last" 2>"$block.err" </dev/null) || {
+                failed="$(tail -1 "$block"): $(tail -2 "$block.err" | tr '\n' ' ')"
+                break
+            } ;;
+        *.unrun) unrun=$((unrun + 1)) ;;
+        *.text)
+            if [ "$mode" = write ]; then # the block's place is the n-th fence of the file
+                awk -v want="$(basename "$block" .text)" -v text="$last" '
+                    !now && /^ *```/ { n++; now = 1; print; skip = n == want + 0
+                        if (skip) while ((getline line <text) > 0) print line
+                        next }
+                    now && /^ *```$/ { now = skip = 0 }
+                    !skip' "$file" >"$out/new" && cp "$out/new" "$file"
+            elif ! cmp -s "$last" "$block"; then
+                failed="prints now $(diff "$block" "$last" | grep -m1 '^[<>]') (sh tests/tools/readme.sh build write)"
+                break
+            fi ;;
+        esac
+    done
+    if [ -n "$failed" ]; then
+        echo "FAILED readme_commands_$name: $failed"
+    else
+        echo "ok readme_commands_$name ($ran run, blocks not run: $unrun)"
+    fi
+done <"$out/readmes"
