@@ -5,14 +5,17 @@
  *
  * SPDX-License-Identifier: MIT
  */
+#include "core/bin.h"
 #include "core/damage.h"
 #include "core/depth.h"
 #include "core/fast.h"
 #include "core/fx.h"
+#include "core/method.h"
 #include "core/pass.h"
 #include "core/plane.h"
 #include "core/raster.h"
 #include "core/rows.h"
+#include "core/walk.h"
 #include "zs_shader.h"
 
 static int32_t strip_rows(const struct zs_renderer *r)
@@ -168,8 +171,8 @@ static uint16_t merged(struct zs_tri *tri, uint16_t a, uint16_t b)
     return head;
 }
 
-/* Take the strip's triangles: those in its bin and those that continue from the strip above. */
-static uint16_t take_list(struct zs_renderer *r)
+/* Take the strip's triangles, in scene order. */
+static uint16_t scene_list(struct zs_renderer *r)
 {
     const uint16_t list = merged(r->tri, r->active, reversed(r->tri, r->bin[r->strip]));
     r->bin[r->strip] = ZS_NIL;
@@ -178,7 +181,7 @@ static uint16_t take_list(struct zs_renderer *r)
 
 void zs_raster_leave(struct zs_renderer *r)
 {
-    r->active = take_list(r); /* also those that end here; they have no row in a strip below */
+    r->active = r->config.method->list(r); /* also those that end here: they draw nothing below */
 }
 
 /* ---- The strip ------------------------------------------------------------------------------- */
@@ -250,11 +253,9 @@ static ZS_NOINLINE int (*instance_begin(struct zs_job *job, uint32_t number))(st
     }
     job->depth_state = r->depth ? instance->depth_state : 0;
     job->split = 0;
-    job->span = zs_rows_test;
+    job->span = r->span;
     job->rows = 0;
-    if (!r->depth)
-        job->span = r->view.depth->span;
-    if (job->depth_state || !ZS_IF_FAST(job->fast) || !r->depth)
+    if (job->depth_state || !ZS_IF_FAST(job->fast) || r->span != zs_rows_test)
         return 0;
     job->rows = job->fast->rows;
     if (job->fast->span)
@@ -298,7 +299,8 @@ void zs_raster_strip(struct zs_renderer *r)
 {
     int goes_on = r->strip + 1 < r->band_end;
     const int part = r->window[1] - r->window[0] < r->config.width; /* r->track is not NULL then */
-    uint16_t list = take_list(r), *keep = &r->active; /* appended to, so it stays ascending */
+    uint16_t list = r->config.method->list(r);
+    uint16_t *keep = &r->active; /* appended to, so it stays in the list's order */
     uint32_t number =
         ZS_NIL; /* the instance that job is set for; ZS_NIL is none: they end at 65534 */
     struct zs_job job;
@@ -339,3 +341,23 @@ void zs_raster_strip(struct zs_renderer *r)
     }
     *keep = ZS_NIL;
 }
+
+/* ---- The depth buffer as a method ------------------------------------------------------------ */
+
+static void buffer_strip(struct zs_renderer *r)
+{
+    if (r->strip >= r->band_end)
+        zs_walk(r, r->draw_end);
+    zs_raster_strip(r);
+}
+
+static void buffer_full(struct zs_renderer *r)
+{
+    zs_raster_strip(r);
+    zs_bin_empty(r);
+    r->stats.passes++;
+}
+
+const struct zs_method zs_method_buffer = { .strip = buffer_strip,
+                                            .full = buffer_full,
+                                            .list = scene_list };
