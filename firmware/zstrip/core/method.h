@@ -24,7 +24,7 @@ struct zs_method {
     uint16_t (*list)(struct zs_renderer *r);
 };
 
-/* The depth buffer: the method of a configuration without one (core/raster.c). */
+/* The depth buffer: the method of a configuration without one (core/buffer.c). */
 extern const struct zs_method zs_method_buffer;
 
 #endif
