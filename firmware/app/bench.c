@@ -111,6 +111,7 @@ static void fill_config(struct zs_config *c, const struct demo *d, uint16_t rows
     c->depth_bits = 16;
     c->depth = d->depth;
     c->fast = d->fast;
+    c->method = 0;
 }
 
 static int configure(struct zs_config *c, const struct demo *d, uint16_t rows, uint8_t buffers,

@@ -137,6 +137,7 @@ struct zs_cover {
 };
 
 struct zs_job;
+struct zs_row;
 struct zs_pass;
 struct zs_pass_memory;
 struct zs_pass_kernel;
@@ -192,6 +193,9 @@ struct zs_renderer {
     struct zs_pass_memory *pass_memory;  /* of all passes, the caller's; [0] holds their list */
     uint16_t n_instances; /* of all passes */
     uint16_t first;       /* the number of the current pass's first instance */
+    void (*span)(struct zs_job *job, const struct zs_row *row, int32_t i0, int32_t i1, uint32_t sum,
+                 uint32_t step); /* the usual zs_job.span */
+    void *method_state;   /* the method's, while it draws a strip */
     uint8_t refit;        /* 1: this frame disabled an accelerator; the next one enables it again */
     struct zs_xform xform;
     struct zs_shading shading; /* of the current instance */

@@ -194,11 +194,18 @@ enum zs_cull {
     ZS_CULL_NONE = 2
 };
 
+/* Lines or points: the first member of a struct that says which (zs_lines.h). */
+struct zs_primitive {
+    const struct zs_primitive_ops *ops; /* set by that header's macros */
+    uint32_t n;                         /* how many */
+};
+
 struct zs_material {
     const struct zs_shader *shader;
     struct zs_rgb rgb;                /* where the mesh gives no colour */
     uint8_t cull;                     /* enum zs_cull */
     const struct zs_texture *texture; /* textured shading; else NULL */
+    const struct zs_primitive *primitive; /* drawn in place of the mesh's triangles; NULL: those */
 };
 
 /* ---- Instances ---------------------------------------------------------------------------- */

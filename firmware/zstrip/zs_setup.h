@@ -37,6 +37,7 @@ extern const struct zs_depth zs_depth_float;
 extern const struct zs_depth zs_depth_none;
 
 struct zs_fast;
+struct zs_method;
 
 struct zs_config {
     uint16_t width, height;            /* px, 1 .. ZS_SIZE_MAX */
@@ -51,6 +52,8 @@ struct zs_config {
     const struct zs_depth *depth;      /* the mapping; must be given */
     const struct zs_fast *const *fast; /* accelerators, the last one NULL (zs_fast.h); kept by the
                                           caller; NULL: none */
+    const struct zs_method *method;    /* how hidden surfaces are removed (zs_method.h); NULL: by
+                                          the depth buffer */
 };
 
 /* Bytes of arena for a configuration: the sum of its pools. The result is the same on every
@@ -114,6 +117,9 @@ struct zs_stats {
                                 other strip count as culled, or not at all */
     uint32_t passes;         /* sets of triangles that the pools took the scene in */
     uint32_t max_tris_used, max_verts_used; /* high-water marks of the pools */
+    uint32_t sorted;          /* triangles that a method sorted, summed over strips */
+    uint32_t splits;          /* triangles that a method cut in two (zs_method_depthsort) */
+    uint32_t rays;            /* rays that were cast (zs_method_raycast) */
 };
 
 #ifdef __cplusplus

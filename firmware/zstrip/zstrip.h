@@ -6,6 +6,7 @@
  *       zs_math.h    sine, vectors, poses, cameras from angles and points
  *     zs_pass.h    several scenes or cameras in one frame
  *     zs_fast.h    accelerators: the same picture in less time
+ *     zs_method.h  other ways to remove hidden surfaces than the depth buffer
  *     zs_shader.h  write a shader
  *     zs_damage.h  send and draw only what changed
  *     zs_check.h   check meshes and textures that cannot be trusted
@@ -165,14 +166,15 @@ struct zs_sink {
 #ifdef __cplusplus
 #define ZS_CONFIG_OF(width, height, strip_h, max_tris, max_verts, varyings, buffers, depth)        \
     {                                                                                              \
-        width, height, strip_h, max_tris, max_verts, varyings, buffers, 0, 0, depth, nullptr       \
+        width, height, strip_h, max_tris, max_verts, varyings, buffers, 0, 0, depth, nullptr,      \
+            nullptr                                                                                \
     }
 #else
 #define ZS_CONFIG_OF(w, h, rows, tris, verts, vars, bufs, mapping)                                 \
     {                                                                                              \
         .width = (w), .height = (h), .strip_h = (rows), .max_tris = (tris), .max_verts = (verts),  \
         .varyings = (vars), .buffers = (bufs), .subpixel_bits = 0, .depth_bits = 0,                \
-        .depth = (mapping), .fast = 0                                                              \
+        .depth = (mapping), .fast = 0, .method = 0                                                 \
     }
 #endif
 

@@ -52,6 +52,6 @@ void own_draw(void *ctx, const struct zs_target *t)
         for (uint32_t x = t->x0; x < t->x1; x++)
             if (x >= r->x && x < (uint32_t)r->x + r->w && y >= r->y && y < (uint32_t)r->y + r->h) {
                 const uint32_t at = (y - t->y0) * t->pitch + x;
-                t->color[at] = (uint16_t)(t->color[at] * 5u + (t->depth[at] >> 7));
+                t->color[at] = (uint16_t)(t->color[at] * 5u + (t->depth ? t->depth[at] >> 7 : 0));
             }
 }

@@ -46,7 +46,8 @@ enum zs_fate zs_assemble_box(const struct zs_renderer *r, const struct zs_vertex
                              struct zs_candidate *at);
 /* Assemble and bin triangle t. *piece is the next piece of the fan of a clipped triangle; it is 0
  * before the first call and after the triangle is done. */
-enum zs_fate zs_assemble_tri(struct zs_renderer *r, uint32_t t, uint32_t *piece);
+typedef enum zs_fate zs_assemble_fn(struct zs_renderer *r, uint32_t t, uint32_t *piece);
+zs_assemble_fn zs_assemble_tri;
 
 /* ---- fan.c: a triangle that is clipped at near, far or the guard band, in pieces ------------- */
 

@@ -6,6 +6,7 @@
 #include "core/cull.h"
 #include "core/fx.h"
 #include "core/pass.h"
+#include "core/primitive.h"
 #include "core/rotation.h"
 #include "core/usual.h"
 
@@ -122,11 +123,19 @@ int64_t zs_cull_half_width(const struct zs_camera *camera, const struct zs_view 
            1;
 }
 
+int zs_cull_widen(const struct zs_renderer *r, const struct zs_instance *in, struct zs_bounds *b)
+{
+    const struct zs_primitive *primitive = in->material->primitive;
+    return primitive ? primitive->ops->widen(r, in, b) : ZS_OK;
+}
+
 int zs_cull_walk(struct zs_bounds *b, const struct zs_renderer *r, uint32_t number)
 {
-    bounds(b, zs_instance_of(r, number), &r->camera); /* zs_frame_begin has checked the ranges */
+    const struct zs_instance *in = zs_instance_of(r, number);
+    bounds(b, in, &r->camera); /* zs_frame_begin has checked the ranges */
     const int32_t shift = zs_min32(r->view.shift,
                                    28);         /* -3 .. 30; from 20 on, the 1 below dominates */
+    (void)zs_cull_widen(r, in, b);
     b->slack += ((8 << 19) >> (shift + 3)) + 1; /* 8 camera units: the error of a vertex */
     return zs_cull_sphere(b, &r->camera, &r->view);
 }

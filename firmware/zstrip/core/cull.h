@@ -21,6 +21,10 @@ struct zs_bounds {
 int zs_cull_bounds(struct zs_bounds *b, const struct zs_instance *in,
                    const struct zs_camera *camera);
 
+/* Enlarge the bounds for what an instance draws beyond its vertices. Return ZS_OK or an error
+ * (core/primitive.h). */
+int zs_cull_widen(const struct zs_renderer *r, const struct zs_instance *in, struct zs_bounds *b);
+
 /* Return 1 if the sphere is outside the view frustum. Conservative: 0 if in doubt. */
 int zs_cull_sphere(const struct zs_bounds *b, const struct zs_camera *camera,
                    const struct zs_view *view);

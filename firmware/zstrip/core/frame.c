@@ -8,37 +8,16 @@
 #include "core/fast.h"
 #include "core/frame.h"
 #include "core/fx.h"
+#include "core/method.h"
 #include "core/pass.h"
+#include "core/primitive.h"
 #include "core/raster.h"
+#include "core/rows.h"
 #include "core/usual.h"
 #include "zs_damage.h"
 #include "zs_shader.h"
 #include "core/view.h"
 #include "core/walk.h"
-
-static const char *const messages[] = {
-    "no error",
-    "a required pointer is NULL",
-    "frame, strip, pool or buffer count out of range",
-    "the arena is too small or not aligned to 4 bytes",
-    "depth bits outside 8 to 16, or a depth mapping that this camera cannot take",
-    "near, far, focal length, height or rotation of the camera out of range",
-    "a position, scale, extent or light that the integers cannot hold",
-    "a mesh lacks what its shader reads, or has too many vertices",
-    "frame functions called out of order",
-    "the shader has more varyings than config.varyings, or a vertex stage and none",
-    "a direction of length 0, or parallel directions",
-    "the near plane is too close beside what is in view (more than 2^21 times as far): move it out",
-    "a texture's size or clamping out of range",
-    "the program was compiled with other headers or limits than the library",
-    "a pass whose viewport is not inside the frame, or that keeps what is not there to be kept"
-};
-
-const char *zs_error_string(int err)
-{
-    const unsigned n = err > 0 ? 0u : 0u - (unsigned)err;
-    return n < sizeof messages / sizeof messages[0] ? messages[n] : "unknown error";
-}
 
 /* ---- Set-up ---------------------------------------------------------------------------------- */
 
@@ -109,7 +88,7 @@ static ZS_RARE void strip_divisor(struct zs_renderer *r)
 }
 
 /* Choose the accelerators of the frame: the first of each kind in the list. `touch` and `tiles`
- * work only in a frame of one pass with depth memory. */
+ * work only in a frame of one pass, whose method is the depth buffer. */
 static ZS_RARE void accelerators(struct zs_renderer *r)
 {
     r->touch = 0;
@@ -125,7 +104,7 @@ static ZS_RARE void accelerators(struct zs_renderer *r)
         r->clusters_hooks = r->clusters_hooks ? r->clusters_hooks : fast->clusters;
         r->edges = r->edges ? r->edges : fast->edges;
     }
-    if (r->passes || !r->depth) {
+    if (r->passes || r->span != zs_rows_test) {
         r->touch = 0;
         r->tiles = 0;
     }
@@ -140,6 +119,7 @@ _Static_assert(sizeof(struct zs_renderer) < 1u << 14 && ZS_VARYINGS_MAX < 1 << 4
 ZS_RARE int zs_init_build(struct zs_renderer *r, const struct zs_config *config, void *arena,
                           size_t bytes, uint32_t build)
 {
+    int err;
     if (!r)
         return ZS_ERR_NULL;
     if (build != ZS_BUILD)
@@ -153,6 +133,11 @@ ZS_RARE int zs_init_build(struct zs_renderer *r, const struct zs_config *config,
     if (config->depth_bits > 16 || (config->depth_bits < 8 && config->depth_bits))
         return ZS_ERR_DEPTH;
     r->config = *config;
+    r->span = config->depth->span ? config->depth->span : zs_rows_test;
+    if (!config->method)
+        r->config.method = &zs_method_buffer;
+    else if ((err = config->method->begin(r)) != ZS_OK)
+        return err;
     r->config.buffers = config->buffers == 2 ? 2 : 1;
     r->config.subpixel_bits = config->subpixel_bits == 4 ? 4 : 8;
     r->config.depth_bits = config->depth_bits ? config->depth_bits : 16;
@@ -229,6 +214,7 @@ static ZS_RARE int scene_check(const struct zs_renderer *r, const struct zs_scen
         int err = instance_check(r, &scene->instance[i]);
         if (!err)
             err = zs_cull_bounds(&b, &scene->instance[i], &r->camera);
+        err = err ? err : zs_cull_widen(r, &scene->instance[i], &b);
         if (err)
             return err;
         if (!zs_cull_sphere(&b, &r->camera, &r->view) && *reach < b.reach + b.slack)
@@ -324,9 +310,7 @@ int zs_frame_strip(struct zs_renderer *r, struct zs_strip *out)
             r->touch->begin(r);
         else
             zs_raster_clear_all(r);
-        if (r->strip >= r->band_end)
-            zs_walk(r);
-        zs_raster_strip(r);
+        r->config.method->strip(r);
         if (ZS_IF_FAST(r->untouched))
             r->touch->end(r);
         if (passes)

@@ -1,7 +1,6 @@
-/* Rasterisation of one strip: the lists of its triangles, their set-up, their scanlines.
+/* Rasterisation of one strip: set-up of its triangles, and their scanlines.
  *
- * Lists are kept in pool order, which is scene order. So a strict depth comparison gives each pixel
- * to the least (key, scene order).
+ * The method gives the list of triangles (core/method.h).
  *
  * SPDX-License-Identifier: MIT
  */
@@ -9,6 +8,7 @@
 #include "core/depth.h"
 #include "core/fast.h"
 #include "core/fx.h"
+#include "core/method.h"
 #include "core/pass.h"
 #include "core/plane.h"
 #include "core/raster.h"
@@ -139,46 +139,9 @@ static ZS_NOINLINE void draw(struct zs_job *job)
         r->view.depth->walk(job);
 }
 
-/* ---- Lists ----------------------------------------------------------------------------------- */
-
-/* Reverse a list. */
-static uint16_t reversed(struct zs_tri *tri, uint16_t list)
-{
-    uint16_t out = ZS_NIL;
-    while (list != ZS_NIL) {
-        const uint16_t next = tri[list].next;
-        tri[list].next = out;
-        out = list;
-        list = next;
-    }
-    return out;
-}
-
-/* Merge two ascending lists. */
-static uint16_t merged(struct zs_tri *tri, uint16_t a, uint16_t b)
-{
-    uint16_t head = ZS_NIL, *tail = &head;
-    while (a != ZS_NIL && b != ZS_NIL) {
-        uint16_t *least = a < b ? &a : &b;
-        *tail = *least;
-        tail = &tri[*least].next;
-        *least = *tail;
-    }
-    *tail = a != ZS_NIL ? a : b;
-    return head;
-}
-
-/* Take the strip's triangles: those in its bin and those that continue from the strip above. */
-static uint16_t take_list(struct zs_renderer *r)
-{
-    const uint16_t list = merged(r->tri, r->active, reversed(r->tri, r->bin[r->strip]));
-    r->bin[r->strip] = ZS_NIL;
-    return list;
-}
-
 void zs_raster_leave(struct zs_renderer *r)
 {
-    r->active = take_list(r); /* also those that end here; they have no row in a strip below */
+    r->active = r->config.method->list(r); /* also those that end here: they draw nothing below */
 }
 
 /* ---- The strip ------------------------------------------------------------------------------- */
@@ -250,11 +213,9 @@ static ZS_NOINLINE int (*instance_begin(struct zs_job *job, uint32_t number))(st
     }
     job->depth_state = r->depth ? instance->depth_state : 0;
     job->split = 0;
-    job->span = zs_rows_test;
+    job->span = r->span;
     job->rows = 0;
-    if (!r->depth)
-        job->span = r->view.depth->span;
-    if (job->depth_state || !ZS_IF_FAST(job->fast) || !r->depth)
+    if (job->depth_state || !ZS_IF_FAST(job->fast) || r->span != zs_rows_test)
         return 0;
     job->rows = job->fast->rows;
     if (job->fast->span)
@@ -298,7 +259,8 @@ void zs_raster_strip(struct zs_renderer *r)
 {
     int goes_on = r->strip + 1 < r->band_end;
     const int part = r->window[1] - r->window[0] < r->config.width; /* r->track is not NULL then */
-    uint16_t list = take_list(r), *keep = &r->active; /* appended to, so it stays ascending */
+    uint16_t list = r->config.method->list(r);
+    uint16_t *keep = &r->active; /* appended to, so it stays in the list's order */
     uint32_t number =
         ZS_NIL; /* the instance that job is set for; ZS_NIL is none: they end at 65534 */
     struct zs_job job;

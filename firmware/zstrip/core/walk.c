@@ -7,13 +7,13 @@
  *
  * SPDX-License-Identifier: MIT
  */
-#include "core/assemble.h"
 #include "core/cull.h"
 #include "core/damage.h"
 #include "core/fast.h"
 #include "core/fx.h"
+#include "core/method.h"
 #include "core/pass.h"
-#include "core/raster.h"
+#include "core/primitive.h"
 #include "core/walk.h"
 #include "core/xform.h"
 #include "zs_shader.h"
@@ -47,7 +47,8 @@ static ZS_RARE ZS_NOINLINE int instance_open(struct zs_renderer *r, uint32_t num
     struct zs_bounds b;
     const struct zs_instance *in = zs_instance_of(r, number);
     const struct zs_track_kernel *track = r->track;
-    const struct zs_fast_clusters *clusters = in->mesh->cluster ? ZS_IF_FAST(r->clusters_hooks) : 0;
+    const struct zs_fast_clusters *clusters =
+        in->mesh->cluster && !in->material->primitive ? ZS_IF_FAST(r->clusters_hooks) : 0;
     const struct zs_depth_state *state = in->depth_state;
     struct zs_part part;
     if (track) {
@@ -87,14 +88,14 @@ static ZS_RARE int next_run(struct zs_renderer *r)
     if (ZS_IF_FAST(r->by_clusters))
         return r->clusters_hooks->run(r);
     r->clusters.from = r->clusters.end;
-    r->clusters.end = r->xform.instance->mesh->n_tris;
+    r->clusters.end = zs_primitives_of(r->xform.instance);
     return r->clusters.from < r->clusters.end;
 }
 
 /* Open the cursor's instance and count it. Return 0 if it has nothing to bin. */
 static ZS_RARE int instance_begin(struct zs_renderer *r, struct cursor *at)
 {
-    const uint32_t n = zs_instance_of(r, at->instance)->mesh->n_tris;
+    const uint32_t n = zs_primitives_of(zs_instance_of(r, at->instance));
     const int seen = instance_open(r, at->instance);
     if (r->counting) {
         r->stats.instances_in++;
@@ -110,7 +111,7 @@ static ZS_RARE int instance_begin(struct zs_renderer *r, struct cursor *at)
         at->fate[k] = 0;
     r->vert_base = r->n_verts;
     r->direct = 0;
-    if (ZS_IF_FAST(r->batch))
+    if (ZS_IF_FAST(r->batch) && !r->xform.instance->material->primitive)
         r->batch->open(r);
     at->piece = 0;
     if (!next_run(r))
@@ -122,11 +123,13 @@ static ZS_RARE int instance_begin(struct zs_renderer *r, struct cursor *at)
 /* Bin the open instance's triangles from the cursor on. Return 0 if a pool is full. */
 static ZS_NOINLINE int instance_bin(struct zs_renderer *r, struct cursor *at)
 {
+    const struct zs_primitive *primitive = r->xform.instance->material->primitive;
+    zs_assemble_fn *const assemble = primitive ? primitive->ops->assemble : zs_assemble_tri;
     do {
         if (ZS_IF_FAST(r->batch) && r->direct)
             at->tri = r->batch->bin(r, at->tri, r->clusters.end, at->fate, &at->piece);
         for (; at->tri < r->clusters.end; at->tri++) {
-            const enum zs_fate fate = zs_assemble_tri(r, at->tri, &at->piece);
+            const enum zs_fate fate = assemble(r, at->tri, &at->piece);
             if (fate == ZS_FATE_FULL)
                 return 0;
             at->fate[fate]++;
@@ -139,12 +142,12 @@ static ZS_NOINLINE int instance_bin(struct zs_renderer *r, struct cursor *at)
     return 1;
 }
 
-ZS_RARE void zs_walk(struct zs_renderer *r)
+ZS_RARE void zs_walk(struct zs_renderer *r, uint16_t band_end)
 {
     struct cursor at;
     at.open = 0;
     zs_bin_empty(r);
-    r->band_end = r->draw_end;
+    r->band_end = band_end;
     r->stats.passes++;
     r->walk_most = 0;
     r->walk_least = r->config.width;
@@ -155,11 +158,8 @@ ZS_RARE void zs_walk(struct zs_renderer *r)
         if (!at.open)
             at.open = (uint8_t)instance_begin(r, &at);
         if (at.open && !instance_bin(r, &at)) {
-            if (!zs_bin_room(r)) {
-                zs_raster_strip(r);
-                zs_bin_empty(r);
-                r->stats.passes++;
-            }
+            if (!zs_bin_room(r))
+                r->config.method->full(r);
             continue;
         }
         at.open = 0;

@@ -12,6 +12,7 @@
 #include "core/depth.h"
 #include "core/frame.h"
 #include "core/fx.h"
+#include "core/method.h"
 #include "core/pass.h"
 #include "core/raster.h"
 #include "core/usual.h"
@@ -150,6 +151,8 @@ int zs_frame_begin_passes(struct zs_renderer *r, const struct zs_pass *pass,
         return ZS_ERR_NULL;
     if (r->ready != 1 || r->track)
         return ZS_ERR_SEQUENCE;
+    if (r->config.method != &zs_method_buffer)
+        return ZS_ERR_PASS;
     if (n < 1 || n > 65535u)
         return ZS_ERR_SIZE;
     for (uint32_t k = 0; k < n; k++) {

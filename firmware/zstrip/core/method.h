@@ -1,0 +1,30 @@
+/* The interface of a method of hidden-surface removal. Internal.
+ *
+ * SPDX-License-Identifier: MIT
+ */
+#ifndef ZS_CORE_METHOD_H
+#define ZS_CORE_METHOD_H
+
+#include "zstrip.h"
+
+struct zs_job;
+struct zs_row;
+
+struct zs_method {
+    /* Called by zs_init: return ZS_OK, or the error with which r->config is refused. A method that
+     * colours pixels in its own way sets r->span. */
+    int (*begin)(struct zs_renderer *r);
+    /* Bin if r->band_end says so (zs_walk), and draw strip r->strip. */
+    void (*strip)(struct zs_renderer *r);
+    /* Called in a walk when the band is one strip and a pool is full: make room for at least three
+     * vertices and one triangle. */
+    void (*full)(struct zs_renderer *r);
+    /* Take the strip's triangles, those in its bin and those in r->active, which continue from the
+     * strip above. Return them as a list in the order in which they are drawn. */
+    uint16_t (*list)(struct zs_renderer *r);
+};
+
+/* The depth buffer: the method of a configuration without one (core/buffer.c). */
+extern const struct zs_method zs_method_buffer;
+
+#endif

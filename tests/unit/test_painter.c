@@ -1,0 +1,183 @@
+/* The painter's algorithm: the picture of drawing single triangles from far to near, one after another; the same for
+ * any pools, strips and accelerators.
+ *
+ * SPDX-License-Identifier: MIT
+ */
+#include <stdlib.h>
+#include <string.h>
+
+#include "cases.h"
+#include "fast_lists.h"
+#include "../lab/fuzz/world.h"
+#include "own.h"
+#include "picture.h"
+#include "zs_method.h"
+
+/* Any way to draw the same frame by the painter's algorithm. */
+static void any_way(struct prng *p, struct zs_config *c)
+{
+    c->strip_h = (uint16_t)prng_range(p, 1, c->height);
+    if (prng_pick(p, 4)) {
+        c->max_tris = (uint16_t)prng_range(p, 2, prng_pick(p, 2) ? 6 : 60);
+        c->max_verts = (uint16_t)prng_range(p, 6, prng_pick(p, 2) ? 12 : 120);
+    }
+    c->buffers = (uint8_t)(1 + prng_pick(p, 2));
+    c->fast = fast_any(p);
+}
+
+/* ---- Against single triangles ----------------------------------------------------------------- */
+
+#define TRIS 60
+
+static int16_t pos[TRIS * 3][3];
+static uint16_t corners[TRIS][3], color[TRIS];
+static const uint16_t one[1][3] = { { 0, 1, 2 } };
+
+static int32_t distance(uint32_t t)
+{
+    int32_t z = 0;
+    for (int k = 0; k < 3; k++)
+        if (-pos[3 * t + (uint32_t)k][2] > z)
+            z = -pos[3 * t + (uint32_t)k][2];
+    return z;
+}
+
+static int far_first(const void *a, const void *b)
+{
+    const uint32_t ta = *(const uint32_t *)a, tb = *(const uint32_t *)b;
+    const int32_t da = distance(ta), db = distance(tb);
+    return da != db ? (da < db) - (da > db) : (ta > tb) - (ta < tb);
+}
+
+static unsigned walks, sets_drawn;
+
+/* Triangles between near and far and inside the guard band, many of them equally far: the frame is that of one instance
+ * for each triangle, without depth memory, in an order that qsort has made. */
+static int single_case(uint64_t seed)
+{
+    struct prng p = { seed };
+    const uint32_t n = (uint32_t)prng_range(&p, 1, TRIS);
+    const int32_t nearest = prng_range(&p, 101, 5000), depth = prng_range(&p, 0, prng_pick(&p, 2) ? 4 : 20000);
+    struct zs_mesh all = { .pos = pos, .tri = corners, .face_raw = color, .n_verts = 3 * n, .n_tris = n,
+                           .radius = 65535 };
+    const struct zs_material material = { .shader = &zs_shade_raw, .cull = ZS_CULL_NONE };
+    const struct zs_instance instance = { .mesh = &all, .material = &material };
+    const struct zs_scene scene = { .instance = &instance, .n_instances = 1, .background = 7 };
+    struct zs_camera camera;
+    uint32_t order[TRIS];
+    static struct zs_mesh mesh[TRIS];
+    static struct zs_instance instances[TRIS];
+
+    if (zs_camera_perspective(&camera, ZS_DEGREES(60), 48, 100, 40000))
+        return case_wrong("camera");
+    for (uint32_t t = 0; t < n; t++) {
+        order[t] = t;
+        color[t] = (uint16_t)(prng_next(&p) | 1u);
+        for (uint32_t v = 3 * t; v < 3 * t + 3; v++) {
+            pos[v][2] = (int16_t)-(nearest + prng_range(&p, 0, depth));
+            pos[v][0] = (int16_t)(prng_range(&p, -800, 800) * -pos[v][2] / 1000);
+            pos[v][1] = (int16_t)(prng_range(&p, -800, 800) * -pos[v][2] / 1000);
+            corners[t][v % 3] = (uint16_t)v;
+        }
+    }
+    qsort(order, n, sizeof order[0], far_first);
+    for (uint32_t k = 0; k < n; k++) {
+        const uint32_t t = order[k];
+        mesh[k] = (struct zs_mesh){ .pos = pos + 3 * t, .tri = one, .face_raw = color + t, .n_verts = 3, .n_tris = 1,
+                                    .radius = 65535 };
+        instances[k] = (struct zs_instance){ .mesh = &mesh[k], .material = &material };
+    }
+    const struct zs_scene sorted = { .instance = instances, .n_instances = n, .background = 7 };
+    struct zs_config c = picture_config(64, 48, &zs_depth_none);
+    c.fast = NULL;
+    struct picture want = picture_draw(&c, &sorted, &camera);
+    c.method = &zs_method_painter;
+    any_way(&p, &c);
+    struct picture is = picture_draw(&c, &scene, &camera);
+    const int right = !want.err && !is.err && picture_same(&want, &is, "single triangles");
+    walks += is.stats.passes;
+    sets_drawn += is.stats.tris_drawn;
+    picture_free(&want);
+    picture_free(&is);
+    return right || case_wrong("errors %d and %d", want.err, is.err);
+}
+
+static void is_that_of_single_triangles(void **state)
+{
+    (void)state;
+    walks = sets_drawn = 0;
+    CASES(single_case, 300);
+    if (!getenv("ZS_SEED"))
+        assert_true(walks > 10000 && sets_drawn > 5000);
+}
+
+/* ---- Any pools, any mapping ------------------------------------------------------------------- */
+
+static unsigned again;
+
+static int way_case(uint64_t seed)
+{
+    struct prng p = { seed };
+    static struct world w;
+    world_make(&w, &p, 0);
+    struct zs_config c = { .width = (uint16_t)prng_range(&p, 1, 90), .height = (uint16_t)prng_range(&p, 1, 70),
+                           .max_tris = 4000, .max_verts = 8000, .varyings = ZS_VARYINGS_MAX,
+                           .depth = &zs_depth_none, .method = &zs_method_painter };
+    c.strip_h = c.height;
+    struct picture ample = picture_draw(&c, &w.scene, &w.camera);
+    any_way(&p, &c);
+    struct picture is = picture_draw(&c, &w.scene, &w.camera);
+    const int right = ample.err == is.err && (ample.err || picture_same(&ample, &is, "another way"));
+    again += is.stats.passes > is.stats.strips;
+    picture_free(&ample);
+    picture_free(&is);
+    world_free(&w);
+    return right;
+}
+
+static void is_the_same_in_any_way(void **state)
+{
+    (void)state;
+    again = 0;
+    CASES(way_case, 200);
+    if (!getenv("ZS_SEED"))
+        assert_true(again > 50);
+}
+
+/* ---- What is refused ------------------------------------------------------------------------- */
+
+static void small_pools_and_depth_memory_are_refused(void **state)
+{
+    static const int16_t corner[3][3] = { { 0, 0, -2000 }, { 900, 0, -2000 }, { 0, 900, -2000 } };
+    struct lone l;
+    struct zs_camera camera;
+    (void)state;
+    assert_int_equal(zs_camera_perspective(&camera, ZS_DEGREES(60), 48, 100, 40000), ZS_OK);
+    struct zs_config with_memory = picture_config(64, 48, &zs_depth_float);
+    with_memory.method = &zs_method_painter;
+    struct picture none = picture_draw(&with_memory, &(struct zs_scene){ .n_instances = 0 }, &camera);
+    assert_int_equal(none.err, ZS_ERR_DEPTH);
+    picture_free(&none);
+    lone_set(&l, corner, 3, ZS_Q16_ONE);
+    for (uint16_t tris = 1; tris <= 2; tris++)
+        for (uint16_t verts = 5; verts <= 6; verts++) {
+            struct zs_config c = picture_config(64, 48, &zs_depth_none);
+            c.method = &zs_method_painter;
+            c.max_tris = tris;
+            c.max_verts = verts;
+            struct picture is = picture_draw(&c, &l.scene, &camera);
+            assert_int_equal(is.err, tris == 2 && verts == 6 ? ZS_OK : ZS_ERR_SIZE);
+            picture_free(&is);
+        }
+}
+
+int main(int argc, char **argv)
+{
+    const struct CMUnitTest tests[] = { cmocka_unit_test(is_that_of_single_triangles),
+                                        cmocka_unit_test(is_the_same_in_any_way),
+                                        cmocka_unit_test(small_pools_and_depth_memory_are_refused) };
+    cases_program = argv[0];
+    if (argc > 1)
+        cmocka_set_test_filter(argv[1]);
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
