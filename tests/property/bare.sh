@@ -87,7 +87,7 @@ done
 echo 'Instructions of one-pass frames, millions, and times those on record with accelerators (tests/records/bench.txt)'
 for name in m3 armv6m; do
     awk -v core="$([ $name = m3 ] && echo M3 || echo M0)" -F '[ ,]' '
-        FILENAME ~ /golden/ { if ($1 == core) full[$2] = $3; next }
+        FILENAME ~ /records/ { if ($1 == core) full[$2] = $3; next }
         $2 == "one-pass" && NF == 17 && $1 in full { printf "  %-4s %-16s %8.2f %6.2f\n", core, $1, $13 / 1e6, $13 / full[$1] }' \
         tests/records/bench.txt "$out/$name.csv" | tee "$out/$name.times"
     # each scene takes longer: accelerators do something, and these programs have none

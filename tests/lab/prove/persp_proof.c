@@ -74,9 +74,9 @@ static void a_run(struct zs_job *j, const struct zs_row *row, int32_t from, int3
 static void runs_of(int state)
 {
     static struct zs_depth_state any;
-    any.equal = (uint8_t)any_u32(0, 255);
+    any.func = (uint8_t)any_u32(0, ZS_DEPTH_ALWAYS);
     any.read_only = (uint8_t)any_u32(0, 255);
-    job.state = state > 0 ? &any : 0;
+    job.depth_state = state > 0 ? &any : 0;
     job.bias = any_i32(-BIAS_MAX, BIAS_MAX);
     struct zs_row row;
     shader.run = a_run;
@@ -142,9 +142,9 @@ void biases(void)
     const int32_t most = ((int32_t)1 << ZS_EXTENT_BITS) - 1;
     renderer.view.depth = &depth;
     job.r = &renderer;
-    job.state = &state;
-    state.offset = (int16_t)any_i32(-32768, 32767);
-    state.slope = (int16_t)any_i32(-32768, 32767);
+    job.depth_state = &state;
+    state.bias = (int16_t)any_i32(-32768, 32767);
+    state.slope_bias = (int16_t)any_i32(-32768, 32767);
     for (int k = 0; k < 3; k++) {
         v[k].d = any_u32(0, UINT32_MAX);
         job.v[k] = &v[k];
