@@ -61,6 +61,14 @@ static double psnr(void)
     return 10 * log10(255.0 * 255.0 * (double)tally.values / fmax(tally.squares, 1e-12));
 }
 
+/* Cases whose colours are those of doubles, as far as 50 dB tell. */
+static void colors_close(const char *test, case_fn *fn, uint64_t n, const char *name)
+{
+    cases_run(test, fn, n);
+    assert_true(psnr() >= 50);
+    tally_print(name);
+}
+
 /* ---- Smooth, on exactly known geometry ------------------------------------------------------- */
 
 static void smooth_corners(struct prng *p, const struct easel *s, int huge, struct easel_tri *t)
@@ -326,9 +334,7 @@ static int flat_case(uint64_t seed)
 
 static void flat_colours_against_doubles(void **state)
 {
-    CASES(flat_case, 150);
-    assert_true(psnr() >= 50);
-    tally_print("flat");
+    colors_close(__func__, flat_case, 150, "flat");
 }
 
 /* Perspective-correct colour of a triangle at a sample, codes; and its change a px. */
@@ -409,9 +415,7 @@ static int smooth_case(uint64_t seed)
 
 static void smooth_colours_against_doubles(void **state)
 {
-    CASES(smooth_case, 150);
-    assert_true(psnr() >= 50);
-    tally_print("smooth scenes");
+    colors_close(__func__, smooth_case, 150, "smooth scenes");
 }
 
 /* Raw colours leave as they are, most significant byte first; RGB565 is the nearest there is. */

@@ -56,19 +56,13 @@ static void rows_of(struct zs_job *j, const struct zs_texture *t, struct zs_texe
     //@ assert shifts: 22 <= w->column <= 31 && 22 <= w->row <= 31;
 }
 
+#include "any_tiny.h"
+
 static void any_textured(int32_t x, int32_t y, int32_t from, uint32_t uv_bits)
 {
     static const struct zs_texel format = { 0 };
     static const struct zs_fast_texel texel = { .small = rows_of, .small_lit = rows_of };
-    pool[0].x = x;
-    pool[0].y = y;
-    for (int k = 0; k < 3; k++)
-        pool[k].d = any_u32(0, UINT32_MAX);
-    for (int k = 1; k < 3; k++) {
-        pool[k].x = x + any_i32(-ZS_TINY, ZS_TINY - 1);
-        pool[k].y = y + any_i32(0, ZS_TINY - 1);
-        tri.v[k] = (uint16_t)k;
-    }
+    any_tiny(pool, &tri, x, y);
     for (int c = 0; c < 2; c++)
         for (int k = 0; k < 3; k++) /* differences below 2^14: others are turned away, a relation of three */
             attr[3 * k + c] = (uint16_t)any_u32(0, (1u << 14) - 1u);
