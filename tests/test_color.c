@@ -276,17 +276,22 @@ static void corner_at(const struct shape *s, uint32_t v, double out[3])
         out[k] = s->pos[v][k] + (s->mesh.pos_lo ? s->pos_lo[v][k] / 256.0 : 0);
 }
 
+static void a_ball_or_ring(struct shape *s, uint64_t seed)
+{
+    if (seed % 2)
+        shape_sphere(s, 8, 12, 3000);
+    else
+        shape_torus(s, 10, 8, 2500, 900);
+    if (seed / 2 % 2)
+        s->mesh.pos_lo = (const uint8_t (*)[3])s->pos_lo;
+}
+
 static int flat_case(uint64_t seed)
 {
     static struct shape s;
     struct world g;
     struct prng p = { seed };
-    if (seed % 2)
-        shape_sphere(&s, 8, 12, 3000);
-    else
-        shape_torus(&s, 10, 8, 2500, 900);
-    if (seed / 2 % 2)
-        s.mesh.pos_lo = (const uint8_t (*)[3])s.pos_lo;
+    a_ball_or_ring(&s, seed);
     static zs_q1_15 normals[SHAPE_TRIS][3];
     const int given = seed / 4 % 2;
     for (uint32_t t = 0; t < s.mesh.n_tris; t++) {
@@ -381,12 +386,7 @@ static int smooth_case(uint64_t seed)
 {
     static struct shape s;
     struct world g;
-    if (seed % 2)
-        shape_sphere(&s, 8, 12, 3000);
-    else
-        shape_torus(&s, 10, 8, 2500, 900);
-    if (seed / 2 % 2)
-        s.mesh.pos_lo = (const uint8_t (*)[3])s.pos_lo;
+    a_ball_or_ring(&s, seed);
     if (seed / 4 % 2)
         s.mesh.vertex_rgb = NULL;
     world_set(&g, &s, seed);

@@ -114,9 +114,7 @@ static const struct solomon_type type = { commands, sizeof commands / sizeof com
 static void reset(struct pm_model *m)
 {
     struct solomon *s = m->state;
-    s->x1 = COLUMNS - 1;
-    s->y1 = ROWS - 1;
-    s->rows = ROWS;
+    solomon_reset(m, COLUMNS, ROWS);
     s->light.level[0] = 0x40;
 }
 

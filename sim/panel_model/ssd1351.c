@@ -159,8 +159,7 @@ static const struct solomon_type type = { commands, sizeof commands / sizeof com
 static void reset(struct pm_model *m)
 {
     struct solomon *s = m->state;
-    s->x1 = s->y1 = 127;
-    s->rows = 128;
+    solomon_reset(m, 128, 128);
     s->remap = 0x40;
     s->offset = 0x60;
     s->locked = 1;
