@@ -1,4 +1,4 @@
-/* What small triangles are drawn from: the corner of one at (x, y), the others up to ZS_TINY away, any keys.
+/* The state of the small proofs, and any small triangle: a corner at (x, y), the others up to ZS_TINY away, any keys.
  *
  * SPDX-License-Identifier: MIT
  */
