@@ -135,7 +135,7 @@ static int wait(struct hal_bus *bus)
 static int reset(struct hal_bus *bus)
 {
     (void)bus;
-    if (!ready || begun)
+    if (refusal(0))
         return HAL_ERR_STATE;
     if (!reset_line->held)
         return HAL_OK;

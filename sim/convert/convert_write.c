@@ -120,21 +120,16 @@ static void colors(FILE *f, const char *name, uint32_t part, const char *what,
     end(f);
 }
 
-static void values16(FILE *f, const char *name, uint32_t part, const char *what, const uint16_t *v,
-                     size_t n)
+/* Numbers of 16 bits, or (v8) of 8. */
+static void values(FILE *f, const char *name, uint32_t part, const char *what, const uint16_t *v16,
+                   const uint8_t *v8, size_t n)
 {
-    struct row row = begin(f, "uint16_t", name, part, what, n, "");
+    struct row row = begin(f, v16 != NULL ? "uint16_t" : "uint8_t", name, part, what, n, "");
     for (size_t i = 0; i < n; i++)
-        put(&row, "0x%04x,", v[i]);
-    end(f);
-}
-
-static void values8(FILE *f, const char *name, uint32_t part, const char *what, const uint8_t *v,
-                    size_t n)
-{
-    struct row row = begin(f, "uint8_t", name, part, what, n, "");
-    for (size_t i = 0; i < n; i++)
-        put(&row, "%d,", v[i]);
+        if (v16 != NULL)
+            put(&row, "0x%04x,", v16[i]);
+        else
+            put(&row, "%d,", v8[i]);
     end(f);
 }
 
@@ -200,7 +195,7 @@ static void piece_arrays(FILE *f, const char *name, uint32_t part, const struct 
     if (p->face_rgb != NULL)
         colors(f, name, part, "face_rgb", p->face_rgb, p->n_tris);
     if (p->face_raw != NULL)
-        values16(f, name, part, "face_raw", p->face_raw, p->n_tris);
+        values(f, name, part, "face_raw", p->face_raw, NULL, p->n_tris);
     if (p->uv != NULL)
         coordinates(f, name, part, p);
     if (p->cluster != NULL)
@@ -305,11 +300,11 @@ static void textures(FILE *f, const struct sim_conversion *c)
         quote(f, last_name(c->skin_name[i]));
         (void)fprintf(f, ", %" PRIu32 " x %" PRIu32 " texels, rows from the top */\n", s->w, s->h);
         if (s->texel != NULL)
-            values16(f, name, i, "texel", s->texel, s->texel_bytes / 2);
+            values(f, name, i, "texel", s->texel, NULL, s->texel_bytes / 2);
         else
-            values8(f, name, i, "texel", s->index, s->texel_bytes);
+            values(f, name, i, "texel", NULL, s->index, s->texel_bytes);
         if (s->n_colors > 0)
-            values16(f, name, i, "palette", s->palette, s->n_colors);
+            values(f, name, i, "palette", s->palette, NULL, s->n_colors);
     }
     if (c->n_skins == 0)
         return;

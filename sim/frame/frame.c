@@ -11,6 +11,7 @@
 
 #include "scene_share.h"
 #include "sim.h"
+#include "strip_sum.h"
 #include "zs_fast.h"
 
 #define ARENA_ALIGN 32u
@@ -27,14 +28,6 @@ struct receiver {
     uint16_t next_y;       /* first row that has not come yet */
 };
 
-static uint32_t checksum(const struct zs_strip *strip)
-{
-    uint32_t h = 2166136261u; /* FNV-1a */
-    for (uint32_t i = 0; i < strip->n_bytes; i++)
-        h = (h ^ strip->px[i]) * 16777619u;
-    return h;
-}
-
 static int submit(void *ctx, const struct zs_strip *strip)
 {
     struct receiver *to = ctx;
@@ -46,7 +39,7 @@ static int submit(void *ctx, const struct zs_strip *strip)
     const size_t n = (size_t)strip->w * strip->h;
     memcpy(f->key + (size_t)strip->y * f->width, strip->depth, n * sizeof *f->key);
     to->strip = *strip;
-    to->sum = checksum(strip);
+    to->sum = sim_strip_sum(strip);
     to->pending = 1;
     to->next_y = (uint16_t)(strip->y + strip->h);
     if (to->what != NULL)
@@ -63,7 +56,7 @@ static int wait(void *ctx)
     const int err = to->to != NULL ? to->to->wait(to->to->ctx) : 0;
     if (err < 0)
         return err;
-    if (checksum(s) != to->sum)
+    if (sim_strip_sum(s) != to->sum)
         return SIM_FRAME_BROKEN; /* it was on the wire */
     uint16_t *out = to->frame->rgb565 + (size_t)s->y * to->frame->width;
     for (size_t i = 0; i < (size_t)s->w * s->h; i++)

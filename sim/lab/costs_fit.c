@@ -277,27 +277,6 @@ static void print_header(double cost[SIM_CORES][N], const double error[SIM_CORES
 /* ---- Command line
  * ----------------------------------------------------------------------------------------------------------- */
 
-struct request {
-    const char *files[SIM_CORES];
-    const char *error, *scene;
-    double bar, drift;
-    int has_drift, header, probes, help; /* flags */
-};
-
-#define AT(field) offsetof(struct request, field)
-static const struct sim_option table[] = {
-    { "--m0", SIM_OPTION_FILE, AT(files[SIM_CORE_M0]) }, { "--m3", SIM_OPTION_FILE, AT(files[SIM_CORE_M3]) },
-    { "--m4", SIM_OPTION_FILE, AT(files[SIM_CORE_M4]) }, { "--m7", SIM_OPTION_FILE, AT(files[SIM_CORE_M7]) },
-    { "--rv32", SIM_OPTION_FILE, AT(files[SIM_CORE_RV32]) },
-    { "--rp2040", SIM_OPTION_FILE, AT(files[SIM_CORE_RP2040]) }, { "--error", SIM_OPTION_FILE, AT(error) },
-    { "--scene", SIM_OPTION_TEXT, AT(scene) },
-    { "--bar", SIM_OPTION_NUMBER, AT(bar), 0, 0, 1000 },
-    { "--drift", SIM_OPTION_NUMBER, AT(drift), AT(has_drift), 0, 1000 },
-    { "--header", SIM_OPTION_FLAG, AT(header) }, { "--probes", SIM_OPTION_FLAG, AT(probes) },
-    SIM_HELP_OPTIONS(AT(help)),
-};
-#define N_TABLE (sizeof table / sizeof table[0])
-
 static const char usage[] =
     "usage: zlab costs [options]\n"
     "What each stage of the renderer costs, instructions on a core (cycles on the RP2040): as on record, or fitted\n"
@@ -318,6 +297,27 @@ static const char usage[] =
     "              what is counted in frame 0 of a demo or bench scene as make bench draws it, and what that costs\n"
     "\n"
     "Exit status: 0 done; 1 refused; 2 the command line makes no sense.\n";
+
+struct request {
+    const char *files[SIM_CORES];
+    const char *error, *scene;
+    double bar, drift;
+    int has_drift, header, probes, help; /* flags */
+};
+
+#define AT(field) offsetof(struct request, field)
+static const struct sim_option table[] = {
+    { "--m0", SIM_OPTION_FILE, AT(files[SIM_CORE_M0]) }, { "--m3", SIM_OPTION_FILE, AT(files[SIM_CORE_M3]) },
+    { "--m4", SIM_OPTION_FILE, AT(files[SIM_CORE_M4]) }, { "--m7", SIM_OPTION_FILE, AT(files[SIM_CORE_M7]) },
+    { "--rv32", SIM_OPTION_FILE, AT(files[SIM_CORE_RV32]) },
+    { "--rp2040", SIM_OPTION_FILE, AT(files[SIM_CORE_RP2040]) }, { "--error", SIM_OPTION_FILE, AT(error) },
+    { "--scene", SIM_OPTION_TEXT, AT(scene) },
+    { "--bar", SIM_OPTION_NUMBER, AT(bar), 0, 0, 1000 },
+    { "--drift", SIM_OPTION_NUMBER, AT(drift), AT(has_drift), 0, 1000 },
+    { "--header", SIM_OPTION_FLAG, AT(header) }, { "--probes", SIM_OPTION_FLAG, AT(probes) },
+    SIM_HELP_OPTIONS(AT(help)),
+};
+#define N_TABLE (sizeof table / sizeof table[0])
 
 static int parse(struct request *rq, int argc, char **argv)
 {

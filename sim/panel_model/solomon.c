@@ -225,3 +225,11 @@ int solomon_ram_row(const struct pm_model *m, int glass_row, int split_as_wired)
     const int row = ((s->reversed ? last - com : com) + s->offset + 2 * n) % n;
     return row < s->rows ? (row + s->start) % n : -1;
 }
+
+void solomon_reset(struct pm_model *m, int columns, int rows)
+{
+    struct solomon *s = m->state;
+    s->x1 = (uint8_t)(columns - 1);
+    s->y1 = (uint8_t)(rows - 1);
+    s->rows = type_of(m)->coms;
+}

@@ -51,6 +51,8 @@ struct solomon {
     uint8_t fill;           /* SSD0323: rectangles are filled */
 };
 
+/* After RESET the window is all of so many columns and rows (or pages), and all COMs are driven. */
+void solomon_reset(struct pm_model *m, int columns, int rows);
 void solomon_byte(struct pm_model *m, uint8_t byte, int data);
 void solomon_end(struct pm_model *m, const char *how);
 int solomon_lit(const struct pm_model *m);

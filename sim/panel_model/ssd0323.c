@@ -76,12 +76,8 @@ static void rectangle(struct pm_model *m, const uint8_t *a)
                 put(m, x, y, a[4]);
 }
 
-static void show(struct pm_model *m, uint8_t code)
-{
-    static const enum solomon_show of[4] = { SHOW_RAM, SHOW_ALL, SHOW_NONE, SHOW_NEGATIVE };
-    struct solomon *s = m->state;
-    s->show = of[code & 3];
-}
+/* By the lowest two bits of the command. */
+static const enum solomon_show shows[4] = { SHOW_RAM, SHOW_ALL, SHOW_NONE, SHOW_NEGATIVE };
 
 static void run(struct pm_model *m, uint8_t code, const uint8_t *args)
 {
@@ -99,7 +95,7 @@ static void run(struct pm_model *m, uint8_t code, const uint8_t *args)
     else if (code == 0xa1 || code == 0xa2 || code == 0xa8)
         set_rows(m, code, args[0]);
     else if (code >= 0xa4 && code <= 0xa7)
-        show(m, code);
+        s->show = shows[code & 3];
     else if (code == 0xae || code == 0xaf)
         s->on = code & 1;
     else if (code == 0x25 || code == 0x2f)
@@ -118,9 +114,7 @@ static const struct solomon_type type = { commands, sizeof commands / sizeof com
 static void reset(struct pm_model *m)
 {
     struct solomon *s = m->state;
-    s->x1 = COLUMNS - 1;
-    s->y1 = ROWS - 1;
-    s->rows = ROWS;
+    solomon_reset(m, COLUMNS, ROWS);
     s->light.level[0] = 0x40;
 }
 

@@ -190,9 +190,7 @@ static const struct solomon_type type = { commands, sizeof commands / sizeof com
 static void reset(struct pm_model *m)
 {
     struct solomon *s = m->state;
-    s->x1 = COLUMNS - 1;
-    s->y1 = PAGES - 1;
-    s->rows = ROWS;
+    solomon_reset(m, COLUMNS, PAGES);
     s->paged = 1;
     s->split = 1;
     s->light.level[0] = 0x7f;

@@ -81,12 +81,8 @@ static void set_contrast(struct pm_model *m, uint8_t code, const uint8_t *args)
         s->light.level[code == 0xc1 ? i : 3] = code == 0xc1 ? args[i] : args[0] & 15;
 }
 
-static void show(struct pm_model *m, uint8_t code)
-{
-    static const enum solomon_show of[4] = { SHOW_NONE, SHOW_ALL, SHOW_RAM, SHOW_NEGATIVE };
-    struct solomon *s = m->state;
-    s->show = of[code & 3];
-}
+/* By the lowest two bits of the command. */
+static const enum solomon_show shows[4] = { SHOW_NONE, SHOW_ALL, SHOW_RAM, SHOW_NEGATIVE };
 
 static void run(struct pm_model *m, uint8_t code, const uint8_t *args)
 {
@@ -105,7 +101,7 @@ static void run(struct pm_model *m, uint8_t code, const uint8_t *args)
     else if (code == 0xa1 || code == 0xa2 || code == 0xca)
         set_rows(m, code, args[0]);
     else if (code >= 0xa4 && code <= 0xa7)
-        show(m, code);
+        s->show = shows[code & 3];
     else if (code == 0xae || code == 0xaf)
         s->on = code & 1;
     else if (code == 0xc1 || code == 0xc7)
@@ -163,8 +159,7 @@ static const struct solomon_type type = { commands, sizeof commands / sizeof com
 static void reset(struct pm_model *m)
 {
     struct solomon *s = m->state;
-    s->x1 = s->y1 = 127;
-    s->rows = 128;
+    solomon_reset(m, 128, 128);
     s->remap = 0x40;
     s->offset = 0x60;
     s->locked = 1;

@@ -151,6 +151,15 @@ double study_number(const struct study_table *t, size_t row, const char *column)
     return end == text || *end ? (double)NAN : v;
 }
 
+size_t study_most(const struct study_table *t, const char *column)
+{
+    size_t most = 0;
+    for (size_t r = 1; r < t->n_rows; r++)
+        if (study_number(t, r, column) > study_number(t, most, column))
+            most = r;
+    return most;
+}
+
 int study_is(const struct study_table *t, size_t row, const char *column, const char *text)
 {
     return !strcmp(study_cell(t, row, column), text);

@@ -36,6 +36,8 @@ struct study_table {
 
 const char *study_cell(const struct study_table *t, size_t row, const char *column); /* there must be such a column */
 double study_number(const struct study_table *t, size_t row, const char *column);    /* NAN where it is empty */
+/* The first row that has the most of a column; NAN is never it. */
+size_t study_most(const struct study_table *t, const char *column);
 int study_is(const struct study_table *t, size_t row, const char *column, const char *text);
 
 struct study_page;

@@ -565,7 +565,6 @@ static int report(struct study_page *page, const struct study_table *t)
 
 const struct study study_depth = {
     .name = "depth", .what = "what depth mappings keep apart",
-    .params = "part,mapping,bits,near,far,z,cure",
-    .results = "separation,bucket,buckets,wrong,pixels,key",
+    .params = "part,mapping,bits,near,far,z,cure", .results = "separation,bucket,buckets,wrong,pixels,key",
     .runs = plan, .describe = describe, .measure = measure, .report = report,
 };

@@ -243,11 +243,8 @@ static void table_pools(struct study_page *page, const struct study_table *t)
 
 static int picture(struct study_page *page, const struct study_table *t)
 {
-    size_t worst = 0;
+    const size_t worst = study_most(t, "passes");
     char caption[256];
-    for (size_t r = 1; r < t->n_rows; r++)
-        if (study_number(t, r, "passes") > study_number(t, worst, "passes"))
-            worst = r;
     const struct demo *d = scenes[runs[worst].scene].demo;
     struct demo_frame scene;
     struct zs_config config;

@@ -509,7 +509,6 @@ static int report(struct study_page *page, const struct study_table *t)
 
 const struct study study_stability = {
     .name = "stability", .what = "the worst error where ranges end",
-    .params = "part,value",
-    .results = "status,pixels,wrong,cover,unexplained,key_beyond,texels_off,texel_worst,drift",
+    .params = "part,value", .results = "status,pixels,wrong,cover,unexplained,key_beyond,texels_off,texel_worst,drift",
     .runs = plan, .describe = describe, .measure = measure, .report = report,
 };

@@ -513,11 +513,8 @@ static void table_front(struct study_page *page, const struct study_table *t, co
 /* The frame with the most wrong surfaces and pixels, its wrong surfaces in magenta. */
 static int picture(struct study_page *page, const struct study_table *t)
 {
-    size_t worst = 0;
+    const size_t worst = study_most(t, "surface");
     char caption[512];
-    for (size_t r = 1; r < t->n_rows; r++)
-        if (study_number(t, r, "surface") > study_number(t, worst, "surface"))
-            worst = r;
     const struct demo *d = scenes[runs[worst].scene].demo;
     struct study_frame f;
     if (draw(&f, &runs[worst]) != ZS_OK)

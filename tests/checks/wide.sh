@@ -11,7 +11,8 @@ mkdir -p "$dir"
 wide() { # BOARD TARGETS
     board=$1
     shift
-    make -s -f firmware/boards/firmware.mk BOARD="$board" NAME=wide APP_SRC=tests/checks/wide.c B="$top" "$@"
+    make -s -f firmware/boards/firmware.mk BOARD="$board" NAME=wide APP_SRC=tests/checks/wide.c \
+        APP_FLAGS=-Isim/reference B="$top" "$@"
 }
 for board in m0 mps2 mps2-m4; do
     if ! wide "$board" >"$dir/make.log" 2>&1; then

@@ -9,6 +9,7 @@
 #include <string.h>
 
 #include "fast_lists.h"
+#include "strip_sum.h"
 
 #if defined __has_feature /* clang's */
 #if __has_feature(address_sanitizer)
@@ -47,14 +48,6 @@ struct copy {
     struct zs_strip lent;
 };
 
-static uint32_t sum(const struct zs_strip *s)
-{
-    uint32_t h = 2166136261u;
-    for (uint32_t i = 0; i < s->n_bytes; i++)
-        h = (h ^ s->px[i]) * 16777619u;
-    return h;
-}
-
 static int copy_submit(void *ctx, const struct zs_strip *s)
 {
     struct copy *c = ctx;
@@ -71,7 +64,7 @@ static int copy_submit(void *ctx, const struct zs_strip *s)
     }
     c->rows += s->h;
     c->busy = 1;
-    c->before = sum(s);
+    c->before = sim_strip_sum(s);
     c->lent = *s;
     return 0;
 }
@@ -79,7 +72,7 @@ static int copy_submit(void *ctx, const struct zs_strip *s)
 static int copy_wait(void *ctx)
 {
     struct copy *c = ctx;
-    if (!c->busy || sum(&c->lent) != c->before)
+    if (!c->busy || sim_strip_sum(&c->lent) != c->before)
         return -1001; /* somebody drew into a strip that was lent */
     c->busy = 0;
     return 0;

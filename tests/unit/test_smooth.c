@@ -61,6 +61,14 @@ static double psnr(void)
     return 10 * log10(255.0 * 255.0 * (double)tally.values / fmax(tally.squares, 1e-12));
 }
 
+/* Cases whose colours are those of doubles, as far as 50 dB tell. */
+static void colors_close(const char *test, case_fn *fn, uint64_t n, const char *name)
+{
+    cases_run(test, fn, n);
+    assert_true(psnr() >= 50);
+    tally_print(name);
+}
+
 /* ---- Smooth, on exactly known geometry ------------------------------------------------------- */
 
 static void smooth_corners(struct prng *p, const struct easel *s, int huge, struct easel_tri *t)
@@ -268,17 +276,22 @@ static void corner_at(const struct shape *s, uint32_t v, double out[3])
         out[k] = s->pos[v][k] + (s->mesh.pos_lo ? s->pos_lo[v][k] / 256.0 : 0);
 }
 
+static void a_ball_or_ring(struct shape *s, uint64_t seed)
+{
+    if (seed % 2)
+        shape_sphere(s, 8, 12, 3000);
+    else
+        shape_torus(s, 10, 8, 2500, 900);
+    if (seed / 2 % 2)
+        s->mesh.pos_lo = (const uint8_t (*)[3])s->pos_lo;
+}
+
 static int flat_case(uint64_t seed)
 {
     static struct shape s;
     struct world g;
     struct prng p = { seed };
-    if (seed % 2)
-        shape_sphere(&s, 8, 12, 3000);
-    else
-        shape_torus(&s, 10, 8, 2500, 900);
-    if (seed / 2 % 2)
-        s.mesh.pos_lo = (const uint8_t (*)[3])s.pos_lo;
+    a_ball_or_ring(&s, seed);
     static zs_q1_15 normals[SHAPE_TRIS][3];
     const int given = seed / 4 % 2;
     for (uint32_t t = 0; t < s.mesh.n_tris; t++) {
@@ -326,9 +339,7 @@ static int flat_case(uint64_t seed)
 
 static void flat_colours_against_doubles(void **state)
 {
-    CASES(flat_case, 150);
-    assert_true(psnr() >= 50);
-    tally_print("flat");
+    colors_close(__func__, flat_case, 150, "flat");
 }
 
 /* Perspective-correct colour of a triangle at a sample, codes; and its change a px. */
@@ -375,12 +386,7 @@ static int smooth_case(uint64_t seed)
 {
     static struct shape s;
     struct world g;
-    if (seed % 2)
-        shape_sphere(&s, 8, 12, 3000);
-    else
-        shape_torus(&s, 10, 8, 2500, 900);
-    if (seed / 2 % 2)
-        s.mesh.pos_lo = (const uint8_t (*)[3])s.pos_lo;
+    a_ball_or_ring(&s, seed);
     if (seed / 4 % 2)
         s.mesh.vertex_rgb = NULL;
     world_set(&g, &s, seed);
@@ -409,9 +415,7 @@ static int smooth_case(uint64_t seed)
 
 static void smooth_colours_against_doubles(void **state)
 {
-    CASES(smooth_case, 150);
-    assert_true(psnr() >= 50);
-    tally_print("smooth scenes");
+    colors_close(__func__, smooth_case, 150, "smooth scenes");
 }
 
 /* Raw colours leave as they are, most significant byte first; RGB565 is the nearest there is. */

@@ -529,6 +529,15 @@ static void colors_print(const char *what)
         100.0 * (double)colors.one_off / fmax((double)colors.values, 1), colors.worst, psnr());
 }
 
+/* Cases whose colours are those of doubles, as far as 50 dB tell. */
+static void colors_close(const char *test, case_fn *fn, uint64_t n, const char *name)
+{
+    memset(&colors, 0, sizeof colors);
+    cases_run(test, fn, n);
+    colors_print(name);
+    assert_true(psnr() >= 50);
+}
+
 /* Smooth light over a texture: texel times light, of exactly known geometry. Constant texels, so
  * that light alone counts; then the texel that unlit shading takes. */
 static int smooth_light_case(uint64_t seed)
@@ -590,10 +599,7 @@ static int smooth_light_case(uint64_t seed)
 
 static void light_over_a_texture_against_doubles(void **state)
 {
-    memset(&colors, 0, sizeof colors);
-    CASES(smooth_light_case, 900);
-    colors_print("smooth light over texels");
-    assert_true(psnr() >= 50);
+    colors_close(__func__, smooth_light_case, 900, "smooth light over texels");
 }
 
 /* Lit by exactly 1 it is the texel, exactly. */
@@ -1092,10 +1098,7 @@ static int flat_light_case(uint64_t seed)
 
 static void flat_light_over_a_texture_against_doubles(void **state)
 {
-    memset(&colors, 0, sizeof colors);
-    CASES(flat_light_case, 500);
-    colors_print("flat light over texels");
-    assert_true(psnr() >= 50);
+    colors_close(__func__, flat_light_case, 500, "flat light over texels");
 }
 
 /* One picture whatever strips, buffers, pools and skips. */

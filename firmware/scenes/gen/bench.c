@@ -21,6 +21,17 @@ static struct gen_rgb random_rgb(uint32_t a, uint32_t b, uint32_t seed)
     return c;
 }
 
+/* Two triangles to each cell of a grid of vertices, row by row; their colours by seeds `seed` and the next. */
+static void two_to_a_cell(struct gen_mesh *m, uint32_t columns, uint32_t rows, uint32_t seed)
+{
+    for (uint32_t j = 0; j < rows; j++)
+        for (uint32_t i = 0; i < columns; i++) {
+            const uint32_t a = j * (columns + 1) + i, c = a + columns + 1;
+            gen_tri(m, a, c, c + 1, random_rgb(i, j, seed));
+            gen_tri(m, a, c + 1, a + 1, random_rgb(i, j, seed + 1));
+        }
+}
+
 #define BALL 36 /* cells each way */
 #define BALL_UV_BITS 14
 
@@ -181,13 +192,7 @@ static void sheet(void)
                      gen_div(y * (BENCH_SHEET_Z + dz), BENCH_SHEET_Z), -dz);
         }
     }
-    for (uint32_t j = 0; j < n; j++) {
-        for (uint32_t i = 0; i < n; i++) {
-            const uint32_t a = j * (n + 1) + i, c = a + n + 1;
-            gen_tri(m, a, c, c + 1, random_rgb(i, j, 4));
-            gen_tri(m, a, c + 1, a + 1, random_rgb(i, j, 5));
-        }
-    }
+    two_to_a_cell(m, n, n, 4);
     gen_write(m, GEN_FACE_RAW, BENCH_SHEET_SCALE);
 }
 
@@ -225,13 +230,7 @@ static void slivers(void)
     for (uint32_t j = 0; j <= ROWS; j++)
         for (uint32_t i = 0; i <= COLUMNS; i++)
             gen_vert(m, x[i] - x[COLUMNS] / 2, y[ROWS] / 2 - y[j], 0);
-    for (uint32_t j = 0; j < ROWS; j++) {
-        for (uint32_t i = 0; i < COLUMNS; i++) {
-            const uint32_t a = j * (COLUMNS + 1) + i, c = a + COLUMNS + 1;
-            gen_tri(m, a, c, c + 1, random_rgb(i, j, 6));
-            gen_tri(m, a, c + 1, a + 1, random_rgb(i, j, 7));
-        }
-    }
+    two_to_a_cell(m, COLUMNS, ROWS, 6);
     gen_write(m, GEN_FACE_RAW, BENCH_SLIVER_SCALE);
 }
 

@@ -28,25 +28,11 @@ struct zs_sides;
 static ZS_NOINLINE void small_rows(struct zs_job *job, struct zs_sides *w);
 #include "fast/fast_solid.c"
 
-#define COORD_LO (-ZS_GUARD_SUBPX - 1)
-#define COORD_HI (ZS_GUARD_SUBPX + 1 + ZS_SIZE_MAX * ZS_SUBPX_HALF)
-
-static struct zs_renderer renderer;
-static struct zs_job job;
-static struct zs_vertex pool[3];
-static struct zs_tri tri;
+#include "any_tiny.h"
 
 static void any_small(int32_t x, int32_t y, int32_t from)
 {
-    pool[0].x = x;
-    pool[0].y = y;
-    for (int k = 0; k < 3; k++)
-        pool[k].d = any_u32(0, UINT32_MAX);
-    for (int k = 1; k < 3; k++) {
-        pool[k].x = x + any_i32(-ZS_TINY, ZS_TINY - 1);
-        pool[k].y = y + any_i32(0, ZS_TINY - 1);
-        tri.v[k] = (uint16_t)k;
-    }
+    any_tiny(x, y);
     renderer.vert = pool;
     renderer.view.piece_base = any_u32(0x00ffffffu, UINT32_MAX);
     renderer.view.piece_shift = (uint8_t)any_u32(19, 31);

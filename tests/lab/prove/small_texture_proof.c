@@ -30,13 +30,7 @@ int32_t zs_plane_quotient(int64_t n, uint32_t rcp, int32_t lz, int32_t least_shi
 static ZS_NOINLINE const struct zs_texture *palette_lit(struct zs_job *job, const struct zs_texture *t);
 #include "fast/fast_texture.c"
 
-#define COORD_LO (-ZS_GUARD_SUBPX - 1)
-#define COORD_HI (ZS_GUARD_SUBPX + 1 + ZS_SIZE_MAX * ZS_SUBPX_HALF)
-
-static struct zs_renderer renderer;
-static struct zs_job job;
-static struct zs_vertex pool[3];
-static struct zs_tri tri;
+#include "any_tiny.h"
 static uint16_t attr[3 * 3];
 static struct zs_texture texture;
 static struct zs_mesh mesh;
@@ -60,15 +54,7 @@ static void any_textured(int32_t x, int32_t y, int32_t from, uint32_t uv_bits)
 {
     static const struct zs_texel format = { 0 };
     static const struct zs_fast_texel texel = { .small = rows_of, .small_lit = rows_of };
-    pool[0].x = x;
-    pool[0].y = y;
-    for (int k = 0; k < 3; k++)
-        pool[k].d = any_u32(0, UINT32_MAX);
-    for (int k = 1; k < 3; k++) {
-        pool[k].x = x + any_i32(-ZS_TINY, ZS_TINY - 1);
-        pool[k].y = y + any_i32(0, ZS_TINY - 1);
-        tri.v[k] = (uint16_t)k;
-    }
+    any_tiny(x, y);
     for (int c = 0; c < 2; c++)
         for (int k = 0; k < 3; k++) /* differences below 2^14: others are turned away, a relation of three */
             attr[3 * k + c] = (uint16_t)any_u32(0, (1u << 14) - 1u);
