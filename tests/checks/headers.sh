@@ -133,7 +133,7 @@ int main()
     mesh.n_verts = 4;
     mesh.n_tris = 2;
     mesh.radius = 13;
-    const zs_material material{ &zs_shade_raw, white, ZS_CULL_BACK, nullptr };
+    const zs_material material{ &zs_shade_raw, white, ZS_CULL_BACK, nullptr, nullptr };
     const zs_instance instance{ &mesh, &material, {}, &state };
     zs_scene scene{};
     scene.instance = &instance;
