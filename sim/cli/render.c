@@ -11,6 +11,7 @@
 
 #include "frame.h"
 #include "image.h"
+#include "method_names.h"
 #include "model.h"
 #include "render_options.h"
 #include "model_reference.h"
@@ -94,6 +95,7 @@ static void set_config(struct job *job)
     c->depth_bits = (uint8_t)o->depth_bits;
     c->fast = o->fast.list;
     c->depth = of.depth[sim_depth_of(o, &job->view)];
+    sim_method_apply(c, &sim_methods[o->method]);
 }
 
 static int refuse_frame(const struct job *job, int err)
@@ -138,9 +140,11 @@ static int draw_frame(struct job *job)
     if (status != SIM_OK)
         return status;
     int err = ZS_OK;
-    if (o->id_out != NULL || o->compare) {
+    if (o->id_out != NULL || o->compare || job->frame.no_depth) {
         job->id = sim_alloc(pixels, sizeof *job->id);
         err = sim_frame_ids(job->id, &job->scene.scene, &job->scene.camera, &job->config);
+        if (err == ZS_OK && job->frame.no_depth)
+            sim_frame_cover(&job->frame, job->id);
     }
     if (err == ZS_OK && o->compare && sim_options_textured(o)) {
         job->texel = sim_alloc(pixels, sizeof *job->texel);
@@ -186,7 +190,8 @@ static int draw(struct job *job)
     if (status == SIM_OK && (o->reference || o->compare))
         status = sim_original_render(&job->original, &job->model, &job->view, o);
     if (status == SIM_OK && o->compare) {
-        const struct ref_image ours = { .rgb565 = job->frame.rgb565, .key = job->frame.key,
+        const struct ref_image ours = { .rgb565 = job->frame.rgb565,
+                                        .key = job->frame.no_depth ? NULL : job->frame.key,
                                         .id = job->id, .texel = job->texel };
         if (ref_compare(&ours, &job->original.image, &job->original.depth, &job->original.camera,
                         job->view.width, job->view.height, &job->diff) != REF_OK)

@@ -8,6 +8,7 @@
 #include <string.h>
 
 #include "frame.h"
+#include "method_names.h"
 #include "option_table.h"
 #include "sim.h"
 
@@ -34,6 +35,9 @@ const char sim_options_help[] =
     "                       far <= 32768 near, else e5m11; orthographic views: linear)\n"
     "  --depth-bits N       8 to 16 (16)\n"
     "  --subpixel 4|8       sub-pixel bits (8)\n"
+    "  --method zbuffer|painter\n"
+    "                       how hidden surfaces are removed (zbuffer); zsim gallery shows what each gets right and\n"
+    "                       takes. All but zbuffer have no depth memory\n"
     "  --tris N, --verts N  pool sizes, up to 65534 (ample); small ones take more passes\n"
     "  --buffers 1|2        strip buffers (2)\n"
     "  --fast LIST          accelerators to draw with, the same frame: all, none, names with commas between,\n"
@@ -102,6 +106,7 @@ static const struct sim_option table[] = {
     { "--texture-format", SIM_OPTION_CHOICE, AT(texel), .words = "565|pal8|pal4" },
     { "--wrap", SIM_OPTION_CHOICE, AT(clamp), AT(has_wrap), .words = "repeat|clamp" },
     { "--show", SIM_OPTION_CHOICE, AT(show), .words = SIM_SHOW_WORDS },
+    { "--method", SIM_OPTION_CHOICE, AT(method), .words = SIM_METHOD_WORDS },
     { "--cull", SIM_OPTION_CHOICE, AT(cull), .words = "back|front|none" },
     SIM_PANEL_OPTIONS(struct sim_options, panel),
     { "--spi", SIM_OPTION_COUNT, AT(spi_hz), AT(has_spi), 1000, 1e9 },
@@ -199,6 +204,22 @@ static int take_arguments(struct sim_options *o, char seen[N_TABLE], int argc, c
     return status;
 }
 
+static int check_method(const struct sim_options *o)
+{
+    const struct sim_method *method = &sim_methods[o->method];
+    if (!method->method)
+        return SIM_OK;
+    if (o->reference)
+        return sim_usage("--method is about the renderer: leave --reference out");
+    if (method->depth && o->depth_out)
+        return sim_usage("--method %s has no depth memory: leave --depth-out out", method->name);
+    if (o->show != SIM_SHOW_FRAME && o->show != SIM_SHOW_OVERDRAW)
+        return sim_usage("--method %s: of --show there is overdraw", method->name);
+    if (method->depth && o->depth != SIM_DEPTH_DEFAULT)
+        return sim_usage("--method %s brings its depth mapping: leave --depth out", method->name);
+    return SIM_OK;
+}
+
 int sim_options_parse(struct sim_options *o, int argc, char **argv)
 {
     char seen[N_TABLE] = { 0 };
@@ -220,7 +241,9 @@ int sim_options_parse(struct sim_options *o, int argc, char **argv)
         return sim_usage("--show is about what the renderer does: leave --reference out");
     if (o->show != SIM_SHOW_FRAME && o->panel.name != NULL)
         return sim_usage("--show does not go through a panel: leave --panel out");
-    status = sim_fast_take(&o->fast, o->fast_names);
+    status = check_method(o);
+    if (status == SIM_OK)
+        status = sim_fast_take(&o->fast, o->fast_names);
     if (status != SIM_OK)
         return status;
     status = sim_options_in_range(table, N_TABLE, o, seen, o->model);

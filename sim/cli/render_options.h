@@ -47,6 +47,7 @@ struct sim_options {
     enum sim_shade shade;
     enum zs_cull cull;
     enum sim_show show;
+    int method;             /* of sim_methods */
     const char *texture;    /* a file for all faces; NULL: the model's own */
     enum sim_texel texel;   /* how textures are stored */
     int clamp;              /* with has_wrap: 1 clamp, 0 repeat, both ways */

@@ -16,6 +16,7 @@
 #include "gen/font.h"
 #include "sim.h"
 #include "scene_reference.h"
+#include "write_counts.h"
 
 /* The legend, px: a line of text, a bar, its numbers. */
 #define WIDTH_LEAST 220
@@ -155,11 +156,11 @@ static void show_counts(struct canvas *c, struct sim_show_sum *sum, const struct
                         const char *what)
 {
     const size_t n = (size_t)f->width * f->height;
-    const uint32_t visible = sim_frame_visible(f);
-    uint32_t most = 0;
+    uint32_t most = 0, visible = 0;
     char text[64];
     for (size_t i = 0; i < n; i++) {
         most = map[i] > most ? map[i] : most;
+        visible += map[i] > 0;
         sum->sum += map[i];
     }
     for (size_t i = 0; i < n; i++)
@@ -233,6 +234,23 @@ static void show_strips(struct canvas *c, struct sim_show_sum *sum, const struct
     count_legend(c, scale_top(most));
 }
 
+/* The overdraw of a method: its frame is drawn by no other, so the shader counts. */
+static int show_writes(struct sim_picture *out, struct sim_show_sum *sum, const struct zs_scene *scene,
+                       const struct zs_camera *camera, const struct zs_config *config)
+{
+    const struct sim_frame size = { .width = config->width, .height = config->height };
+    struct canvas c = { sim_show_width(config->width), sim_show_height(config->height), config->height, NULL };
+    uint32_t *written = sim_alloc((size_t)config->width * config->height, sizeof *written);
+    const int err = sim_writes_count(written, NULL, scene, camera, config);
+    if (!err) {
+        c.px = sim_alloc((size_t)c.w * c.h, sizeof *c.px);
+        show_counts(&c, sum, &size, written, "overdraw");
+        sim_picture_565(out, c.w, c.h, c.px);
+    }
+    SIM_FREE(written, c.px);
+    return err;
+}
+
 int sim_show_draw(struct sim_picture *out, struct sim_show_sum *sum, enum sim_show kind, const struct zs_scene *scene,
                   const struct zs_camera *camera, const struct zs_config *config, double unit)
 {
@@ -245,6 +263,8 @@ int sim_show_draw(struct sim_picture *out, struct sim_show_sum *sum, enum sim_sh
         with.fast = fast.list;
     memset(to, 0, sizeof *to);
     memset(out, 0, sizeof *out);
+    if (config->method)
+        return show_writes(out, to, scene, camera, config);
     const int err = sim_counts_draw(&counts, scene, camera, &with);
     if (err != ZS_OK)
         return err;

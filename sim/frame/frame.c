@@ -37,7 +37,9 @@ static int submit(void *ctx, const struct zs_strip *strip)
         strip->n_bytes != (uint32_t)strip->w * strip->h * 2u)
         return SIM_FRAME_BROKEN;
     const size_t n = (size_t)strip->w * strip->h;
-    memcpy(f->key + (size_t)strip->y * f->width, strip->depth, n * sizeof *f->key);
+    f->no_depth = strip->depth == NULL;
+    if (strip->depth)
+        memcpy(f->key + (size_t)strip->y * f->width, strip->depth, n * sizeof *f->key);
     to->strip = *strip;
     to->sum = sim_strip_sum(strip);
     to->pending = 1;
@@ -232,7 +234,8 @@ static int has_strip(const struct worker *w, uint32_t strip)
 static void copy_strip(struct sim_frame *frame, const struct zs_strip *s)
 {
     const size_t first = (size_t)s->y * frame->width, n = (size_t)s->w * s->h;
-    memcpy(frame->key + first, s->depth, n * sizeof *frame->key);
+    if (s->depth)
+        memcpy(frame->key + first, s->depth, n * sizeof *frame->key);
     for (size_t i = 0; i < n; i++)
         frame->rgb565[first + i] = (uint16_t)(s->px[2 * i] << 8 | s->px[2 * i + 1]);
 }
@@ -360,7 +363,7 @@ static enum way way_of(const struct zs_scene *scene, const struct zs_config *con
                        uint32_t *parts)
 {
     uint64_t verts = 0;
-    int simple = 1;
+    int simple = config->method == NULL; /* else there may be no keys */
     *n_tris = 0;
     for (uint32_t i = 0; i < scene->n_instances; i++) {
         const struct zs_mesh *mesh = scene->instance[i].mesh;
@@ -433,6 +436,7 @@ int sim_frame_render_threads(struct sim_frame *frame, const struct zs_scene *sce
     frame->width = config->width;
     frame->height = config->height;
     frame->arena_bytes = zs_arena_bytes(config);
+    frame->no_depth = config->depth == &zs_depth_none;
     if (way != BY_PARTS) {
         frame->rgb565 = sim_alloc((size_t)config->width * config->height, sizeof *frame->rgb565);
         frame->key = sim_alloc((size_t)config->width * config->height, sizeof *frame->key);
@@ -538,6 +542,12 @@ int sim_frame_ids(uint32_t *id, const struct zs_scene *scene, const struct zs_ca
     }
     SIM_FREE(p.instance, p.mesh, p.material, p.raw);
     return err;
+}
+
+void sim_frame_cover(struct sim_frame *frame, const uint32_t *id)
+{
+    for (size_t i = 0; i < (size_t)frame->width * frame->height; i++)
+        frame->key[i] = id[i] ? 0 : ZS_DEPTH_CLEAR;
 }
 
 uint32_t sim_frame_visible(const struct sim_frame *frame)

@@ -70,6 +70,9 @@ static void counts(struct sim_json *json, const struct zs_stats *s, uint32_t vis
         { "pixels_visible", visible },
         { "strips", s->strips },
         { "passes", s->passes },
+        { "sorted", s->sorted },
+        { "splits", s->splits },
+        { "rays", s->rays },
     };
     for (size_t i = 0; i < sizeof all / sizeof all[0]; i++)
         sim_json_number(json, all[i].key, (double)all[i].value);
@@ -83,7 +86,7 @@ void sim_stats_frame(struct sim_json *json, const struct sim_frame *frame,
     const struct zs_stats *s = &frame->stats;
     const uint16_t rows = config->strip_h < config->height ? config->strip_h : config->height;
     const uint32_t color = ZS_COLOR_BYTES(config->width, rows, config->buffers);
-    const uint32_t depth = ZS_DEPTH_BYTES(config->width, rows);
+    const uint32_t depth = frame->no_depth ? 0 : ZS_DEPTH_BYTES(config->width, rows);
     const uint32_t bins = ZS_BIN_BYTES(config->height, rows);
     const struct {
         const char *name;
@@ -110,6 +113,7 @@ void sim_stats_frame(struct sim_json *json, const struct sim_frame *frame,
         sim_json_number(json, key, (double)pool[i].used);
         used += pool[i].used;
     }
+    sim_json_number(json, "depth_bytes", (double)depth);
     sim_json_number(json, "arena_bytes", (double)frame->arena_bytes);
     sim_json_number(json, "arena_bytes_used", (double)used);
 }

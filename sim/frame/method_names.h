@@ -1,0 +1,25 @@
+/* Methods of hidden-surface removal by name, for command lines, tables and the gallery.
+ *
+ * SPDX-License-Identifier: MIT
+ */
+#ifndef SIM_METHOD_NAMES_H
+#define SIM_METHOD_NAMES_H
+
+#include "zs_method.h"
+
+struct sim_method {
+    const char *name;
+    const struct zs_method *method; /* NULL: the depth buffer */
+    const struct zs_depth *depth;   /* the mapping that it needs; NULL: any with depth memory */
+    uint16_t least_tris, least_verts; /* of pools */
+    const char *title, *take, *fails; /* for the gallery: its name in full, when to take it, what it gets wrong */
+};
+
+#define SIM_METHODS 2
+#define SIM_METHOD_WORDS "zbuffer|painter" /* in the order of the table */
+extern const struct sim_method sim_methods[SIM_METHODS];
+
+/* Set a configuration's method, and its mapping and least pools where the method asks for some. */
+void sim_method_apply(struct zs_config *config, const struct sim_method *method);
+
+#endif
