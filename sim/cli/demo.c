@@ -14,6 +14,7 @@
 #include "accelerator_names.h"
 #include "frame.h"
 #include "image.h"
+#include "method_names.h"
 #include "option_table.h"
 #include "output_file.h"
 #include "panel_frame.h"
@@ -34,6 +35,7 @@ struct request {
     const char *fast_names;             /* NULL: all */
     struct sim_fast fast;               /* accelerators, which it names */
     enum sim_show show;
+    int method;                         /* of sim_methods */
     struct sim_panel_wish panel;
     int has_size, raw, help;            /* flags */
 };
@@ -50,6 +52,7 @@ static const struct sim_option table[] = {
     { "--frames", SIM_OPTION_COUNT, AT(frames), 0, 1, FRAMES_MAX },
     { "--fast", SIM_OPTION_TEXT, AT(fast_names) },
     { "--show", SIM_OPTION_CHOICE, AT(show), .words = SIM_SHOW_WORDS },
+    { "--method", SIM_OPTION_CHOICE, AT(method), .words = SIM_METHOD_WORDS },
     SIM_PANEL_OPTIONS(struct request, panel),
     { "--raw", SIM_OPTION_FLAG, AT(raw) },
     SIM_HELP_OPTIONS(AT(help)),
@@ -74,6 +77,8 @@ static const char usage[] =
     "  --fast LIST       accelerators to draw with, the same frames: all, none, names with commas between, or all but\n"
     "                    some, as all-tiles-touch (all). There are:\n"
     "                    %s\n"
+    "  --method zbuffer|painter\n"
+    "                    how hidden surfaces are removed (zbuffer), as of zsim render\n"
     "  --show depth|complexity|overdraw|tested|strips\n"
     "                    pictures are false colours with a legend, as of zsim render\n"
     "  --panel NAME:WxH  frames go through this panel's driver and the model of its controller: pictures are what its\n"
@@ -117,6 +122,7 @@ static void configure(struct zs_config *config, const struct demo *demo, const s
     config->subpixel_bits = (uint8_t)rq->subpixel;
     config->fast = rq->fast.list;
     config->depth = demo->depth;
+    sim_method_apply(config, &sim_methods[rq->method]);
 }
 
 static uint32_t count_frames(const struct request *rq, const struct demo *demo)
@@ -151,6 +157,7 @@ static int fit_pools(struct zs_config *config, const struct demo *demo, const st
     }
     config->max_tris = (uint16_t)tris;
     config->max_verts = (uint16_t)verts;
+    sim_method_apply(config, &sim_methods[rq->method]);
     return SIM_OK;
 }
 
@@ -174,7 +181,7 @@ static int compare(struct tally *sum, const struct demo_frame *f, const struct d
 {
     const size_t n = (size_t)config->width * config->height;
     struct ref_image ours = { .rgb565 = frame->rgb565,
-                              .key = frame->key,
+                              .key = frame->no_depth ? NULL : frame->key,
                               .id = sim_alloc(n, sizeof(uint32_t)),
                               .texel = sim_alloc(n, sizeof(uint32_t)) }; /* colours are compared where it is the same */
     struct sim_truth truth;
@@ -393,6 +400,8 @@ static int parse(struct request *rq, int argc, char **argv)
         status = sim_panel_take(&rq->panel, NULL, rq->has_size, rq->size, rq->strip, &glass);
     if (status == SIM_OK && rq->show != SIM_SHOW_FRAME && rq->panel.name != NULL)
         return sim_usage("--show does not go through a panel: leave --panel out");
+    if (status == SIM_OK && rq->method && rq->show != SIM_SHOW_FRAME && rq->show != SIM_SHOW_OVERDRAW)
+        return sim_usage("--method %s: of --show there is overdraw", sim_methods[rq->method].name);
     rq->has_size |= rq->panel.name != NULL;
     return status == SIM_OK ? check_scenes(rq) : status;
 }

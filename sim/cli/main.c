@@ -6,6 +6,7 @@
 #include "commands.h"
 #include "convert.h"
 #include "demo.h"
+#include "gallery.h"
 #include "panel_decode.h"
 #include "render.h"
 #include "study.h"
@@ -14,6 +15,7 @@ static const struct sim_command commands[] = {
     { "render", "a model file to a frame", sim_render },
     { "convert", "a model or picture to const C for firmware", sim_convert },
     { "demo", "the demo scenes to numbered frames and a table", sim_demo },
+    { "gallery", "every method of hidden-surface removal, side by side, on one page", sim_gallery },
     { "panel", "a recorded stream of a panel's bytes to what its glass shows", sim_panel },
     { "budget", "what a display, a part and a scene take: RAM, flash, wire, time", sim_budget },
     { "study", "settings swept: what they cost and give, as CSV, plots and a page", sim_study },

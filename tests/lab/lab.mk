@@ -63,6 +63,15 @@ costs-record: lab $(B)/.setup-test $(B)/gen/meshes.h
 still: $(B)/.setup-test $(B)/gen/meshes.h
 	@sh tests/lab/still.sh $(B)
 
+## methods: methods of hidden-surface removal side by side on Cortex-M0 and M3; methods-record: as the record of make test
+methods: $(B)/.setup-test $(B)/gen/meshes.h
+	@sh tests/lab/methods.sh $(B)
+methods-record: $(B)/.setup-test $(B)/gen/meshes.h
+	@sh tests/lab/methods.sh $(B) record >$(B)/methods.txt && mv $(B)/methods.txt tests/records/methods.txt
+## gallery: build/gallery/index.html, every method on one page, with instructions on a Cortex-M3
+gallery: sim methods
+	@$(B)/zsim gallery --out $(B)/gallery --m3 $(B)/methods/mps2.csv
+
 ## cull: instructions of 10,000 instances of which 20 are in view, and of a large model from afar, close by and within
 cull: sim $(B)/.setup-test
 	@sh tests/lab/cull.sh $(B)
@@ -84,7 +93,7 @@ records-age:
 	@sh tests/records/age.sh
 
 .PHONY: lab records-age fuzz stress stress-record prove coverage complexity mutate bench bench-record scale costs \
-        costs-record still cull depth accuracy fuzz-programs lib-fuzz-programs stress-programs
+        costs-record still cull methods methods-record gallery depth accuracy fuzz-programs lib-fuzz-programs stress-programs
 
 # Fuzzers: the interface by seeds (fuzz_api); cards of meshes and textures by libFuzzer (fuzz_mesh, make fuzz
 # alone) and by mutations of its seeds (cards); model files, command lines and panels' streams likewise, by libFuzzer

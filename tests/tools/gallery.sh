@@ -1,0 +1,61 @@
+#!/bin/sh
+# `zsim gallery`: every method has a card, its figures are those of its nature, the page needs no other file; what cannot
+# be done is refused by name.
+# Usage: tests/tools/gallery.sh ZSIM WORKDIR     as tests/tools/cli.sh
+set -u
+. tests/tools/zsim.sh
+
+figure() { # SCENE METHOD COLUMN
+    awk -v scene="$1" -v method="$2" -v column="$3" 'NR == 1 { for (i = 1; i <= NF; i++) if ($i == column) at = i; next }
+        $1 == scene && $2 == method { print $(column == "wrong" ? NF : at) }' table
+}
+begin gallery
+printf 'painter,cubes,123456,1\n' >counts
+z gallery --out page --m3 counts
+[ $status -eq 0 ] || wrong "status $status: $(said)"
+[ ! -s stderr ] || wrong "it talks: $(said)"
+sed 's/M3 instr\./instructions/' stdout >table
+is "what is written" "$(ls page)" index.html
+methods=$(awk 'NR > 1 && NF == 12 { print $2 }' table | sort -u | tr '\n' ' ')
+for m in $methods; do
+    grep -q "<section id=$m>" page/index.html || wrong "no card of $m"
+    "$zsim" render --help | grep -q "[|  ]$m" || wrong "zsim render --help does not name $m"
+done
+is "pictures in the page" "$(grep -c 'src="data:image/png;base64,' page/index.html)" $(($(echo $methods | wc -w) * 8))
+grep -q 'src="[^d]\|href=' page/index.html && wrong "the page needs another file"
+is "depth memory of painter" "$(figure corridor painter depth)" 0
+is "depth memory of zbuffer" "$(figure corridor zbuffer depth)" 15360
+is "instructions as given" "$(figure cubes painter instructions)" 123456
+is "painter writes each fragment" "$(figure corridor painter writes)" "$(figure corridor painter fragments)"
+[ "$(figure corridor zbuffer wrong)" -le 10 ] || wrong "zbuffer: $(figure corridor zbuffer wrong) wrong pixels"
+[ "$(figure corridor painter wrong)" -ge 5000 ] || wrong "painter: only $(figure corridor painter wrong) wrong pixels"
+
+begin gallery_refusals
+z gallery --m3 nothing
+one_line 1 'nothing: cannot be read'
+printf 'painter,moon,1\n' >counts
+z gallery --m3 counts
+one_line 1 'counts: has no line METHOD,SCENE,INSTRUCTIONS'
+z gallery --size 9x9
+one_line 2 "unknown option '--size'"
+
+begin render_by_methods
+printf 'v -1 -1 0\nv 1 -1 0\nv 0 1 0\nf 1 2 3\n' >tri.obj
+for m in $methods; do
+    z render tri.obj --out $m.png --stats $m.json --method $m
+    [ $status -eq 0 ] || wrong "$m: status $status: $(said)"
+    cmp -s $m.png zbuffer.png || [ $m = painter ] || wrong "$m draws another triangle"
+done
+cmp -s painter.png zbuffer.png || wrong "painter draws another triangle"
+grep -q '"depth_bytes": 0,' painter.json || wrong "painter has depth_bytes"
+z render tri.obj --out x.png --method painter --depth-out d.pgm
+one_line 2 'method painter has no depth memory: leave --depth-out out'
+z render tri.obj --out x.png --method painter --show tested
+one_line 2 'method painter: of --show there is overdraw'
+z render tri.obj --out x.png --method painter --depth recip
+one_line 2 'method painter brings its depth mapping: leave --depth out'
+z render tri.obj --out x.png --method magic
+one_line 2 'magic'
+[ ! -e x.png ] || wrong "a file of a refused command"
+finish
+[ $n_failed -eq 0 ]
