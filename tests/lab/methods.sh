@@ -32,7 +32,7 @@ for board in mps2 m0 host; do
 done
 now() {
     for core in M0:m0 M3:mps2; do
-        awk -F, -v core="${core%:*}" '$3 > 0 { print core, $1, $2, $3 }' "$out/${core#*:}.csv"
+        awk -F, -v core="${core%:*}" '$3 + 0 > 0 { print core, $1, $2, $3 }' "$out/${core#*:}.csv"
     done
 }
 if [ "${2:-}" = record ]; then
@@ -59,7 +59,7 @@ else
     ok "instructions of methods: printed only, another compiler made the record"
 fi
 echo "Instructions a frame (QEMU -icount), bytes of arena:"
-awk -F, 'NR == FNR { if ($3 > 0) m0[$1, $2] = $3; next }
-    $3 > 0 { printf "  %-12s %-11s M0 %9d  M3 %9d  arena %6d  sorted %5d  splits %5d  rays %6d\n", $2, $1, m0[$1, $2], $3, $4, $5,
+awk -F, 'NR == FNR { if ($3 + 0 > 0) m0[$1, $2] = $3; next }
+    $3 + 0 > 0 { printf "  %-12s %-11s M0 %9d  M3 %9d  arena %6d  sorted %5d  splits %5d  rays %6d\n", $2, $1, m0[$1, $2], $3, $4, $5,
         $6, $7 }' "$out/m0.csv" "$out/mps2.csv"
 exit $failed
