@@ -7,7 +7,7 @@
 # Not seen by it: time on the wire (QEMU's trace has no times), how much of the drawing goes on behind it (on one
 # emulated core, threads take turns), a real SPI controller's clock, DMA and speed limit, voltages. The kernel bit-bangs
 # SPI (spi-gpio) below the same spidev.
-# The first release's packages must be reachable. Where the second's are not, its half is SKIPPED, in as many words.
+# Where a release's packages cannot be reached, its half is SKIPPED, in as many words. What was fetched once stays in BUILD.
 #
 # SPDX-License-Identifier: MIT
 # shellcheck disable=SC2046,SC2086,SC2317
@@ -323,13 +323,11 @@ for half in bookworm:1 trixie:2; do
     name=${half%:*}
     if why=$(sh tests/boards/linux/packages.sh "$out/$name" "$name"); then
         halves="$halves $half"
-    elif [ "$name" = bookworm ]; then
-        bad linux_libgpiod_1 "$why"
     else
-        echo "SKIPPED linux_libgpiod_2: nothing was tested on its kernel: $why" # tests/run.sh says it again at its end
+        echo "SKIPPED linux_libgpiod_${half#*:}: nothing was tested on its kernel: $why" # tests/run.sh says it again at its end
     fi
 done
-[ -n "$halves" ] || exit 1
+[ -n "$halves" ] || exit 0
 releases=$(echo "$halves" | sed 's/:[0-9]//g')
 make -s -j"$(nproc)" -f tests/boards/linux/linux.mk B="$build" $releases >"$out/make.log" 2>&1 ||
     { cat "$out/make.log"; bad linux_builds "see above"; exit 1; }

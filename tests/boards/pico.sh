@@ -29,8 +29,12 @@ set_up() {
     if ! cmp -s tests/boards/pico/package-lock.json "$out/package-lock.json" ||
         [ ! -d "$out/node_modules/rp2040js" ]; then
         cp tests/boards/pico/package.json tests/boards/pico/package-lock.json "$out/"
-        (cd "$out" && npm ci --silent --no-audit --no-fund) >"$out/npm.log" 2>&1 || {
+        (cd "$out" && npm ci --loglevel error --no-audit --no-fund) >"$out/npm.log" 2>&1 || {
             rm -f "$out/package-lock.json"
+            if grep -qE 'ENOTFOUND|EAI_AGAIN|ECONNREFUSED|ETIMEDOUT|ENETUNREACH' "$out/npm.log"; then
+                echo "SKIPPED pico: its emulator cannot be fetched: $(grep -oE 'reason: .*' "$out/npm.log" | head -1)"
+                exit 0
+            fi
             bad pico_emulator "npm ci: $(head -c 300 "$out/npm.log")"
             exit 1
         }
