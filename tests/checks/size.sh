@@ -34,7 +34,8 @@ textured() { # LABEL SHADER DEPTH TEXELS
 }
 
 within() { # NAME BYTES MOST
-    if [ "$2" -gt 0 ] && [ "$2" -le "$3" ]; then ok "$1 within $3 bytes: $2"; else bad "$1 within $3 bytes" "$2"; fi
+    most=$(most_here "$3")
+    if [ "$2" -gt 0 ] && [ "$2" -le "$most" ]; then ok "$1 within $most bytes: $2"; else bad "$1 within $most bytes" "$2"; fi
 }
 
 # The core alone, for size and for speed. A figure of the first is a promise.

@@ -49,7 +49,7 @@ for board in m0 host; do
     fi
 done
 now >"$out/now"
-if grep -q "^compiler Arm $(${ARM}gcc -dumpversion)\$" $record; then
+if ! other_compiler; then
     none "no method takes over 2 % more than on record, in $(grep -c '^M' $record) frames" "$(awk '
         NR == FNR { if (/^M/) was[$1, $2, $3] = $4; next }
         { k = $1 SUBSEP $2 SUBSEP $3; seen++ }
