@@ -32,7 +32,7 @@ column_is() { # COLUMN
         board=host memory= emulator=qemu-ppc-static
         with="BOARD_CC=powerpc-linux-gnu-gcc BOARD_LINK=-static OUT=$build/fw/host_$1" ;;
     bare_x86) board=host memory= with="LEAN=1 OUT=$build/fw/host_$1" ;;
-    bare_m0) board=m0 memory='-DSUMS_ROWS=5 -DSUMS_ARENA=10800' with=LEAN=1 ;;
+    bare_m0) board=m0 memory='-DSUMS_ROWS=5 -DSUMS_ARENA=10752' with=LEAN=1 ;;
     bare_m3) board=mps2 memory=-DSUMS_ROWS=9 with=LEAN=1 ;;
     cortex_m0) # 16 KB of RAM; its flash takes a scene at a time, and the largest with the smaller code alone
         board=m0 memory='-DSUMS_ROWS=4 -DSUMS_ARENA=10752'
