@@ -7,6 +7,7 @@
 #define TESTS_FUZZ_KINDS_H
 
 #include "own.h"
+#include "zs_method.h"
 #include "zstrip.h"
 
 #define KINDS(table) (sizeof(table) / sizeof(table)[0])
@@ -38,6 +39,18 @@ struct kind_depth {
 static const struct kind_depth kind_depths[] = {
     { &zs_depth_recip, "recip", 0 }, { &zs_depth_linear, "linear", 1 }, { &zs_depth_e3m13, "e3m13", 0 },
     { &zs_depth_e4m12, "e4m12", 0 }, { &zs_depth_e5m11, "e5m11", 0 }, { &zs_depth_float, "float", 0 },
+};
+
+struct kind_method {
+    const struct zs_method *method; /* NULL: the depth buffer */
+    const char *name;
+    const struct zs_depth *depth;   /* the mapping that it needs; NULL: any with depth memory */
+    uint16_t least_tris, least_verts;
+};
+
+static const struct kind_method kind_methods[] = {
+    { NULL, "zbuffer", NULL, 1, 3 },
+    { &zs_method_painter, "painter", &zs_depth_none, 2, 6 },
 };
 
 struct kind_texel {

@@ -83,9 +83,12 @@ static const char *const seen_name[] = {
     "texture_flat",
     "texture_smooth",
     "own",
+    "glass",
     "565",
     "pal8",
     "pal4",
+    "zbuffer",
+    "painter",
 };
 _Static_assert(SEEN_PASSES + sizeof seen_name / sizeof *seen_name == SEEN_N, "a name each");
 

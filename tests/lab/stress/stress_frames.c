@@ -318,7 +318,8 @@ static int take(void *ctx, const struct zs_strip *s)
     if (!s->dirty_w && hand->track)
         return 0;
     for (int j = 0; j < s->h; j++) {
-        memcpy(g->key + (s->y + j) * g->w + from, s->depth + j * s->w + from, (size_t)n * sizeof *g->key);
+        if (s->depth)
+            memcpy(g->key + (s->y + j) * g->w + from, s->depth + j * s->w + from, (size_t)n * sizeof *g->key);
         g->given[s->y + j] = 1;
         g->from[s->y + j] = (uint16_t)from;
         g->end[s->y + j] = (uint16_t)(from + n);
@@ -367,6 +368,14 @@ static uint32_t tris(void)
     return n;
 }
 
+static const struct kind_method *method_of(const struct zs_config *c)
+{
+    const struct kind_method *k = kind_methods;
+    while (k->method != c->method)
+        k++;
+    return k;
+}
+
 static int hand_open(struct prng *p, struct hand *hand, struct zs_config c)
 {
     static const uint16_t pools[] = { 1, 2, 5, 20, 60, 60, 200, 200, POOL, POOL, POOL };
@@ -384,6 +393,9 @@ static int hand_open(struct prng *p, struct hand *hand, struct zs_config c)
     c.buffers = (uint8_t)(1 + prng_pick(p, 2));
     c.max_tris = pools[least + prng_pick(p, N_POOLS - least)];
     c.max_verts = (uint16_t)(2 + pools[least + prng_pick(p, N_POOLS - least)]);
+    const struct kind_method *method = method_of(&c);
+    c.max_tris = c.max_tris < method->least_tris ? method->least_tris : c.max_tris;
+    c.max_verts = c.max_verts < method->least_verts ? method->least_verts : c.max_verts;
     hand->fasts = stress_fasts(p);
     c.fast = stress_list(hand->fasts); /* as many hands as fast_of keeps lists */
     hand->config = c;
@@ -441,7 +453,10 @@ static int plain_take(void *ctx, const struct zs_strip *s)
 {
     struct glass *g = ctx;
     memcpy(g->color, s->px, s->n_bytes);
-    memcpy(g->key, s->depth, s->n_bytes);
+    if (s->depth)
+        memcpy(g->key, s->depth, s->n_bytes);
+    else
+        memset(g->key, 0, s->n_bytes);
     return 0;
 }
 
@@ -484,6 +499,8 @@ static uint32_t did(const struct hand *hand, const struct zs_stats *s, uint32_t 
         is |= strcmp(name, "touch") == 0 && s->pixels_untested;
         is |= strcmp(name, "tiles") == 0 && (s->instances_hidden || (s->tris_hidden && !hand->columns));
         is |= strcmp(name, "clusters") == 0 && s->clusters_culled;
+        if (hand->config.method) /* no others work with it */
+            shaders = texels = 0;
         for (uint32_t i = 0; i < KINDS(kind_shaders); i++)
             is |= strcmp(name, kind_shaders[i].name) == 0 && shaders >> i & 1u;
         for (uint32_t i = 0; i < KINDS(kind_texels); i++)
@@ -515,6 +532,8 @@ static void see(const struct hand *hand, uint64_t *seen)
     seen[SEEN_SUBPIXELS] += c->subpixel_bits == 4;
     for (size_t k = 0; k < KINDS(kind_depths); k++)
         seen[SEEN_DEPTH + k] += c->depth == kind_depths[k].depth;
+    for (size_t k = 0; k < KINDS(kind_methods); k++)
+        seen[SEEN_METHOD + k] += c->method == kind_methods[k].method;
     uint32_t shaders = 0, texels = 0, states = 0;
     for (uint32_t i = 0; i < world.scene.n_instances; i++) {
         const struct zs_material *m = world.instance[i].material;
@@ -611,6 +630,11 @@ int stress_frames(uint64_t seed, struct stress_counts *c)
     if (world.camera.projection == ZS_PERSPECTIVE)
         plain.depth = kind_depths[prng_pick(&p, KINDS(kind_depths))].depth;
     plain.fast = NULL;
+    if (prng_pick(&p, 4) == 0) {
+        const struct kind_method *method = &kind_methods[prng_pick(&p, KINDS(kind_methods))];
+        plain.method = method->method;
+        plain.depth = method->depth ? method->depth : plain.depth;
+    }
     int ok = 1;
     for (int k = 0; k < HANDS; k++)
         ok &= !hand_open(&p, &hand[k], plain) || stress_wrong("a renderer cannot be set up");
