@@ -29,6 +29,21 @@ extern "C" {
  *         triangles cost walks over the scene: each draws the farthest that are left. */
 extern const struct zs_method zs_method_painter;
 
+/* Ray casting: for each pixel, a ray through its sample finds what is seen there, by a hierarchy of
+ * boxes. The frame is that of the depth buffer, bit for bit, with any depth mapping and depth
+ * states; zs_stats.rays is its number of pixels.
+ *
+ * Wrong   where a shader is not opaque (zs_shader.h): each pixel is coloured once, by the triangle
+ *         that drew there last, over the background.
+ * Needs   depth memory, else ZS_ERR_DEPTH; max_tris >= 4 and max_verts >= 6, else ZS_ERR_SIZE. Of
+ *         max_tris, 3/7 are triangles, the others boxes.
+ *         Resolve hooks find keys in zs_target.depth, at the cost of a second ray for each pixel.
+ *         Without hooks zs_strip.depth holds no keys.
+ * Cost    for each ray, tests of boxes by the logarithm of the triangles in its strip. Pools that
+ *         do not hold a strip's triangles cost walks over the scene, one for each part of the
+ *         strip. */
+extern const struct zs_method zs_method_raycast;
+
 #ifdef __cplusplus
 }
 #endif

@@ -1,0 +1,504 @@
+/* Ray casting: the loops of the depth buffer in the inverse order. For each pixel of a strip, a ray
+ * finds the triangle that is seen there; then the strip's visible triangles colour their pixels.
+ *
+ * All rays start in the eye, so a ray is a point on the screen: the pixel's sample. It hits a
+ * triangle if the snapped triangle covers the sample, by the rule of core/edges.c, and the key at
+ * the hit is that of the planes of core/plane.c. Among the hits the depth test of
+ * core/depth_test.c decides, in scene order. So the frame is that of the depth buffer, bit for bit.
+ *
+ * BOXES. What a ray tests first are boxes on the screen: a box for each triangle of the strip, in
+ * scene order, a box around each four of these, and so on up to a top level of at most four. A box
+ * holds the columns and rows of the samples that its triangles may cover (exactly: from the first
+ * sample right of or below their vertices to the last), and a bound of their keys. There is no
+ * slack in it: it is computed from the snapped vertices. A ray passes by a box
+ *   that does not hold its sample, or
+ *   in which every key is beyond the key found so far, or beyond that of `last`, the triangle which
+ *   the ray before has hit, if it is hit again.
+ * The children of box i are boxes 4 i .. 4 i + 3 of the level below, so a ray needs no stack. zsim
+ * convert puts triangles that lie close together next to each other, so such boxes are small.
+ *
+ * The key of a pixel is at least the least key of the vertices minus `below`: planes are exact to
+ * less than half a bucket where keys are linear on the screen, half a bucket is added before keys
+ * are cut to whole buckets, and so `below` is 0; for other mappings it is 2.
+ *
+ * MEMORY. The configuration's triangle pool is shared out between triangles and boxes (begin). The
+ * depth memory holds the numbers of the triangles that the rays have hit, until they are coloured.
+ * If there are resolve hooks, which may read keys, a second ray for each pixel writes the key
+ * afterwards.
+ *
+ * If the pools cannot hold what is in a strip, the strip is cut into regions, each of which takes
+ * a walk over the scene: half of the rows or columns, again and again, down to a pixel. If the
+ * pools cannot hold what is in a pixel, its ray is cast in several parts: the pools keep the
+ * triangle that is seen so far.
+ *
+ * SPDX-License-Identifier: MIT
+ */
+#include "core/bin.h"
+#include "core/depth.h"
+#include "core/method.h"
+#include "core/pass.h"
+#include "core/plane.h"
+#include "core/raster.h"
+#include "core/rows.h"
+#include "core/walk.h"
+#include "zs_method.h"
+#include "zs_shader.h"
+
+#define CHILDREN_LOG2 2
+#define CHILDREN (1u << CHILDREN_LOG2)
+#define LEVELS 8 /* 4^8 boxes */
+
+struct box {
+    int16_t x0, x1, y0, y1; /* columns [x0, x1), rows [y0, y1) of the frame: |.| <= 2^14 + 1 */
+    uint16_t near;          /* the least key in it plus 1; 0: not known */
+    uint16_t tri;           /* level 0: number of the triangle in the pool */
+};
+_Static_assert(sizeof(struct box) == sizeof(struct zs_tri), "boxes and triangles share a pool");
+
+/* A ray's state: what a depth buffer and the pixel's colour would say of the triangles so far. */
+struct seen {
+    uint32_t key; /* ZS_DEPTH_CLEAR: none was written */
+    uint32_t tri; /* number in the pool; ZS_NIL: the background */
+};
+
+struct state {
+    int32_t x, x_end, y, y_end; /* the region: columns and rows of the frame */
+    struct seen first;          /* what rays begin with. Not empty only in a region of a pixel */
+    uint16_t list;              /* visible triangles */
+    uint8_t levels;
+    uint8_t states;             /* 1: some triangle has a depth state */
+    uint16_t count[LEVELS];     /* number of boxes of a level */
+    struct box *level[LEVELS];
+    int32_t column;             /* for `caught`: a pixel's column, and its key */
+    uint32_t sum;
+};
+
+/* ---- Memory ---------------------------------------------------------------------------------- */
+
+/* The number of boxes for n triangles. */
+static uint32_t boxes_of(uint32_t n)
+{
+    uint32_t sum = n;
+    while (n > CHILDREN) {
+        n = (n + CHILDREN - 1u) >> CHILDREN_LOG2;
+        sum += n;
+    }
+    return sum;
+}
+
+/* The boxes: the arena's last bytes, which zs_init leaves over as max_tris is less than the
+ * program's. */
+static struct box *boxes(const struct zs_renderer *r)
+{
+    const struct zs_config *c = &r->config;
+    return (struct box *)(void *)((uint8_t *)r->attr +
+                                  ZS_ROUND4((uint32_t)c->max_verts * c->varyings * 2u));
+}
+
+static int32_t strip_end(const struct zs_renderer *r)
+{
+    return zs_min32((r->strip + 1) * r->config.strip_h, r->config.height);
+}
+
+/* ---- Boxes ----------------------------------------------------------------------------------- */
+
+static void box_add(struct box *b, const struct box *other)
+{
+    b->x0 = (int16_t)zs_min32(b->x0, other->x0);
+    b->x1 = (int16_t)zs_max32(b->x1, other->x1);
+    b->y0 = (int16_t)zs_min32(b->y0, other->y0);
+    b->y1 = (int16_t)zs_max32(b->y1, other->y1);
+    b->near = (uint16_t)zs_minu32(b->near, other->near);
+}
+
+/* Set the box of a triangle of the pool. */
+static void box_of(struct box *b, const struct zs_renderer *r, uint32_t t)
+{
+    const struct zs_vertex *pool = r->vert;
+    const uint16_t *v = r->tri[t].v;
+    const struct zs_view *view = &r->view;
+    int32_t x0 = INT32_MAX, x1 = INT32_MIN, y1 = INT32_MIN;
+    uint32_t d = UINT32_MAX;
+    for (int k = 0; k < 3; k++) {
+        x0 = zs_min32(x0, pool[v[k]].x);
+        x1 = zs_max32(x1, pool[v[k]].x);
+        y1 = zs_max32(y1, pool[v[k]].y);
+        d = zs_minu32(d, pool[v[k]].d);
+    }
+    b->x0 = (int16_t)zs_first_sample(x0);
+    b->x1 = (int16_t)zs_first_sample(x1);
+    b->y0 = (int16_t)zs_first_sample(pool[v[0]].y);
+    b->y1 = (int16_t)zs_first_sample(y1);
+    b->tri = (uint16_t)t;
+    const uint32_t below = view->screen_linear ? 0u : 2u;
+    const uint32_t key = (view->depth->key ? view->depth->key(view, d) : d) >> 16;
+    b->near = (uint16_t)zs_minu32(key > below ? key - below + 1u : 0u, view->key_top >> 16);
+}
+
+/* Build the boxes of a list of triangles. */
+static void boxes_build(struct zs_renderer *r, struct state *s, uint16_t list)
+{
+    struct box *at = boxes(r);
+    uint32_t n = 0;
+    s->states = 0;
+    s->level[0] = at;
+    for (; list != ZS_NIL; n++) {
+        struct zs_tri *t = &r->tri[list];
+        box_of(&at[n], r, list);
+        if (zs_instance_of(r, t->instance)->depth_state) {
+            at[n].near = 0;
+            s->states = 1;
+        }
+        list = t->next;
+        t->next = ZS_NIL;
+    }
+    s->count[0] = (uint16_t)n;
+    s->levels = 1;
+    while (n > CHILDREN) {
+        struct box *const up = at + n;
+        uint32_t k = 0;
+        for (uint32_t i = 0; i < n; i++) {
+            if (i & (CHILDREN - 1u))
+                box_add(&up[k - 1u], &at[i]);
+            else
+                up[k++] = at[i];
+        }
+        s->level[s->levels] = at = up;
+        s->count[s->levels++] = (uint16_t)(n = k);
+    }
+}
+
+/* ---- Hits ------------------------------------------------------------------------------------ */
+
+/* Return 1 if a triangle covers the sample of a pixel: strictly inside of its right and lower
+ * edges, and inside of or on the others. */
+static int covers(const struct zs_renderer *r, const struct zs_tri *t, int32_t x, int32_t y)
+{
+    const int32_t at_x = x * ZS_SUBPX_ONE + ZS_SUBPX_HALF, at_y = y * ZS_SUBPX_ONE + ZS_SUBPX_HALF;
+    const struct zs_vertex *p = &r->vert[t->v[2]];
+    for (int k = 0; k < 3; k++) {
+        const struct zs_vertex *q = &r->vert[t->v[k]];
+        const int32_t dx = q->x - p->x, dy = q->y - p->y; /* |.| < 2^22 */
+        const int64_t side = zs_mul_ss(dx, at_y - p->y) - zs_mul_ss(dy, at_x - p->x); /* < 2^45 */
+        if (side < 0 || (side == 0 && (dy > 0 || (dy == 0 && dx < 0))))
+            return 0;
+        p = q;
+    }
+    return 1;
+}
+
+/* Set up a job for the keys of a triangle. job->row_end: 1 if they are linear on the screen. */
+static void aim(struct zs_job *job, const struct zs_tri *t)
+{
+    const struct zs_renderer *r = job->r;
+    const struct zs_depth *depth = r->view.depth;
+    job->tri = t;
+    zs_plane_sides(job, &r->vert[t->v[0]], &r->vert[t->v[1]], &r->vert[t->v[2]]);
+    zs_plane_geom(job);
+    job->split = (uint8_t)!(r->view.screen_linear || depth->planes(job));
+    if (!job->split) {
+        zs_plane32(&job->geom, job->v[0]->d, job->v[1]->d, job->v[2]->d, ZS_PLANE_KEY, &job->key);
+        job->key.base += 0x8000u; /* as in core/raster.c */
+    }
+    job->depth_state = zs_instance_of(r, t->instance)->depth_state;
+    job->bias = job->depth_state ? zs_depth_state_bias(job) : 0;
+}
+
+/* A zs_piece_fn: keep the key of the pixel that is asked for. */
+static void caught(struct zs_job *job, const struct zs_row *row, int32_t i0, int32_t i1,
+                   uint32_t sum, uint32_t step)
+{
+    struct state *s = job->r->method_state;
+    (void)row;
+    if (s->column >= i0 && s->column < i1)
+        s->sum = sum + zs_wrap_mul(step, s->column - i0);
+}
+
+/* Return the key of a pixel, uq16_16 with half a bucket added, of a triangle whose keys are not
+ * linear on the screen: from the mapping's own function for a scanline. */
+static ZS_NOINLINE uint32_t curved_sum(struct zs_job *job, int32_t x, int32_t y)
+{
+    const struct zs_geom *g = &job->geom;
+    struct state *s = job->r->method_state;
+    struct zs_row row = { .y = y, .i0 = x, .i1 = x + 1 };
+    if (!job->r->view.pixelwise) { /* a scanline is cut into pieces, which begin with the span */
+        job->row_mid = zs_min32(zs_first_sample(job->v[1]->y), zs_first_sample(job->v[2]->y));
+        job->row_end = y + 1;
+        zs_edges_cut(job, y);
+        row.i0 = zs_max32(job->cut[0].x0, 0);
+        row.i1 = zs_min32(job->cut[0].x1, job->width);
+    }
+    row.key = job->key.base - zs_wrap_mul(job->key.gx, g->ia) +
+              zs_wrap_mul(job->key.gy, y - g->ja); /* as zs_rows_walk */
+    row.w = job->w64.base - zs_times(job->w64.gx, g->ia) + zs_times(job->w64.gy, y - g->ja);
+    s->column = x;
+    job->r->view.depth->row(job, &row);
+    return s->sum;
+}
+
+/* Return the key of a pixel as core/depth_test.c computes it. */
+static uint32_t key_at(struct zs_job *job, const struct zs_tri *t, int32_t x, int32_t y)
+{
+    if (job->tri != t)
+        aim(job, t);
+    const uint32_t sum = job->split ? curved_sum(job, x, y)
+                                    : job->key.base +
+                                          zs_wrap_mul(job->key.gx, x - job->geom.ia) +
+                                          zs_wrap_mul(job->key.gy, y - job->geom.ja);
+    const int32_t top = (int32_t)(job->r->view.key_top >> 16) - 1;
+    const int32_t moved = zs_min32((int32_t)(sum >> 16) + job->bias, top + zs_min32(job->bias, 0));
+    return moved < 0 ? 0u : (uint32_t)moved;
+}
+
+/* The depth test of a triangle that the ray hits. */
+static void test(struct zs_job *job, struct seen *seen, uint32_t t, int32_t x, int32_t y)
+{
+    const uint32_t key = key_at(job, &job->r->tri[t], x, y);
+    const struct zs_depth_state *state = job->depth_state;
+    const uint32_t func = state ? state->func : ZS_DEPTH_LESS;
+    if (func != ZS_DEPTH_ALWAYS && key >= seen->key + (func == ZS_DEPTH_LESS_EQUAL))
+        return;
+    seen->tri = t;
+    if (!state || !state->read_only)
+        seen->key = key;
+}
+
+/* ---- Rays ------------------------------------------------------------------------------------ */
+
+/* Cast the ray of a pixel. `last`: the triangle that the ray before has hit, or ZS_NIL. */
+static struct seen cast(struct zs_job *job, int32_t x, int32_t y, uint32_t last)
+{
+    const struct zs_renderer *r = job->r;
+    const struct state *s = r->method_state;
+    const uint32_t top = s->levels - 1u;
+    struct seen seen = s->first;
+    uint32_t level = top, i = 0, least = ZS_DEPTH_CLEAR;
+    if (last != ZS_NIL && !s->states && covers(r, &r->tri[last], x, y))
+        least = key_at(job, &r->tri[last], x, y) + 1u;
+    while (i < s->count[level]) {
+        const struct box *b = &s->level[level][i];
+        if (x >= b->x0 && x < b->x1 && y >= b->y0 && y < b->y1 &&
+            b->near <= zs_minu32(least, seen.key)) {
+            if (level > 0) {
+                level--;
+                i <<= CHILDREN_LOG2;
+                continue;
+            }
+            if (covers(r, &r->tri[b->tri], x, y))
+                test(job, &seen, b->tri, x, y);
+        }
+        i++;
+        while (level < top && (!(i & (CHILDREN - 1u)) || i == s->count[level])) {
+            i = (i + CHILDREN - 1u) >> CHILDREN_LOG2;
+            level++;
+        }
+    }
+    return seen;
+}
+
+static void job_begin(struct zs_job *job, struct zs_renderer *r)
+{
+    job->r = r;
+    job->tri = 0;
+    job->piece = caught;
+    job->top = 0;
+    job->bottom = r->config.height;
+    job->width = r->config.width;
+    job->key.base = job->key.gx = job->key.gy = 0;
+    job->w64.base = job->w64.gx = job->w64.gy = 0;
+}
+
+/* Cast the rays of the region, and keep what they hit in the depth memory: numbers of triangles,
+ * which are marked by next = 0; or keys. */
+static ZS_NOINLINE void rays(struct zs_renderer *r, struct state *s, int keys)
+{
+    const int32_t width = r->config.width;
+    struct zs_job job;
+    job_begin(&job, r);
+    for (int32_t y = s->y; y < s->y_end; y++) {
+        uint16_t *const line = r->depth + (y - r->strip * r->config.strip_h) * width;
+        uint32_t last = ZS_NIL;
+        for (int32_t x = s->x; x < s->x_end; x++) {
+            const struct seen seen = cast(&job, x, y, last);
+            last = seen.tri;
+            line[x] = (uint16_t)(keys ? seen.key : last);
+            if (!keys && last != ZS_NIL)
+                r->tri[last].next = 0;
+        }
+    }
+    if (!keys)
+        r->stats.rays += (uint32_t)((s->y_end - s->y) * (s->x_end - s->x));
+}
+
+/* r->span: colour the pixels whose rays have hit this triangle. */
+static void ray_span(struct zs_job *job, const struct zs_row *row, int32_t i0, int32_t i1,
+                     uint32_t sum, uint32_t step)
+{
+    const struct state *s = job->r->method_state;
+    uint16_t *const line = job->depth + row->at;
+    const uint32_t t = (uint32_t)(job->tri - job->r->tri);
+    (void)sum;
+    (void)step;
+    if (row->y < s->y || row->y >= s->y_end)
+        return;
+    i1 = zs_min32(i1, s->x_end);
+    for (int32_t i = zs_max32(i0, s->x); i < i1; i++) {
+        const int32_t from = i;
+        for (; i < i1 && line[i] == t; i++)
+            line[i] = ZS_NIL;
+        if (i > from) {
+            zs_rows_written(job, i - from);
+            job->shader->run(job, row, from, i);
+        }
+    }
+}
+
+/* ---- Regions --------------------------------------------------------------------------------- */
+
+/* Remove the triangles with next == ZS_NIL from the pool; the others are binned anew. */
+static void pack(struct zs_renderer *r)
+{
+    uint32_t kept = 0;
+    r->bin[r->strip] = ZS_NIL;
+    for (uint32_t t = 0; t < r->n_tris; t++) {
+        if (r->tri[t].next == ZS_NIL)
+            continue;
+        r->tri[kept] = r->tri[t];
+        r->tri[kept].next = r->bin[r->strip];
+        r->bin[r->strip] = (uint16_t)kept++;
+    }
+    r->n_tris = kept;
+    zs_bin_pack(r);
+}
+
+/* Drop the triangles beside the region. */
+static void keep_region(struct zs_renderer *r, const struct state *s)
+{
+    for (uint32_t t = 0; t < r->n_tris; t++) {
+        struct box b;
+        box_of(&b, r, t);
+        const int in = b.x0 < s->x_end && b.x1 > s->x && b.y0 < s->y_end && b.y1 > s->y;
+        r->tri[t].next = in ? 0 : ZS_NIL;
+    }
+    pack(r);
+}
+
+/* Cast the ray of a region of one pixel at the triangles in the pool, and keep the one that is
+ * seen. To test that one again later changes nothing. */
+static void keep_seen(struct zs_renderer *r, struct state *s)
+{
+    struct zs_job job;
+    job_begin(&job, r);
+    boxes_build(r, s, zs_method_buffer.list(r));
+    s->first = cast(&job, s->x, s->y, ZS_NIL);
+    for (uint32_t t = 0; t < r->n_tris; t++)
+        r->tri[t].next = t == s->first.tri ? 0 : ZS_NIL;
+    pack(r);
+    if (s->first.tri != ZS_NIL)
+        s->first.tri = 0;
+}
+
+/* Make the region smaller, until a quarter of both pools is free. */
+static void ray_full(struct zs_renderer *r)
+{
+    const uint32_t tris = r->config.max_tris, verts = r->config.max_verts;
+    struct state *s = r->method_state;
+    for (;;) {
+        keep_region(r, s);
+        if (tris - r->n_tris > tris / 4u && verts - r->n_verts >= verts / 4u + 3u)
+            return;
+        if (s->y_end - s->y > 1)
+            s->y_end = s->y + (s->y_end - s->y) / 2;
+        else if (s->x_end - s->x > 1)
+            s->x_end = s->x + (s->x_end - s->x) / 2;
+        else
+            break;
+    }
+    keep_seen(r, s);
+}
+
+/* Return the list of the triangles, in scene order, that are marked as hit, or that go on in the
+ * strip below. */
+static uint16_t chosen(struct zs_renderer *r, const struct state *s, int hit)
+{
+    const int32_t end = strip_end(r);
+    uint16_t list = ZS_NIL, *to = &list;
+    for (uint32_t i = 0; i < s->count[0]; i++) {
+        const struct box *b = &s->level[0][i];
+        if (hit ? r->tri[b->tri].next == 0 : b->y1 > end) {
+            *to = b->tri;
+            to = &r->tri[b->tri].next;
+        }
+    }
+    *to = ZS_NIL;
+    return list;
+}
+
+/* Draw the region, whose triangles are binned. */
+static void region_draw(struct zs_renderer *r, struct state *s)
+{
+    boxes_build(r, s, zs_method_buffer.list(r));
+    rays(r, s, 0);
+    s->list = chosen(r, s, 1);
+    zs_raster_strip(r);
+    if (r->scene->n_resolves)
+        rays(r, s, 1);
+    r->active = r->strip + 1 < r->band_end ? chosen(r, s, 0) : ZS_NIL;
+}
+
+/* Begin a region: all that is left of the strip. Return 0 if nothing is left. */
+static int region_next(const struct zs_renderer *r, struct state *s)
+{
+    const struct seen nothing = { ZS_DEPTH_CLEAR, ZS_NIL };
+    s->first = nothing;
+    if (s->x_end < r->window[1]) {
+        s->x = s->x_end;
+    } else {
+        s->x = r->window[0];
+        s->y = s->y_end;
+        s->y_end = strip_end(r);
+    }
+    s->x_end = r->window[1];
+    return s->y < s->y_end;
+}
+
+static void ray_strip(struct zs_renderer *r)
+{
+    struct state s;
+    r->method_state = &s;
+    s.x_end = r->window[1];
+    s.y_end = r->strip * r->config.strip_h;
+    for (int again = 0; region_next(r, &s); again = 1) {
+        if (again || r->strip >= r->band_end)
+            zs_walk(r, again ? (uint16_t)(r->strip + 1u) : r->draw_end);
+        region_draw(r, &s);
+    }
+    r->method_state = 0;
+}
+
+static uint16_t ray_list(struct zs_renderer *r)
+{
+    const struct state *s = r->method_state;
+    return s ? s->list : zs_method_buffer.list(r); /* a strip is left out: zs_raster_leave */
+}
+
+static int ray_begin(struct zs_renderer *r)
+{
+    struct zs_config *c = &r->config;
+    uint32_t tris = c->max_tris / 2u;
+    if (c->depth->span)
+        return ZS_ERR_DEPTH;
+    while (tris + boxes_of(tris) > c->max_tris)
+        tris--;
+    if (tris < 2 || c->max_verts < 6)
+        return ZS_ERR_SIZE;
+    c->max_tris = (uint16_t)tris;
+    r->span = ray_span;
+    r->method_state = 0;
+    return ZS_OK;
+}
+
+const struct zs_method zs_method_raycast = { .begin = ray_begin,
+                                             .strip = ray_strip,
+                                             .full = ray_full,
+                                             .list = ray_list };
