@@ -16,8 +16,8 @@
  * Ends are snapped as vertices are. Where |dx| >= |dy| between them (else with x and y exchanged),
  * both ends are moved outwards by half a px in x, and in y by that half px times dy / dx, rounded
  * to a sub-pixel, halves away from 0. The corners are width / 2 above and below them. A pixel is
- * drawn if its middle is inside or on the upper (left) side: `width` pixels in each column (row)
- * from the one end's to the other's. A line of length 0 is one column. Swapping the ends changes
+ * drawn if its middle is inside, or on a left or a level upper side: `width` pixels in each column
+ * (row) from the one end's to the other's. A line of length 0 is one column. Swapping the ends changes
  * nothing but the dashes. Keys and varyings of corners are those of the ends: on the line, they
  * belong to a place at most half a px away.
  *
