@@ -11,7 +11,7 @@ TEST_CC = $(CC) -std=gnu11 -O1 -g1 $(SAN) -Wall -Wextra -Werror -Wshadow -Wno-mi
           -Itests/lib -DZS_STATS=1 '-DZS_ASSERT(c)=((c)?(void)0:__builtin_trap())'
 TESTS = $(foreach d,unit property tools,$(wildcard tests/$d/test_*.c))
 MODEL = $(wildcard sim/panel_model/*.c) sim/panel/panel_bus.c hal/fault/fault.c
-TEST_HELP = $(wildcard tests/lib/*.c)
+TEST_HELP = $(wildcard tests/lib/*.c) tests/lab/fuzz/world.c
 t = $(patsubst %.c,$(B)/test/%.o,$(1))
 
 # Unit tests by name, and those that T= names
@@ -46,8 +46,6 @@ $(B)/test/narrow/%.o: %.c $(TEST_NOTE)
 $(B)/test/test_xform_narrow: $(NARROW:%.c=$(B)/test/narrow/%.o) $(B)/test/libtest.a $(B)/libmeshes.a
 	@$(CC) $(SAN) -Wl,--start-group $^ -Wl,--end-group -lcmocka -lm -o $@
 $(B)/test/test_examples: $(call t,$(wildcard firmware/examples/*.c))
-$(B)/test/test_pass $(B)/test/test_painter: $(call t,tests/lab/fuzz/world.c)
-$(B)/test/test_raycast: $(call t,tests/lab/fuzz/world.c)
 $(B)/test/test_counts: $(call t,sim/frame/pixel_counts.c sim/frame/frame.c sim/frame/scene_share.c sim/cli/sim.c)
 $(B)/test/test_threads $(B)/test/test_golden: $(call t,sim/frame/frame.c sim/frame/scene_share.c sim/cli/sim.c)
 $(B)/test/zsim: $(call t,$(SIM)) $(B)/test/libtest.a $(B)/libmeshes.a
