@@ -44,6 +44,27 @@ extern const struct zs_method zs_method_painter;
  *         strip. */
 extern const struct zs_method zs_method_raycast;
 
+/* The hierarchical depth buffer: the depth buffer's picture and keys, bit for bit. Each tile of a
+ * strip (8 rows, 8 columns or more) has an upper bound of its keys, and so has each block of 4x4
+ * tiles, and of 4x4 blocks. What lies behind is skipped: triangles before set-up; pieces of
+ * scanlines before the depth test; instances in a walk that a full pool has cut (it bins one strip,
+ * of which a part is drawn). A tile on which nothing was drawn is not cleared: the first triangle
+ * that covers all of it is drawn without a test.
+ *
+ * Right   wherever the depth buffer is: all mappings with depth memory, else ZS_ERR_DEPTH; all
+ *         depth states, shaders and passes.
+ * Memory  none of its own: it takes the place of the accelerators `touch` and `tiles`, and their
+ *         part of the arena (ZS_DRAWN_BYTES + ZS_BOUND_BYTES), 3 bytes a tile, block ... Tiles are
+ *         as wide as that allows. If zs_config.fast names the two, they are not used.
+ * Cost    The fast paths for whole and small triangles are not used; those for spans are.
+ *         A tile is looked at again after as many pixels as it has were drawn in it. */
+extern const struct zs_method zs_method_hiz;
+/* The same with weaker tests of a piece, to compare: zs_method_hiz takes the nearest key of the
+ * piece's pixels. These take that of the triangle's plane at the tile's corners, where keys are
+ * linear on the screen (else as the other), and that of the triangle's nearest vertex. */
+extern const struct zs_method zs_method_hiz_corner;
+extern const struct zs_method zs_method_hiz_vertex;
+
 #ifdef __cplusplus
 }
 #endif

@@ -120,6 +120,8 @@ struct zs_stats {
     uint32_t sorted;          /* triangles that a method sorted, summed over strips */
     uint32_t splits;          /* triangles that a method cut in two (zs_method_depthsort) */
     uint32_t rays;            /* rays that were cast (zs_method_raycast) */
+    uint32_t pixels_hidden, tiles_tested; /* zs_method_hiz: of pixels_tested, those that a tile
+                                 hides; pieces of scanlines that were compared with a tile */
 };
 
 #ifdef __cplusplus

@@ -9,6 +9,8 @@
 #include "core/primitive.h"
 #include "core/rotation.h"
 #include "core/usual.h"
+#include "core/view.h"
+#include "core/xform.h"
 
 #define SCALE_MAX ((uint64_t)1 << 47) /* q32_32: 32768 steps are then 2^30 world units */
 
@@ -127,6 +129,32 @@ int zs_cull_widen(const struct zs_renderer *r, const struct zs_instance *in, str
 {
     const struct zs_primitive *primitive = in->material->primitive;
     return primitive ? primitive->ops->widen(r, in, b) : ZS_OK;
+}
+
+int zs_cull_box(const struct zs_renderer *r, const struct zs_bounds *b, struct zs_box *box)
+{
+    const struct zs_view *view = &r->view;
+    const int64_t reach = b->r + b->slack;
+    const int32_t z[2] = { zs_view_length(view, b->c[2] - reach) - 1, /* lengths are off by 1 */
+                           zs_min32(zs_view_length(view, b->c[2] + reach) + 1, view->z_far) };
+    struct zs_vertex at = { 0, 0, 0 };
+    if (z[0] < view->z_near || z[0] > z[1])
+        return 0;
+    *box = (struct zs_box){ INT32_MAX, INT32_MIN, INT32_MAX, INT32_MIN, 0 };
+    for (int k = 3; k >= 0; k--) { /* corners of the sphere's bounding cube, the nearest last */
+        struct zs_point p = { { 0, 0, z[k >> 1] } };
+        for (int i = 0; i < 2; i++) {
+            const int32_t c = zs_view_length(view, b->c[i] + (k & 1 ? reach : -reach));
+            p.c[i] = (int32_t)(zs_mul_ss(c + (k & 1 ? 1 : -1), view->ratio) >> 30) + (k & 1);
+        }
+        (void)zs_xform_project(r, &p, &at); /* 0: outside the guard band, so outside the frame */
+        box->x0 = zs_min32(box->x0, (at.x >> ZS_SUBPX_BITS) - 1);
+        box->x1 = zs_max32(box->x1, (at.x >> ZS_SUBPX_BITS) + 2);
+        box->y0 = zs_min32(box->y0, (at.y >> ZS_SUBPX_BITS) - 1);
+        box->y1 = zs_max32(box->y1, (at.y >> ZS_SUBPX_BITS) + 2);
+    }
+    box->nearest = at.d;
+    return 1;
 }
 
 int zs_cull_walk(struct zs_bounds *b, const struct zs_renderer *r, uint32_t number)

@@ -29,6 +29,14 @@ int zs_cull_widen(const struct zs_renderer *r, const struct zs_instance *in, str
 int zs_cull_sphere(const struct zs_bounds *b, const struct zs_camera *camera,
                    const struct zs_view *view);
 
+struct zs_box {
+    int32_t x0, x1, y0, y1; /* px: columns [x0, x1), rows [y0, y1) */
+    uint32_t nearest;       /* zs_vertex.d of the nearest point */
+};
+/* Find a box of the frame that holds all that is drawn of a bounding sphere. Return 0 if the sphere
+ * reaches before near or begins beyond far. */
+int zs_cull_box(const struct zs_renderer *r, const struct zs_bounds *b, struct zs_box *box);
+
 /* During traversal, when camera units are known: compute the bounds of an instance, with slack for
  * the rounding of its vertices. Return 1 if the instance is outside the view frustum. */
 int zs_cull_walk(struct zs_bounds *b, const struct zs_renderer *r, uint32_t number);

@@ -39,7 +39,7 @@ struct zs_fast_touch {
                   uint32_t sum, uint32_t step);
 };
 
-/* Occlusion culling: large triangles hide others. */
+/* Occlusion culling: triangles and instances that what is nearer hides. */
 struct zs_fast_tiles {
     /* Called for each triangle of the current instance that is drawn; a, b, c are clockwise. If it
      * is large, record which tiles it covers and how far, and set r->large. */
@@ -53,6 +53,9 @@ struct zs_fast_tiles {
     /* Return 1 if no pixel inside a bounding sphere can pass the depth test in a strip that is
      * still to be drawn. */
     int (*hides_sphere)(struct zs_renderer *r, const struct zs_bounds *b);
+    /* After so many triangles in succession that are not hidden, no more are asked about in the
+     * strip. */
+    int32_t in_vain;
 };
 
 /* The inner loops of a texel format. */

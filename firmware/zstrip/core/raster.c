@@ -152,7 +152,6 @@ struct sight {
     int32_t in_vain; /* successive triangles that were tested and not hidden */
     int beside;      /* 1: some binned triangles may lie outside the columns that are drawn */
 };
-#define IN_VAIN 16 /* stop testing after so many */
 
 static struct sight sight_of(struct zs_renderer *r)
 {
@@ -179,7 +178,7 @@ static ZS_NOINLINE int unseen(struct zs_job *job, struct sight *s)
         return 0;
     const int hides = job->r->tiles->hides(job);
     s->in_vain = hides ? 0 : s->in_vain + 1;
-    if (s->in_vain == IN_VAIN)
+    if (s->in_vain == job->r->tiles->in_vain)
         s->seen = UINT32_MAX;
     return hides;
 }

@@ -25,15 +25,11 @@
  *
  * SPDX-License-Identifier: MIT
  */
-#include "core/cold.h"
-#include "core/cull.h"
 #include "core/depth.h"
 #include "core/fast.h"
 #include "core/fx.h"
 #include "core/pass.h"
 #include "core/job.h"
-#include "core/view.h"
-#include "core/xform.h"
 #include "fast/tiles.h"
 #include "zs_fast.h"
 
@@ -324,38 +320,14 @@ int zs_hidden_box(struct zs_renderer *r, const struct zs_box *box, uint32_t near
     return 1;
 }
 
-/* Return a length in camera units, plus its error bound. */
-static int32_t units(const struct zs_view *view, int64_t length, int32_t off)
-{
-    return zs_view_length(view, length) + off;
-}
-
 static int tiles_sphere(struct zs_renderer *r, const struct zs_bounds *b)
 {
-    const struct zs_view *view = &r->view;
-    const int64_t reach = b->r + b->slack;
-    const int32_t z[2] = { units(view, b->c[2] - reach, -1),
-                           zs_min32(units(view, b->c[2] + reach, 1), view->z_far) };
-    struct zs_box box = { INT32_MAX, INT32_MIN, INT32_MAX, INT32_MIN };
-    struct zs_vertex at = { 0, 0, 0 };
-    if (!r->large || z[0] < view->z_near || z[0] > z[1])
-        return 0;
-    for (int k = 3; k >= 0; k--) { /* corners of the sphere's bounding cube, the nearest last */
-        struct zs_point p = { { 0, 0, z[k >> 1] } };
-        for (int i = 0; i < 2; i++) {
-            const int32_t c = units(view, b->c[i] + (k & 1 ? reach : -reach), k & 1 ? 1 : -1);
-            p.c[i] = (int32_t)(zs_mul_ss(c, view->ratio) >> 30) + (k & 1);
-        }
-        (void)zs_xform_project(r, &p, &at); /* 0: outside the guard band, so outside the frame */
-        box.x0 = zs_min32(box.x0, (at.x >> ZS_SUBPX_BITS) - 1);
-        box.x1 = zs_max32(box.x1, (at.x >> ZS_SUBPX_BITS) + 2);
-        box.y0 = zs_min32(box.y0, (at.y >> ZS_SUBPX_BITS) - 1);
-        box.y1 = zs_max32(box.y1, (at.y >> ZS_SUBPX_BITS) + 2);
-    }
-    return zs_hidden_box(r, &box, at.d);
+    struct zs_box box;
+    return r->large && zs_cull_box(r, b, &box) && zs_hidden_box(r, &box, box.nearest);
 }
 
 static const struct zs_fast_tiles tiles = {
-    .cover = tiles_cover, .seen = tiles_seen, .hides = tiles_hide, .hides_sphere = tiles_sphere
+    .cover = tiles_cover, .seen = tiles_seen, .hides = tiles_hide, .hides_sphere = tiles_sphere,
+    .in_vain = 16
 };
 const struct zs_fast zs_fast_tiles = { .tiles = &tiles };

@@ -5,11 +5,8 @@
 #ifndef ZS_FAST_TILES_H
 #define ZS_FAST_TILES_H
 
-#include "zstrip.h"
+#include "core/cull.h"
 
-struct zs_box {
-    int32_t x0, x1, y0, y1; /* px: columns [x0, x1), rows [y0, y1) */
-};
 /* Return 1 if a triangle inside the box, without a depth state and with no vertex nearer than the
  * depth `nearest` (zs_vertex.d), cannot pass the depth test in any strip still to be drawn. */
 int zs_hidden_box(struct zs_renderer *r, const struct zs_box *box, uint32_t nearest);

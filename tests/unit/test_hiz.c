@@ -1,0 +1,307 @@
+/* The hierarchical depth buffer: colours and keys are the depth buffer's, bit for bit, for any scene, pools, strips
+ * and accelerators, and with damage tracking; and hidden triangles, pixels and instances are skipped.
+ *
+ * The reference is zs_render without a method and without accelerators, in one strip.
+ *
+ * SPDX-License-Identifier: MIT
+ */
+#include <stdlib.h>
+#include <string.h>
+
+#include "cases.h"
+#include "fast_lists.h"
+#include "../lab/fuzz/world.h"
+#include "own.h"
+#include "picture.h"
+#include "scenes.h"
+#include "zs_method.h"
+
+static const struct zs_method *const methods[] = { &zs_method_hiz, &zs_method_hiz_corner, &zs_method_hiz_vertex };
+static const struct zs_depth *const mappings[] = { &zs_depth_recip, &zs_depth_linear, &zs_depth_e3m13,
+                                                   &zs_depth_e4m12, &zs_depth_e5m11,  &zs_depth_float };
+
+/* Any way to draw the same frame. */
+static void any_way(struct prng *p, struct zs_config *c)
+{
+    c->strip_h = (uint16_t)prng_range(p, 1, c->height);
+    if (prng_pick(p, 2)) {
+        c->max_tris = (uint16_t)prng_range(p, 1, prng_pick(p, 2) ? 6 : 60);
+        c->max_verts = (uint16_t)prng_range(p, 3, prng_pick(p, 2) ? 12 : 120);
+    }
+    c->buffers = (uint8_t)(1 + prng_pick(p, 2));
+    c->fast = fast_any(p);
+    c->method = methods[prng_pick(p, 3)];
+}
+
+static struct zs_config any_config(struct prng *p, int32_t w, int32_t h)
+{
+    struct zs_config c = picture_config(w, h, mappings[prng_pick(p, sizeof mappings / sizeof mappings[0])]);
+    c.varyings = ZS_VARYINGS_MAX;
+    c.depth_bits = (uint8_t)(prng_pick(p, 3) ? 16 : prng_range(p, 8, 15));
+    c.fast = NULL;
+    return c;
+}
+
+static void add(struct zs_stats *sum, const struct zs_stats *s)
+{
+    sum->pixels_tested += s->pixels_tested;
+    sum->pixels_untested += s->pixels_untested;
+    sum->pixels_hidden += s->pixels_hidden;
+    sum->tris_hidden += s->tris_hidden;
+    sum->instances_hidden += s->instances_hidden;
+    sum->passes += s->passes > s->strips;
+}
+
+/* ---- Random worlds ---------------------------------------------------------------------------- */
+
+static struct zs_stats worlds;
+static unsigned drawn;
+
+static int world_case(uint64_t seed)
+{
+    struct prng p = { seed };
+    static struct world w;
+    world_make(&w, &p, prng_pick(&p, 4) ? 0 : 40);
+    struct zs_config c = any_config(&p, prng_range(&p, 1, 140), prng_range(&p, 1, 90));
+    c.max_tris = 4000;
+    c.max_verts = 8000;
+    struct picture want = picture_draw(&c, &w.scene, &w.camera);
+    int right = 1;
+    for (int k = 0; k < 3 && right; k++) {
+        any_way(&p, &c);
+        struct picture is = picture_draw(&c, &w.scene, &w.camera);
+        right = want.err == is.err && (want.err || picture_same(&want, &is, "a world"));
+        if (!is.err)
+            add(&worlds, &is.stats);
+        drawn += !is.err;
+        picture_free(&is);
+    }
+    picture_free(&want);
+    world_free(&w);
+    return right;
+}
+
+static void worlds_are_the_same(void **state)
+{
+    (void)state;
+    memset(&worlds, 0, sizeof worlds);
+    drawn = 0;
+    CASES(world_case, 1200);
+    print_message("%u frames: of %u pixels %u hidden, %u untested; %u triangles, %u instances hidden; small pools %u\n",
+                  drawn, worlds.pixels_tested, worlds.pixels_hidden, worlds.pixels_untested, worlds.tris_hidden,
+                  worlds.instances_hidden, worlds.passes);
+    if (!getenv("ZS_SEED"))
+        assert_true(drawn > 1200 && worlds.pixels_hidden > 100000 && worlds.pixels_untested > 10000 &&
+                    worlds.tris_hidden > 1000 && worlds.passes > 300);
+}
+
+/* ---- Walls: large quads at a few depths, in any order, with any state -------------------------- */
+
+#define WALLS 14
+
+static const struct zs_depth_state states[] = {
+    { .func = ZS_DEPTH_ALWAYS },
+    { .func = ZS_DEPTH_ALWAYS, .read_only = 1 },
+    { .func = ZS_DEPTH_LESS_EQUAL },
+    { .read_only = 1 },
+    { .bias = -300 },
+    { .bias = 300 },
+    { .func = ZS_DEPTH_LESS_EQUAL, .bias = -5, .slope_bias = 90 }
+};
+static int16_t wall_pos[WALLS][4][3];
+static const uint16_t wall_tri[2][3] = { { 0, 1, 2 }, { 0, 2, 3 } };
+static struct zs_mesh wall_mesh[WALLS];
+static struct zs_material wall_material[WALLS];
+static struct zs_instance wall[WALLS];
+
+/* n walls; odd: some with states and shaders that read the picture. */
+static struct zs_scene walls_make(struct prng *p, uint32_t n, int odd)
+{
+    static const int sign[4][2] = { { -1, -1 }, { 1, -1 }, { 1, 1 }, { -1, 1 } };
+    for (uint32_t i = 0; i < n; i++) {
+        const int32_t z = prng_range(p, 1500, 9000), half = prng_range(p, 100, prng_pick(p, 2) ? 8000 : 800),
+                      tilt = prng_pick(p, 3) ? prng_pick(p, 2) ? 0 : z / 20 : z / 2;
+        const int32_t x = prng_range(p, -z / 3, z / 3), y = prng_range(p, -z / 3, z / 3);
+        for (int k = 0; k < 4; k++) {
+            wall_pos[i][k][0] = (int16_t)(x + sign[k][0] * half);
+            wall_pos[i][k][1] = (int16_t)(y + sign[k][1] * half);
+            wall_pos[i][k][2] = (int16_t)(-z + (tilt ? prng_range(p, -tilt, tilt) : 0));
+        }
+        wall_mesh[i] = (struct zs_mesh){ .pos = (const int16_t(*)[3])wall_pos[i], .tri = wall_tri, .n_verts = 4,
+                                         .n_tris = 2, .center = { (int16_t)x, (int16_t)y, (int16_t)-z },
+                                         .radius = (uint16_t)(half * 3 / 2 + tilt + 2) };
+        wall_material[i] = (struct zs_material){ .shader = odd && prng_pick(p, 6) == 0 ? &glass_shader : &zs_shade_raw,
+                                                 .rgb = { (uint8_t)(30 + 16 * i), (uint8_t)(i * 77), 99 },
+                                                 .cull = ZS_CULL_NONE };
+        wall[i] = (struct zs_instance){ .mesh = &wall_mesh[i > 0 && prng_pick(p, 5) == 0 ? i - 1 : i],
+                                        .material = &wall_material[i] };
+        if (odd && prng_pick(p, 4) == 0)
+            wall[i].depth_state = &states[prng_pick(p, sizeof states / sizeof states[0])];
+    }
+    return (struct zs_scene){ .instance = wall, .n_instances = n, .background = 0x1234 };
+}
+
+static struct zs_camera walls_camera(const struct zs_config *c, struct prng *p)
+{
+    struct zs_camera camera;
+    const int flat = c->depth == &zs_depth_linear && prng_pick(p, 2);
+    if (flat ? zs_camera_orthographic(&camera, 6000, 100, 20000)
+             : zs_camera_perspective(&camera, ZS_DEGREES(60), c->height, 100, 20000))
+        abort();
+    return camera;
+}
+
+static struct zs_stats walls;
+
+static int walls_case(uint64_t seed)
+{
+    struct prng p = { seed };
+    struct zs_config c = any_config(&p, prng_range(&p, 1, 330), prng_range(&p, 1, 130));
+    const struct zs_camera camera = walls_camera(&c, &p);
+    const struct zs_scene scene = walls_make(&p, (uint32_t)prng_range(&p, 2, WALLS), (int)prng_pick(&p, 2));
+    struct picture want = picture_draw(&c, &scene, &camera);
+    int right = 1;
+    for (int k = 0; k < 3 && right; k++) {
+        any_way(&p, &c);
+        struct picture is = picture_draw(&c, &scene, &camera);
+        right = picture_same(&want, &is, "walls");
+        add(&walls, &is.stats);
+        picture_free(&is);
+    }
+    picture_free(&want);
+    return right;
+}
+
+static void walls_are_the_same(void **state)
+{
+    (void)state;
+    memset(&walls, 0, sizeof walls);
+    CASES(walls_case, 1200);
+    print_message("of %u pixels %u hidden, %u untested; %u triangles, %u instances hidden; small pools in %u frames\n",
+                  walls.pixels_tested, walls.pixels_hidden, walls.pixels_untested, walls.tris_hidden,
+                  walls.instances_hidden, walls.passes);
+    if (!getenv("ZS_SEED"))
+        assert_true(walls.pixels_hidden > 2000000 && walls.pixels_untested > 2000000 && walls.tris_hidden > 5000 &&
+                    walls.instances_hidden > 100);
+}
+
+/* ---- One renderer, several frames, damage tracking --------------------------------------------- */
+
+#define SHOW_W 150
+#define SHOW_H 90
+static uint8_t shown[SHOW_W * SHOW_H * 2];
+
+static int show(void *ctx, const struct zs_strip *s)
+{
+    (void)ctx;
+    for (uint32_t y = 0; y < s->h; y++)
+        memcpy(shown + ((s->y + y) * SHOW_W + s->dirty_x) * 2u, s->px + (y * SHOW_W + s->dirty_x) * 2u,
+               s->dirty_w * 2u);
+    return 0;
+}
+
+static unsigned clean, frames_shown;
+
+static int frames_case(uint64_t seed)
+{
+    struct prng p = { seed };
+    struct zs_config c = any_config(&p, SHOW_W, SHOW_H), plain = c;
+    const struct zs_camera camera = walls_camera(&c, &p);
+    struct zs_scene scene = walls_make(&p, WALLS, (int)prng_pick(&p, 2));
+    any_way(&p, &c);
+    uint32_t *memory = malloc(ZS_DAMAGE_WORDS(WALLS, SHOW_H, 1) * sizeof *memory);
+    void *arena = malloc(zs_arena_bytes(&c));
+    struct zs_renderer *r = malloc(sizeof *r);
+    const struct zs_sink sink = { .submit = show };
+    int right = memory && arena && r && zs_init(r, &c, arena, zs_arena_bytes(&c)) == ZS_OK;
+    if (right && prng_pick(&p, 4))
+        right = zs_damage_track(r, memory, WALLS) == ZS_OK && zs_damage_columns(r, (int)prng_pick(&p, 2)) == ZS_OK;
+    for (int k = 0; k < 5 && right; k++) {
+        if (k)
+            wall[prng_pick(&p, WALLS)].pose.pos[prng_pick(&p, 3)] += prng_range(&p, -300, 300);
+        struct picture want = picture_draw(&plain, &scene, &camera);
+        right = !want.err && zs_render(r, &scene, &camera, &sink) == ZS_OK;
+        clean += zs_frame_stats(r)->strips_clean;
+        frames_shown++;
+        for (int32_t i = 0; i < SHOW_W * SHOW_H && right; i++)
+            right = want.color[i] == (shown[2 * i] << 8 | shown[2 * i + 1]) ||
+                    case_wrong("frame %d, pixel (%d, %d)", k, i % SHOW_W, i / SHOW_W);
+        picture_free(&want);
+    }
+    free(memory);
+    free(arena);
+    free(r);
+    return right;
+}
+
+static void frames_with_damage_are_the_same(void **state)
+{
+    (void)state;
+    clean = frames_shown = 0;
+    CASES(frames_case, 300);
+    print_message("%u frames, %u strips clean\n", frames_shown, clean);
+    if (!getenv("ZS_SEED"))
+        assert_true(clean > 500 && frames_shown > 1000);
+}
+
+/* ---- What it skips ----------------------------------------------------------------------------- */
+
+/* The bench's eight layers: from front to back all but the first are skipped before set-up; mixed, less is tested than
+ * from back to front. A stronger test of pieces skips no less. */
+static void layers_are_skipped(void **state)
+{
+    static const struct demo *const order[] = { &demo_layers_ftb, &demo_layers_mixed, &demo_layers_btf };
+    static struct demo_frame frame;
+    (void)state;
+    for (int o = 0; o < 3; o++) {
+        uint32_t compared[3];
+        order[o]->pose(&frame, 0, 320, 240);
+        struct zs_config c = picture_config(320, 240, order[o]->depth);
+        c.strip_h = 24;
+        for (int m = 0; m < 3; m++) {
+            c.method = methods[m];
+            struct picture is = picture_draw(&c, &frame.scene, &frame.camera);
+            assert_int_equal(is.err, ZS_OK);
+            compared[m] = is.stats.pixels_tested - is.stats.pixels_hidden - is.stats.pixels_untested;
+            if (o == 0) {
+                assert_true(is.stats.pixels_untested > 320 * 240 * 8 / 10);
+                assert_true(is.stats.pixels_tested < 320 * 240 * 12 / 10);
+                assert_true(is.stats.tris_hidden > 7 * 2 * 8);
+            }
+            if (o == 1)
+                assert_true(compared[m] < 320 * 240 * 5);
+            if (o == 2)
+                assert_true(is.stats.pixels_hidden == 0 && compared[m] > 320 * 240 * 6);
+            picture_free(&is);
+        }
+        assert_true(compared[0] <= compared[1] && compared[0] <= compared[2]);
+    }
+}
+
+static void a_mapping_without_memory_is_refused(void **state)
+{
+    static const int16_t corner[3][3] = { { 0, 0, -2000 }, { 900, 0, -2000 }, { 0, 900, -2000 } };
+    struct lone l;
+    (void)state;
+    lone_set(&l, corner, 3, ZS_Q16_ONE);
+    struct zs_config c = picture_config(64, 48, &zs_depth_none);
+    const struct zs_camera camera = pixel_camera(48, 1);
+    for (int m = 0; m < 3; m++) {
+        c.method = methods[m];
+        struct picture is = picture_draw(&c, &l.scene, &camera);
+        assert_int_equal(is.err, ZS_ERR_DEPTH);
+        picture_free(&is);
+    }
+}
+
+int main(int argc, char **argv)
+{
+    const struct CMUnitTest tests[] = { cmocka_unit_test(worlds_are_the_same), cmocka_unit_test(walls_are_the_same),
+                                         cmocka_unit_test(frames_with_damage_are_the_same),
+                                        cmocka_unit_test(layers_are_skipped),
+                                        cmocka_unit_test(a_mapping_without_memory_is_refused) };
+    cases_program = argv[0];
+    if (argc > 1)
+        cmocka_set_test_filter(argv[1]);
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
