@@ -24,6 +24,8 @@ static const struct {
     const struct zs_depth *depth; /* NULL: the scene's */
 } methods[] = {
     { "zbuffer", 0, 0 },
+    { "hiz", &zs_method_hiz, 0 },
+    { "raycast", &zs_method_raycast, 0 },
     { "painter", &zs_method_painter, &zs_depth_none },
 };
 

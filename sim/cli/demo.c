@@ -77,7 +77,7 @@ static const char usage[] =
     "  --fast LIST       accelerators to draw with, the same frames: all, none, names with commas between, or all but\n"
     "                    some, as all-tiles-touch (all). There are:\n"
     "                    %s\n"
-    "  --method zbuffer|painter\n"
+    "  --method zbuffer|hiz|painter|raycast\n"
     "                    how hidden surfaces are removed (zbuffer), as of zsim render\n"
     "  --show depth|complexity|overdraw|tested|strips\n"
     "                    pictures are false colours with a legend, as of zsim render\n"
@@ -181,7 +181,7 @@ static int compare(struct tally *sum, const struct demo_frame *f, const struct d
 {
     const size_t n = (size_t)config->width * config->height;
     struct ref_image ours = { .rgb565 = frame->rgb565,
-                              .key = frame->no_depth ? NULL : frame->key,
+                              .key = frame->no_keys ? NULL : frame->key,
                               .id = sim_alloc(n, sizeof(uint32_t)),
                               .texel = sim_alloc(n, sizeof(uint32_t)) }; /* colours are compared where it is the same */
     struct sim_truth truth;

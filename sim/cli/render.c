@@ -140,10 +140,10 @@ static int draw_frame(struct job *job)
     if (status != SIM_OK)
         return status;
     int err = ZS_OK;
-    if (o->id_out != NULL || o->compare || job->frame.no_depth) {
+    if (o->id_out != NULL || o->compare || job->frame.no_keys) {
         job->id = sim_alloc(pixels, sizeof *job->id);
         err = sim_frame_ids(job->id, &job->scene.scene, &job->scene.camera, &job->config);
-        if (err == ZS_OK && job->frame.no_depth)
+        if (err == ZS_OK && job->frame.no_keys)
             sim_frame_cover(&job->frame, job->id);
     }
     if (err == ZS_OK && o->compare && sim_options_textured(o)) {
@@ -191,7 +191,7 @@ static int draw(struct job *job)
         status = sim_original_render(&job->original, &job->model, &job->view, o);
     if (status == SIM_OK && o->compare) {
         const struct ref_image ours = { .rgb565 = job->frame.rgb565,
-                                        .key = job->frame.no_depth ? NULL : job->frame.key,
+                                        .key = job->frame.no_keys ? NULL : job->frame.key,
                                         .id = job->id, .texel = job->texel };
         if (ref_compare(&ours, &job->original.image, &job->original.depth, &job->original.camera,
                         job->view.width, job->view.height, &job->diff) != REF_OK)

@@ -35,9 +35,9 @@ const char sim_options_help[] =
     "                       far <= 32768 near, else e5m11; orthographic views: linear)\n"
     "  --depth-bits N       8 to 16 (16)\n"
     "  --subpixel 4|8       sub-pixel bits (8)\n"
-    "  --method zbuffer|painter\n"
+    "  --method zbuffer|hiz|painter|raycast\n"
     "                       how hidden surfaces are removed (zbuffer); zsim gallery shows what each gets right and\n"
-    "                       takes. All but zbuffer have no depth memory\n"
+    "                       takes\n"
     "  --tris N, --verts N  pool sizes, up to 65534 (ample); small ones take more passes\n"
     "  --buffers 1|2        strip buffers (2)\n"
     "  --fast LIST          accelerators to draw with, the same frame: all, none, names with commas between,\n"
@@ -211,8 +211,8 @@ static int check_method(const struct sim_options *o)
         return SIM_OK;
     if (o->reference)
         return sim_usage("--method is about the renderer: leave --reference out");
-    if (method->depth && o->depth_out)
-        return sim_usage("--method %s has no depth memory: leave --depth-out out", method->name);
+    if (!method->keys && o->depth_out)
+        return sim_usage("--method %s keeps no depth keys: leave --depth-out out", method->name);
     if (o->show != SIM_SHOW_FRAME && o->show != SIM_SHOW_OVERDRAW)
         return sim_usage("--method %s: of --show there is overdraw", method->name);
     if (method->depth && o->depth != SIM_DEPTH_DEFAULT)

@@ -9,12 +9,19 @@
 #include <string.h>
 #include <time.h>
 
+#include "method_names.h"
 #include "scene_share.h"
 #include "sim.h"
 #include "strip_sum.h"
 #include "zs_fast.h"
 
 #define ARENA_ALIGN 32u
+
+static int no_keys(const struct zs_config *config)
+{
+    const struct sim_method *method = sim_method_of(config);
+    return config->depth == &zs_depth_none || (method && !method->keys);
+}
 
 /* The receiving end of the sink. */
 struct receiver {
@@ -38,7 +45,7 @@ static int submit(void *ctx, const struct zs_strip *strip)
         return SIM_FRAME_BROKEN;
     const size_t n = (size_t)strip->w * strip->h;
     f->no_depth = strip->depth == NULL;
-    if (strip->depth)
+    if (!f->no_keys)
         memcpy(f->key + (size_t)strip->y * f->width, strip->depth, n * sizeof *f->key);
     to->strip = *strip;
     to->sum = sim_strip_sum(strip);
@@ -126,6 +133,7 @@ int sim_frame_render_to(struct sim_frame *frame, const struct zs_scene *scene, c
         frame->width = config->width;
         frame->height = config->height;
         frame->arena_bytes = bytes;
+        frame->no_keys = no_keys(config);
         frame->rgb565 = sim_alloc(n, sizeof *frame->rgb565);
         frame->key = sim_alloc(n, sizeof *frame->key);
         struct receiver receiver = { .frame = frame, .what = what, .to = to };
@@ -234,7 +242,7 @@ static int has_strip(const struct worker *w, uint32_t strip)
 static void copy_strip(struct sim_frame *frame, const struct zs_strip *s)
 {
     const size_t first = (size_t)s->y * frame->width, n = (size_t)s->w * s->h;
-    if (s->depth)
+    if (!frame->no_keys)
         memcpy(frame->key + first, s->depth, n * sizeof *frame->key);
     for (size_t i = 0; i < n; i++)
         frame->rgb565[first + i] = (uint16_t)(s->px[2 * i] << 8 | s->px[2 * i + 1]);
@@ -437,6 +445,7 @@ int sim_frame_render_threads(struct sim_frame *frame, const struct zs_scene *sce
     frame->height = config->height;
     frame->arena_bytes = zs_arena_bytes(config);
     frame->no_depth = config->depth == &zs_depth_none;
+    frame->no_keys = no_keys(config);
     if (way != BY_PARTS) {
         frame->rgb565 = sim_alloc((size_t)config->width * config->height, sizeof *frame->rgb565);
         frame->key = sim_alloc((size_t)config->width * config->height, sizeof *frame->key);

@@ -10,9 +10,9 @@
 struct sim_frame {
     uint16_t width, height;
     uint16_t *rgb565;      /* [height][width], values in the host's byte order */
-    uint16_t *key;         /* [height][width], depth keys; ZS_DEPTH_CLEAR: nothing drawn. Without depth memory all
-                              are 0, until sim_frame_cover */
-    int no_depth;          /* flag: there was no depth memory */
+    uint16_t *key;         /* [height][width], depth keys; ZS_DEPTH_CLEAR: nothing drawn. Without keys all are 0,
+                              until sim_frame_cover */
+    int no_depth, no_keys; /* flags: there was no depth memory; or none that held keys */
     struct zs_stats stats; /* of the frame */
     uint32_t arena_bytes;
 };
@@ -59,7 +59,7 @@ int sim_frame_render_threads(struct sim_frame *frame, const struct zs_scene *sce
 int sim_frame_ids(uint32_t *id, const struct zs_scene *scene, const struct zs_camera *camera,
                   const struct zs_config *config);
 
-/* For a frame without depth memory: keys of pixels on which nothing was drawn become ZS_DEPTH_CLEAR. id: of the same
+/* For a frame without keys: keys of pixels on which nothing was drawn become ZS_DEPTH_CLEAR. id: of the same
  * frame, by sim_frame_ids. */
 void sim_frame_cover(struct sim_frame *frame, const uint32_t *id);
 

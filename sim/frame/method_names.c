@@ -4,18 +4,36 @@
  */
 #include "method_names.h"
 
+#include <stddef.h>
+
 const struct sim_method sim_methods[SIM_METHODS] = {
-    { .name = "zbuffer", .title = "Depth buffer",
+    { .name = "zbuffer", .keys = 1, .title = "Depth buffer",
       .take = "Take it when in doubt: it is right for any scene, in any order, and the fastest here. It costs two bytes "
               "a pixel of a strip.",
       .fails = "Surfaces closer than a bucket of depth are sorted by scene order." },
+    { .name = "hiz", .method = &zs_method_hiz, .keys = 1, .title = "Hierarchical depth buffer",
+      .take = "Take it for scenes in which much is hidden by what was drawn before, in any order. It takes the place of the "
+              "accelerators touch and tiles, and their memory.",
+      .fails = "As the depth buffer, bit for bit." },
     { .name = "painter", .method = &zs_method_painter, .depth = &zs_depth_none, .least_tris = 2, .least_verts = 6,
       .title = "Painter's algorithm",
       .take = "Take it for small parts that hold no depth memory and scenes of separate things. It costs a sort of each "
               "strip's triangles.",
       .fails = "Triangles that intersect, overlap in a cycle, or reach far behind what they cover are drawn in the wrong "
                "order." },
+    { .name = "raycast", .method = &zs_method_raycast, .least_tris = 4, .least_verts = 6, .title = "Ray casting",
+      .take = "Take it for many triangles in few pixels, or to see what the other order of the loops costs: for each pixel the "
+              "nearest triangle, in place of, for each triangle, its pixels.",
+      .fails = "Shaders that mix with what is there see the background alone: each pixel is coloured once." },
 };
+
+const struct sim_method *sim_method_of(const struct zs_config *config)
+{
+    for (size_t k = 0; k < SIM_METHODS; k++)
+        if (sim_methods[k].method == config->method)
+            return &sim_methods[k];
+    return NULL;
+}
 
 void sim_method_apply(struct zs_config *config, const struct sim_method *method)
 {

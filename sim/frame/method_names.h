@@ -12,12 +12,16 @@ struct sim_method {
     const struct zs_method *method; /* NULL: the depth buffer */
     const struct zs_depth *depth;   /* the mapping that it needs; NULL: any with depth memory */
     uint16_t least_tris, least_verts; /* of pools */
+    int keys;                         /* flag: zs_strip.depth holds keys */
     const char *title, *take, *fails; /* for the gallery: its name in full, when to take it, what it gets wrong */
 };
 
-#define SIM_METHODS 2
-#define SIM_METHOD_WORDS "zbuffer|painter" /* in the order of the table */
+#define SIM_METHODS 4
+#define SIM_METHOD_WORDS "zbuffer|hiz|painter|raycast" /* in the order of the table */
 extern const struct sim_method sim_methods[SIM_METHODS];
+
+/* The one of a configuration; NULL: it is not in the table. */
+const struct sim_method *sim_method_of(const struct zs_config *config);
 
 /* Set a configuration's method, and its mapping and least pools where the method asks for some. */
 void sim_method_apply(struct zs_config *config, const struct sim_method *method);

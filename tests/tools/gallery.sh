@@ -49,7 +49,7 @@ done
 cmp -s painter.png zbuffer.png || wrong "painter draws another triangle"
 grep -q '"depth_bytes": 0,' painter.json || wrong "painter has depth_bytes"
 z render tri.obj --out x.png --method painter --depth-out d.pgm
-one_line 2 'method painter has no depth memory: leave --depth-out out'
+one_line 2 'method painter keeps no depth keys: leave --depth-out out'
 z render tri.obj --out x.png --method painter --show tested
 one_line 2 'method painter: of --show there is overdraw'
 z render tri.obj --out x.png --method painter --depth recip

@@ -50,6 +50,8 @@ struct kind_method {
 
 static const struct kind_method kind_methods[] = {
     { NULL, "zbuffer", NULL, 1, 3 },
+    { &zs_method_hiz, "hiz", NULL, 1, 3 },
+    { &zs_method_raycast, "raycast", NULL, 4, 6 },
     { &zs_method_painter, "painter", &zs_depth_none, 2, 6 },
 };
 

@@ -88,6 +88,8 @@ static const char *const seen_name[] = {
     "pal8",
     "pal4",
     "zbuffer",
+    "hiz",
+    "raycast",
     "painter",
 };
 _Static_assert(SEEN_PASSES + sizeof seen_name / sizeof *seen_name == SEEN_N, "a name each");
