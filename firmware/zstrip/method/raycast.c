@@ -546,8 +546,8 @@ static int node_run(struct zs_renderer *r)
         return s->others->run(r);
     while (s->node < bvh->skip) {
         const struct zs_bvh_node *node = &bvh[s->node];
-        const uint32_t end = node->skip < bvh->skip ? bvh[node->skip].first
-                                                    : r->xform.instance->mesh->n_tris;
+        const uint32_t n = r->xform.instance->mesh->n_tris;
+        const uint32_t end = node->skip < bvh->skip ? zs_minu32(bvh[node->skip].first, n) : n;
         if (left_out(r, node)) {
             r->stats.tris_cluster += r->counting ? end - node->first : 0u;
             s->node = node->skip;
