@@ -45,6 +45,7 @@ const char sim_convert_help[] =
     "  --face-normals yes|no  with flat shading: 6 bytes a triangle, or work at run time (yes)\n"
     "  --cull back|front|none  which sides are not drawn (back)\n"
     "  --color RRGGBB       one colour for the whole model\n"
+    "  --bvh                a hierarchy of spheres for zs_method_raycast, 16 bytes a node\n"
     "  --map F.u32          for each triangle written, in order, its number in the file + 1, as "
     "in\n"
     "                       zsim render --id-out; little-endian uint32\n"
@@ -79,6 +80,7 @@ static const struct sim_option table[] = {
     { "--face-normals", SIM_OPTION_CHOICE, AT(no_face_normals), .use = FOR_MODELS | SHOWN, .words = "yes|no" },
     { "--cull", SIM_OPTION_CHOICE, AT(cull), .use = FOR_MODELS | SHOWN, .words = "back|front|none" },
     { "--color", SIM_OPTION_RGB, AT(color), AT(has_color), .use = FOR_MODELS | SHOWN },
+    { "--bvh", SIM_OPTION_FLAG, AT(bvh), .use = FOR_MODELS | SHOWN },
     { "--map", SIM_OPTION_PATH, AT(map), .use = FOR_MODELS },
     { "--texture", SIM_OPTION_PATH, AT(texture), .use = FOR_MODELS | SHOWN },
     { "--wrap", SIM_OPTION_CHOICE, AT(wrap), .use = SHOWN, .words = "file|repeat|clamp" },

@@ -20,7 +20,7 @@
 #define COLUMNS 100
 
 /* Structs on a 32-bit machine, bytes. */
-#define MESH_BYTES 68u
+#define MESH_BYTES 72u
 #define MATERIAL_BYTES 16u
 #define TEXTURE_BYTES 20u
 #define INSTANCE_BYTES 64u
@@ -180,6 +180,17 @@ static void clusters(FILE *f, const char *name, uint32_t part, const struct sim_
     end(f);
 }
 
+static void nodes(FILE *f, const char *name, uint32_t part, const struct sim_piece *p)
+{
+    struct row row = begin(f, "struct zs_bvh_node", name, part, "bvh", p->n_nodes, "");
+    for (uint32_t i = 0; i < p->n_nodes; i++) {
+        const struct zs_bvh_node *n = &p->bvh[i];
+        put(&row, "{.center={%d,%d,%d},.radius=%u,.first=%" PRIu32 ",.skip=%" PRIu32 "},", n->center[0], n->center[1],
+            n->center[2], n->radius, n->first, n->skip);
+    }
+    end(f);
+}
+
 static void piece_arrays(FILE *f, const char *name, uint32_t part, const struct sim_piece *p,
                          int fine)
 {
@@ -200,6 +211,8 @@ static void piece_arrays(FILE *f, const char *name, uint32_t part, const struct 
         coordinates(f, name, part, p);
     if (p->cluster != NULL)
         clusters(f, name, part, p);
+    if (p->bvh != NULL)
+        nodes(f, name, part, p);
 }
 
 /* ---- Objects --------------------------------------------------------------------------------- */
@@ -260,6 +273,7 @@ static void mesh_object(FILE *f, const char *name, uint32_t part, const struct s
     if (p->cluster != NULL)
         (void)fprintf(f, ",\n      .cluster = %s_cluster_%" PRIu32 ", .n_clusters = %" PRIu32 "u", name, part,
                       p->n_clusters);
+    pointer(f, p->bvh != NULL, name, "bvh", part);
     (void)fputs(" },\n", f);
 }
 
@@ -356,7 +370,7 @@ static size_t flash(FILE *f, const struct sim_conversion *c, const char *lead)
     const size_t structs = p->n_pieces * (MESH_BYTES + INSTANCE_BYTES) +
                            p->n_paints * MATERIAL_BYTES + c->n_skins * TEXTURE_BYTES;
     const size_t total = s.pos + s.pos_lo + s.tri + s.normal + s.face_normal + s.rgb + s.uv +
-                         s.cluster + texels + structs;
+                         s.cluster + s.bvh + texels + structs;
     if (f != NULL) {
         bytes_line(f, lead, "positions", s.pos);
         bytes_line(f, lead, "positions, low bits", s.pos_lo);
@@ -366,6 +380,7 @@ static size_t flash(FILE *f, const struct sim_conversion *c, const char *lead)
         bytes_line(f, lead, "colours", s.rgb);
         bytes_line(f, lead, "texture coordinates", s.uv);
         bytes_line(f, lead, "clusters", s.cluster);
+        bytes_line(f, lead, "hierarchy", s.bvh);
         bytes_line(f, lead, "texels and palettes", texels);
         bytes_line(f, lead, "structs (32-bit machine)", structs);
         bytes_line(f, lead, "flash", total);

@@ -13,12 +13,13 @@
 #include <string.h>
 
 #include "cluster.h"
+#include "hierarchy.h"
 #include "sim.h"
 #include "vec.h"
 
 #define PIECE_VERTS_MAX 65535u
 #define COLORS_MAX 64u  /* meshes by colour: not more */
-#define MESH_BYTES 148u /* a mesh, material and instance of its own, on a 32-bit machine */
+#define MESH_BYTES 152u /* a mesh, material and instance of its own, on a 32-bit machine */
 #define STACK_MAX 64
 #define TEXELS_OFF_MAX 0.5
 #define DEGREES (180.0 / 3.14159265358979323846)
@@ -440,6 +441,8 @@ static void sort_piece(struct work *w, struct sim_piece *p, const struct shape *
     const struct sim_shape shape = { (const int32_t(*)[3])fine, (const uint32_t(*)[3])old,
                                      p->n_verts, p->n_tris };
     p->cluster = sim_cluster(order, &p->n_clusters, &shape, w->options->cull == ZS_CULL_BACK);
+    if (w->options->bvh)
+        p->bvh = sim_hierarchy(&p->n_nodes, order, p->cluster, p->n_clusters, &shape);
     for (uint32_t i = 0; i < p->n_tris; i++) {
         memcpy(tri[i], old[order[i]], sizeof *tri);
         list[i] = old_list[order[i]];
@@ -629,7 +632,7 @@ static size_t total(const struct sim_pieces *p, int fine)
 {
     struct sim_flash f;
     sim_pieces_flash(&f, p, fine);
-    return f.pos + f.pos_lo + f.tri + f.normal + f.face_normal + f.uv + f.rgb + f.cluster +
+    return f.pos + f.pos_lo + f.tri + f.normal + f.face_normal + f.uv + f.rgb + f.cluster + f.bvh +
            (size_t)p->n_pieces * MESH_BYTES;
 }
 
@@ -690,6 +693,7 @@ void sim_pieces_flash(struct sim_flash *sum, const struct sim_pieces *pieces, in
                     (p->face_rgb != NULL ? 3 * (size_t)p->n_tris : 0) +
                     (p->face_raw != NULL ? 2 * (size_t)p->n_tris : 0);
         sum->cluster += 20 * (size_t)p->n_clusters; /* as every ABI lays it out */
+        sum->bvh += 16 * (size_t)p->n_nodes;
     }
 }
 
@@ -698,7 +702,7 @@ void sim_pieces_free(struct sim_pieces *pieces)
     for (uint32_t i = 0; i < pieces->n_pieces; i++) {
         struct sim_piece *p = &pieces->piece[i];
         SIM_FREE(p->fine, p->normal, p->face_normal, p->vertex_rgb, p->face_rgb, p->face_raw, p->uv, p->tri,
-                 p->source, p->cluster);
+                 p->source, p->cluster, p->bvh);
     }
     SIM_FREE(pieces->piece, pieces->paint, pieces->uv_error);
     memset(pieces, 0, sizeof *pieces);

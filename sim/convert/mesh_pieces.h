@@ -31,7 +31,7 @@ struct sim_paint {
 
 /* A mesh as it will be written. Arrays that its shader does not read are NULL. */
 struct sim_piece {
-    uint32_t paint, n_verts, n_tris, n_clusters;
+    uint32_t paint, n_verts, n_tris, n_clusters, n_nodes;
     int32_t (*fine)[3]; /* [n_verts], 1/256 step */
     zs_q1_15 (*normal)[3], (*face_normal)[3];
     struct zs_rgb *vertex_rgb, *face_rgb;
@@ -40,6 +40,7 @@ struct sim_piece {
     uint16_t (*tri)[3];
     uint32_t *source;           /* [n_tris], the triangle's number in the model */
     struct zs_cluster *cluster; /* [n_clusters], of SIM_CLUSTER_TRIS triangles or fewer */
+    struct zs_bvh_node *bvh;    /* [n_nodes]; NULL: not asked for */
     int16_t center[3];
     uint16_t radius;
     uint8_t uv_bits;
@@ -69,7 +70,7 @@ void sim_pieces_free(struct sim_pieces *pieces);
 
 /* What a part of all meshes takes in flash, bytes. */
 struct sim_flash {
-    size_t pos, pos_lo, tri, normal, face_normal, uv, rgb, cluster;
+    size_t pos, pos_lo, tri, normal, face_normal, uv, rgb, cluster, bvh;
 };
 void sim_pieces_flash(struct sim_flash *sum, const struct sim_pieces *pieces, int fine);
 

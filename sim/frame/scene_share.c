@@ -116,6 +116,7 @@ static void cut_mesh(struct sim_share *share, struct zs_mesh *out, const struct 
 {
     struct picked picked;
     *out = *mesh;
+    out->bvh = NULL;
     share->block = sim_grow(share->block, share->n_blocks + BLOCKS_MAX, sizeof *share->block);
     out->n_tris = end - first;
     out->tri = picked_tris(share, &picked, mesh, first, end - first);

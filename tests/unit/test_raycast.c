@@ -34,9 +34,82 @@ static void make_opaque(struct world *w)
             w->material[k].shader = &own_shader;
 }
 
+/* ---- Hierarchies ------------------------------------------------------------------------------- */
+
+#define NODES 2048
+
+static struct zs_bvh_node nodes[WORLD_MESHES][NODES];
+static int shrink; /* radii are a quarter: what a wrong hierarchy does */
+
+/* A sphere around the vertices of triangles [from, end), by its box's middle. 0: a vertex is out of range. */
+static int sphere(struct zs_bvh_node *to, const struct zs_mesh *m, uint32_t from, uint32_t end)
+{
+    int32_t lo[3] = { 32767, 32767, 32767 }, hi[3] = { -32768, -32768, -32768 };
+    int64_t most = 0, r = 0;
+    for (uint32_t i = 3 * from; i < 3 * end; i++) {
+        const uint32_t v = m->tri[i / 3][i % 3];
+        if (v >= m->n_verts)
+            return 0;
+        for (int k = 0; k < 3; k++) {
+            lo[k] = m->pos[v][k] < lo[k] ? m->pos[v][k] : lo[k];
+            hi[k] = m->pos[v][k] > hi[k] ? m->pos[v][k] : hi[k];
+        }
+    }
+    for (int k = 0; k < 3; k++)
+        to->center[k] = (int16_t)((lo[k] + hi[k]) / 2);
+    for (uint32_t i = 3 * from; i < 3 * end; i++) {
+        int64_t square = 0;
+        for (int k = 0; k < 3; k++) {
+            const uint32_t v = m->tri[i / 3][i % 3];
+            const int64_t d = (m->pos[v][k] - to->center[k]) * 256 + (m->pos_lo ? m->pos_lo[v][k] : 0);
+            square += d * d;
+        }
+        most = square > most ? square : most;
+    }
+    while (r * r * 65536 < most)
+        r += 1 + r / 256; /* rounded up, a little more where it is large */
+    to->radius = (uint16_t)(shrink ? r / 4 : r > 65535 ? 65535 : r);
+    return r <= 65535;
+}
+
+/* Build nodes over triangles [from, end) from node *n on. 0: that is not possible. */
+static int build(struct zs_bvh_node *at, uint32_t *n, const struct zs_mesh *m, uint32_t from, uint32_t end,
+                 uint32_t leaf)
+{
+    const uint32_t k = (*n)++;
+    if (k >= NODES || !sphere(&at[k], m, from, end))
+        return 0;
+    at[k].first = from;
+    if (end - from > leaf) {
+        const uint32_t mid = from + (end - from) / 2;
+        if (!build(at, n, m, from, mid, leaf) || !build(at, n, m, mid, end, leaf))
+            return 0;
+    }
+    at[k].skip = *n;
+    return 1;
+}
+
+static unsigned trees;
+
+/* Give some of a world's meshes a hierarchy, and clusters, without which it is not used. */
+static void grow_trees(struct world *w, struct prng *p)
+{
+    static const struct zs_cluster some;
+    for (int k = 0; k < WORLD_MESHES; k++) {
+        uint32_t n = 0;
+        struct zs_mesh *m = &w->mesh[k];
+        if (m->n_tris == 0 || one_in(p, 3) || !build(nodes[k], &n, m, 0, m->n_tris, 1u + prng_pick(p, 8)))
+            continue;
+        m->bvh = nodes[k];
+        if (!m->cluster)
+            m->cluster = &some;
+        trees++;
+    }
+}
+
 /* ---- The depth buffer's frame ------------------------------------------------------------------ */
 
-static unsigned drawn, cut, curved, stated, clipped;
+static unsigned drawn, cut, curved, stated, clipped, left_out;
 
 static int world_case(uint64_t seed)
 {
@@ -53,6 +126,7 @@ static int world_case(uint64_t seed)
                            .subpixel_bits = prng_pick(&p, 4) ? 8 : 4 };
     c.strip_h = c.height;
     struct picture want = picture_draw(&c, &w.scene, &w.camera);
+    grow_trees(&w, &p);
     c.method = &zs_method_raycast;
     any_way(&p, &c);
     struct picture is = picture_draw(&c, &w.scene, &w.camera);
@@ -61,7 +135,8 @@ static int world_case(uint64_t seed)
         const size_t px = (size_t)c.width * c.height;
         if (!w.scene.n_resolves)
             memcpy(is.key, want.key, px * 2);
-        right = picture_same(&want, &is, depth->name) && is.stats.rays == px;
+        right = picture_same(&want, &is, depth->name) && is.stats.rays == px && stats_add_up(&is.stats);
+        left_out += is.stats.tris_cluster > want.stats.tris_cluster;
         drawn += want.covered > 0;
         cut += is.stats.passes > is.stats.strips;
         curved += depth->depth != &zs_depth_recip && w.camera.projection == ZS_PERSPECTIVE;
@@ -79,10 +154,82 @@ static int world_case(uint64_t seed)
 static void is_the_frame_of_the_depth_buffer(void **state)
 {
     (void)state;
-    drawn = cut = curved = stated = clipped = 0;
-    CASES(world_case, getenv("ZS_STRESS") ? 10000 : 300);
+    drawn = cut = curved = stated = clipped = left_out = trees = 0;
+    CASES(world_case, getenv("ZS_STRESS") ? 10000 : 150);
     if (!getenv("ZS_SEED"))
-        assert_true(drawn > 100 && cut > 50 && curved > 50 && stated > 150 && clipped > 50);
+        assert_true(drawn > 50 && cut > 25 && curved > 25 && stated > 75 && clipped > 25 && trees > 200 && left_out > 10);
+}
+
+/* A sphere that does not hold its triangles is noticed: the frames are not the depth buffer's. */
+static void small_spheres_are_noticed(void **state)
+{
+    unsigned other = 0;
+    (void)state;
+    shrink = 1;
+    for (uint64_t seed = 1; seed <= 100; seed++) {
+        struct prng p = { seed };
+        static struct world w;
+        world_make(&w, &p, 0);
+        make_opaque(&w);
+        struct zs_config c = picture_config(40, 30, &zs_depth_linear);
+        c.strip_h = 5;
+        c.max_tris = 40;
+        struct picture want = picture_draw(&c, &w.scene, &w.camera);
+        grow_trees(&w, &p);
+        c.method = &zs_method_raycast;
+        struct picture is = picture_draw(&c, &w.scene, &w.camera);
+        other += !want.err && !is.err && memcmp(want.color, is.color, 40 * 30 * 2) != 0;
+        picture_free(&want);
+        picture_free(&is);
+        world_free(&w);
+    }
+    shrink = 0;
+    assert_true(other > 2);
+}
+
+/* ---- Layers ------------------------------------------------------------------------------------ */
+
+#define TRIS 120
+
+/* Triangles parallel to the screen, at few distances, in keys of few bits: boxes of one key, and many ties. */
+static int layers_case(uint64_t seed)
+{
+    static int16_t pos[TRIS * 3][3];
+    static uint16_t corners[TRIS][3], color[TRIS];
+    struct prng p = { seed };
+    const uint32_t n = (uint32_t)prng_range(&p, 1, TRIS);
+    struct zs_mesh mesh = { .pos = (const int16_t (*)[3])pos, .tri = (const uint16_t (*)[3])corners, .face_raw = color,
+                            .n_verts = 3 * n, .n_tris = n, .radius = 65535 };
+    const struct zs_material material = { .shader = &zs_shade_raw, .cull = ZS_CULL_NONE };
+    const struct zs_instance instance = { .mesh = &mesh, .material = &material };
+    const struct zs_scene scene = { .instance = &instance, .n_instances = 1, .background = 7 };
+    struct zs_camera camera;
+    if (zs_camera_perspective(&camera, ZS_DEGREES(60), 48, 1000, 1300))
+        return case_wrong("camera");
+    for (uint32_t v = 0; v < 3 * n; v++) {
+        pos[v][0] = (int16_t)prng_range(&p, -600, 600);
+        pos[v][1] = (int16_t)prng_range(&p, -600, 600);
+        pos[v][2] = (int16_t)(v % 3 ? pos[v - 1][2] : -1000 - prng_range(&p, 0, 12));
+        corners[v / 3][v % 3] = (uint16_t)v;
+        color[v / 3] = (uint16_t)(prng_next(&p) | 1u);
+    }
+    struct zs_config c = picture_config(64, 48, prng_pick(&p, 2) ? &zs_depth_recip : &zs_depth_linear);
+    c.depth_bits = (uint8_t)prng_range(&p, 8, 9);
+    struct picture want = picture_draw(&c, &scene, &camera);
+    c.method = &zs_method_raycast;
+    c.strip_h = (uint16_t)prng_range(&p, 1, 48);
+    struct picture is = picture_draw(&c, &scene, &camera);
+    memcpy(is.key, want.key, 64 * 48 * 2);
+    const int right = !want.err && !is.err && picture_same(&want, &is, "layers");
+    picture_free(&want);
+    picture_free(&is);
+    return right || case_wrong("errors %d and %d", want.err, is.err);
+}
+
+static void layers_are_those_of_the_depth_buffer(void **state)
+{
+    (void)state;
+    CASES(layers_case, 60);
 }
 
 /* ---- What is refused ------------------------------------------------------------------------- */
@@ -115,6 +262,8 @@ static void small_pools_and_no_depth_memory_are_refused(void **state)
 int main(int argc, char **argv)
 {
     const struct CMUnitTest tests[] = { cmocka_unit_test(is_the_frame_of_the_depth_buffer),
+                                        cmocka_unit_test(small_spheres_are_noticed),
+                                        cmocka_unit_test(layers_are_those_of_the_depth_buffer),
                                         cmocka_unit_test(small_pools_and_no_depth_memory_are_refused) };
     cases_program = argv[0];
     if (argc > 1)

@@ -10,12 +10,16 @@
  * scene order, a box around each four of these, and so on up to a top level of at most four. A box
  * holds the columns and rows of the samples that its triangles may cover (exactly: from the first
  * sample right of or below their vertices to the last), and a bound of their keys. There is no
- * slack in it: it is computed from the snapped vertices. A ray passes by a box
- *   that does not hold its sample, or
- *   in which every key is beyond the key found so far, or beyond that of `last`, the triangle which
- *   the ray before has hit, if it is hit again.
- * The children of box i are boxes 4 i .. 4 i + 3 of the level below, so a ray needs no stack. zsim
- * convert puts triangles that lie close together next to each other, so such boxes are small.
+ * slack in it: it is computed from the snapped vertices. The children of box i are boxes 4 i ..
+ * 4 i + 3 of the level below, so a ray needs no stack. zsim convert puts triangles that lie close
+ * together next to each other, so such boxes are small.
+ *
+ * PACKETS. Rays that are neighbours in a row go down the boxes together. The first one finds the
+ * triangles whose boxes hold its sample, and the column up to which the rays to its right would
+ * find the same ones: where one of these boxes ends or another begins. From there on each ray is on
+ * its own. It first meets the triangle which the ray before has hit, unless there are depth states,
+ * for which order matters; then the others, but not those in whose box every key is beyond the key
+ * found so far.
  *
  * The key of a pixel is at least the least key of the vertices minus `below`: planes are exact to
  * less than half a bucket where keys are linear on the screen, half a bucket is added before keys
@@ -35,12 +39,15 @@
  */
 #include "core/bin.h"
 #include "core/depth.h"
+#include "core/fast.h"
 #include "core/method.h"
 #include "core/pass.h"
 #include "core/plane.h"
 #include "core/raster.h"
 #include "core/rows.h"
+#include "core/usual.h"
 #include "core/walk.h"
+#include "core/xform.h"
 #include "zs_method.h"
 #include "zs_shader.h"
 
@@ -58,8 +65,10 @@ _Static_assert(sizeof(struct box) == sizeof(struct zs_tri), "boxes and triangles
 /* A ray's state: what a depth buffer and the pixel's colour would say of the triangles so far. */
 struct seen {
     uint32_t key; /* ZS_DEPTH_CLEAR: none was written */
-    uint32_t tri; /* number in the pool; ZS_NIL: the background */
+    uint32_t box; /* of the triangle, at level 0; ZS_NIL: the background */
 };
+
+#define PACKET 32 /* triangles that a packet may meet; if they are more, it is a single ray */
 
 struct state {
     int32_t x, x_end, y, y_end; /* the region: columns and rows of the frame */
@@ -69,9 +78,17 @@ struct state {
     uint8_t states;             /* 1: some triangle has a depth state */
     uint16_t count[LEVELS];     /* number of boxes of a level */
     struct box *level[LEVELS];
+    struct zs_plane *plane;     /* [n_planes]: keys of the first triangles, at pixel 0, 0 ... */
+    uint32_t n_planes;
+    const struct zs_fast_clusters *others; /* the configuration's, for meshes without a hierarchy */
+    uint32_t node;              /* the current instance's next node */
     int32_t column;             /* for `caught`: a pixel's column, and its key */
     uint32_t sum;
 };
+
+/* zs_tri.next while rays are cast: flags. */
+#define HIT 1u   /* a ray has hit the triangle */
+#define KNOWN 2u /* its plane is known */
 
 /* ---- Memory ---------------------------------------------------------------------------------- */
 
@@ -150,8 +167,10 @@ static void boxes_build(struct zs_renderer *r, struct state *s, uint16_t list)
             s->states = 1;
         }
         list = t->next;
-        t->next = ZS_NIL;
+        t->next = 0;
     }
+    s->plane = (struct zs_plane *)(void *)(r->vert + r->n_verts);
+    s->n_planes = s->states ? 0 : r->config.max_verts - r->n_verts;
     s->count[0] = (uint16_t)n;
     s->levels = 1;
     while (n > CHILDREN) {
@@ -187,7 +206,7 @@ static int covers(const struct zs_renderer *r, const struct zs_tri *t, int32_t x
     return 1;
 }
 
-/* Set up a job for the keys of a triangle. job->row_end: 1 if they are linear on the screen. */
+/* Set up a job for the keys of a triangle. job->split: 1 if they are not linear on the screen. */
 static void aim(struct zs_job *job, const struct zs_tri *t)
 {
     const struct zs_renderer *r = job->r;
@@ -236,56 +255,100 @@ static ZS_NOINLINE uint32_t curved_sum(struct zs_job *job, int32_t x, int32_t y)
     return s->sum;
 }
 
-/* Return the key of a pixel as core/depth_test.c computes it. */
-static uint32_t key_at(struct zs_job *job, const struct zs_tri *t, int32_t x, int32_t y)
+/* Return the key of a pixel, uq16_16 with half a bucket added, of the triangle of box k. */
+static uint32_t sum_at(struct zs_job *job, const struct state *s, uint32_t k, int32_t x, int32_t y)
 {
+    struct zs_tri *t = &job->r->tri[s->level[0][k].tri];
+    struct zs_plane *const plane = &s->plane[k];
+    if (k < s->n_planes && t->next & KNOWN)
+        return plane->base + zs_wrap_mul(plane->gx, x) + zs_wrap_mul(plane->gy, y);
     if (job->tri != t)
         aim(job, t);
-    const uint32_t sum = job->split ? curved_sum(job, x, y)
-                                    : job->key.base +
-                                          zs_wrap_mul(job->key.gx, x - job->geom.ia) +
-                                          zs_wrap_mul(job->key.gy, y - job->geom.ja);
-    const int32_t top = (int32_t)(job->r->view.key_top >> 16) - 1;
-    const int32_t moved = zs_min32((int32_t)(sum >> 16) + job->bias, top + zs_min32(job->bias, 0));
-    return moved < 0 ? 0u : (uint32_t)moved;
+    if (job->split)
+        return curved_sum(job, x, y);
+    const struct zs_plane *key = &job->key;
+    const uint32_t base = key->base - zs_wrap_mul(key->gx, job->geom.ia) -
+                          zs_wrap_mul(key->gy, job->geom.ja);
+    if (k < s->n_planes) {
+        const struct zs_plane at = { base, key->gx, key->gy };
+        *plane = at;
+        t->next |= KNOWN;
+    }
+    return base + zs_wrap_mul(key->gx, x) + zs_wrap_mul(key->gy, y);
 }
 
-/* The depth test of a triangle that the ray hits. */
-static void test(struct zs_job *job, struct seen *seen, uint32_t t, int32_t x, int32_t y)
+/* The depth test of a triangle with a depth state, as in core/depth_test.c. */
+static ZS_NOINLINE void stated(struct zs_job *job, struct seen *seen, uint32_t k, uint32_t sum,
+                               const struct zs_depth_state *state)
 {
-    const uint32_t key = key_at(job, &job->r->tri[t], x, y);
-    const struct zs_depth_state *state = job->depth_state;
-    const uint32_t func = state ? state->func : ZS_DEPTH_LESS;
-    if (func != ZS_DEPTH_ALWAYS && key >= seen->key + (func == ZS_DEPTH_LESS_EQUAL))
+    const int32_t top = (int32_t)(job->r->view.key_top >> 16) - 1;
+    const int32_t moved = zs_min32((int32_t)(sum >> 16) + job->bias, top + zs_min32(job->bias, 0));
+    const uint32_t key = moved < 0 ? 0u : (uint32_t)moved;
+    if (state->func != ZS_DEPTH_ALWAYS && key >= seen->key + (state->func == ZS_DEPTH_LESS_EQUAL))
         return;
-    seen->tri = t;
-    if (!state || !state->read_only)
+    seen->box = k;
+    if (!state->read_only)
         seen->key = key;
+}
+
+/* A ray meets the triangle of box k, which holds the ray's sample. */
+static void meet(struct zs_job *job, const struct state *s, struct seen *seen, uint32_t k,
+                 int32_t x, int32_t y)
+{
+    const struct zs_renderer *r = job->r;
+    const struct box *b = &s->level[0][k];
+    if (b->near > seen->key + 1u || !covers(r, &r->tri[b->tri], x, y))
+        return;
+    const uint32_t sum = sum_at(job, s, k, x, y);
+    if (s->states) { /* then there are no planes: the job is this triangle's */
+        const struct zs_depth_state *state =
+            zs_instance_of(r, r->tri[b->tri].instance)->depth_state;
+        if (state) {
+            stated(job, seen, k, sum, state);
+            return;
+        }
+    }
+    const uint32_t key = zs_minu32(sum >> 16, (r->view.key_top >> 16) - 1u);
+    if (key < seen->key || (key == seen->key && k < seen->box)) {
+        seen->key = key;
+        seen->box = k;
+    }
 }
 
 /* ---- Rays ------------------------------------------------------------------------------------ */
 
-/* Cast the ray of a pixel. `last`: the triangle that the ray before has hit, or ZS_NIL. */
-static struct seen cast(struct zs_job *job, int32_t x, int32_t y, uint32_t last)
+struct packet {
+    int32_t end;   /* one beyond its last column */
+    uint32_t n;
+    uint16_t box[PACKET];
+};
+
+/* Find the triangles that rays from column x on meet. If they are too many, the packet is a single
+ * ray, and *seen is what it has seen of those that are not in the packet. */
+static ZS_NOINLINE void gather(struct zs_job *job, const struct state *s, struct packet *p,
+                               struct seen *seen, int32_t x, int32_t y)
 {
-    const struct zs_renderer *r = job->r;
-    const struct state *s = r->method_state;
     const uint32_t top = s->levels - 1u;
-    struct seen seen = s->first;
-    uint32_t level = top, i = 0, least = ZS_DEPTH_CLEAR;
-    if (last != ZS_NIL && !s->states && covers(r, &r->tri[last], x, y))
-        least = key_at(job, &r->tri[last], x, y) + 1u;
+    uint32_t level = top, i = 0;
+    p->n = 0;
+    p->end = s->x_end;
     while (i < s->count[level]) {
         const struct box *b = &s->level[level][i];
-        if (x >= b->x0 && x < b->x1 && y >= b->y0 && y < b->y1 &&
-            b->near <= zs_minu32(least, seen.key)) {
-            if (level > 0) {
+        if (y >= b->y0 && y < b->y1 && x < b->x1) {
+            if (x < b->x0) {
+                p->end = zs_min32(p->end, b->x0);
+            } else if (level > 0) {
                 level--;
                 i <<= CHILDREN_LOG2;
                 continue;
+            } else {
+                p->end = zs_min32(p->end, b->x1);
+                if (p->n == PACKET) {
+                    for (p->end = x + 1; p->n > 0; p->n--)
+                        meet(job, s, seen, p->box[PACKET - p->n], x, y);
+                }
+                p->box[p->n++] = (uint16_t)i;
             }
-            if (covers(r, &r->tri[b->tri], x, y))
-                test(job, &seen, b->tri, x, y);
         }
         i++;
         while (level < top && (!(i & (CHILDREN - 1u)) || i == s->count[level])) {
@@ -293,7 +356,18 @@ static struct seen cast(struct zs_job *job, int32_t x, int32_t y, uint32_t last)
             level++;
         }
     }
-    return seen;
+}
+
+/* Cast the ray of a pixel. *seen: what it has seen so far; then what it sees. last: the box of the
+ * triangle that it meets first, or ZS_NIL. */
+static void cast(struct zs_job *job, const struct state *s, const struct packet *p,
+                 struct seen *seen, uint32_t last, int32_t x, int32_t y)
+{
+    if (last != ZS_NIL)
+        meet(job, s, seen, last, x, y);
+    for (uint32_t k = 0; k < p->n; k++)
+        if (p->box[k] != last)
+            meet(job, s, seen, p->box[k], x, y);
 }
 
 static void job_begin(struct zs_job *job, struct zs_renderer *r)
@@ -308,26 +382,47 @@ static void job_begin(struct zs_job *job, struct zs_renderer *r)
     job->w64.base = job->w64.gx = job->w64.gy = 0;
 }
 
-/* Cast the rays of the region, and keep what they hit in the depth memory: numbers of triangles,
- * which are marked by next = 0; or keys. */
-static ZS_NOINLINE void rays(struct zs_renderer *r, struct state *s, int keys)
+/* Return `last` if it is in the packet and may be met first. */
+static uint32_t first_of(const struct state *s, const struct packet *p, uint32_t last)
 {
-    const int32_t width = r->config.width;
+    if (!s->states)
+        for (uint32_t k = 0; k < p->n; k++)
+            if (p->box[k] == last)
+                return last;
+    return ZS_NIL;
+}
+
+/* Cast the rays of the region, and keep what they hit in the depth memory: numbers of triangles; or
+ * keys. Return what the last ray has seen. */
+static ZS_NOINLINE struct seen rays(struct zs_renderer *r, const struct state *s, int keys)
+{
     struct zs_job job;
+    struct packet p;
+    struct seen seen = s->first;
     job_begin(&job, r);
     for (int32_t y = s->y; y < s->y_end; y++) {
-        uint16_t *const line = r->depth + (y - r->strip * r->config.strip_h) * width;
-        uint32_t last = ZS_NIL;
-        for (int32_t x = s->x; x < s->x_end; x++) {
-            const struct seen seen = cast(&job, x, y, last);
-            last = seen.tri;
-            line[x] = (uint16_t)(keys ? seen.key : last);
-            if (!keys && last != ZS_NIL)
-                r->tri[last].next = 0;
+        uint16_t *const line = r->depth + (y - r->strip * r->config.strip_h) * r->config.width;
+        for (int32_t x = s->x; x < s->x_end;) {
+            uint32_t last = seen.box;
+            seen = s->first;
+            gather(&job, s, &p, &seen, x, y);
+            last = first_of(s, &p, last);
+            for (; x < p.end; x++) {
+                cast(&job, s, &p, &seen, last, x, y);
+                if (seen.box == ZS_NIL || keys) {
+                    line[x] = (uint16_t)seen.key;
+                } else {
+                    line[x] = s->level[0][seen.box].tri;
+                    r->tri[line[x]].next |= HIT;
+                }
+                if (x + 1 < p.end) {
+                    last = s->states ? ZS_NIL : seen.box;
+                    seen = s->first;
+                }
+            }
         }
     }
-    if (!keys)
-        r->stats.rays += (uint32_t)((s->y_end - s->y) * (s->x_end - s->x));
+    return seen;
 }
 
 /* r->span: colour the pixels whose rays have hit this triangle. */
@@ -352,6 +447,122 @@ static void ray_span(struct zs_job *job, const struct zs_row *row, int32_t i0, i
         }
     }
 }
+
+/* ---- The mesh's hierarchy --------------------------------------------------------------------
+ *
+ * The walk leaves out nodes that are beside the rows for which it bins, or beside the view. A
+ * node's sphere is brought to camera units, where it lies in a box: R around the centre on each
+ * axis. Its points project to the side of a row's or column's edge, e sub-pixels from the
+ * viewport's centre, where v - e z / 2^scale_bits has one sign (v: x' or y'). On the box, that is
+ * extreme at a corner. Slack:
+ *   snapping   a vertex beside the edge of a row is snapped to at most half a step, 8 sub-pixels,
+ *              beyond it; the samples of the row are 128 sub-pixels from its edges (fast/clusters.c)
+ *   R          4 camera units for the rounding of the vertex, of the centre, of a vertex that
+ *              clipping makes, and of the shift below; and R / 2^18 for rotations, which are
+ *              inexact by 2^-20. Rows that are multiplied by ratio <= 1 shorten x' and y'. */
+
+/* Return x' or y' of an edge that is e sub-pixels from the viewport's centre, at distance z,
+ * camera units, floor. */
+static int64_t edge_at(const struct zs_view *view, int32_t e, int64_t z)
+{
+    return view->perspective ? (e * z) >> view->scale_bits /* < 2^21 * 2^33 */
+                             : e * ((int64_t)1 << view->scale_bits); /* < 2^21 * 2^40 */
+}
+
+/* Return 1 if an interval of v and one of z, both of half width `half`, lie beside [from, to). */
+static int beside(const struct zs_view *view, int32_t v, int32_t z, int64_t half, int32_t from,
+                  int32_t to)
+{
+    return v + half < edge_at(view, from, from < 0 ? z + half : z - half) ||
+           v - half > edge_at(view, to, to < 0 ? z - half : z + half);
+}
+
+/* Return 1 if no triangle of a node is drawn in what the walk bins for. The first walk of a frame
+ * counts; it leaves out what is beside the view alone. */
+static int left_out(const struct zs_renderer *r, const struct zs_bvh_node *node)
+{
+    static const uint8_t whole[3] = { 0, 0, 0 };
+    const struct state *s = r->method_state;
+    const struct zs_view *view = &r->view;
+    const struct zs_mesh *mesh = r->xform.instance->mesh;
+    const int one = r->band_end - r->strip == 1 && !r->counting;
+    const int32_t h = r->config.strip_h;
+    int32_t x = r->walk_x, x_end = r->walk_end, y = 0, y_end = view->height, c[3];
+    /* radius * q32_32 < 2^17 * 2^47; shift is -16 .. 30 */
+    int64_t half = (int64_t)((node->radius * zs_usual_scale(r->xform.instance)) >>
+                             (32 - view->shift));
+    half = half >> 32 ? (int64_t)1 << 32 : half + (half >> 18) + 4; /* in view all is < 2^31 */
+    for (int k = 0; k < 3; k++) {
+        const int32_t *const row = r->xform.row + k * ZS_ROW_WORDS;
+        const int16_t *p = node->center;
+        c[k] = mesh->pos_lo ? zs_xform_fine(row, p, whole) : zs_row(row, p[0], p[1], p[2]);
+    }
+    if (one) {
+        x = s->x;
+        x_end = s->x_end;
+        y = s->y;
+        y_end = s->y_end;
+    } else if (!r->counting) {
+        y = r->strip * h;
+        y_end = r->band_end * h;
+    }
+    return c[2] + half < view->z_near || c[2] - half > view->z_far ||
+           beside(view, c[0], c[2], half, x * ZS_SUBPX_ONE - view->cx,
+                  x_end * ZS_SUBPX_ONE - view->cx) ||
+           beside(view, c[1], c[2], half, y * ZS_SUBPX_ONE - view->cy,
+                  y_end * ZS_SUBPX_ONE - view->cy);
+}
+
+static const struct zs_bvh_node *hierarchy(const struct zs_renderer *r)
+{
+    return r->xform.instance->mesh->bvh;
+}
+
+static int node_edges(struct zs_renderer *r, const struct zs_bounds *b, uint32_t number)
+{
+    const struct zs_fast_clusters *others = ((const struct state *)r->method_state)->others;
+    return zs_instance_of(r, number)->mesh->bvh || !others || others->edges(r, b, number);
+}
+
+static int node_open(struct zs_renderer *r, const struct zs_bounds *b)
+{
+    struct state *s = r->method_state;
+    s->node = 0;
+    return hierarchy(r) ? 1 : s->others && s->others->open(r, b);
+}
+
+static int node_verts(struct zs_renderer *r)
+{
+    const struct state *s = r->method_state;
+    return !hierarchy(r) && s->others->verts(r);
+}
+
+/* The triangles of the next leaf. */
+static int node_run(struct zs_renderer *r)
+{
+    struct state *s = r->method_state;
+    const struct zs_bvh_node *const bvh = hierarchy(r);
+    if (!bvh)
+        return s->others->run(r);
+    while (s->node < bvh->skip) {
+        const struct zs_bvh_node *node = &bvh[s->node];
+        const uint32_t n = r->xform.instance->mesh->n_tris;
+        const uint32_t end = node->skip < bvh->skip ? zs_minu32(bvh[node->skip].first, n) : n;
+        if (left_out(r, node)) {
+            r->stats.tris_cluster += r->counting ? end - node->first : 0u;
+            s->node = node->skip;
+        } else if (++s->node == node->skip) {
+            r->clusters.from = node->first;
+            r->clusters.end = end;
+            return 1;
+        }
+    }
+    return 0;
+}
+
+static const struct zs_fast_clusters nodes = {
+    .edges = node_edges, .open = node_open, .verts = node_verts, .run = node_run
+};
 
 /* ---- Regions --------------------------------------------------------------------------------- */
 
@@ -387,15 +598,13 @@ static void keep_region(struct zs_renderer *r, const struct state *s)
  * seen. To test that one again later changes nothing. */
 static void keep_seen(struct zs_renderer *r, struct state *s)
 {
-    struct zs_job job;
-    job_begin(&job, r);
     boxes_build(r, s, zs_method_buffer.list(r));
-    s->first = cast(&job, s->x, s->y, ZS_NIL);
-    for (uint32_t t = 0; t < r->n_tris; t++)
-        r->tri[t].next = t == s->first.tri ? 0 : ZS_NIL;
+    s->first = rays(r, s, 0);
+    for (uint32_t k = 0; k < s->count[0]; k++)
+        r->tri[s->level[0][k].tri].next = k == s->first.box ? 0 : ZS_NIL;
     pack(r);
-    if (s->first.tri != ZS_NIL)
-        s->first.tri = 0;
+    if (s->first.box != ZS_NIL)
+        s->first.box = 0;
 }
 
 /* Make the region smaller, until a quarter of both pools is free. */
@@ -425,7 +634,7 @@ static uint16_t chosen(struct zs_renderer *r, const struct state *s, int hit)
     uint16_t list = ZS_NIL, *to = &list;
     for (uint32_t i = 0; i < s->count[0]; i++) {
         const struct box *b = &s->level[0][i];
-        if (hit ? r->tri[b->tri].next == 0 : b->y1 > end) {
+        if (hit ? r->tri[b->tri].next & HIT : b->y1 > end) {
             *to = b->tri;
             to = &r->tri[b->tri].next;
         }
@@ -438,11 +647,14 @@ static uint16_t chosen(struct zs_renderer *r, const struct state *s, int hit)
 static void region_draw(struct zs_renderer *r, struct state *s)
 {
     boxes_build(r, s, zs_method_buffer.list(r));
-    rays(r, s, 0);
+    (void)rays(r, s, 0);
+    r->stats.rays += (uint32_t)((s->y_end - s->y) * (s->x_end - s->x));
     s->list = chosen(r, s, 1);
     zs_raster_strip(r);
-    if (r->scene->n_resolves)
-        rays(r, s, 1);
+    if (r->scene->n_resolves) {
+        s->n_planes = 0; /* flags are gone */
+        (void)rays(r, s, 1);
+    }
     r->active = r->strip + 1 < r->band_end ? chosen(r, s, 0) : ZS_NIL;
 }
 
@@ -466,6 +678,8 @@ static void ray_strip(struct zs_renderer *r)
 {
     struct state s;
     r->method_state = &s;
+    s.others = r->clusters_hooks;
+    r->clusters_hooks = &nodes;
     s.x_end = r->window[1];
     s.y_end = r->strip * r->config.strip_h;
     for (int again = 0; region_next(r, &s); again = 1) {
@@ -473,6 +687,7 @@ static void ray_strip(struct zs_renderer *r)
             zs_walk(r, again ? (uint16_t)(r->strip + 1u) : r->draw_end);
         region_draw(r, &s);
     }
+    r->clusters_hooks = s.others;
     r->method_state = 0;
 }
 
