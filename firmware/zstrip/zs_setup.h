@@ -35,6 +35,9 @@ extern const struct zs_depth zs_depth_float;
  * or for instances and triangles that are listed from far to near. Any camera. Depth states have
  * no effect; strips and targets have depth NULL. */
 extern const struct zs_depth zs_depth_none;
+/* No depth memory, as zs_depth_none, for zs_method_depthsort and zs_method_coverage: a vertex has a
+ * depth that is linear on the screen. Any camera. */
+extern const struct zs_depth zs_depth_order;
 
 struct zs_fast;
 struct zs_method;
@@ -119,6 +122,7 @@ struct zs_stats {
     uint32_t max_tris_used, max_verts_used; /* high-water marks of the pools */
     uint32_t sorted;          /* triangles that a method sorted, summed over strips */
     uint32_t splits;          /* triangles that a method cut in two (zs_method_depthsort) */
+    uint32_t pairs;           /* pairs of triangles that a method compared (zs_method_depthsort) */
     uint32_t rays;            /* rays that were cast (zs_method_raycast) */
     uint32_t pixels_hidden, tiles_tested; /* zs_method_hiz: of pixels_tested, those that a tile
                                  hides; pieces of scanlines that were compared with a tile */

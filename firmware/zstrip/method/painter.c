@@ -15,11 +15,11 @@
  *
  * SPDX-License-Identifier: MIT
  */
-#include "core/bin.h"
 #include "core/depth.h"
 #include "core/method.h"
 #include "core/raster.h"
 #include "core/walk.h"
+#include "method/sort.h"
 #include "zs_method.h"
 
 struct state {
@@ -31,58 +31,11 @@ struct state {
     uint8_t dropped;  /* 1: this walk has dropped triangles */
 };
 
-static uint32_t farthest(const struct zs_renderer *r, uint32_t t)
-{
-    const uint16_t *v = r->tri[t].v;
-    return zs_maxu32(zs_maxu32(r->vert[v[0]].d, r->vert[v[1]].d), r->vert[v[2]].d);
-}
-
-/* ---- Sorted lists ---------------------------------------------------------------------------- */
-
-/* Merge two lists that are sorted from far to near. Of equally far triangles, those that are first
- * in the pool come first. */
-static uint16_t merged(const struct zs_renderer *r, uint16_t a, uint16_t b)
-{
-    uint16_t head = ZS_NIL, *tail = &head;
-    while (a != ZS_NIL && b != ZS_NIL) {
-        const uint32_t da = farthest(r, a), db = farthest(r, b);
-        uint16_t *first = da > db || (da == db && a < b) ? &a : &b;
-        *tail = *first;
-        tail = &r->tri[*first].next;
-        *first = *tail;
-    }
-    *tail = a != ZS_NIL ? a : b;
-    return head;
-}
-
-/* Sort a list. run[k] is ZS_NIL or a sorted list of 2^k triangles, as in binary counting. */
-static uint16_t sorted(struct zs_renderer *r, uint16_t list)
-{
-    uint16_t run[16], all = ZS_NIL;
-    for (int k = 0; k < 16; k++)
-        run[k] = ZS_NIL;
-    while (list != ZS_NIL) {
-        uint16_t one = list;
-        int k = 0;
-        list = r->tri[one].next;
-        r->tri[one].next = ZS_NIL;
-        for (; run[k] != ZS_NIL; k++) { /* pools hold less than 2^16 - 1 triangles */
-            one = merged(r, run[k], one);
-            run[k] = ZS_NIL;
-        }
-        run[k] = one;
-        r->stats.sorted++;
-    }
-    for (int k = 0; k < 16; k++)
-        all = merged(r, run[k], all);
-    return all;
-}
-
 /* The strip's triangles, sorted. r->active is sorted already: it was appended to in the order of
  * drawing. */
 static uint16_t painter_list(struct zs_renderer *r)
 {
-    const uint16_t list = merged(r, r->active, sorted(r, r->bin[r->strip]));
+    const uint16_t list = zs_sort_merge(r, r->active, zs_sort_list(r, r->bin[r->strip]));
     r->bin[r->strip] = ZS_NIL;
     return list;
 }
@@ -93,28 +46,12 @@ static uint16_t painter_list(struct zs_renderer *r)
  * once for each triangle, in pool order. */
 static int belongs(const struct zs_renderer *r, struct state *s, uint32_t t)
 {
-    const uint32_t d = farthest(r, t);
+    const uint32_t d = zs_sort_farthest(r, t);
     if (s->dropped && d <= s->near)
         return 0;
     if (!s->again || d < s->d)
         return 1;
     return d == s->d && s->passed++ >= s->ties;
-}
-
-/* Remove the triangles with next == ZS_NIL from the pool; the others are binned anew. */
-static void pack(struct zs_renderer *r)
-{
-    uint32_t kept = 0;
-    r->bin[r->strip] = ZS_NIL;
-    for (uint32_t t = 0; t < r->n_tris; t++) {
-        if (r->tri[t].next == ZS_NIL)
-            continue;
-        r->tri[kept] = r->tri[t];
-        r->tri[kept].next = r->bin[r->strip];
-        r->bin[r->strip] = (uint16_t)kept++;
-    }
-    r->n_tris = kept;
-    zs_bin_pack(r);
 }
 
 /* Remove what does not belong to this walk from the triangles that were binned since the last call.
@@ -124,7 +61,7 @@ static void sift(struct zs_renderer *r)
     struct state *s = r->method_state;
     for (uint32_t t = 0; t < r->n_tris; t++)
         r->tri[t].next = t < s->sifted || belongs(r, s, t) ? 0 : ZS_NIL;
-    pack(r);
+    zs_sort_pack(r);
     s->sifted = r->n_tris;
 }
 
@@ -135,11 +72,11 @@ static void keep_first(struct zs_renderer *r, uint16_t list, uint32_t n)
     for (uint32_t k = 0; list != ZS_NIL; k++) {
         const uint16_t next = r->tri[list].next;
         if (k == n)
-            s->near = farthest(r, list);
+            s->near = zs_sort_farthest(r, list);
         r->tri[list].next = k < n ? 0 : ZS_NIL;
         list = next;
     }
-    pack(r);
+    zs_sort_pack(r);
     s->sifted = n;
     s->dropped = 1;
 }
@@ -152,7 +89,7 @@ static void painter_full(struct zs_renderer *r)
     sift(r);
     for (uint32_t n; (n = r->n_tris) > 1 && (tris - n < tris / 4u + 1u ||
                                              verts - r->n_verts < verts / 4u + 3u);)
-        keep_first(r, sorted(r, r->bin[r->strip]), n - n / 4u - 1u);
+        keep_first(r, zs_sort_list(r, r->bin[r->strip]), n - n / 4u - 1u);
 }
 
 /* After a set that is not the strip's last one: set the limit of what is drawn, and walk again. */
@@ -161,7 +98,7 @@ static void next_set(struct zs_renderer *r)
     struct state *s = r->method_state;
     uint32_t ties = s->again && s->d == s->near ? s->ties : 0u;
     for (uint32_t t = 0; t < r->n_tris; t++)
-        ties += farthest(r, t) == s->near;
+        ties += zs_sort_farthest(r, t) == s->near;
     const struct state next = { .d = s->near, .ties = ties, .again = 1 };
     *s = next;
     zs_walk(r, (uint16_t)(r->strip + 1u));
