@@ -22,11 +22,14 @@ static const struct {
     const char *name;
     const struct zs_method *method;
     const struct zs_depth *depth; /* NULL: the scene's */
+    int records;                  /* flag: it keeps records of its own in the triangle pool */
 } methods[] = {
     { "zbuffer", 0, 0 },
     { "hiz", &zs_method_hiz, 0 },
-    { "raycast", &zs_method_raycast, 0 },
+    { "raycast", &zs_method_raycast, 0, 1 },
     { "painter", &zs_method_painter, &zs_depth_none },
+    { "depthsort", &zs_method_depthsort, &zs_depth_order, 1 },
+    { "coverage", &zs_method_coverage, &zs_depth_order, 1 },
 };
 
 static uint16_t pool_of(uint32_t wanted, uint16_t least)
@@ -60,7 +63,7 @@ static int measure(const struct demo *d, uint32_t m)
     d->pose(&frame, 0, d->width, d->height);
     int err = draw(&c, &instructions, &checksum);
     const struct zs_stats *s = zs_frame_stats(&renderer);
-    c.max_tris = pool_of(s->max_tris_used, 2);
+    c.max_tris = pool_of(methods[m].records ? s->max_tris_used * 5 / 2 + 64 : s->max_tris_used, 2);
     c.max_verts = pool_of(s->max_verts_used, 6);
     err = err ? err : draw(&c, &instructions, &checksum);
     hal_write(methods[m].name);

@@ -77,7 +77,7 @@ static const char usage[] =
     "  --fast LIST       accelerators to draw with, the same frames: all, none, names with commas between, or all but\n"
     "                    some, as all-tiles-touch (all). There are:\n"
     "                    %s\n"
-    "  --method zbuffer|hiz|painter|raycast\n"
+    "  --method zbuffer|hiz|painter|depthsort|coverage|raycast\n"
     "                    how hidden surfaces are removed (zbuffer), as of zsim render\n"
     "  --show depth|complexity|overdraw|tested|strips\n"
     "                    pictures are false colours with a legend, as of zsim render\n"
@@ -155,7 +155,7 @@ static int fit_pools(struct zs_config *config, const struct demo *demo, const st
             verts = frame.stats.max_verts_used;
         sim_frame_free(&frame);
     }
-    config->max_tris = (uint16_t)tris;
+    config->max_tris = sim_method_pool(&sim_methods[rq->method], tris);
     config->max_verts = (uint16_t)verts;
     sim_method_apply(config, &sim_methods[rq->method]);
     return SIM_OK;

@@ -20,7 +20,7 @@
 static int no_keys(const struct zs_config *config)
 {
     const struct sim_method *method = sim_method_of(config);
-    return config->depth == &zs_depth_none || (method && !method->keys);
+    return config->depth == &zs_depth_none || config->depth == &zs_depth_order || (method && !method->keys);
 }
 
 /* The receiving end of the sink. */
@@ -444,7 +444,7 @@ int sim_frame_render_threads(struct sim_frame *frame, const struct zs_scene *sce
     frame->width = config->width;
     frame->height = config->height;
     frame->arena_bytes = zs_arena_bytes(config);
-    frame->no_depth = config->depth == &zs_depth_none;
+    frame->no_depth = config->depth == &zs_depth_none || config->depth == &zs_depth_order;
     frame->no_keys = no_keys(config);
     if (way != BY_PARTS) {
         frame->rgb565 = sim_alloc((size_t)config->width * config->height, sizeof *frame->rgb565);

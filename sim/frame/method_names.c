@@ -21,7 +21,17 @@ const struct sim_method sim_methods[SIM_METHODS] = {
               "strip's triangles.",
       .fails = "Triangles that intersect, overlap in a cycle, or reach far behind what they cover are drawn in the wrong "
                "order." },
-    { .name = "raycast", .method = &zs_method_raycast, .least_tris = 4, .least_verts = 6, .title = "Ray casting",
+    { .name = "depthsort", .records = 1, .method = &zs_method_depthsort, .depth = &zs_depth_order, .least_tris = 2, .least_verts = 6,
+      .title = "Depth sort",
+      .take = "Take it where depth memory does not fit and surfaces cross or overlap in a cycle. Triangles are split where no "
+              "order is right; it costs a comparison of each pair whose depths overlap.",
+      .fails = "As the depth buffer, but with finer depths. Many triangles in each other's depth take long." },
+    { .name = "coverage", .records = 1, .method = &zs_method_coverage, .depth = &zs_depth_order, .least_tris = 2, .least_verts = 6,
+      .title = "Coverage",
+      .take = "Take it for many layers and dear shaders without depth memory: depth sort's list from near to far, so that each "
+              "pixel is coloured once.",
+      .fails = "As depth sort; a shader that mixes with what is there sees the background alone." },
+    { .name = "raycast", .records = 1, .method = &zs_method_raycast, .least_tris = 4, .least_verts = 6, .title = "Ray casting",
       .take = "Take it for many triangles in few pixels, or to see what the other order of the loops costs: for each pixel the "
               "nearest triangle, in place of, for each triangle, its pixels.",
       .fails = "Shaders that mix with what is there see the background alone: each pixel is coloured once." },
@@ -44,4 +54,10 @@ void sim_method_apply(struct zs_config *config, const struct sim_method *method)
         config->max_tris = method->least_tris;
     if (config->max_verts < method->least_verts)
         config->max_verts = method->least_verts;
+}
+
+uint16_t sim_method_pool(const struct sim_method *method, uint32_t used)
+{
+    const uint32_t n = method->records ? used * 5 / 2 + 64 : used > 0 ? used : 1;
+    return (uint16_t)(n < ZS_POOL_MAX ? n : ZS_POOL_MAX);
 }

@@ -77,7 +77,7 @@ static int shoot(struct gallery_shot *shot, const struct demo *demo, const struc
     sim_method_apply(&config, method);
     int err = sim_frame_render(&frame, &f.scene, &f.camera, &config, NULL);
     if (!err) { /* pools for one set, as a firmware author would size them */
-        config.max_tris = (uint16_t)(frame.stats.max_tris_used ? frame.stats.max_tris_used : 1u);
+        config.max_tris = sim_method_pool(method, frame.stats.max_tris_used);
         config.max_verts = (uint16_t)(frame.stats.max_verts_used > 3u ? frame.stats.max_verts_used : 3u);
         sim_frame_free(&frame);
         sim_method_apply(&config, method);

@@ -53,6 +53,8 @@ static const struct kind_method kind_methods[] = {
     { &zs_method_hiz, "hiz", NULL, 1, 3 },
     { &zs_method_raycast, "raycast", NULL, 4, 6 },
     { &zs_method_painter, "painter", &zs_depth_none, 2, 6 },
+    { &zs_method_depthsort, "depthsort", &zs_depth_order, 2, 6 },
+    { &zs_method_coverage, "coverage", &zs_depth_order, 2, 6 },
 };
 
 struct kind_texel {

@@ -91,6 +91,8 @@ static const char *const seen_name[] = {
     "hiz",
     "raycast",
     "painter",
+    "depthsort",
+    "coverage",
 };
 _Static_assert(SEEN_PASSES + sizeof seen_name / sizeof *seen_name == SEEN_N, "a name each");
 

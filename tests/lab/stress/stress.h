@@ -40,7 +40,7 @@ enum stress_seen {
     SEEN_SHADER = SEEN_DEPTH + 6,
     SEEN_TEXEL = SEEN_SHADER + 8,
     SEEN_METHOD = SEEN_TEXEL + 3,
-    SEEN_N = SEEN_METHOD + 4
+    SEEN_N = SEEN_METHOD + 6
 };
 
 /* Sums over cases, and over runs (stress.c keeps them in a file). */

@@ -2,8 +2,8 @@
  *
  * SPDX-License-Identifier: MIT
  */
-#ifndef ZS_METHOD_ORDER_H
-#define ZS_METHOD_ORDER_H
+#ifndef ZS_METHOD_NEWELL_H
+#define ZS_METHOD_NEWELL_H
 
 #include "method/pieces.h"
 

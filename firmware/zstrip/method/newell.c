@@ -24,7 +24,7 @@
 #include "core/method.h"
 #include "core/raster.h"
 #include "core/walk.h"
-#include "method/order.h"
+#include "method/newell.h"
 #include "method/sort.h"
 #include "zs_method.h"
 #include "zs_shader.h"
