@@ -1,8 +1,8 @@
 /* Lines: parallelograms on the screen (zs_lines.h defines their pixels), or a row of them.
  *
- * A line's ends are fetched in one of three ways. Usually they are vertices of the pool, which other
- * lines share. If there is no room for two vertices and four corners, they are transformed for this
- * line alone: the corners need the room. A line that is clipped or dashed is fetched in camera
+ * A line's ends are fetched in one of three ways. Usually they are vertices of the pool, which
+ * other lines share. If there is no room for two vertices and four corners, they are transformed
+ * for this line alone: the corners need the room. A line that is clipped or dashed is fetched in camera
  * units. The ends are the same in all three ways.
  *
  * Dashes. Dash j is the parallelogram between two borders of columns (of rows, if the line is
