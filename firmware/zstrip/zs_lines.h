@@ -17,9 +17,9 @@
  * both ends are moved outwards by half a px in x, and in y by that half px times dy / dx, rounded
  * to a sub-pixel, halves away from 0. The corners are width / 2 above and below them. A pixel is
  * drawn if its middle is inside, or on a left or a level upper side: `width` pixels in each column
- * (row) from the one end's to the other's. A line of length 0 is one column. Swapping the ends changes
- * nothing but the dashes. Keys and varyings of corners are those of the ends: on the line, they
- * belong to a place at most half a px away.
+ * (row) from the one end's to the other's. A line of length 0 is one column. Swapping the ends
+ * changes nothing but the dashes. Keys and varyings of corners are those of the ends: on the line,
+ * they belong to a place at most half a px away.
  *
  * Clipping: near, far and the guard band cut a line in camera units, as they cut the side of a
  * triangle. A point is drawn if its vertex is between near and far.
@@ -59,9 +59,9 @@ struct zs_lines {
     struct zs_primitive primitive; /* set by ZS_LINES */
     const uint16_t (*line)[2];     /* [n], vertex numbers; one >= n_verts: not drawn */
     uint8_t width;                 /* px, 1 .. 64; 0: 1 */
-    uint8_t on, off; /* dashes: px along x or y, whichever is longer, from the first end on, that are
-                        drawn and left out in turn; on or off 0: no dashes. Where a line is clipped,
-                        dashes begin there. A dash costs what a line costs and some 400 more */
+    uint8_t on, off; /* dashes: px along x or y, whichever is longer, from the first end on, that
+                        are drawn and left out in turn; on or off 0: no dashes. Where a line is
+                        clipped, dashes begin there. Each costs more than a line */
 };
 
 struct zs_points {
@@ -83,7 +83,7 @@ struct zs_points {
 
 /* ---- The edges of a mesh -------------------------------------------------------------------- */
 
-/* An edge: two vertices, and the triangles on its sides. Vertices at the same place count as one. */
+/* An edge: two vertices, and the triangles at its sides. Vertices in one place count as one. */
 struct zs_mesh_edge {
     uint16_t v[2];
     uint16_t tri[2]; /* [1]: ZS_EDGE_NO_TRI where there is one triangle */

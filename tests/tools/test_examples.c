@@ -149,10 +149,25 @@ static void without_depth_memory(void **state)
     assert_rows(&p, 4, 4, rows, color_of);
 }
 
+static void hidden_lines(void **state)
+{
+    static const char *const rows[] = {
+        "................#.............#.#...............", "...............#..............#.#...............",
+        "...............#..............#.####............", "..............##..............###...###.........",
+        ".............#.#.............#..#....#..........", "............#.#..............#..#....#..........",
+        "...........#..#..............#.#.....#..........", ".........##...#..............#.#.....#..........",
+        "........#.....#..............##.....#...........", ".......#......##............##......#...........",
+        "......##........###.........##......#...........", "........###........###......#......#............",
+    };
+    const struct panel p = drawn_by(example_hidden_line);
+    assert_rows(&p, 13, 12, rows, digit_or_not);
+}
+
 static const struct CMUnitTest tests[] = {
     cmocka_unit_test(two_pictures_in_one_frame),
     cmocka_unit_test(without_depth_memory),
     cmocka_unit_test(a_shader_of_the_users),
+    cmocka_unit_test(hidden_lines),
     cmocka_unit_test(a_sky_is_a_function_of_the_row),
     cmocka_unit_test(a_counter_costs_its_rectangle),
 };

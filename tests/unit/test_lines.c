@@ -181,9 +181,9 @@ static void lines_are_exact(void **state)
 {
     (void)state;
     wide = dashes = long_ones = downward = 0;
-    CASES(exact_case, 2500);
+    CASES(exact_case, 6000);
     if (!getenv("ZS_SEED"))
-        assert_true(wide > 400 && dashes > 300 && long_ones > 100 && downward > 300);
+        assert_true(wide > 1000 && dashes > 600 && long_ones > 250 && downward > 600);
 }
 
 /* ---- Clipped ---------------------------------------------------------------------------------- */
@@ -562,7 +562,7 @@ static void what_cannot_be_drawn_is_refused(void **state)
 
 static const struct CMUnitTest tests[] = {
     cmocka_unit_test(lines_are_exact),
-    CASES_COUNT(clipped_lines, clipped_case, 3500, &cut_lines, 150, "clipped lines"),
+    CASES_COUNT(clipped_lines, clipped_case, 8000, &cut_lines, 400, "clipped lines"),
     CASES_COUNT(points, point_case, 1000, &points_drawn, 250, "points"),
     CASES_COUNT(any_pools_strips_and_accelerators, way_case, 300, &again, 80, "frames in several walks"),
     CASES_COUNT(damage_tracking, damage_case, 200, &clean, 100, "frames with clean strips"),

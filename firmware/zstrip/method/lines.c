@@ -1,9 +1,9 @@
 /* Lines: parallelograms on the screen (zs_lines.h defines their pixels), or a row of them.
  *
- * A line's ends are fetched in one of three ways. Usually they are vertices of the pool, which other
- * lines share. If there is no room for two vertices and four corners, they are transformed for this
- * line alone: the corners need the room. A line that is clipped or dashed is fetched in camera
- * units. The ends are the same in all three ways.
+ * A line's ends are fetched in one of three ways. Usually they are vertices of the pool, which
+ * other lines share. If there is no room for two vertices and four corners, they are transformed
+ * for this line alone: the corners need the room. A line that is clipped or dashed is fetched in
+ * camera units. The ends are the same in all three ways.
  *
  * Dashes. Dash j is the parallelogram between two borders of columns (of rows, if the line is
  * rather vertical). An end that a border cuts off is in its place along the line, rounded to a
