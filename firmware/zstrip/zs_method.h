@@ -65,6 +65,10 @@ extern const struct zs_method zs_method_hiz;
 extern const struct zs_method zs_method_hiz_corner;
 extern const struct zs_method zs_method_hiz_vertex;
 
+/* No depth memory, as zs_depth_none, for the two methods below: a vertex has a
+ * depth that is linear on the screen. Any camera. */
+extern const struct zs_depth zs_depth_order;
+
 /* Depth sort (Newell, Newell and Sancha, 1972): triangles are drawn from far to near, and split
  * where no order is right. No depth memory. A split moves no pixel: a piece is drawn as its
  * triangle is, in fewer columns of a row.

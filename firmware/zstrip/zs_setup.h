@@ -35,9 +35,6 @@ extern const struct zs_depth zs_depth_float;
  * or for instances and triangles that are listed from far to near. Any camera. Depth states have
  * no effect; strips and targets have depth NULL. */
 extern const struct zs_depth zs_depth_none;
-/* No depth memory, as zs_depth_none, for zs_method_depthsort and zs_method_coverage: a vertex has a
- * depth that is linear on the screen. Any camera. */
-extern const struct zs_depth zs_depth_order;
 
 struct zs_fast;
 struct zs_method;

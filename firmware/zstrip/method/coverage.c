@@ -4,7 +4,7 @@
  */
 #include "core/method.h"
 #include "core/rows.h"
-#include "method/newell.h"
+#include "method/order.h"
 #include "zs_method.h"
 #include "zs_shader.h"
 

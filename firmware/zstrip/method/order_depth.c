@@ -7,8 +7,7 @@
  */
 #include "core/depth.h"
 #include "core/fx.h"
-#include "core/rows.h"
-#include "zs_shader.h"
+#include "zs_method.h"
 
 static ZS_RARE int order_setup(struct zs_view *view, const struct zs_camera *camera, uint32_t bits)
 {

@@ -2,8 +2,8 @@
  *
  * SPDX-License-Identifier: MIT
  */
-#ifndef ZS_METHOD_NEWELL_H
-#define ZS_METHOD_NEWELL_H
+#ifndef ZS_METHOD_ORDER_H
+#define ZS_METHOD_ORDER_H
 
 #include "method/pieces.h"
 
@@ -42,6 +42,14 @@ int zs_order_begin(struct zs_renderer *r);
 /* Bin and draw r->strip: struct zs_method.strip with o->near_first set. spare: records of the pool
  * that binning leaves free. */
 void zs_order_strip(struct zs_renderer *r, struct zs_order *o, uint32_t spare);
+/* Bring a list of triangles in the order in which they are drawn: o->list. Return 0 if the
+ * rectangle has to be halved. (newell.c) */
+int zs_order_newell(struct zs_renderer *r, uint16_t list);
+/* Load an element, its box clipped to the rectangle. */
+void zs_order_load(const struct zs_renderer *r, uint32_t t, struct zs_piece *p);
+/* Return 1 if the box of a triangle or piece has a sample in columns [x0, x1), rows [y0, y1). */
+int zs_order_in_box(const struct zs_renderer *r, uint32_t t, int32_t x0, int32_t x1, int32_t y0,
+                    int32_t y1);
 /* struct zs_method.full and .list */
 void zs_order_full(struct zs_renderer *r);
 uint16_t zs_order_list(struct zs_renderer *r);
