@@ -29,6 +29,18 @@ extern "C" {
  *         triangles cost walks over the scene: each draws the farthest that are left. */
 extern const struct zs_method zs_method_painter;
 
+/* A node of a hierarchy of spheres over a mesh's triangles, for zs_method_raycast. Nodes are in
+ * preorder: node 0 holds all triangles, a node's first child follows it, and the renderer passes by
+ * a node's descendants by its skip. `zsim convert --bvh` writes them. The renderer does not check
+ * them. */
+struct zs_bvh_node {
+    int16_t center[3]; /* of a sphere around the vertices of its triangles, steps */
+    uint16_t radius;   /* of that sphere, steps, rounded up */
+    uint32_t first;    /* its first triangle; its last is before node skip's first, or the mesh's */
+    uint32_t skip;     /* the next node that is not below it. Its number plus 1: it is a leaf; node
+                          0's: the number of nodes */
+};
+
 /* Ray casting: for each pixel, a ray through its sample finds what is seen there, by a hierarchy of
  * boxes. The frame is that of the depth buffer, bit for bit, with any depth mapping and depth
  * states; zs_stats.rays is its number of pixels.
