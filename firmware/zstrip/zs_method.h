@@ -51,9 +51,10 @@ struct zs_bvh_node {
  *         max_tris, 3/7 are triangles, the others boxes.
  *         Resolve hooks find keys in zs_target.depth, at the cost of a second ray for each pixel.
  *         Without hooks zs_strip.depth holds no keys.
- * Cost    for each ray, tests of boxes by the logarithm of the triangles in its strip. Pools that
- *         do not hold a strip's triangles cost walks over the scene, one for each part of the
- *         strip. */
+ * Cost    for each ray, tests of boxes by the logarithm of the triangles in its strip: 5 to 25
+ *         times a frame of the depth buffer. Pools that do not hold a strip's triangles cost walks
+ *         over the scene, one for each part of the strip; meshes with a hierarchy (bvh) are then
+ *         walked only where the part is. zs_fast_clusters is not used. */
 extern const struct zs_method zs_method_raycast;
 
 #ifdef __cplusplus

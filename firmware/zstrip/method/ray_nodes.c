@@ -75,37 +75,32 @@ static int left_out(const struct zs_renderer *r, const struct zs_bvh_node *node)
                   y_end * ZS_SUBPX_ONE - view->cy);
 }
 
-static const struct zs_bvh_node *hierarchy(const struct zs_renderer *r)
-{
-    return r->xform.instance->mesh->bvh;
-}
-
 static int node_edges(struct zs_renderer *r, const struct zs_bounds *b, uint32_t number)
 {
-    const struct zs_fast_clusters *others = ((const struct zs_rays *)r->method_state)->others;
-    return zs_instance_of(r, number)->mesh->bvh || !others || others->edges(r, b, number);
+    (void)r;
+    (void)b;
+    (void)number;
+    return 1;
 }
 
 static int node_open(struct zs_renderer *r, const struct zs_bounds *b)
 {
-    struct zs_rays *s = r->method_state;
-    s->node = 0;
-    return hierarchy(r) ? 1 : s->others && s->others->open(r, b);
+    (void)b;
+    ((struct zs_rays *)r->method_state)->node = 0;
+    return r->xform.instance->mesh->bvh != 0;
 }
 
 static int node_verts(struct zs_renderer *r)
 {
-    const struct zs_rays *s = r->method_state;
-    return !hierarchy(r) && s->others->verts(r);
+    (void)r;
+    return 0;
 }
 
 /* The triangles of the next leaf. */
 static int node_run(struct zs_renderer *r)
 {
     struct zs_rays *s = r->method_state;
-    const struct zs_bvh_node *const bvh = hierarchy(r);
-    if (!bvh)
-        return s->others->run(r);
+    const struct zs_bvh_node *const bvh = r->xform.instance->mesh->bvh;
     while (s->node < bvh->skip) {
         const struct zs_bvh_node *node = &bvh[s->node];
         const uint32_t n = r->xform.instance->mesh->n_tris;

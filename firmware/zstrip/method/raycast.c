@@ -88,7 +88,7 @@ static void keep_region(struct zs_renderer *r, const struct zs_rays *s)
  * seen. To test that one again later changes nothing. */
 static void keep_seen(struct zs_renderer *r, struct zs_rays *s)
 {
-    zs_rays_build(r, s, boxes(r), zs_method_buffer.list(r));
+    zs_rays_build(r, s, boxes(r), zs_scene_list(r));
     s->first = zs_rays_cast(r, s, 0);
     for (uint32_t k = 0; k < s->count[0]; k++)
         r->tri[s->level[0][k].tri].next = k == s->first.box ? 0 : ZS_NIL;
@@ -136,7 +136,7 @@ static uint16_t chosen(struct zs_renderer *r, const struct zs_rays *s, int hit)
 /* Draw the region, whose triangles are binned. */
 static void region_draw(struct zs_renderer *r, struct zs_rays *s)
 {
-    zs_rays_build(r, s, boxes(r), zs_method_buffer.list(r));
+    zs_rays_build(r, s, boxes(r), zs_scene_list(r));
     (void)zs_rays_cast(r, s, 0);
     r->stats.rays += (uint32_t)((s->y_end - s->y) * (s->x_end - s->x));
     s->list = chosen(r, s, 1);
@@ -168,7 +168,7 @@ static void ray_strip(struct zs_renderer *r)
 {
     struct zs_rays s;
     r->method_state = &s;
-    s.others = r->clusters_hooks;
+    const struct zs_fast_clusters *const others = r->clusters_hooks;
     r->clusters_hooks = &zs_ray_nodes;
     s.x_end = r->window[1];
     s.y_end = r->strip * r->config.strip_h;
@@ -177,14 +177,14 @@ static void ray_strip(struct zs_renderer *r)
             zs_walk(r, again ? (uint16_t)(r->strip + 1u) : r->draw_end);
         region_draw(r, &s);
     }
-    r->clusters_hooks = s.others;
+    r->clusters_hooks = others;
     r->method_state = 0;
 }
 
 static uint16_t ray_list(struct zs_renderer *r)
 {
     const struct zs_rays *s = r->method_state;
-    return s ? s->list : zs_method_buffer.list(r); /* a strip is left out: zs_raster_leave */
+    return s ? s->list : zs_scene_list(r); /* a strip is left out: zs_raster_leave */
 }
 
 static int ray_begin(struct zs_renderer *r)

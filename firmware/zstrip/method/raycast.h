@@ -37,8 +37,7 @@ struct zs_rays {
     struct zs_ray_box *level[ZS_RAY_LEVELS];
     struct zs_plane *plane; /* [n_planes]: keys of the first triangles, at pixel 0, 0 ... */
     uint32_t n_planes;
-    const struct zs_fast_clusters *others; /* the configuration's, for meshes without a hierarchy */
-    uint32_t node;                         /* the current instance's next node */
+    uint32_t node;  /* the current instance's next node */
     int32_t column; /* for keys that are not linear: a pixel's column, and its key */
     uint32_t sum;
 };

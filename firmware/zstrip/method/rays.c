@@ -28,7 +28,7 @@
 #include "method/raycast.h"
 #include "zs_shader.h"
 
-#define PACKET 32 /* triangles that a packet may meet; if they are more, it is a single ray */
+#define PACKET 16 /* triangles that a packet may meet; if they are more, it is a single ray */
 
 /* ---- Boxes ----------------------------------------------------------------------------------- */
 
@@ -103,7 +103,7 @@ void zs_rays_build(struct zs_renderer *r, struct zs_rays *s, struct zs_ray_box *
 
 /* Return 1 if a triangle covers the sample of a pixel: strictly inside of its right and lower
  * edges, and inside of or on the others. */
-static int covers(const struct zs_renderer *r, const struct zs_tri *t, int32_t x, int32_t y)
+static ZS_NOINLINE int covers(const struct zs_renderer *r, const struct zs_tri *t, int32_t x, int32_t y)
 {
     const int32_t at_x = x * ZS_SUBPX_ONE + ZS_SUBPX_HALF, at_y = y * ZS_SUBPX_ONE + ZS_SUBPX_HALF;
     const struct zs_vertex *p = &r->vert[t->v[2]];
@@ -119,7 +119,7 @@ static int covers(const struct zs_renderer *r, const struct zs_tri *t, int32_t x
 }
 
 /* Set up a job for the keys of a triangle. job->split: 1 if they are not linear on the screen. */
-static void aim(struct zs_job *job, const struct zs_tri *t)
+static ZS_NOINLINE void aim(struct zs_job *job, const struct zs_tri *t)
 {
     const struct zs_renderer *r = job->r;
     const struct zs_depth *depth = r->view.depth;
