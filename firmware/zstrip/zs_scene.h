@@ -140,18 +140,6 @@ struct zs_cluster {
                           known, and the cone is not used */
 };
 
-/* A node of a hierarchy of spheres over a mesh's triangles, for zs_method_raycast. Nodes are in
- * preorder: node 0 holds all triangles, a node's first child follows it, and the renderer passes by
- * a node's descendants by its skip. `zsim convert --bvh` writes them. The renderer does not check
- * them. */
-struct zs_bvh_node {
-    int16_t center[3]; /* of a sphere around the vertices of its triangles, steps */
-    uint16_t radius;   /* of that sphere, steps, rounded up */
-    uint32_t first;    /* its first triangle; its last is before node skip's first, or the mesh's */
-    uint32_t skip;     /* the next node that is not below it. Its number plus 1: it is a leaf; node
-                          0's: the number of nodes */
-};
-
 /* Triangles over shared vertices. In world units, before the pose of its instance, a vertex is at
  * pos * scale, or (pos + pos_lo / 256) * scale where pos_lo is given. */
 struct zs_mesh {
@@ -177,7 +165,7 @@ struct zs_mesh {
                                          move about */
     const struct zs_cluster *cluster; /* [n_clusters], all triangles in order; NULL: none */
     uint32_t n_clusters;
-    const struct zs_bvh_node *bvh; /* used only if there are clusters; NULL: none */
+    const struct zs_bvh_node *bvh; /* zs_method.h; used only with clusters. NULL: none */
 };
 
 /* ---- Materials ---------------------------------------------------------------------------- */

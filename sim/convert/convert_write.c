@@ -16,6 +16,7 @@
 #include "convert.h"
 #include "image.h"
 #include "sim.h"
+#include "zs_method.h"
 
 #define COLUMNS 100
 
@@ -599,6 +600,8 @@ void sim_convert_source(FILE *f, const struct sim_conversion *c)
     (void)fputs(" *\n", f);
     sim_convert_figures(f, c, " *   ");
     (void)fprintf(f, " */\n#include \"%s.h\"\n", c->options.name);
+    if (c->options.bvh)
+        (void)fputs("#include \"zs_method.h\"\n", f);
     textures(f, c);
     if (c->pieces.n_pieces > 0)
         meshes(f, c);

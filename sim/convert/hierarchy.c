@@ -9,6 +9,7 @@
 #include <string.h>
 
 #include "sim.h"
+#include "zs_method.h"
 
 struct builder {
     const struct sim_shape *shape;

@@ -7,7 +7,7 @@
 
 #include "cluster.h"
 
-#define SIM_LEAF_TRIS 4u
+#define SIM_LEAF_TRIS 8u
 
 /* Order clusters, and triangles within them, by halves of their number along the longest side of
  * their box; down to leaves of at most SIM_LEAF_TRIS triangles.

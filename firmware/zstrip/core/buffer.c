@@ -38,7 +38,7 @@ static uint16_t merged(struct zs_tri *tri, uint16_t a, uint16_t b)
 }
 
 /* Take the strip's triangles, in scene order. */
-static uint16_t scene_list(struct zs_renderer *r)
+uint16_t zs_scene_list(struct zs_renderer *r)
 {
     const uint16_t list = merged(r->tri, r->active, reversed(r->tri, r->bin[r->strip]));
     r->bin[r->strip] = ZS_NIL;
@@ -61,4 +61,4 @@ static void buffer_full(struct zs_renderer *r)
 
 const struct zs_method zs_method_buffer = { .strip = buffer_strip,
                                             .full = buffer_full,
-                                            .list = scene_list };
+                                            .list = zs_scene_list };

@@ -24,6 +24,9 @@ struct zs_method {
     uint16_t (*list)(struct zs_renderer *r);
 };
 
+/* zs_method.list in scene order. */
+uint16_t zs_scene_list(struct zs_renderer *r);
+
 /* The depth buffer: the method of a configuration without one (core/buffer.c). */
 extern const struct zs_method zs_method_buffer;
 
