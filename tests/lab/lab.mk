@@ -71,6 +71,14 @@ cull: sim $(B)/.setup-test
 depth: sim $(B)/.setup-test
 	@sh tests/lab/depth.sh $(B)
 
+## hiz: what the hierarchical depth buffer skips, in three orders and by three tests; depth strips packed as planes
+hiz: $(B)/.setup-test $(B)/gen/meshes.h
+	+@$(MAKE_ALL) $(B)/hiz/study
+	@sh tests/lab/hiz.sh $(B)
+$(B)/hiz/study: $(patsubst %.c,$(B)/sim/%.o,$(CORE) $(SCENES) $(wildcard tests/lab/hiz/*.c)) $(B)/libmeshes.a
+	@mkdir -p $(@D)
+	@$(CC) $(CFLAGS) $^ -o $@
+
 ## lab: build/zlab, which measures how exact the renderer is and what its stages cost
 lab: $(B)/.setup-sim
 	+@$(MAKE_ALL) $(B)/zlab
@@ -84,7 +92,7 @@ records-age:
 	@sh tests/records/age.sh
 
 .PHONY: lab records-age fuzz stress stress-record prove coverage complexity mutate bench bench-record scale costs \
-        costs-record still cull depth accuracy fuzz-programs lib-fuzz-programs stress-programs
+        costs-record still cull depth hiz accuracy fuzz-programs lib-fuzz-programs stress-programs
 
 # Fuzzers: the interface by seeds (fuzz_api); cards of meshes and textures by libFuzzer (fuzz_mesh, make fuzz
 # alone) and by mutations of its seeds (cards); model files, command lines and panels' streams likewise, by libFuzzer

@@ -313,10 +313,12 @@ static void hiz_strip(struct zs_renderer *r)
     h.rows = zs_min32(r->config.strip_h, r->config.height - h.y0);
     zs_hiz_divide(r, &h);
     zs_fill_run(h.far, ZS_DEPTH_CLEAR, h.cells);
-    for (uint32_t k = 0; k < h.cells; k++) {
-        const int32_t columns = h.columns[0], tx = (int32_t)k % columns, ty = (int32_t)k / columns;
-        h.state[k] = k >= h.tiles ? 0 : fresh ? ZS_HIZ_FRESH : zs_hiz_seen(r, &h, tx, ty);
-    }
+    uint8_t *state = h.state;
+    for (int32_t ty = 0; state < h.state + h.tiles; ty++)
+        for (int32_t tx = 0; tx < h.columns[0]; tx++)
+            *state++ = fresh ? ZS_HIZ_FRESH : zs_hiz_seen(r, &h, tx, ty);
+    while (state < h.state + h.cells)
+        *state++ = 0;
     r->method_state = &h;
     if (r->strip >= r->band_end)
         zs_walk(r, r->draw_end);

@@ -56,8 +56,8 @@ static inline uint32_t zs_hiz_cell_of(const struct zs_hiz *h, int32_t level, int
            (uint32_t)(tx >> 2 * level);
 }
 
-/* The state of a tile that was looked at, or cleared: a tile at the frame's or strip's edge has less
- * pixels, and begins with those that it lacks. */
+/* The state of a tile that was looked at, or cleared. A tile at an edge of the frame or the strip
+ * has less pixels, and begins with those that it lacks. */
 static inline uint8_t zs_hiz_seen(const struct zs_renderer *r, const struct zs_hiz *h, int32_t tx,
                                   int32_t ty)
 {
