@@ -1,6 +1,6 @@
-/* What the hierarchical depth buffer takes: scenes under the depth buffer, alone and with the scene's accelerators, without
- * and with `tiles` among them, and under zs_method_hiz. One line of CSV a scene; instructions of the second frame. Strips
- * of 24 rows, one buffer, pools that take the scene in one pass. Every picture must be the same.
+/* What the hierarchical depth buffer takes: scenes under the depth buffer, alone and with the scene's accelerators,
+ * without and with `tiles` among them, and under zs_method_hiz. One line of CSV a scene; instructions of the second
+ * frame. Strips of 24 rows, one buffer, pools that take the scene in one pass. Every picture must be the same.
  *
  * SPDX-License-Identifier: MIT
  */
@@ -63,8 +63,9 @@ static int draw(const struct demo *d, const struct way *way, uint64_t *instructi
 
 int main(void)
 {
-    static const struct demo *const scenes[] = { &demo_layers_ftb, &demo_layers_mixed, &demo_layers_btf, &demo_crowd_ftb,
-                                                 &demo_corridor, &demo_mesh, &demo_city, &demo_teapot };
+    static const struct demo *const scenes[] = { &demo_layers_ftb, &demo_layers_mixed, &demo_layers_btf,
+                                                 &demo_crowd_ftb,  &demo_corridor,     &demo_mesh,
+                                                 &demo_city,       &demo_teapot };
     int failed = 0;
     if (hal_init())
         hal_exit(1);

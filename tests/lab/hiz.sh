@@ -1,6 +1,6 @@
 #!/bin/sh
-# The hierarchical depth buffer: what it skips and what strips of depth take as planes (BUILD/hiz/study, on this machine),
-# and instructions on QEMU's Cortex-M3 (not cycles).
+# The hierarchical depth buffer: what it skips and what strips of depth take as planes (BUILD/hiz/study, on this
+# machine), and instructions on QEMU's Cortex-M3 (not cycles).
 #
 # SPDX-License-Identifier: MIT
 . "$(dirname "$0")/../lib/cortexm.sh"
@@ -16,8 +16,8 @@ else
     cat "$out/log" "$out/err" "$out/csv"
     bad "zs_method_hiz on a Cortex-M3" "see above"
 fi
-echo "Thousand instructions a frame (QEMU mps2-an385 -icount), 320x240, strips of 24 rows: the depth buffer without"
-echo "accelerators, with the scene's but \`tiles\`, with all; the method without accelerators, with them; its weaker tests:"
+echo "Thousand instructions a frame (QEMU mps2-an385 -icount), 320x240, strips of 24 rows: the depth buffer alone, with"
+echo "the scene's accelerators but tiles, with all; the method alone, with accelerators; its weaker tests:"
 awk -F, 'NF == 8 {
     printf "%-13s", $1
     for (k = 2; k <= NF; k++)

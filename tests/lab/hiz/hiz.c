@@ -1,5 +1,5 @@
-/* The hierarchical depth buffer studied on scenes: which pixels are compared with the depth buffer, written and skipped,
- * in three orders and by three tests; what a strip's depth takes when tiles of it are kept as planes.
+/* The hierarchical depth buffer studied on scenes: which pixels are compared with the depth buffer, written and
+ * skipped, in three orders and by three tests; what a strip's depth takes when tiles of it are kept as planes.
  *
  * SPDX-License-Identifier: MIT
  */
@@ -44,8 +44,8 @@ static struct study drawn(const struct demo *d, const struct way *way)
     struct study is = { .color = calloc(W * H, 2), .key = calloc(W * H, 2) };
     const struct zs_sink sink = { .submit = take, .ctx = &is };
     const struct zs_config c = { .width = W, .height = H, .strip_h = ROWS, .max_tris = 30000, .max_verts = 30000,
-                                 .varyings = (uint8_t)d->varyings, .depth = d->depth, .fast = way->fast ? d->fast : NULL,
-                                 .method = way->method };
+                                 .varyings = (uint8_t)d->varyings, .depth = d->depth,
+                                 .fast = way->fast ? d->fast : NULL, .method = way->method };
     struct zs_renderer *r = malloc(sizeof *r);
     void *arena = malloc(zs_arena_bytes(&c));
     d->pose(&frame, d->frames / 3, W, H);
@@ -84,11 +84,11 @@ static uint32_t compared(const struct zs_stats *s)
 static int pixels(double written[LAYERS][N_WAYS])
 {
     int wrong = 0;
-    printf("Pixels in thousands, %dx%d, strips of %d rows. tiles: with the scene's accelerators; vertex, corner, hiz: the\n"
-           "method with the nearest vertex, the tile's corners, every pixel against the tile. hidden: set-ups saved.\n\n",
-           W, H, ROWS);
-    printf("%-13s %-9s %9s %9s %9s %9s %9s %9s %7s\n", "scene", "way", "walked", "skipped", "fresh", "compared", "written",
-           "tiles", "hidden");
+    printf("Pixels in thousands, %dx%d, strips of %d rows. tiles: with the scene's accelerators; vertex, corner,\n"
+           "hiz: the method with the nearest vertex, the tile's corners, every pixel against the tile. fresh: the\n"
+           "first in a tile that a triangle covers. hidden: set-ups saved.\n\n", W, H, ROWS);
+    printf("%-13s %-9s %9s %9s %9s %9s %9s %9s %7s\n", "scene", "way", "walked", "skipped", "fresh", "compared",
+           "written", "tiles", "hidden");
     for (int k = 0; k < N_SCENES; k++) {
         struct study plain = drawn(scenes[k], &ways[0]);
         for (int m = 0; m < N_WAYS; m++) {
@@ -113,10 +113,12 @@ static int pixels(double written[LAYERS][N_WAYS])
 /* A share of tiles, and the bytes of all tiles. */
 static void compression(void)
 {
-    printf("\nDepth of a strip as 8x8 tiles, lossless. flat: nothing was drawn there, 0 bytes; 4:1, 2:1: differences from a\n"
-           "plane fit the bits; 1:1: 128 bytes as they are. A tile has 2 bits for which. read: operations to decode a pixel\n"
-           "of a packed tile (two additions, a mask, a shift, a store). worst: of the strips, what has to be set aside.\n\n");
-    printf("%-13s %8s %8s %8s %8s %8s %8s %8s\n", "scene", "flat %", "4:1 %", "2:1 %", "1:1 %", "ratio", "worst", "read");
+    printf("\nDepth of a strip as 8x8 tiles, lossless. flat: nothing was drawn there, 0 bytes; 4:1, 2:1: differences\n"
+           "from a plane fit the bits; 1:1: 128 bytes as they are. A tile has 2 bits for which. worst: the ratio of\n"
+           "the strip that packs worst, for which memory has to be set aside. read: operations to decode a pixel of a\n"
+           "packed tile, which a pixel that is compared pays, and again to pack it.\n\n");
+    printf("%-13s %8s %8s %8s %8s %8s %8s %8s\n", "scene", "flat %", "4:1 %", "2:1 %", "1:1 %", "ratio", "worst",
+           "read");
     for (int k = 0; k < N_SCENES; k++) {
         struct study is = drawn(scenes[k], &ways[0]);
         const struct planes *p = &is.planes;
@@ -134,8 +136,8 @@ int main(void)
 {
     double n[LAYERS][N_WAYS];
     const int wrong = pixels(n);
-    printf("\nEight layers, pixels that reach the depth buffer, of which front to back is 1 (Radeon 9700 Pro, frames a second:\n"
-           "7.16 front to back, 2.87 mixed, 1 back to front)\n\n%-9s %14s %8s %14s\n", "way", "front to back", "mixed",
+    printf("\nEight layers, pixels that reach the depth buffer: how many times fewer than back to front (a Radeon\n"
+           "9700 Pro's speed: 7.16 front to back, 2.87 mixed)\n\n%-9s %14s %8s %14s\n", "way", "front to back", "mixed",
            "back to front");
     for (int m = 0; m < N_WAYS; m++)
         printf("%-9s %14.2f %8.2f %14.2f\n", ways[m].name, n[2][m] / n[0][m], n[2][m] / n[1][m], 1.);

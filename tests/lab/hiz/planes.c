@@ -1,9 +1,9 @@
 /* Lossless compression of depth tiles as planes.
  *
- * DPCM of second order: a tile keeps its first key, and the differences to its right and to the pixel below. From them the plane
- * predicts: a pixel of the first row is its left neighbour and the difference before; of the first column, likewise from
- * above; any other is left + above - left above. On one plane all residuals are -1, 0 or 1, as keys are rounded. They are
- * kept in the tile in two's complement of 2, 3 ... bits:
+ * DPCM: a tile keeps its first key, the one to the right and the one below, which name a plane. A pixel of the first
+ * row is predicted from the two to its left; of the first column, from the two above; any other is left + above - left
+ * above. On a plane a residual is rounding alone, at most 2 either way: 3 bits. Residuals are kept in two's
+ * complement:
  *   4:1 (32 bytes)   6 bytes of plane + 61 residuals of up to 3 bits (23 bytes)
  *   2:1 (64 bytes)   6 bytes of plane + 61 residuals of up to 7 bits (54 bytes)
  *   1:1 (128 bytes)  the keys
