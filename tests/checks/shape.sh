@@ -52,9 +52,9 @@ code() { # PATTERN of files [PATTERN of those to leave out]: their lines of code
 }
 awk 'NF == 3 { split($1, p, "/"); d = index($1, "/") ? p[1] "/" : "public headers"; files[d]++; code[d] += $3; lines[d] += $2 }
     END { for (d in files) printf "  %-16s %3d files %6d lines %6d of code\n", d, files[d], lines[d], code[d] }' "$B/shape.txt" | sort
-# Methods and primitives, with the mapping and the shader that they need, have a limit of their own
-primitives='^method/(lines|points|quad|mesh_edges)\.|^zs_lines.h|^shade/plain.c'
-later="^method/|^zs_method.h|^depth/order.c|$primitives"
+# Methods and primitives have limits of their own
+primitives='^method/(lines|points|quad|mesh_edges|plain)\.|^zs_lines.h'
+later="^method/|^zs_method.h|$primitives"
 within "core/ and public headers, lines of code" "$(code '^core/|^[^/]*$' "$later")" "$CORE_MAX"
 # Object files of a build without folders would overwrite each other.
 none "files of firmware/zstrip have names of their own" "$(find firmware/zstrip -name '*.c' -exec basename {} \; | sort | uniq -d)"

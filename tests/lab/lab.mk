@@ -80,6 +80,14 @@ cull: sim $(B)/.setup-test
 depth: sim $(B)/.setup-test
 	@sh tests/lab/depth.sh $(B)
 
+## hiz: what the hierarchical depth buffer skips, in three orders and by three tests; depth strips packed as planes
+hiz: $(B)/.setup-test $(B)/gen/meshes.h
+	+@$(MAKE_ALL) $(B)/hiz/study
+	@sh tests/lab/hiz.sh $(B)
+$(B)/hiz/study: $(patsubst %.c,$(B)/sim/%.o,$(CORE) $(SCENES) $(wildcard tests/lab/hiz/*.c)) $(B)/libmeshes.a
+	@mkdir -p $(@D)
+	@$(CC) $(CFLAGS) $^ -o $@
+
 ## lab: build/zlab, which measures how exact the renderer is and what its stages cost
 lab: $(B)/.setup-sim
 	+@$(MAKE_ALL) $(B)/zlab
@@ -93,7 +101,8 @@ records-age:
 	@sh tests/records/age.sh
 
 .PHONY: lab records-age fuzz stress stress-record prove coverage complexity mutate bench bench-record scale costs \
-        costs-record still cull methods methods-record gallery depth accuracy fuzz-programs lib-fuzz-programs stress-programs
+        costs-record still cull methods methods-record gallery depth hiz accuracy fuzz-programs lib-fuzz-programs \
+        stress-programs
 
 # Fuzzers: the interface by seeds (fuzz_api); cards of meshes and textures by libFuzzer (fuzz_mesh, make fuzz
 # alone) and by mutations of its seeds (cards); model files, command lines and panels' streams likewise, by libFuzzer
@@ -152,7 +161,7 @@ $(B)/stress/fast: $(STRESS) $(B)/stress/oracle.o $(HEADERS)
 MUTATE_NOT = linux.c pair.c examples.c panel.c panel_model.c panel_bytes.c panel_picture.c
 MUTATE_FILES = $(filter-out $(MUTATE_NOT:%=\%/test_%),$(TESTS))
 MUTATE_TESTS = $(basename $(notdir $(MUTATE_FILES)))
-MUTATE_SIM = tests/lab/fuzz/world.c sim/frame/pixel_counts.c sim/frame/frame.c sim/frame/scene_share.c sim/frame/method_names.c sim/cli/sim.c
+MUTATE_SIM = sim/frame/pixel_counts.c sim/frame/frame.c sim/frame/scene_share.c sim/frame/method_names.c sim/cli/sim.c
 mutate-settings:
 	$(info tests $(MUTATE_TESTS))
 	$(info files $(MUTATE_FILES))

@@ -278,6 +278,99 @@ static void layers_are_skipped(void **state)
     }
 }
 
+/* Quads that fill the frame, three in each bucket, each three one bucket nearer than those before: the first of three
+ * is seen, and the others have bounds looked at. With 8 bits and depths of 0 .. 255 units of 256, the key is the depth,
+ * rounded. */
+static void one_bucket_nearer_is_seen(void **state)
+{
+    static const int sign[4][2] = { { -1, -1 }, { 1, -1 }, { 1, 1 }, { -1, 1 } };
+    static const int32_t off[WALLS] = { 0, 30, -30, 60, -60, 90, -90, 120, 0, 0, 0, 0, 0, 120 }; /* of 256 */
+    struct prng p = { 1 };
+    struct zs_camera camera;
+    (void)state;
+    assert_int_equal(zs_camera_orthographic(&camera, 100 * 256, 0, 255 * 256), ZS_OK);
+    const struct zs_scene scene = walls_make(&p, WALLS, 0);
+    for (int i = 0; i < WALLS; i++) {
+        for (int k = 0; k < 4; k++) {
+            wall_pos[i][k][0] = (int16_t)(sign[k][0] * 30000);
+            wall_pos[i][k][1] = (int16_t)(sign[k][1] * 30000);
+            wall_pos[i][k][2] = (int16_t)-((100 - i / 3) * 128 + off[i] / 2);
+        }
+        wall_mesh[i].scale = 2 * ZS_Q16_ONE;
+        memset(wall_mesh[i].center, 0, sizeof wall_mesh[i].center);
+        wall_mesh[i].radius = 65535;
+        wall[i].mesh = &wall_mesh[i];
+    }
+    for (uint32_t n = 1; n <= WALLS; n++)
+        for (int m = 0; m < 3; m++) {
+            struct zs_scene some = scene;
+            struct zs_config c = picture_config(100, 100, &zs_depth_linear);
+            some.n_instances = n;
+            c.depth_bits = 8;
+            c.method = methods[m];
+            struct picture is = picture_draw(&c, &some, &camera);
+            assert_int_equal(is.stats.tris_hidden, 2 * (n - 1 - (n - 1) / 3));
+            const struct zs_rgb rgb = wall_material[(n - 1) / 3 * 3].rgb;
+            for (int i = 0; i < 100 * 100; i++) {
+                assert_int_equal(is.key[i], 100 - (n - 1) / 3);
+                assert_int_equal(is.color[i], zs_rgb565(rgb.r, rgb.g, rgb.b));
+            }
+            picture_free(&is);
+        }
+}
+
+/* A wall in front, a curtain far behind it that is drawn always, and a quad between them, which is seen in front of the
+ * curtain: also where a pool is full between triangles of the curtain, while keys of the wall are still there. */
+static void what_is_drawn_always_hides_no_more(void **state)
+{
+    enum { SLATS = 16 };
+    static int16_t pos[2 * SLATS + 2][3];
+    static uint16_t slat[2 * SLATS][3];
+    static const struct zs_depth_state always = { .func = ZS_DEPTH_ALWAYS };
+    struct prng p = { 1 };
+    struct zs_camera camera;
+    (void)state;
+    assert_int_equal(zs_camera_perspective(&camera, ZS_DEGREES(60), 64, 100, 20000), ZS_OK);
+    struct zs_scene scene = walls_make(&p, 3, 0);
+    static const int32_t z[3] = { 2000, 9000, 4000 }, half[3] = { 9000, 9000, 200 };
+    for (int i = 0; i < 3; i++) {
+        for (int k = 0; k < 4; k++) {
+            wall_pos[i][k][0] = (int16_t)((k == 1 || k == 2 ? half[i] : -half[i]) + (i == 2 ? 2000 : 0));
+            wall_pos[i][k][1] = (int16_t)(k >= 2 ? half[i] : -half[i]);
+            wall_pos[i][k][2] = (int16_t)-z[i];
+        }
+        wall_mesh[i].center[0] = (int16_t)(i == 2 ? 2000 : 0);
+        wall_mesh[i].center[1] = 0;
+        wall_mesh[i].center[2] = (int16_t)-z[i];
+        wall_mesh[i].radius = (uint16_t)(half[i] * 3 / 2);
+        wall[i].mesh = &wall_mesh[i];
+    }
+    for (int v = 0; v < 2 * SLATS + 2; v++) {
+        pos[v][0] = (int16_t)(-9000 + 18000 / SLATS * (v / 2));
+        pos[v][1] = (int16_t)(v % 2 ? 9000 : -9000);
+        pos[v][2] = -9000;
+        if (v < 2 * SLATS)
+            for (int k = 0; k < 3; k++)
+                slat[v][k] = (uint16_t)(v + k);
+    }
+    wall_mesh[1].pos = (const int16_t(*)[3])pos;
+    wall_mesh[1].tri = (const uint16_t(*)[3])slat;
+    wall_mesh[1].n_verts = 2 * SLATS + 2;
+    wall_mesh[1].n_tris = 2 * SLATS;
+    wall[1].depth_state = &always;
+    struct zs_config c = picture_config(64, 64, &zs_depth_float);
+    c.fast = NULL;
+    struct picture want = picture_draw(&c, &scene, &camera);
+    c.method = &zs_method_hiz;
+    for (uint16_t tris = 1; tris < 40; tris++) {
+        c.max_tris = tris;
+        struct picture is = picture_draw(&c, &scene, &camera);
+        assert_true(picture_same(&want, &is, "a curtain"));
+        picture_free(&is);
+    }
+    picture_free(&want);
+}
+
 static void a_mapping_without_memory_is_refused(void **state)
 {
     static const int16_t corner[3][3] = { { 0, 0, -2000 }, { 900, 0, -2000 }, { 0, 900, -2000 } };
@@ -299,6 +392,8 @@ int main(int argc, char **argv)
     const struct CMUnitTest tests[] = { cmocka_unit_test(worlds_are_the_same), cmocka_unit_test(walls_are_the_same),
                                          cmocka_unit_test(frames_with_damage_are_the_same),
                                         cmocka_unit_test(layers_are_skipped),
+                                        cmocka_unit_test(one_bucket_nearer_is_seen),
+                                        cmocka_unit_test(what_is_drawn_always_hides_no_more),
                                         cmocka_unit_test(a_mapping_without_memory_is_refused) };
     cases_program = argv[0];
     if (argc > 1)

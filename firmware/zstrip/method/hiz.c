@@ -108,7 +108,7 @@ static ZS_NOINLINE uint8_t touch_tile(struct zs_job *job, struct zs_hiz *h,
     if (!covers(job, h, row, &at)) {
         for (int32_t k = 0; k < at.rows; k++)
             zs_raster_clear(r, at.y + k, at.x, at.columns);
-        return 0;
+        return zs_hiz_seen(r, h, tx, ty);
     }
     for (uint32_t k = 0; h->cover != job->tri && k < h->tiles; k++)
         if (h->state[k] == ZS_HIZ_COVERED)
@@ -307,18 +307,18 @@ static uint16_t hiz_list(struct zs_renderer *r)
 static void hiz_strip(struct zs_renderer *r)
 {
     struct zs_hiz h;
-    int fresh = r->untouched; /* the strip is not cleared */
+    const int fresh = r->untouched; /* the strip is not cleared */
     r->untouched = 0;
-    if (fresh && r->window[1] - r->window[0] < r->config.width) {
-        zs_raster_clear_all(r);
-        fresh = 0;
-    }
     h.y0 = r->strip * r->config.strip_h;
     h.rows = zs_min32(r->config.strip_h, r->config.height - h.y0);
     zs_hiz_divide(r, &h);
     zs_fill_run(h.far, ZS_DEPTH_CLEAR, h.cells);
-    for (uint32_t k = 0; k < h.cells; k++)
-        h.state[k] = fresh && k < h.tiles ? ZS_HIZ_FRESH : 0;
+    uint8_t *state = h.state;
+    for (int32_t ty = 0; state < h.state + h.tiles; ty++)
+        for (int32_t tx = 0; tx < h.columns[0]; tx++)
+            *state++ = fresh ? ZS_HIZ_FRESH : zs_hiz_seen(r, &h, tx, ty);
+    while (state < h.state + h.cells)
+        *state++ = 0;
     r->method_state = &h;
     if (r->strip >= r->band_end)
         zs_walk(r, r->draw_end);

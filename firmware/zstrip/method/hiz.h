@@ -56,6 +56,15 @@ static inline uint32_t zs_hiz_cell_of(const struct zs_hiz *h, int32_t level, int
            (uint32_t)(tx >> 2 * level);
 }
 
+/* The state of a tile that was looked at, or cleared. A tile at an edge of the frame or the strip
+ * has less pixels, and begins with those that it lacks. */
+static inline uint8_t zs_hiz_seen(const struct zs_renderer *r, const struct zs_hiz *h, int32_t tx,
+                                  int32_t ty)
+{
+    const struct zs_hiz_place at = zs_hiz_place_of(r, h, tx, ty);
+    return (uint8_t)zs_max32((int32_t)h->due - at.columns * at.rows, 0);
+}
+
 /* Find the memory of the bounds, and how wide tiles are. Bounds and states are not set. */
 void zs_hiz_divide(const struct zs_renderer *r, struct zs_hiz *h);
 /* The keys of a tile may have grown. */
@@ -76,7 +85,7 @@ static inline int zs_hiz_hides(const struct zs_renderer *r, struct zs_hiz *h, in
         return 1;
     if (h->state[tile] < h->due || h->state[tile] == ZS_HIZ_FRESH || key < 0)
         return 0;
-    h->state[tile] = 0;
+    h->state[tile] = zs_hiz_seen(r, h, tx, ty);
     return zs_hiz_look(r, h, tx, ty, key);
 }
 
