@@ -21,7 +21,9 @@ int example_hidden_line(uint32_t t, const struct zs_sink *sink)
     static const struct zs_depth_state pushed_back = ZS_HIDDEN_LINE_STATE;
     static const struct zs_material hides = { .shader = &zs_shade_none, .cull = ZS_CULL_NONE };
     struct zs_lines lines = { ZS_LINES(pair, 0), .width = 1 };
-    const struct zs_material ink = { .shader = &zs_shade_plain, .rgb = ZS_RGB(0xffffff), .primitive = &lines.primitive };
+    const struct zs_material ink = { .shader = &zs_shade_plain,
+                                     .rgb = ZS_RGB(0xffffff),
+                                     .primitive = &lines.primitive };
     const struct zs_instance instance[2] = { { .mesh = &mesh, .material = &hides, .depth_state = &pushed_back },
                                              { .mesh = &mesh, .material = &ink } };
     const struct zs_scene scene = { .instance = instance, .n_instances = 2 };

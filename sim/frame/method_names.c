@@ -7,32 +7,63 @@
 #include <stddef.h>
 
 const struct sim_method sim_methods[SIM_METHODS] = {
-    { .name = "zbuffer", .keys = 1, .title = "Depth buffer",
-      .take = "Take it when in doubt: it is right for any scene, in any order, and the fastest here. It costs two bytes "
-              "a pixel of a strip.",
+    { .name = "zbuffer",
+      .keys = 1,
+      .title = "Depth buffer",
+      .take =
+          "Take it when in doubt: it is right for any scene, in any order, and the fastest here. It costs two bytes "
+          "a pixel of a strip.",
       .fails = "Surfaces closer than a bucket of depth are sorted by scene order." },
-    { .name = "hiz", .method = &zs_method_hiz, .keys = 1, .title = "Hierarchical depth buffer",
-      .take = "Take it for scenes in which much is hidden by what was drawn before, in any order. It takes the place of the "
+    { .name = "hiz",
+      .method = &zs_method_hiz,
+      .keys = 1,
+      .title = "Hierarchical depth buffer",
+      .take = "Take it for scenes in which much is hidden by what was drawn before, in any order. It takes the place "
+              "of the "
               "accelerators touch and tiles, and their memory.",
       .fails = "As the depth buffer, bit for bit." },
-    { .name = "painter", .method = &zs_method_painter, .depth = &zs_depth_none, .least_tris = 2, .least_verts = 6,
+    { .name = "painter",
+      .method = &zs_method_painter,
+      .depth = &zs_depth_none,
+      .least_tris = 2,
+      .least_verts = 6,
       .title = "Painter's algorithm",
-      .take = "Take it for small parts that hold no depth memory and scenes of separate things. It costs a sort of each "
-              "strip's triangles.",
-      .fails = "Triangles that intersect, overlap in a cycle, or reach far behind what they cover are drawn in the wrong "
-               "order." },
-    { .name = "depthsort", .records = 1, .method = &zs_method_depthsort, .depth = &zs_depth_order, .least_tris = 2, .least_verts = 6,
+      .take =
+          "Take it for small parts that hold no depth memory and scenes of separate things. It costs a sort of each "
+          "strip's triangles.",
+      .fails =
+          "Triangles that intersect, overlap in a cycle, or reach far behind what they cover are drawn in the wrong "
+          "order." },
+    { .name = "depthsort",
+      .records = 1,
+      .method = &zs_method_depthsort,
+      .depth = &zs_depth_order,
+      .least_tris = 2,
+      .least_verts = 6,
       .title = "Depth sort",
-      .take = "Take it where depth memory does not fit and surfaces cross or overlap in a cycle. Triangles are split where no "
+      .take = "Take it where depth memory does not fit and surfaces cross or overlap in a cycle. Triangles are split "
+              "where no "
               "order is right; it costs a comparison of each pair whose depths overlap.",
       .fails = "As the depth buffer, but with finer depths. Many triangles in each other's depth take long." },
-    { .name = "coverage", .records = 1, .method = &zs_method_coverage, .depth = &zs_depth_order, .least_tris = 2, .least_verts = 6,
+    { .name = "coverage",
+      .records = 1,
+      .method = &zs_method_coverage,
+      .depth = &zs_depth_order,
+      .least_tris = 2,
+      .least_verts = 6,
       .title = "Coverage",
-      .take = "Take it for many layers and dear shaders without depth memory: depth sort's list from near to far, so that each "
+      .take = "Take it for many layers and dear shaders without depth memory: depth sort's list from near to far, so "
+              "that each "
               "pixel is coloured once.",
       .fails = "As depth sort; a shader that mixes with what is there sees the background alone." },
-    { .name = "raycast", .records = 1, .method = &zs_method_raycast, .least_tris = 4, .least_verts = 6, .title = "Ray casting",
-      .take = "Take it for many triangles in few pixels, or to see what the other order of the loops costs: for each pixel the "
+    { .name = "raycast",
+      .records = 1,
+      .method = &zs_method_raycast,
+      .least_tris = 4,
+      .least_verts = 6,
+      .title = "Ray casting",
+      .take = "Take it for many triangles in few pixels, or to see what the other order of the loops costs: for each "
+              "pixel the "
               "nearest triangle, in place of, for each triangle, its pixels.",
       .fails = "Shaders that mix with what is there see the background alone: each pixel is coloured once." },
 };

@@ -123,7 +123,8 @@ static int read_counts(struct gallery_shot (*shot)[GALLERY_SCENES], const char *
                 }
     }
     (void)fclose(f);
-    return found ? SIM_OK : sim_refuse(name, 0, "has no line METHOD,SCENE,INSTRUCTIONS of a method and scene of the gallery");
+    return found ? SIM_OK
+                 : sim_refuse(name, 0, "has no line METHOD,SCENE,INSTRUCTIONS of a method and scene of the gallery");
 }
 
 static int draw_all(struct gallery_shot (*shot)[GALLERY_SCENES], const struct request *rq)
@@ -163,9 +164,9 @@ static void print_table(struct gallery_shot (*shot)[GALLERY_SCENES])
     for (size_t i = 0; i < GALLERY_SCENES; i++)
         for (size_t m = 0; m < SIM_METHODS; m++) {
             const struct gallery_shot *s = &shot[m][i];
-            (void)printf("%-12s %-11s %8u %7u %12.0f %9u %9u %8u %7u %7u %7u %6u\n", scenes[i]->name, sim_methods[m].name,
-                         s->arena_bytes, s->depth_bytes, s->instructions, s->stats.pixels_tested, s->written, s->visible,
-                         s->stats.sorted, s->stats.splits, s->stats.rays, s->wrong);
+            (void)printf("%-12s %-11s %8u %7u %12.0f %9u %9u %8u %7u %7u %7u %6u\n", scenes[i]->name,
+                         sim_methods[m].name, s->arena_bytes, s->depth_bytes, s->instructions, s->stats.pixels_tested,
+                         s->written, s->visible, s->stats.sorted, s->stats.splits, s->stats.rays, s->wrong);
         }
 }
 

@@ -41,14 +41,15 @@ static void put_count(FILE *f, double n)
 static void put_card(FILE *f, const struct sim_method *m, const struct gallery_shot *shot,
                      const char *const scene[GALLERY_SCENES])
 {
-    (void)fprintf(f, "<section id=%s><h2>%s</h2>\n<p>%s <em>%s</em></p>\n<p><code>zsim render MODEL --method %s</code></p>\n",
-                  m->name, m->title, m->take, m->fails, m->name);
+    (void)fprintf(
+        f, "<section id=%s><h2>%s</h2>\n<p>%s <em>%s</em></p>\n<p><code>zsim render MODEL --method %s</code></p>\n",
+        m->name, m->title, m->take, m->fails, m->name);
     for (size_t i = 0; i < GALLERY_SCENES; i++) {
         (void)fputs("<figure>\n", f);
         put_picture(f, &shot[i].picture, scene[i]);
         put_picture(f, &shot[i].overdraw, "overdraw");
-        (void)fprintf(f, "<figcaption>%s: %u wrong pixels of %u; %.2f writes a visible pixel</figcaption></figure>\n", scene[i],
-                      shot[i].wrong, shot[i].pixels,
+        (void)fprintf(f, "<figcaption>%s: %u wrong pixels of %u; %.2f writes a visible pixel</figcaption></figure>\n",
+                      scene[i], shot[i].wrong, shot[i].pixels,
                       shot[i].visible ? (double)shot[i].written / (double)shot[i].visible : 0.0);
     }
     (void)fputs("</section>\n", f);
@@ -75,22 +76,29 @@ static void put_row(FILE *f, const struct sim_method *m, const struct gallery_sh
 
 void gallery_page_write(FILE *f, struct gallery_shot (*shot)[GALLERY_SCENES], const char *const scene[GALLERY_SCENES])
 {
-    (void)fputs("<!DOCTYPE html>\n<html lang=en><meta charset=utf-8><title>zstrip: visible surfaces</title>\n"
-                "<style>body{font:16px sans-serif;max-width:75rem;margin:2rem auto;padding:0 1rem}figure{display:inline-block;"
-                "margin:.5rem}figcaption{font-size:.8rem}table{border-collapse:collapse}td,th{padding:.2rem .6rem;text-align:"
-                "right;border-bottom:1px solid #ccc}th{text-align:left}img{max-width:100%;height:auto}</style>\n"
-                "<h1>Which surfaces are seen: the methods side by side</h1>\n"
-                "<p>Each method draws the same scenes with integers alone, strip by strip. The left picture is the frame, "
-                "the right one its overdraw: how often each pixel was coloured.</p>\n", f);
+    (void)fputs(
+        "<!DOCTYPE html>\n<html lang=en><meta charset=utf-8><title>zstrip: visible surfaces</title>\n"
+        "<style>body{font:16px sans-serif;max-width:75rem;margin:2rem auto;padding:0 1rem}figure{display:inline-block;"
+        "margin:.5rem}figcaption{font-size:.8rem}table{border-collapse:collapse}td,th{padding:.2rem .6rem;text-align:"
+        "right;border-bottom:1px solid #ccc}th{text-align:left}img{max-width:100%;height:auto}</style>\n"
+        "<h1>Which surfaces are seen: the methods side by side</h1>\n"
+        "<p>Each method draws the same scenes with integers alone, strip by strip. The left picture is the frame, "
+        "the right one its overdraw: how often each pixel was coloured.</p>\n",
+        f);
     for (size_t i = 0; i < GALLERY_SCENES; i++) {
-        (void)fprintf(f, "<h2>Scene %s</h2>\n<table><tr><th>method<th>arena, bytes<th>of it depth<th>instructions, Cortex-M3"
-                         "<th>fragments<th>writes<th>visible<th>sorted<th>splits<th>rays<th>wrong pixels\n", scene[i]);
+        (void)fprintf(
+            f,
+            "<h2>Scene %s</h2>\n<table><tr><th>method<th>arena, bytes<th>of it depth<th>instructions, Cortex-M3"
+            "<th>fragments<th>writes<th>visible<th>sorted<th>splits<th>rays<th>wrong pixels\n",
+            scene[i]);
         for (size_t m = 0; m < SIM_METHODS; m++)
             put_row(f, &sim_methods[m], &shot[m][i]);
         (void)fputs("</table>\n", f);
     }
-    (void)fputs("<p>Fragments: pixels of triangles before hidden ones are left out. Wrong pixels: those that do not show the "
-                "triangle that the double-precision reference shows.</p>\n", f);
+    (void)fputs(
+        "<p>Fragments: pixels of triangles before hidden ones are left out. Wrong pixels: those that do not show the "
+        "triangle that the double-precision reference shows.</p>\n",
+        f);
     for (size_t m = 0; m < SIM_METHODS; m++)
         put_card(f, &sim_methods[m], shot[m], scene);
     (void)fputs("</html>\n", f);

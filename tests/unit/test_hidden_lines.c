@@ -48,7 +48,8 @@ static void project(const struct zs_mesh *mesh, const struct zs_camera *camera)
                 const double scale = mesh->scale ? mesh->scale / 65536.0 : 1;
                 at[k] += ldexp(camera->rot[3 * k + i], -30) * ((mesh->pos[v][i] + lo) * scale - camera->pos[i]);
             }
-        vertex[v] = (struct point){ SIDE * 0.5 + at[0] * focal / -at[2], SIDE * 0.5 + at[1] * focal / at[2], -1 / at[2] };
+        vertex[v] = (struct point){ SIDE * 0.5 + at[0] * focal / -at[2], SIDE * 0.5 + at[1] * focal / at[2],
+                                    -1 / at[2] };
     }
 }
 
@@ -272,8 +273,8 @@ static struct tally views_of(const char *name, const struct zs_mesh *mesh, uint3
         struct prng p = { v * 16u + kinds };
         assert_true(view_case(mesh, &p, kinds, &tally));
     }
-    printf("%-7s %4u views: %u of %u visible points missing; %u of %u pixels hidden, %u behind others\n", name, tally.views,
-           tally.missing, tally.points, tally.hidden, tally.pixels, tally.own - tally.hidden);
+    printf("%-7s %4u views: %u of %u visible points missing; %u of %u pixels hidden, %u behind others\n", name,
+           tally.views, tally.missing, tally.points, tally.hidden, tally.pixels, tally.own - tally.hidden);
     assert_true(!views || (tally.points > 1000 * views && tally.pixels > 200 * views));
     return tally;
 }

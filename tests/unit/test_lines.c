@@ -382,7 +382,8 @@ static int damage_case(uint64_t seed)
     static struct world w;
     static struct strokes s;
     static struct glass glass, full;
-    const struct zs_sink to_glass = { .submit = glass_take, .ctx = &glass }, to_full = { .submit = glass_take, .ctx = &full };
+    const struct zs_sink to_glass = { .submit = glass_take, .ctx = &glass },
+                         to_full = { .submit = glass_take, .ctx = &full };
     struct zs_renderer r, fresh;
     for (world_make(&w, &p, 0); !w.trusted || !w.n_instances || w.scene.n_instances != w.n_instances;
          world_make(&w, &p, 0))
@@ -423,9 +424,9 @@ static int damage_case(uint64_t seed)
 /* A cube whose corners are split, three vertices each, and an open square. */
 static void edges_of_a_cube_and_a_square(void **state)
 {
-    static const uint16_t tri[12][3] = { { 0, 1, 2 }, { 2, 1, 3 }, { 4, 6, 5 }, { 6, 7, 5 }, { 8, 12, 9 }, { 12, 13, 9 },
-                                         { 10, 11, 14 }, { 14, 11, 15 }, { 16, 18, 20 }, { 20, 18, 22 },
-                                         { 17, 21, 19 }, { 21, 23, 19 } };
+    static const uint16_t tri[12][3] = { { 0, 1, 2 },    { 2, 1, 3 },    { 4, 6, 5 },    { 6, 7, 5 },
+                                         { 8, 12, 9 },   { 12, 13, 9 },  { 10, 11, 14 }, { 14, 11, 15 },
+                                         { 16, 18, 20 }, { 20, 18, 22 }, { 17, 21, 19 }, { 21, 23, 19 } };
     static int16_t pos[24][3];
     static struct zs_mesh_edge edge[36];
     static uint16_t line[18][2];

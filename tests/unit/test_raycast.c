@@ -157,7 +157,8 @@ static void is_the_frame_of_the_depth_buffer(void **state)
     drawn = cut = curved = stated = clipped = left_out = trees = 0;
     CASES(world_case, getenv("ZS_STRESS") ? 10000 : 150);
     if (!getenv("ZS_SEED"))
-        assert_true(drawn > 50 && cut > 25 && curved > 25 && stated > 75 && clipped > 25 && trees > 200 && left_out > 10);
+        assert_true(drawn > 50 && cut > 25 && curved > 25 && stated > 75 && clipped > 25 && trees > 200 &&
+                    left_out > 10);
 }
 
 /* A sphere that does not hold its triangles is noticed: the frames are not the depth buffer's. */
