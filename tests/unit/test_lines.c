@@ -622,7 +622,11 @@ static void what_cannot_be_drawn_is_refused(void **state)
     s.lines.primitive.n = 0;
     assert_int_equal(error_of(&s, &camera), ZS_OK);
     stroke_set(&s, 1);
-    s.material.shader = &zs_shade_raw; /* reads face_raw[line] */
+    s.material.shader = &zs_shade_raw;
+    assert_int_equal(error_of(&s, &camera), ZS_OK);
+    s.mesh.face_raw = pair[0]; /* of no triangle */
+    assert_int_equal(error_of(&s, &camera), ZS_ERR_MESH);
+    s.material.shader = &zs_shade_flat;
     assert_int_equal(error_of(&s, &camera), ZS_ERR_MESH);
     s.material.shader = &zs_shade_none;
     assert_int_equal(error_of(&s, &camera), ZS_OK);
