@@ -13,6 +13,7 @@
 #include "picture.h"
 #include "zs_damage.h"
 #include "zs_lines.h"
+#include "zs_method.h"
 #include "zs_shader.h"
 
 /* ---- One line --------------------------------------------------------------------------------- */
@@ -188,7 +189,7 @@ static void lines_are_exact(void **state)
 
 /* ---- Clipped ---------------------------------------------------------------------------------- */
 
-static unsigned cut_lines;
+static unsigned cut_lines, cut_dashes;
 
 /* Lines that reach before near, beyond far and far out of the guard band, in doubles. A pixel whose middle is within a
  * sixteenth of a px of the border may be either. */
@@ -204,12 +205,30 @@ static int clipped_case(uint64_t seed)
     const uint32_t scale = 1u << prng_pick(&p, 11);
     stroke_set(&s, scale);
     s.lines.width = (uint8_t)(prng_pick(&p, 3) ? prng_pick(&p, 4) : prng_pick(&p, 65));
+    if (!prng_pick(&p, 4)) {
+        s.lines.on = (uint8_t)prng_pick(&p, 30);
+        s.lines.off = (uint8_t)prng_pick(&p, 9);
+    }
     for (int k = 0; k < 2; k++)
         for (int i = 0; i < 3; i++) {
             const int32_t most = i == 2 ? 80000 / (int32_t)scale : prng_pick(&p, 2) ? 32767 : 32767 / (int32_t)scale;
             s.pos[k][i] = (int16_t)prng_range(&p, most > 32767 ? -32767 : -most, most > 32767 ? 32767 : most / 4);
             at[k][i] = (i == 0 ? 1.0 : -1.0) * s.pos[k][i] * scale;
         }
+    if (!prng_pick(&p, 8)) { /* an end at the border of the guard band, as far as lines are wide inside and outside */
+        stroke_set(&s, 128);
+        s.lines.width = 3;
+        for (int k = 0; k < 2; k++) {
+            s.pos[k][2] = -PIXEL_Z / 128;
+            at[k][2] = PIXEL_Z;
+            for (int i = 0; i < 2; i++) {
+                s.pos[k][i] = (int16_t)(k ? prng_range(&p, -40, 40) : prng_range(&p, 2 * 8120, 2 * 8210));
+                at[k][i] = (i ? -128.0 : 128.0) * s.pos[k][i];
+            }
+        }
+        s.pos[0][seed & 1] = (int16_t)(s.pos[0][seed & 1] * (prng_range(&p, -900, 900) / 1000.0));
+        at[0][seed & 1] = (seed & 1 ? -128.0 : 128.0) * s.pos[0][seed & 1];
+    }
     const double dz = at[1][2] - at[0][2];
     double t[2] = { 0, 1 };
     for (int k = 0; k < 2; k++) {
@@ -230,19 +249,39 @@ static int clipped_case(uint64_t seed)
     const int down = fabs(dy) > fabs(dx), turned = end[1][down] < end[0][down];
     const double m0 = end[turned][down], m1 = end[!turned][down], n0 = end[turned][!down], n1 = end[!turned][!down];
     const double half = (s.lines.width ? s.lines.width : 1) * 0.5, near_by = 1.0 / 16;
+    const int dashed = s.lines.on && s.lines.off;
+    double key[2]; /* linear on the screen */
+    for (int k = 0; k < 2; k++) {
+        const double z = at[0][2] + t[k ^ turned] * dz;
+        key[k] = 65535 * (perspective ? (1 / z_near - 1 / z) / (1 / z_near - 1 / z_far) : (z - z_near) / (z_far - z_near));
+    }
+    const double slope = (key[1] - key[0]) / fmax(m1 - m0, 1);
     int ok = is.err == ZS_OK && stats_add_up(&is.stats);
     for (int32_t i = 0; ok && i < is.w * is.h; i++) {
         const double xy[2] = { i % is.w + 0.5, i / is.w + 0.5 }, m = xy[down], n = xy[!down];
         const double lies = n0 + (n1 - n0) * (m - m0) / (m1 - m0);
         const double out = fmax(fabs(n - lies) - half, fmax(m0 - 0.5 - m, m - m1 - 0.5));
         const int drawn = is.color[i] == 0xffff;
-        if (drawn ? !seen || out > near_by : seen && out < -near_by)
+        if (drawn ? !seen || out > near_by : seen && !dashed && out < -near_by)
             ok = case_wrong("(%d, %d) is drawn: %d, %f px out", i % is.w, i / is.w, drawn, out);
+        const double want = key[0] + slope * (fmin(fmax(m, m0), m1) - m0); /* and half a px along the line */
+        if (drawn && ok && m1 - m0 > 1 && fabs(is.key[i] - want) > 1.5 + fabs(slope) * 0.55)
+            ok = case_wrong("(%d, %d) has key %d, not %f", i % is.w, i / is.w, is.key[i], want);
     }
     cut_lines += is.stats.tris_clipped && is.stats.tris_drawn;
+    cut_dashes += is.stats.tris_clipped && is.stats.tris_drawn && dashed;
     struct picture freed = is;
     picture_free(&freed);
     return ok || case_wrong("err %d", is.err);
+}
+
+static void clipped_lines(void **state)
+{
+    (void)state;
+    cut_lines = cut_dashes = 0;
+    CASES(clipped_case, 8000);
+    if (!getenv("ZS_SEED"))
+        assert_true(cut_lines > 300 && cut_dashes > 50);
 }
 
 /* ---- Points ----------------------------------------------------------------------------------- */
@@ -260,7 +299,7 @@ static int point_case(uint64_t seed)
     s.material.primitive = &s.points.primitive;
     s.points.size = (uint8_t)prng_pick(&p, 65);
     for (int i = 0; i < 2; i++)
-        s.pos[0][i] = (int16_t)prng_range(&p, -12000, 12000);
+        s.pos[0][i] = (int16_t)(prng_range(&p, -12000, 12000) & (prng_pick(&p, 2) ? ~127 : ~0));
     s.pos[0][2] = (int16_t)prng_range(&p, -32767 / (int32_t)scale, 100);
     const int64_t x = c.width * 128 + s.pos[0][0] * (int64_t)scale, y = c.height * 128 - s.pos[0][1] * (int64_t)scale;
     const int64_t half = 128 * (s.points.size ? s.points.size : 1), z = -s.pos[0][2] * (int64_t)scale;
@@ -349,7 +388,16 @@ static int way_case(uint64_t seed)
     strokes_make(&s, &w, &p);
     struct zs_config c = world_config(&p, &w);
     struct picture ample = picture_draw(&c, &w.scene, &w.camera);
+    if (c.depth == &zs_depth_none && prng_pick(&p, 2)) { /* all in one walk, as pools are ample */
+        picture_free(&ample);
+        c.method = &zs_method_painter;
+        ample = picture_draw(&c, &w.scene, &w.camera);
+    }
     any_way(&p, &c);
+    if (c.method) {
+        c.max_tris += 1;
+        c.max_verts += 3;
+    }
     struct picture is = picture_draw(&c, &w.scene, &w.camera);
     const int right = ample.err == is.err && (ample.err || (picture_same(&ample, &is, "another way") &&
                                                             stats_add_up(&is.stats) && stats_add_up(&ample.stats)));
@@ -359,6 +407,40 @@ static int way_case(uint64_t seed)
     picture_free(&is);
     world_free(&w);
     return right || case_wrong("errors %d and %d", ample.err, is.err);
+}
+
+/* In a viewport the picture is that of a frame of its size. */
+static int viewport_case(uint64_t seed)
+{
+    struct prng p = { seed };
+    static struct world w;
+    static struct strokes s;
+    for (world_make(&w, &p, 0); !w.trusted; world_make(&w, &p, 0))
+        world_free(&w);
+    strokes_make(&s, &w, &p);
+    w.scene.sky = NULL; /* which knows where the viewport is, as the next two do */
+    w.scene.n_resolves = 0;
+    for (int k = 0; k < WORLD_MATERIALS; k++)
+        if (w.material[k].shader->by_fragment)
+            w.material[k].shader = &zs_shade_none;
+    struct zs_config c = world_config(&p, &w);
+    struct picture alone = picture_draw(&c, &w.scene, &w.camera);
+    const struct zs_pass pass = { .scene = &w.scene, .camera = &w.camera,
+                                  .viewport = { (uint16_t)prng_pick(&p, 20), (uint16_t)prng_pick(&p, 20), c.width,
+                                                c.height } };
+    c.width = (uint16_t)(c.width + pass.viewport.x + prng_pick(&p, 9));
+    c.height = (uint16_t)(c.height + pass.viewport.y + prng_pick(&p, 9));
+    any_way(&p, &c);
+    struct picture is = picture_passes(&c, &pass, 1);
+    int right = is.err == alone.err;
+    for (int32_t i = 0; right && !is.err && i < alone.w * alone.h; i++) {
+        const int32_t at = (i / alone.w + pass.viewport.y) * is.w + i % alone.w + pass.viewport.x;
+        right = is.color[at] == alone.color[i] && is.key[at] == alone.key[i];
+    }
+    picture_free(&alone);
+    picture_free(&is);
+    world_free(&w);
+    return right || case_wrong("another picture in a viewport; error %d", is.err);
 }
 
 /* A panel that gets what has changed. */
@@ -541,7 +623,11 @@ static void what_cannot_be_drawn_is_refused(void **state)
     s.lines.primitive.n = 0;
     assert_int_equal(error_of(&s, &camera), ZS_OK);
     stroke_set(&s, 1);
-    s.material.shader = &zs_shade_raw; /* reads face_raw[line] */
+    s.material.shader = &zs_shade_raw;
+    assert_int_equal(error_of(&s, &camera), ZS_OK);
+    s.mesh.face_raw = pair[0]; /* of no triangle */
+    assert_int_equal(error_of(&s, &camera), ZS_ERR_MESH);
+    s.material.shader = &zs_shade_flat;
     assert_int_equal(error_of(&s, &camera), ZS_ERR_MESH);
     s.material.shader = &zs_shade_none;
     assert_int_equal(error_of(&s, &camera), ZS_OK);
@@ -563,9 +649,10 @@ static void what_cannot_be_drawn_is_refused(void **state)
 
 static const struct CMUnitTest tests[] = {
     cmocka_unit_test(lines_are_exact),
-    CASES_COUNT(clipped_lines, clipped_case, 8000, &cut_lines, 400, "clipped lines"),
+    cmocka_unit_test(clipped_lines),
     CASES_COUNT(points, point_case, 1000, &points_drawn, 250, "points"),
     CASES_COUNT(any_pools_strips_and_accelerators, way_case, 300, &again, 80, "frames in several walks"),
+    CASES_TEST(in_a_viewport, viewport_case, 200),
     CASES_COUNT(damage_tracking, damage_case, 200, &clean, 100, "frames with clean strips"),
     cmocka_unit_test(edges_of_a_cube_and_a_square),
     CASES_TEST(edges_by_counting, edges_case, 500),

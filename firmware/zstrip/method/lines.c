@@ -176,10 +176,10 @@ static enum zs_fate parallelogram(struct zs_renderer *r, const struct line *line
 
 /* ---- Dashes --------------------------------------------------------------------------------- */
 
-/* Return a + (b - a) num / den, rounded down to a's side. num <= den < 2^54, |b - a| < 2^31 */
+/* Return a + (b - a) num / den, rounded down to a's side. num <= den < 2^32, |b - a| < 2^31 */
 static int32_t between(int32_t a, int32_t b, uint64_t num, uint64_t den)
 {
-    const int32_t part = (int32_t)zs_muldiv_u64(zs_size32(b - a), num, den);
+    const int32_t part = (int32_t)(zs_mul_uu(zs_size32(b - a), (uint32_t)num) / den);
     return b < a ? a - part : a + part;
 }
 
@@ -201,6 +201,11 @@ static ZS_NOINLINE int32_t cut(const struct zs_renderer *r, const struct line *l
         const uint64_t rest = (den - num) * (uint32_t)b->z; /* < 2^52 */
         num *= (uint32_t)a->z;
         den = num + rest;
+        const int down = 32 - zs_clz64(den); /* to 32 bits: by 2^-31 of the line at most */
+        if (down > 0) {
+            num >>= down;
+            den >>= down;
+        }
     }
     out->z = between(a->z, b->z, num, den);
     const int32_t lz = zs_clz32((uint32_t)out->z | 1u);

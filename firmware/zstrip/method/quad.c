@@ -57,6 +57,15 @@ enum zs_fate zs_quad_bin(struct zs_renderer *r, const struct zs_quad *quad, uint
     return all;
 }
 
+/* Return 1 if a face stage may read the mesh's arrays at a line's number. */
+static int reads_faces(const struct zs_instance *in)
+{
+    const struct zs_shader *shader = in->material->shader;
+    if (shader == &zs_shade_raw)
+        return in->mesh->face_raw != 0;
+    return shader->face && shader->face != zs_plain_face;
+}
+
 /* A corner is at most 3/4 of the width from its end, the diagonal of a point: in px on the screen,
  * and by as much as a px is at the sphere's far side in the world. One more px is for snapping and
  * for the half px that a line is longer at its ends. */
@@ -66,10 +75,9 @@ int zs_quad_widen(const struct zs_renderer *r, const struct zs_instance *in, uin
     const struct zs_camera *camera = &r->camera;
     const int64_t most = (int64_t)ZS_WORLD_MAX * 65536 + 1; /* of b->r: core/cull.c */
     const uint64_t quarters = 3u * (uint32_t)zs_quad_width(width) + 4u; /* 1/4 px, < 2^8 */
-    uint16_t (*const face)(const struct zs_shading *, uint32_t) = in->material->shader->face;
     if (width > ZS_WIDTH_MAX)
         return ZS_ERR_RANGE;
-    if (face && face != zs_plain_face && in->material->primitive->n > in->mesh->n_tris)
+    if (in->material->primitive->n > in->mesh->n_tris && reads_faces(in))
         return ZS_ERR_MESH;
     uint64_t by; /* 1/4 of q48_16 */
     if (r->view.perspective) {
