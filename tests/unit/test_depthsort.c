@@ -409,6 +409,54 @@ static void splits_are_counted(void **state)
     }
 }
 
+/* Every triangle of one half crosses every one of the other: n^2 / 4 lines. */
+static void shows_the_worst_case(void **state)
+{
+    (void)state;
+    for (uint32_t n = 4; n <= 32; n *= 2) {
+        for (uint32_t t = 0; t < n; t++)
+            quad(t, 0, 0, t % 2 ? 9000 + (int32_t)(t * 100) : 1000 + (int32_t)(t * 100), t % 2 ? -9000 : 9000);
+        const struct zs_stats s = cost_of(n, &zs_method_depthsort);
+        printf("%u that cross %u: %u splits, %u pairs, %u set-ups\n", n / 2, n / 2, s.splits, s.pairs, s.tris_setup);
+        assert_true(s.splits >= n / 2 && s.splits <= n * n && s.pairs <= 40 * n * n);
+    }
+}
+
+/* Strips that are not drawn hand their triangles on. */
+static void strips_may_be_skipped(void **state)
+{
+    const struct zs_camera camera = flat_camera();
+    (void)state;
+    for (uint64_t seed = 1; seed <= 40; seed++) {
+        struct prng p = { seed };
+        static uint32_t arena[1 << 16];
+        static struct zs_renderer r;
+        struct zs_config c = picture_config(SIDE, SIDE, &zs_depth_order);
+        struct zs_strip strip;
+        any_scene(&p, 20);
+        mesh_set(20);
+        c.method = any_method(&p);
+        c.strip_h = (uint16_t)prng_range(&p, 1, 20);
+        c.max_tris = (uint16_t)prng_range(&p, 10, 40);
+        c.max_verts = 120;
+        c.buffers = 1;
+        struct picture want = picture_draw(&c, &scene, &camera);
+        assert_int_equal(want.err, ZS_OK);
+        assert_int_equal(zs_init(&r, &c, arena, sizeof arena), ZS_OK);
+        assert_int_equal(zs_frame_begin(&r, &scene, &camera), ZS_OK);
+        for (int32_t y = 0; y < SIDE; y += c.strip_h) {
+            if (prng_pick(&p, 2)) {
+                assert_int_equal(zs_frame_skip(&r), 1);
+                continue;
+            }
+            assert_int_equal(zs_frame_strip(&r, &strip), 1);
+            for (int32_t k = 0; k < strip.w * strip.h; k++)
+                assert_int_equal(strip.px[2 * k] << 8 | strip.px[2 * k + 1], want.color[y * SIDE + k]);
+        }
+        picture_free(&want);
+    }
+}
+
 /* ---- What is refused ------------------------------------------------------------------------- */
 
 static void small_pools_and_other_mappings_are_refused(void **state)
@@ -441,6 +489,8 @@ int main(int argc, char **argv)
                                         cmocka_unit_test(is_the_same_in_any_way),
                                         cmocka_unit_test(costs_n_log_n_where_depths_are_apart),
                                         cmocka_unit_test(splits_are_counted),
+                                        cmocka_unit_test(shows_the_worst_case),
+                                        cmocka_unit_test(strips_may_be_skipped),
                                         cmocka_unit_test(small_pools_and_other_mappings_are_refused) };
     cases_program = argv[0];
     if (argc > 1)
