@@ -48,8 +48,8 @@ extern const struct zs_depth zs_depth_order;
  *         zs_stats.pairs: at worst n^2. Triangles that intersect are split, zs_stats.splits: n^2
  *         again. A rectangle of a strip whose pieces find no room is halved, and sorted anew; so is
  *         one with more than 256 narrow triangles. The least is a pixel, for which all triangles
- *         are tried. Meshes of 1,000 to 3,000 small triangles in strips of 24 rows take 2 to 9
- *         times the instructions of the depth buffer (Cortex-M3), a few large things 1.3 times. */
+ *         are tried. Scenes of the bench take 1.3 to 8 times the instructions of the depth buffer
+ *         on a Cortex-M3; 1,600 slivers 12, a sheet of 20,000 triangles 22 times. */
 extern const struct zs_method zs_method_depthsort;
 
 /* Coverage, a visibility buffer of one bit a pixel: the list of zs_method_depthsort from near to

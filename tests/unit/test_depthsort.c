@@ -457,6 +457,59 @@ static void strips_may_be_skipped(void **state)
     }
 }
 
+/* Two meshes, of which one moves: with damage tracking, the columns given out make the whole frame. */
+static void only_what_changed_may_be_drawn(void **state)
+{
+    static uint32_t arena[1 << 16], memory[ZS_DAMAGE_WORDS(2, SIDE, 1)];
+    static struct zs_renderer r;
+    static uint16_t panel[SIDE * SIDE];
+    const struct zs_camera camera = flat_camera();
+    uint32_t narrow = 0;
+    (void)state;
+    for (uint64_t seed = 1; seed <= 40; seed++) {
+        struct prng p = { seed };
+        struct zs_config c = picture_config(SIDE, SIDE, &zs_depth_order);
+        struct zs_instance two[2] = { instance, instance };
+        const struct zs_scene both = { .instance = two, .n_instances = 2 };
+        any_scene(&p, 20);
+        mesh_set(20);
+        struct zs_mesh small = mesh;
+        small.n_tris = 8;
+        small.radius = 2000;
+        for (int v = 0; v < 24; v++)
+            for (int k = 0; k < 3; k++)
+                pos[v][k] = (int16_t)(k < 2 ? prng_range(&p, -1000, 1000) : prng_range(&p, -1000, 1000));
+        two[0].mesh = &small;
+        c.method = any_method(&p);
+        c.strip_h = (uint16_t)prng_range(&p, 1, 20);
+        c.max_tris = (uint16_t)prng_range(&p, 4, 60);
+        c.max_verts = (uint16_t)prng_range(&p, 8, 120);
+        c.buffers = 1;
+        assert_int_equal(zs_init(&r, &c, arena, sizeof arena), ZS_OK);
+        assert_int_equal(zs_damage_track(&r, memory, 2), ZS_OK);
+        assert_int_equal(zs_damage_columns(&r, 1), ZS_OK);
+        for (int frame = 0; frame < 4; frame++) {
+            struct zs_strip strip;
+            two[0].pose.pos[0] = (int32_t)(seed * 50) + prng_range(&p, -900, 900);
+            two[0].pose.pos[2] = -prng_range(&p, 9000, 20000);
+            struct picture want = picture_draw(&c, &both, &camera);
+            assert_int_equal(want.err, ZS_OK);
+            assert_int_equal(zs_frame_begin(&r, &both, &camera), ZS_OK);
+            while (zs_frame_strip(&r, &strip) > 0) {
+                narrow += strip.dirty_w && strip.dirty_w < SIDE;
+                for (int32_t y = 0; y < strip.h; y++)
+                    for (int32_t x = strip.dirty_x; x < strip.dirty_x + strip.dirty_w; x++) {
+                        const uint8_t *px = strip.px + 2 * (y * SIDE + x);
+                        panel[(strip.y + y) * SIDE + x] = (uint16_t)(px[0] << 8 | px[1]);
+                    }
+            }
+            assert_memory_equal(panel, want.color, sizeof panel);
+            picture_free(&want);
+        }
+    }
+    assert_true(narrow > 100);
+}
+
 /* ---- What is refused ------------------------------------------------------------------------- */
 
 static void small_pools_and_other_mappings_are_refused(void **state)
@@ -491,6 +544,7 @@ int main(int argc, char **argv)
                                         cmocka_unit_test(splits_are_counted),
                                         cmocka_unit_test(shows_the_worst_case),
                                         cmocka_unit_test(strips_may_be_skipped),
+                                        cmocka_unit_test(only_what_changed_may_be_drawn),
                                         cmocka_unit_test(small_pools_and_other_mappings_are_refused) };
     cases_program = argv[0];
     if (argc > 1)
