@@ -191,6 +191,25 @@ static int bits_take(struct zs_renderer *r, struct zs_order *o)
     return 1;
 }
 
+#define MANY 256 /* triangles: for longer lists, halves are worth another look at the pool */
+
+/* Return 1 if a list is long and its triangles are narrow beside the rectangle: the pairs in two
+ * halves are fewer. */
+static int too_many(const struct zs_renderer *r, uint16_t list)
+{
+    const struct zs_order *o = r->method_state;
+    const uint32_t width = (uint32_t)(o->x1 - o->x0);
+    uint32_t n = 0, sum = 0; /* < 2^16; < 2^28 */
+    for (; list != ZS_NIL; list = r->tri[list].next, n++) {
+        const struct zs_vertex *a = &r->vert[r->tri[list].v[0]], *b = &r->vert[r->tri[list].v[1]],
+                               *c = &r->vert[r->tri[list].v[2]];
+        const int32_t x0 = zs_min32(a->x, zs_min32(b->x, c->x)) >> ZS_SUBPX_BITS;
+        const int32_t x1 = zs_max32(a->x, zs_max32(b->x, c->x)) >> ZS_SUBPX_BITS;
+        sum += (uint32_t)(zs_min32(x1, o->x1) - zs_max32(x0, o->x0) + 1);
+    }
+    return n > MANY && sum * 4u < n * width; /* n * width < 2^28 */
+}
+
 /* Bring the rectangle's triangles in order. Return 0 if it has to be halved. */
 static int rectangle_order(struct zs_renderer *r, uint16_t list)
 {
@@ -200,7 +219,7 @@ static int rectangle_order(struct zs_renderer *r, uint16_t list)
     if (!bits_take(r, o))
         return 0;
     if (!is_pixel(o))
-        return zs_order_newell(r, list);
+        return !too_many(r, list) && zs_order_newell(r, list);
     o->list = (uint16_t)pixel_pick(r);
     if (o->list != ZS_NIL)
         r->tri[o->list].next = ZS_NIL;
