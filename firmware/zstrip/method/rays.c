@@ -103,7 +103,8 @@ void zs_rays_build(struct zs_renderer *r, struct zs_rays *s, struct zs_ray_box *
 
 /* Return 1 if a triangle covers the sample of a pixel: strictly inside of its right and lower
  * edges, and inside of or on the others. */
-static ZS_NOINLINE int covers(const struct zs_renderer *r, const struct zs_tri *t, int32_t x, int32_t y)
+static ZS_NOINLINE int covers(const struct zs_renderer *r, const struct zs_tri *t, int32_t x,
+                              int32_t y)
 {
     const int32_t at_x = x * ZS_SUBPX_ONE + ZS_SUBPX_HALF, at_y = y * ZS_SUBPX_ONE + ZS_SUBPX_HALF;
     const struct zs_vertex *p = &r->vert[t->v[2]];
