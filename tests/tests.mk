@@ -47,7 +47,7 @@ $(B)/test/test_xform_narrow: $(NARROW:%.c=$(B)/test/narrow/%.o) $(B)/test/libtes
 	@$(CC) $(SAN) -Wl,--start-group $^ -Wl,--end-group -lcmocka -lm -o $@
 $(B)/test/test_examples: $(call t,$(wildcard firmware/examples/*.c))
 $(B)/test/test_pass $(B)/test/test_painter: $(call t,tests/lab/fuzz/world.c)
-$(B)/test/test_raycast: $(call t,tests/lab/fuzz/world.c)
+$(B)/test/test_raycast: $(call t,tests/lab/fuzz/world.c sim/reference/reference.c sim/reference/rays.c)
 $(B)/test/test_counts: $(call t,sim/frame/pixel_counts.c sim/frame/frame.c sim/frame/scene_share.c sim/cli/sim.c)
 $(B)/test/test_threads $(B)/test/test_golden: $(call t,sim/frame/frame.c sim/frame/scene_share.c sim/cli/sim.c)
 $(B)/test/zsim: $(call t,$(SIM)) $(B)/test/libtest.a $(B)/libmeshes.a
