@@ -11,6 +11,7 @@ TEST_CC = $(CC) -std=gnu11 -O1 -g1 $(SAN) -Wall -Wextra -Werror -Wshadow -Wno-mi
           -Itests/lib -DZS_STATS=1 '-DZS_ASSERT(c)=((c)?(void)0:__builtin_trap())'
 TESTS = $(foreach d,unit property tools,$(wildcard tests/$d/test_*.c))
 MODEL = $(wildcard sim/panel_model/*.c) sim/panel/panel_bus.c hal/fault/fault.c
+FRAME = sim/frame/frame.c sim/frame/scene_share.c sim/frame/method_names.c sim/cli/sim.c
 TEST_HELP = $(wildcard tests/lib/*.c) tests/lab/fuzz/world.c
 t = $(patsubst %.c,$(B)/test/%.o,$(1))
 
@@ -46,8 +47,9 @@ $(B)/test/narrow/%.o: %.c $(TEST_NOTE)
 $(B)/test/test_xform_narrow: $(NARROW:%.c=$(B)/test/narrow/%.o) $(B)/test/libtest.a $(B)/libmeshes.a
 	@$(CC) $(SAN) -Wl,--start-group $^ -Wl,--end-group -lcmocka -lm -o $@
 $(B)/test/test_examples: $(call t,$(wildcard firmware/examples/*.c))
-$(B)/test/test_counts: $(call t,sim/frame/pixel_counts.c sim/frame/frame.c sim/frame/scene_share.c sim/frame/method_names.c sim/cli/sim.c)
-$(B)/test/test_threads $(B)/test/test_golden: $(call t,sim/frame/frame.c sim/frame/scene_share.c sim/frame/method_names.c sim/cli/sim.c)
+$(B)/test/test_raycast: $(call t,sim/reference/reference.c sim/reference/rays.c)
+$(B)/test/test_counts: $(call t,sim/frame/pixel_counts.c $(FRAME))
+$(B)/test/test_threads $(B)/test/test_golden: $(call t,$(FRAME))
 $(B)/test/zsim: $(call t,$(SIM)) $(B)/test/libtest.a $(B)/libmeshes.a
 	@$(CC) $(SAN) -Wl,--start-group $^ -Wl,--end-group $(LIBS) -o $@
 $(B)/test/zlab: $(call t,$(ZLAB)) $(B)/test/libtest.a $(B)/libmeshes.a

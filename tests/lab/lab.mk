@@ -161,7 +161,7 @@ $(B)/stress/fast: $(STRESS) $(B)/stress/oracle.o $(HEADERS)
 MUTATE_NOT = linux.c pair.c examples.c panel.c panel_model.c panel_bytes.c panel_picture.c
 MUTATE_FILES = $(filter-out $(MUTATE_NOT:%=\%/test_%),$(TESTS))
 MUTATE_TESTS = $(basename $(notdir $(MUTATE_FILES)))
-MUTATE_SIM = sim/frame/pixel_counts.c sim/frame/frame.c sim/frame/scene_share.c sim/frame/method_names.c sim/cli/sim.c
+MUTATE_SIM = sim/frame/pixel_counts.c $(FRAME) sim/reference/reference.c sim/reference/rays.c
 mutate-settings:
 	$(info tests $(MUTATE_TESTS))
 	$(info files $(MUTATE_FILES))

@@ -223,6 +223,16 @@ is "shaders" "$(sed -n 's/.*&zs_shade_\([a-z_]*\),.*/\1/p' shaded/m.c | sort | t
 begin face_normals_are_left_out_on_request
 convert shaded torus.obj --shade flat --face-normals no
 is "arrays" "$(arrays shaded)" 'pos tri cluster '
+begin hierarchy_holds_all_triangles
+for more in '' --precise; do
+    # shellcheck disable=SC2086
+    convert shaded torus.obj --shade flat --bvh $more
+    is "arrays" "$(arrays shaded | sed 's/pos_lo //')" 'pos tri face_normal cluster bvh '
+    compile shaded probe
+    same_flash shaded
+    sound shaded
+    same_pixels shaded torus.obj
+done
 begin one_colour_for_all
 convert shaded colors130.obj --color 3366cc
 holds shaded/m.c '{ 51, 102, 204 }'

@@ -12,6 +12,7 @@
 #include "../lab/fuzz/world.h"
 #include "own.h"
 #include "picture.h"
+#include "../../sim/reference/rays.h"
 #include "zs_method.h"
 
 /* Any way to draw the same frame by rays. */
@@ -233,6 +234,110 @@ static void layers_are_those_of_the_depth_buffer(void **state)
     CASES(layers_case, 60);
 }
 
+/* ---- Rays of doubles ----------------------------------------------------------------------------- */
+
+#define SEEN_W 48
+#define SEEN_H 40
+
+static const struct ref_light above = { { 0, 1, 0 }, 0.25, 0.75 };
+static size_t compared, differ;
+
+/* sim/reference: rays see what its loop over triangles sees. */
+static int doubles_case(uint64_t seed)
+{
+    static uint32_t id[2][SEEN_W * SEEN_H];
+    static double z[2][SEEN_W * SEEN_H];
+    static uint16_t color[2][SEEN_W * SEEN_H];
+    struct prng p = { seed };
+    struct ref_triangle t[60];
+    struct ref_image loop = { .id = id[0], .z = z[0], .rgb565 = color[0] }, ray = { .id = id[1], .z = z[1], .rgb565 = color[1] };
+    struct ref_camera camera = { .right = { 1, 0, 0 }, .up = { 0, 1, 0 }, .back = { 0, 0, 1 }, .focal = 40, .height = 3,
+                                 .near_z = 1, .far_z = 9, .orthographic = prng_pick(&p, 3) == 0 };
+    const struct ref_depth depth = { REF_DEPTH_LINEAR, 16 };
+    struct ref_rays rays = { .shadows = 0 };
+    const uint32_t n = prng_pick(&p, 61);
+    memset(t, 0, sizeof t);
+    for (uint32_t i = 0; i < n; i++) {
+        for (int k = 0; k < 9; k++)
+            t[i].p[k / 3][k % 3] = prng_range(&p, -300000, 300000) / 100000.0 - (k % 3 == 2 ? 5.0 : 0.0);
+        t[i].id = i + 1;
+        t[i].raw = (uint16_t)prng_next(&p);
+        t[i].shade = prng_pick(&p, 2) ? REF_SHADE_RAW : REF_SHADE_FLAT;
+        t[i].cull = (int)prng_pick(&p, 3);
+        for (int k = 0; k < 3; k++)
+            t[i].rgb[0][k] = prng_pick(&p, 256) / 255.0;
+    }
+    CASE_CHECK(!ref_render(t, n, &camera, &above, &depth, 7, SEEN_W, SEEN_H, &loop, NULL, NULL));
+    CASE_CHECK(!ref_cast(t, n, &camera, &above, 7, SEEN_W, SEEN_H, &rays, &ray));
+    CASE_CHECK(rays.cast == SEEN_W * SEEN_H);
+    for (int i = 0; i < SEEN_W * SEEN_H; i++) {
+        compared += id[0][i] != 0;
+        differ += id[0][i] != id[1][i] || color[0][i] != color[1][i];
+        if (id[0][i] && id[0][i] == id[1][i] && !(z[0][i] - z[1][i] < 1e-9 && z[1][i] - z[0][i] < 1e-9))
+            return case_wrong("pixel %d: %g and %g", i, z[0][i], z[1][i]);
+    }
+    return 1;
+}
+
+static void rays_of_doubles_see_what_the_reference_sees(void **state)
+{
+    (void)state;
+    compared = differ = 0;
+    CASES(doubles_case, 100);
+    if (!getenv("ZS_SEED"))
+        assert_true(compared > 50000);
+    assert_true(differ * 10000 <= compared);
+}
+
+static void rectangle(struct ref_triangle t[2], const double at[4][3], uint32_t id, double red)
+{
+    memset(t, 0, 2 * sizeof *t);
+    for (int i = 0; i < 2; i++) {
+        for (int k = 0; k < 3; k++)
+            memcpy(t[i].p[k], at[k ? k + i : 0], sizeof t[i].p[k]);
+        t[i].id = id;
+        t[i].shade = REF_SHADE_FLAT;
+        t[i].cull = REF_CULL_NONE;
+        t[i].rgb[0][0] = red;
+    }
+}
+
+/* A floor below a plate, seen from above between them and beside: the plate's shadow, and the plate in the floor. */
+static void shadows_and_mirrors(void **state)
+{
+    static const double floor_at[4][3] = { { -4, 0, 4 }, { 4, 0, 4 }, { 4, 0, -4 }, { -4, 0, -4 } };
+    static const double plate_at[4][3] = { { -1, 2, 1 }, { 1, 2, 1 }, { 1, 2, -1 }, { -1, 2, -1 } };
+    static const double shiny[4] = { 1, 1, 0, 0 };
+    static const double eye[3] = { 0, 1, 6 }, at[3] = { 0, 0, 0 }, up[3] = { 0, 1, 0 };
+    static uint16_t color[41 * 41];
+    static uint32_t id[41 * 41];
+    struct ref_image image = { .rgb565 = color, .id = id };
+    struct ref_camera camera = { .focal = 60, .near_z = 1, .far_z = 20 };
+    struct ref_triangle t[4];
+    (void)state;
+    rectangle(t, floor_at, 1, 1.0);
+    rectangle(t + 2, plate_at, 2, 0.5);
+    assert_int_equal(ref_camera_look_at(&camera, eye, at, up), REF_OK);
+    struct ref_rays rays = { .shadows = 0 };
+    assert_int_equal(ref_cast(t, 4, &camera, &above, 7, 41, 41, &rays, &image), REF_OK);
+    assert_int_equal(id[20 * 41 + 20], 1);
+    assert_int_equal(color[20 * 41 + 20], 31 << 11);
+    rays.shadows = 1;
+    assert_int_equal(ref_cast(t, 4, &camera, &above, 7, 41, 41, &rays, &image), REF_OK);
+    assert_int_equal(color[20 * 41 + 20], 8 << 11);  /* below the plate: 31 / 4, rounded */
+    assert_int_equal(color[36 * 41 + 20], 31 << 11); /* before it */
+    assert_true(rays.cast > 41 * 41);
+    rays.shadows = 0;
+    rays.mirror = shiny;
+    rays.bounces = 1;
+    assert_int_equal(ref_cast(t, 4, &camera, &above, 7, 41, 41, &rays, &image), REF_OK);
+    assert_int_equal(color[20 * 41 + 20], 7); /* passes below the plate's edge */
+    int plates = 0;
+    for (int i = 0; i < 41 * 41; i++)
+        plates += id[i] == 1 && color[i] != 7 && color[i] != 0;
+    assert_true(plates > 20);
+}
+
 /* ---- What is refused ------------------------------------------------------------------------- */
 
 static void small_pools_and_no_depth_memory_are_refused(void **state)
@@ -265,6 +370,8 @@ int main(int argc, char **argv)
     const struct CMUnitTest tests[] = { cmocka_unit_test(is_the_frame_of_the_depth_buffer),
                                         cmocka_unit_test(small_spheres_are_noticed),
                                         cmocka_unit_test(layers_are_those_of_the_depth_buffer),
+                                        cmocka_unit_test(rays_of_doubles_see_what_the_reference_sees),
+                                        cmocka_unit_test(shadows_and_mirrors),
                                         cmocka_unit_test(small_pools_and_no_depth_memory_are_refused) };
     cases_program = argv[0];
     if (argc > 1)

@@ -18,6 +18,7 @@
 #include <string.h>
 
 #include "m.h"
+#include "zs_method.h"
 #include "zs_check.h"
 
 #define W 240
@@ -109,6 +110,31 @@ static uint32_t try_cone(const struct zs_mesh *m, uint32_t i, uint32_t *state)
     return n;
 }
 
+/* Nodes in preorder over all triangles, and spheres that hold them. Return how many. */
+static uint32_t check_nodes(const struct zs_mesh *m)
+{
+    const struct zs_bvh_node *b = m->bvh;
+    for (uint32_t i = 0; i < b->skip; i++) {
+        const uint32_t end = b[i].skip < b->skip ? b[b[i].skip].first : m->n_tris;
+        if (b[i].skip <= i || b[i].skip > b->skip || end < b[i].first || end > m->n_tris)
+            wrong("node %u: triangles %u to %u, skip %u", i, b[i].first, end, b[i].skip);
+        if (b[i].skip > i + 1 ? b[i + 1].first != b[i].first : end - b[i].first > 8)
+            wrong("node %u: its first child begins elsewhere, or a leaf of %u", i, end - b[i].first);
+        for (uint32_t t = b[i].first; t < end; t++)
+            for (int k = 0; k < 3; k++) {
+                const uint32_t v = m->tri[t][k];
+                int64_t most = (int64_t)b[i].radius * b[i].radius * 65536;
+                for (int a = 0; a < 3; a++) {
+                    const int64_t d = (m->pos[v][a] - b[i].center[a]) * 256 + (m->pos_lo ? m->pos_lo[v][a] : 0);
+                    most -= d * d;
+                }
+                if (most < 0)
+                    wrong("node %u: vertex %u is outside of its sphere", i, v);
+            }
+    }
+    return b->first == 0 ? b->skip : 0;
+}
+
 static void check(void)
 {
     uint32_t clusters = 0, tris = 0, verts = 0, tried = 0, state = 1;
@@ -129,6 +155,8 @@ static void check(void)
         }
         if (!m->cluster)
             wrong("mesh %u has no clusters", i);
+        if (m->bvh && !check_nodes(m))
+            wrong("mesh %u: the hierarchy does not begin with its first triangle", i);
         clusters += m->n_clusters;
         tris += m->n_tris;
         verts += m->n_verts;
