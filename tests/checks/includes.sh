@@ -78,7 +78,7 @@ only "hal/rp2040/second includes hal.h, second.h and its HAL's own" \
     "\"(hal|second|\.\./parts|\.\./regs)\.h\"|$STD" hal/rp2040/second/*.c
 only "panels include hal.h and their own headers" "\"hal\\.h\"|$(headers hal/panel)|$STD" hal/panel/*.[ch]
 reach "hal reaches nothing of firmware" '^(firmware|sim|tests)' hal/*.h hal/*/*.c hal/*/*/*.c
-only "app sees public headers, hal.h, panel.h, scenes and its own" "\"(zstrip|zs_fast|zs_damage|scenes|sizes|hal|second|panel|show|pair|number|report|model|bench|probes|study_settings)\\.h\"|$STD" firmware/app/*.[ch]
+only "app sees public headers, hal.h, panel.h, scenes and its own" "\"(zstrip|zs_fast|zs_damage|zs_method|scenes|sizes|hal|second|panel|show|pair|number|report|model|bench|probes|study_settings)\\.h\"|$STD" firmware/app/*.[ch]
 only "scenes see zstrip.h, zs_fast.h and their own" "\"(zstrip|zs_fast|meshes)\\.h\"|$(headers firmware/scenes)|$STD" firmware/scenes/*.[ch]
 only "mesh generators see their own" "$(headers firmware/scenes | sed 's|"(|"\\.\\./(|')|$(headers firmware/scenes/gen)|$HOSTED" firmware/scenes/gen/*.[ch]
 only "boards see nothing of ours" "$STD" firmware/boards/*/*.c
