@@ -10,7 +10,6 @@
 #include "core/rotation.h"
 #include "core/usual.h"
 #include "core/view.h"
-#include "core/xform.h"
 
 #define SCALE_MAX ((uint64_t)1 << 47) /* q32_32: 32768 steps are then 2^30 world units */
 

@@ -25,6 +25,7 @@
  *
  * SPDX-License-Identifier: MIT
  */
+#include "core/cold.h"
 #include "core/depth.h"
 #include "core/fast.h"
 #include "core/fx.h"
