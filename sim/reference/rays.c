@@ -124,7 +124,7 @@ static double hit(const struct ref_triangle *t, const struct ray *r)
     sim_sub(s, r->from, t->p[0]);
     sim_cross(q, s, e1);
     const double u = sim_dot(s, p) / det, v = sim_dot(r->to, q) / det, at = sim_dot(e2, q) / det;
-    return u >= 0.0 && v >= 0.0 && u + v <= 1.0 && at >= r->least && at <= r->most ? at : INFINITY;
+    return u >= 0.0 && v >= 0.0 && u + v <= 1.0 && at >= r->least && at <= r->most ? at : (double)INFINITY;
 }
 
 /* The nearest triangle that a ray meets, or NONE; any: the first that is found. */
@@ -142,7 +142,7 @@ static size_t nearest(const struct caster *c, const struct ray *r, double *at, i
         for (size_t k = 0; k < b->count; k++) {
             const size_t item = c->item[b->first + k];
             const double d = hit(&c->triangle[item], r);
-            if (d < *at || (d == *at && d < INFINITY && item < best)) {
+            if (d < *at || (d == *at && d < (double)INFINITY && item < best)) {
                 *at = d;
                 best = item;
                 if (any)
