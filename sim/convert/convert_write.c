@@ -22,7 +22,7 @@
 
 /* Structs on a 32-bit machine, bytes. */
 #define MESH_BYTES 72u
-#define MATERIAL_BYTES 12u
+#define MATERIAL_BYTES 16u
 #define TEXTURE_BYTES 20u
 #define INSTANCE_BYTES 64u
 

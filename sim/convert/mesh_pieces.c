@@ -19,7 +19,7 @@
 
 #define PIECE_VERTS_MAX 65535u
 #define COLORS_MAX 64u  /* meshes by colour: not more */
-#define MESH_BYTES 148u /* a mesh, material and instance of its own, on a 32-bit machine */
+#define MESH_BYTES 152u /* a mesh, material and instance of its own, on a 32-bit machine */
 #define STACK_MAX 64
 #define TEXELS_OFF_MAX 0.5
 #define DEGREES (180.0 / 3.14159265358979323846)
