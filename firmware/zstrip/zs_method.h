@@ -65,11 +65,12 @@ extern const struct zs_method zs_method_raycast;
  * that covers all of it is drawn without a test.
  *
  * Right   wherever the depth buffer is: all mappings with depth memory, else ZS_ERR_DEPTH; all
- *         depth states, shaders and passes.
+ *         depth states and shaders; damage tracking. Not frames in passes: ZS_ERR_PASS.
  * Memory  none of its own: it takes the place of the accelerators `touch` and `tiles`, and their
  *         part of the arena (ZS_DRAWN_BYTES + ZS_BOUND_BYTES), 3 bytes a tile, block ... Tiles are
  *         as wide as that allows. If zs_config.fast names the two, they are not used.
- * Cost    The fast paths for whole and small triangles are not used; those for spans are.
+ * Cost    3 KB of flash (Cortex-M3, -O2); 96 bytes of stack for a strip, 120 more while a triangle
+ *         is drawn. The fast paths for whole and small triangles are not used; those for spans are.
  *         A tile is looked at again after as many pixels as it has were drawn in it. */
 extern const struct zs_method zs_method_hiz;
 /* The same with weaker tests of a piece, to compare: zs_method_hiz takes the nearest key of the

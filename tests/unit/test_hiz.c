@@ -371,7 +371,7 @@ static void what_is_drawn_always_hides_no_more(void **state)
     picture_free(&want);
 }
 
-static void a_mapping_without_memory_is_refused(void **state)
+static void passes_and_a_mapping_without_memory_are_refused(void **state)
 {
     static const int16_t corner[3][3] = { { 0, 0, -2000 }, { 900, 0, -2000 }, { 0, 900, -2000 } };
     struct lone l;
@@ -384,6 +384,12 @@ static void a_mapping_without_memory_is_refused(void **state)
         struct picture is = picture_draw(&c, &l.scene, &camera);
         assert_int_equal(is.err, ZS_ERR_DEPTH);
         picture_free(&is);
+        struct zs_config with_memory = picture_config(64, 48, &zs_depth_float);
+        const struct zs_pass pass = { .scene = &l.scene, .camera = &camera };
+        with_memory.method = methods[m];
+        is = picture_passes(&with_memory, &pass, 1);
+        assert_int_equal(is.err, ZS_ERR_PASS);
+        picture_free(&is);
     }
 }
 
@@ -394,7 +400,7 @@ int main(int argc, char **argv)
                                         cmocka_unit_test(layers_are_skipped),
                                         cmocka_unit_test(one_bucket_nearer_is_seen),
                                         cmocka_unit_test(what_is_drawn_always_hides_no_more),
-                                        cmocka_unit_test(a_mapping_without_memory_is_refused) };
+                                        cmocka_unit_test(passes_and_a_mapping_without_memory_are_refused) };
     cases_program = argv[0];
     if (argc > 1)
         cmocka_set_test_filter(argv[1]);
