@@ -8,7 +8,7 @@
 . "$(dirname "$0")/../lib/cortexm.sh"
 
 CORE_MAX=${CORE_MAX:-4200}         # lines of code in core/ and the public headers
-ALL_MAX=${ALL_MAX:-9056}           # ... in all of firmware/zstrip; the goal is 7000
+ALL_MAX=${ALL_MAX:-9072}           # ... in all of firmware/zstrip; the goal is 7000
 METHODS_MAX=${METHODS_MAX:-2200}   # ... in method/ and its public headers
 SHADE_MAX=${SHADE_MAX:-1500}       # ... in shade/
 FILE_MAX=${FILE_MAX:-540}          # lines of a file; the goal is 450

@@ -26,11 +26,29 @@ render() { # CPU NAME EMPTY [FLAGS]: EMPTY as of stack.mjs
     core "$c" "$dir" ${4:-} $MEASURED || { bad "$name compiles (-Wvla -Werror)" "see above"; return; }
     LIST=$FAST_ALL minimal "$dir/main.c" flat recip "$EVERYTHING $OWN"
     echo "$OTHERS $OWN_SHADER" >>"$dir/main.c"
+    rm -rf "$dir-all" && cp -a "$dir" "$dir-all"
+    flags=${4:-}
+    bound "$2" '' "$(echo "$empty,zs_method.begin" | sed 's/^-,//')"
+    case $2 in bare-*) return ;; esac
+    for method in painter_sort hiz_hiz.bounds depthsort_coverage_order_newell_pieces_order.depth_sort raycast_rays_ray.nodes; do
+        dir=$B/stack-$2-${method%%_*}
+        rm -rf "$dir" && cp -a "$B/stack-$2-all" "$dir"
+        bound "$2-${method%%_*}" "$method" "$empty"
+    done
+}
+# A renderer has one method, so each is bound by itself, and the usual one, the depth buffer, without them.
+bound() { # NAME METHOD EMPTY. METHOD: files of method/ that stay, _ between, and . for _ in a name
+    for m in painter sort hiz hiz_bounds depthsort coverage order newell pieces order_depth raycast rays ray_nodes; do
+        case _${2}_ in
+        *_"$(echo $m | tr _ .)"_*) ;;
+        *) rm -f "$dir/method_$m".* ;;
+        esac
+    done
     # shellcheck disable=SC2086
-    link "$c" "$dir" "$dir/main.c" "$dir/all.elf" -Wl,--no-gc-sections ${4:-} || { bad "$name links" "see above"; return; }
-    stack "$name" "$dir" "$LIMIT" zs_ zs_sink,zs_shader.fragment,zs_background,zs_resolve "$empty" zs_render zs_init zs_frame_begin zs_frame_strip zs_frame_end zs_pose_turn \
-        zs_pose_rotate zs_camera_perspective zs_camera_orthographic zs_camera_look_at zs_camera_look_along zs_camera_orbit \
-        zs_unit zs_mesh_check zs_texture_check
+    link "$c" "$dir" "$dir/main.c" "$dir/all.elf" -Wl,--no-gc-sections $flags || { bad "$1 links" "see above"; return; }
+    stack "$1" "$dir" "$LIMIT" zs_ zs_sink,zs_shader.fragment,zs_background,zs_resolve "$3" zs_render zs_init zs_frame_begin \
+        zs_frame_strip zs_frame_end zs_pose_turn zs_pose_rotate zs_camera_perspective zs_camera_orthographic zs_camera_look_at \
+        zs_camera_look_along zs_camera_orbit zs_unit zs_mesh_check zs_texture_check
 }
 for c in $CPUS; do
     case $c in *m0*) empty=zs_fast.edges,zs_fast.draw ;; *) empty=- ;; esac # nothing on a core that cannot divide

@@ -52,7 +52,7 @@ static void buffer_strip(struct zs_renderer *r)
     zs_raster_strip(r);
 }
 
-static void buffer_full(struct zs_renderer *r)
+void zs_buffer_full(struct zs_renderer *r)
 {
     zs_raster_strip(r);
     zs_bin_empty(r);
@@ -60,5 +60,5 @@ static void buffer_full(struct zs_renderer *r)
 }
 
 const struct zs_method zs_method_buffer = { .strip = buffer_strip,
-                                            .full = buffer_full,
+                                            .full = zs_buffer_full,
                                             .list = zs_scene_list };

@@ -39,6 +39,15 @@ struct zs_depth {
                  uint32_t step);
 };
 
+/* Functions of zs_depth_recip and zs_depth_none that a mapping of a method shares. */
+int zs_recip_setup(struct zs_view *view, const struct zs_camera *camera, uint32_t bits);
+uint32_t zs_recip_vertex(const struct zs_view *view, int32_t z, uint32_t rcp, int32_t lz);
+uint64_t zs_recip_inverse(const struct zs_view *view, uint32_t d);
+int zs_none_setup(struct zs_view *view, const struct zs_camera *camera, uint32_t bits);
+uint32_t zs_none_vertex(const struct zs_view *view, int32_t z, uint32_t rcp, int32_t lz);
+void zs_none_span(struct zs_job *job, const struct zs_row *row, int32_t i0, int32_t i1,
+                  uint32_t sum, uint32_t step);
+
 /* Draw all scanlines of a job with the mapping's row function (depth/curved.c). */
 void zs_depth_walk(struct zs_job *job);
 

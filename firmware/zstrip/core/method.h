@@ -26,6 +26,8 @@ struct zs_method {
 
 /* zs_method.list in scene order. */
 uint16_t zs_scene_list(struct zs_renderer *r);
+/* Draw the binned triangles, and empty the pools. */
+void zs_buffer_full(struct zs_renderer *r);
 
 /* The depth buffer: the method of a configuration without one (core/buffer.c). */
 extern const struct zs_method zs_method_buffer;

@@ -9,7 +9,7 @@
 #include "core/rows.h"
 #include "zs_shader.h"
 
-static ZS_RARE int none_setup(struct zs_view *view, const struct zs_camera *camera, uint32_t bits)
+ZS_RARE int zs_none_setup(struct zs_view *view, const struct zs_camera *camera, uint32_t bits)
 {
     (void)camera;
     view->screen_linear = 1;
@@ -22,7 +22,7 @@ static ZS_RARE int none_setup(struct zs_view *view, const struct zs_camera *came
     return ZS_OK;
 }
 
-static uint32_t none_vertex(const struct zs_view *view, int32_t z, uint32_t rcp, int32_t lz)
+uint32_t zs_none_vertex(const struct zs_view *view, int32_t z, uint32_t rcp, int32_t lz)
 {
     (void)rcp;
     (void)lz;
@@ -36,8 +36,8 @@ static uint64_t none_inverse(const struct zs_view *view, uint32_t d)
     return ((uint64_t)1 << 62) / d;
 }
 
-static void none_span(struct zs_job *job, const struct zs_row *row, int32_t i0, int32_t i1,
-                      uint32_t sum, uint32_t step)
+void zs_none_span(struct zs_job *job, const struct zs_row *row, int32_t i0, int32_t i1,
+                  uint32_t sum, uint32_t step)
 {
     (void)sum;
     (void)step;
@@ -46,5 +46,5 @@ static void none_span(struct zs_job *job, const struct zs_row *row, int32_t i0, 
 }
 
 const struct zs_depth zs_depth_none = {
-    .setup = none_setup, .vertex = none_vertex, .inverse = none_inverse, .span = none_span
+    .setup = zs_none_setup, .vertex = zs_none_vertex, .inverse = none_inverse, .span = zs_none_span
 };

@@ -8,7 +8,7 @@
 #include "core/depth.h"
 #include "core/fx.h"
 
-static ZS_RARE int recip_setup(struct zs_view *view, const struct zs_camera *camera, uint32_t bits)
+ZS_RARE int zs_recip_setup(struct zs_view *view, const struct zs_camera *camera, uint32_t bits)
 {
     if (!view->perspective)
         return ZS_ERR_DEPTH; /* 1/z is not linear on an orthographic screen */
@@ -29,7 +29,7 @@ static ZS_RARE int recip_setup(struct zs_view *view, const struct zs_camera *cam
     return ZS_OK;
 }
 
-static uint32_t recip_vertex(const struct zs_view *view, int32_t z, uint32_t rcp, int32_t lz)
+uint32_t zs_recip_vertex(const struct zs_view *view, int32_t z, uint32_t rcp, int32_t lz)
 {
     const uint32_t above = (uint32_t)(z - view->z_near) << lz; /* < z << lz < 2^32 */
     const uint64_t t = zs_mul_uu(above, rcp) >> 31;            /* (z - n) / z, uq0_32 */
@@ -38,11 +38,11 @@ static uint32_t recip_vertex(const struct zs_view *view, int32_t z, uint32_t rcp
 }
 
 /* Return w, proportional to n / z = 1 - key / K. */
-static uint64_t recip_inverse(const struct zs_view *view, uint32_t d)
+uint64_t zs_recip_inverse(const struct zs_view *view, uint32_t d)
 {
     return view->key_far > d ? view->key_far - d : 1u;
 }
 
-const struct zs_depth zs_depth_recip = { .setup = recip_setup,
-                                         .vertex = recip_vertex,
-                                         .inverse = recip_inverse };
+const struct zs_depth zs_depth_recip = { .setup = zs_recip_setup,
+                                         .vertex = zs_recip_vertex,
+                                         .inverse = zs_recip_inverse };

@@ -215,11 +215,11 @@ static int32_t losing_key(const struct zs_job *job, uint32_t sum)
 static ZS_NOINLINE void draw(struct zs_job *job, const struct zs_row *row, int32_t i0, int32_t from,
                              int32_t to, uint32_t sum, uint32_t step)
 {
-    zs_piece_fn *const span = ZS_IF_FAST(job->fast) && job->fast->span && !job->depth_state
+    zs_piece_fn *const test = ZS_IF_FAST(job->fast) && job->fast->span && !job->depth_state
                                   ? job->fast->span
                                   : zs_rows_test;
     if (from < to)
-        span(job, row, from, to, sum + zs_wrap_mul(step, from - i0), step);
+        test(job, row, from, to, sum + zs_wrap_mul(step, from - i0), step);
 }
 
 /* Cut a piece at the tiles' borders, and draw what is not hidden. Neighbours are drawn together. */
@@ -294,14 +294,14 @@ static void test_no_more(struct zs_renderer *r)
 static void hiz_full(struct zs_renderer *r)
 {
     test_triangles(r);
-    zs_method_buffer.full(r);
+    zs_buffer_full(r);
     if (r->refit)
         test_no_more(r);
 }
 
 static uint16_t hiz_list(struct zs_renderer *r)
 {
-    return zs_method_buffer.list(r);
+    return zs_scene_list(r);
 }
 
 static void hiz_strip(struct zs_renderer *r)
