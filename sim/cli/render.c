@@ -11,6 +11,7 @@
 
 #include "frame.h"
 #include "image.h"
+#include "line_style.h"
 #include "method_names.h"
 #include "model.h"
 #include "render_options.h"
@@ -36,6 +37,8 @@ struct job {
     struct sim_model model;
     struct sim_view view;
     struct sim_scene scene;
+    struct sim_styled styled; /* with --style */
+    const struct zs_scene *drawn; /* one of both */
     struct zs_config config;
     struct sim_frame frame;
     struct sim_panel_frame panel; /* with --panel */
@@ -96,6 +99,14 @@ static void set_config(struct job *job)
     c->fast = o->fast.list;
     c->depth = of.depth[sim_depth_of(o, &job->view)];
     sim_method_apply(c, &sim_methods[o->method]);
+    if (o->style == SIM_STYLE_SOLID)
+        return;
+    /* a line or point is two triangles and four vertices; clipped, up to eight triangles of their own vertices */
+    c->max_tris = pool_size(o->tris, (uint64_t)c->max_tris + (uint64_t)job->styled.n_lines * (clips ? 8u : 2u), 1);
+    c->max_verts = pool_size(
+        o->verts, (uint64_t)c->max_verts + job->scene.n_verts + (uint64_t)job->styled.n_lines * (clips ? 24u : 4u), 3);
+    if (o->style == SIM_STYLE_HIDDEN_LINE && o->depth == SIM_DEPTH_DEFAULT && o->projection == ZS_PERSPECTIVE)
+        c->depth = &zs_depth_recip; /* the bias of faces follows its slopes */
 }
 
 static int refuse_frame(const struct job *job, int err)
@@ -119,9 +130,9 @@ static int draw_strips(struct job *job)
             return status;
     }
     const int err = job->options.threads > 0
-        ? sim_frame_render_threads(&job->frame, &job->scene.scene, &job->scene.camera, &job->config,
+        ? sim_frame_render_threads(&job->frame, job->drawn, &job->scene.camera, &job->config,
                                    (uint32_t)job->options.threads, &job->time)
-        : sim_frame_render_to(&job->frame, &job->scene.scene, &job->scene.camera, &job->config, "drawing",
+        : sim_frame_render_to(&job->frame, job->drawn, &job->scene.camera, &job->config, "drawing",
                               wish->name != NULL ? &sink : NULL);
     if (err != ZS_OK && job->panel.err == HAL_OK)
         return refuse_frame(job, err);
@@ -135,6 +146,15 @@ static int draw_frame(struct job *job)
     int status = sim_scene_build(&job->scene, &job->model, &job->view, o);
     if (status != SIM_OK)
         return status;
+    job->drawn = &job->scene.scene;
+    if (o->style != SIM_STYLE_SOLID) {
+        static const struct zs_rgb white = ZS_RGB(0xffffff);
+        status = sim_styled_make(&job->styled, job->drawn, (enum sim_style)o->style, o->has_color ? o->color : white,
+                                 (uint8_t)o->line_width);
+        if (status != SIM_OK)
+            return status;
+        job->drawn = &job->styled.scene;
+    }
     set_config(job);
     status = draw_strips(job);
     if (status != SIM_OK)
@@ -443,6 +463,7 @@ int sim_render(int argc, char **argv)
     free(job->texel);
     sim_frame_free(&job->frame);
     sim_panel_free(&job->panel);
+    sim_styled_free(&job->styled);
     sim_scene_free(&job->scene);
     sim_model_free(&job->model);
     free(job);

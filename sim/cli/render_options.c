@@ -8,6 +8,7 @@
 #include <string.h>
 
 #include "frame.h"
+#include "line_style.h"
 #include "method_names.h"
 #include "option_table.h"
 #include "sim.h"
@@ -63,6 +64,10 @@ const char sim_options_help[] =
     "  --shade id|flat|smooth|textured|textured-flat|unlit (flat)\n"
     "                       textured: texels times smooth light, textured-flat: times a face's,\n"
     "                       unlit: texels alone; faces without a texture: smooth, flat, raw\n"
+    "  --style solid|wire|hidden-line|points\n"
+    "                       the model's edges alone, those that its faces do not hide, or its vertices (solid),\n"
+    "                       in white or the --color\n"
+    "  --line-width N       px, of lines and points, 1 to 64 (1)\n"
     "  --texture T.png      one picture (PNG or JPEG) for all faces in place of the model's own.\n"
     "                       A side that is no power of two up to 1024 becomes the nearest one by\n"
     "                       averaging areas (texture_resampled of --stats); alpha is dropped\n"
@@ -106,6 +111,8 @@ static const struct sim_option table[] = {
     { "--texture-format", SIM_OPTION_CHOICE, AT(texel), .words = "565|pal8|pal4" },
     { "--wrap", SIM_OPTION_CHOICE, AT(clamp), AT(has_wrap), .words = "repeat|clamp" },
     { "--show", SIM_OPTION_CHOICE, AT(show), .words = SIM_SHOW_WORDS },
+    { "--style", SIM_OPTION_CHOICE, AT(style), .words = SIM_STYLE_WORDS },
+    { "--line-width", SIM_OPTION_COUNT, AT(line_width), 0, 1, 64 },
     { "--method", SIM_OPTION_CHOICE, AT(method), .words = SIM_METHOD_WORDS },
     { "--cull", SIM_OPTION_CHOICE, AT(cull), .words = "back|front|none" },
     SIM_PANEL_OPTIONS(struct sim_options, panel),
@@ -183,6 +190,7 @@ void sim_options_defaults(struct sim_options *o)
     memset(o, 0, sizeof *o);
     o->size[0] = o->size[1] = 240;
     o->strip = 16;
+    o->line_width = 1;
     o->depth_bits = 16;
     o->buffers = 2;
     o->up[1] = 1.0;
@@ -220,6 +228,20 @@ static int check_method(const struct sim_options *o)
     return SIM_OK;
 }
 
+static int check_style(const struct sim_options *o)
+{
+    if (o->style == SIM_STYLE_SOLID)
+        return SIM_OK;
+    if (o->reference || o->compare || o->id_out != NULL)
+        return sim_usage("--style: lines and points have no reference and no numbers: leave --reference, --compare and "
+                         "--id-out out");
+    if (!sim_methods[o->method].keys)
+        return sim_usage("--style: lines are drawn by --method zbuffer or hiz");
+    if (o->show != SIM_SHOW_FRAME)
+        return sim_usage("--style: leave --show out");
+    return SIM_OK;
+}
+
 int sim_options_parse(struct sim_options *o, int argc, char **argv)
 {
     char seen[N_TABLE] = { 0 };
@@ -242,6 +264,8 @@ int sim_options_parse(struct sim_options *o, int argc, char **argv)
     if (o->show != SIM_SHOW_FRAME && o->panel.name != NULL)
         return sim_usage("--show does not go through a panel: leave --panel out");
     status = check_method(o);
+    if (status == SIM_OK)
+        status = check_style(o);
     if (status == SIM_OK)
         status = sim_fast_take(&o->fast, o->fast_names);
     if (status != SIM_OK)

@@ -48,6 +48,8 @@ struct sim_options {
     enum zs_cull cull;
     enum sim_show show;
     int method;             /* of sim_methods */
+    int style;              /* enum sim_style */
+    long line_width;        /* px, of lines and points */
     const char *texture;    /* a file for all faces; NULL: the model's own */
     enum sim_texel texel;   /* how textures are stored */
     int clamp;              /* with has_wrap: 1 clamp, 0 repeat, both ways */

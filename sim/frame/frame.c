@@ -380,7 +380,8 @@ static enum way way_of(const struct zs_scene *scene, const struct zs_config *con
         *n_tris += mesh->n_tris;
         verts += mesh->n_verts;
         simple &= mesh->pos != NULL && mesh->tri != NULL && mesh->n_verts <= 65535u &&
-                  scene->instance[i].depth_state == NULL;
+                  scene->instance[i].depth_state == NULL &&
+                  !(scene->instance[i].material && scene->instance[i].material->primitive);
     }
     const uint64_t pixels = (uint64_t)config->width * config->height;
     if (simple && n > 1 && *n_tris >= n && *n_tris * PIXELS_A_TRI >= pixels &&

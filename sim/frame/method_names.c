@@ -18,7 +18,8 @@ const struct sim_method sim_methods[SIM_METHODS] = {
       .method = &zs_method_hiz,
       .keys = 1,
       .title = "Hierarchical depth buffer",
-      .take = "Take it for programs without accelerators in whose scenes much is hidden. Beside the accelerators touch and "
+      .take = "Take it for programs without accelerators in whose scenes much is hidden. Beside the accelerators "
+              "touch and "
               "tiles, whose memory it takes, it does not pay.",
       .fails = "As the depth buffer, bit for bit." },
     { .name = "painter",

@@ -1,6 +1,6 @@
 #!/bin/sh
-# `zsim gallery`: every method has a card, its figures are those of its nature, the page needs no other file; what cannot
-# be done is refused by name.
+# `zsim gallery`: every method has a card, its figures are those of its nature, the page needs no other file. `zsim render`
+# by every method and style. What cannot be done is refused by name.
 # Usage: tests/tools/gallery.sh ZSIM WORKDIR     as tests/tools/cli.sh
 set -u
 . tests/tools/zsim.sh
@@ -41,12 +41,11 @@ one_line 2 "unknown option '--size'"
 
 begin render_by_methods
 printf 'v -1 -1 0\nv 1 -1 0\nv 0 1 0\nf 1 2 3\n' >tri.obj
-for m in $methods; do
+for m in zbuffer $methods; do
     z render tri.obj --out $m.png --stats $m.json --method $m
     [ $status -eq 0 ] || wrong "$m: status $status: $(said)"
-    cmp -s $m.png zbuffer.png || [ $m = painter ] || wrong "$m draws another triangle"
+    cmp -s $m.png zbuffer.png || wrong "$m draws another triangle"
 done
-cmp -s painter.png zbuffer.png || wrong "painter draws another triangle"
 grep -q '"depth_bytes": 0,' painter.json || wrong "painter has depth_bytes"
 z render tri.obj --out x.png --method painter --depth-out d.pgm
 one_line 2 'method painter keeps no depth keys: leave --depth-out out'
@@ -57,5 +56,28 @@ one_line 2 'method painter brings its depth mapping: leave --depth out'
 z render tri.obj --out x.png --method magic
 one_line 2 'magic'
 [ ! -e x.png ] || wrong "a file of a refused command"
+begin lines_and_points # a cube: 12 edges and 6 diagonals, 8 corners; its farthest corner is hidden
+printf 'v -1 -1 1\nv 1 -1 1\nv 1 1 1\nv -1 1 1\nv -1 -1 -1\nv 1 -1 -1\nv 1 1 -1\nv -1 1 -1
+f 1 2 3 4\nf 6 5 8 7\nf 5 1 4 8\nf 2 6 7 3\nf 4 3 7 8\nf 5 6 2 1\n' >cube.obj
+for style in wire hidden-line points; do
+    z render cube.obj --out $style.png --stats $style.json --style $style
+    [ $status -eq 0 ] || wrong "$style: status $status: $(said)"
+done
+count() { # STYLE FIGURE
+    sed -n "s/^ *\"$2\": \([0-9]*\).*/\1/p" "$1.json"
+}
+is "edges of a cube" "$(count wire triangles_in)" 18
+is "edges, and faces that hide" "$(count hidden-line triangles_in)" 30
+is "corners of a cube" "$(count points triangles_in)" 8
+[ "$(count points pixels_visible)" -eq 8 ] || wrong "points: $(count points pixels_visible) pixels"
+[ "$(count wire pixels_visible)" -ge 1000 ] || wrong "wire: $(count wire pixels_visible) pixels"
+for refused in "--compare" "--id-out i.u32" "--method painter" "--show overdraw"; do
+    # shellcheck disable=SC2086
+    z render cube.obj --out y.png --style wire $refused
+    one_line 2 'style: '
+done
+z render cube.obj --out y.png --style wire --line-width 65
+[ $status -eq 1 ] || [ $status -eq 2 ] || wrong "a line of 65 px: status $status"
+[ ! -e y.png ] || wrong "a file of a refused command"
 finish
 [ $n_failed -eq 0 ]
