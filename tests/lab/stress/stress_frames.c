@@ -630,7 +630,7 @@ int stress_frames(uint64_t seed, struct stress_counts *c)
     if (world.camera.projection == ZS_PERSPECTIVE)
         plain.depth = kind_depths[prng_pick(&p, KINDS(kind_depths))].depth;
     plain.fast = NULL;
-    if (prng_pick(&p, 2)) {
+    if (prng_pick(&p, 3) == 0) {
         const struct kind_method *method = &kind_methods[prng_pick(&p, KINDS(kind_methods))];
         plain.method = method->method;
         plain.depth = method->depth ? method->depth : plain.depth;
