@@ -73,7 +73,10 @@ endif
 endif
 
 # What names no scene is compiled once, the rest once a scene
-CORE = $(filter-out $(if $(filter 1,$(LEAN)),firmware/zstrip/fast/%),$(wildcard firmware/zstrip/*/*.c))
+# method/ is compiled where the program's own sources name something of it
+METHODS = $(shell grep -lE 'zs_method|zs_lines|zs_points|zs_depth_order|zs_shade_(plain|none)' $(APP_SRC))
+CORE = $(filter-out $(if $(filter 1,$(LEAN)),firmware/zstrip/fast/%) $(if $(METHODS),,firmware/zstrip/method/%),\
+                    $(wildcard firmware/zstrip/*/*.c))
 SRC = $(wildcard hal/$(BOARD_HAL)/*.c hal/panel/*.c) $(BOARD_SRC) $(CORE) \
       $(wildcard firmware/scenes/*.c) $(wildcard $(B)/gen/*.c)
 OBJ = $(patsubst %,$(OUT)/%.o,$(basename $(SRC))) $(patsubst %.c,$(OUT)/of-$(NAME)/%.o,$(APP_SRC))
