@@ -24,12 +24,10 @@ static const struct {
     const struct zs_depth *depth; /* NULL: the scene's */
     int records;                  /* flag: it keeps records of its own in the triangle pool */
 } methods[] = {
-    { "zbuffer", 0, 0 },
-    { "hiz", &zs_method_hiz, 0 },
-    { "raycast", &zs_method_raycast, 0, 1 },
-    { "painter", &zs_method_painter, &zs_depth_none },
-    { "depthsort", &zs_method_depthsort, &zs_depth_order, 1 },
-    { "coverage", &zs_method_coverage, &zs_depth_order, 1 },
+#define ROW(name_, depth_, tris_, verts_, records_) { #name_, &zs_method_##name_, depth_, records_ },
+    { "zbuffer", 0, 0, 0 },
+    ZS_METHOD_EACH(ROW)
+#undef ROW
 };
 
 static uint16_t pool_of(uint32_t wanted, uint16_t least)

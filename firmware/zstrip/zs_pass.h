@@ -63,8 +63,8 @@ struct zs_pass_memory {
  *         `tiles` do nothing in such a frame.
  * Return  as zs_render. ZS_ERR_SIZE: n, or too many instances; ZS_ERR_PASS: a viewport that is
  *         not inside the frame, a keep that is no enum zs_keep or keeps the keys of another
- *         mapping, or some passes with depth memory and some without; ZS_ERR_SEQUENCE:
- *         zs_damage_track is on (zs_damage_compare may be). */
+ *         mapping, some passes with depth memory and some without, or a configuration that names
+ *         a method; ZS_ERR_SEQUENCE: zs_damage_track is on (zs_damage_compare may be). */
 int zs_render_passes(struct zs_renderer *r, const struct zs_pass *pass,
                      struct zs_pass_memory *memory, uint32_t n, const struct zs_sink *sink);
 

@@ -97,7 +97,8 @@ enum zs_err {
     ZS_ERR_BUILD = -13,   /* the program was compiled with other headers, or another
                              ZS_VARYINGS_MAX or ZS_SIZE_MAX, than the library */
     ZS_ERR_PASS = -14     /* a pass's viewport is not inside the frame; what it keeps is of another
-                             mapping; some passes have depth memory and some have none */
+                             mapping; some passes have depth memory and some have none; the
+                             configuration names a method */
 };
 
 /* One English clause for an enum zs_err, without a full stop; never NULL. Static storage. */

@@ -77,7 +77,7 @@ static const char usage[] =
     "  --fast LIST       accelerators to draw with, the same frames: all, none, names with commas between, or all but\n"
     "                    some, as all-tiles-touch (all). There are:\n"
     "                    %s\n"
-    "  --method zbuffer|hiz|painter|depthsort|coverage|raycast\n"
+    "  --method " SIM_METHOD_WORDS "\n"
     "                    how hidden surfaces are removed (zbuffer), as of zsim render\n"
     "  --show depth|complexity|overdraw|tested|strips\n"
     "                    pictures are false colours with a legend, as of zsim render\n"

@@ -36,7 +36,7 @@ const char sim_options_help[] =
     "                       far <= 32768 near, else e5m11; orthographic views: linear)\n"
     "  --depth-bits N       8 to 16 (16)\n"
     "  --subpixel 4|8       sub-pixel bits (8)\n"
-    "  --method zbuffer|hiz|painter|depthsort|coverage|raycast\n"
+    "  --method " SIM_METHOD_WORDS "\n"
     "                       how hidden surfaces are removed (zbuffer); zsim gallery shows what each gets right and\n"
     "                       takes\n"
     "  --tris N, --verts N  pool sizes, up to 65534 (ample); small ones take more passes\n"

@@ -1,4 +1,4 @@
-/* Methods of hidden-surface removal by name.
+/* Methods of hidden-surface removal by name. What the gallery says of each stands here, the rest in ZS_METHOD_EACH.
  *
  * SPDX-License-Identifier: MIT
  */
@@ -6,66 +6,45 @@
 
 #include <stddef.h>
 
+#define ABOUT_hiz \
+    .keys = 1, .title = "Hierarchical depth buffer", \
+    .take = "Take it for programs without accelerators in whose scenes much is hidden. Beside the accelerators touch " \
+            "and tiles, whose memory it takes, it does not pay.", \
+    .fails = "As the depth buffer, bit for bit."
+#define ABOUT_painter \
+    .title = "Painter's algorithm", \
+    .take = "Take it for small parts that hold no depth memory and scenes of separate things. It costs a sort of each " \
+            "strip's triangles.", \
+    .fails = "Triangles that intersect, overlap in a cycle, or reach far behind what they cover are drawn in the " \
+             "wrong order."
+#define ABOUT_depthsort \
+    .title = "Depth sort", \
+    .take = "Take it where depth memory does not fit and surfaces cross or overlap in a cycle. Triangles are split " \
+            "where no order is right; it costs a comparison of each pair whose depths overlap.", \
+    .fails = "As the depth buffer, but with finer depths. Many triangles whose depths overlap take long."
+#define ABOUT_coverage \
+    .title = "Coverage", \
+    .take = "Take it for many layers and dear shaders without depth memory: depth sort's list from near to far, so " \
+            "that each pixel is coloured once.", \
+    .fails = "As depth sort; a shader that mixes with what is there sees the background alone."
+#define ABOUT_raycast \
+    .title = "Ray casting", \
+    .take = "Take it to see what the other order of the loops costs: for each pixel the nearest triangle, in place " \
+            "of, for each triangle, its pixels.", \
+    .fails = "Shaders that mix with what is there see the background alone: each pixel is coloured once."
+
 const struct sim_method sim_methods[SIM_METHODS] = {
     { .name = "zbuffer",
       .keys = 1,
       .title = "Depth buffer",
-      .take =
-          "Take it when in doubt: it is right for any scene, in any order, and the fastest here. It costs two bytes "
-          "a pixel of a strip.",
+      .take = "Take it when in doubt: it is right for any scene, in any order, and the fastest for most. It costs two "
+              "bytes a pixel of a strip.",
       .fails = "Surfaces closer than a bucket of depth are sorted by scene order." },
-    { .name = "hiz",
-      .method = &zs_method_hiz,
-      .keys = 1,
-      .title = "Hierarchical depth buffer",
-      .take = "Take it for programs without accelerators in whose scenes much is hidden. Beside the accelerators "
-              "touch and "
-              "tiles, whose memory it takes, it does not pay.",
-      .fails = "As the depth buffer, bit for bit." },
-    { .name = "painter",
-      .method = &zs_method_painter,
-      .depth = &zs_depth_none,
-      .least_tris = 2,
-      .least_verts = 6,
-      .title = "Painter's algorithm",
-      .take =
-          "Take it for small parts that hold no depth memory and scenes of separate things. It costs a sort of each "
-          "strip's triangles.",
-      .fails =
-          "Triangles that intersect, overlap in a cycle, or reach far behind what they cover are drawn in the wrong "
-          "order." },
-    { .name = "depthsort",
-      .records = 1,
-      .method = &zs_method_depthsort,
-      .depth = &zs_depth_order,
-      .least_tris = 2,
-      .least_verts = 6,
-      .title = "Depth sort",
-      .take = "Take it where depth memory does not fit and surfaces cross or overlap in a cycle. Triangles are split "
-              "where no "
-              "order is right; it costs a comparison of each pair whose depths overlap.",
-      .fails = "As the depth buffer, but with finer depths. Many triangles in each other's depth take long." },
-    { .name = "coverage",
-      .records = 1,
-      .method = &zs_method_coverage,
-      .depth = &zs_depth_order,
-      .least_tris = 2,
-      .least_verts = 6,
-      .title = "Coverage",
-      .take = "Take it for many layers and dear shaders without depth memory: depth sort's list from near to far, so "
-              "that each "
-              "pixel is coloured once.",
-      .fails = "As depth sort; a shader that mixes with what is there sees the background alone." },
-    { .name = "raycast",
-      .records = 1,
-      .method = &zs_method_raycast,
-      .least_tris = 4,
-      .least_verts = 6,
-      .title = "Ray casting",
-      .take = "Take it for many triangles in few pixels, or to see what the other order of the loops costs: for each "
-              "pixel the "
-              "nearest triangle, in place of, for each triangle, its pixels.",
-      .fails = "Shaders that mix with what is there see the background alone: each pixel is coloured once." },
+#define ROW(name_, depth_, tris_, verts_, records_) \
+    { .name = #name_, .method = &zs_method_##name_, .depth = depth_, .least_tris = tris_, .least_verts = verts_, \
+      .records = records_, ABOUT_##name_ },
+    ZS_METHOD_EACH(ROW)
+#undef ROW
 };
 
 const struct sim_method *sim_method_of(const struct zs_config *config)

@@ -17,8 +17,10 @@ struct sim_method {
     const char *title, *take, *fails; /* for the gallery: its name in full, when to take it, what it gets wrong */
 };
 
-#define SIM_METHODS 6
-#define SIM_METHOD_WORDS "zbuffer|hiz|painter|depthsort|coverage|raycast" /* in the order of the table */
+#define SIM_METHOD_ONE(...) +1
+#define SIM_METHOD_WORD(name_, ...) "|" #name_
+#define SIM_METHODS (1 ZS_METHOD_EACH(SIM_METHOD_ONE))
+#define SIM_METHOD_WORDS "zbuffer" ZS_METHOD_EACH(SIM_METHOD_WORD) /* in the order of the table */
 extern const struct sim_method sim_methods[SIM_METHODS];
 
 /* The one of a configuration; NULL: it is not in the table. */

@@ -33,6 +33,17 @@ struct zs_config picture_config(int32_t w, int32_t h, const struct zs_depth *dep
     return c;
 }
 
+void picture_any_way(struct prng *p, struct zs_config *c, int32_t tris, int32_t verts)
+{
+    c->strip_h = (uint16_t)prng_range(p, 1, c->height);
+    if (prng_pick(p, 4)) {
+        c->max_tris = (uint16_t)prng_range(p, tris, prng_pick(p, 2) ? 3 * tris : 60);
+        c->max_verts = (uint16_t)prng_range(p, verts, prng_pick(p, 2) ? 12 : 120);
+    }
+    c->buffers = (uint8_t)(1 + prng_pick(p, 2));
+    c->fast = fast_any(p);
+}
+
 int watch_anew(struct zs_renderer *r, struct zs_strip_hashes *sums, uint64_t *memory, uint32_t columns)
 {
     const int err = zs_strip_hashes_init(sums, memory, r->config.width, r->config.height, r->config.strip_h, columns);

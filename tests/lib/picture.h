@@ -10,6 +10,7 @@
 
 #include <stdint.h>
 
+#include "prng.h"
 #include "zs_damage.h"
 #include "zs_pass.h"
 #include "zstrip.h"
@@ -28,6 +29,9 @@ struct picture {
 int watch_anew(struct zs_renderer *r, struct zs_strip_hashes *sums, uint64_t *memory, uint32_t columns);
 
 struct zs_config picture_config(int32_t w, int32_t h, const struct zs_depth *depth);
+/* Another way to draw the same frame: strips, buffers, accelerators, and mostly small pools, of at least so many triangles
+ * and vertices. */
+void picture_any_way(struct prng *p, struct zs_config *c, int32_t tris, int32_t verts);
 /* Draw a frame by zs_render. To be freed whatever err is. */
 struct picture picture_draw(const struct zs_config *config, const struct zs_scene *scene,
                             const struct zs_camera *camera);

@@ -27,18 +27,6 @@ static struct zs_config plain_config(uint16_t w, uint16_t h, const struct zs_dep
                                .depth = depth };
 }
 
-/* Any way to draw the same frame. */
-static void any_way(struct prng *p, struct zs_config *c)
-{
-    c->strip_h = (uint16_t)prng_range(p, 1, c->height);
-    if (prng_pick(p, 2)) {
-        c->max_tris = (uint16_t)prng_range(p, 1, 60);
-        c->max_verts = (uint16_t)prng_range(p, 3, 120);
-    }
-    c->buffers = (uint8_t)(1 + prng_pick(p, 2));
-    c->fast = fast_any(p);
-}
-
 /* A world whose meshes hold what they say. */
 static void world_sound(struct world *w, struct prng *p)
 {
@@ -113,7 +101,7 @@ static int viewports_case(uint64_t seed)
     }
     for (int way = 0; way < 3 && ok; way++) {
         struct zs_config any = c;
-        any_way(&p, &any);
+        picture_any_way(&p, &any, 1, 3);
         struct picture got = picture_passes(&any, pass, n);
         if (want.err)
             ok = got.err == want.err || case_wrong("error %d, not %d", got.err, want.err);
@@ -159,7 +147,7 @@ static int over_case(uint64_t seed)
                 want.color[i] = black.color[i];
             want.key[i] = black.key[i];
         }
-        any_way(&p, &c);
+        picture_any_way(&p, &c, 1, 3);
         struct picture got = picture_passes(&c, pass, 2);
         ok = picture_same(&want, &got, "over") || case_wrong("over");
         picture_free(&got);
@@ -199,7 +187,7 @@ static int cut_case(uint64_t seed)
     if (zs_frame_begin_passes(&r, pass, memory, 2) || memory[0].view.shift != shift || memory[1].view.shift != shift)
         goto out;
     struct picture want = picture_draw(&c, &w.scene, &w.camera);
-    any_way(&p, &c);
+    picture_any_way(&p, &c, 1, 3);
     struct picture got = picture_passes(&c, pass, 2);
     ok = picture_same(&want, &got, "cut in two") || case_wrong("cut in two");
     picture_free(&want);
@@ -423,8 +411,8 @@ static int untested_case(uint64_t seed)
     struct zs_config with = c;
     with.depth = &zs_depth_linear;
     assert_int_equal(zs_arena_bytes(&with) - zs_arena_bytes(&c), ZS_DEPTH_BYTES(c.width, c.strip_h));
-    any_way(&p, &c);
-    any_way(&p, &with);
+    picture_any_way(&p, &c, 1, 3);
+    picture_any_way(&p, &with, 1, 3);
     struct picture got = picture_draw(&c, &w.scene, &w.camera); /* with any depth states: they have no effect */
     for (uint32_t k = 0; k < w.scene.n_instances; k++)
         w.instance[k].depth_state = &always;

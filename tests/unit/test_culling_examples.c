@@ -262,14 +262,10 @@ static void objects_behind_a_wall_are_left_out(void **state)
     picture_free(&by_hiz);
 }
 
-int main(int argc, char **argv)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(back_face_culling_alone_is_right_for_a_closed_convex_body),
-        cmocka_unit_test(the_frustum_by_sphere_and_by_box), cmocka_unit_test(objects_behind_a_wall_are_left_out)
-    };
-    cases_program = argv[0];
-    if (argc > 1)
-        cmocka_set_test_filter(argv[1]);
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+static const struct CMUnitTest tests[] = {
+    cmocka_unit_test(back_face_culling_alone_is_right_for_a_closed_convex_body),
+    cmocka_unit_test(the_frustum_by_sphere_and_by_box),
+    cmocka_unit_test(objects_behind_a_wall_are_left_out)
+};
+
+CASES_MAIN(tests)

@@ -52,18 +52,6 @@ static const struct zs_method *any_method(struct prng *p)
     return prng_pick(p, 2) ? &zs_method_depthsort : &zs_method_coverage;
 }
 
-/* Any way to draw the same frame. */
-static void any_way(struct prng *p, struct zs_config *c)
-{
-    c->strip_h = (uint16_t)prng_range(p, 1, c->height);
-    if (prng_pick(p, 4)) {
-        c->max_tris = (uint16_t)prng_range(p, 2, prng_pick(p, 2) ? 6 : 60);
-        c->max_verts = (uint16_t)prng_range(p, 6, prng_pick(p, 2) ? 12 : 120);
-    }
-    c->buffers = (uint8_t)(1 + prng_pick(p, 2));
-    c->fast = fast_any(p);
-}
-
 /* Coverage writes each visible pixel once. */
 static int writes_once(const struct zs_config *c, const struct picture *p)
 {
@@ -220,7 +208,7 @@ static int exact_case(uint64_t seed)
     c.method = any_method(&p);
     c.strip_h = (uint16_t)prng_range(&p, 1, SIDE);
     if (prng_pick(&p, 3) == 0)
-        any_way(&p, &c);
+        picture_any_way(&p, &c, 2, 6);
     struct picture is = picture_draw(&c, &scene, &camera);
     const int right = (!is.err || case_wrong("error %d", is.err)) && is_nearest(&is, n) && writes_once(&c, &is);
     splits += is.stats.splits;
@@ -276,7 +264,7 @@ static int buffer_case(uint64_t seed)
     }
     c.depth = &zs_depth_order;
     c.method = any_method(&p);
-    any_way(&p, &c);
+    picture_any_way(&p, &c, 2, 6);
     struct picture is = picture_draw(&c, &scene, &camera);
     right = right && (!is.err || case_wrong("error %d", is.err)) && writes_once(&c, &is);
     for (int32_t k = 0; right && k < SIDE * SIDE; k++) {
@@ -322,7 +310,7 @@ static int way_case(uint64_t seed)
     c.method = any_method(&p);
     c.strip_h = c.height;
     struct picture ample = picture_draw(&c, &w.scene, &w.camera);
-    any_way(&p, &c);
+    picture_any_way(&p, &c, 2, 6);
     struct picture is = picture_draw(&c, &w.scene, &w.camera);
     const int right = ample.err == is.err && (ample.err || picture_same(&ample, &is, "another way"));
     again += is.stats.passes > is.stats.strips;
@@ -535,19 +523,16 @@ static void small_pools_and_other_mappings_are_refused(void **state)
             }
 }
 
-int main(int argc, char **argv)
-{
-    const struct CMUnitTest tests[] = { cmocka_unit_test(shows_the_nearest_exactly),
-                                        cmocka_unit_test(agrees_with_the_depth_buffer),
-                                        cmocka_unit_test(is_the_same_in_any_way),
-                                        cmocka_unit_test(costs_n_log_n_where_depths_are_apart),
-                                        cmocka_unit_test(splits_are_counted),
-                                        cmocka_unit_test(shows_the_worst_case),
-                                        cmocka_unit_test(strips_may_be_skipped),
-                                        cmocka_unit_test(only_what_changed_may_be_drawn),
-                                        cmocka_unit_test(small_pools_and_other_mappings_are_refused) };
-    cases_program = argv[0];
-    if (argc > 1)
-        cmocka_set_test_filter(argv[1]);
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+static const struct CMUnitTest tests[] = {
+    cmocka_unit_test(shows_the_nearest_exactly),
+    cmocka_unit_test(agrees_with_the_depth_buffer),
+    cmocka_unit_test(is_the_same_in_any_way),
+    cmocka_unit_test(costs_n_log_n_where_depths_are_apart),
+    cmocka_unit_test(splits_are_counted),
+    cmocka_unit_test(shows_the_worst_case),
+    cmocka_unit_test(strips_may_be_skipped),
+    cmocka_unit_test(only_what_changed_may_be_drawn),
+    cmocka_unit_test(small_pools_and_other_mappings_are_refused)
+};
+
+CASES_MAIN(tests)

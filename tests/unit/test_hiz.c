@@ -23,13 +23,7 @@ static const struct zs_depth *const mappings[] = { &zs_depth_recip, &zs_depth_li
 /* Any way to draw the same frame. */
 static void any_way(struct prng *p, struct zs_config *c)
 {
-    c->strip_h = (uint16_t)prng_range(p, 1, c->height);
-    if (prng_pick(p, 2)) {
-        c->max_tris = (uint16_t)prng_range(p, 1, prng_pick(p, 2) ? 6 : 60);
-        c->max_verts = (uint16_t)prng_range(p, 3, prng_pick(p, 2) ? 12 : 120);
-    }
-    c->buffers = (uint8_t)(1 + prng_pick(p, 2));
-    c->fast = fast_any(p);
+    picture_any_way(p, c, 1, 3);
     c->method = methods[prng_pick(p, 3)];
 }
 
@@ -393,16 +387,14 @@ static void passes_and_a_mapping_without_memory_are_refused(void **state)
     }
 }
 
-int main(int argc, char **argv)
-{
-    const struct CMUnitTest tests[] = { cmocka_unit_test(worlds_are_the_same), cmocka_unit_test(walls_are_the_same),
-                                         cmocka_unit_test(frames_with_damage_are_the_same),
-                                        cmocka_unit_test(layers_are_skipped),
-                                        cmocka_unit_test(one_bucket_nearer_is_seen),
-                                        cmocka_unit_test(what_is_drawn_always_hides_no_more),
-                                        cmocka_unit_test(passes_and_a_mapping_without_memory_are_refused) };
-    cases_program = argv[0];
-    if (argc > 1)
-        cmocka_set_test_filter(argv[1]);
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+static const struct CMUnitTest tests[] = {
+    cmocka_unit_test(worlds_are_the_same),
+    cmocka_unit_test(walls_are_the_same),
+    cmocka_unit_test(frames_with_damage_are_the_same),
+    cmocka_unit_test(layers_are_skipped),
+    cmocka_unit_test(one_bucket_nearer_is_seen),
+    cmocka_unit_test(what_is_drawn_always_hides_no_more),
+    cmocka_unit_test(passes_and_a_mapping_without_memory_are_refused)
+};
+
+CASES_MAIN(tests)

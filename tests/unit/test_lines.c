@@ -355,16 +355,6 @@ static void strokes_make(struct strokes *s, struct world *w, struct prng *p)
     }
 }
 
-/* Another way to draw the same frame. */
-static void any_way(struct prng *p, struct zs_config *c)
-{
-    c->strip_h = (uint16_t)prng_range(p, 1, c->height);
-    c->max_tris = (uint16_t)prng_range(p, 1, prng_pick(p, 2) ? 4 : 60);
-    c->max_verts = (uint16_t)prng_range(p, 3, prng_pick(p, 2) ? 9 : 60);
-    c->buffers = (uint8_t)(1 + prng_pick(p, 2));
-    c->fast = fast_any(p);
-}
-
 static const struct zs_depth *const mappings[] = { &zs_depth_float, &zs_depth_recip, &zs_depth_linear, &zs_depth_none };
 
 static struct zs_config world_config(struct prng *p, const struct world *w)
@@ -387,13 +377,18 @@ static int way_case(uint64_t seed)
         world_free(&w);
     strokes_make(&s, &w, &p);
     struct zs_config c = world_config(&p, &w);
-    struct picture ample = picture_draw(&c, &w.scene, &w.camera);
-    if (c.depth == &zs_depth_none && prng_pick(&p, 2)) { /* all in one walk, as pools are ample */
-        picture_free(&ample);
-        c.method = &zs_method_painter;
-        ample = picture_draw(&c, &w.scene, &w.camera);
+    static const struct zs_method *const sorting[] = { &zs_method_painter, &zs_method_depthsort, &zs_method_coverage };
+    const uint32_t sorts = c.depth == &zs_depth_none ? prng_pick(&p, 4) : 0;
+    if (sorts) {
+        c.method = sorting[sorts - 1];
+        c.depth = sorts > 1 ? &zs_depth_order : c.depth;
+        c.width = c.width > 24 ? 24 : c.width; /* few pixels: small pools take a walk for each */
+        c.height = c.height > 16 ? 16 : c.height;
     }
-    any_way(&p, &c);
+    struct picture ample = picture_draw(&c, &w.scene, &w.camera);
+    if (!sorts && c.depth != &zs_depth_none && prng_pick(&p, 2))
+        c.method = &zs_method_hiz; /* the depth buffer's frames */
+    picture_any_way(&p, &c, 1, 3);
     if (c.method) {
         c.max_tris += 1;
         c.max_verts += 3;
@@ -430,7 +425,7 @@ static int viewport_case(uint64_t seed)
                                                 c.height } };
     c.width = (uint16_t)(c.width + pass.viewport.x + prng_pick(&p, 9));
     c.height = (uint16_t)(c.height + pass.viewport.y + prng_pick(&p, 9));
-    any_way(&p, &c);
+    picture_any_way(&p, &c, 1, 3);
     struct picture is = picture_passes(&c, &pass, 1);
     int right = is.err == alone.err;
     for (int32_t i = 0; right && !is.err && i < alone.w * alone.h; i++) {
@@ -473,7 +468,7 @@ static int damage_case(uint64_t seed)
     strokes_make(&s, &w, &p);
     w.scene.n_resolves = 0;
     struct zs_config c = world_config(&p, &w);
-    any_way(&p, &c);
+    picture_any_way(&p, &c, 1, 3);
     const uint32_t bytes = zs_arena_bytes(&c);
     uint32_t *memory = malloc(4u * ZS_DAMAGE_WORDS(w.n_instances, c.height, c.strip_h));
     uint8_t *arena[2] = { malloc(bytes), malloc(bytes) };

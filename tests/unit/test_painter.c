@@ -13,18 +13,6 @@
 #include "picture.h"
 #include "zs_method.h"
 
-/* Any way to draw the same frame by the painter's algorithm. */
-static void any_way(struct prng *p, struct zs_config *c)
-{
-    c->strip_h = (uint16_t)prng_range(p, 1, c->height);
-    if (prng_pick(p, 4)) {
-        c->max_tris = (uint16_t)prng_range(p, 2, prng_pick(p, 2) ? 6 : 60);
-        c->max_verts = (uint16_t)prng_range(p, 6, prng_pick(p, 2) ? 12 : 120);
-    }
-    c->buffers = (uint8_t)(1 + prng_pick(p, 2));
-    c->fast = fast_any(p);
-}
-
 /* ---- Against single triangles ----------------------------------------------------------------- */
 
 #define TRIS 60
@@ -92,7 +80,7 @@ static int single_case(uint64_t seed)
     c.fast = NULL;
     struct picture want = picture_draw(&c, &sorted, &camera);
     c.method = &zs_method_painter;
-    any_way(&p, &c);
+    picture_any_way(&p, &c, 2, 6);
     struct picture is = picture_draw(&c, &scene, &camera);
     const int right = !want.err && !is.err && picture_same(&want, &is, "single triangles");
     walks += is.stats.passes;
@@ -125,7 +113,7 @@ static int way_case(uint64_t seed)
                            .depth = &zs_depth_none, .method = &zs_method_painter };
     c.strip_h = c.height;
     struct picture ample = picture_draw(&c, &w.scene, &w.camera);
-    any_way(&p, &c);
+    picture_any_way(&p, &c, 2, 6);
     struct picture is = picture_draw(&c, &w.scene, &w.camera);
     const int right = ample.err == is.err && (ample.err || picture_same(&ample, &is, "another way"));
     again += is.stats.passes > is.stats.strips;
@@ -171,13 +159,10 @@ static void small_pools_and_depth_memory_are_refused(void **state)
         }
 }
 
-int main(int argc, char **argv)
-{
-    const struct CMUnitTest tests[] = { cmocka_unit_test(is_that_of_single_triangles),
-                                        cmocka_unit_test(is_the_same_in_any_way),
-                                        cmocka_unit_test(small_pools_and_depth_memory_are_refused) };
-    cases_program = argv[0];
-    if (argc > 1)
-        cmocka_set_test_filter(argv[1]);
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+static const struct CMUnitTest tests[] = {
+    cmocka_unit_test(is_that_of_single_triangles),
+    cmocka_unit_test(is_the_same_in_any_way),
+    cmocka_unit_test(small_pools_and_depth_memory_are_refused)
+};
+
+CASES_MAIN(tests)

@@ -15,18 +15,6 @@
 #include "../../sim/reference/rays.h"
 #include "zs_method.h"
 
-/* Any way to draw the same frame by rays. */
-static void any_way(struct prng *p, struct zs_config *c)
-{
-    c->strip_h = (uint16_t)prng_range(p, 1, c->height);
-    if (prng_pick(p, 4)) {
-        c->max_tris = (uint16_t)prng_range(p, 4, prng_pick(p, 2) ? 12 : 120);
-        c->max_verts = (uint16_t)prng_range(p, 6, prng_pick(p, 2) ? 12 : 120);
-    }
-    c->buffers = (uint8_t)(1 + prng_pick(p, 2));
-    c->fast = fast_any(p);
-}
-
 /* A ray ends where it meets something: a shader that leaves pixels alone is not drawn by rays. */
 static void make_opaque(struct world *w)
 {
@@ -129,7 +117,7 @@ static int world_case(uint64_t seed)
     struct picture want = picture_draw(&c, &w.scene, &w.camera);
     grow_trees(&w, &p);
     c.method = &zs_method_raycast;
-    any_way(&p, &c);
+    picture_any_way(&p, &c, 4, 6);
     struct picture is = picture_draw(&c, &w.scene, &w.camera);
     int right = want.err == is.err;
     if (right && !want.err) {
@@ -365,16 +353,13 @@ static void small_pools_and_no_depth_memory_are_refused(void **state)
         }
 }
 
-int main(int argc, char **argv)
-{
-    const struct CMUnitTest tests[] = { cmocka_unit_test(is_the_frame_of_the_depth_buffer),
-                                        cmocka_unit_test(small_spheres_are_noticed),
-                                        cmocka_unit_test(layers_are_those_of_the_depth_buffer),
-                                        cmocka_unit_test(rays_of_doubles_see_what_the_reference_sees),
-                                        cmocka_unit_test(shadows_and_mirrors),
-                                        cmocka_unit_test(small_pools_and_no_depth_memory_are_refused) };
-    cases_program = argv[0];
-    if (argc > 1)
-        cmocka_set_test_filter(argv[1]);
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+static const struct CMUnitTest tests[] = {
+    cmocka_unit_test(is_the_frame_of_the_depth_buffer),
+    cmocka_unit_test(small_spheres_are_noticed),
+    cmocka_unit_test(layers_are_those_of_the_depth_buffer),
+    cmocka_unit_test(rays_of_doubles_see_what_the_reference_sees),
+    cmocka_unit_test(shadows_and_mirrors),
+    cmocka_unit_test(small_pools_and_no_depth_memory_are_refused)
+};
+
+CASES_MAIN(tests)

@@ -216,14 +216,11 @@ static void three_triangles_in_any_order(void **state)
         }
 }
 
-int main(int argc, char **argv)
-{
-    const struct CMUnitTest tests[] = { cmocka_unit_test(a_constant_5_against_a_slope_of_3_to_8),
-                                        cmocka_unit_test(an_integer_buffer_with_64_and_127),
-                                        cmocka_unit_test(three_triangles_in_any_order),
-                                        cmocka_unit_test(intersecting_surfaces) };
-    cases_program = argv[0];
-    if (argc > 1)
-        cmocka_set_test_filter(argv[1]);
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+static const struct CMUnitTest tests[] = {
+    cmocka_unit_test(a_constant_5_against_a_slope_of_3_to_8),
+    cmocka_unit_test(an_integer_buffer_with_64_and_127),
+    cmocka_unit_test(three_triangles_in_any_order),
+    cmocka_unit_test(intersecting_surfaces)
+};
+
+CASES_MAIN(tests)

@@ -19,7 +19,7 @@ static const char *const messages[] = {
     "the near plane is too close beside what is in view (more than 2^21 times as far): move it out",
     "a texture's size or clamping out of range",
     "the program was compiled with other headers or limits than the library",
-    "a pass whose viewport is not inside the frame, or that keeps what is not there to be kept"
+    "a viewport outside the frame, a pass that keeps what is not there, or passes with a method"
 };
 
 const char *zs_error_string(int err)

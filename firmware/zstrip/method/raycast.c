@@ -25,6 +25,7 @@
 #include "core/raster.h"
 #include "core/walk.h"
 #include "method/raycast.h"
+#include "method/sort.h"
 #include "zs_method.h"
 
 /* ---- Memory ---------------------------------------------------------------------------------- */
@@ -56,22 +57,6 @@ static int32_t strip_end(const struct zs_renderer *r)
 
 /* ---- Regions --------------------------------------------------------------------------------- */
 
-/* Remove the triangles with next == ZS_NIL from the pool; the others are binned anew. */
-static void pack(struct zs_renderer *r)
-{
-    uint32_t kept = 0;
-    r->bin[r->strip] = ZS_NIL;
-    for (uint32_t t = 0; t < r->n_tris; t++) {
-        if (r->tri[t].next == ZS_NIL)
-            continue;
-        r->tri[kept] = r->tri[t];
-        r->tri[kept].next = r->bin[r->strip];
-        r->bin[r->strip] = (uint16_t)kept++;
-    }
-    r->n_tris = kept;
-    zs_bin_pack(r);
-}
-
 /* Drop the triangles beside the region. */
 static void keep_region(struct zs_renderer *r, const struct zs_rays *s)
 {
@@ -81,7 +66,7 @@ static void keep_region(struct zs_renderer *r, const struct zs_rays *s)
         const int in = b.x0 < s->x_end && b.x1 > s->x && b.y0 < s->y_end && b.y1 > s->y;
         r->tri[t].next = in ? 0 : ZS_NIL;
     }
-    pack(r);
+    zs_sort_pack(r);
 }
 
 /* Cast the ray of a region of one pixel at the triangles in the pool, and keep the one that is
@@ -92,7 +77,7 @@ static void keep_seen(struct zs_renderer *r, struct zs_rays *s)
     s->first = zs_rays_cast(r, s, 0);
     for (uint32_t k = 0; k < s->count[0]; k++)
         r->tri[s->level[0][k].tri].next = k == s->first.box ? 0 : ZS_NIL;
-    pack(r);
+    zs_sort_pack(r);
     if (s->first.box != ZS_NIL)
         s->first.box = 0;
 }

@@ -50,11 +50,9 @@ struct kind_method {
 
 static const struct kind_method kind_methods[] = {
     { NULL, "zbuffer", NULL, 1, 3 },
-    { &zs_method_hiz, "hiz", NULL, 1, 3 },
-    { &zs_method_raycast, "raycast", NULL, 4, 6 },
-    { &zs_method_painter, "painter", &zs_depth_none, 2, 6 },
-    { &zs_method_depthsort, "depthsort", &zs_depth_order, 2, 6 },
-    { &zs_method_coverage, "coverage", &zs_depth_order, 2, 6 },
+#define KIND(name_, depth_, tris_, verts_, records_) { &zs_method_##name_, #name_, depth_, tris_, verts_ },
+    ZS_METHOD_EACH(KIND)
+#undef KIND
 };
 
 struct kind_texel {

@@ -88,11 +88,9 @@ static const char *const seen_name[] = {
     "pal8",
     "pal4",
     "zbuffer",
-    "hiz",
-    "raycast",
-    "painter",
-    "depthsort",
-    "coverage",
+#define NAME(name_, ...) #name_,
+    ZS_METHOD_EACH(NAME)
+#undef NAME
 };
 _Static_assert(SEEN_PASSES + sizeof seen_name / sizeof *seen_name == SEEN_N, "a name each");
 

@@ -8,6 +8,7 @@
 #include <stdint.h>
 
 #include "prng.h"
+#include "zs_method.h"
 #include "zstrip.h"
 
 #define STRESS_FASTS 14 /* fast_count() */
@@ -40,7 +41,9 @@ enum stress_seen {
     SEEN_SHADER = SEEN_DEPTH + 6,
     SEEN_TEXEL = SEEN_SHADER + 8,
     SEEN_METHOD = SEEN_TEXEL + 3,
-    SEEN_N = SEEN_METHOD + 6
+#define ONE(...) +1
+    SEEN_N = SEEN_METHOD + 1 ZS_METHOD_EACH(ONE)
+#undef ONE
 };
 
 /* Sums over cases, and over runs (stress.c keeps them in a file). */
