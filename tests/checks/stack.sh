@@ -30,7 +30,7 @@ render() { # CPU NAME EMPTY [FLAGS]: EMPTY as of stack.mjs
     flags=${4:-}
     bound "$2" '' "$(echo "$empty,zs_method.begin" | sed 's/^-,//')"
     case $2 in bare-*) return ;; esac
-    for method in painter_sort hiz_hiz.bounds depthsort_coverage_order_newell_pieces_order.depth_sort raycast_rays_ray.nodes; do
+    for method in painter_sort hiz_hiz.bounds depthsort_coverage_order_newell_pieces_order.depth_sort raycast_rays_ray.nodes_sort; do
         dir=$B/stack-$2-${method%%_*}
         rm -rf "$dir" && cp -a "$B/stack-$2-all" "$dir"
         bound "$2-${method%%_*}" "$method" "$empty"

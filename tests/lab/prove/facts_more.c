@@ -150,7 +150,7 @@ static void boxes_all(uint64_t count)
         r.config.width = (uint16_t)((tiles - 1) * (1 << ZS_TILE_LOG2) + in(1, 1 << ZS_TILE_LOG2));
         r.config.strip_h = (uint16_t)h;
         r.config.height = (uint16_t)((strips - 1) * h + in(1, h));
-        r.config.depth = &depth;
+        r.view.depth = &depth;
         r.n_strips = r.draw_end = (uint16_t)strips;
         r.view.key_top = 65535u << 16;
         uint16_t *const bound = r.bound = malloc(ZS_BOUND_BYTES(r.config.width, r.config.height, h));
