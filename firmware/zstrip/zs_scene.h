@@ -326,6 +326,7 @@ struct zs_shading {
     const struct zs_instance *instance;
     const struct zs_light *light; /* the scene's, or the usual one in its place */
     zs_q2_30 dir[3];              /* its direction in mesh space */
+    const struct zs_camera *camera;
 };
 
 #ifdef __cplusplus

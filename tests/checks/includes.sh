@@ -53,7 +53,7 @@ includes firmware/zstrip/*.h firmware/zstrip/*/*.[ch] | grep -v '<' | tr -d '":'
 awk 'function folder(f) { return sub(/\/.*/, "", f) ? f : "root" }
     { n[folder($1), folder($2)]++; at[folder($1)]; at[folder($2)] }
     END {
-        k = split("root arch core depth shade damage support method fast", order, " ")
+        k = split("root arch core depth shade damage support method overlay effect fast", order, " ")
         for (f in at) { known = 0; for (i = 1; i <= k; i++) known += order[i] == f; if (!known) order[++k] = f }
         printf "%-9s", "includes"; for (j = 1; j <= k; j++) printf " %7s", order[j]; print ""
         for (i = 1; i <= k; i++) { printf "%-9s", order[i]
@@ -61,10 +61,11 @@ awk 'function folder(f) { return sub(/\/.*/, "", f) ? f : "root" }
 # core/fast.h has the types of accelerators; that core needs none of them by name, kernels.sh sees.
 wrong=$(awk 'function folder(f) { return sub(/\/.*/, "", f) ? f : "root" }
     BEGIN { may["root"] = "root"; may["arch"] = "root arch"; may["core"] = "root arch core"
-        may["depth"] = may["shade"] = may["damage"] = may["support"] = may["method"] = may["core"]; may["fast"] = may["core"] " shade" }
+        may["depth"] = may["shade"] = may["damage"] = may["support"] = may["method"] = may["overlay"] = may["core"]
+        may["effect"] = may["core"] " shade method"; may["fast"] = may["core"] " shade" }
     { from = folder($1); to = folder($2)
         if (from != to && index(" " may[from] " ", " " to " ") == 0) print $1 "->" $2 }' "$B/arrows.txt" | tr ' ' ':')
-if [ "$(wc -l <"$B/arrows.txt")" -ge 40 ]; then none "zstrip: fast, shade, depth, damage, support, method -> core -> arch" "$wrong"
+if [ "$(wc -l <"$B/arrows.txt")" -ge 40 ]; then none "zstrip: effect, overlay, fast, shade, depth, damage, support, method -> core -> arch" "$wrong"
 else bad "zstrip: arrows are found" "$(wc -l <"$B/arrows.txt")"; fi
 none "zstrip: no circle of includes" "$(tsort "$B/arrows.txt" 2>&1 >"$B/order.txt" | sed 's/.*: //' | tr '\n' ' ')"
 

@@ -928,7 +928,7 @@ static void folded_polygons_face_as_they_did(void **state)
 static int same_vertex(const struct zs_clip_vertex *a, const struct zs_clip_vertex *b)
 {
     return memcmp(a->p.c, b->p.c, sizeof a->p.c) == 0 &&
-           memcmp(a->attr, b->attr, sizeof a->attr) == 0;
+           memcmp(a->attr, b->attr, 3 * sizeof a->attr[0]) == 0;
 }
 
 /* > 0 inside the plane, 0 on it. */

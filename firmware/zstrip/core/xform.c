@@ -90,6 +90,7 @@ ZS_RARE int zs_xform_instance(struct zs_renderer *r, uint32_t number, const stru
     }
     r->shading.instance = in;
     r->shading.light = &r->light;
+    r->shading.camera = &r->camera;
     zs_rotation_row(r->shading.dir, r->light.dir, rot); /* by the transpose: world to mesh */
     return 1;
 }
