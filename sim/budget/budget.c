@@ -69,7 +69,8 @@ static const char usage[] =
 #define AT(field) offsetof(struct budget_request, field)
 
 static const struct sim_option table[] = {
-    SIM_PANEL_OPTIONS(struct budget_request, o.panel),
+    SIM_PANEL_OPTIONS(struct budget_request, o.panel,
+                      "its bytes and time on the wire, its RAM. There are:"),
     { "--size", SIM_OPTION_SIZE, AT(o.size), AT(o.has_size), 1, ZS_SIZE_MAX },
     { "--spi", SIM_OPTION_COUNT, AT(o.spi_hz), AT(o.has_spi), 1000, 1e9 },
     { "--strip", SIM_OPTION_COUNT, AT(o.strip), AT(has_strip), 1, ZS_SIZE_MAX },

@@ -53,7 +53,9 @@ static const struct sim_option table[] = {
     { "--fast", SIM_OPTION_TEXT, AT(fast_names) },
     { "--show", SIM_OPTION_CHOICE, AT(show), .words = SIM_SHOW_WORDS },
     { "--method", SIM_OPTION_CHOICE, AT(method), .words = SIM_METHOD_WORDS },
-    SIM_PANEL_OPTIONS(struct request, panel),
+    SIM_PANEL_OPTIONS(struct request, panel,
+                      "frames go through this panel's driver and the model of its controller: pictures are what "
+                      "its viewer sees, of its size. There are:"),
     { "--raw", SIM_OPTION_FLAG, AT(raw) },
     SIM_HELP_OPTIONS(AT(help)),
 };

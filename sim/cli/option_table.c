@@ -53,6 +53,8 @@ static int take_value(const struct sim_option *opt, const char *text, void *to)
         *(int *)to = word >= 0 ? word : 0;
         return word >= 0;
     case SIM_OPTION_FLAG:
+    case SIM_OPTION_HEADING:
+    case SIM_OPTION_WORD:
         break;
     }
     return 0;
@@ -74,7 +76,8 @@ static const char *wanted(const struct sim_option *opt)
 static const struct sim_option *find(const struct sim_option *table, size_t n, const char *arg, size_t length)
 {
     for (size_t k = 0; k < n; k++)
-        if (strlen(table[k].name) == length && memcmp(table[k].name, arg, length) == 0)
+        if (table[k].kind < SIM_OPTION_HEADING && strlen(table[k].name) == length &&
+            memcmp(table[k].name, arg, length) == 0)
             return &table[k];
     return NULL;
 }

@@ -446,7 +446,7 @@ int sim_render(int argc, char **argv)
     struct job *job = sim_alloc(1, sizeof *job);
     int status = sim_options_parse(&job->options, argc, argv);
     if (status == SIM_OK && job->options.help) {
-        (void)printf(sim_options_help, sim_fast_list(23), sim_panel_list(23));
+        sim_options_help();
     } else {
         if (status == SIM_OK)
             status = check_files(&job->options);

@@ -74,7 +74,7 @@ void sim_options_defaults(struct sim_options *o);
 int sim_options_textured(const struct sim_options *o);
 int sim_options_smooth(const struct sim_options *o);
 
-/* The help text of `zsim render`; %s in it are the lists of accelerators and of panels. */
-extern const char sim_options_help[];
+/* Print the help text of `zsim render`. */
+void sim_options_help(void);
 
 #endif

@@ -49,7 +49,8 @@ static const char usage[] =
 #define FRAMES_MAX 1000000000 /* of a run; frame numbers wrap at 2^32 */
 
 static const struct sim_option table[] = {
-    SIM_PANEL_OPTIONS(struct linux_options, panel),
+    SIM_PANEL_OPTIONS(struct linux_options, panel,
+                      "There are:"),
     { "--spi", SIM_OPTION_FILE, AT(spi) },
     { "--speed", SIM_OPTION_COUNT, AT(speed), AT(has_speed), 1000, 1e9 },
     { "--dc", SIM_OPTION_TEXT, AT(dc) }, { "--reset", SIM_OPTION_TEXT, AT(reset) },

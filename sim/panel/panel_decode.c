@@ -51,7 +51,8 @@ static const struct sim_option table[] = {
     { "--decode", SIM_OPTION_FILE, AT(stream), 0, 0, 0, NULL },
     { "--out", SIM_OPTION_FILE, AT(out), 0, 0, 0, NULL },
     { "--raw", SIM_OPTION_FILE, AT(raw), 0, 0, 0, NULL },
-    SIM_PANEL_OPTIONS(struct request, panel),
+    SIM_PANEL_OPTIONS(struct request, panel,
+                      "the module; there are"),
     { "--help", SIM_OPTION_FLAG, AT(help), 0, 0, 0, NULL },
     { "-h", SIM_OPTION_FLAG, AT(help), 0, 0, 0, NULL },
 };
