@@ -18,9 +18,16 @@ enum sim_option_kind {
     SIM_OPTION_RGB,    /* struct zs_rgb */
     SIM_OPTION_CHOICE, /* int or an enum: the number of the word */
     SIM_OPTION_FLAG,   /* int */
+    SIM_OPTION_TEXTS,  /* struct sim_texts: it may be given several times */
     /* Rows of --help alone, which no argument matches: */
     SIM_OPTION_HEADING, /* name: the heading of the rows below it */
     SIM_OPTION_WORD     /* name: a word that is no option, such as MODEL */
+};
+
+#define SIM_TEXTS_MAX 8
+struct sim_texts {
+    const char *text[SIM_TEXTS_MAX];
+    int n;
 };
 
 struct sim_option {

@@ -93,12 +93,15 @@ static const struct sim_option table[] = {
       .help = "which sides of faces are not drawn (back)" },
     { "--background", SIM_OPTION_RGB, AT(background), .help = "where nothing is drawn (000000)" },
     { "--color", SIM_OPTION_RGB, AT(color), AT(has_color), .help = "one colour for the whole model" },
-    { "--light", SIM_OPTION_VECTOR, AT(light), AT(has_light),
-      .help = "direction towards the light (over the camera's left shoulder)" },
+    { "--light", SIM_OPTION_TEXTS, AT(effects.light_texts), .value = "x,y,z|TYPE:X,Y,Z[:RRGGBB[:RANGE]]",
+      .help = "direction towards the light (over the camera's left shoulder); or up to four coloured lights, one each "
+              "time that the option is given: dir, in that direction, point, at that place, or spot, there and aimed "
+              "at the middle of the model; beyond RANGE a point or spot has no effect" },
     { "--ambient", SIM_OPTION_NUMBER, AT(ambient), 0, 0, 1, .value = "A",
       .help = "how bright a face is that no light falls on (0.25)" },
     { "--diffuse", SIM_OPTION_NUMBER, AT(diffuse), 0, 0, 1, .value = "D",
       .help = "what is added where a face looks straight at the light (0.75)" },
+    SIM_EFFECT_OPTIONS(struct sim_options, effects),
     { "Else", SIM_OPTION_HEADING },
     SIM_HELP_OPTIONS(AT(help)),
 };
@@ -192,6 +195,7 @@ void sim_options_defaults(struct sim_options *o)
     o->shade = SIM_SHADE_FLAT;
     o->depth = SIM_DEPTH_DEFAULT;
     o->subpixel = 8;
+    sim_effects_defaults(&o->effects);
     (void)sim_fast_take(&o->fast, NULL);
 }
 
@@ -217,6 +221,34 @@ static int check_method(const struct sim_options *o)
         return sim_usage("--method %s: of --show there is overdraw", method->name);
     if (method->depth && o->depth != SIM_DEPTH_DEFAULT)
         return sim_usage("--method %s brings its depth mapping: leave --depth out", method->name);
+    return SIM_OK;
+}
+
+/* What effects cannot be together with. */
+static int check_effects(const struct sim_options *o)
+{
+    const struct sim_effect_options *e = &o->effects;
+    const int lit = e->specular_text != NULL || e->per_pixel || e->n_lights > 0;
+    if (!sim_effects_any(e))
+        return SIM_OK;
+    if (o->reference || o->compare || o->id_out != NULL)
+        return sim_usage("effects have no reference and no numbers: leave --reference, --compare and --id-out out");
+    if (o->method != 0 || o->style != SIM_STYLE_SOLID)
+        return sim_usage("effects are drawn by --method zbuffer and --style solid: leave those out");
+    if (o->show != SIM_SHOW_FRAME || o->threads != 0 || (e->samples > 1 && o->depth_out != NULL))
+        return sim_usage("effects: leave --show and --threads out, and --depth-out with --samples 4");
+    if (e->n_lights > 0 && o->has_light)
+        return sim_usage("--light x,y,z is the only light: write it as dir:x,y,z beside others");
+    if (lit && o->shade != SIM_SHADE_FLAT && o->shade != SIM_SHADE_SMOOTH)
+        return sim_usage("--light TYPE:..., --specular and --per-pixel need --shade flat or smooth");
+    if ((e->per_pixel || e->specular_text != NULL) && o->shade != SIM_SHADE_SMOOTH)
+        return sim_usage("--specular and --per-pixel need --shade smooth");
+    if (e->filter != SIM_FILTER_NEAREST && !sim_options_textured(o))
+        return sim_usage("--filter needs --shade textured, textured-flat or unlit");
+    if (e->has_blend && !e->has_alpha)
+        return sim_usage("--blend needs --alpha, which says how much");
+    if (e->mirror && e->shadow != SIM_SHADOW_NONE)
+        return sim_usage("--mirror and --shadow are two floors: leave one out");
     return SIM_OK;
 }
 
@@ -255,7 +287,11 @@ int sim_options_parse(struct sim_options *o, int argc, char **argv)
         return sim_usage("--show is about what the renderer does: leave --reference out");
     if (o->show != SIM_SHOW_FRAME && o->panel.name != NULL)
         return sim_usage("--show does not go through a panel: leave --panel out");
-    status = check_method(o);
+    status = sim_effects_take(&o->effects, o->light, &o->has_light, o->model);
+    if (status == SIM_OK)
+        status = check_effects(o);
+    if (status == SIM_OK)
+        status = check_method(o);
     if (status == SIM_OK)
         status = check_style(o);
     if (status == SIM_OK)

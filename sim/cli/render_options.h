@@ -6,6 +6,7 @@
 #define SIM_RENDER_OPTIONS_H
 
 #include "accelerator_names.h"
+#include "effect_options.h"
 #include "panel_frame.h"
 #include "false_colors.h"
 #include "zstrip.h"
@@ -60,6 +61,7 @@ struct sim_options {
     long threads;                /* 0: not given */
     long spi_hz;                 /* of its wire */
     int has_size, has_spi;
+    struct sim_effect_options effects;
 };
 
 /* Fill *o from the arguments after "render". SIM_USAGE where they make no sense, SIM_REFUSED where
