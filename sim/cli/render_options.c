@@ -165,6 +165,10 @@ static int check_panel(struct sim_options *o)
     if (o->panel.name != NULL && o->reference)
         return sim_usage("--reference does not go through a panel: leave --panel out, or use --compare");
     const int status = sim_panel_take(&o->panel, o->model, o->has_size, o->size, o->strip, &glass);
+    if (o->panel.name != NULL && status == SIM_OK)
+        o->effects.levels = pm_glass_format(&glass) == PM_MONO    ? SIM_LEVELS_MONO
+                            : pm_glass_format(&glass) == PM_GREY4 ? SIM_LEVELS_GREY
+                                                                  : SIM_LEVELS_565;
     if (o->panel.name != NULL && status == SIM_OK && !o->has_spi)
         o->spi_hz = pm_glass_format(&glass) == PM_RGB565 ? 62500000 : 10000000;
     return status;
@@ -245,6 +249,12 @@ static int check_effects(const struct sim_options *o)
         return sim_usage("--specular and --per-pixel need --shade smooth");
     if (e->filter != SIM_FILTER_NEAREST && !sim_options_textured(o))
         return sim_usage("--filter needs --shade textured, textured-flat or unlit");
+    if ((lit != 0) + e->has_alpha + (e->filter != SIM_FILTER_NEAREST) + (e->environment != NULL) +
+            (e->shadow == SIM_SHADOW_MAP) + (e->dither != SIM_DITHER_NONE && o->panel.name == NULL) > 1)
+        return sim_usage("--alpha, --filter, --environment, --shadow map, --dither without a panel, and lights (typed ones, "
+                         "--specular, --per-pixel) each have a shader of their own: take one of them");
+    if (e->fog != SIM_FOG_NONE && e->has_alpha && e->blend != SIM_BLEND_SCREEN_DOOR)
+        return sim_usage("--fog goes by depth keys, which transparent faces do not write: leave one out");
     if (e->has_blend && !e->has_alpha)
         return sim_usage("--blend needs --alpha, which says how much");
     if (e->mirror && e->shadow != SIM_SHADOW_NONE)

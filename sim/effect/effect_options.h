@@ -22,6 +22,7 @@ enum sim_blend { SIM_BLEND_ALPHA, SIM_BLEND_ADD, SIM_BLEND_SCREEN_DOOR };
 enum sim_filter { SIM_FILTER_NEAREST, SIM_FILTER_BILINEAR, SIM_FILTER_MIPMAP };
 enum sim_dither { SIM_DITHER_NONE, SIM_DITHER_ORDERED, SIM_DITHER_BLUE };
 enum sim_shadow { SIM_SHADOW_NONE, SIM_SHADOW_PLANAR, SIM_SHADOW_MAP };
+enum sim_levels { SIM_LEVELS_565, SIM_LEVELS_GREY, SIM_LEVELS_MONO }; /* that the panel shows */
 enum sim_fog { SIM_FOG_NONE, SIM_FOG_LINEAR, SIM_FOG_EXP };
 
 struct sim_effect_options {
@@ -39,6 +40,7 @@ struct sim_effect_options {
     enum sim_fog fog;
     double fog_start, fog_end, fog_density; /* distances in model units; density by one of them */
     struct zs_rgb fog_rgb;
+    enum sim_levels levels;
     int dither, shadow;      /* enum sim_dither, enum sim_shadow */
     const char *environment; /* a picture; NULL: none */
     int mirror;              /* flag */

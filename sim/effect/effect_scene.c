@@ -9,12 +9,23 @@
 #include <string.h>
 
 #include "sim.h"
+#include "zs_dither.h"
+#include "zs_fog.h"
 #include "zs_blend.h"
 #include "zs_supersample.h"
 
 /* One material for each of the model's, in the form that its shader takes. */
 struct sim_effect_surface {
     struct zs_blend *blend;
+    struct zs_material *plain; /* with another shader */
+};
+
+/* Hooks over strips that are drawn, in this order. */
+#define HOOKS_MAX 2
+struct sim_effect_hooks {
+    struct zs_resolve hook[HOOKS_MAX];
+    struct zs_fog fog;
+    struct zs_dither dither;
 };
 
 /* Shaders in place of the plain ones. */
@@ -53,6 +64,60 @@ static void make_transparent(struct sim_effect_scene *out, uint32_t n, const str
         out->method = &zs_method_transparent;
 }
 
+/* Colours of RGB565 are dithered as they are made, where there are more bits. */
+static int make_dithered(struct sim_effect_scene *out, uint32_t n, const struct sim_scene *from,
+                         const struct sim_options *o)
+{
+    static const struct zs_shader *const of[] = { [SIM_DITHER_ORDERED] = &zs_shade_smooth_ordered,
+                                                  [SIM_DITHER_BLUE] = &zs_shade_smooth_blue };
+    if (o->shade != SIM_SHADE_SMOOTH || out->instance[0].material != from->scene.instance[0].material)
+        return sim_refuse(o->model, 0, "--dither: RGB565 colours are dithered with --shade smooth alone; for fewer colours "
+                                       "name a grey or one-bit --panel");
+    out->surface->plain = sim_alloc(n, sizeof *out->surface->plain);
+    for (uint32_t i = 0; i < n; i++) {
+        struct zs_material *m = &out->surface->plain[i];
+        *m = *out->instance[i].material;
+        m->shader = of[o->effects.dither];
+        out->instance[i].material = m;
+    }
+    return SIM_OK;
+}
+
+/* ---- Hooks ----------------------------------------------------------------------------------------------------- */
+
+static struct zs_resolve *next_hook(struct sim_effect_scene *out)
+{
+    out->scene.resolve = out->hooks->hook;
+    return &out->hooks->hook[out->scene.n_resolves++];
+}
+
+static void make_fog(struct sim_effect_scene *out, const struct sim_scene *from, const struct sim_effect_options *e)
+{
+    struct zs_fog *fog = &out->hooks->fog;
+    const double unit = from->unit, most = ZS_WORLD_MAX;
+    fog->color = zs_rgb565(e->fog_rgb.r, e->fog_rgb.g, e->fog_rgb.b);
+    if (e->fog == SIM_FOG_LINEAR) {
+        fog->start = (int32_t)lrint(fmin(e->fog_start / unit, most - 1));
+        fog->end = (int32_t)lrint(fmin(e->fog_end / unit, most));
+        fog->end = fog->end > fog->start ? fog->end : fog->start + 1;
+    } else {
+        const double per_world = e->fog_density * unit * 4294967296.0;
+        fog->curve = ZS_FOG_EXPONENTIAL;
+        fog->density = per_world < 1.0 ? 1u : per_world > 4294967295.0 ? UINT32_MAX : (uint32_t)per_world;
+    }
+    *next_hook(out) = (struct zs_resolve){ .draw = zs_fog_draw, .changes = zs_fog_changes, .ctx = fog };
+}
+
+static void make_levels(struct sim_effect_scene *out, const struct sim_effect_options *e)
+{
+    struct zs_dither *d = &out->hooks->dither;
+    d->format = e->levels == SIM_LEVELS_MONO ? &zs_dither_mono : &zs_dither_grey4;
+    d->pattern = e->dither == SIM_DITHER_ORDERED ? &zs_dither_ordered : &zs_dither_blue;
+    *next_hook(out) = (struct zs_resolve){ .draw = zs_dither_draw, .ctx = d };
+}
+
+/* ---- A scene --------------------------------------------------------------------------------------------------- */
+
 int sim_effect_make(struct sim_effect_scene *out, const struct sim_scene *from, const struct sim_view *view,
                     const struct sim_options *o)
 {
@@ -67,16 +132,24 @@ int sim_effect_make(struct sim_effect_scene *out, const struct sim_scene *from, 
     out->surface = sim_alloc(1, sizeof *out->surface);
     memcpy(out->instance, from->scene.instance, n * sizeof *out->instance);
     out->scene.instance = out->instance;
+    out->hooks = sim_alloc(1, sizeof *out->hooks);
+    int status = SIM_OK;
     if (e->has_alpha)
         make_transparent(out, n, e);
-    return SIM_OK;
+    if (e->fog != SIM_FOG_NONE)
+        make_fog(out, from, e);
+    if (e->dither != SIM_DITHER_NONE && e->levels != SIM_LEVELS_565)
+        make_levels(out, e);
+    else if (e->dither != SIM_DITHER_NONE)
+        status = make_dithered(out, n, from, o);
+    return status;
 }
 
 void sim_effect_free(struct sim_effect_scene *s)
 {
     if (s->surface != NULL)
-        free(s->surface->blend);
-    SIM_FREE(s->instance, s->surface);
+        SIM_FREE(s->surface->blend, s->surface->plain);
+    SIM_FREE(s->instance, s->surface, s->hooks);
     memset(s, 0, sizeof *s);
 }
 
@@ -101,6 +174,11 @@ int sim_effect_draw(const struct sim_effect_scene *scene, struct sim_frame *fram
     struct sim_effect_scene s = *scene;
     struct zs_config c = *config;
     const struct sim_drawing drawing = { draw, &s, config->width, config->height, s.samples > 1 };
+    if (s.hooks->hook[0].draw == zs_fog_draw) {
+        const int err = zs_fog_set(&s.hooks->fog, &c, &s.camera);
+        if (err != ZS_OK)
+            return err;
+    }
     if (c.varyings < s.varyings)
         c.varyings = s.varyings;
     c.method = s.method;

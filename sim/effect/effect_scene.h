@@ -12,11 +12,14 @@
 
 struct sim_effect_surface; /* materials of the effect that the model's surface has */
 
+struct sim_effect_hooks;   /* what is done to strips that are drawn */
+
 struct sim_effect_scene {
     struct zs_scene scene;
     struct zs_camera camera;
     struct zs_instance *instance; /* [scene.n_instances] */
     struct sim_effect_surface *surface;
+    struct sim_effect_hooks *hooks;
     uint8_t varyings;             /* least that the configuration has to have */
     const struct zs_method *method; /* NULL: the depth buffer */
     long samples;                 /* a pixel, 1 or 4 */
