@@ -1,7 +1,7 @@
 /* Textures beyond the nearest texel: filters, mipmaps, texels with alpha, the alpha test.
  *
- * Shaders are named in zs_material.shader as those of zs_scene.h are, and need what zs_shade_texture
- * needs: mesh.uv, material.texture, config.varyings >= ZS_VARYINGS_TEXTURE (_smooth:
+ * Shaders are named in zs_material.shader as those of zs_scene.h are, and need what
+ * zs_shade_texture needs: mesh.uv, material.texture, config.varyings >= ZS_VARYINGS_TEXTURE (_smooth:
  * ZS_VARYINGS_TEXTURE_SMOOTH, and mesh.normal). Names that end in _flat are lit once for the face,
  * those in _smooth at the vertices. Coordinates are those of zs_shade_texture, bit for bit, with its
  * error (NUMERICS.md); so is the light. Accelerators of zs_fast.h do nothing for them, but `touch`,
@@ -18,6 +18,40 @@
 #ifdef __cplusplus
 extern "C" {
 #endif
+
+/* ---- Filters -------------------------------------------------------------------------------- */
+
+/* Bilinear: the mean of the four texels around a pixel's coordinates, by their distances. Weights
+ * have 11 bits. Colours of RGB565, from texels in any format, are within 0.65 codes of the exact
+ * mean at the coordinates of zs_shade_texture. Clamped textures continue their border texels; others wrap around. */
+extern const struct zs_shader zs_shade_bilinear;
+extern const struct zs_shader zs_shade_bilinear_flat;
+extern const struct zs_shader zs_shade_bilinear_smooth;
+
+/* Mipmaps: texture.n_levels levels follow each other at texture.texel, each half as wide and high
+ * as the one before (so a quarter of its bytes), in one format with one palette. n_levels <= 1 + the
+ * lesser of log2_w and log2_h, with 4-bit texels of log2_w - 1 and log2_h; else ZS_ERR_TEXTURE.
+ * `zsim convert --mipmap` writes them. A texture of 0 or 1 levels is drawn without.
+ * The level is chosen by triangle where it is affine, else by pixel, from the distance alone: the
+ * largest change of u or v to the next pixel, in texels, is rounded to a power of two. */
+extern const struct zs_shader zs_shade_mipmap; /* the nearest texel of the level */
+extern const struct zs_shader zs_shade_mipmap_flat;
+extern const struct zs_shader zs_shade_mipmap_smooth;
+extern const struct zs_shader zs_shade_mipmap_bilinear; /* bilinear in the level */
+extern const struct zs_shader zs_shade_mipmap_bilinear_flat;
+extern const struct zs_shader zs_shade_mipmap_bilinear_smooth;
+
+/* ---- Alpha ---------------------------------------------------------------------------------- */
+
+/* Alpha test (cut-outs: leaves, fences): a texel whose alpha is below texture.alpha_least, 1 .. 255
+ * (0: 128), leaves the colour and the depth key alone. Texels are nearest. All depth states; any
+ * order of drawing. Formats without alpha are drawn whole. Not opaque: the frame is drawn without
+ * the accelerator `tiles`.
+ * Methods: the depth buffer, zs_depth_none and zs_method_painter; with others, which take a
+ * triangle for a wall, ZS_ERR_DEPTH. */
+extern const struct zs_shader zs_shade_cutout;
+extern const struct zs_shader zs_shade_cutout_flat;
+extern const struct zs_shader zs_shade_cutout_smooth;
 
 /* ---- Texels with alpha ---------------------------------------------------------------------- */
 

@@ -14,30 +14,32 @@
 
 /* ---- Formats --------------------------------------------------------------------------------- */
 
-/* A texel's colour, RGB565; with its alpha, 0 .. 255, in the upper half. */
-typedef uint32_t read_fn(const struct zs_texture *t, uint32_t at);
+/* A texel's colour, RGB565; if `both`, with its alpha, 0 .. 255, in the upper half. A palette that
+ * an accelerator has lit has no alphas. */
+typedef uint32_t read_fn(const struct zs_texture *t, uint32_t at, int both);
 
-ZS_ALWAYS_INLINE uint32_t read_4444(const struct zs_texture *t, uint32_t at)
+ZS_ALWAYS_INLINE uint32_t read_4444(const struct zs_texture *t, uint32_t at, int both)
 {
+    (void)both;
     const uint32_t c = ((const uint16_t *)t->texel)[at];
     const uint32_t r = c >> 12, g = c >> 8 & 15u, b = c >> 4 & 15u, a = c & 15u;
     return a * 17u << 16 | (r << 1 | r >> 3) << 11 | (g << 2 | g >> 2) << 5 | (b << 1 | b >> 3);
 }
 
-ZS_ALWAYS_INLINE uint32_t colored(const struct zs_texture *t, uint32_t k)
+ZS_ALWAYS_INLINE uint32_t colored(const struct zs_texture *t, uint32_t k, int both)
 {
-    return (uint32_t)t->palette[t->n_colors + k] << 16 | t->palette[k];
+    return (both ? (uint32_t)t->palette[t->n_colors + k] << 16 : 0u) | t->palette[k];
 }
 
-ZS_ALWAYS_INLINE uint32_t read_pal8a(const struct zs_texture *t, uint32_t at)
+ZS_ALWAYS_INLINE uint32_t read_pal8a(const struct zs_texture *t, uint32_t at, int both)
 {
-    return colored(t, ((const uint8_t *)t->texel)[at]);
+    return colored(t, ((const uint8_t *)t->texel)[at], both);
 }
 
-ZS_ALWAYS_INLINE uint32_t read_pal4a(const struct zs_texture *t, uint32_t at)
+ZS_ALWAYS_INLINE uint32_t read_pal4a(const struct zs_texture *t, uint32_t at, int both)
 {
     const uint32_t two = ((const uint8_t *)t->texel)[at >> 1];
-    return colored(t, two >> ((at & 1u) << 2) & 15u);
+    return colored(t, two >> ((at & 1u) << 2) & 15u, both);
 }
 
 ZS_KERNEL_INLINE void fetch(const struct zs_texture *t, uint16_t *out, int32_t n,
@@ -46,7 +48,7 @@ ZS_KERNEL_INLINE void fetch(const struct zs_texture *t, uint16_t *out, int32_t n
     const uint32_t right = zs_texture_cut(t->log2_w), down = zs_texture_cut(t->log2_h);
     uint32_t u = walk->u, v = walk->v;
     for (uint16_t *end = out + n; out != end; out++, u += walk->du, v += walk->dv) {
-        const uint32_t c = read(t, ((v >> down) << t->log2_w) + (u >> right));
+        const uint32_t c = read(t, ((v >> down) << t->log2_w) + (u >> right), both);
         *out = zs_wire16((uint16_t)c);
         if (both)
             out[ZS_ALPHA_RUN] = (uint16_t)(c >> 16);
