@@ -10,6 +10,7 @@
 
 #include "sim.h"
 #include "zs_dither.h"
+#include "zs_filter.h"
 #include "zs_fog.h"
 #include "zs_blend.h"
 #include "zs_supersample.h"
@@ -64,6 +65,30 @@ static void make_transparent(struct sim_effect_scene *out, uint32_t n, const str
         out->method = &zs_method_transparent;
 }
 
+static struct zs_material *plain_materials(struct sim_effect_scene *out, uint32_t n)
+{
+    out->surface->plain = sim_alloc((size_t)n + 1, sizeof *out->surface->plain);
+    for (uint32_t i = 0; i < n; i++) {
+        out->surface->plain[i] = *out->instance[i].material;
+        out->instance[i].material = &out->surface->plain[i];
+    }
+    return out->surface->plain;
+}
+
+/* Parts without a texture stay as they are. */
+static void make_filtered(struct sim_effect_scene *out, uint32_t n, int filter)
+{
+    static const struct shaders of[] = {
+        [SIM_FILTER_BILINEAR] = { &zs_shade_raw, &zs_shade_flat, &zs_shade_smooth, &zs_shade_bilinear,
+                                  &zs_shade_bilinear_flat, &zs_shade_bilinear_smooth },
+        [SIM_FILTER_MIPMAP] = { &zs_shade_raw, &zs_shade_flat, &zs_shade_smooth, &zs_shade_mipmap_bilinear,
+                                &zs_shade_mipmap_bilinear_flat, &zs_shade_mipmap_bilinear_smooth },
+    };
+    struct zs_material *m = plain_materials(out, n);
+    for (uint32_t i = 0; i < n; i++)
+        m[i].shader = in_place_of(&of[filter], m[i].shader);
+}
+
 /* Colours of RGB565 are dithered as they are made, where there are more bits. */
 static int make_dithered(struct sim_effect_scene *out, uint32_t n, const struct sim_scene *from,
                          const struct sim_options *o)
@@ -73,13 +98,9 @@ static int make_dithered(struct sim_effect_scene *out, uint32_t n, const struct 
     if (o->shade != SIM_SHADE_SMOOTH || out->instance[0].material != from->scene.instance[0].material)
         return sim_refuse(o->model, 0, "--dither: RGB565 colours are dithered with --shade smooth alone; for fewer colours "
                                        "name a grey or one-bit --panel");
-    out->surface->plain = sim_alloc(n, sizeof *out->surface->plain);
-    for (uint32_t i = 0; i < n; i++) {
-        struct zs_material *m = &out->surface->plain[i];
-        *m = *out->instance[i].material;
-        m->shader = of[o->effects.dither];
-        out->instance[i].material = m;
-    }
+    struct zs_material *m = plain_materials(out, n);
+    for (uint32_t i = 0; i < n; i++)
+        m[i].shader = of[o->effects.dither];
     return SIM_OK;
 }
 
@@ -136,6 +157,8 @@ int sim_effect_make(struct sim_effect_scene *out, const struct sim_scene *from, 
     int status = SIM_OK;
     if (e->has_alpha)
         make_transparent(out, n, e);
+    if (e->filter != SIM_FILTER_NEAREST)
+        make_filtered(out, n, e->filter);
     if (e->fog != SIM_FOG_NONE)
         make_fog(out, from, e);
     if (e->dither != SIM_DITHER_NONE && e->levels != SIM_LEVELS_565)
