@@ -40,7 +40,7 @@ enum zs_fog_curve {
 struct zs_fog {
     uint16_t color;     /* RGB565 */
     uint8_t curve;      /* enum zs_fog_curve */
-    uint8_t sky;        /* 1: where nothing was drawn, there is the fog's colour; 0: what there is */
+    uint8_t sky;        /* where nothing was drawn: 1: the fog's colour, 0: what there is */
     int32_t start, end; /* world units from the eye, any sign; linear: start < end */
     uint32_t density;   /* exponential: uq0_32 of a world unit, > 0 */
 

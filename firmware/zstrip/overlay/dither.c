@@ -64,8 +64,8 @@ void zs_dither_draw(void *ctx, const struct zs_target *t)
 
 typedef uint16_t pixel_fn(uint32_t color, uint32_t threshold);
 
-ZS_ALWAYS_INLINE void run(uint16_t *out, uint32_t n, uint32_t x, const uint8_t *rank,
-                          uint32_t mask, uint32_t shift, pixel_fn *pixel)
+ZS_ALWAYS_INLINE void run(uint16_t *out, uint32_t n, uint32_t x, const uint8_t *rank, uint32_t mask,
+                          uint32_t shift, pixel_fn *pixel)
 {
     for (uint16_t *const end = out + n; out != end; out++, x++)
         *out = zs_wire16(pixel(zs_wire16(*out), (2u * rank[x & mask] + 1u) << shift));
@@ -80,7 +80,10 @@ ZS_ALWAYS_INLINE uint16_t rgb332(uint32_t c, uint32_t threshold)
 }
 
 /* The grey of a colour in 16 fraction bits, `levels` at white and at most 77 / 65536 more. */
-#define GREY(c, levels)                                                                                (((c) >> 11) * FACTOR((levels)*77u, 256u * 31u) +                                                   ((c) >> 5 & 63u) * FACTOR((levels)*150u, 256u * 63u) +                                             ((c)&31u) * FACTOR((levels)*29u, 256u * 31u))
+#define GREY(c, levels)                                                                            \
+    (((c) >> 11) * FACTOR((levels)*77u, 256u * 31u) +                                              \
+     ((c) >> 5 & 63u) * FACTOR((levels)*150u, 256u * 63u) +                                        \
+     ((c)&31u) * FACTOR((levels)*29u, 256u * 31u))
 
 ZS_ALWAYS_INLINE uint16_t grey4(uint32_t c, uint32_t threshold)
 {
@@ -94,7 +97,13 @@ ZS_ALWAYS_INLINE uint16_t mono(uint32_t c, uint32_t threshold)
     return (uint16_t)(0u - ((GREY(c, 1u) + threshold) >> 16));
 }
 
-#define FORMAT(name)                                                                                   static void name##_run(uint16_t *out, uint32_t n, uint32_t x, const uint8_t *rank,                                        uint32_t mask, uint32_t shift)                                              {                                                                                                      run(out, n, x, rank, mask, shift, name);                                                       }                                                                                                  const struct zs_dither_format zs_dither_##name = { name##_run };
+#define FORMAT(name)                                                                               \
+    static void name##_run(uint16_t *out, uint32_t n, uint32_t x, const uint8_t *rank,             \
+                           uint32_t mask, uint32_t shift)                                          \
+    {                                                                                              \
+        run(out, n, x, rank, mask, shift, name);                                                   \
+    }                                                                                              \
+    const struct zs_dither_format zs_dither_##name = { name##_run };
 
 FORMAT(rgb332)
 FORMAT(grey4)

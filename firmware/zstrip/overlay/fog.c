@@ -52,7 +52,7 @@ static uint16_t key_from(const struct zs_view *view, const struct zs_camera *cam
     const int32_t lz = view->perspective ? zs_clz32((uint32_t)units) : 0;
     const uint32_t rcp = view->perspective ? zs_recip((uint32_t)units << lz) : 0u;
     const uint32_t d = view->depth->vertex(view, units, rcp, lz);
-    const uint32_t key = view->depth->key ? view->depth->key(view, d) : d; /* uq16_16 */
+    const uint32_t key = view->depth->key ? view->depth->key(view, d) : d;            /* uq16_16 */
     return (uint16_t)zs_minu32((key >> 16) + ((key & 0xffffu) != 0), ZS_DEPTH_CLEAR); /* ceiling */
 }
 

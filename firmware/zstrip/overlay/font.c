@@ -11,11 +11,13 @@ enum { /* clang-format off */
     lX____, lX___X, lX__X_, lX__XX, lX_X__, lX_X_X, lX_XX_, lX_XXX,
     lXX___, lXX__X, lXX_X_, lXX_XX, lXXX__, lXXX_X, lXXXX_, lXXXXX
 };
+/* clang-format on */
 
 #define ACROSS 11u /* glyphs side by side in this file */
 #define ROWS ZS_GLYPH_H
 
 /* [block][row][glyph] */
+/* clang-format off */
 static const uint8_t glyphs[][ROWS][ACROSS] = {
     /*    !  "  #  $  %  &  '  (  )  * */
     {
@@ -116,7 +118,7 @@ static const uint8_t glyphs[][ROWS][ACROSS] = {
         { lX___X, l____X, lXXXXX, l___X_, l__X__, l_X___, l_____, lXXXXX, lX___X, l_XXX_, lXXX__ },
         { l_____, l_XXX_, l_____, l_____, l_____, l_____, l_____, l_____, l_____, l_____, l_____ },
     },
-    /* small E  small G  small I  small L  small N  small O  small R  small S  small T  small U  small Y */
+    /* small E G I L N O R S T U Y */
     {
         { l_____, l_____, l_____, l_____, l_____, l_____, l_____, l_____, l_____, l_____, l_____ },
         { l_____, l_____, l_____, l_____, l_____, l_____, l_____, l_____, l_____, l_____, l_____ },
@@ -183,59 +185,56 @@ static const uint8_t glyphs[][ROWS][ACROSS] = {
         { l_____, l_____, l_____, l_____, l_____, l_____, l_____, l_____, l_____, l_____, l_____ },
     },
 };
+/* clang-format on */
 
-#define FALLBACK 95u                  /* the glyph of what the font has not */
-#define SMALL 96u                     /* capitals of five rows, to go under a mark: */
+#define FALLBACK 95u                           /* the glyph of what the font has not */
+#define SMALL 96u                              /* capitals of five rows, to go under a mark: */
 static const char small[] = "ACDEGILNORSTUYZ"; /* and then the i without a dot */
 #define DOTLESS (SMALL + sizeof small - 1u)
-#define OWN (DOTLESS + 1u)            /* glyphs of these code points: */
-static const uint16_t own[] = {
-    0xa1, 0xa3, 0xa7, 0xab, 0xb0, 0xb1, 0xb2, 0xb3, 0xb5, 0xb7, 0xbb, 0xbd, 0xbf, 0xc6, 0xd0,
-    0xd7, 0xd8, 0xde, 0xdf, 0xe6, 0xf0, 0xf7, 0xf8, 0xfe, 0x111, 0x127, 0x141, 0x142, 0x14a,
-    0x14b, 0x152, 0x153, 0x3a9, 0x201c, 0x201d, 0x201e, 0x2022, 0x2026, 0x20ac, 0x2190, 0x2191,
-    0x2192, 0x2193, 0x25a0
-};
+#define OWN (DOTLESS + 1u) /* glyphs of these code points: */
+static const uint16_t own[] = { 0xa1,   0xa3,   0xa7,   0xab,   0xb0,   0xb1,   0xb2,   0xb3,
+                                0xb5,   0xb7,   0xbb,   0xbd,   0xbf,   0xc6,   0xd0,   0xd7,
+                                0xd8,   0xde,   0xdf,   0xe6,   0xf0,   0xf7,   0xf8,   0xfe,
+                                0x111,  0x127,  0x141,  0x142,  0x14a,  0x14b,  0x152,  0x153,
+                                0x3a9,  0x201c, 0x201d, 0x201e, 0x2022, 0x2026, 0x20ac, 0x2190,
+                                0x2191, 0x2192, 0x2193, 0x25a0 };
 
 /* Code points that look like others. */
 static const struct {
     uint16_t code, as;
-} alike[] = {
-    { 0xa0, ' ' }, { 0xa6, '|' }, { 0xad, '-' }, { 0xb4, '\'' }, { 0x110, 0xd0 },
-    { 0x218, 0x15e }, { 0x219, 0x15f }, { 0x21a, 0x162 }, { 0x21b, 0x163 }, { 0x3bc, 0xb5 },
-    { 0x1e9e, 0xdf }, { 0x2010, '-' }, { 0x2013, '-' }, { 0x2014, '-' }, { 0x2018, '`' },
-    { 0x2019, '\'' }, { 0x201a, ',' }, { 0x2126, 0x3a9 }, { 0x2212, '-' }
-};
+} alike[] = { { 0xa0, ' ' },    { 0xa6, '|' },     { 0xad, '-' },    { 0xb4, '\'' },
+              { 0x110, 0xd0 },  { 0x218, 0x15e },  { 0x219, 0x15f }, { 0x21a, 0x162 },
+              { 0x21b, 0x163 }, { 0x3bc, 0xb5 },   { 0x1e9e, 0xdf }, { 0x2010, '-' },
+              { 0x2013, '-' },  { 0x2014, '-' },   { 0x2018, '`' },  { 0x2019, '\'' },
+              { 0x201a, ',' },  { 0x2126, 0x3a9 }, { 0x2212, '-' } };
 
 /* Marks over and under letters: rows 0 and 1, and row 7. */
 static const struct {
     char name;
     uint8_t top[2], bottom;
-} marks[] = {
-    { '`', { l_X___, l__X__ }, l_____ }, { '\'', { l___X_, l__X__ }, l_____ },
-    { '^', { l__X__, l_X_X_ }, l_____ }, { '~', { l_X__X, lX_XX_ }, l_____ },
-    { ':', { l_X_X_, l_____ }, l_____ }, { 'o', { l__XX_, l__XX_ }, l_____ },
-    { 'v', { l_X_X_, l__X__ }, l_____ }, { 'u', { lX___X, l_XXX_ }, l_____ },
-    { '-', { l_XXX_, l_____ }, l_____ }, { '.', { l__X__, l_____ }, l_____ },
-    { '=', { l__X_X, l_X_X_ }, l_____ }, { ',', { l_____, l_____ }, l_XX__ },
-    { ';', { l_____, l_____ }, l___XX }, { '|', { l____X, l____X }, l_____ }
-};
+} marks[] = { { '`', { l_X___, l__X__ }, l_____ }, { '\'', { l___X_, l__X__ }, l_____ },
+              { '^', { l__X__, l_X_X_ }, l_____ }, { '~', { l_X__X, lX_XX_ }, l_____ },
+              { ':', { l_X_X_, l_____ }, l_____ }, { 'o', { l__XX_, l__XX_ }, l_____ },
+              { 'v', { l_X_X_, l__X__ }, l_____ }, { 'u', { lX___X, l_XXX_ }, l_____ },
+              { '-', { l_XXX_, l_____ }, l_____ }, { '.', { l__X__, l_____ }, l_____ },
+              { '=', { l__X_X, l_X_X_ }, l_____ }, { ',', { l_____, l_____ }, l_XX__ },
+              { ';', { l_____, l_____ }, l___XX }, { '|', { l____X, l____X }, l_____ } };
 
 /* From U+00C0 on, two characters each: a letter and its mark; blanks: it has a glyph of its own, or
  * none. Capitals are small ones where the mark is over them. */
 #define COMPOSED 0xc0u
-static const char composed[] =
-    "A`A'A^A~A:Ao  C,E`E'E^E:I`I'I^I:"
-    "  N~O`O'O^O~O:    U`U'U^U:Y'    "
-    "a`a'a^a~a:ao  c,e`e'e^e:i`i'i^i:"
-    "  n~o`o'o^o~o:    u`u'u^u:y'  y:"
-    "A-a-AuauA;a;C'c'C^c^C.c.CvcvDvd|"
-    "    E-e-EueuE.e.E;e;EvevG^g^Gugu"
-    "G.g.G,g'        I~i~I-i-IuiuI;i;"
-    "I.          K,k,  L'l'L,l,L|l|  "
-    "      N'n'N,n,Nvnv      O-o-Ouou"
-    "O=o=    R'r'R,r,RvrvS's'S^s^S,s,"
-    "SvsvT,t,Tvt|    U~u~U-u-UuuuUouo"
-    "U=u=U;u;  w^Y^y^Y:Z'z'Z.z.Zvzv  ";
+static const char composed[] = "A`A'A^A~A:Ao  C,E`E'E^E:I`I'I^I:"
+                               "  N~O`O'O^O~O:    U`U'U^U:Y'    "
+                               "a`a'a^a~a:ao  c,e`e'e^e:i`i'i^i:"
+                               "  n~o`o'o^o~o:    u`u'u^u:y'  y:"
+                               "A-a-AuauA;a;C'c'C^c^C.c.CvcvDvd|"
+                               "    E-e-EueuE.e.E;e;EvevG^g^Gugu"
+                               "G.g.G,g'        I~i~I-i-IuiuI;i;"
+                               "I.          K,k,  L'l'L,l,L|l|  "
+                               "      N'n'N,n,Nvnv      O-o-Ouou"
+                               "O=o=    R'r'R,r,RvrvS's'S^s^S,s,"
+                               "SvsvT,t,Tvt|    U~u~U-u-UuuuUouo"
+                               "U=u=U;u;  w^Y^y^Y:Z'z'Z.z.Zvzv  ";
 
 static void copy(uint8_t rows[ROWS], uint32_t glyph)
 {

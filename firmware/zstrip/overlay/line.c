@@ -47,13 +47,11 @@ void zs_paint_line(const struct zs_target *t, int32_t x, int32_t y, int32_t x_en
     const int flat = zs_abs32(dx) >= zs_abs32(dy);
     const int back = flat ? dx < 0 : dy < 0;
     const int32_t x0 = back ? x_end : x, y0 = back ? y_end : y;
-    const struct line l = { flat ? x0 : y0, flat ? y0 : x0,
-                            zs_size32(flat ? dx : dy), zs_size32(flat ? dy : dx),
-                            ((flat ? dy : dx) < 0) == back ? 1 : -1 };
+    const struct line l = { flat ? x0 : y0, flat ? y0 : x0, zs_size32(flat ? dx : dy),
+                            zs_size32(flat ? dy : dx), ((flat ? dy : dx) < 0) == back ? 1 : -1 };
     uint32_t i, end;
-    if (paint->rest == 64u ||
-        !(flat ? steps(&l, t->x0, t->x1, t->y0, t->y1, &i, &end)
-               : steps(&l, t->y0, t->y1, t->x0, t->x1, &i, &end)))
+    if (paint->rest == 64u || !(flat ? steps(&l, t->x0, t->x1, t->y0, t->y1, &i, &end)
+                                     : steps(&l, t->y0, t->y1, t->x0, t->x1, &i, &end)))
         return;
     const uint32_t most = l.along ? 2u * l.along : 1u, add = 2u * l.away;
     const uint32_t sum = add * i + l.along; /* <= 2^31 + 2^15 */

@@ -62,7 +62,7 @@ static void bar_draw(const struct zs_item *item, const struct zs_target *t)
     const struct zs_paint on = zs_paint_of(item->color, zs_alpha_of(item->clear));
     const struct zs_paint off = zs_paint_of(item->back, zs_alpha_of(item->back_clear));
     const int up = item->flags & ZS_ITEM_UP;
-    const uint32_t length = (uint32_t)zs_max32(up ? item->h : item->w, 0);          /* < 2^15 */
+    const uint32_t length = (uint32_t)zs_max32(up ? item->h : item->w, 0);    /* < 2^15 */
     const int32_t full = (int32_t)((length * item->value + 32767u) / 65535u); /* < 2^31 */
     struct zs_box lit = rect_of(item), rest = lit;
     if (up)
