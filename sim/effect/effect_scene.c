@@ -112,21 +112,26 @@ static struct zs_resolve *next_hook(struct sim_effect_scene *out)
     return &out->hooks->hook[out->scene.n_resolves++];
 }
 
-static void make_fog(struct sim_effect_scene *out, const struct sim_scene *from, const struct sim_effect_options *e)
+static int make_fog(struct sim_effect_scene *out, const struct sim_scene *from, const struct sim_options *o)
 {
+    const struct sim_effect_options *e = &o->effects;
     struct zs_fog *fog = &out->hooks->fog;
-    const double unit = from->unit, most = ZS_WORLD_MAX;
+    const double unit = from->unit;
+    if (e->fog_end / unit > INT32_MAX - 1)
+        return sim_refuse(o->model, 0, "--fog %s ends too far away beside the model; at most at %.3g", e->fog_text,
+                          unit * (INT32_MAX - 1));
     fog->color = zs_rgb565(e->fog_rgb.r, e->fog_rgb.g, e->fog_rgb.b);
     if (e->fog == SIM_FOG_LINEAR) {
-        fog->start = (int32_t)lrint(fmin(e->fog_start / unit, most - 1));
-        fog->end = (int32_t)lrint(fmin(e->fog_end / unit, most));
+        fog->start = (int32_t)lrint(e->fog_start / unit);
+        fog->end = (int32_t)lrint(e->fog_end / unit);
         fog->end = fog->end > fog->start ? fog->end : fog->start + 1;
     } else {
-        const double per_world = e->fog_density * unit * 4294967296.0;
+        const double end = 1.0 / (e->fog_density * unit);
         fog->curve = ZS_FOG_EXPONENTIAL;
-        fog->density = per_world < 1.0 ? 1u : per_world > 4294967295.0 ? UINT32_MAX : (uint32_t)per_world;
+        fog->end = end > INT32_MAX ? INT32_MAX : end < 1.0 ? 1 : (int32_t)lrint(end);
     }
     *next_hook(out) = (struct zs_resolve){ .draw = zs_fog_draw, .changes = zs_fog_changes, .ctx = fog };
+    return SIM_OK;
 }
 
 static void make_levels(struct sim_effect_scene *out, const struct sim_effect_options *e)
@@ -160,7 +165,9 @@ int sim_effect_make(struct sim_effect_scene *out, const struct sim_scene *from, 
     if (e->filter != SIM_FILTER_NEAREST)
         make_filtered(out, n, e->filter);
     if (e->fog != SIM_FOG_NONE)
-        make_fog(out, from, e);
+        status = make_fog(out, from, o);
+    if (status != SIM_OK)
+        return status;
     if (e->dither != SIM_DITHER_NONE && e->levels != SIM_LEVELS_565)
         make_levels(out, e);
     else if (e->dither != SIM_DITHER_NONE)
@@ -205,6 +212,10 @@ int sim_effect_draw(const struct sim_effect_scene *scene, struct sim_frame *fram
     if (c.varyings < s.varyings)
         c.varyings = s.varyings;
     c.method = s.method;
+    if (s.method != NULL) { /* least pools of zs_method_transparent */
+        c.max_tris = c.max_tris < 2 ? 2 : c.max_tris;
+        c.max_verts = c.max_verts < 6 ? 6 : c.max_verts;
+    }
     if (s.samples > 1) {
         c.width = (uint16_t)(2 * c.width);
         c.height = (uint16_t)(2 * c.height);
