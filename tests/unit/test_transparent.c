@@ -77,7 +77,8 @@ static unsigned walks, layers_drawn;
  * and depth state: the frame is that of the depth buffer, drawn in the order of in_order. */
 static int single_case(uint64_t seed)
 {
-    static const struct zs_depth_state any[3] = { { .func = ZS_DEPTH_LESS_EQUAL }, { .bias = -300 }, { .slope_bias = 512 } };
+    static const struct zs_depth_state any[3] = { { .func = ZS_DEPTH_LESS_EQUAL }, { .bias = -300 },
+                                                   { .slope_bias = 512 } };
     struct prng p = { seed };
     const uint32_t n = (uint32_t)prng_range(&p, 1, TRIS);
     const int32_t nearest = prng_range(&p, 101, 5000), depth = prng_range(&p, 0, prng_pick(&p, 2) ? 4 : 20000);
