@@ -178,7 +178,8 @@ static int family_of(const struct zs_shader *shader)
 
 /* kinds: the shader of each; NOTHING: one that draws nothing. read_only: keys of the second are not written. */
 #define NOTHING (-1)
-static void twins_make(struct twins *t, struct prng *p, int kind, int other, uint8_t alpha, uint8_t phase, int read_only)
+static void twins_make(struct twins *t, struct prng *p, int kind, int other, uint8_t alpha, uint8_t phase,
+                       int read_only)
 {
     world_make(&t->w, p, 0);
     const uint32_t n = t->w.n_instances;
