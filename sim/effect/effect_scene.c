@@ -12,6 +12,7 @@
 #include "zs_dither.h"
 #include "zs_filter.h"
 #include "zs_fog.h"
+#include "zs_lights.h"
 #include "zs_blend.h"
 #include "zs_supersample.h"
 
@@ -19,6 +20,10 @@
 struct sim_effect_surface {
     struct zs_blend *blend;
     struct zs_material *plain; /* with another shader */
+    struct zs_lit_material *lit;
+    struct zs_lamp lamp[SIM_LIGHTS_MAX];
+    struct zs_lighting lighting;
+    struct zs_shine shine;
 };
 
 /* Hooks over strips that are drawn, in this order. */
@@ -89,6 +94,113 @@ static void make_filtered(struct sim_effect_scene *out, uint32_t n, int filter)
         m[i].shader = in_place_of(&of[filter], m[i].shader);
 }
 
+/* ---- Lights */
+
+#define SPOT_FULL 18.0 /* degrees from a spot's axis up to which it is full, ... */
+#define SPOT_DARK 28.0 /* ... and from which on it is dark */
+
+static void set_dir(zs_q2_30 out[3], const double of[3])
+{
+    const double length = sqrt(of[0] * of[0] + of[1] * of[1] + of[2] * of[2]);
+    for (int k = 0; k < 3; k++)
+        out[k] = (zs_q2_30)lrint(of[k] / length * 1073741824.0);
+}
+
+static zs_q2_30 cosine(double degrees)
+{
+    return (zs_q2_30)lrint(cos(degrees * acos(-1.0) / 180.0) * 1073741824.0);
+}
+
+static int make_lamp(struct zs_lamp *lamp, const struct sim_light *of, const struct sim_scene *from,
+                     const struct sim_view *view, const struct sim_options *o)
+{
+    double aim[3];
+    *lamp = (struct zs_lamp){ .kind = (uint8_t)of->kind, .rgb = of->rgb,
+                              .strength = (zs_uq16_16)lrint(fmax(o->diffuse, 1e-5) * 65536.0) };
+    if (of->rgb.r == 0 && of->rgb.g == 0 && of->rgb.b == 0)
+        lamp->rgb.b = 1; /* 0 would be white */
+    if (of->kind == SIM_LIGHT_DIR) {
+        set_dir(lamp->dir, of->at);
+        return SIM_OK;
+    }
+    for (int k = 0; k < 3; k++) {
+        const double at = (of->at[k] - from->origin[k]) / from->unit;
+        if (fabs(at) > ZS_WORLD_MAX)
+            return sim_refuse(o->model, 0, "--light %g,%g,%g is too far away beside the model", of->at[0], of->at[1],
+                              of->at[2]);
+        lamp->pos[k] = (int32_t)lrint(at);
+        aim[k] = view->at[k] - of->at[k];
+    }
+    lamp->range = of->range > 0.0 ? (uint32_t)lrint(fmin(fmax(of->range / from->unit, 1.0), 1073741824.0)) : 0u;
+    if (of->kind == SIM_LIGHT_SPOT) {
+        if (aim[0] == 0.0 && aim[1] == 0.0 && aim[2] == 0.0)
+            return sim_refuse(o->model, 0, "--light spot: it stands where it is aimed at; move it away from --at");
+        set_dir(lamp->dir, aim);
+        lamp->inner = cosine(SPOT_FULL);
+        lamp->outer = cosine(SPOT_DARK);
+    }
+    return SIM_OK;
+}
+
+static uint8_t channel(double part)
+{
+    return (uint8_t)lrint(fmin(part, 1.0) * 255.0);
+}
+
+static int make_lighting(struct sim_effect_surface *s, const struct sim_scene *from, const struct sim_view *view,
+                         const struct sim_options *o)
+{
+    const struct sim_effect_options *e = &o->effects;
+    const struct sim_light plain = { .kind = SIM_LIGHT_DIR, .at = { view->light[0], view->light[1], view->light[2] },
+                                     .rgb = ZS_RGB(0xffffff) };
+    const uint8_t ambient = channel(o->ambient);
+    int status = SIM_OK;
+    for (int k = 0; status == SIM_OK && k < e->n_lights; k++)
+        status = make_lamp(&s->lamp[k], &e->light[k], from, view, o);
+    if (e->n_lights == 0)
+        status = make_lamp(&s->lamp[0], &plain, from, view, o);
+    s->lighting = (struct zs_lighting){ .lamp = s->lamp, .n_lamps = e->n_lights > 0 ? (uint32_t)e->n_lights : 1u,
+                                        .ambient = { ambient, ambient, ambient } };
+    if (e->specular_text != NULL)
+        (void)zs_shine_set(&s->shine, (uint32_t)e->specular_power);
+    return status;
+}
+
+static int all_directional(const struct zs_lighting *lighting)
+{
+    for (uint32_t k = 0; k < lighting->n_lamps; k++)
+        if (lighting->lamp[k].kind != ZS_LAMP_DIRECTIONAL)
+            return 0;
+    return 1;
+}
+
+static int make_lit(struct sim_effect_scene *out, uint32_t n, const struct sim_scene *from, const struct sim_view *view,
+                    const struct sim_options *o)
+{
+    const struct sim_effect_options *e = &o->effects;
+    struct sim_effect_surface *s = out->surface;
+    const int status = make_lighting(s, from, view, o);
+    const int phong = e->per_pixel, near_lamps = !all_directional(&s->lighting);
+    const struct zs_shader *shader = phong && near_lamps               ? &zs_shade_phong_near
+                                     : phong                           ? &zs_shade_phong
+                                     : o->shade == SIM_SHADE_SMOOTH ? &zs_shade_lit
+                                                                       : &zs_shade_lit_face;
+    s->lit = sim_alloc((size_t)n + 1, sizeof *s->lit);
+    for (uint32_t i = 0; i < n; i++) {
+        struct zs_lit_material *m = &s->lit[i];
+        *m = (struct zs_lit_material){ .material = *out->instance[i].material, .lighting = &s->lighting };
+        m->material.shader = shader;
+        if (e->specular_text != NULL) {
+            const uint8_t white = channel(e->specular_strength);
+            m->shine = &s->shine;
+            m->specular = (struct zs_rgb){ white, white, white };
+        }
+        out->instance[i].material = &m->material;
+    }
+    out->varyings = shader->n_varyings;
+    return status;
+}
+
 /* Colours of RGB565 are dithered as they are made, where there are more bits. */
 static int make_dithered(struct sim_effect_scene *out, uint32_t n, const struct sim_scene *from,
                          const struct sim_options *o)
@@ -149,7 +261,7 @@ int sim_effect_make(struct sim_effect_scene *out, const struct sim_scene *from, 
 {
     const struct sim_effect_options *e = &o->effects;
     const uint32_t n = from->scene.n_instances;
-    (void)view;
+    const int lit = e->n_lights > 0 || e->specular_text != NULL || e->per_pixel;
     memset(out, 0, sizeof *out);
     out->scene = from->scene;
     out->camera = from->camera;
@@ -160,6 +272,10 @@ int sim_effect_make(struct sim_effect_scene *out, const struct sim_scene *from, 
     out->scene.instance = out->instance;
     out->hooks = sim_alloc(1, sizeof *out->hooks);
     int status = SIM_OK;
+    if (lit)
+        status = make_lit(out, n, from, view, o);
+    if (status != SIM_OK)
+        return status;
     if (e->has_alpha)
         make_transparent(out, n, e);
     if (e->filter != SIM_FILTER_NEAREST)
@@ -178,7 +294,7 @@ int sim_effect_make(struct sim_effect_scene *out, const struct sim_scene *from, 
 void sim_effect_free(struct sim_effect_scene *s)
 {
     if (s->surface != NULL)
-        SIM_FREE(s->surface->blend, s->surface->plain);
+        SIM_FREE(s->surface->blend, s->surface->plain, s->surface->lit);
     SIM_FREE(s->instance, s->surface, s->hooks);
     memset(s, 0, sizeof *s);
 }
