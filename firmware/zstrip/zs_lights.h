@@ -117,8 +117,8 @@ extern const struct zs_shader zs_shade_lit_face;
  * colour. Normals need not have length 1; one that is 0 gets ambient light and emission. */
 extern const struct zs_shader zs_shade_lit;
 /* Lit at each pixel, by normals that are interpolated and given length 1 (Phong shading); needs
- * mesh.normal; the material's colour. Directional lamps only, without ZS_LIT_NEAR_VIEWER, else
- * ZS_ERR_RANGE: take the next one. */
+ * mesh.normal; face_rgb, rounded to five bits a channel, or the material's colour. Directional
+ * lamps only, without ZS_LIT_NEAR_VIEWER, else ZS_ERR_RANGE: take the next one. */
 extern const struct zs_shader zs_shade_phong;
 /* The same for all lamps and flags, with six varyings: compile with ZS_VARYINGS_MAX at least 6.
  * Positions are those of mesh.pos, without pos_lo. */

@@ -49,8 +49,25 @@ static void near_vertex(const struct zs_shading *s, uint32_t v, uint16_t *out)
         out[3 + k] = (uint16_t)(s->instance->mesh->pos[v][k] + 32768);
 }
 
-/* 1: the face turns away from the eye, and its normals are turned round. */
-static uint16_t phong_face(const struct zs_shading *s, uint32_t t)
+#define TURNED 1u /* bit of zs_tri.paint; the others are face_rgb, five bits a channel */
+
+/* The colour of a face whose paint is given. */
+static struct zs_rgb color_of(const struct zs_instance *in, uint32_t paint)
+{
+    const uint32_t red = paint >> 11, green = paint >> 6 & 31u, blue = paint >> 1 & 31u;
+    const struct zs_rgb rgb = { (uint8_t)(red << 3 | red >> 2), (uint8_t)(green << 3 | green >> 2),
+                                (uint8_t)(blue << 3 | blue >> 2) };
+    return in->mesh->face_rgb ? rgb : in->material->rgb;
+}
+
+/* A channel in five bits, nearest. */
+static uint32_t five_bits(uint32_t channel)
+{
+    return (channel * 31u + 127u) / 255u;
+}
+
+/* TURNED: the face turns away from the eye, and its normals are turned round. */
+static uint16_t turned(const struct zs_shading *s, uint32_t t)
 {
     const struct zs_instance *const in = s->instance;
     const struct zs_mesh *const mesh = in->mesh;
@@ -68,6 +85,15 @@ static uint16_t phong_face(const struct zs_shading *s, uint32_t t)
     zs_lit_normal(&at, in, n);
     zs_lit_view(&at, s->camera, 1);
     return zs_lit_dot(at.n, at.view) < 0;
+}
+
+static uint16_t phong_face(const struct zs_shading *s, uint32_t t)
+{
+    const struct zs_rgb *const rgb = s->instance->mesh->face_rgb;
+    const uint32_t color = rgb ? five_bits(rgb[t].r) << 11 | five_bits(rgb[t].g) << 6 |
+                                     five_bits(rgb[t].b) << 1
+                               : 0u;
+    return (uint16_t)(color | turned(s, t));
 }
 
 static int near_check(const struct zs_instance *in, const struct zs_config *config)
@@ -123,8 +149,9 @@ static int gloss_start(struct zs_job *job, const struct zs_instance *in)
     (void)zs_lit_unit(g->half, g->half, &square, &exp);
     zs_lit_add(m, &at, &dark); /* the normal is 0: ambient light alone */
     zs_lit_lamp(m, &full);
-    zs_lit_mix(m, in->material->rgb, &dark, base);
-    const uint8_t rgb[3] = { in->material->rgb.r, in->material->rgb.g, in->material->rgb.b };
+    const struct zs_rgb own = color_of(in, job->tri->paint);
+    const uint8_t rgb[3] = { own.r, own.g, own.b };
+    zs_lit_mix(m, own, &dark, base);
     const uint8_t specular[3] = { m->specular.r, m->specular.g, m->specular.b };
     for (int k = 0; k < 3; k++) {
         const uint32_t most = k == 1 ? 63u : 31u;
@@ -187,7 +214,7 @@ static void normal_at(const struct zs_job *job, int32_t i, int32_t row, int32_t 
 {
     for (int k = 0; k < 3; k++) {
         const int32_t v = (int32_t)(zs_plane_at(&job->c[k], i, row) - BIAS);
-        n[k] = job->tri->paint ? -v : v;
+        n[k] = job->tri->paint & TURNED ? -v : v;
     }
 }
 
@@ -234,7 +261,7 @@ static ZS_NOINLINE void each(struct zs_job *job, const struct zs_row *row, int32
         if (near)
             zs_lit_view(&at, camera, 1);
         zs_lit_add(m, &at, &sum);
-        zs_lit_mix(m, in->material->rgb, &sum, c);
+        zs_lit_mix(m, color_of(in, job->tri->paint), &sum, c);
         job->color[row->at + i] = zs_lit_pack(c);
     }
 }
