@@ -27,22 +27,18 @@ extern "C" {
 
 enum zs_fog_curve {
     ZS_FOG_LINEAR = 0,     /* none up to start, full from end on */
-    ZS_FOG_EXPONENTIAL = 1 /* 1 - exp(-density * (distance - start)), none before start */
+    ZS_FOG_EXPONENTIAL = 1 /* none up to start, then 1 - exp(-t), t = (distance - start) / (end -
+                              start): at end, 1 / e of the surface's colour is left */
 };
 
 #define ZS_FOG_LEVELS 64u
 
-/* The density at which 1 / e of a surface's colour is left at `distance` world units beyond start,
- * 1 or more. */
-#define ZS_FOG_DENSITY(distance) (UINT32_C(0xffffffff) / ZS_U32(distance))
-
-/* 168 bytes. The fields of the first part are the caller's, 0 where they are not read. */
+/* 164 bytes. The fields of the first part are the caller's, 0 where they are not read. */
 struct zs_fog {
     uint16_t color;     /* RGB565 */
     uint8_t curve;      /* enum zs_fog_curve */
     uint8_t sky;        /* where nothing was drawn: 1: the fog's colour, 0: what there is */
-    int32_t start, end; /* world units from the eye, any sign; linear: start < end */
-    uint32_t density;   /* exponential: uq0_32 of a world unit, > 0 */
+    int32_t start, end; /* world units from the eye, any sign; start < end */
 
     uint16_t from[ZS_FOG_LEVELS + 2u]; /* the least key of each level, and the end; by zs_fog_set */
     uint32_t before[2];                /* a hash of the above, in the last frame */
@@ -57,7 +53,7 @@ struct zs_fog {
  *          64ths) and the change of fog over 0.03 of a bucket of the depth mapping. Then mixed
  *          to the nearest code: together below one code.
  * Cost     some 60,000 instructions on a Cortex-M3.
- * Return   ZS_OK; ZS_ERR_NULL; ZS_ERR_RANGE (start, end, density or curve); ZS_ERR_DEPTH (the
+ * Return   ZS_OK; ZS_ERR_NULL; ZS_ERR_RANGE (start, end or curve); ZS_ERR_DEPTH (the
  *          mapping has no depth memory, or cannot take this camera); ZS_ERR_CAMERA, ZS_ERR_NEAR,
  *          as zs_frame_begin: fog is untouched, but for what the caller set. */
 int zs_fog_set(struct zs_fog *fog, const struct zs_config *config, const struct zs_camera *camera);

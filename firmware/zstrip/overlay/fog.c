@@ -38,7 +38,8 @@ static int64_t distance_of(const struct zs_fog *fog, uint32_t level)
         return start + ((int64_t)fog->end - fog->start) * odd * 512; /* < 2^48 + 2^32 * 2^7 * 2^9 */
     /* 1 - exp(-t) = odd / 128: t = ln(128 / (128 - odd)), q8_24, < 2^26.3 */
     const uint32_t t = zs_umulh((7u << 24) - log2_of(128u - odd), LN2);
-    return start + (int64_t)zs_muldiv_u64(t, (uint64_t)1 << 24, fog->density); /* < 2^50.3 */
+    const uint64_t span = (uint64_t)((int64_t)fog->end - fog->start); /* <= 2^32 */
+    return start + (int64_t)((t * span + 128u) >> 8);                 /* < 2^50.4 */
 }
 
 /* Return the least key of pixels at or beyond a distance. */
@@ -61,7 +62,7 @@ int zs_fog_set(struct zs_fog *fog, const struct zs_config *config, const struct 
     if (!fog || !config || !camera || !config->depth)
         return ZS_ERR_NULL;
     if (fog->curve > ZS_FOG_EXPONENTIAL ||
-        (fog->curve == ZS_FOG_LINEAR ? fog->start >= fog->end : fog->density == 0))
+        fog->start >= fog->end)
         return ZS_ERR_RANGE;
     const uint32_t bits = config->depth_bits ? config->depth_bits : 16u;
     if (config->depth->span || bits < 8u || bits > 16u)
