@@ -89,11 +89,11 @@ static const char *const broken[] = { "\x80",
                                       "\xe2\x82",
                                       "\xf0\x9f\x98",
                                       "\xc0\x80",
-                                      "\xc1\xbf",
-                                      "\xe0\x80\x80",
+                                      "\xc1\x81",
+                                      "\xe0\x81\x81",
                                       "\xed\xa0\x80",
                                       "\xf4\x90\x80\x80",
-                                      "\xf0\x80\x80\x80",
+                                      "\xf0\x80\x81\x81",
                                       "\xf7\xbf\xbf\xbf" };
 
 static void text_make(struct stock *s, struct prng *p, int k)
@@ -536,8 +536,10 @@ static int change_case(uint64_t seed)
                 item_make(&s, &p, &s.item[s.n++], w, h);
             else if (prng_pick(&p, 2))
                 item_make(&s, &p, i, w, h);
+            else if (prng_pick(&p, 3) == 0)
+                i->x++;
             else if (prng_pick(&p, 2))
-                i->x++, i->value += 5000;
+                i->value += 5000;
             else if (s.text[0][0])
                 s.text[0][strlen(s.text[0]) / 2] = (char)('0' + t); /* in place; may break a sequence */
         }
@@ -627,6 +629,26 @@ static void every_letter_is_another(void **state)
     assert_in_range(missing, 1, 45);
 }
 
+/* A half circle has the ray from which it begins, and not the one at which it ends. */
+static void a_ray_is_of_one_side(void **state)
+{
+    struct frame f = { .w = 9, .h = 9 };
+    const struct zs_item half = { .kind = &zs_item_arc,
+                                  .x = 4,
+                                  .y = 4,
+                                  .w = 3,
+                                  .h = 2,
+                                  .sweep = 32768,
+                                  .value = 65535,
+                                  .color = 0xffff,
+                                  .back_clear = 255 };
+    draw(&f, &half, 1, 9, 0, 9);
+    assert_int_equal(f.px[1][4], 0xffff);
+    assert_int_equal(f.px[4][7], 0xffff);
+    assert_int_equal(f.px[7][4], 0);
+    assert_int_equal(f.px[4][1], 0);
+}
+
 /* ---- What is wrong ----------------------------------------------------------------------------- */
 
 static void wrong_items_are_named(void **state)
@@ -679,8 +701,11 @@ static void wrong_items_are_named(void **state)
 }
 
 static const struct CMUnitTest tests[] = {
-    cmocka_unit_test(letters_look_like_this), cmocka_unit_test(every_letter_is_another),
-    cmocka_unit_test(wrong_items_are_named),  cmocka_unit_test(items_are_those_of_the_reference),
+    cmocka_unit_test(letters_look_like_this),
+    cmocka_unit_test(every_letter_is_another),
+    cmocka_unit_test(wrong_items_are_named),
+    cmocka_unit_test(a_ray_is_of_one_side),
+    cmocka_unit_test(items_are_those_of_the_reference),
     cmocka_unit_test(what_changed_is_enough),
 };
 CASES_MAIN(tests)
