@@ -155,7 +155,7 @@ static int in_needle(const struct zs_item *item, const struct direction *d, int3
     const int32_t ahead = item->w * 16 - along, length = item->w + item->h; /* < 2^12 */
     if (ahead < 0 || along < -item->h * 16)
         return 0;
-    return aside <= 8 || 2 * aside * length <= item->size * ahead; /* < 2^30, 2^26 */
+    return aside <= 8 || (length && 2 * aside * length <= item->size * ahead); /* < 2^30, 2^26 */
 }
 
 static void needle_draw(const struct zs_item *item, const struct zs_target *t)
@@ -186,6 +186,12 @@ static int ticks_check(const struct zs_item *item)
     return item->value > 1000u ? ZS_ERR_RANGE : dial_check(item);
 }
 
+/* Return the larger of the two radii: ticks longer than their radius go on behind the centre. */
+static int32_t ticks_radius(const struct zs_item *item)
+{
+    return zs_max32(item->w, item->h - item->w);
+}
+
 static int32_t reach(int32_t radius, int32_t part)
 {
     return (radius * part + 0x2000) >> 14; /* nearest; < 2^26 */
@@ -195,8 +201,8 @@ static void ticks_draw(const struct zs_item *item, const struct zs_target *t)
 {
     const struct zs_paint paint = zs_paint_of(item->color, zs_alpha_of(item->clear));
     const uint32_t sweep = sweep_of(item), n = item->value;
-    const int32_t inner = item->w - item->h;
-    if (item->y + item->w < t->y0 || item->y - item->w >= t->y1)
+    const int32_t inner = item->w - item->h, outer = ticks_radius(item);
+    if (item->y + outer < t->y0 || item->y - outer >= t->y1)
         return;
     for (uint32_t k = 0; k < n + (item->sweep ? 1u : 0u); k++) {
         const zs_turn angle = (zs_turn)(item->from + (n ? sweep * k / n : 0u)); /* < 2^26 */
@@ -209,7 +215,7 @@ static void ticks_draw(const struct zs_item *item, const struct zs_target *t)
 static void ticks_bounds(const struct zs_item *item, int32_t box[4])
 {
     struct zs_item all = *item;
-    all.w = (int16_t)zs_max32(item->w, zs_abs32(item->w - item->h));
+    all.w = (int16_t)ticks_radius(item);
     dial_bounds(&all, box);
 }
 
