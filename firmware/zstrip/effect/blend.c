@@ -3,8 +3,8 @@
  * The source is multiplied by alpha once for each triangle. A pixel then takes a load, the spread
  * to three fields, a product and a sum, and the way back; keys are tested in the same loop.
  *
- * Alpha has 8 bits, and fields have room for 5. The old colour times keep = round(32 (1 -
- * alpha / 255)), in 32nds, is off by old * e, |e| <= 1/2. For old = 0 .. m, old * e / 32 lies
+ * Alpha has 8 bits, and fields have room for 5. The old colour, 0 .. m, is multiplied by keep =
+ * round(32 (1 - alpha / 255)) in 32nds, which is off by e of them, |e| <= 1/2. What that adds lies
  * within m / 128 of its middle, m e / 64, which is taken from the source's part. So the error is at
  * most 63 / 128 code, 1/64 for the rounding of the source's part, and 31/64 for that of the sum:
  * less than one.
