@@ -2,15 +2,15 @@
  *
  * rho is how many texels of the whole texture a pixel spans: the largest of the changes of u and v
  * to the next column and to the next row. The level is log2 rho, rounded to nearest: level L or a
- * smaller one where rho >= 2^(L - 1/2).
+ * coarser one where rho >= 2^(L - 1/2).
  *
- * On an affine triangle rho is constant. Else let W = w and C = U w, both linear on the screen; then
- * U changes by (C' W - C W') / W^2 to the next pixel. The numerator is linear on the screen, so that
- * its largest size, K, is at a vertex. rho is taken as K / W^2: exact where the numerator is the
- * same everywhere, as it is in the direction in which a plane recedes, and never too small. So the
- * level depends on w alone, is smaller nowhere where w is less, and has thresholds: L or a smaller
- * one where w <= sqrt(K 2^(1/2 - L)). A run is cut at the pixels where w, which is linear along a
- * scanline, passes one; they depend on nothing else.
+ * On an affine triangle rho is constant. Else let W = w and C = U w, both linear on the screen;
+ * then U changes by (C' W - C W') / W^2 to the next pixel. The numerator is linear on the screen:
+ * its largest size, K, is at a corner of the box that holds what the viewport shows of the triangle.
+ * rho is taken as K / W^2: exact where the numerator is the same everywhere, as it is in the
+ * direction in which a plane recedes, and never too small. So the level depends on w alone, never
+ * falls where w falls, and has thresholds: L or coarser where w <= sqrt(K 2^(1/2 - L)). A run is cut
+ * at the pixels where w, which is linear along a scanline, passes one; they depend on nothing else.
  *
  * SPDX-License-Identifier: MIT
  */
@@ -97,24 +97,42 @@ static uint32_t level_at(const struct zs_job *job, uint32_t n_levels, int32_t i,
 
 /* ---- Set-up ---------------------------------------------------------------------------------- */
 
-/* The largest numerator K of a coordinate with perspective; w of the vertices. */
+/* The pixels of the viewport in which a triangle lies, counted from its first vertex: columns
+ * at[0] .. at[1], rows at[2] .. at[3]. |.| < 2^15 */
+static void box_of(const struct zs_job *job, int32_t at[4])
+{
+    const struct zs_geom *g = &job->geom;
+    const int32_t x = job->v[0]->x >> ZS_SUBPX_BITS, y = job->v[0]->y >> ZS_SUBPX_BITS;
+    const int32_t least = zs_min32(zs_min32(g->dx1, g->dx2), 0) >> ZS_SUBPX_BITS;
+    const int32_t most = zs_max32(zs_max32(g->dx1, g->dx2), 0) >> ZS_SUBPX_BITS;
+    at[0] = zs_max32(least, -x);
+    at[1] = zs_min32(most, job->width - x);
+    at[2] = zs_max32(0, job->top - y);
+    at[3] = zs_min32(zs_max32(g->dy1, g->dy2) >> ZS_SUBPX_BITS, job->bottom - y);
+}
+
+/* The largest numerator K of a coordinate with perspective in that box, / 2^16. The numerator for
+ * the next column is the same in a row, that for the next row in a column. w: of the vertices. */
 static uint64_t numerator(const struct zs_job *job, int c, const uint16_t *const a[3],
-                          const uint32_t w[3], int32_t uv_bits)
+                          const uint32_t w[3], const int32_t at[4], int32_t uv_bits)
 {
     const int32_t least = zs_min32(zs_min32(a[0][c], a[1][c]), a[2][c]);
     const int32_t up = 17 - uv_bits - job->sampler.shift[c]; /* as in shade/texture.c */
+    const uint32_t un = (uint32_t)(a[0][c] - least) << up;   /* < 2^16 */
+    const int32_t c_g[2] = { (int32_t)job->c[c].gx, (int32_t)job->c[c].gy };
+    const int32_t w_g[2] = { (int32_t)job->w.gx, (int32_t)job->w.gy };
+    const int64_t turn = zs_mul_ss(c_g[0] >> 8, w_g[1] >> 8) -
+                         zs_mul_ss(c_g[1] >> 8, w_g[0] >> 8); /* |.| <= 2^47 */
     uint64_t most = 0;
-    for (int k = 0; k < 3; k++) {
-        const uint32_t un = (uint32_t)(a[k][c] - least) << up; /* < 2^16 */
-        for (int d = 0; d < 2; d++) {
-            const int32_t c_g = (int32_t)(d ? job->c[c].gy : job->c[c].gx);
-            const int32_t w_g = (int32_t)(d ? job->w.gy : job->w.gx);
-            const int64_t g = c_g - (zs_mul_su(w_g, un) >> 16); /* |.| <= 2^32 */
-            const uint64_t size = zs_mul_uu((uint32_t)((zs_size64(g) + 1) >> 1), w[k]);
-            most = size > most ? size : most;
-        }
+    for (int k = 0; k < 4; k++) {
+        const int down = k & 1;
+        const int64_t g = c_g[down] - (zs_mul_su(w_g[down], un) >> 16); /* |.| < 2^32 */
+        const int64_t first = zs_mul_su((int32_t)(g >> 1), w[0]) >> 15; /* |.| < 2^47 */
+        const int64_t by = turn * at[(down ? 0 : 2) + (k >> 1)];        /* |.| < 2^62 */
+        const uint64_t size = (uint64_t)zs_size64(first + (down ? -by : by));
+        most = size > most ? size : most;
     }
-    return most; /* half of it: < 2^63 */
+    return most;
 }
 
 static void perspective(struct zs_job *job, const struct zs_texture *t, int32_t uv_bits)
@@ -122,12 +140,14 @@ static void perspective(struct zs_job *job, const struct zs_texture *t, int32_t 
     const uint16_t *a[3];
     uint32_t w[3];
     uint64_t k[2];
-    int32_t e[2];
+    int32_t e[2], at[4];
     zs_persp_attrs(job, a);
     zs_persp_w(job, w);
+    box_of(job, at);
     for (int c = 0; c < 2; c++) {
-        k[c] = numerator(job, c, a, w, uv_bits);
-        e[c] = job->sampler.shift[c] + (c ? t->log2_h : t->log2_w); /* -13 .. 27 */
+        k[c] = numerator(job, c, a, w, at, uv_bits);
+        /* c / w is in 2^(shift - 1) repeats */
+        e[c] = 16 + job->sampler.shift[c] - 1 + (c ? t->log2_h : t->log2_w); /* 2 .. 42 */
     }
     const int high = e[1] > e[0];
     const uint64_t other = k[!high] >> (e[high] - e[!high]);
