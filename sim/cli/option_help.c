@@ -78,7 +78,7 @@ static const char *value_of(const struct sim_option *opt)
 
 static int joins_next(const struct sim_option *table, size_t n, size_t k)
 {
-    return table[k].help == NULL && k + 1 < n && table[k + 1].kind < SIM_OPTION_HEADING;
+    return table[k].help != NULL && table[k].help[0] == '\0' && k + 1 < n && table[k + 1].kind < SIM_OPTION_HEADING;
 }
 
 /* The options of a row, and of those above it that it is told with. Return their number; *left: free() it. */

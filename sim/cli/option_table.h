@@ -42,14 +42,14 @@ struct sim_option {
     /* For --help (option_help.h). The words and the range are told from the fields above: a sentence leaves them out */
     const char *value;         /* what stands for the value, such as ROWS; NULL: the words, or one by kind */
     const char *help;          /* a sentence, its default in brackets at its end. The range is put before these, or in
-                                * the place of "{range}"; a line feed begins a new line. NULL: the next row's, and both
+                                * the place of "{range}"; a line feed begins a new line. "": the next row's, and both
                                 * are named on one line */
     const char *(*list)(void); /* names that there are, told on lines of their own behind the sentence; NULL: none */
 };
 
 /* The rows that every table ends with: a flag at the offset `to`. */
 #define SIM_HELP_OPTIONS(to) \
-    { "-h", SIM_OPTION_FLAG, to }, { "--help", SIM_OPTION_FLAG, to, .help = "this text" }
+    { "-h", SIM_OPTION_FLAG, to, .help = "" }, { "--help", SIM_OPTION_FLAG, to, .help = "this text" }
 
 /* The option at argv[*i], with its value, into the struct at `to`; *i is at the last word that was taken. seen[k]
  * becomes 1 for row k of the table. SIM_OK; SIM_USAGE where there is no such option or its value is not of its kind. */

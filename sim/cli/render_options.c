@@ -16,11 +16,6 @@
 
 #define AT(field) offsetof(struct sim_options, field)
 
-static const char *fast_list(void)
-{
-    return sim_fast_list(0);
-}
-
 static const struct sim_option table[] = {
     { "Output", SIM_OPTION_HEADING },
     { "--out", SIM_OPTION_FILE, AT(out), .value = "F.png",
@@ -50,7 +45,7 @@ static const struct sim_option table[] = {
       .help = "triangles that memory has room for, {range}; few take more passes for the same frame (ample)" },
     { "--verts", SIM_OPTION_COUNT, AT(verts), 0, 3, ZS_POOL_MAX, .help = "vertices that it has room for (ample)" },
     { "--buffers", SIM_OPTION_COUNT, AT(buffers), .words = "1|2", .help = "strip buffers (2)" },
-    { "--fast", SIM_OPTION_TEXT, AT(fast_names), .value = "LIST", .list = fast_list,
+    { "--fast", SIM_OPTION_TEXT, AT(fast_names), .value = "LIST", .list = sim_fast_list,
       .help = "accelerators to draw with, the same frame: all, none, names with commas between, or all but some, as "
               "all-tiles-touch (all). There are:" },
     { "--threads", SIM_OPTION_COUNT, AT(threads), 0, 1, SIM_THREADS_MAX,

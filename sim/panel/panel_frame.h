@@ -41,10 +41,6 @@ struct sim_panel_frame {
     int err;                /* of the driver or bus, where a strip could not be sent */
 };
 
-/* The panels there are, for help texts: lines of less than 100 columns, all but the first behind `indent` blanks.
- * Static storage. */
-const char *sim_panel_list(int indent);
-
 /* The glass of a wish that has a name. SIM_OK; SIM_REFUSED, said why about `file`, here and below. */
 int sim_panel_glass(const struct sim_panel_wish *wish, const char *file, struct pm_glass *glass);
 
