@@ -160,7 +160,7 @@ static int draw_frame(struct job *job)
         job->drawn = &job->styled.scene;
     }
     if (sim_effects_any(&o->effects)) {
-        status = sim_effect_make(&job->effect, &job->scene, &job->view, o);
+        status = sim_effect_make(&job->effect, &job->model, &job->scene, &job->view, o);
         if (status != SIM_OK)
             return status;
         job->drawn = &job->effect.scene;

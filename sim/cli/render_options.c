@@ -250,6 +250,8 @@ static int check_effects(const struct sim_options *o)
                          "--specular, --per-pixel) each have a shader of their own: take one of them");
     if (e->fog != SIM_FOG_NONE && e->has_alpha && e->blend != SIM_BLEND_SCREEN_DOOR)
         return sim_usage("--fog goes by depth keys, which transparent faces do not write: leave one out");
+    if (e->shadow == SIM_SHADOW_PLANAR && e->has_alpha && e->blend != SIM_BLEND_SCREEN_DOOR)
+        return sim_usage("--shadow planar is not drawn beside transparent faces: leave one out");
     if (e->has_blend && !e->has_alpha)
         return sim_usage("--blend needs --alpha, which says how much");
     if (e->mirror && e->shadow != SIM_SHADOW_NONE)

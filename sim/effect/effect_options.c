@@ -145,6 +145,11 @@ int sim_effects_take(struct sim_effect_options *e, double plain[3], int *has_pla
     return status == SIM_OK ? take_fog(e, file) : status;
 }
 
+int sim_effects_floor(const struct sim_effect_options *e)
+{
+    return e->shadow != SIM_SHADOW_NONE || e->mirror;
+}
+
 int sim_effects_any(const struct sim_effect_options *e)
 {
     return e->n_lights > 0 || e->specular_text != NULL || e->per_pixel || e->has_alpha || e->has_blend ||

@@ -84,6 +84,9 @@ void sim_effects_defaults(struct sim_effect_options *e);
  * `file`. */
 int sim_effects_take(struct sim_effect_options *e, double plain[3], int *has_plain, const char *file);
 
+/* Is a floor drawn? */
+int sim_effects_floor(const struct sim_effect_options *e);
+
 /* Does anything of it ask for more than the plain renderer does? */
 int sim_effects_any(const struct sim_effect_options *e);
 

@@ -8,11 +8,14 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "floor.h"
 #include "sim.h"
+#include "vec.h"
 #include "zs_dither.h"
 #include "zs_filter.h"
 #include "zs_fog.h"
 #include "zs_lights.h"
+#include "zs_shadow.h"
 #include "zs_blend.h"
 #include "zs_supersample.h"
 
@@ -24,6 +27,15 @@ struct sim_effect_surface {
     struct zs_lamp lamp[SIM_LIGHTS_MAX];
     struct zs_lighting lighting;
     struct zs_shine shine;
+};
+
+/* What is drawn beside the model. */
+struct sim_effect_ground {
+    struct sim_floor floor;
+    struct zs_mesh *shadow; /* of each of the model's parts */
+    int16_t (**pos)[3];     /* its vertices */
+    uint32_t n_shadows;
+    struct zs_material shade;
 };
 
 /* Hooks over strips that are drawn, in this order. */
@@ -216,6 +228,77 @@ static int make_dithered(struct sim_effect_scene *out, uint32_t n, const struct 
     return SIM_OK;
 }
 
+/* ---- The ground ------------------------------------------------------------------------------------------------ */
+
+/* The camera's planes hold the floor, too, where they were not given. */
+static void widen_planes(struct zs_camera *c, const struct sim_scene *from, const struct sim_view *view,
+                         const struct sim_floor *floor, const struct sim_options *o)
+{
+    double to[3];
+    sim_sub(to, floor->point, view->eye);
+    const double z = -sim_dot(to, view->back), r = 1.42 * floor->half, scale = 65536.0 / from->unit;
+    if (!o->has_far && c->z_far < llrint((z + r) * scale))
+        c->z_far = llrint((z + r) * scale);
+    if (!o->has_near && c->z_near > c->z_far / 400)
+        c->z_near = c->z_far / 400;
+}
+
+/* The floor becomes the first instance. */
+static void add_floor(struct sim_effect_scene *out, const struct sim_model *model, const struct sim_scene *from,
+                      const struct sim_view *view, const struct sim_options *o)
+{
+    out->ground = sim_alloc(1, sizeof *out->ground);
+    sim_floor_lay(&out->ground->floor, model, from, o->up);
+    memmove(out->instance + 1, out->instance, out->scene.n_instances * sizeof *out->instance);
+    out->instance[0] = out->ground->floor.instance;
+    out->scene.n_instances++;
+    widen_planes(&out->camera, from, view, &out->ground->floor, o);
+}
+
+static struct zs_shadow_light shadow_light(const struct sim_effect_scene *out, const struct sim_scene *from)
+{
+    struct zs_shadow_light light = { .point = 0 };
+    const struct zs_lamp *lamp = out->surface->lamp;
+    memcpy(light.dir, from->scene.light.dir, sizeof light.dir);
+    if (out->surface->lighting.n_lamps > 0 && lamp->kind == ZS_LAMP_DIRECTIONAL)
+        memcpy(light.dir, lamp->dir, sizeof light.dir);
+    if (out->surface->lighting.n_lamps > 0 && lamp->kind != ZS_LAMP_DIRECTIONAL) {
+        memcpy(light.pos, lamp->pos, sizeof light.pos);
+        light.point = 1;
+    }
+    return light;
+}
+
+/* The shadows of the first light become the last instances. */
+static int add_shadows(struct sim_effect_scene *out, const struct sim_scene *from, const struct sim_options *o)
+{
+    struct sim_effect_ground *g = out->ground;
+    const uint32_t n = from->scene.n_instances;
+    const struct zs_shadow_light light = shadow_light(out, from);
+    struct zs_shadow_plane plane;
+    for (int k = 0; k < 3; k++) {
+        plane.normal[k] = (zs_q2_30)lrint(g->floor.up[k] * 1073741824.0);
+        plane.at[k] = g->floor.instance.pose.pos[k];
+    }
+    g->shade = (struct zs_material){ .shader = &zs_shade_shadow, .rgb = { 96, 96, 96 }, .cull = ZS_CULL_NONE };
+    g->shadow = sim_alloc((size_t)n + 1, sizeof *g->shadow);
+    g->pos = sim_alloc((size_t)n + 1, sizeof *g->pos);
+    g->n_shadows = n;
+    for (uint32_t i = 0; i < n; i++) {
+        const struct zs_instance *caster = &from->scene.instance[i];
+        struct zs_instance *shadow = &out->instance[out->scene.n_instances];
+        g->pos[i] = sim_alloc((size_t)caster->mesh->n_verts + 1, sizeof *g->pos[i]);
+        *shadow = (struct zs_instance){ .material = &g->shade };
+        const int err = zs_shadow_flatten(shadow, &g->shadow[i], g->pos[i], caster, &plane, &light);
+        if (err == ZS_ERR_VECTOR)
+            return sim_refuse(o->model, 0, "--shadow planar: the light comes from below the floor, or along it; put it higher");
+        if (err != ZS_OK)
+            return sim_refuse(o->model, 0, "--shadow planar: %s", zs_error_string(err));
+        out->scene.n_instances++;
+    }
+    return SIM_OK;
+}
+
 /* ---- Hooks ----------------------------------------------------------------------------------------------------- */
 
 static struct zs_resolve *next_hook(struct sim_effect_scene *out)
@@ -256,8 +339,8 @@ static void make_levels(struct sim_effect_scene *out, const struct sim_effect_op
 
 /* ---- A scene --------------------------------------------------------------------------------------------------- */
 
-int sim_effect_make(struct sim_effect_scene *out, const struct sim_scene *from, const struct sim_view *view,
-                    const struct sim_options *o)
+int sim_effect_make(struct sim_effect_scene *out, const struct sim_model *model, const struct sim_scene *from,
+                    const struct sim_view *view, const struct sim_options *o)
 {
     const struct sim_effect_options *e = &o->effects;
     const uint32_t n = from->scene.n_instances;
@@ -266,7 +349,7 @@ int sim_effect_make(struct sim_effect_scene *out, const struct sim_scene *from, 
     out->scene = from->scene;
     out->camera = from->camera;
     out->samples = e->samples;
-    out->instance = sim_alloc((size_t)n + 1, sizeof *out->instance);
+    out->instance = sim_alloc(2 * (size_t)n + 2, sizeof *out->instance);
     out->surface = sim_alloc(1, sizeof *out->surface);
     memcpy(out->instance, from->scene.instance, n * sizeof *out->instance);
     out->scene.instance = out->instance;
@@ -288,6 +371,10 @@ int sim_effect_make(struct sim_effect_scene *out, const struct sim_scene *from, 
         make_levels(out, e);
     else if (e->dither != SIM_DITHER_NONE)
         status = make_dithered(out, n, from, o);
+    if (status == SIM_OK && e->shadow != SIM_SHADOW_NONE)
+        add_floor(out, model, from, view, o);
+    if (status == SIM_OK && e->shadow == SIM_SHADOW_PLANAR)
+        status = add_shadows(out, from, o);
     return status;
 }
 
@@ -295,7 +382,11 @@ void sim_effect_free(struct sim_effect_scene *s)
 {
     if (s->surface != NULL)
         SIM_FREE(s->surface->blend, s->surface->plain, s->surface->lit);
-    SIM_FREE(s->instance, s->surface, s->hooks);
+    for (uint32_t i = 0; s->ground != NULL && i < s->ground->n_shadows; i++)
+        free(s->ground->pos[i]);
+    if (s->ground != NULL)
+        SIM_FREE(s->ground->shadow, s->ground->pos);
+    SIM_FREE(s->instance, s->surface, s->hooks, s->ground);
     memset(s, 0, sizeof *s);
 }
 

@@ -12,6 +12,7 @@
 
 struct sim_effect_surface; /* materials of the effect that the model's surface has */
 
+struct sim_effect_ground;  /* a floor and what is on it */
 struct sim_effect_hooks;   /* what is done to strips that are drawn */
 
 struct sim_effect_scene {
@@ -20,6 +21,7 @@ struct sim_effect_scene {
     struct zs_instance *instance; /* [scene.n_instances] */
     struct sim_effect_surface *surface;
     struct sim_effect_hooks *hooks;
+    struct sim_effect_ground *ground; /* NULL: none */
     uint8_t varyings;             /* least that the configuration has to have */
     const struct zs_method *method; /* NULL: the depth buffer */
     long samples;                 /* a pixel, 1 or 4 */
@@ -27,8 +29,8 @@ struct sim_effect_scene {
 
 /* Make a scene from one of the model, which it borrows. It points into *out: do not move it.
  * Return  SIM_OK; SIM_REFUSED, said why. sim_effect_free in either case. */
-int sim_effect_make(struct sim_effect_scene *out, const struct sim_scene *from, const struct sim_view *view,
-                    const struct sim_options *o);
+int sim_effect_make(struct sim_effect_scene *out, const struct sim_model *model, const struct sim_scene *from,
+                    const struct sim_view *view, const struct sim_options *o);
 void sim_effect_free(struct sim_effect_scene *scene);
 
 /* Draw it; config is that of a plain frame. Return as sim_frame_render_to. */
