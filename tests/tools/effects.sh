@@ -141,6 +141,52 @@ pixel mixed 160 120 0000ff
 codes mixed 119 100 2 20 15500 0 15500
 codes mixed 107 100 1 20 23250 0 7750
 
+# ---- Lights ----------------------------------------------------------------------------------------------------------
+lit='--shade flat --ambient 0 --diffuse 1 --color ffffff'
+begin lights_have_colors
+effect red quad.obj $plain $lit --light dir:0,0,1:ff0000
+pixel red 120 120 ff0000
+effect both quad.obj $plain $lit --light dir:0,0,1:ff0000 --light dir:0,0,5:0000ff
+pixel both 120 120 ff00ff
+effect slanted quad.obj $plain $lit --light dir:1.7320508,0,1 # 60 degrees from the normal
+codes slanted 100 100 20 20 15500 31500 15500
+effect behind quad.obj $plain $lit --light dir:0,0,-1
+pixel behind 120 120 000000
+obj dot 'v -3 -3 0' 'v 3 -3 0' 'v 3 3 0' 'v -3 3 0' 'f 1 2 3 4'
+begin light_at_a_point # faces are lit at their middles, 30 in front of which it stands
+effect point dot.obj $plain $lit --light point:0,0,30
+pixel point 120 120 ffffff
+effect faded dot.obj $plain $lit --light point:0,0,30:ffffff:60 # times (1 - 1/4)^2
+codes faded 119 119 2 2 17400 35400 17400
+effect far dot.obj $plain $lit --light point:0,0,30:ffffff:29
+pixel far 120 120 000000
+begin light_in_a_cone # aimed at the middle: what is beyond 28 degrees is dark
+obj two_squares 'v -30 -5 0' 'v -20 -5 0' 'v -20 5 0' 'v -30 5 0' 'v -3 -3 0' 'v 3 -3 0' 'v 3 3 0' 'v -3 3 0' 'f 1 2 3 4' 'f 5 6 7 8'
+effect spot two_squares.obj $plain $lit --light spot:0,0,40
+pixel spot 120 120 ffffff
+pixel spot 95 120 000000
+begin highlights
+effect dull ball.obj $plain --shade smooth --color 400000 --light 0,0,1
+effect shiny ball.obj $plain --shade smooth --color 400000 --light 0,0,1 --specular 20:1
+effect phong ball.obj $plain --shade smooth --color 400000 --light 0,0,1 --specular 20:1 --per-pixel
+look pixel out/dull.png 120 120
+case $seen in ??0000) ;; *) wrong "without highlights the middle is $seen" ;; esac
+codes phong 119 119 2 2 31000 47250 23250
+look pixel out/phong.png 175 120
+case $seen in ??0000) ;; *) wrong "the edge shines: $seen" ;; esac
+! cmp out/shiny.png out/phong.png >/dev/null || wrong '--per-pixel did nothing'
+
+# ---- Shadows ---------------------------------------------------------------------------------------------------------
+begin shadow_planar # from above: the light comes from the right, the shadow lies to the left of the ball
+sideways='--light 1,1,0 --shadow planar --shade smooth'
+top='--projection orthographic --eye 0,120,1 --at 0,0,0 --fov 90 --near 20 --far 420'
+effect down ball.obj $top $sideways
+look codes out/down.png 21 121 3 1 # of a cell of the same shade as the next
+dark=$seen
+look codes out/down.png 208 121 3 1
+awk -v a="$dark" -v b="$seen" 'BEGIN { split(a, d); split(b, l); for (k = 1; k <= 3; k++) if (d[k] < 0.3 * l[k] || d[k] > 0.47 * l[k]) exit 1 }' ||
+    wrong "in the shadow $dark, outside $seen"
+
 # ---- What is refused -------------------------------------------------------------------------------------------------
 refuse() { # NAME WHAT-THE-LINE-HOLDS MODEL OPTION...    nothing but --out
     begin "refused_$1"
@@ -161,6 +207,7 @@ refuse specular_power 'the power is outside its range, 1 to 128' quad.obj --shad
 refuse specular_strength 'the strength is outside its range, 0 to 1' quad.obj --shade smooth --specular 30:1.5
 refuse alpha '--alpha 2 is outside its range, 0 to 1' quad.obj --alpha 2
 refuse dither_flat 'RGB565 colours are dithered with --shade smooth' quad.obj --dither blue
+refuse shadow_from_below 'the light comes from below the floor' ball.obj --shade smooth --light 0,-1,0 --shadow planar
 refuse fog_too_far 'ends too far away' quad.obj --fog linear:0:1e20:ffffff
 usage light 'TYPE:X,Y,Z[:RRGGBB[:RANGE]]' render quad.obj --out refused/old.png --light sun:1,2,3
 usage light_color 'TYPE:X,Y,Z[:RRGGBB[:RANGE]]' render quad.obj --out refused/old.png --light spot:1,2,3:ff
