@@ -88,9 +88,9 @@ static const struct sim_option table[] = {
       .help = "which sides of faces are not drawn (back)" },
     { "--background", SIM_OPTION_RGB, AT(background), .help = "where nothing is drawn (000000)" },
     { "--color", SIM_OPTION_RGB, AT(color), AT(has_color), .help = "one colour for the whole model" },
-    { "--light", SIM_OPTION_TEXTS, AT(effects.light_texts), .value = "x,y,z|TYPE:X,Y,Z[:RRGGBB[:RANGE]]",
-      .help = "direction towards the light (over the camera's left shoulder); or up to four coloured lights, one each "
-              "time that the option is given: dir, in that direction, point, at that place, or spot, there and aimed "
+    { "--light", SIM_OPTION_TEXTS, AT(effects.light_texts), .value = "LIGHT",
+      .help = "x,y,z: direction towards the light (over the camera's left shoulder). Or TYPE:X,Y,Z[:RRGGBB[:RANGE]], "
+              "which may be given four times: dir, in that direction, point, at that place, or spot, there and aimed "
               "at the middle of the model; beyond RANGE a point or spot has no effect" },
     { "--ambient", SIM_OPTION_NUMBER, AT(ambient), 0, 0, 1, .value = "A",
       .help = "how bright a face is that no light falls on (0.25)" },

@@ -50,7 +50,7 @@ struct sim_effect_options {
 #define SIM_EFFECT_OPTIONS(type, member)                                                                               \
     { "Effects", SIM_OPTION_HEADING },                                                                                 \
         { "--specular", SIM_OPTION_TEXT, offsetof(type, member.specular_text), .value = "POWER:STRENGTH",              \
-          .help = "highlights by Blinn-Phong: POWER 1 to 128, STRENGTH 0 to 1; with --shade smooth" },                 \
+          .help = "highlights by Blinn-Phong, sharper with more POWER, at most 128; STRENGTH at most 1; with --shade smooth" },                 \
         { "--per-pixel", SIM_OPTION_FLAG, offsetof(type, member.per_pixel),                                            \
           .help = "light at each pixel from interpolated normals (Phong shading); with --shade smooth" },              \
         { "--alpha", SIM_OPTION_NUMBER, offsetof(type, member.alpha), offsetof(type, member.has_alpha), 0, 1,          \
