@@ -63,8 +63,9 @@ struct sim_effect_options {
                   "(nearest)" },                                                                                       \
         { "--samples", SIM_OPTION_COUNT, offsetof(type, member.samples), .words = "1|4",                               \
           .help = "samples a pixel; of 4 the colour is the mean (1)" },                                                \
-        { "--fog", SIM_OPTION_TEXT, offsetof(type, member.fog_text), .value = "linear:START:END:RRGGBB|exp:DENSITY:RRGGBB", \
-          .help = "colours fade into this one with the distance, in the model's units" },                              \
+        { "--fog", SIM_OPTION_TEXT, offsetof(type, member.fog_text), .value = "FOG", \
+          .help = "linear:START:END:RRGGBB or exp:DENSITY:RRGGBB: colours fade into this one with the distance, in the "  \
+                  "model's units" },                              \
         { "--dither", SIM_OPTION_CHOICE, offsetof(type, member.dither), .words = "none|ordered|blue",                  \
           .help = "spread what the panel's colours cannot show: by a Bayer matrix, or by blue noise (none)" },         \
         { "--shadow", SIM_OPTION_CHOICE, offsetof(type, member.shadow), .words = "none|planar|map",                    \
