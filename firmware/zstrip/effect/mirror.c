@@ -30,38 +30,34 @@
 
 /* ---- A pass in a mirror ---------------------------------------------------------------------- */
 
-void zs_mirror_direction(const struct zs_mirror *mirror, zs_q2_30 v[3])
+static void direction(const struct zs_mirror *mirror, zs_q2_30 v[3])
 {
     const int64_t twice = zs_round_shift(zs_dot(v, mirror->normal), 29); /* |.| < 2^31.1 */
     for (int k = 0; k < 3; k++)
         v[k] = (zs_q2_30)(v[k] - zs_round_shift(twice * mirror->normal[k], 30));
 }
 
-/* Return the eye's distance from the plane, world units * q2_30, |.| < 2^61. */
-static int64_t before(const struct zs_mirror *mirror, const struct zs_camera *camera)
+/* Reflect a camera, all but the sign of its first row. *s: the eye's distance from the plane, world
+ * units * q2_30, |.| < 2^61. eye: the rounded eye minus the exact one, world axes, in the same
+ * units. Return ZS_OK, ZS_ERR_RANGE, or BLIND. */
+static int reflect(struct zs_camera *camera, const struct zs_mirror *mirror, int64_t *s,
+                   int32_t eye[3])
 {
-    return zs_dot(mirror->normal, camera->pos) - mirror->at;
-}
-
-static int reflect(struct zs_renderer *r, const struct zs_mirror *mirror, struct zs_reflection *out)
-{
-    struct zs_camera *const camera = &r->camera;
     for (int k = 0; k < 3; k++)
         if (zs_size32(camera->pos[k]) > ZS_WORLD_MAX)
             return ZS_ERR_RANGE;
-    const int64_t s = out->at = before(mirror, camera);
-    if (s <= 0)
+    *s = zs_dot(mirror->normal, camera->pos) - mirror->at;
+    if (*s <= 0)
         return BLIND;
     for (int k = 0; k < 3; k++) {
         const int32_t n = mirror->normal[k];
-        const int64_t size = zs_mulshift_s64(s, zs_size32(n), 29), by = n < 0 ? size : -size;
-        const int64_t whole = zs_round_shift(by, 30); /* |by| < 2^62 */
-        out->eye[k] = (int32_t)(whole * ((int64_t)1 << 30) -
-                                by); /* q2_30, |.| <= 2^29; world axes */
+        const int64_t size = zs_mulshift_s64(*s, zs_size32(n), 29), by = n < 0 ? size : -size;
+        const int64_t whole = zs_round_shift(by, 30);        /* |by| < 2^62 */
+        eye[k] = (int32_t)(whole * ((int64_t)1 << 30) - by); /* |.| <= 2^29 */
         if (zs_size64(camera->pos[k] + whole) > ZS_WORLD_MAX)
             return ZS_ERR_RANGE;
         camera->pos[k] += (int32_t)whole;
-        zs_mirror_direction(mirror, camera->rot + 3 * k);
+        direction(mirror, camera->rot + 3 * k);
         camera->rot[k] = -camera->rot[k];
     }
     return ZS_OK;
@@ -175,7 +171,7 @@ static void complete(struct zs_renderer *r, const struct zs_mirror *mirror,
 static int check(struct zs_renderer *r, const struct zs_mirror *mirror,
                  const struct zs_scene *scene, struct zs_reflection *out)
 {
-    const int seen = reflect(r, mirror, out);
+    const int seen = reflect(&r->camera, mirror, &out->at, out->eye);
     int err = seen < 0 ? seen : zs_frame_check(r, scene);
     if (err || seen == BLIND)
         return err ? err : BLIND;
@@ -184,7 +180,7 @@ static int check(struct zs_renderer *r, const struct zs_mirror *mirror,
     return err;
 }
 
-static const struct zs_mirror_ops ops = { .check = check };
+static const struct zs_mirror_ops ops = { .check = check, .direction = direction };
 
 /* ---- The plane ------------------------------------------------------------------------------- */
 
@@ -271,5 +267,21 @@ int zs_mirror_of(struct zs_mirror *mirror, const struct zs_instance *in, uint32_
         mirror->normal[k] = world[k];
     mirror->at = sum;
     mirror->ops = &ops;
+    return ZS_OK;
+}
+
+int zs_mirror_camera(struct zs_camera *out, const struct zs_camera *camera,
+                     const struct zs_mirror *mirror)
+{
+    const zs_q2_30 *const rot = zs_usual_rotation(camera->rot);
+    struct zs_camera to = *camera;
+    int64_t s;
+    int32_t eye[3];
+    for (int k = 0; k < 9; k++)
+        to.rot[k] = rot[k];
+    const int err = reflect(&to, mirror, &s, eye);
+    if (err)
+        return err < 0 ? err : ZS_ERR_VECTOR;
+    *out = to;
     return ZS_OK;
 }
