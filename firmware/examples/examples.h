@@ -15,6 +15,7 @@ int example_glass(uint32_t t, const struct zs_sink *sink);
 int example_gradient_sky(uint32_t t, const struct zs_sink *sink);
 int example_frame_counter(uint32_t t, const struct zs_sink *sink);
 int example_hidden_line(uint32_t t, const struct zs_sink *sink);
+int example_mirror(uint32_t t, const struct zs_sink *sink);
 int example_no_depth(uint32_t t, const struct zs_sink *sink);
 int example_planar_shadow(uint32_t t, const struct zs_sink *sink);
 int example_split_screen(uint32_t t, const struct zs_sink *sink);

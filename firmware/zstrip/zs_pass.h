@@ -31,6 +31,9 @@ enum zs_keep { /* or-ed: what a pass finds in its viewport */
                           else the wrong surfaces are hidden */
 };
 
+struct zs_mirror; /* zs_environment.h */
+struct zs_mask;
+
 struct zs_pass {
     const struct zs_scene *scene;   /* its light and its background hold for this pass */
     const struct zs_camera *camera;
@@ -38,6 +41,8 @@ struct zs_pass {
     const struct zs_depth *depth;   /* NULL: the configuration's. All passes have depth memory, or
                                        none has */
     uint8_t keep;                   /* enum zs_keep. The first pass always clears the whole strip */
+    const struct zs_mirror *mirror; /* the pass shows what the camera sees in it; NULL: directly */
+    const struct zs_mask *mask;     /* it is seen in windows of the pass before; NULL: everywhere */
 };
 
 /* State of a pass during a frame. The fields belong to the library. */
@@ -45,9 +50,12 @@ struct zs_pass_memory {
     struct zs_view view;
     struct zs_camera camera;
     struct zs_light light;
+    struct zs_reflection mirror;
     uint16_t first, end;        /* its instances */
     const struct zs_pass *pass; /* in the first one: the list, ... */
-    uint16_t n, now, begun;     /* ... its length, the current pass, passes that are cleared for */
+    uint16_t n, now, begun;     /* ... its length, the current pass, passes that are begun, ... */
+    const struct zs_fast_batch *batch; /* ... and accelerators of the passes without a mirror */
+    const struct zs_fast_clusters *clusters;
 };
 
 /* As zs_render, in passes. Pixels in no viewport show the background of the first pass's scene.
@@ -63,8 +71,9 @@ struct zs_pass_memory {
  *         `tiles` do nothing in such a frame.
  * Return  as zs_render. ZS_ERR_SIZE: n, or too many instances; ZS_ERR_PASS: a viewport that is
  *         not inside the frame, a keep that is no enum zs_keep or keeps the keys of another
- *         mapping, some passes with depth memory and some without, or a configuration that names
- *         a method; ZS_ERR_SEQUENCE: zs_damage_track is on (zs_damage_compare may be). */
+ *         mapping, a mask or windows that zs_environment.h does not allow, some passes with depth
+ *         memory and some without, or a configuration that names a method; ZS_ERR_SEQUENCE:
+ *         zs_damage_track is on (zs_damage_compare may be). */
 int zs_render_passes(struct zs_renderer *r, const struct zs_pass *pass,
                      struct zs_pass_memory *memory, uint32_t n, const struct zs_sink *sink);
 

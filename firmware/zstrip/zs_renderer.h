@@ -26,6 +26,25 @@ struct zs_tri {
     uint16_t instance; /* number in the frame: the instances of all passes are numbered in order */
 };
 
+struct zs_view;
+struct zs_point;
+struct zs_renderer;
+
+/* What a pass that is seen in a mirror adds to its view (effect/mirror.c). Its picture is that of
+ * an eye behind the mirror, mirrored left to right, without what lies behind the mirror's plane. */
+struct zs_reflection {
+    /* Move the current instance by `eye`. Return 1. */
+    int (*move)(struct zs_renderer *r);
+    /* Return the distance of a point from the mirror's plane, in camera units * q2_30 * ratio, >= 0
+     * on the side that is drawn; |.| < 2^62. */
+    int64_t (*inside)(const struct zs_view *view, const struct zs_point *p);
+    /* Return an outcode, with a bit more for a point that is not on that side. */
+    uint32_t (*outcode)(const struct zs_view *view, const struct zs_point *p, uint32_t code);
+    int64_t at;     /* of the plane n . c + at >= 0, |.| <= 2^61 */
+    int32_t n[3];   /* q2_30 */
+    int32_t eye[3]; /* camera units: the rounded eye minus the exact one */
+};
+
 /* The camera of a pass in camera units, 2^shift for each world unit. The shift is chosen so that
  * everything in view is below 2^30. */
 struct zs_view {
@@ -41,6 +60,7 @@ struct zs_view {
     int32_t ratio;         /* q2_30, (0, 1]: focal length / 2^scale_bits */
     int32_t side[2][2];    /* q2_30: unit normals of the side planes as (x, z), (y, z) */
     const struct zs_depth *depth; /* the depth mapping */
+    const struct zs_reflection *mirror; /* NULL: the picture is not one in a mirror */
     uint16_t width, height; /* px: size of the viewport */
     uint16_t x, y;         /* px: its corner in the frame. Columns count from the viewport's left
                               side, rows from the frame's top */
@@ -57,6 +77,8 @@ struct zs_view {
                               equal for its three vertices; ... */
     uint8_t piece_shift;   /* ... 0: there is no such test */
     uint8_t perspective, screen_linear; /* flags; screen_linear: keys are linear on the screen */
+    uint8_t turned;        /* 1: a mirror exchanges left and right, so that triangles turn the other
+                              way on the screen */
     uint8_t pixelwise;     /* 1: the mapping computes every pixel's key by itself */
     uint8_t key_mantissa, key_octaves; /* float: mantissa bits, and 2^exponent bits - 1 */
     uint8_t key_fraction;  /* float: key_mantissa + 16 */

@@ -137,6 +137,20 @@ static void two_pictures_in_one_frame(void **state)
     assert_rows(&p, 16, 8, rows, color_of);
 }
 
+static void a_mirror_shows_the_back(void **state)
+{
+    static const char *const rows[] = {
+        "..................bbbbbbbbbbbbbbbbbbbbbwbbbbbbbb", "..................bbbbbbbbbbbbbbbbbbwwwwbbbbbbbb",
+        "..................bbbbbbbbbbbbbbbbbbrwwwbbbbbbbb", "..................bbbbbbbbbbbbbbbbbrrwwwwbbbbbbb",
+        "..................bbbbbbbbbbbbbbbbbrrrwwwbbbbbbb", "..................bbwwwwbbbbbbbbbbrrrrwwwwbbbbbb",
+        "................wwwwwwwwbbbbbbbbbrrrrrwwwwbbbbbb", "............wwwwwwwwwwwwbbbbbbbbbrrrrrrwwwbbbbbb",
+        "............gwwwwwwwwwwwwbbbbbbbrrrrrrrwwwbbbbbb", "............gwwwwwwwwwwwwbbbbbbbbbbbbrrrwbbbbbbb",
+        "............gwwwwwwwwwwwwbbbbbbbbbbbbbbbbbbbbbbb", "...........gggwwwwwwwwwwwwbbbbbbbbbbbbbbbbbbbbbb",
+    };
+    const struct panel p = drawn_by(example_mirror);
+    assert_rows(&p, 12, 12, rows, color_of);
+}
+
 static void without_depth_memory(void **state)
 {
     static const char *const rows[] = {
@@ -227,6 +241,7 @@ static void a_flat_shadow_and_a_disc(void **state)
 static const struct CMUnitTest tests[] = {
     cmocka_unit_test(panes_of_glass),
     cmocka_unit_test(two_pictures_in_one_frame),
+    cmocka_unit_test(a_mirror_shows_the_back),
     cmocka_unit_test(without_depth_memory),
     cmocka_unit_test(a_shader_of_the_users),
     cmocka_unit_test(hidden_lines),

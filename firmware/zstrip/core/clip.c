@@ -3,8 +3,8 @@
  * A new vertex is always computed from the inside end of the edge towards the outside end. So two
  * triangles that share an edge get the same vertex, in whatever order they list its ends. At near
  * and far the distances from the plane are exact, and the vertex is the exact intersection rounded
- * once. At the guard band, far outside the frame, distances are truncated to 31 bits, an error of
- * 2^-30 of the edge.
+ * once. At the guard band, far outside the frame, and at a mirror's plane, distances are truncated
+ * to 31 bits, an error of 2^-30 of the edge.
  *
  * SPDX-License-Identifier: MIT
  */
@@ -16,6 +16,8 @@
 static int64_t inside(const struct zs_view *view, const struct zs_point *p, uint32_t plane)
 {
     const int32_t z = p->c[2];
+    if (plane == ZS_OUT_MIRROR)
+        return view->mirror->inside(view, p);
     if (plane == ZS_OUT_NEAR)
         return (int64_t)z - view->z_near;
     if (plane == ZS_OUT_FAR)
@@ -108,7 +110,7 @@ int zs_clip_polygon(const struct zs_view *view, struct zs_clip_vertex *v, int n,
                     uint32_t n_varyings)
 {
     struct zs_clip_vertex other[ZS_CLIP_MAX];
-    for (uint32_t plane = ZS_OUT_NEAR; plane <= ZS_OUT_BOTTOM; plane <<= 1) {
+    for (uint32_t plane = ZS_OUT_NEAR; plane <= ZS_OUT_MIRROR; plane <<= 1) {
         if (!(planes & plane))
             continue;
         n = clip_plane(view, other, v, n, plane, n_varyings);

@@ -1,4 +1,4 @@
-/* Polygon clipping at the near and far planes and the guard band. Internal.
+/* Polygon clipping at the near and far planes, the guard band and the plane of a mirror. Internal.
  *
  * SPDX-License-Identifier: MIT
  */
@@ -7,7 +7,7 @@
 
 #include "core/xform.h"
 
-#define ZS_CLIP_MAX 9 /* a triangle and six planes */
+#define ZS_CLIP_MAX 10 /* a triangle and seven planes */
 
 struct zs_clip_vertex {
     struct zs_point p;

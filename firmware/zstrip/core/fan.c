@@ -126,7 +126,7 @@ static ZS_RARE enum zs_fate polygon_bin(struct zs_renderer *r, const struct poly
     const int back = area < 0; /* then the corners of each piece are listed in reverse order */
     if (area == 0)
         return ZS_FATE_ZERO;
-    if (zs_assemble_culled(area, material->cull))
+    if (zs_assemble_culled(area, material->cull ^ r->view.turned))
         return ZS_FATE_FACING;
     const uint16_t paint = shader->face ? shader->face(&r->shading, t) : 0u;
     enum zs_fate all = ZS_FATE_EMPTY;
@@ -177,7 +177,7 @@ ZS_RARE enum zs_fate zs_fan_bin(struct zs_renderer *r, uint32_t t, uint32_t *pie
     const int sense = sense_of(&r->view, p.cv);
     p.n = zs_clip_polygon(&r->view, p.cv, 3, any & (ZS_OUT_NEAR | ZS_OUT_FAR), shader->n_varyings);
     for (int k = 0; k < p.n; k++) /* outcodes of the sides are defined only between near and far */
-        sides |= zs_xform_outcode(&r->view, &p.cv[k].p) & ZS_OUT_SIDES;
+        sides |= zs_xform_outcode(&r->view, &p.cv[k].p) & (ZS_OUT_SIDES | ZS_OUT_MIRROR);
     if (p.n && sides) {
         p.n = zs_clip_polygon(&r->view, p.cv, p.n, sides, shader->n_varyings);
         if (!p.n)

@@ -65,6 +65,8 @@ void zs_view_side(int32_t out[2], uint64_t focal, uint32_t subpx)
 void zs_view_frame(struct zs_view *view, const struct zs_config *config)
 {
     view->depth = config->depth;
+    view->mirror = 0;
+    view->turned = 0;
     view->width = config->width;
     view->height = config->height;
     view->x = view->y = 0;

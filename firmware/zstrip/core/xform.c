@@ -92,7 +92,7 @@ ZS_RARE int zs_xform_instance(struct zs_renderer *r, uint32_t number, const stru
     r->shading.light = &r->light;
     r->shading.camera = &r->camera;
     zs_rotation_row(r->shading.dir, r->light.dir, rot); /* by the transpose: world to mesh */
-    return 1;
+    return view->mirror ? view->mirror->move(r) : 1;
 }
 
 /* ---- Vertices -------------------------------------------------------------------------------- */
@@ -145,16 +145,18 @@ uint32_t zs_xform_outcode(const struct zs_view *view, const struct zs_point *p)
 {
     const int32_t x = p->c[0], y = p->c[1], z = p->c[2];
     uint32_t code = 0;
-    if (z < view->z_near)
-        return ZS_OUT_NEAR; /* the sides are not defined before the near plane */
-    if (z > view->z_far)
-        code = ZS_OUT_FAR;
-    const uint32_t limit = guard_at(view, z);
-    if (zs_size32(x) > limit)
-        code |= x < 0 ? ZS_OUT_LEFT : ZS_OUT_RIGHT;
-    if (zs_size32(y) > limit)
-        code |= y < 0 ? ZS_OUT_TOP : ZS_OUT_BOTTOM;
-    return code;
+    if (z < view->z_near) {
+        code = ZS_OUT_NEAR; /* the sides are not defined before the near plane */
+    } else {
+        if (z > view->z_far)
+            code = ZS_OUT_FAR;
+        const uint32_t limit = guard_at(view, z);
+        if (zs_size32(x) > limit)
+            code |= x < 0 ? ZS_OUT_LEFT : ZS_OUT_RIGHT;
+        if (zs_size32(y) > limit)
+            code |= y < 0 ? ZS_OUT_TOP : ZS_OUT_BOTTOM;
+    }
+    return view->mirror ? view->mirror->outcode(view, p, code) : code;
 }
 
 /* ---- Projection ------------------------------------------------------------------------------ */

@@ -21,7 +21,8 @@ enum zs_outcode { /* sides: of the guard band */
     ZS_OUT_LEFT = 4,
     ZS_OUT_RIGHT = 8,
     ZS_OUT_TOP = 16,
-    ZS_OUT_BOTTOM = 32
+    ZS_OUT_BOTTOM = 32,
+    ZS_OUT_MIRROR = 64 /* behind the plane of the view's mirror */
 };
 #define ZS_OUT_SIDES (ZS_OUT_LEFT | ZS_OUT_RIGHT | ZS_OUT_TOP | ZS_OUT_BOTTOM)
 #define ZS_D_OUT                                                                                   \

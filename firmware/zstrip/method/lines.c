@@ -77,7 +77,7 @@ static ZS_RARE ZS_NOINLINE enum zs_fate clipped(struct zs_renderer *r, const uin
             r->stats.tris_clipped++;
         cv[2] = cv[1];
         view.guard = (uint64_t)ZS_QUAD_GUARD << (view.perspective ? 0 : view.scale_bits);
-        if (!zs_clip_polygon(&view, cv, 3, (any & (ZS_OUT_NEAR | ZS_OUT_FAR)) | ZS_OUT_SIDES,
+        if (!zs_clip_polygon(&view, cv, 3, any | ZS_OUT_SIDES,
                              shader->n_varyings))
             return any & ZS_OUT_NEAR  ? ZS_FATE_NEAR
                    : any & ZS_OUT_FAR ? ZS_FATE_FAR

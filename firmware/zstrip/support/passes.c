@@ -18,7 +18,7 @@
 #include "core/usual.h"
 #include "core/view.h"
 #include "core/walk.h"
-#include "zs_pass.h"
+#include "zs_environment.h"
 
 /* Make pass k the current one. */
 static void load(struct zs_renderer *r, uint32_t k)
@@ -29,6 +29,8 @@ static void load(struct zs_renderer *r, uint32_t k)
     r->light = m->light;
     r->scene = list->pass[k].scene;
     r->first = m->first;
+    r->batch = m->view.mirror ? 0 : list->batch; /* these know nothing of mirrors */
+    r->clusters_hooks = m->view.mirror ? 0 : list->clusters;
     list->now = (uint16_t)k;
     zs_walk_region(r);
     zs_frame_forget_edges(r);
@@ -45,31 +47,45 @@ static void pass_use(struct zs_renderer *r, uint32_t number)
         load(r, k);
 }
 
-/* Clear the viewports of passes up to k. Another pass may be in hand then. */
+/* Prepare a row of a pass's viewport. The whole strip has been cleared for the first pass. */
+static void row_begin(struct zs_renderer *r, uint32_t k, int32_t row)
+{
+    const struct zs_pass_memory *const list = r->pass_memory;
+    const struct zs_view *const view = &list[k].view;
+    const struct zs_pass *const pass = &list->pass[k];
+    const struct zs_mask *const next = k + 1u < list->n ? pass[1].mask : 0;
+    if (pass->mask) {
+        pass->mask->open(r, row, view->x, view->width);
+    } else if (k) {
+        if (!(pass->keep & ZS_KEEP_COLOR))
+            zs_raster_background(r, row, view->x, view->width);
+        if (!(pass->keep & ZS_KEEP_DEPTH))
+            zs_raster_far(r, row, view->x, view->width);
+    }
+    if (next)
+        next->before(r, row, view->x, view->width);
+}
+
+/* Prepare the viewports of passes up to k. Another pass may be in hand then. */
 static void clear_to(struct zs_renderer *r, uint32_t k)
 {
     struct zs_pass_memory *const list = r->pass_memory;
     const int32_t top = r->strip * r->config.strip_h;
     for (; list->begun <= k; list->begun++) {
         const struct zs_view *view = &list[list->begun].view;
-        const uint32_t keep = list->pass[list->begun].keep;
         const int32_t from = zs_max32(view->y, top) - top,
                       to = zs_min32(view->y + view->height, top + r->config.strip_h) - top;
-        if (from < to && !(keep & ZS_KEEP_COLOR))
+        if (from < to && list->begun != list->now)
             load(r, list->begun); /* the background is its scene's */
-        for (int32_t row = from; row < to; row++) {
-            if (!(keep & ZS_KEEP_COLOR))
-                zs_raster_background(r, row, view->x, view->width);
-            if (!(keep & ZS_KEEP_DEPTH))
-                zs_raster_far(r, row, view->x, view->width);
-        }
+        for (int32_t row = from; row < to; row++)
+            row_begin(r, list->begun, row);
     }
 }
 
 static void pass_begin(struct zs_renderer *r)
 {
     load(r, 0);
-    r->pass_memory->begun = 1; /* the whole strip is cleared for the first */
+    r->pass_memory->begun = 0;
 }
 
 static void pass_reach(struct zs_renderer *r, uint32_t number)
@@ -125,19 +141,23 @@ static int target_set(struct zs_renderer *r, const struct zs_pass *p)
 static int pass_check(struct zs_renderer *r, const struct zs_pass *p, struct zs_pass_memory *m,
                       uint32_t first)
 {
-    if (!p->scene || !p->camera)
+    const struct zs_mirror *mirror = p->mirror;
+    if (!p->scene || !p->camera || (mirror && !mirror->ops))
         return ZS_ERR_NULL;
     int err = target_set(r, p);
-    zs_usual_camera(r, p->scene, p->camera);
-    err = err ? err : zs_frame_check(r, p->scene);
-    if (err)
+    zs_usual_camera(r, p->scene, p->camera); /* the usual light is also that in a mirror */
+    if (!err)
+        err = mirror ? mirror->ops->check(r, mirror, p->scene, &m->mirror)
+                     : zs_frame_check(r, p->scene);
+    if (err < 0)
         return err;
+    const uint32_t n = err ? 0u : p->scene->n_instances;
     m->view = r->view;
     m->camera = r->camera;
     m->light = r->light;
     m->first = (uint16_t)first;
-    m->end = (uint16_t)(first + p->scene->n_instances); /* < 2^17 */
-    return first + p->scene->n_instances > 65535u ? ZS_ERR_SIZE : ZS_OK;
+    m->end = (uint16_t)(first + n); /* < 2^17 */
+    return first + n > 65535u ? ZS_ERR_SIZE : ZS_OK;
 }
 
 int zs_frame_begin_passes(struct zs_renderer *r, const struct zs_pass *pass,
@@ -156,7 +176,9 @@ int zs_frame_begin_passes(struct zs_renderer *r, const struct zs_pass *pass,
     if (n < 1 || n > 65535u)
         return ZS_ERR_SIZE;
     for (uint32_t k = 0; k < n; k++) {
-        const int err = pass_check(r, &pass[k], &memory[k], instances);
+        int err = pass_check(r, &pass[k], &memory[k], instances);
+        if (!err && pass[k].mask)
+            err = pass[k].mask->check(r, &pass[k], &memory[k], k);
         if (err)
             return err;
         if (k && (pass[k].keep & ZS_KEEP_DEPTH) && memory[k].view.depth != memory[k - 1].view.depth)
@@ -170,6 +192,8 @@ int zs_frame_begin_passes(struct zs_renderer *r, const struct zs_pass *pass,
     memory->n = (uint16_t)n;
     r->n_instances = (uint16_t)instances;
     zs_frame_open(r);
+    memory->batch = r->batch;
+    memory->clusters = r->clusters_hooks;
     load(r, 0);
     return ZS_OK;
 }

@@ -1,0 +1,82 @@
+/* Windows: where the pass after them is seen.
+ *
+ * The keys of the pass with the windows are the mask. Before it is drawn, pixels on which nothing
+ * is drawn get the largest key but one. A window that passes the depth test writes ZS_DEPTH_CLEAR,
+ * which no surface writes. When the next pass begins, pixels with that key get its background, and
+ * all others the key 0, below which no key lies. So the pass is drawn by the usual test, and each
+ * pixel of the mask is exact.
+ *
+ * SPDX-License-Identifier: MIT
+ */
+#include "core/pass.h"
+#include "core/raster.h"
+#include "core/rows.h"
+#include "zs_environment.h"
+#include "zs_shader.h"
+
+/* As zs_rows_test with ZS_DEPTH_LESS_EQUAL. */
+static void window_span(struct zs_job *job, const struct zs_row *row, int32_t i0, int32_t i1,
+                        uint32_t sum, uint32_t step)
+{
+    const int32_t top = (int32_t)(job->r->view.key_top >> 16) - 1;
+    const int32_t bias = job->depth_state ? job->bias : 0, most = top + zs_min32(bias, 0);
+    uint16_t *const line = job->depth + row->at;
+    for (int32_t i = i0; i < i1; i++, sum += step)
+        if (zs_min32((int32_t)(sum >> 16) + bias, most) <= line[i]) {
+            line[i] = ZS_DEPTH_CLEAR;
+            zs_rows_written(job, 1);
+        }
+}
+
+/* Methods other than the depth buffer call this. */
+static void window_run(struct zs_job *job, const struct zs_row *row, int32_t from, int32_t to)
+{
+    (void)job;
+    (void)row;
+    (void)from;
+    (void)to;
+}
+
+const struct zs_shader zs_shade_window = { .run = window_run, .span = window_span };
+
+static int mask_check(const struct zs_renderer *r, const struct zs_pass *pass,
+                      const struct zs_pass_memory *memory, uint32_t number)
+{
+    const struct zs_scene *const scene = pass->scene;
+    const struct zs_view *const view = &memory->view, *const before = &memory[number ? -1 : 0].view;
+    if (number == 0 || pass->keep || !r->depth || view->x != before->x || view->y != before->y ||
+        view->width != before->width || view->height != before->height)
+        return ZS_ERR_PASS;
+    for (uint32_t k = 0; k < scene->n_instances; k++) {
+        const struct zs_depth_state *state = scene->instance[k].depth_state;
+        if (state && state->func != ZS_DEPTH_LESS)
+            return ZS_ERR_PASS;
+    }
+    return ZS_OK;
+}
+
+static void mask_before(struct zs_renderer *r, int32_t row, int32_t x, int32_t n)
+{
+    uint16_t *key = r->depth + row * r->config.width + x;
+    for (uint16_t *const end = key + n; key != end; key++)
+        if (*key == ZS_DEPTH_CLEAR)
+            *key = ZS_DEPTH_CLEAR - 1u;
+}
+
+static void mask_open(struct zs_renderer *r, int32_t row, int32_t x, int32_t n)
+{
+    uint16_t *const key = r->depth + row * r->config.width + x;
+    for (int32_t i = 0; i < n; i++) {
+        const int32_t from = i;
+        while (i < n && key[i] == ZS_DEPTH_CLEAR)
+            i++;
+        if (i > from)
+            zs_raster_background(r, row, x + from, i - from);
+        if (i < n)
+            key[i] = 0;
+    }
+}
+
+const struct zs_mask zs_mask_window = { .check = mask_check,
+                                        .before = mask_before,
+                                        .open = mask_open };
