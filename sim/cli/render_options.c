@@ -242,6 +242,8 @@ static int check_effects(const struct sim_options *o)
         return sim_usage("--light TYPE:..., --specular and --per-pixel need --shade flat or smooth");
     if ((e->per_pixel || e->specular_text != NULL) && o->shade != SIM_SHADE_SMOOTH)
         return sim_usage("--specular and --per-pixel need --shade smooth");
+    if (e->environment != NULL && o->shade != SIM_SHADE_SMOOTH)
+        return sim_usage("--environment needs --shade smooth, since it goes by normals");
     if (e->filter != SIM_FILTER_NEAREST && !sim_options_textured(o))
         return sim_usage("--filter needs --shade textured, textured-flat or unlit");
     if ((lit != 0) + e->has_alpha + (e->filter != SIM_FILTER_NEAREST) + (e->environment != NULL) +
@@ -252,6 +254,8 @@ static int check_effects(const struct sim_options *o)
         return sim_usage("--fog goes by depth keys, which transparent faces do not write: leave one out");
     if (e->shadow == SIM_SHADOW_PLANAR && e->has_alpha && e->blend != SIM_BLEND_SCREEN_DOOR)
         return sim_usage("--shadow planar is not drawn beside transparent faces: leave one out");
+    if (e->mirror && (e->fog != SIM_FOG_NONE || (e->has_alpha && e->blend != SIM_BLEND_SCREEN_DOOR)))
+        return sim_usage("--mirror leaves no keys that --fog could go by, and sorts no transparent faces: leave one out");
     if (e->has_blend && !e->has_alpha)
         return sim_usage("--blend needs --alpha, which says how much");
     if (e->mirror && e->shadow != SIM_SHADOW_NONE)

@@ -12,6 +12,7 @@
 #include "sim.h"
 #include "vec.h"
 #include "zs_dither.h"
+#include "zs_environment.h"
 #include "zs_filter.h"
 #include "zs_fog.h"
 #include "zs_lights.h"
@@ -27,6 +28,8 @@ struct sim_effect_surface {
     struct zs_lamp lamp[SIM_LIGHTS_MAX];
     struct zs_lighting lighting;
     struct zs_shine shine;
+    struct zs_texture environment; /* its texels are its own */
+    struct zs_mesh *mesh; /* of the parts, with uv_bits for it */
 };
 
 /* What is drawn beside the model. */
@@ -36,6 +39,8 @@ struct sim_effect_ground {
     int16_t (**pos)[3];     /* its vertices */
     uint32_t n_shadows;
     struct zs_material shade;
+    struct zs_mirror mirror;
+    struct zs_scene seen; /* in the mirror */
 };
 
 /* Hooks over strips that are drawn, in this order. */
@@ -213,6 +218,36 @@ static int make_lit(struct sim_effect_scene *out, uint32_t n, const struct sim_s
     return status;
 }
 
+/* ---- Environment */
+
+static int make_environment(struct sim_effect_scene *out, uint32_t n, const struct sim_options *o)
+{
+    struct sim_effect_surface *s = out->surface;
+    struct sim_image image;
+    struct sim_texture texture;
+    const int status = sim_image_load(&image, o->effects.environment);
+    if (status != SIM_OK)
+        return status;
+    sim_texture_make(&texture, &image, o->effects.environment, NULL);
+    s->environment = (struct zs_texture){ .format = &zs_texel_565,
+                                          .texel = sim_texture_565(&texture),
+                                          .log2_w = sim_texture_log2(texture.image.width),
+                                          .log2_h = sim_texture_log2(texture.image.height),
+                                          .clamp = ZS_CLAMP_U | ZS_CLAMP_V };
+    sim_texture_free(&texture);
+    struct zs_material *m = plain_materials(out, n);
+    s->mesh = sim_alloc((size_t)n + 1, sizeof *s->mesh);
+    for (uint32_t i = 0; i < n; i++) {
+        s->mesh[i] = *out->instance[i].mesh;
+        s->mesh[i].uv_bits = 15;
+        out->instance[i].mesh = &s->mesh[i];
+        m[i].shader = &zs_shade_matcap;
+        m[i].texture = &s->environment;
+    }
+    out->varyings = ZS_VARYINGS_MATCAP;
+    return SIM_OK;
+}
+
 /* Colours of RGB565 are dithered as they are made, where there are more bits. */
 static int make_dithered(struct sim_effect_scene *out, uint32_t n, const struct sim_scene *from,
                          const struct sim_options *o)
@@ -299,6 +334,27 @@ static int add_shadows(struct sim_effect_scene *out, const struct sim_scene *fro
     return SIM_OK;
 }
 
+/* The floor becomes a mirror: the last instance, a window in which a second pass is seen. */
+static int make_mirror(struct sim_effect_scene *out, const struct sim_scene *from, const struct sim_options *o)
+{
+    struct sim_effect_ground *g = out->ground;
+    const uint32_t n = from->scene.n_instances;
+    const struct zs_instance floor = out->instance[0];
+    memmove(out->instance, out->instance + 1, n * sizeof *out->instance);
+    out->instance[n] = floor;
+    g->floor.material.shader = &zs_shade_window;
+    const int err = zs_mirror_of(&g->mirror, &floor, 16);
+    if (err != ZS_OK)
+        return sim_refuse(o->model, 0, "--mirror: %s", zs_error_string(err));
+    g->seen = out->scene;
+    g->seen.n_instances = n;
+    g->seen.n_resolves = 0; /* hooks run once for the frame */
+    const struct zs_rgb b = o->background; /* a third of the way to grey, so that the glass is seen */
+    g->seen.background = zs_rgb565((uint8_t)((2 * b.r + 112) / 3), (uint8_t)((2 * b.g + 120) / 3),
+                                   (uint8_t)((2 * b.b + 128) / 3));
+    return SIM_OK;
+}
+
 /* ---- Hooks ----------------------------------------------------------------------------------------------------- */
 
 static struct zs_resolve *next_hook(struct sim_effect_scene *out)
@@ -371,17 +427,23 @@ int sim_effect_make(struct sim_effect_scene *out, const struct sim_model *model,
         make_levels(out, e);
     else if (e->dither != SIM_DITHER_NONE)
         status = make_dithered(out, n, from, o);
-    if (status == SIM_OK && e->shadow != SIM_SHADOW_NONE)
+    if (status == SIM_OK && e->environment != NULL)
+        status = make_environment(out, n, o);
+    if (status == SIM_OK && sim_effects_floor(e))
         add_floor(out, model, from, view, o);
     if (status == SIM_OK && e->shadow == SIM_SHADOW_PLANAR)
         status = add_shadows(out, from, o);
+    if (status == SIM_OK && e->mirror)
+        status = make_mirror(out, from, o);
     return status;
 }
 
 void sim_effect_free(struct sim_effect_scene *s)
 {
     if (s->surface != NULL)
-        SIM_FREE(s->surface->blend, s->surface->plain, s->surface->lit);
+        SIM_FREE(s->surface->blend, s->surface->plain, s->surface->lit, s->surface->mesh);
+    if (s->surface != NULL)
+        free((void *)(uintptr_t)s->surface->environment.texel);
     for (uint32_t i = 0; s->ground != NULL && i < s->ground->n_shadows; i++)
         free(s->ground->pos[i]);
     if (s->ground != NULL)
@@ -402,7 +464,13 @@ static int draw(void *ctx, struct zs_renderer *r, const struct zs_sink *sink)
             return err;
         sink = &samples.sink;
     }
-    return zs_render(r, &s->scene, &s->camera, sink);
+    if (s->ground == NULL || s->ground->mirror.ops == NULL)
+        return zs_render(r, &s->scene, &s->camera, sink);
+    struct zs_pass_memory memory[2];
+    const struct zs_pass pass[2] = { { .scene = &s->scene, .camera = &s->camera },
+                                     { .scene = &s->ground->seen, .camera = &s->camera, .mirror = &s->ground->mirror,
+                                       .mask = &zs_mask_window } };
+    return zs_render_passes(r, pass, memory, 2, sink);
 }
 
 int sim_effect_draw(const struct sim_effect_scene *scene, struct sim_frame *frame, const struct zs_config *config,

@@ -187,6 +187,26 @@ look codes out/down.png 208 121 3 1
 awk -v a="$dark" -v b="$seen" 'BEGIN { split(a, d); split(b, l); for (k = 1; k <= 3; k++) if (d[k] < 0.3 * l[k] || d[k] > 0.47 * l[k]) exit 1 }' ||
     wrong "in the shadow $dark, outside $seen"
 
+# ---- Reflection ------------------------------------------------------------------------------------------------------
+./fixture png rgb sphere.png 2 1 ff0000 0000ff
+begin environment_by_normals
+effect map ball.obj $plain --shade smooth --environment sphere.png
+pixel map 80 120 ff0000
+pixel map 160 120 0000ff
+pixel map 118 100 ff0000
+pixel map 122 100 0000ff
+begin mirror_below # from 45 degrees above: the image of the middle is 2 * 61.2 * cos(45 degrees) below it
+slanted='--projection orthographic --eye 0,84.85,84.85 --at 0,0,0 --fov 90 --near 20 --far 420'
+effect alone ball.obj $slanted $bare --color ff0000
+pixel alone 120 206 000000
+effect mirror ball.obj $slanted $bare --color ff0000 --mirror
+pixel mirror 120 120 ff0000
+pixel mirror 120 206 ff0000
+pixel mirror 120 232 ff0000
+pixel mirror 30 10 000000
+look count out/mirror.png ff0000
+[ "$seen" -ge 17000 ] || wrong "$seen pixels show the ball or its image"
+
 # ---- What is refused -------------------------------------------------------------------------------------------------
 refuse() { # NAME WHAT-THE-LINE-HOLDS MODEL OPTION...    nothing but --out
     begin "refused_$1"
@@ -221,6 +241,8 @@ usage two_shaders 'take one of them' render quad.obj --out refused/old.png --sha
 usage samples_and_keys '--depth-out with --samples 4' render quad.obj --out refused/old.png --samples 4 --depth-out d.pgm
 usage effects_and_method 'effects are drawn by --method zbuffer' render quad.obj --out refused/old.png --samples 4 \
     --method painter
+usage mirror_and_fog '--mirror leaves no keys' render quad.obj --out refused/old.png --mirror --fog exp:1:ffffff
+usage environment_flat '--environment needs --shade smooth' render quad.obj --out refused/old.png --environment two.png
 usage fog_of_glass 'transparent faces do not write' render quad.obj --out refused/old.png --alpha 0.5 --fog exp:1:ffffff
 finish
 [ $n_failed -eq 0 ]
