@@ -21,5 +21,10 @@ int example_planar_shadow(uint32_t t, const struct zs_sink *sink);
 int example_split_screen(uint32_t t, const struct zs_sink *sink);
 int example_supersampled(uint32_t t, const struct zs_sink *sink);
 int example_user_shader(uint32_t t, const struct zs_sink *sink);
+int example_dissolve(uint32_t t, const struct zs_sink *sink);
+int example_marble(uint32_t t, const struct zs_sink *sink);
+int example_three_lights(uint32_t t, const struct zs_sink *sink);
+int example_toon(uint32_t t, const struct zs_sink *sink);
+int example_waving_flag(uint32_t t, const struct zs_sink *sink);
 
 #endif

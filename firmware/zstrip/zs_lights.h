@@ -21,8 +21,8 @@
  * R = 2 (N . L) N - L. N is the normal, L points to the lamp, V to the viewer: all of length 1.
  * The scene's own light (zs_scene.light) is not used by these shaders.
  *
- * Positions and directions are those of the world. Where lighting, lamps, shine and materials
- * change between frames under zs_damage_track, call zs_invalidate: it does not read behind pointers.
+ * Positions and directions are those of the world. zs_damage_track does not read behind pointers:
+ * where lighting, lamps, shine or a material change between frames, call zs_invalidate.
  *
  * Exact  to two codes of RGB565 of the formula in doubles, three at the very most
  *        (tests/unit/test_lights.c), where a lamp is 1/8 world unit or more from the surface, and
@@ -98,7 +98,7 @@ enum zs_lit_flags { /* or-ed */
                               axis everywhere, which costs less. Orthographic cameras: the axis */
 };
 
-/* The material of the shaders below: an instance's `material` is the address of the first member. */
+/* The material of the shaders below: an instance's `material` points to the first member. */
 struct zs_lit_material {
     struct zs_material material;
     const struct zs_lighting *lighting; /* must be given */

@@ -31,6 +31,8 @@ extern "C" {
 
 struct zs_job; /* a triangle while one strip is rasterised; its fields belong to the library */
 struct zs_row; /* one scanline of that triangle; its fields belong to the library */
+struct zs_xform; /* an instance while its vertices are transformed; the same */
+struct zs_point; /* a transformed vertex; the same */
 
 /* A visible pixel. */
 struct zs_fragment {
@@ -66,6 +68,13 @@ struct zs_shader {
     /* The library's textured shaders: multiply n pixels by the light level, uq1_31, which changes
      * by step from pixel to pixel. NULL: unlit. */
     void (*light)(uint16_t *out, int32_t n, uint32_t level, uint32_t step);
+    /* Compute where vertex v of the mesh is, in mesh steps, in place of mesh.pos and pos_lo: a flag
+     * that waves. Needs ZS_POSITIONS. All positions lie in the mesh's sphere; s is as in `vertex`.
+     * zs_light_face_normal still has the normals of mesh.pos. NULL: mesh.pos. */
+    void (*position)(const struct zs_shading *s, uint32_t v, int16_t out[3]);
+    /* The internal stage that calls `position`; ZS_POSITIONS sets it. Vertices are transformed one
+     * by one then, and clusters are not culled. */
+    void (*place)(const struct zs_xform *xf, uint32_t v, struct zs_point *out);
     uint8_t n_varyings; /* 0 .. ZS_VARYINGS_MAX, at most config.varyings; with `vertex` 1 or more */
     uint8_t opaque;     /* 1: the shader colours every pixel that has passed the depth test, and
                            does not read its old colour; accelerators may leave out what it covers.
@@ -78,6 +87,9 @@ struct zs_shader {
 #define ZS_FRAGMENTS .start = zs_fragments_start, .run = zs_fragments_run, .by_fragment = 1
 void zs_fragments_start(struct zs_job *job);
 void zs_fragments_run(struct zs_job *job, const struct zs_row *row, int32_t from, int32_t to);
+
+#define ZS_POSITIONS .place = zs_positions_place
+void zs_positions_place(const struct zs_xform *xf, uint32_t v, struct zs_point *out);
 
 /* Return the light intensity at a unit normal in mesh space: ambient + diffuse * max(0, normal .
  * light), uq16_16, below 3. The result is exact but for one rounding. */

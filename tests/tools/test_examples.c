@@ -238,6 +238,70 @@ static void a_flat_shadow_and_a_disc(void **state)
     assert_rows(&p, 15, 10, rows, level_of);
 }
 
+static void a_flag_waves(void **state)
+{
+    static const char *const rows[] = {
+        "............rrrrrrrrrrrrrrrrr.....rrrrr.........", ".............rrrrrrrrrrrrrrrr....rrrrrr.........",
+        ".............rrrrrrrrrrrrrrrr....rrrrrr.........", ".............rrrrrrrrrrrrrrrr....rrrrrr.........",
+        ".............wwwwwwwwwwwwwwww....rrrrrr.........", ".............wwwwwwwwwwwwwwww....rrrrrr.........",
+        ".............wwwwwwwwwwwwwwww....rrrrrr.........", ".............wwwwwwwwwwwwwww.....wrrrrr.........",
+    };
+    const struct panel p = drawn_by(example_waving_flag);
+    assert_rows(&p, 8, 8, rows, color_of);
+}
+
+static void light_in_steps(void **state)
+{
+    static const char *const rows[] = {
+        "................................................", "................................................",
+        "................wwwrrrrrrrrrrrrr................", "................rwwwrrrrrrrrrrrr................",
+        "...............rrrrwwrrrrrrrrrrrr...............", "...............rrrrrrwrrrrrrrrrrr...............",
+        "..............rrrrrrrrrrrrrrrrrrr...............", "..............rrrrrrrrrrrrrrrrrrr...............",
+        "..............rrrrrrrrrrrrrrrrrrr...............", ".............rrrrrrrrrrrrrrrrrrrr...............",
+    };
+    const struct panel p = drawn_by(example_toon);
+    assert_rows(&p, 3, 10, rows, color_of);
+}
+
+static void veins_of_marble(void **state)
+{
+    static const char *const rows[] = {
+        "............wwwwww..wwwwwwwwwwwwwwb.............", "............wwwwwww..wwwwwwwwwwwwww.............",
+        "...........wwwwwwww...wwwwwwwwwwwww.............", "...........wwwwwwwww...wwwwwwwwwwwww............",
+        "...........wwwwwwwww...bwwwwwwwwwwwwb...........", "............wwwwwwwwb..bwwwwwwwwwwww............",
+        ".............wwwwwwww..bwwwwwwwwwww.............", "...............wwwwwww...bwwwwwwww..............",
+        "...............bwwwwwww.......www...............", "................wwwwwwwwwwwwww.w................",
+    };
+    const struct panel p = drawn_by(example_marble);
+    assert_rows(&p, 14, 10, rows, color_of);
+}
+
+static void what_dissolves_shows_what_is_behind(void **state)
+{
+    static const char *const rows[] = {
+        ".........yr..yrrrrr..ryrrr..rrr....rrry..r......", ".........rrrrrrr..yrrr.rbbryrrrbbbbrbbrrr.......",
+        ".........rryy.bbybbrrbbbbbbrrrrrbbrbbbrrr.......", ".........y.yy.bbybrbbbrrrrrrbbrrbbbrrrbrr.......",
+        ".........rrrrrbrbbrbbbrrrrrbbbbrrrbbrrbrrr......", "..............rryrrrrbyrrrrbbbbrrrbbrbr..r......",
+        "..........r..rrbybrbbbbybbrrrrrbbbyrbbr..r......", "..........rrr.bbbbrbbryrrrrybbrbrrrbrrryyr......",
+        ".............rryyrbbbbbbrrbbbbbrrrbrrrrrrr......", ".............rryyrbbbbbbrrbbbbbrrrbrrrrrrr......",
+    };
+    const struct panel p = drawn_by(example_dissolve);
+    assert_rows(&p, 6, 10, rows, color_of);
+}
+
+static void three_lights_on_a_ball(void **state)
+{
+    static const char *const rows[] = {
+        "...............rrrrrrrrrggggggggg...............", "..............rrrrrrrrr..ggggggggg..............",
+        "..............rrrrrrrrr..ggggggggg..............", "..............rrrrrrrr....gggggggg..............",
+        ".............rrrrrrrrr....ggggggggg.............", ".............rrrmmmmmmbbbbccccccggg.............",
+        "............rrrmmmmmmbbbbbbccccccggg............", "............rrmmmmmmmbbbbbbcccccccgg............",
+        "...........rrmmmmmmmbbbbbbbbcccccccgg...........", "...........rmmmmmmmmbbbbbbbbccccccccg...........",
+    };
+    const struct panel p = drawn_by(example_three_lights);
+    assert_rows(&p, 8, 10, rows, color_of);
+}
+
 static const struct CMUnitTest tests[] = {
     cmocka_unit_test(panes_of_glass),
     cmocka_unit_test(two_pictures_in_one_frame),
@@ -247,6 +311,11 @@ static const struct CMUnitTest tests[] = {
     cmocka_unit_test(hidden_lines),
     cmocka_unit_test(four_samples_a_pixel),
     cmocka_unit_test(a_flat_shadow_and_a_disc),
+    cmocka_unit_test(a_flag_waves),
+    cmocka_unit_test(light_in_steps),
+    cmocka_unit_test(veins_of_marble),
+    cmocka_unit_test(what_dissolves_shows_what_is_behind),
+    cmocka_unit_test(three_lights_on_a_ball),
     cmocka_unit_test(a_sky_is_a_function_of_the_row),
     cmocka_unit_test(a_counter_costs_its_rectangle),
 };

@@ -19,6 +19,7 @@
 #include "core/rotation.h"
 #include "core/usual.h"
 #include "core/xform.h"
+#include "zs_shader.h"
 
 #define SHIFT_MAX 29 /* keeps t below 2^60, and shift_high 14 */
 #define SPLIT_MAX 15
@@ -119,8 +120,13 @@ int32_t zs_xform_fine(const int32_t row[ZS_ROW_WORDS], const int16_t pos[3],
 void zs_xform_vertex(const struct zs_xform *xf, uint32_t v, struct zs_point *out)
 {
     const struct zs_mesh *mesh = xf->instance->mesh;
+    const struct zs_shader *shader = xf->instance->material->shader;
     const int16_t *p = mesh->pos[v];
     const int32_t *row = xf->row;
+    if (shader->place) {
+        shader->place(xf, v, out);
+        return;
+    }
     if (!ZS_FOR_SIZE && !mesh->pos_lo) {
         zs_rows(row, p, out->c, 1);
         return;

@@ -28,6 +28,19 @@
 #define GENERAL 0u
 #define NORMAL_ONE 32760 /* length of a normal as a varying, below 2^15 */
 
+/* A triangle with one directional lamp, in job->own. Colours: red and blue in a word, green in a
+ * word. */
+struct gloss {
+    int32_t light[3], half[3]; /* unit, q1_15 */
+    uint32_t base[2], diffuse[2], shine[2];
+};
+
+_Static_assert(sizeof(struct gloss) <= sizeof((struct zs_job *)0)->own, "it is kept there");
+static inline struct gloss *gloss_of(struct zs_job *job)
+{
+    return (struct gloss *)(void *)job->own; /* words in place of words */
+}
+
 _Static_assert(BLOCK <= 1 << ZS_SUB_LOG2_MAX, "zs_one_over");
 
 /* ---- Vertices and faces ---------------------------------------------------------------------- */
@@ -128,12 +141,12 @@ static uint32_t both(const uint32_t c[3], int bits)
     return ((c[0] + (1u << (down - 1))) >> down) << 16 | (c[2] + (1u << (down - 1))) >> down;
 }
 
-/* Set job->gloss. Return 0 if the triangle cannot be drawn by blocks. */
+/* Set g. Return 0 if the triangle cannot be drawn by blocks. */
 static int gloss_start(struct zs_job *job, const struct zs_instance *in)
 {
     const struct zs_lit_material *const m = zs_lit_material_of(in);
     const struct zs_lamp *const lamp = m->lighting->lamp;
-    struct zs_gloss *const g = &job->gloss;
+    struct gloss *const g = gloss_of(job);
     struct zs_lit_at at = { { 0 }, { 0 }, { 0 } };
     struct zs_lit_sum full, dark;
     uint16_t base[3];
@@ -282,7 +295,7 @@ static inline uint32_t square_of(const int32_t v[3])
 
 /* Set up a block of `length` pixels' steps from n to v (N w / 2), at its skip-th pixel. Return 0 if
  * the table does not reach. */
-static int block_start(struct block *b, const struct zs_gloss *g, const int32_t n[3],
+static int block_start(struct block *b, const struct gloss *g, const int32_t n[3],
                        const int32_t v[3], int32_t length, int32_t skip)
 {
     uint32_t most = 0;
@@ -328,7 +341,7 @@ static ZS_NOINLINE uint32_t held(uint32_t rb, uint32_t green)
 
 /* Fill n > 0 pixels. glossy is a constant: 0 leaves out highlights. */
 ZS_ALWAYS_INLINE void block_fill(uint16_t *out, int32_t n, const struct block *b,
-                                 const struct zs_gloss *g, const struct zs_shine *shine, int glossy)
+                                 const struct gloss *g, const struct zs_shine *shine, int glossy)
 {
     uint32_t q = b->q, by_q = b->by_q;
     int32_t l = b->l, h = b->h;
@@ -363,13 +376,13 @@ ZS_ALWAYS_INLINE void block_fill(uint16_t *out, int32_t n, const struct block *b
 }
 
 static ZS_NOINLINE void fill_glossy(uint16_t *out, int32_t n, const struct block *b,
-                                    const struct zs_gloss *g, const struct zs_shine *shine)
+                                    const struct gloss *g, const struct zs_shine *shine)
 {
     block_fill(out, n, b, g, shine, 1);
 }
 
 static ZS_NOINLINE void fill_matt(uint16_t *out, int32_t n, const struct block *b,
-                                  const struct zs_gloss *g)
+                                  const struct gloss *g)
 {
     block_fill(out, n, b, g, 0, 0);
 }
@@ -379,6 +392,7 @@ static void phong_run(struct zs_job *job, const struct zs_row *row, int32_t r0, 
     const struct zs_instance *const in = zs_instance_of(job->r, job->tri->instance);
     const struct zs_shine *const shine = zs_lit_material_of(in)->shine;
     int32_t n[3], next[3], from = row->x0 + ((r0 - row->x0) & -BLOCK);
+    const struct gloss *const g = gloss_of(job);
     if (job->sub_log2 != FAST) {
         each(job, row, r0, r1, 0);
         return;
@@ -392,12 +406,12 @@ static void phong_run(struct zs_job *job, const struct zs_row *row, int32_t r0, 
             n[k] = next[k];
         if (to > from)
             normal_at(job, to, row->y, next);
-        if (!block_start(&b, &job->gloss, n, next, to - from, i0 - from))
+        if (!block_start(&b, g, n, next, to - from, i0 - from))
             each(job, row, i0, i1, 0);
-        else if (shine && (job->gloss.shine[0] | job->gloss.shine[1]))
-            fill_glossy(job->color + row->at + i0, i1 - i0, &b, &job->gloss, shine);
+        else if (shine && (g->shine[0] | g->shine[1]))
+            fill_glossy(job->color + row->at + i0, i1 - i0, &b, g, shine);
         else
-            fill_matt(job->color + row->at + i0, i1 - i0, &b, &job->gloss);
+            fill_matt(job->color + row->at + i0, i1 - i0, &b, g);
     }
 }
 

@@ -33,6 +33,8 @@ void zs_batch_verts(struct zs_renderer *r, uint32_t slot, uint32_t from, uint32_
 static void batch_open(struct zs_renderer *r)
 {
     const uint32_t n = r->xform.instance->mesh->n_verts, room = r->config.max_verts - r->n_verts;
+    if (r->xform.instance->material->shader->place)
+        return;
     if (n > room && n - room <= r->n_verts - r->vert_packed) { /* there may be room */
         zs_bin_count(r);
         zs_bin_pack(r);

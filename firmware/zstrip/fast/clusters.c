@@ -65,6 +65,7 @@
 #include "core/view.h"
 #include "fast/screen.h"
 #include "zs_fast.h"
+#include "zs_shader.h"
 
 #define CLUSTERS_MIN 5u /* in fewer, set-up takes what tests could save */
 #define PLANE_BITS 12
@@ -287,7 +288,7 @@ static ZS_RARE int cluster_open(struct zs_renderer *r, const struct zs_bounds *b
     const uint64_t scale = zs_usual_scale(in);
     zs_q2_30 axis[9];
     struct ruler by;
-    if (mesh->n_clusters < CLUSTERS_MIN)
+    if (mesh->n_clusters < CLUSTERS_MIN || in->material->shader->place)
         return 0;
     if (!r->batch)
         zs_screen_needs(r, b);

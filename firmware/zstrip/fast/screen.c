@@ -6,6 +6,7 @@
 #include "core/depth.h"
 #include "core/fx.h"
 #include "core/xform.h"
+#include "zs_shader.h"
 #include "fast/screen.h"
 
 #define OUT_Y ((int32_t)1 << 30)
@@ -159,6 +160,10 @@ static ZS_NOINLINE void screen_any(const struct zs_renderer *r, uint32_t v, uint
 
 void zs_screen(const struct zs_renderer *r, uint32_t v, uint32_t n, struct zs_vertex *out)
 {
+    if (r->xform.instance->material->shader->place) { /* n is 1: fast/batch.c opens none */
+        zs_xform_screen(r, v, out);
+        return;
+    }
     transform(&r->xform, v, n, out);
     if (r->view.perspective && r->view.snap == 0)
         screen(r, v, n, out, 1, 0);

@@ -22,6 +22,7 @@
 #include "core/xform.h"
 #include "method/raycast.h"
 #include "zs_method.h"
+#include "zs_shader.h"
 
 /* Return x' or y' of an edge that is e sub-pixels from the viewport's centre, at distance z,
  * camera units, floor. */
@@ -87,7 +88,7 @@ static int node_open(struct zs_renderer *r, const struct zs_bounds *b)
 {
     (void)b;
     ((struct zs_rays *)r->method_state)->node = 0;
-    return r->xform.instance->mesh->bvh != 0;
+    return r->xform.instance->mesh->bvh && !r->xform.instance->material->shader->place;
 }
 
 static int node_verts(struct zs_renderer *r)

@@ -1,0 +1,57 @@
+/* A procedural texture: veins of marble, computed from where a pixel is in the mesh.
+ *
+ * SPDX-License-Identifier: MIT
+ */
+#include "examples.h"
+#include "zs_math.h"
+#include "zs_shader.h"
+
+static void marble_vertex(const struct zs_shading *s, uint32_t v, uint16_t *out)
+{
+    for (int k = 0; k < 3; k++)
+        out[k] = (uint16_t)(s->instance->mesh->pos[v][k] + 32768);
+}
+
+/* Veins are where a sine is near 0; three finer ones, across each other, bend them. */
+static void marble_fragment(const struct zs_instance *instance, struct zs_fragment *f)
+{
+    uint32_t at = f->v[0] + f->v[1];
+    for (uint32_t k = 0; k < 3; k++)
+        at += (uint32_t)(zs_sin((zs_turn)((f->v[k] * (k + 2u)) + f->v[(k + 1) % 3])) >> (18 + k));
+    const int32_t vein = zs_sin((zs_turn)at) >> 23, dark = 255 - (vein < 0 ? -vein : vein) * 2; /* |vein| <= 128 */
+    const uint8_t grey = (uint8_t)(240 - (dark > 0 ? dark * dark / 400 : 0));
+    (void)instance;
+    *f->color = zs_wire565(grey, grey, (uint8_t)(grey + 10));
+}
+
+static const struct zs_shader marble = {
+    .vertex = marble_vertex, .fragment = marble_fragment, ZS_FRAGMENTS, .n_varyings = 3, .opaque = 1
+};
+static const struct zs_material stone = { .shader = &marble };
+
+#define A 17225 /* corners of an icosahedron are its normals too: A * A + B * B is 32767^2 */
+#define B 27873
+static const int16_t shape[12][3] = { { -A, B, 0 }, { A, B, 0 }, { -A, -B, 0 }, { A, -B, 0 },
+                                      { 0, -A, B }, { 0, A, B }, { 0, -A, -B }, { 0, A, -B },
+                                      { B, 0, -A }, { B, 0, A }, { -B, 0, -A }, { -B, 0, A } };
+static const uint16_t tri[20][3] = { { 0, 11, 5 }, { 0, 5, 1 },  { 0, 1, 7 },   { 0, 7, 10 }, { 0, 10, 11 },
+                                     { 1, 5, 9 },  { 5, 11, 4 }, { 11, 10, 2 }, { 10, 7, 6 }, { 7, 1, 8 },
+                                     { 3, 9, 4 },  { 3, 4, 2 },  { 3, 2, 6 },   { 3, 6, 8 },  { 3, 8, 9 },
+                                     { 4, 9, 5 },  { 2, 4, 11 }, { 6, 2, 10 },  { 8, 6, 7 },  { 9, 8, 1 } };
+static const struct zs_mesh ball = {
+    .pos = shape, .normal = shape, .tri = tri, .n_verts = 12, .n_tris = 20, .radius = 32768
+};
+ZS_RENDERER(screen, EXAMPLE_W, EXAMPLE_H, 8, 20, 12, 3);
+
+int example_marble(uint32_t t, const struct zs_sink *sink)
+{
+    struct zs_instance instance = { .mesh = &ball, .material = &stone };
+    const struct zs_scene scene = { .instance = &instance, .n_instances = 1, .background = ZS_RGB565(0x000050) };
+    struct zs_camera camera;
+    screen_config.depth = &zs_depth_float;
+    zs_pose_turn(&instance.pose, (zs_turn)(t * 700u), 0, 0);
+    int err = zs_camera_perspective(&camera, ZS_DEGREES(50), EXAMPLE_H, 10000, 200000);
+    err = err ? err : zs_camera_orbit(&camera, instance.pose.pos, 88000, 0, ZS_DEGREES(15));
+    err = err ? err : ZS_INIT(screen);
+    return err ? err : zs_render(&screen, &scene, &camera, sink);
+}
