@@ -57,10 +57,11 @@ struct zs_shader {
      * compute. run colours the visible pixels [from, to) of a scanline. */
     void (*start)(struct zs_job *job);
     void (*run)(struct zs_job *job, const struct zs_row *row, int32_t from, int32_t to);
-    /* The library's shaders that test depth in their own way, because they leave pixels out or never
-     * write keys: takes the place of zs_rows_test (core/rows.h), with its arguments. Only under the
-     * depth buffer without an accelerator of the shader; methods with a test of their own call run.
-     * NULL: the usual test. Such a shader has .opaque 0. */
+    /* The library's shaders that test depth in their own way, because they leave pixels out or
+     * never write keys: takes the place of zs_rows_test (core/rows.h), with its arguments. Under
+     * the depth buffer, zs_method_hiz and zs_method_transparent, without an accelerator of the
+     * shader; methods with a test of their own call run. NULL: the usual test. Such a shader has
+     * .opaque 0. */
     void (*span)(struct zs_job *job, const struct zs_row *row, int32_t i0, int32_t i1, uint32_t sum,
                  uint32_t step);
     /* Return ZS_OK, or the error with which zs_frame_begin refuses this instance. NULL: ZS_OK. */

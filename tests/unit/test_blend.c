@@ -293,6 +293,52 @@ static int way_case(uint64_t seed)
     return same_case(seed, kind, kind, alpha, 0);
 }
 
+/* ---- Keys that saturate ----------------------------------------------------------------------- */
+
+static int16_t far_pos[6][3];
+
+/* Two triangles at the far plane, where keys are held to the last bucket, the second with any depth state; by a shader of
+ * its own test, and by the opaque one. */
+static int far_case(uint64_t seed)
+{
+    static const uint16_t tri[1][3] = { { 0, 1, 2 } };
+    static const struct zs_depth *const any[] = { &zs_depth_recip, &zs_depth_linear, &zs_depth_e3m13, &zs_depth_e5m11 };
+    struct prng p = { seed };
+    const int door = (int)prng_pick(&p, 2);
+    struct zs_camera camera;
+    struct zs_mesh mesh[2];
+    struct zs_depth_state state = { .func = (uint8_t)prng_pick(&p, 3), .read_only = !door || prng_pick(&p, 2),
+                                    .bias = (int16_t)prng_range(&p, -3, 3) };
+    const struct zs_depth_state *const asked = door && prng_pick(&p, 3) == 0 ? NULL : &state;
+    struct zs_blend blend[2] = { { { .shader = &zs_shade_raw, .rgb = ZS_RGB(0x00ff00), .cull = ZS_CULL_NONE }, 255, 0 },
+                                 { { .rgb = ZS_RGB(0xff0000), .cull = ZS_CULL_NONE }, 255, 0 } };
+    struct picture is[2];
+    for (int k = 0; k < 6; k++) {
+        far_pos[k][2] = (int16_t)-prng_range(&p, 9997, 10000);
+        far_pos[k][0] = (int16_t)prng_range(&p, -4000, 4000);
+        far_pos[k][1] = (int16_t)prng_range(&p, -4000, 4000);
+    }
+    for (int k = 0; k < 2; k++)
+        mesh[k] = (struct zs_mesh){ .pos = far_pos + 3 * k, .tri = tri, .n_verts = 3, .n_tris = 1, .radius = 65535 };
+    if (zs_camera_perspective(&camera, ZS_DEGREES(40), 24, 100, 10000))
+        return case_wrong("camera");
+    struct zs_config c = picture_config(32, 24, any[prng_pick(&p, 4)]);
+    c.depth_bits = (uint8_t)prng_range(&p, 8, 16);
+    for (int k = 0; k < 2; k++) {
+        blend[1].material.shader = k == 0 ? &zs_shade_raw : door ? &zs_stipple_raw : &zs_blend_raw;
+        const struct zs_instance in[2] = { { .mesh = &mesh[0], .material = &blend[0].material },
+                                           { .mesh = &mesh[1], .material = &blend[1].material, .depth_state = asked } };
+        const struct zs_scene scene = { .instance = in, .n_instances = 2 };
+        c.fast = NULL;
+        is[k] = picture_draw(&c, &scene, &camera);
+    }
+    const int right = !is[0].err && !is[1].err && picture_same(&is[0], &is[1], "at the far plane");
+    pixels += is[1].covered;
+    picture_free(&is[0]);
+    picture_free(&is[1]);
+    return right || case_wrong("errors %d and %d", is[0].err, is[1].err);
+}
+
 /* ---- The pattern ------------------------------------------------------------------------------ */
 
 /* Bayer's matrix by its recursion: M of 2n is 4 M of n + { 0, 2; 3, 1 }. */
@@ -438,6 +484,7 @@ static const struct CMUnitTest tests[] = {
     CASES_COUNT(a_door_of_alpha_0_is_nothing, door_open_case, 100, &pixels, 10000, "pixels"),
     CASES_COUNT(a_door_of_alpha_255_is_the_opaque_shader, door_shut_case, 200, &pixels, 20000, "pixels"),
     CASES_COUNT(blending_is_the_same_in_any_way, way_case, 300, &pixels, 50000, "pixels"),
+    CASES_COUNT(keys_saturate_as_those_of_the_opaque_shader, far_case, 1500, &pixels, 50000, "pixels"),
     CASES_COUNT(pixels_of_a_door_are_by_the_pattern, pattern_case, 200, &pixels, 20000, "pixels"),
     cmocka_unit_test(every_level_has_its_share),
     cmocka_unit_test(the_pattern_is_the_frames),

@@ -79,6 +79,9 @@ static inline uint32_t zs_blend_weight(uint32_t alpha)
     return (t + (t >> 8) + 1u) >> 8;                /* floor(t / 255) */
 }
 
+#define ZS_BLEND_HALF_RB (32u << 19 | 32u << 8)
+#define ZS_BLEND_HALF_GREEN (32u << 13)
+
 /* (old * (64 - weight) + source * weight) / 64, nearest. Error below 63 / 128 + 1/2 code. Sums of
  * blue are below 2^19, those of red below 2^30, of green below 2^25. */
 ZS_ALWAYS_INLINE uint16_t zs_blend_over(uint32_t old, uint32_t source, uint32_t weight)
@@ -87,9 +90,9 @@ ZS_ALWAYS_INLINE uint16_t zs_blend_over(uint32_t old, uint32_t source, uint32_t 
     const uint32_t keep = ZS_BLEND_ONE - weight;
     d |= d << 16;
     s |= s << 16;
-    const uint32_t rb = (d & ZS_BLEND_RB) * keep + (s & ZS_BLEND_RB) * weight +
-                        (32u << 19 | 32u << 8);
-    const uint32_t g = (d & ZS_BLEND_GREEN) * keep + (s & ZS_BLEND_GREEN) * weight + (32u << 13);
+    const uint32_t rb = (d & ZS_BLEND_RB) * keep + (s & ZS_BLEND_RB) * weight + ZS_BLEND_HALF_RB;
+    const uint32_t g = (d & ZS_BLEND_GREEN) * keep + (s & ZS_BLEND_GREEN) * weight +
+                       ZS_BLEND_HALF_GREEN;
     const uint32_t out = (rb >> 6 & ZS_BLEND_RB) | (g >> 6 & ZS_BLEND_GREEN);
     const uint32_t v = out | out >> 16;
     return (uint16_t)ZS_BLEND_LOW_FIRST(v);
@@ -101,8 +104,8 @@ ZS_ALWAYS_INLINE uint16_t zs_blend_plus(uint32_t old, uint32_t source, uint32_t 
     uint32_t d = ZS_BLEND_LOW_FIRST(old), s = ZS_BLEND_LOW_FIRST(source);
     d |= d << 16;
     s |= s << 16;
-    uint32_t rb = (s & ZS_BLEND_RB) * weight + (32u << 19 | 32u << 8);
-    uint32_t g = (s & ZS_BLEND_GREEN) * weight + (32u << 13);
+    uint32_t rb = (s & ZS_BLEND_RB) * weight + ZS_BLEND_HALF_RB;
+    uint32_t g = (s & ZS_BLEND_GREEN) * weight + ZS_BLEND_HALF_GREEN;
     rb = (d & ZS_BLEND_RB) + (rb >> 6 & ZS_BLEND_RB); /* the bits above the fields are free */
     g = (d & ZS_BLEND_GREEN) + (g >> 6 & ZS_BLEND_GREEN);
     const uint32_t over = rb & (1u << 24 | 1u << 13), over_g = g & 1u << 19;

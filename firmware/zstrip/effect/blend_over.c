@@ -1,9 +1,9 @@
 /* Alpha and additive blending of smooth colours and textures: any opaque shader's run, blended over
  * what was there.
  *
- * Old colours are kept on the stack, 32 pixels at a time; the opaque shader draws its own in their
- * place, and both are mixed there. Pieces begin where the shader's own groups begin, so that none
- * of these is set up twice. Where a run is cut does not change its colours (shade/persp.h).
+ * The opaque shader draws into a buffer on the stack, 32 pixels at a time, and these are mixed with
+ * the strip's. Pieces begin where the shader's own groups begin, so that none of these is set up
+ * twice. Where a run is cut does not change its colours (shade/persp.h).
  *
  * SPDX-License-Identifier: MIT
  */
@@ -11,21 +11,40 @@
 #include "effect/over.h"
 #include "shade/texture.h"
 
+/* ---- The depth test -------------------------------------------------------------------------- */
+
+/* Colour the runs of pixels that pass. */
+ZS_ALWAYS_INLINE void runs(struct zs_job *job, const struct zs_row *row, int32_t i0, int32_t i1,
+                           uint32_t sum, uint32_t step, const struct zs_blend_test *test, int plain)
+{
+    const uint16_t *const line = job->depth + row->at, *const end = line + i1;
+    const uint32_t more = plain ? 0u : test->more;
+    for (const uint16_t *at = line + i0; at < end;) {
+        const uint16_t *const from = at;
+        while (at < end && zs_blend_key(test, sum, plain) < *at + more) {
+            at++;
+            sum += step;
+        }
+        if (at > from) {
+            zs_rows_written(job, (int32_t)(at - from));
+            job->shader->run(job, row, (int32_t)(from - line), (int32_t)(at - line));
+        }
+        at++; /* the pixel that failed, or beyond the end */
+        sum += step;
+    }
+}
+
 void zs_layer_span(struct zs_job *job, const struct zs_row *row, int32_t i0, int32_t i1,
                    uint32_t sum, uint32_t step)
 {
-    const struct zs_depth_state *const asked = job->depth_state;
-    struct zs_depth_state state = { .read_only = 1 };
-    if (asked) {
-        state = *asked;
-        state.read_only = 1;
-    } else {
-        job->bias = 0;
-    }
-    job->depth_state = &state;
-    zs_rows_test(job, row, i0, i1, sum, step);
-    job->depth_state = asked;
+    const struct zs_blend_test test = zs_blend_test_of(job);
+    if (test.plain)
+        runs(job, row, i0, i1, sum, step, &test, 1);
+    else
+        runs(job, row, i0, i1, sum, step, &test, 0);
 }
+
+/* ---- Runs ------------------------------------------------------------------------------------ */
 
 /* zs_blend_over or zs_blend_plus. */
 typedef uint16_t kernel_fn(uint32_t old, uint32_t source, uint32_t weight);
@@ -34,16 +53,19 @@ ZS_ALWAYS_INLINE void blended(struct zs_job *job, const struct zs_row *row, int3
                               int32_t to, zs_run_fn *run, kernel_fn *kernel)
 {
     const uint32_t weight = zs_blend_weight(zs_blend_of(job)->alpha);
-    uint16_t old[ZS_OVER_MAX];
+    uint16_t source[ZS_OVER_MAX], *const color = job->color;
+    struct zs_row here = *row;
     for (int32_t next; from < to; from = next) {
         next = zs_min32(zs_over_next(row, from), to);
-        uint16_t *const at = job->color + row->at + from;
-        const int32_t n = next - from; /* 1 .. 32 */
-        zs_over_keep(old, at, n);
-        run(job, row, from, next);
-        for (int32_t k = 0; k < n; k++)
-            at[k] = kernel(old[k], at[k], weight);
+        uint16_t *at = color + row->at + from;
+        const uint16_t *of = source, *const end = source + (next - from);
+        here.at = -from; /* pixel `from` is source[0] */
+        job->color = source;
+        run(job, &here, from, next);
+        for (; of != end; of++, at++)
+            *at = kernel(*at, *of, weight);
     }
+    job->color = color;
 }
 
 static ZS_NOINLINE void mixed(struct zs_job *job, const struct zs_row *row, int32_t from,
