@@ -50,8 +50,9 @@ struct zs_fog {
  * config   the renderer's: mapping, depth bits and frame size are read.
  * camera   that of the scene; its place does not matter.
  * Error    of a pixel's fog, against that of the distance its key stands for: 1/128 (rounding to
- *          64ths) and the change of fog over 0.03 of a bucket of the depth mapping. Then mixed
- *          to the nearest code: together below one code.
+ *          64ths) and the change of fog over 0.03 of a bucket of the depth mapping, and over
+ *          2^-28 R of the distance, where it is full R times as far away as near. Then mixed to
+ *          the nearest code.
  * Cost     some 60,000 instructions on a Cortex-M3.
  * Return   ZS_OK; ZS_ERR_NULL; ZS_ERR_RANGE (start, end or curve); ZS_ERR_DEPTH (the
  *          mapping has no depth memory, or cannot take this camera); ZS_ERR_CAMERA, ZS_ERR_NEAR,

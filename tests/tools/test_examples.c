@@ -304,6 +304,70 @@ static void three_lights_on_a_ball(void **state)
 
 static const struct CMUnitTest tests[] = {
     cmocka_unit_test(panes_of_glass),
+static char gauge_letter(uint32_t c)
+{
+    return c == 0xffffu ? '#' : c == 0xf800u ? 'r' : c == 0x07e0u ? 'g' : c >> 11 > 20 ? 'o' : (c & 31u) == 8u ? '-' : '.';
+}
+
+static void gauges_over_a_picture(void **state)
+{
+    static const char *const rows[] = {
+        "............-------.............................", ".........o------------..........................",
+        ".......oooo-.......-----........................", "......oooo.....#.....----.......................",
+        ".....ooo.......#.......---......................", "....ooo....rr..#........---.....................",
+        "...ooo.#....r..........#.---....................", "...oo...#...r.........#...--....................",
+        "..ooo....#...r.......#....---...................", "..oo.........r.............--...................",
+        "..oo.........rr............--..........#...###..", ".oo..........rrr............--.ggg....##..#...#.",
+        ".oo..........rrr............--.ggg...#.#......#.", ".oo...........rrr...........--.ggg..#..#....##..",
+        ".oo.###.......rrr.......###.--.ggg..#####..#....", ".oo...........rrrr..........--.ggg.....#..#.....",
+        ".oo...........rrrrr.........--.ggg.....#..#####.",
+    };
+    static struct panel p;
+    const struct zs_sink sink = { .submit = take, .ctx = &p };
+    assert_int_equal(example_cockpit_gauges(0, &sink), ZS_OK);
+    assert_int_equal(p.pixels, EXAMPLE_W * EXAMPLE_H);
+    assert_rows(&p, 2, 17, rows, gauge_letter);
+    p.pixels = 0;
+    assert_int_equal(example_cockpit_gauges(100, &sink), ZS_OK); /* the same values */
+    assert_int_equal(p.pixels, 0);
+}
+
+/* Fog grows with the distance: black posts are the greyer the farther they are; the sky keeps its colour. */
+static void posts_in_fog(void **state)
+{
+    const struct panel p = drawn_by(example_fog);
+    uint32_t green[4];
+    static const int at[4][2] = { { 5, 16 }, { 17, 16 }, { 20, 16 }, { 10, 2 } };
+    for (int k = 0; k < 4; k++)
+        green[k] = ((uint32_t)p.px[at[k][1]][at[k][0]][0] << 8 | p.px[at[k][1]][at[k][0]][1]) >> 5 & 63u;
+    assert_true(green[0] < green[1] && green[1] < green[2] && green[2] < green[3]);
+    assert_int_equal(green[3], ZS_RGB565(0xc0c8d0) >> 5 & 63u);
+}
+
+/* Four formats: the mean of eight columns grows from left to right; the last one is black and white. */
+static void dithered_light(void **state)
+{
+    const struct panel p = drawn_by(example_dither);
+    for (int strip = 0; strip < 4; strip++) {
+        uint32_t before = 0;
+        for (int part = 0; part < 3; part++) {
+            uint32_t sum = 0;
+            for (int k = 0; k < 8 * 16; k++) {
+                const uint8_t *px = p.px[strip * 8 + k / 16][part * 16 + k % 16];
+                const uint32_t c = (uint32_t)px[0] << 8 | px[1];
+                sum += c >> 5 & 63u;
+                assert_true(strip < 3 || c == 0 || c == 0xffffu);
+            }
+            assert_true(sum > before + 8 * 16 * 10 || part == 0);
+            before = sum;
+        }
+    }
+}
+
+static const struct CMUnitTest tests[] = {
+    cmocka_unit_test(gauges_over_a_picture),
+    cmocka_unit_test(posts_in_fog),
+    cmocka_unit_test(dithered_light),
     cmocka_unit_test(two_pictures_in_one_frame),
     cmocka_unit_test(a_mirror_shows_the_back),
     cmocka_unit_test(without_depth_memory),

@@ -61,8 +61,7 @@ int zs_fog_set(struct zs_fog *fog, const struct zs_config *config, const struct 
 {
     if (!fog || !config || !camera || !config->depth)
         return ZS_ERR_NULL;
-    if (fog->curve > ZS_FOG_EXPONENTIAL ||
-        fog->start >= fog->end)
+    if (fog->curve > ZS_FOG_EXPONENTIAL || fog->start >= fog->end)
         return ZS_ERR_RANGE;
     const uint32_t bits = config->depth_bits ? config->depth_bits : 16u;
     if (config->depth->span || bits < 8u || bits > 16u)
