@@ -1,9 +1,9 @@
 /* Shadows: flat ones on a plane, soft discs, and shadow maps.
  *
- *     flat     the thing's mesh, flattened onto a plane along the light: exact edges, any plane,
- * one light; memory for the flattened vertices; its triangles are drawn twice disc     a dark disc
- * below a thing: two triangles map      the distances from the light to what it sees, in memory:
- * shadows of all on all; directional lights
+ *     flat  the thing's mesh, flattened onto a plane along the light. Exact edges, one plane, one
+ *           light; memory for the flattened vertices
+ *     disc  a dark disc below a thing: two triangles
+ *     map   what a directional light sees, as keys in memory: shadows of all on all
  *
  * SPDX-License-Identifier: MIT
  */
@@ -35,24 +35,25 @@ struct zs_shadow_light {
  * again when the thing, its vertices, the plane or the light has changed, and then zs_invalidate,
  * as damage tracking does not see the vertices.
  *
- *     err = zs_shadow_flatten(&things[2], &flat, flat_pos, &things[1], &floor, &light);
+ *     err = zs_shadow_flatten(&things[2], &flat, flat_pos, &things[1], &ground, &light);
  *
- * shadow   in: material (zs_shade_shadow or any other) and depth_state, which stay; out: mesh,
- * pose. Draw it after all that it may darken, as the last of the scene. mesh     the flattened
- * mesh, the caller's; all of it is set. It shares the caster's triangles. pos
- * [caster->mesh->n_verts], the caller's, 6 bytes a vertex; kept while shadow is drawn. caster what
- * throws the shadow. Its sphere must hold its vertices. Parts below the plane are flattened too,
- * towards the light: let it stand on the plane or above it. Culling  triangles that face the light
- * face the plane's front as shadows. ZS_CULL_BACK is enough for a closed mesh; ZS_CULL_NONE for
- * others. Exact    a vertex is within half a step of its true place, and so of the plane, in each
- * axis; on a plane along two world axes it is exactly on it. The shadow takes 5,000 to 32,000 steps
- * to each side, more where it is not much longer than the thing. Cost     a few thousand
- * instructions, and 180 for a vertex (point light: 260) on a Cortex-M3. Flash: 1.6 KB. Return
- * ZS_OK; ZS_ERR_NULL; ZS_ERR_VECTOR: the light is behind the plane, in it, or so low that the
- * shadow would be more than 256 times as long as the thing is high; ZS_ERR_RANGE: a pose, plane or
- * light is out of range, the shadow reaches out of the world, or a point light is not clearly above
- * the thing's sphere: by 1/256 of its own height above the plane. With an error, *shadow, *mesh and
- * pos are untouched. */
+ * shadow   in: material (of zs_shade_shadow or any other) and depth_state, which stay; out: mesh
+ *          and pose. Draw it after all that it may darken: as the last of the scene.
+ * mesh     the flattened mesh, the caller's; all of it is set. It shares the caster's triangles.
+ * pos      [caster->mesh->n_verts], the caller's, 6 bytes a vertex; kept while shadow is drawn.
+ * caster   what throws the shadow. Its sphere must hold its vertices. Parts below the plane are
+ *          flattened too, towards the light: let it stand on the plane or above it.
+ * Culling  a triangle that faces the light faces the plane's front when it is flat. ZS_CULL_BACK
+ *          is enough for a closed mesh; take ZS_CULL_NONE for others.
+ * Exact    a vertex is within half a step (0.52) of its true place in each axis; on a plane along
+ *          two world axes it is exactly on the plane. The longest side of the bound of a shadow
+ *          takes 16,350 to 32,700 steps to each side, and a shadow a fifth to all of its bound.
+ * Cost     not measured yet.
+ * Return   ZS_OK; ZS_ERR_NULL; ZS_ERR_VECTOR: the light is behind the plane, in it, or so low that
+ *          the shadow would be more than 256 times as long as the thing is high; ZS_ERR_RANGE: a
+ *          pose, plane or light is out of range, the shadow reaches out of the world, or a point
+ *          light is not above the thing's sphere by 1/256 of its own height above the plane. With
+ *          an error, *shadow, *mesh and pos are untouched. */
 int zs_shadow_flatten(struct zs_instance *shadow, struct zs_mesh *mesh, int16_t (*pos)[3],
                       const struct zs_instance *caster, const struct zs_shadow_plane *plane,
                       const struct zs_shadow_light *light);
@@ -60,36 +61,114 @@ int zs_shadow_flatten(struct zs_instance *shadow, struct zs_mesh *mesh, int16_t 
 /* Darken what is there. material.rgb is a grey, read from .g: what is left of the light, of 255, in
  * steps of 1/32; 0: black.
  *
- * A pixel is darkened once, however many triangles of the shadow, or of other shadows on the same
- * plane, lie over each other there: a pixel's key is moved by the bias b < 0 for the test, and
- * written moved by 2 b. So a triangle of the same plane, whose key differs by at most |b|, does not
- * pass again. b is depth_state->bias, or -8 buckets without a depth_state. On one plane keys differ
- * by 1 + g / 128 buckets at most, where g is the change of the key from a pixel to the next, to the
- * right and down together. (Triangles thinner than a sub-pixel may be off by more, as their keys
- * are.) For vertices that are not exactly on the plane, add what moves them.
- *
- * depth_state  NULL, or .bias < 0 and all else 0.
- * Shape of it  the written keys hide what is drawn later and is less than 2 b above the plane: draw
- *          shadows last.
- * Cost     9 instructions a pixel over the test of a shader that draws one colour. Flash: 400 B.
- * Refused  ZS_ERR_RANGE: another depth_state; ZS_ERR_DEPTH: zs_depth_none, or a method
- * (zs_method.h), which would darken pixels twice. */
+ * Once     a pixel is darkened once, however many triangles of the shadow, or of other shadows on
+ *          the same plane, lie over each other there. Its key is moved by the bias b < 0 for the
+ *          test, and written moved by 2 b. So a triangle of the same plane, whose key differs by at
+ *          most |b|, does not pass again. b is depth_state->bias, or -8 buckets without a
+ *          depth_state. On one plane keys differ by 2 buckets and 1/128 of the key's change from a
+ *          pixel to the next one; triangles thinner than 1/256 px may be off by more, as their keys
+ *          are. Where vertices are not exactly on the plane, add what that moves their keys.
+ * Order    what is drawn later, and is less than 2 |b| buckets above the plane, is hidden there.
+ * Cost     not measured yet.
+ * Refused  ZS_ERR_RANGE: a depth_state that is not a .bias < 0 and all else 0; ZS_ERR_DEPTH:
+ *          zs_depth_none, or a method (zs_method.h), which would darken pixels twice. */
 extern const struct zs_shader zs_shade_shadow;
 
 /* ---- Discs -------------------------------------------------------------------------------- */
 
 /* A square in its x-z plane whose front is +y, 256 steps wide. For a disc of a radius in world
- * units: pose.scale = radius * 512. pose.pos: on the ground below the thing; for other grounds than
- * level ones, turn it by pose.rot. */
+ * units: pose.scale = radius * 512; pose.pos: on the ground below the thing. Turn it by pose.rot
+ * for ground that is not level. */
 extern const struct zs_mesh zs_shadow_disc;
 
-/* A disc on that mesh, darkest in the middle: 1 - d * (1 - r^2)^2 of the light is left at r of the
- * radius, where material.rgb.g / 255 is 1 - d. Needs config.varyings of 2. Discs that overlap
- * darken each other's pixels again. Draw it after the ground, with .read_only = 1 and a .bias of
- * some buckets below 0. Cost     120 instructions a pixel on a Cortex-M3. Flash: 300 bytes and the
- * fragment stage. */
+/* A disc on that mesh, darkest in the middle: 1 - d (1 - r^2)^2 of the light is left at r of the
+ * radius, where material.rgb.g / 255 is 1 - d. Discs that overlap darken a pixel twice. Draw it
+ * after the ground, with a depth_state of .read_only = 1 and a .bias of some buckets below 0.
+ *
+ * Cost     not measured yet. */
 extern const struct zs_shader zs_shade_disc;
 #define ZS_VARYINGS_DISC 2u
+
+/* ---- Shadow maps -------------------------------------------------------------------------- */
+
+/* The keys of a light's view. A point is in shadow if its key is greater than the map's there: if
+ * the light sees something else first.
+ *
+ *     n = zs_shadow_casters(casters, things, n_things, &bias);
+ *     err = zs_shadow_map_draw(&map, &light_renderer, &casters_scene, &light_camera);
+ *     zs_shadow_map_light(&map, &scene.light);
+ *     err = err ? err : zs_render(&screen, &scene, &camera, &sink);
+ *
+ * RAM       2 bytes a texel: 32 KB for 128 x 128; and a renderer with an arena for w x h, which may
+ *           be the screen's arena if zs_init is called before each use.
+ * Time      the light's frame is a frame without colours; it is drawn when something has moved.
+ * Limits    directional lights: an orthographic camera with zs_depth_linear. (A light at a point
+ *           would need a division for each pixel.)
+ * Looks     edges are steps of texels; `soft` makes ramps of a texel of them. With too little bias surfaces are striped with their own shadow
+ *           (acne); with too much, shadows begin behind the feet of things (peter-panning). A light
+ *           that grazes a surface shows both. Take .slope_bias = 256, or 512 with `soft`: that is
+ *           the least that no plane shadows itself with, and .bias = 4, or more where an instance
+ *           is larger than the map's range: 3 + 2 d, d the keys of a step (zs_shade_shadowed_flat).
+ */
+struct zs_shadow_map {
+    uint16_t *key; /* [h][w], the caller's */
+    uint16_t w, h; /* 1 .. ZS_SIZE_MAX */
+    uint8_t soft;  /* 1: four texels are compared, and the results interpolated, in 1/16 texel */
+    uint8_t drawn; /* these are set by zs_shadow_map_draw */
+    uint8_t texels_shift, keys_shift;
+    int32_t pos[3];
+    zs_q2_30 rot[9];
+    int64_t z_near;
+    uint64_t texels, keys;
+};
+
+/* Make casters of instances: the same in their places, without colours.
+ *
+ * out      [n]; lines and points (zs_lines.h) are left out. May not be `in`.
+ * state    the depth_state of all of them, with the map's bias and slope_bias; kept. NULL: none.
+ * Return   the number of casters. */
+uint32_t zs_shadow_casters(struct zs_instance *out, const struct zs_instance *in, uint32_t n,
+                           const struct zs_depth_state *state);
+
+/* Draw the map.
+ *
+ * map      key, w, h (and soft) set; the rest is.
+ * r        w x h, set up with zs_depth_linear, without method and damage tracking. Its varyings are
+ *          0 for casters. Accelerators help.
+ * casters  any scene; colours are drawn and dropped.
+ * light    orthographic (zs_camera_orthographic, zs_camera_look_along). What is beside its view, or
+ *          before near, is lit; what is beyond far throws no shadow.
+ * After    zs_invalidate for the renderers of the picture: they do not see that the map changed.
+ * Return   as zs_render; ZS_ERR_NULL; ZS_ERR_SIZE: the map is not as large as r's frame;
+ *          ZS_ERR_DEPTH: another mapping, or a method; ZS_ERR_CAMERA: a perspective camera;
+ *          ZS_ERR_SEQUENCE: damage tracking is on. With an error the map cannot be used. */
+int zs_shadow_map_draw(struct zs_shadow_map *map, struct zs_renderer *r,
+                       const struct zs_scene *casters, const struct zs_camera *light);
+
+/* Set light->dir to where the map's light comes from. Its other fields stay. */
+void zs_shadow_map_light(const struct zs_shadow_map *map, struct zs_light *light);
+
+/* The material of what may lie in shadow. */
+struct zs_shadowed_material {
+    struct zs_material material;     /* .rgb is its colour */
+    const struct zs_shadow_map *map; /* drawn */
+};
+
+/* material.rgb, lit as zs_shade_flat does it (by the face's normal) or by the normals of the
+ * vertices, interpolated; where the map's light does not arrive, by the ambient light alone.
+ *
+ * Exact    place and distance are varyings of 16 bits over a cube around the instance's sphere,
+ *          whose side is 2 to 4 times the radius; they are interpolated perspective-correctly, to a
+ *          step. A step is 2^-16 of the side: at most 1/4 texel and 64 keys, or the instance is
+ *          refused. Cut it into parts then, or take a coarser map.
+ * Cost     not measured yet.
+ * Refused  ZS_ERR_NULL: no map, or it is not drawn; ZS_ERR_RANGE: steps too coarse; ZS_ERR_MESH:
+ *          smooth without mesh.normal; ZS_ERR_VARYINGS: smooth needs 4, and so a library compiled
+ *          with ZS_VARYINGS_MAX of 4 or more. */
+extern const struct zs_shader zs_shade_shadowed_flat;
+extern const struct zs_shader zs_shade_shadowed_smooth;
+#define ZS_VARYINGS_SHADOWED_FLAT 3u
+#define ZS_VARYINGS_SHADOWED_SMOOTH 4u
 
 #ifdef __cplusplus
 }

@@ -1,0 +1,256 @@
+/* Shaders that look a shadow map up.
+ *
+ * Three varyings of a vertex say where it is in the light's view, as uq0_16 of a cube around the
+ * instance's sphere: 2^m mesh steps to each side of its middle. So nothing lies outside their
+ * range, however large the instance is beside the map, and 16 bits are spent on the instance alone.
+ * For each triangle, the cube's place in the map is found: the middle, in texels and keys, and what
+ * a step of a varying is in texels and keys.
+ *
+ * SPDX-License-Identifier: MIT
+ */
+#include "core/fx.h"
+#include "core/pass.h"
+#include "core/rotation.h"
+#include "core/usual.h"
+#include "shade/persp.h"
+#include "zs_shadow.h"
+
+#define STEP_MAX ((int64_t)1 << 30)     /* a quarter of a texel, q32 */
+#define KEY_STEP_MAX ((int64_t)1 << 22) /* 64 keys, q16 */
+#define TEXEL_FAR ((int64_t)1 << 30)    /* 2^14 texels, q16: beyond, no quarter texel brings back */
+#define KEY_FAR ((int64_t)1 << 30)      /* 2^22 keys, q8: the same */
+
+/* A cube's place in the map. */
+struct place {
+    int32_t u, v;     /* q16 texels */
+    int32_t z;        /* q8 keys */
+    int32_t step;     /* of a varying: q32 texels ... */
+    int32_t key_step; /* ... and q16 keys */
+};
+
+static const struct zs_shadow_map *map_of(const struct zs_instance *in)
+{
+    return ((const struct zs_shadowed_material *)(const void *)in->material)->map;
+}
+
+/* log2 of half the cube's side in mesh steps: 2 .. 17. */
+static int32_t cube_log2(const struct zs_mesh *mesh)
+{
+    return 32 - zs_clz32(mesh->radius + 2u);
+}
+
+/* v * factor / 2^shift, held to +-2^40. |v| < 2^50, factor < 2^62, 0 <= shift <= 127. */
+static int64_t scaled(int64_t v, uint64_t factor, int32_t shift)
+{
+    const uint64_t size = (uint64_t)zs_size64(v);
+    if (128 - zs_clz64(size | 1u) - zs_clz64(factor | 1u) - shift > 40)
+        return v < 0 ? -((int64_t)1 << 40) : (int64_t)1 << 40;
+    return zs_mulshift_s64(v, factor, shift);
+}
+
+/* Set the steps of a varying. Return 0 if they are too coarse. */
+static int steps(struct place *at, const struct zs_instance *in, const struct zs_shadow_map *map)
+{
+    const uint64_t scale = zs_usual_scale(in);   /* q32 */
+    const int32_t up = 31 - cube_log2(in->mesh); /* a step is 2^(m - 15) mesh steps */
+    if (scale >> 48)
+        return 0; /* zs_frame_begin refuses it later */
+    const int64_t step = scaled((int64_t)scale, map->texels, map->texels_shift + up);
+    const int64_t key_step = scaled((int64_t)scale, map->keys, map->keys_shift + up);
+    if (step > STEP_MAX || key_step > KEY_STEP_MAX)
+        return 0;
+    at->step = (int32_t)step;
+    at->key_step = (int32_t)key_step;
+    return 1;
+}
+
+/* Find a cube's middle in the map. */
+static void middle(struct place *at, const struct zs_instance *in, const struct zs_shadow_map *map)
+{
+    const zs_q2_30 *const rot = zs_usual_rotation(in->pose.rot);
+    const uint64_t scale = zs_usual_scale(in);
+    zs_q2_30 both[9];
+    int32_t from[3], center[3];
+    int64_t c[3];
+    zs_rotation_mul(both, map->rot, rot);
+    for (int k = 0; k < 3; k++) {
+        from[k] = in->pose.pos[k] - map->pos[k];
+        center[k] = in->mesh->center[k];
+    }
+    for (int k = 0; k < 3; k++) /* right, down, distance from the light, q48_16: < 2^49 */
+        c[k] = zs_round_shift(zs_dot(map->rot + 3 * k, from), 14) +
+               zs_mulshift_s64(zs_dot(both + 3 * k, center), scale, 46);
+    const int32_t shift = map->texels_shift + 16;
+    at->u = (int32_t)zs_held64(scaled(c[0], map->texels, shift) + map->w * 32768, TEXEL_FAR);
+    at->v = (int32_t)zs_held64(scaled(c[1], map->texels, shift) + map->h * 32768, TEXEL_FAR);
+    at->z = (int32_t)zs_held64(scaled(c[2] - map->z_near, map->keys, map->keys_shift + 8), KEY_FAR);
+}
+
+/* ---- Vertices and faces ---------------------------------------------------------------------- */
+
+static void place_vertex(const struct zs_shading *s, uint32_t v, uint16_t *out)
+{
+    const struct zs_instance *in = s->instance;
+    const struct zs_mesh *mesh = in->mesh;
+    const struct zs_shadow_map *map = map_of(in);
+    const zs_q2_30 *const rot = zs_usual_rotation(in->pose.rot);
+    const int32_t fine = 1 << (17 - cube_log2(mesh));
+    int32_t d[3], e[3];
+    for (int k = 0; k < 3; k++) /* beside the middle, 2^-25 of half the cube: |d| < 2^25 */
+        d[k] = ((mesh->pos[v][k] - mesh->center[k]) * 256 +
+                (mesh->pos_lo ? mesh->pos_lo[v][k] : 0)) *
+               fine;
+    for (int k = 0; k < 3; k++)
+        e[k] = (int32_t)zs_round_shift(zs_dot(rot + 3 * k, d), 30);
+    for (int k = 0; k < 3; k++) {
+        const int64_t at = zs_round_shift(zs_dot(map->rot + 3 * k, e), 40) + 32768; /* q15 */
+        out[k] = (uint16_t)(at < 0 ? 0 : at > 65535 ? 65535 : at);
+    }
+}
+
+/* What the light adds to the ambient light at a normal, at most 65535. */
+static uint16_t added(const struct zs_shading *s, const zs_q1_15 n[3])
+{
+    return (uint16_t)zs_minu32(zs_light_intensity(s, n) - s->light->ambient, 65535u);
+}
+
+static void smooth_vertex(const struct zs_shading *s, uint32_t v, uint16_t *out)
+{
+    place_vertex(s, v, out);
+    out[3] = added(s, s->instance->mesh->normal[v]);
+}
+
+static uint16_t flat_face(const struct zs_shading *s, uint32_t t)
+{
+    zs_q1_15 n[3];
+    zs_light_face_normal(n, s->instance->mesh, t);
+    return added(s, n);
+}
+
+/* ---- Pixels ---------------------------------------------------------------------------------- */
+
+/* The sampler of a job belongs to textures; these shaders have none, and keep the place there. */
+static void lit_start(struct zs_job *job)
+{
+    const struct zs_instance *in = zs_instance_of(job->r, job->tri->instance);
+    const struct zs_shadow_map *map = map_of(in);
+    struct place at;
+    zs_fragments_start(job);
+    (void)steps(&at, in, map); /* lit_check has tried them */
+    middle(&at, in, map);
+    job->sampler.base[0] = (uint64_t)(uint32_t)at.u << 32 | (uint32_t)at.v;
+    job->sampler.base[1] = (uint64_t)(uint32_t)at.z << 32 | (uint32_t)at.step;
+    job->sampler.least_w = (uint32_t)at.key_step;
+}
+
+/* Return 1 if a key is lit in column i, row j of the map. Outside the map all are. */
+static inline int sees(const struct zs_shadow_map *map, int32_t i, int32_t j, int32_t key)
+{
+    if ((uint32_t)i >= map->w || (uint32_t)j >= map->h)
+        return 1;
+    const int32_t first = map->key[(uint32_t)j * map->w + (uint32_t)i];
+    return key <= first || first == (int32_t)ZS_DEPTH_CLEAR;
+}
+
+/* What of the light arrives, 0 .. 256. u, v: q16 texels. */
+static uint32_t share(const struct zs_shadow_map *map, int32_t u, int32_t v, int32_t key)
+{
+    if (!map->soft)
+        return sees(map, u >> 16, v >> 16, key) ? 256u : 0u;
+    const int32_t left = u - 32768, above = v - 32768; /* of the middles of four texels */
+    const int32_t i = left >> 16, j = above >> 16;
+    const uint32_t x = (uint32_t)left >> 12 & 15u, y = (uint32_t)above >> 12 & 15u;
+    uint32_t sum = 0;
+    if (sees(map, i, j, key))
+        sum += (16u - x) * (16u - y);
+    if (sees(map, i + 1, j, key))
+        sum += x * (16u - y);
+    if (sees(map, i, j + 1, key))
+        sum += (16u - x) * y;
+    if (sees(map, i + 1, j + 1, key))
+        sum += x * y;
+    return sum;
+}
+
+/* A lit channel as a code, 0 .. most, as zs_shade_flat rounds it. most <= 63 */
+static uint32_t code(uint8_t channel, uint32_t light, uint32_t most)
+{
+    const uint32_t t = zs_light_channel(channel, light) * most + 0x8000u;
+    return (t + (t >> 16)) >> 16;
+}
+
+static uint16_t color_of(const struct zs_rgb *c, uint32_t light)
+{
+    return zs_wire16((uint16_t)(code(c->r, light, 31) << 11 | code(c->g, light, 63) << 5 |
+                                code(c->b, light, 31)));
+}
+
+/* base + varying * step / 2^shift, for a step < 2^31. */
+static inline int32_t moved(int32_t base, int32_t varying, int32_t step, int shift)
+{
+    return base + (int32_t)(zs_mul_su(varying, (uint32_t)step) >> shift);
+}
+
+static void lit_run(struct zs_job *job, const struct zs_row *row, int32_t from, int32_t to)
+{
+    const struct zs_instance *in = zs_instance_of(job->r, job->tri->instance);
+    const struct zs_shadow_map *const map = map_of(in);
+    const uint64_t *const base = job->sampler.base;
+    const int32_t u = (int32_t)(base[0] >> 32), v = (int32_t)base[0], z = (int32_t)(base[1] >> 32);
+    const int32_t step = (int32_t)base[1], key_step = (int32_t)job->sampler.least_w;
+    const int n = job->shader->n_varyings;
+    const uint32_t ambient = job->r->light.ambient;
+    uint32_t now = UINT32_MAX; /* the light that `color` is for */
+    uint16_t color = 0, *out = job->color + row->at;
+    for (int32_t i = from; i < to; i++) {
+        uint32_t w, diffuse = job->tri->paint;
+        int32_t lz, at[4];
+        const uint32_t rcp = zs_persp_rcp(job, i, row->y, &w, &lz);
+        for (int k = 0; k < n; k++) { /* as zs_fragments_run rounds it */
+            const uint32_t part = zs_persp_over(zs_plane_at(&job->c[k], i, row->y), w, rcp, lz);
+            at[k] = (int32_t)zs_minu32((part + 0x4000u) >> 15, 65535u);
+        }
+        if (n == 4)
+            diffuse = (uint32_t)at[3];
+        const int32_t key = moved(z, at[2] - 32768, key_step, 8) + 128; /* q8 */
+        const uint32_t arrives = share(map, moved(u, at[0] - 32768, step, 16),
+                                       moved(v, at[1] - 32768, step, 16), key >> 8);
+        const uint32_t light = ambient + (diffuse * arrives >> 8);
+        if (light != now) {
+            now = light;
+            color = color_of(&in->material->rgb, light);
+        }
+        out[i] = color;
+    }
+}
+
+/* ---- Shaders --------------------------------------------------------------------------------- */
+
+static int lit_check(const struct zs_instance *in, const struct zs_config *config)
+{
+    const struct zs_shadow_map *const map = map_of(in);
+    struct place at;
+    (void)config;
+    if (!map || !map->key || !map->drawn)
+        return ZS_ERR_NULL;
+    return steps(&at, in, map) ? ZS_OK : ZS_ERR_RANGE;
+}
+
+static int smooth_check(const struct zs_instance *in, const struct zs_config *config)
+{
+    return in->mesh->normal ? lit_check(in, config) : ZS_ERR_MESH;
+}
+
+const struct zs_shader zs_shade_shadowed_flat = { .vertex = place_vertex,
+                                                  .face = flat_face,
+                                                  .start = lit_start,
+                                                  .run = lit_run,
+                                                  .check = lit_check,
+                                                  .n_varyings = ZS_VARYINGS_SHADOWED_FLAT,
+                                                  .opaque = 1 };
+const struct zs_shader zs_shade_shadowed_smooth = { .vertex = smooth_vertex,
+                                                    .start = lit_start,
+                                                    .run = lit_run,
+                                                    .check = smooth_check,
+                                                    .n_varyings = ZS_VARYINGS_SHADOWED_SMOOTH,
+                                                    .opaque = 1 };

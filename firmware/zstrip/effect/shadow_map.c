@@ -1,0 +1,106 @@
+/* Shadow maps: the light's keys, and what takes them to the picture.
+ *
+ * SPDX-License-Identifier: MIT
+ */
+#include "core/depth.h"
+#include "core/fx.h"
+#include "core/method.h"
+#include "zs_shadow.h"
+
+/* ---- What throws shadows --------------------------------------------------------------------- */
+
+static void nothing_run(struct zs_job *job, const struct zs_row *row, int32_t from, int32_t to)
+{
+    (void)job;
+    (void)row;
+    (void)from;
+    (void)to;
+}
+
+/* Nobody looks at the colours, so that `opaque` is no lie, and accelerators work. */
+static const struct zs_shader nothing = { .run = nothing_run, .opaque = 1 };
+static const struct zs_material unseen[3] = { { .shader = &nothing, .cull = ZS_CULL_BACK },
+                                              { .shader = &nothing, .cull = ZS_CULL_FRONT },
+                                              { .shader = &nothing, .cull = ZS_CULL_NONE } };
+
+uint32_t zs_shadow_casters(struct zs_instance *out, const struct zs_instance *in, uint32_t n,
+                           const struct zs_depth_state *state)
+{
+    uint32_t casters = 0;
+    for (uint32_t k = 0; k < n; k++) {
+        const struct zs_material *material = in[k].material;
+        if (!material || material->primitive || material->cull > ZS_CULL_NONE)
+            continue;
+        out[casters].mesh = in[k].mesh;
+        out[casters].material = &unseen[material->cull];
+        out[casters].pose = in[k].pose;
+        out[casters].depth_state = state;
+        casters++;
+    }
+    return casters;
+}
+
+/* ---- The map --------------------------------------------------------------------------------- */
+
+static int take(void *ctx, const struct zs_strip *strip)
+{
+    const struct zs_shadow_map *map = ctx;
+    uint16_t *to = map->key + (uint32_t)strip->y * map->w;
+    for (uint32_t k = (uint32_t)strip->w * strip->h, i = 0; i < k; i++)
+        to[i] = strip->depth[i];
+    return 0;
+}
+
+static int32_t bits_of(uint64_t v)
+{
+    return v ? 64 - zs_clz64(v) : 0;
+}
+
+/* Set a factor: num 2^up / den as *factor / 2^*shift. num < 2^16, den < 2^62, up <= 32. The factor
+ * is below 2^62, with at least 17 bits. */
+static void factor_set(uint64_t *factor, uint8_t *shift, uint32_t num, int32_t up, uint64_t den)
+{
+    int32_t k = 61 - up - bits_of(num) + bits_of(den);
+    k = zs_max32(zs_min32(k, 63 - up), 0);
+    *factor = zs_muldiv_u64(num, (uint64_t)1 << (up + k), den);
+    *shift = (uint8_t)k;
+}
+
+int zs_shadow_map_draw(struct zs_shadow_map *map, struct zs_renderer *r,
+                       const struct zs_scene *casters, const struct zs_camera *light)
+{
+    const struct zs_sink sink = { .submit = take, .ctx = map };
+    if (!map || !map->key || !r || !casters || !light)
+        return ZS_ERR_NULL;
+    map->drawn = 0;
+    if (r->ready != 1 || r->watch || r->track)
+        return ZS_ERR_SEQUENCE;
+    const struct zs_config *c = &r->config;
+    if (map->w != c->width || map->h != c->height)
+        return ZS_ERR_SIZE;
+    if (c->depth != &zs_depth_linear || c->method != &zs_method_buffer)
+        return ZS_ERR_DEPTH;
+    if (light->projection != ZS_ORTHOGRAPHIC)
+        return ZS_ERR_CAMERA;
+    const int err = zs_render(r, casters, light, &sink);
+    if (err)
+        return err;
+    for (int k = 0; k < 3; k++) { /* rows: right, down, distance */
+        map->pos[k] = light->pos[k];
+        map->rot[k] = r->camera.rot[k];
+        map->rot[3 + k] = -r->camera.rot[3 + k];
+        map->rot[6 + k] = -r->camera.rot[6 + k];
+    }
+    map->z_near = light->z_near;
+    factor_set(&map->texels, &map->texels_shift, map->h, 32, (uint64_t)light->height);
+    factor_set(&map->keys, &map->keys_shift, (1u << c->depth_bits) - 1u, 16,
+               (uint64_t)(light->z_far - light->z_near));
+    map->drawn = 1;
+    return ZS_OK;
+}
+
+void zs_shadow_map_light(const struct zs_shadow_map *map, struct zs_light *light)
+{
+    for (int k = 0; k < 3; k++)
+        light->dir[k] = -map->rot[6 + k];
+}

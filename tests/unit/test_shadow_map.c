@@ -1,0 +1,494 @@
+/* Shadow maps: what is lit, against rays to the light in doubles; colours where all is lit; odd maps and lights.
+ *
+ * SPDX-License-Identifier: MIT
+ */
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "cases.h"
+#include "picture.h"
+#include "zs_shadow.h"
+
+/* ---- Boxes on the ground ----------------------------------------------------------------------- */
+
+#define BOXES 5
+#define THINGS (BOXES + 1)
+#define MAP_MAX 200
+
+static const int16_t box_pos[8][3] = { { -50, -50, 50 },  { 50, -50, 50 },  { 50, 50, 50 },  { -50, 50, 50 },
+                                       { -50, -50, -50 }, { 50, -50, -50 }, { 50, 50, -50 }, { -50, 50, -50 } };
+static const uint16_t box_tri[12][3] = {
+    { 0, 1, 2 }, { 0, 2, 3 }, { 5, 4, 7 }, { 5, 7, 6 }, { 1, 5, 6 }, { 1, 6, 2 },
+    { 4, 0, 3 }, { 4, 3, 7 }, { 3, 2, 6 }, { 3, 6, 7 }, { 4, 5, 1 }, { 4, 1, 0 }
+};
+static const int16_t ground_pos[4][3] = { { -100, 0, 100 }, { 100, 0, 100 }, { 100, 0, -100 }, { -100, 0, -100 } };
+static const uint16_t ground_tri[2][3] = { { 0, 1, 2 }, { 0, 2, 3 } };
+static const struct zs_mesh box = { .pos = box_pos, .tri = box_tri, .n_verts = 8, .n_tris = 12, .radius = 87 },
+                            ground = {
+                                .pos = ground_pos, .tri = ground_tri, .n_verts = 4, .n_tris = 2, .radius = 142
+                            };
+
+struct place {
+    struct zs_instance thing[THINGS], caster[THINGS];
+    struct zs_shadowed_material material;
+    struct zs_shadow_map map;
+    struct zs_depth_state bias;
+    struct zs_scene scene, casters;
+    struct zs_camera camera, sun;
+    uint16_t key[MAP_MAX * MAP_MAX];
+    double extent; /* of the light's view */
+};
+
+static void unit_of(double v[3])
+{
+    const double n = sqrt(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]);
+    for (int k = 0; k < 3; k++)
+        v[k] /= n;
+}
+
+static double dot(const double a[3], const double b[3])
+{
+    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
+
+/* A light over the ground, from any side; the map may be smaller than the scene. */
+static int place_make(struct place *s, struct prng *p)
+{
+    static const struct place none;
+    *s = none;
+    const int32_t unit = prng_pick(p, 2) ? 1 : 100; /* world units of a step, and so on */
+    s->material = (struct zs_shadowed_material){
+        .material = { .shader = &zs_shade_shadowed_flat, .rgb = ZS_RGB(0xf0e0d0) }, .map = &s->map
+    };
+    for (int k = 0; k < THINGS; k++) {
+        struct zs_instance *in = &s->thing[k];
+        in->mesh = k ? &box : &ground;
+        in->material = &s->material.material;
+        zs_pose_identity(&in->pose);
+        in->pose.scale = (zs_uq16_16)(unit * (k ? prng_range(p, 60000, 200000) : 10 * 65536));
+        if (k) {
+            zs_pose_turn(&in->pose, (zs_turn)prng_next(p), (zs_turn)prng_next(p), (zs_turn)prng_next(p));
+            for (int a = 0; a < 3; a++)
+                in->pose.pos[a] = unit * (a == 1 ? prng_range(p, 130, 400) : prng_range(p, -500, 500));
+        }
+    }
+    int32_t dir[3], eye[3];
+    const int32_t up[3] = { 1, 2, 3 }, at[3] = { 0, 100 * unit, 0 };
+    do
+        for (int a = 0; a < 3; a++)
+            dir[a] = a == 1 ? -prng_range(p, 300, 1000) : prng_range(p, -900, 900);
+    while (0);
+    double to[3] = { dir[0], dir[1], dir[2] };
+    unit_of(to);
+    for (int a = 0; a < 3; a++)
+        eye[a] = (int32_t)(at[a] - to[a] * 3000 * unit);
+    const int32_t height = unit * prng_range(p, 1200, 3500);
+    s->extent = height;
+    s->map.key = s->key;
+    s->map.w = (uint16_t)prng_range(p, 60, MAP_MAX);
+    s->map.h = (uint16_t)prng_range(p, 60, MAP_MAX);
+    s->map.soft = (uint8_t)prng_pick(p, 2);
+    s->bias = (struct zs_depth_state){ .bias = 4, .slope_bias = (int16_t)(s->map.soft ? 544 : 288) };
+    int err = zs_camera_orthographic(&s->sun, height, 100 * unit, 6000 * unit);
+    err = err ? err : zs_camera_look_along(&s->sun, eye, dir, up);
+    err = err ? err : zs_camera_perspective(&s->camera, ZS_DEGREES(50), 60, 100 * unit, 20000 * unit);
+    err = err ? err
+              : zs_camera_orbit(&s->camera, at, prng_range(p, 1200, 1800) * unit, (zs_turn)prng_next(p),
+                                (int16_t)prng_range(p, 2000, 12000));
+    s->scene = (struct zs_scene){ .instance = s->thing,
+                                  .n_instances = THINGS,
+                                  .background = 0x001f,
+                                  .light = { .ambient = ZS_Q16_ONE / 4, .diffuse = ZS_Q16_ONE / 4 * 3 } };
+    s->casters = (struct zs_scene){ .instance = s->caster,
+                                    .n_instances = zs_shadow_casters(s->caster, s->thing, THINGS, &s->bias) };
+    return err;
+}
+
+/* Draw the map with a renderer for it alone. */
+static int map_draw(struct place *s, struct prng *p)
+{
+    struct zs_config c = { .width = s->map.w,
+                           .height = s->map.h,
+                           .strip_h = s->map.h,
+                           .max_tris = 200,
+                           .max_verts = 200,
+                           .depth = &zs_depth_linear };
+    struct zs_renderer r;
+    if (p)
+        picture_any_way(p, &c, 2, 6);
+    void *arena = malloc(zs_arena_bytes(&c));
+    int err = arena ? zs_init(&r, &c, arena, zs_arena_bytes(&c)) : -1;
+    err = err ? err : zs_shadow_map_draw(&s->map, &r, &s->casters, &s->sun);
+    free(arena);
+    if (!err)
+        zs_shadow_map_light(&s->map, &s->scene.light);
+    return err;
+}
+
+/* ---- Rays in doubles --------------------------------------------------------------------------- */
+
+struct face {
+    double at[3], e1[3], e2[3], n[3]; /* n: unit, outwards */
+    const struct zs_instance *of;
+};
+
+static struct face faces[12 * BOXES + 2];
+static int n_faces;
+
+static void faces_make(const struct place *s)
+{
+    n_faces = 0;
+    for (int k = 0; k < THINGS; k++) {
+        const struct zs_instance *in = &s->thing[k];
+        const double scale = in->pose.scale / 65536.0;
+        for (uint32_t t = 0; t < in->mesh->n_tris; t++) {
+            struct face *f = &faces[n_faces++];
+            double corner[3][3];
+            for (int c = 0; c < 3; c++)
+                for (int a = 0; a < 3; a++) {
+                    const int16_t *v = in->mesh->pos[in->mesh->tri[t][c]];
+                    const zs_q2_30 *row = in->pose.rot + 3 * a;
+                    corner[c][a] = in->pose.pos[a] +
+                                   scale * ((double)row[0] * v[0] + (double)row[1] * v[1] + (double)row[2] * v[2]) /
+                                       ZS_Q30_ONE;
+                }
+            for (int a = 0; a < 3; a++) {
+                f->at[a] = corner[0][a];
+                f->e1[a] = corner[1][a] - corner[0][a];
+                f->e2[a] = corner[2][a] - corner[0][a];
+            }
+            for (int a = 0; a < 3; a++)
+                f->n[a] = f->e1[(a + 1) % 3] * f->e2[(a + 2) % 3] - f->e1[(a + 2) % 3] * f->e2[(a + 1) % 3];
+            unit_of(f->n);
+            f->of = in;
+        }
+    }
+}
+
+/* How far along a ray its front is hit; INFINITY: not. */
+static double hit(const struct face *f, const double from[3], const double dir[3])
+{
+    double h[3], s[3], q[3];
+    for (int a = 0; a < 3; a++) {
+        h[a] = dir[(a + 1) % 3] * f->e2[(a + 2) % 3] - dir[(a + 2) % 3] * f->e2[(a + 1) % 3];
+        s[a] = from[a] - f->at[a];
+    }
+    for (int a = 0; a < 3; a++)
+        q[a] = s[(a + 1) % 3] * f->e1[(a + 2) % 3] - s[(a + 2) % 3] * f->e1[(a + 1) % 3];
+    const double det = dot(f->e1, h);
+    if (det <= 0)
+        return INFINITY;
+    const double u = dot(s, h) / det, v = dot(dir, q) / det;
+    return u < 0 || v < 0 || u + v > 1 ? INFINITY : dot(f->e2, q) / det;
+}
+
+/* The face that is seen through a point of the picture, and where. NULL: none. */
+static const struct face *seen(const struct zs_camera *c, int w, int h, double x, double y, double at[3])
+{
+    const double focal = (double)c->focal / 4294967296.0, in[3] = { (x - w / 2.0) / focal, (h / 2.0 - y) / focal, -1 };
+    double from[3], dir[3], nearest = INFINITY;
+    const struct face *best = NULL;
+    for (int a = 0; a < 3; a++) {
+        from[a] = c->pos[a];
+        dir[a] = (c->rot[a] * in[0] + c->rot[3 + a] * in[1] + c->rot[6 + a] * in[2]) / ZS_Q30_ONE;
+    }
+    for (int k = 0; k < n_faces; k++) {
+        const double t = hit(&faces[k], from, dir);
+        if (t < nearest) {
+            nearest = t;
+            best = &faces[k];
+        }
+    }
+    for (int a = 0; best && a < 3; a++)
+        at[a] = from[a] + nearest * dir[a];
+    return best;
+}
+
+enum { LIT = 1, DARK = 2 };
+
+/* Whether a point of a face is lit, moved by so many texels over the face's plane: LIT, DARK, or both where a caster is
+ * so near that the bias decides. */
+static int lit(const struct place *s, const struct face *f, const double at[3], double dx, double dy)
+{
+    const double texel = s->extent / s->map.h, bucket = (double)(s->sun.z_far - s->sun.z_near) / 65536 / 65535;
+    double axis[3][3], to[3], from[3], rel[3];
+    for (int k = 0; k < 3; k++)
+        for (int a = 0; a < 3; a++)
+            axis[k][a] = s->sun.rot[3 * k + a] / (double)ZS_Q30_ONE; /* right, up, back */
+    for (int a = 0; a < 3; a++)
+        to[a] = axis[2][a];
+    const double move[3] = { texel * (dx * axis[0][0] + dy * axis[1][0]), texel * (dx * axis[0][1] + dy * axis[1][1]),
+                             texel * (dx * axis[0][2] + dy * axis[1][2]) };
+    const double along = -dot(f->n, move) / dot(f->n, to); /* back onto the plane */
+    for (int a = 0; a < 3; a++) {
+        from[a] = at[a] + move[a] + along * to[a];
+        rel[a] = from[a] - s->sun.pos[a];
+    }
+    if (fabs(dot(rel, axis[0])) > s->extent / 2 * s->map.w / s->map.h || fabs(dot(rel, axis[1])) > s->extent / 2)
+        return LIT; /* beside the map */
+    int is = LIT;
+    for (int k = 0; k < n_faces; k++) {
+        const struct face *c = &faces[k];
+        /* from behind, towards the light: a caster's front is hit from the light's side */
+        double start[3], down[3];
+        for (int a = 0; a < 3; a++) {
+            start[a] = from[a] + 1e6 * to[a];
+            down[a] = -to[a];
+        }
+        if (dot(c->n, to) <= 0)
+            continue;
+        const double above = 1e6 - hit(c, start, down); /* how far it is above the point */
+        if (isinf(above))
+            continue;
+        if (above > 1e-3 ? above + along < 0 : above + along > 0 && fabs(above) > 1e-3)
+            is = LIT | DARK; /* at an edge of the face: a texel of another one decides, at the point's own distance */
+        if (!(above > 1e-3))
+            continue;
+        const double gx = fabs(dot(c->n, axis[0]) / dot(c->n, to)), gy = fabs(dot(c->n, axis[1]) / dot(c->n, to));
+        const double pushed = s->bias.bias * bucket + s->bias.slope_bias / 256.0 * texel * fmax(gx, gy) + 4 * bucket;
+        if (above > pushed + texel * (gx + gy)) /* the texel's middle is elsewhere on the caster */
+            return DARK;
+        is = LIT | DARK;
+    }
+    return is;
+}
+
+/* ---- Pictures ---------------------------------------------------------------------------------- */
+
+static unsigned lights, darks, edges, wrong_edges;
+
+static int rays_case(uint64_t seed)
+{
+    struct prng p = { seed };
+    static struct place s;
+    const int w = 80, h = 60;
+    CASE_CHECK(place_make(&s, &p) == ZS_OK);
+    CASE_CHECK(map_draw(&s, &p) == ZS_OK);
+    struct zs_config c = picture_config(w, h, &zs_depth_float);
+    picture_any_way(&p, &c, 2, 6);
+    struct picture is = picture_draw(&c, &s.scene, &s.camera);
+    CASE_CHECK(is.err == ZS_OK);
+    faces_make(&s);
+    int right = 1;
+    for (int y = 0; right && y < h; y++)
+        for (int x = y % 4; right && x < w; x += 4) {
+            double at[3], beside[3];
+            const struct face *f = seen(&s.camera, w, h, x + 0.5, y + 0.5, at);
+            int sure = f != NULL;
+            for (int k = 0; sure && k < 4; k++) /* not at an edge of the picture's triangles */
+                sure = seen(&s.camera, w, h, x + 0.5 + (k & 1 ? 0.03 : -0.03), y + 0.5 + (k & 2 ? 0.03 : -0.03),
+                            beside) == f;
+            if (!sure)
+                continue;
+            const double slope = dot(f->n, (double[3]){ s.sun.rot[6], s.sun.rot[7], s.sun.rot[8] }) / ZS_Q30_ONE;
+            if (slope < 0.05)
+                continue; /* hardly lit at all */
+            const uint32_t dim = (0xf0 * 257u / 4u * 31u + 32768u) / 65535u;
+            const uint32_t red = is.color[y * w + x] >> 11;
+            const uint32_t full = (uint32_t)(0xf0 / 255.0 * (0.25 + 0.75 * slope) * 31 + 0.5);
+            const int got = red <= dim + (full - dim) / 2 ? DARK : LIT;
+            const int want = lit(&s, f, at, 0, 0);
+            int around = want;
+            for (int k = 0; k < 49 && around != (LIT | DARK); k++)
+                around |= lit(&s, f, at, 0.39 * (k % 7 - 3), 0.39 * (k / 7 - 3));
+            if (around == (LIT | DARK)) {
+                edges++;
+                wrong_edges += want != (LIT | DARK) && got != want;
+                continue;
+            }
+            lights += want == LIT;
+            darks += want == DARK;
+            if (want == LIT ? red + 1 < full || red > full + 1 : red != dim && slope > 0.1)
+                right = case_wrong(
+                    "(%d, %d) of face %d, slope %g, soft %d, map %d x %d has red %u of %u to %u, should be %s", x, y,
+                    (int)(f - faces), slope, s.map.soft, s.map.w, s.map.h, red, dim, full,
+                    want == LIT ? "lit" : "dark");
+        }
+    picture_free(&is);
+    return right;
+}
+
+static void rays(void **state)
+{
+    (void)state;
+    CASES(rays_case, 20);
+    printf("  %u lit and %u dark pixels, all right; within a texel of an edge %u, %.1f %% of them on the other side\n",
+           lights, darks, edges, 100.0 * wrong_edges / edges);
+    if (!getenv("ZS_SEED"))
+        assert_true(lights > 5000 && darks > 500);
+}
+
+/* Where nothing throws shadows, the colours are those of the library's lit shaders. */
+static int colors_case(uint64_t seed)
+{
+    struct prng p = { seed };
+    static struct place s;
+    static zs_q1_15 normal[8][3];
+    CASE_CHECK(place_make(&s, &p) == ZS_OK);
+    s.casters.n_instances = 0;
+    CASE_CHECK(map_draw(&s, &p) == ZS_OK);
+    struct zs_config c = picture_config(70, 50, &zs_depth_float);
+    c.varyings = 4;
+    struct picture is = picture_draw(&c, &s.scene, &s.camera);
+    struct zs_material plain = { .shader = &zs_shade_flat, .rgb = s.material.material.rgb };
+    for (int k = 0; k < THINGS; k++)
+        s.thing[k].material = &plain;
+    struct picture want = picture_draw(&c, &s.scene, &s.camera);
+    int right = picture_same(&is, &want, "flat");
+    picture_free(&is);
+    picture_free(&want);
+
+    struct zs_mesh round = box;
+    for (int v = 0; v < 8; v++)
+        for (int a = 0; a < 3; a++)
+            normal[v][a] = (zs_q1_15)(box_pos[v][a] * 18918 / 50);
+    round.normal = (const zs_q1_15(*)[3])normal;
+    s.scene.instance++;
+    s.scene.n_instances--;
+    s.material.material.shader = &zs_shade_shadowed_smooth;
+    for (int k = 1; k < THINGS; k++) {
+        s.thing[k].mesh = &round;
+        s.thing[k].material = &s.material.material;
+    }
+    is = picture_draw(&c, &s.scene, &s.camera);
+    plain.shader = &zs_shade_smooth;
+    for (int k = 1; k < THINGS; k++)
+        s.thing[k].material = &plain;
+    want = picture_draw(&c, &s.scene, &s.camera);
+    right = right && !is.err && !want.err;
+    for (int k = 0; right && k < is.w * is.h; k++) {
+        const uint32_t a = is.color[k], b = want.color[k];
+        right = abs((int)(a >> 11) - (int)(b >> 11)) <= 1 && abs((int)(a >> 5 & 63u) - (int)(b >> 5 & 63u)) <= 1 &&
+                abs((int)(a & 31u) - (int)(b & 31u)) <= 1;
+    }
+    picture_free(&is);
+    picture_free(&want);
+    return right || case_wrong("colours");
+}
+
+/* ---- Odd maps and lights ----------------------------------------------------------------------- */
+
+static uint32_t darker(const struct place *s)
+{
+    const struct zs_config c = picture_config(80, 60, &zs_depth_float);
+    struct picture is = picture_draw(&c, &s->scene, &s->camera);
+    uint32_t n = 0;
+    assert_int_equal(is.err, ZS_OK);
+    for (int k = 0; k < is.w * is.h; k++)
+        n += is.color[k] >> 11 == (0xf0 * 257u / 4u * 31u + 32768u) / 65535u;
+    picture_free(&is);
+    return n;
+}
+
+static void odd_maps_and_lights(void **state)
+{
+    (void)state;
+    static struct place s;
+    struct prng p = { 3 };
+    assert_int_equal(place_make(&s, &p), ZS_OK);
+    s.scene.n_instances = s.casters.n_instances = 1; /* the ground alone: all lit */
+    assert_int_equal(map_draw(&s, NULL), ZS_OK);
+    assert_int_equal(darker(&s), 0);
+    s.bias.bias = INT16_MAX; /* keys stop at the largest one: no shadow anywhere */
+    s.scene.n_instances = s.casters.n_instances = THINGS;
+    assert_int_equal(map_draw(&s, NULL), ZS_OK);
+    s.scene.n_instances = 1;
+    assert_true(darker(&s) < 50 * 60);
+    s.bias.bias = INT16_MIN; /* keys stop at 0: all that the light sees is dark */
+    s.bias.slope_bias = INT16_MIN;
+    assert_int_equal(map_draw(&s, NULL), ZS_OK);
+    assert_true(darker(&s) > 0);
+    s.bias = (struct zs_depth_state){ .bias = 4, .slope_bias = 512 };
+
+    s.map.w = s.map.h = 1; /* a map of one texel */
+    for (s.map.soft = 0; s.map.soft < 2; s.map.soft++) {
+        assert_int_equal(map_draw(&s, NULL), ZS_OK);
+        (void)darker(&s);
+    }
+    s.map.w = s.map.h = 64;
+    s.map.soft = 0;
+
+    const int32_t level[3] = { 1, 0, 0 }, up[3] = { 0, 1, 0 }, below[3] = { 0, 1, 0 }, side[3] = { 1, 0, 0 },
+                  aside[3] = { 400000000, 0, 400000000 };
+    const int32_t *const eye = s.sun.pos;
+    const int32_t from[3] = { eye[0], eye[1], eye[2] };
+    assert_int_equal(zs_camera_look_along(&s.sun, from, level, up), ZS_OK); /* along the ground, which is not lit */
+    assert_int_equal(map_draw(&s, NULL), ZS_OK);
+    assert_true(darker(&s) > 500);
+    assert_int_equal(zs_camera_look_along(&s.sun, from, below, side), ZS_OK); /* from below */
+    assert_int_equal(map_draw(&s, NULL), ZS_OK);
+    assert_true(darker(&s) > 500);
+    const int32_t down[3] = { 0, -1, 0 };
+    assert_int_equal(zs_camera_look_along(&s.sun, aside, down, side), ZS_OK); /* all is outside its view: lit */
+    assert_int_equal(map_draw(&s, NULL), ZS_OK);
+    assert_int_equal(darker(&s), 0);
+}
+
+static void errors(void **state)
+{
+    (void)state;
+    static struct place s;
+    struct prng p = { 4 };
+    struct zs_renderer r;
+    static uint32_t arena[100000];
+    assert_int_equal(place_make(&s, &p), ZS_OK);
+    struct zs_config c = {
+        .width = s.map.w, .height = s.map.h, .strip_h = 8, .max_tris = 99, .max_verts = 99, .depth = &zs_depth_linear
+    };
+    assert_int_equal(zs_init(&r, &c, arena, sizeof arena), ZS_OK);
+    assert_int_equal(zs_shadow_map_draw(NULL, &r, &s.casters, &s.sun), ZS_ERR_NULL);
+    assert_int_equal(zs_shadow_map_draw(&s.map, NULL, &s.casters, &s.sun), ZS_ERR_NULL);
+    assert_int_equal(zs_shadow_map_draw(&s.map, &r, NULL, &s.sun), ZS_ERR_NULL);
+    assert_int_equal(zs_shadow_map_draw(&s.map, &r, &s.casters, NULL), ZS_ERR_NULL);
+    assert_int_equal(zs_shadow_map_draw(&s.map, &r, &s.casters, &s.camera), ZS_ERR_CAMERA);
+    s.map.w++;
+    assert_int_equal(zs_shadow_map_draw(&s.map, &r, &s.casters, &s.sun), ZS_ERR_SIZE);
+    s.map.w--;
+    static uint64_t sums[MAP_MAX * MAP_MAX];
+    struct zs_strip_hashes hashes;
+    assert_int_equal(watch_anew(&r, &hashes, sums, 1), ZS_OK);
+    assert_int_equal(zs_shadow_map_draw(&s.map, &r, &s.casters, &s.sun), ZS_ERR_SEQUENCE);
+    c.depth = &zs_depth_none;
+    assert_int_equal(zs_init(&r, &c, arena, sizeof arena), ZS_OK);
+    assert_int_equal(zs_shadow_map_draw(&s.map, &r, &s.casters, &s.sun), ZS_ERR_DEPTH);
+
+    struct zs_config draw = picture_config(80, 60, &zs_depth_float);
+#define REFUSED_WITH(error)                                                                                           \
+    do {                                                                                                              \
+        struct picture is = picture_draw(&draw, &s.scene, &s.camera);                                                 \
+        assert_int_equal(is.err, error);                                                                              \
+        picture_free(&is);                                                                                            \
+    } while (0)
+    REFUSED_WITH(ZS_ERR_NULL); /* not drawn yet */
+    assert_int_equal(map_draw(&s, NULL), ZS_OK);
+    REFUSED_WITH(ZS_OK);
+    s.material.map = NULL;
+    REFUSED_WITH(ZS_ERR_NULL);
+    s.material.map = &s.map;
+    s.sun.height /= 5000; /* a texel is less than four steps */
+    assert_int_equal(map_draw(&s, NULL), ZS_OK);
+    REFUSED_WITH(ZS_ERR_RANGE);
+    s.sun.height *= 5000;
+    s.sun.z_far = s.sun.z_near + (s.sun.z_far - s.sun.z_near) / 5000;
+    assert_int_equal(map_draw(&s, NULL), ZS_OK);
+    REFUSED_WITH(ZS_ERR_RANGE);
+    s.sun.z_far = s.sun.z_near + (s.sun.z_far - s.sun.z_near) * 5000;
+    assert_int_equal(map_draw(&s, NULL), ZS_OK);
+    draw.varyings = 2;
+    REFUSED_WITH(ZS_ERR_VARYINGS);
+    draw.varyings = 3;
+    s.material.material.shader = &zs_shade_shadowed_smooth;
+    REFUSED_WITH(ZS_ERR_VARYINGS);
+    draw.varyings = 4;
+    REFUSED_WITH(ZS_ERR_MESH);
+#undef REFUSED_WITH
+}
+
+static const struct CMUnitTest tests[] = {
+    cmocka_unit_test(rays),
+    CASES_TEST(colors_without_casters, colors_case, 60),
+    cmocka_unit_test(odd_maps_and_lights),
+    cmocka_unit_test(errors),
+};
+CASES_MAIN(tests)
