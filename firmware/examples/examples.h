@@ -14,8 +14,10 @@
 int example_gradient_sky(uint32_t t, const struct zs_sink *sink);
 int example_frame_counter(uint32_t t, const struct zs_sink *sink);
 int example_hidden_line(uint32_t t, const struct zs_sink *sink);
+int example_matcap(uint32_t t, const struct zs_sink *sink);
 int example_mirror(uint32_t t, const struct zs_sink *sink);
 int example_no_depth(uint32_t t, const struct zs_sink *sink);
+int example_sky(uint32_t t, const struct zs_sink *sink);
 int example_split_screen(uint32_t t, const struct zs_sink *sink);
 int example_user_shader(uint32_t t, const struct zs_sink *sink);
 
