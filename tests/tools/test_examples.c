@@ -151,6 +151,35 @@ static void a_mirror_shows_the_back(void **state)
     assert_rows(&p, 12, 12, rows, color_of);
 }
 
+static void chrome_has_a_window(void **state)
+{
+    static const char *const rows[] = {
+        "...................bbbbbbbbbb...................", ".................bbbbbbbbbbbbbb.................",
+        "................bwwwwbbbbbbbbbbb................", "...............bwwwwwbbbbbbbbbbbb...............",
+        "..............bbwwwwwbbbbbbbbbbbbb..............", "..............bbwwwwwbwwwwbbbbbbbb..............",
+        ".............wwwwwwwwwwwwwwwwwwwwww.............", "............wwwwwwwwwwwwwwwwwwwwwwww............",
+        "............wwwwwwwwwwwwwwwwwwwwwwww............", "............wwwwwwwwwwwwwwwwwwwwwwww............",
+        "............wwwwwwwwwwwwwwwwwwwwwwww............", "............wwwwwwwwwwwwwwwwwwwwwwww............",
+    };
+    const struct panel p = drawn_by(example_matcap);
+    assert_rows(&p, 4, 12, rows, color_of);
+}
+
+static void trees_before_mountains(void **state)
+{
+    static const char *const rows[] = {
+        "bbbbbbbbmmmbmmmmmmmmmmmmbbbbbbbbbbbbbbbbbbbbbbbb", "bbbbbbbbmmmmmmmmmmmmmmmmmmmmbbbbbbbbbbbbbbbbbbbb",
+        "bbbmmmmmmmmmmmmmmmmmmmmmmmmmbbbbbbbbbbbbbgbbbmmm", "bbbmmmmmmmmmgmmmmmmmmmmmmmmmbbbbbbbbbbbbbggbbmmm",
+        "mmmmmmmmmmmg.mmmmmmmmmmmmmmmbbbbbbbbbbbbgggmmmmm", "mmmmmmmmmmmg.gmmmmmmmmmmmmgmbbbbbbbbbbbbggggmmmm",
+        "mmmmmmmmmmmg.gmmmmmmmmmmmmggbbbbbbbbbbbbggggmmmm", "mmmmmmmmmmgg.gmmmmmmmmmmmmggmmmmbbbbmmmggggggmmm",
+        "mmmmmmmmmmgg.ggmmmmmmmmmmggggmmmbbbbmmmgg.gggmmm", "mmmmmmmmmggg.ggmmmmmmmmmmggggmmmmmmmmmggg.ggggmm",
+        "mmmmmmmmmggg.gggmmmmmmmmmmmmmmmmmmmmmmggg.ggggmm", "mmmmmmmmmmmm.mmmmmmmmmmmmmmmmmmmmmmmmmmmm.mmmmmm",
+        "mmmmmmmmmmmm.mmmmmmmmmmmmmmmmmmmmmmmmmmmm.mmmmmm", "yyyyyyyyyyyy.yyyyyyyyyyyyyyyyyyyyyyyyyyyy.yyyyyy",
+    };
+    const struct panel p = drawn_by(example_sky);
+    assert_rows(&p, 6, 14, rows, color_of);
+}
+
 static void without_depth_memory(void **state)
 {
     static const char *const rows[] = {
@@ -370,6 +399,8 @@ static const struct CMUnitTest tests[] = {
     cmocka_unit_test(dithered_light),
     cmocka_unit_test(two_pictures_in_one_frame),
     cmocka_unit_test(a_mirror_shows_the_back),
+    cmocka_unit_test(chrome_has_a_window),
+    cmocka_unit_test(trees_before_mountains),
     cmocka_unit_test(without_depth_memory),
     cmocka_unit_test(a_shader_of_the_users),
     cmocka_unit_test(hidden_lines),
