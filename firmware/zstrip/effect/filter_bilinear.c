@@ -117,18 +117,21 @@ static inline void axis_texels(const struct axis *a, int clamp, uint32_t x[2])
 
 #define STAYS 2u /* pixels in a cell from which on its texels are unpacked once for all of them */
 
-/* RGB565, repeated, larger than a texel each way: pixels that leave their cell soon. */
-ZS_IN_ORDER static ZS_NOINLINE void run_soon(const uint16_t *texel, uint16_t *out, int32_t n,
-                                             const struct axis *a, const struct axis *b)
+/* A texture that repeats, larger than a texel each way: pixels that leave their cell soon. */
+ZS_ALWAYS_INLINE void run_soon(const struct zs_texture *t, uint16_t *out, int32_t n,
+                               const struct axis *a, const struct axis *b, zs_read_fn *read)
 {
+    const void *const texel = t->texel;
+    const uint16_t *const palette = t->palette;
     const uint32_t right = 32u - a->log2, down = 32u - b->log2, row = a->log2, below = b->log2;
     const uint32_t one = 1u << right, one_down = 1u << down, du = a->step, dv = b->step;
     uint32_t u = a->at, v = b->at;
     for (uint16_t *const end = out + n; out != end; out++, u += du, v += dv) {
-        const uint16_t *const up = texel + (v >> down << row);
-        const uint16_t *const low = texel + ((v + one_down) >> down << row);
+        const uint32_t up = v >> down << row, low = (v + one_down) >> down << row;
         const uint32_t x0 = u >> right, x1 = (u + one) >> right;
-        const struct cell c = cell_of(up[x0], up[x1], low[x0], low[x1]);
+        const struct cell c = cell_of(read(texel, palette, up + x0), read(texel, palette, up + x1),
+                                      read(texel, palette, low + x0),
+                                      read(texel, palette, low + x1));
         *out = cell_color(&c, u << row, v << below);
     }
 }
@@ -145,57 +148,73 @@ ZS_ALWAYS_INLINE void cell_pixels(const struct cell *cell, uint16_t *out, uint16
 }
 
 /* The same for pixels that stay. */
-ZS_IN_ORDER static ZS_NOINLINE void run_stays(const uint16_t *texel, uint16_t *out, int32_t n,
-                                              struct axis *a, struct axis *b)
+ZS_ALWAYS_INLINE void run_stays(const struct zs_texture *t, uint16_t *out, int32_t n,
+                                const struct axis *a, const struct axis *b, zs_read_fn *read)
 {
-    const uint32_t right = 32u - a->log2, down = 32u - b->log2, row = a->log2;
+    const void *const texel = t->texel;
+    const uint16_t *const palette = t->palette;
+    const uint32_t right = 32u - a->log2, down = 32u - b->log2, row = a->log2, below = b->log2;
+    uint32_t u = a->at, v = b->at;
     while (n > 0) {
-        const uint32_t u = a->at, v = b->at;
         const uint32_t columns = axis_stays(a, u), rows = axis_stays(b, v);
         const uint32_t in = zs_minu32(zs_minu32(columns, rows), (uint32_t)n);
-        const uint16_t *const up = texel + (v >> down << row);
-        const uint16_t *const low = texel + ((v + (1u << down)) >> down << row);
+        const uint32_t up = v >> down << row, low = (v + (1u << down)) >> down << row;
         const uint32_t x0 = u >> right, x1 = (u + (1u << right)) >> right;
-        const struct cell c = cell_of(up[x0], up[x1], low[x0], low[x1]);
-        cell_pixels(&c, out, out + in, u << row, v << b->log2, a->step << row, b->step << b->log2);
-        a->at = u + a->step * in;
-        b->at = v + b->step * in;
+        const struct cell c = cell_of(read(texel, palette, up + x0), read(texel, palette, up + x1),
+                                      read(texel, palette, low + x0),
+                                      read(texel, palette, low + x1));
+        cell_pixels(&c, out, out + in, u << row, v << below, a->step << row, b->step << below);
+        u += a->step * in;
+        v += b->step * in;
         out += in;
         n -= (int32_t)in;
     }
 }
 
-/* Return the RGB565 value of texel (x, y) in any format. */
-ZS_ALWAYS_INLINE uint32_t read_any(const struct zs_texture *t, const struct zs_texel *format,
-                                   uint32_t x, uint32_t y)
-{
-    const uint32_t at = (y << t->log2_w) + x;
-    if (format->log2_bits == 3)
-        return zs_read_pal8(t->texel, t->palette, at);
-    if (format->log2_bits == 2)
-        return zs_read_pal4(t->texel, t->palette, at);
-    if (format->log2_bits == 4 && !format->both)
-        return zs_read_565(t->texel, t->palette, at);
-    uint16_t c;
-    const struct zs_walk walk = { x << zs_texture_cut(t->log2_w), y << zs_texture_cut(t->log2_h), 0,
-                                  0 };
-    format->fetch(t, &c, 1, &walk);
-    return zs_wire16(c);
-}
+typedef void loop_fn(const struct zs_texture *t, uint16_t *out, int32_t n, const struct axis *a,
+                     const struct axis *b);
 
-/* Any format, clamped or not. */
+#define LOOPS(name)                                                                                \
+    ZS_IN_ORDER static ZS_NOINLINE void soon_##name(const struct zs_texture *t, uint16_t *out,     \
+                                                    int32_t n, const struct axis *a,               \
+                                                    const struct axis *b)                          \
+    {                                                                                              \
+        run_soon(t, out, n, a, b, zs_read_##name);                                                 \
+    }                                                                                              \
+    ZS_IN_ORDER static ZS_NOINLINE void stays_##name(const struct zs_texture *t, uint16_t *out,    \
+                                                     int32_t n, const struct axis *a,              \
+                                                     const struct axis *b)                         \
+    {                                                                                              \
+        run_stays(t, out, n, a, b, zs_read_##name);                                                \
+    }
+
+LOOPS(565)
+LOOPS(pal8)
+LOOPS(pal4)
+
+/* The loops for formats by the bits of a texel, 4, 8 or 16. */
+static loop_fn *const loops[3][2] = { { stays_pal4, soon_pal4 },
+                                      { stays_pal8, soon_pal8 },
+                                      { stays_565, soon_565 } };
+
+/* Any format, clamped or not, of any size. */
 static ZS_NOINLINE void run_any(const struct zs_texture *t, const struct zs_texel *format,
                                 uint16_t *out, int32_t n, struct axis *a, struct axis *b)
 {
     while (n > 0) {
-        uint32_t x[2], y[2], c[4];
+        uint32_t x[2], y[2];
+        uint16_t c[4];
+        const uint32_t right = zs_texture_cut(a->log2), down = zs_texture_cut(b->log2);
         const uint32_t columns = axis_stays(a, a->at), rows = axis_stays(b, b->at);
         const uint32_t in = zs_minu32(zs_minu32(columns, rows), (uint32_t)n);
         axis_texels(a, t->clamp & ZS_CLAMP_U, x);
         axis_texels(b, t->clamp & ZS_CLAMP_V, y);
-        for (uint32_t k = 0; k < 4; k++)
-            c[k] = read_any(t, format, x[k & 1u], y[k >> 1]);
-        const struct cell cell = cell_of(c[0], c[1], c[2], c[3]);
+        for (int k = 0; k < 2; k++) {
+            const struct zs_walk walk = { x[0] << right, y[k] << down, (x[1] - x[0]) << right, 0 };
+            format->fetch(t, c + 2 * k, 2, &walk);
+        }
+        const struct cell cell = cell_of(zs_wire16(c[0]), zs_wire16(c[1]), zs_wire16(c[2]),
+                                         zs_wire16(c[3]));
         cell_pixels(&cell, out, out + in, a->at << a->log2, b->at << b->log2, a->step << a->log2,
                     b->step << b->log2);
         a->at += a->step * in;
@@ -213,12 +232,12 @@ static void fetch_bilinear(const struct zs_texture *t, uint16_t *out, int32_t n,
     struct axis a, b;
     axis_begin(&a, walk->u, walk->du, t->log2_w, whole->log2_w, n);
     axis_begin(&b, walk->v, walk->dv, t->log2_h, whole->log2_h, n);
-    if (format->log2_bits != 4 || format->both || t->clamp || !t->log2_w || !t->log2_h)
+    const int soon = n == 1 || a.cells > UINT32_MAX / STAYS || b.cells > UINT32_MAX / STAYS;
+    if (!format->log2_bits || (format->log2_bits == 4 && format->both) || t->clamp || !t->log2_w ||
+        !t->log2_h)
         run_any(t, format, out, n, &a, &b);
-    else if (n == 1 || a.cells > UINT32_MAX / STAYS || b.cells > UINT32_MAX / STAYS)
-        run_soon(t->texel, out, n, &a, &b);
     else
-        run_stays(t->texel, out, n, &a, &b);
+        loops[format->log2_bits - 2u][soon](t, out, n, &a, &b);
 }
 
 const struct zs_texel zs_filter_bilinear = { .fetch = fetch_bilinear };
