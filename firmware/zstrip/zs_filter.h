@@ -13,7 +13,7 @@
 #ifndef ZS_FILTER_H
 #define ZS_FILTER_H
 
-#include "zs_scene.h"
+#include "zs_check.h"
 
 #ifdef __cplusplus
 extern "C" {
@@ -64,6 +64,9 @@ extern const struct zs_texel zs_texel_4444;  /* uint16_t [height][width], RGBA44
 extern const struct zs_texel zs_texel_pal8a; /* as zs_texel_pal8, palette [2 * n_colors]: RGB565
                                                 values, then as many alphas, 0 .. 255 */
 extern const struct zs_texel zs_texel_pal4a; /* as zs_texel_pal4, with such a palette */
+
+/* zs_texture_check (zs_check.h) for textures in these formats as well. */
+enum zs_flaw zs_alpha_texture_check(const struct zs_texture *texture, uint32_t *index);
 
 #ifdef __cplusplus
 }

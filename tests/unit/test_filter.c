@@ -698,6 +698,39 @@ static void refused(void **state)
     assert_int_equal(error_of(&zs_shade_cutout, &four, &zs_depth_recip, NULL), ZS_ERR_NULL);
 }
 
+/* As zs_texture_check has it, for all formats, levels too. */
+static void checked(void **state)
+{
+    static uint16_t palette[32];
+    static uint8_t two[129] __attribute__((aligned(2)));
+    uint32_t at;
+    for (uint32_t f = 0; f < FORMATS; f++) {
+        const int paletted = f % 3 != 0, four = f % 3 == 2;
+        struct zs_texture t = { .format = formats[f], .texel = two, .palette = paletted ? palette : NULL,
+                                .n_colors = (uint16_t)(paletted ? 15 : 0), .log2_w = 3, .log2_h = 2, .n_levels = 3 };
+        memset(two, 0, sizeof two);
+        assert_int_equal(zs_alpha_texture_check(&t, NULL), ZS_FLAW_NONE);
+        assert_int_equal(zs_texture_check(&t, NULL), f < 3 ? ZS_FLAW_NONE : ZS_FLAW_NULL);
+        t.n_levels = 4;
+        assert_int_equal(zs_alpha_texture_check(&t, &at), ZS_FLAW_LEVELS);
+        assert_int_equal(at, 4);
+        t.log2_h = 3;
+        assert_int_equal(zs_alpha_texture_check(&t, &at), four ? ZS_FLAW_LEVELS : ZS_FLAW_NONE);
+        t.n_levels = 3;
+        two[four ? 32 + 8 : 64 + 16] = 15; /* the first texel of level 2 */
+        assert_int_equal(zs_alpha_texture_check(&t, &at), paletted ? ZS_FLAW_TEXEL : ZS_FLAW_NONE);
+        assert_int_equal(at, paletted ? 80 : 0);
+        t.n_levels = 2;
+        assert_int_equal(zs_alpha_texture_check(&t, &at), ZS_FLAW_NONE);
+        memset(two, 0, sizeof two);
+        t.texel = two + 1;
+        assert_int_equal(zs_alpha_texture_check(&t, &at), paletted ? ZS_FLAW_NONE : ZS_FLAW_ALIGN);
+        t.texel = NULL;
+        assert_int_equal(zs_alpha_texture_check(&t, &at), ZS_FLAW_NULL);
+    }
+    assert_int_equal(zs_alpha_texture_check(NULL, &at), ZS_FLAW_NULL);
+}
+
 int main(int argc, char **argv)
 {
     const struct CMUnitTest tests[] = {
@@ -712,6 +745,7 @@ int main(int argc, char **argv)
         cmocka_unit_test(stress_magnified),
         cmocka_unit_test(stress_ends_of_range),
         cmocka_unit_test(refused),
+        cmocka_unit_test(checked),
     };
     cases_program = argv[0];
     if (argc > 1)
