@@ -7,7 +7,7 @@
  * SPDX-License-Identifier: MIT
  */
 #include "core/cold.h"
-#include "support/check.h"
+#include "zs_check.h"
 
 static const char *const flaws[] = {
     "no flaw",
@@ -310,49 +310,42 @@ enum zs_flaw zs_mesh_check(const struct zs_mesh *m, uint32_t *index)
 
 /* ---- Textures -------------------------------------------------------------------------------- */
 
-/* at: row * width + column, < 2^21. The width is even if two texels share a byte. */
-static uint32_t texel_at(const struct zs_texture *x, uint32_t log2_bits, uint32_t at)
+/* Return the number of colours that the texels of a format can index; 0: it has no palette. */
+static uint32_t colors_max(const struct zs_texel *format)
 {
-    const uint8_t *texel = x->texel;
-    if (log2_bits == 2)
-        return texel[at >> 1] >> (at & 1u) * 4u & 15u;
-    return texel[at];
+    return format == &zs_texel_pal8 ? 256u : format == &zs_texel_pal4 ? 16u : 0u;
 }
 
-enum zs_flaw zs_texture_flaw(const struct zs_texture *x, uint32_t log2_bits, int palette,
-                             uint32_t *index)
+/* at: row * width + column, < 2^21. The width is even if two texels share a byte. */
+static uint32_t texel_at(const struct zs_texture *x, uint32_t at)
 {
-    const uint32_t most = !palette ? 0u : log2_bits == 2 ? 16u : 256u, narrow = log2_bits == 2;
-    if (!log2_bits || (palette && !x->palette))
-        return found(ZS_FLAW_NULL, index, 0);
-    if (!aligned(palette ? x->palette : x->texel, sizeof(uint16_t)))
-        return found(ZS_FLAW_ALIGN, index, 0);
-    if (x->log2_w > ZS_TEXTURE_LOG2_MAX || x->log2_w < narrow)
-        return found(ZS_FLAW_SIZE, index, x->log2_w);
-    if (x->log2_h > ZS_TEXTURE_LOG2_MAX)
-        return found(ZS_FLAW_SIZE, index, x->log2_h);
-    if (palette && (x->n_colors == 0 || x->n_colors > most))
-        return found(ZS_FLAW_COLORS, index, x->n_colors);
-    if (x->clamp > (ZS_CLAMP_U | ZS_CLAMP_V))
-        return found(ZS_FLAW_CLAMP, index, x->clamp);
-    if (x->n_levels > 1u + x->log2_w - narrow || x->n_levels > 1u + x->log2_h)
-        return found(ZS_FLAW_LEVELS, index, x->n_levels);
-    uint32_t n = 0; /* texels: < 2^21 */
-    for (uint32_t k = 0; k == 0 || k < x->n_levels; k++)
-        n += (uint32_t)1 << (x->log2_w + x->log2_h - 2u * k);
-    for (uint32_t i = 0; palette && i < n; i++)
-        if (texel_at(x, log2_bits, i) >= x->n_colors)
-            return found(ZS_FLAW_TEXEL, index, i);
-    return found(ZS_FLAW_NONE, index, 0);
+    const uint8_t *texel = x->texel;
+    return x->format == &zs_texel_pal4 ? texel[at >> 1] >> (at & 1u) * 4u & 15u : texel[at];
 }
 
 enum zs_flaw zs_texture_check(const struct zs_texture *x, uint32_t *index)
 {
     if (!x || !x->texel)
         return found(ZS_FLAW_NULL, index, 0);
-    const uint32_t log2_bits = x->format == &zs_texel_565    ? 4u
-                               : x->format == &zs_texel_pal8 ? 3u
-                               : x->format == &zs_texel_pal4 ? 2u
-                                                             : 0u; /* also if it is NULL */
-    return zs_texture_flaw(x, log2_bits, log2_bits < 4, index);
+    const uint32_t most = colors_max(x->format);
+    if (most ? !x->palette : x->format != &zs_texel_565) /* also if it is NULL */
+        return found(ZS_FLAW_NULL, index, 0);
+    if (!aligned(most ? x->palette : x->texel, sizeof(uint16_t)))
+        return found(ZS_FLAW_ALIGN, index, 0);
+    if (x->log2_w > ZS_TEXTURE_LOG2_MAX || (x->format == &zs_texel_pal4 && x->log2_w == 0))
+        return found(ZS_FLAW_SIZE, index, x->log2_w);
+    if (x->log2_h > ZS_TEXTURE_LOG2_MAX)
+        return found(ZS_FLAW_SIZE, index, x->log2_h);
+    if (most && (x->n_colors == 0 || x->n_colors > most))
+        return found(ZS_FLAW_COLORS, index, x->n_colors);
+    if (x->clamp > (ZS_CLAMP_U | ZS_CLAMP_V))
+        return found(ZS_FLAW_CLAMP, index, x->clamp);
+    if (x->n_levels > x->log2_w + (most != 16u) || x->n_levels > x->log2_h + 1)
+        return found(ZS_FLAW_LEVELS, index, x->n_levels);
+    const uint32_t first = (uint32_t)1 << (x->log2_w + x->log2_h), one = x->n_levels > 0;
+    const uint32_t n = (4u * first - (first >> 2u * (x->n_levels - one))) / 3u; /* < 2^21 */
+    for (uint32_t i = 0; most && i < n; i++)
+        if (texel_at(x, i) >= x->n_colors)
+            return found(ZS_FLAW_TEXEL, index, i);
+    return found(ZS_FLAW_NONE, index, 0);
 }

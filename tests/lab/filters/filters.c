@@ -2,7 +2,8 @@
  * a texel. One line of CSV a shader and picture: instructions for each 100 pixels of it, without strip and set-up: the
  * frame with the card, less the frame with a card of zs_shade_raw. No accelerators; strips of 24 rows.
  *
- *     make -f firmware/boards/firmware.mk BOARD=mps2 APP=filters run
+ *     make -f firmware/boards/firmware.mk BOARD=mps2 NAME=filters APP_SRC=tests/lab/filters/filters.c \
+ *         APP_FLAGS=-Ifirmware/app run
  *
  * SPDX-License-Identifier: MIT
  */
@@ -26,8 +27,15 @@ static int16_t uv[4][2];
 
 static int draw(const struct zs_shader *shader, uint64_t *instructions)
 {
-    const struct zs_mesh mesh = { .pos = pos, .tri = tri, .normal = up, .face_normal = up, .uv = uv, .uv_bits = 8,
-                                  .n_verts = 4, .n_tris = 2, .radius = 65535 };
+    const struct zs_mesh mesh = { .pos = pos,
+                                  .tri = tri,
+                                  .normal = up,
+                                  .face_normal = up,
+                                  .uv = uv,
+                                  .uv_bits = 8,
+                                  .n_verts = 4,
+                                  .n_tris = 2,
+                                  .radius = 65535 };
     const struct zs_material material = { .shader = shader, .cull = ZS_CULL_NONE, .texture = &texture };
     const struct zs_instance instance = { .mesh = &mesh, .material = &material };
     const struct zs_scene scene = { .instance = &instance, .n_instances = 1 };
@@ -58,7 +66,9 @@ static const struct {
     const char *name;
     const struct zs_texel *format;
     uint16_t n_colors;
-} formats[] = { { "565", &zs_texel_565, 0 }, { "pal8", &zs_texel_pal8, 256 }, { "4444", &zs_texel_4444, 0 },
+} formats[] = { { "565", &zs_texel_565, 0 },
+                { "pal8", &zs_texel_pal8, 256 },
+                { "4444", &zs_texel_4444, 0 },
                 { "pal8a", &zs_texel_pal8a, 256 } };
 
 /* uv for so many 1/16 texels a pixel, both ways. */
@@ -71,8 +81,13 @@ static int measure(const char *picture, int32_t texels)
     }
     for (uint32_t f = 0; f < sizeof formats / sizeof formats[0]; f++) {
         uint64_t plain, taken;
-        texture = (struct zs_texture){ .format = formats[f].format, .texel = chain, .palette = formats[f].n_colors ? palette : 0,
-                                       .n_colors = formats[f].n_colors, .log2_w = LOG2, .log2_h = LOG2, .n_levels = LOG2 + 1u };
+        texture = (struct zs_texture){ .format = formats[f].format,
+                                       .texel = chain,
+                                       .palette = formats[f].n_colors ? palette : 0,
+                                       .n_colors = formats[f].n_colors,
+                                       .log2_w = LOG2,
+                                       .log2_h = LOG2,
+                                       .n_levels = LOG2 + 1u };
         err = err ? err : draw(&zs_shade_raw, &plain);
         for (uint32_t s = 0; !err && s < sizeof shaders / sizeof shaders[0]; s++) {
             err = draw(shaders[s].shader, &taken);
