@@ -32,7 +32,9 @@ enum zs_flaw {
     ZS_FLAW_SIZE,           /* a texture's log2_w or log2_h is out of range; index: that value */
     ZS_FLAW_COLORS,         /* a texture's n_colors is out of range; index: n_colors */
     ZS_FLAW_CLAMP,          /* a texture's clamp is no enum zs_clamp; index: clamp */
-    ZS_FLAW_TEXEL           /* index: row * width + column of a texel >= n_colors */
+    ZS_FLAW_TEXEL,          /* index: row * width + column of a texel >= n_colors; those of coarser
+                               levels follow */
+    ZS_FLAW_LEVELS          /* more levels than its size allows (zs_filter.h); index: n_levels */
 };
 
 /* Find the first flaw: whatever would make the renderer read out of bounds or draw wrongly. A mesh
@@ -42,6 +44,7 @@ enum zs_flaw {
  * mesh, texture  all of it is read, nothing beyond its counts. NULL: ZS_FLAW_NULL.
  * index          set to the triangle, vertex, cluster, texel or value that is named above, else 0;
  *                NULL: not wanted.
+ *                Textures with alpha: zs_alpha_texture_check (zs_filter.h).
  * Cost           linear in the data; once after loading.
  * Return         ZS_FLAW_NONE or the flaw. */
 enum zs_flaw zs_mesh_check(const struct zs_mesh *mesh, uint32_t *index);

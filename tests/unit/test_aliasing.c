@@ -45,7 +45,9 @@ static struct zs_texture chain_of(uint16_t (*color)(uint32_t x, uint32_t y))
         }
         level = next;
     }
-    return (struct zs_texture){ .format = &zs_texel_565, .texel = chain, .log2_w = LOG2, .log2_h = LOG2, .n_levels = LOG2 + 1 };
+    return (struct zs_texture){
+        .format = &zs_texel_565, .texel = chain, .log2_w = LOG2, .log2_h = LOG2, .n_levels = LOG2 + 1
+    };
 }
 
 static uint16_t checker(uint32_t x, uint32_t y)
@@ -55,16 +57,20 @@ static uint16_t checker(uint32_t x, uint32_t y)
 
 static uint16_t bricks(uint32_t x, uint32_t y)
 {
-    const uint32_t row = y >> 4, column = (x + (row & 1) * 16) >> 5, grain = (x * 7919u ^ y * 104729u) * 2654435761u >> 29;
+    const uint32_t row = y >> 4, column = (x + (row & 1) * 16) >> 5,
+                   grain = (x * 7919u ^ y * 104729u) * 2654435761u >> 29;
     if (y % 16 < 2 || (x + (row & 1) * 16) % 32 < 2)
         return ZS_RGB565(0xc8c4b8);
-    return zs_rgb565((uint8_t)(130 + column * 7 % 40 + grain * 6), (uint8_t)(50 + row * 11 % 20 + grain * 4), (uint8_t)(40 + grain * 3));
+    return zs_rgb565((uint8_t)(130 + column * 7 % 40 + grain * 6), (uint8_t)(50 + row * 11 % 20 + grain * 4),
+                     (uint8_t)(40 + grain * 3));
 }
 
 /* ---- Scenes ----------------------------------------------------------------------------------- */
 
 static const uint16_t tri[2][3] = { { 0, 1, 2 }, { 0, 2, 3 } };
-static const int16_t floor_pos[4][3] = { { -8000, -20, 0 }, { 8000, -20, 0 }, { 8000, -20, -16000 }, { -8000, -20, -16000 } };
+static const int16_t floor_pos[4][3] = {
+    { -8000, -20, 0 }, { 8000, -20, 0 }, { 8000, -20, -16000 }, { -8000, -20, -16000 }
+};
 static const int16_t floor_uv[4][2] = { { -16000, 0 }, { 16000, 0 }, { 16000, 32000 }, { -16000, 32000 } };
 static const int16_t card_pos[4][3] = { { -40, -40, 0 }, { 40, -40, 0 }, { 40, 40, 0 }, { -40, 40, 0 } };
 static const int16_t card_uv[4][2] = { { 0, 256 }, { 256, 256 }, { 256, 0 }, { 0, 0 } };
@@ -72,23 +78,27 @@ static const int16_t card_uv[4][2] = { { 0, 256 }, { 256, 256 }, { 256, 0 }, { 0
 struct stage {
     const char *name;
     uint16_t (*color)(uint32_t x, uint32_t y);
-    int floor;          /* else a card that turns */
-    int32_t distance;   /* of the card */
+    int floor;        /* else a card that turns */
+    int32_t distance; /* of the card */
     int frames;
 };
 static const struct stage stages[] = {
-    { "checker floor to the horizon", checker, 1, 0, 1 },
-    { "brick floor to the horizon", bricks, 1, 0, 1 },
-    { "checker card that turns, far", checker, 0, 320, 12 },
-    { "brick card that turns, far", bricks, 0, 320, 12 },
+    { "checker floor to the horizon", checker, 1, 0, 1 },    { "brick floor to the horizon", bricks, 1, 0, 1 },
+    { "checker card that turns, far", checker, 0, 320, 12 }, { "brick card that turns, far", bricks, 0, 320, 12 },
     { "brick card that turns, near", bricks, 0, 60, 12 },
 };
 #define STAGES (sizeof stages / sizeof stages[0])
 
-static struct picture draw(const struct stage *s, int frame, const struct zs_texture *t, const struct zs_shader *shader, int more)
+static struct picture draw(const struct stage *s, int frame, const struct zs_texture *t,
+                           const struct zs_shader *shader, int more)
 {
-    const struct zs_mesh mesh = { .pos = s->floor ? floor_pos : card_pos, .tri = tri, .uv = s->floor ? floor_uv : card_uv,
-                                  .uv_bits = (uint8_t)(s->floor ? 7 : 8), .n_verts = 4, .n_tris = 2, .radius = 65535 };
+    const struct zs_mesh mesh = { .pos = s->floor ? floor_pos : card_pos,
+                                  .tri = tri,
+                                  .uv = s->floor ? floor_uv : card_uv,
+                                  .uv_bits = (uint8_t)(s->floor ? 7 : 8),
+                                  .n_verts = 4,
+                                  .n_tris = 2,
+                                  .radius = 65535 };
     const struct zs_material material = { .shader = shader, .cull = ZS_CULL_NONE, .texture = t };
     struct zs_instance instance = { .mesh = &mesh, .material = &material };
     const struct zs_scene scene = { .instance = &instance, .n_instances = 1, .background = ZS_RGB565(0x80a0c0) };

@@ -801,7 +801,7 @@ static void each_flaw_of_a_texture(void **state)
 
 static void strflaw_has_a_text_for_each(void **state)
 {
-    for (int a = 0; a <= ZS_FLAW_TEXEL + 1; a++) {
+    for (int a = 0; a <= ZS_FLAW_LEVELS + 1; a++) {
         assert_non_null(zs_flaw_string((enum zs_flaw)a));
         for (int b = 0; b < a; b++)
             assert_string_not_equal(zs_flaw_string((enum zs_flaw)a), zs_flaw_string((enum zs_flaw)b));

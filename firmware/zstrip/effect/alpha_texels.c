@@ -55,7 +55,7 @@ ZS_KERNEL_INLINE void fetch(const struct zs_texture *t, uint16_t *out, int32_t n
     }
 }
 
-#define FORMAT(name, colors_max_, log2_w_min_, log2_bits_)                                         \
+#define FORMAT(name, colors_max_, log2_bits_)                                                      \
     static void fetch_##name(const struct zs_texture *t, uint16_t *out, int32_t n,                 \
                              const struct zs_walk *walk)                                           \
     {                                                                                              \
@@ -69,12 +69,11 @@ ZS_KERNEL_INLINE void fetch(const struct zs_texture *t, uint16_t *out, int32_t n
     const struct zs_texel zs_texel_##name = { .fetch = fetch_##name,                               \
                                               .both = both_##name,                                 \
                                               .colors_max = colors_max_,                           \
-                                              .log2_w_min = log2_w_min_,                           \
                                               .log2_bits = log2_bits_ }
 
-FORMAT(4444, 0, 0, 4);
-FORMAT(pal8a, 256, 0, 3);
-FORMAT(pal4a, 16, 1, 2);
+FORMAT(4444, 0, 4);
+FORMAT(pal8a, 256, 3);
+FORMAT(pal4a, 16, 2);
 
 /* ---- A texture in place of the instance's ---------------------------------------------------- */
 

@@ -1,132 +1,229 @@
 /* Bilinear filtering.
  *
- * A cell is the square between the middles of four texels. In it, a channel is a + b u + c v +
- * d u v, with u and v from 0 to 1. What depends on the texels alone is computed once for each cell
- * that a run crosses: a, b, c, d of red and blue in one word each, of green in another. Fields of a
- * word do not meet: sums are exact modulo 2^32, and the true sum of a field is the mean of four
- * texels, with weights that are not negative, so that it fits.
+ * A cell is the square between the middles of four texels. In it, the two upper texels are mixed by
+ * u, the two lower ones too, and these two by v. The channels of a texel lie in one word, with room
+ * above each for weights of 5 bits: green in bits 21 .. 26, red in 11 .. 15, blue in 0 .. 4. Fields
+ * do not meet: a difference of words times a weight is exact modulo 2^32, and the true sum of a
+ * field is a mean, weights 0 .. 32, plus a half: below 2^11 for green, 2^10 for red and blue.
  *
- * Weights have 11 bits. u, v and u v are truncated, which is at most 2^-11 of a texel for each, and
- * 2^-11 for d: together (63 + 63 + 126) / 2048 = 0.13 codes of green. Rounding adds a half.
+ * u and v are rounded to 1/32 texel, which moves a coordinate by at most 1/64 texel. There, each of
+ * two roundings is a half of a code: at most one code of RGB565 is lost.
+ *
+ * Texels are unpacked once for each cell that a run crosses, if it stays there for some pixels.
+ * All ways compute the same. In a cell a pixel takes 17 instructions on a Cortex-M3, of which 15
+ * are the least: two weights, three products and three masks, a difference and a shift with a sum,
+ * three to pack and store, two steps. To unpack a cell takes 85 more; where each pixel has its own,
+ * 54 in all, of which 42 are the least: 9 for four addresses, 4 loads, 12 to unpack, 17 for the
+ * rest.
  *
  * SPDX-License-Identifier: MIT
  */
 #include "core/fx.h"
 #include "effect/filter.h"
+#include "shade/texels.h"
 #include "zs_filter.h"
 
-#define WEIGHT_BITS 11u
+#define FIELDS 0x07e0f81fu                     /* green, red, blue */
+#define HALVES (1u << 25 | 1u << 15 | 1u << 4) /* a half, where fields have 5 fraction bits */
+
+/* ---- Colours --------------------------------------------------------------------------------- */
+
+/* Move the channels of an RGB565 value into their fields. */
+ZS_ALWAYS_INLINE uint32_t spread(uint32_t c)
+{
+    return (c | c << 16) & FIELDS;
+}
+
+/* Mix two colours, a + (b - a) f / 32, rounded, where start is 32 a + HALVES. */
+ZS_ALWAYS_INLINE uint32_t mixed(uint32_t start, uint32_t change, uint32_t f)
+{
+    return (start + change * f) >> 5 & FIELDS;
+}
+
+ZS_ALWAYS_INLINE uint16_t packed(uint32_t c)
+{
+    c |= c >> 16;
+    ZS_ANEW(c); /* one instruction swaps the bytes */
+    return zs_wire16((uint16_t)c);
+}
+
+/* Four texels of a cell as the loop takes them: of two rows, where to start and the change. */
+struct cell {
+    uint32_t up, up_change, low, low_change;
+};
+
+ZS_ALWAYS_INLINE struct cell cell_of(uint32_t up0, uint32_t up1, uint32_t low0, uint32_t low1)
+{
+    const uint32_t up = spread(up0), low = spread(low0);
+    return (struct cell){ (up << 5) + HALVES, spread(up1) - up, (low << 5) + HALVES,
+                          spread(low1) - low };
+}
+
+/* u and v: uq0_32 of the cell. */
+ZS_ALWAYS_INLINE uint16_t cell_color(const struct cell *c, uint32_t u, uint32_t v)
+{
+    const uint32_t up = mixed(c->up, c->up_change, u >> 27);
+    const uint32_t low = mixed(c->low, c->low_change, u >> 27);
+    return packed(mixed((up << 5) + HALVES, low - up, v >> 27));
+}
+
+/* ---- Coordinates ----------------------------------------------------------------------------- */
 
 /* One coordinate of a run. */
 struct axis {
-    uint32_t at, step;   /* uq0_32 of the texture's size; at 0 is the first texel's middle */
-    uint32_t first;      /* what is subtracted to have it so: half a texel, and the bias */
-    uint32_t rcp;        /* 2^32 / |step in cells|; 0: each pixel has a cell of its own */
-    uint32_t log2, mask; /* of the texels */
-    uint8_t back, clamp; /* 1: step < 0; 1: clamped */
+    uint32_t at, step; /* uq0_32 of the texture's size; at 0 is the first texel's middle, rounded */
+    uint32_t first;    /* what is subtracted to have it so */
+    uint32_t cells;    /* uq0_32: |step| in cells; UINT32_MAX: one or more */
+    uint32_t rcp;      /* 2^20 / cells, rounded down */
+    uint32_t log2;     /* of the texels */
+    uint32_t back;     /* of a step < 0: all ones */
 };
 
-static void axis_begin(struct axis *a, uint32_t at, uint32_t step, uint32_t log2,
-                       uint32_t log2_whole, int clamp, int32_t n)
+static inline void axis_begin(struct axis *a, uint32_t at, uint32_t step, uint32_t log2,
+                              uint32_t log2_whole, int32_t n)
 {
     const uint32_t size = zs_size32((int32_t)step);
-    a->first = (1u << (31u - log2)) + (1u << (32u - ZS_TEXTURE_BIAS_LOG2 - log2_whole));
+    /* half a texel and the bias, less 1/64 texel to round */
+    a->first = (1u << (31u - log2)) - (1u << (26u - log2)) +
+               (1u << (32u - ZS_TEXTURE_BIAS_LOG2 - log2_whole));
     a->at = at - a->first;
     a->step = step;
     a->log2 = log2;
-    a->mask = (1u << log2) - 1u;
-    a->back = (int32_t)step < 0;
-    a->clamp = (uint8_t)clamp;
-    a->rcp = n == 1 || (log2 && size >> (32u - log2)) ? 0u
-             : size                                   ? UINT32_MAX / (size << log2)
-                                                      : UINT32_MAX;
+    a->back = (uint32_t)((int32_t)step >> 31);
+    a->cells = log2 && size >> (32u - log2) ? UINT32_MAX : size << log2;
+    a->rcp = n == 1 ? 0u : UINT32_MAX / ((a->cells >> 12) + 1u);
 }
 
-/* Find the two texels of the cell, and return a number of pixels that are in it, at least 1. */
-static uint32_t axis_cell(const struct axis *a, uint32_t x[2])
+/* Return a number of pixels that are in the cell of `at`, at least 1. */
+ZS_ALWAYS_INLINE uint32_t axis_stays(const struct axis *a, uint32_t at)
 {
-    const uint32_t in = a->at << a->log2, left = a->back ? in : ~in;
-    x[0] = a->at >> zs_texture_cut(a->log2) & a->mask;
-    x[1] = (x[0] + 1u) & a->mask;
-    if (a->clamp && x[1] == 0) { /* beyond the last middle, or before the first */
+    const uint32_t left = ~(at << a->log2 ^ a->back);
+    return zs_umulh(left >> 12, a->rcp) + 1u; /* <= left / cells + 1 */
+}
+
+/* Find the two texels of a cell. */
+static inline void axis_texels(const struct axis *a, int clamp, uint32_t x[2])
+{
+    const uint32_t mask = (1u << a->log2) - 1u;
+    x[0] = a->at >> zs_texture_cut(a->log2) & mask;
+    x[1] = (x[0] + 1u) & mask;
+    if (clamp && x[1] == 0) { /* beyond the last middle, or before the first */
         if (a->at + a->first < a->first)
             x[0] = 0;
         else
             x[1] = x[0];
     }
-    return zs_umulh(left, a->rcp) + 1u; /* <= left / |step| + 1 */
 }
 
-/* Channels of an RGB565 value, with the room that sums need. */
-ZS_ALWAYS_INLINE uint32_t red_blue(uint32_t c)
+/* ---- Loops ----------------------------------------------------------------------------------- */
+
+#define STAYS 2u /* pixels in a cell from which on its texels are unpacked once for all of them */
+
+/* A texture that repeats, larger than a texel each way: pixels that leave their cell soon. */
+ZS_ALWAYS_INLINE void run_soon(const struct zs_texture *t, uint16_t *out, int32_t n,
+                               const struct axis *a, const struct axis *b, zs_read_fn *read)
 {
-    return (c & 0xf800u) << 5 | (c & 31u);
+    const void *const texel = t->texel;
+    const uint16_t *const palette = t->palette;
+    const uint32_t right = 32u - a->log2, down = 32u - b->log2, row = a->log2, below = b->log2;
+    const uint32_t one = 1u << right, one_down = 1u << down, du = a->step, dv = b->step;
+    uint32_t u = a->at, v = b->at;
+    for (uint16_t *const end = out + n; out != end; out++, u += du, v += dv) {
+        const uint32_t up = v >> down << row, low = (v + one_down) >> down << row;
+        const uint32_t x0 = u >> right, x1 = (u + one) >> right;
+        const struct cell c = cell_of(read(texel, palette, up + x0), read(texel, palette, up + x1),
+                                      read(texel, palette, low + x0),
+                                      read(texel, palette, low + x1));
+        *out = cell_color(&c, u << row, v << below);
+    }
 }
 
-ZS_ALWAYS_INLINE uint32_t green(uint32_t c)
+ZS_ALWAYS_INLINE void cell_pixels(const struct cell *cell, uint16_t *out, uint16_t *end, uint32_t u,
+                                  uint32_t v, uint32_t du, uint32_t dv)
 {
-    return c >> 5 & 63u;
-}
-
-/* a, b, c, d of a cell, from its texels: two of the upper row, two of the lower one. */
-struct cell {
-    uint32_t rb[4], g[4]; /* [0] has WEIGHT_BITS fraction bits, and a half added */
-};
-
-ZS_ALWAYS_INLINE void cell_of(struct cell *cell, uint32_t c00, uint32_t c01, uint32_t c10,
-                              uint32_t c11)
-{
-    const uint32_t rb = red_blue(c00), rb_right = red_blue(c01) - rb;
-    const uint32_t g = green(c00), g_right = green(c01) - g;
-    cell->rb[0] = (rb << WEIGHT_BITS) + 0x04000400u;
-    cell->rb[1] = rb_right;
-    cell->rb[2] = red_blue(c10) - rb;
-    cell->rb[3] = red_blue(c11) - red_blue(c10) - rb_right;
-    cell->g[0] = (g << WEIGHT_BITS) + 0x400u;
-    cell->g[1] = g_right;
-    cell->g[2] = green(c10) - g;
-    cell->g[3] = green(c11) - green(c10) - g_right;
-}
-
-/* Colour n pixels of a cell. u and v are uq0_32 in it. */
-ZS_IN_ORDER static ZS_NOINLINE void cell_run(const struct cell *cell, uint16_t *out, uint32_t n,
-                                             uint32_t u, uint32_t v, uint32_t du, uint32_t dv)
-{
-    const uint32_t rb0 = cell->rb[0], rb1 = cell->rb[1], rb2 = cell->rb[2], rb3 = cell->rb[3];
-    const uint32_t g0 = cell->g[0], g1 = cell->g[1], g2 = cell->g[2], g3 = cell->g[3];
-    for (uint16_t *const end = out + n; out != end; out++) {
-        const uint32_t fu = u >> (32u - WEIGHT_BITS), fv = v >> (32u - WEIGHT_BITS);
-        const uint32_t both = fu * fv >> WEIGHT_BITS;
-        uint32_t rb = rb0 + rb1 * fu, g = g0 + g1 * fu; /* 2 x 16 bits, 17 bits */
-        ZS_ANEW(rb);                                    /* a product and a sum in one instruction */
-        ZS_ANEW(g);
-        rb += rb2 * fv;
-        g += g2 * fv;
-        ZS_ANEW(rb);
-        ZS_ANEW(g);
-        rb += rb3 * both;
-        g += g3 * both;
+    const struct cell c = *cell;
+    do {
+        *out = cell_color(&c, u, v);
         u += du;
         v += dv;
-        uint32_t c = rb >> 27;
-        ZS_ANEW(c);
-        c = c << 6 | g >> WEIGHT_BITS;
-        *out = zs_wire16((uint16_t)(c << 5 | (rb >> WEIGHT_BITS & 31u)));
+    } while (++out != end);
+}
+
+/* The same for pixels that stay. */
+ZS_ALWAYS_INLINE void run_stays(const struct zs_texture *t, uint16_t *out, int32_t n,
+                                const struct axis *a, const struct axis *b, zs_read_fn *read)
+{
+    const void *const texel = t->texel;
+    const uint16_t *const palette = t->palette;
+    const uint32_t right = 32u - a->log2, down = 32u - b->log2, row = a->log2, below = b->log2;
+    uint32_t u = a->at, v = b->at;
+    while (n > 0) {
+        const uint32_t columns = axis_stays(a, u), rows = axis_stays(b, v);
+        const uint32_t in = zs_minu32(zs_minu32(columns, rows), (uint32_t)n);
+        const uint32_t up = v >> down << row, low = (v + (1u << down)) >> down << row;
+        const uint32_t x0 = u >> right, x1 = (u + (1u << right)) >> right;
+        const struct cell c = cell_of(read(texel, palette, up + x0), read(texel, palette, up + x1),
+                                      read(texel, palette, low + x0),
+                                      read(texel, palette, low + x1));
+        cell_pixels(&c, out, out + in, u << row, v << below, a->step << row, b->step << below);
+        u += a->step * in;
+        v += b->step * in;
+        out += in;
+        n -= (int32_t)in;
     }
 }
 
-/* Set the cell from texels in any format. */
-static ZS_NOINLINE void cell_fetch(struct cell *cell, const struct zs_texture *t,
-                                   const struct zs_texel *format, const uint32_t x[2],
-                                   const uint32_t y[2])
-{
-    const uint32_t right = zs_texture_cut(t->log2_w), down = zs_texture_cut(t->log2_h);
-    uint16_t c[4];
-    for (int k = 0; k < 2; k++) {
-        const struct zs_walk walk = { x[0] << right, y[k] << down, (x[1] - x[0]) << right, 0 };
-        format->fetch(t, c + 2 * k, 2, &walk);
+typedef void loop_fn(const struct zs_texture *t, uint16_t *out, int32_t n, const struct axis *a,
+                     const struct axis *b);
+
+#define LOOPS(name)                                                                                \
+    ZS_IN_ORDER static ZS_NOINLINE void soon_##name(const struct zs_texture *t, uint16_t *out,     \
+                                                    int32_t n, const struct axis *a,               \
+                                                    const struct axis *b)                          \
+    {                                                                                              \
+        run_soon(t, out, n, a, b, zs_read_##name);                                                 \
+    }                                                                                              \
+    ZS_IN_ORDER static ZS_NOINLINE void stays_##name(const struct zs_texture *t, uint16_t *out,    \
+                                                     int32_t n, const struct axis *a,              \
+                                                     const struct axis *b)                         \
+    {                                                                                              \
+        run_stays(t, out, n, a, b, zs_read_##name);                                                \
     }
-    cell_of(cell, zs_wire16(c[0]), zs_wire16(c[1]), zs_wire16(c[2]), zs_wire16(c[3]));
+
+LOOPS(565)
+LOOPS(pal8)
+LOOPS(pal4)
+
+/* The loops for formats by the bits of a texel, 4, 8 or 16. */
+static loop_fn *const loops[3][2] = { { stays_pal4, soon_pal4 },
+                                      { stays_pal8, soon_pal8 },
+                                      { stays_565, soon_565 } };
+
+/* Any format, clamped or not, of any size. */
+static ZS_NOINLINE void run_any(const struct zs_texture *t, const struct zs_texel *format,
+                                uint16_t *out, int32_t n, struct axis *a, struct axis *b)
+{
+    while (n > 0) {
+        uint32_t x[2], y[2];
+        uint16_t c[4];
+        const uint32_t right = zs_texture_cut(a->log2), down = zs_texture_cut(b->log2);
+        const uint32_t columns = axis_stays(a, a->at), rows = axis_stays(b, b->at);
+        const uint32_t in = zs_minu32(zs_minu32(columns, rows), (uint32_t)n);
+        axis_texels(a, t->clamp & ZS_CLAMP_U, x);
+        axis_texels(b, t->clamp & ZS_CLAMP_V, y);
+        for (int k = 0; k < 2; k++) {
+            const struct zs_walk walk = { x[0] << right, y[k] << down, (x[1] - x[0]) << right, 0 };
+            format->fetch(t, c + 2 * k, 2, &walk);
+        }
+        const struct cell cell = cell_of(zs_wire16(c[0]), zs_wire16(c[1]), zs_wire16(c[2]),
+                                         zs_wire16(c[3]));
+        cell_pixels(&cell, out, out + in, a->at << a->log2, b->at << b->log2, a->step << a->log2,
+                    b->step << b->log2);
+        a->at += a->step * in;
+        b->at += b->step * in;
+        out += in;
+        n -= (int32_t)in;
+    }
 }
 
 static void fetch_bilinear(const struct zs_texture *t, uint16_t *out, int32_t n,
@@ -134,30 +231,15 @@ static void fetch_bilinear(const struct zs_texture *t, uint16_t *out, int32_t n,
 {
     const struct zs_texture *const whole = zs_texture_behind(t);
     const struct zs_texel *const format = whole->format;
-    const int plain = format->log2_bits == 4 && !format->both; /* RGB565 */
-    struct axis u, v;
-    axis_begin(&u, walk->u, walk->du, t->log2_w, whole->log2_w, t->clamp & ZS_CLAMP_U, n);
-    axis_begin(&v, walk->v, walk->dv, t->log2_h, whole->log2_h, t->clamp & ZS_CLAMP_V, n);
-    while (n > 0) {
-        struct cell cell;
-        uint32_t x[2], y[2];
-        const uint32_t columns = axis_cell(&u, x), rows = axis_cell(&v, y);
-        const uint32_t in = zs_minu32(zs_minu32(columns, rows), (uint32_t)n);
-        if (plain) {
-            const uint16_t *const texel = t->texel;
-            const uint16_t *const up = texel + (y[0] << u.log2), *const low = texel +
-                                                                              (y[1] << u.log2);
-            cell_of(&cell, up[x[0]], up[x[1]], low[x[0]], low[x[1]]);
-        } else {
-            cell_fetch(&cell, t, format, x, y);
-        }
-        cell_run(&cell, out, in, u.at << u.log2, v.at << v.log2, u.step << u.log2,
-                 v.step << v.log2);
-        u.at += u.step * in;
-        v.at += v.step * in;
-        out += in;
-        n -= (int32_t)in;
-    }
+    struct axis a, b;
+    axis_begin(&a, walk->u, walk->du, t->log2_w, whole->log2_w, n);
+    axis_begin(&b, walk->v, walk->dv, t->log2_h, whole->log2_h, n);
+    const int soon = n == 1 || a.cells > UINT32_MAX / STAYS || b.cells > UINT32_MAX / STAYS;
+    if (!format->log2_bits || (format->log2_bits == 4 && format->both) || t->clamp || !t->log2_w ||
+        !t->log2_h)
+        run_any(t, format, out, n, &a, &b);
+    else
+        loops[format->log2_bits - 2u][soon](t, out, n, &a, &b);
 }
 
 const struct zs_texel zs_filter_bilinear = { .fetch = fetch_bilinear };

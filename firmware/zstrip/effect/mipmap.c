@@ -6,11 +6,12 @@
  *
  * On an affine triangle rho is constant. Else let W = w and C = U w, both linear on the screen;
  * then U changes by (C' W - C W') / W^2 to the next pixel. The numerator is linear on the screen:
- * its largest size, K, is at a corner of the box that holds what the viewport shows of the triangle.
- * rho is taken as K / W^2: exact where the numerator is the same everywhere, as it is in the
- * direction in which a plane recedes, and never too small. So the level depends on w alone, never
- * falls where w falls, and has thresholds: L or coarser where w <= sqrt(K 2^(1/2 - L)). A run is cut
- * at the pixels where w, which is linear along a scanline, passes one; they depend on nothing else.
+ * its largest size, K, is at a corner of the box that holds what the viewport shows of the
+ * triangle. rho is taken as K / W^2: exact where the numerator is the same everywhere, as it is in
+ * the direction in which a plane recedes, and never too small. So the level depends on w alone,
+ * never falls where w falls, and has thresholds: L or coarser where w <= sqrt(K 2^(1/2 - L)). A run
+ * is cut at the pixels where w, which is linear along a scanline, passes one; they depend on
+ * nothing else.
  *
  * SPDX-License-Identifier: MIT
  */
@@ -25,7 +26,7 @@
 
 static int levels_fit(const struct zs_texture *t)
 {
-    const uint32_t more = zs_minu32((uint32_t)t->log2_w - t->format->log2_w_min, t->log2_h);
+    const uint32_t more = zs_minu32((uint32_t)t->log2_w - (t->format->log2_bits == 2), t->log2_h);
     return t->n_levels <= 1u + more;
 }
 

@@ -19,12 +19,10 @@ struct zs_texel {
     void (*fetch)(const struct zs_texture *texture, uint16_t *out, int32_t n,
                   const struct zs_walk *walk);
     uint16_t colors_max; /* of the palette; 0: there is none */
-    uint8_t log2_w_min;
-    uint8_t log2_bits; /* of a texel */
+    uint8_t log2_bits; /* of a texel, 2 .. 4; 2: two texels share a byte */
     /* As fetch, and alphas too, 0 .. 255, to out[ZS_ALPHA_RUN ..]; n <= ZS_ALPHA_RUN
      * (effect/alpha_texels.h). NULL: every texel is opaque. */
-    void (*both)(const struct zs_texture *texture, uint16_t *out, int32_t n,
-                 const struct zs_walk *walk);
+    void (*both)(const struct zs_texture *, uint16_t *out, int32_t n, const struct zs_walk *walk);
 };
 
 #define ZS_TEXTURE_GROUP_LOG2                                                                      \

@@ -26,9 +26,10 @@ static const char *const flaws[] = {
     "a texture whose width or height is out of range",
     "a palette whose number of colours is out of range",
     "a clamp that is none",
-    "a texel that its palette does not hold"
+    "a texel that its palette does not hold",
+    "more mipmap levels than the texture's size allows"
 };
-_Static_assert(sizeof flaws / sizeof flaws[0] == ZS_FLAW_TEXEL + 1, "a sentence for each flaw");
+_Static_assert(sizeof flaws / sizeof flaws[0] == ZS_FLAW_LEVELS + 1, "a sentence for each flaw");
 
 const char *zs_flaw_string(enum zs_flaw flaw)
 {
@@ -315,13 +316,11 @@ static uint32_t colors_max(const struct zs_texel *format)
     return format == &zs_texel_pal8 ? 256u : format == &zs_texel_pal4 ? 16u : 0u;
 }
 
-/* at: row * width + column, < 2^20. The width is even if two texels share a byte. */
+/* at: row * width + column, < 2^21. The width is even if two texels share a byte. */
 static uint32_t texel_at(const struct zs_texture *x, uint32_t at)
 {
     const uint8_t *texel = x->texel;
-    if (x->format == &zs_texel_pal4)
-        return texel[at >> 1] >> (at & 1u) * 4u & 15u;
-    return texel[at];
+    return x->format == &zs_texel_pal4 ? texel[at >> 1] >> (at & 1u) * 4u & 15u : texel[at];
 }
 
 enum zs_flaw zs_texture_check(const struct zs_texture *x, uint32_t *index)
@@ -341,7 +340,11 @@ enum zs_flaw zs_texture_check(const struct zs_texture *x, uint32_t *index)
         return found(ZS_FLAW_COLORS, index, x->n_colors);
     if (x->clamp > (ZS_CLAMP_U | ZS_CLAMP_V))
         return found(ZS_FLAW_CLAMP, index, x->clamp);
-    for (uint32_t i = 0; most && i < (uint32_t)1 << (x->log2_w + x->log2_h); i++)
+    if (x->n_levels > x->log2_w + (most != 16u) || x->n_levels > x->log2_h + 1)
+        return found(ZS_FLAW_LEVELS, index, x->n_levels);
+    const uint32_t first = (uint32_t)1 << (x->log2_w + x->log2_h), one = x->n_levels > 0;
+    const uint32_t n = (4u * first - (first >> 2u * (x->n_levels - one))) / 3u; /* < 2^21 */
+    for (uint32_t i = 0; most && i < n; i++)
         if (texel_at(x, i) >= x->n_colors)
             return found(ZS_FLAW_TEXEL, index, i);
     return found(ZS_FLAW_NONE, index, 0);
