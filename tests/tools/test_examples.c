@@ -331,8 +331,6 @@ static void three_lights_on_a_ball(void **state)
     assert_rows(&p, 8, 10, rows, color_of);
 }
 
-static const struct CMUnitTest tests[] = {
-    cmocka_unit_test(panes_of_glass),
 static char gauge_letter(uint32_t c)
 {
     return c == 0xffffu ? '#' : c == 0xf800u ? 'r' : c == 0x07e0u ? 'g' : c >> 11 > 20 ? 'o' : (c & 31u) == 8u ? '-' : '.';
@@ -394,6 +392,7 @@ static void dithered_light(void **state)
 }
 
 static const struct CMUnitTest tests[] = {
+    cmocka_unit_test(panes_of_glass),
     cmocka_unit_test(gauges_over_a_picture),
     cmocka_unit_test(posts_in_fog),
     cmocka_unit_test(dithered_light),
