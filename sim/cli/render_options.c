@@ -242,6 +242,8 @@ static int check_effects(const struct sim_options *o)
         return sim_usage("--light TYPE:..., --specular and --per-pixel need --shade flat or smooth");
     if ((e->per_pixel || e->specular_text != NULL) && o->shade != SIM_SHADE_SMOOTH)
         return sim_usage("--specular and --per-pixel need --shade smooth");
+    if (e->shadow == SIM_SHADOW_MAP && o->shade != SIM_SHADE_SMOOTH)
+        return sim_usage("--shadow map needs --shade smooth");
     if (e->environment != NULL && o->shade != SIM_SHADE_SMOOTH)
         return sim_usage("--environment needs --shade smooth, since it goes by normals");
     if (e->filter != SIM_FILTER_NEAREST && !sim_options_textured(o))

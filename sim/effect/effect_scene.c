@@ -9,6 +9,7 @@
 #include <string.h>
 
 #include "floor.h"
+#include "light_map.h"
 #include "sim.h"
 #include "vec.h"
 #include "zs_dither.h"
@@ -41,6 +42,8 @@ struct sim_effect_ground {
     struct zs_material shade;
     struct zs_mirror mirror;
     struct zs_scene seen; /* in the mirror */
+    struct sim_light_map map;
+    struct zs_shadowed_material *shadowed; /* of the floor, and of the model's parts */
 };
 
 /* Hooks over strips that are drawn, in this order. */
@@ -334,6 +337,26 @@ static int add_shadows(struct sim_effect_scene *out, const struct sim_scene *fro
     return SIM_OK;
 }
 
+/* The floor, the first instance, and all of the model get a shadow map's light. */
+static int make_map(struct sim_effect_scene *out, const struct sim_model *model, const struct sim_scene *from,
+                    const struct sim_options *o)
+{
+    struct sim_effect_ground *g = out->ground;
+    const int err = sim_light_map_draw(&g->map, model, from);
+    if (err != ZS_OK)
+        return sim_refuse(o->model, 0, "--shadow map: %s", zs_error_string(err));
+    g->shadowed = sim_alloc((size_t)out->scene.n_instances + 1, sizeof *g->shadowed);
+    for (uint32_t i = 0; i < out->scene.n_instances; i++) {
+        g->shadowed[i].material = *out->instance[i].material;
+        g->shadowed[i].material.shader = &zs_shade_shadowed_smooth;
+        g->shadowed[i].map = &g->map.map;
+        out->instance[i].material = &g->shadowed[i].material;
+    }
+    zs_shadow_map_light(&g->map.map, &out->scene.light);
+    out->varyings = ZS_VARYINGS_SHADOWED_SMOOTH;
+    return SIM_OK;
+}
+
 /* The floor becomes a mirror: the last instance, a window in which a second pass is seen. */
 static int make_mirror(struct sim_effect_scene *out, const struct sim_scene *from, const struct sim_options *o)
 {
@@ -433,6 +456,8 @@ int sim_effect_make(struct sim_effect_scene *out, const struct sim_model *model,
         add_floor(out, model, from, view, o);
     if (status == SIM_OK && e->shadow == SIM_SHADOW_PLANAR)
         status = add_shadows(out, from, o);
+    if (status == SIM_OK && e->shadow == SIM_SHADOW_MAP)
+        status = make_map(out, model, from, o);
     if (status == SIM_OK && e->mirror)
         status = make_mirror(out, from, o);
     return status;
@@ -446,8 +471,10 @@ void sim_effect_free(struct sim_effect_scene *s)
         free((void *)(uintptr_t)s->surface->environment.texel);
     for (uint32_t i = 0; s->ground != NULL && i < s->ground->n_shadows; i++)
         free(s->ground->pos[i]);
-    if (s->ground != NULL)
-        SIM_FREE(s->ground->shadow, s->ground->pos);
+    if (s->ground != NULL) {
+        sim_light_map_free(&s->ground->map);
+        SIM_FREE(s->ground->shadow, s->ground->pos, s->ground->shadowed);
+    }
     SIM_FREE(s->instance, s->surface, s->hooks, s->ground);
     memset(s, 0, sizeof *s);
 }
