@@ -16,6 +16,7 @@ int example_frame_counter(uint32_t t, const struct zs_sink *sink);
 int example_hidden_line(uint32_t t, const struct zs_sink *sink);
 int example_no_depth(uint32_t t, const struct zs_sink *sink);
 int example_planar_shadow(uint32_t t, const struct zs_sink *sink);
+int example_shadow_map(uint32_t t, const struct zs_sink *sink);
 int example_split_screen(uint32_t t, const struct zs_sink *sink);
 int example_supersampled(uint32_t t, const struct zs_sink *sink);
 int example_user_shader(uint32_t t, const struct zs_sink *sink);

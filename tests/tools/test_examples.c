@@ -196,6 +196,19 @@ static void a_flat_shadow_and_a_disc(void **state)
     assert_rows(&p, 15, 10, rows, level_of);
 }
 
+static void a_shadow_map(void **state)
+{
+    static const char *const rows[] = {
+        "..............++++......+++.....................", "..............:::..+++++:::.+...................",
+        ".............+:::..+++++:::+++++++++++..........", "............++::::.+++++:::++++++++++++.........",
+        "...........++++:::.+++++:::++++++++++++.........", "..........+++++:::.+++++:::++++++++++++.........",
+        "..........+++++:::.++++.:::..........++.........", ".........++++++:::......:::...........++........",
+        "........+++++++:::......:::........+++++........", ".......++++++++:::.+..++:::+..++++++++++........",
+    };
+    const struct panel p = drawn_by(example_shadow_map);
+    assert_rows(&p, 10, 10, rows, level_of);
+}
+
 static const struct CMUnitTest tests[] = {
     cmocka_unit_test(two_pictures_in_one_frame),
     cmocka_unit_test(without_depth_memory),
@@ -203,6 +216,7 @@ static const struct CMUnitTest tests[] = {
     cmocka_unit_test(hidden_lines),
     cmocka_unit_test(four_samples_a_pixel),
     cmocka_unit_test(a_flat_shadow_and_a_disc),
+    cmocka_unit_test(a_shadow_map),
     cmocka_unit_test(a_sky_is_a_function_of_the_row),
     cmocka_unit_test(a_counter_costs_its_rectangle),
 };
