@@ -23,6 +23,7 @@ int example_mirror(uint32_t t, const struct zs_sink *sink);
 int example_no_depth(uint32_t t, const struct zs_sink *sink);
 int example_planar_shadow(uint32_t t, const struct zs_sink *sink);
 int example_sky(uint32_t t, const struct zs_sink *sink);
+int example_shadow_map(uint32_t t, const struct zs_sink *sink);
 int example_split_screen(uint32_t t, const struct zs_sink *sink);
 int example_supersampled(uint32_t t, const struct zs_sink *sink);
 int example_user_shader(uint32_t t, const struct zs_sink *sink);

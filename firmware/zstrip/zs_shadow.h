@@ -48,7 +48,8 @@ struct zs_shadow_light {
  * Exact    a vertex is within half a step (0.52) of its true place in each axis; on a plane along
  *          two world axes it is exactly on the plane. The longest side of the bound of a shadow
  *          takes 16,350 to 32,700 steps to each side, and a shadow a fifth to all of its bound.
- * Cost     not measured yet.
+ * Cost     7,000 instructions, and 330 for a vertex (a point light: 10,000 and 520) on a Cortex-M3.
+ *          Flash: 2.4 KB.
  * Return   ZS_OK; ZS_ERR_NULL; ZS_ERR_VECTOR: the light is behind the plane, in it, or so low that
  *          the shadow would be more than 256 times as long as the thing is high; ZS_ERR_RANGE: a
  *          pose, plane or light is out of range, the shadow reaches out of the world, or a point
@@ -69,7 +70,7 @@ int zs_shadow_flatten(struct zs_instance *shadow, struct zs_mesh *mesh, int16_t 
  *          pixel to the next one; triangles thinner than 1/256 px may be off by more, as their keys
  *          are. Where vertices are not exactly on the plane, add what that moves their keys.
  * Order    what is drawn later, and is less than 2 |b| buckets above the plane, is hidden there.
- * Cost     not measured yet.
+ * Cost     13 instructions a pixel more than zs_shade_raw with a depth_state. Flash: 500 bytes.
  * Refused  ZS_ERR_RANGE: a depth_state that is not a .bias < 0 and all else 0; ZS_ERR_DEPTH:
  *          zs_depth_none, or a method (zs_method.h), which would darken pixels twice. */
 extern const struct zs_shader zs_shade_shadow;
@@ -85,7 +86,7 @@ extern const struct zs_mesh zs_shadow_disc;
  * radius, where material.rgb.g / 255 is 1 - d. Discs that overlap darken a pixel twice. Draw it
  * after the ground, with a depth_state of .read_only = 1 and a .bias of some buckets below 0.
  *
- * Cost     not measured yet. */
+ * Cost     170 instructions a pixel on a Cortex-M3. Flash: 300 bytes, and the fragment stage. */
 extern const struct zs_shader zs_shade_disc;
 #define ZS_VARYINGS_DISC 2u
 
@@ -101,14 +102,18 @@ extern const struct zs_shader zs_shade_disc;
  *
  * RAM       2 bytes a texel: 32 KB for 128 x 128; and a renderer with an arena for w x h, which may
  *           be the screen's arena if zs_init is called before each use.
- * Time      the light's frame is a frame without colours; it is drawn when something has moved.
+ * Time      the light's frame is drawn when something has moved: 1.05 million instructions on a
+ *           Cortex-M3 for 128 x 128 texels and a torus of 672 triangles.
  * Limits    directional lights: an orthographic camera with zs_depth_linear. (A light at a point
  *           would need a division for each pixel.)
- * Looks     edges are steps of texels; `soft` makes ramps of a texel of them. With too little bias surfaces are striped with their own shadow
- *           (acne); with too much, shadows begin behind the feet of things (peter-panning). A light
- *           that grazes a surface shows both. Take .slope_bias = 256, or 512 with `soft`: that is
- *           the least that no plane shadows itself with, and .bias = 4, or more where an instance
- *           is larger than the map's range: 3 + 2 d, d the keys of a step (zs_shade_shadowed_flat).
+ * Looks     edges are steps of texels; `soft` makes ramps of a texel of them. With too little bias
+ *           surfaces are striped with their own shadow (acne); with too much, shadows begin behind
+ *           the feet of things (peter-panning). Take .slope_bias = 288, or 544 with `soft`: a
+ *           texel's middle is half a texel away each way, or a whole one, and 1/16 is for
+ *           rounding. And .bias = 4; more where a step of a varying (zs_shade_shadowed_flat) is
+ *           more than a key: 3 and the keys of a step.
+ * Edges     within a texel of a shadow's edge, or of an edge of a thing in the light's view, either
+ *           may be seen; elsewhere lit and dark are right.
  */
 struct zs_shadow_map {
     uint16_t *key; /* [h][w], the caller's */
@@ -125,8 +130,12 @@ struct zs_shadow_map {
 /* Make casters of instances: the same in their places, without colours.
  *
  * out      [n]; lines and points (zs_lines.h) are left out. May not be `in`.
+ * Culling  as in the picture. A closed mesh may show the light its back faces in place of its front
+ *          (out[k].material = &zs_shadow_caster[ZS_CULL_FRONT]): finely curved surfaces then have
+ *          no specks, where a neighbour of another slope is within a texel.
  * state    the depth_state of all of them, with the map's bias and slope_bias; kept. NULL: none.
  * Return   the number of casters. */
+extern const struct zs_material zs_shadow_caster[3]; /* by enum zs_cull */
 uint32_t zs_shadow_casters(struct zs_instance *out, const struct zs_instance *in, uint32_t n,
                            const struct zs_depth_state *state);
 
@@ -150,7 +159,8 @@ void zs_shadow_map_light(const struct zs_shadow_map *map, struct zs_light *light
 
 /* The material of what may lie in shadow. */
 struct zs_shadowed_material {
-    struct zs_material material;     /* .rgb is its colour */
+    struct zs_material material;     /* .rgb is its colour; with zs_shade_shadowed_smooth where the
+                                        mesh has no face_rgb, which is rounded to RGB565 */
     const struct zs_shadow_map *map; /* drawn */
 };
 
@@ -161,7 +171,8 @@ struct zs_shadowed_material {
  *          whose side is 2 to 4 times the radius; they are interpolated perspective-correctly, to a
  *          step. A step is 2^-16 of the side: at most 1/4 texel and 64 keys, or the instance is
  *          refused. Cut it into parts then, or take a coarser map.
- * Cost     not measured yet.
+ * Cost     flat 160, smooth 190 instructions a pixel on a Cortex-M3; `soft` 40 more. Set-up of a
+ *          triangle in a strip finds the instance's place in the map anew. Flash: 3.1 KB in all.
  * Refused  ZS_ERR_NULL: no map, or it is not drawn; ZS_ERR_RANGE: steps too coarse; ZS_ERR_MESH:
  *          smooth without mesh.normal; ZS_ERR_VARYINGS: smooth needs 4, and so a library compiled
  *          with ZS_VARYINGS_MAX of 4 or more. */

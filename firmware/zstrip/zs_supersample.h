@@ -21,8 +21,8 @@
  *           by the hooks of struct zs_supersample.
  * RAM       16 bytes for each pixel of a strip (two bytes of colour and two of depth a sample), 24
  *           with two buffers; without samples 4 and 6. A strip of 8 rows of 240 px takes 30,720.
- * Cost      4 times the pixels are drawn, in twice the rows; vertices and culling cost the same. The
- *           average takes 15 instructions for a pixel of the panel on a Cortex-M3. The teapot at
+ * Cost      4 times the pixels are drawn, in twice the rows; vertices and culling cost the same.
+ *           The average takes 15 instructions for a pixel of the panel on a Cortex-M3. The teapot,
  *           320x240: 4.6 million instructions with one sample, 9.8 with four. Flash: 650 bytes.
  *
  * SPDX-License-Identifier: MIT

@@ -391,6 +391,19 @@ static void dithered_light(void **state)
     }
 }
 
+static void a_shadow_map(void **state)
+{
+    static const char *const rows[] = {
+        "..............++++......+++.....................", "..............:::..+++++:::.+...................",
+        ".............+:::..+++++:::+++++++++++..........", "............++::::.+++++:::++++++++++++.........",
+        "...........++++:::.+++++:::++++++++++++.........", "..........+++++:::.+++++:::++++++++++++.........",
+        "..........+++++:::.++++.:::..........++.........", ".........++++++:::......:::...........++........",
+        "........+++++++:::......:::........+++++........", ".......++++++++:::.+..++:::+..++++++++++........",
+    };
+    const struct panel p = drawn_by(example_shadow_map);
+    assert_rows(&p, 10, 10, rows, level_of);
+}
+
 static const struct CMUnitTest tests[] = {
     cmocka_unit_test(panes_of_glass),
     cmocka_unit_test(gauges_over_a_picture),
@@ -410,6 +423,7 @@ static const struct CMUnitTest tests[] = {
     cmocka_unit_test(veins_of_marble),
     cmocka_unit_test(what_dissolves_shows_what_is_behind),
     cmocka_unit_test(three_lights_on_a_ball),
+    cmocka_unit_test(a_shadow_map),
     cmocka_unit_test(a_sky_is_a_function_of_the_row),
     cmocka_unit_test(a_counter_costs_its_rectangle),
 };

@@ -319,6 +319,28 @@ static void rays(void **state)
         assert_true(lights > 5000 && darks > 500);
 }
 
+/* Map and picture are the same whatever strips, pools, buffers and accelerators are. */
+static int way_case(uint64_t seed)
+{
+    struct prng p = { seed };
+    static struct place s;
+    static uint16_t key[MAP_MAX * MAP_MAX];
+    const struct zs_depth *const depths[3] = { &zs_depth_float, &zs_depth_recip, &zs_depth_linear };
+    CASE_CHECK(place_make(&s, &p) == ZS_OK);
+    CASE_CHECK(map_draw(&s, NULL) == ZS_OK);
+    memcpy(key, s.key, sizeof key);
+    struct zs_config c = picture_config(70, 50, depths[prng_pick(&p, 3)]);
+    struct picture one = picture_draw(&c, &s.scene, &s.camera);
+    CASE_CHECK(map_draw(&s, &p) == ZS_OK);
+    CASE_CHECK(!memcmp(key, s.key, sizeof key));
+    picture_any_way(&p, &c, 2, 6);
+    struct picture other = picture_draw(&c, &s.scene, &s.camera);
+    const int right = picture_same(&one, &other, "another way");
+    picture_free(&one);
+    picture_free(&other);
+    return right;
+}
+
 /* Where nothing throws shadows, the colours are those of the library's lit shaders. */
 static int colors_case(uint64_t seed)
 {
@@ -487,6 +509,7 @@ static void errors(void **state)
 
 static const struct CMUnitTest tests[] = {
     cmocka_unit_test(rays),
+    CASES_TEST(any_way, way_case, 60),
     CASES_TEST(colors_without_casters, colors_case, 60),
     cmocka_unit_test(odd_maps_and_lights),
     cmocka_unit_test(errors),

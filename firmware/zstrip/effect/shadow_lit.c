@@ -127,6 +127,13 @@ static uint16_t flat_face(const struct zs_shading *s, uint32_t t)
     return added(s, n);
 }
 
+/* The colour of a face, RGB565, if the mesh has colours. */
+static uint16_t smooth_face(const struct zs_shading *s, uint32_t t)
+{
+    const struct zs_rgb *const rgb = s->instance->mesh->face_rgb;
+    return rgb ? zs_rgb565(rgb[t].r, rgb[t].g, rgb[t].b) : 0u;
+}
+
 /* ---- Pixels ---------------------------------------------------------------------------------- */
 
 /* The sampler of a job belongs to textures; these shaders have none, and keep the place there. */
@@ -185,43 +192,90 @@ static uint16_t color_of(const struct zs_rgb *c, uint32_t light)
                                 code(c->b, light, 31)));
 }
 
-/* base + varying * step / 2^shift, for a step < 2^31. */
-static inline int32_t moved(int32_t base, int32_t varying, int32_t step, int shift)
+/* The unlit colour of job's triangle; smooth is a constant. */
+static inline struct zs_rgb own_color(const struct zs_job *job, const struct zs_instance *in,
+                                      int smooth)
 {
-    return base + (int32_t)(zs_mul_su(varying, (uint32_t)step) >> shift);
+    const uint32_t c = job->tri->paint, red = c >> 11, green = c >> 5 & 63u, blue = c & 31u;
+    const struct zs_rgb rgb = { (uint8_t)(red << 3 | red >> 2), (uint8_t)(green << 2 | green >> 4),
+                                (uint8_t)(blue << 3 | blue >> 2) };
+    return smooth && in->mesh->face_rgb ? rgb : in->material->rgb;
 }
 
-static void lit_run(struct zs_job *job, const struct zs_row *row, int32_t from, int32_t to)
+/* A varying at a pixel, rounded to a step: 0 .. 65536. */
+static inline uint32_t divided(uint32_t cw, uint32_t w, uint32_t rcp, int32_t lz)
+{
+    return (zs_persp_over(cw, w, rcp, lz) + 0x4000u) >> 15;
+}
+
+/* base + varying * step / 2^shift, for a step < 2^31. */
+static inline int32_t moved(int32_t base, uint32_t varying, uint32_t step, int shift)
+{
+    return base + (int32_t)(zs_mul_uu(varying, step) >> shift);
+}
+
+/* The planes of n varyings at a pixel, and their steps to the next one. */
+struct walk {
+    uint32_t w, c[4], w_step, c_step[4];
+};
+
+static inline void walk_set(struct walk *at, const struct zs_job *job, int32_t i, int32_t y, int n)
+{
+    at->w = zs_plane_at(&job->w, i, y);
+    at->w_step = job->w.gx;
+    for (int k = 0; k < n; k++) {
+        at->c[k] = zs_plane_at(&job->c[k], i, y);
+        at->c_step[k] = job->c[k].gx;
+    }
+}
+
+/* Colour pixels [from, to). n is a constant: 3 varyings, or 4 with the light of the vertices. */
+ZS_ALWAYS_INLINE void run(struct zs_job *job, const struct zs_row *row, int32_t from, int32_t to,
+                          int n)
 {
     const struct zs_instance *in = zs_instance_of(job->r, job->tri->instance);
     const struct zs_shadow_map *const map = map_of(in);
     const uint64_t *const base = job->sampler.base;
-    const int32_t u = (int32_t)(base[0] >> 32), v = (int32_t)base[0], z = (int32_t)(base[1] >> 32);
-    const int32_t step = (int32_t)base[1], key_step = (int32_t)job->sampler.least_w;
-    const int n = job->shader->n_varyings;
+    const uint32_t step = (uint32_t)base[1], key_step = job->sampler.least_w;
+    /* for varyings of 0; half a key is added: |.| < 2^31 */
+    const int32_t u = (int32_t)(base[0] >> 32) - (int32_t)(step >> 1);
+    const int32_t v = (int32_t)(uint32_t)base[0] - (int32_t)(step >> 1);
+    const int32_t z = (int32_t)(base[1] >> 32) - (int32_t)(key_step << 7) + 128;
     const uint32_t ambient = job->r->light.ambient;
-    uint32_t now = UINT32_MAX; /* the light that `color` is for */
-    uint16_t color = 0, *out = job->color + row->at;
-    for (int32_t i = from; i < to; i++) {
-        uint32_t w, diffuse = job->tri->paint;
-        int32_t lz, at[4];
-        const uint32_t rcp = zs_persp_rcp(job, i, row->y, &w, &lz);
-        for (int k = 0; k < n; k++) { /* as zs_fragments_run rounds it */
-            const uint32_t part = zs_persp_over(zs_plane_at(&job->c[k], i, row->y), w, rcp, lz);
-            at[k] = (int32_t)zs_minu32((part + 0x4000u) >> 15, 65535u);
-        }
+    const struct zs_rgb rgb = own_color(job, in, n == 4);
+    uint32_t now = UINT32_MAX, diffuse = job->tri->paint; /* now: the light that `color` is for */
+    uint16_t color = 0, *out = job->color + row->at + from;
+    struct walk at;
+    walk_set(&at, job, from, row->y, n);
+    for (uint16_t *const end = job->color + row->at + to; out != end; out++) {
+        const uint32_t w = zs_persp_held(at.w);
+        const int32_t lz = zs_clz32(w);
+        const uint32_t rcp = zs_recip_inline(w << lz);
+        const int32_t x = moved(u, divided(at.c[0], w, rcp, lz), step, 16);
+        const int32_t y = moved(v, divided(at.c[1], w, rcp, lz), step, 16);
+        const int32_t key = moved(z, divided(at.c[2], w, rcp, lz), key_step, 8) >> 8;
         if (n == 4)
-            diffuse = (uint32_t)at[3];
-        const int32_t key = moved(z, at[2] - 32768, key_step, 8) + 128; /* q8 */
-        const uint32_t arrives = share(map, moved(u, at[0] - 32768, step, 16),
-                                       moved(v, at[1] - 32768, step, 16), key >> 8);
-        const uint32_t light = ambient + (diffuse * arrives >> 8);
+            diffuse = divided(at.c[3], w, rcp, lz);
+        const uint32_t light = ambient + (diffuse * share(map, x, y, key) >> 8);
         if (light != now) {
             now = light;
-            color = color_of(&in->material->rgb, light);
+            color = color_of(&rgb, light);
         }
-        out[i] = color;
+        *out = color;
+        at.w += at.w_step;
+        for (int k = 0; k < n; k++)
+            at.c[k] += at.c_step[k];
     }
+}
+
+static void flat_run(struct zs_job *job, const struct zs_row *row, int32_t from, int32_t to)
+{
+    run(job, row, from, to, 3);
+}
+
+static void smooth_run(struct zs_job *job, const struct zs_row *row, int32_t from, int32_t to)
+{
+    run(job, row, from, to, ZS_VARYINGS_MAX < 4 ? 3 : 4); /* with 3 it is always refused */
 }
 
 /* ---- Shaders --------------------------------------------------------------------------------- */
@@ -244,13 +298,14 @@ static int smooth_check(const struct zs_instance *in, const struct zs_config *co
 const struct zs_shader zs_shade_shadowed_flat = { .vertex = place_vertex,
                                                   .face = flat_face,
                                                   .start = lit_start,
-                                                  .run = lit_run,
+                                                  .run = flat_run,
                                                   .check = lit_check,
                                                   .n_varyings = ZS_VARYINGS_SHADOWED_FLAT,
                                                   .opaque = 1 };
 const struct zs_shader zs_shade_shadowed_smooth = { .vertex = smooth_vertex,
+                                                    .face = smooth_face,
                                                     .start = lit_start,
-                                                    .run = lit_run,
+                                                    .run = smooth_run,
                                                     .check = smooth_check,
                                                     .n_varyings = ZS_VARYINGS_SHADOWED_SMOOTH,
                                                     .opaque = 1 };

@@ -19,7 +19,7 @@ static void nothing_run(struct zs_job *job, const struct zs_row *row, int32_t fr
 
 /* Nobody looks at the colours, so that `opaque` is no lie, and accelerators work. */
 static const struct zs_shader nothing = { .run = nothing_run, .opaque = 1 };
-static const struct zs_material unseen[3] = { { .shader = &nothing, .cull = ZS_CULL_BACK },
+const struct zs_material zs_shadow_caster[3] = { { .shader = &nothing, .cull = ZS_CULL_BACK },
                                               { .shader = &nothing, .cull = ZS_CULL_FRONT },
                                               { .shader = &nothing, .cull = ZS_CULL_NONE } };
 
@@ -32,7 +32,7 @@ uint32_t zs_shadow_casters(struct zs_instance *out, const struct zs_instance *in
         if (!material || material->primitive || material->cull > ZS_CULL_NONE)
             continue;
         out[casters].mesh = in[k].mesh;
-        out[casters].material = &unseen[material->cull];
+        out[casters].material = &zs_shadow_caster[material->cull];
         out[casters].pose = in[k].pose;
         out[casters].depth_state = state;
         casters++;
