@@ -187,6 +187,16 @@ look codes out/down.png 208 121 3 1
 awk -v a="$dark" -v b="$seen" 'BEGIN { split(a, d); split(b, l); for (k = 1; k <= 3; k++) if (d[k] < 0.3 * l[k] || d[k] > 0.47 * l[k]) exit 1 }' ||
     wrong "in the shadow $dark, outside $seen"
 
+begin shadow_map # the same shadow, to a texel of 120 / 256 and its neighbours; the ball shadows itself
+effect flat ball.obj $top $sideways
+effect map ball.obj $top --light 1,1,0 --shadow map --shade smooth
+look codes out/map.png 21 121 3 1
+dark=$seen
+look codes out/map.png 208 121 3 1
+awk -v a="$dark" -v b="$seen" 'BEGIN { split(a, d); split(b, l); for (k = 1; k <= 3; k++) if (d[k] < 0.25 * l[k] || d[k] > 0.5 * l[k]) exit 1 }' ||
+    wrong "in the shadow $dark, outside $seen"
+[ "$("$work/look" png out/map.png | cut -d' ' -f1-2)" = '240 240' ] || wrong 'not 240x240'
+
 # ---- Reflection ------------------------------------------------------------------------------------------------------
 ./fixture png rgb sphere.png 2 1 ff0000 0000ff
 begin environment_by_normals
@@ -235,7 +245,7 @@ usage lights_mixed 'write it as dir:x,y,z' render quad.obj --out refused/old.png
 usage specular 'POWER:STRENGTH' render quad.obj --out refused/old.png --specular 20
 usage fog 'linear:START:END:RRGGBB or exp:DENSITY:RRGGBB' render quad.obj --out refused/old.png --fog thick
 usage blend_alone '--blend needs --alpha' render quad.obj --out refused/old.png --blend add
-usage two_floors 'are two floors' render quad.obj --out refused/old.png --mirror --shadow map
+usage two_floors 'are two floors' render quad.obj --out refused/old.png --mirror --shadow planar
 usage filter_without_texture '--filter needs --shade textured' render quad.obj --out refused/old.png --filter bilinear
 usage two_shaders 'take one of them' render quad.obj --out refused/old.png --shade smooth --alpha 0.5 --per-pixel
 usage samples_and_keys '--depth-out with --samples 4' render quad.obj --out refused/old.png --samples 4 --depth-out d.pgm
@@ -243,6 +253,7 @@ usage effects_and_method 'effects are drawn by --method zbuffer' render quad.obj
     --method painter
 usage mirror_and_fog '--mirror leaves no keys' render quad.obj --out refused/old.png --mirror --fog exp:1:ffffff
 usage environment_flat '--environment needs --shade smooth' render quad.obj --out refused/old.png --environment two.png
+usage shadow_map_flat '--shadow map needs --shade smooth' render quad.obj --out refused/old.png --shadow map
 usage fog_of_glass 'transparent faces do not write' render quad.obj --out refused/old.png --alpha 0.5 --fog exp:1:ffffff
 finish
 [ $n_failed -eq 0 ]
