@@ -356,6 +356,16 @@ static void names(const struct sim_options *o, const char *name[N_OUTPUTS])
     name[3] = o->stats;
 }
 
+/* What is seen of a frame that is drawn. */
+static void picture_of(struct sim_picture *seen, const struct job *job)
+{
+    const uint32_t w = (uint32_t)job->view.width, h = (uint32_t)job->view.height;
+    if (job->options.panel.name != NULL)
+        sim_panel_picture(seen, job->panel.model, &job->panel.glass, job->options.panel.turns);
+    else
+        sim_picture_565(seen, w, h, job->options.reference ? job->original.image.rgb565 : job->frame.rgb565);
+}
+
 /* One file of the four. */
 static int write_one(FILE *f, const struct job *job, int which, const char *name)
 {
@@ -367,11 +377,8 @@ static int write_one(FILE *f, const struct job *job, int which, const char *name
         return sim_png_write(f, name, job->shown.width, job->shown.height, job->shown.rgb);
     if (which == 0) {
         struct sim_picture seen;
-        if (job->options.panel.name != NULL)
-            sim_panel_picture(&seen, job->panel.model, &job->panel.glass, job->options.panel.turns);
-        else
-            sim_picture_565(&seen, w, h, is_reference ? ref->rgb565 : job->frame.rgb565);
-        const int status = sim_png_write(f, name, w, h, seen.rgb);
+        picture_of(&seen, job);
+        const int status = sim_png_write(f, name, seen.width, seen.height, seen.rgb);
         sim_picture_free(&seen);
         return status;
     }
@@ -451,6 +458,37 @@ static void print_diff(const struct ref_diff *d)
                      d->texel_differ, d->texels, d->texel_far, d->texel_max_distance);
 }
 
+static void job_free(struct job *job)
+{
+    sim_picture_free(&job->shown);
+    sim_original_free(&job->original);
+    free(job->id);
+    free(job->texel);
+    sim_frame_free(&job->frame);
+    sim_panel_free(&job->panel);
+    sim_styled_free(&job->styled);
+    sim_effect_free(&job->effect);
+    sim_scene_free(&job->scene);
+    sim_model_free(&job->model);
+    free(job);
+}
+
+int sim_render_model(struct sim_picture *seen, const struct sim_model *model, const struct sim_options *o)
+{
+    static const struct sim_model none;
+    struct job *job = sim_alloc(1, sizeof *job);
+    job->options = *o;
+    job->model = *model;
+    int status = sim_view_plan(&job->view, o, model);
+    if (status == SIM_OK)
+        status = draw_frame(job);
+    if (status == SIM_OK)
+        picture_of(seen, job);
+    job->model = none; /* the caller's */
+    job_free(job);
+    return status;
+}
+
 int sim_render(int argc, char **argv)
 {
     struct job *job = sim_alloc(1, sizeof *job);
@@ -467,16 +505,6 @@ int sim_render(int argc, char **argv)
         if (status == SIM_OK && job->options.compare)
             print_diff(&job->diff);
     }
-    sim_picture_free(&job->shown);
-    sim_original_free(&job->original);
-    free(job->id);
-    free(job->texel);
-    sim_frame_free(&job->frame);
-    sim_panel_free(&job->panel);
-    sim_styled_free(&job->styled);
-    sim_effect_free(&job->effect);
-    sim_scene_free(&job->scene);
-    sim_model_free(&job->model);
-    free(job);
+    job_free(job);
     return status;
 }

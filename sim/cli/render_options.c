@@ -258,6 +258,8 @@ static int check_effects(const struct sim_options *o)
         return sim_usage("--shadow planar is not drawn beside transparent faces: leave one out");
     if (e->mirror && (e->fog != SIM_FOG_NONE || (e->has_alpha && e->blend != SIM_BLEND_SCREEN_DOOR)))
         return sim_usage("--mirror leaves no keys that --fog could go by, and sorts no transparent faces: leave one out");
+    if (e->filter == SIM_FILTER_MIPMAP && o->texel != SIM_TEXEL_565)
+        return sim_usage("--filter mipmap makes its levels in --texture-format 565: leave the other one out");
     if (e->has_blend && !e->has_alpha)
         return sim_usage("--blend needs --alpha, which says how much");
     if (e->mirror && e->shadow != SIM_SHADOW_NONE)

@@ -5,6 +5,7 @@
 #ifndef SIM_EFFECT_OPTIONS_H
 #define SIM_EFFECT_OPTIONS_H
 
+#include "image.h"
 #include "option_table.h"
 #include "zstrip.h"
 
@@ -43,6 +44,7 @@ struct sim_effect_options {
     enum sim_levels levels;
     int dither, shadow;      /* enum sim_dither, enum sim_shadow */
     const char *environment; /* a picture; NULL: none */
+    const struct sim_image *environment_image; /* in place of that file; NULL: it */
     int mirror;              /* flag */
 };
 

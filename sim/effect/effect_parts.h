@@ -23,6 +23,8 @@ struct sim_effect_surface {
     struct zs_lighting lighting;
     struct zs_shine shine;
     struct zs_texture environment; /* its texels are its own */
+    struct zs_texture *leveled;    /* [n_leveled], with mipmap levels of their own */
+    uint32_t n_leveled;
     struct zs_mesh *mesh; /* of the parts, with uv_bits for it */
 };
 

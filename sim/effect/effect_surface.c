@@ -57,6 +57,46 @@ static struct zs_material *plain_materials(struct sim_effect_scene *out, uint32_
     return out->surface->plain;
 }
 
+/* Append levels to a texture in RGB565, each texel the mean of four, by code, rounded to nearest. */
+static void add_levels(struct zs_texture *t)
+{
+    const uint32_t levels = 1u + (t->log2_w < t->log2_h ? t->log2_w : t->log2_h);
+    const uint16_t *from = t->texel;
+    uint16_t *all = sim_alloc((size_t)2 << (t->log2_w + t->log2_h), sizeof *all), *to = all;
+    memcpy(to, from, sizeof *to << (t->log2_w + t->log2_h));
+    for (uint32_t k = 1; k < levels; k++) {
+        const uint32_t w = 1u << (t->log2_w - k), h = 1u << (t->log2_h - k);
+        const uint16_t *above = to;
+        to += (size_t)4 * w * h;
+        for (uint32_t i = 0; i < w * h; i++) {
+            const uint16_t *at = above + i / w * 4u * w + i % w * 2u;
+            const uint32_t of[4] = { at[0], at[1], at[2u * w], at[2u * w + 1u] };
+            uint32_t red = 2, green = 2, blue = 2;
+            for (int c = 0; c < 4; c++) {
+                red += of[c] >> 11;
+                green += of[c] >> 5 & 63u;
+                blue += of[c] & 31u;
+            }
+            to[i] = (uint16_t)(red / 4u << 11 | green / 4u << 5 | blue / 4u);
+        }
+    }
+    t->texel = all;
+    t->n_levels = (uint8_t)levels;
+}
+
+/* Textures with levels in place of those of the materials: one for each part that has a texture. */
+static void make_levels_of(struct sim_effect_surface *s, struct zs_material *m, uint32_t n)
+{
+    s->leveled = sim_alloc((size_t)n + 1, sizeof *s->leveled);
+    s->n_leveled = n;
+    for (uint32_t i = 0; i < n; i++)
+        if (m[i].texture != NULL) {
+            s->leveled[i] = *m[i].texture;
+            add_levels(&s->leveled[i]);
+            m[i].texture = &s->leveled[i];
+        }
+}
+
 /* Parts without a texture stay as they are. */
 static void make_filtered(struct sim_effect_scene *out, uint32_t n, int filter)
 {
@@ -69,6 +109,8 @@ static void make_filtered(struct sim_effect_scene *out, uint32_t n, int filter)
     struct zs_material *m = plain_materials(out, n);
     for (uint32_t i = 0; i < n; i++)
         m[i].shader = in_place_of(&of[filter], m[i].shader);
+    if (filter == SIM_FILTER_MIPMAP)
+        make_levels_of(out->surface, m, n);
 }
 
 /* ---- Lights */
@@ -185,9 +227,16 @@ static int make_environment(struct sim_effect_scene *out, uint32_t n, const stru
     struct sim_effect_surface *s = out->surface;
     struct sim_image image;
     struct sim_texture texture;
-    const int status = sim_image_load(&image, o->effects.environment);
-    if (status != SIM_OK)
-        return status;
+    const struct sim_image *given = o->effects.environment_image;
+    if (given != NULL) {
+        image = *given;
+        image.rgb = sim_alloc((size_t)image.width * image.height, sizeof *image.rgb);
+        memcpy(image.rgb, given->rgb, (size_t)image.width * image.height * sizeof *image.rgb);
+    } else {
+        const int status = sim_image_load(&image, o->effects.environment);
+        if (status != SIM_OK)
+            return status;
+    }
     sim_texture_make(&texture, &image, o->effects.environment, NULL);
     s->environment = (struct zs_texture){ .format = &zs_texel_565,
                                           .texel = sim_texture_565(&texture),
@@ -246,6 +295,9 @@ void sim_effect_surfaces_free(struct sim_effect_surface *s)
     if (s == NULL)
         return;
     free((void *)(uintptr_t)s->environment.texel);
+    for (uint32_t i = 0; i < s->n_leveled; i++)
+        free((void *)(uintptr_t)s->leveled[i].texel);
+    free(s->leveled);
     SIM_FREE(s->blend, s->plain, s->lit, s->mesh);
     free(s);
 }

@@ -138,7 +138,8 @@ static int draw_all(struct gallery_shot (*shot)[GALLERY_SCENES], const struct re
     return status == SIM_OK && rq->counts ? read_counts(shot, rq->counts) : status;
 }
 
-static int write_page(struct gallery_shot (*shot)[GALLERY_SCENES], const struct request *rq)
+static int write_page(struct gallery_shot (*shot)[GALLERY_SCENES], const struct sim_picture *effect,
+                      const struct request *rq)
 {
     char path[4096];
     struct sim_output out;
@@ -149,7 +150,7 @@ static int write_page(struct gallery_shot (*shot)[GALLERY_SCENES], const struct 
     int status = sim_output_open(&out, path);
     if (status != SIM_OK)
         return status;
-    gallery_page_write(out.file, shot, names);
+    gallery_page_write(out.file, shot, names, effect);
     status = sim_output_commit(&out, 1);
     if (status == SIM_OK)
         (void)printf("%s\n", path);
@@ -173,6 +174,7 @@ int sim_gallery(int argc, char **argv)
 {
     struct request rq = { .out = "build/gallery" };
     struct gallery_shot(*shot)[GALLERY_SCENES];
+    struct sim_picture effect[GALLERY_EFFECTS] = { { 0 } };
     char seen[N_TABLE] = { 0 };
     int status = SIM_OK;
     for (int i = 0; status == SIM_OK && i < argc; i++)
@@ -187,10 +189,14 @@ int sim_gallery(int argc, char **argv)
         return status;
     shot = sim_alloc(SIM_METHODS, sizeof *shot);
     status = draw_all(shot, &rq);
+    for (size_t k = 0; status == SIM_OK && k < GALLERY_EFFECTS; k++)
+        status = gallery_effect_draw(&effect[k], &gallery_effects[k]);
     if (status == SIM_OK) {
         print_table(shot);
-        status = write_page(shot, &rq);
+        status = write_page(shot, effect, &rq);
     }
+    for (size_t k = 0; k < GALLERY_EFFECTS; k++)
+        sim_picture_free(&effect[k]);
     for (size_t m = 0; m < SIM_METHODS; m++)
         for (size_t i = 0; i < GALLERY_SCENES; i++) {
             sim_picture_free(&shot[m][i].picture);

@@ -55,6 +55,14 @@ static void put_card(FILE *f, const struct sim_method *m, const struct gallery_s
     (void)fputs("</section>\n", f);
 }
 
+static void put_effect(FILE *f, const struct gallery_effect *e, const struct sim_picture *picture)
+{
+    (void)fprintf(f, "<section id=%s class=effect><h2>%s</h2>\n", e->id, e->title);
+    put_picture(f, picture, e->title);
+    (void)fprintf(f, "<p>%s <em>%s</em></p>\n<p><code>zsim render MODEL %s</code></p></section>\n", e->take, e->fails,
+                  e->options);
+}
+
 static void put_row(FILE *f, const struct sim_method *m, const struct gallery_shot *s)
 {
     (void)fprintf(f, "<tr><th>%s", m->title);
@@ -74,13 +82,14 @@ static void put_row(FILE *f, const struct sim_method *m, const struct gallery_sh
     (void)fputs("\n", f);
 }
 
-void gallery_page_write(FILE *f, struct gallery_shot (*shot)[GALLERY_SCENES], const char *const scene[GALLERY_SCENES])
+void gallery_page_write(FILE *f, struct gallery_shot (*shot)[GALLERY_SCENES], const char *const scene[GALLERY_SCENES],
+                        const struct sim_picture *effect)
 {
     (void)fputs(
         "<!DOCTYPE html>\n<html lang=en><meta charset=utf-8><title>zstrip: visible surfaces</title>\n"
         "<style>body{font:16px sans-serif;max-width:75rem;margin:2rem auto;padding:0 1rem}figure{display:inline-block;"
         "margin:.5rem}figcaption{font-size:.8rem}table{border-collapse:collapse}td,th{padding:.2rem .6rem;text-align:"
-        "right;border-bottom:1px solid #ccc}th{text-align:left}img{max-width:100%;height:auto}</style>\n"
+        "right;border-bottom:1px solid #ccc}th{text-align:left}.effect{display:inline-block;width:17rem;vertical-align:top;margin:.5rem}.effect code{font-size:.75rem}img{max-width:100%;height:auto}</style>\n"
         "<h1>Which surfaces are seen: the methods side by side</h1>\n"
         "<p>Each method draws the same scenes with integers alone, strip by strip. The left picture is the frame, "
         "the right one its overdraw: how often each pixel was coloured.</p>\n",
@@ -101,5 +110,10 @@ void gallery_page_write(FILE *f, struct gallery_shot (*shot)[GALLERY_SCENES], co
         f);
     for (size_t m = 0; m < SIM_METHODS; m++)
         put_card(f, &sim_methods[m], shot[m], scene);
+    (void)fputs("<h1>Light, transparency, reflection, shadow</h1>\n<p>The demo's teapot by options of zsim render. A "
+                "program that uses none of them does not link them.</p>\n",
+                f);
+    for (size_t k = 0; k < GALLERY_EFFECTS; k++)
+        put_effect(f, &gallery_effects[k], &effect[k]);
     (void)fputs("</html>\n", f);
 }

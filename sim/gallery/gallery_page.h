@@ -7,6 +7,7 @@
 
 #include <stdio.h>
 
+#include "gallery_effects.h"
 #include "image.h"
 #include "method_names.h"
 
@@ -22,7 +23,8 @@ struct gallery_shot {
     double instructions;               /* on a Cortex-M3; 0: not counted */
 };
 
-/* Write the page. shot: [SIM_METHODS][GALLERY_SCENES]; scene: names. */
-void gallery_page_write(FILE *f, struct gallery_shot (*shot)[GALLERY_SCENES], const char *const scene[GALLERY_SCENES]);
+/* Write the page. shot: [SIM_METHODS][GALLERY_SCENES]; scene: names; effect: [GALLERY_EFFECTS]. */
+void gallery_page_write(FILE *f, struct gallery_shot (*shot)[GALLERY_SCENES], const char *const scene[GALLERY_SCENES],
+                        const struct sim_picture *effect);
 
 #endif

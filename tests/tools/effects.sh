@@ -141,6 +141,15 @@ pixel mixed 160 120 0000ff
 codes mixed 119 100 2 20 15500 0 15500
 codes mixed 107 100 1 20 23250 0 7750
 
+begin filter_mipmap # a checker of single texels, far away, becomes one colour
+./fixture png rgb fine.png 64 64 $(awk 'BEGIN { for (y = 0; y < 64; y++) for (x = 0; x < 64; x++) printf (x + y) % 2 ? "ffffff " : "000000 " }')
+small='--projection orthographic --eye 0,0,120 --at 0,0,0 --fov 160 --near 20 --far 420'
+effect aliased card.obj $small --shade unlit --texture fine.png
+effect smoothed card.obj $small --shade unlit --texture fine.png --filter mipmap
+look png out/smoothed.png
+[ "$(word 3 $seen)" -le 3 ] || wrong "mipmapped: $seen colours"
+codes smoothed 115 115 10 10 15500 31500 15500
+
 # ---- Lights ----------------------------------------------------------------------------------------------------------
 lit='--shade flat --ambient 0 --diffuse 1 --color ffffff'
 begin lights_have_colors
