@@ -9,6 +9,11 @@
  *     zs_method.h  other ways to remove hidden surfaces than the depth buffer
  *     zs_shader.h  write a shader
  *     zs_damage.h  send and draw only what changed
+ *     zs_lights.h  several coloured lights, highlights, light at each pixel
+ *     zs_blend.h   transparency            zs_filter.h  filters, mipmaps, cut-outs
+ *     zs_shadow.h  shadows                 zs_environment.h  mirrors, skies, environment maps
+ *     zs_supersample.h  four samples a pixel
+ *     zs_overlay.h text, sprites, gauges   zs_fog.h     zs_dither.h
  *     zs_check.h   check meshes and textures that cannot be trusted
  *
  * SPDX-License-Identifier: MIT
@@ -40,9 +45,8 @@
  * Promise   the frame is a function of scene, camera and profile (frame size, sub-pixel bits, depth
  *           mapping and bits). Strip height, pool sizes, buffers, accelerators, compiler and
  *           machine do not change a bit of it.
- * Not here  texture filtering, mipmaps, blending, anti-aliasing, perspective shadows, more than one
- *           light, lighting of back faces (a face that is turned away from the light gets ambient
- *           light alone), non-uniform or negative scale, more than one thread in one renderer.
+ * Not here  shadow maps of lights at a point, non-uniform or negative scale, more than one thread
+ *           in one renderer.
  *
  * A renderer holds no global state: two renderers can be used side by side. While a function works
  * on a renderer, no interrupt may call another one for it.
