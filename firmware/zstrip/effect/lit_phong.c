@@ -8,9 +8,9 @@
  * at the scanline's first pixel, so that a pixel does not depend on what else is visible. With u
  * and v the vectors N w at both ends of a block, N w . L and N w . H are linear in it, and |N w|^2
  * is (1 - t)^2 u.u + 2 t (1 - t) u.v + t^2 v.v: both are stepped, and multiplied by 1 / |N w| from
- * a table. |N w|^2 is at least the least of u.u, u.v and v.v. Where that is below a quarter of what
- * the table holds (normals 75 degrees apart, w twice as large at one end), and with other lamps,
- * each pixel is lit by itself, as a vertex is.
+ * a table. |N w|^2 is at least the least of u.u, u.v and v.v. Where that is below a half to a
+ * quarter of the larger of u.u and v.v (normals 60 degrees apart in a block, w 1.4 times as large
+ * at one end), and with other lamps, each pixel is lit by itself, as a vertex is.
  *
  * Error of a cosine in a block: normals of 15 bits, 2^-15; table, 2^-14.4; of its power p, p times
  * that, and 0.011 for the table of powers. Colours: light has 7 bits, red and blue of what it
@@ -269,7 +269,8 @@ static inline uint32_t square_of(const int32_t v[3])
 /* Set up a block of `length` pixels' steps from n to v (N w / 2), at its skip-th pixel. Return 0 if
  * the table does not reach. */
 static int block_start(struct block *b, const struct gloss *g, const int32_t n[3],
-                       const int32_t v[3], int32_t length, int32_t skip)
+                       const int32_t v[3], const struct zs_shine *shine, int32_t length,
+                       int32_t skip)
 {
     uint32_t most = 0;
     for (int k = 0; k < 3; k++)
@@ -288,6 +289,14 @@ static int block_start(struct block *b, const struct gloss *g, const int32_t n[3
         ee = square_of(e);
         down++;
     } while (aa >= (1u << 30) - 256u || ee >= (1u << 30) - 256u);
+    if (aa < (1u << 29) - 512u && ee < (1u << 29) - 512u) { /* times sqrt 2 */
+        for (int k = 0; k < 3; k++) {
+            a[k] = (a[k] * 46341 + (1 << 14)) >> 15; /* < 2^30.5 */
+            e[k] = (e[k] * 46341 + (1 << 14)) >> 15;
+        }
+        aa = square_of(a);
+        ee = square_of(e);
+    }
     const uint32_t ae = (uint32_t)zs_lit_dot(a, e);
     if ((int32_t)ae < 0 || zs_minu32(zs_minu32(aa, ee), ae) < (1u << 28) + 256u)
         return 0;
@@ -297,19 +306,36 @@ static int block_start(struct block *b, const struct gloss *g, const int32_t n[3
     b->by_h = (int32_t)(zs_mul_su(zs_lit_dot(e, g->half) - h0, over) >> 32);
     b->l = l0 + b->by_l * skip;
     b->h = h0 + b->by_h * skip;
+    if (shine) { /* times entries to a cosine, / 2^14: c / 2^16 * scale / 2^15 / 2^8 entries */
+        b->by_h = (int32_t)(zs_mul_su(b->by_h, shine->scale) >> 21);
+        b->h = (int32_t)(zs_mul_su(b->h, shine->scale) >> 21);
+    }
     const uint32_t bend = zs_umulh(aa - ae + (ee - ae), over);
-    b->by_by = (uint32_t)(zs_mul_uu(bend, over) >> 29); /* 8 (aa - 2 ae + ee) / length^2 */
-    const uint32_t first = (uint32_t)(zs_mul_su((int32_t)(ae - aa), over) >> 29) + b->by_by / 2u;
-    b->q = (aa << 2) + zs_wrap_mul(first, skip) + zs_wrap_mul(b->by_by, skip * (skip - 1) / 2);
+    const uint32_t half = (uint32_t)(zs_mul_uu(bend, over) >> 30); /* 4 |u - v|^2 / length^2 */
+    const uint32_t first = (uint32_t)(zs_mul_su((int32_t)(ae - aa), over) >> 29) + half;
+    b->by_by = 2u * half;
+    b->q = (aa << 2) - (1u << 30) + zs_wrap_mul(first, skip) +
+           zs_wrap_mul(b->by_by, skip * (skip - 1) / 2);
     b->by_q = first + zs_wrap_mul(b->by_by, skip);
     return 1;
 }
 
-/* A colour of which a channel is more than full. */
-static ZS_NOINLINE uint32_t held(uint32_t rb, uint32_t green)
+/* Pack a colour: red from bit 26, green from 25, blue from 10; each may be up to twice full. */
+ZS_ALWAYS_INLINE uint16_t packed(uint32_t rb, uint32_t green)
 {
-    return zs_minu32(rb >> 26, 31u) << 11 | zs_minu32(green >> 25, 63u) << 5 |
-           zs_minu32(rb >> 10 & 63u, 31u);
+    uint32_t r = rb >> 26, g = green >> 25, b = rb >> 10 & 63u;
+#ifdef ZS_LIT_MOST
+    ZS_LIT_MOST(r, 5);
+    ZS_LIT_MOST(g, 6);
+    ZS_LIT_MOST(b, 5);
+#else
+    if ((int32_t)(rb | green | rb << 16) < 0) {
+        r = zs_minu32(r, 31u);
+        g = zs_minu32(g, 63u);
+        b = zs_minu32(b, 31u);
+    }
+#endif
+    return zs_wire16((uint16_t)(r << 11 | g << 5 | b));
 }
 
 /* Fill n > 0 pixels. glossy is a constant: 0 leaves out highlights. */
@@ -322,26 +348,24 @@ ZS_ALWAYS_INLINE void block_fill(uint16_t *out, int32_t n, const struct block *b
     const int32_t by_l = b->by_l, by_h = b->by_h;
     const uint32_t base_rb = g->base[0], base_g = g->base[1], rb_by = g->diffuse[0],
                    g_by = g->diffuse[1], rb_shine = g->shine[0], g_shine = g->shine[1];
-    const uint32_t scale = glossy ? shine->scale : 0u;
-    const int32_t least = glossy ? shine->least - (int32_t)((1u << 22) / scale) : 0;
+    /* h is in entries of the table / 2^14; its products have 15 fraction bits; the nearest entry */
+    const int32_t least = glossy ? (int32_t)(zs_mul_uu(shine->least, shine->scale) >> 8) - (1 << 14)
+                                 : 0;
     const uint8_t *const level = glossy ? shine->level : 0;
     for (uint16_t *const end = out + n; out != end; out++) {
         const uint32_t over = zs_lit_rsqrt(q);
-        const uint32_t light = (zs_umulh((uint32_t)(l & ~(l >> 31)), over) + (1u << 21)) >> 22;
+        const uint32_t light = (zs_umulh(zs_lit_positive(l), over) + (1u << 21)) >> 22; /* uq_7 */
         uint32_t rb = base_rb + light * rb_by, green = base_g + light * g_by;
         if (glossy) {
-            const int32_t t = (int32_t)(zs_umulh((uint32_t)(h & ~(h >> 31)), over) >> 13) - least;
+            const int32_t t = (int32_t)zs_umulh(zs_lit_positive(h), over) - least;
             if (t > 0 && l > 0) {
-                const uint32_t s = level[(uint32_t)t * scale >> 23];
+                const uint32_t s = level[t >> 15];
                 rb += s * rb_shine;
                 green += s * g_shine;
             }
             h += by_h;
         }
-        uint32_t c = rb >> 26 << 11 | green >> 25 << 5 | (rb >> 10 & 31u);
-        if ((int32_t)(rb | green | rb << 16) < 0)
-            c = held(rb, green);
-        *out = zs_wire16((uint16_t)c);
+        *out = packed(rb, green);
         l += by_l;
         q += by_q;
         by_q += by_by;
@@ -379,7 +403,7 @@ static void phong_run(struct zs_job *job, const struct zs_row *row, int32_t r0, 
             n[k] = next[k];
         if (to > from)
             normal_at(job, to, row->y, next);
-        if (!block_start(&b, g, n, next, to - from, i0 - from))
+        if (!block_start(&b, g, n, next, shine, to - from, i0 - from))
             each(job, row, i0, i1, 0);
         else if (shine && (g->shine[0] | g->shine[1]))
             fill_glossy(job->color + row->at + i0, i1 - i0, &b, g, shine);
