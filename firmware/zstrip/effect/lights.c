@@ -54,7 +54,7 @@ int zs_lit_unit(int32_t out[3], const int32_t v[3], uint32_t *square, int32_t *e
     const uint32_t m = (uint32_t)(sum >> 30); /* [2^28, 2^31.6) */
     const int32_t even = zs_clz32(m) & ~1;    /* 0 or 2 */
     const uint32_t q = m << even;
-    uint32_t y = zs_lit_rsqrt(q);
+    uint32_t y = zs_lit_rsqrt(q - (1u << 30));
     const int32_t over = (int32_t)(zs_umulh(zs_umulh(y, y), q) - (1u << 30)); /* |.| < 2^17.6 */
     y -= (uint32_t)(((int32_t)(y >> 18) * over) >> 13); /* Newton: y (1 - over / 2^31), 2^-27 */
     const int32_t down = 47 - even / 2;

@@ -28,13 +28,30 @@ static inline const struct zs_lit_material *zs_lit_material_of(const struct zs_i
     return (const struct zs_lit_material *)(const void *)in->material;
 }
 
-/* 2^31 / sqrt(q / 2^32), below 2^32: within 2^-14.4 of it. q >= 2^30. */
+/* 2^31 / sqrt(q / 2^32), below 2^32: within 2^-14.4 of it. q >= 2^30; q_less is q - 2^30. */
 extern const uint32_t zs_lit_root[96];
-static inline uint32_t zs_lit_rsqrt(uint32_t q)
+static inline uint32_t zs_lit_rsqrt(uint32_t q_less)
 {
-    const uint32_t cell = zs_lit_root[(q >> 25) - 32u]; /* value, and slope in the low 12 bits */
-    return cell - (cell & 4095u) * (q << 7 >> 17);
+    const uint32_t cell = zs_lit_root[q_less >> 25]; /* value, and slope in the low 12 bits */
+    return cell - (cell & 4095u) * (q_less << 7 >> 17);
 }
+
+/* max(0, v) */
+static inline uint32_t zs_lit_positive(int32_t v)
+{
+#if defined(__GNUC__) && defined(__thumb2__)
+    uint32_t result;
+    __asm__("usat %0, #31, %1" : "=r"(result) : "r"(v) : "cc");
+    return result;
+#else
+    return (uint32_t)(v & ~(v >> 31));
+#endif
+}
+
+/* Hold v, 0 .. 2^31 - 1, to `bits` bits, where one instruction does. */
+#if defined(__GNUC__) && defined(__thumb2__)
+#define ZS_LIT_MOST(v, bits) __asm__("usat %0, %2, %1" : "=r"(v) : "r"(v), "I"(bits) : "cc")
+#endif
 
 /* Scale v to length ZS_LIT_ONE. Return 0 if it is 0 0 0: out is 0 0 0 then. |v| < 2^31 each;
  * out may be v. *square is |v|^2 / 2^(2 *exp + 30), [2^28, 2^31.6). */

@@ -8,9 +8,9 @@
  * at the scanline's first pixel, so that a pixel does not depend on what else is visible. With u
  * and v the vectors N w at both ends of a block, N w . L and N w . H are linear in it, and |N w|^2
  * is (1 - t)^2 u.u + 2 t (1 - t) u.v + t^2 v.v: both are stepped, and multiplied by 1 / |N w| from
- * a table. |N w|^2 is at least the least of u.u, u.v and v.v. Where that is below a quarter of what
- * the table holds (normals 75 degrees apart, w twice as large at one end), and with other lamps,
- * each pixel is lit by itself, as a vertex is.
+ * a table. |N w|^2 is at least the least of u.u, u.v and v.v. Where that is below a half to a
+ * quarter of the larger of u.u and v.v (normals 60 degrees apart in a block, w 1.4 times as large
+ * at one end), and with other lamps, each pixel is lit by itself, as a vertex is.
  *
  * Error of a cosine in a block: normals of 15 bits, 2^-15; table, 2^-14.4; of its power p, p times
  * that, and 0.011 for the table of powers. Colours: light has 7 bits, red and blue of what it
@@ -188,12 +188,16 @@ static int gloss_start(struct zs_job *job, const struct zs_instance *in)
     return 1;
 }
 
+/* The longest N w / 2 is scaled to 2^29.5 .. 2^30. */
 static void normal_planes(struct zs_job *job, const uint16_t *const a[3], const uint32_t w[3])
 {
+    const uint32_t most = zs_maxu32(zs_maxu32(w[0], w[1]), w[2]);
+    const int32_t size = most < 1518500249u ? 46340 : 32768; /* sqrt 2, if most < 2^30.5 */
+    const int32_t by = job->tri->paint ? -size : size;
     for (int c = 0; c < 3; c++) {
         uint32_t v[3];
         for (int k = 0; k < 3; k++)
-            v[k] = (uint32_t)(zs_mul_su(a[k][c] - 32768, w[k]) >> 16) + BIAS;
+            v[k] = (uint32_t)(zs_mul_su((a[k][c] - 32768) * by >> 15, w[k]) >> 16) + BIAS;
         zs_persp_plane(&job->geom, v, ZS_PLANE_WIDE, &job->c[c]);
     }
 }
@@ -229,6 +233,8 @@ static void normal_at(const struct zs_job *job, int32_t i, int32_t row, int32_t 
         const int32_t v = (int32_t)(zs_plane_at(&job->c[k], i, row) - BIAS);
         n[k] = job->tri->paint & TURNED ? -v : v;
     }
+    for (int k = 0; k < 3; k++)
+        n[k] = (int32_t)(zs_plane_at(&job->c[k], i, row) - BIAS);
 }
 
 /* Set at->pos at a covered pixel of a job with six varyings. */
@@ -293,50 +299,99 @@ static inline uint32_t square_of(const int32_t v[3])
     return (uint32_t)(v[0] * v[0]) + (uint32_t)(v[1] * v[1]) + (uint32_t)(v[2] * v[2]);
 }
 
-/* Set up a block of `length` pixels' steps from n to v (N w / 2), at its skip-th pixel. Return 0 if
- * the table does not reach. */
-static int block_start(struct block *b, const struct gloss *g, const int32_t n[3],
-                       const int32_t v[3], int32_t length, int32_t skip)
+/* One end of a block. */
+struct end {
+    int32_t v[3]; /* N w, |v|^2 < 2^30 - 256 */
+    uint32_t vv;  /* v . v */
+    int32_t l, h; /* v . L, and v . H in entries of the table / 2^14 */
+};
+
+static void end_set(struct end *e, const struct gloss *g, uint32_t scale)
 {
-    uint32_t most = 0;
+    e->vv = square_of(e->v);
+    e->l = zs_lit_dot(e->v, g->light);
+    /* c / 2^16 * scale / 2^15 / 2^8 entries */
+    e->h = (int32_t)(zs_mul_su(zs_lit_dot(e->v, g->half), scale) >> 21);
+}
+
+static void end_at(struct end *e, const struct zs_job *job, const struct gloss *g, uint32_t scale,
+                   int32_t i, int32_t row)
+{
     for (int k = 0; k < 3; k++)
-        most |= zs_size32(n[k]) | zs_size32(v[k]);
-    int32_t down = 17 - zs_clz32(most | 1u); /* below 2^15 */
-    int32_t a[3], e[3];
-    uint32_t aa, ee;
-    if (down < 1)
-        return 0;
-    do {
-        for (int k = 0; k < 3; k++) {
-            a[k] = (n[k] + (1 << down >> 1)) >> down;
-            e[k] = (v[k] + (1 << down >> 1)) >> down;
-        }
-        aa = square_of(a);
-        ee = square_of(e);
-        down++;
-    } while (aa >= (1u << 30) - 256u || ee >= (1u << 30) - 256u);
-    const uint32_t ae = (uint32_t)zs_lit_dot(a, e);
-    if ((int32_t)ae < 0 || zs_minu32(zs_minu32(aa, ee), ae) < (1u << 28) + 256u)
+        e->v[k] = ((int32_t)(zs_plane_at(&job->c[k], i, row) - BIAS) + (1 << 14)) >> 15;
+    end_set(e, g, scale);
+}
+
+/* Set up the steps of a block of `length` pixels from a to e, at its skip-th pixel. Return 0 if the
+ * table does not reach. */
+static int block_start(struct block *b, const struct end *a, const struct end *e, int32_t length,
+                       int32_t skip)
+{
+    const int32_t ae = zs_lit_dot(a->v, e->v);
+    const uint32_t least = (1u << 28) + 256u;
+    if (ae < (int32_t)least || a->vv < least || e->vv < least)
         return 0;
     const uint32_t over = zs_one_over[length];
-    const int32_t l0 = zs_lit_dot(a, g->light), h0 = zs_lit_dot(a, g->half);
-    b->by_l = (int32_t)(zs_mul_su(zs_lit_dot(e, g->light) - l0, over) >> 32);
-    b->by_h = (int32_t)(zs_mul_su(zs_lit_dot(e, g->half) - h0, over) >> 32);
-    b->l = l0 + b->by_l * skip;
-    b->h = h0 + b->by_h * skip;
-    const uint32_t bend = zs_umulh(aa - ae + (ee - ae), over);
-    b->by_by = (uint32_t)(zs_mul_uu(bend, over) >> 29); /* 8 (aa - 2 ae + ee) / length^2 */
-    const uint32_t first = (uint32_t)(zs_mul_su((int32_t)(ae - aa), over) >> 29) + b->by_by / 2u;
-    b->q = (aa << 2) + zs_wrap_mul(first, skip) + zs_wrap_mul(b->by_by, skip * (skip - 1) / 2);
+    b->by_l = (int32_t)(zs_mul_su(e->l - a->l, over) >> 32);
+    b->by_h = (int32_t)(zs_mul_su(e->h - a->h, over) >> 32);
+    b->l = a->l + b->by_l * skip;
+    b->h = a->h + b->by_h * skip;
+    const uint32_t bend = zs_umulh(a->vv + e->vv - 2u * (uint32_t)ae, over);
+    const uint32_t half = (uint32_t)(zs_mul_uu(bend, over) >> 30); /* 4 |u - v|^2 / length^2 */
+    const uint32_t first = (uint32_t)(zs_mul_su(ae - (int32_t)a->vv, over) >> 29) + half;
+    b->by_by = 2u * half;
+    b->q = (a->vv << 2) - (1u << 30) + zs_wrap_mul(first, skip) +
+           zs_wrap_mul(half, skip * (skip - 1));
     b->by_q = first + zs_wrap_mul(b->by_by, skip);
     return 1;
 }
 
-/* A colour of which a channel is more than full. */
-static ZS_NOINLINE uint32_t held(uint32_t rb, uint32_t green)
+/* Set both ends of a block that is far away: N w is scaled up. */
+static ZS_RARE ZS_NOINLINE void far_ends(struct end both[2], struct zs_job *job,
+                                         const struct gloss *g, uint32_t scale, int32_t from,
+                                         int32_t to, int32_t row)
 {
-    return zs_minu32(rb >> 26, 31u) << 11 | zs_minu32(green >> 25, 63u) << 5 |
-           zs_minu32(rb >> 10 & 63u, 31u);
+    int32_t n[2][3];
+    uint32_t most = 1, longest;
+    normal_at(job, from, row, n[0]);
+    normal_at(job, to, row, n[1]);
+    for (int k = 0; k < 3; k++)
+        most |= zs_size32(n[0][k]) | zs_size32(n[1][k]);
+    int32_t down = zs_max32(17 - zs_clz32(most), 1); /* below 2^15 */
+    do {
+        for (int i = 0; i < 2; i++) {
+            for (int k = 0; k < 3; k++)
+                both[i].v[k] = (n[i][k] + (1 << down >> 1)) >> down;
+            end_set(&both[i], g, scale);
+        }
+        longest = zs_maxu32(both[0].vv, both[1].vv);
+        down++;
+    } while (longest >= (1u << 30) - 256u);
+    if (longest >= (1u << 29) - 512u)
+        return;
+    for (int i = 0; i < 2; i++) { /* times sqrt 2 */
+        for (int k = 0; k < 3; k++)
+            both[i].v[k] = (both[i].v[k] * 46340 + (1 << 14)) >> 15; /* < 2^30.5 */
+        end_set(&both[i], g, scale);
+    }
+}
+
+/* Pack a colour: red from bit 26, green from 25, blue from 10; each may be up to twice full. */
+ZS_ALWAYS_INLINE uint16_t packed(uint32_t rb, uint32_t green)
+{
+    uint32_t r = rb >> 26, g = green >> 25, b = rb >> 10 & 63u;
+#ifdef ZS_LIT_MOST
+    ZS_LIT_MOST(r, 5);
+    ZS_LIT_MOST(g, 6);
+    ZS_LIT_MOST(b, 5);
+#else
+    if ((int32_t)(rb | green | rb << 16) < 0) {
+        r = zs_minu32(r, 31u);
+        g = zs_minu32(g, 63u);
+        b = zs_minu32(b, 31u);
+    }
+#endif
+    return zs_wire16((uint16_t)(r << 11 | g << 5 | b));
 }
 
 /* Fill n > 0 pixels. glossy is a constant: 0 leaves out highlights. */
@@ -349,26 +404,24 @@ ZS_ALWAYS_INLINE void block_fill(uint16_t *out, int32_t n, const struct block *b
     const int32_t by_l = b->by_l, by_h = b->by_h;
     const uint32_t base_rb = g->base[0], base_g = g->base[1], rb_by = g->diffuse[0],
                    g_by = g->diffuse[1], rb_shine = g->shine[0], g_shine = g->shine[1];
-    const uint32_t scale = glossy ? shine->scale : 0u;
-    const int32_t least = glossy ? shine->least - (int32_t)((1u << 22) / scale) : 0;
+    /* h is in entries of the table / 2^14; its products have 15 fraction bits; the nearest entry */
+    const int32_t least = glossy ? (int32_t)(zs_mul_uu(shine->least, shine->scale) >> 8) - (1 << 14)
+                                 : 0;
     const uint8_t *const level = glossy ? shine->level : 0;
     for (uint16_t *const end = out + n; out != end; out++) {
         const uint32_t over = zs_lit_rsqrt(q);
-        const uint32_t light = (zs_umulh((uint32_t)(l & ~(l >> 31)), over) + (1u << 21)) >> 22;
+        const uint32_t light = (zs_umulh(zs_lit_positive(l), over) + (1u << 21)) >> 22; /* uq_7 */
         uint32_t rb = base_rb + light * rb_by, green = base_g + light * g_by;
         if (glossy) {
-            const int32_t t = (int32_t)(zs_umulh((uint32_t)(h & ~(h >> 31)), over) >> 13) - least;
+            const int32_t t = (int32_t)zs_umulh(zs_lit_positive(h), over) - least;
             if (t > 0 && l > 0) {
-                const uint32_t s = level[(uint32_t)t * scale >> 23];
+                const uint32_t s = level[t >> 15];
                 rb += s * rb_shine;
                 green += s * g_shine;
             }
             h += by_h;
         }
-        uint32_t c = rb >> 26 << 11 | green >> 25 << 5 | (rb >> 10 & 31u);
-        if ((int32_t)(rb | green | rb << 16) < 0)
-            c = held(rb, green);
-        *out = zs_wire16((uint16_t)c);
+        *out = packed(rb, green);
         l += by_l;
         q += by_q;
         by_q += by_by;
@@ -390,25 +443,32 @@ static ZS_NOINLINE void fill_matt(uint16_t *out, int32_t n, const struct block *
 static void phong_run(struct zs_job *job, const struct zs_row *row, int32_t r0, int32_t r1)
 {
     const struct zs_instance *const in = zs_instance_of(job->r, job->tri->instance);
-    const struct zs_shine *const shine = zs_lit_material_of(in)->shine;
-    int32_t n[3], next[3], from = row->x0 + ((r0 - row->x0) & -BLOCK);
     const struct gloss *const g = gloss_of(job);
+    const struct zs_shine *shine = zs_lit_material_of(in)->shine;
+    int32_t from = row->x0 + ((r0 - row->x0) & -BLOCK);
     if (job->sub_log2 != FAST) {
         each(job, row, r0, r1, 0);
         return;
     }
-    normal_at(job, from, row->y, next);
+    if (!(g->shine[0] | g->shine[1]))
+        shine = 0;
+    const uint32_t scale = shine ? shine->scale : 0u;
+    struct end next, ends[2];
+    end_at(&next, job, g, scale, from, row->y);
     for (; from < r1; from += BLOCK) {
         const int32_t to = zs_min32(from + BLOCK, row->x1 - 1); /* its far end: a covered pixel */
         const int32_t i0 = zs_max32(from, r0), i1 = zs_min32(from + BLOCK, r1);
         struct block b;
-        for (int k = 0; k < 3; k++)
-            n[k] = next[k];
-        if (to > from)
-            normal_at(job, to, row->y, next);
-        if (!block_start(&b, g, n, next, to - from, i0 - from))
+        ends[0] = next;
+        end_at(&next, job, g, scale, to, row->y);
+        int steps = block_start(&b, &ends[0], &next, to - from, i0 - from);
+        if (!steps) {
+            far_ends(ends, job, g, scale, from, to, row->y);
+            steps = block_start(&b, &ends[0], &ends[1], to - from, i0 - from);
+        }
+        if (!steps)
             each(job, row, i0, i1, 0);
-        else if (shine && (g->shine[0] | g->shine[1]))
+        else if (shine)
             fill_glossy(job->color + row->at + i0, i1 - i0, &b, g, shine);
         else
             fill_matt(job->color + row->at + i0, i1 - i0, &b, g);
