@@ -1,0 +1,24 @@
+/* Stages of the opaque shaders, for shaders over them (effect/). Internal.
+ *
+ * Others are in shade/persp.h (smooth colours) and shade/texture.h.
+ *
+ * SPDX-License-Identifier: MIT
+ */
+#ifndef ZS_SHADE_STAGES_H
+#define ZS_SHADE_STAGES_H
+
+#include "zs_shader.h"
+
+/* zs_shader.face: a colour, as it lies in memory. */
+uint16_t zs_raw_face(const struct zs_shading *s, uint32_t t);
+uint16_t zs_flat_face(const struct zs_shading *s, uint32_t t);
+/* zs_shade_smooth's. */
+void zs_smooth_vertex(const struct zs_shading *s, uint32_t v, uint16_t *out);
+int zs_smooth_usable(const struct zs_instance *in, const struct zs_config *config);
+/* Those of the textured shaders: texture coordinates; and light at vertices, or of a face. */
+void zs_texture_vertex(const struct zs_shading *s, uint32_t v, uint16_t *out);
+void zs_texture_lit_vertex(const struct zs_shading *s, uint32_t v, uint16_t *out);
+uint16_t zs_texture_lit_face(const struct zs_shading *s, uint32_t t);
+int zs_texture_lit_usable(const struct zs_instance *in, const struct zs_config *config);
+
+#endif
