@@ -125,10 +125,22 @@ ZS_ALWAYS_INLINE void texels(struct zs_job *job, const struct zs_row *row, int32
     }
 }
 
+static ZS_NOINLINE void texels_mixed(struct zs_job *job, const struct zs_row *row, int32_t from,
+                                     int32_t to)
+{
+    texels(job, row, from, to, zs_blend_over);
+}
+
+static ZS_NOINLINE void texels_added(struct zs_job *job, const struct zs_row *row, int32_t from,
+                                     int32_t to)
+{
+    texels(job, row, from, to, zs_blend_plus);
+}
+
 static void mix_texture(struct zs_job *job, const struct zs_row *row, int32_t from, int32_t to)
 {
     if (has_alpha(job))
-        texels(job, row, from, to, zs_blend_over);
+        texels_mixed(job, row, from, to);
     else
         mixed(job, row, from, to, zs_texture_run);
 }
@@ -136,7 +148,7 @@ static void mix_texture(struct zs_job *job, const struct zs_row *row, int32_t fr
 static void add_texture(struct zs_job *job, const struct zs_row *row, int32_t from, int32_t to)
 {
     if (has_alpha(job))
-        texels(job, row, from, to, zs_blend_plus);
+        texels_added(job, row, from, to);
     else
         added(job, row, from, to, zs_texture_run);
 }
