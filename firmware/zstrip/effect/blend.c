@@ -69,7 +69,7 @@ ZS_ALWAYS_INLINE void untested(const struct zs_job *job, uint16_t *at, int32_t n
 
 /* Test n > 0 pixels, and blend those that pass. Return how many, if ZS_STATS is 1. */
 ZS_ALWAYS_INLINE int32_t tested(const struct zs_job *job, const uint16_t *depth, int32_t n,
-                                uint32_t sum, uint32_t step, const struct zs_depth_rule *rule,
+                                uint32_t sum, uint32_t step, const struct zs_blend_rule *rule,
                                 int plain, kernel_fn *kernel)
 {
     const uint32_t keep = job->c[0].KEEP, add = job->c[0].ADD;
@@ -90,10 +90,10 @@ ZS_ALWAYS_INLINE int32_t tested(const struct zs_job *job, const uint16_t *depth,
 ZS_ALWAYS_INLINE void span(struct zs_job *job, const struct zs_row *row, int32_t i0, int32_t i1,
                            uint32_t sum, uint32_t step, kernel_fn *kernel)
 {
-    const struct zs_depth_rule rule = zs_depth_rule(job);
+    const struct zs_blend_rule rule = zs_blend_rule(job);
     const uint16_t *const depth = job->depth + row->at + i0;
     int32_t passed;
-    if (zs_blend_plain(job, &rule))
+    if (rule.plain)
         passed = tested(job, depth, i1 - i0, sum, step, &rule, 1, kernel);
     else
         passed = tested(job, depth, i1 - i0, sum, step, &rule, 0, kernel);

@@ -16,7 +16,7 @@
 
 /* Colour the runs of pixels that pass. */
 ZS_ALWAYS_INLINE void runs(struct zs_job *job, const struct zs_row *row, int32_t i0, int32_t i1,
-                           uint32_t sum, uint32_t step, const struct zs_depth_rule *rule, int plain)
+                           uint32_t sum, uint32_t step, const struct zs_blend_rule *rule, int plain)
 {
     const uint16_t *const line = job->depth + row->at, *const end = line + i1;
     const uint32_t more = plain ? 0u : rule->more;
@@ -38,8 +38,8 @@ ZS_ALWAYS_INLINE void runs(struct zs_job *job, const struct zs_row *row, int32_t
 void zs_layer_span(struct zs_job *job, const struct zs_row *row, int32_t i0, int32_t i1,
                    uint32_t sum, uint32_t step)
 {
-    const struct zs_depth_rule rule = zs_depth_rule(job);
-    if (zs_blend_plain(job, &rule))
+    const struct zs_blend_rule rule = zs_blend_rule(job);
+    if (rule.plain)
         runs(job, row, i0, i1, sum, step, &rule, 1);
     else
         runs(job, row, i0, i1, sum, step, &rule, 0);

@@ -117,16 +117,17 @@ ZS_ALWAYS_INLINE void run_over(struct zs_job *job, const struct zs_row *row, int
 static ZS_NOINLINE uint32_t test_keys(struct zs_job *job, uint16_t *depth, int32_t n, uint32_t sum,
                                       uint32_t step, uint32_t bits)
 {
-    const struct zs_depth_rule rule = zs_depth_rule(job);
+    const struct zs_blend_rule rule = zs_blend_rule(job);
+    const int writes = !job->depth_state || !job->depth_state->read_only;
     uint32_t passed = 0;
     for (uint32_t bit = 1; n > 0; n--, depth++, sum += step, bit <<= 1) {
         if (!(bits & bit))
             continue;
-        const uint32_t key = zs_depth_key(&rule, sum);
+        const uint32_t key = zs_blend_key(&rule, sum, 0);
         if (key >= *depth + rule.more)
             continue;
         passed |= bit;
-        if (rule.writes)
+        if (writes)
             *depth = (uint16_t)key;
         zs_rows_written(job, 1);
     }
