@@ -1,7 +1,7 @@
 /* Stages of the opaque shaders, for shaders over them (effect/). Internal.
  *
- * A shader over one of shade/ names its stages, not the fields of zs_shade_smooth and the like: such a
- * call could be one of itself, for who bounds the stack.
+ * A shader over one of shade/ names its stages, not the fields of zs_shade_smooth and the like: a
+ * call of such a field could be one of itself, for who bounds the stack.
  *
  * SPDX-License-Identifier: MIT
  */
