@@ -33,13 +33,18 @@ struct zs_blend {
 /* Alpha blending: a channel becomes source * alpha / 255 + old * (1 - alpha / 255). The source is
  * what the opaque shader of that name draws, as RGB565, the old colour the pixel's.
  *
+ * Texels   of a format with alpha (zs_filter.h): alpha is the product of the texel's and the
+ *          material's. For a decal, the material's is 255.
  * Exact    within one code of RGB565 of that, in each channel; alpha 0 leaves a pixel as it is, 255
  *          draws the source, and a source equal to the old colour changes nothing.
  * Depth    pixels are tested, with the instance's depth state, and keys are never written. What is
  *          behind has to be drawn before: order the instances, or take zs_method_transparent. With
  *          zs_depth_none, and by zs_method_painter and zs_method_depthsort: in drawing order.
  *          zs_method_raycast and zs_method_coverage colour each pixel once: not for blending.
- * Passes   any. Accelerators: `tiles` is not used from the first such instance on.
+ * Cost     on a Cortex-M3, a pixel of one colour takes 9 instructions, 14 with the depth test and
+ *          20 with a depth state; a texel or a smooth colour 26 more than opaque, 20 with the depth
+ *          test (effect/README.md). Blending has no accelerators; `tiles` is not used from the
+ *          first such instance on.
  * Needs    what the opaque shader needs, with its errors. */
 extern const struct zs_shader zs_blend_raw, zs_blend_flat, zs_blend_smooth, zs_blend_texture,
     zs_blend_texture_flat, zs_blend_texture_smooth;

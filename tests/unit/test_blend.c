@@ -10,6 +10,7 @@
 #include "cases.h"
 #include "picture.h"
 #include "zs_blend.h"
+#include "zs_filter.h"
 #include "zs_lines.h"
 #include "zs_method.h"
 
@@ -42,7 +43,7 @@ static void old_fill(void *ctx, uint16_t *out, uint16_t x, uint16_t y, uint16_t 
 static const uint32_t first_bit[3] = { 11, 5, 0 }, most[3] = { 31, 63, 31 };
 
 /* The largest error of a channel. */
-static double error_of(uint32_t is, uint32_t old, uint32_t source, uint32_t alpha, int add)
+static double error_of(uint32_t is, uint32_t old, uint32_t source, double alpha, int add)
 {
     double worst = 0;
     for (int c = 0; c < 3; c++) {
@@ -57,7 +58,8 @@ static double error_of(uint32_t is, uint32_t old, uint32_t source, uint32_t alph
 /* A row of the frame is a strip of two triangles of one source colour. An orthographic camera: a unit is a pixel. */
 struct rows {
     int16_t pos[N * 4][3], uv[N * 4][2];
-    uint16_t tri[N * 2][3], raw[N * 2], texel[N * N];
+    uint16_t tri[N * 2][3], raw[N * 2], texel[N * N], palette[2 * N];
+    uint8_t number[N * N];
     struct zs_texture texture;
     struct zs_mesh mesh;
 };
@@ -82,6 +84,8 @@ static void rows_set(struct rows *m)
         }
         for (uint32_t x = 0; x < N; x++)
             m->texel[y * N + x] = source_of(y);
+        memset(m->number + y * N, (int)y, N);
+        m->palette[y] = source_of(y);
     }
     m->texture = (struct zs_texture){ .format = &zs_texel_565, .texel = m->texel, .log2_w = 6, .log2_h = 6 };
     m->mesh = (struct zs_mesh){ .pos = m->pos, .tri = m->tri, .face_raw = m->raw, .uv = m->uv, .uv_bits = 6,
@@ -145,6 +149,48 @@ static void texels_are_mixed_and_added_within_a_code(void **state)
     (void)state;
     all_pairs(&zs_blend_texture, 0, NULL, &zs_depth_linear, 1);
     all_pairs(&zs_add_texture, 1, NULL, &zs_depth_linear, 1);
+}
+
+/* Texels with alphas of their own: their product with the material's. */
+static void texels_with_alpha(void **state)
+{
+    static struct rows m;
+    const struct zs_background sky = { .fill = old_fill };
+    struct zs_camera camera;
+    struct prng p = { 3 };
+    double worst = 0;
+    (void)state;
+    rows_set(&m);
+    assert_int_equal(zs_camera_orthographic(&camera, N, 1, 10), ZS_OK);
+    m.texture = (struct zs_texture){ .format = &zs_texel_pal8a, .texel = m.number, .palette = m.palette, .n_colors = N,
+                                     .log2_w = 6, .log2_h = 6 };
+    for (uint32_t k = 0; k < 512; k++) {
+        const uint32_t texels = k < 256 ? k : prng_pick(&p, 256), alpha = k < 256 ? 255 - k % 2 : prng_pick(&p, 256);
+        const int add = (int)prng_pick(&p, 2);
+        const struct zs_blend blend = { .material = { .shader = add ? &zs_add_texture : &zs_blend_texture,
+                                                      .texture = &m.texture, .cull = ZS_CULL_NONE },
+                                        .alpha = (uint8_t)alpha };
+        const struct zs_instance instance = { .mesh = &m.mesh, .material = &blend.material };
+        const struct zs_scene scene = { .instance = &instance, .n_instances = 1, .sky = &sky };
+        struct zs_config c = picture_config(N, N, &zs_depth_linear);
+        for (uint32_t y = 0; y < N; y++)
+            m.palette[N + y] = (uint16_t)texels;
+        c.strip_h = (uint16_t)prng_range(&p, 1, N);
+        struct picture is = picture_draw(&c, &scene, &camera);
+        assert_int_equal(is.err, ZS_OK);
+        for (uint32_t y = 0; y < N; y++)
+            for (uint32_t x = 0; x < N; x++) {
+                const uint16_t old = old_of(x), source = source_of(y), got = is.color[y * N + x];
+                worst = fmax(worst, error_of(got, old, source, texels * alpha / 255., add));
+                if (texels == 0 || alpha == 0)
+                    assert_int_equal(got, old);
+                if (texels == 255 && alpha == 255 && !add)
+                    assert_int_equal(got, source);
+            }
+        picture_free(&is);
+    }
+    print_message("largest error %.4f code\n", worst);
+    assert_true(worst < 1.);
 }
 
 /* ---- Random worlds ---------------------------------------------------------------------------- */
@@ -297,7 +343,7 @@ static int way_case(uint64_t seed)
 
 static int16_t far_pos[6][3];
 
-/* Two triangles at the far plane, where keys are held to the last bucket, the second with any depth state; by a shader of
+/* Two triangles at the far plane, where keys are held to the last bucket, the second with any depth state: by a shader of
  * its own test, and by the opaque one. */
 static int far_case(uint64_t seed)
 {
@@ -479,6 +525,7 @@ static const struct CMUnitTest tests[] = {
     cmocka_unit_test(one_color_is_mixed_within_a_code),
     cmocka_unit_test(one_color_is_added_within_a_code),
     cmocka_unit_test(texels_are_mixed_and_added_within_a_code),
+    cmocka_unit_test(texels_with_alpha),
     CASES_COUNT(alpha_255_is_the_opaque_shader_that_writes_no_key, all_case, 300, &pixels, 50000, "pixels"),
     CASES_COUNT(alpha_0_is_nothing, nothing_case, 200, &pixels, 20000, "pixels"),
     CASES_COUNT(a_door_of_alpha_0_is_nothing, door_open_case, 100, &pixels, 10000, "pixels"),

@@ -12,7 +12,7 @@
  * SPDX-License-Identifier: MIT
  */
 #include "effect/blend.h"
-#include "effect/over.h"
+#include "shade/stages.h"
 
 #define KEEP base /* fields of job->c[0], which triangles of one colour do not use */
 #define ADD gx
@@ -69,7 +69,7 @@ ZS_ALWAYS_INLINE void untested(const struct zs_job *job, uint16_t *at, int32_t n
 
 /* Test n > 0 pixels, and blend those that pass. Return how many, if ZS_STATS is 1. */
 ZS_ALWAYS_INLINE int32_t tested(const struct zs_job *job, const uint16_t *depth, int32_t n,
-                                uint32_t sum, uint32_t step, const struct zs_blend_test *test,
+                                uint32_t sum, uint32_t step, const struct zs_blend_rule *rule,
                                 int plain, kernel_fn *kernel)
 {
     const uint32_t keep = job->c[0].KEEP, add = job->c[0].ADD;
@@ -77,7 +77,7 @@ ZS_ALWAYS_INLINE int32_t tested(const struct zs_job *job, const uint16_t *depth,
     const uint16_t *const end = depth + n;
     int32_t passed = 0;
     do {
-        if (zs_blend_key(test, sum, plain) < *depth + (plain ? 0u : test->more)) {
+        if (zs_blend_key(rule, sum, plain) < *depth + (plain ? 0u : rule->more)) {
             uint16_t *const at = (uint16_t *)((uintptr_t)depth + beside);
             *at = kernel(*at, keep, add);
             passed += ZS_STATS;
@@ -90,13 +90,13 @@ ZS_ALWAYS_INLINE int32_t tested(const struct zs_job *job, const uint16_t *depth,
 ZS_ALWAYS_INLINE void span(struct zs_job *job, const struct zs_row *row, int32_t i0, int32_t i1,
                            uint32_t sum, uint32_t step, kernel_fn *kernel)
 {
-    const struct zs_blend_test test = zs_blend_test_of(job);
+    const struct zs_blend_rule rule = zs_blend_rule(job);
     const uint16_t *const depth = job->depth + row->at + i0;
     int32_t passed;
-    if (test.plain)
-        passed = tested(job, depth, i1 - i0, sum, step, &test, 1, kernel);
+    if (rule.plain)
+        passed = tested(job, depth, i1 - i0, sum, step, &rule, 1, kernel);
     else
-        passed = tested(job, depth, i1 - i0, sum, step, &test, 0, kernel);
+        passed = tested(job, depth, i1 - i0, sum, step, &rule, 0, kernel);
     zs_rows_written(job, passed);
 }
 
@@ -127,7 +127,7 @@ static void add_span(struct zs_job *job, const struct zs_row *row, int32_t i0, i
         .face = face_, .start = of##_start, .run = of##_run, .span = of##_span, .layer = 1         \
     }
 
-const struct zs_shader zs_blend_raw = SOLID(mix, zs_over_raw_face);
-const struct zs_shader zs_blend_flat = SOLID(mix, zs_over_flat_face);
-const struct zs_shader zs_add_raw = SOLID(add, zs_over_raw_face);
-const struct zs_shader zs_add_flat = SOLID(add, zs_over_flat_face);
+const struct zs_shader zs_blend_raw = SOLID(mix, zs_raw_face);
+const struct zs_shader zs_blend_flat = SOLID(mix, zs_flat_face);
+const struct zs_shader zs_add_raw = SOLID(add, zs_raw_face);
+const struct zs_shader zs_add_flat = SOLID(add, zs_flat_face);

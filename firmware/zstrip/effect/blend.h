@@ -118,33 +118,35 @@ ZS_ALWAYS_INLINE uint16_t zs_blend_plus(uint32_t old, uint32_t source, uint32_t 
 
 /* ---- The depth test ------------------------------------------------------------------------- */
 
-/* The test of a triangle's pixels, as in core/depth_test.c. */
-struct zs_blend_test {
-    int32_t bias, most;
-    uint32_t more; /* a key passes if it is below depth + more */
-    int plain;     /* 1: key = sum / 65536, and it passes if it is less */
+/* The test of a triangle's keys: the rule of core/depth_test.c. */
+struct zs_blend_rule {
+    int32_t bias, most; /* buckets added to a key; the greatest key before it is held to 0 */
+    uint32_t more;      /* a key passes if it is below what is there + more */
+    int plain;          /* 1: keys pass that are less, and none is moved or held */
 };
 
-static inline struct zs_blend_test zs_blend_test_of(const struct zs_job *job)
+static inline struct zs_blend_rule zs_blend_rule(const struct zs_job *job)
 {
     const struct zs_depth_state *state = job->depth_state;
     const int32_t top = (int32_t)(job->r->view.key_top >> 16) - 1;
-    struct zs_blend_test t = { 0, top, 0, !job->saturates };
+    struct zs_blend_rule rule = { 0, top, 0, !job->saturates };
     if (state) {
-        t.bias = job->bias;
-        t.most = top + zs_min32(job->bias, 0);
-        t.more = state->func == ZS_DEPTH_LESS ? 0u : state->func == ZS_DEPTH_ALWAYS ? 65536u : 1u;
-        t.plain &= t.bias == 0 && t.more == 0;
+        rule.bias = job->bias;
+        rule.most = top + zs_min32(job->bias, 0);
+        rule.more = state->func == ZS_DEPTH_LESS     ? 0u
+                    : state->func == ZS_DEPTH_ALWAYS ? 65536u
+                                                     : 1u;
+        rule.plain &= rule.bias == 0 && rule.more == 0;
     }
-    return t;
+    return rule;
 }
 
-/* The key of a sum. */
-ZS_ALWAYS_INLINE uint32_t zs_blend_key(const struct zs_blend_test *t, uint32_t sum, int plain)
+/* The key of a pixel. plain: a constant, at most rule->plain. */
+ZS_ALWAYS_INLINE uint32_t zs_blend_key(const struct zs_blend_rule *rule, uint32_t sum, int plain)
 {
     if (plain)
         return sum >> 16;
-    const int32_t moved = zs_min32((int32_t)(sum >> 16) + t->bias, t->most);
+    const int32_t moved = zs_min32((int32_t)(sum >> 16) + rule->bias, rule->most);
     return moved < 0 ? 0u : (uint32_t)moved;
 }
 

@@ -7,6 +7,7 @@
 
 #include "core/fx.h"
 #include "core/rows.h"
+#include "shade/stages.h"
 #include "shade/texture.h"
 #include "zs_shader.h"
 
@@ -28,30 +29,16 @@ static inline void zs_over_keep(uint16_t *to, const uint16_t *from, int32_t n)
         *to++ = *from++;
 }
 
-/* Stages of the opaque shaders, for shaders over them: a shader's address is constant, its fields
- * are not. */
-void zs_over_smooth_vertex(const struct zs_shading *s, uint32_t v, uint16_t *out);
-void zs_over_smooth_start(struct zs_job *job);
-int zs_over_smooth_check(const struct zs_instance *in, const struct zs_config *config);
-void zs_over_texture_vertex(const struct zs_shading *s, uint32_t v, uint16_t *out);
-void zs_over_texture_lit_vertex(const struct zs_shading *s, uint32_t v, uint16_t *out);
-uint16_t zs_over_texture_face(const struct zs_shading *s, uint32_t t);
-void zs_over_texture_start(struct zs_job *job);
-int zs_over_texture_check(const struct zs_instance *in, const struct zs_config *config);
-int zs_over_texture_lit_check(const struct zs_instance *in, const struct zs_config *config);
-uint16_t zs_over_raw_face(const struct zs_shading *s, uint32_t t);
-uint16_t zs_over_flat_face(const struct zs_shading *s, uint32_t t);
-
+/* Stages of shaders over those of shade/. */
 #define ZS_OVER_SMOOTH(check_)                                                                     \
-    .vertex = zs_over_smooth_vertex, .start = zs_over_smooth_start, .check = check_,               \
+    .vertex = zs_smooth_vertex, .start = zs_smooth_start, .check = check_,                         \
     .n_varyings = ZS_VARYINGS_SMOOTH
-#define ZS_OVER_TEXTURE(check_)                                                                    \
-    .vertex = zs_over_texture_vertex, .start = zs_over_texture_start, .check = check_,             \
-    .n_varyings = ZS_VARYINGS_TEXTURE
-#define ZS_OVER_TEXTURE_FLAT(check_)                                                               \
-    ZS_OVER_TEXTURE(check_), .face = zs_over_texture_face, .light = zs_texture_light
-#define ZS_OVER_TEXTURE_SMOOTH(check_)                                                             \
-    .vertex = zs_over_texture_lit_vertex, .start = zs_over_texture_start, .check = check_,         \
-    .light = zs_texture_light, .n_varyings = ZS_VARYINGS_TEXTURE_SMOOTH
+#define ZS_OVER_TEXTURE(start_, check_)                                                            \
+    .vertex = zs_texture_vertex, .start = start_, .check = check_, .n_varyings = ZS_VARYINGS_TEXTURE
+#define ZS_OVER_TEXTURE_FLAT(start_, check_)                                                       \
+    ZS_OVER_TEXTURE(start_, check_), .face = zs_texture_lit_face, .light = zs_texture_light
+#define ZS_OVER_TEXTURE_SMOOTH(start_, check_)                                                     \
+    .vertex = zs_texture_lit_vertex, .start = start_, .check = check_, .light = zs_texture_light,  \
+    .n_varyings = ZS_VARYINGS_TEXTURE_SMOOTH
 
 #endif

@@ -56,19 +56,19 @@ static int check(const struct zs_instance *in, const struct zs_config *config)
 
 static int smooth_check(const struct zs_instance *in, const struct zs_config *config)
 {
-    const int err = zs_over_smooth_check(in, config);
+    const int err = zs_smooth_usable(in, config);
     return err ? err : check(in, config);
 }
 
 static int texture_check(const struct zs_instance *in, const struct zs_config *config)
 {
-    const int err = zs_over_texture_check(in, config);
+    const int err = zs_texture_usable(in, config);
     return err ? err : check(in, config);
 }
 
 static int lit_check(const struct zs_instance *in, const struct zs_config *config)
 {
-    const int err = zs_over_texture_lit_check(in, config);
+    const int err = zs_texture_lit_usable(in, config);
     return err ? err : check(in, config);
 }
 
@@ -117,14 +117,14 @@ ZS_ALWAYS_INLINE void run_over(struct zs_job *job, const struct zs_row *row, int
 static ZS_NOINLINE uint32_t test_keys(struct zs_job *job, uint16_t *depth, int32_t n, uint32_t sum,
                                       uint32_t step, uint32_t bits)
 {
-    const struct zs_blend_test test = zs_blend_test_of(job);
+    const struct zs_blend_rule rule = zs_blend_rule(job);
     const int writes = !job->depth_state || !job->depth_state->read_only;
     uint32_t passed = 0;
     for (uint32_t bit = 1; n > 0; n--, depth++, sum += step, bit <<= 1) {
         if (!(bits & bit))
             continue;
-        const uint32_t key = zs_blend_key(&test, sum, test.plain);
-        if (key >= *depth + test.more)
+        const uint32_t key = zs_blend_key(&rule, sum, 0);
+        if (key >= *depth + rule.more)
             continue;
         passed |= bit;
         if (writes)
@@ -160,13 +160,13 @@ static void solid_span(struct zs_job *job, const struct zs_row *row, int32_t i0,
 
 static void smooth_run(struct zs_job *job, const struct zs_row *row, int32_t from, int32_t to)
 {
-    run_over(job, row, from, to, zs_shade_smooth.run);
+    run_over(job, row, from, to, zs_smooth_run);
 }
 
 static void smooth_span(struct zs_job *job, const struct zs_row *row, int32_t i0, int32_t i1,
                         uint32_t sum, uint32_t step)
 {
-    span_over(job, row, i0, i1, sum, step, zs_shade_smooth.run);
+    span_over(job, row, i0, i1, sum, step, zs_smooth_run);
 }
 
 static void texture_run(struct zs_job *job, const struct zs_row *row, int32_t from, int32_t to)
@@ -181,15 +181,14 @@ static void texture_span(struct zs_job *job, const struct zs_row *row, int32_t i
 }
 
 #define STIPPLE(of) .run = of##_run, .span = of##_span
-const struct zs_shader zs_stipple_raw = { .face = zs_over_raw_face,
-                                          .check = check,
-                                          STIPPLE(solid) };
-const struct zs_shader zs_stipple_flat = { .face = zs_over_flat_face,
-                                           .check = check,
-                                           STIPPLE(solid) };
+const struct zs_shader zs_stipple_raw = { .face = zs_raw_face, .check = check, STIPPLE(solid) };
+const struct zs_shader zs_stipple_flat = { .face = zs_flat_face, .check = check, STIPPLE(solid) };
 const struct zs_shader zs_stipple_smooth = { ZS_OVER_SMOOTH(smooth_check), STIPPLE(smooth) };
-const struct zs_shader zs_stipple_texture = { ZS_OVER_TEXTURE(texture_check), STIPPLE(texture) };
-const struct zs_shader zs_stipple_texture_flat = { ZS_OVER_TEXTURE_FLAT(texture_check),
-                                                   STIPPLE(texture) };
-const struct zs_shader zs_stipple_texture_smooth = { ZS_OVER_TEXTURE_SMOOTH(lit_check),
-                                                     STIPPLE(texture) };
+const struct zs_shader zs_stipple_texture = { ZS_OVER_TEXTURE(zs_texture_start, texture_check),
+                                              STIPPLE(texture) };
+const struct zs_shader zs_stipple_texture_flat = {
+    ZS_OVER_TEXTURE_FLAT(zs_texture_start, texture_check), STIPPLE(texture)
+};
+const struct zs_shader zs_stipple_texture_smooth = {
+    ZS_OVER_TEXTURE_SMOOTH(zs_texture_start, lit_check), STIPPLE(texture)
+};

@@ -5,6 +5,7 @@
 #include "core/fx.h"
 #include "zs_shader.h"
 #include "shade/solid.h"
+#include "shade/stages.h"
 
 /* Return a lit channel as a code, 0 .. most, rounded to nearest. most <= 63 */
 static ZS_AS_CALL uint32_t code(uint8_t channel, uint32_t light, uint32_t most)
@@ -14,7 +15,7 @@ static ZS_AS_CALL uint32_t code(uint8_t channel, uint32_t light, uint32_t most)
     return (t + (t >> 16)) >> 16;
 }
 
-static uint16_t flat_face(const struct zs_shading *s, uint32_t t)
+uint16_t zs_flat_face(const struct zs_shading *s, uint32_t t)
 {
     const struct zs_instance *in = s->instance;
     const struct zs_mesh *mesh = in->mesh;
@@ -26,4 +27,4 @@ static uint16_t flat_face(const struct zs_shading *s, uint32_t t)
                                 code(c->b, light, 31)));
 }
 
-const struct zs_shader zs_shade_flat = { .face = flat_face, .run = zs_solid_run, .opaque = 1 };
+const struct zs_shader zs_shade_flat = { .face = zs_flat_face, .run = zs_solid_run, .opaque = 1 };

@@ -5,12 +5,13 @@
 #include "core/fx.h"
 #include "zs_shader.h"
 #include "shade/solid.h"
+#include "shade/stages.h"
 
-static uint16_t raw_face(const struct zs_shading *s, uint32_t t)
+uint16_t zs_raw_face(const struct zs_shading *s, uint32_t t)
 {
     const struct zs_instance *in = s->instance;
     const struct zs_rgb *c = &in->material->rgb;
     return zs_wire16(in->mesh->face_raw ? in->mesh->face_raw[t] : zs_rgb565(c->r, c->g, c->b));
 }
 
-const struct zs_shader zs_shade_raw = { .face = raw_face, .run = zs_solid_run, .opaque = 1 };
+const struct zs_shader zs_shade_raw = { .face = zs_raw_face, .run = zs_solid_run, .opaque = 1 };

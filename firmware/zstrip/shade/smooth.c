@@ -10,6 +10,7 @@
 #include "core/plane.h"
 #include "zs_shader.h"
 #include "shade/persp.h"
+#include "shade/stages.h"
 
 #define SUB_LOG2_MAX 4u
 
@@ -22,7 +23,7 @@
 
 static const uint32_t code_scale[3] = { CODE_SCALE(31u), CODE_SCALE(63u), CODE_SCALE(31u) };
 
-static void smooth_vertex(const struct zs_shading *s, uint32_t v, uint16_t *out)
+void zs_smooth_vertex(const struct zs_shading *s, uint32_t v, uint16_t *out)
 {
     const struct zs_instance *in = s->instance;
     const struct zs_rgb *c = in->mesh->vertex_rgb ? &in->mesh->vertex_rgb[v] : &in->material->rgb;
@@ -32,7 +33,7 @@ static void smooth_vertex(const struct zs_shading *s, uint32_t v, uint16_t *out)
     out[2] = (uint16_t)zs_light_channel(c->b, light);
 }
 
-static int smooth_check(const struct zs_instance *in, const struct zs_config *config)
+int zs_smooth_usable(const struct zs_instance *in, const struct zs_config *config)
 {
     (void)config;
     return in->mesh->normal ? ZS_OK : ZS_ERR_MESH;
@@ -252,4 +253,8 @@ const struct zs_shader zs_shade_smooth = { .opaque = 1,
                                            .start = smooth_start,
                                            .run = smooth_run,
                                            .check = smooth_check,
+                                           .vertex = zs_smooth_vertex,
+                                           .start = zs_smooth_start,
+                                           .run = zs_smooth_run,
+                                           .check = zs_smooth_usable,
                                            .n_varyings = ZS_VARYINGS_SMOOTH };

@@ -37,6 +37,7 @@
 #include "core/plane.h"
 #include "zs_shader.h"
 #include "shade/texture.h"
+#include "shade/stages.h"
 
 #define COARSE_LOG2 ZS_TEXEL_COARSE_LOG2 /* texels for which a reciprocal of 15 bits is enough */
 #define LIGHT_MAX 65504u                 /* uq1_15, just below 2, because light() adds a half */
@@ -44,7 +45,7 @@
 
 /* ---- Vertices and faces ---------------------------------------------------------------------- */
 
-static void texture_vertex(const struct zs_shading *s, uint32_t v, uint16_t *out)
+void zs_texture_vertex(const struct zs_shading *s, uint32_t v, uint16_t *out)
 {
     const struct zs_mesh *mesh = s->instance->mesh;
     out[0] = (uint16_t)(mesh->uv[v][0] + 32768);
@@ -58,13 +59,13 @@ static uint16_t light_word(const struct zs_shading *s, const zs_q1_15 normal[3])
     return (uint16_t)(light > LIGHT_MAX ? LIGHT_MAX : light);
 }
 
-static void smooth_vertex(const struct zs_shading *s, uint32_t v, uint16_t *out)
+void zs_texture_lit_vertex(const struct zs_shading *s, uint32_t v, uint16_t *out)
 {
-    texture_vertex(s, v, out);
+    zs_texture_vertex(s, v, out);
     out[2] = light_word(s, s->instance->mesh->normal[v]);
 }
 
-static uint16_t flat_face(const struct zs_shading *s, uint32_t t)
+uint16_t zs_texture_lit_face(const struct zs_shading *s, uint32_t t)
 {
     zs_q1_15 n[3];
     zs_light_face_normal(n, s->instance->mesh, t);
@@ -83,7 +84,7 @@ static int texture_check(const struct zs_instance *in, const struct zs_config *c
     return in->mesh->uv && in->mesh->uv_bits <= 15 ? ZS_OK : ZS_ERR_MESH;
 }
 
-static int smooth_check(const struct zs_instance *in, const struct zs_config *config)
+int zs_texture_lit_usable(const struct zs_instance *in, const struct zs_config *config)
 {
     return in->mesh->normal ? texture_check(in, config) : ZS_ERR_MESH;
 }
@@ -291,5 +292,14 @@ const struct zs_shader zs_shade_texture = TEXTURE(texture_vertex, 0, texture_che
                                                   ZS_VARYINGS_TEXTURE);
 const struct zs_shader zs_shade_texture_flat = TEXTURE(texture_vertex, flat_face, texture_check,
                                                        zs_texture_light, ZS_VARYINGS_TEXTURE);
+        .vertex = vertex_, .face = face_, .start = zs_texture_start, .run = zs_texture_run,        \
+        .check = check_, .light = light_, .n_varyings = n, .opaque = 1                             \
+    }
+
+const struct zs_shader zs_shade_texture = TEXTURE(zs_texture_vertex, 0, zs_texture_usable, 0,
+                                                  ZS_VARYINGS_TEXTURE);
+const struct zs_shader zs_shade_texture_flat = TEXTURE(zs_texture_vertex, zs_texture_lit_face,
+                                                       zs_texture_usable, zs_texture_light,
+                                                       ZS_VARYINGS_TEXTURE);
 const struct zs_shader zs_shade_texture_smooth = TEXTURE(
-    smooth_vertex, 0, smooth_check, zs_texture_light, ZS_VARYINGS_TEXTURE_SMOOTH);
+    zs_texture_lit_vertex, 0, zs_texture_lit_usable, zs_texture_light, ZS_VARYINGS_TEXTURE_SMOOTH);
