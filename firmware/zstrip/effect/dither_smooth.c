@@ -44,7 +44,7 @@ static ZS_NOINLINE void color_at(const struct zs_job *job, int32_t i, int32_t ro
 }
 
 /* A row of the pattern: ranks, and how they become parts of a code of 5 bits at the top of a word:
- * (2 rank + 1) * scale - half, |.| < 2^26 * 31/32. */
+ * 2 rank * scale + scale - half, |.| < 2^26 * 31/32. */
 struct threshold {
     const uint8_t *rank;
     uint32_t mask, scale;
@@ -55,10 +55,11 @@ struct threshold {
 static void fill(uint16_t *out, int32_t n, const uint32_t c[3], const uint32_t step[3], uint32_t x,
                  const struct threshold *t)
 {
-    uint32_t red = c[0] - HALF, green = c[1] - HALF / 2u, blue = c[2] - HALF;
-    const struct threshold at = *t;
+    const struct threshold at = { t->rank, t->mask, 2u * t->scale };
+    const uint32_t least = t->scale - HALF; /* < 0, modulo 2^32; even */
+    uint32_t red = c[0] + least, green = c[1] - (0u - least) / 2u, blue = c[2] + least;
     for (uint16_t *const end = out + n; out != end; out++, x++) {
-        const uint32_t by = (2u * at.rank[x & at.mask] + 1u) * at.scale; /* < 2^27 */
+        const uint32_t by = at.rank[x & at.mask] * at.scale; /* < 2^27 */
         *out = zs_smooth_pack(red + by, green + (by >> 1), blue + by);
         red += step[0];
         green += step[1];
