@@ -10,6 +10,9 @@
  *     zs_shader.h  write a shader
  *     zs_damage.h  send and draw only what changed
  *     zs_check.h   check meshes and textures that cannot be trusted
+ *     zs_overlay.h sprites, text, lines, bars and dials over the picture
+ *     zs_fog.h     fog by the distance
+ *     zs_dither.h  fewer colours without bands
  *
  * SPDX-License-Identifier: MIT
  *
