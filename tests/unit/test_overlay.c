@@ -1,5 +1,5 @@
-/* Overlays: each item against a reference that asks of every pixel of the frame, in doubles, whether and how it is covered; all items
- * in strips against all at once; frames of which only what changed was drawn.
+/* Overlays: each item against a reference that asks of every pixel of the frame, in doubles, whether and how it is
+ * covered; all items in strips against all at once; frames of which only what changed was drawn.
  *
  * SPDX-License-Identifier: MIT
  */
@@ -377,7 +377,8 @@ static double channel(uint16_t c, int k)
     return k == 0 ? c >> 11 : k == 1 ? c >> 5 & 63 : c & 31;
 }
 
-/* Whether a pixel is what a cover makes of the old one: less than one code away, and itself where nothing or all covers. */
+/* Whether a pixel is what a cover makes of the old one: less than one code away, and itself where nothing or all
+ * covers. */
 static int mixed(uint16_t now, uint16_t old, const struct cover *c)
 {
     if (c->alpha == 0 || c->alpha == 1)
@@ -566,7 +567,8 @@ static void stripes(void *ctx, uint16_t *out, uint16_t x, uint16_t y, uint16_t n
 
 static unsigned quiet;
 
-/* A glass that gets what changed alone shows what is drawn whole, while items come, go, move and change; two overlays. */
+/* A glass that gets what changed alone shows what is drawn whole, while items come, go, move and change; two
+ * overlays. */
 static int change_case(uint64_t seed)
 {
     struct prng p = { seed };
