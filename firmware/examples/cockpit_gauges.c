@@ -1,5 +1,5 @@
-/* Gauges over the picture: a dial with ticks and a needle, a bar, a number. Items are plain data; a program changes their
- * values, and only the rectangle around what changed is drawn again and sent.
+/* Gauges over the picture: a dial with ticks and a needle, a bar, a number. Items are plain data; a program changes
+ * their values, and only the rectangle around what changed is drawn again and sent.
  *
  * SPDX-License-Identifier: MIT
  */

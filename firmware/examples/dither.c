@@ -1,4 +1,5 @@
-/* Dithering: light that grows from left to right, above as it is, for a panel of 256 colours, of 16 greys, of black and white.
+/* Dithering: light that grows from left to right, above as it is, for a panel of 256 colours, of 16 greys, of black
+ * and white.
  *
  * SPDX-License-Identifier: MIT
  */

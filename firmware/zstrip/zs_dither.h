@@ -50,12 +50,15 @@ struct zs_dither {
     const struct zs_dither_pattern *pattern;
 };
 
-/* The function of a struct zs_resolve; ctx is the struct zs_dither, which is not written. */
+/* The function of a struct zs_resolve; ctx is the struct zs_dither, which is not written. Cost on a
+ * Cortex-M3: 28 to 29 instructions a pixel, to black and white 22. 0.2 KB of flash and as much for
+ * each format. */
 void zs_dither_draw(void *ctx, const struct zs_target *target);
 
 /* zs_shade_smooth, its colours rounded to RGB565 by a threshold in place of to nearest, so that
  * light that changes slowly shows no bands: the mean over a pattern's square is the colour to 1/32
- * code. Needs what zs_shade_smooth needs; drawn without its accelerator. */
+ * code. Needs what zs_shade_smooth needs; drawn without its accelerator. Cost: 7 to 8
+ * instructions a pixel more (Cortex-M3), 0.9 KB of flash and the pattern. */
 extern const struct zs_shader zs_shade_smooth_ordered;
 extern const struct zs_shader zs_shade_smooth_blue;
 

@@ -53,13 +53,14 @@ struct zs_fog {
  *          64ths) and the change of fog over 0.03 of a bucket of the depth mapping, and over
  *          2^-28 R of the distance, where it is full R times as far away as near. Then mixed to
  *          the nearest code.
- * Cost     some 60,000 instructions on a Cortex-M3.
+ * Cost     14,000 instructions on a Cortex-M3, exponential 37,000.
  * Return   ZS_OK; ZS_ERR_NULL; ZS_ERR_RANGE (start, end or curve); ZS_ERR_DEPTH (the
  *          mapping has no depth memory, or cannot take this camera); ZS_ERR_CAMERA, ZS_ERR_NEAR,
  *          as zs_frame_begin: fog is untouched, but for what the caller set. */
 int zs_fog_set(struct zs_fog *fog, const struct zs_config *config, const struct zs_camera *camera);
 
-/* The functions of a struct zs_resolve; ctx is the struct zs_fog. */
+/* The functions of a struct zs_resolve; ctx is the struct zs_fog. Cost of drawing, Cortex-M3: 22 to
+ * 26 instructions a pixel, 14 where nothing was drawn. 1.2 KB of flash. */
 void zs_fog_draw(void *ctx, const struct zs_target *target);
 int zs_fog_changes(void *ctx, struct zs_rect *rect); /* all, when it is no longer the same fog */
 

@@ -333,7 +333,8 @@ static void three_lights_on_a_ball(void **state)
 
 static char gauge_letter(uint32_t c)
 {
-    return c == 0xffffu ? '#' : c == 0xf800u ? 'r' : c == 0x07e0u ? 'g' : c >> 11 > 20 ? 'o' : (c & 31u) == 8u ? '-' : '.';
+    const char other = c >> 11 > 20 ? 'o' : (c & 31u) == 8u ? '-' : '.';
+    return c == 0xffffu ? '#' : c == 0xf800u ? 'r' : c == 0x07e0u ? 'g' : other;
 }
 
 static void gauges_over_a_picture(void **state)

@@ -1,4 +1,5 @@
-/* Dithering: colours that a panel shows as they are, means that are the colour, and light without bands, against doubles.
+/* Dithering: colours that a panel shows as they are, means that are the colour, and light without bands, against
+ * doubles.
  *
  * SPDX-License-Identifier: MIT
  */
@@ -156,7 +157,8 @@ static int mean_case(uint64_t seed)
     return 1;
 }
 
-/* The thresholds are at home in the frame: a pixel is the same in any strip and any columns; and a second time nothing changes. */
+/* The thresholds are at home in the frame: a pixel is the same in any strip and any columns; and a second time
+ * nothing changes. */
 static void pixels_are_the_frames(void **state)
 {
     uint16_t whole[32][40], part[32][40];
@@ -190,7 +192,8 @@ static void pixels_are_the_frames(void **state)
 
 #define SIDE 128
 
-/* A square that fills the frame, its colour growing from left to right and from top to bottom; straight on, or tilted. */
+/* A square that fills the frame, its colour growing from left to right and from top to bottom; straight on, or
+ * tilted. */
 static struct picture light(const struct zs_shader *shader, int tilted, struct prng *any, uint8_t from, uint8_t to,
                             int hidden)
 {

@@ -1,5 +1,5 @@
-/* Overlays: each item against a reference that asks of every pixel of the frame, in doubles, whether and how it is covered; all items
- * in strips against all at once; frames of which only what changed was drawn.
+/* Overlays: each item against a reference that asks of every pixel of the frame, in doubles, whether and how it is
+ * covered; all items in strips against all at once; frames of which only what changed was drawn.
  *
  * SPDX-License-Identifier: MIT
  */
@@ -377,7 +377,8 @@ static double channel(uint16_t c, int k)
     return k == 0 ? c >> 11 : k == 1 ? c >> 5 & 63 : c & 31;
 }
 
-/* Whether a pixel is what a cover makes of the old one: less than one code away, and itself where nothing or all covers. */
+/* Whether a pixel is what a cover makes of the old one: less than one code away, and itself where nothing or all
+ * covers. */
 static int mixed(uint16_t now, uint16_t old, const struct cover *c)
 {
     if (c->alpha == 0 || c->alpha == 1)
@@ -422,6 +423,31 @@ static int number(const struct zs_item_kind *kind)
     return k;
 }
 
+/* Whether an item makes of a frame what the reference does. */
+static int item_right(const struct stock *s, const struct zs_item *i, const struct frame *before,
+                      const struct frame *after)
+{
+    int32_t box[4] = { 0, 0, 0, 0 };
+    if (i->kind->check && i->kind->check(i))
+        return memcmp(before, after, sizeof *after) == 0 ? 1 : case_wrong("what is wrong is drawn");
+    i->kind->bounds(i, box);
+    for (int y = 0; y < after->h; y++)
+        for (int x = 0; x < after->w; x++) {
+            const uint16_t old = before->px[y][x], is = after->px[y][x];
+            if (is != old && (x < box[0] || y < box[1] || x >= box[2] || y >= box[3]))
+                return case_wrong("kind %d: (%d, %d) is out of its bounds", number(i->kind), x, y);
+            if (i->kind == &zs_item_ticks)
+                continue;
+            struct cover c = ref(s, i, x, y), front = covered(i, 0), back = covered(i, 1);
+            if (!(c.either ? is == old || mixed(is, old, &front) || mixed(is, old, &back) : mixed(is, old, &c)))
+                return case_wrong("kind %d at (%d, %d): %04x on %04x, alpha %f of %04x", number(i->kind), x, y, is,
+                                  old, c.alpha, c.color);
+            drawn += c.alpha > 0;
+            unsure += c.either != 0;
+        }
+    return i->kind != &zs_item_ticks || ticks_same(i, before, after) || case_wrong("ticks");
+}
+
 /* Each item against the reference; then all of them in strips and in columns, as drawn one after another. */
 static int item_case(uint64_t seed)
 {
@@ -432,28 +458,9 @@ static int item_case(uint64_t seed)
     stock_make(&s, &p, w, h);
     for (uint32_t k = 0; k < s.n; k++) {
         const struct frame before = now;
-        const struct zs_item *i = &s.item[k];
-        int32_t box[4] = { 0, 0, 0, 0 };
-        if (i->kind->check && i->kind->check(i))
-            return case_wrong("item %u is refused", k);
-        i->kind->bounds(i, box);
-        draw(&now, i, 1, h, 0, w);
-        for (int y = 0; y < h; y++)
-            for (int x = 0; x < w; x++) {
-                const uint16_t old = before.px[y][x], is = now.px[y][x];
-                if (is != old && (x < box[0] || y < box[1] || x >= box[2] || y >= box[3]))
-                    return case_wrong("item %u: (%d, %d) is out of its bounds", k, x, y);
-                if (i->kind == &zs_item_ticks)
-                    continue;
-                struct cover c = ref(&s, i, x, y), front = covered(i, 0), back = covered(i, 1);
-                if (!(c.either ? is == old || mixed(is, old, &front) || mixed(is, old, &back) : mixed(is, old, &c)))
-                    return case_wrong("item %u of kind %d at (%d, %d): %04x on %04x, alpha %f of %04x", k,
-                                      number(i->kind), x, y, is, old, c.alpha, c.color);
-                drawn += c.alpha > 0;
-                unsure += c.either != 0;
-            }
-        if (i->kind == &zs_item_ticks && !ticks_same(i, &before, &now))
-            return case_wrong("item %u: ticks", k);
+        draw(&now, &s.item[k], 1, h, 0, w);
+        if ((s.item[k].kind->check && s.item[k].kind->check(&s.item[k])) || !item_right(&s, &s.item[k], &before, &now))
+            return case_wrong("item %u", k);
     }
     for (int k = 0; k < 4; k++) {
         struct frame f = start;
@@ -476,6 +483,70 @@ static void items_are_those_of_the_reference(void **state)
         assert_true(drawn > 400000 && unsure < drawn / 25);
 }
 
+/* Every kind, its numbers at the ends of their types, in frames of 1x1 and 7x5 by strips of a row. */
+static void stress_01_ends_of_int16(void **state)
+{
+    static const int16_t ends[] = { INT16_MIN, INT16_MIN + 1, -1, 0, 1, 4, INT16_MAX - 1, INT16_MAX };
+    struct prng p = { 1 };
+    struct stock s;
+    stock_make(&s, &p, 7, 5);
+    for (int k = 0; k < 9 * 8 * 8 * 8 * 8; k++) {
+        const struct zs_item item = { .kind = kinds[k % 9],
+                                      .x = ends[k / 9 % 8],
+                                      .y = ends[k / 72 % 8],
+                                      .w = ends[k / 576 % 8],
+                                      .h = ends[k / 4608],
+                                      .color = 0x1234,
+                                      .back = 0x4321,
+                                      .value = (uint16_t)(k % 3 * 9),
+                                      .clear = (uint8_t)(k % 4 * 60),
+                                      .size = (uint8_t)(k % 5),
+                                      .sprite = &s.sprite[k % 3],
+                                      .text = s.text[k % 4] };
+        struct frame before = frame_make(&p, k % 2 ? 7 : 1, k % 2 ? 5 : 1), whole = before, rows = before;
+        draw(&whole, &item, 1, whole.h, 0, whole.w);
+        draw(&rows, &item, 1, 1, 0, rows.w);
+        assert_memory_equal(&whole, &rows, sizeof rows);
+        assert_true(item_right(&s, &item, &before, &whole));
+    }
+    stock_free(&s);
+}
+
+/* 200 half clear items in one place: as one after another; the colour comes within a code and stays there. */
+static void stress_02_many_in_one_place(void **state)
+{
+    static struct zs_item many[200];
+    struct prng p = { 2 };
+    for (int k = 0; k < 200; k++)
+        many[k] = (struct zs_item){ .kind = &zs_item_fill, .w = 9, .h = 9, .color = 0x7bcf, .clear = 128 };
+    struct frame f = frame_make(&p, 9, 9);
+    draw(&f, many, 200, 2, 0, 9);
+    for (int k = 0; k < 81; k++)
+        for (int c = 0; c < 3; c++)
+            assert_true(fabs(channel(f.px[k / 9][k % 9], c) - channel(0x7bcf, c)) <= 1);
+}
+
+/* Texts of nothing, of line feeds, of one byte that begins a sequence; a list of nothing. */
+static void stress_03_empty_text(void **state)
+{
+    static const char *const texts[] = { "", "\n", "\n\n\n", " ", "\xf0", "\xe2", "\xc3" };
+    for (unsigned k = 0; k < sizeof texts / sizeof *texts; k++) {
+        char *exact_size = malloc(strlen(texts[k]) + 1);
+        strcpy(exact_size, texts[k]);
+        struct frame f = { .w = 20, .h = 10 };
+        const struct zs_item item = {
+            .kind = &zs_item_text, .color = 0xffff, .text = exact_size, .flags = (uint8_t)(k % 4)
+        };
+        int32_t box[4];
+        draw(&f, &item, 1, 1, 0, 20);
+        draw(&f, &item, 0, 1, 0, 20);
+        item.kind->bounds(&item, box);
+        assert_int_equal(zs_overlay_text_width(exact_size), k < 3 ? 0 : 6);
+        assert_int_equal(box[3] - box[1], k == 1 ? 16 : k == 2 ? 32 : 8);
+        free(exact_size);
+    }
+}
+
 /* ---- What changes ------------------------------------------------------------------------------ */
 
 static int glass_take(void *ctx, const struct zs_strip *s)
@@ -496,7 +567,8 @@ static void stripes(void *ctx, uint16_t *out, uint16_t x, uint16_t y, uint16_t n
 
 static unsigned quiet;
 
-/* A glass that gets what changed alone shows what is drawn whole, while items come, go, move and change; two overlays. */
+/* A glass that gets what changed alone shows what is drawn whole, while items come, go, move and change; two
+ * overlays. */
 static int change_case(uint64_t seed)
 {
     struct prng p = { seed };
@@ -706,6 +778,9 @@ static const struct CMUnitTest tests[] = {
     cmocka_unit_test(wrong_items_are_named),
     cmocka_unit_test(a_ray_is_of_one_side),
     cmocka_unit_test(items_are_those_of_the_reference),
+    cmocka_unit_test(stress_01_ends_of_int16),
+    cmocka_unit_test(stress_02_many_in_one_place),
+    cmocka_unit_test(stress_03_empty_text),
     cmocka_unit_test(what_changed_is_enough),
 };
 CASES_MAIN(tests)

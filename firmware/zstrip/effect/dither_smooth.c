@@ -1,6 +1,6 @@
 /* Smooth shading, dithered to RGB565 where its colours still have 16 fraction bits.
  *
- * Vertices, set-up and sub-spans are those of shade/smooth.c. That adds half a code and cuts; here
+ * Set-up and sub-spans are those of shade/smooth.c. That adds half a code and cuts; here
  * a threshold t of the pattern takes the place of the half: (t - 1/2) * 31/32 is added to a code
  * that has the half already. The sum with a code c of 0 .. most is above c + 0.015 and below
  * c + 0.985, so that the error of planes, 0.005 codes, leads to no level below 0 or above most.
@@ -16,19 +16,21 @@
 static const uint32_t code_scale[3] = { 31u * 65537u, 63u * 65537u, 31u * 65537u };
 static const uint8_t up[3] = { 11, 10, 11 }; /* from codes in uq16_16 to the top of a word */
 
+/* As zs_shade_smooth. */
 static void vertex(const struct zs_shading *s, uint32_t v, uint16_t *out)
 {
-    zs_shade_smooth.vertex(s, v, out);
-}
-
-static void start(struct zs_job *job)
-{
-    zs_shade_smooth.start(job);
+    const struct zs_mesh *mesh = s->instance->mesh;
+    const struct zs_rgb *c = mesh->vertex_rgb ? &mesh->vertex_rgb[v] : &s->instance->material->rgb;
+    const uint32_t light = zs_light_intensity(s, mesh->normal[v]);
+    out[0] = (uint16_t)zs_light_channel(c->r, light);
+    out[1] = (uint16_t)zs_light_channel(c->g, light);
+    out[2] = (uint16_t)zs_light_channel(c->b, light);
 }
 
 static int check(const struct zs_instance *in, const struct zs_config *config)
 {
-    return zs_shade_smooth.check(in, config);
+    (void)config;
+    return in->mesh->normal ? ZS_OK : ZS_ERR_MESH;
 }
 
 /* Compute the colour at a covered pixel by division: codes, with half a code added. */
@@ -44,7 +46,7 @@ static ZS_NOINLINE void color_at(const struct zs_job *job, int32_t i, int32_t ro
 }
 
 /* A row of the pattern: ranks, and how they become parts of a code of 5 bits at the top of a word:
- * (2 rank + 1) * scale - half, |.| < 2^26 * 31/32. */
+ * 2 rank * scale + scale - half, |.| < 2^26 * 31/32. */
 struct threshold {
     const uint8_t *rank;
     uint32_t mask, scale;
@@ -55,10 +57,11 @@ struct threshold {
 static void fill(uint16_t *out, int32_t n, const uint32_t c[3], const uint32_t step[3], uint32_t x,
                  const struct threshold *t)
 {
-    uint32_t red = c[0] - HALF, green = c[1] - HALF / 2u, blue = c[2] - HALF;
-    const struct threshold at = *t;
+    const struct threshold at = { t->rank, t->mask, 2u * t->scale };
+    const uint32_t least = t->scale - HALF; /* < 0, modulo 2^32; even */
+    uint32_t red = c[0] + least, green = c[1] - (0u - least) / 2u, blue = c[2] + least;
     for (uint16_t *const end = out + n; out != end; out++, x++) {
-        const uint32_t by = (2u * at.rank[x & at.mask] + 1u) * at.scale; /* < 2^27 */
+        const uint32_t by = at.rank[x & at.mask] * at.scale; /* < 2^27 */
         *out = zs_smooth_pack(red + by, green + (by >> 1), blue + by);
         red += step[0];
         green += step[1];
@@ -120,13 +123,13 @@ static void blue_run(struct zs_job *job, const struct zs_row *row, int32_t from,
 
 const struct zs_shader zs_shade_smooth_ordered = { .opaque = 1,
                                                    .vertex = vertex,
-                                                   .start = start,
+                                                   .start = zs_smooth_start,
                                                    .run = ordered_run,
                                                    .check = check,
                                                    .n_varyings = ZS_VARYINGS_SMOOTH };
 const struct zs_shader zs_shade_smooth_blue = { .opaque = 1,
                                                 .vertex = vertex,
-                                                .start = start,
+                                                .start = zs_smooth_start,
                                                 .run = blue_run,
                                                 .check = check,
                                                 .n_varyings = ZS_VARYINGS_SMOOTH };

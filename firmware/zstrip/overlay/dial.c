@@ -47,80 +47,97 @@ static void dial_bounds(const struct zs_item *item, int32_t box[4])
 
 /* ---- Arcs ------------------------------------------------------------------------------------ */
 
+/* An arc in two parts: from d[0] on over sweep[0], and from d[1] on over sweep[1] to d[2]. */
 struct arc {
-    struct direction from, to;
-    uint32_t sweep; /* 1 .. 65536 */
-    struct zs_paint paint;
+    struct direction d[3];
+    uint32_t sweep[2]; /* 0 .. 65536 */
+    struct zs_paint paint[2];
+    int32_t x, y; /* the centre */
 };
 
 /* Return 1 if (x, y) is at a direction, or less than half a turn clockwise of it. |x|, |y| <= 2047:
  * sums < 2^27. */
-static int clockwise(const struct direction *d, int32_t x, int32_t y)
+static inline int clockwise(const struct direction *d, int32_t x, int32_t y)
 {
     const int32_t side = d->x * y - d->y * x;
     return side > 0 || (side == 0 && d->x * x + d->y * y >= 0);
 }
 
-static int in_sweep(const struct arc *arc, int32_t x, int32_t y)
+/* Return 1 if (x, y) is at direction d[0], or clockwise of it up to before d[1]. */
+static inline int in_sweep(const struct direction d[2], uint32_t sweep, int32_t x, int32_t y)
 {
-    if (arc->sweep == 65536u)
-        return 1;
-    const int from = clockwise(&arc->from, x, y), to = clockwise(&arc->to, x, y);
-    return arc->sweep <= 32768u ? from && !to : from || !to;
+    if (sweep == 0 || sweep == 65536u)
+        return sweep != 0;
+    const int from = clockwise(&d[0], x, y);
+    return sweep <= 32768u ? from && !clockwise(&d[1], x, y) : from || !clockwise(&d[1], x, y);
+}
+
+/* Return the part that a pixel is in; 2: none. */
+static int part_at(const struct arc *arc, int32_t x, int32_t y)
+{
+    return in_sweep(arc->d, arc->sweep[0], x, y)       ? 0
+           : in_sweep(arc->d + 1, arc->sweep[1], x, y) ? 1
+                                                       : 2;
 }
 
 /* Paint what belongs to the arc of columns [x0, x1), relative to the centre, of row y. */
-static void arc_run(const struct arc *arc, const struct zs_target *t, const struct zs_item *item,
-                    int32_t x0, int32_t x1, int32_t y)
+static void arc_run(const struct arc *arc, const struct zs_target *t, int32_t x0, int32_t x1,
+                    int32_t y)
 {
-    x0 = zs_max32(x0, t->x0 - item->x);
-    x1 = zs_min32(x1, t->x1 - item->x);
-    for (int32_t x = x0; x < x1;) {
-        int32_t end = x;
-        while (end < x1 && in_sweep(arc, end, y))
-            end++;
-        if (end > x)
-            zs_paint_run(zs_pixel(t, item->x + x, item->y + y), end - x, &arc->paint);
-        x = end;
-        while (x < x1 && !in_sweep(arc, x, y))
-            x++;
-    }
-}
-
-/* Paint from `from` on clockwise over `sweep`. A pixel is in the ring if its distance d has
- * inner + 1/2 < d < outer + 1/2: inner^2 + inner < d^2 <= outer^2 + outer in whole numbers. */
-static void arc_paint(const struct zs_item *item, const struct zs_target *t, zs_turn from,
-                      uint32_t sweep, uint16_t color, uint8_t clear)
-{
-    const int32_t outer = item->w, inner = item->h && item->h <= outer ? outer - item->h : -1;
-    const struct arc arc = { direction_of(from), direction_of((zs_turn)(from + sweep)), sweep,
-                             zs_paint_of(color, zs_alpha_of(clear)) };
-    const int32_t y0 = zs_max32(-outer, t->y0 - item->y);
-    const int32_t y1 = zs_min32(outer + 1, t->y1 - item->y);
-    if (sweep == 0 || arc.paint.rest == 64u)
+    x0 = zs_max32(x0, t->x0 - arc->x);
+    x1 = zs_min32(x1, t->x1 - arc->x);
+    if (x0 >= x1)
         return;
-    for (int32_t y = y0; y < y1; y++) {
-        const int32_t far = outer * outer + outer - y * y; /* 0 .. 2^22 */
-        const int32_t hole = inner < 0 ? -1 : inner * inner + inner - y * y;
-        const int32_t x_far = (int32_t)zs_isqrt64((uint64_t)far);
-        const int32_t x_hole = hole < 0 ? -1 : (int32_t)zs_isqrt64((uint64_t)hole);
-        if (x_hole < 0) {
-            arc_run(&arc, t, item, -x_far, x_far + 1, y);
+    int part = part_at(arc, x0, y);
+    for (int32_t x = x0 + 1; x <= x1; x++) {
+        const int next = x < x1 ? part_at(arc, x, y) : 3;
+        if (next == part)
             continue;
-        }
-        arc_run(&arc, t, item, -x_far, -x_hole, y);
-        arc_run(&arc, t, item, x_hole + 1, x_far + 1, y);
+        if (part < 2 && arc->paint[part].rest < 64u)
+            zs_paint_run(zs_pixel(t, arc->x + x0, arc->y + y), x - x0, &arc->paint[part]);
+        part = next;
+        x0 = x;
     }
 }
 
+/* Return the largest x with x^2 <= square, from one that is near it; -1: square < 0. */
+static int32_t root(int32_t square, int32_t x)
+{
+    while (x >= 0 && x * x > square)
+        x--;
+    while ((x + 1) * (x + 1) <= square)
+        x++;
+    return x;
+}
+
+/* A pixel is in the ring if its distance d has inner + 1/2 < d < outer + 1/2: inner^2 + inner <
+ * d^2 <= outer^2 + outer in whole numbers. */
 static void arc_draw(const struct zs_item *item, const struct zs_target *t)
 {
-    const uint32_t part = part_of(item);
-    if (item->x + item->w < t->x0 || item->x - item->w >= t->x1)
+    const int32_t outer = item->w, inner = item->h && item->h <= outer ? outer - item->h : -1;
+    const uint32_t part = part_of(item), sweep = sweep_of(item);
+    const int32_t y0 = zs_max32(-outer, t->y0 - item->y);
+    const int32_t y1 = zs_min32(outer + 1, t->y1 - item->y);
+    int32_t far = 0, hole = 0; /* columns up to which the ring and its hole reach */
+    if (y0 >= y1 || item->x + outer < t->x0 || item->x - outer >= t->x1)
         return;
-    arc_paint(item, t, item->from, part, item->color, item->clear);
-    arc_paint(item, t, (zs_turn)(item->from + part), sweep_of(item) - part, item->back,
-              item->back_clear);
+    const struct arc arc = { { direction_of(item->from), direction_of((zs_turn)(item->from + part)),
+                               direction_of((zs_turn)(item->from + sweep)) },
+                             { part, sweep - part },
+                             { zs_paint_of(item->color, zs_alpha_of(item->clear)),
+                               zs_paint_of(item->back, zs_alpha_of(item->back_clear)) },
+                             item->x,
+                             item->y };
+    for (int32_t y = y0; y < y1; y++) {
+        far = root(outer * outer + outer - y * y, far); /* 0 .. 2^22 */
+        hole = inner < 0 ? -1 : root(inner * inner + inner - y * y, hole);
+        if (hole < 0) {
+            arc_run(&arc, t, -far, far + 1, y);
+            continue;
+        }
+        arc_run(&arc, t, -far, -hole, y);
+        arc_run(&arc, t, hole + 1, far + 1, y);
+    }
 }
 
 const struct zs_item_kind zs_item_arc = { .draw = arc_draw,

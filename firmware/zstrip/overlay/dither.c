@@ -64,7 +64,7 @@ void zs_dither_draw(void *ctx, const struct zs_target *t)
 
 typedef uint16_t pixel_fn(uint32_t color, uint32_t threshold);
 
-ZS_ALWAYS_INLINE void run(uint16_t *out, uint32_t n, uint32_t x, const uint8_t *rank, uint32_t mask,
+ZS_KERNEL_INLINE void run(uint16_t *out, uint32_t n, uint32_t x, const uint8_t *rank, uint32_t mask,
                           uint32_t shift, pixel_fn *pixel)
 {
     for (uint16_t *const end = out + n; out != end; out++, x++)

@@ -38,14 +38,11 @@ static void sprite_bounds(const struct zs_item *item, int32_t box[4])
 
 /* ---- Reading --------------------------------------------------------------------------------- */
 
-/* Read n values, colours or palette numbers, from column u of row v on. */
-static void read_values(uint16_t *out, const struct zs_sprite *s, uint32_t u, uint32_t v, int32_t n)
+/* Read n palette numbers from column u of row v on. */
+static void read_numbers(uint16_t *out, const struct zs_sprite *s, uint32_t u, uint32_t v,
+                         int32_t n)
 {
-    if (s->format == ZS_SPRITE_565) {
-        const uint16_t *at = (const uint16_t *)s->pixel + v * s->w + u;
-        for (int32_t k = 0; k < n; k++)
-            out[k] = at[k];
-    } else if (s->format == ZS_SPRITE_PAL8) {
+    if (s->format == ZS_SPRITE_PAL8) {
         const uint8_t *at = (const uint8_t *)s->pixel + v * s->w + u;
         for (int32_t k = 0; k < n; k++)
             out[k] = at[k];
@@ -81,27 +78,28 @@ static void read_alphas(uint8_t *out, const struct source *from, const uint16_t 
 static void draw_run(uint16_t *out, const struct source *from, uint32_t u, uint32_t v, int32_t n)
 {
     const struct zs_sprite *s = from->sprite;
-    uint16_t value[RUN];
+    uint16_t number[RUN];
     uint8_t alpha[RUN];
-    read_values(value, s, u, v, n);
+    const uint16_t *color = number;
+    if (s->format == ZS_SPRITE_565)
+        color = (const uint16_t *)s->pixel + v * s->w + u;
+    else
+        read_numbers(number, s, u, v, n);
     if (s->alpha_kind != ZS_ALPHA_NONE)
-        read_alphas(alpha, from, value, u, v, n);
+        read_alphas(alpha, from, color, u, v, n);
     if (s->format != ZS_SPRITE_565)
         for (int32_t k = 0; k < n; k++)
-            value[k] = s->palette[value[k]];
+            number[k] = s->palette[number[k]];
     if (s->alpha_kind == ZS_ALPHA_NONE && from->whole == 64u) {
         for (int32_t k = 0; k < n; k++)
-            out[k] = zs_wire16(value[k]);
+            out[k] = zs_wire16(color[k]);
         return;
     }
     for (int32_t k = 0; k < n; k++) {
         const uint32_t a = s->alpha_kind == ZS_ALPHA_NONE ? from->whole : alpha[k];
-        if (a == 64u) {
-            out[k] = zs_wire16(value[k]);
-        } else if (a) {
-            const struct zs_paint paint = zs_paint_of(value[k], a);
-            out[k] = zs_paint_over(&paint, out[k]);
-        }
+        const struct zs_paint paint = zs_paint_of(color[k], a);
+        if (a)
+            out[k] = zs_paint_over(&paint, out[k]); /* 64: the colour itself */
     }
 }
 

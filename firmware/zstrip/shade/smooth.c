@@ -164,7 +164,7 @@ static ZS_NOINLINE void start_by_w(struct zs_job *job, const uint16_t *const a[3
     persp_planes(job, a, w);
 }
 
-static void smooth_start(struct zs_job *job)
+void zs_smooth_start(struct zs_job *job)
 {
     const uint16_t *a[3];
     zs_persp_attrs(job, a);
@@ -221,7 +221,7 @@ static void fill_part(uint16_t *out, int32_t n, const uint32_t c[3], const uint3
     fill_linear(out, n, at, step);
 }
 
-static void smooth_run(struct zs_job *job, const struct zs_row *row, int32_t r0, int32_t r1)
+void zs_smooth_run(struct zs_job *job, const struct zs_row *row, int32_t r0, int32_t r1)
 {
     uint16_t *color = job->color + row->at;
     if (job->sub_log2 == ZS_AFFINE) {
@@ -250,8 +250,8 @@ static void smooth_run(struct zs_job *job, const struct zs_row *row, int32_t r0,
 
 const struct zs_shader zs_shade_smooth = { .opaque = 1,
                                            .vertex = smooth_vertex,
-                                           .start = smooth_start,
-                                           .run = smooth_run,
+                                           .start = zs_smooth_start,
+                                           .run = zs_smooth_run,
                                            .check = smooth_check,
                                            .vertex = zs_smooth_vertex,
                                            .start = zs_smooth_start,
