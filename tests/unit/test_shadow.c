@@ -191,7 +191,8 @@ static int pixels_case(uint64_t seed)
     const struct zs_material white = { .shader = &zs_shade_raw, .rgb = ZS_RGB(0xffffff) },
                              red = { .shader = &zs_shade_raw, .rgb = ZS_RGB(0xff0000), .cull = ZS_CULL_NONE },
                              dim = { .shader = &zs_shade_shadow, .rgb = ZS_RGB(0x808080), .cull = ZS_CULL_NONE };
-    const struct zs_depth_state always = { .func = ZS_DEPTH_ALWAYS }, eleven = { .bias = -11 };
+    const struct zs_depth_state always = { .func = ZS_DEPTH_ALWAYS }, eleven = { .bias = -11 },
+                                most = { .bias = INT16_MIN };
     struct zs_mesh mesh;
     struct zs_instance both[2] = { { .mesh = &square, .material = &white },
                                    { .material = &red, .depth_state = &always } };
@@ -218,22 +219,25 @@ static int pixels_case(uint64_t seed)
         return case_wrong("camera");
     struct zs_config c = picture_config(100, 80, depth);
     struct picture covered = picture_draw(&c, &scene, &camera);
+    const struct zs_scene bare = { .instance = both, .n_instances = 1, .background = 0x001f };
+    struct picture empty = picture_draw(&c, &bare, &camera);
     both[1].material = &dim;
-    both[1].depth_state = prng_pick(&p, 2) ? &eleven : NULL;
+    both[1].depth_state = (const struct zs_depth_state *const[3]){ NULL, &eleven, &most }[prng_pick(&p, 3)];
     picture_any_way(&p, &c, 2, 6);
     struct picture shaded = picture_draw(&c, &scene, &camera);
-    int right = !covered.err && !shaded.err;
+    int right = !covered.err && !shaded.err && !empty.err;
     for (int32_t k = 0; right && k < covered.w * covered.h; k++) {
         const uint16_t is = shaded.color[k];
-        const int in = covered.color[k] == 0xf800, on = covered.key[k] != ZS_DEPTH_CLEAR;
+        const int in = covered.color[k] == 0xf800, on = empty.key[k] != ZS_DEPTH_CLEAR;
         dark += is == 0x8410;
-        if (is != (in ? 0x8410 : on ? 0xffff : 0x001f) && !(in && is == 0x0010))
+        if (is != (in && on ? 0x8410 : on ? 0xffff : 0x001f))
             right = case_wrong("(%d, %d) is %04x, not %s", k % covered.w, k / covered.w, is,
                                in   ? "dark"
                                : on ? "light"
                                     : "empty");
     }
     picture_free(&covered);
+    picture_free(&empty);
     picture_free(&shaded);
     return right;
 }
