@@ -65,8 +65,8 @@ int zs_shadow_flatten(struct zs_instance *shadow, struct zs_mesh *mesh, int16_t 
  * Where    on what is drawn already and lies in the plane: where the key that is there is less than
  *          |b| before the shadow's, or at most |b| behind it. b is depth_state->bias, or -8 buckets
  *          without a depth_state. Things on the plane hide the shadow, and it ends where the ground
- *          ends. On one plane keys differ by 2 buckets and 1/128 of the key's change from a pixel to
- *          the next one; triangles thinner than 1/256 px may be off by more, as their keys are.
+ *          ends. On one plane keys differ by 2 buckets and 1/128 of the key's change from pixel to
+ *          pixel; triangles thinner than 1/256 px may be off by more, as their keys are.
  *          Where vertices are not exactly on the plane, add what that moves their keys.
  * Once     a pixel is darkened once, however many triangles of the shadow, or of other shadows on
  *          the same plane, lie over each other there: its key is written moved by 2 b, so that the

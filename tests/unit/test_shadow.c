@@ -202,7 +202,7 @@ static int pixels_case(uint64_t seed)
     thing_make(&t, &p, (int)prng_pick(&p, 2));
     CASE_CHECK(zs_shadow_flatten(&both[1], &mesh, flat, &t.instance, &t.plane, &t.light) == ZS_OK);
     both[0].pose = t.ground;
-    both[0].pose.scale = 500u << 16;
+    both[0].pose.scale = (zs_uq16_16)prng_range(&p, 2, prng_pick(&p, 2) ? 10 : 500) << 16;
     const double size = mesh.radius * (mesh.scale / 65536.0);
     if (size > 40000)
         return 1;
