@@ -43,8 +43,8 @@ static void shadow_run(struct zs_job *job, const struct zs_row *row, int32_t fro
         *at = dimmed(*at, level);
 }
 
-/* In place of zs_rows_test, with b < 0: a pixel passes if what is there is less than |b| before, and
- * at most |b| behind, the key; the key is written moved by 2 b. */
+/* In place of zs_rows_test, with b < 0: a pixel passes if what is there is less than |b| before the
+ * key, or at most |b| behind it; the key is written moved by 2 b. */
 static void shadow_span(struct zs_job *job, const struct zs_row *row, int32_t i0, int32_t i1,
                         uint32_t sum, uint32_t step)
 {
