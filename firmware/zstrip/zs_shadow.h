@@ -62,15 +62,17 @@ int zs_shadow_flatten(struct zs_instance *shadow, struct zs_mesh *mesh, int16_t 
 /* Darken what is there. material.rgb is a grey, read from .g: what is left of the light, of 255, in
  * steps of 1/32; 0: black.
  *
+ * Where    on what is drawn already and lies in the plane: where the key that is there is less than
+ *          |b| before the shadow's, or at most |b| behind it. b is depth_state->bias, or -8 buckets
+ *          without a depth_state. Things on the plane hide the shadow, and it ends where the ground
+ *          ends. On one plane keys differ by 2 buckets and 1/128 of the key's change from pixel to
+ *          pixel; triangles thinner than 1/256 px may be off by more, as their keys are.
+ *          Where vertices are not exactly on the plane, add what that moves their keys.
  * Once     a pixel is darkened once, however many triangles of the shadow, or of other shadows on
- *          the same plane, lie over each other there. Its key is moved by the bias b < 0 for the
- *          test, and written moved by 2 b. So a triangle of the same plane, whose key differs by at
- *          most |b|, does not pass again. b is depth_state->bias, or -8 buckets without a
- *          depth_state. On one plane keys differ by 2 buckets and 1/128 of the key's change from a
- *          pixel to the next one; triangles thinner than 1/256 px may be off by more, as their keys
- *          are. Where vertices are not exactly on the plane, add what that moves their keys.
- * Order    what is drawn later, and is less than 2 |b| buckets above the plane, is hidden there.
- * Cost     13 instructions a pixel more than zs_shade_raw with a depth_state. Flash: 500 bytes.
+ *          the same plane, lie over each other there: its key is written moved by 2 b, so that the
+ *          next triangle does not find the plane there. What is drawn later, and is less than 2 |b|
+ *          above the plane, is hidden there.
+ * Cost     20 instructions a pixel more than zs_shade_raw with a depth_state. Flash: 500 bytes.
  * Refused  ZS_ERR_RANGE: a depth_state that is not a .bias < 0 and all else 0; ZS_ERR_DEPTH:
  *          zs_depth_none, or a method (zs_method.h), which would darken pixels twice. */
 extern const struct zs_shader zs_shade_shadow;

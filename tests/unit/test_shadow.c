@@ -191,7 +191,8 @@ static int pixels_case(uint64_t seed)
     const struct zs_material white = { .shader = &zs_shade_raw, .rgb = ZS_RGB(0xffffff) },
                              red = { .shader = &zs_shade_raw, .rgb = ZS_RGB(0xff0000), .cull = ZS_CULL_NONE },
                              dim = { .shader = &zs_shade_shadow, .rgb = ZS_RGB(0x808080), .cull = ZS_CULL_NONE };
-    const struct zs_depth_state always = { .func = ZS_DEPTH_ALWAYS }, eleven = { .bias = -11 };
+    const struct zs_depth_state always = { .func = ZS_DEPTH_ALWAYS }, eleven = { .bias = -11 },
+                                most = { .bias = INT16_MIN };
     struct zs_mesh mesh;
     struct zs_instance both[2] = { { .mesh = &square, .material = &white },
                                    { .material = &red, .depth_state = &always } };
@@ -201,7 +202,7 @@ static int pixels_case(uint64_t seed)
     thing_make(&t, &p, (int)prng_pick(&p, 2));
     CASE_CHECK(zs_shadow_flatten(&both[1], &mesh, flat, &t.instance, &t.plane, &t.light) == ZS_OK);
     both[0].pose = t.ground;
-    both[0].pose.scale = 500u << 16;
+    both[0].pose.scale = (zs_uq16_16)prng_range(&p, 2, prng_pick(&p, 2) ? 10 : 500) << 16;
     const double size = mesh.radius * (mesh.scale / 65536.0);
     if (size > 40000)
         return 1;
@@ -218,24 +219,100 @@ static int pixels_case(uint64_t seed)
         return case_wrong("camera");
     struct zs_config c = picture_config(100, 80, depth);
     struct picture covered = picture_draw(&c, &scene, &camera);
+    const struct zs_scene bare = { .instance = both, .n_instances = 1, .background = 0x001f };
+    struct picture empty = picture_draw(&c, &bare, &camera);
     both[1].material = &dim;
-    both[1].depth_state = prng_pick(&p, 2) ? &eleven : NULL;
+    both[1].depth_state = (const struct zs_depth_state *const[3]){ NULL, &eleven, &most }[prng_pick(&p, 3)];
     picture_any_way(&p, &c, 2, 6);
     struct picture shaded = picture_draw(&c, &scene, &camera);
-    int right = !covered.err && !shaded.err;
+    int right = !covered.err && !shaded.err && !empty.err;
     for (int32_t k = 0; right && k < covered.w * covered.h; k++) {
         const uint16_t is = shaded.color[k];
-        const int in = covered.color[k] == 0xf800, on = covered.key[k] != ZS_DEPTH_CLEAR;
+        const int in = covered.color[k] == 0xf800, on = empty.key[k] != ZS_DEPTH_CLEAR;
         dark += is == 0x8410;
-        if (is != (in ? 0x8410 : on ? 0xffff : 0x001f) && !(in && is == 0x0010))
+        if (is != (in && on ? 0x8410 : on ? 0xffff : 0x001f))
             right = case_wrong("(%d, %d) is %04x, not %s", k % covered.w, k / covered.w, is,
                                in   ? "dark"
                                : on ? "light"
                                     : "empty");
     }
     picture_free(&covered);
+    picture_free(&empty);
     picture_free(&shaded);
     return right;
+}
+
+/* ---- Damage ------------------------------------------------------------------------------------ */
+
+#define SHOWN_W 100
+#define SHOWN_H 80
+
+static unsigned sent, parts;
+
+static int show(void *ctx, const struct zs_strip *s)
+{
+    sent += (unsigned)s->dirty_w * s->h;
+    uint16_t *to = ctx;
+    for (uint32_t y = 0; y < s->h; y++)
+        for (uint32_t x = s->dirty_x; x < (uint32_t)s->dirty_x + s->dirty_w; x++) {
+            const uint8_t *px = s->px + 2u * (y * s->w + x);
+            to[(s->y + y) * SHOWN_W + x] = (uint16_t)(px[0] << 8 | px[1]);
+        }
+    return 0;
+}
+
+/* A shadow and a disc that move over the ground: columns drawn alone are those of the whole picture. */
+static int columns_case(uint64_t seed)
+{
+    struct prng p = { seed };
+    static struct thing t;
+    static int16_t flat[VERTS][3];
+    static uint16_t shown[SHOWN_W * SHOWN_H];
+    static uint32_t track[ZS_DAMAGE_WORDS(3, SHOWN_H, 1)];
+    const struct zs_material white = { .shader = &zs_shade_raw, .rgb = ZS_RGB(0xffffff) },
+                             dim = { .shader = &zs_shade_shadow, .rgb = ZS_RGB(0x808080), .cull = ZS_CULL_NONE },
+                             soft = { .shader = &zs_shade_disc };
+    const struct zs_depth_state on = { .read_only = 1, .bias = -8 };
+    struct zs_mesh mesh, square = zs_shadow_disc;
+    struct zs_instance all[3] = { { .mesh = &square, .material = &white },
+                                  { .mesh = &zs_shadow_disc, .material = &soft, .depth_state = &on },
+                                  { .material = &dim } };
+    const struct zs_scene scene = { .instance = all, .n_instances = 3, .background = 0x001f };
+    struct zs_camera camera;
+    struct zs_renderer r;
+
+    thing_make(&t, &p, 1);
+    CASE_CHECK(zs_shadow_flatten(&all[2], &mesh, flat, &t.instance, &t.plane, &t.light) == ZS_OK);
+    const int32_t size = (int32_t)(mesh.radius * (mesh.scale / 65536.0)), *const at = all[2].pose.pos;
+    const int32_t middle[3] = { at[0], at[1], at[2] };
+    for (int k = 0; k < 3; k++)
+        all[0].pose.pos[k] = all[1].pose.pos[k] = at[k];
+    all[0].pose.scale = (zs_uq16_16)(size * 2048);
+    all[1].pose.scale = (zs_uq16_16)(size * 128);
+    struct zs_config c = picture_config(SHOWN_W, SHOWN_H, &zs_depth_float);
+    struct zs_config way = c;
+    picture_any_way(&p, &way, 2, 6);
+    void *arena = malloc(zs_arena_bytes(&way));
+    int err = arena ? zs_init(&r, &way, arena, zs_arena_bytes(&way)) : -1;
+    err = err ? err : zs_damage_track(&r, track, 3);
+    err = err ? err : zs_damage_columns(&r, 1);
+    err = err ? err : zs_camera_perspective(&camera, ZS_DEGREES(50), SHOWN_H, size / 2, size * 40);
+    err = err ? err : zs_camera_orbit(&camera, middle, size * 4, (zs_turn)prng_next(&p), ZS_DEGREES(50));
+    const struct zs_sink sink = { .submit = show, .ctx = shown };
+    int right = !err;
+    for (int frame = 0; right && frame < 6; frame++) {
+        sent = 0;
+        err = zs_render(&r, &scene, &camera, &sink);
+        struct picture whole = picture_draw(&c, &scene, &camera);
+        right = !err && !whole.err && (!memcmp(whole.color, shown, sizeof shown) || case_wrong("frame %d", frame));
+        parts += sent < SHOWN_W * SHOWN_H;
+        picture_free(&whole);
+        struct zs_instance *moves = &all[1 + prng_pick(&p, 2)];
+        moves->pose.pos[0] += prng_range(&p, -size / 4, size / 4);
+        moves->pose.pos[2] += prng_range(&p, -size / 4, size / 4);
+    }
+    free(arena);
+    return right || case_wrong("error %d", err);
 }
 
 /* A disc on level ground seen from above, against its formula. */
@@ -399,8 +476,11 @@ static void shaders_refuse(void **state)
 }
 
 static const struct CMUnitTest tests[] = {
-    cmocka_unit_test(vertices),       CASES_COUNT(darkened_once, pixels_case, 400, &dark, 50000, "dark pixels"),
-    cmocka_unit_test(a_disc),         cmocka_unit_test(what_is_refused),
+    cmocka_unit_test(vertices),
+    CASES_COUNT(darkened_once, pixels_case, 400, &dark, 50000, "dark pixels"),
+    CASES_COUNT(columns_alone, columns_case, 60, &parts, 100, "frames of which parts were left out"),
+    cmocka_unit_test(a_disc),
+    cmocka_unit_test(what_is_refused),
     cmocka_unit_test(shaders_refuse),
 };
 CASES_MAIN(tests)

@@ -20,8 +20,8 @@ static void nothing_run(struct zs_job *job, const struct zs_row *row, int32_t fr
 /* Nobody looks at the colours, so that `opaque` is no lie, and accelerators work. */
 static const struct zs_shader nothing = { .run = nothing_run, .opaque = 1 };
 const struct zs_material zs_shadow_caster[3] = { { .shader = &nothing, .cull = ZS_CULL_BACK },
-                                              { .shader = &nothing, .cull = ZS_CULL_FRONT },
-                                              { .shader = &nothing, .cull = ZS_CULL_NONE } };
+                                                 { .shader = &nothing, .cull = ZS_CULL_FRONT },
+                                                 { .shader = &nothing, .cull = ZS_CULL_NONE } };
 
 uint32_t zs_shadow_casters(struct zs_instance *out, const struct zs_instance *in, uint32_t n,
                            const struct zs_depth_state *state)
@@ -42,13 +42,16 @@ uint32_t zs_shadow_casters(struct zs_instance *out, const struct zs_instance *in
 
 /* ---- The map --------------------------------------------------------------------------------- */
 
-static int take(void *ctx, const struct zs_strip *strip)
+/* Copy the keys of a frame that has begun. */
+static ZS_NOINLINE int keys_taken(const struct zs_shadow_map *map, struct zs_renderer *r)
 {
-    const struct zs_shadow_map *map = ctx;
-    uint16_t *to = map->key + (uint32_t)strip->y * map->w;
-    for (uint32_t k = (uint32_t)strip->w * strip->h, i = 0; i < k; i++)
-        to[i] = strip->depth[i];
-    return 0;
+    struct zs_strip strip;
+    int got;
+    uint16_t *to = map->key;
+    while ((got = zs_frame_strip(r, &strip)) > 0)
+        for (uint32_t k = (uint32_t)strip.w * strip.h, i = 0; i < k; i++)
+            *to++ = strip.depth[i];
+    return got;
 }
 
 static int32_t bits_of(uint64_t v)
@@ -66,10 +69,25 @@ static void factor_set(uint64_t *factor, uint8_t *shift, uint32_t num, int32_t u
     *shift = (uint8_t)k;
 }
 
+/* Set what takes world units to texels and keys. */
+static ZS_NOINLINE void place_set(struct zs_shadow_map *map, const struct zs_renderer *r)
+{
+    const struct zs_camera *light = &r->camera;
+    for (int k = 0; k < 3; k++) { /* rows: right, down, distance */
+        map->pos[k] = light->pos[k];
+        map->rot[k] = light->rot[k];
+        map->rot[3 + k] = -light->rot[3 + k];
+        map->rot[6 + k] = -light->rot[6 + k];
+    }
+    map->z_near = light->z_near;
+    factor_set(&map->texels, &map->texels_shift, map->h, 32, (uint64_t)light->height);
+    factor_set(&map->keys, &map->keys_shift, (1u << r->config.depth_bits) - 1u, 16,
+               (uint64_t)(light->z_far - light->z_near));
+}
+
 int zs_shadow_map_draw(struct zs_shadow_map *map, struct zs_renderer *r,
                        const struct zs_scene *casters, const struct zs_camera *light)
 {
-    const struct zs_sink sink = { .submit = take, .ctx = map };
     if (!map || !map->key || !r || !casters || !light)
         return ZS_ERR_NULL;
     map->drawn = 0;
@@ -82,21 +100,14 @@ int zs_shadow_map_draw(struct zs_shadow_map *map, struct zs_renderer *r,
         return ZS_ERR_DEPTH;
     if (light->projection != ZS_ORTHOGRAPHIC)
         return ZS_ERR_CAMERA;
-    const int err = zs_render(r, casters, light, &sink);
+    int err = zs_frame_begin(r, casters, light);
     if (err)
         return err;
-    for (int k = 0; k < 3; k++) { /* rows: right, down, distance */
-        map->pos[k] = light->pos[k];
-        map->rot[k] = r->camera.rot[k];
-        map->rot[3 + k] = -r->camera.rot[3 + k];
-        map->rot[6 + k] = -r->camera.rot[6 + k];
-    }
-    map->z_near = light->z_near;
-    factor_set(&map->texels, &map->texels_shift, map->h, 32, (uint64_t)light->height);
-    factor_set(&map->keys, &map->keys_shift, (1u << c->depth_bits) - 1u, 16,
-               (uint64_t)(light->z_far - light->z_near));
-    map->drawn = 1;
-    return ZS_OK;
+    place_set(map, r);
+    err = keys_taken(map, r);
+    (void)zs_frame_end(r);
+    map->drawn = !err;
+    return err;
 }
 
 void zs_shadow_map_light(const struct zs_shadow_map *map, struct zs_light *light)

@@ -43,20 +43,22 @@ static void shadow_run(struct zs_job *job, const struct zs_row *row, int32_t fro
         *at = dimmed(*at, level);
 }
 
-/* In place of zs_rows_test: test keys moved by the bias, write them moved by twice as much. */
+/* In place of zs_rows_test, with b < 0: a pixel passes if what is there is less than |b| before the
+ * key, or at most |b| behind it; the key is written moved by 2 b. */
 static void shadow_span(struct zs_job *job, const struct zs_row *row, int32_t i0, int32_t i1,
                         uint32_t sum, uint32_t step)
 {
-    const int32_t bias = job->depth_state ? job->bias : USUAL_BIAS; /* < 0 */
-    const int32_t most = (int32_t)(job->r->view.key_top >> 16) - 1 + bias;
+    const int32_t bias = job->depth_state ? job->bias : USUAL_BIAS;
+    const int32_t top = (int32_t)(job->r->view.key_top >> 16) - 1;
     uint16_t *const line = job->depth + row->at;
     for (int32_t i = i0; i < i1; i++, sum += step) { /* the step skips the pixel that failed */
         const int32_t from = i;
         for (; i < i1; i++, sum += step) {
-            const int32_t key = zs_max32(zs_min32((int32_t)(sum >> 16) + bias, most), 0);
-            if (key >= line[i])
+            const int32_t key = zs_min32((int32_t)(sum >> 16), top), there = line[i];
+            if (there <= zs_max32(key + bias, 0) ||
+                there > zs_min32(key - bias, ZS_DEPTH_CLEAR - 1))
                 break;
-            line[i] = (uint16_t)zs_max32(key + bias, 0);
+            line[i] = (uint16_t)zs_max32(key + 2 * bias, 0);
         }
         if (i > from) {
             zs_rows_written(job, i - from);
