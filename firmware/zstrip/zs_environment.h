@@ -28,8 +28,9 @@ struct zs_mirror_ops {
 struct zs_mask {
     int (*check)(const struct zs_renderer *r, const struct zs_pass *pass,
                  const struct zs_pass_memory *memory, uint32_t number);
-    /* Prepare n pixels of a row of the strip: before the windows are drawn; before the pass is. */
-    void (*before)(struct zs_renderer *r, int32_t row, int32_t x, int32_t n);
+    /* Prepare n pixels of a row of the strip: before the windows are drawn (fresh: no key is yet);
+     * before the pass is. */
+    void (*before)(struct zs_renderer *r, int32_t row, int32_t x, int32_t n, int fresh);
     void (*open)(struct zs_renderer *r, int32_t row, int32_t x, int32_t n);
 };
 
@@ -47,8 +48,11 @@ struct zs_mask {
  *         errors (core/xform.c) and 2^-29 of its distance. What is cut off at the plane is exact to
  *         2 camera units, which are below 2^-28 of the farthest coordinate in view.
  * Points  (zs_lines.h) are drawn as a whole or not at all, by their middle.
- * Cost    the accelerators `batch` and `clusters` do nothing in such a pass. ZS_ERR_RANGE: the
- *         eye's picture lies outside the world. */
+ * Cost    the accelerators `batch` and `clusters` do nothing in such a pass: on a Cortex-M3 a mesh of
+ *         2,500 triangles takes 1.81 million instructions in place of 1.19, a city 2.70 in place of
+ *         2.00, cubes 0.39 in place of 0.36. What lies behind the plane is transformed and dropped:
+ *         leave it out of the scene where that is known.
+ * ZS_ERR_RANGE: the eye's picture lies outside the world. */
 
 /* The plane of a mirror. A function below sets it. */
 struct zs_mirror {
@@ -101,7 +105,7 @@ int zs_mirror_camera(struct zs_camera *out, const struct zs_camera *camera,
  * a pass with a mask, keys outside of the windows are 0: a later pass must not keep them, and hooks
  * that read keys (zs_target.depth) find that all is near there.
  *
- * Cost  Cortex-M3: 5 instructions for each pixel of the viewport, and the background of the
+ * Cost  Cortex-M3: 8 instructions for each pixel of the viewport, and the background of the
  *       windows. */
 extern const struct zs_shader zs_shade_window;
 extern const struct zs_mask zs_mask_window;
@@ -126,7 +130,7 @@ struct zs_sky {
     struct zs_background background; /* scene.sky; the other fields belong to the library */
     const struct zs_texture *texture;
     zs_q2_30 rot[9];
-    int32_t focal, step, down;
+    int32_t focal, step, reach, down;
     int16_t top, x, y, width, height;
 };
 
@@ -156,9 +160,8 @@ void zs_sky_gradient(struct zs_sky_gradient *sky, const struct zs_rgb color[4]);
  *
  * viewport  the pass's, or 0, 0, width and height of the frame.
  * mirror    the pass's; NULL: none.
- * Cost      Cortex-M3, of the sky: some 25 instructions a pixel, 400 where groups are found pixel
- *           by
- *           pixel. */
+ * Cost      a few hundred instructions. Those of the sky, Cortex-M3, for each pixel that it
+ *           colours, at 320x240 and 60 degrees: 32 at the horizon, 46 at 30 degrees, 71 at 60. */
 void zs_sky_look(struct zs_sky *sky, const struct zs_camera *camera, const struct zs_rect *viewport,
                  const struct zs_mirror *mirror);
 
@@ -172,9 +175,8 @@ void zs_sky_look(struct zs_sky *sky, const struct zs_camera *camera, const struc
  * It needs mesh.normal (unit), material.texture, and mesh.uv_bits above log2 of the texture's width
  * and height, at most 15; 15 is best (else ZS_ERR_MESH). mesh.uv is not read.
  * Errors  2^-14.5 of the image's width, half a step of 2^-uv_bits, and those of zs_shade_texture.
- * Cost    that of zs_shade_texture, its accelerator of the shader left out; vertices 40
- *         instructions
- *         more (Cortex-M3). */
+ * Cost    that of zs_shade_texture without that shader's accelerator (those of texel formats count),
+ *         and 75 instructions more a vertex on a Cortex-M3. */
 extern const struct zs_shader zs_shade_matcap;
 #define ZS_VARYINGS_MATCAP 2u
 

@@ -326,7 +326,8 @@ static int hand_case(uint64_t seed)
 {
     static const struct zs_shader *const shaders[] = { &zs_shade_raw,          &zs_shade_flat,
                                                        &zs_shade_smooth,       &zs_shade_texture,
-                                                       &zs_shade_texture_flat, &zs_shade_texture_smooth };
+                                                       &zs_shade_texture_flat, &zs_shade_texture_smooth,
+                                                       &zs_shade_matcap };
     static struct model is, turned;
     struct prng p = { seed };
     const int axis = (int)prng_pick(&p, 3), side = prng_pick(&p, 2) ? 1 : -1;
@@ -340,7 +341,7 @@ static int hand_case(uint64_t seed)
     model_make(&is, &p);
     model_turn(&turned, &is, axis);
     for (int i = 0; i < 3; i++) {
-        material[i] = (struct zs_material){ .shader = shaders[prng_pick(&p, 6)],
+        material[i] = (struct zs_material){ .shader = shaders[prng_pick(&p, 7)],
                                             .cull = (uint8_t)prng_pick(&p, 3),
                                             .texture = &texture,
                                             .rgb = { 200, 100, 50 } };
@@ -608,6 +609,61 @@ static void stress_a_bias_that_saturates(void **state)
     picture_free(&p);
 }
 
+/* A rear-view mirror: a pass in a viewport over the road. What is behind the eye on its left is on the left in it, in a
+ * picture that, turned over, is that of a camera which looks back; the rest of the frame is the road. */
+static void a_rear_view_mirror(void **state)
+{
+    static const struct zs_rect at = { 16, 4, 32, 16 };
+    static const int32_t eye[3] = { 0, 0, 0 }, ahead[3] = { 0, 0, -1 }, back[3] = { 0, 0, 1 }, up[3] = { 0, 1, 0 };
+    static const int32_t nose[3] = { 0, 0, -3 }, beyond[3] = { 0, 0, -6 };
+    struct room m;
+    struct zs_camera rear, behind;
+    uint32_t differ = 0, left = 0;
+    (void)state;
+    facing(&m, 20);
+    m.thing[0].pose.pos[0] = -15; /* on the left, behind the eye: z is 40 */
+    m.thing[0].pose.pos[2] = 40;
+    m.seen = (struct zs_scene){ .instance = m.thing, .n_instances = 1, .background = SKY_SEEN };
+    m.scene = (struct zs_scene){ .background = SKY };
+    assert_int_equal(zs_mirror_plane(&m.mirror, nose, back), ZS_OK);
+    assert_int_equal(zs_camera_perspective(&rear, ZS_DEGREES(60), at.h, 4, 200), ZS_OK);
+    behind = rear;
+    assert_int_equal(zs_camera_look_along(&rear, eye, ahead, up), ZS_OK);
+    assert_int_equal(zs_camera_look_along(&behind, beyond, back, up), ZS_OK);
+    const struct zs_pass pass[2] = { { .scene = &m.scene, .camera = &m.camera },
+                                     { .scene = &m.seen, .camera = &rear, .viewport = at, .mirror = &m.mirror } };
+    struct zs_config c = picture_config(W, H, &zs_depth_linear);
+    struct picture got = picture_passes(&c, pass, 2);
+    c.width = at.w;
+    c.height = at.h;
+    struct picture want = picture_draw(&c, &m.seen, &behind);
+    assert_int_equal(got.err, ZS_OK);
+    assert_int_equal(want.err, ZS_OK);
+    for (int y = 0; y < H; y++)
+        for (int x = 0; x < W; x++) {
+            const int inside = x >= at.x && x < at.x + at.w && y >= at.y && y < at.y + at.h;
+            const uint16_t is = got.color[y * W + x];
+            if (!inside)
+                assert_int_equal(is, SKY);
+            else
+                differ += is != want.color[(y - at.y) * at.w + at.w - 1 - (x - at.x)];
+            left += is == 1 && x < W / 2;
+        }
+    assert_in_range(count(&got, 1), 40, 300);
+    assert_true(left * 4 > count(&got, 1) * 3);
+    assert_true(differ <= 4); /* samples on edges: the left one belongs to the triangle, the right one does not */
+    struct zs_camera same;
+    assert_int_equal(zs_mirror_camera(&same, &rear, &m.mirror), ZS_OK);
+    for (int k = 0; k < 9; k++)
+        assert_int_equal(same.rot[k], behind.rot[k]);
+    assert_memory_equal(same.pos, behind.pos, sizeof same.pos);
+    m.mirror.at += (int64_t)10 << 30;
+    assert_int_equal(zs_mirror_camera(&same, &rear, &m.mirror), ZS_ERR_VECTOR);
+    assert_int_equal(same.pos[2], -6);
+    picture_free(&got);
+    picture_free(&want);
+}
+
 /* ---- Wrong mirrors ------------------------------------------------------------------------------------- */
 
 static void wrong_mirrors_are_refused(void **state)
@@ -697,6 +753,7 @@ static void wrong_mirrors_are_refused(void **state)
 static const struct CMUnitTest tests[] = {
     cmocka_unit_test(rays_go_on_at_a_mirror),       cmocka_unit_test(a_scene_mirrored_by_hand),
     cmocka_unit_test(any_way_is_the_same),          cmocka_unit_test(stress_the_eye_near_the_plane),
-    cmocka_unit_test(stress_a_bias_that_saturates), cmocka_unit_test(wrong_mirrors_are_refused),
+    cmocka_unit_test(stress_a_bias_that_saturates), cmocka_unit_test(a_rear_view_mirror),
+    cmocka_unit_test(wrong_mirrors_are_refused),
 };
 CASES_MAIN(tests)

@@ -8,7 +8,8 @@
  * 1/64 turn (low focal lengths, and pixels near a pole) are found pixel by pixel: at most 0.4 px.
  *
  * Angles are in 2^-32 turn. Arc tangent and length are interpolated in tables of 64 steps. The
- * first is off by (1/64)^2 / 8 * 0.65 radians, 2^-18.2 turn, and 2^-19 for the table's rounding;
+ * first is off by (1/64)^2 / 8 * 0.65 radians, 2^-18.2 turn, 2^-19 for the table's rounding and
+ * 2^-18.6 for the quotient's;
  * the second by 2^-15 of the length, which changes a pitch by at most 2^-18.6 turn. All that is
  * below 2^-16.5 turn.
  *
@@ -53,37 +54,47 @@ static uint32_t between(const uint16_t table[65], uint32_t r)
                    : ((uint32_t)table[i] << 16) + (uint32_t)(table[i + 1] - table[i]) * part;
 }
 
-/* Return the angle of (x, y), counter-clockwise from +x, and its length. |x|, |y| < 2^30.5 */
-static uint32_t polar(int32_t x, int32_t y, int32_t *length)
+/* The place of (x, y) in its octant. */
+struct octant {
+    uint32_t most;  /* the larger of |x| and |y| */
+    uint32_t ratio; /* the lesser one over it, * 2^31; off by 2^-16 */
+};
+
+/* Return the angle of (x, y), counter-clockwise from +x. |x|, |y| < 2^30.5 */
+static uint32_t angle_of(int32_t x, int32_t y, struct octant *of)
 {
     const uint32_t ax = zs_size32(x), ay = zs_size32(y);
     const uint32_t most = zs_maxu32(zs_maxu32(ax, ay), 1u), least = zs_minu32(ax, ay);
     const int32_t lz = zs_clz32(most);
-    const uint32_t r = zs_umulh(least << lz,
-                                zs_recip(most << lz)); /* 2^31 least / most, or 1 less */
-    uint32_t angle = between(arc, r) >> 2;
-    *length = (int32_t)(most + (zs_umulh(most, between(longer, r)) >> 1));
+    const uint32_t r = zs_umulh(least << lz, zs_recip16(most << lz));
+    of->most = most;
+    of->ratio = r >> 31 ? 1u << 31 : r;
+    uint32_t angle = between(arc, of->ratio) >> 2;
     angle = ay > ax ? QUARTER - angle : angle;
     angle = x < 0 ? 2u * QUARTER - angle : angle;
     return y < 0 ? 0u - angle : angle;
 }
 
-/* Find the direction of column x of a row. */
+/* Return a column's or row's distance from the viewport's middle, |.| < 2^29. Far outside of the
+ * viewport it stays the same. half: 1/2 px */
+static int32_t side_of(const struct zs_sky *sky, int32_t half)
+{
+    return zs_max32(zs_min32(half, sky->reach), -sky->reach) * sky->step;
+}
+
+/* Find the direction of column x of a row. Components are q2_30 * 2^-32 of a length below 2^30.4.
+ * For a focal length of at least 1/64 of the viewport's width and height, it is at least 2^20. */
 static struct ray look(const struct zs_sky *sky, const int64_t row[3], int32_t x)
 {
+    const int32_t at = side_of(sky, 2 * x + 1 - sky->width);
+    int32_t v[3];
+    struct octant of;
     struct ray ray;
-    int32_t v[3], flat, any;
-    int64_t wide[3];
-    uint64_t most = 1;
-    for (int k = 0; k < 3; k++) { /* q2_30 * 2^-7 px, |.| < 2^60.2: columns are below 2^13 */
-        wide[k] = row[k] + zs_mul_ss(sky->rot[k], (2 * x + 1 - sky->width) * sky->step);
-        most |= (uint64_t)zs_size64(wide[k]);
-    }
-    const int32_t lz = zs_clz64(most); /* to below 2^30 */
     for (int k = 0; k < 3; k++)
-        v[k] = (int32_t)((int64_t)((uint64_t)wide[k] << (lz - 1)) >> 33);
-    ray.yaw = polar(-v[2], v[0], &flat);
-    ray.pitch = (int32_t)polar(flat, v[1], &any);
+        v[k] = (int32_t)((row[k] + zs_mul_ss(sky->rot[k], at)) >> 32);
+    ray.yaw = angle_of(-v[2], v[0], &of);
+    const uint32_t flat = of.most + (zs_umulh(of.most, between(longer, of.ratio)) >> 1);
+    ray.pitch = (int32_t)angle_of((int32_t)flat, v[1], &of);
     return ray;
 }
 
@@ -107,35 +118,56 @@ static void fetch(const struct zs_sky *sky, uint16_t *out, int32_t n, struct zs_
     sky->texture->format->fetch(sky->texture, out, n, &walk);
 }
 
-/* Colour columns [x, end) of a group that begins with the ray a and ends, 16 columns on, with b. */
-static void group(const struct zs_sky *sky, const int64_t row[3], uint16_t *out, int32_t x,
-                  int32_t end, const struct ray ray[2])
+/* A group of columns, and the rays of its first one and of the next group's. */
+struct group {
+    int32_t from;
+    int32_t log2; /* of its columns */
+    struct ray ray[2];
+};
+
+/* Colour columns [x, end) of a group. Return 0 if it is too coarse for that. */
+static int group_draw(const struct zs_sky *sky, const struct group *g, uint16_t *out, int32_t x,
+                      int32_t end)
 {
-    const int32_t from = x & -GROUP;
-    const uint32_t turn = ray[1].yaw - ray[0].yaw;
-    if (turn + FINE <= 2u * FINE &&
-        (uint32_t)ray[1].pitch - (uint32_t)ray[0].pitch + FINE <= 2u * FINE) {
-        const int64_t v[2] = { down(sky, ray[0].pitch), down(sky, ray[1].pitch) };
-        const int64_t dv = (v[1] - v[0]) >> 4;
-        const uint32_t du = (uint32_t)((int32_t)turn >> 4);
-        struct zs_walk walk = { ray[0].yaw + 2u * QUARTER + du * (uint32_t)(x - from), 0, du,
-                                (uint32_t)dv };
-        int64_t at = v[0] + dv * (x - from);
-        if (!((uint64_t)(v[0] | v[1]) >> 32)) { /* inside the image */
-            walk.v = (uint32_t)at;
-            fetch(sky, out, end - x, walk);
-            return;
-        }
-        for (; x < end; x++, at += dv, walk.u += du) {
-            walk.v = held(at);
-            fetch(sky, out++, 1, walk);
-        }
-        return;
+    const struct ray *const a = &g->ray[0], *const b = &g->ray[1];
+    const uint32_t turn = b->yaw - a->yaw, fine = FINE << (4 - g->log2);
+    if (turn + fine > 2u * fine || (uint32_t)b->pitch - (uint32_t)a->pitch + fine > 2u * fine)
+        return 0;
+    const int64_t first = down(sky, a->pitch), last = down(sky, b->pitch);
+    const int64_t dv = (last - first) >> g->log2;
+    const uint32_t du = (uint32_t)((int32_t)turn >> g->log2), skip = (uint32_t)(x - g->from);
+    int64_t at = first + dv * skip;
+    struct zs_walk walk = { a->yaw + 2u * QUARTER + du * skip, (uint32_t)at, du, (uint32_t)dv };
+    if (!((uint64_t)(first | last) >> 32)) { /* inside the image */
+        fetch(sky, out, end - x, walk);
+        return 1;
     }
-    for (; x < end; x++) {
-        const struct ray one = look(sky, row, x);
-        const struct zs_walk walk = { one.yaw + 2u * QUARTER, held(down(sky, one.pitch)), 0, 0 };
+    for (; x < end; x++, at += dv, walk.u += du) {
+        walk.v = held(at);
         fetch(sky, out++, 1, walk);
+    }
+    return 1;
+}
+
+/* The same for a group that is too coarse: in groups of 4, or pixel by pixel. */
+static ZS_NOINLINE void group_divide(const struct zs_sky *sky, const int64_t row[3], uint16_t *out,
+                                     int32_t x, int32_t end)
+{
+    struct group part = { .log2 = 2 };
+    while (x < end) {
+        part.from = x & -4;
+        part.ray[0] = look(sky, row, part.from);
+        part.ray[1] = look(sky, row, part.from + 4);
+        const int32_t to = zs_min32(part.from + 4, end);
+        if (!group_draw(sky, &part, out, x, to))
+            for (int32_t i = x; i < to; i++) {
+                const struct ray one = look(sky, row, i);
+                const struct zs_walk walk = { one.yaw + 2u * QUARTER, held(down(sky, one.pitch)), 0,
+                                              0 };
+                fetch(sky, out + i - x, 1, walk);
+            }
+        out += to - x;
+        x = to;
     }
 }
 
@@ -143,17 +175,19 @@ static void fill(void *ctx, uint16_t *out, uint16_t px, uint16_t py, uint16_t n)
 {
     const struct zs_sky *const sky = ctx;
     int32_t x = px - sky->x;
-    const int32_t end = x + n, y = (sky->height - 1 - 2 * (py - sky->y)) * sky->step;
+    const int32_t end = x + n, y = side_of(sky, sky->height - 1 - 2 * (py - sky->y));
     int64_t row[3];
-    struct ray ray[2];
-    for (int k = 0; k < 3; k++)
+    struct group g = { .log2 = 4 };
+    for (int k = 0; k < 3; k++) /* |.| < 2^59 + 2^60 */
         row[k] = zs_mul_ss(sky->rot[3 + k], y) - zs_mul_ss(sky->rot[6 + k], sky->focal);
-    ray[1] = look(sky, row, x & -GROUP);
+    g.ray[1] = look(sky, row, x & -GROUP);
     while (x < end) {
-        const int32_t next = (x & -GROUP) + GROUP, to = zs_min32(next, end);
-        ray[0] = ray[1];
-        ray[1] = look(sky, row, next);
-        group(sky, row, out, x, to, ray);
+        g.from = x & -GROUP;
+        const int32_t to = zs_min32(g.from + GROUP, end);
+        g.ray[0] = g.ray[1];
+        g.ray[1] = look(sky, row, g.from + GROUP);
+        if (!group_draw(sky, &g, out, x, to))
+            group_divide(sky, row, out, x, to);
         out += to - x;
         x = to;
     }
@@ -211,7 +245,15 @@ void zs_sky_look(struct zs_sky *sky, const struct zs_camera *camera, const struc
     sky->y = (int16_t)viewport->y;
     sky->width = (int16_t)viewport->w;
     sky->height = (int16_t)viewport->h;
-    sky->step = camera->projection == ZS_PERSPECTIVE ? 64 : 0; /* 2^-7 px in 1/2 px */
-    const uint64_t focal = camera->focal >> 25;                /* 2^-7 px, <= 2^30 */
-    sky->focal = sky->step && focal ? (int32_t)focal : 1;
+    /* In 2^-n of 1/2 px: focal length and 2 * reach are below 2^30, one of them is at least 2^29 */
+    const uint64_t focal = camera->focal << 1;                      /* uq32_32, 1/2 px, <= 2^56 */
+    sky->reach = 4 * zs_max32(sky->width, sky->height) + 2 * GROUP; /* < 2^15 */
+    const uint64_t side = (uint64_t)(uint32_t)sky->reach << 33;
+    const int32_t lz = zs_clz64(focal > side ? focal : side); /* 7 .. 25 */
+    sky->focal = zs_max32((int32_t)(focal << lz >> 34), 1);
+    sky->step = (int32_t)(1u << (lz - 2));
+    if (camera->projection == ZS_ORTHOGRAPHIC) { /* one direction */
+        sky->focal = 1 << 29;
+        sky->step = 0;
+    }
 }

@@ -55,9 +55,13 @@ static int mask_check(const struct zs_renderer *r, const struct zs_pass *pass,
     return ZS_OK;
 }
 
-static void mask_before(struct zs_renderer *r, int32_t row, int32_t x, int32_t n)
+static void mask_before(struct zs_renderer *r, int32_t row, int32_t x, int32_t n, int fresh)
 {
     uint16_t *key = r->depth + row * r->config.width + x;
+    if (fresh) {
+        zs_fill_run(key, ZS_DEPTH_CLEAR - 1u, (uint32_t)n);
+        return;
+    }
     for (uint16_t *const end = key + n; key != end; key++)
         if (*key == ZS_DEPTH_CLEAR)
             *key = ZS_DEPTH_CLEAR - 1u;
@@ -65,15 +69,15 @@ static void mask_before(struct zs_renderer *r, int32_t row, int32_t x, int32_t n
 
 static void mask_open(struct zs_renderer *r, int32_t row, int32_t x, int32_t n)
 {
-    uint16_t *const key = r->depth + row * r->config.width + x;
-    for (int32_t i = 0; i < n; i++) {
-        const int32_t from = i;
-        while (i < n && key[i] == ZS_DEPTH_CLEAR)
-            i++;
-        if (i > from)
-            zs_raster_background(r, row, x + from, i - from);
-        if (i < n)
-            key[i] = 0;
+    uint16_t *const first = r->depth + row * r->config.width + x, *const end = first + n;
+    for (uint16_t *key = first; key != end;) {
+        while (key != end && *key != ZS_DEPTH_CLEAR)
+            *key++ = 0;
+        uint16_t *const from = key;
+        while (key != end && *key == ZS_DEPTH_CLEAR)
+            key++;
+        if (key != from)
+            zs_raster_background(r, row, x + (int32_t)(from - first), (int32_t)(key - from));
     }
 }
 

@@ -63,7 +63,7 @@ static void row_begin(struct zs_renderer *r, uint32_t k, int32_t row)
             zs_raster_far(r, row, view->x, view->width);
     }
     if (next)
-        next->before(r, row, view->x, view->width);
+        next->before(r, row, view->x, view->width, !pass->mask && !(pass->keep & ZS_KEEP_DEPTH));
 }
 
 /* Prepare the viewports of passes up to k. Another pass may be in hand then. */
