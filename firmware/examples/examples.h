@@ -11,6 +11,8 @@
 #define EXAMPLE_H 32
 
 /* Draw frame t into a sink. Return ZS_OK or an error. */
+int example_cutout(uint32_t t, const struct zs_sink *sink);
+int example_filters(uint32_t t, const struct zs_sink *sink);
 int example_gradient_sky(uint32_t t, const struct zs_sink *sink);
 int example_frame_counter(uint32_t t, const struct zs_sink *sink);
 int example_hidden_line(uint32_t t, const struct zs_sink *sink);
