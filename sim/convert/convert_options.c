@@ -57,6 +57,8 @@ const char sim_convert_help[] =
     "as good\n"
     "                       as 565, or whose PSNR is 36 dB or more)\n"
     "  --dither             spread what a format cannot show over the neighbours\n"
+    "  --mipmap             coarser levels too, for the mipmap shaders of zs_filter.h: means of the picture's\n"
+    "                       values as the file has them, without gamma; a third more texels\n"
     "\n"
     "An option's value may follow after a space or an equals sign.\n"
     "Exit status: 0 done; 1 refused, nothing written; 2 the command line makes no sense.\n";
@@ -87,6 +89,7 @@ static const struct sim_option table[] = {
     { "--texture-size", SIM_OPTION_SIZE, AT(texture_size), .use = SHOWN },
     { "--texture-format", SIM_OPTION_CHOICE, AT(texels), .use = SHOWN, .words = "auto|565|pal8|pal4" },
     { "--dither", SIM_OPTION_FLAG, AT(dither), .use = SHOWN },
+    { "--mipmap", SIM_OPTION_FLAG, AT(mipmap), .use = SHOWN },
     SIM_HELP_OPTIONS(AT(help)),
 };
 
