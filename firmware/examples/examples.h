@@ -15,6 +15,8 @@ int example_glass(uint32_t t, const struct zs_sink *sink);
 int example_cockpit_gauges(uint32_t t, const struct zs_sink *sink);
 int example_dither(uint32_t t, const struct zs_sink *sink);
 int example_fog(uint32_t t, const struct zs_sink *sink);
+int example_cutout(uint32_t t, const struct zs_sink *sink);
+int example_filters(uint32_t t, const struct zs_sink *sink);
 int example_gradient_sky(uint32_t t, const struct zs_sink *sink);
 int example_frame_counter(uint32_t t, const struct zs_sink *sink);
 int example_hidden_line(uint32_t t, const struct zs_sink *sink);

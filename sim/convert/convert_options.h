@@ -27,7 +27,7 @@ struct sim_convert_options {
     double unit;                                    /* world units to a model unit; 0: chosen */
     int look, texels, wrap, cull;               /* enum sim_look, sim_texels, sim_wrap, zs_cull */
     int keep_origin;                            /* 1: the file's own origin stays the mesh's */
-    int no_face_normals, precise, dither, bvh, help; /* flags */
+    int no_face_normals, precise, dither, mipmap, bvh, help; /* flags */
     long texture_size[2];                       /* texels, most: powers of two */
     struct zs_rgb color;
     int has_color, has_unit;  /* flags */

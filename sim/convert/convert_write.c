@@ -302,8 +302,11 @@ static void texture_object(FILE *f, const char *name, uint32_t part, const struc
                   part);
     if (s->n_colors > 0)
         (void)fprintf(f, ", .palette = %s_palette_%" PRIu32 ", .n_colors = %" PRIu32, name, part, s->n_colors);
-    (void)fprintf(f, ",\n      .log2_w = %u, .log2_h = %u, .clamp = %s },\n", sim_texture_log2(s->w),
-                  sim_texture_log2(s->h), clamps[s->clamp & 3]);
+    (void)fprintf(f, ",\n      .log2_w = %u, .log2_h = %u, .clamp = %s", sim_texture_log2(s->w), sim_texture_log2(s->h),
+                  clamps[s->clamp & 3]);
+    if (s->n_levels > 1)
+        (void)fprintf(f, ", .n_levels = %" PRIu32, s->n_levels);
+    (void)fputs(" },\n", f);
 }
 
 static void textures(FILE *f, const struct sim_conversion *c)
@@ -313,7 +316,8 @@ static void textures(FILE *f, const struct sim_conversion *c)
         const struct sim_skin *s = &c->skin[i];
         (void)fprintf(f, "\n/* Texture %" PRIu32 ": ", i);
         quote(f, last_name(c->skin_name[i]));
-        (void)fprintf(f, ", %" PRIu32 " x %" PRIu32 " texels, rows from the top */\n", s->w, s->h);
+        (void)fprintf(f, ", %" PRIu32 " x %" PRIu32 " texels, rows from the top", s->w, s->h);
+        (void)fputs(s->n_levels > 1 ? "; then its coarser levels */\n" : " */\n", f);
         if (s->texel != NULL)
             values(f, name, i, "texel", s->texel, NULL, s->texel_bytes / 2);
         else
@@ -453,6 +457,8 @@ static void texture_figures(FILE *f, const struct sim_conversion *c, const char 
         (void)fprintf(f, ": %" PRIu32 " x %" PRIu32 ", %s", s->w, s->h, format_name(s->format));
         if (s->n_colors > 0)
             (void)fprintf(f, ", %" PRIu32 " colours", s->n_colors);
+        if (s->n_levels > 1)
+            (void)fprintf(f, ", %" PRIu32 " levels", s->n_levels);
         if (isfinite(s->loss.psnr_db))
             (void)fprintf(f, ", PSNR %.1f dB, a channel off by at most %.0f of 255",
                           s->loss.psnr_db, ceil(s->loss.worst));

@@ -107,6 +107,34 @@ static void choose(struct sim_skin *s, const struct sim_pixels *px, int dither)
     make_565(s, px, dither);
 }
 
+/* Append a coarser level: the mean of what its texels cover of the picture, by the nearest colours. */
+static void add_level(struct sim_skin *s, const struct sim_image *image, const uint32_t size[2], int dither)
+{
+    uint8_t(*rgb)[3] = shrink(image, size);
+    const struct sim_pixels px = { size[0], size[1], (const uint8_t(*)[3])rgb };
+    const size_t n = (size_t)px.w * px.h;
+    if (s->texel != NULL) {
+        s->texel = sim_grow(s->texel, s->texel_bytes / 2 + n, sizeof *s->texel);
+        sim_rgb565_map(s->texel + s->texel_bytes / 2, &px, dither);
+        s->texel_bytes += 2 * n;
+    } else {
+        s->index = sim_grow(s->index, s->texel_bytes + n, 1);
+        sim_palette_map(s->index + s->texel_bytes, &px, s->palette, s->n_colors, dither);
+        if (s->format == SIM_TEXELS_PAL4)
+            pack(s->index + s->texel_bytes, n);
+        s->texel_bytes += s->format == SIM_TEXELS_PAL4 ? n / 2 : n;
+    }
+    s->n_levels++;
+    free(rgb);
+}
+
+static void add_levels(struct sim_skin *s, const struct sim_image *image, int dither)
+{
+    const uint32_t least = s->format == SIM_TEXELS_PAL4 ? 2 : 1;
+    for (uint32_t size[2] = { s->w / 2, s->h / 2 }; size[0] >= least && size[1] >= 1; size[0] /= 2, size[1] /= 2)
+        add_level(s, image, size, dither && !s->exact);
+}
+
 int sim_skin_make(struct sim_skin *out, const struct sim_texture *texture, const char *file,
                   const struct sim_convert_options *o)
 {
@@ -129,6 +157,9 @@ int sim_skin_make(struct sim_skin *out, const struct sim_texture *texture, const
     else
         make_palette(out, &px, (enum sim_texels)o->texels, o->dither);
     free(rgb);
+    out->n_levels = 1;
+    if (o->mipmap)
+        add_levels(out, &texture->image, o->dither);
     return SIM_OK;
 }
 

@@ -20,7 +20,9 @@ struct sim_skin {
     uint8_t *index;         /* [h][w] or [h][w / 2]; with 565 NULL */
     uint16_t palette[SIM_PALETTE_MAX];
     uint32_t n_colors; /* 0 with 565 */
-    size_t texel_bytes, palette_bytes;
+    uint32_t n_levels; /* 1, or with --mipmap as many as the size allows: those after the first follow it
+                          in texel or index, each half as wide and high, with the same palette */
+    size_t texel_bytes, palette_bytes; /* of all levels */
     struct sim_loss loss; /* against the picture at this size */
     int exact;            /* 1: the same as with 565 */
 };

@@ -258,7 +258,7 @@ picture() { # NAME KIND W H FORMAT EXACT LEAST-DB INPUT OPTION...
     set -- $seen
     is "exactness" "$1" "$exact"
     above "PSNR" "$2" "$least"
-    block=$4
+    block=$4 levels=$5 coarse=$6
     note="$format, PSNR $2 dB"
     holds stdout "PSNR $2 dB, a channel off by at most $3 of 255"
 }
@@ -276,6 +276,24 @@ above "PSNR of means of 8 x 8 texels, dithered" "$block" 66 # 56 without
 picture halved photo 256 128 565 exact 41 photo.png --texture-size 64x32
 holds stdout '64 x 32'
 picture in_4_colours_dithered_stays_exact 4 256 128 pal4 exact 38 4.png --dither
+mipmap() { # LEVELS LEAST-DB: of the picture converted last
+    is "levels" "$levels" "$1"
+    above "PSNR of the worst level" "$coarse" "$2"
+    holds stdout ", $1 levels"
+    holds pic/m.c ".n_levels = $1 "
+}
+picture mipmap photo 256 128 565 exact 41 photo.png --mipmap
+mipmap 8 38
+picture mipmap_halved_dithered photo 256 128 565 near 38 photo.png --mipmap --texture-size 64x32 --texture-format 565 --dither
+mipmap 6 37
+picture mipmap_in_256 photo 256 128 pal8 near 28.3 photo.png --mipmap --texture-format pal8
+mipmap 8 23
+picture mipmap_in_16 photo 256 128 pal4 near 18.7 photo.png --mipmap --texture-format pal4
+mipmap 8 14
+lacks pic/m.h n_levels
+picture no_mipmap photo 256 128 565 exact 41 photo.png
+is "levels" "$levels" 0
+lacks pic/m.c n_levels
 begin picture_of_odd_size
 convert pic odd.png
 holds stdout '128 x 64'
@@ -399,7 +417,7 @@ begin help_lists_every_option
 z convert --help
 is status $status 0
 for option in --name --out --shade --unit --center --precise --face-normals --cull --color --map --texture --wrap \
-    --texture-size --texture-format --dither; do
+    --texture-size --texture-format --dither --mipmap; do
     holds stdout "  $option "
 done
 while read -r line; do

@@ -410,6 +410,56 @@ static const struct CMUnitTest tests[] = {
     cmocka_unit_test(gauges_over_a_picture),
     cmocka_unit_test(posts_in_fog),
     cmocka_unit_test(dithered_light),
+static char leaf_or_not(uint32_t c)
+{
+    return c == ZS_RGB565(0x30a020)   ? 'g'
+           : c == ZS_RGB565(0x90d040) ? 'l'
+           : c == ZS_RGB565(0x704020) ? 't'
+           : c == ZS_RGB565(0xc0a060) ? '.'
+                                      : ' ';
+}
+
+static void leaves_are_cut_out(void **state)
+{
+    static const char *const rows[] = {
+        "                  ggglllllggg                   ",
+        "               ggg  ggggggglggg                 ",
+        "               ggg  ggggggllggg                 ",
+        "               ggg g gggggllgg gg               ",
+        "               ggg gggllllgggg gg               ",
+        "            ggglllggggllllggll gg               ",
+        "............ggglllggg.glllggllggg...............",
+        "............ggglllggggggggggllggg...............",
+        "............ggggggg.gggggg..llggg...............",
+        "............ggggggg.ggggggggggggg...............",
+    };
+    const struct panel p = drawn_by(example_cutout);
+    assert_rows(&p, 8, 10, rows, leaf_or_not);
+}
+
+static char green_of(uint32_t c)
+{
+    return c == ZS_RGB565(0x80b0f0) ? '-' : "0123456789abcdefghijklmnopqrstuv"[c >> 6 & 31u];
+}
+
+/* Noise, then less of it, then a level whose texels are of one colour at the horizon. */
+static void three_filters(void **state)
+{
+    static const char *const rows[] = {
+        "uu44uu44uu44uu44uu44uu44uu44uu44hhhhhhhhhhhhhhhh",
+        "uu444uuu444uuu44uuf44nuq84buuj44hhhhhhhhhhhhhhhh",
+        "u444uuuu4444uuu4k966issnb66gsspeifcehlmigcdhkmjg",
+        "uuuu4444uuuu4444uuuj644bnuusg444lnkhebcfjmnkhebd",
+        "uuu44444uuuuu444iihhggghhiiihhggiihhggghhiiihhgg",
+        "44uuuuuu444444uu4dluuuuld4444dlu4dluuuuld4444dlu",
+    };
+    const struct panel p = drawn_by(example_filters);
+    assert_rows(&p, 18, 6, rows, green_of);
+}
+
+static const struct CMUnitTest tests[] = {
+    cmocka_unit_test(leaves_are_cut_out),
+    cmocka_unit_test(three_filters),
     cmocka_unit_test(two_pictures_in_one_frame),
     cmocka_unit_test(a_mirror_shows_the_back),
     cmocka_unit_test(chrome_has_a_window),

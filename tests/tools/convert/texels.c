@@ -4,7 +4,7 @@
  *
  * Prints "exact" where every texel is the picture's RGB565 value, else "near"; PSNR and worst
  * channel error against the picture at the texture's size; and the same of the means of blocks of 8
- * x 8 texels.
+ * x 8 texels; the number of levels, and the least PSNR of one.
  *
  * SPDX-License-Identifier: MIT
  */
@@ -44,6 +44,27 @@ static double have(uint16_t v, int c)
                     : (v & 31) * 255.0 / 31.0;
 }
 
+/* The least PSNR of a coarser level against means of the picture's pixels, dB; 99 without levels. */
+static double of_levels(const char *kind, uint32_t w, uint32_t h, struct zs_texture t)
+{
+    double least = 99.0;
+    for (uint32_t level = 1; level < t.n_levels; level++) {
+        const uint32_t n = 1u << (t.log2_w + t.log2_h);
+        t.texel = (const uint8_t *)t.texel + (t.format == &zs_texel_565 ? 2 * n : t.format == &zs_texel_pal8 ? n : n / 2);
+        t.log2_w--;
+        t.log2_h--;
+        double squared = 0.0;
+        for (uint32_t i = 0; i < n / 4; i++)
+            for (int k = 0; k < 3; k++) {
+                const uint32_t x = i & ((1u << t.log2_w) - 1u), y = i >> t.log2_w;
+                const double off = wanted(kind, w, h, &t, x, y, k) - have(texel(&t, x, y), k);
+                squared += off * off;
+            }
+        least = fmin(least, 10.0 * log10(65025.0 * 3.0 * n / 4.0 / fmax(squared, 1e-9)));
+    }
+    return least;
+}
+
 int main(int argc, char **argv)
 {
     const struct zs_texture *t = &m_texture[0];
@@ -78,8 +99,9 @@ int main(int argc, char **argv)
                            have(texel(t, x + i % 8, y + i / 8), k);
                 block += sum / 64.0 * (sum / 64.0);
             }
-    printf("%s %.1f %.0f %.1f\n", exact ? "exact" : "near",
+    printf("%s %.1f %.0f %.1f %u %.1f\n", exact ? "exact" : "near",
            10.0 * log10(65025.0 * 3.0 * tw * th / squared), ceil(worst),
-           10.0 * log10(65025.0 * 3.0 * (tw / 8) * (th / 8) / block));
+           10.0 * log10(65025.0 * 3.0 * (tw / 8) * (th / 8) / block), t->n_levels,
+           of_levels(argv[1], w, h, *t));
     return 0;
 }
