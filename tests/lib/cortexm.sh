@@ -40,6 +40,7 @@ compile() {
     from=$1 cpu=$2 dir=$3
     shift 3
     kept=$B/compiled/$(echo "$from $cpu $* $ARM $OPT $WARN" | cksum | cut -d ' ' -f 1)
+    rm -rf "$dir"
     mkdir -p "$kept"
     (
         flock 9
@@ -55,7 +56,6 @@ compile() {
             done
             mv "$kept/begun" "$kept/made"
         fi
-        rm -rf "$dir"
         cp -a "$kept" "$dir"
     ) 9>"$kept.lock"
 }
