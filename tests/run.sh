@@ -22,13 +22,15 @@ parts=tests/parts.txt
 WERROR=-Werror # what parts compile by make
 export WERROR
 # Many parts compile the same source for a Cortex-M with the same options: once, where ccache is installed. Of other
-# compilers no object is made twice. The cache is of this build folder.
+# compilers no object is made twice. The cache is of this build folder. Headers are those that the compiler names (-MMD),
+# without running the preprocessor by itself; where a copy of the repository lies does not matter.
 ccache=$(command -v ccache)
 if [ -n "$ccache" ] && mkdir -p "$build/ccache/bin"; then
     CCACHE_DIR=$(cd "$build/ccache" && pwd)
     ln -sf "$ccache" "$CCACHE_DIR/bin/arm-none-eabi-gcc"
     PATH=$CCACHE_DIR/bin:$PATH
-    export PATH CCACHE_DIR
+    CCACHE_DEPEND=1 CCACHE_NOHASHDIR=1
+    export PATH CCACHE_DIR CCACHE_DEPEND CCACHE_NOHASHDIR
 fi
 
 # Name, seconds, uses and after of every part of this run, the longest first

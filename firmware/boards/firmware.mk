@@ -10,6 +10,7 @@
 #
 # A board is a folder with a board.mk, which says:
 #   BOARD_ABOUT  one line for `make help`           BOARD_CC, BOARD_CPU  compiler, and its flags for the core
+#   DATA_CPU     the same for data alone, where cores share it; BOARD_CPU where it is not set
 #   BOARD_HAL    folder of hal/, all of it linked    BOARD_SRC   other sources: start-up, shared parts of HALs
 #   BOARD_LINK   flags for the linker, BOARD_DEPS    files that they name
 #   BOARD_RUN    command that takes the .elf         BOARD_IMAGES  what is flashed: bin, hex; more by rules of its own
@@ -22,6 +23,7 @@ B = build
 LEAN = 0
 CORES = 1
 OPT = -O2
+DEBUG = -g
 OUT = $(B)/fw/$(BOARD)$(if $(filter 1,$(LEAN)),-lean)$(if $(filter 2,$(CORES)),-2)
 
 NAME = $(APP)
@@ -53,8 +55,10 @@ all: $(ELF)
 ifeq ($(wildcard firmware/boards/$(BOARD)/board.mk),)
 $(error BOARD=$(BOARD): no such board; there are $(notdir $(patsubst %/board.mk,%,$(wildcard firmware/boards/*/board.mk))))
 endif
-# What runs images whose ticks are instructions: one takes one virtual nanosecond
-QEMU_COUNTS = -display none -monitor none -serial null -semihosting-config enable=on,target=native -icount shift=0 -kernel
+# What runs images whose ticks are instructions: one takes one virtual nanosecond. Without QEMU_ICOUNT they are not, and a
+# run is over sooner
+QEMU_ICOUNT = -icount shift=0
+QEMU_COUNTS = -display none -monitor none -serial null -semihosting-config enable=on,target=native $(QEMU_ICOUNT) -kernel
 OBJCOPY = $(BOARD_CC:gcc=objcopy)
 SIZE = $(BOARD_CC:gcc=size)
 include firmware/boards/$(BOARD)/board.mk
@@ -73,7 +77,7 @@ endif
 endif
 
 # What names no scene is compiled once, the rest once a scene
-# method/, effect/ and overlay/ are compiled where the program's own sources name something of them
+# method/, effect/, overlay/ and hal/panel/ are compiled where the program's own sources name something of them
 METHODS = $(shell grep -lE 'zs_method|zs_lines|zs_points|zs_depth_order|zs_shade_(plain|none)' $(APP_SRC))
 EFFECTS = $(shell grep -lE '"zs_(lights|filter|blend|environment|shadow|supersample)\.h"|ZS_POSITIONS' $(APP_SRC))
 EFFECTS = $(shell grep -lE '"zs_(lights|filter|blend|environment|shadow|supersample|dither)\.h"' $(APP_SRC))
@@ -81,10 +85,11 @@ OVERLAYS = $(shell grep -lE '"zs_(overlay|fog|dither)\.h"' $(APP_SRC))
 CORE = $(filter-out $(if $(filter 1,$(LEAN)),firmware/zstrip/fast/%) $(if $(METHODS)$(EFFECTS),,firmware/zstrip/method/%) \
                     $(if $(EFFECTS),,firmware/zstrip/effect/%) $(if $(OVERLAYS),,firmware/zstrip/overlay/%),\
                     $(wildcard firmware/zstrip/*/*.c))
-SRC = $(wildcard hal/$(BOARD_HAL)/*.c hal/panel/*.c) $(BOARD_SRC) $(CORE) \
-      $(wildcard firmware/scenes/*.c) $(wildcard $(B)/gen/*.c)
+PANELS = $(if $(shell grep -l '"panel\.h"' $(APP_SRC)),$(wildcard hal/panel/*.c))
+COMMON = $(PANELS) $(CORE) $(wildcard firmware/scenes/*.c $(B)/gen/*.c)
+SRC = $(wildcard hal/$(BOARD_HAL)/*.c) $(BOARD_SRC) $(COMMON)
 OBJ = $(patsubst %,$(OUT)/%.o,$(basename $(SRC))) $(patsubst %.c,$(OUT)/of-$(NAME)/%.o,$(APP_SRC))
-CFLAGS = -std=c11 $(BOARD_CPU) $(OPT) -g -ffunction-sections -fdata-sections -MMD -MP \
+CFLAGS = -std=c11 $(BOARD_CPU) $(OPT) $(DEBUG) -ffunction-sections -fdata-sections -MMD -MP \
          -Wall -Wextra $(WERROR) -Wconversion -Wshadow -Wvla -Wstrict-prototypes -Wmissing-prototypes \
          -Wno-missing-field-initializers \
          -Ihal -Ihal/null -Ihal/cortexm -Ihal/spi -Ihal/panel -Ifirmware/app -Ifirmware/zstrip -Ifirmware/scenes -I$(B)/gen \
@@ -95,6 +100,18 @@ note = $(shell mkdir -p $(dir $1); echo '$2' | cmp -s - $1 || echo '$2' >$1)$1
 DEFINED := $(call note,$(OUT)/defines,$(DEFINES))
 FLAGGED := $(call note,$(OUT)/of-$(NAME)/flags,$(APP_FLAGS))
 LINKED := $(call note,$(OUT)/of-$(NAME)/objects,$(OBJ) $(EXTRA))
+
+# What knows nothing of the board is compiled the same for all boards of a core, once where ccache is in the path: of
+# DEFINES it takes the library's alone, -DZS_...
+COMMON_OBJ = $(patsubst %.c,$(OUT)/%.o,$(COMMON))
+$(COMMON_OBJ): BOARD_FLAGS =
+$(COMMON_OBJ): override DEFINES := $(filter -DZS_%,$(DEFINES))
+# Meshes are data: the same for all cores of a kind
+MESH_OBJ = $(patsubst %.c,$(OUT)/%.o,$(wildcard $(B)/gen/*.c))
+$(MESH_OBJ): override BOARD_CPU := $(or $(DATA_CPU),$(BOARD_CPU))
+$(MESH_OBJ): override OPT = -O1
+$(MESH_OBJ): override DEBUG =
+$(MESH_OBJ): override LEAN = 0
 
 .DELETE_ON_ERROR:
 run: $(ELF)

@@ -69,7 +69,7 @@ static void plan_separation(enum study_effort effort)
         for (int m = 0; m < STUDY_MAPPINGS; m++)
             for (int bits = 8; bits <= 16; bits += step)
                 for (size_t p = 0; p < sizeof place / sizeof place[0] && place[p] <= 0.81 * ratio[r]; p++)
-                    if (effort != STUDY_QUICK || p % 3 == 1)
+                    if (effort != STUDY_QUICK || p % 3 == 1 || place[p] == 800)
                         add((struct run){ SEPARATION, m, bits, 0, 1, ratio[r], place[p] });
 }
 

@@ -127,13 +127,13 @@ const taken = new Map(); // function whose address code takes -> a function that
 const of_tables = [];    // { unit, table, offset, target }
 
 const global_functions = new Set();
+const of_object = new Map(units.map((unit) => [unit.object, unit.local_functions = new Set()]));
+for (const line of run('nm', '-A', ...of_object.keys())) { // all at once: nm takes long to begin
+    const m = /^(.*?):[0-9a-f]* *([tTwW]) ([^$.]\S*)$/.exec(line);
+    if (m)
+        (m[2] === 't' ? of_object.get(m[1]) : global_functions).add(m[3]);
+}
 for (const unit of units) {
-    unit.local_functions = new Set();
-    for (const line of run('nm', unit.object)) {
-        const m = /^[0-9a-f]* *([tTwW]) ([^$.]\S*)$/.exec(line);
-        if (m)
-            (m[1] === 't' ? unit.local_functions : global_functions).add(m[2]);
-    }
     unit.function = (name) => // by its name in the object; undefined: it is none of ours
         unit.local_functions.has(name) ? `${unit.name}:${name}` : global_functions.has(name) ? name : undefined;
 }

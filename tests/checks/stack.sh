@@ -9,8 +9,6 @@
 
 LIMIT=${STACK_LIMIT:-2048} # bytes, any public function
 PANEL_LIMIT=${PANEL_STACK_LIMIT:-288} # bytes, any function of panel.h
-export CCACHE_DISABLE=1 # it keeps no .ci files
-MEASURED='-g -MMD -fstack-usage -fcallgraph-info=su'
 
 stack() { # NAME DIR ARGUMENTS of stack.mjs...
     name=$1 dir=$2
@@ -23,7 +21,7 @@ stack() { # NAME DIR ARGUMENTS of stack.mjs...
 render() { # CPU NAME EMPTY [FLAGS]: EMPTY as of stack.mjs
     c=$1 name=$2 empty=$3 dir=$B/stack-$2
     # shellcheck disable=SC2086
-    core "$c" "$dir" ${4:-} $MEASURED || { bad "$name compiles (-Wvla -Werror)" "see above"; return; }
+    core "$c" "$dir" ${4:-} || { bad "$name compiles (-Wvla -Werror)" "see above"; return; }
     LIST=$FAST_ALL minimal "$dir/main.c" flat recip "$EVERYTHING $OWN"
     echo "$OTHERS $OWN_SHADER" >>"$dir/main.c"
     rm -rf "$dir-all" && cp -a "$dir" "$dir-all"
@@ -58,8 +56,7 @@ done
 
 for c in $CPUS; do
     dir=$B/stack-panels-$c
-    # shellcheck disable=SC2086
-    panels "$c" "$dir" $MEASURED || { bad "panels, $c compile" "see above"; continue; }
+    panels "$c" "$dir" || { bad "panels, $c compile" "see above"; continue; }
     minimal_panel "$dir/main.c" st7789 240 240 "$ALL_PANELS"
     link "$c" "$dir" "$dir/main.c" "$dir/all.elf" -Wl,--no-gc-sections || { bad "panels, $c link" "see above"; continue; }
     stack "panels, $c" "$dir" "$PANEL_LIMIT" panel_ hal_bus,hal_hooks - panel_send

@@ -24,8 +24,8 @@ files() {
     [ -e "$2" ]
 }
 
-# CPU DIR [FLAGS...]: firmware/zstrip, or hal/panel, as objects. Everything is compiled anew: it takes a second.
-# With BARE, which is in the flags then, without accelerators.
+# CPU DIR [FLAGS...]: firmware/zstrip, or hal/panel, as objects, and what the compiler says of their stack. With BARE, which
+# is in the flags then, without accelerators.
 BARE='-DZS_NO_FAST=1 -Os'
 core() {
     compile firmware/zstrip "$@"
@@ -33,18 +33,31 @@ core() {
 panels() {
     compile hal/panel "$@" -Ihal -ffreestanding
 }
+# Of one core and flags it is compiled once for all who ask, and anew where a source or this file is newer; ccache keeps no
+# .ci files.
+MEASURED='-g -MMD -fstack-usage -fcallgraph-info=su'
 compile() {
     from=$1 cpu=$2 dir=$3
     shift 3
+    kept=$B/compiled/$(echo "$from $cpu $* $ARM $OPT $WARN" | cksum | cut -d ' ' -f 1)
     rm -rf "$dir"
-    mkdir -p "$dir"
-    for src in "$from"/*.c "$from"/*/*.c; do
-        [ -e "$src" ] || continue
-        case "$src $*" in */fast/*ZS_NO_FAST=1*) continue ;; esac
-        # shellcheck disable=SC2086
-        ${ARM}gcc -std=c11 -mcpu="$cpu" -mthumb $OPT $WARN "$@" -Ifirmware/zstrip -c "$src" \
-            -o "$dir/$(echo "${src%.c}" | sed "s|^$from/||; s|/|_|g").o" || return 1
-    done
+    mkdir -p "$kept"
+    (
+        flock 9
+        if [ ! -e "$kept/made" ] || [ -n "$(find firmware/zstrip hal tests/lib/cortexm.sh -newer "$kept/made" | head -1)" ]; then
+            rm -rf "${kept:?}"/*
+            touch "$kept/begun"
+            for src in "$from"/*.c "$from"/*/*.c; do
+                [ -e "$src" ] || continue
+                case "$src $*" in */fast/*ZS_NO_FAST=1*) continue ;; esac
+                # shellcheck disable=SC2086
+                CCACHE_DISABLE=1 ${ARM}gcc -std=c11 -mcpu="$cpu" -mthumb $OPT $WARN "$@" $MEASURED -Ifirmware/zstrip \
+                    -c "$src" -o "$kept/$(echo "${src%.c}" | sed "s|^$from/||; s|/|_|g").o" || exit 1
+            done
+            mv "$kept/begun" "$kept/made"
+        fi
+        cp -a "$kept" "$dir"
+    ) 9>"$kept.lock"
 }
 
 # A firmware of the least kind: FILE SHADER DEPTH [EXTRA STATEMENTS]; LIST, ending with a comma: its accelerators, if any

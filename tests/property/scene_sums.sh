@@ -22,25 +22,25 @@ SCENES=$(grep -oE '&demo_[a-z_]+' firmware/scenes/demos.c | sed 's/&demo_//')
 
 # Where a column is drawn: its board, what make is told besides, what memory the program takes
 column_is() { # COLUMN
-    with= emulator=
+    with= cpu= emulator=
     case $1 in
     gcc_* | clang_*)
         # clang's -Wconversion asks for more than gcc's
         board=host memory=
-        with="BOARD_CC=${1%_*} OPT=-${1#*_} OUT=$build/fw/host_$1 BOARD_FLAGS=-Wno-sign-conversion" ;;
+        with="BOARD_CC=${1%_*} OPT=-${1#*_} OUT=$build/fw/host_$1 BOARD_FLAGS=-Wno-sign-conversion DEBUG=" ;;
     ppc) # a program for Linux
         board=host memory= emulator=qemu-ppc-static
-        with="BOARD_CC=powerpc-linux-gnu-gcc BOARD_LINK=-static OUT=$build/fw/host_$1" ;;
-    bare_x86) board=host memory= with="LEAN=1 OUT=$build/fw/host_$1" ;;
+        with="BOARD_CC=powerpc-linux-gnu-gcc BOARD_LINK=-static OUT=$build/fw/host_$1 DEBUG=" ;;
+    bare_x86) board=host memory= with="LEAN=1 OUT=$build/fw/host_$1 DEBUG=" ;;
     bare_m0) board=m0 memory='-DSUMS_ROWS=5 -DSUMS_ARENA=10752' with=LEAN=1 ;;
     bare_m3) board=mps2 memory=-DSUMS_ROWS=9 with=LEAN=1 ;;
     cortex_m0) # 16 KB of RAM; its flash takes a scene at a time, and the largest with the smaller code alone
         board=m0 memory='-DSUMS_ROWS=4 -DSUMS_ARENA=10752'
-        with="OPT=-Os OUT=$build/fw/m0_small" ;;
+        with="OPT=-Os OUT=$build/fw/m0_small DEBUG=" ;;
     cortex_m0plus) # the Pico's code, with the library's division, on the machine of the M3
         board=mps2 memory='-DSUMS_ROWS=16 -DSUMS_ARENA=160000'
-        with="BOARD_CPU=-mcpu=cortex-m0plus OPT=-O3 OUT=$build/fw/mps2-m0plus"
-        [ -z "${SUMS_PICO:-}" ] || board=pico with= ;;
+        cpu='-mcpu=cortex-m0plus -mthumb' with="OPT=-O3 OUT=$build/fw/mps2-m0plus"
+        [ -z "${SUMS_PICO:-}" ] || board=pico cpu= with= ;;
     cortex_m3) board=mps2 memory=-DSUMS_ROWS=8 ;;
     cortex_m4) board=mps2-m4 memory=-DSUMS_ROWS=17 ;;
     cortex_m7) board=mps2-m7 memory=-DSUMS_ROWS=240 ;;
@@ -50,17 +50,16 @@ column_is() { # COLUMN
 
 firmware() { # NAME FLAGS GOAL
     # shellcheck disable=SC2086
-    make -s -f firmware/boards/firmware.mk BOARD=$board B="$build" $with NAME="$1" APP_SRC=firmware/app/checksums.c \
-        APP_FLAGS="$memory $2" "$3"
+    timeout 600 make -s -f firmware/boards/firmware.mk BOARD=$board B="$build" ${cpu:+"BOARD_CPU=$cpu"} $with NAME="$1" \
+        QEMU_ICOUNT= APP_SRC=firmware/app/checksums.c APP_FLAGS="$memory $2" "$3"
 }
 
-# Build the program under a name with these flags, run it, and write what it says
+# Build the program under a name with these flags, run it, and write what it says. Instructions are not counted.
 say() { # NAME FLAGS
     case $board in
     host) firmware "$1" "$2" all && $emulator "$build/fw/host_$column/$1.elf" ;;
     pico) firmware "$1" "$2" image >&2 && node "$build/pico/parts.mjs" "$build/fw/pico/$1" | grep -v '^wire' ;;
-    *) firmware "$1" "$2" all && timeout 240 make -s -f firmware/boards/firmware.mk BOARD=$board B="$build" $with NAME="$1" \
-        APP_SRC=firmware/app/checksums.c APP_FLAGS="$memory $2" run 2>&1 ;; # semihosting writes to either
+    *) firmware "$1" "$2" run 2>&1 ;; # semihosting writes to either
     esac
 }
 

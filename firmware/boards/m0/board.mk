@@ -3,7 +3,7 @@
 include firmware/boards/microbit/board.mk
 BOARD_ABOUT = Cortex-M0 in QEMU (microbit), to count instructions; no panel
 BOARD_IMAGES =
-BOARD_CPU = -mcpu=cortex-m0 -mthumb -DHAL_TICK_INSTRUCTIONS=0
+BOARD_FLAGS = -DHAL_TICK_INSTRUCTIONS=0
 BOARD_HAL = mps2
 BOARD_SRC := $(filter-out hal/spi/spi_bus.c,$(BOARD_SRC)) hal/cortexm/systick.c hal/null/bus.c hal/cortexm/semihost.c
 BOARD_LD = firmware/boards/microbit/microbit.ld

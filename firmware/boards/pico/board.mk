@@ -6,6 +6,7 @@ BOARD_RAM = 270336
 BOARD_IMAGES = bin uf2
 BOARD_CC = arm-none-eabi-gcc
 BOARD_CPU = -mcpu=cortex-m0plus -mthumb
+DATA_CPU = -mcpu=cortex-m0 -mthumb
 OPT = -O3
 BOARD_HAL = rp2040
 BOARD_SRC = firmware/boards/pico/startup.c firmware/boards/pico/divide.S hal/stack/stack.c hal/spi/spi_bus.c
