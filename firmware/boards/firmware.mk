@@ -79,8 +79,7 @@ endif
 # What names no scene is compiled once, the rest once a scene
 # method/, effect/, overlay/ and hal/panel/ are compiled where the program's own sources name something of them
 METHODS = $(shell grep -lE 'zs_method|zs_lines|zs_points|zs_depth_order|zs_shade_(plain|none)' $(APP_SRC))
-EFFECTS = $(shell grep -lE '"zs_(lights|filter|blend|environment|shadow|supersample)\.h"|ZS_POSITIONS' $(APP_SRC))
-EFFECTS = $(shell grep -lE '"zs_(lights|filter|blend|environment|shadow|supersample|dither)\.h"' $(APP_SRC))
+EFFECTS = $(shell grep -lE '"zs_(lights|filter|blend|environment|shadow|supersample|dither)\.h"|ZS_POSITIONS' $(APP_SRC))
 OVERLAYS = $(shell grep -lE '"zs_(overlay|fog|dither)\.h"' $(APP_SRC))
 CORE = $(filter-out $(if $(filter 1,$(LEAN)),firmware/zstrip/fast/%) $(if $(METHODS)$(EFFECTS),,firmware/zstrip/method/%) \
                     $(if $(EFFECTS),,firmware/zstrip/effect/%) $(if $(OVERLAYS),,firmware/zstrip/overlay/%),\

@@ -405,11 +405,6 @@ static void a_shadow_map(void **state)
     assert_rows(&p, 10, 10, rows, level_of);
 }
 
-static const struct CMUnitTest tests[] = {
-    cmocka_unit_test(panes_of_glass),
-    cmocka_unit_test(gauges_over_a_picture),
-    cmocka_unit_test(posts_in_fog),
-    cmocka_unit_test(dithered_light),
 static char leaf_or_not(uint32_t c)
 {
     return c == ZS_RGB565(0x30a020)   ? 'g'
@@ -458,6 +453,10 @@ static void three_filters(void **state)
 }
 
 static const struct CMUnitTest tests[] = {
+    cmocka_unit_test(panes_of_glass),
+    cmocka_unit_test(gauges_over_a_picture),
+    cmocka_unit_test(posts_in_fog),
+    cmocka_unit_test(dithered_light),
     cmocka_unit_test(leaves_are_cut_out),
     cmocka_unit_test(three_filters),
     cmocka_unit_test(two_pictures_in_one_frame),

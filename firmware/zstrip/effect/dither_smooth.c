@@ -10,6 +10,7 @@
 #include "core/fx.h"
 #include "core/plane.h"
 #include "shade/persp.h"
+#include "shade/stages.h"
 #include "zs_dither.h"
 #include "zs_shader.h"
 

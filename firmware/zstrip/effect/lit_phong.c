@@ -193,7 +193,7 @@ static void normal_planes(struct zs_job *job, const uint16_t *const a[3], const 
 {
     const uint32_t most = zs_maxu32(zs_maxu32(w[0], w[1]), w[2]);
     const int32_t size = most < 1518500249u ? 46340 : 32768; /* sqrt 2, if most < 2^30.5 */
-    const int32_t by = job->tri->paint ? -size : size;
+    const int32_t by = job->tri->paint & TURNED ? -size : size;
     for (int c = 0; c < 3; c++) {
         uint32_t v[3];
         for (int k = 0; k < 3; k++)
@@ -229,10 +229,6 @@ static void near_start(struct zs_job *job)
 /* N w / 2 at a covered pixel, |.| <= 2^30. */
 static void normal_at(const struct zs_job *job, int32_t i, int32_t row, int32_t n[3])
 {
-    for (int k = 0; k < 3; k++) {
-        const int32_t v = (int32_t)(zs_plane_at(&job->c[k], i, row) - BIAS);
-        n[k] = job->tri->paint & TURNED ? -v : v;
-    }
     for (int k = 0; k < 3; k++)
         n[k] = (int32_t)(zs_plane_at(&job->c[k], i, row) - BIAS);
 }

@@ -110,11 +110,6 @@ static inline uint16_t zs_smooth_pack(uint32_t red, uint32_t green, uint32_t blu
     return zs_wire16((uint16_t)((red >> 27 << 6 | green >> 26) << 5 | blue >> 27));
 }
 
-/* zs_shader.start and .run of shaders whose three varyings are red, green and blue (shade/smooth.c).
- */
-void zs_smooth_start(struct zs_job *job);
-void zs_smooth_run(struct zs_job *job, const struct zs_row *row, int32_t r0, int32_t r1);
-
 /* Attributes of a job's three vertices in the pool, job->v[] in the order of job->tri->v[]. */
 static inline void zs_persp_attrs(const struct zs_job *job, const uint16_t *a[3])
 {

@@ -249,10 +249,6 @@ void zs_smooth_run(struct zs_job *job, const struct zs_row *row, int32_t r0, int
 }
 
 const struct zs_shader zs_shade_smooth = { .opaque = 1,
-                                           .vertex = smooth_vertex,
-                                           .start = zs_smooth_start,
-                                           .run = zs_smooth_run,
-                                           .check = smooth_check,
                                            .vertex = zs_smooth_vertex,
                                            .start = zs_smooth_start,
                                            .run = zs_smooth_run,
