@@ -653,6 +653,146 @@ static void positions_are_those_of_the_shader(void **state)
         assert_true(drawn[0] > 50);
 }
 
+/* ---- Stress ----------------------------------------------------------------------------------- */
+
+/* One lamp at a point of a mesh of one-unit steps, seen along -z; the colour of a white surface, codes of 63. */
+struct spot_light {
+    struct zs_lamp lamp;
+    struct zs_lighting lighting;
+    struct zs_lit_material material;
+    struct zs_mesh mesh;
+    struct zs_instance in;
+    struct zs_camera camera;
+};
+
+static void stress_begin(struct spot_light *s)
+{
+    memset(s, 0, sizeof *s);
+    s->lighting.lamp = &s->lamp;
+    s->lighting.n_lamps = 1;
+    s->material.lighting = &s->lighting;
+    s->material.material.rgb = (struct zs_rgb){ 255, 255, 255 };
+    s->in = (struct zs_instance){ .mesh = &s->mesh, .material = &s->material.material };
+    assert_int_equal(zs_camera_perspective(&s->camera, ZS_DEGREES(60), 48, 1, 40000), ZS_OK);
+}
+
+static double stress_at(const struct spot_light *s, int32_t x, int32_t y, int32_t z, zs_q1_15 nx, zs_q1_15 ny, zs_q1_15 nz)
+{
+    struct zs_instance in = s->in;
+    in.mesh = &s->mesh;
+    in.material = &s->material.material;
+    struct zs_lit_material material = s->material;
+    struct zs_lighting lighting = s->lighting;
+    lighting.lamp = &s->lamp;
+    material.lighting = &lighting;
+    in.material = &material.material;
+    const struct zs_shading shading = { .instance = &in, .camera = &s->camera };
+    const int32_t p[3] = { x, y, z };
+    const zs_q1_15 n[3] = { nx, ny, nz };
+    uint16_t out[3];
+    zs_lit_color(&shading, s->material.material.rgb, p, n, out);
+    return out[1] / 65535.0 * 63;
+}
+
+static void stress_01_normals_near_zero(void **state)
+{
+    struct spot_light s;
+    (void)state;
+    stress_begin(&s);
+    s.lamp.dir[2] = ZS_Q30_ONE;
+    s.lighting.ambient = (struct zs_rgb){ 51, 51, 51 };
+    assert_true(fabs(stress_at(&s, 0, 0, 0, 0, 0, 0) - 63 * 0.2) < 0.1); /* none: ambient light */
+    for (zs_q1_15 length = 1; length < 100; length++) { /* any length has a direction */
+        assert_true(stress_at(&s, 0, 0, 0, 0, 0, length) > 62.9);
+        assert_true(fabs(stress_at(&s, 0, 0, 0, 0, 0, (zs_q1_15)-length) - 63 * 0.2) < 0.1);
+        assert_true(fabs(stress_at(&s, 0, 0, 0, length, 0, length) - 63 * fmin(1, 0.2 + sqrt(0.5))) < 0.2);
+    }
+    assert_true(fabs(stress_at(&s, 0, 0, 0, -32768, -32768, -32768) - 63 * 0.2) < 0.1);
+    assert_true(fabs(stress_at(&s, 0, 0, 0, 32767, 32767, 32767) - 63 * (0.2 + sqrt(1 / 3.0))) < 0.2);
+}
+
+static void stress_02_edge_of_a_spot(void **state)
+{
+    struct spot_light s;
+    (void)state;
+    stress_begin(&s);
+    s.lamp = (struct zs_lamp){ .kind = ZS_LAMP_SPOT, .dir = { 0, 0, -ZS_Q30_ONE }, .pos = { 0, 0, 1000 } };
+    for (int wide = 0; wide < 2; wide++) {
+        s.lamp.inner = wide ? ZS_Q30_ONE : (zs_q2_30)(ZS_Q30_ONE * 0.9) + ZS_Q30_ONE / 256;
+        s.lamp.outer = wide ? -ZS_Q30_ONE : (zs_q2_30)(ZS_Q30_ONE * 0.9);
+        double before = 64;
+        for (int32_t x = 0; x < 1000 * 256; x += 64) { /* outwards: never brighter, and no step */
+            const double c = 1000 / hypot(1000, x / 256.0), d = stress_at(&s, x, 0, 0, 0, 0, 32767);
+            const double t = fmin(1, fmax(0, (c - q30(s.lamp.outer)) / (q30(s.lamp.inner) - q30(s.lamp.outer))));
+            assert_true(fabs(d - 63 * c * t * t * (3 - 2 * t)) < 2);
+            assert_true(d <= before + 0.3);
+            before = d;
+        }
+    }
+    assert_true(stress_at(&s, 0, 0, 1001 * 256, 0, 0, -32767) < 0.1); /* behind the lamp, at the cone's far end */
+}
+
+static void stress_03_a_lamp_at_the_surface(void **state)
+{
+    struct spot_light s;
+    (void)state;
+    stress_begin(&s);
+    s.lighting.ambient = (struct zs_rgb){ 51, 51, 51 };
+    s.lamp = (struct zs_lamp){ .kind = ZS_LAMP_POINT, .pos = { 5, 6, 7 }, .half = 1, .range = 1 };
+    s.material.flags = ZS_LIT_NEAR_VIEWER | ZS_LIT_TWO_SIDED;
+    assert_true(fabs(stress_at(&s, 5 * 256, 6 * 256, 7 * 256, 0, 0, 32767) - 63 * 0.2) < 0.1); /* at it: none */
+    assert_true(stress_at(&s, 5 * 256, 6 * 256, 7 * 256 + 16, 0, 0, -32767) > 62); /* 1/16 from it */
+    assert_true(fabs(stress_at(&s, 5 * 256, 6 * 256, 8 * 256, 0, 0, -32767) - 63 * 0.2) < 0.1); /* at its range */
+    s.camera.pos[0] = 5; /* the eye at the surface, too */
+    s.camera.pos[1] = 6;
+    s.camera.pos[2] = 7;
+    assert_true(fabs(stress_at(&s, 5 * 256, 6 * 256, 7 * 256, 0, 0, 32767) - 63 * 0.2) < 0.1);
+}
+
+static void stress_04_far_away_lamps(void **state)
+{
+    struct spot_light s;
+    (void)state;
+    stress_begin(&s);
+    s.lamp = (struct zs_lamp){ .kind = ZS_LAMP_POINT, .pos = { 0, 0, ZS_WORLD_MAX } };
+    s.in.pose.pos[2] = -ZS_WORLD_MAX;
+    assert_true(stress_at(&s, 0, 0, 0, 0, 0, 32767) > 62.9);
+    s.lamp.half = 1u << 30;
+    assert_true(fabs(stress_at(&s, 0, 0, 0, 0, 0, 32767) - 31.5) < 0.1);
+    s.lamp.half = 1;
+    assert_true(stress_at(&s, 0, 0, 0, 0, 0, 32767) < 0.1);
+    s.lamp.half = 0;
+    s.lamp.range = 1u << 30;
+    assert_true(stress_at(&s, 0, 0, 0, 0, 0, 32767) < 0.1);
+    s.lamp.range = 1;
+    assert_true(stress_at(&s, 0, 0, 0, 0, 0, 32767) < 0.1);
+}
+
+static void stress_05_more_light_than_white(void **state)
+{
+    struct spot_light s;
+    struct zs_shine shine;
+    struct zs_lamp many[ZS_LIGHTS_MAX];
+    (void)state;
+    stress_begin(&s);
+    for (int i = 0; i < ZS_LIGHTS_MAX; i++)
+        many[i] = (struct zs_lamp){ .dir = { 0, 0, ZS_Q30_ONE + (1 << 17) }, .strength = 4 * ZS_Q16_ONE };
+    assert_int_equal(zs_shine_set(&shine, 255), ZS_OK);
+    struct zs_lighting lighting = { many, ZS_LIGHTS_MAX, { 255, 255, 255 } };
+    s.material.shine = &shine;
+    s.material.specular = s.material.emission = (struct zs_rgb){ 255, 255, 255 };
+    s.material.lighting = &lighting;
+    const struct zs_shading shading = { .instance = &s.in, .camera = &s.camera };
+    const int32_t p[3] = { 0, 0, 0 };
+    const zs_q1_15 n[3] = { 0, 0, 32767 };
+    uint16_t out[3];
+    for (unsigned flags = 0; flags < 8; flags++) {
+        s.material.flags = (uint8_t)flags;
+        zs_lit_color(&shading, s.material.material.rgb, p, n, out);
+        assert_true(out[0] == 65535 && out[1] == 65535 && out[2] == 65535);
+    }
+}
+
 /* ---- What is refused -------------------------------------------------------------------------- */
 
 static int refused(struct lights *l, const struct zs_mesh *mesh)
@@ -742,6 +882,11 @@ static const struct CMUnitTest tests[] = {
     cmocka_unit_test(is_the_formula_at_points), cmocka_unit_test(all_powers),
     cmocka_unit_test(is_the_formula_at_pixels), cmocka_unit_test(is_the_formula_at_pixels_near_lamps),
     cmocka_unit_test(is_the_same_in_any_way),   cmocka_unit_test(positions_are_those_of_the_shader),
+    cmocka_unit_test(stress_01_normals_near_zero),
+    cmocka_unit_test(stress_02_edge_of_a_spot),
+    cmocka_unit_test(stress_03_a_lamp_at_the_surface),
+    cmocka_unit_test(stress_04_far_away_lamps),
+    cmocka_unit_test(stress_05_more_light_than_white),
     cmocka_unit_test(bad_lights_are_refused)
 };
 

@@ -48,9 +48,12 @@ static inline uint32_t zs_lit_positive(int32_t v)
 #endif
 }
 
-/* Hold v, 0 .. 2^31 - 1, to `bits` bits, where one instruction does. */
+/* v / 2^shift, at most 2^bits - 1; v < 2^31. bits and shift are constants. */
 #if defined(__GNUC__) && defined(__thumb2__)
-#define ZS_LIT_MOST(v, bits) __asm__("usat %0, %2, %1" : "=r"(v) : "r"(v), "I"(bits) : "cc")
+#define ZS_LIT_HELD(to, v, shift, bits)                                                            \
+    __asm__("usat %0, %3, %1, asr %2" : "=r"(to) : "r"(v), "I"(shift), "I"(bits) : "cc")
+#else
+#define ZS_LIT_HELD(to, v, shift, bits) ((to) = zs_minu32((v) >> (shift), (1u << (bits)) - 1u))
 #endif
 
 /* Scale v to length ZS_LIT_ONE. Return 0 if it is 0 0 0: out is 0 0 0 then. |v| < 2^31 each;

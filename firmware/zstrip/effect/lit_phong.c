@@ -14,7 +14,7 @@
  *
  * Error of a cosine in a block: normals of 15 bits, 2^-15; table, 2^-14.4; of its power p, p times
  * that, and 0.011 for the table of powers. Colours: light has 7 bits, red and blue of what it
- * multiplies 1/8 code, of highlights 1/4: 0.5 code in all.
+ * multiplies 1/8 code off, of highlights 1/4: 0.6 code in all.
  *
  * SPDX-License-Identifier: MIT
  */
@@ -176,15 +176,15 @@ static int gloss_start(struct zs_job *job, const struct zs_instance *in)
         c[1][k] = codes(d, most);
         c[2][k] = codes(s, most);
     }
-    /* at the end: red from bit 26, blue from bit 10, green from bit 25, each with half a code */
-    g->base[0] = both(c[0], 10) + (1u << 25) + (1u << 9);
-    g->base[1] = (c[0][1] << 9) + (1u << 24);
-    g->diffuse[0] = both(c[1], 3); /* times 2^7 */
-    g->diffuse[1] = c[1][1] << 2;
+    /* at the end: red from bit 25, blue from bit 9, green from bit 24, each with half a code */
+    g->base[0] = both(c[0], 9) + (1u << 24) + (1u << 8);
+    g->base[1] = (c[0][1] << 8) + (1u << 23);
+    g->diffuse[0] = both(c[1], 2); /* times 2^7 */
+    g->diffuse[1] = c[1][1] << 1;
     for (int k = 0; k < 3; k++)
         c[2][k] += c[2][k] >> 8; /* times 255 instead of 256 */
-    g->shine[0] = both(c[2], 2);
-    g->shine[1] = c[2][1] << 1;
+    g->shine[0] = both(c[2], 1);
+    g->shine[1] = c[2][1];
     return 1;
 }
 
@@ -372,21 +372,13 @@ static ZS_RARE ZS_NOINLINE void far_ends(struct end both[2], struct zs_job *job,
     }
 }
 
-/* Pack a colour: red from bit 26, green from 25, blue from 10; each may be up to twice full. */
+/* Pack a colour: red from bit 25, green from 24, blue from 9; each may be up to twice full. */
 ZS_ALWAYS_INLINE uint16_t packed(uint32_t rb, uint32_t green)
 {
-    uint32_t r = rb >> 26, g = green >> 25, b = rb >> 10 & 63u;
-#ifdef ZS_LIT_MOST
-    ZS_LIT_MOST(r, 5);
-    ZS_LIT_MOST(g, 6);
-    ZS_LIT_MOST(b, 5);
-#else
-    if ((int32_t)(rb | green | rb << 16) < 0) {
-        r = zs_minu32(r, 31u);
-        g = zs_minu32(g, 63u);
-        b = zs_minu32(b, 31u);
-    }
-#endif
+    uint32_t r, g, b;
+    ZS_LIT_HELD(r, rb, 25, 5);
+    ZS_LIT_HELD(g, green, 24, 6);
+    ZS_LIT_HELD(b, rb & 0x7fffu, 9, 5);
     return zs_wire16((uint16_t)(r << 11 | g << 5 | b));
 }
 
