@@ -84,7 +84,7 @@ OVERLAYS = $(shell grep -lE '"zs_(overlay|fog|dither)\.h"' $(APP_SRC))
 CORE = $(filter-out $(if $(filter 1,$(LEAN)),firmware/zstrip/fast/%) $(if $(METHODS)$(EFFECTS),,firmware/zstrip/method/%) \
                     $(if $(EFFECTS),,firmware/zstrip/effect/%) $(if $(OVERLAYS),,firmware/zstrip/overlay/%),\
                     $(wildcard firmware/zstrip/*/*.c))
-PANELS = $(if $(shell grep -l '"panel\.h"' $(APP_SRC)),$(wildcard hal/panel/*.c))
+PANELS = $(if $(shell grep -lE '[<"]panel\.h[>"]' $(APP_SRC)),$(wildcard hal/panel/*.c))
 COMMON = $(PANELS) $(CORE) $(wildcard firmware/scenes/*.c $(B)/gen/*.c)
 SRC = $(wildcard hal/$(BOARD_HAL)/*.c) $(BOARD_SRC) $(COMMON)
 OBJ = $(patsubst %,$(OUT)/%.o,$(basename $(SRC))) $(patsubst %.c,$(OUT)/of-$(NAME)/%.o,$(APP_SRC))
