@@ -55,10 +55,11 @@ all: $(ELF)
 ifeq ($(wildcard firmware/boards/$(BOARD)/board.mk),)
 $(error BOARD=$(BOARD): no such board; there are $(notdir $(patsubst %/board.mk,%,$(wildcard firmware/boards/*/board.mk))))
 endif
-# What runs images whose ticks are instructions: one takes one virtual nanosecond. Without QEMU_ICOUNT they are not, and a
-# run is over sooner
+# What runs images whose ticks are instructions: one takes one virtual nanosecond. Without QEMU_ICOUNT they are not, and
+# a run is over sooner
 QEMU_ICOUNT = -icount shift=0
-QEMU_COUNTS = -display none -monitor none -serial null -semihosting-config enable=on,target=native $(QEMU_ICOUNT) -kernel
+QEMU_COUNTS = -display none -monitor none -serial null -semihosting-config enable=on,target=native \
+              $(QEMU_ICOUNT) -kernel
 OBJCOPY = $(BOARD_CC:gcc=objcopy)
 SIZE = $(BOARD_CC:gcc=size)
 include firmware/boards/$(BOARD)/board.mk
