@@ -22,8 +22,8 @@ parts=tests/parts.txt
 WERROR=-Werror # what parts compile by make
 export WERROR
 # Many parts compile the same source for a Cortex-M with the same options: once, where ccache is installed. Of other
-# compilers no object is made twice. The cache is of this build folder. Headers are those that the compiler names (-MMD),
-# without running the preprocessor by itself; where a copy of the repository lies does not matter.
+# compilers no object is made twice. The cache is of this build folder. Headers are those that the compiler names
+# (-MMD), without running the preprocessor by itself; where a copy of the repository lies does not matter.
 ccache=$(command -v ccache)
 if [ -n "$ccache" ] && mkdir -p "$build/ccache/bin"; then
     CCACHE_DIR=$(cd "$build/ccache" && pwd)

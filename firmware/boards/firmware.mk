@@ -55,10 +55,11 @@ all: $(ELF)
 ifeq ($(wildcard firmware/boards/$(BOARD)/board.mk),)
 $(error BOARD=$(BOARD): no such board; there are $(notdir $(patsubst %/board.mk,%,$(wildcard firmware/boards/*/board.mk))))
 endif
-# What runs images whose ticks are instructions: one takes one virtual nanosecond. Without QEMU_ICOUNT they are not, and a
-# run is over sooner
+# What runs images whose ticks are instructions: one takes one virtual nanosecond. Without QEMU_ICOUNT they are not, and
+# a run is over sooner
 QEMU_ICOUNT = -icount shift=0
-QEMU_COUNTS = -display none -monitor none -serial null -semihosting-config enable=on,target=native $(QEMU_ICOUNT) -kernel
+QEMU_COUNTS = -display none -monitor none -serial null -semihosting-config enable=on,target=native \
+              $(QEMU_ICOUNT) -kernel
 OBJCOPY = $(BOARD_CC:gcc=objcopy)
 SIZE = $(BOARD_CC:gcc=size)
 include firmware/boards/$(BOARD)/board.mk
@@ -84,7 +85,7 @@ OVERLAYS = $(shell grep -lE '"zs_(overlay|fog|dither)\.h"' $(APP_SRC))
 CORE = $(filter-out $(if $(filter 1,$(LEAN)),firmware/zstrip/fast/%) $(if $(METHODS)$(EFFECTS),,firmware/zstrip/method/%) \
                     $(if $(EFFECTS),,firmware/zstrip/effect/%) $(if $(OVERLAYS),,firmware/zstrip/overlay/%),\
                     $(wildcard firmware/zstrip/*/*.c))
-PANELS = $(if $(shell grep -l '"panel\.h"' $(APP_SRC)),$(wildcard hal/panel/*.c))
+PANELS = $(if $(shell grep -lE '[<"]panel\.h[>"]' $(APP_SRC)),$(wildcard hal/panel/*.c))
 COMMON = $(PANELS) $(CORE) $(wildcard firmware/scenes/*.c $(B)/gen/*.c)
 SRC = $(wildcard hal/$(BOARD_HAL)/*.c) $(BOARD_SRC) $(COMMON)
 OBJ = $(patsubst %,$(OUT)/%.o,$(basename $(SRC))) $(patsubst %.c,$(OUT)/of-$(NAME)/%.o,$(APP_SRC))

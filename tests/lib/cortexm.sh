@@ -24,8 +24,8 @@ files() {
     [ -e "$2" ]
 }
 
-# CPU DIR [FLAGS...]: firmware/zstrip, or hal/panel, as objects, and what the compiler says of their stack. With BARE, which
-# is in the flags then, without accelerators.
+# CPU DIR [FLAGS...]: firmware/zstrip, or hal/panel, as objects, and what the compiler says of their stack. With BARE,
+# which is in the flags then, without accelerators.
 BARE='-DZS_NO_FAST=1 -Os'
 core() {
     compile firmware/zstrip "$@"
@@ -33,8 +33,8 @@ core() {
 panels() {
     compile hal/panel "$@" -Ihal -ffreestanding
 }
-# Of one core and flags it is compiled once for all who ask, and anew where a source or this file is newer; ccache keeps no
-# .ci files.
+# Of one core and flags it is compiled once for all who ask, and anew where a source or this file is newer; ccache keeps
+# no .ci files.
 MEASURED='-g -MMD -fstack-usage -fcallgraph-info=su'
 compile() {
     from=$1 cpu=$2 dir=$3
@@ -44,7 +44,8 @@ compile() {
     mkdir -p "$kept"
     (
         flock 9
-        if [ ! -e "$kept/made" ] || [ -n "$(find firmware/zstrip hal tests/lib/cortexm.sh -newer "$kept/made" | head -1)" ]; then
+        if [ ! -e "$kept/made" ] ||
+            [ -n "$(find firmware/zstrip hal tests/lib/cortexm.sh -newer "$kept/made" | head -1)" ]; then
             rm -rf "${kept:?}"/*
             touch "$kept/begun"
             for src in "$from"/*.c "$from"/*/*.c; do

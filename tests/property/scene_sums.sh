@@ -50,8 +50,8 @@ column_is() { # COLUMN
 
 firmware() { # NAME FLAGS GOAL
     # shellcheck disable=SC2086
-    timeout 600 make -s -f firmware/boards/firmware.mk BOARD=$board B="$build" ${cpu:+"BOARD_CPU=$cpu"} $with NAME="$1" \
-        QEMU_ICOUNT= APP_SRC=firmware/app/checksums.c APP_FLAGS="$memory $2" "$3"
+    timeout 600 make -s -f firmware/boards/firmware.mk BOARD=$board B="$build" ${cpu:+"BOARD_CPU=$cpu"} $with \
+        NAME="$1" QEMU_ICOUNT= APP_SRC=firmware/app/checksums.c APP_FLAGS="$memory $2" "$3"
 }
 
 # Build the program under a name with these flags, run it, and write what it says. Instructions are not counted.
