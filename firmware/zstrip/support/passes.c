@@ -174,7 +174,7 @@ int zs_frame_begin_passes(struct zs_renderer *r, const struct zs_pass *pass,
         return ZS_ERR_NULL;
     if (r->ready != 1 || r->track)
         return ZS_ERR_SEQUENCE;
-    if (r->config.method != &zs_method_buffer)
+    if (!r->config.method->passes)
         return ZS_ERR_PASS;
     if (n < 1 || n > 65535u)
         return ZS_ERR_SIZE;
