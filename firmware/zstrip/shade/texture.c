@@ -233,7 +233,7 @@ static const struct zs_texture *lit_texture(struct zs_job *job, const struct zs_
                                                                           : t;
 }
 
-static void texture_start(struct zs_job *job)
+void zs_texture_start(struct zs_job *job)
 {
     const struct zs_instance *in = zs_instance_of(job->r, job->tri->instance);
     const struct zs_texture *t = lit_texture(job, in->material->texture);
@@ -283,7 +283,7 @@ static void texture_start(struct zs_job *job)
 
 #define TEXTURE(vertex_, face_, check_, light_, n)                                                 \
     {                                                                                              \
-        .vertex = vertex_, .face = face_, .start = texture_start, .run = zs_texture_run,           \
+        .vertex = vertex_, .face = face_, .start = zs_texture_start, .run = zs_texture_run,        \
         .check = check_, .light = light_, .n_varyings = n, .opaque = 1                             \
     }
 
