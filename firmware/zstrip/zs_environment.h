@@ -48,10 +48,10 @@ struct zs_mask {
  *         errors (core/xform.c) and 2^-29 of its distance. What is cut off at the plane is exact to
  *         2 camera units, which are below 2^-28 of the farthest coordinate in view.
  * Points  (zs_lines.h) are drawn as a whole or not at all, by their middle.
- * Cost    the accelerators `batch` and `clusters` do nothing in such a pass: on a Cortex-M3 a mesh of
- *         2,500 triangles takes 1.81 million instructions in place of 1.19, a city 2.70 in place of
- *         2.00, cubes 0.39 in place of 0.36. What lies behind the plane is transformed and dropped:
- *         leave it out of the scene where that is known.
+ * Cost    the accelerators `batch` and `clusters` do nothing in such a pass: on a Cortex-M3 a mesh
+ *         of 2,500 triangles takes 1.81 million instructions in place of 1.19, a city 2.70 in place
+ *         of 2.00, cubes 0.39 in place of 0.36. What lies behind the plane is transformed and
+ *         dropped: leave it out of the scene where that is known.
  * ZS_ERR_RANGE: the eye's picture lies outside the world. */
 
 /* The plane of a mirror. A function below sets it. */
@@ -175,8 +175,8 @@ void zs_sky_look(struct zs_sky *sky, const struct zs_camera *camera, const struc
  * It needs mesh.normal (unit), material.texture, and mesh.uv_bits above log2 of the texture's width
  * and height, at most 15; 15 is best (else ZS_ERR_MESH). mesh.uv is not read.
  * Errors  2^-14.5 of the image's width, half a step of 2^-uv_bits, and those of zs_shade_texture.
- * Cost    that of zs_shade_texture without that shader's accelerator (those of texel formats count),
- *         and 75 instructions more a vertex on a Cortex-M3. */
+ * Cost    that of zs_shade_texture without that shader's accelerator (those of texel formats
+ *         count), and 75 instructions more a vertex on a Cortex-M3. */
 extern const struct zs_shader zs_shade_matcap;
 #define ZS_VARYINGS_MATCAP 2u
 

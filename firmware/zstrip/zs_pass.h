@@ -72,7 +72,7 @@ struct zs_pass_memory {
  * Return  as zs_render. ZS_ERR_SIZE: n, or too many instances; ZS_ERR_PASS: a viewport that is
  *         not inside the frame, a keep that is no enum zs_keep or keeps the keys of another
  *         mapping, a mask or windows that zs_environment.h does not allow, some passes with depth
- *         memory and some without, or a configuration that names a method; ZS_ERR_SEQUENCE:
+ *         memory and some without, or a method that knows no passes; ZS_ERR_SEQUENCE:
  *         zs_damage_track is on (zs_damage_compare may be). */
 int zs_render_passes(struct zs_renderer *r, const struct zs_pass *pass,
                      struct zs_pass_memory *memory, uint32_t n, const struct zs_sink *sink);

@@ -33,7 +33,7 @@ struct zs_renderer;
 /* What a pass that is seen in a mirror adds to its view (effect/mirror.c). Its picture is that of
  * an eye behind the mirror, mirrored left to right, without what lies behind the mirror's plane. */
 struct zs_reflection {
-    /* Move the current instance by `eye`. Return 1. */
+    /* Move the current instance by `eye`, and exchange its facing. Return 1. */
     int (*move)(struct zs_renderer *r);
     /* Return the distance of a point from the mirror's plane, in camera units * q2_30 * ratio, >= 0
      * on the side that is drawn; |.| < 2^62. */
@@ -77,8 +77,6 @@ struct zs_view {
                               equal for its three vertices; ... */
     uint8_t piece_shift;   /* ... 0: there is no such test */
     uint8_t perspective, screen_linear; /* flags; screen_linear: keys are linear on the screen */
-    uint8_t turned;        /* 1: a mirror exchanges left and right, so that triangles turn the other
-                              way on the screen */
     uint8_t pixelwise;     /* 1: the mapping computes every pixel's key by itself */
     uint8_t key_mantissa, key_octaves; /* float: mantissa bits, and 2^exponent bits - 1 */
     uint8_t key_fraction;  /* float: key_mantissa + 16 */
@@ -132,6 +130,8 @@ struct zs_xform {
     uint32_t number;    /* of the instance, in the frame */
     uint8_t clip_depth; /* 1: vertices may lie before the near or beyond the far plane */
     uint8_t clip_guard; /* 1: vertices may lie outside the guard band */
+    uint8_t cull;       /* enum zs_cull of the material. A mirror exchanges left and right: then
+                           ^ 1, 3 is ZS_CULL_NONE */
     int32_t row[3 * ZS_ROW_WORDS_MAX]; /* three rows of ZS_ROW_WORDS each; one size on all cores */
 };
 

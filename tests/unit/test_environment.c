@@ -359,6 +359,9 @@ static void a_map_is_drawn(void **state)
     mesh.normal = NULL;
     assert_int_equal(zs_shade_matcap.check(&bad, &c), ZS_ERR_MESH);
     mesh.normal = normal;
+    wrong.log2_w = 11;
+    assert_int_equal(zs_shade_matcap.check(&bad, &c), ZS_ERR_TEXTURE);
+    wrong.log2_w = 4;
     wrong.texel = NULL;
     assert_int_equal(zs_shade_matcap.check(&bad, &c), ZS_ERR_NULL);
     other.texture = NULL;

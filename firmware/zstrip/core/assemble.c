@@ -79,9 +79,7 @@ static enum zs_fate fetch(struct zs_renderer *r, uint32_t t, struct zs_candidate
         slot[0] = slot[2];
         slot[2] = first;
     }
-    return zs_assemble_culled(area, r->xform.instance->material->cull ^ r->view.turned)
-               ? ZS_FATE_FACING
-               : ZS_FATE_OPEN;
+    return zs_assemble_culled(area, r->xform.cull) ? ZS_FATE_FACING : ZS_FATE_OPEN;
 }
 
 ZS_NOINLINE enum zs_fate zs_assemble_tri(struct zs_renderer *r, uint32_t t, uint32_t *piece)

@@ -37,8 +37,7 @@ static inline enum zs_fate zs_fate_outside(uint32_t all)
  * down). |.| < 2^45 */
 int64_t zs_assemble_area(const struct zs_vertex *a, const struct zs_vertex *b,
                          const struct zs_vertex *c);
-/* Return 1 if a triangle with this signed area is culled by its facing. cull: enum zs_cull, of a
- * view in a mirror ^ 1 (zs_view.turned): ZS_CULL_NONE is then 3. */
+/* Return 1 if a triangle with this signed area is culled by its facing. cull: zs_xform.cull */
 int zs_assemble_culled(int64_t area, uint32_t cull);
 /* Test the bounding box of a projected triangle against the rows and columns that are drawn; slots
  * index `pool`. Return ZS_FATE_DRAWN if the box holds a sample, ZS_FATE_OFFSCREEN or

@@ -61,4 +61,5 @@ void zs_buffer_full(struct zs_renderer *r)
 
 const struct zs_method zs_method_buffer = { .strip = buffer_strip,
                                             .full = zs_buffer_full,
-                                            .list = zs_scene_list };
+                                            .list = zs_scene_list,
+                                            .passes = 1 };

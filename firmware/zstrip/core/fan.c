@@ -126,7 +126,7 @@ static ZS_RARE enum zs_fate polygon_bin(struct zs_renderer *r, const struct poly
     const int back = area < 0; /* then the corners of each piece are listed in reverse order */
     if (area == 0)
         return ZS_FATE_ZERO;
-    if (zs_assemble_culled(area, material->cull ^ r->view.turned))
+    if (zs_assemble_culled(area, r->xform.cull))
         return ZS_FATE_FACING;
     const uint16_t paint = shader->face ? shader->face(&r->shading, t) : 0u;
     enum zs_fate all = ZS_FATE_EMPTY;

@@ -22,6 +22,8 @@ struct zs_method {
     /* Take the strip's triangles, those in its bin and those in r->active, which continue from the
      * strip above. Return them as a list in the order in which they are drawn. */
     uint16_t (*list)(struct zs_renderer *r);
+    uint8_t passes; /* 1: frames may be drawn in passes (zs_pass.h): a list has the triangles of a
+                       pass before those of the next one */
 };
 
 /* zs_method.list in scene order. */

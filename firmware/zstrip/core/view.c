@@ -66,7 +66,6 @@ void zs_view_frame(struct zs_view *view, const struct zs_config *config)
 {
     view->depth = config->depth;
     view->mirror = 0;
-    view->turned = 0;
     view->width = config->width;
     view->height = config->height;
     view->x = view->y = 0;

@@ -61,6 +61,7 @@ ZS_RARE int zs_xform_instance(struct zs_renderer *r, uint32_t number, const stru
         return 0;
     xf->instance = in;
     xf->number = number;
+    xf->cull = in->material->cull;
 
     /* scale = mantissa * 2^exp / 2^32, mantissa in [2^30, 2^31) */
     const uint64_t scale = zs_usual_scale(in);

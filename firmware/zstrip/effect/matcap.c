@@ -43,24 +43,20 @@ static void matcap_vertex(const struct zs_shading *s, uint32_t v, uint16_t *out)
 
 static int matcap_check(const struct zs_instance *in, const struct zs_config *config)
 {
-    struct zs_mesh mesh = *in->mesh;
-    struct zs_instance like = *in;
     const struct zs_texture *const t = in->material->texture;
-    if (!mesh.normal)
-        return ZS_ERR_MESH;
-    mesh.uv = (const int16_t(*)[2])(const void *)mesh.normal; /* is not read */
-    like.mesh = &mesh;
-    const int err = zs_shade_texture.check(&like, config);
-    return err ? err : mesh.uv_bits > zs_maxu32(t->log2_w, t->log2_h) ? ZS_OK : ZS_ERR_MESH;
-}
-
-static void matcap_start(struct zs_job *job)
-{
-    zs_shade_texture.start(job);
+    const uint32_t bits = in->mesh->uv_bits;
+    (void)config;
+    if (!t || !t->format || !t->texel || (t->format->colors_max && !t->palette))
+        return ZS_ERR_NULL;
+    if (t->log2_w > ZS_TEXTURE_LOG2_MAX || t->log2_h > ZS_TEXTURE_LOG2_MAX ||
+        t->log2_w < t->format->log2_w_min || t->clamp > (ZS_CLAMP_U | ZS_CLAMP_V))
+        return ZS_ERR_TEXTURE;
+    return in->mesh->normal && bits <= 15 && bits > zs_maxu32(t->log2_w, t->log2_h) ? ZS_OK
+                                                                                    : ZS_ERR_MESH;
 }
 
 const struct zs_shader zs_shade_matcap = { .vertex = matcap_vertex,
-                                           .start = matcap_start,
+                                           .start = zs_texture_start,
                                            .run = zs_texture_run,
                                            .check = matcap_check,
                                            .n_varyings = ZS_VARYINGS_TEXTURE,

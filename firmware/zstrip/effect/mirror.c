@@ -78,6 +78,7 @@ static int move(struct zs_renderer *r)
         row[ZS_ROW_T_HIGH] += by;
 #endif
     }
+    r->xform.cull ^= 1u; /* triangles turn the other way on the screen */
     return 1;
 }
 
@@ -164,7 +165,6 @@ static void complete(struct zs_renderer *r, const struct zs_mirror *mirror,
     out->inside = inside;
     out->outcode = outcode;
     view->mirror = out;
-    view->turned = 1;
 }
 
 /* struct zs_mirror_ops.check */

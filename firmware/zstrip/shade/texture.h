@@ -96,7 +96,8 @@ static inline uint32_t zs_texture_shine(uint32_t c, uint32_t level)
     return red << 11 | green << 5 | blue;
 }
 
-/* zs_shader.run and zs_shader.light of textured shaders. */
+/* zs_shader.start, run and light of textured shaders. */
+void zs_texture_start(struct zs_job *job);
 void zs_texture_run(struct zs_job *job, const struct zs_row *row, int32_t r0, int32_t r1);
 void zs_texture_light(uint16_t *out, int32_t n, uint32_t l, uint32_t step);
 /* Colour pixel i of a scanline with a perspective division, in a triangle that is not affine. */

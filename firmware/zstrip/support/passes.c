@@ -10,6 +10,7 @@
  */
 #include "core/cold.h"
 #include "core/depth.h"
+#include "core/fast.h"
 #include "core/frame.h"
 #include "core/fx.h"
 #include "core/method.h"
@@ -29,8 +30,10 @@ static void load(struct zs_renderer *r, uint32_t k)
     r->light = m->light;
     r->scene = list->pass[k].scene;
     r->first = m->first;
-    r->batch = m->view.mirror ? 0 : list->batch; /* these know nothing of mirrors */
-    r->clusters_hooks = m->view.mirror ? 0 : list->clusters;
+    if (ZS_IF_FAST(1)) { /* these know nothing of mirrors */
+        r->batch = m->view.mirror ? 0 : list->batch;
+        r->clusters_hooks = m->view.mirror ? 0 : list->clusters;
+    }
     list->now = (uint16_t)k;
     zs_walk_region(r);
     zs_frame_forget_edges(r);
@@ -171,7 +174,7 @@ int zs_frame_begin_passes(struct zs_renderer *r, const struct zs_pass *pass,
         return ZS_ERR_NULL;
     if (r->ready != 1 || r->track)
         return ZS_ERR_SEQUENCE;
-    if (r->config.method != &zs_method_buffer)
+    if (!r->config.method->passes)
         return ZS_ERR_PASS;
     if (n < 1 || n > 65535u)
         return ZS_ERR_SIZE;
@@ -192,8 +195,10 @@ int zs_frame_begin_passes(struct zs_renderer *r, const struct zs_pass *pass,
     memory->n = (uint16_t)n;
     r->n_instances = (uint16_t)instances;
     zs_frame_open(r);
-    memory->batch = r->batch;
-    memory->clusters = r->clusters_hooks;
+    if (ZS_IF_FAST(1)) {
+        memory->batch = r->batch;
+        memory->clusters = r->clusters_hooks;
+    }
     load(r, 0);
     return ZS_OK;
 }
