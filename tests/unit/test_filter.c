@@ -745,6 +745,27 @@ static void stress_ends_of_range(void **state)
     }
 }
 
+/* A texture that is lit as a palette, filtered, then lit again: accelerators do not take one for the other. */
+static void stress_one_texture_in_turns(void **state)
+{
+    struct prng p = { 1 };
+    static struct image m;
+    static struct card c[3];
+    const struct card *const all[3] = { &c[0], &c[1], &c[2] };
+    struct zs_config plain = picture_config(W, H, &zs_depth_recip);
+    image_any(&p, &m, &zs_texel_pal4, 4, 4);
+    for (int32_t k = 0; k < 3; k++) {
+        const int32_t corner[3] = { -96 + 64 * k, -64, -64 }, a[3] = { 60, 0, 0 }, b[3] = { 0, 128, 0 };
+        const int32_t uv[3][2] = { { 0, 0 }, { 4096, 0 }, { 0, 4096 } };
+        card_set(&c[k], corner, a, b, uv, 12, k == 1 ? &zs_shade_bilinear_flat : &zs_shade_texture_flat, &m.texture);
+    }
+    plain.fast = NULL;
+    struct picture fast = card_draw(all, 3, NULL), slow = card_draw(all, 3, &plain);
+    assert_true(!fast.err && picture_same(&slow, &fast, "in turns"));
+    picture_free(&fast);
+    picture_free(&slow);
+}
+
 /* ---- Refused ---------------------------------------------------------------------------------- */
 
 static int error_of(const struct zs_shader *shader, const struct zs_texture *t, const struct zs_depth *depth,
@@ -849,6 +870,7 @@ int main(int argc, char **argv)
         cmocka_unit_test(stress_one_texel),
         cmocka_unit_test(stress_magnified),
         cmocka_unit_test(stress_ends_of_range),
+        cmocka_unit_test(stress_one_texture_in_turns),
         cmocka_unit_test(refused),
         cmocka_unit_test(checked),
     };
