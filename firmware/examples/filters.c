@@ -6,7 +6,7 @@
 #include "zs_filter.h"
 #include "zs_pass.h"
 
-/* ---- The texture: 4 x 4, then its levels of 2 x 2 and 1 x 1 (zsim convert --mipmap writes such chains) ------------ */
+/* ---- The texture: 4 x 4, then its levels of 2 x 2 and 1 x 1 (zsim convert --mipmap writes such) ------------------ */
 
 #define X ZS_RGB565(0xf8f8f8)
 #define O ZS_RGB565(0x102060)

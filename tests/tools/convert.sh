@@ -285,7 +285,8 @@ mipmap() { # LEVELS LEAST-DB: of the picture converted last
 }
 picture mipmap photo 256 128 565 exact 41 photo.png --mipmap
 mipmap 8 38
-picture mipmap_halved_dithered photo 256 128 565 near 38 photo.png --mipmap --texture-size 64x32 --texture-format 565 --dither
+picture mipmap_halved_dithered photo 256 128 565 near 38 photo.png --mipmap --texture-size 64x32 \
+    --texture-format 565 --dither
 mipmap 6 37
 picture mipmap_in_256 photo 256 128 pal8 near 28.3 photo.png --mipmap --texture-format pal8
 mipmap 8 23

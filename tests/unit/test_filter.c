@@ -1,5 +1,6 @@
-/* Filters of textures: bilinear means against doubles, the levels of mipmaps against exact changes of coordinates, texels
- * with alpha, the alpha test against pictures put together pixel by pixel; the same for any strips, pools, accelerators.
+/* Filters of textures: bilinear means against doubles, the levels of mipmaps against exact changes of coordinates,
+ * texels with alpha, the alpha test against pictures put together pixel by pixel; the same for any strips, pools,
+ * accelerators.
  *
  * SPDX-License-Identifier: MIT
  */
@@ -8,6 +9,7 @@
 #include <string.h>
 
 #include "cases.h"
+#include "../lab/fuzz/world.h"
 #include "fast_lists.h"
 #include "picture.h"
 #include "effect/alpha_texels.h"
@@ -114,8 +116,8 @@ static double off_by(uint16_t wire, const double rgb[3])
 static double worst_code, worst_exact;
 static unsigned in_cells, own_cells;
 
-/* Any walk over any texture: within a code of the mean at the walk's own coordinates, rounded to 1/32 texel; and the same
- * pixels by parts. */
+/* Any walk over any texture: within a code of the mean at the walk's own coordinates, rounded to 1/32 texel; and the
+ * same pixels by parts. */
 static int kernel_case(uint64_t seed)
 {
     struct prng p = { seed };
@@ -260,7 +262,8 @@ static void card_set(struct card *c, const int32_t corner[3], const int32_t a[3]
     c->instance = (struct zs_instance){ .mesh = &c->mesh, .material = &c->material };
 }
 
-/* Coordinates, in repeats, where the ray through a point of the screen (px) meets the card's plane. Return 0 beside it. */
+/* Coordinates, in repeats, where the ray through a point of the screen (px) meets the card's plane. Return 0 beside
+ * it. */
 static int card_at(const struct card *c, double x, double y, double uv[2])
 {
     const double ray[3] = { (x - W / 2.0) / (H / 2.0), (H / 2.0 - y) / (H / 2.0), -1 };
@@ -300,7 +303,7 @@ static struct picture card_draw(const struct card *const *card, uint32_t n, stru
 
 /* ---- Bilinear frames -------------------------------------------------------------------------- */
 
-/* A texture whose texels change slowly, so that an error of coordinates is a small one of colours: green 3 codes a texel. */
+/* A texture whose texels change slowly, so that an error of coordinates is a small one of colours: green 4 codes. */
 static void slope_texture(struct image *m, uint32_t clamp)
 {
     memset(m, 0, sizeof *m);
@@ -574,11 +577,13 @@ static int any_way_case(uint64_t seed)
     static struct image m[4];
     static struct card c[4];
     const struct card *const all[4] = { &c[0], &c[1], &c[2], &c[3] };
+    int cut = 0;
     for (int k = 0; k < 4; k++) {
         const int32_t corner[3] = { prng_range(&p, -900, 300), prng_range(&p, -900, 300), -prng_range(&p, 4, 400) };
         const int32_t a[3] = { prng_range(&p, 50, 900), prng_range(&p, -50, 50), -prng_range(&p, 0, 900) };
         const int32_t b[3] = { prng_range(&p, -50, 50), prng_range(&p, 50, 900), -prng_range(&p, 0, 900) };
         const int32_t far = prng_pick(&p, 3) ? 4000 : 10000;
+        const uint32_t of = prng_pick(&p, 15);
         const int32_t uv[3][2] = { { prng_range(&p, -far, far), prng_range(&p, -far, far) },
                                    { prng_range(&p, -far, far), prng_range(&p, -far, far) },
                                    { prng_range(&p, -far, far), prng_range(&p, -far, far) } };
@@ -586,7 +591,8 @@ static int any_way_case(uint64_t seed)
                   prng_pick(&p, SIDE_LOG2 + 1));
         const uint32_t w = m[k].texture.log2_w - (m[k].texture.format->log2_bits == 2u), h = m[k].texture.log2_h;
         m[k].texture.n_levels = (uint8_t)prng_pick(&p, 2 + (w < h ? w : h));
-        card_set(&c[k], corner, a, b, uv, (uint8_t)prng_range(&p, 5, 15), shaders[prng_pick(&p, 15)], &m[k].texture);
+        card_set(&c[k], corner, a, b, uv, (uint8_t)prng_range(&p, 5, 15), shaders[of], &m[k].texture);
+        cut |= of >= 9 && of < 12;
     }
     struct zs_config any = picture_config(W, H, &zs_depth_float);
     depth_used = &zs_depth_float;
@@ -595,9 +601,74 @@ static int any_way_case(uint64_t seed)
     picture_any_way(&p, &any, 2, 6);
     struct picture other = card_draw(all, 4, &any);
     CASE_CHECK(!one.err && !other.err && picture_same(&one, &other, "another way"));
+    picture_free(&other);
+    any.method = &zs_method_raycast;
+    any.max_tris = 64;
+    any.max_verts = 64;
+    other = card_draw(all, 4, &any);
+    CASE_CHECK(other.err == (cut ? ZS_ERR_DEPTH : ZS_OK));
+    CASE_CHECK(cut || !memcmp(one.color, other.color, W * H * 2));
     picture_free(&one);
     picture_free(&other);
     return 1;
+}
+
+static unsigned worlds_drawn, worlds_hiz;
+
+/* Random worlds, their textured materials with these shaders: any way to draw them, and by the hierarchical depth buffer
+ * where no texel is cut out. Each frame is what it was. */
+static int world_case(uint64_t seed)
+{
+    struct prng p = { seed };
+    static const struct zs_depth *const mappings[] = { &zs_depth_recip, &zs_depth_linear, &zs_depth_float };
+    static const struct zs_method *const methods[] = { NULL, &zs_method_hiz };
+    static struct image m[WORLD_TEXTURES];
+    struct world w;
+    int cut = 0, textured = 0;
+    world_make(&w, &p, 0);
+    for (int k = 0; k < WORLD_TEXTURES; k++)
+        if (prng_pick(&p, 2)) {
+            image_any(&p, &m[k], formats[prng_pick(&p, FORMATS)], prng_pick(&p, 7), prng_pick(&p, 7));
+            const uint32_t across = m[k].texture.log2_w + (m[k].texture.format->log2_bits != 2u);
+            const uint32_t down = m[k].texture.log2_h + 1u;
+            m[k].texture.n_levels = (uint8_t)prng_pick(&p, 1u + (across < down ? across : down));
+            w.texture[k] = m[k].texture;
+        }
+    for (int k = 0; k < WORLD_MATERIALS; k++) {
+        const struct zs_shader *const was = w.material[k].shader;
+        const uint32_t kind = was == &zs_shade_texture          ? 0
+                              : was == &zs_shade_texture_flat   ? 1
+                              : was == &zs_shade_texture_smooth ? 2
+                                                                : 3;
+        if (kind == 3)
+            continue;
+        const uint32_t of = prng_pick(&p, 5); /* 4: it stays */
+        w.material[k].shader = shaders[3 * of + kind];
+        cut |= of == 3;
+        textured = 1;
+    }
+    struct zs_config c = picture_config(prng_range(&p, 1, 80), prng_range(&p, 1, 60), mappings[prng_pick(&p, 3)]);
+    c.varyings = ZS_VARYINGS_MAX;
+    struct picture want = picture_draw(&c, &w.scene, &w.camera);
+    int right = 1;
+    if (!want.err) {
+        picture_any_way(&p, &c, 4, 6);
+        c.method = cut ? NULL : methods[prng_pick(&p, 2)];
+        struct picture is = picture_draw(&c, &w.scene, &w.camera);
+        right = !is.err && picture_same(&want, &is, "a world");
+        worlds_drawn += textured && right;
+        worlds_hiz += textured && c.method == &zs_method_hiz;
+        picture_free(&is);
+    }
+    picture_free(&want);
+    world_free(&w);
+    return right;
+}
+
+static void worlds(void **state)
+{
+    CASES(world_case, 250);
+    assert_true(getenv("ZS_SEED") || (worlds_drawn > 60 && worlds_hiz > 12));
 }
 
 /* ---- Stress ----------------------------------------------------------------------------------- */
@@ -626,8 +697,8 @@ static void stress_one_texel(void **state)
     }
 }
 
-/* A card of a thousandth of a texel to each pixel: from pixel to pixel a colour changes by no more than a weight of 1/32
- * does, two codes of green, also where the texture wraps. */
+/* A card of a thousandth of a texel to each pixel: from pixel to pixel a colour changes by no more than a weight of
+ * 1/32 does, two codes of green, also where the texture wraps. */
 static void stress_magnified(void **state)
 {
     static const uint16_t texel[4] = { 0x0000, 0xffff, 0xf81f, 0x07e0 };
@@ -672,6 +743,27 @@ static void stress_ends_of_range(void **state)
         assert_int_equal(q.color[W - 1], 4);
         picture_free(&q);
     }
+}
+
+/* A texture that is lit as a palette, filtered, then lit again: accelerators do not take one for the other. */
+static void stress_one_texture_in_turns(void **state)
+{
+    struct prng p = { 1 };
+    static struct image m;
+    static struct card c[3];
+    const struct card *const all[3] = { &c[0], &c[1], &c[2] };
+    struct zs_config plain = picture_config(W, H, &zs_depth_recip);
+    image_any(&p, &m, &zs_texel_pal4, 4, 4);
+    for (int32_t k = 0; k < 3; k++) {
+        const int32_t corner[3] = { -96 + 64 * k, -64, -64 }, a[3] = { 60, 0, 0 }, b[3] = { 0, 128, 0 };
+        const int32_t uv[3][2] = { { 0, 0 }, { 4096, 0 }, { 0, 4096 } };
+        card_set(&c[k], corner, a, b, uv, 12, k == 1 ? &zs_shade_bilinear_flat : &zs_shade_texture_flat, &m.texture);
+    }
+    plain.fast = NULL;
+    struct picture fast = card_draw(all, 3, NULL), slow = card_draw(all, 3, &plain);
+    assert_true(!fast.err && picture_same(&slow, &fast, "in turns"));
+    picture_free(&fast);
+    picture_free(&slow);
 }
 
 /* ---- Refused ---------------------------------------------------------------------------------- */
@@ -773,10 +865,12 @@ int main(int argc, char **argv)
         cmocka_unit_test(levels_close),
         cmocka_unit_test(levels_to_the_horizon),
         cmocka_unit_test(cutouts),
-        CASES_TEST(any_way, any_way_case, 300),
+        CASES_TEST(any_way, any_way_case, 150),
+        cmocka_unit_test(worlds),
         cmocka_unit_test(stress_one_texel),
         cmocka_unit_test(stress_magnified),
         cmocka_unit_test(stress_ends_of_range),
+        cmocka_unit_test(stress_one_texture_in_turns),
         cmocka_unit_test(refused),
         cmocka_unit_test(checked),
     };

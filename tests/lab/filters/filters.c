@@ -1,6 +1,6 @@
-/* What the shaders of zs_filter.h take: a frame of one card, in a plane of the screen or leaning back, at several sizes of
- * a texel. One line of CSV a shader and picture: instructions for each 100 pixels of it, without strip and set-up: the
- * frame with the card, less the frame with a card of zs_shade_raw. No accelerators; strips of 24 rows.
+/* What the shaders of zs_filter.h take: a frame of one card, in a plane of the screen or leaning back, at several sizes
+ * of a texel. One line of CSV a shader and picture: instructions for each 100 pixels of it, without strip and set-up:
+ * the frame with the card, less the frame with a card of zs_shade_raw. No accelerators; strips of 24 rows.
  *
  *     make -f firmware/boards/firmware.mk BOARD=mps2 NAME=filters APP_SRC=tests/lab/filters/filters.c \
  *         APP_FLAGS=-Ifirmware/app run

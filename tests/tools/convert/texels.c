@@ -50,7 +50,8 @@ static double of_levels(const char *kind, uint32_t w, uint32_t h, struct zs_text
     double least = 99.0;
     for (uint32_t level = 1; level < t.n_levels; level++) {
         const uint32_t n = 1u << (t.log2_w + t.log2_h);
-        t.texel = (const uint8_t *)t.texel + (t.format == &zs_texel_565 ? 2 * n : t.format == &zs_texel_pal8 ? n : n / 2);
+        const uint32_t bytes = t.format == &zs_texel_565 ? 2 * n : t.format == &zs_texel_pal8 ? n : n / 2;
+        t.texel = (const uint8_t *)t.texel + bytes;
         t.log2_w--;
         t.log2_h--;
         double squared = 0.0;
