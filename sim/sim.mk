@@ -9,8 +9,8 @@ GEN = $(wildcard firmware/scenes/gen/*.c)
 # sim where it is built without models (-DLINUX_MODELS=0)
 GPIOD = $(firstword $(subst ., ,$(shell pkg-config --modversion libgpiod 2>/dev/null)))
 LINUX = $(filter-out hal/linux/gpio_v%,$(wildcard hal/linux/*.c)) $(wildcard sim/linux/*.c)
-LINUX_SIM = $(wildcard sim/panel_model/*.c) sim/cli/option_table.c sim/panel/panel_bus.c sim/panel/panel_frame.c \
-            sim/cli/sim.c sim/cli/value.c
+LINUX_SIM = $(wildcard sim/panel_model/*.c) sim/cli/option_help.c sim/cli/option_table.c sim/panel/panel_bus.c \
+            sim/panel/panel_frame.c sim/cli/sim.c sim/cli/value.c
 LIBS = -lassimp -lmeshoptimizer -lpng -lturbojpeg -lm -pthread
 
 ## report: every study, frames counted on emulated cores, into build/study/index.html; ten minutes

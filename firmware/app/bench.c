@@ -4,7 +4,7 @@
  *   one-strip the same as a single strip of all rows
  *   64k-24, 64k-16, 64k-8   two strip buffers of so many rows, and pools that are filled up to what fits
  *             into 64 KB together with everything else: renderer, scene state, stack
- *   48k-24 .. (mesh_tex at 240x240), 16k-8 .. (mesh and mesh_tex at 160x128, one buffer)   the same for less memory
+ *   48k-24 .. (relief_tex at 240x240), 16k-8 .. (relief and relief_tex at 160x128, one buffer)   the same for less memory
  *
  * The checksum is FNV-1a, 64 bits, over the frame's bytes as they leave. All of a scene in one size must agree,
  * and so must every machine's. Pools are chosen from counts alone, so that all machines draw the same
@@ -317,13 +317,13 @@ static const struct bar bars[] = {
     { "64k-24", 0, 65536u, 0, 0, 24, 2 },
     { "64k-16", 0, 65536u, 0, 0, 16, 2 },
     { "64k-8", 0, 65536u, 0, 0, 8, 2 },
-    { "48k-24", &demo_mesh_tex, 49152u, 240, 240, 24, 2 },
-    { "48k-16", &demo_mesh_tex, 49152u, 240, 240, 16, 2 },
-    { "48k-8", &demo_mesh_tex, 49152u, 240, 240, 8, 2 },
-    { "16k-8", &demo_mesh, 16384u, 160, 128, 8, 1 },
-    { "16k-4", &demo_mesh, 16384u, 160, 128, 4, 1 },
-    { "16k-8", &demo_mesh_tex, 16384u, 160, 128, 8, 1 },
-    { "16k-4", &demo_mesh_tex, 16384u, 160, 128, 4, 1 },
+    { "48k-24", &demo_relief_tex, 49152u, 240, 240, 24, 2 },
+    { "48k-16", &demo_relief_tex, 49152u, 240, 240, 16, 2 },
+    { "48k-8", &demo_relief_tex, 49152u, 240, 240, 8, 2 },
+    { "16k-8", &demo_relief, 16384u, 160, 128, 8, 1 },
+    { "16k-4", &demo_relief, 16384u, 160, 128, 4, 1 },
+    { "16k-8", &demo_relief_tex, 16384u, 160, 128, 8, 1 },
+    { "16k-4", &demo_relief_tex, 16384u, 160, 128, 4, 1 },
 };
 
 /* most: the pools that take all of the scene. Return 0, or an error: ZS_ERR_ARENA where strips alone are more than the

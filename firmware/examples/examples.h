@@ -14,11 +14,14 @@
 int example_cockpit_gauges(uint32_t t, const struct zs_sink *sink);
 int example_dither(uint32_t t, const struct zs_sink *sink);
 int example_fog(uint32_t t, const struct zs_sink *sink);
+int example_glass(uint32_t t, const struct zs_sink *sink);
 int example_gradient_sky(uint32_t t, const struct zs_sink *sink);
 int example_frame_counter(uint32_t t, const struct zs_sink *sink);
 int example_hidden_line(uint32_t t, const struct zs_sink *sink);
 int example_no_depth(uint32_t t, const struct zs_sink *sink);
+int example_planar_shadow(uint32_t t, const struct zs_sink *sink);
 int example_split_screen(uint32_t t, const struct zs_sink *sink);
+int example_supersampled(uint32_t t, const struct zs_sink *sink);
 int example_user_shader(uint32_t t, const struct zs_sink *sink);
 
 #endif

@@ -14,6 +14,10 @@
 #define BENCH_BUMPY_Z 2000 /* bench units */
 #define BENCH_BUMPY_SCALE 5148000u /* uq16_16: see its fragments in bench.c */
 
+/* relief: a head of 20000 steps, through z = 4096 bench units */
+#define BENCH_RELIEF_Z 4160
+#define BENCH_RELIEF_SCALE 13750000u /* uq16_16 */
+
 /* layers: layer k is the mesh, scaled so that BENCH_LAYER_Z steps are 1500 * 1.2^k bench units */
 #define BENCH_LAYER_Z 30000
 

@@ -41,7 +41,7 @@ extern const struct demo demo_teapot, demo_cubes, demo_knot, demo_flyover, demo_
     demo_hall, demo_globe, demo_china;
 extern const struct demo demo_mesh, demo_mesh_lit, demo_mesh_tex, demo_mesh_tex_lit, demo_mesh_tex_smooth,
     demo_crowd_ftb, demo_crowd_btf, demo_floor_tex, demo_layers_ftb, demo_layers_btf, demo_layers_mixed, demo_sheet,
-    demo_corridor, demo_slivers;
+    demo_corridor, demo_slivers, demo_relief, demo_relief_tex;
 
 #ifdef __cplusplus
 }

@@ -122,6 +122,8 @@ struct zs_texture {
                                 does not look, zs_texture_check (zs_check.h) does */
     uint8_t log2_w, log2_h;  /* 0 .. ZS_TEXTURE_LOG2_MAX */
     uint8_t clamp;           /* enum zs_clamp; 0 repeats in both directions */
+    uint8_t n_levels;        /* mipmaps, which zs_filter.h explains; 0 or 1: there are none */
+    uint8_t alpha_least;     /* alpha test: the least alpha that is drawn (zs_filter.h); 0: 128 */
 };
 
 /* ---- Meshes ------------------------------------------------------------------------------- */

@@ -72,6 +72,7 @@ struct zs_shader {
                            0 is right for every shader: from the first such instance on, the frame
                            is drawn without the accelerator `tiles` */
     uint8_t by_fragment; /* set by ZS_FRAGMENTS */
+    uint8_t layer;       /* set by ZS_LAYER (zs_blend.h): drawn last by zs_method_transparent */
 };
 
 #define ZS_FRAGMENTS .start = zs_fragments_start, .run = zs_fragments_run, .by_fragment = 1

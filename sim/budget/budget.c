@@ -10,119 +10,121 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "option_help.h"
 #include "option_table.h"
 #include "record_sizes.h"
 #include "sim.h"
 #include "zs_damage.h"
 
-static const char usage[] =
-    "usage: zsim budget [MODEL] [options]\n"
-    "What a display, a strip height and a scene take on a part, before there is a board.\n"
-    "\n"
-    "Display\n"
-    "  --panel NAME:WxH   its bytes and time on the wire, its RAM. There are:\n"
-    "                     %s\n"
-    "  --rotate DEGREES   0, 90, 180 or 270 (0)\n"
-    "  --size WxH         px, where there is no --panel (240x240; a demo scene's own)\n"
-    "  --spi HZ           clock of the wire (62500000; grey and one-bit panels 10000000)\n"
-    "Memory\n"
-    "  --strip ROWS       rows to a strip (16)\n"
-    "  --buffers 1|2      strip buffers (2)\n"
-    "  --tris N --verts N pools (1000 and 700; of a scene or model: what takes it in one pass)\n"
-    "  --instances N      of the scene, where that is numbers (1)\n"
-    "  --watch N          columns that zs_damage_compare compares; --track N  instances that zs_damage_track compares "
-    "(0: not linked)\n"
-    "Scene: a demo scene or a model, drawn here and counted, or else numbers\n"
-    "  --scene NAME       a demo or bench scene; --frame T  of its animation (0)\n"
-    "  MODEL              as of zsim render, with its --eye --at --up --fov --near --far --projection --texture\n"
-    "  --scene-tris N --scene-verts N  all of it (twice --tris, since half turns away; --verts)\n"
-    "  --coverage PERCENT of the picture that it covers (50)\n"
-    "  --complexity N     triangles over each covered pixel (1.5)\n"
-    "  --shade id|flat|smooth|textured|textured-flat|unlit (flat)\n"
-    "  --texture-format 565|pal8|pal4 (565)\n"
-    "  --depth float|recip|linear (float)\n"
-    "  --state            some instance has a struct zs_depth_state: its code is linked\n"
-    "Part\n"
-    "  --part NAME        the figures of one part. There are:\n"
-    "                     %s\n"
-    "  --core M0|M3|M4|M7|rv32imc|RP2040 --mhz N  another one's core and clock\n"
-    "  --cpi N            cycles an instruction, where only instructions are known (M0 as the RP2040's;\n"
-    "                     assumed, not measured: M3, M4 1.4, M7 0.9, rv32imc 1.4)\n"
-    "  --app-ram BYTES --app-flash BYTES  of the rest of the program (0)\n"
-    "Answers\n"
-    "  --fit PART         the largest strip for these pools, and the largest pools for this strip\n"
-    "  --check FILE       limits, one a line, `name = number`, # begins a comment: most for ram, arena, stack, flash,\n"
-    "                     wire_ms, draw_ms, frame_ms, least for fps, ram_left, flash_left; exit status 1 where one is\n"
-    "                     exceeded. Times need --part, or --core and --mhz\n"
-    "  --elf F.elf        flash and RAM of this build in place of the sums (--check, --part)\n"
-    "  --csv              figure,value,unit a line\n"
-    "  --error F [--bar PERCENT]  how far estimates are from measured scenes: tests/records/bench.txt (15)\n"
-    "A frame in RAM, as others keep it\n"
-    "  --buffer WxH --color BITS --depth-bits BITS --samples N  its bytes (of RGBA together: 32; 32; 1)\n"
-    "  --fragments N --accesses N --access-bits N  depth complexity, accesses a fragment: bytes a frame (4, 0, 32)\n"
-    "  --textbook         the classic ones\n"
-    "\n"
-    "Bytes are exact; a time is an estimate from costs by stage, and of numbers alone a rough one.\n"
-    "An option's value may follow after a space or an equals sign.\n"
-    "Exit status: 0 done; 1 refused, or a limit exceeded; 2 the command line makes no sense.\n";
-
 #define AT(field) offsetof(struct budget_request, field)
 
 static const struct sim_option table[] = {
-    SIM_PANEL_OPTIONS(struct budget_request, o.panel),
-    { "--size", SIM_OPTION_SIZE, AT(o.size), AT(o.has_size), 1, ZS_SIZE_MAX },
-    { "--spi", SIM_OPTION_COUNT, AT(o.spi_hz), AT(o.has_spi), 1000, 1e9 },
-    { "--strip", SIM_OPTION_COUNT, AT(o.strip), AT(has_strip), 1, ZS_SIZE_MAX },
-    { "--buffers", SIM_OPTION_COUNT, AT(o.buffers), .words = "1|2" },
-    { "--tris", SIM_OPTION_COUNT, AT(o.tris), AT(has_tris), 1, ZS_POOL_MAX },
-    { "--verts", SIM_OPTION_COUNT, AT(o.verts), AT(has_verts), 3, ZS_POOL_MAX },
-    { "--instances", SIM_OPTION_COUNT, AT(instances), 0, 0, 65535 },
-    { "--watch", SIM_OPTION_COUNT, AT(watch), 0, 0, ZS_SIZE_MAX },
-    { "--track", SIM_OPTION_COUNT, AT(track), 0, 0, 65535 },
-    { "--scene", SIM_OPTION_TEXT, AT(scene) },
-    { "--frame", SIM_OPTION_COUNT, AT(frame), 0, 0, 65535 },
-    { "--scene-tris", SIM_OPTION_COUNT, AT(scene_tris), AT(has_scene_tris), 1, 1e8 },
-    { "--scene-verts", SIM_OPTION_COUNT, AT(scene_verts), AT(has_scene_verts), 3, 1e8 },
-    { "--coverage", SIM_OPTION_NUMBER, AT(coverage), 0, 0, 100 },
-    { "--complexity", SIM_OPTION_NUMBER, AT(complexity), 0, 0.01, 1000 },
-    { "--shade", SIM_OPTION_CHOICE, AT(o.shade), .words = "id|flat|smooth|textured|textured-flat|unlit" },
-    { "--texture", SIM_OPTION_FILE, AT(o.texture) },
-    { "--texture-format", SIM_OPTION_CHOICE, AT(o.texel), .words = "565|pal8|pal4" },
-    { "--depth", SIM_OPTION_CHOICE, AT(o.depth), .words = "recip|linear|e3m13|e4m12|e5m11|float" },
-    { "--state", SIM_OPTION_FLAG, AT(state) }, { "--eye", SIM_OPTION_VECTOR, AT(o.eye), AT(o.has_eye) },
-    { "--at", SIM_OPTION_VECTOR, AT(o.at), AT(o.has_at) }, { "--up", SIM_OPTION_VECTOR, AT(o.up) },
-    { "--fov", SIM_OPTION_NUMBER, AT(o.fov), 0, 0.001, 179.999 },
-    { "--near", SIM_OPTION_NUMBER, AT(o.near_z), AT(o.has_near) },
-    { "--far", SIM_OPTION_NUMBER, AT(o.far_z), AT(o.has_far) },
-    { "--projection", SIM_OPTION_CHOICE, AT(o.projection), .words = "perspective|orthographic" },
-    { "--part", SIM_OPTION_TEXT, AT(part) },
-    { "--core", SIM_OPTION_CHOICE, AT(core), AT(has_core), .words = "M0|M3|M4|M7|rv32imc|RP2040" },
-    { "--mhz", SIM_OPTION_NUMBER, AT(mhz), AT(has_mhz), 0.001, 10000 },
-    { "--cpi", SIM_OPTION_NUMBER, AT(cpi), AT(has_cpi), 0.01, 100 },
-    { "--app-ram", SIM_OPTION_COUNT, AT(app_ram), 0, 0, 1e9 },
-    { "--app-flash", SIM_OPTION_COUNT, AT(app_flash), 0, 0, 1e9 },
-    { "--fit", SIM_OPTION_TEXT, AT(fit) }, { "--check", SIM_OPTION_FILE, AT(check) },
-    { "--elf", SIM_OPTION_FILE, AT(elf) }, { "--csv", SIM_OPTION_FLAG, AT(csv) },
-    { "--error", SIM_OPTION_FILE, AT(error) },
-    { "--bar", SIM_OPTION_NUMBER, AT(bar), 0, 0, 1000 },
-    { "--buffer", SIM_OPTION_SIZE, AT(buffer), AT(has_buffer), 1, 65535 },
-    { "--color", SIM_OPTION_COUNT, AT(color_bits), 0, 0, 1024 },
-    { "--depth-bits", SIM_OPTION_COUNT, AT(bits_of_depth), 0, 0, 1024 },
-    { "--samples", SIM_OPTION_COUNT, AT(samples), 0, 1, 1024 },
-    { "--fragments", SIM_OPTION_NUMBER, AT(fragments), 0, 0, 1e6 },
-    { "--accesses", SIM_OPTION_COUNT, AT(accesses), 0, 0, 1e6 },
-    { "--access-bits", SIM_OPTION_COUNT, AT(access_bits), 0, 1, 1024 },
-    { "--textbook", SIM_OPTION_FLAG, AT(textbook) },
+    { "Display", SIM_OPTION_HEADING },
+    SIM_PANEL_OPTIONS(struct budget_request, o.panel, "its bytes and time on the wire, its RAM. There are:"),
+    { "--size", SIM_OPTION_SIZE, AT(o.size), AT(o.has_size), 1, ZS_SIZE_MAX,
+      .help = "px, where there is no --panel (240x240; a demo scene's own)" },
+    { "--spi", SIM_OPTION_COUNT, AT(o.spi_hz), AT(o.has_spi), 1000, 1e9, .value = "HZ",
+      .help = "clock of the wire (62500000; grey and one-bit panels 10000000)" },
+    { "Memory", SIM_OPTION_HEADING },
+    { "--strip", SIM_OPTION_COUNT, AT(o.strip), AT(has_strip), 1, ZS_SIZE_MAX, .value = "ROWS",
+      .help = "rows to a strip (16)" },
+    { "--buffers", SIM_OPTION_COUNT, AT(o.buffers), .words = "1|2", .help = "strip buffers (2)" },
+    { "--tris", SIM_OPTION_COUNT, AT(o.tris), AT(has_tris), 1, ZS_POOL_MAX,
+      .help = "triangles that memory has room for (1000; of a scene or model: what takes it in one pass)" },
+    { "--verts", SIM_OPTION_COUNT, AT(o.verts), AT(has_verts), 3, ZS_POOL_MAX,
+      .help = "vertices that it has room for (700; of a scene or model likewise)" },
+    { "--instances", SIM_OPTION_COUNT, AT(instances), 0, 0, 65535, .help = "of the scene, where that is numbers (1)" },
+    { "--watch", SIM_OPTION_COUNT, AT(watch), 0, 0, ZS_SIZE_MAX,
+      .help = "columns that zs_damage_compare compares (0: not linked)" },
+    { "--track", SIM_OPTION_COUNT, AT(track), 0, 0, 65535,
+      .help = "instances that zs_damage_track compares (0: not linked)" },
+    { "Scene: a demo scene or a model, drawn here and counted, or else numbers", SIM_OPTION_HEADING },
+    { "--scene", SIM_OPTION_TEXT, AT(scene), .help = "a demo or bench scene; zsim demo --help lists them" },
+    { "--frame", SIM_OPTION_COUNT, AT(frame), 0, 0, 65535, .value = "T", .help = "frame of its animation (0)" },
+    { "MODEL", SIM_OPTION_WORD, .help = "a file, as of zsim render, and for it:" },
+    { "--eye", SIM_OPTION_VECTOR, AT(o.eye), AT(o.has_eye), .help = "" },
+    { "--at", SIM_OPTION_VECTOR, AT(o.at), AT(o.has_at), .help = "" },
+    { "--up", SIM_OPTION_VECTOR, AT(o.up), .help = "the camera: where it stands, looks at, and what is up (0,1,0)" },
+    { "--fov", SIM_OPTION_NUMBER, AT(o.fov), 0, 0.001, 179.999, .value = "DEGREES",
+      .help = "its field of view, vertical (45)" },
+    { "--near", SIM_OPTION_NUMBER, AT(o.near_z), AT(o.has_near), .help = "" },
+    { "--far", SIM_OPTION_NUMBER, AT(o.far_z), AT(o.has_far), .help = "distances along the view (around the model)" },
+    { "--projection", SIM_OPTION_CHOICE, AT(o.projection), .words = "perspective|orthographic",
+      .help = "does what is far look smaller? (perspective)" },
+    { "--texture", SIM_OPTION_FILE, AT(o.texture), .value = "T.png",
+      .help = "one picture for all faces in place of the model's own" },
+    { "--scene-tris", SIM_OPTION_COUNT, AT(scene_tris), AT(has_scene_tris), 1, 1e8,
+      .help = "numbers: triangles of all of it (twice --tris, since half turns away)" },
+    { "--scene-verts", SIM_OPTION_COUNT, AT(scene_verts), AT(has_scene_verts), 3, 1e8,
+      .help = "numbers: vertices of all of it (--verts)" },
+    { "--coverage", SIM_OPTION_NUMBER, AT(coverage), 0, 0, 100, .value = "PERCENT",
+      .help = "numbers: of the picture, how much it covers (50)" },
+    { "--complexity", SIM_OPTION_NUMBER, AT(complexity), 0, 0.01, 1000,
+      .help = "numbers: triangles over each covered pixel (1.5)" },
+    { "--shade", SIM_OPTION_CHOICE, AT(o.shade), .words = "id|flat|smooth|textured|textured-flat|unlit",
+      .help = "how faces are drawn, as of zsim render (flat)" },
+    { "--texture-format", SIM_OPTION_CHOICE, AT(o.texel), .words = "565|pal8|pal4",
+      .help = "how texels are stored (565)" },
+    { "--depth", SIM_OPTION_CHOICE, AT(o.depth), .words = "recip|linear|e3m13|e4m12|e5m11|float",
+      .help = "mapping of depth keys (float)" },
+    { "--state", SIM_OPTION_FLAG, AT(state), .help = "some instance has a struct zs_depth_state: its code is linked" },
+    { "Part", SIM_OPTION_HEADING },
+    { "--part", SIM_OPTION_TEXT, AT(part), .help = "the figures of one part. There are:", .list = budget_part_list },
+    { "--core", SIM_OPTION_CHOICE, AT(core), AT(has_core), .words = "M0|M3|M4|M7|rv32imc|RP2040",
+      .help = "the core of another part" },
+    { "--mhz", SIM_OPTION_NUMBER, AT(mhz), AT(has_mhz), 0.001, 10000, .help = "its clock, or another one for --part" },
+    { "--cpi", SIM_OPTION_NUMBER, AT(cpi), AT(has_cpi), 0.01, 100,
+      .help =
+          "cycles an instruction, where only instructions are known (M0 as the RP2040's; assumed, not measured: M3, "
+          "M4 1.4, M7 0.9, rv32imc 1.4)" },
+    { "--app-ram", SIM_OPTION_COUNT, AT(app_ram), 0, 0, 1e9, .value = "BYTES", .help = "" },
+    { "--app-flash", SIM_OPTION_COUNT, AT(app_flash), 0, 0, 1e9, .value = "BYTES",
+      .help = "of the rest of the program (0)" },
+    { "Answers", SIM_OPTION_HEADING },
+    { "--fit", SIM_OPTION_TEXT, AT(fit), .value = "PART",
+      .help = "the largest strip for these pools, and the largest pools for this strip" },
+    { "--check", SIM_OPTION_FILE, AT(check),
+      .help =
+          "limits, one a line, `name = number`, # begins a comment: most for ram, arena, stack, flash, wire_ms, "
+          "draw_ms, frame_ms, least for fps, ram_left, flash_left; exit status 1 where one is exceeded. Times need "
+          "--part, or --core and --mhz" },
+    { "--elf", SIM_OPTION_FILE, AT(elf), .value = "F.elf",
+      .help = "flash and RAM of this build in place of the sums (--check, --part)" },
+    { "--csv", SIM_OPTION_FLAG, AT(csv), .help = "figure,value,unit a line" },
+    { "--error", SIM_OPTION_FILE, AT(error),
+      .help = "how far estimates are from measured scenes: tests/records/bench.txt" },
+    { "--bar", SIM_OPTION_NUMBER, AT(bar), 0, 0, 1000, .value = "PERCENT",
+      .help = "with --error: exit status 1 where one is further off (15)" },
+    { "A frame in RAM, as others keep it", SIM_OPTION_HEADING },
+    { "--buffer", SIM_OPTION_SIZE, AT(buffer), AT(has_buffer), 1, 65535,
+      .help = "px, {range} each way: the bytes that it takes" },
+    { "--color", SIM_OPTION_COUNT, AT(color_bits), 0, 0, 1024, .value = "BITS",
+      .help = "of a pixel's colour, RGBA together (32)" },
+    { "--depth-bits", SIM_OPTION_COUNT, AT(bits_of_depth), 0, 0, 1024, .value = "BITS", .help = "of its depth (32)" },
+    { "--samples", SIM_OPTION_COUNT, AT(samples), 0, 1, 1024, .help = "of a pixel (1)" },
+    { "--fragments", SIM_OPTION_NUMBER, AT(fragments), 0, 0, 1e6, .help = "depth complexity, for bytes a frame (4)" },
+    { "--accesses", SIM_OPTION_COUNT, AT(accesses), 0, 0, 1e6, .help = "accesses to memory a fragment (0)" },
+    { "--access-bits", SIM_OPTION_COUNT, AT(access_bits), 0, 1, 1024, .value = "BITS", .help = "of an access (32)" },
+    { "--textbook", SIM_OPTION_FLAG, AT(textbook), .help = "the classic ones" },
+    { "Else", SIM_OPTION_HEADING },
     SIM_HELP_OPTIONS(AT(help)),
 };
 #define N_TABLE (sizeof table / sizeof table[0])
+
+static const struct sim_help help = {
+    "zsim budget [MODEL] [options]",
+    "What a display, a strip height and a scene take on a part, before there is a board.",
+    "Bytes are exact; a time is an estimate from costs by stage, and of numbers alone a rough one.\n"
+    "Exit status: 0 done; 1 refused, or a limit exceeded; 2 the command line makes no sense.",
+};
 
 /* ---- Times -------------------------------------------------------------------------------------- */
 
 double budget_cpi(const struct budget_request *rq, enum sim_core core)
 {
-    static const double assumed[SIM_CORES] = { [SIM_CORE_M3] = 1.4, [SIM_CORE_M4] = 1.4, [SIM_CORE_M7] = 0.9,
-                                               [SIM_CORE_RV32] = 1.4 };
+    static const double assumed[SIM_CORES] = {
+        [SIM_CORE_M3] = 1.4, [SIM_CORE_M4] = 1.4, [SIM_CORE_M7] = 0.9, [SIM_CORE_RV32] = 1.4
+    };
     return core == SIM_CORE_RP2040 || core == SIM_CORE_M0 ? 1.0 : rq->has_cpi ? rq->cpi : assumed[core];
 }
 
@@ -484,9 +486,7 @@ int sim_budget(int argc, char **argv)
     defaults(&rq);
     int status = take(&rq, seen, argc, argv);
     if (status == SIM_OK && rq.help) {
-        char parts[1024];
-        sim_wrap(parts, sizeof parts, budget_part_list(), 21);
-        (void)printf(usage, sim_panel_list(21), parts);
+        sim_option_help(table, N_TABLE, &help);
         return SIM_OK;
     }
     if (status == SIM_OK)

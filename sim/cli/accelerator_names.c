@@ -22,7 +22,7 @@ static size_t find(const char *name, size_t length)
         k++;
     if (k == KNOWN)
         (void)sim_usage("--fast: there is no accelerator '%.*s'; there are all, none, %s", (int)length, name,
-                        sim_fast_list(0));
+                        sim_fast_list());
     return k;
 }
 
@@ -74,14 +74,11 @@ void sim_fast_without(struct sim_fast *fast, const struct zs_fast *const *list, 
     fast->list[n] = NULL;
 }
 
-const char *sim_fast_list(int indent)
+const char *sim_fast_list(void)
 {
-    static char names[512], text[1024];
+    static char names[512];
     size_t n = 0;
     for (size_t k = 0; k < KNOWN && n + 64 < sizeof names; k++)
         n += (size_t)snprintf(names + n, sizeof names - n, "%s%s", k == 0 ? "" : ", ", known[k].name);
-    if (indent == 0)
-        return names;
-    sim_wrap(text, sizeof text, names, indent);
-    return text;
+    return names;
 }

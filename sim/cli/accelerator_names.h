@@ -21,8 +21,7 @@ int sim_fast_take(struct sim_fast *fast, const char *text);
 /* A list without one of them, which zs_fast.h declares. */
 void sim_fast_without(struct sim_fast *fast, const struct zs_fast *const *list, const struct zs_fast *gone);
 
-/* All names: one line, or with an indent lines, all but the first behind so many blanks. Static storage, overwritten by
- * the next call. */
-const char *sim_fast_list(int indent);
+/* All names, on one line. Static storage. */
+const char *sim_fast_list(void);
 
 #endif

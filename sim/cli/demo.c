@@ -15,6 +15,7 @@
 #include "frame.h"
 #include "image.h"
 #include "method_names.h"
+#include "option_help.h"
 #include "option_table.h"
 #include "output_file.h"
 #include "panel_frame.h"
@@ -42,61 +43,60 @@ struct request {
 
 #define AT(field) offsetof(struct request, field)
 
+/* The names of all scenes. Static storage. */
+static const char *scene_list(void)
+{
+    static char text[1024];
+    size_t n = 0;
+    for (uint32_t i = 0; i < n_demos && n + 64u < sizeof text; i++)
+        n += (size_t)snprintf(text + n, sizeof text - n, "%s%s", i == 0 ? "" : ", ", demos[i]->name);
+    return text;
+}
+
 static const struct sim_option table[] = {
-    { "--out", SIM_OPTION_TEXT, AT(out) }, { "--scene", SIM_OPTION_TEXT, AT(scenes) },
-    { "--size", SIM_OPTION_SIZE, AT(size), AT(has_size), 1, ZS_SIZE_MAX },
-    { "--strip", SIM_OPTION_COUNT, AT(strip), 0, 1, ZS_SIZE_MAX },
-    { "--subpixel", SIM_OPTION_COUNT, AT(subpixel), .words = "4|8" },
-    { "--start", SIM_OPTION_COUNT, AT(start), 0, 0, FRAMES_MAX },
-    { "--step", SIM_OPTION_COUNT, AT(step), 0, 1, FRAMES_MAX },
-    { "--frames", SIM_OPTION_COUNT, AT(frames), 0, 1, FRAMES_MAX },
-    { "--fast", SIM_OPTION_TEXT, AT(fast_names) },
-    { "--show", SIM_OPTION_CHOICE, AT(show), .words = SIM_SHOW_WORDS },
-    { "--method", SIM_OPTION_CHOICE, AT(method), .words = SIM_METHOD_WORDS },
-    SIM_PANEL_OPTIONS(struct request, panel),
-    { "--raw", SIM_OPTION_FLAG, AT(raw) },
+    { "--out", SIM_OPTION_TEXT, AT(out), .value = "DIR", .help = "the folder, made if there is none (build/demo)" },
+    { "--scene", SIM_OPTION_TEXT, AT(scenes), .value = "NAME,...",
+      .help = "these alone (all). There are:", .list = scene_list },
+    { "--size", SIM_OPTION_SIZE, AT(size), AT(has_size), 1, ZS_SIZE_MAX,
+      .help = "px (what each scene was composed for)" },
+    { "--strip", SIM_OPTION_COUNT, AT(strip), 0, 1, ZS_SIZE_MAX, .value = "ROWS", .help = "rows to a strip (24)" },
+    { "--subpixel", SIM_OPTION_COUNT, AT(subpixel), .words = "4|8", .help = "sub-pixel bits (8)" },
+    { "--start", SIM_OPTION_COUNT, AT(start), 0, 0, FRAMES_MAX, .value = "T",
+      .help = "the first frame of the animation to be drawn (0)" },
+    { "--step", SIM_OPTION_COUNT, AT(step), 0, 1, FRAMES_MAX,
+      .help = "frames T, T + N, T + 2 N ... to the animation's end, N {range} (1)" },
+    { "--frames", SIM_OPTION_COUNT, AT(frames), 0, 1, FRAMES_MAX, .help = "at most so many of each scene (all)" },
+    { "--fast", SIM_OPTION_TEXT, AT(fast_names), .value = "LIST", .list = sim_fast_list,
+      .help = "accelerators to draw with, the same frames: all, none, names with commas between, or all but some, as "
+              "all-tiles-touch (all). There are:" },
+    { "--method", SIM_OPTION_CHOICE, AT(method), .words = SIM_METHOD_WORDS,
+      .help = "how hidden surfaces are removed (zbuffer), as of zsim render" },
+    { "--show", SIM_OPTION_CHOICE, AT(show), .words = SIM_SHOW_WORDS,
+      .help = "pictures are false colours with a legend, as of zsim render (frame)" },
+    SIM_PANEL_OPTIONS(struct request, panel,
+                      "frames go through this panel's driver and the model of its controller: pictures are what its "
+                      "viewer sees, of its size. There are:"),
+    { "--raw", SIM_OPTION_FLAG, AT(raw),
+      .help = "DIR/SCENE_NNN.bin too: RGB565, most significant byte first, row by row; of grey and one-bit panels a "
+              "byte for each level or bit" },
     SIM_HELP_OPTIONS(AT(help)),
 };
 
 #define N_TABLE (sizeof table / sizeof table[0])
 
-static const char usage[] =
-    "usage: zsim demo [options]\n"
-    "Draws demo and bench scenes strip by strip as a board would: DIR/SCENE_NNN.png, where NNN is the frame of the\n"
-    "animation, a contact sheet DIR/contact.png of their first frames, and a table of what they took and of how far\n"
-    "the frames, before any panel, are from the double-precision reference.\n"
-    "\n"
-    "  --out DIR         the folder, made if there is none (build/demo)\n"
-    "  --scene NAME,...  these alone (all). There are:\n"
-    "                    %s\n"
-    "  --size WxH        px, 1 to 4096 (what each scene was composed for)\n"
-    "  --strip ROWS      rows to a strip (24)\n"
-    "  --subpixel 4|8    sub-pixel bits (8)\n"
-    "  --start T --step N  frames T, T + N, T + 2 N ... to the animation's end (0, 1)\n"
-    "  --frames N        at most so many of each scene\n"
-    "  --fast LIST       accelerators to draw with, the same frames: all, none, names with commas between, or all but\n"
-    "                    some, as all-tiles-touch (all). There are:\n"
-    "                    %s\n"
-    "  --method " SIM_METHOD_WORDS "\n"
-    "                    how hidden surfaces are removed (zbuffer), as of zsim render\n"
-    "  --show depth|complexity|overdraw|tested|strips\n"
-    "                    pictures are false colours with a legend, as of zsim render\n"
-    "  --panel NAME:WxH  frames go through this panel's driver and the model of its controller: pictures are what its\n"
-    "                    viewer sees, of its size. There are:\n"
-    "                    %s\n"
-    "  --rotate DEGREES  0, 90, 180 or 270: how far the picture is turned clockwise on the glass (0)\n"
-    "  --invert, --bgr   the glass shows negatives, or has blue for red, and the driver is told so\n"
-    "  --raw             DIR/SCENE_NNN.bin too: RGB565, most significant byte first, row by row; of grey and one-bit\n"
-    "                    panels a byte for each level or bit\n"
-    "\n"
-    "An option's value may follow after a space or an equals sign.\n"
-    "Exit status: 0 done; 1 refused; 2 the command line makes no sense.\n";
+static const struct sim_help help = {
+    "zsim demo [options]",
+    "Draws demo and bench scenes strip by strip as a board would: DIR/SCENE_NNN.png, where NNN is the frame of the "
+    "animation, a contact sheet DIR/contact.png of their first frames, and a table of what they took and of how far "
+    "the frames, before any panel, are from the double-precision reference.",
+    "Exit status: 0 done; 1 refused; 2 the command line makes no sense.",
+};
 
 /* Sums over the frames of a scene. */
 struct tally {
     struct zs_stats stats; /* of the first frame */
     uint32_t arena, passes_max, frames;
-    struct ref_diff diff;  /* counts summed, worst values kept */
+    struct ref_diff diff; /* counts summed, worst values kept */
     uint64_t off_by_one;
     double z_sum;
 };
@@ -355,16 +355,6 @@ static int wanted(const struct request *rq, const struct demo *demo)
     return !rq->scenes;
 }
 
-/* The names of all scenes. Static storage. */
-static const char *scene_list(void)
-{
-    static char text[1024];
-    size_t n = 0;
-    for (uint32_t i = 0; i < n_demos && n + 64u < sizeof text; i++)
-        n += (size_t)snprintf(text + n, sizeof text - n, "%s%s", i == 0 ? "" : ", ", demos[i]->name);
-    return text;
-}
-
 /* Are names and frames such as there are? */
 static int check_scenes(const struct request *rq)
 {
@@ -438,9 +428,7 @@ int sim_demo(int argc, char **argv)
     struct request rq = { .out = "build/demo", .strip = 24, .subpixel = 8, .step = 1 };
     int err = parse(&rq, argc, argv);
     if (!err && rq.help) {
-        char scenes[1024];
-        sim_wrap(scenes, sizeof scenes, scene_list(), 20);
-        printf(usage, scenes, sim_fast_list(20), sim_panel_list(20));
+        sim_option_help(table, N_TABLE, &help);
         return SIM_OK;
     }
     if (!err)

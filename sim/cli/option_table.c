@@ -27,6 +27,14 @@ static int take_count(const char *text, const char *words, long *count)
            *end == '\0';
 }
 
+static int take_text(const char *text, struct sim_texts *texts)
+{
+    if (text[0] == '\0' || texts->n == SIM_TEXTS_MAX)
+        return 0;
+    texts->text[texts->n++] = text;
+    return 1;
+}
+
 /* A value into its place; 0 where it is not of its option's kind. */
 static int take_value(const struct sim_option *opt, const char *text, void *to)
 {
@@ -38,6 +46,8 @@ static int take_value(const struct sim_option *opt, const char *text, void *to)
     case SIM_OPTION_TEXT:
         *(const char **)to = text;
         return text[0] != '\0';
+    case SIM_OPTION_TEXTS:
+        return take_text(text, to);
     case SIM_OPTION_SIZE:
         return sim_value_size(text, to);
     case SIM_OPTION_COUNT:
@@ -53,6 +63,8 @@ static int take_value(const struct sim_option *opt, const char *text, void *to)
         *(int *)to = word >= 0 ? word : 0;
         return word >= 0;
     case SIM_OPTION_FLAG:
+    case SIM_OPTION_HEADING:
+    case SIM_OPTION_WORD:
         break;
     }
     return 0;
@@ -66,7 +78,7 @@ static const char *wanted(const struct sim_option *opt)
         [SIM_OPTION_SIZE] = "WIDTHxHEIGHT",    [SIM_OPTION_COUNT] = "a whole number",
         [SIM_OPTION_NUMBER] = "a number",      [SIM_OPTION_VECTOR] = "numbers x,y,z",
         [SIM_OPTION_RGB] = "a colour RRGGBB",  [SIM_OPTION_CHOICE] = "a word",
-        [SIM_OPTION_FLAG] = "no value",
+        [SIM_OPTION_FLAG] = "no value",        [SIM_OPTION_TEXTS] = "a value, at most 8 times",
     };
     return opt->words != NULL ? opt->words : names[opt->kind];
 }
@@ -74,7 +86,8 @@ static const char *wanted(const struct sim_option *opt)
 static const struct sim_option *find(const struct sim_option *table, size_t n, const char *arg, size_t length)
 {
     for (size_t k = 0; k < n; k++)
-        if (strlen(table[k].name) == length && memcmp(table[k].name, arg, length) == 0)
+        if (table[k].kind < SIM_OPTION_HEADING && strlen(table[k].name) == length &&
+            memcmp(table[k].name, arg, length) == 0)
             return &table[k];
     return NULL;
 }

@@ -17,7 +17,17 @@ enum sim_option_kind {
     SIM_OPTION_VECTOR, /* double[3] */
     SIM_OPTION_RGB,    /* struct zs_rgb */
     SIM_OPTION_CHOICE, /* int or an enum: the number of the word */
-    SIM_OPTION_FLAG    /* int */
+    SIM_OPTION_FLAG,   /* int */
+    SIM_OPTION_TEXTS,  /* struct sim_texts: it may be given several times */
+    /* Rows of --help alone, which no argument matches: */
+    SIM_OPTION_HEADING, /* name: the heading of the rows below it */
+    SIM_OPTION_WORD     /* name: a word that is no option, such as MODEL */
+};
+
+#define SIM_TEXTS_MAX 8
+struct sim_texts {
+    const char *text[SIM_TEXTS_MAX];
+    int n;
 };
 
 struct sim_option {
@@ -28,10 +38,18 @@ struct sim_option {
     double lo, hi;     /* range of a count, number or side, both ends inside; equal: none */
     const char *words; /* "a|b|c": choices, or the only counts there are; else NULL */
     int use;           /* flags of the program's own, which nothing here reads */
+
+    /* For --help (option_help.h). The words and the range are told from the fields above: a sentence leaves them out */
+    const char *value;         /* what stands for the value, such as ROWS; NULL: the words, or one by kind */
+    const char *help;          /* a sentence, its default in brackets at its end. The range is put before these, or in
+                                * the place of "{range}"; a line feed begins a new line. "": the next row's, and both
+                                * are named on one line */
+    const char *(*list)(void); /* names that there are, told on lines of their own behind the sentence; NULL: none */
 };
 
 /* The rows that every table ends with: a flag at the offset `to`. */
-#define SIM_HELP_OPTIONS(to) { "--help", SIM_OPTION_FLAG, to }, { "-h", SIM_OPTION_FLAG, to }
+#define SIM_HELP_OPTIONS(to) \
+    { "-h", SIM_OPTION_FLAG, to, .help = "" }, { "--help", SIM_OPTION_FLAG, to, .help = "this text" }
 
 /* The option at argv[*i], with its value, into the struct at `to`; *i is at the last word that was taken. seen[k]
  * becomes 1 for row k of the table. SIM_OK; SIM_USAGE where there is no such option or its value is not of its kind. */

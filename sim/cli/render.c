@@ -9,6 +9,7 @@
 #include <string.h>
 #include <sys/stat.h>
 
+#include "effect_scene.h"
 #include "frame.h"
 #include "image.h"
 #include "line_style.h"
@@ -38,6 +39,7 @@ struct job {
     struct sim_view view;
     struct sim_scene scene;
     struct sim_styled styled; /* with --style */
+    struct sim_effect_scene effect; /* with options of effects */
     const struct zs_scene *drawn; /* one of both */
     struct zs_config config;
     struct sim_frame frame;
@@ -129,7 +131,9 @@ static int draw_strips(struct job *job)
         if (status != SIM_OK)
             return status;
     }
-    const int err = job->options.threads > 0
+    const int err = sim_effects_any(&job->options.effects)
+        ? sim_effect_draw(&job->effect, &job->frame, &job->config, "drawing", wish->name != NULL ? &sink : NULL)
+        : job->options.threads > 0
         ? sim_frame_render_threads(&job->frame, job->drawn, &job->scene.camera, &job->config,
                                    (uint32_t)job->options.threads, &job->time)
         : sim_frame_render_to(&job->frame, job->drawn, &job->scene.camera, &job->config, "drawing",
@@ -154,6 +158,12 @@ static int draw_frame(struct job *job)
         if (status != SIM_OK)
             return status;
         job->drawn = &job->styled.scene;
+    }
+    if (sim_effects_any(&o->effects)) {
+        status = sim_effect_make(&job->effect, &job->model, &job->scene, &job->view, o);
+        if (status != SIM_OK)
+            return status;
+        job->drawn = &job->effect.scene;
     }
     set_config(job);
     status = draw_strips(job);
@@ -446,7 +456,7 @@ int sim_render(int argc, char **argv)
     struct job *job = sim_alloc(1, sizeof *job);
     int status = sim_options_parse(&job->options, argc, argv);
     if (status == SIM_OK && job->options.help) {
-        (void)printf(sim_options_help, sim_fast_list(23), sim_panel_list(23));
+        sim_options_help();
     } else {
         if (status == SIM_OK)
             status = check_files(&job->options);
@@ -464,6 +474,7 @@ int sim_render(int argc, char **argv)
     sim_frame_free(&job->frame);
     sim_panel_free(&job->panel);
     sim_styled_free(&job->styled);
+    sim_effect_free(&job->effect);
     sim_scene_free(&job->scene);
     sim_model_free(&job->model);
     free(job);

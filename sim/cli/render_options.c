@@ -10,118 +10,108 @@
 #include "frame.h"
 #include "line_style.h"
 #include "method_names.h"
+#include "option_help.h"
 #include "option_table.h"
 #include "sim.h"
-
-const char sim_options_help[] =
-    "usage: zsim render MODEL --out FRAME.png [options]\n"
-    "Draws a model (OBJ, PLY, STL, glTF and what else assimp reads) strip by strip, as boards do.\n"
-    "\n"
-    "Output\n"
-    "  --out F.png          the frame; its 8-bit channels are the RGB565 bits, repeated\n"
-    "  --depth-out D.pgm    depth keys, 16-bit PGM; 65535: nothing drawn\n"
-    "  --id-out I.u32       little-endian uint32 a pixel: triangle in file order + 1; 0: none\n"
-    "  --stats S.json       what the frame took, an object of numbers\n"
-    "  --reference          all of it from the double-precision reference instead\n"
-    "  --compare            draw both, print how far the frame is from the reference\n"
-    "  --show depth|complexity|overdraw|tested|strips\n"
-    "                       false colours and a legend in --out in place of the frame: distance; how many\n"
-    "                       triangles cover a pixel, hidden ones too; how often it was written; how often\n"
-    "                       a key was compared there; set-ups of each strip, as bars. --stats has the sum\n"
-    "Frame\n"
-    "  --size WxH           px, 1 to 4096 (240x240)\n"
-    "  --strip ROWS         rows to a strip (16)\n"
-    "  --depth float|recip|linear|e3m13|e4m12|e5m11\n"
-    "                       mapping of depth keys (float: e3m13 while far <= 128 near, e4m12 while\n"
-    "                       far <= 32768 near, else e5m11; orthographic views: linear)\n"
-    "  --depth-bits N       8 to 16 (16)\n"
-    "  --subpixel 4|8       sub-pixel bits (8)\n"
-    "  --method " SIM_METHOD_WORDS "\n"
-    "                       how hidden surfaces are removed (zbuffer); zsim gallery shows what each gets right and\n"
-    "                       takes\n"
-    "  --tris N, --verts N  pool sizes, up to 65534 (ample); small ones take more passes\n"
-    "  --buffers 1|2        strip buffers (2)\n"
-    "  --fast LIST          accelerators to draw with, the same frame: all, none, names with commas between,\n"
-    "                       or all but some, as all-tiles-touch (all). There are:\n"
-    "                       %s\n"
-    "  --threads N          draw by N threads, 1 to 64, each with an arena of its own: the same frame;\n"
-    "                       --stats has draw_us then, the time that drawing took, and draw_busiest_us, that\n"
-    "                       of a processor for the thread that took most\n"
-    "Panel\n"
-    "  --panel NAME:WxH     the frame goes through this panel's driver and the model of its controller\n"
-    "                       into --out: what its viewer sees. --size is its picture's then. There are:\n"
-    "                       %s\n"
-    "  --rotate DEGREES     0, 90, 180 or 270: how far the picture is turned clockwise on the glass (0)\n"
-    "  --invert, --bgr      the glass shows negatives, or has blue for red, and the driver is told so\n"
-    "  --spi HZ             clock of its wire, for the time in --stats (62500000; grey and one-bit\n"
-    "                       panels 10000000)\n"
-    "Camera, in the model's units; what is not given frames the model\n"
-    "  --eye x,y,z --at x,y,z --up x,y,z (0,1,0)\n"
-    "  --fov DEGREES        vertical (45); orthographic views show as much at --at\n"
-    "  --near N --far F     distances along the view\n"
-    "  --projection perspective|orthographic (perspective)\n"
-    "Look\n"
-    "  --shade id|flat|smooth|textured|textured-flat|unlit (flat)\n"
-    "                       textured: texels times smooth light, textured-flat: times a face's,\n"
-    "                       unlit: texels alone; faces without a texture: smooth, flat, raw\n"
-    "  --style solid|wire|hidden-line|points\n"
-    "                       the model's edges alone, those that its faces do not hide, or its vertices (solid),\n"
-    "                       in white or the --color\n"
-    "  --line-width N       px, of lines and points, 1 to 64 (1)\n"
-    "  --texture T.png      one picture (PNG or JPEG) for all faces in place of the model's own.\n"
-    "                       A side that is no power of two up to 1024 becomes the nearest one by\n"
-    "                       averaging areas (texture_resampled of --stats); alpha is dropped\n"
-    "  --texture-format 565|pal8|pal4\n"
-    "                       how texels are stored: RGB565, or 256 or 16 colours of it (565)\n"
-    "  --wrap repeat|clamp  beyond the picture's border (as the model says, else repeat)\n"
-    "  --cull back|front|none (back)\n"
-    "  --background RRGGBB (000000)\n"
-    "  --color RRGGBB       one colour for the whole model\n"
-    "  --light x,y,z        direction towards the light (over the camera's left shoulder)\n"
-    "  --ambient A --diffuse D  0 to 1 (0.25, 0.75)\n"
-    "\n"
-    "An option's value may follow after a space or an equals sign.\n"
-    "Exit status: 0 done; 1 refused, nothing written; 2 the command line makes no sense.\n";
 
 #define AT(field) offsetof(struct sim_options, field)
 
 static const struct sim_option table[] = {
-    { "--out", SIM_OPTION_FILE, AT(out) }, { "--depth-out", SIM_OPTION_FILE, AT(depth_out) },
-    { "--id-out", SIM_OPTION_FILE, AT(id_out) }, { "--stats", SIM_OPTION_FILE, AT(stats) },
-    { "--size", SIM_OPTION_SIZE, AT(size), AT(has_size), 1, ZS_SIZE_MAX },
-    { "--strip", SIM_OPTION_COUNT, AT(strip) },
-    { "--tris", SIM_OPTION_COUNT, AT(tris), 0, 1, ZS_POOL_MAX },
-    { "--verts", SIM_OPTION_COUNT, AT(verts), 0, 3, ZS_POOL_MAX },
-    { "--depth-bits", SIM_OPTION_COUNT, AT(depth_bits), 0, 8, 16 },
-    { "--fast", SIM_OPTION_TEXT, AT(fast_names) },
-    { "--threads", SIM_OPTION_COUNT, AT(threads), 0, 1, SIM_THREADS_MAX },
-    { "--subpixel", SIM_OPTION_COUNT, AT(subpixel), .words = "4|8" },
-    { "--buffers", SIM_OPTION_COUNT, AT(buffers), .words = "1|2" },
-    { "--eye", SIM_OPTION_VECTOR, AT(eye), AT(has_eye) }, { "--at", SIM_OPTION_VECTOR, AT(at), AT(has_at) },
-    { "--up", SIM_OPTION_VECTOR, AT(up) }, { "--light", SIM_OPTION_VECTOR, AT(light), AT(has_light) },
-    { "--fov", SIM_OPTION_NUMBER, AT(fov) }, { "--near", SIM_OPTION_NUMBER, AT(near_z), AT(has_near) },
-    { "--far", SIM_OPTION_NUMBER, AT(far_z), AT(has_far) },
-    { "--ambient", SIM_OPTION_NUMBER, AT(ambient), 0, 0, 1 },
-    { "--diffuse", SIM_OPTION_NUMBER, AT(diffuse), 0, 0, 1 },
-    { "--background", SIM_OPTION_RGB, AT(background) }, { "--color", SIM_OPTION_RGB, AT(color), AT(has_color) },
-    { "--projection", SIM_OPTION_CHOICE, AT(projection), .words = "perspective|orthographic" },
-    { "--depth", SIM_OPTION_CHOICE, AT(depth), .words = "recip|linear|e3m13|e4m12|e5m11|float" },
-    { "--shade", SIM_OPTION_CHOICE, AT(shade), .words = "id|flat|smooth|textured|textured-flat|unlit" },
-    { "--texture", SIM_OPTION_FILE, AT(texture) },
-    { "--texture-format", SIM_OPTION_CHOICE, AT(texel), .words = "565|pal8|pal4" },
-    { "--wrap", SIM_OPTION_CHOICE, AT(clamp), AT(has_wrap), .words = "repeat|clamp" },
-    { "--show", SIM_OPTION_CHOICE, AT(show), .words = SIM_SHOW_WORDS },
-    { "--style", SIM_OPTION_CHOICE, AT(style), .words = SIM_STYLE_WORDS },
-    { "--line-width", SIM_OPTION_COUNT, AT(line_width), 0, 1, 64 },
-    { "--method", SIM_OPTION_CHOICE, AT(method), .words = SIM_METHOD_WORDS },
-    { "--cull", SIM_OPTION_CHOICE, AT(cull), .words = "back|front|none" },
-    SIM_PANEL_OPTIONS(struct sim_options, panel),
-    { "--spi", SIM_OPTION_COUNT, AT(spi_hz), AT(has_spi), 1000, 1e9 },
-    { "--reference", SIM_OPTION_FLAG, AT(reference) }, { "--compare", SIM_OPTION_FLAG, AT(compare) },
+    { "Output", SIM_OPTION_HEADING },
+    { "--out", SIM_OPTION_FILE, AT(out), .value = "F.png",
+      .help = "the frame; its 8-bit channels are the RGB565 bits, repeated. It is needed" },
+    { "--depth-out", SIM_OPTION_FILE, AT(depth_out), .value = "D.pgm",
+      .help = "depth keys, 16-bit PGM; 65535: nothing drawn" },
+    { "--id-out", SIM_OPTION_FILE, AT(id_out), .value = "I.u32",
+      .help = "little-endian uint32 a pixel: triangle in file order + 1; 0: none" },
+    { "--stats", SIM_OPTION_FILE, AT(stats), .value = "S.json", .help = "what the frame took, an object of numbers" },
+    { "--reference", SIM_OPTION_FLAG, AT(reference), .help = "all of it from the double-precision reference instead" },
+    { "--compare", SIM_OPTION_FLAG, AT(compare), .help = "draw both, print how far the frame is from the reference" },
+    { "--show", SIM_OPTION_CHOICE, AT(show), .words = SIM_SHOW_WORDS,
+      .help = "false colours and a legend in --out in place of the frame. depth: distance; complexity: how many "
+              "triangles cover a pixel, hidden ones too; overdraw: how often it was written; tested: how often a key "
+              "was compared there; strips: set-ups of each strip, as bars. --stats has the sum (frame)" },
+    { "Frame", SIM_OPTION_HEADING },
+    { "--size", SIM_OPTION_SIZE, AT(size), AT(has_size), 1, ZS_SIZE_MAX, .help = "px (240x240)" },
+    { "--strip", SIM_OPTION_COUNT, AT(strip), .value = "ROWS", .help = "rows to a strip, at least 1 (16)" },
+    { "--depth", SIM_OPTION_CHOICE, AT(depth), .words = "recip|linear|e3m13|e4m12|e5m11|float",
+      .help = "mapping of depth keys (float: e3m13 while far <= 128 near, e4m12 while far <= 32768 near, else e5m11; "
+              "orthographic views: linear)" },
+    { "--depth-bits", SIM_OPTION_COUNT, AT(depth_bits), 0, 8, 16, .help = "bits of a depth key (16)" },
+    { "--subpixel", SIM_OPTION_COUNT, AT(subpixel), .words = "4|8", .help = "sub-pixel bits (8)" },
+    { "--method", SIM_OPTION_CHOICE, AT(method), .words = SIM_METHOD_WORDS,
+      .help = "how hidden surfaces are removed (zbuffer); zsim gallery shows what each gets right and takes" },
+    { "--tris", SIM_OPTION_COUNT, AT(tris), 0, 1, ZS_POOL_MAX,
+      .help = "triangles that memory has room for, {range}; few take more passes for the same frame (ample)" },
+    { "--verts", SIM_OPTION_COUNT, AT(verts), 0, 3, ZS_POOL_MAX, .help = "vertices that it has room for (ample)" },
+    { "--buffers", SIM_OPTION_COUNT, AT(buffers), .words = "1|2", .help = "strip buffers (2)" },
+    { "--fast", SIM_OPTION_TEXT, AT(fast_names), .value = "LIST", .list = sim_fast_list,
+      .help = "accelerators to draw with, the same frame: all, none, names with commas between, or all but some, as "
+              "all-tiles-touch (all). There are:" },
+    { "--threads", SIM_OPTION_COUNT, AT(threads), 0, 1, SIM_THREADS_MAX,
+      .help = "draw by N threads, {range}, each with an arena of its own: the same frame; --stats has draw_us then, "
+              "the time that drawing took, and draw_busiest_us, that of a processor for the thread that took most" },
+    { "Panel", SIM_OPTION_HEADING },
+    SIM_PANEL_OPTIONS(struct sim_options, panel,
+                      "the frame goes through this panel's driver and the model of its controller into --out: what "
+                      "its viewer sees. --size is its picture's then. There are:"),
+    { "--spi", SIM_OPTION_COUNT, AT(spi_hz), AT(has_spi), 1000, 1e9, .value = "HZ",
+      .help = "clock of its wire, for the time in --stats (62500000; grey and one-bit panels 10000000)" },
+    { "Camera, in the model's units; what is not given frames the model", SIM_OPTION_HEADING },
+    { "--eye", SIM_OPTION_VECTOR, AT(eye), AT(has_eye), .help = "where it stands" },
+    { "--at", SIM_OPTION_VECTOR, AT(at), AT(has_at), .help = "what it looks at" },
+    { "--up", SIM_OPTION_VECTOR, AT(up), .help = "what is up in the picture (0,1,0)" },
+    { "--fov", SIM_OPTION_NUMBER, AT(fov), .value = "DEGREES",
+      .help = "field of view, vertical, between 0 and 180 (45); orthographic views show as much at --at" },
+    { "--near", SIM_OPTION_NUMBER, AT(near_z), AT(has_near),
+      .help = "distance along the view at which it begins; in perspective more than 0" },
+    { "--far", SIM_OPTION_NUMBER, AT(far_z), AT(has_far), .help = "distance at which it ends" },
+    { "--projection", SIM_OPTION_CHOICE, AT(projection), .words = "perspective|orthographic",
+      .help = "does what is far look smaller? (perspective)" },
+    { "Look", SIM_OPTION_HEADING },
+    { "--shade", SIM_OPTION_CHOICE, AT(shade), .words = "id|flat|smooth|textured|textured-flat|unlit",
+      .help = "id: a colour for each triangle's number, flat: light of its face, smooth: of its vertices, textured: "
+              "texels times smooth light, textured-flat: times a face's, unlit: texels alone; of these, faces without "
+              "a texture are smooth, flat, raw (flat)" },
+    { "--style", SIM_OPTION_CHOICE, AT(style), .words = SIM_STYLE_WORDS,
+      .help = "solid: its faces; or wire: the model's edges alone, hidden-line: those that its faces do not hide, "
+              "points: its vertices, in white or the --color (solid)" },
+    { "--line-width", SIM_OPTION_COUNT, AT(line_width), 0, 1, 64, .help = "px, of lines and points (1)" },
+    { "--texture", SIM_OPTION_FILE, AT(texture), .value = "T.png",
+      .help = "one picture (PNG or JPEG) for all faces in place of the model's own. A side that is no power of two up "
+              "to 1024 becomes the nearest one by averaging areas (texture_resampled of --stats); alpha is dropped" },
+    { "--texture-format", SIM_OPTION_CHOICE, AT(texel), .words = "565|pal8|pal4",
+      .help = "how texels are stored: RGB565, or 256 or 16 colours of it (565)" },
+    { "--wrap", SIM_OPTION_CHOICE, AT(clamp), AT(has_wrap), .words = "repeat|clamp",
+      .help = "beyond the picture's border (as the model says, else repeat)" },
+    { "--cull", SIM_OPTION_CHOICE, AT(cull), .words = "back|front|none",
+      .help = "which sides of faces are not drawn (back)" },
+    { "--background", SIM_OPTION_RGB, AT(background), .help = "where nothing is drawn (000000)" },
+    { "--color", SIM_OPTION_RGB, AT(color), AT(has_color), .help = "one colour for the whole model" },
+    { "--light", SIM_OPTION_TEXTS, AT(effects.light_texts), .value = "LIGHT",
+      .help = "x,y,z: direction towards the light (over the camera's left shoulder). Or TYPE:X,Y,Z[:RRGGBB[:RANGE]], "
+              "which may be given four times: dir, in that direction, point, at that place, or spot, there and aimed "
+              "at the middle of the model; beyond RANGE a point or spot has no effect" },
+    { "--ambient", SIM_OPTION_NUMBER, AT(ambient), 0, 0, 1, .value = "A",
+      .help = "how bright a face is that no light falls on (0.25)" },
+    { "--diffuse", SIM_OPTION_NUMBER, AT(diffuse), 0, 0, 1, .value = "D",
+      .help = "what is added where a face looks straight at the light (0.75)" },
+    SIM_EFFECT_OPTIONS(struct sim_options, effects),
+    { "Else", SIM_OPTION_HEADING },
     SIM_HELP_OPTIONS(AT(help)),
 };
 
 #define N_TABLE (sizeof table / sizeof table[0])
+
+void sim_options_help(void)
+{
+    static const struct sim_help help = {
+        "zsim render MODEL --out FRAME.png [options]",
+        "Draws a model (OBJ, PLY, STL, glTF and what else assimp reads) strip by strip, as boards do.",
+        "Exit status: 0 done; 1 refused, nothing written; 2 the command line makes no sense.",
+    };
+    sim_option_help(table, N_TABLE, &help);
+}
 
 static int check_rest(const struct sim_options *o)
 {
@@ -170,6 +160,10 @@ static int check_panel(struct sim_options *o)
     if (o->panel.name != NULL && o->reference)
         return sim_usage("--reference does not go through a panel: leave --panel out, or use --compare");
     const int status = sim_panel_take(&o->panel, o->model, o->has_size, o->size, o->strip, &glass);
+    if (o->panel.name != NULL && status == SIM_OK)
+        o->effects.levels = pm_glass_format(&glass) == PM_MONO    ? SIM_LEVELS_MONO
+                            : pm_glass_format(&glass) == PM_GREY4 ? SIM_LEVELS_GREY
+                                                                  : SIM_LEVELS_565;
     if (o->panel.name != NULL && status == SIM_OK && !o->has_spi)
         o->spi_hz = pm_glass_format(&glass) == PM_RGB565 ? 62500000 : 10000000;
     return status;
@@ -200,6 +194,7 @@ void sim_options_defaults(struct sim_options *o)
     o->shade = SIM_SHADE_FLAT;
     o->depth = SIM_DEPTH_DEFAULT;
     o->subpixel = 8;
+    sim_effects_defaults(&o->effects);
     (void)sim_fast_take(&o->fast, NULL);
 }
 
@@ -225,6 +220,42 @@ static int check_method(const struct sim_options *o)
         return sim_usage("--method %s: of --show there is overdraw", method->name);
     if (method->depth && o->depth != SIM_DEPTH_DEFAULT)
         return sim_usage("--method %s brings its depth mapping: leave --depth out", method->name);
+    return SIM_OK;
+}
+
+/* What effects cannot be together with. */
+static int check_effects(const struct sim_options *o)
+{
+    const struct sim_effect_options *e = &o->effects;
+    const int lit = e->specular_text != NULL || e->per_pixel || e->n_lights > 0;
+    if (!sim_effects_any(e))
+        return SIM_OK;
+    if (o->reference || o->compare || o->id_out != NULL)
+        return sim_usage("effects have no reference and no numbers: leave --reference, --compare and --id-out out");
+    if (o->method != 0 || o->style != SIM_STYLE_SOLID)
+        return sim_usage("effects are drawn by --method zbuffer and --style solid: leave those out");
+    if (o->show != SIM_SHOW_FRAME || o->threads != 0 || (e->samples > 1 && o->depth_out != NULL))
+        return sim_usage("effects: leave --show and --threads out, and --depth-out with --samples 4");
+    if (e->n_lights > 0 && o->has_light)
+        return sim_usage("--light x,y,z is the only light: write it as dir:x,y,z beside others");
+    if (lit && o->shade != SIM_SHADE_FLAT && o->shade != SIM_SHADE_SMOOTH)
+        return sim_usage("--light TYPE:..., --specular and --per-pixel need --shade flat or smooth");
+    if ((e->per_pixel || e->specular_text != NULL) && o->shade != SIM_SHADE_SMOOTH)
+        return sim_usage("--specular and --per-pixel need --shade smooth");
+    if (e->filter != SIM_FILTER_NEAREST && !sim_options_textured(o))
+        return sim_usage("--filter needs --shade textured, textured-flat or unlit");
+    if ((lit != 0) + e->has_alpha + (e->filter != SIM_FILTER_NEAREST) + (e->environment != NULL) +
+            (e->shadow == SIM_SHADOW_MAP) + (e->dither != SIM_DITHER_NONE && o->panel.name == NULL) > 1)
+        return sim_usage("--alpha, --filter, --environment, --shadow map, --dither without a panel, and lights (typed ones, "
+                         "--specular, --per-pixel) each have a shader of their own: take one of them");
+    if (e->fog != SIM_FOG_NONE && e->has_alpha && e->blend != SIM_BLEND_SCREEN_DOOR)
+        return sim_usage("--fog goes by depth keys, which transparent faces do not write: leave one out");
+    if (e->shadow == SIM_SHADOW_PLANAR && e->has_alpha && e->blend != SIM_BLEND_SCREEN_DOOR)
+        return sim_usage("--shadow planar is not drawn beside transparent faces: leave one out");
+    if (e->has_blend && !e->has_alpha)
+        return sim_usage("--blend needs --alpha, which says how much");
+    if (e->mirror && e->shadow != SIM_SHADOW_NONE)
+        return sim_usage("--mirror and --shadow are two floors: leave one out");
     return SIM_OK;
 }
 
@@ -263,7 +294,11 @@ int sim_options_parse(struct sim_options *o, int argc, char **argv)
         return sim_usage("--show is about what the renderer does: leave --reference out");
     if (o->show != SIM_SHOW_FRAME && o->panel.name != NULL)
         return sim_usage("--show does not go through a panel: leave --panel out");
-    status = check_method(o);
+    status = sim_effects_take(&o->effects, o->light, &o->has_light, o->model);
+    if (status == SIM_OK)
+        status = check_effects(o);
+    if (status == SIM_OK)
+        status = check_method(o);
     if (status == SIM_OK)
         status = check_style(o);
     if (status == SIM_OK)

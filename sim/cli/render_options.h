@@ -6,6 +6,7 @@
 #define SIM_RENDER_OPTIONS_H
 
 #include "accelerator_names.h"
+#include "effect_options.h"
 #include "panel_frame.h"
 #include "false_colors.h"
 #include "zstrip.h"
@@ -60,6 +61,7 @@ struct sim_options {
     long threads;                /* 0: not given */
     long spi_hz;                 /* of its wire */
     int has_size, has_spi;
+    struct sim_effect_options effects;
 };
 
 /* Fill *o from the arguments after "render". SIM_USAGE where they make no sense, SIM_REFUSED where
@@ -74,7 +76,7 @@ void sim_options_defaults(struct sim_options *o);
 int sim_options_textured(const struct sim_options *o);
 int sim_options_smooth(const struct sim_options *o);
 
-/* The help text of `zsim render`; %s in it are the lists of accelerators and of panels. */
-extern const char sim_options_help[];
+/* Print the help text of `zsim render`. */
+void sim_options_help(void);
 
 #endif

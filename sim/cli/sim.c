@@ -80,23 +80,6 @@ void sim_free_all(void *const *blocks, size_t n)
         free(blocks[i]);
 }
 
-void sim_wrap(char *to, size_t room, const char *list, int indent)
-{
-    size_t n = 0, column = (size_t)indent;
-    while (*list != '\0' && n + 64 + (size_t)indent < room) {
-        const size_t length = strcspn(list, " ") + (strchr(list, ' ') != NULL);
-        if (n > 0 && column + length > 100) {
-            n += (size_t)sprintf(to + n - 1, "\n%*s", indent, "") - 1; /* over the blank */
-            column = (size_t)indent;
-        }
-        memcpy(to + n, list, length);
-        n += length;
-        column += length;
-        list += length;
-    }
-    to[n] = '\0';
-}
-
 static double now_s(void)
 {
     struct timespec t;

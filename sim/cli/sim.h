@@ -35,10 +35,6 @@ void sim_free_all(void *const *blocks, size_t n);
 #define SIM_FREE(...) \
     sim_free_all((void *const[]){ __VA_ARGS__ }, sizeof((void *const[]){ __VA_ARGS__ }) / sizeof(void *))
 
-/* A list with blanks between, as lines of less than 100 columns, all but the first behind `indent` blanks. What does not
- * fit is left out. */
-void sim_wrap(char *to, size_t room, const char *list, int indent);
-
 /* Say on stderr how far a long job is. Prints nothing unless stderr is a terminal and the job has
  * taken half a second. sim_progress_end wipes the line; sim_refuse does too. */
 void sim_progress(const char *what, size_t done, size_t total);

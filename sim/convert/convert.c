@@ -205,7 +205,7 @@ int sim_convert(int argc, char **argv)
     struct sim_conversion *c = sim_alloc(1, sizeof *c);
     int status = sim_convert_parse(&c->options, argc, argv);
     if (status == SIM_OK && c->options.help) {
-        (void)fputs(sim_convert_help, stdout);
+        sim_convert_help();
     } else if (status == SIM_OK) {
         status = is_picture(c->options.input) ? read_picture(c) : convert_model(c);
         if (status == SIM_OK)

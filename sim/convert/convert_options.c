@@ -11,55 +11,13 @@
 #include <string.h>
 #include <strings.h>
 
+#include "option_help.h"
 #include "option_table.h"
 #include "sim.h"
 
 #define NAME_MAX_CHARS 40
 #define UNIT_MIN 1e-30
 #define UNIT_MAX 1e30
-
-const char sim_convert_help[] =
-    "usage: zsim convert MODEL --name NAME --out DIR [options]\n"
-    "Turns a model (OBJ, glTF, STL, PLY and what else assimp reads) or a picture (PNG, JPEG) into\n"
-    "const C for firmware: DIR/NAME.h and DIR/NAME.c, and prints what they take.\n"
-    "\n"
-    "  --name NAME          what every name in them begins with; a C identifier\n"
-    "  --out DIR            the folder, made if there is none\n"
-    "Mesh\n"
-    "  --shade flat|smooth|textured|textured-flat|unlit|raw\n"
-    "                       the shader, and with it what is written: normals, texture "
-    "coordinates,\n"
-    "                       colours (textured if the model has a texture, else smooth if the file "
-    "has\n"
-    "                       normals, else flat). textured is smooth too; parts without texture "
-    "are\n"
-    "                       smooth, flat or raw. unlit: texels as they are; raw: colours as they "
-    "are\n"
-    "  --unit N             world units to a unit of the model (a power of ten, so that it spans "
-    "1000\n"
-    "                       or more; the camera stands on whole world units)\n"
-    "  --center yes|no      yes: 0,0,0 is the middle of the model's box; no: the file's own "
-    "origin,\n"
-    "                       which costs precision where that is not the middle (yes)\n"
-    "  --precise            24 bits a coordinate instead of 16\n"
-    "  --face-normals yes|no  with flat shading: 6 bytes a triangle, or work at run time (yes)\n"
-    "  --cull back|front|none  which sides are not drawn (back)\n"
-    "  --color RRGGBB       one colour for the whole model\n"
-    "  --bvh                a hierarchy of spheres for zs_method_raycast, 16 bytes a node\n"
-    "  --map F.u32          for each triangle written, in order, its number in the file + 1, as "
-    "in\n"
-    "                       zsim render --id-out; little-endian uint32\n"
-    "Textures\n"
-    "  --texture FILE       this picture for all faces, in place of the model's own\n"
-    "  --wrap file|repeat|clamp  what lies beyond a picture's edge (as the file says)\n"
-    "  --texture-size WxH   most texels each way, powers of two up to 1024 (256x256)\n"
-    "  --texture-format auto|565|pal8|pal4  2, 1 or 1/2 byte a texel (auto: the smallest that is "
-    "as good\n"
-    "                       as 565, or whose PSNR is 36 dB or more)\n"
-    "  --dither             spread what a format cannot show over the neighbours\n"
-    "\n"
-    "An option's value may follow after a space or an equals sign.\n"
-    "Exit status: 0 done; 1 refused, nothing written; 2 the command line makes no sense.\n";
 
 /* How an option is used. */
 enum {
@@ -70,27 +28,65 @@ enum {
 #define AT(field) offsetof(struct sim_convert_options, field)
 
 static const struct sim_option table[] = {
-    { "--name", SIM_OPTION_TEXT, AT(name), .use = SHOWN },
-    { "--out", SIM_OPTION_PATH, AT(out) },
+    { "Output", SIM_OPTION_HEADING },
+    { "--name", SIM_OPTION_TEXT, AT(name), .use = SHOWN,
+      .help = "what every name in the files begins with; a C identifier. It is needed" },
+    { "--out", SIM_OPTION_PATH, AT(out), .value = "DIR", .help = "the folder, made if there is none. It is needed" },
+    { "Mesh", SIM_OPTION_HEADING },
     { "--shade", SIM_OPTION_CHOICE, AT(look), .use = FOR_MODELS | SHOWN,
-      .words = "flat|smooth|textured|textured-flat|unlit|raw" },
-    { "--unit", SIM_OPTION_NUMBER, AT(unit), AT(has_unit), .use = FOR_MODELS | SHOWN },
-    { "--center", SIM_OPTION_CHOICE, AT(keep_origin), .use = FOR_MODELS | SHOWN, .words = "yes|no" },
-    { "--precise", SIM_OPTION_FLAG, AT(precise), .use = FOR_MODELS | SHOWN },
-    { "--face-normals", SIM_OPTION_CHOICE, AT(no_face_normals), .use = FOR_MODELS | SHOWN, .words = "yes|no" },
-    { "--cull", SIM_OPTION_CHOICE, AT(cull), .use = FOR_MODELS | SHOWN, .words = "back|front|none" },
-    { "--color", SIM_OPTION_RGB, AT(color), AT(has_color), .use = FOR_MODELS | SHOWN },
-    { "--bvh", SIM_OPTION_FLAG, AT(bvh), .use = FOR_MODELS | SHOWN },
-    { "--map", SIM_OPTION_PATH, AT(map), .use = FOR_MODELS },
-    { "--texture", SIM_OPTION_PATH, AT(texture), .use = FOR_MODELS | SHOWN },
-    { "--wrap", SIM_OPTION_CHOICE, AT(wrap), .use = SHOWN, .words = "file|repeat|clamp" },
-    { "--texture-size", SIM_OPTION_SIZE, AT(texture_size), .use = SHOWN },
-    { "--texture-format", SIM_OPTION_CHOICE, AT(texels), .use = SHOWN, .words = "auto|565|pal8|pal4" },
-    { "--dither", SIM_OPTION_FLAG, AT(dither), .use = SHOWN },
+      .words = "flat|smooth|textured|textured-flat|unlit|raw",
+      .help =
+          "the shader, and with it what is written: normals, texture coordinates, colours (textured if the model has "
+          "a texture, else smooth if the file has normals, else flat). textured is smooth too; parts without texture "
+          "are smooth, flat or raw. unlit: texels as they are; raw: colours as they are" },
+    { "--unit", SIM_OPTION_NUMBER, AT(unit), AT(has_unit), UNIT_MIN, UNIT_MAX, .use = FOR_MODELS | SHOWN,
+      .help =
+          "world units to a unit of the model (a power of ten, so that it spans 1000 or more; the camera stands on "
+          "whole world units)" },
+    { "--center", SIM_OPTION_CHOICE, AT(keep_origin), .use = FOR_MODELS | SHOWN, .words = "yes|no",
+      .help =
+          "yes: 0,0,0 is the middle of the model's box; no: the file's own origin, which costs precision where that "
+          "is not the middle (yes)" },
+    { "--precise", SIM_OPTION_FLAG, AT(precise), .use = FOR_MODELS | SHOWN,
+      .help = "24 bits a coordinate instead of 16" },
+    { "--face-normals", SIM_OPTION_CHOICE, AT(no_face_normals), .use = FOR_MODELS | SHOWN, .words = "yes|no",
+      .help = "with flat shading: 6 bytes a triangle, or work at run time (yes)" },
+    { "--cull", SIM_OPTION_CHOICE, AT(cull), .use = FOR_MODELS | SHOWN, .words = "back|front|none",
+      .help = "which sides are not drawn (back)" },
+    { "--color", SIM_OPTION_RGB, AT(color), AT(has_color), .use = FOR_MODELS | SHOWN,
+      .help = "one colour for the whole model" },
+    { "--bvh", SIM_OPTION_FLAG, AT(bvh), .use = FOR_MODELS | SHOWN,
+      .help = "a hierarchy of spheres for zs_method_raycast, 16 bytes a node" },
+    { "--map", SIM_OPTION_PATH, AT(map), .use = FOR_MODELS, .value = "F.u32",
+      .help = "for each triangle written, in order, its number in the file + 1, as in zsim render --id-out; "
+              "little-endian uint32" },
+    { "Textures", SIM_OPTION_HEADING },
+    { "--texture", SIM_OPTION_PATH, AT(texture), .use = FOR_MODELS | SHOWN,
+      .help = "this picture for all faces, in place of the model's own" },
+    { "--wrap", SIM_OPTION_CHOICE, AT(wrap), .use = SHOWN, .words = "file|repeat|clamp",
+      .help = "what lies beyond a picture's edge (file: as the model's says)" },
+    { "--texture-size", SIM_OPTION_SIZE, AT(texture_size), .use = SHOWN,
+      .help = "most texels each way, powers of two up to 1024 (256x256)" },
+    { "--texture-format", SIM_OPTION_CHOICE, AT(texels), .use = SHOWN, .words = "auto|565|pal8|pal4",
+      .help = "2, 1 or 1/2 byte a texel (auto: the smallest that is as good as 565, or whose PSNR is 36 dB or more)" },
+    { "--dither", SIM_OPTION_FLAG, AT(dither), .use = SHOWN,
+      .help = "spread what a format cannot show over the neighbours" },
+    { "Else", SIM_OPTION_HEADING },
     SIM_HELP_OPTIONS(AT(help)),
 };
 
 #define N_TABLE (sizeof table / sizeof table[0])
+
+void sim_convert_help(void)
+{
+    static const struct sim_help help = {
+        "zsim convert MODEL --name NAME --out DIR [options]",
+        "Turns a model (OBJ, glTF, STL, PLY and what else assimp reads) or a picture (PNG, JPEG) into const C for "
+        "firmware: DIR/NAME.h and DIR/NAME.c, and prints what they take.",
+        "Exit status: 0 done; 1 refused, nothing written; 2 the command line makes no sense.",
+    };
+    sim_option_help(table, N_TABLE, &help);
+}
 
 /* ---- The name -------------------------------------------------------------------------------- */
 

@@ -40,6 +40,6 @@ struct sim_convert_options {
  * complete on SIM_OK. With o->help nothing else counts. free(o->command) in any case. */
 int sim_convert_parse(struct sim_convert_options *o, int argc, char **argv);
 
-extern const char sim_convert_help[];
+void sim_convert_help(void);
 
 #endif

@@ -119,8 +119,27 @@ int sim_frame_render(struct sim_frame *frame, const struct zs_scene *scene,
     return sim_frame_render_to(frame, scene, camera, config, what, NULL);
 }
 
+struct scene_and_camera {
+    const struct zs_scene *scene;
+    const struct zs_camera *camera;
+};
+
+static int draw_scene(void *ctx, struct zs_renderer *r, const struct zs_sink *sink)
+{
+    const struct scene_and_camera *of = ctx;
+    return zs_render(r, of->scene, of->camera, sink);
+}
+
 int sim_frame_render_to(struct sim_frame *frame, const struct zs_scene *scene, const struct zs_camera *camera,
                         const struct zs_config *config, const char *what, const struct zs_sink *to)
+{
+    struct scene_and_camera of = { scene, camera };
+    const struct sim_drawing drawing = { draw_scene, &of, config->width, config->height, no_keys(config) };
+    return sim_frame_render_by(frame, &drawing, config, what, to);
+}
+
+int sim_frame_render_by(struct sim_frame *frame, const struct sim_drawing *drawing, const struct zs_config *config,
+                        const char *what, const struct zs_sink *to)
 {
     memset(frame, 0, sizeof *frame);
     struct zs_renderer renderer;
@@ -129,18 +148,18 @@ int sim_frame_render_to(struct sim_frame *frame, const struct zs_scene *scene, c
     void *arena = arena_alloc(bytes, &block);
     int err = zs_init(&renderer, config, arena, bytes);
     if (err == ZS_OK) {
-        const size_t n = (size_t)config->width * config->height;
-        frame->width = config->width;
-        frame->height = config->height;
+        const size_t n = (size_t)drawing->width * drawing->height;
+        frame->width = drawing->width;
+        frame->height = drawing->height;
         frame->arena_bytes = bytes;
-        frame->no_keys = no_keys(config);
+        frame->no_keys = drawing->no_keys;
         frame->rgb565 = sim_alloc(n, sizeof *frame->rgb565);
         frame->key = sim_alloc(n, sizeof *frame->key);
         struct receiver receiver = { .frame = frame, .what = what, .to = to };
         const struct zs_sink sink = { .submit = submit, .wait = wait, .end = end, .ctx = &receiver };
-        err = zs_render(&renderer, scene, camera, &sink);
+        err = drawing->draw(drawing->ctx, &renderer, &sink);
         frame->stats = *zs_frame_stats(&renderer);
-        if (err == ZS_OK && (receiver.pending || receiver.next_y != config->height || receiver.ends != 1))
+        if (err == ZS_OK && (receiver.pending || receiver.next_y != frame->height || receiver.ends != 1))
             err = SIM_FRAME_BROKEN;
     }
     free(block);

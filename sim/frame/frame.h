@@ -38,6 +38,17 @@ void sim_frame_free(struct sim_frame *frame);
 int sim_frame_render_to(struct sim_frame *frame, const struct zs_scene *scene, const struct zs_camera *camera,
                         const struct zs_config *config, const char *what, const struct zs_sink *to);
 
+/* The same for what is not one scene in one pass: draw is called once, with a renderer that is set up by config and a
+ * sink for strips of a frame of width x height. It returns ZS_OK or an error. */
+struct sim_drawing {
+    int (*draw)(void *ctx, struct zs_renderer *r, const struct zs_sink *sink);
+    void *ctx;
+    uint16_t width, height; /* px, of the frame that the sink gets */
+    int no_keys;            /* flag: its strips have no depth keys */
+};
+int sim_frame_render_by(struct sim_frame *frame, const struct sim_drawing *drawing, const struct zs_config *config,
+                        const char *what, const struct zs_sink *to);
+
 /* The same by n threads, each of which draws a share of the strips, or, where triangles are many beside the pixels, of
  * the triangles, by a renderer and an arena of its own. Of the statistics triangles are counted once, vertices, set-ups and
  * pixels are the sum, passes and pools the largest; arena_bytes are one arena's. The time is that of drawing, without

@@ -12,6 +12,7 @@
 #include "false_colors.h"
 #include "frame.h"
 #include "gallery_page.h"
+#include "option_help.h"
 #include "option_table.h"
 #include "output_file.h"
 #include "scenes.h"
@@ -27,23 +28,21 @@ struct request {
 #define AT(field) offsetof(struct request, field)
 
 static const struct sim_option table[] = {
-    { "--out", SIM_OPTION_TEXT, AT(out) },
-    { "--m3", SIM_OPTION_FILE, AT(counts) },
+    { "--out", SIM_OPTION_TEXT, AT(out), .value = "DIR", .help = "the folder, made if there is none (build/gallery)" },
+    { "--m3", SIM_OPTION_FILE, AT(counts),
+      .help = "instructions on a Cortex-M3, lines of METHOD,SCENE,INSTRUCTIONS; make gallery counts them" },
     SIM_HELP_OPTIONS(AT(help)),
 };
 
 #define N_TABLE (sizeof table / sizeof table[0])
 
-static const char usage[] =
-    "usage: zsim gallery [options]\n"
-    "Draws four scenes by every method of hidden-surface removal and writes one page, DIR/index.html, that needs no\n"
-    "other file: pictures, overdraw in false colours, RAM, fragments, writes, pixels that differ from the\n"
-    "double-precision reference, and when to take which method.\n"
-    "\n"
-    "  --out DIR         the folder, made if there is none (build/gallery)\n"
-    "  --m3 FILE         instructions on a Cortex-M3, lines of METHOD,SCENE,INSTRUCTIONS; make gallery counts them\n"
-    "\n"
-    "Exit status: 0 done; 1 refused; 2 the command line makes no sense.\n";
+static const struct sim_help help = {
+    "zsim gallery [options]",
+    "Draws four scenes by every method of hidden-surface removal and writes one page, DIR/index.html, that needs no "
+    "other file: pictures, overdraw in false colours, RAM, fragments, writes, pixels that differ from the "
+    "double-precision reference, and when to take which method.",
+    "Exit status: 0 done; 1 refused; 2 the command line makes no sense.",
+};
 
 static const struct demo *const scenes[GALLERY_SCENES] = { &demo_cubes, &demo_city, &demo_corridor, &demo_layers_btf };
 
@@ -179,7 +178,7 @@ int sim_gallery(int argc, char **argv)
     for (int i = 0; status == SIM_OK && i < argc; i++)
         status = sim_option_take(table, N_TABLE, &rq, seen, argc, argv, &i);
     if (status == SIM_OK && rq.help) {
-        (void)fputs(usage, stdout);
+        sim_option_help(table, N_TABLE, &help);
         return SIM_OK;
     }
     if (status == SIM_OK)

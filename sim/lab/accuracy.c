@@ -463,7 +463,7 @@ static int visible_rows(const struct request *rq)
         const struct demo *demo;
         double most; /* percent of pixels with another triangle */
         int flat;    /* no part hides another: pixels hit twice can be told */
-    } scenes[] = { { &demo_mesh, 0.15, 0 }, { &demo_sheet, 0.5, 1 }, { &demo_slivers, 0.15, 1 } };
+    } scenes[] = { { &demo_relief, 0.15, 0 }, { &demo_mesh, 0.15, 0 }, { &demo_sheet, 0.5, 1 }, { &demo_slivers, 0.15, 1 } };
     section("Bench scenes, 320 x 240, as they stand and moved by parts of a pixel, against the "
             "reference");
     for (size_t k = 0; k < sizeof scenes / sizeof scenes[0]; k++) {
@@ -478,9 +478,9 @@ static int visible_rows(const struct request *rq)
         row_value(text("%s: wrong triangle", demo->name), percent(m.id_differ, m.sums.drawn),
                   scenes[k].most, " %",
                   text("%s; as it stands %zu of %zu", over, d->id_differ, d->ref_drawn));
-        if (demo == &demo_mesh)
+        if (demo == &demo_mesh || demo == &demo_relief)
             row_value(
-                "mesh: missing and extra coverage", percent(m.uncovered, m.sums.drawn), 0.01, " %",
+                text("%s: missing and extra coverage", demo->name), percent(m.uncovered, m.sums.drawn), 0.01, " %",
                 text("%s; as it stands %zu of %zu", over, d->missing + d->extra, d->ref_drawn));
         row_count(text("%s: cracks", demo->name), m.sums.cracks, over);
         if (scenes[k].flat)
@@ -520,14 +520,14 @@ static int depth_rows(void)
 {
     struct sums s = { 0 };
     struct ref_diff d, recip;
-    int status = bench(&s, &d, &demo_mesh, 0, &zs_depth_e3m13);
+    int status = bench(&s, &d, &demo_relief, 0, &zs_depth_e3m13);
     if (status == SIM_OK)
-        status = bench(&s, &recip, &demo_mesh, 0, &zs_depth_recip);
+        status = bench(&s, &recip, &demo_relief, 0, &zs_depth_recip);
     if (status != SIM_OK)
         return status;
-    row_value("mesh: depth, mean relative error, e3m13", d.z_mean_rel, 3e-5, "",
+    row_value("relief: depth, mean relative error, e3m13", d.z_mean_rel, 3e-5, "",
               text("%zu pixels; recip %.3g", d.z_compared, recip.z_mean_rel));
-    row_value("mesh: depth, worst beyond snapping", s.key_beyond, KEY_BOUND, " bucket",
+    row_value("relief: depth, worst beyond snapping", s.key_beyond, KEY_BOUND, " bucket",
               text("%llu pixels, e3m13 and recip", (unsigned long long)s.keys));
     return SIM_OK;
 }
@@ -565,7 +565,8 @@ static int texture_rows(void)
     static const struct {
         const struct demo *demo;
         int measured; /* against 0.5 and 0.05 texel; the floor goes to the horizon */
-    } scenes[] = { { &demo_mesh_tex, 1 },
+    } scenes[] = { { &demo_relief_tex, 1 },
+                   { &demo_mesh_tex, 1 },
                    { &demo_mesh_tex_lit, 0 },
                    { &demo_mesh_tex_smooth, 0 },
                    { &demo_floor_tex, 0 } };

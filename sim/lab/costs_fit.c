@@ -14,6 +14,7 @@
 
 #include "costs.h"
 #include "frame.h"
+#include "option_help.h"
 #include "option_table.h"
 #include "probes.h"
 #include "sim.h"
@@ -277,27 +278,6 @@ static void print_header(double cost[SIM_CORES][N], const double error[SIM_CORES
 /* ---- Command line
  * ----------------------------------------------------------------------------------------------------------- */
 
-static const char usage[] =
-    "usage: zlab costs [options]\n"
-    "What each stage of the renderer costs, instructions on a core (cycles on the RP2040): as on record, or fitted\n"
-    "from what the probes took, scenes that isolate a stage each (make costs measures them).\n"
-    "\n"
-    "  --m0 F.csv --m3 F.csv --m4 F.csv --m7 F.csv --rv32 F.csv --rp2040 F.csv\n"
-    "              what firmware/app/costs.c printed on a core: fit from it\n"
-    "  --drift N   hold what is on record against it instead: exit status 1 where that is more than N percent off in\n"
-    "              the root mean square of the probes\n"
-    "  --header    print it as sim/budget/stage_costs.h; cores that were not measured keep what is on record; with "
-    "--error,\n"
-    "              that on record too\n"
-    "  --probes    each probe: taken, and how far the fit is from it\n"
-    "  --error F   how far it is from what the demo and bench scenes take, which are not in the fit: lines of\n"
-    "              core, scene and number, as in tests/records/bench.txt\n"
-    "  --bar N     with it: exit status 1 where one is more than N percent off (15)\n"
-    "  --scene NAME\n"
-    "              what is counted in frame 0 of a demo or bench scene as make bench draws it, and what that costs\n"
-    "\n"
-    "Exit status: 0 done; 1 refused; 2 the command line makes no sense.\n";
-
 struct request {
     const char *files[SIM_CORES];
     const char *error, *scene;
@@ -307,17 +287,38 @@ struct request {
 
 #define AT(field) offsetof(struct request, field)
 static const struct sim_option table[] = {
-    { "--m0", SIM_OPTION_FILE, AT(files[SIM_CORE_M0]) }, { "--m3", SIM_OPTION_FILE, AT(files[SIM_CORE_M3]) },
-    { "--m4", SIM_OPTION_FILE, AT(files[SIM_CORE_M4]) }, { "--m7", SIM_OPTION_FILE, AT(files[SIM_CORE_M7]) },
-    { "--rv32", SIM_OPTION_FILE, AT(files[SIM_CORE_RV32]) },
-    { "--rp2040", SIM_OPTION_FILE, AT(files[SIM_CORE_RP2040]) }, { "--error", SIM_OPTION_FILE, AT(error) },
-    { "--scene", SIM_OPTION_TEXT, AT(scene) },
-    { "--bar", SIM_OPTION_NUMBER, AT(bar), 0, 0, 1000 },
-    { "--drift", SIM_OPTION_NUMBER, AT(drift), AT(has_drift), 0, 1000 },
-    { "--header", SIM_OPTION_FLAG, AT(header) }, { "--probes", SIM_OPTION_FLAG, AT(probes) },
+    { "--m0", SIM_OPTION_FILE, AT(files[SIM_CORE_M0]), .value = "F.csv", .help = "" },
+    { "--m3", SIM_OPTION_FILE, AT(files[SIM_CORE_M3]), .value = "F.csv", .help = "" },
+    { "--m4", SIM_OPTION_FILE, AT(files[SIM_CORE_M4]), .value = "F.csv", .help = "" },
+    { "--m7", SIM_OPTION_FILE, AT(files[SIM_CORE_M7]), .value = "F.csv", .help = "" },
+    { "--rv32", SIM_OPTION_FILE, AT(files[SIM_CORE_RV32]), .value = "F.csv", .help = "" },
+    { "--rp2040", SIM_OPTION_FILE, AT(files[SIM_CORE_RP2040]), .value = "F.csv",
+      .help = "what firmware/app/costs.c printed on a core: fit from it" },
+    { "--drift", SIM_OPTION_NUMBER, AT(drift), AT(has_drift), 0, 1000,
+      .help = "hold what is on record against it instead: exit status 1 where that is more than N percent off, "
+              "{range}, in the root mean square of the probes" },
+    { "--header", SIM_OPTION_FLAG, AT(header),
+      .help =
+          "print it as sim/budget/stage_costs.h; cores that were not measured keep what is on record; with --error, "
+          "that on record too" },
+    { "--probes", SIM_OPTION_FLAG, AT(probes), .help = "each probe: taken, and how far the fit is from it" },
+    { "--error", SIM_OPTION_FILE, AT(error),
+      .help = "how far it is from what the demo and bench scenes take, which are not in the fit: lines of core, scene "
+              "and number, as in tests/records/bench.txt" },
+    { "--bar", SIM_OPTION_NUMBER, AT(bar), 0, 0, 1000,
+      .help = "with --error: exit status 1 where one is more than N percent off (15)" },
+    { "--scene", SIM_OPTION_TEXT, AT(scene),
+      .help = "what is counted in frame 0 of a demo or bench scene as make bench draws it, and what that costs" },
     SIM_HELP_OPTIONS(AT(help)),
 };
 #define N_TABLE (sizeof table / sizeof table[0])
+
+static const struct sim_help help = {
+    "zlab costs [options]",
+    "What each stage of the renderer costs, instructions on a core (cycles on the RP2040): as on record, or fitted "
+    "from what the probes took, scenes that isolate a stage each (make costs measures them).",
+    "Exit status: 0 done; 1 refused; 2 the command line makes no sense.",
+};
 
 static int parse(struct request *rq, int argc, char **argv)
 {
@@ -327,7 +328,7 @@ static int parse(struct request *rq, int argc, char **argv)
     rq->bar = 15.0;
     for (int i = 0; status == SIM_OK && i < argc; i++)
         status = sim_option_take(table, N_TABLE, rq, seen, argc, argv, &i);
-    return status;
+    return status == SIM_OK && !rq->help ? sim_options_in_range(table, N_TABLE, rq, seen, NULL) : status;
 }
 
 static int run(const struct request *rq)
@@ -392,7 +393,7 @@ int sim_costs(int argc, char **argv)
     if (status != SIM_OK)
         return status;
     if (rq.help) {
-        (void)fputs(usage, stdout);
+        sim_option_help(table, N_TABLE, &help);
         return SIM_OK;
     }
     if (rq.scene)

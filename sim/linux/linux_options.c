@@ -8,59 +8,56 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "option_help.h"
 #include "scenes.h"
 #include "sim.h"
-
-static const char usage[] =
-    "usage: zstrip-linux --panel NAME:WxH --spi DEV --dc LINE --reset LINE --scene NAME | --model FILE [options]\n"
-    "Draws a scene or a model on a panel that is wired to this machine, for ever.\n"
-    "\n"
-    "Panel\n"
-    "  --panel NAME:WxH  There are:\n"
-    "                    %s\n"
-    "  --rotate DEGREES  0, 90, 180 or 270: how far the picture is turned clockwise on the glass (0)\n"
-    "  --invert, --bgr   the glass shows negatives (most IPS glass), or has blue for red\n"
-    "Wiring\n"
-    "  --spi DEV         /dev/spidev0.0 is SPI 0, chip select 0\n"
-    "  --speed HZ        of its clock (st7789 and gc9a01 32000000, ssd1351 20000000, ili9341 and ssd1306 10000000,\n"
-    "                    ssd0323 4000000)\n"
-    "  --dc LINE, --reset LINE, --backlight LINE\n"
-    "                    outputs: a line's name, or CHIP:LINE, where CHIP is a number, gpiochip0, a path or a\n"
-    "                    chip's label. D/C is needed; without RESET the panel gets a command in its place\n"
-    "  --te LINE         input: each frame begins with its next rising edge. When none comes for a second, frames are\n"
-    "                    drawn without it from then on\n"
-    "Picture\n"
-    "  --scene NAME      %s\n"
-    "  --model FILE      what `zsim render --shade textured` draws (without textures: smooth), turning\n"
-    "  --frames N        frames 0, 1, 2 ... N - 1 of the animation, then the end; without it for ever, by the clock\n"
-    "  --step N          with --frames: frames 0, N, 2 N ... (1)\n"
-    "  --subpixel 4|8    sub-pixel bits (8)\n"
-    "  --strip ROWS      rows to a strip (24)\n"
-    "  --partial         of each strip, send only the columns that have changed\n"
-    "Else\n"
-    "  --stats           every 32 frames and at the end a line of numbers, averages of a frame\n"
-    "  --dry-run         say what would be opened, and stop: no line is requested, nothing is sent\n"
-    "\n"
-    "SIGINT, SIGTERM, SIGHUP and the last frame end it: panel asleep, backlight off, lines released.\n"
-    "Exit status: 0 done, or ended by a signal; 1 refused or failed, a line on stderr says why: one of --frames was\n"
-    "not shown, or none of three in a row; 2 the command line makes no sense.\n";
 
 #define AT(field) offsetof(struct linux_options, field)
 #define FRAMES_MAX 1000000000 /* of a run; frame numbers wrap at 2^32 */
 
+static const char *scene_list(void)
+{
+    static char text[1024];
+    size_t n = 0;
+    for (uint32_t i = 0; i < n_demos && n + 64u < sizeof text; i++)
+        n += (size_t)snprintf(text + n, sizeof text - n, "%s%s", i == 0 ? "" : ", ", demos[i]->name);
+    return text;
+}
+
 static const struct sim_option table[] = {
-    SIM_PANEL_OPTIONS(struct linux_options, panel),
-    { "--spi", SIM_OPTION_FILE, AT(spi) },
-    { "--speed", SIM_OPTION_COUNT, AT(speed), AT(has_speed), 1000, 1e9 },
-    { "--dc", SIM_OPTION_TEXT, AT(dc) }, { "--reset", SIM_OPTION_TEXT, AT(reset) },
-    { "--backlight", SIM_OPTION_TEXT, AT(backlight) }, { "--te", SIM_OPTION_TEXT, AT(te) },
-    { "--scene", SIM_OPTION_TEXT, AT(scene) }, { "--model", SIM_OPTION_FILE, AT(model) },
-    { "--frames", SIM_OPTION_COUNT, AT(frames), 0, 1, FRAMES_MAX },
-    { "--step", SIM_OPTION_COUNT, AT(step), AT(has_step), 0, 65535 },
-    { "--subpixel", SIM_OPTION_COUNT, AT(subpixel), .words = "4|8" },
-    { "--strip", SIM_OPTION_COUNT, AT(strip), 0, 1, ZS_SIZE_MAX },
-    { "--partial", SIM_OPTION_FLAG, AT(partial) }, { "--stats", SIM_OPTION_FLAG, AT(stats) },
-    { "--dry-run", SIM_OPTION_FLAG, AT(dry_run) },
+    { "Panel", SIM_OPTION_HEADING },
+    SIM_PANEL_OPTIONS(struct linux_options, panel, "the controller and its picture's size. There are:"),
+    { "Wiring", SIM_OPTION_HEADING },
+    { "--spi", SIM_OPTION_FILE, AT(spi), .value = "DEV",
+      .help = "the bus it is on: /dev/spidev0.0 is SPI 0, chip select 0" },
+    { "--speed", SIM_OPTION_COUNT, AT(speed), AT(has_speed), 1000, 1e9, .value = "HZ",
+      .help = "clock of the bus (st7789 and gc9a01 32000000, ssd1351 20000000, ili9341 and ssd1306 10000000, ssd0323 "
+              "4000000)" },
+    { "--dc", SIM_OPTION_TEXT, AT(dc), .value = "LINE", .help = "" },
+    { "--reset", SIM_OPTION_TEXT, AT(reset), .value = "LINE", .help = "" },
+    { "--backlight", SIM_OPTION_TEXT, AT(backlight), .value = "LINE",
+      .help = "outputs: a line's name, or CHIP:LINE, where CHIP is a number, gpiochip0, a path or a chip's label. D/C "
+              "is needed; without RESET the panel gets a command in its place" },
+    { "--te", SIM_OPTION_TEXT, AT(te), .value = "LINE",
+      .help = "input: each frame begins with its next rising edge. When none comes for a second, frames are drawn "
+              "without it from then on" },
+    { "Picture", SIM_OPTION_HEADING },
+    { "--scene", SIM_OPTION_TEXT, AT(scene), .help = "one of these, turning or moving:", .list = scene_list },
+    { "--model", SIM_OPTION_FILE, AT(model),
+      .help = "what `zsim render --shade textured` draws (without textures: smooth), turning" },
+    { "--frames", SIM_OPTION_COUNT, AT(frames), 0, 1, FRAMES_MAX,
+      .help =
+          "frames 0, 1, 2 ... N - 1 of the animation, N {range}, then the end; without it for ever, by the clock" },
+    { "--step", SIM_OPTION_COUNT, AT(step), AT(has_step), 0, 65535,
+      .help = "with --frames: frames 0, N, 2 N ..., N {range} (1)" },
+    { "--subpixel", SIM_OPTION_COUNT, AT(subpixel), .words = "4|8", .help = "sub-pixel bits (8)" },
+    { "--strip", SIM_OPTION_COUNT, AT(strip), 0, 1, ZS_SIZE_MAX, .value = "ROWS", .help = "rows to a strip (24)" },
+    { "--partial", SIM_OPTION_FLAG, AT(partial), .help = "of each strip, send only the columns that have changed" },
+    { "Else", SIM_OPTION_HEADING },
+    { "--stats", SIM_OPTION_FLAG, AT(stats),
+      .help = "every 32 frames and at the end a line of numbers, averages of a frame" },
+    { "--dry-run", SIM_OPTION_FLAG, AT(dry_run),
+      .help = "say what would be opened, and stop: no line is requested, nothing is sent" },
     SIM_HELP_OPTIONS(AT(help)),
 };
 
@@ -112,10 +109,12 @@ int linux_options_parse(struct linux_options *o, int argc, char **argv)
 
 void linux_options_help(void)
 {
-    char scenes[1024], list[1024];
-    size_t n = 0;
-    for (uint32_t i = 0; i < n_demos && n + 64u < sizeof list; i++)
-        n += (size_t)snprintf(list + n, sizeof list - n, "%s%s", i == 0 ? "" : ", ", demos[i]->name);
-    sim_wrap(scenes, sizeof scenes, list, 20);
-    (void)printf(usage, sim_panel_list(20), scenes);
+    static const struct sim_help help = {
+        "zstrip-linux --panel NAME:WxH --spi DEV --dc LINE --reset LINE --scene NAME | --model FILE [options]",
+        "Draws a scene or a model on a panel that is wired to this machine, for ever.",
+        "SIGINT, SIGTERM, SIGHUP and the last frame end it: panel asleep, backlight off, lines released.\n"
+        "Exit status: 0 done, or ended by a signal; 1 refused or failed, a line on stderr says why: one of --frames "
+        "was not shown, or none of three in a row; 2 the command line makes no sense.",
+    };
+    sim_option_help(table, N_TABLE, &help);
 }

@@ -11,6 +11,7 @@
 #include <sys/stat.h>
 
 #include "image.h"
+#include "option_help.h"
 #include "option_table.h"
 #include "panel_frame.h"
 #include "panel_model.h"
@@ -19,25 +20,6 @@
 /* Words of a stream: a byte and its D/C level, or marks. */
 enum { DATA = 0x100, RESET = 0x200, FRAME = 0x400, DESELECT = 0x800, MARKS = 0xe00, WORD = 0xfff };
 enum { TEXT = 0x1000 }; /* or with this, a character */
-
-static const char usage[] =
-    "usage: zsim panel --panel NAME:WxH --decode STREAM --out F_%%03d.png [options]\n"
-    "Decodes what went over a panel's wire, as its controller would, into what is seen on its glass.\n"
-    "\n"
-    "  --panel NAME:WxH  the module; there are\n"
-    "                    %s\n"
-    "  --decode STREAM   little-endian uint16: bits 0-7 a byte and bit 8 its D/C level (1 data), or marks:\n"
-    "                    bit 9 RESET was pulled low, bit 10 a frame is whole, bit 11 chip select went high;\n"
-    "                    or, with bit 12, bits 0-7 a character of text, which is printed and changes nothing\n"
-    "  --out F_%%03d.png  a picture for each frame mark, numbered from 0; without marks, one at the end\n"
-    "  --raw F_%%03d.bin  the same as RGB565, most significant byte first, or a byte for each level or bit\n"
-    "  --rotate DEGREES  0, 90, 180 or 270: how far pictures are turned clockwise on the glass (0)\n"
-    "  --invert          the glass shows the negative unless told to invert, as IPS glass does\n"
-    "  --bgr             the glass has blue where the controller has red\n"
-    "\n"
-    "Prints lines of text, counts, and what the controller would not have understood.\n"
-    "Exit status: 0 done; 1 refused, or the stream has problems (its pictures are written); 2 the command line\n"
-    "makes no sense.\n";
 
 struct request {
     const char *stream, *out, *raw;
@@ -48,15 +30,28 @@ struct request {
 #define AT(field) offsetof(struct request, field)
 
 static const struct sim_option table[] = {
-    { "--decode", SIM_OPTION_FILE, AT(stream), 0, 0, 0, NULL },
-    { "--out", SIM_OPTION_FILE, AT(out), 0, 0, 0, NULL },
-    { "--raw", SIM_OPTION_FILE, AT(raw), 0, 0, 0, NULL },
-    SIM_PANEL_OPTIONS(struct request, panel),
-    { "--help", SIM_OPTION_FLAG, AT(help), 0, 0, 0, NULL },
-    { "-h", SIM_OPTION_FLAG, AT(help), 0, 0, 0, NULL },
+    SIM_PANEL_OPTIONS(struct request, panel, "the module. There are:"),
+    { "--decode", SIM_OPTION_FILE, AT(stream), .value = "STREAM",
+      .help =
+          "little-endian uint16: bits 0-7 a byte and bit 8 its D/C level (1 data), or marks: bit 9 RESET was pulled "
+          "low, bit 10 a frame is whole, bit 11 chip select went high; or, with bit 12, bits 0-7 a character of "
+          "text, which is printed and changes nothing" },
+    { "--out", SIM_OPTION_FILE, AT(out), .value = "F_%03d.png",
+      .help = "a picture for each frame mark, numbered from 0; without marks, one at the end" },
+    { "--raw", SIM_OPTION_FILE, AT(raw), .value = "F_%03d.bin",
+      .help = "the same as RGB565, most significant byte first, or a byte for each level or bit" },
+    SIM_HELP_OPTIONS(AT(help)),
 };
 
 #define N_TABLE (sizeof table / sizeof table[0])
+
+static const struct sim_help help = {
+    "zsim panel --panel NAME:WxH --decode STREAM --out F_%03d.png [options]",
+    "Decodes what went over a panel's wire, as its controller would, into what is seen on its glass.",
+    "Prints lines of text, counts, and what the controller would not have understood.\n"
+    "Exit status: 0 done; 1 refused, or the stream has problems (its pictures are written); 2 the command line "
+    "makes no sense.",
+};
 
 /* ---- Command line -------------------------------------------------------------------------------------- */
 
@@ -230,7 +225,7 @@ int sim_panel(int argc, char **argv)
     size_t n = 0;
     int status = parse(&rq, argc, argv);
     if (status == SIM_OK && rq.help) {
-        (void)printf(usage, sim_panel_list(20));
+        sim_option_help(table, N_TABLE, &help);
         return SIM_OK;
     }
     if (status == SIM_OK)

@@ -9,13 +9,6 @@
 
 #include "sim.h"
 
-const char *sim_panel_list(int indent)
-{
-    static char lines[1024];
-    sim_wrap(lines, sizeof lines, pm_glass_list(), indent);
-    return lines;
-}
-
 static const struct panel_type *driver_of(const char *name, size_t length)
 {
     for (uint32_t i = 0; i < n_panel_types; i++)

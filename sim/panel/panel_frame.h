@@ -19,12 +19,17 @@ struct sim_panel_wish {
     int has_turns;    /* flag: turns were asked for */
 };
 
-/* Rows of an option table: a wish, of its name in a struct. */
-#define SIM_PANEL_OPTIONS(type, wish)                                                                                \
-    { "--panel", SIM_OPTION_TEXT, offsetof(type, wish.name) },                                                       \
+/* Rows of an option table: a wish, of its name in a struct. about: what --help says of --panel, before the list of
+ * panels. */
+#define SIM_PANEL_OPTIONS(type, wish, about)                                                                         \
+    { "--panel", SIM_OPTION_TEXT, offsetof(type, wish.name), .value = "NAME:WxH", .help = about,                     \
+      .list = pm_glass_list },                                                                                       \
     { "--rotate", SIM_OPTION_CHOICE, offsetof(type, wish.turns), offsetof(type, wish.has_turns),                     \
-      .words = "0|90|180|270" },                                                                                     \
-    { "--invert", SIM_OPTION_FLAG, offsetof(type, wish.invert) }, { "--bgr", SIM_OPTION_FLAG, offsetof(type, wish.bgr) }
+      .words = "0|90|180|270", .help = "degrees that the picture is turned clockwise on the glass (0)" },            \
+    { "--invert", SIM_OPTION_FLAG, offsetof(type, wish.invert),                                                      \
+      .help = "the glass shows negatives until it is told to invert, as most IPS glass does; its driver tells it" }, \
+    { "--bgr", SIM_OPTION_FLAG, offsetof(type, wish.bgr),                                                            \
+      .help = "the glass has blue where the controller has red; its driver makes up for it" }
 
 struct sim_panel_frame {
     struct pm_glass glass;
@@ -35,10 +40,6 @@ struct sim_panel_frame {
     struct pm_counts setup; /* what panel_init took */
     int err;                /* of the driver or bus, where a strip could not be sent */
 };
-
-/* The panels there are, for help texts: lines of less than 100 columns, all but the first behind `indent` blanks.
- * Static storage. */
-const char *sim_panel_list(int indent);
 
 /* The glass of a wish that has a name. SIM_OK; SIM_REFUSED, said why about `file`, here and below. */
 int sim_panel_glass(const struct sim_panel_wish *wish, const char *file, struct pm_glass *glass);

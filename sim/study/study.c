@@ -17,6 +17,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include "option_help.h"
 #include "option_table.h"
 #include "output_file.h"
 #include "sim.h"
@@ -30,29 +31,6 @@ static const struct study *const studies[] = { &study_time, &study_depth, &study
 
 static const char *const effort_name[] = { "quick", "usual", "full" };
 
-static const char usage[] =
-    "usage: zsim study NAME [options]\n"
-    "       zsim study merge FILE... [--out DIR]\n"
-    "Sweeps settings and measures what they give: DIR/NAME.csv, a row a run; plots and pictures; and the page\n"
-    "DIR/index.html of all studies in DIR, which needs no other file.\n"
-    "\n"
-    "  time       run time against error: sub-pixel bits, reciprocals, sub-spans, depth mapping and bits, shading\n"
-    "  depth      what the depth mappings keep apart; z-fighting and its cures\n"
-    "  memory     strip height, pools and formats: bytes, passes, time\n"
-    "  stability  scale, distance, near plane, slivers, rotations, ratio of w: the worst error of each\n"
-    "\n"
-    "  --out DIR         the folder, made if there is none (build/study)\n"
-    "  --quick, --full   fewer runs (seconds), or more\n"
-    "  --shard I/N       only runs I, I + N, I + 2 N ...: DIR/NAME.I-of-N.csv, no plots. merge joins the shards, in\n"
-    "                    any order, to the same bytes as one run, and makes the plots\n"
-    "  --redo            start over where DIR holds rows of another build, effort or counts; else go on\n"
-    "  --run K           measure run K alone and print its results\n"
-    "  --settings        print the runs for firmware/app/study.c, and measure nothing (time, memory)\n"
-    "  --counts CORE=FILE,...  what that counted on a core (time, memory); make report does all of it\n"
-    "\n"
-    "A sweep that was interrupted goes on where it was. Plots need gnuplot (package gnuplot-nox).\n"
-    "Exit status: 0 done; 1 refused; 2 the command line makes no sense.\n";
-
 struct request {
     const char *out, *shard, *counts;
     int quick, full, redo, settings, help, has_run; /* flags */
@@ -63,14 +41,41 @@ struct request {
 
 #define AT(field) offsetof(struct request, field)
 static const struct sim_option table[] = {
-    { "--out", SIM_OPTION_TEXT, AT(out) }, { "--shard", SIM_OPTION_TEXT, AT(shard) },
-    { "--counts", SIM_OPTION_TEXT, AT(counts) }, { "--quick", SIM_OPTION_FLAG, AT(quick) },
-    { "--full", SIM_OPTION_FLAG, AT(full) }, { "--redo", SIM_OPTION_FLAG, AT(redo) },
-    { "--settings", SIM_OPTION_FLAG, AT(settings) },
-    { "--run", SIM_OPTION_COUNT, AT(run), AT(has_run), 0, 1000000 },
+    { "Studies", SIM_OPTION_HEADING },
+    { "time", SIM_OPTION_WORD,
+      .help = "run time against error: sub-pixel bits, reciprocals, sub-spans, depth mapping and bits, shading" },
+    { "depth", SIM_OPTION_WORD, .help = "what the depth mappings keep apart; z-fighting and its cures" },
+    { "memory", SIM_OPTION_WORD, .help = "strip height, pools and formats: bytes, passes, time" },
+    { "stability", SIM_OPTION_WORD,
+      .help = "scale, distance, near plane, slivers, rotations, ratio of w: the worst error of each" },
+    { "Options", SIM_OPTION_HEADING },
+    { "--out", SIM_OPTION_TEXT, AT(out), .value = "DIR", .help = "the folder, made if there is none (build/study)" },
+    { "--quick", SIM_OPTION_FLAG, AT(quick), .help = "fewer runs: seconds" },
+    { "--full", SIM_OPTION_FLAG, AT(full), .help = "more runs than usual" },
+    { "--shard", SIM_OPTION_TEXT, AT(shard), .value = "I/N",
+      .help =
+          "only runs I, I + N, I + 2 N ...: DIR/NAME.I-of-N.csv, no plots. merge joins the shards, in any order, to "
+          "the same bytes as one run, and makes the plots" },
+    { "--redo", SIM_OPTION_FLAG, AT(redo),
+      .help = "start over where DIR holds rows of another build, effort or counts; else go on" },
+    { "--run", SIM_OPTION_COUNT, AT(run), AT(has_run), .value = "K",
+      .help = "measure run K alone, of which the first is 0, and print its results" },
+    { "--settings", SIM_OPTION_FLAG, AT(settings),
+      .help = "print the runs for firmware/app/study.c, and measure nothing (time, memory)" },
+    { "--counts", SIM_OPTION_TEXT, AT(counts), .value = "CORE=FILE,...",
+      .help = "what that counted on a core (time, memory); make report does all of it" },
     SIM_HELP_OPTIONS(AT(help)),
 };
 #define N_TABLE (sizeof table / sizeof table[0])
+
+static const struct sim_help help = {
+    "zsim study NAME [options]\n"
+    "zsim study merge FILE... [--out DIR]",
+    "Sweeps settings and measures what they give: DIR/NAME.csv, a row a run; plots and pictures; and the page "
+    "DIR/index.html of all studies in DIR, which needs no other file.",
+    "A sweep that was interrupted goes on where it was. Plots need gnuplot (package gnuplot-nox).\n"
+    "Exit status: 0 done; 1 refused; 2 the command line makes no sense.",
+};
 
 /* ---- Rows -------------------------------------------------------------------------------------------------------- */
 
@@ -641,7 +646,7 @@ int sim_study(int argc, char **argv)
     if (status != SIM_OK)
         return status;
     if (rq.help) {
-        (void)fputs(usage, stdout);
+        sim_option_help(table, N_TABLE, &help);
         return SIM_OK;
     }
     if (words == 0)

@@ -25,7 +25,7 @@ boards="m0 mps2 mps2-m4 mps2-m7 rv32"
 counted= # where what a frame takes is counted from outside
 [ "$what" != all ] || counted="pico $(uname -m)"
 STRIPS_MAX=15                   # per cent that strips of 24 rows may cost on top of one strip
-STRIPS_OF="mesh mesh_tex layers_ftb layers_btf layers_mixed sheet" # there
+STRIPS_OF="mesh mesh_tex relief relief_tex layers_ftb layers_btf layers_mixed sheet" # there
 ORDER_MAX=10                    # per cent that another order than front to back may cost
 PICO_ARENA=196608               # bytes that the bench's code and data leave of the RP2040's RAM, and some room
 mkdir -p "$out" "$top/gen"
@@ -231,10 +231,10 @@ bar() {
     said="$said $instructions instructions on the M3"
     if [ "$ram" -le "$3" ]; then ok "$name: $said"; else bad "$name" "$said"; fi
 }
-bar mesh_tex 64k 65536 "320x240, two strip buffers"
-bar mesh_tex 48k 49152 "240x240, two strip buffers"
-bar mesh 16k 16384 "160x128"
-bar mesh_tex 16k 16384 "160x128"
+bar relief_tex 64k 65536 "320x240, two strip buffers"
+bar relief_tex 48k 49152 "240x240, two strip buffers"
+bar relief 16k 16384 "160x128"
+bar relief_tex 16k 16384 "160x128"
 
 # ---- Tables ------------------------------------------------------------------------------------------------------
 

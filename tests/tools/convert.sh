@@ -58,7 +58,7 @@ compile() { # TO PROGRAM.c
             >cc.log 2>&1 || wrong "$compiler, the header: $(head -c 400 cc.log)"
     done
     gcc -std=c11 -O0 -c -Wall -Wextra -Werror -Iheaders "$1/m.c" -o "$1/m.o" >cc.log 2>&1 &&
-        gcc -std=gnu11 -O0 -g1 $SAN -Wall -Wextra -Werror -I"$top/firmware/zstrip" -I"$1" \
+        gcc -std=gnu11 -O0 -g1 $SAN -Wall -Wextra -Werror -DZS_VARYINGS_MAX=8 -I"$top/firmware/zstrip" -I"$1" \
             "$top/tests/tools/convert/$2.c" "$1/m.o" "$build/test/libtest.a" -lm -o "$1/$2" >cc.log 2>&1 ||
         wrong "$(head -c 400 cc.log)"
 }

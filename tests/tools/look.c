@@ -2,6 +2,10 @@
  *
  *   look png F.png                     "WIDTH HEIGHT COLOURS"; 8-bit RGB of repeated RGB565 bits only
  *   look pixel F.png X Y               "RRGGBB"
+ *   look count F.png RRGGBB            "COUNT" of pixels of this colour, as `pixel` prints it
+ *   look codes F.png X Y W H           "R G B": mean codes of RGB565 over a rectangle, in thousandths
+ *   look halved BIG.png SMALL.png      is each pixel of SMALL the mean of 2x2 of BIG, by code, rounded to nearest,
+ *                                      halves up? "COUNT" of pixels that are not the same four times
  *   look texels F.png <LIST            lines "X Y COLUMN ROW": what texel of fixture's `numbers` is
  *                                      there? "COUNT SAME MOST_APART", the last in texels each way
  *   look decode F.png I.u32            does the picture of --shade id hold the ids' low 16 bits?
@@ -99,6 +103,66 @@ static struct picture load_png(const char *name)
     free(rgb);
     free(f.b);
     return p;
+}
+
+static unsigned rgb_of(unsigned v)
+{
+    const unsigned red = v >> 11, green = v >> 5 & 63, blue = v & 31;
+    return (red << 3 | red >> 2) << 16 | (green << 2 | green >> 4) << 8 | (blue << 3 | blue >> 2);
+}
+
+static void look_count(const char *png, const char *rgb)
+{
+    const struct picture p = load_png(png);
+    const unsigned long wanted = strtoul(rgb, NULL, 16);
+    size_t n = 0;
+    for (size_t i = 0; i < (size_t)p.w * p.h; i++)
+        n += rgb_of(p.px[i]) == wanted;
+    printf("%zu\n", n);
+}
+
+static void look_codes(const char *png, const size_t at[4])
+{
+    const struct picture p = load_png(png);
+    const size_t n = at[2] * at[3];
+    unsigned long long sum[3] = { 0 };
+    if (n == 0 || at[0] + at[2] > p.w || at[1] + at[3] > p.h)
+        wrong("%s has no such rectangle", png);
+    for (size_t y = at[1]; y < at[1] + at[3]; y++)
+        for (size_t x = at[0]; x < at[0] + at[2]; x++) {
+            const unsigned v = p.px[y * p.w + x];
+            sum[0] += v >> 11;
+            sum[1] += v >> 5 & 63;
+            sum[2] += v & 31;
+        }
+    printf("%llu %llu %llu\n", 1000 * sum[0] / n, 1000 * sum[1] / n, 1000 * sum[2] / n);
+}
+
+static void look_halved(const char *big, const char *small)
+{
+    static const struct {
+        unsigned shift, mask;
+    } part[3] = { { 11, 31 }, { 5, 63 }, { 0, 31 } };
+    const struct picture b = load_png(big), s = load_png(small);
+    size_t mixed = 0;
+    if (b.w != 2 * s.w || b.h != 2 * s.h)
+        wrong("%s is not twice as wide and high as %s", big, small);
+    for (size_t y = 0; y < s.h; y++)
+        for (size_t x = 0; x < s.w; x++) {
+            const uint16_t *at = b.px + 2 * y * b.w + 2 * x;
+            const unsigned of[4] = { at[0], at[1], at[b.w], at[b.w + 1] };
+            unsigned mean = 0;
+            for (int c = 0; c < 3; c++) {
+                unsigned sum = 2;
+                for (int k = 0; k < 4; k++)
+                    sum += of[k] >> part[c].shift & part[c].mask;
+                mean |= sum / 4 << part[c].shift;
+            }
+            if (s.px[y * s.w + x] != mean)
+                wrong("pixel %zu,%zu of %s is %06x instead of %06x", x, y, small, rgb_of(s.px[y * s.w + x]), rgb_of(mean));
+            mixed += of[0] != of[1] || of[0] != of[2] || of[0] != of[3];
+        }
+    printf("%zu\n", mixed);
 }
 
 static int count_colors(const struct picture *p)
@@ -421,9 +485,14 @@ int main(int argc, char **argv)
         const struct picture p = load_png(argv[2]);
         if (a >= p.w || b >= p.h)
             wrong("%s has no pixel %zu,%zu", argv[2], a, b);
-        const unsigned v = p.px[b * p.w + a], red = v >> 11, green = v >> 5 & 63, blue = v & 31;
-        printf("%02x%02x%02x\n", red << 3 | red >> 2, green << 2 | green >> 4,
-               blue << 3 | blue >> 2);
+        printf("%06x\n", rgb_of(p.px[b * p.w + a]));
+    } else if (strcmp(what, "count") == 0 && argc == 4) {
+        look_count(argv[2], argv[3]);
+    } else if (strcmp(what, "codes") == 0 && argc == 7) {
+        const size_t at[4] = { a, b, strtoul(argv[5], NULL, 10), strtoul(argv[6], NULL, 10) };
+        look_codes(argv[2], at);
+    } else if (strcmp(what, "halved") == 0 && argc == 4) {
+        look_halved(argv[2], argv[3]);
     } else if (strcmp(what, "texels") == 0 && argc == 3) {
         look_texels(argv[2]);
     } else if (strcmp(what, "decode") == 0 && argc == 4) {

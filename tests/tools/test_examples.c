@@ -224,14 +224,78 @@ static void dithered_light(void **state)
     }
 }
 
+static char level_of(uint32_t c)
+{
+    return c == 0xffffu ? 'w' : ".:+x#"[(c >> 5 & 63u) * 4u / 63u];
+}
+
+static void four_samples_a_pixel(void **state)
+{
+    static const char *const rows[] = {
+        "wwwwwwwwwwwwwwwwwwwwwwwwwwwwwwwwwwwwwwwwwwwwwwww", "....................++..........................",
+        ".................:+##+..........................", ".................:####..........................",
+        "..................+###..........................", "..................:###+.........................",
+        "...................+##+.........................", "....................##+...........::............",
+        "....................:##.........:+#+............", ".....................+#........+####............",
+        ".....................:#+.....:######+...........", "......................++...:+######++...........",
+    };
+    const struct panel p = drawn_by(example_supersampled);
+    assert_int_equal(p.pixels, EXAMPLE_W * EXAMPLE_H);
+    assert_rows(&p, 2, 12, rows, level_of);
+}
+
+static char pane_of(uint32_t c)
+{
+    static const struct { uint16_t color; char letter; } of[] = {
+        { 0x0000, '.' }, { 0x8410, '#' }, { 0x8000, 'r' }, { 0xc208, 'R' }, { 0x0010, 'b' }, { 0x8008, 'p' },
+        { 0x0280, 'g' }, { 0x8690, 'G' }, { 0x0290, 'B' } };
+    for (unsigned k = 0; k < sizeof of / sizeof of[0]; k++)
+        if (of[k].color == c)
+            return of[k].letter;
+    return '?';
+}
+
+static void panes_of_glass(void **state)
+{
+    static const char *const rows[] = {
+        "..rrrrrrrrrrrrrrrrRRRRRRR##############.........", "..rrrrrrrrrrrrrpppRRRRRRR##############.........",
+        "..rrrrrrrrrrrrrpppRRRRRRR##############.........", "..rrrrrrrrrrrrrpppRRRRRRR##GGGGGGGGGGGGggggggggg",
+    };
+    static const char *const below[] = {
+        "..rrrrrrrrrrrrrpppRRRRRRR##GGGGGGGGGGGGggggggggg", "...............bbb#########GGGGGGGGGGGGggggggggg",
+        "...............bbb#########GGGGGGGGGGGGggggggggg", "...............bbb#########GGGGGGGGGGGGggggggggg",
+        "...............bbbbbbbbbbbbBBBBBBggggggggggggggg", "...............bbbbbbbbbbbbBBBBBBggggggggggggggg",
+        "...........................ggggggggggggggggggggg",
+    };
+    const struct panel p = drawn_by(example_glass);
+    assert_rows(&p, 10, 4, rows, pane_of);
+    assert_rows(&p, 21, 7, below, pane_of);
+}
+
+static void a_flat_shadow_and_a_disc(void **state)
+{
+    static const char *const rows[] = {
+        ".wwwwwwwwwwwwwwwww..wwwwwwwwwwwxxxxxxxwwwwwwwww.", "wwwwwwwwwwwwwwwwww..wwwwwwwwwwx++::::+xxwwwwwwww",
+        "wwwwwwwwwwwwwwwwww..wwwwwwwwwxx+:....:+xxwwwwwww", "wwwwwwwwwwwwwwwwwww:wwwwwwwwwwx+:....::+xwwwwwww",
+        "wwwwwwwwwwwwwwwwwwww:wwwwwwwwwxx+:::::++xwwwwwww", "wwwwwwwwwwwwwwwwwwwww:wwwwwwwwwxx++++++xxwwwwwww",
+        "wwwwwwwwwwwwwwwww:::::::::::wwwwwxxxxxxxwwwwwwww", "wwwwwwwwwwwwwwwwwwwwww::wwwwwwwwwwwwwwwwwwwwwwww",
+        "wwwwwwwwwwwwwwwwwwwwwww::wwwwwwwwwwwwwwwwwwwwwww", "wwwwwwwwwwwwwwwwwwwwwwww::wwwwwwwwwwwwwwwwwwwwww",
+    };
+    const struct panel p = drawn_by(example_planar_shadow);
+    assert_rows(&p, 15, 10, rows, level_of);
+}
+
 static const struct CMUnitTest tests[] = {
     cmocka_unit_test(gauges_over_a_picture),
     cmocka_unit_test(posts_in_fog),
     cmocka_unit_test(dithered_light),
+    cmocka_unit_test(panes_of_glass),
     cmocka_unit_test(two_pictures_in_one_frame),
     cmocka_unit_test(without_depth_memory),
     cmocka_unit_test(a_shader_of_the_users),
     cmocka_unit_test(hidden_lines),
+    cmocka_unit_test(four_samples_a_pixel),
+    cmocka_unit_test(a_flat_shadow_and_a_disc),
     cmocka_unit_test(a_sky_is_a_function_of_the_row),
     cmocka_unit_test(a_counter_costs_its_rectangle),
 };

@@ -134,7 +134,8 @@ static void every_mesh_of_the_scenes_passes(void **state)
 {
     static const struct zs_mesh *const meshes[] = {
         &mesh_teapot, &mesh_tea, &mesh_table, &mesh_cube, &mesh_knot, &mesh_terrain, &mesh_city,
-        &mesh_car, &mesh_bumpy, &mesh_layer, &mesh_sheet, &mesh_corridor, &mesh_slivers
+        &mesh_car, &mesh_bumpy, &mesh_layer, &mesh_sheet, &mesh_corridor, &mesh_slivers,
+        &mesh_relief
     };
     for (size_t i = 0; i < sizeof meshes / sizeof meshes[0]; i++) {
         uint32_t at;

@@ -32,6 +32,9 @@ static void two_to_a_cell(struct gen_mesh *m, uint32_t columns, uint32_t rows, u
         }
 }
 
+#define RELIEF_COLUMNS 42
+#define RELIEF_ROWS 30
+
 #define BALL 36 /* cells each way */
 #define BALL_UV_BITS 14
 
@@ -116,6 +119,61 @@ static void bumpy_uv(void)
     }
     gen_smooth(m);
     gen_write(m, GEN_NORMAL | GEN_FACE_NORMAL | GEN_UV, BENCH_BUMPY_SCALE);
+}
+
+/* Return one at 0, falling to 0 at |at| = width and beyond; q30. */
+static int64_t bump(int64_t at, int64_t width)
+{
+    const int64_t d = at < 0 ? -at : at;
+    return d < width ? gen_div(GEN_Q30 + gen_cos(d * 32768 / width), 2) : 0;
+}
+
+/* The relief at column i of row j from the top: a head from ear to ear, open behind. */
+static void relief_point(int64_t out[3], uint32_t i, uint32_t j)
+{
+    const int64_t degree = 182; /* of 65536 to the turn */
+    const int64_t a = ((int64_t)i * 2 - RELIEF_COLUMNS) * 103 * degree / RELIEF_COLUMNS;
+    const int64_t polar = (12 + 154 * (int64_t)j / RELIEF_ROWS) * degree, side = a < 0 ? -a : a;
+    int64_t r = 20000 * GEN_Q30;
+    r -= 2600 * gen_div(bump(side - 26 * degree, 24 * degree) * bump(polar - 80 * degree, 16 * degree), GEN_Q30);
+    r += 1500 * bump(polar - 66 * degree, 12 * degree);
+    r += 2200 * gen_div(bump(a, 46 * degree) * bump(polar - 138 * degree, 18 * degree), GEN_Q30);
+    r -= 1500 * gen_div(bump(a, 40 * degree) * bump(polar - 117 * degree, 9 * degree), GEN_Q30);
+    if (polar > 70 * degree && polar < 107 * degree) /* the nose; it ends in an overhang */
+        r += 8200 * gen_div(bump(a, 20 * degree) * ((polar - 70 * degree) * 2048 / (37 * degree)), 2048);
+    if (polar > 72 * degree && polar < 112 * degree) /* ears of two columns */
+        r += 7600 * gen_div(bump(side - 92 * degree, 9 * degree) * gen_sin((polar - 72 * degree) * 32768 / (40 * degree)),
+                            GEN_Q30);
+    r += 420 * gen_div(gen_sin(14 * a) * bump(polar - 20 * degree, 50 * degree), GEN_Q30); /* hair in strands */
+    r = gen_div(r, GEN_Q30);
+    const int64_t flat = gen_div(r * gen_sin(polar), GEN_Q30);
+    out[0] = gen_div(flat * gen_sin(a) * 7, GEN_Q30 * 8);
+    out[1] = gen_div(r * gen_cos(polar) * 5, GEN_Q30 * 4);
+    out[2] = gen_div(flat * gen_cos(a), GEN_Q30);
+}
+
+/* A head as a scanner leaves it: an open surface of 42 x 30 cells, 2520 triangles, with folds and thin parts. */
+static void relief(void)
+{
+    struct gen_mesh *m = gen_begin("relief");
+    const int64_t light[3] = { -3, 4, 5 };
+    m->uv_bits = BALL_UV_BITS;
+    for (uint32_t j = 0; j <= RELIEF_ROWS; j++)
+        for (uint32_t i = 0; i <= RELIEF_COLUMNS; i++) {
+            const int64_t one = (int64_t)1 << BALL_UV_BITS;
+            int64_t p[3];
+            relief_point(p, i, j);
+            gen_uv(m, gen_vert(m, p[0], p[1], p[2]), (int64_t)i * one / RELIEF_COLUMNS, (int64_t)j * one / RELIEF_ROWS);
+        }
+    for (uint32_t j = 0; j < RELIEF_ROWS; j++)
+        for (uint32_t i = 0; i < RELIEF_COLUMNS; i++) {
+            static const struct gen_rgb skin = { 236, 196, 160 }, hair = { 96, 62, 40 };
+            const uint32_t a = j * (RELIEF_COLUMNS + 1) + i, c = a + RELIEF_COLUMNS + 1;
+            gen_quad(m, a, c, c + 1, a + 1, j < 8 || i < 4 || i >= RELIEF_COLUMNS - 4 ? hair : skin);
+        }
+    gen_smooth(m);
+    gen_bake(m, light, 56);
+    gen_write(m, GEN_NORMAL | GEN_FACE_NORMAL | GEN_FACE_RAW | GEN_UV, BENCH_RELIEF_SCALE);
 }
 
 /* 8 x 8 fields with their names, A1 at the top left: which texel is where can be read. */
@@ -238,6 +296,7 @@ void gen_bench(void)
 {
     bumpy();
     bumpy_uv();
+    relief();
     layer();
     sheet();
     corridor();

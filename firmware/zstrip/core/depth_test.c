@@ -41,24 +41,15 @@ void zs_rows_test(struct zs_job *job, const struct zs_row *row, int32_t i0, int3
                   uint32_t sum, uint32_t step)
 {
     const struct zs_shader *shader = job->shader;
-    const struct zs_depth_state *state = job->depth_state;
-    const int32_t top = (int32_t)(job->r->view.key_top >> 16) - 1, bias = state ? job->bias : 0;
-    const int32_t most = top + zs_min32(bias, 0);
-    const uint32_t func = state ? state->func : ZS_DEPTH_LESS;
-    /* a key passes if it is below depth + more */
-    const uint32_t more = func == ZS_DEPTH_LESS     ? 0u
-                          : func == ZS_DEPTH_ALWAYS ? 65536u
-                                                    : 1u;
-    const int writes = !state || !state->read_only;
+    const struct zs_depth_rule rule = zs_depth_rule(job);
     uint16_t *const line = job->depth + row->at;
     for (int32_t i = i0; i < i1; i++, sum += step) { /* the step skips the pixel that failed */
         const int32_t from = i;
         for (; i < i1; i++, sum += step) {
-            const int32_t moved = zs_min32((int32_t)(sum >> 16) + bias, most);
-            const uint32_t key = moved < 0 ? 0u : (uint32_t)moved;
-            if (key >= line[i] + more)
+            const uint32_t key = zs_depth_key(&rule, sum);
+            if (key >= line[i] + rule.more)
                 break;
-            if (writes)
+            if (rule.writes)
                 line[i] = (uint16_t)key;
         }
         if (i > from) {

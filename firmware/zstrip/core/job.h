@@ -99,6 +99,13 @@ struct zs_sampler {
     uint32_t least_w; /* a group of pixels is affine if w at its ends is at least this */
 };
 
+/* A triangle with one directional light at each pixel (effect/lit_phong.c). Colours: red and blue
+ * in a word, green in a word. */
+struct zs_gloss {
+    int32_t light[3], half[3]; /* unit, q1_15 */
+    uint32_t base[2], diffuse[2], shine[2];
+};
+
 /* The job lives only while its triangle is drawn in one strip. The fields that scanlines, spans and
  * set-up need come first: a Cortex-M0 reaches 124 bytes behind a pointer at no extra cost. */
 struct zs_job {
@@ -133,7 +140,10 @@ struct zs_job {
     const struct zs_fast_texel *texel; /* loops of the texture's format; NULL: none */
     int32_t top, bottom;               /* rows [top, bottom) of the frame are the viewport's */
     struct zs_geom geom;
-    struct zs_sampler sampler;
+    union {
+        struct zs_sampler sampler;
+        struct zs_gloss gloss;
+    };
     struct zs_cut cut[ZS_CUT_ROWS];
     struct zs_plane64 w64; /* if keys are not linear on the screen: 1/z ... */
     int32_t w64_scale;     /* ... and its scale */

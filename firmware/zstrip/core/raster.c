@@ -214,9 +214,11 @@ static ZS_NOINLINE int (*instance_begin(struct zs_job *job, uint32_t number))(st
     job->split = 0;
     job->span = r->span;
     job->rows = 0;
-    if (job->shader->span && r->span == zs_rows_test)
+    if (r->span != zs_rows_test)
+        return 0;
+    if (job->shader->span)
         job->span = job->shader->span;
-    if (job->depth_state || !ZS_IF_FAST(job->fast) || r->span != zs_rows_test)
+    if (job->depth_state || !ZS_IF_FAST(job->fast))
         return 0;
     job->rows = job->fast->rows;
     if (job->fast->span)

@@ -59,6 +59,33 @@ ZS_ALWAYS_INLINE void zs_rows_walk(struct zs_job *job, zs_span_fn *span, int wid
     job->r->stats.pixels_tested += tested;
 }
 
+/* What the depth test does with a triangle's keys: those of its depth state, or the usual test. */
+struct zs_depth_rule {
+    int32_t bias, most; /* buckets added to a key; the greatest key before 0 */
+    uint32_t more;      /* a key passes if it is below what is there + more */
+    int writes;         /* 1: a key that passes is written */
+};
+
+ZS_ALWAYS_INLINE struct zs_depth_rule zs_depth_rule(const struct zs_job *job)
+{
+    const struct zs_depth_state *state = job->depth_state;
+    const int32_t top = (int32_t)(job->r->view.key_top >> 16) - 1, bias = state ? job->bias : 0;
+    const uint32_t func = state ? state->func : ZS_DEPTH_LESS;
+    return (struct zs_depth_rule){ .bias = bias,
+                                   .most = top + zs_min32(bias, 0),
+                                   .more = func == ZS_DEPTH_LESS     ? 0u
+                                           : func == ZS_DEPTH_ALWAYS ? 65536u
+                                                                     : 1u,
+                                   .writes = !state || !state->read_only };
+}
+
+/* The key of a pixel: moved by the bias, and held to 0 .. B - 2. */
+ZS_ALWAYS_INLINE uint32_t zs_depth_key(const struct zs_depth_rule *rule, uint32_t sum)
+{
+    const int32_t moved = zs_min32((int32_t)(sum >> 16) + rule->bias, rule->most);
+    return moved < 0 ? 0u : (uint32_t)moved;
+}
+
 /* Return the buckets to add to each key of a triangle with a depth state: bias and slope bias. */
 int32_t zs_depth_state_bias(const struct zs_job *job);
 

@@ -217,7 +217,8 @@ static ZS_NOINLINE void draw(struct zs_job *job, const struct zs_row *row, int32
 {
     zs_piece_fn *const test = ZS_IF_FAST(job->fast) && job->fast->span && !job->depth_state
                                   ? job->fast->span
-                                  : zs_rows_test;
+                              : job->shader->span ? job->shader->span
+                                                  : zs_rows_test;
     if (from < to)
         test(job, row, from, to, sum + zs_wrap_mul(step, from - i0), step);
 }

@@ -71,7 +71,7 @@ static uint16_t flat_face(const struct zs_shading *s, uint32_t t)
     return light_word(s, n);
 }
 
-static int texture_check(const struct zs_instance *in, const struct zs_config *config)
+int zs_texture_usable(const struct zs_instance *in, const struct zs_config *config)
 {
     const struct zs_texture *t = in->material->texture;
     (void)config;
@@ -85,7 +85,7 @@ static int texture_check(const struct zs_instance *in, const struct zs_config *c
 
 static int smooth_check(const struct zs_instance *in, const struct zs_config *config)
 {
-    return in->mesh->normal ? texture_check(in, config) : ZS_ERR_MESH;
+    return in->mesh->normal ? zs_texture_usable(in, config) : ZS_ERR_MESH;
 }
 
 /* ---- Set-up ---------------------------------------------------------------------------------- */
@@ -233,7 +233,7 @@ static const struct zs_texture *lit_texture(struct zs_job *job, const struct zs_
                                                                           : t;
 }
 
-static void texture_start(struct zs_job *job)
+void zs_texture_start(struct zs_job *job)
 {
     const struct zs_instance *in = zs_instance_of(job->r, job->tri->instance);
     const struct zs_texture *t = lit_texture(job, in->material->texture);
@@ -283,13 +283,13 @@ static void texture_start(struct zs_job *job)
 
 #define TEXTURE(vertex_, face_, check_, light_, n)                                                 \
     {                                                                                              \
-        .vertex = vertex_, .face = face_, .start = texture_start, .run = zs_texture_run,           \
+        .vertex = vertex_, .face = face_, .start = zs_texture_start, .run = zs_texture_run,           \
         .check = check_, .light = light_, .n_varyings = n, .opaque = 1                             \
     }
 
-const struct zs_shader zs_shade_texture = TEXTURE(texture_vertex, 0, texture_check, 0,
+const struct zs_shader zs_shade_texture = TEXTURE(texture_vertex, 0, zs_texture_usable, 0,
                                                   ZS_VARYINGS_TEXTURE);
-const struct zs_shader zs_shade_texture_flat = TEXTURE(texture_vertex, flat_face, texture_check,
+const struct zs_shader zs_shade_texture_flat = TEXTURE(texture_vertex, flat_face, zs_texture_usable,
                                                        zs_texture_light, ZS_VARYINGS_TEXTURE);
 const struct zs_shader zs_shade_texture_smooth = TEXTURE(
     smooth_vertex, 0, smooth_check, zs_texture_light, ZS_VARYINGS_TEXTURE_SMOOTH);

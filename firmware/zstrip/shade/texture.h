@@ -20,6 +20,11 @@ struct zs_texel {
                   const struct zs_walk *walk);
     uint16_t colors_max; /* of the palette; 0: there is none */
     uint8_t log2_w_min;
+    uint8_t log2_bits; /* of a texel */
+    /* As fetch, and alphas too, 0 .. 255, to out[ZS_ALPHA_RUN ..]; n <= ZS_ALPHA_RUN
+     * (effect/alpha_texels.h). NULL: every texel is opaque. */
+    void (*both)(const struct zs_texture *texture, uint16_t *out, int32_t n,
+                 const struct zs_walk *walk);
 };
 
 #define ZS_TEXTURE_GROUP_LOG2                                                                      \
@@ -93,7 +98,9 @@ static inline uint32_t zs_texture_shine(uint32_t c, uint32_t level)
     return red << 11 | green << 5 | blue;
 }
 
-/* zs_shader.run and zs_shader.light of textured shaders. */
+/* zs_shader.check, start, run and light of textured shaders. */
+int zs_texture_usable(const struct zs_instance *in, const struct zs_config *config);
+void zs_texture_start(struct zs_job *job);
 void zs_texture_run(struct zs_job *job, const struct zs_row *row, int32_t r0, int32_t r1);
 void zs_texture_light(uint16_t *out, int32_t n, uint32_t l, uint32_t step);
 /* Colour pixel i of a scanline with a perspective division, in a triangle that is not affine. */

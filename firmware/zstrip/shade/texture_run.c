@@ -204,7 +204,7 @@ ZS_IN_ORDER ZS_NOINLINE void zs_texture_pixel(struct zs_job *job, const struct z
     const uint32_t rcp = zs_recip15(w << up);
     const uint32_t u = place_at(s, 0, coarse_at(job, 0, i, row, up, rcp)),
                    v = place_at(s, 1, coarse_at(job, 1, i, row, up, rcp));
-    if (ZS_IF_FAST(job->texel)) {
+    if (ZS_IF_FAST(job->fast) && job->texel) { /* not a shader that fetches in its own way */
         const uint32_t at = (v >> zs_texture_cut(t->log2_h) << t->log2_w) +
                             (u >> zs_texture_cut(t->log2_w));
         job->texel->gather(t, out, 1, &at);

@@ -1,0 +1,195 @@
+/* Screen-door transparency: of 64 pixels, as many are drawn as alpha says, in an ordered pattern.
+ *
+ * Bayer's matrix M of order 8 has each of 0 .. 63 once: its value interleaves the bits of y and of
+ * x ^ y, the lowest first. A pixel of the frame is drawn if M(x, y) < round(64 alpha / 255). A row
+ * of the pattern is 8 bits, which repeat.
+ *
+ * SPDX-License-Identifier: MIT
+ */
+#include "effect/blend.h"
+#include "effect/over.h"
+#include "shade/solid.h"
+
+/* ---- The pattern ----------------------------------------------------------------------------- */
+
+/* M(x, y) as [y][x]. */
+static const uint8_t bayer[8][8] = {
+    { 0, 32, 8, 40, 2, 34, 10, 42 },  { 48, 16, 56, 24, 50, 18, 58, 26 },
+    { 12, 44, 4, 36, 14, 46, 6, 38 }, { 60, 28, 52, 20, 62, 30, 54, 22 },
+    { 3, 35, 11, 43, 1, 33, 9, 41 },  { 51, 19, 59, 27, 49, 17, 57, 25 },
+    { 15, 47, 7, 39, 13, 45, 5, 37 }, { 63, 31, 55, 23, 61, 29, 53, 21 }
+};
+
+/* The pattern of a row of the frame, from column x on: bit k is 1 if pixel x + k is drawn. */
+static uint32_t pattern(const struct zs_blend *m, uint32_t x, uint32_t y)
+{
+    const uint32_t level = zs_blend_weight(m->alpha);
+    const uint8_t *const line = bayer[(y + (m->phase >> 3)) & 7u];
+    uint32_t bits = 0;
+    x += m->phase;
+    for (uint32_t k = 0; k < 8; k++)
+        bits |= (uint32_t)(line[(x + k) & 7u] < level) << k;
+    return bits * 0x01010101u;
+}
+
+/* The pattern of the job from the first pixel of a row's span on. */
+static uint32_t pattern_of(const struct zs_job *job, const struct zs_row *row)
+{
+    return pattern(zs_blend_of(job), (uint32_t)(row->x0 + job->r->view.x), (uint32_t)row->y);
+}
+
+/* The pattern n >= 0 pixels further on. */
+static inline uint32_t turned(uint32_t bits, int32_t n)
+{
+    const uint32_t by = (uint32_t)n & 7u;
+    return bits >> by | bits << ((32u - by) & 31u);
+}
+
+/* ---- Checks ---------------------------------------------------------------------------------- */
+
+static int check(const struct zs_instance *in, const struct zs_config *config)
+{
+    const struct zs_blend *m = (const struct zs_blend *)(const void *)in->material;
+    (void)config;
+    return m->phase < 64 ? ZS_OK : ZS_ERR_RANGE;
+}
+
+static int smooth_check(const struct zs_instance *in, const struct zs_config *config)
+{
+    const int err = zs_over_smooth_check(in, config);
+    return err ? err : check(in, config);
+}
+
+static int texture_check(const struct zs_instance *in, const struct zs_config *config)
+{
+    const int err = zs_over_texture_check(in, config);
+    return err ? err : check(in, config);
+}
+
+static int lit_check(const struct zs_instance *in, const struct zs_config *config)
+{
+    const int err = zs_over_texture_lit_check(in, config);
+    return err ? err : check(in, config);
+}
+
+/* ---- Pixels ---------------------------------------------------------------------------------- */
+
+/* Draw those of n pixels, 1 .. 32, that have a bit. */
+static ZS_NOINLINE void masked(struct zs_job *job, const struct zs_row *row, int32_t from,
+                               int32_t n, uint32_t bits, zs_run_fn *run)
+{
+    uint16_t old[ZS_OVER_MAX], *const at = job->color + row->at + from;
+    if (bits == 0)
+        return;
+    if (run == zs_solid_run) {
+        const uint16_t paint = job->tri->paint;
+        for (uint16_t *to = at; bits; bits >>= 1, to++)
+            if (bits & 1u)
+                *to = paint;
+        return;
+    }
+    zs_over_keep(old, at, n);
+    run(job, row, from, from + n);
+    for (int32_t k = 0; k < n; k++)
+        if (!(bits >> k & 1u))
+            at[k] = old[k];
+}
+
+/* The bits of n pixels, 1 .. 32. */
+static inline uint32_t bits_of(int32_t n)
+{
+    return UINT32_MAX >> (32 - n);
+}
+
+ZS_ALWAYS_INLINE void run_over(struct zs_job *job, const struct zs_row *row, int32_t from,
+                               int32_t to, zs_run_fn *run)
+{
+    const uint32_t bits = pattern_of(job, row);
+    for (int32_t next; from < to; from = next) {
+        next = zs_min32(zs_over_next(row, from), to);
+        masked(job, row, from, next - from, turned(bits, from - row->x0) & bits_of(next - from),
+               run);
+    }
+}
+
+/* Test the pixels of a piece that have a bit, and write the keys of those that pass. Return their
+ * bits. */
+static ZS_NOINLINE uint32_t test_keys(struct zs_job *job, uint16_t *depth, int32_t n, uint32_t sum,
+                                      uint32_t step, uint32_t bits)
+{
+    const struct zs_blend_test test = zs_blend_test_of(job);
+    const int writes = !job->depth_state || !job->depth_state->read_only;
+    uint32_t passed = 0;
+    for (uint32_t bit = 1; n > 0; n--, depth++, sum += step, bit <<= 1) {
+        if (!(bits & bit))
+            continue;
+        const uint32_t key = zs_blend_key(&test, sum, test.plain);
+        if (key >= *depth + test.more)
+            continue;
+        passed |= bit;
+        if (writes)
+            *depth = (uint16_t)key;
+        zs_rows_written(job, 1);
+    }
+    return passed;
+}
+
+ZS_ALWAYS_INLINE void span_over(struct zs_job *job, const struct zs_row *row, int32_t i0,
+                                int32_t i1, uint32_t sum, uint32_t step, zs_run_fn *run)
+{
+    const uint32_t bits = pattern_of(job, row);
+    for (int32_t next; i0 < i1; i0 = next) {
+        next = zs_min32(zs_over_next(row, i0), i1);
+        const uint32_t passed = test_keys(job, job->depth + row->at + i0, next - i0, sum, step,
+                                          turned(bits, i0 - row->x0));
+        masked(job, row, i0, next - i0, passed, run);
+        sum += zs_wrap_mul(step, next - i0);
+    }
+}
+
+static void solid_run(struct zs_job *job, const struct zs_row *row, int32_t from, int32_t to)
+{
+    run_over(job, row, from, to, zs_solid_run);
+}
+
+static void solid_span(struct zs_job *job, const struct zs_row *row, int32_t i0, int32_t i1,
+                       uint32_t sum, uint32_t step)
+{
+    span_over(job, row, i0, i1, sum, step, zs_solid_run);
+}
+
+static void smooth_run(struct zs_job *job, const struct zs_row *row, int32_t from, int32_t to)
+{
+    run_over(job, row, from, to, zs_shade_smooth.run);
+}
+
+static void smooth_span(struct zs_job *job, const struct zs_row *row, int32_t i0, int32_t i1,
+                        uint32_t sum, uint32_t step)
+{
+    span_over(job, row, i0, i1, sum, step, zs_shade_smooth.run);
+}
+
+static void texture_run(struct zs_job *job, const struct zs_row *row, int32_t from, int32_t to)
+{
+    run_over(job, row, from, to, zs_texture_run);
+}
+
+static void texture_span(struct zs_job *job, const struct zs_row *row, int32_t i0, int32_t i1,
+                         uint32_t sum, uint32_t step)
+{
+    span_over(job, row, i0, i1, sum, step, zs_texture_run);
+}
+
+#define STIPPLE(of) .run = of##_run, .span = of##_span
+const struct zs_shader zs_stipple_raw = { .face = zs_over_raw_face,
+                                          .check = check,
+                                          STIPPLE(solid) };
+const struct zs_shader zs_stipple_flat = { .face = zs_over_flat_face,
+                                           .check = check,
+                                           STIPPLE(solid) };
+const struct zs_shader zs_stipple_smooth = { ZS_OVER_SMOOTH(smooth_check), STIPPLE(smooth) };
+const struct zs_shader zs_stipple_texture = { ZS_OVER_TEXTURE(texture_check), STIPPLE(texture) };
+const struct zs_shader zs_stipple_texture_flat = { ZS_OVER_TEXTURE_FLAT(texture_check),
+                                                   STIPPLE(texture) };
+const struct zs_shader zs_stipple_texture_smooth = { ZS_OVER_TEXTURE_SMOOTH(lit_check),
+                                                     STIPPLE(texture) };

@@ -1,0 +1,87 @@
+/* Transparency: blending shaders, screen-door patterns, and a method that sorts layers.
+ *
+ *     static const struct zs_blend glass = { .material = { .shader = &zs_blend_flat,
+ *                                                          .rgb = ZS_RGB(0x40a0ff) },
+ *                                            .alpha = 96 };
+ *     ...
+ *     struct zs_instance pane = { .mesh = &card, .material = &glass.material };
+ *     screen_config.method = &zs_method_transparent;
+ *
+ * effect/README.md says which kind to take.
+ *
+ * SPDX-License-Identifier: MIT
+ */
+#ifndef ZS_BLEND_H
+#define ZS_BLEND_H
+
+#include "zs_shader.h"
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/* The material of all shaders below. A plain struct zs_material with one of them is wrong: it has
+ * no alpha, and the renderer cannot see that. zs_damage_track does not see a change of alpha or
+ * phase: call zs_invalidate after it. */
+struct zs_blend {
+    struct zs_material material;
+    uint8_t alpha; /* 0 .. 255. 0: nothing is seen; 255: all of it */
+    uint8_t phase; /* stipple, 0 .. 63: moves the pattern by phase % 8 columns and phase / 8 rows,
+                      so that faces behind each other do not leave out the same pixels */
+};
+
+/* Alpha blending: a channel becomes source * alpha / 255 + old * (1 - alpha / 255). The source is
+ * what the opaque shader of that name draws, as RGB565, the old colour the pixel's.
+ *
+ * Exact    within one code of RGB565 of that, in each channel; alpha 0 leaves a pixel as it is, 255
+ *          draws the source, and a source equal to the old colour changes nothing.
+ * Depth    pixels are tested, with the instance's depth state, and keys are never written. What is
+ *          behind has to be drawn before: order the instances, or take zs_method_transparent. With
+ *          zs_depth_none, and by zs_method_painter and zs_method_depthsort: in drawing order.
+ *          zs_method_raycast and zs_method_coverage colour each pixel once: not for blending.
+ * Passes   any. Accelerators: `tiles` is not used from the first such instance on.
+ * Needs    what the opaque shader needs, with its errors. */
+extern const struct zs_shader zs_blend_raw, zs_blend_flat, zs_blend_smooth, zs_blend_texture,
+    zs_blend_texture_flat, zs_blend_texture_smooth;
+
+/* Additive blending, for light: a channel becomes old + source * alpha / 255, at most full. Within
+ * one code of that. Otherwise as above, but the order of additive faces does not matter. */
+extern const struct zs_shader zs_add_raw, zs_add_flat, zs_add_smooth, zs_add_texture,
+    zs_add_texture_flat, zs_add_texture_smooth;
+
+/* Screen-door transparency: round(alpha * 64 / 255) of 64 pixels are drawn, in an ordered pattern
+ * (Bayer, 8x8) by their place in the frame; the others keep colour and key. No order is needed, as
+ * a pixel that is drawn is opaque, and writes its key unless the depth state is read-only.
+ * ZS_ERR_RANGE: phase. */
+extern const struct zs_shader zs_stipple_raw, zs_stipple_flat, zs_stipple_smooth,
+    zs_stipple_texture, zs_stipple_texture_flat, zs_stipple_texture_smooth;
+
+/* For a shader of yours that mixes in its fragment stage: pixels are tested, keys never written,
+ * and zs_method_transparent sorts its triangles:
+ *
+ *     static const struct zs_shader mine = { .fragment = my_fragment, ZS_FRAGMENTS, ZS_LAYER };
+ */
+#define ZS_LAYER .span = zs_layer_span, .layer = 1
+void zs_layer_span(struct zs_job *job, const struct zs_row *row, int32_t i0, int32_t i1,
+                   uint32_t sum, uint32_t step);
+
+/* Sorted layers, a method (zs_config.method): the depth buffer for all other instances, in scene
+ * order; then the triangles of instances whose shader is a blending one, or has ZS_LAYER, from far
+ * to near: tested, not written. In a frame of several passes: the same for each pass.
+ *
+ * Right   where every layer lies wholly behind or in front of those that it overlaps. The order is
+ *         that of farthest vertices, after clipping; of equally far ones, the first in scene order
+ *         is drawn first. The frame does not depend on the pools.
+ * Wrong   where layers cross, or overlap in a cycle, or where a large one has its farthest vertex
+ *         behind a small one that it covers: zs_method_depthsort with the same shaders splits them.
+ * Needs   depth memory, else ZS_ERR_DEPTH; max_tris >= 2 and max_verts >= 6, else ZS_ERR_SIZE.
+ * Cost    a sort of the layers of each strip, n log n. Where a strip alone fills a pool, opaque
+ *         triangles are drawn as they come, and layers that the pool does not hold cost walks over
+ *         the scene: each draws the farthest that are left. */
+extern const struct zs_method zs_method_transparent;
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif

@@ -1,0 +1,226 @@
+#!/bin/sh
+# Options of effects of zsim render: what a picture shows, pixel by pixel, and what is refused.
+# Usage: tests/tools/effects.sh ZSIM WORKDIR     from the repository's top; ZSIM built with ASan and UBSan
+#
+# Most models are drawn by the camera `plain`: 240x240, one unit to a pixel, (x, y, z) at pixel (120 + x, 120 - y), 120
+# units away where z = 0.
+# SPDX-License-Identifier: MIT
+. tests/tools/zsim.sh
+
+obj quad 'v -50 -50 0' 'v 50 -50 0' 'v 50 50 0' 'v -50 50 0' 'f 1 2 3 4'
+# Two cards behind each other, the nearer one last in the file and on the right
+obj cards 'v -50 -50 0' 'v 50 -50 0' 'v 50 50 0' 'v -50 50 0' \
+    'v 0 -50 40' 'v 90 -50 40' 'v 90 50 40' 'v 0 50 40' 'f 5 6 7 8' 'f 1 2 3 4'
+# A ball of 24 x 12 cells, radius 60
+awk 'BEGIN { pi = atan2(0, -1); n = 24; m = 12
+    for (i = 0; i <= m; i++) for (j = 0; j < n; j++)
+        printf "v %.6f %.6f %.6f\n", 60 * sin(pi * i / m) * sin(2 * pi * j / n), 60 * cos(pi * i / m),
+            60 * sin(pi * i / m) * cos(2 * pi * j / n)
+    for (i = 0; i < m; i++) for (j = 0; j < n; j++) {
+        a = i * n + j + 1; b = i * n + (j + 1) % n + 1
+        print "f", a, a + n, b + n, b } }' >ball.obj
+
+bare='--ambient 1 --diffuse 0' # colours as they are
+effect() { # NAME MODEL OPTION...    a picture, out/NAME.png
+    as=$1
+    shift
+    rm -f "out/$as.png"
+    z render "$@" --out "out/$as.png"
+    [ $status -eq 0 ] || wrong "status $status: $(said)"
+    [ ! -s stdout ] && [ ! -s stderr ] || wrong "it talks in a pipe: $(said)"
+}
+codes() { # NAME X Y W H WANT_R WANT_G WANT_B    mean codes in thousandths, within 1000
+    look codes "out/$1.png" "$2" "$3" "$4" "$5"
+    # shellcheck disable=SC2086
+    set -- "$1" "$6" "$7" "$8" $seen
+    for k in 2 3 4; do
+        eval "want=\${$k} have=\${$((k + 3))}"
+        [ "$have" -ge $((want - 1000)) ] && [ "$have" -le $((want + 1000)) ] || wrong "$1 has codes $5 $6 $7 for $2 $3 $4"
+    done
+}
+pixel() { # NAME X Y RRGGBB
+    look pixel "out/$1.png" "$2" "$3"
+    is "out/$1.png at $2,$3" "$seen" "$4"
+}
+same_png() { # A B
+    cmp "out/$1.png" "out/$2.png" >/dev/null 2>&1 || wrong "out/$1.png and out/$2.png differ"
+}
+
+# ---- Transparency ----------------------------------------------------------------------------------------------------
+begin alpha_mixes_with_what_is_behind
+effect plain quad.obj $plain $bare --color ff0000 --background 0000ff
+effect half quad.obj $plain $bare --color ff0000 --background 0000ff --alpha 0.5
+pixel half 40 120 0000ff
+codes half 80 80 80 80 15500 0 15500
+effect none quad.obj $plain $bare --color ff0000 --background 0000ff --alpha 0
+look count out/none.png 0000ff
+is "pixels without a trace at alpha 0" "$seen" 57600
+effect all quad.obj $plain $bare --color ff0000 --background 0000ff --alpha 1
+same_png all plain
+
+begin alpha_sorts_triangles # the nearer card is first in the file; where both are, it is mixed last
+effect two cards.obj $plain $bare --color ffffff --alpha 0.5
+codes two 80 100 10 10 15500 31500 15500
+codes two 180 100 10 10 15500 31500 15500
+codes two 130 100 10 10 23250 47250 23250
+
+begin blend_add
+effect add quad.obj $plain $bare --color ff0000 --background 4040ff --alpha 0.5 --blend add
+codes add 80 80 80 80 23500 16000 31000
+effect full quad.obj $plain $bare --color ff0000 --background c040ff --alpha 1 --blend add
+pixel full 120 120 ff41ff
+
+begin blend_screen_door
+for alpha in 0.25 0.5 0.75; do
+    effect door quad.obj $plain $bare --color ff0000 --background 0000ff --alpha $alpha --blend screen-door
+    look count out/door.png ff0000
+    many=$(awk -v a=$alpha 'BEGIN { print int(10000 * a) }')
+    [ "$seen" -ge $((many - 200)) ] && [ "$seen" -le $((many + 200)) ] || wrong "$seen pixels of 10000 at alpha $alpha"
+    reds=$seen
+    look count out/door.png 0000ff
+    is "all other pixels" "$seen" $((57600 - reds))
+done
+
+# ---- Samples ---------------------------------------------------------------------------------------------------------
+begin four_samples_are_the_mean_of_a_frame_twice_as_large
+effect big ball.obj --size 240x160
+effect small ball.obj --size 120x80 --samples 4
+look halved out/big.png out/small.png
+[ "$seen" -ge 300 ] || wrong "only $seen pixels are mixed"
+effect strips ball.obj --size 120x80 --samples 4 --strip 7 --buffers 1 --tris 100 --verts 90
+same_png small strips
+effect one ball.obj --size 120x80 --samples 1
+effect plainly ball.obj --size 120x80
+same_png one plainly
+
+# ---- Fog -------------------------------------------------------------------------------------------------------------
+begin fog_by_distance
+effect fog quad.obj $plain $bare --color ff0000 --fog linear:20:220:0000ff
+codes fog 80 80 80 80 15500 0 15500
+pixel fog 10 10 000000
+effect before quad.obj $plain $bare --color ff0000 --fog linear:125:220:0000ff
+pixel before 120 120 ff0000
+effect beyond quad.obj $plain $bare --color ff0000 --fog linear:20:110:0000ff
+pixel beyond 120 120 0000ff
+effect thick quad.obj $plain $bare --color ff0000 --fog exp:0.00577623:0000ff # exp(-120 * that) = 1/2
+codes thick 80 80 80 80 15500 0 15500
+
+# ---- Dither ----------------------------------------------------------------------------------------------------------
+begin dither_keeps_the_mean
+effect sharp ball.obj $plain --shade smooth --color 909090
+for kind in ordered blue; do
+    effect $kind ball.obj $plain --shade smooth --color 909090 --dither $kind
+    look codes out/sharp.png 100 100 16 16
+    # shellcheck disable=SC2086
+    codes $kind 100 100 16 16 $seen
+    ! cmp out/sharp.png out/$kind.png >/dev/null || wrong "--dither $kind did nothing"
+done
+effect off ball.obj $plain --shade smooth --color 909090 --dither none
+same_png off sharp
+begin dither_to_one_bit # the quad's grey is 128 of 255: half of its pixels are white
+for kind in ordered blue; do
+    effect mono quad.obj --projection orthographic --eye 0,0,120 --at 0,0,0 --fov 26 --near 20 --far 420 $bare \
+        --color 808080 --panel ssd1306:128x64 --dither $kind
+    look png out/mono.png
+    is "size and colours of $kind" "$seen" "128 64 2"
+    look count out/mono.png ffffff
+    [ "$seen" -ge 3700 ] && [ "$seen" -le 4500 ] || wrong "$seen white pixels of 8192"
+done
+
+# ---- Filters ---------------------------------------------------------------------------------------------------------
+gcc -O1 -Wall -Wextra -Werror "$top/tests/tools/fixture.c" -lpng -lturbojpeg -o "$work/fixture" || exit 1
+begin filter_bilinear
+obj card 'v -50 -50 0' 'v 50 -50 0' 'v 50 50 0' 'v -50 50 0' 'vt 0 0' 'vt 1 0' 'vt 1 1' 'vt 0 1' 'f 1/1 2/2 3/3 4/4'
+./fixture png rgb two.png 2 1 ff0000 0000ff
+effect near card.obj $plain --shade unlit --texture two.png --wrap clamp
+pixel near 90 120 ff0000
+pixel near 150 120 0000ff
+effect mixed card.obj $plain --shade unlit --texture two.png --wrap clamp --filter bilinear
+pixel mixed 80 120 ff0000
+pixel mixed 160 120 0000ff
+codes mixed 119 100 2 20 15500 0 15500
+codes mixed 107 100 1 20 23250 0 7750
+
+# ---- Lights ----------------------------------------------------------------------------------------------------------
+lit='--shade flat --ambient 0 --diffuse 1 --color ffffff'
+begin lights_have_colors
+effect red quad.obj $plain $lit --light dir:0,0,1:ff0000
+pixel red 120 120 ff0000
+effect both quad.obj $plain $lit --light dir:0,0,1:ff0000 --light dir:0,0,5:0000ff
+pixel both 120 120 ff00ff
+effect slanted quad.obj $plain $lit --light dir:1.7320508,0,1 # 60 degrees from the normal
+codes slanted 100 100 20 20 15500 31500 15500
+effect behind quad.obj $plain $lit --light dir:0,0,-1
+pixel behind 120 120 000000
+obj dot 'v -3 -3 0' 'v 3 -3 0' 'v 3 3 0' 'v -3 3 0' 'f 1 2 3 4'
+begin light_at_a_point # faces are lit at their middles, 30 in front of which it stands
+effect point dot.obj $plain $lit --light point:0,0,30
+pixel point 120 120 ffffff
+effect faded dot.obj $plain $lit --light point:0,0,30:ffffff:60 # times (1 - 1/4)^2
+codes faded 119 119 2 2 17400 35400 17400
+effect far dot.obj $plain $lit --light point:0,0,30:ffffff:29
+pixel far 120 120 000000
+begin light_in_a_cone # aimed at the middle: what is beyond 28 degrees is dark
+obj two_squares 'v -30 -5 0' 'v -20 -5 0' 'v -20 5 0' 'v -30 5 0' 'v -3 -3 0' 'v 3 -3 0' 'v 3 3 0' 'v -3 3 0' 'f 1 2 3 4' 'f 5 6 7 8'
+effect spot two_squares.obj $plain $lit --light spot:0,0,40
+pixel spot 120 120 ffffff
+pixel spot 95 120 000000
+begin highlights
+effect dull ball.obj $plain --shade smooth --color 400000 --light 0,0,1
+effect shiny ball.obj $plain --shade smooth --color 400000 --light 0,0,1 --specular 20:1
+effect phong ball.obj $plain --shade smooth --color 400000 --light 0,0,1 --specular 20:1 --per-pixel
+look pixel out/dull.png 120 120
+case $seen in ??0000) ;; *) wrong "without highlights the middle is $seen" ;; esac
+codes phong 119 119 2 2 31000 47250 23250
+look pixel out/phong.png 175 120
+case $seen in ??0000) ;; *) wrong "the edge shines: $seen" ;; esac
+! cmp out/shiny.png out/phong.png >/dev/null || wrong '--per-pixel did nothing'
+
+# ---- Shadows ---------------------------------------------------------------------------------------------------------
+begin shadow_planar # from above: the light comes from the right, the shadow lies to the left of the ball
+sideways='--light 1,1,0 --shadow planar --shade smooth'
+top='--projection orthographic --eye 0,120,1 --at 0,0,0 --fov 90 --near 20 --far 420'
+effect down ball.obj $top $sideways
+look codes out/down.png 21 121 3 1 # of a cell of the same shade as the next
+dark=$seen
+look codes out/down.png 208 121 3 1
+awk -v a="$dark" -v b="$seen" 'BEGIN { split(a, d); split(b, l); for (k = 1; k <= 3; k++) if (d[k] < 0.3 * l[k] || d[k] > 0.47 * l[k]) exit 1 }' ||
+    wrong "in the shadow $dark, outside $seen"
+
+# ---- What is refused -------------------------------------------------------------------------------------------------
+refuse() { # NAME WHAT-THE-LINE-HOLDS MODEL OPTION...    nothing but --out
+    begin "refused_$1"
+    what=$2
+    shift 2
+    z render "$@" --out refused/old.png
+    one_line 1 "$what"
+    untouched
+}
+refuse fog_backwards 'it must begin at 0 or beyond, and end after it begins' quad.obj --fog linear:5:2:ffffff
+refuse fog_without_density 'the density must be more than 0' quad.obj --fog exp:0:ffffff
+refuse light_without_direction 'has no direction' quad.obj --light dir:0,0,0
+refuse five_lights 'at most 4 lights' quad.obj --light dir:1,1,1 --light dir:1,1,1 --light dir:1,1,1 --light dir:1,1,1 \
+    --light dir:1,1,2
+refuse light_range 'the range must be more than 0' quad.obj --light point:1,2,3:ff0000:0
+refuse light_dir_range 'a directional light has no range' quad.obj --light dir:1,2,3:ff0000:3
+refuse specular_power 'the power is outside its range, 1 to 128' quad.obj --shade smooth --specular 300:1
+refuse specular_strength 'the strength is outside its range, 0 to 1' quad.obj --shade smooth --specular 30:1.5
+refuse alpha '--alpha 2 is outside its range, 0 to 1' quad.obj --alpha 2
+refuse dither_flat 'RGB565 colours are dithered with --shade smooth' quad.obj --dither blue
+refuse shadow_from_below 'the light comes from below the floor' ball.obj --shade smooth --light 0,-1,0 --shadow planar
+refuse fog_too_far 'ends too far away' quad.obj --fog linear:0:1e20:ffffff
+usage light 'TYPE:X,Y,Z[:RRGGBB[:RANGE]]' render quad.obj --out refused/old.png --light sun:1,2,3
+usage light_color 'TYPE:X,Y,Z[:RRGGBB[:RANGE]]' render quad.obj --out refused/old.png --light spot:1,2,3:ff
+usage lights_mixed 'write it as dir:x,y,z' render quad.obj --out refused/old.png --light dir:1,2,3 --light 1,2,3
+usage specular 'POWER:STRENGTH' render quad.obj --out refused/old.png --specular 20
+usage fog 'linear:START:END:RRGGBB or exp:DENSITY:RRGGBB' render quad.obj --out refused/old.png --fog thick
+usage blend_alone '--blend needs --alpha' render quad.obj --out refused/old.png --blend add
+usage two_floors 'are two floors' render quad.obj --out refused/old.png --mirror --shadow map
+usage filter_without_texture '--filter needs --shade textured' render quad.obj --out refused/old.png --filter bilinear
+usage two_shaders 'take one of them' render quad.obj --out refused/old.png --shade smooth --alpha 0.5 --per-pixel
+usage samples_and_keys '--depth-out with --samples 4' render quad.obj --out refused/old.png --samples 4 --depth-out d.pgm
+usage effects_and_method 'effects are drawn by --method zbuffer' render quad.obj --out refused/old.png --samples 4 \
+    --method painter
+usage fog_of_glass 'transparent faces do not write' render quad.obj --out refused/old.png --alpha 0.5 --fog exp:1:ffffff
+finish
+[ $n_failed -eq 0 ]

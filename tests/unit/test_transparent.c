@@ -1,0 +1,409 @@
+/* Sorted layers: the frame of single triangles, drawn one after another in an order that qsort has made; the same for
+ * any pools, strips and accelerators; faces that cross, by this method and by depth sort.
+ *
+ * SPDX-License-Identifier: MIT
+ */
+#include <stdlib.h>
+#include <string.h>
+
+#include "../lab/fuzz/world.h"
+#include "cases.h"
+#include "own.h"
+#include "picture.h"
+#include "zs_blend.h"
+#include "zs_lines.h"
+#include "zs_method.h"
+
+/* ---- Against single triangles ----------------------------------------------------------------- */
+
+#define TRIS 60
+#define MATERIALS 5
+
+static int16_t pos[TRIS * 3][3];
+static uint16_t corners[TRIS][3], color[TRIS];
+static uint8_t of_material[TRIS];
+static const uint16_t one[1][3] = { { 0, 1, 2 } };
+static struct zs_blend material[MATERIALS];
+static struct zs_mesh mesh[TRIS];
+static struct zs_instance instances[TRIS], sorted[TRIS];
+
+static int is_layer(uint32_t t)
+{
+    return material[of_material[t]].material.shader->layer;
+}
+
+static int32_t distance(uint32_t t)
+{
+    int32_t z = 0;
+    for (int k = 0; k < 3; k++)
+        if (-pos[3 * t + (uint32_t)k][2] > z)
+            z = -pos[3 * t + (uint32_t)k][2];
+    return z;
+}
+
+/* Opaque ones in scene order, then layers from far to near. */
+static int in_order(const void *a, const void *b)
+{
+    const uint32_t ta = *(const uint32_t *)a, tb = *(const uint32_t *)b;
+    const int32_t da = distance(ta), db = distance(tb);
+    if (is_layer(ta) != is_layer(tb))
+        return is_layer(ta) - is_layer(tb);
+    if (is_layer(ta) && da != db)
+        return (da < db) - (da > db);
+    return (ta > tb) - (ta < tb);
+}
+
+/* A layer of a user's own; it does not commute with others. */
+static void tint(const struct zs_instance *instance, struct zs_fragment *f)
+{
+    *f->color = (uint16_t)(*f->color * 3u + instance->material->rgb.r + f->x);
+}
+
+static const struct zs_shader tint_shader = { .fragment = tint, ZS_FRAGMENTS, ZS_LAYER };
+
+static void materials_set(struct prng *p)
+{
+    static const struct zs_shader *const any[] = { &zs_shade_raw, &zs_blend_raw, &zs_add_raw, &zs_stipple_raw,
+                                                   &tint_shader };
+    for (uint32_t k = 0; k < MATERIALS; k++)
+        material[k] = (struct zs_blend){ .material = { .shader = any[k], .cull = ZS_CULL_NONE, .rgb.r = 77 },
+                                         .alpha = (uint8_t)prng_pick(p, 256),
+                                         .phase = (uint8_t)prng_pick(p, 64) };
+}
+
+static unsigned walks, layers_drawn;
+
+/* Triangles between near and far and inside the guard band, many of them equally far, each an instance of some material
+ * and depth state: the frame is that of the depth buffer, drawn in the order of in_order. */
+static int single_case(uint64_t seed)
+{
+    static const struct zs_depth_state any[3] = { { .func = ZS_DEPTH_LESS_EQUAL }, { .bias = -300 },
+                                                   { .slope_bias = 512 } };
+    struct prng p = { seed };
+    const uint32_t n = (uint32_t)prng_range(&p, 1, TRIS);
+    const int32_t nearest = prng_range(&p, 101, 5000), depth = prng_range(&p, 0, prng_pick(&p, 2) ? 4 : 20000);
+    struct zs_camera camera;
+    uint32_t order[TRIS];
+    materials_set(&p);
+    if (zs_camera_perspective(&camera, ZS_DEGREES(60), 48, 100, 40000))
+        return case_wrong("camera");
+    for (uint32_t t = 0; t < n; t++) {
+        order[t] = t;
+        color[t] = (uint16_t)(prng_next(&p) | 1u);
+        of_material[t] = (uint8_t)prng_pick(&p, MATERIALS);
+        for (uint32_t v = 3 * t; v < 3 * t + 3; v++) {
+            pos[v][2] = (int16_t)-(nearest + prng_range(&p, 0, depth));
+            pos[v][0] = (int16_t)(prng_range(&p, -800, 800) * -pos[v][2] / 1000);
+            pos[v][1] = (int16_t)(prng_range(&p, -800, 800) * -pos[v][2] / 1000);
+            corners[t][v % 3] = (uint16_t)v;
+        }
+        mesh[t] = (struct zs_mesh){ .pos = pos + 3 * t, .tri = one, .face_raw = color + t, .n_verts = 3, .n_tris = 1,
+                                    .radius = 65535 };
+        instances[t] = (struct zs_instance){ .mesh = &mesh[t], .material = &material[of_material[t]].material,
+                                             .depth_state = prng_pick(&p, 4) ? NULL : &any[prng_pick(&p, 3)] };
+        layers_drawn += (unsigned)is_layer(t);
+    }
+    qsort(order, n, sizeof order[0], in_order);
+    for (uint32_t k = 0; k < n; k++)
+        sorted[k] = instances[order[k]];
+    const struct zs_scene in_that_order = { .instance = sorted, .n_instances = n, .background = 0x7bcf };
+    const struct zs_scene scene = { .instance = instances, .n_instances = n, .background = 0x7bcf };
+    struct zs_config c = picture_config(64, 48, prng_pick(&p, 2) ? &zs_depth_float : &zs_depth_recip);
+    c.fast = NULL;
+    struct picture want = picture_draw(&c, &in_that_order, &camera);
+    c.method = &zs_method_transparent;
+    picture_any_way(&p, &c, 2, 6);
+    struct picture is = picture_draw(&c, &scene, &camera);
+    const int right = !want.err && !is.err && picture_same(&want, &is, "single triangles");
+    walks += is.stats.passes;
+    picture_free(&want);
+    picture_free(&is);
+    return right || case_wrong("errors %d and %d", want.err, is.err);
+}
+
+static void is_that_of_single_triangles(void **state)
+{
+    (void)state;
+    walks = layers_drawn = 0;
+    CASES(single_case, 400);
+    if (!getenv("ZS_SEED"))
+        assert_true(walks > 10000 && layers_drawn > 3000);
+}
+
+/* ---- Any pools, any mapping ------------------------------------------------------------------- */
+
+static struct zs_blend blends[WORLD_MATERIALS];
+
+/* Replace some materials of a world by layers. */
+static void world_layers(struct world *w, struct prng *p)
+{
+    static const struct zs_shader *const of_kind[6][4] = {
+        { &zs_shade_raw, &zs_blend_raw, &zs_add_raw, &zs_stipple_raw },
+        { &zs_shade_flat, &zs_blend_flat, &zs_add_flat, &zs_stipple_flat },
+        { &zs_shade_smooth, &zs_blend_smooth, &zs_add_smooth, &zs_stipple_smooth },
+        { &zs_shade_texture, &zs_blend_texture, &zs_add_texture, &zs_stipple_texture },
+        { &zs_shade_texture_flat, &zs_blend_texture_flat, &zs_add_texture_flat, &zs_stipple_texture_flat },
+        { &zs_shade_texture_smooth, &zs_blend_texture_smooth, &zs_add_texture_smooth, &zs_stipple_texture_smooth },
+    };
+    for (uint32_t j = 0; j < WORLD_MATERIALS; j++) {
+        blends[j] = (struct zs_blend){ w->material[j], (uint8_t)prng_pick(p, 256), (uint8_t)prng_pick(p, 64) };
+        for (int k = 0; k < 6; k++)
+            if (w->material[j].shader == of_kind[k][0])
+                blends[j].material.shader = of_kind[k][prng_pick(p, 4)];
+    }
+    for (uint32_t i = 0; i < w->n_instances; i++)
+        if (w->instance[i].material)
+            w->instance[i].material = &blends[w->instance[i].material - w->material].material;
+}
+
+static unsigned again;
+
+static int way_case(uint64_t seed)
+{
+    struct prng p = { seed };
+    static struct world w;
+    world_make(&w, &p, 0);
+    world_layers(&w, &p);
+    struct zs_config c = { .width = (uint16_t)prng_range(&p, 1, 90), .height = (uint16_t)prng_range(&p, 1, 70),
+                           .max_tris = 4000, .max_verts = 8000, .varyings = ZS_VARYINGS_MAX,
+                           .depth = w.camera.projection ? &zs_depth_linear : &zs_depth_float,
+                           .method = &zs_method_transparent };
+    c.strip_h = c.height;
+    struct picture ample = picture_draw(&c, &w.scene, &w.camera);
+    picture_any_way(&p, &c, 2, 6);
+    struct picture is = picture_draw(&c, &w.scene, &w.camera);
+    const int right = ample.err == is.err && (ample.err || picture_same(&ample, &is, "another way"));
+    again += is.stats.passes > is.stats.strips;
+    picture_free(&ample);
+    picture_free(&is);
+    world_free(&w);
+    return right;
+}
+
+static void is_the_same_in_any_way(void **state)
+{
+    (void)state;
+    again = 0;
+    CASES(way_case, 120);
+    if (!getenv("ZS_SEED"))
+        assert_true(again > 30);
+}
+
+/* A scene without layers is the depth buffer's. */
+static int opaque_case(uint64_t seed)
+{
+    struct prng p = { seed };
+    static struct world w;
+    world_make(&w, &p, 0);
+    struct zs_config c = picture_config(80, 60, w.camera.projection ? &zs_depth_linear : &zs_depth_e5m11);
+    c.varyings = ZS_VARYINGS_MAX;
+    struct picture want = picture_draw(&c, &w.scene, &w.camera);
+    c.method = &zs_method_transparent;
+    picture_any_way(&p, &c, 2, 6);
+    struct picture is = picture_draw(&c, &w.scene, &w.camera);
+    const int right = want.err == is.err && (want.err || picture_same(&want, &is, "the depth buffer"));
+    picture_free(&want);
+    picture_free(&is);
+    world_free(&w);
+    return right;
+}
+
+static void without_layers_is_the_depth_buffer(void **state)
+{
+    (void)state;
+    CASES(opaque_case, 150);
+}
+
+/* ---- Thousands of layers ---------------------------------------------------------------------- */
+
+#define MANY 3000
+
+/* Panes behind each other, in a mesh in mixed order; seen by an orthographic camera. Each pixel against the sum of all,
+ * far to near, in integers of this test. */
+static void thousands_of_layers(void **state)
+{
+    static int16_t at[4 * MANY][3];
+    static uint16_t tri[2 * MANY][3], raw[2 * MANY];
+    static const int16_t side[4][2] = { { -8, -8 }, { 8, -8 }, { 8, 8 }, { -8, 8 } };
+    struct zs_camera camera;
+    struct prng p = { 5 };
+    uint32_t place[MANY];
+    (void)state;
+    for (uint32_t k = 0; k < MANY; k++)
+        place[k] = k;
+    for (uint32_t k = MANY - 1; k > 0; k--) {
+        const uint32_t other = prng_pick(&p, k + 1), was = place[k];
+        place[k] = place[other];
+        place[other] = was;
+    }
+    static uint16_t of_place[MANY];
+    for (uint32_t k = 0; k < MANY; k++) {
+        for (uint32_t v = 0; v < 4; v++) {
+            at[4 * k + v][0] = side[v][0];
+            at[4 * k + v][1] = side[v][1];
+            at[4 * k + v][2] = (int16_t)-(int32_t)(10 + 5 * place[k]);
+        }
+        const uint16_t first = (uint16_t)(4 * k);
+        const uint16_t two[2][3] = { { first, (uint16_t)(first + 1), (uint16_t)(first + 2) },
+                                     { first, (uint16_t)(first + 2), (uint16_t)(first + 3) } };
+        memcpy(tri[2 * k], two, sizeof two);
+        raw[2 * k] = raw[2 * k + 1] = of_place[place[k]] = (uint16_t)prng_next(&p);
+    }
+    const struct zs_mesh panes = { .pos = at, .tri = tri, .face_raw = raw, .n_verts = 4 * MANY, .n_tris = 2 * MANY,
+                                   .center = { 0, 0, -7500 }, .radius = 7600 };
+    const struct zs_blend pane = { .material = { .shader = &zs_blend_raw, .cull = ZS_CULL_NONE }, .alpha = 255 / 2 };
+    const struct zs_instance instance = { .mesh = &panes, .material = &pane.material };
+    const struct zs_scene scene = { .instance = &instance, .n_instances = 1, .background = 0x1234 };
+    assert_int_equal(zs_camera_orthographic(&camera, 16, 1, 20000), ZS_OK);
+    double want[3] = { 0x1234 >> 11, 0x1234 >> 5 & 63, 0x1234 & 31 };
+    for (uint32_t k = MANY; k-- > 0;) /* the error of one shrinks by those over it: within 2 codes */
+        for (int c = 0; c < 3; c++) {
+            const double source = c == 0 ? of_place[k] >> 11 : c == 1 ? of_place[k] >> 5 & 63 : of_place[k] & 31;
+            want[c] = (want[c] * 128. + source * 127.) / 255.;
+        }
+    uint16_t first = 0;
+    for (int pools = 0; pools < 3; pools++) {
+        struct zs_config c = picture_config(16, 16, &zs_depth_linear);
+        c.method = &zs_method_transparent;
+        c.max_tris = pools == 0 ? 6000 : pools == 1 ? 800 : 100;
+        c.max_verts = pools == 0 ? 12000 : pools == 1 ? 1600 : 200;
+        c.strip_h = pools == 0 ? 16 : 9;
+        struct picture is = picture_draw(&c, &scene, &camera);
+        assert_int_equal(is.err, ZS_OK);
+        assert_true(pools == 0 ? is.stats.passes == 1 : is.stats.passes > 8);
+        if (pools == 0)
+            first = is.color[0];
+        for (int k = 0; k < 16 * 16; k++)
+            assert_int_equal(is.color[k], first);
+        const double got[3] = { first >> 11, first >> 5 & 63, first & 31 };
+        for (int ch = 0; ch < 3; ch++)
+            assert_true(got[ch] - want[ch] < 2.01 && want[ch] - got[ch] < 2.01);
+        picture_free(&is);
+    }
+}
+
+/* ---- Faces that cross ------------------------------------------------------------------------- */
+
+/* Two panes that cross in the frame's middle column: on the left the first is nearer, on the right the second. */
+static void crossing(struct picture *is, const struct zs_method *method, const struct zs_depth *depth, uint16_t tris,
+                     uint16_t verts)
+{
+    static const int16_t at[8][3] = { { -20, -20, -30 }, { 20, -20, -70 }, { 20, 20, -70 }, { -20, 20, -30 },
+                                      { -20, -20, -71 }, { 20, -20, -31 }, { 20, 20, -31 }, { -20, 20, -71 } };
+    static const uint16_t tri[4][3] = { { 0, 1, 2 }, { 0, 2, 3 }, { 4, 5, 6 }, { 4, 6, 7 } };
+    static const uint16_t raw[4] = { 0xf800, 0xf800, 0x07e0, 0x07e0 };
+    static const struct zs_mesh two = { .pos = at, .tri = tri, .face_raw = raw, .n_verts = 8, .n_tris = 4,
+                                        .center = { 0, 0, -50 }, .radius = 50 };
+    static const struct zs_blend half = { .material = { .shader = &zs_blend_raw, .cull = ZS_CULL_NONE }, .alpha = 128 };
+    static const struct zs_instance instance = { .mesh = &two, .material = &half.material };
+    static const struct zs_scene scene = { .instance = &instance, .n_instances = 1 };
+    struct zs_camera camera;
+    struct zs_config c = picture_config(32, 32, depth);
+    c.method = method;
+    c.max_tris = tris;
+    c.max_verts = verts;
+    assert_int_equal(zs_camera_orthographic(&camera, 32, 10, 100), ZS_OK);
+    *is = picture_draw(&c, &scene, &camera);
+    assert_int_equal(is->err, ZS_OK);
+}
+
+/* Pixels at which the pane that is nearer there is not the one that was drawn last: it has the larger share. */
+static uint32_t wrong_pixels(const struct picture *is)
+{
+    uint32_t wrong = 0;
+    for (int32_t y = 0; y < 32; y++)
+        for (int32_t x = 0; x < 32; x++) {
+            const uint32_t v = is->color[y * 32 + x], red = v >> 11, green = v >> 6 & 31u;
+            assert_true(red >= 7 && green >= 7 && red + green >= 22 && red + green <= 25);
+            if (x != 15 && x != 16)
+                wrong += x < 16 ? red < green : green < red;
+        }
+    return wrong;
+}
+
+static void faces_that_cross_need_depth_sort(void **state)
+{
+    struct picture is;
+    (void)state;
+    crossing(&is, &zs_method_transparent, &zs_depth_linear, 100, 100);
+    const uint32_t wrong = wrong_pixels(&is);
+    print_message("sorted layers: %u of 960 pixels in the wrong order\n", wrong);
+    assert_in_range(wrong, 300, 700); /* a half */
+    picture_free(&is);
+    crossing(&is, &zs_method_depthsort, &zs_depth_order, 100, 100);
+    assert_int_equal(wrong_pixels(&is), 0);
+    assert_true(is.stats.splits > 0);
+    struct picture least; /* rectangles of a pixel */
+    crossing(&least, &zs_method_depthsort, &zs_depth_order, 2, 6);
+    assert_true(picture_same(&is, &least, "rectangles of a pixel"));
+    picture_free(&least);
+    crossing(&least, &zs_method_depthsort, &zs_depth_order, 5, 13);
+    assert_true(picture_same(&is, &least, "small rectangles"));
+    picture_free(&least);
+    picture_free(&is);
+}
+
+/* Layers in random worlds by depth sort: the same for any pools, down to rectangles of a pixel. */
+static int depthsort_case(uint64_t seed)
+{
+    struct prng p = { seed };
+    static struct world w;
+    world_make(&w, &p, 0);
+    world_layers(&w, &p);
+    struct zs_config c = picture_config(prng_range(&p, 1, 12), prng_range(&p, 1, 9), &zs_depth_order);
+    c.varyings = ZS_VARYINGS_MAX;
+    c.method = &zs_method_depthsort;
+    struct picture ample = picture_draw(&c, &w.scene, &w.camera);
+    picture_any_way(&p, &c, 2, 6);
+    struct picture is = picture_draw(&c, &w.scene, &w.camera);
+    const int right = ample.err == is.err && (ample.err || picture_same(&ample, &is, "another way"));
+    picture_free(&ample);
+    picture_free(&is);
+    world_free(&w);
+    return right;
+}
+
+static void depth_sort_blends_the_same_in_any_way(void **state)
+{
+    (void)state;
+    CASES(depthsort_case, 30);
+}
+
+/* ---- What is refused ------------------------------------------------------------------------- */
+
+static void small_pools_and_no_depth_memory_are_refused(void **state)
+{
+    static const int16_t corner[3][3] = { { 0, 0, -2000 }, { 900, 0, -2000 }, { 0, 900, -2000 } };
+    struct lone l;
+    struct zs_camera camera;
+    (void)state;
+    assert_int_equal(zs_camera_perspective(&camera, ZS_DEGREES(60), 48, 100, 40000), ZS_OK);
+    lone_set(&l, corner, 3, ZS_Q16_ONE);
+    struct zs_config without = picture_config(64, 48, &zs_depth_none);
+    without.method = &zs_method_transparent;
+    struct picture none = picture_draw(&without, &l.scene, &camera);
+    assert_int_equal(none.err, ZS_ERR_DEPTH);
+    picture_free(&none);
+    for (uint16_t tris = 1; tris <= 2; tris++)
+        for (uint16_t verts = 5; verts <= 6; verts++) {
+            struct zs_config c = picture_config(64, 48, &zs_depth_float);
+            c.method = &zs_method_transparent;
+            c.max_tris = tris;
+            c.max_verts = verts;
+            struct picture is = picture_draw(&c, &l.scene, &camera);
+            assert_int_equal(is.err, tris == 2 && verts == 6 ? ZS_OK : ZS_ERR_SIZE);
+            picture_free(&is);
+        }
+}
+
+static const struct CMUnitTest tests[] = {
+    cmocka_unit_test(is_that_of_single_triangles),
+    cmocka_unit_test(is_the_same_in_any_way),
+    cmocka_unit_test(without_layers_is_the_depth_buffer),
+    cmocka_unit_test(thousands_of_layers),
+    cmocka_unit_test(faces_that_cross_need_depth_sort),
+    cmocka_unit_test(depth_sort_blends_the_same_in_any_way),
+    cmocka_unit_test(small_pools_and_no_depth_memory_are_refused)
+};
+
+CASES_MAIN(tests)
