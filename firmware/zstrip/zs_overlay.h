@@ -22,7 +22,7 @@
  * Cost on a Cortex-M3, instructions: a pixel of a fill 0.5, mixed 16; of a sprite 11 to 29, with
  * alpha 36 to 63; of a line 26; of an arc 57; a letter 600, of double size 1,100, with a mark
  * 1,200; a needle of 30 px 29,000; a tick 680; 200 a frame to see that an item stands still. On the
- * stack 600 bytes at most (Cortex-M0+). Flash at -O2: 1.3 KB; with rectangles, bars and lines 3 KB,
+ * stack 240 bytes at most (Cortex-M0+). Flash at -O2: 1.3 KB; with rectangles, bars and lines 3 KB,
  * sprites 1.3 KB, text 3.7 KB, dials 2.2 KB.
  *
  * Colours are mixed to less than one code of the exact mix: alpha is rounded to 64ths, and the sum
