@@ -343,8 +343,8 @@ static int way_case(uint64_t seed)
 
 static int16_t far_pos[6][3];
 
-/* Two triangles at the far plane, where keys are held to the last bucket, the second with any depth state: by a shader of
- * its own test, and by the opaque one. */
+/* Two triangles at the far plane, where keys are held to the last bucket, the second with any depth state: by a shader
+ * of its own test, and by the opaque one. */
 static int far_case(uint64_t seed)
 {
     static const uint16_t tri[1][3] = { { 0, 1, 2 } };
