@@ -26,7 +26,7 @@ extern "C" {
 struct zs_blend {
     struct zs_material material;
     uint8_t alpha; /* 0 .. 255. 0: nothing is seen; 255: all of it */
-    uint8_t phase; /* stipple, 0 .. 63: moves the pattern by phase % 8 columns and phase / 8 rows,
+    uint8_t phase; /* stipple: moves the pattern by phase % 8 columns and phase / 8 rows, modulo 8,
                       so that faces behind each other do not leave out the same pixels */
 };
 
@@ -56,8 +56,8 @@ extern const struct zs_shader zs_add_raw, zs_add_flat, zs_add_smooth, zs_add_tex
 
 /* Screen-door transparency: round(alpha * 64 / 255) of 64 pixels are drawn, in an ordered pattern
  * (Bayer, 8x8) by their place in the frame; the others keep colour and key. No order is needed, as
- * a pixel that is drawn is opaque, and writes its key unless the depth state is read-only.
- * ZS_ERR_RANGE: phase. */
+ * a pixel that is drawn is opaque, and writes its key unless the depth state is read-only. Needs
+ * what the opaque shader needs, with its errors. */
 extern const struct zs_shader zs_stipple_raw, zs_stipple_flat, zs_stipple_smooth,
     zs_stipple_texture, zs_stipple_texture_flat, zs_stipple_texture_smooth;
 

@@ -28,7 +28,8 @@ render() { # CPU NAME EMPTY [FLAGS]: EMPTY as of stack.mjs
     flags=${4:-}
     bound "$2" '' "$(echo "$empty,zs_method.begin" | sed 's/^-,//')"
     case $2 in bare-*) return ;; esac
-    for method in painter_sort hiz_hiz.bounds depthsort_coverage_order_newell_pieces_order.depth_sort raycast_rays_ray.nodes_sort layers_sort; do
+    for method in painter_sort hiz_hiz.bounds depthsort_coverage_order_newell_pieces_order.depth_sort \
+        raycast_rays_ray.nodes_sort layers_sort; do
         dir=$B/stack-$2-${method%%_*}
         rm -rf "$dir" && cp -a "$B/stack-$2-all" "$dir"
         bound "$2-${method%%_*}" "$method" "$empty"
@@ -36,7 +37,8 @@ render() { # CPU NAME EMPTY [FLAGS]: EMPTY as of stack.mjs
 }
 # A renderer has one method, so each is bound by itself, and the usual one, the depth buffer, without them.
 bound() { # NAME METHOD EMPTY. METHOD: files of method/ and effect/ that stay, _ between, and . for _ in a name
-    for m in painter sort hiz hiz_bounds depthsort coverage order newell pieces order_depth raycast rays ray_nodes layers; do
+    for m in painter sort hiz hiz_bounds depthsort coverage order newell pieces order_depth raycast rays ray_nodes \
+        layers; do
         case _${2}_ in
         *_"$(echo $m | tr _ .)"_*) ;;
         *) rm -f "$dir/method_$m".* "$dir/effect_$m".* ;;

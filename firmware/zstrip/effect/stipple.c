@@ -45,33 +45,6 @@ static inline uint32_t turned(uint32_t bits, int32_t n)
     return bits >> by | bits << ((32u - by) & 31u);
 }
 
-/* ---- Checks ---------------------------------------------------------------------------------- */
-
-static int check(const struct zs_instance *in, const struct zs_config *config)
-{
-    const struct zs_blend *m = (const struct zs_blend *)(const void *)in->material;
-    (void)config;
-    return m->phase < 64 ? ZS_OK : ZS_ERR_RANGE;
-}
-
-static int smooth_check(const struct zs_instance *in, const struct zs_config *config)
-{
-    const int err = zs_smooth_usable(in, config);
-    return err ? err : check(in, config);
-}
-
-static int texture_check(const struct zs_instance *in, const struct zs_config *config)
-{
-    const int err = zs_texture_usable(in, config);
-    return err ? err : check(in, config);
-}
-
-static int lit_check(const struct zs_instance *in, const struct zs_config *config)
-{
-    const int err = zs_texture_lit_usable(in, config);
-    return err ? err : check(in, config);
-}
-
 /* ---- Pixels ---------------------------------------------------------------------------------- */
 
 /* Draw those of n pixels, 1 .. 32, that have a bit. */
@@ -181,14 +154,14 @@ static void texture_span(struct zs_job *job, const struct zs_row *row, int32_t i
 }
 
 #define STIPPLE(of) .run = of##_run, .span = of##_span
-const struct zs_shader zs_stipple_raw = { .face = zs_raw_face, .check = check, STIPPLE(solid) };
-const struct zs_shader zs_stipple_flat = { .face = zs_flat_face, .check = check, STIPPLE(solid) };
-const struct zs_shader zs_stipple_smooth = { ZS_OVER_SMOOTH(smooth_check), STIPPLE(smooth) };
-const struct zs_shader zs_stipple_texture = { ZS_OVER_TEXTURE(zs_texture_start, texture_check),
+const struct zs_shader zs_stipple_raw = { .face = zs_raw_face, STIPPLE(solid) };
+const struct zs_shader zs_stipple_flat = { .face = zs_flat_face, STIPPLE(solid) };
+const struct zs_shader zs_stipple_smooth = { ZS_OVER_SMOOTH(zs_smooth_usable), STIPPLE(smooth) };
+const struct zs_shader zs_stipple_texture = { ZS_OVER_TEXTURE(zs_texture_start, zs_texture_usable),
                                               STIPPLE(texture) };
 const struct zs_shader zs_stipple_texture_flat = {
-    ZS_OVER_TEXTURE_FLAT(zs_texture_start, texture_check), STIPPLE(texture)
+    ZS_OVER_TEXTURE_FLAT(zs_texture_start, zs_texture_usable), STIPPLE(texture)
 };
 const struct zs_shader zs_stipple_texture_smooth = {
-    ZS_OVER_TEXTURE_SMOOTH(zs_texture_start, lit_check), STIPPLE(texture)
+    ZS_OVER_TEXTURE_SMOOTH(zs_texture_start, zs_texture_lit_usable), STIPPLE(texture)
 };
