@@ -320,7 +320,7 @@ static void rays(void **state)
         assert_true(lights > 5000 && darks > 500);
 }
 
-/* Map and picture are the same whatever strips, pools, buffers and accelerators are; the picture by other methods too. */
+/* Map and picture are the same whatever strips, pools and accelerators are; the picture by other methods too. */
 static int way_case(uint64_t seed)
 {
     struct prng p = { seed };
