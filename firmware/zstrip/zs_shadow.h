@@ -107,7 +107,7 @@ extern const struct zs_shader zs_shade_disc;
  * Time      the light's frame is drawn when something has moved: 1.05 million instructions on a
  *           Cortex-M3 for 128 x 128 texels and a torus of 672 triangles.
  * Limits    directional lights: an orthographic camera with zs_depth_linear. (A light at a point
- *           would need a division for each pixel.)
+ *           would need a second division for each pixel.)
  * Looks     edges are steps of texels; `soft` makes ramps of a texel of them. With too little bias
  *           surfaces are striped with their own shadow (acne); with too much, shadows begin behind
  *           the feet of things (peter-panning). Take .slope_bias = 288, or 544 with `soft`: a

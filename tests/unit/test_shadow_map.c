@@ -8,6 +8,7 @@
 
 #include "cases.h"
 #include "picture.h"
+#include "zs_method.h"
 #include "zs_shadow.h"
 
 /* ---- Boxes on the ground ----------------------------------------------------------------------- */
@@ -319,7 +320,7 @@ static void rays(void **state)
         assert_true(lights > 5000 && darks > 500);
 }
 
-/* Map and picture are the same whatever strips, pools, buffers and accelerators are. */
+/* Map and picture are the same whatever strips, pools and accelerators are; the picture by other methods too. */
 static int way_case(uint64_t seed)
 {
     struct prng p = { seed };
@@ -335,10 +336,16 @@ static int way_case(uint64_t seed)
     CASE_CHECK(!memcmp(key, s.key, sizeof key));
     picture_any_way(&p, &c, 2, 6);
     struct picture other = picture_draw(&c, &s.scene, &s.camera);
-    const int right = picture_same(&one, &other, "another way");
+    int right = picture_same(&one, &other, "another way");
+    picture_free(&other);
+    const struct zs_config usual = picture_config(70, 50, c.depth);
+    c = usual;
+    c.method = prng_pick(&p, 2) ? &zs_method_raycast : &zs_method_hiz;
+    other = picture_draw(&c, &s.scene, &s.camera);
+    right = right && !other.err && !memcmp(one.color, other.color, 70 * 50 * sizeof other.color[0]);
     picture_free(&one);
     picture_free(&other);
-    return right;
+    return right || case_wrong("another method");
 }
 
 /* Where nothing throws shadows, the colours are those of the library's lit shaders. */
