@@ -70,7 +70,8 @@ static const char *value_of(const struct sim_option *opt)
     static const char *const by_kind[] = {
         [SIM_OPTION_FILE] = "FILE",    [SIM_OPTION_PATH] = "FILE",  [SIM_OPTION_TEXT] = "NAME",
         [SIM_OPTION_SIZE] = "WxH",     [SIM_OPTION_COUNT] = "N",    [SIM_OPTION_NUMBER] = "N",
-        [SIM_OPTION_VECTOR] = "x,y,z", [SIM_OPTION_RGB] = "RRGGBB", [SIM_OPTION_CHOICE] = "WORD", [SIM_OPTION_TEXTS] = "TEXT",
+        [SIM_OPTION_VECTOR] = "x,y,z", [SIM_OPTION_RGB] = "RRGGBB", [SIM_OPTION_CHOICE] = "WORD",
+        [SIM_OPTION_TEXTS] = "TEXT",
         [SIM_OPTION_FLAG] = NULL,      [SIM_OPTION_HEADING] = NULL, [SIM_OPTION_WORD] = NULL,
     };
     return opt->words != NULL ? opt->words : opt->value != NULL ? opt->value : by_kind[opt->kind];

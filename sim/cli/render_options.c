@@ -250,14 +250,16 @@ static int check_effects(const struct sim_options *o)
         return sim_usage("--filter needs --shade textured, textured-flat or unlit");
     if ((lit != 0) + e->has_alpha + (e->filter != SIM_FILTER_NEAREST) + (e->environment != NULL) +
             (e->shadow == SIM_SHADOW_MAP) + (e->dither != SIM_DITHER_NONE && o->panel.name == NULL) > 1)
-        return sim_usage("--alpha, --filter, --environment, --shadow map, --dither without a panel, and lights (typed ones, "
-                         "--specular, --per-pixel) each have a shader of their own: take one of them");
+        return sim_usage("--alpha, --filter, --environment, --shadow map, --dither without a panel, and lights (typed "
+                         "ones, --specular, --per-pixel) each have a shader of their own: take one of them");
     if (e->fog != SIM_FOG_NONE && e->has_alpha && e->blend != SIM_BLEND_SCREEN_DOOR)
         return sim_usage("--fog goes by depth keys, which transparent faces do not write: leave one out");
     if (e->shadow == SIM_SHADOW_PLANAR && e->has_alpha && e->blend != SIM_BLEND_SCREEN_DOOR)
         return sim_usage("--shadow planar is not drawn beside transparent faces: leave one out");
-    if (e->mirror && (e->fog != SIM_FOG_NONE || (e->has_alpha && e->blend != SIM_BLEND_SCREEN_DOOR)))
-        return sim_usage("--mirror leaves no keys that --fog could go by, and sorts no transparent faces: leave one out");
+    if (e->mirror && e->fog != SIM_FOG_NONE)
+        return sim_usage("--mirror leaves no keys that --fog could go by: leave one out");
+    if (e->mirror && e->has_alpha && e->blend != SIM_BLEND_SCREEN_DOOR)
+        return sim_usage("--mirror covers transparent faces before it, which write no keys: leave one out");
     if (e->filter == SIM_FILTER_MIPMAP && o->texel != SIM_TEXEL_565)
         return sim_usage("--filter mipmap makes its levels in --texture-format 565: leave the other one out");
     if (e->has_blend && !e->has_alpha)

@@ -72,7 +72,8 @@ static int add_shadows(struct sim_effect_scene *out, const struct sim_scene *fro
         *shadow = (struct zs_instance){ .material = &g->shade };
         const int err = zs_shadow_flatten(shadow, &g->shadow[i], g->pos[i], caster, &plane, &light);
         if (err == ZS_ERR_VECTOR)
-            return sim_refuse(o->model, 0, "--shadow planar: the light comes from below the floor, or along it; put it higher");
+            return sim_refuse(o->model, 0,
+                              "--shadow planar: the light comes from below the floor, or along it; put it higher");
         if (err != ZS_OK)
             return sim_refuse(o->model, 0, "--shadow planar: %s", zs_error_string(err));
         out->scene.n_instances++;
@@ -114,7 +115,7 @@ static int make_mirror(struct sim_effect_scene *out, const struct sim_scene *fro
         return sim_refuse(o->model, 0, "--mirror: %s", zs_error_string(err));
     g->seen = out->scene;
     g->seen.n_instances = n;
-    g->seen.n_resolves = 0; /* hooks run once for the frame */
+    g->seen.n_resolves = 0;                /* hooks run once for the frame */
     const struct zs_rgb b = o->background; /* a third of the way to grey, so that the glass is seen */
     g->seen.background = zs_rgb565((uint8_t)((2 * b.r + 112) / 3), (uint8_t)((2 * b.g + 120) / 3),
                                    (uint8_t)((2 * b.b + 128) / 3));
@@ -128,9 +129,9 @@ int sim_effect_ground(struct sim_effect_scene *out, const struct sim_model *mode
     if (!sim_effects_floor(e))
         return SIM_OK;
     add_floor(out, model, from, view, o);
-    return e->mirror                         ? make_mirror(out, from, o)
+    return e->mirror                        ? make_mirror(out, from, o)
            : e->shadow == SIM_SHADOW_PLANAR ? add_shadows(out, from, o)
-                                             : make_map(out, model, from, o);
+                                            : make_map(out, model, from, o);
 }
 
 void sim_effect_ground_free(struct sim_effect_ground *g)

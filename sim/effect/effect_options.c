@@ -62,7 +62,8 @@ static int take_light(struct sim_effect_options *e, const char *text, const char
     const int kind = p.n > 0 ? sim_value_choice(p.part[0], "dir|point|spot") : -1;
     if (kind < 0 || p.n < 2 || p.n > 4 || !take_vector(p.part[1], light.at) ||
         (p.n > 2 && !sim_value_rgb(p.part[2], &light.rgb)) || (p.n > 3 && !take_number(p.part[3], &light.range)))
-        return sim_usage("--light wants x,y,z or TYPE:X,Y,Z[:RRGGBB[:RANGE]] with TYPE dir, point or spot, not '%s'", text);
+        return sim_usage("--light wants x,y,z or TYPE:X,Y,Z[:RRGGBB[:RANGE]] with TYPE dir, point or spot, not '%s'",
+                         text);
     light.kind = (enum sim_light_kind)kind;
     if (e->n_lights == SIM_LIGHTS_MAX)
         return sim_refuse(file, 0, "--light %s: there are at most %d lights", text, SIM_LIGHTS_MAX);
@@ -153,6 +154,6 @@ int sim_effects_floor(const struct sim_effect_options *e)
 int sim_effects_any(const struct sim_effect_options *e)
 {
     return e->n_lights > 0 || e->specular_text != NULL || e->per_pixel || e->has_alpha || e->has_blend ||
-           e->filter != SIM_FILTER_NEAREST || e->samples > 1 || e->fog != SIM_FOG_NONE || e->dither != SIM_DITHER_NONE ||
-           e->shadow != SIM_SHADOW_NONE || e->environment != NULL || e->mirror;
+           e->filter != SIM_FILTER_NEAREST || e->samples > 1 || e->fog != SIM_FOG_NONE ||
+           e->dither != SIM_DITHER_NONE || e->shadow != SIM_SHADOW_NONE || e->environment != NULL || e->mirror;
 }

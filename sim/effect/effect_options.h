@@ -42,41 +42,54 @@ struct sim_effect_options {
     double fog_start, fog_end, fog_density; /* distances in model units; density by one of them */
     struct zs_rgb fog_rgb;
     enum sim_levels levels;
-    int dither, shadow;      /* enum sim_dither, enum sim_shadow */
-    const char *environment; /* a picture; NULL: none */
+    int dither, shadow;                        /* enum sim_dither, enum sim_shadow */
+    const char *environment;                   /* a picture; NULL: none */
     const struct sim_image *environment_image; /* in place of that file; NULL: it */
-    int mirror;              /* flag */
+    int mirror;                                /* flag */
 };
 
 /* Rows of a table of options; member is a struct sim_effect_options of struct type. --light is a row of its own. */
-#define SIM_EFFECT_OPTIONS(type, member)                                                                               \
-    { "Effects", SIM_OPTION_HEADING },                                                                                 \
-        { "--specular", SIM_OPTION_TEXT, offsetof(type, member.specular_text), .value = "POWER:STRENGTH",              \
-          .help = "highlights by Blinn-Phong, sharper with more POWER, at most 128; STRENGTH at most 1; with --shade smooth" },                 \
-        { "--per-pixel", SIM_OPTION_FLAG, offsetof(type, member.per_pixel),                                            \
-          .help = "light at each pixel from interpolated normals (Phong shading); with --shade smooth" },              \
-        { "--alpha", SIM_OPTION_NUMBER, offsetof(type, member.alpha), offsetof(type, member.has_alpha), 0, 1,          \
-          .value = "A", .help = "how much the whole model hides of what is behind it; its triangles are sorted (1)" }, \
-        { "--blend", SIM_OPTION_CHOICE, offsetof(type, member.blend), offsetof(type, member.has_blend),                \
-          .words = "alpha|add|screen-door",                                                                            \
-          .help = "how: mixed, added, or as a pattern of whole pixels, which needs no order (alpha)" },                \
-        { "--filter", SIM_OPTION_CHOICE, offsetof(type, member.filter), .words = "nearest|bilinear|mipmap",            \
-          .help = "how texels are read: the nearest; mixed of four; from a smaller image where the texture is far "    \
-                  "(nearest)" },                                                                                       \
-        { "--samples", SIM_OPTION_COUNT, offsetof(type, member.samples), .words = "1|4",                               \
-          .help = "samples a pixel; of 4 the colour is the mean (1)" },                                                \
-        { "--fog", SIM_OPTION_TEXT, offsetof(type, member.fog_text), .value = "FOG", \
-          .help = "linear:START:END:RRGGBB or exp:DENSITY:RRGGBB: colours fade into this one with the distance, in the "  \
-                  "model's units" },                              \
-        { "--dither", SIM_OPTION_CHOICE, offsetof(type, member.dither), .words = "none|ordered|blue",                  \
-          .help = "spread what the panel's colours cannot show: by a Bayer matrix, or by blue noise (none)" },         \
-        { "--shadow", SIM_OPTION_CHOICE, offsetof(type, member.shadow), .words = "none|planar|map",                    \
-          .help = "a floor below the model, and the model's shadow on it: flattened, or by a shadow map, which falls " \
-                  "on the model too (none)" },                                                                         \
-        { "--environment", SIM_OPTION_FILE, offsetof(type, member.environment), .value = "IMAGE",                      \
-          .help = "the model reflects this picture of a sphere (matcap)" },                                            \
-    {                                                                                                                  \
-        "--mirror", SIM_OPTION_FLAG, offsetof(type, member.mirror), .help = "a floor below the model that reflects it" \
+#define SIM_EFFECT_OPTIONS(type, member)                                                                              \
+    { "Effects", SIM_OPTION_HEADING },                                                                                \
+        { "--specular", SIM_OPTION_TEXT, offsetof(type, member.specular_text), .value = "POWER:STRENGTH",             \
+          .help = "highlights by Blinn-Phong, sharper with more POWER, at most 128; STRENGTH at most 1; with "        \
+                  "--shade smooth" },                                                                                 \
+        { "--per-pixel", SIM_OPTION_FLAG, offsetof(type, member.per_pixel),                                           \
+          .help = "light at each pixel from interpolated normals (Phong shading); with --shade smooth" },             \
+        { "--alpha",                                                                                                  \
+          SIM_OPTION_NUMBER,                                                                                          \
+          offsetof(type, member.alpha),                                                                               \
+          offsetof(type, member.has_alpha),                                                                           \
+          0,                                                                                                          \
+          1,                                                                                                          \
+          .value = "A",                                                                                               \
+          .help = "how much the whole model hides of what is behind it; its triangles are sorted (1)" },              \
+        { "--blend",                                                                                                  \
+          SIM_OPTION_CHOICE,                                                                                          \
+          offsetof(type, member.blend),                                                                               \
+          offsetof(type, member.has_blend),                                                                           \
+          .words = "alpha|add|screen-door",                                                                           \
+          .help = "how: mixed, added, or as a pattern of whole pixels, which needs no order (alpha)" },               \
+        { "--filter", SIM_OPTION_CHOICE, offsetof(type, member.filter), .words = "nearest|bilinear|mipmap",           \
+          .help = "how texels are read: the nearest; mixed of four; from a smaller image where the texture is far "   \
+                  "(nearest)" },                                                                                      \
+        { "--samples", SIM_OPTION_COUNT, offsetof(type, member.samples), .words = "1|4",                              \
+          .help = "samples a pixel; of 4 the colour is the mean (1)" },                                               \
+        { "--fog", SIM_OPTION_TEXT, offsetof(type, member.fog_text), .value = "FOG",                                  \
+          .help =                                                                                                     \
+              "linear:START:END:RRGGBB or exp:DENSITY:RRGGBB: colours fade into this one with the distance, in the "  \
+              "model's units" },                                                                                      \
+        { "--dither", SIM_OPTION_CHOICE, offsetof(type, member.dither), .words = "none|ordered|blue",                 \
+          .help = "spread what the panel's colours cannot show: by a Bayer matrix, or by blue noise (none)" },        \
+        { "--shadow", SIM_OPTION_CHOICE, offsetof(type, member.shadow), .words = "none|planar|map",                   \
+          .help =                                                                                                     \
+              "a floor below the model, and the model's shadow on it: flattened, or by a shadow map, which falls "    \
+              "on the model too (none)" },                                                                            \
+        { "--environment", SIM_OPTION_FILE, offsetof(type, member.environment), .value = "IMAGE",                     \
+          .help = "the model reflects this picture of a sphere (matcap)" },                                           \
+    {                                                                                                                 \
+        "--mirror", SIM_OPTION_FLAG, offsetof(type, member.mirror),                                                   \
+            .help = "a floor below the model that reflects it"                                                        \
     }
 
 /* What they are where nothing is said. */

@@ -49,8 +49,8 @@ struct sim_effect_hooks {
     struct zs_dither dither;
 };
 
-/* Give the model's n instances, the first of out->instance, the surface that the options ask for. from: the model's scene.
- * SIM_OK; SIM_REFUSED, said why, here and below. */
+/* Give the model's n instances, the first of out->instance, the surface that the options ask for. from: the model's
+ * scene. SIM_OK; SIM_REFUSED, said why, here and below. */
 int sim_effect_surfaces(struct sim_effect_scene *out, uint32_t n, const struct sim_scene *from,
                         const struct sim_view *view, const struct sim_options *o);
 void sim_effect_surfaces_free(struct sim_effect_surface *surface);

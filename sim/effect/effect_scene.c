@@ -94,9 +94,10 @@ static int draw(void *ctx, struct zs_renderer *r, const struct zs_sink *sink)
     if (s->ground == NULL || s->ground->mirror.ops == NULL)
         return zs_render(r, &s->scene, &s->camera, sink);
     struct zs_pass_memory memory[2];
-    const struct zs_pass pass[2] = { { .scene = &s->scene, .camera = &s->camera },
-                                     { .scene = &s->ground->seen, .camera = &s->camera, .mirror = &s->ground->mirror,
-                                       .mask = &zs_mask_window } };
+    const struct zs_pass pass[2] = {
+        { .scene = &s->scene, .camera = &s->camera },
+        { .scene = &s->ground->seen, .camera = &s->camera, .mirror = &s->ground->mirror, .mask = &zs_mask_window }
+    };
     return zs_render_passes(r, pass, memory, 2, sink);
 }
 

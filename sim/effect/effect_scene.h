@@ -12,8 +12,8 @@
 
 struct sim_effect_surface; /* materials of the effect that the model's surface has */
 
-struct sim_effect_ground;  /* a floor and what is on it */
-struct sim_effect_hooks;   /* what is done to strips that are drawn */
+struct sim_effect_ground; /* a floor and what is on it */
+struct sim_effect_hooks;  /* what is done to strips that are drawn */
 
 struct sim_effect_scene {
     struct zs_scene scene;
@@ -22,9 +22,9 @@ struct sim_effect_scene {
     struct sim_effect_surface *surface;
     struct sim_effect_hooks *hooks;
     struct sim_effect_ground *ground; /* NULL: none */
-    uint8_t varyings;             /* least that the configuration has to have */
-    const struct zs_method *method; /* NULL: the depth buffer */
-    long samples;                 /* a pixel, 1 or 4 */
+    uint8_t varyings;                 /* least that the configuration has to have */
+    const struct zs_method *method;   /* NULL: the depth buffer */
+    long samples;                     /* a pixel, 1 or 4 */
 };
 
 /* Make a scene from one of the model, which it borrows. It points into *out: do not move it.

@@ -15,10 +15,10 @@
 struct shaders {
     const struct zs_shader *raw, *flat, *smooth, *texture, *texture_flat, *texture_smooth;
 };
-#define SHADERS(family)                                                                                                \
-    {                                                                                                                  \
-        &zs_##family##_raw, &zs_##family##_flat, &zs_##family##_smooth, &zs_##family##_texture,                        \
-            &zs_##family##_texture_flat, &zs_##family##_texture_smooth                                                 \
+#define SHADERS(family)                                                                                               \
+    {                                                                                                                 \
+        &zs_##family##_raw, &zs_##family##_flat, &zs_##family##_smooth, &zs_##family##_texture,                       \
+            &zs_##family##_texture_flat, &zs_##family##_texture_smooth                                                \
     }
 
 static const struct zs_shader *in_place_of(const struct shaders *of, const struct zs_shader *plain)
@@ -134,7 +134,8 @@ static int make_lamp(struct zs_lamp *lamp, const struct sim_light *of, const str
                      const struct sim_view *view, const struct sim_options *o)
 {
     double aim[3];
-    *lamp = (struct zs_lamp){ .kind = (uint8_t)of->kind, .rgb = of->rgb,
+    *lamp = (struct zs_lamp){ .kind = (uint8_t)of->kind,
+                              .rgb = of->rgb,
                               .strength = (zs_uq16_16)lrint(fmax(o->diffuse, 1e-5) * 65536.0) };
     if (of->rgb.r == 0 && of->rgb.g == 0 && of->rgb.b == 0)
         lamp->rgb.b = 1; /* 0 would be white */
@@ -170,7 +171,8 @@ static int make_lighting(struct sim_effect_surface *s, const struct sim_scene *f
                          const struct sim_options *o)
 {
     const struct sim_effect_options *e = &o->effects;
-    const struct sim_light plain = { .kind = SIM_LIGHT_DIR, .at = { view->light[0], view->light[1], view->light[2] },
+    const struct sim_light plain = { .kind = SIM_LIGHT_DIR,
+                                     .at = { view->light[0], view->light[1], view->light[2] },
                                      .rgb = ZS_RGB(0xffffff) };
     const uint8_t ambient = channel(o->ambient);
     int status = SIM_OK;
@@ -178,7 +180,8 @@ static int make_lighting(struct sim_effect_surface *s, const struct sim_scene *f
         status = make_lamp(&s->lamp[k], &e->light[k], from, view, o);
     if (e->n_lights == 0)
         status = make_lamp(&s->lamp[0], &plain, from, view, o);
-    s->lighting = (struct zs_lighting){ .lamp = s->lamp, .n_lamps = e->n_lights > 0 ? (uint32_t)e->n_lights : 1u,
+    s->lighting = (struct zs_lighting){ .lamp = s->lamp,
+                                        .n_lamps = e->n_lights > 0 ? (uint32_t)e->n_lights : 1u,
                                         .ambient = { ambient, ambient, ambient } };
     if (e->specular_text != NULL)
         (void)zs_shine_set(&s->shine, (uint32_t)e->specular_power);
@@ -193,17 +196,17 @@ static int all_directional(const struct zs_lighting *lighting)
     return 1;
 }
 
-static int make_lit(struct sim_effect_scene *out, uint32_t n, const struct sim_scene *from, const struct sim_view *view,
-                    const struct sim_options *o)
+static int make_lit(struct sim_effect_scene *out, uint32_t n, const struct sim_scene *from,
+                    const struct sim_view *view, const struct sim_options *o)
 {
     const struct sim_effect_options *e = &o->effects;
     struct sim_effect_surface *s = out->surface;
     const int status = make_lighting(s, from, view, o);
     const int phong = e->per_pixel, near_lamps = !all_directional(&s->lighting);
-    const struct zs_shader *shader = phong && near_lamps               ? &zs_shade_phong_near
-                                     : phong                           ? &zs_shade_phong
+    const struct zs_shader *shader = phong && near_lamps            ? &zs_shade_phong_near
+                                     : phong                        ? &zs_shade_phong
                                      : o->shade == SIM_SHADE_SMOOTH ? &zs_shade_lit
-                                                                       : &zs_shade_lit_face;
+                                                                    : &zs_shade_lit_face;
     s->lit = sim_alloc((size_t)n + 1, sizeof *s->lit);
     for (uint32_t i = 0; i < n; i++) {
         struct zs_lit_material *m = &s->lit[i];
@@ -261,11 +264,13 @@ static int make_environment(struct sim_effect_scene *out, uint32_t n, const stru
 static int make_dithered(struct sim_effect_scene *out, uint32_t n, const struct sim_scene *from,
                          const struct sim_options *o)
 {
-    static const struct zs_shader *const of[] = { [SIM_DITHER_ORDERED] = &zs_shade_smooth_ordered,
-                                                  [SIM_DITHER_BLUE] = &zs_shade_smooth_blue };
+    static const struct zs_shader *const of[] = {
+        [SIM_DITHER_ORDERED] = &zs_shade_smooth_ordered, [SIM_DITHER_BLUE] = &zs_shade_smooth_blue
+    };
     if (o->shade != SIM_SHADE_SMOOTH || out->instance[0].material != from->scene.instance[0].material)
-        return sim_refuse(o->model, 0, "--dither: RGB565 colours are dithered with --shade smooth alone; for fewer colours "
-                                       "name a grey or one-bit --panel");
+        return sim_refuse(o->model, 0,
+                          "--dither: RGB565 colours are dithered with --shade smooth alone; for fewer colours "
+                          "name a grey or one-bit --panel");
     struct zs_material *m = plain_materials(out, n);
     for (uint32_t i = 0; i < n; i++)
         m[i].shader = of[o->effects.dither];

@@ -14,8 +14,8 @@ struct sim_floor {
     struct zs_mesh mesh;
     struct zs_material material; /* flat; the mesh has normals at its vertices, too */
     struct zs_instance instance;
-    double point[3], up[3];      /* model units: its middle; unit, towards the model */
-    double half;                 /* model units: half of its side */
+    double point[3], up[3]; /* model units: its middle; unit, towards the model */
+    double half;            /* model units: half of its side */
     int16_t pos[(SIM_FLOOR_CELLS + 1) * (SIM_FLOOR_CELLS + 1)][3];
     zs_q1_15 normal[(SIM_FLOOR_CELLS + 1) * (SIM_FLOOR_CELLS + 1)][3];
     uint16_t tri[2 * SIM_FLOOR_CELLS * SIM_FLOOR_CELLS][3];
@@ -23,7 +23,8 @@ struct sim_floor {
     struct zs_rgb face_rgb[2 * SIM_FLOOR_CELLS * SIM_FLOOR_CELLS];
 };
 
-/* Lay a floor below a model, below along `up`, three times as wide as the model. It points into itself: do not move it. */
+/* Lay a floor below a model, below along `up`, nearly twice as wide as the model. It points into itself: do not move
+ * it. */
 void sim_floor_lay(struct sim_floor *floor, const struct sim_model *model, const struct sim_scene *scene,
                    const double up[3]);
 

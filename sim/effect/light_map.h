@@ -15,7 +15,8 @@ struct sim_light_map {
     uint16_t *key; /* the map's */
 };
 
-/* Draw the map of the model's instances for scene->light. Return ZS_OK or an error; sim_light_map_free in either case. */
+/* Draw the map of the model's instances for scene->light. Return ZS_OK or an error; sim_light_map_free in either
+ * case. */
 int sim_light_map_draw(struct sim_light_map *out, const struct sim_model *model, const struct sim_scene *scene);
 void sim_light_map_free(struct sim_light_map *map);
 

@@ -38,12 +38,14 @@ const struct gallery_effect gallery_effects[GALLERY_EFFECTS] = {
     { "fog", "Fog", POT "--shade smooth --fog linear:1.5:2.9:2a3a50",
       "Distance, and a far plane that is not seen. It goes by depth keys, whatever is drawn.",
       "Transparent faces have no key of their own." },
-    { "dither", "Dithering", POT "--size 128x64 --background 000000 --shade smooth --dither blue --panel ssd1306:128x64 --color ffffff",
+    { "dither", "Dithering",
+      POT "--size 128x64 --background 000000 --shade smooth --dither blue --panel ssd1306:128x64 --color ffffff",
       "Panels of few colours: blue noise or a Bayer matrix, stable from frame to frame.", "Fine lines fray." },
     { "shadow-planar", "Flat shadow", POT "--shade smooth --shadow planar",
       "A shadow on a floor: the mesh, flattened along the light.", "It falls on one plane alone." },
     { "shadow-map", "Shadow map", POT "--shade smooth --shadow map --light 1,1.2,0.4",
-      "Shadows of all on all, by a 16-bit depth map of the light's view.", "Edges are steps of texels; 128 KB for 256x256." },
+      "Shadows of all on all, by a 16-bit depth map of the light's view.",
+      "Edges are steps of texels; 128 KB for 256x256." },
     { "environment", "Environment map", POT "--shade smooth --environment IMAGE",
       "Chrome and light from all sides at no cost: a texture that is looked up by the normal.",
       "It does not change when the thing moves." },
@@ -60,7 +62,8 @@ static struct sim_image sphere_image(void)
     image.rgb = sim_alloc(64 * 64, sizeof *image.rgb);
     for (int i = 0; i < 64 * 64; i++) {
         const double u = (i % 64 - 31.5) / 32.0, v = (i / 64 - 31.5) / 32.0;
-        const double sky[3] = { 120 - 70 * v, 160 - 50 * v, 235 }, earth[3] = { 110 - 60 * v, 84 - 46 * v, 60 - 40 * v };
+        const double sky[3] = { 120 - 70 * v, 160 - 50 * v, 235 },
+                     earth[3] = { 110 - 60 * v, 84 - 46 * v, 60 - 40 * v };
         const int window = u > -0.6 && u < -0.2 && v > -0.7 && v < -0.3;
         for (int k = 0; k < 3; k++)
             image.rgb[i][k] = (uint8_t)(window ? 255 : v < 0.02 ? sky[k] : earth[k]);

@@ -89,7 +89,9 @@ void gallery_page_write(FILE *f, struct gallery_shot (*shot)[GALLERY_SCENES], co
         "<!DOCTYPE html>\n<html lang=en><meta charset=utf-8><title>zstrip: visible surfaces</title>\n"
         "<style>body{font:16px sans-serif;max-width:75rem;margin:2rem auto;padding:0 1rem}figure{display:inline-block;"
         "margin:.5rem}figcaption{font-size:.8rem}table{border-collapse:collapse}td,th{padding:.2rem .6rem;text-align:"
-        "right;border-bottom:1px solid #ccc}th{text-align:left}.effect{display:inline-block;width:17rem;vertical-align:top;margin:.5rem}.effect code{font-size:.75rem}img{max-width:100%;height:auto}</style>\n"
+        "right;border-bottom:1px solid #ccc}th{text-align:left}"
+        ".effect{display:inline-block;width:17rem;vertical-align:top;margin:.5rem}"
+        ".effect code{font-size:.75rem}img{max-width:100%;height:auto}</style>\n"
         "<h1>Which surfaces are seen: the methods side by side</h1>\n"
         "<p>Each method draws the same scenes with integers alone, strip by strip. The left picture is the frame, "
         "the right one its overdraw: how often each pixel was coloured.</p>\n",

@@ -261,6 +261,7 @@ usage samples_and_keys '--depth-out with --samples 4' render quad.obj --out refu
 usage effects_and_method 'effects are drawn by --method zbuffer' render quad.obj --out refused/old.png --samples 4 \
     --method painter
 usage mirror_and_fog '--mirror leaves no keys' render quad.obj --out refused/old.png --mirror --fog exp:1:ffffff
+usage mirror_and_glass '--mirror covers transparent faces' render quad.obj --out refused/old.png --mirror --alpha 0.5
 usage environment_flat '--environment needs --shade smooth' render quad.obj --out refused/old.png --environment two.png
 usage shadow_map_flat '--shadow map needs --shade smooth' render quad.obj --out refused/old.png --shadow map
 usage fog_of_glass 'transparent faces do not write' render quad.obj --out refused/old.png --alpha 0.5 --fog exp:1:ffffff

@@ -159,7 +159,8 @@ static void look_halved(const char *big, const char *small)
                 mean |= sum / 4 << part[c].shift;
             }
             if (s.px[y * s.w + x] != mean)
-                wrong("pixel %zu,%zu of %s is %06x instead of %06x", x, y, small, rgb_of(s.px[y * s.w + x]), rgb_of(mean));
+                wrong("pixel %zu,%zu of %s is %06x instead of %06x", x, y, small, rgb_of(s.px[y * s.w + x]),
+                      rgb_of(mean));
             mixed += of[0] != of[1] || of[0] != of[2] || of[0] != of[3];
         }
     printf("%zu\n", mixed);

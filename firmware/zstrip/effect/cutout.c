@@ -14,7 +14,7 @@
  * is coloured by one triangle, and the hierarchical depth buffer bounds what is behind. */
 static int method_draws(const struct zs_config *config)
 {
-    return config->method == &zs_method_buffer || config->depth->vertex == zs_none_vertex;
+    return config->method->passes || config->depth->vertex == zs_none_vertex;
 }
 
 static int cutout_check(const struct zs_instance *in, const struct zs_config *config)

@@ -216,5 +216,9 @@ static int layers_begin(struct zs_renderer *r)
 }
 
 const struct zs_method zs_method_transparent = {
-    .begin = layers_begin, .strip = layers_strip, .full = layers_full, .list = layers_list
+    .begin = layers_begin,
+    .strip = layers_strip,
+    .full = layers_full,
+    .list = layers_list,
+    .passes = 1
 };
