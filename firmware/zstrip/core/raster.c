@@ -203,17 +203,21 @@ static ZS_NOINLINE int (*instance_begin(struct zs_job *job, uint32_t number))(st
     const struct zs_material *material = instance->material;
     if (job->shader != material->shader) {
         job->shader = material->shader;
-        job->fast = fast_of(r, job->shader, 0);
+        if (!ZS_NO_FAST)
+            job->fast = fast_of(r, job->shader, 0);
     }
     if (job->texture != material->texture) {
         job->texture = material->texture;
-        const struct zs_fast *of = fast_of(r, 0, job->texture ? job->texture->format : 0);
-        job->texel = of ? of->texel : 0;
+        if (!ZS_NO_FAST) {
+            const struct zs_fast *of = fast_of(r, 0, job->texture ? job->texture->format : 0);
+            job->texel = of ? of->texel : 0;
+        }
     }
     job->depth_state = r->depth ? instance->depth_state : 0;
     job->split = 0;
     job->span = r->span;
-    job->rows = 0;
+    if (!ZS_NO_FAST)
+        job->rows = 0;
     if (r->span != zs_rows_test)
         return 0;
     if (job->shader->span)
@@ -251,9 +255,11 @@ static void job_begin(struct zs_job *job, struct zs_renderer *r)
     job->r = r;
     job_target(job);
     job->shader = 0;
-    job->fast = 0;
     job->texture = 0;
-    job->texel = 0;
+    if (!ZS_NO_FAST) {
+        job->fast = 0;
+        job->texel = 0;
+    }
     job->key.base = job->key.gx = job->key.gy = 0; /* for a pass without depth memory */
     r->lit.of = 0;
 }

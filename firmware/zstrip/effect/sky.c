@@ -199,7 +199,7 @@ int zs_sky_panorama(struct zs_sky *sky, const struct zs_texture *image, int16_t 
     if (!image || !image->format || !image->texel || (image->format->colors_max && !image->palette))
         return ZS_ERR_NULL;
     if (image->log2_w > ZS_TEXTURE_LOG2_MAX || image->log2_h > ZS_TEXTURE_LOG2_MAX ||
-        image->log2_w < (image->format->log2_bits == 2))
+        image->log2_w + image->format->log2_bits < 3)
         return ZS_ERR_TEXTURE;
     if (span < 64 || top > 16384 || bottom < -16384)
         return ZS_ERR_RANGE;

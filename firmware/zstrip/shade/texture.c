@@ -79,7 +79,7 @@ int zs_texture_usable(const struct zs_instance *in, const struct zs_config *conf
     if (!t || !t->format || !t->texel || (t->format->colors_max && !t->palette))
         return ZS_ERR_NULL;
     if (t->log2_w > ZS_TEXTURE_LOG2_MAX || t->log2_h > ZS_TEXTURE_LOG2_MAX ||
-        t->log2_w < (t->format->log2_bits == 2) || t->clamp > (ZS_CLAMP_U | ZS_CLAMP_V))
+        t->log2_w + t->format->log2_bits < 3 || t->clamp > (ZS_CLAMP_U | ZS_CLAMP_V))
         return ZS_ERR_TEXTURE;
     return in->mesh->uv && in->mesh->uv_bits <= 15 ? ZS_OK : ZS_ERR_MESH;
 }
