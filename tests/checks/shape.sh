@@ -7,9 +7,9 @@
 # SPDX-License-Identifier: MIT
 . "$(dirname "$0")/../lib/cortexm.sh"
 
-CORE_MAX=${CORE_MAX:-4200}         # lines of code in core/ and the public headers
-ALL_MAX=${ALL_MAX:-9072}           # ... in all of firmware/zstrip; the goal is 7000
-EFFECTS_MAX=${EFFECTS_MAX:-2800}   # ... in effect/ and its public headers
+CORE_MAX=${CORE_MAX:-4224}         # lines of code in core/ and the public headers; the goal is 4200
+ALL_MAX=${ALL_MAX:-9184}           # ... in all of firmware/zstrip; the goal is 7000
+EFFECTS_MAX=${EFFECTS_MAX:-4040}   # ... in effect/ and its public headers
 OVERLAYS_MAX=${OVERLAYS_MAX:-1400} # ... in overlay/ and its public headers
 METHODS_MAX=${METHODS_MAX:-2200}   # ... in method/ and its public headers
 SHADE_MAX=${SHADE_MAX:-1500}       # ... in shade/
@@ -60,7 +60,7 @@ overlays='^overlay/|^zs_(overlay|fog|dither)\.h'
 primitives='^method/(lines|points|quad|mesh_edges|plain)\.|^zs_lines.h'
 methods="^method/|^zs_method.h|$primitives"
 later="$methods|$effects|$overlays"
-within "core/ and public headers, lines of code" "$(code '^core/|^[^/]*$' "$later")" "$CORE_MAX"
+within "core/ and public headers, lines of code" "$(code '^core/|^[^/]*$' "$later")" "$CORE_MAX" 4200
 # Object files of a build without folders would overwrite each other.
 none "files of firmware/zstrip have names of their own" "$(find firmware/zstrip -name '*.c' -exec basename {} \; | sort | uniq -d)"
 within "firmware/zstrip without methods, effects and overlays, lines of code" "$(code . "$later")" "$ALL_MAX" 7000
