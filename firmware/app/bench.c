@@ -4,7 +4,8 @@
  *   one-strip the same as a single strip of all rows
  *   64k-24, 64k-16, 64k-8   two strip buffers of so many rows, and pools that are filled up to what fits
  *             into 64 KB together with everything else: renderer, scene state, stack
- *   48k-24 .. (relief_tex at 240x240), 16k-8 .. (relief and relief_tex at 160x128, one buffer)   the same for less memory
+ *   48k-24 .. (relief_tex at 240x240), 16k-8 .. (relief and relief_tex at 160x128, one buffer)   the same for less
+ *             memory
  *
  * The checksum is FNV-1a, 64 bits, over the frame's bytes as they leave. All of a scene in one size must agree,
  * and so must every machine's. Pools are chosen from counts alone, so that all machines draw the same

@@ -72,8 +72,8 @@ static const struct sim_option table[] = {
     { "--dither", SIM_OPTION_FLAG, AT(dither), .use = SHOWN,
       .help = "spread what a format cannot show over the neighbours" },
     { "--mipmap", SIM_OPTION_FLAG, AT(mipmap), .use = SHOWN,
-      .help = "coarser levels too, for the mipmap shaders of zs_filter.h: means of the picture's values as the file has "
-              "them, without gamma; a third more texels" },
+      .help = "coarser levels too, for the mipmap shaders of zs_filter.h: means of the picture's values as the file "
+              "has them, without gamma; a third more texels" },
     { "Else", SIM_OPTION_HEADING },
     SIM_HELP_OPTIONS(AT(help)),
 };

@@ -463,7 +463,8 @@ static int visible_rows(const struct request *rq)
         const struct demo *demo;
         double most; /* percent of pixels with another triangle */
         int flat;    /* no part hides another: pixels hit twice can be told */
-    } scenes[] = { { &demo_relief, 0.15, 0 }, { &demo_mesh, 0.15, 0 }, { &demo_sheet, 0.5, 1 }, { &demo_slivers, 0.15, 1 } };
+    } scenes[] = { { &demo_relief, 0.15, 0 }, { &demo_mesh, 0.15, 0 }, { &demo_sheet, 0.5, 1 },
+                   { &demo_slivers, 0.15, 1 } };
     section("Bench scenes, 320 x 240, as they stand and moved by parts of a pixel, against the "
             "reference");
     for (size_t k = 0; k < sizeof scenes / sizeof scenes[0]; k++) {

@@ -7,7 +7,8 @@
 # SPDX-License-Identifier: MIT
 . "$(dirname "$0")/../lib/cortexm.sh"
 
-LIMIT=${STACK_LIMIT:-2048} # bytes, any public function
+LIMIT=${STACK_LIMIT:-2048} # bytes, any public function, of a program without effects
+EFFECTS_LIMIT=${EFFECTS_STACK_LIMIT:-2688} # ... with all of them, in any combination; most cannot happen
 PANEL_LIMIT=${PANEL_STACK_LIMIT:-288} # bytes, any function of panel.h
 
 stack() { # NAME DIR ARGUMENTS of stack.mjs...
@@ -19,21 +20,29 @@ stack() { # NAME DIR ARGUMENTS of stack.mjs...
     cat "$dir/bound.txt"
 }
 render() { # CPU NAME EMPTY [FLAGS]: EMPTY as of stack.mjs
-    c=$1 name=$2 empty=$3 dir=$B/stack-$2
+    c=$1 of=$2 empty=$3 dir=$B/stack-$2
     # shellcheck disable=SC2086
-    core "$c" "$dir" ${4:-} || { bad "$name compiles (-Wvla -Werror)" "see above"; return; }
+    core "$c" "$dir" ${4:-} || { bad "$of compiles (-Wvla -Werror)" "see above"; return; }
     LIST=$FAST_ALL minimal "$dir/main.c" flat recip "$EVERYTHING $OWN"
     echo "$OTHERS $OWN_SHADER" >>"$dir/main.c"
     rm -rf "$dir-all" && cp -a "$dir" "$dir-all"
     flags=${4:-}
-    bound "$2" '' "$(echo "$empty,zs_method.begin" | sed 's/^-,//')"
+    none=zs_method.begin,zs_shader.place,zs_shader.span,zs_reflection,zs_mirror_ops,zs_mask
+    bound "$2" '' "$(echo "$empty,$none" | sed 's/^-,//')"
     case $2 in bare-*) return ;; esac
     for method in painter_sort hiz_hiz.bounds depthsort_coverage_order_newell_pieces_order.depth_sort \
-        raycast_rays_ray.nodes_sort layers_sort; do
-        dir=$B/stack-$2-${method%%_*}
-        rm -rf "$dir" && cp -a "$B/stack-$2-all" "$dir"
-        bound "$2-${method%%_*}" "$method" "$empty"
+        raycast_rays_ray.nodes_sort; do
+        copy "$2-${method%%_*}"
+        bound "$2-${method%%_*}" "$method" "$(echo "$empty,$none" | sed 's/^-,//; s/zs_method.begin,//')"
     done
+    for method in layers_sort depthsort_coverage_order_newell_pieces_order.depth_sort raycast_rays_ray.nodes_sort; do
+        copy "$2-effects-${method%%_*}"
+        bound "$2-effects-${method%%_*}" "$method" "$(echo "$empty,zs_shader.place" | sed 's/^-,//')"
+    done
+}
+copy() { # NAME: a folder of all objects
+    dir=$B/stack-$1
+    rm -rf "$dir" && cp -a "$B/stack-$of-all" "$dir"
 }
 # A renderer has one method, so each is bound by itself, and the usual one, the depth buffer, without them.
 bound() { # NAME METHOD EMPTY. METHOD: files of method/ and effect/ that stay, _ between, and . for _ in a name
@@ -44,11 +53,16 @@ bound() { # NAME METHOD EMPTY. METHOD: files of method/ and effect/ that stay, _
         *) rm -f "$dir/method_$m".* "$dir/effect_$m".* ;;
         esac
     done
+    most=$EFFECTS_LIMIT
+    case $1 in
+    *-effects-*) ;;
+    *) most=$LIMIT && rm -f "$dir"/effect_*.* "$dir"/overlay_*.* ;;
+    esac
     # shellcheck disable=SC2086
     link "$c" "$dir" "$dir/main.c" "$dir/all.elf" -Wl,--no-gc-sections $flags || { bad "$1 links" "see above"; return; }
-    stack "$1" "$dir" "$LIMIT" zs_ zs_sink,zs_shader.fragment,zs_background,zs_resolve "$3" zs_render zs_init zs_frame_begin \
-        zs_frame_strip zs_frame_end zs_pose_turn zs_pose_rotate zs_camera_perspective zs_camera_orthographic zs_camera_look_at \
-        zs_camera_look_along zs_camera_orbit zs_unit zs_mesh_check zs_texture_check
+    stack "$1" "$dir" "$most" zs_ zs_sink,zs_shader.fragment,zs_shader.position,zs_background,zs_resolve "$3" \
+        zs_render zs_init zs_frame_begin zs_frame_strip zs_frame_end zs_pose_turn zs_pose_rotate zs_camera_perspective \
+        zs_camera_orthographic zs_camera_look_at zs_camera_look_along zs_camera_orbit zs_unit zs_mesh_check zs_texture_check
 }
 for c in $CPUS; do
     case $c in *m0*) empty=zs_fast.edges,zs_fast.draw ;; *) empty=- ;; esac # nothing on a core that cannot divide

@@ -35,12 +35,19 @@ codes() { # NAME X Y W H WANT_R WANT_G WANT_B    mean codes in thousandths, with
     set -- "$1" "$6" "$7" "$8" $seen
     for k in 2 3 4; do
         eval "want=\${$k} have=\${$((k + 3))}"
-        [ "$have" -ge $((want - 1000)) ] && [ "$have" -le $((want + 1000)) ] || wrong "$1 has codes $5 $6 $7 for $2 $3 $4"
+        [ "$have" -ge $((want - 1000)) ] && [ "$have" -le $((want + 1000)) ] ||
+            wrong "$1 has codes $5 $6 $7 for $2 $3 $4"
     done
 }
 pixel() { # NAME X Y RRGGBB
     look pixel "out/$1.png" "$2" "$3"
     is "out/$1.png at $2,$3" "$seen" "$4"
+}
+darker() { # LEAST MOST    codes in $dark, of those in $seen
+    awk -v a="$dark" -v b="$seen" -v least="$1" -v most="$2" 'BEGIN {
+        split(a, d); split(b, l)
+        for (k = 1; k <= 3; k++) if (d[k] < least * l[k] || d[k] > most * l[k]) exit 1 }' ||
+        wrong "in the shadow $dark, outside $seen"
 }
 same_png() { # A B
     cmp "out/$1.png" "out/$2.png" >/dev/null 2>&1 || wrong "out/$1.png and out/$2.png differ"
@@ -142,7 +149,8 @@ codes mixed 119 100 2 20 15500 0 15500
 codes mixed 107 100 1 20 23250 0 7750
 
 begin filter_mipmap # a checker of single texels, far away, becomes one colour
-./fixture png rgb fine.png 64 64 $(awk 'BEGIN { for (y = 0; y < 64; y++) for (x = 0; x < 64; x++) printf (x + y) % 2 ? "ffffff " : "000000 " }')
+./fixture png rgb fine.png 64 64 $(awk 'BEGIN {
+    for (y = 0; y < 64; y++) for (x = 0; x < 64; x++) printf (x + y) % 2 ? "ffffff " : "000000 " }')
 small='--projection orthographic --eye 0,0,120 --at 0,0,0 --fov 160 --near 20 --far 420'
 effect aliased card.obj $small --shade unlit --texture fine.png
 effect smoothed card.obj $small --shade unlit --texture fine.png --filter mipmap
@@ -170,7 +178,8 @@ codes faded 119 119 2 2 17400 35400 17400
 effect far dot.obj $plain $lit --light point:0,0,30:ffffff:29
 pixel far 120 120 000000
 begin light_in_a_cone # aimed at the middle: what is beyond 28 degrees is dark
-obj two_squares 'v -30 -5 0' 'v -20 -5 0' 'v -20 5 0' 'v -30 5 0' 'v -3 -3 0' 'v 3 -3 0' 'v 3 3 0' 'v -3 3 0' 'f 1 2 3 4' 'f 5 6 7 8'
+obj two_squares 'v -30 -5 0' 'v -20 -5 0' 'v -20 5 0' 'v -30 5 0' 'v -3 -3 0' 'v 3 -3 0' 'v 3 3 0' 'v -3 3 0' \
+    'f 1 2 3 4' 'f 5 6 7 8'
 effect spot two_squares.obj $plain $lit --light spot:0,0,40
 pixel spot 120 120 ffffff
 pixel spot 95 120 000000
@@ -193,8 +202,7 @@ effect down ball.obj $top $sideways
 look codes out/down.png 21 121 3 1 # of a cell of the same shade as the next
 dark=$seen
 look codes out/down.png 208 121 3 1
-awk -v a="$dark" -v b="$seen" 'BEGIN { split(a, d); split(b, l); for (k = 1; k <= 3; k++) if (d[k] < 0.3 * l[k] || d[k] > 0.47 * l[k]) exit 1 }' ||
-    wrong "in the shadow $dark, outside $seen"
+darker 0.3 0.47
 
 begin shadow_map # the same shadow, to a texel of 120 / 256 and its neighbours; the ball shadows itself
 effect flat ball.obj $top $sideways
@@ -202,8 +210,7 @@ effect map ball.obj $top --light 1,1,0 --shadow map --shade smooth
 look codes out/map.png 21 121 3 1
 dark=$seen
 look codes out/map.png 208 121 3 1
-awk -v a="$dark" -v b="$seen" 'BEGIN { split(a, d); split(b, l); for (k = 1; k <= 3; k++) if (d[k] < 0.25 * l[k] || d[k] > 0.5 * l[k]) exit 1 }' ||
-    wrong "in the shadow $dark, outside $seen"
+darker 0.25 0.5
 [ "$("$work/look" png out/map.png | cut -d' ' -f1-2)" = '240 240' ] || wrong 'not 240x240'
 
 # ---- Reflection ------------------------------------------------------------------------------------------------------
@@ -257,7 +264,8 @@ usage blend_alone '--blend needs --alpha' render quad.obj --out refused/old.png 
 usage two_floors 'are two floors' render quad.obj --out refused/old.png --mirror --shadow planar
 usage filter_without_texture '--filter needs --shade textured' render quad.obj --out refused/old.png --filter bilinear
 usage two_shaders 'take one of them' render quad.obj --out refused/old.png --shade smooth --alpha 0.5 --per-pixel
-usage samples_and_keys '--depth-out with --samples 4' render quad.obj --out refused/old.png --samples 4 --depth-out d.pgm
+usage samples_and_keys '--depth-out with --samples 4' render quad.obj --out refused/old.png --samples 4 \
+    --depth-out d.pgm
 usage effects_and_method 'effects are drawn by --method zbuffer' render quad.obj --out refused/old.png --samples 4 \
     --method painter
 usage mirror_and_fog '--mirror leaves no keys' render quad.obj --out refused/old.png --mirror --fog exp:1:ffffff

@@ -21,8 +21,10 @@ for m in $methods; do
     grep -q "<section id=$m>" page/index.html || wrong "no card of $m"
     "$zsim" render --help | grep -q "[|  ]$m" || wrong "zsim render --help does not name $m"
 done
-is "pictures in the page" "$(grep -c 'src="data:image/png;base64,' page/index.html)" $(($(echo $methods | wc -w) * 8 + 14))
-for e in lights per-pixel alpha add screen-door bilinear mipmap samples fog dither shadow-planar shadow-map environment mirror; do
+is "pictures in the page" "$(grep -c 'src="data:image/png;base64,' page/index.html)" \
+    $(($(echo $methods | wc -w) * 8 + 14))
+for e in lights per-pixel alpha add screen-door bilinear mipmap samples fog dither shadow-planar shadow-map \
+    environment mirror; do
     grep -q "<section id=$e " page/index.html || wrong "no card of $e"
 done
 grep -q 'src="[^d]\|href=' page/index.html && wrong "the page needs another file"

@@ -142,7 +142,8 @@ static void relief_point(int64_t out[3], uint32_t i, uint32_t j)
     if (polar > 70 * degree && polar < 107 * degree) /* the nose; it ends in an overhang */
         r += 8200 * gen_div(bump(a, 20 * degree) * ((polar - 70 * degree) * 2048 / (37 * degree)), 2048);
     if (polar > 72 * degree && polar < 112 * degree) /* ears of two columns */
-        r += 7600 * gen_div(bump(side - 92 * degree, 9 * degree) * gen_sin((polar - 72 * degree) * 32768 / (40 * degree)),
+        r += 7600 * gen_div(bump(side - 92 * degree, 9 * degree) *
+                                gen_sin((polar - 72 * degree) * 32768 / (40 * degree)),
                             GEN_Q30);
     r += 420 * gen_div(gen_sin(14 * a) * bump(polar - 20 * degree, 50 * degree), GEN_Q30); /* hair in strands */
     r = gen_div(r, GEN_Q30);

@@ -67,6 +67,7 @@ ZS_KERNEL_INLINE void fetch(const struct zs_texture *t, uint16_t *out, int32_t n
         fetch(t, out, n, walk, read_##name, 1);                                                    \
     }                                                                                              \
     const struct zs_texel zs_texel_##name = { .fetch = fetch_##name,                               \
+                                              .own = fetch_##name,                                 \
                                               .both = both_##name,                                 \
                                               .colors_max = colors_max_,                           \
                                               .log2_bits = log2_bits_ }
@@ -109,16 +110,16 @@ static void fetch_alpha(const struct zs_texture *t, uint16_t *out, int32_t n,
         t->format->both(t, out, n, walk);
         return;
     }
-    t->format->fetch(t, out, n, walk);
+    t->format->own(t, out, n, walk);
     for (int32_t i = 0; i < n; i++)
         out[ZS_ALPHA_RUN + i] = 255;
 }
 
 static const struct zs_texel with_alpha = { .fetch = fetch_alpha };
 
-void zs_alpha_start(struct zs_job *job, void (*start)(struct zs_job *))
+void zs_alpha_start(struct zs_job *job)
 {
-    start(job);
+    zs_texture_start(job);
     zs_texture_instead(job)->format = &with_alpha;
 }
 

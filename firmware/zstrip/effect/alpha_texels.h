@@ -1,6 +1,6 @@
 /* Texels with alpha, for shaders that leave texels out or blend them. Internal.
  *
- *     static void my_start(struct zs_job *job) { zs_alpha_start(job, zs_shade_texture.start); }
+ *     .start = zs_alpha_start,
  *     static void my_run(struct zs_job *job, const struct zs_row *row, int32_t r0, int32_t r1)
  *     {
  *         uint16_t px[2 * ZS_ALPHA_RUN];
@@ -22,10 +22,10 @@
 
 #define ZS_ALPHA_RUN 32 /* pixels fetched at a time */
 
-/* A shader's `start`. start: that of zs_shade_texture, or of zs_shade_texture_flat or _smooth. The
- * texture's format may have no alpha; its texels then have 255. Set-up of a triangle takes some 40
+/* A shader's `start`, in place of zs_texture_start (shade/stages.h), which it calls. The texture's
+ * format may have no alpha; its texels then have 255. Set-up of a triangle takes some 40
  * instructions more. */
-void zs_alpha_start(struct zs_job *job, void (*start)(struct zs_job *));
+void zs_alpha_start(struct zs_job *job);
 
 /* Fetch n = 1 .. ZS_ALPHA_RUN pixels of a scanline from column r0 on, all of them covered by the
  * triangle and inside the viewport. px[i]: colour, lit as the shader's n_varyings and `light` say,

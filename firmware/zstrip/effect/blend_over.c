@@ -102,7 +102,7 @@ static inline int has_alpha(const struct zs_job *job)
 static void texture_start(struct zs_job *job)
 {
     if (has_alpha(job))
-        zs_alpha_start(job, zs_texture_start);
+        zs_alpha_start(job);
     else
         zs_texture_start(job);
 }

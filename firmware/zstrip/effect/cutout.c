@@ -19,19 +19,19 @@ static int method_draws(const struct zs_config *config)
 
 static int cutout_check(const struct zs_instance *in, const struct zs_config *config)
 {
-    const int err = zs_filter_check(in, config);
+    const int err = zs_texture_usable(in, config);
     return err || method_draws(config) ? err : ZS_ERR_DEPTH;
 }
 
 static int cutout_check_lit(const struct zs_instance *in, const struct zs_config *config)
 {
-    const int err = zs_filter_check_lit(in, config);
+    const int err = zs_texture_lit_usable(in, config);
     return err || method_draws(config) ? err : ZS_ERR_DEPTH;
 }
 
 static void cutout_start(struct zs_job *job)
 {
-    zs_alpha_start(job, zs_shade_texture.start);
+    zs_alpha_start(job);
 }
 
 /* Keys before the test, of columns [begin, begin + ZS_ALPHA_RUN), in memory that is a lit palette's

@@ -6,13 +6,7 @@
 #define ZS_EFFECT_FILTER_H
 
 #include "effect/alpha_texels.h"
-
-/* Stages of zs_shade_texture, _flat and _smooth. */
-void zs_filter_vertex(const struct zs_shading *s, uint32_t v, uint16_t *out);
-void zs_filter_vertex_lit(const struct zs_shading *s, uint32_t v, uint16_t *out);
-uint16_t zs_filter_face_lit(const struct zs_shading *s, uint32_t t);
-int zs_filter_check(const struct zs_instance *in, const struct zs_config *config);
-int zs_filter_check_lit(const struct zs_instance *in, const struct zs_config *config);
+#include "shade/stages.h"
 
 /* The `fetch` of a texture in place of the instance's (zs_texture_instead): bilinear, of texels in
  * the instance's format. */
@@ -21,21 +15,21 @@ extern const struct zs_texel zs_filter_bilinear;
 /* The three shaders of a filter: unlit, lit for the face, lit at the vertices. check and check_lit
  * are functions; ... are further fields. */
 #define ZS_FILTER_SHADERS(name, start_, run_, check_, check_lit_, ...)                             \
-    const struct zs_shader zs_shade_##name = { .vertex = zs_filter_vertex,                         \
+    const struct zs_shader zs_shade_##name = { .vertex = zs_texture_vertex,                        \
                                                .start = start_,                                    \
                                                .run = run_,                                        \
                                                .check = check_,                                    \
                                                .n_varyings = ZS_VARYINGS_TEXTURE,                  \
                                                __VA_ARGS__ };                                      \
-    const struct zs_shader zs_shade_##name##_flat = { .vertex = zs_filter_vertex,                  \
-                                                      .face = zs_filter_face_lit,                  \
+    const struct zs_shader zs_shade_##name##_flat = { .vertex = zs_texture_vertex,                 \
+                                                      .face = zs_texture_lit_face,                 \
                                                       .start = start_,                             \
                                                       .run = run_,                                 \
                                                       .check = check_,                             \
                                                       .light = zs_texture_light,                   \
                                                       .n_varyings = ZS_VARYINGS_TEXTURE,           \
                                                       __VA_ARGS__ };                               \
-    const struct zs_shader zs_shade_##name##_smooth = { .vertex = zs_filter_vertex_lit,            \
+    const struct zs_shader zs_shade_##name##_smooth = { .vertex = zs_texture_lit_vertex,           \
                                                         .start = start_,                           \
                                                         .run = run_,                               \
                                                         .check = check_lit_,                       \

@@ -120,7 +120,7 @@ static inline void axis_texels(const struct axis *a, int clamp, uint32_t x[2])
 #define STAYS 2u /* pixels in a cell from which on its texels are unpacked once for all of them */
 
 /* A texture that repeats, larger than a texel each way: pixels that leave their cell soon. */
-ZS_ALWAYS_INLINE void run_soon(const struct zs_texture *t, uint16_t *out, int32_t n,
+ZS_KERNEL_INLINE void run_soon(const struct zs_texture *t, uint16_t *out, int32_t n,
                                const struct axis *a, const struct axis *b, zs_read_fn *read)
 {
     const void *const texel = t->texel;
@@ -150,7 +150,7 @@ ZS_ALWAYS_INLINE void cell_pixels(const struct cell *cell, uint16_t *out, uint16
 }
 
 /* The same for pixels that stay. */
-ZS_ALWAYS_INLINE void run_stays(const struct zs_texture *t, uint16_t *out, int32_t n,
+ZS_KERNEL_INLINE void run_stays(const struct zs_texture *t, uint16_t *out, int32_t n,
                                 const struct axis *a, const struct axis *b, zs_read_fn *read)
 {
     const void *const texel = t->texel;
@@ -173,9 +173,6 @@ ZS_ALWAYS_INLINE void run_stays(const struct zs_texture *t, uint16_t *out, int32
     }
 }
 
-typedef void loop_fn(const struct zs_texture *t, uint16_t *out, int32_t n, const struct axis *a,
-                     const struct axis *b);
-
 #define LOOPS(name)                                                                                \
     ZS_IN_ORDER static ZS_NOINLINE void soon_##name(const struct zs_texture *t, uint16_t *out,     \
                                                     int32_t n, const struct axis *a,               \
@@ -194,11 +191,6 @@ LOOPS(565)
 LOOPS(pal8)
 LOOPS(pal4)
 
-/* The loops for formats by the bits of a texel, 4, 8 or 16. */
-static loop_fn *const loops[3][2] = { { stays_pal4, soon_pal4 },
-                                      { stays_pal8, soon_pal8 },
-                                      { stays_565, soon_565 } };
-
 /* Any format, clamped or not, of any size. */
 static ZS_NOINLINE void run_any(const struct zs_texture *t, const struct zs_texel *format,
                                 uint16_t *out, int32_t n, struct axis *a, struct axis *b)
@@ -213,7 +205,7 @@ static ZS_NOINLINE void run_any(const struct zs_texture *t, const struct zs_texe
         axis_texels(b, t->clamp & ZS_CLAMP_V, y);
         for (int k = 0; k < 2; k++) {
             const struct zs_walk walk = { x[0] << right, y[k] << down, (x[1] - x[0]) << right, 0 };
-            format->fetch(t, c + 2 * k, 2, &walk);
+            format->own(t, c + 2 * k, 2, &walk);
         }
         const struct cell cell = cell_of(zs_wire16(c[0]), zs_wire16(c[1]), zs_wire16(c[2]),
                                          zs_wire16(c[3]));
@@ -238,17 +230,21 @@ static void fetch_bilinear(const struct zs_texture *t, uint16_t *out, int32_t n,
     if (!format->log2_bits || (format->log2_bits == 4 && format->both) || t->clamp || !t->log2_w ||
         !t->log2_h)
         run_any(t, format, out, n, &a, &b);
+    else if (format->log2_bits == 4)
+        soon ? soon_565(t, out, n, &a, &b) : stays_565(t, out, n, &a, &b);
+    else if (format->log2_bits == 3)
+        soon ? soon_pal8(t, out, n, &a, &b) : stays_pal8(t, out, n, &a, &b);
     else
-        loops[format->log2_bits - 2u][soon](t, out, n, &a, &b);
+        soon ? soon_pal4(t, out, n, &a, &b) : stays_pal4(t, out, n, &a, &b);
 }
 
 const struct zs_texel zs_filter_bilinear = { .fetch = fetch_bilinear };
 
 static void bilinear_start(struct zs_job *job)
 {
-    zs_shade_texture.start(job);
+    zs_texture_start(job);
     zs_texture_instead(job)->format = &zs_filter_bilinear;
 }
 
-ZS_FILTER_SHADERS(bilinear, bilinear_start, zs_texture_run, zs_filter_check, zs_filter_check_lit,
-                  .opaque = 1);
+ZS_FILTER_SHADERS(bilinear, bilinear_start, zs_texture_run, zs_texture_usable,
+                  zs_texture_lit_usable, .opaque = 1);

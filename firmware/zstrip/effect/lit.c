@@ -4,6 +4,7 @@
  */
 #include "effect/lights.h"
 #include "shade/solid.h"
+#include "shade/stages.h"
 
 /* The light at a point of a face or vertex. */
 static void light_at(const struct zs_shading *s, const int32_t p[3], const zs_q1_15 normal[3],
@@ -85,25 +86,14 @@ static void lit_vertex(const struct zs_shading *s, uint32_t v, uint16_t *out)
     vertex_color(s, v, out);
 }
 
-/* The three varyings are red, green and blue, as those of shade/smooth.c. */
-static void lit_start(struct zs_job *job)
-{
-    zs_shade_smooth.start(job);
-}
-
-static void lit_run(struct zs_job *job, const struct zs_row *row, int32_t from, int32_t to)
-{
-    zs_shade_smooth.run(job, row, from, to);
-}
-
 static int lit_check(const struct zs_instance *in, const struct zs_config *config)
 {
     return in->mesh->normal ? zs_lit_check(in, config) : ZS_ERR_MESH;
 }
 
 const struct zs_shader zs_shade_lit = { .vertex = lit_vertex,
-                                        .start = lit_start,
-                                        .run = lit_run,
+                                        .start = zs_smooth_start,
+                                        .run = zs_smooth_run,
                                         .check = lit_check,
                                         .n_varyings = ZS_VARYINGS_LIT,
                                         .opaque = 1 };

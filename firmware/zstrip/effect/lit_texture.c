@@ -4,10 +4,11 @@
  */
 #include "effect/lights.h"
 #include "shade/texture.h"
+#include "shade/stages.h"
 
 static int textured_check(const struct zs_instance *in, const struct zs_config *config)
 {
-    const int err = zs_shade_texture.check(in, config);
+    const int err = zs_texture_usable(in, config);
     if (err)
         return err;
     return in->mesh->normal ? zs_lit_check(in, config) : ZS_ERR_MESH;
@@ -36,13 +37,8 @@ static void lit_vertex(const struct zs_shading *s, uint32_t v, uint16_t *out)
     out[2] = (uint16_t)((c[0] * 77u + c[1] * 150u + c[2] * 29u + 256u) >> 9);
 }
 
-static void lit_start(struct zs_job *job)
-{
-    zs_shade_texture_smooth.start(job);
-}
-
 const struct zs_shader zs_shade_texture_lit = { .vertex = lit_vertex,
-                                                .start = lit_start,
+                                                .start = zs_texture_start,
                                                 .run = zs_texture_run,
                                                 .check = textured_check,
                                                 .light = zs_texture_light,

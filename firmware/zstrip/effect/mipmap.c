@@ -32,13 +32,13 @@ static int levels_fit(const struct zs_texture *t)
 
 static int mipmap_check(const struct zs_instance *in, const struct zs_config *config)
 {
-    const int err = zs_filter_check(in, config);
+    const int err = zs_texture_usable(in, config);
     return err || levels_fit(in->material->texture) ? err : ZS_ERR_TEXTURE;
 }
 
 static int mipmap_check_lit(const struct zs_instance *in, const struct zs_config *config)
 {
-    const int err = zs_filter_check_lit(in, config);
+    const int err = zs_texture_lit_usable(in, config);
     return err || levels_fit(in->material->texture) ? err : ZS_ERR_TEXTURE;
 }
 
@@ -190,14 +190,15 @@ static void fetch_level(const struct zs_texture *t, uint16_t *out, int32_t n,
         in.u = in.du = 0;
     if (t->log2_h == 0)
         in.v = in.dv = 0;
-    zs_texture_behind(t)->format->fetch(t, out, n, &in);
+    const struct zs_texel *const format = zs_texture_behind(t)->format;
+    format->own(t, out, n, &in);
 }
 
 static const struct zs_texel nearest = { .fetch = fetch_level };
 
 static void start(struct zs_job *job, const struct zs_texel *format)
 {
-    zs_shade_texture.start(job);
+    zs_texture_start(job);
     const struct zs_instance *in = zs_instance_of(job->r, job->tri->instance);
     struct zs_texture *const t = zs_texture_instead(job);
     t->format = format;

@@ -18,6 +18,10 @@ struct zs_texel {
     /* Fetch n texels along a walk: RGB565, most significant byte first. */
     void (*fetch)(const struct zs_texture *texture, uint16_t *out, int32_t n,
                   const struct zs_walk *walk);
+    /* The same for a copy of a texture in place of the instance's (effect/alpha_texels.h), whose own
+     * `fetch` calls this one. NULL in the formats of such copies. */
+    void (*own)(const struct zs_texture *texture, uint16_t *out, int32_t n,
+                const struct zs_walk *walk);
     uint16_t colors_max; /* of the palette; 0: there is none */
     uint8_t log2_bits; /* of a texel, 2 .. 4; 2: two texels share a byte */
     /* As fetch, and alphas too, 0 .. 255, to out[ZS_ALPHA_RUN ..]; n <= ZS_ALPHA_RUN
