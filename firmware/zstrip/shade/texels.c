@@ -43,5 +43,9 @@ static void fetch_pal4(const struct zs_texture *t, uint16_t *out, int32_t n,
 }
 
 const struct zs_texel zs_texel_565 = { .fetch = fetch_565, .own = fetch_565, .log2_bits = 4 };
-const struct zs_texel zs_texel_pal8 = { .fetch = fetch_pal8, .own = fetch_pal8, .colors_max = 256, .log2_bits = 3 };
-const struct zs_texel zs_texel_pal4 = { .fetch = fetch_pal4, .own = fetch_pal4, .colors_max = 16, .log2_bits = 2 };
+const struct zs_texel zs_texel_pal8 = {
+    .fetch = fetch_pal8, .own = fetch_pal8, .colors_max = 256, .log2_bits = 3
+};
+const struct zs_texel zs_texel_pal4 = {
+    .fetch = fetch_pal4, .own = fetch_pal4, .colors_max = 16, .log2_bits = 2
+};

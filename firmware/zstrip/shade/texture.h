@@ -18,8 +18,8 @@ struct zs_texel {
     /* Fetch n texels along a walk: RGB565, most significant byte first. */
     void (*fetch)(const struct zs_texture *texture, uint16_t *out, int32_t n,
                   const struct zs_walk *walk);
-    /* The same for a copy of a texture in place of the instance's (effect/alpha_texels.h), whose own
-     * `fetch` calls this one. NULL in the formats of such copies. */
+    /* The same, for the `fetch` of a format that stands in place of this one
+     * (effect/alpha_texels.h). NULL in such formats. */
     void (*own)(const struct zs_texture *texture, uint16_t *out, int32_t n,
                 const struct zs_walk *walk);
     uint16_t colors_max; /* of the palette; 0: there is none */
