@@ -68,6 +68,11 @@ methods: $(B)/.setup-test $(B)/gen/meshes.h
 	@sh tests/lab/methods.sh $(B)
 methods-record: $(B)/.setup-test $(B)/gen/meshes.h
 	@sh tests/lab/methods.sh $(B) record >$(B)/methods.txt && mv $(B)/methods.txt tests/records/methods.txt
+## effects: what a pixel takes by each shader and hook of effect/ and overlay/, on Cortex-M0 and M3; effects-record: as the record
+effects: $(B)/.setup-test $(B)/gen/meshes.h
+	@sh tests/lab/effects.sh $(B)
+effects-record: $(B)/.setup-test $(B)/gen/meshes.h
+	@sh tests/lab/effects.sh $(B) record >$(B)/effects.txt && mv $(B)/effects.txt tests/records/effects.txt
 ## gallery: build/gallery/index.html, every method on one page, with instructions on a Cortex-M3
 gallery: sim methods
 	@$(B)/zsim gallery --out $(B)/gallery --m3 $(B)/methods/mps2.csv
@@ -101,7 +106,7 @@ records-age:
 	@sh tests/records/age.sh
 
 .PHONY: lab records-age fuzz stress stress-record prove coverage complexity mutate bench bench-record scale costs \
-        costs-record still cull methods methods-record gallery depth hiz accuracy fuzz-programs lib-fuzz-programs \
+        costs-record still cull methods methods-record effects effects-record gallery depth hiz accuracy fuzz-programs lib-fuzz-programs \
         stress-programs
 
 # Fuzzers: the interface by seeds (fuzz_api); cards of meshes and textures by libFuzzer (fuzz_mesh, make fuzz

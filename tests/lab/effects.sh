@@ -1,0 +1,47 @@
+#!/bin/sh
+# What a pixel takes by each shader and hook of effect/ and overlay/, in instructions on QEMU's Cortex-M3 and, for Armv6-M
+# code, on the same board (not cycles): no row may take over 2 % more than tests/records/effects.txt has on record.
+#
+# Usage: tests/lab/effects.sh BUILD          the check and a table
+#        tests/lab/effects.sh BUILD record   the record on standard output
+#
+# SPDX-License-Identifier: MIT
+. "$(dirname "$0")/../lib/cortexm.sh"
+
+top=${B%/checks}
+out=$top/effects
+record=tests/records/effects.txt
+mkdir -p "$out"
+for core in M3 M0; do
+    firmware() {
+        [ $core = M3 ] || set -- BOARD_CPU='-mcpu=cortex-m0 -mthumb' "$@"
+        make -s -j"$(nproc)" -f firmware/boards/firmware.mk BOARD=mps2 NAME=effects APP_SRC=tests/lab/effects/effects.c \
+            APP_FLAGS=-Ifirmware/app DEFINES=-DZS_VARYINGS_MAX=8 B="$top" OUT="$top/fw/effects-$core" "$@"
+    }
+    if ! firmware >"$out/log" 2>&1 || ! firmware run >"$out/$core.csv" 2>"$out/err"; then
+        cat "$out/log" "$out/err" "$out/$core.csv"
+        bad "effects on $core" "see above"
+        exit 1
+    fi
+    cat "$out/err" >>"$out/$core.csv" # semihosting may write to either
+    sed -n "s/^\([^#]*\),\([0-9][0-9]*\)$/$core \2 \1/p" "$out/$core.csv"
+done >"$out/now"
+if [ "${2:-}" = record ]; then
+    echo "# Instructions of 100 pixels by each effect (tests/lab/effects.sh). Recorded by make effects-record."
+    echo "compiler Arm $(${ARM}gcc -dumpversion)"
+    cat "$out/now"
+    exit 0
+fi
+if other_compiler; then
+    ok "instructions of effects: printed only, another compiler made the record"
+else
+    none "no effect takes over 2 % more than on record, in $(grep -c '^M' $record) rows" "$(awk '
+        NR == FNR { if (/^M/) { k = $1; n = $2; $1 = $2 = ""; was[k $0] = n }; next }
+        { k = $1; n = $2; $1 = $2 = ""; k = k $0; seen++; delete left[k] }
+        !(k in was) || n > was[k] * 1.02 { print k ":" n ",was:" was[k] }
+        END { if (seen < 40) print "only " seen " rows" }' $record "$out/now" | tr ' ' _)"
+fi
+echo "Instructions a pixel (QEMU -icount), depth-tested, without accelerators:"
+awk '{ core = $1; n = $2; $1 = $2 = ""; name = substr($0, 3); if (core == "M3") { m3[name] = n; order[++k] = name } else m0[name] = n }
+    END { printf "  %-32s %8s %8s\n", "", "M3", "M0"; for (i = 1; i <= k; i++) printf "  %-32s %8.1f %8.1f\n", order[i], m3[order[i]] / 100, m0[order[i]] / 100 }' "$out/now"
+exit $failed

@@ -1,0 +1,242 @@
+/* What a pixel takes by each shader: two frames of a card that faces the camera, W and W / 2 px wide; the difference of
+ * their instructions over that of their pixels. So what a frame, a strip and a triangle take is left out, and what begins
+ * a run is not. What it takes by each hook: a frame with it less one without. No accelerators, depth buffer, perspective, strips of 24 rows. One line
+ * of CSV each: name, instructions for 100 pixels. tests/lab/effects.sh runs it.
+ *
+ * SPDX-License-Identifier: MIT
+ */
+#include "hal.h"
+#include "report.h"
+#include "zs_blend.h"
+#include "zs_dither.h"
+#include "zs_environment.h"
+#include "zs_filter.h"
+#include "zs_fog.h"
+#include "zs_lights.h"
+#include "zs_shadow.h"
+#include "zs_supersample.h"
+
+#define W 160
+#define H 120
+#define LOG2 5u
+#define MAP 32
+
+ZS_RENDERER(screen, W, H, 24, 16, 16, ZS_VARYINGS_MAX);
+ZS_RENDERER_2X2(fine, W / 2, H / 2, 12, 16, 16, ZS_VARYINGS_MAX);
+ZS_RENDERER(sun, MAP, MAP, MAP, 16, 16, 0);
+
+/* ---- A card ------------------------------------------------------------------------------------------------------ */
+
+static uint16_t texels[2u << 2 * LOG2], palette[512], keys[MAP * MAP];
+static struct zs_texture texture;
+static const uint16_t tri[2][3] = { { 0, 1, 2 }, { 0, 2, 3 } };
+static const zs_q1_15 normal[4][3] = {
+    { -9000, 0, 31500 }, { 9000, 0, 31500 }, { 9000, 0, 31500 }, { -9000, 0, 31500 }
+};
+static int16_t pos[4][3], uv[4][2];
+static const struct zs_mesh card = { .pos = pos,
+                                     .tri = tri,
+                                     .normal = normal,
+                                     .face_normal = normal,
+                                     .uv = uv,
+                                     .uv_bits = 15,
+                                     .n_verts = 4,
+                                     .n_tris = 2,
+                                     .radius = 4000 };
+
+/* A card of w px at the left; a texel is `size` 1/16 px. The camera sees a world unit as a px at distance 120. */
+static void cut(int32_t w, int32_t size)
+{
+    for (int k = 0; k < 4; k++) {
+        const int32_t x = k == 1 || k == 2 ? w : 0, y = k < 2 ? H : 0;
+        pos[k][0] = (int16_t)(x - W / 2);
+        pos[k][1] = (int16_t)(H / 2 - y);
+        pos[k][2] = -H / 2;
+        uv[k][0] = (int16_t)((x * 16 << 15 >> LOG2) / size);
+        uv[k][1] = (int16_t)((y * 16 << 15 >> LOG2) / size);
+    }
+}
+
+/* Instructions of a frame. samples: 1; 3: four, not averaged; 4: averaged. */
+static uint64_t taken(const struct zs_material *material, const struct zs_resolve *hook, int samples, int *err)
+{
+    const struct zs_instance instance = { .mesh = &card, .material = material };
+    const struct zs_scene scene = {
+        .instance = &instance, .n_instances = 1, .resolve = hook, .n_resolves = hook != 0
+    };
+    const struct zs_sink drop = { .submit = report_drop };
+    struct zs_renderer *r = samples > 1 ? &fine : &screen;
+    struct zs_camera camera;
+    screen_config.depth = fine_config.depth = &zs_depth_float;
+    *err = *err ? *err : zs_camera_perspective(&camera, ZS_DEGREES(90), H, 8, 4000);
+    *err = *err ? *err : samples > 1 ? ZS_INIT(fine) : ZS_INIT(screen);
+    if (samples > 1)
+        *err = *err ? *err : zs_supersample_init(&fine_2x2, &fine, &drop);
+    const uint64_t start = hal_ticks();
+    *err = *err ? *err : zs_render(r, &scene, &camera, samples == 4 ? &fine_2x2.sink : &drop);
+    return (hal_ticks() - start) * hal_tick_instructions();
+}
+
+/* ---- Rows -------------------------------------------------------------------------------------------------------- */
+
+static const struct zs_lamp lamp[1] = { { .dir = { 0, 0, ZS_Q30_ONE } } };
+static const struct zs_lamp point[1] = { { .kind = ZS_LAMP_POINT, .pos = { 0, 0, 40 } } };
+static const struct zs_lighting far_light = { .lamp = lamp, .n_lamps = 1 },
+                                near_light = { .lamp = point, .n_lamps = 1 };
+static struct zs_shine shine;
+static struct zs_shadow_map map = { .key = keys, .w = MAP, .h = MAP };
+static struct zs_fog fog = { .color = 0x8410, .start = 20, .end = 200 };
+static const struct zs_dither grey = { &zs_dither_grey4, &zs_dither_ordered },
+                              mono = { &zs_dither_mono, &zs_dither_blue },
+                              rgb332 = { &zs_dither_rgb332, &zs_dither_blue };
+
+static void print(const char *name, uint64_t more, uint32_t pixels, int err)
+{
+    hal_write(err ? "# FAILED: " : "");
+    hal_write(name);
+    report_field(more * 100u / pixels);
+    hal_write("\n");
+}
+
+/* A shader, by two widths of the card. */
+static void row(const char *name, const struct zs_material *material)
+{
+    int err = 0;
+    cut(W, name[0] == '1' ? 16 : 128);
+    const uint64_t whole = taken(material, 0, 1, &err);
+    cut(W / 2, name[0] == '1' ? 16 : 128);
+    print(name, whole - taken(material, 0, 1, &err), W / 2 * H, err);
+}
+
+/* A hook, over every pixel of a frame that the card covers, by leaving it out. */
+static void hook_row(const char *name, const struct zs_resolve *hook)
+{
+    const struct zs_material raw = { .shader = &zs_shade_raw, .rgb = ZS_RGB(0xc08040) };
+    int err = 0;
+    cut(W, 16);
+    const uint64_t with = taken(&raw, hook, 1, &err);
+    print(name, with - taken(&raw, 0, 1, &err), W * H, err);
+}
+
+#define PLAIN(name_, shader_)                                                                                         \
+    {                                                                                                                 \
+        const struct zs_material m = { .shader = &shader_, .rgb = ZS_RGB(0xc08040), .texture = &texture };            \
+        row(name_, &m);                                                                                               \
+    }
+#define BLEND(name_, shader_)                                                                                         \
+    {                                                                                                                 \
+        const struct zs_blend m = { .material = { .shader = &shader_, .rgb = ZS_RGB(0xc08040), .texture = &texture }, \
+                                    .alpha = 100 };                                                                   \
+        row(name_, &m.material);                                                                                      \
+    }
+#define LIT(name_, shader_, lighting_, shine_, specular_)                                                             \
+    {                                                                                                                 \
+        const struct zs_lit_material m = {                                                                            \
+            .material = { .shader = &shader_, .rgb = ZS_RGB(0xc08040), .texture = &texture },                         \
+            .lighting = &lighting_,                                                                                   \
+            .shine = shine_,                                                                                          \
+            .specular = specular_                                                                                     \
+        };                                                                                                            \
+        row(name_, &m.material);                                                                                      \
+    }
+#define HOOK(name_, draw_, ctx_)                                                                                      \
+    {                                                                                                                 \
+        const struct zs_resolve hook = { .draw = draw_, .ctx = (void *)(uintptr_t)ctx_ };                             \
+        hook_row(name_, &hook);                                                                                       \
+    }
+#define MAPPED(name_, shader_)                                                                                        \
+    {                                                                                                                 \
+        const struct zs_shadowed_material m = { { .shader = &shader_, .rgb = ZS_RGB(0xc08040) }, &map };              \
+        row(name_, &m.material);                                                                                      \
+    }
+
+static void colors(void)
+{
+    const struct zs_rgb none = ZS_RGB(0), white = ZS_RGB(0xffffff);
+    PLAIN("raw", zs_shade_raw)
+    PLAIN("smooth", zs_shade_smooth)
+    BLEND("blend", zs_blend_raw)
+    BLEND("add", zs_add_raw)
+    BLEND("screen-door", zs_stipple_raw)
+    BLEND("blend_smooth", zs_blend_smooth)
+    LIT("lit", zs_shade_lit, far_light, 0, none)
+    LIT("phong, matt", zs_shade_phong, far_light, 0, none)
+    LIT("phong, shining", zs_shade_phong, far_light, &shine, white)
+    LIT("phong_near, point", zs_shade_phong_near, near_light, &shine, white)
+    PLAIN("smooth_ordered", zs_shade_smooth_ordered)
+    MAPPED("shadowed_flat", zs_shade_shadowed_flat)
+    MAPPED("shadowed_smooth", zs_shade_shadowed_smooth)
+    map.soft = 1;
+    MAPPED("shadowed_smooth, soft", zs_shade_shadowed_smooth)
+}
+
+static void textures(void)
+{
+    PLAIN("texture", zs_shade_texture)
+    PLAIN("bilinear, 8 px a texel", zs_shade_bilinear)
+    PLAIN("1 px a texel: bilinear", zs_shade_bilinear)
+    PLAIN("1 px a texel: mipmap", zs_shade_mipmap)
+    PLAIN("1 px a texel: mipmap_bilinear", zs_shade_mipmap_bilinear)
+    PLAIN("matcap", zs_shade_matcap)
+    BLEND("blend_texture", zs_blend_texture)
+    LIT("texture_lit", zs_shade_texture_lit, far_light, 0, ((struct zs_rgb){ 0 }))
+    texture.format = &zs_texel_4444;
+    PLAIN("cutout, 4444", zs_shade_cutout)
+}
+
+static void hooks(void)
+{
+    HOOK("fog", zs_fog_draw, &fog)
+    HOOK("dither to rgb332", zs_dither_draw, &rgb332)
+    HOOK("dither to 16 greys", zs_dither_draw, &grey)
+    HOOK("dither to 1 bit", zs_dither_draw, &mono)
+    const struct zs_material raw = { .shader = &zs_shade_raw, .rgb = ZS_RGB(0xc08040) };
+    int err = 0;
+    cut(W, 16);
+    const uint64_t averaged = taken(&raw, 0, 4, &err);
+    print("4 samples averaged", averaged - taken(&raw, 0, 3, &err), W / 2 * (H / 2), err);
+}
+
+static int ready(void)
+{
+    const struct zs_material raw = { .shader = &zs_shade_raw };
+    const struct zs_instance instance = { .mesh = &card, .material = &raw };
+    struct zs_instance caster[1];
+    const struct zs_scene scene = { .instance = caster, .n_instances = zs_shadow_casters(caster, &instance, 1, 0) };
+    static const int32_t eye[3] = { 0, 0, 100 }, along[3] = { 0, 0, -ZS_Q30_ONE }, up[3] = { 0, ZS_Q30_ONE, 0 };
+    struct zs_camera camera;
+    texture = (struct zs_texture){ .format = &zs_texel_565,
+                                   .texel = texels,
+                                   .palette = palette,
+                                   .log2_w = LOG2,
+                                   .log2_h = LOG2,
+                                   .n_levels = LOG2 + 1u };
+    for (uint32_t i = 0; i < sizeof texels / sizeof texels[0]; i++)
+        texels[i] = (uint16_t)(i * 40503u);
+    cut(W, 16);
+    int err = zs_shine_set(&shine, 20);
+    err = err ? err : zs_camera_orthographic(&camera, (zs_q48_16)8000 << 16, 1, 1000);
+    err = err ? err : zs_camera_look_along(&camera, eye, along, up);
+    sun_config.depth = &zs_depth_linear;
+    screen_config.depth = &zs_depth_float;
+    err = err ? err : ZS_INIT(sun);
+    err = err ? err : zs_shadow_map_draw(&map, &sun, &scene, &camera);
+    err = err ? err : zs_camera_perspective(&camera, ZS_DEGREES(90), H, 8, 4000);
+    return err ? err : zs_fog_set(&fog, &screen_config, &camera);
+}
+
+int main(void)
+{
+    if (hal_init())
+        hal_exit(1);
+    const int err = ready();
+    if (err) {
+        hal_write("# FAILED: ");
+        hal_write(zs_error_string(err));
+        hal_exit(1);
+    }
+    colors();
+    textures();
+    hooks();
+    hal_exit(0);
+}
