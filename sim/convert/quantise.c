@@ -135,7 +135,7 @@ static int check_unit(const struct sim_scene *s, const struct sim_model *model,
 #define FLOOR_ROOM 16.0 /* what a floor, its shadows and its mirror images reach, of what the scene does */
 
 static int choose_unit(struct sim_scene *s, int *units_log2, const struct sim_model *model,
-                       const struct sim_view *v, int has_floor)
+                       const struct sim_view *v, const struct sim_effect_options *e)
 {
     double d[3], eye = 0.0;
     sim_sub(d, model->center, s->origin);
@@ -146,7 +146,10 @@ static int choose_unit(struct sim_scene *s, int *units_log2, const struct sim_mo
     need = fmax(need, fabs(v->far_z) * ZS_WORLD_MAX / (double)ZS_FAR_MAX); /* may be far outside */
     if (v->orthographic)
         need = fmax(need, v->span / 2.0);
-    if (has_floor)
+    for (int i = 0; i < e->n_lights; i++)
+        for (int k = 0; k < 3 && e->light[i].kind != SIM_LIGHT_DIR; k++)
+            need = fmax(need, fabs(e->light[i].at[k] - s->origin[k]));
+    if (sim_effects_floor(e))
         need *= FLOOR_ROOM;
     const double mesh_step = 256.0 * s->step;
     const double k = floor(log2(WORLD_USE * ZS_WORLD_MAX * mesh_step / need));
@@ -648,7 +651,7 @@ int sim_scene_build(struct sim_scene *out, const struct sim_model *model,
     choose_grid(&grid, model);
     memcpy(out->origin, grid.origin, sizeof out->origin);
     out->step = grid.step;
-    int status = choose_unit(out, &units_log2, model, view, sim_effects_floor(&o->effects));
+    int status = choose_unit(out, &units_log2, model, view, &o->effects);
     if (status == SIM_OK)
         status = build_camera(out, view, model->file);
     if (status != SIM_OK)
