@@ -1,6 +1,6 @@
 #!/bin/sh
-# What a pixel takes by each shader and hook of effect/ and overlay/, in instructions on QEMU's Cortex-M3 and, for Armv6-M
-# code, on the same board (not cycles): no row may take over 2 % more than tests/records/effects.txt has on record.
+# What a pixel takes by each shader and hook of effect/ and overlay/, in instructions on QEMU's Cortex-M3 and, for
+# Armv6-M code, on the same board (not cycles): no row may take over 2 % more than tests/records/effects.txt has on record.
 #
 # Usage: tests/lab/effects.sh BUILD          the check and a table
 #        tests/lab/effects.sh BUILD record   the record on standard output
@@ -15,7 +15,8 @@ mkdir -p "$out"
 for core in M3 M0; do
     firmware() {
         [ $core = M3 ] || set -- BOARD_CPU='-mcpu=cortex-m0 -mthumb' "$@"
-        make -s -j"$(nproc)" -f firmware/boards/firmware.mk BOARD=mps2 NAME=effects APP_SRC=tests/lab/effects/effects.c \
+        make -s -j"$(nproc)" -f firmware/boards/firmware.mk BOARD=mps2 NAME=effects \
+            APP_SRC=tests/lab/effects/effects.c \
             APP_FLAGS=-Ifirmware/app DEFINES=-DZS_VARYINGS_MAX=8 B="$top" OUT="$top/fw/effects-$core" "$@"
     }
     if ! firmware >"$out/log" 2>&1 || ! firmware run >"$out/$core.csv" 2>"$out/err"; then
@@ -42,6 +43,11 @@ else
         END { if (seen < 40) print "only " seen " rows" }' $record "$out/now" | tr ' ' _)"
 fi
 echo "Instructions a pixel (QEMU -icount), depth-tested, without accelerators:"
-awk '{ core = $1; n = $2; $1 = $2 = ""; name = substr($0, 3); if (core == "M3") { m3[name] = n; order[++k] = name } else m0[name] = n }
-    END { printf "  %-32s %8s %8s\n", "", "M3", "M0"; for (i = 1; i <= k; i++) printf "  %-32s %8.1f %8.1f\n", order[i], m3[order[i]] / 100, m0[order[i]] / 100 }' "$out/now"
+awk '{ core = $1; n = $2; $1 = $2 = ""; name = substr($0, 3) }
+    core == "M3" { m3[name] = n; order[++k] = name; next }
+    { m0[name] = n }
+    END {
+        printf "  %-32s %8s %8s\n", "", "M3", "M0"
+        for (i = 1; i <= k; i++) printf "  %-32s %8.1f %8.1f\n", order[i], m3[order[i]] / 100, m0[order[i]] / 100
+    }' "$out/now"
 exit $failed

@@ -68,7 +68,7 @@ methods: $(B)/.setup-test $(B)/gen/meshes.h
 	@sh tests/lab/methods.sh $(B)
 methods-record: $(B)/.setup-test $(B)/gen/meshes.h
 	@sh tests/lab/methods.sh $(B) record >$(B)/methods.txt && mv $(B)/methods.txt tests/records/methods.txt
-## effects: what a pixel takes by each shader and hook of effect/ and overlay/, on Cortex-M0 and M3; effects-record: as the record
+## effects: what a pixel takes by each effect and overlay, on Cortex-M0 and M3; effects-record: as the record of make test
 effects: $(B)/.setup-test $(B)/gen/meshes.h
 	@sh tests/lab/effects.sh $(B)
 effects-record: $(B)/.setup-test $(B)/gen/meshes.h
@@ -106,8 +106,8 @@ records-age:
 	@sh tests/records/age.sh
 
 .PHONY: lab records-age fuzz stress stress-record prove coverage complexity mutate bench bench-record scale costs \
-        costs-record still cull methods methods-record effects effects-record gallery depth hiz accuracy fuzz-programs lib-fuzz-programs \
-        stress-programs
+        costs-record still cull methods methods-record effects effects-record gallery depth hiz accuracy fuzz-programs \
+        lib-fuzz-programs stress-programs
 
 # Fuzzers: the interface by seeds (fuzz_api); cards of meshes and textures by libFuzzer (fuzz_mesh, make fuzz
 # alone) and by mutations of its seeds (cards); model files, command lines and panels' streams likewise, by libFuzzer
