@@ -68,7 +68,7 @@ methods: $(B)/.setup-test $(B)/gen/meshes.h
 	@sh tests/lab/methods.sh $(B)
 methods-record: $(B)/.setup-test $(B)/gen/meshes.h
 	@sh tests/lab/methods.sh $(B) record >$(B)/methods.txt && mv $(B)/methods.txt tests/records/methods.txt
-## effects: what a pixel takes by each effect and overlay, on Cortex-M0 and M3; effects-record: as the record of make test
+## effects: what a pixel takes by each effect and overlay, on Cortex-M0 and M3; effects-record: as the record
 effects: $(B)/.setup-test $(B)/gen/meshes.h
 	@sh tests/lab/effects.sh $(B)
 effects-record: $(B)/.setup-test $(B)/gen/meshes.h

@@ -1,7 +1,7 @@
-/* What a pixel takes by each shader: two frames of a card that faces the camera, W and W / 2 px wide; the difference of
- * their instructions over that of their pixels. So what a frame, a strip and a triangle take is left out, and what begins
- * a run is not. What it takes by each hook: a frame with it less one without. No accelerators, depth buffer, perspective,
- * strips of 24 rows. One line of CSV each: name, instructions for 100 pixels. tests/lab/effects.sh runs it.
+/* What a pixel takes by each shader: two frames of a card that faces the camera, W and W / 2 px wide; the difference
+ * of their instructions over that of their pixels. So what a frame, a strip and a triangle take is left out, and what
+ * begins a run is not. What it takes by each hook: a frame with it less one without. No accelerators, depth buffer,
+ * perspective, strips of 24 rows. One line of CSV each: name, instructions for 100 pixels. tests/lab/effects.sh runs it.
  *
  * SPDX-License-Identifier: MIT
  */
