@@ -439,7 +439,7 @@ static void levels_close(void **state)
 }
 
 /* Along each row of each triangle the level goes one way with the distance, to the horizon: a floor of 2^-21 of w. */
-static void levels_to_the_horizon(void **state)
+static void stress_36_levels_to_the_horizon(void **state)
 {
     static struct card c;
     const struct zs_texture t = chain_texture(8, 8);
@@ -674,7 +674,7 @@ static void worlds(void **state)
 /* ---- Stress ----------------------------------------------------------------------------------- */
 
 /* One texel: the picture is that of the nearest texel, whatever the filter. */
-static void stress_one_texel(void **state)
+static void stress_37_one_texel(void **state)
 {
     static const uint16_t texel = 0xa5c7;
     static struct card c;
@@ -699,7 +699,7 @@ static void stress_one_texel(void **state)
 
 /* A card of a thousandth of a texel to each pixel: from pixel to pixel a colour changes by no more than a weight of
  * 1/32 does, two codes of green, also where the texture wraps. */
-static void stress_magnified(void **state)
+static void stress_38_magnified(void **state)
 {
     static const uint16_t texel[4] = { 0x0000, 0xffff, 0xf81f, 0x07e0 };
     static struct card c;
@@ -721,7 +721,7 @@ static void stress_magnified(void **state)
 }
 
 /* Coordinates at the ends of int16, clamped: beyond the border, the corner's texel. */
-static void stress_ends_of_range(void **state)
+static void stress_39_ends_of_range(void **state)
 {
     static struct image m;
     static struct card c;
@@ -746,7 +746,7 @@ static void stress_ends_of_range(void **state)
 }
 
 /* A texture that is lit as a palette, filtered, then lit again: accelerators do not take one for the other. */
-static void stress_one_texture_in_turns(void **state)
+static void stress_40_one_texture_in_turns(void **state)
 {
     struct prng p = { 1 };
     static struct image m;
@@ -863,14 +863,14 @@ int main(int argc, char **argv)
         CASES_TEST(alpha, alpha_case, 5000),
         CASES_TEST(frames, frame_case, 200),
         cmocka_unit_test(levels_close),
-        cmocka_unit_test(levels_to_the_horizon),
+        cmocka_unit_test(stress_36_levels_to_the_horizon),
         cmocka_unit_test(cutouts),
         CASES_TEST(any_way, any_way_case, 150),
         cmocka_unit_test(worlds),
-        cmocka_unit_test(stress_one_texel),
-        cmocka_unit_test(stress_magnified),
-        cmocka_unit_test(stress_ends_of_range),
-        cmocka_unit_test(stress_one_texture_in_turns),
+        cmocka_unit_test(stress_37_one_texel),
+        cmocka_unit_test(stress_38_magnified),
+        cmocka_unit_test(stress_39_ends_of_range),
+        cmocka_unit_test(stress_40_one_texture_in_turns),
         cmocka_unit_test(refused),
         cmocka_unit_test(checked),
     };

@@ -694,7 +694,7 @@ static double stress_at(const struct spot_light *s, int32_t x, int32_t y, int32_
     return out[1] / 65535.0 * 63;
 }
 
-static void stress_01_normals_near_zero(void **state)
+static void stress_31_normals_near_zero(void **state)
 {
     struct spot_light s;
     (void)state;
@@ -711,7 +711,7 @@ static void stress_01_normals_near_zero(void **state)
     assert_true(fabs(stress_at(&s, 0, 0, 0, 32767, 32767, 32767) - 63 * (0.2 + sqrt(1 / 3.0))) < 0.2);
 }
 
-static void stress_02_edge_of_a_spot(void **state)
+static void stress_32_edge_of_a_spot(void **state)
 {
     struct spot_light s;
     (void)state;
@@ -732,7 +732,7 @@ static void stress_02_edge_of_a_spot(void **state)
     assert_true(stress_at(&s, 0, 0, 1001 * 256, 0, 0, -32767) < 0.1); /* behind the lamp, at the cone's far end */
 }
 
-static void stress_03_a_lamp_at_the_surface(void **state)
+static void stress_33_a_lamp_at_the_surface(void **state)
 {
     struct spot_light s;
     (void)state;
@@ -749,7 +749,7 @@ static void stress_03_a_lamp_at_the_surface(void **state)
     assert_true(fabs(stress_at(&s, 5 * 256, 6 * 256, 7 * 256, 0, 0, 32767) - 63 * 0.2) < 0.1);
 }
 
-static void stress_04_far_away_lamps(void **state)
+static void stress_34_far_away_lamps(void **state)
 {
     struct spot_light s;
     (void)state;
@@ -768,7 +768,7 @@ static void stress_04_far_away_lamps(void **state)
     assert_true(stress_at(&s, 0, 0, 0, 0, 0, 32767) < 0.1);
 }
 
-static void stress_05_more_light_than_white(void **state)
+static void stress_35_more_light_than_white(void **state)
 {
     struct spot_light s;
     struct zs_shine shine;
@@ -882,11 +882,11 @@ static const struct CMUnitTest tests[] = {
     cmocka_unit_test(is_the_formula_at_points), cmocka_unit_test(all_powers),
     cmocka_unit_test(is_the_formula_at_pixels), cmocka_unit_test(is_the_formula_at_pixels_near_lamps),
     cmocka_unit_test(is_the_same_in_any_way),   cmocka_unit_test(positions_are_those_of_the_shader),
-    cmocka_unit_test(stress_01_normals_near_zero),
-    cmocka_unit_test(stress_02_edge_of_a_spot),
-    cmocka_unit_test(stress_03_a_lamp_at_the_surface),
-    cmocka_unit_test(stress_04_far_away_lamps),
-    cmocka_unit_test(stress_05_more_light_than_white),
+    cmocka_unit_test(stress_31_normals_near_zero),
+    cmocka_unit_test(stress_32_edge_of_a_spot),
+    cmocka_unit_test(stress_33_a_lamp_at_the_surface),
+    cmocka_unit_test(stress_34_far_away_lamps),
+    cmocka_unit_test(stress_35_more_light_than_white),
     cmocka_unit_test(bad_lights_are_refused)
 };
 

@@ -526,7 +526,7 @@ static uint32_t count(const struct picture *p, uint16_t colour_)
 }
 
 /* What is behind the eye is seen, once, and what is in the plane of the mirror or behind it is not. */
-static void stress_the_eye_near_the_plane(void **state)
+static void stress_41_the_eye_near_the_plane(void **state)
 {
     (void)state;
     for (int32_t distance = 3; distance < 30; distance += 9) {
@@ -569,7 +569,7 @@ static void stress_the_eye_near_the_plane(void **state)
 }
 
 /* Keys at both ends of their range, by bias: 0 in the room and in the mirror, and the largest one. */
-static void stress_a_bias_that_saturates(void **state)
+static void stress_42_a_bias_that_saturates(void **state)
 {
     static const struct zs_depth_state nearest = { .bias = -32768, .slope_bias = -32768 },
                                        farthest = { .bias = 32767 }, twice = { .bias = 32767, .slope_bias = 32767 };
@@ -752,8 +752,8 @@ static void wrong_mirrors_are_refused(void **state)
 
 static const struct CMUnitTest tests[] = {
     cmocka_unit_test(rays_go_on_at_a_mirror),       cmocka_unit_test(a_scene_mirrored_by_hand),
-    cmocka_unit_test(any_way_is_the_same),          cmocka_unit_test(stress_the_eye_near_the_plane),
-    cmocka_unit_test(stress_a_bias_that_saturates), cmocka_unit_test(a_rear_view_mirror),
+    cmocka_unit_test(any_way_is_the_same),          cmocka_unit_test(stress_41_the_eye_near_the_plane),
+    cmocka_unit_test(stress_42_a_bias_that_saturates), cmocka_unit_test(a_rear_view_mirror),
     cmocka_unit_test(wrong_mirrors_are_refused),
 };
 CASES_MAIN(tests)

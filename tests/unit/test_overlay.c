@@ -484,7 +484,7 @@ static void items_are_those_of_the_reference(void **state)
 }
 
 /* Every kind, its numbers at the ends of their types, in frames of 1x1 and 7x5 by strips of a row. */
-static void stress_01_ends_of_int16(void **state)
+static void stress_44_ends_of_int16(void **state)
 {
     static const int16_t ends[] = { INT16_MIN, INT16_MIN + 1, -1, 0, 1, 4, INT16_MAX - 1, INT16_MAX };
     struct prng p = { 1 };
@@ -513,7 +513,7 @@ static void stress_01_ends_of_int16(void **state)
 }
 
 /* 200 half clear items in one place: as one after another; the colour comes within a code and stays there. */
-static void stress_02_many_in_one_place(void **state)
+static void stress_45_many_in_one_place(void **state)
 {
     static struct zs_item many[200];
     struct prng p = { 2 };
@@ -527,7 +527,7 @@ static void stress_02_many_in_one_place(void **state)
 }
 
 /* Texts of nothing, of line feeds, of one byte that begins a sequence; a list of nothing. */
-static void stress_03_empty_text(void **state)
+static void stress_46_empty_text(void **state)
 {
     static const char *const texts[] = { "", "\n", "\n\n\n", " ", "\xf0", "\xe2", "\xc3" };
     for (unsigned k = 0; k < sizeof texts / sizeof *texts; k++) {
@@ -778,9 +778,9 @@ static const struct CMUnitTest tests[] = {
     cmocka_unit_test(wrong_items_are_named),
     cmocka_unit_test(a_ray_is_of_one_side),
     cmocka_unit_test(items_are_those_of_the_reference),
-    cmocka_unit_test(stress_01_ends_of_int16),
-    cmocka_unit_test(stress_02_many_in_one_place),
-    cmocka_unit_test(stress_03_empty_text),
+    cmocka_unit_test(stress_44_ends_of_int16),
+    cmocka_unit_test(stress_45_many_in_one_place),
+    cmocka_unit_test(stress_46_empty_text),
     cmocka_unit_test(what_changed_is_enough),
 };
 CASES_MAIN(tests)

@@ -410,7 +410,7 @@ static uint32_t darker(const struct place *s)
     return n;
 }
 
-static void odd_maps_and_lights(void **state)
+static void stress_47_odd_maps_and_lights(void **state)
 {
     (void)state;
     static struct place s;
@@ -518,7 +518,7 @@ static const struct CMUnitTest tests[] = {
     cmocka_unit_test(rays),
     CASES_TEST(any_way, way_case, 60),
     CASES_TEST(colors_without_casters, colors_case, 60),
-    cmocka_unit_test(odd_maps_and_lights),
+    cmocka_unit_test(stress_47_odd_maps_and_lights),
     cmocka_unit_test(errors),
 };
 CASES_MAIN(tests)

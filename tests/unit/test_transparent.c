@@ -270,7 +270,7 @@ static void without_layers_is_the_depth_buffer(void **state)
 
 /* Panes behind each other, in a mesh in mixed order; seen by an orthographic camera. Each pixel against the sum of all,
  * far to near, in integers of this test. */
-static void thousands_of_layers(void **state)
+static void stress_43_thousands_of_layers(void **state)
 {
     static int16_t at[4 * MANY][3];
     static uint16_t tri[2 * MANY][3], raw[2 * MANY];
@@ -451,7 +451,7 @@ static const struct CMUnitTest tests[] = {
     cmocka_unit_test(painter_blends_from_far_to_near),
     cmocka_unit_test(is_the_same_in_any_way),
     cmocka_unit_test(without_layers_is_the_depth_buffer),
-    cmocka_unit_test(thousands_of_layers),
+    cmocka_unit_test(stress_43_thousands_of_layers),
     cmocka_unit_test(faces_that_cross_need_depth_sort),
     cmocka_unit_test(depth_sort_blends_the_same_in_any_way),
     cmocka_unit_test(small_pools_and_no_depth_memory_are_refused)
