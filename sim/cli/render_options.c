@@ -236,6 +236,8 @@ static int check_effects(const struct sim_options *o)
         return sim_usage("effects are drawn by --method zbuffer and --style solid: leave those out");
     if (o->show != SIM_SHOW_FRAME || o->threads != 0 || (e->samples > 1 && o->depth_out != NULL))
         return sim_usage("effects: leave --show and --threads out, and --depth-out with --samples 4");
+    if (e->samples > 1 && (o->size[0] > ZS_SIZE_MAX / 2 || o->size[1] > ZS_SIZE_MAX / 2))
+        return sim_refuse(o->model, 0, "--samples 4: the frame may be at most %d px wide and high", ZS_SIZE_MAX / 2);
     if (e->n_lights > 0 && o->has_light)
         return sim_usage("--light x,y,z is the only light: write it as dir:x,y,z beside others");
     if (lit && o->shade != SIM_SHADE_FLAT && o->shade != SIM_SHADE_SMOOTH)

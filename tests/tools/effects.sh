@@ -255,6 +255,7 @@ refuse alpha '--alpha 2 is outside its range, 0 to 1' quad.obj --alpha 2
 refuse dither_flat 'RGB565 colours are dithered with --shade smooth' quad.obj --dither blue
 refuse shadow_from_below 'the light comes from below the floor' ball.obj --shade smooth --light 0,-1,0 --shadow planar
 refuse fog_too_far 'ends too far away' quad.obj --fog linear:0:1e20:ffffff
+refuse samples_of_a_large_frame 'at most 2048 px wide and high' quad.obj --samples 4 --size 3000x10
 usage light 'TYPE:X,Y,Z[:RRGGBB[:RANGE]]' render quad.obj --out refused/old.png --light sun:1,2,3
 usage light_color 'TYPE:X,Y,Z[:RRGGBB[:RANGE]]' render quad.obj --out refused/old.png --light spot:1,2,3:ff
 usage lights_mixed 'write it as dir:x,y,z' render quad.obj --out refused/old.png --light dir:1,2,3 --light 1,2,3
