@@ -7,8 +7,7 @@
  *
  * Pools that hold a strip's triangles: its list is sorted, and drawn in one go. Else opaque
  * triangles are drawn, in scene order, whenever a pool is full, so that layers alone stay in it. Of
- * these the farthest are kept, as in method/painter.c: `near` is the limit of what was dropped, and
- * further walks draw the rest; `drawn` is the limit of what they leave out. The first layer is
+ * these the farthest are kept, and further walks draw the rest (method/sort.h). The first layer is
  * drawn when the first walk has ended: all opaque triangles are there then. Of several passes, one
  * at a time is drawn like that.
  *
@@ -24,16 +23,11 @@
 #include "zs_pass.h"
 
 struct state {
-    uint32_t d, ties; /* the limit `drawn` ... */
-    uint32_t passed;  /* ... and how many layers as far as drawn.d this walk has met */
-    uint32_t near;    /* the limit `near`, if `dropped` */
-    uint32_t sifted;  /* the pool's first triangles, which belong to this walk: layers */
-    uint16_t pass;    /* the pass that is drawn, once a pool was full in this strip */
-    uint8_t again;    /* 1: an earlier walk has drawn layers of this pass, and all that is opaque */
-    uint8_t dropped;  /* 1: this walk has dropped layers */
-    uint8_t split;    /* 1: a pool was full: the strip is drawn in several sets */
-    uint8_t opaque;   /* 1: list opaque triangles only */
-    uint8_t later;    /* 1: triangles of later passes were dropped */
+    struct zs_farthest far; /* layers of the pass: method/sort.h */
+    uint16_t pass;          /* the pass that is drawn, once a pool was full in this strip */
+    uint8_t split;          /* 1: a pool was full: the strip is drawn in several sets */
+    uint8_t opaque;         /* 1: list opaque triangles only */
+    uint8_t later;          /* 1: triangles of later passes were dropped */
 };
 
 /* ---- The order ------------------------------------------------------------------------------- */
@@ -107,66 +101,36 @@ static uint16_t layers_list(struct zs_renderer *r)
 
 /* ---- Bounded memory -------------------------------------------------------------------------- */
 
-/* Return 1 if a layer is neither drawn yet nor left to a later walk. To be called once for each
- * layer of the pass, in pool order. */
-static int belongs(const struct zs_renderer *r, struct state *s, uint32_t t)
-{
-    const uint32_t d = zs_sort_farthest(r, t);
-    if (s->dropped && d <= s->near)
-        return 0;
-    if (!s->again || d < s->d)
-        return 1;
-    return d == s->d && s->passed++ >= s->ties;
-}
-
 /* Draw the opaque triangles of the pass, and keep only layers that belong to this walk. */
 static void sift(struct zs_renderer *r)
 {
     struct state *s = r->method_state;
-    if (!s->again) {
+    if (!s->far.again) {
         s->opaque = 1;
         zs_raster_strip(r);
         s->opaque = 0;
     }
     for (uint32_t t = 0; t < r->n_tris; t++) {
-        const uint32_t kind = t < s->sifted ? LAYERS : kind_of(r, t, s->pass);
+        const uint32_t kind = t < s->far.sifted ? LAYERS : kind_of(r, t, s->pass);
         const struct zs_instance *in;
         if (kind == OTHERS && pass_of(r, t, &in) > s->pass)
             s->later = 1;
-        r->tri[t].next = t < s->sifted || (kind == LAYERS && belongs(r, s, t)) ? 0 : ZS_NIL;
+        const int stays = t < s->far.sifted ||
+                          (kind == LAYERS && zs_farthest_belongs(r, &s->far, t));
+        r->tri[t].next = stays ? 0 : ZS_NIL;
     }
     zs_sort_pack(r);
-    s->sifted = r->n_tris;
+    s->far.sifted = r->n_tris;
 }
 
-/* Keep the first n layers of a sorted list, and drop the others. */
-static void keep_first(struct zs_renderer *r, uint16_t list, uint32_t n)
-{
-    struct state *s = r->method_state;
-    for (uint32_t k = 0; list != ZS_NIL; k++) {
-        const uint16_t next = r->tri[list].next;
-        if (k == n)
-            s->near = zs_sort_farthest(r, list);
-        r->tri[list].next = k < n ? 0 : ZS_NIL;
-        list = next;
-    }
-    zs_sort_pack(r);
-    s->sifted = n;
-    s->dropped = 1;
-}
-
-/* Draw what is opaque; then drop the nearest layers, until a quarter of both pools is free or one
- * is left. With one triangle, at least three vertices are free. */
+/* Draw what is opaque; then drop the nearest layers. */
 static void layers_full(struct zs_renderer *r)
 {
     struct state *s = r->method_state;
-    const uint32_t tris = r->config.max_tris, verts = r->config.max_verts;
     s->split = 1;
     r->stats.passes++;
     sift(r);
-    for (uint32_t n; (n = r->n_tris) > 1 &&
-                     (tris - n < tris / 4u + 1u || verts - r->n_verts < verts / 4u + 3u);)
-        keep_first(r, zs_sort_list(r, r->bin[r->strip]), n - n / 4u - 1u);
+    zs_farthest_room(r, &s->far);
 }
 
 /* Set the state of the next walk of a strip in several sets. Return 0: the strip is complete. */
@@ -174,17 +138,12 @@ static int next_set(struct zs_renderer *r)
 {
     struct state *s = r->method_state;
     struct state next = { .pass = s->pass, .split = 1 };
-    if (s->dropped) {
-        next.d = s->near;
-        next.ties = s->again && s->d == s->near ? s->ties : 0u;
-        next.again = 1;
-        for (uint32_t t = 0; t < r->n_tris; t++)
-            next.ties += zs_sort_farthest(r, t) == s->near;
-    } else if (s->later) {
+    if (s->far.dropped)
+        next.far = zs_farthest_next(r, &s->far);
+    else if (s->later)
         next.pass++;
-    } else {
+    else
         return 0;
-    }
     *s = next;
     return 1;
 }
@@ -215,10 +174,8 @@ static int layers_begin(struct zs_renderer *r)
     return r->config.max_tris >= 2 && r->config.max_verts >= 6 ? ZS_OK : ZS_ERR_SIZE;
 }
 
-const struct zs_method zs_method_transparent = {
-    .begin = layers_begin,
-    .strip = layers_strip,
-    .full = layers_full,
-    .list = layers_list,
-    .passes = 1
-};
+const struct zs_method zs_method_transparent = { .begin = layers_begin,
+                                                 .strip = layers_strip,
+                                                 .full = layers_full,
+                                                 .list = layers_list,
+                                                 .passes = 1 };

@@ -23,4 +23,33 @@ uint16_t zs_sort_list(struct zs_renderer *r, uint16_t list);
  * binned in r->strip. */
 void zs_sort_pack(struct zs_renderer *r);
 
+/* ---- The farthest triangles, in bounded memory ----------------------------------------------
+ *
+ * If the pools cannot hold a strip's triangles, several walks draw them. Each walk keeps the
+ * farthest among those that are not drawn yet. A walk has two limits:
+ *   drawn  what earlier walks have drawn: triangles farther than d, and the first `ties` triangles
+ *          in scene order that are as far as d;
+ *   near   once a pool is full, the nearest triangles are dropped. Those that are as near as one
+ *          that was dropped, or nearer, are left to later walks. Of equally far ones, the later in
+ *          scene order are dropped; those that follow them in the walk are later still.
+ * A full pool keeps at least one triangle, the farthest so far, and has room for one more. So each
+ * walk draws at least one triangle. */
+struct zs_farthest {
+    uint32_t d, ties; /* the limit `drawn`, if `again` ... */
+    uint32_t passed;  /* ... and how many triangles as far as d this walk has met */
+    uint32_t near;    /* the limit `near`, if `dropped` */
+    uint32_t sifted;  /* the pool's first triangles, which belong to this walk */
+    uint8_t again;    /* 1: an earlier walk has drawn some */
+    uint8_t dropped;  /* 1: this walk has dropped triangles */
+};
+
+/* Return 1 if triangle t of the pool is neither drawn yet nor left to a later walk. To be called
+ * once for each triangle, in pool order. */
+int zs_farthest_belongs(const struct zs_renderer *r, struct zs_farthest *f, uint32_t t);
+/* All triangles of the pool belong to this walk: drop the nearest, until a quarter of both pools is
+ * free or one triangle is left. With one triangle, at least three vertices are free. */
+void zs_farthest_room(struct zs_renderer *r, struct zs_farthest *f);
+/* The limits of the next walk, after one that has dropped triangles and whose pool is drawn. */
+struct zs_farthest zs_farthest_next(const struct zs_renderer *r, const struct zs_farthest *f);
+
 #endif
