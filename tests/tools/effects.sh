@@ -211,7 +211,8 @@ look codes out/map.png 21 121 3 1
 dark=$seen
 look codes out/map.png 208 121 3 1
 darker 0.25 0.5
-[ "$("$work/look" png out/map.png | cut -d' ' -f1-2)" = '240 240' ] || wrong 'not 240x240'
+effect colored ball.obj $plain --light 0,0,1 --shadow map --shade smooth --color ff0000
+pixel colored 120 120 ff0000
 
 # ---- Reflection ------------------------------------------------------------------------------------------------------
 ./fixture png rgb sphere.png 2 1 ff0000 0000ff

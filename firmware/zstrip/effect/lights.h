@@ -106,4 +106,19 @@ static inline uint16_t zs_lit_pack(const uint16_t c[3])
 /* The check of all lit shaders. */
 int zs_lit_check(const struct zs_instance *in, const struct zs_config *config);
 
+/* ---- Phong shading (effect/lit_normals.c) ------------------------------------------------------ */
+
+#define ZS_PHONG_TURNED                                                                            \
+    1u /* bit of zs_tri.paint: normals are turned round. The others are face_rgb,
+                              five bits a channel */
+
+/* Varyings: three of the normal; and three of the position. */
+void zs_phong_vertex(const struct zs_shading *s, uint32_t v, uint16_t *out);
+void zs_phong_near_vertex(const struct zs_shading *s, uint32_t v, uint16_t *out);
+uint16_t zs_phong_face(const struct zs_shading *s, uint32_t t); /* zs_tri.paint */
+int zs_phong_check(const struct zs_instance *in, const struct zs_config *config);
+int zs_phong_near_check(const struct zs_instance *in, const struct zs_config *config);
+/* The colour of a face whose paint is given. */
+struct zs_rgb zs_phong_color(const struct zs_instance *in, uint32_t paint);
+
 #endif

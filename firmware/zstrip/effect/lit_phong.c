@@ -26,7 +26,6 @@
 #define BIAS (1u << 30) /* of planes of normals */
 #define FAST 1u         /* job->sub_log2: by blocks */
 #define GENERAL 0u
-#define NORMAL_ONE 32760 /* length of a normal as a varying, below 2^15 */
 
 /* A triangle with one directional lamp, in job->own. Colours: red and blue in a word, green in a
  * word. */
@@ -42,89 +41,6 @@ static inline struct gloss *gloss_of(struct zs_job *job)
 }
 
 _Static_assert(BLOCK <= 1 << ZS_SUB_LOG2_MAX, "zs_one_over");
-
-/* ---- Vertices and faces ---------------------------------------------------------------------- */
-
-static void phong_vertex(const struct zs_shading *s, uint32_t v, uint16_t *out)
-{
-    const zs_q1_15 *const normal = s->instance->mesh->normal[v];
-    const int32_t n[3] = { normal[0], normal[1], normal[2] };
-    struct zs_lit_at at;
-    zs_lit_normal(&at, s->instance, n);
-    for (int k = 0; k < 3; k++)
-        out[k] = (uint16_t)(32768 + ((at.n[k] * NORMAL_ONE + (1 << 14)) >> 15));
-}
-
-static void near_vertex(const struct zs_shading *s, uint32_t v, uint16_t *out)
-{
-    phong_vertex(s, v, out);
-    for (int k = 0; k < 3; k++)
-        out[3 + k] = (uint16_t)(s->instance->mesh->pos[v][k] + 32768);
-}
-
-#define TURNED 1u /* bit of zs_tri.paint; the others are face_rgb, five bits a channel */
-
-/* The colour of a face whose paint is given. */
-static struct zs_rgb color_of(const struct zs_instance *in, uint32_t paint)
-{
-    const uint32_t red = paint >> 11, green = paint >> 6 & 31u, blue = paint >> 1 & 31u;
-    const struct zs_rgb rgb = { (uint8_t)(red << 3 | red >> 2), (uint8_t)(green << 3 | green >> 2),
-                                (uint8_t)(blue << 3 | blue >> 2) };
-    return in->mesh->face_rgb ? rgb : in->material->rgb;
-}
-
-/* A channel in five bits, nearest. */
-static uint32_t five_bits(uint32_t channel)
-{
-    return (channel * 31u + 127u) / 255u;
-}
-
-/* TURNED: the face turns away from the eye, and its normals are turned round. */
-static uint16_t turned(const struct zs_shading *s, uint32_t t)
-{
-    const struct zs_instance *const in = s->instance;
-    const struct zs_mesh *const mesh = in->mesh;
-    struct zs_lit_at at;
-    zs_q1_15 normal[3];
-    int32_t p[3], n[3];
-    if (!(zs_lit_material_of(in)->flags & ZS_LIT_TWO_SIDED))
-        return 0;
-    zs_light_face_normal(normal, mesh, t);
-    for (int k = 0; k < 3; k++) {
-        p[k] = mesh->pos[mesh->tri[t][0]][k] * 256;
-        n[k] = normal[k];
-    }
-    zs_lit_place(&at, in, p);
-    zs_lit_normal(&at, in, n);
-    zs_lit_view(&at, s->camera, 1);
-    return zs_lit_dot(at.n, at.view) < 0;
-}
-
-static uint16_t phong_face(const struct zs_shading *s, uint32_t t)
-{
-    const struct zs_rgb *const rgb = s->instance->mesh->face_rgb;
-    const uint32_t color = rgb ? five_bits(rgb[t].r) << 11 | five_bits(rgb[t].g) << 6 |
-                                     five_bits(rgb[t].b) << 1
-                               : 0u;
-    return (uint16_t)(color | turned(s, t));
-}
-
-static int near_check(const struct zs_instance *in, const struct zs_config *config)
-{
-    return in->mesh->normal ? zs_lit_check(in, config) : ZS_ERR_MESH;
-}
-
-static int phong_check(const struct zs_instance *in, const struct zs_config *config)
-{
-    const struct zs_lit_material *const m = zs_lit_material_of(in);
-    const int err = near_check(in, config);
-    if (err)
-        return err;
-    for (uint32_t k = 0; k < m->lighting->n_lamps; k++)
-        if (m->lighting->lamp[k].kind != ZS_LAMP_DIRECTIONAL)
-            return ZS_ERR_RANGE;
-    return m->flags & ZS_LIT_NEAR_VIEWER ? ZS_ERR_RANGE : ZS_OK;
-}
 
 /* ---- Set-up ---------------------------------------------------------------------------------- */
 
@@ -162,7 +78,7 @@ static int gloss_start(struct zs_job *job, const struct zs_instance *in)
     (void)zs_lit_unit(g->half, g->half, &square, &exp);
     zs_lit_add(m, &at, &dark); /* the normal is 0: ambient light alone */
     zs_lit_lamp(m, &full);
-    const struct zs_rgb own = color_of(in, job->tri->paint);
+    const struct zs_rgb own = zs_phong_color(in, job->tri->paint);
     const uint8_t rgb[3] = { own.r, own.g, own.b };
     zs_lit_mix(m, own, &dark, base);
     const uint8_t specular[3] = { m->specular.r, m->specular.g, m->specular.b };
@@ -193,7 +109,7 @@ static void normal_planes(struct zs_job *job, const uint16_t *const a[3], const 
 {
     const uint32_t most = zs_maxu32(zs_maxu32(w[0], w[1]), w[2]);
     const int32_t size = most < 1518500249u ? 46340 : 32768; /* sqrt 2, if most < 2^30.5 */
-    const int32_t by = job->tri->paint & TURNED ? -size : size;
+    const int32_t by = job->tri->paint & ZS_PHONG_TURNED ? -size : size;
     for (int c = 0; c < 3; c++) {
         uint32_t v[3];
         for (int k = 0; k < 3; k++)
@@ -261,6 +177,7 @@ static ZS_NOINLINE void each(struct zs_job *job, const struct zs_row *row, int32
     const struct zs_instance *const in = zs_instance_of(job->r, job->tri->instance);
     const struct zs_lit_material *const m = zs_lit_material_of(in);
     const struct zs_camera *const camera = &job->r->camera;
+    const struct zs_rgb rgb = zs_phong_color(in, job->tri->paint);
     const int near = m->flags & ZS_LIT_NEAR_VIEWER;
     struct zs_lit_at at;
     zs_lit_view(&at, camera, 0);
@@ -276,7 +193,7 @@ static ZS_NOINLINE void each(struct zs_job *job, const struct zs_row *row, int32
         if (near)
             zs_lit_view(&at, camera, 1);
         zs_lit_add(m, &at, &sum);
-        zs_lit_mix(m, color_of(in, job->tri->paint), &sum, c);
+        zs_lit_mix(m, rgb, &sum, c);
         job->color[row->at + i] = zs_lit_pack(c);
     }
 }
@@ -469,17 +386,17 @@ static void near_run(struct zs_job *job, const struct zs_row *row, int32_t r0, i
     each(job, row, r0, r1, zs_lit_placed(zs_lit_material_of(in), &job->r->camera));
 }
 
-const struct zs_shader zs_shade_phong = { .vertex = phong_vertex,
-                                          .face = phong_face,
+const struct zs_shader zs_shade_phong = { .vertex = zs_phong_vertex,
+                                          .face = zs_phong_face,
                                           .start = phong_start,
                                           .run = phong_run,
-                                          .check = phong_check,
+                                          .check = zs_phong_check,
                                           .n_varyings = ZS_VARYINGS_LIT,
                                           .opaque = 1 };
-const struct zs_shader zs_shade_phong_near = { .vertex = near_vertex,
-                                               .face = phong_face,
+const struct zs_shader zs_shade_phong_near = { .vertex = zs_phong_near_vertex,
+                                               .face = zs_phong_face,
                                                .start = near_start,
                                                .run = near_run,
-                                               .check = near_check,
+                                               .check = zs_phong_near_check,
                                                .n_varyings = ZS_VARYINGS_PHONG_NEAR,
                                                .opaque = 1 };
