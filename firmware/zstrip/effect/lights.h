@@ -108,9 +108,8 @@ int zs_lit_check(const struct zs_instance *in, const struct zs_config *config);
 
 /* ---- Phong shading (effect/lit_normals.c) ------------------------------------------------------ */
 
-#define ZS_PHONG_TURNED                                                                            \
-    1u /* bit of zs_tri.paint: normals are turned round. The others are face_rgb,
-                              five bits a channel */
+/* A bit of zs_tri.paint: normals are turned round. The others are face_rgb, five bits a channel. */
+#define ZS_PHONG_TURNED 1u
 
 /* Varyings: three of the normal; and three of the position. */
 void zs_phong_vertex(const struct zs_shading *s, uint32_t v, uint16_t *out);
