@@ -36,26 +36,6 @@ static inline uint32_t zs_lit_rsqrt(uint32_t q_less)
     return cell - (cell & 4095u) * (q_less << 7 >> 17);
 }
 
-/* max(0, v) */
-static inline uint32_t zs_lit_positive(int32_t v)
-{
-#if defined(__GNUC__) && defined(__thumb2__)
-    uint32_t result;
-    __asm__("usat %0, #31, %1" : "=r"(result) : "r"(v) : "cc");
-    return result;
-#else
-    return (uint32_t)(v & ~(v >> 31));
-#endif
-}
-
-/* v / 2^shift, at most 2^bits - 1; v < 2^31. bits and shift are constants. */
-#if defined(__GNUC__) && defined(__thumb2__)
-#define ZS_LIT_HELD(to, v, shift, bits)                                                            \
-    __asm__("usat %0, %3, %1, asr %2" : "=r"(to) : "r"(v), "I"(shift), "I"(bits) : "cc")
-#else
-#define ZS_LIT_HELD(to, v, shift, bits) ((to) = zs_minu32((v) >> (shift), (1u << (bits)) - 1u))
-#endif
-
 /* Scale v to length ZS_LIT_ONE. Return 0 if it is 0 0 0: out is 0 0 0 then. |v| < 2^31 each;
  * out may be v. *square is |v|^2 / 2^(2 *exp + 30), [2^28, 2^31.6). */
 int zs_lit_unit(int32_t out[3], const int32_t v[3], uint32_t *square, int32_t *exp);
@@ -106,7 +86,7 @@ static inline uint16_t zs_lit_pack(const uint16_t c[3])
 /* The check of all lit shaders. */
 int zs_lit_check(const struct zs_instance *in, const struct zs_config *config);
 
-/* ---- Phong shading (effect/lit_normals.c) ------------------------------------------------------ */
+/* ---- Phong shading (effect/lit_normals.c) ---------------------------------------------------- */
 
 /* A bit of zs_tri.paint: normals are turned round. The others are face_rgb, five bits a channel. */
 #define ZS_PHONG_TURNED 1u

@@ -18,6 +18,7 @@
  *
  * SPDX-License-Identifier: MIT
  */
+#include "arch/held.h"
 #include "core/pass.h"
 #include "effect/lights.h"
 #include "shade/persp.h"
@@ -293,9 +294,9 @@ static ZS_RARE ZS_NOINLINE void far_ends(struct end both[2], struct zs_job *job,
 ZS_ALWAYS_INLINE uint16_t packed(uint32_t rb, uint32_t green)
 {
     uint32_t r, g, b;
-    ZS_LIT_HELD(r, rb, 25, 5);
-    ZS_LIT_HELD(g, green, 24, 6);
-    ZS_LIT_HELD(b, rb & 0x7fffu, 9, 5);
+    ZS_HELD(r, rb, 25, 5);
+    ZS_HELD(g, green, 24, 6);
+    ZS_HELD(b, rb & 0x7fffu, 9, 5);
     return zs_wire16((uint16_t)(r << 11 | g << 5 | b));
 }
 
@@ -315,10 +316,10 @@ ZS_ALWAYS_INLINE void block_fill(uint16_t *out, int32_t n, const struct block *b
     const uint8_t *const level = glossy ? shine->level : 0;
     for (uint16_t *const end = out + n; out != end; out++) {
         const uint32_t over = zs_lit_rsqrt(q);
-        const uint32_t light = (zs_umulh(zs_lit_positive(l), over) + (1u << 21)) >> 22; /* uq_7 */
+        const uint32_t light = (zs_umulh(zs_positive(l), over) + (1u << 21)) >> 22; /* uq_7 */
         uint32_t rb = base_rb + light * rb_by, green = base_g + light * g_by;
         if (glossy) {
-            const int32_t t = (int32_t)zs_umulh(zs_lit_positive(h), over) - least;
+            const int32_t t = (int32_t)zs_umulh(zs_positive(h), over) - least;
             if (t > 0 && l > 0) {
                 const uint32_t s = level[t >> 15];
                 rb += s * rb_shine;

@@ -1,7 +1,8 @@
 /* What a pixel takes by each shader: two frames of a card that faces the camera, W and W / 2 px wide; the difference
  * of their instructions over that of their pixels. So what a frame, a strip and a triangle take is left out, and what
  * begins a run is not. What it takes by each hook: a frame with it less one without. No accelerators, depth buffer,
- * perspective, strips of 24 rows. One line of CSV each: name, instructions for 100 pixels. tests/lab/effects.sh runs it.
+ * perspective, strips of 24 rows. A line of CSV each: name, instructions for 100 pixels, the checksum of the picture.
+ * tests/lab/effects.sh runs it.
  *
  * SPDX-License-Identifier: MIT
  */
@@ -57,23 +58,27 @@ static void cut(int32_t w, int32_t size)
     }
 }
 
-/* Instructions of a frame. samples: 1; 3: four, not averaged; 4: averaged. */
-static uint64_t taken(const struct zs_material *material, const struct zs_resolve *hook, int samples, int *err)
+/* Instructions of a frame. samples: 1; 3: four, not averaged; 4: averaged. sum, if not NULL, becomes the checksum of what
+ * is sent, which takes instructions, too. */
+static uint64_t taken(const struct zs_material *material, const struct zs_resolve *hook, int samples, uint64_t *sum,
+                      int *err)
 {
     const struct zs_instance instance = { .mesh = &card, .material = material };
     const struct zs_scene scene = {
         .instance = &instance, .n_instances = 1, .resolve = hook, .n_resolves = hook != 0
     };
-    const struct zs_sink drop = { .submit = report_drop };
+    const struct zs_sink sink = { .submit = sum ? report_hash : report_drop, .ctx = sum };
     struct zs_renderer *r = samples > 1 ? &fine : &screen;
     struct zs_camera camera;
     screen_config.depth = fine_config.depth = &zs_depth_float;
+    if (sum)
+        *sum = REPORT_HASH;
     *err = *err ? *err : zs_camera_perspective(&camera, ZS_DEGREES(90), H, 8, 4000);
     *err = *err ? *err : samples > 1 ? ZS_INIT(fine) : ZS_INIT(screen);
     if (samples > 1)
-        *err = *err ? *err : zs_supersample_init(&fine_2x2, &fine, &drop);
+        *err = *err ? *err : zs_supersample_init(&fine_2x2, &fine, &sink);
     const uint64_t start = hal_ticks();
-    *err = *err ? *err : zs_render(r, &scene, &camera, samples == 4 ? &fine_2x2.sink : &drop);
+    *err = *err ? *err : zs_render(r, &scene, &camera, samples == 4 ? &fine_2x2.sink : &sink);
     return (hal_ticks() - start) * hal_tick_instructions();
 }
 
@@ -90,11 +95,12 @@ static const struct zs_dither grey = { &zs_dither_grey4, &zs_dither_ordered },
                               mono = { &zs_dither_mono, &zs_dither_blue },
                               rgb332 = { &zs_dither_rgb332, &zs_dither_blue };
 
-static void print(const char *name, uint64_t more, uint32_t pixels, int err)
+static void print(const char *name, uint64_t more, uint32_t pixels, uint64_t sum, int err)
 {
     hal_write(err ? "# FAILED: " : "");
     hal_write(name);
     report_field(more * 100u / pixels);
+    report_field(sum);
     hal_write("\n");
 }
 
@@ -102,10 +108,12 @@ static void print(const char *name, uint64_t more, uint32_t pixels, int err)
 static void row(const char *name, const struct zs_material *material)
 {
     int err = 0;
+    uint64_t sum;
     cut(W, name[0] == '1' ? 16 : 128);
-    const uint64_t whole = taken(material, 0, 1, &err);
+    const uint64_t whole = taken(material, 0, 1, 0, &err);
+    (void)taken(material, 0, 1, &sum, &err);
     cut(W / 2, name[0] == '1' ? 16 : 128);
-    print(name, whole - taken(material, 0, 1, &err), W / 2 * H, err);
+    print(name, whole - taken(material, 0, 1, 0, &err), W / 2 * H, sum, err);
 }
 
 /* A hook, over every pixel of a frame that the card covers, by leaving it out. */
@@ -113,9 +121,11 @@ static void hook_row(const char *name, const struct zs_resolve *hook)
 {
     const struct zs_material raw = { .shader = &zs_shade_raw, .rgb = ZS_RGB(0xc08040) };
     int err = 0;
+    uint64_t sum;
     cut(W, 16);
-    const uint64_t with = taken(&raw, hook, 1, &err);
-    print(name, with - taken(&raw, 0, 1, &err), W * H, err);
+    const uint64_t with = taken(&raw, hook, 1, 0, &err);
+    (void)taken(&raw, hook, 1, &sum, &err);
+    print(name, with - taken(&raw, 0, 1, 0, &err), W * H, sum, err);
 }
 
 #define PLAIN(name_, shader_)                                                                                         \
@@ -192,9 +202,11 @@ static void hooks(void)
     HOOK("dither to 1 bit", zs_dither_draw, &mono)
     const struct zs_material raw = { .shader = &zs_shade_raw, .rgb = ZS_RGB(0xc08040) };
     int err = 0;
+    uint64_t sum;
     cut(W, 16);
-    const uint64_t averaged = taken(&raw, 0, 4, &err);
-    print("4 samples averaged", averaged - taken(&raw, 0, 3, &err), W / 2 * (H / 2), err);
+    const uint64_t averaged = taken(&raw, 0, 4, 0, &err);
+    (void)taken(&raw, 0, 4, &sum, &err);
+    print("4 samples averaged", averaged - taken(&raw, 0, 3, 0, &err), W / 2 * (H / 2), sum, err);
 }
 
 static int ready(void)
