@@ -14,37 +14,7 @@
 #include "zs_dither.h"
 #include "zs_shader.h"
 
-static const uint32_t code_scale[3] = { 31u * 65537u, 63u * 65537u, 31u * 65537u };
 static const uint8_t up[3] = { 11, 10, 11 }; /* from codes in uq16_16 to the top of a word */
-
-/* As zs_shade_smooth. */
-static void vertex(const struct zs_shading *s, uint32_t v, uint16_t *out)
-{
-    const struct zs_mesh *mesh = s->instance->mesh;
-    const struct zs_rgb *c = mesh->vertex_rgb ? &mesh->vertex_rgb[v] : &s->instance->material->rgb;
-    const uint32_t light = zs_light_intensity(s, mesh->normal[v]);
-    out[0] = (uint16_t)zs_light_channel(c->r, light);
-    out[1] = (uint16_t)zs_light_channel(c->g, light);
-    out[2] = (uint16_t)zs_light_channel(c->b, light);
-}
-
-static int check(const struct zs_instance *in, const struct zs_config *config)
-{
-    (void)config;
-    return in->mesh->normal ? ZS_OK : ZS_ERR_MESH;
-}
-
-/* Compute the colour at a covered pixel by division: codes, with half a code added. */
-static ZS_NOINLINE void color_at(const struct zs_job *job, int32_t i, int32_t row, uint32_t out[3])
-{
-    uint32_t w;
-    int32_t lz;
-    const uint32_t rcp = zs_persp_rcp(job, i, row, &w, &lz);
-    for (int c = 0; c < 3; c++) {
-        const uint32_t level = zs_persp_over(zs_plane_at(&job->c[c], i, row), w, rcp, lz);
-        out[c] = zs_umulh(level << 1, code_scale[c]) + 0x8000u; /* <= 63.5 codes */
-    }
-}
 
 /* A row of the pattern: ranks, and how they become parts of a code of 5 bits at the top of a word:
  * 2 rank * scale + scale - half, |.| < 2^26 * 31/32. */
@@ -95,14 +65,14 @@ static void run(struct zs_job *job, const struct zs_row *row, int32_t r0, int32_
     }
     const int32_t length = 1 << job->sub_log2;
     int32_t from = row->x0 + ((r0 - row->x0) & -length);
-    color_at(job, from, row->y, next);
+    zs_smooth_at(job, from, row->y, next);
     for (; from < r1; from += length) {
         const int32_t to = zs_min32(from + length, row->x1 - 1); /* its far end: a covered pixel */
         const int32_t i0 = zs_max32(from, r0), i1 = zs_min32(from + length, r1);
         for (int k = 0; k < 3; k++)
             c[k] = next[k];
         if (to > from)
-            color_at(job, to, row->y, next);
+            zs_smooth_at(job, to, row->y, next);
         for (int k = 0; k < 3; k++) {
             const uint32_t by = step_of(c[k], next[k], to - from);
             c[k] = (c[k] + zs_wrap_mul(by, i0 - from)) << up[k];
@@ -123,14 +93,14 @@ static void blue_run(struct zs_job *job, const struct zs_row *row, int32_t from,
 }
 
 const struct zs_shader zs_shade_smooth_ordered = { .opaque = 1,
-                                                   .vertex = vertex,
+                                                   .vertex = zs_smooth_vertex,
                                                    .start = zs_smooth_start,
                                                    .run = ordered_run,
-                                                   .check = check,
+                                                   .check = zs_smooth_usable,
                                                    .n_varyings = ZS_VARYINGS_SMOOTH };
 const struct zs_shader zs_shade_smooth_blue = { .opaque = 1,
-                                                .vertex = vertex,
+                                                .vertex = zs_smooth_vertex,
                                                 .start = zs_smooth_start,
                                                 .run = blue_run,
-                                                .check = check,
+                                                .check = zs_smooth_usable,
                                                 .n_varyings = ZS_VARYINGS_SMOOTH };

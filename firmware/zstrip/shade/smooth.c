@@ -192,9 +192,8 @@ static void fill_linear(uint16_t *out, int32_t n, const uint32_t c[3], const uin
     }
 }
 
-/* Compute the colour at a covered pixel by division: codes, with half a code added. */
-ZS_IN_ORDER static ZS_NOINLINE void color_at(const struct zs_job *job, int32_t i, int32_t row,
-                                             uint32_t out[3])
+ZS_IN_ORDER ZS_NOINLINE void zs_smooth_at(const struct zs_job *job, int32_t i, int32_t row,
+                                          uint32_t out[3])
 {
     uint32_t w;
     int32_t lz;
@@ -236,13 +235,13 @@ void zs_smooth_run(struct zs_job *job, const struct zs_row *row, int32_t r0, int
     uint32_t c[3], next[3];
     const int32_t length = 1 << job->sub_log2;
     int32_t from = row->x0 + ((r0 - row->x0) & -length);
-    color_at(job, from, row->y, next);
+    zs_smooth_at(job, from, row->y, next);
     for (; from < r1; from += length) {
         const int32_t to = zs_min32(from + length, row->x1 - 1); /* its far end: a covered pixel */
         for (int k = 0; k < 3; k++)
             c[k] = next[k];
         if (to > from)
-            color_at(job, to, row->y, next);
+            zs_smooth_at(job, to, row->y, next);
         const int32_t i0 = zs_max32(from, r0), i1 = zs_min32(from + length, r1);
         fill_part(color + i0, i1 - i0, c, next, to - from, i0 - from);
     }

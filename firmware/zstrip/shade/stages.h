@@ -17,6 +17,9 @@ uint16_t zs_flat_face(const struct zs_shading *s, uint32_t t);
 void zs_smooth_vertex(const struct zs_shading *s, uint32_t v, uint16_t *out);
 void zs_smooth_start(struct zs_job *job);
 void zs_smooth_run(struct zs_job *job, const struct zs_row *row, int32_t from, int32_t to);
+/* Compute the colour at a covered pixel by division: codes, uq16_16, with half a code added; not of
+ * a triangle that is affine. */
+void zs_smooth_at(const struct zs_job *job, int32_t i, int32_t row, uint32_t out[3]);
 int zs_smooth_usable(const struct zs_instance *in, const struct zs_config *config);
 /* Those of the textured shaders: texture coordinates; and light at vertices, or of a face. */
 void zs_texture_vertex(const struct zs_shading *s, uint32_t v, uint16_t *out);
