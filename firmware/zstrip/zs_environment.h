@@ -85,9 +85,8 @@ int zs_mirror_of(struct zs_mirror *mirror, const struct zs_instance *in, uint32_
  * cut off. For what is set from a camera: zs_pose_face.
  *
  * out     may be camera. The eye is rounded to world units.
- * Return  ZS_OK; ZS_ERR_RANGE: the eye's picture is outside the world; ZS_ERR_VECTOR: the eye is
- *         not
- *         in front of the mirror. After an error out is untouched. */
+ * Return  ZS_OK; ZS_ERR_RANGE: the eye's picture is outside the world; ZS_ERR_VECTOR: the eye
+ *         is not in front of the mirror. After an error out is untouched. */
 int zs_mirror_camera(struct zs_camera *out, const struct zs_camera *camera,
                      const struct zs_mirror *mirror);
 
@@ -137,8 +136,7 @@ struct zs_sky {
 /* Set a sky from an image that goes around the eye once.
  *
  * image   its middle is at -z, its right half is on the +x side. Borrowed as long as the sky is
- *         used.
- *         Its clamp does not matter.
+ *         used. Its clamp does not matter.
  * top, bottom  the pitch of its upper and lower edge, 65536 to the turn, -16384 .. 16384 (straight
  *         down and up), at least 64 apart. Beyond them the first and the last row continue.
  * Return  ZS_OK; ZS_ERR_NULL, ZS_ERR_TEXTURE, ZS_ERR_RANGE: sky is untouched. */
@@ -194,9 +192,8 @@ void zs_pose_face(struct zs_pose *pose, const struct zs_camera *camera);
  * up      world axes, any length but 0; the mesh's y.
  * Error   2^-27 an element, more where the eye is less than 2^12 world units from the axis: its
  *         direction is known to a world unit.
- * Return  ZS_OK; ZS_ERR_RANGE: pose or eye outside the world; ZS_ERR_VECTOR: up is 0 0 0, or the
- *         eye
- *         is straight above or below. After an error pose is untouched. */
+ * Return  ZS_OK; ZS_ERR_RANGE: pose or eye outside the world; ZS_ERR_VECTOR: up is 0 0 0, or
+ *         the eye is straight above or below. After an error pose is untouched. */
 int zs_pose_face_upright(struct zs_pose *pose, const struct zs_camera *camera,
                          const int32_t up[3]);
 

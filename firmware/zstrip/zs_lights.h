@@ -78,8 +78,8 @@ struct zs_lighting {
 struct zs_shine {
     uint32_t scale; /* entries to a cosine, q_31 of 2^-16 */
     uint16_t least; /* the cosine, uq0_16, of entry 0: its power is 1/256 */
-    uint8_t
-        level[266]; /* at 1/256 of the way from `least` to 1: 255 is 1; some more for rounding */
+    uint8_t level[266]; /* at 1/256 of the way from `least` to 1: 255 is 1; some more for
+                           rounding */
 };
 
 /* Set a table for max(0, cosine)^power; what is below 1/256 becomes 0.
@@ -87,14 +87,12 @@ struct zs_shine {
  * Return  ZS_OK; ZS_ERR_NULL; ZS_ERR_RANGE: power */
 int zs_shine_set(struct zs_shine *shine, uint32_t power);
 
-enum zs_lit_flags { /* or-ed */
-                    ZS_LIT_REFLECT =
-                        1, /* highlights by Phong's reflected ray, not by Blinn's half-way vector */
-                    ZS_LIT_TWO_SIDED =
-                        2, /* a normal that points away from the eye is turned round: take it with
+/* Or-ed. */
+enum zs_lit_flags {
+    ZS_LIT_REFLECT = 1,   /* highlights by Phong's reflected ray, not by Blinn's half-way vector */
+    ZS_LIT_TWO_SIDED = 2, /* a normal that points away from the eye is turned round: take it with
                              ZS_CULL_NONE. zs_shade_phong looks at the face's normal for that */
-                    ZS_LIT_NEAR_VIEWER =
-                        4 /* V points to the eye from where the light falls; else V is the view
+    ZS_LIT_NEAR_VIEWER = 4 /* V points to the eye from where the light falls; else V is the view
                               axis everywhere, which costs less. Orthographic cameras: the axis */
 };
 
