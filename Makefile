@@ -10,7 +10,7 @@ test quick t check size stack: export WERROR = -Werror
 JOBS := $(shell nproc 2>/dev/null || getconf _NPROCESSORS_ONLN 2>/dev/null || echo 2)
 # Its lines begin with +, as make sees a make in a recipe only where it is written out
 MAKE_ALL = $(MAKE) --no-print-directory -j$(JOBS)
-SIM_DIRS = cli effect load convert frame panel gallery budget study compare reference panel_model
+SIM_DIRS = cli effect load convert project frame panel gallery budget study compare reference panel_model
 INC = -Ifirmware/zstrip -Ifirmware/examples -Ifirmware/scenes -Ihal -Ihal/panel -Ihal/fault -I$(B)/gen $(SIM_DIRS:%=-Isim/%)
 CORE = $(wildcard firmware/zstrip/*/*.c)
 SCENES = $(wildcard firmware/scenes/*.c)
@@ -56,11 +56,17 @@ sim: $(B)/.setup-sim
 	+@$(MAKE_ALL) $(B)/zsim
 
 SHOW = $(MAKE_ALL) -s -f firmware/boards/firmware.mk B=$(B) BOARD=$(BOARD) APP=show SCENE=$(SCENE) \
-       $(if $(APP_SCENE),APP_SCENE=$(APP_SCENE)) $(if $(LEAN),LEAN=$(LEAN)) $(if $(CORES),CORES=$(CORES))
+       $(if $(APP_SCENE),APP_SCENE='$(APP_SCENE)') $(if $(LEAN),LEAN=$(LEAN)) $(if $(CORES),CORES=$(CORES))
 ## firmware: BOARD=pico SCENE=teapot (or mine, or APP_SCENE=my.c): what is flashed, into build/fw/pico/; LEAN=1: least
 ##     flash, without accelerators; CORES=2: both cores of the Pico draw, build/fw/pico-2/
 firmware: $(B)/.setup-fw-$(BOARD) $(B)/gen/meshes.h
 	@$(SHOW) image
+
+## show: SCENE=teapot, mine or APP_SCENE=my.c: that firmware in an emulated Pico: pictures in build/show/, frames a second
+show: $(B)/.setup-show $(B)/gen/meshes.h sim
+	@$(SHOW) image
+	@sh tests/boards/show.sh $(B) $(B)/fw/pico$(if $(filter 2,$(CORES)),-2)/$(if $(filter mine,$(SCENE)),my_scene,$(or \
+	    $(basename $(notdir $(firstword $(APP_SCENE)))),$(SCENE)))
 
 ## pico: the demo scenes on an emulated Raspberry Pi Pico: cycles, wire, frames a second
 pico: $(B)/.setup-test
@@ -84,7 +90,7 @@ help:
 	    printf '    %-10s %s\n' "$${b##*/}" "$$(sed -n 's/^BOARD_ABOUT = //p' $$mk)"; done
 help-all: help
 	@for mk in $(filter-out .ci/%,$(filter %.mk,$(INCLUDED))); do sed -n '1s/^\# \(.*\)/\1:/p' $$mk; $(LIST) $$mk; done
-.PHONY: all demo test quick t sim firmware pico linux clean help help-all
+.PHONY: all demo test quick t sim firmware show pico linux clean help help-all
 
 INCLUDED := $(MAKEFILE_LIST)
 -include $(foreach at,core sim test test/narrow fuzz/clang study/*,$(foreach of,firmware hal sim tests,\

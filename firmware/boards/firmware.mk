@@ -1,7 +1,8 @@
 # An application for a board: make -f firmware/boards/firmware.mk BOARD=mps2 APP=bench [run]
 # From the repository's top. Lands in $(B)/fw/$(BOARD)/$(APP).elf. Needs the meshes in $(B)/gen.
 #
-# APP=show SCENE=teapot, or APP_SCENE=path/to/scene.c: the show of that scene, $(B)/fw/$(BOARD)/teapot.elf (scene.elf)
+# APP=show SCENE=teapot, or APP_SCENE=path/to/scene.c: the show of that scene, $(B)/fw/$(BOARD)/teapot.elf (scene.elf);
+#   APP_SCENE='scene.c thing.c': with what else it is made of, such as a converted model
 # NAME=name APP_SRC=files [APP_FLAGS=flags] [EXTRA=objects]: any other program
 # DEFINES='-DPIN_RESET=14 -DSPI_DIVIDER=4': what sources leave to the compiler's -D, before what the board says of them;
 #   another choice compiles all anew
@@ -12,7 +13,7 @@
 #   BOARD_ABOUT  one line for `make help`           BOARD_CC, BOARD_CPU  compiler, and its flags for the core
 #   DATA_CPU     the same for data alone, where cores share it; BOARD_CPU where it is not set
 #   BOARD_HAL    folder of hal/, all of it linked    BOARD_SRC   other sources: start-up, shared parts of HALs
-#   BOARD_LINK   flags for the linker, BOARD_DEPS    files that they name
+#   BOARD_LINK   flags for the linker, BOARD_DEPS    files that they name, BOARD_LIBS    libraries
 #   BOARD_RUN    command that takes the .elf         BOARD_IMAGES  what is flashed: bin, hex; more by rules of its own
 #   BOARD_FLAGS  -D for the application (show.h has them), BOARD_FLASH, BOARD_RAM  bytes of the part
 #   BOARD_SECOND sources of hal/second.h, for CORES=2; not set where the part has one core
@@ -33,10 +34,10 @@ ifeq ($(SCENE),mine)
 APP_SCENE = firmware/app/my_scene.c
 endif
 ifdef APP_SCENE
-ifeq ($(wildcard $(APP_SCENE)),)
+ifneq ($(words $(wildcard $(APP_SCENE))),$(words $(APP_SCENE)))
 $(error APP_SCENE=$(APP_SCENE): no such file; copy firmware/app/my_scene.c to begin one)
 endif
-NAME = $(basename $(notdir $(APP_SCENE)))
+NAME = $(basename $(notdir $(firstword $(APP_SCENE))))
 APP_SRC += $(APP_SCENE)
 else
 ifeq ($(shell grep 'define SIZES_$(SCENE) ' firmware/scenes/sizes.h),)
@@ -117,7 +118,7 @@ $(MESH_OBJ): override LEAN = 0
 run: $(ELF)
 	@$(BOARD_RUN) $(ELF)
 $(ELF): $(OBJ) $(EXTRA) $(BOARD_DEPS) $(LINKED)
-	$(BOARD_CC) $(BOARD_CPU) $(OPT) -Wl,--gc-sections $(BOARD_LINK) $(OBJ) $(EXTRA) -o $@
+	$(BOARD_CC) $(BOARD_CPU) $(OPT) -Wl,--gc-sections $(BOARD_LINK) $(OBJ) $(EXTRA) $(BOARD_LIBS) -o $@
 $(OUT)/of-$(NAME)/%.o: %.c firmware/boards/$(BOARD)/board.mk $(DEFINED) $(FLAGGED)
 	@mkdir -p $(@D)
 	$(BOARD_CC) $(CFLAGS) $(APP_FLAGS) -c $< -o $@

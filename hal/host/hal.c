@@ -1,5 +1,6 @@
-/* A program on a PC: text to stdout, ticks of the C library's clock, pixels to nowhere. Crueller than
- * hardware: bytes that change while they are borrowed are an error.
+/* A program on a PC: text to stdout, ticks of the C library's clock. What a panel would get goes to the file that
+ * HAL_STREAM names in the environment, for `zsim panel --full --decode`; without it, to nowhere. Crueller than hardware:
+ * bytes that change while they are borrowed are an error.
  *
  * SPDX-License-Identifier: MIT
  */
@@ -12,6 +13,7 @@
 static const uint8_t *out; /* what is being sent; NULL: nothing is */
 static uint32_t n_out, out_sum;
 static uint8_t ready;
+static FILE *stream; /* NULL: none */
 
 static uint32_t fnv1a(const uint8_t *at, uint32_t n)
 {
@@ -21,8 +23,33 @@ static uint32_t fnv1a(const uint8_t *at, uint32_t n)
     return sum;
 }
 
+/* A word of the stream: a byte with its D/C level, or a mark. */
+enum { DATA = 0x100, RESET = 0x200, DESELECT = 0x800 };
+static void record(uint32_t word)
+{
+    if (stream) {
+        putc((int)(word & 255u), stream);
+        putc((int)(word >> 8), stream);
+    }
+}
+
+static void record_data(const uint8_t *at, uint32_t n)
+{
+    for (uint32_t i = 0; i < n; i++)
+        record(DATA | at[i]);
+    record(DESELECT);
+}
+
 int hal_init(void)
 {
+    const char *name = getenv("HAL_STREAM");
+    if (name && !stream) {
+        stream = fopen(name, "wb");
+        if (!stream) {
+            perror(name);
+            return HAL_ERR_BUS;
+        }
+    }
     ready = 1;
     return HAL_OK;
 }
@@ -30,7 +57,10 @@ int hal_init(void)
 void hal_exit(int status)
 {
     fflush(stdout);
-    exit(status);
+    const int lost = stream && (ferror(stream) != 0) | (fclose(stream) != 0);
+    if (lost)
+        fputs("HAL_STREAM: the file could not be written\n", stderr);
+    exit(lost ? 1 : status);
 }
 
 void hal_write(const char *text)
@@ -53,7 +83,7 @@ uint32_t hal_tick_instructions(void)
     return 0;
 }
 
-/* ---- The bus: bytes to nowhere ------------------------------------------------------------------------ */
+/* ---- The bus ------------------------------------------------------------------------------------------ */
 
 /* Why a call is refused: for its arguments, or for what it comes after. */
 static int refusal(int bad_argument)
@@ -64,8 +94,12 @@ static int refusal(int bad_argument)
 static int command(struct hal_bus *bus, uint8_t code, const uint8_t *args, uint32_t n)
 {
     (void)bus;
-    (void)code;
-    return refusal(n && !args);
+    const int err = refusal(n && !args);
+    if (!err) {
+        record(code);
+        record_data(args, n);
+    }
+    return err;
 }
 
 static int data(struct hal_bus *bus, const uint8_t *bytes, uint32_t n)
@@ -85,6 +119,7 @@ static int wait(struct hal_bus *bus)
     if (!out)
         return HAL_OK;
     const int same = fnv1a(out, n_out) == out_sum;
+    record_data(out, n_out);
     out = NULL;
     if (bus->hooks.done)
         bus->hooks.done(bus->hooks.ctx);
@@ -94,6 +129,8 @@ static int wait(struct hal_bus *bus)
 static int reset(struct hal_bus *bus)
 {
     (void)bus;
+    if (!out)
+        record(RESET);
     return out ? HAL_ERR_STATE : HAL_OK;
 }
 

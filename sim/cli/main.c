@@ -7,6 +7,7 @@
 #include "convert.h"
 #include "demo.h"
 #include "gallery.h"
+#include "new.h"
 #include "panel_decode.h"
 #include "render.h"
 #include "study.h"
@@ -14,6 +15,7 @@
 static const struct sim_command commands[] = {
     { "render", "a model file to a frame", sim_render },
     { "convert", "a model or picture to const C for firmware", sim_convert },
+    { "new", "a model to a project of its own, which draws it on a board or in an emulator", sim_new },
     { "demo", "the demo scenes to numbered frames and a table", sim_demo },
     { "gallery", "every method of hidden-surface removal, side by side, on one page", sim_gallery },
     { "panel", "a recorded stream of a panel's bytes to what its glass shows", sim_panel },

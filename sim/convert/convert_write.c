@@ -241,6 +241,25 @@ static const char *attrs_name(const struct sim_pieces *p)
                       : "ZS_VARYINGS_FLAT";
 }
 
+/* The accelerators for the shaders and texel formats that are in it, after those of the frame. */
+static void accelerators(FILE *f, const struct sim_conversion *c)
+{
+    static const char *const names[] = { "RAW", "FLAT", "SMOOTH", "TEXTURE", "TEXTURE_FLAT", "TEXTURE_SMOOTH" };
+    static const char *const formats[] = { "565", "PAL8", "PAL4" };
+    unsigned shaders = 0, texels = 0;
+    for (uint32_t i = 0; i < c->pieces.n_paints; i++)
+        shaders |= 1u << c->pieces.paint[i].shader;
+    for (uint32_t i = 0; i < c->n_skins; i++)
+        texels |= 1u << (c->skin[i].format == SIM_TEXELS_565 ? 0 : c->skin[i].format == SIM_TEXELS_PAL8 ? 1 : 2);
+    (void)fputs("ZS_FAST_FRAME, ZS_FAST_CLUSTERS", f);
+    for (unsigned i = 0; i < 6; i++)
+        if (shaders >> i & 1u)
+            (void)fprintf(f, ", ZS_FAST_%s", names[i]);
+    for (unsigned i = 0; i < 3; i++)
+        if (texels >> i & 1u)
+            (void)fprintf(f, ", ZS_FAST_%s", formats[i]);
+}
+
 static const char *format_name(enum sim_texels format)
 {
     return format == SIM_TEXELS_565 ? "565" : format == SIM_TEXELS_PAL8 ? "pal8" : "pal4";
@@ -557,6 +576,10 @@ static void defines(FILE *f, const struct sim_conversion *c, const char *big, co
     (void)fprintf(f, "#define %s_TRIANGLES %" PRIu32 "u\n", big, p->n_tris);
     (void)fprintf(f, "#define %s_VERTICES %" PRIu32 "u\n", big, p->n_verts);
     (void)fprintf(f, "#define %s_VARYINGS %s /* zs_config.varyings, at least */\n", big, attrs_name(p));
+    (void)fprintf(f, "/* For a list of accelerators (zs_fast.h), which ends with ZS_FAST_END: zs_config.fast */\n");
+    (void)fprintf(f, "#define %s_FAST ", big);
+    accelerators(f, c);
+    (void)fputc('\n', f);
     (void)fprintf(f, "#define %s_LO { %ld, %ld, %ld } /* world units: its box, its middle, */\n",
                   big, b->lo[0], b->lo[1], b->lo[2]);
     (void)fprintf(f,

@@ -24,6 +24,7 @@ enum { TEXT = 0x1000 }; /* or with this, a character */
 struct request {
     const char *stream, *out, *raw;
     struct sim_panel_wish panel;
+    int full; /* flag: pictures are whole by their pixels, not by marks */
     int help;
 };
 
@@ -40,6 +41,9 @@ static const struct sim_option table[] = {
       .help = "a picture for each frame mark, numbered from 0; without marks, one at the end" },
     { "--raw", SIM_OPTION_FILE, AT(raw), .value = "F_%03d.bin",
       .help = "the same as RGB565, most significant byte first, or a byte for each level or bit" },
+    { "--full", SIM_OPTION_FLAG, AT(full),
+      .help = "for programs that draw whole frames: a picture each time that as many pixels came as the glass has, "
+              "since it was switched on; marks of frames are not looked at" },
     SIM_HELP_OPTIONS(AT(help)),
 };
 
@@ -165,10 +169,23 @@ static void print_text(int *in_line, uint8_t c)
     *in_line = c != '\n';
 }
 
+/* Is a picture whole, after all of its pixels? *from: the pixels that came before it. */
+static int is_full(const struct pm_model *model, const struct pm_glass *glass, uint64_t *from)
+{
+    const uint64_t now = pm_counts(model)->pixels, whole = (uint64_t)glass->width * glass->height;
+    if (!pm_lit(model)) /* it is being cleared */
+        *from = now;
+    if (now - *from < whole)
+        return 0;
+    *from += whole;
+    return 1;
+}
+
 static int decode(struct pm_model *model, const struct pm_glass *glass, const struct request *rq,
                   const uint16_t *words, size_t n)
 {
     unsigned frames = 0;
+    uint64_t from = 0;
     int status = SIM_OK, in_line = 0;
     for (size_t i = 0; status == SIM_OK && i < n; i++) {
         if (words[i] & TEXT) {
@@ -179,7 +196,7 @@ static int decode(struct pm_model *model, const struct pm_glass *glass, const st
             pm_byte(model, (uint8_t)words[i], words[i] & DATA);
         if (words[i] & RESET)
             pm_reset(model);
-        if (words[i] & FRAME)
+        if (rq->full ? is_full(model, glass, &from) : words[i] & FRAME)
             status = look(model, glass, rq, frames++);
         if (words[i] & DESELECT)
             pm_deselect(model);

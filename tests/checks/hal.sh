@@ -25,9 +25,6 @@ $("${2%gcc}nm" "$B/hal/$1.o" | awk '$2 ~ /[TDBRC]/ { print $3 }')"
         "$(for f in $wanted; do [ "$(echo "$defined" | grep -cx "$f")" = 1 ] || echo "$f"; done)"
 }
 peer null gcc '' "$(echo hal/null/*.c)"
-# Linux is no board; of its two files over libgpiod, the one of the version that is here
-gpiod=hal/linux/gpio_v$(pkg-config --modversion libgpiod | cut -d. -f1).c
-peer linux gcc '' "$(ls hal/linux/*.c | grep -v gpio_v) $gpiod"
 for mk in firmware/boards/*/board.mk; do
     board=$(basename "$(dirname "$mk")")
     make -s -f firmware/boards/firmware.mk BOARD="$board" B="${B%/checks}" hal >"$B/hal/$board.txt"

@@ -1,0 +1,97 @@
+#!/bin/sh
+# `zsim new`: projects that build, draw and pass their own test, away from this tree; bad input leaves nothing behind.
+# Usage: tests/tools/new.sh ZSIM WORK BUILD     from the repository's top; BUILD/pico has the emulator, if it was set up
+. tests/tools/zsim.sh
+case $3 in /*) build=$3 ;; *) build=$top/$3 ;; esac
+
+cat >box.obj <<'END'
+v 0 0 0
+v 1 0 0
+v 1 1 0
+v 0 1 0
+v 0 0 2
+v 1 0 2
+v 1 1 2
+v 0 1 2
+f 4 3 2 1
+f 5 6 7 8
+f 1 2 6 5
+f 2 3 7 6
+f 3 4 8 7
+f 4 1 5 8
+END
+
+# ---- Refusals --------------------------------------------------------------------------------------------------
+
+refuses() { # NAME STATUS WORDS ARGUMENTS...
+    begin "new_refuses_$1"
+    want=$2 words=$3
+    shift 3
+    z new "$@"
+    [ "$status" = "$want" ] || wrong "exit $status, not $want: $(said)"
+    grep -qF -- "$words" stderr || wrong "does not say '$words': $(said)"
+    [ "$(wc -l <stderr)" = 1 ] || wrong "not one line: $(said)"
+    [ ! -e made ] || wrong 'a folder was left'
+    rm -rf made
+}
+refuses no_model 2 'a model is missing' --out made
+refuses no_folder 2 '--out is missing' box.obj
+refuses unknown_board 2 '--board' box.obj --out made --board toaster
+refuses missing_model 1 'nothing.obj' nothing.obj --out made
+refuses a_name_for_the_model 2 '--name is not taken' box.obj --name thing --out made
+refuses options_of_convert_that_are_wrong 1 '--texture-size' box.obj --out made --texture-size 3x3
+refuses a_name_that_make_would_not_take 1 "the folder's name becomes" box.obj --out 'my model'
+begin new_refuses_a_folder_that_is_there
+mkdir there && echo mine >there/main.c
+z new box.obj --out there
+[ "$status" = 1 ] && grep -q 'is there already' stderr || wrong "exit $status: $(said)"
+[ "$(cat there/main.c)" = mine ] || wrong 'its file was changed'
+begin new_refuses_without_sources
+ZSTRIP=$work/there z new box.obj --out made
+[ "$status" = 1 ] && grep -q 'ZSTRIP' stderr && [ ! -e made ] || wrong "exit $status: $(said)"
+
+# ---- Projects --------------------------------------------------------------------------------------------------
+
+# The project's own make, in which a warning is an error; leak checks are not for what it runs.
+project() { # DIR ARGUMENTS...
+    last=" make -C $*"
+    make --no-print-directory -C "$@" WERROR=-Werror >made.txt 2>&1
+}
+for board in pico stm32f405 lm3s6965 host linux; do
+    begin "new_$board"
+    z new box.obj --out "$board" --board $board --shade flat
+    [ "$status" = 0 ] || wrong "$(said)"
+    grep -rlE '@[A-Z_]+@' $board --include='*' --exclude-dir=zstrip >words && wrong "words are left: $(cat words)"
+    [ $board = host ] || project $board image || wrong "$(tail -3 made.txt)"
+    project $board test BOARD=host || wrong "$(tail -3 made.txt)"
+    [ "$(grep -c '^ok ' made.txt)" = 3 ] || wrong "its test: $(tail -3 made.txt)"
+done
+
+begin new_draws_in_the_emulator_as_on_the_host
+if [ -d "$build/pico/node_modules" ]; then
+    cp -r "$build/pico/node_modules" pico/zstrip/emulator/
+    project pico test || wrong "$(tail -3 made.txt)"
+    [ "$(grep -c '^ok ' made.txt)" = 7 ] || wrong "its test: $(tail -3 made.txt)"
+    project pico show SHOWN=4 || wrong "$(tail -3 made.txt)"
+    grep -qE '^fps [0-9]' made.txt || wrong "no frames a second: $(tail -3 made.txt)"
+    [ -s pico/build/pico/003.png ] && [ ! -e pico/build/pico/004.png ] || wrong 'not four pictures'
+else
+    note='SKIPPED: the emulator is not set up'
+fi
+
+begin new_test_sees_a_program_that_draws_nothing
+sed -i 's/\.n_instances = MODEL_INSTANCES/.n_instances = 0/; s/\.n_resolves = 1/.n_resolves = 0/' host/main.c
+project host test && wrong 'the test of an empty picture passes'
+grep -q '^FAILED host_picture_has_colours' made.txt || wrong "$(tail -3 made.txt)"
+
+begin new_builds_by_cmake
+{ cmake -S pico -B pico/cmake && cmake --build pico/cmake -j2; } >made.txt 2>&1 || wrong "$(tail -3 made.txt)"
+HAL_STREAM=cmake.stream ./pico/cmake/pico >made.txt 2>&1 || wrong "$(tail -3 made.txt)"
+cmp -s cmake.stream pico/build/host/stream && wrong 'three frames are 48'
+[ "$(wc -c <cmake.stream)" -gt 10000000 ] || wrong 'no pictures came'
+
+begin new_stands_where_it_is_moved
+mv stm32f405 moved && project moved image || wrong "$(tail -3 made.txt)"
+grep -rl "$top" moved --include='*.c' --include='*.md' --include='*.txt' >words && wrong "names a path: $(cat words)"
+finish
+exit $((n_failed > 0))
