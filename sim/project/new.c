@@ -201,9 +201,11 @@ static int copy_sources(const char *sources, const char *out, int with_emulator)
 
 /* How main.c gets its panel's bus on Linux. */
 static const char linux_wire_text[] =
+    "#if HAL_LINUX\n"
     "    static const struct linux_wiring wiring = { .spi = \"/dev/spidev0.0\", .hz = 32000000, .dc = \"GPIO25\",\n"
     "                                                .reset = \"GPIO27\", .backlight = \"GPIO18\" };\n"
-    "    linux_wire(&wiring);\n";
+    "    linux_wire(&wiring);\n"
+    "#endif\n";
 
 static int write_templates(const struct request *rq, const char *sources, const char *name)
 {
@@ -232,9 +234,8 @@ static int write_templates(const struct request *rq, const char *sources, const 
         { "BUFFERS", number[5] }, { "GLASS", b->glass }, { "PANEL", b->panel }, { "ZSIM", zsim },
         { "CONVERT", convert }, { "SCRATCH", scratch },
         { "SCRATCH_ARGS", scratch[0] != '\0' ? "scratch, sizeof scratch" : "NULL, 0" },
-        { "INCLUDES", is_linux ? "#include \"linux.h\"\n" : "" },
+        { "INCLUDES", is_linux ? "#if HAL_LINUX /* not with BOARD=host */\n#include \"linux.h\"\n#endif\n" : "" },
         { "WIRE", is_linux ? linux_wire_text : "" },
-        { "WHY", is_linux ? "linux_why()" : "panel_strerror(err)" },
         { "UNIT", b->pixel_bits < 16 ? "1" : "2" },
         { "EMULATED", is_pico ? ", of the emulated Pico" : "" },
         { "IN_EMULATOR", is_pico ? " in an emulated Pico" : "" },

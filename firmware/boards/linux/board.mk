@@ -7,6 +7,7 @@ BOARD_HAL = linux/none
 BOARD_SRC = $(filter-out hal/linux/gpio_v$(if $(filter 1.%,$(shell pkg-config --modversion libgpiod)),2,1).c,\
                          $(wildcard hal/linux/*.c))
 BOARD_DEPS =
+BOARD_FLAGS = -DHAL_LINUX=1
 BOARD_LINK =
 BOARD_LIBS = -lgpiod
 BOARD_RUN =

@@ -70,7 +70,7 @@ int main(void)
         hal_backlight(255);
     }
     if (err) {
-        hal_write(err > -100 ? zs_error_string(err) : @WHY@);
+        hal_write(err > -100 ? zs_error_string(err) : panel_strerror(err));
         hal_write("\n");
     }
     hal_exit(err != 0);
