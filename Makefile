@@ -62,7 +62,7 @@ SHOW = $(MAKE_ALL) -s -f firmware/boards/firmware.mk B=$(B) BOARD=$(BOARD) APP=s
 firmware: $(B)/.setup-fw-$(BOARD) $(B)/gen/meshes.h
 	@$(SHOW) image
 
-## show: SCENE=teapot, mine or APP_SCENE=my.c: that firmware in an emulated Pico: pictures in build/show/, frames a second
+## show: SCENE=teapot, mine or APP_SCENE=my.c: that firmware in an emulated Pico: pictures, frames a second
 show: $(B)/.setup-show $(B)/gen/meshes.h sim
 	@$(SHOW) image
 	@sh tests/boards/show.sh $(B) $(B)/fw/pico$(if $(filter 2,$(CORES)),-2)/$(if $(filter mine,$(SCENE)),my_scene,$(or \

@@ -1,6 +1,6 @@
 /* A program on a PC: text to stdout, ticks of the C library's clock. What a panel would get goes to the file that
- * HAL_STREAM names in the environment, for `zsim panel --full --decode`; without it, to nowhere. Crueller than hardware:
- * bytes that change while they are borrowed are an error.
+ * HAL_STREAM names in the environment, for `zsim panel --full --decode`; without it, to nowhere. Crueller than
+ * hardware: bytes that change while they are borrowed are an error.
  *
  * SPDX-License-Identifier: MIT
  */

@@ -59,22 +59,22 @@ struct board {
     const char *glass;    /* the fields of struct panel_config */
     const char *packages; /* what it takes beside gcc and make to build it and to run it here */
     uint32_t w, h, rows, buffers;
-    uint32_t pixel_bits;  /* on the wire */
-    uint32_t arena;       /* bytes, at most: the part's RAM without code in it, statics and stack */
+    uint32_t pixel_bits; /* on the wire */
+    uint32_t arena;      /* bytes, at most: the part's RAM without code in it, statics and stack */
 };
 
 #define ST7789 ".type = &panel_st7789, .width = W, .height = H, .invert = 1"
 #define ARM_PACKAGES "gcc-arm-none-eabi and libnewlib-arm-none-eabi"
 static const struct board boards[] = {
-    { "pico", "rp2040", "st7789:240x240 --invert", ST7789, "; the Pico " ARM_PACKAGES ", its emulator nodejs and npm", 240,
-      240, 24, 2, 16, 150000 },
+    { "pico", "rp2040", "st7789:240x240 --invert", ST7789, "; the Pico " ARM_PACKAGES ", its emulator nodejs and npm",
+      240, 240, 24, 2, 16, 150000 },
     { "stm32f405", "stm32f4", "st7789:240x240 --invert", ST7789, "; the board " ARM_PACKAGES, 240, 240, 24, 2, 16,
       100000 },
     { "lm3s6965", "lm3s6965", "ssd0323:128x64", ".type = &panel_ssd0323, .width = W, .height = H",
       "; the board " ARM_PACKAGES, 128, 64, 8, 1, 4, 40000 },
     { "host", "host", "st7789:240x240 --invert", ST7789, "", 240, 240, 24, 2, 16, 4000000 },
-    { "linux", "linux", "st7789:240x240 --invert", ST7789, "; the program for the panel pkg-config and libgpiod-dev", 240,
-      240, 24, 2, 16, 4000000 },
+    { "linux", "linux", "st7789:240x240 --invert", ST7789, "; the program for the panel pkg-config and libgpiod-dev",
+      240, 240, 24, 2, 16, 4000000 },
 };
 
 /* ---- Command line ------------------------------------------------------------------------------------------ */
@@ -131,10 +131,11 @@ static int check_name(const char *name)
     static const char all[] = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_-";
     const size_t n = strlen(name);
     if (n == 0 || n > NAME_MAX_CHARS || strchr(letters, name[0]) == NULL || strspn(name, all) != n)
-        return sim_refuse(NULL, 0,
-                          "--out %s: the folder's name becomes the program's: a letter, then letters, digits, _ and -, "
-                          "at most %d",
-                          name, NAME_MAX_CHARS);
+        return sim_refuse(
+            NULL, 0,
+            "--out %s: the folder's name becomes the program's: a letter, then letters, digits, _ and -, "
+            "at most %d",
+            name, NAME_MAX_CHARS);
     return SIM_OK;
 }
 
@@ -209,9 +210,12 @@ static const char linux_wire_text[] =
 
 static int write_templates(const struct request *rq, const char *sources, const char *name)
 {
-    static const char *const files[][2] = { { "main.c", "main.c" },       { "Makefile", "Makefile" },
-                                            { "test.sh", "test.sh" },     { "readme", "README.md" },
-                                            { "CMakeLists.txt", "CMakeLists.txt" }, { "gitignore", ".gitignore" } };
+    static const char *const files[][2] = { { "main.c", "main.c" },
+                                            { "Makefile", "Makefile" },
+                                            { "test.sh", "test.sh" },
+                                            { "readme", "README.md" },
+                                            { "CMakeLists.txt", "CMakeLists.txt" },
+                                            { "gitignore", ".gitignore" } };
     const struct board *b = &boards[rq->board];
     char number[6][16], model[256], convert[512] = "zsim convert", zsim[PATH_MAX + 1], header[PATH_MAX];
     char scratch[96] = "", from[PATH_MAX], to[PATH_MAX];
@@ -226,13 +230,26 @@ static int write_templates(const struct request *rq, const char *sources, const 
     const ssize_t n = readlink("/proc/self/exe", zsim, PATH_MAX);
     zsim[n > 0 ? n : 0] = '\0';
     if (b->pixel_bits < 16)
-        (void)snprintf(scratch, sizeof scratch, "static uint32_t scratch[W * ROWS * %lu / 32]; /* pixels as the panel "
-                       "takes them */\n", (unsigned long)b->pixel_bits);
+        (void)snprintf(scratch, sizeof scratch,
+                       "static uint32_t scratch[W * ROWS * %lu / 32]; /* pixels as the panel "
+                       "takes them */\n",
+                       (unsigned long)b->pixel_bits);
     const struct sim_word word[] = {
-        { "NAME", name }, { "MODEL", model }, { "BOARD", b->name }, { "HAL", b->hal }, { "W", number[0] },
-        { "H", number[1] }, { "ROWS", number[2] }, { "TRIS", number[3] }, { "VERTS", number[4] },
-        { "BUFFERS", number[5] }, { "GLASS", b->glass }, { "PANEL", b->panel }, { "ZSIM", zsim },
-        { "CONVERT", convert }, { "SCRATCH", scratch },
+        { "NAME", name },
+        { "MODEL", model },
+        { "BOARD", b->name },
+        { "HAL", b->hal },
+        { "W", number[0] },
+        { "H", number[1] },
+        { "ROWS", number[2] },
+        { "TRIS", number[3] },
+        { "VERTS", number[4] },
+        { "BUFFERS", number[5] },
+        { "GLASS", b->glass },
+        { "PANEL", b->panel },
+        { "ZSIM", zsim },
+        { "CONVERT", convert },
+        { "SCRATCH", scratch },
         { "SCRATCH_ARGS", scratch[0] != '\0' ? "scratch, sizeof scratch" : "NULL, 0" },
         { "INCLUDES", is_linux ? "#if HAL_LINUX /* not with BOARD=host */\n#include \"linux.h\"\n#endif\n" : "" },
         { "WIRE", is_linux ? linux_wire_text : "" },

@@ -1,5 +1,5 @@
-# Linux with a panel on spidev and GPIO lines: a Raspberry Pi. The wiring is the program's (hal/linux/linux.h). libgpiod's
-# version decides which of two files is taken.
+# Linux with a panel on spidev and GPIO lines: a Raspberry Pi. The wiring is the program's (hal/linux/linux.h).
+# libgpiod's version decides which of two files is taken.
 BOARD_ABOUT = Linux, a panel on spidev and libgpiod
 BOARD_CC = gcc
 BOARD_CPU = -D_GNU_SOURCE -pthread -Ihal/linux

@@ -46,8 +46,8 @@ int main(void)
     static const int32_t middle[3] = MODEL_MIDDLE;
     static const struct zs_fast *const fast[] = { MODEL_FAST, ZS_FAST_END };
     static char text[] = "000";
-    static const struct zs_item counter[] = { { .kind = &zs_item_text, .x = 4, .y = 4, .color = 0xffff, .text = text } };
-    static struct zs_overlay overlay = { .item = counter, .n = 1 };
+    static const struct zs_item counter = { .kind = &zs_item_text, .x = 4, .y = 4, .color = 0xffff, .text = text };
+    static struct zs_overlay overlay = { .item = &counter, .n = 1 };
     static const struct zs_resolve hook = { .draw = zs_overlay_draw, .ctx = &overlay };
     const struct zs_scene scene = { .instance = instance, .n_instances = MODEL_INSTANCES,
                                     .background = ZS_RGB565(0x0a143c), .resolve = &hook, .n_resolves = 1 };
