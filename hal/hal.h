@@ -22,7 +22,7 @@ extern "C" {
 #endif
 
 enum hal_err {
-    HAL_OK = 0,
+    HAL_ERR_NONE = 0, /* not HAL_OK, which is STM32Cube's */
     HAL_ERR_STATE = -101,   /* hal_init missing, or a transfer begun while one is still out */
     HAL_ERR_ARG = -102,     /* a NULL pointer, or an empty transfer */
     HAL_ERR_CHANGED = -103, /* hal/host: borrowed bytes were written to */
@@ -52,20 +52,20 @@ struct hal_bus {
     /* Send a command byte (D/C low) and its n argument bytes (D/C high).
      * Buffer  args is not kept. args may be NULL where n is 0.
      * Blocks  until they are out (some microseconds).
-     * Return  HAL_OK; HAL_ERR_STATE while data is out; HAL_ERR_ARG; _BUS, _TIMEOUT. */
+     * Return  HAL_ERR_NONE; HAL_ERR_STATE while data is out; HAL_ERR_ARG; _BUS, _TIMEOUT. */
     int (*command)(struct hal_bus *bus, uint8_t command, const uint8_t *args, uint32_t n);
 
     /* Begin to send n bytes of pixels (D/C high).
      * Buffer  borrowed and not to be written from this call until wait returns; not borrowed on a negative
      *         return. 2-byte aligned. Where data caches are on, this call cleans the range.
      * Blocks  no longer than it takes to begin; a bus without DMA sends here.
-     * Return  HAL_OK; HAL_ERR_ARG (NULL, or n is 0); HAL_ERR_STATE while other data is out; _BUS, _TIMEOUT. */
+     * Return  HAL_ERR_NONE; HAL_ERR_ARG (NULL, or n is 0); HAL_ERR_STATE while other data is out; _BUS, _TIMEOUT. */
     int (*data)(struct hal_bus *bus, const uint8_t *bytes, uint32_t n);
 
-    /* Wait until the data is out, the last bit included. Nothing is out: HAL_OK at once.
+    /* Wait until the data is out, the last bit included. Nothing is out: HAL_ERR_NONE at once.
      * Blocks  for the rest of the transfer, at most a small multiple of its time. Interrupts are on afterwards: where one
      *         ends the transfer, it could not end with them off.
-     * Return  HAL_OK, or why the transfer failed. In both cases nothing is out any more and the bytes are the
+     * Return  HAL_ERR_NONE, or why the transfer failed. In both cases nothing is out any more and the bytes are the
      *         caller's. */
     int (*wait)(struct hal_bus *bus);
 
@@ -83,7 +83,7 @@ struct hal_bus {
 
 /* Bring clocks, the tick counter and the bus up. First call of a program; again: no effect.
  * Blocks  a moment.
- * Return  HAL_OK, or a negative code: nothing else may be called then but hal_exit. */
+ * Return  HAL_ERR_NONE, or a negative code: nothing else may be called then but hal_exit. */
 int hal_init(void);
 
 /* Stop. status 0 is success. Flushes text. Never returns: a board without a host waits for reset. */

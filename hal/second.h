@@ -23,7 +23,7 @@ extern "C" {
  *          interrupt of this HAL, hooks.done among them, nor they between its lines. May begin transfers: the bus's
  *          command, data and (after done) wait.
  * Blocks   some microseconds; at most SECOND_START_US.
- * Return   HAL_OK; HAL_ERR_TIMEOUT: it did not answer, and is held in reset. */
+ * Return   HAL_ERR_NONE; HAL_ERR_TIMEOUT: it did not answer, and is held in reset. */
 #define SECOND_START_US 20000u
 int second_start(void (*run)(void), void (*called)(void));
 

@@ -214,7 +214,7 @@ int pair_init(const struct zs_config *config, uint32_t *const arena[2], uint32_t
     strips = ZS_STRIPS(config->height, config->strip_h);
     buffers = config->buffers == 2 ? 2 : 1;
     end = first = next = sent;
-    alone = second_start(second, send) != HAL_OK;
+    alone = second_start(second, send) != HAL_ERR_NONE;
     return ZS_OK;
 }
 

@@ -45,7 +45,7 @@ static int command(struct hal_bus *bus, uint8_t code, const uint8_t *args, uint3
 static int send(struct hal_bus *under, const uint8_t *bytes, uint32_t n)
 {
     under->hooks.done = NULL;
-    const int err = n ? under->data(under, bytes, n) : HAL_OK;
+    const int err = n ? under->data(under, bytes, n) : HAL_ERR_NONE;
     return err ? err : under->wait(under);
 }
 
@@ -65,8 +65,8 @@ static int data(struct hal_bus *bus, const uint8_t *bytes, uint32_t n)
         return HAL_ERR_ARG;
     if (fault->out)
         return HAL_ERR_STATE;
-    int err = HAL_OK;
-    fault->result = HAL_OK;
+    int err = HAL_ERR_NONE;
+    fault->result = HAL_ERR_NONE;
     fault->late = fault->own = fault->twice = 0;
     if (fault->kind < HAL_FAULT_REFUSE || fault->kind > HAL_FAULT_LOST || !strikes(fault)) {
         err = fault->under->data(fault->under, bytes, n);
@@ -126,7 +126,7 @@ static void delay(struct hal_bus *bus, uint32_t us)
 void hal_fault_init(struct hal_fault *fault, struct hal_bus *under)
 {
     const struct hal_fault clean = { { command, data, wait, reset, delay, { 0 } }, under, HAL_FAULT_NONE, 0, 0, 0,
-                                     0, 0, 0, 0, HAL_OK };
+                                     0, 0, 0, 0, HAL_ERR_NONE };
     *fault = clean;
 }
 

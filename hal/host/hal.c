@@ -51,7 +51,7 @@ int hal_init(void)
         }
     }
     ready = 1;
-    return HAL_OK;
+    return HAL_ERR_NONE;
 }
 
 void hal_exit(int status)
@@ -88,7 +88,7 @@ uint32_t hal_tick_instructions(void)
 /* Why a call is refused: for its arguments, or for what it comes after. */
 static int refusal(int bad_argument)
 {
-    return bad_argument ? HAL_ERR_ARG : !ready || out ? HAL_ERR_STATE : HAL_OK;
+    return bad_argument ? HAL_ERR_ARG : !ready || out ? HAL_ERR_STATE : HAL_ERR_NONE;
 }
 
 static int command(struct hal_bus *bus, uint8_t code, const uint8_t *args, uint32_t n)
@@ -111,19 +111,19 @@ static int data(struct hal_bus *bus, const uint8_t *bytes, uint32_t n)
     out = bytes;
     n_out = n;
     out_sum = fnv1a(out, n_out);
-    return HAL_OK;
+    return HAL_ERR_NONE;
 }
 
 static int wait(struct hal_bus *bus)
 {
     if (!out)
-        return HAL_OK;
+        return HAL_ERR_NONE;
     const int same = fnv1a(out, n_out) == out_sum;
     record_data(out, n_out);
     out = NULL;
     if (bus->hooks.done)
         bus->hooks.done(bus->hooks.ctx);
-    return same ? HAL_OK : HAL_ERR_CHANGED;
+    return same ? HAL_ERR_NONE : HAL_ERR_CHANGED;
 }
 
 static int reset(struct hal_bus *bus)
@@ -131,7 +131,7 @@ static int reset(struct hal_bus *bus)
     (void)bus;
     if (!out)
         record(RESET);
-    return out ? HAL_ERR_STATE : HAL_OK;
+    return out ? HAL_ERR_STATE : HAL_ERR_NONE;
 }
 
 static void delay(struct hal_bus *bus, uint32_t us)

@@ -81,15 +81,15 @@ static int is_out(void)
 static int set_dc(int level)
 {
     if (level == dc_level)
-        return HAL_OK;
+        return HAL_ERR_NONE;
     dc_level = gpio_set(dc_line, level) ? -1 : level;
-    return dc_level == level ? HAL_OK : linux_fail_line("D/C");
+    return dc_level == level ? HAL_ERR_NONE : linux_fail_line("D/C");
 }
 
 /* Why a call is refused: for its arguments, or for what it comes after. */
 static int refusal(int bad_argument)
 {
-    return bad_argument ? HAL_ERR_ARG : !ready || begun ? HAL_ERR_STATE : HAL_OK;
+    return bad_argument ? HAL_ERR_ARG : !ready || begun ? HAL_ERR_STATE : HAL_ERR_NONE;
 }
 
 static int command(struct hal_bus *bus, uint8_t code, const uint8_t *args, uint32_t n)
@@ -114,13 +114,13 @@ static int data(struct hal_bus *bus, const uint8_t *bytes, uint32_t n)
     n_out = n;
     (void)pthread_cond_broadcast(&changed);
     (void)pthread_mutex_unlock(&mutex);
-    return HAL_OK;
+    return HAL_ERR_NONE;
 }
 
 static int wait(struct hal_bus *bus)
 {
     if (!begun)
-        return HAL_OK;
+        return HAL_ERR_NONE;
     while (bus->hooks.idle && is_out())
         bus->hooks.idle(bus->hooks.ctx);
     (void)pthread_mutex_lock(&mutex);
@@ -138,11 +138,11 @@ static int reset(struct hal_bus *bus)
     if (refusal(0))
         return HAL_ERR_STATE;
     if (!reset_line->held)
-        return HAL_OK;
+        return HAL_ERR_NONE;
     int err = gpio_set(reset_line, 0);
     linux_pause_us(RESET_US);
     err = gpio_set(reset_line, 1) || err;
-    return err ? linux_fail_line("RESET") : HAL_OK;
+    return err ? linux_fail_line("RESET") : HAL_ERR_NONE;
 }
 
 static void delay(struct hal_bus *bus, uint32_t us)
@@ -169,7 +169,7 @@ int linux_bus_start(struct gpio_line *dc, struct gpio_line *reset_or_none)
         return linux_fail(HAL_ERR_BUS, "there is no thread to send with: %s; end other programs of this user, or raise "
                           "its limit (ulimit -u)", strerror(why));
     ready = 1;
-    return HAL_OK;
+    return HAL_ERR_NONE;
 }
 
 void linux_bus_stop(void)

@@ -126,7 +126,7 @@ static int open_chip(struct walk *w, const char *what, const char *called)
     else {
         while (step(w))
             if (!strcmp(w->label, called))
-                return HAL_OK;
+                return HAL_ERR_NONE;
         if (w->denied)
             return refuse_chip(what, w->denied_path, w->denied);
         return linux_fail(HAL_ERR_ARG, "%s: no GPIO chip here is labelled '%s'; name one that there is", what, called);
@@ -134,7 +134,7 @@ static int open_chip(struct walk *w, const char *what, const char *called)
     w->chip = gpio_chip_open(w->path);
     if (!w->chip || gpio_chip_look(w->chip, w->label, &w->n_lines))
         return refuse_chip(what, w->path, errno);
-    return HAL_OK;
+    return HAL_ERR_NONE;
 }
 
 static int find_numbered(struct gpio_place *place, struct walk *w, const char *what, const char *chip, const char *line)
@@ -157,7 +157,7 @@ static int find_numbered(struct gpio_place *place, struct walk *w, const char *w
             return refuse_chip(what, w->path, errno);
     }
     put_place(place, w, offset, &info);
-    return HAL_OK;
+    return HAL_ERR_NONE;
 }
 
 /* ---- What gpio.h and linux.h offer -------------------------------------------------------------------------- */
@@ -169,7 +169,7 @@ static int find(struct gpio_place *place, struct walk *w, const char *what, cons
     const char *colon = strrchr(text, ':');
     const int n = find_name(place, &other, w, text);
     if (n == 1)
-        return HAL_OK;
+        return HAL_ERR_NONE;
     if (n > 1)
         return linux_fail(HAL_ERR_ARG, "%s: %d lines here are named '%s'; say which: %s:%u, %s:%u", what, n, text,
                           place->path, (unsigned)place->offset, other.path, (unsigned)other.offset);
@@ -208,7 +208,7 @@ int gpio_take(struct gpio_line *line, const struct gpio_place *place, const char
     char consumer[GPIO_TEXT];
     (void)snprintf(consumer, sizeof consumer, "zstrip %s", what);
     if (!gpio_request(line, place->path, place->offset, use, consumer))
-        return HAL_OK;
+        return HAL_ERR_NONE;
     const int why = errno;
     if (why == EBUSY)
         return gpio_refuse_held(place, what);

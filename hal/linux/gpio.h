@@ -49,14 +49,14 @@ struct gpio_place {
     struct gpio_info info;
 };
 
-/* Find a line by what struct linux_wiring says. what: "D/C", for the sentence. HAL_OK; HAL_ERR_ARG: there is no such
+/* Find a line by what struct linux_wiring says. what: "D/C", for the sentence. HAL_ERR_NONE; HAL_ERR_ARG: there is no such
  * line; HAL_ERR_BUS: it could not be looked for. */
 int gpio_find(struct gpio_place *place, const char *what, const char *text);
 
 /* The sentence for one that somebody holds. HAL_ERR_BUS. */
 int gpio_refuse_held(const struct gpio_place *place, const char *what);
 
-/* Request a line that was found. HAL_OK; HAL_ERR_BUS. */
+/* Request a line that was found. HAL_ERR_NONE; HAL_ERR_BUS. */
 int gpio_take(struct gpio_line *line, const struct gpio_place *place, const char *what, enum gpio_use use);
 
 #endif

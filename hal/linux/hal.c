@@ -98,14 +98,14 @@ static int check_wiring(void)
         return linux_fail(HAL_ERR_STATE, "nothing is wired; call linux_wire first");
     if (!wiring->spi || !wiring->hz || (wiring->mode != 0 && wiring->mode != 3) || !wiring->dc)
         return linux_fail(HAL_ERR_ARG, "a panel needs a spidev, a clock above 0 Hz, SPI mode 0 or 3, and a D/C line");
-    return HAL_OK;
+    return HAL_ERR_NONE;
 }
 
 /* Where all lines are; each of them another. */
 static int find_lines(struct gpio_place place[N_LINES])
 {
     for (int i = 0; i < N_LINES; i++) {
-        const int err = named(i) ? gpio_find(&place[i], role[i].what, named(i)) : HAL_OK;
+        const int err = named(i) ? gpio_find(&place[i], role[i].what, named(i)) : HAL_ERR_NONE;
         if (err)
             return err;
         for (int k = 0; named(i) && k < i; k++)
@@ -113,7 +113,7 @@ static int find_lines(struct gpio_place place[N_LINES])
                 return linux_fail(HAL_ERR_ARG, "%s and %s are both line %s:%u; give each its own", role[k].what,
                                   role[i].what, place[i].path, (unsigned)place[i].offset);
     }
-    return HAL_OK;
+    return HAL_ERR_NONE;
 }
 
 static void release_lines(void)
@@ -137,7 +137,7 @@ static int open_all(void)
 int hal_init(void)
 {
     if (ready)
-        return HAL_OK;
+        return HAL_ERR_NONE;
     start = now_us();
     int err = check_wiring();
     if (err)

@@ -59,7 +59,7 @@ void linux_close(void);
 
 /* Say what hal_init would open, by looking only: nothing is requested, nothing is sent. (libgpiod itself opens a chip's
  * device for reading and writing; lines stay as they are.)
- * Return  HAL_OK; else the code that hal_init would return, linux_why says why of the first thing that failed. */
+ * Return  HAL_ERR_NONE; else the code that hal_init would return, linux_why says why of the first thing that failed. */
 int linux_describe(FILE *to);
 
 /* All lines of all chips that this user may look at, one a line, with their names and who holds them. */

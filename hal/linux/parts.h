@@ -27,7 +27,7 @@ int linux_next_device(const char *prefix, const char *last, char next[DEV_NAME])
 /* dev.c: why this user may not open it, EACCES or EPERM, and whose group could. what: before the path. HAL_ERR_BUS. */
 int linux_refuse_access(const char *what, const char *path, int why);
 
-/* spi.c. Functions return HAL_OK, HAL_ERR_BUS or HAL_ERR_TIMEOUT, with a sentence. */
+/* spi.c. Functions return HAL_ERR_NONE, HAL_ERR_BUS or HAL_ERR_TIMEOUT, with a sentence. */
 int linux_spi_open(const struct linux_wiring *wiring);
 void linux_spi_close(void);
 int linux_spi_send(const uint8_t *bytes, uint32_t n);
@@ -35,7 +35,7 @@ uint32_t linux_spi_limit(void); /* bytes that a message may have */
 struct linux_sent linux_spi_sent(void);
 int linux_spi_look(const struct linux_wiring *wiring); /* could it be opened? */
 
-/* bus.c: from start on the bus answers, until stop; reset may hold no line. HAL_OK; HAL_ERR_BUS: no thread. */
+/* bus.c: from start on the bus answers, until stop; reset may hold no line. HAL_ERR_NONE; HAL_ERR_BUS: no thread. */
 int linux_bus_start(struct gpio_line *dc, struct gpio_line *reset);
 void linux_bus_stop(void);
 

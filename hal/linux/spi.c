@@ -67,7 +67,7 @@ int linux_spi_look(const struct linux_wiring *wiring)
     struct stat st;
     if (stat(wiring->spi, &st) || access(wiring->spi, R_OK | W_OK))
         return refuse_device(wiring->spi, errno);
-    return S_ISCHR(st.st_mode) ? HAL_OK : refuse_device(wiring->spi, ENOTTY);
+    return S_ISCHR(st.st_mode) ? HAL_ERR_NONE : refuse_device(wiring->spi, ENOTTY);
 }
 
 /* One setting of the device; EINVAL is about the value. */
@@ -95,7 +95,7 @@ static int configure(const struct linux_wiring *w)
     if (why == EINVAL)
         return linux_fail(HAL_ERR_BUS, "%s: its controller cannot be clocked at %lu Hz; ask for another speed", w->spi,
                           (unsigned long)w->hz);
-    return why ? refuse_device(w->spi, why) : HAL_OK;
+    return why ? refuse_device(w->spi, why) : HAL_ERR_NONE;
 }
 
 int linux_spi_open(const struct linux_wiring *wiring)
@@ -143,13 +143,13 @@ static int send_message(const uint8_t *bytes, uint32_t n)
     do /* EINTR: it was not begun */
         taken = ioctl(device, SPI_IOC_MESSAGE(1), &transfer);
     while (taken < 0 && errno == EINTR);
-    return taken < 0 ? refuse_message(n, errno) : HAL_OK;
+    return taken < 0 ? refuse_message(n, errno) : HAL_ERR_NONE;
 }
 
 int linux_spi_send(const uint8_t *bytes, uint32_t n)
 {
     sent.last_from = hal_ticks();
-    int err = HAL_OK;
+    int err = HAL_ERR_NONE;
     while (n && !err) {
         const uint32_t part = n < limit ? n : limit;
         err = send_message(bytes, part);

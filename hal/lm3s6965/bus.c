@@ -72,7 +72,7 @@ static int drain(void)
 {
     for (uint32_t i = 0; i < SPINS; i++)
         if (!(SSI0_SR & SSI_BSY))
-            return HAL_OK;
+            return HAL_ERR_NONE;
     return HAL_ERR_TIMEOUT;
 }
 
@@ -147,7 +147,7 @@ int spi_wire_begin(const uint8_t *bytes, uint32_t n)
     left = n;
     spi_wire_select();
     SSI0_IM = SSI_TXIM; /* the FIFO is empty: the interrupt comes at once */
-    return HAL_OK;
+    return HAL_ERR_NONE;
 }
 
 /* The interrupts that send come every 9 us: there is nothing to gain by sleeping. */

@@ -38,7 +38,7 @@ static int pll_locked(void)
 {
     for (uint32_t i = 0; i < LOCK_SPINS; i++)
         if (SYS_RIS & PLL_LOCKED)
-            return HAL_OK;
+            return HAL_ERR_NONE;
     return HAL_ERR_TIMEOUT;
 }
 
@@ -65,7 +65,7 @@ static int clocks_start(void)
     SYS_RCGC2 |= GPIO_BLOCK(PIN_TEXT) | GPIO_BLOCK(PIN_SCK) | GPIO_BLOCK(PIN_CS) | GPIO_BLOCK(PIN_DC) |
                  GPIO_BLOCK(PIN_POWER) | GPIO_BLOCK(PIN_CARD);
     spin(SETTLE_SPINS); /* three cycles before a block is touched */
-    return HAL_OK;
+    return HAL_ERR_NONE;
 }
 
 /* ---- Text ----------------------------------------------------------------------------------------------------- */
@@ -95,7 +95,7 @@ void hal_write(const char *text)
 int hal_init(void)
 {
     if (ready)
-        return HAL_OK;
+        return HAL_ERR_NONE;
     const int err = clocks_start();
     if (err)
         return err;
@@ -103,7 +103,7 @@ int hal_init(void)
     text_start();
     lm3s6965_bus_start();
     ready = 1;
-    return HAL_OK;
+    return HAL_ERR_NONE;
 }
 
 void hal_exit(int status)

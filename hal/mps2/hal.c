@@ -21,7 +21,7 @@ int hal_init(void)
         cortexm_ticks_start();
     ready = 1;
     null_bus_start();
-    return HAL_OK;
+    return HAL_ERR_NONE;
 }
 
 uint32_t hal_tick_hz(void)

@@ -14,7 +14,7 @@ int spi_wire_begin(const uint8_t *bytes, uint32_t n)
     if (err)
         spi_wire_release();
     else
-        spi_bus_end(HAL_OK);
+        spi_bus_end(HAL_ERR_NONE);
     return err;
 }
 

@@ -109,7 +109,7 @@ uint32_t hal_tick_instructions(void)
 int hal_init(void)
 {
     if (ready)
-        return HAL_OK;
+        return HAL_ERR_NONE;
     clock_start();
     ticks_start();
     nrf51_uart_start();
@@ -117,7 +117,7 @@ int hal_init(void)
     hal_backlight(0);
     GPIO_DIRSET = 1u << PIN_BACKLIGHT;
     ready = 1;
-    return HAL_OK;
+    return HAL_ERR_NONE;
 }
 
 void hal_exit(int status)

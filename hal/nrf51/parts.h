@@ -16,7 +16,7 @@ void nrf51_pause_us(uint32_t us);
 
 void nrf51_uart_start(void);
 
-/* Send a word of a stream that `zsim panel --decode` reads, low byte first. HAL_OK; HAL_ERR_TIMEOUT. */
+/* Send a word of a stream that `zsim panel --decode` reads, low byte first. HAL_ERR_NONE; HAL_ERR_TIMEOUT. */
 int nrf51_uart_word(uint32_t word);
 
 /* ---- The panel's wire (spi_bus.h): spi.c, or words.c with PANEL_ON_UART------------------------------------------- */

@@ -67,7 +67,7 @@ static int wait_for_ready(void)
 {
     for (uint32_t i = 0; i < SPINS; i++)
         if (SPI_READY)
-            return HAL_OK;
+            return HAL_ERR_NONE;
     restart();
     return HAL_ERR_TIMEOUT;
 }
@@ -87,7 +87,7 @@ int spi_wire_send(const uint8_t *bytes, uint32_t n, int is_data)
         SPI_READY = 0;
         (void)SPI_RXD;
     }
-    return HAL_OK;
+    return HAL_ERR_NONE;
 }
 
 void spi_wire_reset(void)

@@ -31,7 +31,7 @@ static int send_byte(uint32_t byte)
     UART_TXD = byte;
     for (uint32_t i = 0; i < SPINS; i++)
         if (UART_TXDRDY)
-            return HAL_OK;
+            return HAL_ERR_NONE;
     return HAL_ERR_TIMEOUT;
 }
 

@@ -30,7 +30,7 @@ void spi_wire_release(void)
 
 int spi_wire_send(const uint8_t *bytes, uint32_t n, int is_data)
 {
-    int err = HAL_OK;
+    int err = HAL_ERR_NONE;
     for (uint32_t i = 0; !err && i < n; i++)
         err = nrf51_uart_word(is_data ? DATA | bytes[i] : bytes[i]);
     return err;

@@ -15,7 +15,7 @@ static int command(struct hal_bus *bus, uint8_t code, const uint8_t *args, uint3
     (void)code;
     if (n && !args)
         return HAL_ERR_ARG;
-    return !ready || busy ? HAL_ERR_STATE : HAL_OK;
+    return !ready || busy ? HAL_ERR_STATE : HAL_ERR_NONE;
 }
 
 static int data(struct hal_bus *bus, const uint8_t *bytes, uint32_t n)
@@ -26,7 +26,7 @@ static int data(struct hal_bus *bus, const uint8_t *bytes, uint32_t n)
     if (!ready || busy)
         return HAL_ERR_STATE;
     busy = 1; /* begin the transfer; where it ends, busy = 0 and hooks.done */
-    return HAL_OK;
+    return HAL_ERR_NONE;
 }
 
 static int wait(struct hal_bus *bus)
@@ -34,13 +34,13 @@ static int wait(struct hal_bus *bus)
     if (busy && bus->hooks.done)
         bus->hooks.done(bus->hooks.ctx);
     busy = 0; /* while the transfer runs: hooks.idle, or WFI */
-    return HAL_OK;
+    return HAL_ERR_NONE;
 }
 
 static int reset(struct hal_bus *bus)
 {
     (void)bus;
-    return busy ? HAL_ERR_STATE : HAL_OK;
+    return busy ? HAL_ERR_STATE : HAL_ERR_NONE;
 }
 
 static void delay(struct hal_bus *bus, uint32_t us)

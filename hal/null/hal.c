@@ -8,7 +8,7 @@
 int hal_init(void)
 {
     null_bus_start();
-    return HAL_OK;
+    return HAL_ERR_NONE;
 }
 
 void hal_exit(int status)

@@ -7,7 +7,7 @@
 const char *panel_strerror(int err)
 {
     switch (err) {
-    case HAL_OK: return "no error";
+    case HAL_ERR_NONE: return "no error";
     case HAL_ERR_STATE: return "the bus or the panel still has a transfer out";
     case HAL_ERR_ARG: return "a pointer is NULL or odd, or the stride is too small or odd";
     case HAL_ERR_CHANGED: return "borrowed pixels were written to";

@@ -31,7 +31,7 @@ static int command(struct panel *p, uint8_t code, const uint8_t *args, uint32_t 
 /* A script of panel_type.h; NULL is an empty one. */
 static int run(struct panel *p, const uint8_t *script)
 {
-    int err = HAL_OK;
+    int err = HAL_ERR_NONE;
     for (const uint8_t *at = script; at && *at && !err; at += 1u + *at)
         err = command(p, at[1], at + 2, *at - 1u);
     return err;
@@ -48,7 +48,7 @@ static int send_rotation(struct panel *p)
     const struct panel_type *type = p->config.type;
     const uint8_t turned = type->rotation[p->config.rotate];
     const uint8_t bits = p->config.bgr ? turned ^ type->bgr : turned;
-    return type->rotate ? command(p, type->rotate, &bits, 1) : HAL_OK;
+    return type->rotate ? command(p, type->rotate, &bits, 1) : HAL_ERR_NONE;
 }
 
 static int send_inversion(struct panel *p)
@@ -60,7 +60,7 @@ static int send_level(struct panel *p)
 {
     const struct panel_type *type = p->config.type;
     const uint8_t level = (uint8_t)((255u - p->config.dim) >> type->level_shift);
-    return type->level ? command(p, type->level, &level, 1) : HAL_OK;
+    return type->level ? command(p, type->level, &level, 1) : HAL_ERR_NONE;
 }
 
 /* ---- Sizes and places ---------------------------------------------------------------------------------- */
@@ -213,7 +213,7 @@ static int lock(struct panel *p)
     if (hooks->lock && hooks->lock(hooks->ctx))
         return HAL_ERR_BUSY;
     p->locked = 1;
-    return HAL_OK;
+    return HAL_ERR_NONE;
 }
 
 /* Give the bus back. Returns err. */
@@ -234,7 +234,7 @@ static int ready(const struct panel *p, uint8_t state)
         return HAL_ERR_ARG;
     if (p->state != state)
         return PANEL_ERR_STATE;
-    return p->locked ? HAL_ERR_STATE : HAL_OK;
+    return p->locked ? HAL_ERR_STATE : HAL_ERR_NONE;
 }
 
 /* Take the bus for a panel that is ready; after a failure set it up anew, and wake it: what broke the transfer may have
@@ -252,7 +252,7 @@ static int take(struct panel *p)
     if (err)
         return give(p, err);
     p->broken = 0;
-    return HAL_OK;
+    return HAL_ERR_NONE;
 }
 
 /* ---- What panel.h offers ------------------------------------------------------------------------------- */
@@ -305,7 +305,7 @@ static int init_refusal(const struct panel_config *config, const void *scratch, 
     const uint32_t least = panel_scratch_bytes(config, (uint32_t)config->type->grain.x * config->type->grain.y);
     if (n_scratch < least || (n_scratch && !scratch) || (uintptr_t)scratch % 4u)
         return PANEL_ERR_SCRATCH;
-    return HAL_OK;
+    return HAL_ERR_NONE;
 }
 
 int panel_init(struct panel *panel, const struct panel_config *config, struct hal_bus *bus, void *scratch,
@@ -340,7 +340,7 @@ static int send_refusal(const struct panel *p, const struct panel_rect *r, const
     const uint32_t step_x = grain.x, step_y = grain.y;
     if (r->x % step_x || r->w % step_x || r->y % step_y || r->h % step_y)
         return PANEL_ERR_GRAIN;
-    return panel_scratch_bytes(&p->config, (uint32_t)r->w * r->h) > p->n_scratch ? PANEL_ERR_SCRATCH : HAL_OK;
+    return panel_scratch_bytes(&p->config, (uint32_t)r->w * r->h) > p->n_scratch ? PANEL_ERR_SCRATCH : HAL_ERR_NONE;
 }
 
 /* Begin to send the pixels; of rows that lie apart, wait for all but the last. */
@@ -372,14 +372,14 @@ int panel_send(struct panel *panel, const struct panel_rect *rect, const uint8_t
         return err;
     err = send_window(panel, rect);
     err = err ? err : send_pixels(panel, rect, px, stride ? stride : rect->w * 2u);
-    return err ? give(panel, err) : HAL_OK;
+    return err ? give(panel, err) : HAL_ERR_NONE;
 }
 
 int panel_wait(struct panel *panel)
 {
     if (!panel)
         return HAL_ERR_ARG;
-    return panel->locked ? give(panel, panel->bus->wait(panel->bus)) : HAL_OK;
+    return panel->locked ? give(panel, panel->bus->wait(panel->bus)) : HAL_ERR_NONE;
 }
 
 int panel_rotate(struct panel *panel, uint8_t rotate)

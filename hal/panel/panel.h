@@ -8,7 +8,7 @@
  *   err = panel_wait(&panel);
  *
  * A controller is one const struct panel_type: what is not named is not linked. Offsets, rotation, granularity and
- * set-up are data in it. All functions return HAL_OK or a negative enum hal_err or panel_err.
+ * set-up are data in it. All functions return HAL_ERR_NONE or a negative enum hal_err or panel_err.
  *
  * Picture   x to the right, y down, as a person sees it who turned the glass: rotate counts quarter turns by which
  *           the picture stands clockwise on the glass. With rotate 1 the glass's right column is the picture's top
@@ -110,8 +110,8 @@ struct panel_grain panel_grain(const struct panel_config *config);
  * config   copied. scratch: at least panel_scratch_bytes of the largest rectangle to come, 4-byte aligned, kept;
  *          NULL with 0 where that is 0 (clearing needs none; larger ones let it send more at a time).
  * Blocks   as long as the controller wants (up to 0.3 s) and the clearing takes. The bus is held all that time.
- * Return   HAL_OK; _ARG (NULL), PANEL_ERR_SIZE, _ROTATE, _SCRATCH, HAL_ERR_BUSY before anything was sent; the bus's
- *          errors. After any of them the panel cannot be used until panel_init returns HAL_OK. */
+ * Return   HAL_ERR_NONE; _ARG (NULL), PANEL_ERR_SIZE, _ROTATE, _SCRATCH, HAL_ERR_BUSY before anything was sent; the bus's
+ *          errors. After any of them the panel cannot be used until panel_init returns HAL_ERR_NONE. */
 int panel_init(struct panel *panel, const struct panel_config *config, struct hal_bus *bus, void *scratch,
                uint32_t n_scratch);
 
@@ -129,12 +129,12 @@ uint16_t panel_height(const struct panel *panel);
  *          converted, for that; never for dense pixels of a bus with DMA.
  * Cost     of conversion, on a Cortex-M3: 37 instructions a pixel to grey, 49 to one bit, at any rotation. Stack: at
  *          most 288 bytes, the bus's and the hooks' aside.
- * Return   HAL_OK; _ARG, PANEL_ERR_STATE, _RECT, _GRAIN, _SCRATCH, HAL_ERR_BUSY: nothing was sent; HAL_ERR_STATE:
+ * Return   HAL_ERR_NONE; _ARG, PANEL_ERR_STATE, _RECT, _GRAIN, _SCRATCH, HAL_ERR_BUSY: nothing was sent; HAL_ERR_STATE:
  *          the rectangle before was not waited for, and is still out; the bus's errors: the glass may show any part
  *          of it; the next send begins with the set-up commands, also where the controller was reset meanwhile. */
 int panel_send(struct panel *panel, const struct panel_rect *rect, const uint8_t *px, uint32_t stride);
 
-/* Wait until what panel_send began is out. Nothing is: HAL_OK. Blocks for the rest. Return as the bus's wait. */
+/* Wait until what panel_send began is out. Nothing is: HAL_ERR_NONE. Blocks for the rest. Return as the bus's wait. */
 int panel_wait(struct panel *panel);
 
 /* All of the following block for a few bytes on the wire, and hold the bus as long. Between send and wait:
@@ -143,7 +143,7 @@ int panel_wait(struct panel *panel);
 int panel_rotate(struct panel *panel, uint8_t rotate); /* the glass is cleared; send all of the picture again */
 int panel_invert(struct panel *panel, uint8_t invert);
 /* 255 is full. WRDISBV, contrast or master current; where the glass does not follow (its type's file says):
- * hal_backlight. HAL_OK where the controller has no such command. */
+ * hal_backlight. HAL_ERR_NONE where the controller has no such command. */
 int panel_brightness(struct panel *panel, uint8_t level);
 
 /* Dark, little current; panel_send is refused. Blocks up to 0.12 s, so that panel_wake may follow at once. After a

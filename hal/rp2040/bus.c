@@ -57,7 +57,7 @@ static int drain(void)
 {
     for (uint32_t i = 0; i < SPINS; i++)
         if (!(SPI0_SR & SPI_BSY))
-            return HAL_OK;
+            return HAL_ERR_NONE;
     return HAL_ERR_TIMEOUT;
 }
 
@@ -165,7 +165,7 @@ int spi_wire_begin(const uint8_t *bytes, uint32_t n)
     DMA_TRANS_COUNT(CHANNEL_PANEL) = words ? n / 2u : n;
     TIMER_ALARM0 = rp2040_us() + deadline_us(n); /* writing arms it */
     DMA_CTRL_TRIG(CHANNEL_PANEL) = words ? CHANNEL_CTRL | DMA_HALFWORDS | DMA_BSWAP : CHANNEL_CTRL;
-    return HAL_OK;
+    return HAL_ERR_NONE;
 }
 
 void spi_wire_sleep(const volatile uint8_t *running)

@@ -63,7 +63,7 @@ void hal_write(const char *text)
 int hal_init(void)
 {
     if (ready)
-        return HAL_OK;
+        return HAL_ERR_NONE;
     rp2040_clocks_start();
     text_start();
     rp2040_bus_start();
@@ -73,7 +73,7 @@ int hal_init(void)
     PWM_CSR(PWM_SLICE) = 1;
     GPIO_CTRL(PIN_BACKLIGHT) = FUNC_PWM;
     ready = 1;
-    return HAL_OK;
+    return HAL_ERR_NONE;
 }
 
 void hal_exit(int status)

@@ -74,7 +74,7 @@ int hal_init(void)
     if (!start)
         start = minstret();
     null_bus_start();
-    return HAL_OK;
+    return HAL_ERR_NONE;
 }
 
 uint64_t hal_ticks(void)

@@ -59,7 +59,7 @@ static int data(struct hal_bus *bus, const uint8_t *bytes, uint32_t n)
 static int wait(struct hal_bus *bus)
 {
     if (!begun)
-        return HAL_OK;
+        return HAL_ERR_NONE;
     while (running) {
         if (bus->hooks.idle)
             bus->hooks.idle(bus->hooks.ctx);
@@ -77,7 +77,7 @@ static int reset(struct hal_bus *bus)
     if (!ready || begun)
         return HAL_ERR_STATE;
     spi_wire_reset();
-    return HAL_OK;
+    return HAL_ERR_NONE;
 }
 
 static void delay(struct hal_bus *bus, uint32_t us)

@@ -29,11 +29,11 @@ void spi_wire_select(void);
 void spi_wire_release(void);
 
 /* Send n >= 1 bytes, D/C low or high (is_data), until the last bit is out.
- * Return HAL_OK; HAL_ERR_TIMEOUT: the block was reset, whatever it held is gone. */
+ * Return HAL_ERR_NONE; HAL_ERR_TIMEOUT: the block was reset, whatever it held is gone. */
 int spi_wire_send(const uint8_t *bytes, uint32_t n, int is_data);
 
 /* CS low, D/C high, and begin to send n >= 1 bytes. D/C is high already.
- * Return HAL_OK: spi_bus_end comes, or has come; else enum hal_err: the panel is released, spi_bus_end does not come. */
+ * Return HAL_ERR_NONE: spi_bus_end comes, or has come; else enum hal_err: the panel is released, spi_bus_end does not come. */
 int spi_wire_begin(const uint8_t *bytes, uint32_t n);
 
 /* Sleep until an interrupt, or not at all, while *running; for wait without the hook `idle`. */

@@ -78,7 +78,7 @@ static int becomes(uint32_t mask, uint32_t value)
 /* Until the last bit is out. 28.3.8: first TXE, as BSY rises some cycles after a byte was written. */
 static int drain(void)
 {
-    return becomes(SPI_ROOM, SPI_ROOM) && becomes(SPI_BUSY, 0) ? HAL_OK : HAL_ERR_TIMEOUT;
+    return becomes(SPI_ROOM, SPI_ROOM) && becomes(SPI_BUSY, 0) ? HAL_ERR_NONE : HAL_ERR_TIMEOUT;
 }
 
 static int put_all(const uint8_t *bytes, uint32_t n)
@@ -201,13 +201,13 @@ static int begin_by_dma(const uint8_t *bytes, uint32_t n)
     deadline_set(deadline_us(n));
     stream_start();
     SPI1_CR2 = SPI_DMA_TX;
-    return HAL_OK;
+    return HAL_ERR_NONE;
 }
 
 static int send_at_once(const uint8_t *bytes, uint32_t n)
 {
     spi_bus_end(spi_wire_send(bytes, n, 1));
-    return HAL_OK;
+    return HAL_ERR_NONE;
 }
 
 int spi_wire_begin(const uint8_t *bytes, uint32_t n)

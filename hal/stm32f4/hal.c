@@ -65,14 +65,14 @@ static void light_start(void)
 int hal_init(void)
 {
     if (ready)
-        return HAL_OK;
+        return HAL_ERR_NONE;
     stm32f4_clocks_start();
     cortexm_ticks_start();
     text_start();
     light_start();
     stm32f4_bus_start();
     ready = 1;
-    return HAL_OK;
+    return HAL_ERR_NONE;
 }
 
 void hal_exit(int status)

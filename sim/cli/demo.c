@@ -228,7 +228,7 @@ static int draw(struct sim_frame *frame, struct sim_picture *seen, struct sim_pa
     int err = sim_frame_render_to(frame, &f->scene, &f->camera, config, NULL, rq->panel.name ? &sink : NULL);
     if (!err && rq->show != SIM_SHOW_FRAME)
         err = sim_show_draw(seen, NULL, rq->show, &f->scene, &f->camera, config, 1.0);
-    if (err && panel->err == HAL_OK)
+    if (err && panel->err == HAL_ERR_NONE)
         return sim_refuse(scene, 0, "%s", zs_error_string(err));
     if (rq->show != SIM_SHOW_FRAME)
         return SIM_OK;

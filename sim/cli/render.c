@@ -138,7 +138,7 @@ static int draw_strips(struct job *job)
                                    (uint32_t)job->options.threads, &job->time)
         : sim_frame_render_to(&job->frame, job->drawn, &job->scene.camera, &job->config, "drawing",
                               wish->name != NULL ? &sink : NULL);
-    if (err != ZS_OK && job->panel.err == HAL_OK)
+    if (err != ZS_OK && job->panel.err == HAL_ERR_NONE)
         return refuse_frame(job, err);
     return wish->name != NULL ? sim_panel_check(&job->panel, wish, job->options.model) : SIM_OK;
 }

@@ -252,7 +252,7 @@ static int set_up_panel(void)
     const uint32_t n = 2u * (uint32_t)(options.size[0] * options.strip); /* also without pixels to convert: to clear */
     scratch = sim_alloc(n, 1);
     const int err = panel_init(&panel, &glass, hal_bus(), scratch, n);
-    return err == HAL_OK ? SIM_OK : sim_refuse(NULL, 0, "the panel cannot be set up: %s", words(err));
+    return err == HAL_ERR_NONE ? SIM_OK : sim_refuse(NULL, 0, "the panel cannot be set up: %s", words(err));
 }
 
 /* Why the machine could not be used; where a line was not found, those that there are. */
@@ -275,7 +275,7 @@ static int run(void)
         status = show();
     hal_backlight(0);
     const int dark = panel_sleep(&panel);
-    if (dark != HAL_OK && dark != PANEL_ERR_STATE) /* it was set up */
+    if (dark != HAL_ERR_NONE && dark != PANEL_ERR_STATE) /* it was set up */
         status = sim_refuse(NULL, 0, "the panel cannot be put to sleep: %s", words(dark));
     linux_close();
     return status;

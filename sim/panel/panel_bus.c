@@ -31,7 +31,7 @@ static int command(struct hal_bus *bus, uint8_t code, const uint8_t *args, uint3
     for (uint32_t i = 0; i < n; i++)
         pm_byte(b->model, args[i], 1);
     pm_deselect(b->model);
-    return HAL_OK;
+    return HAL_ERR_NONE;
 }
 
 static int data(struct hal_bus *bus, const uint8_t *bytes, uint32_t n)
@@ -44,14 +44,14 @@ static int data(struct hal_bus *bus, const uint8_t *bytes, uint32_t n)
     b->out = bytes;
     b->n_out = n;
     b->sum = fnv1a(bytes, n);
-    return HAL_OK;
+    return HAL_ERR_NONE;
 }
 
 static int wait(struct hal_bus *bus)
 {
     struct sim_panel_bus *b = of(bus);
     if (b->out == NULL)
-        return HAL_OK;
+        return HAL_ERR_NONE;
     if (bus->hooks.idle != NULL)
         bus->hooks.idle(bus->hooks.ctx);
     const int same = fnv1a(b->out, b->n_out) == b->sum;
@@ -61,7 +61,7 @@ static int wait(struct hal_bus *bus)
     b->out = NULL;
     if (bus->hooks.done != NULL)
         bus->hooks.done(bus->hooks.ctx);
-    return same ? HAL_OK : HAL_ERR_CHANGED;
+    return same ? HAL_ERR_NONE : HAL_ERR_CHANGED;
 }
 
 static int reset(struct hal_bus *bus)
@@ -70,7 +70,7 @@ static int reset(struct hal_bus *bus)
     if (b->out != NULL)
         return HAL_ERR_STATE;
     pm_reset(b->model);
-    return HAL_OK;
+    return HAL_ERR_NONE;
 }
 
 static void delay(struct hal_bus *bus, uint32_t us)

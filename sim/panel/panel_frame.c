@@ -94,7 +94,7 @@ int sim_panel_begin(struct sim_panel_frame *p, const struct sim_panel_wish *wish
     p->scratch = n > 0 ? sim_alloc(n, 1) : NULL;
     const int err = panel_init(&p->panel, &config, &p->bus.bus, p->scratch, n);
     p->setup = *pm_counts(p->model);
-    return err == HAL_OK ? SIM_OK : sim_refuse(file, 0, "--panel %s: %s", wish->name, panel_strerror(err));
+    return err == HAL_ERR_NONE ? SIM_OK : sim_refuse(file, 0, "--panel %s: %s", wish->name, panel_strerror(err));
 }
 
 void sim_panel_free(struct sim_panel_frame *p)
@@ -125,7 +125,7 @@ struct zs_sink sim_panel_sink(struct sim_panel_frame *p)
 int sim_panel_check(const struct sim_panel_frame *p, const struct sim_panel_wish *wish, const char *file)
 {
     const struct pm_problem *problem;
-    if (p->err != HAL_OK)
+    if (p->err != HAL_ERR_NONE)
         return sim_refuse(file, 0, "--panel %s: %s", wish->name, panel_strerror(p->err));
     pm_end(p->model);
     if (pm_problems(p->model, &problem) > 0)

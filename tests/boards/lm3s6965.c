@@ -30,10 +30,10 @@ static void verdict(const char *name, int good)
 static void refusals(struct hal_bus *bus)
 {
     int good = bus->data(bus, NULL, 4) == HAL_ERR_ARG && bus->data(bus, bytes, 0) == HAL_ERR_ARG;
-    good &= bus->command(bus, 0xe3, NULL, 1) == HAL_ERR_ARG && bus->wait(bus) == HAL_OK;
-    good &= bus->data(bus, bytes, 512) == HAL_OK && bus->data(bus, bytes, 2) == HAL_ERR_STATE;
+    good &= bus->command(bus, 0xe3, NULL, 1) == HAL_ERR_ARG && bus->wait(bus) == HAL_ERR_NONE;
+    good &= bus->data(bus, bytes, 512) == HAL_ERR_NONE && bus->data(bus, bytes, 2) == HAL_ERR_STATE;
     good &= bus->command(bus, 0xe3, NULL, 0) == HAL_ERR_STATE && bus->reset(bus) == HAL_ERR_STATE;
-    good &= bus->wait(bus) == HAL_OK && bus->wait(bus) == HAL_OK;
+    good &= bus->wait(bus) == HAL_ERR_NONE && bus->wait(bus) == HAL_ERR_NONE;
     verdict("lm3s6965_bus_refuses", good);
 }
 
@@ -54,14 +54,14 @@ static void idle(void *ctx)
 static void hooks(struct hal_bus *bus)
 {
     bus->hooks.done = done;
-    int good = bus->data(bus, bytes, 511) == HAL_OK;
+    int good = bus->data(bus, bytes, 511) == HAL_ERR_NONE;
     good &= done_calls == 1; /* the interrupt has run */
-    good &= bus->wait(bus) == HAL_OK && done_calls == 1;
+    good &= bus->wait(bus) == HAL_ERR_NONE && done_calls == 1;
     verdict("lm3s6965_pixels_leave_by_interrupt", good);
     bus->hooks.idle = idle;
     interrupts(0);
-    good = bus->data(bus, bytes, 512) == HAL_OK && done_calls == 1;
-    good &= bus->wait(bus) == HAL_OK && idle_calls == 5 && done_calls == 2;
+    good = bus->data(bus, bytes, 512) == HAL_ERR_NONE && done_calls == 1;
+    good &= bus->wait(bus) == HAL_ERR_NONE && idle_calls == 5 && done_calls == 2;
     verdict("lm3s6965_idle_hook_waits", good);
     bus->hooks.idle = NULL;
 }
@@ -73,12 +73,12 @@ static void timeout(struct hal_bus *bus)
     done_calls = 0;
     const uint64_t from = hal_ticks();
     interrupts(0);
-    int good = bus->data(bus, bytes, 512) == HAL_OK && bus->wait(bus) == HAL_ERR_TIMEOUT;
+    int good = bus->data(bus, bytes, 512) == HAL_ERR_NONE && bus->wait(bus) == HAL_ERR_TIMEOUT;
     const uint64_t took = hal_ticks() - from;
     good &= took > 3200u * TICKS_A_US && took < 3500u * TICKS_A_US && done_calls == 1;
     verdict("lm3s6965_breaks_off", good);
-    good = bus->command(bus, 0xe3, NULL, 0) == HAL_OK && bus->data(bus, bytes, 512) == HAL_OK;
-    good &= bus->wait(bus) == HAL_OK && done_calls == 2;
+    good = bus->command(bus, 0xe3, NULL, 0) == HAL_ERR_NONE && bus->data(bus, bytes, 512) == HAL_ERR_NONE;
+    good &= bus->wait(bus) == HAL_ERR_NONE && done_calls == 2;
     verdict("lm3s6965_goes_on_after_that", good);
 }
 
@@ -102,7 +102,7 @@ int main(void)
     struct hal_bus *bus = hal_bus();
     const int early = bus->data(bus, bytes, 2) == HAL_ERR_STATE && bus->command(bus, 0xe3, NULL, 0) == HAL_ERR_STATE;
     bus->delay(bus, 10);
-    const int good = hal_init() == HAL_OK && hal_init() == HAL_OK && hal_bus() == bus;
+    const int good = hal_init() == HAL_ERR_NONE && hal_init() == HAL_ERR_NONE && hal_bus() == bus;
     verdict("lm3s6965_begins_with_hal_init", early && good);
     refusals(bus);
     hooks(bus);

@@ -57,23 +57,23 @@ static void bus_rules(void)
     verdict("bus_refuses_nothing_to_send",
             bus->data(bus, NULL, 4) == HAL_ERR_ARG && bus->data(bus, bytes, 0) == HAL_ERR_ARG &&
             bus->command(bus, 0x2c, NULL, 1) == HAL_ERR_ARG && done_calls == 0);
-    verdict("bus_resets", bus->reset(bus) == HAL_OK);
-    verdict("bus_sends", bus->command(bus, 0x2c, NULL, 0) == HAL_OK && bus->command(bus, 0x36, bytes, 2) == HAL_OK &&
-            bus->data(bus, bytes, 6) == HAL_OK && done_calls == 1);
+    verdict("bus_resets", bus->reset(bus) == HAL_ERR_NONE);
+    verdict("bus_sends", bus->command(bus, 0x2c, NULL, 0) == HAL_ERR_NONE && bus->command(bus, 0x36, bytes, 2) == HAL_ERR_NONE &&
+            bus->data(bus, bytes, 6) == HAL_ERR_NONE && done_calls == 1);
     verdict("bus_holds_to_wait", bus->data(bus, bytes, 2) == HAL_ERR_STATE && bus->reset(bus) == HAL_ERR_STATE &&
             bus->command(bus, 0x29, NULL, 0) == HAL_ERR_STATE && done_calls == 1);
-    verdict("bus_waits", bus->wait(bus) == HAL_OK && bus->wait(bus) == HAL_OK &&
-            bus->data(bus, bytes + 1, 1) == HAL_OK && bus->wait(bus) == HAL_OK && done_calls == 2);
+    verdict("bus_waits", bus->wait(bus) == HAL_ERR_NONE && bus->wait(bus) == HAL_ERR_NONE &&
+            bus->data(bus, bytes + 1, 1) == HAL_ERR_NONE && bus->wait(bus) == HAL_ERR_NONE && done_calls == 2);
 }
 
 int main(void)
 {
     struct hal_bus *bus = hal_bus();
     const int early = bus->command(bus, 0x29, NULL, 0) == HAL_ERR_STATE && bus->reset(bus) == HAL_ERR_STATE &&
-                      bus->wait(bus) == HAL_OK;
+                      bus->wait(bus) == HAL_ERR_NONE;
     hal_write("too early\n");
     bus->delay(bus, 10);
-    const int started = hal_init() == HAL_OK && hal_init() == HAL_OK;
+    const int started = hal_init() == HAL_ERR_NONE && hal_init() == HAL_ERR_NONE;
     verdict("bus_wants_hal_init", early && started && hal_bus() == bus);
     verdict("ticks_are_microseconds", hal_tick_hz() == 1000000u && hal_tick_instructions() == 0);
     bus_rules();

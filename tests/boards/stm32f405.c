@@ -89,22 +89,22 @@ static int send(struct hal_bus *bus, uint32_t n, uint32_t irq)
 static void refusals(struct hal_bus *bus)
 {
     int good = bus->data(bus, bytes, 2) == HAL_ERR_STATE && bus->command(bus, 1, NULL, 0) == HAL_ERR_STATE;
-    good &= bus->reset(bus) == HAL_ERR_STATE && bus->wait(bus) == HAL_OK;
+    good &= bus->reset(bus) == HAL_ERR_STATE && bus->wait(bus) == HAL_ERR_NONE;
     bus->delay(bus, 10);
     good &= bus->data(bus, NULL, 4) == HAL_ERR_ARG && bus->data(bus, bytes, 0) == HAL_ERR_ARG;
     good &= bus->command(bus, 1, NULL, 1) == HAL_ERR_ARG;
-    good &= hal_init() == HAL_OK && hal_init() == HAL_OK;
+    good &= hal_init() == HAL_ERR_NONE && hal_init() == HAL_ERR_NONE;
     verdict("stm32f405_refuses_before_init", good);
 }
 
 static void transfers(struct hal_bus *bus)
 {
     static const uint8_t args[] = { 0x81, 0x00, 0xfe };
-    int good = bus->command(bus, 0x2c, NULL, 0) == HAL_OK && bus->command(bus, 0x36, args, 3) == HAL_OK;
-    good &= send(bus, 5, IRQ_DMA2_STREAM3) == HAL_OK && starts == 1 && bus->wait(bus) == HAL_OK;
-    good &= bus->data(bus, bytes, 1) == HAL_OK && bus->data(bus, bytes, 1) == HAL_ERR_STATE;
+    int good = bus->command(bus, 0x2c, NULL, 0) == HAL_ERR_NONE && bus->command(bus, 0x36, args, 3) == HAL_ERR_NONE;
+    good &= send(bus, 5, IRQ_DMA2_STREAM3) == HAL_ERR_NONE && starts == 1 && bus->wait(bus) == HAL_ERR_NONE;
+    good &= bus->data(bus, bytes, 1) == HAL_ERR_NONE && bus->data(bus, bytes, 1) == HAL_ERR_STATE;
     good &= bus->command(bus, 1, NULL, 0) == HAL_ERR_STATE && bus->reset(bus) == HAL_ERR_STATE;
-    good &= bus->wait(bus) == HAL_OK;
+    good &= bus->wait(bus) == HAL_ERR_NONE;
     verdict("stm32f405_transfers", good);
 }
 
@@ -118,7 +118,7 @@ static void failures(struct hal_bus *bus)
     verdict("stm32f405_sleeps_to_the_deadline", send(bus, 9, IRQ_TIM5) == HAL_ERR_TIMEOUT);
     bus->hooks.idle = idle;
     stream = WORKS;
-    verdict("stm32f405_works_after_failures", send(bus, 3, IRQ_DMA2_STREAM3) == HAL_OK);
+    verdict("stm32f405_works_after_failures", send(bus, 3, IRQ_DMA2_STREAM3) == HAL_ERR_NONE);
 }
 
 /* So many turns of two instructions: 1 ns each in QEMU. */
@@ -131,14 +131,14 @@ static void spin(uint32_t turns)
 static void both_at_once(struct hal_bus *bus)
 {
     done_calls = 0;
-    int good = bus->data(bus, bytes, 2) == HAL_OK;
+    int good = bus->data(bus, bytes, 2) == HAL_ERR_NONE;
     __asm__ volatile("cpsid i" ::: "memory");
     stream_runs();
     for (uint32_t i = 0; i < 10000u && !(NVIC_ISPR1 >> (IRQ_TIM5 - 32u) & 1u); i++)
         spin(1000); /* a read is slow where it is followed */
     good &= NVIC_ISPR1 >> (IRQ_TIM5 - 32u) & 1u && !done_calls;
     __asm__ volatile("cpsie i" ::: "memory");
-    good &= bus->wait(bus) == HAL_OK && done_calls == 1 && done_in == 16u + IRQ_DMA2_STREAM3;
+    good &= bus->wait(bus) == HAL_ERR_NONE && done_calls == 1 && done_in == 16u + IRQ_DMA2_STREAM3;
     verdict("stm32f405_end_and_deadline_at_once", good);
 }
 
@@ -147,7 +147,7 @@ static void long_one(struct hal_bus *bus)
 {
     const int err = send(bus, LONG, IRQ_DMA2_STREAM3);
     verdict("stm32f405_long_transfer",
-            err == HAL_OK && starts == 2 && moved == LONG && S3M0AR == (uint32_t)bytes + 65535u);
+            err == HAL_ERR_NONE && starts == 2 && moved == LONG && S3M0AR == (uint32_t)bytes + 65535u);
 }
 
 /* 110 million instructions without interrupts are 18.48 million ticks, more than SysTick counts to: the wrap that could

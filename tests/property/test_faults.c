@@ -96,7 +96,7 @@ static void chain_open(struct chain *c, unsigned module, uint8_t buffers, int wa
     hal_fault_init(&c->fault, &c->end.bus);
     c->fault.bus.hooks = (struct hal_hooks){ c, idle, done, lock, unlock };
     c->scratch = malloc(panel_scratch_bytes(config, 240u * ROWS) + 4u);
-    assert_int_equal(set_up(c, config), HAL_OK);
+    assert_int_equal(set_up(c, config), HAL_ERR_NONE);
     c->config = picture_config(panel_width(&c->panel), panel_height(&c->panel), demo_cubes.depth);
     c->config.strip_h = ROWS;
     c->config.buffers = buffers;
@@ -224,7 +224,7 @@ static void a_panel_that_was_reset_or_is_dead(void **state)
             assert_int_equal(set_up(&c, &modules[m].config), HAL_ERR_TIMEOUT);
             assert_int_equal(draw(&c, 1), watch ? ZS_OK : PANEL_ERR_STATE); /* nothing changed: nothing sent */
             assert_int_equal(set_up(&c, &modules[m].config), HAL_ERR_TIMEOUT);
-            assert_int_equal(set_up(&c, &modules[m].config), HAL_OK);
+            assert_int_equal(set_up(&c, &modules[m].config), HAL_ERR_NONE);
             assert_int_equal(zs_invalidate(&c.r, NULL), ZS_OK);
             assert_int_equal(draw(&c, 1), ZS_OK);
             glass_is_right(&c, m, 1, "after a reset");
@@ -241,7 +241,7 @@ static void a_fault_that_resets_the_panel(void **state)
         assert_int_equal(draw(&c, 0), ZS_OK);
         hal_fault_set(&c.fault, HAL_FAULT_STUCK, 2, 1);
         assert_int_equal(draw(&c, 1), HAL_ERR_TIMEOUT);
-        assert_int_equal(c.end.bus.reset(&c.end.bus), HAL_OK);
+        assert_int_equal(c.end.bus.reset(&c.end.bus), HAL_ERR_NONE);
         assert_false(pm_lit(c.end.model));
         assert_int_equal(draw(&c, 1), ZS_OK);
         glass_is_right(&c, m, 1, "after a fault with a reset");
@@ -279,7 +279,7 @@ static void each_transfer_is_done_once(void **state)
     for (int kind = HAL_FAULT_NONE; kind <= HAL_FAULT_LOST; kind++) {
         hal_fault_set(&c.fault, (enum hal_fault_kind)kind, 1, 1);
         c.n_done = 0;
-        const int taken = c.fault.bus.data(&c.fault.bus, px, sizeof px) == HAL_OK;
+        const int taken = c.fault.bus.data(&c.fault.bus, px, sizeof px) == HAL_ERR_NONE;
         assert_int_equal(taken, kind != HAL_FAULT_REFUSE);
         (void)c.fault.bus.wait(&c.fault.bus);
         assert_int_equal(c.n_done, kind == HAL_FAULT_TWICE ? 2 : taken);
@@ -314,7 +314,7 @@ static void power_on_with_junk_in_memory(void **state)
                 }
             pm_free(c.end.model);
             sim_panel_bus_init(&c.end, pm_new(&c.glass));
-            assert_int_equal(set_up(&c, &modules[m].config), HAL_OK);
+            assert_int_equal(set_up(&c, &modules[m].config), HAL_ERR_NONE);
             assert_int_equal(zs_init(&c.r, &config, c.arena, zs_arena_bytes(&config)), ZS_OK);
             if (k % 2)
                 assert_int_equal(watch_anew(&c.r, &c.sums, c.sum, COLUMNS), ZS_OK);

@@ -41,7 +41,7 @@ static int command(struct hal_bus *bus, uint8_t code, const uint8_t *args, uint3
     for (uint32_t i = 0; i < n; i++)
         put(t, args[i] | DATA);
     put(t, DESELECT);
-    return HAL_OK;
+    return HAL_ERR_NONE;
 }
 
 static int data(struct hal_bus *bus, const uint8_t *bytes, uint32_t n)
@@ -50,18 +50,18 @@ static int data(struct hal_bus *bus, const uint8_t *bytes, uint32_t n)
     for (uint32_t i = 0; i < n; i++)
         put(t, bytes[i] | DATA);
     put(t, DESELECT);
-    return HAL_OK;
+    return HAL_ERR_NONE;
 }
 
 static int wait(struct hal_bus *bus)
 {
-    return HAL_OK;
+    return HAL_ERR_NONE;
 }
 
 static int reset(struct hal_bus *bus)
 {
     put((struct tape *)(void *)bus, RESET);
-    return HAL_OK;
+    return HAL_ERR_NONE;
 }
 
 static void delay(struct hal_bus *bus, uint32_t us)
@@ -78,17 +78,17 @@ static struct tape record(const struct panel_config *config, uint16_t rows, cons
     uint32_t seed = 7;
     for (size_t i = 0; i < sizeof px; i++)
         px[i] = (uint8_t)((seed = seed * 1664525u + 1013904223u) >> 24);
-    assert_int_equal(panel_init(&panel, config, &t.bus, scratch, panel_scratch_bytes(config, 4096)), HAL_OK);
+    assert_int_equal(panel_init(&panel, config, &t.bus, scratch, panel_scratch_bytes(config, 4096)), HAL_ERR_NONE);
     put(&t, LOOK);
     const uint16_t w = panel_width(&panel), h = panel_height(&panel);
     for (uint16_t y = 0; y < h; y = (uint16_t)(y + rows)) {
         const struct panel_rect strip = { 0, y, w, (uint16_t)(h - y < rows ? h - y : rows) };
-        assert_int_equal(panel_send(&panel, &strip, px + 2 * y * w, 0), HAL_OK);
-        assert_int_equal(panel_wait(&panel), HAL_OK);
+        assert_int_equal(panel_send(&panel, &strip, px + 2 * y * w, 0), HAL_ERR_NONE);
+        assert_int_equal(panel_wait(&panel), HAL_ERR_NONE);
     }
     put(&t, LOOK);
-    assert_int_equal(panel_send(&panel, part, px + 1024, 0), HAL_OK);
-    assert_int_equal(panel_wait(&panel), HAL_OK);
+    assert_int_equal(panel_send(&panel, part, px + 1024, 0), HAL_ERR_NONE);
+    assert_int_equal(panel_wait(&panel), HAL_ERR_NONE);
     put(&t, LOOK);
     return t;
 }

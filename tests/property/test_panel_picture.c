@@ -132,7 +132,7 @@ static int open_scene(const char *name, uint8_t rotate, uint8_t inverted, uint8_
     s.bus.bus.command = model_command;
     s.bus.bus.wait = model_wait;
     memset(want, 0, sizeof want);
-    if (err != HAL_OK)
+    if (err != HAL_ERR_NONE)
         return case_wrong("%s: panel_init says %s", name, panel_strerror(err));
     if (s.lit_with_noise || !pm_lit(s.bus.model))
         return case_wrong("%s: the glass is %s", name, s.lit_with_noise ? "lit before it is black" : "dark");
@@ -220,23 +220,23 @@ static int manners(uint64_t number)
         return case_wrong("there is no module %u", (unsigned)number);
     int right = open_scene(name, (uint8_t)(number % 4), 0, 0, 0) && send_some(&seed);
     const int light = level();
-    right = right && panel_brightness(&s.panel, 40) == HAL_OK;
+    right = right && panel_brightness(&s.panel, 40) == HAL_ERR_NONE;
     if (right && level() >= light)
         right = case_wrong("%s: brightness 40 is level %d, full was %d", name, level(), light);
     right = right && check("dimmed");
-    if (right && panel_invert(&s.panel, 1) == HAL_OK) {
+    if (right && panel_invert(&s.panel, 1) == HAL_ERR_NONE) {
         negate();
         right = check("inverted");
         (void)panel_invert(&s.panel, 0);
         negate();
     }
-    if (right && (panel_sleep(&s.panel) != HAL_OK || pm_lit(s.bus.model)))
+    if (right && (panel_sleep(&s.panel) != HAL_ERR_NONE || pm_lit(s.bus.model)))
         right = case_wrong("%s: not dark asleep", name);
-    if (right && (panel_wake(&s.panel) != HAL_OK || !pm_lit(s.bus.model)))
+    if (right && (panel_wake(&s.panel) != HAL_ERR_NONE || !pm_lit(s.bus.model)))
         right = case_wrong("%s: dark awake", name);
     right = right && check("awake");
     for (uint8_t rotate = 0; right && rotate < 4; rotate++) {
-        right = panel_rotate(&s.panel, rotate) == HAL_OK;
+        right = panel_rotate(&s.panel, rotate) == HAL_ERR_NONE;
         memset(want, 0, sizeof want);
         right = right && check("turned") && send_some(&seed) && check("turned and sent");
     }
@@ -266,17 +266,17 @@ static void cruel_bus(void **state)
     assert_int_equal(b->data(b, NULL, 2), HAL_ERR_ARG);
     assert_int_equal(b->data(b, two, 0), HAL_ERR_ARG);
     assert_int_equal(b->data(b, two + 1, 1), HAL_ERR_ARG); /* odd address */
-    assert_int_equal(b->wait(b), HAL_OK);
-    assert_int_equal(b->command(b, 0x2c, NULL, 0), HAL_OK);
-    assert_int_equal(b->data(b, two, 2), HAL_OK);
+    assert_int_equal(b->wait(b), HAL_ERR_NONE);
+    assert_int_equal(b->command(b, 0x2c, NULL, 0), HAL_ERR_NONE);
+    assert_int_equal(b->data(b, two, 2), HAL_ERR_NONE);
     assert_int_equal(b->data(b, two, 2), HAL_ERR_STATE);
     assert_int_equal(b->command(b, 0x00, NULL, 0), HAL_ERR_STATE);
     assert_int_equal(b->reset(b), HAL_ERR_STATE);
-    assert_int_equal(b->wait(b), HAL_OK);
-    assert_int_equal(b->data(b, two, 2), HAL_OK);
+    assert_int_equal(b->wait(b), HAL_ERR_NONE);
+    assert_int_equal(b->data(b, two, 2), HAL_ERR_NONE);
     two[0] ^= 1;
     assert_int_equal(b->wait(b), HAL_ERR_CHANGED);
-    assert_int_equal(b->wait(b), HAL_OK);
+    assert_int_equal(b->wait(b), HAL_ERR_NONE);
     assert_int_equal(pm_counts(m)->data_bytes, 4);
     pm_free(m);
 }

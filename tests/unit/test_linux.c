@@ -486,7 +486,7 @@ static const struct linux_wiring all_wired = { "/dev/spidev0.0", 8000000, 3, "DC
 static void open_as(const struct linux_wiring *wiring)
 {
     linux_wire(wiring);
-    if (hal_init() != HAL_OK)
+    if (hal_init() != HAL_ERR_NONE)
         fail_msg("%s", linux_why());
 }
 
@@ -511,9 +511,9 @@ static void lines_are_held_from_first_to_last(void **state)
     hal_backlight(1);
     assert_true(m.chip[0].line[6].level);
     for (int i = 0; i < 20; i++)
-        assert_int_equal(hal_bus()->command(hal_bus(), 0x2a, (const uint8_t *)"abcd", 4), HAL_OK);
+        assert_int_equal(hal_bus()->command(hal_bus(), 0x2a, (const uint8_t *)"abcd", 4), HAL_ERR_NONE);
     assert_int_equal(m.requests, 4);
-    assert_int_equal(hal_init(), HAL_OK); /* no effect */
+    assert_int_equal(hal_init(), HAL_ERR_NONE); /* no effect */
     assert_int_equal(m.requests, 4);
     linux_close();
     assert_false(m.chip[0].line[6].level);
@@ -658,15 +658,15 @@ static void picture_both_ways(const char *name, int rotate, const char *bufsiz, 
     model_of(name);
     open_as(&all_wired);
     assert_int_equal(sim_panel_begin(&simulated, &wish, name, 16), 0);
-    assert_int_equal(panel_init(&panel, &simulated.panel.config, hal_bus(), scratch, sizeof scratch), HAL_OK);
+    assert_int_equal(panel_init(&panel, &simulated.panel.config, hal_bus(), scratch, sizeof scratch), HAL_ERR_NONE);
     for (uint16_t y = 0; y < panel_height(&panel); y = (uint16_t)(y + 16)) {
         const uint16_t rows = panel_height(&panel) - y;
         const struct panel_rect rect = { 0, y, panel_width(&panel), rows < 16 ? rows : 16 };
         bytes_random(px, sizeof px, y + 1u);
-        assert_int_equal(panel_send(&panel, &rect, px, 0), HAL_OK);
-        assert_int_equal(panel_wait(&panel), HAL_OK);
-        assert_int_equal(panel_send(&simulated.panel, &rect, px, 0), HAL_OK);
-        assert_int_equal(panel_wait(&simulated.panel), HAL_OK);
+        assert_int_equal(panel_send(&panel, &rect, px, 0), HAL_ERR_NONE);
+        assert_int_equal(panel_wait(&panel), HAL_ERR_NONE);
+        assert_int_equal(panel_send(&simulated.panel, &rect, px, 0), HAL_ERR_NONE);
+        assert_int_equal(panel_wait(&simulated.panel), HAL_ERR_NONE);
     }
     const struct pm_problem *problem;
     if (pm_problems(m.model, &problem) > 0)
@@ -713,11 +713,11 @@ static void messages(void **state)
             m.limit = limits[i];
             open_as(&all_wired);
             struct hal_bus *bus = hal_bus();
-            assert_int_equal(bus->command(bus, 0x2a, args, 4), HAL_OK);
-            assert_int_equal(bus->command(bus, 0x2c, NULL, 0), HAL_OK);
+            assert_int_equal(bus->command(bus, 0x2a, args, 4), HAL_ERR_NONE);
+            assert_int_equal(bus->command(bus, 0x2c, NULL, 0), HAL_ERR_NONE);
             const uint32_t before = m.n_sent;
-            assert_int_equal(bus->data(bus, px, sizes[k]), HAL_OK);
-            assert_int_equal(bus->wait(bus), HAL_OK);
+            assert_int_equal(bus->data(bus, px, sizes[k]), HAL_ERR_NONE);
+            assert_int_equal(bus->wait(bus), HAL_ERR_NONE);
             assert_int_equal(before, 2u + (4u + limits[i] - 1u) / limits[i]);
             assert_int_equal(m.n_sent - before, (sizes[k] + limits[i] - 1u) / limits[i]);
             uint32_t at = 0;
@@ -767,27 +767,27 @@ static void data_leaves_while_the_caller_goes_on(void **state)
     m.go = &c.go;
     open_as(&all_wired);
     bus->hooks = (struct hal_hooks){ &c, on_idle, on_done, NULL, NULL };
-    assert_int_equal(bus->data(bus, px, sizeof px), HAL_OK);
+    assert_int_equal(bus->data(bus, px, sizeof px), HAL_ERR_NONE);
     (void)sem_wait(&c.begun);
     assert_int_equal(c.done, 0);
     assert_int_equal(bus->data(bus, px, sizeof px), HAL_ERR_STATE);
     assert_int_equal(bus->command(bus, 0x2c, NULL, 0), HAL_ERR_STATE);
     assert_int_equal(bus->reset(bus), HAL_ERR_STATE);
-    assert_int_equal(bus->wait(bus), HAL_OK); /* idle lets it go */
+    assert_int_equal(bus->wait(bus), HAL_ERR_NONE); /* idle lets it go */
     assert_true(c.idle >= 4);
     assert_int_equal(c.done, 1);
     assert_int_equal(c.done_elsewhere, 1);
-    assert_int_equal(bus->wait(bus), HAL_OK);
+    assert_int_equal(bus->wait(bus), HAL_ERR_NONE);
     bus->hooks.idle = NULL;
     (void)sem_post(&c.go);
-    assert_int_equal(bus->data(bus, px, sizeof px), HAL_OK);
-    assert_int_equal(bus->wait(bus), HAL_OK);
+    assert_int_equal(bus->data(bus, px, sizeof px), HAL_ERR_NONE);
+    assert_int_equal(bus->wait(bus), HAL_ERR_NONE);
     assert_int_equal(c.done, 2);
     assert_int_equal(bus->data(bus, NULL, 2), HAL_ERR_ARG);
     assert_int_equal(bus->data(bus, px, 0), HAL_ERR_ARG);
     assert_int_equal(bus->command(bus, 0, NULL, 1), HAL_ERR_ARG);
     (void)sem_post(&c.go);
-    assert_int_equal(bus->data(bus, px, sizeof px), HAL_OK);
+    assert_int_equal(bus->data(bus, px, sizeof px), HAL_ERR_NONE);
     linux_close(); /* waits for it */
     assert_int_equal(c.done, 3);
     bus->hooks = (struct hal_hooks){ 0 };
@@ -809,14 +809,14 @@ static void failed_messages(void **state)
         m.bad_from = 1;
         m.bad_to = 2;
         m.bad_errno = t[i].why;
-        assert_int_equal(bus->data(bus, px, sizeof px), HAL_OK);
+        assert_int_equal(bus->data(bus, px, sizeof px), HAL_ERR_NONE);
         assert_int_equal(bus->wait(bus), t[i].err);
         assert_int_equal(m.n_sent, 2); /* the third was not tried */
         assert_non_null(strstr(linux_why(), t[i].words));
-        assert_int_equal(bus->data(bus, px, sizeof px), HAL_OK);
-        assert_int_equal(bus->wait(bus), HAL_OK);
+        assert_int_equal(bus->data(bus, px, sizeof px), HAL_ERR_NONE);
+        assert_int_equal(bus->wait(bus), HAL_ERR_NONE);
         m.interrupts = 3;
-        assert_int_equal(bus->command(bus, 1, px, 2), HAL_OK);
+        assert_int_equal(bus->command(bus, 1, px, 2), HAL_ERR_NONE);
         assert_int_equal(m.n_sent, 2 + 3 + 2);
         m.bad_from = m.n_sent + 1;
         m.bad_to = m.n_sent + 2;

@@ -275,7 +275,7 @@ int second_start(void (*run)(void), void (*call)(void))
     begin(SECOND, run);
     is_on = 1;
     called = one_in(2); /* nobody asked for it */
-    return HAL_OK;
+    return HAL_ERR_NONE;
 }
 
 void second_stop(void)

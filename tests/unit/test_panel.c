@@ -49,7 +49,7 @@ static void put(struct wire *w, enum kind kind, uint8_t byte)
 static int verb(struct wire *w)
 {
     assert_true(w->held); /* the hooks' lock is held whenever the bus is used */
-    return ++w->verbs == w->fail_at ? HAL_ERR_BUS : HAL_OK;
+    return ++w->verbs == w->fail_at ? HAL_ERR_BUS : HAL_ERR_NONE;
 }
 
 static int wire_command(struct hal_bus *bus, uint8_t code, const uint8_t *args, uint32_t n)
@@ -64,7 +64,7 @@ static int wire_command(struct hal_bus *bus, uint8_t code, const uint8_t *args, 
     put(w, CODE, code);
     for (uint32_t i = 0; i < n; i++)
         put(w, ARG, args[i]);
-    return HAL_OK;
+    return HAL_ERR_NONE;
 }
 
 static int wire_data(struct hal_bus *bus, const uint8_t *bytes, uint32_t n)
@@ -81,7 +81,7 @@ static int wire_data(struct hal_bus *bus, const uint8_t *bytes, uint32_t n)
     w->n_out = n;
     w->sum_out = fnv1a(bytes, n);
     w->transfers++;
-    return HAL_OK;
+    return HAL_ERR_NONE;
 }
 
 static int wire_wait(struct hal_bus *bus)
@@ -101,7 +101,7 @@ static int wire_reset(struct hal_bus *bus)
     if (verb(w))
         return HAL_ERR_BUS;
     put(w, RESET, 0);
-    return HAL_OK;
+    return HAL_ERR_NONE;
 }
 
 static void wire_delay(struct hal_bus *bus, uint32_t us)
@@ -296,14 +296,14 @@ static int window_case(uint64_t seed)
     struct wire w = wire_new();
     struct panel panel;
     const struct panel_config config = config_of(s, prng_pick(&p, 2) ? rotate : 0);
-    CASE_CHECK(bring_up(&panel, &w, &config) == HAL_OK);
+    CASE_CHECK(bring_up(&panel, &w, &config) == HAL_ERR_NONE);
     if (config.rotate != rotate)
-        CASE_CHECK(panel_rotate(&panel, (uint8_t)rotate) == HAL_OK);
+        CASE_CHECK(panel_rotate(&panel, (uint8_t)rotate) == HAL_ERR_NONE);
     for (int k = 0; k < 20; k++) {
         const struct panel_rect r = random_rect(&p, s, rotate);
         const uint32_t at = w.n;
-        CASE_CHECK(panel_send(&panel, &r, px, 0) == HAL_OK);
-        CASE_CHECK(panel_wait(&panel) == HAL_OK && !w.held);
+        CASE_CHECK(panel_send(&panel, &r, px, 0) == HAL_ERR_NONE);
+        CASE_CHECK(panel_wait(&panel) == HAL_ERR_NONE && !w.held);
         if (!sent(&w, at, s, rotate, &r))
             return case_wrong("%s %ux%u at rotation %d: window of %u %u %u %u", panel_name(s->type), s->width,
                               s->height, rotate, r.x, r.y, r.w, r.h);
@@ -328,10 +328,10 @@ static void glass_of_ones_own(void **state)
         memcpy(s.offset[rotate], at[rotate], 2);
         struct wire w = wire_new();
         struct panel panel;
-        assert_int_equal(bring_up(&panel, &w, &c), HAL_OK);
+        assert_int_equal(bring_up(&panel, &w, &c), HAL_ERR_NONE);
         const uint32_t from = w.n;
-        assert_int_equal(panel_send(&panel, &r, px, 0), HAL_OK);
-        assert_int_equal(panel_wait(&panel), HAL_OK);
+        assert_int_equal(panel_send(&panel, &r, px, 0), HAL_ERR_NONE);
+        assert_int_equal(panel_wait(&panel), HAL_ERR_NONE);
         assert_true(sent(&w, from, &s, rotate, &r));
         free(w.log);
     }
@@ -344,18 +344,18 @@ static void colour_is_not_copied(void **state)
     struct wire w = wire_new();
     struct panel panel;
     const struct panel_config config = config_of(s, 1);
-    assert_int_equal(bring_up(&panel, &w, &config), HAL_OK);
+    assert_int_equal(bring_up(&panel, &w, &config), HAL_ERR_NONE);
     const struct panel_rect r = { 7, 11, 13, 5 };
     uint32_t at = w.n;
     w.transfers = 0;
-    assert_int_equal(panel_send(&panel, &r, px, 0), HAL_OK);
+    assert_int_equal(panel_send(&panel, &r, px, 0), HAL_ERR_NONE);
     assert_ptr_equal(w.out, px);
-    assert_int_equal(panel_wait(&panel), HAL_OK);
+    assert_int_equal(panel_wait(&panel), HAL_ERR_NONE);
     assert_int_equal(w.transfers, 1);
     at = w.n;
-    assert_int_equal(panel_send(&panel, &r, px, 34), HAL_OK);
+    assert_int_equal(panel_send(&panel, &r, px, 34), HAL_ERR_NONE);
     assert_ptr_equal(w.out, px + 4 * 34);
-    assert_int_equal(panel_wait(&panel), HAL_OK);
+    assert_int_equal(panel_wait(&panel), HAL_ERR_NONE);
     assert_int_equal(w.transfers, 6);
     const uint32_t first = sent(&w, at, s, 1, &r);
     assert_true(first);
@@ -421,7 +421,7 @@ static int convert_case(uint64_t seed)
     struct wire w = wire_new();
     struct panel panel;
     fill_px(&p);
-    CASE_CHECK(bring_up(&panel, &w, &c) == HAL_OK);
+    CASE_CHECK(bring_up(&panel, &w, &c) == HAL_ERR_NONE);
     for (int k = 0; k < 4; k++) {
         const struct panel_rect r = random_rect(&p, s, c.rotate);
         const uint32_t stride = prng_pick(&p, 2) ? 0 : r.w * 2u + 2u * prng_pick(&p, 4), at = w.n;
@@ -429,8 +429,8 @@ static int convert_case(uint64_t seed)
         CASE_CHECK(n == (uint32_t)r.w * r.h * bits_a_pixel(s) / 8);
         memset(scratch, 0xa5, sizeof scratch);
         expected(s, &c, &r, stride ? stride : r.w * 2u, want);
-        CASE_CHECK(panel_send(&panel, &r, px, stride) == HAL_OK);
-        CASE_CHECK(panel_wait(&panel) == HAL_OK);
+        CASE_CHECK(panel_send(&panel, &r, px, stride) == HAL_ERR_NONE);
+        CASE_CHECK(panel_wait(&panel) == HAL_ERR_NONE);
         const uint32_t first = sent(&w, at, s, c.rotate, &r);
         CASE_CHECK(first != 0);
         for (uint32_t i = 0; i < n; i++)
@@ -487,7 +487,7 @@ static void dark_until_black(void **state)
         struct panel panel;
         wire_hook(&w);
         memset(scratch, 0xa5, sizeof scratch);
-        assert_int_equal(panel_init(&panel, &c, &w.bus, scratch, room), HAL_OK);
+        assert_int_equal(panel_init(&panel, &c, &w.bus, scratch, room), HAL_ERR_NONE);
         assert_int_equal(w.transfers, (bytes + most - 1) / most);
         for (uint32_t i = room; i < sizeof scratch; i++)
             assert_true(scratch[i] == 0xa5);
@@ -540,7 +540,7 @@ static void settings_are_sent(void **state)
         c.dim = set ? 75 : 0;
         struct wire w = wire_new();
         struct panel panel;
-        assert_int_equal(bring_up(&panel, &w, &c), HAL_OK);
+        assert_int_equal(bring_up(&panel, &w, &c), HAL_ERR_NONE);
         const uint16_t arg = (uint16_t)((sheets[at].args_low ? CODE : ARG) << 8);
         const uint8_t bits = want[i].at[rotate] ^ (set ? want[i].bgr : 0), level = (set ? 180 : 255) >> want[i].shift;
         if (want[i].turn)
@@ -557,16 +557,16 @@ static void bytes_of_the_other_order(void **state)
     struct panel_config c = config_of(&sheets[0], 0);
     struct wire w = wire_new();
     struct panel panel;
-    assert_int_equal(bring_up(&panel, &w, &c), HAL_OK);
+    assert_int_equal(bring_up(&panel, &w, &c), HAL_ERR_NONE);
     assert_int_equal(COUNT(&w, CODED(0xb0)), 0);
     c.lsb_first = 1;
     assert_int_equal(panel_scratch_bytes(&c, 100), 0); /* ST7789 is told */
-    assert_int_equal(panel_init(&panel, &c, &w.bus, NULL, 0), HAL_OK);
+    assert_int_equal(panel_init(&panel, &c, &w.bus, NULL, 0), HAL_ERR_NONE);
     assert_int_equal(COUNT(&w, CODED(0xb0), ARGUED(0x00), ARGUED(0xf8)), 1);
     const struct panel_rect r = { 0, 0, 10, 10 };
-    assert_int_equal(panel_send(&panel, &r, px, 0), HAL_OK);
+    assert_int_equal(panel_send(&panel, &r, px, 0), HAL_ERR_NONE);
     assert_ptr_equal(w.out, px);
-    assert_int_equal(panel_wait(&panel), HAL_OK);
+    assert_int_equal(panel_wait(&panel), HAL_ERR_NONE);
     free(w.log);
 }
 
@@ -579,7 +579,7 @@ static void tearing_effect(void **state)
             struct wire w = wire_new();
             struct panel panel;
             c.te = te;
-            assert_int_equal(bring_up(&panel, &w, &c), HAL_OK);
+            assert_int_equal(bring_up(&panel, &w, &c), HAL_ERR_NONE);
             if (!sheets[i].args_low)
                 assert_int_equal(COUNT(&w, CODED(0x35), ARGUED(0x00)), te && bits_a_pixel(&sheets[i]) == 16 &&
                                                                        sheets[i].type != &panel_ssd1351);
@@ -608,7 +608,7 @@ static void tables(void **state)
         const struct panel_config c = config_of(&sheets[mono[i].sheet], 0);
         struct wire w = wire_new();
         struct panel panel;
-        assert_int_equal(bring_up(&panel, &w, &c), HAL_OK);
+        assert_int_equal(bring_up(&panel, &w, &c), HAL_ERR_NONE);
         assert_int_equal(COUNT(&w, CODED(0xa8), CODED(mono[i].lines)), 1);
         assert_int_equal(COUNT(&w, CODED(0xda), CODED(mono[i].pins)), 1);
         free(w.log);
@@ -617,7 +617,7 @@ static void tables(void **state)
         const struct panel_config c = config_of(&sheets[i], 0);
         struct wire w = wire_new();
         struct panel panel;
-        assert_int_equal(bring_up(&panel, &w, &c), HAL_OK);
+        assert_int_equal(bring_up(&panel, &w, &c), HAL_ERR_NONE);
         assert_int_equal(COUNT(&w, CODED(0xca), ARGUED(sheets[i].height - 1)), 1);
         free(w.log);
     }
@@ -658,7 +658,7 @@ static void bad_configurations(void **state)
     struct panel panel = { 0 };
     const struct panel_rect r = { 0, 0, 8, 8 };
     const struct panel_config good = config_of(&sheets[0], 0);
-    assert_int_equal(bring_up(&panel, &w, &good), HAL_OK);
+    assert_int_equal(bring_up(&panel, &w, &good), HAL_ERR_NONE);
     w.verbs = 0, w.locks = 0;
     for (uint32_t i = 0; i < sizeof bad / sizeof *bad; i++) {
         assert_int_equal(panel_init(&panel, &bad[i].config, &w.bus, scratch, bad[i].n_scratch), bad[i].err);
@@ -672,7 +672,7 @@ static void bad_configurations(void **state)
     assert_int_equal(panel_init(&panel, &mono, NULL, scratch, 4096), HAL_ERR_ARG);
     w.refuse = 1;
     assert_int_equal(panel_init(&panel, &mono, &w.bus, scratch, 4096), HAL_ERR_BUSY);
-    assert_int_equal(panel_wait(&panel), HAL_OK);
+    assert_int_equal(panel_wait(&panel), HAL_ERR_NONE);
     assert_int_equal(w.verbs, 0);
     assert_int_equal(w.locks, 0);
     free(w.log);
@@ -693,7 +693,7 @@ static void bad_rectangles(void **state)
                 { { 8, 0, 4, 1 }, PANEL_ERR_GRAIN },    { { 36, 0, 4, 1 }, PANEL_ERR_GRAIN },
                 { { 0, 0, 40, 33 }, PANEL_ERR_SCRATCH } };
     wire_hook(&w);
-    assert_int_equal(panel_init(&panel, &c, &w.bus, scratch, panel_scratch_bytes(&c, 40 * 32)), HAL_OK);
+    assert_int_equal(panel_init(&panel, &c, &w.bus, scratch, panel_scratch_bytes(&c, 40 * 32)), HAL_ERR_NONE);
     const uint32_t verbs = w.verbs;
     const int locks = w.locks;
     for (uint32_t i = 0; i < sizeof bad / sizeof *bad; i++)
@@ -715,17 +715,17 @@ static void bad_rectangles(void **state)
     w.refuse = 0;
     assert_int_equal(w.verbs, verbs);
     assert_int_equal(w.locks, locks);
-    assert_int_equal(panel_send(&panel, &good, px, 0), HAL_OK); /* and none of that left a trace */
-    assert_int_equal(panel_wait(&panel), HAL_OK);
-    assert_int_equal(panel_rotate(&panel, 0), HAL_OK); /* now 72 x 40, grain 1 x 8 */
+    assert_int_equal(panel_send(&panel, &good, px, 0), HAL_ERR_NONE); /* and none of that left a trace */
+    assert_int_equal(panel_wait(&panel), HAL_ERR_NONE);
+    assert_int_equal(panel_rotate(&panel, 0), HAL_ERR_NONE); /* now 72 x 40, grain 1 x 8 */
     const uint32_t turned = w.verbs;
     assert_int_equal(panel_send(&panel, &(struct panel_rect){ 5, 4, 3, 8 }, px, 0), PANEL_ERR_GRAIN);
     assert_int_equal(panel_send(&panel, &(struct panel_rect){ 5, 8, 3, 4 }, px, 0), PANEL_ERR_GRAIN);
     assert_int_equal(w.verbs, turned);
-    assert_int_equal(panel_rotate(&panel, 1), HAL_OK);
+    assert_int_equal(panel_rotate(&panel, 1), HAL_ERR_NONE);
     const struct panel_rect bottom = { 0, 40, 40, 32 };
-    assert_int_equal(panel_send(&panel, &bottom, px, 0), HAL_OK);
-    assert_int_equal(panel_wait(&panel), HAL_OK);
+    assert_int_equal(panel_send(&panel, &bottom, px, 0), HAL_ERR_NONE);
+    assert_int_equal(panel_wait(&panel), HAL_ERR_NONE);
     free(w.log);
 }
 
@@ -735,8 +735,8 @@ static void one_thing_at_a_time(void **state)
     struct panel panel;
     const struct panel_config c = config_of(&sheets[0], 0);
     const struct panel_rect r = { 0, 0, 8, 8 };
-    assert_int_equal(bring_up(&panel, &w, &c), HAL_OK);
-    assert_int_equal(panel_send(&panel, &r, px, 0), HAL_OK);
+    assert_int_equal(bring_up(&panel, &w, &c), HAL_ERR_NONE);
+    assert_int_equal(panel_send(&panel, &r, px, 0), HAL_ERR_NONE);
     const uint32_t verbs = w.verbs;
     assert_int_equal(panel_send(&panel, &r, px, 0), HAL_ERR_STATE);
     assert_int_equal(panel_rotate(&panel, 1), HAL_ERR_STATE);
@@ -746,16 +746,16 @@ static void one_thing_at_a_time(void **state)
     assert_int_equal(panel_wake(&panel), PANEL_ERR_STATE);
     assert_int_equal(w.verbs, verbs);
     assert_true(w.held);
-    assert_int_equal(panel_wait(&panel), HAL_OK);
+    assert_int_equal(panel_wait(&panel), HAL_ERR_NONE);
     assert_false(w.held);
-    assert_int_equal(panel_wait(&panel), HAL_OK);
-    assert_int_equal(panel_sleep(&panel), HAL_OK);
+    assert_int_equal(panel_wait(&panel), HAL_ERR_NONE);
+    assert_int_equal(panel_sleep(&panel), HAL_ERR_NONE);
     assert_int_equal(panel_send(&panel, &r, px, 0), PANEL_ERR_STATE);
     assert_int_equal(panel_rotate(&panel, 1), PANEL_ERR_STATE);
     assert_int_equal(panel_sleep(&panel), PANEL_ERR_STATE);
-    assert_int_equal(panel_wake(&panel), HAL_OK);
-    assert_int_equal(panel_send(&panel, &r, px, 0), HAL_OK);
-    assert_int_equal(panel_wait(&panel), HAL_OK);
+    assert_int_equal(panel_wake(&panel), HAL_ERR_NONE);
+    assert_int_equal(panel_send(&panel, &r, px, 0), HAL_ERR_NONE);
+    assert_int_equal(panel_wait(&panel), HAL_ERR_NONE);
     free(w.log);
 }
 
@@ -767,14 +767,14 @@ static void sleeping(void **state)
         const struct panel_config c = config_of(s, 0);
         struct wire w = wire_new();
         struct panel panel;
-        assert_int_equal(bring_up(&panel, &w, &c), HAL_OK);
+        assert_int_equal(bring_up(&panel, &w, &c), HAL_ERR_NONE);
         w.n = w.pause_us = 0;
-        assert_int_equal(panel_sleep(&panel), HAL_OK);
+        assert_int_equal(panel_sleep(&panel), HAL_ERR_NONE);
         assert_int_equal(w.log[0], CODED(s->wide ? 0x28 : 0xae));
         assert_int_equal(COUNT(&w, CODED(0x10)), s->wide || s->type == &panel_ssd1306);
         assert_int_equal(w.pause_us, s->wide ? 120000 : 0);
         w.n = w.pause_us = 0;
-        assert_int_equal(panel_wake(&panel), HAL_OK);
+        assert_int_equal(panel_wake(&panel), HAL_ERR_NONE);
         assert_true(is_on(s, w.log[w.n - 1]));
         assert_int_equal(COUNT(&w, CODED(0x11)), s->wide);
         assert_int_equal(w.pause_us, s->wide ? 120000 : 0);
@@ -815,16 +815,16 @@ static int fails_at(const struct sheet *s, const struct panel_config *c, uint32_
     CASE_CHECK(failed && !w.held && !w.out && !panel.locked);
     if (failed == 1) {
         CASE_CHECK(panel_send(&panel, &thirds[0], px, 0) == PANEL_ERR_STATE);
-        CASE_CHECK(panel_wait(&panel) == HAL_OK && panel_sleep(&panel) == PANEL_ERR_STATE);
+        CASE_CHECK(panel_wait(&panel) == HAL_ERR_NONE && panel_sleep(&panel) == PANEL_ERR_STATE);
         CASE_CHECK(w.verbs == k);
         w.n = 0;
-        CASE_CHECK(bring_up(&panel, &w, c) == HAL_OK);
+        CASE_CHECK(bring_up(&panel, &w, c) == HAL_ERR_NONE);
         CASE_CHECK(goes_on(whole, 0, w.log, w.n));
     } else {
         w.fail_at = w.verbs + 1; /* and once more, in the window: what is now the state of the panel is known */
         CASE_CHECK(panel_send(&panel, &thirds[1], px, 0) == HAL_ERR_BUS && !w.held);
         w.n = 0;
-        CASE_CHECK(panel_send(&panel, &thirds[0], px, 0) == HAL_OK && panel_wait(&panel) == HAL_OK);
+        CASE_CHECK(panel_send(&panel, &thirds[0], px, 0) == HAL_ERR_NONE && panel_wait(&panel) == HAL_ERR_NONE);
         uint16_t want[16];
         const uint32_t n = window(s, c->rotate, &thirds[0], want), bytes = 32 * 8 * bits_a_pixel(s) / 8;
         const uint32_t before = w.n - bytes - n;
@@ -835,7 +835,7 @@ static int fails_at(const struct sheet *s, const struct panel_config *c, uint32_
         CASE_CHECK(at < whole->n && before > 6);
     }
     const uint32_t at = w.n;
-    CASE_CHECK(panel_send(&panel, &thirds[1], px, 0) == HAL_OK && panel_wait(&panel) == HAL_OK);
+    CASE_CHECK(panel_send(&panel, &thirds[1], px, 0) == HAL_ERR_NONE && panel_wait(&panel) == HAL_ERR_NONE);
     CASE_CHECK(sent(&w, at, s, c->rotate, &thirds[1])); /* no set-up any more */
     free(w.log);
     return 1;
@@ -867,10 +867,10 @@ static void set_up_follows_each_kind_of_failure(void **state)
         for (uint32_t verb_at = 1; verb_at <= 16; verb_at++) {
             struct wire w = wire_new();
             struct panel panel;
-            assert_int_equal(bring_up(&panel, &w, &c), HAL_OK);
+            assert_int_equal(bring_up(&panel, &w, &c), HAL_ERR_NONE);
             uint32_t at = w.n;
-            assert_int_equal(panel_send(&panel, &r, px, 40), HAL_OK);
-            assert_int_equal(panel_wait(&panel), HAL_OK);
+            assert_int_equal(panel_send(&panel, &r, px, 40), HAL_ERR_NONE);
+            assert_int_equal(panel_wait(&panel), HAL_ERR_NONE);
             const uint32_t usual = w.n - at;
             w.fail_at = w.verbs + verb_at;
             int err = panel_send(&panel, &r, px, 40);
@@ -881,14 +881,14 @@ static void set_up_follows_each_kind_of_failure(void **state)
             }
             assert_int_equal(err, HAL_ERR_BUS);
             at = w.n;
-            assert_int_equal(panel_send(&panel, &r, px, 40), HAL_OK);
-            assert_int_equal(panel_wait(&panel), HAL_OK);
+            assert_int_equal(panel_send(&panel, &r, px, 40), HAL_ERR_NONE);
+            assert_int_equal(panel_wait(&panel), HAL_ERR_NONE);
             assert_true(w.n - at > usual + 6);
             if (sheets[k].args_low) /* a command that was cut off swallows these */
                 assert_true(goes_on(&w, at, (uint16_t[]){ CODED(0xe3), CODED(0xe3) }, 2));
             at = w.n;
-            assert_int_equal(panel_send(&panel, &r, px, 40), HAL_OK);
-            assert_int_equal(panel_wait(&panel), HAL_OK);
+            assert_int_equal(panel_send(&panel, &r, px, 40), HAL_ERR_NONE);
+            assert_int_equal(panel_wait(&panel), HAL_ERR_NONE);
             assert_int_equal(w.n - at, usual);
             free(w.log);
         }
@@ -902,18 +902,18 @@ static void settings_outlive_failures(void **state)
     const struct panel_config c = config_of(&sheets[2], 0);
     struct wire w = wire_new();
     struct panel panel;
-    assert_int_equal(bring_up(&panel, &w, &c), HAL_OK);
+    assert_int_equal(bring_up(&panel, &w, &c), HAL_ERR_NONE);
     w.fail_at = w.verbs + 1;
     assert_int_equal(panel_invert(&panel, 1), HAL_ERR_BUS);
     w.fail_at = w.verbs + 1;
     assert_int_equal(panel_brightness(&panel, 99), HAL_ERR_BUS); /* in the set-up: not taken over */
-    assert_int_equal(panel_brightness(&panel, 99), HAL_OK);
+    assert_int_equal(panel_brightness(&panel, 99), HAL_ERR_NONE);
     w.fail_at = w.verbs + 1;
     assert_int_equal(panel_rotate(&panel, 3), HAL_ERR_BUS);
     assert_int_equal(panel_width(&panel), 240);
     w.n = 0;
-    assert_int_equal(panel_send(&panel, &r, px, 0), HAL_OK);
-    assert_int_equal(panel_wait(&panel), HAL_OK);
+    assert_int_equal(panel_send(&panel, &r, px, 0), HAL_ERR_NONE);
+    assert_int_equal(panel_wait(&panel), HAL_ERR_NONE);
     assert_int_equal(COUNT(&w, CODED(0x21)), 1);
     assert_int_equal(COUNT(&w, CODED(0x51), ARGUED(99)), 1);
     assert_int_equal(COUNT(&w, CODED(0x36), ARGUED(0xa0)), 1);
@@ -926,16 +926,16 @@ static void settings_outlive_failures(void **state)
         assert_int_equal(panel_wake(&panel), HAL_ERR_BUS);
         assert_int_equal(panel_send(&panel, &r, px, 0), PANEL_ERR_STATE);
         w.n = 0;
-        assert_int_equal(panel_wake(&panel), HAL_OK);
+        assert_int_equal(panel_wake(&panel), HAL_ERR_NONE);
         assert_int_equal(COUNT(&w, CODED(0x36), ARGUED(0xa0)), 1); /* set up, woken, on */
         assert_true(goes_on(&w, w.n - 2, (uint16_t[]){ CODED(0x11), CODED(0x29) }, 2));
-        assert_int_equal(panel_send(&panel, &r, px, 0), HAL_OK);
-        assert_int_equal(panel_wait(&panel), HAL_OK);
-        assert_int_equal(panel_sleep(&panel), HAL_OK);
+        assert_int_equal(panel_send(&panel, &r, px, 0), HAL_ERR_NONE);
+        assert_int_equal(panel_wait(&panel), HAL_ERR_NONE);
+        assert_int_equal(panel_sleep(&panel), HAL_ERR_NONE);
         w.fail_at = w.verbs + k;
         assert_int_equal(panel_wake(&panel), HAL_ERR_BUS); /* in the waking itself */
         assert_int_equal(panel_send(&panel, &r, px, 0), PANEL_ERR_STATE);
-        assert_int_equal(panel_wake(&panel), HAL_OK);
+        assert_int_equal(panel_wake(&panel), HAL_ERR_NONE);
         assert_false(w.held);
     }
     free(w.log);

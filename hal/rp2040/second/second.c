@@ -106,7 +106,7 @@ static int launch(void)
             return HAL_ERR_TIMEOUT;
         i = SIO_FIFO_RD == word[i] ? i + 1u : 0u;
     }
-    return HAL_OK;
+    return HAL_ERR_NONE;
 }
 
 int second_start(void (*run)(void), void (*called)(void))
@@ -129,7 +129,7 @@ int second_start(void (*run)(void), void (*called)(void))
         return err;
     }
     NVIC_ISER = 1u << IRQ_SIO_0; /* the FIFO is as core 1 has left it: it runs, and may have called */
-    return HAL_OK;
+    return HAL_ERR_NONE;
 }
 
 void second_stop(void)

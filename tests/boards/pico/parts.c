@@ -77,10 +77,10 @@ static _Alignas(4) uint8_t bytes[4096];
 static void refusals(struct hal_bus *bus)
 {
     int good = bus->data(bus, NULL, 4) == HAL_ERR_ARG && bus->data(bus, bytes, 0) == HAL_ERR_ARG;
-    good &= bus->command(bus, 1, NULL, 1) == HAL_ERR_ARG && bus->wait(bus) == HAL_OK;
-    good &= bus->data(bus, bytes, 512) == HAL_OK && bus->data(bus, bytes, 2) == HAL_ERR_STATE;
+    good &= bus->command(bus, 1, NULL, 1) == HAL_ERR_ARG && bus->wait(bus) == HAL_ERR_NONE;
+    good &= bus->data(bus, bytes, 512) == HAL_ERR_NONE && bus->data(bus, bytes, 2) == HAL_ERR_STATE;
     good &= bus->command(bus, 1, NULL, 0) == HAL_ERR_STATE && bus->reset(bus) == HAL_ERR_STATE;
-    good &= bus->wait(bus) == HAL_OK && bus->wait(bus) == HAL_OK;
+    good &= bus->wait(bus) == HAL_ERR_NONE && bus->wait(bus) == HAL_ERR_NONE;
     verdict("pico_bus_refuses", good);
 }
 
@@ -107,17 +107,17 @@ static void hooks(struct hal_bus *bus)
         const uint32_t before = done_calls, n = next() | 0x80000000u, d = n >> 8 & 0xfffu;
         const uint64_t want = libgcc___aeabi_uidivmod(n, d);
         const uint64_t signed_want = libgcc___aeabi_idivmod((int32_t)n, (int32_t)d);
-        good &= bus->data(bus, bytes, 100u) == HAL_OK;
+        good &= bus->data(bus, bytes, 100u) == HAL_ERR_NONE;
         for (uint32_t k = next() & 63u; k; k--)
             __asm__ volatile("nop");
         while (done_calls == before) {
             good &= __aeabi_uidivmod(n, d) == want && __aeabi_idivmod((int32_t)n, (int32_t)d) == signed_want;
         }
-        good &= bus->wait(bus) == HAL_OK && done_calls == before + 1u && done_quotient == 142;
+        good &= bus->wait(bus) == HAL_ERR_NONE && done_calls == before + 1u && done_quotient == 142;
     }
     verdict("pico_done_hook_may_divide", good);
     const uint32_t before = idle_calls;
-    good = bus->data(bus, bytes, 512) == HAL_OK && bus->wait(bus) == HAL_OK && idle_calls > before;
+    good = bus->data(bus, bytes, 512) == HAL_ERR_NONE && bus->wait(bus) == HAL_ERR_NONE && idle_calls > before;
     verdict("pico_idle_hook_waits", good);
     bus->hooks.done = NULL;
     bus->hooks.idle = NULL;
@@ -129,12 +129,12 @@ static void wire(struct hal_bus *bus)
 {
     static const uint8_t args[3] = { 0x81, 0x00, 0xfe };
     static const _Alignas(2) uint8_t px[8] = { 0x11, 0x22, 0x33, 0x44, 0x55, 0x66, 0x77, 0x88 };
-    int good = bus->reset(bus) == HAL_OK;
-    good &= bus->command(bus, 0x2c, NULL, 0) == HAL_OK && bus->command(bus, 0x36, args, 3) == HAL_OK;
-    good &= bus->data(bus, px, 6) == HAL_OK && bus->wait(bus) == HAL_OK;
-    good &= bus->data(bus, px, 5) == HAL_OK && bus->wait(bus) == HAL_OK;
-    good &= bus->data(bus, px + 1, 4) == HAL_OK && bus->wait(bus) == HAL_OK;
-    good &= bus->data(bus, px, 1) == HAL_OK && bus->wait(bus) == HAL_OK;
+    int good = bus->reset(bus) == HAL_ERR_NONE;
+    good &= bus->command(bus, 0x2c, NULL, 0) == HAL_ERR_NONE && bus->command(bus, 0x36, args, 3) == HAL_ERR_NONE;
+    good &= bus->data(bus, px, 6) == HAL_ERR_NONE && bus->wait(bus) == HAL_ERR_NONE;
+    good &= bus->data(bus, px, 5) == HAL_ERR_NONE && bus->wait(bus) == HAL_ERR_NONE;
+    good &= bus->data(bus, px + 1, 4) == HAL_ERR_NONE && bus->wait(bus) == HAL_ERR_NONE;
+    good &= bus->data(bus, px, 1) == HAL_ERR_NONE && bus->wait(bus) == HAL_ERR_NONE;
     verdict("pico_bus_sends", good);
 }
 

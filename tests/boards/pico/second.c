@@ -87,7 +87,7 @@ int main(void)
 {
     if (hal_init())
         hal_exit(1);
-    int good = second_start(run, called) == HAL_OK;
+    int good = second_start(run, called) == HAL_ERR_NONE;
     verdict("second_starts", good);
 
     begin(1);
@@ -125,7 +125,7 @@ int main(void)
     good = 1;
     for (uint32_t i = 0; i < 20; i++) {
         sum = done = job = 0;
-        good &= second_start(run, called) == HAL_OK;
+        good &= second_start(run, called) == HAL_ERR_NONE;
         begin(2);
         for (volatile uint32_t wait = 10u + i; wait; wait = wait - 1u) {
         }
@@ -134,7 +134,7 @@ int main(void)
         second_unlock();
     }
     sum = done = job = 0;
-    good &= second_start(run, called) == HAL_OK;
+    good &= second_start(run, called) == HAL_ERR_NONE;
     begin(2);
     end(2);
     verdict("second_starts_again", good && sum == ROUNDS && second_stack_used() > 0 && second_stack_used() < 512);

@@ -51,12 +51,12 @@ static int round_of(struct hal_bus *bus, enum sweep kind, uint32_t place)
 {
     const uint32_t before = done_calls, n = kind == SWEEP_TIMEOUT || kind == SWEEP_SPURIOUS ? 64 : 2;
     sweep_next(kind, place);
-    int good = bus->data(bus, px, n) == HAL_OK;
-    good &= bus->wait(bus) == (kind == SWEEP_TIMEOUT ? HAL_ERR_TIMEOUT : HAL_OK);
+    int good = bus->data(bus, px, n) == HAL_ERR_NONE;
+    good &= bus->wait(bus) == (kind == SWEEP_TIMEOUT ? HAL_ERR_TIMEOUT : HAL_ERR_NONE);
     good &= done_calls == before + 1u;
     sweep_next(SWEEP_NONE, 0);
-    good &= bus->command(bus, 0x2c, px, 1) == HAL_OK;
-    good &= bus->data(bus, px, 6) == HAL_OK && bus->wait(bus) == HAL_OK && done_calls == before + 2u;
+    good &= bus->command(bus, 0x2c, px, 1) == HAL_ERR_NONE;
+    good &= bus->data(bus, px, 6) == HAL_ERR_NONE && bus->wait(bus) == HAL_ERR_NONE && done_calls == before + 2u;
     return good;
 }
 
@@ -84,7 +84,7 @@ static int across_the_wrap(struct hal_bus *bus)
     sweep_next(SWEEP_WRAP, 64000); /* 512 us ahead, the deadline is at 1030 */
     sweep_next(SWEEP_TIMEOUT, 1000000); /* words stop, and the timer's own interrupt is waited for */
     const uint64_t begun = hal_ticks();
-    good &= bus->data(bus, px, 64) == HAL_OK && bus->wait(bus) == HAL_ERR_TIMEOUT;
+    good &= bus->data(bus, px, 64) == HAL_ERR_NONE && bus->wait(bus) == HAL_ERR_TIMEOUT;
     good &= hal_ticks() - begun >= 1000u && hal_ticks() - begun < 1100u;
     sweep_next(SWEEP_NONE, 0);
     return good;

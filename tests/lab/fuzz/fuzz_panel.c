@@ -69,7 +69,7 @@ static int rec_command(struct hal_bus *bus, uint8_t code, const uint8_t *args, u
     for (uint32_t i = 0; i < n; i++)
         word(bus, DATA | args[i]);
     word(bus, DESELECT);
-    return HAL_OK;
+    return HAL_ERR_NONE;
 }
 
 static int rec_data(struct hal_bus *bus, const uint8_t *bytes, uint32_t n)
@@ -77,19 +77,19 @@ static int rec_data(struct hal_bus *bus, const uint8_t *bytes, uint32_t n)
     for (uint32_t i = 0; i < n; i++)
         word(bus, DATA | bytes[i]);
     word(bus, DESELECT);
-    return HAL_OK;
+    return HAL_ERR_NONE;
 }
 
 static int rec_wait(struct hal_bus *bus)
 {
     (void)bus;
-    return HAL_OK;
+    return HAL_ERR_NONE;
 }
 
 static int rec_reset(struct hal_bus *bus)
 {
     word(bus, RESET);
-    return HAL_OK;
+    return HAL_ERR_NONE;
 }
 
 static void rec_delay(struct hal_bus *bus, uint32_t us)
@@ -119,11 +119,11 @@ size_t target_seed(uint32_t k, uint8_t *to, size_t room)
     struct panel panel;
     to[0] = (uint8_t)k;
     to[1] = (uint8_t)(k & 1 ? COMMAND : 0);
-    if (!config.type || panel_init(&panel, &config, &r.bus, scratch, sizeof scratch) != HAL_OK)
+    if (!config.type || panel_init(&panel, &config, &r.bus, scratch, sizeof scratch) != HAL_ERR_NONE)
         return 0;
     const struct panel_rect rect = { 0, 8, 16, 4 };
     for (int n = 0; n < 2; n++)
-        if (panel_send(&panel, &rect, px, 0) == HAL_OK)
+        if (panel_send(&panel, &rect, px, 0) == HAL_ERR_NONE)
             (void)panel_wait(&panel);
     return r.n;
 }
