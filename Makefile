@@ -29,7 +29,7 @@ SCENE = teapot
 all: sim
 .DEFAULT_GOAL := all
 .DELETE_ON_ERROR:
-include .ci/packages.mk sim/sim.mk tests/tests.mk tests/boards/boards.mk tests/lab/lab.mk
+include .ci/packages.mk firmware/package/package.mk sim/sim.mk tests/tests.mk tests/boards/boards.mk tests/lab/lab.mk
 
 ## demo: set up, draw the demo scenes as a board would into build/demo/, print what they took
 demo: sim

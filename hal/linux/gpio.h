@@ -49,8 +49,8 @@ struct gpio_place {
     struct gpio_info info;
 };
 
-/* Find a line by what struct linux_wiring says. what: "D/C", for the sentence. HAL_ERR_NONE; HAL_ERR_ARG: there is no such
- * line; HAL_ERR_BUS: it could not be looked for. */
+/* Find a line by what struct linux_wiring says. what: "D/C", for the sentence. HAL_ERR_NONE; HAL_ERR_ARG: there is no
+ * such line; HAL_ERR_BUS: it could not be looked for. */
 int gpio_find(struct gpio_place *place, const char *what, const char *text);
 
 /* The sentence for one that somebody holds. HAL_ERR_BUS. */

@@ -110,8 +110,8 @@ struct panel_grain panel_grain(const struct panel_config *config);
  * config   copied. scratch: at least panel_scratch_bytes of the largest rectangle to come, 4-byte aligned, kept;
  *          NULL with 0 where that is 0 (clearing needs none; larger ones let it send more at a time).
  * Blocks   as long as the controller wants (up to 0.3 s) and the clearing takes. The bus is held all that time.
- * Return   HAL_ERR_NONE; _ARG (NULL), PANEL_ERR_SIZE, _ROTATE, _SCRATCH, HAL_ERR_BUSY before anything was sent; the bus's
- *          errors. After any of them the panel cannot be used until panel_init returns HAL_ERR_NONE. */
+ * Return   HAL_ERR_NONE; _ARG (NULL), PANEL_ERR_SIZE, _ROTATE, _SCRATCH, HAL_ERR_BUSY before anything was sent; the
+ *          bus's errors. After any of them the panel cannot be used until panel_init returns HAL_ERR_NONE. */
 int panel_init(struct panel *panel, const struct panel_config *config, struct hal_bus *bus, void *scratch,
                uint32_t n_scratch);
 

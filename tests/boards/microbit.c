@@ -58,7 +58,8 @@ static void bus_rules(void)
             bus->data(bus, NULL, 4) == HAL_ERR_ARG && bus->data(bus, bytes, 0) == HAL_ERR_ARG &&
             bus->command(bus, 0x2c, NULL, 1) == HAL_ERR_ARG && done_calls == 0);
     verdict("bus_resets", bus->reset(bus) == HAL_ERR_NONE);
-    verdict("bus_sends", bus->command(bus, 0x2c, NULL, 0) == HAL_ERR_NONE && bus->command(bus, 0x36, bytes, 2) == HAL_ERR_NONE &&
+    verdict("bus_sends", bus->command(bus, 0x2c, NULL, 0) == HAL_ERR_NONE &&
+                             bus->command(bus, 0x36, bytes, 2) == HAL_ERR_NONE &&
             bus->data(bus, bytes, 6) == HAL_ERR_NONE && done_calls == 1);
     verdict("bus_holds_to_wait", bus->data(bus, bytes, 2) == HAL_ERR_STATE && bus->reset(bus) == HAL_ERR_STATE &&
             bus->command(bus, 0x29, NULL, 0) == HAL_ERR_STATE && done_calls == 1);
