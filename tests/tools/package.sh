@@ -29,13 +29,13 @@ if command -v ccache >/dev/null; then
     export CMAKE_C_COMPILER_LAUNCHER=ccache # the library is built seven times
 fi
 
-# ---- The picture ---------------------------------------------------------------------------------------------------
+# ---- The picture -------------------------------------------------------------------------------------------------
 cp "$zs/examples/TFT_eSPI_cube/spinning_cube.c" "$zs/examples/TFT_eSPI_cube/spinning_cube.h" .
 $CC -I. -I"$zs/src" -I"$here/stubs" "$here/run_none.c" spinning_cube.c "$here/stubs/stub.c" "$zs"/src/*/*.c -o none \
     2>none.log && ./none want.bin || bad package_sources "$(tail -3 none.log)"
 [ "$(od -An -v -tx2 -w2 want.bin | sort -u | wc -l)" -ge 3 ] || bad package_picture 'no cube can be seen'
 
-# ---- CMake -----------------------------------------------------------------------------------------------------------
+# ---- CMake -------------------------------------------------------------------------------------------------------
 consumer() { # FOLDER, the lines that find zstrip
     mkdir -p "$1"
     { echo 'cmake_minimum_required(VERSION 3.14)'; echo 'project(consumer C)'; cat; cat <<'END'
@@ -79,12 +79,13 @@ END
 cmake -S newer -B newer/build -DCMAKE_PREFIX_PATH="$work/moved" >newer.log 2>&1 &&
     bad package_cmake_refuses_another_version 'it was taken' || ok package_cmake_refuses_another_version
 
-# ---- pkg-config, Debian --------------------------------------------------------------------------------------------------
+# ---- pkg-config, Debian ------------------------------------------------------------------------------------------
 by_pkg_config() { # NAME FOLDER-OF-PC-FILES OPTION...
     of=$1 at=$2
     shift 2
     PKG_CONFIG_PATH=$at pkg-config "$@" --cflags --libs zstrip >flags.txt 2>&1 &&
-        $CC -I. -Istubs run_none.c spinning_cube.c stub.c $(cat flags.txt) -o by_pkg >pkg.log 2>&1 && ./by_pkg got.bin &&
+        $CC -I. -Istubs run_none.c spinning_cube.c stub.c $(cat flags.txt) -o by_pkg >pkg.log 2>&1 &&
+        ./by_pkg got.bin &&
         cmp want.bin got.bin >pkg.log 2>&1 && : >pkg.log || cat flags.txt >>pkg.log
     verdict "$of" pkg.log
 }
@@ -92,7 +93,8 @@ by_pkg_config package_pkg_config "$(find "$work/moved" -name pkgconfig)" --defin
 # what a program was compiled for is the library's: 8 here
 $CC -I. -Istubs -Imoved/include/zstrip run_none.c spinning_cube.c stub.c -Lmoved/lib* \
     "$(find moved -name libzstrip.a)" -o other 2>other.log && ./other got.bin &&
-    bad package_refuses_other_varyings 'a library for 8 values took a program for 3' || ok package_refuses_other_varyings
+    bad package_refuses_other_varyings 'a library for 8 values took a program for 3' ||
+    ok package_refuses_other_varyings
 deb=$(echo libzstrip-dev_*.deb)
 dpkg-deb -x "$deb" debian
 export PKG_CONFIG_SYSROOT_DIR="$work/debian" # the package is unpacked, not installed
@@ -115,22 +117,23 @@ verdict package_linux linux.log
 lintian --suppress-tags bogus-mail-host,bogus-mail-host-in-debian-changelog "$deb" 2>&1 | grep -E '^[EW]:' >lintian.log
 verdict package_lintian lintian.log
 
-# ---- Over stubs ------------------------------------------------------------------------------------------------------------
+# ---- Over stubs --------------------------------------------------------------------------------------------------
 gcc -std=c11 -O1 -c "$zs"/src/*/*.c -I"$zs/src" 2>objects.log && mkdir objects && mv ./*.o objects/
 ar rcs libzs.a objects/*.o
 for sketch in "$zs"/examples/*/*.ino; do
     of=$(basename "$sketch" .ino)
     cp "$sketch" sketch.cpp
-    { g++ -std=gnu++11 -Wall -Wextra -Werror -Istubs -I"$zs/src" -I"$(dirname "$sketch")" -include Arduino.h sketch.cpp \
-        "$here/run_arduino.cpp" -c && gcc -std=c11 -Istubs -I"$zs/src" -c stub.c "$(dirname "$sketch")/spinning_cube.c" &&
+    { g++ -std=gnu++11 -Wall -Wextra -Werror -Istubs -I"$zs/src" -I"${sketch%/*}" -include Arduino.h sketch.cpp \
+        "$here/run_arduino.cpp" -c && gcc -std=c11 -Istubs -I"$zs/src" -c stub.c "${sketch%/*}/spinning_cube.c" &&
         g++ sketch.o run_arduino.o stub.o spinning_cube.o libzs.a -o sketch && ./sketch got.bin &&
         cmp want.bin got.bin; } >sketch.log 2>&1 && : >sketch.log
     verdict "package_arduino_$of" sketch.log
     [ "$(wc -l <"$sketch")" -le 60 ] || bad "package_arduino_$of" 'longer than 60 lines'
 done
 for sink in stm32cube pico_sdk esp_idf zephyr lvgl; do
-    { $CC -Istubs -I. -I"$zs/src" -I"$zs/hal" -I"$zs/hal/panel" "$here/run_$sink.c" "$zs/sinks/$sink.c" spinning_cube.c \
-        stub.c "$zs"/hal/panel/*.c libzs.a -o sink && ./sink got.bin && cmp want.bin got.bin; } >sink.log 2>&1 && : >sink.log
+    { $CC -Istubs -I. -I"$zs/src" -I"$zs/hal" -I"$zs/hal/panel" "$here/run_$sink.c" "$zs/sinks/$sink.c" \
+        spinning_cube.c stub.c "$zs"/hal/panel/*.c libzs.a -o sink && ./sink got.bin &&
+        cmp want.bin got.bin; } >sink.log 2>&1 && : >sink.log
     verdict "package_sink_$sink" sink.log
 done
 
@@ -163,7 +166,7 @@ target_link_libraries(consumer zstrip::zstrip zstrip::panel)
 END
 built package_pico_sdk_interface pico
 
-# ---- The rules of formats ----------------------------------------------------------------------------------------------------
+# ---- The rules of formats ----------------------------------------------------------------------------------------
 : >rules.log
 for field in name version author maintainer sentence paragraph category architectures includes; do
     grep -qE "^$field=.+" "$zs/library.properties" || echo "library.properties: no $field" >>rules.log
@@ -177,13 +180,16 @@ find "$zs/src" -name '*.ino' -o -name 'main.c' >>rules.log
 verdict package_arduino_rules rules.log
 node -e '
 const j = JSON.parse(require("fs").readFileSync(process.argv[1]));
-const want = { name: "string", version: "string", description: "string", keywords: "object", license: "string", build: "object" };
+const text = ["name", "version", "description", "license"], want = { keywords: "object", build: "object" };
+for (const k of text) want[k] = "string";
 for (const k in want) if (typeof j[k] !== want[k]) console.log("library.json: " + k);
-if (!/^[0-9]+\.[0-9]+\.[0-9]+$/.test(j.version) || j.version !== process.argv[2]) console.log("library.json: version " + j.version);
-for (const h of j.headers) if (!require("fs").existsSync(process.argv[3] + "/" + j.build.includeDir + "/" + h)) console.log("no " + h);
+if (!/^[0-9]+\.[0-9]+\.[0-9]+$/.test(j.version) || j.version !== process.argv[2]) console.log("version " + j.version);
+const at = process.argv[3] + "/" + j.build.includeDir + "/";
+for (const h of j.headers) if (!require("fs").existsSync(at + h)) console.log("no " + h);
 ' "$zs/library.json" "$version" "$zs" >rules.log 2>&1
 verdict package_platformio_rules rules.log
 grep -qx "version: \"$version\"" "$zs/idf_component.yml" && ok package_esp_idf_rules ||
     bad package_esp_idf_rules "another version"
-grep -q "^## $version" "$zs/CHANGELOG.md" && ok package_changelog_has_the_version || bad package_changelog_has_the_version "no $version"
+grep -q "^## $version" "$zs/CHANGELOG.md" && ok package_changelog_has_the_version ||
+    bad package_changelog_has_the_version "no $version"
 exit $failed

@@ -1,5 +1,5 @@
-/* Strips through Zephyr's display_write, to the devicetree's chosen display. Its driver's RGB565 is what SPI panels take
- * (most significant byte first); where a driver wants the other order, swap in send.
+/* Strips through Zephyr's display_write, to the devicetree's chosen display. Its driver's RGB565 is what SPI panels
+ * take (most significant byte first); where a driver wants the other order, swap in send.
  *
  * SPDX-License-Identifier: MIT
  */

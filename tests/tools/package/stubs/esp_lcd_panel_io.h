@@ -7,7 +7,8 @@
 typedef int esp_err_t;
 typedef struct esp_lcd_panel_io_t *esp_lcd_panel_io_handle_t;
 typedef struct { int unused; } esp_lcd_panel_io_event_data_t;
-typedef bool (*esp_lcd_panel_io_color_trans_done_cb_t)(esp_lcd_panel_io_handle_t io, esp_lcd_panel_io_event_data_t *data,
+typedef bool (*esp_lcd_panel_io_color_trans_done_cb_t)(esp_lcd_panel_io_handle_t io,
+                                                       esp_lcd_panel_io_event_data_t *data,
                                                        void *ctx);
 typedef struct {
     esp_lcd_panel_io_color_trans_done_cb_t on_color_trans_done;
