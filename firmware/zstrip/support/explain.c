@@ -203,9 +203,7 @@ static void say_dark(struct zs_explainer *e, const struct zs_seen *all)
     const struct zs_light *const light = &e->scene->light, usual = { .ambient = 0 };
     const int given = light_given(light);
     struct zs_seen seen;
-    if (given && (meant_dark(light) || say_light(e, all->sum)))
-        return;
-    if (all->brightest > 1 || all->colored == 0)
+    if (all->brightest > 1 || all->colored == 0 || (given && meant_dark(light)))
         return;
     zs_explain_draw(e, 0, &usual, &seen);
     if (given && seen.brightest > 1)
@@ -353,12 +351,14 @@ static void say_all(struct zs_explainer *e, const struct zs_stats *last)
         ZS_SAY(e, "the scene has no instance: n_instances is 0.");
     say_narrow(e);
     zs_explain_draw(e, 0, 0, &all);
+    const int lit = !light_given(&scene->light) || !say_light(e, all.sum);
     const int seen = (scene->sky ? all.colored : all.visible) != 0;
     for (uint32_t i = 0; !seen && i < scene->n_instances && e->said < ZS_EXPLAIN_MOST / 2u; i++)
         (void)zs_explain_unseen(e, i, &one);
     if (seen && all.uniform)
         say_filled(e);
-    say_dark(e, &all);
+    if (lit)
+        say_dark(e, &all);
     for (uint32_t i = 0; i < scene->n_instances; i++)
         zs_explain_instance_data(e, i, seen);
     zs_explain_draw(e, 0, 0, &all); /* the view is that of all instances again */

@@ -12,6 +12,7 @@
 
 #define TYPED 4096u  /* a scale below this may have been typed as a whole number */
 #define SMALL_PX 4u  /* an instance of fewer pixels across shows nothing of its mesh */
+#define FEW_PX 16u   /* the same of most of its triangles */
 #define EARLIER 16u  /* instances before one in which its mesh or texture is looked for */
 #define REPEATS 1024 /* of a texture over a mesh, above which it is noise */
 
@@ -85,18 +86,20 @@ static void say_rejected(struct zs_explainer *e, uint32_t i, const struct zs_bou
     else if (s->tris_index >= n - n / 2u)
         ZS_SAY(e, "instance %: % of % triangles name a vertex that is not there; n_verts is %.", i,
                s->tris_index, n, e->scene->instance[i].mesh->n_verts);
-    else if (small >= n - n / 2u || small + s->tris_facing == n) {
-        if (small)
-            ZS_SAY(e,
-                   "instance %: % of % triangles are smaller than a pixel: it is $ px across; "
-                   "raise its scale, or move it nearer.",
-                   i, small, n, (int64_t)zs_explain_size(e, b));
-        else
-            ZS_SAY(e,
-                   "instance %: % of % triangles face away: the winding is wrong, or "
-                   "material.cull (ZS_CULL_FRONT, ZS_CULL_NONE).",
-                   i, s->tris_facing, n);
-    } else if (s->tris_near > s->tris_far && s->tris_near > beside)
+    else if (s->tris_facing == n)
+        ZS_SAY(e,
+               "instance %: % of % triangles face away: the winding is wrong, or material.cull, or "
+               "they are seen from behind (ZS_CULL_NONE).",
+               i, n, n);
+    else if (small >= n - n / 2u || small + s->tris_facing == n)
+        ZS_SAY(e,
+               zs_explain_size(e, b) < FEW_PX << 16
+                   ? "instance %: % of % triangles are smaller than a pixel: it is $ px across; "
+                     "raise its scale, or move it nearer."
+                   : "instance %: % of % triangles are too thin for a pixel, or have no area: it "
+                     "is $ px across.",
+               i, small, n, (int64_t)zs_explain_size(e, b));
+    else if (s->tris_near > s->tris_far && s->tris_near > beside)
         ZS_SAY(e, "instance %: % of % triangles lie before near = $: move it away, or lower near.",
                i, s->tris_near, n, c->z_near);
     else if (s->tris_far > beside)
