@@ -1,6 +1,6 @@
 #!/bin/sh
-# zsim render --explain, from outside: the sentence that says why a picture is empty, dark or slow; nothing of one that is
-# right, and nothing in a pipe that was not asked for.
+# zsim render --explain, from outside: the sentence that says why a picture is empty, dark or slow; nothing of one
+# that is right, and nothing in a pipe that was not asked for.
 # Usage: tests/tools/cli_explain.sh ZSIM WORKDIR     as tests/tools/cli.sh
 set -u
 . tests/tools/zsim.sh

@@ -952,8 +952,8 @@ static void scenes_are_right(void **state)
 }
 
 /* The examples, each as it calls zs_render (tests.mk wraps the calls). */
-static struct words example_words;
-static uint32_t example_said, example_frames;
+static struct words words_of_examples;
+static uint32_t said_of_examples, frames_of_examples;
 
 int __real_zs_render(struct zs_renderer *r, const struct zs_scene *scene, const struct zs_camera *camera,
                      const struct zs_sink *sink);
@@ -964,8 +964,8 @@ int __wrap_zs_render(struct zs_renderer *r, const struct zs_scene *scene, const 
 {
     const int err = __real_zs_render(r, scene, camera, sink);
     if (sink->submit != submit) {
-        example_said += zs_explain(r, scene, camera, hear, &example_words);
-        example_frames++;
+        said_of_examples += zs_explain(r, scene, camera, hear, &words_of_examples);
+        frames_of_examples++;
     }
     return err;
 }
@@ -1002,13 +1002,13 @@ static void examples_are_right(void **state)
     const uint32_t n = sizeof example / sizeof example[0];
     for (uint32_t k = 0; k < n; k++)
         for (uint32_t t = 0; t < 3; t++) {
-            memset(&example_words, 0, sizeof example_words);
-            example_said = 0;
+            memset(&words_of_examples, 0, sizeof words_of_examples);
+            said_of_examples = 0;
             assert_int_equal(example[k].draw(t, &sink), ZS_OK);
-            if (example_said)
-                fail_msg("%s, frame %u: %s", example[k].name, t, example_words.text);
+            if (said_of_examples)
+                fail_msg("%s, frame %u: %s", example[k].name, t, words_of_examples.text);
         }
-    assert_true(example_frames > 40); /* the others draw in passes */
+    assert_true(frames_of_examples > 40); /* the others draw in passes */
 }
 
 /* ---- Random scenes in which nothing is wrong -------------------------------------------------- */
