@@ -8,9 +8,9 @@
  *
  * prints for example
  *
- *     instance 0 is out of view: it begins 66800 beyond far = 33200; move it, or raise far.
+ *     instance 0 is out of view: it begins 87047 beyond far = 20000; move it, or raise far.
  *     the light's diffuse is 1/65536: was ZS_Q16_ONE meant?
- *     the frame takes 156 passes; one needs max_tris 1540 (it is 20).
+ *     the frame takes 14 passes; one needs max_tris 128 (it is 20).
  *
  * Nothing is said of a picture in which nothing is wrong. Instances are told by their place in the
  * scene. zs_mesh_check and zs_texture_check (zs_check.h) are part of it.

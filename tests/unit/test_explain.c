@@ -18,6 +18,7 @@
 #include "zs_lights.h"
 #include "zs_method.h"
 #include "zs_overlay.h"
+#include "zs_pass.h"
 
 /* ---- What is said ---------------------------------------------------------------------------- */
 
@@ -916,7 +917,8 @@ static const struct mistake refused[] = {
     { "strip_h", NULL, no_rows, ZS_ERR_SIZE, "config.strip_h is 0: it takes 1 to 65535.\n" },
     { "max_verts", NULL, too_few_verts, ZS_ERR_SIZE, "config.max_verts is 2: it takes 3 to 65534.\n" },
     { "arena", NULL, short_arena, ZS_ERR_ARENA, "the arena has * bytes, and * are needed: ZS_ARENA_BYTES" },
-    { "painter", NULL, painter_with_depth, ZS_ERR_DEPTH, "zs_init refuses: depth bits outside 8 to 16" },
+    { "painter", NULL, painter_with_depth, ZS_ERR_DEPTH,
+      "config.method does not take this config.depth: zs_method.h says which" },
 };
 
 static void errors_name_the_thing(void **state)
@@ -953,7 +955,7 @@ static void scenes_are_right(void **state)
 
 /* The examples, each as it calls zs_render (tests.mk wraps the calls). */
 static struct words words_of_examples;
-static uint32_t said_of_examples, frames_of_examples;
+static uint32_t said_of_examples, frames_of_examples, passes_of_examples;
 
 int __real_zs_render(struct zs_renderer *r, const struct zs_scene *scene, const struct zs_camera *camera,
                      const struct zs_sink *sink);
@@ -967,6 +969,20 @@ int __wrap_zs_render(struct zs_renderer *r, const struct zs_scene *scene, const 
         said_of_examples += zs_explain(r, scene, camera, hear, &words_of_examples);
         frames_of_examples++;
     }
+    return err;
+}
+
+int __real_zs_render_passes(struct zs_renderer *r, const struct zs_pass *pass, struct zs_pass_memory *memory,
+                            uint32_t n, const struct zs_sink *sink);
+int __wrap_zs_render_passes(struct zs_renderer *r, const struct zs_pass *pass, struct zs_pass_memory *memory,
+                            uint32_t n, const struct zs_sink *sink);
+int __wrap_zs_render_passes(struct zs_renderer *r, const struct zs_pass *pass, struct zs_pass_memory *memory,
+                            uint32_t n, const struct zs_sink *sink)
+{
+    const int err = __real_zs_render_passes(r, pass, memory, n, sink);
+    for (uint32_t k = 0; k < n; k++)
+        said_of_examples += zs_explain(r, pass[k].scene, pass[k].camera, hear, &words_of_examples);
+    passes_of_examples += n;
     return err;
 }
 
@@ -1008,7 +1024,116 @@ static void examples_are_right(void **state)
             if (said_of_examples)
                 fail_msg("%s, frame %u: %s", example[k].name, t, words_of_examples.text);
         }
-    assert_true(frames_of_examples > 40); /* the others draw in passes */
+    assert_true(frames_of_examples > 40 && passes_of_examples > 10);
+}
+
+/* What is unusual, and right. */
+static void sky_fill(void *ctx, uint16_t *out, uint16_t x, uint16_t y, uint16_t n)
+{
+    (void)ctx;
+    (void)x;
+    for (uint16_t i = 0; i < n; i++)
+        out[i] = zs_wire565((uint8_t)y, 100, 200);
+}
+
+static void night(struct world *w)
+{
+    w->scene.light.ambient = 1; /* as zs_light says */
+}
+
+static void sky_alone(struct world *w)
+{
+    static const struct zs_background sky = { .fill = sky_fill };
+    w->scene.sky = &sky;
+    w->scene.n_instances = 0;
+}
+
+static void tall_strips(struct world *w)
+{
+    w->config.strip_h = 65535;
+}
+
+static void a_far_one_more(struct world *w)
+{
+    world_two(w);
+    w->instance[1].pose.pos[2] = -500000;
+}
+
+static void an_empty_one_more(struct world *w)
+{
+    world_two(w);
+    w->instance[1].mesh = &w->sheet;
+    w->sheet.n_tris = 0;
+}
+
+static void black_beside_red(struct world *w)
+{
+    world_two(w);
+    memset(&w->green.rgb, 0, sizeof w->green.rgb);
+}
+
+static void inside_a_room(struct world *w)
+{
+    world_two(w);
+    w->instance[1].pose.scale = 9 * ZS_Q16_ONE;
+    w->instance[1].pose.pos[0] = w->instance[1].pose.pos[2] = 0;
+    w->instance[1].mesh = &w->sheet; /* stands for the mesh of the room */
+    w->sheet = w->cube;
+    w->sheet.tri = (const uint16_t(*)[3])face_inwards;
+}
+
+static void hull(struct world *w)
+{
+    world_two(w);
+    w->green.cull = ZS_CULL_FRONT; /* an outline: its far side, a bit larger */
+    w->instance[1].pose = w->instance[0].pose;
+    w->instance[1].pose.scale = ZS_Q16_ONE * 17 / 16;
+}
+
+static void small_steps(struct world *w)
+{
+    static int16_t fine[8][3];
+    for (int v = 0; v < 8; v++)
+        for (int k = 0; k < 3; k++)
+            fine[v][k] = (int16_t)(corner[v][k] * 18000);
+    w->cube.pos = (const int16_t(*)[3])fine;
+    w->cube.radius = 31178;
+    w->cube.scale = 3641; /* of 65536: 1,000 units */
+}
+
+static void few_bits(struct world *w)
+{
+    w->config.depth_bits = 10;
+    w->config.subpixel_bits = 4;
+}
+
+static void far_ones_first(struct world *w)
+{
+    two_without_depth(w);
+}
+
+static void methods(struct world *w)
+{
+    two_without_depth(w);
+    near_first(w);
+    w->config.method = &zs_method_painter;
+    w->config.max_tris = 400;
+}
+
+static void unusual_is_right(void **state)
+{
+    static void (*const change[])(
+        struct world *) = { night,         sky_alone, tall_strips, a_far_one_more, an_empty_one_more, black_beside_red,
+                            inside_a_room, hull,      small_steps, few_bits,       far_ones_first,    methods,
+                            with_overlay,  with_fog,  with_glass,  with_lamps,     textured,          smooth };
+    for (size_t k = 0; k < sizeof change / sizeof change[0]; k++) {
+        struct world w;
+        char name[32];
+        world_cube(&w);
+        change[k](&w);
+        (void)snprintf(name, sizeof name, "unusual %zu", k);
+        assert_right(&w, name);
+    }
 }
 
 /* ---- Random scenes in which nothing is wrong -------------------------------------------------- */
@@ -1236,6 +1361,7 @@ static const struct CMUnitTest tests[] = {
     cmocka_unit_test(errors_name_the_thing),
     cmocka_unit_test(scenes_are_right),
     cmocka_unit_test(examples_are_right),
+    cmocka_unit_test(unusual_is_right),
     CASES_TEST(random_scenes_are_right, right_case, 400),
     cmocka_unit_test(asking_changes_nothing),
     cmocka_unit_test(one_instance),

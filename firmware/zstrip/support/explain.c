@@ -157,7 +157,8 @@ static void say_black(struct zs_explainer *e)
         ZS_SAY(e, "instance % is black: its material's rgb is 0; give it a colour.", i);
         return;
     }
-    ZS_SAY(e, "all that is drawn is black: colours, texture or lamps are.");
+    ZS_SAY(e, "all that is drawn is black: colours, texture or lamps are (a strength of 1 is "
+              "ZS_Q16_ONE).");
 }
 
 /* Return 1 if a light is what zs_light says of darkness. */

@@ -55,7 +55,7 @@ static void say_keys(struct zs_explainer *e)
             continue;
         ZS_SAY(e,
                "instance % has % depth keys from front to back, so its surfaces flicker: raise "
-               "near = $, lower far = $, or take zs_depth_float.",
+               "near = $, lower far = $, or take zs_depth_float and depth_bits 16.",
                i, keys, e->r->camera.z_near, e->r->camera.z_far);
         return;
     }
@@ -88,7 +88,7 @@ void zs_explain_depth(struct zs_explainer *e)
     const struct zs_config *const c = &e->r->config;
     if (!e->r->depth && c->method == &zs_method_buffer)
         say_order(e);
-    else if (e->r->depth && c->depth_bits >= 12)
+    else if (e->r->depth)
         say_keys(e);
 }
 

@@ -233,6 +233,9 @@ uint32_t zs_explain_init_build(struct zs_renderer *r, const struct zs_config *co
     else if (err == ZS_ERR_ARENA)
         ZS_SAY(&e, "the arena has % bytes, and % are needed: ZS_ARENA_BYTES.", (int64_t)bytes,
                zs_arena_bytes(config));
+    if (err == ZS_ERR_DEPTH && config->method && !e.said)
+        ZS_SAY(&e,
+               "config.method does not take this config.depth: zs_method.h says which it takes.");
     if (!e.said) {
         ZS_PIECE(&e, "zs_init refuses: ");
         say_error(&e, err);
