@@ -47,6 +47,8 @@ $(B)/test/narrow/%.o: %.c $(TEST_NOTE)
 $(B)/test/test_xform_narrow: $(NARROW:%.c=$(B)/test/narrow/%.o) $(B)/test/libtest.a $(B)/libmeshes.a
 	@$(CC) $(SAN) -Wl,--start-group $^ -Wl,--end-group -lcmocka -lm -o $@
 $(B)/test/test_examples: $(call t,$(wildcard firmware/examples/*.c))
+$(B)/test/test_explain: $(call t,$(wildcard firmware/examples/*.c))
+$(B)/test/test_explain: private override SAN += -Wl,--wrap=zs_render -Wl,--wrap=zs_render_passes
 $(B)/test/test_raycast: $(call t,sim/reference/reference.c sim/reference/rays.c)
 $(B)/test/test_counts: $(call t,sim/frame/pixel_counts.c $(FRAME))
 $(B)/test/test_threads $(B)/test/test_golden: $(call t,$(FRAME))

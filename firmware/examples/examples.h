@@ -16,6 +16,8 @@ int example_cockpit_gauges(uint32_t t, const struct zs_sink *sink);
 int example_dither(uint32_t t, const struct zs_sink *sink);
 int example_fog(uint32_t t, const struct zs_sink *sink);
 int example_cutout(uint32_t t, const struct zs_sink *sink);
+int example_explain(uint32_t t, const struct zs_sink *sink);
+extern char example_said[256]; /* of example_explain: what zs_explain said */
 int example_filters(uint32_t t, const struct zs_sink *sink);
 int example_gradient_sky(uint32_t t, const struct zs_sink *sink);
 int example_frame_counter(uint32_t t, const struct zs_sink *sink);

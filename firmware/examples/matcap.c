@@ -17,7 +17,7 @@ static const struct zs_mesh ball = { .pos = pos,
                                      .normal = normal,
                                      .n_verts = (RINGS + 1) * SIDES,
                                      .n_tris = RINGS * SIDES * 2,
-                                     .radius = 501,
+                                     .radius = 502,
                                      .uv_bits = 15 };
 static const struct zs_texture texture = { .format = &zs_texel_565, .texel = image, .log2_w = 5, .log2_h = 5 };
 static const struct zs_material chrome = { .shader = &zs_shade_matcap, .texture = &texture };

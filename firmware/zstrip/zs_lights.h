@@ -108,7 +108,8 @@ struct zs_lit_material {
 
 /* Lit once for a face, at its centre; face_rgb or the material's colour. No varyings.
  * All of these refuse a frame (zs_frame_begin) with ZS_ERR_NULL: no lighting; ZS_ERR_RANGE or
- * ZS_ERR_VECTOR: as zs_lighting_check, or an unknown flag; ZS_ERR_MESH: no normals.
+ * ZS_ERR_VECTOR: as zs_lighting_check, an unknown flag, or a shine that zs_shine_set has not set;
+ * ZS_ERR_MESH: no normals.
  * Costs are instructions on a Cortex-M3 (M0 in brackets), of one directional lamp. A face or vertex
  * takes 550 (1,030) without highlights, 660 (1,270) with them, 590 (1,080) with ZS_LIT_REFLECT,
  * 1,140 (2,470) with ZS_LIT_NEAR_VIEWER; of these, 475 (910) for no lamp at all. A point or spot

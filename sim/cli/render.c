@@ -8,8 +8,10 @@
 #include <stdlib.h>
 #include <string.h>
 #include <sys/stat.h>
+#include <unistd.h>
 
 #include "effect_scene.h"
+#include "explanation.h"
 #include "frame.h"
 #include "image.h"
 #include "line_style.h"
@@ -138,9 +140,23 @@ static int draw_strips(struct job *job)
                                    (uint32_t)job->options.threads, &job->time)
         : sim_frame_render_to(&job->frame, job->drawn, &job->scene.camera, &job->config, "drawing",
                               wish->name != NULL ? &sink : NULL);
-    if (err != ZS_OK && job->panel.err == HAL_ERR_NONE)
+    if (err != ZS_OK && job->panel.err == HAL_ERR_NONE) {
+        if (job->options.explain)
+            (void)sim_explain(job->options.model, job->drawn, &job->scene.camera, &job->config, job->scene.unit);
         return refuse_frame(job, err);
+    }
     return wish->name != NULL ? sim_panel_check(&job->panel, wish, job->options.model) : SIM_OK;
+}
+
+/* Say what is wrong with the frame: if asked to; or if nothing is seen in it, to who looks on, as progress is said. */
+static void explain(const struct job *job)
+{
+    const struct sim_frame *f = &job->frame;
+    size_t i = 0;
+    for (const size_t n = (size_t)f->width * f->height; i < n && f->rgb565[i] == job->drawn->background;)
+        i++;
+    if (job->options.explain || (i == (size_t)f->width * f->height && isatty(STDERR_FILENO)))
+        (void)sim_explain(job->options.model, job->drawn, &job->scene.camera, &job->config, job->scene.unit);
 }
 
 static int draw_frame(struct job *job)
@@ -169,6 +185,7 @@ static int draw_frame(struct job *job)
     status = draw_strips(job);
     if (status != SIM_OK)
         return status;
+    explain(job);
     int err = ZS_OK;
     if (o->id_out != NULL || o->compare || job->frame.no_keys) {
         job->id = sim_alloc(pixels, sizeof *job->id);

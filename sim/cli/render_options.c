@@ -25,6 +25,8 @@ static const struct sim_option table[] = {
     { "--id-out", SIM_OPTION_FILE, AT(id_out), .value = "I.u32",
       .help = "little-endian uint32 a pixel: triangle in file order + 1; 0: none" },
     { "--stats", SIM_OPTION_FILE, AT(stats), .value = "S.json", .help = "what the frame took, an object of numbers" },
+    { "--explain", SIM_OPTION_FLAG, AT(explain),
+      .help = "what is wrong with the picture, in sentences on stderr; without it on a terminal, if nothing is seen" },
     { "--reference", SIM_OPTION_FLAG, AT(reference), .help = "all of it from the double-precision reference instead" },
     { "--compare", SIM_OPTION_FLAG, AT(compare), .help = "draw both, print how far the frame is from the reference" },
     { "--show", SIM_OPTION_CHOICE, AT(show), .words = SIM_SHOW_WORDS,

@@ -56,7 +56,7 @@ struct sim_options {
     int clamp;              /* with has_wrap: 1 clamp, 0 repeat, both ways */
     struct zs_rgb background, color;
     int has_eye, has_at, has_near, has_far, has_light, has_color, has_wrap; /* flags */
-    int reference, compare, help;                                 /* flags */
+    int reference, compare, explain, help;                        /* flags */
     struct sim_panel_wish panel; /* size is its picture's, where it has a name */
     long threads;                /* 0: not given */
     long spi_hz;                 /* of its wire */

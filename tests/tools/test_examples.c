@@ -452,7 +452,45 @@ static void three_filters(void **state)
     assert_rows(&p, 18, 6, rows, green_of);
 }
 
+/* A picture and no sentence; then a sentence, and nothing in the picture or a dark thing. */
+static void what_is_wrong_is_said(void **state)
+{
+    static const char *const said[5] = {
+        "",
+        "instance 0 is out of view: it begins * beyond far = 20000; move it, or raise far.\n",
+        "instance 0: pose.scale is 1/65536: was 1 * ZS_Q16_ONE meant?\n",
+        "the light's dir has length 0, and 1 is ZS_Q30_ONE: zs_unit makes it that long.\n",
+        "scene.instance is NULL, and n_instances is 1.\n",
+    };
+    static const char *const rows[] = {
+        "....................++++++++....................", "...................++++++++++...................",
+    };
+    static struct panel p;
+    const struct zs_sink sink = { .submit = take, .ctx = &p };
+    for (uint32_t t = 0; t < 5; t++) {
+        char got[256];
+        memset(&p, 0, sizeof p);
+        assert_int_equal(example_explain(t, &sink), t == 4 ? ZS_ERR_NULL : ZS_OK);
+        (void)snprintf(got, sizeof got, "%s", example_said);
+        char *at = t == 1 ? strstr(got, "begins ") : NULL;
+        if (at) { /* a number of some digits */
+            const size_t digits = strspn(at + 7, "0123456789");
+            assert_in_range(digits, 5, 5);
+            at[7] = '*';
+            memmove(at + 8, at + 7 + digits, strlen(at + 7 + digits) + 1);
+        }
+        assert_string_equal(got, said[t]);
+        uint32_t colors = 0;
+        for (int i = 0; i < EXAMPLE_W * EXAMPLE_H; i++)
+            colors |= memcmp(p.px[i / EXAMPLE_W][i % EXAMPLE_W], p.px[0][0], 2) != 0;
+        assert_int_equal(colors, t == 0 || t == 3);
+        if (t == 0)
+            assert_rows(&p, 13, 2, rows, level_of);
+    }
+}
+
 static const struct CMUnitTest tests[] = {
+    cmocka_unit_test(what_is_wrong_is_said),
     cmocka_unit_test(panes_of_glass),
     cmocka_unit_test(gauges_over_a_picture),
     cmocka_unit_test(posts_in_fog),

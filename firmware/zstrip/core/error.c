@@ -24,6 +24,6 @@ static const char *const messages[] = {
 
 const char *zs_error_string(int err)
 {
-    const unsigned n = err > 0 ? 0u : 0u - (unsigned)err;
+    const unsigned n = 0u - (unsigned)err; /* of a sink's own, > 0: a large number */
     return n < sizeof messages / sizeof messages[0] ? messages[n] : "unknown error";
 }

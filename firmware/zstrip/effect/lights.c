@@ -393,7 +393,7 @@ int zs_lit_check(const struct zs_instance *in, const struct zs_config *config)
 {
     const struct zs_lit_material *m = zs_lit_material_of(in);
     (void)config;
-    if (m->flags & ~7u)
+    if (m->flags & ~7u || (m->shine && !m->shine->scale))
         return ZS_ERR_RANGE;
     return zs_lighting_check(m->lighting);
 }

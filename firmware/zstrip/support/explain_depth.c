@@ -1,0 +1,196 @@
+/* What spoils a picture though all of it is drawn: depth that does not tell surfaces apart, things
+ * in the wrong order without depth memory, hooks that change nothing, or all.
+ *
+ * SPDX-License-Identifier: MIT
+ */
+#include "core/cold.h"
+#include "core/depth.h"
+#include "core/fx.h"
+#include "core/method.h"
+#include "core/view.h"
+#include "support/explain.h"
+#include "zs_damage.h"
+
+#define KEYS_FEW 16u  /* an instance of fewer keys from front to back shows its back in its front */
+#define ORDER_MAX 64u /* instances whose order is looked at */
+
+/* ---- Keys ------------------------------------------------------------------------------------ */
+
+/* The key at a distance, uq16_16. */
+static uint32_t key_at(const struct zs_view *view, int64_t z)
+{
+    const int32_t units = zs_max32(zs_min32(zs_view_length(view, z), view->z_far), view->z_near);
+    const int32_t lz = view->perspective ? zs_clz32((uint32_t)units) : 0;
+    const uint32_t rcp = view->perspective ? zs_recip((uint32_t)units << lz) : 0u;
+    const uint32_t d = view->depth->vertex(view, units, rcp, lz);
+    return view->depth->key ? view->depth->key(view, d) : d;
+}
+
+/* The box of an instance, without what lies outside of half of it each way: on the screen, two
+ * spheres overlap if these boxes do. */
+static int inner_box(const struct zs_explainer *e, uint32_t i, struct zs_bounds *b,
+                     struct zs_box *box)
+{
+    zs_explain_bounds(e, i, b);
+    if (zs_cull_sphere(b, &e->r->camera, &e->r->view) || !zs_cull_box(e->r, b, box))
+        return 0;
+    const int32_t w = (box->x1 - box->x0) / 4, h = (box->y1 - box->y0) / 4;
+    box->x0 += w;
+    box->x1 -= w;
+    box->y0 += h;
+    box->y1 -= h;
+    return 1;
+}
+
+static void say_keys(struct zs_explainer *e)
+{
+    const struct zs_view *const view = &e->r->view;
+    for (uint32_t i = 0; i < e->scene->n_instances; i++) {
+        struct zs_bounds b;
+        struct zs_box box;
+        if (!inner_box(e, i, &b, &box) || box.x1 - box.x0 < 8)
+            continue;
+        const uint32_t keys = (key_at(view, b.c[2] + b.r) - key_at(view, b.c[2] - b.r)) >> 16;
+        if (keys >= KEYS_FEW)
+            continue;
+        ZS_SAY(e,
+               "instance % has % depth keys from front to back, so its surfaces flicker: raise "
+               "near = $, lower far = $, or take zs_depth_float and depth_bits 16.",
+               i, keys, e->r->camera.z_near, e->r->camera.z_far);
+        return;
+    }
+}
+
+/* ---- Order ----------------------------------------------------------------------------------- */
+
+/* Without depth memory: one that lies wholly behind another, and is drawn after it. */
+static void say_order(struct zs_explainer *e)
+{
+    const uint32_t n = zs_minu32(e->scene->n_instances, ORDER_MAX);
+    for (uint32_t i = 0; i < n; i++)
+        for (uint32_t k = i + 1; k < n; k++) {
+            struct zs_bounds near_b, far_b;
+            struct zs_box near_box, far_box;
+            if (!inner_box(e, i, &near_b, &near_box) || !inner_box(e, k, &far_b, &far_box) ||
+                far_b.c[2] - far_b.r < near_b.c[2] + near_b.r || near_box.x1 <= far_box.x0 ||
+                far_box.x1 <= near_box.x0 || near_box.y1 <= far_box.y0 || far_box.y1 <= near_box.y0)
+                continue;
+            ZS_SAY(e,
+                   "instance % is behind instance % and drawn over it: without depth memory, "
+                   "list far ones first, or take ZS_RENDERER and zs_depth_float.",
+                   k, i);
+            return;
+        }
+}
+
+void zs_explain_depth(struct zs_explainer *e)
+{
+    const struct zs_config *const c = &e->r->config;
+    if (!e->r->depth && c->method == &zs_method_buffer)
+        say_order(e);
+    else if (e->r->depth)
+        say_keys(e);
+}
+
+/* ---- Hooks ----------------------------------------------------------------------------------- */
+
+/* What a hook does to the strips of a frame. */
+struct effect {
+    uint32_t hook;
+    uint16_t before, after; /* the first colours of what was drawn, in memory's order */
+    uint8_t some;           /* 1: these are known */
+    uint8_t varied;         /* 1: what was drawn had more than one colour */
+    uint8_t one;            /* 1: behind the hook it has not */
+    uint8_t changes;        /* 1: it changes a pixel, of this frame or of another one */
+};
+
+static uint32_t hash_of(const struct zs_target *t)
+{
+    const uint32_t n = (uint32_t)(t->y1 - t->y0) * t->pitch;
+    uint32_t sum = 0;
+    for (uint32_t i = 0; i < n; i++)
+        sum = (sum ^ t->color[i]) * 16777619u;
+    return sum;
+}
+
+/* Look at what was drawn, before or behind the hook. */
+static void compare(struct effect *f, const struct zs_target *t, int behind)
+{
+    const uint32_t n = (uint32_t)(t->y1 - t->y0) * t->pitch;
+    for (uint32_t i = 0; t->depth && i < n; i++) {
+        if (t->depth[i] == ZS_DEPTH_CLEAR)
+            continue;
+        if (!f->some) {
+            f->before = t->color[i];
+            f->some = 1;
+        } else if (!behind) {
+            f->varied |= t->color[i] != f->before;
+        }
+        if (behind && f->one == 2) {
+            f->after = t->color[i];
+            f->one = 1;
+        } else if (behind && t->color[i] != f->after) {
+            f->one = 0;
+        }
+    }
+}
+
+/* Call the hook for a strip that is all of one colour and key. */
+static void try_plain(const struct zs_resolve *hook, struct effect *f, struct zs_target *t,
+                      uint16_t *keys, uint16_t key, uint16_t color)
+{
+    const uint32_t n = (uint32_t)(t->y1 - t->y0) * t->pitch;
+    for (uint32_t i = 0; i < n; i++) {
+        t->color[i] = color;
+        if (keys)
+            keys[i] = key;
+    }
+    const uint32_t sum = hash_of(t);
+    hook->draw(hook->ctx, t);
+    f->changes |= hash_of(t) != sum;
+}
+
+static void strip_of(struct zs_explainer *e, const struct zs_strip *strip, struct effect *f)
+{
+    struct zs_renderer *const r = e->r;
+    const struct zs_resolve *const hook = &e->scene->resolve[f->hook];
+    struct zs_target t = { .color = r->color[1],
+                           .depth = strip->depth,
+                           .y0 = strip->y,
+                           .y1 = (uint16_t)(strip->y + strip->h),
+                           .x1 = strip->w,
+                           .pitch = strip->w };
+    const uint32_t sum = hash_of(&t);
+    compare(f, &t, 0);
+    hook->draw(hook->ctx, &t);
+    f->changes |= hash_of(&t) != sum;
+    compare(f, &t, 1);
+    for (int k = 0; k < 4 && !f->changes; k++) /* nothing, or all of it at the farthest key */
+        try_plain(hook, f, &t, r->depth, k & 1 ? ZS_DEPTH_CLEAR : ZS_DEPTH_CLEAR - 1u,
+                  k & 2 ? 0xffffu : 0);
+}
+
+void zs_explain_hooks(struct zs_explainer *e)
+{
+    struct zs_scene scene = *e->scene;
+    scene.n_resolves = 0;
+    scene.resolve = 0;
+    for (uint32_t k = 0; k < e->scene->n_resolves; k++) {
+        struct effect f = { .hook = k, .one = 2 };
+        struct zs_strip strip;
+        (void)zs_frame_begin(e->r, &scene, e->camera);
+        while (zs_frame_strip(e->r, &strip) == 1)
+            strip_of(e, &strip, &f);
+        (void)zs_frame_end(e->r);
+        if (!f.changes)
+            ZS_SAY(e,
+                   "resolve hook % changes no pixel: what it draws is beside the picture, "
+                   "hidden, or not set up.",
+                   k);
+        else if (f.varied && f.one == 1)
+            ZS_SAY(e,
+                   "resolve hook % gives all that is drawn one colour: fog that ends before it, "
+                   "or whose zs_fog_set returned an error?",
+                   k);
+    }
+}

@@ -1,0 +1,377 @@
+/* What becomes of an instance: where it is, what its triangles come to, and what is wrong with its
+ * numbers, its mesh and its texture.
+ *
+ * SPDX-License-Identifier: MIT
+ */
+#include "core/cold.h"
+#include "core/fx.h"
+#include "core/primitive.h"
+#include "core/usual.h"
+#include "support/explain.h"
+#include "zs_check.h"
+
+#define TYPED 4096u  /* a scale below this may have been typed as a whole number */
+#define SMALL_PX 4u  /* an instance of fewer pixels across shows nothing of its mesh */
+#define FEW_PX 16u   /* the same of most of its triangles */
+#define EARLIER 16u  /* instances before one in which its mesh or texture is looked for */
+#define REPEATS 1024 /* of a texture over a mesh, above which it is noise */
+
+/* ---- Places ---------------------------------------------------------------------------------- */
+
+uint64_t zs_explain_size(const struct zs_explainer *e, const struct zs_bounds *b)
+{
+    const struct zs_camera *const c = &e->r->camera;
+    const uint64_t across = 2u * (uint64_t)b->r; /* <= 2^47 */
+    int64_t z = b->c[2] > c->z_near ? b->c[2] : c->z_near;
+    if (c->projection == ZS_ORTHOGRAPHIC)
+        return zs_muldiv_u64(across, (uint64_t)e->r->config.height << 16, (uint64_t)c->height);
+    z = z > b->r / 1024 ? z : b->r / 1024 + 1;                 /* across / z <= 2^12 */
+    return zs_muldiv_u64(across, c->focal >> 16, (uint64_t)z); /* <= 2^12 * 2^39 */
+}
+
+/* Return 1 if the eye is in the sphere. */
+static int eye_inside(const struct zs_bounds *b)
+{
+    int64_t most = b->r; /* < 2^48 */
+    int shift = 0;
+    for (int k = 0; k < 3; k++)
+        most |= zs_size64(b->c[k]);
+    while (most >> shift >> 30)
+        shift++;
+    int64_t square = 0; /* < 3 * 2^60 */
+    for (int k = 0; k < 3; k++)
+        square += (b->c[k] >> shift) * (b->c[k] >> shift);
+    return square < (b->r >> shift) * (b->r >> shift);
+}
+
+/* An instance whose sphere is out of view. */
+static void say_out(struct zs_explainer *e, uint32_t i, const struct zs_bounds *b)
+{
+    const struct zs_camera *const c = &e->r->camera;
+    const int64_t begins = b->c[2] - b->r, ends = b->c[2] + b->r;
+    if (begins > c->z_far)
+        ZS_SAY(e, "instance % is out of view: it begins $ beyond far = $; move it, or raise far.",
+               i, begins - c->z_far, c->z_far);
+    else if (ends < 0 && c->z_near > ends)
+        ZS_SAY(e,
+               "instance % is behind the camera: it ends $ behind the eye; turn the camera "
+               "(zs_camera_look_at), or move it.",
+               i, -ends);
+    else if (ends < c->z_near)
+        ZS_SAY(e,
+               "instance % is out of view: it ends $ before near = $; move it away, or lower "
+               "near.",
+               i, c->z_near - ends, c->z_near);
+    else {
+        ZS_PIECE(e, "instance % is beside the picture: its centre is $ ahead of the eye, $", i,
+                 b->c[2], zs_size64(b->c[0]));
+        ZS_PIECE(e, b->c[0] < 0 ? " to the left, $" : " to the right, $", zs_size64(b->c[1]));
+        ZS_SAY(e, b->c[1] < 0 ? " up; zs_camera_look_at looks at it."
+                              : " down; zs_camera_look_at looks at it.");
+    }
+}
+
+/* An instance in view of which no triangle is drawn: the most frequent reason. */
+static void say_rejected(struct zs_explainer *e, uint32_t i, const struct zs_bounds *b,
+                         const struct zs_stats *s)
+{
+    const struct zs_camera *const c = &e->r->camera;
+    const uint32_t small = s->tris_empty + s->tris_zero;
+    const uint32_t n = s->tris_in, beside = s->tris_offscreen + s->tris_frustum;
+    if (eye_inside(b) && s->tris_facing >= n / 4u)
+        ZS_SAY(e,
+               "the camera is inside instance %, whose radius is $: move it out, lower its "
+               "scale, or draw its inner side (ZS_CULL_NONE).",
+               i, b->r);
+    else if (s->tris_index >= n - n / 2u)
+        ZS_SAY(e, "instance %: % of % triangles name a vertex that is not there; n_verts is %.", i,
+               s->tris_index, n, e->scene->instance[i].mesh->n_verts);
+    else if (s->tris_facing == n)
+        ZS_SAY(e,
+               "instance %: % of % triangles face away: the winding is wrong, or material.cull, or "
+               "they are seen from behind (ZS_CULL_NONE).",
+               i, n, n);
+    else if (small >= n - n / 2u || small + s->tris_facing == n)
+        ZS_SAY(e,
+               zs_explain_size(e, b) < FEW_PX << 16
+                   ? "instance %: % of % triangles are smaller than a pixel: it is $ px across; "
+                     "raise its scale, or move it nearer."
+                   : "instance %: % of % triangles are too thin for a pixel, or have no area: it "
+                     "is $ px across.",
+               i, small, n, (int64_t)zs_explain_size(e, b));
+    else if (s->tris_near > s->tris_far && s->tris_near > beside)
+        ZS_SAY(e, "instance %: % of % triangles lie before near = $: move it away, or lower near.",
+               i, s->tris_near, n, c->z_near);
+    else if (s->tris_far > beside)
+        ZS_SAY(e, "instance %: % of % triangles lie beyond far = $: move it, or raise far.", i,
+               s->tris_far, n, c->z_far);
+    else if (beside >= s->tris_facing)
+        ZS_SAY(e,
+               "instance %: % of % triangles lie beside the picture, % face away: "
+               "zs_camera_look_at looks at it.",
+               i, beside, n, s->tris_facing);
+    else
+        ZS_SAY(e, "instance %: % of % triangles face away, % lie beside the picture.", i,
+               s->tris_facing, n, beside);
+}
+
+/* A scale that was given as a whole number. Return 1 if it was said. */
+static int say_scale(struct zs_explainer *e, uint32_t i)
+{
+    const struct zs_instance *const in = &e->scene->instance[i];
+    const int pose = in->pose.scale && in->pose.scale < TYPED;
+    const uint32_t typed = pose ? in->pose.scale : in->mesh->scale;
+    struct zs_bounds b;
+    zs_explain_bounds(e, i, &b);
+    if (!typed || typed >= TYPED || (b.r >= 65536 && typed >= 16u) ||
+        zs_explain_size(e, &b) >= SMALL_PX << 16)
+        return 0;
+    ZS_PIECE(e, "instance %: ", i);
+    ZS_SAY(e,
+           pose ? "pose.scale is %/65536: was % * ZS_Q16_ONE meant?"
+                : "mesh.scale is %/65536: was % * ZS_Q16_ONE meant?",
+           typed, typed);
+    return 1;
+}
+
+int zs_explain_unseen(struct zs_explainer *e, uint32_t i, struct zs_seen *seen)
+{
+    const struct zs_instance *const in = &e->scene->instance[i];
+    const struct zs_seen none = { .uniform = 0 };
+    struct zs_bounds b;
+    *seen = none;
+    zs_explain_bounds(e, i, &b);
+    if (zs_primitives_of(in) == 0) {
+        ZS_SAY(e, "instance % has nothing to draw: mesh.n_tris is 0.", i);
+        return 1;
+    }
+    if (zs_cull_sphere(&b, &e->r->camera, &e->r->view)) {
+        say_out(e, i, &b);
+        return 1;
+    }
+    if (say_scale(e, i))
+        return 1;
+    zs_explain_draw(e, in, 0, seen);
+    if (seen->stats.tris_drawn == 0)
+        say_rejected(e, i, &b, &seen->stats);
+    else if (seen->colored == 0 && zs_explain_size(e, &b) < SMALL_PX << 16)
+        ZS_SAY(e, "instance % is $ px across and $ ahead: raise its scale, or move it nearer.", i,
+               (int64_t)zs_explain_size(e, &b), b.c[2]);
+    else if (seen->colored == 0)
+        ZS_SAY(e,
+               "instance %: % triangles are drawn and colour no pixel: alpha is 0, texels are "
+               "transparent, or the shader leaves pixels out.",
+               i, seen->stats.tris_drawn);
+    else if (seen->visible == 0)
+        ZS_SAY(e,
+               "instance % has the background's colour on all of its % pixels: change one of "
+               "the two.",
+               i, seen->colored);
+    else
+        return 0;
+    return 1;
+}
+
+void zs_explain_fate(struct zs_explainer *e, uint32_t i)
+{
+    struct zs_seen seen;
+    const int unseen = zs_explain_unseen(e, i, &seen);
+    if (!unseen)
+        ZS_SAY(e,
+               "instance % colours % pixels where nothing hides it: % of % triangles are drawn, "
+               "% face away, % are beside the picture, % before near, % beyond far.",
+               i, seen.colored, seen.stats.tris_drawn, seen.stats.tris_in, seen.stats.tris_facing,
+               seen.stats.tris_offscreen, seen.stats.tris_near, seen.stats.tris_far);
+    zs_explain_instance_data(e, i, !unseen);
+}
+
+/* ---- Numbers --------------------------------------------------------------------------------- */
+
+/* Return 1, 2 or 3 digits of degrees if s, a sine, is that of an angle which was typed as degrees,
+ * and not made a turn by ZS_DEGREES; else 0. */
+static uint32_t typed_degrees(zs_q2_30 s)
+{
+    static const uint16_t usual[] = { 30, 45, 60, 90, 120, 135, 180, 270 };
+    for (uint32_t k = 0; k < sizeof usual / sizeof usual[0]; k++)
+        if (zs_size32((int32_t)zs_size32(s) - zs_sin(usual[k])) < 64u)
+            return usual[k];
+    return 0;
+}
+
+/* Of a pose that is turned about one axis alone. */
+static void say_turned(struct zs_explainer *e, uint32_t i)
+{
+    static const uint8_t at[3] = { 2, 7, 3 }; /* the sine of yaw, pitch, roll */
+    const zs_q2_30 *const rot = e->scene->instance[i].pose.rot;
+    uint32_t turned = 0, n = 0;
+    for (int k = 0; k < 3; k++)
+        if (zs_size32(rot[at[k]]) > 64u) {
+            turned = typed_degrees(rot[at[k]]);
+            n++;
+        }
+    if (n == 1 && turned && rot[0] > 0 && rot[4] > 0)
+        ZS_SAY(e, "instance % is turned by %/65536 of a turn: was ZS_DEGREES(%) meant?", i, turned,
+               turned);
+}
+
+/* ---- Meshes ---------------------------------------------------------------------------------- */
+
+/* The least radius that holds all vertices. */
+static uint32_t least_radius(const struct zs_mesh *m)
+{
+    uint64_t most = 0; /* < 3 * 2^32 */
+    for (uint32_t v = 0; v < m->n_verts; v++) {
+        uint64_t square = 0;
+        for (int k = 0; k < 3; k++) {
+            const int64_t d = m->pos[v][k] - m->center[k];
+            const int64_t end = d + (d >= 0 && m->pos_lo && m->pos_lo[v][k]); /* pos_lo adds */
+            square += (uint64_t)(end * end);
+        }
+        most = square > most ? square : most;
+    }
+    const uint32_t root = zs_isqrt64(most);
+    return root + ((uint64_t)root * root < most);
+}
+
+static void say_flaw(struct zs_explainer *e, uint32_t i)
+{
+    const struct zs_mesh *const m = e->scene->instance[i].mesh;
+    uint32_t at;
+    const enum zs_flaw flaw = zs_mesh_check(m, &at);
+    if (flaw == ZS_FLAW_NONE)
+        return;
+    ZS_PIECE(e, "instance %: ", i);
+    if (flaw == ZS_FLAW_INDEX)
+        ZS_SAY(e, "triangle % of its mesh names a vertex that is not there: n_verts is %.", at,
+               m->n_verts);
+    else if (flaw == ZS_FLAW_SPHERE)
+        ZS_SAY(e, "vertex % lies outside the mesh's sphere: radius is %, and % holds all of them.",
+               at, m->radius, least_radius(m));
+    else {
+        ZS_PIECE(e, "its mesh has ");
+        ZS_PIECE(e, zs_flaw_string(flaw));
+        ZS_SAY(e, " (number %).", at);
+    }
+}
+
+/* The normal of triangle t by its winding, times twice its area. |component| < 2^35 */
+static void normal_of(const struct zs_mesh *m, uint32_t t, int64_t n[3])
+{
+    int64_t a[3], b[3]; /* |.| < 2^16.1 */
+    for (int k = 0; k < 3; k++) {
+        const int32_t p = m->pos[m->tri[t][0]][k];
+        a[k] = m->pos[m->tri[t][1]][k] - p;
+        b[k] = m->pos[m->tri[t][2]][k] - p;
+    }
+    for (int k = 0; k < 3; k++)
+        n[k] = a[(k + 1) % 3] * b[(k + 2) % 3] - a[(k + 2) % 3] * b[(k + 1) % 3];
+}
+
+/* A closed mesh has a volume: the sum over its triangles of p . n / 6, below 0 if it is wound
+ * inwards. It is closed only if its normals, by area, add up to 0. And normals that are given
+ * should point to the side from which a triangle is seen. */
+static void say_winding(struct zs_explainer *e, uint32_t i)
+{
+    const struct zs_instance *const in = &e->scene->instance[i];
+    const struct zs_mesh *const m = in->mesh;
+    const int shift = m->n_tris > 16384u ? 16 : 0; /* |p . n| < 2^51, so sums stay below 2^63 */
+    int64_t sum[3] = { 0, 0, 0 }, volume = 0;
+    uint32_t against = 0;
+    struct zs_bounds b;
+    if (in->material->cull != ZS_CULL_BACK || in->material->primitive)
+        return;
+    for (uint32_t t = 0; t < m->n_tris; t++) {
+        int64_t n[3], flux = 0, lit = 0; /* < 3 * 2^50, < 3 * 2^52 */
+        for (int k = 0; k < 3; k++)
+            if (m->tri[t][k] >= m->n_verts)
+                return; /* it has been said */
+        normal_of(m, t, n);
+        for (int k = 0; k < 3; k++) {
+            flux += m->pos[m->tri[t][0]][k] * n[k];
+            sum[k] += n[k];
+            for (int j = 0; j < 3 && m->normal; j++)
+                lit += m->normal[m->tri[t][j]][k] * n[k];
+        }
+        volume += flux >> shift;
+        against += lit < 0;
+    }
+    zs_explain_bounds(e, i, &b);
+    if (!(sum[0] | sum[1] | sum[2]) && volume < 0 && !eye_inside(&b))
+        ZS_SAY(e,
+               "instance % is wound inwards: its far side is seen from inside; exchange two "
+               "corners of each triangle, or set material.cull to ZS_CULL_FRONT.",
+               i);
+    else if (against > m->n_tris - m->n_tris / 8u)
+        ZS_SAY(e,
+               "instance %: mesh.normal points away from the side that is seen, on % of % "
+               "triangles.",
+               i, against, m->n_tris);
+}
+
+/* ---- Textures -------------------------------------------------------------------------------- */
+
+/* Texture coordinates that span less than a texel, or far more than a texture. */
+static void say_uv(struct zs_explainer *e, uint32_t i)
+{
+    const struct zs_mesh *const m = e->scene->instance[i].mesh;
+    const struct zs_texture *const x = e->scene->instance[i].material->texture;
+    int32_t span[2] = { 0, 0 };
+    if (!m->uv || m->uv_bits > 15u)
+        return;
+    for (int k = 0; k < 2; k++) {
+        int32_t least = 32767, most = -32768;
+        for (uint32_t v = 0; v < m->n_verts; v++) {
+            least = zs_min32(least, m->uv[v][k]);
+            most = zs_max32(most, m->uv[v][k]);
+        }
+        span[k] = most - least; /* < 2^16; below 0 without vertices */
+    }
+    const int32_t most = zs_max32(span[0], span[1]);
+    if (most <= 0)
+        return;
+    if ((span[0] << x->log2_w) >> m->uv_bits == 0 && (span[1] << x->log2_h) >> m->uv_bits == 0)
+        ZS_SAY(e,
+               "instance %: mesh.uv spans less than a texel: % is all of the texture with "
+               "uv_bits %.",
+               i, 1 << m->uv_bits, m->uv_bits);
+    else if (most >> m->uv_bits >= REPEATS)
+        ZS_SAY(e, "instance %: mesh.uv repeats the texture % times: uv_bits is %.", i,
+               most >> m->uv_bits, m->uv_bits);
+}
+
+static void say_texture(struct zs_explainer *e, uint32_t i)
+{
+    const struct zs_texture *const x = e->scene->instance[i].material->texture;
+    uint32_t at;
+    if (x->format != &zs_texel_565 && x->format != &zs_texel_pal8 && x->format != &zs_texel_pal4)
+        return; /* one with alpha (zs_filter.h) */
+    const enum zs_flaw flaw = zs_texture_check(x, &at);
+    if (flaw == ZS_FLAW_NONE)
+        return;
+    ZS_PIECE(e, "instance %: its texture has ", i);
+    ZS_PIECE(e, zs_flaw_string(flaw));
+    ZS_SAY(e, " (number %).", at);
+}
+
+void zs_explain_instance_data(struct zs_explainer *e, uint32_t i, int seen)
+{
+    const struct zs_instance *const in = &e->scene->instance[i];
+    const struct zs_texture *const x = in->material->texture;
+    uint32_t mesh = i, texture = i; /* the first instances, of these, that have them */
+    for (uint32_t k = i > EARLIER ? i - EARLIER : 0; k < i; k++) {
+        const struct zs_instance *const other = &e->scene->instance[k];
+        mesh = mesh == i && other->mesh == in->mesh ? k : mesh;
+        texture = texture == i && other->material->texture == x ? k : texture;
+    }
+    if (seen)
+        (void)say_scale(e, i);
+    say_turned(e, i);
+    if (mesh == i) {
+        say_flaw(e, i);
+        say_winding(e, i);
+    }
+    if (x && texture == i)
+        say_texture(e, i);
+    if (x && (mesh == i || texture == i))
+        say_uv(e, i);
+}

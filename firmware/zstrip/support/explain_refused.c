@@ -1,0 +1,244 @@
+/* Why a frame or a configuration is refused: the field, and the instance.
+ *
+ * SPDX-License-Identifier: MIT
+ */
+#include "core/cold.h"
+#include "core/frame.h"
+#include "core/fx.h"
+#include "core/rotation.h"
+#include "core/usual.h"
+#include "support/explain.h"
+#include "zs_shader.h"
+
+/* The error's own clause, as the end of a sentence. */
+static void say_error(struct zs_explainer *e, int err)
+{
+    ZS_PIECE(e, zs_error_string(err));
+    ZS_SAY(e, ".");
+}
+
+/* ---- Camera, light and scene ----------------------------------------------------------------- */
+
+static void say_camera(struct zs_explainer *e, int err)
+{
+    const struct zs_camera *const c = &e->r->camera;
+    const int perspective = c->projection == ZS_PERSPECTIVE;
+    ZS_PIECE(e, "the camera is refused: ");
+    if (c->projection > ZS_ORTHOGRAPHIC)
+        ZS_SAY(e, "projection is %.", c->projection);
+    else if (c->z_near >= c->z_far || (perspective && c->z_near <= 0))
+        ZS_SAY(e,
+               "near = $ and far = $; 0 < near < far is needed in perspective: look at what "
+               "zs_camera_perspective returned.",
+               c->z_near, c->z_far);
+    else if (perspective && (c->focal < ZS_FOCAL_MIN || c->focal > ZS_FOCAL_MAX))
+        ZS_SAY(e, "its focal length is % px: zs_camera_perspective sets it from an angle.",
+               (int64_t)(c->focal >> 32));
+    else if (!perspective && (c->height < ZS_HEIGHT_MIN || c->height > (int64_t)1 << 46))
+        ZS_SAY(e, "its height is $: zs_camera_orthographic sets it.", c->height);
+    else if (!zs_rotation_ok(c->rot))
+        ZS_SAY(e, "rot is no rotation: zs_camera_look_at sets it.");
+    else
+        say_error(e, err);
+}
+
+/* What is wrong without any instance. */
+static void say_scene(struct zs_explainer *e, int err)
+{
+    const struct zs_scene *const scene = e->scene;
+    const struct zs_light *const light = &scene->light;
+    if (err == ZS_ERR_CAMERA)
+        say_camera(e, err);
+    else if (err == ZS_ERR_DEPTH && e->r->camera.projection == ZS_ORTHOGRAPHIC)
+        ZS_SAY(e, "the depth mapping takes perspective cameras: zs_depth_linear takes an "
+                  "orthographic one.");
+    else if (err == ZS_ERR_NULL)
+        ZS_SAY(e,
+               scene->sky && !scene->sky->fill
+                   ? "scene.sky.fill is NULL."
+                   : "scene.resolve, or draw of a hook, is NULL, and n_resolves is %.",
+               scene->n_resolves);
+    else if (err == ZS_ERR_RANGE && (light->ambient > ZS_Q16_ONE || light->diffuse > ZS_Q16_ONE))
+        ZS_SAY(e, "the light is refused: ambient is %, diffuse is %; 65536 is full.",
+               light->ambient, light->diffuse);
+    else if (err == ZS_ERR_RANGE && zs_size32(e->camera->pos[0]) <= ZS_WORLD_MAX &&
+             zs_size32(e->camera->pos[1]) <= ZS_WORLD_MAX &&
+             zs_size32(e->camera->pos[2]) <= ZS_WORLD_MAX && e->r->view.perspective)
+        ZS_SAY(e, "the light is refused: its dir is longer than 1, ZS_Q30_ONE: zs_unit makes it 1 "
+                  "long.");
+    else
+        say_camera(e, err);
+}
+
+/* ---- Instances ------------------------------------------------------------------------------- */
+
+/* Return 1 if a field is said that is NULL. */
+static int say_null(struct zs_explainer *e, const struct zs_instance *in)
+{
+    const struct zs_material *const m = in->material;
+    const char *const field = !in->mesh                             ? "mesh is NULL."
+                              : !m                                  ? "material is NULL."
+                              : !m->shader                          ? "material.shader is NULL."
+                              : !in->mesh->pos && in->mesh->n_verts ? "mesh.pos is NULL."
+                              : !in->mesh->tri && in->mesh->n_tris  ? "mesh.tri is NULL."
+                                                                    : 0;
+    if (field)
+        ZS_SAY(e, field);
+    return field != 0;
+}
+
+static void say_range(struct zs_explainer *e, const struct zs_instance *in)
+{
+    const struct zs_pose *const pose = &in->pose;
+    const uint64_t scale = zs_usual_scale(in); /* q32_32 */
+    if (!zs_rotation_ok(zs_usual_rotation(pose->rot)))
+        ZS_SAY(e, "pose.rot is no rotation: its elements are q2_30; zs_pose_turn sets it.");
+    else if (zs_size32(pose->pos[0]) > ZS_WORLD_MAX || zs_size32(pose->pos[1]) > ZS_WORLD_MAX ||
+             zs_size32(pose->pos[2]) > ZS_WORLD_MAX)
+        ZS_SAY(e, "pose.pos is % % %, and % is the most.", pose->pos[0], pose->pos[1], pose->pos[2],
+               ZS_WORLD_MAX);
+    else if (in->depth_state && in->depth_state->func > ZS_DEPTH_ALWAYS)
+        ZS_SAY(e, "depth_state.func is %.", in->depth_state->func);
+    else if ((in->mesh->radius + 1u) * (scale >> 16) >> 16 >= (uint64_t)ZS_WORLD_MAX || scale >> 47)
+        ZS_SAY(e,
+               "it is too large: % steps, of $ world units each, and a radius of % units is the "
+               "most; 1 is ZS_Q16_ONE in mesh.scale and pose.scale.",
+               in->mesh->radius, (int64_t)(scale >> 16), ZS_WORLD_MAX);
+    else
+        ZS_SAY(e, "its material has a field out of range: lamps, flags, or a shine that "
+                  "zs_shine_set has not set.");
+}
+
+/* err: ZS_ERR_MESH or ZS_ERR_NULL. */
+static void say_mesh(struct zs_explainer *e, const struct zs_instance *in, int err)
+{
+    const struct zs_mesh *const mesh = in->mesh;
+    if (mesh->n_verts > 65535u) {
+        ZS_SAY(e, "mesh.n_verts is %, and 65535 is the most.", mesh->n_verts);
+    } else if (in->material->cull > ZS_CULL_NONE) {
+        ZS_SAY(e, "material.cull is %.", in->material->cull);
+    } else {
+        ZS_PIECE(e, "its shader reads what is NULL, of");
+        if (!mesh->normal)
+            ZS_PIECE(e, " mesh.normal");
+        if (!mesh->uv)
+            ZS_PIECE(e, " mesh.uv");
+        if (!in->material->texture)
+            ZS_PIECE(e, " material.texture");
+        ZS_SAY(e, err == ZS_ERR_NULL ? " and what its material has besides." : ".");
+    }
+}
+
+static void say_instance(struct zs_explainer *e, uint32_t i, int err)
+{
+    const struct zs_instance *const in = &e->scene->instance[i];
+    const struct zs_texture *texture;
+    ZS_PIECE(e, "instance % is refused: ", i);
+    if (say_null(e, in))
+        return;
+    texture = in->material->texture;
+    if (err == ZS_ERR_RANGE)
+        say_range(e, in);
+    else if (err == ZS_ERR_MESH || err == ZS_ERR_NULL)
+        say_mesh(e, in, err);
+    else if (err == ZS_ERR_VARYINGS)
+        ZS_SAY(e, "its shader takes % varyings, and config.varyings is %.",
+               in->material->shader->n_varyings, e->r->config.varyings);
+    else if (err == ZS_ERR_TEXTURE && texture)
+        ZS_SAY(e,
+               "its texture's log2_w is %, log2_h %, clamp %; the first two are logarithms, 0 "
+               "to 10.",
+               texture->log2_w, texture->log2_h, texture->clamp);
+    else
+        say_error(e, err);
+}
+
+void zs_explain_refused(struct zs_explainer *e)
+{
+    struct zs_renderer *const r = e->r;
+    if (!e->scene || !e->camera) {
+        ZS_SAY(e, e->scene ? "the camera is NULL." : "the scene is NULL.");
+        return;
+    }
+    struct zs_scene part = *e->scene;
+    if (part.n_instances > 65535u) {
+        ZS_SAY(e, "scene.n_instances is %, and 65535 is the most.", part.n_instances);
+        return;
+    }
+    part.n_instances = 0;
+    int err = zs_frame_check(r, &part);
+    if (err) {
+        say_scene(e, err);
+        return;
+    }
+    if (!e->scene->instance) {
+        ZS_SAY(e, "scene.instance is NULL, and n_instances is %.", e->scene->n_instances);
+        return;
+    }
+    part.n_instances = 1;
+    for (uint32_t i = 0; i < e->scene->n_instances; i++) {
+        part.instance = &e->scene->instance[i];
+        err = zs_frame_check(r, &part);
+        if (err)
+            say_instance(e, i, err);
+    }
+    if (e->said == 0) {
+        ZS_PIECE(e, "the frame is refused: ");
+        say_error(e, zs_frame_check(r, e->scene));
+    }
+}
+
+/* ---- Set-up ---------------------------------------------------------------------------------- */
+
+static void say_field(struct zs_explainer *e, const char *name, uint32_t value, uint32_t least,
+                      uint32_t most)
+{
+    if (value >= least && value <= most)
+        return;
+    ZS_PIECE(e, name);
+    ZS_SAY(e, " is %: it takes % to %.", value, least, most);
+}
+
+static void say_config(struct zs_explainer *e, const struct zs_config *c)
+{
+    say_field(e, "config.width", c->width, 1, ZS_SIZE_MAX);
+    say_field(e, "config.height", c->height, 1, ZS_SIZE_MAX);
+    say_field(e, "config.strip_h", c->strip_h, 1, 65535);
+    say_field(e, "config.max_tris", c->max_tris, 1, ZS_POOL_MAX);
+    say_field(e, "config.max_verts", c->max_verts, 3, ZS_POOL_MAX);
+    say_field(e, "config.varyings", c->varyings, 0, ZS_VARYINGS_MAX);
+    say_field(e, "config.buffers", c->buffers, 0, 2);
+    if (c->subpixel_bits != 4 && c->subpixel_bits)
+        say_field(e, "config.subpixel_bits", c->subpixel_bits, 8, 8);
+    if (c->depth_bits)
+        say_field(e, "config.depth_bits", c->depth_bits, 8, 16);
+    if (!c->depth)
+        ZS_SAY(e, "config.depth is NULL: take &zs_depth_float, or another mapping.");
+}
+
+uint32_t zs_explain_init_build(struct zs_renderer *r, const struct zs_config *config, void *arena,
+                               size_t bytes, void (*say)(void *ctx, const char *text), void *ctx,
+                               uint32_t build)
+{
+    struct zs_explainer e = { r, 0, 0, say, ctx, 0, 0, { 0 } };
+    const int err = zs_init_build(r, config, arena, bytes, build);
+    if (!err)
+        return 0;
+    if (!r || !config || !arena)
+        ZS_SAY(&e, !r ? "the renderer is NULL." : !config ? "config is NULL." : "arena is NULL.");
+    else if (err != ZS_ERR_BUILD)
+        say_config(&e, config);
+    if (err == ZS_ERR_ARENA && (uintptr_t)arena % 4u)
+        ZS_SAY(&e, "the arena is not aligned to 4 bytes: ZS_ARENA defines one that is.");
+    else if (err == ZS_ERR_ARENA)
+        ZS_SAY(&e, "the arena has % bytes, and % are needed: ZS_ARENA_BYTES.", (int64_t)bytes,
+               zs_arena_bytes(config));
+    if (err == ZS_ERR_DEPTH && config->method && !e.said)
+        ZS_SAY(&e,
+               "config.method does not take this config.depth: zs_method.h says which it takes.");
+    if (!e.said) {
+        ZS_PIECE(&e, "zs_init refuses: ");
+        say_error(&e, err);
+    }
+    return e.said;
+}

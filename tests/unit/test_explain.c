@@ -1,0 +1,1371 @@
+/* zs_explain: each mistake that a newcomer makes ends in an error by name, or in the sentence that says it; a picture
+ * in which nothing is wrong gets none. Mistakes are made in a scene that is right: it gets no sentence before.
+ *
+ * SPDX-License-Identifier: MIT
+ */
+#include "cases.h"
+
+#include <string.h>
+
+#include "examples.h"
+#include "picture.h"
+#include "scenes.h"
+#include "shapes.h"
+#include "zs_blend.h"
+#include "zs_damage.h"
+#include "zs_explain.h"
+#include "zs_fog.h"
+#include "zs_lights.h"
+#include "zs_method.h"
+#include "zs_overlay.h"
+#include "zs_pass.h"
+
+/* ---- What is said ---------------------------------------------------------------------------- */
+
+struct words {
+    char text[8192];
+    size_t n;
+    unsigned long_pieces;
+};
+
+static void hear(void *ctx, const char *text)
+{
+    struct words *w = ctx;
+    const size_t n = strlen(text);
+    w->long_pieces += n == 0 || n > 47;
+    assert_true(w->n + n < sizeof w->text);
+    memcpy(w->text + w->n, text, n + 1);
+    w->n += n;
+}
+
+static uint32_t lines(const struct words *w)
+{
+    uint32_t n = 0;
+    for (const char *c = w->text; *c; c++)
+        n += *c == '\n';
+    return n;
+}
+
+/* ---- A scene in which all is right ----------------------------------------------------------- */
+
+#define W 64
+#define H 48
+
+struct world {
+    struct zs_config config;
+    struct zs_camera camera;
+    struct zs_scene scene;
+    struct zs_instance instance[3];
+    struct zs_mesh cube, sheet; /* closed; open: a sheet of 8 x 8 quads that lies in y = 0 */
+    struct zs_material red, green;
+    struct zs_texture texture;
+    struct zs_blend glass;
+    struct zs_lit_material lit;
+    struct zs_lighting lighting;
+    struct zs_lamp lamp;
+    struct zs_shine shine;
+    struct zs_fog fog;
+    struct zs_overlay overlay;
+    struct zs_item item;
+    struct zs_resolve hook;
+    struct zs_sink sink;
+    int sent;       /* what submit returns */
+    int camera_err; /* of the function that set the camera */
+    int fog_err, shine_err;
+    uint32_t arena_short;
+};
+
+static const int16_t corner[8][3] = { { -1, -1, -1 }, { 1, -1, -1 }, { 1, 1, -1 }, { -1, 1, -1 },
+                                      { -1, -1, 1 },  { 1, -1, 1 },  { 1, 1, 1 },  { -1, 1, 1 } };
+static const uint16_t face[12][3] = { { 4, 5, 6 }, { 4, 6, 7 }, { 1, 0, 3 }, { 1, 3, 2 }, { 5, 1, 2 }, { 5, 2, 6 },
+                                      { 0, 4, 7 }, { 0, 7, 3 }, { 7, 6, 2 }, { 7, 2, 3 }, { 0, 1, 5 }, { 0, 5, 4 } };
+static uint16_t face_inwards[12][3], face_beyond[12][3];
+static zs_q1_15 normal[8][3], normal_inwards[8][3], normal_long[8][3];
+static const int16_t uv[8][2] = { { 0, 0 }, { 4096, 0 }, { 4096, 4096 }, { 0, 4096 },
+                                  { 0, 0 }, { 4096, 0 }, { 4096, 4096 }, { 0, 4096 } };
+static const int16_t uv_ones[8][2] = {
+    { 0, 0 }, { 1, 0 }, { 1, 1 }, { 0, 1 }, { 0, 0 }, { 1, 0 }, { 1, 1 }, { 0, 1 }
+};
+static const uint8_t texel[4][4] = { { 0, 1, 0, 1 }, { 1, 0, 1, 0 }, { 0, 1, 0, 1 }, { 1, 0, 1, 0 } };
+static const uint16_t palette[2] = { 0xffff, 0xf800 };
+static int16_t sheet_pos[81][3];
+static uint16_t sheet_tri[128][3], sheet_turned[128][3];
+
+static int submit(void *ctx, const struct zs_strip *strip)
+{
+    (void)strip;
+    return ((const struct world *)ctx)->sent;
+}
+
+static void fill_arrays(void)
+{
+    for (int t = 0; t < 12; t++)
+        for (int k = 0; k < 3; k++) {
+            face_inwards[t][k] = face[t][2 - k];
+            face_beyond[t][k] = (uint16_t)(face[t][k] + (t >= 7 ? 8 : 0));
+        }
+    for (int v = 0; v < 8; v++)
+        for (int k = 0; k < 3; k++) {
+            normal[v][k] = (zs_q1_15)(corner[v][k] * 18918); /* 32767 / sqrt(3) */
+            normal_inwards[v][k] = (zs_q1_15)(corner[v][k] * -18918);
+            normal_long[v][k] = (zs_q1_15)(corner[v][k] * 32767);
+        }
+    for (int v = 0; v < 81; v++) {
+        sheet_pos[v][0] = (int16_t)(v % 9 * 100 - 400);
+        sheet_pos[v][1] = 0;
+        sheet_pos[v][2] = (int16_t)(v / 9 * 100 - 400);
+    }
+    for (int t = 0; t < 128; t++) {
+        const int v = t / 2 / 8 * 9 + t / 2 % 8;
+        const int of[2][3] = { { v, v + 9, v + 10 }, { v, v + 10, v + 1 } };
+        for (int k = 0; k < 3; k++) {
+            sheet_tri[t][k] = (uint16_t)of[t % 2][k];
+            sheet_turned[t][k] = (uint16_t)of[t % 2][2 - k];
+        }
+    }
+}
+
+/* A red cube of 2,000 units, 5,000 ahead, slightly turned. */
+static void world_cube(struct world *w)
+{
+    static const int32_t eye[3] = { 0, 2500, 4500 }, middle[3] = { 0, 0, 0 }, up[3] = { 0, 1, 0 };
+    fill_arrays();
+    memset(w, 0, sizeof *w);
+    const struct zs_config config = { .width = W,
+                                      .height = H,
+                                      .strip_h = 8,
+                                      .max_tris = 64,
+                                      .max_verts = 64,
+                                      .varyings = ZS_VARYINGS_SMOOTH,
+                                      .depth = &zs_depth_float };
+    const struct zs_mesh cube = {
+        .pos = corner, .tri = face, .n_verts = 8, .n_tris = 12, .scale = 1000 * ZS_Q16_ONE, .radius = 2
+    };
+    const struct zs_mesh sheet = {
+        .pos = sheet_pos, .tri = sheet_tri, .n_verts = 81, .n_tris = 128, .scale = 5 * ZS_Q16_ONE, .radius = 566
+    };
+    const struct zs_rgb red = ZS_RGB(0xe63c28), green = ZS_RGB(0x30a040);
+    w->config = config;
+    w->cube = cube;
+    w->sheet = sheet;
+    w->red.shader = w->green.shader = &zs_shade_flat;
+    w->red.rgb = red;
+    w->green.rgb = green;
+    w->instance[0].mesh = &w->cube;
+    w->instance[0].material = &w->red;
+    zs_pose_turn(&w->instance[0].pose, ZS_DEGREES(25), 0, 0);
+    w->scene.instance = w->instance;
+    w->scene.n_instances = 1;
+    w->scene.background = ZS_RGB565(0x0a143c);
+    w->sink.submit = submit;
+    w->sink.ctx = w;
+    w->texture.format = &zs_texel_pal8;
+    w->texture.texel = texel;
+    w->texture.palette = palette;
+    w->texture.n_colors = 2;
+    w->texture.log2_w = w->texture.log2_h = 2;
+    assert_int_equal(zs_camera_perspective(&w->camera, ZS_DEGREES(45), H, 1000, 20000), ZS_OK);
+    assert_int_equal(zs_camera_look_at(&w->camera, eye, middle, up), ZS_OK);
+}
+
+/* The same with another shader. */
+static void world_shaded(struct world *w, const struct zs_shader *shader)
+{
+    w->red.shader = shader;
+    w->red.texture = &w->texture;
+    w->cube.normal = normal;
+    w->cube.uv = uv;
+    w->cube.uv_bits = 12;
+}
+
+/* Another cube, behind the first one and to the right. */
+static void world_two(struct world *w)
+{
+    w->instance[1] = w->instance[0];
+    w->instance[1].material = &w->green;
+    w->instance[1].pose.pos[0] = 900;
+    w->instance[1].pose.pos[2] = -4000;
+    w->scene.n_instances = 2;
+}
+
+static void world_sheet(struct world *w)
+{
+    w->instance[0].mesh = &w->sheet;
+    w->config.max_tris = w->config.max_verts = 200;
+}
+
+/* ---- One world ------------------------------------------------------------------------------- */
+
+/* Draw it as a program does, and hear what is said. Return the error of zs_init or zs_render. */
+static int world_hear(struct world *w, struct words *words, uint32_t *said)
+{
+    struct zs_renderer r;
+    const uint32_t bytes = zs_arena_bytes(&w->config) - w->arena_short, room = bytes ? bytes : 65536u;
+    uint32_t *arena = malloc(room);
+    memset(&r, 0x5a, sizeof r);
+    memset(words, 0, sizeof *words);
+    memset(arena, 0xa5, room);
+    int err = zs_init(&r, &w->config, arena, room);
+    if (err) {
+        *said = zs_explain_init(&r, &w->config, arena, room, hear, words);
+    } else {
+        err = zs_render(&r, &w->scene, &w->camera, &w->sink);
+        const struct zs_stats before = *zs_frame_stats(&r);
+        *said = zs_explain(&r, &w->scene, &w->camera, hear, words);
+        assert_memory_equal(&before, zs_frame_stats(&r), sizeof before);
+    }
+    free(arena);
+    return err;
+}
+
+static void assert_right(struct world *w, const char *name)
+{
+    struct words words;
+    uint32_t said;
+    const int err = world_hear(w, &words, &said);
+    if (err || said || words.n)
+        fail_msg("%s: %s; %s", name, zs_error_string(err), words.text);
+}
+
+/* A mistake: err is what zs_init or zs_render returns, and `first` how the first sentence begins; a star stands for
+ * any text. */
+struct mistake {
+    const char *name;
+    void (*ready)(struct world *w); /* what the right scene has besides; NULL: nothing */
+    void (*make)(struct world *w);
+    int err;
+    const char *first;
+    uint32_t most; /* sentences; 0: one */
+};
+
+/* 1: text begins with the pattern. */
+static int begins(const char *text, const char *pattern)
+{
+    const char *star = strchr(pattern, '*');
+    const size_t n = star ? (size_t)(star - pattern) : strlen(pattern);
+    if (strncmp(text, pattern, n) != 0)
+        return 0;
+    if (!star)
+        return 1;
+    for (text += n; *text && *text != '\n'; text++)
+        if (begins(text, star + 1))
+            return 1;
+    return 0;
+}
+
+static void check_mistake(const struct mistake *m)
+{
+    struct world w;
+    struct words words;
+    uint32_t said;
+    world_cube(&w);
+    if (m->ready)
+        m->ready(&w);
+    assert_right(&w, m->name);
+    m->make(&w);
+    const int err = world_hear(&w, &words, &said);
+    if (err != m->err || !begins(words.text, m->first) || said == 0 || said > (m->most ? m->most : 1u) ||
+        said != lines(&words) || words.long_pieces)
+        fail_msg("%s: %d, %u sentences, %u too long\n%s", m->name, err, said, words.long_pieces, words.text);
+}
+
+/* ---- Mistakes: nothing is seen --------------------------------------------------------------- */
+
+static void too_far(struct world *w)
+{
+    w->instance[0].pose.pos[2] = -120000;
+}
+
+static void behind(struct world *w)
+{
+    w->instance[0].pose.pos[2] = 30000;
+}
+
+static void beside(struct world *w)
+{
+    w->instance[0].pose.pos[0] = -9000;
+}
+
+static void before_near(struct world *w)
+{
+    w->camera.z_near = 15000 * 65536;
+}
+
+static void fills(struct world *w)
+{
+    w->instance[0].pose.scale = 4 * ZS_Q16_ONE;
+    zs_pose_turn(&w->instance[0].pose, 0, ZS_DEGREES(-29), 0);
+}
+
+static void contains_camera(struct world *w)
+{
+    w->cube.scale = 20000 * ZS_Q16_ONE;
+}
+
+static void pose_scale_1(struct world *w)
+{
+    w->instance[0].pose.scale = 1;
+}
+
+static void mesh_scale_1000(struct world *w)
+{
+    w->cube.scale = 1000;
+}
+
+static void all_subpixel(struct world *w)
+{
+    w->instance[0].pose.scale = ZS_Q16_ONE / 400;
+    w->scene.background = 0;
+}
+
+static void angle_45(struct world *w)
+{
+    const struct zs_camera as = w->camera;
+    w->camera_err = zs_camera_perspective(&w->camera, 45, H, 1000, 20000);
+    memcpy(w->camera.rot, as.rot, sizeof as.rot);
+    memcpy(w->camera.pos, as.pos, sizeof as.pos);
+}
+
+static void turn_90(struct world *w)
+{
+    zs_pose_turn(&w->instance[0].pose, 90, 0, 0);
+}
+
+static void turn_45_pitch(struct world *w)
+{
+    zs_pose_turn(&w->instance[0].pose, 0, (zs_turn)-45, 0);
+}
+
+static void sheet_winding(struct world *w)
+{
+    w->sheet.tri = (const uint16_t(*)[3])sheet_turned;
+}
+
+static void cube_winding(struct world *w)
+{
+    w->cube.tri = (const uint16_t(*)[3])face_inwards;
+}
+
+static void wrong_cull(struct world *w)
+{
+    w->green.cull = ZS_CULL_FRONT;
+    w->instance[0].material = &w->green;
+}
+
+static void no_triangles(struct world *w)
+{
+    w->cube.n_tris = 0;
+}
+
+static void no_instances(struct world *w)
+{
+    w->scene.n_instances = 0;
+}
+
+static void all_indices_beyond(struct world *w)
+{
+    w->cube.n_verts = 1;
+}
+
+static void same_as_background(struct world *w)
+{
+    w->red.shader = &zs_shade_raw;
+    w->scene.background = ZS_RGB565(0xe63c28);
+}
+
+static void black_on_black(struct world *w)
+{
+    memset(&w->red.rgb, 0, sizeof w->red.rgb);
+    w->scene.background = 0;
+}
+
+static void with_glass(struct world *w)
+{
+    w->glass.material = w->red;
+    w->glass.material.shader = &zs_blend_flat;
+    w->glass.alpha = 128;
+    w->instance[0].material = &w->glass.material;
+}
+
+static void alpha_0(struct world *w)
+{
+    w->glass.alpha = 0;
+}
+
+static const struct mistake unseen[] = {
+    { "too far", NULL, too_far, ZS_OK,
+      "instance 0 is out of view: it begins * beyond far = 20000; move it, or raise far.\n" },
+    { "behind", NULL, behind, ZS_OK, "instance 0 is behind the camera: it ends * behind the eye" },
+    { "beside", NULL, beside, ZS_OK,
+      "instance 0 is beside the picture: its centre is 5148 ahead of the eye, 9000 to the left" },
+    { "before near", NULL, before_near, ZS_OK, "instance 0 is out of view: it ends * before near = 15000" },
+    { "fills", NULL, fills, ZS_OK, "instance 0 fills the picture with one colour: it is * across" },
+    { "contains", NULL, contains_camera, ZS_OK, "the camera is inside instance 0, whose radius is 60000" },
+    { "pose.scale 1", NULL, pose_scale_1, ZS_OK, "instance 0: pose.scale is 1/65536: was 1 * ZS_Q16_ONE meant?\n" },
+    { "mesh.scale 1000", NULL, mesh_scale_1000, ZS_OK,
+      "instance 0: mesh.scale is 1000/65536: was 1000 * ZS_Q16_ONE meant?\n" },
+    { "subpixel", NULL, all_subpixel, ZS_OK, "instance 0*raise its scale, or move it nearer" },
+    { "45", NULL, angle_45, ZS_OK, "the camera sees less than one degree: was ZS_DEGREES meant", 2 },
+    { "turn 90", NULL, turn_90, ZS_OK, "instance 0 is turned by 90/65536 of a turn: was ZS_DEGREES(90) meant?\n" },
+    { "pitch -45", NULL, turn_45_pitch, ZS_OK, "instance 0 is turned by 45/65536 of a turn: was ZS_DEGREES(45)" },
+    { "winding, open", world_sheet, sheet_winding, ZS_OK,
+      "instance 0: 128 of 128 triangles face away: the winding is wrong" },
+    { "winding, closed", NULL, cube_winding, ZS_OK, "instance 0 is wound inwards" },
+    { "culling", world_sheet, wrong_cull, ZS_OK, "instance 0: 128 of 128 triangles face away: the winding is wrong" },
+    { "no triangles", NULL, no_triangles, ZS_OK, "instance 0 has nothing to draw: mesh.n_tris is 0" },
+    { "no instances", NULL, no_instances, ZS_OK, "the scene has no instance: n_instances is 0.\n" },
+    { "n_verts 1", NULL, all_indices_beyond, ZS_OK,
+      "instance 0: 12 of 12 triangles name a vertex that is not there; n_verts is 1", 2 },
+    { "background", NULL, same_as_background, ZS_OK, "instance 0 has the background's colour on all of its * pixels" },
+    { "black on black", NULL, black_on_black, ZS_OK, "instance 0 has the background's colour on all of its * pixels",
+      2 },
+    { "alpha 0", with_glass, alpha_0, ZS_OK, "instance 0: * triangles are drawn and colour no pixel: alpha is 0" },
+};
+
+static void nothing_is_seen(void **state)
+{
+    for (size_t k = 0; k < sizeof unseen / sizeof unseen[0]; k++)
+        check_mistake(&unseen[k]);
+}
+
+/* ---- Mistakes: it is dark -------------------------------------------------------------------- */
+
+static void lit_right(struct world *w)
+{
+    w->scene.light.dir[2] = ZS_Q30_ONE;
+    w->scene.light.ambient = ZS_Q16_ONE / 4;
+    w->scene.light.diffuse = ZS_Q16_ONE / 4 * 3;
+}
+
+static void diffuse_1(struct world *w)
+{
+    w->scene.light.diffuse = 1;
+    w->scene.light.ambient = 0;
+}
+
+static void ambient_100(struct world *w)
+{
+    w->scene.light.ambient = 100;
+    w->scene.light.diffuse = 0;
+}
+
+static void dir_0_0_1(struct world *w)
+{
+    w->scene.light.dir[2] = 1;
+    w->scene.light.ambient = 0;
+}
+
+static void dir_q15(struct world *w)
+{
+    w->scene.light.dir[2] = 32767;
+}
+
+static void dir_long(struct world *w)
+{
+    w->scene.light.dir[0] = w->scene.light.dir[1] = ZS_Q30_ONE;
+}
+
+static void no_light(struct world *w)
+{
+    w->scene.light.ambient = w->scene.light.diffuse = 0;
+}
+
+static void light_from_behind(struct world *w)
+{
+    w->scene.light.dir[2] = -ZS_Q30_ONE;
+    w->scene.light.ambient = 0;
+}
+
+static void no_colour(struct world *w)
+{
+    memset(&w->red.rgb, 0, sizeof w->red.rgb);
+}
+
+static void black_faces(struct world *w)
+{
+    static const struct zs_rgb black[12];
+    w->cube.face_rgb = black;
+}
+
+static void with_lamps(struct world *w)
+{
+    const struct zs_lamp sun = { .dir = { 0, 0, ZS_Q30_ONE } };
+    w->lamp = sun;
+    w->lighting.lamp = &w->lamp;
+    w->lighting.n_lamps = 1;
+    assert_int_equal(zs_shine_set(&w->shine, 20), ZS_OK);
+    w->lit.material = w->red;
+    w->lit.material.shader = &zs_shade_lit_face;
+    w->lit.lighting = &w->lighting;
+    w->lit.shine = &w->shine;
+    w->instance[0].material = &w->lit.material;
+}
+
+static void lamp_strength_1(struct world *w)
+{
+    w->lamp.strength = 1;
+}
+
+static void lamp_dir_1(struct world *w)
+{
+    w->lamp.dir[2] = 1;
+}
+
+static void power_0(struct world *w)
+{
+    memset(&w->shine, 0, sizeof w->shine);
+    w->shine_err = zs_shine_set(&w->shine, 0);
+}
+
+static const struct mistake dark[] = {
+    { "diffuse 1", lit_right, diffuse_1, ZS_OK, "the light's diffuse is 1/65536: was ZS_Q16_ONE meant?\n" },
+    { "ambient 100", lit_right, ambient_100, ZS_OK, "the light's ambient is 100/65536: was ZS_Q16_ONE meant?\n" },
+    { "dir 0 0 1", lit_right, dir_0_0_1, ZS_OK, "the light's dir has length 0, and 1 is ZS_Q30_ONE" },
+    { "dir in q1_15", lit_right, dir_q15, ZS_OK, "the light's dir has length 0, and 1 is ZS_Q30_ONE" },
+    { "dir too long", lit_right, dir_long, ZS_OK, "the light's dir has length 1.732, and 1 is ZS_Q30_ONE" },
+    { "no light", lit_right, no_light, ZS_OK, "the light's ambient and diffuse are 0: give one" },
+    { "from behind", lit_right, light_from_behind, ZS_OK, "all that is seen is dark: the light comes from behind it" },
+    { "no colour", NULL, no_colour, ZS_OK, "instance 0 is black: its material's rgb is 0" },
+    { "black faces", NULL, black_faces, ZS_OK, "all that is drawn is black: colours, texture or lamps are" },
+    { "strength 1", with_lamps, lamp_strength_1, ZS_OK, "all that is drawn is black: colours, texture or lamps are" },
+    { "lamp 0 0 1", with_lamps, lamp_dir_1, ZS_ERR_VECTOR, "instance 0 is refused: a direction of length 0" },
+    { "power 0", with_lamps, power_0, ZS_ERR_RANGE,
+      "instance 0 is refused: its material has a field out of range: lamps, flags, or a shine" },
+};
+
+static void it_is_dark(void **state)
+{
+    for (size_t k = 0; k < sizeof dark / sizeof dark[0]; k++)
+        check_mistake(&dark[k]);
+}
+
+/* ---- Mistakes: parts are wrong --------------------------------------------------------------- */
+
+static void radius_0(struct world *w)
+{
+    w->cube.radius = 0;
+}
+
+static void some_indices_beyond(struct world *w)
+{
+    w->cube.tri = (const uint16_t(*)[3])face_beyond;
+}
+
+static void smooth(struct world *w)
+{
+    world_shaded(w, &zs_shade_smooth);
+    w->red.texture = NULL;
+}
+
+static void normals_inwards(struct world *w)
+{
+    w->cube.normal = (const zs_q1_15(*)[3])normal_inwards;
+}
+
+static void normals_long(struct world *w)
+{
+    w->cube.normal = (const zs_q1_15(*)[3])normal_long;
+}
+
+static void textured(struct world *w)
+{
+    world_shaded(w, &zs_shade_texture);
+}
+
+static void uv_as_ones(struct world *w)
+{
+    w->cube.uv = uv_ones;
+}
+
+static void uv_bits_0(struct world *w)
+{
+    w->cube.uv_bits = 0;
+}
+
+static void few_colours(struct world *w)
+{
+    w->texture.n_colors = 1;
+}
+
+static void two_without_depth(struct world *w)
+{
+    const struct zs_instance near_one = w->instance[0];
+    world_two(w);
+    w->instance[0] = w->instance[1];
+    w->instance[0].pose.pos[2] = -9000;
+    w->instance[1] = near_one;
+    w->config.depth = &zs_depth_none;
+}
+
+static void near_first(struct world *w)
+{
+    const struct zs_instance far_one = w->instance[0];
+    w->instance[0] = w->instance[1];
+    w->instance[1] = far_one;
+}
+
+static void recip(struct world *w)
+{
+    w->config.depth = &zs_depth_recip;
+}
+
+static void near_1(struct world *w)
+{
+    w->camera.z_near = 65536 / 8;
+}
+
+static void with_fog(struct world *w)
+{
+    w->fog.color = ZS_RGB565(0x8090a0);
+    w->fog.start = 3000;
+    w->fog.end = 9000;
+    w->hook.draw = zs_fog_draw;
+    w->hook.ctx = &w->fog;
+    w->scene.resolve = &w->hook;
+    w->scene.n_resolves = 1;
+    assert_int_equal(zs_fog_set(&w->fog, &w->config, &w->camera), ZS_OK);
+}
+
+static void fog_end_before_start(struct world *w)
+{
+    struct zs_fog fog = { .color = w->fog.color, .start = 9000, .end = 3000 };
+    w->fog_err = zs_fog_set(&fog, &w->config, &w->camera);
+    w->fog = fog;
+}
+
+static void fog_too_close(struct world *w)
+{
+    w->fog.start = 100;
+    w->fog.end = 1100;
+    assert_int_equal(zs_fog_set(&w->fog, &w->config, &w->camera), ZS_OK);
+}
+
+static void with_overlay(struct world *w)
+{
+    static const struct zs_item bar = { .kind = &zs_item_fill, .x = 4, .y = 4, .w = 20, .h = 5, .color = 0xffff };
+    w->item = bar;
+    w->overlay.item = &w->item;
+    w->overlay.n = 1;
+    w->hook.draw = zs_overlay_draw;
+    w->hook.ctx = &w->overlay;
+    w->scene.resolve = &w->hook;
+    w->scene.n_resolves = 1;
+}
+
+static void overlay_off(struct world *w)
+{
+    w->item.y = 240;
+}
+
+static const struct mistake wrong[] = {
+    { "radius 0", NULL, radius_0, ZS_OK,
+      "instance 0: vertex 0 lies outside the mesh's sphere: radius is 0, and 2 holds all of them.\n" },
+    { "n_verts", NULL, some_indices_beyond, ZS_OK,
+      "instance 0: triangle 7 of its mesh names a vertex that is not there: n_verts is 8" },
+    { "normals inwards", smooth, normals_inwards, ZS_OK,
+      "instance 0: mesh.normal points away from the side that is seen, on 12 of 12 triangles" },
+    { "normals too long", smooth, normals_long, ZS_OK,
+      "instance 0: its mesh has a vertex normal whose length is neither 1 nor 0 (number 0)" },
+    { "uv 0 and 1", textured, uv_as_ones, ZS_OK,
+      "instance 0: mesh.uv spans less than a texel: 4096 is all of the texture with uv_bits 12" },
+    { "uv_bits 0", textured, uv_bits_0, ZS_OK, "instance 0: mesh.uv repeats the texture 4096 times: uv_bits is 0" },
+    { "n_colors", textured, few_colours, ZS_OK,
+      "instance 0: its texture has a texel that its palette does not hold (number 1)" },
+    { "no depth memory", two_without_depth, near_first, ZS_OK, "instance 1 is behind instance 0 and drawn over it" },
+    { "near 1/8", recip, near_1, ZS_OK, "instance 0 has * depth keys from front to back" },
+    { "fog the wrong way", with_fog, fog_end_before_start, ZS_OK,
+      "resolve hook 0 gives all that is drawn one colour" },
+    { "fog too close", with_fog, fog_too_close, ZS_OK, "resolve hook 0 gives all that is drawn one colour" },
+    { "overlay off", with_overlay, overlay_off, ZS_OK,
+      "resolve hook 0 changes no pixel: what it draws is beside the picture" },
+};
+
+static void parts_are_wrong(void **state)
+{
+    for (size_t k = 0; k < sizeof wrong / sizeof wrong[0]; k++)
+        check_mistake(&wrong[k]);
+}
+
+/* ---- Mistakes: it is slow -------------------------------------------------------------------- */
+
+static void pools_of_20(struct world *w)
+{
+    w->config.max_tris = w->config.max_verts = 20;
+}
+
+static void pool_of_4(struct world *w)
+{
+    w->config.max_tris = 4;
+}
+
+static void strips_of_1(struct world *w)
+{
+    w->config.strip_h = 1;
+}
+
+static void linear(struct world *w)
+{
+    w->config.depth = &zs_depth_linear;
+}
+
+static const struct mistake slow[] = {
+    { "pools of 20", world_sheet, pools_of_20, ZS_OK,
+      "the frame takes * passes; one needs max_tris 128 (it is 20) max_verts 81 (it is 20).\n" },
+    { "pool of 4", world_sheet, pool_of_4, ZS_OK, "the frame takes * passes; one needs max_tris 128 (it is 4).\n" },
+    { "strips of a row", NULL, strips_of_1, ZS_OK, "strips of 1 rows are slow: 16 take 3840 bytes more" },
+    { "linear", NULL, linear, ZS_OK, "the depth mapping computes each pixel's key by itself" },
+};
+
+static void it_is_slow(void **state)
+{
+    for (size_t k = 0; k < sizeof slow / sizeof slow[0]; k++)
+        check_mistake(&slow[k]);
+}
+
+/* The pools that a sentence names take the scene in one pass. */
+static void one_pass_is_one(void **state)
+{
+    struct world w;
+    world_cube(&w);
+    world_sheet(&w);
+    pools_of_20(&w);
+    struct words words;
+    uint32_t said;
+    assert_int_equal(world_hear(&w, &words, &said), ZS_OK);
+    unsigned tris, verts;
+    const char *at = strstr(words.text, "max_tris "), *at2 = strstr(words.text, "max_verts ");
+    assert_true(at && at2 && sscanf(at + 9, "%u", &tris) == 1 && sscanf(at2 + 10, "%u", &verts) == 1);
+    w.config.max_tris = (uint16_t)tris;
+    w.config.max_verts = (uint16_t)verts;
+    struct picture p = picture_draw(&w.config, &w.scene, &w.camera);
+    assert_int_equal(p.err, ZS_OK);
+    assert_int_equal(p.stats.passes, 1);
+    picture_free(&p);
+}
+
+/* ---- Errors ---------------------------------------------------------------------------------- */
+
+static void camera_near_0(struct world *w)
+{
+    memset(&w->camera, 0, sizeof w->camera);
+    w->camera_err = zs_camera_perspective(&w->camera, ZS_DEGREES(45), H, 0, 20000);
+}
+
+static void camera_far(struct world *w)
+{
+    w->camera.z_far = w->camera.z_near;
+}
+
+static void camera_focal(struct world *w)
+{
+    w->camera.focal = 0;
+}
+
+static void camera_rot(struct world *w)
+{
+    w->camera.rot[0] = 65536;
+}
+
+static void light_256(struct world *w)
+{
+    w->scene.light.ambient = 256 * ZS_Q16_ONE;
+}
+
+static void light_dir_2(struct world *w)
+{
+    w->scene.light.dir[0] = INT32_MAX;
+}
+
+static void second(struct world *w)
+{
+    world_two(w);
+}
+
+static void no_mesh(struct world *w)
+{
+    w->instance[1].mesh = NULL;
+}
+
+static void no_material(struct world *w)
+{
+    w->instance[1].material = NULL;
+}
+
+static void no_shader(struct world *w)
+{
+    w->green.shader = NULL;
+}
+
+static void no_normals(struct world *w)
+{
+    w->green.shader = &zs_shade_smooth;
+}
+
+static void no_texture(struct world *w)
+{
+    w->green.shader = &zs_shade_texture;
+}
+
+static void no_varyings(struct world *w)
+{
+    w->config.varyings = 0;
+}
+
+static void rot_q16(struct world *w)
+{
+    for (int k = 0; k < 9; k++)
+        w->instance[0].pose.rot[k] = k % 4 ? 0 : 65536;
+}
+
+static void pos_beyond(struct world *w)
+{
+    w->instance[0].pose.pos[1] = INT32_MIN;
+}
+
+static void too_large(struct world *w)
+{
+    w->cube.scale = w->instance[0].pose.scale = 60000 * ZS_Q16_ONE;
+}
+
+static void cull_3(struct world *w)
+{
+    w->red.cull = 3;
+}
+
+static void log2_64(struct world *w)
+{
+    w->texture.log2_w = w->texture.log2_h = 64;
+}
+
+static void orthographic(struct world *w)
+{
+    w->camera.projection = ZS_ORTHOGRAPHIC;
+    w->camera.height = 5000 * 65536;
+}
+
+static void no_array(struct world *w)
+{
+    w->scene.instance = NULL;
+}
+
+static void sky_null(struct world *w)
+{
+    static const struct zs_background none = { .fill = NULL };
+    w->scene.sky = &none;
+}
+
+static void sink_fails(struct world *w)
+{
+    w->sent = 16;
+}
+
+static void no_depth_mapping(struct world *w)
+{
+    w->config.depth = NULL;
+}
+
+static void no_rows(struct world *w)
+{
+    w->config.strip_h = 0;
+}
+
+static void too_few_verts(struct world *w)
+{
+    w->config.max_verts = 2;
+}
+
+static void short_arena(struct world *w)
+{
+    w->arena_short = 400;
+}
+
+static void painter_with_depth(struct world *w)
+{
+    w->config.method = &zs_method_painter;
+}
+
+static const struct mistake refused[] = {
+    { "near 0", NULL, camera_near_0, ZS_ERR_CAMERA, "the camera is refused: near = 0 and far = 0" },
+    { "far", NULL, camera_far, ZS_ERR_CAMERA, "the camera is refused: near = 1000 and far = 1000" },
+    { "focal", NULL, camera_focal, ZS_ERR_CAMERA, "the camera is refused: its focal length is 0 px" },
+    { "camera.rot", NULL, camera_rot, ZS_ERR_CAMERA, "the camera is refused: rot is no rotation" },
+    { "ambient", NULL, light_256, ZS_ERR_RANGE, "the light is refused: ambient is 16777216" },
+    { "light.dir", NULL, light_dir_2, ZS_ERR_RANGE, "the light is refused: its dir is longer than 1" },
+    { "mesh NULL", second, no_mesh, ZS_ERR_NULL, "instance 1 is refused: mesh is NULL.\n" },
+    { "material NULL", second, no_material, ZS_ERR_NULL, "instance 1 is refused: material is NULL.\n" },
+    { "shader NULL", second, no_shader, ZS_ERR_NULL, "instance 1 is refused: material.shader is NULL.\n" },
+    { "no normals", second, no_normals, ZS_ERR_MESH,
+      "instance 1 is refused: its shader reads what is NULL, of mesh.normal mesh.uv material.texture.\n" },
+    { "no texture", second, no_texture, ZS_ERR_NULL,
+      "instance 1 is refused: its shader reads what is NULL, of mesh.normal mesh.uv material.texture and" },
+    { "varyings", smooth, no_varyings, ZS_ERR_VARYINGS,
+      "instance 0 is refused: its shader takes 3 varyings, and config.varyings is 0.\n" },
+    { "pose.rot", NULL, rot_q16, ZS_ERR_RANGE, "instance 0 is refused: pose.rot is no rotation" },
+    { "pose.pos", NULL, pos_beyond, ZS_ERR_RANGE,
+      "instance 0 is refused: pose.pos is 0 -2147483648 0, and 536870912 is the most.\n" },
+    { "scale", NULL, too_large, ZS_ERR_RANGE,
+      "instance 0 is refused: it is too large: 2 steps, of 3600000000 world units each" },
+    { "cull", NULL, cull_3, ZS_ERR_MESH, "instance 0 is refused: material.cull is 3.\n" },
+    { "log2_w", textured, log2_64, ZS_ERR_TEXTURE, "instance 0 is refused: its texture's log2_w is 64, log2_h 64" },
+    { "float, orthographic", NULL, orthographic, ZS_ERR_DEPTH,
+      "the depth mapping takes perspective cameras: zs_depth_linear" },
+    { "instance NULL", NULL, no_array, ZS_ERR_NULL, "scene.instance is NULL, and n_instances is 1.\n" },
+    { "sky", NULL, sky_null, ZS_ERR_NULL, "scene.sky.fill is NULL.\n" },
+    { "sink", NULL, sink_fails, 16,
+      "the last frame ended after 1 of 6 strips: a function of the sink returned an error" },
+    { "mapping", NULL, no_depth_mapping, ZS_ERR_NULL, "config.depth is NULL: take &zs_depth_float" },
+    { "strip_h", NULL, no_rows, ZS_ERR_SIZE, "config.strip_h is 0: it takes 1 to 65535.\n" },
+    { "max_verts", NULL, too_few_verts, ZS_ERR_SIZE, "config.max_verts is 2: it takes 3 to 65534.\n" },
+    { "arena", NULL, short_arena, ZS_ERR_ARENA, "the arena has * bytes, and * are needed: ZS_ARENA_BYTES" },
+    { "painter", NULL, painter_with_depth, ZS_ERR_DEPTH,
+      "config.method does not take this config.depth: zs_method.h says which" },
+};
+
+static void errors_name_the_thing(void **state)
+{
+    for (size_t k = 0; k < sizeof refused / sizeof refused[0]; k++)
+        check_mistake(&refused[k]);
+}
+
+/* ---- Nothing is wrong ------------------------------------------------------------------------ */
+
+/* All demo and bench scenes, as boards draw them. */
+static void scenes_are_right(void **state)
+{
+    static struct demo_frame f;
+    for (uint32_t d = 0; d < n_demos; d++)
+        for (uint32_t t = 0; t < demos[d]->frames; t += demos[d]->frames / 3u + 1u) {
+            const struct demo *demo = demos[d];
+            struct world w;
+            struct words words;
+            uint32_t said;
+            world_cube(&w);
+            demo->pose(&f, t, demo->width, demo->height);
+            w.config = picture_config(demo->width, demo->height, demo->depth);
+            w.config.max_tris = w.config.max_verts = 20000;
+            w.config.strip_h = 24;
+            w.config.fast = demo->fast;
+            w.scene = f.scene;
+            w.camera = f.camera;
+            const int err = world_hear(&w, &words, &said);
+            if (err || said)
+                fail_msg("%s, frame %u: %s\n%s", demo->name, t, zs_error_string(err), words.text);
+        }
+}
+
+/* The examples, each as it calls zs_render (tests.mk wraps the calls). */
+static struct words words_of_examples;
+static uint32_t said_of_examples, frames_of_examples, passes_of_examples;
+
+int __real_zs_render(struct zs_renderer *r, const struct zs_scene *scene, const struct zs_camera *camera,
+                     const struct zs_sink *sink);
+int __wrap_zs_render(struct zs_renderer *r, const struct zs_scene *scene, const struct zs_camera *camera,
+                     const struct zs_sink *sink);
+int __wrap_zs_render(struct zs_renderer *r, const struct zs_scene *scene, const struct zs_camera *camera,
+                     const struct zs_sink *sink)
+{
+    const int err = __real_zs_render(r, scene, camera, sink);
+    if (sink->submit != submit) {
+        said_of_examples += zs_explain(r, scene, camera, hear, &words_of_examples);
+        frames_of_examples++;
+    }
+    return err;
+}
+
+int __real_zs_render_passes(struct zs_renderer *r, const struct zs_pass *pass, struct zs_pass_memory *memory,
+                            uint32_t n, const struct zs_sink *sink);
+int __wrap_zs_render_passes(struct zs_renderer *r, const struct zs_pass *pass, struct zs_pass_memory *memory,
+                            uint32_t n, const struct zs_sink *sink);
+int __wrap_zs_render_passes(struct zs_renderer *r, const struct zs_pass *pass, struct zs_pass_memory *memory,
+                            uint32_t n, const struct zs_sink *sink)
+{
+    const int err = __real_zs_render_passes(r, pass, memory, n, sink);
+    for (uint32_t k = 0; k < n; k++)
+        said_of_examples += zs_explain(r, pass[k].scene, pass[k].camera, hear, &words_of_examples);
+    passes_of_examples += n;
+    return err;
+}
+
+static int no_panel(void *ctx, const struct zs_strip *strip)
+{
+    (void)ctx;
+    (void)strip;
+    return 0;
+}
+
+static void examples_are_right(void **state)
+{
+#define EXAMPLE(name)                                                                                                 \
+    {                                                                                                                 \
+#name, example_##name                                                                                         \
+    }
+    static const struct {
+        const char *name;
+        int (*draw)(uint32_t, const struct zs_sink *);
+    } example[] = { EXAMPLE(glass),         EXAMPLE(cockpit_gauges),
+                    EXAMPLE(dither),        EXAMPLE(fog),
+                    EXAMPLE(cutout),        EXAMPLE(filters),
+                    EXAMPLE(gradient_sky),  EXAMPLE(frame_counter),
+                    EXAMPLE(hidden_line),   EXAMPLE(matcap),
+                    EXAMPLE(mirror),        EXAMPLE(no_depth),
+                    EXAMPLE(planar_shadow), EXAMPLE(sky),
+                    EXAMPLE(shadow_map),    EXAMPLE(split_screen),
+                    EXAMPLE(supersampled),  EXAMPLE(user_shader),
+                    EXAMPLE(dissolve),      EXAMPLE(marble),
+                    EXAMPLE(three_lights),  EXAMPLE(toon),
+                    EXAMPLE(waving_flag) };
+    const struct zs_sink sink = { .submit = no_panel };
+    const uint32_t n = sizeof example / sizeof example[0];
+    for (uint32_t k = 0; k < n; k++)
+        for (uint32_t t = 0; t < 3; t++) {
+            memset(&words_of_examples, 0, sizeof words_of_examples);
+            said_of_examples = 0;
+            assert_int_equal(example[k].draw(t, &sink), ZS_OK);
+            if (said_of_examples)
+                fail_msg("%s, frame %u: %s", example[k].name, t, words_of_examples.text);
+        }
+    assert_true(frames_of_examples > 40 && passes_of_examples > 10);
+}
+
+/* What is unusual, and right. */
+static void sky_fill(void *ctx, uint16_t *out, uint16_t x, uint16_t y, uint16_t n)
+{
+    (void)ctx;
+    (void)x;
+    for (uint16_t i = 0; i < n; i++)
+        out[i] = zs_wire565((uint8_t)y, 100, 200);
+}
+
+static void night(struct world *w)
+{
+    w->scene.light.ambient = 1; /* as zs_light says */
+}
+
+static void sky_alone(struct world *w)
+{
+    static const struct zs_background sky = { .fill = sky_fill };
+    w->scene.sky = &sky;
+    w->scene.n_instances = 0;
+}
+
+static void tall_strips(struct world *w)
+{
+    w->config.strip_h = 65535;
+}
+
+static void a_far_one_more(struct world *w)
+{
+    world_two(w);
+    w->instance[1].pose.pos[2] = -500000;
+}
+
+static void an_empty_one_more(struct world *w)
+{
+    world_two(w);
+    w->instance[1].mesh = &w->sheet;
+    w->sheet.n_tris = 0;
+}
+
+static void black_beside_red(struct world *w)
+{
+    world_two(w);
+    memset(&w->green.rgb, 0, sizeof w->green.rgb);
+}
+
+static void inside_a_room(struct world *w)
+{
+    world_two(w);
+    w->instance[1].pose.scale = 9 * ZS_Q16_ONE;
+    w->instance[1].pose.pos[0] = w->instance[1].pose.pos[2] = 0;
+    w->instance[1].mesh = &w->sheet; /* stands for the mesh of the room */
+    w->sheet = w->cube;
+    w->sheet.tri = (const uint16_t(*)[3])face_inwards;
+}
+
+static void hull(struct world *w)
+{
+    world_two(w);
+    w->green.cull = ZS_CULL_FRONT; /* an outline: its far side, a bit larger */
+    w->instance[1].pose = w->instance[0].pose;
+    w->instance[1].pose.scale = ZS_Q16_ONE * 17 / 16;
+}
+
+static void small_steps(struct world *w)
+{
+    static int16_t fine[8][3];
+    for (int v = 0; v < 8; v++)
+        for (int k = 0; k < 3; k++)
+            fine[v][k] = (int16_t)(corner[v][k] * 18000);
+    w->cube.pos = (const int16_t(*)[3])fine;
+    w->cube.radius = 31178;
+    w->cube.scale = 3641; /* of 65536: 1,000 units */
+}
+
+static void few_bits(struct world *w)
+{
+    w->config.depth_bits = 10;
+    w->config.subpixel_bits = 4;
+}
+
+static void far_ones_first(struct world *w)
+{
+    two_without_depth(w);
+}
+
+static void methods(struct world *w)
+{
+    two_without_depth(w);
+    near_first(w);
+    w->config.method = &zs_method_painter;
+    w->config.max_tris = 400;
+}
+
+static void unusual_is_right(void **state)
+{
+    static void (*const change[])(
+        struct world *) = { night,         sky_alone, tall_strips, a_far_one_more, an_empty_one_more, black_beside_red,
+                            inside_a_room, hull,      small_steps, few_bits,       far_ones_first,    methods,
+                            with_overlay,  with_fog,  with_glass,  with_lamps,     textured,          smooth };
+    for (size_t k = 0; k < sizeof change / sizeof change[0]; k++) {
+        struct world w;
+        char name[32];
+        world_cube(&w);
+        change[k](&w);
+        (void)snprintf(name, sizeof name, "unusual %zu", k);
+        assert_right(&w, name);
+    }
+}
+
+/* ---- Random scenes in which nothing is wrong -------------------------------------------------- */
+
+static int32_t either(struct prng *p, int32_t most)
+{
+    return prng_range(p, -most, most);
+}
+
+static void random_shape(struct prng *p, struct shape *s, uint32_t kinds)
+{
+    shape_begin(s);
+    switch (prng_pick(p, kinds)) {
+    case 0:
+        shape_sphere(s, 4 + prng_pick(p, 8), 5 + prng_pick(p, 12), prng_range(p, 300, 9000));
+        break;
+    case 1:
+        shape_torus(s, 6 + prng_pick(p, 8), 5 + prng_pick(p, 8), prng_range(p, 3000, 9000), prng_range(p, 300, 1500));
+        break;
+    default:
+        shape_ground(s, 4 + prng_pick(p, 8), prng_range(p, 2000, 9000), 200, 1 + prng_pick(p, 1000));
+    }
+    shape_end(s);
+}
+
+/* Some shapes in front of a camera, by any shader, light, mapping, strips, pools and accelerators; one of them, in the
+ * middle, is surely seen. Some of the others may be out of view, hidden, or far. */
+static int right_case(uint64_t seed)
+{
+    static const struct zs_shader *const shader[3] = { &zs_shade_raw, &zs_shade_flat, &zs_shade_smooth };
+    static struct shape shape[3];
+    struct prng p = { seed };
+    struct world w;
+    struct words words;
+    struct zs_material material[3];
+    uint32_t said, n = 0;
+    int32_t at[3] = { either(&p, 100000), either(&p, 100000), either(&p, 100000) };
+    world_cube(&w);
+    memset(material, 0, sizeof material);
+    memset(w.instance, 0, sizeof w.instance);
+    w.scene.n_instances = 1 + prng_pick(&p, 3);
+    for (uint32_t i = 0; i < w.scene.n_instances; i++) {
+        struct zs_instance *in = &w.instance[i];
+        random_shape(&p, &shape[i], i ? 3 : 2); /* a ground may be seen edge on */
+        shape[i].mesh.scale = (zs_uq16_16)prng_range(&p, 3000, 300000);
+        shape[i].mesh.pos_lo = prng_pick(&p, 2) ? (const uint8_t(*)[3])shape[i].pos_lo : NULL;
+        shape[i].mesh.radius += 2;
+        if (prng_pick(&p, 2))
+            shape[i].mesh.face_rgb = NULL;
+        material[i].shader = shader[prng_pick(&p, 3)];
+        material[i].rgb.r = (uint8_t)prng_range(&p, 60, 255);
+        material[i].rgb.g = (uint8_t)prng_pick(&p, 256);
+        material[i].rgb.b = (uint8_t)prng_pick(&p, 256);
+        material[i].cull = (uint8_t)(i || shape[i].mesh.n_verts == 0 ? ZS_CULL_BACK : ZS_CULL_NONE);
+        in->mesh = &shape[i].mesh;
+        in->material = &material[i];
+        zs_pose_turn(&in->pose, (zs_turn)prng_next(&p), (zs_turn)prng_next(&p), (zs_turn)prng_next(&p));
+        n += shape[i].mesh.n_tris;
+    }
+    const int32_t radius = (int32_t)((uint64_t)shape[0].mesh.radius * shape[0].mesh.scale >> 16);
+    const int32_t distance = radius * prng_range(&p, 3, 9);
+    for (uint32_t i = 0; i < w.scene.n_instances; i++)
+        for (int k = 0; k < 3; k++)
+            w.instance[i].pose.pos[k] = at[k] + (i ? either(&p, 4 * radius) : 0);
+    w.scene.background = (uint16_t)prng_next(&p);
+    if (prng_pick(&p, 2)) {
+        const int32_t dir[3] = { either(&p, 100), 101, either(&p, 100) };
+        CASE_CHECK(zs_unit(w.scene.light.dir, dir) == ZS_OK);
+        w.scene.light.ambient = (zs_uq16_16)prng_range(&p, ZS_Q16_ONE / 6, ZS_Q16_ONE);
+        w.scene.light.diffuse = (zs_uq16_16)prng_range(&p, ZS_Q16_ONE / 20, ZS_Q16_ONE);
+    }
+    const int32_t near = distance / 10 + 1, far = distance * 30;
+    const int perspective = prng_pick(&p, 4) != 0;
+    CASE_CHECK((perspective ? zs_camera_perspective(&w.camera, (zs_turn)prng_range(&p, ZS_DEGREES(20), ZS_DEGREES(90)),
+                                                    H, near, far)
+                            : zs_camera_orthographic(&w.camera, prng_range(&p, 3, 8) * radius, near, far)) == ZS_OK);
+    CASE_CHECK(zs_camera_orbit(&w.camera, at, distance, (zs_turn)prng_next(&p), (int16_t)either(&p, 16000)) == ZS_OK);
+    w.config.depth = !perspective ? &zs_depth_linear : prng_pick(&p, 2) ? &zs_depth_float : &zs_depth_recip;
+    picture_any_way(&p, &w.config, (int32_t)n, (int32_t)n);
+    w.config.strip_h = (uint16_t)prng_range(&p, 4, H);
+    w.config.max_tris = (uint16_t)prng_range(&p, (int32_t)n, 4 * (int32_t)n);
+    w.config.max_verts = (uint16_t)prng_range(&p, (int32_t)n, 4 * (int32_t)n);
+    const int err = world_hear(&w, &words, &said);
+    return err == ZS_OK && said == 0 ? 1 : case_wrong("%s\n%s", zs_error_string(err), words.text);
+}
+
+/* ---- What is asked changes nothing ------------------------------------------------------------ */
+
+static uint16_t glass_px[W * H];
+
+static int keep_px(void *ctx, const struct zs_strip *s)
+{
+    *(uint32_t *)ctx += (uint32_t)s->dirty_w * s->h;
+    for (uint32_t y = 0; y < s->h; y++)
+        memcpy(&glass_px[(s->y + y) * W + s->dirty_x], s->px + 2u * (y * s->w + s->dirty_x), 2u * s->dirty_w);
+    return 0;
+}
+
+/* The next frames are what they are without a question between, also what of them is sent. */
+static void asking_changes_nothing(void **state)
+{
+    for (int mode = 0; mode < 6; mode++) {
+        static uint16_t plain[6][W * H];
+        static uint32_t sent[6], memory[ZS_DAMAGE_WORDS(2, H, 8)], arena[20000];
+        for (int ask = 0; ask < 2; ask++) {
+            struct zs_renderer r;
+            struct zs_strip_hashes sums;
+            uint64_t hashes[H * 2];
+            struct world w;
+            struct words words = { .n = 0 };
+            world_cube(&w);
+            world_two(&w);
+            memset(glass_px, 0, sizeof glass_px);
+            w.config.buffers = (uint8_t)(1 + mode % 2);
+            w.config.fast = picture_config(W, H, &zs_depth_float).fast;
+            assert_int_equal(zs_init(&r, &w.config, arena, sizeof arena), ZS_OK);
+            if (mode / 2 == 1)
+                assert_int_equal(watch_anew(&r, &sums, hashes, 1), ZS_OK);
+            if (mode / 2 == 2)
+                assert_int_equal(zs_damage_track(&r, memory, 2), ZS_OK);
+            for (int frame = 0; frame < 6; frame++) {
+                uint32_t pixels = 0;
+                const struct zs_sink sink = { .submit = keep_px, .ctx = &pixels };
+                w.instance[1].pose.pos[0] += frame == 1 || frame == 4 ? 300 : 0;
+                w.scene.background = (uint16_t)(w.scene.background + (frame == 3));
+                assert_int_equal(zs_render(&r, &w.scene, &w.camera, &sink), ZS_OK);
+                if (ask) {
+                    assert_memory_equal(plain[frame], glass_px, sizeof glass_px);
+                    assert_int_equal(sent[frame], pixels);
+                    const struct zs_stats before = *zs_frame_stats(&r);
+                    w.scene.n_instances = frame % 2 ? 1 : 2; /* of other scenes, too */
+                    w.instance[0].pose.pos[2] -= 100000;
+                    assert_int_not_equal(zs_explain(&r, &w.scene, &w.camera, hear, &words), 0 == (frame % 2));
+                    assert_int_not_equal(zs_explain_instance(&r, &w.scene, &w.camera, 0, hear, &words), 0);
+                    w.instance[0].pose.pos[2] += 100000;
+                    w.scene.n_instances = 2;
+                    assert_memory_equal(&before, zs_frame_stats(&r), sizeof before);
+                } else {
+                    memcpy(plain[frame], glass_px, sizeof glass_px);
+                    sent[frame] = pixels;
+                }
+            }
+        }
+    }
+}
+
+/* One instance, and questions that cannot be answered. */
+static void one_instance(void **state)
+{
+    struct world w;
+    struct zs_renderer r;
+    static uint32_t arena[20000];
+    struct words words = { .n = 0 };
+    struct zs_strip strip;
+    memset(&r, 0, sizeof r);
+    world_cube(&w);
+    world_two(&w);
+    w.instance[1].pose.pos[2] = -90000;
+    assert_int_equal(zs_explain(NULL, &w.scene, &w.camera, hear, &words), 1);
+    assert_int_equal(zs_explain(&r, &w.scene, &w.camera, hear, &words), 1);
+    assert_non_null(strstr(words.text, "the renderer is NULL.\nthe renderer is not set up"));
+    assert_int_equal(zs_init(&r, &w.config, arena, sizeof arena), ZS_OK);
+    memset(&words, 0, sizeof words);
+    assert_int_equal(zs_explain(&r, NULL, &w.camera, hear, &words), 1);
+    assert_int_equal(zs_explain(&r, &w.scene, NULL, hear, &words), 1);
+    assert_string_equal(words.text, "the scene is NULL.\nthe camera is NULL.\n");
+    assert_int_equal(zs_frame_begin(&r, &w.scene, &w.camera), ZS_OK);
+    assert_int_equal(zs_explain(&r, &w.scene, &w.camera, hear, &words), 1);
+    assert_non_null(strstr(words.text, "a frame is open"));
+    assert_int_equal(zs_frame_strip(&r, &strip), 1); /* it still is */
+    assert_int_equal(zs_frame_end(&r), ZS_OK);
+    memset(&words, 0, sizeof words);
+    assert_int_equal(zs_explain_instance(&r, &w.scene, &w.camera, 0, hear, &words), 1);
+    assert_int_equal(zs_explain_instance(&r, &w.scene, &w.camera, 1, hear, &words), 1);
+    assert_int_equal(zs_explain_instance(&r, &w.scene, &w.camera, 2, hear, &words), 1);
+    struct picture p;
+    w.scene.n_instances = 1;
+    p = picture_draw(&w.config, &w.scene, &w.camera);
+    char want[300];
+    (void)snprintf(
+        want, sizeof want,
+        "instance 0 colours %u pixels where nothing hides it: %u of 12 triangles are drawn, %u face away, 0 are "
+        "beside the picture, 0 before near, 0 beyond far.\ninstance 1 is out of view: it begins *\nthere is no "
+        "instance 2: n_instances is 2.\n",
+        p.covered, p.stats.tris_drawn, p.stats.tris_facing);
+    char *star = strchr(want, '*'), *at = strstr(words.text, "it begins ");
+    *star = 0;
+    assert_memory_equal(words.text, want, strlen(want));
+    assert_non_null(at);
+    assert_string_equal(strchr(at, '\n'), star + 1);
+    picture_free(&p);
+}
+
+/* There is an end to what is said. */
+static void at_most_16(void **state)
+{
+    static struct zs_instance many[40];
+    struct world w;
+    struct words words;
+    uint32_t said;
+    world_cube(&w);
+    for (int k = 0; k < 40; k++)
+        many[k] = w.instance[0];
+    w.scene.instance = many;
+    w.scene.n_instances = 40;
+    w.config.max_tris = w.config.max_verts = 500;
+    assert_right(&w, "40 instances");
+    for (int k = 0; k < 40; k++)
+        many[k].pose.pos[0] = INT32_MAX;
+    assert_int_equal(world_hear(&w, &words, &said), ZS_ERR_RANGE);
+    assert_int_equal(said, 16);
+    assert_int_equal(lines(&words), 16);
+    for (int k = 0; k < 40; k++)
+        many[k].pose.pos[0] = 100000;
+    assert_int_equal(world_hear(&w, &words, &said), ZS_OK);
+    assert_int_equal(said, 8);
+}
+
+static const struct CMUnitTest tests[] = {
+    cmocka_unit_test(nothing_is_seen),
+    cmocka_unit_test(it_is_dark),
+    cmocka_unit_test(parts_are_wrong),
+    cmocka_unit_test(it_is_slow),
+    cmocka_unit_test(one_pass_is_one),
+    cmocka_unit_test(errors_name_the_thing),
+    cmocka_unit_test(scenes_are_right),
+    cmocka_unit_test(examples_are_right),
+    cmocka_unit_test(unusual_is_right),
+    CASES_TEST(random_scenes_are_right, right_case, 400),
+    cmocka_unit_test(asking_changes_nothing),
+    cmocka_unit_test(one_instance),
+    cmocka_unit_test(at_most_16),
+};
+
+CASES_MAIN(tests)
