@@ -1,5 +1,5 @@
-/* What random scenes may be drawn with besides the kinds of kinds.h: effect/, overlay/, lines and points. A new effect is
- * fuzzed and stressed once it is listed here.
+/* What random scenes may be drawn with besides the kinds of kinds.h: effect/, overlay/, lines and points. A new effect
+ * is fuzzed and stressed once it is listed here.
  *
  * SPDX-License-Identifier: MIT
  */
@@ -74,9 +74,9 @@ struct effects {
 
 /* Set the lamps, the shine, the lines and the items at random. size: of the scene, world units. */
 void effects_make(struct effects *e, struct prng *p, int64_t size);
-/* Draw the shadow map of instances by a light of the scene's size; twice, in two ways. 1: the same map, or none, twice. */
+/* Draw the shadow map of instances by a light of the scene's size, twice, in two ways. 1: the same map, or none. */
 int effects_map(struct effects *e, struct prng *p, const struct zs_instance *in, uint32_t n, int64_t size);
-/* A material at random: of an effect, or lines or points with any shader. without: enum effect_needs that may not be. */
+/* A material at random: of an effect, or lines or points by such a shader. without: enum effect_needs not to be. */
 void effects_cover(struct effects *e, struct prng *p, union effect_material *m, const struct zs_texture *texture,
                    uint32_t without);
 /* A hook over strips, of one kind. 1; 0: it cannot be with this frame, and *hook is as it was. */

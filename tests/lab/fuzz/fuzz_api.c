@@ -230,6 +230,9 @@ static const struct zs_fast *const *lists(struct prng *p, int trusted)
     return fast_of(bits);
 }
 
+/* 1: the world has many triangles. Methods then get pools in which a pixel does not take hundreds of walks. */
+static int crowded;
+
 /* How it is drawn. */
 static struct zs_config way(struct prng *p, struct zs_config c, int trusted)
 {
@@ -242,8 +245,9 @@ static struct zs_config way(struct prng *p, struct zs_config c, int trusted)
     c.buffers = (uint8_t)(1 + prng_pick(p, 2));
     c.fast = lists(p, trusted);
     const struct kind_method *method = method_of(&c);
-    c.max_tris = c.max_tris < method->least_tris ? method->least_tris : c.max_tris;
-    c.max_verts = c.max_verts < method->least_verts ? method->least_verts : c.max_verts;
+    const uint16_t tris = crowded ? 1000 : method->least_tris, verts = crowded ? 1000 : method->least_verts;
+    c.max_tris = c.method && c.max_tris < tris ? tris : c.max_tris;
+    c.max_verts = c.method && c.max_verts < verts ? verts : c.max_verts;
     return c;
 }
 
@@ -252,8 +256,12 @@ static struct effects effects;
 
 static void dress(struct world *w, struct prng *p, const struct zs_config *c, uint32_t odd)
 {
+    uint32_t tris = 0;
     if (one_in(p, 2))
         EXPECT(world_effects(w, &effects, p, c, odd));
+    for (uint32_t i = 0; i < w->n_instances; i++)
+        tris += w->instance[i].mesh ? w->instance[i].mesh->n_tris : 0;
+    crowded = tris > 100;
 }
 
 static void print_config(const struct zs_config *c)

@@ -47,8 +47,8 @@ static inline int one_in(struct prng *p, uint32_t n)
 
 /* odd: 1 in how many of its choices is beyond what is sensible; 0: none. */
 void world_make(struct world *w, struct prng *p, uint32_t odd);
-/* Give most of its materials effects, some textures alpha or mipmaps, perhaps a sky, and a hook over strips. e is kept while
- * the world is drawn: drawing changes what its hooks remember. config: of the frame, whose method there is already.
+/* Give most of its instances effects, some textures alpha or mipmaps, perhaps a sky, and a hook over strips. e is kept
+ * while the world is drawn: drawing changes what its hooks remember. config: of the frame, with its method.
  * 1; 0: a shadow map was not the same twice. */
 int world_effects(struct world *w, struct effects *e, struct prng *p, const struct zs_config *config, uint32_t odd);
 /* Another camera on the same scene, mostly of the same projection. */
