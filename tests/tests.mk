@@ -12,7 +12,7 @@ TEST_CC = $(CC) -std=gnu11 -O1 -g1 $(SAN) -Wall -Wextra -Werror -Wshadow -Wno-mi
 TESTS = $(foreach d,unit property tools,$(wildcard tests/$d/test_*.c))
 MODEL = $(wildcard sim/panel_model/*.c) sim/panel/panel_bus.c hal/fault/fault.c
 FRAME = sim/frame/frame.c sim/frame/scene_share.c sim/frame/method_names.c sim/cli/sim.c
-TEST_HELP = $(wildcard tests/lib/*.c) tests/lab/fuzz/world.c
+TEST_HELP = $(wildcard tests/lib/*.c) tests/lab/fuzz/world.c tests/lab/fuzz/effects.c
 t = $(patsubst %.c,$(B)/test/%.o,$(1))
 
 # Unit tests by name, and those that T= names
@@ -92,7 +92,7 @@ $(CHECKSUMS_BARE): tests/property/checksum.c $(filter-out firmware/zstrip/fast/%
 $(CHECKSUMS_BARE): INC += -DZS_NO_FAST=1
 $(CHECKSUMS) $(CHECKSUMS_BARE):
 	@mkdir -p $(@D)
-	@$(CHECKSUM_CC) -std=c11 -$(word 3,$(subst -, ,$(@F))) $(INC) -Itests/lib $(filter %.c,$^) -o $@
+	@$(CHECKSUM_CC) -std=c11 -$(word 3,$(subst -, ,$(@F))) $(INC) -DZS_VARYINGS_MAX=8 -Itests/lib $(filter %.c,$^) -o $@
 
 ## size: flash of the renderer and RAM by pool
 ## stack: worst-case stack

@@ -142,7 +142,7 @@ $(B)/fuzz/fuzz_mesh: tests/lab/fuzz/fuzz_mesh.c $(patsubst %,tests/lib/%.c,fast_
 # Stress: triangles against the oracle and frames against the plainest way, by seeds; under the sanitizers, and as
 # shipped. The oracle, the judge, is not slowed down by sanitizers. cut is for make test: of its objects, at -O1.
 STRESS_CC = $(CC) -std=gnu11 $(CFLAGS) -Wall -Wextra -Werror -Wshadow -Wno-missing-field-initializers $(INC) \
-            -Itests/lib -Itests/lab/fuzz -Itests/lab/stress
+            -Itests/lib -Itests/lab/fuzz -Itests/lab/stress -DZS_VARYINGS_MAX=8
 stress-cut: $(B)/stress/cut
 stress-programs: $(B)/stress/san
 $(B)/test/tests/lab/stress/%.o: TEST_CC += -Itests/lab/fuzz -Itests/lab/stress
@@ -153,7 +153,7 @@ $(B)/stress/cut: $(call t,$(wildcard tests/lab/stress/*.c) tests/lab/fuzz/replay
 $(B)/stress/oracle.o: tests/lib/oracle.c tests/lib/oracle.h
 	@mkdir -p $(@D)
 	@$(STRESS_CC) -c $< -o $@
-STRESS = $(wildcard tests/lab/stress/*.c) tests/lab/fuzz/replay.c \
+STRESS = $(wildcard tests/lab/stress/*.c) tests/lab/fuzz/replay.c tests/lab/fuzz/effects.c \
          $(patsubst %,tests/lib/%.c,clusters fast_lists own picture) $(CORE)
 $(B)/stress/san: $(STRESS) $(B)/stress/oracle.o $(HEADERS)
 	@$(STRESS_CC) $(SAN) -DZS_STATS=1 '-DZS_ASSERT(c)=((c)?(void)0:__builtin_trap())' $(STRESS) $(B)/stress/oracle.o \

@@ -11,7 +11,17 @@
 #include <stdio.h>
 
 #include "shapes.h"
+#include "zs_blend.h"
+#include "zs_dither.h"
+#include "zs_environment.h"
 #include "zs_fast.h"
+#include "zs_filter.h"
+#include "zs_fog.h"
+#include "zs_lights.h"
+#include "zs_lines.h"
+#include "zs_method.h"
+#include "zs_overlay.h"
+#include "zs_shadow.h"
 
 #define W 120
 #define H 90
@@ -19,7 +29,9 @@
 #define TRIS 2500
 #define VERTS 1500
 
-ZS_ARENA(arena, ZS_ARENA_BYTES(W, H, STRIP, TRIS, VERTS, ZS_VARYINGS_SMOOTH, 2));
+#define VARYINGS ZS_VARYINGS_PHONG_NEAR
+
+ZS_ARENA(arena, ZS_ARENA_BYTES(W, H, STRIP, TRIS, VERTS, VARYINGS, 2));
 
 static struct shape shapes[2];
 static int16_t uv[2][SHAPE_VERTS][2];
@@ -30,7 +42,12 @@ static uint16_t colors[256];
 struct page {
     const char *name;
     struct zs_config config;
-    struct zs_material material[5];
+    union {
+        struct zs_material material;
+        struct zs_lit_material lit;
+        struct zs_blend blend;
+        struct zs_shadowed_material shadowed;
+    } material[5];
     struct zs_instance instance[5];
     struct zs_scene scene;
     struct zs_camera camera;
@@ -41,9 +58,9 @@ static void add(struct page *p, const struct shape *s, const struct zs_shader *s
 {
     const uint32_t n = p->scene.n_instances++;
     const struct zs_material material = { .shader = shader, .rgb = { 230, 140, 250 }, .cull = cull };
-    p->material[n] = material;
+    p->material[n].material = material;
     p->instance[n].mesh = &s->mesh;
-    p->instance[n].material = &p->material[n];
+    p->instance[n].material = &p->material[n].material;
     zs_pose_identity(&p->instance[n].pose);
     zs_pose_turn(&p->instance[n].pose, (zs_turn)(n * 7001u), (zs_turn)(n * 3003u),
                  (zs_turn)(n * 911u));
@@ -63,10 +80,17 @@ static void begin(struct page *p, const char *name, const struct zs_depth *depth
 {
     const struct page none = { 0 };
     static const struct zs_fast *const fast[] = { ZS_FAST_ALL, ZS_FAST_END };
-    const struct zs_config config = {
-        .width = W, .height = H, .strip_h = STRIP, .max_tris = TRIS, .max_verts = VERTS, .varyings = ZS_VARYINGS_SMOOTH,
-        .buffers = 1, .subpixel_bits = 8, .depth_bits = 16, .depth = depth, .fast = fast
-    };
+    const struct zs_config config = { .width = W,
+                                      .height = H,
+                                      .strip_h = STRIP,
+                                      .max_tris = TRIS,
+                                      .max_verts = VERTS,
+                                      .varyings = VARYINGS,
+                                      .buffers = 1,
+                                      .subpixel_bits = 8,
+                                      .depth_bits = 16,
+                                      .depth = depth,
+                                      .fast = fast };
     const int32_t light[3] = { 3, 5, 4 };
     *p = none;
     p->name = name;
@@ -113,7 +137,7 @@ static void cover(struct page *p, uint32_t n, uint32_t shape, const struct zs_te
     }
     mesh->uv = (const int16_t (*)[2])uv[shape];
     mesh->uv_bits = 11;
-    p->material[n].texture = texture;
+    p->material[n].material.texture = texture;
     p->instance[n].depth_state = state;
 }
 
@@ -135,7 +159,7 @@ static void page_smooth(struct page *p)
     page_flat(p);
     p->name = "smooth";
     p->config.buffers = 2;
-    p->material[0].shader = p->material[1].shader = &zs_shade_smooth;
+    p->material[0].material.shader = p->material[1].material.shader = &zs_shade_smooth;
     look_from(p, -6000, 7000, 8000);
 }
 
@@ -223,9 +247,9 @@ static void page_textured(struct page *p)
     page_flat(p);
     p->name = "textured, e3m13 keys";
     p->config.depth = &zs_depth_e3m13;
-    p->material[0].shader = &zs_shade_texture;
-    p->material[1].shader = &zs_shade_texture_flat;
-    p->material[2].shader = &zs_shade_texture_smooth;
+    p->material[0].material.shader = &zs_shade_texture;
+    p->material[1].material.shader = &zs_shade_texture_flat;
+    p->material[2].material.shader = &zs_shade_texture_smooth;
     cover(p, 0, 0, &texture_565, 0);
     cover(p, 1, 1, &texture_pal8, 0);
     cover(p, 2, 0, &texture_pal4, 0);
@@ -235,9 +259,9 @@ static void page_textured(struct page *p)
 static void page_textured_clipped(struct page *p)
 {
     page_clipped(p, "textured, clipped, e4m12 keys", &zs_depth_e4m12);
-    p->material[0].shader = &zs_shade_texture_smooth;
-    p->material[1].shader = &zs_shade_texture;
-    p->material[2].shader = &zs_shade_texture_flat;
+    p->material[0].material.shader = &zs_shade_texture_smooth;
+    p->material[1].material.shader = &zs_shade_texture;
+    p->material[2].material.shader = &zs_shade_texture_flat;
     cover(p, 0, 0, &texture_pal8, 0);
     cover(p, 1, 1, &texture_pal4, 0);
     cover(p, 2, 1, &texture_line, 0);
@@ -263,8 +287,8 @@ static void page_textured_ortho(struct page *p)
 {
     page_ortho(p);
     p->name = "textured, orthographic";
-    p->material[0].shader = &zs_shade_texture_smooth;
-    p->material[1].shader = &zs_shade_texture;
+    p->material[0].material.shader = &zs_shade_texture_smooth;
+    p->material[1].material.shader = &zs_shade_texture;
     cover(p, 0, 1, &texture_565, 0);
     cover(p, 1, 0, &texture_pal4, 0);
 }
@@ -297,12 +321,296 @@ static void page_coarse_float(struct page *p)
     p->config.depth_bits = 8;
 }
 
+/* ---- Effects: integers that are packed into words must not depend on the order of bytes ------------------- */
+
+static uint16_t rgba[32 * 32], alphas[512];
+static uint16_t levels[32 * 32 * 3 / 2]; /* and mipmaps */
+static const struct zs_texture texture_4444 = { .format = &zs_texel_4444, .texel = rgba, .log2_w = 5, .log2_h = 5 };
+static const struct zs_texture texture_pal8a = {
+    .format = &zs_texel_pal8a, .texel = byte, .palette = alphas, .n_colors = 256, .log2_w = 4, .log2_h = 6
+};
+static const struct zs_texture texture_levels = {
+    .format = &zs_texel_565, .texel = levels, .log2_w = 5, .log2_h = 5, .n_levels = 6
+};
+
+static void make_effect_textures(void)
+{
+    struct prng dice = { 99 };
+    for (uint32_t i = 0; i < 32u * 32u; i++)
+        rgba[i] = (uint16_t)(prng_next(&dice) & 0xfff0u) | (uint16_t)((i * 5u >> 3) & 15u);
+    for (uint32_t i = 0; i < sizeof levels / sizeof levels[0]; i++)
+        levels[i] = (uint16_t)(i * 0x0841u);
+    for (uint32_t i = 0; i < 512u; i++)
+        alphas[i] = (uint16_t)(prng_next(&dice) & (i < 256u ? 0xffffu : 255u));
+}
+
+static struct zs_shine shine;
+static const struct zs_lamp lamp[3] = {
+    { .dir = { 0, ZS_Q30_ONE, 0 }, .rgb = { 255, 200, 150 } },
+    { .kind = ZS_LAMP_POINT, .pos = { 3000, 2000, 5000 }, .range = 20000, .rgb = { 90, 120, 255 } },
+    { .kind = ZS_LAMP_SPOT,
+      .pos = { 0, 9000, 0 },
+      .dir = { 0, -ZS_Q30_ONE, 0 },
+      .half = 6000,
+      .inner = ZS_Q30_ONE / 10 * 9,
+      .outer = ZS_Q30_ONE / 2 }
+};
+static const struct zs_lighting lamps = { .lamp = lamp, .n_lamps = 3, .ambient = { 40, 40, 60 } };
+static const struct zs_lighting sun = { .lamp = lamp, .n_lamps = 1, .ambient = { 40, 40, 60 } };
+
+static void light(struct page *p, uint32_t n, const struct zs_shader *shader, const struct zs_lighting *by)
+{
+    p->material[n].material.shader = shader;
+    p->material[n].lit.lighting = by;
+    p->material[n].lit.shine = &shine;
+    p->material[n].lit.specular = (struct zs_rgb){ 255, 255, 255 };
+}
+
+static void page_lamps(struct page *p)
+{
+    page_flat(p);
+    p->name = "lamps";
+    (void)zs_shine_set(&shine, 20);
+    light(p, 0, &zs_shade_phong, &sun);
+    light(p, 1, &zs_shade_lit, &lamps);
+    light(p, 2, &zs_shade_phong_near, &lamps);
+    p->material[2].lit.flags = ZS_LIT_NEAR_VIEWER | ZS_LIT_TWO_SIDED;
+}
+
+static void page_lamps_textured(struct page *p)
+{
+    page_textured(p);
+    p->name = "lamps on textures, per face";
+    light(p, 0, &zs_shade_texture_lit, &lamps);
+    light(p, 1, &zs_shade_texture_tinted, &lamps);
+    light(p, 2, &zs_shade_lit_face, &lamps);
+}
+
+static void page_blended(struct page *p, const char *name, const struct zs_shader *const shader[5], uint8_t alpha)
+{
+    page_textured(p);
+    add(p, &shapes[1], &zs_shade_raw, -2500, 900, 2500, ZS_CULL_NONE);
+    add(p, &shapes[0], &zs_shade_raw, 500, 2000, 3500, ZS_CULL_BACK);
+    cover(p, 3, 1, &texture_4444, 0);
+    cover(p, 4, 0, &texture_pal8a, 0);
+    p->name = name;
+    for (uint32_t n = 0; n < 5; n++) {
+        p->material[n].material.shader = shader[n];
+        p->material[n].blend.alpha = alpha;
+        p->material[n].blend.phase = (uint8_t)(9 * n);
+    }
+}
+
+static void page_blend(struct page *p)
+{
+    static const struct zs_shader *const shader[5] = { &zs_shade_texture_smooth, &zs_blend_smooth, &zs_blend_texture,
+                                                       &zs_blend_texture_flat, &zs_blend_flat };
+    page_blended(p, "blended, sorted layers", shader, 150);
+    p->config.method = &zs_method_transparent;
+}
+
+static void page_add(struct page *p)
+{
+    static const struct zs_shader *const shader[5] = { &zs_shade_flat, &zs_add_smooth, &zs_add_flat, &zs_add_texture,
+                                                       &zs_add_texture_smooth };
+    page_blended(p, "additive", shader, 180);
+}
+
+static void page_stipple(struct page *p)
+{
+    static const struct zs_shader *const shader[5] = { &zs_stipple_smooth, &zs_stipple_flat, &zs_stipple_texture,
+                                                       &zs_stipple_raw, &zs_stipple_texture_smooth };
+    page_blended(p, "screen-door", shader, 100);
+}
+
+static void page_filters(struct page *p)
+{
+    page_textured_clipped(p);
+    p->name = "bilinear, mipmaps, cut out";
+    p->material[0].material.shader = &zs_shade_mipmap_bilinear_smooth;
+    p->material[1].material.shader = &zs_shade_cutout;
+    p->material[2].material.shader = &zs_shade_bilinear_flat;
+    add(p, &shapes[1], &zs_shade_mipmap, 2500, 400, 0, ZS_CULL_NONE);
+    cover(p, 0, 0, &texture_levels, 0);
+    cover(p, 1, 1, &texture_4444, 0);
+    cover(p, 2, 1, &texture_pal8a, 0);
+    cover(p, 3, 1, &texture_levels, 0);
+}
+
+static void page_environment(struct page *p)
+{
+    static struct zs_sky_gradient sky;
+    static const struct zs_rgb color[4] = { { 20, 60, 160 }, { 200, 220, 255 }, { 120, 110, 90 }, { 60, 40, 20 } };
+    static const struct zs_rect all = { 0, 0, W, H };
+    page_textured(p);
+    p->name = "chrome under a sky";
+    for (uint32_t n = 0; n < 3; n++)
+        p->material[n].material.shader = &zs_shade_matcap;
+    shapes[0].mesh.uv_bits = shapes[1].mesh.uv_bits = 15;
+    zs_sky_gradient(&sky, color);
+    zs_sky_look(&sky.sky, &p->camera, &all, NULL);
+    p->scene.sky = &sky.sky.background;
+}
+
+static void page_shadows(struct page *p)
+{
+    static uint16_t keys[64 * 64];
+    static struct zs_shadow_map map = { .key = keys, .w = 64, .h = 64, .soft = 1 };
+    static const struct zs_depth_state bias = { .bias = 4, .slope_bias = 544 }, lift = { .read_only = 1, .bias = -9 };
+    static struct zs_mesh flat;
+    static int16_t pos[SHAPE_VERTS][3];
+    static const struct zs_shadow_plane ground = { .normal = { 0, ZS_Q30_ONE, 0 }, .at = { 0, -2000, 0 } };
+    static struct zs_renderer r;
+    const struct zs_shadow_light down = { .dir = { 0, ZS_Q30_ONE, 0 } };
+    const int32_t eye[3] = { 6000, 12000, 5000 }, at[3] = { 0, 0, 0 }, up[3] = { 0, 0, 1 };
+    struct zs_instance casters[5];
+    struct zs_camera sunlight = { .projection = ZS_ORTHOGRAPHIC };
+    begin(p, "shadows: map, flat, disc", &zs_depth_recip);
+    shape_ground(&shapes[0], 8, 9000, 0, 7);
+    shape_sphere(&shapes[1], 12, 16, 1500);
+    add(p, &shapes[0], &zs_shade_shadowed_flat, 0, -2000, 0, ZS_CULL_NONE);
+    add(p, &shapes[1], &zs_shade_shadowed_smooth, 0, 0, 0, ZS_CULL_BACK);
+    add(p, &shapes[1], &zs_shade_flat, 3000, 900, 1500, ZS_CULL_BACK);
+    zs_pose_identity(&p->instance[0].pose);
+    p->instance[0].pose.pos[1] = -2000;
+    p->material[0].shadowed.map = p->material[1].shadowed.map = &map;
+    const struct zs_scene scene = { .instance = casters,
+                                    .n_instances = zs_shadow_casters(casters, p->instance, 3, &bias) };
+    struct zs_config c = p->config;
+    c.width = c.height = c.strip_h = 64;
+    c.depth = &zs_depth_linear;
+    c.max_tris = c.max_verts = 400;
+    (void)zs_camera_orthographic(&sunlight, 14000, 1000, 40000);
+    (void)zs_camera_look_at(&sunlight, eye, at, up);
+    (void)zs_init(&r, &c, arena, sizeof arena);
+    (void)zs_shadow_map_draw(&map, &r, &scene, &sunlight);
+    zs_shadow_map_light(&map, &p->scene.light);
+    add(p, &shapes[1], &zs_shade_shadow, 0, 0, 0, ZS_CULL_NONE);
+    p->material[3].material.rgb.g = 120;
+    (void)zs_shadow_flatten(&p->instance[3], &flat, pos, &p->instance[2], &ground, &down);
+    add(p, &shapes[1], &zs_shade_disc, -3000, -2000, 2000, ZS_CULL_NONE);
+    zs_pose_identity(&p->instance[4].pose);
+    p->instance[4].pose = (struct zs_pose){ .pos = { -3000, -2000, 2000 }, .scale = 1500u * 512u };
+    p->instance[4].mesh = &zs_shadow_disc;
+    p->instance[4].depth_state = &lift;
+    p->material[4].material.rgb.g = 60;
+    look_from(p, 5000, 6000, 11000);
+}
+
+static void page_over(struct page *p)
+{
+    static struct zs_fog fog;
+    static const struct zs_item item[] = {
+        { .kind = &zs_item_fill, .x = 3, .y = 3, .w = 60, .h = 14, .clear = 100 },
+        { .kind = &zs_item_text,
+          .x = 5,
+          .y = 6,
+          .color = 0xffff,
+          .text = "21 \xc2\xb0"
+                  "C" },
+        { .kind = &zs_item_arc, .x = 95, .y = 60, .w = 20, .h = 5, .color = 0xf800, .back = 0x07e0, .value = 30000 },
+        { .kind = &zs_item_needle, .x = 95, .y = 60, .w = 18, .h = 3, .size = 4, .color = 0xffe0, .value = 9000 }
+    };
+    static struct zs_overlay overlay = { .item = item, .n = 4 };
+    static struct zs_dither dither;
+    static const struct zs_resolve hook[3] = { { .draw = zs_fog_draw, .ctx = &fog },
+                                               { .draw = zs_dither_draw, .ctx = &dither },
+                                               { .draw = zs_overlay_draw, .ctx = &overlay } };
+    page_smooth(p);
+    p->name = "fog, dither to greys, overlay";
+    p->material[1].material.shader = &zs_shade_smooth_ordered;
+    fog = (struct zs_fog){ .color = 0x8410, .start = 8000, .end = 20000, .curve = ZS_FOG_EXPONENTIAL, .sky = 1 };
+    (void)zs_fog_set(&fog, &p->config, &p->camera);
+    dither = (struct zs_dither){ &zs_dither_grey4, &zs_dither_blue };
+    p->scene.resolve = hook;
+    p->scene.n_resolves = 3;
+}
+
+static void page_lines(struct page *p)
+{
+    static uint16_t pair[SHAPE_TRIS][2];
+    static struct zs_lines wire;
+    static struct zs_points dots;
+    page_flat(p);
+    p->name = "lines, points";
+    for (uint32_t t = 0; t < shapes[1].mesh.n_tris; t++)
+        for (uint32_t k = 0; k < 2; k++)
+            pair[t][k] = shapes[1].tri[t][k];
+    wire = (struct zs_lines){ ZS_LINES((const uint16_t(*)[2])pair, shapes[1].mesh.n_tris), .width = 2, .on = 5,
+                              .off = 2 };
+    dots = (struct zs_points){ ZS_POINTS(0, shapes[0].mesh.n_verts), .size = 3 };
+    p->material[1].material.primitive = &wire.primitive;
+    p->material[2].material.primitive = &dots.primitive;
+    p->material[1].material.shader = p->material[2].material.shader = &zs_shade_plain;
+}
+
+/* Faces that cross, by each method: the picture of those that decide at every pixel is one. */
+static void page_crossing(struct page *p, const char *name, const struct zs_method *method,
+                          const struct zs_depth *depth)
+{
+    page_textured_clipped(p);
+    p->name = name;
+    p->config.method = method;
+    p->config.depth = depth;
+}
+
+static void page_painter(struct page *p)
+{
+    page_crossing(p, "painter", &zs_method_painter, &zs_depth_none);
+}
+
+static void page_depthsort(struct page *p)
+{
+    page_crossing(p, "depth sort", &zs_method_depthsort, &zs_depth_order);
+}
+
+static void page_coverage(struct page *p)
+{
+    page_crossing(p, "coverage", &zs_method_coverage, &zs_depth_order);
+}
+
+static void page_hiz(struct page *p)
+{
+    page_crossing(p, "hierarchical depth buffer", &zs_method_hiz, &zs_depth_e4m12);
+}
+
+static void page_raycast(struct page *p)
+{
+    page_crossing(p, "ray casting", &zs_method_raycast, &zs_depth_e4m12);
+}
+
 typedef void page_fn(struct page *p);
-static page_fn *const pages[] = { page_flat, page_smooth, page_clipped_recip, page_small_pools,
-                                  page_clipped_linear, page_ortho, page_coarse, page_coarse_linear,
-                                  page_composed, page_textured, page_textured_clipped,
-                                  page_textured_small_pools, page_textured_linear,
-                                  page_textured_ortho, page_states, page_coarse_float };
+static page_fn *const pages[] = { page_flat,
+                                  page_smooth,
+                                  page_clipped_recip,
+                                  page_small_pools,
+                                  page_clipped_linear,
+                                  page_ortho,
+                                  page_coarse,
+                                  page_coarse_linear,
+                                  page_composed,
+                                  page_textured,
+                                  page_textured_clipped,
+                                  page_textured_small_pools,
+                                  page_textured_linear,
+                                  page_textured_ortho,
+                                  page_states,
+                                  page_coarse_float,
+                                  page_lamps,
+                                  page_lamps_textured,
+                                  page_blend,
+                                  page_add,
+                                  page_stipple,
+                                  page_filters,
+                                  page_environment,
+                                  page_shadows,
+                                  page_over,
+                                  page_lines,
+                                  page_painter,
+                                  page_depthsort,
+                                  page_coverage,
+                                  page_hiz,
+                                  page_raycast };
 #define N_PAGES (sizeof pages / sizeof pages[0])
 
 /* ---- Drawing --------------------------------------------------------------------------------- */
@@ -336,7 +644,7 @@ static int draw(struct page *p, struct sum *s)
     while (!err && zs_frame_strip(&r, &strip) == 1) {
         for (uint32_t i = 0; i < (uint32_t)strip.w * strip.h; i++) {
             const uint8_t *px = &strip.px[2 * i];
-            keys[(uint32_t)strip.y * W + i] = strip.depth[i];
+            keys[(uint32_t)strip.y * W + i] = strip.depth ? strip.depth[i] : 0;
             hash_byte(s, px[0]);
             hash_byte(s, px[1]);
             if (s->ppm)
@@ -371,6 +679,7 @@ int main(int argc, char **argv)
     static struct page page;
     int bad = 0;
     make_textures();
+    make_effect_textures();
     for (unsigned n = 0; n < N_PAGES; n++) {
         pages[n](&page);
         struct sum s = { 2166136261u, open_ppm(argc > 1 ? argv[1] : NULL, n) }, with = { 2166136261u, NULL };

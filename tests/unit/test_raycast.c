@@ -353,7 +353,28 @@ static void small_pools_and_no_depth_memory_are_refused(void **state)
         }
 }
 
+/* By every method: boxes of rays lie behind the pools, in what the triangle pool has given up. */
+static void an_arena_that_is_short_by_a_byte_is_refused(void **state)
+{
+    static uint32_t arena[20000];
+    struct zs_renderer r;
+    (void)state;
+    for (size_t k = 0; k < KINDS(kind_methods); k++)
+        for (uint16_t tris = 4; tris < 40; tris++) {
+            const struct kind_method *m = &kind_methods[k];
+            struct zs_config c = picture_config(32, 16, m->depth ? m->depth : &zs_depth_recip);
+            c.method = m->method;
+            c.max_tris = tris;
+            c.max_verts = 30;
+            const uint32_t bytes = zs_arena_bytes(&c);
+            assert_true(bytes && bytes <= sizeof arena);
+            assert_int_equal(zs_init(&r, &c, arena, bytes), ZS_OK);
+            assert_int_equal(zs_init(&r, &c, arena, bytes - 1), ZS_ERR_ARENA);
+        }
+}
+
 static const struct CMUnitTest tests[] = {
+    cmocka_unit_test(an_arena_that_is_short_by_a_byte_is_refused),
     cmocka_unit_test(is_the_frame_of_the_depth_buffer),
     cmocka_unit_test(small_spheres_are_noticed),
     cmocka_unit_test(layers_are_those_of_the_depth_buffer),

@@ -83,13 +83,14 @@ static uint16_t layers_list(struct zs_renderer *r)
     const struct state *s = r->method_state;
     uint16_t above = r->active, begun = r->bin[r->strip], all = ZS_NIL, *end = &all;
     uint16_t old[3], new[3];
-    for (uint32_t pass = s->opaque ? s->pass : 0u; above != ZS_NIL || begun != ZS_NIL; pass++) {
+    const int opaque = s && s->opaque; /* no state: the strip is left out (zs_raster_leave) */
+    for (uint32_t pass = opaque ? s->pass : 0u; above != ZS_NIL || begun != ZS_NIL; pass++) {
         part(r, above, pass, old);
         part(r, begun, pass, new);
         r->active = old[OPAQUE];
         r->bin[r->strip] = new[OPAQUE];
         end = appended(r, end, zs_scene_list(r));
-        if (s->opaque)
+        if (opaque)
             break;
         end = appended(r, end, zs_sort_merge(r, old[LAYERS], zs_sort_list(r, new[LAYERS])));
         above = old[OTHERS];
@@ -154,21 +155,21 @@ static void layers_strip(struct zs_renderer *r)
     r->method_state = &s;
     if (r->strip >= r->band_end)
         zs_walk(r, r->draw_end);
-    if (!s.split) {
+    if (!s.split)
         zs_raster_strip(r);
-        return;
-    }
-    for (;;) {
+    while (s.split) {
         sift(r);
         zs_raster_strip(r);
         if (!next_set(r))
-            return;
+            break;
         zs_walk(r, (uint16_t)(r->strip + 1u));
     }
+    r->method_state = 0;
 }
 
 static int layers_begin(struct zs_renderer *r)
 {
+    r->method_state = 0;
     if (r->config.depth->span) /* the mapping has no depth memory */
         return ZS_ERR_DEPTH;
     return r->config.max_tris >= 2 && r->config.max_verts >= 6 ? ZS_OK : ZS_ERR_SIZE;

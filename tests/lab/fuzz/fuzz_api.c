@@ -23,6 +23,8 @@
 #include <unistd.h>
 
 #include "fast_lists.h"
+#include "core/method.h"
+#include "effects.h"
 #include "kinds.h"
 #include "picture.h"
 #include "replay.h"
@@ -59,6 +61,8 @@ static struct {
     uint64_t frames, pixels, tris, clipped, passes, strips, unchanged, skipped, in_passes, refused[16];
     uint64_t depth[KINDS(kind_depths)][2]; /* [perspective] */
     uint64_t shader[KINDS(kind_shaders)], texel[KINDS(kind_texels)], state, cluster;
+    uint64_t method[KINDS(kind_methods)], effect[EFFECT_KINDS], alpha[EFFECT_TEXELS], lines, points, hooks, mirrors,
+        windows;
 } reached;
 
 static void count_refusal(int err)
@@ -70,11 +74,15 @@ static void count_refusal(int err)
 static void count_frame(const struct world *w, const struct zs_config *c, const struct picture *p)
 {
     count_refusal(p->err);
-    if (p->err || p->covered == 0)
+    if (p->err || (p->covered == 0 && !(c->method && p->stats.tris_drawn)))
         return;
-    EXPECT(p->covered <= p->stats.pixels_written && p->stats.pixels_written <= p->stats.pixels_tested);
+    EXPECT(c->method || (p->covered <= p->stats.pixels_written && p->stats.pixels_written <= p->stats.pixels_tested));
     for (int32_t i = 0; i < p->w * p->h; i++) /* keys saturate */
         EXPECT(p->key[i] == ZS_DEPTH_CLEAR || p->key[i] <= (1u << c->depth_bits) - 2u);
+    for (size_t k = 0; k < KINDS(kind_methods); k++)
+        reached.method[k] += c->method == kind_methods[k].method;
+    for (uint32_t k = 0; k < w->scene.n_resolves; k++)
+        reached.hooks += w->scene.resolve[k].draw != own_draw;
     reached.frames++;
     reached.pixels += p->covered;
     reached.tris += p->stats.tris_drawn;
@@ -85,6 +93,14 @@ static void count_frame(const struct world *w, const struct zs_config *c, const 
         const struct zs_material *m = w->instance[i].material;
         if (!m || !w->instance[i].mesh)
             continue;
+        const int effect = effects_of(m->shader);
+        if (effect >= 0) {
+            reached.effect[effect]++;
+            reached.lines += m->primitive && m->primitive->ops == &zs_lines_ops;
+            reached.points += m->primitive && m->primitive->ops == &zs_points_ops;
+            for (size_t f = 0; f < EFFECT_TEXELS && kind_effects[effect].needs & EFFECT_TEXTURE; f++)
+                reached.alpha[f] += m->texture && m->texture->format == kind_alpha_texels[f].format;
+        }
         for (size_t k = 0; k < KINDS(kind_shaders); k++) {
             reached.shader[k] += m->shader == kind_shaders[k].shader;
             for (size_t f = 0; f < KINDS(kind_texels) && m->shader == kind_shaders[k].shader; f++)
@@ -102,7 +118,8 @@ static int reached_all(void)
     static const int errors[] = { ZS_OK, ZS_ERR_NULL, ZS_ERR_SIZE, ZS_ERR_DEPTH, ZS_ERR_CAMERA, ZS_ERR_RANGE,
                                   ZS_ERR_MESH, ZS_ERR_VARYINGS, ZS_ERR_NEAR, ZS_ERR_TEXTURE };
     int all = reached.state && reached.cluster && reached.clipped && reached.passes && reached.unchanged &&
-              reached.skipped && reached.in_passes;
+              reached.skipped && reached.in_passes && reached.lines && reached.points && reached.hooks &&
+              reached.mirrors && reached.windows;
     for (size_t k = 0; k < KINDS(errors); k++)
         if (!reached.refused[-errors[k]]) {
             fprintf(stderr, "not reached: %s\n", zs_error_string(errors[k]));
@@ -123,14 +140,38 @@ static int reached_all(void)
             fprintf(stderr, "not reached: texels %s\n", kind_texels[k].name);
             all = 0;
         }
+    for (size_t k = 0; k < KINDS(kind_methods); k++)
+        if (!reached.method[k]) {
+            fprintf(stderr, "not reached: method %s\n", kind_methods[k].name);
+            all = 0;
+        }
+    for (size_t k = 0; k < EFFECT_KINDS; k++)
+        if (!reached.effect[k]) {
+            fprintf(stderr, "not reached: effect %s\n", kind_effects[k].name);
+            all = 0;
+        }
+    for (size_t k = 0; k < EFFECT_TEXELS; k++)
+        if (!reached.alpha[k]) {
+            fprintf(stderr, "not reached: texels %s\n", kind_alpha_texels[k].name);
+            all = 0;
+        }
     return all;
 }
 
 /* ---- Configurations --------------------------------------------------------------------------- */
 
-/* The part that a picture depends on; mostly a mapping that the camera takes. */
+static const struct kind_method *method_of(const struct zs_config *c)
+{
+    const struct kind_method *k = kind_methods;
+    while (k->method != c->method)
+        k++;
+    return k;
+}
+
+/* The part that a picture depends on; mostly a mapping that the camera takes. Every third by a method. */
 static struct zs_config profile(struct prng *p, const struct zs_camera *camera)
 {
+    const struct kind_method *method = &kind_methods[one_in(p, 3) ? prng_pick(p, KINDS(kind_methods)) : 0];
     const struct kind_depth *depth = &kind_depths[prng_pick(p, KINDS(kind_depths))];
     while (camera->projection == ZS_ORTHOGRAPHIC && !depth->any_camera && !one_in(p, 20))
         depth = &kind_depths[prng_pick(p, KINDS(kind_depths))];
@@ -143,6 +184,12 @@ static struct zs_config profile(struct prng *p, const struct zs_camera *camera)
         *(one_in(p, 2) ? &c.width : &c.height) = (uint16_t)(1 + prng_pick(p, 512));
     if (one_in(p, 64))
         *(one_in(p, 2) ? &c.width : &c.height) = ZS_SIZE_MAX;
+    if (method->method) { /* few pixels: of small pools each may take a walk */
+        c.width = (uint16_t)(1 + prng_pick(p, 24));
+        c.height = (uint16_t)(1 + prng_pick(p, 16));
+    }
+    c.method = method->method;
+    c.depth = method->depth ? method->depth : c.depth;
     c.strip_h = c.height;
     c.fast = NULL; /* the plainest way */
     return c;
@@ -183,6 +230,9 @@ static const struct zs_fast *const *lists(struct prng *p, int trusted)
     return fast_of(bits);
 }
 
+/* 1: the world has many triangles. Methods then get pools in which a pixel does not take hundreds of walks. */
+static int crowded;
+
 /* How it is drawn. */
 static struct zs_config way(struct prng *p, struct zs_config c, int trusted)
 {
@@ -194,7 +244,24 @@ static struct zs_config way(struct prng *p, struct zs_config c, int trusted)
     c.max_verts = (uint16_t)(3 + small[prng_pick(p, KINDS(small))] - 1);
     c.buffers = (uint8_t)(1 + prng_pick(p, 2));
     c.fast = lists(p, trusted);
+    const struct kind_method *method = method_of(&c);
+    const uint16_t tris = crowded ? 1000 : method->least_tris, verts = crowded ? 1000 : method->least_verts;
+    c.max_tris = c.method && c.max_tris < tris ? tris : c.max_tris;
+    c.max_verts = c.method && c.max_verts < verts ? verts : c.max_verts;
     return c;
+}
+
+/* Every second world has effects. They are kept until the next. */
+static struct effects effects;
+
+static void dress(struct world *w, struct prng *p, const struct zs_config *c, uint32_t odd)
+{
+    uint32_t tris = 0;
+    if (one_in(p, 2))
+        EXPECT(world_effects(w, &effects, p, c, odd));
+    for (uint32_t i = 0; i < w->n_instances; i++)
+        tris += w->instance[i].mesh ? w->instance[i].mesh->n_tris : 0;
+    crowded = tris > 100;
 }
 
 static void print_config(const struct zs_config *c)
@@ -203,9 +270,12 @@ static void print_config(const struct zs_config *c)
     for (size_t k = 0; k < KINDS(kind_depths); k++)
         if (kind_depths[k].depth == c->depth)
             depth = kind_depths[k].name;
-    fprintf(stderr, "%ux%u, strips of %u, %u triangles, %u vertices, %u attributes, %u buffers, %u sub-pixel bits, "
-                    "%u bits of %s, accelerators %#x\n", c->width, c->height, c->strip_h, c->max_tris, c->max_verts,
-            c->varyings, c->buffers, c->subpixel_bits, c->depth_bits, depth, bits_of(c->fast));
+    fprintf(stderr,
+            "%s, %ux%u, strips of %u, %u triangles, %u vertices, %u attributes, %u buffers, %u "
+            "sub-pixel bits, "
+            "%u bits of %s, accelerators %#x\n",
+            method_of(c)->name, c->width, c->height, c->strip_h, c->max_tris, c->max_verts, c->varyings, c->buffers,
+            c->subpixel_bits, c->depth_bits, depth, bits_of(c->fast));
 }
 
 /* ---- The same picture every way ----------------------------------------------------------------- */
@@ -223,7 +293,8 @@ static int same_counts(const struct zs_stats *a, const struct zs_stats *b)
 static void print_counts(const struct zs_stats *s)
 {
     fprintf(stderr,
-            "instances %u, culled %u; triangles in %u: drawn %u frustum %u near %u far %u offscreen %u facing %u "
+            "instances %u, culled %u; triangles in %u: drawn %u frustum %u near %u far %u "
+            "offscreen %u facing %u "
             "zero %u empty %u index %u; clipped %u\n",
             s->instances_in, s->instances_culled, s->tris_in, s->tris_drawn, s->tris_frustum, s->tris_near,
             s->tris_far, s->tris_offscreen, s->tris_facing, s->tris_zero, s->tris_empty, s->tris_index,
@@ -242,6 +313,10 @@ static void compare(const struct world *w, const struct picture *plain, const st
     }
     if (!p.err) {
         EXPECT(stats_add_up(&p.stats) && p.stats.tris_in == plain->stats.tris_in);
+        EXPECT(p.stats.max_tris_used <= c->max_tris && p.stats.max_verts_used <= c->max_verts);
+        reached.passes += p.stats.passes - 1u;
+    }
+    if (!p.err && !c->method) {
         EXPECT(p.stats.pixels_tested <= plain->stats.pixels_tested);
         EXPECT(p.stats.pixels_written <=
                p.stats.pixels_tested); /* a hidden triangle left out may let others write that lose to it */
@@ -249,7 +324,6 @@ static void compare(const struct world *w, const struct picture *plain, const st
                                                       p.stats.pixels_written == plain->stats.pixels_written));
         EXPECT(p.stats.tris_drawn == plain->stats.tris_drawn ||
                (p.stats.instances_hidden && p.stats.tris_drawn < plain->stats.tris_drawn));
-        EXPECT(p.stats.max_tris_used <= c->max_tris && p.stats.max_verts_used <= c->max_verts);
         const int fewer = p.stats.clusters_culled ||
                           p.stats.instances_hidden; /* instances are then counted as culled */
         if (!fewer && !same_counts(&p.stats, &plain->stats)) {
@@ -258,7 +332,6 @@ static void compare(const struct world *w, const struct picture *plain, const st
             print_counts(&plain->stats);
             wrong(__LINE__, "the same counts");
         }
-        reached.passes += p.stats.passes - 1u;
     }
     picture_free(&p);
 }
@@ -270,6 +343,7 @@ static void case_pictures(struct prng *p, uint32_t odd)
     struct zs_config plain_config = profile(p, &w.camera);
     if (odd && one_in(p, odd))
         plain_config.varyings = (uint8_t)prng_pick(p, ZS_VARYINGS_MAX + 1);
+    dress(&w, p, &plain_config, odd);
     if (now.alone) {
         world_print(&w);
         print_config(&plain_config);
@@ -343,8 +417,9 @@ struct desk { /* a renderer and what it should be in */
     uint16_t *glass;         /* [height][width]: what arrived of what was given out as changed */
     struct zs_pass pass[DESK_PASSES]; /* of the open frame, if it is in passes */
     struct zs_pass_memory pass_memory[DESK_PASSES];
-    struct zs_scene behind;  /* of the passes but the last */
-    int loose;               /* 1: zs_damage_track was given spheres that need not hold: whatever it shows */
+    struct zs_mirror mirror[DESK_PASSES];
+    struct zs_scene behind; /* of the passes but the last */
+    int loose;              /* 1: zs_damage_track was given spheres that need not hold: whatever it shows */
 };
 
 struct room {
@@ -384,7 +459,7 @@ static int strip_right(const struct picture *p, const struct zs_strip *s, int co
         const int32_t at = s->y * p->w + i;
         if (i % s->w < from || i % s->w >= end)
             continue;
-        if ((s->px[2 * i] << 8 | s->px[2 * i + 1]) != p->color[at] || s->depth[i] != p->key[at])
+        if ((s->px[2 * i] << 8 | s->px[2 * i + 1]) != p->color[at] || (s->depth && s->depth[i] != p->key[at]))
             return 0;
     }
     return 1;
@@ -446,7 +521,10 @@ static void do_init(struct room *m, struct desk *d, struct prng *p)
     free(d->arena);
     d->arena = malloc(bytes + off ? bytes + off : 1);
     memcpy(d->arena, arena, bytes + off);
-    EXPECT(zs_init(d->r, &c, d->arena + off, bytes) == want);
+    const int got = zs_init(d->r, &c, d->arena + off, bytes);
+    if (got != want)
+        print_config(&c);
+    EXPECT(got == want);
     if (want)
         EXPECT(memcmp(d->arena, arena, bytes + off) == 0);
     free(arena);
@@ -492,11 +570,23 @@ static int broken_hooks(const struct zs_scene *scene)
     return 0;
 }
 
+/* Let a pass that another one covers be seen in a mirror, or in windows of the one before it. */
+static int strange_pass(struct zs_pass *pass, struct zs_mirror *mirror, struct prng *p, uint32_t i)
+{
+    const int32_t at[3] = { prng_range(p, -99, 99), 0, 0 },
+                  normal[3] = { prng_range(p, -9, 9), 10, prng_range(p, -9, 9) };
+    if (one_in(p, 3) && !zs_mirror_plane(mirror, at, normal))
+        pass->mirror = mirror;
+    if (i && one_in(p, 4))
+        pass->mask = &zs_mask_window;
+    return pass->mirror || pass->mask;
+}
+
 /* As do_begin, in passes that each fill the frame: the last one is what is seen. */
 static void do_begin_passes(struct room *m, struct desk *d, struct prng *p)
 {
     const uint32_t n = 1 + prng_pick(p, DESK_PASSES), total = n * m->w.scene.n_instances;
-    int k = 0, want = d->ready && !d->memory ? ZS_OK : ZS_ERR_SEQUENCE;
+    int k = 0, want = d->ready && !d->memory ? ZS_OK : ZS_ERR_SEQUENCE, strange = 0;
     d->behind = m->w.scene;
     d->behind.resolve = NULL;
     d->behind.n_resolves = 0;
@@ -506,7 +596,11 @@ static void do_begin_passes(struct room *m, struct desk *d, struct prng *p)
         want = want ? want : m->picture[k].err;
         if (one_in(p, 2))
             d->pass[i].viewport = (struct zs_rect){ 0, 0, d->config.width, d->config.height };
+        if (i + 1u < n)
+            strange |= strange_pass(&d->pass[i], &d->mirror[i], p, i);
     }
+    if (want == ZS_OK && d->config.method && !d->config.method->passes)
+        want = ZS_ERR_PASS;
     if (want == ZS_OK && total > 65535u)
         want = ZS_ERR_SIZE;
     if (want == ZS_OK && one_in(p, 8)) {
@@ -516,8 +610,13 @@ static void do_begin_passes(struct room *m, struct desk *d, struct prng *p)
     const int said = zs_frame_begin_passes(d->r, d->pass, d->pass_memory, n);
     /* passes without hooks come first: where the hooks are broken, another error of the scene may be found there */
     EXPECT(said == want || (said == ZS_ERR_SIZE && want && total > 65535u) ||
-           (said < 0 && want == ZS_ERR_NULL && n > 1 && broken_hooks(&m->w.scene)));
+           (said < 0 && want == ZS_ERR_NULL && n > 1 && broken_hooks(&m->w.scene)) ||
+           (said < 0 && (strange || (want && d->config.method)))); /* of two errors either */
     reached.in_passes += !said;
+    for (uint32_t i = 0; i < n && !said; i++) {
+        reached.mirrors += d->pass[i].mirror != NULL;
+        reached.windows += d->pass[i].mask != NULL;
+    }
     d->open = said ? CLOSED : k;
     d->given = d->left_out = 0;
     d->last_whole = 0;
@@ -715,6 +814,7 @@ static void case_calls(struct prng *p, uint32_t odd)
     memset(&m, 0, sizeof m);
     world_make(&m.w, p, odd);
     m.profile = profile(p, &m.w.camera);
+    dress(&m.w, p, &m.profile, odd);
     for (int k = 0; k < 2; k++) {
         if (k)
             world_camera(&m.w, p, odd);
@@ -963,12 +1063,13 @@ static void run_case(unsigned long long number)
 
 static void report(unsigned long long cases)
 {
-    printf("seed %llu, %llu cases: %llu frames with %llu triangles (%llu cut), %llu pixels; %llu passes more, "
-           "%llu strips by hand, %llu of them unchanged, %llu left out\n", now.seed, cases,
-           (unsigned long long)reached.frames,
-           (unsigned long long)reached.tris, (unsigned long long)reached.clipped, (unsigned long long)reached.pixels,
-           (unsigned long long)reached.passes, (unsigned long long)reached.strips,
-           (unsigned long long)reached.unchanged, (unsigned long long)reached.skipped);
+    printf("seed %llu, %llu cases: %llu frames with %llu triangles (%llu cut), %llu pixels; %llu "
+           "passes more, "
+           "%llu strips by hand, %llu of them unchanged, %llu left out\n",
+           now.seed, cases, (unsigned long long)reached.frames, (unsigned long long)reached.tris,
+           (unsigned long long)reached.clipped, (unsigned long long)reached.pixels, (unsigned long long)reached.passes,
+           (unsigned long long)reached.strips, (unsigned long long)reached.unchanged,
+           (unsigned long long)reached.skipped);
     printf("answers:");
     for (int k = 0; k < 13; k++)
         if (reached.refused[k])
@@ -979,7 +1080,20 @@ static void report(unsigned long long cases)
     printf("\ninstances by shader:");
     for (size_t k = 0; k < KINDS(kind_shaders); k++)
         printf(" %s %llu", kind_shaders[k].name, (unsigned long long)reached.shader[k]);
-    printf("; with a state %llu\n", (unsigned long long)reached.state);
+    printf("; with a state %llu\nframes by method:", (unsigned long long)reached.state);
+    for (size_t k = 0; k < KINDS(kind_methods); k++)
+        printf(" %s %llu", kind_methods[k].name, (unsigned long long)reached.method[k]);
+    uint64_t effects_drawn = 0, least = UINT64_MAX;
+    for (size_t k = 0; k < EFFECT_KINDS; k++) {
+        effects_drawn += reached.effect[k];
+        least = reached.effect[k] < least ? reached.effect[k] : least;
+    }
+    printf("\ninstances by effects %llu, at least %llu by each of %d; lines %llu, points %llu; "
+           "hooks %llu; passes in mirrors "
+           "%llu, in windows %llu\n",
+           (unsigned long long)effects_drawn, (unsigned long long)least, EFFECT_KINDS,
+           (unsigned long long)reached.lines, (unsigned long long)reached.points, (unsigned long long)reached.hooks,
+           (unsigned long long)reached.mirrors, (unsigned long long)reached.windows);
 }
 
 int main(int argc, char **argv)

@@ -7,6 +7,7 @@
 #define TESTS_FUZZ_KINDS_H
 
 #include "own.h"
+#include "zs_blend.h"
 #include "zs_method.h"
 #include "zstrip.h"
 
@@ -53,6 +54,7 @@ static const struct kind_method kind_methods[] = {
 #define KIND(name_, depth_, tris_, verts_, records_) { &zs_method_##name_, #name_, depth_, tris_, verts_ },
     ZS_METHOD_EACH(KIND)
 #undef KIND
+    { &zs_method_transparent, "transparent", NULL, 2, 6 },
 };
 
 struct kind_texel {

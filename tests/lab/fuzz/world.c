@@ -509,6 +509,94 @@ void world_make(struct world *w, struct prng *p, uint32_t odd)
     }
 }
 
+/* ---- Effects ------------------------------------------------------------------------------------ */
+
+/* Texels with alpha, or as many levels as there may be. */
+static void texture_effects(struct world *w, struct zs_texture *x, struct prng *p)
+{
+    const struct kind_texel *kind = one_in(p, 2) ? &kind_alpha_texels[prng_pick(p, EFFECT_TEXELS)]
+                                                 : &kind_texels[prng_pick(p, KINDS(kind_texels))];
+    memset(x, 0, sizeof *x);
+    x->format = kind->format;
+    x->log2_w = (uint8_t)(1 + prng_pick(p, 7));
+    x->log2_h = (uint8_t)(1 + prng_pick(p, 7));
+    const uint32_t w_most = x->log2_w + (kind->bits != 4), h_most = x->log2_h + 1u;
+    x->n_levels = (uint8_t)(one_in(p, 2) ? 0 : prng_pick(p, (w_most < h_most ? w_most : h_most) + 1u));
+    x->alpha_least = (uint8_t)(one_in(p, 2) ? 0 : prng_next(p));
+    x->clamp = (uint8_t)prng_pick(p, 4);
+    size_t bytes = 0;
+    for (uint32_t level = 0; level < (x->n_levels ? x->n_levels : 1u); level++)
+        bytes += ((size_t)kind->bits << (x->log2_w + x->log2_h - 2 * level)) / 8u;
+    uint8_t *texel = block(w, bytes);
+    noise(p, texel, bytes);
+    if (kind->colors_max) { /* any number is one of the palette's */
+        const size_t colors = (size_t)kind->colors_max *
+                              (kind >= kind_alpha_texels && kind < kind_alpha_texels + EFFECT_TEXELS ? 2u : 1u);
+        uint16_t *palette = block(w, colors * 2u);
+        noise(p, palette, colors * 2u);
+        for (size_t i = kind->colors_max; i < colors; i++)
+            palette[i] &= 255u;
+        x->n_colors = kind->colors_max;
+        x->palette = palette;
+    }
+    x->texel = texel;
+}
+
+/* What an instance with an effect needs of its mesh and its state; mostly it gets that. */
+static void instance_effects(struct world *w, struct effects *e, struct prng *p, struct zs_instance *in)
+{
+    const struct zs_material *m = in->material;
+    if (m->shader == &zs_shade_shadow) {
+        in->depth_state = one_in(p, 2) ? NULL : &e->lift;
+        const struct zs_instance *caster = &w->instance[prng_pick(p, w->n_instances)];
+        struct zs_mesh *flat = block(w, sizeof *flat);
+        struct zs_shadow_plane plane = { .at = { 0, 0, 0 } };
+        struct zs_shadow_light light = { .point = 0 };
+        const int32_t up[3] = { prng_range(p, -3, 3), 9, prng_range(p, -3, 3) };
+        (void)zs_unit(plane.normal, up);
+        (void)zs_unit(light.dir, up);
+        if (caster->mesh && caster->mesh->n_verts < 65536u && one_in(p, 2)) {
+            int16_t(*pos)[3] = block(w, caster->mesh->n_verts * sizeof *pos);
+            (void)zs_shadow_flatten(in, flat, pos, caster, &plane, &light);
+        }
+    }
+    if (m->shader == &zs_shade_matcap && in->mesh && in->mesh->uv_bits < 15 && !one_in(p, 20))
+        w->mesh[in->mesh - w->mesh].uv_bits = 15;
+}
+
+int world_effects(struct world *w, struct effects *e, struct prng *p, const struct zs_config *config, uint32_t odd)
+{
+    const uint32_t without = odd && one_in(p, odd)                  ? 0
+                             : !config->method                      ? 0
+                             : config->method == &zs_method_painter ? EFFECT_PLAIN
+                                                                    : EFFECT_PLAIN | EFFECT_BUFFER;
+    effects_make(e, p, size_of(w));
+    for (int i = 0; i < WORLD_TEXTURES; i++)
+        if (one_in(p, 2))
+            texture_effects(w, &w->texture[i], p);
+    const int same = effects_map(e, p, w->instance, w->n_instances, size_of(w));
+    for (int i = 0; i < WORLD_MATERIALS; i++)
+        effects_cover(e, p, &w->effect[i], &w->texture[prng_pick(p, WORLD_TEXTURES)], without);
+    for (uint32_t i = 0; i < w->n_instances; i++) {
+        struct zs_instance *in = &w->instance[i];
+        if (!in->material || !in->mesh || one_in(p, 3))
+            continue;
+        const struct zs_material *m = &w->effect[prng_pick(p, WORLD_MATERIALS)].material;
+        if (m->primitive && m->primitive->n > in->mesh->n_tris && m->shader != &zs_shade_plain && !one_in(p, 20))
+            continue;
+        in->material = m;
+        instance_effects(w, e, p, in);
+    }
+    if (one_in(p, 6)) {
+        const struct zs_rect all = { 0, 0, ZS_SIZE_MAX, ZS_SIZE_MAX };
+        zs_sky_look(&e->sky.sky, &w->camera, &all, NULL);
+        w->scene.sky = &e->sky.sky.background;
+    }
+    if (one_in(p, 3) && w->scene.resolve)
+        (void)effects_hook(e, p, (enum effect_hook)prng_pick(p, EFFECT_HOOKS), config, &w->camera, &w->resolve[0]);
+    return same;
+}
+
 void world_big(struct world *w, struct prng *p)
 {
     struct zs_mesh *m = &w->mesh[0];
@@ -584,9 +672,15 @@ void world_print(const struct world *w)
         for (size_t k = 0; in->material && k < KINDS(kind_shaders); k++)
             if (kind_shaders[k].shader == in->material->shader)
                 shader = kind_shaders[k].name;
-        fprintf(stderr, "instance %u: mesh %d (%u vertices, %u triangles%s), %s shader, cull %u, at %d %d %d, "
-                        "scale %.6g", i, in->mesh ? (int)(in->mesh - w->mesh) : -1, in->mesh ? in->mesh->n_verts : 0,
+        if (in->material && effects_of(in->material->shader) >= 0)
+            shader = kind_effects[effects_of(in->material->shader)].name;
+        fprintf(stderr,
+                "instance %u: mesh %d (%u vertices, %u triangles%s), %s shader%s, cull %u, at %d "
+                "%d %d, "
+                "scale %.6g",
+                i, in->mesh ? (int)(in->mesh - w->mesh) : -1, in->mesh ? in->mesh->n_verts : 0,
                 in->mesh ? in->mesh->n_tris : 0, in->mesh && in->mesh->pos_lo ? ", 24 bits" : "", shader,
+                in->material && in->material->primitive ? " on lines or points" : "",
                 in->material ? in->material->cull : 0u, in->pose.pos[0], in->pose.pos[1], in->pose.pos[2],
                 in->pose.scale / 65536.0);
         if (in->depth_state)

@@ -8,6 +8,7 @@
 #ifndef TESTS_FUZZ_WORLD_H
 #define TESTS_FUZZ_WORLD_H
 
+#include "effects.h"
 #include "prng.h"
 #include "zstrip.h"
 
@@ -22,6 +23,7 @@ struct world {
     struct zs_mesh mesh[WORLD_MESHES];
     struct zs_texture texture[WORLD_TEXTURES];
     struct zs_material material[WORLD_MATERIALS];
+    union effect_material effect[WORLD_MATERIALS]; /* of world_effects */
     struct zs_depth_state state[WORLD_STATES];
     struct zs_instance *instance; /* [n_instances]; the scene may name fewer, none or too many */
     uint32_t n_instances;
@@ -45,6 +47,10 @@ static inline int one_in(struct prng *p, uint32_t n)
 
 /* odd: 1 in how many of its choices is beyond what is sensible; 0: none. */
 void world_make(struct world *w, struct prng *p, uint32_t odd);
+/* Give most of its instances effects, some textures alpha or mipmaps, perhaps a sky, and a hook over strips. e is kept
+ * while the world is drawn: drawing changes what its hooks remember. config: of the frame, with its method.
+ * 1; 0: a shadow map was not the same twice. */
+int world_effects(struct world *w, struct effects *e, struct prng *p, const struct zs_config *config, uint32_t odd);
 /* Another camera on the same scene, mostly of the same projection. */
 void world_camera(struct world *w, struct prng *p, uint32_t odd);
 /* Make one mesh as large as a mesh may be (one instance), or the instances 65535. */

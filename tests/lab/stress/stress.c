@@ -87,12 +87,25 @@ static const char *const seen_name[] = {
     "565",
     "pal8",
     "pal4",
+    "4444",
+    "pal8a",
+    "pal4a",
     "zbuffer",
 #define NAME(name_, ...) #name_,
     ZS_METHOD_EACH(NAME)
 #undef NAME
+    "transparent",
 };
-_Static_assert(SEEN_PASSES + sizeof seen_name / sizeof *seen_name == SEEN_N, "a name each");
+static const char *const seen_last[] = { "lines", "points", "fog", "dither", "overlay" };
+_Static_assert(SEEN_PASSES + sizeof seen_name / sizeof *seen_name == SEEN_EFFECT &&
+                   SEEN_LINES + sizeof seen_last / sizeof *seen_last == SEEN_N, "a name each");
+
+static const char *name_of(int k)
+{
+    return k < SEEN_EFFECT  ? seen_name[k - SEEN_PASSES]
+           : k < SEEN_LINES ? kind_effects[k - SEEN_EFFECT].name
+                            : seen_last[k - SEEN_LINES];
+}
 
 uint32_t stress_fasts(struct prng *p)
 {
@@ -230,7 +243,7 @@ static int seen_print(const struct state *s, int frames)
     if (frames)
         printf("frames with:\n");
     for (int k = SEEN_PASSES, column = 0; k < SEEN_N && frames; k++) {
-        column += printf("  %s %llu", seen_name[k - SEEN_PASSES], (unsigned long long)sum[k]);
+        column += printf("  %s %llu", name_of(k), (unsigned long long)sum[k]);
         if (column > 95 || k == SEEN_N - 1)
             column = putchar('\n') & 0;
         never |= !sum[k];

@@ -7,6 +7,7 @@
 
 #include <stdint.h>
 
+#include "effects.h"
 #include "prng.h"
 #include "zs_method.h"
 #include "zstrip.h"
@@ -40,10 +41,14 @@ enum stress_seen {
     SEEN_DEPTH,
     SEEN_SHADER = SEEN_DEPTH + 6,
     SEEN_TEXEL = SEEN_SHADER + 8,
-    SEEN_METHOD = SEEN_TEXEL + 3,
+    SEEN_METHOD = SEEN_TEXEL + 3 + EFFECT_TEXELS,
 #define ONE(...) +1
-    SEEN_N = SEEN_METHOD + 1 ZS_METHOD_EACH(ONE)
+    SEEN_EFFECT = SEEN_METHOD + 2 ZS_METHOD_EACH(ONE),
 #undef ONE
+    SEEN_LINES = SEEN_EFFECT + EFFECT_KINDS,
+    SEEN_POINTS,
+    SEEN_HOOK,
+    SEEN_N = SEEN_HOOK + EFFECT_HOOKS
 };
 
 /* Sums over cases, and over runs (stress.c keeps them in a file). */

@@ -9,6 +9,7 @@
 #include <string.h>
 
 #include "clusters.h"
+#include "effects.h"
 #include "fast_lists.h"
 #include "kinds.h"
 #include "picture.h"
@@ -37,16 +38,19 @@ static struct {
     int crowd, inside, wall; /* instances at most; the camera was put into one; the first stands before the others */
     int walls;               /* all are few, large triangles that cross, with few texels of large textures a pixel */
     int16_t uv[SHAPE_VERTS][2];
-    uint16_t texel[TEXELS], palette[256];
-    struct zs_texture texture[3];
-    struct zs_material material[INSTANCES];
+    uint16_t texel[TEXELS + TEXELS / 2], palette[512]; /* with their mipmaps; with their alphas */
+    struct zs_texture texture[3 + EFFECT_TEXELS];
+    union effect_material material[INSTANCES];
+    struct effects effects;
+    int with_effects;
+    uint32_t without; /* enum effect_needs, of the method */
     struct zs_depth_state state[2];
     struct zs_instance instance[INSTANCES];
     struct zs_scene scene;
     struct zs_camera camera;
     struct zs_background sky;
     uint16_t sky_seed;
-    struct zs_resolve resolve;     /* draws in `overlay`, which moves */
+    struct zs_resolve resolve[2];  /* the first draws in `overlay`, which moves; of effects */
     struct zs_rect overlay, moved; /* moved: what of the frame before and this one it is in */
     uint16_t h; /* px, of the frame */
 } world;
@@ -87,26 +91,32 @@ static void texels(struct prng *p)
 {
     static int filled;
     struct prng once = { 1 };
-    for (uint32_t i = 0; !filled && i < TEXELS; i++) /* the same in every world */
+    for (uint32_t i = 0; !filled && i < KINDS(world.texel); i++) /* the same in every world */
         world.texel[i] = (uint16_t)prng_next(&once);
     filled = 1;
-    for (uint32_t i = 0; i < 256; i++)
+    for (uint32_t i = 0; i < KINDS(world.palette); i++)
         world.palette[i] = (uint16_t)prng_next(p);
     const uint32_t apart = world.walls ? 511u : 0xffffu >> prng_pick(p, 12), base = prng_next(p);
     for (uint32_t v = 0; v < SHAPE_VERTS; v++)
         for (int k = 0; k < 2; k++)
             world.uv[v][k] = (int16_t)(base + (prng_next(p) & apart));
-    for (int k = 0; k < 3; k++) {
+    for (int k = 0; k < 3 + EFFECT_TEXELS; k++) {
+        const struct kind_texel *kind = k < 3 ? &kind_texels[k] : &kind_alpha_texels[k - 3];
         struct zs_texture *t = &world.texture[k];
         memset(t, 0, sizeof *t);
-        t->format = kind_texels[k].format;
+        t->format = kind->format;
         t->texel = world.texel;
-        t->palette = kind_texels[k].colors_max ? world.palette : NULL;
-        t->n_colors = kind_texels[k].colors_max;
+        t->palette = !kind->colors_max ? NULL : world.palette + (k < 3 ? 0 : 256 - kind->colors_max);
+        t->n_colors = kind->colors_max;
         t->log2_w = (uint8_t)(world.walls ? LOG2_MAX : 1 + prng_pick(p, LOG2_MAX));
         t->log2_h = (uint8_t)(world.walls ? LOG2_MAX : 1 + prng_pick(p, LOG2_MAX));
         t->clamp = (uint8_t)prng_pick(p, 4);
+        t->alpha_least = (uint8_t)prng_pick(p, 256);
+        if (world.with_effects && prng_pick(p, 2)) /* up to a level of one texel, of two where they have 4 bits */
+            t->n_levels = (uint8_t)(1u + prng_pick(p, t->log2_w < t->log2_h ? t->log2_w : t->log2_h));
     }
+    for (int k = 256; k < 512; k++) /* alphas */
+        world.palette[k] &= 255;
 }
 
 static void place(struct prng *p, struct zs_instance *in)
@@ -120,8 +130,14 @@ static void place(struct prng *p, struct zs_instance *in)
     in->pose.scale = ZS_Q16_ONE / 4 + prng_pick(p, ZS_Q16_ONE * 2);
 }
 
-static void cover(struct prng *p, struct zs_material *m)
+static void cover(struct prng *p, union effect_material *to)
 {
+    struct zs_material *m = &to->material;
+    if (world.with_effects && prng_pick(p, 3)) {
+        effects_cover(&world.effects, p, to, &world.texture[prng_pick(p, 3 + EFFECT_TEXELS)], world.without);
+        return;
+    }
+    memset(to, 0, sizeof *to);
     m->shader = kind_shaders[world.walls ? prng_range(p, 3, 6) : (int32_t)prng_pick(p, KINDS(kind_shaders))].shader;
     m->rgb.r = (uint8_t)prng_next(p);
     m->rgb.g = (uint8_t)prng_next(p);
@@ -135,6 +151,25 @@ static void stand(struct prng *p, struct zs_instance *in)
     in->mesh = &world.shape[prng_pick(p, SHAPES)].mesh;
     place(p, in);
     in->depth_state = prng_pick(p, 5) ? NULL : &world.state[prng_pick(p, 2)];
+}
+
+/* Give instances what their effects need of meshes and states. 1: bytes behind pointers changed. */
+static int mend(struct prng *p)
+{
+    int told = 0;
+    for (int k = 0; k < INSTANCES; k++) {
+        struct zs_instance *in = &world.instance[k];
+        struct zs_material *m = &world.material[k].material;
+        if (m->shader == &zs_shade_shadow && in->depth_state != &world.effects.lift)
+            in->depth_state = prng_pick(p, 2) ? NULL : &world.effects.lift;
+        if (m->shader == &zs_shade_matcap && in->mesh->uv_bits != 15) {
+            world.shape[(const struct shape *)(const void *)in->mesh - world.shape].mesh.uv_bits = 15;
+            told = 1;
+        }
+        if (m->primitive && m->primitive->n > in->mesh->n_tris)
+            m->shader = &zs_shade_plain;
+    }
+    return told;
 }
 
 /* The first instance becomes a wall at a distance from the eye, square to it. */
@@ -170,6 +205,10 @@ static void look(struct prng *p)
     (void)zs_camera_orbit(&world.camera, at, distance, (zs_turn)prng_next(p), (int16_t)prng_range(p, -16000, 16000));
     if (world.wall)
         wall(p, prng_range(p, near + 1, near + 1 + distance / 2));
+    if (world.with_effects) {
+        const struct zs_rect all = { 0, 0, W_MAX, H_MAX };
+        zs_sky_look(&world.effects.sky.sky, &world.camera, &all, NULL);
+    }
 }
 
 static void light(struct prng *p)
@@ -218,12 +257,14 @@ static void around(struct prng *p)
 {
     world.sky.fill = own_fill;
     world.sky.ctx = &world.sky_seed;
+    if (world.with_effects && prng_pick(p, 2))
+        world.sky = world.effects.sky.sky.background;
     world.sky_seed = (uint16_t)prng_next(p);
-    world.resolve.draw = own_draw;
-    world.resolve.changes = overlay_changes;
-    world.resolve.ctx = &world.overlay;
+    world.resolve[0].draw = own_draw;
+    world.resolve[0].changes = overlay_changes;
+    world.resolve[0].ctx = &world.overlay;
     world.scene.sky = prng_pick(p, 4) ? NULL : &world.sky;
-    world.scene.resolve = &world.resolve;
+    world.scene.resolve = world.resolve;
     world.scene.n_resolves = prng_pick(p, 4) == 0;
     overlay_move(p, 1);
 }
@@ -239,6 +280,9 @@ static void world_open(struct prng *p, uint16_t h, int walls)
     world.wall = prng_pick(p, 6) == 0;
     world.walls = walls;
     world.crowd = prng_pick(p, 8) ? CROWD : INSTANCES;
+    world.with_effects = !walls && prng_pick(p, 2);
+    if (world.with_effects)
+        effects_make(&world.effects, p, 2000);
     shapes(p);
     texels(p);
     for (int k = 0; k < 2; k++) {
@@ -250,9 +294,12 @@ static void world_open(struct prng *p, uint16_t h, int walls)
     }
     for (int k = 0; k < INSTANCES; k++) {
         stand(p, &world.instance[k]);
-        world.instance[k].material = &world.material[k];
+        world.instance[k].material = &world.material[k].material;
         cover(p, &world.material[k]);
     }
+    (void)mend(p);
+    if (world.with_effects && !effects_map(&world.effects, p, world.instance, INSTANCES, 3000))
+        abort(); /* the map depends on how it is drawn */
     world.scene.instance = world.instance;
     count(p);
     world.scene.background = (uint16_t)prng_next(p);
@@ -271,7 +318,7 @@ static int change(struct prng *p)
     case 1:
     case 2: look(p); return 0;
     case 3: light(p); return 0;
-    case 4: cover(p, &world.material[in - world.instance]); return 0;
+    case 4: cover(p, &world.material[in - world.instance]); return world.with_effects;
     case 5: count(p); return 0;
     case 6: world.scene.background ^= 1; return 0;
     case 7: world.texel[prng_pick(p, 64)] ^= 0x1111; return 1;
@@ -539,16 +586,26 @@ static void see(const struct hand *hand, uint64_t *seen)
         const struct zs_material *m = world.instance[i].material;
         for (uint32_t k = 0; k < KINDS(kind_shaders); k++)
             shaders |= (uint32_t)(m->shader == kind_shaders[k].shader) << k;
+        const int effect = effects_of(m->shader);
+        if (effect >= 0)
+            seen[SEEN_EFFECT + effect]++;
+        if (m->primitive)
+            seen[m->primitive->ops == &zs_lines_ops ? SEEN_LINES : SEEN_POINTS]++;
         texels |= 1u << (m->texture - world.texture);
         states |= world.instance[i].depth_state != NULL;
     }
     for (uint32_t k = 0; k < KINDS(kind_shaders); k++)
         seen[SEEN_SHADER + k] += shaders >> k & 1u;
-    for (uint32_t k = 0; k < KINDS(kind_texels); k++)
+    for (uint32_t k = 0; k < KINDS(world.texture); k++)
         seen[SEEN_TEXEL + k] += texels >> k & 1u;
+    for (uint32_t k = 0; k < world.scene.n_resolves; k++) {
+        seen[SEEN_HOOK + EFFECT_FOG] += world.resolve[k].draw == zs_fog_draw;
+        seen[SEEN_HOOK + EFFECT_DITHER] += world.resolve[k].draw == zs_dither_draw;
+        seen[SEEN_HOOK + EFFECT_OVERLAY] += world.resolve[k].draw == zs_overlay_draw;
+    }
     seen[SEEN_STATE] += states;
     seen[SEEN_SKY] += world.scene.sky != NULL;
-    seen[SEEN_RESOLVE] += world.scene.n_resolves;
+    seen[SEEN_RESOLVE] += world.scene.n_resolves != 0;
     uint32_t textured = 0;
     for (uint32_t k = 0; k < KINDS(kind_shaders); k++)
         textured |= kind_shaders[k].texture && shaders >> k & 1u;
@@ -621,6 +678,10 @@ int stress_frames(uint64_t seed, struct stress_counts *c)
     struct prng p = { seed };
     const int walls = prng_pick(&p, 6) == 0;
     const int32_t w = walls ? W_MAX : side(&p, W_MAX), h = side(&p, H_MAX);
+    const struct kind_method *method = &kind_methods[prng_pick(&p, 3) ? 0 : prng_pick(&p, KINDS(kind_methods))];
+    world.without = !method->method                         ? 0
+                    : method->method == &zs_method_painter ? EFFECT_PLAIN
+                                                            : EFFECT_PLAIN | EFFECT_BUFFER;
     world_open(&p, (uint16_t)h, walls);
     struct zs_config plain = picture_config(w, h, &zs_depth_linear);
     plain.max_tris = plain.max_verts = POOL;
@@ -630,11 +691,12 @@ int stress_frames(uint64_t seed, struct stress_counts *c)
     if (world.camera.projection == ZS_PERSPECTIVE)
         plain.depth = kind_depths[prng_pick(&p, KINDS(kind_depths))].depth;
     plain.fast = NULL;
-    if (prng_pick(&p, 3) == 0) {
-        const struct kind_method *method = &kind_methods[prng_pick(&p, KINDS(kind_methods))];
-        plain.method = method->method;
-        plain.depth = method->depth ? method->depth : plain.depth;
-    }
+    plain.method = method->method;
+    plain.depth = method->depth ? method->depth : plain.depth;
+    if (world.with_effects && prng_pick(&p, 3) == 0 &&
+        effects_hook(&world.effects, &p, (enum effect_hook)prng_pick(&p, EFFECT_HOOKS), &plain, &world.camera,
+                     &world.resolve[world.scene.n_resolves]))
+        world.scene.n_resolves++;
     int ok = 1;
     for (int k = 0; k < HANDS; k++)
         ok &= !hand_open(&p, &hand[k], plain) || stress_wrong("a renderer cannot be set up");
@@ -642,6 +704,7 @@ int stress_frames(uint64_t seed, struct stress_counts *c)
         int told = 0;
         for (uint32_t n = frame ? prng_pick(&p, 4) : 0; n; n--)
             told |= change(&p);
+        told |= mend(&p);
         if (frame)
             overlay_move(&p, prng_pick(&p, 3) != 0);
         for (int k = 0; k < HANDS && ok; k++) {
