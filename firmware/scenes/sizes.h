@@ -16,6 +16,8 @@
 #define SIZES_city 30, 60, 1408, 1600, ZS_VARYINGS_FLAT
 #define SIZES_hall 20, 60, 640, 1536, ZS_VARYINGS_TEXTURE_SMOOTH
 #define SIZES_globe 20, 60, 1088, 1472, ZS_VARYINGS_TEXTURE_SMOOTH
+/* Showpieces: they fit into a Pico. */
+#define SIZES_stilllife 20, 30, 2600, 2800, 3
 
 /* The same for two cores, each with an arena of this size of its own: strips as high as pay and fit into a Pico.
  * Flyover has fewer vertices than one pass takes: they are given up, and worked on again where they come again. */

@@ -131,5 +131,6 @@ void gen_bench(void);   /* bumpy, bumpy_uv, layer, sheet, corridor, slivers, pla
 void gen_globe(void);   /* globe, sky, textures earth, moon, stars */
 void gen_hall(void);    /* hall_floor, _ceiling, _walls, _columns, poster, sign, crate */
 void gen_hall_textures(void); /* tiles, planks, bricks, marble, crate, poster, sign */
+void gen_stilllife(void); /* still_...: fruit, vase, bowl, glass, mirror, table; texture still_wood */
 
 #endif

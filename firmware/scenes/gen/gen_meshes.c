@@ -25,6 +25,7 @@ int main(int argc, char **argv)
     gen_globe();
     gen_hall();
     gen_hall_textures();
+    gen_stilllife();
     gen_close();
     return 0;
 }
