@@ -75,20 +75,20 @@ static void turn(const char *name, const struct lathe_point *point, int n_points
     gen_write(m, parts, LATHE_SCALE);
 }
 
-/* What throws its shadow: the same form with less of it. */
-static void turn_low(const char *name, const struct lathe_point *point, int n_points, int64_t sides)
+/* The same form with less of it: what the mirror shows, and what throws a shadow. */
+static void turn_low(const char *name, const struct lathe_point *point, int n_points, int64_t sides, unsigned parts)
 {
     struct lathe_point low[32];
     for (int i = 0; i < n_points; i++) {
         low[i] = point[i];
         low[i].rows = point[i].rows ? 1 : 0;
     }
-    turn(name, low, n_points, sides, 0);
+    turn(name, low, n_points, sides, parts);
 }
 
 /* ---- The mirror: an oval plate that faces +z, and a ring around it ------------------------------------------- */
 
-#define OVAL_SIDES 36
+#define OVAL_SIDES 32
 #define OVAL_X 900
 #define OVAL_Y 1180
 #define RING_SIDES 6
@@ -149,7 +149,7 @@ static void frame(void)
 /* ---- The table --------------------------------------------------------------------------------------------- */
 
 #define TABLE 3600 /* half its width, units; it is round */
-#define TABLE_SIDES 48
+#define TABLE_SIDES 32
 #define TABLE_RINGS 1
 #define UV_BITS 14
 
@@ -207,20 +207,24 @@ static void wood(void)
 
 void gen_stilllife(void)
 {
-    turn("still_orange", LATHE_OF(orange), 20, GEN_NORMAL);
-    turn("still_apple", LATHE_OF(apple), 22, GEN_NORMAL);
-    turn("still_pear", LATHE_OF(pear), 20, GEN_NORMAL);
-    turn("still_lemon", LATHE_OF(lemon), 18, GEN_NORMAL);
-    turn("still_stem", LATHE_OF(stem), 6, GEN_NORMAL);
-    turn("still_vase", LATHE_OF(vase), 26, GEN_NORMAL | GEN_FACE_RGB);
-    turn("still_bowl", LATHE_OF(bowl), 36, GEN_NORMAL | GEN_FACE_RGB);
-    turn("still_glass", LATHE_OF(goblet), 22, GEN_NORMAL);
-    turn("still_wine", LATHE_OF(wine), 22, GEN_NORMAL);
+    turn("still_orange", LATHE_OF(orange), 18, GEN_NORMAL);
+    turn("still_apple", LATHE_OF(apple), 20, GEN_NORMAL);
+    turn("still_pear", LATHE_OF(pear), 18, GEN_NORMAL);
+    turn("still_lemon", LATHE_OF(lemon), 16, GEN_NORMAL);
+    turn("still_stem", LATHE_OF(stem), 5, GEN_NORMAL);
+    turn("still_vase", LATHE_OF(vase), 22, GEN_NORMAL | GEN_FACE_RGB);
+    turn("still_bowl", LATHE_OF(bowl), 30, GEN_NORMAL | GEN_FACE_RGB);
+    turn("still_glass", LATHE_OF(goblet), 18, GEN_NORMAL);
+    turn("still_wine", LATHE_OF(wine), 18, GEN_NORMAL);
     turn("still_stand", LATHE_OF(stand), 14, GEN_NORMAL);
-    turn_low("still_pear_low", LATHE_OF(pear), 12);
-    turn_low("still_lemon_low", LATHE_OF(lemon), 12);
-    turn_low("still_bowl_low", bowl + 5, (int)(sizeof bowl / sizeof bowl[0]) - 5, 24);
-    turn_low("still_vase_low", LATHE_OF(vase), 12);
+    turn_low("still_orange_low", LATHE_OF(orange), 12, GEN_NORMAL);
+    turn_low("still_apple_low", LATHE_OF(apple), 14, GEN_NORMAL);
+    turn_low("still_pear_low", LATHE_OF(pear), 12, GEN_NORMAL);
+    turn_low("still_lemon_low", LATHE_OF(lemon), 10, GEN_NORMAL);
+    turn_low("still_bowl_low", LATHE_OF(bowl), 20, GEN_NORMAL | GEN_FACE_RGB);
+    turn_low("still_vase_low", LATHE_OF(vase), 14, GEN_NORMAL | GEN_FACE_RGB);
+    turn_low("still_glass_low", LATHE_OF(goblet), 12, GEN_NORMAL);
+    turn_low("still_wine_low", LATHE_OF(wine), 12, GEN_NORMAL);
     plate();
     frame();
     table();

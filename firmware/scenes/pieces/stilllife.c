@@ -1,5 +1,5 @@
 /* A still life: fruit in a bowl, a vase, a glass of wine, and an oval mirror that shows all of it from behind. Lit at each
- * pixel by a warm lamp and a cool one; shadows are flattened onto the table; the glass is a shader of its own.
+ * pixel by a warm lamp; shadows are flattened onto the table; the glass is a shader of its own.
  *
  * SPDX-License-Identifier: MIT
  */
@@ -16,8 +16,8 @@
 
 /* ---- Light ---------------------------------------------------------------------------------------------------- */
 
-static struct zs_lamp lamp[2] = { { .rgb = ZS_RGB(0xfff0d4) }, { .rgb = ZS_RGB(0x34507c) } };
-static const struct zs_lighting lights = { .lamp = lamp, .n_lamps = 2, .ambient = ZS_RGB(0x3c343c) };
+static struct zs_lamp lamp = { .rgb = ZS_RGB(0xfff0d4) }; /* a second one would make a pixel three times as dear */
+static const struct zs_lighting lights = { .lamp = &lamp, .n_lamps = 1, .ambient = ZS_RGB(0x424658) };
 static struct zs_shine gloss, wax;
 
 #define LIT(name, color, table, glint) \
@@ -33,7 +33,8 @@ static const struct zs_lit_material bark = { .material = { .shader = &zs_shade_l
                                              .lighting = &lights };
 
 static const struct zs_material wood = { .shader = &zs_shade_texture, .texture = &texture_still_wood },
-                                dark = { .shader = &zs_shade_shadow, .rgb = ZS_RGB(0x606060), .cull = ZS_CULL_NONE },
+                                dark = { .shader = &zs_shade_shadow, .rgb = ZS_RGB(0x606060) },
+                                dark_both = { .shader = &zs_shade_shadow, .rgb = ZS_RGB(0x606060), .cull = ZS_CULL_NONE },
                                 silver = { .shader = &zs_shade_window };
 
 /* ---- Glass: bright where it is seen from the side, and where it mirrors the lamp -------------------------------- */
@@ -82,47 +83,87 @@ static const struct zs_material glass_back = { .shader = &shade_glass, .cull = Z
 
 /* ---- The wall, and what the mirror has in its place: a glow that fades, dithered ------------------------------------ */
 
+#define SHADES 64u
 struct glow {
-    uint16_t w, h;   /* px, of the frame */
-    uint8_t x, y;    /* its middle, 1/16 of the frame */
-    uint8_t reach;   /* the greater, the wider */
+    uint16_t w, h; /* px, of the frame */
+    uint8_t x, y;  /* its middle, 1/16 of the frame */
+    uint8_t fall;  /* the greater, the smaller it is */
     struct zs_rgb far, near;
+    uint16_t shade[SHADES + 4u];
 };
 
-static uint8_t between(uint8_t a, uint8_t b, int32_t t)
+static void glow_set(struct glow *g, uint16_t w, uint16_t h)
 {
-    return (uint8_t)(a + ((b - a) * t >> 8));
+    g->w = w;
+    g->h = h;
+    for (int32_t i = 0; i < (int32_t)SHADES + 4; i++)
+        g->shade[i] = zs_wire565((uint8_t)(g->far.r + (g->near.r - g->far.r) * i / 68),
+                                 (uint8_t)(g->far.g + (g->near.g - g->far.g) * i / 68),
+                                 (uint8_t)(g->far.b + (g->near.b - g->far.b) * i / 68));
 }
 
 static void glow_fill(void *ctx, uint16_t *out, uint16_t x, uint16_t y, uint16_t n)
 {
-    static const uint8_t bayer[16] = { 0, 8, 2, 10, 12, 4, 14, 6, 3, 11, 1, 9, 15, 7, 13, 5 };
+    static const uint8_t bayer[4][4] = { { 0, 8, 2, 10 }, { 12, 4, 14, 6 }, { 3, 11, 1, 9 }, { 15, 7, 13, 5 } };
     const struct glow *g = ctx;
+    const uint8_t *const rank = bayer[y & 3u];
     const int32_t span = g->w < g->h ? g->w : g->h, dy = (y - g->h * g->y / 16) * 128 / span;
     const int32_t step = 128 * 64 / span; /* q6 */
     int32_t dx = (x - g->w * g->x / 16) * step;
     for (uint32_t i = 0; i < n; i++, dx += step) {
-        const int32_t level = 255 - (((dx >> 6) * (dx >> 6) + dy * dy) / g->reach) + bayer[(y & 3u) * 4u + ((x + i) & 3u)];
-        const int32_t t = level < 0 ? 0 : level > 255 ? 255 : level;
-        out[i] = zs_wire565(between(g->far.r, g->near.r, t), between(g->far.g, g->near.g, t),
-                            between(g->far.b, g->near.b, t));
+        const int32_t d2 = (dx >> 6) * (dx >> 6) + dy * dy, level = 255 - (d2 * g->fall >> 11);
+        out[i] = g->shade[((uint32_t)(level < 0 ? 0 : level) + rank[(x + i) & 3u]) >> 2];
     }
 }
 
-static struct glow wall_glow = { .x = 7, .y = 5, .reach = 46, .far = ZS_RGB(0x10201e), .near = ZS_RGB(0x5c7464) },
-                   room_glow = { .x = 14, .y = 0, .reach = 60, .far = ZS_RGB(0x1c1824), .near = ZS_RGB(0xd8c8a8) };
+static struct glow wall_glow = { .x = 7, .y = 5, .fall = 44, .far = ZS_RGB(0x10201e), .near = ZS_RGB(0x5c7464) },
+                   room_glow = { .x = 14, .y = 0, .fall = 34, .far = ZS_RGB(0x1c1824), .near = ZS_RGB(0xd8c8a8) };
 static const struct zs_background wall = { .fill = glow_fill, .ctx = &wall_glow },
                                   dim_room = { .fill = glow_fill, .ctx = &room_glow };
 
 /* ---- What stands where --------------------------------------------------------------------------------------------- */
 
-/* In order: what the mirror does not show, opaque things from near to far, the table, shadows, glass, the mirror. */
-enum { STAND, FRAME, WINE, PEAR, PEAR_STEM, LEMON, BOWL, ORANGE_1, ORANGE_2, ORANGE_3, APPLE, APPLE_STEM, VASE, TABLE,
-       SHADOW_PEAR, SHADOW_LEMON, SHADOW_BOWL, SHADOW_VASE, SHADOW_GLASS, SHADOW_MIRROR, GLASS_BACK, GLASS_FRONT,
-       MIRROR, THINGS, REFLECTED = WINE, SHADOWS = GLASS_BACK - SHADOW_PEAR };
-static struct zs_instance thing[THINGS];
+/* In order: opaque things, from near to far; the table, shadows on it, the glass, the mirror. */
+enum { WINE, PEAR, PEAR_STEM, LEMON, BOWL, ORANGE_1, ORANGE_2, ORANGE_3, APPLE, APPLE_STEM, VASE, STAND, FRAME, TABLE,
+       SHADOW_PEAR, SHADOW_LEMON, SHADOW_BOWL, SHADOW_VASE, SHADOW_WINE, SHADOW_MIRROR, GLASS_BACK, GLASS_FRONT,
+       MIRROR, THINGS, SHADOWS = GLASS_BACK - SHADOW_PEAR };
+static struct zs_instance thing[THINGS], image[THINGS]; /* image: what the mirror shows */
+
+static const struct {
+    uint8_t which;
+    const struct zs_mesh *mesh, *low; /* low: for the mirror, NULL: it shows none; and to throw a shadow */
+    const struct zs_material *material;
+    int16_t x, y, z;
+    zs_turn yaw, pitch, roll;
+} still[] = {
+    { WINE, &mesh_still_wine, &mesh_still_wine_low, &wine.material, -1350, 0, 900, 0, 0, 0 },
+    { PEAR, &mesh_still_pear, &mesh_still_pear_low, &pear.material, 1500, 0, 700, 0, 0, 0 },
+    { PEAR_STEM, &mesh_still_stem, NULL, &bark.material, 1500, 1110, 700, 0, ZS_DEGREES(10), ZS_DEGREES(-14) },
+    { LEMON, &mesh_still_lemon, &mesh_still_lemon_low, &lemon.material, -140, 335, 1500, ZS_DEGREES(35), 0,
+      ZS_DEGREES(90) },
+    { BOWL, &mesh_still_bowl, &mesh_still_bowl_low, &painted.material, 120, 0, 60, 0, 0, 0 },
+    { ORANGE_1, &mesh_still_orange, &mesh_still_orange_low, &orange.material, -270, 330, 330, 0, 0, 0 },
+    { ORANGE_2, &mesh_still_orange, &mesh_still_orange_low, &orange.material, 590, 330, 190, 0, 0, 0 },
+    { ORANGE_3, &mesh_still_orange_low, &mesh_still_orange_low, &orange.material, 40, 330, -420, 0, 0, 0 },
+    { APPLE, &mesh_still_apple, &mesh_still_apple_low, &apple.material, 190, 800, 60, 0, ZS_DEGREES(12), ZS_DEGREES(10) },
+    { APPLE_STEM, &mesh_still_stem, &mesh_still_stem, &bark.material, 190, 1370, 60, 0, ZS_DEGREES(12), ZS_DEGREES(10) },
+    { VASE, &mesh_still_vase, &mesh_still_vase_low, &painted.material, -1050, 0, -1000, 0, 0, 0 },
+    { STAND, &mesh_still_stand, NULL, &painted.material, 1180, 0, -1250, 0, 0, 0 },
+    { FRAME, &mesh_still_frame, NULL, &painted.material, 1180, 1620, -1250, ZS_DEGREES(-27), ZS_DEGREES(7), 0 },
+    { TABLE, &mesh_still_table, &mesh_still_table, &wood, 0, 0, 0, 0, 0, 0 },
+    { GLASS_BACK, &mesh_still_glass, NULL, &glass_back, -1350, 0, 900, 0, 0, 0 },
+    { GLASS_FRONT, &mesh_still_glass, &mesh_still_glass_low, &glass_front, -1350, 0, 900, 0, 0, 0 },
+    { MIRROR, &mesh_still_plate, NULL, &silver, 1180, 1620, -1250, ZS_DEGREES(-27), ZS_DEGREES(7), 0 },
+};
+
+static const struct {
+    uint8_t which, of;
+    const struct zs_mesh *mesh;
+} cast[SHADOWS] = { { SHADOW_PEAR, PEAR, &mesh_still_pear_low },    { SHADOW_LEMON, LEMON, &mesh_still_lemon_low },
+                    { SHADOW_BOWL, BOWL, &mesh_still_bowl_low },    { SHADOW_VASE, VASE, &mesh_still_vase_low },
+                    { SHADOW_WINE, WINE, &mesh_still_wine_low },    { SHADOW_MIRROR, FRAME, &mesh_still_plate } };
+#define CASTER_VERTS 240u
 static struct zs_mesh flat[SHADOWS];
-#define CASTER_VERTS 400u
 static int16_t flat_pos[SHADOWS][CASTER_VERTS][3];
 
 static struct zs_scene room, seen;
@@ -131,75 +172,48 @@ static struct zs_camera eye;
 static const struct zs_pass pass[2] = { { .scene = &room, .camera = &eye },
                                         { .scene = &seen, .camera = &eye, .mirror = &mirror, .mask = &zs_mask_window } };
 
-static void put(uint32_t i, const struct zs_mesh *mesh, const struct zs_material *material, int32_t x, int32_t y, int32_t z)
-{
-    thing[i] = (struct zs_instance){ .mesh = mesh, .material = material, .pose.pos = { x, y, z } };
-}
+static const int32_t key_light[3] = { -5, 8, 5 };
 
-static void put_things(void)
-{
-    put(STAND, &mesh_still_stand, &painted.material, 1180, 0, -1250);
-    put(FRAME, &mesh_still_frame, &painted.material, 1180, 1620, -1250);
-    put(WINE, &mesh_still_wine, &wine.material, -1350, 0, 900);
-    put(PEAR, &mesh_still_pear, &pear.material, 1500, 0, 700);
-    put(PEAR_STEM, &mesh_still_stem, &bark.material, 1500, 1110, 700);
-    put(LEMON, &mesh_still_lemon, &lemon.material, -140, 335, 1500);
-    put(BOWL, &mesh_still_bowl, &painted.material, 120, 0, 60);
-    put(ORANGE_1, &mesh_still_orange, &orange.material, -270, 330, 330);
-    put(ORANGE_2, &mesh_still_orange, &orange.material, 590, 330, 190);
-    put(ORANGE_3, &mesh_still_orange, &orange.material, 40, 330, -420);
-    put(APPLE, &mesh_still_apple, &apple.material, 190, 800, 60);
-    put(APPLE_STEM, &mesh_still_stem, &bark.material, 190, 1370, 60);
-    put(VASE, &mesh_still_vase, &painted.material, -1050, 0, -1000);
-    put(TABLE, &mesh_still_table, &wood, 0, 0, 0);
-    put(GLASS_BACK, &mesh_still_glass, &glass_back, -1350, 0, 900);
-    put(GLASS_FRONT, &mesh_still_glass, &glass_front, -1350, 0, 900);
-    put(MIRROR, &mesh_still_plate, &silver, 1180, 1620, -1250);
-    zs_pose_turn(&thing[LEMON].pose, ZS_DEGREES(35), 0, ZS_DEGREES(90));
-    zs_pose_turn(&thing[PEAR_STEM].pose, 0, ZS_DEGREES(10), ZS_DEGREES(-14));
-    zs_pose_turn(&thing[APPLE_STEM].pose, 0, ZS_DEGREES(12), ZS_DEGREES(10));
-    zs_pose_turn(&thing[APPLE].pose, 0, ZS_DEGREES(12), ZS_DEGREES(10));
-    zs_pose_turn(&thing[FRAME].pose, ZS_DEGREES(-27), ZS_DEGREES(7), 0);
-    zs_pose_turn(&thing[MIRROR].pose, ZS_DEGREES(-27), ZS_DEGREES(7), 0);
-}
-
-static void put_shadow(uint32_t i, const struct zs_mesh *low, uint32_t of, const int32_t from[3])
+static void put_shadows(void)
 {
     static const struct zs_shadow_plane table = { .normal = { 0, ZS_Q30_ONE, 0 } };
     struct zs_shadow_light light = { .point = 0 };
-    struct zs_instance caster = thing[of];
-    caster.mesh = low;
-    (void)zs_unit(light.dir, from);
-    thing[i] = (struct zs_instance){ .material = &dark };
-    (void)zs_shadow_flatten(&thing[i], &flat[i - SHADOW_PEAR], flat_pos[i - SHADOW_PEAR], &caster, &table, &light);
+    (void)zs_unit(light.dir, key_light);
+    for (uint32_t i = 0; i < SHADOWS; i++) {
+        struct zs_instance caster = thing[cast[i].of];
+        caster.mesh = cast[i].mesh;
+        thing[cast[i].which].material = cast[i].which == SHADOW_MIRROR ? &dark_both : &dark;
+        (void)zs_shadow_flatten(&thing[cast[i].which], &flat[i], flat_pos[i], &caster, &table, &light);
+    }
 }
 
 /* Nothing moves but the eye: once is enough. */
 static void set_up(void)
 {
-    static const int32_t key[3] = { -5, 8, 5 }, fill[3] = { 7, 3, -3 };
-    if (thing[0].mesh)
+    if (seen.n_instances)
         return;
-    (void)zs_unit(lamp[0].dir, key);
-    (void)zs_unit(lamp[1].dir, fill);
+    (void)zs_unit(lamp.dir, key_light);
     (void)zs_shine_set(&gloss, 60);
     (void)zs_shine_set(&wax, 14);
-    put_things();
-    put_shadow(SHADOW_PEAR, &mesh_still_pear_low, PEAR, key);
-    put_shadow(SHADOW_LEMON, &mesh_still_lemon_low, LEMON, key);
-    put_shadow(SHADOW_BOWL, &mesh_still_bowl_low, BOWL, key);
-    put_shadow(SHADOW_VASE, &mesh_still_vase_low, VASE, key);
-    put_shadow(SHADOW_GLASS, &mesh_still_wine, WINE, key);
-    put_shadow(SHADOW_MIRROR, &mesh_still_plate, FRAME, key);
+    for (uint32_t i = 0; i < sizeof still / sizeof still[0]; i++) {
+        struct zs_instance *in = &thing[still[i].which];
+        *in = (struct zs_instance){ .mesh = still[i].mesh, .material = still[i].material,
+                                    .pose.pos = { still[i].x, still[i].y, still[i].z } };
+        zs_pose_turn(&in->pose, still[i].yaw, still[i].pitch, still[i].roll);
+        if (!still[i].low)
+            continue;
+        image[seen.n_instances] = *in;
+        image[seen.n_instances++].mesh = still[i].low;
+    }
+    put_shadows();
     (void)zs_mirror_of(&mirror, &thing[MIRROR], 64);
 }
 
 static void look(const struct zs_camera *camera)
 {
-    static const int32_t key[3] = { -5, 8, 5 };
     zs_q2_30 light[3];
     int32_t sum[3];
-    (void)zs_unit(light, key);
+    (void)zs_unit(light, key_light);
     for (int i = 0; i < 3; i++) {
         to_eye[i] = camera->rot[6 + i] >> 16; /* the camera looks along -z */
         sum[i] = (light[i] >> 2) + (camera->rot[6 + i] >> 2);
@@ -216,8 +230,8 @@ static void pose(struct demo_frame *f, uint32_t t, uint16_t w, uint16_t h)
     const zs_turn turn = stage_turn(t, FRAMES, 1);
     stage_open(f, black);
     set_up();
-    wall_glow.w = room_glow.w = w;
-    wall_glow.h = room_glow.h = h;
+    glow_set(&wall_glow, w, h);
+    glow_set(&room_glow, w, h);
     stage_lens(f, ZS_DEGREES(36), w, h, 3000, 16000);
     zs_camera_orbit(&f->camera, middle, DISTANCE, (zs_turn)stage_sin(2600, turn),
                     (int16_t)(ZS_DEGREES(13) + stage_cos(500, turn)));
@@ -226,10 +240,10 @@ static void pose(struct demo_frame *f, uint32_t t, uint16_t w, uint16_t h)
     f->scene.n_instances = THINGS;
     f->scene.sky = &wall;
     eye = f->camera;
-    room = seen = f->scene;
+    room = f->scene;
+    seen.instance = image;
+    seen.light = room.light;
     seen.sky = &dim_room;
-    seen.instance = thing + REFLECTED;
-    seen.n_instances = MIRROR - REFLECTED;
 }
 
 PIECE(stilllife, "A bowl of fruit, a vase and a glass of wine before a mirror, lit at each pixel, with shadows", FRAMES,
