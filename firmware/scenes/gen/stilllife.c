@@ -212,8 +212,8 @@ void gen_stilllife(void)
     turn("still_pear", LATHE_OF(pear), 18, GEN_NORMAL);
     turn("still_lemon", LATHE_OF(lemon), 16, GEN_NORMAL);
     turn("still_stem", LATHE_OF(stem), 5, GEN_NORMAL);
-    turn("still_vase", LATHE_OF(vase), 22, GEN_NORMAL | GEN_FACE_RGB);
-    turn("still_bowl", LATHE_OF(bowl), 30, GEN_NORMAL | GEN_FACE_RGB);
+    turn("still_vase", LATHE_OF(vase), 20, GEN_NORMAL | GEN_FACE_RGB);
+    turn("still_bowl", LATHE_OF(bowl), 26, GEN_NORMAL | GEN_FACE_RGB);
     turn("still_glass", LATHE_OF(goblet), 18, GEN_NORMAL);
     turn("still_wine", LATHE_OF(wine), 18, GEN_NORMAL);
     turn("still_stand", LATHE_OF(stand), 14, GEN_NORMAL);
@@ -221,7 +221,7 @@ void gen_stilllife(void)
     turn_low("still_apple_low", LATHE_OF(apple), 14, GEN_NORMAL);
     turn_low("still_pear_low", LATHE_OF(pear), 12, GEN_NORMAL);
     turn_low("still_lemon_low", LATHE_OF(lemon), 10, GEN_NORMAL);
-    turn_low("still_bowl_low", LATHE_OF(bowl), 20, GEN_NORMAL | GEN_FACE_RGB);
+    turn_low("still_bowl_low", LATHE_OF(bowl), 18, GEN_NORMAL | GEN_FACE_RGB);
     turn_low("still_vase_low", LATHE_OF(vase), 14, GEN_NORMAL | GEN_FACE_RGB);
     turn_low("still_glass_low", LATHE_OF(goblet), 12, GEN_NORMAL);
     turn_low("still_wine_low", LATHE_OF(wine), 12, GEN_NORMAL);
