@@ -26,6 +26,7 @@ int main(int argc, char **argv)
     gen_hall();
     gen_hall_textures();
     gen_stilllife();
+    gen_cockpit();
     gen_close();
     return 0;
 }

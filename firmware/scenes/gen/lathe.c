@@ -4,6 +4,8 @@
  */
 #include "lathe.h"
 
+#include <string.h>
+
 struct at_row {
     int64_t r, y;   /* steps */
     int64_t nr, ny; /* the normal, any length */
@@ -76,10 +78,11 @@ void lathe_at(struct gen_mesh *m, const struct lathe_point *point, int n_points,
 {
     uint32_t upper = 0;
     for (int k = 0; k + 1 < n_points; k++) {
-        for (int64_t a = k ? 1 : 0; a <= point[k].rows; a++) {
+        const int another = k == 0 || memcmp(&point[k].color, &point[k - 1].color, sizeof point[k].color);
+        for (int64_t a = another ? 0 : 1; a <= point[k].rows; a++) { /* another colour: a ring of its own, in the same place */
             const struct at_row row = row_at(point, n_points, k, a, point[k].rows);
             const uint32_t lower = ring(m, &row, sides, at, point[k].color);
-            if (k || a)
+            if (a)
                 band(m, upper, lower, m->n_verts, (uint32_t)sides, point[k].color);
             upper = lower;
         }

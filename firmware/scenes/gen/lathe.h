@@ -15,7 +15,7 @@
 struct lathe_point {
     int32_t r, y;         /* units; r 0 at the ends alone: a pole */
     uint8_t rows;         /* of the mesh, from here to the next point */
-    struct gen_rgb color; /* of the faces, from here to the next */
+    struct gen_rgb color; /* of vertices and faces, from here to the next */
 };
 
 /* Append the turned form with so many sides. */

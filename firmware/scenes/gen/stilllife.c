@@ -143,7 +143,7 @@ static void frame(void)
             const uint32_t now = i * RING_SIDES, next = (i + 1) % OVAL_SIDES * RING_SIDES, j = (k + 1) % RING_SIDES;
             gen_quad(m, now + k, next + k, next + j, now + j, brass);
         }
-    gen_write(m, GEN_NORMAL | GEN_FACE_RGB, LATHE_SCALE);
+    gen_write(m, GEN_NORMAL | GEN_VERTEX_RGB, LATHE_SCALE);
 }
 
 /* ---- The table --------------------------------------------------------------------------------------------- */
@@ -212,8 +212,8 @@ void gen_stilllife(void)
     turn("still_pear", LATHE_OF(pear), 18, GEN_NORMAL);
     turn("still_lemon", LATHE_OF(lemon), 16, GEN_NORMAL);
     turn("still_stem", LATHE_OF(stem), 5, GEN_NORMAL);
-    turn("still_vase", LATHE_OF(vase), 20, GEN_NORMAL | GEN_FACE_RGB);
-    turn("still_bowl", LATHE_OF(bowl), 26, GEN_NORMAL | GEN_FACE_RGB);
+    turn("still_vase", LATHE_OF(vase), 20, GEN_NORMAL | GEN_VERTEX_RGB);
+    turn("still_bowl", LATHE_OF(bowl), 26, GEN_NORMAL | GEN_VERTEX_RGB);
     turn("still_glass", LATHE_OF(goblet), 18, GEN_NORMAL);
     turn("still_wine", LATHE_OF(wine), 18, GEN_NORMAL);
     turn("still_stand", LATHE_OF(stand), 14, GEN_NORMAL);
@@ -221,8 +221,8 @@ void gen_stilllife(void)
     turn_low("still_apple_low", LATHE_OF(apple), 14, GEN_NORMAL);
     turn_low("still_pear_low", LATHE_OF(pear), 12, GEN_NORMAL);
     turn_low("still_lemon_low", LATHE_OF(lemon), 10, GEN_NORMAL);
-    turn_low("still_bowl_low", LATHE_OF(bowl), 18, GEN_NORMAL | GEN_FACE_RGB);
-    turn_low("still_vase_low", LATHE_OF(vase), 14, GEN_NORMAL | GEN_FACE_RGB);
+    turn_low("still_bowl_low", LATHE_OF(bowl), 18, GEN_NORMAL | GEN_VERTEX_RGB);
+    turn_low("still_vase_low", LATHE_OF(vase), 14, GEN_NORMAL | GEN_VERTEX_RGB);
     turn_low("still_glass_low", LATHE_OF(goblet), 12, GEN_NORMAL);
     turn_low("still_wine_low", LATHE_OF(wine), 12, GEN_NORMAL);
     plate();
