@@ -17,7 +17,8 @@
 #define SIZES_hall 20, 60, 640, 1536, ZS_VARYINGS_TEXTURE_SMOOTH
 #define SIZES_globe 20, 60, 1088, 1472, ZS_VARYINGS_TEXTURE_SMOOTH
 /* Showpieces: they fit into a Pico. */
-#define SIZES_stilllife 8, 20, 4480, 4720, ZS_VARYINGS_SMOOTH
+#define SIZES_stilllife 8, 16, 4490, 4710, ZS_VARYINGS_SMOOTH
+#define SIZES_cockpit 12, 30, 1300, 4200, ZS_VARYINGS_SMOOTH
 
 /* The same for two cores, each with an arena of this size of its own: strips as high as pay and fit into a Pico.
  * Flyover has fewer vertices than one pass takes: they are given up, and worked on again where they come again. */
