@@ -82,6 +82,7 @@ enum gen_clamp { GEN_REPEAT = 0, GEN_CLAMP = 3 }; /* both ways: enum zs_clamp */
 struct gen_image {
     const char *name;
     int64_t w, h;            /* texels, powers of two */
+    uint32_t n_levels;       /* of mipmaps, of GEN_565; 0: none */
     struct gen_rgb px[GEN_IMAGE_MAX][GEN_IMAGE_MAX]; /* [row from the top][column] */
     uint8_t alpha[GEN_IMAGE_MAX][GEN_IMAGE_MAX]; /* of GEN_PAL8A; 0 at first */
 };

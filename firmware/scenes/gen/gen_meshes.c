@@ -27,6 +27,7 @@ int main(int argc, char **argv)
     gen_hall_textures();
     gen_stilllife();
     gen_cockpit();
+    gen_forest();
     gen_close();
     return 0;
 }

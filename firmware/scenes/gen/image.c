@@ -98,12 +98,34 @@ static uint8_t texel_alpha(const struct gen_image *im, int64_t i, enum gen_forma
     return format == GEN_PAL8A ? im->alpha[i / im->w][i % im->w] : 0;
 }
 
-static void write_direct(FILE *f, const struct gen_image *im)
+/* The mean of the square of 4^level texels whose left top corner in its level is column x, row y. */
+static struct gen_rgb mean(const struct gen_image *im, int64_t x, int64_t y, uint32_t level)
 {
-    static uint16_t words[GEN_IMAGE_MAX * GEN_IMAGE_MAX];
-    for (int64_t i = 0; i < im->w * im->h; i++)
-        words[i] = texel(im, i);
-    write_words(f, "texel", words, (uint32_t)(im->w * im->h));
+    const int64_t side = (int64_t)1 << level;
+    int64_t r = 0, g = 0, b = 0;
+    for (int64_t j = 0; j < side; j++)
+        for (int64_t i = 0; i < side; i++) {
+            const struct gen_rgb *px = &im->px[y * side + j][x * side + i];
+            r += px->r;
+            g += px->g;
+            b += px->b;
+        }
+    const struct gen_rgb out = { (uint8_t)gen_div(r, side * side), (uint8_t)gen_div(g, side * side),
+                                 (uint8_t)gen_div(b, side * side) };
+    return out;
+}
+
+/* All levels, one behind the other. Return how many texels. */
+static uint32_t write_direct(FILE *f, const struct gen_image *im)
+{
+    static uint16_t words[GEN_IMAGE_MAX * GEN_IMAGE_MAX * 4 / 3 + 1];
+    uint32_t n = 0;
+    for (uint32_t level = 0; level == 0 || level < im->n_levels; level++)
+        for (int64_t y = 0; y < im->h >> level; y++)
+            for (int64_t x = 0; x < im->w >> level; x++)
+                words[n++] = out_rgb565(mean(im, x, y, level));
+    write_words(f, "texel", words, n);
+    return n;
 }
 
 /* Indices of `bits` bits, the left one in the low bits of a byte. */
@@ -144,8 +166,9 @@ void gen_texture(const struct gen_image *im, enum gen_format format, enum gen_cl
     if (format == GEN_PAL8A)
         fputs("#include \"zs_filter.h\"\n", f);
     uint32_t words = 0; /* of the palette; alphas follow the colours */
+    uint32_t n = (uint32_t)(im->w * im->h);
     if (format == GEN_565) {
-        write_direct(f, im);
+        n = write_direct(f, im);
     } else {
         write_indices(f, im, &p, bits, format);
         words = format == GEN_PAL8A ? 2u * p.n : p.n;
@@ -153,12 +176,14 @@ void gen_texture(const struct gen_image *im, enum gen_format format, enum gen_cl
             p.color[i] = p.alpha[i - p.n];
         write_words(f, "palette", p.color, words);
     }
-    const uint32_t bytes = (uint32_t)(im->w * im->h) * bits / 8u + 2u * words;
+    const uint32_t bytes = n * bits / 8u + 2u * words;
     fprintf(f, "\n/* %lu bytes of flash. */\nconst struct zs_texture texture_%s = {\n",
             (unsigned long)bytes, im->name);
     fprintf(f, "    .format = &zs_texel_%s,\n    .texel = texel,\n", names[format]);
     if (p.n)
         fprintf(f, "    .palette = palette,\n    .n_colors = %lu,\n", (unsigned long)p.n);
+    if (im->n_levels)
+        fprintf(f, "    .n_levels = %lu,\n", (unsigned long)im->n_levels);
     fprintf(f, "    .log2_w = %lu,\n    .log2_h = %lu,\n    .clamp = %d,\n};\n", log2_of(im->w),
             log2_of(im->h), (int)clamp);
     out_close(f, name);

@@ -4,5 +4,5 @@
  */
 #include "pieces.h"
 
-const struct piece *const pieces[] = { &piece_stilllife, &piece_cockpit };
+const struct piece *const pieces[] = { &piece_stilllife, &piece_cockpit, &piece_forest };
 const uint32_t n_pieces = sizeof pieces / sizeof pieces[0];
