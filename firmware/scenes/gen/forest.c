@@ -122,27 +122,20 @@ static void card(const char *name, int64_t half, int64_t high)
     gen_write(m, GEN_UV, 65536);
 }
 
-/* As the fir is: narrow above, so that less of nothing is drawn. Two of them cross. */
-static void fir_cards(void)
+/* As the fir is: narrow above, so that less of nothing is drawn. */
+static void fir_card(void)
 {
     struct gen_mesh *m = gen_begin("forest_fir");
     static const int16_t corner[6][2] = { { 46, 0 }, { 82, 0 }, { 128, 200 }, { 128, 256 }, { 0, 256 }, { 0, 200 } };
     m->uv_bits = UV_BITS;
-    for (int64_t k = 0; k < 2; k++) {
-        const uint32_t first = m->n_verts;
-        for (int i = 0; i < 6; i++) {
-            const int64_t across = (corner[i][0] - 64) * 1500 / 64, up = (256 - corner[i][1]) * 6200 / 256;
-            gen_uv(m, gen_vert(m, k ? 0 : across, up, k ? across : 0), corner[i][0] * 32, corner[i][1] * 16);
-        }
-        gen_tri(m, first, first + 2, first + 1, white);
-        gen_tri(m, first, first + 5, first + 2, white);
-        gen_tri(m, first + 5, first + 3, first + 2, white);
-        gen_tri(m, first + 5, first + 4, first + 3, white);
-        if (k == 0) { /* from afar one will do */
-            gen_write(m, GEN_UV, 65536);
-            m->name = "forest_firs";
-        }
+    for (int i = 0; i < 6; i++) {
+        const int64_t across = (corner[i][0] - 64) * 1500 / 64, up = (256 - corner[i][1]) * 6200 / 256;
+        gen_uv(m, gen_vert(m, across, up, 0), corner[i][0] * 32, corner[i][1] * 16);
     }
+    gen_tri(m, 0, 2, 1, white);
+    gen_tri(m, 0, 5, 2, white);
+    gen_tri(m, 5, 3, 2, white);
+    gen_tri(m, 5, 4, 3, white);
     gen_write(m, GEN_UV, 65536);
 }
 
@@ -153,7 +146,7 @@ static void fir(void)
         for (int64_t x = 0; x < im->w; x++)
             im->alpha[y][x] = fir_at(im, x, y) ? 255 : 0;
     gen_texture(im, GEN_PAL8A, GEN_CLAMP);
-    fir_cards();
+    fir_card();
 }
 
 /* ---- Ferns: fronds that bend out from the root, with leaves along them -------------------------------------------------- */

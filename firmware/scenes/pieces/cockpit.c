@@ -3,6 +3,7 @@
  *
  * SPDX-License-Identifier: MIT
  */
+#include "backdrop.h"
 #include "land.h"
 #include "meshes.h"
 #include "pieces.h"
@@ -27,7 +28,9 @@ static const struct zs_blend vapour = { .material = { .shader = &zs_blend_textur
                                                       .cull = ZS_CULL_NONE },
                                         .alpha = 255 };
 
-static struct zs_sky_gradient ahead_sky, behind_sky;
+static struct backdrop sky_ahead, sky_behind;
+static const struct zs_background ahead_sky = { .fill = backdrop_sky_fill, .ctx = &sky_ahead },
+                                  behind_sky = { .fill = backdrop_sky_fill, .ctx = &sky_behind };
 static struct zs_fog haze = { .color = ZS_RGB565(0xc4d4dc), .start = LAND_PERIOD / 5, .end = LAND_PERIOD * 23 / 20 };
 
 /* What the aircraft does in frame t. */
@@ -280,7 +283,6 @@ static void place_mirror(uint16_t w, uint16_t h)
 
 static void pose(struct demo_frame *f, uint32_t t, uint16_t w, uint16_t h)
 {
-    static const struct zs_rgb colors[4] = { ZS_RGB(0x0838a0), SKY_NEAR, SKY_NEAR, SKY_NEAR };
     const struct zs_config config = { .width = w, .height = h, .depth_bits = 16, .depth = &zs_depth_float };
     const struct zs_rect whole = { 0, 0, w, h };
     struct flight a;
@@ -295,20 +297,18 @@ static void pose(struct demo_frame *f, uint32_t t, uint16_t w, uint16_t h)
     put_ahead(f);
     put_behind();
     place_mirror(w, h);
-    if (!ahead_sky.sky.background.fill) {
-        zs_sky_gradient(&ahead_sky, colors);
-        zs_sky_gradient(&behind_sky, colors);
-    }
-    zs_sky_look(&ahead_sky.sky, &ahead, &whole, NULL);
-    zs_sky_look(&behind_sky.sky, &mirrored, &pass[1].viewport, &glass);
+    backdrop_colors(&sky_ahead, (struct zs_rgb)SKY_NEAR, (struct zs_rgb)ZS_RGB(0x6a9cdc));
+    sky_behind = sky_ahead;
+    backdrop_sky(&sky_ahead, &ahead, &whole, NULL);
+    backdrop_sky(&sky_behind, &mirrored, &pass[1].viewport, glass.normal);
     (void)zs_fog_set(&haze, &config, &ahead);
     add_gauges(&a, &pass[1].viewport, w, h);
-    f->scene.sky = &ahead_sky.sky.background;
+    f->scene.sky = &ahead_sky;
     f->scene.resolve = hooks;
     f->scene.n_resolves = 2;
     ahead_scene = f->scene;
     behind_scene.light = f->scene.light;
-    behind_scene.sky = &behind_sky.sky.background;
+    behind_scene.sky = &behind_sky;
 }
 
 PIECE(cockpit, "A flight along a river in haze, from a cockpit with gauges and a mirror", FRAMES, ZS_VARYINGS_SMOOTH,

@@ -3,6 +3,7 @@
  *
  * SPDX-License-Identifier: MIT
  */
+#include "backdrop.h"
 #include "meshes.h"
 #include "pieces.h"
 #include "wood.h"
@@ -13,8 +14,8 @@
 #define FRAMES 96u
 #define MIST 0xccd2c4
 #define NEAR 500
-#define FAR 27000
-#define ROW 1500 /* from row to row of trees */
+#define FAR 24000
+#define ROW 2000 /* from row to row of trees */
 #define ROWS (WOOD_PERIOD / ROW)
 #define EYE 1550
 
@@ -31,8 +32,8 @@ static const struct zs_material larch = { .shader = &zs_shade_cutout, .texture =
 
 static uint16_t to_gold(uint16_t color)
 {
-    const uint32_t r = color >> 11, g = color >> 5 & 63u, b = color & 31u, red = r * 7u / 4u + 4u;
-    return (uint16_t)((red > 31u ? 31u : red) << 11 | (g * 15u / 16u) << 5 | b / 2u);
+    const uint32_t r = color >> 11, g = color >> 5 & 63u, b = color & 31u, red = r * 11u / 8u + 5u;
+    return (uint16_t)((red > 31u ? 31u : red) << 11 | g << 5 | b / 2u);
 }
 
 static void set_larch(void)
@@ -48,9 +49,10 @@ static void set_larch(void)
     larch_texture.palette = gold_palette;
 }
 
-static struct zs_fog mist = { .color = ZS_RGB565(MIST), .start = 2500, .end = 23000 };
+static struct zs_fog mist = { .color = ZS_RGB565(MIST), .start = 2500, .end = 22000 };
 static const struct zs_resolve hook = { .draw = zs_fog_draw, .changes = zs_fog_changes, .ctx = &mist };
-static struct zs_sky_gradient sky;
+static struct backdrop air;
+static const struct zs_background sky = { .fill = backdrop_sky_fill, .ctx = &air };
 
 /* ---- Trees --------------------------------------------------------------------------------------------------------- */
 
@@ -81,7 +83,7 @@ static struct zs_instance *put(const struct zs_mesh *mesh, const struct zs_mater
     return i;
 }
 
-/* What turns to the eye. Not what is beside it: it would turn about as one walks past. */
+/* What turns to the eye: crossed cards would show where they meet. */
 static void put_facing(const struct zs_camera *camera, const struct zs_mesh *mesh, const struct zs_material *material,
                        int32_t x, int32_t z, zs_uq16_16 scale)
 {
@@ -93,18 +95,16 @@ static void put_facing(const struct zs_camera *camera, const struct zs_mesh *mes
 static void put_tree(const struct zs_camera *camera, int32_t row, int32_t side, int32_t rank)
 {
     const uint32_t d = dice(row, (uint32_t)(rank * 2 + (side > 0)));
-    const int32_t z = -row * ROW - (int32_t)(d % 1000u), away = 2300 + rank * 2600 + (int32_t)(d >> 10 & 1023u) * 3 / 2;
+    const int32_t z = -row * ROW - (int32_t)(d % 1000u), away = 2900 + rank * 2700 + (int32_t)(d >> 10 & 1023u) * 3 / 2;
     const int32_t x = middle(z) + side * away;
-    const struct zs_material *const kind = rank > 0 && d % 11u == 4u ? &larch : &fir;
+    const struct zs_material *const kind = d % 8u == 5u ? &larch : &fir;
     const zs_uq16_16 scale = ZS_Q16_ONE * 3u / 4u + (d >> 20 & 255u) * 128u;
     if (rank == 0 && d % 3u == 0)
         zs_pose_turn(&put(&mesh_forest_trunk, &bark, x, z, scale)->pose, (zs_turn)d, (zs_turn)(d % 600u - 300u), 0);
-    else if (camera->pos[2] - z > 7000)
-        put_facing(camera, &mesh_forest_fir, kind, x, z, scale);
     else
-        zs_pose_turn(&put(&mesh_forest_firs, kind, x, z, scale)->pose, (zs_turn)(d >> 3), 0, 0);
+        put_facing(camera, &mesh_forest_fir, kind, x, z, scale);
     if (rank == 0 && d % 5u < 3u)
-        put_facing(camera, &mesh_forest_fern, &fern, x - side * (700 + (int32_t)(d % 300u)), z + 500, scale);
+        put_facing(camera, &mesh_forest_fern, &fern, x - side * (900 + (int32_t)(d % 500u)), z + 500, scale);
 }
 
 /* From near to far: what is hidden is not coloured. */
@@ -112,7 +112,7 @@ static void put_trees(const struct zs_camera *camera)
 {
     const int32_t first = -camera->pos[2] / ROW - 1;
     for (int32_t row = first; row < first + FAR / ROW; row++)
-        for (int32_t rank = 0; rank < 3; rank++)
+        for (int32_t rank = 0; rank < (row > first + 4 ? 3 : 2); rank++) /* near ones hide the third */
             for (int32_t side = -1; side <= 1; side += 2)
                 put_tree(camera, row, side, rank);
     for (int32_t k = 1; k >= -2; k--)
@@ -124,7 +124,6 @@ static void put_trees(const struct zs_camera *camera)
 static void pose(struct demo_frame *f, uint32_t t, uint16_t w, uint16_t h)
 {
     static const struct zs_rgb mist_rgb = ZS_RGB(MIST);
-    static const struct zs_rgb colors[4] = { ZS_RGB(0x587890), ZS_RGB(MIST), ZS_RGB(MIST), ZS_RGB(MIST) };
     const struct zs_config config = { .width = w, .height = h, .depth_bits = 16, .depth = &zs_depth_float };
     const struct zs_rect whole = { 0, 0, w, h };
     const int32_t up[3] = { 0, 1, 0 }, z = -(int32_t)(t % FRAMES * WOOD_PERIOD / FRAMES), ahead = z - 5000;
@@ -136,15 +135,14 @@ static void pose(struct demo_frame *f, uint32_t t, uint16_t w, uint16_t h)
     (void)zs_camera_look_at(&f->camera, eye, at, up);
     things = 0;
     put_trees(&f->camera);
-    if (!sky.sky.background.fill) {
+    if (!larch_texture.format)
         set_larch();
-        zs_sky_gradient(&sky, colors);
-    }
-    zs_sky_look(&sky.sky, &f->camera, &whole, NULL);
+    backdrop_colors(&air, mist_rgb, (struct zs_rgb)ZS_RGB(0xa4bcbc));
+    backdrop_sky(&air, &f->camera, &whole, NULL);
     (void)zs_fog_set(&mist, &config, &f->camera);
     f->scene.instance = thing;
     f->scene.n_instances = things;
-    f->scene.sky = &sky.sky.background;
+    f->scene.sky = &sky;
     f->scene.resolve = &hook;
     f->scene.n_resolves = 1;
 }

@@ -3,6 +3,7 @@
  *
  * SPDX-License-Identifier: MIT
  */
+#include "backdrop.h"
 #include "meshes.h"
 #include "pieces.h"
 #include "zs_blend.h"
@@ -81,45 +82,19 @@ static const struct zs_shader shade_glass = {
 };
 static const struct zs_material glass = { .shader = &shade_glass, .cull = ZS_CULL_NONE };
 
-/* ---- The wall, and what the mirror has in its place: a glow that fades, dithered ------------------------------------ */
+/* ---- The wall, and the room that the mirror has in its place ----------------------------------------------------------- */
 
-#define SHADES 64u
-struct glow {
-    uint16_t w, h; /* px, of the frame */
-    uint8_t x, y;  /* its middle, 1/16 of the frame */
-    uint8_t fall;  /* the greater, the smaller it is */
-    struct zs_rgb far, near;
-    uint16_t shade[SHADES + 4u];
-};
+static struct backdrop wall_glow, room_glow;
+static const struct zs_background wall = { .fill = backdrop_glow_fill, .ctx = &wall_glow },
+                                  dim_room = { .fill = backdrop_glow_fill, .ctx = &room_glow };
 
-static void glow_set(struct glow *g, uint16_t w, uint16_t h)
+static void set_backdrops(uint16_t w, uint16_t h)
 {
-    g->w = w;
-    g->h = h;
-    for (int32_t i = 0; i < (int32_t)SHADES + 4; i++)
-        g->shade[i] = zs_wire565((uint8_t)(g->far.r + (g->near.r - g->far.r) * i / 68),
-                                 (uint8_t)(g->far.g + (g->near.g - g->far.g) * i / 68),
-                                 (uint8_t)(g->far.b + (g->near.b - g->far.b) * i / 68));
+    backdrop_colors(&wall_glow, (struct zs_rgb)ZS_RGB(0x10201e), (struct zs_rgb)ZS_RGB(0x5c7464));
+    backdrop_glow(&wall_glow, w, h, 7, 5, 44);
+    backdrop_colors(&room_glow, (struct zs_rgb)ZS_RGB(0x1c1824), (struct zs_rgb)ZS_RGB(0xd8c8a8));
+    backdrop_glow(&room_glow, w, h, 14, 0, 34);
 }
-
-static void glow_fill(void *ctx, uint16_t *out, uint16_t x, uint16_t y, uint16_t n)
-{
-    static const uint8_t bayer[4][4] = { { 0, 8, 2, 10 }, { 12, 4, 14, 6 }, { 3, 11, 1, 9 }, { 15, 7, 13, 5 } };
-    const struct glow *g = ctx;
-    const uint8_t *const rank = bayer[y & 3u];
-    const int32_t span = g->w < g->h ? g->w : g->h, dy = (y - g->h * g->y / 16) * 128 / span;
-    const int32_t step = 128 * 64 / span; /* q6 */
-    int32_t dx = (x - g->w * g->x / 16) * step;
-    for (uint32_t i = 0; i < n; i++, dx += step) {
-        const int32_t d2 = (dx >> 6) * (dx >> 6) + dy * dy, level = 255 - (d2 * g->fall >> 11);
-        out[i] = g->shade[((uint32_t)(level < 0 ? 0 : level) + rank[(x + i) & 3u]) >> 2];
-    }
-}
-
-static struct glow wall_glow = { .x = 7, .y = 5, .fall = 44, .far = ZS_RGB(0x10201e), .near = ZS_RGB(0x5c7464) },
-                   room_glow = { .x = 14, .y = 0, .fall = 34, .far = ZS_RGB(0x1c1824), .near = ZS_RGB(0xd8c8a8) };
-static const struct zs_background wall = { .fill = glow_fill, .ctx = &wall_glow },
-                                  dim_room = { .fill = glow_fill, .ctx = &room_glow };
 
 /* ---- What stands where --------------------------------------------------------------------------------------------- */
 
@@ -235,8 +210,7 @@ static void pose(struct demo_frame *f, uint32_t t, uint16_t w, uint16_t h)
     const zs_turn turn = stage_turn(t, FRAMES, 1);
     stage_open(f, black);
     set_up();
-    glow_set(&wall_glow, w, h);
-    glow_set(&room_glow, w, h);
+    set_backdrops(w, h);
     stage_lens(f, ZS_DEGREES(36), w, h, 3000, 16000);
     zs_camera_orbit(&f->camera, middle, DISTANCE, (zs_turn)stage_sin(2600, turn),
                     (int16_t)(ZS_DEGREES(13) + stage_cos(500, turn)));
