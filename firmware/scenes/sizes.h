@@ -17,8 +17,8 @@
 #define SIZES_hall 20, 60, 640, 1536, ZS_VARYINGS_TEXTURE_SMOOTH
 #define SIZES_globe 20, 60, 1088, 1472, ZS_VARYINGS_TEXTURE_SMOOTH
 /* Showpieces: they fit into a Pico. */
-#define SIZES_stilllife 8, 16, 4490, 4710, ZS_VARYINGS_SMOOTH
-#define SIZES_forest 8, 60, 840, 2200, ZS_VARYINGS_SMOOTH
+#define SIZES_stilllife 8, 24, 3860, 4080, ZS_VARYINGS_SMOOTH
+#define SIZES_forest 8, 60, 440, 1320, ZS_VARYINGS_SMOOTH
 #define SIZES_cockpit 12, 30, 1300, 4200, ZS_VARYINGS_SMOOTH
 
 /* The same for two cores, each with an arena of this size of its own: strips as high as pay and fit into a Pico.

@@ -34,10 +34,10 @@ static const struct lathe_point stem[] = {
 #define BLUE { 24, 78, 120 }
 #define PALE { 232, 224, 200 }
 static const struct lathe_point vase[] = {
-    { 215, 2240, 1, BLUE },  { 285, 2300, 1, PALE }, { 345, 2330, 1, PALE }, { 330, 2270, 2, BLUE },
-    { 205, 2040, 2, BLUE },  { 215, 1830, 2, BLUE }, { 320, 1660, 1, PALE }, { 370, 1600, 1, BLUE },
+    { 215, 2240, 1, BLUE },  { 285, 2300, 1, PALE }, { 345, 2330, 1, PALE }, { 330, 2270, 1, BLUE },
+    { 205, 2040, 1, BLUE },  { 215, 1830, 1, BLUE }, { 320, 1660, 1, PALE }, { 370, 1600, 1, BLUE },
     { 415, 1545, 1, PALE },  { 455, 1490, 2, BLUE }, { 590, 1130, 2, BLUE }, { 540, 700, 2, BLUE },
-    { 370, 290, 2, BLUE },   { 290, 90, 1, PALE },   { 310, 30, 1, PALE },   { 300, 0, 0, PALE },
+    { 370, 290, 1, BLUE },   { 290, 90, 1, PALE },   { 310, 30, 1, PALE },   { 300, 0, 0, PALE },
 };
 
 /* Inside from the bottom up, round the rim, and down to the foot. */
@@ -51,9 +51,9 @@ static const struct lathe_point bowl[] = {
 
 /* A glass: outside alone; its front and back are drawn by one mesh each way. */
 static const struct lathe_point goblet[] = {
-    { 352, 1860, 1, PEEL }, { 395, 1640, 2, PEEL }, { 425, 1340, 2, PEEL }, { 370, 1060, 2, PEEL },
-    { 200, 870, 2, PEEL },  { 62, 760, 1, PEEL },   { 42, 560, 1, PEEL },   { 46, 260, 1, PEEL },
-    { 130, 75, 2, PEEL },   { 400, 22, 1, PEEL },   { 410, 0, 0, PEEL },
+    { 352, 1860, 1, PEEL }, { 395, 1640, 1, PEEL }, { 425, 1340, 2, PEEL }, { 370, 1060, 2, PEEL },
+    { 200, 870, 1, PEEL },  { 62, 760, 1, PEEL },   { 42, 560, 1, PEEL },   { 46, 260, 1, PEEL },
+    { 130, 75, 1, PEEL },   { 400, 22, 1, PEEL },   { 410, 0, 0, PEEL },
 };
 static const struct lathe_point wine[] = {
     { 0, 1380, 1, PEEL },   { 404, 1380, 1, PEEL }, { 405, 1340, 2, PEEL },
@@ -91,7 +91,7 @@ static void turn_low(const char *name, const struct lathe_point *point, int n_po
 #define OVAL_SIDES 32
 #define OVAL_X 900
 #define OVAL_Y 1180
-#define RING_SIDES 6
+#define RING_SIDES 5
 
 static void oval(int64_t out[3], int64_t i, int64_t wider)
 {
@@ -208,22 +208,22 @@ static void wood(void)
 void gen_stilllife(void)
 {
     turn("still_orange", LATHE_OF(orange), 18, GEN_NORMAL);
-    turn("still_apple", LATHE_OF(apple), 20, GEN_NORMAL);
+    turn("still_apple", LATHE_OF(apple), 18, GEN_NORMAL);
     turn("still_pear", LATHE_OF(pear), 18, GEN_NORMAL);
     turn("still_lemon", LATHE_OF(lemon), 16, GEN_NORMAL);
     turn("still_stem", LATHE_OF(stem), 5, GEN_NORMAL);
-    turn("still_vase", LATHE_OF(vase), 20, GEN_NORMAL | GEN_VERTEX_RGB);
-    turn("still_bowl", LATHE_OF(bowl), 26, GEN_NORMAL | GEN_VERTEX_RGB);
-    turn("still_glass", LATHE_OF(goblet), 18, GEN_NORMAL);
+    turn("still_vase", LATHE_OF(vase), 18, GEN_NORMAL | GEN_VERTEX_RGB);
+    turn("still_bowl", LATHE_OF(bowl), 24, GEN_NORMAL | GEN_VERTEX_RGB);
+    turn("still_glass", LATHE_OF(goblet), 16, GEN_NORMAL);
     turn("still_wine", LATHE_OF(wine), 18, GEN_NORMAL);
-    turn("still_stand", LATHE_OF(stand), 14, GEN_NORMAL);
+    turn("still_stand", LATHE_OF(stand), 10, GEN_NORMAL);
     turn_low("still_orange_low", LATHE_OF(orange), 12, GEN_NORMAL);
     turn_low("still_apple_low", LATHE_OF(apple), 14, GEN_NORMAL);
     turn_low("still_pear_low", LATHE_OF(pear), 12, GEN_NORMAL);
     turn_low("still_lemon_low", LATHE_OF(lemon), 10, GEN_NORMAL);
-    turn_low("still_bowl_low", LATHE_OF(bowl), 18, GEN_NORMAL | GEN_VERTEX_RGB);
-    turn_low("still_vase_low", LATHE_OF(vase), 14, GEN_NORMAL | GEN_VERTEX_RGB);
-    turn_low("still_glass_low", LATHE_OF(goblet), 12, GEN_NORMAL);
+    turn_low("still_bowl_low", LATHE_OF(bowl), 14, GEN_NORMAL | GEN_VERTEX_RGB);
+    turn_low("still_vase_low", LATHE_OF(vase), 10, GEN_NORMAL | GEN_VERTEX_RGB);
+    turn_low("still_glass_low", LATHE_OF(goblet), 10, GEN_NORMAL);
     turn_low("still_wine_low", LATHE_OF(wine), 12, GEN_NORMAL);
     plate();
     frame();
