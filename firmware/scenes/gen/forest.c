@@ -91,7 +91,7 @@ static int fir_at(struct gen_image *im, int64_t x, int64_t y)
     const int64_t side = x < 64 ? 1 : 0;
     for (int64_t k = 0; k < TIERS; k++) {
         const int64_t dice = gen_hash((uint32_t)k, (uint32_t)side, 12) % 16u;
-        const int64_t half = 10 + k * 112 / TIERS + dice, top = 2 + k * 15 + (int64_t)(gen_hash((uint32_t)k, 5, 3) % 5u);
+        const int64_t half = 10 + k * 112 / TIERS + dice, top = 2 + k * 13 + (int64_t)(gen_hash((uint32_t)k, 5, 3) % 5u);
         if (dx > half)
             continue;
         const int64_t at[3] = { x * 65536 / 3, y * 65536 / 5, k << 16 };

@@ -230,16 +230,16 @@ static void put_ahead(struct demo_frame *f)
 {
     static const int16_t place[CLOUDS][3] = { { -9000, 7300, 0 }, { 6400, 8800, -3000 }, { -2400, 9900, -9000 },
                                               { 13500, 7600, -6000 }, { -15800, 9000, -7000 } };
-    static const int32_t up[3] = { 0, 1, 0 };
+    static const struct zs_camera level = { .z_near = 0 }; /* not banked; nor turned, which is not seen */
     put_attached(f, &mesh_cockpit_panel);
     put_attached(f, &mesh_cockpit_bow);
     for (int32_t row = 0; row >= -2; row--)
         for (int32_t column = -1; column <= 1; column++)
             stage_put(f, &mesh_terrain, &ground, column * LAND_PERIOD, 0, row * LAND_PERIOD, 0);
     for (int k = 0; k < CLOUDS; k++) /* they keep their distance */
-        (void)zs_pose_face_upright(stage_put(f, &mesh_cloud, &vapour.material, place[k][0], place[k][1],
-                                             ahead.pos[2] - 22000 + place[k][2], 0),
-                                   &ahead, up);
+        zs_pose_face(stage_put(f, &mesh_cloud, &vapour.material, place[k][0], place[k][1],
+                               ahead.pos[2] - 22000 + place[k][2], 0),
+                     &level);
 }
 
 /* What the mirror shows: coarser land, and the tail. */

@@ -1,4 +1,4 @@
-/* A walk through a forest in the mist: trunks, firs and ferns that are cut out of cards and turn to the eye, a path whose
+/* A walk through a forest in the mist: trunks, firs and ferns that are cut out of cards which turn to the eye, a path whose
  * texture is filtered, and fog.
  *
  * SPDX-License-Identifier: MIT
@@ -83,12 +83,11 @@ static struct zs_instance *put(const struct zs_mesh *mesh, const struct zs_mater
     return i;
 }
 
-/* What turns to the eye: crossed cards would show where they meet. */
+/* Parallel to the screen: its texture is affine, at a third of the cost. (Crossed cards would show where they meet.) */
 static void put_facing(const struct zs_camera *camera, const struct zs_mesh *mesh, const struct zs_material *material,
                        int32_t x, int32_t z, zs_uq16_16 scale)
 {
-    static const int32_t up[3] = { 0, 1, 0 };
-    (void)zs_pose_face_upright(&put(mesh, material, x, z, scale)->pose, camera, up);
+    zs_pose_face(&put(mesh, material, x, z, scale)->pose, camera);
 }
 
 /* A tree of row `row`, to a side, `rank` 0 .. 2 away from the path. */
@@ -100,7 +99,7 @@ static void put_tree(const struct zs_camera *camera, int32_t row, int32_t side, 
     const struct zs_material *const kind = d % 8u == 5u ? &larch : &fir;
     const zs_uq16_16 scale = ZS_Q16_ONE * 3u / 4u + (d >> 20 & 255u) * 128u;
     if (rank == 0 && d % 3u == 0)
-        zs_pose_turn(&put(&mesh_forest_trunk, &bark, x, z, scale)->pose, (zs_turn)d, (zs_turn)(d % 600u - 300u), 0);
+        zs_pose_turn(&put(&mesh_forest_trunk, &bark, x, z, scale + ZS_Q16_ONE / 4u)->pose, (zs_turn)d, (zs_turn)(d % 600u - 300u), 0);
     else
         put_facing(camera, &mesh_forest_fir, kind, x, z, scale);
     if (rank == 0 && d % 5u < 3u)
