@@ -16,16 +16,24 @@ void backdrop_colors(struct backdrop *b, struct zs_rgb from, struct zs_rgb to)
 }
 
 /* Colour pixels x .. end of one level, in columns of one group of four. */
-static uint16_t *group(const struct backdrop *b, uint16_t *out, uint32_t x, uint32_t end, int32_t level, const uint8_t *rank)
+static inline uint16_t *group(const struct backdrop *b, uint16_t *out, uint32_t x, uint32_t end, int32_t level,
+                              const uint8_t *rank)
 {
     const uint16_t *const shade = b->shade;
     const uint32_t at = level < 0 ? 0u : level > 255 ? 255u : (uint32_t)level;
+    if (end - x == 4u) {
+        out[0] = shade[(at + rank[0]) >> 2]; /* <= 270 / 4 = 67 */
+        out[1] = shade[(at + rank[1]) >> 2];
+        out[2] = shade[(at + rank[2]) >> 2];
+        out[3] = shade[(at + rank[3]) >> 2];
+        return out + 4;
+    }
     for (; x < end; x++)
-        *out++ = shade[(at + rank[x & 3u]) >> 2]; /* <= 270 / 4 = 67 */
+        *out++ = shade[(at + rank[x & 3u]) >> 2];
     return out;
 }
 
-static uint32_t group_end(uint32_t x, uint32_t end)
+static inline uint32_t group_end(uint32_t x, uint32_t end)
 {
     const uint32_t next = (x | 3u) + 1u;
     return next < end ? next : end;
@@ -58,8 +66,10 @@ void backdrop_sky_fill(void *ctx, uint16_t *out, uint16_t x, uint16_t y, uint16_
 {
     const struct backdrop *b = ctx;
     const int32_t row = b->level + b->dy * y;
-    for (uint32_t at = x, end = x + (uint32_t)n; at < end; at = group_end(at, end))
-        out = group(b, out, at, group_end(at, end), (row + b->dx * (int32_t)(at & ~3u)) >> 16, bayer[y & 3u]);
+    for (uint32_t at = x, end = x + (uint32_t)n, next; at < end; at = next) {
+        next = group_end(at, end);
+        out = group(b, out, at, next, (row + b->dx * (int32_t)(at & ~3u)) >> 16, bayer[y & 3u]);
+    }
 }
 
 /* ---- Glows --------------------------------------------------------------------------------------------------------- */
@@ -76,8 +86,9 @@ void backdrop_glow_fill(void *ctx, uint16_t *out, uint16_t x, uint16_t y, uint16
 {
     const struct backdrop *b = ctx;
     const int32_t dy = (y - b->y) * b->step >> 6;
-    for (uint32_t at = x, end = x + (uint32_t)n; at < end; at = group_end(at, end)) {
+    for (uint32_t at = x, end = x + (uint32_t)n, next; at < end; at = next) {
+        next = group_end(at, end);
         const int32_t dx = ((int32_t)(at & ~3u) - b->x) * b->step >> 6;
-        out = group(b, out, at, group_end(at, end), 255 - ((dx * dx + dy * dy) * b->fall >> 11), bayer[y & 3u]);
+        out = group(b, out, at, next, 255 - ((dx * dx + dy * dy) * b->fall >> 11), bayer[y & 3u]);
     }
 }

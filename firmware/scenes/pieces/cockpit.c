@@ -230,7 +230,9 @@ static void put_ahead(struct demo_frame *f)
 {
     static const int16_t place[CLOUDS][3] = { { -9000, 7300, 0 }, { 6400, 8800, -3000 }, { -2400, 9900, -9000 },
                                               { 13500, 7600, -6000 }, { -15800, 9000, -7000 } };
-    static const struct zs_camera level = { .z_near = 0 }; /* not banked; nor turned, which is not seen */
+    const int32_t up[3] = { 0, 1, 0 }, along[3] = { -(ahead.rot[6] >> 1), -(ahead.rot[7] >> 1), -(ahead.rot[8] >> 1) };
+    struct zs_camera level = ahead; /* not banked: clouds are upright, and parallel to the screen */
+    (void)zs_camera_look_along(&level, ahead.pos, along, up);
     put_attached(f, &mesh_cockpit_panel);
     put_attached(f, &mesh_cockpit_bow);
     for (int32_t row = 0; row >= -2; row--)
