@@ -13,7 +13,8 @@ MAKE_ALL = $(MAKE) --no-print-directory -j$(JOBS)
 SIM_DIRS = cli effect load convert frame panel gallery budget study compare reference panel_model
 INC = -Ifirmware/zstrip -Ifirmware/examples -Ifirmware/scenes -Ifirmware/scenes/pieces -Ihal -Ihal/panel -Ihal/fault -I$(B)/gen $(SIM_DIRS:%=-Isim/%)
 CORE = $(wildcard firmware/zstrip/*/*.c)
-SCENES = $(wildcard firmware/scenes/*.c firmware/scenes/pieces/*.c)
+SCENES = $(wildcard firmware/scenes/*.c)
+PIECES = $(wildcard firmware/scenes/pieces/*.c)
 PANELS = $(wildcard hal/panel/*.c)
 HEADERS = $(wildcard firmware/*/*.h firmware/zstrip/*/*.h firmware/scenes/*/*.h hal/*.h hal/*/*.h sim/*/*.h \
                      tests/lib/*.h tests/lab/*/*.h)

@@ -31,7 +31,7 @@ $(B)/test/tests/lib/oracle.o: override SAN := $(if $(SAN),$(SAN_QUICK))
 $(B)/test/%.o: %.c $(TEST_NOTE) | $(B)/gen/meshes.h
 	@mkdir -p $(@D)
 	@$(TEST_CC) $(DEP) -c $< -o $@
-$(B)/test/libtest.a: $(call t,$(CORE) $(SCENES) $(PANELS) $(MODEL) $(TEST_HELP))
+$(B)/test/libtest.a: $(call t,$(CORE) $(SCENES) $(PIECES) $(PANELS) $(MODEL) $(TEST_HELP))
 	@rm -f $@ && ar rcs $@ $^
 define test_program
 $(B)/test/test_%: $(B)/test/tests/$1/test_%.o $(B)/test/libtest.a $(B)/libmeshes.a
