@@ -11,11 +11,13 @@ JOBS := $(shell nproc 2>/dev/null || getconf _NPROCESSORS_ONLN 2>/dev/null || ec
 # Its lines begin with +, as make sees a make in a recipe only where it is written out
 MAKE_ALL = $(MAKE) --no-print-directory -j$(JOBS)
 SIM_DIRS = cli effect load convert project frame panel gallery budget study compare reference panel_model
-INC = -Ifirmware/zstrip -Ifirmware/examples -Ifirmware/scenes -Ihal -Ihal/panel -Ihal/fault -I$(B)/gen $(SIM_DIRS:%=-Isim/%)
+INC = -Ifirmware/zstrip -Ifirmware/examples -Ifirmware/scenes -Ifirmware/scenes/pieces -Ihal -Ihal/panel -Ihal/fault \
+      -I$(B)/gen $(SIM_DIRS:%=-Isim/%)
 CORE = $(wildcard firmware/zstrip/*/*.c)
 SCENES = $(wildcard firmware/scenes/*.c)
+PIECES = $(wildcard firmware/scenes/pieces/*.c)
 PANELS = $(wildcard hal/panel/*.c)
-HEADERS = $(wildcard firmware/*/*.h firmware/zstrip/*/*.h firmware/scenes/gen/*.h hal/*.h hal/*/*.h sim/*/*.h \
+HEADERS = $(wildcard firmware/*/*.h firmware/zstrip/*/*.h firmware/scenes/*/*.h hal/*.h hal/*/*.h sim/*/*.h \
                      tests/lib/*.h tests/lab/*/*.h)
 
 # An object depends on the headers that it includes, as the compiler noted them beside it (.d; HEADERS are for what is

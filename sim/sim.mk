@@ -62,10 +62,10 @@ SIM_NOTE := $(call note,$(B)/sim/cc,$(SIM_CC))
 $(B)/sim/%.o: %.c $(SIM_NOTE) | $(B)/gen/meshes.h
 	@mkdir -p $(@D)
 	@$(SIM_CC) $(WERROR) $(DEP) -c $< -o $@
-$(B)/zsim: $(patsubst %.c,$(B)/sim/%.o,$(CORE) $(SCENES) $(PANELS) $(SIM)) $(B)/libmeshes.a
+$(B)/zsim: $(patsubst %.c,$(B)/sim/%.o,$(CORE) $(SCENES) $(PIECES) $(PANELS) $(SIM)) $(B)/libmeshes.a
 	@$(CC) $(CFLAGS) $^ $(LIBS) -o $@
 	@echo 'built $@'
-$(B)/zlab: $(patsubst %.c,$(B)/sim/%.o,$(CORE) $(SCENES) $(PANELS) $(ZLAB)) $(B)/libmeshes.a
+$(B)/zlab: $(patsubst %.c,$(B)/sim/%.o,$(CORE) $(SCENES) $(PIECES) $(PANELS) $(ZLAB)) $(B)/libmeshes.a
 	@$(CC) $(CFLAGS) $^ $(LIBS) -o $@
 	@echo 'built $@'
 
@@ -77,7 +77,7 @@ STUDY_texels30 = -DZS_TEXEL_COARSE_LOG2=0
 STUDY_texels15 = -DZS_TEXEL_COARSE_LOG2=31
 STUDY_BUILDS = bound2 bound5 recip16 texels30 texels15
 STUDY_OF = $(patsubst %.c,$(1)/%.o,$(CORE) sim/study/study_time.c)
-STUDY_REST = $(patsubst %.c,$(B)/sim/%.o,$(SCENES) $(PANELS) $(filter-out sim/study/study_time.c,$(SIM))) \
+STUDY_REST = $(patsubst %.c,$(B)/sim/%.o,$(SCENES) $(PIECES) $(PANELS) $(filter-out sim/study/study_time.c,$(SIM))) \
              $(B)/libmeshes.a
 study-variants: $(STUDY_BUILDS:%=$(B)/study/%/zsim)
 define study_build

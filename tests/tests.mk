@@ -31,7 +31,7 @@ $(B)/test/tests/lib/oracle.o: override SAN := $(if $(SAN),$(SAN_QUICK))
 $(B)/test/%.o: %.c $(TEST_NOTE) | $(B)/gen/meshes.h
 	@mkdir -p $(@D)
 	@$(TEST_CC) $(DEP) -c $< -o $@
-$(B)/test/libtest.a: $(call t,$(CORE) $(SCENES) $(PANELS) $(MODEL) $(TEST_HELP))
+$(B)/test/libtest.a: $(call t,$(CORE) $(SCENES) $(PIECES) $(PANELS) $(MODEL) $(TEST_HELP))
 	@rm -f $@ && ar rcs $@ $^
 define test_program
 $(B)/test/test_%: $(B)/test/tests/$1/test_%.o $(B)/test/libtest.a $(B)/libmeshes.a
@@ -51,7 +51,7 @@ $(B)/test/test_explain: $(call t,$(wildcard firmware/examples/*.c))
 $(B)/test/test_explain: private override SAN += -Wl,--wrap=zs_render -Wl,--wrap=zs_render_passes
 $(B)/test/test_raycast: $(call t,sim/reference/reference.c sim/reference/rays.c)
 $(B)/test/test_counts: $(call t,sim/frame/pixel_counts.c $(FRAME))
-$(B)/test/test_threads $(B)/test/test_golden: $(call t,$(FRAME))
+$(B)/test/test_threads $(B)/test/test_golden $(B)/test/test_pieces: $(call t,$(FRAME))
 $(B)/test/tests/tools/test_help.o: TEST_CC += -Isim/lab -Isim/linux
 $(B)/test/test_help: $(call t,tests/tools/test_help.c sim/linux/linux_options.c $(filter-out %/main.c,$(ZLAB))) \
                      $(B)/test/libtest.a $(B)/libmeshes.a

@@ -10,6 +10,7 @@
  *   SUMS_ARENA    bytes; what strips leave of it is for pools
  *   SUMS_SCENE    one scene, and its meshes alone in the image; without it all that fall on
  *   SUMS_PART     of SUMS_PARTS
+ *   SUMS_PIECES   1: two frames of each showpiece instead
  *   SUMS_PIXELS   SUMS_BAND(scene, frame, bits, y) once or more: of each such band its pixels instead, a line of
  *                 scene,frame,bits,x,y,pixel,key each
  *
@@ -19,6 +20,9 @@
 #include "number.h"
 #include "scenes.h"
 #include "zstrip.h"
+#if SUMS_PIECES
+#include "pieces.h"
+#endif
 
 #ifndef SUMS_ROWS
 #define SUMS_ROWS 24
@@ -156,6 +160,30 @@ static int print_pixels(void *ctx, const struct zs_strip *s)
 
 /* ---- Frames ----------------------------------------------------------------------------------------------------- */
 
+#if SUMS_PIECES
+static struct zs_pass_memory memory[PIECE_PASSES_MAX];
+
+static const struct piece *piece_of(const struct demo *d)
+{
+    return (const struct piece *)d; /* its first member */
+}
+
+static int render(const struct demo *d, const struct zs_sink *sink)
+{
+    const struct piece *piece = piece_of(d);
+    return piece->n_passes ? zs_render_passes(&renderer, piece->pass, memory, piece->n_passes, sink)
+                           : zs_render(&renderer, &frame.scene, &frame.camera, sink);
+}
+#define METHOD_OF(d) piece_of(d)->method
+#else
+static int render(const struct demo *d, const struct zs_sink *sink)
+{
+    (void)d;
+    return zs_render(&renderer, &frame.scene, &frame.camera, sink);
+}
+#define METHOD_OF(d) NULL
+#endif
+
 /* As many triangles as vertices, in all that strips leave. */
 static int configure(const struct demo *d, uint8_t bits)
 {
@@ -164,7 +192,8 @@ static int configure(const struct demo *d, uint8_t bits)
     const uint16_t pool = (uint16_t)(fit < ZS_POOL_MAX ? fit : ZS_POOL_MAX);
     const struct zs_config config = { .width = d->width, .height = d->height, .strip_h = SUMS_ROWS, .max_tris = pool,
                                       .max_verts = pool, .varyings = (uint8_t)d->varyings, .buffers = 1,
-                                      .subpixel_bits = bits, .depth_bits = 16, .depth = d->depth, .fast = d->fast };
+                                      .subpixel_bits = bits, .depth_bits = 16, .depth = d->depth, .fast = d->fast,
+                                      .method = METHOD_OF(d) };
     return zs_init(&renderer, &config, arena, sizeof arena);
 }
 
@@ -174,7 +203,7 @@ static int draw(const struct look *k)
     const struct zs_sink sink = { .submit = k->y < 0 ? sum_up : print_pixels, .ctx = &sums };
     int err = configure(k->demo, k->bits);
     k->demo->pose(&frame, k->frame, k->demo->width, k->demo->height);
-    err = err ? err : zs_render(&renderer, &frame.scene, &frame.camera, &sink);
+    err = err ? err : render(k->demo, &sink);
     if (err) {
         put_look(k);
         put(",error: ");
@@ -185,7 +214,11 @@ static int draw(const struct look *k)
 }
 
 #ifdef SUMS_PIXELS
+#if SUMS_PIECES
+#define SUMS_BAND(scene, frame, bits, y) { &piece_##scene.demo, frame, bits, y },
+#else
 #define SUMS_BAND(scene, frame, bits, y) { &demo_##scene, frame, bits, y },
+#endif
 
 static int run(void)
 {
@@ -193,6 +226,17 @@ static int run(void)
     int err = 0;
     for (uint32_t i = 0; i < sizeof looks / sizeof looks[0]; i++)
         err |= draw(&looks[i]);
+    return err;
+}
+#elif SUMS_PIECES
+static int run(void)
+{
+    int err = 0;
+    for (uint32_t i = 0; i < n_pieces; i++) {
+        const struct look looks[] = { { &pieces[i]->demo, 0, 8, -1 },
+                                      { &pieces[i]->demo, pieces[i]->demo.frames * 2u / 3u, 4, -1 } };
+        err |= draw(&looks[0]) | draw(&looks[1]);
+    }
     return err;
 }
 #else

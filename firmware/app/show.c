@@ -14,6 +14,9 @@
 #include "number.h"
 #include "panel.h"
 #include "show.h"
+#if SHOW_PIECE
+#include "pieces.h"
+#endif
 #if SHOW_CORES == 2
 #include "pair.h"
 #include "second.h"
@@ -237,12 +240,25 @@ static int send(const struct zs_strip *strip)
     return err;
 }
 
+#if SHOW_PIECE
+static int begin_drawing(void)
+{
+    static struct zs_pass_memory memory[PIECE_PASSES_MAX];
+    return piece_begin(&renderer, (const struct piece *)show.demo, &frame, memory); /* its first member */
+}
+#else
+static int begin_drawing(void)
+{
+    return zs_frame_begin(&renderer, &frame.scene, &frame.camera);
+}
+#endif
+
 static int begin(uint32_t t)
 {
     const uint64_t from = hal_ticks();
     show_phase = SHOW_DRAW;
     show.demo->pose(&frame, t, SHOW_WIDTH, SHOW_HEIGHT);
-    const int err = zs_frame_begin(&renderer, &frame.scene, &frame.camera);
+    const int err = begin_drawing();
     show_phase = SHOW_ELSE;
     tally.draw += hal_ticks() - from;
     return err;
@@ -294,7 +310,11 @@ static int set_up(void)
     const struct zs_config config = { .width = SHOW_WIDTH, .height = SHOW_HEIGHT, .strip_h = show.rows,
                                       .max_tris = show.tris, .max_verts = show.verts, .varyings = show.varyings,
                                       .buffers = SHOW_BUFFERS, .subpixel_bits = SHOW_SUBPIXEL, .depth_bits = 16,
-                                      .depth = show.demo->depth, .fast = show.demo->fast };
+                                      .depth = show.demo->depth, .fast = show.demo->fast,
+#if SHOW_PIECE
+                                      .method = ((const struct piece *)show.demo)->method
+#endif
+    };
     const int err = start_drawing(&config);
     if (err)
         return err;

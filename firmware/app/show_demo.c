@@ -1,4 +1,4 @@
-/* The show of the demo scene that the compiler's -DSHOW_DEMO=teapot names.
+/* The show of the demo scene that the compiler's -DSHOW_DEMO=teapot names; with -DSHOW_PIECE=1 of that showpiece.
  *
  * SPDX-License-Identifier: MIT
  */
@@ -9,7 +9,10 @@
 #define OF(prefix, name) JOIN(prefix, name)
 #define SHOW_SIZED(...) SHOW(__VA_ARGS__)
 
-#if SHOW_CORES == 2
+#if SHOW_PIECE
+#include "pieces.h"
+SHOW_SIZED(OF(piece_, SHOW_DEMO).demo, OF(SIZES_, SHOW_DEMO));
+#elif SHOW_CORES == 2
 SHOW_SIZED(OF(demo_, SHOW_DEMO), OF(SIZES_2_, SHOW_DEMO));
 #else
 SHOW_SIZED(OF(demo_, SHOW_DEMO), OF(SIZES_, SHOW_DEMO));

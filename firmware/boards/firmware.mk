@@ -46,6 +46,13 @@ endif
 NAME = $(SCENE)
 APP_SRC += firmware/app/show_demo.c
 APP_FLAGS = -DSHOW_DEMO=$(SCENE)
+ifneq ($(wildcard firmware/scenes/pieces/$(SCENE).c),)
+ifneq ($(CORES),1)
+$(error SCENE=$(SCENE): scenes with effects are drawn by one core)
+endif
+APP_SRC += firmware/scenes/pieces/$(SCENE).c
+APP_FLAGS += -DSHOW_PIECE=1
+endif
 endif
 endif
 ELF = $(OUT)/$(NAME).elf
@@ -93,7 +100,8 @@ OBJ = $(patsubst %,$(OUT)/%.o,$(basename $(SRC))) $(patsubst %.c,$(OUT)/of-$(NAM
 CFLAGS = -std=c11 $(BOARD_CPU) $(OPT) $(DEBUG) -ffunction-sections -fdata-sections -MMD -MP \
          -Wall -Wextra $(WERROR) -Wconversion -Wshadow -Wvla -Wstrict-prototypes -Wmissing-prototypes \
          -Wno-missing-field-initializers \
-         -Ihal -Ihal/null -Ihal/cortexm -Ihal/spi -Ihal/panel -Ifirmware/app -Ifirmware/zstrip -Ifirmware/scenes -I$(B)/gen \
+         -Ihal -Ihal/null -Ihal/cortexm -Ihal/spi -Ihal/panel -Ifirmware/app -Ifirmware/zstrip -Ifirmware/scenes \
+         -Ifirmware/scenes/pieces -I$(B)/gen \
          $(if $(filter 1,$(LEAN)),-DZS_NO_FAST=1) $(BOARD_FLAGS) $(foreach d,$(DEFINES),-U$(firstword $(subst =, ,$(d:-D%=%))) $d)
 
 # Notes of what was built last, written anew where that changes: objects and images are as old as these

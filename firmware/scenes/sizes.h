@@ -16,6 +16,10 @@
 #define SIZES_city 30, 60, 1408, 1600, ZS_VARYINGS_FLAT
 #define SIZES_hall 20, 60, 640, 1536, ZS_VARYINGS_TEXTURE_SMOOTH
 #define SIZES_globe 20, 60, 1088, 1472, ZS_VARYINGS_TEXTURE_SMOOTH
+/* Showpieces: they fit into a Pico. */
+#define SIZES_stilllife 8, 24, 3860, 4080, ZS_VARYINGS_SMOOTH
+#define SIZES_forest 8, 60, 440, 1320, ZS_VARYINGS_SMOOTH
+#define SIZES_cockpit 12, 30, 1300, 4200, ZS_VARYINGS_SMOOTH
 
 /* The same for two cores, each with an arena of this size of its own: strips as high as pay and fit into a Pico.
  * Flyover has fewer vertices than one pass takes: they are given up, and worked on again where they come again. */

@@ -19,6 +19,7 @@
 #include "option_table.h"
 #include "output_file.h"
 #include "panel_frame.h"
+#include "pieces.h"
 #include "reference.h"
 #include "scenes.h"
 #include "false_colors.h"
@@ -43,13 +44,33 @@ struct request {
 
 #define AT(field) offsetof(struct request, field)
 
+/* All that can be drawn: demo and bench scenes, then showpieces. */
+static uint32_t count_scenes(void)
+{
+    return n_demos + n_pieces;
+}
+
+static const struct demo *scene_at(uint32_t i)
+{
+    return i < n_demos ? demos[i] : &pieces[i - n_demos]->demo;
+}
+
+/* The piece that a scene is; NULL: a scene without effects. */
+static const struct piece *piece_of(const struct demo *demo)
+{
+    for (uint32_t i = 0; i < n_pieces; i++)
+        if (demo == &pieces[i]->demo)
+            return pieces[i];
+    return NULL;
+}
+
 /* The names of all scenes. Static storage. */
 static const char *scene_list(void)
 {
     static char text[1024];
     size_t n = 0;
-    for (uint32_t i = 0; i < n_demos && n + 64u < sizeof text; i++)
-        n += (size_t)snprintf(text + n, sizeof text - n, "%s%s", i == 0 ? "" : ", ", demos[i]->name);
+    for (uint32_t i = 0; i < count_scenes() && n + 64u < sizeof text; i++)
+        n += (size_t)snprintf(text + n, sizeof text - n, "%s%s", i == 0 ? "" : ", ", scene_at(i)->name);
     return text;
 }
 
@@ -86,7 +107,7 @@ static const struct sim_option table[] = {
 
 static const struct sim_help help = {
     "zsim demo [options]",
-    "Draws demo and bench scenes strip by strip as a board would: DIR/SCENE_NNN.png, where NNN is the frame of the "
+    "Draws demo scenes, with and without effects, and bench scenes strip by strip as a board would: DIR/SCENE_NNN.png, where NNN is the frame of the "
     "animation, a contact sheet DIR/contact.png of their first frames, and a table of what they took and of how far "
     "the frames, before any panel, are from the double-precision reference.",
     "Exit status: 0 done; 1 refused; 2 the command line makes no sense.",
@@ -123,6 +144,35 @@ static void configure(struct zs_config *config, const struct demo *demo, const s
     config->fast = rq->fast.list;
     config->depth = demo->depth;
     sim_method_apply(config, &sim_methods[rq->method]);
+    const struct piece *piece = piece_of(demo);
+    if (piece && piece->method)
+        config->method = piece->method;
+}
+
+struct piece_frame {
+    const struct piece *piece;
+    const struct demo_frame *f;
+};
+
+static int draw_piece(void *ctx, struct zs_renderer *r, const struct zs_sink *sink)
+{
+    static struct zs_pass_memory memory[PIECE_PASSES_MAX];
+    const struct piece_frame *of = ctx;
+    if (of->piece->n_passes)
+        return zs_render_passes(r, of->piece->pass, memory, of->piece->n_passes, sink);
+    return zs_render(r, &of->f->scene, &of->f->camera, sink);
+}
+
+/* A frame of any scene, posed. to: NULL, or a sink that gets it too. */
+static int render(struct sim_frame *frame, const struct demo *demo, const struct demo_frame *f,
+                  const struct zs_config *config, const struct zs_sink *to)
+{
+    const struct piece *piece = piece_of(demo);
+    if (!piece)
+        return sim_frame_render_to(frame, &f->scene, &f->camera, config, NULL, to);
+    struct piece_frame of = { piece, f };
+    const struct sim_drawing drawing = { draw_piece, &of, config->width, config->height, 0 };
+    return sim_frame_render_by(frame, &drawing, config, NULL, to);
 }
 
 static uint32_t count_frames(const struct request *rq, const struct demo *demo)
@@ -146,7 +196,7 @@ static int fit_pools(struct zs_config *config, const struct demo *demo, const st
         struct demo_frame f;
         struct sim_frame frame;
         demo->pose(&f, frame_number(rq, k), config->width, config->height);
-        const int err = sim_frame_render(&frame, &f.scene, &f.camera, config, NULL);
+        const int err = render(&frame, demo, &f, config, NULL);
         if (err)
             return sim_refuse(demo->name, 0, "%s", zs_error_string(err));
         if (tris < frame.stats.max_tris_used)
@@ -157,7 +207,8 @@ static int fit_pools(struct zs_config *config, const struct demo *demo, const st
     }
     config->max_tris = sim_method_pool(&sim_methods[rq->method], tris);
     config->max_verts = (uint16_t)verts;
-    sim_method_apply(config, &sim_methods[rq->method]);
+    if (!piece_of(demo))
+        sim_method_apply(config, &sim_methods[rq->method]);
     return SIM_OK;
 }
 
@@ -222,10 +273,12 @@ static void sheet_add(struct sheet *s, const struct sim_picture *p)
 
 /* The frame, and what is seen of it: through the panel, if there is one. */
 static int draw(struct sim_frame *frame, struct sim_picture *seen, struct sim_panel_frame *panel,
-                const struct demo_frame *f, const struct zs_config *config, const struct request *rq, const char *scene)
+                const struct demo_frame *f, const struct zs_config *config, const struct request *rq,
+                const struct demo *demo)
 {
+    const char *scene = demo->name;
     const struct zs_sink sink = sim_panel_sink(panel);
-    int err = sim_frame_render_to(frame, &f->scene, &f->camera, config, NULL, rq->panel.name ? &sink : NULL);
+    int err = render(frame, demo, f, config, rq->panel.name ? &sink : NULL);
     if (!err && rq->show != SIM_SHOW_FRAME)
         err = sim_show_draw(seen, NULL, rq->show, &f->scene, &f->camera, config, 1.0);
     if (err && panel->err == HAL_ERR_NONE)
@@ -258,7 +311,7 @@ static int draw_frame(const struct demo *demo, uint32_t t, const struct zs_confi
     struct sim_frame frame;
     struct sim_picture seen = { 0 };
     demo->pose(&f, t, config->width, config->height);
-    int err = draw(&frame, &seen, panel, &f, config, rq, demo->name);
+    int err = draw(&frame, &seen, panel, &f, config, rq, demo);
     if (!err && sum->frames == 0) {
         sum->stats = frame.stats;
         sheet_add(sheet, &seen);
@@ -268,7 +321,7 @@ static int draw_frame(const struct demo *demo, uint32_t t, const struct zs_confi
         sum->passes_max = frame.stats.passes;
     if (!err)
         err = save(&seen, rq, demo->name, t);
-    if (!err)
+    if (!err && !piece_of(demo)) /* the reference knows no effects */
         err = compare(sum, &f, demo, config, &frame);
     sim_picture_free(&seen);
     sim_frame_free(&frame);
@@ -316,6 +369,10 @@ static void table_row(const struct demo *demo, const struct tally *t)
            s->tris_in, s->tris_drawn, s->tris_frustum, s->tris_near, s->tris_far, s->tris_offscreen,
            s->tris_facing, s->tris_zero, s->tris_empty, s->pixels_tested, s->pixels_written,
            t->arena, t->passes_max, t->frames);
+    if (piece_of(demo)) {
+        printf(" %7s %7s %7s %6s %7s\n", "-", "-", "-", "-", "-");
+        return;
+    }
     printf(" %6.3f%% %6.3f%% %7.1e %6zu %6.2f%%\n", percent(d->id_differ, d->ref_drawn),
            percent(d->missing + d->extra, d->ref_drawn),
            d->z_compared ? t->z_sum / (double)d->z_compared : 0.0, d->channel_off,
@@ -330,7 +387,7 @@ static void table_foot(void)
          "wrong: drawn pixels that show another triangle than the reference does. cover: pixels missing or\n"
          "too many. depth: mean relative error of the distances that 16-bit keys stand for. colour: channel\n"
          "values more than one RGB565 code off, where triangle and texel are the same. by one: those one code\n"
-         "off.");
+         "off. Scenes with effects are not compared (-).");
 }
 
 /* ---- Command line ---------------------------------------------------------------------------------- */
@@ -347,12 +404,18 @@ static const char *next_name(const char *at)
     return comma ? comma + 1 : NULL;
 }
 
+/* Asked for are pictures or methods that scenes with effects do not have. */
+static int plain(const struct request *rq)
+{
+    return rq->show != SIM_SHOW_FRAME || rq->method;
+}
+
 static int wanted(const struct request *rq, const struct demo *demo)
 {
     for (const char *at = rq->scenes; at; at = next_name(at))
         if (is_name(demo, at, strcspn(at, ",")))
             return 1;
-    return !rq->scenes;
+    return !rq->scenes && !(piece_of(demo) && plain(rq));
 }
 
 /* Are names and frames such as there are? */
@@ -361,16 +424,20 @@ static int check_scenes(const struct request *rq)
     for (const char *at = rq->scenes; at; at = next_name(at)) {
         const size_t length = strcspn(at, ",");
         uint32_t i = 0;
-        while (i < n_demos && !is_name(demos[i], at, length))
+        while (i < count_scenes() && !is_name(scene_at(i), at, length))
             i++;
-        if (i == n_demos)
+        if (i == count_scenes())
             return sim_refuse(NULL, 0, "--scene %.*s: there is no such scene; there are %s", (int)length, at,
                               scene_list());
+        if (piece_of(scene_at(i)) && plain(rq))
+            return sim_usage("--scene %s: it has effects, so that there are no false colours and no other methods",
+                             scene_at(i)->name);
     }
-    for (uint32_t i = 0; i < n_demos; i++)
-        if (wanted(rq, demos[i]) && rq->start >= demos[i]->frames)
+    for (uint32_t i = 0; i < count_scenes(); i++)
+        if (wanted(rq, scene_at(i)) && rq->start >= scene_at(i)->frames)
             return sim_refuse(NULL, 0, "--start %ld: frames of %s are 0 to %u; start at one of them%s", rq->start,
-                              demos[i]->name, demos[i]->frames - 1u, rq->scenes ? "" : ", or name scenes by --scene");
+                              scene_at(i)->name, scene_at(i)->frames - 1u,
+                              rq->scenes ? "" : ", or name scenes by --scene");
     return SIM_OK;
 }
 
@@ -410,9 +477,9 @@ static void sheet_begin(struct sheet *sheet, const struct request *rq)
 {
     uint32_t found = 0;
     memset(sheet, 0, sizeof *sheet);
-    for (uint32_t i = 0; i < n_demos; i++)
-        if (wanted(rq, demos[i])) {
-            const struct size size = picture_size(rq, demos[i]);
+    for (uint32_t i = 0; i < count_scenes(); i++)
+        if (wanted(rq, scene_at(i))) {
+            const struct size size = picture_size(rq, scene_at(i));
             found++;
             if (sheet->cell_w < size.width)
                 sheet->cell_w = size.width;
@@ -438,14 +505,15 @@ int sim_demo(int argc, char **argv)
     struct sheet sheet;
     sheet_begin(&sheet, &rq);
     table_head(&rq);
-    for (uint32_t i = 0; !err && i < n_demos; i++) {
+    for (uint32_t i = 0; !err && i < count_scenes(); i++) {
+        const struct demo *demo = scene_at(i);
         struct tally sum;
         memset(&sum, 0, sizeof sum);
-        if (!wanted(&rq, demos[i]))
+        if (!wanted(&rq, demo))
             continue;
-        err = draw_scene(demos[i], &rq, &sum, &sheet);
+        err = draw_scene(demo, &rq, &sum, &sheet);
         if (!err)
-            table_row(demos[i], &sum);
+            table_row(demo, &sum);
         (void)fflush(stdout);
     }
     if (!err) {

@@ -32,12 +32,12 @@ by_name() {
     shift 2
     files "$name" "$1" || return
     # shellcheck disable=SC2086
-    found=$(positional gcc -std=gnu11 -D_GNU_SOURCE -DZS_STATS=1 -I"$dir" -Ifirmware/scenes -Ifirmware/examples $flags "$@")
+    found=$(positional gcc -std=gnu11 -D_GNU_SOURCE -DZS_STATS=1 -I"$dir" -Ifirmware/scenes -Ifirmware/scenes/pieces -Ifirmware/examples $flags "$@")
     none "$name" "$found"
 }
 SIM="-Ihal -Ihal/panel -Ihal/fault -I$gen -I$dir/gen $(printf -- '-I%s ' sim/*/)-Ihal/linux"
 by_name "examples name fields" "" firmware/examples/*.c
-by_name "scenes name fields" "-I$gen" firmware/scenes/*.c
+by_name "scenes name fields" "-I$gen" firmware/scenes/*.c firmware/scenes/pieces/*.c
 by_name "mesh generators name fields" "" firmware/scenes/gen/*.c
 by_name "generated meshes name fields" "-I$gen" "$gen"/*.c
 by_name "applications name fields" \

@@ -127,7 +127,7 @@ $(B)/fuzz/clang/%.o: %.c $(TEST_NOTE) | $(B)/gen/meshes.h
 	@$(subst $(CC) ,clang ,$(TEST_CC)) -fsanitize=fuzzer-no-link $(DEP) -c $< -o $@
 $(FUZZ_TARGETS:%=$(B)/fuzz/lf_%): $(B)/fuzz/lf_%: \
     $(B)/fuzz/clang/tests/lab/fuzz/%.o $(B)/fuzz/clang/tests/lab/fuzz/said.o \
-    $(patsubst %.c,$(B)/fuzz/clang/%.o,$(FUZZ_SIM) $(MODEL) $(CORE) $(SCENES) $(PANELS)) $(B)/libmeshes.a
+    $(patsubst %.c,$(B)/fuzz/clang/%.o,$(FUZZ_SIM) $(MODEL) $(CORE) $(SCENES) $(PIECES) $(PANELS)) $(B)/libmeshes.a
 	@clang $(SAN) -fsanitize=fuzzer $^ $(LIBS) -o $@
 $(B)/fuzz/fuzz_api: $(call fuzz_objects,fuzz_api replay world)
 	@mkdir -p $(@D)
@@ -170,7 +170,7 @@ MUTATE_SIM = sim/frame/pixel_counts.c $(FRAME) sim/reference/reference.c sim/ref
 mutate-settings:
 	$(info tests $(MUTATE_TESTS))
 	$(info files $(MUTATE_FILES))
-	$(info sources $(SCENES) $(TEST_HELP) $(MUTATE_SIM))
+	$(info sources $(SCENES) $(PIECES) $(TEST_HELP) $(MUTATE_SIM))
 	$(info cc $(TEST_CC))
 	$(info link $(call mutate_link,OBJECTS,OUT))
 	@:

@@ -5,6 +5,7 @@
 # Usage: tests/property/scene_sums.sh BUILD           from the repository's top; needs BUILD/gen
 #        tests/property/scene_sums.sh BUILD record    the same frames as lines for records/scenes.txt, from gcc -O0
 #        tests/property/scene_sums.sh BUILD column C  one column's lines into BUILD/scene_sums/C.txt
+# SUMS_PIECES=1: the showpieces in place of the scenes, on fewer machines; their record is tests/records/pieces.txt
 # SUMS_PICO=1: the Cortex-M0+ is that of the emulated Pico, with its divider, and takes minutes. Without, as in make test,
 # its code runs on QEMU's M3; tests/boards/pico.sh looks at the emulated Pico's own pictures, of the demo scenes.
 #
@@ -15,6 +16,13 @@ out=$build/scene_sums
 record=tests/records/scenes.txt
 COLUMNS='gcc_O0 gcc_O3 clang_O0 clang_O3 cortex_m0 cortex_m0plus cortex_m3 cortex_m4 cortex_m7 rv32
          ppc bare_x86 bare_m0 bare_m3' # ppc: PowerPC, big-endian; bare: no accelerators, -Os
+SOURCES=firmware/app/checksums.c
+if [ -n "${SUMS_PIECES:-}" ]; then
+    out=$build/piece_sums
+    record=tests/records/pieces.txt
+    COLUMNS='gcc_O0 clang_O3 cortex_m0plus cortex_m3 cortex_m7 rv32 ppc bare_m3'
+    SOURCES="$SOURCES $(echo firmware/scenes/pieces/*.c)"
+fi
 SCENES=$(grep -oE '&demo_[a-z_]+' firmware/scenes/demos.c | sed 's/&demo_//')
 . tests/boards/image.sh
 
@@ -51,13 +59,14 @@ column_is() { # COLUMN
 firmware() { # NAME FLAGS GOAL
     # shellcheck disable=SC2086
     timeout 600 make -s -f firmware/boards/firmware.mk BOARD=$board B="$build" ${cpu:+"BOARD_CPU=$cpu"} $with \
-        NAME="$1" QEMU_ICOUNT= APP_SRC=firmware/app/checksums.c APP_FLAGS="$memory $2" "$3"
+        NAME="${SUMS_PIECES:+piece_}$1" QEMU_ICOUNT= APP_SRC="$SOURCES" \
+        APP_FLAGS="$memory ${SUMS_PIECES:+-DSUMS_PIECES=1} $2" "$3"
 }
 
 # Build the program under a name with these flags, run it, and write what it says. Instructions are not counted.
 say() { # NAME FLAGS
     case $board in
-    host) firmware "$1" "$2" all && $emulator "$build/fw/host_$column/$1.elf" ;;
+    host) firmware "$1" "$2" all && $emulator "$build/fw/host_$column/${SUMS_PIECES:+piece_}$1.elf" ;;
     pico) firmware "$1" "$2" image >&2 && node "$build/pico/parts.mjs" "$build/fw/pico/$1" | grep -v '^wire' ;;
     *) firmware "$1" "$2" run 2>&1 ;; # semihosting writes to either
     esac
@@ -180,7 +189,7 @@ if [ -n "${SUMS_PICO:-}" ]; then
     first=cortex_m0plus
     column $first
 fi
-for c in cortex_m0 $COLUMNS; do echo "$c"; done | awk -v first="$first" '$0 != first && !n[$0]++' |
+for c in $(echo "$COLUMNS" | grep -ow cortex_m0) $COLUMNS; do echo "$c"; done | awk -v first="$first" '$0 != first && !n[$0]++' |
     xargs -P "$(nproc)" -n 1 sh tests/property/scene_sums.sh "$build" column
 touch "$record" && cp "$record" "$out/record"
 echo "Checksums (FNV-1a, 64 bits) of frames: x86-64 by gcc and clang at -O0 and -O3, Cortex-M0 to M7, RISC-V, PowerPC."

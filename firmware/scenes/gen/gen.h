@@ -76,13 +76,15 @@ void gen_write(const struct gen_mesh *m, unsigned parts, uint32_t scale);
 
 #define GEN_IMAGE_MAX 256 /* texels each way */
 
-enum gen_format { GEN_565, GEN_PAL8, GEN_PAL4 };
+enum gen_format { GEN_565, GEN_PAL8, GEN_PAL4, GEN_PAL8A };
 enum gen_clamp { GEN_REPEAT = 0, GEN_CLAMP = 3 }; /* both ways: enum zs_clamp */
 
 struct gen_image {
     const char *name;
     int64_t w, h;            /* texels, powers of two */
+    uint32_t n_levels;       /* of mipmaps, of GEN_565; 0: none */
     struct gen_rgb px[GEN_IMAGE_MAX][GEN_IMAGE_MAX]; /* [row from the top][column] */
+    uint8_t alpha[GEN_IMAGE_MAX][GEN_IMAGE_MAX]; /* of GEN_PAL8A; 0 at first */
 };
 
 /* A black image of a power of two each way. The name becomes texture_NAME. Static storage: one
@@ -125,11 +127,14 @@ int64_t gen_fractal(const int64_t at[3], int64_t cells, int octaves, uint32_t se
 
 void gen_teapot(void);  /* teapot, tea, table, texture glaze */
 void gen_shapes(void);  /* cube, knot */
-void gen_terrain(void); /* terrain */
+void gen_terrain(void); /* terrain, and terrain_low, of a quarter of its triangles */
 void gen_city(void);    /* city, car */
 void gen_bench(void);   /* bumpy, bumpy_uv, layer, sheet, corridor, slivers, plain, texture map */
 void gen_globe(void);   /* globe, sky, textures earth, moon, stars */
 void gen_hall(void);    /* hall_floor, _ceiling, _walls, _columns, poster, sign, crate */
 void gen_hall_textures(void); /* tiles, planks, bricks, marble, crate, poster, sign */
+void gen_cockpit(void);       /* cockpit_panel, _bow, _fin, texture cloud */
+void gen_forest(void);        /* forest_..., textures of it */
+void gen_stilllife(void); /* still_...: fruit, vase, bowl, glass, mirror, table; texture still_wood */
 
 #endif

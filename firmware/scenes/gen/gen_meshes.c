@@ -25,6 +25,9 @@ int main(int argc, char **argv)
     gen_globe();
     gen_hall();
     gen_hall_textures();
+    gen_stilllife();
+    gen_cockpit();
+    gen_forest();
     gen_close();
     return 0;
 }

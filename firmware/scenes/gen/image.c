@@ -59,18 +59,20 @@ void gen_text(struct gen_image *im, int64_t x, int64_t y, int64_t wide, int64_t 
 /* ---- Output ---------------------------------------------------------------------------------- */
 
 struct palette {
-    uint16_t color[COLORS_MAX]; /* RGB565, in the order of their first texel */
+    uint16_t color[2 * COLORS_MAX]; /* RGB565, in the order of their first texel */
+    uint8_t alpha[COLORS_MAX];
     uint32_t n;
 };
 
-static uint32_t palette_index(struct palette *p, uint16_t color, uint32_t most, const char *name)
+static uint32_t palette_index(struct palette *p, uint16_t color, uint8_t alpha, uint32_t most, const char *name)
 {
     for (uint32_t i = 0; i < p->n; i++)
-        if (p->color[i] == color)
+        if (p->color[i] == color && p->alpha[i] == alpha)
             return i;
     if (p->n == most)
         out_die("more colours than its format's palette holds", name);
     p->color[p->n] = color;
+    p->alpha[p->n] = alpha;
     return p->n++;
 }
 
@@ -90,16 +92,44 @@ static uint16_t texel(const struct gen_image *im, int64_t i)
     return out_rgb565(im->px[i / im->w][i % im->w]);
 }
 
-static void write_direct(FILE *f, const struct gen_image *im)
+/* 0 where the format has no alpha. */
+static uint8_t texel_alpha(const struct gen_image *im, int64_t i, enum gen_format format)
 {
-    static uint16_t words[GEN_IMAGE_MAX * GEN_IMAGE_MAX];
-    for (int64_t i = 0; i < im->w * im->h; i++)
-        words[i] = texel(im, i);
-    write_words(f, "texel", words, (uint32_t)(im->w * im->h));
+    return format == GEN_PAL8A ? im->alpha[i / im->w][i % im->w] : 0;
+}
+
+/* The mean of the square of 4^level texels whose left top corner in its level is column x, row y. */
+static struct gen_rgb mean(const struct gen_image *im, int64_t x, int64_t y, uint32_t level)
+{
+    const int64_t side = (int64_t)1 << level;
+    int64_t r = 0, g = 0, b = 0;
+    for (int64_t j = 0; j < side; j++)
+        for (int64_t i = 0; i < side; i++) {
+            const struct gen_rgb *px = &im->px[y * side + j][x * side + i];
+            r += px->r;
+            g += px->g;
+            b += px->b;
+        }
+    const struct gen_rgb out = { (uint8_t)gen_div(r, side * side), (uint8_t)gen_div(g, side * side),
+                                 (uint8_t)gen_div(b, side * side) };
+    return out;
+}
+
+/* All levels, one behind the other. Return how many texels. */
+static uint32_t write_direct(FILE *f, const struct gen_image *im)
+{
+    static uint16_t words[GEN_IMAGE_MAX * GEN_IMAGE_MAX * 4 / 3 + 1];
+    uint32_t n = 0;
+    for (uint32_t level = 0; level == 0 || level < im->n_levels; level++)
+        for (int64_t y = 0; y < im->h >> level; y++)
+            for (int64_t x = 0; x < im->w >> level; x++)
+                words[n++] = out_rgb565(mean(im, x, y, level));
+    write_words(f, "texel", words, n);
+    return n;
 }
 
 /* Indices of `bits` bits, the left one in the low bits of a byte. */
-static void write_indices(FILE *f, const struct gen_image *im, struct palette *p, uint32_t bits)
+static void write_indices(FILE *f, const struct gen_image *im, struct palette *p, uint32_t bits, enum gen_format format)
 {
     const uint32_t in_byte = 8u / bits, n = (uint32_t)(im->w * im->h) / in_byte;
     struct out_rows r = out_array(f, "uint8_t", "texel", n, "");
@@ -107,7 +137,8 @@ static void write_indices(FILE *f, const struct gen_image *im, struct palette *p
     for (uint32_t i = 0; i < n; i++) {
         uint32_t byte = 0;
         for (uint32_t k = 0; k < in_byte; k++)
-            byte |= palette_index(p, texel(im, (int64_t)i * in_byte + k), 1u << bits, im->name)
+            byte |= palette_index(p, texel(im, (int64_t)i * in_byte + k),
+                                  texel_alpha(im, (int64_t)i * in_byte + k, format), 1u << bits, im->name)
                     << (k * bits);
         snprintf(text, sizeof text, "%lu,", (unsigned long)byte);
         out_row(&r, text);
@@ -125,25 +156,34 @@ static unsigned long log2_of(int64_t v)
 
 void gen_texture(const struct gen_image *im, enum gen_format format, enum gen_clamp clamp)
 {
-    static const char *const names[] = { "565", "pal8", "pal4" };
-    const uint32_t bits = format == GEN_565 ? 16u : format == GEN_PAL8 ? 8u : 4u;
-    struct palette p = { { 0 }, 0 };
+    static const char *const names[] = { "565", "pal8", "pal4", "pal8a" };
+    const uint32_t bits = format == GEN_565 ? 16u : format == GEN_PAL4 ? 4u : 8u;
+    struct palette p = { { 0 }, { 0 }, 0 };
     char name[64], size[64];
     snprintf(name, sizeof name, "mesh_texture_%s", im->name); /* mesh_: what the build compiles */
     FILE *f = out_open(name);
     fputs("#include \"meshes.h\"\n", f);
+    if (format == GEN_PAL8A)
+        fputs("#include \"zs_filter.h\"\n", f);
+    uint32_t words = 0; /* of the palette; alphas follow the colours */
+    uint32_t n = (uint32_t)(im->w * im->h);
     if (format == GEN_565) {
-        write_direct(f, im);
+        n = write_direct(f, im);
     } else {
-        write_indices(f, im, &p, bits);
-        write_words(f, "palette", p.color, p.n);
+        write_indices(f, im, &p, bits, format);
+        words = format == GEN_PAL8A ? 2u * p.n : p.n;
+        for (uint32_t i = p.n; i < words; i++)
+            p.color[i] = p.alpha[i - p.n];
+        write_words(f, "palette", p.color, words);
     }
-    const uint32_t bytes = (uint32_t)(im->w * im->h) * bits / 8u + 2u * p.n;
+    const uint32_t bytes = n * bits / 8u + 2u * words;
     fprintf(f, "\n/* %lu bytes of flash. */\nconst struct zs_texture texture_%s = {\n",
             (unsigned long)bytes, im->name);
     fprintf(f, "    .format = &zs_texel_%s,\n    .texel = texel,\n", names[format]);
     if (p.n)
         fprintf(f, "    .palette = palette,\n    .n_colors = %lu,\n", (unsigned long)p.n);
+    if (im->n_levels)
+        fprintf(f, "    .n_levels = %lu,\n", (unsigned long)im->n_levels);
     fprintf(f, "    .log2_w = %lu,\n    .log2_h = %lu,\n    .clamp = %d,\n};\n", log2_of(im->w),
             log2_of(im->h), (int)clamp);
     out_close(f, name);

@@ -64,17 +64,17 @@ static struct gen_rgb ground(int64_t h, int64_t slope, uint32_t dice)
     return gen_mix(c, black, (int64_t)(dice & 15u), 160); /* a little unevenness */
 }
 
-void gen_terrain(void)
+static void land(const char *name, int64_t cells, unsigned parts)
 {
-    struct gen_mesh *m = gen_begin("terrain");
-    const int64_t half = LAND_PERIOD / 2, cell = LAND_PERIOD / CELLS;
-    for (int64_t j = 0; j <= CELLS; j++) {
-        for (int64_t i = 0; i <= CELLS; i++) {
-            int64_t x = i % CELLS * cell, z = j % CELLS * cell;
+    struct gen_mesh *m = gen_begin(name);
+    const int64_t half = LAND_PERIOD / 2, cell = LAND_PERIOD / cells;
+    for (int64_t j = 0; j <= cells; j++) {
+        for (int64_t i = 0; i <= cells; i++) {
+            int64_t x = i % cells * cell, z = j % cells * cell;
             const int64_t h = height(x, z);
             /* inner vertices leave the grid a little; the border stays where its copy is */
             const uint32_t dice = gen_hash((uint32_t)i, (uint32_t)j, 5);
-            const int inside = i > 0 && i < CELLS && j > 0 && j < CELLS;
+            const int inside = i > 0 && i < cells && j > 0 && j < cells;
             const int64_t dx = inside ? (int64_t)(dice & 255u) - 128 : 0;
             const int64_t dz = inside ? (int64_t)(dice >> 8 & 255u) - 128 : 0;
             x = i * cell - half + gen_div(dx * cell, 640);
@@ -82,9 +82,9 @@ void gen_terrain(void)
             gen_vert(m, x, h, z);
         }
     }
-    for (uint32_t j = 0; j < CELLS; j++) {
-        for (uint32_t i = 0; i < CELLS; i++) {
-            const uint32_t a = j * (CELLS + 1) + i, b = a + 1, c = a + CELLS + 1, d = c + 1;
+    for (uint32_t j = 0; j < (uint32_t)cells; j++) {
+        for (uint32_t i = 0; i < (uint32_t)cells; i++) {
+            const uint32_t a = j * ((uint32_t)cells + 1) + i, b = a + 1, c = a + (uint32_t)cells + 1, d = c + 1;
             const uint32_t tris[2][2][3] = { { { a, c, d }, { a, d, b } },
                                              { { a, c, b }, { b, c, d } } };
             for (uint32_t k = 0; k < 2; k++) {
@@ -101,5 +101,11 @@ void gen_terrain(void)
             }
         }
     }
-    gen_write(m, GEN_FACE_NORMAL | GEN_FACE_RGB | GEN_CLUSTERS, 65536);
+    gen_write(m, GEN_FACE_NORMAL | GEN_FACE_RGB | parts, 65536);
+}
+
+void gen_terrain(void)
+{
+    land("terrain", CELLS, GEN_CLUSTERS);
+    land("terrain_low", CELLS / 2, 0);
 }
