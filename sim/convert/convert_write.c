@@ -20,12 +20,6 @@
 
 #define COLUMNS 100
 
-/* Structs on a 32-bit machine, bytes. */
-#define MESH_BYTES 72u
-#define MATERIAL_BYTES 16u
-#define TEXTURE_BYTES 20u
-#define INSTANCE_BYTES 64u
-
 /* ---- Words ----------------------------------------------------------------------------------- */
 
 /* The shortest decimal that reads back as the same double. */
@@ -312,10 +306,10 @@ static void texture_object(FILE *f, const char *name, uint32_t part, const struc
 static void textures(FILE *f, const struct sim_conversion *c)
 {
     const char *name = c->options.name;
-    for (uint32_t i = 0; i < c->n_skins; i++) {
-        const struct sim_skin *s = &c->skin[i];
+    for (uint32_t i = 0; i < c->made.n_skins; i++) {
+        const struct sim_skin *s = &c->made.skin[i];
         (void)fprintf(f, "\n/* Texture %" PRIu32 ": ", i);
-        quote(f, last_name(c->skin_name[i]));
+        quote(f, last_name(c->model.texture[i].name));
         (void)fprintf(f, ", %" PRIu32 " x %" PRIu32 " texels, rows from the top", s->w, s->h);
         (void)fputs(s->n_levels > 1 ? "; then its coarser levels */\n" : " */\n", f);
         if (s->texel != NULL)
@@ -325,23 +319,23 @@ static void textures(FILE *f, const struct sim_conversion *c)
         if (s->n_colors > 0)
             values(f, name, i, "palette", s->palette, NULL, s->n_colors);
     }
-    if (c->n_skins == 0)
+    if (c->made.n_skins == 0)
         return;
-    (void)fprintf(f, "\nconst struct zs_texture %s_texture[%" PRIu32 "] = {\n", name, c->n_skins);
-    for (uint32_t i = 0; i < c->n_skins; i++)
-        texture_object(f, name, i, &c->skin[i]);
+    (void)fprintf(f, "\nconst struct zs_texture %s_texture[%" PRIu32 "] = {\n", name, c->made.n_skins);
+    for (uint32_t i = 0; i < c->made.n_skins; i++)
+        texture_object(f, name, i, &c->made.skin[i]);
     (void)fputs("};\n", f);
 }
 
 static void meshes(FILE *f, const struct sim_conversion *c)
 {
-    const struct sim_pieces *p = &c->pieces;
+    const struct sim_pieces *p = &c->made.pieces;
     const char *name = c->options.name;
     for (uint32_t i = 0; i < p->n_pieces; i++)
-        piece_arrays(f, name, i, &p->piece[i], c->steps.fine);
+        piece_arrays(f, name, i, &p->piece[i], c->made.steps.fine);
     (void)fprintf(f, "\nconst struct zs_mesh %s_mesh[%" PRIu32 "] = {\n", name, p->n_pieces);
     for (uint32_t i = 0; i < p->n_pieces; i++)
-        mesh_object(f, name, i, &p->piece[i], &c->steps);
+        mesh_object(f, name, i, &p->piece[i], &c->made.steps);
     (void)fprintf(f, "};\n\nconst struct zs_material %s_material[%" PRIu32 "] = {\n", name,
                   p->n_paints);
     for (uint32_t i = 0; i < p->n_paints; i++)
@@ -364,33 +358,23 @@ static void bytes_line(FILE *f, const char *lead, const char *what, size_t bytes
         (void)fprintf(f, "%s%-24s %9zu bytes\n", lead, what, bytes);
 }
 
-static size_t flash(FILE *f, const struct sim_conversion *c, const char *lead)
+static void flash(FILE *f, const struct sim_conversion *c, const char *lead)
 {
-    struct sim_flash s = { 0 };
-    size_t texels = 0;
-    const struct sim_pieces *p = &c->pieces;
-    sim_pieces_flash(&s, p, c->steps.fine);
-    for (uint32_t i = 0; i < c->n_skins; i++)
-        texels += c->skin[i].texel_bytes + c->skin[i].palette_bytes;
-    const size_t structs = p->n_pieces * (MESH_BYTES + INSTANCE_BYTES) +
-                           p->n_paints * MATERIAL_BYTES + c->n_skins * TEXTURE_BYTES;
-    const size_t total = s.pos + s.pos_lo + s.tri + s.normal + s.face_normal + s.rgb + s.uv +
-                         s.cluster + s.bvh + texels + structs;
-    if (f != NULL) {
-        bytes_line(f, lead, "positions", s.pos);
-        bytes_line(f, lead, "positions, low bits", s.pos_lo);
-        bytes_line(f, lead, "indices", s.tri);
-        bytes_line(f, lead, "normals", s.normal);
-        bytes_line(f, lead, "face normals", s.face_normal);
-        bytes_line(f, lead, "colours", s.rgb);
-        bytes_line(f, lead, "texture coordinates", s.uv);
-        bytes_line(f, lead, "clusters", s.cluster);
-        bytes_line(f, lead, "hierarchy", s.bvh);
-        bytes_line(f, lead, "texels and palettes", texels);
-        bytes_line(f, lead, "structs (32-bit machine)", structs);
-        bytes_line(f, lead, "flash", total);
-    }
-    return total;
+    struct sim_converted_bytes b;
+    const struct sim_flash *s = &b.mesh;
+    sim_converted_bytes(&b, &c->made);
+    bytes_line(f, lead, "positions", s->pos);
+    bytes_line(f, lead, "positions, low bits", s->pos_lo);
+    bytes_line(f, lead, "indices", s->tri);
+    bytes_line(f, lead, "normals", s->normal);
+    bytes_line(f, lead, "face normals", s->face_normal);
+    bytes_line(f, lead, "colours", s->rgb);
+    bytes_line(f, lead, "texture coordinates", s->uv);
+    bytes_line(f, lead, "clusters", s->cluster);
+    bytes_line(f, lead, "hierarchy", s->bvh);
+    bytes_line(f, lead, "texels and palettes", b.texels);
+    bytes_line(f, lead, "structs (32-bit machine)", b.structs);
+    bytes_line(f, lead, "flash", b.total);
 }
 
 static double extent(const struct sim_model *m)
@@ -410,7 +394,7 @@ static double misses(const struct sim_pieces *p, uint32_t size)
 
 static void mesh_figures(FILE *f, const struct sim_conversion *c, const char *lead)
 {
-    const struct sim_pieces *p = &c->pieces;
+    const struct sim_pieces *p = &c->made.pieces;
     uint32_t n_clusters = 0;
     for (uint32_t i = 0; i < p->n_pieces; i++)
         n_clusters += p->piece[i].n_clusters;
@@ -429,7 +413,7 @@ static void mesh_figures(FILE *f, const struct sim_conversion *c, const char *le
                       "%s%" PRIu32 " triangles left out: no area on the grid (%" PRIu32
                       " had none in the file)\n",
                       lead, p->n_flat, p->n_flat_before);
-    const struct sim_steps *s = &c->steps;
+    const struct sim_steps *s = &c->made.steps;
     char text[5][32];
     (void)fprintf(f, "%sposition = %s, %s, %s + %s * n%s; %s world units to a unit of the model\n",
                   lead, exactly(text[0], s->origin[0]), exactly(text[1], s->origin[1]),
@@ -450,10 +434,10 @@ static void mesh_figures(FILE *f, const struct sim_conversion *c, const char *le
 
 static void texture_figures(FILE *f, const struct sim_conversion *c, const char *lead)
 {
-    for (uint32_t i = 0; i < c->n_skins; i++) {
-        const struct sim_skin *s = &c->skin[i];
+    for (uint32_t i = 0; i < c->made.n_skins; i++) {
+        const struct sim_skin *s = &c->made.skin[i];
         (void)fprintf(f, "%stexture %" PRIu32 " ", lead, i);
-        quote(f, last_name(c->skin_name[i]));
+        quote(f, last_name(c->model.texture[i].name));
         (void)fprintf(f, ": %" PRIu32 " x %" PRIu32 ", %s", s->w, s->h, format_name(s->format));
         if (s->n_colors > 0)
             (void)fprintf(f, ", %" PRIu32 " colours", s->n_colors);
@@ -464,18 +448,18 @@ static void texture_figures(FILE *f, const struct sim_conversion *c, const char 
                           s->loss.psnr_db, ceil(s->loss.worst));
         else
             (void)fputs(", nothing lost", f);
-        if (c->pieces.uv_error != NULL && c->pieces.uv_error[i] >= 0.0)
-            (void)fprintf(f, "; coordinates off by at most %.4f texels", c->pieces.uv_error[i]);
+        if (c->made.pieces.uv_error != NULL && c->made.pieces.uv_error[i] >= 0.0)
+            (void)fprintf(f, "; coordinates off by at most %.4f texels", c->made.pieces.uv_error[i]);
         (void)fputc('\n', f);
     }
 }
 
 void sim_convert_figures(FILE *f, const struct sim_conversion *c, const char *lead)
 {
-    if (c->pieces.n_pieces > 0)
+    if (c->made.pieces.n_pieces > 0)
         mesh_figures(f, c, lead);
     texture_figures(f, c, lead);
-    (void)flash(f, c, lead);
+    flash(f, c, lead);
 }
 
 /* ---- Files ----------------------------------------------------------------------------------- */
@@ -493,25 +477,25 @@ struct box {
 
 static void find_box(struct box *box, const struct sim_conversion *c)
 {
-    const double unit = (double)c->steps.scale / 65536.0 / 256.0; /* world units to 1/256 step */
+    const double unit = (double)c->made.steps.scale / 65536.0 / 256.0; /* world units to 1/256 step */
     double lo[3] = { INFINITY, INFINITY, INFINITY }, hi[3] = { -INFINITY, -INFINITY, -INFINITY },
            most = 0.0;
-    for (uint32_t i = 0; i < c->pieces.n_pieces; i++)
-        for (uint32_t v = 0; v < c->pieces.piece[i].n_verts; v++)
+    for (uint32_t i = 0; i < c->made.pieces.n_pieces; i++)
+        for (uint32_t v = 0; v < c->made.pieces.piece[i].n_verts; v++)
             for (int k = 0; k < 3; k++) {
-                lo[k] = fmin(lo[k], c->pieces.piece[i].fine[v][k] * unit);
-                hi[k] = fmax(hi[k], c->pieces.piece[i].fine[v][k] * unit);
+                lo[k] = fmin(lo[k], c->made.pieces.piece[i].fine[v][k] * unit);
+                hi[k] = fmax(hi[k], c->made.pieces.piece[i].fine[v][k] * unit);
             }
     for (int k = 0; k < 3; k++) {
         box->lo[k] = (long)floor(lo[k]);
         box->hi[k] = (long)ceil(hi[k]);
         box->middle[k] = c->options.keep_origin ? lrint((lo[k] + hi[k]) / 2.0) : 0;
     }
-    for (uint32_t i = 0; i < c->pieces.n_pieces; i++)
-        for (uint32_t v = 0; v < c->pieces.piece[i].n_verts; v++) {
+    for (uint32_t i = 0; i < c->made.pieces.n_pieces; i++)
+        for (uint32_t v = 0; v < c->made.pieces.piece[i].n_verts; v++) {
             double squared = 0.0;
             for (int k = 0; k < 3; k++) {
-                const double d = c->pieces.piece[i].fine[v][k] * unit - (double)box->middle[k];
+                const double d = c->made.pieces.piece[i].fine[v][k] * unit - (double)box->middle[k];
                 squared += d * d;
             }
             most = fmax(most, squared);
@@ -521,7 +505,7 @@ static void find_box(struct box *box, const struct sim_conversion *c)
 
 static void describe_place(FILE *f, const struct sim_conversion *c, const struct box *box)
 {
-    const struct sim_steps *s = &c->steps;
+    const struct sim_steps *s = &c->made.steps;
     char text[4][32];
     (void)fprintf(f,
                   " * Size       %ld x %ld x %ld world units; a unit of the model is %s of them.\n",
@@ -551,7 +535,7 @@ static void describe_use(FILE *f, const char *name, const char *big)
 
 static void defines(FILE *f, const struct sim_conversion *c, const char *big, const struct box *b)
 {
-    const struct sim_pieces *p = &c->pieces;
+    const struct sim_pieces *p = &c->made.pieces;
     (void)fprintf(f, "#define %s_INSTANCES %" PRIu32 "u\n", big, p->n_pieces);
     (void)fprintf(f, "#define %s_MATERIALS %" PRIu32 "u\n", big, p->n_paints);
     (void)fprintf(f, "#define %s_TRIANGLES %" PRIu32 "u\n", big, p->n_tris);
@@ -570,13 +554,14 @@ static void defines(FILE *f, const struct sim_conversion *c, const char *big, co
 void sim_convert_header(FILE *f, const struct sim_conversion *c)
 {
     const char *name = c->options.name;
-    const int has_mesh = c->pieces.n_pieces > 0;
+    const int has_mesh = c->made.pieces.n_pieces > 0;
     char big[64];
     struct box box;
+    struct sim_converted_bytes bytes;
+    sim_converted_bytes(&bytes, &c->made);
     upper(big, name);
     first_line(f, c);
-    (void)fprintf(f, " *\n * Flash      %zu bytes; %s.c says what for.\n", flash(NULL, c, ""),
-                  name);
+    (void)fprintf(f, " *\n * Flash      %zu bytes; %s.c says what for.\n", bytes.total, name);
     if (has_mesh) {
         find_box(&box, c);
         describe_place(f, c, &box);
@@ -585,8 +570,8 @@ void sim_convert_header(FILE *f, const struct sim_conversion *c)
     (void)fprintf(f, " */\n#ifndef %s_H\n#define %s_H\n\n#include \"zstrip.h\"\n\n", big, big);
     if (has_mesh)
         defines(f, c, big, &box);
-    if (c->n_skins > 0)
-        (void)fprintf(f, "#define %s_TEXTURES %" PRIu32 "u\n", big, c->n_skins);
+    if (c->made.n_skins > 0)
+        (void)fprintf(f, "#define %s_TEXTURES %" PRIu32 "u\n", big, c->made.n_skins);
     (void)fputs("\n#ifdef __cplusplus\nextern \"C\" {\n#endif\n\n", f);
     if (has_mesh) {
         (void)fprintf(
@@ -595,7 +580,7 @@ void sim_convert_header(FILE *f, const struct sim_conversion *c)
         (void)fprintf(f, "extern const struct zs_mesh %s_mesh[%s_INSTANCES];\n", name, big);
         (void)fprintf(f, "extern const struct zs_material %s_material[%s_MATERIALS];\n", name, big);
     }
-    if (c->n_skins > 0)
+    if (c->made.n_skins > 0)
         (void)fprintf(f, "extern const struct zs_texture %s_texture[%s_TEXTURES];\n", name, big);
     (void)fputs("\n#ifdef __cplusplus\n}\n#endif\n\n#endif\n", f);
 }
@@ -609,15 +594,15 @@ void sim_convert_source(FILE *f, const struct sim_conversion *c)
     if (c->options.bvh)
         (void)fputs("#include \"zs_method.h\"\n", f);
     textures(f, c);
-    if (c->pieces.n_pieces > 0)
+    if (c->made.pieces.n_pieces > 0)
         meshes(f, c);
 }
 
 void sim_convert_map(FILE *f, const struct sim_conversion *c)
 {
-    for (uint32_t i = 0; i < c->pieces.n_pieces; i++)
-        for (uint32_t t = 0; t < c->pieces.piece[i].n_tris; t++) {
-            const uint32_t id = c->pieces.piece[i].source[t] + 1;
+    for (uint32_t i = 0; i < c->made.pieces.n_pieces; i++)
+        for (uint32_t t = 0; t < c->made.pieces.piece[i].n_tris; t++) {
+            const uint32_t id = c->made.pieces.piece[i].source[t] + 1;
             sim_u32_write(f, &id, 1);
         }
 }

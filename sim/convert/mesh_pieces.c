@@ -192,22 +192,34 @@ static void free_groups(struct groups *g)
 struct fold {
     double shift[2]; /* whole pictures, on axes that repeat */
     uint8_t bits;
+    uint8_t by_triangle; /* flag: each triangle is first brought to 0 .. 1 and up there, which splits vertices */
 };
 
-static int find_fold(const struct work *w, uint32_t group, struct fold *fold)
+/* A coordinate before the shift. */
+static double placed(const struct work *w, const struct fold *fold, const struct sim_texture *texture, uint32_t t,
+                     int k, int axis)
+{
+    const double(*uv)[2] = (const double(*)[2])w->model->uv[t];
+    if (!fold->by_triangle || (texture->clamp & (axis == 0 ? ZS_CLAMP_U : ZS_CLAMP_V)))
+        return uv[k][axis];
+    return uv[k][axis] - floor(fmin(uv[0][axis], fmin(uv[1][axis], uv[2][axis])));
+}
+
+/* Shifts and bits; how far off, in texels, coordinates then are at most. INFINITY: 16 bits do not hold them. */
+static double fit_fold(const struct work *w, uint32_t group, struct fold *fold, double lo[2], double hi[2])
 {
     const struct sim_model *model = w->model;
-    const struct sim_paint *paint = &w->groups.at[group].paint;
-    const struct sim_texture *texture = &model->texture[paint->texture];
-    const uint32_t *size = w->texture_size[paint->texture];
-    double lo[2] = { INFINITY, INFINITY }, hi[2] = { -INFINITY, -INFINITY }, most = 0.0;
-    for (uint32_t t = 0; t < model->n_tris; t++)
-        for (int k = 0; w->groups.of[t] == group && k < 3; k++)
-            for (int axis = 0; axis < 2; axis++) {
-                lo[axis] = fmin(lo[axis], model->uv[t][k][axis]);
-                hi[axis] = fmax(hi[axis], model->uv[t][k][axis]);
-            }
+    const uint32_t n = w->groups.at[group].paint.texture, *size = w->texture_size[n];
+    const struct sim_texture *texture = &model->texture[n];
+    double most = 0.0;
     for (int axis = 0; axis < 2; axis++) {
+        lo[axis] = INFINITY;
+        hi[axis] = -INFINITY;
+        for (uint32_t t = 0; t < model->n_tris; t++)
+            for (int k = 0; w->groups.of[t] == group && k < 3; k++) {
+                lo[axis] = fmin(lo[axis], placed(w, fold, texture, t, k, axis));
+                hi[axis] = fmax(hi[axis], placed(w, fold, texture, t, k, axis));
+            }
         const int clamps = texture->clamp & (axis == 0 ? ZS_CLAMP_U : ZS_CLAMP_V);
         fold->shift[axis] =
             clamps ? 0.0 : -rint((lo[axis] + hi[axis]) / 2.0 - 0.01); /* 0 .. 1 stays */
@@ -217,12 +229,21 @@ static int find_fold(const struct work *w, uint32_t group, struct fold *fold)
     fold->bits = 15;
     while (fold->bits > 0 && rint(ldexp(most, fold->bits)) > INT16_MAX)
         fold->bits--;
-    const double off = ldexp((double)(size[0] > size[1] ? size[0] : size[1]), -fold->bits - 1);
-    if (rint(ldexp(most, fold->bits)) <= INT16_MAX && off <= TEXELS_OFF_MAX)
-        return SIM_OK;
+    if (rint(ldexp(most, fold->bits)) > INT16_MAX)
+        return INFINITY;
+    return ldexp((double)(size[0] > size[1] ? size[0] : size[1]), -fold->bits - 1);
+}
+
+static int find_fold(const struct work *w, uint32_t group, struct fold *fold)
+{
+    const uint32_t *size = w->texture_size[w->groups.at[group].paint.texture];
+    double lo[2], hi[2];
+    for (fold->by_triangle = 0; fold->by_triangle < 2; fold->by_triangle++)
+        if (fit_fold(w, group, fold, lo, hi) <= TEXELS_OFF_MAX)
+            return SIM_OK;
     return sim_refuse(
-        model->file, 0,
-        "its texture coordinates run from %.4g,%.4g to %.4g,%.4g: 16 bits hold %u x %u texels "
+        w->model->file, 0,
+        "texture coordinates of a face run from %.4g,%.4g to %.4g,%.4g: 16 bits hold %u x %u texels "
         "%.3g times over; repeat the picture less often, or make it smaller (--texture-size)",
         lo[0], lo[1], hi[0], hi[1], size[0], size[1],
         INT16_MAX / (double)(size[0] > size[1] ? size[0] : size[1]));
@@ -268,7 +289,8 @@ static void take_uv(struct work *w, const struct shape *s, uint32_t t, int k, in
 {
     const uint32_t texture = s->group->paint.texture;
     for (int axis = 0; axis < 2; axis++) {
-        const double exact = w->model->uv[t][k][axis] + s->fold.shift[axis];
+        const double exact =
+            placed(w, &s->fold, &w->model->texture[texture], t, k, axis) + s->fold.shift[axis];
         out[axis] = (int16_t)rint(ldexp(exact, s->fold.bits));
         const double off =
             fabs(exact - ldexp(out[axis], -s->fold.bits)) * w->texture_size[texture][axis];

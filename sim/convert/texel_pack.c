@@ -40,6 +40,15 @@ static uint8_t (*shrink(const struct sim_image *image, const uint32_t size[2]))[
     return out;
 }
 
+void sim_texture_halve(struct sim_texture *texture, const long most[2])
+{
+    uint32_t size[2];
+    sim_skin_size(size, texture, most);
+    uint8_t(*rgb)[3] = shrink(&texture->image, size);
+    free(texture->image.rgb);
+    texture->image = (struct sim_image){ size[0], size[1], rgb };
+}
+
 static void make_565(struct sim_skin *s, const struct sim_pixels *px, int dither)
 {
     const size_t n = (size_t)px->w * px->h;

@@ -30,6 +30,9 @@ struct sim_skin {
 /* The size that a texture will have: its own, halved each way until it is at most `most`. */
 void sim_skin_size(uint32_t size[2], const struct sim_texture *texture, const long most[2]);
 
+/* Give it that size: each new texel the mean of those that it covers. */
+void sim_texture_halve(struct sim_texture *texture, const long most[2]);
+
 /* Halve and quantise. file: for messages. SIM_OK; SIM_REFUSED, said why, nothing to free. */
 int sim_skin_make(struct sim_skin *out, const struct sim_texture *texture, const char *file,
                   const struct sim_convert_options *o);

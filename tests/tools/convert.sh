@@ -129,6 +129,38 @@ round_trip() { # NAME INPUT OPTION...
     case $2 in *.obj) same_places "$1" "$2" 0.5002 ;; esac
 }
 
+# One road: the frame of a program around the converted file is that of zsim render, bit by bit, in several views; and
+# zsim budget counts the bytes of the object.
+one_road() { # NAME INPUT OPTION...    options of render and convert alike
+    begin "one_road_$1"
+    road=road_$1
+    shift
+    convert "$road" "$@"
+    compile "$road" same
+    before=''
+    for view in 0 1 2; do
+        # shellcheck disable=SC2086
+        run "$road/same" view $view $place
+        # shellcheck disable=SC2086
+        "$build/zsim" render "$@" $seen --out "$road/o.png" >stdout.render 2>&1 || wrong "$(cat stdout.render)"
+        run ./make sum "$road/o.png"
+        # shellcheck disable=SC2086
+        above "colours of view $view" "$(word 2 $seen)" 8
+        # shellcheck disable=SC2086
+        sum=$(word 1 $seen)
+        run "$road/same" draw $view
+        is "checksum of view $view" "$sum" "$seen"
+        case "$before" in *"$sum"*) wrong "view $view shows what another shows" ;; esac
+        before="$before $sum"
+    done
+    arm-none-eabi-gcc -mcpu=cortex-m3 -mthumb -std=c11 -Os -fdata-sections -c -I"$top/firmware/zstrip" "$road/m.c" \
+        -o "$road/arm.o" || wrong "the Cortex-M compiler refuses it"
+    linked=$(arm-none-eabi-size -A "$road/arm.o" | awk '/^\.(text|rodata|data|bss)/ { sum += $2 } END { print sum }')
+    z budget "$@" --csv
+    is "scene data of zsim budget" "$(awk -F, '$1 == "flash_data" { print $2 }' stdout)" "$linked"
+    note="frames$before; $linked bytes"
+}
+
 # ---- Models ------------------------------------------------------------------------------------
 ./make torus 48 24 4 - >torus.obj
 printf 'newmtl skin\nmap_Kd photo.png\n' >torus.mtl
@@ -142,6 +174,26 @@ printf 'newmtl skin\nmap_Kd photo.png\n' >torus.mtl
 ./make boxes.mtl 130 >boxes.mtl
 mkdir gltf
 ./make gltf gltf
+awk '$1 == "v" { n++; for (k = 0; k < 3; k++) p[n, k] = $(k + 2) }
+    $1 == "f" { print "facet normal 0 0 0\nouter loop"
+        for (i = 2; i < 5; i++) print "vertex", p[$i, 0], p[$i, 1], p[$i, 2]
+        print "endloop\nendfacet" }
+    BEGIN { print "solid teapot" } END { print "endsolid teapot" }' teapot.obj >teapot.stl
+awk '$1 == "v" { v = v $2 " " $3 " " $4 " " 20 * (n % 12) " 90 200\n"; n++ }
+    $1 == "f" { f = f "3 " $2 - 1 " " $3 - 1 " " $4 - 1 "\n"; m++ }
+    END { print "ply\nformat ascii 1.0\nelement vertex " n "\nproperty float x\nproperty float y\nproperty float z"
+        print "property uchar red\nproperty uchar green\nproperty uchar blue\nelement face " m
+        printf "property list uchar int vertex_indices\nend_header\n%s%s", v, f }' teapot.obj >teapot.ply
+le32() {
+    printf "$(awk -v n="$1" 'BEGIN { for (i = 0; i < 4; i++) { printf "\\%03o", n % 256; n = int(n / 256) } }')"
+}
+glb_of() { # FILE.gltf FILE.bin    its pictures stay files
+    json=$(sed "s/\"uri\":\"${2##*/}\",//" "$1")
+    while [ $((${#json} % 4)) -ne 0 ]; do json="$json "; done
+    bytes=$(wc -c <"$2")
+    printf 'glTF' && le32 2 && le32 $((${#json} + bytes + 28)) && le32 ${#json} && printf 'JSON%s' "$json" &&
+        le32 "$bytes" && printf 'BIN\000' && cat "$2"
+}
 for k in 4 16 200 photo; do ./make png $k 256 128 $k.png; done
 ./make png photo 100 50 odd.png
 ./make jpeg 64 64 photo.jpg
@@ -195,6 +247,20 @@ holds stdout 'positions: exact'
 begin step_uses_the_range
 convert range torus.obj
 above "largest coordinate" "$(tr '{},' '\n' <range/m.c | awk '/tri_0/ { exit } $1 + 0 > m { m = $1 + 0 } END { print m }')" 32750
+
+# ---- One road ------------------------------------------------------------------------------------
+one_road obj teapot.obj
+one_road obj_smooth torus.obj
+one_road obj_textured skinned.obj
+one_road obj_precise torus.obj --precise
+one_road obj_large_in_parts large.obj
+one_road gltf gltf/balls.gltf
+gltf=$before
+glb_of gltf/balls.gltf gltf/ball.bin >gltf/balls.glb
+one_road glb gltf/balls.glb
+is "frames of the .glb" "$before" "$gltf"
+one_road stl teapot.stl
+one_road ply teapot.ply
 
 # ---- What is written, and no more --------------------------------------------------------------
 arrays() { # TO    the arrays of its first mesh

@@ -9,6 +9,7 @@
  *     make jpeg W H FILE.jpg
  *     make gltf FOLDER                        four materials, two of them textured
  *     make psnr A.png B.ppm                   how alike they are, dB
+ *     make sum A.png                          FNV-1a of its RGB565 values, high byte first; its colours
  *
  * SPDX-License-Identifier: MIT
  */
@@ -263,6 +264,28 @@ static void psnr(const char *a, const char *b)
     printf("%.1f\n", 10.0 * log10(65025.0 * 3.0 * w * h / squared));
 }
 
+static void sum(const char *file)
+{
+    png_image image = { .version = PNG_IMAGE_VERSION };
+    static uint8_t seen[65536];
+    uint32_t h = 2166136261u, colors = 0;
+    if (!png_image_begin_read_from_file(&image, file))
+        exit(1);
+    image.format = PNG_FORMAT_RGB;
+    uint8_t *px = malloc(PNG_IMAGE_SIZE(image));
+    if (px == NULL || !png_image_finish_read(&image, NULL, px, 0, NULL))
+        exit(1);
+    for (size_t i = 0; i < (size_t)image.width * image.height; i++) {
+        const unsigned c = (unsigned)(px[3 * i] >> 3 << 11 | px[3 * i + 1] >> 2 << 5 | px[3 * i + 2] >> 3);
+        h = (h ^ c >> 8) * 16777619u;
+        h = (h ^ (c & 255)) * 16777619u;
+        colors += !seen[c];
+        seen[c] = 1;
+    }
+    free(px);
+    printf("%08x %u\n", (unsigned)h, (unsigned)colors);
+}
+
 int main(int argc, char **argv)
 {
     const char *what = argc > 1 ? argv[1] : "";
@@ -280,6 +303,8 @@ int main(int argc, char **argv)
         png(argv[2], (unsigned)atoi(argv[3]), (unsigned)atoi(argv[4]), argv[5]);
     else if (strcmp(what, "psnr") == 0 && argc == 4)
         psnr(argv[2], argv[3]);
+    else if (strcmp(what, "sum") == 0 && argc == 3)
+        sum(argv[2]);
     else if (strcmp(what, "jpeg") == 0 && argc == 5)
         jpeg((unsigned)atoi(argv[2]), (unsigned)atoi(argv[3]), argv[4]);
     else if (strcmp(what, "gltf") == 0 && argc == 3)
