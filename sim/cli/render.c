@@ -95,6 +95,11 @@ static void set_config(struct job *job)
     c->fast = o->fast.list;
     c->depth = depths[sim_depth_of(o, &job->view)];
     sim_method_apply(c, &sim_methods[o->method]);
+    if (sim_scene_method(&job->scene.scene) != NULL) {
+        c->method = sim_scene_method(&job->scene.scene);
+        c->max_tris = c->max_tris < 2 ? 2 : c->max_tris; /* its least pools */
+        c->max_verts = c->max_verts < 6 ? 6 : c->max_verts;
+    }
     if (o->style == SIM_STYLE_SOLID)
         return;
     /* a line or point is two triangles and four vertices; clipped, up to eight triangles of their own vertices */
@@ -461,6 +466,13 @@ int sim_render_model(struct sim_picture *seen, const struct sim_model *model, co
     return status;
 }
 
+static void say_losses(const struct job *job)
+{
+    char lead[4200];
+    (void)snprintf(lead, sizeof lead, "%s: %s: ", sim_program, job->options.model);
+    sim_losses_print(stderr, lead, job->options.reference ? job->model.lost : job->scene.lost);
+}
+
 int sim_render(int argc, char **argv)
 {
     struct job *job = sim_alloc(1, sizeof *job);
@@ -474,6 +486,8 @@ int sim_render(int argc, char **argv)
             status = draw(job);
         if (status == SIM_OK)
             status = write_files(job);
+        if (status == SIM_OK)
+            say_losses(job);
         if (status == SIM_OK && job->options.compare)
             print_diff(&job->diff);
     }

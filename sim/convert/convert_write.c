@@ -212,12 +212,43 @@ static void piece_arrays(FILE *f, const char *name, uint32_t part, const struct 
 
 /* ---- Objects --------------------------------------------------------------------------------- */
 
-static const char *shader_name(enum sim_shader shader)
+static const char *shader_name(const struct sim_paint *p)
 {
-    static const char *const names[] = { "zs_shade_raw",          "zs_shade_flat",
-                                         "zs_shade_smooth",       "zs_shade_texture",
-                                         "zs_shade_texture_flat", "zs_shade_texture_smooth" };
-    return names[shader];
+    static const char *const names[3][SIM_SHADER_TEXTURE_SMOOTH + 1] = {
+        [SIM_ALPHA_OPAQUE] = { "zs_shade_raw", "zs_shade_flat", "zs_shade_smooth", "zs_shade_texture",
+                               "zs_shade_texture_flat", "zs_shade_texture_smooth" },
+        [SIM_ALPHA_MASK] = { "", "", "", "zs_shade_cutout", "zs_shade_cutout_flat", "zs_shade_cutout_smooth" },
+        [SIM_ALPHA_BLEND] = { "zs_blend_raw", "zs_blend_flat", "zs_blend_smooth", "zs_blend_texture",
+                              "zs_blend_texture_flat", "zs_blend_texture_smooth" },
+    };
+    return names[p->alpha_mode][p->shader];
+}
+
+/* Paints of struct zs_blend, or of struct zs_material. */
+static uint32_t count_paints(const struct sim_pieces *p, int blended)
+{
+    uint32_t n = 0;
+    for (uint32_t i = 0; i < p->n_paints; i++)
+        n += (p->paint[i].alpha_mode == SIM_ALPHA_BLEND) == blended;
+    return n;
+}
+
+/* The place of a paint among those of its kind. */
+static uint32_t place_of(const struct sim_pieces *p, uint32_t paint)
+{
+    uint32_t n = 0;
+    for (uint32_t i = 0; i < paint; i++)
+        n += (p->paint[i].alpha_mode == SIM_ALPHA_BLEND) == (p->paint[paint].alpha_mode == SIM_ALPHA_BLEND);
+    return n;
+}
+
+/* Does a texture have alpha? */
+static int has_alpha(const struct sim_conversion *c)
+{
+    int yes = 0;
+    for (uint32_t i = 0; i < c->made.n_skins; i++)
+        yes |= c->made.skin[i].format >= SIM_TEXELS_4444;
+    return yes;
 }
 
 static const char *attrs_name(const struct sim_pieces *p)
@@ -237,7 +268,10 @@ static const char *attrs_name(const struct sim_pieces *p)
 
 static const char *format_name(enum sim_texels format)
 {
-    return format == SIM_TEXELS_565 ? "565" : format == SIM_TEXELS_PAL8 ? "pal8" : "pal4";
+    static const char *const names[] = { [SIM_TEXELS_565] = "565",     [SIM_TEXELS_PAL8] = "pal8",
+                                         [SIM_TEXELS_PAL4] = "pal4",   [SIM_TEXELS_4444] = "4444",
+                                         [SIM_TEXELS_PAL8A] = "pal8a", [SIM_TEXELS_PAL4A] = "pal4a" };
+    return names[format];
 }
 
 /* ", .what = NAME_what_part", or nothing */
@@ -272,13 +306,16 @@ static void mesh_object(FILE *f, const char *name, uint32_t part, const struct s
     (void)fputs(" },\n", f);
 }
 
-static void material_object(FILE *f, const char *name, const struct sim_paint *p, int cull)
+static void material_object(FILE *f, const char *name, const struct sim_paint *p)
 {
     static const char *const culls[] = { "ZS_CULL_BACK", "ZS_CULL_FRONT", "ZS_CULL_NONE" };
-    (void)fprintf(f, "    { .shader = &%s, .rgb = { %d, %d, %d }, .cull = %s", shader_name(p->shader),
-                  p->rgb.r, p->rgb.g, p->rgb.b, culls[cull]);
+    const int blended = p->alpha_mode == SIM_ALPHA_BLEND;
+    (void)fprintf(f, "    %s{ .shader = &%s, .rgb = { %d, %d, %d }, .cull = %s", blended ? "{ .material = " : "",
+                  shader_name(p), p->rgb.r, p->rgb.g, p->rgb.b, culls[p->cull]);
     if (p->texture != SIM_NO_TEXTURE)
         (void)fprintf(f, ", .texture = &%s_texture[%" PRIu32 "]", name, p->texture);
+    if (blended)
+        (void)fprintf(f, " }, .alpha = %u", p->alpha);
     (void)fputs(" },", f);
     if (p->name[0] != '\0') {
         (void)fputs(" /* ", f);
@@ -286,6 +323,20 @@ static void material_object(FILE *f, const char *name, const struct sim_paint *p
         (void)fputs(" */", f);
     }
     (void)fputc('\n', f);
+}
+
+static void materials(FILE *f, const struct sim_conversion *c, int blended)
+{
+    const struct sim_pieces *p = &c->made.pieces;
+    const uint32_t n = count_paints(p, blended);
+    if (n == 0)
+        return;
+    (void)fprintf(f, "\nconst struct %s %s_%s[%" PRIu32 "] = {\n", blended ? "zs_blend" : "zs_material",
+                  c->options.name, blended ? "blend" : "material", n);
+    for (uint32_t i = 0; i < p->n_paints; i++)
+        if ((p->paint[i].alpha_mode == SIM_ALPHA_BLEND) == blended)
+            material_object(f, c->options.name, &p->paint[i]);
+    (void)fputs("};\n", f);
 }
 
 static void texture_object(FILE *f, const char *name, uint32_t part, const struct sim_skin *s)
@@ -300,6 +351,8 @@ static void texture_object(FILE *f, const char *name, uint32_t part, const struc
                   clamps[s->clamp & 3]);
     if (s->n_levels > 1)
         (void)fprintf(f, ", .n_levels = %" PRIu32, s->n_levels);
+    if (s->alpha_least > 0)
+        (void)fprintf(f, ", .alpha_least = %u", s->alpha_least);
     (void)fputs(" },\n", f);
 }
 
@@ -317,7 +370,7 @@ static void textures(FILE *f, const struct sim_conversion *c)
         else
             values(f, name, i, "texel", NULL, s->index, s->texel_bytes);
         if (s->n_colors > 0)
-            values(f, name, i, "palette", s->palette, NULL, s->n_colors);
+            values(f, name, i, "palette", s->palette, NULL, sim_skin_palette(s));
     }
     if (c->made.n_skins == 0)
         return;
@@ -336,17 +389,16 @@ static void meshes(FILE *f, const struct sim_conversion *c)
     (void)fprintf(f, "\nconst struct zs_mesh %s_mesh[%" PRIu32 "] = {\n", name, p->n_pieces);
     for (uint32_t i = 0; i < p->n_pieces; i++)
         mesh_object(f, name, i, &p->piece[i], &c->made.steps);
-    (void)fprintf(f, "};\n\nconst struct zs_material %s_material[%" PRIu32 "] = {\n", name,
-                  p->n_paints);
-    for (uint32_t i = 0; i < p->n_paints; i++)
-        material_object(f, name, &p->paint[i], c->options.cull);
-    (void)fprintf(f, "};\n\nconst struct zs_instance %s_instance[%" PRIu32 "] = {\n", name,
-                  p->n_pieces);
-    for (uint32_t i = 0; i < p->n_pieces; i++)
-        (void)fprintf(
-            f,
-            "    { .mesh = &%s_mesh[%" PRIu32 "], .material = &%s_material[%" PRIu32 "] },\n",
-            name, i, name, p->piece[i].paint);
+    (void)fputs("};\n", f);
+    materials(f, c, 0);
+    materials(f, c, 1);
+    (void)fprintf(f, "\nconst struct zs_instance %s_instance[%" PRIu32 "] = {\n", name, p->n_pieces);
+    for (uint32_t i = 0; i < p->n_pieces; i++) {
+        const uint32_t paint = p->piece[i].paint;
+        const int blended = p->paint[paint].alpha_mode == SIM_ALPHA_BLEND;
+        (void)fprintf(f, "    { .mesh = &%s_mesh[%" PRIu32 "], .material = &%s_%s[%" PRIu32 "]%s },\n", name, i, name,
+                      blended ? "blend" : "material", place_of(p, paint), blended ? ".material" : "");
+    }
     (void)fputs("};\n", f);
 }
 
@@ -413,6 +465,7 @@ static void mesh_figures(FILE *f, const struct sim_conversion *c, const char *le
                       "%s%" PRIu32 " triangles left out: no area on the grid (%" PRIu32
                       " had none in the file)\n",
                       lead, p->n_flat, p->n_flat_before);
+    sim_losses_print(f, lead, p->lost);
     const struct sim_steps *s = &c->made.steps;
     char text[5][32];
     (void)fprintf(f, "%sposition = %s, %s, %s + %s * n%s; %s world units to a unit of the model\n",
@@ -537,7 +590,13 @@ static void defines(FILE *f, const struct sim_conversion *c, const char *big, co
 {
     const struct sim_pieces *p = &c->made.pieces;
     (void)fprintf(f, "#define %s_INSTANCES %" PRIu32 "u\n", big, p->n_pieces);
-    (void)fprintf(f, "#define %s_MATERIALS %" PRIu32 "u\n", big, p->n_paints);
+    if (count_paints(p, 0) > 0)
+        (void)fprintf(f, "#define %s_MATERIALS %" PRIu32 "u\n", big, count_paints(p, 0));
+    if (count_paints(p, 1) > 0)
+        (void)fprintf(f,
+                      "#define %s_BLENDS %" PRIu32 "u /* transparent materials: their triangles are sorted by */\n"
+                      "#define %s_METHOD (&zs_method_transparent) /* zs_config.method */\n",
+                      big, count_paints(p, 1), big);
     (void)fprintf(f, "#define %s_TRIANGLES %" PRIu32 "u\n", big, p->n_tris);
     (void)fprintf(f, "#define %s_VERTICES %" PRIu32 "u\n", big, p->n_verts);
     (void)fprintf(f, "#define %s_VARYINGS %s /* zs_config.varyings, at least */\n", big, attrs_name(p));
@@ -567,7 +626,8 @@ void sim_convert_header(FILE *f, const struct sim_conversion *c)
         describe_place(f, c, &box);
         describe_use(f, name, big);
     }
-    (void)fprintf(f, " */\n#ifndef %s_H\n#define %s_H\n\n#include \"zstrip.h\"\n\n", big, big);
+    (void)fprintf(f, " */\n#ifndef %s_H\n#define %s_H\n\n#include \"zstrip.h\"\n%s\n", big, big,
+                  count_paints(&c->made.pieces, 1) > 0 ? "#include \"zs_blend.h\"\n" : "");
     if (has_mesh)
         defines(f, c, big, &box);
     if (c->made.n_skins > 0)
@@ -578,7 +638,10 @@ void sim_convert_header(FILE *f, const struct sim_conversion *c)
             f, "extern const struct zs_instance %s_instance[%s_INSTANCES]; /* one to a mesh */\n",
             name, big);
         (void)fprintf(f, "extern const struct zs_mesh %s_mesh[%s_INSTANCES];\n", name, big);
-        (void)fprintf(f, "extern const struct zs_material %s_material[%s_MATERIALS];\n", name, big);
+        if (count_paints(&c->made.pieces, 0) > 0)
+            (void)fprintf(f, "extern const struct zs_material %s_material[%s_MATERIALS];\n", name, big);
+        if (count_paints(&c->made.pieces, 1) > 0)
+            (void)fprintf(f, "extern const struct zs_blend %s_blend[%s_BLENDS];\n", name, big);
     }
     if (c->made.n_skins > 0)
         (void)fprintf(f, "extern const struct zs_texture %s_texture[%s_TEXTURES];\n", name, big);
@@ -591,6 +654,8 @@ void sim_convert_source(FILE *f, const struct sim_conversion *c)
     (void)fputs(" *\n", f);
     sim_convert_figures(f, c, " *   ");
     (void)fprintf(f, " */\n#include \"%s.h\"\n", c->options.name);
+    if (has_alpha(c))
+        (void)fputs("#include \"zs_filter.h\"\n", f);
     if (c->options.bvh)
         (void)fputs("#include \"zs_method.h\"\n", f);
     textures(f, c);

@@ -12,6 +12,7 @@
 /* Structs on a 32-bit machine, bytes. */
 #define MESH_BYTES 72u
 #define MATERIAL_BYTES 16u
+#define BLEND_BYTES 20u
 #define TEXTURE_BYTES 20u
 #define INSTANCE_BYTES 64u
 
@@ -49,6 +50,7 @@ int sim_convert_load(struct sim_model *model, struct sim_convert_options *o)
     const struct sim_want want = { .normals = 1,
                                    .textures = asked || (free_choice && !o->has_color),
                                    .picture = o->texture,
+                                   .lenient = free_choice,
                                    .wrap = (enum sim_wrap)o->wrap,
                                    .color = o->has_color ? &o->color : NULL };
     memset(model, 0, sizeof *model);
@@ -57,6 +59,7 @@ int sim_convert_load(struct sim_model *model, struct sim_convert_options *o)
     int status = sim_model_load(model, o->input, &want);
     if (status == SIM_OK && asked && model->n_textures == 0)
         status = refuse_untextured(model, o->input);
+    o->by_material = free_choice;
     if (status == SIM_OK && free_choice)
         o->look = model->n_textures > 0 ? SIM_LOOK_TEXTURED
                   : model->file_normals ? SIM_LOOK_SMOOTH
@@ -107,8 +110,9 @@ void sim_converted_bytes(struct sim_converted_bytes *out, const struct sim_conve
     out->texels = 0;
     for (uint32_t i = 0; i < c->n_skins; i++)
         out->texels += c->skin[i].texel_bytes + c->skin[i].palette_bytes;
-    out->structs = p->n_pieces * (MESH_BYTES + INSTANCE_BYTES) + p->n_paints * MATERIAL_BYTES +
-                   c->n_skins * TEXTURE_BYTES;
+    out->structs = p->n_pieces * (MESH_BYTES + INSTANCE_BYTES) + c->n_skins * TEXTURE_BYTES;
+    for (uint32_t i = 0; i < p->n_paints; i++)
+        out->structs += p->paint[i].alpha_mode == SIM_ALPHA_BLEND ? BLEND_BYTES : MATERIAL_BYTES;
     out->total = s->pos + s->pos_lo + s->tri + s->normal + s->face_normal + s->rgb + s->uv +
                  s->cluster + s->bvh + out->texels + out->structs;
 }

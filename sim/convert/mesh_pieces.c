@@ -112,6 +112,8 @@ static uint32_t find_group(struct groups *g, const struct sim_paint *paint, int 
 {
     for (uint32_t i = 0; i < g->n; i++)
         if (g->at[i].paint.texture == paint->texture && g->at[i].paint.shader == paint->shader &&
+            g->at[i].paint.cull == paint->cull && g->at[i].paint.alpha_mode == paint->alpha_mode &&
+            g->at[i].paint.alpha == paint->alpha &&
             (!by_color || is_textured(paint->shader) || same_rgb(g->at[i].paint.rgb, paint->rgb)))
             return i;
     g->at = sim_grow(g->at, (size_t)g->n + 1, sizeof *g->at);
@@ -132,12 +134,25 @@ static int is_flat(const struct work *w, const uint32_t tri[3])
     return a[1] * b[2] == a[2] * b[1] && a[2] * b[0] == a[0] * b[2] && a[0] * b[1] == a[1] * b[0];
 }
 
+/* Blending costs more than a test, and that more than neither: where a material does not need it, it has none. */
+static void set_alpha(const struct work *w, struct sim_paint *paint, const struct sim_material *material)
+{
+    const int textured = paint->texture != SIM_NO_TEXTURE && !w->options->opaque;
+    const uint8_t texels = textured ? w->model->texture[paint->texture].alpha_mode : SIM_ALPHA_OPAQUE;
+    paint->alpha = material->alpha_mode == SIM_ALPHA_BLEND && !w->options->opaque ? material->alpha : 255;
+    paint->alpha_mode = paint->alpha < 255 ? SIM_ALPHA_BLEND : texels;
+}
+
 static void add_to_group(struct work *w, uint32_t t, int by_color, int *whole)
 {
     const uint32_t texture = texture_of(w, t);
+    const struct sim_material *material = &w->model->material[w->model->tri_material[t]];
     const enum sim_shader shader =
-        shader_of((enum sim_look)w->options->look, texture != SIM_NO_TEXTURE);
+        shader_of(w->options->by_material && material->unlit ? SIM_LOOK_UNLIT : (enum sim_look)w->options->look,
+                  texture != SIM_NO_TEXTURE);
     struct sim_paint paint = { .shader = shader, .texture = texture, .rgb = { 255, 255, 255 } };
+    paint.cull = (uint8_t)(material->two_sided && w->options->cull == ZS_CULL_BACK ? ZS_CULL_NONE : w->options->cull);
+    set_alpha(w, &paint, material);
     int triangle_whole = 1;
     if (!is_textured(shader))
         paint.rgb = color_of(w, t, shader, &triangle_whole);
@@ -462,7 +477,7 @@ static void sort_piece(struct work *w, struct sim_piece *p, const struct shape *
     memcpy(old_list, list, p->n_tris * sizeof *old_list);
     const struct sim_shape shape = { (const int32_t(*)[3])fine, (const uint32_t(*)[3])old,
                                      p->n_verts, p->n_tris };
-    p->cluster = sim_cluster(order, &p->n_clusters, &shape, w->options->cull == ZS_CULL_BACK);
+    p->cluster = sim_cluster(order, &p->n_clusters, &shape, s->group->paint.cull == ZS_CULL_BACK);
     if (w->options->bvh)
         p->bvh = sim_hierarchy(&p->n_nodes, order, p->cluster, p->n_clusters, &shape);
     for (uint32_t i = 0; i < p->n_tris; i++) {
@@ -650,6 +665,38 @@ static void measure_places(struct work *w)
     w->out->error_rms = sqrt(squared / w->model->n_points);
 }
 
+/* What of materials that faces have is not drawn. */
+static void count_losses(const struct work *w)
+{
+    const struct sim_model *model = w->model;
+    struct sim_lost *lost = w->out->lost;
+    uint8_t *seen = sim_alloc(model->n_materials, 1);
+    memcpy(lost, model->lost, sizeof w->out->lost);
+    for (uint32_t t = 0; t < model->n_tris; t++) {
+        const uint32_t n = model->tri_material[t];
+        const struct sim_material *m = &model->material[n];
+        const int before = seen[n];
+        seen[n] |= 1;
+        if (!(before & 2) && texture_of(w, t) != SIM_NO_TEXTURE &&
+            !(same_rgb(model->rgb[t][0], m->rgb) && same_rgb(model->rgb[t][1], m->rgb) &&
+              same_rgb(model->rgb[t][2], m->rgb))) {
+            sim_lose(lost, SIM_LOST_VERTEX_COLOR, m->name);
+            seen[n] |= 2;
+        }
+        if (before & 1)
+            continue;
+        if (m->two_sided && !m->unlit && w->options->look != SIM_LOOK_UNLIT && w->options->look != SIM_LOOK_RAW)
+            sim_lose(lost, SIM_LOST_TWO_SIDED, m->name);
+        if (m->alpha_mode != SIM_ALPHA_OPAQUE && w->options->opaque)
+            sim_lose(lost, SIM_LOST_OPACITY, m->name);
+        if (m->power > 0)
+            sim_lose(lost, SIM_LOST_SPECULAR, m->name);
+        if (m->emission.r > 0 || m->emission.g > 0 || m->emission.b > 0)
+            sim_lose(lost, SIM_LOST_EMISSION, m->name);
+    }
+    free(seen);
+}
+
 static size_t total(const struct sim_pieces *p, int fine)
 {
     struct sim_flash f;
@@ -695,6 +742,9 @@ int sim_pieces_make(struct sim_pieces *out, const struct sim_model *model,
         sim_pieces_free(&by_color);
     }
     free(w.place);
+    w.out = out;
+    if (status == SIM_OK)
+        count_losses(&w);
     if (status != SIM_OK)
         sim_pieces_free(out);
     return status;

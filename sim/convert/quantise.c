@@ -601,7 +601,7 @@ static void build_instances(struct sim_scene *s)
 }
 
 /* Palette and indices; pal4 takes two columns and more, a single one is stored as pal8. */
-static void build_indices(struct zs_texture *out, uint16_t palette[SIM_PALETTE_MAX],
+static void build_indices(struct zs_texture *out, uint16_t palette[2 * SIM_PALETTE_MAX],
                           const struct sim_pixels *from, enum sim_texel texel)
 {
     const size_t n = (size_t)from->w * from->h;
@@ -693,6 +693,7 @@ static int build_file(struct sim_scene *out, const struct sim_model *model, cons
     if (status != SIM_OK)
         return status;
     build_materials(out, model, o);
+    memcpy(out->lost, model->lost, sizeof out->lost);
     struct build b = { .scene = out, .model = model, .grid = &grid, .options = o, .scale = scale / 65536.0 };
     return build_parts(&b);
 }
@@ -742,6 +743,14 @@ uint8_t sim_scene_varyings(const struct zs_scene *scene)
     return most;
 }
 
+const struct zs_method *sim_scene_method(const struct zs_scene *scene)
+{
+    for (uint32_t i = 0; i < scene->n_instances; i++)
+        if (scene->instance[i].material->shader->layer)
+            return &zs_method_transparent;
+    return NULL;
+}
+
 void sim_scene_file_ids(uint32_t *id, size_t n, const struct sim_scene *scene)
 {
     for (size_t i = 0; scene->source != NULL && i < n; i++)
@@ -758,6 +767,6 @@ void sim_scene_free(struct sim_scene *scene)
     for (uint32_t i = 0; i < scene->n_textures; i++)
         free((void *)(uintptr_t)scene->texture[i].texel);
     SIM_FREE(scene->texture, scene->palette, scene->material, scene->part, scene->instance,
-             scene->source);
+             scene->source, scene->blend);
     memset(scene, 0, sizeof *scene);
 }

@@ -9,6 +9,8 @@
 #include <string.h>
 
 #include "sim.h"
+#include "zs_blend.h"
+#include "zs_filter.h"
 
 /* ---- Options --------------------------------------------------------------------------------- */
 
@@ -21,6 +23,16 @@ static const enum sim_look looks[] = {
     [SIM_SHADE_UNLIT] = SIM_LOOK_UNLIT,
     [SIM_SHADE_DEFAULT] = SIM_LOOK_DEFAULT,
 };
+
+/* Options that draw all of a model their own way, or need to know what hides what. */
+static int is_opaque(const struct sim_options *o)
+{
+    struct sim_effect_options e = o->effects;
+    e.samples = 1; /* these go with everything */
+    return o->opaque || o->mesh == SIM_MESH_FILE || o->shade == SIM_SHADE_ID || o->compare ||
+           o->reference || o->method != 0 || o->style != 0 || o->show != SIM_SHOW_FRAME ||
+           o->threads > 0 || sim_effects_any(&e);
+}
 
 void sim_scene_wish(struct sim_convert_options *c, const struct sim_options *o)
 {
@@ -36,6 +48,8 @@ void sim_scene_wish(struct sim_convert_options *c, const struct sim_options *o)
     c->precise = o->precise;
     c->color = o->color;
     c->has_color = o->has_color;
+    c->by_material = o->shade_chosen;
+    c->opaque = is_opaque(o);
     if (o->has_texel)
         c->texels = texels[o->texel];
     if (o->effects.filter == SIM_FILTER_MIPMAP)
@@ -49,6 +63,7 @@ int sim_scene_load(struct sim_model *model, struct sim_options *o)
     const int status = sim_convert_load(model, &wish);
     if (status != SIM_OK)
         return status;
+    o->shade_chosen = wish.by_material;
     for (int shade = 0; o->shade == SIM_SHADE_DEFAULT && shade < SIM_SHADE_DEFAULT; shade++)
         if (looks[shade] == (enum sim_look)wish.look)
             o->shade = (enum sim_shade)shade;
@@ -61,9 +76,11 @@ int sim_scene_load(struct sim_model *model, struct sim_options *o)
 
 static void take_texture(struct sim_scene *s, uint32_t i, struct sim_skin *skin)
 {
-    static const struct zs_texel *const formats[] = { [SIM_TEXELS_565] = &zs_texel_565,
-                                                      [SIM_TEXELS_PAL8] = &zs_texel_pal8,
-                                                      [SIM_TEXELS_PAL4] = &zs_texel_pal4 };
+    static const struct zs_texel *const formats[] = {
+        [SIM_TEXELS_565] = &zs_texel_565,     [SIM_TEXELS_PAL8] = &zs_texel_pal8,
+        [SIM_TEXELS_PAL4] = &zs_texel_pal4,   [SIM_TEXELS_4444] = &zs_texel_4444,
+        [SIM_TEXELS_PAL8A] = &zs_texel_pal8a, [SIM_TEXELS_PAL4A] = &zs_texel_pal4a
+    };
     memcpy(s->palette[i], skin->palette, sizeof s->palette[i]);
     s->texture[i] = (struct zs_texture){ .format = formats[skin->format],
                                          .texel = skin->texel != NULL ? (const void *)skin->texel
@@ -72,27 +89,28 @@ static void take_texture(struct sim_scene *s, uint32_t i, struct sim_skin *skin)
                                          .n_colors = (uint16_t)skin->n_colors,
                                          .log2_w = sim_texture_log2(skin->w),
                                          .log2_h = sim_texture_log2(skin->h),
-                                         .clamp = skin->clamp };
+                                         .clamp = skin->clamp,
+                                         .alpha_least = skin->alpha_least };
     s->psnr_db = fmin(s->psnr_db, skin->loss.psnr_db);
     skin->texel = NULL; /* the scene's now */
     skin->index = NULL;
 }
 
-static const struct zs_shader *shader_of(enum sim_shader shader)
+/* The same as shader_name of convert_write.c writes. */
+static const struct zs_shader *shader_of(const struct sim_paint *p)
 {
-    static const struct zs_shader *const of[] = {
-        [SIM_SHADER_RAW] = &zs_shade_raw,
-        [SIM_SHADER_FLAT] = &zs_shade_flat,
-        [SIM_SHADER_SMOOTH] = &zs_shade_smooth,
-        [SIM_SHADER_TEXTURE] = &zs_shade_texture,
-        [SIM_SHADER_TEXTURE_FLAT] = &zs_shade_texture_flat,
-        [SIM_SHADER_TEXTURE_SMOOTH] = &zs_shade_texture_smooth
+    static const struct zs_shader *const of[3][SIM_SHADER_TEXTURE_SMOOTH + 1] = {
+        [SIM_ALPHA_OPAQUE] = { &zs_shade_raw, &zs_shade_flat, &zs_shade_smooth, &zs_shade_texture,
+                               &zs_shade_texture_flat, &zs_shade_texture_smooth },
+        [SIM_ALPHA_MASK] = { NULL, NULL, NULL, &zs_shade_cutout, &zs_shade_cutout_flat,
+                             &zs_shade_cutout_smooth },
+        [SIM_ALPHA_BLEND] = { &zs_blend_raw, &zs_blend_flat, &zs_blend_smooth, &zs_blend_texture,
+                              &zs_blend_texture_flat, &zs_blend_texture_smooth },
     };
-    return of[shader];
+    return of[p->alpha_mode][p->shader];
 }
 
-static void take_materials(struct sim_scene *s, struct sim_converted *made,
-                           const struct sim_options *o)
+static void take_materials(struct sim_scene *s, struct sim_converted *made)
 {
     const struct sim_pieces *p = &made->pieces;
     s->n_textures = made->n_skins;
@@ -102,13 +120,17 @@ static void take_materials(struct sim_scene *s, struct sim_converted *made,
     for (uint32_t i = 0; i < s->n_textures; i++)
         take_texture(s, i, &made->skin[i]);
     s->material = sim_alloc(p->n_paints, sizeof *s->material);
-    for (uint32_t i = 0; i < p->n_paints; i++)
-        s->material[i] = (struct zs_material){ .shader = shader_of(p->paint[i].shader),
-                                               .rgb = p->paint[i].rgb,
-                                               .cull = (uint8_t)o->cull,
-                                               .texture = p->paint[i].texture != SIM_NO_TEXTURE
-                                                              ? &s->texture[p->paint[i].texture]
+    s->blend = sim_alloc(p->n_paints, sizeof *s->blend);
+    for (uint32_t i = 0; i < p->n_paints; i++) {
+        const struct sim_paint *paint = &p->paint[i];
+        s->material[i] = (struct zs_material){ .shader = shader_of(paint),
+                                               .rgb = paint->rgb,
+                                               .cull = paint->cull,
+                                               .texture = paint->texture != SIM_NO_TEXTURE
+                                                              ? &s->texture[paint->texture]
                                                               : NULL };
+        s->blend[i] = (struct zs_blend){ .material = s->material[i], .alpha = paint->alpha };
+    }
 }
 
 /* ---- Parts ----------------------------------------------------------------------------------- */
@@ -188,7 +210,8 @@ void sim_scene_parts(struct sim_scene *out, struct sim_converted *made, const st
     struct sim_converted_bytes bytes;
     sim_converted_bytes(&bytes, made);
     out->data_bytes = bytes.total;
-    take_materials(out, made, o);
+    take_materials(out, made);
+    memcpy(out->lost, p->lost, sizeof out->lost);
     out->part = sim_alloc(p->n_pieces, sizeof *out->part);
     out->n_parts = p->n_pieces;
     out->source = sim_alloc(p->n_tris, sizeof *out->source);
@@ -199,6 +222,8 @@ void sim_scene_parts(struct sim_scene *out, struct sim_converted *made, const st
     uint32_t at = 0;
     for (uint32_t i = 0; i < p->n_pieces; i++) {
         take_part(out, &out->part[i], &p->piece[i], o, made->steps.fine, scale);
+        if (p->paint[p->piece[i].paint].alpha_mode == SIM_ALPHA_BLEND)
+            out->part[i].material = &out->blend[p->piece[i].paint].material;
         memcpy(out->source + at, p->piece[i].source, p->piece[i].n_tris * sizeof *out->source);
         at += p->piece[i].n_tris;
     }

@@ -150,8 +150,10 @@ for kind in rgb rgb16 pal adam7; do
     same four kind
 done
 ./fixture png rgba rgba.png 2 2 ff000000 00ff0080 0000ffff ffffff01
-draw kind bare.obj $plain --shade unlit --texture rgba.png # alpha is dropped, nothing shows through
-same four kind
+z render bare.obj $plain --shade unlit --texture rgba.png --out out/kind.png # alpha is dropped, nothing shows through
+is "status" $status 0
+cmp -s out/four.png out/kind.png || wrong "alpha changes the frame"
+is "what is said" "$(cat stderr)" 'zsim: bare.obj: not carried over: alpha of a texture (1, "rgba.png")'
 for kind in gray gray16; do
     ./fixture png $kind "$kind.png" 2 2 000000 424242 828282 ffffff
     draw kind bare.obj $plain --shade unlit --texture "$kind.png"
