@@ -16,7 +16,7 @@
 #include "core/xform.h"
 #include "zs_shader.h"
 #include "core/cull.h"
-#include "quantise.h"
+#include "scene_parts.h"
 #include "record_sizes.h"
 #include "scenes.h"
 #include "sim.h"
@@ -47,23 +47,17 @@ static uint32_t texture_bytes(const struct zs_texture *t)
            (t->palette ? 2u * t->n_colors : 0u);
 }
 
-/* Arrays that its shader reads, as zsim convert writes them; all: every one that there is. */
-static uint32_t mesh_bytes(const struct zs_mesh *m, const struct zs_shader *s, int all)
+/* Every array that there is. */
+static uint32_t mesh_bytes(const struct zs_mesh *m)
 {
-    const int smooth = all || s == &zs_shade_smooth || s == &zs_shade_texture_smooth, raw = all || s == &zs_shade_raw;
-    const int flat = all || s == &zs_shade_flat || s == &zs_shade_texture_flat, color = all || s == &zs_shade_smooth;
-    const int uv = all || s->n_varyings == ZS_VARYINGS_TEXTURE || s == &zs_shade_texture_smooth;
-    const uint32_t v = 6u + (m->pos_lo ? 3u : 0u) + (m->normal && smooth ? 6u : 0u) + (m->vertex_rgb && color ? 3u :
-                                                                                       0u) +
-                       (m->uv && uv ? 4u : 0u);
-    const uint32_t t = 6u + (m->face_normal && flat ? 6u : 0u) + (m->face_rgb && (all || s == &zs_shade_flat) ? 3u :
-                                                                  0u) +
-                       (m->face_raw && raw ? 2u : 0u);
+    const uint32_t v = 6u + (m->pos_lo ? 3u : 0u) + (m->normal ? 6u : 0u) + (m->vertex_rgb ? 3u : 0u) +
+                       (m->uv ? 4u : 0u);
+    const uint32_t t = 6u + (m->face_normal ? 6u : 0u) + (m->face_rgb ? 3u : 0u) + (m->face_raw ? 2u : 0u);
     return RECORD_zs_mesh + v * m->n_verts + t * m->n_tris + (uint32_t)sizeof(struct zs_cluster) * m->n_clusters;
 }
 
 /* Each mesh and texture once. */
-static void add_data(struct budget *b, const struct zs_scene *scene, int all)
+static void add_data(struct budget *b, const struct zs_scene *scene)
 {
     for (uint32_t i = 0; i < scene->n_instances; i++) {
         const struct zs_instance *in = &scene->instance[i];
@@ -74,7 +68,7 @@ static void add_data(struct budget *b, const struct zs_scene *scene, int all)
             material &= scene->instance[k].material != in->material;
             texture &= scene->instance[k].material->texture != t;
         }
-        b->data += mesh ? mesh_bytes(in->mesh, in->material->shader, all) : 0u;
+        b->data += mesh ? mesh_bytes(in->mesh) : 0u;
         b->data += (material ? RECORD_zs_material : 0u) + (texture ? texture_bytes(t) : 0u);
         b->shades |= shade_bit(in->material->shader);
         b->states |= in->depth_state != NULL;
@@ -119,7 +113,7 @@ static int count_scene(struct budget *b, const struct budget_request *rq, const 
     if (err)
         why = err == SIM_FRAME_BROKEN ? "its frame could not be counted" : zs_error_string(err);
     b->n_instances = scene->n_instances;
-    add_data(b, scene, rq->scene != NULL);
+    add_data(b, scene);
     return why ? sim_refuse(name, 0, "%s", why) : SIM_OK;
 }
 
@@ -164,29 +158,41 @@ static int of_demo(struct budget *b, const struct budget_request *rq)
     return sim_refuse(NULL, 0, "--scene %s: there is no such scene; there are %s", rq->scene, names);
 }
 
+/* Is there a shader that costs.h does not know? */
+static int has_alpha(const struct zs_scene *scene)
+{
+    for (uint32_t i = 0; i < scene->n_instances; i++)
+        if (shade_bit(scene->instance[i].material->shader) == 0)
+            return 1;
+    return 0;
+}
+
+/* Its bytes are those of its materials; transparent ones are counted as if they were opaque. */
 static int of_model(struct budget *b, const struct budget_request *rq)
 {
-    static const uint8_t attrs[] = { [SIM_SHADE_ID] = ZS_VARYINGS_FLAT, [SIM_SHADE_FLAT] = ZS_VARYINGS_FLAT,
-                                     [SIM_SHADE_SMOOTH] = ZS_VARYINGS_SMOOTH, [SIM_SHADE_TEXTURED] =
-                                         ZS_VARYINGS_TEXTURE_SMOOTH,
-                                     [SIM_SHADE_TEXTURED_FLAT] = ZS_VARYINGS_TEXTURE, [SIM_SHADE_UNLIT] =
-                                         ZS_VARYINGS_TEXTURE };
-    const struct sim_options *o = &rq->o;
-    const struct sim_want want = { .normals = sim_options_smooth(o), .textures = sim_options_textured(o), .picture =
-        o->texture };
-    struct sim_model model = { 0 };
+    struct sim_options o = rq->o;
+    struct sim_model model;
     struct sim_view view;
     struct sim_scene scene = { 0 };
-    int status = sim_model_load(&model, o->model, &want);
+    int status = sim_scene_load(&model, &o);
     if (status == SIM_OK)
-        status = sim_view_plan(&view, o, &model);
+        status = sim_view_plan(&view, &o, &model);
     if (status == SIM_OK)
-        status = sim_scene_build(&scene, &model, &view, o);
+        status = sim_scene_build(&scene, &model, &view, &o);
+    const uint32_t data = (uint32_t)scene.data_bytes;
+    if (status == SIM_OK && has_alpha(&scene.scene)) {
+        (void)fprintf(stderr, "%s: %s: time and code of its transparent materials are those of opaque ones\n", sim_program,
+                      o.model);
+        o.opaque = 1;
+        sim_scene_free(&scene);
+        status = sim_scene_build(&scene, &model, &view, &o);
+    }
     if (status == SIM_OK) {
-        set_config(b, rq, (uint16_t)o->size[0], (uint16_t)o->size[1], attrs[o->shade], mapping(rq));
+        set_config(b, rq, (uint16_t)o.size[0], (uint16_t)o.size[1], sim_scene_varyings(&scene.scene), mapping(rq));
         if (view.orthographic)
             b->config.depth = &zs_depth_linear;
-        status = count_scene(b, rq, o->model, &scene.scene, &scene.camera);
+        status = count_scene(b, rq, o.model, &scene.scene, &scene.camera);
+        b->data = data;
     }
     sim_scene_free(&scene);
     sim_model_free(&model);
@@ -196,12 +202,17 @@ static int of_model(struct budget *b, const struct budget_request *rq)
 /* ---- Numbers
  * ------------------------------------------------------------------------------------------------------------ */
 
+static enum sim_shade shade_of(const struct budget_request *rq)
+{
+    return rq->o.shade == SIM_SHADE_DEFAULT ? SIM_SHADE_FLAT : rq->o.shade;
+}
+
 /* Counts of a scene of which only numbers are known: triangles of one size all over what is covered, half as high again
  * as wide at worst, in no order; most of them as near to affine as such triangles are. */
 static void guess(struct budget *b, const struct budget_request *rq)
 {
     const struct zs_config *c = &b->config;
-    const enum sim_shade shade = rq->o.shade;
+    const enum sim_shade shade = shade_of(rq);
     const int solid = shade == SIM_SHADE_ID || shade == SIM_SHADE_FLAT, smooth = shade == SIM_SHADE_SMOOTH;
     const int linear = c->depth == &zs_depth_linear;
     const double tris = c->max_tris, all = (double)rq->scene_tris, verts = (double)rq->scene_verts;
@@ -302,7 +313,7 @@ static int of_numbers(struct budget *b, const struct budget_request *rq)
                [SIM_SHADE_TEXTURED] = { ZS_VARYINGS_TEXTURE_SMOOTH, 32 },
                [SIM_SHADE_TEXTURED_FLAT] = { ZS_VARYINGS_TEXTURE, 16 },
                [SIM_SHADE_UNLIT] = { ZS_VARYINGS_TEXTURE, 8 } };
-    const enum sim_shade shade = rq->o.shade;
+    const enum sim_shade shade = shade_of(rq);
     const uint32_t v = 6u + (sim_options_smooth(&rq->o) ? 6u : 0u) + (sim_options_textured(&rq->o) ? 4u : 0u);
     const uint32_t t = 6u + (shade == SIM_SHADE_FLAT || shade == SIM_SHADE_TEXTURED_FLAT ? 6u : 0u);
     set_config(b, rq, (uint16_t)rq->o.size[0], (uint16_t)rq->o.size[1], of[shade].attrs, mapping(rq));

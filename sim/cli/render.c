@@ -21,7 +21,7 @@
 #include "model_reference.h"
 #include "output_file.h"
 #include "panel_frame.h"
-#include "quantise.h"
+#include "scene_parts.h"
 #include "false_colors.h"
 #include "sim.h"
 #include "stats.h"
@@ -82,18 +82,12 @@ static void set_config(struct job *job)
     struct zs_config *c = &job->config;
     const uint64_t n = job->model.n_tris;
     const int clips = may_clip(&job->view, &job->model);
-    static const struct {
-        uint8_t attrs[SIM_SHADE_UNLIT + 1];
-        const struct zs_depth *depth[SIM_DEPTH_E5M11 + 1];
-    } of = {
-        { [SIM_SHADE_ID] = ZS_VARYINGS_FLAT, [SIM_SHADE_FLAT] = ZS_VARYINGS_FLAT,
-          [SIM_SHADE_SMOOTH] = ZS_VARYINGS_SMOOTH, [SIM_SHADE_TEXTURED] = ZS_VARYINGS_TEXTURE_SMOOTH,
-          [SIM_SHADE_TEXTURED_FLAT] = ZS_VARYINGS_TEXTURE, [SIM_SHADE_UNLIT] = ZS_VARYINGS_TEXTURE },
-        { [SIM_DEPTH_RECIP] = &zs_depth_recip, [SIM_DEPTH_LINEAR] = &zs_depth_linear,
-          [SIM_DEPTH_E3M13] = &zs_depth_e3m13, [SIM_DEPTH_E4M12] = &zs_depth_e4m12,
-          [SIM_DEPTH_E5M11] = &zs_depth_e5m11 },
+    static const struct zs_depth *const depths[SIM_DEPTH_E5M11 + 1] = {
+        [SIM_DEPTH_RECIP] = &zs_depth_recip, [SIM_DEPTH_LINEAR] = &zs_depth_linear,
+        [SIM_DEPTH_E3M13] = &zs_depth_e3m13, [SIM_DEPTH_E4M12] = &zs_depth_e4m12,
+        [SIM_DEPTH_E5M11] = &zs_depth_e5m11
     };
-    sim_frame_config(c, (uint16_t)o->size[0], (uint16_t)o->size[1], of.attrs[o->shade]);
+    sim_frame_config(c, (uint16_t)o->size[0], (uint16_t)o->size[1], sim_scene_varyings(&job->scene.scene));
     c->strip_h = (uint16_t)(o->strip < o->size[1] ? o->strip : o->size[1]);
     c->max_tris = pool_size(o->tris, clips ? n * PIECES : n, 1);
     c->max_verts = pool_size(o->verts, job->scene.n_verts + (clips ? n * NEW_VERTS : 0), 3);
@@ -101,8 +95,13 @@ static void set_config(struct job *job)
     c->subpixel_bits = (uint8_t)o->subpixel;
     c->depth_bits = (uint8_t)o->depth_bits;
     c->fast = o->fast.list;
-    c->depth = of.depth[sim_depth_of(o, &job->view)];
+    c->depth = depths[sim_depth_of(o, &job->view)];
     sim_method_apply(c, &sim_methods[o->method]);
+    if (sim_scene_method(&job->scene.scene) != NULL) {
+        c->method = sim_scene_method(&job->scene.scene);
+        c->max_tris = c->max_tris < 2 ? 2 : c->max_tris; /* its least pools */
+        c->max_verts = c->max_verts < 6 ? 6 : c->max_verts;
+    }
     if (o->style == SIM_STYLE_SOLID)
         return;
     /* a line or point is two triangles and four vertices; clipped, up to eight triangles of their own vertices */
@@ -190,6 +189,7 @@ static int draw_frame(struct job *job)
     if (o->id_out != NULL || o->compare || job->frame.no_keys) {
         job->id = sim_alloc(pixels, sizeof *job->id);
         err = sim_frame_ids(job->id, &job->scene.scene, &job->scene.camera, &job->config);
+        sim_scene_file_ids(job->id, pixels, &job->scene);
         if (err == ZS_OK && job->frame.no_keys)
             sim_frame_cover(&job->frame, job->id);
     }
@@ -203,33 +203,10 @@ static int draw_frame(struct job *job)
     return err == ZS_OK ? SIM_OK : refuse_frame(job, err);
 }
 
-static int load(struct job *job)
-{
-    const struct sim_options *o = &job->options;
-    const struct sim_want want = { .normals = sim_options_smooth(o),
-                                   .textures = sim_options_textured(o),
-                                   .picture = o->texture,
-                                   .wrap = !o->has_wrap ? SIM_WRAP_FILE
-                                           : o->clamp   ? SIM_WRAP_CLAMP
-                                                        : SIM_WRAP_REPEAT,
-                                   .color = o->has_color ? &o->color : NULL };
-    const int status = sim_model_load(&job->model, o->model, &want);
-    if (status != SIM_OK || !want.textures || job->model.n_textures > 0)
-        return status;
-    if (job->model.lost_materials != NULL)
-        return sim_refuse(o->model, 0,
-                          "no textures: its material file %s cannot be read; put it beside the "
-                          "model, or name a picture by --texture",
-                          job->model.lost_materials);
-    return sim_refuse(o->model, 0,
-                      "no face of it has a texture and coordinates for it; name a picture by "
-                      "--texture, or draw it with --shade smooth");
-}
-
 static int draw(struct job *job)
 {
     const struct sim_options *o = &job->options;
-    int status = load(job);
+    int status = sim_scene_load(&job->model, &job->options);
     if (status == SIM_OK)
         status = sim_view_plan(&job->view, o, &job->model);
     if (status == SIM_OK && !o->reference)
@@ -506,6 +483,13 @@ int sim_render_model(struct sim_picture *seen, const struct sim_model *model, co
     return status;
 }
 
+static void say_losses(const struct job *job)
+{
+    char lead[4200];
+    (void)snprintf(lead, sizeof lead, "%s: %s: ", sim_program, job->options.model);
+    sim_losses_print(stderr, lead, job->options.reference ? job->model.lost : job->scene.lost);
+}
+
 int sim_render(int argc, char **argv)
 {
     struct job *job = sim_alloc(1, sizeof *job);
@@ -519,6 +503,8 @@ int sim_render(int argc, char **argv)
             status = draw(job);
         if (status == SIM_OK)
             status = write_files(job);
+        if (status == SIM_OK)
+            say_losses(job);
         if (status == SIM_OK && job->options.compare)
             print_diff(&job->diff);
     }

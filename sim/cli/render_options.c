@@ -74,7 +74,12 @@ static const struct sim_option table[] = {
     { "--shade", SIM_OPTION_CHOICE, AT(shade), .words = "id|flat|smooth|textured|textured-flat|unlit",
       .help = "id: a colour for each triangle's number, flat: light of its face, smooth: of its vertices, textured: "
               "texels times smooth light, textured-flat: times a face's, unlit: texels alone; of these, faces without "
-              "a texture are smooth, flat, raw (flat)" },
+              "a texture are smooth, flat, raw (as zsim convert: textured if the model has a texture, else smooth if "
+              "the file has normals, else flat)" },
+    { "--mesh", SIM_OPTION_CHOICE, AT(mesh), .words = "convert|file",
+      .help = "convert: the mesh that zsim convert writes, which firmware draws; file: faces as the file has them, in "
+              "its order, on a grid of 24 bits, to measure the renderer by itself (convert)" },
+    { "--precise", SIM_OPTION_FLAG, AT(precise), .help = "24 bits a coordinate instead of 16, as of zsim convert" },
     { "--style", SIM_OPTION_CHOICE, AT(style), .words = SIM_STYLE_WORDS,
       .help = "solid: its faces; or wire: the model's edges alone, hidden-line: those that its faces do not hide, "
               "points: its vertices, in white or the --color (solid)" },
@@ -82,8 +87,9 @@ static const struct sim_option table[] = {
     { "--texture", SIM_OPTION_FILE, AT(texture), .value = "T.png",
       .help = "one picture (PNG or JPEG) for all faces in place of the model's own. A side that is no power of two up "
               "to 1024 becomes the nearest one by averaging areas (texture_resampled of --stats); alpha is dropped" },
-    { "--texture-format", SIM_OPTION_CHOICE, AT(texel), .words = "565|pal8|pal4",
-      .help = "how texels are stored: RGB565, or 256 or 16 colours of it (565)" },
+    { "--texture-format", SIM_OPTION_CHOICE, AT(texel), AT(has_texel), .words = "565|pal8|pal4",
+      .help = "how texels are stored: RGB565, or 256 or 16 colours of it (as zsim convert: the smallest that is good "
+              "enough; with --mesh file 565)" },
     { "--wrap", SIM_OPTION_CHOICE, AT(clamp), AT(has_wrap), .words = "repeat|clamp",
       .help = "beyond the picture's border (as the model says, else repeat)" },
     { "--cull", SIM_OPTION_CHOICE, AT(cull), .words = "back|front|none",
@@ -146,7 +152,7 @@ static int check_rest(const struct sim_options *o)
                           : o->depth == SIM_DEPTH_E4M12 ? "e4m12"
                           : o->depth == SIM_DEPTH_E5M11 ? "e5m11"
                                                         : "float");
-    if (o->texture != NULL && !sim_options_textured(o))
+    if (o->texture != NULL && !sim_options_textured(o) && o->shade != SIM_SHADE_DEFAULT)
         return sim_refuse(file, 0,
                           "--texture %s is not drawn without --shade textured, textured-flat or "
                           "unlit",
@@ -173,7 +179,7 @@ static int check_panel(struct sim_options *o)
 
 int sim_options_textured(const struct sim_options *o)
 {
-    return o->shade >= SIM_SHADE_TEXTURED;
+    return o->shade >= SIM_SHADE_TEXTURED && o->shade <= SIM_SHADE_UNLIT;
 }
 
 int sim_options_smooth(const struct sim_options *o)
@@ -193,7 +199,7 @@ void sim_options_defaults(struct sim_options *o)
     o->fov = 45.0;
     o->ambient = 0.25;
     o->diffuse = 0.75;
-    o->shade = SIM_SHADE_FLAT;
+    o->shade = SIM_SHADE_DEFAULT;
     o->depth = SIM_DEPTH_DEFAULT;
     o->subpixel = 8;
     sim_effects_defaults(&o->effects);
@@ -242,7 +248,7 @@ static int check_effects(const struct sim_options *o)
         return sim_refuse(o->model, 0, "--samples 4: the frame may be at most %d px wide and high", ZS_SIZE_MAX / 2);
     if (e->n_lights > 0 && o->has_light)
         return sim_usage("--light x,y,z is the only light: write it as dir:x,y,z beside others");
-    if (lit && o->shade != SIM_SHADE_FLAT && o->shade != SIM_SHADE_SMOOTH)
+    if (lit && o->shade != SIM_SHADE_FLAT && o->shade != SIM_SHADE_SMOOTH && o->shade != SIM_SHADE_DEFAULT)
         return sim_usage("--light TYPE:..., --specular and --per-pixel need --shade flat or smooth");
     if ((e->per_pixel || e->specular_text != NULL) && o->shade != SIM_SHADE_SMOOTH)
         return sim_usage("--specular and --per-pixel need --shade smooth");
@@ -264,7 +270,7 @@ static int check_effects(const struct sim_options *o)
         return sim_usage("--mirror leaves no keys that --fog could go by: leave one out");
     if (e->mirror && e->has_alpha && e->blend != SIM_BLEND_SCREEN_DOOR)
         return sim_usage("--mirror covers transparent faces before it, which write no keys: leave one out");
-    if (e->filter == SIM_FILTER_MIPMAP && o->texel != SIM_TEXEL_565)
+    if (e->filter == SIM_FILTER_MIPMAP && o->has_texel && o->texel != SIM_TEXEL_565)
         return sim_usage("--filter mipmap makes its levels in --texture-format 565: leave the other one out");
     if (e->has_blend && !e->has_alpha)
         return sim_usage("--blend needs --alpha, which says how much");

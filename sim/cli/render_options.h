@@ -17,7 +17,8 @@ enum sim_shade {
     SIM_SHADE_SMOOTH,
     SIM_SHADE_TEXTURED,      /* texels times smooth light; faces without a texture: smooth */
     SIM_SHADE_TEXTURED_FLAT, /* texels times flat light; others: flat */
-    SIM_SHADE_UNLIT          /* texels; others: their colour */
+    SIM_SHADE_UNLIT,         /* texels; others: their colour */
+    SIM_SHADE_DEFAULT        /* textured, smooth or flat, by what the file holds: sim_scene_load chooses */
 };
 enum sim_depth {
     SIM_DEPTH_RECIP,
@@ -27,6 +28,10 @@ enum sim_depth {
     SIM_DEPTH_E5M11,
     SIM_DEPTH_FLOAT,  /* the one of the three that far / near asks for: see sim_depth_of */
     SIM_DEPTH_DEFAULT /* float; orthographic: linear */
+};
+enum sim_mesh {
+    SIM_MESH_CONVERT, /* as `zsim convert` writes it */
+    SIM_MESH_FILE     /* as the file has it, on a grid of 24 bits */
 };
 enum sim_texel { SIM_TEXEL_565, SIM_TEXEL_PAL8, SIM_TEXEL_PAL4 };
 
@@ -46,17 +51,22 @@ struct sim_options {
     enum zs_projection projection;
     enum sim_depth depth;
     enum sim_shade shade;
+    enum sim_mesh mesh;
     enum zs_cull cull;
     enum sim_show show;
     int method;             /* of sim_methods */
     int style;              /* enum sim_style */
     long line_width;        /* px, of lines and points */
     const char *texture;    /* a file for all faces; NULL: the model's own */
-    enum sim_texel texel;   /* how textures are stored */
+    enum sim_texel texel;   /* how textures are stored; without has_texel the smallest that is good enough */
     int clamp;              /* with has_wrap: 1 clamp, 0 repeat, both ways */
     struct zs_rgb background, color;
-    int has_eye, has_at, has_near, has_far, has_light, has_color, has_wrap; /* flags */
-    int reference, compare, explain, help;                        /* flags */
+    int has_eye, has_at, has_near, has_far, has_light, has_color, has_wrap,
+        has_texel; /* flags */
+    int precise;                          /* flag: 24 bits a coordinate */
+    int opaque;                           /* flag: alpha does nothing */
+    int shade_chosen;                     /* flag: shade is what sim_scene_load chose */
+    int reference, compare, explain, help;                         /* flags */
     struct sim_panel_wish panel; /* size is its picture's, where it has a name */
     long threads;                /* 0: not given */
     long spi_hz;                 /* of its wire */
@@ -69,7 +79,7 @@ struct sim_options {
  * counts. */
 int sim_options_parse(struct sim_options *o, int argc, char **argv);
 
-/* What they are where nothing is said: no model, 240x240, flat. */
+/* What they are where nothing is said: no model, 240x240. */
 void sim_options_defaults(struct sim_options *o);
 
 /* Do these options ask for textures; for normals at the vertices? */

@@ -13,6 +13,8 @@
 
 const char *sim_program = "zsim";
 
+int sim_quiet;
+
 static int progress_shown;
 
 /* One line: what would break it becomes a question mark. */
@@ -29,6 +31,8 @@ static void print_line(char *text)
 int sim_refuse(const char *file, unsigned long line, const char *format, ...)
 {
     char text[6144];
+    if (sim_quiet > 0)
+        return SIM_REFUSED;
     int n = snprintf(text, 64, "%s: ", sim_program);
     if (file != NULL && line != 0)
         n += snprintf(text + n, 4200, "%s:%lu: ", file, line);
@@ -61,6 +65,7 @@ void *sim_grow(void *block, size_t n, size_t size)
 {
     void *p = size != 0 && n > SIZE_MAX / size ? NULL : realloc(block, n * size + 1);
     if (p == NULL) {
+        sim_quiet = 0;
         (void)sim_refuse(NULL, 0, "out of memory: %zu x %zu bytes more were needed", n, size);
         exit(SIM_REFUSED);
     }

@@ -17,6 +17,9 @@ enum sim_status {
 /* The program's name in its messages: "zsim" where this is not set. Borrowed. */
 extern const char *sim_program;
 
+/* Above 0: sim_refuse prints nothing, for what is tried and may fail. */
+extern int sim_quiet;
+
 /* Print "zsim: FILE:LINE: ..." to stderr, one line whatever the names and values hold. file NULL
  * and line 0 are left out. Return SIM_REFUSED. */
 int sim_refuse(const char *file, unsigned long line, const char *format, ...)

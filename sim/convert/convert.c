@@ -33,16 +33,6 @@ static int is_picture(const char *file)
            (memcmp(head, png, sizeof png) == 0 || memcmp(head, jpeg, sizeof jpeg) == 0);
 }
 
-static int make_skin(struct sim_conversion *c, const struct sim_texture *texture)
-{
-    c->skin = sim_grow(c->skin, (size_t)c->n_skins + 1, sizeof *c->skin);
-    c->skin_name = sim_grow(c->skin_name, (size_t)c->n_skins + 1, sizeof *c->skin_name);
-    c->skin_name[c->n_skins] = texture->name;
-    const int status = sim_skin_make(&c->skin[c->n_skins], texture, c->options.input, &c->options);
-    c->n_skins += status == SIM_OK;
-    return status;
-}
-
 /* A picture becomes a model's only texture, without the model. */
 static int read_picture(struct sim_conversion *c)
 {
@@ -58,70 +48,18 @@ static int read_picture(struct sim_conversion *c)
     c->model.n_textures = 1;
     sim_texture_make(&c->model.texture[0], &image, o->input, NULL);
     c->model.texture[0].clamp = o->wrap == SIM_WRAP_CLAMP ? ZS_CLAMP_U | ZS_CLAMP_V : 0;
-    return make_skin(c, &c->model.texture[0]);
+    c->made.skin = sim_alloc(1, sizeof *c->made.skin);
+    const int made = sim_skin_make(&c->made.skin[0], &c->model.texture[0], o->input, o);
+    c->made.n_skins = made == SIM_OK;
+    return made;
 }
 
-/* A look that was asked for, and is not there. */
-static int refuse_untextured(const struct sim_conversion *c)
+static int read_model(struct sim_conversion *c)
 {
-    const char *file = c->options.input;
-    if (c->model.lost_materials != NULL)
-        return sim_refuse(file, 0,
-                          "no textures: its material file %s cannot be read; put it beside the "
-                          "model, or name a picture by --texture",
-                          c->model.lost_materials);
-    return sim_refuse(file, 0,
-                      "no face of it has a texture and coordinates for it; name a picture by "
-                      "--texture, or give --shade smooth, flat or raw");
+    const int status = sim_convert_load(&c->model, &c->options);
+    return status == SIM_OK ? sim_converted_make(&c->made, &c->model, &c->options) : status;
 }
 
-/* Without a word from the user, --color makes textures unwanted. */
-static int load(struct sim_conversion *c)
-{
-    struct sim_convert_options *o = &c->options;
-    const int asked = o->look == SIM_LOOK_TEXTURED || o->look == SIM_LOOK_TEXTURED_FLAT ||
-                      o->look == SIM_LOOK_UNLIT || o->texture != NULL;
-    const int free_choice = o->look == SIM_LOOK_DEFAULT;
-    const struct sim_want want = { .normals = 1,
-                                   .textures = asked || (free_choice && !o->has_color),
-                                   .picture = o->texture,
-                                   .wrap = (enum sim_wrap)o->wrap,
-                                   .color = o->has_color ? &o->color : NULL };
-    if (o->texture != NULL && (o->look == SIM_LOOK_FLAT || o->look == SIM_LOOK_SMOOTH ||
-                               o->look == SIM_LOOK_RAW))
-        return sim_refuse(o->input, 0, "--texture needs --shade textured, textured-flat or unlit");
-    const int status = sim_model_load(&c->model, o->input, &want);
-    if (status != SIM_OK)
-        return status;
-    if (asked && c->model.n_textures == 0)
-        return refuse_untextured(c);
-    if (free_choice)
-        o->look = c->model.n_textures > 0 ? SIM_LOOK_TEXTURED
-                  : c->model.file_normals ? SIM_LOOK_SMOOTH
-                                          : SIM_LOOK_FLAT;
-    return SIM_OK;
-}
-
-/* ---- Converting ------------------------------------------------------------------------------ */
-
-static int convert_model(struct sim_conversion *c)
-{
-    const struct sim_convert_options *o = &c->options;
-    const struct sim_steps_want want = { o->unit, o->keep_origin, o->precise };
-    int status = load(c);
-    if (status == SIM_OK)
-        status = sim_steps_choose(&c->steps, &c->model, &want);
-    if (status != SIM_OK)
-        return status;
-    uint32_t(*size)[2] = sim_alloc(c->model.n_textures, sizeof *size);
-    for (uint32_t i = 0; i < c->model.n_textures; i++)
-        sim_skin_size(size[i], &c->model.texture[i], o->texture_size);
-    status = sim_pieces_make(&c->pieces, &c->model, &c->steps, o, (const uint32_t(*)[2])size);
-    free(size);
-    for (uint32_t i = 0; status == SIM_OK && i < c->model.n_textures; i++)
-        status = make_skin(c, &c->model.texture[i]);
-    return status;
-}
 
 /* ---- Files ----------------------------------------------------------------------------------- */
 
@@ -207,7 +145,7 @@ int sim_convert(int argc, char **argv)
     if (status == SIM_OK && c->options.help) {
         sim_convert_help();
     } else if (status == SIM_OK) {
-        status = is_picture(c->options.input) ? read_picture(c) : convert_model(c);
+        status = is_picture(c->options.input) ? read_picture(c) : read_model(c);
         if (status == SIM_OK)
             status = write_all(c);
         sim_progress_end();
@@ -217,11 +155,7 @@ int sim_convert(int argc, char **argv)
             sim_convert_figures(stdout, c, "  ");
         }
     }
-    for (uint32_t i = 0; i < c->n_skins; i++)
-        sim_skin_free(&c->skin[i]);
-    free(c->skin);
-    free(c->skin_name);
-    sim_pieces_free(&c->pieces);
+    sim_converted_free(&c->made);
     sim_model_free(&c->model);
     free(c->options.command);
     free(c);

@@ -8,19 +8,13 @@
 #include <stdio.h>
 
 #include "convert_options.h"
-#include "mesh_pieces.h"
-#include "texel_pack.h"
-#include "grid_step.h"
+#include "converted.h"
 
 /* All that is written. Of a picture: textures alone. */
 struct sim_conversion {
     struct sim_convert_options options;
     struct sim_model model;
-    struct sim_steps steps;
-    struct sim_pieces pieces;
-    struct sim_skin *skin;  /* [n_skins] */
-    const char **skin_name; /* [n_skins], borrowed: the pictures' names */
-    uint32_t n_skins;
+    struct sim_converted made;
 };
 
 /* argv: the arguments after "convert". Return an enum sim_status. */

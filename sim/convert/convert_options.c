@@ -11,6 +11,7 @@
 #include <string.h>
 #include <strings.h>
 
+#include "converted.h"
 #include "option_help.h"
 #include "option_table.h"
 #include "sim.h"
@@ -322,7 +323,7 @@ int sim_convert_parse(struct sim_convert_options *o, int argc, char **argv)
 {
     static const char form[] = "zsim convert MODEL --name NAME --out DIR";
     char *said = NULL;
-    *o = (struct sim_convert_options){ .look = SIM_LOOK_DEFAULT, .texture_size = { 256, 256 } };
+    sim_convert_defaults(o);
     const int status = take_arguments(o, &said, argc, argv);
     if (status == SIM_OK && o->input != NULL) {
         say(&o->command, "zsim");

@@ -19,7 +19,16 @@ enum sim_look {
     SIM_LOOK_DEFAULT /* textured, smooth or flat, by what the file holds */
 };
 
-enum sim_texels { SIM_TEXELS_AUTO, SIM_TEXELS_565, SIM_TEXELS_PAL8, SIM_TEXELS_PAL4 };
+enum sim_texels {
+    SIM_TEXELS_AUTO,
+    SIM_TEXELS_565,
+    SIM_TEXELS_PAL8,
+    SIM_TEXELS_PAL4,
+    /* With alpha; no options: a texture whose alpha counts gets one in place of those above. */
+    SIM_TEXELS_4444,
+    SIM_TEXELS_PAL8A,
+    SIM_TEXELS_PAL4A
+};
 
 /* Strings point into argv. */
 struct sim_convert_options {
@@ -30,6 +39,8 @@ struct sim_convert_options {
     int no_face_normals, precise, dither, mipmap, bvh, help; /* flags */
     long texture_size[2];                       /* texels, most: powers of two */
     struct zs_rgb color;
+    int opaque;               /* flag: no material is transparent, and alpha of texels does nothing */
+    int by_material;          /* flag: unlit materials get a shader of their own */
     int has_color, has_unit;  /* flags */
     int for_models;           /* flag: an option that pictures have no use for was given */
     const char *model_option; /* that option, for messages */

@@ -20,12 +20,6 @@
 
 #define COLUMNS 100
 
-/* Structs on a 32-bit machine, bytes. */
-#define MESH_BYTES 72u
-#define MATERIAL_BYTES 16u
-#define TEXTURE_BYTES 20u
-#define INSTANCE_BYTES 64u
-
 /* ---- Words ----------------------------------------------------------------------------------- */
 
 /* The shortest decimal that reads back as the same double. */
@@ -218,12 +212,43 @@ static void piece_arrays(FILE *f, const char *name, uint32_t part, const struct 
 
 /* ---- Objects --------------------------------------------------------------------------------- */
 
-static const char *shader_name(enum sim_shader shader)
+static const char *shader_name(const struct sim_paint *p)
 {
-    static const char *const names[] = { "zs_shade_raw",          "zs_shade_flat",
-                                         "zs_shade_smooth",       "zs_shade_texture",
-                                         "zs_shade_texture_flat", "zs_shade_texture_smooth" };
-    return names[shader];
+    static const char *const names[3][SIM_SHADER_TEXTURE_SMOOTH + 1] = {
+        [SIM_ALPHA_OPAQUE] = { "zs_shade_raw", "zs_shade_flat", "zs_shade_smooth", "zs_shade_texture",
+                               "zs_shade_texture_flat", "zs_shade_texture_smooth" },
+        [SIM_ALPHA_MASK] = { "", "", "", "zs_shade_cutout", "zs_shade_cutout_flat", "zs_shade_cutout_smooth" },
+        [SIM_ALPHA_BLEND] = { "zs_blend_raw", "zs_blend_flat", "zs_blend_smooth", "zs_blend_texture",
+                              "zs_blend_texture_flat", "zs_blend_texture_smooth" },
+    };
+    return names[p->alpha_mode][p->shader];
+}
+
+/* Paints of struct zs_blend, or of struct zs_material. */
+static uint32_t count_paints(const struct sim_pieces *p, int blended)
+{
+    uint32_t n = 0;
+    for (uint32_t i = 0; i < p->n_paints; i++)
+        n += (p->paint[i].alpha_mode == SIM_ALPHA_BLEND) == blended;
+    return n;
+}
+
+/* The place of a paint among those of its kind. */
+static uint32_t place_of(const struct sim_pieces *p, uint32_t paint)
+{
+    uint32_t n = 0;
+    for (uint32_t i = 0; i < paint; i++)
+        n += (p->paint[i].alpha_mode == SIM_ALPHA_BLEND) == (p->paint[paint].alpha_mode == SIM_ALPHA_BLEND);
+    return n;
+}
+
+/* Does a texture have alpha? */
+static int has_alpha(const struct sim_conversion *c)
+{
+    int yes = 0;
+    for (uint32_t i = 0; i < c->made.n_skins; i++)
+        yes |= c->made.skin[i].format >= SIM_TEXELS_4444;
+    return yes;
 }
 
 static const char *attrs_name(const struct sim_pieces *p)
@@ -262,7 +287,10 @@ static void accelerators(FILE *f, const struct sim_conversion *c)
 
 static const char *format_name(enum sim_texels format)
 {
-    return format == SIM_TEXELS_565 ? "565" : format == SIM_TEXELS_PAL8 ? "pal8" : "pal4";
+    static const char *const names[] = { [SIM_TEXELS_565] = "565",     [SIM_TEXELS_PAL8] = "pal8",
+                                         [SIM_TEXELS_PAL4] = "pal4",   [SIM_TEXELS_4444] = "4444",
+                                         [SIM_TEXELS_PAL8A] = "pal8a", [SIM_TEXELS_PAL4A] = "pal4a" };
+    return names[format];
 }
 
 /* ", .what = NAME_what_part", or nothing */
@@ -297,13 +325,16 @@ static void mesh_object(FILE *f, const char *name, uint32_t part, const struct s
     (void)fputs(" },\n", f);
 }
 
-static void material_object(FILE *f, const char *name, const struct sim_paint *p, int cull)
+static void material_object(FILE *f, const char *name, const struct sim_paint *p)
 {
     static const char *const culls[] = { "ZS_CULL_BACK", "ZS_CULL_FRONT", "ZS_CULL_NONE" };
-    (void)fprintf(f, "    { .shader = &%s, .rgb = { %d, %d, %d }, .cull = %s", shader_name(p->shader),
-                  p->rgb.r, p->rgb.g, p->rgb.b, culls[cull]);
+    const int blended = p->alpha_mode == SIM_ALPHA_BLEND;
+    (void)fprintf(f, "    %s{ .shader = &%s, .rgb = { %d, %d, %d }, .cull = %s", blended ? "{ .material = " : "",
+                  shader_name(p), p->rgb.r, p->rgb.g, p->rgb.b, culls[p->cull]);
     if (p->texture != SIM_NO_TEXTURE)
         (void)fprintf(f, ", .texture = &%s_texture[%" PRIu32 "]", name, p->texture);
+    if (blended)
+        (void)fprintf(f, " }, .alpha = %u", p->alpha);
     (void)fputs(" },", f);
     if (p->name[0] != '\0') {
         (void)fputs(" /* ", f);
@@ -311,6 +342,20 @@ static void material_object(FILE *f, const char *name, const struct sim_paint *p
         (void)fputs(" */", f);
     }
     (void)fputc('\n', f);
+}
+
+static void materials(FILE *f, const struct sim_conversion *c, int blended)
+{
+    const struct sim_pieces *p = &c->made.pieces;
+    const uint32_t n = count_paints(p, blended);
+    if (n == 0)
+        return;
+    (void)fprintf(f, "\nconst struct %s %s_%s[%" PRIu32 "] = {\n", blended ? "zs_blend" : "zs_material",
+                  c->options.name, blended ? "blend" : "material", n);
+    for (uint32_t i = 0; i < p->n_paints; i++)
+        if ((p->paint[i].alpha_mode == SIM_ALPHA_BLEND) == blended)
+            material_object(f, c->options.name, &p->paint[i]);
+    (void)fputs("};\n", f);
 }
 
 static void texture_object(FILE *f, const char *name, uint32_t part, const struct sim_skin *s)
@@ -325,16 +370,18 @@ static void texture_object(FILE *f, const char *name, uint32_t part, const struc
                   clamps[s->clamp & 3]);
     if (s->n_levels > 1)
         (void)fprintf(f, ", .n_levels = %" PRIu32, s->n_levels);
+    if (s->alpha_least > 0)
+        (void)fprintf(f, ", .alpha_least = %u", s->alpha_least);
     (void)fputs(" },\n", f);
 }
 
 static void textures(FILE *f, const struct sim_conversion *c)
 {
     const char *name = c->options.name;
-    for (uint32_t i = 0; i < c->n_skins; i++) {
-        const struct sim_skin *s = &c->skin[i];
+    for (uint32_t i = 0; i < c->made.n_skins; i++) {
+        const struct sim_skin *s = &c->made.skin[i];
         (void)fprintf(f, "\n/* Texture %" PRIu32 ": ", i);
-        quote(f, last_name(c->skin_name[i]));
+        quote(f, last_name(c->model.texture[i].name));
         (void)fprintf(f, ", %" PRIu32 " x %" PRIu32 " texels, rows from the top", s->w, s->h);
         (void)fputs(s->n_levels > 1 ? "; then its coarser levels */\n" : " */\n", f);
         if (s->texel != NULL)
@@ -342,36 +389,35 @@ static void textures(FILE *f, const struct sim_conversion *c)
         else
             values(f, name, i, "texel", NULL, s->index, s->texel_bytes);
         if (s->n_colors > 0)
-            values(f, name, i, "palette", s->palette, NULL, s->n_colors);
+            values(f, name, i, "palette", s->palette, NULL, sim_skin_palette(s));
     }
-    if (c->n_skins == 0)
+    if (c->made.n_skins == 0)
         return;
-    (void)fprintf(f, "\nconst struct zs_texture %s_texture[%" PRIu32 "] = {\n", name, c->n_skins);
-    for (uint32_t i = 0; i < c->n_skins; i++)
-        texture_object(f, name, i, &c->skin[i]);
+    (void)fprintf(f, "\nconst struct zs_texture %s_texture[%" PRIu32 "] = {\n", name, c->made.n_skins);
+    for (uint32_t i = 0; i < c->made.n_skins; i++)
+        texture_object(f, name, i, &c->made.skin[i]);
     (void)fputs("};\n", f);
 }
 
 static void meshes(FILE *f, const struct sim_conversion *c)
 {
-    const struct sim_pieces *p = &c->pieces;
+    const struct sim_pieces *p = &c->made.pieces;
     const char *name = c->options.name;
     for (uint32_t i = 0; i < p->n_pieces; i++)
-        piece_arrays(f, name, i, &p->piece[i], c->steps.fine);
+        piece_arrays(f, name, i, &p->piece[i], c->made.steps.fine);
     (void)fprintf(f, "\nconst struct zs_mesh %s_mesh[%" PRIu32 "] = {\n", name, p->n_pieces);
     for (uint32_t i = 0; i < p->n_pieces; i++)
-        mesh_object(f, name, i, &p->piece[i], &c->steps);
-    (void)fprintf(f, "};\n\nconst struct zs_material %s_material[%" PRIu32 "] = {\n", name,
-                  p->n_paints);
-    for (uint32_t i = 0; i < p->n_paints; i++)
-        material_object(f, name, &p->paint[i], c->options.cull);
-    (void)fprintf(f, "};\n\nconst struct zs_instance %s_instance[%" PRIu32 "] = {\n", name,
-                  p->n_pieces);
-    for (uint32_t i = 0; i < p->n_pieces; i++)
-        (void)fprintf(
-            f,
-            "    { .mesh = &%s_mesh[%" PRIu32 "], .material = &%s_material[%" PRIu32 "] },\n",
-            name, i, name, p->piece[i].paint);
+        mesh_object(f, name, i, &p->piece[i], &c->made.steps);
+    (void)fputs("};\n", f);
+    materials(f, c, 0);
+    materials(f, c, 1);
+    (void)fprintf(f, "\nconst struct zs_instance %s_instance[%" PRIu32 "] = {\n", name, p->n_pieces);
+    for (uint32_t i = 0; i < p->n_pieces; i++) {
+        const uint32_t paint = p->piece[i].paint;
+        const int blended = p->paint[paint].alpha_mode == SIM_ALPHA_BLEND;
+        (void)fprintf(f, "    { .mesh = &%s_mesh[%" PRIu32 "], .material = &%s_%s[%" PRIu32 "]%s },\n", name, i, name,
+                      blended ? "blend" : "material", place_of(p, paint), blended ? ".material" : "");
+    }
     (void)fputs("};\n", f);
 }
 
@@ -383,33 +429,23 @@ static void bytes_line(FILE *f, const char *lead, const char *what, size_t bytes
         (void)fprintf(f, "%s%-24s %9zu bytes\n", lead, what, bytes);
 }
 
-static size_t flash(FILE *f, const struct sim_conversion *c, const char *lead)
+static void flash(FILE *f, const struct sim_conversion *c, const char *lead)
 {
-    struct sim_flash s = { 0 };
-    size_t texels = 0;
-    const struct sim_pieces *p = &c->pieces;
-    sim_pieces_flash(&s, p, c->steps.fine);
-    for (uint32_t i = 0; i < c->n_skins; i++)
-        texels += c->skin[i].texel_bytes + c->skin[i].palette_bytes;
-    const size_t structs = p->n_pieces * (MESH_BYTES + INSTANCE_BYTES) +
-                           p->n_paints * MATERIAL_BYTES + c->n_skins * TEXTURE_BYTES;
-    const size_t total = s.pos + s.pos_lo + s.tri + s.normal + s.face_normal + s.rgb + s.uv +
-                         s.cluster + s.bvh + texels + structs;
-    if (f != NULL) {
-        bytes_line(f, lead, "positions", s.pos);
-        bytes_line(f, lead, "positions, low bits", s.pos_lo);
-        bytes_line(f, lead, "indices", s.tri);
-        bytes_line(f, lead, "normals", s.normal);
-        bytes_line(f, lead, "face normals", s.face_normal);
-        bytes_line(f, lead, "colours", s.rgb);
-        bytes_line(f, lead, "texture coordinates", s.uv);
-        bytes_line(f, lead, "clusters", s.cluster);
-        bytes_line(f, lead, "hierarchy", s.bvh);
-        bytes_line(f, lead, "texels and palettes", texels);
-        bytes_line(f, lead, "structs (32-bit machine)", structs);
-        bytes_line(f, lead, "flash", total);
-    }
-    return total;
+    struct sim_converted_bytes b;
+    const struct sim_flash *s = &b.mesh;
+    sim_converted_bytes(&b, &c->made);
+    bytes_line(f, lead, "positions", s->pos);
+    bytes_line(f, lead, "positions, low bits", s->pos_lo);
+    bytes_line(f, lead, "indices", s->tri);
+    bytes_line(f, lead, "normals", s->normal);
+    bytes_line(f, lead, "face normals", s->face_normal);
+    bytes_line(f, lead, "colours", s->rgb);
+    bytes_line(f, lead, "texture coordinates", s->uv);
+    bytes_line(f, lead, "clusters", s->cluster);
+    bytes_line(f, lead, "hierarchy", s->bvh);
+    bytes_line(f, lead, "texels and palettes", b.texels);
+    bytes_line(f, lead, "structs (32-bit machine)", b.structs);
+    bytes_line(f, lead, "flash", b.total);
 }
 
 static double extent(const struct sim_model *m)
@@ -429,7 +465,7 @@ static double misses(const struct sim_pieces *p, uint32_t size)
 
 static void mesh_figures(FILE *f, const struct sim_conversion *c, const char *lead)
 {
-    const struct sim_pieces *p = &c->pieces;
+    const struct sim_pieces *p = &c->made.pieces;
     uint32_t n_clusters = 0;
     for (uint32_t i = 0; i < p->n_pieces; i++)
         n_clusters += p->piece[i].n_clusters;
@@ -448,7 +484,8 @@ static void mesh_figures(FILE *f, const struct sim_conversion *c, const char *le
                       "%s%" PRIu32 " triangles left out: no area on the grid (%" PRIu32
                       " had none in the file)\n",
                       lead, p->n_flat, p->n_flat_before);
-    const struct sim_steps *s = &c->steps;
+    sim_losses_print(f, lead, p->lost);
+    const struct sim_steps *s = &c->made.steps;
     char text[5][32];
     (void)fprintf(f, "%sposition = %s, %s, %s + %s * n%s; %s world units to a unit of the model\n",
                   lead, exactly(text[0], s->origin[0]), exactly(text[1], s->origin[1]),
@@ -469,10 +506,10 @@ static void mesh_figures(FILE *f, const struct sim_conversion *c, const char *le
 
 static void texture_figures(FILE *f, const struct sim_conversion *c, const char *lead)
 {
-    for (uint32_t i = 0; i < c->n_skins; i++) {
-        const struct sim_skin *s = &c->skin[i];
+    for (uint32_t i = 0; i < c->made.n_skins; i++) {
+        const struct sim_skin *s = &c->made.skin[i];
         (void)fprintf(f, "%stexture %" PRIu32 " ", lead, i);
-        quote(f, last_name(c->skin_name[i]));
+        quote(f, last_name(c->model.texture[i].name));
         (void)fprintf(f, ": %" PRIu32 " x %" PRIu32 ", %s", s->w, s->h, format_name(s->format));
         if (s->n_colors > 0)
             (void)fprintf(f, ", %" PRIu32 " colours", s->n_colors);
@@ -483,18 +520,18 @@ static void texture_figures(FILE *f, const struct sim_conversion *c, const char 
                           s->loss.psnr_db, ceil(s->loss.worst));
         else
             (void)fputs(", nothing lost", f);
-        if (c->pieces.uv_error != NULL && c->pieces.uv_error[i] >= 0.0)
-            (void)fprintf(f, "; coordinates off by at most %.4f texels", c->pieces.uv_error[i]);
+        if (c->made.pieces.uv_error != NULL && c->made.pieces.uv_error[i] >= 0.0)
+            (void)fprintf(f, "; coordinates off by at most %.4f texels", c->made.pieces.uv_error[i]);
         (void)fputc('\n', f);
     }
 }
 
 void sim_convert_figures(FILE *f, const struct sim_conversion *c, const char *lead)
 {
-    if (c->pieces.n_pieces > 0)
+    if (c->made.pieces.n_pieces > 0)
         mesh_figures(f, c, lead);
     texture_figures(f, c, lead);
-    (void)flash(f, c, lead);
+    flash(f, c, lead);
 }
 
 /* ---- Files ----------------------------------------------------------------------------------- */
@@ -512,25 +549,25 @@ struct box {
 
 static void find_box(struct box *box, const struct sim_conversion *c)
 {
-    const double unit = (double)c->steps.scale / 65536.0 / 256.0; /* world units to 1/256 step */
+    const double unit = (double)c->made.steps.scale / 65536.0 / 256.0; /* world units to 1/256 step */
     double lo[3] = { INFINITY, INFINITY, INFINITY }, hi[3] = { -INFINITY, -INFINITY, -INFINITY },
            most = 0.0;
-    for (uint32_t i = 0; i < c->pieces.n_pieces; i++)
-        for (uint32_t v = 0; v < c->pieces.piece[i].n_verts; v++)
+    for (uint32_t i = 0; i < c->made.pieces.n_pieces; i++)
+        for (uint32_t v = 0; v < c->made.pieces.piece[i].n_verts; v++)
             for (int k = 0; k < 3; k++) {
-                lo[k] = fmin(lo[k], c->pieces.piece[i].fine[v][k] * unit);
-                hi[k] = fmax(hi[k], c->pieces.piece[i].fine[v][k] * unit);
+                lo[k] = fmin(lo[k], c->made.pieces.piece[i].fine[v][k] * unit);
+                hi[k] = fmax(hi[k], c->made.pieces.piece[i].fine[v][k] * unit);
             }
     for (int k = 0; k < 3; k++) {
         box->lo[k] = (long)floor(lo[k]);
         box->hi[k] = (long)ceil(hi[k]);
         box->middle[k] = c->options.keep_origin ? lrint((lo[k] + hi[k]) / 2.0) : 0;
     }
-    for (uint32_t i = 0; i < c->pieces.n_pieces; i++)
-        for (uint32_t v = 0; v < c->pieces.piece[i].n_verts; v++) {
+    for (uint32_t i = 0; i < c->made.pieces.n_pieces; i++)
+        for (uint32_t v = 0; v < c->made.pieces.piece[i].n_verts; v++) {
             double squared = 0.0;
             for (int k = 0; k < 3; k++) {
-                const double d = c->pieces.piece[i].fine[v][k] * unit - (double)box->middle[k];
+                const double d = c->made.pieces.piece[i].fine[v][k] * unit - (double)box->middle[k];
                 squared += d * d;
             }
             most = fmax(most, squared);
@@ -540,7 +577,7 @@ static void find_box(struct box *box, const struct sim_conversion *c)
 
 static void describe_place(FILE *f, const struct sim_conversion *c, const struct box *box)
 {
-    const struct sim_steps *s = &c->steps;
+    const struct sim_steps *s = &c->made.steps;
     char text[4][32];
     (void)fprintf(f,
                   " * Size       %ld x %ld x %ld world units; a unit of the model is %s of them.\n",
@@ -570,9 +607,15 @@ static void describe_use(FILE *f, const char *name, const char *big)
 
 static void defines(FILE *f, const struct sim_conversion *c, const char *big, const struct box *b)
 {
-    const struct sim_pieces *p = &c->pieces;
+    const struct sim_pieces *p = &c->made.pieces;
     (void)fprintf(f, "#define %s_INSTANCES %" PRIu32 "u\n", big, p->n_pieces);
-    (void)fprintf(f, "#define %s_MATERIALS %" PRIu32 "u\n", big, p->n_paints);
+    if (count_paints(p, 0) > 0)
+        (void)fprintf(f, "#define %s_MATERIALS %" PRIu32 "u\n", big, count_paints(p, 0));
+    if (count_paints(p, 1) > 0)
+        (void)fprintf(f,
+                      "#define %s_BLENDS %" PRIu32 "u /* transparent materials: their triangles are sorted by */\n"
+                      "#define %s_METHOD (&zs_method_transparent) /* zs_config.method */\n",
+                      big, count_paints(p, 1), big);
     (void)fprintf(f, "#define %s_TRIANGLES %" PRIu32 "u\n", big, p->n_tris);
     (void)fprintf(f, "#define %s_VERTICES %" PRIu32 "u\n", big, p->n_verts);
     (void)fprintf(f, "#define %s_VARYINGS %s /* zs_config.varyings, at least */\n", big, attrs_name(p));
@@ -593,32 +636,37 @@ static void defines(FILE *f, const struct sim_conversion *c, const char *big, co
 void sim_convert_header(FILE *f, const struct sim_conversion *c)
 {
     const char *name = c->options.name;
-    const int has_mesh = c->pieces.n_pieces > 0;
+    const int has_mesh = c->made.pieces.n_pieces > 0;
     char big[64];
     struct box box;
+    struct sim_converted_bytes bytes;
+    sim_converted_bytes(&bytes, &c->made);
     upper(big, name);
     first_line(f, c);
-    (void)fprintf(f, " *\n * Flash      %zu bytes; %s.c says what for.\n", flash(NULL, c, ""),
-                  name);
+    (void)fprintf(f, " *\n * Flash      %zu bytes; %s.c says what for.\n", bytes.total, name);
     if (has_mesh) {
         find_box(&box, c);
         describe_place(f, c, &box);
         describe_use(f, name, big);
     }
-    (void)fprintf(f, " */\n#ifndef %s_H\n#define %s_H\n\n#include \"zstrip.h\"\n\n", big, big);
+    (void)fprintf(f, " */\n#ifndef %s_H\n#define %s_H\n\n#include \"zstrip.h\"\n%s\n", big, big,
+                  count_paints(&c->made.pieces, 1) > 0 ? "#include \"zs_blend.h\"\n" : "");
     if (has_mesh)
         defines(f, c, big, &box);
-    if (c->n_skins > 0)
-        (void)fprintf(f, "#define %s_TEXTURES %" PRIu32 "u\n", big, c->n_skins);
+    if (c->made.n_skins > 0)
+        (void)fprintf(f, "#define %s_TEXTURES %" PRIu32 "u\n", big, c->made.n_skins);
     (void)fputs("\n#ifdef __cplusplus\nextern \"C\" {\n#endif\n\n", f);
     if (has_mesh) {
         (void)fprintf(
             f, "extern const struct zs_instance %s_instance[%s_INSTANCES]; /* one to a mesh */\n",
             name, big);
         (void)fprintf(f, "extern const struct zs_mesh %s_mesh[%s_INSTANCES];\n", name, big);
-        (void)fprintf(f, "extern const struct zs_material %s_material[%s_MATERIALS];\n", name, big);
+        if (count_paints(&c->made.pieces, 0) > 0)
+            (void)fprintf(f, "extern const struct zs_material %s_material[%s_MATERIALS];\n", name, big);
+        if (count_paints(&c->made.pieces, 1) > 0)
+            (void)fprintf(f, "extern const struct zs_blend %s_blend[%s_BLENDS];\n", name, big);
     }
-    if (c->n_skins > 0)
+    if (c->made.n_skins > 0)
         (void)fprintf(f, "extern const struct zs_texture %s_texture[%s_TEXTURES];\n", name, big);
     (void)fputs("\n#ifdef __cplusplus\n}\n#endif\n\n#endif\n", f);
 }
@@ -629,18 +677,20 @@ void sim_convert_source(FILE *f, const struct sim_conversion *c)
     (void)fputs(" *\n", f);
     sim_convert_figures(f, c, " *   ");
     (void)fprintf(f, " */\n#include \"%s.h\"\n", c->options.name);
+    if (has_alpha(c))
+        (void)fputs("#include \"zs_filter.h\"\n", f);
     if (c->options.bvh)
         (void)fputs("#include \"zs_method.h\"\n", f);
     textures(f, c);
-    if (c->pieces.n_pieces > 0)
+    if (c->made.pieces.n_pieces > 0)
         meshes(f, c);
 }
 
 void sim_convert_map(FILE *f, const struct sim_conversion *c)
 {
-    for (uint32_t i = 0; i < c->pieces.n_pieces; i++)
-        for (uint32_t t = 0; t < c->pieces.piece[i].n_tris; t++) {
-            const uint32_t id = c->pieces.piece[i].source[t] + 1;
+    for (uint32_t i = 0; i < c->made.pieces.n_pieces; i++)
+        for (uint32_t t = 0; t < c->made.pieces.piece[i].n_tris; t++) {
+            const uint32_t id = c->made.pieces.piece[i].source[t] + 1;
             sim_u32_write(f, &id, 1);
         }
 }

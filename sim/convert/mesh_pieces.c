@@ -112,6 +112,8 @@ static uint32_t find_group(struct groups *g, const struct sim_paint *paint, int 
 {
     for (uint32_t i = 0; i < g->n; i++)
         if (g->at[i].paint.texture == paint->texture && g->at[i].paint.shader == paint->shader &&
+            g->at[i].paint.cull == paint->cull && g->at[i].paint.alpha_mode == paint->alpha_mode &&
+            g->at[i].paint.alpha == paint->alpha &&
             (!by_color || is_textured(paint->shader) || same_rgb(g->at[i].paint.rgb, paint->rgb)))
             return i;
     g->at = sim_grow(g->at, (size_t)g->n + 1, sizeof *g->at);
@@ -132,12 +134,25 @@ static int is_flat(const struct work *w, const uint32_t tri[3])
     return a[1] * b[2] == a[2] * b[1] && a[2] * b[0] == a[0] * b[2] && a[0] * b[1] == a[1] * b[0];
 }
 
+/* Blending costs more than a test, and that more than neither: where a material does not need it, it has none. */
+static void set_alpha(const struct work *w, struct sim_paint *paint, const struct sim_material *material)
+{
+    const int textured = paint->texture != SIM_NO_TEXTURE && !w->options->opaque;
+    const uint8_t texels = textured ? w->model->texture[paint->texture].alpha_mode : SIM_ALPHA_OPAQUE;
+    paint->alpha = material->alpha_mode == SIM_ALPHA_BLEND && !w->options->opaque ? material->alpha : 255;
+    paint->alpha_mode = paint->alpha < 255 ? SIM_ALPHA_BLEND : texels;
+}
+
 static void add_to_group(struct work *w, uint32_t t, int by_color, int *whole)
 {
     const uint32_t texture = texture_of(w, t);
+    const struct sim_material *material = &w->model->material[w->model->tri_material[t]];
     const enum sim_shader shader =
-        shader_of((enum sim_look)w->options->look, texture != SIM_NO_TEXTURE);
+        shader_of(w->options->by_material && material->unlit ? SIM_LOOK_UNLIT : (enum sim_look)w->options->look,
+                  texture != SIM_NO_TEXTURE);
     struct sim_paint paint = { .shader = shader, .texture = texture, .rgb = { 255, 255, 255 } };
+    paint.cull = (uint8_t)(material->two_sided && w->options->cull == ZS_CULL_BACK ? ZS_CULL_NONE : w->options->cull);
+    set_alpha(w, &paint, material);
     int triangle_whole = 1;
     if (!is_textured(shader))
         paint.rgb = color_of(w, t, shader, &triangle_whole);
@@ -192,22 +207,34 @@ static void free_groups(struct groups *g)
 struct fold {
     double shift[2]; /* whole pictures, on axes that repeat */
     uint8_t bits;
+    uint8_t by_triangle; /* flag: each triangle is first brought to 0 .. 1 and up there, which splits vertices */
 };
 
-static int find_fold(const struct work *w, uint32_t group, struct fold *fold)
+/* A coordinate before the shift. */
+static double placed(const struct work *w, const struct fold *fold, const struct sim_texture *texture, uint32_t t,
+                     int k, int axis)
+{
+    const double(*uv)[2] = (const double(*)[2])w->model->uv[t];
+    if (!fold->by_triangle || (texture->clamp & (axis == 0 ? ZS_CLAMP_U : ZS_CLAMP_V)))
+        return uv[k][axis];
+    return uv[k][axis] - floor(fmin(uv[0][axis], fmin(uv[1][axis], uv[2][axis])));
+}
+
+/* Shifts and bits; how far off, in texels, coordinates then are at most. INFINITY: 16 bits do not hold them. */
+static double fit_fold(const struct work *w, uint32_t group, struct fold *fold, double lo[2], double hi[2])
 {
     const struct sim_model *model = w->model;
-    const struct sim_paint *paint = &w->groups.at[group].paint;
-    const struct sim_texture *texture = &model->texture[paint->texture];
-    const uint32_t *size = w->texture_size[paint->texture];
-    double lo[2] = { INFINITY, INFINITY }, hi[2] = { -INFINITY, -INFINITY }, most = 0.0;
-    for (uint32_t t = 0; t < model->n_tris; t++)
-        for (int k = 0; w->groups.of[t] == group && k < 3; k++)
-            for (int axis = 0; axis < 2; axis++) {
-                lo[axis] = fmin(lo[axis], model->uv[t][k][axis]);
-                hi[axis] = fmax(hi[axis], model->uv[t][k][axis]);
-            }
+    const uint32_t n = w->groups.at[group].paint.texture, *size = w->texture_size[n];
+    const struct sim_texture *texture = &model->texture[n];
+    double most = 0.0;
     for (int axis = 0; axis < 2; axis++) {
+        lo[axis] = INFINITY;
+        hi[axis] = -INFINITY;
+        for (uint32_t t = 0; t < model->n_tris; t++)
+            for (int k = 0; w->groups.of[t] == group && k < 3; k++) {
+                lo[axis] = fmin(lo[axis], placed(w, fold, texture, t, k, axis));
+                hi[axis] = fmax(hi[axis], placed(w, fold, texture, t, k, axis));
+            }
         const int clamps = texture->clamp & (axis == 0 ? ZS_CLAMP_U : ZS_CLAMP_V);
         fold->shift[axis] =
             clamps ? 0.0 : -rint((lo[axis] + hi[axis]) / 2.0 - 0.01); /* 0 .. 1 stays */
@@ -217,12 +244,21 @@ static int find_fold(const struct work *w, uint32_t group, struct fold *fold)
     fold->bits = 15;
     while (fold->bits > 0 && rint(ldexp(most, fold->bits)) > INT16_MAX)
         fold->bits--;
-    const double off = ldexp((double)(size[0] > size[1] ? size[0] : size[1]), -fold->bits - 1);
-    if (rint(ldexp(most, fold->bits)) <= INT16_MAX && off <= TEXELS_OFF_MAX)
-        return SIM_OK;
+    if (rint(ldexp(most, fold->bits)) > INT16_MAX)
+        return INFINITY;
+    return ldexp((double)(size[0] > size[1] ? size[0] : size[1]), -fold->bits - 1);
+}
+
+static int find_fold(const struct work *w, uint32_t group, struct fold *fold)
+{
+    const uint32_t *size = w->texture_size[w->groups.at[group].paint.texture];
+    double lo[2], hi[2];
+    for (fold->by_triangle = 0; fold->by_triangle < 2; fold->by_triangle++)
+        if (fit_fold(w, group, fold, lo, hi) <= TEXELS_OFF_MAX)
+            return SIM_OK;
     return sim_refuse(
-        model->file, 0,
-        "its texture coordinates run from %.4g,%.4g to %.4g,%.4g: 16 bits hold %u x %u texels "
+        w->model->file, 0,
+        "texture coordinates of a face run from %.4g,%.4g to %.4g,%.4g: 16 bits hold %u x %u texels "
         "%.3g times over; repeat the picture less often, or make it smaller (--texture-size)",
         lo[0], lo[1], hi[0], hi[1], size[0], size[1],
         INT16_MAX / (double)(size[0] > size[1] ? size[0] : size[1]));
@@ -268,7 +304,8 @@ static void take_uv(struct work *w, const struct shape *s, uint32_t t, int k, in
 {
     const uint32_t texture = s->group->paint.texture;
     for (int axis = 0; axis < 2; axis++) {
-        const double exact = w->model->uv[t][k][axis] + s->fold.shift[axis];
+        const double exact =
+            placed(w, &s->fold, &w->model->texture[texture], t, k, axis) + s->fold.shift[axis];
         out[axis] = (int16_t)rint(ldexp(exact, s->fold.bits));
         const double off =
             fabs(exact - ldexp(out[axis], -s->fold.bits)) * w->texture_size[texture][axis];
@@ -440,7 +477,7 @@ static void sort_piece(struct work *w, struct sim_piece *p, const struct shape *
     memcpy(old_list, list, p->n_tris * sizeof *old_list);
     const struct sim_shape shape = { (const int32_t(*)[3])fine, (const uint32_t(*)[3])old,
                                      p->n_verts, p->n_tris };
-    p->cluster = sim_cluster(order, &p->n_clusters, &shape, w->options->cull == ZS_CULL_BACK);
+    p->cluster = sim_cluster(order, &p->n_clusters, &shape, s->group->paint.cull == ZS_CULL_BACK);
     if (w->options->bvh)
         p->bvh = sim_hierarchy(&p->n_nodes, order, p->cluster, p->n_clusters, &shape);
     for (uint32_t i = 0; i < p->n_tris; i++) {
@@ -628,6 +665,38 @@ static void measure_places(struct work *w)
     w->out->error_rms = sqrt(squared / w->model->n_points);
 }
 
+/* What of materials that faces have is not drawn. */
+static void count_losses(const struct work *w)
+{
+    const struct sim_model *model = w->model;
+    struct sim_lost *lost = w->out->lost;
+    uint8_t *seen = sim_alloc(model->n_materials, 1);
+    memcpy(lost, model->lost, sizeof w->out->lost);
+    for (uint32_t t = 0; t < model->n_tris; t++) {
+        const uint32_t n = model->tri_material[t];
+        const struct sim_material *m = &model->material[n];
+        const int before = seen[n];
+        seen[n] |= 1;
+        if (!(before & 2) && texture_of(w, t) != SIM_NO_TEXTURE &&
+            !(same_rgb(model->rgb[t][0], m->rgb) && same_rgb(model->rgb[t][1], m->rgb) &&
+              same_rgb(model->rgb[t][2], m->rgb))) {
+            sim_lose(lost, SIM_LOST_VERTEX_COLOR, m->name);
+            seen[n] |= 2;
+        }
+        if (before & 1)
+            continue;
+        if (m->two_sided && !m->unlit && w->options->look != SIM_LOOK_UNLIT && w->options->look != SIM_LOOK_RAW)
+            sim_lose(lost, SIM_LOST_TWO_SIDED, m->name);
+        if (m->alpha_mode != SIM_ALPHA_OPAQUE && w->options->opaque)
+            sim_lose(lost, SIM_LOST_OPACITY, m->name);
+        if (m->power > 0)
+            sim_lose(lost, SIM_LOST_SPECULAR, m->name);
+        if (m->emission.r > 0 || m->emission.g > 0 || m->emission.b > 0)
+            sim_lose(lost, SIM_LOST_EMISSION, m->name);
+    }
+    free(seen);
+}
+
 static size_t total(const struct sim_pieces *p, int fine)
 {
     struct sim_flash f;
@@ -673,6 +742,9 @@ int sim_pieces_make(struct sim_pieces *out, const struct sim_model *model,
         sim_pieces_free(&by_color);
     }
     free(w.place);
+    w.out = out;
+    if (status == SIM_OK)
+        count_losses(&w);
     if (status != SIM_OK)
         sim_pieces_free(out);
     return status;

@@ -26,6 +26,8 @@ struct sim_paint {
     enum sim_shader shader;
     struct zs_rgb rgb;
     uint32_t texture; /* into sim_model.texture, or SIM_NO_TEXTURE */
+    uint8_t cull;     /* enum zs_cull */
+    uint8_t alpha_mode, alpha; /* enum sim_alpha, mask only with a texture; opacity, 255 is full */
     const char *name; /* of the file's material, borrowed; "": several or none */
 };
 
@@ -55,6 +57,7 @@ struct sim_pieces {
         n_flat_before; /* triangles left out: without area on the grid; of them, in the file */
     double error_max, error_rms; /* of positions, model units */
     double normal_error;         /* largest angle, degrees; < 0: no normals */
+    struct sim_lost lost[SIM_LOST_KINDS]; /* of the file: by the loader and here */
     double *uv_error;            /* [model.n_textures], largest, texels; < 0: not used */
 };
 

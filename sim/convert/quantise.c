@@ -1,11 +1,12 @@
-/* Grid, world unit, parts, camera.
+/* Grid, world unit, parts, camera. Meshes are those that `zsim convert` writes (scene_parts.c), or, with --mesh file,
+ * the model's triangles as they are:
  *
  * The grid: if all positions are multiples of one power of two, or of one power of ten (as a
  * modeller that writes four decimals makes them), that fit 24 bits over the model's largest extent,
  * then that is the step and nothing is lost. Otherwise the extent is divided by 2^24 - 4.
  *
  * The world unit: a mesh step (256 grid steps) is 2^k world units, with k as large as the eye and the
- * model allow, so that they use 2^28 .. 2^29 of the world. The far plane may be 2^15 times farther. Where
+ * model allow, so that they use 2^28 .. 2^29 of the world. A converted mesh keeps its own world unit, halved as often. The far plane may be 2^15 times farther. Where
  * half a unit would be more than OFF_MAX_PX on the screen, the camera is refused: better than a wrong picture.
  *
  * Texture coordinates: a part has as many uv bits as the range of its int16 allows. Whole repeats
@@ -20,13 +21,16 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "scene_parts.h"
 #include "sim.h"
 #include "vec.h"
+#include "zs_shader.h"
 
 #define GRID_STEPS 16777212.0 /* 2^24 - 4: room for rounding at both ends */
 #define WORLD_USE 0.98        /* of ZS_WORLD_MAX: room for bounding spheres rounded up */
 #define UNITS_LOG2_MAX 15     /* world units to a mesh step: mesh.scale is uq16_16 */
 #define UNITS_LOG2_MIN (-15) /* the model is then one world unit wide */
+#define WHOLE_MAX (1.0 / 4096.0) /* world units that a camera at whole ones may be off, from text */
 #define OFF_MAX_PX (1.0 / 32.0)
 #define PART_VERTS_MAX 65535u
 #define SLOTS 262144u /* hash of a part's vertices */
@@ -134,8 +138,9 @@ static int check_unit(const struct sim_scene *s, const struct sim_model *model,
 
 #define FLOOR_ROOM 16.0 /* what a floor, its shadows and its mirror images reach, of what the scene does */
 
-static int choose_unit(struct sim_scene *s, int *units_log2, const struct sim_model *model,
-                       const struct sim_view *v, const struct sim_effect_options *e)
+/* World units to a mesh step, uq16_16. unit: of convert's, model units; 0: there is none to keep to. */
+static int choose_unit(struct sim_scene *s, uint32_t *scale, const struct sim_model *model,
+                       const struct sim_view *v, const struct sim_effect_options *e, double unit)
 {
     double d[3], eye = 0.0;
     sim_sub(d, model->center, s->origin);
@@ -162,8 +167,17 @@ static int choose_unit(struct sim_scene *s, int *units_log2, const struct sim_mo
             eye >= 0.5 * need ? "the eye's distance" : "the far plane's or the view's extent", need,
             need / size, size, most);
     }
-    *units_log2 = k > UNITS_LOG2_MAX ? UNITS_LOG2_MAX : (int)k;
-    s->unit = ldexp(mesh_step, -*units_log2);
+    const int units_log2 = k > UNITS_LOG2_MAX ? UNITS_LOG2_MAX : (int)k;
+    *scale = (uint32_t)ldexp(65536.0, units_log2);
+    s->unit = ldexp(mesh_step, -units_log2);
+    if (unit > 0.0 && WORLD_USE * ZS_WORLD_MAX * unit >= need) { /* a part of it, so that no scale is rounded */
+        *scale = (uint32_t)rint(mesh_step / unit * 65536.0);
+        s->unit = unit;
+        while (*scale < 1u << 30 && WORLD_USE * ZS_WORLD_MAX * s->unit >= 2.0 * need) {
+            *scale *= 2u;
+            s->unit /= 2.0;
+        }
+    }
     return check_unit(s, model, v, need);
 }
 
@@ -173,7 +187,28 @@ static void scaled(int32_t out[3], const double v[3])
         out[k] = (int32_t)lrint(v[k] * 1073741824.0 * (1.0 - 0x1p-30));
 }
 
-static int build_camera(struct sim_scene *s, const struct sim_view *v, const char *file)
+/* A camera that a program on the board can have, at whole world units, and looking at such a place: as it has it. */
+static void take_whole(const struct sim_scene *s, const struct sim_view *v, const struct sim_options *o, double unit,
+                       int32_t eye[3], int32_t dir[3], int32_t up[3])
+{
+    double from[3], to[3];
+    for (int k = 0; k < 3; k++) {
+        from[k] = (v->eye[k] - s->origin[k]) / unit;
+        to[k] = (v->at[k] - s->origin[k]) / unit;
+        if (fabs(from[k] - rint(from[k])) > WHOLE_MAX || fabs(to[k] - rint(to[k])) > WHOLE_MAX ||
+            fabs(to[k] - from[k]) > ZS_WORLD_MAX || o->up[k] != rint(o->up[k]) || fabs(o->up[k]) > ZS_WORLD_MAX)
+            return;
+    }
+    for (int k = 0; k < 3; k++) {
+        eye[k] = (int32_t)lrint(rint(from[k]) * (unit / s->unit));
+        dir[k] = (int32_t)lrint(rint(to[k]) - rint(from[k]));
+        up[k] = (int32_t)lrint(o->up[k]);
+    }
+}
+
+/* unit: of convert's, model units; 0: there is none. */
+static int build_camera(struct sim_scene *s, const struct sim_view *v, const struct sim_options *o, double unit,
+                        const char *file)
 {
     struct zs_camera *c = &s->camera;
     double forward[3];
@@ -184,6 +219,8 @@ static int build_camera(struct sim_scene *s, const struct sim_view *v, const cha
     }
     scaled(dir, forward);
     scaled(up, v->up);
+    if (unit > 0.0)
+        take_whole(s, v, o, unit, eye, dir, up);
     c->projection = v->orthographic ? ZS_ORTHOGRAPHIC : ZS_PERSPECTIVE;
     c->focal = (zs_uq32_32)llrint(v->focal * 4294967296.0);
     c->height = llrint(v->span / s->unit * 65536.0);
@@ -564,7 +601,7 @@ static void build_instances(struct sim_scene *s)
 }
 
 /* Palette and indices; pal4 takes two columns and more, a single one is stored as pal8. */
-static void build_indices(struct zs_texture *out, uint16_t palette[SIM_PALETTE_MAX],
+static void build_indices(struct zs_texture *out, uint16_t palette[2 * SIM_PALETTE_MAX],
                           const struct sim_pixels *from, enum sim_texel texel)
 {
     const size_t n = (size_t)from->w * from->h;
@@ -642,31 +679,82 @@ static void build_materials(struct sim_scene *s, const struct sim_model *model,
     }
 }
 
-int sim_scene_build(struct sim_scene *out, const struct sim_model *model,
-                    const struct sim_view *view, const struct sim_options *o)
+static int build_file(struct sim_scene *out, const struct sim_model *model, const struct sim_view *view,
+                      const struct sim_options *o)
 {
     struct grid grid;
-    int units_log2 = 0;
-    memset(out, 0, sizeof *out);
+    uint32_t scale;
     choose_grid(&grid, model);
     memcpy(out->origin, grid.origin, sizeof out->origin);
     out->step = grid.step;
-    int status = choose_unit(out, &units_log2, model, view, &o->effects);
+    int status = choose_unit(out, &scale, model, view, &o->effects, 0.0);
     if (status == SIM_OK)
-        status = build_camera(out, view, model->file);
+        status = build_camera(out, view, o, 0.0, model->file);
     if (status != SIM_OK)
         return status;
-    build_light(out, view, o);
     build_materials(out, model, o);
-    struct build b = { .scene = out, .model = model, .grid = &grid, .options = o,
-                       .scale = ldexp(1.0, units_log2) };
-    status = build_parts(&b);
+    memcpy(out->lost, model->lost, sizeof out->lost);
+    struct build b = { .scene = out, .model = model, .grid = &grid, .options = o, .scale = scale / 65536.0 };
+    return build_parts(&b);
+}
+
+static int build_converted(struct sim_scene *out, const struct sim_model *model, const struct sim_view *view,
+                           const struct sim_options *o)
+{
+    struct sim_convert_options wish;
+    struct sim_converted made;
+    uint32_t scale;
+    sim_scene_wish(&wish, o);
+    int status = sim_converted_make(&made, model, &wish);
+    memcpy(out->origin, made.steps.origin, sizeof out->origin);
+    out->step = made.steps.step / 256.0;
+    if (status == SIM_OK)
+        status = choose_unit(out, &scale, model, view, &o->effects, 1.0 / made.steps.unit);
+    if (status == SIM_OK)
+        status = build_camera(out, view, o, 1.0 / made.steps.unit, model->file);
+    if (status == SIM_OK)
+        sim_scene_parts(out, &made, o, scale);
+    sim_converted_free(&made);
+    return status;
+}
+
+int sim_scene_build(struct sim_scene *out, const struct sim_model *model,
+                    const struct sim_view *view, const struct sim_options *o)
+{
+    memset(out, 0, sizeof *out);
+    const int status = o->mesh == SIM_MESH_FILE ? build_file(out, model, view, o)
+                                                : build_converted(out, model, view, o);
     if (status != SIM_OK) {
         sim_scene_free(out);
         return status;
     }
+    build_light(out, view, o);
     build_instances(out);
     return SIM_OK;
+}
+
+uint8_t sim_scene_varyings(const struct zs_scene *scene)
+{
+    uint8_t most = 0;
+    for (uint32_t i = 0; i < scene->n_instances; i++) {
+        const uint8_t n = (uint8_t)scene->instance[i].material->shader->n_varyings;
+        most = n > most ? n : most;
+    }
+    return most;
+}
+
+const struct zs_method *sim_scene_method(const struct zs_scene *scene)
+{
+    for (uint32_t i = 0; i < scene->n_instances; i++)
+        if (scene->instance[i].material->shader->layer)
+            return &zs_method_transparent;
+    return NULL;
+}
+
+void sim_scene_file_ids(uint32_t *id, size_t n, const struct sim_scene *scene)
+{
+    for (size_t i = 0; scene->source != NULL && i < n; i++)
+        id[i] = id[i] != 0 ? scene->source[id[i] - 1] + 1u : 0;
 }
 
 void sim_scene_free(struct sim_scene *scene)
@@ -674,10 +762,11 @@ void sim_scene_free(struct sim_scene *scene)
     for (uint32_t i = 0; i < scene->n_parts; i++) {
         struct sim_part *p = &scene->part[i];
         SIM_FREE(p->pos, p->pos_lo, p->tri, p->normal, p->face_normal, p->vertex_rgb, p->face_rgb,
-                 p->face_raw, p->uv);
+                 p->face_raw, p->uv, p->cluster);
     }
     for (uint32_t i = 0; i < scene->n_textures; i++)
         free((void *)(uintptr_t)scene->texture[i].texel);
-    SIM_FREE(scene->texture, scene->palette, scene->material, scene->part, scene->instance);
+    SIM_FREE(scene->texture, scene->palette, scene->material, scene->part, scene->instance,
+             scene->source, scene->blend);
     memset(scene, 0, sizeof *scene);
 }

@@ -8,6 +8,7 @@
 #include "model.h"
 #include "palette.h"
 #include "framing.h"
+#include "zs_blend.h"
 #include "zstrip.h"
 
 /* A consecutive run of triangles with one texture, or none, whose vertices fit 16-bit indices.
@@ -22,21 +23,28 @@ struct sim_part {
     zs_q1_15 (*normal)[3], (*face_normal)[3];
     struct zs_rgb *vertex_rgb, *face_rgb;
     uint16_t *face_raw;
+    struct zs_cluster *cluster; /* NULL with --mesh file */
 };
 
-/* Everything that a frame is drawn from. All parts lie on one grid of 24 bits a component:
- * position = origin + step * n, n = 256 * pos + pos_lo; a mesh step is 2^k world units. */
+/* Everything that a frame is drawn from. All parts lie on one grid:
+ * position = origin + step * n, n = 256 * pos + pos_lo, 0 where there is no pos_lo. With --mesh convert it is the grid
+ * that `zsim convert` writes, and a world unit is one of its own or 2^-k of that; with --mesh file a mesh step is 2^k
+ * world units. */
 struct sim_scene {
     struct zs_scene scene;
     struct zs_camera camera;
     struct zs_material *material; /* [n_textures + 1]: faces without a texture, then by texture */
     struct zs_texture *texture;   /* [n_textures] */
-    uint16_t (*palette)[SIM_PALETTE_MAX]; /* [n_textures] */
+    struct zs_blend *blend; /* in place of materials that are transparent; NULL with --mesh file */
+    uint16_t (*palette)[2 * SIM_PALETTE_MAX]; /* [n_textures] */
     uint32_t n_textures;
     struct zs_instance *instance; /* [n_parts] */
     struct sim_part *part;        /* [n_parts] */
     uint32_t n_parts;
     uint64_t n_verts;             /* of all parts */
+    uint32_t *source;  /* the number in the model of each triangle, by parts; NULL: they are in its order */
+    struct sim_lost lost[SIM_LOST_KINDS]; /* of the file */
+    size_t data_bytes; /* that firmware keeps, as `zsim convert` writes it; 0 with --mesh file */
     double origin[3], step, unit; /* model units: of n = 0, of 1, and of a world unit */
     double error;                 /* largest |position - its place on the grid|, model units */
     double uv_error;              /* the same of texture coordinates, texels; at most 1/16 */
@@ -48,6 +56,16 @@ struct sim_scene {
  * Return  SIM_OK; SIM_REFUSED, said why, *out empty. sim_scene_free in either case. */
 int sim_scene_build(struct sim_scene *out, const struct sim_model *model,
                     const struct sim_view *view, const struct sim_options *o);
+
+/* The varyings that its shaders need. */
+uint8_t sim_scene_varyings(const struct zs_scene *scene);
+
+/* The method that it needs: NULL, the depth buffer, or zs_method_transparent. */
+const struct zs_method *sim_scene_method(const struct zs_scene *scene);
+
+/* Numbers of the scene's triangles, + 1, to those in the file, + 1. */
+void sim_scene_file_ids(uint32_t *id, size_t n, const struct sim_scene *scene);
+
 void sim_scene_free(struct sim_scene *scene);
 
 #endif

@@ -42,7 +42,7 @@ static void resample_line(const float *in, size_t n, size_t in_step, float *out,
     }
 }
 
-/* One channel of the image, 0 .. 255, to w x h values; malloc'ed. */
+/* One channel of the image, or 3, its alpha, 0 .. 255, to w x h values; malloc'ed. */
 static float *resample(const struct sim_image *image, int channel, uint32_t w, uint32_t h)
 {
     const size_t old_w = image->width, old_h = image->height;
@@ -50,7 +50,7 @@ static float *resample(const struct sim_image *image, int channel, uint32_t w, u
     float *out = sim_alloc((size_t)w * h, sizeof *out);
     for (size_t y = 0; y < old_h; y++) {
         for (size_t x = 0; x < old_w; x++)
-            line[x] = (float)image->rgb[y * old_w + x][channel];
+            line[x] = (float)(channel < 3 ? image->rgb[y * old_w + x][channel] : image->alpha[y * old_w + x]);
         resample_line(line, old_w, 1, half + y * w, w, 1);
     }
     for (size_t x = 0; x < w; x++)
@@ -69,12 +69,19 @@ void sim_texture_make(struct sim_texture *out, struct sim_image *image, const ch
     out->name = strcpy(sim_alloc(strlen(name) + 1, 1), name);
     out->file_width = image->width;
     out->file_height = image->height;
-    out->image = (struct sim_image){ w, h, sim_alloc(n, sizeof *out->image.rgb) };
+    out->image = (struct sim_image){ w, h, sim_alloc(n, sizeof *out->image.rgb),
+                                     image->alpha != NULL ? sim_alloc(n, 1) : NULL };
     for (int c = 0; c < 3; c++) {
         float *value = resample(image, c, w, h);
         for (size_t i = 0; i < n; i++)
             out->image.rgb[i][c] =
                 (uint8_t)(fmin(255.0, (double)value[i] * (factor != NULL ? factor[c] : 1.0)) + 0.5);
+        free(value);
+    }
+    if (image->alpha != NULL) {
+        float *value = resample(image, 3, w, h);
+        for (size_t i = 0; i < n; i++)
+            out->image.alpha[i] = (uint8_t)((double)value[i] + 0.5);
         free(value);
     }
     sim_image_free(image);

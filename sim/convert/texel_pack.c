@@ -40,6 +40,33 @@ static uint8_t (*shrink(const struct sim_image *image, const uint32_t size[2]))[
     return out;
 }
 
+/* The same of its alpha, or NULL. */
+static uint8_t *shrink_alpha(const struct sim_image *image, const uint32_t size[2])
+{
+    if (image->alpha == NULL)
+        return NULL;
+    uint8_t *out = sim_alloc((size_t)size[0] * size[1], 1);
+    const uint32_t across = image->width / size[0], down = image->height / size[1], n = across * down;
+    for (uint32_t y = 0; y < size[1]; y++)
+        for (uint32_t x = 0; x < size[0]; x++) {
+            uint32_t sum = n / 2;
+            for (uint32_t i = 0; i < n; i++)
+                sum += image->alpha[(size_t)(y * down + i / across) * image->width + x * across + i % across];
+            out[(size_t)y * size[0] + x] = (uint8_t)(sum / n);
+        }
+    return out;
+}
+
+void sim_texture_halve(struct sim_texture *texture, const long most[2])
+{
+    uint32_t size[2];
+    sim_skin_size(size, texture, most);
+    const struct sim_image small = { size[0], size[1], shrink(&texture->image, size),
+                                     shrink_alpha(&texture->image, size) };
+    sim_image_free(&texture->image);
+    texture->image = small;
+}
+
 static void make_565(struct sim_skin *s, const struct sim_pixels *px, int dither)
 {
     const size_t n = (size_t)px->w * px->h;
@@ -59,14 +86,14 @@ static void pack(uint8_t *index, size_t n)
 }
 
 static void make_palette(struct sim_skin *s, const struct sim_pixels *px, enum sim_texels format,
-                         int dither)
+                         uint32_t reserve, int dither)
 {
     const size_t n = (size_t)px->w * px->h;
     uint16_t *shown = sim_alloc(n, sizeof *shown), *best = sim_alloc(n, sizeof *best);
     s->format = format;
     s->index = sim_alloc(n, 1);
     s->n_colors =
-        sim_palette_build(s->palette, format == SIM_TEXELS_PAL4 ? PAL4_MAX : SIM_PALETTE_MAX, px);
+        sim_palette_build(s->palette, (format == SIM_TEXELS_PAL4 ? PAL4_MAX : SIM_PALETTE_MAX) - reserve, px);
     sim_palette_map(s->index, px, s->palette, s->n_colors, 0);
     sim_rgb565_map(best, px, 0);
     for (size_t i = 0; i < n; i++)
@@ -79,7 +106,7 @@ static void make_palette(struct sim_skin *s, const struct sim_pixels *px, enum s
     s->loss = sim_rgb565_loss(px, shown);
     s->palette_bytes = 2 * s->n_colors;
     s->texel_bytes = format == SIM_TEXELS_PAL4 ? n / 2 : n;
-    if (format == SIM_TEXELS_PAL4)
+    if (format == SIM_TEXELS_PAL4 && reserve == 0)
         pack(s->index, n);
     free(shown);
     free(best);
@@ -90,12 +117,12 @@ static void choose(struct sim_skin *s, const struct sim_pixels *px, int dither)
 {
     static const enum sim_texels small[2] = { SIM_TEXELS_PAL4, SIM_TEXELS_PAL8 };
     for (int i = px->w < 2; i < 2; i++) {
-        make_palette(s, px, small[i], 0);
+        make_palette(s, px, small[i], 0, 0);
         const int good = s->exact || s->loss.psnr_db >= GOOD_DB;
         if (good && s->palette_bytes + s->texel_bytes <= 2 * (size_t)px->w * px->h) {
             if (dither && !s->exact) {
                 free(s->index);
-                make_palette(s, px, small[i], 1);
+                make_palette(s, px, small[i], 0, 1);
             }
             return;
         }
@@ -106,6 +133,79 @@ static void choose(struct sim_skin *s, const struct sim_pixels *px, int dither)
     }
     make_565(s, px, dither);
 }
+
+/* ---- Alpha ----------------------------------------------------------------------------------- */
+
+/* Texels of a mask: one entry more, which is not drawn. What it hides has no colour to keep. */
+static void make_mask(struct sim_skin *s, const struct sim_pixels *px, const uint8_t *alpha, enum sim_texels format,
+                      int dither)
+{
+    const size_t n = (size_t)px->w * px->h;
+    uint8_t(*rgb)[3] = sim_alloc(n, sizeof *rgb);
+    size_t first = 0;
+    while (first < n && alpha[first] < s->alpha_least)
+        first++;
+    for (size_t i = 0; i < n; i++)
+        memcpy(rgb[i], px->rgb[alpha[i] >= s->alpha_least ? i : first < n ? first : 0], sizeof rgb[i]);
+    const struct sim_pixels seen = { px->w, px->h, (const uint8_t(*)[3])rgb };
+    make_palette(s, &seen, format, 1, dither);
+    for (size_t i = 0; i < n; i++)
+        s->index[i] = alpha[i] >= s->alpha_least ? s->index[i] : (uint8_t)s->n_colors;
+    s->palette[s->n_colors] = s->palette[0];
+    s->n_colors++;
+    for (uint32_t i = 0; i < s->n_colors; i++)
+        s->palette[s->n_colors + i] = i + 1 < s->n_colors ? 255 : 0;
+    s->palette_bytes = 4 * (size_t)s->n_colors;
+    if (format == SIM_TEXELS_PAL4)
+        pack(s->index, n);
+    s->format = format == SIM_TEXELS_PAL4 ? SIM_TEXELS_PAL4A : SIM_TEXELS_PAL8A;
+    free(rgb);
+}
+
+static uint16_t four(uint8_t v)
+{
+    return (uint16_t)((v * 15u + 127u) / 255u);
+}
+
+static void make_4444(struct sim_skin *s, const struct sim_pixels *px, const uint8_t *alpha)
+{
+    const size_t n = (size_t)px->w * px->h;
+    uint16_t *shown = sim_alloc(n, sizeof *shown);
+    s->format = SIM_TEXELS_4444;
+    s->texel = sim_alloc(n, sizeof *s->texel);
+    s->texel_bytes = 2 * n;
+    for (size_t i = 0; i < n; i++) {
+        const uint16_t c[3] = { four(px->rgb[i][0]), four(px->rgb[i][1]), four(px->rgb[i][2]) };
+        s->texel[i] = (uint16_t)(c[0] << 12 | c[1] << 8 | c[2] << 4 | four(alpha[i]));
+        shown[i] = zs_rgb565((uint8_t)(17 * c[0]), (uint8_t)(17 * c[1]), (uint8_t)(17 * c[2]));
+    }
+    s->loss = sim_rgb565_loss(px, shown);
+    free(shown);
+}
+
+/* A mask has alphas of 0 and 255, which a palette holds; what blends has all. */
+static void make_alpha(struct sim_skin *s, const struct sim_pixels *px, const uint8_t *alpha, uint8_t mode,
+                       const struct sim_convert_options *o)
+{
+    if (mode == SIM_ALPHA_BLEND || o->texels == SIM_TEXELS_565) {
+        make_4444(s, px, alpha);
+        return;
+    }
+    if (o->texels != SIM_TEXELS_PAL8 && px->w >= 2) {
+        make_mask(s, px, alpha, SIM_TEXELS_PAL4, o->dither);
+        if (o->texels == SIM_TEXELS_PAL4 || s->exact || s->loss.psnr_db >= GOOD_DB)
+            return;
+        free(s->index);
+    }
+    make_mask(s, px, alpha, SIM_TEXELS_PAL8, o->dither);
+}
+
+uint32_t sim_skin_palette(const struct sim_skin *skin)
+{
+    return skin->n_colors * (skin->format == SIM_TEXELS_PAL8A || skin->format == SIM_TEXELS_PAL4A ? 2u : 1u);
+}
+
+/* ---- All of it ------------------------------------------------------------------------------- */
 
 /* Append a coarser level: the mean of what its texels cover of the picture, by the nearest colours. */
 static void add_level(struct sim_skin *s, const struct sim_image *image, const uint32_t size[2], int dither)
@@ -150,15 +250,21 @@ int sim_skin_make(struct sim_skin *out, const struct sim_texture *texture, const
     out->h = size[1];
     out->clamp = texture->clamp;
     sim_progress("texture", 0, 1);
-    if (o->texels == SIM_TEXELS_AUTO)
+    const uint8_t mode = o->opaque ? SIM_ALPHA_OPAQUE : texture->alpha_mode;
+    uint8_t *alpha = mode != SIM_ALPHA_OPAQUE ? shrink_alpha(&texture->image, size) : NULL;
+    out->alpha_least = mode == SIM_ALPHA_MASK ? texture->alpha_least : 0;
+    if (alpha != NULL)
+        make_alpha(out, &px, alpha, mode, o);
+    else if (o->texels == SIM_TEXELS_AUTO)
         choose(out, &px, o->dither);
     else if (o->texels == SIM_TEXELS_565)
         make_565(out, &px, o->dither);
     else
-        make_palette(out, &px, (enum sim_texels)o->texels, o->dither);
+        make_palette(out, &px, (enum sim_texels)o->texels, 0, o->dither);
     free(rgb);
+    free(alpha);
     out->n_levels = 1;
-    if (o->mipmap)
+    if (o->mipmap && mode == SIM_ALPHA_OPAQUE)
         add_levels(out, &texture->image, o->dither);
     return SIM_OK;
 }

@@ -59,6 +59,8 @@ int sim_effect_make(struct sim_effect_scene *out, const struct sim_model *model,
     out->scene = from->scene;
     out->camera = from->camera;
     out->samples = e->samples;
+    out->method = sim_scene_method(&from->scene);
+    out->varyings = sim_scene_varyings(&from->scene);
     out->instance = sim_alloc(2 * (size_t)n + 2, sizeof *out->instance); /* the model, a floor, shadows */
     memcpy(out->instance, from->scene.instance, n * sizeof *out->instance);
     out->scene.instance = out->instance;

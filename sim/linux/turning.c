@@ -17,7 +17,7 @@
 
 #include "model.h"
 #include "render_options.h"
-#include "quantise.h"
+#include "scene_parts.h"
 #include "framing.h"
 #include "zs_fast.h"
 
@@ -27,22 +27,19 @@ static struct sim_scene scene;
 int turning_open(struct source *s, const struct linux_options *o)
 {
     static const struct zs_fast *const fast[] = { ZS_FAST_ALL, ZS_FAST_END };
-    const struct sim_want want = { .normals = 1, .textures = 1 };
     struct sim_options as;
     struct sim_view view;
     sim_options_defaults(&as);
     as.model = o->model;
     as.size[0] = o->size[0];
     as.size[1] = o->size[1];
-    int status = sim_model_load(&model, o->model, &want);
-    const int textured = model.n_textures > 0;
-    as.shade = textured ? SIM_SHADE_TEXTURED : SIM_SHADE_SMOOTH;
+    int status = sim_scene_load(&model, &as);
     if (status == SIM_OK)
         status = sim_view_plan(&view, &as, &model);
     if (status == SIM_OK)
         status = sim_scene_build(&scene, &model, &view, &as);
     *s = (struct source){ o->model, &scene.scene, &scene.camera, &zs_depth_float, fast,
-                          textured ? ZS_VARYINGS_TEXTURE_SMOOTH : ZS_VARYINGS_SMOOTH };
+                          status == SIM_OK ? sim_scene_varyings(&scene.scene) : 0 };
     return status;
 }
 

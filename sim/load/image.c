@@ -48,8 +48,14 @@ static int decode_png(struct sim_image *out, const char *name, const void *bytes
         uint8_t(*rgba)[4] = sim_alloc(pixels, sizeof *rgba);
         if (!png_image_finish_read(&image, NULL, rgba, 0, NULL))
             status = sim_refuse(name, 0, "a broken PNG: %s; save it again", image.message);
-        for (size_t i = 0; i < pixels; i++)
+        unsigned least = 255;
+        for (size_t i = 0; i < pixels; i++) {
             memcpy(out->rgb[i], rgba[i], sizeof out->rgb[i]);
+            least = rgba[i][3] < least ? rgba[i][3] : least;
+        }
+        out->alpha = least < 255 ? sim_alloc(pixels, 1) : NULL;
+        for (size_t i = 0; out->alpha != NULL && i < pixels; i++)
+            out->alpha[i] = rgba[i][3];
         free(rgba);
     }
     png_image_free(&image);
@@ -126,6 +132,7 @@ int sim_image_load(struct sim_image *out, const char *path)
 void sim_image_free(struct sim_image *image)
 {
     free(image->rgb);
+    free(image->alpha);
     memset(image, 0, sizeof *image);
 }
 

@@ -46,12 +46,13 @@ void sim_u32_write(FILE *f, const uint32_t *value, size_t n);
 struct sim_image {
     uint32_t width, height; /* px, 1 .. SIM_IMAGE_MAX */
     uint8_t (*rgb)[3];      /* [height][width], rows from the top; malloc'ed */
+    uint8_t *alpha;         /* [height][width], likewise; NULL: 255 everywhere */
 };
 
 #define SIM_IMAGE_MAX 16384 /* px each way; and no more than 2^27 in all */
 
-/* Decode a PNG (any kind; 16-bit channels are rounded, an alpha channel is dropped: colours stay as
- * they are where it hides them) or a JPEG (not CMYK; its orientation tag is not followed). Bytes
+/* Decode a PNG (any kind; 16-bit channels are rounded; colours stay as they are where an alpha
+ * channel hides them) or a JPEG (not CMYK; its orientation tag is not followed). Bytes
  * that are cut off or broken are refused whole.
  * name    for messages.
  * Return  SIM_OK; SIM_REFUSED, said why, *out empty. sim_image_free in either case. */

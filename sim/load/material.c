@@ -5,6 +5,7 @@
  */
 #include "material.h"
 
+#include <assimp/GltfMaterial.h>
 #include <assimp/material.h>
 #include <math.h>
 #include <stdlib.h>
@@ -12,6 +13,9 @@
 #include <sys/stat.h>
 
 #include "sim.h"
+
+#define SPECULAR_LEAST 0.1 /* of full light */
+#define SPECULAR_POWER_MAX 128.0
 
 /* ---- What a material says -------------------------------------------------------------------- */
 
@@ -68,6 +72,105 @@ static void look_up(struct sim_use *out, const struct aiMaterial *material)
     }
 }
 
+/* ---- How it looks ---------------------------------------------------------------------------- */
+
+static uint8_t to_byte(double v)
+{
+    return v >= 1.0 ? 255 : v > 0.0 ? (uint8_t)(v * 255.0 + 0.5) : 0; /* NaN: 0 */
+}
+
+static double number_of(const struct aiMaterial *m, const char *key, unsigned type, unsigned n, double otherwise)
+{
+    float v;
+    return aiGetMaterialFloat(m, key, type, n, &v) == aiReturn_SUCCESS ? (double)v : otherwise;
+}
+
+/* enum sim_alpha by glTF's word; -1: the file has none. */
+static int gltf_mode(const struct aiMaterial *m)
+{
+    struct aiString mode;
+    if (aiGetMaterialString(m, AI_MATKEY_GLTF_ALPHAMODE, &mode) != aiReturn_SUCCESS)
+        return -1;
+    return strcmp(mode.data, "MASK") == 0    ? SIM_ALPHA_MASK
+           : strcmp(mode.data, "BLEND") == 0 ? SIM_ALPHA_BLEND
+                                             : SIM_ALPHA_OPAQUE;
+}
+
+static void set_opacity(struct sim_material *to, double opacity)
+{
+    to->alpha = to_byte(opacity);
+    to->alpha_mode = to->alpha < 255 ? SIM_ALPHA_BLEND : SIM_ALPHA_OPAQUE;
+}
+
+/* Highlights of a share of light, rgb, and a power; too faint or wide ones are none. */
+static void set_specular(struct sim_material *to, const double rgb[3], double power)
+{
+    if (!(fmax(rgb[0], fmax(rgb[1], rgb[2])) >= SPECULAR_LEAST) || !(power >= 1.0))
+        return;
+    to->specular = (struct zs_rgb){ to_byte(rgb[0]), to_byte(rgb[1]), to_byte(rgb[2]) };
+    to->power = (uint8_t)fmin(power, SPECULAR_POWER_MAX);
+}
+
+/* Metallic-roughness as Blinn-Phong: the power whose lobe is as wide as GGX's, as bright at its top as one that
+ * reflects as much light. Dielectrics reflect 4 %, metals their colour. */
+static void set_roughness(struct sim_material *to, const struct aiMaterial *m)
+{
+    const double rough = number_of(m, AI_MATKEY_ROUGHNESS_FACTOR, 1.0);
+    const double metal = fmin(fmax(number_of(m, AI_MATKEY_METALLIC_FACTOR, 1.0), 0.0), 1.0);
+    const double power = fmin(2.0 / pow(fmax(rough, 0.1), 4.0) - 2.0, SPECULAR_POWER_MAX);
+    const double base[3] = { to->rgb.r / 255.0, to->rgb.g / 255.0, to->rgb.b / 255.0 };
+    double rgb[3];
+    for (int k = 0; k < 3; k++)
+        rgb[k] = (0.04 + metal * (base[k] - 0.04)) * (power + 8.0) / 8.0;
+    if (rough < 0.95)
+        set_specular(to, rgb, power);
+}
+
+static void look_of(struct sim_material *to, const struct aiMaterial *m)
+{
+    struct aiColor4D c = { 0.0f, 0.0f, 0.0f, 1.0f };
+    int flag = 0;
+    const int mode = gltf_mode(m);
+    to->two_sided = aiGetMaterialInteger(m, AI_MATKEY_TWOSIDED, &flag) == aiReturn_SUCCESS && flag != 0;
+    if (aiGetMaterialColor(m, AI_MATKEY_COLOR_EMISSIVE, &c) == aiReturn_SUCCESS)
+        to->emission = (struct zs_rgb){ to_byte((double)c.r), to_byte((double)c.g), to_byte((double)c.b) };
+    to->unlit = aiGetMaterialInteger(m, AI_MATKEY_SHADING_MODEL, &flag) == aiReturn_SUCCESS &&
+                flag == (int)aiShadingMode_Unlit;
+    if (mode >= 0) {
+        const int has = aiGetMaterialColor(m, AI_MATKEY_BASE_COLOR, &c) == aiReturn_SUCCESS;
+        to->alpha_mode = (uint8_t)mode;
+        to->alpha = mode == SIM_ALPHA_OPAQUE || !has ? 255 : to_byte((double)c.a);
+        to->alpha_least = to_byte(number_of(m, AI_MATKEY_GLTF_ALPHACUTOFF, 0.5));
+        set_roughness(to, m);
+        return;
+    }
+    const double opacity = number_of(m, AI_MATKEY_OPACITY, 1.0);
+    if (opacity > 0.0) /* some writers put 0 where they mean nothing */
+        set_opacity(to, opacity);
+    if (aiGetMaterialColor(m, AI_MATKEY_COLOR_SPECULAR, &c) == aiReturn_SUCCESS)
+        set_specular(to, (const double[3]){ (double)c.r, (double)c.g, (double)c.b },
+                     number_of(m, AI_MATKEY_SHININESS, 0.0));
+}
+
+void sim_material_look(struct sim_material *to, const struct aiMaterial *material,
+                       const struct sim_mtl_entry *mtl)
+{
+    to->alpha = 255;
+    to->alpha_least = 128;
+    if (mtl != NULL) {
+        set_opacity(to, mtl->d);
+        to->emission = (struct zs_rgb){ to_byte(mtl->ke[0]), to_byte(mtl->ke[1]), to_byte(mtl->ke[2]) };
+        set_specular(to, mtl->ks, mtl->ns);
+        if (mtl->mask != NULL && to->alpha_mode == SIM_ALPHA_OPAQUE)
+            to->alpha_mode = SIM_ALPHA_MASK;
+    } else if (material != NULL) {
+        look_of(to, material);
+    }
+    to->alpha_least = to->alpha_least > 0 ? to->alpha_least : 1;
+}
+
+/* ---- How it uses its texture ----------------------------------------------------------------- */
+
 /* Kd multiplies the texture, but black stands for "not set" beside one. */
 static void take_mtl(struct sim_use *out, const struct sim_mtl_entry *mtl)
 {
@@ -85,7 +188,9 @@ static void take_mtl(struct sim_use *out, const struct sim_mtl_entry *mtl)
 void sim_material_use(struct sim_use *out, const struct aiMaterial *material,
                       const struct sim_mtl_entry *mtl)
 {
-    *out = (struct sim_use){ .path = copy(""), .scale = { 1.0, 1.0 }, .factor = { 1.0, 1.0, 1.0 } };
+    *out = (struct sim_use){ .path = copy(""), .mask = copy(mtl != NULL && mtl->mask != NULL ? mtl->mask : ""),
+                             .scale = { 1.0, 1.0 }, .factor = { 1.0, 1.0, 1.0 } };
+    out->says_alpha = mtl == NULL && material != NULL && gltf_mode(material) >= 0;
     if (mtl != NULL)
         take_mtl(out, mtl);
     else if (material != NULL)
@@ -178,7 +283,7 @@ static int decode_embedded(struct sim_image *out, const char *name, const struct
         return sim_refuse(name, 0, "a picture of %u x %u px; zsim reads up to %d each way",
                           from->mWidth, from->mHeight, SIM_IMAGE_MAX);
     const size_t n = (size_t)from->mWidth * from->mHeight;
-    *out = (struct sim_image){ from->mWidth, from->mHeight, sim_alloc(n, sizeof *out->rgb) };
+    *out = (struct sim_image){ from->mWidth, from->mHeight, sim_alloc(n, sizeof *out->rgb), NULL };
     for (size_t i = 0; i < n; i++) {
         const uint8_t rgb[3] = { from->pcData[i].r, from->pcData[i].g, from->pcData[i].b };
         memcpy(out->rgb[i], rgb, sizeof rgb);
@@ -199,8 +304,46 @@ static int add_texture(struct sim_model *model, struct sim_image *image, const c
     return SIM_OK;
 }
 
+/* What alpha of a picture does; where it does nothing, or is not given, it goes. */
+static void take_alpha(struct sim_model *model, struct sim_texture *t, const struct sim_use *use)
+{
+    t->alpha_mode = t->image.alpha != NULL ? use->alpha_mode : SIM_ALPHA_OPAQUE;
+    t->alpha_least = use->alpha_least;
+    if (t->alpha_mode != SIM_ALPHA_OPAQUE || t->image.alpha == NULL)
+        return;
+    if (!use->says_alpha)
+        sim_lose(model->lost, SIM_LOST_TEXEL_ALPHA, strrchr(t->name, '/') != NULL ? strrchr(t->name, '/') + 1
+                                                                                  : t->name);
+    free(t->image.alpha);
+    t->image.alpha = NULL;
+}
+
+/* The opacity that an MTL names, as the picture's alpha: that of the mask, or how red it is. */
+static void load_mask(struct sim_model *model, struct sim_image *image, const struct sim_use *use, const char *material)
+{
+    struct sim_image mask = { 0 };
+    char *name = use->mask[0] != '\0' ? find_picture(model->file, use->mask) : NULL;
+    if (use->mask[0] == '\0')
+        return;
+    sim_quiet++;
+    const int same = strcmp(use->mask, use->path) == 0 && image->alpha != NULL;
+    if (!same && (name == NULL || sim_image_load(&mask, name) != SIM_OK || mask.width != image->width ||
+                  mask.height != image->height)) {
+        sim_lose(model->lost, SIM_LOST_OPACITY_MAP, material);
+    } else if (!same) {
+        const size_t n = (size_t)mask.width * mask.height;
+        free(image->alpha);
+        image->alpha = sim_alloc(n, 1);
+        for (size_t i = 0; i < n; i++)
+            image->alpha[i] = mask.alpha != NULL ? mask.alpha[i] : mask.rgb[i][0];
+    }
+    sim_quiet--;
+    free(name);
+    sim_image_free(&mask);
+}
+
 static int load_texture(struct sim_model *model, const struct aiScene *scene,
-                        const struct sim_use *use, uint8_t clamp)
+                        const struct sim_use *use, uint8_t clamp, const char *material)
 {
     struct sim_image image = { 0 };
     const struct aiTexture *embedded = find_embedded(scene, use->path);
@@ -220,8 +363,11 @@ static int load_texture(struct sim_model *model, const struct aiScene *scene,
                                   "its texture '%s' is missing; put it beside the model",
                                   use->path);
     }
-    if (status == SIM_OK)
+    if (status == SIM_OK) {
+        load_mask(model, &image, use, material);
         status = add_texture(model, &image, name, use->factor, clamp);
+        take_alpha(model, &model->texture[model->n_textures - 1], use);
+    }
     free(name);
     return status;
 }
@@ -251,7 +397,8 @@ static int check_mirror(const struct sim_model *model, uint32_t material, const 
 static int same_use(const struct sim_use *a, const struct sim_use *b)
 {
     return strcmp(a->path, b->path) == 0 && a->mode[0] == b->mode[0] && a->mode[1] == b->mode[1] &&
-           memcmp(a->factor, b->factor, sizeof a->factor) == 0;
+           memcmp(a->factor, b->factor, sizeof a->factor) == 0 && strcmp(a->mask, b->mask) == 0 &&
+           a->alpha_mode == b->alpha_mode && a->alpha_least == b->alpha_least;
 }
 
 static uint8_t *used_materials(const struct sim_model *model)
@@ -264,7 +411,7 @@ static uint8_t *used_materials(const struct sim_model *model)
 
 /* The model's own textures, for materials of faces with uv. */
 static int own_textures(struct sim_model *model, const struct aiScene *scene,
-                        const struct sim_use *use, enum sim_wrap wrap)
+                        const struct sim_use *use, enum sim_wrap wrap, int lenient)
 {
     uint8_t *used = used_materials(model);
     int status = SIM_OK;
@@ -276,10 +423,19 @@ static int own_textures(struct sim_model *model, const struct aiScene *scene,
             status = check_mirror(model, i, &use[i]);
         while (same < i && !(used[same] && same_use(&use[same], &use[i])))
             same++;
-        if (status == SIM_OK && same == i)
-            status = load_texture(model, scene, &use[i], clamp_of(&use[i], wrap));
-        model->material[i].texture = same < i ? model->material[same].texture
-                                              : model->n_textures - 1;
+        const uint32_t before = model->n_textures;
+        if (status == SIM_OK && same == i) {
+            sim_quiet += lenient;
+            status = load_texture(model, scene, &use[i], clamp_of(&use[i], wrap), model->material[i].name);
+            sim_quiet -= lenient;
+            if (status != SIM_OK && lenient) {
+                sim_lose(model->lost, SIM_LOST_TEXTURE, use[i].path);
+                status = SIM_OK;
+            }
+        }
+        model->material[i].texture = same < i                      ? model->material[same].texture
+                                     : model->n_textures > before ? before
+                                                                  : SIM_NO_TEXTURE;
         sim_progress("textures", i, model->n_materials);
     }
     free(used);
@@ -302,6 +458,9 @@ static int given_texture(struct sim_model *model, const struct sim_want *want)
     if (status == SIM_OK)
         status = add_texture(model, &image, want->picture, NULL,
                              want->wrap == SIM_WRAP_CLAMP ? ZS_CLAMP_U | ZS_CLAMP_V : 0);
+    const struct sim_use plain = { .alpha_mode = SIM_ALPHA_OPAQUE };
+    if (status == SIM_OK)
+        take_alpha(model, &model->texture[0], &plain);
     for (uint32_t i = 0; status == SIM_OK && i < model->n_materials; i++)
         model->material[i].texture = 0;
     return status;
@@ -311,5 +470,5 @@ int sim_material_textures(struct sim_model *model, const struct aiScene *scene,
                           const struct sim_use *use, const struct sim_want *want)
 {
     return want->picture != NULL ? given_texture(model, want)
-                                 : own_textures(model, scene, use, want->wrap);
+                                 : own_textures(model, scene, use, want->wrap, want->lenient);
 }

@@ -18,10 +18,17 @@ struct sim_use {
     double rotation;      /* radians; not 0: cannot be drawn */
     int mode[2];          /* enum aiTextureMapMode, u and v */
     double factor[3];     /* times the texels, 0 .. 1 */
+    char *mask;           /* OBJ: the picture of its opacity, as the file says; "": none */
+    uint8_t alpha_mode, alpha_least; /* what its alpha does: enum sim_alpha */
+    uint8_t says_alpha;   /* flag: the format says what a texture's alpha does */
 };
 
+/* How a material looks, but for its colour and texture. material and mtl as below. */
+void sim_material_look(struct sim_material *to, const struct aiMaterial *material,
+                       const struct sim_mtl_entry *mtl);
+
 /* Look that up. material: NULL for none; mtl: what an OBJ's material file says of it, which counts
- * instead, or NULL. free(out->path). */
+ * instead, or NULL. free(out->path) and free(out->mask). */
 void sim_material_use(struct sim_use *out, const struct aiMaterial *material,
                       const struct sim_mtl_entry *mtl);
 

@@ -364,6 +364,17 @@ static struct zs_rgb material_rgb(const struct load *l, const struct aiMaterial 
     return to_rgb(&c);
 }
 
+/* Do materials come from the file, and not from assimp or an OBJ's own scan? */
+static int has_looks(const struct load *l)
+{
+    return l->family == FAMILY_OTHER;
+}
+
+static int is_black(struct zs_rgb c)
+{
+    return c.r == 0 && c.g == 0 && c.b == 0;
+}
+
 /* The file's materials, without textures; at least one. */
 static void fill_materials(struct load *l)
 {
@@ -380,12 +391,40 @@ static void fill_materials(struct load *l)
         to->rgb = i < n ? material_rgb(l, l->scene->mMaterials[i])
                         : (struct zs_rgb){ 204, 204, 204 };
         to->texture = SIM_NO_TEXTURE;
+        sim_material_look(to, i < n && has_looks(l) ? l->scene->mMaterials[i] : NULL, sim_mtl_find(&l->mtl, to->name));
+        if (l->want->color == NULL && is_black(to->rgb) && !is_black(to->emission)) { /* it shines, and that is all */
+            to->rgb = to->emission;
+            to->emission = (struct zs_rgb){ 0, 0, 0 };
+            to->unlit = 1;
+        }
     }
     if (l->want->textures)
         l->use = sim_alloc(model->n_materials, sizeof *l->use);
-    for (uint32_t i = 0; l->use != NULL && i < model->n_materials; i++)
+    for (uint32_t i = 0; l->use != NULL && i < model->n_materials; i++) {
         sim_material_use(&l->use[i], i < n ? l->scene->mMaterials[i] : NULL,
                          sim_mtl_find(&l->mtl, model->material[i].name));
+        l->use[i].alpha_mode = model->material[i].alpha_mode;
+        l->use[i].alpha_least = model->material[i].alpha_least;
+    }
+}
+
+/* What materials that faces use have and no model keeps. OBJ: as its material files say. */
+static void count_losses(struct load *l)
+{
+    struct sim_model *model = l->model;
+    uint8_t *used = sim_alloc(model->n_materials, 1);
+    for (uint32_t t = 0; t < model->n_tris; t++)
+        used[model->tri_material[t]] = 1;
+    sim_losses_count(model->lost, l->scene, l->family == FAMILY_OBJ ? NULL : used);
+    for (uint32_t i = 0; l->family == FAMILY_OBJ && i < model->n_materials; i++) {
+        const struct sim_mtl_entry *mtl = used[i] ? sim_mtl_find(&l->mtl, model->material[i].name) : NULL;
+        for (int kind = 0; mtl != NULL && kind < SIM_LOST_KINDS; kind++)
+            if (mtl->other_maps >> kind & 1)
+                sim_lose(model->lost, (enum sim_lost_kind)kind, model->material[i].name);
+        if (mtl != NULL && mtl->mask != NULL && mtl->picture == NULL)
+            sim_lose(model->lost, SIM_LOST_OPACITY_MAP, model->material[i].name);
+    }
+    free(used);
 }
 
 /* The number of a point, the same for equal positions. */
@@ -743,6 +782,8 @@ static int build(struct load *l)
         status = fill_bounds(model);
     if (status == SIM_OK && l->want->normals)
         fill_normals(model);
+    if (status == SIM_OK)
+        count_losses(l);
     if (status == SIM_OK && l->want->textures)
         status = sim_material_textures(model, l->scene, l->use, l->want);
     return status;
@@ -764,7 +805,7 @@ int sim_model_load(struct sim_model *model, const char *file, const struct sim_w
     sim_obj_free(&l.obj);
     sim_mtl_free(&l.mtl);
     for (uint32_t i = 0; l.use != NULL && i < model->n_materials; i++)
-        free(l.use[i].path);
+        SIM_FREE(l.use[i].path, l.use[i].mask);
     free(l.use);
     if (status != SIM_OK)
         sim_model_free(model);

@@ -7,6 +7,7 @@
 
 #include <stdint.h>
 
+#include "losses.h"
 #include "resample.h"
 #include "zstrip.h"
 
@@ -16,7 +17,15 @@
 /* A material that triangles name. */
 struct sim_material {
     char *name;        /* as in the file; "" where it has none */
-    struct zs_rgb rgb; /* diffuse; 204 204 204 where the file says nothing */
+    struct zs_rgb rgb; /* diffuse; 204 204 204 where the file says nothing; where it is black, the emission, unlit */
+    struct zs_rgb emission; /* light of its own besides; 0: none */
+    struct zs_rgb specular; /* of its highlights; 0: none */
+    uint8_t power;          /* of their cosine, 1 .. 128; 0: none */
+    uint8_t alpha_mode;     /* enum sim_alpha; the texture has its own, which is no more than this */
+    uint8_t alpha;          /* opacity, 255 is full; SIM_ALPHA_BLEND */
+    uint8_t alpha_least;    /* least alpha of a texel that is drawn, 1 .. 255; SIM_ALPHA_MASK */
+    uint8_t two_sided;      /* flags: back sides are seen; light does not change it */
+    uint8_t unlit;
     uint32_t texture;  /* into sim_model.texture, or SIM_NO_TEXTURE */
 };
 
@@ -33,6 +42,7 @@ struct sim_model {
     uint32_t *tri_material;  /* [n_tris], into material */
     struct sim_material *material; /* [n_materials]; some may be used by no triangle */
     struct sim_texture *texture;   /* [n_textures]; each is used */
+    struct sim_lost lost[SIM_LOST_KINDS];
     char *lost_materials;    /* OBJ: its first material file that could not be read; else NULL */
     uint32_t n_points, n_tris, n_materials, n_textures;
     int single;              /* 1: positions came through single precision */
@@ -50,6 +60,7 @@ struct sim_want {
     int textures; /* flag: fill uv, has_uv and texture */
     const char *picture;        /* with textures: this file for all faces in place of the model's
                                    own; NULL: its own */
+    int lenient;  /* flag: with textures, without picture: one that cannot be loaded is noted in lost */
     enum sim_wrap wrap;         /* with textures: as the file says, or one mode for all, both axes */
     const struct zs_rgb *color; /* of everything; NULL: as below */
 };
@@ -64,7 +75,8 @@ struct sim_want {
  * gives, from the model's folder, then under its bare name there. Refused: a picture that is
  * missing or broken; want->picture where no face has uv; mirrored repeat where a face leaves the picture,
  * unless want->wrap says otherwise; uv that a material rotates. Vertex colours are not multiplied
- * into textures, and alpha is dropped.
+ * into textures. Texels' alpha is kept where the material asks for it: glTF's alphaMode MASK and BLEND, MTL's
+ * map_d, as a mask, of the same size.
  *
  * Return  SIM_OK; SIM_REFUSED, said why, *model empty. sim_model_free in either case. */
 int sim_model_load(struct sim_model *model, const char *file, const struct sim_want *want);

@@ -31,10 +31,14 @@ struct sim_obj {
 int sim_obj_scan(struct sim_obj *obj, const char *file, const char *text, size_t bytes);
 void sim_obj_free(struct sim_obj *obj);
 
-/* What an MTL file says of a material's diffuse colour and texture (map_Kd). */
+/* What an MTL file says of a material: its diffuse colour and texture (map_Kd), and how else it looks. */
 struct sim_mtl_entry {
     char *name;
     char *picture;    /* as written; NULL: none */
+    char *mask;       /* map_d, likewise */
+    double d;         /* opacity, by d or Tr; 1 where it is not given */
+    double ke[3], ks[3], ns; /* 0 where they are not given */
+    int other_maps;   /* bits of enum sim_lost_kind: textures that are passed over */
     double kd[3];     /* 1 1 1 where it is not given */
     double scale[2], shift[2]; /* -s and -o: uv = scale * given + shift, v upwards; 1 and 0 */
     int clamp;        /* flag: -clamp on */

@@ -1,4 +1,4 @@
-/* MTL text: the lines newmtl, Kd and map_Kd.
+/* MTL text: the lines newmtl, Kd, d, Tr, Ke, Ks, Ns, map_Kd and map_d; of other maps, that they are there.
  *
  * SPDX-License-Identifier: MIT
  */
@@ -7,6 +7,7 @@
 #include <string.h>
 #include <strings.h>
 
+#include "losses.h"
 #include "scan.h"
 #include "sim.h"
 
@@ -77,16 +78,23 @@ static char *rest(const char *at, const char *end)
     return text;
 }
 
-static void take_kd(struct sim_mtl_entry *e, const char *at, const char *end)
+static void take_color(double out[3], const char *at, const char *end)
 {
-    double kd[3];
-    const int n = numbers(&at, end, kd, 3);
+    double c[3];
+    const int n = numbers(&at, end, c, 3);
     for (int k = 0; k < 3 && n > 0; k++)
-        e->kd[k] = kd[k < n ? k : n - 1]; /* one number stands for all */
+        out[k] = c[k < n ? k : n - 1]; /* one number stands for all */
 }
 
-/* Options, then the name up to the line's end: it may hold blanks. */
-static void take_map(struct sim_mtl_entry *e, const char *at, const char *end)
+static void take_opacity(struct sim_mtl_entry *e, int inverse, const char *at, const char *end)
+{
+    double d;
+    if (numbers(&at, end, &d, 1) == 1) /* -halo, which depends on the view, is no number */
+        e->d = fmin(fmax(inverse ? 1.0 - d : d, 0.0), 1.0);
+}
+
+/* Options, which of a mask do not count, then the name up to the line's end: it may hold blanks. */
+static void take_map(struct sim_mtl_entry *e, char **name, const char *at, const char *end)
 {
     static const char *const one[] = { "-blendu", "-blendv", "-boost", "-texres", "-bm",
                                        "-imfchan", "-type", "-cc" };
@@ -97,7 +105,7 @@ static void take_map(struct sim_mtl_entry *e, const char *at, const char *end)
         double value[3];
         int known = 1;
         if (is(&w, "-s") || is(&w, "-o")) {
-            double *to = is(&w, "-s") ? e->scale : e->shift;
+            double *to = name != &e->picture ? ignored : is(&w, "-s") ? e->scale : e->shift;
             const int n = numbers(&ahead, end, value, 3);
             memcpy(to, value, sizeof *to * (size_t)(n < 2 ? n : 2));
         } else if (is(&w, "-t")) {
@@ -105,7 +113,8 @@ static void take_map(struct sim_mtl_entry *e, const char *at, const char *end)
         } else if (is(&w, "-mm")) {
             (void)numbers(&ahead, end, ignored, 2);
         } else if (is(&w, "-clamp")) {
-            e->clamp = next_word(&ahead, end, &w) && is(&w, "on");
+            const int on = next_word(&ahead, end, &w) && is(&w, "on");
+            e->clamp = name == &e->picture ? on : e->clamp;
         } else {
             known = 0;
             for (size_t i = 0; i < sizeof one / sizeof one[0]; i++)
@@ -117,8 +126,25 @@ static void take_map(struct sim_mtl_entry *e, const char *at, const char *end)
             break;
         at = ahead;
     }
-    free(e->picture);
-    e->picture = rest(at, end);
+    free(*name);
+    *name = rest(at, end);
+}
+
+static int other_map(const struct word *w)
+{
+    static const struct {
+        const char *word;
+        enum sim_lost_kind kind;
+    } known[] = { { "map_Bump", SIM_LOST_NORMAL_MAP },   { "bump", SIM_LOST_NORMAL_MAP },
+                  { "norm", SIM_LOST_NORMAL_MAP },       { "disp", SIM_LOST_NORMAL_MAP },
+                  { "map_Ks", SIM_LOST_SPECULAR_MAP },   { "map_Ns", SIM_LOST_SPECULAR_MAP },
+                  { "map_Ke", SIM_LOST_EMISSION_MAP },   { "map_Pr", SIM_LOST_METAL_MAP },
+                  { "map_Pm", SIM_LOST_METAL_MAP },      { "map_Ka", SIM_LOST_OTHER_MAP },
+                  { "refl", SIM_LOST_OTHER_MAP },        { "decal", SIM_LOST_OTHER_MAP } };
+    for (size_t i = 0; i < sizeof known / sizeof known[0]; i++)
+        if (is(w, known[i].word))
+            return 1 << known[i].kind;
+    return 0;
 }
 
 static void take_line(struct sim_mtl *mtl, const char *at, const char *end)
@@ -131,12 +157,29 @@ static void take_line(struct sim_mtl *mtl, const char *at, const char *end)
         mtl->entry = sim_grow(mtl->entry, mtl->n + 1, sizeof *mtl->entry);
         mtl->entry[mtl->n++] = (struct sim_mtl_entry){ .name = name,
                                                        .kd = { 1.0, 1.0, 1.0 },
+                                                       .d = 1.0,
                                                        .scale = { 1.0, 1.0 } };
-    } else if (mtl->n > 0 && is(&w, "Kd")) {
-        take_kd(&mtl->entry[mtl->n - 1], at, end);
-    } else if (mtl->n > 0 && is(&w, "map_Kd")) {
-        take_map(&mtl->entry[mtl->n - 1], at, end);
+        return;
     }
+    struct sim_mtl_entry *e = mtl->n > 0 ? &mtl->entry[mtl->n - 1] : NULL;
+    if (e == NULL)
+        return;
+    if (is(&w, "Kd"))
+        take_color(e->kd, at, end);
+    else if (is(&w, "Ke"))
+        take_color(e->ke, at, end);
+    else if (is(&w, "Ks"))
+        take_color(e->ks, at, end);
+    else if (is(&w, "Ns"))
+        (void)numbers(&at, end, &e->ns, 1);
+    else if (is(&w, "d") || is(&w, "Tr"))
+        take_opacity(e, is(&w, "Tr"), at, end);
+    else if (is(&w, "map_Kd"))
+        take_map(e, &e->picture, at, end);
+    else if (is(&w, "map_d"))
+        take_map(e, &e->mask, at, end);
+    else
+        e->other_maps |= other_map(&w);
 }
 
 void sim_mtl_scan(struct sim_mtl *mtl, const char *text, size_t bytes)
@@ -165,6 +208,7 @@ void sim_mtl_free(struct sim_mtl *mtl)
     for (size_t i = 0; i < mtl->n; i++) {
         free(mtl->entry[i].name);
         free(mtl->entry[i].picture);
+        free(mtl->entry[i].mask);
     }
     free(mtl->entry);
     memset(mtl, 0, sizeof *mtl);

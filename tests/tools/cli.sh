@@ -359,7 +359,7 @@ block() { # NAME COUNT
 show() { # NAME KIND SUM-OF MEAN-COUNT-IN-THE-MIDDLE OPTION...    each pixel as its legend says, the sum as statistics say
     as=$1 kind=$2 key=$3 count=$4
     shift 4
-    draw "$as" layers.obj $plain --show "$kind" "$@"
+    draw "$as" layers.obj $plain --mesh file --show "$kind" "$@"
     look png "out/$as.png"
     is "size of $as" "$(word 1 $seen) $(word 2 $seen)" "240 276"
     is "sum of $as" "$(stat_of "$as" show_sum)" "$(stat_of "$as" "$key")"
@@ -373,10 +373,10 @@ show overdraw overdraw pixels_written 1 --fast all-tiles
 show complexity complexity pixels_tested 8 --fast all-tiles
 is "eight layers" "$(stat_of tested pixels_tested)" 128000
 before=$(stat_of tested show_sum)
-draw after layers.obj $plain --show tested
+draw after layers.obj $plain --mesh file --show tested
 is "sum after" "$(stat_of after show_sum)" $(($(stat_of after pixels_tested) - $(stat_of after pixels_untested)))
 [ "$(stat_of after show_sum)" -lt "$((before / 2))" ] || wrong "accelerators left $(stat_of after show_sum) of $before tests"
-draw after layers.obj $plain --show complexity
+draw after layers.obj $plain --mesh file --show complexity
 is "complexity after" "$(stat_of after show_sum)" "$before"
 note="$before keys tested, $(stat_of after pixels_tested) with accelerators"
 
@@ -488,7 +488,7 @@ awk 'BEGIN { pi = atan2(0, -1); for (i = 0; i < 200; i++)
     printf "f"; for (i = 1; i <= 200; i++) printf " %d", i; print "" }' >round.obj
 for model in dart star round; do
     for cull in back none; do
-        draw fan $model.obj $plain --cull $cull
+        draw fan $model.obj $plain --cull $cull --mesh file
         by_oracle fan $model.obj $cull 2 10000
     done
 done
@@ -546,7 +546,7 @@ ball 30 5 --projection orthographic --depth-bits 10
 ball 30 0 --depth linear --depth-bits 11
 hills 400 30 --eye 0,-160,60 --at 0,0,0
 mess 60 2000 --cull none
-mess 60 2000 --eye 0.5,0.2,1 --at 0,0,0 --near 0.3 --far 5 --shade flat
+mess 60 2000 --eye 0.5,0.2,1 --at 0,0,0 --near 0.3 --far 5 --shade flat --precise
 END
 
 begin reference_options_and_refusals
@@ -601,7 +601,7 @@ look ids out/frame_of_4096x4096.u32 4096 4096
 rm -f out/frame_of_4096x4096.*
 
 obj duplicate 'v -50 -50 0' 'v 50 -50 0' 'v 50 50 0' 'v -50 50 0' 'f 1 2 3 4' 'f 1 2 3 4' 'f 1 2 3' 'f 4 1 2'
-taken duplicate_faces duplicate.obj $plain
+taken duplicate_faces duplicate.obj $plain --mesh file
 same quad duplicate_faces
 is "triangles" "$(stat_of duplicate_faces triangles_in)" 6
 obj degenerate 'v -50 -50 0' 'v 50 -50 0' 'v 50 50 0' 'v -50 50 0' 'v 0 -50 0' 'v 0 -50 0' \
@@ -610,7 +610,7 @@ taken degenerate_faces degenerate.obj $plain --cull none
 by_oracle degenerate_faces degenerate.obj none 1 50000
 is "pixels" "$(covered degenerate_faces)" 10000
 obj line 'v -50 0 0' 'v 50 0 0' 'v 0 0 0' 'f 1 2 3'
-taken nothing_to_see line.obj $plain
+taken nothing_to_see line.obj $plain --mesh file
 is "pixels" "$(covered nothing_to_see)" 0
 taken near_below_0_orthographic quad.obj $plain --near -20 --far 300
 [ "$(covered near_below_0_orthographic)" -eq 10000 ] || wrong "$seen"
@@ -663,6 +663,7 @@ done
 head -c 30 quad.bin >short.bin
 sed 's/quad.bin/short.bin/' quad.gltf >short.gltf
 refused gltf_with_a_short_buffer '' short.gltf
+refused no_area 'none of its 1 triangles has an area' line.obj
 obj points 'v 0 0 0' 'v 1 0 0' 'v 0 1 0'
 refused no_faces 'no faces' points.obj
 obj lines 'v 0 0 0' 'v 1 0 0' 'v 0 1 0' 'l 1 2 3' 'p 1'

@@ -150,8 +150,10 @@ for kind in rgb rgb16 pal adam7; do
     same four kind
 done
 ./fixture png rgba rgba.png 2 2 ff000000 00ff0080 0000ffff ffffff01
-draw kind bare.obj $plain --shade unlit --texture rgba.png # alpha is dropped, nothing shows through
-same four kind
+z render bare.obj $plain --shade unlit --texture rgba.png --out out/kind.png # alpha is dropped, nothing shows through
+is "status" $status 0
+cmp -s out/four.png out/kind.png || wrong "alpha changes the frame"
+is "what is said" "$(cat stderr)" 'zsim: bare.obj: not carried over: alpha of a texture (1, "rgba.png")'
 for kind in gray gray16; do
     ./fixture png $kind "$kind.png" 2 2 000000 424242 828282 ffffff
     draw kind bare.obj $plain --shade unlit --texture "$kind.png"
@@ -269,6 +271,8 @@ is "resampled" "$(stat_of odd texture_resampled)" 1
 is "texels of 4 x 4" "$(stat_of odd texture_texels)" 16
 ./fixture png rgb wide.png 2048 1 000000 ffffff
 draw wide bare.obj $plain --shade unlit --texture wide.png
+is "texels of 256 x 1, as zsim convert writes it" "$(stat_of wide texture_texels)" 256
+draw wide bare.obj $plain --shade unlit --texture wide.png --mesh file
 quarters wide 848284 848284 848284 848284 # the mean of black and white everywhere
 is "texels of 1024 x 1" "$(stat_of wide texture_texels)" 1024
 ./fixture png rgb three.png 3 1 000000 000000 ffffff
@@ -279,7 +283,7 @@ color three 140 100 525552
 color three 160 100 ffffff
 for size in '1 1' '2 1' '1 2' '1024 2' '64 64'; do
     ./fixture png rgb kept.png $size 848284
-    draw kept bare.obj $plain --shade unlit --texture kept.png
+    draw kept bare.obj $plain --shade unlit --texture kept.png --mesh file
     quarters kept 848284 848284 848284 848284
     is "resampled of $size" "$(stat_of kept texture_resampled)" 0
 done
@@ -294,7 +298,7 @@ for format in 565 pal8 pal4; do
     draw stored four.obj $plain --shade unlit --texture-format $format # four colours fit
     same four stored
     is "loss of $format" "$(stat_of stored texture_psnr_db)" 999
-    draw stored bare.obj $plain --shade unlit --texture white.png --texture-format $format
+    draw stored bare.obj $plain --shade unlit --texture white.png --texture-format $format --mesh file
     quarters stored ffffff ffffff ffffff ffffff # 1 x 1
     z render ball.obj --shade unlit --texture numbers.png --texture-format $format --out "out/$format.png" \
         --compare --stats "out/$format.json"
@@ -395,13 +399,16 @@ obj mixed 'mtllib mixed.mtl' 'v -50 -50 0' 'v 0 -50 0' 'v 0 0 0' 'v -50 0 0' 'v 
     'usemtl A' 'f 2/1 5/2 6/3 3'
 printf '%s\n' 'newmtl A' 'Kd 1 1 1' 'map_Kd four.png' 'newmtl B' 'Kd 0 1 0' 'newmtl C' \
     'map_Kd numbers.png' >mixed.mtl
-draw mixed mixed.obj $plain --shade unlit
+draw mixed mixed.obj $plain --shade unlit --mesh file
 color mixed 80 80 ff0000
 color mixed 110 110 ffffff
 color mixed 145 95 00ff00
 color mixed 145 145 ffffff # Kd of A
 is "parts" "$(stat_of mixed parts)" 4
 is "textures" "$(stat_of mixed textures)" 2
+draw converted mixed.obj $plain --shade unlit
+same mixed converted
+is "parts by material" "$(stat_of converted parts)" 3
 draw plainly mixed.obj $plain --shade flat
 cmp -s out/mixed.u32 out/plainly.u32 || wrong "triangles are numbered otherwise than without textures"
 cmp -s out/mixed.pgm out/plainly.pgm || wrong "depth differs from that without textures"
@@ -421,26 +428,29 @@ done
 begin uv_bits
 uv_obj half 0 0 0.999 0.999
 for case in 'bare 15' 'half 15' 'three 14' 'five 13'; do
-    draw uv "${case% *}.obj" $plain --shade unlit --texture numbers.png
+    draw uv "${case% *}.obj" $plain --shade unlit --texture numbers.png --mesh file
     is "bits of $case" "$(stat_of uv uv_bits_least)" "${case#* }"
     at_most "error in texels of $case" "$(stat_of uv uv_error_texels)" 0.002
 done
 uv_obj far 7.25 -1000.5 8.25 -999.5 # whole repeats are taken off
 uv_obj near 0.25 0.5 1.25 1.5
-draw far far.obj $plain --shade unlit --texture numbers.png
-draw near near.obj $plain --shade unlit --texture numbers.png
+draw far far.obj $plain --shade unlit --texture numbers.png --mesh file
+draw near near.obj $plain --shade unlit --texture numbers.png --mesh file
 same far near
 is "bits of a picture far away" "$(stat_of far uv_bits_least)" 15
 # 64 strips that go on across 192 repeats: as a whole too far for 1/16 texel, triangle by triangle not
 awk 'BEGIN { for (i = 0; i <= 64; i++) {
         printf "v %.6f -50 0\nv %.6f 50 0\nvt %.6f 0\nvt %.6f 1\n", i * 1.5625 - 50, i * 1.5625 - 50, i * 3.01, i * 3.01
         if (i > 0) printf "f %d/%d %d/%d %d/%d %d/%d\n", 2*i-1, 2*i-1, 2*i+1, 2*i+1, 2*i+2, 2*i+2, 2*i, 2*i } }' >many.obj
-z render many.obj $plain --shade unlit --texture numbers.png --compare --out out/c.png --stats out/c.json
+z render many.obj $plain --mesh file --shade unlit --texture numbers.png --compare --out out/c.png --stats out/c.json
 is "status of many repeats" $status 0
 at_most "error in texels" "$(stat_of c uv_error_texels)" 0.0625
 at_least "bits" "$(stat_of c uv_bits_least)" 12
 at_least "vertices" "$(stat_of c vertices_in)" 131
 at_most "texels that differ" "$(stat_of c compare_texel_differ)" 300
+z render many.obj $plain --shade unlit --texture numbers.png --compare --out out/c.png --stats out/c.json
+is "status of many repeats, converted" $status 0
+at_most "error in texels, converted" "$(stat_of c uv_error_texels)" 0.5
 uv_obj whole 0 0 1000 1000 # corners that are integers are held exactly
 draw whole whole.obj $plain --shade unlit --texture numbers.png
 is "error" "$(stat_of whole uv_error_texels)" 0
@@ -485,7 +495,7 @@ for depth in e3m13 e4m12 e5m11; do
     for view in 'quad.obj --eye 0,0,120 --at 0,0,0 --fov 90 --near 20 --far 420' "quad.obj $floor" \
         'ball.obj --eye 0.9,0.3,1.1 --at 0,0.3,0 --near 0.01 --far 4'; do
         for bits in 16 9; do
-            z render $view --depth $depth --depth-bits $bits --compare --out out/c.png --stats out/c.json
+            z render $view --precise --depth $depth --depth-bits $bits --compare --out out/c.png --stats out/c.json
             [ $status -eq 0 ] || wrong "status $status: $(said)"
             at_most "keys more than 1 off, $depth, $bits bits, $view" "$(stat_of c compare_key_off)" \
                 "$(($(stat_of c pixels_visible) / 20))"
@@ -502,12 +512,12 @@ refused no_textures_ply 'no face of it has a texture' quad.obj --shade unlit
 obj lost 'mtllib lost.mtl' 'v 0 0 0' 'v 1 0 0' 'v 0 1 0' 'vt 0 0' 'vt 1 0' 'vt 0 1' 'usemtl A' 'f 1/1 2/2 3/3'
 refused missing_mtl 'lost.mtl' lost.obj --shade unlit
 refused no_coordinates 'no texture coordinates' quad.obj --shade textured --texture four.png
-refused texture_without_shade '--shade textured' bare.obj --texture four.png
+refused texture_without_shade '--shade textured' bare.obj --shade flat --texture four.png
 refused mirrored 'mirrored' mirror.gltf --shade unlit
 gltf '"uri":"four.png"' "$bin" '' '' ',"extensions":{"KHR_texture_transform":{"rotation":0.5}}' >turned.gltf
 refused rotated 'rotates its texture' turned.gltf --shade unlit
 uv_obj often 0 0 1000.37 1000.37
-refused repeats_too_often '1/16 texel' often.obj --shade unlit --texture numbers.png
+refused repeats_too_often '1/16 texel' often.obj --mesh file --shade unlit --texture numbers.png
 uv_obj huge 0 0 1e30 1
 refused coordinate_huge '1e+30' huge.obj --shade unlit --texture numbers.png
 sed 's/quad.bin/nan.bin/' file.gltf >nan.gltf

@@ -129,6 +129,38 @@ round_trip() { # NAME INPUT OPTION...
     case $2 in *.obj) same_places "$1" "$2" 0.5002 ;; esac
 }
 
+# One road: the frame of a program around the converted file is that of zsim render, bit by bit, in several views; and
+# zsim budget counts the bytes of the object.
+one_road() { # NAME INPUT OPTION...    options of render and convert alike
+    begin "one_road_$1"
+    road=road_$1
+    shift
+    convert "$road" "$@"
+    compile "$road" same
+    before=''
+    for view in 0 1 2; do
+        # shellcheck disable=SC2086
+        run "$road/same" view $view $place
+        # shellcheck disable=SC2086
+        "$build/zsim" render "$@" $seen --out "$road/o.png" >stdout.render 2>&1 || wrong "$(cat stdout.render)"
+        run ./make sum "$road/o.png"
+        # shellcheck disable=SC2086
+        above "colours of view $view" "$(word 2 $seen)" 8
+        # shellcheck disable=SC2086
+        sum=$(word 1 $seen)
+        run "$road/same" draw $view
+        is "checksum of view $view" "$sum" "$seen"
+        case "$before" in *"$sum"*) wrong "view $view shows what another shows" ;; esac
+        before="$before $sum"
+    done
+    arm-none-eabi-gcc -mcpu=cortex-m3 -mthumb -std=c11 -Os -fdata-sections -c -I"$top/firmware/zstrip" "$road/m.c" \
+        -o "$road/arm.o" || wrong "the Cortex-M compiler refuses it"
+    linked=$(arm-none-eabi-size -A "$road/arm.o" | awk '/^\.(text|rodata|data|bss)/ { sum += $2 } END { print sum }')
+    z budget "$@" --csv
+    is "scene data of zsim budget" "$(awk -F, '$1 == "flash_data" { print $2 }' stdout)" "$linked"
+    note="frames$before; $linked bytes"
+}
+
 # ---- Models ------------------------------------------------------------------------------------
 ./make torus 48 24 4 - >torus.obj
 printf 'newmtl skin\nmap_Kd photo.png\n' >torus.mtl
@@ -142,6 +174,74 @@ printf 'newmtl skin\nmap_Kd photo.png\n' >torus.mtl
 ./make boxes.mtl 130 >boxes.mtl
 mkdir gltf
 ./make gltf gltf
+awk '$1 == "v" { n++; for (k = 0; k < 3; k++) p[n, k] = $(k + 2) }
+    $1 == "f" { print "facet normal 0 0 0\nouter loop"
+        for (i = 2; i < 5; i++) print "vertex", p[$i, 0], p[$i, 1], p[$i, 2]
+        print "endloop\nendfacet" }
+    BEGIN { print "solid teapot" } END { print "endsolid teapot" }' teapot.obj >teapot.stl
+awk '$1 == "v" { v = v $2 " " $3 " " $4 " " 20 * (n % 12) " 90 200\n"; n++ }
+    $1 == "f" { f = f "3 " $2 - 1 " " $3 - 1 " " $4 - 1 "\n"; m++ }
+    END { print "ply\nformat ascii 1.0\nelement vertex " n "\nproperty float x\nproperty float y\nproperty float z"
+        print "property uchar red\nproperty uchar green\nproperty uchar blue\nelement face " m
+        printf "property list uchar int vertex_indices\nend_header\n%s%s", v, f }' teapot.obj >teapot.ply
+le32() {
+    printf "$(awk -v n="$1" 'BEGIN { for (i = 0; i < 4; i++) { printf "\\%03o", n % 256; n = int(n / 256) } }')"
+}
+glb_of() { # FILE.gltf FILE.bin    its pictures stay files
+    json=$(sed "s/\"uri\":\"${2##*/}\",//" "$1")
+    while [ $((${#json} % 4)) -ne 0 ]; do json="$json "; done
+    bytes=$(wc -c <"$2")
+    printf 'glTF' && le32 2 && le32 $((${#json} + bytes + 28)) && le32 ${#json} && printf 'JSON%s' "$json" &&
+        le32 "$bytes" && printf 'BIN\000' && cat "$2"
+}
+mkdir looks
+cp gltf/red.png looks
+./make leaf 64 64 hole looks/hole.png
+./make leaf 64 32 fade looks/fade.png
+./make leaf 64 64 fade looks/square.png
+pbr() { # PROPERTIES
+    echo "\"pbrMetallicRoughness\":{\"metallicFactor\":0,$1}"
+}
+both_sides="{\"name\":\"both sides\",\"doubleSided\":true,$(pbr '"baseColorFactor":[1,0.6,0.2,1]')}"
+./make looks looks looks - "{\"name\":\"leaf\",\"alphaMode\":\"MASK\",\"alphaCutoff\":0.5,$(pbr '"baseColorTexture":{"index":0}')}" \
+    "{\"name\":\"fade\",\"alphaMode\":\"BLEND\",\"doubleSided\":true,$(pbr '"baseColorTexture":{"index":1}')}" \
+    "{\"name\":\"glass\",\"alphaMode\":\"BLEND\",$(pbr '"baseColorFactor":[0.2,0.6,1,0.4]')}" "$both_sides" \
+    "{\"name\":\"lamp\",\"emissiveFactor\":[1,0.8,0.2],$(pbr '"baseColorFactor":[0,0,0,1]')}" \
+    "{\"name\":\"unlit\",\"extensions\":{\"KHR_materials_unlit\":{}},$(pbr '"baseColorTexture":{"index":2}')}" \
+    "{\"name\":\"solid\",\"alphaMode\":\"OPAQUE\",$(pbr '"baseColorTexture":{"index":0},"baseColorFactor":[1,1,1,0.3]')}"
+./make looks looks lossy both \
+    "{\"name\":\"gloss\",\"emissiveFactor\":[0,0,0.2],$(pbr '"roughnessFactor":0.4,"baseColorFactor":[0.7,0.1,0.1,1]')}" \
+    "{\"name\":\"maps\",\"normalTexture\":{\"index\":2},\"occlusionTexture\":{\"index\":2},\"emissiveTexture\":{\"index\":2},$(pbr \
+        '"metallicRoughnessTexture":{"index":2},"baseColorTexture":{"index":3}')}" "$both_sides"
+{
+    echo 'mtllib glass.mtl'
+    i=0
+    for material in plain tinted leaf pane odd; do
+        printf 'usemtl %s\nv %d 0 %d\nv %d 0 %d\nv %d 1 %d\nv %d 1 %d\n' $material $i $((i % 2)) $((i + 2)) 0 $((i + 2)) 0 $i $((i % 2))
+        echo 'vt 0 0
+vt 1 0
+vt 1 1
+vt 0 1
+f -4/-4 -3/-3 -2/-2 -1/-1
+f -1/-1 -2/-2 -3/-3 -4/-4'
+        i=$((i + 1))
+    done
+} >looks/glass.obj
+echo 'newmtl plain
+Kd 0.8 0.2 0.2
+d 1
+newmtl tinted
+Kd 0.1 0.4 0.9
+Tr 0.75
+newmtl leaf
+map_Kd red.png
+map_d -imfchan m hole.png
+map_Bump -bm 0.5 red.png
+newmtl pane
+map_Kd fade.png
+newmtl odd
+map_Kd red.png
+map_d fade.png' >looks/glass.mtl
 for k in 4 16 200 photo; do ./make png $k 256 128 $k.png; done
 ./make png photo 100 50 odd.png
 ./make jpeg 64 64 photo.jpg
@@ -195,6 +295,87 @@ holds stdout 'positions: exact'
 begin step_uses_the_range
 convert range torus.obj
 above "largest coordinate" "$(tr '{},' '\n' <range/m.c | awk '/tri_0/ { exit } $1 + 0 > m { m = $1 + 0 } END { print m }')" 32750
+
+# ---- One road ------------------------------------------------------------------------------------
+one_road obj teapot.obj
+one_road obj_smooth torus.obj
+one_road obj_textured skinned.obj
+one_road obj_precise torus.obj --precise
+one_road obj_large_in_parts large.obj
+one_road gltf gltf/balls.gltf
+gltf=$before
+glb_of gltf/balls.gltf gltf/ball.bin >gltf/balls.glb
+one_road glb gltf/balls.glb
+is "frames of the .glb" "$before" "$gltf"
+one_road stl teapot.stl
+one_road ply teapot.ply
+one_road materials looks/looks.gltf
+for shade in flat textured-flat unlit smooth; do
+    one_road "materials_$(echo $shade | tr - _)" looks/looks.gltf --shade $shade
+done
+one_road mtl looks/glass.obj
+
+# ---- Materials -----------------------------------------------------------------------------------
+# What is drawn is seen in the frame; what is not carried over is named, by convert and by render alike.
+said_of() { # FILE LINE...    all that is said
+    "$build/zsim" render "$1" --out said.png 2>said.render >said.out || wrong "status $?"
+    [ ! -s said.out ] || wrong "render talks: $(head -c 200 said.out)"
+    "$build/zsim" convert "$1" --name m --out said >said.convert 2>said.err || wrong "status $?"
+    [ ! -s said.err ] || wrong "convert complains: $(head -c 200 said.err)"
+    file=$1
+    shift
+    : >said.want
+    for line; do echo "not carried over: $line" >>said.want; done
+    sed "s|^zsim: $file: ||" said.render | cmp -s said.want - || wrong "render of $file says $(tr '\n' '|' <said.render)"
+    grep -F 'not carried over' said.convert | sed 's/^  //' | cmp -s said.want - ||
+        wrong "convert of $file says $(grep -F 'not carried over' said.convert | tr '\n' '|')"
+    grep -F 'not carried over' said/m.c | sed 's/^ \*   //' | cmp -s said.want - || wrong "m.c of $file says something else"
+}
+begin materials_that_are_written
+convert look looks/looks.gltf
+holds look/m.c '{ .shader = &zs_shade_cutout_smooth, .rgb = { 255, 255, 255 }, .cull = ZS_CULL_BACK, .texture = &m_texture[0] }, /* "leaf" */'
+holds look/m.c '{ .material = { .shader = &zs_blend_texture_smooth, .rgb = { 255, 255, 255 }, .cull = ZS_CULL_NONE, .texture = &m_texture[1] }, .alpha = 255 }, /* "fade" */'
+holds look/m.c '.alpha = 102 }, /* "glass" */'
+holds look/m.c '{ .shader = &zs_shade_smooth, .rgb = { 255, 153, 51 }, .cull = ZS_CULL_NONE }, /* "both sides" */'
+holds look/m.c '{ .shader = &zs_shade_raw, .rgb = { 255, 204, 51 }, .cull = ZS_CULL_BACK }, /* "lamp" */'
+holds look/m.c '.shader = &zs_shade_texture, .rgb = { 255, 255, 255 }, .cull = ZS_CULL_BACK, .texture = &m_texture[2] }, /* "unlit" */'
+holds look/m.c '{ .shader = &zs_shade_texture_smooth, .rgb = { 255, 255, 255 }, .cull = ZS_CULL_BACK, .texture = &m_texture[3] }, /* "solid" */'
+holds look/m.c '.alpha_least = 128'
+holds stdout '"hole.png": 64 x 64, pal4a'
+holds stdout '"fade.png": 64 x 32, 4444'
+holds stdout '"hole.png": 64 x 64, pal4,'
+holds look/m.h '#define M_METHOD (&zs_method_transparent)'
+for format in 565:4444 pal8:pal8a pal4:pal4a; do
+    convert look looks/looks.gltf --texture-format ${format%:*}
+    holds stdout "\"hole.png\": 64 x 64, ${format#*:}"
+    compile look same
+    run look/same draw 0
+done
+begin plain_materials_need_no_method
+lacks many_materials/m.h M_METHOD
+lacks many_materials/m.c zs_filter.h
+begin materials_that_are_named
+said_of looks/looks.gltf 'double-sidedness: light on back sides (2, the first of material "fade")'
+said_of looks/lossy.gltf 'animation (1, "walk")' 'skin (3, the first of mesh "bowl0")' \
+    'morph targets (3, the first of mesh "bowl0")' 'camera (1, "eye")' 'light (1, "lamp")' \
+    'further texture coordinates (3, the first of mesh "bowl0")' 'texture that cannot be loaded (1, "gone.png")' \
+    'normal or height map (1, of material "maps")' 'metallic-roughness map (1, of material "maps")' \
+    'emission map (1, of material "maps")' 'occlusion map (1, of material "maps")' \
+    'double-sidedness: light on back sides (1, of material "both sides")' 'highlights (1, of material "gloss")' \
+    'emission (1, of material "gloss")'
+said_of gltf/balls.gltf
+said_of looks/glass.obj 'alpha of a texture (1, "fade.png")' 'normal or height map (1, of material "leaf")' \
+    'opacity map (1, of material "odd")'
+begin opacity_is_named_where_an_option_draws_its_own_way
+for option in '--method hiz' '--fog exp:0.1:ffffff' '--style wire' '--threads 2' '--shadow planar'; do
+    # shellcheck disable=SC2086
+    z render looks/looks.gltf $option --out o.png
+    is "status of $option" $status 0
+    holds stderr 'not carried over: opacity (3, the first of material "leaf")'
+done
+# shellcheck disable=SC2086
+z render looks/looks.gltf --samples 4 --out o.png
+lacks stderr opacity
 
 # ---- What is written, and no more --------------------------------------------------------------
 arrays() { # TO    the arrays of its first mesh

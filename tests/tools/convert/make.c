@@ -8,7 +8,11 @@
  *     make png KIND W H FILE.png              KIND: a number of colours, or photo
  *     make jpeg W H FILE.jpg
  *     make gltf FOLDER                        four materials, two of them textured
+ *     make leaf W H MODE FILE.png             green, RGBA; MODE hole: a disc of alpha 255 in 0; fade: 0 to 255 across
+ *     make looks FOLDER NAME MORE MATERIAL... bowls in a row, a glTF material each; textures 0: hole.png, 1: fade.png,
+ *                                             2: red.png. MORE: mesh, scene or both have what is not carried over; -
  *     make psnr A.png B.ppm                   how alike they are, dB
+ *     make sum A.png                          FNV-1a of its RGB565 values, high byte first; its colours
  *
  * SPDX-License-Identifier: MIT
  */
@@ -240,6 +244,98 @@ static void gltf(const char *folder)
     fclose(f);
 }
 
+static void leaf(unsigned w, unsigned h, const char *mode, const char *file)
+{
+    png_image image = { .version = PNG_IMAGE_VERSION, .width = w, .height = h, .format = PNG_FORMAT_RGBA };
+    uint8_t *px = malloc((size_t)w * h * 4);
+    for (unsigned i = 0; px != NULL && i < w * h; i++) {
+        const double u = (i % w + 0.5) / w - 0.5, v = (i / w + 0.5) / h - 0.5;
+        const int in = u * u + v * v < 0.16;
+        px[4 * i] = 40;
+        px[4 * i + 1] = (uint8_t)(120 + 8 * (i % 11));
+        px[4 * i + 2] = in ? 30 : 200; /* what is hidden has a colour of its own */
+        px[4 * i + 3] = strcmp(mode, "hole") == 0 ? (uint8_t)(in ? 255 : 0) : (uint8_t)(255 * (i % w) / (w - 1));
+    }
+    if (px == NULL || !png_image_write_to_file(&image, file, 0, px, 0, NULL))
+        exit(1);
+    free(px);
+}
+
+/* The ball's vertices, its front half's triangles, joints and weights. */
+static void bowl(const char *path)
+{
+    static uint8_t joints[N_VERTS][4];
+    static float weights[N_VERTS][4];
+    FILE *f = fopen(path, "wb");
+    if (f == NULL)
+        exit(1);
+    ball(f);
+    for (int v = 0; v < N_VERTS; v++)
+        weights[v][0] = 1.0f;
+    fwrite(joints, sizeof joints, 1, f);
+    fwrite(weights, sizeof weights, 1, f);
+    fclose(f);
+}
+
+static void looks(const char *folder, const char *name, const char *more, int n, char **material)
+{
+    char path[4096];
+    const int p = 12 * N_VERTS, u = 8 * N_VERTS, x = 2 * N_INDEX, at[6] = { 0, p, 2 * p, 2 * p + u, 2 * p + u + x,
+                                                                           2 * p + u + x + 4 * N_VERTS };
+    const int length[6] = { p, p, u, x, 4 * N_VERTS, 16 * N_VERTS };
+    const int mesh = strcmp(more, "mesh") == 0 || strcmp(more, "both") == 0;
+    const int scene = strcmp(more, "scene") == 0 || strcmp(more, "both") == 0;
+    snprintf(path, sizeof path, "%s/bowl.bin", folder);
+    bowl(path);
+    snprintf(path, sizeof path, "%s/%s.gltf", folder, name);
+    FILE *f = fopen(path, "w");
+    if (f == NULL)
+        exit(1);
+    fprintf(f, "{\"asset\":{\"version\":\"2.0\"},\"extensionsUsed\":[\"KHR_lights_punctual\",\"KHR_materials_unlit\"],"
+               "\"scene\":0,\"scenes\":[{\"nodes\":[");
+    for (int i = 0; i < n + 2 * scene; i++)
+        fprintf(f, "%s%d", i ? "," : "", i);
+    fprintf(f, "]}],\"nodes\":[");
+    for (int i = 0; i < n; i++) /* bowl i leans over bowl i - 1 */
+        fprintf(f, "%s{\"mesh\":%d,\"translation\":[%g,%g,%g]%s}", i ? "," : "", i, 1.5 * i, 0.3 * (i % 2), 0.5 * (i % 3),
+                mesh ? ",\"skin\":0" : "");
+    if (scene)
+        fprintf(f, ",{\"name\":\"eye\",\"camera\":0},{\"name\":\"lamp\",\"extensions\":{\"KHR_lights_punctual\":{\"light\":0}}}");
+    fprintf(f, "],\"meshes\":[");
+    for (int i = 0; i < n; i++)
+        fprintf(f, "%s{\"name\":\"bowl%d\",\"primitives\":[{\"attributes\":{\"POSITION\":0,\"NORMAL\":1,\"TEXCOORD_0\":2%s},"
+                   "\"indices\":3,\"material\":%d%s}]}",
+                i ? "," : "", i, mesh ? ",\"TEXCOORD_1\":2,\"JOINTS_0\":4,\"WEIGHTS_0\":5" : "", i,
+                mesh ? ",\"targets\":[{\"POSITION\":1}]" : "");
+    fprintf(f, "],\"materials\":[");
+    for (int i = 0; i < n; i++)
+        fprintf(f, "%s%s", i ? "," : "", material[i]);
+    fprintf(f, "],\"textures\":[{\"source\":0},{\"source\":1},{\"source\":2},{\"source\":3}],\"images\":[{\"uri\":\"hole.png\"},"
+               "{\"uri\":\"fade.png\"},{\"uri\":\"red.png\"},{\"uri\":\"gone.png\"}],");
+    if (mesh)
+        fprintf(f, "\"skins\":[{\"joints\":[0],\"inverseBindMatrices\":8}],");
+    if (scene)
+        fprintf(f, "\"cameras\":[{\"type\":\"perspective\",\"perspective\":{\"yfov\":1,\"znear\":1}}],"
+                   "\"extensions\":{\"KHR_lights_punctual\":{\"lights\":[{\"type\":\"point\",\"name\":\"lamp\"}]}},"
+                   "\"animations\":[{\"name\":\"walk\",\"channels\":[{\"sampler\":0,\"target\":{\"node\":0,"
+                   "\"path\":\"translation\"}}],\"samplers\":[{\"input\":6,\"output\":7}]}],");
+    fprintf(f, "\"accessors\":[{\"bufferView\":0,\"componentType\":5126,\"count\":%d,\"type\":\"VEC3\","
+               "\"min\":[-1.2,-1,-1.2],\"max\":[1.2,1,1.2]},{\"bufferView\":1,\"componentType\":5126,\"count\":%d,"
+               "\"type\":\"VEC3\"},{\"bufferView\":2,\"componentType\":5126,\"count\":%d,\"type\":\"VEC2\"},",
+            N_VERTS, N_VERTS, N_VERTS);
+    fprintf(f, "{\"bufferView\":3,\"componentType\":5123,\"count\":%d,\"type\":\"SCALAR\"},{\"bufferView\":4,"
+               "\"componentType\":5121,\"count\":%d,\"type\":\"VEC4\"},{\"bufferView\":5,\"componentType\":5126,"
+               "\"count\":%d,\"type\":\"VEC4\"},",
+            N_INDEX * 2 / 3, N_VERTS, N_VERTS); /* without the lowest third: one looks in */
+    fprintf(f, "{\"bufferView\":5,\"componentType\":5126,\"count\":2,\"type\":\"SCALAR\"},{\"bufferView\":0,"
+               "\"componentType\":5126,\"count\":2,\"type\":\"VEC3\"},{\"bufferView\":5,"
+               "\"componentType\":5126,\"count\":1,\"type\":\"MAT4\"}],\"bufferViews\":[");
+    for (int i = 0; i < 6; i++)
+        fprintf(f, "%s{\"buffer\":0,\"byteOffset\":%d,\"byteLength\":%d}", i ? "," : "", at[i], length[i]);
+    fprintf(f, "],\"buffers\":[{\"uri\":\"bowl.bin\",\"byteLength\":%d}]}\n", at[5] + length[5]);
+    fclose(f);
+}
+
 static void psnr(const char *a, const char *b)
 {
     png_image image = { .version = PNG_IMAGE_VERSION };
@@ -263,6 +359,28 @@ static void psnr(const char *a, const char *b)
     printf("%.1f\n", 10.0 * log10(65025.0 * 3.0 * w * h / squared));
 }
 
+static void sum(const char *file)
+{
+    png_image image = { .version = PNG_IMAGE_VERSION };
+    static uint8_t seen[65536];
+    uint32_t h = 2166136261u, colors = 0;
+    if (!png_image_begin_read_from_file(&image, file))
+        exit(1);
+    image.format = PNG_FORMAT_RGB;
+    uint8_t *px = malloc(PNG_IMAGE_SIZE(image));
+    if (px == NULL || !png_image_finish_read(&image, NULL, px, 0, NULL))
+        exit(1);
+    for (size_t i = 0; i < (size_t)image.width * image.height; i++) {
+        const unsigned c = (unsigned)(px[3 * i] >> 3 << 11 | px[3 * i + 1] >> 2 << 5 | px[3 * i + 2] >> 3);
+        h = (h ^ c >> 8) * 16777619u;
+        h = (h ^ (c & 255)) * 16777619u;
+        colors += !seen[c];
+        seen[c] = 1;
+    }
+    free(px);
+    printf("%08x %u\n", (unsigned)h, (unsigned)colors);
+}
+
 int main(int argc, char **argv)
 {
     const char *what = argc > 1 ? argv[1] : "";
@@ -280,8 +398,14 @@ int main(int argc, char **argv)
         png(argv[2], (unsigned)atoi(argv[3]), (unsigned)atoi(argv[4]), argv[5]);
     else if (strcmp(what, "psnr") == 0 && argc == 4)
         psnr(argv[2], argv[3]);
+    else if (strcmp(what, "sum") == 0 && argc == 3)
+        sum(argv[2]);
     else if (strcmp(what, "jpeg") == 0 && argc == 5)
         jpeg((unsigned)atoi(argv[2]), (unsigned)atoi(argv[3]), argv[4]);
+    else if (strcmp(what, "leaf") == 0 && argc == 6)
+        leaf((unsigned)atoi(argv[2]), (unsigned)atoi(argv[3]), argv[4], argv[5]);
+    else if (strcmp(what, "looks") == 0 && argc > 5)
+        looks(argv[2], argv[3], argv[4], argc - 5, argv + 5);
     else if (strcmp(what, "gltf") == 0 && argc == 3)
         gltf(argv[2]);
     else

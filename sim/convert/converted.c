@@ -1,0 +1,118 @@
+/* From a file to what firmware holds of it.
+ *
+ * SPDX-License-Identifier: MIT
+ */
+#include "converted.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+#include "sim.h"
+
+/* Structs on a 32-bit machine, bytes. */
+#define MESH_BYTES 72u
+#define MATERIAL_BYTES 16u
+#define BLEND_BYTES 20u
+#define TEXTURE_BYTES 20u
+#define INSTANCE_BYTES 64u
+
+void sim_convert_defaults(struct sim_convert_options *o)
+{
+    *o = (struct sim_convert_options){ .look = SIM_LOOK_DEFAULT, .texture_size = { 256, 256 } };
+}
+
+/* ---- Loading --------------------------------------------------------------------------------- */
+
+/* A look that was asked for, and is not there. */
+static int refuse_untextured(const struct sim_model *model, const char *file)
+{
+    if (model->lost_materials != NULL)
+        return sim_refuse(file, 0,
+                          "no textures: its material file %s cannot be read; put it beside the "
+                          "model, or name a picture by --texture",
+                          model->lost_materials);
+    return sim_refuse(file, 0,
+                      "no face of it has a texture and coordinates for it; name a picture by "
+                      "--texture, or give --shade smooth or flat");
+}
+
+static int is_textured(const struct sim_convert_options *o)
+{
+    return o->look == SIM_LOOK_TEXTURED || o->look == SIM_LOOK_TEXTURED_FLAT ||
+           o->look == SIM_LOOK_UNLIT;
+}
+
+/* Without a word from the user, a colour for all makes textures unwanted. */
+int sim_convert_load(struct sim_model *model, struct sim_convert_options *o)
+{
+    const int asked = is_textured(o) || o->texture != NULL,
+              free_choice = o->look == SIM_LOOK_DEFAULT;
+    const struct sim_want want = { .normals = 1,
+                                   .textures = asked || (free_choice && !o->has_color),
+                                   .picture = o->texture,
+                                   .lenient = free_choice,
+                                   .wrap = (enum sim_wrap)o->wrap,
+                                   .color = o->has_color ? &o->color : NULL };
+    memset(model, 0, sizeof *model);
+    if (o->texture != NULL && !free_choice && !is_textured(o))
+        return sim_refuse(o->input, 0, "--texture needs --shade textured, textured-flat or unlit");
+    int status = sim_model_load(model, o->input, &want);
+    if (status == SIM_OK && asked && model->n_textures == 0)
+        status = refuse_untextured(model, o->input);
+    o->by_material = free_choice;
+    if (status == SIM_OK && free_choice)
+        o->look = model->n_textures > 0 ? SIM_LOOK_TEXTURED
+                  : model->file_normals ? SIM_LOOK_SMOOTH
+                                        : SIM_LOOK_FLAT;
+    if (status != SIM_OK)
+        sim_model_free(model);
+    return status;
+}
+
+/* ---- Converting ------------------------------------------------------------------------------ */
+
+int sim_converted_make(struct sim_converted *out, const struct sim_model *model,
+                       const struct sim_convert_options *o)
+{
+    const struct sim_steps_want want = { o->unit, o->keep_origin, o->precise };
+    memset(out, 0, sizeof *out);
+    int status = sim_steps_choose(&out->steps, model, &want);
+    if (status != SIM_OK)
+        return status;
+    uint32_t(*size)[2] = sim_alloc(model->n_textures, sizeof *size);
+    for (uint32_t i = 0; i < model->n_textures; i++)
+        sim_skin_size(size[i], &model->texture[i], o->texture_size);
+    status = sim_pieces_make(&out->pieces, model, &out->steps, o, (const uint32_t(*)[2])size);
+    free(size);
+    out->skin = sim_alloc(model->n_textures, sizeof *out->skin);
+    while (status == SIM_OK && out->n_skins < model->n_textures) {
+        status = sim_skin_make(&out->skin[out->n_skins], &model->texture[out->n_skins], model->file,
+                               o);
+        out->n_skins += status == SIM_OK;
+    }
+    return status;
+}
+
+void sim_converted_free(struct sim_converted *c)
+{
+    for (uint32_t i = 0; i < c->n_skins; i++)
+        sim_skin_free(&c->skin[i]);
+    free(c->skin);
+    sim_pieces_free(&c->pieces);
+    memset(c, 0, sizeof *c);
+}
+
+void sim_converted_bytes(struct sim_converted_bytes *out, const struct sim_converted *c)
+{
+    struct sim_flash *s = &out->mesh;
+    const struct sim_pieces *p = &c->pieces;
+    sim_pieces_flash(s, p, c->steps.fine);
+    out->texels = 0;
+    for (uint32_t i = 0; i < c->n_skins; i++)
+        out->texels += c->skin[i].texel_bytes + c->skin[i].palette_bytes;
+    out->structs = p->n_pieces * (MESH_BYTES + INSTANCE_BYTES) + c->n_skins * TEXTURE_BYTES;
+    for (uint32_t i = 0; i < p->n_paints; i++)
+        out->structs += p->paint[i].alpha_mode == SIM_ALPHA_BLEND ? BLEND_BYTES : MATERIAL_BYTES;
+    out->total = s->pos + s->pos_lo + s->tri + s->normal + s->face_normal + s->rgb + s->uv +
+                 s->cluster + s->bvh + out->texels + out->structs;
+}
