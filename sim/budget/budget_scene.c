@@ -173,7 +173,7 @@ static int of_model(struct budget *b, const struct budget_request *rq)
                                          ZS_VARYINGS_TEXTURE };
     const struct sim_options *o = &rq->o;
     const struct sim_want want = { .normals = sim_options_smooth(o), .textures = sim_options_textured(o), .picture =
-        o->texture };
+        o->texture, .limits = o->limits };
     struct sim_model model = { 0 };
     struct sim_view view;
     struct sim_scene scene = { 0 };

@@ -195,7 +195,8 @@ static int load(struct job *job)
                                    .wrap = !o->has_wrap ? SIM_WRAP_FILE
                                            : o->clamp   ? SIM_WRAP_CLAMP
                                                         : SIM_WRAP_REPEAT,
-                                   .color = o->has_color ? &o->color : NULL };
+                                   .color = o->has_color ? &o->color : NULL,
+                                   .limits = o->limits };
     const int status = sim_model_load(&job->model, o->model, &want);
     if (status != SIM_OK || !want.textures || job->model.n_textures > 0)
         return status;

@@ -86,7 +86,8 @@ static int load(struct sim_conversion *c)
                                    .textures = asked || (free_choice && !o->has_color),
                                    .picture = o->texture,
                                    .wrap = (enum sim_wrap)o->wrap,
-                                   .color = o->has_color ? &o->color : NULL };
+                                   .color = o->has_color ? &o->color : NULL,
+                                   .limits = o->limits };
     if (o->texture != NULL && (o->look == SIM_LOOK_FLAT || o->look == SIM_LOOK_SMOOTH ||
                                o->look == SIM_LOOK_RAW))
         return sim_refuse(o->input, 0, "--texture needs --shade textured, textured-flat or unlit");

@@ -27,7 +27,7 @@ static struct sim_scene scene;
 int turning_open(struct source *s, const struct linux_options *o)
 {
     static const struct zs_fast *const fast[] = { ZS_FAST_ALL, ZS_FAST_END };
-    const struct sim_want want = { .normals = 1, .textures = 1 };
+    const struct sim_want want = { .normals = 1, .textures = 1, .limits = o->limits };
     struct sim_options as;
     struct sim_view view;
     sim_options_defaults(&as);
