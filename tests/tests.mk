@@ -56,6 +56,9 @@ $(B)/test/tests/tools/test_help.o: TEST_CC += -Isim/lab -Isim/linux
 $(B)/test/test_help: $(call t,tests/tools/test_help.c sim/linux/linux_options.c $(filter-out %/main.c,$(ZLAB))) \
                      $(B)/test/libtest.a $(B)/libmeshes.a
 	@$(CC) $(SAN) -Wl,--start-group $^ -Wl,--end-group -lcmocka $(LIBS) -o $@
+$(B)/test/test_model_pack: $(call t,tests/tools/test_model_pack.c $(filter-out sim/cli/main.c,$(SIM))) \
+                           $(B)/test/libtest.a $(B)/libmeshes.a
+	@$(CC) $(SAN) -Wl,--start-group $^ -Wl,--end-group -lcmocka $(LIBS) -o $@
 $(B)/test/zsim: $(call t,$(SIM)) $(B)/test/libtest.a $(B)/libmeshes.a
 	@$(CC) $(SAN) -Wl,--start-group $^ -Wl,--end-group $(LIBS) -o $@
 $(B)/test/zlab: $(call t,$(ZLAB)) $(B)/test/libtest.a $(B)/libmeshes.a

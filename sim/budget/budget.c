@@ -10,6 +10,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "load_options.h"
 #include "option_help.h"
 #include "option_table.h"
 #include "record_sizes.h"
@@ -54,6 +55,8 @@ static const struct sim_option table[] = {
     { "--texture", SIM_OPTION_FILE, AT(o.texture), .value = "T.png",
       .help = "one picture for all faces in place of the model's own" },
     { "--precise", SIM_OPTION_FLAG, AT(o.precise), .help = "24 bits a coordinate instead of 16, as of zsim convert" },
+    SIM_LOAD_OPTIONS(struct budget_request, o.limits),
+    { "Numbers, where there is neither", SIM_OPTION_HEADING },
     { "--scene-tris", SIM_OPTION_COUNT, AT(scene_tris), AT(has_scene_tris), 1, 1e8,
       .help = "numbers: triangles of all of it (twice --tris, since half turns away)" },
     { "--scene-verts", SIM_OPTION_COUNT, AT(scene_verts), AT(has_scene_verts), 3, 1e8,

@@ -1,13 +1,17 @@
-/* Atomic files.
+/* Atomic files. A temporary one is locked as long as it is written, and the lock ends with its writer, however that
+ * ends: one that is not locked is left over.
  *
  * SPDX-License-Identifier: MIT
  */
 #include "output_file.h"
 
+#include <dirent.h>
 #include <errno.h>
+#include <fcntl.h>
 #include <signal.h>
 #include <stdlib.h>
 #include <string.h>
+#include <sys/file.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
@@ -17,11 +21,12 @@
 
 /* Temporary files that exist, for the signal handler: pointers are set and cleared whole. */
 static char *volatile pending[OPEN_MAX_OUTPUTS];
+static pid_t owner; /* a child has its parent's list */
 
 static void remove_pending(void)
 {
     for (int i = 0; i < OPEN_MAX_OUTPUTS; i++)
-        if (pending[i] != NULL)
+        if (pending[i] != NULL && getpid() == owner)
             (void)unlink(pending[i]);
 }
 
@@ -37,6 +42,7 @@ static void watch(char *temporary)
     static int installed;
     if (!installed) {
         installed = 1;
+        owner = getpid();
         (void)atexit(remove_pending);
         (void)signal(SIGXFSZ, SIG_IGN); /* a write beyond a limit of size fails instead */
         const int numbers[] = { SIGINT, SIGTERM, SIGHUP, SIGQUIT, SIGPIPE };
@@ -93,15 +99,64 @@ int sim_output_check(const char *name, const char *source)
     return status;
 }
 
+#define TEMPORARY ".zsim-"
+
+static int is_temporary(const char *name)
+{
+    return strncmp(name, TEMPORARY, sizeof TEMPORARY - 1) == 0 && strlen(name) == sizeof TEMPORARY - 1 + 6;
+}
+
+/* Remove temporary files that zsim has left in a folder because it was killed. */
+static void remove_left_over(const char *folder)
+{
+    const int dir = open(folder, O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+    DIR *list = dir >= 0 ? fdopendir(dir) : NULL;
+    for (const struct dirent *e; list != NULL && (e = readdir(list)) != NULL;) {
+        struct stat st;
+        const int fd = is_temporary(e->d_name)
+            ? openat(dir, e->d_name, O_RDONLY | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC) : -1;
+        if (fd >= 0 && fstat(fd, &st) == 0 && S_ISREG(st.st_mode) && flock(fd, LOCK_EX | LOCK_NB) == 0)
+            (void)unlinkat(dir, e->d_name, 0);
+        if (fd >= 0)
+            (void)close(fd);
+    }
+    if (list != NULL)
+        (void)closedir(list);
+    else if (dir >= 0)
+        (void)close(dir);
+}
+
+/* A new file by a pattern, locked. Another zsim may take it for one that is left over before it is locked: then there is
+ * one more. -1: errno says why. */
+static int open_locked(char *pattern)
+{
+    char *ending = pattern + strlen(pattern) - 6;
+    for (int tries = 0; tries < 100; tries++) {
+        struct stat st;
+        memcpy(ending, "XXXXXX", 6);
+        const int fd = mkstemp(pattern);
+        if (fd < 0)
+            return -1;
+        const int locked = flock(fd, LOCK_EX | LOCK_NB) == 0 || errno != EWOULDBLOCK; /* else there are no locks */
+        if (locked && fstat(fd, &st) == 0 && st.st_nlink > 0)
+            return fd;
+        (void)unlink(pattern);
+        (void)close(fd);
+    }
+    errno = EBUSY;
+    return -1;
+}
+
 /* A new file beside the path, with the mode that the path has or would get. */
 static FILE *open_beside(struct sim_output *out, const struct stat *st)
 {
     char *folder = folder_of(out->path);
     const size_t room = strlen(folder) + 20;
+    remove_left_over(folder);
     out->temporary = sim_alloc(room, 1);
-    (void)snprintf(out->temporary, room, "%s/.zsim-XXXXXX", folder);
+    (void)snprintf(out->temporary, room, "%s/" TEMPORARY "XXXXXX", folder);
     free(folder);
-    const int fd = mkstemp(out->temporary);
+    const int fd = open_locked(out->temporary);
     if (fd < 0) {
         free(out->temporary);
         out->temporary = NULL;

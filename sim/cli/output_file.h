@@ -28,7 +28,8 @@ int sim_output_open(struct sim_output *out, const char *name);
 int sim_output_commit(struct sim_output *out, size_t n);
 
 /* Close and remove. Harmless on an output that is not open. Also done for every open output when
- * zsim exits or is interrupted. */
+ * zsim exits or is interrupted; those of a zsim that was killed are removed when the next one opens an output in the
+ * same folder. */
 void sim_output_abort(struct sim_output *out);
 
 /* Make the folder of --out and those above it, where they are missing; a path has at most `most` characters, up to

@@ -9,6 +9,7 @@
 
 #include "frame.h"
 #include "line_style.h"
+#include "load_options.h"
 #include "method_names.h"
 #include "option_help.h"
 #include "option_table.h"
@@ -105,6 +106,7 @@ static const struct sim_option table[] = {
     { "--diffuse", SIM_OPTION_NUMBER, AT(diffuse), 0, 0, 1, .value = "D",
       .help = "what is added where a face looks straight at the light (0.75)" },
     SIM_EFFECT_OPTIONS(struct sim_options, effects),
+    SIM_LOAD_OPTIONS(struct sim_options, limits),
     { "Else", SIM_OPTION_HEADING },
     SIM_HELP_OPTIONS(AT(help)),
 };

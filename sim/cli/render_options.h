@@ -7,6 +7,7 @@
 
 #include "accelerator_names.h"
 #include "effect_options.h"
+#include "model.h"
 #include "panel_frame.h"
 #include "false_colors.h"
 #include "zstrip.h"
@@ -72,6 +73,7 @@ struct sim_options {
     long spi_hz;                 /* of its wire */
     int has_size, has_spi;
     struct sim_effect_options effects;
+    struct sim_limits limits;    /* of loading the model */
 };
 
 /* Fill *o from the arguments after "render". SIM_USAGE where they make no sense, SIM_REFUSED where

@@ -4,6 +4,7 @@
  */
 #include "sim.h"
 
+#include <fcntl.h>
 #include <stdarg.h>
 #include <stdint.h>
 #include <stdlib.h>
@@ -12,10 +13,28 @@
 #include <unistd.h>
 
 const char *sim_program = "zsim";
+const char *sim_no_memory;
 
 int sim_quiet;
 
 static int progress_shown;
+static FILE *messages; /* NULL: stderr */
+
+static FILE *out(void)
+{
+    return messages != NULL ? messages : stderr;
+}
+
+void sim_messages_keep(void)
+{
+    const int kept = fcntl(STDERR_FILENO, F_DUPFD_CLOEXEC, 3), nothing = open("/dev/null", O_WRONLY | O_CLOEXEC);
+    messages = kept >= 0 ? fdopen(kept, "w") : NULL;
+    if (messages == NULL || nothing < 0)
+        return;
+    (void)setvbuf(messages, NULL, _IONBF, 0);
+    (void)dup2(nothing, STDOUT_FILENO);
+    (void)dup2(nothing, STDERR_FILENO);
+}
 
 /* One line: what would break it becomes a question mark. */
 static void print_line(char *text)
@@ -25,7 +44,7 @@ static void print_line(char *text)
             *p = '?';
     sim_progress_end();
     (void)fflush(stdout);
-    (void)fprintf(stderr, "%s\n", text);
+    (void)fprintf(out(), "%s\n", text);
 }
 
 int sim_refuse(const char *file, unsigned long line, const char *format, ...)
@@ -66,7 +85,10 @@ void *sim_grow(void *block, size_t n, size_t size)
     void *p = size != 0 && n > SIZE_MAX / size ? NULL : realloc(block, n * size + 1);
     if (p == NULL) {
         sim_quiet = 0;
-        (void)sim_refuse(NULL, 0, "out of memory: %zu x %zu bytes more were needed", n, size);
+        if (sim_no_memory != NULL)
+            (void)sim_refuse(NULL, 0, "%s", sim_no_memory);
+        else
+            (void)sim_refuse(NULL, 0, "out of memory: %zu x %zu bytes more were needed", n, size);
         exit(SIM_REFUSED);
     }
     return p;
@@ -98,7 +120,7 @@ void sim_progress(const char *what, size_t done, size_t total)
     static double due_s;
     static const char *job;
     if (terminal < 0)
-        terminal = isatty(STDERR_FILENO);
+        terminal = isatty(fileno(out()));
     if (!terminal)
         return;
     if (job != what) {
@@ -109,14 +131,19 @@ void sim_progress(const char *what, size_t done, size_t total)
         return;
     due_s = now_s() + 0.1;
     const double percent = total > 0 ? 100.0 * (double)done / (double)total : 0.0;
-    (void)fprintf(stderr, "\r%s: %s %3.0f %%\033[K", sim_program, what, percent);
-    (void)fflush(stderr);
+    (void)fprintf(out(), "\r%s: %s %3.0f %%\033[K", sim_program, what, percent);
+    (void)fflush(out());
     progress_shown = 1;
 }
 
 void sim_progress_end(void)
 {
     if (progress_shown)
-        (void)fprintf(stderr, "\r\033[K");
+        (void)fprintf(out(), "\r\033[K");
     progress_shown = 0;
+}
+
+void sim_progress_lost(void)
+{
+    progress_shown = isatty(fileno(out()));
 }

@@ -20,6 +20,13 @@ extern const char *sim_program;
 /* Above 0: sim_refuse prints nothing, for what is tried and may fail. */
 extern int sim_quiet;
 
+/* What is said, in place of how many bytes were needed, where there is no memory; NULL. Borrowed. */
+extern const char *sim_no_memory;
+
+/* From here on messages and progress alone go where stderr went; what libraries print to stdout and stderr goes
+ * nowhere. */
+void sim_messages_keep(void);
+
 /* Print "zsim: FILE:LINE: ..." to stderr, one line whatever the names and values hold. file NULL
  * and line 0 are left out. Return SIM_REFUSED. */
 int sim_refuse(const char *file, unsigned long line, const char *format, ...)
@@ -42,5 +49,8 @@ void sim_free_all(void *const *blocks, size_t n);
  * taken half a second. sim_progress_end wipes the line; sim_refuse does too. */
 void sim_progress(const char *what, size_t done, size_t total);
 void sim_progress_end(void);
+
+/* Another process may have shown progress and not wiped its line: the next message wipes it. */
+void sim_progress_lost(void);
 
 #endif

@@ -12,6 +12,7 @@
 #include <strings.h>
 
 #include "converted.h"
+#include "load_options.h"
 #include "option_help.h"
 #include "option_table.h"
 #include "sim.h"
@@ -75,6 +76,7 @@ static const struct sim_option table[] = {
     { "--mipmap", SIM_OPTION_FLAG, AT(mipmap), .use = SHOWN,
       .help = "coarser levels too, for the mipmap shaders of zs_filter.h: means of the picture's values as the file "
               "has them, without gamma; a third more texels" },
+    SIM_LOAD_OPTIONS(struct sim_convert_options, limits),
     { "Else", SIM_OPTION_HEADING },
     SIM_HELP_OPTIONS(AT(help)),
 };
@@ -286,6 +288,8 @@ static int take_option(struct sim_convert_options *o, char **said, int argc, cha
     if (status != SIM_OK)
         return status;
     const struct sim_option *opt = &table[(const char *)memchr(seen, 1, N_TABLE) - seen];
+    if (opt->kind == SIM_OPTION_COUNT && sim_options_in_range(table, N_TABLE, o, seen, NULL) != SIM_OK)
+        return SIM_REFUSED;
     const char *equals = strchr(argv[at], '=');
     if ((opt->use & FOR_MODELS) && !o->for_models) {
         o->for_models = 1;

@@ -8,6 +8,7 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "load_options.h"
 #include "option_help.h"
 #include "scenes.h"
 #include "sim.h"
@@ -53,6 +54,7 @@ static const struct sim_option table[] = {
     { "--subpixel", SIM_OPTION_COUNT, AT(subpixel), .words = "4|8", .help = "sub-pixel bits (8)" },
     { "--strip", SIM_OPTION_COUNT, AT(strip), 0, 1, ZS_SIZE_MAX, .value = "ROWS", .help = "rows to a strip (24)" },
     { "--partial", SIM_OPTION_FLAG, AT(partial), .help = "of each strip, send only the columns that have changed" },
+    SIM_LOAD_OPTIONS(struct linux_options, limits),
     { "Else", SIM_OPTION_HEADING },
     { "--stats", SIM_OPTION_FLAG, AT(stats),
       .help = "every 32 frames and at the end a line of numbers, averages of a frame" },

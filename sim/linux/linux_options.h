@@ -5,6 +5,7 @@
 #ifndef SIM_LINUX_OPTIONS_H
 #define SIM_LINUX_OPTIONS_H
 
+#include "model.h"
 #include "panel_frame.h"
 
 /* Strings point into argv; NULL: not given. */
@@ -16,6 +17,7 @@ struct linux_options {
     long frames, step;                             /* frames 0: for ever, by the clock */
     long strip, subpixel;
     long size[2];                                  /* px, of the picture */
+    struct sim_limits limits;                      /* of loading the model */
     int has_speed, has_step;
     int partial, stats, dry_run, help;             /* flags */
 };

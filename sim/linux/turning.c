@@ -33,6 +33,7 @@ int turning_open(struct source *s, const struct linux_options *o)
     as.model = o->model;
     as.size[0] = o->size[0];
     as.size[1] = o->size[1];
+    as.limits = o->limits;
     int status = sim_scene_load(&model, &as);
     if (status == SIM_OK)
         status = sim_view_plan(&view, &as, &model);

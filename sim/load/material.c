@@ -12,6 +12,7 @@
 #include <string.h>
 #include <sys/stat.h>
 
+#include "outside.h"
 #include "sim.h"
 
 #define SPECULAR_LEAST 0.1 /* of full light */
@@ -252,7 +253,8 @@ static char *find_picture(const char *model_file, const char *given)
         const char *rest = way >= 2 && bare != NULL ? bare + 1 : name;
         (void)snprintf(path, folder + n + 1, "%.*s%s", rest[0] == '/' ? 0 : (int)folder,
                        model_file, rest);
-        if (is_file(path)) {
+        if (sim_outside_allows(path) && is_file(path)) {
+            sim_outside_forget();
             free(name);
             return path;
         }
@@ -357,11 +359,9 @@ static int load_texture(struct sim_model *model, const struct aiScene *scene,
                                   : sim_refuse(name, 0, "is not in the file; export it again");
     } else {
         name = find_picture(model->file, use->path);
-        status = name != NULL
-                     ? sim_image_load(&image, name)
-                     : sim_refuse(model->file, 0,
-                                  "its texture '%s' is missing; put it beside the model",
-                                  use->path);
+        status = name != NULL ? sim_image_load(&image, name) : sim_outside_check();
+        if (name == NULL && status == SIM_OK)
+            status = sim_refuse(model->file, 0, "its texture '%s' is missing; put it beside the model", use->path);
     }
     if (status == SIM_OK) {
         load_mask(model, &image, use, material);

@@ -1,4 +1,4 @@
-/* Loading. assimp reads the file without post-processing; this file checks what it gives, puts
+/* Loading. assimp reads the file, out of memory, without post-processing; this file checks what it gives, puts
  * nodes in their places, fans polygons from their first corner and welds equal positions.
  *
  * OBJ: assimp is handed the text that sim_obj_scan cleaned. Positions and the order of faces are
@@ -20,6 +20,7 @@
 #include <sys/stat.h>
 
 #include "material.h"
+#include "outside.h"
 #include "scan.h"
 #include "sim.h"
 #include "vec.h"
@@ -36,7 +37,7 @@ struct load {
     struct sim_model *model;
     const char *file;
     enum family family;
-    char *text; /* the whole file, '\0' behind it; NULL where assimp reads it itself */
+    char *text; /* the whole file, '\0' behind it; of an OBJ only until it is scanned */
     size_t bytes;
     struct sim_obj obj;
     struct sim_mtl mtl;          /* OBJ: its material files */
@@ -91,7 +92,7 @@ static int read_file(struct load *l)
     return SIM_OK;
 }
 
-/* ---- Files for assimp: the cleaned text in place of the model, and its material files -------- */
+/* ---- Files for assimp: the model as it was checked, of an OBJ the cleaned text, and what it names ----------- */
 
 struct stream {
     struct aiFile file;
@@ -145,11 +146,11 @@ static void stream_flush(struct aiFile *file)
     (void)file;
 }
 
-/* A whole regular file with a '\0' behind it, or NULL. malloc'ed. */
+/* A whole regular file that the model may name, with a '\0' behind it, or NULL. malloc'ed. */
 static char *read_text(const char *path, size_t *bytes)
 {
     struct stat st;
-    FILE *f = stat(path, &st) == 0 && S_ISREG(st.st_mode) ? fopen(path, "rb") : NULL;
+    FILE *f = sim_outside_allows(path) && stat(path, &st) == 0 && S_ISREG(st.st_mode) ? fopen(path, "rb") : NULL;
     if (f == NULL)
         return NULL;
     char *text = sim_alloc((size_t)st.st_size + 1, 1);
@@ -183,11 +184,12 @@ static char *read_materials(struct load *l, const char *name, size_t *bytes)
 static struct aiFile *stream_open(struct aiFileIO *io, const char *name, const char *mode)
 {
     struct load *l = (struct load *)io->UserData;
-    struct stream s = { .text = l->obj.text, .bytes = l->obj.text_bytes };
+    const int obj = l->family == FAMILY_OBJ;
+    struct stream s = { .text = obj ? l->obj.text : l->text, .bytes = obj ? l->obj.text_bytes : l->bytes };
     if (mode[0] != 'r')
         return NULL;
     if (strcmp(name, l->file) != 0) {
-        s.text = s.own = read_materials(l, name, &s.bytes);
+        s.text = s.own = obj ? read_materials(l, name, &s.bytes) : read_text(name, &s.bytes);
         if (s.own == NULL)
             return NULL;
     }
@@ -231,11 +233,15 @@ static int import(struct load *l)
     sim_progress("loading", 0, 1);
     if (l->family != FAMILY_OBJ) /* the scan has seen its indices */
         aiAttachLogStream(&log);
-    l->scene = aiImportFileEx(l->file, 0, l->family == FAMILY_OBJ ? &io : NULL);
+    l->scene = aiImportFileEx(l->file, 0, &io);
     if (l->family != FAMILY_OBJ)
         (void)aiDetachLogStream(&log);
+    if (sim_outside_check() != SIM_OK)
+        return SIM_REFUSED;
     if (l->scene == NULL) {
         const char *why = aiGetErrorString();
+        if (why != NULL && strstr(why, "bad_alloc") != NULL && sim_no_memory != NULL)
+            return sim_refuse(NULL, 0, "%s", sim_no_memory);
         return sim_refuse(l->file, 0, "cannot be loaded: %s; the file may be damaged or cut off",
                           why != NULL && why[0] != '\0' ? why : "unknown format");
     }
@@ -744,8 +750,10 @@ static int look_through(struct load *l)
         status = sim_ply_check(l->file, l->text, l->bytes);
     if (status == SIM_OK && l->family == FAMILY_STL)
         status = sim_stl_check(l->file, l->text, l->bytes);
-    free(l->text);
-    l->text = NULL;
+    if (l->family == FAMILY_OBJ) {
+        free(l->text);
+        l->text = NULL;
+    }
     return status;
 }
 
@@ -789,19 +797,22 @@ static int build(struct load *l)
     return status;
 }
 
-int sim_model_load(struct sim_model *model, const char *file, const struct sim_want *want)
+int sim_model_read(struct sim_model *model, const char *file, const struct sim_want *want)
 {
     memset(model, 0, sizeof *model);
     struct load l = { .model = model, .file = file, .family = family_of(file), .want = want };
     model->file = file;
     model->single = l.family != FAMILY_OBJ;
+    sim_outside_begin(file, want->limits.outside);
     int status = look_through(&l);
     if (status == SIM_OK)
         status = import(&l);
+    free(l.text);
     if (status == SIM_OK)
         status = build(&l);
     if (l.scene != NULL)
         aiReleaseImport(l.scene);
+    sim_outside_forget();
     sim_obj_free(&l.obj);
     sim_mtl_free(&l.mtl);
     for (uint32_t i = 0; l.use != NULL && i < model->n_materials; i++)

@@ -53,6 +53,13 @@ struct sim_model {
 
 enum sim_wrap { SIM_WRAP_FILE, SIM_WRAP_REPEAT, SIM_WRAP_CLAMP };
 
+/* What loading may take: models come from strangers. All zero: the usual. */
+struct sim_limits {
+    int outside;    /* flag: files outside the model's folder are read, too, where it names them */
+    long megabytes; /* of memory; 0: 1536 and 64 times the file's, at most 3/4 of the machine's */
+    long seconds;   /* of CPU time; 0: 20 and one for each megabyte of the file */
+};
+
 /* What of a model is wanted besides its shape and colours. All zero: nothing. */
 struct sim_want {
     int normals;  /* flag: fill normal, from the file where it has them, else from the faces around
@@ -63,9 +70,14 @@ struct sim_want {
     int lenient;  /* flag: with textures, without picture: one that cannot be loaded is noted in lost */
     enum sim_wrap wrap;         /* with textures: as the file says, or one mode for all, both axes */
     const struct zs_rgb *color; /* of everything; NULL: as below */
+    struct sim_limits limits;
 };
 
 /* Load a model. file stays borrowed.
+ *
+ * The file is read in a process of its own (loader.c): where that crashes, or takes more memory or time than
+ * want->limits, the file is refused. What the model names is read if it is a regular file in the model's folder or
+ * below, links followed; else the model is refused, unless want->limits.outside.
  *
  * Colours: want->color, else vertex colours, else the material's diffuse colour, else 204 204 204.
  *
@@ -81,6 +93,9 @@ struct sim_want {
  * Return  SIM_OK; SIM_REFUSED, said why, *model empty. sim_model_free in either case. */
 int sim_model_load(struct sim_model *model, const char *file, const struct sim_want *want);
 void sim_model_free(struct sim_model *model);
+
+/* The same in this process, without limits of memory and time. */
+int sim_model_read(struct sim_model *model, const char *file, const struct sim_want *want);
 
 /* The texture of a face; NULL: its material has none, or the face no uv. */
 const struct sim_texture *sim_model_texture(const struct sim_model *model, uint32_t tri);

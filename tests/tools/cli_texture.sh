@@ -184,7 +184,7 @@ cp four.png 'in one/my four.png'
 for written in 'C:\somebody\else\my four.png' '/no/such/folder/my four.png' "$work/four.png"; do
     quad_obj 'in one/named' "map_Kd $written"
     sed -i 's/^mtllib.*/mtllib .\\named.mtl/' 'in one/named.obj'
-    draw named 'in one/named.obj' $plain --shade unlit
+    draw named 'in one/named.obj' $plain --shade unlit --allow-outside
     same four named
 done
 gltf '"uri":"deep%20er/my%20four.png"' "$bin" >'in one/percent.gltf'
