@@ -28,7 +28,8 @@ static void bins_clear(struct zs_renderer *r)
 
 void zs_bin_empty(struct zs_renderer *r)
 {
-    r->n_tris = r->n_verts = r->vert_packed = r->vert_base = 0;
+    r->tris_left -= zs_minu32(r->tris_left, r->n_tris);
+    r->n_tris = r->n_verts = r->vert_packed = r->tris_packed = r->vert_base = 0;
     r->active = ZS_NIL;
     bins_clear(r);
 }
@@ -44,19 +45,6 @@ void zs_bin_add(struct zs_renderer *r, const uint32_t slot[3], uint16_t paint, u
 }
 
 /* ---- Vertices -------------------------------------------------------------------------------- */
-
-/* Not inlined: on a core without a divide instruction, v % n is a library call, and only vertex
- * numbers beyond the pool's size need it. */
-static ZS_NOINLINE uint32_t fold(uint32_t v, uint32_t n)
-{
-    return v % n;
-}
-
-/* The entry of vertex v in vert_map, which has n entries. */
-static inline uint32_t map_index(uint32_t v, uint32_t n)
-{
-    return v < n ? v : fold(v, n);
-}
 
 void zs_bin_mark(struct zs_renderer *r, uint32_t slot, uint32_t from, uint32_t n)
 {
@@ -82,7 +70,7 @@ static ZS_NOINLINE uint32_t vertex_add(struct zs_renderer *r, uint32_t v)
     if (r->n_verts == r->config.max_verts)
         return ZS_NIL;
     const uint32_t slot = r->n_verts++;
-    r->vert_map[map_index(v, r->config.max_verts)] = (uint16_t)slot;
+    r->vert_map[zs_bin_entry(v, r->config.max_verts)] = (uint16_t)slot;
     zs_bin_mark(r, slot, v, 1);
     if (ZS_IF_FAST(r->batch))
         r->batch->screen(r, v, 1, &r->vert[slot]);
@@ -98,7 +86,7 @@ ZS_RARE ZS_NOINLINE int zs_bin_corners(struct zs_renderer *r, const uint16_t ind
     const uint32_t base = r->vert_base, cap = r->config.max_verts;
     for (int k = 0; k < 3; k++) {
         const uint32_t v = index[k];
-        uint32_t s = ZS_IF_FAST(r->direct) ? base + v : map[map_index(v, cap)];
+        uint32_t s = ZS_IF_FAST(r->direct) ? base + v : map[zs_bin_entry(v, cap)];
         if (!ZS_IF_FAST(r->direct) && (s >= r->n_verts || s < base || src[s] != v))
             s = vertex_add(r, v);
         if (s == ZS_NIL)
@@ -128,17 +116,17 @@ static ZS_RARE void tris_pack(struct zs_renderer *r)
     r->n_tris = kept;
 }
 
-ZS_RARE void zs_bin_pack(struct zs_renderer *r)
+ZS_RARE void zs_bin_pack_new(struct zs_renderer *r)
 {
     uint16_t *to = r->vert_map; /* used for new indices; the map is rebuilt below */
-    const uint32_t varyings = r->config.varyings;
-    for (uint32_t v = 0; v < r->n_verts; v++)
+    const uint32_t varyings = r->config.varyings, first = r->vert_packed;
+    for (uint32_t v = first; v < r->n_verts; v++)
         to[v] = ZS_NIL;
-    for (uint32_t t = 0; t < r->n_tris; t++)
+    for (uint32_t t = r->tris_packed; t < r->n_tris; t++)
         for (int k = 0; k < 3; k++)
             to[r->tri[t].v[k]] = 0;
-    uint32_t kept = 0, base = 0;
-    for (uint32_t v = 0; v < r->n_verts; v++) {
+    uint32_t kept = first, base = r->vert_base;
+    for (uint32_t v = first; v < r->n_verts; v++) {
         if (v == r->vert_base)
             base = kept;
         if (to[v] == ZS_NIL)
@@ -152,14 +140,22 @@ ZS_RARE void zs_bin_pack(struct zs_renderer *r)
     }
     if (r->vert_base >= r->n_verts)
         base = kept;
-    for (uint32_t t = 0; t < r->n_tris; t++)
+    for (uint32_t t = r->tris_packed; t < r->n_tris; t++)
         for (int k = 0; k < 3; k++)
-            r->tri[t].v[k] = to[r->tri[t].v[k]];
+            if (r->tri[t].v[k] >= first)
+                r->tri[t].v[k] = to[r->tri[t].v[k]];
     r->n_verts = r->vert_packed = kept;
+    r->tris_packed = r->n_tris;
     r->vert_base = base;
     for (uint32_t v = base; v < kept; v++)
         if (r->vert_src[v] != ZS_NO_SOURCE)
-            r->vert_map[map_index(r->vert_src[v], r->config.max_verts)] = (uint16_t)v;
+            r->vert_map[zs_bin_entry(r->vert_src[v], r->config.max_verts)] = (uint16_t)v;
+}
+
+ZS_RARE void zs_bin_pack(struct zs_renderer *r)
+{
+    r->vert_packed = r->tris_packed = 0;
+    zs_bin_pack_new(r);
 }
 
 /* Return 1 if a quarter of both pools is free. */
@@ -176,15 +172,26 @@ ZS_RARE void zs_bin_count(struct zs_renderer *r)
     r->stats.max_verts_used = zs_maxu32(r->stats.max_verts_used, r->n_verts);
 }
 
+/* Take strips from the band's end, until a quarter of the triangles begins below it. */
+static ZS_RARE void shrink(struct zs_renderer *r)
+{
+    uint32_t dropped = 0;
+    do {
+        r->band_end--;
+        for (uint32_t t = r->bin[r->band_end]; t != ZS_NIL; t = r->tri[t].next)
+            dropped++;
+    } while (r->band_end - r->strip > 1 && dropped < r->n_tris / 4u);
+}
+
 ZS_RARE int zs_bin_room(struct zs_renderer *r)
 {
     r->direct = 0;
     zs_bin_count(r);
-    zs_bin_pack(r);
+    zs_bin_pack_new(r);
     while (!roomy(r)) {
         if (r->band_end - r->strip <= 1)
             return 0;
-        r->band_end = (uint16_t)(r->strip + (r->band_end - r->strip) / 2);
+        shrink(r);
         tris_pack(r);
         zs_bin_pack(r);
     }
