@@ -20,6 +20,8 @@
 #include "zs_shader.h"
 #include "core/xform.h"
 
+#define ROOM 8u /* a pool that is full is emptied until an eighth of it is free */
+
 static void bins_clear(struct zs_renderer *r)
 {
     for (uint32_t s = r->strip; s < r->n_strips; s++)
@@ -70,7 +72,7 @@ static ZS_NOINLINE uint32_t vertex_add(struct zs_renderer *r, uint32_t v)
     if (r->n_verts == r->config.max_verts)
         return ZS_NIL;
     const uint32_t slot = r->n_verts++;
-    r->vert_map[zs_bin_entry(v, r->config.max_verts)] = (uint16_t)slot;
+    r->vert_map[v & zs_bin_mask(r->config.max_verts)] = (uint16_t)slot;
     zs_bin_mark(r, slot, v, 1);
     if (ZS_IF_FAST(r->batch))
         r->batch->screen(r, v, 1, &r->vert[slot]);
@@ -83,10 +85,10 @@ ZS_RARE ZS_NOINLINE int zs_bin_corners(struct zs_renderer *r, const uint16_t ind
                                        uint32_t slot[3])
 {
     const uint16_t *map = r->vert_map, *src = r->vert_src;
-    const uint32_t base = r->vert_base, cap = r->config.max_verts;
+    const uint32_t base = r->vert_base, mask = zs_bin_mask(r->config.max_verts);
     for (int k = 0; k < 3; k++) {
         const uint32_t v = index[k];
-        uint32_t s = ZS_IF_FAST(r->direct) ? base + v : map[zs_bin_entry(v, cap)];
+        uint32_t s = ZS_IF_FAST(r->direct) ? base + v : map[v & mask];
         if (!ZS_IF_FAST(r->direct) && (s >= r->n_verts || s < base || src[s] != v))
             s = vertex_add(r, v);
         if (s == ZS_NIL)
@@ -147,9 +149,10 @@ ZS_RARE void zs_bin_pack_new(struct zs_renderer *r)
     r->n_verts = r->vert_packed = kept;
     r->tris_packed = r->n_tris;
     r->vert_base = base;
+    const uint32_t mask = zs_bin_mask(r->config.max_verts);
     for (uint32_t v = base; v < kept; v++)
         if (r->vert_src[v] != ZS_NO_SOURCE)
-            r->vert_map[zs_bin_entry(r->vert_src[v], r->config.max_verts)] = (uint16_t)v;
+            r->vert_map[r->vert_src[v] & mask] = (uint16_t)v;
 }
 
 ZS_RARE void zs_bin_pack(struct zs_renderer *r)
@@ -158,12 +161,10 @@ ZS_RARE void zs_bin_pack(struct zs_renderer *r)
     zs_bin_pack_new(r);
 }
 
-/* Return 1 if a quarter of both pools is free. */
-static ZS_RARE int roomy(const struct zs_renderer *r)
+/* Return 1 if a share of a pool is free: an eighth, and `more`. */
+static ZS_RARE int roomy(uint32_t used, uint32_t all, uint32_t more)
 {
-    const uint32_t tris = r->config.max_tris, verts = r->config.max_verts;
-    return tris - r->n_tris >= tris / 4u + 1u &&
-           verts - r->n_verts >= zs_minu32(verts / 4u + 3u, verts);
+    return all - used >= zs_minu32(all / ROOM + more, all);
 }
 
 ZS_RARE void zs_bin_count(struct zs_renderer *r)
@@ -172,7 +173,7 @@ ZS_RARE void zs_bin_count(struct zs_renderer *r)
     r->stats.max_verts_used = zs_maxu32(r->stats.max_verts_used, r->n_verts);
 }
 
-/* Take strips from the band's end, until a quarter of the triangles begins below it. */
+/* Take strips from the band's end, until a share of the triangles begins below it. */
 static ZS_RARE void shrink(struct zs_renderer *r)
 {
     uint32_t dropped = 0;
@@ -180,20 +181,24 @@ static ZS_RARE void shrink(struct zs_renderer *r)
         r->band_end--;
         for (uint32_t t = r->bin[r->band_end]; t != ZS_NIL; t = r->tri[t].next)
             dropped++;
-    } while (r->band_end - r->strip > 1 && dropped < r->n_tris / 4u);
+    } while (r->band_end - r->strip > 1 && dropped <= r->n_tris / ROOM);
+    tris_pack(r);
+    r->vert_packed = r->tris_packed = 0;
 }
 
 ZS_RARE int zs_bin_room(struct zs_renderer *r)
 {
     r->direct = 0;
     zs_bin_count(r);
-    zs_bin_pack_new(r);
-    while (!roomy(r)) {
+    for (;;) {
+        const int full = !roomy(r->n_tris, r->config.max_tris, 1);
+        if (!full) {
+            zs_bin_pack_new(r);
+            if (roomy(r->n_verts, r->config.max_verts, 3))
+                return 1;
+        }
         if (r->band_end - r->strip <= 1)
             return 0;
         shrink(r);
-        tris_pack(r);
-        zs_bin_pack(r);
     }
-    return 1;
 }

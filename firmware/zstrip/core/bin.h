@@ -32,10 +32,10 @@ int zs_bin_corners(struct zs_renderer *r, const uint16_t index[3], uint32_t slot
 /* Update the pools' high-water marks in the statistics. */
 void zs_bin_count(struct zs_renderer *r);
 
-/* The entry of vertex v in vert_map, which has n entries. */
-static inline uint32_t zs_bin_entry(uint32_t v, uint32_t n)
+/* With n entries in vert_map, vertex v has the entry v & zs_bin_mask(n). */
+static inline uint32_t zs_bin_mask(uint32_t n)
 {
-    return v < n ? v : v & (0x7fffffffu >> zs_clz32(n));
+    return 0x7fffffffu >> zs_clz32(n);
 }
 
 /* The strip of a row of the frame, 0 <= row < ZS_SIZE_MAX. */

@@ -263,7 +263,7 @@ static ZS_NOINLINE uint32_t gather(struct zs_renderer *r, struct batch *s, uint3
                                    uint32_t n)
 {
     const struct zs_mesh *mesh = r->xform.instance->mesh;
-    const uint32_t cap = r->config.max_verts, base = r->vert_base, n_verts = mesh->n_verts;
+    const uint32_t cap = r->config.max_verts, base = r->vert_base, mask = zs_bin_mask(cap);
     const uint32_t first = r->n_verts;
     uint16_t *const src = r->vert_src, *const map = r->vert_map;
     const uint16_t *index = mesh->tri[from], *const end = index + 3u * n;
@@ -271,11 +271,11 @@ static ZS_NOINLINE uint32_t gather(struct zs_renderer *r, struct batch *s, uint3
     uint32_t top = first;
     for (; index != end; index++, to++) {
         const uint32_t v = *index;
-        uint32_t slot = ZS_NIL; /* a number out of range: a slow case */
-        if (v < n_verts) {
-            uint16_t *const entry = map + zs_bin_entry(v, cap);
-            slot = *entry;
-            if (slot >= top || slot < base || src[slot] != v) {
+        uint16_t *const entry = map + (v & mask);
+        uint32_t slot = *entry;
+        if (slot - base >= top - base || src[slot] != v) {
+            slot = ZS_NIL; /* a number out of range: a slow case */
+            if (v < mesh->n_verts) {
                 if (top == cap)
                     break;
                 slot = top++;
@@ -313,9 +313,10 @@ static ZS_NOINLINE uint32_t batch_bin(struct zs_renderer *r, uint32_t from, uint
         s.tri = mesh->tri + from;
         if (!r->direct && (n = gather(r, &s, from, n)) == 0)
             return from;
+        const uint32_t left = reject(&s, n);
         if (r->parts_tris && r->counting)
-            zs_parts_note(r, from, s.pool, s.n_verts, s.tri, n);
-        const uint32_t left = reject(&s, n), done = bin_all(r, &s, from, left, fate);
+            zs_parts_note(r, from, s.pool, s.tri, s.left, left);
+        const uint32_t done = bin_all(r, &s, from, left, fate);
         if (done < left) {
             const uint32_t t = from + s.left[done] / 4u;
             drop_less(&s, from, n, t, fate);

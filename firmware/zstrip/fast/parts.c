@@ -22,7 +22,7 @@
 #include "fast/parts.h"
 #include "zs_shader.h"
 
-#define PART_LOG2_MIN 6
+#define PART_LOG2_MIN 5
 #define PART_LOG2_MAX 15
 #define SHARE 16u     /* parts take at most this part of the triangle pool */
 #define ALL 0xff00u   /* rows 0 .. 255: reaches all bands */
@@ -130,26 +130,26 @@ uint32_t zs_parts_next(const struct zs_renderer *r, uint32_t *from, uint32_t end
     return 0;
 }
 
-void zs_parts_note(struct zs_renderer *r, uint32_t from, const struct zs_vertex *pool,
-                   uint32_t n_verts, const uint16_t (*tri)[3], uint32_t n)
+ZS_IN_ORDER void zs_parts_note(struct zs_renderer *r, uint32_t from, const struct zs_vertex *pool,
+                               const uint16_t (*tri)[3], const uint8_t *left, uint32_t n)
 {
     uint16_t *const part = parts(r) + r->part + (from >> r->part_log2);
     const int32_t last = r->config.height - 1;
     int32_t y0 = INT32_MAX, y1 = INT32_MIN;
-    uint32_t d = 0;
-    for (const uint16_t *i = tri[0], *const end = i + 3u * n; i != end; i++) {
-        if (*i >= n_verts)
-            continue;
-        const struct zs_vertex *v = &pool[*i];
-        y0 = zs_min32(y0, v->y);
-        y1 = zs_max32(y1, v->y);
-        d = zs_maxu32(d, v->d);
+    for (const uint8_t *const end = left + n; left != end; left++) {
+        const uint16_t *index = tri[*left / 4u];
+        if (*left & 2u) { /* rare */
+            *part = ALL;
+            return;
+        }
+        const int32_t a = pool[index[0]].y, b = pool[index[1]].y, c = pool[index[2]].y;
+        y0 = zs_min32(y0, zs_min32(a, zs_min32(b, c)));
+        y1 = zs_max32(y1, zs_max32(a, zs_max32(b, c)));
     }
     if (y0 > y1)
         return;
     const uint32_t first = (uint32_t)zs_min32(zs_max32(y0 >> ZS_SUBPX_BITS, 0), last) >> r->part_down;
     const uint32_t final = (uint32_t)zs_min32(zs_max32(y1 >> ZS_SUBPX_BITS, 0), last) >> r->part_down;
     const uint32_t was = *part;
-    *part = d >= ZS_D_OUT ? ALL
-                          : (uint16_t)(zs_minu32(was & 255u, first) | zs_maxu32(was >> 8, final) << 8);
+    *part = (uint16_t)(zs_minu32(was & 255u, first) | zs_maxu32(was >> 8, final) << 8);
 }
