@@ -24,13 +24,12 @@
 
 static void bins_clear(struct zs_renderer *r)
 {
-    for (uint32_t s = r->strip; s < r->n_strips; s++)
+    for (uint32_t s = r->strip; s < r->band_end; s++)
         r->bin[s] = ZS_NIL;
 }
 
 void zs_bin_empty(struct zs_renderer *r)
 {
-    r->tris_left -= zs_minu32(r->tris_left, r->n_tris);
     r->n_tris = r->n_verts = r->vert_packed = r->tris_packed = r->vert_base = 0;
     r->active = ZS_NIL;
     bins_clear(r);
@@ -173,14 +172,18 @@ ZS_RARE void zs_bin_count(struct zs_renderer *r)
     r->stats.max_verts_used = zs_maxu32(r->stats.max_verts_used, r->n_verts);
 }
 
-/* Take strips from the band's end, until a share of the triangles begins below it. */
+/* Take strips from the band's end, until a share of the triangles begins below it. Their bins hold
+ * the number of their triangles from then on. */
 static ZS_RARE void shrink(struct zs_renderer *r)
 {
     uint32_t dropped = 0;
     do {
+        uint16_t n = 0;
         r->band_end--;
         for (uint32_t t = r->bin[r->band_end]; t != ZS_NIL; t = r->tri[t].next)
-            dropped++;
+            n++;
+        r->bin[r->band_end] = n;
+        dropped += n;
     } while (r->band_end - r->strip > 1 && dropped <= r->n_tris / ROOM);
     tris_pack(r);
     r->vert_packed = r->tris_packed = 0;
@@ -201,4 +204,30 @@ ZS_RARE int zs_bin_room(struct zs_renderer *r)
             return 0;
         shrink(r);
     }
+}
+
+void zs_bin_below(struct zs_renderer *r, int32_t y0)
+{
+    const uint32_t s = (uint32_t)zs_bin_strip(r, zs_max32(y0, r->walk_y));
+    if (s >= r->band_end && s < r->band_begun)
+        r->bin[s]++;
+}
+
+ZS_RARE void zs_bin_band(struct zs_renderer *r, uint16_t end)
+{
+    const int32_t bottom = r->band_end * r->config.strip_h;
+    uint32_t n = 0;
+    if (!r->counting && r->strip == r->band_end) {
+        for (uint32_t t = 0; t < r->n_tris; t++) {
+            const uint16_t *v = r->tri[t].v;
+            n += zs_first_sample(zs_max32(r->vert[v[1]].y, r->vert[v[2]].y)) > bottom;
+        }
+        for (uint32_t s = r->strip; s < end; s++) {
+            n += r->bin[s];
+            if (n > r->stats.max_tris_used)
+                end = (uint16_t)zs_maxu32(s, r->strip + 1u);
+        }
+    }
+    r->band_end = r->band_begun = end;
+    zs_bin_empty(r);
 }

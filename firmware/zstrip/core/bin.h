@@ -29,6 +29,11 @@ void zs_bin_mark(struct zs_renderer *r, uint32_t slot, uint32_t from, uint32_t n
 /* Find a triangle's three vertices in the pool, or transform them into it. Return 0: the pool is
  * full. */
 int zs_bin_corners(struct zs_renderer *r, const uint16_t index[3], uint32_t slot[3]);
+/* Begin a band of strips, with empty pools: from the current strip on, up to `end` at most, so many
+ * that the pools will hold their triangles, as far as an earlier band has counted them. */
+void zs_bin_band(struct zs_renderer *r, uint16_t end);
+/* Count a triangle whose first row is y0, if it begins below the band. */
+void zs_bin_below(struct zs_renderer *r, int32_t y0);
 /* Update the pools' high-water marks in the statistics. */
 void zs_bin_count(struct zs_renderer *r);
 

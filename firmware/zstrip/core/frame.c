@@ -246,7 +246,6 @@ ZS_RARE void zs_frame_open(struct zs_renderer *r)
     r->band_end = 0; /* so the first strip starts a traversal */
     r->counting = 1;
     r->large = 0;
-    r->tris_left = 0;
     r->config.max_tris = (uint16_t)(r->config.max_tris + r->parts_tris);
     r->parts_tris = 0;
     zs_frame_forget_edges(r);

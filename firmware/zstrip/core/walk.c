@@ -147,20 +147,11 @@ static ZS_NOINLINE int instance_bin(struct zs_renderer *r, struct cursor *at)
     return 1;
 }
 
-/* Return how many strips the pools will hold, if triangles lie evenly in the strips that are left.
- */
-static ZS_RARE uint32_t guess(const struct zs_renderer *r, uint32_t strips)
-{
-    const uint32_t most = r->stats.max_tris_used;
-    return r->tris_left > most ? strips * most / r->tris_left + 1u : strips;
-}
-
 ZS_RARE void zs_walk(struct zs_renderer *r, uint16_t band_end)
 {
     struct cursor at;
     at.open = 0;
-    zs_bin_empty(r);
-    r->band_end = (uint16_t)zs_minu32(band_end, r->strip + guess(r, band_end - r->strip));
+    zs_bin_band(r, band_end);
     r->stats.passes++;
     r->walk_most = 0;
     r->walk_least = r->config.width;
@@ -181,7 +172,5 @@ ZS_RARE void zs_walk(struct zs_renderer *r, uint16_t band_end)
         at.instance++;
     }
     zs_bin_count(r);
-    if (r->counting)
-        r->tris_left = r->stats.tris_drawn;
     r->counting = 0;
 }

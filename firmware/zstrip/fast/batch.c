@@ -188,8 +188,10 @@ ZS_ALWAYS_INLINE enum zs_fate bin(struct zs_renderer *r, const struct zs_shader 
     if (fate != ZS_FATE_DRAWN)
         return fate;
     const uint32_t strip = zs_bin_first(r, at->y0, at->y1);
-    if (strip == ZS_NIL)
+    if (strip == ZS_NIL) {
+        zs_bin_below(r, at->y0);
         return fate;
+    }
     if (r->n_tris == r->config.max_tris)
         return ZS_FATE_FULL;
     if (shader->vertex) {
