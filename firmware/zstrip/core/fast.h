@@ -85,6 +85,9 @@ struct zs_fast_batch {
                     uint32_t *piece);
     /* A pool was full at triangle t of the current instance; there is room again. */
     void (*full)(struct zs_renderer *r, uint32_t t);
+    /* A pool is full at triangle t of the current instance, and r->parts_tris is set. Return 1 if
+     * there is room now. */
+    int (*spare)(struct zs_renderer *r, uint32_t t);
     /* Called for each instance in a walk, in order, if r->parts_tris is set. Return 1 if it does
      * not reach the band. */
     int (*beside)(struct zs_renderer *r, uint32_t number);

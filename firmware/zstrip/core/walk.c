@@ -162,6 +162,8 @@ ZS_RARE void zs_walk(struct zs_renderer *r, uint16_t band_end)
         if (!at.open)
             at.open = (uint8_t)instance_begin(r, &at);
         if (at.open && !instance_bin(r, &at)) {
+            if (ZS_IF_FAST(r->parts_tris) && r->batch->spare(r, at.tri))
+                continue;
             if (!zs_bin_room(r))
                 r->config.method->full(r);
             if (ZS_IF_FAST(r->batch))

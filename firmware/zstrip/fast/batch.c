@@ -37,8 +37,7 @@ static void batch_open(struct zs_renderer *r)
     r->batched = (uint8_t)zs_parts_batched(r, r->xform.instance);
     if (!r->batched)
         return;
-    if (n > r->config.max_verts)
-        zs_parts_begin(r, 0);
+    zs_parts_begin(r, 0);
     if (ZS_IF_FAST(r->parts_tris) && !r->counting && !zs_parts_whole(r))
         return;
     if (n > room && n - room <= r->n_verts - r->vert_packed) { /* there may be room */
@@ -316,7 +315,7 @@ static ZS_NOINLINE uint32_t batch_bin(struct zs_renderer *r, uint32_t from, uint
         if (!r->direct && (n = gather(r, &s, from, n)) == 0)
             return from;
         const uint32_t left = reject(&s, n);
-        if (r->parts_tris && r->counting)
+        if (r->parts_tris)
             zs_parts_note(r, from, s.pool, s.tri, s.left, left);
         const uint32_t done = bin_all(r, &s, from, left, fate);
         if (done < left) {
@@ -330,6 +329,6 @@ static ZS_NOINLINE uint32_t batch_bin(struct zs_renderer *r, uint32_t from, uint
 
 static const struct zs_fast_batch batch = {
     .needs = zs_screen_needs, .open = batch_open, .bin = batch_bin, .screen = zs_screen,
-    .full = zs_parts_begin, .beside = zs_parts_beside
+    .full = zs_parts_begin, .spare = zs_parts_end, .beside = zs_parts_beside
 };
 const struct zs_fast zs_fast_batch = { .batch = &batch };

@@ -63,8 +63,10 @@ static ZS_RARE uint32_t choose(struct zs_renderer *r)
 
 ZS_RARE void zs_parts_begin(struct zs_renderer *r, uint32_t t)
 {
+    const struct zs_mesh *mesh = r->xform.instance->mesh;
+    const int many = mesh->n_tris > r->config.max_tris && mesh->n_verts > r->config.max_verts;
     uint32_t tris, n;
-    if (r->parts_tris || !r->counting || r->passes || r->track ||
+    if (r->parts_tris || !r->counting || (r->band_end == r->band_begun && !many) || r->passes || r->track ||
         r->config.method != &zs_method_buffer || (n = choose(r)) == 0)
         return;
     tris = (2u * n + 11u) / 12u;
@@ -79,13 +81,29 @@ ZS_RARE void zs_parts_begin(struct zs_renderer *r, uint32_t t)
     for (uint32_t i = 0; i < r->n_instances; i++) {
         const struct zs_instance *in = zs_instance_of(r, i);
         const uint32_t of = parts_of(in, r->part_log2);
-        const int later = i > r->xform.number && zs_parts_batched(r, in);
+        const uint32_t first = !zs_parts_batched(r, in) || i < r->xform.number ? UINT32_MAX
+                               : i > r->xform.number                          ? 0u
+                                                                              : t;
         if (i == r->xform.number)
             r->part = (uint16_t)(at - parts(r));
         for (uint32_t k = 0; k < of; k++)
-            *at++ = later || (i == r->xform.number && r->batched && k << r->part_log2 >= t) ? NONE : ALL;
+            *at++ = first <= k << r->part_log2 ? NONE : ALL;
     }
     r->part_end = (uint16_t)(r->part + parts_of(r->xform.instance, r->part_log2));
+}
+
+ZS_RARE int zs_parts_end(struct zs_renderer *r, uint32_t t)
+{
+    uint32_t n = zs_primitives_of(r->xform.instance) - t;
+    if (!r->counting || r->n_tris < r->config.max_tris || r->band_end < r->band_begun)
+        return 0;
+    for (uint32_t i = r->xform.number + 1u; i < r->n_instances; i++)
+        n += zs_primitives_of(zs_instance_of(r, i));
+    if (n > 4u * r->parts_tris)
+        return 0;
+    r->config.max_tris = (uint16_t)(r->config.max_tris + r->parts_tris);
+    r->parts_tris = 0;
+    return 1;
 }
 
 /* Return 1 if a part reaches the band. */
@@ -119,10 +137,11 @@ int zs_parts_whole(const struct zs_renderer *r)
 
 uint32_t zs_parts_next(const struct zs_renderer *r, uint32_t *from, uint32_t end, uint32_t n)
 {
+    const uint32_t mask = (1u << r->part_log2) - 1u;
     for (uint32_t t = *from, next; t < end; t = next) {
         const uint32_t k = t >> r->part_log2;
         next = (k + 1u) << r->part_log2;
-        if (r->counting || reaches(r, r->part + k)) {
+        if (r->counting || t & mask || reaches(r, r->part + k)) {
             *from = t;
             return zs_minu32(zs_minu32(n, end - t), next - t);
         }
@@ -136,6 +155,12 @@ ZS_IN_ORDER void zs_parts_note(struct zs_renderer *r, uint32_t from, const struc
     uint16_t *const part = parts(r) + r->part + (from >> r->part_log2);
     const int32_t last = r->config.height - 1;
     int32_t y0 = INT32_MAX, y1 = INT32_MIN;
+    if ((from & ((1u << r->part_log2) - 1u)) == 0 && !r->counting) {
+        r->noting = *part == ALL && !r->by_clusters;
+        *part = r->noting ? NONE : *part;
+    }
+    if (!r->counting && !r->noting)
+        return;
     for (const uint8_t *const end = left + n; left != end; left++) {
         const uint16_t *index = tri[*left / 4u];
         if (*left & 2u) { /* rare */

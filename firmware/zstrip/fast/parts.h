@@ -11,6 +11,9 @@
 int zs_parts_batched(const struct zs_renderer *r, const struct zs_instance *in);
 /* Begin to note the rows of parts, from triangle t of the current instance on. */
 void zs_parts_begin(struct zs_renderer *r, uint32_t t);
+/* A pool is full at triangle t of the current instance, before the band has lost a strip. If few
+ * triangles follow, do without parts, and return 1: there is more room for triangles. */
+int zs_parts_end(struct zs_renderer *r, uint32_t t);
 /* Called for each instance in a walk. Return 1 if none of its parts reaches the band. */
 int zs_parts_beside(struct zs_renderer *r, uint32_t number);
 /* Return 1 if all parts of the current instance reach the band. */
