@@ -178,9 +178,9 @@ static int32_t all_of(struct copy out[TRIS_MAX])
     const struct zs_renderer *r = &world.r;
     uint32_t n = 0;
     uint8_t seen[TRIS_MAX] = { 0 };
-    for (uint32_t s = r->strip; s < r->n_strips; s++)
+    for (uint32_t s = r->strip; s < r->band_end; s++)
         for (uint32_t t = r->bin[s], last = r->n_tris; t != ZS_NIL; last = t, t = r->tri[t].next) {
-            if (t >= last || seen[t] || s >= r->band_end)
+            if (t >= last || seen[t])
                 return -1;
             seen[t] = 1;
             copy_of(&out[t], t, s);
@@ -251,6 +251,15 @@ static uint32_t held(uint32_t *own)
     return n;
 }
 
+/* The map has the largest power of two that is at most max_verts. */
+static uint32_t entries_less_one(void)
+{
+    uint32_t n = 1;
+    while (n * 2u <= world.config.max_verts)
+        n *= 2u;
+    return n - 1u;
+}
+
 /* Vertices of the current instance that are held are found where they are. */
 static int found_again(void)
 {
@@ -259,7 +268,7 @@ static int found_again(void)
         const uint16_t index[3] = { r->vert_src[v], r->vert_src[v], r->vert_src[v] };
         uint32_t slot[3];
         const uint32_t n = r->n_verts, transformed = r->stats.verts_transformed;
-        if (r->vert_map[index[0] % r->config.max_verts] != v)
+        if (r->vert_map[index[0] & entries_less_one()] != v)
             continue; /* another vertex has its entry */
         CASE_CHECK(zs_bin_corners(r, index, slot) && slot[0] == v && slot[2] == v);
         CASE_CHECK(r->n_verts == n && r->stats.verts_transformed == transformed);
@@ -290,34 +299,78 @@ static int pack_case(uint64_t seed)
     return found_again();
 }
 
+/* How many vertices the triangles of strips before `end` hold. */
+static uint32_t held_by(const struct copy *all, const uint16_t (*slot)[3], uint32_t n, uint32_t end)
+{
+    uint8_t of[POOL_MAX] = { 0 };
+    uint32_t held_verts = 0;
+    for (uint32_t t = 0; t < n; t++)
+        for (int k = 0; k < 3 && all[t].strip < end; k++) {
+            held_verts += !of[slot[t][k]];
+            of[slot[t][k]] = 1;
+        }
+    return held_verts;
+}
+
+static int has_room(uint32_t used, uint32_t all, uint32_t more)
+{
+    const uint32_t least = all / 8u + more;
+    return all - used >= (least < all ? least : all);
+}
+
+/* Where the band should end: strips go, each time at least one and an eighth of the triangles, until an eighth of both
+ * pools is free. *room: 0 if one strip is left and it is not. */
+static uint32_t band_wanted(const struct copy *all, const uint16_t (*slot)[3], uint32_t n, int *room)
+{
+    const struct zs_renderer *r = &world.r;
+    uint32_t end = r->band_end, left = n;
+    for (;;) {
+        *room = has_room(left, r->config.max_tris, 1) && has_room(held_by(all, slot, n, end), r->config.max_verts, 3);
+        if (*room || end - r->strip == 1)
+            return end;
+        const uint32_t before = left;
+        do {
+            end--;
+            for (uint32_t t = 0; t < n; t++)
+                left -= all[t].strip == end;
+        } while (end - r->strip > 1 && before - left <= before / 8u);
+    }
+}
+
 static int room_case(uint64_t seed)
 {
     static struct copy before[TRIS_MAX], after[TRIS_MAX];
+    static uint16_t slot[TRIS_MAX][3];
     struct prng p = { seed };
     struct zs_renderer *r = &world.r;
     if (!world_open(&p) || !fill(&p))
         return 0;
-    const uint32_t tris = r->config.max_tris, verts = r->config.max_verts, used = r->n_tris, band = r->band_end;
+    const uint32_t used = r->n_tris, band = r->band_end;
     const int32_t n = all_of(before);
+    for (uint32_t t = 0; t < used; t++)
+        memcpy(slot[t], r->tri[t].v, sizeof slot[t]);
+    int want_room;
+    const uint32_t want = band_wanted(before, (const uint16_t (*)[3])slot, used, &want_room);
+    if (prng_pick(&p, 4) == 0) { /* vertices that nobody holds are gone already */
+        zs_bin_pack(r);
+        (void)all_of(before);
+    }
     r->direct = 1;
     const int room = zs_bin_room(r);
-    CASE_CHECK(n >= 0 && !r->direct && r->band_end > r->strip && r->band_end <= band);
+    CASE_CHECK(n >= 0 && !r->direct && r->band_end == want && room == want_room);
     CASE_CHECK(r->stats.max_tris_used == used && r->stats.max_verts_used >= r->n_verts);
-    /* the band is what it was, or a half of it, or ...; those below it are gone, the others are as they were */
-    uint32_t rows = band - r->strip;
-    while (rows > 1 && r->strip + rows != r->band_end)
-        rows /= 2;
-    CASE_CHECK(r->strip + rows == r->band_end);
-    uint32_t kept = 0;
+    /* what begins below the band is gone, the others are as they were; bins below have the numbers of those gone */
+    uint32_t kept = 0, gone[STRIPS] = { 0 };
     for (int32_t t = 0; t < n; t++)
         if (before[t].strip < r->band_end)
             before[kept++] = before[t];
+        else
+            gone[before[t].strip]++;
     CASE_CHECK(r->n_tris == kept && all_of(after) == (int32_t)kept && !memcmp(before, after, kept * sizeof *before));
+    for (uint32_t s = r->band_end; s < band; s++)
+        CASE_CHECK(r->bin[s] == gone[s]);
     uint32_t own;
-    CASE_CHECK(held(&own) == r->n_verts && r->n_verts - r->vert_base == own);
-    const uint32_t quarter = verts / 4u + 3u;
-    const int roomy = tris - r->n_tris >= tris / 4u + 1u && verts - r->n_verts >= (quarter < verts ? quarter : verts);
-    CASE_CHECK(room == roomy && (room || r->band_end == r->strip + 1));
+    CASE_CHECK(!room || (held(&own) == r->n_verts && r->n_verts - r->vert_base == own));
     dropped_tris += (uint32_t)n - kept;
     bands[r->band_end - r->strip]++;
     no_room += !room;
@@ -328,7 +381,7 @@ static void room_is_made_from_below(void **state)
 {
     dropped_tris = no_room = 0;
     memset(bands, 0, sizeof bands);
-    CASES(room_case, 6000);
+    CASES(room_case, 8000);
     print_message("%u triangles dropped; bands of 1 to 5 strips: %u %u %u %u %u; no room %u times\n", dropped_tris,
                   bands[1], bands[2], bands[3], bands[4], bands[5], no_room);
     assert_true(getenv("ZS_SEED") ||

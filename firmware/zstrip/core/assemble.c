@@ -95,8 +95,11 @@ ZS_NOINLINE enum zs_fate zs_assemble_tri(struct zs_renderer *r, uint32_t t, uint
         r->tiles->cover(r, &r->vert[at.slot[0]], &r->vert[at.slot[1]], &r->vert[at.slot[2]]);
     fate = zs_assemble_box(r, r->vert, &at);
     const uint32_t strip = fate == ZS_FATE_DRAWN ? zs_bin_place(r, at.y0, at.y1) : ZS_NIL;
-    if (strip == ZS_NIL)
+    if (strip == ZS_NIL) {
+        if (fate == ZS_FATE_DRAWN)
+            zs_bin_below(r, at.y0);
         return fate;
+    }
     if (r->n_tris == r->config.max_tris)
         return ZS_FATE_FULL;
     for (int k = 0; k < 3 && shader->vertex; k++)

@@ -20,15 +20,17 @@
 #include "zs_shader.h"
 #include "core/xform.h"
 
+#define ROOM 8u /* a pool that is full is emptied until an eighth of it is free */
+
 static void bins_clear(struct zs_renderer *r)
 {
-    for (uint32_t s = r->strip; s < r->n_strips; s++)
+    for (uint32_t s = r->strip; s < r->band_end; s++)
         r->bin[s] = ZS_NIL;
 }
 
 void zs_bin_empty(struct zs_renderer *r)
 {
-    r->n_tris = r->n_verts = r->vert_packed = r->vert_base = 0;
+    r->n_tris = r->n_verts = r->vert_packed = r->tris_packed = r->vert_base = 0;
     r->active = ZS_NIL;
     bins_clear(r);
 }
@@ -44,19 +46,6 @@ void zs_bin_add(struct zs_renderer *r, const uint32_t slot[3], uint16_t paint, u
 }
 
 /* ---- Vertices -------------------------------------------------------------------------------- */
-
-/* Not inlined: on a core without a divide instruction, v % n is a library call, and only vertex
- * numbers beyond the pool's size need it. */
-static ZS_NOINLINE uint32_t fold(uint32_t v, uint32_t n)
-{
-    return v % n;
-}
-
-/* The entry of vertex v in vert_map, which has n entries. */
-static inline uint32_t map_index(uint32_t v, uint32_t n)
-{
-    return v < n ? v : fold(v, n);
-}
 
 void zs_bin_mark(struct zs_renderer *r, uint32_t slot, uint32_t from, uint32_t n)
 {
@@ -82,7 +71,7 @@ static ZS_NOINLINE uint32_t vertex_add(struct zs_renderer *r, uint32_t v)
     if (r->n_verts == r->config.max_verts)
         return ZS_NIL;
     const uint32_t slot = r->n_verts++;
-    r->vert_map[map_index(v, r->config.max_verts)] = (uint16_t)slot;
+    r->vert_map[v & zs_bin_mask(r->config.max_verts)] = (uint16_t)slot;
     zs_bin_mark(r, slot, v, 1);
     if (ZS_IF_FAST(r->batch))
         r->batch->screen(r, v, 1, &r->vert[slot]);
@@ -95,10 +84,10 @@ ZS_RARE ZS_NOINLINE int zs_bin_corners(struct zs_renderer *r, const uint16_t ind
                                        uint32_t slot[3])
 {
     const uint16_t *map = r->vert_map, *src = r->vert_src;
-    const uint32_t base = r->vert_base, cap = r->config.max_verts;
+    const uint32_t base = r->vert_base, mask = zs_bin_mask(r->config.max_verts);
     for (int k = 0; k < 3; k++) {
         const uint32_t v = index[k];
-        uint32_t s = ZS_IF_FAST(r->direct) ? base + v : map[map_index(v, cap)];
+        uint32_t s = ZS_IF_FAST(r->direct) ? base + v : map[v & mask];
         if (!ZS_IF_FAST(r->direct) && (s >= r->n_verts || s < base || src[s] != v))
             s = vertex_add(r, v);
         if (s == ZS_NIL)
@@ -128,17 +117,17 @@ static ZS_RARE void tris_pack(struct zs_renderer *r)
     r->n_tris = kept;
 }
 
-ZS_RARE void zs_bin_pack(struct zs_renderer *r)
+ZS_RARE void zs_bin_pack_new(struct zs_renderer *r)
 {
     uint16_t *to = r->vert_map; /* used for new indices; the map is rebuilt below */
-    const uint32_t varyings = r->config.varyings;
-    for (uint32_t v = 0; v < r->n_verts; v++)
+    const uint32_t varyings = r->config.varyings, first = r->vert_packed;
+    for (uint32_t v = first; v < r->n_verts; v++)
         to[v] = ZS_NIL;
-    for (uint32_t t = 0; t < r->n_tris; t++)
+    for (uint32_t t = r->tris_packed; t < r->n_tris; t++)
         for (int k = 0; k < 3; k++)
             to[r->tri[t].v[k]] = 0;
-    uint32_t kept = 0, base = 0;
-    for (uint32_t v = 0; v < r->n_verts; v++) {
+    uint32_t kept = first, base = r->vert_base;
+    for (uint32_t v = first; v < r->n_verts; v++) {
         if (v == r->vert_base)
             base = kept;
         if (to[v] == ZS_NIL)
@@ -152,22 +141,29 @@ ZS_RARE void zs_bin_pack(struct zs_renderer *r)
     }
     if (r->vert_base >= r->n_verts)
         base = kept;
-    for (uint32_t t = 0; t < r->n_tris; t++)
+    for (uint32_t t = r->tris_packed; t < r->n_tris; t++)
         for (int k = 0; k < 3; k++)
-            r->tri[t].v[k] = to[r->tri[t].v[k]];
+            if (r->tri[t].v[k] >= first)
+                r->tri[t].v[k] = to[r->tri[t].v[k]];
     r->n_verts = r->vert_packed = kept;
+    r->tris_packed = r->n_tris;
     r->vert_base = base;
+    const uint32_t mask = zs_bin_mask(r->config.max_verts);
     for (uint32_t v = base; v < kept; v++)
         if (r->vert_src[v] != ZS_NO_SOURCE)
-            r->vert_map[map_index(r->vert_src[v], r->config.max_verts)] = (uint16_t)v;
+            r->vert_map[r->vert_src[v] & mask] = (uint16_t)v;
 }
 
-/* Return 1 if a quarter of both pools is free. */
-static ZS_RARE int roomy(const struct zs_renderer *r)
+ZS_RARE void zs_bin_pack(struct zs_renderer *r)
 {
-    const uint32_t tris = r->config.max_tris, verts = r->config.max_verts;
-    return tris - r->n_tris >= tris / 4u + 1u &&
-           verts - r->n_verts >= zs_minu32(verts / 4u + 3u, verts);
+    r->vert_packed = r->tris_packed = 0;
+    zs_bin_pack_new(r);
+}
+
+/* Return 1 if a share of a pool is free: an eighth, and `more`. */
+static ZS_RARE int roomy(uint32_t used, uint32_t all, uint32_t more)
+{
+    return all - used >= zs_minu32(all / ROOM + more, all);
 }
 
 ZS_RARE void zs_bin_count(struct zs_renderer *r)
@@ -176,17 +172,66 @@ ZS_RARE void zs_bin_count(struct zs_renderer *r)
     r->stats.max_verts_used = zs_maxu32(r->stats.max_verts_used, r->n_verts);
 }
 
+/* Take strips from the band's end, until a share of the triangles begins below it. Their bins hold
+ * the number of their triangles from then on. */
+static ZS_RARE void shrink(struct zs_renderer *r)
+{
+    uint32_t dropped = 0;
+    do {
+        uint16_t n = 0;
+        r->band_end--;
+        for (uint32_t t = r->bin[r->band_end]; t != ZS_NIL; t = r->tri[t].next)
+            n++;
+        r->bin[r->band_end] = n;
+        dropped += n;
+    } while (r->band_end - r->strip > 1 && dropped <= r->n_tris / ROOM);
+    tris_pack(r);
+    r->vert_packed = r->tris_packed = 0;
+}
+
 ZS_RARE int zs_bin_room(struct zs_renderer *r)
 {
     r->direct = 0;
     zs_bin_count(r);
-    zs_bin_pack(r);
-    while (!roomy(r)) {
+    for (;;) {
+        const int full = !roomy(r->n_tris, r->config.max_tris, 1);
+        if (!full) {
+            zs_bin_pack_new(r);
+            if (roomy(r->n_verts, r->config.max_verts, 3))
+                return 1;
+        }
         if (r->band_end - r->strip <= 1)
             return 0;
-        r->band_end = (uint16_t)(r->strip + (r->band_end - r->strip) / 2);
-        tris_pack(r);
-        zs_bin_pack(r);
+        shrink(r);
     }
-    return 1;
+}
+
+void zs_bin_below(struct zs_renderer *r, int32_t y0)
+{
+    const uint32_t s = (uint32_t)zs_bin_strip(r, zs_max32(y0, r->walk_y));
+    if (s >= r->band_end && s < r->band_begun)
+        r->bin[s]++;
+}
+
+ZS_RARE void zs_bin_band(struct zs_renderer *r, uint16_t end)
+{
+    const int32_t bottom = r->band_end * r->config.strip_h;
+    uint32_t n = 0;
+    if (!r->counting && r->strip == r->band_end) {
+        /* as many triangles as there were once, and as their vertices leave room for */
+        const uint32_t tris = r->tris_packed ? r->tris_packed : r->n_tris;
+        const uint32_t verts = r->vert_packed ? r->vert_packed : r->n_verts;
+        const uint32_t most = zs_minu32(r->stats.max_tris_used, tris * r->config.max_verts / (verts + 1u));
+        for (uint32_t t = 0; t < r->n_tris; t++) {
+            const uint16_t *v = r->tri[t].v;
+            n += zs_first_sample(zs_max32(r->vert[v[1]].y, r->vert[v[2]].y)) > bottom;
+        }
+        for (uint32_t s = r->strip; s < end; s++) {
+            n += r->bin[s];
+            if (n > most)
+                end = (uint16_t)zs_maxu32(s, r->strip + 1u);
+        }
+    }
+    r->band_end = r->band_begun = end;
+    zs_bin_empty(r);
 }

@@ -18,6 +18,8 @@
 void zs_bin_empty(struct zs_renderer *r);
 /* Remove the vertices that no binned triangle uses. Indices in the pool change. */
 void zs_bin_pack(struct zs_renderer *r);
+/* The same after a packing, if no triangle has been removed since. */
+void zs_bin_pack_new(struct zs_renderer *r);
 /* Make room: free at least a quarter of both pools. The band may lose strips. Return 0: the band is
  * a single strip, and there is still no room. */
 int zs_bin_room(struct zs_renderer *r);
@@ -27,8 +29,19 @@ void zs_bin_mark(struct zs_renderer *r, uint32_t slot, uint32_t from, uint32_t n
 /* Find a triangle's three vertices in the pool, or transform them into it. Return 0: the pool is
  * full. */
 int zs_bin_corners(struct zs_renderer *r, const uint16_t index[3], uint32_t slot[3]);
+/* Begin a band of strips, with empty pools: from the current strip on, up to `end` at most, so many
+ * that the pools will hold their triangles, as far as an earlier band has counted them. */
+void zs_bin_band(struct zs_renderer *r, uint16_t end);
+/* Count a triangle whose first row is y0, if it begins below the band. */
+void zs_bin_below(struct zs_renderer *r, int32_t y0);
 /* Update the pools' high-water marks in the statistics. */
 void zs_bin_count(struct zs_renderer *r);
+
+/* With n entries in vert_map, vertex v has the entry v & zs_bin_mask(n). */
+static inline uint32_t zs_bin_mask(uint32_t n)
+{
+    return 0x7fffffffu >> zs_clz32(n);
+}
 
 /* The strip of a row of the frame, 0 <= row < ZS_SIZE_MAX. */
 static inline int32_t zs_bin_strip(const struct zs_renderer *r, int32_t row)

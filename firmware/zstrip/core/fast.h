@@ -75,14 +75,22 @@ struct zs_fast_texel {
 struct zs_fast_batch {
     /* Find out which clip tests the instance of r->xform needs; set r->xform.clip_*. */
     void (*needs)(struct zs_renderer *r, const struct zs_bounds *b);
-    /* Called before the triangles of an instance are binned. If the pool has room for all its
-     * vertices, transform them and set r->direct. */
+    /* Called before the triangles of an instance are binned: set r->batched if `bin` does it. If
+     * the pool has room for all its vertices, transform them and set r->direct. */
     void (*open)(struct zs_renderer *r);
-    /* Bin triangles [from, end) while r->direct is set, and count their outcomes in fate[]. Return
-     * the triangle that it reached; less than end if a pool is full or it declined. *piece is that
-     * triangle's, as in zs_assemble_tri. */
+    /* Bin triangles [from, end) if r->batched is set, and count their outcomes in fate[]. Return
+     * the triangle that it reached; less than end if a pool is full. *piece is that triangle's, as
+     * in zs_assemble_tri. */
     uint32_t (*bin)(struct zs_renderer *r, uint32_t from, uint32_t end, uint32_t *fate,
                     uint32_t *piece);
+    /* A pool was full at triangle t of the current instance; there is room again. */
+    void (*full)(struct zs_renderer *r, uint32_t t);
+    /* A pool is full at triangle t of the current instance, and r->parts_tris is set. Return 1 if
+     * there is room now. */
+    int (*spare)(struct zs_renderer *r, uint32_t t);
+    /* Called for each instance in a walk, in order, if r->parts_tris is set. Return 1 if it does
+     * not reach the band. */
+    int (*beside)(struct zs_renderer *r, uint32_t number);
     /* zs_xform_screen for n vertices from v on. */
     void (*screen)(const struct zs_renderer *r, uint32_t v, uint32_t n, struct zs_vertex *out);
 };

@@ -157,6 +157,7 @@ ZS_RARE int zs_init_build(struct zs_renderer *r, const struct zs_config *config,
     r->window[0] = 0;
     r->window[1] = config->width;
     r->untouched = 0;
+    r->parts_tris = 0;
     r->passes = 0;
     accelerators(r);
     r->ready = 1;
@@ -246,6 +247,8 @@ ZS_RARE void zs_frame_open(struct zs_renderer *r)
     r->band_end = 0; /* so the first strip starts a traversal */
     r->counting = 1;
     r->large = 0;
+    r->config.max_tris = (uint16_t)(r->config.max_tris + r->parts_tris);
+    r->parts_tris = 0;
     zs_frame_forget_edges(r);
 }
 

@@ -96,6 +96,8 @@ static ZS_RARE int next_run(struct zs_renderer *r)
 static ZS_RARE int instance_begin(struct zs_renderer *r, struct cursor *at)
 {
     const uint32_t n = zs_primitives_of(zs_instance_of(r, at->instance));
+    if (ZS_IF_FAST(r->parts_tris) && r->batch->beside(r, at->instance))
+        return 0;
     const int seen = instance_open(r, at->instance);
     if (r->counting) {
         r->stats.instances_in++;
@@ -110,7 +112,7 @@ static ZS_RARE int instance_begin(struct zs_renderer *r, struct cursor *at)
     for (uint32_t k = 0; k < ZS_FATES; k++)
         at->fate[k] = 0;
     r->vert_base = r->n_verts;
-    r->direct = 0;
+    r->direct = r->batched = 0;
     if (ZS_IF_FAST(r->batch) && !r->xform.instance->material->primitive)
         r->batch->open(r);
     at->piece = 0;
@@ -126,8 +128,11 @@ static ZS_NOINLINE int instance_bin(struct zs_renderer *r, struct cursor *at)
     const struct zs_primitive *primitive = r->xform.instance->material->primitive;
     zs_assemble_fn *const assemble = primitive ? primitive->ops->assemble : zs_assemble_tri;
     do {
-        if (ZS_IF_FAST(r->batch) && r->direct)
+        if (ZS_IF_FAST(r->batched)) {
             at->tri = r->batch->bin(r, at->tri, r->clusters.end, at->fate, &at->piece);
+            if (at->tri < r->clusters.end)
+                return 0;
+        }
         for (; at->tri < r->clusters.end; at->tri++) {
             const enum zs_fate fate = assemble(r, at->tri, &at->piece);
             if (fate == ZS_FATE_FULL)
@@ -146,8 +151,7 @@ ZS_RARE void zs_walk(struct zs_renderer *r, uint16_t band_end)
 {
     struct cursor at;
     at.open = 0;
-    zs_bin_empty(r);
-    r->band_end = band_end;
+    zs_bin_band(r, band_end);
     r->stats.passes++;
     r->walk_most = 0;
     r->walk_least = r->config.width;
@@ -158,8 +162,12 @@ ZS_RARE void zs_walk(struct zs_renderer *r, uint16_t band_end)
         if (!at.open)
             at.open = (uint8_t)instance_begin(r, &at);
         if (at.open && !instance_bin(r, &at)) {
+            if (ZS_IF_FAST(r->parts_tris) && r->batch->spare(r, at.tri))
+                continue;
             if (!zs_bin_room(r))
                 r->config.method->full(r);
+            if (ZS_IF_FAST(r->batch))
+                r->batch->full(r, at.tri);
             continue;
         }
         at.open = 0;

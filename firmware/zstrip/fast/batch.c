@@ -10,6 +10,7 @@
 #include "core/job.h"
 #include "zs_shader.h"
 #include "core/xform.h"
+#include "fast/parts.h"
 #include "fast/screen.h"
 #include "zs_fast.h"
 
@@ -29,15 +30,19 @@ void zs_batch_verts(struct zs_renderer *r, uint32_t slot, uint32_t from, uint32_
 }
 
 /* Transform all vertices of the current mesh, if there is room; without those that only culled
- * clusters use. */
+ * clusters use. Else batches gather theirs. */
 static void batch_open(struct zs_renderer *r)
 {
     const uint32_t n = r->xform.instance->mesh->n_verts, room = r->config.max_verts - r->n_verts;
-    if (r->xform.instance->material->shader->place)
+    r->batched = (uint8_t)zs_parts_batched(r, r->xform.instance);
+    if (!r->batched)
+        return;
+    zs_parts_begin(r, 0);
+    if (ZS_IF_FAST(r->parts_tris) && !r->counting && !zs_parts_whole(r))
         return;
     if (n > room && n - room <= r->n_verts - r->vert_packed) { /* there may be room */
         zs_bin_count(r);
-        zs_bin_pack(r);
+        zs_bin_pack_new(r);
     }
     const uint32_t base = r->n_verts;
     r->vert_base = base;
@@ -55,14 +60,16 @@ static void batch_open(struct zs_renderer *r)
 #define BATCH 40 /* at most 64 */
 struct batch {
     const uint16_t (*tri)[3];     /* the batch's first triangle */
-    const struct zs_vertex *pool; /* the mesh's vertex 0 in the pool */
+    const struct zs_vertex *pool; /* what their numbers count from */
     const struct zs_shader *shader;
-    uint32_t n_verts;
+    uint32_t n_verts; /* what their numbers are below */
+    uint32_t base;    /* the index of `pool` in the vertex pool */
     int32_t away;    /* 1, -1 or 0: area * away > 0 means culled by its facing */
     uint32_t *fate;  /* [ZS_FATES]: counts of rejected triangles */
     uint32_t *piece; /* of a clipped triangle, as in zs_assemble_tri */
     uint8_t left[BATCH]; /* the triangles that remain: 4 * number in the batch, + 1 if the triangle
                             is counter-clockwise, + 2 if it is a slow case */
+    uint16_t corner[BATCH][3]; /* gathered: their vertices' indices in the pool */
 };
 
 /* Count a rejected triangle, for a reason other than its facing. */
@@ -180,8 +187,10 @@ ZS_ALWAYS_INLINE enum zs_fate bin(struct zs_renderer *r, const struct zs_shader 
     if (fate != ZS_FATE_DRAWN)
         return fate;
     const uint32_t strip = zs_bin_first(r, at->y0, at->y1);
-    if (strip == ZS_NIL)
+    if (strip == ZS_NIL) {
+        zs_bin_below(r, at->y0);
         return fate;
+    }
     if (r->n_tris == r->config.max_tris)
         return ZS_FATE_FULL;
     if (shader->vertex) {
@@ -206,7 +215,7 @@ static uint32_t bin_all(struct zs_renderer *r, const struct batch *s, uint32_t f
             f = zs_assemble_tri(r, t, s->piece);
         } else {
             const uint16_t *index = s->tri[what / 4u];
-            const uint32_t base = r->vert_base, second = base + index[1], third = base + index[2];
+            const uint32_t base = s->base, second = base + index[1], third = base + index[2];
             struct zs_candidate at;
             at.slot[0] = base + index[0];
             at.slot[1] = what & 1u ? third : second;
@@ -218,13 +227,6 @@ static uint32_t bin_all(struct zs_renderer *r, const struct batch *s, uint32_t f
         fate[f]++;
     }
     return n;
-}
-
-/* Return 1 if a mesh should not be drawn in batches. Batches do not call zs_fast_tiles.cover for
- * triangles of up to 128 px; in a small frame such triangles can be good occluders. */
-static int asked(const struct zs_renderer *r, const struct zs_mesh *mesh)
-{
-    return r->tiles && r->config.width <= 160u && mesh->n_tris <= BATCH;
 }
 
 /* A pool got full at triangle t of a batch. Subtract the rejects from t on, because they will be
@@ -240,6 +242,57 @@ static ZS_RARE ZS_NOINLINE void drop_less(struct batch *s, uint32_t from, uint32
         fate[k] -= less[k];
 }
 
+/* ---- Gathering ------------------------------------------------------------------------------- */
+
+/* Transform the vertices that were appended to the pool from `slot` on. Their numbers are known. */
+static void transform_new(struct zs_renderer *r, uint32_t slot)
+{
+    const uint16_t *src = r->vert_src;
+    while (slot < r->n_verts) {
+        const uint32_t from = src[slot];
+        uint32_t n = 1;
+        while (slot + n < r->n_verts && src[slot + n] == from + n)
+            n++;
+        zs_batch_verts(r, slot, from, n);
+        slot += n;
+    }
+}
+
+/* Find the vertices of the mesh's triangles [from, from + n) in the pool, or transform them into
+ * it. Return how many triangles have theirs; fewer than n if the pool is full. */
+static ZS_NOINLINE uint32_t gather(struct zs_renderer *r, struct batch *s, uint32_t from,
+                                   uint32_t n)
+{
+    const struct zs_mesh *mesh = r->xform.instance->mesh;
+    const uint32_t cap = r->config.max_verts, base = r->vert_base, mask = zs_bin_mask(cap);
+    const uint32_t first = r->n_verts;
+    uint16_t *const src = r->vert_src, *const map = r->vert_map;
+    const uint16_t *index = mesh->tri[from], *const end = index + 3u * n;
+    uint16_t *to = s->corner[0];
+    uint32_t top = first;
+    for (; index != end; index++, to++) {
+        const uint32_t v = *index;
+        uint16_t *const entry = map + (v & mask);
+        uint32_t slot = *entry;
+        if (slot - base >= top - base || src[slot] != v) {
+            slot = ZS_NIL; /* a number out of range: a slow case */
+            if (v < mesh->n_verts) {
+                if (top == cap)
+                    break;
+                slot = top++;
+                *entry = (uint16_t)slot;
+                src[slot] = (uint16_t)v;
+            }
+        }
+        *to = (uint16_t)slot;
+    }
+    r->n_verts = top;
+    transform_new(r, first);
+    s->tri = (const uint16_t(*)[3])s->corner;
+    s->n_verts = top;
+    return (uint32_t)(to - s->corner[0]) / 3u;
+}
+
 static ZS_NOINLINE uint32_t batch_bin(struct zs_renderer *r, uint32_t from, uint32_t end,
                                       uint32_t fate[ZS_FATES], uint32_t *piece)
 {
@@ -247,18 +300,24 @@ static ZS_NOINLINE uint32_t batch_bin(struct zs_renderer *r, uint32_t from, uint
     const struct zs_mesh *mesh = in->mesh;
     const uint32_t cull = in->material->cull;
     struct batch s;
-    if (asked(r, mesh))
-        return from;
     s.n_verts = mesh->n_verts;
     s.away = cull == ZS_CULL_BACK ? 1 : cull == ZS_CULL_FRONT ? -1 : 0;
     s.fate = fate;
     s.piece = piece;
     s.shader = in->material->shader;
-    s.pool = &r->vert[r->vert_base];
-    for (; from < end; from += BATCH) {
-        const uint32_t n = zs_minu32(end - from, BATCH);
+    s.base = r->direct ? r->vert_base : 0u;
+    s.pool = &r->vert[s.base];
+    for (uint32_t n; from < end; from += n) {
+        n = zs_minu32(end - from, BATCH);
+        if (r->parts_tris && (n = zs_parts_next(r, &from, end, n)) == 0)
+            break;
         s.tri = mesh->tri + from;
-        const uint32_t left = reject(&s, n), done = bin_all(r, &s, from, left, fate);
+        if (!r->direct && (n = gather(r, &s, from, n)) == 0)
+            return from;
+        const uint32_t left = reject(&s, n);
+        if (r->parts_tris)
+            zs_parts_note(r, from, s.pool, s.tri, s.left, left);
+        const uint32_t done = bin_all(r, &s, from, left, fate);
         if (done < left) {
             const uint32_t t = from + s.left[done] / 4u;
             drop_less(&s, from, n, t, fate);
@@ -269,6 +328,7 @@ static ZS_NOINLINE uint32_t batch_bin(struct zs_renderer *r, uint32_t from, uint
 }
 
 static const struct zs_fast_batch batch = {
-    .needs = zs_screen_needs, .open = batch_open, .bin = batch_bin, .screen = zs_screen
+    .needs = zs_screen_needs, .open = batch_open, .bin = batch_bin, .screen = zs_screen,
+    .full = zs_parts_begin, .spare = zs_parts_end, .beside = zs_parts_beside
 };
 const struct zs_fast zs_fast_batch = { .batch = &batch };

@@ -1,0 +1,180 @@
+/* Scenes that the pools do not hold: they are walked several times, each time for a band of strips.
+ * The first walk notes in which rows the triangles of each part of a mesh lie; the others leave out
+ * the parts that do not reach their band, and instances without such a part.
+ *
+ * A part is 2^part_log2 triangles of an instance. Its first and last row, in units of 2^part_down
+ * rows, are two bytes in the last records of the triangle pool, which the frame does without
+ * (parts_tris of them). Notes are made in the first walk alone, because it leaves out only what is
+ * drawn in no band. Parts before the place where they begin are taken to reach all rows; so are
+ * parts that are not binned in batches, and those with a vertex that is not on the screen.
+ *
+ * Not for frames in passes, nor with damage tracking, where the first walk leaves out instances in
+ * strips of its band alone, nor for methods that share out the triangle pool themselves.
+ *
+ * SPDX-License-Identifier: MIT
+ */
+#include "core/bin.h"
+#include "core/fx.h"
+#include "core/method.h"
+#include "core/pass.h"
+#include "core/primitive.h"
+#include "core/xform.h"
+#include "fast/parts.h"
+#include "zs_shader.h"
+
+#define PART_LOG2_MIN 5
+#define PART_LOG2_MAX 15
+#define SHARE 16u     /* parts take at most this part of the triangle pool */
+#define ALL 0xff00u   /* rows 0 .. 255: reaches all bands */
+#define NONE 0x00ffu
+
+static uint16_t *parts(const struct zs_renderer *r)
+{
+    return (uint16_t *)(void *)(r->tri + r->config.max_tris);
+}
+
+static uint32_t parts_of(const struct zs_instance *in, uint32_t log2)
+{
+    return (zs_primitives_of(in) + (1u << log2) - 1u) >> log2;
+}
+
+int zs_parts_batched(const struct zs_renderer *r, const struct zs_instance *in)
+{
+    const struct zs_material *material = in->material;
+    /* batches do not call zs_fast_tiles.cover for triangles of up to 128 px; in a small frame such
+     * triangles can be good occluders */
+    return !material->primitive && !material->shader->place &&
+           !(r->tiles && r->config.width <= 160u && in->mesh->n_tris <= 40u);
+}
+
+/* Choose the size of parts. Return their number; 0 if there is no room for them. */
+static ZS_RARE uint32_t choose(struct zs_renderer *r)
+{
+    const uint32_t most = ZS_TRI_BYTES(r->config.max_tris) / SHARE / 2u;
+    for (r->part_log2 = PART_LOG2_MIN; r->part_log2 <= PART_LOG2_MAX; r->part_log2++) {
+        uint32_t n = 0;
+        for (uint32_t i = 0; i < r->n_instances && n <= most; i++)
+            n += parts_of(zs_instance_of(r, i), r->part_log2);
+        if (n <= most)
+            return n;
+    }
+    return 0;
+}
+
+ZS_RARE void zs_parts_begin(struct zs_renderer *r, uint32_t t)
+{
+    const struct zs_mesh *mesh = r->xform.instance->mesh;
+    const int many = mesh->n_tris > r->config.max_tris && mesh->n_verts > r->config.max_verts;
+    uint32_t tris, n;
+    if (r->parts_tris || !r->counting || (r->band_end == r->band_begun && !many) || r->passes || r->track ||
+        r->config.method != &zs_method_buffer || (n = choose(r)) == 0)
+        return;
+    tris = (2u * n + 11u) / 12u;
+    if (r->n_tris + tris > r->config.max_tris)
+        return;
+    r->parts_tris = (uint16_t)tris;
+    r->config.max_tris = (uint16_t)(r->config.max_tris - tris);
+    r->part_down = 0;
+    while (r->config.height >> r->part_down > 255)
+        r->part_down++;
+    uint16_t *at = parts(r);
+    for (uint32_t i = 0; i < r->n_instances; i++) {
+        const struct zs_instance *in = zs_instance_of(r, i);
+        const uint32_t of = parts_of(in, r->part_log2);
+        const uint32_t first = !zs_parts_batched(r, in) || i < r->xform.number ? UINT32_MAX
+                               : i > r->xform.number                          ? 0u
+                                                                              : t;
+        if (i == r->xform.number)
+            r->part = (uint16_t)(at - parts(r));
+        for (uint32_t k = 0; k < of; k++)
+            *at++ = first <= k << r->part_log2 ? NONE : ALL;
+    }
+    r->part_end = (uint16_t)(r->part + parts_of(r->xform.instance, r->part_log2));
+}
+
+ZS_RARE int zs_parts_end(struct zs_renderer *r, uint32_t t)
+{
+    uint32_t n = zs_primitives_of(r->xform.instance) - t;
+    if (!r->counting || r->n_tris < r->config.max_tris || r->band_end < r->band_begun)
+        return 0;
+    for (uint32_t i = r->xform.number + 1u; i < r->n_instances; i++)
+        n += zs_primitives_of(zs_instance_of(r, i));
+    if (n > 4u * r->parts_tris)
+        return 0;
+    r->config.max_tris = (uint16_t)(r->config.max_tris + r->parts_tris);
+    r->parts_tris = 0;
+    return 1;
+}
+
+/* Return 1 if a part reaches the band. */
+static int reaches(const struct zs_renderer *r, uint32_t part)
+{
+    const uint32_t rows = parts(r)[part], h = r->config.strip_h;
+    return rows >> 8 >= r->strip * h >> r->part_down &&
+           (rows & 255u) <= (r->band_end * h - 1u) >> r->part_down;
+}
+
+/* Return how many parts of the current instance reach the band. */
+static uint32_t in_band(const struct zs_renderer *r)
+{
+    uint32_t n = 0;
+    for (uint32_t k = r->part; k < r->part_end; k++)
+        n += (uint32_t)reaches(r, k);
+    return n;
+}
+
+int zs_parts_beside(struct zs_renderer *r, uint32_t number)
+{
+    r->part = number ? r->part_end : 0u;
+    r->part_end = (uint16_t)(r->part + parts_of(zs_instance_of(r, number), r->part_log2));
+    return !r->counting && !in_band(r);
+}
+
+int zs_parts_whole(const struct zs_renderer *r)
+{
+    return in_band(r) == (uint32_t)(r->part_end - r->part);
+}
+
+uint32_t zs_parts_next(const struct zs_renderer *r, uint32_t *from, uint32_t end, uint32_t n)
+{
+    const uint32_t mask = (1u << r->part_log2) - 1u;
+    for (uint32_t t = *from, next; t < end; t = next) {
+        const uint32_t k = t >> r->part_log2;
+        next = (k + 1u) << r->part_log2;
+        if (r->counting || t & mask || reaches(r, r->part + k)) {
+            *from = t;
+            return zs_minu32(zs_minu32(n, end - t), next - t);
+        }
+    }
+    return 0;
+}
+
+ZS_IN_ORDER void zs_parts_note(struct zs_renderer *r, uint32_t from, const struct zs_vertex *pool,
+                               const uint16_t (*tri)[3], const uint8_t *left, uint32_t n)
+{
+    uint16_t *const part = parts(r) + r->part + (from >> r->part_log2);
+    const int32_t last = r->config.height - 1;
+    int32_t y0 = INT32_MAX, y1 = INT32_MIN;
+    if ((from & ((1u << r->part_log2) - 1u)) == 0 && !r->counting) {
+        r->noting = *part == ALL && !r->by_clusters;
+        *part = r->noting ? NONE : *part;
+    }
+    if (!r->counting && !r->noting)
+        return;
+    for (const uint8_t *const end = left + n; left != end; left++) {
+        const uint16_t *index = tri[*left / 4u];
+        if (*left & 2u) { /* rare */
+            *part = ALL;
+            return;
+        }
+        const int32_t a = pool[index[0]].y, b = pool[index[1]].y, c = pool[index[2]].y;
+        y0 = zs_min32(y0, zs_min32(a, zs_min32(b, c)));
+        y1 = zs_max32(y1, zs_max32(a, zs_max32(b, c)));
+    }
+    if (y0 > y1)
+        return;
+    const uint32_t first = (uint32_t)zs_min32(zs_max32(y0 >> ZS_SUBPX_BITS, 0), last) >> r->part_down;
+    const uint32_t final = (uint32_t)zs_min32(zs_max32(y1 >> ZS_SUBPX_BITS, 0), last) >> r->part_down;
+    const uint32_t was = *part;
+    *part = (uint16_t)(zs_minu32(was & 255u, first) | zs_maxu32(was >> 8, final) << 8);
+}
