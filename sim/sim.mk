@@ -70,12 +70,12 @@ $(B)/zlab: $(patsubst %.c,$(B)/sim/%.o,$(CORE) $(SCENES) $(PIECES) $(PANELS) $(Z
 	@echo 'built $@'
 
 # zsim with other reciprocals and sub-spans (zs_config.h), for the study of time: BUILD/study/NAME/zsim
-STUDY_bound2 = -DZS_SPAN_BOUND_LOG2=2
+STUDY_bound3 = -DZS_SPAN_BOUND_LOG2=3
 STUDY_bound5 = -DZS_SPAN_BOUND_LOG2=5
 STUDY_recip16 = -DZS_RECIP_STEPS=0
 STUDY_texels30 = -DZS_TEXEL_COARSE_LOG2=0
 STUDY_texels15 = -DZS_TEXEL_COARSE_LOG2=31
-STUDY_BUILDS = bound2 bound5 recip16 texels30 texels15
+STUDY_BUILDS = bound3 bound5 recip16 texels30 texels15
 STUDY_OF = $(patsubst %.c,$(1)/%.o,$(CORE) sim/study/study_time.c)
 STUDY_REST = $(patsubst %.c,$(B)/sim/%.o,$(SCENES) $(PIECES) $(PANELS) $(filter-out sim/study/study_time.c,$(SIM))) \
              $(B)/libmeshes.a

@@ -69,11 +69,11 @@
                                    pixel's w has 15 bits; above, 30 */
 #endif
 #ifndef ZS_SPAN_BOUND_LOG2
-#define ZS_SPAN_BOUND_LOG2 3 /* interpolate affinely where the error is at most 2^-this of a texel,
+#define ZS_SPAN_BOUND_LOG2 2 /* interpolate affinely where the error is at most 2^-this of a texel,
                                 or of a code of colour (a step of an RGB565 channel); 2 .. 6 */
 #endif
-#if !ZS_STUDY && (ZS_RECIP_STEPS != 1 || ZS_TEXEL_COARSE_LOG2 != 10 || ZS_SPAN_BOUND_LOG2 != 3)
-#error "ZS_RECIP_STEPS, ZS_TEXEL_COARSE_LOG2, ZS_SPAN_BOUND_LOG2: error bounds hold for 1, 10, 3"
+#if !ZS_STUDY && (ZS_RECIP_STEPS != 1 || ZS_TEXEL_COARSE_LOG2 != 10 || ZS_SPAN_BOUND_LOG2 != 2)
+#error "ZS_RECIP_STEPS, ZS_TEXEL_COARSE_LOG2, ZS_SPAN_BOUND_LOG2: error bounds hold for 1, 10, 2"
 #endif
 
 #ifndef ZS_ALIGNED

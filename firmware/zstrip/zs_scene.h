@@ -178,7 +178,7 @@ extern const struct zs_shader zs_shade_raw;    /* one colour a face, unlit */
 extern const struct zs_shader zs_shade_flat;   /* one colour a face, lit once for the face */
 extern const struct zs_shader zs_shade_smooth; /* lit at the vertices and interpolated (Gouraud),
                                                   perspective-correct; needs mesh.normal */
-/* Textured, perspective-correct, to 1/8 of a texel's width (NUMERICS.md lists what is added:
+/* Textured, perspective-correct, to 1/4 of a texel's width (NUMERICS.md lists what is added:
  * uv_bits, depth bits, triangles a million times as far as near). They need mesh.uv and
  * material.texture. Light multiplies the texture's colour, not material.rgb. */
 extern const struct zs_shader zs_shade_texture;        /* unlit */

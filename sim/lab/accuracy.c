@@ -227,7 +227,7 @@ static double outside(double lo, double hi, uint32_t taken, int size, int clampe
     return fmax(0, fmax(taken - hi, lo - (taken + 1.0)));
 }
 
-/* What an error of a coordinate may be beyond snapping, texels: 1/8 by interpolation, 1/512 on
+/* What an error of a coordinate may be beyond snapping, texels: 1/4 by interpolation, 1/512 on
  * purpose, half a step of uv (2^-12) where near cut it, and what arithmetic adds: 2^-21 of the span
  * times the ratio of w. */
 static double texel_bound(const struct ref_triangle *t, int axis, double ratio)
@@ -235,7 +235,7 @@ static double texel_bound(const struct ref_triangle *t, int axis, double ratio)
     const int size = axis ? t->texture->height : t->texture->width;
     const double span = fmax(fmax(t->uv[0][axis], t->uv[1][axis]), t->uv[2][axis]) -
                         fmin(fmin(t->uv[0][axis], t->uv[1][axis]), t->uv[2][axis]);
-    return 0.125 + 0x1p-9 + size * 0x1p-13 + span * size * ratio * 0x1p-21;
+    return 0.25 + 0x1p-9 + size * 0x1p-13 + span * size * ratio * 0x1p-21;
 }
 
 /* The texel of one axis: 0 u, 1 v. */

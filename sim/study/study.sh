@@ -44,7 +44,7 @@ firmware() { # GOAL CORE STEPS COARSE BOUND
         cpu= ;;
     esac
     defines=
-    [ "$3,$4,$5" = 1,10,3 ] || {
+    [ "$3,$4,$5" = 1,10,2 ] || {
         defines="-DZS_STUDY=1 -DZS_RECIP_STEPS=$3 -DZS_TEXEL_COARSE_LOG2=$4 -DZS_SPAN_BOUND_LOG2=$5"
         folder=$folder-$3-$4-$5
     }

@@ -31,8 +31,8 @@ static const struct {
 static const struct build {
     const char *name; /* of its folder */
     int steps, coarse, bound;
-} builds[] = { { "", 1, 10, 3 },        { "bound2", 1, 10, 2 },  { "bound5", 1, 10, 5 },
-               { "recip16", 0, 10, 3 }, { "texels30", 1, 0, 3 }, { "texels15", 1, 31, 3 } };
+} builds[] = { { "", 1, 10, 2 },        { "bound3", 1, 10, 3 },  { "bound5", 1, 10, 5 },
+               { "recip16", 0, 10, 2 }, { "texels30", 1, 0, 2 }, { "texels15", 1, 31, 2 } };
 #define N_BUILDS (sizeof builds / sizeof builds[0])
 
 static struct run {
@@ -248,7 +248,7 @@ static int is_default(const struct study_table *t, size_t r)
 {
     return study_is(t, r, "subpixel", "8") && study_is(t, r, "mapping", "float") && study_is(t, r, "bits", "16") &&
            study_is(t, r, "recip_bits", "30") && study_is(t, r, "texel_recip", "15 or 30") &&
-           study_is(t, r, "span_bound", "1/8");
+           study_is(t, r, "span_bound", "1/4");
 }
 
 static void point_add(struct point *p, const struct study_table *t, size_t r)
@@ -330,7 +330,7 @@ static const char *words(const struct study_table *t, size_t r)
         n += (size_t)snprintf(out + n, sizeof text[0] - n, ", reciprocals of %s bits", study_cell(t, r, "recip_bits"));
     if (!study_is(t, r, "texel_recip", "15 or 30"))
         n += (size_t)snprintf(out + n, sizeof text[0] - n, ", pixels' of %s", study_cell(t, r, "texel_recip"));
-    if (!study_is(t, r, "span_bound", "1/8"))
+    if (!study_is(t, r, "span_bound", "1/4"))
         (void)snprintf(out + n, sizeof text[0] - n, ", spans to %s", study_cell(t, r, "span_bound"));
     return out;
 }

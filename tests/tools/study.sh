@@ -222,7 +222,7 @@ begin study_variants_are_for_studies_alone
 variant() { # FLAG...
     gcc -std=c11 -fsyntax-only -I"$top/firmware/zstrip" "$@" "$top/firmware/zstrip/shade/texture.c" 2>log
 }
-for flag in -DZS_RECIP_STEPS=0 -DZS_TEXEL_COARSE_LOG2=31 -DZS_SPAN_BOUND_LOG2=2; do
+for flag in -DZS_RECIP_STEPS=0 -DZS_TEXEL_COARSE_LOG2=31 -DZS_SPAN_BOUND_LOG2=3; do
     ! variant $flag || wrong "$flag builds"
     variant $flag -DZS_STUDY=1 || wrong "$flag does not build with ZS_STUDY"
 done

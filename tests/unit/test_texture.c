@@ -228,7 +228,7 @@ static void random_tri(struct prng *p, const struct easel *s, const struct easel
         t->d[k] = d[(k + turn) % 3];
 }
 
-/* The error that NUMERICS.md allows: 1/8 texel of interpolation, 1/512 added on purpose, and what a
+/* The error that NUMERICS.md allows: 1/4 texel of interpolation, 1/512 added on purpose, and what a
  * triangle's span of texels and its ratio of w do to 31-bit planes. */
 static double bound_of(const struct easel *s, const struct easel_frame *unit,
                        const struct easel_tri *t, int axis, uint32_t size)
@@ -243,7 +243,7 @@ static double bound_of(const struct easel *s, const struct easel_frame *unit,
         hi = t->rgb[k][axis] > hi ? t->rgb[k][axis] : hi;
     }
     const double span = (double)(hi - lo) / (1 << s->uv_bits) * size;
-    return 0.125 + 0x1p-9 + span * most_w / least_w * 0x1p-21;
+    return 0.25 + 0x1p-9 + span * most_w / least_w * 0x1p-21;
 }
 
 static int wrong_at(const struct easel *s, const struct easel_tri *t, int i, int j,

@@ -3,7 +3,7 @@
  * Set-up and sub-spans are those of shade/smooth.c. That adds half a code and cuts; here
  * a threshold t of the pattern takes the place of the half: (t - 1/2) * 31/32 is added to a code
  * that has the half already. The sum with a code c of 0 .. most is above c + 0.015 and below
- * c + 0.985, so that the error of planes, 0.005 codes, leads to no level below 0 or above most.
+ * c + 0.985, so that the error of planes, 0.014 codes, leads to no level below 0 or above most.
  *
  * SPDX-License-Identifier: MIT
  */

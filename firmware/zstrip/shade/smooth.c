@@ -1,7 +1,7 @@
 /* Smooth (Gouraud) shading: colours are lit at the vertices and interpolated perspective-correctly.
  *
  * Colours are kept as codes, the values of RGB565 channels (0 .. 31, 0 .. 63), with 16 fraction
- * bits. shade/persp.h explains the interpolation. The error bound is 1/8 code; sub-spans have up to
+ * bits. shade/persp.h explains the interpolation. The error bound is 1/4 code; sub-spans have up to
  * 16 pixels.
  *
  * SPDX-License-Identifier: MIT
@@ -54,7 +54,7 @@ static uint32_t color_range(const uint16_t *const a[3])
     return range;
 }
 
-/* Return 1 if range / 65536 * 63 codes * (change / least) / 4 <= 1/8 code, with 64 in place of 63.
+/* Return 1 if range / 65536 * 63 codes * (change / least) / 4 <= 1/4 code, with 64 in place of 63.
  */
 static int affine_enough(uint32_t range, uint32_t change, uint32_t least)
 {
@@ -82,59 +82,83 @@ static inline uint32_t code_of(uint32_t v, uint32_t most)
     return whole + (whole >> 16);
 }
 
-/* Return 256 * n / area in 32 bits, nearest. core/plane.c truncates n to 32 bits first, which
- * changes nothing for |n| < 2^31, and successive floors compose. So the result is the same, except
- * for exact halves: they are rounded up here, and away from 0 there. |result| < 2^22 */
-static inline int32_t narrow_gradient(int32_t n, uint32_t rcp, int32_t shift)
+/* The four differences of positions over the area, which all colours share. With d1 and d2, the
+ * differences of a colour from the first vertex in 1/256 codes, gx = (d1 x1 - d2 x2) 2^-down in
+ * uq16_16 codes. A channel's range in uq0_16 is below 2^n, so that |d| <= 2^(n - 2).
+ *
+ * Extents are below 2^E, E = 15 - up. A weight is (difference 2^up) times the upper 16 bits of
+ * rcp, over 2^n: |.| <= 2^(31 - n), and its unit 2^(-8 - down) a pixel. Those 16 bits are off by
+ * 2^-15 of rcp in all weights alike, so that a colour is off by 2^-15 of its change: 2^-9 codes.
+ * Rounding is off by 1/2, so that a colour is off by at most 2^(n - 9) 2^(-9 - down) codes for each
+ * step of x and y, of which there are up to 2^(E - 8) each: 2^(n + E - down - 25), at most 2^-7
+ * here. Rounding d adds 2^-9, rounding gradients 2^-17 for each of 2^8 steps, the way to the anchor
+ * 2^-13. In all: 0.014 codes. */
+struct weights {
+    int32_t x1, x2, y1, y2, down;
+};
+
+static inline int32_t weight(int32_t difference, int32_t up, uint32_t rcp, int32_t n)
 {
-    return (((int32_t)(zs_mul_su(n, rcp) >> 32) >> shift) + 1) >> 1;
+    return (difference * (1 << up) * (int32_t)rcp + (1 << (n - 1))) >> n; /* |.| < 2^31 */
 }
 
-/* zs_plane32 for codes, in 32 bits. fits: a bound such that differences below it, times the
- * triangle's extents, are below 2^30. Return 0 if the differences are not below it. */
-static int narrow_plane(const struct zs_geom *g, const uint32_t v[3], int32_t fits,
-                        struct zs_plane *out)
+/* Leave w->down if the weights would be too coarse, or gradients 2^25 or more. */
+static inline void weights(const struct zs_geom *g, uint32_t range, struct weights *w)
 {
-    const int32_t dv1 = (int32_t)(v[1] - v[0]), dv2 = (int32_t)(v[2] - v[0]); /* |.| < 2^22 */
-    const int32_t shift = 22 + g->exp;                                        /* 8 .. 21 */
-    if (((dv1 ^ dv1 >> 31) | (dv2 ^ dv2 >> 31)) >= fits)
-        return 0;
-    const int32_t gx = narrow_gradient(dv1 * g->dy2 - dv2 * g->dy1, g->rcp, shift);
-    const int32_t gy = narrow_gradient(dv2 * g->dx1 - dv1 * g->dx2, g->rcp, shift);
+    const int32_t dx1 = g->dx1, dx2 = g->dx2, dy1 = g->dy1, dy2 = g->dy2;
+    const int32_t extent = (dx1 ^ dx1 >> 31) | (dx2 ^ dx2 >> 31) | dy1 | dy2; /* at least 1 */
+    const int32_t up = zs_clz32((uint32_t)extent) - 17, n = 32 - zs_clz32(range | 1u);
+    const int32_t down = 31 + up + g->exp - n; /* at most 29, as area <= 2^(31 - 2 up) */
+    if (g->rcp == 0 || up < 0 || down < 5 || n > 3 + up + down)
+        return;
+    const uint32_t rcp = g->rcp >> 16; /* [2^15, 2^16) */
+    w->x1 = weight(dy2, up, rcp, n);
+    w->x2 = weight(dy1, up, rcp, n);
+    w->y1 = weight(dx2, up, rcp, n);
+    w->y2 = weight(dx1, up, rcp, n);
+    w->down = down;
+}
+
+/* Move a plane of codes to column 0 of row 0, add half a code, and shift it to the top of words. */
+static inline void raise(const struct zs_geom *g, int c, struct zs_plane *out)
+{
+    const uint32_t up = c == 1 ? UP6 : UP5;
+    zs_plane_origin(g, out);
+    out->base = (out->base + 0x8000u) << up; /* <= 63.5 codes at covered pixels */
+    out->gx <<= up;
+    out->gy <<= up;
+}
+
+/* Compute the gradients of a colour by the weights. */
+static inline void weighted_plane(const struct zs_geom *g, const struct weights *w,
+                                  const uint16_t *const a[3], int c, struct zs_plane *out)
+{
+    const int32_t most = (int32_t)(code_scale[c] & 0xffffu), v0 = a[0][c], down = w->down;
+    const int32_t d1 = ((a[1][c] - v0) * most + 128) >> 8, d2 = ((a[2][c] - v0) * most + 128) >> 8;
+    const int32_t half = 1 << (down - 1); /* sums are at most 2^30 */
+    const int32_t gx = (d1 * w->x1 - d2 * w->x2 + half) >> down;
+    const int32_t gy = (d2 * w->y2 - d1 * w->y1 + half) >> down;
     out->gx = (uint32_t)gx;
     out->gy = (uint32_t)gy;
-    out->base = v[0] + (uint32_t)((gx * g->ax + gy * g->ay + 128) >> 8); /* |a| <= 128: < 2^30 */
-    return 1;
-}
-
-/* Return the bound `fits` for narrow_plane, a power of two; 0: narrow_plane cannot be used. */
-static int32_t narrow_fits(const struct zs_geom *g)
-{
-    if (g->rcp == 0 ||
-        g->exp < -14) /* large; or area below 1 px^2: a gradient may need more than 22 bits */
-        return 0;
-    const int32_t extent = (g->dx1 ^ g->dx1 >> 31) | (g->dx2 ^ g->dx2 >> 31) | g->dy1 | g->dy2;
-    return 1 << (zs_clz32((uint32_t)extent) -
-                 2); /* extents < 2^16, and not all are -1 or 0: the result is at least 2^14 */
+    out->base = code_of((uint32_t)v0, (uint32_t)most) +
+                (uint32_t)(((gx >> 3) * g->ax + (gy >> 3) * g->ay + 16) >> 5); /* |a| <= 2^7 */
 }
 
 /* Compute the gradients of the colours: codes in the top bits of words, with half a code added. */
-ZS_IN_ORDER static ZS_NOINLINE void affine_planes(struct zs_job *job, const uint16_t *const a[3])
+ZS_IN_ORDER static ZS_NOINLINE void affine_planes(struct zs_job *job, const uint16_t *const a[3],
+                                                  uint32_t range)
 {
     const struct zs_geom *g = &job->geom;
-    const int32_t fits = narrow_fits(g);
+    struct weights w = { 0 };
+    weights(g, range, &w);
     for (int c = 0; c < 3; c++) {
-        struct zs_plane *const out = &job->c[c];
         const uint32_t most = code_scale[c] & 0xffffu;
-        const uint32_t v[3] = { code_of(a[0][c], most), code_of(a[1][c], most),
-                                code_of(a[2][c], most) };
-        if (!narrow_plane(g, v, fits, out))
-            zs_plane32(g, v[0], v[1], v[2], ZS_PLANE_KEY, out);
-        zs_plane_origin(g, out);
-        const uint32_t up = c == 1 ? UP6 : UP5;
-        out->base = (out->base + 0x8000u) << up; /* half a code; <= 63.5 codes at covered pixels */
-        out->gx <<= up;
-        out->gy <<= up;
+        if (w.down)
+            weighted_plane(g, &w, a, c, &job->c[c]);
+        else
+            zs_plane32(g, code_of(a[0][c], most), code_of(a[1][c], most), code_of(a[2][c], most),
+                       ZS_PLANE_KEY, &job->c[c]);
+        raise(g, c, &job->c[c]);
     }
 }
 
@@ -156,7 +180,7 @@ static ZS_NOINLINE void start_by_w(struct zs_job *job, const uint16_t *const a[3
     zs_persp_w(job, w);
     const uint32_t change = zs_persp_change(w, &least);
     if (affine_enough(range, change, least)) {
-        affine_planes(job, a);
+        affine_planes(job, a, range);
         return;
     }
     zs_persp_plane(&job->geom, w, ZS_PLANE_WIDE, &job->w);
@@ -172,7 +196,7 @@ void zs_smooth_start(struct zs_job *job)
     uint32_t change;
     job->sub_log2 = ZS_AFFINE;
     if (zs_persp_slow(job, &change) && affine_enough(range, change, job->r->view.key_slow))
-        affine_planes(job, a);
+        affine_planes(job, a, range);
     else
         start_by_w(job, a, range);
 }

@@ -6,13 +6,13 @@
  * at once, modulo one repeat, which a shift to the left preserves. With perspective: normalised to
  * un, 16 bits, so that small differences keep their bits, times w (shade/persp.h).
  *
- * The error of affine interpolation is kept below 1/8 texel of the texture, or of one with 128
+ * The error of affine interpolation is kept below 1/4 texel of the texture, or of one with 128
  * texels if the texture is smaller. For a whole triangle the error is T (rho - 1) / 4, where T is
  * the number of texels that it spans, and rho its ratio of w. For groups of L = 32 pixels of a
  * scanline, let W = w and C = U w; both are linear along the scanline. Then u1 - u0 = (C' W0 - C0
  * W') L / (W0 W1) and rho - 1 = W' L / W0, so the error is K |W'| L^2 / (4 W0^2 W1) with K = |C' W
  * - C W'|. K is constant along a scanline and linear from one to the next, so its maximum is at a
- * vertex: |C' - U W'| W. So a group may be affine if W^3 >= 2 T K |W'| L^2, with W the lesser of
+ * vertex: |C' - U W'| W. So a group may be affine if W^3 >= T K |W'| L^2, with W the lesser of
  * its two ends.
  *
  * In other groups, each pixel is divided. If the triangle has at most 2^COARSE_LOG2 texels, a
@@ -172,7 +172,7 @@ static int affine_enough(const struct coordinate c[2], uint32_t light_range, uin
            zs_texture_light_affine(light_range, change, least);
 }
 
-/* Return ceil(log2(2^(texels + 1) K |W'|)) for an attribute; -128 if the product is 0. */
+/* Return ceil(log2(2^texels K |W'|)) for an attribute; -128 if the product is 0. */
 static int32_t bend_log2(const struct zs_plane *c, const struct zs_plane *w_plane,
                          const uint32_t un[3], const uint32_t w[3], int32_t texels)
 {

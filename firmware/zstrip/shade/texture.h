@@ -33,7 +33,7 @@ struct zs_texel {
     5                          /* log2 of a group's pixels: affine, or divided one by one */
 #define ZS_TEXTURE_BIAS_LOG2 9 /* 2^-9 texel is added to coordinates (shade/texture.c) */
 #define ZS_TEXTURE_FLOOR_LOG2 7u /* the error bound of a smaller texture is that of one with 128
-                                    texels: 1/8 of its texels */
+                                    texels: 1/4 of its texels */
 
 /* A difference of coordinates, in 2^-uv_bits repeats, times 2^up is a value of 16 bits. Return log2
  * of the texels that its full range spans, with at least 128 texels for each repeat. */
@@ -49,7 +49,7 @@ static inline uint32_t zs_texture_cut(uint32_t log2)
     return log2 ? 32u - log2 : 31u;
 }
 
-/* Return 1 if affine interpolation is exact enough: 2^texels * change / least / 4 <= 1/8, for a
+/* Return 1 if affine interpolation is exact enough: 2^texels * change / least / 4 <= 1/4, for a
  * range of all 16 bits. */
 static inline int zs_texture_affine(int32_t texels, uint32_t change, uint32_t least)
 {
@@ -76,7 +76,7 @@ static inline uint32_t zs_texture_gradient(uint32_t rcp, int32_t n, int32_t shif
 }
 
 /* Return 1 if affine interpolation of the light is exact enough: range * 2^-15 * 64 codes * change
- * / least / 4 <= 1/8. */
+ * / least / 4 <= 1/4. */
 static inline int zs_texture_light_affine(uint32_t range, uint32_t change, uint32_t least)
 {
     return zs_mul_uu(range, change) <= (uint64_t)least << (11 - ZS_SPAN_BOUND_LOG2);
