@@ -266,22 +266,25 @@ static const char *attrs_name(const struct sim_pieces *p)
                       : "ZS_VARYINGS_FLAT";
 }
 
-/* The accelerators for the shaders and texel formats that are in it, after those of the frame. */
+/* The accelerators for the shaders and texel formats that are in it, after those of the frame. Those of transparent and
+ * cut-out materials have none; where nothing is of an opaque shader's, it is not named. */
 static void accelerators(FILE *f, const struct sim_conversion *c)
 {
     static const char *const names[] = { "RAW", "FLAT", "SMOOTH", "TEXTURE", "TEXTURE_FLAT", "TEXTURE_SMOOTH" };
-    static const char *const formats[] = { "565", "PAL8", "PAL4" };
+    static const char *const formats[] = { [SIM_TEXELS_565] = "565", [SIM_TEXELS_PAL8] = "PAL8", [SIM_TEXELS_PAL4] = "PAL4" };
+    const size_t n_names = sizeof names / sizeof names[0], n_formats = sizeof formats / sizeof formats[0];
     unsigned shaders = 0, texels = 0;
-    for (uint32_t i = 0; i < c->pieces.n_paints; i++)
-        shaders |= 1u << c->pieces.paint[i].shader;
-    for (uint32_t i = 0; i < c->n_skins; i++)
-        texels |= 1u << (c->skin[i].format == SIM_TEXELS_565 ? 0 : c->skin[i].format == SIM_TEXELS_PAL8 ? 1 : 2);
+    for (uint32_t i = 0; i < c->made.pieces.n_paints; i++)
+        if (c->made.pieces.paint[i].alpha_mode == SIM_ALPHA_OPAQUE)
+            shaders |= 1u << c->made.pieces.paint[i].shader;
+    for (uint32_t i = 0; i < c->made.n_skins; i++)
+        texels |= 1u << c->made.skin[i].format;
     (void)fputs("ZS_FAST_FRAME, ZS_FAST_CLUSTERS", f);
-    for (unsigned i = 0; i < 6; i++)
+    for (size_t i = 0; i < n_names; i++)
         if (shaders >> i & 1u)
             (void)fprintf(f, ", ZS_FAST_%s", names[i]);
-    for (unsigned i = 0; i < 3; i++)
-        if (texels >> i & 1u)
+    for (size_t i = 0; i < n_formats; i++)
+        if (texels >> i & 1u && formats[i] != NULL)
             (void)fprintf(f, ", ZS_FAST_%s", formats[i]);
 }
 
@@ -638,7 +641,7 @@ void sim_convert_header(FILE *f, const struct sim_conversion *c)
     const char *name = c->options.name;
     const int has_mesh = c->made.pieces.n_pieces > 0;
     char big[64];
-    struct box box;
+    struct box box = { 0 };
     struct sim_converted_bytes bytes;
     sim_converted_bytes(&bytes, &c->made);
     upper(big, name);

@@ -55,6 +55,9 @@ int main(void)
     struct zs_camera camera;
 @WIRE@    screen_config.depth = &zs_depth_float;
     screen_config.fast = fast;
+#ifdef MODEL_METHOD /* it is transparent in places */
+    screen_config.method = MODEL_METHOD;
+#endif
     int err = hal_init();
     err = err ? err : panel_init(&panel, &glass, hal_bus(), @SCRATCH_ARGS@);
     err = err ? err : ZS_INIT(screen);
