@@ -29,12 +29,6 @@ if command -v ccache >/dev/null; then
     export CMAKE_C_COMPILER_LAUNCHER=ccache # the library is built seven times
 fi
 
-# ---- The picture -------------------------------------------------------------------------------------------------
-cp "$zs/examples/TFT_eSPI_cube/spinning_cube.c" "$zs/examples/TFT_eSPI_cube/spinning_cube.h" .
-$CC -I. -I"$zs/src" -I"$here/stubs" "$here/run_none.c" spinning_cube.c "$here/stubs/stub.c" "$zs"/src/*/*.c -o none \
-    2>none.log && ./none want.bin || bad package_sources "$(tail -3 none.log)"
-[ "$(od -An -v -tx2 -w2 want.bin | sort -u | wc -l)" -ge 3 ] || bad package_picture 'no cube can be seen'
-
 # ---- CMake -------------------------------------------------------------------------------------------------------
 consumer() { # FOLDER, the lines that find zstrip
     mkdir -p "$1"
@@ -45,7 +39,7 @@ target_link_libraries(consumer zstrip::zstrip)
 END
     } >"$1/CMakeLists.txt"
 }
-cp "$here/run_none.c" "$here/stubs/stub.c" .
+cp "$here/run_none.c" "$here/stubs/stub.c" "$zs"/examples/TFT_eSPI_cube/spinning_cube.[ch] .
 cp -r "$here/stubs" .
 built() { # NAME FOLDER CMAKE-OPTIONS...    and draws
     of=$1 folder=$2
@@ -58,7 +52,11 @@ built() { # NAME FOLDER CMAKE-OPTIONS...    and draws
 consumer added <<END
 add_subdirectory("$zs" zstrip)
 END
-built package_cmake_add_subdirectory added
+cmake -S added -B added/build >added.log 2>&1 && cmake --build added/build -j2 >>added.log 2>&1 &&
+    added/build/consumer want.bin && : >added.log
+verdict package_cmake_add_subdirectory added.log
+[ "$(od -An -v -tx2 -w2 want.bin | sort -u | wc -l)" -ge 3 ] || bad package_picture 'no cube can be seen'
+lib="$work/added/build/zstrip/libzstrip.a" panel="$work/added/build/zstrip/libzstrip_panel.a"
 consumer fetched <<END
 include(FetchContent)
 FetchContent_Declare(zstrip URL "$work/zstrip-$version.tar.gz")
@@ -118,21 +116,19 @@ lintian --suppress-tags bogus-mail-host,bogus-mail-host-in-debian-changelog "$de
 verdict package_lintian lintian.log
 
 # ---- Over stubs --------------------------------------------------------------------------------------------------
-gcc -std=c11 -O1 -c "$zs"/src/*/*.c -I"$zs/src" 2>objects.log && mkdir objects && mv ./*.o objects/
-ar rcs libzs.a objects/*.o
 for sketch in "$zs"/examples/*/*.ino; do
     of=$(basename "$sketch" .ino)
     cp "$sketch" sketch.cpp
     { g++ -std=gnu++11 -Wall -Wextra -Werror -Istubs -I"$zs/src" -I"${sketch%/*}" -include Arduino.h sketch.cpp \
         "$here/run_arduino.cpp" -c && gcc -std=c11 -Istubs -I"$zs/src" -c stub.c "${sketch%/*}/spinning_cube.c" &&
-        g++ sketch.o run_arduino.o stub.o spinning_cube.o libzs.a -o sketch && ./sketch got.bin &&
+        g++ sketch.o run_arduino.o stub.o spinning_cube.o "$lib" -o sketch && ./sketch got.bin &&
         cmp want.bin got.bin; } >sketch.log 2>&1 && : >sketch.log
     verdict "package_arduino_$of" sketch.log
     [ "$(wc -l <"$sketch")" -le 60 ] || bad "package_arduino_$of" 'longer than 60 lines'
 done
 for sink in stm32cube pico_sdk esp_idf zephyr lvgl; do
     { $CC -Istubs -I. -I"$zs/src" -I"$zs/hal" -I"$zs/hal/panel" "$here/run_$sink.c" "$zs/sinks/$sink.c" \
-        spinning_cube.c stub.c "$zs"/hal/panel/*.c libzs.a -o sink && ./sink got.bin &&
+        spinning_cube.c stub.c "$panel" "$lib" -o sink && ./sink got.bin &&
         cmp want.bin got.bin; } >sink.log 2>&1 && : >sink.log
     verdict "package_sink_$sink" sink.log
 done
