@@ -202,16 +202,16 @@ gcc -std=c11 -Wall -Wextra -Werror -Wconversion -I"$out/headers" -Ifirmware/zstr
 said=$("$out/panel_example")
 [ "$said" = "0 15" ] && echo "ok readme_panel_example" || echo "FAILED readme_panel_example: $said"
 
-# ---- README.md: a model of one's own, to the letter -------------------------------------------------------------
+# ---- sim/README.md: a model of one's own, to the letter -------------------------------------------------------------
 # A folder as the reader has it: zsim built, the library, a model; then the section's program and commands.
-own='Example: your model'
+own='Write a program around it'
 follow() { # NAME LEAST-PIXELS MOST-PIXELS COLOURS    MODEL.obj and what belongs to it lie in $out/NAME
     home=$out/$1
     ln -sfn "$top/firmware" "$home/firmware"
     ln -sfn "$build" "$home/build"
-    section README.md "$own" | code >"$home/picture.c"
-    section README.md "$own" | awk '/^```sh$/ { on = 1; next } /^```$/ { on = 0 } on' >"$home/commands"
-    if ! (cd "$home" && [ "$(wc -l <commands)" -eq 4 ] && sh -eu commands >log 2>&1); then
+    section sim/README.md "$own" | code >"$home/picture.c"
+    section sim/README.md "$own" | awk '/^```sh$/ { on = 1; next } /^```$/ { on = 0 } on' >"$home/commands"
+    if ! (cd "$home" && [ "$(wc -l <commands)" -eq 3 ] && sh -eu commands >log 2>&1); then
         echo "FAILED readme_own_$1: $(tail -3 "$home/log" | tr '\n' ' ')"
         return
     fi
@@ -240,7 +240,7 @@ mkdir -p "$out/teapot" "$out/boxes" "$out/torus"
 "$make" torus 48 24 4 torus.mtl >"$out/torus/MODEL.obj"
 printf 'newmtl skin\nmap_Kd photo.png\n' >"$out/torus/torus.mtl"
 "$make" png photo 128 128 "$out/torus/photo.png"
-lines=$(section README.md "$own" | code | wc -l)
+lines=$(section sim/README.md "$own" | code | wc -l)
 if [ "$lines" -gt 0 ] && [ "$lines" -lt 40 ]; then
     echo "ok readme_own_is_$lines""_lines"
 else
