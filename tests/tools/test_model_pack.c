@@ -23,10 +23,14 @@ static struct zs_rgb colors[2][3] = { { { 1, 2, 3 }, { 4, 5, 6 }, { 7, 8, 9 } } 
 static double uvs[2][3][2] = { { { 0, 0 }, { 1, 0 }, { 0, 1 } }, { { 0.5, 0.25 }, { -3, 2 }, { 0, 0 } } };
 static uint8_t has_uv[2] = { 1, 1 };
 static uint32_t tri_material[2] = { 0, 1 };
-static struct sim_material materials[2] = { { (char *)"wood", { 10, 20, 30 }, 0 },
-                                            { (char *)"", { 1, 1, 1 }, SIM_NO_TEXTURE } };
+static struct sim_material materials[2] = {
+    { .name = (char *)"wood", .rgb = { 10, 20, 30 }, .power = 40, .alpha_mode = SIM_ALPHA_MASK, .alpha_least = 100 },
+    { .name = (char *)"", .rgb = { 1, 1, 1 }, .two_sided = 1, .texture = SIM_NO_TEXTURE }
+};
 static uint8_t texels[8][3] = { { 255, 0, 1 }, { 2 }, { 3 }, { 4 }, { 5 }, { 6 }, { 7 }, { 8 } };
-static struct sim_texture textures[1] = { { (char *)"a.png", { 4, 2, texels }, 5, 3, ZS_CLAMP_U } };
+static uint8_t alphas[8] = { 0, 255, 3, 4, 5, 6, 7, 8 };
+static struct sim_texture textures[1] = { { .name = (char *)"a.png", .image = { 4, 2, texels, alphas }, .file_width = 5,
+                                            .file_height = 3, .clamp = ZS_CLAMP_U, .alpha_mode = SIM_ALPHA_MASK } };
 
 static struct sim_model whole(void)
 {
@@ -34,7 +38,8 @@ static struct sim_model whole(void)
                                .uv = uvs, .has_uv = has_uv, .tri_material = tri_material, .material = materials,
                                .texture = textures, .lost_materials = (char *)"gone.mtl", .n_points = 4, .n_tris = 2,
                                .n_materials = 2, .n_textures = 1, .single = 1, .file_normals = 1,
-                               .hi = { 1, 1, 1 }, .center = { 0.5, 0.5, 0.5 }, .radius = 0.9 };
+                               .hi = { 1, 1, 1 }, .center = { 0.5, 0.5, 0.5 }, .radius = 0.9,
+                               .lost = { [SIM_LOST_SKIN] = { 3, "bones" } } };
 }
 
 static const struct sim_want all = { .normals = 1, .textures = 1 };
@@ -89,6 +94,11 @@ static void comes_back_whole(void **state)
     assert_int_equal(out.texture[0].image.width, 4);
     assert_int_equal(out.texture[0].file_height, 3);
     assert_memory_equal(out.texture[0].image.rgb, texels, sizeof texels);
+    assert_memory_equal(out.texture[0].image.alpha, alphas, sizeof alphas);
+    assert_int_equal(out.material[0].alpha_least, 100);
+    assert_int_equal(out.material[1].two_sided, 1);
+    assert_int_equal(out.lost[SIM_LOST_SKIN].n, 3);
+    assert_string_equal(out.lost[SIM_LOST_SKIN].first, "bones");
     assert_memory_equal(out.hi, in.hi, sizeof in.hi);
     assert_true(out.radius == 0.9 && out.single == 1 && out.file_normals == 1);
     sim_model_free(&out);
@@ -155,8 +165,13 @@ static void must_be_sound(const struct sim_model *m)
         assert_true(image->width > 0 && (image->width & (image->width - 1)) == 0);
         assert_true(image->height > 0 && (image->height & (image->height - 1)) == 0);
         (void)image->rgb[(size_t)image->width * image->height - 1][2];
+        if (image->alpha != NULL)
+            (void)image->alpha[(size_t)image->width * image->height - 1];
+        assert_true(m->texture[i].alpha_mode <= SIM_ALPHA_BLEND);
         assert_non_null(m->texture[i].name);
     }
+    for (int i = 0; i < SIM_LOST_KINDS; i++)
+        assert_non_null(memchr(m->lost[i].first, 0, sizeof m->lost[i].first));
     assert_true(isfinite(m->radius) && m->radius > 0.0);
 }
 
