@@ -341,9 +341,11 @@ static void turn_45_pitch(struct world *w)
 
 static void sheet_winding(struct world *w)
 {
-    static const struct zs_cluster all = { .n_tris = 128, .radius = 566, .axis = { 0, -127, 0 }, .height = 1 };
-    w->sheet.cluster = &all;
-    w->sheet.n_clusters = 1;
+    static struct zs_cluster part[8];
+    for (uint32_t k = 0; k < 8; k++)
+        part[k] = (struct zs_cluster){ 16 * k, 16, { 0, 0, (int16_t)(100 * k - 350) }, 404, { 0, -127, 0 }, 1, 1000 };
+    w->sheet.cluster = part;
+    w->sheet.n_clusters = 8;
     w->sheet.tri = (const uint16_t(*)[3])sheet_turned;
 }
 
@@ -1323,8 +1325,9 @@ static int keep_px(void *ctx, const struct zs_strip *s)
 /* The next frames are what they are without a question between, also what of them is sent. */
 static void asking_changes_nothing(void **state)
 {
-    for (int mode = 0; mode < 6; mode++) {
+    for (int mode = 0; mode < 8; mode++) {
         static uint16_t plain[6][W * H];
+        static struct zs_stats counted[6];
         static uint32_t sent[6], memory[ZS_DAMAGE_WORDS(2, H, 8)], arena[20000];
         for (int ask = 0; ask < 2; ask++) {
             struct zs_renderer r;
@@ -1340,17 +1343,21 @@ static void asking_changes_nothing(void **state)
             assert_int_equal(zs_init(&r, &w.config, arena, sizeof arena), ZS_OK);
             if (mode / 2 == 1)
                 assert_int_equal(watch_anew(&r, &sums, hashes, 1), ZS_OK);
-            if (mode / 2 == 2)
+            if (mode / 2 >= 2)
                 assert_int_equal(zs_damage_track(&r, memory, 2), ZS_OK);
+            if (mode / 2 == 3)
+                assert_int_equal(zs_damage_columns(&r, 1), ZS_OK);
             for (int frame = 0; frame < 6; frame++) {
                 uint32_t pixels = 0;
                 const struct zs_sink sink = { .submit = keep_px, .ctx = &pixels };
                 w.instance[1].pose.pos[0] += frame == 1 || frame == 4 ? 300 : 0;
                 w.scene.background = (uint16_t)(w.scene.background + (frame == 3));
                 assert_int_equal(zs_render(&r, &w.scene, &w.camera, &sink), ZS_OK);
+                assert_non_null(r.touch); /* accelerators are still there */
                 if (ask) {
                     assert_memory_equal(plain[frame], glass_px, sizeof glass_px);
                     assert_int_equal(sent[frame], pixels);
+                    assert_memory_equal(&counted[frame], zs_frame_stats(&r), sizeof counted[0]);
                     const struct zs_stats before = *zs_frame_stats(&r);
                     w.scene.n_instances = frame % 2 ? 1 : 2; /* of other scenes, too */
                     w.instance[0].pose.pos[2] -= 100000;
@@ -1358,10 +1365,12 @@ static void asking_changes_nothing(void **state)
                     assert_int_not_equal(zs_explain_instance(&r, &w.scene, &w.camera, 0, hear, &words), 0);
                     w.instance[0].pose.pos[2] += 100000;
                     w.scene.n_instances = 2;
+                    assert_int_not_equal(zs_explain_instance(&r, &w.scene, &w.camera, 0, hear, &words), 0);
                     assert_memory_equal(&before, zs_frame_stats(&r), sizeof before);
                 } else {
                     memcpy(plain[frame], glass_px, sizeof glass_px);
                     sent[frame] = pixels;
+                    counted[frame] = *zs_frame_stats(&r);
                 }
             }
         }
