@@ -34,18 +34,24 @@ enum zs_flaw {
     ZS_FLAW_CLAMP,          /* a texture's clamp is no enum zs_clamp; index: clamp */
     ZS_FLAW_TEXEL,          /* index: row * width + column of a texel >= n_colors; those of coarser
                                levels follow */
-    ZS_FLAW_LEVELS          /* more levels than its size allows (zs_filter.h); index: n_levels */
+    ZS_FLAW_LEVELS,         /* more levels than its size allows (zs_filter.h); index: n_levels */
+    ZS_FLAW_NODES,      /* index: a node of bvh whose first or skip is not that of a hierarchy over all
+                           triangles, in order, each in one leaf; or node 0, if there are more than
+                           2 * n_tris nodes */
+    ZS_FLAW_NODE_SPHERE /* index: a node with a vertex outside its sphere */
 };
 
 /* Find the first flaw: whatever would make the renderer read out of bounds or draw wrongly. A mesh
  * and a texture that pass are drawn without a read out of bounds by every shader that
  * zs_frame_begin accepts for them.
  *
- * mesh, texture  all of it is read, nothing beyond its counts. NULL: ZS_FLAW_NULL.
+ * mesh, texture  all of it is read, nothing beyond its counts. NULL: ZS_FLAW_NULL. Of mesh.bvh node
+ *                0 is read, and as many nodes as its skip says, if these are at most 2 * n_tris:
+ *                see to it first that so many were loaded.
  * index          set to the triangle, vertex, cluster, texel or value that is named above, else 0;
  *                NULL: not wanted.
  *                Textures with alpha: zs_alpha_texture_check (zs_filter.h).
- * Cost           linear in the data; once after loading.
+ * Cost           linear in the data, times the depth of bvh; once after loading.
  * Return         ZS_FLAW_NONE or the flaw. */
 enum zs_flaw zs_mesh_check(const struct zs_mesh *mesh, uint32_t *index);
 enum zs_flaw zs_texture_check(const struct zs_texture *texture, uint32_t *index);

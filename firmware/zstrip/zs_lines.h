@@ -31,7 +31,8 @@
  * Statistics: tris_in and what follows count lines and points. tris_facing stays 0, `cull` has no
  * effect. Each is two triangles and four vertices of the pools.
  *
- * Shaders: the face stage gets the line's number in place of a triangle's. There may be no more
+ * Shaders: the face stage gets the line's number in place of a triangle's; where that triangle has
+ * a vertex that there is not, its value is 0 instead. There may be no more
  * lines than the mesh has triangles, else ZS_ERR_MESH, unless the shader has no face stage, or is
  * zs_shade_plain, or zs_shade_raw and the mesh has no face_raw.
  * What zs_damage_track sees is the material, not what it points to: after a change of a struct

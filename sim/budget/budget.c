@@ -12,6 +12,7 @@
 
 #include "load_options.h"
 #include "option_help.h"
+#include "record_methods.h"
 #include "option_table.h"
 #include "record_sizes.h"
 #include "sim.h"
@@ -71,6 +72,8 @@ static const struct sim_option table[] = {
       .help = "how texels are stored (565; of a model: as zsim convert chooses)" },
     { "--depth", SIM_OPTION_CHOICE, AT(o.depth), .words = "recip|linear|e3m13|e4m12|e5m11|float",
       .help = "mapping of depth keys (float)" },
+    { "--method", SIM_OPTION_CHOICE, AT(o.method), .words = SIM_METHOD_WORDS,
+      .help = "how hidden surfaces are removed; those without depth memory have a mapping of their own (zbuffer)" },
     { "--state", SIM_OPTION_FLAG, AT(state), .help = "some instance has a struct zs_depth_state: its code is linked" },
     { "Part", SIM_OPTION_HEADING },
     { "--part", SIM_OPTION_TEXT, AT(part), .help = "the figures of one part. There are:", .list = budget_part_list },
@@ -87,6 +90,9 @@ static const struct sim_option table[] = {
     { "Answers", SIM_OPTION_HEADING },
     { "--fit", SIM_OPTION_TEXT, AT(fit), .value = "PART",
       .help = "the largest strip for these pools, and the largest pools for this strip" },
+    { "--methods", SIM_OPTION_FLAG, AT(methods), .help = "the largest scene that --ram holds, by each method" },
+    { "--ram", SIM_OPTION_COUNT, AT(ram), 0, 1, 1e9, .value = "BYTES",
+      .help = "all that --methods may take, with renderer, scene and stack (16384)" },
     { "--check", SIM_OPTION_FILE, AT(check),
       .help =
           "limits, one a line, `name = number`, # begins a comment: most for ram, arena, stack, flash, wire_ms, "
@@ -132,9 +138,22 @@ double budget_cpi(const struct budget_request *rq, enum sim_core core)
     return core == SIM_CORE_RP2040 || core == SIM_CORE_M0 ? 1.0 : rq->has_cpi ? rq->cpi : assumed[core];
 }
 
+double budget_measured(const struct budget *b, enum sim_core core)
+{
+    for (size_t i = 0; b->scene && i < sizeof record_methods / sizeof record_methods[0]; i++)
+        if (strcmp(record_methods[i].core, sim_core_names[core]) == 0 &&
+            strcmp(record_methods[i].method, b->method->name) == 0 && strcmp(record_methods[i].scene, b->scene) == 0)
+            return record_methods[i].instructions;
+    return 0.0;
+}
+
 /* Cortex-M0 and M0+: what was counted on the RP2040, whose core it is. */
 double budget_cycles(const struct budget_request *rq, const struct budget *b, enum sim_core core)
 {
+    if (b->method->method) {
+        const double n = budget_measured(b, core == SIM_CORE_M0 ? SIM_CORE_RP2040 : core);
+        return n > 0.0 ? n * budget_cpi(rq, core) : (double)NAN;
+    }
     return sim_costs_sum(core == SIM_CORE_M0 ? SIM_CORE_RP2040 : core, &b->counted) * budget_cpi(rq, core);
 }
 
@@ -184,10 +203,12 @@ static void print_ram(const struct budget_request *rq, const struct budget *b)
     const struct zs_config *c = &b->config;
     printf("RAM, bytes (pools are the same on every machine; the rest as on a Cortex-M)\n");
     printf("  strip buffers   %8u  %u x %u x %u px of 2 bytes\n", r->color, c->buffers, c->width, c->strip_h);
-    printf("  depth keys      %8u\n", r->depth);
+    printf("  depth keys      %8u%s\n", r->depth, r->depth ? "" : "  this method needs none");
     printf("  hidden tiles    %8u\n", r->tiles);
     printf("  bins            %8u  %u strips\n", r->bins, (unsigned)ZS_STRIPS(c->height, c->strip_h));
     printf("  triangles       %8u  %u of 12\n", r->tris, c->max_tris);
+    if (r->shared)
+        printf("    of these      %8u  for the method's own records\n", r->shared);
     printf("  vertices        %8u  %u of 12\n", r->verts, c->max_verts);
     printf("  their numbers   %8u\n", r->numbers);
     printf("  attributes      %8u  %u words each\n", r->attrs, c->varyings);
@@ -213,7 +234,7 @@ static void print_ram(const struct budget_request *rq, const struct budget *b)
 static void print_flash(const struct budget_request *rq, const struct budget *b)
 {
     const struct budget_flash *m3 = &b->flash[BUDGET_M3], *m0 = &b->flash[BUDGET_M0];
-    printf("\nFlash, bytes, -O2      Cortex-M3      M0+\n");
+    printf("\nFlash, bytes, -O2      Cortex-M3      M0+%s\n", b->method->method ? "   without the method's own" : "");
     printf("  renderer        %8u %8u\n", m3->zstrip, m0->zstrip);
     printf("  libgcc, libc    %8u %8u\n", m3->library, m0->library);
     if (m3->panel)
@@ -235,8 +256,29 @@ static void print_wire(const struct budget_request *rq, const struct budget *b)
            (double)rq->o.spi_hz / 1e6);
 }
 
+/* Of a method: what was measured. Stages are those of the depth buffer and do not say what it takes. */
+static void print_measured(const struct budget *b)
+{
+    int known = 0;
+    printf("\nDrawing a frame by %s\n", b->method->name);
+    for (int c = 0; c < SIM_CORES; c++) {
+        const double n = budget_measured(b, (enum sim_core)c);
+        if (n > 0.0)
+            printf("%s %s %.2f M", known++ ? "," : "  measured, instructions, cycles on the RP2040:", sim_core_names[c],
+                   n / 1e6);
+    }
+    printf(known ? "\n  in strips of 24 rows, one buffer (make methods).\n"
+                 : "  not known: it is measured for frame 0 of some scenes in their own size (make methods)\n");
+    printf("  %u triangles sorted, %u pairs compared, %u splits, %u rays in these strips\n", b->counted.stats.sorted,
+           b->counted.stats.pairs, b->counted.stats.splits, b->counted.stats.rays);
+}
+
 static void print_drawing(const struct budget_request *rq, const struct budget *b)
 {
+    if (b->method->method) {
+        print_measured(b);
+        return;
+    }
     printf("\nDrawing a frame, estimated%s: instructions, cycles on the RP2040\n ", b->guessed ? " from numbers alone"
            : "");
     for (int c = 0; c < SIM_CORES; c++)
@@ -283,8 +325,12 @@ static void print_parts(const struct budget_request *rq, const struct budget *b)
         const double wire = wire_ms(rq, b, p);
         totals_of(&t, &with, b, p->core, rq->part && rq->has_mhz ? rq->mhz : p->mhz, wire);
         printf("%-12s %-8s %5.0f", p->name, sim_core_names[p->core], rq->part && rq->has_mhz ? rq->mhz : p->mhz);
-        printf(" %9.0f %9.0f %8.1f %8.1f %8.1f %8.1f%s\n", p->ram - t.ram, p->flash - t.flash, t.draw_ms, wire,
-               t.fps_single, 1e3 / fmax(t.draw_ms, wire), t.ram > p->ram || t.flash > p->flash ? "   too small" : "");
+        const char *const too = t.ram > p->ram || t.flash > p->flash ? "   too small" : "";
+        if (isnan(t.draw_ms))
+            printf(" %9.0f %9.0f %8s %8.1f %8s %8s%s\n", p->ram - t.ram, p->flash - t.flash, "-", wire, "-", "-", too);
+        else
+            printf(" %9.0f %9.0f %8.1f %8.1f %8.1f %8.1f%s\n", p->ram - t.ram, p->flash - t.flash, t.draw_ms, wire,
+                   t.fps_single, 1e3 / fmax(t.draw_ms, wire), too);
     }
     printf("Cycles: the RP2040's as the emulator counts them, which M0 takes too; else instructions times\n"
            "%s: M3 and M4 %g, M7 %g, rv32imc %g. Flash without wait states. With two buffers\n"
@@ -332,7 +378,7 @@ static size_t figures_of(struct budget_figure figure[FIGURES_MAX], const struct 
     figure[n++] = (struct budget_figure){ "flash", t.flash, 0 };
     if (b->has_wire)
         figure[n++] = (struct budget_figure){ "wire_ms", b->wire.ms, 0 };
-    if (to.mhz > 0.0) {
+    if (to.mhz > 0.0 && !isnan(t.draw_ms)) {
         figure[n++] = (struct budget_figure){ "draw_ms", t.draw_ms, 0 };
         figure[n++] = (struct budget_figure){ "frame_ms", t.frame_ms, 0 };
         figure[n++] = (struct budget_figure){ "fps", t.fps, 1 };
@@ -372,9 +418,12 @@ static void print_csv(const struct budget_request *rq, const struct budget *b, c
     }
     if (b->has_wire)
         printf("wire_bytes,%.0f,bytes\nwire_windows,%.0f,windows\n", b->wire.bytes, b->wire.windows);
-    for (int c = 0; c < SIM_CORES; c++)
-        printf("draw_%s,%.0f,%s\n", sim_core_names[c], sim_costs_sum((enum sim_core)c, &b->counted),
-               c == SIM_CORE_RP2040 ? "cycles" : "instructions");
+    for (int c = 0; c < SIM_CORES; c++) {
+        const double took = b->method->method ? budget_measured(b, (enum sim_core)c)
+                                              : sim_costs_sum((enum sim_core)c, &b->counted);
+        if (!b->method->method || took > 0.0)
+            printf("draw_%s,%.0f,%s\n", sim_core_names[c], took, c == SIM_CORE_RP2040 ? "cycles" : "instructions");
+    }
 }
 
 /* ---- Command line
@@ -389,6 +438,7 @@ static void defaults(struct budget_request *rq)
     rq->instances = 1;
     rq->core = SIM_CORE_M3;
     rq->bar = 15.0;
+    rq->ram = 16384;
     rq->color_bits = rq->bits_of_depth = rq->access_bits = 32;
     rq->samples = 1;
     rq->fragments = 4.0;
@@ -456,6 +506,8 @@ static int report(const struct budget_request *rq)
         status = budget_elf(rq->elf, &elf[0], &elf[1]);
     if (status != SIM_OK)
         return status;
+    if (rq->methods)
+        return budget_methods(rq, &b);
     if (rq->fit)
         return budget_fit(rq, &b);
     budget_ram(&b.ram, rq, &b.config, b.n_instances);

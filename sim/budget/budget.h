@@ -8,6 +8,7 @@
 #define SIM_BUDGET_H
 
 #include "costs.h"
+#include "method_names.h"
 #include "render_options.h"
 
 struct budget_request {
@@ -25,6 +26,8 @@ struct budget_request {
     double fragments;          /* depth complexity there */
     int has_tris, has_verts, has_strip, has_core, has_mhz, has_cpi, has_buffer, has_scene_tris, has_scene_verts;
     int state, textbook, csv, help; /* flags */
+    int methods;                    /* flag: --methods */
+    long ram;                       /* --ram: bytes for --methods */
 };
 
 /* ---- Parts -------------------------------------------------------------------------------------- */
@@ -51,6 +54,7 @@ enum budget_cpu { BUDGET_M0, BUDGET_M3, BUDGET_CPUS }; /* Armv6-M, Armv7-M and b
 
 struct budget_ram {
     uint32_t color, depth, tiles, bins, tris, verts, numbers, attrs, arena; /* pools, and their sum */
+    uint32_t shared;                                                        /* of tris: a method's own records */
     uint32_t renderer, scene, panel, scratch, watch, track;                 /* statics beside it */
     uint32_t fixed;                                                         /* the sum of those */
     uint32_t stack[BUDGET_CPUS], total[BUDGET_CPUS];
@@ -78,6 +82,8 @@ struct budget {
     int has_wire; /* flag: there is a panel */
     int states;   /* flag: some instance has one */
     int guessed;  /* flag: counted is from numbers, not from a frame */
+    const char *scene;               /* the demo scene, frame 0 of its own size; NULL: another picture */
+    const struct sim_method *method; /* stages are not counted of others than the depth buffer */
 };
 
 enum budget_cpu budget_cpu_of(enum sim_core core);
@@ -93,7 +99,9 @@ int budget_wire(struct budget_wire *wire, const struct budget_request *rq, const
 /* The scene of a request: config (its pools where none were asked for), counts, data. SIM_OK; SIM_REFUSED. */
 int budget_scene(struct budget *b, const struct budget_request *rq);
 
-/* Cycles of a frame's drawing on a core. */
+/* Instructions (RP2040: cycles) of a scene by a method, as make methods-record measured it; 0: it has not. */
+double budget_measured(const struct budget *b, enum sim_core core);
+/* Cycles of a frame's drawing on a core. NAN: not known. */
 double budget_cycles(const struct budget_request *rq, const struct budget *b, enum sim_core core);
 /* Cycles of an instruction there: 1 where cycles were counted. */
 double budget_cpi(const struct budget_request *rq, enum sim_core core);
@@ -102,6 +110,10 @@ double budget_cpi(const struct budget_request *rq, enum sim_core core);
 
 /* --fit: the largest strip, and the largest scene, that a part takes. */
 int budget_fit(const struct budget_request *rq, const struct budget *b);
+/* --methods: the largest scene in so many bytes, by each method. */
+int budget_methods(const struct budget_request *rq, const struct budget *b);
+/* Triangles of the scene that a pool of a method holds at once; the pool for so many. */
+uint32_t budget_method_holds(const struct sim_method *method, uint32_t pool);
 /* --check: SIM_OK; SIM_REFUSED, each limit that is exceeded said on standard output, the number of them as the message.
  * */
 struct budget_figure {

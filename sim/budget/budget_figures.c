@@ -6,6 +6,7 @@
 #include <string.h>
 
 #include "budget.h"
+#include "core/depth.h"
 #include "panel.h"
 #include "record_sizes.h"
 #include "sim.h"
@@ -22,14 +23,15 @@ void budget_ram(struct budget_ram *ram, const struct budget_request *rq, const s
     const uint32_t rows = c->strip_h < c->height ? c->strip_h : c->height;
     memset(ram, 0, sizeof *ram);
     ram->color = ZS_COLOR_BYTES(c->width, rows, c->buffers);
-    ram->depth = ZS_DEPTH_BYTES(c->width, rows);
+    ram->depth = c->depth->span == NULL ? ZS_DEPTH_BYTES(c->width, rows) : 0u;
     ram->tiles = ZS_DRAWN_BYTES(rows) + ZS_BOUND_BYTES(c->width, c->height, rows);
     ram->bins = ZS_BIN_BYTES(c->height, rows);
     ram->tris = ZS_TRI_BYTES(c->max_tris);
     ram->verts = (uint32_t)sizeof(struct zs_vertex) * c->max_verts;
     ram->attrs = ZS_VERT_BYTES(c->max_verts, c->varyings) - ZS_VERT_BYTES(c->max_verts, 0);
     ram->numbers = ZS_VERT_BYTES(c->max_verts, 0) - ram->verts;
-    ram->arena = ZS_ARENA_BYTES(c->width, c->height, rows, c->max_tris, c->max_verts, c->varyings, c->buffers);
+    ram->arena = zs_arena_bytes(c);
+    ram->shared = ram->tris - ZS_TRI_BYTES(budget_method_holds(sim_method_of(c), c->max_tris));
     ram->renderer = RECORD_zs_renderer;
     ram->scene = RECORD_zs_scene + RECORD_zs_camera + n_instances * RECORD_zs_instance;
     ram->watch = (uint32_t)(ZS_STRIPS(c->height, rows) * 8u * (uint32_t)rq->watch);

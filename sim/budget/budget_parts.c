@@ -7,7 +7,9 @@
 #include <strings.h>
 
 #include "budget.h"
+#include "core/depth.h"
 #include "panel.h"
+#include "record_sizes.h"
 #include "sim.h"
 
 #define KB 1024u
@@ -175,6 +177,64 @@ int budget_fit(const struct budget_request *rq, const struct budget *b)
                 const long n = most_tris(rq, b, part, rows[i]);
                 printf("  %6ld %10ld %9ld\n", rows[i], n, n ? verts_for(b, n) : 0L);
             }
+    }
+    return SIM_OK;
+}
+
+/* ---- Methods ------------------------------------------------------------------------------------- */
+
+uint32_t budget_method_holds(const struct sim_method *method, uint32_t pool)
+{
+    uint32_t n = pool;
+    while (n > 0 && method->records && sim_method_pool(method, n) > pool)
+        n--;
+    return n;
+}
+
+/* Pools of a method for a scene of which so many triangles are seen in a strip at once. Bytes; with renderer, scene and
+ * stack (Cortex-M0+). */
+static double method_takes(const struct budget_request *rq, const struct budget *b, const struct sim_method *m, long tris,
+                           struct budget_ram *ram)
+{
+    struct zs_config c = b->config;
+    c.max_tris = sim_method_pool(m, (uint32_t)tris);
+    c.max_verts = (uint16_t)verts_for(b, tris);
+    sim_method_apply(&c, m);
+    budget_ram(ram, rq, &c, b->n_instances);
+    return (double)ram->total[BUDGET_M0] + (double)rq->app_ram;
+}
+
+int budget_methods(const struct budget_request *rq, const struct budget *b)
+{
+    const struct zs_config *c = &b->config;
+    if (rq->csv)
+        puts("method,tris,verts,color,depth,records,arena,ram");
+    else
+        printf("%ux%u in strips of %u rows, %u buffer%s; %ld bytes of RAM on a Cortex-M0+, stack %u of them\n"
+               "  %-11s %9s %9s %8s %8s %8s %8s   a set: more of either take more walks, never a pixel\n",
+               c->width, c->height, c->strip_h, c->buffers, c->buffers == 1 ? "" : "s", rq->ram,
+               record_stack_render[BUDGET_M0], "method", "triangles", "vertices", "strips", "keys", "records", "arena");
+    for (size_t k = 0; k < SIM_METHODS; k++) {
+        const struct sim_method *m = &sim_methods[k];
+        struct budget_ram ram = { 0 };
+        long fits = 0, over = (long)ZS_POOL_MAX + 1;
+        if (m->depth == NULL && c->depth->span != NULL) /* it has depth memory, as --depth says */
+            continue;
+        while (over - fits > 1) {
+            const long mid = (fits + over) / 2;
+            if (sim_method_pool(m, (uint32_t)mid) < ZS_POOL_MAX && method_takes(rq, b, m, mid, &ram) <= (double)rq->ram)
+                fits = mid;
+            else
+                over = mid;
+        }
+        (void)method_takes(rq, b, m, fits ? fits : 1, &ram);
+        const long verts = fits ? verts_for(b, fits) : 0L;
+        if (rq->csv)
+            printf("%s,%ld,%ld,%u,%u,%u,%u,%u\n", m->name, fits, verts, ram.color, ram.depth, ram.shared, ram.arena,
+                   ram.total[BUDGET_M0]);
+        else
+            printf("  %-11s %9ld %9ld %8u %8u %8u %8u%s\n", m->name, fits, verts, ram.color, ram.depth, ram.shared,
+                   ram.arena, fits ? "" : "   too small");
     }
     return SIM_OK;
 }

@@ -103,13 +103,22 @@ static int count_scene(struct budget *b, const struct budget_request *rq, const 
         if (tries > 0 && (passes == 1u || rq->has_tris || rq->has_verts))
             break;
         if (!rq->has_tris && tries == 0)
-            c->max_tris = (uint16_t)(tris ? tris : 1u);
+            c->max_tris = sim_method_pool(&sim_methods[rq->o.method], tris);
         if (!rq->has_verts)
             c->max_verts = (uint16_t)(tries == 0 ? (verts < 3u ? 3u : verts)
                                                  : next_size(c->max_verts));
+        sim_method_apply(c, &sim_methods[rq->o.method]);
     }
-    if (!err)
+    if (!err && c->method) {
+        struct sim_frame frame;
+        err = sim_frame_render(&frame, scene, camera, c, NULL);
+        if (!err) {
+            b->counted.stats = frame.stats;
+            sim_frame_free(&frame);
+        }
+    } else if (!err) {
         err = sim_costs_count(&b->counted, scene, camera, c);
+    }
     if (err)
         why = err == SIM_FRAME_BROKEN ? "its frame could not be counted" : zs_error_string(err);
     b->n_instances = scene->n_instances;
@@ -130,6 +139,7 @@ static void set_config(struct budget *b, const struct budget_request *rq, uint16
         c->max_tris = (uint16_t)rq->o.tris;
     if (rq->has_verts)
         c->max_verts = (uint16_t)rq->o.verts;
+    sim_method_apply(c, &sim_methods[rq->o.method]);
 }
 
 static const struct zs_depth *mapping(const struct budget_request *rq)
@@ -151,6 +161,7 @@ static int of_demo(struct budget *b, const struct budget_request *rq)
         struct demo_frame *f = sim_alloc(1, sizeof *f);
         set_config(b, rq, w, h, (uint8_t)d->varyings, d->depth);
         d->pose(f, (uint32_t)rq->frame, w, h);
+        b->scene = rq->frame == 0 && w == d->width && h == d->height ? d->name : NULL;
         const int status = count_scene(b, rq, d->name, &f->scene, &f->camera);
         free(f);
         return status;
@@ -332,5 +343,6 @@ static int of_numbers(struct budget *b, const struct budget_request *rq)
 int budget_scene(struct budget *b, const struct budget_request *rq)
 {
     memset(b, 0, sizeof *b);
+    b->method = &sim_methods[rq->o.method];
     return rq->scene ? of_demo(b, rq) : rq->o.model ? of_model(b, rq) : of_numbers(b, rq);
 }

@@ -4,7 +4,8 @@
 # 2 % more than tests/records/effects.txt has on record.
 #
 # Usage: tests/lab/effects.sh BUILD          the check and a table
-#        tests/lab/effects.sh BUILD record   the record on standard output
+#        tests/lab/effects.sh BUILD record   the record on standard output, with cycles on the emulated RP2040
+#        tests/lab/effects.sh BUILD pico     those cycles alone
 #
 # SPDX-License-Identifier: MIT
 . "$(dirname "$0")/../lib/cortexm.sh"
@@ -13,6 +14,17 @@ top=${B%/checks}
 out=$top/effects
 record=tests/records/effects.txt
 mkdir -p "$out"
+pico() { # lines "RP2040 CYCLES NAME"
+    sh tests/boards/pico.sh "$top" set-up >&2 || return 1
+    make -s -j"$(nproc)" -f firmware/boards/firmware.mk BOARD=pico NAME=effects APP_SRC=tests/lab/effects/effects.c \
+        APP_FLAGS='-Ifirmware/app -DCYCLES_A_TICK=125' DEFINES=-DZS_VARYINGS_MAX=8 B="$top" OUT="$top/fw/effects-pico" \
+        image >&2 && timeout 1800 node "$top/pico/parts.mjs" "$top/fw/effects-pico/effects" >"$out/pico.csv" || return 1
+    sed -n 's/^\([^#]*\),\([0-9][0-9]*\),[0-9]*\r*$/RP2040 \2 \1/p' "$out/pico.csv"
+}
+if [ "${2:-}" = pico ]; then
+    pico
+    exit
+fi
 for core in M3 M0 host; do
     firmware() {
         [ $core != M0 ] || set -- BOARD_CPU='-mcpu=cortex-m0 -mthumb' "$@"
@@ -35,7 +47,8 @@ if [ "${2:-}" = record ]; then
     echo "# Instructions of 100 pixels by each effect (tests/lab/effects.sh). Recorded by make effects-record."
     echo "compiler Arm $(${ARM}gcc -dumpversion)"
     cat "$out/now"
-    exit 0
+    pico
+    exit
 fi
 for core in M0 host; do # Armv6-M code has none of what arch/held.h has for Armv7-M
     none "pictures of effects are the same on M3 and $core, $(wc -l <"$out/M3.sums") of them" \
@@ -55,7 +68,7 @@ awk '{ core = $1; n = $2; $1 = $2 = ""; name = substr($0, 3) }
     core == "M3" { m3[name] = n; order[++k] = name; next }
     { m0[name] = n }
     END {
-        printf "  %-32s %8s %8s\n", "", "M3", "M0"
+        printf "  %-32s %8s %8s   a vertex: by a sheet, less raw\n", "", "M3", "M0"
         for (i = 1; i <= k; i++) printf "  %-32s %8.1f %8.1f\n", order[i], m3[order[i]] / 100, m0[order[i]] / 100
     }' "$out/now"
 exit $failed

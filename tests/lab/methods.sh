@@ -3,7 +3,9 @@
 # counts are the same, and no frame takes over 2 % more instructions than tests/records/methods.txt has on record.
 #
 # Usage: tests/lab/methods.sh BUILD          the checks and a table
-#        tests/lab/methods.sh BUILD record   the record on standard output
+#        tests/lab/methods.sh BUILD record   the record on standard output, with cycles on the emulated RP2040
+#        tests/lab/methods.sh BUILD header   sim/budget/record_methods.h from the record
+#        tests/lab/methods.sh BUILD pico     those cycles alone; pools there hold what 180,000 bytes hold
 #
 # SPDX-License-Identifier: MIT
 . "$(dirname "$0")/../lib/cortexm.sh"
@@ -12,6 +14,35 @@ top=${B%/checks}
 out=$top/methods
 record=tests/records/methods.txt
 mkdir -p "$out"
+pico() { # lines "RP2040 METHOD SCENE CYCLES"
+    sh tests/boards/pico.sh "$top" set-up >&2 || return 1
+    make -s -j"$(nproc)" -f firmware/boards/firmware.mk BOARD=pico NAME=methods APP_SRC=firmware/app/methods.c \
+        DEFINES='-DCYCLES_A_TICK=125 -DARENA_BYTES=180000' B="$top" OUT="$top/fw/methods-pico" image >&2 &&
+        timeout 3000 node "$top/pico/parts.mjs" "$top/fw/methods-pico/methods" >"$out/pico.csv" || return 1
+    tr -d '\r' <"$out/pico.csv" | awk -F, '$3 + 0 > 0 && !/failed/ { print "RP2040", $1, $2, $3 }'
+}
+if [ "${2:-}" = header ]; then
+    cat <<'END'
+/* Instructions of frame 0 of some scenes by each method, cycles on the RP2040, as tests/records/methods.txt has them
+ * (make methods-record).
+ *
+ * SPDX-License-Identifier: MIT
+ */
+#ifndef SIM_RECORD_METHODS_H
+#define SIM_RECORD_METHODS_H
+
+static const struct {
+    const char *core, *method, *scene;
+    double instructions;
+} record_methods[] = {
+END
+    awk '/^(M[0-9]|RP2040) / { printf "    { \"%s\", \"%s\", \"%s\", %d },\n", $1, $2, $3, $4 }' $record
+    printf '};\n\n#endif\n'
+    exit
+elif [ "${2:-}" = pico ]; then
+    pico
+    exit
+fi
 for board in mps2 m0 host; do
     firmware() { # Armv6-M code runs on the board of the M3, which has memory enough
         if [ "$board" = m0 ]; then
@@ -39,7 +70,8 @@ if [ "${2:-}" = record ]; then
     echo "# Instructions of a frame by each method (tests/lab/methods.sh). Recorded by make methods-record."
     echo "compiler Arm $(${ARM}gcc -dumpversion)"
     now
-    exit 0
+    pico
+    exit
 fi
 for board in m0 host; do
     if [ -s "$out/$board.same" ] && cmp -s "$out/mps2.same" "$out/$board.same"; then

@@ -87,6 +87,55 @@ while read -r w h r t v a b instances track watch; do
 done <configs
 note="$n configurations, host, Cortex-M0+ and M3"
 
+# ---- Methods ----------------------------------------------------------------------------------------------
+begin methods_share_out_the_same_pools
+for m in zbuffer hiz painter depthsort coverage raycast; do
+    budget --size 200x100 --strip 10 --tris 500 --verts 400 --buffers 1 --method $m --csv
+    is "arena of $m" "$(($(csv color) + $(csv depth) + $(csv tiles) + $(csv bins) + $(csv tris) + $(csv verts) +
+        $(csv numbers) + $(csv attrs)))" "$(csv arena)"
+    case $m in zbuffer | hiz | raycast) want=4000 ;; *) want=0 ;; esac
+    is "keys of $m" "$(csv depth)" $want
+    budget --size 200x100 --strip 10 --tris 500 --verts 400 --buffers 1 --method $m
+    case $m in zbuffer | hiz | painter) want= ;; *) want=3912 ;; esac # 174 triangles, for 5/2 of which and 64 there is room
+    is "records of $m" "$(sed -n "s/^ *of these *\([0-9]*\) .*/\1/p" stdout)" "$want"
+done
+
+begin methods_draw_in_the_pools_of_the_budget
+for m in painter depthsort coverage raycast; do
+    budget --scene cubes --strip 24 --method $m --csv
+    tris=$(($(csv tris) / 12)) verts=$(($(csv verts) / 12))
+    budget --scene cubes --strip 24 --method $m --tris $tris --verts $verts
+    grep -q ', 1 pass, ' stdout || wrong "$m: $(head -1 stdout)"
+done
+
+begin largest_scene_in_16_KB
+budget --methods --size 128x64 --strip 8 --buffers 1 --csv
+cp stdout methods.csv
+is "methods" "$(cut -d, -f1 methods.csv | tr '\n' ' ')" 'method zbuffer hiz painter depthsort coverage raycast '
+sed 1d methods.csv >methods.rows
+while IFS=, read -r m tris verts _ _ _ arena ram; do
+    for more in 0 1; do
+        n=$((tris + more))
+        case $m in zbuffer | hiz | painter) pool=$n ;; *) pool=$((n * 5 / 2 + 64)) ;; esac
+        budget --size 128x64 --strip 8 --buffers 1 --tris $pool --verts $(((n * 700 + 999) / 1000)) --method "$m" --core M0 --csv
+        [ $more -eq 1 ] || is "$m: arena and RAM" "$(csv arena) $(csv ram)" "$arena $ram"
+        [ $(($(csv ram) <= 16384)) -eq $((1 - more)) ] || wrong "$m: $(csv ram) bytes with $n triangles, $verts vertices"
+    done
+done <methods.rows
+budget --methods --ram 2000 --size 128x64 --strip 8
+is "nothing fits" "$(grep -c 'too small' stdout)" 6
+
+begin methods_take_what_is_on_record
+for m in painter depthsort coverage raycast hiz; do
+    budget --scene city --method $m --csv
+    is "city by $m" "$(csv draw_M3)" "$(sed -n "s/^M3 $m city //p" "$top/tests/records/methods.txt")"
+done
+budget --scene city --method painter --part stm32f103c8 --csv
+is "ms of 72 MHz, 1.4 cycles each" "$(csv draw_ms)" \
+    "$(awk '/^M3 painter city/ { printf "%.3f", $4 * 1.4 / 72000 }' "$top/tests/records/methods.txt")"
+budget --scene city --method painter --frame 3 --part stm32f103c8 --csv
+is "no time where none was measured" "$(csv draw_ms)$(csv fps)" ''
+
 begin report_and_csv_agree
 budget --panel st7789:240x240 --tris 2000 --verts 1200 --shade smooth --csv
 want="$(csv color) $(csv tris) $(csv arena) $(csv ram) $(csv wire_bytes)"

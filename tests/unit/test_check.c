@@ -11,6 +11,8 @@
 
 #include "cases.h"
 #include "meshes.h"
+#include "nodes.h"
+#include "picture.h"
 #include "zs_check.h"
 #include "zstrip.h"
 
@@ -797,11 +799,145 @@ static void each_flaw_of_a_texture(void **state)
     TEXTURE_HAS(&odd, ZS_FLAW_ALIGN, 0);
 }
 
+/* ---- Hierarchies ----------------------------------------------------------------------------------- */
+
+#define NODE_TRIS 40
+#define NODE_ROOM (2 * NODE_TRIS)
+
+static struct {
+    struct zs_mesh mesh;
+    struct zs_cluster cluster;
+    int16_t pos[3 * NODE_TRIS][3];
+    uint16_t tri[NODE_TRIS][3];
+    struct zs_bvh_node node[NODE_ROOM]; /* of the sound hierarchy */
+    uint32_t n;
+} tree;
+
+/* Triangles in a row, in a hierarchy with leaves of two, which is sound. */
+static void tree_make(struct prng *p, uint32_t n_tris)
+{
+    memset(&tree, 0, sizeof tree);
+    for (uint32_t v = 0; v < 3 * n_tris; v++) {
+        tree.pos[v][0] = (int16_t)(prng_range(p, -300, 300) + (int32_t)(v / 3 * 200) - 3000);
+        tree.pos[v][1] = (int16_t)prng_range(p, -900, 900);
+        tree.pos[v][2] = (int16_t)prng_range(p, -900, 900);
+        tree.tri[v / 3][v % 3] = (uint16_t)v;
+    }
+    tree.cluster = (struct zs_cluster){ .n_tris = (uint16_t)n_tris, .radius = 65535, .cutoff = 127 };
+    tree.mesh = (struct zs_mesh){ .pos = (const int16_t (*)[3])tree.pos, .tri = (const uint16_t (*)[3])tree.tri,
+                                  .n_verts = 3 * n_tris, .n_tris = n_tris, .radius = 65535,
+                                  .cluster = &tree.cluster, .n_clusters = 1 };
+    tree.n = nodes_make(tree.node, NODE_ROOM, &tree.mesh, 2);
+    tree.mesh.bvh = tree.node;
+}
+
+#define NODE_CHANGED(change, flaw, at) \
+    do { \
+        struct zs_bvh_node sound[NODE_ROOM]; \
+        memcpy(sound, tree.node, sizeof sound); \
+        struct zs_bvh_node *const node = tree.node; \
+        change; \
+        HAS(&tree.mesh, flaw, at); \
+        memcpy(tree.node, sound, sizeof sound); \
+    } while (0)
+
+static void each_flaw_of_a_hierarchy(void **state)
+{
+    struct prng p = { 5 };
+    tree_make(&p, 8); /* 7 nodes: 0 (1 (2 3) 4 (5 6)) */
+    assert_int_equal(tree.n, 7);
+    NODE_CHANGED((void)node, ZS_FLAW_NONE, 0);
+    NODE_CHANGED(node[0].skip = 0, ZS_FLAW_NODES, 0);
+    NODE_CHANGED(node[0].skip = 17, ZS_FLAW_NODES, 0); /* more than two a triangle: not read */
+    NODE_CHANGED(node[0].skip = UINT32_MAX, ZS_FLAW_NODES, 0);
+    NODE_CHANGED(node[0].skip = 6, ZS_FLAW_NODES, 4); /* its second child goes on */
+    NODE_CHANGED(node[0].first = 1, ZS_FLAW_NODES, 0);
+    NODE_CHANGED(node[3].skip = 3, ZS_FLAW_NODES, 3); /* a walk would not end */
+    NODE_CHANGED(node[4].skip = 1, ZS_FLAW_NODES, 4);
+    NODE_CHANGED(node[6].skip = 8, ZS_FLAW_NODES, 6);
+    NODE_CHANGED(node[1].skip = 5, ZS_FLAW_NODES, 1); /* it ends within another one */
+    NODE_CHANGED(node[2].skip = 4, ZS_FLAW_NODES, 2); /* no leaf then, and its child begins elsewhere */
+    NODE_CHANGED(node[1].skip = 3, ZS_FLAW_NONE, 0);  /* nodes of one child, or of three, are fine */
+    NODE_CHANGED(node[3].first = 9, ZS_FLAW_NODES, 2);
+    NODE_CHANGED(node[5].first = 5, ZS_FLAW_NODES, 4);
+    NODE_CHANGED(node[3].first = 0, ZS_FLAW_NODES, 2); /* a leaf without triangles */
+    NODE_CHANGED(node[6].first = 8, ZS_FLAW_NODES, 6);
+    for (uint32_t k = 0; k < tree.n; k++) {
+        NODE_CHANGED(node[k].radius = 200, ZS_FLAW_NODE_SPHERE, k);
+        NODE_CHANGED(node[k].center[0] = 30000, ZS_FLAW_NODE_SPHERE, k);
+    }
+    tree.mesh.bvh = (const struct zs_bvh_node *)(const void *)((const uint8_t *)tree.node + 2);
+    HAS(&tree.mesh, ZS_FLAW_ALIGN, 0);
+    tree.mesh.bvh = tree.node;
+    tree.mesh.n_tris = 0;
+    tree.mesh.cluster = NULL;
+    tree.mesh.n_clusters = 0;
+    HAS(&tree.mesh, ZS_FLAW_NODES, 0);
+}
+
+static uint32_t nodes_sound, nodes_drawn;
+
+/* A hierarchy of which some numbers are anything: refused, or the depth buffer's frame is drawn by it. */
+static int nodes_case(uint64_t seed)
+{
+    static const struct zs_material material = { .shader = &zs_shade_flat, .rgb = { 200, 150, 90 }, .cull = ZS_CULL_NONE };
+    struct prng p = { seed };
+    tree_make(&p, 1 + prng_pick(&p, NODE_TRIS));
+    struct zs_bvh_node *const node = block(tree.node, tree.n * sizeof *node); /* nothing behind it */
+    for (uint32_t k = prng_pick(&p, 4); k; k--) {
+        struct zs_bvh_node *const at = &node[prng_pick(&p, tree.n)];
+        const uint32_t any = prng_pick(&p, 3) ? prng_pick(&p, NODE_TRIS + 4u) : (uint32_t)prng_log(&p);
+        switch (prng_pick(&p, 4)) {
+        case 0: at->skip = at != node || any <= tree.n || any > 2 * tree.mesh.n_tris ? any : at->skip; break;
+        case 1: at->first = any; break;
+        case 2: at->radius = (uint16_t)(prng_pick(&p, 2) ? 65535 : prng_next(&p)); break;
+        default: at->center[prng_pick(&p, 3)] += (int16_t)prng_range(&p, -50, 50); break;
+        }
+    }
+    tree.mesh.bvh = node;
+    uint32_t at;
+    const enum zs_flaw flaw = flaw_of(&tree.mesh, &at);
+    int ok = flaw == ZS_FLAW_NONE || ((flaw == ZS_FLAW_NODES || flaw == ZS_FLAW_NODE_SPHERE) && at < tree.n);
+    if (flaw == ZS_FLAW_NONE) {
+        struct zs_instance in = { .mesh = &tree.mesh, .material = &material };
+        const struct zs_scene scene = { .instance = &in, .n_instances = 1 };
+        const int32_t none[3] = { prng_range(&p, -3000, 3000), 0, 0 };
+        struct zs_camera camera;
+        memset(&camera, 0, sizeof camera);
+        (void)zs_camera_perspective(&camera, 9000, 24, 20, 20000);
+        (void)zs_camera_orbit(&camera, none, 2500, (zs_turn)prng_next(&p), 2000);
+        struct zs_config c = picture_config(32, 24, &zs_depth_recip);
+        struct picture want = picture_draw(&c, &scene, &camera);
+        c.method = &zs_method_raycast;
+        c.strip_h = (uint16_t)prng_range(&p, 1, 24);
+        c.max_tris = (uint16_t)prng_range(&p, 4, 60);
+        c.max_verts = (uint16_t)prng_range(&p, 6, 90);
+        struct picture is = picture_draw(&c, &scene, &camera);
+        if (!want.err && !is.err)
+            memcpy(is.key, want.key, 32 * 24 * 2); /* rays leave none */
+        ok = picture_same(&want, &is, "a hierarchy that passed");
+        nodes_sound++;
+        nodes_drawn += want.covered > 0;
+        picture_free(&want);
+        picture_free(&is);
+    }
+    free(node);
+    return ok;
+}
+
+static void any_hierarchy_is_refused_or_right(void **state)
+{
+    (void)state;
+    nodes_sound = nodes_drawn = 0;
+    CASES(nodes_case, 2000);
+    assert_true(getenv("ZS_SEED") || (nodes_sound > 500 && nodes_sound < 1500 && nodes_drawn > 300));
+}
+
 /* ---- Sentences ------------------------------------------------------------------------------------- */
 
 static void strflaw_has_a_text_for_each(void **state)
 {
-    for (int a = 0; a <= ZS_FLAW_LEVELS + 1; a++) {
+    for (int a = 0; a <= ZS_FLAW_NODE_SPHERE + 1; a++) {
         assert_non_null(zs_flaw_string((enum zs_flaw)a));
         for (int b = 0; b < a; b++)
             assert_string_not_equal(zs_flaw_string((enum zs_flaw)a), zs_flaw_string((enum zs_flaw)b));
@@ -830,6 +966,8 @@ static const struct CMUnitTest tests[] = {
     cmocka_unit_test(the_largest_counts),
     cmocka_unit_test(sound_textures_pass),
     cmocka_unit_test(each_flaw_of_a_texture),
+    cmocka_unit_test(each_flaw_of_a_hierarchy),
+    cmocka_unit_test(any_hierarchy_is_refused_or_right),
     cmocka_unit_test(strflaw_has_a_text_for_each),
 };
 

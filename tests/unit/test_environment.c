@@ -460,7 +460,25 @@ static void a_tree_stands_upright(void **state)
     assert_memory_equal(&pose, &before, sizeof pose);
 }
 
+/* A camera that zs_frame_begin refuses: any colours, but no shift beyond a word (UBSan). */
+static void a_sky_bears_any_camera(void **state)
+{
+    static struct zs_sky_gradient sky;
+    static const struct zs_rgb color[4] = { { 1, 2, 3 }, { 9, 9, 9 }, { 50, 50, 50 }, { 255, 255, 255 } };
+    static const struct zs_rect all = { 0, 0, 64, 48 };
+    uint16_t out[64];
+    (void)state;
+    zs_sky_gradient(&sky, color);
+    for (int bit = 0; bit < 64; bit++) {
+        const struct zs_camera camera = { .focal = UINT64_MAX >> bit };
+        zs_sky_look(&sky.sky, &camera, &all, NULL);
+        for (uint16_t y = 0; y < 48; y += 47)
+            sky.sky.background.fill(sky.sky.background.ctx, out, 0, y, 64);
+    }
+}
+
 static const struct CMUnitTest tests[] = {
+    cmocka_unit_test(a_sky_bears_any_camera),
     cmocka_unit_test(a_panorama_is_where_it_should_be),      cmocka_unit_test(a_row_may_be_cut),
     cmocka_unit_test(a_gradient_follows_the_pitch),          cmocka_unit_test(wrong_skies_are_refused),
     cmocka_unit_test(a_map_is_looked_up_by_the_normal),      cmocka_unit_test(a_map_is_drawn),

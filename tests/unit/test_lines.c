@@ -645,7 +645,35 @@ static void what_cannot_be_drawn_is_refused(void **state)
     assert_int_equal(error_of(&s, &camera), ZS_OK);
 }
 
+/* A line is drawn whose number is that of a triangle that is not: the face stage is not asked about it. */
+static void a_face_without_its_vertices_gives_nothing(void **state)
+{
+    static const uint16_t tri[1][3] = { { 0, 1, 60000 } };
+    struct stroke s;
+    const struct zs_camera camera = pixel_camera(48, 0);
+    struct zs_config c = picture_config(64, 48, &zs_depth_linear);
+    (void)state;
+    for (int point = 0; point < 2; point++) {
+        stroke_set(&s, 1);
+        memset(s.pos, 0, sizeof s.pos);
+        s.pos[1][0] = 2000;
+        s.instance.pose.pos[2] = -PIXEL_Z;
+        s.mesh.tri = tri;
+        s.mesh.n_tris = 1;
+        s.scene.background = 0x1234;
+        s.material.shader = &zs_shade_flat;
+        s.material.primitive = point ? &s.points.primitive : &s.lines.primitive;
+        struct picture is = picture_draw(&c, &s.scene, &camera);
+        assert_int_equal(is.err, ZS_OK);
+        assert_true(is.covered > 0);
+        for (int32_t i = 0; i < is.w * is.h; i++)
+            assert_int_equal(is.color[i], is.key[i] == ZS_DEPTH_CLEAR ? 0x1234 : 0);
+        picture_free(&is);
+    }
+}
+
 static const struct CMUnitTest tests[] = {
+    cmocka_unit_test(a_face_without_its_vertices_gives_nothing),
     cmocka_unit_test(lines_are_exact),
     cmocka_unit_test(clipped_lines),
     CASES_COUNT(points, point_case, 1000, &points_drawn, 250, "points"),

@@ -8,6 +8,7 @@
 
 #include "cases.h"
 #include "fast_lists.h"
+#include "nodes.h"
 #include "../lab/fuzz/kinds.h"
 #include "../lab/fuzz/world.h"
 #include "own.h"
@@ -30,54 +31,6 @@ static void make_opaque(struct world *w)
 static struct zs_bvh_node nodes[WORLD_MESHES][NODES];
 static int shrink; /* radii are a quarter: what a wrong hierarchy does */
 
-/* A sphere around the vertices of triangles [from, end), by its box's middle. 0: a vertex is out of range. */
-static int sphere(struct zs_bvh_node *to, const struct zs_mesh *m, uint32_t from, uint32_t end)
-{
-    int32_t lo[3] = { 32767, 32767, 32767 }, hi[3] = { -32768, -32768, -32768 };
-    int64_t most = 0, r = 0;
-    for (uint32_t i = 3 * from; i < 3 * end; i++) {
-        const uint32_t v = m->tri[i / 3][i % 3];
-        if (v >= m->n_verts)
-            return 0;
-        for (int k = 0; k < 3; k++) {
-            lo[k] = m->pos[v][k] < lo[k] ? m->pos[v][k] : lo[k];
-            hi[k] = m->pos[v][k] > hi[k] ? m->pos[v][k] : hi[k];
-        }
-    }
-    for (int k = 0; k < 3; k++)
-        to->center[k] = (int16_t)((lo[k] + hi[k]) / 2);
-    for (uint32_t i = 3 * from; i < 3 * end; i++) {
-        int64_t square = 0;
-        for (int k = 0; k < 3; k++) {
-            const uint32_t v = m->tri[i / 3][i % 3];
-            const int64_t d = (m->pos[v][k] - to->center[k]) * 256 + (m->pos_lo ? m->pos_lo[v][k] : 0);
-            square += d * d;
-        }
-        most = square > most ? square : most;
-    }
-    while (r * r * 65536 < most)
-        r += 1 + r / 256; /* rounded up, a little more where it is large */
-    to->radius = (uint16_t)(shrink ? r / 4 : r > 65535 ? 65535 : r);
-    return r <= 65535;
-}
-
-/* Build nodes over triangles [from, end) from node *n on. 0: that is not possible. */
-static int build(struct zs_bvh_node *at, uint32_t *n, const struct zs_mesh *m, uint32_t from, uint32_t end,
-                 uint32_t leaf)
-{
-    const uint32_t k = (*n)++;
-    if (k >= NODES || !sphere(&at[k], m, from, end))
-        return 0;
-    at[k].first = from;
-    if (end - from > leaf) {
-        const uint32_t mid = from + (end - from) / 2;
-        if (!build(at, n, m, from, mid, leaf) || !build(at, n, m, mid, end, leaf))
-            return 0;
-    }
-    at[k].skip = *n;
-    return 1;
-}
-
 static unsigned trees;
 
 /* Give some of a world's meshes a hierarchy, and clusters, without which it is not used. */
@@ -85,10 +38,14 @@ static void grow_trees(struct world *w, struct prng *p)
 {
     static const struct zs_cluster some;
     for (int k = 0; k < WORLD_MESHES; k++) {
-        uint32_t n = 0;
         struct zs_mesh *m = &w->mesh[k];
-        if (m->n_tris == 0 || one_in(p, 3) || !build(nodes[k], &n, m, 0, m->n_tris, 1u + prng_pick(p, 8)))
+        if (m->n_tris == 0 || one_in(p, 3))
             continue;
+        const uint32_t n = nodes_make(nodes[k], NODES, m, 1u + prng_pick(p, 8));
+        if (n == 0)
+            continue;
+        for (uint32_t i = 0; shrink && i < n; i++)
+            nodes[k][i].radius /= 4u;
         m->bvh = nodes[k];
         if (!m->cluster)
             m->cluster = &some;

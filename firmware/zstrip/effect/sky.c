@@ -246,7 +246,8 @@ void zs_sky_look(struct zs_sky *sky, const struct zs_camera *camera, const struc
     sky->width = (int16_t)viewport->w;
     sky->height = (int16_t)viewport->h;
     /* In 2^-n of 1/2 px: focal length and 2 * reach are below 2^30, one of them is at least 2^29 */
-    const uint64_t focal = camera->focal << 1;                      /* uq32_32, 1/2 px, <= 2^56 */
+    const uint64_t most = (uint64_t)1 << 55; /* of a camera that is not refused */
+    const uint64_t focal = (camera->focal < most ? camera->focal : most) << 1; /* uq32_32, 1/2 px */
     sky->reach = 4 * zs_max32(sky->width, sky->height) + 2 * GROUP; /* < 2^15 */
     const uint64_t side = (uint64_t)(uint32_t)sky->reach << 33;
     const int32_t lz = zs_clz64(focal > side ? focal : side); /* 7 .. 25 */

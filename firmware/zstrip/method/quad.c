@@ -23,10 +23,31 @@ static uint32_t corner_push(struct zs_renderer *r, const struct zs_quad *quad, u
     return slot;
 }
 
+/* Return 1 if a face stage may read the mesh's arrays at a line's number. */
+static int reads_faces(const struct zs_instance *in)
+{
+    const struct zs_shader *shader = in->material->shader;
+    if (shader == &zs_shade_raw)
+        return in->mesh->face_raw != 0;
+    return shader->face && shader->face != zs_plain_face;
+}
+
+/* Return the face stage's value; 0 where it would look at a triangle with a vertex that there is
+ * not, which is not drawn. */
+static uint16_t paint_of(const struct zs_renderer *r, uint32_t t)
+{
+    const struct zs_instance *in = r->xform.instance;
+    if (!in->material->shader->face)
+        return 0;
+    for (int k = 0; k < 3 && reads_faces(in); k++)
+        if (in->mesh->tri[t][k] >= in->mesh->n_verts)
+            return 0;
+    return in->material->shader->face(&r->shading, t);
+}
+
 enum zs_fate zs_quad_bin(struct zs_renderer *r, const struct zs_quad *quad, uint32_t t,
                          uint32_t first, uint32_t *piece)
 {
-    const struct zs_shader *shader = r->xform.instance->material->shader;
     uint32_t pushed[4] = { ZS_NIL, ZS_NIL, ZS_NIL, ZS_NIL };
     enum zs_fate all = ZS_FATE_EMPTY;
     for (uint32_t k = first; k < first + 2u; k++) {
@@ -52,18 +73,9 @@ enum zs_fate zs_quad_bin(struct zs_renderer *r, const struct zs_quad *quad, uint
                 *slot = corner_push(r, quad, at.slot[c]);
             at.slot[c] = *slot;
         }
-        zs_bin_add(r, at.slot, shader->face ? shader->face(&r->shading, t) : 0u, strip);
+        zs_bin_add(r, at.slot, paint_of(r, t), strip);
     }
     return all;
-}
-
-/* Return 1 if a face stage may read the mesh's arrays at a line's number. */
-static int reads_faces(const struct zs_instance *in)
-{
-    const struct zs_shader *shader = in->material->shader;
-    if (shader == &zs_shade_raw)
-        return in->mesh->face_raw != 0;
-    return shader->face && shader->face != zs_plain_face;
 }
 
 /* A corner is at most 3/4 of the width from its end, the diagonal of a point: in px on the screen,

@@ -8,6 +8,7 @@
  */
 #include "core/cold.h"
 #include "zs_check.h"
+#include "zs_method.h"
 
 static const char *const flaws[] = {
     "no flaw",
@@ -27,9 +28,11 @@ static const char *const flaws[] = {
     "a palette whose number of colours is out of range",
     "a clamp that is none",
     "a texel that its palette does not hold",
-    "more mipmap levels than the texture's size allows"
+    "more mipmap levels than the texture's size allows",
+    "nodes that are no hierarchy over all triangles, in order, each in one leaf",
+    "a vertex outside its node's sphere"
 };
-_Static_assert(sizeof flaws / sizeof flaws[0] == ZS_FLAW_LEVELS + 1, "a sentence for each flaw");
+_Static_assert(sizeof flaws / sizeof flaws[0] == ZS_FLAW_NODE_SPHERE + 1, "one for each flaw");
 
 const char *zs_flaw_string(enum zs_flaw flaw)
 {
@@ -272,6 +275,45 @@ static enum zs_flaw clusters_check(const struct zs_mesh *m, uint32_t *index)
     return found(ZS_FLAW_NONE, index, 0);
 }
 
+/* ---- Hierarchies ----------------------------------------------------------------------------- */
+
+/* Return the triangle behind the last one of node k < n, as the renderer finds it. */
+static uint32_t node_end(const struct zs_mesh *m, uint32_t k, uint32_t n)
+{
+    return m->bvh[k].skip < n ? m->bvh[m->bvh[k].skip].first : m->n_tris;
+}
+
+/* Return 1 if node k of n is a leaf or has children, one after another, that end where it does. */
+static int node_whole(const struct zs_mesh *m, uint32_t k, uint32_t n)
+{
+    uint32_t child = k + 1u;
+    while (child < m->bvh[k].skip && m->bvh[child].skip > child)
+        child = m->bvh[child].skip;
+    return child == m->bvh[k].skip && child <= n && m->bvh[k].first < node_end(m, k, n) &&
+           (child == k + 1u || m->bvh[k + 1u].first == m->bvh[k].first);
+}
+
+/* Every node is looked at as a child once: by the one whose child it is, as children end where
+ * their parent does. */
+static enum zs_flaw nodes_check(const struct zs_mesh *m, uint32_t *index)
+{
+    const uint32_t n = m->bvh[0].skip;
+    if (n == 0 || (n - 1u) / 2u >= m->n_tris || m->bvh[0].first)
+        return found(ZS_FLAW_NODES, index, 0);
+    for (uint32_t k = 0; k < n; k++)
+        if (m->bvh[k].skip <= k || m->bvh[k].skip > n || node_end(m, k, n) > m->n_tris)
+            return found(ZS_FLAW_NODES, index, k);
+    for (uint32_t k = 0; k < n; k++)
+        if (!node_whole(m, k, n))
+            return found(ZS_FLAW_NODES, index, k);
+    for (uint32_t k = 0; k < n; k++)
+        for (uint32_t t = m->bvh[k].first; t < node_end(m, k, n); t++)
+            for (int v = 0; v < 3; v++)
+                if (!in_sphere(m, m->tri[t][v], m->bvh[k].center, m->bvh[k].radius))
+                    return found(ZS_FLAW_NODE_SPHERE, index, k);
+    return found(ZS_FLAW_NONE, index, 0);
+}
+
 /* ---- Meshes ---------------------------------------------------------------------------------- */
 
 static int mesh_aligned(const struct zs_mesh *m)
@@ -279,7 +321,7 @@ static int mesh_aligned(const struct zs_mesh *m)
     return aligned(m->pos, sizeof(int16_t)) && aligned(m->tri, sizeof(uint16_t)) &&
            aligned(m->normal, sizeof(zs_q1_15)) && aligned(m->face_normal, sizeof(zs_q1_15)) &&
            aligned(m->face_raw, sizeof(uint16_t)) && aligned(m->uv, sizeof(int16_t)) &&
-           aligned(m->cluster, sizeof(uint32_t));
+           aligned(m->cluster, sizeof(uint32_t)) && aligned(m->bvh, sizeof(uint32_t));
 }
 
 enum zs_flaw zs_mesh_check(const struct zs_mesh *m, uint32_t *index)
@@ -305,7 +347,8 @@ enum zs_flaw zs_mesh_check(const struct zs_mesh *m, uint32_t *index)
             return found(ZS_FLAW_FACE_NORMAL, index, t);
     if (m->uv && m->uv_bits > 15u)
         return found(ZS_FLAW_UV_BITS, index, m->uv_bits);
-    return m->cluster ? clusters_check(m, index) : found(ZS_FLAW_NONE, index, 0);
+    const enum zs_flaw flaw = m->cluster ? clusters_check(m, index) : found(ZS_FLAW_NONE, index, 0);
+    return flaw == ZS_FLAW_NONE && m->bvh ? nodes_check(m, index) : flaw;
 }
 
 /* ---- Textures -------------------------------------------------------------------------------- */

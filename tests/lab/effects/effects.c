@@ -1,7 +1,8 @@
 /* What a pixel takes by each shader: two frames of a card that faces the camera, W and W / 2 px wide; the difference
  * of their instructions over that of their pixels. So what a frame, a strip and a triangle take is left out, and what
  * begins a run is not. What it takes by each hook: a frame with it less one without. No accelerators, depth buffer,
- * perspective, strips of 24 rows. A line of CSV each: name, instructions for 100 pixels, the checksum of the picture.
+ * perspective, strips of 24 rows. Then what a vertex takes by some of them. A line of CSV each: name, instructions for
+ * 100 pixels (vertices), the checksum of the picture.
  * tests/lab/effects.sh runs it.
  *
  * SPDX-License-Identifier: MIT
@@ -22,7 +23,11 @@
 #define LOG2 5u
 #define MAP 32
 
-ZS_RENDERER(screen, W, H, 24, 16, 16, ZS_VARYINGS_MAX);
+#ifndef CYCLES_A_TICK
+#define CYCLES_A_TICK 0 /* where ticks do not count instructions: 125 on the Pico, whose cycles are printed then */
+#endif
+
+ZS_RENDERER(screen, W, H, 24, 600, 400, ZS_VARYINGS_MAX);
 ZS_RENDERER_2X2(fine, W / 2, H / 2, 12, 16, 16, ZS_VARYINGS_MAX);
 ZS_RENDERER(sun, MAP, MAP, MAP, 16, 16, 0);
 
@@ -45,6 +50,8 @@ static const struct zs_mesh card = { .pos = pos,
                                      .n_tris = 2,
                                      .radius = 4000 };
 
+static const struct zs_mesh *shape = &card; /* what is drawn */
+
 /* A card of w px at the left; a texel is `size` 1/16 px. The camera sees a world unit as a px at distance 120. */
 static void cut(int32_t w, int32_t size)
 {
@@ -63,7 +70,7 @@ static void cut(int32_t w, int32_t size)
 static uint64_t taken(const struct zs_material *material, const struct zs_resolve *hook, int samples, uint64_t *sum,
                       int *err)
 {
-    const struct zs_instance instance = { .mesh = &card, .material = material };
+    const struct zs_instance instance = { .mesh = shape, .material = material };
     const struct zs_scene scene = {
         .instance = &instance, .n_instances = 1, .resolve = hook, .n_resolves = hook != 0
     };
@@ -79,7 +86,8 @@ static uint64_t taken(const struct zs_material *material, const struct zs_resolv
         *err = *err ? *err : zs_supersample_init(&fine_2x2, &fine, &sink);
     const uint64_t start = hal_ticks();
     *err = *err ? *err : zs_render(r, &scene, &camera, samples == 4 ? &fine_2x2.sink : &sink);
-    return (hal_ticks() - start) * hal_tick_instructions();
+    const uint32_t a_tick = hal_tick_instructions();
+    return (hal_ticks() - start) * (a_tick ? a_tick : CYCLES_A_TICK);
 }
 
 /* ---- Rows -------------------------------------------------------------------------------------------------------- */
@@ -114,6 +122,59 @@ static void row(const char *name, const struct zs_material *material)
     (void)taken(material, 0, 1, &sum, &err);
     cut(W / 2, name[0] == '1' ? 16 : 128);
     print(name, whole - taken(material, 0, 1, 0, &err), W / 2 * H, sum, err);
+}
+
+/* ---- Vertices ---------------------------------------------------------------------------------------------------- */
+
+#define SIDE 16 /* squares of a sheet, each way */
+
+static int16_t sheet_pos[(SIDE + 1) * (SIDE + 1)][3], sheet_uv[(SIDE + 1) * (SIDE + 1)][2];
+static zs_q1_15 sheet_normal[(SIDE + 1) * (SIDE + 1)][3];
+static uint16_t sheet_tri[2 * SIDE * SIDE][3];
+static struct zs_mesh sheet = {
+    .pos = sheet_pos, .tri = sheet_tri, .normal = sheet_normal, .uv = sheet_uv, .uv_bits = 15, .radius = 4000
+};
+
+/* What the card covers, as a sheet of so many squares each way. */
+static void sheet_set(uint16_t side)
+{
+    const uint16_t across = (uint16_t)(side + 1u);
+    for (uint16_t v = 0; v < across * across; v++) {
+        sheet_pos[v][0] = (int16_t)(W * (v % across) / side - W / 2);
+        sheet_pos[v][1] = (int16_t)(H * (v / across) / side - H / 2);
+        sheet_pos[v][2] = -H / 2;
+        for (int k = 0; k < 2; k++)
+            sheet_uv[v][k] = (int16_t)(sheet_pos[v][k] * 100);
+        for (int k = 0; k < 3; k++)
+            sheet_normal[v][k] = normal[v & 1u][k];
+    }
+    for (uint16_t t = 0; t < 2 * side * side; t++) {
+        const uint16_t at = (uint16_t)(t / 2 / side * across + t / 2 % side);
+        sheet_tri[t][0] = at;
+        sheet_tri[t][1] = (uint16_t)(t & 1u ? at + across + 1 : at + 1);
+        sheet_tri[t][2] = (uint16_t)(t & 1u ? at + across : at + across + 1);
+    }
+    sheet.n_verts = (uint32_t)across * across;
+    sheet.n_tris = 2u * side * side;
+}
+
+/* A vertex, with its share of two triangles, by a sheet of 16 x 16 squares and one of 8 x 8, less what it takes by
+ * zs_shade_raw. */
+static void vertex_row(const char *name, const struct zs_material *material)
+{
+    const struct zs_material raw = { .shader = &zs_shade_raw, .rgb = ZS_RGB(0xc08040) };
+    uint64_t frame[2][2], sum;
+    int err = 0;
+    shape = &sheet;
+    for (uint16_t fine_one = 0; fine_one < 2; fine_one++) {
+        sheet_set((uint16_t)(fine_one ? SIDE : SIDE / 2));
+        frame[0][fine_one] = taken(&raw, 0, 1, 0, &err);
+        frame[1][fine_one] = taken(material, 0, 1, 0, &err);
+    }
+    (void)taken(material, 0, 1, &sum, &err);
+    print(name, frame[1][1] - frame[1][0] - (frame[0][1] - frame[0][0]),
+          (SIDE + 1) * (SIDE + 1) - (SIDE / 2 + 1) * (SIDE / 2 + 1), sum, err);
+    shape = &card;
 }
 
 /* A hook, over every pixel of a frame that the card covers, by leaving it out. */
@@ -209,6 +270,25 @@ static void hooks(void)
     print("4 samples averaged", averaged - taken(&raw, 0, 3, 0, &err), W / 2 * (H / 2), sum, err);
 }
 
+/* The same shaders by the vertex. */
+#define row vertex_row
+static void vertices(void)
+{
+    const struct zs_rgb white = ZS_RGB(0xffffff);
+    texture.format = &zs_texel_565;
+    PLAIN("a vertex: smooth", zs_shade_smooth)
+    PLAIN("a vertex: texture", zs_shade_texture)
+    LIT("a vertex: lit", zs_shade_lit, far_light, 0, ((struct zs_rgb){ 0 }))
+    LIT("a vertex: lit, shining", zs_shade_lit, far_light, &shine, white)
+    LIT("a vertex: lit, point", zs_shade_lit, near_light, 0, ((struct zs_rgb){ 0 }))
+    LIT("a vertex: phong, matt", zs_shade_phong, far_light, 0, ((struct zs_rgb){ 0 }))
+    LIT("a vertex: texture_lit", zs_shade_texture_lit, far_light, 0, ((struct zs_rgb){ 0 }))
+    PLAIN("a vertex: matcap", zs_shade_matcap)
+    PLAIN("a vertex: bilinear", zs_shade_bilinear)
+    MAPPED("a vertex: shadowed_smooth", zs_shade_shadowed_smooth)
+}
+#undef row
+
 static int ready(void)
 {
     const struct zs_material raw = { .shader = &zs_shade_raw };
@@ -250,5 +330,6 @@ int main(void)
     colors();
     textures();
     hooks();
+    vertices();
     hal_exit(0);
 }
