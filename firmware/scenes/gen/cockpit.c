@@ -61,7 +61,7 @@ static void bow(void)
             const int64_t b = k * 65536 / BOW_SIDES, out = gen_cos(b), near = gen_sin(b);
             const int64_t rx = 1130 + gen_div(46 * out, GEN_Q30), ry = 1430 + gen_div(46 * out, GEN_Q30);
             const int64_t pos[3] = { gen_div(rx * c, GEN_Q30), -500 + gen_div(ry * s, GEN_Q30),
-                                     -COCKPIT_DEPTH + gen_div(46 * near, GEN_Q30) };
+                                     -COCKPIT_DEPTH - 100 + gen_div(46 * near, GEN_Q30) }; /* its feet are behind the panel */
             const int64_t normal[3] = { gen_div(out * c, GEN_Q30), gen_div(out * s, GEN_Q30), near };
             gen_vert_normal(m, pos, normal, paint);
         }

@@ -17,6 +17,8 @@ static int64_t held(int64_t v, int64_t most)
 
 #define ROWS 24
 #define UV_BITS 12
+#define WIDE 7000 /* half of the texture's width; it repeats, and another path would begin beyond the ground */
+#define SIDE (((WIDE + WOOD_HALF) << UV_BITS) / (2 * WIDE))
 
 static void ground(void)
 {
@@ -27,12 +29,12 @@ static void ground(void)
         const int64_t middle = gen_div(WOOD_BEND * gen_sin(j * 65536 / ROWS), GEN_Q30);
         for (int64_t i = 0; i < 2; i++) {
             const uint32_t v = gen_vert(m, middle + (i ? WOOD_HALF : -WOOD_HALF), 0, z);
-            gen_uv(m, v, i << UV_BITS, (j % 4 + (j && j % 4 == 0 ? 4 : 0)) * ((1 << UV_BITS) / 4));
+            gen_uv(m, v, i ? SIDE : (1 << UV_BITS) - SIDE, (j % 4 + (j && j % 4 == 0 ? 4 : 0)) * ((1 << UV_BITS) / 4));
         }
         if (j && j % 4 == 0 && j < ROWS) /* the texture begins anew: int16 holds eight of its lengths */
             for (int64_t i = 0; i < 2; i++) {
                 const uint32_t v = gen_vert(m, middle + (i ? WOOD_HALF : -WOOD_HALF), 0, z);
-                gen_uv(m, v, i << UV_BITS, 0);
+                gen_uv(m, v, i ? SIDE : (1 << UV_BITS) - SIDE, 0);
             }
     }
     for (uint32_t v = 0; v + 3 < m->n_verts; v += 2)

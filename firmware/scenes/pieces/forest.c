@@ -33,6 +33,8 @@ static const struct zs_material larch = { .shader = &zs_shade_cutout, .texture =
 static uint16_t to_gold(uint16_t color)
 {
     const uint32_t r = color >> 11, g = color >> 5 & 63u, b = color & 31u, red = r * 11u / 8u + 5u;
+    if (2u * r >= g) /* the trunk */
+        return color;
     return (uint16_t)((red > 31u ? 31u : red) << 11 | g << 5 | b / 2u);
 }
 
