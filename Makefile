@@ -11,7 +11,8 @@ JOBS := $(shell nproc 2>/dev/null || getconf _NPROCESSORS_ONLN 2>/dev/null || ec
 # Its lines begin with +, as make sees a make in a recipe only where it is written out
 MAKE_ALL = $(MAKE) --no-print-directory -j$(JOBS)
 SIM_DIRS = cli effect load convert frame panel gallery budget study compare reference panel_model
-INC = -Ifirmware/zstrip -Ifirmware/examples -Ifirmware/scenes -Ifirmware/scenes/pieces -Ihal -Ihal/panel -Ihal/fault -I$(B)/gen $(SIM_DIRS:%=-Isim/%)
+INC = -Ifirmware/zstrip -Ifirmware/examples -Ifirmware/scenes -Ifirmware/scenes/pieces -Ihal -Ihal/panel \
+      -Ihal/fault -I$(B)/gen $(SIM_DIRS:%=-Isim/%)
 CORE = $(wildcard firmware/zstrip/*/*.c)
 SCENES = $(wildcard firmware/scenes/*.c)
 PIECES = $(wildcard firmware/scenes/pieces/*.c)

@@ -1,5 +1,5 @@
-/* Showpieces: scenes with effects. A piece is one file here, a line in pieces.c and one in ../sizes.h; it names whatever
- * headers of the library it needs, and a firmware links what its own piece names.
+/* Showpieces: scenes with effects. A piece is one file here, a line in pieces.c and one in ../sizes.h; it names
+ * whatever headers of the library it needs, and a firmware links what its own piece names.
  *
  * SPDX-License-Identifier: MIT
  */
@@ -15,8 +15,8 @@ extern "C" {
 
 #define PIECE_PASSES_MAX 3u
 
-/* A demo scene, and what a frame of it takes besides. demo.pose fills what is static in the piece's file (overlays, fog,
- * passes), so that one picture of a piece is drawn at a time. */
+/* A demo scene, and what a frame of it takes besides. demo.pose fills what is static in the piece's file (overlays,
+ * fog, passes), so that one picture of a piece is drawn at a time. */
 struct piece {
     struct demo demo;
     const struct zs_method *method; /* NULL: the depth buffer */
