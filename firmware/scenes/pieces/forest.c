@@ -93,9 +93,11 @@ static struct zs_instance *put(const struct zs_mesh *mesh, const struct zs_mater
 
 /* Parallel to the screen: its texture is affine, at a third of the cost. (Crossed cards would show where they meet.) */
 static void put_facing(const struct zs_camera *camera, const struct zs_mesh *mesh, const struct zs_material *material,
-                       int32_t x, int32_t z, zs_uq16_16 scale)
+                       int32_t x, int32_t y, int32_t z, zs_uq16_16 scale)
 {
-    zs_pose_face(&put(mesh, material, x, z, scale)->pose, camera);
+    struct zs_pose *pose = &put(mesh, material, x, z, scale)->pose;
+    pose->pos[1] = y;
+    zs_pose_face(pose, camera);
 }
 
 /* A tree of row `row`, to a side, `rank` 0 .. 2 away from the path. */
@@ -111,9 +113,9 @@ static void put_tree(const struct zs_camera *camera, int32_t row, int32_t side, 
         zs_pose_turn(&put(&mesh_forest_trunk, &bark, x, z, scale + ZS_Q16_ONE / 4u)->pose, (zs_turn)d,
                      (zs_turn)(d % 600u - 300u), 0);
     else
-        put_facing(camera, &mesh_forest_fir, kind, x, z, scale);
+        put_facing(camera, &mesh_forest_fir, kind, x, -330, z, scale); /* boughs lie on the ground */
     if (rank == 0 && d % 5u < 3u)
-        put_facing(camera, &mesh_forest_fern, &fern, x - side * (900 + (int32_t)(d % 500u)), z + 500, scale);
+        put_facing(camera, &mesh_forest_fern, &fern, x - side * (900 + (int32_t)(d % 500u)), 0, z + 500, scale);
 }
 
 /* From near to far: what is hidden is not coloured. */
