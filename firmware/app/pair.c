@@ -14,6 +14,10 @@
 
 #include "hal.h"
 #include "second.h"
+#if SHOW_PIECE
+#include "pieces.h"
+#include "show.h"
+#endif
 
 #define SLOTS 4u    /* two cores, two buffers each */
 #define LOOK_US 10000u /* how often the first core looks whether the other one gets on */
@@ -165,13 +169,28 @@ static void has_drawn(uint32_t core, uint64_t from, uint32_t before)
     drawing[core] += hal_ticks() - from - (core ? 0 : calls - before);
 }
 
+#if SHOW_PIECE
+static int begin(struct zs_renderer *r, uint32_t core)
+{
+    static struct zs_pass_memory memory[2][PIECE_PASSES_MAX];
+    const struct piece *piece = (const struct piece *)show.demo; /* its first member */
+    return piece_begin(r, piece, the_scene, the_camera, memory[core]);
+}
+#else
+static int begin(struct zs_renderer *r, uint32_t core)
+{
+    (void)core;
+    return zs_frame_begin(r, the_scene, the_camera);
+}
+#endif
+
 static void share(uint32_t core)
 {
     struct zs_renderer *r = &renderer[core];
     uint64_t from;
     uint32_t at = first, before, n;
     draws(core, &from, &before);
-    begun[core] = zs_frame_begin(r, the_scene, the_camera);
+    begun[core] = begin(r, core);
     has_drawn(core, from, before);
     while (!begun[core] && take(core, &n)) {
         draws(core, &from, &before);

@@ -244,7 +244,8 @@ static int send(const struct zs_strip *strip)
 static int begin_drawing(void)
 {
     static struct zs_pass_memory memory[PIECE_PASSES_MAX];
-    return piece_begin(&renderer, (const struct piece *)show.demo, &frame, memory); /* its first member */
+    const struct piece *piece = (const struct piece *)show.demo; /* its first member */
+    return piece_begin(&renderer, piece, &frame.scene, &frame.camera, memory);
 }
 #else
 static int begin_drawing(void)

@@ -11,9 +11,13 @@
 
 #if SHOW_PIECE
 #include "pieces.h"
-SHOW_SIZED(OF(piece_, SHOW_DEMO).demo, OF(SIZES_, SHOW_DEMO));
-#elif SHOW_CORES == 2
-SHOW_SIZED(OF(demo_, SHOW_DEMO), OF(SIZES_2_, SHOW_DEMO));
+#define IT OF(piece_, SHOW_DEMO).demo
 #else
-SHOW_SIZED(OF(demo_, SHOW_DEMO), OF(SIZES_, SHOW_DEMO));
+#define IT OF(demo_, SHOW_DEMO)
+#endif
+
+#if SHOW_CORES == 2
+SHOW_SIZED(IT, OF(SIZES_2_, SHOW_DEMO));
+#else
+SHOW_SIZED(IT, OF(SIZES_, SHOW_DEMO));
 #endif

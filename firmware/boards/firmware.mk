@@ -47,8 +47,8 @@ NAME = $(SCENE)
 APP_SRC += firmware/app/show_demo.c
 APP_FLAGS = -DSHOW_DEMO=$(SCENE)
 ifneq ($(wildcard firmware/scenes/pieces/$(SCENE).c),)
-ifneq ($(CORES),1)
-$(error SCENE=$(SCENE): scenes with effects are drawn by one core)
+ifeq ($(CORES)$(shell grep 'define SIZES_2_$(SCENE) ' firmware/scenes/sizes.h),2)
+$(error SCENE=$(SCENE): CORES=1; there is no SIZES_2_$(SCENE) in firmware/scenes/sizes.h)
 endif
 APP_SRC += firmware/scenes/pieces/$(SCENE).c
 APP_FLAGS += -DSHOW_PIECE=1

@@ -39,7 +39,7 @@ static inline uint32_t group_end(uint32_t x, uint32_t end)
     return next < end ? next : end;
 }
 
-/* ---- Skies --------------------------------------------------------------------------------------------------------- */
+/* ---- Skies ------------------------------------------------------------------------------------------------------ */
 
 #define LEVELS 364 /* to a slope of 1: 255 at 35 degrees */
 
@@ -55,7 +55,7 @@ static int64_t rise(const zs_q2_30 v[3], const zs_q2_30 *mirror)
 void backdrop_sky(struct backdrop *b, const struct zs_camera *camera, const struct zs_rect *viewport,
                   const zs_q2_30 *mirror)
 {
-    const int64_t focal = (int64_t)(camera->focal >> 24); /* q8 px */
+    const int64_t focal = (int64_t)(camera->focal >> 24);               /* q8 px */
     b->dx = (int32_t)(rise(camera->rot, mirror) * LEVELS / 64 / focal); /* q30 / q8 / 2^6: q16 */
     b->dy = (int32_t)(-rise(camera->rot + 3, mirror) * LEVELS / 64 / focal);
     b->level = (int32_t)(-rise(camera->rot + 6, mirror) * LEVELS >> 14) - b->dx * (viewport->x + viewport->w / 2) -
@@ -72,7 +72,7 @@ void backdrop_sky_fill(void *ctx, uint16_t *out, uint16_t x, uint16_t y, uint16_
     }
 }
 
-/* ---- Glows --------------------------------------------------------------------------------------------------------- */
+/* ---- Glows ------------------------------------------------------------------------------------------------------ */
 
 void backdrop_glow(struct backdrop *b, uint16_t w, uint16_t h, uint8_t x, uint8_t y, uint8_t fall)
 {

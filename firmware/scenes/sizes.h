@@ -31,5 +31,6 @@
 #define SIZES_2_city 30, 40, 1408, 1600, ZS_VARYINGS_FLAT
 #define SIZES_2_hall 20, 40, 640, 1536, ZS_VARYINGS_TEXTURE_SMOOTH
 #define SIZES_2_globe 20, 24, 1088, 1472, ZS_VARYINGS_TEXTURE_SMOOTH
+#define SIZES_2_forest 8, 24, 440, 1320, ZS_VARYINGS_SMOOTH /* of the showpieces the one that gains by it */
 
 #endif

@@ -8,6 +8,6 @@
 
 #define WOOD_PERIOD 24000 /* steps: the path and the ground repeat in z */
 #define WOOD_BEND 1100    /* steps: the path's middle is at x = WOOD_BEND * sin(z / WOOD_PERIOD) */
-#define WOOD_HALF 7000   /* of the ground, to each side of the path's middle */
+#define WOOD_HALF 11000   /* of the ground, to each side of the path's middle */
 
 #endif

@@ -107,9 +107,9 @@ static const struct sim_option table[] = {
 
 static const struct sim_help help = {
     "zsim demo [options]",
-    "Draws demo scenes, with and without effects, and bench scenes strip by strip as a board would: DIR/SCENE_NNN.png, where NNN is the frame of the "
-    "animation, a contact sheet DIR/contact.png of their first frames, and a table of what they took and of how far "
-    "the frames, before any panel, are from the double-precision reference.",
+    "Draws demo scenes, with and without effects, and bench scenes strip by strip as a board would: DIR/SCENE_NNN.png, "
+    "where NNN is the frame of the animation, a contact sheet DIR/contact.png of their first frames, and a table of "
+    "what they took and of how far the frames, before any panel, are from the double-precision reference.",
     "Exit status: 0 done; 1 refused; 2 the command line makes no sense.",
 };
 

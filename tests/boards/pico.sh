@@ -15,7 +15,7 @@ only=${2:-}
 out=$build/pico
 fw=$build/fw/pico
 SCENES=${PICO_SCENES:-'teapot china cubes knot flyover city hall globe'}
-PIECES='stilllife cockpit forest' # in the table; drawn by one core
+PIECES='stilllife cockpit forest' # in the table
 SCENES_2='teapot cubes' # of these, the tests' with both cores; the table has all
 FRAMES=4
 STEP=13    # frames of the animation between two that are drawn
@@ -324,7 +324,7 @@ if [ "$only" = cores ]; then
 fi
 if [ -n "$only" ]; then
     [ -n "${PICO_SCENES:-}" ] || SCENES="$SCENES $PIECES"
-    SCENES_2=$(for scene in $SCENES; do [ -f "firmware/scenes/pieces/$scene.c" ] || echo "$scene"; done)
+    SCENES_2=$(for scene in $SCENES; do ! grep -q "SIZES_2_$scene " firmware/scenes/sizes.h || echo "$scene"; done)
 fi
 for scene in $SCENES; do
     image pico APP=show SCENE="$scene"

@@ -34,7 +34,8 @@ reach() {
     found= broken=
     for f in "$@"; do
         # shellcheck disable=SC2046
-        deps=$(gcc -MM -Ifirmware/zstrip -Ifirmware/scenes -Ifirmware/scenes/pieces -Ihal -Ihal/null -Ihal/cortexm -Ihal/spi -Ihal/panel \
+        deps=$(gcc -MM -Ifirmware/zstrip -Ifirmware/scenes -Ifirmware/scenes/pieces -Ihal -Ihal/null -Ihal/cortexm \
+            -Ihal/spi -Ihal/panel \
             $(printf -- '-I%s ' sim/*/) "$f" 2>"$B/reach.txt") ||
             broken="$broken $f"
         found="$found
@@ -79,8 +80,11 @@ only "hal/rp2040/second includes hal.h, second.h and its HAL's own" \
     "\"(hal|second|\.\./parts|\.\./regs)\.h\"|$STD" hal/rp2040/second/*.c
 only "panels include hal.h and their own headers" "\"hal\\.h\"|$(headers hal/panel)|$STD" hal/panel/*.[ch]
 reach "hal reaches nothing of firmware" '^(firmware|sim|tests)' hal/*.h hal/*/*.c hal/*/*/*.c
-only "app sees public headers, hal.h, panel.h, scenes and its own" "\"(zstrip|zs_fast|zs_damage|zs_method|zs_lines|scenes|pieces|sizes|hal|second|panel|show|pair|number|report|model|bench|probes|study_settings)\\.h\"|$STD" firmware/app/*.[ch]
-only "showpieces see public headers and scenes'" "\"zs_[a-z]+\\.h\"|\"meshes\\.h\"|$(headers firmware/scenes firmware/scenes/pieces)|$STD" firmware/scenes/pieces/*.[ch]
+APP='zstrip|zs_fast|zs_damage|zs_method|zs_lines|scenes|pieces|sizes|hal|second|panel|show|pair|number|report|model'
+only "app sees public headers, hal.h, panel.h, scenes and its own" \
+    "\"($APP|bench|probes|study_settings)\\.h\"|$STD" firmware/app/*.[ch]
+only "showpieces see public headers and scenes'" \
+    "\"(zs_[a-z]+|meshes)\\.h\"|$(headers firmware/scenes firmware/scenes/pieces)|$STD" firmware/scenes/pieces/*.[ch]
 only "scenes see zstrip.h, zs_fast.h and their own" "\"(zstrip|zs_fast|meshes)\\.h\"|$(headers firmware/scenes)|$STD" firmware/scenes/*.[ch]
 only "mesh generators see their own" "$(headers firmware/scenes | sed 's|"(|"\\.\\./(|')|$(headers firmware/scenes/gen)|$HOSTED" firmware/scenes/gen/*.[ch]
 only "boards see nothing of ours" "$STD" firmware/boards/*/*.c

@@ -189,7 +189,8 @@ if [ -n "${SUMS_PICO:-}" ]; then
     first=cortex_m0plus
     column $first
 fi
-for c in $(echo "$COLUMNS" | grep -ow cortex_m0) $COLUMNS; do echo "$c"; done | awk -v first="$first" '$0 != first && !n[$0]++' |
+for c in $(echo "$COLUMNS" | grep -ow cortex_m0) $COLUMNS; do echo "$c"; done |
+    awk -v first="$first" '$0 != first && !n[$0]++' |
     xargs -P "$(nproc)" -n 1 sh tests/property/scene_sums.sh "$build" column
 touch "$record" && cp "$record" "$out/record"
 echo "Checksums (FNV-1a, 64 bits) of frames: x86-64 by gcc and clang at -O0 and -O3, Cortex-M0 to M7, RISC-V, PowerPC."

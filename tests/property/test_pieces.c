@@ -130,8 +130,8 @@ static uint32_t apart(const uint16_t *a, const uint16_t *b, size_t n)
     return (uint32_t)(sum * 64u / n);
 }
 
-/* Sizes that they were not composed for; the animation closes: the step from the last frame to the first is one like the
- * others. */
+/* Sizes that they were not composed for; the animation closes: the step from the last frame to the first is one like
+ * the others. */
 static void pieces_move_at_any_size(void **state)
 {
     static const uint16_t size[2][2] = { { 96, 72 }, { 60, 100 } };
@@ -159,6 +159,7 @@ static void pieces_move_at_any_size(void **state)
 
 int main(void)
 {
-    const struct CMUnitTest tests[] = { cmocka_unit_test(pieces_on_record), cmocka_unit_test(pieces_move_at_any_size) };
+    const struct CMUnitTest tests[] = { cmocka_unit_test(pieces_on_record),
+                                        cmocka_unit_test(pieces_move_at_any_size) };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

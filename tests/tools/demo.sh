@@ -71,6 +71,21 @@ one_line 2 --show
 z demo --out shown --scene cubes --fast all-none
 one_line 2 --fast
 
+begin scenes_with_effects # not compared, in passes, in strips of any height, by their own method alone
+demo effects --scene cockpit,cubes --size 64x48 --frames 2
+holds effects cockpit_000.png cockpit_001.png contact.png cubes_000.png cubes_001.png
+is "its comparison" "$(row effects cockpit | awk -F'|' '{ print $5 }' | tr -d ' ')" -----
+[ "$(row effects cubes | awk -F'|' '{ print $5 }' | tr -d ' ')" != ----- ] || wrong "cubes are not compared either"
+demo effects_7 --scene cockpit --size 64x48 --frames 2 --strip 7 --fast none
+for t in 000 001; do
+    cmp -s effects/cockpit_$t.png effects_7/cockpit_$t.png || wrong "another picture in strips of 7 rows"
+done
+for option in '--show overdraw' '--method painter'; do
+    # shellcheck disable=SC2086
+    z demo --out effects --scene cubes,cockpit $option
+    one_line 2 cockpit
+done
+
 begin strips_of_any_height
 demo strip_24 --scene city --size 70x60 --frames 2
 for rows in 1 7 60 4096; do

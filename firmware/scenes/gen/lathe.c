@@ -11,8 +11,8 @@ struct at_row {
     int64_t nr, ny; /* the normal, any length */
 };
 
-/* The point a / n of the way between p[1] and p[2]: twice n^3 times the polynomial, then its derivative. Beyond an end of
- * the profile the end itself is taken; n <= 255, |p| < 2^15: sums below 2^45. */
+/* The point a / n of the way between p[1] and p[2]: twice n^3 times the polynomial; below, n^2 times twice its derivative.
+ * Beyond an end of the profile the end itself is taken; n <= 255, |p| < 2^15: sums below 2^45. */
 static int64_t curve(const int64_t p[4], int64_t a, int64_t n)
 {
     const int64_t c3 = -p[0] + 3 * p[1] - 3 * p[2] + p[3], c2 = 2 * p[0] - 5 * p[1] + 4 * p[2] - p[3];
@@ -79,7 +79,8 @@ void lathe_at(struct gen_mesh *m, const struct lathe_point *point, int n_points,
     uint32_t upper = 0;
     for (int k = 0; k + 1 < n_points; k++) {
         const int another = k == 0 || memcmp(&point[k].color, &point[k - 1].color, sizeof point[k].color);
-        for (int64_t a = another ? 0 : 1; a <= point[k].rows; a++) { /* another colour: a ring of its own, in the same place */
+        for (int64_t a = another ? 0 : 1; a <= point[k].rows;
+             a++) { /* another colour: a ring of its own, in the same place */
             const struct at_row row = row_at(point, n_points, k, a, point[k].rows);
             const uint32_t lower = ring(m, &row, sides, at, point[k].color);
             if (a)

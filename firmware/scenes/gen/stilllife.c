@@ -9,44 +9,63 @@ static const struct gen_rgb white = { 255, 255, 255 };
 
 /* ---- Turned things ------------------------------------------------------------------------------------------ */
 
-#define PEEL { 255, 255, 255 }
+#define PEEL                                                                                                          \
+    {                                                                                                                 \
+        255, 255, 255                                                                                                 \
+    }
 static const struct lathe_point orange[] = {
-    { 0, 690, 1, PEEL },  { 200, 715, 2, PEEL }, { 390, 560, 2, PEEL }, { 430, 360, 2, PEEL },
-    { 340, 115, 1, PEEL }, { 150, 12, 1, PEEL }, { 0, 0, 0, PEEL },
+    { 0, 690, 1, PEEL },   { 200, 715, 2, PEEL }, { 390, 560, 2, PEEL }, { 430, 360, 2, PEEL },
+    { 340, 115, 1, PEEL }, { 150, 12, 1, PEEL },  { 0, 0, 0, PEEL },
 };
 static const struct lathe_point apple[] = {
-    { 0, 590, 1, PEEL },   { 90, 680, 2, PEEL },  { 270, 745, 2, PEEL }, { 425, 610, 2, PEEL }, { 450, 420, 2, PEEL },
+    { 0, 590, 1, PEEL },   { 90, 680, 2, PEEL }, { 270, 745, 2, PEEL }, { 425, 610, 2, PEEL }, { 450, 420, 2, PEEL },
     { 360, 140, 1, PEEL }, { 200, 12, 1, PEEL }, { 90, 30, 1, PEEL },   { 0, 70, 0, PEEL },
 };
 static const struct lathe_point pear[] = {
-    { 0, 1130, 1, PEEL },  { 110, 1150, 1, PEEL }, { 205, 1010, 2, PEEL }, { 255, 790, 2, PEEL }, { 420, 500, 2, PEEL },
-    { 455, 310, 2, PEEL }, { 350, 90, 1, PEEL },  { 160, 5, 1, PEEL },    { 0, 40, 0, PEEL },
+    { 0, 1130, 1, PEEL },  { 110, 1150, 1, PEEL }, { 205, 1010, 2, PEEL },
+    { 255, 790, 2, PEEL }, { 420, 500, 2, PEEL },  { 455, 310, 2, PEEL },
+    { 350, 90, 1, PEEL },  { 160, 5, 1, PEEL },    { 0, 40, 0, PEEL },
 };
 static const struct lathe_point lemon[] = {
     { 0, 960, 1, PEEL },   { 70, 915, 1, PEEL },  { 190, 840, 2, PEEL }, { 330, 660, 2, PEEL },
     { 345, 440, 2, PEEL }, { 250, 200, 1, PEEL }, { 90, 70, 1, PEEL },   { 0, 0, 0, PEEL },
 };
 static const struct lathe_point stem[] = {
-    { 0, 250, 1, PEEL }, { 34, 245, 1, PEEL }, { 24, 120, 1, PEEL }, { 30, -40, 1, PEEL },
+    { 0, 250, 1, PEEL },
+    { 34, 245, 1, PEEL },
+    { 24, 120, 1, PEEL },
+    { 30, -40, 1, PEEL },
 };
 
 /* Dark glaze with two pale bands. */
-#define BLUE { 24, 78, 120 }
-#define PALE { 232, 224, 200 }
+#define BLUE                                                                                                          \
+    {                                                                                                                 \
+        24, 78, 120                                                                                                   \
+    }
+#define PALE                                                                                                          \
+    {                                                                                                                 \
+        232, 224, 200                                                                                                 \
+    }
 static const struct lathe_point vase[] = {
-    { 215, 2240, 1, BLUE },  { 285, 2300, 1, PALE }, { 345, 2330, 1, PALE }, { 330, 2270, 1, BLUE },
-    { 205, 2040, 1, BLUE },  { 215, 1830, 1, BLUE }, { 320, 1660, 1, PALE }, { 370, 1600, 1, BLUE },
-    { 415, 1545, 1, PALE },  { 455, 1490, 2, BLUE }, { 590, 1130, 2, BLUE }, { 540, 700, 2, BLUE },
-    { 370, 290, 1, BLUE },   { 290, 90, 1, PALE },   { 310, 30, 1, PALE },   { 300, 0, 0, PALE },
+    { 215, 2240, 1, BLUE }, { 285, 2300, 1, PALE }, { 345, 2330, 1, PALE }, { 330, 2270, 1, BLUE },
+    { 205, 2040, 1, BLUE }, { 215, 1830, 1, BLUE }, { 320, 1660, 1, PALE }, { 370, 1600, 1, BLUE },
+    { 415, 1545, 1, PALE }, { 455, 1490, 2, BLUE }, { 590, 1130, 2, BLUE }, { 540, 700, 2, BLUE },
+    { 370, 290, 1, BLUE },  { 290, 90, 1, PALE },   { 310, 30, 1, PALE },   { 300, 0, 0, PALE },
 };
 
 /* Inside from the bottom up, round the rim, and down to the foot. */
-#define CLAY { 196, 104, 66 }
-#define CREAM { 240, 226, 196 }
+#define CLAY                                                                                                          \
+    {                                                                                                                 \
+        196, 104, 66                                                                                                  \
+    }
+#define CREAM                                                                                                         \
+    {                                                                                                                 \
+        240, 226, 196                                                                                                 \
+    }
 static const struct lathe_point bowl[] = {
-    { 0, 130, 1, CREAM },    { 420, 160, 2, CREAM },  { 860, 330, 2, CREAM }, { 1090, 620, 1, CREAM },
-    { 1125, 655, 1, CREAM }, { 1155, 640, 1, CLAY },  { 1130, 590, 2, CLAY }, { 900, 260, 2, CLAY },
-    { 520, 70, 1, CLAY },    { 500, 20, 1, CLAY },    { 490, 0, 0, CLAY },
+    { 0, 130, 1, CREAM },    { 420, 160, 2, CREAM }, { 860, 330, 2, CREAM }, { 1090, 620, 1, CREAM },
+    { 1125, 655, 1, CREAM }, { 1155, 640, 1, CLAY }, { 1130, 590, 2, CLAY }, { 900, 260, 2, CLAY },
+    { 520, 70, 1, CLAY },    { 500, 20, 1, CLAY },   { 490, 0, 0, CLAY },
 };
 
 /* A glass: outside alone; its front and back are drawn by one mesh each way. */
@@ -61,11 +80,13 @@ static const struct lathe_point wine[] = {
 };
 
 /* The mirror's foot and its pole. */
-#define BRASS { 226, 172, 74 }
+#define BRASS                                                                                                         \
+    {                                                                                                                 \
+        226, 172, 74                                                                                                  \
+    }
 static const struct lathe_point stand[] = {
-    { 0, 460, 1, BRASS },   { 95, 430, 1, BRASS },  { 60, 330, 1, BRASS }, { 130, 250, 1, BRASS },
-    { 70, 170, 1, BRASS },  { 210, 95, 2, BRASS },  { 480, 55, 1, BRASS }, { 505, 20, 1, BRASS },
-    { 495, 0, 0, BRASS },
+    { 0, 460, 1, BRASS },  { 95, 430, 1, BRASS }, { 60, 330, 1, BRASS }, { 130, 250, 1, BRASS }, { 70, 170, 1, BRASS },
+    { 210, 95, 2, BRASS }, { 480, 55, 1, BRASS }, { 505, 20, 1, BRASS }, { 495, 0, 0, BRASS },
 };
 
 static void turn(const char *name, const struct lathe_point *point, int n_points, int64_t sides, unsigned parts)
@@ -127,7 +148,8 @@ static void frame(void)
             int64_t pos[3], normal[3];
             oval(pos, i, 40 + gen_div(75 * across, GEN_Q30));
             pos[2] = gen_div(75 * LATHE_STEPS * to_front, GEN_Q30);
-            const int64_t out[2] = { OVAL_Y * gen_cos(i * 65536 / OVAL_SIDES), OVAL_X * gen_sin(i * 65536 / OVAL_SIDES) };
+            const int64_t out[2] = { OVAL_Y * gen_cos(i * 65536 / OVAL_SIDES),
+                                     OVAL_X * gen_sin(i * 65536 / OVAL_SIDES) };
             normal[0] = out[0];
             normal[1] = out[1];
             normal[2] = 0;
@@ -164,7 +186,8 @@ static void table(void)
             const int64_t c = gen_cos(i * 65536 / TABLE_SIDES), s = gen_sin(i * 65536 / TABLE_SIDES);
             const int64_t pos[3] = { gen_div(r * c, GEN_Q30), 0, gen_div(r * s, GEN_Q30) };
             const uint32_t v = gen_vert_normal(m, pos, up, white);
-            gen_uv(m, v, one / 2 + pos[0] * one / (TABLE * LATHE_STEPS), one / 2 + pos[2] * one / (TABLE * LATHE_STEPS));
+            gen_uv(m, v, one / 2 + pos[0] * one / (TABLE * LATHE_STEPS),
+                   one / 2 + pos[2] * one / (TABLE * LATHE_STEPS));
         }
     for (uint32_t k = 0; k < TABLE_RINGS; k++)
         for (uint32_t i = 0; i < TABLE_SIDES; i++) {
@@ -194,8 +217,8 @@ static void wood(void)
             const int64_t along = x + board * 97, at[3] = { along * 65536 / 48, y * 65536 / 6, 0 };
             const int64_t bend = gen_fractal(at, 4096, 3, 90 + (uint32_t)board);
             const int64_t ring = gen_sin(bend * 7 + y * 900) / 2 + GEN_Q30 / 2;
-            struct gen_rgb c = gen_mix(dark, light, gen_div(ring * 60, GEN_Q30) + (int64_t)(gen_hash((uint32_t)board, 3, 8) % 40u),
-                                       110);
+            struct gen_rgb c = gen_mix(
+                dark, light, gen_div(ring * 60, GEN_Q30) + (int64_t)(gen_hash((uint32_t)board, 3, 8) % 40u), 110);
             const int64_t fine[3] = { along * 65536 / 20, y * 65536, 0 };
             c = gen_mix(c, dark, gen_noise(fine, 4096, 31) >> 12, 30);
             if (y % 43 == 0)

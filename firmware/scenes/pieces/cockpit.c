@@ -1,5 +1,5 @@
-/* A flight along a river, seen from a cockpit: dials follow what the aircraft does, a mirror shows its tail and the land
- * behind it, and hills fade into haze.
+/* A flight along a river, seen from a cockpit: dials follow what the aircraft does, a mirror shows its tail and the
+ * land behind it, and hills fade into haze.
  *
  * SPDX-License-Identifier: MIT
  */
@@ -19,14 +19,14 @@
 #define NEAR 300
 #define FAR (LAND_PERIOD * 5 / 4)
 
-/* ---- Land and sky ------------------------------------------------------------------------------------------------ */
+/* ---- Land and sky ----------------------------------------------------------------------------------------------- */
 
 static const struct zs_material ground = { .shader = &zs_shade_flat, .rgb = { 255, 255, 255 } },
                                 metal = { .shader = &zs_shade_smooth, .rgb = { 255, 255, 255 } },
                                 tail = { .shader = &zs_shade_flat, .rgb = { 255, 255, 255 }, .cull = ZS_CULL_NONE };
-static const struct zs_blend vapour = { .material = { .shader = &zs_blend_texture, .texture = &texture_cloud,
-                                                      .cull = ZS_CULL_NONE },
-                                        .alpha = 255 };
+static const struct zs_blend vapour = {
+    .material = { .shader = &zs_blend_texture, .texture = &texture_cloud, .cull = ZS_CULL_NONE }, .alpha = 255
+};
 
 static struct backdrop sky_ahead, sky_behind;
 static const struct zs_background ahead_sky = { .fill = backdrop_sky_fill, .ctx = &sky_ahead },
@@ -36,7 +36,7 @@ static struct zs_fog haze = { .color = ZS_RGB565(0xc4d4dc), .start = LAND_PERIOD
 /* What the aircraft does in frame t. */
 struct flight {
     int32_t pos[3];
-    int32_t slip, climb; /* the way ahead: x and y to 4096 of -z */
+    int32_t slip, climb;   /* the way ahead: x and y to 4096 of -z */
     zs_turn heading, bank; /* clockwise; bank: of the right wing down */
 };
 
@@ -51,14 +51,14 @@ static void fly(struct flight *a, uint32_t t)
     a->pos[2] = z;
     a->slip = -stage_cos(1880, bend); /* 3/4 * LAND_RIVER * 2 pi / LAND_PERIOD * 4096 */
     a->climb = -330 + stage_cos(240, wave);
-    a->heading = (zs_turn)(a->slip * 5 / 2); /* a turn is 65536: 4096 is some 45 degrees, 8192 */
+    a->heading = (zs_turn)(a->slip * 5 / 2);   /* a turn is 65536: 4096 is some 45 degrees, 8192 */
     a->bank = (zs_turn)-stage_sin(4200, bend); /* into the bend */
 }
 
-/* ---- Gauges -------------------------------------------------------------------------------------------------------- */
+/* ---- Gauges ----------------------------------------------------------------------------------------------------- */
 
-/* The ball of the attitude indicator: sky and ground in a disc of radius w around pixel (x, y), turned left by `from`, the
- * horizon (short)value px below the middle. */
+/* The ball of the attitude indicator: sky and ground in a disc of radius w around pixel (x, y), turned left by `from`,
+ * the horizon (short)value px below the middle. */
 static void ball_draw(const struct zs_item *item, const struct zs_target *target)
 {
     const int32_t r2 = item->w * item->w + item->w, s = zs_sin(item->from) >> 16, c = zs_cos(item->from) >> 16;
@@ -72,8 +72,9 @@ static void ball_draw(const struct zs_item *item, const struct zs_target *target
             if (dx * dx + dy * dy > r2 || x < target->x0 || x >= target->x1)
                 continue;
             const int32_t off = c * dy + s * dx - (int16_t)item->value * 16384; /* q14: below the horizon */
-            target->color[(uint32_t)(y - target->y0) * target->pitch + (uint32_t)x] =
-                off > 9000 ? earth : off < -9000 ? sky : line;
+            target->color[(uint32_t)(y - target->y0) * target->pitch + (uint32_t)x] = off > 9000    ? earth
+                                                                                      : off < -9000 ? sky
+                                                                                                    : line;
         }
     }
 }
@@ -96,8 +97,9 @@ static char number[3][6];
 static struct zs_item *add(const struct zs_item_kind *kind, int32_t x, int32_t y, int32_t w, int32_t h, uint16_t color)
 {
     struct zs_item *i = &item[gauges.n < ITEMS ? gauges.n++ : ITEMS - 1u];
-    *i = (struct zs_item){ .kind = kind, .x = (int16_t)x, .y = (int16_t)y, .w = (int16_t)w, .h = (int16_t)h,
-                           .color = color };
+    *i = (struct zs_item){
+        .kind = kind, .x = (int16_t)x, .y = (int16_t)y, .w = (int16_t)w, .h = (int16_t)h, .color = color
+    };
     return i;
 }
 
@@ -176,8 +178,16 @@ static const uint16_t rim_pixel[9 * 9] = {
 #undef D
 #undef G
 #undef L
-static const struct zs_sprite rim = { .pixel = rim_pixel, .w = 9, .h = 9, .format = ZS_SPRITE_565, .key = 0,
-                                      .alpha_kind = ZS_ALPHA_KEY, .left = 4, .top = 4, .right = 4, .bottom = 4 };
+static const struct zs_sprite rim = { .pixel = rim_pixel,
+                                      .w = 9,
+                                      .h = 9,
+                                      .format = ZS_SPRITE_565,
+                                      .key = 0,
+                                      .alpha_kind = ZS_ALPHA_KEY,
+                                      .left = 4,
+                                      .top = 4,
+                                      .right = 4,
+                                      .bottom = 4 };
 
 static void add_gauges(const struct flight *a, const struct zs_rect *mirror, uint16_t w, uint16_t h)
 {
@@ -202,7 +212,7 @@ static void add_gauges(const struct flight *a, const struct zs_rect *mirror, uin
     }
 }
 
-/* ---- A frame -------------------------------------------------------------------------------------------------------- */
+/* ---- A frame ---------------------------------------------------------------------------------------------------- */
 
 static struct zs_instance behind[12];
 static struct zs_scene ahead_scene, behind_scene;
@@ -210,15 +220,18 @@ static struct zs_camera ahead, mirrored;
 static struct zs_mirror glass;
 static struct zs_pass pass[2] = { { .scene = &ahead_scene, .camera = &ahead },
                                   { .scene = &behind_scene, .camera = &mirrored, .mirror = &glass } };
-static const struct zs_resolve hooks[2] = { { .draw = zs_fog_draw, .changes = zs_fog_changes, .ctx = &haze },
-                                            { .draw = zs_overlay_draw, .changes = zs_overlay_changes, .ctx = &gauges } };
+static const struct zs_resolve hooks[2] = {
+    { .draw = zs_fog_draw, .changes = zs_fog_changes, .ctx = &haze },
+    { .draw = zs_overlay_draw, .changes = zs_overlay_changes, .ctx = &gauges }
+};
 
 /* A direction in view space (right, up, back, q14) in world axes, at this length. */
 static void of_view(int32_t out[3], int32_t right, int32_t up, int32_t back)
 {
     for (int i = 0; i < 3; i++)
         out[i] = (int32_t)(((int64_t)ahead.rot[i] * right + (int64_t)ahead.rot[3 + i] * up +
-                            (int64_t)ahead.rot[6 + i] * back) >> 30);
+                            (int64_t)ahead.rot[6 + i] * back) >>
+                           30);
 }
 
 static void put_attached(struct demo_frame *f, const struct zs_mesh *mesh)
@@ -228,8 +241,11 @@ static void put_attached(struct demo_frame *f, const struct zs_mesh *mesh)
 
 static void put_ahead(struct demo_frame *f)
 {
-    static const int16_t place[CLOUDS][3] = { { -9000, 7300, 0 }, { 6400, 8800, -3000 }, { -2400, 9900, -9000 },
-                                              { 13500, 7600, -6000 }, { -15800, 9000, -7000 } };
+    static const int16_t place[CLOUDS][3] = { { -9000, 7300, 0 },
+                                              { 6400, 8800, -3000 },
+                                              { -2400, 9900, -9000 },
+                                              { 13500, 7600, -6000 },
+                                              { -15800, 9000, -7000 } };
     const int32_t up[3] = { 0, 1, 0 }, along[3] = { -(ahead.rot[6] >> 1), -(ahead.rot[7] >> 1), -(ahead.rot[8] >> 1) };
     struct zs_camera level = ahead; /* not banked: clouds are upright, and parallel to the screen */
     (void)zs_camera_look_along(&level, ahead.pos, along, up);
@@ -259,7 +275,8 @@ static void put_behind(void)
     const int32_t here = ahead.pos[2] < -LAND_PERIOD / 2 ? -1 : 0;
     for (int32_t row = here; row <= here + 1; row++)
         for (int32_t column = -1; column <= 1; column++)
-            behind[n++] = (struct zs_instance){ .mesh = &mesh_terrain_low, .material = &ground,
+            behind[n++] = (struct zs_instance){ .mesh = &mesh_terrain_low,
+                                                .material = &ground,
                                                 .pose.pos = { column * LAND_PERIOD, 0, row * LAND_PERIOD } };
     behind_scene.instance = behind;
     behind_scene.n_instances = n;

@@ -1,5 +1,5 @@
-/* A walk through a forest in the mist: trunks, firs and ferns that are cut out of cards which turn to the eye, a path whose
- * texture is filtered, and fog.
+/* A walk through a forest in the mist: trunks, firs and ferns that are cut out of cards which turn to the eye, a path
+ * whose texture is filtered, and fog.
  *
  * SPDX-License-Identifier: MIT
  */
@@ -21,18 +21,26 @@
 
 static const struct zs_material bark = { .shader = &zs_shade_smooth, .rgb = { 255, 255, 255 } },
                                 path = { .shader = &zs_shade_mipmap_bilinear, .texture = &texture_forest_floor },
-                                fir = { .shader = &zs_shade_cutout, .texture = &texture_forest_fir, .cull = ZS_CULL_NONE },
-                                fern = { .shader = &zs_shade_cutout, .texture = &texture_forest_fern, .cull = ZS_CULL_NONE };
+                                fir = { .shader = &zs_shade_cutout,
+                                        .texture = &texture_forest_fir,
+                                        .cull = ZS_CULL_NONE },
+                                fern = { .shader = &zs_shade_cutout,
+                                         .texture = &texture_forest_fern,
+                                         .cull = ZS_CULL_NONE };
 
 /* A larch in autumn is the fir in other colours. */
 #define COLORS_MAX 256u
 static uint16_t gold_palette[2u * COLORS_MAX];
 static struct zs_texture larch_texture;
-static const struct zs_material larch = { .shader = &zs_shade_cutout, .texture = &larch_texture, .cull = ZS_CULL_NONE };
+static const struct zs_material larch = { .shader = &zs_shade_cutout,
+                                          .texture = &larch_texture,
+                                          .cull = ZS_CULL_NONE };
 
 static uint16_t to_gold(uint16_t color)
 {
     const uint32_t r = color >> 11, g = color >> 5 & 63u, b = color & 31u, red = r * 11u / 8u + 5u;
+    if (2u * r >= g) /* the trunk */
+        return color;
     return (uint16_t)((red > 31u ? 31u : red) << 11 | g << 5 | b / 2u);
 }
 
@@ -54,7 +62,7 @@ static const struct zs_resolve hook = { .draw = zs_fog_draw, .changes = zs_fog_c
 static struct backdrop air;
 static const struct zs_background sky = { .fill = backdrop_sky_fill, .ctx = &air };
 
-/* ---- Trees --------------------------------------------------------------------------------------------------------- */
+/* ---- Trees ------------------------------------------------------------------------------------------------------ */
 
 #define THINGS 176u
 static struct zs_instance thing[THINGS];
@@ -85,25 +93,29 @@ static struct zs_instance *put(const struct zs_mesh *mesh, const struct zs_mater
 
 /* Parallel to the screen: its texture is affine, at a third of the cost. (Crossed cards would show where they meet.) */
 static void put_facing(const struct zs_camera *camera, const struct zs_mesh *mesh, const struct zs_material *material,
-                       int32_t x, int32_t z, zs_uq16_16 scale)
+                       int32_t x, int32_t y, int32_t z, zs_uq16_16 scale)
 {
-    zs_pose_face(&put(mesh, material, x, z, scale)->pose, camera);
+    struct zs_pose *pose = &put(mesh, material, x, z, scale)->pose;
+    pose->pos[1] = y;
+    zs_pose_face(pose, camera);
 }
 
 /* A tree of row `row`, to a side, `rank` 0 .. 2 away from the path. */
 static void put_tree(const struct zs_camera *camera, int32_t row, int32_t side, int32_t rank)
 {
     const uint32_t d = dice(row, (uint32_t)(rank * 2 + (side > 0)));
-    const int32_t z = -row * ROW - (int32_t)(d % 1000u), away = 2900 + rank * 2700 + (int32_t)(d >> 10 & 1023u) * 3 / 2;
+    const int32_t z = -row * ROW - (int32_t)(d % 1000u),
+                  away = 2900 + rank * 2700 + (int32_t)(d >> 10 & 1023u) * 3 / 2;
     const int32_t x = middle(z) + side * away;
     const struct zs_material *const kind = d % 8u == 5u ? &larch : &fir;
     const zs_uq16_16 scale = ZS_Q16_ONE * 3u / 4u + (d >> 20 & 255u) * 128u;
     if (rank == 0 && d % 3u == 0)
-        zs_pose_turn(&put(&mesh_forest_trunk, &bark, x, z, scale + ZS_Q16_ONE / 4u)->pose, (zs_turn)d, (zs_turn)(d % 600u - 300u), 0);
+        zs_pose_turn(&put(&mesh_forest_trunk, &bark, x, z, scale + ZS_Q16_ONE / 4u)->pose, (zs_turn)d,
+                     (zs_turn)(d % 600u - 300u), 0);
     else
-        put_facing(camera, &mesh_forest_fir, kind, x, z, scale);
+        put_facing(camera, &mesh_forest_fir, kind, x, -330, z, scale); /* boughs lie on the ground */
     if (rank == 0 && d % 5u < 3u)
-        put_facing(camera, &mesh_forest_fern, &fern, x - side * (900 + (int32_t)(d % 500u)), z + 500, scale);
+        put_facing(camera, &mesh_forest_fern, &fern, x - side * (900 + (int32_t)(d % 500u)), 0, z + 500, scale);
 }
 
 /* From near to far: what is hidden is not coloured. */
@@ -118,7 +130,7 @@ static void put_trees(const struct zs_camera *camera)
         put(&mesh_forest_ground, &path, 0, k * WOOD_PERIOD, 0);
 }
 
-/* ---- A frame -------------------------------------------------------------------------------------------------------- */
+/* ---- A frame ---------------------------------------------------------------------------------------------------- */
 
 static void pose(struct demo_frame *f, uint32_t t, uint16_t w, uint16_t h)
 {

@@ -1,5 +1,5 @@
-/* Showpieces: scenes with effects. A piece is one file here, a line in pieces.c and one in ../sizes.h; it names whatever
- * headers of the library it needs, and a firmware links what its own piece names.
+/* Showpieces: scenes with effects. A piece is one file here, a line in pieces.c and one in ../sizes.h; it names
+ * whatever headers of the library it needs, and a firmware links what its own piece names.
  *
  * SPDX-License-Identifier: MIT
  */
@@ -15,8 +15,8 @@ extern "C" {
 
 #define PIECE_PASSES_MAX 3u
 
-/* A demo scene, and what a frame of it takes besides. demo.pose fills what is static in the piece's file (overlays, fog,
- * passes), so that one picture of a piece is drawn at a time. */
+/* A demo scene, and what a frame of it takes besides. demo.pose fills what is static in the piece's file (overlays,
+ * fog, passes), so that one picture of a piece is drawn at a time. */
 struct piece {
     struct demo demo;
     const struct zs_method *method; /* NULL: the depth buffer */
@@ -33,13 +33,13 @@ struct piece {
                                                 .fast = fast_##id, .pose = pose_ }, \
                                       .method = method_, .pass = pass_, .n_passes = n_passes_ }
 
-/* Begin a frame that piece->demo.pose has filled. memory: [PIECE_PASSES_MAX], kept until its end.
- * Return as zs_frame_begin. */
-static inline int piece_begin(struct zs_renderer *r, const struct piece *piece, const struct demo_frame *f,
-                              struct zs_pass_memory *memory)
+/* Begin a frame that piece->demo.pose has filled, with its scene and camera. memory: [PIECE_PASSES_MAX], this
+ * renderer's, kept until the frame's end. Return as zs_frame_begin. */
+static inline int piece_begin(struct zs_renderer *r, const struct piece *piece, const struct zs_scene *scene,
+                              const struct zs_camera *camera, struct zs_pass_memory *memory)
 {
     return piece->n_passes ? zs_frame_begin_passes(r, piece->pass, memory, piece->n_passes)
-                           : zs_frame_begin(r, &f->scene, &f->camera);
+                           : zs_frame_begin(r, scene, camera);
 }
 
 extern const struct piece *const pieces[]; /* [n_pieces] */

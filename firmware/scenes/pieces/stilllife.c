@@ -17,13 +17,17 @@
 
 /* ---- Light ---------------------------------------------------------------------------------------------------- */
 
-static struct zs_lamp lamp[3] = { { .rgb = ZS_RGB(0xfff0d4) }, { .rgb = ZS_RGB(0x3c5890) }, { .rgb = ZS_RGB(0x402818) } };
+static struct zs_lamp lamp[3] = { { .rgb = ZS_RGB(0xfff0d4) },
+                                  { .rgb = ZS_RGB(0x3c5890) },
+                                  { .rgb = ZS_RGB(0x402818) } };
 static const struct zs_lighting lights = { .lamp = lamp, .n_lamps = 3, .ambient = ZS_RGB(0x38343c) };
 static struct zs_shine gloss, wax;
 
-#define LIT(name, color, table, glint) \
-    static const struct zs_lit_material name = { .material = { .shader = &zs_shade_lit, .rgb = ZS_RGB(color) }, \
-                                                 .lighting = &lights, .shine = &table, .specular = ZS_RGB(glint) }
+#define LIT(name, color, table, glint)                                                                                \
+    static const struct zs_lit_material name = { .material = { .shader = &zs_shade_lit, .rgb = ZS_RGB(color) },       \
+                                                 .lighting = &lights,                                                 \
+                                                 .shine = &table,                                                     \
+                                                 .specular = ZS_RGB(glint) }
 LIT(painted, 0xffffff, gloss, 0xd0d0d0); /* its faces' colours */
 LIT(orange, 0xf08418, wax, 0x383028);
 LIT(apple, 0xb81c1c, gloss, 0x808080);
@@ -35,7 +39,9 @@ static const struct zs_lit_material bark = { .material = { .shader = &zs_shade_l
 
 static const struct zs_material wood = { .shader = &zs_shade_texture, .texture = &texture_still_wood },
                                 dark = { .shader = &zs_shade_shadow, .rgb = ZS_RGB(0x606060) },
-                                dark_both = { .shader = &zs_shade_shadow, .rgb = ZS_RGB(0x606060), .cull = ZS_CULL_NONE },
+                                dark_both = { .shader = &zs_shade_shadow,
+                                              .rgb = ZS_RGB(0x606060),
+                                              .cull = ZS_CULL_NONE },
                                 silver = { .shader = &zs_shade_window };
 
 /* ---- Glass: bright where it is seen from the side, and where it mirrors the lamp -------------------------------- */
@@ -82,7 +88,7 @@ static const struct zs_shader shade_glass = {
 };
 static const struct zs_material glass = { .shader = &shade_glass, .cull = ZS_CULL_NONE };
 
-/* ---- The wall, and the room that the mirror has in its place ----------------------------------------------------------- */
+/* ---- The wall, and the room that the mirror has in its place ---------------------------------------------------- */
 
 static struct backdrop wall_glow, room_glow;
 static const struct zs_background wall = { .fill = backdrop_glow_fill, .ctx = &wall_glow },
@@ -96,12 +102,35 @@ static void set_backdrops(uint16_t w, uint16_t h)
     backdrop_glow(&room_glow, w, h, 14, 0, 34);
 }
 
-/* ---- What stands where --------------------------------------------------------------------------------------------- */
+/* ---- What stands where ------------------------------------------------------------------------------------------ */
 
 /* In order: opaque things, from near to far; the table, shadows on it, the glass, the mirror. */
-enum { WINE, PEAR, PEAR_STEM, LEMON, BOWL, ORANGE_1, ORANGE_2, ORANGE_3, APPLE, APPLE_STEM, VASE, STAND, FRAME, TABLE,
-       SHADOW_PEAR, SHADOW_LEMON, SHADOW_BOWL, SHADOW_VASE, SHADOW_WINE, SHADOW_MIRROR, GLASS, MIRROR, THINGS,
-       SHADOWS = GLASS - SHADOW_PEAR };
+enum {
+    WINE,
+    PEAR,
+    PEAR_STEM,
+    LEMON,
+    BOWL,
+    ORANGE_1,
+    ORANGE_2,
+    ORANGE_3,
+    APPLE,
+    APPLE_STEM,
+    VASE,
+    STAND,
+    FRAME,
+    TABLE,
+    SHADOW_PEAR,
+    SHADOW_LEMON,
+    SHADOW_BOWL,
+    SHADOW_VASE,
+    SHADOW_WINE,
+    SHADOW_MIRROR,
+    GLASS,
+    MIRROR,
+    THINGS,
+    SHADOWS = GLASS - SHADOW_PEAR
+};
 static struct zs_instance thing[THINGS], image[THINGS]; /* image: what the mirror shows */
 
 static const struct {
@@ -120,8 +149,10 @@ static const struct {
     { ORANGE_1, &mesh_still_orange, &mesh_still_orange_low, &orange.material, -270, 330, 330, 0, 0, 0 },
     { ORANGE_2, &mesh_still_orange, &mesh_still_orange_low, &orange.material, 590, 330, 190, 0, 0, 0 },
     { ORANGE_3, &mesh_still_orange_low, &mesh_still_orange_low, &orange.material, 40, 330, -420, 0, 0, 0 },
-    { APPLE, &mesh_still_apple, &mesh_still_apple_low, &apple.material, 190, 800, 60, 0, ZS_DEGREES(12), ZS_DEGREES(10) },
-    { APPLE_STEM, &mesh_still_stem, &mesh_still_stem, &bark.material, 190, 1370, 60, 0, ZS_DEGREES(12), ZS_DEGREES(10) },
+    { APPLE, &mesh_still_apple, &mesh_still_apple_low, &apple.material, 190, 800, 60, 0, ZS_DEGREES(12),
+      ZS_DEGREES(10) },
+    { APPLE_STEM, &mesh_still_stem, &mesh_still_stem, &bark.material, 190, 1370, 60, 0, ZS_DEGREES(12),
+      ZS_DEGREES(10) },
     { VASE, &mesh_still_vase, &mesh_still_vase_low, &painted.material, -1050, 0, -1000, 0, 0, 0 },
     { STAND, &mesh_still_stand, NULL, &painted.material, 1180, 0, -1250, 0, 0, 0 },
     { FRAME, &mesh_still_frame, NULL, &painted.material, 1180, 1620, -1250, ZS_DEGREES(-27), ZS_DEGREES(7), 0 },
@@ -133,9 +164,9 @@ static const struct {
 static const struct {
     uint8_t which, of;
     const struct zs_mesh *mesh;
-} cast[SHADOWS] = { { SHADOW_PEAR, PEAR, &mesh_still_pear_low },    { SHADOW_LEMON, LEMON, &mesh_still_lemon_low },
-                    { SHADOW_BOWL, BOWL, &mesh_still_bowl_low },    { SHADOW_VASE, VASE, &mesh_still_vase_low },
-                    { SHADOW_WINE, WINE, &mesh_still_wine_low },    { SHADOW_MIRROR, FRAME, &mesh_still_plate } };
+} cast[SHADOWS] = { { SHADOW_PEAR, PEAR, &mesh_still_pear_low }, { SHADOW_LEMON, LEMON, &mesh_still_lemon_low },
+                    { SHADOW_BOWL, BOWL, &mesh_still_bowl_low }, { SHADOW_VASE, VASE, &mesh_still_vase_low },
+                    { SHADOW_WINE, WINE, &mesh_still_wine_low }, { SHADOW_MIRROR, FRAME, &mesh_still_plate } };
 #define FLAT_VERTS 860u /* of all shadows; one that does not fit is left out */
 static struct zs_mesh flat[SHADOWS];
 static int16_t flat_pos[FLAT_VERTS][3];
@@ -143,8 +174,9 @@ static int16_t flat_pos[FLAT_VERTS][3];
 static struct zs_scene room, seen;
 static struct zs_mirror mirror;
 static struct zs_camera eye;
-static const struct zs_pass pass[2] = { { .scene = &room, .camera = &eye },
-                                        { .scene = &seen, .camera = &eye, .mirror = &mirror, .mask = &zs_mask_window } };
+static const struct zs_pass pass[2] = {
+    { .scene = &room, .camera = &eye }, { .scene = &seen, .camera = &eye, .mirror = &mirror, .mask = &zs_mask_window }
+};
 
 static const int32_t key_light[3] = { -5, 8, 5 }, cool_light[3] = { 7, 3, -3 }, low_light[3] = { -2, -6, 5 };
 
@@ -177,7 +209,8 @@ static void set_up(void)
     (void)zs_shine_set(&wax, 10);
     for (uint32_t i = 0; i < sizeof still / sizeof still[0]; i++) {
         struct zs_instance *in = &thing[still[i].which];
-        *in = (struct zs_instance){ .mesh = still[i].mesh, .material = still[i].material,
+        *in = (struct zs_instance){ .mesh = still[i].mesh,
+                                    .material = still[i].material,
                                     .pose.pos = { still[i].x, still[i].y, still[i].z } };
         zs_pose_turn(&in->pose, still[i].yaw, still[i].pitch, still[i].roll);
         if (!still[i].low)
@@ -225,5 +258,5 @@ static void pose(struct demo_frame *f, uint32_t t, uint16_t w, uint16_t h)
     seen.sky = &dim_room;
 }
 
-PIECE(stilllife, "A bowl of fruit, a vase and a glass of wine before a mirror, lit by three lamps, with shadows", FRAMES,
-      ZS_VARYINGS_LIT, NULL, pass, 2, pose, ZS_FAST_FRAME, ZS_FAST_SMOOTH, ZS_FAST_TEXTURE, ZS_FAST_565);
+PIECE(stilllife, "A bowl of fruit, a vase and a glass of wine before a mirror, lit by three lamps, with shadows",
+      FRAMES, ZS_VARYINGS_LIT, NULL, pass, 2, pose, ZS_FAST_FRAME, ZS_FAST_SMOOTH, ZS_FAST_TEXTURE, ZS_FAST_565);

@@ -141,7 +141,7 @@ static void lit_start(struct zs_job *job)
 {
     const struct zs_instance *in = zs_instance_of(job->r, job->tri->instance);
     const struct zs_shadow_map *map = map_of(in);
-    struct place at;
+    struct place at = { 0 };
     zs_fragments_start(job);
     (void)steps(&at, in, map); /* lit_check has tried them */
     middle(&at, in, map);
