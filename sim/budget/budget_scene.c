@@ -170,7 +170,7 @@ static int of_demo(struct budget *b, const struct budget_request *rq)
 }
 
 /* Is there a shader that costs.h does not know? */
-static int has_alpha(const struct zs_scene *scene)
+static int has_effects(const struct zs_scene *scene)
 {
     for (uint32_t i = 0; i < scene->n_instances; i++)
         if (shade_bit(scene->instance[i].material->shader) == 0)
@@ -178,7 +178,7 @@ static int has_alpha(const struct zs_scene *scene)
     return 0;
 }
 
-/* Its bytes are those of its materials; transparent ones are counted as if they were opaque. */
+/* Its bytes are those of its materials; shaders that costs.h does not know are counted as plain ones. */
 static int of_model(struct budget *b, const struct budget_request *rq)
 {
     struct sim_options o = rq->o;
@@ -191,9 +191,9 @@ static int of_model(struct budget *b, const struct budget_request *rq)
     if (status == SIM_OK)
         status = sim_scene_build(&scene, &model, &view, &o);
     const uint32_t data = (uint32_t)scene.data_bytes;
-    if (status == SIM_OK && has_alpha(&scene.scene)) {
-        (void)fprintf(stderr, "%s: %s: time and code of its transparent materials are those of opaque ones\n", sim_program,
-                      o.model);
+    if (status == SIM_OK && has_effects(&scene.scene)) {
+        (void)fprintf(stderr, "%s: %s: materials with transparency, highlights or emission count as plain ones, but for their bytes\n",
+                      sim_program, o.model);
         o.opaque = 1;
         sim_scene_free(&scene);
         status = sim_scene_build(&scene, &model, &view, &o);

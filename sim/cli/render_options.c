@@ -117,7 +117,8 @@ void sim_options_help(void)
 {
     static const struct sim_help help = {
         "zsim render MODEL --out FRAME.png [options]",
-        "Draws a model (OBJ, PLY, STL, glTF and what else assimp reads) strip by strip, as boards do.",
+        "Draws a model (OBJ, PLY, STL, glTF and what else assimp reads) strip by strip, as boards do: what zsim convert "
+        "writes. What the file has that is not carried over is named.",
         "Exit status: 0 done; 1 refused, nothing written; 2 the command line makes no sense.",
     };
     sim_option_help(table, N_TABLE, &help);

@@ -65,7 +65,7 @@ struct sim_options {
     int has_eye, has_at, has_near, has_far, has_light, has_color, has_wrap,
         has_texel; /* flags */
     int precise;                          /* flag: 24 bits a coordinate */
-    int opaque;                           /* flag: alpha does nothing */
+    int opaque;                           /* flag: alpha, highlights and emission do nothing */
     int shade_chosen;                     /* flag: shade is what sim_scene_load chose */
     int reference, compare, explain, help;                         /* flags */
     struct sim_panel_wish panel; /* size is its picture's, where it has a name */

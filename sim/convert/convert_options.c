@@ -70,7 +70,8 @@ static const struct sim_option table[] = {
     { "--texture-size", SIM_OPTION_SIZE, AT(texture_size), .use = SHOWN,
       .help = "most texels each way, powers of two up to 1024 (256x256)" },
     { "--texture-format", SIM_OPTION_CHOICE, AT(texels), .use = SHOWN, .words = "auto|565|pal8|pal4",
-      .help = "2, 1 or 1/2 byte a texel (auto: the smallest that is as good as 565, or whose PSNR is 36 dB or more)" },
+      .help = "2, 1 or 1/2 byte a texel; 4444, pal8a or pal4a where a material uses its alpha (auto: the smallest "
+              "that is as good as 565, or whose PSNR is 36 dB or more)" },
     { "--dither", SIM_OPTION_FLAG, AT(dither), .use = SHOWN,
       .help = "spread what a format cannot show over the neighbours" },
     { "--mipmap", SIM_OPTION_FLAG, AT(mipmap), .use = SHOWN,
@@ -88,7 +89,8 @@ void sim_convert_help(void)
     static const struct sim_help help = {
         "zsim convert MODEL --name NAME --out DIR [options]",
         "Turns a model (OBJ, glTF, STL, PLY and what else assimp reads) or a picture (PNG, JPEG) into const C for "
-        "firmware: DIR/NAME.h and DIR/NAME.c, and prints what they take.",
+        "firmware: DIR/NAME.h and DIR/NAME.c, and prints what they take, and what the file has that is not carried "
+        "over.",
         "Exit status: 0 done; 1 refused, nothing written; 2 the command line makes no sense.",
     };
     sim_option_help(table, N_TABLE, &help);

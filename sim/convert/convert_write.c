@@ -16,6 +16,7 @@
 #include "convert.h"
 #include "image.h"
 #include "sim.h"
+#include "zs_lights.h"
 #include "zs_method.h"
 
 #define COLUMNS 100
@@ -221,25 +222,30 @@ static const char *shader_name(const struct sim_paint *p)
         [SIM_ALPHA_BLEND] = { "zs_blend_raw", "zs_blend_flat", "zs_blend_smooth", "zs_blend_texture",
                               "zs_blend_texture_flat", "zs_blend_texture_smooth" },
     };
+    if (p->lit)
+        return p->shader == SIM_SHADER_SMOOTH ? "zs_shade_lit" : "zs_shade_lit_face";
     return names[p->alpha_mode][p->shader];
 }
 
-/* Paints of struct zs_blend, or of struct zs_material. */
-static uint32_t count_paints(const struct sim_pieces *p, int blended)
+static const struct {
+    const char *type, *array, *define;
+} forms[] = { [SIM_FORM_MATERIAL] = { "zs_material", "material", "MATERIALS" },
+              [SIM_FORM_BLEND] = { "zs_blend", "blend", "BLENDS" },
+              [SIM_FORM_LIT] = { "zs_lit_material", "lit", "LITS" } };
+#define N_FORMS (sizeof forms / sizeof forms[0])
+
+/* Paints of a form before one. */
+static uint32_t count_paints(const struct sim_pieces *p, enum sim_form form, uint32_t before)
 {
     uint32_t n = 0;
-    for (uint32_t i = 0; i < p->n_paints; i++)
-        n += (p->paint[i].alpha_mode == SIM_ALPHA_BLEND) == blended;
+    for (uint32_t i = 0; i < before; i++)
+        n += sim_paint_form(&p->paint[i]) == form;
     return n;
 }
 
-/* The place of a paint among those of its kind. */
-static uint32_t place_of(const struct sim_pieces *p, uint32_t paint)
+static uint32_t all_paints(const struct sim_pieces *p, enum sim_form form)
 {
-    uint32_t n = 0;
-    for (uint32_t i = 0; i < paint; i++)
-        n += (p->paint[i].alpha_mode == SIM_ALPHA_BLEND) == (p->paint[paint].alpha_mode == SIM_ALPHA_BLEND);
-    return n;
+    return count_paints(p, form, p->n_paints);
 }
 
 /* Does a texture have alpha? */
@@ -331,13 +337,22 @@ static void mesh_object(FILE *f, const char *name, uint32_t part, const struct s
 static void material_object(FILE *f, const char *name, const struct sim_paint *p)
 {
     static const char *const culls[] = { "ZS_CULL_BACK", "ZS_CULL_FRONT", "ZS_CULL_NONE" };
-    const int blended = p->alpha_mode == SIM_ALPHA_BLEND;
-    (void)fprintf(f, "    %s{ .shader = &%s, .rgb = { %d, %d, %d }, .cull = %s", blended ? "{ .material = " : "",
-                  shader_name(p), p->rgb.r, p->rgb.g, p->rgb.b, culls[p->cull]);
+    const enum sim_form form = sim_paint_form(p);
+    (void)fprintf(f, "    %s{ .shader = &%s, .rgb = { %d, %d, %d }, .cull = %s",
+                  form != SIM_FORM_MATERIAL ? "{ .material = " : "", shader_name(p), p->rgb.r, p->rgb.g, p->rgb.b,
+                  culls[p->cull]);
     if (p->texture != SIM_NO_TEXTURE)
         (void)fprintf(f, ", .texture = &%s_texture[%" PRIu32 "]", name, p->texture);
-    if (blended)
+    if (form == SIM_FORM_BLEND)
         (void)fprintf(f, " }, .alpha = %u", p->alpha);
+    if (form == SIM_FORM_LIT)
+        (void)fprintf(f, " },\n      .lighting = &%s_lighting", name);
+    if (p->power > 0)
+        (void)fprintf(f, ", .shine = &%s_shine_%u, .specular = { %d, %d, %d }", name, p->power, p->specular.r,
+                      p->specular.g, p->specular.b);
+    if (form == SIM_FORM_LIT)
+        (void)fprintf(f, ", .emission = { %d, %d, %d }%s", p->emission.r, p->emission.g, p->emission.b,
+                      p->two_sided ? ", .flags = ZS_LIT_TWO_SIDED" : "");
     (void)fputs(" },", f);
     if (p->name[0] != '\0') {
         (void)fputs(" /* ", f);
@@ -347,16 +362,41 @@ static void material_object(FILE *f, const char *name, const struct sim_paint *p
     (void)fputc('\n', f);
 }
 
-static void materials(FILE *f, const struct sim_conversion *c, int blended)
+/* Light for lit materials, and the powers of their highlights as tables. */
+static void lighting(FILE *f, const struct sim_conversion *c)
+{
+    const char *name = c->options.name;
+    uint8_t power[128];
+    const uint32_t n = sim_paint_powers(power, &c->made.pieces);
+    (void)fprintf(f,
+                  "\nstruct zs_lamp %s_lamp[1] = {\n    { .rgb = { 255, 255, 255 }, .strength = %uu, .dir = { 400000000, "
+                  "700000000, 709169576 } }\n};\nconst struct zs_lighting %s_lighting = { .lamp = %s_lamp, .n_lamps = 1, "
+                  ".ambient = { %d, %d, %d } };\n",
+                  name, SIM_LIT_STRENGTH, name, name, SIM_LIT_AMBIENT, SIM_LIT_AMBIENT, SIM_LIT_AMBIENT);
+    for (uint32_t i = 0; i < n; i++) {
+        struct zs_shine shine;
+        (void)zs_shine_set(&shine, power[i]);
+        (void)fprintf(f, "static const struct zs_shine %s_shine_%u = { .scale = %" PRIu32 "u, .least = %u, .level = {\n",
+                      name, power[i], shine.scale, shine.least);
+        struct row row = { f, 0 };
+        for (size_t k = 0; k < sizeof shine.level; k++)
+            put(&row, "%d,", shine.level[k]);
+        (void)fputs("\n} };\n", f);
+    }
+}
+
+static void materials(FILE *f, const struct sim_conversion *c, enum sim_form form)
 {
     const struct sim_pieces *p = &c->made.pieces;
-    const uint32_t n = count_paints(p, blended);
+    const uint32_t n = all_paints(p, form);
     if (n == 0)
         return;
-    (void)fprintf(f, "\nconst struct %s %s_%s[%" PRIu32 "] = {\n", blended ? "zs_blend" : "zs_material",
-                  c->options.name, blended ? "blend" : "material", n);
+    if (form == SIM_FORM_LIT)
+        lighting(f, c);
+    (void)fprintf(f, "\nconst struct %s %s_%s[%" PRIu32 "] = {\n", forms[form].type, c->options.name, forms[form].array,
+                  n);
     for (uint32_t i = 0; i < p->n_paints; i++)
-        if ((p->paint[i].alpha_mode == SIM_ALPHA_BLEND) == blended)
+        if (sim_paint_form(&p->paint[i]) == form)
             material_object(f, c->options.name, &p->paint[i]);
     (void)fputs("};\n", f);
 }
@@ -412,14 +452,14 @@ static void meshes(FILE *f, const struct sim_conversion *c)
     for (uint32_t i = 0; i < p->n_pieces; i++)
         mesh_object(f, name, i, &p->piece[i], &c->made.steps);
     (void)fputs("};\n", f);
-    materials(f, c, 0);
-    materials(f, c, 1);
+    for (size_t form = 0; form < N_FORMS; form++)
+        materials(f, c, (enum sim_form)form);
     (void)fprintf(f, "\nconst struct zs_instance %s_instance[%" PRIu32 "] = {\n", name, p->n_pieces);
     for (uint32_t i = 0; i < p->n_pieces; i++) {
         const uint32_t paint = p->piece[i].paint;
-        const int blended = p->paint[paint].alpha_mode == SIM_ALPHA_BLEND;
+        const enum sim_form form = sim_paint_form(&p->paint[paint]);
         (void)fprintf(f, "    { .mesh = &%s_mesh[%" PRIu32 "], .material = &%s_%s[%" PRIu32 "]%s },\n", name, i, name,
-                      blended ? "blend" : "material", place_of(p, paint), blended ? ".material" : "");
+                      forms[form].array, count_paints(p, form, paint), form != SIM_FORM_MATERIAL ? ".material" : "");
     }
     (void)fputs("};\n", f);
 }
@@ -612,13 +652,13 @@ static void defines(FILE *f, const struct sim_conversion *c, const char *big, co
 {
     const struct sim_pieces *p = &c->made.pieces;
     (void)fprintf(f, "#define %s_INSTANCES %" PRIu32 "u\n", big, p->n_pieces);
-    if (count_paints(p, 0) > 0)
-        (void)fprintf(f, "#define %s_MATERIALS %" PRIu32 "u\n", big, count_paints(p, 0));
-    if (count_paints(p, 1) > 0)
-        (void)fprintf(f,
-                      "#define %s_BLENDS %" PRIu32 "u /* transparent materials: their triangles are sorted by */\n"
-                      "#define %s_METHOD (&zs_method_transparent) /* zs_config.method */\n",
-                      big, count_paints(p, 1), big);
+    for (size_t form = 0; form < N_FORMS; form++)
+        if (all_paints(p, (enum sim_form)form) > 0)
+            (void)fprintf(f, "#define %s_%s %" PRIu32 "u\n", big, forms[form].define,
+                          all_paints(p, (enum sim_form)form));
+    if (all_paints(p, SIM_FORM_BLEND) > 0)
+        (void)fprintf(f, "#define %s_METHOD (&zs_method_transparent) /* zs_config.method: sorts what is transparent */\n",
+                      big);
     (void)fprintf(f, "#define %s_TRIANGLES %" PRIu32 "u\n", big, p->n_tris);
     (void)fprintf(f, "#define %s_VERTICES %" PRIu32 "u\n", big, p->n_verts);
     (void)fprintf(f, "#define %s_VARYINGS %s /* zs_config.varyings, at least */\n", big, attrs_name(p));
@@ -652,8 +692,9 @@ void sim_convert_header(FILE *f, const struct sim_conversion *c)
         describe_place(f, c, &box);
         describe_use(f, name, big);
     }
-    (void)fprintf(f, " */\n#ifndef %s_H\n#define %s_H\n\n#include \"zstrip.h\"\n%s\n", big, big,
-                  count_paints(&c->made.pieces, 1) > 0 ? "#include \"zs_blend.h\"\n" : "");
+    (void)fprintf(f, " */\n#ifndef %s_H\n#define %s_H\n\n#include \"zstrip.h\"\n%s%s\n", big, big,
+                  all_paints(&c->made.pieces, SIM_FORM_BLEND) > 0 ? "#include \"zs_blend.h\"\n" : "",
+                  all_paints(&c->made.pieces, SIM_FORM_LIT) > 0 ? "#include \"zs_lights.h\"\n" : "");
     if (has_mesh)
         defines(f, c, big, &box);
     if (c->made.n_skins > 0)
@@ -664,10 +705,16 @@ void sim_convert_header(FILE *f, const struct sim_conversion *c)
             f, "extern const struct zs_instance %s_instance[%s_INSTANCES]; /* one to a mesh */\n",
             name, big);
         (void)fprintf(f, "extern const struct zs_mesh %s_mesh[%s_INSTANCES];\n", name, big);
-        if (count_paints(&c->made.pieces, 0) > 0)
-            (void)fprintf(f, "extern const struct zs_material %s_material[%s_MATERIALS];\n", name, big);
-        if (count_paints(&c->made.pieces, 1) > 0)
-            (void)fprintf(f, "extern const struct zs_blend %s_blend[%s_BLENDS];\n", name, big);
+        for (size_t form = 0; form < N_FORMS; form++)
+            if (all_paints(&c->made.pieces, (enum sim_form)form) > 0)
+                (void)fprintf(f, "extern const struct %s %s_%s[%s_%s];\n", forms[form].type, name, forms[form].array,
+                              big, forms[form].define);
+        if (all_paints(&c->made.pieces, SIM_FORM_LIT) > 0)
+            (void)fprintf(f,
+                          "/* The light of %s_lit, in RAM; zs_scene.light is for the others. To have them alike:\n"
+                          " *     memcpy(%s_lamp[0].dir, scene.light.dir, sizeof %s_lamp[0].dir); */\n"
+                          "extern struct zs_lamp %s_lamp[1];\nextern const struct zs_lighting %s_lighting;\n",
+                          name, name, name, name, name);
     }
     if (c->made.n_skins > 0)
         (void)fprintf(f, "extern const struct zs_texture %s_texture[%s_TEXTURES];\n", name, big);

@@ -13,6 +13,10 @@
 #define MESH_BYTES 72u
 #define MATERIAL_BYTES 16u
 #define BLEND_BYTES 20u
+#define LIT_BYTES 32u
+#define LAMP_BYTES 48u
+#define LIGHTING_BYTES 12u
+#define SHINE_BYTES 272u
 #define TEXTURE_BYTES 20u
 #define INSTANCE_BYTES 64u
 
@@ -112,8 +116,15 @@ void sim_converted_bytes(struct sim_converted_bytes *out, const struct sim_conve
     for (uint32_t i = 0; i < c->n_skins; i++)
         out->texels += c->skin[i].texel_bytes + c->skin[i].palette_bytes;
     out->structs = p->n_pieces * (MESH_BYTES + INSTANCE_BYTES) + c->n_skins * TEXTURE_BYTES;
-    for (uint32_t i = 0; i < p->n_paints; i++)
-        out->structs += p->paint[i].alpha_mode == SIM_ALPHA_BLEND ? BLEND_BYTES : MATERIAL_BYTES;
+    static const size_t of_form[] = { [SIM_FORM_MATERIAL] = MATERIAL_BYTES, [SIM_FORM_BLEND] = BLEND_BYTES,
+                                      [SIM_FORM_LIT] = LIT_BYTES };
+    uint8_t powers[128];
+    int lit = 0;
+    for (uint32_t i = 0; i < p->n_paints; i++) {
+        out->structs += of_form[sim_paint_form(&p->paint[i])];
+        lit |= p->paint[i].lit;
+    }
+    out->structs += (lit ? LAMP_BYTES + LIGHTING_BYTES : 0u) + SHINE_BYTES * sim_paint_powers(powers, p);
     out->total = s->pos + s->pos_lo + s->tri + s->normal + s->face_normal + s->rgb + s->uv +
                  s->cluster + s->bvh + out->texels + out->structs;
 }

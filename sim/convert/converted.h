@@ -17,6 +17,10 @@ struct sim_converted {
     uint32_t n_skins;
 };
 
+/* The light of lit materials: the default of `zsim render`, until a program sets another. */
+#define SIM_LIT_AMBIENT 64      /* of 255 */
+#define SIM_LIT_STRENGTH 49152u /* uq16_16 */
+
 /* Bytes by part on a 32-bit machine. */
 struct sim_converted_bytes {
     struct sim_flash mesh;

@@ -108,12 +108,18 @@ static struct zs_rgb color_of(const struct work *w, uint32_t t, enum sim_shader 
     return shader == SIM_SHADER_SMOOTH ? c[0] : sim_model_face_rgb(w->model, t);
 }
 
+static int same_light(const struct sim_paint *a, const struct sim_paint *b)
+{
+    return a->lit == b->lit && a->power == b->power && a->two_sided == b->two_sided && same_rgb(a->specular, b->specular) &&
+           same_rgb(a->emission, b->emission);
+}
+
 static uint32_t find_group(struct groups *g, const struct sim_paint *paint, int by_color)
 {
     for (uint32_t i = 0; i < g->n; i++)
         if (g->at[i].paint.texture == paint->texture && g->at[i].paint.shader == paint->shader &&
             g->at[i].paint.cull == paint->cull && g->at[i].paint.alpha_mode == paint->alpha_mode &&
-            g->at[i].paint.alpha == paint->alpha &&
+            g->at[i].paint.alpha == paint->alpha && same_light(&g->at[i].paint, paint) &&
             (!by_color || is_textured(paint->shader) || same_rgb(g->at[i].paint.rgb, paint->rgb)))
             return i;
     g->at = sim_grow(g->at, (size_t)g->n + 1, sizeof *g->at);
@@ -143,19 +149,43 @@ static void set_alpha(const struct work *w, struct sim_paint *paint, const struc
     paint->alpha_mode = paint->alpha < 255 ? SIM_ALPHA_BLEND : texels;
 }
 
-static void add_to_group(struct work *w, uint32_t t, int by_color, int *whole)
+/* Highlights and emission, where there is a shader for them. */
+static void set_light(const struct work *w, struct sim_paint *paint, const struct sim_material *material)
+{
+    const struct zs_rgb none = { 0, 0, 0 };
+    const int smooth = paint->shader == SIM_SHADER_SMOOTH;
+    const int flat = paint->shader == SIM_SHADER_FLAT && !w->options->no_face_normals;
+    if (w->options->opaque || paint->alpha_mode != SIM_ALPHA_OPAQUE || !(smooth || flat) ||
+        (material->power == 0 && same_rgb(material->emission, none)))
+        return;
+    paint->lit = 1;
+    paint->two_sided = material->two_sided;
+    paint->power = material->power;
+    paint->specular = material->specular;
+    paint->emission = material->emission;
+}
+
+/* How a triangle is drawn, but for its colour. */
+static struct sim_paint paint_of(const struct work *w, uint32_t t)
 {
     const uint32_t texture = texture_of(w, t);
     const struct sim_material *material = &w->model->material[w->model->tri_material[t]];
-    const enum sim_shader shader =
-        shader_of(w->options->by_material && material->unlit ? SIM_LOOK_UNLIT : (enum sim_look)w->options->look,
-                  texture != SIM_NO_TEXTURE);
-    struct sim_paint paint = { .shader = shader, .texture = texture, .rgb = { 255, 255, 255 } };
+    const enum sim_look look =
+        w->options->by_material && material->unlit ? SIM_LOOK_UNLIT : (enum sim_look)w->options->look;
+    struct sim_paint paint = { .shader = shader_of(look, texture != SIM_NO_TEXTURE), .texture = texture,
+                               .rgb = { 255, 255, 255 } };
     paint.cull = (uint8_t)(material->two_sided && w->options->cull == ZS_CULL_BACK ? ZS_CULL_NONE : w->options->cull);
     set_alpha(w, &paint, material);
+    set_light(w, &paint, material);
+    return paint;
+}
+
+static void add_to_group(struct work *w, uint32_t t, int by_color, int *whole)
+{
+    struct sim_paint paint = paint_of(w, t);
     int triangle_whole = 1;
-    if (!is_textured(shader))
-        paint.rgb = color_of(w, t, shader, &triangle_whole);
+    if (!is_textured(paint.shader))
+        paint.rgb = color_of(w, t, paint.shader, &triangle_whole);
     const uint32_t n = find_group(&w->groups, &paint, by_color);
     struct group *g = &w->groups.at[n];
     g->same_rgb = g->same_rgb && triangle_whole && same_rgb(g->paint.rgb, paint.rgb);
@@ -665,8 +695,22 @@ static void measure_places(struct work *w)
     w->out->error_rms = sqrt(squared / w->model->n_points);
 }
 
-/* What of materials that faces have is not drawn. */
-static void count_losses(const struct work *w)
+/* What of a triangle's material is not drawn, of that which the loader has read. */
+static void lose_of(const struct work *w, const struct sim_material *m, const struct sim_paint *paint, struct sim_lost *lost)
+{
+    const struct zs_rgb none = { 0, 0, 0 };
+    if (m->two_sided && !paint->lit && paint->shader != SIM_SHADER_RAW && paint->shader != SIM_SHADER_TEXTURE)
+        sim_lose(lost, SIM_LOST_TWO_SIDED, m->name);
+    if (m->alpha_mode != SIM_ALPHA_OPAQUE && w->options->opaque)
+        sim_lose(lost, SIM_LOST_OPACITY, m->name);
+    if (m->power > 0 && !paint->lit)
+        sim_lose(lost, SIM_LOST_SPECULAR, m->name);
+    if (!same_rgb(m->emission, none) && !paint->lit)
+        sim_lose(lost, SIM_LOST_EMISSION, m->name);
+}
+
+/* By the first triangle of each material; vertex colours by all. Those left out for having no area count. */
+static void count_losses(struct work *w)
 {
     const struct sim_model *model = w->model;
     struct sim_lost *lost = w->out->lost;
@@ -675,26 +719,35 @@ static void count_losses(const struct work *w)
     for (uint32_t t = 0; t < model->n_tris; t++) {
         const uint32_t n = model->tri_material[t];
         const struct sim_material *m = &model->material[n];
-        const int before = seen[n];
-        seen[n] |= 1;
-        if (!(before & 2) && texture_of(w, t) != SIM_NO_TEXTURE &&
+        const struct sim_paint paint = paint_of(w, t);
+        if (!(seen[n] & 2) && is_textured(paint.shader) &&
             !(same_rgb(model->rgb[t][0], m->rgb) && same_rgb(model->rgb[t][1], m->rgb) &&
               same_rgb(model->rgb[t][2], m->rgb))) {
             sim_lose(lost, SIM_LOST_VERTEX_COLOR, m->name);
             seen[n] |= 2;
         }
-        if (before & 1)
-            continue;
-        if (m->two_sided && !m->unlit && w->options->look != SIM_LOOK_UNLIT && w->options->look != SIM_LOOK_RAW)
-            sim_lose(lost, SIM_LOST_TWO_SIDED, m->name);
-        if (m->alpha_mode != SIM_ALPHA_OPAQUE && w->options->opaque)
-            sim_lose(lost, SIM_LOST_OPACITY, m->name);
-        if (m->power > 0)
-            sim_lose(lost, SIM_LOST_SPECULAR, m->name);
-        if (m->emission.r > 0 || m->emission.g > 0 || m->emission.b > 0)
-            sim_lose(lost, SIM_LOST_EMISSION, m->name);
+        if (!(seen[n] & 1))
+            lose_of(w, m, &paint, lost);
+        seen[n] |= 1;
     }
     free(seen);
+}
+
+enum sim_form sim_paint_form(const struct sim_paint *paint)
+{
+    return paint->lit ? SIM_FORM_LIT : paint->alpha_mode == SIM_ALPHA_BLEND ? SIM_FORM_BLEND : SIM_FORM_MATERIAL;
+}
+
+uint32_t sim_paint_powers(uint8_t power[128], const struct sim_pieces *pieces)
+{
+    uint32_t n = 0;
+    for (unsigned p = 1; p <= 128; p++)
+        for (uint32_t i = 0; i < pieces->n_paints; i++)
+            if (pieces->paint[i].power == p) {
+                power[n++] = (uint8_t)p;
+                break;
+            }
+    return n;
 }
 
 static size_t total(const struct sim_pieces *p, int fine)

@@ -28,6 +28,10 @@ struct sim_paint {
     uint32_t texture; /* into sim_model.texture, or SIM_NO_TEXTURE */
     uint8_t cull;     /* enum zs_cull */
     uint8_t alpha_mode, alpha; /* enum sim_alpha, mask only with a texture; opacity, 255 is full */
+    uint8_t power;             /* of highlights; 0: none */
+    uint8_t lit;               /* flag: a struct zs_lit_material, which alone has what follows; flat or smooth, opaque */
+    uint8_t two_sided;         /* flag: light falls on back sides */
+    struct zs_rgb specular, emission;
     const char *name; /* of the file's material, borrowed; "": several or none */
 };
 
@@ -70,6 +74,13 @@ int sim_pieces_make(struct sim_pieces *out, const struct sim_model *model,
                     const struct sim_steps *steps, const struct sim_convert_options *o,
                     const uint32_t (*texture_size)[2]);
 void sim_pieces_free(struct sim_pieces *pieces);
+
+/* The struct that a paint is written as. */
+enum sim_form { SIM_FORM_MATERIAL, SIM_FORM_BLEND, SIM_FORM_LIT };
+enum sim_form sim_paint_form(const struct sim_paint *paint);
+
+/* The powers of highlights that paints have, ascending. Return how many. */
+uint32_t sim_paint_powers(uint8_t power[128], const struct sim_pieces *pieces);
 
 /* What a part of all meshes takes in flash, bytes. */
 struct sim_flash {

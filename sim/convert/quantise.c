@@ -242,6 +242,11 @@ static void build_light(struct sim_scene *s, const struct sim_view *v, const str
         s->scene.light.dir[k] = (zs_q2_30)lrint(v->light[k] * 1073741824.0);
     s->scene.light.ambient = (zs_uq16_16)lrint(o->ambient * 65536.0);
     s->scene.light.diffuse = (zs_uq16_16)lrint(o->diffuse * 65536.0);
+    const uint8_t ambient = (uint8_t)lrint(o->ambient * 255.0);
+    s->lamp = (struct zs_lamp){ .rgb = { 255, 255, 255 },
+                                .strength = s->scene.light.diffuse > 0 ? s->scene.light.diffuse : 1u, /* 0 would be 1 */
+                                .dir = { s->scene.light.dir[0], s->scene.light.dir[1], s->scene.light.dir[2] } };
+    s->lighting = (struct zs_lighting){ .lamp = &s->lamp, .n_lamps = 1, .ambient = { ambient, ambient, ambient } };
     s->scene.background = zs_rgb565(o->background.r, o->background.g, o->background.b);
 }
 
@@ -767,6 +772,7 @@ void sim_scene_free(struct sim_scene *scene)
     for (uint32_t i = 0; i < scene->n_textures; i++)
         free((void *)(uintptr_t)scene->texture[i].texel);
     SIM_FREE(scene->texture, scene->palette, scene->material, scene->part, scene->instance,
-             scene->source, scene->blend);
+             scene->source, scene->blend,
+             scene->lit, scene->shine);
     memset(scene, 0, sizeof *scene);
 }

@@ -9,6 +9,7 @@
 #include "palette.h"
 #include "framing.h"
 #include "zs_blend.h"
+#include "zs_lights.h"
 #include "zstrip.h"
 
 /* A consecutive run of triangles with one texture, or none, whose vertices fit 16-bit indices.
@@ -36,6 +37,10 @@ struct sim_scene {
     struct zs_material *material; /* [n_textures + 1]: faces without a texture, then by texture */
     struct zs_texture *texture;   /* [n_textures] */
     struct zs_blend *blend; /* in place of materials that are transparent; NULL with --mesh file */
+    struct zs_lit_material *lit; /* in place of those with highlights or emission; likewise */
+    struct zs_shine *shine;
+    struct zs_lamp lamp; /* of those: the scene's light */
+    struct zs_lighting lighting;
     uint16_t (*palette)[2 * SIM_PALETTE_MAX]; /* [n_textures] */
     uint32_t n_textures;
     struct zs_instance *instance; /* [n_parts] */

@@ -11,6 +11,7 @@
 #include "sim.h"
 #include "zs_blend.h"
 #include "zs_filter.h"
+#include "zs_lights.h"
 
 /* ---- Options --------------------------------------------------------------------------------- */
 
@@ -49,8 +50,8 @@ void sim_scene_wish(struct sim_convert_options *c, const struct sim_options *o)
     c->precise = o->precise;
     c->color = o->color;
     c->has_color = o->has_color;
-    c->by_material = o->shade_chosen;
     c->opaque = is_opaque(o);
+    c->by_material = o->shade_chosen && !c->opaque;
     if (o->has_texel)
         c->texels = texels[o->texel];
     if (o->effects.filter == SIM_FILTER_MIPMAP)
@@ -108,6 +109,8 @@ static const struct zs_shader *shader_of(const struct sim_paint *p)
         [SIM_ALPHA_BLEND] = { &zs_blend_raw, &zs_blend_flat, &zs_blend_smooth, &zs_blend_texture,
                               &zs_blend_texture_flat, &zs_blend_texture_smooth },
     };
+    if (p->lit)
+        return p->shader == SIM_SHADER_SMOOTH ? &zs_shade_lit : &zs_shade_lit_face;
     return of[p->alpha_mode][p->shader];
 }
 
@@ -122,6 +125,8 @@ static void take_materials(struct sim_scene *s, struct sim_converted *made)
         take_texture(s, i, &made->skin[i]);
     s->material = sim_alloc(p->n_paints, sizeof *s->material);
     s->blend = sim_alloc(p->n_paints, sizeof *s->blend);
+    s->lit = sim_alloc(p->n_paints, sizeof *s->lit);
+    s->shine = sim_alloc(p->n_paints, sizeof *s->shine);
     for (uint32_t i = 0; i < p->n_paints; i++) {
         const struct sim_paint *paint = &p->paint[i];
         s->material[i] = (struct zs_material){ .shader = shader_of(paint),
@@ -130,6 +135,14 @@ static void take_materials(struct sim_scene *s, struct sim_converted *made)
                                                .texture = paint->texture != SIM_NO_TEXTURE
                                                               ? &s->texture[paint->texture]
                                                               : NULL };
+        s->lit[i] = (struct zs_lit_material){ .material = s->material[i],
+                                              .lighting = &s->lighting,
+                                              .shine = paint->power > 0 ? &s->shine[i] : NULL,
+                                              .specular = paint->specular,
+                                              .emission = paint->emission,
+                                              .flags = paint->two_sided ? ZS_LIT_TWO_SIDED : 0 };
+        if (paint->power > 0)
+            (void)zs_shine_set(&s->shine[i], paint->power);
         s->blend[i] = (struct zs_blend){ .material = s->material[i], .alpha = paint->alpha };
     }
 }
@@ -223,8 +236,11 @@ void sim_scene_parts(struct sim_scene *out, struct sim_converted *made, const st
     uint32_t at = 0;
     for (uint32_t i = 0; i < p->n_pieces; i++) {
         take_part(out, &out->part[i], &p->piece[i], o, made->steps.fine, scale);
-        if (p->paint[p->piece[i].paint].alpha_mode == SIM_ALPHA_BLEND)
-            out->part[i].material = &out->blend[p->piece[i].paint].material;
+        const uint32_t paint = p->piece[i].paint;
+        const enum sim_form form = sim_paint_form(&p->paint[paint]);
+        out->part[i].material = form == SIM_FORM_LIT     ? &out->lit[paint].material
+                                : form == SIM_FORM_BLEND ? &out->blend[paint].material
+                                                         : &out->material[paint];
         memcpy(out->source + at, p->piece[i].source, p->piece[i].n_tris * sizeof *out->source);
         at += p->piece[i].n_tris;
     }

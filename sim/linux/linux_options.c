@@ -45,7 +45,7 @@ static const struct sim_option table[] = {
     { "Picture", SIM_OPTION_HEADING },
     { "--scene", SIM_OPTION_TEXT, AT(scene), .help = "one of these, turning or moving:", .list = scene_list },
     { "--model", SIM_OPTION_FILE, AT(model),
-      .help = "what `zsim render` draws, turning" },
+      .help = "what `zsim render` draws, turning; materials are opaque" },
     { "--frames", SIM_OPTION_COUNT, AT(frames), 0, 1, FRAMES_MAX,
       .help =
           "frames 0, 1, 2 ... N - 1 of the animation, N {range}, then the end; without it for ever, by the clock" },

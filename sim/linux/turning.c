@@ -31,6 +31,7 @@ int turning_open(struct source *s, const struct linux_options *o)
     struct sim_view view;
     sim_options_defaults(&as);
     as.model = o->model;
+    as.opaque = 1; /* the depth buffer alone sorts it */
     as.size[0] = o->size[0];
     as.size[1] = o->size[1];
     as.limits = o->limits;

@@ -103,12 +103,14 @@ static void set_opacity(struct sim_material *to, double opacity)
     to->alpha_mode = to->alpha < 255 ? SIM_ALPHA_BLEND : SIM_ALPHA_OPAQUE;
 }
 
-/* Highlights of a share of light, rgb, and a power; too faint or wide ones are none. */
+/* Highlights of a share of light, rgb, and a power; too faint or wide ones are none, and brighter ones than full keep
+ * their hue. */
 static void set_specular(struct sim_material *to, const double rgb[3], double power)
 {
-    if (!(fmax(rgb[0], fmax(rgb[1], rgb[2])) >= SPECULAR_LEAST) || !(power >= 1.0))
+    const double most = fmax(rgb[0], fmax(rgb[1], rgb[2])), full = fmax(most, 1.0);
+    if (!(most >= SPECULAR_LEAST) || !(power >= 1.0))
         return;
-    to->specular = (struct zs_rgb){ to_byte(rgb[0]), to_byte(rgb[1]), to_byte(rgb[2]) };
+    to->specular = (struct zs_rgb){ to_byte(rgb[0] / full), to_byte(rgb[1] / full), to_byte(rgb[2] / full) };
     to->power = (uint8_t)fmin(power, SPECULAR_POWER_MAX);
 }
 

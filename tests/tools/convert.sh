@@ -212,7 +212,12 @@ both_sides="{\"name\":\"both sides\",\"doubleSided\":true,$(pbr '"baseColorFacto
 ./make looks looks lossy both \
     "{\"name\":\"gloss\",\"emissiveFactor\":[0,0,0.2],$(pbr '"roughnessFactor":0.4,"baseColorFactor":[0.7,0.1,0.1,1]')}" \
     "{\"name\":\"maps\",\"normalTexture\":{\"index\":2},\"occlusionTexture\":{\"index\":2},\"emissiveTexture\":{\"index\":2},$(pbr \
-        '"metallicRoughnessTexture":{"index":2},"baseColorTexture":{"index":3}')}" "$both_sides"
+        '"metallicRoughnessTexture":{"index":2},"baseColorTexture":{"index":3}')}" "$both_sides" \
+    "{\"name\":\"wet\",\"emissiveFactor\":[0.2,0,0],$(pbr '"roughnessFactor":0.3,"baseColorTexture":{"index":2}')}"
+metal() { # NAME ROUGHNESS MORE
+    echo "{\"name\":\"$1\",$3\"pbrMetallicRoughness\":{\"metallicFactor\":1,\"roughnessFactor\":$2,\"baseColorFactor\":[1,0.5,0,1]}}"
+}
+./make looks looks metal - "$(metal gold 0.6 '"doubleSided":true,')" "$(metal mirror 0 '')" "$(metal rough 1 '')"
 {
     echo 'mtllib glass.mtl'
     i=0
@@ -314,6 +319,9 @@ for shade in flat textured-flat unlit smooth; do
     one_road "materials_$(echo $shade | tr - _)" looks/looks.gltf --shade $shade
 done
 one_road mtl looks/glass.obj
+one_road highlights looks/lossy.gltf
+one_road highlights_flat looks/lossy.gltf --shade flat
+one_road metals looks/metal.gltf --shade smooth
 
 # ---- Materials -----------------------------------------------------------------------------------
 # What is drawn is seen in the frame; what is not carried over is named, by convert and by render alike.
@@ -351,18 +359,28 @@ for format in 565:4444 pal8:pal8a pal4:pal4a; do
     compile look same
     run look/same draw 0
 done
+begin highlights_and_emission_that_are_written
+convert look looks/lossy.gltf
+holds look/m.c '{ .material = { .shader = &zs_shade_lit, .rgb = { 179, 26, 26 }, .cull = ZS_CULL_BACK },'
+# power 2 / 0.4^4 - 2, rounded down; 0.04 * (power + 8) / 8 of 255
+holds look/m.c '.shine = &m_shine_76, .specular = { 107, 107, 107 }, .emission = { 0, 0, 51 } }, /* "gloss" */'
+holds look/m.h 'extern struct zs_lamp m_lamp[1];'
+lacks look/m.h M_METHOD
+convert look looks/metal.gltf
+holds look/m.c '.specular = { 255, 128, 0 }, .emission = { 0, 0, 0 }, .flags = ZS_LIT_TWO_SIDED }, /* "gold" */'
+holds look/m.c '{ .shader = &zs_shade_smooth, .rgb = { 255, 128, 0 }, .cull = ZS_CULL_BACK }, /* "rough" */'
 begin plain_materials_need_no_method
 lacks many_materials/m.h M_METHOD
 lacks many_materials/m.c zs_filter.h
 begin materials_that_are_named
 said_of looks/looks.gltf 'double-sidedness: light on back sides (2, the first of material "fade")'
-said_of looks/lossy.gltf 'animation (1, "walk")' 'skin (3, the first of mesh "bowl0")' \
-    'morph targets (3, the first of mesh "bowl0")' 'camera (1, "eye")' 'light (1, "lamp")' \
-    'further texture coordinates (3, the first of mesh "bowl0")' 'texture that cannot be loaded (1, "gone.png")' \
+said_of looks/lossy.gltf 'animation (1, "walk")' 'skin (4, the first of mesh "bowl0")' \
+    'morph targets (4, the first of mesh "bowl0")' 'camera (1, "eye")' 'light (1, "lamp")' \
+    'further texture coordinates (4, the first of mesh "bowl0")' 'texture that cannot be loaded (1, "gone.png")' \
     'normal or height map (1, of material "maps")' 'metallic-roughness map (1, of material "maps")' \
     'emission map (1, of material "maps")' 'occlusion map (1, of material "maps")' \
-    'double-sidedness: light on back sides (1, of material "both sides")' 'highlights (1, of material "gloss")' \
-    'emission (1, of material "gloss")'
+    'double-sidedness: light on back sides (1, of material "both sides")' 'highlights (1, of material "wet")' \
+    'emission (1, of material "wet")'
 said_of gltf/balls.gltf
 said_of looks/glass.obj 'alpha of a texture (1, "fade.png")' 'normal or height map (1, of material "leaf")' \
     'opacity map (1, of material "odd")'

@@ -76,6 +76,9 @@ static void draw(int n)
     }
     for (int k = 0; k < 3; k++)
         scene.light.dir[k] = (zs_q2_30)lrint(views[n].light[k] / sqrt(length) * 1073741824.0);
+#ifdef M_LITS
+    memcpy(m_lamp[0].dir, scene.light.dir, sizeof m_lamp[0].dir);
+#endif
     camera.focal = (zs_uq32_32)H / 2 << 32; /* 90 degrees */
     camera.z_near = (zs_q48_16)whole(views[n].z_near) * 65536;
     camera.z_far = (zs_q48_16)whole(views[n].z_far) * 65536;
